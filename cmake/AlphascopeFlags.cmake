@@ -1,0 +1,15 @@
+# alphascope_flags: the one INTERFACE target that carries how every target is compiled.
+add_library(alphascope_flags INTERFACE)
+target_include_directories(alphascope_flags INTERFACE ${PROJECT_SOURCE_DIR})
+target_compile_options(alphascope_flags INTERFACE
+  # A fused multiply-add rounds once where the error bounds of the filtered predicates and the
+  # byte-equality of CPU and GPU results assume two roundings.
+  $<$<COMPILE_LANGUAGE:CXX>:-ffp-contract=off -Wall -Wextra -Wshadow -Wnon-virtual-dtor>)
+if(ALPHASCOPE_STRICT)
+  target_compile_options(alphascope_flags INTERFACE $<$<COMPILE_LANGUAGE:CXX>:-Werror>)
+endif()
+if(ALPHASCOPE_SANITIZER)
+  target_compile_options(alphascope_flags INTERFACE
+    $<$<COMPILE_LANGUAGE:CXX>:-fsanitize=${ALPHASCOPE_SANITIZER} -fno-omit-frame-pointer -fno-sanitize-recover=all>)
+  target_link_options(alphascope_flags INTERFACE -fsanitize=${ALPHASCOPE_SANITIZER})
+endif()

@@ -1,0 +1,68 @@
+// The immutable result of every engine: the simplices of K_alpha with their alpha values and
+// classes. How it is computed is the engines' business.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/geometry/ball_set.hpp"
+#include "core/run/stage_timer.hpp"
+
+namespace alphascope {
+
+// Where a simplex lies in K_alpha: singular = face of no other simplex of K_alpha; regular = on the
+// boundary of K_alpha and face of another; interior = its whole neighbourhood is filled.
+enum class SimplexClass : std::uint8_t { singular, regular, interior };
+
+// Simplices of one dimension (N = number of vertices), in lexicographic order of their vertices;
+// the vertices of each simplex ascend. The three arrays have equal length.
+template <int N>
+struct SimplexList {
+  std::vector<std::array<BallIndex, N>> simplices;
+  // Square lattice units: the exact alpha value rounded to the nearest float. Rounding is monotone,
+  // so a face never has a larger value than its coface.
+  std::vector<float> alpha_values;
+  std::vector<SimplexClass> classes;
+
+  std::size_t size() const { return simplices.size(); }
+};
+
+// Which engine made the result, for display and provenance.
+struct EngineInfo {
+  std::string name;    // "facet engine", "CGAL triangulation"
+  std::string device;  // "CPU, 2 threads", "NVIDIA H200"
+  std::string route;   // "facet clipping", "regular triangulation, then threshold", "threshold of cached filtration"
+};
+
+struct AlphaComplex {
+  Lattice lattice;
+  double alpha_on_lattice = 0;     // square lattice units: the exact threshold used
+  bool tetrahedra_only = false;    // then vertices, edges and triangles are empty, classes unset
+  SimplexList<1> vertices;
+  SimplexList<2> edges;
+  SimplexList<3> triangles;
+  SimplexList<4> tetrahedra;
+  std::uint64_t hash = 0;          // see complex_hash()
+  EngineInfo engine;
+  StageTimes timings;
+
+  double alpha_angstrom2() const { return lattice.square_angstrom(alpha_on_lattice); }
+  // V - E + F - T; only meaningful when not tetrahedra_only.
+  long long euler_characteristic() const {
+    return static_cast<long long>(vertices.size()) - static_cast<long long>(edges.size()) +
+           static_cast<long long>(triangles.size()) - static_cast<long long>(tetrahedra.size());
+  }
+};
+
+// 64-bit hash of the set of simplices present (dimension and vertex indices; not alpha values, not
+// order): equal sets have equal hashes on every engine. A tetrahedra-only complex hashes to another
+// value than the whole one; tetrahedra_hash() is common to both.
+std::uint64_t complex_hash(const AlphaComplex& complex);
+std::uint64_t tetrahedra_hash(const AlphaComplex& complex);
+
+// The hash as 16 hexadecimal digits, as shown everywhere.
+std::string hash_text(std::uint64_t hash);
+
+}  // namespace alphascope

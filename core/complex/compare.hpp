@@ -1,0 +1,34 @@
+// Comparing two complexes as sets of simplices.
+#pragma once
+
+#include "core/complex/alpha_complex.hpp"
+
+namespace alphascope {
+
+template <int N>
+struct SetDifference {
+  std::size_t common = 0;
+  std::vector<std::array<BallIndex, N>> missing;  // in the reference only
+  std::vector<std::array<BallIndex, N>> extra;    // in the candidate only
+  bool equal() const { return missing.empty() && extra.empty(); }
+};
+
+struct Comparison {
+  bool tetrahedra_only = false;  // true when either side has only tetrahedra: the rest is not compared
+  SetDifference<1> vertices;
+  SetDifference<2> edges;
+  SetDifference<3> triangles;
+  SetDifference<4> tetrahedra;
+  // Simplices common to both whose alpha value or class differ (whole complexes only; 0 expected).
+  std::size_t alpha_values_differing = 0;
+  std::size_t classes_differing = 0;
+
+  bool identical() const {
+    return vertices.equal() && edges.equal() && triangles.equal() && tetrahedra.equal() &&
+           alpha_values_differing == 0 && classes_differing == 0;
+  }
+};
+
+Comparison compare(const AlphaComplex& candidate, const AlphaComplex& reference);
+
+}  // namespace alphascope

@@ -1,0 +1,41 @@
+// What every engine promises. An engine is made once per set of balls (setup) and then asked for one
+// alpha after another.
+#pragma once
+
+#include <memory>
+
+#include "core/complex/alpha_complex.hpp"
+#include "core/run/cancel_token.hpp"
+
+namespace alphascope {
+
+struct AlphaRequest {
+  double alpha_angstrom2 = 0;    // any real number
+  bool tetrahedra_only = false;  // the thesis' sub-complex
+};
+
+class Engine {
+ public:
+  virtual ~Engine() = default;
+
+  // The exact alpha complex, the same on every engine. Setup work done by this call (the first one,
+  // or one that had to rebuild) is marked in the timings. Throws Cancelled; std::bad_alloc when
+  // memory is short (the engine stays usable); std::invalid_argument for a NaN alpha.
+  // Not to be called from two threads at once.
+  virtual AlphaComplex compute(const AlphaRequest& request, const RunContext& context) = 0;
+};
+
+// threads = 0: as many as the machine has.
+struct EngineOptions {
+  int threads = 0;
+};
+
+// Facet clipping for small alpha; hands over to CGAL's triangulation where that is faster, and
+// answers from a cached filtration when it holds one. (core/complex/facet_engine.cpp)
+std::unique_ptr<Engine> make_cpu_engine(std::shared_ptr<const BallSet> balls, EngineOptions options = {});
+
+// CGAL's Regular_triangulation_3 (parallel with TBB when threads != 1), then classification.
+// The reference that the other engines are compared with. (core/complex/cgal_engine.cpp)
+std::unique_ptr<Engine> make_cgal_engine(std::shared_ptr<const BallSet> balls, EngineOptions options = {});
+
+}  // namespace alphascope

@@ -1,0 +1,29 @@
+// The one input of every engine: balls on the lattice. From here on nobody knows files or elements.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "core/geometry/lattice.hpp"
+
+namespace alphascope {
+
+// Index of a ball in its BallSet; simplices are tuples of these.
+using BallIndex = std::uint32_t;
+
+struct BallSet {
+  Lattice lattice;
+  std::vector<LatticePoint> centres;  // lattice units
+  std::vector<std::int32_t> radii;    // lattice units, 0 < radius <= kMaxLatticeRadius
+
+  std::size_t size() const { return centres.size(); }
+  // Weight r² of power distance, in square lattice units (below 2^52: exact as a double).
+  std::int64_t weight(BallIndex i) const { return std::int64_t{radii[i]} * radii[i]; }
+};
+
+// The same balls with every radius grown by the solvent radius (Å, >= 0, rounded to the lattice).
+// Throws std::invalid_argument when a grown radius leaves the lattice's bounds.
+BallSet with_solvent(const BallSet& balls, double solvent_radius_angstrom);
+
+}  // namespace alphascope

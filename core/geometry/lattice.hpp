@@ -1,0 +1,45 @@
+// The decimal lattice on which all geometry is exact: coordinates and radii are integers, in units
+// of 10^-digits Å. Holds the unit, the bounds and the conversion of alpha; reading text onto the
+// lattice is core/io's business.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+
+namespace alphascope {
+
+// Bounds that keep every exact predicate inside its fixed integer width (see predicates.hpp):
+// coordinate differences fit 31 bits, weights are exact as doubles, power differences fit int64.
+inline constexpr std::int32_t kMaxLatticeCoordinate = (1 << 29) - 1;
+inline constexpr std::int32_t kMaxLatticeRadius = (1 << 26) - 1;
+
+// Files with fewer digits still get this lattice, so that typed solvent radii are on it.
+inline constexpr int kMinLatticeDigits = 3;
+
+struct LatticePoint {
+  std::int32_t x = 0, y = 0, z = 0;
+  friend auto operator<=>(const LatticePoint&, const LatticePoint&) = default;
+};
+
+struct Lattice {
+  int digits = kMinLatticeDigits;  // the unit is 10^-digits Å; may be negative for huge coordinates
+
+  double units_per_angstrom() const { return std::pow(10.0, digits); }
+  double unit_angstrom() const { return 1.0 / units_per_angstrom(); }
+
+  double angstrom(double units) const { return units / units_per_angstrom(); }
+  double square_angstrom(double square_units) const {
+    return square_units / std::pow(10.0, 2 * digits);
+  }
+
+  // alpha (Å²) in square lattice units, rounded to a multiple of 2^-20 of one: the exact alpha that
+  // every engine and CGAL compare with. Decimal values such as 1.4 arrive without any rounding.
+  double alpha_on_lattice(double alpha_angstrom2) const {
+    const double value = alpha_angstrom2 * std::pow(10.0, 2 * digits);
+    return std::fabs(value) < 4.0e9 ? std::round(value * 1048576.0) / 1048576.0
+                                    : std::round(value);
+  }
+  friend bool operator==(const Lattice&, const Lattice&) = default;
+};
+
+}  // namespace alphascope

@@ -1,0 +1,67 @@
+// Wall time of the named stages of a computation. The labels are the ones shown everywhere.
+#pragma once
+
+#include <chrono>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace alphascope {
+
+// The stage table, common to all engines and executors (docs/algorithm.md).
+namespace stage {
+inline constexpr std::string_view kGrid = "grid";
+inline constexpr std::string_view kHostToDevice = "host→device";
+inline constexpr std::string_view kCandidates = "kernel I (candidates)";
+inline constexpr std::string_view kPrefixSum = "prefix sum";
+inline constexpr std::string_view kFilteredValidity = "kernel II (filtered validity)";
+inline constexpr std::string_view kExactValidity = "kernel III (exact validity)";
+inline constexpr std::string_view kDeviceToHost = "device→host";
+inline constexpr std::string_view kTriangulation = "regular triangulation";
+inline constexpr std::string_view kClassification = "classification";
+inline constexpr std::string_view kThreshold = "threshold";
+}  // namespace stage
+
+struct StageTime {
+  std::string label;
+  double milliseconds = 0;
+  // Setup is paid once per set of balls, the rest at every alpha.
+  bool setup = false;
+};
+
+struct StageTimes {
+  std::vector<StageTime> stages;
+  double wall_milliseconds = 0;  // whole computation, as its caller waited for it
+
+  double setup_milliseconds() const {
+    double sum = 0;
+    for (const StageTime& s : stages) sum += s.setup ? s.milliseconds : 0;
+    return sum;
+  }
+};
+
+class StageTimer {
+ public:
+  explicit StageTimer(StageTimes& times) : times_(times), start_(Clock::now()), lap_(start_) {}
+
+  // Ends the current stage under this label; the next one starts now.
+  void lap(std::string_view label, bool setup = false) {
+    const Clock::time_point now = Clock::now();
+    times_.stages.push_back({std::string(label), milliseconds(lap_, now), setup});
+    lap_ = now;
+  }
+  // Starts the next stage now; the time since the last lap belongs to no stage.
+  void restart_lap() { lap_ = Clock::now(); }
+  // Sets the whole wall time, from construction to now.
+  void finish() { times_.wall_milliseconds = milliseconds(start_, Clock::now()); }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  static double milliseconds(Clock::time_point from, Clock::time_point to) {
+    return std::chrono::duration<double, std::milli>(to - from).count();
+  }
+  StageTimes& times_;
+  Clock::time_point start_, lap_;
+};
+
+}  // namespace alphascope

@@ -1,0 +1,15 @@
+// Marks functions that both the CPU executor and the CUDA executor compile.
+#pragma once
+
+#ifdef __CUDACC__
+#define ALPHASCOPE_HOST_DEVICE __host__ __device__
+#else
+#define ALPHASCOPE_HOST_DEVICE
+#endif
+
+// For hot leaves that must vanish into their loop.
+#ifdef __CUDACC__
+#define ALPHASCOPE_INLINE __host__ __device__ __forceinline__
+#else
+#define ALPHASCOPE_INLINE inline __attribute__((always_inline))
+#endif

@@ -1,0 +1,106 @@
+// Fixed-width signed integers beyond 64 bits, for exact predicates on host and device. Only what
+// predicates need: sums, products, signs, shifts, and the nearest double. Overflow wraps; the widths
+// are proven sufficient where they are chosen (orthosphere.hpp, facet_polygon.hpp).
+#pragma once
+
+#include <cstdint>
+
+#include "core/geometry/host_device.hpp"
+
+namespace alphascope {
+
+__extension__ typedef __int128 Int128;
+__extension__ typedef unsigned __int128 UInt128;
+
+// Two's complement, least significant limb first.
+template <int kLimbs>
+struct WideInt {
+  std::uint64_t limb[kLimbs];
+
+  WideInt() = default;
+  ALPHASCOPE_HOST_DEVICE constexpr WideInt(std::int64_t value) : limb{} {
+    limb[0] = static_cast<std::uint64_t>(value);
+    for (int i = 1; i < kLimbs; ++i) limb[i] = value < 0 ? ~std::uint64_t{0} : 0;
+  }
+  template <int kOther>
+  ALPHASCOPE_HOST_DEVICE explicit WideInt(const WideInt<kOther>& other) {
+    static_assert(kOther <= kLimbs, "narrowing would lose bits");
+    const std::uint64_t fill = other.sign() < 0 ? ~std::uint64_t{0} : 0;
+    for (int i = 0; i < kLimbs; ++i) limb[i] = i < kOther ? other.limb[i] : fill;
+  }
+
+  ALPHASCOPE_HOST_DEVICE int sign() const {
+    if (limb[kLimbs - 1] >> 63) return -1;
+    for (int i = 0; i < kLimbs; ++i) {
+      if (limb[i] != 0) return 1;
+    }
+    return 0;
+  }
+
+  ALPHASCOPE_HOST_DEVICE friend WideInt operator+(const WideInt& a, const WideInt& b) {
+    WideInt sum;
+    UInt128 carry = 0;
+    for (int i = 0; i < kLimbs; ++i) {
+      carry += static_cast<UInt128>(a.limb[i]) + b.limb[i];
+      sum.limb[i] = static_cast<std::uint64_t>(carry);
+      carry >>= 64;
+    }
+    return sum;
+  }
+  ALPHASCOPE_HOST_DEVICE friend WideInt operator-(const WideInt& a, const WideInt& b) {
+    WideInt difference;
+    std::uint64_t borrow = 0;
+    for (int i = 0; i < kLimbs; ++i) {
+      const UInt128 d = static_cast<UInt128>(a.limb[i]) - b.limb[i] - borrow;
+      difference.limb[i] = static_cast<std::uint64_t>(d);
+      borrow = static_cast<std::uint64_t>(d >> 64) & 1;
+    }
+    return difference;
+  }
+  ALPHASCOPE_HOST_DEVICE WideInt operator-() const { return WideInt(0) - *this; }
+
+  // Modulo 2^(64 kLimbs), where the product of two's complements is that of the signed values.
+  ALPHASCOPE_HOST_DEVICE friend WideInt operator*(const WideInt& a, const WideInt& b) {
+    WideInt product(0);
+    for (int i = 0; i < kLimbs; ++i) {
+      std::uint64_t carry = 0;
+      for (int j = 0; i + j < kLimbs; ++j) {
+        const UInt128 t = static_cast<UInt128>(a.limb[i]) * b.limb[j] + product.limb[i + j] + carry;
+        product.limb[i + j] = static_cast<std::uint64_t>(t);
+        carry = static_cast<std::uint64_t>(t >> 64);
+      }
+    }
+    return product;
+  }
+
+  ALPHASCOPE_HOST_DEVICE WideInt shifted_left(int bits) const {
+    WideInt result(0);
+    const int limbs = bits / 64, rest = bits % 64;
+    for (int i = kLimbs - 1; i >= limbs; --i) {
+      result.limb[i] = limb[i - limbs] << rest;
+      if (rest != 0 && i > limbs) result.limb[i] |= limb[i - limbs - 1] >> (64 - rest);
+    }
+    return result;
+  }
+
+  // Within one part in 2^51 of the value; the sign is right.
+  ALPHASCOPE_HOST_DEVICE double nearest_double() const {
+    if (sign() < 0) return -(-*this).nearest_double();
+    int top = kLimbs - 1;
+    while (top > 0 && limb[top] == 0) --top;
+    double value = static_cast<double>(limb[top]);
+    double scale = 1;
+    for (int i = top; i > 0; --i) scale *= 18446744073709551616.0;
+    if (top > 0) value += static_cast<double>(limb[top - 1]) / 18446744073709551616.0;
+    return value * scale;
+  }
+};
+
+ALPHASCOPE_HOST_DEVICE inline int sign_of(Int128 value) { return (value > 0) - (value < 0); }
+ALPHASCOPE_HOST_DEVICE inline int sign_of(std::int64_t value) { return (value > 0) - (value < 0); }
+template <int kLimbs>
+ALPHASCOPE_HOST_DEVICE int sign_of(const WideInt<kLimbs>& value) {
+  return value.sign();
+}
+
+}  // namespace alphascope

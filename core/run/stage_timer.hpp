@@ -50,6 +50,14 @@ class StageTimer {
     times_.stages.push_back({std::string(label), milliseconds(lap_, now), setup});
     lap_ = now;
   }
+  // As lap(), for two interleaved stages: `milliseconds_of_second` of the time belong to the second.
+  void lap_split(std::string_view first, std::string_view second, double milliseconds_of_second) {
+    const Clock::time_point now = Clock::now();
+    const double both = milliseconds(lap_, now);
+    times_.stages.push_back({std::string(first), both - milliseconds_of_second, false});
+    times_.stages.push_back({std::string(second), milliseconds_of_second, false});
+    lap_ = now;
+  }
   // Starts the next stage now; the time since the last lap belongs to no stage.
   void restart_lap() { lap_ = Clock::now(); }
   // Sets the whole wall time, from construction to now.

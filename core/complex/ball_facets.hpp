@@ -1,0 +1,103 @@
+// All facets of one ball on the CPU: filtered first, exact where the filter cannot decide. Owns the
+// scratch memory of one thread. The kernel bodies are facet_polygon.hpp and facet_complex.hpp.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/complex/facet_complex.hpp"
+#include "core/geometry/ball_set.hpp"
+#include "core/geometry/uniform_grid.hpp"
+
+namespace alphascope {
+
+// Is ball i a vertex of K_alpha? unattached: yes, with value -w. attached: if it has an edge in
+// K_alpha. absent: no.
+enum class VertexState : std::uint8_t { absent, attached, unattached };
+
+// Simplices of one dimension as the kernels report them.
+template <int N>
+struct SimplexBuffer {
+  std::vector<std::array<BallIndex, N>> simplices;
+  std::vector<float> values;
+  std::vector<std::uint8_t> classes;  // empty for tetrahedra
+  std::uint32_t size() const { return static_cast<std::uint32_t>(simplices.size()); }
+};
+
+struct BlockOutput {
+  SimplexBuffer<2> edges;
+  SimplexBuffer<3> triangles;
+  SimplexBuffer<4> tetrahedra;
+};
+
+class BallFacets {
+ public:
+  BallFacets(const BallSet& balls, const UniformGrid& grid, double alpha_on_lattice, bool whole)
+      : balls_(balls), grid_(grid), alpha_(alpha_on_lattice), whole_(whole) {}
+
+  // Appends the simplices whose lowest vertex is the ball in `slot`, in lexicographic order.
+  // `list` holds the slots of its neighbours, ascending by ball index.
+  VertexState process(std::uint32_t slot, std::span<const std::uint32_t> list, BlockOutput& out);
+
+  std::size_t facets() const { return facets_; }
+  std::size_t exact_facets() const { return exact_facets_; }
+  double exact_milliseconds() const { return exact_milliseconds_; }
+
+ private:
+  // Scratch of one polygon; grows with the number of neighbours.
+  template <class T>
+  struct Polygon {
+    std::vector<int> id;
+    std::vector<FacetLine<T>> line;
+    std::vector<T> u, v, w;
+    std::vector<signed char> cut;
+    FacetPolygon<T> view;
+    void reserve(std::size_t sides);
+  };
+  // The neighbours of ball i by slot in its list.
+  struct Neighbours {
+    std::vector<LiftedInt> vectors;
+    std::vector<BallIndex> balls;
+    const LiftedInt& lifted(int k) const { return vectors[static_cast<std::size_t>(k)]; }
+    BallIndex ball(int k) const { return balls[static_cast<std::size_t>(k)]; }
+  };
+
+  void load(std::uint32_t slot, std::span<const std::uint32_t> list);
+  void collect_common(int j);
+  void facet(int j, BlockOutput& out);
+  bool filtered_facet(const FacetInput<Neighbours>& input, int axis, bool negative, float edge_value,
+                      BlockOutput& out);
+  template <class Integer>
+  void exact_facet(Polygon<Integer>& scratch, const FacetInput<Neighbours>& input, int axis,
+                   bool negative, float edge_value, BlockOutput& out);
+  template <class T>
+  void report(const FacetInput<Neighbours>& input, const FacetPolygon<T>& polygon, int axis,
+              float edge_value, BlockOutput& out);
+
+  const BallSet& balls_;
+  const UniformGrid& grid_;
+  const double alpha_;
+  const bool whole_;
+
+  // Of the current ball.
+  BallIndex i_ = 0;
+  std::int64_t weight_ = 0, ghost_reach_ = 0;
+  std::int64_t largest_offset_ = 0;  // max |d_x| over the neighbours
+  std::int64_t largest_power_ = 0;   // max |c| over the neighbours and ghosts
+  double clip_bound_ = 0;
+  Neighbours neighbours_;
+  std::vector<float> dx_, dy_, dz_, reach_;
+  std::vector<int> common_;  // slots of the balls that can cut the current facet
+
+  Polygon<double> filtered_;
+  Polygon<Int128> exact128_;
+  Polygon<WideInt<4>> exact256_;
+  std::vector<signed char> corner_in_;
+  std::vector<float> corner_value_;
+  std::size_t facets_ = 0, exact_facets_ = 0;
+  double exact_milliseconds_ = 0;
+};
+
+}  // namespace alphascope

@@ -1,0 +1,218 @@
+#include "core/complex/cpu_facets.hpp"
+
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <memory>
+
+#include "core/complex/ball_facets.hpp"
+
+namespace alphascope {
+namespace {
+
+// Balls per task: small enough to balance two threads on a small protein, large enough that a
+// task's vectors amortise their growth.
+constexpr std::size_t kBallsPerBlock = 128;
+
+// Neighbour lists of the balls of one block, back to back.
+struct NeighbourBlock {
+  std::vector<std::uint32_t> slots;
+  std::vector<std::uint32_t> end;  // per ball of the block: end of its list
+};
+
+// All slots whose grown ball may meet that of `slot`: a superset, by a margin far above the rounding
+// of float. Ascending by ball index.
+void find_neighbours(const UniformGrid& grid, std::uint32_t slot, std::vector<std::uint32_t>& found,
+                     std::vector<std::uint32_t>& row_hits) {
+  constexpr float kMargin = 1.0f + 1.0f / (1 << 18);
+  const std::int32_t x = grid.x[slot], y = grid.y[slot], z = grid.z[slot];
+  const float reach = grid.reach[slot];
+  const int cx = std::min(grid.cell_of(x, grid.origin.x), grid.nx - 1);
+  const int cy = std::min(grid.cell_of(y, grid.origin.y), grid.ny - 1);
+  const int cz = std::min(grid.cell_of(z, grid.origin.z), grid.nz - 1);
+  const int z0 = std::max(cz - 1, 0), z1 = std::min(cz + 1, grid.nz - 1);
+  const std::size_t first = found.size();
+  for (int ax = std::max(cx - 1, 0); ax <= std::min(cx + 1, grid.nx - 1); ++ax) {
+    for (int ay = std::max(cy - 1, 0); ay <= std::min(cy + 1, grid.ny - 1); ++ay) {
+      const std::size_t row = (static_cast<std::size_t>(ax) * grid.ny + ay) * grid.nz;
+      const std::uint32_t begin = grid.cell_start[row + z0], end = grid.cell_start[row + z1 + 1];
+      if (row_hits.size() < end - begin) row_hits.resize(2 * (end - begin));
+      std::uint32_t hits = 0;
+      for (std::uint32_t t = begin; t < end; ++t) {
+        const float dx = static_cast<float>(grid.x[t] - x), dy = static_cast<float>(grid.y[t] - y),
+                    dz = static_cast<float>(grid.z[t] - z);
+        const float sum = grid.reach[t] + reach;
+        row_hits[hits] = t;
+        hits += dx * dx + dy * dy + dz * dz <= sum * sum * kMargin;
+      }
+      found.insert(found.end(), row_hits.begin(), row_hits.begin() + hits);
+    }
+  }
+  found.erase(std::find(found.begin() + static_cast<std::ptrdiff_t>(first), found.end(), slot));
+  std::sort(found.begin() + static_cast<std::ptrdiff_t>(first), found.end(),
+            [&](std::uint32_t a, std::uint32_t b) { return grid.ball[a] < grid.ball[b]; });
+}
+
+// Where the simplices of one ball (as lowest vertex) start and end in its block's output.
+struct BallRange {
+  std::uint32_t edge[2], triangle[2], tetrahedron[2];
+};
+
+// Copies one dimension from block outputs to its place in the result; `position` is per ball.
+template <int N>
+void place(const SimplexBuffer<N>& from, std::size_t begin, std::size_t end, std::size_t to,
+           SimplexList<N>& list) {
+  std::copy(from.simplices.begin() + begin, from.simplices.begin() + end, list.simplices.begin() + to);
+  std::copy(from.values.begin() + begin, from.values.begin() + end, list.alpha_values.begin() + to);
+  if (list.classes.empty()) return;
+  for (std::size_t s = begin; s < end; ++s) {
+    list.classes[to + (s - begin)] = static_cast<SimplexClass>(from.classes[s]);
+  }
+}
+
+template <int N>
+void resize(SimplexList<N>& list, std::size_t size, bool with_classes) {
+  list.simplices.resize(size);
+  list.alpha_values.resize(size);
+  list.classes.resize(with_classes ? size : 0);
+}
+
+// Vertices: the values of unattached ones are known per ball, the rest follows from the edges.
+void complete_vertices(const BallSet& balls, const std::vector<VertexState>& states,
+                       AlphaComplex& complex) {
+  std::vector<float> value(balls.size());
+  enum : std::uint8_t { kHasEdge = 1, kBoundaryEdge = 2 };
+  std::vector<std::uint8_t> flags(balls.size(), 0);
+  for (BallIndex i = 0; i < balls.size(); ++i) value[i] = static_cast<float>(-static_cast<double>(balls.weight(i)));
+  std::vector<float> nearest(balls.size(), HUGE_VALF);
+  for (std::size_t e = 0; e < complex.edges.size(); ++e) {
+    const bool interior = complex.edges.classes[e] == SimplexClass::interior;
+    for (const BallIndex v : complex.edges.simplices[e]) {
+      flags[v] = static_cast<std::uint8_t>(flags[v] | kHasEdge | (interior ? 0 : kBoundaryEdge));
+      nearest[v] = std::min(nearest[v], complex.edges.alpha_values[e]);
+    }
+  }
+  for (BallIndex i = 0; i < balls.size(); ++i) {
+    const bool attached = states[i] == VertexState::attached;
+    if (states[i] == VertexState::absent || (attached && !(flags[i] & kHasEdge))) continue;
+    complex.vertices.simplices.push_back({i});
+    complex.vertices.alpha_values.push_back(attached ? nearest[i] : value[i]);
+    complex.vertices.classes.push_back(!(flags[i] & kHasEdge)       ? SimplexClass::singular
+                                       : (flags[i] & kBoundaryEdge) ? SimplexClass::regular
+                                                                    : SimplexClass::interior);
+  }
+}
+
+}  // namespace
+
+FacetStatistics compute_facets(const BallSet& balls, const UniformGrid& grid,
+                               const RunContext& context, StageTimer& timer,
+                               AlphaComplex& complex) {
+  const std::size_t block_count = (grid.size() + kBallsPerBlock - 1) / kBallsPerBlock;
+  const auto block_slots = [&](std::size_t b) {
+    return std::pair{b * kBallsPerBlock, std::min(grid.size(), (b + 1) * kBallsPerBlock)};
+  };
+  const bool whole = !complex.tetrahedra_only;
+
+  // Kernel I: neighbours.
+  std::vector<NeighbourBlock> neighbours(block_count);
+  tbb::enumerable_thread_specific<std::vector<std::uint32_t>> row_hits;
+  std::atomic<std::size_t> blocks_done{0};
+  tbb::parallel_for(std::size_t{0}, block_count, [&](std::size_t b) {
+    if (context.cancel.cancelled()) return;
+    const auto [begin, end] = block_slots(b);
+    for (std::size_t slot = begin; slot < end; ++slot) {
+      find_neighbours(grid, static_cast<std::uint32_t>(slot), neighbours[b].slots, row_hits.local());
+      neighbours[b].end.push_back(static_cast<std::uint32_t>(neighbours[b].slots.size()));
+    }
+  });
+  context.cancel.throw_if_cancelled();
+  timer.lap(stage::kCandidates);
+
+  // Kernels II and III: facets; the exact ones are redone where they stand, and timed.
+  std::vector<BlockOutput> outputs(block_count);
+  std::vector<BallRange> ranges(grid.size());
+  std::vector<VertexState> states(whole ? balls.size() : 0, VertexState::absent);
+  tbb::enumerable_thread_specific<std::unique_ptr<BallFacets>> workers([&] {
+    return std::make_unique<BallFacets>(balls, grid, complex.alpha_on_lattice, whole);
+  });
+  tbb::parallel_for(std::size_t{0}, block_count, [&](std::size_t b) {
+    if (context.cancel.cancelled()) return;
+    BallFacets& worker = *workers.local();
+    BlockOutput& out = outputs[b];
+    const auto [begin, end] = block_slots(b);
+    std::uint32_t list_begin = 0;
+    for (std::size_t slot = begin; slot < end; ++slot) {
+      const std::uint32_t list_end = neighbours[b].end[slot - begin];
+      BallRange& range = ranges[slot];
+      range.edge[0] = out.edges.size();
+      range.triangle[0] = out.triangles.size();
+      range.tetrahedron[0] = out.tetrahedra.size();
+      const VertexState state = worker.process(
+          static_cast<std::uint32_t>(slot), {neighbours[b].slots.data() + list_begin, list_end - list_begin}, out);
+      if (whole) states[grid.ball[slot]] = state;
+      range.edge[1] = out.edges.size();
+      range.triangle[1] = out.triangles.size();
+      range.tetrahedron[1] = out.tetrahedra.size();
+      list_begin = list_end;
+    }
+    neighbours[b] = {};
+    const std::size_t done = blocks_done.fetch_add(1, std::memory_order_relaxed) + 1;
+    if (done % 64 == 0) context.report(stage::kFilteredValidity, static_cast<double>(done) / static_cast<double>(block_count));
+  });
+  context.cancel.throw_if_cancelled();
+  FacetStatistics statistics;
+  double exact_milliseconds = 0;
+  std::size_t worker_count = 0;
+  for (const auto& worker : workers) {
+    statistics.candidate_edges += worker->facets();
+    statistics.exact_facets += worker->exact_facets();
+    exact_milliseconds += worker->exact_milliseconds();
+    ++worker_count;
+  }
+  timer.lap_split(stage::kFilteredValidity, stage::kExactValidity,
+                  worker_count == 0 ? 0 : exact_milliseconds / static_cast<double>(worker_count));
+
+  // Prefix sum over the balls in index order gives every simplex its place: lexicographic order.
+  struct Place {
+    std::size_t edge = 0, triangle = 0, tetrahedron = 0;
+  };
+  std::vector<Place> places(balls.size() + 1);
+  for (std::size_t slot = 0; slot < grid.size(); ++slot) {
+    Place& p = places[grid.ball[slot] + 1];
+    p.edge = ranges[slot].edge[1] - ranges[slot].edge[0];
+    p.triangle = ranges[slot].triangle[1] - ranges[slot].triangle[0];
+    p.tetrahedron = ranges[slot].tetrahedron[1] - ranges[slot].tetrahedron[0];
+  }
+  for (std::size_t i = 0; i < balls.size(); ++i) {
+    places[i + 1].edge += places[i].edge;
+    places[i + 1].triangle += places[i].triangle;
+    places[i + 1].tetrahedron += places[i].tetrahedron;
+  }
+  resize(complex.edges, places.back().edge, true);
+  resize(complex.triangles, places.back().triangle, true);
+  resize(complex.tetrahedra, places.back().tetrahedron, false);
+  tbb::parallel_for(std::size_t{0}, block_count, [&](std::size_t b) {
+    const auto [begin, end] = block_slots(b);
+    for (std::size_t slot = begin; slot < end; ++slot) {
+      const BallRange& r = ranges[slot];
+      const Place& to = places[grid.ball[slot]];
+      place(outputs[b].edges, r.edge[0], r.edge[1], to.edge, complex.edges);
+      place(outputs[b].triangles, r.triangle[0], r.triangle[1], to.triangle, complex.triangles);
+      place(outputs[b].tetrahedra, r.tetrahedron[0], r.tetrahedron[1], to.tetrahedron, complex.tetrahedra);
+    }
+    outputs[b] = {};
+  });
+  if (whole) {
+    // Tetrahedra have no coface: all of K_alpha's are interior.
+    complex.tetrahedra.classes.assign(complex.tetrahedra.size(), SimplexClass::interior);
+    complete_vertices(balls, states, complex);
+  }
+  timer.lap(stage::kPrefixSum);
+  return statistics;
+}
+
+}  // namespace alphascope

@@ -1,0 +1,177 @@
+// The dual facet of an edge ij: the polygon P_ij = V_i ∩ V_j in the radical plane of balls i and j,
+// cut by the bisectors of i with its other neighbours. One template body for filtered and exact
+// arithmetic, for the CPU and the CUDA executor. What a finished polygon says about simplices is
+// facet_complex.hpp's business.
+//
+// Legend (lattice units, origin p_i; lifted vectors (d, c) as in orthosphere.hpp):
+//   plane     2 d_j·x = c_j, oriented and its axes renamed so that q = ±d_j has q.x = |d_j|_max > 0
+//   line k    2 (a y + b z) <= c      where  (a, b, c) = q.x (d_k.y, d_k.z, c_k) - d_k.x (q.y, q.z, e)
+//   side s    the part of a line that bounds the polygon; sides run counter-clockwise
+//   corner s  where side s meets side s+1:  (y, z) = (u, v) / (2 w),  w > 0
+// Source: N. P. Ranjanikar's thesis for the locality; clipping facets instead of enumerating
+// 4-tuples is ours (docs/algorithm.md).
+#pragma once
+
+#include "core/geometry/orthosphere.hpp"
+
+namespace alphascope {
+
+template <class T>
+struct FacetLine {
+  T a, b, c;
+};
+
+// The radical plane of i and j with its axes renamed; made once per facet.
+template <class T>
+struct FacetFrame {
+  LiftedVector<T> q;  // (d_j, c_j) up to sign, permuted
+  int axis;           // which coordinate became x
+
+  ALPHASCOPE_INLINE FacetLine<T> line(const LiftedVector<T>& k) const {
+    const LiftedVector<T> p = permuted(k, axis);
+    return {p.y * q.x - p.x * q.y, p.z * q.x - p.x * q.z, p.c * q.x - q.c * p.x};
+  }
+  ALPHASCOPE_INLINE static LiftedVector<T> permuted(const LiftedVector<T>& k, int axis) {
+    if (axis == 0) return k;
+    if (axis == 1) return {k.y, k.z, k.x, k.c};
+    return {k.z, k.x, k.y, k.c};
+  }
+};
+
+template <class T>
+ALPHASCOPE_INLINE FacetFrame<T> make_facet_frame(const LiftedVector<T>& j, int axis, bool negative) {
+  LiftedVector<T> q = FacetFrame<T>::permuted(j, axis);
+  if (negative) q = {-q.x, -q.y, -q.z, -q.c};
+  return {q, axis};
+}
+
+// The coordinate of d_j that is largest in absolute value, and whether it is negative.
+struct FacetAxis {
+  int axis;
+  bool negative;
+};
+ALPHASCOPE_INLINE FacetAxis facet_axis(std::int64_t x, std::int64_t y, std::int64_t z) {
+  const std::int64_t ax = x < 0 ? -x : x, ay = y < 0 ? -y : y, az = z < 0 ? -z : z;
+  if (ax >= ay && ax >= az) return {0, x < 0};
+  if (ay >= az) return {1, y < 0};
+  return {2, z < 0};
+}
+
+// Sides with negative ids are ghosts: the start triangle y >= -g, z >= -g, y + z <= 2 g, which
+// contains the disc { x : pi_i(x) <= alpha } of radius < g in its interior. Nothing on a ghost side
+// or corner can be in K_alpha.
+inline constexpr int kGhostY = -1, kGhostZ = -2, kGhostYZ = -3;
+
+// The ghosts as lifted vectors (2 d·x <= c), with axes permuted back to those of the lattice.
+ALPHASCOPE_INLINE LiftedInt ghost_vector(int id, int axis, std::int64_t g) {
+  LiftedInt p = id == kGhostY ? LiftedInt{0, -1, 0, 2 * g}
+                : id == kGhostZ ? LiftedInt{0, 0, -1, 2 * g}
+                                : LiftedInt{0, 1, 1, 4 * g};
+  if (axis == 1) return {p.z, p.x, p.y, p.c};
+  if (axis == 2) return {p.y, p.z, p.x, p.c};
+  return p;
+}
+
+// Arrays of one polygon; `capacity` sides at most. On the CPU they live in a growing scratch, on the
+// GPU in local or shared memory.
+template <class T>
+struct FacetPolygon {
+  int size = 0;
+  int capacity = 0;
+  int* id = nullptr;       // ball of each side as its caller numbers it, or a ghost
+  FacetLine<T>* line = nullptr;
+  T *u = nullptr, *v = nullptr, *w = nullptr;  // corners
+  signed char* cut = nullptr;                  // scratch: the corners that the current line cuts
+};
+
+enum class ClipOutcome { unchanged, changed, empty, uncertain, full };
+
+template <class T>
+ALPHASCOPE_INLINE void set_corner(FacetPolygon<T>& p, int at, const FacetLine<T>& k,
+                                  const FacetLine<T>& l) {
+  p.u[at] = k.c * l.b - l.c * k.b;
+  p.v[at] = k.a * l.c - l.a * k.c;
+  p.w[at] = k.a * l.b - l.a * k.b;
+}
+
+// Sets the start triangle of radius g.
+template <class T>
+ALPHASCOPE_INLINE void start_polygon(FacetPolygon<T>& p, const FacetFrame<T>& frame, std::int64_t g) {
+  const T q = frame.q.x, zero = T(0), reach = T(2 * g) * q;
+  p.size = 3;
+  p.id[0] = kGhostYZ;
+  p.id[1] = kGhostY;
+  p.id[2] = kGhostZ;
+  p.line[0] = {q, q, reach + reach};
+  p.line[1] = {-q, zero, reach};
+  p.line[2] = {zero, -q, reach};
+  for (int s = 0; s < 3; ++s) set_corner(p, s, p.line[s], p.line[(s + 1) % 3]);
+}
+
+// Moves a side together with the corner at its end.
+template <class T>
+ALPHASCOPE_INLINE void move_side(FacetPolygon<T>& p, int from, int to) {
+  p.id[to] = p.id[from];
+  p.line[to] = p.line[from];
+  p.u[to] = p.u[from];
+  p.v[to] = p.v[from];
+  p.w[to] = p.w[from];
+}
+
+// Cuts the polygon by a line. `side(s, value)` gives the sign of the predicate value at corner s:
+// +1 cut off, -1 kept, 0 not known. With consistent signs the cut corners are one run of the cycle.
+template <class T, class SideOf>
+ALPHASCOPE_INLINE ClipOutcome clip(FacetPolygon<T>& p, const FacetLine<T>& m, int id,
+                                   const SideOf& side) {
+  const int n = p.size;
+  int cut_count = 0;
+  for (int s = 0; s < n; ++s) {
+    const int sign = side(s, m.a * p.u[s] + m.b * p.v[s] - m.c * p.w[s]);
+    if (sign == 0) return ClipOutcome::uncertain;
+    p.cut[s] = static_cast<signed char>(sign > 0);
+    cut_count += sign > 0;
+  }
+  if (cut_count == 0) return ClipOutcome::unchanged;
+  if (cut_count == n) return ClipOutcome::empty;
+
+  int first = 0;  // first cut corner of the run: its side loses its end to m
+  while (!(p.cut[first] && !p.cut[first == 0 ? n - 1 : first - 1])) ++first;
+  int last = first + cut_count - 1;  // may pass n: the run wraps around
+  const FacetLine<T> before = p.line[first];
+  const int after_index = (last + 1) % n;
+  const FacetLine<T> after = p.line[after_index];
+
+  // Corners first..last and sides first+1..last go; side m and two corners come.
+  const int grow = 2 - cut_count;
+  if (n + grow > p.capacity) return ClipOutcome::full;
+  if (last < n - 1) {  // no wrap: move the tail (sides and corners from last+1 on)
+    const int tail = n - (last + 1);
+    if (grow > 0) {
+      for (int t = tail - 1; t >= 0; --t) move_side(p, last + 1 + t, last + 1 + t + grow);
+    } else if (grow < 0) {
+      for (int t = 0; t < tail; ++t) move_side(p, last + 1 + t, last + 1 + t + grow);
+    }
+    p.size = n + grow;
+  } else {  // the run reaches or passes the end: keep after_index..first, moved to the front
+    const int kept = first - after_index + 1;  // sides after_index..first
+    for (int t = 0; t < kept; ++t) move_side(p, after_index + t, t);
+    first = kept - 1;
+    p.size = kept + 1;
+  }
+  p.id[first + 1] = id;
+  p.line[first + 1] = m;
+  set_corner(p, first, before, m);
+  set_corner(p, first + 1, m, after);
+  return ClipOutcome::changed;
+}
+
+// Bound on the rounding error of the predicate value in floating point of unit roundoff u, for lines
+// of balls with |d_x| <= d and |c| <= c (both >= 1, c >= 4 g): |a|,|b| <= 2d², |line c| <= 2dc, the
+// corner terms <= 8 d³c and 8 d⁴, the three products of the value <= 16 d⁵c each, with at most 12
+// roundings on any path: 12 u · 48 d⁵c = 576 u d⁵c, and a margin for the second order.
+template <class T>
+ALPHASCOPE_INLINE T clip_error_bound(T d, T c, T unit_roundoff) {
+  return T(600) * unit_roundoff * (d * d) * (d * d) * (d * c);
+}
+
+}  // namespace alphascope

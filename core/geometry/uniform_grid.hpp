@@ -1,0 +1,35 @@
+// Balls sorted into cubic cells, for neighbour search. Knows nothing of complexes.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/geometry/ball_set.hpp"
+
+namespace alphascope {
+
+// The balls that are not empty at alpha (weight + alpha >= 0), in cell order; `slot` below is a
+// position in this order. Cells are at least as wide as the widest reach between two balls, so all
+// neighbours of a ball are in the 27 cells around it; cells of one (x, y) column are contiguous.
+struct UniformGrid {
+  std::vector<std::uint32_t> cell_start;  // per cell, first slot; one more entry than cells
+  std::vector<BallIndex> ball;            // per slot
+  std::vector<std::int32_t> x, y, z;      // per slot: centre, lattice units
+  std::vector<float> reach;               // per slot: sqrt(weight + alpha), rounded up
+  LatticePoint origin;                    // lower corner of cell (0, 0, 0)
+  double cell_width = 1;                  // lattice units
+  int nx = 0, ny = 0, nz = 0;
+
+  std::size_t size() const { return ball.size(); }
+  int cell_of(std::int32_t coordinate, std::int32_t lower) const {
+    return static_cast<int>((static_cast<double>(coordinate) - lower) / cell_width);
+  }
+  // Number of (ball, candidate) distance tests that a search of all balls makes.
+  double search_cost() const;
+};
+
+// `hidden` marks balls to leave out (coincident with a larger one); may be empty.
+UniformGrid make_uniform_grid(const BallSet& balls, double alpha_on_lattice,
+                              const std::vector<bool>& hidden);
+
+}  // namespace alphascope

@@ -39,7 +39,8 @@ struct EngineInfo {
 struct AlphaComplex {
   Lattice lattice;
   double alpha_on_lattice = 0;     // square lattice units: the exact threshold used
-  bool tetrahedra_only = false;    // then vertices, edges and triangles are empty, classes unset
+  // Then vertices, edges and triangles are empty, and tetrahedra have no alpha values or classes.
+  bool tetrahedra_only = false;
   SimplexList<1> vertices;
   SimplexList<2> edges;
   SimplexList<3> triangles;

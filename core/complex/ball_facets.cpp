@@ -29,22 +29,24 @@ struct Collector {
   }
   // Insertion keeps the few simplices of one facet sorted.
   void triangle(int k, float value, int simplex_class) {
-    insert(out.triangles, first_triangle, {i, j, neighbours.ball(k)}, value, &simplex_class);
+    insert(out.triangles, first_triangle, {i, j, neighbours.ball(k)}, &value, &simplex_class);
   }
-  void tetrahedron(int k, int l, float value) {
+  void tetrahedron(int k, int l) { tetrahedron(k, l, nullptr); }
+  void tetrahedron(int k, int l, float value) { tetrahedron(k, l, &value); }
+
+ private:
+  void tetrahedron(int k, int l, const float* value) {
     const BallIndex a = neighbours.ball(k), b = neighbours.ball(l);
     insert(out.tetrahedra, first_tetrahedron, {i, j, std::min(a, b), std::max(a, b)}, value, nullptr);
   }
-
- private:
   template <int N>
   static void insert(SimplexBuffer<N>& buffer, std::size_t first, std::array<BallIndex, N> simplex,
-                     float value, const int* simplex_class) {
+                     const float* value, const int* simplex_class) {
     std::size_t at = buffer.simplices.size();
     while (at > first && simplex < buffer.simplices[at - 1]) --at;
     const auto offset = static_cast<std::ptrdiff_t>(at);
     buffer.simplices.insert(buffer.simplices.begin() + offset, simplex);
-    buffer.values.insert(buffer.values.begin() + offset, value);
+    if (value != nullptr) buffer.values.insert(buffer.values.begin() + offset, *value);
     if (simplex_class != nullptr) {
       buffer.classes.insert(buffer.classes.begin() + offset, static_cast<std::uint8_t>(*simplex_class));
     }
@@ -52,21 +54,6 @@ struct Collector {
 };
 
 }  // namespace
-
-template <class T>
-void BallFacets::Polygon<T>::reserve(std::size_t sides) {
-  if (id.size() < sides) {
-    sides += sides / 2;
-    id.resize(sides);
-    line.resize(sides);
-    u.resize(sides);
-    v.resize(sides);
-    w.resize(sides);
-    cut.resize(sides);
-    view = {0,        static_cast<int>(sides), id.data(), line.data(), u.data(), v.data(),
-            w.data(), cut.data()};
-  }
-}
 
 void BallFacets::load(std::uint32_t slot, std::span<const std::uint32_t> list) {
   i_ = grid_.ball[slot];
@@ -119,7 +106,7 @@ void BallFacets::collect_common(int j) {
 }
 
 template <class T>
-void BallFacets::report(const FacetInput<Neighbours>& input, const FacetPolygon<T>& polygon, int axis,
+void BallFacets::report(const FacetInput<Neighbours>& input, const Polygon<T>& polygon, int axis,
                         float edge_value, BlockOutput& out) {
   Collector<Neighbours> sink{neighbours_,          i_, neighbours_.ball(input.j), out,
                              out.triangles.size(), out.tetrahedra.size()};
@@ -138,9 +125,9 @@ void BallFacets::report(const FacetInput<Neighbours>& input, const FacetPolygon<
 bool BallFacets::filtered_facet(const FacetInput<Neighbours>& input, int axis, bool negative,
                                 float edge_value, BlockOutput& out) {
   filtered_.reserve(common_.size() + 3);
-  FacetPolygon<double>& polygon = filtered_.view;
+  Polygon<double>& polygon = filtered_;
   const auto frame = make_facet_frame(lifted_as<double>(neighbours_.lifted(input.j)), axis, negative);
-  start_polygon(polygon, frame, ghost_reach_);
+  start_polygon(polygon, frame.q.x, 2 * static_cast<double>(ghost_reach_) * frame.q.x);
   const double bound = clip_bound_;
   const auto side = [bound](int, double value) { return (value > bound) - (value < -bound); };
   for (const int k : common_) {
@@ -157,16 +144,16 @@ template <class Integer>
 void BallFacets::exact_facet(Polygon<Integer>& scratch, const FacetInput<Neighbours>& input, int axis,
                              bool negative, float edge_value, BlockOutput& out) {
   scratch.reserve(common_.size() + 3);
-  FacetPolygon<Integer>& polygon = scratch.view;
+  Polygon<Integer>& polygon = scratch;
   const LiftedInt j = neighbours_.lifted(input.j);
   const auto frame = make_facet_frame(lifted_as<Integer>(j), axis, negative);
-  start_polygon(polygon, frame, ghost_reach_);
+  start_polygon(polygon, frame.q.x, Integer(2 * ghost_reach_) * frame.q.x);
   for (const int m : common_) {
     const LiftedInt vm = neighbours_.lifted(m);
     const auto side = [&](int s, const Integer& value) {
       const int sign = sign_of(value);
       if (sign != 0) return sign;
-      const int k = polygon.id[s], l = polygon.id[s + 1 == polygon.size ? 0 : s + 1];
+      const int k = polygon.id(s), l = polygon.id(s + 1 == polygon.size ? 0 : s + 1);
       return perturbed_cut(j, input.side_vector(k, axis), k < 0, input.side_vector(l, axis), l < 0, vm);
     };
     if (clip(polygon, frame.line(lifted_as<Integer>(vm)), m, side) == ClipOutcome::empty) return;

@@ -21,7 +21,7 @@ enum class VertexState : std::uint8_t { absent, attached, unattached };
 template <int N>
 struct SimplexBuffer {
   std::vector<std::array<BallIndex, N>> simplices;
-  std::vector<float> values;
+  std::vector<float> values;          // empty when only tetrahedra are asked for
   std::vector<std::uint8_t> classes;  // empty for tetrahedra
   std::uint32_t size() const { return static_cast<std::uint32_t>(simplices.size()); }
 };
@@ -46,15 +46,41 @@ class BallFacets {
   double exact_milliseconds() const { return exact_milliseconds_; }
 
  private:
-  // Scratch of one polygon; grows with the number of neighbours.
+  // Storage of one polygon (facet_polygon.hpp); grows with the number of neighbours.
   template <class T>
   struct Polygon {
-    std::vector<int> id;
-    std::vector<FacetLine<T>> line;
-    std::vector<T> u, v, w;
-    std::vector<signed char> cut;
-    FacetPolygon<T> view;
-    void reserve(std::size_t sides);
+    struct Side {
+      FacetLine<T> line;
+      int id;
+    };
+    struct Corner {
+      T u, v, w;
+    };
+    int size = 0;
+    std::vector<Side> sides;
+    std::vector<Corner> corners;
+
+    void reserve(std::size_t count) {
+      if (sides.size() >= count) return;
+      sides.resize(2 * count);
+      corners.resize(2 * count);
+    }
+    int capacity() const { return static_cast<int>(sides.size()); }
+    int id(int s) const { return sides[static_cast<std::size_t>(s)].id; }
+    const FacetLine<T>& line(int s) const { return sides[static_cast<std::size_t>(s)].line; }
+    const T& u(int s) const { return corners[static_cast<std::size_t>(s)].u; }
+    const T& v(int s) const { return corners[static_cast<std::size_t>(s)].v; }
+    const T& w(int s) const { return corners[static_cast<std::size_t>(s)].w; }
+    void set_side(int s, int id, const FacetLine<T>& line) {
+      sides[static_cast<std::size_t>(s)] = {line, id};
+    }
+    void set_corner(int s, const T& u, const T& v, const T& w) {
+      corners[static_cast<std::size_t>(s)] = {u, v, w};
+    }
+    void move(int from, int to) {
+      sides[static_cast<std::size_t>(to)] = sides[static_cast<std::size_t>(from)];
+      corners[static_cast<std::size_t>(to)] = corners[static_cast<std::size_t>(from)];
+    }
   };
   // The neighbours of ball i by slot in its list.
   struct Neighbours {
@@ -73,7 +99,7 @@ class BallFacets {
   void exact_facet(Polygon<Integer>& scratch, const FacetInput<Neighbours>& input, int axis,
                    bool negative, float edge_value, BlockOutput& out);
   template <class T>
-  void report(const FacetInput<Neighbours>& input, const FacetPolygon<T>& polygon, int axis,
+  void report(const FacetInput<Neighbours>& input, const Polygon<T>& polygon, int axis,
               float edge_value, BlockOutput& out);
 
   const BallSet& balls_;

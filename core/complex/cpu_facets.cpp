@@ -66,18 +66,19 @@ template <int N>
 void place(const SimplexBuffer<N>& from, std::size_t begin, std::size_t end, std::size_t to,
            SimplexList<N>& list) {
   std::copy(from.simplices.begin() + begin, from.simplices.begin() + end, list.simplices.begin() + to);
+  if (list.alpha_values.empty()) return;
   std::copy(from.values.begin() + begin, from.values.begin() + end, list.alpha_values.begin() + to);
-  if (list.classes.empty()) return;
-  for (std::size_t s = begin; s < end; ++s) {
+  for (std::size_t s = begin; s < end && !from.classes.empty(); ++s) {
     list.classes[to + (s - begin)] = static_cast<SimplexClass>(from.classes[s]);
   }
 }
 
 template <int N>
-void resize(SimplexList<N>& list, std::size_t size, bool with_classes) {
+void resize(SimplexList<N>& list, std::size_t size, bool with_values) {
   list.simplices.resize(size);
-  list.alpha_values.resize(size);
-  list.classes.resize(with_classes ? size : 0);
+  list.alpha_values.resize(with_values ? size : 0);
+  // Tetrahedra have no coface: all of K_alpha's are interior.
+  list.classes.assign(with_values ? size : 0, SimplexClass::interior);
 }
 
 // Vertices: the values of unattached ones are known per ball, the rest follows from the edges.
@@ -192,9 +193,9 @@ FacetStatistics compute_facets(const BallSet& balls, const UniformGrid& grid,
     places[i + 1].triangle += places[i].triangle;
     places[i + 1].tetrahedron += places[i].tetrahedron;
   }
-  resize(complex.edges, places.back().edge, true);
-  resize(complex.triangles, places.back().triangle, true);
-  resize(complex.tetrahedra, places.back().tetrahedron, false);
+  resize(complex.edges, places.back().edge, whole);
+  resize(complex.triangles, places.back().triangle, whole);
+  resize(complex.tetrahedra, places.back().tetrahedron, whole);
   tbb::parallel_for(std::size_t{0}, block_count, [&](std::size_t b) {
     const auto [begin, end] = block_slots(b);
     for (std::size_t slot = begin; slot < end; ++slot) {
@@ -206,11 +207,7 @@ FacetStatistics compute_facets(const BallSet& balls, const UniformGrid& grid,
     }
     outputs[b] = {};
   });
-  if (whole) {
-    // Tetrahedra have no coface: all of K_alpha's are interior.
-    complex.tetrahedra.classes.assign(complex.tetrahedra.size(), SimplexClass::interior);
-    complete_vertices(balls, states, complex);
-  }
+  if (whole) complete_vertices(balls, states, complex);
   timer.lap(stage::kPrefixSum);
   return statistics;
 }

@@ -23,19 +23,20 @@ struct FilteredDecider {
   static constexpr bool kExact = false;
 };
 
-// Is rho <= alpha? And its nearest float, asked for only when it is. `exact` is called on demand.
+// Is rho <= alpha? And its nearest float, when it is and `rounded` is not null. `exact` is called on
+// demand.
 template <class Decider, class Exact>
 ALPHASCOPE_INLINE Decision decide_rho(const Bracket& rho, double alpha, float* rounded,
                                       const Exact& exact) {
   const int side = compare_bracket(rho, alpha);
   if (side > 0) return Decision::out;
-  if (side < 0 && round_bracket(rho, rounded)) return Decision::in;
+  if (side < 0 && (rounded == nullptr || round_bracket(rho, rounded))) return Decision::in;
   if constexpr (!Decider::kExact) {
     return Decision::unknown;
   } else {
     const ExactRho value = exact();
     if (side == 0 && compare_exact(value, alpha) > 0) return Decision::out;
-    *rounded = round_exact(value);
+    if (rounded != nullptr) *rounded = round_exact(value);
     return Decision::in;
   }
 }
@@ -124,56 +125,55 @@ struct FacetScratch {
   float* corner_value = nullptr;
 };
 
-// Calls sink.tetrahedron(k_slot, l_slot, value) for every corner whose tetrahedron is in K_alpha and
+// Calls sink.tetrahedron(k_slot, l_slot) for every corner whose tetrahedron is in K_alpha and
 // whose other vertices both come after j (so that each tetrahedron is reported once). Returns false
 // when a decision is unknown; nothing reported before then counts.
-template <class Decider, class Neighbours, class T, class Sink>
-ALPHASCOPE_INLINE bool report_tetrahedra(const FacetInput<Neighbours>& in, const FacetPolygon<T>& p,
+template <class Decider, class Neighbours, class Polygon, class Sink>
+ALPHASCOPE_INLINE bool report_tetrahedra(const FacetInput<Neighbours>& in, const Polygon& p,
                                          Sink& sink) {
   const auto ball_j = in.neighbours.ball(in.j);
   for (int s = 0; s < p.size; ++s) {
-    const int k = p.id[s], l = p.id[s + 1 == p.size ? 0 : s + 1];
+    const int k = p.id(s), l = p.id(s + 1 == p.size ? 0 : s + 1);
     if (k < 0 || l < 0 || in.neighbours.ball(k) < ball_j || in.neighbours.ball(l) < ball_j) continue;
-    float value = 0;
-    const Decision d = decide_tetrahedron<Decider>(in, k, l, &value);
+    const Decision d = decide_tetrahedron<Decider>(in, k, l, nullptr);
     if (d == Decision::unknown) return false;
-    if (d == Decision::in) sink.tetrahedron(k, l, value);
+    if (d == Decision::in) sink.tetrahedron(k, l);
   }
   return true;
 }
 
 // The triangle ijk on side s: in K_alpha? Attached to the corner beyond which its orthocentre lies.
-template <class Decider, class Neighbours, class T>
-ALPHASCOPE_INLINE Decision side_triangle(const FacetInput<Neighbours>& in, const FacetPolygon<T>& p,
+template <class Decider, class Neighbours, class Polygon>
+ALPHASCOPE_INLINE Decision side_triangle(const FacetInput<Neighbours>& in, const Polygon& p,
                                          int axis, const FacetScratch& scratch, int s,
                                          float* value) {
   const int n = p.size, before = s == 0 ? n - 1 : s - 1, after = s + 1 == n ? 0 : s + 1;
   const int ends[2] = {before, s};                  // corners
-  const int cutters[2] = {p.id[before], p.id[after]};
+  const int cutters[2] = {p.id(before), p.id(after)};
   for (int e = 0; e < 2; ++e) {
     const Decision cut =
-        triangle_cut_by<Decider>(in, p.id[s], in.side_vector(cutters[e], axis));
+        triangle_cut_by<Decider>(in, p.id(s), in.side_vector(cutters[e], axis));
     if (cut == Decision::unknown) return Decision::unknown;
     if (cut == Decision::in) {
       *value = scratch.corner_value[ends[e]];
       return static_cast<Decision>(scratch.corner_in[ends[e]]);
     }
   }
-  return decide_triangle<Decider>(in, p.id[s], value);
+  return decide_triangle<Decider>(in, p.id(s), value);
 }
 
 // The whole story of a facet whose edge has rho <= alpha (edge_value is its nearest float): calls
 // sink.edge(value, class), sink.triangle(k_slot, value, class), sink.tetrahedron(k, l, value), the
 // latter two only for vertices after j. Returns false when a decision is unknown.
-template <class Decider, class Neighbours, class T, class Sink>
-ALPHASCOPE_INLINE bool report_facet(const FacetInput<Neighbours>& in, const FacetPolygon<T>& p,
+template <class Decider, class Neighbours, class Polygon, class Sink>
+ALPHASCOPE_INLINE bool report_facet(const FacetInput<Neighbours>& in, const Polygon& p,
                                     int axis, float edge_value, const FacetScratch& scratch,
                                     Sink& sink) {
   const int n = p.size;
   const auto ball_j = in.neighbours.ball(in.j);
   bool all_corners_in = true;
   for (int s = 0; s < n; ++s) {
-    const int k = p.id[s], l = p.id[s + 1 == n ? 0 : s + 1];
+    const int k = p.id(s), l = p.id(s + 1 == n ? 0 : s + 1);
     Decision d = Decision::out;
     if (k >= 0 && l >= 0) {
       d = decide_tetrahedron<Decider>(in, k, l, &scratch.corner_value[s]);
@@ -189,7 +189,7 @@ ALPHASCOPE_INLINE bool report_facet(const FacetInput<Neighbours>& in, const Face
   bool attached = false, any_triangle = false;
   float attached_value = 0;
   for (int s = 0; s < n; ++s) {
-    const int k = p.id[s];
+    const int k = p.id(s);
     if (k < 0) continue;
     const Decision cut = edge_cut_by<Decider>(in, k);
     if (cut == Decision::unknown) return false;

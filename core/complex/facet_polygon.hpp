@@ -72,94 +72,73 @@ ALPHASCOPE_INLINE LiftedInt ghost_vector(int id, int axis, std::int64_t g) {
   return p;
 }
 
-// Arrays of one polygon; `capacity` sides at most. On the CPU they live in a growing scratch, on the
-// GPU in local or shared memory.
-template <class T>
-struct FacetPolygon {
-  int size = 0;
-  int capacity = 0;
-  int* id = nullptr;       // ball of each side as its caller numbers it, or a ghost
-  FacetLine<T>* line = nullptr;
-  T *u = nullptr, *v = nullptr, *w = nullptr;  // corners
-  signed char* cut = nullptr;                  // scratch: the corners that the current line cuts
-};
-
+// What the templates below ask of a polygon's storage (it is the executor's: growing arrays on the
+// CPU, a few words of a thread on the GPU):
+//   size, capacity()       number of sides, and of sides that fit
+//   id(s), line(s)         the ball of side s as its caller numbers it, or a ghost; its line
+//   u(s), v(s), w(s)       corner s
+//   set_side(s, id, line), set_corner(s, u, v, w), move(from, to)   (a side with the corner at its end)
 enum class ClipOutcome { unchanged, changed, empty, uncertain, full };
 
-template <class T>
-ALPHASCOPE_INLINE void set_corner(FacetPolygon<T>& p, int at, const FacetLine<T>& k,
-                                  const FacetLine<T>& l) {
-  p.u[at] = k.c * l.b - l.c * k.b;
-  p.v[at] = k.a * l.c - l.a * k.c;
-  p.w[at] = k.a * l.b - l.a * k.b;
+template <class Polygon, class T>
+ALPHASCOPE_INLINE void set_corner(Polygon& p, int at, const FacetLine<T>& k, const FacetLine<T>& l) {
+  p.set_corner(at, k.c * l.b - l.c * k.b, k.a * l.c - l.a * k.c, k.a * l.b - l.a * k.b);
 }
 
-// Sets the start triangle of radius g.
-template <class T>
-ALPHASCOPE_INLINE void start_polygon(FacetPolygon<T>& p, const FacetFrame<T>& frame, std::int64_t g) {
-  const T q = frame.q.x, zero = T(0), reach = T(2 * g) * q;
+// Sets the start triangle; `reach` is 2 g q.x in the units of the lines.
+template <class Polygon, class T>
+ALPHASCOPE_INLINE void start_polygon(Polygon& p, const T& q, const T& reach) {
+  const FacetLine<T> yz{q, q, reach + reach}, y{-q, T(0), reach}, z{T(0), -q, reach};
   p.size = 3;
-  p.id[0] = kGhostYZ;
-  p.id[1] = kGhostY;
-  p.id[2] = kGhostZ;
-  p.line[0] = {q, q, reach + reach};
-  p.line[1] = {-q, zero, reach};
-  p.line[2] = {zero, -q, reach};
-  for (int s = 0; s < 3; ++s) set_corner(p, s, p.line[s], p.line[(s + 1) % 3]);
-}
-
-// Moves a side together with the corner at its end.
-template <class T>
-ALPHASCOPE_INLINE void move_side(FacetPolygon<T>& p, int from, int to) {
-  p.id[to] = p.id[from];
-  p.line[to] = p.line[from];
-  p.u[to] = p.u[from];
-  p.v[to] = p.v[from];
-  p.w[to] = p.w[from];
+  p.set_side(0, kGhostYZ, yz);
+  p.set_side(1, kGhostY, y);
+  p.set_side(2, kGhostZ, z);
+  set_corner(p, 0, yz, y);
+  set_corner(p, 1, y, z);
+  set_corner(p, 2, z, yz);
 }
 
 // Cuts the polygon by a line. `side(s, value)` gives the sign of the predicate value at corner s:
 // +1 cut off, -1 kept, 0 not known. With consistent signs the cut corners are one run of the cycle.
-template <class T, class SideOf>
-ALPHASCOPE_INLINE ClipOutcome clip(FacetPolygon<T>& p, const FacetLine<T>& m, int id,
-                                   const SideOf& side) {
+template <class Polygon, class T, class SideOf>
+ALPHASCOPE_INLINE ClipOutcome clip(Polygon& p, const FacetLine<T>& m, int id, const SideOf& side) {
   const int n = p.size;
-  int cut_count = 0;
+  int cut_count = 0, first = 0;  // first: the corner where the run of cut ones begins
+  bool cut_zero = false, previous = false;
   for (int s = 0; s < n; ++s) {
-    const int sign = side(s, m.a * p.u[s] + m.b * p.v[s] - m.c * p.w[s]);
+    const int sign = side(s, m.a * p.u(s) + m.b * p.v(s) - m.c * p.w(s));
     if (sign == 0) return ClipOutcome::uncertain;
-    p.cut[s] = static_cast<signed char>(sign > 0);
-    cut_count += sign > 0;
+    const bool cut = sign > 0;
+    cut_count += cut;
+    if (s == 0) cut_zero = cut;
+    else if (cut && !previous) first = s;
+    previous = cut;
   }
   if (cut_count == 0) return ClipOutcome::unchanged;
   if (cut_count == n) return ClipOutcome::empty;
-
-  int first = 0;  // first cut corner of the run: its side loses its end to m
-  while (!(p.cut[first] && !p.cut[first == 0 ? n - 1 : first - 1])) ++first;
-  int last = first + cut_count - 1;  // may pass n: the run wraps around
-  const FacetLine<T> before = p.line[first];
-  const int after_index = (last + 1) % n;
-  const FacetLine<T> after = p.line[after_index];
+  if (cut_zero && !previous) first = 0;
 
   // Corners first..last and sides first+1..last go; side m and two corners come.
   const int grow = 2 - cut_count;
-  if (n + grow > p.capacity) return ClipOutcome::full;
+  if (n + grow > p.capacity()) return ClipOutcome::full;
+  const int last = first + cut_count - 1;  // may pass n: the run wraps around
+  const int after_index = last + 1 < n ? last + 1 : last + 1 - n;
+  const FacetLine<T> before = p.line(first), after = p.line(after_index);
   if (last < n - 1) {  // no wrap: move the tail (sides and corners from last+1 on)
-    const int tail = n - (last + 1);
     if (grow > 0) {
-      for (int t = tail - 1; t >= 0; --t) move_side(p, last + 1 + t, last + 1 + t + grow);
+      for (int t = n - 1; t > last; --t) p.move(t, t + grow);
     } else if (grow < 0) {
-      for (int t = 0; t < tail; ++t) move_side(p, last + 1 + t, last + 1 + t + grow);
+      for (int t = last + 1; t < n; ++t) p.move(t, t + grow);
     }
     p.size = n + grow;
   } else {  // the run reaches or passes the end: keep after_index..first, moved to the front
-    const int kept = first - after_index + 1;  // sides after_index..first
-    for (int t = 0; t < kept; ++t) move_side(p, after_index + t, t);
-    first = kept - 1;
-    p.size = kept + 1;
+    if (after_index > 0) {
+      for (int t = after_index; t <= first; ++t) p.move(t, t - after_index);
+      first -= after_index;
+    }
+    p.size = first + 2;
   }
-  p.id[first + 1] = id;
-  p.line[first + 1] = m;
+  p.set_side(first + 1, id, m);
   set_corner(p, first, before, m);
   set_corner(p, first + 1, m, after);
   return ClipOutcome::changed;

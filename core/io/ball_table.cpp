@@ -1,0 +1,178 @@
+// Tables of balls, one "x y z r" (Å) per line:
+//   XYZR       x y z r [name…]; blank lines and lines starting with # are skipped
+//   CRD        the same after a line with the number of balls (ParallelAC), or without (AlphaMol)
+//   labelled   chain residue-number atom-name x y z r, or chain x y z r (Voronota)
+#include <array>
+#include <charconv>
+#include <vector>
+
+#include "core/io/atom_names.hpp"
+#include "core/io/line_reader.hpp"
+#include "core/io/molecule_builder.hpp"
+#include "core/io/readers.hpp"
+
+namespace alphascope {
+namespace {
+
+constexpr std::size_t kProgressLines = 65536;
+
+bool is_number(std::string_view text) {
+  Decimal value;
+  return parse_decimal(text, value) != DecimalStatus::malformed;
+}
+
+std::vector<std::string_view> fields_of(std::string_view line) {
+  std::vector<std::string_view> fields;
+  for (std::string_view f = next_field(line); !f.empty(); f = next_field(line)) fields.push_back(f);
+  return fields;
+}
+
+class BallTableReader {
+ public:
+  explicit BallTableReader(const ReaderInput& input)
+      : input_(input), lines_(input.text), builder_(input.source, "XYZR") {}
+
+  Molecule read() {
+    std::string_view line;
+    while (lines_.next(line)) {
+      if (lines_.number() % kProgressLines == 0) report();
+      std::string_view data = trimmed(line);
+      if (data.empty() || data.front() == '#') continue;
+      if (first_line_ && take_count(data)) continue;
+      first_line_ = false;
+      take_ball(data);
+    }
+    if (counted_ && builder_.size() != count_) {
+      fail(1,
+           "the first line announces " + std::to_string(count_) + " balls, but " +
+               std::to_string(builder_.size()) + " follow",
+           "The file is incomplete or the count is wrong; fetch it again or correct the count");
+    }
+    return builder_.finish();
+  }
+
+ private:
+  void report() {
+    input_.context.cancel.throw_if_cancelled();
+    const double left = static_cast<double>(lines_.bytes_left());
+    input_.context.report("reading", 1 - left / static_cast<double>(input_.text.size()));
+  }
+
+  bool take_count(std::string_view data) {
+    const auto [end, error] = std::from_chars(data.data(), data.data() + data.size(), count_);
+    counted_ = error == std::errc() && end == data.data() + data.size();
+    if (!counted_) return false;
+    first_line_ = false;
+    builder_.molecule().format = "CRD";
+    // Every ball takes eight characters or more: a wrong count cannot make us reserve much.
+    builder_.reserve(std::min<std::size_t>(count_, lines_.bytes_left() / 8));
+    return true;
+  }
+
+  // The first ball tells where the labels are.
+  void take_layout(std::string_view data) {
+    const std::vector<std::string_view> fields = fields_of(data);
+    const std::size_t n = fields.size();
+    const auto numbers_from = [&](std::size_t first) {
+      for (std::size_t k = first; k < first + 4; ++k) {
+        if (k >= n || !is_number(fields[k])) return false;
+      }
+      return true;
+    };
+    if (numbers_from(0)) {
+      labels_ = 0;
+    } else if (numbers_from(3)) {
+      labels_ = 3;
+    } else if (numbers_from(1)) {
+      labels_ = 1;
+    } else {
+      fail(lines_.number(), "expected four numbers \"x y z r\", found \"" + shortened(data) + "\"",
+           "Each line holds the centre and the radius of one ball, in Å");
+    }
+    layout_known_ = true;
+  }
+
+  void take_ball(std::string_view data) {
+    if (!layout_known_) take_layout(data);
+    if (counted_ && builder_.size() == count_) {
+      fail(lines_.number(),
+           "more balls than the " + std::to_string(count_) + " that the first line announces",
+           "Correct the count or remove the surplus lines");
+    }
+    NameTable& names = builder_.molecule().names;
+    Atom atom;
+    atom.source_line = static_cast<std::uint32_t>(lines_.number());
+    atom.serial = static_cast<std::int32_t>(builder_.size() + 1);
+    if (labels_ >= 1) atom.chain = names.intern(next_field(data));
+    if (labels_ == 3) {
+      const std::string_view number = next_field(data);
+      std::from_chars(number.data(), number.data() + number.size(), atom.residue_number);
+      take_name(atom, next_field(data));
+    }
+    std::array<Decimal, 3> position;
+    for (int k = 0; k < 3; ++k) position[k] = take_number(data, "xyz"[k]);
+    const Decimal radius = take_number(data, 'r');
+    if (radius.mantissa < 0) {
+      fail(lines_.number(), "the radius is negative", "Radii are in Å and at least 0");
+    }
+    const std::string_view comment = trimmed(data);
+    if (labels_ == 0 && !comment.empty()) take_comment(atom, comment);
+    builder_.add(atom, position, radius);
+  }
+
+  void take_name(Atom& atom, std::string_view name) {
+    atom.name = builder_.molecule().names.intern(name);
+    atom.element = element_from_atom_name(name, true);
+  }
+
+  // "# serial chain resSeq resName name …" as Voronota writes, or a single name.
+  void take_comment(Atom& atom, std::string_view comment) {
+    if (comment.front() == '#') comment.remove_prefix(1);
+    const std::vector<std::string_view> fields = fields_of(comment);
+    if (fields.size() == 1 && !is_number(fields[0])) {
+      take_name(atom, fields[0]);
+    } else if (fields.size() == 2 && !is_number(fields[1])) {  // XYZRN: "1 name_res_number"
+      take_name(atom, fields[1].substr(0, fields[1].find('_')));
+    } else if (fields.size() >= 5) {
+      atom.chain = builder_.molecule().names.intern(fields[1]);
+      std::from_chars(fields[2].data(), fields[2].data() + fields[2].size(), atom.residue_number);
+      atom.residue_name = builder_.molecule().names.intern(fields[3]);
+      take_name(atom, fields[4]);
+    }
+  }
+
+  Decimal take_number(std::string_view& data, char what) {
+    const std::string_view field = next_field(data);
+    Decimal value;
+    const DecimalStatus status = parse_decimal(field, value);
+    if (status == DecimalStatus::ok) return value;
+    const std::string name(1, what);
+    if (field.empty()) {
+      fail(lines_.number(), "the line ends before " + name,
+           "A ball needs four numbers \"x y z r\"; the file may be truncated");
+    }
+    fail(lines_.number(), "expected a number for " + name + ", found \"" + shortened(field) + "\"",
+         status == DecimalStatus::not_finite
+             ? "Coordinates and radii must be finite; remove this ball or compute it again"
+             : "A ball is four numbers \"x y z r\" in Å");
+  }
+
+  [[noreturn]] void fail(std::size_t line, std::string reason, std::string remedy) const {
+    throw ReadError(input_.source, line, std::move(reason), std::move(remedy));
+  }
+
+  const ReaderInput& input_;
+  LineReader lines_;
+  MoleculeBuilder builder_;
+  bool first_line_ = true, layout_known_ = false, counted_ = false;
+  std::size_t count_ = 0;
+  int labels_ = 0;  // fields before x
+};
+
+}  // namespace
+
+Molecule read_ball_table(const ReaderInput& input) {
+  return BallTableReader(input).read();
+}
+
+}  // namespace alphascope

@@ -1,0 +1,55 @@
+// Walking over the lines and fields of a loaded text, with line numbers for messages.
+#pragma once
+
+#include <cstddef>
+#include <cstring>
+#include <string_view>
+
+namespace alphascope {
+
+inline bool is_blank(char c) {
+  return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f';
+}
+
+inline std::string_view trimmed(std::string_view text) {
+  while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
+  while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
+  return text;
+}
+
+// Lines end with LF, CRLF or the end of the text; the ends are not part of them.
+class LineReader {
+ public:
+  explicit LineReader(std::string_view text) : rest_(text) {}
+
+  bool next(std::string_view& line) {
+    if (rest_.empty()) return false;
+    const void* end = std::memchr(rest_.data(), '\n', rest_.size());
+    const std::size_t length =
+        end ? static_cast<std::size_t>(static_cast<const char*>(end) - rest_.data()) : rest_.size();
+    line = rest_.substr(0, length);
+    rest_.remove_prefix(end ? length + 1 : length);
+    if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
+    ++number_;
+    return true;
+  }
+
+  std::size_t number() const { return number_; }  // of the last line, from 1
+  std::size_t bytes_left() const { return rest_.size(); }
+
+ private:
+  std::string_view rest_;
+  std::size_t number_ = 0;
+};
+
+// Takes the next field between blanks off the front of `line`; empty at its end.
+inline std::string_view next_field(std::string_view& line) {
+  while (!line.empty() && is_blank(line.front())) line.remove_prefix(1);
+  std::size_t length = 0;
+  while (length < line.size() && !is_blank(line[length])) ++length;
+  const std::string_view field = line.substr(0, length);
+  line.remove_prefix(length);
+  return field;
+}
+
+}  // namespace alphascope

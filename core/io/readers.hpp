@@ -1,0 +1,29 @@
+// One function per file format: text in, molecule out. Loading and telling formats apart is done by
+// read_molecule.cpp; nothing here touches the disk.
+#pragma once
+
+#include <filesystem>
+#include <string_view>
+
+#include "core/molecule/molecule.hpp"
+#include "core/run/cancel_token.hpp"
+
+namespace alphascope {
+
+struct ReaderInput {
+  std::filesystem::path source;  // for messages and Molecule::source only
+  std::string_view text;
+  RunContext context;
+};
+
+// All of them throw ReadError with the line at fault, and Cancelled.
+
+// ATOM and HETATM records of all models. Atoms between two models, or after the last ENDMDL, form a
+// model of their own.
+Molecule read_pdb(const ReaderInput& input);
+
+// "x y z r" lines: XYZR, both dialects of the x-y-z-r CRD (with the count in the first line, or
+// without), and tables with labels before or after the four numbers.
+Molecule read_ball_table(const ReaderInput& input);
+
+}  // namespace alphascope

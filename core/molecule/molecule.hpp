@@ -1,0 +1,65 @@
+// A molecule as its file gives it: atoms of all models on the decimal lattice, with their names.
+// What is used of it, and with which radii, is decided in prepare_balls.hpp.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/geometry/lattice.hpp"
+#include "core/molecule/element.hpp"
+#include "core/molecule/name_table.hpp"
+
+namespace alphascope {
+
+// What an atom belongs to. Dummies are markers without matter, such as OPM's membrane planes.
+enum class AtomKind : std::uint8_t { polymer, water, ligand, ion, dummy };
+
+// Names are ids in Molecule::names. 60 bytes, since an assembly may have 16 million of them.
+struct Atom {
+  LatticePoint position;            // lattice units
+  std::int32_t file_radius = -1;    // lattice units; 0 as the file says; -1 when it gives none
+  std::int32_t serial = 0;          // 0 when unknown
+  std::int32_t residue_number = 0;  // the author's
+  std::uint32_t source_line = 0;    // counted from 1; 0 when unknown
+  float occupancy = 1;              // 1 when the file gives none
+  float b_factor = 0;               // Å²
+  NameId name = 0;
+  NameId residue_name = 0;
+  NameId chain = 0;  // the author's
+  Element element = kUnknownElement;
+  AtomKind kind = AtomKind::polymer;
+  char altloc = ' ';
+  char insertion_code = ' ';
+  bool hetero = false;  // HETATM in the file
+};
+
+// Atoms [begin, end) of Molecule::atoms form one model.
+struct ModelRange {
+  int number = 1;  // as the file says
+  std::size_t begin = 0, end = 0;
+  std::size_t size() const { return end - begin; }
+};
+
+struct Molecule {
+  std::filesystem::path source;
+  std::string format;  // "PDB", "mmCIF", "XYZR", "CRD"…
+  std::string title;
+  Lattice lattice;
+  double rounding_angstrom = 0;    // largest change that the lattice made to a coordinate or radius
+  bool has_file_radii = false;     // some atom has a radius > 0 from the file
+  std::vector<Atom> atoms;         // models one after another
+  std::vector<ModelRange> models;  // at least one, none of them empty
+  NameTable names;
+  std::vector<std::string> notes;  // sentences: what the reader had to assume
+
+  std::string_view text(NameId id) const { return names.text(id); }
+};
+
+// "CA GLY 12A, chain B": how an atom is named to people.
+std::string atom_label(const Molecule& molecule, std::size_t atom);
+
+}  // namespace alphascope

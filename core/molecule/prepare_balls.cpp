@@ -1,0 +1,197 @@
+#include "core/molecule/prepare_balls.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <unordered_map>
+
+#include "core/molecule/altlocs.hpp"
+
+namespace alphascope {
+namespace {
+
+struct AtomRange {
+  std::size_t begin, end;
+};
+
+AtomRange chosen_atoms(const Molecule& molecule, int model) {
+  if (molecule.atoms.size() > std::numeric_limits<std::uint32_t>::max()) {
+    throw std::invalid_argument("the molecule has more than 4,294,967,295 atoms");
+  }
+  if (model == kAllModels) return {0, molecule.atoms.size()};
+  if (model < 0 || static_cast<std::size_t>(model) >= molecule.models.size()) {
+    throw std::invalid_argument("there is no model " + std::to_string(model + 1) +
+                                ": the file has " + std::to_string(molecule.models.size()));
+  }
+  return {molecule.models[model].begin, molecule.models[model].end};
+}
+
+// Decides atom by atom; what a whole residue decides (altlocs) is worked out at the start.
+class AtomFilter {
+ public:
+  AtomFilter(const Molecule& molecule, const BallOptions& options, AtomRange range)
+      : molecule_(molecule), options_(options), range_(range) {
+    for (const std::string& chain : options.chains) {
+      chains_.push_back(chain.empty() ? 0 : molecule.names.find(chain));
+      // A chain that is not there must not match the atoms without chain (id 0).
+      if (!chain.empty() && chains_.back() == 0) chains_.pop_back();
+    }
+    if (options.altlocs == AltlocRule::best && options.model != kAllModels) {
+      minor_ = minor_altlocs(molecule, range.begin, range.end);
+    } else if (options.altlocs == AltlocRule::best) {
+      for (const ModelRange& model : molecule.models) {
+        const std::vector<bool> part = minor_altlocs(molecule, model.begin, model.end);
+        minor_.insert(minor_.end(), part.begin(), part.end());
+      }
+    }
+  }
+
+  // The counter of the reason to leave this atom out, or null to keep it.
+  std::size_t* reason_to_drop(std::size_t i, SelectionReport& report) const {
+    const Atom& atom = molecule_.atoms[i];
+    if (!options_.chains.empty() &&
+        std::find(chains_.begin(), chains_.end(), atom.chain) == chains_.end()) {
+      return &report.dropped_chains;
+    }
+    switch (atom.kind) {
+      case AtomKind::dummy:
+        if (!options_.dummies) return &report.dropped_dummies;
+        break;
+      case AtomKind::water:
+        if (!options_.waters) return &report.dropped_waters;
+        break;
+      case AtomKind::ion:
+        if (!options_.ions) return &report.dropped_ions;
+        break;
+      case AtomKind::ligand:
+        if (!options_.ligands) return &report.dropped_ligands;
+        break;
+      case AtomKind::polymer:
+        if (!options_.polymers) return &report.dropped_polymers;
+        break;
+    }
+    if (options_.hydrogens == HydrogenRule::drop && atom.element == kHydrogen) {
+      return &report.dropped_hydrogens;
+    }
+    if (!minor_.empty() && minor_[i - range_.begin]) return &report.dropped_altlocs;
+    return nullptr;
+  }
+
+ private:
+  const Molecule& molecule_;
+  const BallOptions& options_;
+  AtomRange range_;
+  std::vector<NameId> chains_;
+  std::vector<bool> minor_;
+};
+
+// Radii in lattice units, with the list of the guessed ones.
+class RadiusSource {
+ public:
+  RadiusSource(const Molecule& molecule, RadiiSet set, SelectionReport& report)
+      : molecule_(molecule), set_(set), report_(report) {
+    scale_ = molecule.lattice.units_per_angstrom() / 1000.0;
+  }
+
+  // 0 when the atom has no ball; the reason is then counted.
+  std::int32_t radius(const Atom& atom) {
+    if (set_ == RadiiSet::file) {
+      if (atom.file_radius > 0) return atom.file_radius;
+      ++(atom.file_radius == 0 ? report_.dropped_zero_radius : report_.dropped_without_radius);
+      return 0;
+    }
+    const AssignedRadius assigned = element_radius(set_, atom.element);
+    const double exact = assigned.milliangstrom * scale_;
+    // A lattice of whole ångströms must not make a ball vanish.
+    const double units = std::clamp(std::round(exact), 1.0, double{kMaxLatticeRadius});
+    report_.radius_rounding_angstrom = std::max(
+        report_.radius_rounding_angstrom, molecule_.lattice.angstrom(std::fabs(units - exact)));
+    if (assigned.guessed) note_guess(atom, assigned);
+    return static_cast<std::int32_t>(units);
+  }
+
+ private:
+  void note_guess(const Atom& atom, const AssignedRadius& assigned) {
+    ++report_.guessed_atoms;
+    const std::uint64_t key = (std::uint64_t{atom.name} << 32) | atom.residue_name;
+    const auto [entry, inserted] = guess_index_.try_emplace(key, report_.guessed.size());
+    if (inserted) {
+      std::string name(molecule_.text(atom.name));
+      if (name.empty()) name = std::string(element_symbol(atom.element));
+      if (atom.residue_name != 0) name += " in " + std::string(molecule_.text(atom.residue_name));
+      report_.guessed.push_back({std::move(name), 0, assigned.milliangstrom / 1000.0});
+    }
+    ++report_.guessed[entry->second].count;
+  }
+
+  const Molecule& molecule_;
+  RadiiSet set_;
+  SelectionReport& report_;
+  double scale_ = 1;  // lattice units per 10^-3 Å
+  std::unordered_map<std::uint64_t, std::size_t> guess_index_;
+};
+
+RadiiSet resolve(RadiiSet wanted, const Molecule& molecule) {
+  if (wanted == RadiiSet::file && !molecule.has_file_radii) {
+    throw std::invalid_argument("the file has no radii of its own; choose a radii set");
+  }
+  if (wanted != RadiiSet::automatic) return wanted;
+  return molecule.has_file_radii ? RadiiSet::file : RadiiSet::bondi;
+}
+
+std::size_t count_coincident(const std::vector<LatticePoint>& points) {
+  std::size_t capacity = 16;
+  while (capacity < 2 * points.size()) capacity *= 2;
+  constexpr std::uint32_t kFree = std::numeric_limits<std::uint32_t>::max();
+  std::vector<std::uint32_t> table(capacity, kFree);
+  std::size_t coincident = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const LatticePoint& p = points[i];
+    std::uint64_t hash = static_cast<std::uint32_t>(p.x) * 0x9E3779B97F4A7C15u;
+    hash = (hash ^ (hash >> 29) ^ static_cast<std::uint32_t>(p.y)) * 0xBF58476D1CE4E5B9u;
+    hash = (hash ^ (hash >> 32) ^ static_cast<std::uint32_t>(p.z)) * 0x94D049BB133111EBu;
+    std::size_t slot = (hash ^ (hash >> 31)) & (capacity - 1);
+    while (table[slot] != kFree && points[table[slot]] != p) slot = (slot + 1) & (capacity - 1);
+    if (table[slot] == kFree) {
+      table[slot] = static_cast<std::uint32_t>(i);
+    } else {
+      ++coincident;
+    }
+  }
+  return coincident;
+}
+
+}  // namespace
+
+PreparedBalls prepare_balls(const Molecule& molecule, const BallOptions& options) {
+  const AtomRange range = chosen_atoms(molecule, options.model);
+  PreparedBalls result;
+  SelectionReport& report = result.report;
+  report.total = range.end - range.begin;
+  report.radii = resolve(options.radii, molecule);
+  report.radii_name = radii_set_info(report.radii).name;
+  report.radii_citation = radii_set_info(report.radii).citation;
+
+  const AtomFilter filter(molecule, options, range);
+  RadiusSource radii(molecule, report.radii, report);
+  auto balls = std::make_shared<BallSet>();
+  balls->lattice = molecule.lattice;
+  for (std::size_t i = range.begin; i < range.end; ++i) {
+    if (std::size_t* const counter = filter.reason_to_drop(i, report)) {
+      ++*counter;
+      continue;
+    }
+    const std::int32_t radius = radii.radius(molecule.atoms[i]);
+    if (radius == 0) continue;
+    balls->centres.push_back(molecule.atoms[i].position);
+    balls->radii.push_back(radius);
+    result.atom_of_ball.push_back(static_cast<std::uint32_t>(i));
+  }
+  report.used = balls->size();
+  report.coincident_centres = count_coincident(balls->centres);
+  result.balls = std::move(balls);
+  return result;
+}
+
+}  // namespace alphascope

@@ -1,0 +1,86 @@
+// From atoms to balls: which atoms of a molecule are used, with which radii, and an honest account
+// of everything that was left out or guessed.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/geometry/ball_set.hpp"
+#include "core/molecule/molecule.hpp"
+#include "core/molecule/radii_set.hpp"
+
+namespace alphascope {
+
+enum class AltlocRule : std::uint8_t {
+  best,  // per residue: highest occupancy, then lowest B factor, then first letter
+  all,
+};
+enum class HydrogenRule : std::uint8_t { automatic, keep, drop };  // automatic keeps them for now
+
+inline constexpr int kAllModels = -1;
+
+struct BallOptions {
+  RadiiSet radii = RadiiSet::automatic;
+  int model = 0;  // index into Molecule::models, or kAllModels (then all of them at once)
+  AltlocRule altlocs = AltlocRule::best;
+  HydrogenRule hydrogens = HydrogenRule::automatic;
+  bool polymers = true;
+  bool ligands = true;
+  bool ions = true;
+  bool waters = false;
+  bool dummies = false;             // markers without matter (OPM's membrane planes)
+  std::vector<std::string> chains;  // only these; empty = all
+};
+
+// A radius that the set did not have, for all atoms of one name.
+struct GuessedRadius {
+  std::string atoms;  // "FE in HEM"
+  std::size_t count = 0;
+  double radius_angstrom = 0;
+};
+
+// Each atom left out is counted once, under the first of the reasons that applies.
+struct SelectionReport {
+  std::size_t total = 0;  // atoms of the chosen model
+  std::size_t used = 0;
+  std::size_t dropped_chains = 0;
+  std::size_t dropped_dummies = 0;
+  std::size_t dropped_waters = 0;
+  std::size_t dropped_ions = 0;
+  std::size_t dropped_ligands = 0;
+  std::size_t dropped_polymers = 0;
+  std::size_t dropped_hydrogens = 0;
+  std::size_t dropped_altlocs = 0;
+  std::size_t dropped_zero_radius = 0;  // the file says 0: no ball, by its own account
+  std::size_t dropped_without_radius =
+      0;  // the file's own radii are asked for and it has none here
+
+  RadiiSet radii = RadiiSet::bondi;  // never automatic
+  std::string radii_name;
+  std::string radii_citation;
+  std::vector<GuessedRadius> guessed;  // in order of first appearance
+  std::size_t guessed_atoms = 0;
+  double radius_rounding_angstrom = 0;  // largest change made to a radius by a coarse lattice
+
+  // Balls whose centre is exactly that of an earlier ball. They stay in the set; of balls with one
+  // centre only the largest shows.
+  std::size_t coincident_centres = 0;
+};
+
+struct PreparedBalls {
+  std::shared_ptr<const BallSet> balls;
+  std::vector<std::uint32_t> atom_of_ball;  // index into Molecule::atoms
+  SelectionReport report;
+};
+
+// Balls come in the order of their atoms. Throws std::invalid_argument for a model that is not
+// there, for radii from a file without any, and for more atoms than an index can count. No atom
+// left is no error: the set is empty and the report says why.
+PreparedBalls prepare_balls(const Molecule& molecule, const BallOptions& options = {});
+
+// "used 2,104 of 2,431 atoms; dropped 201 waters, 88 alternative locations; radii Bondi; 2 guessed"
+std::string summary(const SelectionReport& report);
+
+}  // namespace alphascope

@@ -1,0 +1,129 @@
+#include <string>
+
+#include "core/molecule/prepare_balls.hpp"
+#include "tests/core/io/temporary_file.hpp"
+
+namespace alphascope {
+namespace {
+
+constexpr const char* kSmall =
+    "TITLE     A SMALL\n"
+    "TITLE    2  TEST\n"
+    "MODRES 1ABC XYZ A    2  ALA\n"
+    "ATOM      1  N   MET A   1      27.340  24.430   2.614  1.00  9.67           N  \n"
+    "ATOM      2  CA AMET A   1      26.266  25.413   2.842  0.40 10.38           C  \n"
+    "ATOM      3  CA BMET A   1      26.266  25.413  -2.842  0.60 10.38           C  \n"
+    "HETATM    4  CB  XYZ A   2      26.266  25.413   8.842  1.00 10.38           C  \n"
+    "HETATM    5 ZN    ZN A   3       1.266  25.413   8.842  1.00 10.38          ZN  \n"
+    "HETATM    6  C1  LIG A   4       2.266  25.413   8.842  1.00 10.38           C  \n"
+    "HETATM    7  O   HOH A   5A      3.266  25.413   8.842  1.00 10.38           O  \n";
+
+TEST(ReadPdb, ReadsColumnsAndKinds) {
+  const Molecule m = read_text("a.pdb", kSmall);
+  ASSERT_EQ(m.atoms.size(), 7u);
+  EXPECT_EQ(m.format, "PDB");
+  EXPECT_EQ(m.title, "A SMALL  TEST");
+  EXPECT_EQ(m.lattice.digits, 3);
+  EXPECT_EQ(m.atoms[0].position, (LatticePoint{27340, 24430, 2614}));
+  EXPECT_EQ(m.atoms[1].altloc, 'A');
+  EXPECT_FLOAT_EQ(m.atoms[2].occupancy, 0.6f);
+  EXPECT_EQ(m.atoms[3].kind, AtomKind::polymer) << "MODRES names it";
+  EXPECT_EQ(m.atoms[4].kind, AtomKind::ion);
+  EXPECT_EQ(m.atoms[4].element, 30);
+  EXPECT_EQ(m.atoms[5].kind, AtomKind::ligand);
+  EXPECT_EQ(m.atoms[6].kind, AtomKind::water);
+  EXPECT_EQ(m.atoms[6].insertion_code, 'A');
+  EXPECT_EQ(m.atoms[6].source_line, 10u);
+  EXPECT_EQ(atom_label(m, 1), "CA (A) MET 1, chain A");
+  EXPECT_TRUE(m.notes.empty());
+}
+
+TEST(ReadPdb, DefaultSelectionIsCountedInFull) {
+  const Molecule m = read_text("a.pdb", kSmall);
+  const PreparedBalls prepared = prepare_balls(m);
+  EXPECT_EQ(prepared.atom_of_ball, (std::vector<std::uint32_t>{0, 2, 3, 4, 5}));
+  EXPECT_EQ(prepared.balls->radii, (std::vector<std::int32_t>{1550, 1700, 1700, 1390, 1700}));
+  EXPECT_EQ(summary(prepared.report),
+            "used 5 of 7 atoms; dropped 1 water, 1 alternative location; radii Bondi");
+  BallOptions options;
+  options.ions = options.ligands = false;
+  options.waters = true;
+  options.altlocs = AltlocRule::all;
+  EXPECT_EQ(prepare_balls(m, options).atom_of_ball, (std::vector<std::uint32_t>{0, 1, 2, 3, 6}));
+  options.chains = {"B"};
+  EXPECT_EQ(prepare_balls(m, options).balls->size(), 0u);
+  options.model = 3;
+  EXPECT_THROW(prepare_balls(m, options), std::invalid_argument);
+}
+
+TEST(ReadPdb, RefusesBrokenColumnsWithTheLine) {
+  const std::string good =
+      "ATOM      1  N   MET A   1      27.340  24.430   2.614  1.00  9.67           N  \n";
+  const ReadError bad =
+      refusal("a.pdb", good + "ATOM      2  CA  MET A   1      27.340  24.x30   2.614\n");
+  EXPECT_EQ(bad.line(), 2u);
+  EXPECT_EQ(bad.reason(), "expected y in columns 39-46, found \"  24.x30\"");
+  const ReadError cut = refusal("a.pdb", good + "ATOM      2  CA  MET A   1      27.340");
+  EXPECT_EQ(cut.reason(), "y is missing: columns 39-46 are empty");
+  EXPECT_EQ(
+      refusal("a.pdb", good + "ATOM      2  CA  MET A   1         nan  24.430   2.614\n").line(),
+      2u);
+  EXPECT_NE(refusal("a.pdb", "HEADER    NOTHING\nEND\n").reason().find("no atoms"),
+            std::string::npos);
+  EXPECT_NE(refusal("a.pdb", "").reason().find("no atoms"), std::string::npos);
+}
+
+TEST(ReadPdb, FiveDigitResidueNumbersPushTheColumns) {
+  const Molecule m = read_text(
+      "a.pdb",
+      "ATOM  42326   OW SOL   9999      14.195  58.650 112.800  1.00  0.00           O  \n"
+      "ATOM  42327   OW SOL  10000      14.195  58.650 112.800  1.00  0.00           O  \n"
+      "ATOM  42328   OW SOL  10000    -114.1951058.650-112.800  1.00  0.00           O  \n");
+  EXPECT_EQ(m.atoms[0].residue_number, 9999);
+  EXPECT_EQ(m.atoms[1].residue_number, 10000);
+  EXPECT_EQ(m.atoms[1].position, (LatticePoint{14195, 58650, 112800}));
+  EXPECT_EQ(m.atoms[2].position, (LatticePoint{-114195, 1058650, -112800}));
+  EXPECT_EQ(m.atoms[1].element, 8);
+  EXPECT_EQ(m.notes.size(), 1u);
+}
+
+TEST(ReadPdb, HybridThirtySix) {
+  const std::string rest = "      27.340  24.430   2.614\n";
+  const Molecule m = read_text("a.pdb", "ATOM  99999  N   MET A9999 " + rest.substr(3) +
+                                            "ATOM  A0000  N   MET AA000 " + rest.substr(3) +
+                                            "ATOM  a0000  N   MET Aa000 " + rest.substr(3) +
+                                            "ATOM  *****  N   MET A  -1 " + rest.substr(3));
+  EXPECT_EQ(m.atoms[0].serial, 99999);
+  EXPECT_EQ(m.atoms[1].serial, 100000);
+  EXPECT_EQ(m.atoms[1].residue_number, 10000);
+  EXPECT_EQ(m.atoms[2].serial, 100000 + 26 * 36 * 36 * 36 * 36);
+  EXPECT_EQ(m.atoms[3].serial, 0);
+  EXPECT_EQ(m.atoms[3].residue_number, -1);
+}
+
+TEST(ReadPdb, Models) {
+  const std::string atom = "ATOM      1  N   MET A   1      27.340  24.430   2.614\n";
+  const Molecule m = read_text("a.pdb", "MODEL        4\n" + atom + atom +
+                                            "ENDMDL\nMODEL        5\nENDMDL\n" + atom + "END\n");
+  ASSERT_EQ(m.models.size(), 2u);
+  EXPECT_EQ(m.models[0].number, 4);
+  EXPECT_EQ(m.models[0].size(), 2u);
+  EXPECT_EQ(m.models[1].size(), 1u);
+  BallOptions all;
+  all.model = kAllModels;
+  EXPECT_EQ(prepare_balls(m, all).report.used, 3u);
+  EXPECT_EQ(prepare_balls(m, all).report.coincident_centres, 2u);
+}
+
+TEST(ReadPdb, ReadsTheChaperonin) {
+  ALPHASCOPE_NEED_TEST_DATA();
+  const Molecule m = read_molecule(test_data("thesis/1aon.pdb.gz"));
+  std::size_t hetero = 0;
+  for (const Atom& a : m.atoms) hetero += a.hetero;
+  EXPECT_EQ(m.atoms.size() - hetero, 58674u);
+  EXPECT_EQ(hetero, 196u);
+  EXPECT_EQ(m.models.size(), 1u);
+}
+
+}  // namespace
+}  // namespace alphascope

@@ -127,11 +127,14 @@ bool BallFacets::filtered_facet(const FacetInput<Neighbours>& input, int axis, b
   filtered_.reserve(common_.size() + 3);
   Polygon<double>& polygon = filtered_;
   const auto frame = make_facet_frame(lifted_as<double>(neighbours_.lifted(input.j)), axis, negative);
-  start_polygon(polygon, frame.q.x, 2 * static_cast<double>(ghost_reach_) * frame.q.x);
+  start_polygon(polygon, frame, ghost_reach_);
   const double bound = clip_bound_;
-  const auto side = [bound](int, double value) { return (value > bound) - (value < -bound); };
   for (const int k : common_) {
     const auto line = frame.line(lifted_as<double>(neighbours_.lifted(k)));
+    const auto side = [&](int s) {
+      const double value = polygon.corner(s).beyond(line);
+      return (value > bound) - (value < -bound);
+    };
     const ClipOutcome outcome = clip(polygon, line, k, side);
     if (outcome == ClipOutcome::empty) return true;
     if (outcome == ClipOutcome::uncertain) return false;
@@ -147,16 +150,17 @@ void BallFacets::exact_facet(Polygon<Integer>& scratch, const FacetInput<Neighbo
   Polygon<Integer>& polygon = scratch;
   const LiftedInt j = neighbours_.lifted(input.j);
   const auto frame = make_facet_frame(lifted_as<Integer>(j), axis, negative);
-  start_polygon(polygon, frame.q.x, Integer(2 * ghost_reach_) * frame.q.x);
+  start_polygon(polygon, frame, ghost_reach_);
   for (const int m : common_) {
     const LiftedInt vm = neighbours_.lifted(m);
-    const auto side = [&](int s, const Integer& value) {
-      const int sign = sign_of(value);
+    const auto line = frame.line(lifted_as<Integer>(vm));
+    const auto side = [&](int s) {
+      const int sign = sign_of(polygon.corner(s).beyond(line));
       if (sign != 0) return sign;
       const int k = polygon.id(s), l = polygon.id(s + 1 == polygon.size ? 0 : s + 1);
       return perturbed_cut(j, input.side_vector(k, axis), k < 0, input.side_vector(l, axis), l < 0, vm);
     };
-    if (clip(polygon, frame.line(lifted_as<Integer>(vm)), m, side) == ClipOutcome::empty) return;
+    if (clip(polygon, line, m, side) == ClipOutcome::empty) return;
   }
   report(input, polygon, axis, edge_value, out);
 }

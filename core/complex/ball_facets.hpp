@@ -53,12 +53,10 @@ class BallFacets {
       FacetLine<T> line;
       int id;
     };
-    struct Corner {
-      T u, v, w;
-    };
+    using Line = FacetLine<T>;
     int size = 0;
     std::vector<Side> sides;
-    std::vector<Corner> corners;
+    std::vector<FacetCorner<T>> corners;
 
     void reserve(std::size_t count) {
       if (sides.size() >= count) return;
@@ -67,16 +65,10 @@ class BallFacets {
     }
     int capacity() const { return static_cast<int>(sides.size()); }
     int id(int s) const { return sides[static_cast<std::size_t>(s)].id; }
-    const FacetLine<T>& line(int s) const { return sides[static_cast<std::size_t>(s)].line; }
-    const T& u(int s) const { return corners[static_cast<std::size_t>(s)].u; }
-    const T& v(int s) const { return corners[static_cast<std::size_t>(s)].v; }
-    const T& w(int s) const { return corners[static_cast<std::size_t>(s)].w; }
-    void set_side(int s, int id, const FacetLine<T>& line) {
-      sides[static_cast<std::size_t>(s)] = {line, id};
-    }
-    void set_corner(int s, const T& u, const T& v, const T& w) {
-      corners[static_cast<std::size_t>(s)] = {u, v, w};
-    }
+    const Line& line(int s) const { return sides[static_cast<std::size_t>(s)].line; }
+    const FacetCorner<T>& corner(int s) const { return corners[static_cast<std::size_t>(s)]; }
+    void set_side(int s, int id, const Line& line) { sides[static_cast<std::size_t>(s)] = {line, id}; }
+    void meet(int s, const Line& k, const Line& l) { corners[static_cast<std::size_t>(s)].meet(k, l); }
     void move(int from, int to) {
       sides[static_cast<std::size_t>(to)] = sides[static_cast<std::size_t>(from)];
       corners[static_cast<std::size_t>(to)] = corners[static_cast<std::size_t>(from)];

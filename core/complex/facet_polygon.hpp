@@ -72,41 +72,60 @@ ALPHASCOPE_INLINE LiftedInt ghost_vector(int id, int axis, std::int64_t g) {
   return p;
 }
 
-// What the templates below ask of a polygon's storage (it is the executor's: growing arrays on the
-// CPU, a few words of a thread on the GPU):
-//   size, capacity()       number of sides, and of sides that fit
-//   id(s), line(s)         the ball of side s as its caller numbers it, or a ghost; its line
-//   u(s), v(s), w(s)       corner s
-//   set_side(s, id, line), set_corner(s, u, v, w), move(from, to)   (a side with the corner at its end)
+// What the templates below ask of a polygon (its storage is the executor's: growing arrays on the
+// CPU, a few words of a thread on the GPU; its arithmetic is the precision's):
+//   Line                       type of a line
+//   size, capacity()           number of sides, and of sides that fit
+//   id(s), line(s)             the ball of side s as its caller numbers it, or a ghost; its line
+//   set_side(s, id, line)
+//   meet(s, line, next_line)   sets corner s to where the two lines meet
+//   move(from, to)             copies a side with the corner at its end
 enum class ClipOutcome { unchanged, changed, empty, uncertain, full };
 
-template <class Polygon, class T>
-ALPHASCOPE_INLINE void set_corner(Polygon& p, int at, const FacetLine<T>& k, const FacetLine<T>& l) {
-  p.set_corner(at, k.c * l.b - l.c * k.b, k.a * l.c - l.a * k.c, k.a * l.b - l.a * k.b);
-}
+// Homogeneous coordinates of a corner: exact in integers, statically bounded in double.
+template <class T>
+struct FacetCorner {
+  T u, v, w;
 
-// Sets the start triangle; `reach` is 2 g q.x in the units of the lines.
-template <class Polygon, class T>
-ALPHASCOPE_INLINE void start_polygon(Polygon& p, const T& q, const T& reach) {
-  const FacetLine<T> yz{q, q, reach + reach}, y{-q, T(0), reach}, z{T(0), -q, reach};
+  ALPHASCOPE_INLINE void meet(const FacetLine<T>& k, const FacetLine<T>& l) {
+    u = k.c * l.b - l.c * k.b;
+    v = k.a * l.c - l.a * k.c;
+    w = k.a * l.b - l.a * k.b;
+  }
+  // Positive where the line cuts the corner off.
+  ALPHASCOPE_INLINE T beyond(const FacetLine<T>& m) const { return m.a * u + m.b * v - m.c * w; }
+};
+
+// Sets the start triangle from the lines of the ghosts.
+template <class Polygon, class Line>
+ALPHASCOPE_INLINE void start_polygon(Polygon& p, const Line& yz, const Line& y, const Line& z) {
   p.size = 3;
   p.set_side(0, kGhostYZ, yz);
   p.set_side(1, kGhostY, y);
   p.set_side(2, kGhostZ, z);
-  set_corner(p, 0, yz, y);
-  set_corner(p, 1, y, z);
-  set_corner(p, 2, z, yz);
+  p.meet(0, yz, y);
+  p.meet(1, y, z);
+  p.meet(2, z, yz);
 }
 
-// Cuts the polygon by a line. `side(s, value)` gives the sign of the predicate value at corner s:
-// +1 cut off, -1 kept, 0 not known. With consistent signs the cut corners are one run of the cycle.
-template <class Polygon, class T, class SideOf>
-ALPHASCOPE_INLINE ClipOutcome clip(Polygon& p, const FacetLine<T>& m, int id, const SideOf& side) {
+// The same in the units of FacetFrame<T>::line, for a disc of radius < g.
+template <class Polygon, class T>
+ALPHASCOPE_INLINE void start_polygon(Polygon& p, const FacetFrame<T>& frame, std::int64_t g) {
+  const T q = frame.q.x, reach = T(2 * g) * q;
+  using Line = FacetLine<T>;
+  start_polygon(p, Line{q, q, reach + reach}, Line{-q, T(0), reach}, Line{T(0), -q, reach});
+}
+
+// Cuts the polygon by a line. `side(s)` says whether the line cuts corner s off: +1 yes, -1 no, 0 not
+// known. With consistent signs the cut corners are one run of the cycle.
+template <class Polygon, class SideOf>
+ALPHASCOPE_INLINE ClipOutcome clip(Polygon& p, const typename Polygon::Line& m, int id,
+                                   const SideOf& side) {
   const int n = p.size;
   int cut_count = 0, first = 0;  // first: the corner where the run of cut ones begins
   bool cut_zero = false, previous = false;
   for (int s = 0; s < n; ++s) {
-    const int sign = side(s, m.a * p.u(s) + m.b * p.v(s) - m.c * p.w(s));
+    const int sign = side(s);
     if (sign == 0) return ClipOutcome::uncertain;
     const bool cut = sign > 0;
     cut_count += cut;
@@ -123,7 +142,7 @@ ALPHASCOPE_INLINE ClipOutcome clip(Polygon& p, const FacetLine<T>& m, int id, co
   if (n + grow > p.capacity()) return ClipOutcome::full;
   const int last = first + cut_count - 1;  // may pass n: the run wraps around
   const int after_index = last + 1 < n ? last + 1 : last + 1 - n;
-  const FacetLine<T> before = p.line(first), after = p.line(after_index);
+  const typename Polygon::Line before = p.line(first), after = p.line(after_index);
   if (last < n - 1) {  // no wrap: move the tail (sides and corners from last+1 on)
     if (grow > 0) {
       for (int t = n - 1; t > last; --t) p.move(t, t + grow);
@@ -139,8 +158,8 @@ ALPHASCOPE_INLINE ClipOutcome clip(Polygon& p, const FacetLine<T>& m, int id, co
     p.size = first + 2;
   }
   p.set_side(first + 1, id, m);
-  set_corner(p, first, before, m);
-  set_corner(p, first + 1, m, after);
+  p.meet(first, before, m);
+  p.meet(first + 1, m, after);
   return ClipOutcome::changed;
 }
 

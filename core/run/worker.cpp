@@ -1,0 +1,160 @@
+// The worker's thread and the hand-over under its lock. No job is ever run with the lock held.
+#include "core/run/worker.hpp"
+
+#include <new>
+#include <utility>
+
+namespace alphascope {
+
+namespace {
+
+// A job's exception as a sentence for its user.
+std::string message_of(const std::exception_ptr& exception) {
+  try {
+    std::rethrow_exception(exception);
+  } catch (const std::bad_alloc&) {
+    return "not enough memory for this computation";
+  } catch (const std::exception& e) {
+    return e.what();
+  } catch (...) {
+    return "an unknown error";
+  }
+}
+
+}  // namespace
+
+Worker::Worker(std::function<void()> wake, std::chrono::milliseconds grace)
+    : wake_(std::move(wake)), grace_(grace), thread_([this] { run(); }) {}
+
+Worker::~Worker() {
+  {
+    const std::lock_guard lock(mutex_);
+    stop_ = true;
+    waiting_.reset();
+    if (running_) running_->cancel();
+  }
+  work_.notify_one();
+  thread_.join();
+}
+
+void Worker::submit(Job job, FailureHandler on_failure) {
+  Request request{std::move(job), std::move(on_failure), {}};
+  {
+    const std::lock_guard lock(mutex_);
+    // The dropped request's captures are destroyed by `request`, after the lock is gone.
+    if (waiting_) {
+      std::swap(*waiting_, request);
+    } else {
+      waiting_ = std::move(request);
+    }
+    cancel_superseded_when_due();
+  }
+  work_.notify_one();
+}
+
+void Worker::cancel() {
+  std::optional<Request> dropped;
+  const std::lock_guard lock(mutex_);
+  dropped.swap(waiting_);
+  if (running_) {
+    running_->cancel();
+    // Of two unfinished requests only the latest is told: the older was superseded already.
+    ending_ = dropped ? Ending::discard : Ending::tell_cancelled;
+  }
+  if (dropped && dropped->on_failure) {
+    arrived_.push_back([tell = std::move(dropped->on_failure)] { tell({"cancelled", true}); });
+  }
+}
+
+std::size_t Worker::poll() {
+  std::size_t count = 0;
+  for (;; ++count) {
+    Delivery delivery;
+    {
+      const std::lock_guard lock(mutex_);
+      cancel_superseded_when_due();
+      if (arrived_.empty()) return count;
+      delivery = std::move(arrived_.front());
+      arrived_.erase(arrived_.begin());
+    }
+    delivery();  // may submit again, so not under the lock
+  }
+}
+
+Worker::Activity Worker::activity() const {
+  const std::lock_guard lock(mutex_);
+  Activity activity = progress_;
+  activity.busy = waiting_ || running_;
+  return activity;
+}
+
+void Worker::cancel_superseded_when_due() {
+  if (waiting_ && running_ && Clock::now() - started_ >= grace_) running_->cancel();
+}
+
+void Worker::run() {
+  for (;;) {
+    Request request;
+    {
+      std::unique_lock lock(mutex_);
+      work_.wait(lock, [this] { return stop_ || waiting_; });
+      if (stop_) return;
+      request = std::move(*waiting_);
+      waiting_.reset();
+      running_ = request.cancel;
+      started_ = Clock::now();
+      progress_ = {};
+      ending_ = Ending::deliver;
+    }
+    run_job(std::move(request));
+  }
+}
+
+void Worker::run_job(Request request) {
+  const RunContext context{request.cancel,
+                           [this](std::string_view stage, double share) { report(stage, share); }};
+  Delivery delivery;
+  std::optional<Failure> failure;
+  try {
+    delivery = request.job(context);
+  } catch (const Cancelled&) {
+    failure = Failure{"cancelled", true};
+  } catch (...) {
+    failure = Failure{message_of(std::current_exception()), false};
+  }
+  request.job = {};  // what it captured may be large, and must not outlive the hand-over
+  hand_over(request, delivery, std::move(failure));
+  if (wake_) wake_();
+}
+
+void Worker::hand_over(Request& request, Delivery& delivery, std::optional<Failure> failure) {
+  const std::lock_guard lock(mutex_);
+  running_.reset();
+  progress_ = {};
+  if (stop_ || ending_ == Ending::discard) return;
+  if (ending_ == Ending::tell_cancelled) {
+    failure = Failure{"cancelled", true};
+  } else if (failure && request.cancel.cancelled()) {
+    return;  // superseded: nobody waits for this request
+  }
+  if (!failure) {
+    if (delivery) arrived_.push_back(std::move(delivery));
+  } else if (request.on_failure) {
+    arrived_.push_back([tell = std::move(request.on_failure), f = *std::move(failure)] { tell(f); });
+  }
+}
+
+void Worker::report(std::string_view stage, double share) {
+  {
+    const std::lock_guard lock(mutex_);
+    cancel_superseded_when_due();
+    progress_.stage = stage;
+    progress_.share = share;
+    const Clock::time_point now = Clock::now();
+    if (now - last_progress_wake_ < kProgressInterval) return;
+    last_progress_wake_ = now;
+  }
+  if (wake_) wake_();
+}
+
+}  // namespace alphascope

@@ -1,0 +1,162 @@
+// The arrays that are drawn, checked against the definition of what they should hold.
+#include "ui/scene/complex_mesh.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <stdexcept>
+
+#include "tests/ui/molecule_fixture.hpp"
+
+namespace alphascope {
+namespace {
+
+using testing::complex_of;
+using testing::rod;
+using testing::two_colours;
+
+struct Case {
+  std::shared_ptr<const BallSet> balls = rod();
+  BallGeometry geometry{*balls};
+  std::vector<Rgb8> colours = two_colours(balls->size());
+  AlphaComplex complex = complex_of(balls, 1.0);
+
+  ComplexMesh mesh(const MeshOptions& options) const {
+    return build_mesh(geometry, colours, complex, options);
+  }
+};
+
+std::size_t faces_in_one_tetrahedron(const AlphaComplex& complex) {
+  std::map<std::array<BallIndex, 3>, int> count;
+  for (const auto& t : complex.tetrahedra.simplices) {
+    for (int skip = 0; skip < 4; ++skip) {
+      std::array<BallIndex, 3> face{};
+      for (int i = 0, k = 0; i < 4; ++i) {
+        if (i != skip) face[k++] = t[i];
+      }
+      ++count[face];
+    }
+  }
+  return std::count_if(count.begin(), count.end(), [](const auto& f) { return f.second == 1; });
+}
+
+TEST(ComplexMesh, OpaqueTetrahedraAreDrawnByTheirBoundaryOnly) {
+  const Case c;
+  ASSERT_GT(c.complex.tetrahedra.size(), 50u);
+  const ComplexMesh mesh = c.mesh({});
+  EXPECT_EQ(mesh.tetrahedra.points(), 3 * faces_in_one_tetrahedron(c.complex));
+  EXPECT_LT(mesh.tetrahedra.points(), 12 * c.complex.tetrahedra.size());
+  EXPECT_EQ(mesh.tetrahedra_drawn, c.complex.tetrahedra.size());
+  EXPECT_EQ(mesh.edges.points(), 0u);
+}
+
+TEST(ComplexMesh, ShrunkOrTranslucentTetrahedraHaveAllFaces) {
+  const Case c;
+  MeshOptions options;
+  options.shrink = 0.2;
+  EXPECT_EQ(c.mesh(options).tetrahedra.points(), 12 * c.complex.tetrahedra.size());
+  options.shrink = 0;
+  options.translucent = true;
+  EXPECT_EQ(c.mesh(options).tetrahedra.points(), 12 * c.complex.tetrahedra.size());
+}
+
+TEST(ComplexMesh, ShrinkingMovesCornersTowardsTheCentre) {
+  const Case c;
+  MeshOptions options;
+  options.shrink = 0.25;
+  const ComplexMesh mesh = c.mesh(options);
+  const auto& first = c.complex.tetrahedra.simplices.front();
+  std::array<float, 3> centre{};
+  for (const BallIndex v : first) {
+    for (int k = 0; k < 3; ++k) centre[k] += c.geometry.centres[v][k] / 4;
+  }
+  // The first face drawn is opposite to corner 0 and starts at corner 1.
+  for (int k = 0; k < 3; ++k) {
+    const float corner = c.geometry.centres[first[1]][k];
+    EXPECT_NEAR(mesh.tetrahedra.xyz[k], corner + 0.25f * (centre[k] - corner), 1e-4f);
+  }
+}
+
+TEST(ComplexMesh, BoundaryFacesLookOutwards) {
+  const Case c;
+  const auto faces = boundary_faces(c.geometry, c.complex.tetrahedra.simplices);
+  EXPECT_EQ(faces.size(), faces_in_one_tetrahedron(c.complex));
+  // By the divergence theorem an outward surface encloses the volume of the tetrahedra.
+  double enclosed = 0, volume = 0;
+  const auto det = [&](BallIndex i, BallIndex j, BallIndex k, std::array<double, 3> o) {
+    double m[3][3];
+    const BallIndex v[3] = {i, j, k};
+    for (int r = 0; r < 3; ++r) {
+      for (int x = 0; x < 3; ++x) m[r][x] = c.geometry.centres[v[r]][x] - o[x];
+    }
+    return m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) -
+           m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
+           m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
+  };
+  for (const auto& f : faces) enclosed += det(f[0], f[1], f[2], {0, 0, 0}) / 6;
+  for (const auto& t : c.complex.tetrahedra.simplices) {
+    const auto& p = c.geometry.centres[t[3]];
+    volume += std::abs(det(t[0], t[1], t[2], {p[0], p[1], p[2]})) / 6;
+  }
+  EXPECT_NEAR(enclosed, volume, 1e-3 * volume);
+}
+
+TEST(ComplexMesh, SingularOnlyLeavesOutFacesOfLargerSimplices) {
+  const Case c;
+  MeshOptions options;
+  options.edges = options.triangles = true;
+  const auto singular = [](const auto& list) {
+    return static_cast<std::size_t>(
+        std::count(list.classes.begin(), list.classes.end(), SimplexClass::singular));
+  };
+  EXPECT_EQ(c.mesh(options).edges.points(), 2 * singular(c.complex.edges));
+  EXPECT_EQ(c.mesh(options).triangles.points(), 3 * singular(c.complex.triangles));
+  options.singular_only = false;
+  EXPECT_EQ(c.mesh(options).edges.points(), 2 * c.complex.edges.size());
+  EXPECT_EQ(c.mesh(options).triangles.points(), 3 * c.complex.triangles.size());
+}
+
+TEST(ComplexMesh, RefusesAComplexOfOtherBalls) {
+  const Case c;
+  const auto few = rod(1);
+  EXPECT_THROW(build_mesh(BallGeometry(*few), two_colours(few->size()), c.complex, {}),
+               std::invalid_argument);
+}
+
+TEST(BallGeometry, GrownRadiiFollowTheDefinition) {
+  const Case c;
+  BallStyle style;
+  style.grown = true;
+  style.scale = 1;
+  style.alpha = 1.4;
+  EXPECT_NEAR(drawn_radii(c.geometry, style)[0], std::sqrt(1.7 * 1.7 + 1.4), 1e-6);
+  style.solvent_radius = 1.4;
+  style.alpha = -100;  // the ball is empty, not imaginary
+  EXPECT_EQ(drawn_radii(c.geometry, style)[0], 0.0f);
+}
+
+TEST(BallGeometry, AxesAreOrthonormalAndFollowTheRod) {
+  const Case c;
+  EXPECT_NEAR(std::abs(c.geometry.axes[0][2]), 1.0, 0.05);  // the rod runs along z
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      double dot = 0;
+      for (int k = 0; k < 3; ++k) dot += c.geometry.axes[i][k] * c.geometry.axes[j][k];
+      EXPECT_NEAR(dot, i == j ? 1.0 : 0.0, 1e-9);
+    }
+  }
+}
+
+TEST(BallGeometry, EmptyAndSingleBallAreHarmless) {
+  EXPECT_TRUE(BallGeometry(BallSet{}).centres.empty());
+  BallSet one;
+  one.centres = {{1000, 2000, 3000}};
+  one.radii = {1500};
+  const BallGeometry geometry(one);
+  EXPECT_DOUBLE_EQ(geometry.origin[1], 2.0);
+  EXPECT_DOUBLE_EQ(geometry.bounds[0], -1.5);
+}
+
+}  // namespace
+}  // namespace alphascope

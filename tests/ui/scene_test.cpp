@@ -1,0 +1,205 @@
+// The scene on a software OpenGL context: pictures hold what they should. No golden images; they
+// differ from driver to driver.
+#include "ui/scene/scene.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+#include "tests/ui/molecule_fixture.hpp"
+#include "ui/scene/frame_grab.hpp"
+#include "ui/scene/screenshot.hpp"
+#include "ui/window/egl_context.hpp"
+
+namespace alphascope {
+namespace {
+
+using testing::complex_of;
+using testing::rod;
+using testing::two_colours;
+
+struct PictureCounts {
+  int background = 0, red = 0, blue = 0, other = 0;
+  int drawn() const { return red + blue + other; }
+};
+
+// Lighting changes brightness, not which component dominates.
+PictureCounts count_colours(const Image& image, Theme theme) {
+  const Colour& scene = palette(theme).scene;
+  const int background[3] = {static_cast<int>(scene.r * 255 + 0.5f),
+                             static_cast<int>(scene.g * 255 + 0.5f),
+                             static_cast<int>(scene.b * 255 + 0.5f)};
+  PictureCounts counts;
+  for (std::size_t i = 0; i < image.rgba.size(); i += 4) {
+    const std::uint8_t* p = &image.rgba[i];
+    int difference = 0;
+    for (int c = 0; c < 3; ++c) difference += std::abs(p[c] - background[c]);
+    if (difference <= 6) {
+      ++counts.background;
+    } else if (p[0] > p[1] + 40 && p[0] > p[2] + 40) {
+      ++counts.red;
+    } else if (p[2] > p[0] + 40 && p[2] > p[1] + 20) {
+      ++counts.blue;
+    } else {
+      ++counts.other;
+    }
+  }
+  return counts;
+}
+
+int differing_pixels(const Image& a, const Image& b) {
+  int count = 0;
+  for (std::size_t i = 0; i + 3 < std::min(a.rgba.size(), b.rgba.size()); i += 4) {
+    int difference = 0;
+    for (int c = 0; c < 3; ++c) difference += std::abs(a.rgba[i + c] - b.rgba[i + c]);
+    count += difference > 30;
+  }
+  return count;
+}
+
+class SceneTest : public ::testing::Test {
+ protected:
+  void load(double alpha, const MeshOptions& options = {}) {
+    scene.set_balls(geometry, two_colours(balls->size()));
+    show(alpha, options);
+  }
+  void show(double alpha, const MeshOptions& options = {}) {
+    scene.set_mesh(std::make_shared<const ComplexMesh>(
+        build_mesh(*geometry, two_colours(balls->size()), complex_of(balls, alpha), options)));
+  }
+
+  EglContext context;
+  Scene scene;
+  std::shared_ptr<const BallSet> balls = rod();
+  std::shared_ptr<const BallGeometry> geometry = std::make_shared<const BallGeometry>(*balls);
+};
+
+TEST_F(SceneTest, EmptySceneIsBackgroundOnly) {
+  const PictureCounts counts = count_colours(scene.grab(320, 200, false), Theme::dark);
+  EXPECT_EQ(counts.background, 320 * 200);
+}
+
+TEST_F(SceneTest, BallsAppearInTheirColours) {
+  load(0);
+  scene.set_mesh(nullptr);
+  const PictureCounts counts = count_colours(scene.grab(320, 200, false), Theme::dark);
+  EXPECT_GT(counts.red, 500);
+  EXPECT_GT(counts.blue, 500);
+  EXPECT_GT(counts.background, 20000);
+}
+
+TEST_F(SceneTest, TetrahedraAloneAreDrawn) {
+  load(0);
+  scene.set_style({.balls = false});
+  EXPECT_GT(count_colours(scene.grab(320, 200, false), Theme::dark).drawn(), 1000);
+  scene.set_mesh(nullptr);
+  EXPECT_EQ(count_colours(scene.grab(320, 200, false), Theme::dark).drawn(), 0);
+}
+
+TEST_F(SceneTest, AnotherAlphaGivesAnotherPicture) {
+  load(-1.5);
+  const Image before = scene.grab(320, 200, false);
+  show(2);
+  EXPECT_GT(differing_pixels(before, scene.grab(320, 200, false)), 500);
+  show(-1.5);
+  EXPECT_EQ(differing_pixels(before, scene.grab(320, 200, false)), 0);
+}
+
+TEST_F(SceneTest, TranslucentTetrahedraLetTheBackgroundThrough) {
+  MeshOptions options;
+  options.translucent = true;
+  load(0, options);
+  scene.set_style({.balls = false, .complex_opacity = 0.3});
+  const PictureCounts counts = count_colours(scene.grab(320, 200, false), Theme::dark);
+  EXPECT_GT(counts.drawn(), 1000);
+}
+
+TEST_F(SceneTest, RendersIntoATextureAtEveryQualityAndSize) {
+  load(0);
+  for (const RenderQuality quality :
+       {RenderQuality::draft, RenderQuality::medium, RenderQuality::fine}) {
+    for (const int width : {8, 333, 640}) {
+      EXPECT_GT(scene.render(width, 201, quality), 0.0);
+      EXPECT_NE(scene.texture(), 0u);
+    }
+  }
+}
+
+TEST_F(SceneTest, DraggingTurnsAndResetRestores) {
+  load(0);
+  const Image before = scene.grab(320, 200, false);
+  scene.render(320, 200, RenderQuality::draft);
+  scene.pointer_move(100, 100, false, false);
+  scene.pointer_button(PointerButton::left, true);
+  scene.pointer_move(180, 150, false, false);
+  scene.pointer_button(PointerButton::left, false);
+  EXPECT_GT(differing_pixels(before, scene.grab(320, 200, false)), 500);
+  scene.reset_view();
+  EXPECT_EQ(differing_pixels(before, scene.grab(320, 200, false)), 0);
+}
+
+TEST_F(SceneTest, WheelZoomsIn) {
+  load(0);
+  scene.render(320, 200, RenderQuality::draft);
+  const double before = scene.angstrom_per_pixel();
+  scene.wheel(3);
+  EXPECT_LT(scene.angstrom_per_pixel(), before);
+}
+
+TEST_F(SceneTest, LightThemeHasALightBackground) {
+  load(0);
+  scene.set_style({.theme = Theme::light});
+  const Image image = scene.grab(320, 200, false);
+  EXPECT_GT(image.rgba[0], 240);
+  EXPECT_GT(count_colours(image, Theme::light).red, 500);
+}
+
+TEST_F(SceneTest, TransparentPictureHasClearBackgroundAndOpaqueBalls) {
+  load(0);
+  const Image image = scene.grab(320, 200, true);
+  int clear = 0, opaque = 0;
+  for (std::size_t i = 3; i < image.rgba.size(); i += 4) {
+    clear += image.rgba[i] == 0;
+    opaque += image.rgba[i] == 255;
+  }
+  EXPECT_GT(clear, 20000);
+  EXPECT_GT(opaque, 1000);
+}
+
+TEST(Screenshot, WritesAPngWithoutADisplay) {
+  const auto balls = rod();
+  const auto path = std::filesystem::temp_directory_path() / "alphascope_screenshot_test.png";
+  ScreenshotOptions options;
+  options.width = 400;
+  options.height = 300;
+  render_screenshot(*balls, complex_of(balls, 0), two_colours(balls->size()), options, path);
+  std::ifstream file(path, std::ios::binary);
+  char head[24] = {};
+  file.read(head, sizeof head);
+  EXPECT_EQ(std::string(head + 1, 3), "PNG");
+  EXPECT_EQ(static_cast<unsigned char>(head[18]) * 256 + static_cast<unsigned char>(head[19]), 400);
+  std::filesystem::remove(path);
+}
+
+TEST(Screenshot, RefusesSizesAndFoldersThatCannotBe) {
+  const auto balls = rod(2);
+  const AlphaComplex complex = complex_of(balls, 0);
+  ScreenshotOptions options;
+  options.width = 4;
+  EXPECT_THROW(
+      render_screenshot(*balls, complex, two_colours(balls->size()), options, "/tmp/x.png"),
+      std::invalid_argument);
+  options.width = 100;
+  try {
+    render_screenshot(*balls, complex, two_colours(balls->size()), options,
+                      "/no/such/folder/x.png");
+    FAIL() << "wrote into a folder that does not exist";
+  } catch (const std::runtime_error& error) {
+    EXPECT_NE(std::string(error.what()).find("/no/such/folder/x.png"), std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace alphascope

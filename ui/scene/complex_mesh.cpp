@@ -1,0 +1,238 @@
+// Filling of the arrays: one pass per kind of simplex, plus a sort for the faces that occur once.
+#include "ui/scene/complex_mesh.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace alphascope {
+namespace {
+
+using Point = std::array<float, 3>;
+
+// The face opposite to each corner of a tetrahedron.
+constexpr int kFaces[4][3] = {{1, 2, 3}, {0, 2, 3}, {0, 1, 3}, {0, 1, 2}};
+
+// Viridis (Smith and van der Walt, matplotlib 2.0), CC0, every 32nd of its 256 entries.
+constexpr Rgb8 kViridis[9] = {{68, 1, 84},    {71, 44, 122},  {59, 81, 139},
+                              {44, 113, 142}, {33, 144, 141}, {39, 173, 129},
+                              {92, 200, 99},  {170, 220, 50}, {253, 231, 37}};
+
+Rgb8 viridis(double t) {
+  const double x = std::clamp(t, 0.0, 1.0) * 8;
+  const int i = std::min(7, static_cast<int>(x));
+  const double f = x - i;
+  const auto mix = [f](std::uint8_t a, std::uint8_t b) {
+    return static_cast<std::uint8_t>(std::lround(a + f * (b - a)));
+  };
+  const Rgb8 &a = kViridis[i], &b = kViridis[i + 1];
+  return {mix(a.r, b.r), mix(a.g, b.g), mix(a.b, b.b)};
+}
+
+// Maps alpha values to the colour map. The square root spreads the crowded small values.
+class AlphaScale {
+ public:
+  explicit AlphaScale(const AlphaComplex& complex) {
+    low_ = high_ = static_cast<float>(complex.alpha_on_lattice);
+    for (const auto* values : {&complex.tetrahedra.alpha_values, &complex.triangles.alpha_values,
+                               &complex.edges.alpha_values}) {
+      for (const float v : *values) low_ = std::min(low_, v);
+    }
+  }
+  Rgb8 colour(float value) const {
+    return high_ > low_ ? viridis(std::sqrt(std::max(0.0f, (value - low_) / (high_ - low_))))
+                        : viridis(0.5);
+  }
+
+ private:
+  float low_ = 0, high_ = 0;
+};
+
+class MeshBuilder {
+ public:
+  MeshBuilder(const BallGeometry& balls, const std::vector<Rgb8>& colours,
+              const AlphaComplex& complex, const MeshOptions& options)
+      : balls_(balls), colours_(colours), complex_(complex), options_(options), scale_(complex) {}
+
+  ComplexMesh build() {
+    ComplexMesh mesh;
+    if (options_.tetrahedra) {
+      mesh.tetrahedra_drawn = complex_.tetrahedra.size();
+      const bool only_outside = options_.shrink <= 0 && !options_.translucent;
+      if (only_outside) {
+        add_boundary(mesh.tetrahedra);
+      } else {
+        add_tetrahedra(mesh.tetrahedra);
+      }
+    }
+    if (options_.boundary) add_boundary(mesh.boundary);
+    if (options_.triangles) add_list(complex_.triangles, mesh.triangles);
+    if (options_.edges) add_list(complex_.edges, mesh.edges);
+    return mesh;
+  }
+
+ private:
+  Rgb8 corner_colour(BallIndex v, float alpha_value) const {
+    switch (options_.colouring) {
+      case ComplexColouring::balls:
+        return colours_[v];
+      case ComplexColouring::alpha:
+        return scale_.colour(alpha_value);
+      case ComplexColouring::single:
+        break;
+    }
+    return options_.single_colour;
+  }
+
+  static void add_point(CellSoup& soup, const Point& p, const Rgb8& c) {
+    soup.xyz.insert(soup.xyz.end(), p.begin(), p.end());
+    soup.rgb.insert(soup.rgb.end(), {c.r, c.g, c.b});
+  }
+
+  static float alpha_value(const std::vector<float>& values, std::size_t i) {
+    return i < values.size() ? values[i] : 0.0f;
+  }
+
+  void add_tetrahedra(CellSoup& soup) const {
+    const auto& list = complex_.tetrahedra;
+    soup.xyz.reserve(list.size() * 36);
+    soup.rgb.reserve(list.size() * 36);
+    const float shrink = static_cast<float>(options_.shrink);
+    for (std::size_t t = 0; t < list.size(); ++t) {
+      const auto& simplex = list.simplices[t];
+      std::array<Point, 4> p;
+      Point centre{};
+      for (int i = 0; i < 4; ++i) {
+        p[i] = balls_.centres[simplex[i]];
+        for (int k = 0; k < 3; ++k) centre[k] += 0.25f * p[i][k];
+      }
+      for (Point& corner : p) {
+        for (int k = 0; k < 3; ++k) corner[k] += shrink * (centre[k] - corner[k]);
+      }
+      const float value = alpha_value(list.alpha_values, t);
+      for (const auto& face : kFaces) {
+        for (const int i : face) add_point(soup, p[i], corner_colour(simplex[i], value));
+      }
+    }
+  }
+
+  void add_boundary(CellSoup& soup) const;
+
+  template <int N>
+  void add_list(const SimplexList<N>& list, CellSoup& soup) const {
+    for (std::size_t i = 0; i < list.size(); ++i) {
+      if (options_.singular_only && list.classes[i] != SimplexClass::singular) continue;
+      const float value = alpha_value(list.alpha_values, i);
+      for (const BallIndex v : list.simplices[i]) {
+        add_point(soup, balls_.centres[v], corner_colour(v, value));
+      }
+    }
+  }
+
+  const BallGeometry& balls_;
+  const std::vector<Rgb8>& colours_;
+  const AlphaComplex& complex_;
+  const MeshOptions& options_;
+  AlphaScale scale_;
+};
+
+// A face of a tetrahedron and where it comes from.
+struct Face {
+  std::array<BallIndex, 3> vertices;
+  std::uint32_t origin;  // 4 * tetrahedron + opposite corner
+};
+
+// Faces that occur once, in lexicographic order: a counting sort by the smallest vertex leaves only
+// a few dozen faces to each comparison sort.
+std::vector<Face> single_faces(const std::vector<std::array<BallIndex, 4>>& tetrahedra,
+                               std::size_t ball_count) {
+  std::vector<std::uint32_t> start(ball_count + 1, 0);
+  for (const auto& t : tetrahedra) {
+    start[t[0] + 1] += 3;
+    start[t[1] + 1] += 1;
+  }
+  for (std::size_t i = 0; i < ball_count; ++i) start[i + 1] += start[i];
+  std::vector<Face> faces(4 * tetrahedra.size());
+  std::vector<std::uint32_t> next(start.begin(), start.end() - 1);
+  for (std::size_t t = 0; t < tetrahedra.size(); ++t) {
+    for (int opposite = 0; opposite < 4; ++opposite) {
+      Face face;
+      for (int k = 0; k < 3; ++k) face.vertices[k] = tetrahedra[t][kFaces[opposite][k]];
+      face.origin = static_cast<std::uint32_t>(4 * t + opposite);
+      faces[next[face.vertices[0]]++] = face;
+    }
+  }
+  std::vector<Face> result;
+  for (std::size_t v = 0; v < ball_count; ++v) {
+    const auto begin = faces.begin() + start[v], end = faces.begin() + start[v + 1];
+    std::sort(begin, end, [](const Face& a, const Face& b) { return a.vertices < b.vertices; });
+    for (auto it = begin; it != end;) {
+      const bool twice = it + 1 != end && (it + 1)->vertices == it->vertices;
+      if (!twice) result.push_back(*it);
+      it += twice ? 2 : 1;
+    }
+  }
+  return result;
+}
+
+// Six times the signed volume of p0 p1 p2 p3; only for the direction in which a face looks.
+double orientation(const Point& p0, const Point& p1, const Point& p2, const Point& p3) {
+  double a[3], b[3], c[3];
+  for (int k = 0; k < 3; ++k) {
+    a[k] = p1[k] - p0[k];
+    b[k] = p2[k] - p0[k];
+    c[k] = p3[k] - p0[k];
+  }
+  return a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) +
+         a[2] * (b[0] * c[1] - b[1] * c[0]);
+}
+
+std::array<BallIndex, 3> outward(const BallGeometry& balls, const Face& face,
+                                 const std::vector<std::array<BallIndex, 4>>& tetrahedra) {
+  auto v = face.vertices;
+  const BallIndex opposite = tetrahedra[face.origin / 4][face.origin % 4];
+  if (orientation(balls.centres[v[0]], balls.centres[v[1]], balls.centres[v[2]],
+                  balls.centres[opposite]) > 0) {
+    std::swap(v[1], v[2]);
+  }
+  return v;
+}
+
+void MeshBuilder::add_boundary(CellSoup& soup) const {
+  const auto& list = complex_.tetrahedra;
+  for (const Face& face : single_faces(list.simplices, balls_.centres.size())) {
+    const float value = alpha_value(list.alpha_values, face.origin / 4);
+    for (const BallIndex v : outward(balls_, face, list.simplices)) {
+      add_point(soup, balls_.centres[v], corner_colour(v, value));
+    }
+  }
+}
+
+template <int N>
+bool fits(const SimplexList<N>& list, std::size_t balls) {
+  return std::all_of(list.simplices.begin(), list.simplices.end(),
+                     [balls](const auto& s) { return s.back() < balls; });
+}
+
+}  // namespace
+
+ComplexMesh build_mesh(const BallGeometry& balls, const std::vector<Rgb8>& colours,
+                       const AlphaComplex& complex, const MeshOptions& options) {
+  const std::size_t count = balls.centres.size();
+  if (colours.size() != count || !fits(complex.edges, count) || !fits(complex.triangles, count) ||
+      !fits(complex.tetrahedra, count)) {
+    throw std::invalid_argument("the complex, the balls and their colours do not belong together");
+  }
+  return MeshBuilder(balls, colours, complex, options).build();
+}
+
+std::vector<std::array<BallIndex, 3>> boundary_faces(
+    const BallGeometry& balls, const std::vector<std::array<BallIndex, 4>>& tetrahedra) {
+  std::vector<std::array<BallIndex, 3>> result;
+  for (const Face& face : single_faces(tetrahedra, balls.centres.size())) {
+    result.push_back(outward(balls, face, tetrahedra));
+  }
+  return result;
+}
+
+}  // namespace alphascope

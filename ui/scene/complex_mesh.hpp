@@ -1,0 +1,60 @@
+// Flat arrays of what is drawn of an alpha complex: triangles and lines with own points, so that
+// tetrahedra can shrink and faces have flat colours. Pure C++, may run in a worker; no VTK.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "core/complex/alpha_complex.hpp"
+#include "core/geometry/ball_set.hpp"
+#include "ui/scene/ball_geometry.hpp"
+
+namespace alphascope {
+
+enum class ComplexColouring : std::uint8_t {
+  single,  // one colour for each kind of simplex
+  balls,   // every corner in the colour of its ball
+  alpha,   // by alpha value: early simplices dark, late ones bright
+};
+
+struct MeshOptions {
+  bool tetrahedra = true;
+  bool boundary = false;  // faces that belong to exactly one tetrahedron
+  bool triangles = false;
+  bool edges = false;
+  bool singular_only = true;  // triangles and edges that are faces of nothing larger
+  // Share of the way from each corner to the tetrahedron's centre, 0 (touching) to below 1.
+  double shrink = 0;
+  // Faces between two tetrahedra cannot be seen when nothing is translucent or shrunk; then they
+  // are left out.
+  bool translucent = false;
+  ComplexColouring colouring = ComplexColouring::balls;
+  Rgb8 single_colour{90, 169, 230};
+  friend bool operator==(const MeshOptions&, const MeshOptions&) = default;
+};
+
+// Points in Å relative to BallGeometry::origin; `corners` of them make one cell (3 or 2).
+struct CellSoup {
+  std::vector<float> xyz;
+  std::vector<std::uint8_t> rgb;
+  std::size_t points() const { return xyz.size() / 3; }
+};
+
+struct ComplexMesh {
+  CellSoup tetrahedra, boundary, triangles;  // triangles
+  CellSoup edges;                            // lines
+  std::size_t tetrahedra_drawn = 0;          // all tetrahedra of the complex, or 0 when off
+};
+
+// `colours` holds one colour a ball. Throws std::invalid_argument when complex, balls and colours
+// do not belong together (a vertex index beyond the balls).
+ComplexMesh build_mesh(const BallGeometry& balls, const std::vector<Rgb8>& colours,
+                       const AlphaComplex& complex, const MeshOptions& options);
+
+// Faces that occur in exactly one of the tetrahedra; corners ordered so that the normal points away
+// from the tetrahedron.
+std::vector<std::array<BallIndex, 3>> boundary_faces(
+    const BallGeometry& balls, const std::vector<std::array<BallIndex, 4>>& tetrahedra);
+
+}  // namespace alphascope

@@ -1,0 +1,92 @@
+// Reading back, box filter and PNG through VTK's writer.
+#include "ui/scene/frame_grab.hpp"
+
+#define GL_GLEXT_PROTOTYPES
+#include <GL/gl.h>
+#include <GL/glext.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkPNGWriter.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <algorithm>
+#include <cstring>
+#include <fstream>
+#include <stdexcept>
+
+namespace alphascope {
+
+Image read_framebuffer(unsigned framebuffer, int width, int height) {
+  Image image{width, height, std::vector<std::uint8_t>(std::size_t(width) * height * 4)};
+  GLint previous = 0;
+  glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &previous);
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer);
+  glReadBuffer(framebuffer == 0 ? GL_BACK : GL_COLOR_ATTACHMENT0);
+  glPixelStorei(GL_PACK_ALIGNMENT, 1);
+  glReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, image.rgba.data());
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(previous));
+  const std::size_t row = std::size_t(width) * 4;
+  for (int y = 0; y < height / 2; ++y) {
+    std::swap_ranges(image.rgba.begin() + y * row, image.rgba.begin() + (y + 1) * row,
+                     image.rgba.begin() + (height - 1 - y) * row);
+  }
+  return image;
+}
+
+Image downsample(const Image& image, int factor) {
+  if (factor <= 1) return image;
+  Image result{image.width / factor, image.height / factor, {}};
+  result.rgba.resize(std::size_t(result.width) * result.height * 4);
+  for (int y = 0; y < result.height; ++y) {
+    for (int x = 0; x < result.width; ++x) {
+      unsigned sum[4] = {0, 0, 0, 0};
+      for (int k = 0; k < factor * factor; ++k) {
+        const std::size_t source =
+            (std::size_t(y * factor + k / factor) * image.width + x * factor + k % factor) * 4;
+        const unsigned alpha = image.rgba[source + 3];
+        for (int c = 0; c < 3; ++c) sum[c] += image.rgba[source + c] * alpha;
+        sum[3] += alpha;
+      }
+      std::uint8_t* target = &result.rgba[(std::size_t(y) * result.width + x) * 4];
+      for (int c = 0; c < 3; ++c) {
+        target[c] = sum[3] == 0 ? 0 : static_cast<std::uint8_t>((sum[c] + sum[3] / 2) / sum[3]);
+      }
+      target[3] = static_cast<std::uint8_t>(sum[3] / unsigned(factor * factor));
+    }
+  }
+  return result;
+}
+
+void write_png(const Image& image, const std::filesystem::path& path) {
+  const auto fail = [&path] {
+    throw std::runtime_error("cannot write '" + path.string() +
+                             "'; check that the folder exists and is writable");
+  };
+  if (image.width <= 0 || image.height <= 0) throw std::invalid_argument("empty image");
+  bool opaque = true;
+  for (std::size_t i = 3; i < image.rgba.size(); i += 4) opaque = opaque && image.rgba[i] == 255;
+  const int channels = opaque ? 3 : 4;
+  vtkNew<vtkImageData> data;
+  data->SetDimensions(image.width, image.height, 1);
+  data->AllocateScalars(VTK_UNSIGNED_CHAR, channels);
+  auto* target = static_cast<unsigned char*>(data->GetScalarPointer());
+  for (int y = image.height - 1; y >= 0; --y) {  // VTK's first row is the bottom
+    const std::uint8_t* source = &image.rgba[std::size_t(y) * image.width * 4];
+    for (int x = 0; x < image.width; ++x, source += 4, target += channels) {
+      std::memcpy(target, source, static_cast<std::size_t>(channels));
+    }
+  }
+  vtkNew<vtkPNGWriter> writer;
+  writer->SetInputData(data);
+  writer->WriteToMemoryOn();
+  writer->Write();
+  const vtkUnsignedCharArray* bytes = writer->GetResult();
+  std::ofstream file(path, std::ios::binary);
+  if (!file || bytes == nullptr) fail();
+  file.write(reinterpret_cast<const char*>(const_cast<vtkUnsignedCharArray*>(bytes)->GetPointer(0)),
+             bytes->GetNumberOfValues());
+  file.close();
+  if (!file) fail();
+}
+
+}  // namespace alphascope

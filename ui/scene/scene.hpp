@@ -1,0 +1,74 @@
+// The 3-D view: balls, tetrahedra, triangles, edges and boundary of an alpha complex, drawn by VTK
+// into a texture of the OpenGL context that is current when it is made. No ImGui, no window.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "ui/scene/ball_geometry.hpp"
+#include "ui/scene/complex_mesh.hpp"
+#include "ui/theme.hpp"
+
+namespace alphascope {
+
+// An image with its top row first, 4 bytes (red, green, blue, alpha; not premultiplied) a pixel.
+struct Image {
+  int width = 0, height = 0;
+  std::vector<std::uint8_t> rgba;
+};
+
+// What is shown and how; everything that costs no new mesh.
+struct SceneStyle {
+  bool balls = true;
+  double ball_opacity = 1;     // above 0, at most 1
+  double complex_opacity = 1;  // above 0, at most 1
+  bool ambient_occlusion = true;
+  Theme theme = Theme::dark;
+  friend bool operator==(const SceneStyle&, const SceneStyle&) = default;
+};
+
+// draft: while something moves. fine: at rest, with ambient occlusion, exact transparency and
+// four samples a pixel.
+enum class RenderQuality : std::uint8_t { draft, medium, fine };
+
+enum class PointerButton : std::uint8_t { left, middle, right };
+
+class Scene {
+ public:
+  Scene();
+  ~Scene();
+  Scene(const Scene&) = delete;
+  Scene& operator=(const Scene&) = delete;
+
+  // A new molecule; removes the mesh of the last one and resets the view. One colour a ball.
+  void set_balls(std::shared_ptr<const BallGeometry> balls, const std::vector<Rgb8>& colours);
+  void set_ball_radii(const std::vector<float>& radii);  // Å, as drawn
+  void set_ball_colours(const std::vector<Rgb8>& colours);
+  void set_mesh(std::shared_ptr<const ComplexMesh> mesh);  // null: none
+  void set_style(const SceneStyle& style);
+  void reset_view();
+
+  // Draws into the texture, width x height pixels (at least 8 x 8); returns milliseconds taken.
+  double render(int width, int height, RenderQuality quality);
+  // OpenGL name of the last picture; its first row is the bottom, its alpha channel is undefined.
+  unsigned texture() const;
+  // Å that one pixel of the last picture spans at the camera's focal point.
+  double angstrom_per_pixel() const;
+
+  // Trackball: left turns, middle or shift + left shifts, right or wheel zooms. Coordinates in
+  // pixels of the picture from its top left.
+  void pointer_move(int x, int y, bool control, bool shift);
+  void pointer_button(PointerButton button, bool pressed);
+  void wheel(double steps);  // positive: closer
+
+  // A picture of any size in fine quality with the present camera; the texture is redrawn by the
+  // next render(). `transparent` leaves the background out.
+  Image grab(int width, int height, bool transparent);
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace alphascope

@@ -1,0 +1,29 @@
+// A picture of a complex without a window or a display, for the command line and for figures.
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "core/complex/alpha_complex.hpp"
+#include "core/geometry/ball_set.hpp"
+#include "ui/scene/scene.hpp"
+
+namespace alphascope {
+
+struct ScreenshotOptions {
+  int width = 1280, height = 800;  // pixels, 16 to 16384
+  bool transparent = false;        // no background
+  SceneStyle style;
+  BallStyle balls;
+  MeshOptions mesh;
+};
+
+// Draws `complex` with its `balls` (radii before any solvent; one colour each) in the default view.
+// Needs no display: makes its own OpenGL context on this thread.
+// Throws std::invalid_argument for sizes out of range or input that does not belong together,
+// std::runtime_error when OpenGL is missing or the file cannot be written.
+void render_screenshot(const BallSet& balls, const AlphaComplex& complex,
+                       const std::vector<Rgb8>& colours, const ScreenshotOptions& options,
+                       const std::filesystem::path& path);
+
+}  // namespace alphascope

@@ -1,0 +1,25 @@
+// Plain arrays as VTK data, without copying where VTK can use the memory as it is.
+#pragma once
+
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+
+#include <memory>
+
+#include "ui/scene/ball_geometry.hpp"
+#include "ui/scene/complex_mesh.hpp"
+
+namespace alphascope {
+
+// One vertex cell a ball: vtkOpenGLSphereMapper takes its bounds from cells and shows nothing
+// without. Point arrays: colours (scalars) and "radius".
+vtkSmartPointer<vtkPolyData> balls_to_vtk(const BallGeometry& balls);
+void set_colours(vtkPolyData* data, const std::vector<Rgb8>& colours);
+void set_radii(vtkPolyData* data, const std::vector<float>& radii);
+
+// Points and colours stay those of `soup`, which must outlive the result; `corners` points a cell.
+vtkSmartPointer<vtkPolyData> soup_to_vtk(const CellSoup& soup, int corners);
+
+inline constexpr const char* kRadiusArray = "radius";
+
+}  // namespace alphascope

@@ -172,4 +172,24 @@ ALPHASCOPE_INLINE T clip_error_bound(T d, T c, T unit_roundoff) {
   return T(600) * unit_roundoff * (d * d) * (d * d) * (d * c);
 }
 
+// The clip predicate of one corner in double precision from integer vectors: does ball m cut off the
+// corner of facet ij where k and l (balls or ghosts) meet? +1, -1, or 0 when the filter cannot tell.
+ALPHASCOPE_HOST_DEVICE inline int corner_cut_filtered(const LiftedInt& j, const FacetAxis& axis,
+                                                      const LiftedInt& k, const LiftedInt& l,
+                                                      const LiftedInt& m) {
+  const LiftedVector<double> v[4] = {lifted_as<double>(j), lifted_as<double>(k),
+                                     lifted_as<double>(l), lifted_as<double>(m)};
+  double d = 1, c = 1;
+  for (const auto& a : v) {
+    d = fmax(d, fmax(fabs(a.x), fmax(fabs(a.y), fabs(a.z))));
+    c = fmax(c, fabs(a.c));
+  }
+  const auto frame = make_facet_frame(v[0], axis.axis, axis.negative);
+  FacetCorner<double> corner;
+  corner.meet(frame.line(v[1]), frame.line(v[2]));
+  const double value = corner.beyond(frame.line(v[3]));
+  const double bound = clip_error_bound(d, c, kUnitRoundoff);
+  return (value > bound) - (value < -bound);
+}
+
 }  // namespace alphascope

@@ -15,6 +15,8 @@ inline constexpr std::string_view kHostToDevice = "host→device";
 inline constexpr std::string_view kCandidates = "kernel I (candidates)";
 inline constexpr std::string_view kPrefixSum = "prefix sum";
 inline constexpr std::string_view kFilteredValidity = "kernel II (filtered validity)";
+// One launch on the GPU: a block finds its neighbours and clips their facets.
+inline constexpr std::string_view kCandidatesAndFiltered = "kernels I+II (candidates, filtered validity)";
 inline constexpr std::string_view kExactValidity = "kernel III (exact validity)";
 inline constexpr std::string_view kDeviceToHost = "device→host";
 inline constexpr std::string_view kTriangulation = "regular triangulation";

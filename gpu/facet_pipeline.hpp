@@ -1,0 +1,47 @@
+// Runs the facet kernels for one set of balls, alpha after alpha, and leaves the simplices in pinned
+// host memory. The engine face, fallbacks and device probing are gpu_engine.cu's business.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+
+#include "core/complex/alpha_complex.hpp"
+#include "core/run/cancel_token.hpp"
+
+namespace alphascope::gpu {
+
+// Valid until the next run. Lexicographic order; values and classes are empty for tetrahedra only.
+template <int N>
+struct HostSimplices {
+  std::span<const std::array<BallIndex, N>> simplices;
+  std::span<const float> values;
+  std::span<const SimplexClass> classes;
+};
+
+struct PipelineResult {
+  HostSimplices<1> vertices;
+  HostSimplices<2> edges;
+  HostSimplices<3> triangles;
+  HostSimplices<4> tetrahedra;
+  std::uint32_t exact_balls = 0;  // balls that went through kernel III
+  bool fits = true;               // false: this request is beyond the kernels' limits
+};
+
+class FacetPipeline {
+ public:
+  // Copies the balls to pinned memory. Throws std::bad_alloc, DeviceError.
+  explicit FacetPipeline(const BallSet& balls);
+  ~FacetPipeline();
+
+  // Stages are timed with CUDA events when `times` is given (a few microseconds each).
+  // Throws Cancelled, std::bad_alloc, DeviceError.
+  PipelineResult run(double alpha_on_lattice, bool tetrahedra_only, const CancelToken& cancel,
+                     StageTimes* times);
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace alphascope::gpu

@@ -1,0 +1,149 @@
+// The CUDA engine's face: finds and proves the device, runs the pipeline, falls back to the CPU.
+#include "gpu/gpu_engine.hpp"
+
+#include <cmath>
+#include <stdexcept>
+
+#include "gpu/device_buffer.cuh"
+#include "gpu/facet_pipeline.hpp"
+
+namespace alphascope {
+namespace {
+
+__global__ void prove(int* out) { out[threadIdx.x] = static_cast<int>(threadIdx.x * threadIdx.x); }
+
+std::string version_text(int version) {
+  return std::to_string(version / 1000) + "." + std::to_string(version % 1000 / 10);
+}
+
+// A healthy-looking driver can still fail at the first launch, so one is made.
+void run_probe() {
+  gpu::DeviceBuffer<int> out;
+  out.reserve(32);
+  prove<<<1, 32>>>(out.get());
+  gpu::check(cudaGetLastError(), "starting a test kernel");
+  int host[32] = {};
+  gpu::check(cudaMemcpy(host, out.get(), sizeof host, cudaMemcpyDeviceToHost), "running a test kernel");
+  for (int i = 0; i < 32; ++i) {
+    if (host[i] != i * i) throw gpu::DeviceError("the GPU computed a wrong number in a test kernel");
+  }
+}
+
+GpuDevice probe_device() {
+  GpuDevice d;
+  constexpr const char* kFallback = " The CPU engine runs instead, with the same results.";
+  int count = 0;
+  const cudaError_t status = cudaGetDeviceCount(&count);
+  int driver = 0;
+  cudaDriverGetVersion(&driver);
+  if (driver > 0) d.driver = "CUDA driver " + version_text(driver);
+  if (status != cudaSuccess || count == 0) {
+    cudaGetLastError();
+    const std::string reason = status != cudaSuccess ? cudaGetErrorString(status) : "no device";
+    if (status == cudaErrorInsufficientDriver && driver == 0) {
+      d.why_not = std::string("No NVIDIA driver was found.") + kFallback;
+    } else if (status == cudaErrorInsufficientDriver) {
+      d.why_not = "The NVIDIA driver supports CUDA " + version_text(driver) + ", this program needs " +
+                  version_text(CUDART_VERSION) + ": update the driver." + kFallback;
+    } else {
+      d.why_not = "No usable NVIDIA GPU (" + reason + ")." + kFallback;
+    }
+    return d;
+  }
+  cudaDeviceProp properties{};
+  if (cudaGetDeviceProperties(&properties, 0) == cudaSuccess) {
+    d.name = properties.name;
+    d.memory_bytes = properties.totalGlobalMem;
+    d.compute_capability = properties.major * 10 + properties.minor;
+  }
+  try {
+    run_probe();
+    d.usable = true;
+  } catch (const std::exception& error) {
+    d.why_not = (d.name.empty() ? std::string("The GPU") : d.name) + " cannot be used: " + error.what() + "." + kFallback;
+  }
+  return d;
+}
+
+template <int N>
+void copy(const gpu::HostSimplices<N>& from, SimplexList<N>& to) {
+  to.simplices.assign(from.simplices.begin(), from.simplices.end());
+  to.alpha_values.assign(from.values.begin(), from.values.end());
+  to.classes.assign(from.classes.begin(), from.classes.end());
+}
+
+class GpuEngine : public Engine {
+ public:
+  GpuEngine(std::shared_ptr<const BallSet> balls, EngineOptions options)
+      : balls_(std::move(balls)), options_(options), pipeline_(*balls_) {}
+
+  AlphaComplex compute(const AlphaRequest& request, const RunContext& context) override {
+    if (std::isnan(request.alpha_angstrom2)) throw std::invalid_argument("alpha is not a number");
+    std::string why_cpu = "beyond the GPU kernels' limits";
+    try {
+      AlphaComplex complex;
+      if (on_device(request, context, complex)) return complex;
+    } catch (const gpu::DeviceError& error) {
+      why_cpu = error.what();
+    } catch (const std::bad_alloc&) {
+      why_cpu = "the GPU's memory is full";
+    }
+    if (!cpu_) cpu_ = make_cpu_engine(balls_, options_);
+    AlphaComplex complex = cpu_->compute(request, context);
+    complex.engine.route += " (on the CPU: " + why_cpu + ")";
+    return complex;
+  }
+
+ private:
+  bool on_device(const AlphaRequest& request, const RunContext& context, AlphaComplex& complex) {
+    complex.lattice = balls_->lattice;
+    complex.alpha_on_lattice = balls_->lattice.alpha_on_lattice(request.alpha_angstrom2);
+    complex.tetrahedra_only = request.tetrahedra_only;
+    StageTimes ignored;
+    StageTimer wall(ignored);
+    const gpu::PipelineResult result = pipeline_.run(complex.alpha_on_lattice, request.tetrahedra_only, context.cancel, &complex.timings);
+    if (!result.fits) return false;
+    StageTimes host;
+    StageTimer host_timer(host);
+    copy(result.vertices, complex.vertices);
+    copy(result.edges, complex.edges);
+    copy(result.triangles, complex.triangles);
+    copy(result.tetrahedra, complex.tetrahedra);
+    host_timer.lap("result arrays");
+    wall.finish();
+    complex.timings.stages.push_back(host.stages.front());
+    complex.timings.wall_milliseconds = ignored.wall_milliseconds;
+    complex.hash = complex_hash(complex);
+    complex.engine = {"facet engine", gpu_device().name, "facet clipping"};
+    return true;
+  }
+
+  std::shared_ptr<const BallSet> balls_;
+  EngineOptions options_;
+  gpu::FacetPipeline pipeline_;
+  std::unique_ptr<Engine> cpu_;
+};
+
+}  // namespace
+
+const GpuDevice& gpu_device() {
+  static const GpuDevice device = probe_device();
+  return device;
+}
+
+std::unique_ptr<Engine> make_gpu_engine(std::shared_ptr<const BallSet> balls, EngineOptions options,
+                                        std::string* why_not) {
+  const GpuDevice& device = gpu_device();
+  std::string reason = device.why_not;
+  if (device.usable) {
+    try {
+      return std::make_unique<GpuEngine>(std::move(balls), options);
+    } catch (const std::exception& error) {
+      reason = device.name + " cannot take this molecule: " + error.what();
+    }
+  }
+  if (why_not != nullptr) *why_not = reason;
+  return nullptr;
+}
+
+}  // namespace alphascope

@@ -1,0 +1,31 @@
+// The facet engine on a CUDA device. Plain C++: the program builds and runs without CUDA, and then
+// learns here why there is no device.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+
+#include "core/complex/engine.hpp"
+
+namespace alphascope {
+
+struct GpuDevice {
+  bool usable = false;
+  std::string name;         // "NVIDIA H200"; empty without a device
+  std::string why_not;      // one sentence with what to do, when not usable
+  std::string driver;       // "CUDA driver 13.0"
+  int compute_capability = 0;  // 90 for 9.0
+  std::size_t memory_bytes = 0;
+};
+
+// Looks for a device and runs a small kernel on it; the answer is kept. Never throws.
+const GpuDevice& gpu_device();
+
+// Null when the device cannot be used: *why_not then says why. The engine falls back to the CPU's for
+// single requests that do not fit the device (its AlphaComplex says so in engine.route).
+std::unique_ptr<Engine> make_gpu_engine(std::shared_ptr<const BallSet> balls, EngineOptions options,
+                                        std::string* why_not);
+
+}  // namespace alphascope

@@ -1,0 +1,29 @@
+// CGAL's regular (weighted Delaunay) triangulation of a BallSet, copied out into plain arrays. CGAL
+// itself is seen by cgal_triangulation.cpp only; alpha values are the filtration's business.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "core/geometry/ball_set.hpp"
+#include "core/run/cancel_token.hpp"
+
+namespace alphascope {
+
+// The maximal simplices; each one's vertices ascend, the simplices come in no particular order.
+struct RegularTriangulation {
+  int dimension = -1;  // of the affine hull of the centres: -1 (no ball) to 3
+  std::vector<std::array<BallIndex, 4>> tetrahedra;  // only in dimension 3
+  std::vector<std::array<BallIndex, 3>> triangles;   // only in dimension 2
+  std::vector<std::array<BallIndex, 2>> edges;       // only in dimension 1
+  std::vector<BallIndex> vertices;                   // ascending, any dimension
+  std::vector<BallIndex> hidden;                     // ascending: the balls that are no vertex
+};
+
+// Equal powers are decided by CGAL's symbolic perturbation; of coincident centres the largest ball,
+// then the one of lowest index, is inserted. So the result is unique: it depends neither on the
+// order of insertion nor on `threads` (1: CGAL's sequential code; else its parallel one, in the
+// caller's task arena). Throws Cancelled.
+RegularTriangulation triangulate(const BallSet& balls, int threads, const RunContext& context);
+
+}  // namespace alphascope

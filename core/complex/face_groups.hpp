@@ -1,0 +1,141 @@
+// Which cofaces each face of a sorted list of simplices has: the one place where faces are
+// generated.
+#pragma once
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "core/geometry/ball_set.hpp"
+
+namespace alphascope {
+
+// The distinct faces with N vertices of a list of simplices with N + 1, in lexicographic order,
+// each with the indices of its cofaces in that list, ascending.
+template <int N>
+class FaceGroups {
+ public:
+  explicit FaceGroups(const std::vector<std::array<BallIndex, N + 1>>& cofaces) {
+    bucket_by_first_vertex(cofaces);
+    sort_buckets();
+    mark_faces();
+  }
+
+  std::size_t size() const { return faces_.size(); }
+  const std::vector<std::array<BallIndex, N>>& faces() const { return faces_; }
+  std::vector<std::array<BallIndex, N>> take_faces() { return std::move(faces_); }
+
+  // Calls visit(index of a coface) for each coface of this face.
+  template <class Visit>
+  void for_cofaces(std::size_t face, const Visit& visit) const {
+    for (std::uint32_t r = first_record_[face]; r < first_record_[face + 1]; ++r) {
+      visit(records_[r].coface);
+    }
+  }
+  std::size_t coface_count(std::size_t face) const {
+    return first_record_[face + 1] - first_record_[face];
+  }
+
+ private:
+  // One face of one coface; its first vertex is the bucket's.
+  struct Record {
+    std::array<BallIndex, N - 1> rest;
+    std::uint32_t coface;
+    bool operator<(const Record& other) const {
+      return rest != other.rest ? rest < other.rest : coface < other.coface;
+    }
+  };
+
+  void bucket_by_first_vertex(const std::vector<std::array<BallIndex, N + 1>>& cofaces) {
+    BallIndex end = 0;
+    for (const auto& c : cofaces) end = std::max(end, c[N] + 1);
+    bucket_.assign(std::size_t{end} + 1, 0);
+    // Dropping vertex 0 leaves vertex 1 first; every other face starts with vertex 0.
+    for (const auto& c : cofaces) {
+      bucket_[c[0]] += N;
+      bucket_[c[1]] += 1;
+    }
+    std::uint32_t sum = 0;
+    for (std::uint32_t& b : bucket_) {
+      const std::uint32_t count = b;
+      b = sum;
+      sum += count;
+    }
+    records_.resize(sum);
+    std::vector<std::uint32_t> next(bucket_.begin(), bucket_.end() - 1);
+    for (std::uint32_t c = 0; c < cofaces.size(); ++c) {
+      for (int dropped = 0; dropped <= N; ++dropped) {
+        Record record{{}, c};
+        std::array<BallIndex, N> face;
+        for (int v = 0, n = 0; v <= N; ++v) {
+          if (v != dropped) face[n++] = cofaces[c][v];
+        }
+        std::copy(face.begin() + 1, face.end(), record.rest.begin());
+        records_[next[face[0]]++] = record;
+      }
+    }
+  }
+
+  void sort_buckets() {
+    if constexpr (N > 1) {  // vertices: the records of a bucket are in order already
+      tbb::parallel_for(std::size_t{0}, bucket_.size() - 1, [&](std::size_t v) {
+        std::sort(records_.begin() + bucket_[v], records_.begin() + bucket_[v + 1]);
+      });
+    }
+  }
+
+  void mark_faces() {
+    std::size_t count = 0;
+    for_each_face([&](std::size_t, std::uint32_t) { ++count; });
+    faces_.reserve(count);
+    first_record_.reserve(count + 1);
+    for_each_face([&](std::size_t v, std::uint32_t r) {
+      std::array<BallIndex, N> face;
+      face[0] = static_cast<BallIndex>(v);
+      std::copy(records_[r].rest.begin(), records_[r].rest.end(), face.begin() + 1);
+      faces_.push_back(face);
+      first_record_.push_back(r);
+    });
+    first_record_.push_back(static_cast<std::uint32_t>(records_.size()));
+  }
+
+  template <class Visit>
+  void for_each_face(const Visit& visit) const {
+    for (std::size_t v = 0; v + 1 < bucket_.size(); ++v) {
+      for (std::uint32_t r = bucket_[v]; r < bucket_[v + 1]; ++r) {
+        if (r == bucket_[v] || records_[r].rest != records_[r - 1].rest) visit(v, r);
+      }
+    }
+  }
+
+  std::vector<std::uint32_t> bucket_;  // first record of each first vertex
+  std::vector<Record> records_;
+  std::vector<std::array<BallIndex, N>> faces_;
+  std::vector<std::uint32_t> first_record_;
+};
+
+// Puts simplices into lexicographic order; their first vertices are below `vertex_end`.
+template <int N>
+void sort_simplices(std::vector<std::array<BallIndex, N>>& simplices, std::size_t vertex_end) {
+  std::vector<std::uint32_t> bucket(vertex_end + 1, 0);
+  for (const auto& s : simplices) ++bucket[s[0]];
+  std::uint32_t sum = 0;
+  for (std::uint32_t& b : bucket) {
+    const std::uint32_t count = b;
+    b = sum;
+    sum += count;
+  }
+  std::vector<std::array<BallIndex, N>> sorted(simplices.size());
+  std::vector<std::uint32_t> next(bucket.begin(), bucket.end() - 1);
+  for (const auto& s : simplices) sorted[next[s[0]]++] = s;
+  tbb::parallel_for(std::size_t{0}, vertex_end, [&](std::size_t v) {
+    std::sort(sorted.begin() + bucket[v], sorted.begin() + bucket[v + 1]);
+  });
+  simplices.swap(sorted);
+}
+
+}  // namespace alphascope

@@ -1,0 +1,75 @@
+// Real molecules: known counts, and every engine against CGAL.
+#include <gtest/gtest.h>
+
+#include "core/complex/compare.hpp"
+#include "tests/support/engines.hpp"
+#include "tests/support/molecules.hpp"
+
+namespace alphascope {
+namespace {
+
+using testing::EngineFactory;
+
+struct KnownCounts {
+  const char* file;
+  double solvent_angstrom, alpha_angstrom2;
+  std::size_t edges, triangles, tetrahedra;
+};
+
+// From CGAL's Fixed_alpha_shape_3, by an independent program.
+constexpr KnownCounts kKnown[] = {
+    {"ladder/1grm.crd", 0, 0, 576, 336, 20},
+    {"ladder/1grm.crd", 0, 1, 812, 650, 136},
+    {"ladder/1grm.crd", 0, 1.4, 906, 783, 185},
+    {"ladder/1grm.crd", 1.4, 0, 1393, 1977, 846},
+    {"thesis/1k4c.crd.gz", 0, 0, 37377, 23209, 2261},
+    {"thesis/1k4c.crd.gz", 0, 1, 56633, 49175, 12657},
+    {"thesis/1k4c.crd.gz", 0, 1.4, 63485, 59533, 16445},
+    {"thesis/1k4c.crd.gz", 0, 3, 87304, 110972, 40809},
+    {"thesis/1k4c.crd.gz", 1.4, 0, 105597, 166727, 76947},
+};
+
+class EveryEngine : public ::testing::TestWithParam<EngineFactory> {};
+INSTANTIATE_TEST_SUITE_P(Quick, EveryEngine, ::testing::ValuesIn(testing::host_engines()),
+                         testing::engine_name);
+
+TEST_P(EveryEngine, FindsTheKnownCounts) {
+  ALPHASCOPE_NEED_TEST_DATA();
+  for (const KnownCounts& known : kKnown) {
+    SCOPED_TRACE(std::string(known.file) + " alpha " + std::to_string(known.alpha_angstrom2));
+    const auto engine =
+        GetParam().make(testing::molecule_balls(known.file, known.solvent_angstrom));
+    const AlphaComplex complex = engine->compute({known.alpha_angstrom2}, {});
+    EXPECT_EQ(complex.edges.size(), known.edges);
+    EXPECT_EQ(complex.triangles.size(), known.triangles);
+    EXPECT_EQ(complex.tetrahedra.size(), known.tetrahedra);
+    const AlphaComplex only = engine->compute({known.alpha_angstrom2, true}, {});
+    EXPECT_TRUE(compare(only, complex).identical());
+    EXPECT_EQ(only.hash, tetrahedra_hash(complex));
+  }
+}
+
+void expect_equals_cgal(const EngineFactory& factory, const char* file) {
+  for (const double solvent : {0.0, 1.4}) {
+    const auto balls = testing::molecule_balls(file, solvent);
+    const auto reference = make_cgal_engine(balls, {1});
+    const auto engine = factory.make(balls);
+    for (const double alpha : {-1.0, 0.0, 0.5, 1.4, 3.0, 10.0, 100.0}) {
+      const AlphaComplex expected = reference->compute({alpha}, {});
+      const AlphaComplex found = engine->compute({alpha}, {});
+      EXPECT_TRUE(compare(found, expected).identical())
+          << file << ", solvent " << solvent << ", alpha " << alpha;
+      EXPECT_EQ(found.hash, expected.hash);
+    }
+  }
+}
+
+TEST_P(EveryEngine, EqualsCgalOnSmallMolecules) {
+  ALPHASCOPE_NEED_TEST_DATA();
+  for (const char* file : {"ladder/1grm.crd", "ladder/1crn.pdb", "ladder/1bna.pdb"}) {
+    expect_equals_cgal(GetParam(), file);
+  }
+}
+
+}  // namespace
+}  // namespace alphascope

@@ -1,0 +1,40 @@
+// The engines present, for suites that must hold of every one of them.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/complex/engine.hpp"
+
+namespace alphascope::testing {
+
+struct EngineFactory {
+  std::string name;  // letters, digits and _ only
+  std::function<std::unique_ptr<Engine>(std::shared_ptr<const BallSet>)> make;
+};
+
+// Host engines, each on one and on two threads. Suites of other targets may append to the list.
+inline std::vector<EngineFactory> host_engines() {
+  std::vector<EngineFactory> engines;
+  for (const int threads : {1, 2}) {
+    const std::string suffix = "_" + std::to_string(threads);
+    engines.push_back({"cgal" + suffix, [threads](std::shared_ptr<const BallSet> balls) {
+                         return make_cgal_engine(std::move(balls), {threads});
+                       }});
+    engines.push_back({"cpu" + suffix, [threads](std::shared_ptr<const BallSet> balls) {
+                         return make_cpu_engine(std::move(balls), {threads});
+                       }});
+  }
+  return engines;
+}
+
+// What GoogleTest appends to the names of parametrised tests.
+inline std::string engine_name(const ::testing::TestParamInfo<EngineFactory>& info) {
+  return info.param.name;
+}
+
+}  // namespace alphascope::testing

@@ -1,0 +1,20 @@
+#include "tests/support/molecules.hpp"
+
+#include "core/io/read_molecule.hpp"
+#include "core/molecule/prepare_balls.hpp"
+
+namespace alphascope::testing {
+
+std::filesystem::path test_data_folder() {
+  const char* folder = std::getenv("ALPHASCOPE_TEST_DATA");
+  return folder != nullptr && *folder != '\0' ? folder : ALPHASCOPE_TEST_DATA;
+}
+
+std::shared_ptr<const BallSet> molecule_balls(const std::string& file, double solvent_angstrom) {
+  const std::filesystem::path folder = test_data_folder();
+  if (folder.empty()) return nullptr;
+  const PreparedBalls prepared = prepare_balls(read_molecule(folder / file));
+  return std::make_shared<BallSet>(with_solvent(*prepared.balls, solvent_angstrom));
+}
+
+}  // namespace alphascope::testing

@@ -1,0 +1,28 @@
+// Balls of the large test molecules, which are not part of the repository.
+#pragma once
+
+#include <cstdlib>
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "core/geometry/ball_set.hpp"
+
+namespace alphascope::testing {
+
+// The data folder: the environment variable ALPHASCOPE_TEST_DATA, else the CMake cache variable of
+// the same name; empty when neither is set.
+std::filesystem::path test_data_folder();
+
+// Balls of a file of the data folder ("thesis/1k4c.crd.gz"), default selection and radii, grown by
+// the solvent radius (Å). Null when the folder is not set; throws when it is and the file is not
+// there.
+std::shared_ptr<const BallSet> molecule_balls(const std::string& file, double solvent_angstrom = 0);
+
+// Skips the running test when there is no data folder.
+#define ALPHASCOPE_NEED_TEST_DATA()                                        \
+  if (::alphascope::testing::test_data_folder().empty()) {                 \
+    GTEST_SKIP() << "set ALPHASCOPE_TEST_DATA to the folder of molecules"; \
+  }
+
+}  // namespace alphascope::testing

@@ -29,7 +29,7 @@ struct Atom {
   float b_factor = 0;               // Å²
   NameId name = 0;
   NameId residue_name = 0;
-  NameId chain = 0;  // the author's
+  NameId chain = 0;        // the author's
   NameId label_chain = 0;  // mmCIF's label_asym_id, which assemblies refer to; else the same
   Element element = kUnknownElement;
   AtomKind kind = AtomKind::polymer;

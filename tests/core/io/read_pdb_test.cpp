@@ -42,9 +42,9 @@ TEST(ReadPdb, DefaultSelectionIsCountedInFull) {
   const Molecule m = read_text("a.pdb", kSmall);
   const PreparedBalls prepared = prepare_balls(m);
   EXPECT_EQ(prepared.atom_of_ball, (std::vector<std::uint32_t>{0, 2, 3, 4, 5}));
-  EXPECT_EQ(prepared.balls->radii, (std::vector<std::int32_t>{1550, 1700, 1700, 1390, 1700}));
+  EXPECT_EQ(prepared.balls->radii, (std::vector<std::int32_t>{1640, 1880, 1760, 1390, 1760}));
   EXPECT_EQ(summary(prepared.report),
-            "used 5 of 7 atoms; dropped 1 water, 1 alternative location; radii Bondi");
+            "used 5 of 7 atoms; dropped 1 water, 1 alternative location; radii ProtOr; 3 guessed");
   BallOptions options;
   options.ions = options.ligands = false;
   options.waters = true;

@@ -1,0 +1,61 @@
+#include "app/session/engine_cache.hpp"
+
+#include <algorithm>
+#include <exception>
+#include <stdexcept>
+#include <utility>
+
+namespace alphascope {
+
+EngineCache::Entry& EngineCache::find_or_make(const std::shared_ptr<const BallSet>& balls,
+                                              const SessionRequest& request) {
+  const auto fits = [&](const Entry& entry) {
+    return entry.base == balls &&
+           entry.solvent_radius_angstrom == request.solvent_radius_angstrom &&
+           entry.choice == request.engine && entry.threads == request.threads;
+  };
+  const auto found = std::find_if(entries_.begin(), entries_.end(), fits);
+  if (found != entries_.end()) {
+    entries_.splice(entries_.begin(), entries_, found);
+    return entries_.front();
+  }
+  // Engines of another molecule will not be asked for again; free them before making a new one.
+  std::erase_if(entries_, [&](const Entry& entry) { return entry.base != balls; });
+  while (entries_.size() >= kEntries) entries_.pop_back();
+
+  std::shared_ptr<const BallSet> grown = balls;
+  if (request.solvent_radius_angstrom != 0) {
+    grown =
+        std::make_shared<const BallSet>(with_solvent(*balls, request.solvent_radius_angstrom));
+  }
+  MadeEngine made = factory_(request.engine, grown, request.threads);
+  entries_.push_front({balls, std::move(grown), request.solvent_radius_angstrom, request.engine,
+                       request.threads, std::move(made)});
+  return entries_.front();
+}
+
+EngineCache::Result EngineCache::compute(const std::shared_ptr<const BallSet>& balls,
+                                         const SessionRequest& request,
+                                         const RunContext& context) {
+  context.cancel.throw_if_cancelled();
+  Entry& entry = find_or_make(balls, request);
+  const AlphaRequest alpha{request.alpha_angstrom2, request.tetrahedra_only};
+  const bool may_fall_back = entry.made.uses_gpu && request.engine == EngineChoice::automatic;
+  try {
+    AlphaComplex complex = entry.made.engine->compute(alpha, context);
+    return {std::move(complex), entry.grown, entry.made.note};
+  } catch (const Cancelled&) {
+    throw;
+  } catch (const std::invalid_argument&) {
+    throw;  // the request's fault, not the device's
+  } catch (const std::exception& e) {
+    if (!may_fall_back) throw;
+    const std::string note = std::string("CPU engine in use: the GPU failed (") + e.what() + ")";
+    entry.made = factory_(EngineChoice::cpu, entry.grown, request.threads);
+    entry.made.note = note;
+  }
+  AlphaComplex complex = entry.made.engine->compute(alpha, context);
+  return {std::move(complex), entry.grown, entry.made.note};
+}
+
+}  // namespace alphascope

@@ -1,0 +1,60 @@
+// Keeps the engines of the last few settings, so that going back to one costs no setup.
+#pragma once
+
+#include <cstddef>
+#include <list>
+#include <memory>
+#include <string>
+
+#include "app/session/engines.hpp"
+
+namespace alphascope {
+
+// What one recompute is about. Lengths in Å, alpha in Å².
+struct SessionRequest {
+  double alpha_angstrom2 = 0;
+  double solvent_radius_angstrom = 0;
+  bool tetrahedra_only = false;
+  EngineChoice engine = EngineChoice::automatic;
+  int threads = 0;  // 0: as many as the machine has
+  friend bool operator==(const SessionRequest&, const SessionRequest&) = default;
+};
+
+// Belongs to one thread at a time.
+class EngineCache {
+ public:
+  explicit EngineCache(EngineFactory factory) : factory_(std::move(factory)) {}
+
+  struct Result {
+    AlphaComplex complex;
+    std::shared_ptr<const BallSet> balls;  // with the solvent radius: what the engine saw
+    std::string note;                      // about the choice of engine; may be empty
+  };
+
+  // `balls` without solvent radius. An automatic choice of the GPU that fails while computing is
+  // answered by the CPU, with a note. Throws what make_engine(), with_solvent() and
+  // Engine::compute() throw.
+  Result compute(const std::shared_ptr<const BallSet>& balls, const SessionRequest& request,
+                 const RunContext& context);
+
+  void clear() { entries_.clear(); }
+
+ private:
+  // An engine may hold a triangulation of millions of balls, so only the last settings are kept.
+  static constexpr std::size_t kEntries = 2;
+
+  struct Entry {
+    std::shared_ptr<const BallSet> base, grown;
+    double solvent_radius_angstrom;
+    EngineChoice choice;
+    int threads;
+    MadeEngine made;
+  };
+
+  Entry& find_or_make(const std::shared_ptr<const BallSet>& balls, const SessionRequest& request);
+
+  EngineFactory factory_;
+  std::list<Entry> entries_;  // the last used one first
+};
+
+}  // namespace alphascope

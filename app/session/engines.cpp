@@ -1,0 +1,72 @@
+#include "app/session/engines.hpp"
+
+#include <array>
+#include <stdexcept>
+#include <utility>
+
+#ifdef ALPHASCOPE_HAS_GPU
+#include "gpu/gpu_engine.hpp"
+#endif
+
+namespace alphascope {
+namespace {
+
+constexpr std::array<std::pair<EngineChoice, std::string_view>, 4> kIds{{
+    {EngineChoice::automatic, "auto"},
+    {EngineChoice::cpu, "cpu"},
+    {EngineChoice::cgal, "cgal"},
+    {EngineChoice::gpu, "gpu"},
+}};
+
+std::unique_ptr<Engine> try_gpu(const std::shared_ptr<const BallSet>& balls, int threads,
+                                std::string& why_not) {
+#ifdef ALPHASCOPE_HAS_GPU
+  return make_gpu_engine(balls, EngineOptions{threads}, &why_not);
+#else
+  static_cast<void>(balls);
+  static_cast<void>(threads);
+  why_not = "this build has no GPU engine";
+  return nullptr;
+#endif
+}
+
+}  // namespace
+
+std::string_view engine_id(EngineChoice choice) {
+  for (const auto& [value, id] : kIds) {
+    if (value == choice) return id;
+  }
+  return "auto";
+}
+
+std::optional<EngineChoice> engine_from_id(std::string_view id) {
+  for (const auto& [value, name] : kIds) {
+    if (name == id) return value;
+  }
+  return std::nullopt;
+}
+
+MadeEngine make_engine(EngineChoice choice, std::shared_ptr<const BallSet> balls, int threads) {
+  MadeEngine made;
+  if (choice == EngineChoice::cgal) {
+    made.engine = make_cgal_engine(std::move(balls), {threads});
+    return made;
+  }
+  if (choice != EngineChoice::cpu) {
+    std::string why_not;
+    made.engine = try_gpu(balls, threads, why_not);
+    if (made.engine) {
+      made.uses_gpu = true;
+      return made;
+    }
+    if (choice == EngineChoice::gpu) {
+      throw EngineUnavailable("The GPU engine cannot be used: " + why_not +
+                              ". Choose engine auto or cpu; the result is the same.");
+    }
+    made.note = "CPU engine in use: " + why_not;
+  }
+  made.engine = make_cpu_engine(std::move(balls), {threads});
+  return made;
+}
+
+}  // namespace alphascope

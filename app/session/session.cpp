@@ -1,0 +1,193 @@
+#include "app/session/session.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace alphascope {
+
+namespace {
+
+// Slider moves come every few milliseconds. Recomputes shorter than this finish, so that pictures
+// flow while the hand moves; longer ones give way to the newest request.
+constexpr std::chrono::milliseconds kSliderGrace{150};
+
+bool same_engine(const SessionRequest& a, const SessionRequest& b) {
+  return a.solvent_radius_angstrom == b.solvent_radius_angstrom && a.engine == b.engine &&
+         a.threads == b.threads;
+}
+
+}  // namespace
+
+void ColdAndWarm::note(const StageTimes& times) {
+  const bool was_cold = std::any_of(times.stages.begin(), times.stages.end(),
+                                    [](const StageTime& s) { return s.setup; });
+  (was_cold ? cold : warm) = times;
+}
+
+Session::Services Session::program_services() {
+  return {&make_engine, &alphascope::open_molecule};
+}
+
+Session::Session(std::function<void()> wake, Services services)
+    : services_(std::move(services)),
+      engines_(std::make_shared<EngineCache>(services_.make_engine)),
+      references_(std::make_shared<EngineCache>(services_.make_engine)),
+      opener_(wake),
+      computer_(wake, kSliderGrace),
+      comparer_(wake) {}
+
+Session::~Session() = default;
+
+void Session::open(const std::filesystem::path& path) {
+  opening_path_ = path;
+  submit_open(path);
+}
+
+void Session::set_open_options(const OpenOptions& options) {
+  options_ = options;
+  if (!opening_path_.empty()) {
+    submit_open(opening_path_);
+  } else if (state_.molecule) {
+    submit_prepare();
+  }
+}
+
+void Session::submit_open(const std::filesystem::path& path) {
+  opener_.submit(
+      [this, path, options = options_, open = services_.open_molecule](const RunContext& context) {
+        OpenedMolecule opened = open(path, options, context);
+        return [this, opened] { take_opened(opened); };
+      },
+      failure_of(Source::opening, ""));
+}
+
+void Session::submit_prepare() {
+  opener_.submit(
+      [this, molecule = state_.molecule, options = options_.balls](const RunContext&) {
+        OpenedMolecule opened{
+            molecule, std::make_shared<const PreparedBalls>(prepare_balls(*molecule, options))};
+        return [this, opened] { take_opened(opened); };
+      },
+      failure_of(Source::opening, ""));
+}
+
+void Session::take_opened(OpenedMolecule opened) {
+  if (!opener_.activity().busy) opening_path_.clear();
+  computer_.cancel();
+  comparer_.cancel();
+  state_.molecule = std::move(opened.molecule);
+  state_.prepared = std::move(opened.prepared);
+  state_.ours = nullptr;
+  state_.agreement = nullptr;
+  state_.our_timings = {};
+  state_.reference_timings = {};
+  changes_.molecule = changes_.answer = changes_.agreement = true;
+  succeeded(Source::opening);
+  submit_compute();
+}
+
+void Session::set_request(const SessionRequest& request) {
+  if (request == state_.request && (state_.up_to_date() || computer_.activity().busy)) return;
+  if (!same_engine(request, state_.request)) state_.our_timings = {};
+  if (request.solvent_radius_angstrom != state_.request.solvent_radius_angstrom) {
+    state_.reference_timings = {};
+  }
+  state_.request = request;
+  if (state_.prepared) submit_compute();
+}
+
+void Session::submit_compute() {
+  computer_.submit(
+      [this, request = state_.request, prepared = state_.prepared,
+       engines = engines_](const RunContext& context) {
+        EngineCache::Result result = engines->compute(prepared->balls, request, context);
+        auto answer = std::make_shared<const Answer>(Answer{request, prepared, std::move(result.balls),
+                                                      std::move(result.complex),
+                                                      std::move(result.note)});
+        return [this, answer] { take_answer(answer); };
+      },
+      failure_of(Source::computing, "Computing the complex failed: "));
+}
+
+void Session::take_answer(std::shared_ptr<const Answer> answer) {
+  if (answer->prepared != state_.prepared) return;  // of the molecule before
+  if (same_engine(answer->request, state_.request)) {
+    state_.our_timings.note(answer->complex.timings);
+  }
+  state_.ours = std::move(answer);
+  changes_.answer = true;
+  succeeded(Source::computing);
+  if (comparison_wanted_ && state_.up_to_date()) submit_comparison();
+}
+
+void Session::request_comparison(int threads) {
+  comparison_wanted_ = true;
+  comparison_threads_ = threads;
+  if (state_.up_to_date()) submit_comparison();
+}
+
+void Session::cancel_comparison() {
+  comparison_wanted_ = false;
+  comparer_.cancel();
+}
+
+void Session::submit_comparison() {
+  comparison_wanted_ = false;
+  SessionRequest request = state_.ours->request;
+  request.engine = EngineChoice::cgal;
+  request.threads = comparison_threads_;
+  comparer_.submit(
+      [this, request, ours = state_.ours, references = references_](const RunContext& context) {
+        EngineCache::Result result =
+            references->compute(ours->prepared->balls, request, context);
+        context.cancel.throw_if_cancelled();
+        context.report("comparison", 0);
+        auto agreement = std::make_shared<Agreement>();
+        agreement->ours = ours;
+        agreement->comparison = compare(ours->complex, result.complex);
+        agreement->reference = std::make_shared<const AlphaComplex>(std::move(result.complex));
+        return [this, agreement] { take_agreement(agreement); };
+      },
+      failure_of(Source::comparing, "Comparing with CGAL failed: "));
+}
+
+void Session::take_agreement(std::shared_ptr<const Agreement> agreement) {
+  const Answer& ours = *agreement->ours;
+  if (ours.prepared != state_.prepared) return;  // of the molecule before
+  if (ours.request.solvent_radius_angstrom == state_.request.solvent_radius_angstrom) {
+    state_.reference_timings.note(agreement->reference->timings);
+  }
+  state_.agreement = std::move(agreement);
+  changes_.agreement = true;
+  succeeded(Source::comparing);
+}
+
+Worker::FailureHandler Session::failure_of(Source source, std::string prefix) {
+  return [this, source, prefix = std::move(prefix)](const Worker::Failure& failure) {
+    if (!opener_.activity().busy) opening_path_.clear();
+    if (failure.cancelled) return;
+    state_.last_error = prefix + failure.message;
+    error_source_ = source;
+    changes_.error = true;
+  };
+}
+
+void Session::succeeded(Source source) {
+  if (error_source_ != source) return;
+  error_source_ = Source::none;
+  state_.last_error.clear();
+  changes_.error = true;
+}
+
+SessionChanges Session::poll() {
+  opener_.poll();
+  computer_.poll();
+  comparer_.poll();
+  return std::exchange(changes_, {});
+}
+
+SessionActivity Session::activity() const {
+  return {opener_.activity(), computer_.activity(), comparer_.activity(), opening_path_};
+}
+
+}  // namespace alphascope

@@ -1,0 +1,130 @@
+// One open molecule and its latest exact results, for a main thread that never waits: what the
+// window shows and changes. No GUI type; drawing is not its business.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "app/session/engine_cache.hpp"
+#include "app/session/open_molecule.hpp"
+#include "core/complex/compare.hpp"
+#include "core/run/worker.hpp"
+
+namespace alphascope {
+
+// One computed complex; immutable once handed over.
+struct Answer {
+  SessionRequest request;
+  std::shared_ptr<const PreparedBalls> prepared;
+  std::shared_ptr<const BallSet> balls;  // with the solvent radius: what the engine saw
+  AlphaComplex complex;
+  std::string engine_note;  // why another engine than hoped for was used; may be empty
+};
+
+// An answer beside CGAL's; immutable once handed over.
+struct Agreement {
+  std::shared_ptr<const Answer> ours;
+  std::shared_ptr<const AlphaComplex> reference;
+  Comparison comparison;
+};
+
+// Cold: the latest computation that had to set something up. Warm: the latest one that did not.
+struct ColdAndWarm {
+  std::optional<StageTimes> cold, warm;
+  void note(const StageTimes& times);
+};
+
+// Pointers are null as long as there is nothing.
+struct SessionState {
+  std::shared_ptr<const Molecule> molecule;
+  std::shared_ptr<const PreparedBalls> prepared;  // radii before any solvent radius
+  SessionRequest request;                         // the latest asked for
+  std::shared_ptr<const Answer> ours;
+  std::shared_ptr<const Agreement> agreement;  // of `ours` when agreement->ours == ours
+  ColdAndWarm our_timings, reference_timings;  // of the present balls, solvent radius and engine
+  std::string last_error;                      // empty once the same thing has succeeded
+
+  // `ours` answers the latest request.
+  bool up_to_date() const { return ours && ours->request == request; }
+};
+
+struct SessionActivity {
+  Worker::Activity opening, computing, comparing;
+  std::filesystem::path opening_path;  // while opening.busy
+};
+
+struct SessionChanges {
+  bool molecule = false;   // molecule or prepared balls
+  bool answer = false;     // ours, our_timings
+  bool agreement = false;  // agreement, reference_timings
+  bool error = false;      // last_error
+  bool any() const { return molecule || answer || agreement || error; }
+};
+
+class Session {
+ public:
+  using Opener = std::function<OpenedMolecule(const std::filesystem::path&, const OpenOptions&,
+                                              const RunContext&)>;
+  struct Services {
+    EngineFactory make_engine;  // also asked, on another thread, for the CGAL reference
+    Opener open_molecule;
+  };
+  static Services program_services();
+
+  // `wake` as in Worker: called from other threads when poll() has something to do.
+  explicit Session(std::function<void()> wake = {}, Services services = program_services());
+  ~Session();
+
+  // Reads a file in the background; then its complex is computed at the present request. The old
+  // molecule and its results stay until that has succeeded.
+  void open(const std::filesystem::path& path);
+  // Applies to the open molecule at once and to those opened later.
+  void set_open_options(const OpenOptions& options);
+  const OpenOptions& open_options() const { return options_; }
+  void cancel_opening() { opener_.cancel(); }
+
+  // Latest wins. Does nothing when `request` is the present one and already answered or on its way.
+  void set_request(const SessionRequest& request);
+  void cancel_computing() { computer_.cancel(); }
+
+  // Compares with CGAL's triangulation, on a thread of its own: the present answer, or the next when
+  // one is on its way. `threads` for CGAL: 1 is its sequential triangulation, 0 all of the machine.
+  void request_comparison(int threads = 1);
+  void cancel_comparison();
+
+  // To be called on the main thread, every frame or when woken.
+  SessionChanges poll();
+  const SessionState& state() const { return state_; }
+  SessionActivity activity() const;
+
+ private:
+  void submit_open(const std::filesystem::path& path);
+  void submit_prepare();
+  void submit_compute();
+  void submit_comparison();
+  void take_opened(OpenedMolecule opened);
+  void take_answer(std::shared_ptr<const Answer> answer);
+  void take_agreement(std::shared_ptr<const Agreement> agreement);
+  enum class Source { none, opening, computing, comparing };
+  Worker::FailureHandler failure_of(Source source, std::string prefix);
+  void succeeded(Source source);
+
+  Services services_;
+  OpenOptions options_;
+  SessionState state_;
+  SessionChanges changes_;
+  Source error_source_ = Source::none;
+  std::filesystem::path opening_path_;  // empty when none is on its way
+  bool comparison_wanted_ = false;
+  int comparison_threads_ = 1;
+  // Each is touched by the jobs of one worker only.
+  std::shared_ptr<EngineCache> engines_, references_;
+
+  // Last, so that they are joined before anything that their jobs use goes.
+  Worker opener_, computer_, comparer_;
+};
+
+}  // namespace alphascope

@@ -1,0 +1,99 @@
+// Which engines are kept, and what happens when a GPU fails.
+#include "app/session/engine_cache.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/app/fake_engine.hpp"
+
+namespace alphascope {
+namespace {
+
+using test::fake_factory;
+using test::FakeEngineLog;
+using test::few_balls;
+
+SessionRequest with_solvent_radius(double solvent) {
+  SessionRequest request;
+  request.solvent_radius_angstrom = solvent;
+  return request;
+}
+
+TEST(EngineCache, KeepsTheEngineWhileOnlyAlphaMoves) {
+  FakeEngineLog log;
+  EngineCache cache(fake_factory(log));
+  const auto balls = few_balls(4);
+  SessionRequest request;
+  for (double alpha : {0.0, 1.0, 2.0}) {
+    request.alpha_angstrom2 = alpha;
+    EXPECT_DOUBLE_EQ(cache.compute(balls, request, {}).complex.alpha_angstrom2(), alpha);
+  }
+  EXPECT_EQ(log.made, 1);
+}
+
+TEST(EngineCache, GrowsTheBallsAndKeepsTwoSettings) {
+  FakeEngineLog log;
+  EngineCache cache(fake_factory(log));
+  const auto balls = few_balls(4);
+  EXPECT_EQ(cache.compute(balls, with_solvent_radius(0), {}).balls, balls);
+  EXPECT_EQ(cache.compute(balls, with_solvent_radius(1.4), {}).balls->radii.at(0), 3100);
+  cache.compute(balls, with_solvent_radius(0), {});
+  EXPECT_EQ(log.made, 2) << "both are kept";
+  cache.compute(balls, with_solvent_radius(2), {});
+  cache.compute(balls, with_solvent_radius(0), {});
+  EXPECT_EQ(log.made, 3) << "the one used longest ago went";
+  cache.compute(balls, with_solvent_radius(1.4), {});
+  EXPECT_EQ(log.made, 4);
+}
+
+TEST(EngineCache, FreesTheEnginesOfAnotherMolecule) {
+  FakeEngineLog log;
+  EngineCache cache(fake_factory(log));
+  auto first = few_balls(4);
+  const std::weak_ptr<const BallSet> watch = first;
+  cache.compute(first, {}, {});
+  first.reset();
+  EXPECT_FALSE(watch.expired());
+  cache.compute(few_balls(5), {}, {});
+  EXPECT_TRUE(watch.expired());
+}
+
+TEST(EngineCache, AFailingGpuIsReplacedWhenTheChoiceWasAutomatic) {
+  FakeEngineLog log;
+  log.fail_gpu = true;
+  EngineCache cache(fake_factory(log, true));
+  const auto balls = few_balls(4);
+  const EngineCache::Result result = cache.compute(balls, {}, {});
+  EXPECT_EQ(result.complex.vertices.size(), 4u);
+  EXPECT_NE(result.note.find("device lost"), std::string::npos) << result.note;
+  const int made = log.made;
+  EXPECT_FALSE(cache.compute(balls, {}, {}).note.empty());
+  EXPECT_EQ(log.made, made) << "the failed device is not tried again";
+}
+
+TEST(EngineCache, AFailingGpuIsAnErrorWhenItWasAskedFor) {
+  FakeEngineLog log;
+  log.fail_gpu = true;
+  EngineCache cache(fake_factory(log, true));
+  SessionRequest request;
+  request.engine = EngineChoice::gpu;
+  EXPECT_THROW(cache.compute(few_balls(4), request, {}), std::runtime_error);
+}
+
+TEST(EngineCache, ABadSolventRadiusLeavesItUsable) {
+  FakeEngineLog log;
+  EngineCache cache(fake_factory(log));
+  const auto balls = few_balls(4);
+  EXPECT_THROW(cache.compute(balls, with_solvent_radius(-1), {}), std::invalid_argument);
+  EXPECT_EQ(cache.compute(balls, with_solvent_radius(0), {}).complex.vertices.size(), 4u);
+}
+
+TEST(EngineChoice, IdsGoBothWays) {
+  for (EngineChoice choice : {EngineChoice::automatic, EngineChoice::cpu, EngineChoice::cgal,
+                              EngineChoice::gpu}) {
+    EXPECT_EQ(engine_from_id(engine_id(choice)), choice);
+  }
+  EXPECT_EQ(engine_from_id("warp"), std::nullopt);
+}
+
+}  // namespace
+}  // namespace alphascope

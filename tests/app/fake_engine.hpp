@@ -1,0 +1,84 @@
+// A test double for the engines: answers with one vertex a ball, waits when told to, and counts what
+// it is asked. It stands in for time and failure, never for geometry.
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "app/session/engines.hpp"
+
+namespace alphascope::test {
+
+struct FakeEngineLog {
+  std::atomic<int> made{0}, started{0}, finished{0}, cancelled{0};
+  std::atomic<bool> hold{false};         // computations wait, and notice their cancel token
+  std::atomic<bool> fail_gpu{false};     // computations of a "gpu" engine throw
+  std::atomic<bool> fail_next{false};    // the next computation throws
+  std::atomic<int> steps{1};             // of 50 µs each
+};
+
+class FakeEngine : public Engine {
+ public:
+  FakeEngine(std::shared_ptr<const BallSet> balls, FakeEngineLog& log, bool gpu)
+      : balls_(std::move(balls)), log_(log), gpu_(gpu) {}
+
+  AlphaComplex compute(const AlphaRequest& request, const RunContext& context) override {
+    ++log_.started;
+    context.report(stage::kGrid, 0.5);
+    for (int step = 0; step < log_.steps || log_.hold; ++step) {
+      if (context.cancel.cancelled()) {
+        ++log_.cancelled;
+        throw Cancelled();
+      }
+      std::this_thread::sleep_for(std::chrono::microseconds(50));
+    }
+    if (gpu_ && log_.fail_gpu) throw std::runtime_error("device lost");
+    if (log_.fail_next.exchange(false)) throw std::runtime_error("broken on purpose");
+    AlphaComplex complex;
+    complex.lattice = balls_->lattice;
+    complex.alpha_on_lattice = balls_->lattice.alpha_on_lattice(request.alpha_angstrom2);
+    complex.tetrahedra_only = request.tetrahedra_only;
+    for (BallIndex i = 0; i < balls_->size(); ++i) {
+      complex.vertices.simplices.push_back({i});
+      complex.vertices.alpha_values.push_back(static_cast<float>(-balls_->weight(i)));
+      complex.vertices.classes.push_back(SimplexClass::singular);
+    }
+    complex.timings.stages.push_back({"fake", 1.0, first_});
+    first_ = false;
+    ++log_.finished;
+    return complex;
+  }
+
+ private:
+  std::shared_ptr<const BallSet> balls_;
+  FakeEngineLog& log_;
+  bool gpu_, first_ = true;
+};
+
+// `gpu` says whether automatic and gpu give a "gpu" engine. The log must outlive the engines.
+inline EngineFactory fake_factory(FakeEngineLog& log, bool gpu = false) {
+  return [&log, gpu](EngineChoice choice, std::shared_ptr<const BallSet> balls, int) {
+    ++log.made;
+    MadeEngine made;
+    made.uses_gpu =
+        gpu && (choice == EngineChoice::automatic || choice == EngineChoice::gpu);
+    made.engine = std::make_unique<FakeEngine>(std::move(balls), log, made.uses_gpu);
+    return made;
+  };
+}
+
+inline std::shared_ptr<const BallSet> few_balls(int count) {
+  auto balls = std::make_shared<BallSet>();
+  for (int i = 0; i < count; ++i) {
+    balls->centres.push_back({i * 1000, (i % 3) * 700, (i % 5) * 300});
+    balls->radii.push_back(1700);
+  }
+  return balls;
+}
+
+}  // namespace alphascope::test

@@ -1,0 +1,273 @@
+// The session as a window uses it: nothing waits, the latest request wins, failure keeps the old.
+#include "app/session/session.hpp"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "tests/app/fake_engine.hpp"
+
+namespace alphascope {
+namespace {
+
+using test::fake_factory;
+using test::FakeEngineLog;
+
+class SessionTest : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = std::filesystem::path(::testing::TempDir()) /
+              ("session_" + std::to_string(reinterpret_cast<std::uintptr_t>(this)));
+    std::filesystem::create_directories(folder_);
+    good_ = write("good.xyzr", "0 0 0 1.7\n1.5 0 0 1.7\n0 1.5 0 1.5\n0 0 1.5 1.2\n");
+    other_ = write("other.xyzr", "0 0 0 1.7\n2 0 0 1.7\n");
+    bad_ = write("bad.xyzr", "0 0 0 1.7\n1 2 banana 1.7\n");
+  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  std::filesystem::path write(const std::string& name, const std::string& text) {
+    const std::filesystem::path path = folder_ / name;
+    std::ofstream(path) << text;
+    return path;
+  }
+
+  std::unique_ptr<Session> make() {
+    Session::Services services = Session::program_services();
+    services.make_engine = fake_factory(log_);
+    return std::make_unique<Session>(std::function<void()>{}, services);
+  }
+
+  static SessionChanges settle(Session& session) {
+    SessionChanges all;
+    for (bool busy = true; busy;) {
+      const SessionActivity activity = session.activity();
+      busy = activity.opening.busy || activity.computing.busy || activity.comparing.busy;
+      const SessionChanges changes = session.poll();
+      all.molecule |= changes.molecule;
+      all.answer |= changes.answer;
+      all.agreement |= changes.agreement;
+      all.error |= changes.error;
+      busy |= changes.any();
+      std::this_thread::yield();
+    }
+    return all;
+  }
+
+  static SessionRequest alpha(double value) {
+    SessionRequest request;
+    request.alpha_angstrom2 = value;
+    return request;
+  }
+
+  FakeEngineLog log_;
+  std::filesystem::path folder_, good_, other_, bad_;
+};
+
+TEST_F(SessionTest, OpensAndComputesAtThePresentRequest) {
+  const auto session = make();
+  session->set_request(alpha(1.4));
+  EXPECT_FALSE(session->state().molecule);
+  session->open(good_);
+  const SessionChanges changes = settle(*session);
+  EXPECT_TRUE(changes.molecule);
+  EXPECT_TRUE(changes.answer);
+  EXPECT_FALSE(changes.error);
+  const SessionState& state = session->state();
+  ASSERT_TRUE(state.molecule && state.prepared && state.ours);
+  EXPECT_EQ(state.molecule->atoms.size(), 4u);
+  EXPECT_TRUE(state.up_to_date());
+  EXPECT_DOUBLE_EQ(state.ours->complex.alpha_angstrom2(), 1.4);
+  EXPECT_TRUE(state.our_timings.cold);
+  EXPECT_FALSE(state.our_timings.warm);
+}
+
+TEST_F(SessionTest, ColdAndWarmTimesAreKeptApart) {
+  const auto session = make();
+  session->open(good_);
+  settle(*session);
+  session->set_request(alpha(2));
+  settle(*session);
+  EXPECT_TRUE(session->state().our_timings.cold);
+  EXPECT_TRUE(session->state().our_timings.warm);
+  SessionRequest grown = alpha(2);
+  grown.solvent_radius_angstrom = 1.4;
+  session->set_request(grown);
+  settle(*session);
+  EXPECT_FALSE(session->state().our_timings.warm) << "another set of balls";
+}
+
+TEST_F(SessionTest, AFailedOpenKeepsTheOldMolecule) {
+  const auto session = make();
+  session->open(good_);
+  settle(*session);
+  const auto before = session->state();
+  session->open(bad_);
+  const SessionChanges changes = settle(*session);
+  EXPECT_TRUE(changes.error);
+  EXPECT_FALSE(changes.molecule);
+  EXPECT_NE(session->state().last_error.find("bad.xyzr, line 2"), std::string::npos)
+      << session->state().last_error;
+  EXPECT_EQ(session->state().molecule, before.molecule);
+  EXPECT_EQ(session->state().ours, before.ours);
+  session->open(other_);
+  settle(*session);
+  EXPECT_TRUE(session->state().last_error.empty()) << "a later success clears it";
+  EXPECT_EQ(session->state().prepared->balls->size(), 2u);
+}
+
+TEST_F(SessionTest, ASliderStormEndsAtTheLastAlpha) {
+  const auto session = make();
+  session->open(good_);
+  settle(*session);
+  log_.steps = 20;
+  for (int i = 1; i <= 1000; ++i) {
+    session->set_request(alpha(i * 0.01));
+    if (i % 3 == 0) session->poll();
+  }
+  settle(*session);
+  EXPECT_TRUE(session->state().up_to_date());
+  EXPECT_DOUBLE_EQ(session->state().ours->complex.alpha_angstrom2(), 10.0);
+  EXPECT_LT(log_.started, 500) << "most requests are never started";
+}
+
+TEST_F(SessionTest, ALongComputationGivesWayToTheLatestRequest) {
+  const auto session = make();
+  session->open(good_);
+  settle(*session);
+  log_.hold = true;
+  const int started = log_.started;
+  session->set_request(alpha(1));
+  while (log_.started == started) std::this_thread::yield();
+  session->set_request(alpha(2));
+  while (log_.cancelled == 0) session->poll();
+  log_.hold = false;
+  settle(*session);
+  EXPECT_DOUBLE_EQ(session->state().ours->complex.alpha_angstrom2(), 2.0);
+  EXPECT_TRUE(session->state().last_error.empty());
+}
+
+TEST_F(SessionTest, CancelKeepsTheLastAnswer) {
+  const auto session = make();
+  session->open(good_);
+  settle(*session);
+  const auto before = session->state().ours;
+  log_.hold = true;
+  session->set_request(alpha(5));
+  session->cancel_computing();
+  settle(*session);
+  EXPECT_EQ(session->state().ours, before);
+  EXPECT_FALSE(session->state().up_to_date());
+  EXPECT_TRUE(session->state().last_error.empty());
+  log_.hold = false;
+  session->set_request(alpha(5));  // the same again: not yet answered, so it counts
+  settle(*session);
+  EXPECT_TRUE(session->state().up_to_date());
+}
+
+TEST_F(SessionTest, AFailedComputationIsReportedAndKeepsTheLastAnswer) {
+  const auto session = make();
+  session->open(good_);
+  settle(*session);
+  const auto before = session->state().ours;
+  log_.fail_next = true;
+  session->set_request(alpha(3));
+  settle(*session);
+  EXPECT_EQ(session->state().ours, before);
+  EXPECT_NE(session->state().last_error.find("broken on purpose"), std::string::npos);
+  SessionRequest negative = alpha(3);
+  negative.solvent_radius_angstrom = -1;
+  session->set_request(negative);
+  settle(*session);
+  EXPECT_NE(session->state().last_error.find("solvent radius"), std::string::npos);
+  session->set_request(alpha(3));
+  settle(*session);
+  EXPECT_TRUE(session->state().last_error.empty());
+}
+
+TEST_F(SessionTest, AnAnswerForTheOldMoleculeIsNeverShownWithTheNew) {
+  const auto session = make();
+  session->open(good_);
+  settle(*session);
+  for (int round = 0; round < 30; ++round) {
+    session->open(round % 2 ? good_ : other_);
+    session->set_request(alpha(round));
+    for (int i = 0; i < 20; ++i) {
+      session->poll();
+      const SessionState& state = session->state();
+      if (state.ours) {
+        EXPECT_EQ(state.ours->prepared, state.prepared);
+        EXPECT_EQ(state.ours->complex.vertices.size(), state.prepared->balls->size());
+      }
+      std::this_thread::yield();
+    }
+  }
+  settle(*session);
+  EXPECT_TRUE(session->state().up_to_date());
+}
+
+TEST_F(SessionTest, ComparesTheAnswerThatIsOnItsWay) {
+  const auto session = make();
+  session->open(good_);
+  settle(*session);
+  session->set_request(alpha(2));
+  session->request_comparison();
+  settle(*session);
+  const SessionState& state = session->state();
+  ASSERT_TRUE(state.agreement);
+  EXPECT_EQ(state.agreement->ours, state.ours);
+  EXPECT_DOUBLE_EQ(state.agreement->reference->alpha_angstrom2(), 2.0);
+  EXPECT_TRUE(state.agreement->comparison.identical());
+  EXPECT_EQ(state.agreement->comparison.vertices.common, 4u);
+  EXPECT_TRUE(state.reference_timings.cold);
+}
+
+TEST_F(SessionTest, ASliderMovesWhileTheComparisonRuns) {
+  FakeEngineLog slow;
+  slow.hold = true;
+  Session::Services services = Session::program_services();
+  services.make_engine = [&](EngineChoice choice, std::shared_ptr<const BallSet> balls, int threads) {
+    return fake_factory(choice == EngineChoice::cgal ? slow : log_)(choice, balls, threads);
+  };
+  Session session({}, services);
+  session.open(good_);
+  settle(session);
+  session.request_comparison();
+  while (slow.started == 0) std::this_thread::yield();
+  session.set_request(alpha(7));
+  while (!session.state().up_to_date()) session.poll();
+  EXPECT_TRUE(session.activity().comparing.busy);
+  session.cancel_comparison();
+  settle(session);
+  EXPECT_FALSE(session.state().agreement);
+  EXPECT_EQ(slow.cancelled, 1);
+}
+
+TEST_F(SessionTest, OptionsChangeTheOpenMoleculeAndFailuresKeepIt) {
+  const auto session = make();
+  session->open(good_);
+  settle(*session);
+  const auto molecule = session->state().molecule;
+  const auto prepared = session->state().prepared;
+  OpenOptions options;
+  options.balls.radii = RadiiSet::bondi;
+  session->set_open_options(options);
+  settle(*session);
+  EXPECT_EQ(session->state().molecule, molecule) << "not read again";
+  EXPECT_NE(session->state().prepared, prepared);
+  EXPECT_EQ(session->state().ours->prepared, session->state().prepared);
+  options.balls.model = 17;
+  session->set_open_options(options);
+  settle(*session);
+  EXPECT_FALSE(session->state().last_error.empty());
+  EXPECT_TRUE(session->state().prepared);
+}
+
+TEST_F(SessionTest, DestructionDuringWorkJoins) {
+  log_.hold = true;
+  const auto session = make();
+  session->open(good_);
+  while (log_.started == 0) session->poll();
+}
+
+}  // namespace
+}  // namespace alphascope

@@ -10,12 +10,18 @@ bool is_digit(char c) {
   return c >= '0' && c <= '9';
 }
 
-// Water and ion names of simulation packages that the PDB's own dictionary does not have.
+// Names of simulation packages that the PDB's own dictionary does not have.
 constexpr std::string_view kWaters[] = {"WAT", "SOL",   "TIP", "TIP2", "TIP3", "TIP4",
                                         "TP3", "TIP3P", "SPC", "SPCE", "H2O",  "OH2"};
 constexpr std::string_view kIons[] = {"SOD", "CLA", "POT", "CAL", "CES", "LIT", "RUB", "BAR",
                                       "CIO", "NA+", "CL-", "K+",  "MG+", "IOD", "CAD", "3CO",
                                       "3NI", "FE2", "CU1", "MN3", "ZN2", "NIO", "AU3", "4TI"};
+
+constexpr std::string_view kBiopolymers[] = {"HID", "HIE", "HIP", "HSD", "HSE", "HSP", "CYX", "CYM",
+                                             "ASH", "GLH", "LYN", "ARN", "ACE", "NME", "NMA", "ADE",
+                                             "GUA", "CYT", "THY", "URA", "DA5", "DA3", "DC5", "DC3",
+                                             "DG5", "DG3", "DT5", "DT3", "RA",  "RC",  "RG",  "RU",
+                                             "A5",  "A3",  "C5",  "C3",  "G5",  "G3",  "U5",  "U3"};
 
 template <std::size_t N>
 bool contains(const std::string_view (&list)[N], std::string_view name) {
@@ -34,9 +40,40 @@ ResidueFamily residue_family(std::string_view name) {
   if (name == "DUM") return ResidueFamily::dummy;
   const gemmi::ResidueInfo& info = gemmi::find_tabulated_residue(std::string(name));
   if (info.is_water() || contains(kWaters, name)) return ResidueFamily::water;
-  if (info.is_amino_acid() || info.is_nucleic_acid()) return ResidueFamily::biopolymer;
+  if (info.is_amino_acid() || info.is_nucleic_acid() || contains(kBiopolymers, name)) {
+    return ResidueFamily::biopolymer;
+  }
   if (contains(kIons, name) || is_ion_symbol(name)) return ResidueFamily::ion;
   return ResidueFamily::unknown;
+}
+
+ResidueFamily ResidueFamilies::of(NameId residue_name, const NameTable& names) {
+  if (residue_name >= families_.size()) families_.resize(names.size());
+  std::optional<ResidueFamily>& family = families_[residue_name];
+  if (!family) family = residue_family(names.text(residue_name));
+  return *family;
+}
+
+AtomKind atom_kind(ResidueFamily family, bool hetero) {
+  switch (family) {
+    case ResidueFamily::water:
+      return AtomKind::water;
+    case ResidueFamily::ion:
+      return AtomKind::ion;
+    case ResidueFamily::dummy:
+      return AtomKind::dummy;
+    case ResidueFamily::biopolymer:
+      return AtomKind::polymer;
+    case ResidueFamily::unknown:
+      break;
+  }
+  return hetero ? AtomKind::ligand : AtomKind::polymer;
+}
+
+bool has_position_letter(std::string_view name) {
+  constexpr std::string_view kFirst = "CHNOPS", kPosition = "ABGDEZHX";
+  return name.size() > 1 && kFirst.find(name[0]) != std::string_view::npos &&
+         kPosition.find(name[1]) != std::string_view::npos;
 }
 
 Element element_from_atom_name(std::string_view name, bool biopolymer) {

@@ -1,7 +1,7 @@
 // Tables of balls, one "x y z r" (Å) per line:
 //   XYZR       x y z r [name…]; blank lines and lines starting with # are skipped
 //   CRD        the same after a line with the number of balls (ParallelAC), or without (AlphaMol)
-//   labelled   chain residue-number atom-name x y z r, or chain x y z r (Voronota)
+//   labelled   chain [residue-number [atom-name]] x y z r (Voronota)
 #include <array>
 #include <charconv>
 #include <vector>
@@ -71,7 +71,7 @@ class BallTableReader {
 
   // The first ball tells where the labels are.
   void take_layout(std::string_view data) {
-    const std::vector<std::string_view> fields = fields_of(data);
+    const std::vector<std::string_view> fields = fields_of(data.substr(0, data.find('#')));
     const std::size_t n = fields.size();
     const auto numbers_from = [&](std::size_t first) {
       for (std::size_t k = first; k < first + 4; ++k) {
@@ -81,10 +81,8 @@ class BallTableReader {
     };
     if (numbers_from(0)) {
       labels_ = 0;
-    } else if (numbers_from(3)) {
-      labels_ = 3;
-    } else if (numbers_from(1)) {
-      labels_ = 1;
+    } else if (n > 4 && !is_number(fields[0]) && numbers_from(n - 4)) {
+      labels_ = n - 4;
     } else {
       fail(lines_.number(), "expected four numbers \"x y z r\", found \"" + shortened(data) + "\"",
            "Each line holds the centre and the radius of one ball, in Å");
@@ -103,12 +101,7 @@ class BallTableReader {
     Atom atom;
     atom.source_line = static_cast<std::uint32_t>(lines_.number());
     atom.serial = static_cast<std::int32_t>(builder_.size() + 1);
-    if (labels_ >= 1) atom.chain = names.intern(next_field(data));
-    if (labels_ == 3) {
-      const std::string_view number = next_field(data);
-      std::from_chars(number.data(), number.data() + number.size(), atom.residue_number);
-      take_name(atom, next_field(data));
-    }
+    take_labels(data, atom);
     std::array<Decimal, 3> position;
     for (int k = 0; k < 3; ++k) position[k] = take_number(data, "xyz"[k]);
     const Decimal radius = take_number(data, 'r');
@@ -118,6 +111,20 @@ class BallTableReader {
     const std::string_view comment = trimmed(data);
     if (labels_ == 0 && !comment.empty()) take_comment(atom, comment);
     builder_.add(atom, position, radius);
+  }
+
+  // "chain", "chain residue-number", "chain residue-number atom-name"; more are passed over.
+  void take_labels(std::string_view& data, Atom& atom) {
+    for (std::size_t k = 0; k < labels_; ++k) {
+      const std::string_view label = next_field(data);
+      if (k == 0) {
+        atom.chain = atom.label_chain = builder_.molecule().names.intern(label);
+      } else if (k == 1) {
+        std::from_chars(label.data(), label.data() + label.size(), atom.residue_number);
+      } else if (k == 2) {
+        take_name(atom, label);
+      }
+    }
   }
 
   void take_name(Atom& atom, std::string_view name) {
@@ -134,7 +141,7 @@ class BallTableReader {
     } else if (fields.size() == 2 && !is_number(fields[1])) {  // XYZRN: "1 name_res_number"
       take_name(atom, fields[1].substr(0, fields[1].find('_')));
     } else if (fields.size() >= 5) {
-      atom.chain = builder_.molecule().names.intern(fields[1]);
+      atom.chain = atom.label_chain = builder_.molecule().names.intern(fields[1]);
       std::from_chars(fields[2].data(), fields[2].data() + fields[2].size(), atom.residue_number);
       atom.residue_name = builder_.molecule().names.intern(fields[3]);
       take_name(atom, fields[4]);
@@ -166,7 +173,7 @@ class BallTableReader {
   MoleculeBuilder builder_;
   bool first_line_ = true, layout_known_ = false, counted_ = false;
   std::size_t count_ = 0;
-  int labels_ = 0;  // fields before x
+  std::size_t labels_ = 0;  // fields before x
 };
 
 }  // namespace

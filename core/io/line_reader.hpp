@@ -29,6 +29,7 @@ class LineReader {
         end ? static_cast<std::size_t>(static_cast<const char*>(end) - rest_.data()) : rest_.size();
     line = rest_.substr(0, length);
     rest_.remove_prefix(end ? length + 1 : length);
+    cut_ = !end;
     if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
     ++number_;
     return true;
@@ -36,10 +37,13 @@ class LineReader {
 
   std::size_t number() const { return number_; }  // of the last line, from 1
   std::size_t bytes_left() const { return rest_.size(); }
+  // The last line had no end: the file may be truncated there.
+  bool cut() const { return cut_; }
 
  private:
   std::string_view rest_;
   std::size_t number_ = 0;
+  bool cut_ = false;
 };
 
 // Takes the next field between blanks off the front of `line`; empty at its end.

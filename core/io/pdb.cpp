@@ -3,7 +3,6 @@
 // hands out binary doubles without line numbers, refuses old files with an identifier in columns
 // 73-80, and reads wrong numbers where a five-digit residue number pushes the columns right.
 #include <charconv>
-#include <optional>
 #include <unordered_set>
 
 #include "core/io/atom_names.hpp"
@@ -89,14 +88,15 @@ class PdbReader {
     }
     Molecule& molecule = builder_.molecule();
     if (guessed_elements_ > 0) {
-      molecule.notes.push_back("The elements of " + std::to_string(guessed_elements_) +
-                               " atoms are guessed from their names (no element in columns 77-78)");
+      molecule.notes.push_back(
+          "Elements guessed from atom names, because columns 77-78 hold none: " +
+          std::to_string(guessed_elements_) + " of " + std::to_string(builder_.size()) + " atoms");
     }
     if (shifted_lines_ > 0) {
       molecule.notes.push_back(
-          std::to_string(shifted_lines_) +
-          " lines have a residue number of five or more digits that pushes their columns right; "
-          "they are read accordingly");
+          "Lines read with their columns shifted right by a residue number of five or more "
+          "digits: " +
+          std::to_string(shifted_lines_));
     }
     return builder_.finish();
   }
@@ -176,7 +176,9 @@ class PdbReader {
 
   // The occupancy is tested too: in a shifted line x, y and z can look like numbers, but then the
   // occupancy is cut apart.
-  static bool try_position(std::string_view line, std::array<Decimal, 3>& position) {
+  bool try_position(std::string_view line, std::array<Decimal, 3>& position) const {
+    // Digits of z may be missing at the very end of a file; elsewhere short lines are the writer's.
+    if (line.size() < 54 && lines_.cut()) return false;
     DecimalStatus status{};
     for (std::size_t k = 0; k < 3; ++k) {
       const std::string_view field = columns(line, 31 + 8 * k, 38 + 8 * k);
@@ -189,6 +191,9 @@ class PdbReader {
   }
 
   [[noreturn]] void refuse_position(std::string_view line) const {
+    if (line.size() < 54 && lines_.cut()) {
+      fail("the file ends within this atom", "It is truncated; fetch or copy it again");
+    }
     for (std::size_t k = 0; k < 3; ++k) {
       Decimal value;
       DecimalStatus status{};
@@ -226,7 +231,7 @@ class PdbReader {
       atom.insertion_code = column(line, 27 + shift);
     }
     const ResidueFamily family = family_of(atom.residue_name);
-    atom.kind = kind_of(family, atom.hetero);
+    atom.kind = atom_kind(family, atom.hetero);
     if (atom.kind == AtomKind::ligand && !modified_.empty() &&
         modified_.contains(residue_key(names.text(atom.chain), number,
                                        std::string_view(&atom.insertion_code, 1)))) {
@@ -250,23 +255,7 @@ class PdbReader {
       }
     }
     atom.residue_name = names.intern(residue);
-    atom.chain = names.intern(chain);
-  }
-
-  static AtomKind kind_of(ResidueFamily family, bool hetero) {
-    switch (family) {
-      case ResidueFamily::water:
-        return AtomKind::water;
-      case ResidueFamily::ion:
-        return AtomKind::ion;
-      case ResidueFamily::dummy:
-        return AtomKind::dummy;
-      case ResidueFamily::biopolymer:
-        return AtomKind::polymer;
-      case ResidueFamily::unknown:
-        break;
-    }
-    return hetero ? AtomKind::ligand : AtomKind::polymer;
+    atom.chain = atom.label_chain = names.intern(chain);
   }
 
   void take_element(std::string_view line, std::string_view rest, Atom& atom) {
@@ -275,6 +264,8 @@ class PdbReader {
     const std::string_view field = columns(line, 13, 16);
     const ResidueFamily family = family_of(atom.residue_name);
     const bool biopolymer =
+        // Left-justified names of programs that do not know the rule below.
+        (!atom.hetero && family == ResidueFamily::unknown && has_position_letter(field)) ||
         family == ResidueFamily::biopolymer || family == ResidueFamily::water ||
         // " CA " and "HE21": columns 13-14 are the symbol, right-justified, unless all are used.
         (!field.empty() && is_blank(field[0])) ||
@@ -284,10 +275,7 @@ class PdbReader {
   }
 
   ResidueFamily family_of(NameId residue) {
-    if (residue >= families_.size()) families_.resize(residue + 1);
-    std::optional<ResidueFamily>& family = families_[residue];
-    if (!family) family = residue_family(builder_.molecule().text(residue));
-    return *family;
+    return families_.of(residue, builder_.molecule().names);
   }
 
   static char column(std::string_view line, std::size_t number) {
@@ -301,8 +289,8 @@ class PdbReader {
   const ReaderInput& input_;
   LineReader lines_;
   MoleculeBuilder builder_;
-  std::vector<std::optional<ResidueFamily>> families_;  // by NameId
-  std::unordered_set<std::string> modified_;            // residues that MODRES names
+  ResidueFamilies families_;
+  std::unordered_set<std::string> modified_;  // residues that MODRES names
   int model_count_ = 0;
   bool between_models_ = false;
   std::size_t guessed_elements_ = 0, shifted_lines_ = 0;

@@ -13,6 +13,8 @@ Molecule read_molecule(const std::filesystem::path& path, const ReadOptions& opt
   switch (sniff_format(path, loaded.text)) {
     case FileFormat::pdb:
       return read_pdb(input);
+    case FileFormat::mmcif:
+      return read_mmcif(input);
     case FileFormat::ball_table:
       return read_ball_table(input);
     case FileFormat::unknown:
@@ -21,7 +23,7 @@ Molecule read_molecule(const std::filesystem::path& path, const ReadOptions& opt
   throw ReadError(
       path, 0,
       "this is no molecule file that can be read: it looks like " + describe_unknown(loaded.text),
-      "Formats that can be opened: PDB, XYZR and CRD (x y z r), also packed as .gz");
+      "Formats that can be opened: PDB, mmCIF, XYZR and CRD (x y z r), also packed as .gz");
 }
 
 }  // namespace alphascope

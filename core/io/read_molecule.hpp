@@ -15,8 +15,8 @@ struct ReadOptions {
   std::uint64_t max_bytes = std::uint64_t{4} << 30;
 };
 
-// Formats: PDB; XYZR and the two x-y-z-r dialects of CRD. Told apart by content and by extension.
-// Throws ReadError with a sentence for people, and Cancelled.
+// Formats: PDB and mmCIF; XYZR and the two x-y-z-r dialects of CRD. Told apart by content and by
+// extension. Throws ReadError with a sentence for people, and Cancelled.
 Molecule read_molecule(const std::filesystem::path& path, const ReadOptions& options = {},
                        const RunContext& context = {});
 

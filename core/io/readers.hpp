@@ -22,6 +22,9 @@ struct ReaderInput {
 // model of their own.
 Molecule read_pdb(const ReaderInput& input);
 
+// The atom_site table of the first data block that has one.
+Molecule read_mmcif(const ReaderInput& input);
+
 // "x y z r" lines: XYZR, both dialects of the x-y-z-r CRD (with the count in the first line, or
 // without), and tables with labels before or after the four numbers.
 Molecule read_ball_table(const ReaderInput& input);

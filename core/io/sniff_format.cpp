@@ -26,14 +26,23 @@ bool is_number(std::string_view text) {
   return !text.empty() && parse_decimal(text, value) == DecimalStatus::ok;
 }
 
-// "1.0 2.0 3.0 1.5 …", or the same behind one or three labels.
+bool is_cif_start(std::string_view line) {
+  return line.size() >= 5 && (line[0] | 0x20) == 'd' && (line[1] | 0x20) == 'a' &&
+         (line[2] | 0x20) == 't' && (line[3] | 0x20) == 'a' && line[4] == '_';
+}
+
+// "1.0 2.0 3.0 1.5 …", or four numbers behind one to three labels that begin with a name.
 bool is_ball_line(std::string_view line) {
-  bool numeric[7] = {};
-  for (bool& n : numeric) n = is_number(next_field(line));
+  line = line.substr(0, line.find('#'));
+  bool numeric[8] = {};
+  int fields = 0;
+  for (std::string_view f = next_field(line); !f.empty() && fields < 8; f = next_field(line)) {
+    numeric[fields++] = is_number(f);
+  }
   const auto four_from = [&](int k) {
     return numeric[k] && numeric[k + 1] && numeric[k + 2] && numeric[k + 3];
   };
-  return four_from(0) || four_from(3) || four_from(1);
+  return fields >= 4 && (four_from(0) || (fields <= 7 && !numeric[0] && four_from(fields - 4)));
 }
 
 std::string extension_without_gz(const std::filesystem::path& path) {
@@ -57,6 +66,7 @@ FileFormat sniff_format(const std::filesystem::path& path, std::string_view text
     if (is_pdb_record(line)) return FileFormat::pdb;
     std::string_view data = trimmed(line);
     if (data.empty() || data.front() == '#') continue;
+    if (is_cif_start(data)) return FileFormat::mmcif;
     if (is_ball_line(data)) return FileFormat::ball_table;
     // A count alone in the first line; what follows decides.
     if (first && is_number(data)) {
@@ -66,6 +76,7 @@ FileFormat sniff_format(const std::filesystem::path& path, std::string_view text
     break;
   }
   if (extension == ".pdb" || extension == ".ent") return FileFormat::pdb;
+  if (extension == ".cif" || extension == ".mmcif") return FileFormat::mmcif;
   if (extension == ".xyzr") return FileFormat::ball_table;
   return FileFormat::unknown;
 }

@@ -7,7 +7,7 @@
 
 namespace alphascope {
 
-enum class FileFormat : unsigned char { unknown, pdb, ball_table };
+enum class FileFormat : unsigned char { unknown, pdb, mmcif, ball_table };
 
 FileFormat sniff_format(const std::filesystem::path& path, std::string_view text);
 

@@ -30,8 +30,9 @@ AtomRange chosen_atoms(const Molecule& molecule, int model) {
 // Decides atom by atom; what a whole residue decides (altlocs) is worked out at the start.
 class AtomFilter {
  public:
-  AtomFilter(const Molecule& molecule, const BallOptions& options, AtomRange range)
-      : molecule_(molecule), options_(options), range_(range) {
+  AtomFilter(const Molecule& molecule, const BallOptions& options, AtomRange range,
+             bool drop_hydrogens)
+      : molecule_(molecule), options_(options), range_(range), drop_hydrogens_(drop_hydrogens) {
     for (const std::string& chain : options.chains) {
       chains_.push_back(chain.empty() ? 0 : molecule.names.find(chain));
       // A chain that is not there must not match the atoms without chain (id 0).
@@ -71,7 +72,7 @@ class AtomFilter {
         if (!options_.polymers) return &report.dropped_polymers;
         break;
     }
-    if (options_.hydrogens == HydrogenRule::drop && atom.element == kHydrogen) {
+    if (drop_hydrogens_ && atom.element == kHydrogen) {
       return &report.dropped_hydrogens;
     }
     if (!minor_.empty() && minor_[i - range_.begin]) return &report.dropped_altlocs;
@@ -82,6 +83,7 @@ class AtomFilter {
   const Molecule& molecule_;
   const BallOptions& options_;
   AtomRange range_;
+  bool drop_hydrogens_;
   std::vector<NameId> chains_;
   std::vector<bool> minor_;
 };
@@ -89,9 +91,12 @@ class AtomFilter {
 // Radii in lattice units, with the list of the guessed ones.
 class RadiusSource {
  public:
-  RadiusSource(const Molecule& molecule, RadiiSet set, SelectionReport& report)
-      : molecule_(molecule), set_(set), report_(report) {
-    scale_ = molecule.lattice.units_per_angstrom() / 1000.0;
+  RadiusSource(const Molecule& molecule, const BallOptions& options, SelectionReport& report)
+      : molecule_(molecule),
+        set_(report.radii),
+        lookup_(molecule, report.radii, options.user_radii),
+        report_(report) {
+    scale_ = molecule.lattice.units_per_angstrom() / 1e6;
   }
 
   // 0 when the atom has no ball; the reason is then counted.
@@ -101,8 +106,8 @@ class RadiusSource {
       ++(atom.file_radius == 0 ? report_.dropped_zero_radius : report_.dropped_without_radius);
       return 0;
     }
-    const AssignedRadius assigned = element_radius(set_, atom.element);
-    const double exact = assigned.milliangstrom * scale_;
+    const AssignedRadius assigned = lookup_.radius(atom);
+    const double exact = assigned.microangstrom * scale_;
     // A lattice of whole ångströms must not make a ball vanish.
     const double units = std::clamp(std::round(exact), 1.0, double{kMaxLatticeRadius});
     report_.radius_rounding_angstrom = std::max(
@@ -120,24 +125,42 @@ class RadiusSource {
       std::string name(molecule_.text(atom.name));
       if (name.empty()) name = std::string(element_symbol(atom.element));
       if (atom.residue_name != 0) name += " in " + std::string(molecule_.text(atom.residue_name));
-      report_.guessed.push_back({std::move(name), 0, assigned.milliangstrom / 1000.0});
+      report_.guessed.push_back({std::move(name), 0, assigned.microangstrom / 1e6});
     }
     ++report_.guessed[entry->second].count;
   }
 
   const Molecule& molecule_;
   RadiiSet set_;
+  RadiiLookup lookup_;
   SelectionReport& report_;
-  double scale_ = 1;  // lattice units per 10^-3 Å
+  double scale_ = 1;  // lattice units per 10^-6 Å
   std::unordered_map<std::uint64_t, std::size_t> guess_index_;
 };
 
-RadiiSet resolve(RadiiSet wanted, const Molecule& molecule) {
-  if (wanted == RadiiSet::file && !molecule.has_file_radii) {
+// ProtOr is meant for proteins and nucleic acids without hydrogens, and says nothing of others.
+bool suits_protor(const Molecule& molecule, AtomRange range) {
+  bool typed = false;
+  RadiiLookup protor(molecule, RadiiSet::protor, nullptr);
+  for (std::size_t i = range.begin; i < range.end; ++i) {
+    const Atom& atom = molecule.atoms[i];
+    if (atom.kind != AtomKind::polymer) continue;
+    if (atom.element == kHydrogen) return false;
+    typed = typed || !protor.radius(atom).guessed;
+  }
+  return typed;
+}
+
+RadiiSet resolve(const BallOptions& options, const Molecule& molecule, AtomRange range) {
+  if (options.radii == RadiiSet::file && !molecule.has_file_radii) {
     throw std::invalid_argument("the file has no radii of its own; choose a radii set");
   }
-  if (wanted != RadiiSet::automatic) return wanted;
-  return molecule.has_file_radii ? RadiiSet::file : RadiiSet::bondi;
+  if (options.radii == RadiiSet::user && !options.user_radii) {
+    throw std::invalid_argument("no table of radii is loaded; open one or choose a radii set");
+  }
+  if (options.radii != RadiiSet::automatic) return options.radii;
+  if (molecule.has_file_radii) return RadiiSet::file;
+  return suits_protor(molecule, range) ? RadiiSet::protor : RadiiSet::bondi;
 }
 
 std::size_t count_coincident(const std::vector<LatticePoint>& points) {
@@ -169,12 +192,16 @@ PreparedBalls prepare_balls(const Molecule& molecule, const BallOptions& options
   PreparedBalls result;
   SelectionReport& report = result.report;
   report.total = range.end - range.begin;
-  report.radii = resolve(options.radii, molecule);
+  report.radii = resolve(options, molecule, range);
   report.radii_name = radii_set_info(report.radii).name;
   report.radii_citation = radii_set_info(report.radii).citation;
+  if (report.radii == RadiiSet::user) report.radii_citation = options.user_radii->source;
+  const bool drop_hydrogens =
+      options.hydrogens == HydrogenRule::drop ||
+      (options.hydrogens == HydrogenRule::automatic && radii_set_info(report.radii).united_atom);
 
-  const AtomFilter filter(molecule, options, range);
-  RadiusSource radii(molecule, report.radii, report);
+  const AtomFilter filter(molecule, options, range, drop_hydrogens);
+  RadiusSource radii(molecule, options, report);
   auto balls = std::make_shared<BallSet>();
   balls->lattice = molecule.lattice;
   for (std::size_t i = range.begin; i < range.end; ++i) {

@@ -17,12 +17,14 @@ enum class AltlocRule : std::uint8_t {
   best,  // per residue: highest occupancy, then lowest B factor, then first letter
   all,
 };
-enum class HydrogenRule : std::uint8_t { automatic, keep, drop };  // automatic keeps them for now
+// automatic drops them when the radii set is a united-atom one, which counts them already.
+enum class HydrogenRule : std::uint8_t { automatic, keep, drop };
 
 inline constexpr int kAllModels = -1;
 
 struct BallOptions {
   RadiiSet radii = RadiiSet::automatic;
+  std::shared_ptr<const UserRadii> user_radii;  // for RadiiSet::user
   int model = 0;  // index into Molecule::models, or kAllModels (then all of them at once)
   AltlocRule altlocs = AltlocRule::best;
   HydrogenRule hydrogens = HydrogenRule::automatic;
@@ -76,8 +78,8 @@ struct PreparedBalls {
 };
 
 // Balls come in the order of their atoms. Throws std::invalid_argument for a model that is not
-// there, for radii from a file without any, and for more atoms than an index can count. No atom
-// left is no error: the set is empty and the report says why.
+// there, for radii from a file without any, for RadiiSet::user without a table, and for more atoms
+// than an index can count. No atom left is no error: the set is empty and the report says why.
 PreparedBalls prepare_balls(const Molecule& molecule, const BallOptions& options = {});
 
 // "used 2,104 of 2,431 atoms; dropped 201 waters, 88 alternative locations; radii Bondi; 2 guessed"

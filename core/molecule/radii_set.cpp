@@ -1,6 +1,11 @@
 #include "core/molecule/radii_set.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+
+#include "core/molecule/amber_radii.hpp"
+#include "core/molecule/atom_type.hpp"
 
 namespace alphascope {
 namespace {
@@ -43,31 +48,218 @@ constexpr Entry kAlvarezEntries[] = {
     {95, 2830}, {96, 3050}, {97, 3400}, {98, 3050}, {99, 2700}};
 constexpr ElementTable kAlvarez = make_table(kAlvarezEntries);
 
-constexpr RadiiSetInfo kAutomaticInfo{"auto", "automatic", ""};
-constexpr RadiiSetInfo kFileInfo{"file", "from the file", "the radii written in the file itself"};
-constexpr RadiiSetInfo kBondiInfo{
-    "bondi", "Bondi",
-    "A. Bondi, van der Waals volumes and radii, J. Phys. Chem. 68 (1964) 441-451"};
+// RasMol's table has units of 1/250 Å: 387, 350, 337, 452.
+constexpr Entry kRasmolEntries[] = {{1, 1100}, {6, 1548},  {7, 1400},
+                                    {8, 1348}, {15, 1880}, {16, 1808}};
+constexpr ElementTable kRasmol = make_table(kRasmolEntries);
+
+constexpr RadiiSetInfo kSets[] = {
+    {RadiiSet::automatic, "auto", "automatic", "", false},
+    {RadiiSet::file, "file", "from the file", "the radii written in the file itself", false},
+    {RadiiSet::bondi, "bondi", "Bondi",
+     "A. Bondi, van der Waals volumes and radii, J. Phys. Chem. 68 (1964) 441-451", false},
+    {RadiiSet::protor, "protor", "ProtOr",
+     "J. Tsai, R. Taylor, C. Chothia, M. Gerstein, The packing density in proteins, J. Mol. Biol. "
+     "290 (1999) 253-266; nucleic acids as in FreeSASA",
+     true},
+    {RadiiSet::alvarez, "alvarez", "Alvarez",
+     "S. Alvarez, A cartography of the van der Waals territories, Dalton Trans. 42 (2013) "
+     "8617-8636",
+     false},
+    {RadiiSet::amber, "amber", "AMBER",
+     "W. D. Cornell et al., J. Am. Chem. Soc. 117 (1995) 5179-5197, and parm99; R* to 0.001 Å; "
+     "hydroxyl hydrogens, 0 in AMBER, as 0.6 Å",
+     false},
+    {RadiiSet::naccess, "naccess", "NACCESS",
+     "C. Chothia, The nature of the accessible and buried surfaces in proteins, J. Mol. Biol. 105 "
+     "(1976) 1-12, as used by NACCESS (S. Hubbard, J. Thornton, 1993)",
+     true},
+    {RadiiSet::rasmol, "rasmol", "RasMol",
+     "R. Sayle, E. J. Milner-White, RasMol, Trends Biochem. Sci. 20 (1995) 374-376", false},
+    {RadiiSet::user, "user", "user table", "a table of the user", false},
+};
+
+// 10^-3 Å; 0 for a type that the set does not have.
+int protor(AtomType type) {
+  switch (type) {
+    case AtomType::aliphatic_carbon:
+    case AtomType::nucleic_sugar_carbon:
+    case AtomType::nucleic_methyl_carbon:
+      return 1880;
+    case AtomType::trigonal_carbon:
+    case AtomType::nucleic_base_carbon:
+      return 1610;
+    case AtomType::aromatic_ch_carbon:
+    case AtomType::nucleic_base_ch_carbon:
+      return 1760;
+    case AtomType::amide_nitrogen:
+    case AtomType::amine_nitrogen:
+    case AtomType::nucleic_nitrogen:
+      return 1640;
+    case AtomType::carbonyl_oxygen:
+      return 1420;
+    case AtomType::hydroxyl_oxygen:
+      return 1460;
+    case AtomType::sulphur:
+      return 1770;
+    case AtomType::selenium:
+      return 1900;
+    case AtomType::phosphorus:
+      return 1800;
+    case AtomType::none:
+      break;
+  }
+  return 0;
+}
+
+int naccess(AtomType type) {
+  switch (type) {
+    case AtomType::aliphatic_carbon:
+      return 1870;
+    case AtomType::trigonal_carbon:
+    case AtomType::aromatic_ch_carbon:
+      return 1760;
+    case AtomType::nucleic_sugar_carbon:
+    case AtomType::nucleic_base_carbon:
+    case AtomType::nucleic_base_ch_carbon:
+    case AtomType::nucleic_methyl_carbon:
+      return 1800;
+    case AtomType::amide_nitrogen:
+      return 1650;
+    case AtomType::amine_nitrogen:
+      return 1500;
+    case AtomType::nucleic_nitrogen:
+      return 1600;
+    case AtomType::carbonyl_oxygen:
+    case AtomType::hydroxyl_oxygen:
+      return 1400;
+    case AtomType::sulphur:
+      return 1850;
+    case AtomType::selenium:
+      return 1800;
+    case AtomType::phosphorus:
+      return 1900;
+    case AtomType::none:
+      break;
+  }
+  return 0;
+}
+
+// The set's own middle value for an element of an atom that it does not type (ligands).
+int typical(RadiiSet set, Element element) {
+  const bool naccess_set = set == RadiiSet::naccess;
+  switch (element) {
+    case 6:
+      return naccess_set ? naccess(AtomType::trigonal_carbon)
+                         : protor(AtomType::aromatic_ch_carbon);
+    case 7:
+      return naccess_set ? naccess(AtomType::amide_nitrogen) : protor(AtomType::amide_nitrogen);
+    case 8:
+      return naccess_set ? naccess(AtomType::hydroxyl_oxygen) : protor(AtomType::hydroxyl_oxygen);
+    case 15:
+      return naccess_set ? naccess(AtomType::phosphorus) : protor(AtomType::phosphorus);
+    case 16:
+      return naccess_set ? naccess(AtomType::sulphur) : protor(AtomType::sulphur);
+    case 34:
+      return naccess_set ? naccess(AtomType::selenium) : protor(AtomType::selenium);
+    default:
+      return 0;
+  }
+}
+
+AssignedRadius milli(int milliangstrom, bool guessed) {
+  return {milliangstrom * 1000, guessed};
+}
+
+// For an element that the set does not have: Bondi, then Alvarez, then the default.
+AssignedRadius guess(Element element) {
+  if (element != kUnknownElement && element <= kHeaviestElement) {
+    if (kBondi[element] > 0) return milli(kBondi[element], true);
+    if (kAlvarez[element] > 0) return milli(kAlvarez[element], true);
+  }
+  return milli(static_cast<int>(std::lround(kUnknownRadiusAngstrom * 1000)), true);
+}
+
+AssignedRadius by_element(const ElementTable& table, Element element) {
+  if (element <= kHeaviestElement && table[element] > 0) return milli(table[element], false);
+  return guess(element);
+}
+
+AssignedRadius by_type(RadiiSet set, AtomType type, Element element) {
+  const int typed = set == RadiiSet::naccess ? naccess(type) : protor(type);
+  if (typed > 0) return milli(typed, false);
+  const int middle = typical(set, element);
+  return middle > 0 ? milli(middle, true) : guess(element);
+}
+
+AssignedRadius by_user(const UserRadii& table, std::string_view residue, std::string_view atom,
+                       Element element) {
+  for (const std::string_view where : {residue, std::string_view("*")}) {
+    const auto found = table.by_atom.find(std::string(where) + ' ' + std::string(atom));
+    if (found != table.by_atom.end()) return {found->second, false};
+  }
+  const auto found = table.by_element.find(element);
+  return found != table.by_element.end() ? AssignedRadius{found->second, false} : guess(element);
+}
 
 }  // namespace
 
-const RadiiSetInfo& radii_set_info(RadiiSet set) {
-  switch (set) {
-    case RadiiSet::automatic:
-      return kAutomaticInfo;
-    case RadiiSet::file:
-      return kFileInfo;
-    case RadiiSet::bondi:
-      break;
-  }
-  return kBondiInfo;
+std::span<const RadiiSetInfo> all_radii_sets() {
+  return kSets;
 }
 
-AssignedRadius element_radius(RadiiSet, Element element) {
-  if (element == kUnknownElement || element > kHeaviestElement) return {};
-  if (kBondi[element] > 0) return {kBondi[element], false};
-  if (kAlvarez[element] > 0) return {kAlvarez[element], true};
-  return {};
+const RadiiSetInfo& radii_set_info(RadiiSet set) {
+  return kSets[static_cast<std::size_t>(set)];
+}
+
+bool find_radii_set(std::string_view id, RadiiSet& set) {
+  const auto same = [&](const RadiiSetInfo& info) {
+    return std::equal(info.id.begin(), info.id.end(), id.begin(), id.end(), [](char a, char b) {
+      return a == (b >= 'A' && b <= 'Z' ? static_cast<char>(b + 32) : b);
+    });
+  };
+  const auto* found = std::find_if(std::begin(kSets), std::end(kSets), same);
+  if (found == std::end(kSets)) return false;
+  set = found->set;
+  return true;
+}
+
+RadiiLookup::RadiiLookup(const Molecule& molecule, RadiiSet set,
+                         std::shared_ptr<const UserRadii> user)
+    : molecule_(molecule), set_(set), user_(std::move(user)) {}
+
+AssignedRadius RadiiLookup::radius(const Atom& atom) {
+  // Kind and element vary little for one pair of names, but they may: a ligand called ALA.
+  const std::uint64_t key = (std::uint64_t{atom.residue_name} << 40) ^
+                            (std::uint64_t{atom.name} << 12) ^ (std::uint64_t{atom.element} << 4) ^
+                            static_cast<std::uint64_t>(atom.kind);
+  const auto [entry, inserted] = known_.try_emplace(key);
+  if (inserted) entry->second = find(atom);
+  return entry->second;
+}
+
+AssignedRadius RadiiLookup::find(const Atom& atom) const {
+  const std::string_view residue = molecule_.text(atom.residue_name);
+  const std::string_view name = molecule_.text(atom.name);
+  switch (set_) {
+    case RadiiSet::alvarez:
+      return by_element(kAlvarez, atom.element);
+    case RadiiSet::rasmol:
+      return by_element(kRasmol, atom.element);
+    case RadiiSet::user:
+      return by_user(*user_, residue, name, atom.element);
+    case RadiiSet::protor:
+    case RadiiSet::naccess: {
+      const bool typed = atom.element != kHydrogen && atom.kind != AtomKind::ligand;
+      return by_type(set_, typed ? atom_type(residue, name) : AtomType::none, atom.element);
+    }
+    case RadiiSet::amber: {
+      const int radius = amber_radius_milliangstrom(residue, name, atom.element);
+      return radius > 0 ? milli(radius, false) : guess(atom.element);
+    }
+    default:
+      return by_element(kBondi, atom.element);
+  }
 }
 
 }  // namespace alphascope

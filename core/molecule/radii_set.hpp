@@ -1,33 +1,74 @@
-// Sets of van der Waals radii (Å) by element, each with its source.
+// Sets of van der Waals radii, each with its source, and finding an atom's radius in one.
 #pragma once
 
 #include <cstdint>
+#include <map>
+#include <memory>
+#include <span>
+#include <string>
 #include <string_view>
+#include <unordered_map>
 
-#include "core/molecule/element.hpp"
+#include "core/molecule/molecule.hpp"
 
 namespace alphascope {
 
-// automatic = the file's own radii when it has any, else Bondi.
-enum class RadiiSet : std::uint8_t { automatic, file, bondi };
+// automatic = the file's own radii when it has any; else ProtOr when there is polymer without
+// hydrogens that ProtOr knows; else Bondi.
+enum class RadiiSet : std::uint8_t {
+  automatic,
+  file,
+  bondi,
+  protor,
+  alvarez,
+  amber,
+  naccess,
+  rasmol,
+  user
+};
 
 struct RadiiSetInfo {
+  RadiiSet set;
   std::string_view id;    // "bondi": for the command line and for session files
   std::string_view name;  // "Bondi"
   std::string_view citation;
+  bool united_atom;  // heavy atoms contain their hydrogens
 };
 
 const RadiiSetInfo& radii_set_info(RadiiSet set);
+std::span<const RadiiSetInfo> all_radii_sets();
+// By id, in any case. False when there is none of that name.
+bool find_radii_set(std::string_view id, RadiiSet& set);
 
-// What an atom of unknown element gets.
-inline constexpr int kUnknownRadiusMilliangstrom = 1800;
-
-struct AssignedRadius {
-  int milliangstrom = kUnknownRadiusMilliangstrom;
-  bool guessed = true;  // the set has no value: another set's value for the element, or a default
+// Radii of a table written by the user (core/io/user_radii.hpp), in 10^-6 Å.
+struct UserRadii {
+  std::string source;                           // file name, for the report
+  std::map<std::string, std::int32_t> by_atom;  // "ALA CB"; "* CB" for any residue
+  std::map<Element, std::int32_t> by_element;
 };
 
-// Radius of an element in a table by element (not for automatic and file).
-AssignedRadius element_radius(RadiiSet set, Element element);
+struct AssignedRadius {
+  std::int32_t microangstrom = 0;  // > 0
+  bool guessed = false;  // the set has no value: the element's from elsewhere, or a default
+};
+
+// What an atom of unknown element gets.
+inline constexpr double kUnknownRadiusAngstrom = 1.8;
+
+// Looks radii up, remembering the answer for each pair of residue and atom name.
+class RadiiLookup {
+ public:
+  // user is needed for RadiiSet::user only. set is neither automatic nor file.
+  RadiiLookup(const Molecule& molecule, RadiiSet set, std::shared_ptr<const UserRadii> user);
+  AssignedRadius radius(const Atom& atom);
+
+ private:
+  AssignedRadius find(const Atom& atom) const;
+
+  const Molecule& molecule_;
+  RadiiSet set_;
+  std::shared_ptr<const UserRadii> user_;
+  std::unordered_map<std::uint64_t, AssignedRadius> known_;
+};
 
 }  // namespace alphascope

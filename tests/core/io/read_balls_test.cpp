@@ -36,6 +36,7 @@ TEST(ReadBallTable, KnowsBothCrdDialectsAndLabels) {
   const Molecule bare = read_text("b.crd", " 1 2 3 1.4\n");
   EXPECT_EQ(bare.atoms.size(), 1u);
   const Molecule labelled = read_text("c.xyzr", "A 12 CA 1 2 3 1.4\nB 13 ZN 1 2 4 1.4");
+  EXPECT_EQ(read_text("d.xyzr", "c0 1 1 2 3 1.4\nc1 2 -1 2 3 1.5\n").atoms[1].position.x, -1000);
   ASSERT_EQ(labelled.atoms.size(), 2u);
   EXPECT_EQ(labelled.text(labelled.atoms[1].chain), "B");
   EXPECT_EQ(labelled.atoms[1].residue_number, 13);

@@ -42,9 +42,9 @@ TEST(ReadPdb, DefaultSelectionIsCountedInFull) {
   const Molecule m = read_text("a.pdb", kSmall);
   const PreparedBalls prepared = prepare_balls(m);
   EXPECT_EQ(prepared.atom_of_ball, (std::vector<std::uint32_t>{0, 2, 3, 4, 5}));
-  EXPECT_EQ(prepared.balls->radii, (std::vector<std::int32_t>{1550, 1700, 1700, 1390, 1700}));
+  EXPECT_EQ(prepared.balls->radii, (std::vector<std::int32_t>{1640, 1880, 1760, 1390, 1760}));
   EXPECT_EQ(summary(prepared.report),
-            "used 5 of 7 atoms; dropped 1 water, 1 alternative location; radii Bondi");
+            "used 5 of 7 atoms; dropped 1 water, 1 alternative location; radii ProtOr; 3 guessed");
   BallOptions options;
   options.ions = options.ligands = false;
   options.waters = true;
@@ -63,8 +63,11 @@ TEST(ReadPdb, RefusesBrokenColumnsWithTheLine) {
       refusal("a.pdb", good + "ATOM      2  CA  MET A   1      27.340  24.x30   2.614\n");
   EXPECT_EQ(bad.line(), 2u);
   EXPECT_EQ(bad.reason(), "expected y in columns 39-46, found \"  24.x30\"");
-  const ReadError cut = refusal("a.pdb", good + "ATOM      2  CA  MET A   1      27.340");
+  const ReadError cut = refusal("a.pdb", good + "ATOM      2  CA  MET A   1      27.340\n");
   EXPECT_EQ(cut.reason(), "y is missing: columns 39-46 are empty");
+  const ReadError end = refusal("a.pdb", good + good.substr(0, 52));
+  EXPECT_EQ(end.reason(), "the file ends within this atom") << "z would lose digits";
+  EXPECT_EQ(end.line(), 2u);
   EXPECT_EQ(
       refusal("a.pdb", good + "ATOM      2  CA  MET A   1         nan  24.430   2.614\n").line(),
       2u);
@@ -89,10 +92,10 @@ TEST(ReadPdb, FiveDigitResidueNumbersPushTheColumns) {
 
 TEST(ReadPdb, HybridThirtySix) {
   const std::string rest = "      27.340  24.430   2.614\n";
-  const Molecule m = read_text("a.pdb", "ATOM  99999  N   MET A9999 " + rest.substr(3) +
-                                            "ATOM  A0000  N   MET AA000 " + rest.substr(3) +
-                                            "ATOM  a0000  N   MET Aa000 " + rest.substr(3) +
-                                            "ATOM  *****  N   MET A  -1 " + rest.substr(3));
+  const Molecule m = read_text("a.pdb", "ATOM  99999  N   MET A9999 " + rest.substr(1) +
+                                            "ATOM  A0000  N   MET AA000 " + rest.substr(1) +
+                                            "ATOM  a0000  N   MET Aa000 " + rest.substr(1) +
+                                            "ATOM  *****  N   MET A  -1 " + rest.substr(1));
   EXPECT_EQ(m.atoms[0].serial, 99999);
   EXPECT_EQ(m.atoms[1].serial, 100000);
   EXPECT_EQ(m.atoms[1].residue_number, 10000);

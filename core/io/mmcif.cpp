@@ -1,0 +1,347 @@
+// mmCIF: the atom_site table and the title, through gemmi's CIF grammar with our own actions, so
+// that numbers stay text until they are on the lattice and every value knows its line.
+#include <charconv>
+#include <gemmi/cif.hpp>
+#include <optional>
+#include <set>
+
+#include "core/io/atom_names.hpp"
+#include "core/io/line_reader.hpp"
+#include "core/io/molecule_builder.hpp"
+#include "core/io/readers.hpp"
+
+namespace alphascope {
+namespace {
+
+namespace rules = gemmi::cif::rules;
+namespace pegtl = tao::pegtl;
+
+constexpr std::size_t kProgressRows = 16384;
+
+// The columns that we use; in the order of kColumnTags.
+enum Column : std::size_t {
+  kGroup,
+  kId,
+  kSymbol,
+  kLabelAtom,
+  kAuthAtom,
+  kAltloc,
+  kLabelComp,
+  kAuthComp,
+  kLabelAsym,
+  kAuthAsym,
+  kLabelSeq,
+  kAuthSeq,
+  kInsertionCode,
+  kX,
+  kY,
+  kZ,
+  kOccupancy,
+  kBFactor,
+  kModel,
+  kColumnCount
+};
+constexpr std::array<std::string_view, kColumnCount> kColumnTags = {
+    "group_pdb",         "id",           "type_symbol",
+    "label_atom_id",     "auth_atom_id", "label_alt_id",
+    "label_comp_id",     "auth_comp_id", "label_asym_id",
+    "auth_asym_id",      "label_seq_id", "auth_seq_id",
+    "pdbx_pdb_ins_code", "cartn_x",      "cartn_y",
+    "cartn_z",           "occupancy",    "b_iso_or_equiv",
+    "pdbx_pdb_model_num"};
+
+std::string lower(std::string_view text) {
+  std::string result(text);
+  for (char& c : result) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
+  return result;
+}
+
+// The text of a value without its quotes; empty for the unknown "?" and the inapplicable ".".
+std::string_view plain(std::string_view raw) {
+  if (raw.size() == 1 && (raw[0] == '?' || raw[0] == '.')) return {};
+  if (raw.size() >= 2 && (raw[0] == '"' || raw[0] == '\'')) return raw.substr(1, raw.size() - 2);
+  if (raw.size() >= 2 && raw[0] == ';') {
+    raw = raw.substr(1, raw.size() - 2);
+    while (!raw.empty() && (raw.back() == '\n' || is_blank(raw.back()))) raw.remove_suffix(1);
+  }
+  return raw;
+}
+
+struct CifValue {
+  std::string_view raw;
+  std::size_t line = 0;
+};
+
+// Receives what the grammar meets, in file order.
+class MmcifReader {
+ public:
+  explicit MmcifReader(const ReaderInput& input) : input_(input), builder_(input.source, "mmCIF") {}
+
+  void begin_block() { ++block_; }
+  void begin_loop() {
+    tags_.clear();
+    row_.clear();
+    kind_ = Table::undecided;
+  }
+  void loop_tag(std::string_view tag) { tags_.emplace_back(lower(tag)); }
+
+  void loop_value(std::string_view raw, std::size_t line) {
+    if (kind_ == Table::undecided) kind_ = recognise();
+    if (kind_ == Table::other) return;
+    row_.push_back({raw, line});
+    if (row_.size() < tags_.size()) return;
+    take_row();
+    row_.clear();
+  }
+
+  void end_loop(std::size_t line) {
+    if (kind_ == Table::atoms && !row_.empty()) {
+      fail(row_.front().line,
+           "this row of the atom_site table has " + std::to_string(row_.size()) + " of its " +
+               std::to_string(tags_.size()) + " values",
+           "The file is truncated or damaged; fetch it again");
+    }
+    static_cast<void>(line);
+  }
+
+  void item_tag(std::string_view tag) { item_ = lower(tag); }
+
+  void item_value(std::string_view raw, std::size_t line) {
+    if (item_ == "_struct.title" && builder_.molecule().title.empty()) {
+      builder_.molecule().title = std::string(trimmed(plain(raw)));
+    } else if (item_.starts_with("_atom_site.")) {
+      single_tags_.push_back(item_);
+      single_row_.push_back({raw, line});
+    }
+    fractional_ |= item_.starts_with("_atom_site_fract") || item_ == "_cell_length_a";
+  }
+
+  Molecule finish() {
+    if (!single_row_.empty() && builder_.size() == 0) {  // one atom, written without a loop
+      tags_ = single_tags_;
+      row_ = single_row_;
+      kind_ = recognise();
+      take_row();
+    }
+    if (builder_.size() == 0) refuse_without_atoms();
+    if (ignored_blocks_ > 0) {
+      builder_.molecule().notes.push_back(
+          "Only the first data block with atoms is read; further blocks with atoms are ignored");
+    }
+    return builder_.finish();
+  }
+
+ private:
+  enum class Table : std::uint8_t { undecided, atoms, other };
+
+  Table recognise() {
+    for (const std::string& tag : tags_) fractional_ |= tag == "_atom_site_fract_x";
+    if (!tags_.front().starts_with("_atom_site.")) return Table::other;
+    if (builder_.size() > 0 && block_ != atoms_block_) {
+      ++ignored_blocks_;
+      return Table::other;
+    }
+    atoms_block_ = block_;
+    where_.fill(std::nullopt);
+    for (std::size_t k = 0; k < tags_.size(); ++k) {
+      const std::string_view name = std::string_view(tags_[k]).substr(11);
+      for (std::size_t c = 0; c < kColumnCount; ++c) {
+        if (kColumnTags[c] == name) where_[c] = k;
+      }
+    }
+    for (const Column c : {kX, kY, kZ}) {
+      if (!where_[c]) {
+        fail(0, "the atom_site table has no column Cartn_" + std::string(1, "xyz"[c - kX]),
+             "Only files with Cartesian coordinates can be read");
+      }
+    }
+    return Table::atoms;
+  }
+
+  std::string_view value(Column column) const {
+    return where_[column] ? plain(row_[*where_[column]].raw) : std::string_view();
+  }
+  std::string_view value(Column first, Column second) const {
+    const std::string_view text = value(first);
+    return text.empty() ? value(second) : text;
+  }
+
+  void take_row() {
+    if (++rows_ % kProgressRows == 0) {
+      input_.context.cancel.throw_if_cancelled();
+      const double done = static_cast<double>(row_[0].raw.data() - input_.text.data());
+      input_.context.report("reading", done / static_cast<double>(input_.text.size()));
+    }
+    NameTable& names = builder_.molecule().names;
+    begin_model_if_new();
+    Atom atom;
+    const std::array<Decimal, 3> position = {coordinate(kX), coordinate(kY), coordinate(kZ)};
+    atom.source_line = static_cast<std::uint32_t>(row_[0].line);
+    atom.hetero = value(kGroup) == "HETATM";
+    atom.serial = integer(kId, 0);
+    atom.name = names.intern(value(kAuthAtom, kLabelAtom));
+    atom.residue_name = names.intern(value(kAuthComp, kLabelComp));
+    atom.chain = names.intern(value(kAuthAsym, kLabelAsym));
+    atom.label_chain = names.intern(value(kLabelAsym, kAuthAsym));
+    const std::string_view altloc = value(kAltloc), insertion_code = value(kInsertionCode);
+    if (!altloc.empty()) atom.altloc = altloc[0];
+    if (!insertion_code.empty()) atom.insertion_code = insertion_code[0];
+    atom.residue_number = integer(kAuthSeq, integer(kLabelSeq, 0));
+    atom.occupancy = real(kOccupancy, 1);
+    atom.b_factor = real(kBFactor, 0);
+    const ResidueFamily family = families_.of(atom.residue_name, names);
+    atom.kind = atom_kind(family, atom.hetero && value(kLabelSeq).empty());
+    atom.element = element_from_symbol(value(kSymbol));
+    if (atom.element == kUnknownElement && value(kSymbol).empty()) {
+      atom.element =
+          element_from_atom_name(names.text(atom.name), family == ResidueFamily::biopolymer);
+    }
+    builder_.add(atom, position);
+  }
+
+  void begin_model_if_new() {
+    const std::int32_t number = integer(kModel, 1);
+    if (!models_.empty() && number == model_) return;
+    if (!models_.insert(number).second) {
+      fail(row_[0].line, "the atoms of model " + std::to_string(number) + " are not together",
+           "Sort the atom_site table by pdbx_PDB_model_num");
+    }
+    model_ = number;
+    builder_.begin_model(number);
+  }
+
+  Decimal coordinate(Column column) const {
+    const CifValue& source = row_[*where_[column]];
+    std::string_view text = plain(source.raw);
+    const std::string name = std::string("Cartn_") + "xyz"[column - kX];
+    if (text.empty()) {
+      fail(source.line, name + " has no value (" + shortened(source.raw) + ")",
+           "Every atom needs three coordinates; remove this atom or complete it");
+    }
+    text = text.substr(0, text.find('('));  // a standard uncertainty, as in 12.345(6)
+    Decimal result;
+    const DecimalStatus status = parse_decimal(text, result);
+    if (status == DecimalStatus::ok) return result;
+    fail(source.line, "expected a number for " + name + ", found \"" + shortened(text) + "\"",
+         status == DecimalStatus::not_finite
+             ? "Coordinates must be finite; remove this atom or compute it again"
+             : "The file is damaged, or a value before this one is missing");
+  }
+
+  std::int32_t integer(Column column, std::int32_t fallback) const {
+    const std::string_view text = value(column);
+    std::int32_t number = fallback;
+    std::from_chars(text.data(), text.data() + text.size(), number);
+    return number;
+  }
+
+  float real(Column column, float fallback) const {
+    std::string_view text = value(column);
+    Decimal number;
+    text = text.substr(0, text.find('('));
+    return parse_decimal(text, number) == DecimalStatus::ok ? static_cast<float>(number.to_double())
+                                                            : fallback;
+  }
+
+  [[noreturn]] void refuse_without_atoms() const {
+    if (fractional_) {
+      fail(0, "this is a small-molecule CIF with fractional coordinates, not mmCIF",
+           "Convert it to PDB, mmCIF or XYZ with Cartesian coordinates first");
+    }
+    fail(0, "the CIF file holds no atoms: there is no atom_site table",
+         "Check that it is the coordinate file and not, for example, structure factors");
+  }
+
+  [[noreturn]] void fail(std::size_t line, std::string reason, std::string remedy) const {
+    throw ReadError(input_.source, line, std::move(reason), std::move(remedy));
+  }
+
+  const ReaderInput& input_;
+  MoleculeBuilder builder_;
+  ResidueFamilies families_;
+  std::vector<std::string> tags_, single_tags_;
+  std::vector<CifValue> row_, single_row_;
+  std::array<std::optional<std::size_t>, kColumnCount> where_{};
+  std::string item_;
+  std::set<std::int32_t> models_;
+  std::int32_t model_ = 0;
+  std::size_t rows_ = 0, ignored_blocks_ = 0;
+  int block_ = 0, atoms_block_ = 0;
+  Table kind_ = Table::undecided;
+  bool fractional_ = false;
+};
+
+template <typename Input>
+std::string_view matched(const Input& in) {
+  return {in.begin(), in.size()};
+}
+
+template <typename Rule>
+struct MmcifAction : pegtl::nothing<Rule> {};
+
+template <>
+struct MmcifAction<rules::datablockname> {
+  template <typename Input>
+  static void apply(const Input&, MmcifReader& reader) {
+    reader.begin_block();
+  }
+};
+template <>
+struct MmcifAction<rules::str_loop> {
+  template <typename Input>
+  static void apply(const Input&, MmcifReader& reader) {
+    reader.begin_loop();
+  }
+};
+template <>
+struct MmcifAction<rules::loop_tag> {
+  template <typename Input>
+  static void apply(const Input& in, MmcifReader& reader) {
+    reader.loop_tag(matched(in));
+  }
+};
+template <>
+struct MmcifAction<rules::loop_value> {
+  template <typename Input>
+  static void apply(const Input& in, MmcifReader& reader) {
+    reader.loop_value(matched(in), in.iterator().line);
+  }
+};
+template <>
+struct MmcifAction<rules::loop> {
+  template <typename Input>
+  static void apply(const Input& in, MmcifReader& reader) {
+    reader.end_loop(in.iterator().line);
+  }
+};
+template <>
+struct MmcifAction<rules::item_tag> {
+  template <typename Input>
+  static void apply(const Input& in, MmcifReader& reader) {
+    reader.item_tag(matched(in));
+  }
+};
+template <>
+struct MmcifAction<rules::item_value> {
+  template <typename Input>
+  static void apply(const Input& in, MmcifReader& reader) {
+    reader.item_value(matched(in), in.iterator().line);
+  }
+};
+
+}  // namespace
+
+Molecule read_mmcif(const ReaderInput& input) {
+  MmcifReader reader(input);
+  pegtl::memory_input<> in(input.text.data(), input.text.size(), "");
+  try {
+    pegtl::parse<rules::file, MmcifAction, gemmi::cif::Errors>(in, reader);
+  } catch (const pegtl::parse_error& error) {
+    throw ReadError(input.source, error.positions().front().line,
+                    "this is not correct CIF: " + std::string(error.message()),
+                    "The file is truncated or damaged; fetch it again");
+  }
+  return reader.finish();
+}
+
+}  // namespace alphascope

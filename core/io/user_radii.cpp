@@ -1,0 +1,92 @@
+#include "core/io/user_radii.hpp"
+
+#include "core/io/atom_names.hpp"
+#include "core/io/decimal.hpp"
+#include "core/io/line_reader.hpp"
+#include "core/io/text_file.hpp"
+
+namespace alphascope {
+namespace {
+
+constexpr std::uint64_t kMaxBytes = 16 << 20;
+constexpr std::int64_t kLargestRadius = 100'000'000;  // 10^-6 Å
+
+class UserRadiiReader {
+ public:
+  UserRadiiReader(const std::filesystem::path& path, std::string_view text)
+      : path_(path), lines_(text) {}
+
+  UserRadii read() {
+    std::string_view line;
+    while (lines_.next(line)) {
+      line = trimmed(line.substr(0, line.find('#')));
+      if (!line.empty()) take(line);
+    }
+    if (radii_.by_atom.empty() && radii_.by_element.empty()) {
+      throw ReadError(path_, 0, "the table holds no radii",
+                      "Write lines such as \"C 1.70\" or \"ALA CB 1.88\"");
+    }
+    radii_.source = path_.filename().string();
+    return std::move(radii_);
+  }
+
+ private:
+  void take(std::string_view line) {
+    const std::string_view whole = line;
+    std::string_view fields[4];
+    for (std::string_view& field : fields) field = next_field(line);
+    if (fields[1].empty() || !fields[3].empty()) {
+      fail("expected \"element radius\" or \"residue atom radius\", found \"" + shortened(whole) +
+           "\"");
+    }
+    const bool by_element = fields[2].empty();
+    const std::int32_t radius = parse_radius(by_element ? fields[1] : fields[2]);
+    bool added;
+    if (by_element) {
+      const Element element = element_from_symbol(fields[0]);
+      if (element == kUnknownElement && fields[0] != "X") {
+        fail("\"" + shortened(fields[0]) + "\" is no element");
+      }
+      added = radii_.by_element.emplace(element, radius).second;
+    } else {
+      const std::string_view residue = fields[0] == "ANY" ? "*" : fields[0];
+      added = radii_.by_atom.emplace(std::string(residue) + ' ' + std::string(fields[1]), radius)
+                  .second;
+    }
+    if (!added) fail("this entry was given before");
+  }
+
+  std::int32_t parse_radius(std::string_view text) const {
+    Decimal value;
+    double rounding;
+    if (parse_decimal(text, value) != DecimalStatus::ok) {
+      fail("expected a radius, found \"" + shortened(text) + "\"");
+    }
+    const std::int64_t units = to_units(value, 6, rounding);
+    if (units <= 0 || units > kLargestRadius) {
+      fail("the radius " + shortened(text) + " Å is not above 0 and at most 100");
+    }
+    return static_cast<std::int32_t>(units);
+  }
+
+  [[noreturn]] void fail(std::string reason) const {
+    throw ReadError(
+        path_, lines_.number(), std::move(reason),
+        "Lines are \"C 1.70\" for an element, \"ALA CB 1.88\" for an atom of a residue, "
+        "\"* CB 1.88\" for an atom of any residue");
+  }
+
+  const std::filesystem::path& path_;
+  LineReader lines_;
+  UserRadii radii_;
+};
+
+}  // namespace
+
+std::shared_ptr<const UserRadii> read_user_radii(const std::filesystem::path& path,
+                                                 const RunContext& context) {
+  const LoadedText loaded = load_text(path, kMaxBytes, context);
+  return std::make_shared<const UserRadii>(UserRadiiReader(path, loaded.text).read());
+}
+
+}  // namespace alphascope

@@ -1,0 +1,22 @@
+// Tables of radii that users write themselves.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+
+#include "core/io/read_error.hpp"
+#include "core/molecule/radii_set.hpp"
+#include "core/run/cancel_token.hpp"
+
+namespace alphascope {
+
+// One radius (Å, to 10^-6) per line, the first fitting rule of this order counts:
+//   ALA CB 1.88    atom CB of residue ALA
+//   *   CB 1.88    atom CB of any other residue
+//   C      1.70    the element
+// Text after # and blank lines are skipped. Throws ReadError for anything else, for a radius that
+// is not above 0 and at most 100 Å, and for an entry that is given twice.
+std::shared_ptr<const UserRadii> read_user_radii(const std::filesystem::path& path,
+                                                 const RunContext& context = {});
+
+}  // namespace alphascope

@@ -1,0 +1,206 @@
+#include "tests/support/random_balls.hpp"
+
+#include <algorithm>
+#include <functional>
+
+namespace alphascope::testing {
+namespace {
+
+using AddPoint = std::function<void(int, int, int)>;
+
+BallSet empty_set() {
+  BallSet balls;
+  balls.lattice.digits = 0;
+  return balls;
+}
+
+// Every permutation of (a, b, c) with every choice of signs: points of one sphere.
+void add_orbit(BallSet& balls, int a, int b, int c, int radius) {
+  int v[3] = {a, b, c};
+  std::sort(v, v + 3);
+  do {
+    for (int signs = 0; signs < 8; ++signs) {
+      const int x = signs & 1 ? -v[0] : v[0], y = signs & 2 ? -v[1] : v[1],
+                z = signs & 4 ? -v[2] : v[2];
+      // -0 is 0: skip the repetition.
+      if ((signs & 1 && v[0] == 0) || (signs & 2 && v[1] == 0) || (signs & 4 && v[2] == 0))
+        continue;
+      add_ball(balls, x, y, z, radius);
+    }
+  } while (std::next_permutation(v, v + 3));
+}
+
+BallSet lattice_balls(int n, int step, int kind, const std::function<int()>& radius) {
+  BallSet balls = empty_set();
+  for (int x = 0; x < 2 * n; ++x) {
+    for (int y = 0; y < 2 * n; ++y) {
+      for (int z = 0; z < 2 * n; ++z) {
+        const bool cubic = x % 2 == 0 && y % 2 == 0 && z % 2 == 0;
+        const bool body = (x % 2 == y % 2) && (y % 2 == z % 2);
+        const bool face = (x + y + z) % 2 == 0;
+        if (kind == 0 ? cubic : kind == 1 ? body : face) {
+          add_ball(balls, x * step, y * step, z * step, radius());
+        }
+      }
+    }
+  }
+  return balls;
+}
+
+void truncate(BallSet& balls, Random& random, int most) {
+  std::vector<BallIndex> order(balls.size());
+  for (BallIndex i = 0; i < order.size(); ++i) order[i] = i;
+  std::shuffle(order.begin(), order.end(), random);
+  if (static_cast<int>(order.size()) > most) order.resize(static_cast<std::size_t>(most));
+  balls = permuted(balls, order);
+}
+
+BallSet on_flat(Random& random, int count, int dimension, int extent, int high_radius) {
+  // Integer combinations of one or two random directions through a random point.
+  int u[3], v[3], o[3];
+  for (int a = 0; a < 3; ++a) {
+    u[a] = random_int(random, -2, 2);
+    v[a] = dimension == 2 ? random_int(random, -2, 2) : 0;
+    o[a] = random_int(random, -5, 5);
+  }
+  if (u[0] == 0 && u[1] == 0 && u[2] == 0) u[0] = 1;
+  BallSet balls = empty_set();
+  for (int n = 0; n < count; ++n) {
+    const int s = random_int(random, -extent, extent), t = random_int(random, -extent, extent);
+    add_ball(balls, o[0] + s * u[0] + t * v[0], o[1] + s * u[1] + t * v[1],
+             o[2] + s * u[2] + t * v[2], random_int(random, 1, high_radius));
+  }
+  return balls;
+}
+
+BallSet equal_centres(Random& random, int count, int extent) {
+  BallSet balls = random_balls(random, count, extent, 1, 4);
+  for (std::size_t i = 1; i < balls.size(); i += 2) {
+    balls.centres[i] = balls.centres[static_cast<std::size_t>(random_int(random, 0, int(i) - 1))];
+    if (i % 4 == 1) balls.radii[i] = balls.radii[i - 1];
+  }
+  return balls;
+}
+
+BallSet around_a_large_one(Random& random, int count) {
+  BallSet balls = random_balls(random, count, 8, 1, 6);
+  balls.radii[0] = 12;
+  balls.centres[0] = {1, -1, 0};
+  return balls;
+}
+
+BallSet extremes(Random& random, int count) {
+  BallSet balls = empty_set();
+  const int c = kMaxLatticeCoordinate, r = kMaxLatticeRadius;
+  for (int n = 0; n < count; ++n) {
+    const auto coordinate = [&] {
+      return random_int(random, 0, 1)
+                 ? random_int(random, -c, c)
+                 : (random_int(random, 0, 1) ? c : -c) / random_int(random, 1, 3);
+    };
+    const int x = coordinate(), y = coordinate(), z = coordinate();
+    add_ball(balls, x, y, z, random_int(random, 0, 1) ? r : random_int(random, 1, r));
+  }
+  return balls;
+}
+
+}  // namespace
+
+int random_int(Random& random, int low, int high) {
+  return static_cast<int>(
+      low + static_cast<std::int64_t>(random() % (std::uint64_t(high - std::int64_t{low}) + 1)));
+}
+
+void add_ball(BallSet& balls, int x, int y, int z, int radius) {
+  balls.centres.push_back({x, y, z});
+  balls.radii.push_back(radius);
+}
+
+BallSet random_balls(Random& random, int count, int extent, int low_radius, int high_radius) {
+  BallSet balls = empty_set();
+  for (int n = 0; n < count; ++n) {
+    const int x = random_int(random, -extent, extent), y = random_int(random, -extent, extent),
+              z = random_int(random, -extent, extent);
+    add_ball(balls, x, y, z, random_int(random, low_radius, high_radius));
+  }
+  return balls;
+}
+
+BallSet permuted(const BallSet& balls, const std::vector<BallIndex>& order) {
+  BallSet result;
+  result.lattice = balls.lattice;
+  for (const BallIndex i : order) {
+    result.centres.push_back(balls.centres[i]);
+    result.radii.push_back(balls.radii[i]);
+  }
+  return result;
+}
+
+std::vector<NamedBalls> small_hard_sets(Random& random, int most) {
+  std::vector<NamedBalls> sets;
+  const auto add = [&](const std::string& name, BallSet balls) {
+    truncate(balls, random, most);
+    sets.push_back({name, std::move(balls)});
+  };
+  for (int n = 0; n <= 5; ++n) {
+    add(std::to_string(n) + " balls", random_balls(random, n, 6, 1, 4));
+    add(std::to_string(n) + " balls, dense", random_balls(random, n, 1, 1, 3));
+  }
+  add("random", random_balls(random, most, 40, 3, 20));
+  add("random, coarse", random_balls(random, most, 3, 1, 3));
+  add("random, dense", random_balls(random, most, 1, 1, 2));
+  add("equal centres", equal_centres(random, most, 4));
+  add("equal centres, dense", equal_centres(random, most, 1));
+  add("one large ball hides others", around_a_large_one(random, most));
+  add("collinear", on_flat(random, most, 1, 5, 3));
+  add("collinear, equal radii", on_flat(random, most, 1, 5, 1));
+  add("coplanar", on_flat(random, most, 2, 3, 4));
+  add("coplanar, equal radii", on_flat(random, most, 2, 2, 1));
+  for (const auto& [name, kind] : {std::pair("cubic", 0), {"body-centred", 1}, {"FCC", 2}}) {
+    add(std::string(name) + " corner", lattice_balls(1 + (kind == 0), 1, kind, [] { return 1; }));
+    add(std::string(name) + " corner, mixed radii",
+        lattice_balls(2, 2, kind, [&] { return random_int(random, 1, 3); }));
+  }
+  const int orbits[][3] = {{1, 1, 1}, {1, 0, 0}, {1, 1, 0}, {2, 1, 0}, {3, 2, 1}, {1, 2, 2}};
+  for (const auto& o : orbits) {
+    BallSet balls = empty_set();
+    add_orbit(balls, o[0], o[1], o[2], 2);
+    if (random_int(random, 0, 1)) add_ball(balls, 0, 0, 0, random_int(random, 1, 3));
+    add("cospherical " + std::to_string(o[0]) + std::to_string(o[1]) + std::to_string(o[2]), balls);
+  }
+  BallSet tetrahedron = empty_set();
+  for (const auto& v : {std::array{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}}) {
+    add_ball(tetrahedron, 3 * v[0], 3 * v[1], 3 * v[2], 2);
+  }
+  add("regular tetrahedron", tetrahedron);
+  add("extremes of the lattice", extremes(random, most));
+  return sets;
+}
+
+std::vector<NamedBalls> large_hard_sets(Random& random) {
+  std::vector<NamedBalls> sets;
+  const auto one = [] { return 1; };
+  const auto mixed = [&] { return random_int(random, 1, 4); };
+  for (const auto& [name, kind] : {std::pair("cubic", 0), {"body-centred", 1}, {"FCC", 2}}) {
+    sets.push_back({std::string(name) + " lattice", lattice_balls(3, 1, kind, one)});
+    sets.push_back({std::string(name) + " lattice, mixed radii", lattice_balls(3, 2, kind, mixed)});
+  }
+  sets.push_back({"random", random_balls(random, 300, 1000, 100, 300)});
+  sets.push_back({"random, coarse", random_balls(random, 300, 6, 1, 4)});
+  sets.push_back({"random, dense", random_balls(random, 200, 3, 1, 3)});
+  sets.push_back({"equal centres", equal_centres(random, 300, 6)});
+  sets.push_back({"hidden", random_balls(random, 300, 12, 1, 14)});
+  sets.push_back({"collinear", on_flat(random, 60, 1, 40, 5)});
+  sets.push_back({"coplanar", on_flat(random, 150, 2, 6, 4)});
+  sets.push_back({"coplanar, equal radii", on_flat(random, 150, 2, 6, 2)});
+  BallSet shells = empty_set();
+  for (const auto& o : {std::array{5, 0, 0}, {4, 3, 0}, {7, 1, 0}, {5, 4, 3}, {6, 5, 8}}) {
+    add_orbit(shells, o[0], o[1], o[2], 3);
+  }
+  sets.push_back({"cospherical shells", shells});
+  sets.push_back({"extremes of the lattice", extremes(random, 120)});
+  for (NamedBalls& set : sets) truncate(set.balls, random, 1000);  // shuffles
+  return sets;
+}
+
+}  // namespace alphascope::testing

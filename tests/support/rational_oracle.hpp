@@ -1,0 +1,44 @@
+// K_alpha straight from its definition, in rational arithmetic (GMP), for a handful of balls. Slow
+// on purpose: it shares no predicate, no triangulation and no neighbour search with the program.
+#pragma once
+
+#include <gmpxx.h>
+
+#include <map>
+#include <span>
+#include <vector>
+
+#include "core/complex/alpha_complex.hpp"
+
+namespace alphascope::testing {
+
+using Rational = mpq_class;
+
+// Orthocentre and ortho-radius of affinely independent balls, by elimination.
+struct Orthosphere {
+  Rational x, y, z, rho;
+};
+Orthosphere orthosphere(const BallSet& balls, std::span<const BallIndex> simplex);
+
+// pi_m(x) at the orthocentre, minus rho.
+Rational power_excess(const BallSet& balls, const Orthosphere& sphere, BallIndex m);
+
+// The float nearest to a rational, halves to even.
+float nearest_float(const Rational& value);
+
+class RationalOracle {
+ public:
+  // Tries all tuples of balls: about 16 balls is the limit of patience.
+  explicit RationalOracle(const BallSet& balls);
+
+  // Every simplex of the (symbolically perturbed) regular triangulation with its alpha value.
+  const std::map<std::vector<BallIndex>, Rational>& alpha_values() const { return alpha_values_; }
+
+  AlphaComplex complex(double alpha_on_lattice) const;
+
+ private:
+  BallSet balls_;
+  std::map<std::vector<BallIndex>, Rational> alpha_values_;
+};
+
+}  // namespace alphascope::testing

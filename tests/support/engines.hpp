@@ -5,6 +5,7 @@
 
 #include <functional>
 #include <memory>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,7 @@ namespace alphascope::testing {
 struct EngineFactory {
   std::string name;  // letters, digits and _ only
   std::function<std::unique_ptr<Engine>(std::shared_ptr<const BallSet>)> make;
+  friend void PrintTo(const EngineFactory& factory, std::ostream* out) { *out << factory.name; }
 };
 
 // Host engines, each on one and on two threads. Suites of other targets may append to the list.

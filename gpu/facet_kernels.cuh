@@ -27,6 +27,7 @@ struct Problem {
   int cell_width, nx, ny, nz;
   double alpha;           // square lattice units
   float scale;            // power of two: scaled = lattice * scale
+  std::int64_t ghost_reach;  // power of two above every sqrt(w + alpha), lattice units
   int balls_per_block;
   int list_capacity;      // neighbours of a ball that fit the block's memory
   int staging_capacity;   // simplices of one dimension that fit
@@ -105,7 +106,8 @@ __global__ void sort_into_cells(Problem p, const int4* balls, const uint2* cell_
 
 // ---- facets ------------------------------------------------------------------------------------
 
-// One ball's neighbours in the block's shared memory, ascending by index.
+// One ball's neighbours in the block's shared memory, nearest bisector first: facets that die, die
+// early. `indices` are those in the BallSet.
 struct BlockNeighbours {
   const float4* vectors;        // scaled d and c
   const std::uint32_t* slots;
@@ -127,29 +129,42 @@ struct BlockNeighbours {
   __device__ std::uint32_t ball(int k) const { return indices[k]; }
 };
 
-// Simplices of the block's balls before they are ordered. Keys: ball of the block, then the slots of
-// the other vertices in its neighbour list (12 bits each, which ascend with the ball indices), then
-// two bits of class.
+// Simplices of the block's balls before they are ordered. Keys: ball of the block, then the other
+// vertices as ranks by index among its neighbours (12 bits each), then two bits of class.
 struct Staged {
   std::uint64_t key;
   float value;
 };
 
+// Which neighbours can cut a facet: one bit each.
+__host__ __device__ inline int mask_words(const Problem& p) { return (p.list_capacity + 31) / 32; }
+
 struct BlockMemory {
   float4* vectors;         // balls_per_block * list_capacity of each
   float* reach;
   std::uint32_t *slots, *indices;
-  std::uint32_t* found;    // unsorted slots of kernel I, then the queue of facets
+  std::uint32_t *rank, *by_rank;  // rank of an entry by index; and the index of a rank
+  // Before the lists are ordered:
+  std::uint32_t *found, *found_index;
+  float* found_key;
+  // Afterwards, in the same place:
+  std::uint32_t *queue, *masks;   // facets to clip (entry of j), and mask_words of each entry
   Staged* staged[3];       // edges, triangles, tetrahedra; staging_capacity each
   int* list_size;          // per ball of the block
   int* exact;              // per ball: 1 when undecided
-  int* counters;           // 0-2 staged, 3 queue
+  int* counters;           // 0-2 staged, 3 queue, 4 queue head
 };
 
-__host__ __device__ inline std::size_t block_memory_bytes(int balls, int list, int staging, bool whole) {
-  const std::size_t entries = static_cast<std::size_t>(balls) * list;
-  return entries * (16 + 4 + 4 + 4 + 4) + static_cast<std::size_t>(staging) * 16 * (whole ? 3 : 1) +
-         (2 * static_cast<std::size_t>(balls) + 16) * 4;
+__host__ __device__ inline std::size_t reused_words(const Problem& p) {
+  const std::size_t entries = static_cast<std::size_t>(p.balls_per_block) * p.list_capacity;
+  const std::size_t later = entries * (1 + mask_words(p));
+  return later > 3 * entries ? later : 3 * entries;
+}
+__host__ __device__ inline std::size_t block_memory_bytes(const Problem& p, bool whole) {
+  const std::size_t entries = static_cast<std::size_t>(p.balls_per_block) * p.list_capacity;
+  return entries * (16 + 5 * 4) + reused_words(p) * 4 +
+         static_cast<std::size_t>(p.staging_capacity) * 16 * (whole ? 3 : 1) +
+         (2 * static_cast<std::size_t>(p.balls_per_block) + 16) * 4;
 }
 
 __device__ inline BlockMemory carve(unsigned char* shared, const Problem& p, bool whole) {
@@ -164,8 +179,14 @@ __device__ inline BlockMemory carve(unsigned char* shared, const Problem& p, boo
   m.reach = reinterpret_cast<float*>(staged + p.staging_capacity);
   m.slots = reinterpret_cast<std::uint32_t*>(m.reach + entries);
   m.indices = m.slots + entries;
-  m.found = m.indices + entries;
-  m.list_size = reinterpret_cast<int*>(m.found + entries);
+  m.rank = m.indices + entries;
+  m.by_rank = m.rank + entries;
+  m.found = m.by_rank + entries;
+  m.found_index = m.found + entries;
+  m.found_key = reinterpret_cast<float*>(m.found_index + entries);
+  m.queue = m.found;
+  m.masks = m.found + entries;
+  m.list_size = reinterpret_cast<int*>(m.found + reused_words(p));
   m.exact = m.list_size + p.balls_per_block;
   m.counters = m.exact + p.balls_per_block;
   return m;
@@ -175,23 +196,25 @@ __device__ inline BlockMemory carve(unsigned char* shared, const Problem& p, boo
 struct StagingSink {
   const BlockMemory& memory;
   int capacity;
-  int ball, j;
+  int ball;
+  const std::uint32_t* rank;  // of this ball's neighbours
+  int j;
 
   __device__ void push(int dimension, std::uint64_t key, float value, int simplex_class) {
     const int at = atomicAdd(&memory.counters[dimension], 1);
     if (at < capacity) {
       memory.staged[dimension][at] = {
-          key | static_cast<std::uint64_t>(ball) << 50 | static_cast<std::uint64_t>(j) << 38 |
+          key | static_cast<std::uint64_t>(ball) << 50 | static_cast<std::uint64_t>(rank[j]) << 38 |
               static_cast<std::uint64_t>(simplex_class),
           value};
     }
   }
   __device__ void edge(float value, int simplex_class) { push(0, 0, value, simplex_class); }
   __device__ void triangle(int k, float value, int simplex_class) {
-    push(1, static_cast<std::uint64_t>(k) << 26, value, simplex_class);
+    push(1, static_cast<std::uint64_t>(rank[k]) << 26, value, simplex_class);
   }
   __device__ void tetrahedron(int k, int l, float value) {
-    const int low = k < l ? k : l, high = k < l ? l : k;
+    const std::uint32_t a = rank[k], b = rank[l], low = min(a, b), high = max(a, b);
     push(2, static_cast<std::uint64_t>(low) << 26 | static_cast<std::uint64_t>(high) << 14, value, 2);
   }
   __device__ void tetrahedron(int k, int l) { tetrahedron(k, l, 0.0f); }
@@ -232,73 +255,104 @@ __device__ inline int search_neighbours(const Problem& p, const SortedBalls& bal
   return count;
 }
 
-// Orders one ball's list by index and fills its vectors. Lists are short: counting is quick.
+// Orders one ball's list by the distance of the bisectors, and ranks it by index. Lists are short:
+// counting is quick.
 __device__ inline void order_neighbours(const Problem& p, const SortedBalls& balls, std::uint32_t slot,
-                                        const std::uint32_t* found, int count, int entry0,
-                                        const BlockMemory& m, int lane) {
+                                        int count, int entry0, const BlockMemory& m, int lane,
+                                        unsigned tile_mask) {
   const int4 b = balls.ball[slot];
   const std::int64_t wi = static_cast<std::int64_t>(b.w) * b.w;
+  const std::uint32_t* found = m.found + entry0;
+  std::uint32_t* found_index = m.found_index + entry0;
+  float* found_key = m.found_key + entry0;
   for (int a = lane; a < count; a += kTile) {
-    const std::uint32_t t = found[a], index = balls.index[t];
-    int rank = 0;
-    for (int o = 0; o < count; ++o) rank += balls.index[found[o]] < index;
+    const int4 q = balls.ball[found[a]];
+    const float x = static_cast<float>(q.x - b.x), y = static_cast<float>(q.y - b.y),
+                z = static_cast<float>(q.z - b.z), square = x * x + y * y + z * z;
+    found_index[a] = balls.index[found[a]];
+    found_key[a] = (square + static_cast<float>(wi - static_cast<std::int64_t>(q.w) * q.w)) * rsqrtf(square);
+  }
+  __syncwarp(tile_mask);
+  for (int a = lane; a < count; a += kTile) {
+    const std::uint32_t t = found[a], index = found_index[a];
+    const float key = found_key[a];
+    int nearer = 0, rank = 0;
+    for (int o = 0; o < count; ++o) {
+      const std::uint32_t other = found_index[o];
+      rank += other < index;
+      nearer += found_key[o] < key || (found_key[o] == key && other < index);
+    }
     const int4 q = balls.ball[t];
     const std::int64_t x = q.x - b.x, y = q.y - b.y, z = q.z - b.z;
     const std::int64_t c = x * x + y * y + z * z + wi - static_cast<std::int64_t>(q.w) * q.w;
-    const int entry = entry0 + rank;
+    const int entry = entry0 + nearer;
     m.vectors[entry] = make_float4(static_cast<float>(x) * p.scale, static_cast<float>(y) * p.scale,
                                    static_cast<float>(z) * p.scale,
                                    static_cast<float>(c) * p.scale * p.scale);
     m.reach[entry] = balls.reach[t] * p.scale;
     m.slots[entry] = t;
     m.indices[entry] = index;
+    m.rank[entry] = rank;
+    m.by_rank[entry0 + rank] = index;
   }
 }
 
-struct CommonTest {
-  const float4* vectors;
-  const float* reach;
-  float4 j;
-  float reach_j;
-  int self;
-
-  __device__ bool operator()(int k) const {
-    const float4 v = vectors[k];
-    const float x = v.x - j.x, y = v.y - j.y, z = v.z - j.z, sum = reach[k] + reach_j;
-    constexpr float kMargin = 1.0f + 1.0f / (1 << 17);
-    return k != self && fmaf(x, x, fmaf(y, y, z * z)) <= sum * sum * kMargin;
+// Writes the mask of the neighbours that meet j as well as i, and says whether the facet is worth
+// clipping (tetrahedra alone need two such neighbours of higher index).
+template <bool kWhole>
+__device__ inline bool mask_common(const Problem& p, const BlockMemory& m, int entry0, int j, int n) {
+  const float4 vj = m.vectors[entry0 + j];
+  const float reach_j = m.reach[entry0 + j];
+  const std::uint32_t index_j = m.indices[entry0 + j];
+  std::uint32_t* mask = m.masks + (entry0 + j) * mask_words(p);
+  constexpr float kMargin = 1.0f + 1.0f / (1 << 17);
+  int later = 0;
+  for (int w = 0; w * 32 < n; ++w) {
+    std::uint32_t bits = 0;
+    const int end = min(n, w * 32 + 32);
+    for (int k = w * 32; k < end; ++k) {
+      const float4 v = m.vectors[entry0 + k];
+      const float x = v.x - vj.x, y = v.y - vj.y, z = v.z - vj.z, sum = m.reach[entry0 + k] + reach_j;
+      if (k != j && fmaf(x, x, fmaf(y, y, z * z)) <= sum * sum * kMargin) {
+        bits |= 1u << (k & 31);
+        later += m.indices[entry0 + k] > index_j;
+      }
+    }
+    mask[w] = bits;
   }
+  return kWhole || later >= 2;
+}
+
+// A facet in the making: one lane takes it through its cuts, then takes the next.
+struct FloatFacet {
+  FloatFrame frame;
+  FacetAxis axis;
+  int entry0, ball, j, words, word;
+  std::uint32_t bits;  // of the current mask word, those not yet used
+  float edge_value;
 };
 
-// Kernel II of one facet. False when something could not be decided.
-template <bool kWhole>
-__device__ bool float_facet(const FacetInput<BlockNeighbours>& in, int count, const CommonTest& common,
-                            float scale, float radius_square, StagingSink& sink) {
-  float edge_value = 0;
-  if (kWhole) {
-    const Decision d = decide_edge<FilteredDecider>(in, &edge_value);
-    if (d != Decision::in) return d == Decision::out;
-  }
-  const float4 j = common.j;
-  // Any axis will do for the exact predicates as long as one is used throughout; the largest.
-  const LiftedInt vj = in.neighbours.lifted(in.j);
-  const FacetAxis axis = facet_axis(vj.x, vj.y, vj.z);
-  const FloatFrame frame = make_float_frame({j.x, j.y, j.z, j.w}, axis);
-  FloatPolygon<BlockNeighbours, kFloatSides> polygon(frame, in.neighbours,
-                                                     static_cast<float>(in.ghost_reach) * scale);
-  const ClipOutcome outcome = clip_float_facet(polygon, in, axis, count, common);
-  if (outcome == ClipOutcome::empty) return true;
-  if (outcome != ClipOutcome::unchanged) return false;
-  if (kWhole) {
+__device__ inline FacetAxis float_axis(const float4& v) {
+  const float x = fabsf(v.x), y = fabsf(v.y), z = fabsf(v.z);
+  if (x >= y && x >= z) return {0, v.x < 0};
+  if (y >= z) return {1, v.y < 0};
+  return {2, v.z < 0};
+}
+
+// Reports a finished polygon; false when something could not be decided.
+template <bool kWhole, class Polygon>
+__device__ bool report_float_facet(const FacetInput<BlockNeighbours>& in, const Polygon& polygon,
+                                   const FloatFacet& f, float radius_square, StagingSink& sink) {
+  if constexpr (kWhole) {
     signed char corner_in[kFloatSides];
     float corner_value[kFloatSides];
-    return report_facet<FilteredDecider>(in, polygon, axis.axis, edge_value, {corner_in, corner_value}, sink);
+    return report_facet<FilteredDecider>(in, polygon, f.axis.axis, f.edge_value, {corner_in, corner_value}, sink);
   }
   const auto ball_j = in.neighbours.ball(in.j);
   for (int s = 0; s < polygon.size; ++s) {
     const int k = polygon.ids[s], l = polygon.ids[s + 1 == polygon.size ? 0 : s + 1];
     if (k < 0 || l < 0 || in.neighbours.ball(k) < ball_j || in.neighbours.ball(l) < ball_j) continue;
-    int within = corner_within(frame, polygon.corners[s], radius_square);
+    int within = corner_within(f.frame, polygon.corners[s], radius_square);
     if (within == 0) {
       const Decision d = decide_tetrahedron<FilteredDecider>(in, k, l, nullptr);
       if (d == Decision::unknown) return false;
@@ -336,7 +390,7 @@ struct ExactPolygon {
 
 // Kernel III of one facet. False only when the polygon does not fit.
 template <bool kWhole, class Integer>
-__device__ bool exact_facet(const FacetInput<BlockNeighbours>& in, int count, const CommonTest& common,
+__device__ bool exact_facet(const FacetInput<BlockNeighbours>& in, const std::uint32_t* mask, int count,
                             StagingSink& sink) {
   float edge_value = 0;
   if (kWhole && decide_edge<ExactDecider>(in, &edge_value) == Decision::out) return true;
@@ -346,7 +400,7 @@ __device__ bool exact_facet(const FacetInput<BlockNeighbours>& in, int count, co
   ExactPolygon<Integer> polygon(frame, in);
   start_polygon(polygon, frame, in.ghost_reach);
   for (int m = 0; m < count; ++m) {
-    if (!common(m)) continue;
+    if (!(mask[m >> 5] >> (m & 31) & 1)) continue;
     const LiftedInt vm = in.neighbours.lifted(m);
     const auto line = frame.line(lifted_as<Integer>(vm));
     const auto side = [&](int s) {
@@ -414,10 +468,10 @@ __device__ void write_staged(const Problem& p, const BlockMemory& m, const std::
     const std::uint32_t at = base + rank;
     if (at >= out.capacity) continue;
     const int b = static_cast<int>(s.key >> 50);
-    const std::uint32_t* indices = m.indices + b * p.list_capacity;
+    const std::uint32_t* by_rank = m.by_rank + b * p.list_capacity;
     out.vertices[static_cast<std::size_t>(at) * N] = ball_index[b];
     for (int v = 1; v < N; ++v) {
-      out.vertices[static_cast<std::size_t>(at) * N + v] = indices[(s.key >> (50 - 12 * v)) & 4095];
+      out.vertices[static_cast<std::size_t>(at) * N + v] = by_rank[(s.key >> (50 - 12 * v)) & 4095];
     }
     if (out.value != nullptr) {
       out.value[at] = s.value;
@@ -425,6 +479,92 @@ __device__ void write_staged(const Problem& p, const BlockMemory& m, const std::
     }
   }
   __syncthreads();
+}
+
+// What a facet's templates need to know, from the block's memory.
+struct FacetPlace {
+  BlockNeighbours neighbours;
+  std::int64_t weight;
+
+  __device__ FacetPlace(const BlockMemory& m, const SortedBalls& sorted, std::uint32_t slot, int entry0)
+      : neighbours{m.vectors + entry0, m.slots + entry0, m.indices + entry0, sorted.ball,
+                   sorted.ball[slot]},
+        weight(static_cast<std::int64_t>(neighbours.centre.w) * neighbours.centre.w) {}
+};
+
+// The rare corner that single precision leaves open. Out of line: its registers are not the loop's.
+__device__ __noinline__ int corner_in_double(const Problem& p, const SortedBalls& sorted,
+                                             const BlockMemory& m, std::uint32_t first,
+                                             const FloatFacet& f, int k, int l, int cutter) {
+  const FacetPlace place(m, sorted, first + f.ball, f.entry0);
+  const FacetInput<BlockNeighbours> in{place.neighbours, f.j, place.weight, p.alpha, p.ghost_reach, true};
+  return corner_cut_filtered(in.neighbours.lifted(f.j), f.axis, in.side_vector(k, f.axis.axis),
+                             in.side_vector(l, f.axis.axis), in.neighbours.lifted(cutter));
+}
+
+// Kernel II over the block's queue: each lane clips its facet, one neighbour a turn, and fetches the
+// next facet when its own is finished, so that short lives do not wait for long ones.
+template <bool kWhole>
+__device__ void clip_queue(const Problem& p, const SortedBalls& sorted, const BlockMemory& m,
+                           std::uint32_t first, int facets) {
+  FloatFacet f;
+  // The polygon refers to these two, which change with the facet.
+  BlockNeighbours neighbours{m.vectors, m.slots, m.indices, sorted.ball, make_int4(0, 0, 0, 0)};
+  FloatPolygon<BlockNeighbours, kFloatSides> polygon(f.frame, neighbours, static_cast<float>(p.ghost_reach) * p.scale);
+  bool active = false;
+  for (;;) {
+    if (!active) {
+      const int q = atomicAdd(&m.counters[4], 1);
+      if (q >= facets) break;
+      const int e = static_cast<int>(m.queue[q]);
+      f.ball = e / p.list_capacity;
+      f.entry0 = f.ball * p.list_capacity;
+      f.j = e - f.entry0;
+      f.words = (m.list_size[f.ball] + 31) >> 5;
+      f.word = 0;
+      f.bits = m.masks[e * mask_words(p)];
+      const float4 vj = m.vectors[e];
+      f.axis = float_axis(vj);
+      f.frame = make_float_frame({vj.x, vj.y, vj.z, vj.w}, f.axis);
+      neighbours.vectors = m.vectors + f.entry0;
+      start_polygon(polygon, ghost_line(kGhostYZ, polygon.ghost_reach), ghost_line(kGhostY, polygon.ghost_reach),
+                    ghost_line(kGhostZ, polygon.ghost_reach));
+      active = true;
+      if constexpr (kWhole) {
+        const FacetPlace place(m, sorted, first + f.ball, f.entry0);
+        const FacetInput<BlockNeighbours> in{place.neighbours, f.j, place.weight, p.alpha, p.ghost_reach, true};
+        const Decision d = decide_edge<FilteredDecider>(in, &f.edge_value);
+        if (d == Decision::unknown) atomicExch(&m.exact[f.ball], 1);
+        active = d == Decision::in;
+      }
+      continue;
+    }
+    while (f.bits == 0 && f.word + 1 < f.words) f.bits = m.masks[(f.entry0 + f.j) * mask_words(p) + ++f.word];
+    if (f.bits == 0) {  // all cuts made
+      const FacetPlace place(m, sorted, first + f.ball, f.entry0);
+      const FacetInput<BlockNeighbours> in{place.neighbours, f.j, place.weight, p.alpha, p.ghost_reach, true};
+      StagingSink sink{m, p.staging_capacity, f.ball, m.rank + f.entry0, f.j};
+      const float radius_square = static_cast<float>(static_cast<double>(place.weight) + p.alpha) * p.scale * p.scale;
+      if (!report_float_facet<kWhole>(in, polygon, f, radius_square, sink)) atomicExch(&m.exact[f.ball], 1);
+      active = false;
+      continue;
+    }
+    const int k = f.word * 32 + __ffs(static_cast<int>(f.bits)) - 1;
+    f.bits &= f.bits - 1;
+    const FloatSideTest test(f.frame.line(neighbours.scaled(k)));
+    const auto side = [&](int s) {
+      const int sign = test.side(polygon.corners[s]);
+      return sign != 0 ? sign : corner_in_double(p, sorted, m, first, f, polygon.ids[s],
+                                                 polygon.ids[s + 1 == polygon.size ? 0 : s + 1], k);
+    };
+    const ClipOutcome outcome = clip(polygon, test.line, k, side);
+    if (outcome == ClipOutcome::uncertain || outcome == ClipOutcome::full) {
+      atomicExch(&m.exact[f.ball], 1);
+      active = false;
+    } else if (outcome == ClipOutcome::empty) {
+      active = false;
+    }
+  }
 }
 
 // Balls [first, first + balls) of the sorted order, or one ball of the exact list.
@@ -435,17 +575,17 @@ __device__ void process_balls(const Problem& p, const SortedBalls& sorted, const
   const int lane = threadIdx.x % kTile, tile = threadIdx.x / kTile, tiles = blockDim.x / kTile;
   const int tile_shift = (threadIdx.x & 31) / kTile * kTile;
   const unsigned tile_mask = ((1u << kTile) - 1) << tile_shift;
-  if (threadIdx.x < 4) m.counters[threadIdx.x] = 0;
+  if (threadIdx.x < 5) m.counters[threadIdx.x] = 0;
   for (int b = threadIdx.x; b < balls; b += blockDim.x) {
     m.exact[b] = 0;
     ball_index[b] = sorted.index[first + b];
   }
   for (int b = tile; b < balls; b += tiles) {
-    std::uint32_t* found = m.found + b * p.list_capacity;
-    const int all = search_neighbours(p, sorted, first + b, found, lane, tile_mask, tile_shift);
+    const int entry0 = b * p.list_capacity;
+    const int all = search_neighbours(p, sorted, first + b, m.found + entry0, lane, tile_mask, tile_shift);
     const int count = min(all, p.list_capacity);
     __syncwarp(tile_mask);
-    order_neighbours(p, sorted, first + b, found, count, b * p.list_capacity, m, lane);
+    order_neighbours(p, sorted, first + b, count, entry0, m, lane, tile_mask);
     if (lane == 0) {
       m.list_size[b] = count;
       if (all > p.list_capacity) atomicMax(out.needed_list, static_cast<std::uint32_t>(all));
@@ -453,45 +593,25 @@ __device__ void process_balls(const Problem& p, const SortedBalls& sorted, const
   }
   __syncthreads();
 
-  // The queue of facets worth clipping; `found` is free now.
-  std::uint32_t* queue = m.found;
+  // The queue of facets worth clipping, in the place of the unordered lists.
   for (int e = threadIdx.x; e < balls * p.list_capacity; e += blockDim.x) {
     const int b = e / p.list_capacity, j = e - b * p.list_capacity, n = m.list_size[b];
     if (j >= n || m.indices[e] < ball_index[b]) continue;
-    if (!kWhole) {
-      const int entry0 = b * p.list_capacity;
-      const CommonTest common{m.vectors + entry0, m.reach + entry0, m.vectors[e], m.reach[e], j};
-      int later = 0;
-      for (int k = j + 1; k < n && later < 2; ++k) later += common(k);
-      if (later < 2) continue;
-    }
-    queue[atomicAdd(&m.counters[3], 1)] = e;
+    if (mask_common<kWhole>(p, m, b * p.list_capacity, j, n)) m.queue[atomicAdd(&m.counters[3], 1)] = e;
   }
   __syncthreads();
 
   const int facets = m.counters[3];
-  for (int f = threadIdx.x; f < facets; f += blockDim.x) {
-    const int e = static_cast<int>(queue[f]), b = e / p.list_capacity, entry0 = b * p.list_capacity;
-    const int4 centre = sorted.ball[first + b];
-    const BlockNeighbours neighbours{m.vectors + entry0, m.slots + entry0, m.indices + entry0,
-                                     sorted.ball, centre};
-    const std::int64_t weight = static_cast<std::int64_t>(centre.w) * centre.w;
-    const double square = static_cast<double>(weight) + p.alpha;
-    // A power of two above the radius of the disc: the same in every precision.
-    std::int64_t ghost = 4;
-    const float radius = sqrtf(static_cast<float>(square)) * (1.0f + 1e-5f) + 2.0f;
-    while (static_cast<float>(ghost) < radius) ghost *= 2;
-    const FacetInput<BlockNeighbours> in{neighbours, e - entry0, weight, p.alpha, ghost, true};
-    const CommonTest common{neighbours.vectors, m.reach + entry0, m.vectors[e], m.reach[e], e - entry0};
-    StagingSink sink{m, p.staging_capacity, b, e - entry0};
-    if (kExact) {
-      if (!exact_facet<kWhole, Integer>(in, m.list_size[b], common, sink)) atomicAdd(out.failures, 1u);
-    } else {
-      const float radius_square = static_cast<float>(square) * p.scale * p.scale;
-      if (!float_facet<kWhole>(in, m.list_size[b], common, p.scale, radius_square, sink)) {
-        atomicExch(&m.exact[b], 1);
-      }
+  if constexpr (kExact) {
+    for (int f = threadIdx.x; f < facets; f += blockDim.x) {
+      const int e = static_cast<int>(m.queue[f]), b = e / p.list_capacity, entry0 = b * p.list_capacity;
+      const FacetPlace place(m, sorted, first + b, entry0);
+      const FacetInput<BlockNeighbours> in{place.neighbours, e - entry0, place.weight, p.alpha, p.ghost_reach, true};
+      StagingSink sink{m, p.staging_capacity, b, m.rank + entry0, e - entry0};
+      if (!exact_facet<kWhole, Integer>(in, m.masks + e * mask_words(p), m.list_size[b], sink)) atomicAdd(out.failures, 1u);
     }
+  } else {
+    clip_queue<kWhole>(p, sorted, m, first, facets);
   }
   __syncthreads();
 
@@ -551,7 +671,8 @@ __global__ void __launch_bounds__(kBlockThreads) facets_exact(Problem p, SortedB
 template <int N>
 __global__ void place(DeviceSimplices<N> from, const std::uint32_t* offset, std::uint32_t* vertices,
                       float* value, std::uint8_t* simplex_class) {
-  const std::uint32_t count = min(*from.cursor, from.capacity);
+  const std::uint32_t count = *from.cursor;
+  if (count > from.capacity) return;  // the run will be repeated with room for all
   for (std::uint32_t t = blockIdx.x * blockDim.x + threadIdx.x; t < count; t += gridDim.x * blockDim.x) {
     const std::uint32_t i = from.vertices[static_cast<std::size_t>(t) * N];
     const std::uint32_t to = offset[i] + (t - from.start[i]);
@@ -583,9 +704,11 @@ __device__ inline float from_ordered_bits(std::uint32_t bits) {
 // Per ball: has an edge (1), has an edge that is not interior (2), and its nearest edge.
 __global__ void gather_vertices(const std::uint32_t* edges, const float* value,
                                 const std::uint8_t* simplex_class, const std::uint32_t* cursor,
+                                std::uint32_t capacity,
                                 const std::uint8_t* state, std::uint32_t* flags,
                                 std::uint32_t* nearest) {
   const std::uint32_t count = *cursor;
+  if (count > capacity) return;
   for (std::uint32_t e = blockIdx.x * blockDim.x + threadIdx.x; e < count; e += gridDim.x * blockDim.x) {
     const std::uint32_t flag = simplex_class[e] == 2 ? 1u : 3u;
     for (int end = 0; end < 2; ++end) {

@@ -41,6 +41,10 @@ struct DimensionBuffers {
   PinnedBuffer<float> host_value;
   PinnedBuffer<std::uint8_t> host_class;
 
+  // How many fit; the vertices alone may have grown for an earlier request without values.
+  std::size_t simplices(int n, bool values) const {
+    return values ? std::min(vertices.capacity() / n, value.capacity()) : vertices.capacity() / n;
+  }
   void reserve(std::size_t simplices, int n, bool values) {
     vertices.reserve(simplices * n);
     ordered.reserve(simplices * n);
@@ -127,7 +131,7 @@ struct FacetPipeline::State {
     return {d.vertices.get(),
             whole ? d.value.get() : nullptr,
             whole ? d.simplex_class.get() : nullptr,
-            static_cast<std::uint32_t>(d.vertices.capacity() / N),
+            static_cast<std::uint32_t>(d.simplices(N, whole)),
             &counters.get()->cursor[N - 2],
             d.start.get(),
             d.count.get()};
@@ -212,6 +216,8 @@ PipelineResult FacetPipeline::run(double alpha, bool tetrahedra_only, const Canc
   p.ball_count = static_cast<int>(s.n);
   p.alpha = alpha;
   p.scale = static_cast<float>(std::ldexp(1.0, -static_cast<int>(std::ceil(std::log2(std::max(cutoff, 2.0))))));
+  p.ghost_reach = 4;
+  while (static_cast<double>(p.ghost_reach) < std::sqrt(largest) + 2) p.ghost_reach *= 2;
   p.origin = make_int4(s.low.x, s.low.y, s.low.z, 0);
   double width = std::ceil(cutoff * (1 + 1e-5)) + 2;
   const auto cells = [&](std::int32_t low, std::int32_t high) {
@@ -235,7 +241,7 @@ PipelineResult FacetPipeline::run(double alpha, bool tetrahedra_only, const Canc
     s.dimension[d].start.reserve(s.n);
     s.dimension[d].count.reserve(s.n);
     s.dimension[d].offset.reserve(s.n);
-    s.dimension[d].reserve(std::max<std::size_t>(s.n * 2, 1024), d + 1, whole);
+    s.dimension[d].reserve(std::max<std::size_t>(s.n * (d == 3 ? 3 : 6), 1024), d + 1, whole);
   }
   if (whole) {
     s.vertex_state.reserve(s.n);
@@ -253,10 +259,10 @@ PipelineResult FacetPipeline::run(double alpha, bool tetrahedra_only, const Canc
     p.list_capacity = s.list_capacity;
     p.staging_capacity = s.staging_capacity;
     p.balls_per_block = std::clamp(1024 / s.list_capacity, 1, 32);
-    const std::size_t shared = block_memory_bytes(p.balls_per_block, p.list_capacity, p.staging_capacity, whole);
+    const std::size_t shared = block_memory_bytes(p, whole);
     Problem exact = p;
     exact.balls_per_block = 1;
-    const std::size_t shared_exact = block_memory_bytes(1, p.list_capacity, p.staging_capacity, whole);
+    const std::size_t shared_exact = block_memory_bytes(exact, whole);
     if (shared > static_cast<std::size_t>(s.shared_limit) || s.list_capacity > kMaxList) {
       result.fits = false;
       return result;
@@ -307,7 +313,7 @@ PipelineResult FacetPipeline::run(double alpha, bool tetrahedra_only, const Canc
       check(cudaMemsetAsync(s.nearest.get(), 0xff, s.n * 4, s.stream), "clearing device memory");
       gather_vertices<<<4 * s.multiprocessors, kThreads, 0, s.stream>>>(
           s.dimension[1].ordered.get(), s.dimension[1].ordered_value.get(), s.dimension[1].ordered_class.get(),
-          &c->cursor[0], s.vertex_state.get(), s.flags.get(), s.nearest.get());
+          &c->cursor[0], static_cast<std::uint32_t>(s.dimension[1].simplices(2, true)), s.vertex_state.get(), s.flags.get(), s.nearest.get());
       mark_vertices<<<blocks_for(s.n), kThreads, 0, s.stream>>>(p.ball_count, s.vertex_state.get(), s.flags.get(), s.present.get());
       s.scan(s.present.get(), s.dimension[0].offset.get(), s.n);
       place_vertices<<<blocks_for(s.n), kThreads, 0, s.stream>>>(
@@ -336,7 +342,7 @@ PipelineResult FacetPipeline::run(double alpha, bool tetrahedra_only, const Canc
     }
     for (int d = whole ? 1 : 3; d < 4; ++d) {
       const std::size_t count = got.cursor[d - 1];
-      if (count * (d + 1) > s.dimension[d].vertices.capacity()) {
+      if (count > s.dimension[d].simplices(d + 1, whole)) {
         s.dimension[d].reserve(count + count / 8, d + 1, whole);
         again = true;
       }

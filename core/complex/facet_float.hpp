@@ -135,28 +135,4 @@ struct FloatPolygon {
   }
 };
 
-// Cuts facet ij by every neighbour that `common(k)` admits, in single precision, with single corners
-// decided in double where needed. `unchanged`: a polygon is left.
-template <class Polygon, class Neighbours, class Common>
-ALPHASCOPE_INLINE ClipOutcome clip_float_facet(Polygon& p, const FacetInput<Neighbours>& in,
-                                               const FacetAxis& axis, int count,
-                                               const Common& common) {
-  start_polygon(p, ghost_line(kGhostYZ, p.ghost_reach), ghost_line(kGhostY, p.ghost_reach),
-                ghost_line(kGhostZ, p.ghost_reach));
-  for (int m = 0; m < count; ++m) {
-    if (!common(m)) continue;
-    const FloatSideTest test(p.frame.line(in.neighbours.scaled(m)));
-    const auto side = [&](int s) {
-      const int sign = test.side(p.corners[s]);
-      if (sign != 0) return sign;
-      const int k = p.id(s), l = p.id(s + 1 == p.size ? 0 : s + 1);
-      return corner_cut_filtered(in.neighbours.lifted(in.j), axis, in.side_vector(k, axis.axis),
-                                 in.side_vector(l, axis.axis), in.neighbours.lifted(m));
-    };
-    const ClipOutcome outcome = clip(p, test.line, m, side);
-    if (outcome != ClipOutcome::unchanged && outcome != ClipOutcome::changed) return outcome;
-  }
-  return ClipOutcome::unchanged;
-}
-
 }  // namespace alphascope

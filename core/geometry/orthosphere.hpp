@@ -75,10 +75,13 @@ ALPHASCOPE_HOST_DEVICE inline Bracket rho_bracket(double p, double p_error, doub
   return {value, error};
 }
 
-// rho of an edge: |x| = c / (2|d|). g = |d|² is exact.
+// rho of an edge: |x| = c / (2|d|). g = |d|² is exact. Equal weights give c = g and rho = g / 4 - w
+// without any rounding: worth its own line, since those often lie just between two floats.
 ALPHASCOPE_HOST_DEVICE inline Bracket edge_rho(const LiftedVector<double>& j, double weight) {
+  const double g = dot(j, j);
+  if (j.c == g) return {0.25 * g - weight, 0};
   const double p = j.c * j.c;
-  return rho_bracket(p, kUnitRoundoff * p, 4 * dot(j, j), 0, weight);
+  return rho_bracket(p, kUnitRoundoff * p, 4 * g, 0, weight);
 }
 
 // rho of a triangle: |x|² = |c_j d_k - c_k d_j|² / (4 |d_j × d_k|²).

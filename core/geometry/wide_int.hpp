@@ -85,13 +85,14 @@ struct WideInt {
 
   // Within one part in 2^51 of the value; the sign is right.
   ALPHASCOPE_HOST_DEVICE double nearest_double() const {
-    if (sign() < 0) return -(-*this).nearest_double();
+    const bool negative = limb[kLimbs - 1] >> 63;
+    const WideInt magnitude = negative ? -*this : *this;
     int top = kLimbs - 1;
-    while (top > 0 && limb[top] == 0) --top;
-    double value = static_cast<double>(limb[top]);
-    double scale = 1;
+    while (top > 0 && magnitude.limb[top] == 0) --top;
+    double value = static_cast<double>(magnitude.limb[top]);
+    double scale = negative ? -1 : 1;
     for (int i = top; i > 0; --i) scale *= 18446744073709551616.0;
-    if (top > 0) value += static_cast<double>(limb[top - 1]) / 18446744073709551616.0;
+    if (top > 0) value += static_cast<double>(magnitude.limb[top - 1]) / 18446744073709551616.0;
     return value * scale;
   }
 };

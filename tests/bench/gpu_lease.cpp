@@ -1,0 +1,157 @@
+// Checks and times the CUDA engine on a machine with a GPU: equality with the CPU engine first, byte
+// for byte, then medians. Inputs are .balls files (tests/bench/README.md), so that the program needs
+// nothing but the CUDA driver and libtbb.
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <fstream>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "core/complex/engine.hpp"
+#include "gpu/facet_pipeline.hpp"
+#include "gpu/gpu_engine.hpp"
+
+using namespace alphascope;
+
+namespace {
+
+BallSet read_balls(const std::string& path) {
+  std::ifstream in(path, std::ios::binary);
+  std::int32_t head[3];
+  in.read(reinterpret_cast<char*>(head), sizeof head);
+  std::vector<std::int32_t> base(4 * static_cast<std::size_t>(head[1]));
+  in.read(reinterpret_cast<char*>(base.data()), static_cast<std::streamsize>(base.size() * 4));
+  std::vector<double> ops(12 * static_cast<std::size_t>(head[2]));
+  in.read(reinterpret_cast<char*>(ops.data()), static_cast<std::streamsize>(ops.size() * 8));
+  if (ops.empty()) ops = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
+  BallSet balls;
+  balls.lattice.digits = head[0];
+  const double unit = std::pow(10.0, head[0]);
+  for (std::size_t o = 0; o < ops.size(); o += 12) {
+    for (std::size_t a = 0; a < base.size(); a += 4) {
+      double q[3];
+      for (int r = 0; r < 3; ++r) {
+        q[r] = ops[o + 4 * r + 3] * unit;
+        for (int k = 0; k < 3; ++k) q[r] += ops[o + 4 * r + k] * base[a + k];
+      }
+      balls.centres.push_back({static_cast<int>(std::lround(q[0])), static_cast<int>(std::lround(q[1])), static_cast<int>(std::lround(q[2]))});
+      balls.radii.push_back(base[a + 3]);
+    }
+  }
+  return balls;
+}
+
+template <int N>
+bool same(const SimplexList<N>& a, const SimplexList<N>& b) {
+  return a.simplices == b.simplices && a.classes == b.classes &&
+         a.alpha_values.size() == b.alpha_values.size() &&
+         (a.alpha_values.empty() || std::memcmp(a.alpha_values.data(), b.alpha_values.data(), a.alpha_values.size() * 4) == 0);
+}
+bool same(const AlphaComplex& a, const AlphaComplex& b) {
+  return same(a.vertices, b.vertices) && same(a.edges, b.edges) && same(a.triangles, b.triangles) && same(a.tetrahedra, b.tetrahedra);
+}
+
+int failures = 0;
+
+void check(const std::string& name, const BallSet& balls, double solvent, const std::vector<double>& alphas) {
+  auto grown = std::make_shared<BallSet>(with_solvent(balls, solvent));
+  std::string why;
+  auto gpu = make_gpu_engine(grown, {}, &why);
+  if (!gpu) { std::printf("no gpu engine: %s\n", why.c_str()); std::exit(2); }
+  auto cpu = make_cpu_engine(grown, {});
+  for (const double alpha : alphas) {
+    for (const bool only : {true, false}) {
+      const AlphaComplex a = gpu->compute({alpha, only}, {}), b = cpu->compute({alpha, only}, {});
+      const bool ok = same(a, b);
+      failures += !ok;
+      if (!ok || balls.size() > 2000) {
+        std::printf("%s %s s=%g a=%g %s: V %zu/%zu E %zu/%zu F %zu/%zu T %zu/%zu  %s\n", ok ? "ok  " : "DIFF", name.c_str(), solvent, alpha, only ? "tets" : "whole",
+                    a.vertices.size(), b.vertices.size(), a.edges.size(), b.edges.size(), a.triangles.size(), b.triangles.size(), a.tetrahedra.size(), b.tetrahedra.size(), a.engine.route.c_str());
+      }
+    }
+  }
+}
+
+void random_checks() {
+  std::mt19937 rng(1);
+  for (int round = 0; round < 60; ++round) {
+    BallSet balls;
+    const int n = round < 6 ? round : 20 + round * 5, side = round % 3 == 0 ? 8 : round % 3 == 1 ? 40 : 3000;
+    std::uniform_int_distribution<int> at(-side, side), radius(1, std::max(2, side / 2));
+    for (int i = 0; i < n; ++i) {
+      balls.centres.push_back({at(rng), at(rng), at(rng)});
+      balls.radii.push_back(radius(rng));
+    }
+    const double u = 1e-6 * side * side;
+    check("random " + std::to_string(round), balls, 0, {-0.1 * u, 0, 0.05 * u, 0.25 * u, u, 1e-6});
+  }
+  BallSet cubic;
+  for (int x = 0; x < 8; ++x) for (int y = 0; y < 8; ++y) for (int z = 0; z < 8; ++z) { cubic.centres.push_back({1000 * x, 1000 * y, 1000 * z}); cubic.radii.push_back(600); }
+  check("cubic lattice", cubic, 0, {0, 0.14, 0.39, 0.5, 1});
+}
+
+void time_one(const std::string& name, const BallSet& balls, double solvent, double alpha) {
+  const BallSet grown = with_solvent(balls, solvent);
+  gpu::FacetPipeline pipeline(grown);
+  const double a = grown.lattice.alpha_on_lattice(alpha);
+  for (const bool only : {true, false}) {
+    gpu::PipelineResult r;
+    for (int w = 0; w < 3; ++w) r = pipeline.run(a, only, {}, nullptr);
+    if (!r.fits) { std::printf("%s does not fit\n", name.c_str()); continue; }
+    std::vector<double> t;
+    const int runs = grown.size() > 4000000 ? 5 : 21;
+    for (int i = 0; i < runs; ++i) {
+      const auto start = std::chrono::steady_clock::now();
+      r = pipeline.run(a, only, {}, nullptr);
+      t.push_back(std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
+    }
+    std::sort(t.begin(), t.end());
+    StageTimes stages;
+    pipeline.run(a, only, {}, &stages);
+    stages = {};
+    pipeline.run(a, only, {}, &stages);
+    std::printf("TIME %-6s n=%zu s=%g a=%g %-5s median %.3f ms min %.3f | T=%zu E=%zu exact balls %u |", name.c_str(), grown.size(), solvent, alpha, only ? "tets" : "whole", t[t.size() / 2], t[0], r.tetrahedra.simplices.size(), r.edges.simplices.size(), r.exact_balls);
+    for (const auto& s : stages.stages) std::printf(" %s %.3f;", s.label.c_str(), s.milliseconds);
+    std::printf("\n");
+    std::fflush(stdout);
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const std::string data = argc > 1 ? argv[1] : ".";
+  const std::string what = argc > 2 ? argv[2] : "check,time";
+  const auto& d = gpu_device();
+  std::printf("device: %s usable %d %s %s\n", d.name.c_str(), d.usable, d.driver.c_str(), d.why_not.c_str());
+  if (what.find("check") != std::string::npos) {
+    random_checks();
+    std::printf("random: %d differences\n", failures);
+    for (const char* name : {"1grm", "1k4c", "1aon", "2buk"}) {
+      const BallSet balls = read_balls(data + "/" + name + ".balls");
+      check(name, balls, 0, {-1, 0, 0.5, 1.4, 3, 10});
+      check(name, balls, 1.4, {0, 1.4});
+    }
+    std::printf("checks: %d differences\n", failures);
+  }
+  if (what.find("time") != std::string::npos) {
+    for (const char* name : {"1k4c", "1aon", "3j6r"}) {
+      const BallSet balls = read_balls(data + "/" + name + ".balls");
+      for (const double alpha : {0.0, 1.4, 3.0, 10.0}) time_one(name, balls, 0, alpha);
+      time_one(name, balls, 1.4, 0);
+    }
+  }
+  if (what.rfind("one:", 0) == 0) {
+    const std::size_t colon = what.find(':', 4);
+    time_one(what.substr(4, colon - 4), read_balls(data + "/" + what.substr(4, colon - 4) + ".balls"), 0, std::stod(what.substr(colon + 1)));
+  }
+  if (what.find("huge") != std::string::npos) {
+    const BallSet balls = read_balls(data + "/1m4x.balls");
+    for (const double alpha : {0.0, 1.4}) time_one("1m4x", balls, 0, alpha);
+  }
+  return failures == 0 ? 0 : 1;
+}

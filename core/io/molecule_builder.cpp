@@ -9,6 +9,10 @@ namespace {
 
 constexpr Decimal kNoRadius{-1, 0};
 
+// Leaves room for radii up to 67 Å, which the solvent radius and the radii sets need; files with
+// more digits than six have them from a program, not from a measurement.
+constexpr int kMostDigits = 6;
+
 std::string text_of(const Decimal& value) {
   char text[40];
   std::snprintf(text, sizeof text, "%.10g", value.to_double());
@@ -73,8 +77,7 @@ int MoleculeBuilder::choose_digits() const {
     return largest_coordinate * units <= kMaxLatticeCoordinate &&
            largest_radius * units <= kMaxLatticeRadius;
   };
-  // Beyond 17 digits nothing but zero fits; starting there bounds the loop for 1e-99999.
-  digits = std::min(digits, 9);
+  digits = std::min(digits, kMostDigits);
   while (digits > 0 && !fits(digits)) --digits;
   return digits;
 }
@@ -103,6 +106,15 @@ void MoleculeBuilder::place(int digits) {
   }
   molecule_.lattice = Lattice{digits};
   molecule_.rounding_angstrom = molecule_.lattice.angstrom(largest_rounding);
+  if (largest_rounding > 0) {
+    char note[160];
+    std::snprintf(
+        note, sizeof note,
+        "Numbers have more digits than the lattice of %g Å holds: rounded once, by at most "
+        "%.2g Å",
+        molecule_.lattice.unit_angstrom(), molecule_.rounding_angstrom);
+    molecule_.notes.push_back(note);
+  }
 }
 
 void MoleculeBuilder::refuse_value(std::size_t atom, const char* what, const Decimal& value) const {

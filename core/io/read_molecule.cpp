@@ -5,25 +5,43 @@
 #include "core/io/text_file.hpp"
 
 namespace alphascope {
+namespace {
 
-Molecule read_molecule(const std::filesystem::path& path, const ReadOptions& options,
-                       const RunContext& context) {
-  const LoadedText loaded = load_text(path, options.max_bytes, context);
-  const ReaderInput input{path, loaded.text, context};
-  switch (sniff_format(path, loaded.text)) {
+constexpr const char* kFormats =
+    "Formats that can be opened: PDB, mmCIF, PQR, XYZ, XYZR and CRD (x y z r, or CHARMM cards), "
+    "also packed as .gz";
+
+Molecule read_format(FileFormat format, const ReaderInput& input) {
+  switch (format) {
     case FileFormat::pdb:
       return read_pdb(input);
     case FileFormat::mmcif:
       return read_mmcif(input);
+    case FileFormat::pqr:
+      return read_pqr(input);
+    case FileFormat::xyz:
+      return read_xyz(input);
+    case FileFormat::tinker_xyz:
+      return read_tinker_xyz(input);
     case FileFormat::ball_table:
       return read_ball_table(input);
+    case FileFormat::charmm_card:
+      return read_charmm_card(input);
     case FileFormat::unknown:
       break;
   }
   throw ReadError(
-      path, 0,
-      "this is no molecule file that can be read: it looks like " + describe_unknown(loaded.text),
-      "Formats that can be opened: PDB, mmCIF, XYZR and CRD (x y z r), also packed as .gz");
+      input.source, 0,
+      "this is no molecule file that can be read: it looks like " + describe_unknown(input.text),
+      kFormats);
+}
+
+}  // namespace
+
+Molecule read_molecule(const std::filesystem::path& path, const ReadOptions& options,
+                       const RunContext& context) {
+  const LoadedText loaded = load_text(path, options.max_bytes, context);
+  return read_format(sniff_format(path, loaded.text), {path, loaded.text, context});
 }
 
 }  // namespace alphascope

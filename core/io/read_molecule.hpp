@@ -15,8 +15,9 @@ struct ReadOptions {
   std::uint64_t max_bytes = std::uint64_t{4} << 30;
 };
 
-// Formats: PDB and mmCIF; XYZR and the two x-y-z-r dialects of CRD. Told apart by content and by
-// extension. Throws ReadError with a sentence for people, and Cancelled.
+// Formats: PDB, mmCIF, PQR, XYZ (plain, extended, Tinker), XYZR and tables of balls, CRD (x y z r
+// with or without count, CHARMM cards). Told apart by content first, then by extension. Throws
+// ReadError with a sentence for people, and Cancelled.
 Molecule read_molecule(const std::filesystem::path& path, const ReadOptions& options = {},
                        const RunContext& context = {});
 

@@ -25,6 +25,16 @@ Molecule read_pdb(const ReaderInput& input);
 // The atom_site table of the first data block that has one.
 Molecule read_mmcif(const ReaderInput& input);
 
+// PQR: atoms with charge and radius.
+Molecule read_pqr(const ReaderInput& input);
+
+// XYZ and extended XYZ; frames become models.
+Molecule read_xyz(const ReaderInput& input);
+Molecule read_tinker_xyz(const ReaderInput& input);
+
+// CHARMM's coordinate cards, narrow and wide.
+Molecule read_charmm_card(const ReaderInput& input);
+
 // "x y z r" lines: XYZR, both dialects of the x-y-z-r CRD (with the count in the first line, or
 // without), and tables with labels before or after the four numbers.
 Molecule read_ball_table(const ReaderInput& input);

@@ -21,28 +21,37 @@ bool is_pdb_record(std::string_view line) {
                      [&](std::string_view record) { return line.starts_with(record); });
 }
 
-bool is_number(std::string_view text) {
-  Decimal value;
-  return !text.empty() && parse_decimal(text, value) == DecimalStatus::ok;
-}
-
 bool is_cif_start(std::string_view line) {
   return line.size() >= 5 && (line[0] | 0x20) == 'd' && (line[1] | 0x20) == 'a' &&
          (line[2] | 0x20) == 't' && (line[3] | 0x20) == 'a' && line[4] == '_';
 }
 
+// The kinds of the first fields of a line: 'i' integer, 'n' other number, 'w' word.
+std::string field_kinds(std::string_view line) {
+  std::string kinds;
+  for (std::string_view f = next_field(line); !f.empty() && kinds.size() < 8;
+       f = next_field(line)) {
+    Decimal value;
+    if (parse_decimal(f, value) != DecimalStatus::ok) {
+      kinds += 'w';
+    } else {
+      kinds += f.find_first_not_of("0123456789") == std::string_view::npos ? 'i' : 'n';
+    }
+  }
+  return kinds;
+}
+
+// Four numbers from field k on.
+bool numbers_from(std::string_view kinds, std::size_t k, std::size_t count) {
+  if (kinds.size() < k + count) return false;
+  return kinds.substr(k, count).find('w') == std::string_view::npos;
+}
+
 // "1.0 2.0 3.0 1.5 …", or four numbers behind one to three labels that begin with a name.
 bool is_ball_line(std::string_view line) {
-  line = line.substr(0, line.find('#'));
-  bool numeric[8] = {};
-  int fields = 0;
-  for (std::string_view f = next_field(line); !f.empty() && fields < 8; f = next_field(line)) {
-    numeric[fields++] = is_number(f);
-  }
-  const auto four_from = [&](int k) {
-    return numeric[k] && numeric[k + 1] && numeric[k + 2] && numeric[k + 3];
-  };
-  return fields >= 4 && (four_from(0) || (fields <= 7 && !numeric[0] && four_from(fields - 4)));
+  const std::string kinds = field_kinds(line.substr(0, line.find('#')));
+  return numbers_from(kinds, 0, 4) || (kinds.size() >= 5 && kinds.size() <= 7 && kinds[0] == 'w' &&
+                                       numbers_from(kinds, kinds.size() - 4, 4));
 }
 
 std::string extension_without_gz(const std::filesystem::path& path) {
@@ -55,29 +64,65 @@ std::string extension_without_gz(const std::filesystem::path& path) {
   return lower(name.extension().string());
 }
 
+// What follows a first line that begins with a count: an XYZ file or a table of balls.
+FileFormat sniff_counted(std::string_view first, LineReader lines, std::string_view extension) {
+  std::string_view second, third;
+  lines.next(second);
+  const std::string kinds = field_kinds(second);
+  if (kinds.size() >= 6 && kinds[0] == 'i' && kinds[1] == 'w' && numbers_from(kinds, 2, 4)) {
+    return FileFormat::tinker_xyz;
+  }
+  lines.next(third);
+  const std::string below = field_kinds(third);
+  const bool box = kinds.size() == 6 && numbers_from(kinds, 0, 6);
+  if (box && below.size() >= 6 && below[0] == 'i' && below[1] == 'w') return FileFormat::tinker_xyz;
+  if (field_kinds(first).size() != 1) return FileFormat::unknown;
+  if (extension == ".xyz") return FileFormat::xyz;
+  if (below.size() >= 4 && below[0] == 'w' && numbers_from(below, 1, 3)) return FileFormat::xyz;
+  if (is_ball_line(second) || (trimmed(second).empty() && is_ball_line(third))) {
+    return FileFormat::ball_table;
+  }
+  return FileFormat::unknown;
+}
+
+FileFormat sniff_content(std::string_view text, std::string_view extension) {
+  LineReader lines(text);
+  std::string_view line;
+  for (int k = 0; k < kLinesToLookAt && lines.next(line); ++k) {
+    if (line.starts_with("REMARK") && line.find("PQR file") != std::string_view::npos) {
+      return FileFormat::pqr;
+    }
+    if (is_pdb_record(line)) {
+      if (extension == ".pqr") return FileFormat::pqr;
+      if (!line.starts_with("REMARK")) return FileFormat::pdb;
+      continue;  // a later remark may say that this is PQR
+    }
+    const std::string_view data = trimmed(line);
+    if (data.empty() || data.front() == '#') continue;
+    if (is_cif_start(data)) return FileFormat::mmcif;
+    if (k == 0 && data.front() == '*') return FileFormat::charmm_card;
+    if (field_kinds(data).starts_with('i')) {
+      const FileFormat counted = sniff_counted(data, lines, extension);
+      if (counted != FileFormat::unknown) return counted;
+    }
+    return is_ball_line(data) ? FileFormat::ball_table : FileFormat::unknown;
+  }
+  return FileFormat::unknown;
+}
+
 }  // namespace
 
 FileFormat sniff_format(const std::filesystem::path& path, std::string_view text) {
   const std::string extension = extension_without_gz(path);
-  LineReader lines(text);
-  std::string_view line;
-  bool first = true;
-  for (int k = 0; k < kLinesToLookAt && lines.next(line); ++k) {
-    if (is_pdb_record(line)) return FileFormat::pdb;
-    std::string_view data = trimmed(line);
-    if (data.empty() || data.front() == '#') continue;
-    if (is_cif_start(data)) return FileFormat::mmcif;
-    if (is_ball_line(data)) return FileFormat::ball_table;
-    // A count alone in the first line; what follows decides.
-    if (first && is_number(data)) {
-      first = false;
-      continue;
-    }
-    break;
-  }
+  const FileFormat content = sniff_content(text, extension);
+  if (content != FileFormat::unknown) return content;
+  if (text.substr(0, 4096).find('\0') != std::string_view::npos) return FileFormat::unknown;
+  // Damaged, truncated or empty: the reader of the extension says best what is wrong.
   if (extension == ".pdb" || extension == ".ent") return FileFormat::pdb;
   if (extension == ".cif" || extension == ".mmcif") return FileFormat::mmcif;
-  if (extension == ".xyzr") return FileFormat::ball_table;
+  if (extension == ".pqr") return FileFormat::pqr;
+  if (extension == ".xyz") return FileFormat::xyz;
+  if (extension == ".xyzr" || extension == ".crd") return FileFormat::ball_table;
   return FileFormat::unknown;
 }
 
@@ -88,7 +133,12 @@ std::string describe_unknown(std::string_view text) {
   std::string_view line;
   while (lines.next(line)) {
     const std::string_view data = trimmed(line);
-    if (!data.empty()) return "a text that begins with \"" + shortened(data) + "\"";
+    if (data.empty()) continue;
+    if (data.starts_with("<?xml") || data.starts_with("<!DOCTYPE") || data.starts_with("<html")) {
+      return "a web page or XML: \"" + shortened(data) + "\"";
+    }
+    if (data.front() == '{') return "JSON";
+    return "a text that begins with \"" + shortened(data) + "\"";
   }
   return "a file of blank lines";
 }

@@ -7,7 +7,16 @@
 
 namespace alphascope {
 
-enum class FileFormat : unsigned char { unknown, pdb, mmcif, ball_table };
+enum class FileFormat : unsigned char {
+  unknown,
+  pdb,
+  mmcif,
+  pqr,
+  xyz,
+  tinker_xyz,
+  ball_table,
+  charmm_card
+};
 
 FileFormat sniff_format(const std::filesystem::path& path, std::string_view text);
 

@@ -9,7 +9,7 @@ namespace alphascope {
 namespace {
 
 constexpr std::uint64_t kMaxBytes = 16 << 20;
-constexpr std::int64_t kLargestRadius = 100'000'000;  // 10^-6 Å
+constexpr std::int64_t kLargestRadius = 60'000'000;  // 10^-6 Å
 
 class UserRadiiReader {
  public:
@@ -64,7 +64,7 @@ class UserRadiiReader {
     }
     const std::int64_t units = to_units(value, 6, rounding);
     if (units <= 0 || units > kLargestRadius) {
-      fail("the radius " + shortened(text) + " Å is not above 0 and at most 100");
+      fail("the radius " + shortened(text) + " Å is not above 0 and at most 60");
     }
     return static_cast<std::int32_t>(units);
   }

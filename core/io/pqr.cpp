@@ -1,0 +1,178 @@
+// PQR, as PDB2PQR and APBS use it: ATOM and HETATM lines with fields between blanks,
+//   serial name residue [chain] residue-number x y z charge radius
+// and the PDB's columns where coordinates grow into one another. The charge is not used.
+#include <charconv>
+
+#include "core/io/atom_names.hpp"
+#include "core/io/line_reader.hpp"
+#include "core/io/molecule_builder.hpp"
+#include "core/io/readers.hpp"
+
+namespace alphascope {
+namespace {
+
+constexpr std::size_t kProgressLines = 65536;
+constexpr std::size_t kMostFields = 12;
+
+bool is_letter(char c) {
+  return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
+}
+
+class PqrReader {
+ public:
+  explicit PqrReader(const ReaderInput& input)
+      : input_(input), lines_(input.text), builder_(input.source, "PQR") {}
+
+  Molecule read() {
+    std::string_view line;
+    while (lines_.next(line)) {
+      if (lines_.number() % kProgressLines == 0) report();
+      if (line.starts_with("ATOM") || line.starts_with("HETATM")) {
+        if (between_models_) builder_.begin_model(++models_);
+        between_models_ = false;
+        take_atom(line);
+      } else if (line.starts_with("MODEL")) {
+        builder_.begin_model(++models_);
+        between_models_ = false;
+      } else if (line.starts_with("ENDMDL")) {
+        between_models_ = true;
+      }
+    }
+    return builder_.finish();
+  }
+
+ private:
+  void report() {
+    input_.context.cancel.throw_if_cancelled();
+    const double left = static_cast<double>(lines_.bytes_left());
+    input_.context.report("reading", 1 - left / static_cast<double>(input_.text.size()));
+  }
+
+  void take_atom(std::string_view line) {
+    line_ = line;
+    const std::size_t tag = line[0] == 'H' ? 6 : 4;
+    Atom atom;
+    atom.hetero = tag == 6;
+    atom.source_line = static_cast<std::uint32_t>(lines_.number());
+    std::array<Decimal, 3> position;
+    Decimal radius;
+    if (!take_fields(line.substr(tag), atom, position, radius)) {
+      take_columns(line, tag, atom, position, radius);
+    }
+    if (radius.mantissa < 0) fail("the radius is negative", "Radii are in Å and at least 0");
+    const ResidueFamily family = families_.of(atom.residue_name, builder_.molecule().names);
+    atom.kind = atom_kind(family, atom.hetero);
+    atom.element = element_from_atom_name(
+        builder_.molecule().text(atom.name),
+        family == ResidueFamily::biopolymer || family == ResidueFamily::water ||
+            (family == ResidueFamily::unknown &&
+             has_position_letter(builder_.molecule().text(atom.name))));
+    builder_.add(atom, position, radius);
+  }
+
+  // Everything between blanks. False when some numbers have grown together.
+  bool take_fields(std::string_view rest, Atom& atom, std::array<Decimal, 3>& position,
+                   Decimal& radius) {
+    std::size_t n = 0;
+    for (; n < kMostFields; ++n) {
+      fields_[n] = next_field(rest);
+      if (fields_[n].empty()) break;
+    }
+    if (n < 9 || n > 10) return false;
+    for (std::size_t k = 0; k < 5; ++k) {
+      Decimal charge;
+      Decimal& value = k < 3 ? position[k] : k == 3 ? charge : radius;
+      if (parse_decimal(fields_[n - 5 + k], value) != DecimalStatus::ok) return false;
+    }
+    name_atom(atom, fields_[0], fields_[1], fields_[2], n == 10 ? fields_[3] : std::string_view(),
+              fields_[n - 6]);
+    return true;
+  }
+
+  void take_columns(std::string_view line, std::size_t tag, Atom& atom,
+                    std::array<Decimal, 3>& position, Decimal& radius) {
+    const auto columns = [&](std::size_t first, std::size_t last) {
+      return line.size() < first ? std::string_view() : line.substr(first - 1, last - first + 1);
+    };
+    for (std::size_t k = 0; k < 3; ++k) {
+      position[k] = number(trimmed(columns(31 + 8 * k, 38 + 8 * k)), "xyz"[k]);
+    }
+    std::string_view rest = columns(55, line.size());
+    number(next_field(rest), 'q');
+    radius = number(next_field(rest), 'r');
+    if (!trimmed(rest).empty()) fail_shape();
+    std::string_view front = columns(tag + 1, 30);
+    std::size_t n = 0;
+    for (; n < kMostFields; ++n) {
+      fields_[n] = next_field(front);
+      if (fields_[n].empty()) break;
+    }
+    if (n < 4 || n > 5) fail_shape();
+    name_atom(atom, fields_[0], fields_[1], fields_[2], n == 5 ? fields_[3] : std::string_view(),
+              fields_[n - 1]);
+  }
+
+  void name_atom(Atom& atom, std::string_view serial, std::string_view name,
+                 std::string_view residue, std::string_view chain, std::string_view number) {
+    NameTable& names = builder_.molecule().names;
+    std::from_chars(serial.data(), serial.data() + serial.size(), atom.serial);
+    atom.name = names.intern(name);
+    atom.residue_name = names.intern(residue);
+    // "A1001": the chain has grown into a long number.
+    if (chain.empty() && number.size() > 1 && is_letter(number.front())) {
+      chain = number.substr(0, 1);
+      number.remove_prefix(1);
+    }
+    atom.chain = atom.label_chain = names.intern(chain);
+    const auto [end, error] =
+        std::from_chars(number.data(), number.data() + number.size(), atom.residue_number);
+    const std::size_t used = static_cast<std::size_t>(end - number.data());
+    if (error != std::errc() || number.size() - used > 1) {
+      fail("expected a residue number, found \"" + shortened(number) + "\"", kRemedy);
+    }
+    if (used < number.size()) atom.insertion_code = number[used];
+  }
+
+  Decimal number(std::string_view text, char what) const {
+    Decimal value;
+    const DecimalStatus status = parse_decimal(text, value);
+    if (status == DecimalStatus::ok) return value;
+    const std::string name = what == 'q'   ? "the charge"
+                             : what == 'r' ? "the radius"
+                                           : std::string(1, what);
+    if (text.empty()) fail(name + " is missing", kRemedy);
+    fail("expected a number for " + name + ", found \"" + shortened(text) + "\"",
+         status == DecimalStatus::not_finite
+             ? "Coordinates and radii must be finite; remove this atom or compute it again"
+             : kRemedy);
+  }
+
+  [[noreturn]] void fail_shape() const {
+    fail("this is no PQR atom: \"" + shortened(line_) + "\"", kRemedy);
+  }
+
+  [[noreturn]] void fail(std::string reason, std::string remedy) const {
+    throw ReadError(input_.source, lines_.number(), std::move(reason), std::move(remedy));
+  }
+
+  static constexpr const char* kRemedy =
+      "PQR lines are \"ATOM serial name residue [chain] number x y z charge radius\"; a PDB file "
+      "should be named .pdb";
+
+  const ReaderInput& input_;
+  LineReader lines_;
+  MoleculeBuilder builder_;
+  ResidueFamilies families_;
+  std::array<std::string_view, kMostFields> fields_;
+  std::string_view line_;
+  int models_ = 0;
+  bool between_models_ = false;
+};
+
+}  // namespace
+
+Molecule read_pqr(const ReaderInput& input) {
+  return PqrReader(input).read();
+}
+
+}  // namespace alphascope

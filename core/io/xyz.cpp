@@ -1,0 +1,222 @@
+// XYZ: a line with the number of atoms, a comment, then "symbol x y z …"; further frames follow in
+// the same way and become models. The comment of extended XYZ says which columns are what. Tinker's
+// files of the same name have no comment and number their atoms.
+#include <charconv>
+#include <optional>
+
+#include "core/io/atom_names.hpp"
+#include "core/io/line_reader.hpp"
+#include "core/io/molecule_builder.hpp"
+#include "core/io/readers.hpp"
+
+namespace alphascope {
+namespace {
+
+constexpr std::size_t kProgressAtoms = 65536;
+
+struct XyzLayout {
+  std::size_t symbol = 0, x = 1;
+  std::optional<std::size_t> radius;
+  std::size_t fields = 4;  // at least
+};
+
+bool parse_count(std::string_view text, std::size_t& count) {
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), count);
+  return error == std::errc() && end == text.data() + text.size();
+}
+
+// "C", "CL", "C12", "6": a symbol, perhaps numbered, or an atomic number.
+Element element_of(std::string_view symbol) {
+  std::size_t number = 0;
+  if (parse_count(symbol, number)) {
+    return number <= kHeaviestElement ? static_cast<Element>(number) : kUnknownElement;
+  }
+  std::size_t letters = 0;
+  while (letters < symbol.size() && (symbol[letters] | 0x20) >= 'a' &&
+         (symbol[letters] | 0x20) <= 'z') {
+    ++letters;
+  }
+  return element_from_symbol(symbol.substr(0, letters));
+}
+
+class XyzReader {
+ public:
+  XyzReader(const ReaderInput& input, bool tinker)
+      : input_(input),
+        lines_(input.text),
+        builder_(input.source, tinker ? "Tinker XYZ" : "XYZ"),
+        tinker_(tinker) {
+    if (tinker) layout_ = {1, 2, std::nullopt, 5};
+  }
+
+  Molecule read() {
+    std::string_view line;
+    int frame = 0;
+    while (next_filled(line)) {
+      read_count(line);
+      builder_.begin_model(++frame);
+      if (!tinker_) read_comment();
+      for (std::size_t k = 0; k < count_; ++k) {
+        if (!lines_.next(line) || trimmed(line).empty()) {
+          fail("the atoms end after " + std::to_string(k) + " of the " + std::to_string(count_) +
+                   " that line " + std::to_string(count_line_) + " announces",
+               "The file is truncated or the count is wrong; fetch it again or correct the count");
+        }
+        if (tinker_ && k == 0 && is_box(line)) {
+          --k;
+          continue;
+        }
+        take_atom(line);
+      }
+    }
+    return builder_.finish();
+  }
+
+ private:
+  bool next_filled(std::string_view& line) {
+    while (lines_.next(line)) {
+      if (!trimmed(line).empty()) return true;
+    }
+    return false;
+  }
+
+  void read_count(std::string_view line) {
+    const std::string_view whole = trimmed(line);
+    count_line_ = lines_.number();
+    const std::string_view first = next_field(line);
+    const bool alone = trimmed(line).empty();
+    if (!parse_count(first, count_) || (!alone && !tinker_)) {
+      fail("expected the number of atoms, found \"" + shortened(whole) + "\"",
+           builder_.size() == 0 ? "An XYZ file begins with the number of its atoms"
+                                : "The count of the frame before may be too small; correct it");
+    }
+    if (tinker_ && builder_.size() == 0) builder_.molecule().title = std::string(trimmed(line));
+    // An atom takes eight characters or more: a wrong count cannot make us reserve much.
+    if (builder_.size() == 0) builder_.reserve(std::min(count_, lines_.bytes_left() / 8));
+  }
+
+  void read_comment() {
+    std::string_view comment;
+    if (!lines_.next(comment)) return;
+    if (builder_.size() == 0) builder_.molecule().title = std::string(trimmed(comment));
+    layout_ = {};
+    const std::size_t at = comment.find("Properties=");
+    if (at == std::string_view::npos) return;
+    std::string_view properties = comment.substr(at + 11);
+    if (!properties.empty() && properties.front() == '"') properties.remove_prefix(1);
+    read_properties(properties.substr(0, properties.find_first_of(" \t\"")));
+  }
+
+  // "species:S:1:pos:R:3:radius:R:1": name, type and number of columns of each property.
+  void read_properties(std::string_view text) {
+    const std::string_view whole = text;
+    const auto part = [&] {
+      const std::size_t end = text.find(':');
+      const std::string_view result = text.substr(0, end);
+      text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+      return result;
+    };
+    std::size_t column = 0;
+    bool symbol = false, position = false;
+    while (!text.empty()) {
+      const std::string_view name = part(), type = part();
+      std::size_t width = 0;
+      if (type.empty() || !parse_count(part(), width) || width > 1000) {
+        fail("the list of properties \"" + shortened(whole) + "\" is not complete",
+             "It must be triples name:type:columns");
+      }
+      if (name == "species" && width == 1) layout_.symbol = column, symbol = true;
+      if (name == "pos" && width == 3) layout_.x = column, position = true;
+      if (name == "radius" && width == 1) layout_.radius = column;
+      column += width;
+    }
+    layout_.fields = column;
+    if (!symbol || !position) {
+      fail("the properties \"" + shortened(whole) + "\" lack species or positions",
+           "Extended XYZ needs species:S:1 and pos:R:3");
+    }
+  }
+
+  // Tinker's periodic box: six numbers in the second line.
+  static bool is_box(std::string_view line) {
+    Decimal value;
+    for (int k = 0; k < 6; ++k) {
+      if (parse_decimal(next_field(line), value) != DecimalStatus::ok) return false;
+    }
+    return trimmed(line).empty();
+  }
+
+  void take_atom(std::string_view line) {
+    if (builder_.size() % kProgressAtoms == 0) report();
+    std::array<Decimal, 3> position;
+    std::optional<Decimal> radius;
+    std::string_view symbol;
+    std::size_t k = 0;
+    for (; k < layout_.fields; ++k) {
+      const std::string_view field = next_field(line);
+      if (field.empty()) break;
+      if (k == layout_.symbol) symbol = field;
+      if (k >= layout_.x && k < layout_.x + 3)
+        position[k - layout_.x] = number(field, "xyz"[k - layout_.x]);
+      if (k == layout_.radius) radius = number(field, 'r');
+    }
+    if (k < layout_.fields) {
+      fail("the line has " + std::to_string(k) + " of the " + std::to_string(layout_.fields) +
+               " fields that an atom needs here",
+           "Complete the line; XYZ atoms are \"symbol x y z\", extended XYZ has what Properties "
+           "lists");
+    }
+    Atom atom;
+    atom.source_line = static_cast<std::uint32_t>(lines_.number());
+    atom.serial = static_cast<std::int32_t>(builder_.size() + 1);
+    atom.name = builder_.molecule().names.intern(symbol);
+    atom.element = tinker_ ? tinker_element(symbol) : element_of(symbol);
+    if (!radius) return builder_.add(atom, position);
+    if (radius->mantissa < 0) fail("the radius is negative", "Radii are in Å and at least 0");
+    builder_.add(atom, position, *radius);
+  }
+
+  // Tinker has force field names such as CA, HN and OW there; ions are written with a sign.
+  static Element tinker_element(std::string_view name) {
+    return element_from_atom_name(name, has_position_letter(name) || name == "HN" || name == "OW");
+  }
+
+  Decimal number(std::string_view text, char what) const {
+    Decimal value;
+    const DecimalStatus status = parse_decimal(text, value);
+    if (status == DecimalStatus::ok) return value;
+    fail(std::string("expected a number for ") + what + ", found \"" + shortened(text) + "\"",
+         status == DecimalStatus::not_finite
+             ? "Coordinates must be finite; remove this atom or compute it again"
+             : "The count before these atoms may be wrong, or the file is damaged");
+  }
+
+  void report() {
+    input_.context.cancel.throw_if_cancelled();
+    const double left = static_cast<double>(lines_.bytes_left());
+    input_.context.report("reading", 1 - left / static_cast<double>(input_.text.size()));
+  }
+
+  [[noreturn]] void fail(std::string reason, std::string remedy) const {
+    throw ReadError(input_.source, lines_.number(), std::move(reason), std::move(remedy));
+  }
+
+  const ReaderInput& input_;
+  LineReader lines_;
+  MoleculeBuilder builder_;
+  XyzLayout layout_;
+  bool tinker_;
+  std::size_t count_ = 0, count_line_ = 0;
+};
+
+}  // namespace
+
+Molecule read_xyz(const ReaderInput& input) {
+  return XyzReader(input, false).read();
+}
+
+Molecule read_tinker_xyz(const ReaderInput& input) {
+  return XyzReader(input, true).read();
+}
+
+}  // namespace alphascope

@@ -1,0 +1,127 @@
+// PQR, XYZ in its three kinds, CHARMM cards, and telling formats apart.
+#include <string>
+
+#include "core/molecule/prepare_balls.hpp"
+#include "tests/core/io/temporary_file.hpp"
+
+namespace alphascope {
+namespace {
+
+TEST(ReadPqr, FieldsAndColumns) {
+  const Molecule m =
+      read_text("a.pqr",
+                "REMARK   1 PQR file\n"
+                "ATOM      1  N    ILE    16       5.007   -9.234   18.432 -0.3000 1.8500\n"
+                "ATOM      2  CA  ALA A   1    1999.3232998.770-900.490  0.1414 1.8240\n"
+                "HETATM    3  C1  LIG A1001B   1999.323 2998.770 -900.490  0.1414 0\n");
+  ASSERT_EQ(m.atoms.size(), 3u);
+  EXPECT_EQ(m.lattice.digits, 3);
+  EXPECT_EQ(m.atoms[0].position, (LatticePoint{5007, -9234, 18432}));
+  EXPECT_EQ(m.atoms[0].file_radius, 1850);
+  EXPECT_EQ(m.atoms[1].position, (LatticePoint{1999323, 2998770, -900490}));
+  EXPECT_EQ(m.text(m.atoms[1].chain), "A");
+  EXPECT_EQ(m.atoms[2].residue_number, 1001);
+  EXPECT_EQ(m.atoms[2].insertion_code, 'B');
+  EXPECT_EQ(m.atoms[2].file_radius, 0);
+  EXPECT_EQ(prepare_balls(m).report.dropped_zero_radius, 1u);
+}
+
+TEST(ReadPqr, RefusesWithTheLine) {
+  const std::string good = "ATOM 1 N ILE 16 5.0 -9.2 18.4 -0.3 1.85\n";
+  EXPECT_EQ(refusal("a.pqr", good + "ATOM 1 N ILE 16 5.0 -9.2 18.4 -0.3 -1\n").line(), 2u);
+  EXPECT_EQ(refusal("a.pqr", good + "ATOM 1 N ILE 16 5.0 -9.2 18.4 -0.3\n").line(), 2u);
+  EXPECT_EQ(refusal("a.pqr", good + "ATOM 1 N ILE 16 nan -9.2 18.4 -0.3 1\n").line(), 2u);
+  EXPECT_EQ(refusal("a.pqr", good + "ATOM 1 N ILE X 5.0 -9.2 18.4 -0.3 1\n").line(), 2u);
+}
+
+TEST(ReadXyz, FramesSymbolsAndNumbers) {
+  const Molecule m =
+      read_text("a.xyz", "2\nfirst\nC 1 2 3\nCl1 4 5 6 0.3\n\n1\n\n8 1.5 2 -3\n\n\n");
+  ASSERT_EQ(m.models.size(), 2u);
+  EXPECT_EQ(m.title, "first");
+  EXPECT_EQ(m.atoms[1].element, 17);
+  EXPECT_EQ(m.atoms[2].element, 8);
+  EXPECT_EQ(m.atoms[2].position, (LatticePoint{1500, 2000, -3000}));
+}
+
+TEST(ReadXyz, ExtendedColumns) {
+  const Molecule m = read_text(
+      "a.xyz", "1\nProperties=id:I:1:pos:R:3:radius:R:1:species:S:1 energy=3\n7 1 2 3 1.25 Zn\n");
+  EXPECT_EQ(m.atoms[0].element, 30);
+  EXPECT_EQ(m.atoms[0].position.x, 1000);
+  EXPECT_EQ(m.atoms[0].file_radius, 1250);
+  EXPECT_EQ(refusal("a.xyz", "1\nProperties=species:S:1:pos:R:3:q:R:1\nC 1 2 3\n").line(), 3u);
+  EXPECT_EQ(refusal("a.xyz", "1\nProperties=species:S\nC 1 2 3\n").line(), 2u);
+}
+
+TEST(ReadXyz, Tinker) {
+  const Molecule m =
+      read_text("a.xyz", "    2 water\n 90 90 90 90 90 90\n 1 OW 1 2 3 221 2\n 2 HW 2 2 3 222 1\n");
+  EXPECT_EQ(m.format, "Tinker XYZ");
+  ASSERT_EQ(m.atoms.size(), 2u);
+  EXPECT_EQ(m.atoms[0].element, 8);
+  EXPECT_EQ(m.atoms[1].element, 1);
+}
+
+TEST(ReadXyz, RefusesWithTheLine) {
+  EXPECT_EQ(refusal("a.xyz", "2\n\nC 1 2 3\n").reason(),
+            "the atoms end after 1 of the 2 that line 1 announces");
+  EXPECT_EQ(refusal("a.xyz", "1\n\nC 1 2 3\nC 1 2 4\n").line(), 4u);
+  EXPECT_EQ(refusal("a.xyz", "1\n\nC 1 2 inf\n").line(), 3u);
+  EXPECT_EQ(refusal("a.xyz", "99999999999999999999\n\nC 1 2 3\n").line(), 1u);
+  EXPECT_EQ(refusal("a.xyz", "9999999999999999\n\nC 1 2 3\n").line(), 3u)
+      << "no memory for a wrong count";
+}
+
+TEST(ReadCharmmCard, NarrowAndWide) {
+  const Molecule narrow =
+      read_text("a.crd",
+                "* TITLE\n*\n    2\n"
+                "    1    1 LYS  N    -14.05410-114.28359  43.57444 G    1      0.00000\n"
+                "    2    2 ZN2  ZN     1.00000   2.00000   3.00000 HET  12A    0.00000\n");
+  ASSERT_EQ(narrow.atoms.size(), 2u);
+  EXPECT_EQ(narrow.format, "CHARMM CRD");
+  EXPECT_EQ(narrow.lattice.digits, 5);
+  EXPECT_EQ(narrow.atoms[0].position, (LatticePoint{-1405410, -11428359, 4357444}));
+  EXPECT_EQ(narrow.atoms[1].residue_number, 12);
+  EXPECT_EQ(narrow.atoms[1].insertion_code, 'A');
+  EXPECT_EQ(narrow.atoms[1].element, 30);
+  EXPECT_EQ(narrow.atoms[1].kind, AtomKind::ion);
+  const Molecule wide =
+      read_text("a.crd",
+                "* TITLE\n         1  EXT\n"
+                "         1         1  LYS       N             -14.0541000000       14.2835900000"
+                "       43.5744400000  PROA      1               0.0000000000\n");
+  EXPECT_EQ(wide.atoms[0].position, (LatticePoint{-1405410, 1428359, 4357444}));
+  EXPECT_EQ(wide.text(wide.atoms[0].chain), "PROA");
+  EXPECT_EQ(
+      refusal("a.crd", "* T\n    2\n    1    1 LYS  N    -14.05410  14.28359  43.57444 G    1\n")
+          .line(),
+      2u);
+}
+
+TEST(SniffFormat, ContentGoesBeforeTheExtension) {
+  EXPECT_EQ(read_text("a.txt", "2\nwater\nO 0 0 0\nH 0 0 1\n").format, "XYZ");
+  EXPECT_EQ(read_text("a.pdb", "1 2 3 1.5\n").format, "XYZR");
+  EXPECT_EQ(read_text("a.xyzr", "ATOM      1  N   MET A   1      27.340  24.430   2.614\n").format,
+            "PDB");
+  EXPECT_EQ(read_text("a", "REMARK 1 PQR file\nATOM 1 N ILE 16 5.0 -9.2 18.4 -0.3 1.85\n").format,
+            "PQR");
+  EXPECT_EQ(read_text("A.CRD", "1\n\n1 2 3 1.5\n").format, "CRD");
+}
+
+TEST(SniffFormat, UnknownFilesAreDescribed) {
+  EXPECT_NE(std::string(refusal("a.html", "<!DOCTYPE html>\n<p>404</p>").what()).find("web page"),
+            std::string::npos);
+  EXPECT_NE(std::string(refusal("a.json", "{\"a\": 1}").what()).find("JSON"), std::string::npos);
+  EXPECT_NE(std::string(refusal("a.dat", std::string_view("\x7f"
+                                                          "ELF\0\1",
+                                                          6))
+                            .what())
+                .find("binary"),
+            std::string::npos);
+  EXPECT_NE(std::string(refusal("a.dat", "").what()).find("an empty file"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace alphascope

@@ -162,9 +162,11 @@ RegularTriangulation triangulate_parallel(std::vector<InputPoint>& points, std::
 
 RegularTriangulation triangulate(const BallSet& balls, int threads, const RunContext& context) {
   std::vector<InputPoint> points = visible_input(balls);
-  // CGAL's parallel code starts with 100 sequential insertions and pays for its locks.
-  constexpr std::size_t kWorthThreads = 4096;
-  if (threads != 1 && points.size() >= kWorthThreads) {
+  // CGAL's locks make its parallel code 1.4 times as slow on one thread, and its spinning makes it
+  // lose on two as soon as anything else runs on the machine; its first 100 points are sequential.
+  constexpr std::size_t kWorthBalls = 4096;
+  constexpr int kWorthThreads = 3;
+  if (threads >= kWorthThreads && points.size() >= kWorthBalls) {
     return triangulate_parallel(points, balls.size(), context);
   }
   Triangulation<CGAL::Sequential_tag> rt;

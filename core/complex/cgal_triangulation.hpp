@@ -22,8 +22,8 @@ struct RegularTriangulation {
 
 // Equal powers are decided by CGAL's symbolic perturbation; of coincident centres the largest ball,
 // then the one of lowest index, is inserted. So the result is unique: it depends neither on the
-// order of insertion nor on `threads` (1: CGAL's sequential code; else its parallel one, in the
-// caller's task arena). Throws Cancelled.
+// order of insertion nor on `threads` (CGAL's parallel code from 3 on, which then runs in the
+// caller's task arena; its sequential code below). Throws Cancelled.
 RegularTriangulation triangulate(const BallSet& balls, int threads, const RunContext& context);
 
 }  // namespace alphascope

@@ -18,6 +18,8 @@ namespace alphascope {
 // each with the indices of its cofaces in that list, ascending.
 template <int N>
 class FaceGroups {
+  static_assert(N >= 1 && N <= 3, "two vertices fit into a record's number");
+
  public:
   explicit FaceGroups(const std::vector<std::array<BallIndex, N + 1>>& cofaces) {
     bucket_by_first_vertex(cofaces);
@@ -41,9 +43,10 @@ class FaceGroups {
   }
 
  private:
-  // One face of one coface; its first vertex is the bucket's.
+  // One face of one coface; its first vertex is the bucket's, the others are packed into a number
+  // (sorting is half of the work).
   struct Record {
-    std::array<BallIndex, N - 1> rest;
+    std::uint64_t rest;
     std::uint32_t coface;
     bool operator<(const Record& other) const {
       return rest != other.rest ? rest < other.rest : coface < other.coface;
@@ -69,13 +72,11 @@ class FaceGroups {
     std::vector<std::uint32_t> next(bucket_.begin(), bucket_.end() - 1);
     for (std::uint32_t c = 0; c < cofaces.size(); ++c) {
       for (int dropped = 0; dropped <= N; ++dropped) {
-        Record record{{}, c};
-        std::array<BallIndex, N> face;
-        for (int v = 0, n = 0; v <= N; ++v) {
-          if (v != dropped) face[n++] = cofaces[c][v];
+        Record record{0, c};
+        for (int v = dropped == 0 ? 2 : 1; v <= N; ++v) {
+          if (v != dropped) record.rest = record.rest << 32 | cofaces[c][v];
         }
-        std::copy(face.begin() + 1, face.end(), record.rest.begin());
-        records_[next[face[0]]++] = record;
+        records_[next[cofaces[c][dropped == 0 ? 1 : 0]]++] = record;
       }
     }
   }
@@ -96,7 +97,8 @@ class FaceGroups {
     for_each_face([&](std::size_t v, std::uint32_t r) {
       std::array<BallIndex, N> face;
       face[0] = static_cast<BallIndex>(v);
-      std::copy(records_[r].rest.begin(), records_[r].rest.end(), face.begin() + 1);
+      if constexpr (N > 1) face[N - 1] = static_cast<BallIndex>(records_[r].rest);
+      if constexpr (N > 2) face[1] = static_cast<BallIndex>(records_[r].rest >> 32);
       faces_.push_back(face);
       first_record_.push_back(r);
     });

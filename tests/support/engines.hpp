@@ -19,15 +19,17 @@ struct EngineFactory {
   friend void PrintTo(const EngineFactory& factory, std::ostream* out) { *out << factory.name; }
 };
 
-// Host engines, each on one and on two threads. Suites of other targets may append to the list.
+// Host engines, on one thread and on as many as switch their parallel code on. Suites of other
+// targets may append to the list.
 inline std::vector<EngineFactory> host_engines() {
   std::vector<EngineFactory> engines;
-  for (const int threads : {1, 2}) {
-    const std::string suffix = "_" + std::to_string(threads);
-    engines.push_back({"cgal" + suffix, [threads](std::shared_ptr<const BallSet> balls) {
+  for (const int threads : {1, 4}) {
+    engines.push_back({"cgal_" + std::to_string(threads), [threads](auto balls) {
                          return make_cgal_engine(std::move(balls), {threads});
                        }});
-    engines.push_back({"cpu" + suffix, [threads](std::shared_ptr<const BallSet> balls) {
+  }
+  for (const int threads : {1, 2}) {
+    engines.push_back({"cpu_" + std::to_string(threads), [threads](auto balls) {
                          return make_cpu_engine(std::move(balls), {threads});
                        }});
   }

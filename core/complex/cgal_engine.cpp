@@ -33,12 +33,6 @@ void filter_tetrahedra(const BallSet& balls, const RegularTriangulation& rt,
     if (in[c]) list.simplices.push_back(cells[c]);
   }
   sort_simplices<4>(list.simplices, balls.size());
-  list.alpha_values.resize(list.size());
-  tbb::parallel_for(Range(0, list.size(), 1024), [&](const Range& range) {
-    for (std::size_t t = range.begin(); t != range.end(); ++t) {
-      list.alpha_values[t] = ortho_radius_rounded(balls, list.simplices[t]);
-    }
-  });
 }
 
 class CgalEngine : public Engine {

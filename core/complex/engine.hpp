@@ -28,6 +28,8 @@ class Engine {
 // threads = 0: as many as the machine has.
 struct EngineOptions {
   int threads = 0;
+  // Keep the last whole complex, so that a smaller alpha is only a threshold; costs its memory again.
+  bool cache = true;
 };
 
 // Facet clipping for small alpha; hands over to CGAL's triangulation where that is faster, and

@@ -157,7 +157,10 @@ AlphaComplex threshold(const Filtration& filtration, double alpha, bool tetrahed
       }
     }
   }
-  if (tetrahedra_only) complex.tetrahedra.classes.clear();
+  if (tetrahedra_only) {
+    complex.tetrahedra.alpha_values.clear();
+    complex.tetrahedra.classes.clear();
+  }
   complex.hash = complex_hash(complex);
   return complex;
 }

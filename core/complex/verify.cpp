@@ -123,10 +123,10 @@ void for_all(std::size_t count, const Body& body) {
 
 // False when the list cannot be indexed safely by the other checks.
 template <int N>
-bool check_list(const BallSet& balls, const SimplexList<N>& list, bool with_classes,
+bool check_list(const BallSet& balls, const SimplexList<N>& list, bool with_values,
                 const char* name, Findings& findings) {
-  if (list.alpha_values.size() != list.size() ||
-      (with_classes && list.classes.size() != list.size())) {
+  if (with_values &&
+      (list.alpha_values.size() != list.size() || list.classes.size() != list.size())) {
     findings.fail(std::string(name) + ": alpha values or classes are not one per simplex");
     return false;
   }
@@ -149,8 +149,9 @@ void check_tetrahedra(const BallSet& balls, const NearBalls& near, const Simplex
     const TetrahedronConflict conflict(balls, s);
     findings.check<4>(!conflict.flat(), s, "flat tetrahedron");
     if (conflict.flat()) return;
-    findings.check<4>(list.alpha_values[n] == ortho_radius_rounded(balls, s), s,
-                      "alpha value is not the ortho-radius");
+    findings.check<4>(
+        list.alpha_values.empty() || list.alpha_values[n] == ortho_radius_rounded(balls, s), s,
+        "alpha value is not the ortho-radius");
     const bool within = compare_ortho_radius(balls, s, alpha) <= 0;
     findings.check<4>(within, s, "ortho-radius above alpha");
     if (!within) return;  // and then far balls might be in conflict, too

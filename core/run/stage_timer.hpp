@@ -10,6 +10,7 @@ namespace alphascope {
 
 // The stage table, common to all engines and executors (docs/algorithm.md).
 namespace stage {
+inline constexpr std::string_view kCoincident = "coincident centres";
 inline constexpr std::string_view kGrid = "grid";
 inline constexpr std::string_view kHostToDevice = "host→device";
 inline constexpr std::string_view kCandidates = "kernel I (candidates)";
@@ -22,6 +23,7 @@ inline constexpr std::string_view kDeviceToHost = "device→host";
 inline constexpr std::string_view kTriangulation = "regular triangulation";
 inline constexpr std::string_view kClassification = "classification";
 inline constexpr std::string_view kThreshold = "threshold";
+inline constexpr std::string_view kHash = "hash and cache";
 }  // namespace stage
 
 struct StageTime {
@@ -59,6 +61,11 @@ class StageTimer {
     times_.stages.push_back({std::string(first), both - milliseconds_of_second, false});
     times_.stages.push_back({std::string(second), milliseconds_of_second, false});
     lap_ = now;
+  }
+  // Takes over the stages of a computation that was a part of this one.
+  void adopt(const StageTimes& part) {
+    times_.stages.insert(times_.stages.end(), part.stages.begin(), part.stages.end());
+    lap_ = Clock::now();
   }
   // Starts the next stage now; the time since the last lap belongs to no stage.
   void restart_lap() { lap_ = Clock::now(); }

@@ -7,6 +7,7 @@
 
 #include "core/io/atom_names.hpp"
 #include "core/io/line_reader.hpp"
+#include "core/io/mmcif_assembly.hpp"
 #include "core/io/molecule_builder.hpp"
 #include "core/io/readers.hpp"
 
@@ -81,6 +82,7 @@ class MmcifReader {
   void begin_loop() {
     tags_.clear();
     row_.clear();
+    column_ = 0;
     kind_ = Table::undecided;
   }
   void loop_tag(std::string_view tag) { tags_.emplace_back(lower(tag)); }
@@ -88,20 +90,24 @@ class MmcifReader {
   void loop_value(std::string_view raw, std::size_t line) {
     if (kind_ == Table::undecided) kind_ = recognise();
     if (kind_ == Table::other) return;
+    if (kind_ == Table::assembly) {
+      assemblies_.add(tags_[column_], plain(raw));
+      column_ = (column_ + 1) % tags_.size();
+      return;
+    }
     row_.push_back({raw, line});
     if (row_.size() < tags_.size()) return;
     take_row();
     row_.clear();
   }
 
-  void end_loop(std::size_t line) {
+  void end_loop() {
     if (kind_ == Table::atoms && !row_.empty()) {
       fail(row_.front().line,
            "this row of the atom_site table has " + std::to_string(row_.size()) + " of its " +
                std::to_string(tags_.size()) + " values",
            "The file is truncated or damaged; fetch it again");
     }
-    static_cast<void>(line);
   }
 
   void item_tag(std::string_view tag) { item_ = lower(tag); }
@@ -112,6 +118,8 @@ class MmcifReader {
     } else if (item_.starts_with("_atom_site.")) {
       single_tags_.push_back(item_);
       single_row_.push_back({raw, line});
+    } else if (MmcifAssemblyTables::wants(item_)) {
+      assemblies_.add(item_, plain(raw));
     }
     fractional_ |= item_.starts_with("_atom_site_fract") || item_ == "_cell_length_a";
   }
@@ -128,14 +136,16 @@ class MmcifReader {
       builder_.molecule().notes.push_back(
           "Only the first data block with atoms is read; further blocks with atoms are ignored");
     }
+    assemblies_.finish(builder_.molecule());
     return builder_.finish();
   }
 
  private:
-  enum class Table : std::uint8_t { undecided, atoms, other };
+  enum class Table : std::uint8_t { undecided, atoms, assembly, other };
 
   Table recognise() {
     for (const std::string& tag : tags_) fractional_ |= tag == "_atom_site_fract_x";
+    if (MmcifAssemblyTables::wants(tags_.front())) return Table::assembly;
     if (!tags_.front().starts_with("_atom_site.")) return Table::other;
     if (builder_.size() > 0 && block_ != atoms_block_) {
       ++ignored_blocks_;
@@ -259,13 +269,14 @@ class MmcifReader {
   const ReaderInput& input_;
   MoleculeBuilder builder_;
   ResidueFamilies families_;
+  MmcifAssemblyTables assemblies_;
   std::vector<std::string> tags_, single_tags_;
   std::vector<CifValue> row_, single_row_;
   std::array<std::optional<std::size_t>, kColumnCount> where_{};
   std::string item_;
   std::set<std::int32_t> models_;
   std::int32_t model_ = 0;
-  std::size_t rows_ = 0, ignored_blocks_ = 0;
+  std::size_t rows_ = 0, column_ = 0, ignored_blocks_ = 0;
   int block_ = 0, atoms_block_ = 0;
   Table kind_ = Table::undecided;
   bool fractional_ = false;
@@ -310,8 +321,8 @@ struct MmcifAction<rules::loop_value> {
 template <>
 struct MmcifAction<rules::loop> {
   template <typename Input>
-  static void apply(const Input& in, MmcifReader& reader) {
-    reader.end_loop(in.iterator().line);
+  static void apply(const Input&, MmcifReader& reader) {
+    reader.end_loop();
   }
 };
 template <>

@@ -8,6 +8,7 @@
 #include "core/io/atom_names.hpp"
 #include "core/io/line_reader.hpp"
 #include "core/io/molecule_builder.hpp"
+#include "core/io/pdb_assembly.hpp"
 #include "core/io/readers.hpp"
 
 namespace alphascope {
@@ -98,6 +99,7 @@ class PdbReader {
           "digits: " +
           std::to_string(shifted_lines_));
     }
+    assemblies_.finish(molecule);
     return builder_.finish();
   }
 
@@ -118,6 +120,8 @@ class PdbReader {
       between_models_ = false;
     } else if (line.starts_with("ENDMDL")) {
       between_models_ = true;
+    } else if (line.starts_with("REMARK 350")) {
+      assemblies_.take(line, lines_.number());
     } else if (line.starts_with("TITLE ")) {
       take_title(line);
     } else if (line.starts_with("MODRES")) {
@@ -290,6 +294,7 @@ class PdbReader {
   LineReader lines_;
   MoleculeBuilder builder_;
   ResidueFamilies families_;
+  PdbAssemblyRecords assemblies_;
   std::unordered_set<std::string> modified_;  // residues that MODRES names
   int model_count_ = 0;
   bool between_models_ = false;

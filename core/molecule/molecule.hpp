@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/geometry/lattice.hpp"
+#include "core/molecule/assembly.hpp"
 #include "core/molecule/element.hpp"
 #include "core/molecule/name_table.hpp"
 
@@ -56,6 +57,9 @@ struct Molecule {
   std::vector<ModelRange> models;  // at least one, none of them empty
   NameTable names;
   std::vector<std::string> notes;  // sentences: what the reader had to assume
+  Assemblies assemblies;           // that the file describes
+  std::string assembly_id;         // of expand_assembly(); empty = as deposited
+  std::string sha256;              // of the file as it lies on disk, in hexadecimal digits
 
   std::string_view text(NameId id) const { return names.text(id); }
 };

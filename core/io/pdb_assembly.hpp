@@ -1,0 +1,31 @@
+// REMARK 350 of PDB files: assemblies as BIOMT matrices for lists of chains.
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+
+#include "core/molecule/molecule.hpp"
+
+namespace alphascope {
+
+class PdbAssemblyRecords {
+ public:
+  // A line that begins with "REMARK 350".
+  void take(std::string_view line, std::size_t line_number);
+
+  // Assemblies and, when a record cannot be understood, a note in the molecule.
+  void finish(Molecule& molecule);
+
+ private:
+  void take_matrix_row(std::string_view text, std::size_t line_number);
+  void take_chains(std::string_view list);
+  Assembly& current();
+
+  Assemblies assemblies_;
+  SymmetryOperator operator_;
+  int rows_ = 0;  // of operator_
+  bool chains_open_ = false;
+  std::size_t bad_line_ = 0;
+};
+
+}  // namespace alphascope

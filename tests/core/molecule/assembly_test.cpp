@@ -1,0 +1,130 @@
+#include "core/molecule/assembly.hpp"
+
+#include <gtest/gtest.h>
+#include <algorithm>
+#include <cstdlib>
+
+#include "core/molecule/prepare_balls.hpp"
+#include "tests/core/io/temporary_file.hpp"
+
+namespace alphascope {
+namespace {
+
+std::vector<SymmetryOperator> operators(std::initializer_list<const char*> ids) {
+  std::vector<SymmetryOperator> result;
+  for (const char* id : ids) result.push_back({id, {}});
+  return result;
+}
+
+TEST(Assembly, OperatorExpressions) {
+  const auto known = operators({"1", "2", "3", "P", "X0"});
+  std::vector<std::vector<std::uint32_t>> factors;
+  using Factors = std::vector<std::vector<std::uint32_t>>;
+  ASSERT_TRUE(parse_operator_expression("1", known, factors));
+  EXPECT_EQ(factors, (Factors{{0}}));
+  ASSERT_TRUE(parse_operator_expression("1,3", known, factors));
+  EXPECT_EQ(factors, (Factors{{0, 2}}));
+  ASSERT_TRUE(parse_operator_expression("(1-3)(P, X0)", known, factors));
+  EXPECT_EQ(factors, (Factors{{0, 1, 2}, {3, 4}}));
+  ASSERT_TRUE(parse_operator_expression("P(1-2)", known, factors));
+  EXPECT_EQ(factors, (Factors{{3}, {0, 1}}));
+  for (const char* bad :
+       {"", "4", "(1-3", "1-9", "3-1", "()", "1)(", "1--2", "(1-1000000000000)"}) {
+    EXPECT_FALSE(parse_operator_expression(bad, known, factors)) << bad;
+  }
+  std::string many;
+  for (int k = 0; k < 40; ++k) many += "(1-3)";
+  EXPECT_FALSE(parse_operator_expression(many, known, factors)) << "3^40 copies";
+}
+
+constexpr const char* kDimer =
+    "REMARK 350 BIOMOLECULE: 1\n"
+    "REMARK 350 AUTHOR DETERMINED BIOLOGICAL UNIT: DIMERIC\n"
+    "REMARK 350 APPLY THE FOLLOWING TO CHAINS: A,\n"
+    "REMARK 350                    AND CHAINS: C\n"
+    "REMARK 350   BIOMT1   1  1.000000  0.000000  0.000000        0.00000\n"
+    "REMARK 350   BIOMT2   1  0.000000  1.000000  0.000000        0.00000\n"
+    "REMARK 350   BIOMT3   1  0.000000  0.000000  1.000000        0.00000\n"
+    "REMARK 350   BIOMT1   2  0.000000 -1.000000  0.000000       10.50000\n"
+    "REMARK 350   BIOMT2   2  1.000000  0.000000  0.000000        0.00000\n"
+    "REMARK 350   BIOMT3   2  0.000000  0.000000  1.000000        0.00000\n"
+    "ATOM      1  N   MET A   1       1.000   2.000   3.000  1.00  9.67           N  \n"
+    "ATOM      2  N   MET B   1       4.000   2.000   3.000  1.00  9.67           N  \n"
+    "ATOM      3  N   MET C   1       5.000   2.000   3.000  1.00  9.67           N  \n";
+
+TEST(Assembly, CopiesChainsOfBiomtRecords) {
+  const Molecule m = read_text("a.pdb", kDimer);
+  const std::vector<AssemblyInfo> list = list_assemblies(m);
+  ASSERT_EQ(list.size(), 1u);
+  EXPECT_EQ(list[0].id, "1");
+  EXPECT_EQ(list[0].details, "DIMERIC");
+  EXPECT_EQ(list[0].copies, 2u);
+  EXPECT_EQ(list[0].atoms, 4u);
+  const Molecule e = expand_assembly(m, "1");
+  ASSERT_EQ(e.atoms.size(), 4u);
+  EXPECT_EQ(e.assembly_id, "1");
+  EXPECT_EQ(e.atoms[2].position, (LatticePoint{8500, 1000, 3000}));
+  EXPECT_EQ(e.text(e.atoms[0].chain), "A");
+  EXPECT_EQ(e.text(e.atoms[3].chain), "C-2");
+  EXPECT_EQ(e.models.size(), 1u);
+  EXPECT_EQ(e.rounding_angstrom, 0);
+  EXPECT_THROW(expand_assembly(m, "2"), std::invalid_argument);
+}
+
+TEST(Assembly, DamagedRecordsAreNotedAndLeftOut) {
+  std::string text = kDimer;
+  text.replace(text.find("BIOMT2   2"), 10, "BIOMT3   2");
+  const Molecule m = read_text("a.pdb", text);
+  EXPECT_TRUE(list_assemblies(m).empty());
+  ASSERT_EQ(m.notes.size(), 1u);
+  EXPECT_NE(m.notes[0].find("line 9"), std::string::npos) << m.notes[0];
+}
+
+TEST(Assembly, ExpandsTheCapsidsToTheirKnownSizes) {
+  ALPHASCOPE_NEED_TEST_DATA();
+  const struct {
+    const char *file, *id;
+    std::size_t atoms;
+  } cases[] = {{"ladder/2buk.pdb", "1", 95280},     {"ladder/1f2n.pdb.gz", "1", 283800},
+               {"ladder/1ihm.pdb.gz", "1", 677040}, {"ladder/3j6r.pdb.gz", "1", 1032840},
+               {"ladder/1rb8.pdb.gz", "1", 306720}, {"ladder/1m4x.cif.gz", "2", 271404},
+               {"ladder/1m4x.cif.gz", "5", 290790}, {"ladder/1m4x.cif.gz", "6", 639738},
+               {"ladder/1m4x.cif.gz", "3", 1357020}};
+  for (const auto& c : cases) {
+    const Molecule m = read_molecule(test_data(c.file));
+    EXPECT_EQ(expand_assembly(m, c.id).atoms.size(), c.atoms) << c.file << ' ' << c.id;
+  }
+  const std::vector<AssemblyInfo> list =
+      list_assemblies(read_molecule(test_data("ladder/1m4x.cif.gz")));
+  ASSERT_EQ(list.size(), 7u);
+  EXPECT_EQ(list[0].copies, 1680u);
+  EXPECT_EQ(list[0].atoms, 16284240u);
+  EXPECT_LT(list[0].memory_bytes, std::uint64_t{3} << 30);
+}
+
+TEST(Assembly, AgreesWithTheDerivedCapsidOf2buk) {
+  ALPHASCOPE_NEED_TEST_DATA();
+  const Molecule expanded = expand_assembly(read_molecule(test_data("ladder/2buk.pdb")), "1");
+  const Molecule derived = read_molecule(test_data("ladder/2buk-assembly1.cif.gz"));
+  ASSERT_EQ(expanded.atoms.size(), derived.atoms.size());
+  std::size_t differing = 0;
+  for (std::size_t i = 0; i < derived.atoms.size(); ++i) {
+    const LatticePoint &a = expanded.atoms[i].position, &b = derived.atoms[i].position;
+    differing += a != b;
+    ASSERT_LE(std::abs(a.x - b.x) + std::abs(a.y - b.y) + std::abs(a.z - b.z), 3) << i;
+  }
+  EXPECT_EQ(differing, 0u) << "positions on a tie of rounding";
+}
+
+TEST(Assembly, KcsaTetramerIsTheThesisFile) {
+  ALPHASCOPE_NEED_TEST_DATA();
+  const Molecule tetramer = expand_assembly(read_molecule(test_data("thesis/1k4c.pdb.gz")), "1");
+  const Molecule thesis = read_molecule(test_data("thesis/1k4c.crd.gz"));
+  BallOptions protein;
+  protein.ligands = protein.ions = false;
+  protein.radii = RadiiSet::rasmol;
+  EXPECT_EQ(prepare_balls(tetramer, protein).report.used, thesis.atoms.size());
+}
+
+}  // namespace
+}  // namespace alphascope

@@ -19,7 +19,7 @@ namespace alphascope {
 // What an atom belongs to. Dummies are markers without matter, such as OPM's membrane planes.
 enum class AtomKind : std::uint8_t { polymer, water, ligand, ion, dummy };
 
-// Names are ids in Molecule::names. 64 bytes, since an assembly may have 16 million of them.
+// Names are ids in Molecule::names. 60 bytes, since an assembly may have 16 million of them.
 struct Atom {
   LatticePoint position;            // lattice units
   std::int32_t file_radius = -1;    // lattice units; 0 as the file says; -1 when it gives none

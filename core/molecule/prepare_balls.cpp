@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <stdexcept>
 #include <unordered_map>
 
 #include "core/molecule/altlocs.hpp"
+#include "core/molecule/selection_expression.hpp"
 
 namespace alphascope {
 namespace {
@@ -33,6 +35,9 @@ class AtomFilter {
   AtomFilter(const Molecule& molecule, const BallOptions& options, AtomRange range,
              bool drop_hydrogens)
       : molecule_(molecule), options_(options), range_(range), drop_hydrogens_(drop_hydrogens) {
+    if (options.selection.find_first_not_of(" \t\r\n") != std::string::npos) {
+      selection_ = SelectionExpression::parse(options.selection).bind(molecule);
+    }
     for (const std::string& chain : options.chains) {
       chains_.push_back(chain.empty() ? 0 : molecule.names.find(chain));
       // A chain that is not there must not match the atoms without chain (id 0).
@@ -55,6 +60,7 @@ class AtomFilter {
         std::find(chains_.begin(), chains_.end(), atom.chain) == chains_.end()) {
       return &report.dropped_chains;
     }
+    if (selection_ && !(*selection_)(atom)) return &report.dropped_selection;
     switch (atom.kind) {
       case AtomKind::dummy:
         if (!options_.dummies) return &report.dropped_dummies;
@@ -85,6 +91,7 @@ class AtomFilter {
   AtomRange range_;
   bool drop_hydrogens_;
   std::vector<NameId> chains_;
+  std::optional<SelectionExpression::Bound> selection_;
   std::vector<bool> minor_;
 };
 

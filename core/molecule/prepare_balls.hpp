@@ -34,6 +34,7 @@ struct BallOptions {
   bool waters = false;
   bool dummies = false;             // markers without matter (OPM's membrane planes)
   std::vector<std::string> chains;  // only these; empty = all
+  std::string selection;            // core/molecule/selection_expression.hpp; blank = all
 };
 
 // A radius that the set did not have, for all atoms of one name.
@@ -48,6 +49,7 @@ struct SelectionReport {
   std::size_t total = 0;  // atoms of the chosen model
   std::size_t used = 0;
   std::size_t dropped_chains = 0;
+  std::size_t dropped_selection = 0;  // not picked by the selection expression
   std::size_t dropped_dummies = 0;
   std::size_t dropped_waters = 0;
   std::size_t dropped_ions = 0;

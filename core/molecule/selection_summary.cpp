@@ -24,6 +24,7 @@ std::string summary(const SelectionReport& report) {
     const char *one, *many;
   } reasons[] = {
       {report.dropped_chains, "atom of another chain", "atoms of other chains"},
+      {report.dropped_selection, "atom not selected", "atoms not selected"},
       {report.dropped_dummies, "dummy atom", "dummy atoms"},
       {report.dropped_waters, "water", "waters"},
       {report.dropped_ions, "ion", "ions"},

@@ -233,6 +233,30 @@ Rational power_excess(const BallSet& balls, const Orthosphere& sphere, BallIndex
   return dx * dx + dy * dy + dz * dz - weight(balls, m) - sphere.rho;
 }
 
+bool perturbed_conflict(const BallSet& balls, std::span<const BallIndex> tetrahedron, BallIndex m) {
+  std::vector<BallIndex> five(tetrahedron.begin(), tetrahedron.end());
+  five.push_back(m);
+  std::sort(five.begin(), five.end(),
+            [&](BallIndex a, BallIndex b) { return balls.centres[a] < balls.centres[b]; });
+  std::vector<Rational> heights;
+  std::vector<std::size_t> cell;
+  std::vector<Vector> matrix(4, Vector(4));
+  Vector right(4), barycentric;
+  std::size_t at_m = 0;
+  for (std::size_t at = 0; at < 5; ++at) {
+    heights.push_back(height(balls, five[at]));
+    const auto p = centre(balls, five[at]);
+    if (five[at] == m) at_m = at;
+    for (std::size_t row = 0; row < 4; ++row) {
+      const Rational coordinate = row == 3 ? Rational(1) : p[row];
+      (five[at] == m ? right[row] : matrix[row][cell.size()]) = coordinate;
+    }
+    if (five[at] != m) cell.push_back(at);
+  }
+  solve(matrix, right, barycentric);
+  return !above(heights, cell, barycentric, at_m);
+}
+
 float nearest_float(const Rational& value) {
   const float infinity = std::numeric_limits<float>::infinity();
   const Rational overflow(mpz_class("340282356779733661637539395458142568448"));  // 2^128 - 2^103

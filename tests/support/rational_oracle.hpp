@@ -23,6 +23,10 @@ Orthosphere orthosphere(const BallSet& balls, std::span<const BallIndex> simplex
 // pi_m(x) at the orthocentre, minus rho.
 Rational power_excess(const BallSet& balls, const Orthosphere& sphere, BallIndex m);
 
+// Does ball m cut the cell of four affinely independent balls away in the regular triangulation of
+// the symbolically perturbed balls? Never a tie.
+bool perturbed_conflict(const BallSet& balls, std::span<const BallIndex> tetrahedron, BallIndex m);
+
 // The float nearest to a rational, halves to even.
 float nearest_float(const Rational& value);
 

@@ -1,0 +1,241 @@
+// The predicates against rationals: what they decide, and that their brackets hold. Cases are
+// random and near-degenerate, from single lattice units to the bounds of the lattice.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/complex/facet_polygon.hpp"
+#include "core/geometry/exact_alpha.hpp"
+#include "core/geometry/foot_predicate.hpp"
+#include "core/geometry/perturbation.hpp"
+#include "tests/support/random_balls.hpp"
+#include "tests/support/rational_oracle.hpp"
+
+namespace alphascope {
+namespace {
+
+using testing::Orthosphere;
+using testing::Random;
+using testing::random_int;
+using testing::Rational;
+
+int sign_of_rational(const Rational& value) {
+  return sgn(value);
+}
+
+constexpr int kKinds = 7;
+
+int clamped(double value, int limit) {
+  return static_cast<int>(std::max<double>(-limit, std::min<double>(limit, std::round(value))));
+}
+
+// Five balls with distinct centres.
+BallSet five_balls(Random& random, int kind) {
+  const int extents[kKinds] = {2, 7000, 70000, 1 << 25, kMaxLatticeCoordinate, 5000, 5000};
+  const int radii[kKinds] = {3, 2000, 20000, 1 << 25, kMaxLatticeRadius, 2000, 1};
+  const int extent = extents[kind];
+  BallSet balls;
+  do {
+    balls = testing::random_balls(random, 5, extent, 1, radii[kind]);
+    auto& c = balls.centres;
+    if (kind == 5) {  // the last two within a unit of the plane of the first three
+      for (int n = 3; n < 5; ++n) {
+        const int s = random_int(random, -2, 2), t = random_int(random, -2, 2);
+        const auto at = [&](int a, int b, int o) {
+          return o + s * (a - o) + t * (b - o) + random_int(random, -1, 1);
+        };
+        c[n] = {at(c[1].x, c[2].x, c[0].x), at(c[1].y, c[2].y, c[0].y), at(c[1].z, c[2].z, c[0].z)};
+      }
+    } else if (kind == 6) {  // within about a unit of one sphere, with equal or nearly equal radii
+      for (LatticePoint& p : c) {
+        const double length = std::sqrt(double(p.x) * p.x + double(p.y) * p.y + double(p.z) * p.z);
+        const double scale = length > 0 ? 3000 / length : 0;
+        p = {clamped(p.x * scale, extent), clamped(p.y * scale, extent),
+             clamped(p.z * scale, extent)};
+      }
+    }
+    std::vector<LatticePoint> sorted = c;
+    std::sort(sorted.begin(), sorted.end());
+    if (std::adjacent_find(sorted.begin(), sorted.end()) == sorted.end()) return balls;
+  } while (true);
+}
+
+bool independent(const BallSet& balls, int count) {
+  const LiftedInt a = lifted_vector(balls, 0, 1), b = lifted_vector(balls, 0, 2),
+                  c = lifted_vector(balls, 0, 3);
+  if (count == 4) return determinant(a, b, c) != 0;
+  const auto n = cross(a, b);
+  return count < 3 || n.x != 0 || n.y != 0 || n.z != 0;
+}
+
+LiftedVector<double> as_double(const LiftedInt& v) {
+  return lifted_as<double>(v);
+}
+
+// How often each kind of decision was seen, so that a test that sees none fails.
+struct Seen {
+  std::size_t cases = 0, ties = 0, filtered = 0;
+};
+
+void expect_bracket_holds(const BallSet& balls, int count, const Rational& rho) {
+  const double weight = static_cast<double>(balls.weight(0));
+  LiftedInt v[3];
+  for (int n = 0; n + 1 < count; ++n) {
+    v[n] = lifted_vector(balls, 0, static_cast<BallIndex>(n + 1));
+    if (!within_bracket_limit(v[n])) return;
+  }
+  const Bracket bracket =
+      count == 2   ? edge_rho(as_double(v[0]), weight)
+      : count == 3 ? triangle_rho(as_double(v[0]), as_double(v[1]), weight)
+                   : tetrahedron_rho(as_double(v[0]), as_double(v[1]), as_double(v[2]), weight);
+  if (std::isinf(bracket.error)) return;
+  ASSERT_LE(abs(rho - Rational(bracket.value)), Rational(bracket.error));
+}
+
+void check_ortho_radius(const BallSet& balls, int count, Random& random, Seen& seen) {
+  const BallIndex all[4] = {0, 1, 2, 3};
+  const std::span<const BallIndex> simplex(all, static_cast<std::size_t>(count));
+  const Orthosphere sphere = testing::orthosphere(balls, simplex);
+  ++seen.cases;
+  ASSERT_EQ(ortho_radius_rounded(balls, simplex), testing::nearest_float(sphere.rho));
+  if (count > 1) expect_bracket_holds(balls, count, sphere.rho);
+
+  const double near = sphere.rho.get_d();
+  for (const double alpha : {near, std::nextafter(near, 1e300), std::nextafter(near, -1e300),
+                             near + random_int(random, -9, 9), double(float(near)), 0.0}) {
+    if (std::fabs(alpha) < 1e-30 && alpha != 0) continue;  // no alpha on the lattice is that small
+    const int expected = sign_of_rational(sphere.rho - Rational(alpha));
+    ASSERT_EQ(compare_ortho_radius(balls, simplex, alpha), expected) << "alpha " << alpha;
+    seen.ties += expected == 0;
+  }
+  for (BallIndex m = static_cast<BallIndex>(count); count < 4 && m < 5; ++m) {
+    const int expected = sign_of_rational(testing::power_excess(balls, sphere, m));
+    ASSERT_EQ(conflict_with_smallest_orthosphere(balls, simplex, m), expected);
+    seen.ties += expected == 0;
+  }
+}
+
+// The filters alone: a sign they give is the right one.
+void check_filters(const BallSet& balls, Seen& seen) {
+  LiftedInt v[5];
+  for (BallIndex n = 1; n < 5; ++n) v[n] = lifted_vector(balls, 0, n);
+  for (int n = 1; n < 5; ++n) {
+    if (!within_bracket_limit(v[n])) return;
+  }
+  const int edge = edge_foot_cut_filtered(as_double(v[1]), as_double(v[4]));
+  if (edge != 0) {
+    ++seen.filtered;
+    ASSERT_EQ(edge, edge_foot_cut_exact(v[1], v[4]));
+  }
+  const int triangle =
+      triangle_foot_cut_filtered(as_double(v[1]), as_double(v[2]), as_double(v[4]));
+  if (triangle != 0 && independent(balls, 3)) {
+    ASSERT_EQ(triangle, triangle_foot_cut_exact(v[1], v[2], v[4]));
+  }
+}
+
+// The corner of facet 01 where 2 and 3 meet, in the order that makes it counter-clockwise.
+void check_corner(const BallSet& balls, Seen& seen) {
+  const BallIndex simplex[4] = {0, 1, 2, 3};
+  const Orthosphere sphere = testing::orthosphere(balls, simplex);
+  const int expected = -sign_of_rational(testing::power_excess(balls, sphere, 4));
+  const LiftedInt j = lifted_vector(balls, 0, 1), m = lifted_vector(balls, 0, 4);
+  LiftedInt k = lifted_vector(balls, 0, 2), l = lifted_vector(balls, 0, 3);
+  const FacetAxis axis = facet_axis(j.x, j.y, j.z);
+  // w has the sign of ±det(j, k, l): + as the frame's q is ±d_j.
+  if ((determinant(j, k, l) < 0) != axis.negative) std::swap(k, l);
+  if (within_bracket_limit(j) && within_bracket_limit(k) && within_bracket_limit(l) &&
+      within_bracket_limit(m)) {
+    const int filtered = corner_cut_filtered(j, axis, k, l, m);
+    if (filtered != 0) {
+      ++seen.filtered;
+      ASSERT_EQ(filtered, expected);
+    }
+  }
+  if (expected == 0) {
+    ++seen.ties;
+    const int cut = testing::perturbed_conflict(balls, simplex, 4) ? 1 : -1;
+    ASSERT_EQ(perturbed_cut(j, k, false, l, false, m), cut);
+    ASSERT_EQ(perturbed_cut(j, l, false, k, false, m), cut);
+  }
+}
+
+std::string list_balls(const BallSet& balls) {
+  std::string text;
+  for (std::size_t i = 0; i < balls.size(); ++i) {
+    const LatticePoint& p = balls.centres[i];
+    text += "\n  " + std::to_string(p.x) + " " + std::to_string(p.y) + " " + std::to_string(p.z) +
+            " " + std::to_string(balls.radii[i]);
+  }
+  return text;
+}
+
+void check_predicates(std::uint64_t seed, int cases_per_kind) {
+  Random random(seed);
+  for (int kind = 0; kind < kKinds; ++kind) {
+    Seen radii, filters, corners;
+    for (int n = 0; n < cases_per_kind; ++n) {
+      const BallSet balls = five_balls(random, kind);
+      const int count = 1 + n % 4;
+      if (independent(balls, count)) check_ortho_radius(balls, count, random, radii);
+      check_filters(balls, filters);
+      if (independent(balls, 4)) check_corner(balls, corners);
+      if (::testing::Test::HasFatalFailure()) {
+        ADD_FAILURE() << "kind " << kind << ", count " << count << list_balls(balls);
+        return;
+      }
+    }
+    EXPECT_GT(radii.cases, cases_per_kind / 2u) << "kind " << kind;
+    if (kind < 3) EXPECT_GT(filters.filtered, cases_per_kind / 2u) << "kind " << kind;
+    if (kind == 0) EXPECT_GT(corners.ties, cases_per_kind / 100u);
+    ::testing::Test::RecordProperty("corner_ties_" + std::to_string(kind),
+                                    std::to_string(corners.ties));
+  }
+}
+
+TEST(Predicates, AgreeWithRationals) {
+  check_predicates(1, 20000);
+}
+
+TEST(Predicates, AgreeWithRationalsLong) {
+  check_predicates(2, 600000);
+}
+
+mpz_class as_integer(const WideInt<8>& value) {
+  if (value.sign() < 0) return -as_integer(-value);
+  mpz_class result = 0;
+  for (int n = 7; n >= 0; --n) {
+    result <<= 64;
+    result += mpz_class(std::to_string(value.limb[n]));
+  }
+  return result;
+}
+
+WideInt<8> random_wide(Random& random, int limbs) {
+  WideInt<8> value(0);
+  for (int n = 0; n < limbs; ++n) {
+    const int pattern = random_int(random, 0, 3);
+    value.limb[n] = pattern == 0 ? 0 : pattern == 1 ? ~std::uint64_t{0} : random();
+  }
+  return random_int(random, 0, 1) ? value : -value;
+}
+
+TEST(WideInt, CountsLikeGmp) {
+  Random random(4);
+  for (int n = 0; n < 20000; ++n) {
+    const WideInt<8> a = random_wide(random, random_int(random, 1, 4)),
+                     b = random_wide(random, random_int(random, 1, 3));
+    const mpz_class x = as_integer(a), y = as_integer(b);
+    ASSERT_EQ(as_integer(a + b), x + y);
+    ASSERT_EQ(as_integer(a - b), x - y);
+    ASSERT_EQ(as_integer(a * b), x * y);
+    ASSERT_EQ(a.sign(), sgn(x));
+    const int bits = random_int(random, 0, 250);
+    ASSERT_EQ(as_integer(a.shifted_left(bits)), x << bits);
+    const Rational error = abs(Rational(a.nearest_double()) - Rational(x));
+    ASSERT_LE(error * Rational(mpz_class(1) << 51), abs(Rational(x)));
+  }
+}
+
+}  // namespace
+}  // namespace alphascope

@@ -176,7 +176,7 @@ struct Scene::Impl {
     if (window->GetSize()[0] != width || window->GetSize()[1] != height) {
       window->SetSize(width, height);
     }
-    if (std::exchange(reset_pending, false)) reset_camera();
+    if (balls && std::exchange(reset_pending, false)) reset_camera();
     const float width_scale = static_cast<float>(samples);
     edges.actor->GetProperty()->SetLineWidth(1.5f * width_scale);
     renderer->ResetCameraClippingRange();
@@ -232,7 +232,6 @@ void Scene::set_balls(std::shared_ptr<const BallGeometry> balls, const std::vect
   set_colours(impl_->ball_data, colours);
   impl_->ball_mapper->SetInputData(impl_->ball_data);
   impl_->apply_style();
-  reset_view();
 }
 
 void Scene::set_ball_radii(const std::vector<float>& radii) {
@@ -276,6 +275,8 @@ double Scene::render(int width, int height, RenderQuality quality) {
   const GLint filter = impl_->samples > 1 ? GL_LINEAR : GL_NEAREST;
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, filter);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, filter);
+  // VTK leaves arbitrary values in the alpha channel; whoever blends the picture must see one.
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_SWIZZLE_A, GL_ONE);
   glBindTexture(GL_TEXTURE_2D, 0);
   glFinish();
   const std::chrono::duration<double, std::milli> taken = std::chrono::steady_clock::now() - start;

@@ -41,7 +41,7 @@ class Scene {
   Scene(const Scene&) = delete;
   Scene& operator=(const Scene&) = delete;
 
-  // A new molecule; removes the mesh of the last one and resets the view. One colour a ball.
+  // Other balls; removes the mesh of the last ones and keeps the camera. One colour a ball.
   void set_balls(std::shared_ptr<const BallGeometry> balls, const std::vector<Rgb8>& colours);
   void set_ball_radii(const std::vector<float>& radii);  // Å, as drawn
   void set_ball_colours(const std::vector<Rgb8>& colours);
@@ -51,7 +51,7 @@ class Scene {
 
   // Draws into the texture, width x height pixels (at least 8 x 8); returns milliseconds taken.
   double render(int width, int height, RenderQuality quality);
-  // OpenGL name of the last picture; its first row is the bottom, its alpha channel is undefined.
+  // OpenGL name of the last picture; its first row is the bottom, its alpha reads as one.
   unsigned texture() const;
   // Å that one pixel of the last picture spans at the camera's focal point.
   double angstrom_per_pixel() const;

@@ -1,0 +1,58 @@
+// alphascope: arguments in, exit code out.
+#include <cstdio>
+#include <fstream>
+#include <iostream>
+#include <sstream>
+#include <stdexcept>
+
+#include "app/viewer/options.hpp"
+#include "app/viewer/script.hpp"
+#include "app/viewer/viewer.hpp"
+
+namespace {
+
+constexpr int kBadArguments = 1, kNoDisplay = 2, kFailed = 3;
+
+int drive(alphascope::Viewer& viewer, const alphascope::ViewerOptions& options) {
+  if (options.script) {
+    std::ifstream script(*options.script);
+    alphascope::run_script(viewer, script, options.script->string(), std::cout);
+  }
+  if (options.shot) {
+    std::istringstream script("wait-idle\nshot " + options.shot->string() + "\n");
+    alphascope::run_script(viewer, script, "--shot", std::cout);
+  }
+  if (!viewer.state().error.empty()) throw std::runtime_error(viewer.state().error);
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const alphascope::ParsedOptions parsed = alphascope::parse_options(argc, argv);
+  if (parsed.exit_code) {
+    std::fputs(parsed.text.c_str(), *parsed.exit_code == 0 ? stdout : stderr);
+    return *parsed.exit_code == 0 ? 0 : kBadArguments;
+  }
+  const alphascope::ViewerOptions& options = parsed.options;
+  const alphascope::HostOptions host_options{options.width, options.height, options.scale,
+                                             "Alphascope"};
+  const bool scripted = options.script || options.shot;
+  std::unique_ptr<alphascope::Host> host;
+  try {
+    host = scripted ? alphascope::make_egl_host(host_options)
+                    : alphascope::make_glfw_host(host_options);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "alphascope: %s\n", error.what());
+    return kNoDisplay;
+  }
+  try {
+    alphascope::Viewer viewer(*host, options);
+    if (scripted) return drive(viewer, options);
+    viewer.run();
+    return 0;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "alphascope: %s\n", error.what());
+    return kFailed;
+  }
+}

@@ -1,0 +1,30 @@
+// The command line of alphascope.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+namespace alphascope {
+
+struct ViewerOptions {
+  std::optional<std::filesystem::path> file;
+  double alpha = 0;                // Å²
+  double solvent = 0;              // Å
+  double scale = 0;                // 0: as the display says
+  int width = 1440, height = 900;  // at scale 1
+  bool light = false;
+  bool tetrahedra_only = false;
+  bool compare = true;
+  std::optional<std::filesystem::path> script, shot;
+};
+
+struct ParsedOptions {
+  ViewerOptions options;
+  std::optional<int> exit_code;  // set when the program should end at once, after printing `text`
+  std::string text;
+};
+
+ParsedOptions parse_options(int argc, const char* const* argv);
+
+}  // namespace alphascope

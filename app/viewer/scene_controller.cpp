@@ -1,0 +1,217 @@
+// See the header.
+#include "app/viewer/scene_controller.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "ui/scene/ball_colours.hpp"
+#include "ui/scene/frame_grab.hpp"
+
+namespace alphascope {
+namespace {
+
+constexpr double kRefineAfterSeconds = 0.25;
+constexpr double kNever = 1e9;
+
+std::shared_ptr<const std::vector<Rgb8>> shared(std::vector<Rgb8> colours) {
+  return std::make_shared<const std::vector<Rgb8>>(std::move(colours));
+}
+
+Rgb8 to_rgb8(const Colour& c) {
+  const auto byte = [](float x) { return static_cast<std::uint8_t>(x * 255.0f + 0.5f); };
+  return {byte(c.r), byte(c.g), byte(c.b)};
+}
+
+ComplexColouring colouring(ColourBy colour) {
+  switch (colour) {
+    case ColourBy::single:
+      return ComplexColouring::single;
+    case ColourBy::alpha:
+      return ComplexColouring::alpha;
+    case ColourBy::element:
+    case ColourBy::chain:
+      break;
+  }
+  return ComplexColouring::balls;
+}
+
+}  // namespace
+
+SceneController::SceneController(std::function<void()> wake) : mesh_worker_(std::move(wake)) {}
+
+void SceneController::set_molecule(std::shared_ptr<const Molecule> molecule,
+                                   std::shared_ptr<const PreparedBalls> prepared) {
+  mesh_worker_.cancel();
+  const bool keep_view = molecule == molecule_;  // only the selection or the radii changed
+  molecule_ = std::move(molecule);
+  prepared_ = std::move(prepared);
+  answer_ = nullptr;
+  geometry_ = std::make_shared<const BallGeometry>(*prepared_->balls);
+  by_element_ = shared(colours_by_element(*molecule_, prepared_->atom_of_ball));
+  by_chain_ = shared(colours_by_chain(*molecule_, prepared_->atom_of_ball));
+  scene_.set_balls(geometry_, *by_chain_);
+  if (!keep_view) scene_.reset_view();
+  update_colours();
+  update_radii();
+  quality_.forget();
+}
+
+void SceneController::set_answer(std::shared_ptr<const Answer> answer) {
+  if (answer && answer->prepared != prepared_) return;
+  answer_ = std::move(answer);
+  if (display_.grown_balls) update_radii();
+  submit_mesh();
+}
+
+void SceneController::set_display(const DisplayControls& display, Theme theme) {
+  const DisplayControls before = std::exchange(display_, display);
+  const bool new_theme = theme != theme_;
+  theme_ = theme;
+  if (before == display && !new_theme) return;
+  SceneStyle style;
+  style.balls = display.balls;
+  style.ball_opacity = display.ball_opacity;
+  style.complex_opacity = display.complex_opacity;
+  style.ambient_occlusion = display.ambient_occlusion;
+  style.theme = theme;
+  scene_.set_style(style);
+  if (before.ball_colour != display.ball_colour || new_theme) update_colours();
+  if (before.ball_scale != display.ball_scale || before.grown_balls != display.grown_balls) {
+    update_radii();
+  }
+  if (mesh_options() != requested_mesh_ || before.complex_colour != display.complex_colour) {
+    submit_mesh();
+  }
+  dirty_ = true;
+}
+
+void SceneController::update_colours() {
+  if (!geometry_) return;
+  switch (display_.ball_colour) {
+    case ColourBy::element:
+      scene_.set_ball_colours(*by_element_);
+      break;
+    case ColourBy::chain:
+      scene_.set_ball_colours(*by_chain_);
+      break;
+    case ColourBy::single:
+    case ColourBy::alpha:
+      scene_.set_ball_colours(std::vector<Rgb8>(geometry_->centres.size(), element_colour(6)));
+      break;
+  }
+  dirty_ = true;
+}
+
+void SceneController::update_radii() {
+  if (!geometry_) return;
+  BallStyle style;
+  style.scale = display_.ball_scale;
+  style.grown = display_.grown_balls && answer_;
+  if (style.grown) {
+    style.alpha = answer_->request.alpha_angstrom2;
+    style.solvent_radius = answer_->request.solvent_radius_angstrom;
+  }
+  scene_.set_ball_radii(drawn_radii(*geometry_, style));
+  dirty_ = true;
+}
+
+MeshOptions SceneController::mesh_options() const {
+  MeshOptions options;
+  options.tetrahedra = display_.tetrahedra;
+  options.boundary = display_.boundary;
+  options.triangles = display_.triangles;
+  options.edges = display_.edges;
+  options.singular_only = display_.singular_only;
+  options.shrink = display_.shrink;
+  options.translucent = display_.complex_opacity < 1;
+  options.colouring = colouring(display_.complex_colour);
+  options.single_colour = to_rgb8(palette(theme_).complex_single);
+  return options;
+}
+
+void SceneController::submit_mesh() {
+  requested_mesh_ = mesh_options();
+  if (!answer_) {
+    mesh_worker_.cancel();
+    scene_.set_mesh(nullptr);
+    dirty_ = true;
+    return;
+  }
+  const auto colours = display_.complex_colour == ColourBy::element ? by_element_ : by_chain_;
+  mesh_worker_.submit([this, geometry = geometry_, colours, answer = answer_,
+                       options = requested_mesh_](const RunContext&) -> Worker::Delivery {
+    auto mesh = std::make_shared<const ComplexMesh>(
+        build_mesh(*geometry, *colours, answer->complex, options));
+    return [this, geometry, mesh] {
+      if (geometry != geometry_) return;
+      scene_.set_mesh(mesh);
+      dirty_ = true;
+    };
+  });
+}
+
+void SceneController::pointer(const PointerEvent& event) {
+  switch (event.kind) {
+    case PointerEvent::Kind::move:
+      scene_.pointer_move(event.x, event.y, event.control, event.shift);
+      break;
+    case PointerEvent::Kind::press:
+    case PointerEvent::Kind::release: {
+      constexpr PointerButton kButtons[] = {PointerButton::left, PointerButton::right,
+                                            PointerButton::middle};
+      scene_.pointer_move(event.x, event.y, event.control, event.shift);
+      scene_.pointer_button(kButtons[event.button], event.kind == PointerEvent::Kind::press);
+      break;
+    }
+    case PointerEvent::Kind::wheel:
+      scene_.wheel(event.wheel);
+      break;
+    case PointerEvent::Kind::double_click:
+      scene_.reset_view();
+      break;
+  }
+  dirty_ = true;
+}
+
+void SceneController::reset_view() {
+  scene_.reset_view();
+  dirty_ = true;
+}
+
+void SceneController::poll() {
+  mesh_worker_.poll();
+}
+
+double SceneController::seconds_to_refinement() const {
+  if (!refine_) return kNever;
+  const std::chrono::duration<double> since = Clock::now() - last_change_;
+  return std::max(0.0, kRefineAfterSeconds - since.count());
+}
+
+void SceneController::render(ViewportInfo& viewport, bool interacting, bool patient) {
+  if (viewport.width < 8 || viewport.height < 8 || !geometry_) return;
+  if (viewport.width != width_ || viewport.height != height_) {
+    width_ = viewport.width;
+    height_ = viewport.height;
+    dirty_ = true;
+  }
+  const bool change = std::exchange(dirty_, false);
+  if (change) last_change_ = Clock::now();
+  const bool refine_now = refine_ && !interacting && seconds_to_refinement() <= 0;
+  if (!change && !refine_now && !(patient && drawn_ != RenderQuality::fine)) return;
+  const RenderQuality target = patient                 ? RenderQuality::fine
+                               : refine_now && !change ? quality_.at_rest()
+                                                       : quality_.moving();
+  quality_.note(target, scene_.render(width_, height_, target));
+  drawn_ = target;
+  refine_ = quality_.at_rest() > target;
+  viewport.texture = scene_.texture();
+  viewport.angstrom_per_pixel = scene_.angstrom_per_pixel();
+}
+
+void SceneController::save_picture(const ScreenshotRequest& request) {
+  write_png(scene_.grab(request.width, request.height, request.transparent), request.path);
+  dirty_ = true;
+}
+
+}  // namespace alphascope

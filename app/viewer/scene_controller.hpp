@@ -1,0 +1,68 @@
+// Keeps the scene in step with the session's answers and the display controls. Meshes are filled on
+// a worker; pictures are drawn only when something changed.
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+#include <functional>
+#include <memory>
+
+#include "app/session/session.hpp"
+#include "core/run/worker.hpp"
+#include "ui/panels/view_state.hpp"
+#include "ui/scene/quality.hpp"
+#include "ui/scene/scene.hpp"
+
+namespace alphascope {
+
+class SceneController {
+ public:
+  // An OpenGL context must be current; `wake` as in Worker.
+  explicit SceneController(std::function<void()> wake);
+
+  void set_molecule(std::shared_ptr<const Molecule> molecule,
+                    std::shared_ptr<const PreparedBalls> prepared);
+  void set_answer(std::shared_ptr<const Answer> answer);  // null: none
+  void set_display(const DisplayControls& display, Theme theme);
+  void pointer(const PointerEvent& event);
+  void reset_view();
+
+  void poll();  // takes finished meshes
+  // Something is still on its way to the screen: a mesh, or a finer picture.
+  bool busy() const { return mesh_worker_.activity().busy; }
+  bool wants_frame() const { return dirty_ || refine_; }
+  // Seconds until a finer picture is due; a large number when none is.
+  double seconds_to_refinement() const;
+
+  // Draws when something changed or a finer picture is due. `patient`: as fine as possible,
+  // whatever it takes (for pictures).
+  void render(ViewportInfo& viewport, bool interacting, bool patient);
+  void save_picture(const ScreenshotRequest& request);
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  void update_colours();
+  void update_radii();
+  void submit_mesh();
+  MeshOptions mesh_options() const;
+
+  Scene scene_;
+  QualityChooser quality_;
+  std::shared_ptr<const Molecule> molecule_;
+  std::shared_ptr<const PreparedBalls> prepared_;
+  std::shared_ptr<const BallGeometry> geometry_;
+  std::shared_ptr<const std::vector<Rgb8>> by_element_, by_chain_;
+  std::shared_ptr<const Answer> answer_;
+  DisplayControls display_;
+  Theme theme_ = Theme::dark;
+  MeshOptions requested_mesh_;
+  bool dirty_ = true;
+  bool refine_ = false;  // the picture on screen could be finer
+  RenderQuality drawn_ = RenderQuality::draft;
+  Clock::time_point last_change_ = Clock::now();
+  int width_ = 0, height_ = 0;
+  Worker mesh_worker_;  // last: joined before what its jobs use goes
+};
+
+}  // namespace alphascope

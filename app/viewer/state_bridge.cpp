@@ -1,0 +1,192 @@
+// See the header.
+#include "app/viewer/state_bridge.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "ui/panels/format.hpp"
+
+namespace alphascope {
+namespace {
+
+std::string count(std::size_t n) {
+  return with_separators(static_cast<long long>(n));
+}
+
+TimedRun to_run(const StageTimes& times) {
+  TimedRun run;
+  run.wall_milliseconds = times.wall_milliseconds;
+  for (const StageTime& s : times.stages) run.stages.push_back({s.label, s.milliseconds, s.setup});
+  return run;
+}
+
+template <int N>
+void add_difference(std::string& text, const SetDifference<N>& difference, const char* what) {
+  if (difference.equal()) return;
+  if (!text.empty()) text += "; ";
+  text += std::string(what) + ": " + count(difference.missing.size()) + " missing, " +
+          count(difference.extra.size()) + " extra";
+}
+
+std::string differences(const Comparison& c) {
+  std::string text;
+  add_difference(text, c.tetrahedra, "tetrahedra");
+  add_difference(text, c.triangles, "triangles");
+  add_difference(text, c.edges, "edges");
+  add_difference(text, c.vertices, "vertices");
+  if (c.alpha_values_differing > 0) {
+    text += (text.empty() ? "" : "; ") + count(c.alpha_values_differing) + " alpha values differ";
+  }
+  if (c.classes_differing > 0) {
+    text += (text.empty() ? "" : "; ") + count(c.classes_differing) + " classes differ";
+  }
+  return text;
+}
+
+}  // namespace
+
+std::vector<GrownRadius> grown_radii(const Molecule& molecule, const PreparedBalls& prepared,
+                                     const ComputeControls& controls) {
+  std::map<std::pair<Element, std::int32_t>, std::size_t> counts;
+  const BallSet& balls = *prepared.balls;
+  for (std::size_t i = 0; i < balls.size(); ++i) {
+    ++counts[{molecule.atoms[prepared.atom_of_ball[i]].element, balls.radii[i]}];
+  }
+  std::vector<std::pair<std::size_t, GrownRadius>> rows;
+  for (const auto& [key, number] : counts) {
+    GrownRadius row;
+    if (key.first != kUnknownElement) row.element = element_symbol(key.first);
+    row.radius = balls.lattice.angstrom(key.second);
+    const double with_solvent = row.radius + controls.solvent;
+    row.grown = std::sqrt(std::max(0.0, with_solvent * with_solvent + controls.alpha));
+    rows.emplace_back(number, row);
+  }
+  std::stable_sort(rows.begin(), rows.end(),
+                   [](const auto& a, const auto& b) { return a.first > b.first; });
+  std::vector<GrownRadius> result;
+  for (auto& row : rows) result.push_back(std::move(row.second));
+  return result;
+}
+
+MoleculeInfo describe_molecule(const Molecule& molecule, const PreparedBalls& prepared) {
+  MoleculeInfo info;
+  info.loaded = true;
+  info.name = molecule.source.filename().string();
+  info.folder = molecule.source.parent_path().string();
+  info.title = molecule.title;
+  info.format = molecule.format;
+  info.summary = summary(prepared.report);
+  info.notes = molecule.notes;
+  if (molecule.rounding_angstrom > 0) {
+    info.notes.push_back("Rounded to the lattice, by at most " +
+                         short_number_text(molecule.rounding_angstrom, 9) + " Å.");
+  }
+  for (const GuessedRadius& guess : prepared.report.guessed) {
+    info.notes.push_back("Radius guessed for " + guess.atoms + " (" + count(guess.count) +
+                         "): " + short_number_text(guess.radius_angstrom, 3) + " Å.");
+  }
+  if (prepared.report.coincident_centres > 0) {
+    info.notes.push_back(count(prepared.report.coincident_centres) +
+                         " balls share a centre with another; the largest of each counts.");
+  }
+  info.balls = prepared.balls->size();
+  return info;
+}
+
+ResultInfo describe_answer(const Answer& answer) {
+  const AlphaComplex& c = answer.complex;
+  ResultInfo r;
+  r.present = true;
+  r.alpha = answer.request.alpha_angstrom2;
+  r.solvent = answer.request.solvent_radius_angstrom;
+  r.tetrahedra_only = c.tetrahedra_only;
+  r.vertices = c.vertices.size();
+  r.edges = c.edges.size();
+  r.triangles = c.triangles.size();
+  r.tetrahedra = c.tetrahedra.size();
+  r.euler = c.tetrahedra_only ? 0 : c.euler_characteristic();
+  r.hash = hash_text(c.hash);
+  r.engine = c.engine.name;
+  r.device = c.engine.device;
+  r.route = c.engine.route;
+  return r;
+}
+
+std::optional<EngineTimings> describe_timings(const ColdAndWarm& timings,
+                                              const EngineInfo& engine) {
+  if (!timings.cold && !timings.warm) return std::nullopt;
+  EngineTimings result;
+  result.engine = engine.name;
+  result.device = engine.device;
+  if (timings.cold) result.cold = to_run(*timings.cold);
+  if (timings.warm) result.warm = to_run(*timings.warm);
+  return result;
+}
+
+BadgeInfo describe_agreement(const SessionState& state, bool comparing) {
+  if (comparing) return {BadgeInfo::State::comparing, "comparing with CGAL…"};
+  if (!state.agreement || state.agreement->ours != state.ours) {
+    return {BadgeInfo::State::not_compared, "not compared with CGAL"};
+  }
+  const Comparison& c = state.agreement->comparison;
+  if (!c.identical()) {
+    return {BadgeInfo::State::different, "differs from CGAL: " + differences(c)};
+  }
+  const std::string number = count(c.tetrahedra.common);
+  return {BadgeInfo::State::identical,
+          "identical to CGAL: " + number + " of " + number + " tetrahedra"};
+}
+
+SessionRequest to_request(const ComputeControls& controls) {
+  SessionRequest request;
+  request.alpha_angstrom2 = controls.alpha;
+  request.solvent_radius_angstrom = controls.solvent;
+  request.tetrahedra_only = controls.tetrahedra_only;
+  switch (controls.engine) {
+    case EngineOption::automatic:
+      request.engine = EngineChoice::automatic;
+      break;
+    case EngineOption::gpu:
+      request.engine = EngineChoice::gpu;
+      break;
+    case EngineOption::cpu:
+      request.engine = EngineChoice::cpu;
+      break;
+    case EngineOption::cgal:
+      request.engine = EngineChoice::cgal;
+      break;
+  }
+  return request;
+}
+
+std::vector<RadiiSet> offered_radii_sets() {
+  std::vector<RadiiSet> sets{RadiiSet::automatic};
+  for (const RadiiSetInfo& info : all_radii_sets()) {
+    if (info.set != RadiiSet::automatic && info.set != RadiiSet::user) sets.push_back(info.set);
+  }
+  return sets;
+}
+
+OpenOptions to_open_options(const SelectionControls& controls,
+                            const std::vector<RadiiSet>& radii_sets) {
+  OpenOptions options;
+  options.balls.waters = controls.waters;
+  options.balls.ligands = controls.ligands;
+  options.balls.ions = controls.ions;
+  options.balls.radii = radii_sets.at(static_cast<std::size_t>(controls.radii_set));
+  switch (controls.hydrogens) {
+    case HydrogenOption::automatic:
+      options.balls.hydrogens = HydrogenRule::automatic;
+      break;
+    case HydrogenOption::keep:
+      options.balls.hydrogens = HydrogenRule::keep;
+      break;
+    case HydrogenOption::drop:
+      options.balls.hydrogens = HydrogenRule::drop;
+      break;
+  }
+  return options;
+}
+
+}  // namespace alphascope

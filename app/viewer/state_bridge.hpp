@@ -1,0 +1,26 @@
+// From what the session holds to what the panels show, and back. Pure functions: no window, no GL.
+#pragma once
+
+#include "app/session/session.hpp"
+#include "ui/panels/view_state.hpp"
+
+namespace alphascope {
+
+MoleculeInfo describe_molecule(const Molecule& molecule, const PreparedBalls& prepared);
+
+// Elements with their radii, grown by the solvent radius (Å) and alpha (Å²), most frequent first.
+std::vector<GrownRadius> grown_radii(const Molecule& molecule, const PreparedBalls& prepared,
+                                     const ComputeControls& controls);
+
+ResultInfo describe_answer(const Answer& answer);
+std::optional<EngineTimings> describe_timings(const ColdAndWarm& timings, const EngineInfo& engine);
+BadgeInfo describe_agreement(const SessionState& state, bool comparing);
+
+SessionRequest to_request(const ComputeControls& controls);
+OpenOptions to_open_options(const SelectionControls& controls,
+                            const std::vector<RadiiSet>& radii_sets);
+
+// The sets that the window offers, in the order of ViewState::radii_sets.
+std::vector<RadiiSet> offered_radii_sets();
+
+}  // namespace alphascope

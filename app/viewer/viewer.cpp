@@ -1,0 +1,258 @@
+// See the header.
+#include "app/viewer/viewer.hpp"
+
+#include <imgui.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <utility>
+
+#include "app/viewer/resources.hpp"
+#include "app/viewer/state_bridge.hpp"
+#include "ui/panels/format.hpp"
+#include "ui/panels/window_layout.hpp"
+#include "ui/scene/frame_grab.hpp"
+
+namespace alphascope {
+namespace {
+
+// ImGui needs a frame or two after the last input until everything has settled (hover, popups).
+constexpr int kSettlingFrames = 3;
+constexpr double kBusyInterval = 0.05, kIdleInterval = 1.0;  // seconds
+// Comparing by itself is switched off beyond: CGAL would keep the second half of the cores busy.
+constexpr std::size_t kMostBallsToCompareUnasked = 200000;
+
+// Resident memory of this process; 0 where /proc is missing.
+std::size_t resident_bytes() {
+  std::ifstream statm("/proc/self/statm");
+  std::size_t total = 0, resident = 0;
+  statm >> total >> resident;
+  return resident * static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+}
+
+}  // namespace
+
+Viewer::Viewer(Host& host, const ViewerOptions& options)
+    : host_(host),
+      frame_(host, options.light ? Theme::light : Theme::dark),
+      scene_([&host] { host.wake(); }),
+      session_([&host] { host.wake(); }) {
+  fill_constants();
+  state_.theme = options.light ? Theme::light : Theme::dark;
+  state_.compute.alpha = options.alpha;
+  state_.compute.solvent = options.solvent;
+  state_.compute.tetrahedra_only = options.tetrahedra_only;
+  state_.auto_compare = options.compare;
+  sent_compute_ = state_.compute;
+  session_.set_request(to_request(state_.compute));
+  session_.set_open_options(to_open_options(state_.selection, radii_sets_));
+  scene_.set_display(state_.display, state_.theme);
+  if (options.file) open(*options.file);
+}
+
+Viewer::~Viewer() = default;
+
+void Viewer::fill_constants() {
+  state_.version = ALPHASCOPE_VERSION;
+  for (const SampleFile& sample : sample_files()) {
+    state_.samples.push_back({sample.name, sample.detail});
+    sample_paths_.push_back(sample.path);
+  }
+  radii_sets_ = offered_radii_sets();
+  for (const RadiiSet set : radii_sets_) {
+    const RadiiSetInfo& info = radii_set_info(set);
+    state_.radii_sets.push_back({std::string(info.name), std::string(info.citation)});
+  }
+}
+
+void Viewer::open(const std::filesystem::path& path) {
+  state_.notice.clear();
+  state_.memory.browser_folder = path.parent_path();
+  session_.open(path);
+}
+
+bool Viewer::busy() const {
+  const SessionActivity a = session_.activity();
+  return a.opening.busy || a.computing.busy || a.comparing.busy || scene_.busy();
+}
+
+void Viewer::take_session() {
+  const SessionChanges changes = session_.poll();
+  const SessionState& s = session_.state();
+  if (changes.molecule && s.molecule) {
+    scene_.set_molecule(s.molecule, s.prepared);
+    state_.molecule = describe_molecule(*s.molecule, *s.prepared);
+    state_.result = {};
+    if (shown_molecule_ != s.molecule) {
+      host_.set_title(state_.molecule.name + " – Alphascope");
+      state_.memory.timings_cold = true;
+    }
+    shown_molecule_ = s.molecule;
+    compared_ = nullptr;
+    state_.molecule.radii = grown_radii(*s.molecule, *s.prepared, state_.compute);
+  }
+  if (changes.answer) {
+    scene_.set_answer(s.ours);
+    if (s.ours) {
+      state_.result = describe_answer(*s.ours);
+      state_.device_text = s.ours->complex.engine.name + " on " + s.ours->complex.engine.device;
+      state_.gpu_text = s.ours->engine_note;
+      state_.gpu_available = s.ours->engine_note.empty();
+      state_.ours = describe_timings(s.our_timings, s.ours->complex.engine);
+    } else {
+      state_.ours = state_.cgal = std::nullopt;
+    }
+  }
+  if (changes.agreement) {
+    state_.cgal = s.agreement
+                      ? describe_timings(s.reference_timings, s.agreement->reference->engine)
+                      : std::nullopt;
+  }
+  if (changes.error && !s.last_error.empty()) state_.error = s.last_error;
+  if (changes.any()) {
+    frames_due_ = kSettlingFrames;
+    state_.memory_bytes = resident_bytes();
+  }
+  update_badge();
+}
+
+void Viewer::update_badge() {
+  state_.badge = describe_agreement(session_.state(), session_.activity().comparing.busy);
+}
+
+void Viewer::update_busy() {
+  const SessionActivity a = session_.activity();
+  BusyInfo busy;
+  const auto take = [&busy](const Worker::Activity& activity, const std::string& what) {
+    if (busy.active || !activity.busy) return;
+    busy.active = true;
+    busy.what = what + (activity.stage.empty() ? "" : ": " + activity.stage);
+    busy.share = activity.share > 0 ? activity.share : -1;
+  };
+  take(a.opening, "Opening " + a.opening_path.filename().string());
+  take(a.computing, "Computing");
+  // A comparison in the background is the badge's business; it holds nothing up.
+  if (busy.active) {
+    if (!busy_since_) busy_since_ = Clock::now();
+    busy.seconds = std::chrono::duration<double>(Clock::now() - *busy_since_).count();
+  } else {
+    busy_since_.reset();
+  }
+  state_.busy = busy;
+}
+
+void Viewer::compare_when_due() {
+  const auto& s = session_.state();
+  if (!state_.auto_compare || !s.ours || !s.up_to_date() || compared_ == s.ours) return;
+  if (state_.molecule.balls > kMostBallsToCompareUnasked || interacting()) return;
+  compared_ = s.ours;
+  session_.request_comparison();
+}
+
+void Viewer::take_requests() {
+  Requests r = std::exchange(state_.requests, {});
+  if (r.open) open(*r.open);
+  if (r.open_sample && *r.open_sample < sample_paths_.size()) open(sample_paths_[*r.open_sample]);
+  if (r.compare) {
+    compared_ = session_.state().ours;
+    session_.request_comparison();
+  }
+  if (r.cancel) {
+    session_.cancel_opening();
+    session_.cancel_computing();
+    session_.cancel_comparison();
+  }
+  if (r.reset_view) scene_.reset_view();
+  if (r.quit) quit_ = true;
+  if (r.screenshot) {
+    try {
+      scene_.save_picture(*r.screenshot);
+      state_.notice = "Saved " + r.screenshot->path.string();
+    } catch (const std::exception& error) {
+      state_.error = error.what();
+    }
+    frames_due_ = kSettlingFrames;
+  }
+}
+
+void Viewer::send_controls() {
+  if (state_.compute != sent_compute_) {
+    sent_compute_ = state_.compute;
+    session_.set_request(to_request(state_.compute));
+    const SessionState& s = session_.state();
+    if (s.molecule) {
+      state_.molecule.radii = grown_radii(*s.molecule, *s.prepared, state_.compute);
+    }
+    frames_due_ = kSettlingFrames;
+  }
+  if (state_.selection != sent_selection_) {
+    sent_selection_ = state_.selection;
+    session_.set_open_options(to_open_options(state_.selection, radii_sets_));
+    frames_due_ = kSettlingFrames;
+  }
+  scene_.set_display(state_.display, state_.theme);
+}
+
+bool Viewer::interacting() const {
+  const ImGuiIO& io = ImGui::GetIO();
+  return io.MouseDown[0] || io.MouseDown[1] || io.MouseDown[2];
+}
+
+void Viewer::draw(ScriptedInput* input, bool patient,
+                  const std::function<void(unsigned)>& before_swap) {
+  update_busy();
+  if (!frame_.begin(state_.theme, input)) return;
+  draw_window(state_, rects_, frame_.fonts(), frame_.scale());
+  for (const PointerEvent& event : state_.viewport.events) scene_.pointer(event);
+  take_requests();
+  send_controls();
+  scene_.poll();
+  // After the panels, so that the picture has this frame's size; ImGui draws it afterwards.
+  scene_.render(state_.viewport, interacting(), patient);
+  frame_.end([&](unsigned framebuffer) {
+    if (before_swap) before_swap(framebuffer);
+  });
+}
+
+void Viewer::step(ScriptedInput* input) {
+  host_.wait_events(0);
+  take_session();
+  compare_when_due();
+  draw(input, patient_);
+}
+
+void Viewer::shoot(const std::filesystem::path& path, ScriptedInput* input) {
+  const HostSize size = host_.size();
+  patient_ = true;
+  for (int i = 0; i < kSettlingFrames; ++i) step(input);
+  draw(input, true, [&](unsigned framebuffer) {
+    Image image = read_framebuffer(framebuffer, size.width, size.height);
+    for (std::size_t i = 3; i < image.rgba.size(); i += 4) image.rgba[i] = 255;
+    write_png(image, path);
+  });
+  patient_ = false;
+}
+
+double Viewer::idle_seconds() const {
+  if (frames_due_ > 0) return 0;
+  const double idle = busy() ? kBusyInterval : kIdleInterval;
+  return std::min(idle, std::max(0.001, scene_.seconds_to_refinement()));
+}
+
+void Viewer::run() {
+  while (!quit_ && !host_.close_requested()) {
+    if (host_.wait_events(idle_seconds())) frames_due_ = std::max(frames_due_, kSettlingFrames);
+    for (const auto& file : host_.take_dropped_files()) open(file);
+    take_session();
+    compare_when_due();
+    scene_.poll();
+    const bool due = frames_due_ > 0 || busy() || scene_.wants_frame();
+    if (!due) continue;
+    frames_due_ = std::max(0, frames_due_ - 1);
+    draw(nullptr, false);
+  }
+}
+
+}  // namespace alphascope

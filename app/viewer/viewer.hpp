@@ -1,0 +1,75 @@
+// The running program: one host, one session, one scene, and the loop that ties them to the panels.
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+#include <functional>
+#include <memory>
+
+#include "app/session/session.hpp"
+#include "app/viewer/options.hpp"
+#include "app/viewer/scene_controller.hpp"
+#include "ui/panels/view_state.hpp"
+#include "ui/panels/widget_rects.hpp"
+#include "ui/window/host.hpp"
+#include "ui/window/imgui_frame.hpp"
+
+namespace alphascope {
+
+class Viewer {
+ public:
+  Viewer(Host& host, const ViewerOptions& options);
+  ~Viewer();
+
+  // Until the user quits. Draws only when something changed.
+  void run();
+
+  // One step for scripts and tests: takes in results, draws one frame with this input.
+  void step(ScriptedInput* input);
+  // A molecule, a complex, a comparison or a mesh is on its way.
+  bool busy() const;
+  // Draws the scene as finely as it can be, then the window, into a PNG file.
+  void shoot(const std::filesystem::path& path, ScriptedInput* input);
+
+  void open(const std::filesystem::path& path);
+  bool quit_requested() const { return quit_; }
+
+  ViewState& state() { return state_; }
+  const WidgetRects& widgets() const { return rects_; }
+  Session& session() { return session_; }
+  Host& host() { return host_; }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  void fill_constants();
+  void take_session();   // results and failures into the state
+  void take_requests();  // what the panels asked for
+  void send_controls();  // changed controls to session and scene
+  void update_busy();
+  void update_badge();
+  void compare_when_due();
+  bool interacting() const;
+  void draw(ScriptedInput* input, bool patient,
+            const std::function<void(unsigned)>& before_swap = {});
+  double idle_seconds() const;
+
+  Host& host_;
+  ViewState state_;
+  WidgetRects rects_;
+  ImGuiFrame frame_;
+  SceneController scene_;
+  std::vector<RadiiSet> radii_sets_;
+  std::vector<std::filesystem::path> sample_paths_;
+  ComputeControls sent_compute_;
+  SelectionControls sent_selection_;
+  std::shared_ptr<const Molecule> shown_molecule_;
+  std::shared_ptr<const Answer> compared_;  // the last answer for which a comparison was asked
+  std::optional<Clock::time_point> busy_since_;
+  int frames_due_ = 3;
+  bool quit_ = false;
+  bool patient_ = false;
+  Session session_;  // last: its threads wake the host
+};
+
+}  // namespace alphascope

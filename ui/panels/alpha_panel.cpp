@@ -1,0 +1,117 @@
+// Alpha and the solvent radius: two separate controls, each with its unit, and what they do to the
+// radii.
+#include <algorithm>
+#include <cmath>
+
+#include "ui/panels/format.hpp"
+#include "ui/panels/panels.hpp"
+
+namespace alphascope {
+namespace {
+
+constexpr double kSliderLow = -3, kSliderHigh = 10;  // Å²; typed values may lie outside
+constexpr double kSliderStep = 0.01;
+constexpr double kPresets[] = {0, 1.4, 3, 10};
+constexpr double kWater = 1.4;          // Å, radius of a water molecule
+constexpr double kLargestSolvent = 20;  // Å
+
+void draw_ticks(PanelContext& ctx, double low, double high) {
+  ImDrawList* draw = ImGui::GetWindowDrawList();
+  const ImVec2 a = ImGui::GetItemRectMin(), b = ImGui::GetItemRectMax();
+  const float grab = ImGui::GetStyle().GrabMinSize / 2 + 2;
+  for (const double preset : kPresets) {
+    const float t = static_cast<float>((preset - low) / (high - low));
+    const float x = a.x + grab + t * (b.x - a.x - 2 * grab);
+    draw->AddLine({x, b.y - ctx.px(5)}, {x, b.y - ctx.px(1)}, to_u32(ctx.palette.text_muted),
+                  ctx.px(1));
+  }
+}
+
+void slider(PanelContext& ctx) {
+  double& alpha = ctx.state.compute.alpha;
+  const double low = std::min(kSliderLow, alpha), high = std::max(kSliderHigh, alpha);
+  double value = alpha;
+  ImGui::SetNextItemWidth(-1);
+  if (ImGui::SliderScalar("##alpha", ImGuiDataType_Double, &value, &low, &high, "")) {
+    alpha = std::round(value / kSliderStep) * kSliderStep;
+    if (alpha == 0) alpha = 0;  // no minus zero in the text
+  }
+  record(ctx, "alpha.slider");
+  tooltip(
+      "Alpha in Å². Every radius r becomes sqrt(r² + α).\nCtrl + click to type; arrow keys step "
+      "by 0.1, with shift by 1.");
+  draw_ticks(ctx, low, high);
+}
+
+void typed_and_presets(PanelContext& ctx) {
+  double& alpha = ctx.state.compute.alpha;
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted("α");
+  ImGui::SameLine();
+  ImGui::SetNextItemWidth(ctx.px(78));
+  double typed = alpha;
+  if (ImGui::InputDouble("##typed", &typed, 0, 0, "%.6g", ImGuiInputTextFlags_EnterReturnsTrue) &&
+      std::isfinite(typed)) {
+    alpha = typed;
+  }
+  if (ImGui::IsItemDeactivatedAfterEdit() && std::isfinite(typed)) alpha = typed;
+  record(ctx, "alpha.typed");
+  ImGui::SameLine(0, ctx.px(4));
+  ImGui::TextUnformatted("Å²");
+  for (const double preset : kPresets) {
+    ImGui::SameLine(0, preset == kPresets[0] ? ctx.px(10) : ctx.px(4));
+    const std::string text = short_number_text(preset, 1);
+    const std::string name = "alpha.preset." + text;
+    if (button(ctx, name.c_str(), text.c_str(), {ctx.px(34), 0})) alpha = preset;
+  }
+}
+
+void solvent(PanelContext& ctx) {
+  double& radius = ctx.state.compute.solvent;
+  row_label(ctx, "Solvent radius", 62);
+  double value = radius;
+  const double low = 0, high = 5;
+  if (ImGui::SliderScalar("##solvent", ImGuiDataType_Double, &value, &low, &high, "%.2f Å")) {
+    radius = std::clamp(std::round(value * 100) / 100, 0.0, kLargestSolvent);
+  }
+  record(ctx, "alpha.solvent");
+  tooltip("Solvent radius in Å: r becomes r + s before anything else.\nCtrl + click to type.");
+  ImGui::SameLine(0, ctx.px(6));
+  const bool water = radius == kWater;
+  if (button(ctx, "alpha.water", water ? "0 Å" : "1.4 Å", {ctx.px(56), 0})) {
+    radius = water ? 0 : kWater;
+  }
+  tooltip(water ? "No solvent" : "Water: 1.4 Å");
+}
+
+// "C 1.70 → 2.07", two columns.
+void grown_radii(PanelContext& ctx) {
+  const auto& radii = ctx.state.molecule.radii;
+  if (radii.empty()) return;
+  muted_text(ctx, "Radii, grown by s and α (Å)");
+  const float half = ImGui::GetContentRegionAvail().x / 2;
+  const float start = ImGui::GetCursorPosX();
+  constexpr std::size_t kShown = 8;
+  for (std::size_t i = 0; i < std::min(radii.size(), kShown); ++i) {
+    if (i % 2 == 1) ImGui::SameLine(start + half);
+    const GrownRadius& r = radii[i];
+    strong_text(ctx, r.element.empty() ? "r" : r.element);
+    ImGui::SameLine(start + (i % 2 == 1 ? half : 0) + ctx.px(28));
+    ImGui::Text("%.2f → %s", r.radius, r.grown > 0 ? number_text(r.grown, 2).c_str() : "empty");
+  }
+  if (radii.size() > kShown) {
+    muted_text(ctx, "and " + std::to_string(radii.size() - kShown) + " more");
+  }
+}
+
+}  // namespace
+
+void draw_alpha_panel(PanelContext& ctx) {
+  if (!section(ctx, "alpha", "Alpha")) return;
+  slider(ctx);
+  typed_and_presets(ctx);
+  solvent(ctx);
+  grown_radii(ctx);
+}
+
+}  // namespace alphascope

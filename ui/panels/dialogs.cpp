@@ -1,0 +1,196 @@
+// Error, cheat sheet, about, and saving a picture.
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+#include <cstdio>
+
+#include "ui/panels/keys.hpp"
+#include "ui/panels/panels.hpp"
+
+namespace alphascope {
+namespace {
+
+constexpr ImGuiWindowFlags kModalFlags = ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+                                         ImGuiWindowFlags_NoSavedSettings |
+                                         ImGuiWindowFlags_AlwaysAutoResize;
+
+bool begin_modal(PanelContext& ctx, const char* title, bool wanted) {
+  if (wanted && !ImGui::IsPopupOpen(title)) ImGui::OpenPopup(title);
+  if (!wanted) return false;
+  const ImVec2 display = ImGui::GetIO().DisplaySize;
+  ImGui::SetNextWindowPos({display.x / 2, display.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
+  (void)ctx;
+  return ImGui::BeginPopupModal(title, nullptr, kModalFlags);
+}
+
+bool dismissed_by_key() {
+  return ImGui::IsKeyPressed(key::kEscape, false) || ImGui::IsKeyPressed(key::kEnter, false) ||
+         ImGui::IsKeyPressed(key::kKeypadEnter, false);
+}
+
+void error_dialog(PanelContext& ctx) {
+  std::string& error = ctx.state.error;
+  if (!begin_modal(ctx, "That did not work", !error.empty())) return;
+  ImGui::Dummy({ctx.px(420), 0});
+  ImGui::PushTextWrapPos(ctx.px(440));
+  ImGui::TextUnformatted(error.c_str());
+  ImGui::PopTextWrapPos();
+  if (ctx.state.molecule.loaded) {
+    ImGui::Spacing();
+    muted_text(ctx, "The molecule that was open before still is.");
+  }
+  ImGui::Dummy({0, ctx.px(6)});
+  if (button(ctx, "error.copy", "Copy text", {ctx.px(100), 0})) {
+    ImGui::SetClipboardText(error.c_str());
+  }
+  ImGui::SameLine(ctx.px(440) - ctx.px(90));
+  if (button(ctx, "error.ok", "OK", {ctx.px(100), 0}, ButtonKind::primary) || dismissed_by_key()) {
+    error.clear();
+    ImGui::CloseCurrentPopup();
+  }
+  ImGui::EndPopup();
+}
+
+void shortcut_rows(PanelContext& ctx, const char* title,
+                   std::initializer_list<std::pair<const char*, const char*>> rows) {
+  strong_text(ctx, title);
+  if (!ImGui::BeginTable(title, 2)) return;
+  ImGui::TableSetupColumn("keys", ImGuiTableColumnFlags_WidthFixed, ctx.px(190));
+  ImGui::TableSetupColumn("what", ImGuiTableColumnFlags_WidthFixed, ctx.px(270));
+  for (const auto& [keys, what] : rows) {
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    ImGui::TextUnformatted(keys);
+    ImGui::TableNextColumn();
+    muted_text(ctx, what);
+  }
+  ImGui::EndTable();
+  ImGui::Dummy({0, ctx.px(4)});
+}
+
+void cheat_sheet(PanelContext& ctx) {
+  bool& show = ctx.state.memory.show_cheat_sheet;
+  if (!begin_modal(ctx, "Mouse and keyboard", show)) return;
+  shortcut_rows(ctx, "View",
+                {{"drag", "turn"},
+                 {"middle drag, shift + drag", "shift"},
+                 {"wheel, right drag", "zoom"},
+                 {"R", "reset the view"},
+                 {"B, T, E", "balls, tetrahedra, edges on and off"},
+                 {"Ctrl + L", "light or dark"}});
+  shortcut_rows(ctx, "Alpha",
+                {{"← →", "alpha − and + 0.1 Å²"},
+                 {"shift + ← →", "alpha − and + 1 Å²"},
+                 {"Ctrl + click on a slider", "type the value"},
+                 {"C", "compare with CGAL"},
+                 {"Esc", "cancel what is being computed"}});
+  shortcut_rows(ctx, "File",
+                {{"Ctrl + O, or drop a file", "open a molecule"},
+                 {"Ctrl + S", "save a picture"},
+                 {"Ctrl + Q", "quit"},
+                 {"F1", "this page"}});
+  if (button(ctx, "cheat_sheet.close", "Close", {ctx.px(100), 0}, ButtonKind::primary) ||
+      dismissed_by_key()) {
+    show = false;
+  }
+  if (!show) ImGui::CloseCurrentPopup();
+  ImGui::EndPopup();
+}
+
+void about(PanelContext& ctx) {
+  bool& show = ctx.state.memory.show_about;
+  if (!begin_modal(ctx, "About Alphascope", show)) return;
+  ImGui::PushFont(ctx.fonts.large);
+  ImGui::TextUnformatted(("Alphascope " + ctx.state.version).c_str());
+  ImGui::PopFont();
+  ImGui::PushTextWrapPos(ctx.px(440));
+  ImGui::TextUnformatted(
+      "The exact alpha complex of a molecule, recomputed as you move alpha, and compared with CGAL "
+      "simplex by simplex.");
+  ImGui::PopTextWrapPos();
+  ImGui::Spacing();
+  muted_text(ctx, "Free software under the GNU GPL, version 3 or later.");
+  muted_text(ctx, "Built on CGAL, VTK, Dear ImGui, GLFW, oneTBB and gemmi.");
+  ImGui::Dummy({ctx.px(440), ctx.px(6)});
+  if (button(ctx, "about.close", "Close", {ctx.px(100), 0}, ButtonKind::primary) ||
+      dismissed_by_key()) {
+    show = false;
+    ImGui::CloseCurrentPopup();
+  }
+  ImGui::EndPopup();
+}
+
+void size_preset(PanelContext& ctx, const char* name, const char* label, int width, int height) {
+  if (button(ctx, name, label)) {
+    ctx.state.memory.save_width = width;
+    ctx.state.memory.save_height = height;
+  }
+  ImGui::SameLine(0, ctx.px(4));
+}
+
+void save_size(PanelContext& ctx) {
+  PanelMemory& m = ctx.state.memory;
+  constexpr int kLeast = 16, kMost = 16384;
+  row_label(ctx, "Size");
+  ImGui::SetNextItemWidth(ctx.px(80));
+  ImGui::InputInt("##width", &m.save_width, 0);
+  record(ctx, "save.width");
+  ImGui::SameLine(0, ctx.px(6));
+  ImGui::TextUnformatted("×");
+  ImGui::SameLine(0, ctx.px(6));
+  ImGui::SetNextItemWidth(ctx.px(80));
+  ImGui::InputInt("##height", &m.save_height, 0);
+  record(ctx, "save.height");
+  ImGui::SameLine(0, ctx.px(6));
+  ImGui::TextUnformatted("pixels");
+  m.save_width = std::clamp(m.save_width, kLeast, kMost);
+  m.save_height = std::clamp(m.save_height, kLeast, kMost);
+  row_label(ctx, "");
+  size_preset(ctx, "save.as_view", "as the view", ctx.state.viewport.width,
+              ctx.state.viewport.height);
+  size_preset(ctx, "save.hd", "1920 × 1080", 1920, 1080);
+  size_preset(ctx, "save.4k", "3840 × 2160", 3840, 2160);
+  ImGui::NewLine();
+}
+
+void save_picture(PanelContext& ctx) {
+  ViewState& s = ctx.state;
+  PanelMemory& m = s.memory;
+  if (m.show_save && m.save_path.empty()) m.save_path = "alphascope.png";
+  if (!begin_modal(ctx, "Save a picture", m.show_save)) return;
+  row_label(ctx, "File");
+  ImGui::SetNextItemWidth(ctx.px(340));
+  const bool entered =
+      ImGui::InputText("##path", &m.save_path, ImGuiInputTextFlags_EnterReturnsTrue);
+  record(ctx, "save.path");
+  save_size(ctx);
+  row_label(ctx, "");
+  checkbox(ctx, "save.transparent", "Transparent background", m.save_transparent);
+  ImGui::Dummy({0, ctx.px(6)});
+  if (button(ctx, "save.cancel", "Cancel", {ctx.px(100), 0}) ||
+      ImGui::IsKeyPressed(key::kEscape, false)) {
+    m.show_save = false;
+  }
+  ImGui::SameLine(ctx.px(364));
+  ImGui::BeginDisabled(m.save_path.empty());
+  if (button(ctx, "save.ok", "Save", {ctx.px(100), 0}, ButtonKind::primary) ||
+      (entered && !m.save_path.empty())) {
+    s.requests.screenshot = {m.save_path, m.save_width, m.save_height, m.save_transparent};
+    m.show_save = false;
+  }
+  ImGui::EndDisabled();
+  if (!m.show_save) ImGui::CloseCurrentPopup();
+  ImGui::EndPopup();
+}
+
+}  // namespace
+
+void draw_dialogs(PanelContext& ctx) {
+  cheat_sheet(ctx);
+  about(ctx);
+  save_picture(ctx);
+  error_dialog(ctx);
+}
+
+}  // namespace alphascope

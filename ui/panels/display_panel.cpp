@@ -1,0 +1,85 @@
+// What of the complex is drawn, and how.
+#include "ui/panels/panels.hpp"
+
+namespace alphascope {
+namespace {
+
+void colour_row(PanelContext& ctx, const char* name, const char* label, ColourBy& colour,
+                bool with_alpha) {
+  static constexpr const char* kLabels[] = {"Element", "Chain", "One colour", "Alpha value"};
+  row_label(ctx, label);
+  ImGui::PushID(name);
+  const bool open = ImGui::BeginCombo("##colour", kLabels[static_cast<int>(colour)]);
+  ImGui::PopID();
+  record(ctx, name);
+  if (!open) return;
+  for (int i = 0; i < (with_alpha ? 4 : 3); ++i) {
+    if (ImGui::Selectable(kLabels[i], static_cast<int>(colour) == i)) {
+      colour = static_cast<ColourBy>(i);
+    }
+    record(ctx, (std::string(name) + "." + std::to_string(i)).c_str());
+  }
+  ImGui::EndCombo();
+}
+
+void balls(PanelContext& ctx) {
+  DisplayControls& d = ctx.state.display;
+  checkbox(ctx, "display.balls", "Balls", d.balls);
+  if (!d.balls) return;
+  ImGui::Indent();
+  row_label(ctx, "Size");
+  percent_slider(ctx, "display.ball_scale", d.ball_scale, 0.05f, 1.0f);
+  row_label(ctx, "Radius");
+  int grown = d.grown_balls ? 1 : 0;
+  choice(ctx, "display.radius", {"as given", "grown"}, grown, ImGui::GetContentRegionAvail().x);
+  d.grown_balls = grown == 1;
+  row_label(ctx, "Opacity");
+  percent_slider(ctx, "display.ball_opacity", d.ball_opacity, 0.05f, 1.0f);
+  colour_row(ctx, "display.ball_colour", "Colour by", d.ball_colour, false);
+  ImGui::Unindent();
+}
+
+void complex(PanelContext& ctx) {
+  DisplayControls& d = ctx.state.display;
+  const bool only_tetrahedra = ctx.state.result.present && ctx.state.result.tetrahedra_only;
+  checkbox(ctx, "display.tetrahedra", "Tetrahedra", d.tetrahedra);
+  if (d.tetrahedra) {
+    ImGui::Indent();
+    row_label(ctx, "Shrink");
+    percent_slider(ctx, "display.shrink", d.shrink, 0.0f, 0.9f);
+    ImGui::Unindent();
+  }
+  checkbox(ctx, "display.boundary", "Boundary surface", d.boundary);
+  tooltip("Faces that belong to exactly one tetrahedron.");
+  ImGui::BeginDisabled(only_tetrahedra);
+  checkbox(ctx, "display.triangles", "Triangles", d.triangles);
+  ImGui::SameLine(0, ctx.px(18));
+  checkbox(ctx, "display.edges", "Edges", d.edges);
+  if (d.triangles || d.edges) {
+    ImGui::Indent();
+    checkbox(ctx, "display.singular_only", "Singular ones only", d.singular_only);
+    tooltip("Singular: face of no larger simplex of the complex.");
+    ImGui::Unindent();
+  }
+  ImGui::EndDisabled();
+  if (only_tetrahedra && (d.triangles || d.edges)) {
+    muted_wrapped(ctx, "Not computed: switch off “Tetrahedra only” above.");
+  }
+  row_label(ctx, "Opacity");
+  percent_slider(ctx, "display.complex_opacity", d.complex_opacity, 0.05f, 1.0f);
+  colour_row(ctx, "display.complex_colour", "Colour by", d.complex_colour, true);
+}
+
+}  // namespace
+
+void draw_display_panel(PanelContext& ctx) {
+  if (!section(ctx, "display", "Display")) return;
+  balls(ctx);
+  complex(ctx);
+  checkbox(ctx, "display.occlusion", "Soft shadows at rest", ctx.state.display.ambient_occlusion);
+  tooltip(
+      "Ambient occlusion: crevices darken, which shows depth. Left out while you turn a large "
+      "molecule.");
+}
+
+}  // namespace alphascope

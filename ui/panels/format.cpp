@@ -1,0 +1,55 @@
+// See the header.
+#include "ui/panels/format.hpp"
+
+#include <cmath>
+#include <cstdio>
+
+namespace alphascope {
+
+std::string number_text(double value, int decimals) {
+  char text[64];
+  std::snprintf(text, sizeof text, "%.*f", decimals, value);
+  return text;
+}
+
+std::string short_number_text(double value, int decimals) {
+  std::string text = number_text(value, decimals);
+  if (text.find('.') == std::string::npos) return text;
+  while (text.back() == '0') text.pop_back();
+  if (text.back() == '.') text.pop_back();
+  return text == "-0" ? "0" : text;
+}
+
+std::string with_separators(long long value) {
+  std::string digits = std::to_string(value);
+  const std::size_t first = value < 0 ? 1 : 0;
+  for (std::size_t i = digits.size(); i > first + 3;) {
+    i -= 3;
+    digits.insert(i, ",");
+  }
+  return digits;
+}
+
+std::string milliseconds_text(double milliseconds) {
+  if (milliseconds >= 10000) return number_text(milliseconds / 1000, 1) + " s";
+  if (milliseconds >= 1000) return number_text(milliseconds / 1000, 2) + " s";
+  if (milliseconds >= 100) return number_text(milliseconds, 0) + " ms";
+  if (milliseconds >= 10) return number_text(milliseconds, 1) + " ms";
+  if (milliseconds >= 1) return number_text(milliseconds, 2) + " ms";
+  return number_text(milliseconds, 3) + " ms";
+}
+
+std::string bytes_text(std::size_t bytes) {
+  const double value = static_cast<double>(bytes);
+  if (value >= 1e9) return number_text(value / 1e9, 2) + " GB";
+  if (value >= 1e6) return number_text(value / 1e6, 0) + " MB";
+  if (value >= 1e3) return number_text(value / 1e3, 0) + " kB";
+  return number_text(value, 0) + " bytes";
+}
+
+std::string ratio_text(double ratio) {
+  if (!(ratio > 0) || std::isinf(ratio)) return "–";
+  return number_text(ratio, ratio >= 100 ? 0 : ratio >= 0.1 ? 1 : 2) + "×";
+}
+
+}  // namespace alphascope

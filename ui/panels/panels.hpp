@@ -1,0 +1,22 @@
+// The parts of the window. Each draws from the state and writes controls and requests into it.
+#pragma once
+
+#include "ui/panels/widgets.hpp"
+
+namespace alphascope {
+
+void draw_menu_bar(PanelContext& ctx);
+void draw_molecule_panel(PanelContext& ctx);
+void draw_alpha_panel(PanelContext& ctx);
+void draw_engine_panel(PanelContext& ctx);
+void draw_display_panel(PanelContext& ctx);
+void draw_timings_panel(PanelContext& ctx);
+void draw_status_bar(PanelContext& ctx);
+void draw_viewport(PanelContext& ctx);
+void draw_file_browser(PanelContext& ctx);
+void draw_dialogs(PanelContext& ctx);
+
+// Stages as bars, one below the other on one time axis, of both engines.
+void draw_waterfall(PanelContext& ctx, float height);
+
+}  // namespace alphascope

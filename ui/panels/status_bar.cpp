@@ -1,0 +1,76 @@
+// Counts, Euler number, hash, device and memory of the result on screen, in one line.
+#include "ui/panels/format.hpp"
+#include "ui/panels/panels.hpp"
+
+namespace alphascope {
+namespace {
+
+void item(PanelContext& ctx, const char* name, const char* label, const std::string& value,
+          const char* help) {
+  ImGui::BeginGroup();
+  muted_text(ctx, label);
+  ImGui::SameLine(0, ctx.px(5));
+  ImGui::TextUnformatted(value.c_str());
+  ImGui::EndGroup();
+  record(ctx, name);
+  tooltip(help);
+  ImGui::SameLine(0, ctx.px(16));
+}
+
+void counts(PanelContext& ctx) {
+  const ResultInfo& r = ctx.state.result;
+  const auto number = [](std::size_t n) { return with_separators(static_cast<long long>(n)); };
+  if (!r.tetrahedra_only) {
+    item(ctx, "status.vertices", "vertices", number(r.vertices), "Balls that are in the complex.");
+    item(ctx, "status.edges", "edges", number(r.edges), "Edges of the complex.");
+    item(ctx, "status.triangles", "triangles", number(r.triangles), "Triangles of the complex.");
+  }
+  item(ctx, "status.tetrahedra", "tetrahedra", number(r.tetrahedra), "Tetrahedra of the complex.");
+  if (!r.tetrahedra_only) {
+    item(ctx, "status.euler", "Euler χ", with_separators(r.euler),
+         "Vertices − edges + triangles − tetrahedra = components − tunnels + voids.");
+  }
+  ImGui::BeginGroup();
+  muted_text(ctx, "hash");
+  ImGui::SameLine(0, ctx.px(5));
+  ImGui::PushFont(ctx.fonts.mono);
+  ImGui::TextUnformatted(r.hash.c_str());
+  ImGui::PopFont();
+  ImGui::EndGroup();
+  record(ctx, "status.hash");
+  tooltip(
+      "Of the set of simplices: equal complexes have equal hashes, on every engine and on the "
+      "command line. Click to copy.");
+  if (ImGui::IsItemClicked()) ImGui::SetClipboardText(r.hash.c_str());
+  ImGui::SameLine(0, ctx.px(16));
+}
+
+}  // namespace
+
+void draw_status_bar(PanelContext& ctx) {
+  const ViewState& s = ctx.state;
+  ImGui::PushFont(ctx.fonts.small);
+  if (s.result.present) {
+    counts(ctx);
+  } else {
+    muted_text(ctx, "No molecule");
+    ImGui::SameLine(0, ctx.px(16));
+  }
+  const std::string memory = bytes_text(s.memory_bytes) + " memory";
+  std::string right = s.device_text.empty() ? memory : s.device_text + "  ·  " + memory;
+  const float end = ImGui::GetWindowWidth() - ctx.px(12);
+  const float room = end - ImGui::GetCursorPosX();
+  if (ImGui::CalcTextSize(right.c_str()).x > room) right = memory;
+  const float width = ImGui::CalcTextSize(right.c_str()).x;
+  if (!s.notice.empty() && room > width + ctx.px(80)) {
+    ImGui::TextUnformatted(fitted_text(s.notice, room - width - ctx.px(24)).c_str());
+    record(ctx, "status.notice");
+    ImGui::SameLine();
+  }
+  ImGui::SetCursorPosX(end - width);
+  muted_text(ctx, right);
+  record(ctx, "status.device");
+  ImGui::PopFont();
+}
+
+}  // namespace alphascope

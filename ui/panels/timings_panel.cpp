@@ -1,0 +1,117 @@
+// Our engine's time beside CGAL's, and whether both agree.
+#include "ui/panels/format.hpp"
+#include "ui/panels/panels.hpp"
+
+namespace alphascope {
+namespace {
+
+struct BadgeLook {
+  Colour text, fill;
+  const char* symbol;
+};
+
+BadgeLook look(const Palette& p, BadgeInfo::State state) {
+  switch (state) {
+    case BadgeInfo::State::identical:
+      return {p.success, p.success_fill, "✓ "};
+    case BadgeInfo::State::different:
+      return {p.error, p.error_fill, "≠ "};
+    case BadgeInfo::State::failed:
+      return {p.warning, p.warning_fill, ""};
+    case BadgeInfo::State::comparing:
+    case BadgeInfo::State::not_compared:
+      break;
+  }
+  return {p.text_muted, p.field, ""};
+}
+
+void badge(PanelContext& ctx) {
+  const BadgeInfo& b = ctx.state.badge;
+  const BadgeLook l = look(ctx.palette, b.state);
+  const std::string full = l.symbol + b.text;
+  const float room = ImGui::GetContentRegionAvail().x - ctx.px(112);
+  const std::string text = fitted_text(full, room - ctx.px(20));
+  const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const float height = ImGui::GetFrameHeight();
+  ImDrawList* draw = ImGui::GetWindowDrawList();
+  draw->AddRectFilled(corner, {corner.x + size.x + ctx.px(20), corner.y + height}, to_u32(l.fill),
+                      height / 2);
+  draw->AddText({corner.x + ctx.px(10), corner.y + (height - size.y) / 2}, to_u32(l.text),
+                text.c_str());
+  ImGui::Dummy({size.x + ctx.px(20), height});
+  record(ctx, "timings.badge");
+  tooltip(full.c_str());
+}
+
+void compare_button(PanelContext& ctx) {
+  const ViewState& s = ctx.state;
+  if (s.badge.state == BadgeInfo::State::comparing || !s.result.present) return;
+  if (s.badge.state == BadgeInfo::State::identical) return;
+  ImGui::SameLine();
+  const bool first = s.badge.state == BadgeInfo::State::not_compared;
+  if (button(ctx, "timings.compare", first ? "Compare" : "Compare again", {0, 0},
+             ButtonKind::primary)) {
+    ctx.state.requests.compare = true;
+  }
+  tooltip("Computes the same complex with CGAL and compares simplex by simplex (C).");
+}
+
+void title(PanelContext& ctx) {
+  ImGui::AlignTextToFramePadding();
+  strong_text(ctx, "Timings");
+  ImGui::SameLine(0, ctx.px(14));
+  int run = ctx.state.memory.timings_cold ? 0 : 1;
+  choice(ctx, "timings.run", {"Cold", "Warm"}, run, ctx.px(116));
+  ctx.state.memory.timings_cold = run == 0;
+  tooltip(
+      "Cold: the first alpha of a molecule, set-up included.\nWarm: a later alpha of the same "
+      "molecule, as the slider asks for.");
+  ImGui::SameLine(0, ctx.px(14));
+}
+
+std::string speed_part(const char* label, const std::optional<TimedRun>& ours,
+                       const std::optional<TimedRun>& cgal) {
+  if (!ours || !cgal || ours->wall_milliseconds <= 0) return {};
+  return std::string(label) + " " + ratio_text(cgal->wall_milliseconds / ours->wall_milliseconds);
+}
+
+std::string wall_text(const std::optional<TimedRun>& run) {
+  return run ? milliseconds_text(run->wall_milliseconds) : std::string("–");
+}
+
+void summary_line(PanelContext& ctx) {
+  const ViewState& s = ctx.state;
+  if (!s.ours) return;
+  std::string text =
+      s.ours->engine + ": cold " + wall_text(s.ours->cold) + ", warm " + wall_text(s.ours->warm);
+  if (s.cgal) {
+    text += "   ·   CGAL: cold " + wall_text(s.cgal->cold) + ", warm " + wall_text(s.cgal->warm);
+    const std::string cold = speed_part("cold", s.ours->cold, s.cgal->cold);
+    const std::string warm = speed_part("warm", s.ours->warm, s.cgal->warm);
+    if (!cold.empty() || !warm.empty()) {
+      text += "   ·   speed-up " + cold + (cold.empty() || warm.empty() ? "" : ", ") + warm;
+    }
+  }
+  ImGui::PushFont(ctx.fonts.small);
+  muted_text(ctx, fitted_text(text, ImGui::GetContentRegionAvail().x));
+  ImGui::PopFont();
+  record(ctx, "timings.summary");
+  tooltip(text.c_str());
+}
+
+}  // namespace
+
+void draw_timings_panel(PanelContext& ctx) {
+  title(ctx);
+  if (ctx.state.result.present) {
+    badge(ctx);
+    compare_button(ctx);
+  } else {
+    ImGui::NewLine();
+  }
+  summary_line(ctx);
+  draw_waterfall(ctx, ImGui::GetContentRegionAvail().y);
+}
+
+}  // namespace alphascope

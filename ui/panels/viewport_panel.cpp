@@ -1,0 +1,174 @@
+// The 3-D view's frame: shows the picture, collects the mouse, and lays scale bar, progress and the
+// empty state over it. Draws no molecule itself.
+#include <algorithm>
+#include <cmath>
+
+#include "ui/panels/format.hpp"
+#include "ui/panels/panels.hpp"
+
+namespace alphascope {
+namespace {
+
+// The picture is opaque although its alpha channel says otherwise: the scene's texture reads as
+// one.
+void picture(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
+  ImDrawList* draw = ImGui::GetWindowDrawList();
+  const ImVec2 end{corner.x + size.x, corner.y + size.y};
+  const auto texture =
+      reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(ctx.state.viewport.texture));
+  if (ctx.state.viewport.texture != 0 && ctx.state.molecule.loaded) {
+    draw->AddImage(texture, corner, end, {0, 1}, {1, 0});
+  } else {
+    draw->AddRectFilled(corner, end, to_u32(ctx.palette.scene));
+  }
+}
+
+void mouse(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
+  ViewportInfo& v = ctx.state.viewport;
+  ImGui::SetCursorScreenPos(corner);
+  ImGui::InvisibleButton("##view", size,
+                         ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
+                             ImGuiButtonFlags_MouseButtonMiddle);
+  record(ctx, "view");
+  if (!ctx.state.molecule.loaded) return;
+  const ImGuiIO& io = ImGui::GetIO();
+  const bool hovered = ImGui::IsItemHovered();
+  bool& dragging = ctx.state.memory.dragging_view;
+  const auto event = [&](PointerEvent::Kind kind, int button, double wheel) {
+    v.events.push_back({kind, static_cast<int>(io.MousePos.x - corner.x),
+                        static_cast<int>(io.MousePos.y - corner.y), button, wheel, io.KeyCtrl,
+                        io.KeyShift});
+  };
+  if (dragging && (io.MouseDelta.x != 0 || io.MouseDelta.y != 0)) {
+    event(PointerEvent::Kind::move, 0, 0);
+  }
+  bool any_down = false;
+  for (int b = 0; b < 3; ++b) {
+    if (hovered && ImGui::IsMouseClicked(b)) {
+      event(PointerEvent::Kind::move, b, 0);
+      event(PointerEvent::Kind::press, b, 0);
+      dragging = true;
+    } else if (dragging && ImGui::IsMouseReleased(b)) {
+      event(PointerEvent::Kind::release, b, 0);
+    }
+    any_down = any_down || ImGui::IsMouseDown(b);
+  }
+  if (!any_down) dragging = false;
+  if (hovered && io.MouseWheel != 0) event(PointerEvent::Kind::wheel, 0, io.MouseWheel);
+}
+
+// A round length that spans 80 to 200 pixels.
+void scale_bar(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
+  const double per_pixel = ctx.state.viewport.angstrom_per_pixel;
+  if (!(per_pixel > 0)) return;
+  const double wanted = per_pixel * ctx.px(130);
+  double length = std::pow(10.0, std::floor(std::log10(wanted)));
+  if (length * 5 <= wanted) length *= 5;
+  if (length * 2 <= wanted) length *= 2;
+  const float pixels = static_cast<float>(length / per_pixel);
+  const ImVec2 end{corner.x + size.x - ctx.px(20), corner.y + size.y - ctx.px(18)};
+  ImDrawList* draw = ImGui::GetWindowDrawList();
+  const ImU32 colour = to_u32(ctx.palette.text_muted);
+  draw->AddLine({end.x - pixels, end.y}, end, colour, ctx.px(2));
+  for (const float x : {end.x - pixels, end.x}) {
+    draw->AddLine({x, end.y - ctx.px(4)}, {x, end.y + ctx.px(4)}, colour, ctx.px(2));
+  }
+  const std::string text = short_number_text(length, 3) + " Å";
+  const ImVec2 extent = ImGui::CalcTextSize(text.c_str());
+  draw->AddText({end.x - pixels / 2 - extent.x / 2, end.y - ctx.px(7) - extent.y}, colour,
+                text.c_str());
+}
+
+void caption(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
+  const ResultInfo& r = ctx.state.result;
+  if (!r.present) return;
+  std::string text = ctx.state.molecule.name + "   α = " + short_number_text(r.alpha, 3) + " Å²";
+  if (r.solvent > 0) text += "   solvent " + short_number_text(r.solvent, 2) + " Å";
+  ImDrawList* draw = ImGui::GetWindowDrawList();
+  draw->AddText({corner.x + ctx.px(16), corner.y + ctx.px(14)}, to_u32(ctx.palette.text_muted),
+                fitted_text(text, size.x - ctx.px(260)).c_str());
+}
+
+void begin_overlay(PanelContext& ctx, const char* id, ImVec2 position, ImVec2 pivot) {
+  ImGui::SetNextWindowPos(position, ImGuiCond_Always, pivot);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, ctx.px(8));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, to_imgui(ctx.palette.panel_raised, 0.96f));
+  ImGui::Begin(id, nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                   ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize |
+                   ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav);
+}
+
+void end_overlay() {
+  ImGui::End();
+  ImGui::PopStyleColor();
+  ImGui::PopStyleVar(2);
+}
+
+// Only for what takes long enough to be read; short work would flicker.
+void progress(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
+  const BusyInfo& b = ctx.state.busy;
+  constexpr double kShowAfterSeconds = 0.25;
+  if (!b.active || b.seconds < kShowAfterSeconds) return;
+  begin_overlay(ctx, "##progress", {corner.x + size.x - ctx.px(14), corner.y + ctx.px(12)}, {1, 0});
+  ImGui::TextUnformatted(fitted_text(b.what, ctx.px(300)).c_str());
+  const float share = b.share >= 0 ? static_cast<float>(b.share)
+                                   : static_cast<float>(std::fmod(b.seconds, 1.6) / 1.6);
+  const std::string text =
+      b.share >= 0 ? number_text(b.share * 100, 0) + " %" : number_text(b.seconds, 1) + " s";
+  ImGui::ProgressBar(share, {ctx.px(220), 0}, text.c_str());
+  ImGui::SameLine();
+  if (button(ctx, "view.cancel", "Cancel")) ctx.state.requests.cancel = true;
+  end_overlay();
+}
+
+void empty_state(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
+  ViewState& s = ctx.state;
+  if (s.molecule.loaded || s.busy.active) return;
+  begin_overlay(ctx, "##empty", {corner.x + size.x / 2, corner.y + size.y / 2}, {0.5f, 0.5f});
+  ImGui::Dummy({ctx.px(400), ctx.px(4)});
+  ImGui::PushFont(ctx.fonts.large);
+  ImGui::TextUnformatted("Open a molecule to begin");
+  ImGui::PopFont();
+  muted_text(ctx, "Drop a file here, or choose one. PDB, XYZR, CRD; plain or .gz.");
+  ImGui::Dummy({0, ctx.px(6)});
+  if (button(ctx, "empty.open", "Open file…", {ctx.px(130), ctx.px(34)}, ButtonKind::primary)) {
+    s.memory.show_browser = true;
+  }
+  for (std::size_t i = 0; i < s.samples.size(); ++i) {
+    ImGui::SameLine();
+    const std::string label = "Try " + s.samples[i].name;
+    const std::string name = "empty.sample." + std::to_string(i);
+    if (button(ctx, name.c_str(), label.c_str(), {0, ctx.px(34)})) s.requests.open_sample = i;
+    tooltip(s.samples[i].detail.c_str());
+  }
+  ImGui::Dummy({0, ctx.px(6)});
+  muted_text(ctx, "Then move alpha: the exact alpha complex follows,");
+  muted_text(ctx, "and CGAL can be asked to agree simplex by simplex.");
+  muted_text(ctx, "F1 shows the mouse and keyboard.");
+  ImGui::Dummy({0, ctx.px(2)});
+  end_overlay();
+}
+
+}  // namespace
+
+void draw_viewport(PanelContext& ctx) {
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const ImVec2 size = ImGui::GetContentRegionAvail();
+  ViewportInfo& v = ctx.state.viewport;
+  v.width = static_cast<int>(size.x);
+  v.height = static_cast<int>(size.y);
+  v.events.clear();
+  if (v.width < 8 || v.height < 8) return;
+  picture(ctx, corner, size);
+  mouse(ctx, corner, size);
+  if (ctx.state.molecule.loaded) {
+    scale_bar(ctx, corner, size);
+    caption(ctx, corner, size);
+  }
+  progress(ctx, corner, size);
+  empty_state(ctx, corner, size);
+}
+
+}  // namespace alphascope

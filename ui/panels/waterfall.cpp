@@ -1,0 +1,144 @@
+// The waterfall of the timings: one line a stage, each starting where the last one ended, our
+// engine above CGAL, on one time axis.
+#include <algorithm>
+#include <cmath>
+
+#include "ui/panels/format.hpp"
+#include "ui/panels/panels.hpp"
+
+namespace alphascope {
+namespace {
+
+struct Line {
+  std::string label;
+  double start = 0, length = 0;  // milliseconds
+  Colour colour;
+  bool heading = false;
+};
+
+const TimedRun* shown_run(const std::optional<EngineTimings>& timings, bool cold) {
+  if (!timings) return nullptr;
+  const auto& run = cold ? timings->cold : timings->warm;
+  return run ? &*run : nullptr;
+}
+
+void add_lines(std::vector<Line>& lines, const EngineTimings& timings, const TimedRun& run,
+               const Colour& bar, const Colour& setup_bar) {
+  lines.push_back({timings.engine, 0, run.wall_milliseconds, bar, true});
+  double start = 0;
+  for (const StageBar& stage : run.stages) {
+    lines.push_back({stage.label, start, stage.milliseconds, stage.setup ? setup_bar : bar, false});
+    start += stage.milliseconds;
+  }
+}
+
+// 1, 2 or 5 times a power of ten, so that at most `most` ticks cover `range`.
+double tick_step(double range, int most) {
+  double step = std::pow(10.0, std::floor(std::log10(std::max(range, 1e-9))) - 1);
+  for (const double factor : {2.0, 2.5, 2.0, 2.0, 2.5, 2.0, 2.0}) {
+    if (range / step <= most) break;
+    step *= factor;
+  }
+  return step;
+}
+
+class Chart {
+ public:
+  Chart(PanelContext& ctx, double range, std::size_t lines)
+      : ctx_(ctx), draw_(ImGui::GetWindowDrawList()), range_(std::max(range, 1e-6)) {
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    const float width = ImGui::GetContentRegionAvail().x;
+    gutter_ = corner.x + std::min(ctx.px(250), 0.36f * width);
+    left_ = corner.x;
+    right_ = corner.x + width - ctx.px(86);  // room for the last duration
+    top_ = corner.y;
+    row_ = ctx.px(18);
+    bottom_ = top_ + row_ * static_cast<float>(lines + 1);
+  }
+
+  float x(double ms) const {
+    return gutter_ + static_cast<float>(ms / range_) * (right_ - gutter_);
+  }
+
+  void axis() {
+    const int most = std::max(2, static_cast<int>((right_ - gutter_) / ctx_.px(90)));
+    const double step = tick_step(range_, most);
+    const int decimals = std::max(0, static_cast<int>(std::ceil(-std::log10(step) - 1e-9)));
+    for (int i = 0; i * step <= range_ * (1 + 1e-9); ++i) {
+      const float tick = std::round(x(i * step));
+      draw_->AddLine({tick, top_ + row_}, {tick, bottom_}, to_u32(ctx_.palette.border), 1);
+      const std::string text = number_text(i * step, decimals) + (i == 0 ? " ms" : "");
+      draw_->AddText({tick, top_}, to_u32(ctx_.palette.text_muted), text.c_str());
+    }
+  }
+
+  void line(const Line& line, int index) {
+    const float y = top_ + row_ * static_cast<float>(index + 1);
+    const float pad = ctx_.px(3);
+    const float start = x(line.start), end = std::max(x(line.start + line.length), start + 2);
+    ImGui::SetCursorScreenPos({left_, y});
+    ImGui::PushID(index);
+    ImGui::InvisibleButton("##line", {right_ - left_ + ctx_.px(80), row_});
+    ImGui::PopID();
+    tooltip((line.label + ": " + milliseconds_text(line.length)).c_str());
+    if (line.heading) ImGui::PushFont(ctx_.fonts.strong);
+    const float indent = line.heading ? 0 : ctx_.px(12);
+    const std::string label = fitted_text(line.label, gutter_ - left_ - indent - ctx_.px(10));
+    draw_->AddText({left_ + indent, y + (row_ - ImGui::GetFontSize()) / 2},
+                   to_u32(line.heading ? ctx_.palette.text : ctx_.palette.text_muted),
+                   label.c_str());
+    if (line.heading) {
+      // The whole: a thin rail under which the stages hang.
+      const float middle = std::round(y + row_ / 2);
+      draw_->AddRectFilled({start, middle - ctx_.px(2)}, {end, middle + ctx_.px(2)},
+                           to_u32(line.colour, 0.45f), ctx_.px(2));
+    } else {
+      draw_->AddRectFilled({start, y + pad}, {end, y + row_ - pad}, to_u32(line.colour),
+                           ctx_.px(2));
+    }
+    draw_->AddText({end + ctx_.px(6), y + (row_ - ImGui::GetFontSize()) / 2},
+                   to_u32(ctx_.palette.text), milliseconds_text(line.length).c_str());
+    if (line.heading) ImGui::PopFont();
+  }
+
+ private:
+  PanelContext& ctx_;
+  ImDrawList* draw_;
+  double range_;
+  float left_, gutter_, right_, top_, bottom_, row_;
+};
+
+}  // namespace
+
+void draw_waterfall(PanelContext& ctx, float height) {
+  const ViewState& s = ctx.state;
+  const Palette& p = ctx.palette;
+  ImGui::BeginChild("waterfall", {0, height});
+  ImGui::PushFont(ctx.fonts.small);
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
+  std::vector<Line> lines;
+  double range = 0;
+  if (const TimedRun* run = shown_run(s.ours, s.memory.timings_cold)) {
+    add_lines(lines, *s.ours, *run, p.bar_ours, p.bar_ours_setup);
+    range = std::max(range, run->wall_milliseconds);
+  }
+  if (const TimedRun* run = shown_run(s.cgal, s.memory.timings_cold)) {
+    add_lines(lines, *s.cgal, *run, p.bar_cgal, p.bar_cgal_setup);
+    range = std::max(range, run->wall_milliseconds);
+  }
+  if (lines.empty()) {
+    muted_text(ctx, s.memory.timings_cold
+                        ? "No computation yet."
+                        : "Not measured yet: move alpha once more with the same molecule.");
+  } else {
+    Chart chart(ctx, range, lines.size());
+    chart.axis();
+    for (std::size_t i = 0; i < lines.size(); ++i) chart.line(lines[i], static_cast<int>(i));
+  }
+  ImGui::PopStyleVar();
+  ImGui::PopFont();
+  ImGui::EndChild();
+  record(ctx, "timings.waterfall");
+}
+
+}  // namespace alphascope

@@ -1,0 +1,15 @@
+// Where every named widget was drawn in the last frame, in pixels. Plain data.
+#pragma once
+
+#include <map>
+#include <string>
+
+namespace alphascope {
+
+struct WidgetRect {
+  float x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+};
+
+using WidgetRects = std::map<std::string, WidgetRect>;
+
+}  // namespace alphascope

@@ -1,0 +1,149 @@
+// See the header.
+#include "ui/panels/widgets.hpp"
+
+#include <cmath>
+
+namespace alphascope {
+
+ImVec4 to_imgui(const Colour& c, float alpha) {
+  return {c.r, c.g, c.b, c.a * alpha};
+}
+
+ImU32 to_u32(const Colour& c, float alpha) {
+  return ImGui::ColorConvertFloat4ToU32(to_imgui(c, alpha));
+}
+
+void record(PanelContext& ctx, const char* name) {
+  const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+  ctx.rects[name] = {low.x, low.y, high.x, high.y};
+}
+
+bool button(PanelContext& ctx, const char* name, const char* label, ImVec2 size, ButtonKind kind) {
+  int pushed = 0;
+  const Palette& p = ctx.palette;
+  if (kind == ButtonKind::primary) {
+    ImGui::PushStyleColor(ImGuiCol_Button, to_imgui(p.accent));
+    ImGui::PushStyleColor(ImGuiCol_ButtonHovered, to_imgui(p.accent_hovered));
+    ImGui::PushStyleColor(ImGuiCol_ButtonActive, to_imgui(p.accent));
+    ImGui::PushStyleColor(ImGuiCol_Text, to_imgui(p.accent_text));
+    pushed = 4;
+  } else if (kind == ButtonKind::quiet) {
+    ImGui::PushStyleColor(ImGuiCol_Button, ImVec4(0, 0, 0, 0));
+    pushed = 1;
+  }
+  ImGui::PushID(name);
+  const bool clicked = ImGui::Button(label, size);
+  ImGui::PopID();
+  ImGui::PopStyleColor(pushed);
+  record(ctx, name);
+  return clicked;
+}
+
+bool checkbox(PanelContext& ctx, const char* name, const char* label, bool& value) {
+  ImGui::PushID(name);
+  const bool changed = ImGui::Checkbox(label, &value);
+  ImGui::PopID();
+  record(ctx, name);
+  return changed;
+}
+
+bool choice(PanelContext& ctx, const char* name, std::initializer_list<const char*> labels,
+            int& chosen, float width) {
+  bool changed = false;
+  const float gap = ctx.px(2);
+  const float each =
+      (width - gap * static_cast<float>(labels.size() - 1)) / static_cast<float>(labels.size());
+  int index = 0;
+  for (const char* label : labels) {
+    if (index > 0) ImGui::SameLine(0, gap);
+    const bool on = index == chosen;
+    const std::string id = std::string(name) + "." + std::to_string(index);
+    if (on) {
+      ImGui::PushStyleColor(ImGuiCol_Button, to_imgui(ctx.palette.accent, 0.30f));
+      ImGui::PushStyleColor(ImGuiCol_ButtonHovered, to_imgui(ctx.palette.accent, 0.36f));
+    }
+    if (button(ctx, id.c_str(), label, {each, 0}) && !on) {
+      chosen = index;
+      changed = true;
+    }
+    if (on) ImGui::PopStyleColor(2);
+    ++index;
+  }
+  return changed;
+}
+
+void row_label(PanelContext& ctx, const char* label, float reserve) {
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted(label);
+  ImGui::SameLine(ctx.px(112));
+  ImGui::SetNextItemWidth(reserve > 0 ? -ctx.px(reserve) : -1);
+}
+
+bool percent_slider(PanelContext& ctx, const char* name, float& value, float low, float high) {
+  float percent = std::round(value * 100);
+  ImGui::PushID(name);
+  const bool changed = ImGui::SliderFloat("##v", &percent, low * 100, high * 100, "%.0f %%",
+                                          ImGuiSliderFlags_AlwaysClamp);
+  ImGui::PopID();
+  record(ctx, name);
+  if (changed) value = percent / 100;
+  return changed;
+}
+
+bool section(PanelContext& ctx, const char* name, const char* title) {
+  ImGui::Dummy({0, ctx.px(2)});
+  ImGui::PushFont(ctx.fonts.strong);
+  ImGui::PushStyleColor(ImGuiCol_Header, to_imgui(ctx.palette.panel_raised));
+  ImGui::PushStyleColor(ImGuiCol_HeaderHovered, to_imgui(ctx.palette.field));
+  ImGui::PushStyleColor(ImGuiCol_HeaderActive, to_imgui(ctx.palette.field));
+  const bool open = ImGui::CollapsingHeader(title, ImGuiTreeNodeFlags_DefaultOpen);
+  ImGui::PopStyleColor(3);
+  ImGui::PopFont();
+  record(ctx, name);
+  return open;
+}
+
+void tooltip(const char* text) {
+  if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+  ImGui::BeginTooltip();
+  ImGui::PushTextWrapPos(ImGui::GetFontSize() * 24);
+  ImGui::TextUnformatted(text);
+  ImGui::PopTextWrapPos();
+  ImGui::EndTooltip();
+}
+
+void muted_text(PanelContext& ctx, const std::string& text) {
+  ImGui::PushStyleColor(ImGuiCol_Text, to_imgui(ctx.palette.text_muted));
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopStyleColor();
+}
+
+void muted_wrapped(PanelContext& ctx, const std::string& text) {
+  ImGui::PushStyleColor(ImGuiCol_Text, to_imgui(ctx.palette.text_muted));
+  ImGui::PushTextWrapPos(0);
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopTextWrapPos();
+  ImGui::PopStyleColor();
+}
+
+void strong_text(PanelContext& ctx, const std::string& text) {
+  ImGui::PushFont(ctx.fonts.strong);
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopFont();
+}
+
+std::string fitted_text(const std::string& text, float width) {
+  if (ImGui::CalcTextSize(text.c_str()).x <= width) return text;
+  const auto boundary = [&text](std::size_t i) {  // not inside a UTF-8 sequence
+    while (i > 0 && i < text.size() && (static_cast<unsigned char>(text[i]) & 0xc0) == 0x80) --i;
+    return i;
+  };
+  for (std::size_t keep = text.size(); keep > 4; --keep) {
+    const std::size_t head = boundary(keep / 2), tail = boundary(text.size() - keep / 2);
+    const std::string cut = text.substr(0, head) + "…" + text.substr(tail);
+    if (ImGui::CalcTextSize(cut.c_str()).x <= width) return cut;
+  }
+  return "…";
+}
+
+}  // namespace alphascope

@@ -1,0 +1,57 @@
+// Small building blocks shared by the panels, and the record of where each named widget is, by
+// which scripts and tests find them.
+#pragma once
+
+#include <imgui.h>
+
+#include <string>
+
+#include "ui/panels/style.hpp"
+#include "ui/panels/view_state.hpp"
+#include "ui/panels/widget_rects.hpp"
+
+namespace alphascope {
+
+struct PanelContext {
+  ViewState& state;
+  WidgetRects& rects;
+  const PanelFonts& fonts;
+  const Palette& palette;
+  float scale = 1;
+
+  float px(float pixels_at_scale_1) const { return pixels_at_scale_1 * scale; }
+};
+
+ImVec4 to_imgui(const Colour& colour, float alpha = 1.0f);
+ImU32 to_u32(const Colour& colour, float alpha = 1.0f);
+
+// Remembers where the last item is.
+void record(PanelContext& ctx, const char* name);
+
+enum class ButtonKind : std::uint8_t { normal, primary, quiet };
+bool button(PanelContext& ctx, const char* name, const char* label, ImVec2 size = {0, 0},
+            ButtonKind kind = ButtonKind::normal);
+bool checkbox(PanelContext& ctx, const char* name, const char* label, bool& value);
+
+// Two or more choices side by side; returns true when the choice changed.
+bool choice(PanelContext& ctx, const char* name, std::initializer_list<const char*> labels,
+            int& chosen, float width);
+
+// A label at the left; the next item starts at a common column and takes the remaining width, less
+// `reserve` pixels at scale 1.
+void row_label(PanelContext& ctx, const char* label, float reserve = 0);
+
+// Slider over 0..1 shown in percent.
+bool percent_slider(PanelContext& ctx, const char* name, float& value, float low, float high);
+
+bool section(PanelContext& ctx, const char* name, const char* title);
+
+void tooltip(const char* text);                               // for the last item
+void muted_text(PanelContext& ctx, const std::string& text);  // one line
+void muted_wrapped(PanelContext& ctx, const std::string& text);
+void strong_text(PanelContext& ctx, const std::string& text);
+
+// `text` cut to `width` pixels with "…" in the middle where it does not fit.
+std::string fitted_text(const std::string& text, float width);
+
+}  // namespace alphascope

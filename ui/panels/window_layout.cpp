@@ -1,0 +1,111 @@
+// Fixed places of the panels: menu on top, controls at the left, timings below the view, status at
+// the bottom. Only the timings' height can be dragged.
+#include "ui/panels/window_layout.hpp"
+
+#include <algorithm>
+
+#include "ui/panels/panels.hpp"
+
+namespace alphascope {
+namespace {
+
+constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                                    ImGuiWindowFlags_NoSavedSettings |
+                                    ImGuiWindowFlags_NoBringToFrontOnFocus;
+
+constexpr float kLeftWidth = 324, kBottomHeight = 226, kStatusHeight = 27;
+constexpr float kLeastBottom = 76, kLeastView = 180;
+
+void begin(const char* id, float x, float y, float w, float h, ImGuiWindowFlags extra = 0) {
+  ImGui::SetNextWindowPos({x, y});
+  ImGui::SetNextWindowSize({w, h});
+  ImGui::Begin(id, nullptr, kFixed | extra);
+}
+
+void hairline(PanelContext& ctx, ImVec2 from, ImVec2 to) {
+  ImGui::GetWindowDrawList()->AddLine(from, to, to_u32(ctx.palette.border), 1);
+}
+
+void left_panel(PanelContext& ctx, float top, float height) {
+  begin("##left", 0, top, ctx.px(kLeftWidth), height);
+  // The scroll bar may appear at any time; what is beside it must not jump.
+  ImGui::BeginChild("sections", {0, 0}, false);
+  ImGui::PushItemWidth(-1);
+  draw_molecule_panel(ctx);
+  draw_alpha_panel(ctx);
+  draw_engine_panel(ctx);
+  draw_display_panel(ctx);
+  ImGui::PopItemWidth();
+  ImGui::EndChild();
+  hairline(ctx, {ctx.px(kLeftWidth) - 1, top}, {ctx.px(kLeftWidth) - 1, top + height});
+  ImGui::End();
+}
+
+float bottom_height(PanelContext& ctx, float available) {
+  float& height = ctx.state.memory.bottom_height;
+  if (height <= 0) height = ctx.px(kBottomHeight);
+  height = std::clamp(height, ctx.px(kLeastBottom),
+                      std::max(ctx.px(kLeastBottom), available - ctx.px(kLeastView)));
+  return height;
+}
+
+void splitter(PanelContext& ctx, float x, float y, float width) {
+  ImGui::SetCursorScreenPos({x, y});
+  ImGui::InvisibleButton("##splitter", {width, ctx.px(6)});
+  record(ctx, "layout.splitter");
+  const bool active = ImGui::IsItemActive();
+  if (active) ctx.state.memory.bottom_height -= ImGui::GetIO().MouseDelta.y;
+  if (active || ImGui::IsItemHovered()) {
+    ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeNS);
+    ImGui::GetWindowDrawList()->AddLine({x, y}, {x + width, y}, to_u32(ctx.palette.accent),
+                                        ctx.px(2));
+  }
+}
+
+void timings(PanelContext& ctx, float x, float y, float width, float height) {
+  begin("##timings", x, y, width, height);
+  splitter(ctx, x, y, width);
+  hairline(ctx, {x, y}, {x + width, y});
+  ImGui::SetCursorScreenPos({x + ImGui::GetStyle().WindowPadding.x, y + ctx.px(8)});
+  ImGui::BeginChild("content", {0, 0}, false, ImGuiWindowFlags_NoScrollbar);
+  draw_timings_panel(ctx);
+  ImGui::EndChild();
+  ImGui::End();
+}
+
+void status(PanelContext& ctx, float y, float width, float height) {
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ctx.px(12), ctx.px(5)});
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, to_imgui(ctx.palette.panel_raised));
+  begin("##status", 0, y, width, height, ImGuiWindowFlags_NoScrollWithMouse);
+  ImGui::PopStyleVar();
+  hairline(ctx, {0, y}, {width, y});
+  draw_status_bar(ctx);
+  ImGui::End();
+  ImGui::PopStyleColor();
+}
+
+}  // namespace
+
+void draw_window(ViewState& state, WidgetRects& rects, const PanelFonts& fonts, float scale) {
+  rects.clear();
+  PanelContext ctx{state, rects, fonts, palette(state.theme), scale};
+  draw_menu_bar(ctx);
+  const ImVec2 display = ImGui::GetIO().DisplaySize;
+  const float top = ImGui::GetFrameHeight();
+  const float status_height = ctx.px(kStatusHeight), left = ctx.px(kLeftWidth);
+  const float middle = std::max(0.0f, display.y - top - status_height);
+  const float bottom = bottom_height(ctx, middle);
+  const float right = std::max(1.0f, display.x - left);
+  left_panel(ctx, top, middle);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
+  begin("##view", left, top, right, middle - bottom, ImGuiWindowFlags_NoScrollWithMouse);
+  ImGui::PopStyleVar();
+  draw_viewport(ctx);
+  ImGui::End();
+  timings(ctx, left, top + middle - bottom, right, bottom);
+  status(ctx, display.y - status_height, display.x, status_height);
+  draw_file_browser(ctx);
+  draw_dialogs(ctx);
+}
+
+}  // namespace alphascope

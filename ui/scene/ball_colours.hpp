@@ -1,0 +1,21 @@
+// One colour a ball, by element or by chain. Knows the molecule; no VTK.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/molecule/molecule.hpp"
+#include "ui/scene/ball_geometry.hpp"
+
+namespace alphascope {
+
+// `atom_of_ball` as in PreparedBalls: an index into the molecule's atoms for each ball.
+std::vector<Rgb8> colours_by_element(const Molecule& molecule,
+                                     const std::vector<std::uint32_t>& atom_of_ball);
+// Chains in order of appearance; the colours repeat after ten.
+std::vector<Rgb8> colours_by_chain(const Molecule& molecule,
+                                   const std::vector<std::uint32_t>& atom_of_ball);
+
+Rgb8 element_colour(Element element);
+
+}  // namespace alphascope

@@ -1,0 +1,99 @@
+// A window that nobody sees: a framebuffer in an EGL context. Input comes from scripts only.
+#define GL_GLEXT_PROTOTYPES
+#include <GL/gl.h>
+#include <GL/glext.h>
+#include <imgui.h>
+
+#include <chrono>
+#include <cmath>
+#include <condition_variable>
+#include <mutex>
+
+#include "ui/window/egl_context.hpp"
+#include "ui/window/host.hpp"
+
+namespace alphascope {
+namespace {
+
+class EglHost final : public Host {
+ public:
+  explicit EglHost(const HostOptions& options)
+      : scale_(options.scale > 0 ? static_cast<float>(options.scale) : 1.0f) {
+    glGenFramebuffers(1, &framebuffer_);
+    glGenTextures(1, &colour_);
+    resize(static_cast<int>(std::lround(static_cast<float>(options.width) * scale_)),
+           static_cast<int>(std::lround(static_cast<float>(options.height) * scale_)));
+  }
+
+  ~EglHost() override {
+    glDeleteFramebuffers(1, &framebuffer_);
+    glDeleteTextures(1, &colour_);
+  }
+
+  HostSize size() const override { return {width_, height_, scale_}; }
+
+  void resize(int width, int height) override {
+    width_ = width;
+    height_ = height;
+    glBindTexture(GL_TEXTURE_2D, colour_);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    glBindTexture(GL_TEXTURE_2D, 0);
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, colour_, 0);
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+  }
+
+  bool close_requested() const override { return false; }
+  void set_title(const std::string&) override {}
+
+  bool wait_events(double timeout_seconds) override {
+    std::unique_lock lock(mutex_);
+    const bool woken = wake_.wait_for(lock, std::chrono::duration<double>(timeout_seconds),
+                                      [this] { return woken_; });
+    woken_ = false;
+    return woken;
+  }
+
+  void wake() override {
+    {
+      const std::lock_guard lock(mutex_);
+      woken_ = true;
+    }
+    wake_.notify_one();
+  }
+
+  std::vector<std::filesystem::path> take_dropped_files() override { return {}; }
+
+  void start_imgui() override {}
+  void stop_imgui() override {}
+  void feed_imgui() override {
+    ImGuiIO& io = ImGui::GetIO();
+    io.DisplaySize = {static_cast<float>(width_), static_cast<float>(height_)};
+    io.DeltaTime = 1.0f / 60;
+  }
+
+  unsigned bind_framebuffer() override {
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
+    return framebuffer_;
+  }
+  void swap() override { glFinish(); }
+
+ private:
+  EglContext context_;
+  float scale_;
+  int width_ = 0, height_ = 0;
+  unsigned framebuffer_ = 0, colour_ = 0;
+  std::mutex mutex_;
+  std::condition_variable wake_;
+  bool woken_ = false;
+};
+
+}  // namespace
+
+std::unique_ptr<Host> make_egl_host(const HostOptions& options) {
+  return std::make_unique<EglHost>(options);
+}
+
+}  // namespace alphascope

@@ -1,0 +1,55 @@
+// Where the program's pictures go and its input comes from: a real window (GLFW) or a framebuffer
+// without any display (EGL). Knows nothing of what is drawn.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace alphascope {
+
+struct HostOptions {
+  int width = 1440, height = 900;  // at scale 1
+  double scale = 0;                // 0: as the display says
+  std::string title = "Alphascope";
+};
+
+struct HostSize {
+  int width = 0, height = 0;  // pixels; 0 while minimised
+  float scale = 1;            // of fonts and controls
+};
+
+class Host {
+ public:
+  virtual ~Host() = default;
+
+  virtual HostSize size() const = 0;
+  // Asks for another size, in pixels.
+  virtual void resize(int width, int height) = 0;
+  virtual bool close_requested() const = 0;
+  virtual void set_title(const std::string& title) = 0;
+  // Waits for input, wake() or the timeout, then takes in what arrived; 0 only takes in. Returns
+  // whether there may have been something.
+  virtual bool wait_events(double timeout_seconds) = 0;
+  // Ends a wait_events(). The only function that other threads may call.
+  virtual void wake() = 0;
+  virtual std::vector<std::filesystem::path> take_dropped_files() = 0;
+
+  // ImGui's side: connect to the current context, feed size, time and input before each frame.
+  virtual void start_imgui() = 0;
+  virtual void stop_imgui() = 0;
+  virtual void feed_imgui() = 0;
+
+  // Binds the framebuffer that the frame is drawn into; its OpenGL name.
+  virtual unsigned bind_framebuffer() = 0;
+  virtual void swap() = 0;
+};
+
+// Throws std::runtime_error with a sentence for people when there is no display.
+std::unique_ptr<Host> make_glfw_host(const HostOptions& options);
+
+// Throws std::runtime_error when not even software OpenGL is there.
+std::unique_ptr<Host> make_egl_host(const HostOptions& options);
+
+}  // namespace alphascope

@@ -1,0 +1,94 @@
+// See the header. The OpenGL backend brings its own loader.
+#include "ui/window/imgui_frame.hpp"
+
+#define GL_GLEXT_PROTOTYPES
+#include <GL/gl.h>
+#include <GL/glext.h>
+#include <backends/imgui_impl_opengl3.h>
+#include <imgui.h>
+
+#include "ui/panels/keys.hpp"
+
+namespace alphascope {
+
+ImGuiFrame::ImGuiFrame(Host& host, Theme theme) : host_(host), theme_(theme) {
+  IMGUI_CHECKVERSION();
+  context_ = ImGui::CreateContext();
+  ImGuiIO& io = ImGui::GetIO();
+  io.IniFilename = nullptr;  // panels have fixed places
+  io.LogFilename = nullptr;
+  host_.start_imgui();
+  ImGui_ImplOpenGL3_Init("#version 150");
+  load(theme, host_.size().scale);
+}
+
+ImGuiFrame::~ImGuiFrame() {
+  ImGui_ImplOpenGL3_Shutdown();
+  host_.stop_imgui();
+  ImGui::DestroyContext(context_);
+}
+
+void ImGuiFrame::load(Theme theme, float scale) {
+  apply_style(theme, scale);
+  theme_ = theme;
+  if (scale == scale_) return;
+  scale_ = scale;
+  fonts_ = load_fonts(scale);
+  ImGui_ImplOpenGL3_DestroyFontsTexture();
+  ImGui_ImplOpenGL3_CreateFontsTexture();
+}
+
+bool ImGuiFrame::begin(Theme theme, ScriptedInput* scripted) {
+  const HostSize size = host_.size();
+  if (size.width < 64 || size.height < 64) return false;
+  if (theme != theme_ || size.scale != scale_) load(theme, size.scale);
+  ImGui_ImplOpenGL3_NewFrame();
+  if (scripted != nullptr) {
+    // The host's own feeding would overwrite the mouse.
+    ImGuiIO& io = ImGui::GetIO();
+    io.DisplaySize = {static_cast<float>(size.width), static_cast<float>(size.height)};
+    io.DeltaTime = 1.0f / 60;
+    apply_scripted(*scripted);
+  } else {
+    host_.feed_imgui();
+  }
+  ImGui::NewFrame();
+  return true;
+}
+
+void ImGuiFrame::apply_scripted(ScriptedInput& input) const {
+  ImGuiIO& io = ImGui::GetIO();
+  io.KeyMap[ImGuiKey_Escape] = key::kEscape;
+  io.KeyMap[ImGuiKey_Enter] = key::kEnter;
+  io.KeyMap[ImGuiKey_Tab] = key::kTab;
+  io.KeyMap[ImGuiKey_Backspace] = key::kBackspace;
+  io.KeyMap[ImGuiKey_Delete] = key::kDelete;
+  io.KeyMap[ImGuiKey_A] = key::kA;
+  io.MousePos = {input.x, input.y};
+  for (int b = 0; b < 3; ++b) io.MouseDown[b] = input.down[static_cast<std::size_t>(b)];
+  io.MouseWheel = input.wheel;
+  input.wheel = 0;
+  io.KeyCtrl = input.control;
+  io.KeyShift = input.shift;
+  for (const auto& [code, down] : input.keys) io.KeysDown[code] = down;
+  if (!input.text.empty()) io.AddInputCharactersUTF8(input.text.c_str());
+  input.text.clear();
+}
+
+void ImGuiFrame::draw() {
+  ImGui::Render();
+  const HostSize size = host_.size();
+  framebuffer_ = host_.bind_framebuffer();
+  glViewport(0, 0, size.width, size.height);
+  const Colour& c = palette(theme_).panel;
+  glClearColor(c.r, c.g, c.b, 1);
+  glClear(GL_COLOR_BUFFER_BIT);
+  ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+}
+
+void ImGuiFrame::end() {
+  draw();
+  host_.swap();
+}
+
+}  // namespace alphascope

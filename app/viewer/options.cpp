@@ -36,7 +36,7 @@ ParsedOptions parse_options(int argc, const char* const* argv) {
       "Exit codes: 0 done, 1 bad arguments, 2 no display, 3 could not do what was asked.");
   std::string size;
   bool no_compare = false;
-  app.add_option("FILE", o.file, "Molecule to open: PDB, mmCIF, XYZR, CRD; plain or .gz");
+  app.add_option("FILE", o.file, "Molecule to open: PDB, mmCIF, XYZR, PQR, XYZ, CRD; plain or .gz");
   const auto finite = [](const std::string& text) {
     char* end = nullptr;
     const double value = std::strtod(text.c_str(), &end);

@@ -56,6 +56,7 @@ Viewer::~Viewer() = default;
 
 void Viewer::fill_constants() {
   state_.version = ALPHASCOPE_VERSION;
+  state_.memory_bytes = resident_bytes();
   for (const SampleFile& sample : sample_files()) {
     state_.samples.push_back({sample.name, sample.detail});
     sample_paths_.push_back(sample.path);

@@ -91,7 +91,7 @@ void grown_radii(PanelContext& ctx) {
   muted_text(ctx, "Radii, grown by s and α (Å)");
   const float half = ImGui::GetContentRegionAvail().x / 2;
   const float start = ImGui::GetCursorPosX();
-  constexpr std::size_t kShown = 8;
+  constexpr std::size_t kShown = 6;
   for (std::size_t i = 0; i < std::min(radii.size(), kShown); ++i) {
     if (i % 2 == 1) ImGui::SameLine(start + half);
     const GrownRadius& r = radii[i];
@@ -99,9 +99,14 @@ void grown_radii(PanelContext& ctx) {
     ImGui::SameLine(start + (i % 2 == 1 ? half : 0) + ctx.px(28));
     ImGui::Text("%.2f → %s", r.radius, r.grown > 0 ? number_text(r.grown, 2).c_str() : "empty");
   }
-  if (radii.size() > kShown) {
-    muted_text(ctx, "and " + std::to_string(radii.size() - kShown) + " more");
+  if (radii.size() <= kShown) return;
+  muted_text(ctx, "and " + std::to_string(radii.size() - kShown) + " more");
+  std::string rest;
+  for (std::size_t i = kShown; i < radii.size(); ++i) {
+    rest += (i == kShown ? "" : "\n") + radii[i].element + " " + number_text(radii[i].radius, 2) +
+            " → " + number_text(radii[i].grown, 2);
   }
+  tooltip(rest.c_str());
 }
 
 }  // namespace

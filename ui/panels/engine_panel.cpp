@@ -43,9 +43,11 @@ void draw_engine_panel(PanelContext& ctx) {
     }
     ImGui::EndCombo();
   }
-  muted_wrapped(ctx, s.device_text);
+  ImGui::PushFont(ctx.fonts.small);
+  if (!s.device_text.empty()) muted_wrapped(ctx, s.device_text);
   record(ctx, "engine.device");
   if (!s.gpu_text.empty()) muted_wrapped(ctx, s.gpu_text);
+  ImGui::PopFont();
   checkbox(ctx, "engine.tetrahedra_only", "Tetrahedra only (faster)", s.compute.tetrahedra_only);
   tooltip(
       "Computes the tetrahedra of the complex without its triangles, edges and vertices: the "

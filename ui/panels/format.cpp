@@ -21,13 +21,12 @@ std::string short_number_text(double value, int decimals) {
 }
 
 std::string with_separators(long long value) {
-  std::string digits = std::to_string(value);
-  const std::size_t first = value < 0 ? 1 : 0;
-  for (std::size_t i = digits.size(); i > first + 3;) {
+  std::string digits = std::to_string(value < 0 ? -value : value);
+  for (std::size_t i = digits.size(); i > 3;) {
     i -= 3;
     digits.insert(i, ",");
   }
-  return digits;
+  return value < 0 ? "−" + digits : digits;
 }
 
 std::string milliseconds_text(double milliseconds) {

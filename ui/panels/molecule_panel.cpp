@@ -60,12 +60,11 @@ void selection(PanelContext& ctx) {
   choice(ctx, "molecule.hydrogens", {"auto", "keep", "drop"}, hydrogens,
          ImGui::GetContentRegionAvail().x);
   c.hydrogens = static_cast<HydrogenOption>(hydrogens);
-  row_label(ctx, "Also use");
-  checkbox(ctx, "molecule.waters", "waters", c.waters);
-  ImGui::SameLine();
-  checkbox(ctx, "molecule.ligands", "ligands", c.ligands);
-  row_label(ctx, "");
-  checkbox(ctx, "molecule.ions", "ions", c.ions);
+  checkbox(ctx, "molecule.waters", "Waters", c.waters);
+  ImGui::SameLine(0, ctx.px(16));
+  checkbox(ctx, "molecule.ligands", "Ligands", c.ligands);
+  ImGui::SameLine(0, ctx.px(16));
+  checkbox(ctx, "molecule.ions", "Ions", c.ions);
 }
 
 void notes(PanelContext& ctx) {
@@ -92,7 +91,7 @@ void draw_molecule_panel(PanelContext& ctx) {
   open_buttons(ctx);
   const MoleculeInfo& m = ctx.state.molecule;
   if (!m.loaded) {
-    muted_wrapped(ctx, "Nothing is open. PDB, XYZR and CRD files, plain or .gz.");
+    muted_wrapped(ctx, "Nothing is open yet.");
     return;
   }
   const float width = ImGui::GetContentRegionAvail().x;

@@ -18,7 +18,7 @@ constexpr ImWchar kGlyphRanges[] = {0x20,   0xff,   0x370,  0x3ff,  0x2010, 0x20
                                     0x2070, 0x209f, 0x2190, 0x21ff, 0x2200, 0x22ff,
                                     0x25a0, 0x25ff, 0x2713, 0x2717, 0};
 
-constexpr float kBodySize = 15, kSmallSize = 13, kLargeSize = 22;
+constexpr float kBodySize = 14, kSmallSize = 12.5f, kLargeSize = 22;
 
 ImFont* add_font(const std::optional<std::filesystem::path>& file, float pixels) {
   ImFontAtlas* atlas = ImGui::GetIO().Fonts;
@@ -41,8 +41,8 @@ std::optional<std::filesystem::path> first_found(std::initializer_list<const cha
 
 void set_sizes(ImGuiStyle& style) {
   style.WindowPadding = {12, 10};
-  style.FramePadding = {8, 4};
-  style.ItemSpacing = {8, 6};
+  style.FramePadding = {8, 3};
+  style.ItemSpacing = {8, 5};
   style.ItemInnerSpacing = {6, 4};
   style.IndentSpacing = 16;
   style.ScrollbarSize = 11;

@@ -25,23 +25,45 @@ BadgeLook look(const Palette& p, BadgeInfo::State state) {
   return {p.text_muted, p.field, ""};
 }
 
+void pill(PanelContext& ctx, const std::string& text, const Colour& colour, const Colour& fill) {
+  const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const float height = ImGui::GetFrameHeight(), width = size.x + ctx.px(20);
+  ImDrawList* draw = ImGui::GetWindowDrawList();
+  draw->AddRectFilled(corner, {corner.x + width, corner.y + height}, to_u32(fill), height / 2);
+  draw->AddText({corner.x + ctx.px(10), corner.y + (height - size.y) / 2}, to_u32(colour),
+                text.c_str());
+  ImGui::Dummy({width, height});
+}
+
 void badge(PanelContext& ctx) {
   const BadgeInfo& b = ctx.state.badge;
   const BadgeLook l = look(ctx.palette, b.state);
   const std::string full = l.symbol + b.text;
-  const float room = ImGui::GetContentRegionAvail().x - ctx.px(112);
-  const std::string text = fitted_text(full, room - ctx.px(20));
-  const ImVec2 size = ImGui::CalcTextSize(text.c_str());
-  const ImVec2 corner = ImGui::GetCursorScreenPos();
-  const float height = ImGui::GetFrameHeight();
-  ImDrawList* draw = ImGui::GetWindowDrawList();
-  draw->AddRectFilled(corner, {corner.x + size.x + ctx.px(20), corner.y + height}, to_u32(l.fill),
-                      height / 2);
-  draw->AddText({corner.x + ctx.px(10), corner.y + (height - size.y) / 2}, to_u32(l.text),
-                text.c_str());
-  ImGui::Dummy({size.x + ctx.px(20), height});
+  const float room = ImGui::GetContentRegionAvail().x - ctx.px(240);
+  pill(ctx, fitted_text(full, room), l.text, l.fill);
   record(ctx, "timings.badge");
   tooltip(full.c_str());
+}
+
+// How many times faster than CGAL, for the run that is shown.
+void speed(PanelContext& ctx) {
+  const ViewState& s = ctx.state;
+  if (!s.ours || !s.cgal) return;
+  const bool cold = s.memory.timings_cold;
+  const auto& ours = cold ? s.ours->cold : s.ours->warm;
+  const auto& cgal = cold ? s.cgal->cold : s.cgal->warm;
+  if (!ours || !cgal || ours->wall_milliseconds <= 0) return;
+  const double ratio = cgal->wall_milliseconds / ours->wall_milliseconds;
+  ImGui::SameLine();
+  const std::string text = ratio >= 1 ? ratio_text(ratio) + " faster than CGAL"
+                                      : ratio_text(1 / ratio) + " slower than CGAL";
+  pill(ctx, text, ratio >= 1 ? ctx.palette.accent : ctx.palette.warning,
+       ratio >= 1 ? ctx.palette.field : ctx.palette.warning_fill);
+  record(ctx, "timings.speed");
+  tooltip(cold ? "Whole first computation, set-up included, beside CGAL's triangulation and filter "
+                 "(one thread)."
+               : "A later alpha of the same molecule, beside CGAL's filter on its triangulation.");
 }
 
 void compare_button(PanelContext& ctx) {
@@ -106,6 +128,7 @@ void draw_timings_panel(PanelContext& ctx) {
   title(ctx);
   if (ctx.state.result.present) {
     badge(ctx);
+    speed(ctx);
     compare_button(ctx);
   } else {
     ImGui::NewLine();

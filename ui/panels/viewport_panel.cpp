@@ -127,11 +127,11 @@ void empty_state(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
   ViewState& s = ctx.state;
   if (s.molecule.loaded || s.busy.active) return;
   begin_overlay(ctx, "##empty", {corner.x + size.x / 2, corner.y + size.y / 2}, {0.5f, 0.5f});
-  ImGui::Dummy({ctx.px(400), ctx.px(4)});
+  ImGui::Dummy({ctx.px(460), ctx.px(2)});
   ImGui::PushFont(ctx.fonts.large);
   ImGui::TextUnformatted("Open a molecule to begin");
   ImGui::PopFont();
-  muted_text(ctx, "Drop a file here, or choose one. PDB, XYZR, CRD; plain or .gz.");
+  muted_text(ctx, "Drop a file here, or choose one: PDB, mmCIF, XYZR, PQR, XYZ, CRD; plain or .gz.");
   ImGui::Dummy({0, ctx.px(6)});
   if (button(ctx, "empty.open", "Open file…", {ctx.px(130), ctx.px(34)}, ButtonKind::primary)) {
     s.memory.show_browser = true;

@@ -13,7 +13,7 @@ constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoDecoration | ImGuiWindowF
                                     ImGuiWindowFlags_NoSavedSettings |
                                     ImGuiWindowFlags_NoBringToFrontOnFocus;
 
-constexpr float kLeftWidth = 324, kBottomHeight = 226, kStatusHeight = 27;
+constexpr float kLeftWidth = 320, kBottomHeight = 248, kStatusHeight = 27;
 constexpr float kLeastBottom = 76, kLeastView = 180;
 
 void begin(const char* id, float x, float y, float w, float h, ImGuiWindowFlags extra = 0) {

@@ -217,6 +217,7 @@ struct Scene::Impl {
 
 Scene::Scene() : impl_(std::make_unique<Impl>()) {
   impl_->apply_style();
+  reset_view();
 }
 
 Scene::~Scene() = default;

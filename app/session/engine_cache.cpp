@@ -50,7 +50,8 @@ EngineCache::Result EngineCache::compute(const std::shared_ptr<const BallSet>& b
     throw;  // the request's fault, not the device's
   } catch (const std::exception& e) {
     if (!may_fall_back) throw;
-    const std::string note = std::string("CPU engine in use: the GPU failed (") + e.what() + ")";
+    const std::string note = std::string("The GPU failed (") + e.what() +
+                             "); the CPU engine went on and gives the same results.";
     entry.made = factory_(EngineChoice::cpu, entry.grown, request.threads);
     entry.made.note = note;
   }

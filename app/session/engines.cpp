@@ -25,7 +25,7 @@ std::unique_ptr<Engine> try_gpu(const std::shared_ptr<const BallSet>& balls, int
 #else
   static_cast<void>(balls);
   static_cast<void>(threads);
-  why_not = "this build has no GPU engine";
+  why_not = "This build has no GPU engine. The CPU engine gives the same results.";
   return nullptr;
 #endif
 }
@@ -60,10 +60,9 @@ MadeEngine make_engine(EngineChoice choice, std::shared_ptr<const BallSet> balls
       return made;
     }
     if (choice == EngineChoice::gpu) {
-      throw EngineUnavailable("The GPU engine cannot be used: " + why_not +
-                              ". Choose engine auto or cpu; the result is the same.");
+      throw EngineUnavailable("The GPU engine cannot be used. " + why_not);
     }
-    made.note = "CPU engine in use: " + why_not;
+    made.note = why_not;
   }
   made.engine = make_cpu_engine(std::move(balls), {threads});
   return made;

@@ -1,0 +1,236 @@
+// The options of every command (CLI11), their help, and exceptions as messages and exit codes.
+#include "app/cli/command_line.hpp"
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <functional>
+#include <iostream>
+#include <new>
+
+#include "app/cli/commands.hpp"
+#include "app/cli/terminal.hpp"
+#include "app/session/version.hpp"
+#include "core/io/atomic_file.hpp"
+
+namespace alphascope::cli {
+namespace {
+
+using Command = std::function<ExitCode()>;
+
+constexpr const char* kExamples = R"(
+Examples:
+  alphascope-cli info 1crn.pdb
+  alphascope-cli compute 1crn.pdb --alpha 0 --solvent 1.4 --json 1crn.json
+  alphascope-cli compute 1k4c.crd.gz --alpha 1.4 --out 1k4c.alpha
+  alphascope-cli verify 1crn.pdb --alpha -1,0,1.4,10
+  alphascope-cli bench 1k4c.crd.gz --alpha 0,1.4,3 --tetrahedra-only --csv times.csv
+  alphascope-cli screenshot 1crn.pdb --alpha 1.4 --size 1920x1080 -o 1crn.png
+
+Lengths are in Å. Alpha is in Å²: a ball of radius r grows to sqrt(r² + alpha); negative alpha
+shrinks it. The solvent radius is added to every radius first (1.4 for water).
+
+Exit codes: 0 done; 1 differs from CGAL (verify, bench); 2 wrong usage; 3 a file cannot be read;
+4 computing failed; 5 an output cannot be written; 130 cancelled (Ctrl-C).
+)";
+
+const CLI::Validator kFinite(
+    [](std::string& text) {
+      double value = 0;
+      if (!CLI::detail::lexical_cast(text, value) || !std::isfinite(value)) {
+        return "\"" + text + "\" is not a finite number";
+      }
+      return std::string();
+    },
+    "NUMBER");
+
+void add_input(CLI::App& command, InputOptions& input) {
+  command.add_option("--radii", input.radii,
+                     "Radii: auto, file (the file's own), bondi, protor, alvarez, amber, naccess, "
+                     "rasmol; or a file with a table of your own")
+      ->type_name("SET");
+  command.add_option("--model", input.model, "Model, counted from 1, or all")->type_name("N|all");
+  command.add_option("--hydrogens", input.hydrogens, "auto drops them with united-atom radii")
+      ->check(CLI::IsMember({"auto", "keep", "drop"}));
+  command.add_option("--altlocs", input.altlocs, "Alternative locations: the best, or all")
+      ->check(CLI::IsMember({"best", "all"}));
+  command.add_option("--chain", input.chains, "Only these chains, such as A,B")
+      ->delimiter(',')
+      ->type_name("ID");
+  command.add_flag("--waters", input.waters, "Keep waters");
+  command.add_flag("--no-ligands", input.no_ligands, "Drop ligands");
+  command.add_flag("--no-ions", input.no_ions, "Drop ions");
+}
+
+void add_file(CLI::App& command, InputOptions& input) {
+  command.add_option("FILE", input.file, "Molecule: PDB, mmCIF, XYZR, PQR, XYZ, CRD; also .gz")
+      ->required();
+  add_input(command, input);
+}
+
+void add_alpha(CLI::App& command, SessionRequest& request) {
+  command.add_option("--alpha", request.alpha_angstrom2, "Alpha in Å², any real number")
+      ->required()
+      ->check(kFinite)
+      ->type_name("A");
+}
+
+void add_alphas(CLI::App& command, std::vector<double>& alphas) {
+  command.add_option("--alpha", alphas, "Alphas in Å², such as -1,0,1.4")
+      ->required()
+      ->delimiter(',')
+      ->check(kFinite)
+      ->type_name("A,B,...");
+}
+
+void add_engine(CLI::App& command, SessionRequest& request, bool threads) {
+  command.add_option("--solvent", request.solvent_radius_angstrom, "Solvent radius in Å, from 0 up")
+      ->check(kFinite)
+      ->check(CLI::Range(0.0, 100.0))
+      ->type_name("S");
+  command.add_option_function<std::string>(
+             "--engine",
+             [&request](const std::string& id) { request.engine = *engine_from_id(id); },
+             "auto takes the GPU when there is one; the result is the same")
+      ->check(CLI::IsMember({"auto", "cpu", "cgal", "gpu"}));
+  if (threads) {
+    command.add_option("--threads", request.threads, "CPU threads; 0 for all")
+        ->check(CLI::Range(0, 1024))
+        ->type_name("N");
+  }
+  command.add_flag("--tetrahedra-only", request.tetrahedra_only,
+                   "Only tetrahedra (without vertices, edges, triangles and classes)");
+}
+
+void add_info(CLI::App& app, InfoOptions& options, Command& chosen) {
+  CLI::App& command = *app.add_subcommand("info", "Tell what is in a file and what is used of it");
+  add_file(command, options.input);
+  command.add_option("--json", options.json, "The same as JSON, - for standard output")
+      ->type_name("OUT");
+  command.callback([&] { chosen = [&] { return run_info(options); }; });
+}
+
+void add_compute(CLI::App& app, ComputeOptions& options, Command& chosen) {
+  CLI::App& command = *app.add_subcommand("compute", "Compute the alpha complex");
+  add_file(command, options.input);
+  add_alpha(command, options.request);
+  add_engine(command, options.request, true);
+  command.add_option("--json", options.json,
+                     "Counts, hash, times and provenance as JSON, - for standard output")
+      ->type_name("OUT");
+  command.add_option("--out", options.out, "All simplices with their alpha values, as text")
+      ->type_name("COMPLEX");
+  command.callback([&] { chosen = [&] { return run_compute(options); }; });
+}
+
+void add_verify(CLI::App& app, VerifyOptions& options, Command& chosen) {
+  CLI::App& command = *app.add_subcommand(
+      "verify", "Compare with CGAL as sets of simplices; exit code 0 only if identical");
+  add_file(command, options.input);
+  add_alphas(command, options.alphas);
+  add_engine(command, options.request, true);
+  command.add_option("--cgal-threads", options.cgal_threads, "Threads for CGAL; 0 for all")
+      ->check(CLI::Range(0, 1024))
+      ->type_name("N");
+  command.add_flag("--definition", options.definition,
+                   "Also check every simplex against the definition, without CGAL");
+  command.add_option("--show", options.shown, "Differences printed for each kind of simplex")
+      ->type_name("N");
+  command.add_option("--json", options.json, "The comparison as JSON, - for standard output")
+      ->type_name("OUT");
+  command.callback([&] { chosen = [&] { return run_verify(options); }; });
+}
+
+void add_bench(CLI::App& app, BenchOptions& options, Command& chosen) {
+  CLI::App& command = *app.add_subcommand(
+      "bench", "Time our engine and CGAL in one process, cold and warm; medians");
+  command.add_option("FILE", options.files, "Molecules")->required();
+  add_input(command, options.input);
+  add_alphas(command, options.alphas);
+  add_engine(command, options.request, false);
+  command.add_option("--threads", options.threads, "CPU threads for both, such as 1,2; 0 for all")
+      ->delimiter(',')
+      ->check(CLI::Range(0, 1024))
+      ->type_name("N,...");
+  command.add_option("--runs", options.runs, "Runs of each")
+      ->check(CLI::Range(1, 1000))
+      ->type_name("N");
+  command.add_option("--csv", options.csv, "The table as CSV")->type_name("OUT");
+  command.callback([&] { chosen = [&] { return run_bench(options); }; });
+}
+
+void add_screenshot(CLI::App& app, ScreenshotCommandOptions& options, Command& chosen) {
+  CLI::App& command = *app.add_subcommand("screenshot", "Draw the complex; needs no display");
+  add_file(command, options.input);
+  add_alpha(command, options.request);
+  add_engine(command, options.request, true);
+  command.add_option("--size", options.size, "In pixels")->type_name("WxH");
+  command.add_option("-o,--output", options.out, "Picture to write")->required()->type_name("OUT.png");
+  command.add_flag("--transparent", options.transparent, "No background");
+  command.add_flag("--light", options.light, "Light background");
+  command.add_flag("--no-balls", options.no_balls, "Without the balls");
+  command.add_flag("--grown", options.grown, "Balls as large as alpha and solvent make them");
+  command.add_flag("--boundary", options.boundary, "Only the boundary of the tetrahedra");
+  command.add_option("--shrink", options.shrink, "Draw tetrahedra apart, from 0 to 0.9")
+      ->check(CLI::Range(0.0, 0.9));
+  command.add_option("--colours", options.colours, "Colour balls by element or chain")
+      ->check(CLI::IsMember({"element", "chain"}));
+  command.callback([&] { chosen = [&] { return run_screenshot(options); }; });
+}
+
+int fail(ExitCode code, const std::string& message) {
+  clear_progress();
+  std::cout.flush();
+  std::cerr << "alphascope-cli: " << message << std::endl;
+  return static_cast<int>(code);
+}
+
+int run(const Command& command) {
+  try {
+    return static_cast<int>(command());
+  } catch (const Cancelled&) {
+    return fail(ExitCode::cancelled, "cancelled; nothing was written.");
+  } catch (const UsageError& e) {
+    return fail(ExitCode::usage, e.what());
+  } catch (const ReadError& e) {
+    return fail(ExitCode::unreadable_input, e.what());
+  } catch (const WriteError& e) {
+    return fail(ExitCode::unwritable_output, e.what());
+  } catch (const std::invalid_argument& e) {
+    return fail(ExitCode::usage, e.what());
+  } catch (const std::bad_alloc&) {
+    return fail(ExitCode::computing_failed,
+                "Not enough memory. Use a smaller alpha or solvent radius, or --tetrahedra-only.");
+  } catch (const std::exception& e) {
+    return fail(ExitCode::computing_failed, e.what());
+  }
+}
+
+}  // namespace
+
+int run_command_line(int argc, const char* const* argv) {
+  InfoOptions info;
+  ComputeOptions compute;
+  VerifyOptions verify;
+  BenchOptions bench;
+  ScreenshotCommandOptions screenshot;
+  Command chosen;
+  CLI::App app("The exact alpha complex of molecules, equal to CGAL's simplex by simplex.",
+               "alphascope-cli");
+  app.set_version_flag("--version", "alphascope-cli " + std::string(program_version()) + " (" +
+                                        std::string(program_commit()) + ")");
+  app.require_subcommand(1);
+  app.footer(kExamples);
+  add_info(app, info, chosen);
+  add_compute(app, compute, chosen);
+  add_verify(app, verify, chosen);
+  add_bench(app, bench, chosen);
+  add_screenshot(app, screenshot, chosen);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& e) {
+    return app.exit(e) == 0 ? 0 : static_cast<int>(ExitCode::usage);
+  }
+  return run(chosen);
+}
+
+}  // namespace alphascope::cli

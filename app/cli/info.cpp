@@ -1,0 +1,98 @@
+// alphascope-cli info: what is in a file, and what would be used of it.
+#include <algorithm>
+#include <cstdio>
+#include <iostream>
+#include <map>
+
+#include "app/cli/commands.hpp"
+#include "app/cli/report_json.hpp"
+#include "app/cli/terminal.hpp"
+#include "app/cli/text.hpp"
+
+namespace alphascope::cli {
+namespace {
+
+constexpr std::size_t kShownGuesses = 8;
+
+struct Extent {
+  double min = 0, max = 0;  // Å
+};
+
+Extent extent(const BallSet& balls, std::int32_t LatticePoint::*axis) {
+  if (balls.size() == 0) return {};
+  std::int32_t low = balls.centres[0].*axis, high = low;
+  for (const LatticePoint& p : balls.centres) {
+    low = std::min(low, p.*axis);
+    high = std::max(high, p.*axis);
+  }
+  return {balls.lattice.angstrom(low), balls.lattice.angstrom(high)};
+}
+
+Json radii_json(const BallSet& balls) {
+  std::map<std::int32_t, std::size_t> histogram;
+  for (const std::int32_t radius : balls.radii) ++histogram[radius];
+  Json json = Json::array();
+  for (const auto& [radius, count] : histogram) {
+    json.push_back({{"radius_angstrom", balls.lattice.angstrom(radius)}, {"balls", count}});
+  }
+  return json;
+}
+
+void print(const Input& input) {
+  const Molecule& molecule = input.molecule();
+  const BallSet& balls = *input.prepared().balls;
+  const SelectionReport& report = input.prepared().report;
+  std::cout << input_text(input);
+  std::cout << "format      " << molecule.format << "\n";
+  if (!molecule.title.empty()) std::cout << "title       " << molecule.title << "\n";
+  std::cout << "atoms       " << grouped(molecule.atoms.size()) << " in "
+            << grouped(molecule.models.size())
+            << (molecule.models.size() == 1 ? " model\n" : " models\n");
+  std::cout << "balls       " << grouped(balls.size()) << "\n";
+  std::cout << "radii       " << report.radii_name;
+  if (!report.radii_citation.empty()) std::cout << ": " << report.radii_citation;
+  std::cout << "\n";
+  for (std::size_t i = 0; i < std::min(kShownGuesses, report.guessed.size()); ++i) {
+    const GuessedRadius& guess = report.guessed[i];
+    std::cout << "  guessed   " << guess.atoms << ": " << number_text(guess.radius_angstrom)
+              << " Å for " << grouped(guess.count) << (guess.count == 1 ? " atom\n" : " atoms\n");
+  }
+  if (report.guessed.size() > kShownGuesses) {
+    std::cout << "  guessed   … and " << grouped(report.guessed.size() - kShownGuesses)
+              << " more kinds of atoms; --json lists all\n";
+  }
+  std::cout << "lattice     " << number_text(balls.lattice.unit_angstrom()) << " Å; "
+            << (molecule.rounding_angstrom > 0
+                    ? "coordinates rounded by up to " + number_text(molecule.rounding_angstrom) + " Å\n"
+                    : std::string("nothing was rounded\n"));
+  if (report.coincident_centres > 0) {
+    std::cout << "coincident  " << grouped(report.coincident_centres)
+              << " balls share their centre with an earlier one\n";
+  }
+  const char* names[] = {"x", "y", "z"};
+  std::int32_t LatticePoint::*axes[] = {&LatticePoint::x, &LatticePoint::y, &LatticePoint::z};
+  for (int axis = 0; axis < 3; ++axis) {
+    const Extent range = extent(balls, axes[axis]);
+    std::cout << names[axis] << "           " << number_text(range.min) << " to "
+              << number_text(range.max) << " Å\n";
+  }
+  std::cout << "sha256      " << input.sha256 << "\n";
+  std::cout << "opened in   " << milliseconds_text(input.open_milliseconds) << "\n";
+}
+
+}  // namespace
+
+ExitCode run_info(const InfoOptions& options) {
+  const Input input = open_input(options.input, run_context());
+  clear_progress();
+  if (options.json != "-") print(input);
+  if (!options.json.empty()) {
+    write_json({{"program", program_json()},
+                {"input", input_json(input)},
+                {"radii_in_use", radii_json(*input.prepared().balls)}},
+               options.json);
+  }
+  return ExitCode::ok;
+}
+
+}  // namespace alphascope::cli

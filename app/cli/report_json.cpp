@@ -1,0 +1,136 @@
+#include "app/cli/report_json.hpp"
+
+#include <iostream>
+
+#include "app/cli/text.hpp"
+#include "app/session/version.hpp"
+
+namespace alphascope::cli {
+
+Json program_json() {
+  return {{"name", "alphascope-cli"},
+          {"version", program_version()},
+          {"commit", program_commit()}};
+}
+
+Json input_json(const Input& input) {
+  const Molecule& molecule = input.molecule();
+  const SelectionReport& report = input.prepared().report;
+  Json guessed = Json::array();
+  for (const GuessedRadius& guess : report.guessed) {
+    guessed.push_back({{"atoms", guess.atoms},
+                       {"count", guess.count},
+                       {"radius_angstrom", guess.radius_angstrom}});
+  }
+  return {
+      {"file", molecule.source.string()},
+      {"sha256", input.sha256},
+      {"format", molecule.format},
+      {"title", molecule.title},
+      {"models", molecule.models.size()},
+      {"balls", input.prepared().balls->size()},
+      {"selection", summary(report)},
+      {"atoms_total", report.total},
+      {"atoms_used", report.used},
+      {"radii",
+       {{"set", radii_set_info(report.radii).id},
+        {"name", report.radii_name},
+        {"citation", report.radii_citation},
+        {"guessed", guessed}}},
+      {"coincident_centres", report.coincident_centres},
+      {"lattice_unit_angstrom", input.prepared().balls->lattice.unit_angstrom()},
+      {"rounding_angstrom", molecule.rounding_angstrom},
+      {"radius_rounding_angstrom", report.radius_rounding_angstrom},
+      {"notes", molecule.notes},
+      {"open_ms", input.open_milliseconds},
+  };
+}
+
+Json request_json(const SessionRequest& request, const Lattice& lattice) {
+  const double on_lattice = lattice.alpha_on_lattice(request.alpha_angstrom2);
+  return {{"alpha_angstrom2", request.alpha_angstrom2},
+          {"alpha_used_square_lattice_units", on_lattice},
+          {"solvent_radius_angstrom", request.solvent_radius_angstrom},
+          {"tetrahedra_only", request.tetrahedra_only},
+          {"engine", engine_id(request.engine)},
+          {"threads", request.threads}};
+}
+
+Json complex_json(const AlphaComplex& complex, const std::string& engine_note) {
+  const bool whole = !complex.tetrahedra_only;
+  Json json;
+  json["counts"] = {{"vertices", whole ? Json(complex.vertices.size()) : Json()},
+                    {"edges", whole ? Json(complex.edges.size()) : Json()},
+                    {"triangles", whole ? Json(complex.triangles.size()) : Json()},
+                    {"tetrahedra", complex.tetrahedra.size()}};
+  json["euler_characteristic"] = whole ? Json(complex.euler_characteristic()) : Json();
+  json["hash"] = hash_text(complex.hash);
+  json["tetrahedra_hash"] = hash_text(tetrahedra_hash(complex));
+  json["engine"] = {{"name", complex.engine.name},
+                    {"device", complex.engine.device},
+                    {"route", complex.engine.route},
+                    {"note", engine_note}};
+  Json stages = Json::array();
+  for (const StageTime& stage : complex.timings.stages) {
+    stages.push_back(
+        {{"stage", stage.label}, {"ms", stage.milliseconds}, {"setup", stage.setup}});
+  }
+  json["timings_ms"] = {{"wall", complex.timings.wall_milliseconds},
+                        {"setup", complex.timings.setup_milliseconds()},
+                        {"stages", stages}};
+  return json;
+}
+
+Json comparison_json(const Comparison& comparison) {
+  const auto set = [](const auto& difference) {
+    return Json{{"common", difference.common},
+                {"missing", difference.missing},
+                {"extra", difference.extra}};
+  };
+  Json json{{"identical", comparison.identical()},
+            {"tetrahedra_only", comparison.tetrahedra_only}};
+  if (!comparison.tetrahedra_only) {
+    json["vertices"] = set(comparison.vertices);
+    json["edges"] = set(comparison.edges);
+    json["triangles"] = set(comparison.triangles);
+    json["alpha_values_differing"] = comparison.alpha_values_differing;
+    json["classes_differing"] = comparison.classes_differing;
+  }
+  json["tetrahedra"] = set(comparison.tetrahedra);
+  return json;
+}
+
+ComplexHeader complex_header(const Input& input, const SessionRequest& request,
+                             const AlphaComplex& complex) {
+  const SelectionReport& report = input.prepared().report;
+  return {
+      {"program", "alphascope-cli " + std::string(program_version()) + " (" +
+                      std::string(program_commit()) + ")"},
+      {"file", input.molecule().source.string()},
+      {"sha256", input.sha256},
+      {"selection", summary(report)},
+      {"radii", report.radii_name},
+      {"lattice_unit_angstrom", number_text(complex.lattice.unit_angstrom())},
+      {"rounding_angstrom", number_text(input.molecule().rounding_angstrom)},
+      {"alpha_angstrom2", number_text(request.alpha_angstrom2)},
+      {"solvent_radius_angstrom", number_text(request.solvent_radius_angstrom)},
+      {"tetrahedra_only", complex.tetrahedra_only ? "1" : "0"},
+      {"engine", complex.engine.name + ", " + complex.engine.device + " (" + complex.engine.route + ")"},
+      {"hash", hash_text(complex.hash)},
+  };
+}
+
+void write_json(const Json& json, const std::string& path) {
+  // File names need not be UTF-8; replacing what is not keeps the output readable.
+  const std::string text = json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  if (path == "-") {
+    std::cout << text << std::flush;
+    if (!std::cout) throw WriteError("Cannot write to standard output.");
+    return;
+  }
+  AtomicFile file(path);
+  file.write(text);
+  file.commit();
+}
+
+}  // namespace alphascope::cli

@@ -1,0 +1,29 @@
+// Results with their provenance as JSON (docs/file-formats.md) and as the header of a text file.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "app/cli/input.hpp"
+#include "core/complex/compare.hpp"
+#include "core/io/write_complex.hpp"
+
+namespace alphascope::cli {
+
+using Json = nlohmann::ordered_json;
+
+Json program_json();
+Json input_json(const Input& input);
+Json request_json(const SessionRequest& request, const Lattice& lattice);
+// Keys counts, euler_characteristic, hash, tetrahedra_hash, engine, timings_ms. What a
+// tetrahedra-only complex does not hold is null.
+Json complex_json(const AlphaComplex& complex, const std::string& engine_note);
+Json comparison_json(const Comparison& comparison);
+
+ComplexHeader complex_header(const Input& input, const SessionRequest& request,
+                             const AlphaComplex& complex);
+
+// To a file, whole or not at all; "-" is standard output. Throws WriteError.
+void write_json(const Json& json, const std::string& path);
+
+}  // namespace alphascope::cli

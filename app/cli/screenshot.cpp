@@ -1,0 +1,80 @@
+// alphascope-cli screenshot: a picture of a complex, without a display.
+#include <charconv>
+#include <iostream>
+
+#include "app/cli/commands.hpp"
+#include "app/cli/input.hpp"
+#include "app/cli/terminal.hpp"
+#include "app/cli/text.hpp"
+
+#ifdef ALPHASCOPE_HAS_SCENE
+#include "ui/scene/ball_colours.hpp"
+#include "ui/scene/screenshot.hpp"
+#endif
+
+namespace alphascope::cli {
+
+#ifdef ALPHASCOPE_HAS_SCENE
+namespace {
+
+// "1920x1080"; the bounds are render_screenshot's.
+void set_size(const std::string& text, ScreenshotOptions& picture) {
+  const char* const end = text.data() + text.size();
+  const auto width = std::from_chars(text.data(), end, picture.width);
+  if (width.ec == std::errc() && width.ptr != end && *width.ptr == 'x') {
+    const auto height = std::from_chars(width.ptr + 1, end, picture.height);
+    if (height.ec == std::errc() && height.ptr == end) return;
+  }
+  throw UsageError("--size takes WIDTHxHEIGHT in pixels, such as 1920x1080; not \"" + text + "\".");
+}
+
+ScreenshotOptions picture_options(const ScreenshotCommandOptions& options) {
+  ScreenshotOptions picture;
+  set_size(options.size, picture);
+  picture.transparent = options.transparent;
+  picture.style.theme = options.light ? Theme::light : Theme::dark;
+  picture.style.balls = !options.no_balls;
+  if (options.grown) {
+    picture.balls.grown = true;
+    picture.balls.scale = 1;
+  }
+  picture.balls.alpha = options.request.alpha_angstrom2;
+  picture.balls.solvent_radius = options.request.solvent_radius_angstrom;
+  picture.mesh.shrink = options.shrink;
+  picture.mesh.boundary = options.boundary;
+  picture.mesh.tetrahedra = !options.boundary;
+  picture.mesh.triangles = picture.mesh.edges = !options.request.tetrahedra_only;
+  return picture;
+}
+
+}  // namespace
+
+ExitCode run_screenshot(const ScreenshotCommandOptions& options) {
+  const ScreenshotOptions picture = picture_options(options);
+  const RunContext& context = run_context();
+  const Input input = open_input(options.input, context);
+  EngineCache engines(&make_engine);
+  const EngineCache::Result result =
+      engines.compute(input.prepared().balls, options.request, context);
+  const std::vector<std::uint32_t>& atoms = input.prepared().atom_of_ball;
+  render_screenshot(*input.prepared().balls, result.complex,
+                    options.colours == "chain" ? colours_by_chain(input.molecule(), atoms)
+                                               : colours_by_element(input.molecule(), atoms),
+                    picture, options.out);
+  clear_progress();
+  std::cout << input_text(input) << complex_text(result.complex) << "picture     "
+            << options.out.string() << ", " << picture.width << " x " << picture.height << "\n";
+  return ExitCode::ok;
+}
+
+#else
+
+ExitCode run_screenshot(const ScreenshotCommandOptions&) {
+  throw UsageError(
+      "This alphascope-cli was built without its renderer (ALPHASCOPE_BUILD_VIEWER=OFF), so it "
+      "draws no pictures. Build it with the viewer to use screenshot.");
+}
+
+#endif
+
+}  // namespace alphascope::cli

@@ -1,0 +1,51 @@
+#include "app/cli/text.hpp"
+
+#include <charconv>
+#include <cstdio>
+
+namespace alphascope::cli {
+
+std::string grouped(std::uint64_t number) {
+  std::string text = std::to_string(number);
+  for (std::size_t k = text.size(); k > 3; k -= 3) text.insert(k - 3, ",");
+  return text;
+}
+
+std::string number_text(double number) {
+  char buffer[32];
+  return {buffer, std::to_chars(buffer, buffer + sizeof buffer, number).ptr};
+}
+
+std::string milliseconds_text(double milliseconds) {
+  char buffer[48];
+  if (milliseconds >= 1000) {
+    std::snprintf(buffer, sizeof buffer, "%.2f s", milliseconds / 1000);
+  } else {
+    std::snprintf(buffer, sizeof buffer, milliseconds < 10 ? "%.2f ms" : "%.1f ms", milliseconds);
+  }
+  return buffer;
+}
+
+std::string complex_text(const AlphaComplex& complex) {
+  std::string text;
+  if (!complex.tetrahedra_only) {
+    text += "vertices    " + grouped(complex.vertices.size()) + "\n";
+    text += "edges       " + grouped(complex.edges.size()) + "\n";
+    text += "triangles   " + grouped(complex.triangles.size()) + "\n";
+  }
+  text += "tetrahedra  " + grouped(complex.tetrahedra.size()) + "\n";
+  if (!complex.tetrahedra_only) {
+    text += "Euler       " + std::to_string(complex.euler_characteristic()) + "\n";
+  }
+  text += "hash        " + hash_text(complex.hash) + "\n";
+  text += "engine      " + complex.engine.name + ", " + complex.engine.device + " (" +
+          complex.engine.route + ")\n";
+  text += "time        " + milliseconds_text(complex.timings.wall_milliseconds) + "\n";
+  for (const StageTime& stage : complex.timings.stages) {
+    text += "            " + milliseconds_text(stage.milliseconds) + "  " + stage.label +
+            (stage.setup ? " (once per molecule)" : "") + "\n";
+  }
+  return text;
+}
+
+}  // namespace alphascope::cli

@@ -1,0 +1,122 @@
+// alphascope-cli verify: is our complex CGAL's, simplex by simplex?
+#include "core/complex/verify.hpp"
+
+#include <algorithm>
+#include <iostream>
+
+#include "app/cli/commands.hpp"
+#include "app/cli/report_json.hpp"
+#include "app/cli/terminal.hpp"
+#include "app/cli/text.hpp"
+
+namespace alphascope::cli {
+namespace {
+
+template <int N>
+std::string simplex_text(const std::array<BallIndex, N>& simplex, const Input& input) {
+  std::string text;
+  for (const BallIndex vertex : simplex) {
+    text += (text.empty() ? "" : ", ") + std::to_string(vertex) + " (" +
+            atom_label(input.molecule(), input.prepared().atom_of_ball[vertex]) + ")";
+  }
+  return text;
+}
+
+template <int N>
+void print_set(std::ostream& out, const char* name, const SetDifference<N>& set,
+               const Input& input, std::size_t shown) {
+  const std::size_t reference = set.common + set.missing.size();
+  out << "  " << name << ": " << grouped(set.common) << " of " << grouped(reference);
+  if (!set.extra.empty()) out << ", and " << grouped(set.extra.size()) << " that CGAL does not have";
+  out << "\n";
+  const auto print = [&](const char* kind, const auto& list) {
+    for (std::size_t i = 0; i < std::min(shown, list.size()); ++i) {
+      out << "    " << kind << " " << simplex_text<N>(list[i], input) << "\n";
+    }
+    if (list.size() > shown) {
+      out << "    … and " << grouped(list.size() - shown) << " more\n";
+    }
+  };
+  print("missing", set.missing);
+  print("extra  ", set.extra);
+}
+
+void print_comparison(std::ostream& out, const Comparison& comparison, const Input& input,
+                      std::size_t shown) {
+  if (!comparison.tetrahedra_only) {
+    print_set(out, "vertices", comparison.vertices, input, shown);
+    print_set(out, "edges", comparison.edges, input, shown);
+    print_set(out, "triangles", comparison.triangles, input, shown);
+  }
+  print_set(out, "tetrahedra", comparison.tetrahedra, input, shown);
+  if (!comparison.tetrahedra_only) {
+    out << "  alpha values that differ: " << grouped(comparison.alpha_values_differing)
+              << "; classes that differ: " << grouped(comparison.classes_differing) << "\n";
+  }
+}
+
+// Prints what is wrong; true when nothing is.
+bool check_definition(std::ostream& out, const BallSet& balls, const AlphaComplex& complex,
+                      Json& json) {
+  const Verification found = verify(balls, complex);
+  out << "  definition: " << grouped(found.checks) << " facts checked, "
+            << grouped(found.failures) << " false\n";
+  for (const std::string& message : found.messages) out << "    " << message << "\n";
+  json["definition"] = {{"checks", found.checks}, {"failures", found.failures}};
+  return found.ok();
+}
+
+}  // namespace
+
+ExitCode run_verify(const VerifyOptions& options) {
+  if (options.request.engine == EngineChoice::cgal) {
+    throw UsageError("verify compares with CGAL, so --engine cgal would compare CGAL with itself.");
+  }
+  if (options.definition && options.request.tetrahedra_only) {
+    throw UsageError("--definition needs the whole complex; leave out --tetrahedra-only.");
+  }
+  const RunContext& context = run_context();
+  const Input input = open_input(options.input, context);
+  EngineCache ours(&make_engine), reference(&make_engine);
+  clear_progress();
+  std::ostream out(options.json == "-" ? nullptr : std::cout.rdbuf());  // null: prints nothing
+  out << input_text(input);
+  Json results = Json::array();
+  bool all_good = true;
+  for (const double alpha : options.alphas) {
+    SessionRequest request = options.request;
+    request.alpha_angstrom2 = alpha;
+    const EngineCache::Result mine = ours.compute(input.prepared().balls, request, context);
+    SessionRequest cgal = request;
+    cgal.engine = EngineChoice::cgal;
+    cgal.threads = options.cgal_threads;
+    const EngineCache::Result theirs =
+        reference.compute(input.prepared().balls, cgal, context);
+    const Comparison comparison = compare(mine.complex, theirs.complex);
+    clear_progress();
+    out << "alpha " << number_text(alpha) << " Å², solvent radius "
+              << number_text(request.solvent_radius_angstrom) << " Å: "
+              << (comparison.identical() ? "identical to CGAL" : "DIFFERS FROM CGAL") << " ("
+              << mine.complex.engine.name << ", " << mine.complex.engine.route << "; hash "
+              << hash_text(mine.complex.hash) << ")\n";
+    print_comparison(out, comparison, input, options.shown);
+    Json json{{"request", request_json(request, mine.balls->lattice)},
+              {"comparison", comparison_json(comparison)},
+              {"ours", complex_json(mine.complex, mine.note)},
+              {"cgal", complex_json(theirs.complex, theirs.note)}};
+    all_good &= comparison.identical();
+    if (options.definition) all_good &= check_definition(out, *mine.balls, mine.complex, json);
+    results.push_back(std::move(json));
+    out << std::flush;
+  }
+  if (!options.json.empty()) {
+    write_json({{"identical", all_good},
+                {"results", results},
+                {"input", input_json(input)},
+                {"program", program_json()}},
+               options.json);
+  }
+  return all_good ? ExitCode::ok : ExitCode::differs;
+}
+
+}  // namespace alphascope::cli

@@ -1,0 +1,12 @@
+// Which program made a result.
+#pragma once
+
+#include <string_view>
+
+namespace alphascope {
+
+std::string_view program_version();  // "0.1.0"
+// Short commit id, with "-dirty" for a changed working tree; "unknown" outside of a repository.
+std::string_view program_commit();
+
+}  // namespace alphascope

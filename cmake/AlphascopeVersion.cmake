@@ -1,0 +1,29 @@
+# alphascope_version: the program's version and commit, written anew at each build when they change.
+# Run as a script (-P) it writes the source; included, it makes the target.
+if(CMAKE_SCRIPT_MODE_FILE)
+  set(commit "unknown")
+  execute_process(COMMAND git -C ${SOURCE_DIR} describe --always --dirty --abbrev=12 --exclude=*
+    OUTPUT_VARIABLE described RESULT_VARIABLE failed ERROR_QUIET OUTPUT_STRIP_TRAILING_WHITESPACE)
+  if(NOT failed)
+    set(commit "${described}")
+  endif()
+  file(CONFIGURE OUTPUT ${OUTPUT} CONTENT [[
+#include "app/session/version.hpp"
+
+namespace alphascope {
+std::string_view program_version() { return "@VERSION@"; }
+std::string_view program_commit() { return "@commit@"; }
+}  // namespace alphascope
+]] @ONLY)
+  return()
+endif()
+
+set(version_source ${PROJECT_BINARY_DIR}/generated/version.cpp)
+add_custom_target(alphascope_version_source
+  COMMAND ${CMAKE_COMMAND} -DSOURCE_DIR=${PROJECT_SOURCE_DIR} -DOUTPUT=${version_source}
+          -DVERSION=${PROJECT_VERSION} -P ${CMAKE_CURRENT_LIST_FILE}
+  BYPRODUCTS ${version_source}
+  COMMENT "Looking up version and commit" VERBATIM)
+add_library(alphascope_version STATIC ${version_source})
+add_dependencies(alphascope_version alphascope_version_source)
+target_link_libraries(alphascope_version PUBLIC alphascope_flags)

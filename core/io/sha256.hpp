@@ -1,0 +1,30 @@
+// SHA-256 (FIPS 180-4), so that a result can name the very file it came from.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace alphascope {
+
+class Sha256 {
+ public:
+  void update(std::string_view bytes);
+  // 64 hexadecimal digits; nothing can be added afterwards.
+  std::string finish();
+
+ private:
+  void compress(const unsigned char* block);
+  std::array<std::uint32_t, 8> state_{0x6a09e667, 0xbb67ae85, 0x3c6ef372, 0xa54ff53a,
+                                      0x510e527f, 0x9b05688c, 0x1f83d9ab, 0x5be0cd19};
+  std::array<unsigned char, 64> pending_{};
+  std::uint64_t bytes_ = 0;
+};
+
+// Of the file as it lies on disk (packed if it is packed). Throws ReadError.
+std::string sha256_of_file(const std::filesystem::path& path);
+
+}  // namespace alphascope

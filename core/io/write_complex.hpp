@@ -1,0 +1,23 @@
+// An alpha complex as text with all its simplices (docs/file-formats.md). Other formats for meshes
+// are written elsewhere.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/complex/alpha_complex.hpp"
+#include "core/io/atomic_file.hpp"
+#include "core/run/cancel_token.hpp"
+
+namespace alphascope {
+
+// Where the complex comes from: one line each, "key value", in this order.
+using ComplexHeader = std::vector<std::pair<std::string, std::string>>;
+
+// `balls` are those the complex was computed of (with the solvent radius). Does not commit. Throws
+// WriteError, and Cancelled between its sections.
+void write_complex_text(const BallSet& balls, const AlphaComplex& complex,
+                        const ComplexHeader& header, AtomicFile& file, const RunContext& context);
+
+}  // namespace alphascope

@@ -1,0 +1,303 @@
+// The real alphascope-cli on small files: results, exit codes, and messages for bad input.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <thread>
+
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+struct Outcome {
+  int code = -1;
+  std::string out, err;
+};
+
+std::string contents(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+class Cli : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    std::string pattern = (fs::path(::testing::TempDir()) / "alphascope_cli_XXXXXX").string();
+    folder_ = ::mkdtemp(pattern.data());
+    // A cube of eight equal balls: every tie that there can be, and counts known by hand.
+    std::string cube;
+    for (int i = 0; i < 8; ++i) {
+      cube += std::to_string(2 * (i & 1)) + " " + std::to_string(i & 2) + " " +
+              std::to_string((i & 4) / 2) + " 1.5\n";
+    }
+    cube_ = write("cube.xyzr", cube);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  fs::path write(const std::string& name, const std::string& text) const {
+    std::ofstream(folder_ / name, std::ios::binary) << text;
+    return folder_ / name;
+  }
+
+  Outcome run(const std::string& arguments) const {
+    const fs::path out = folder_ / "stdout", err = folder_ / "stderr";
+    const std::string command = std::string("'" ALPHASCOPE_CLI "' ") + arguments + " >'" +
+                                out.string() + "' 2>'" + err.string() + "' </dev/null";
+    const int status = std::system(command.c_str());
+    Outcome outcome;
+    outcome.code = WIFEXITED(status) ? WEXITSTATUS(status) : 1000 + WTERMSIG(status);
+    outcome.out = contents(out);
+    outcome.err = contents(err);
+    return outcome;
+  }
+
+  json compute_json(const std::string& arguments) const {
+    const Outcome outcome = run("compute " + arguments + " --json -");
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    return json::parse(outcome.out);
+  }
+
+  static bool contains(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+  }
+
+  fs::path folder_, cube_;
+};
+
+TEST_F(Cli, HelpHasExamplesAndExitCodes) {
+  const Outcome outcome = run("--help");
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_TRUE(contains(outcome.out, "Examples:"));
+  EXPECT_TRUE(contains(outcome.out, "Exit codes:"));
+  for (const char* command : {"info", "compute", "verify", "bench", "screenshot"}) {
+    EXPECT_TRUE(contains(outcome.out, command));
+    EXPECT_EQ(run(std::string(command) + " --help").code, 0);
+  }
+  EXPECT_EQ(run("--version").code, 0);
+}
+
+TEST_F(Cli, WrongUsageIsCode2) {
+  for (const std::string arguments :
+       {std::string(""), std::string("frobnicate"), "compute '" + cube_.string() + "'",
+        "compute '" + cube_.string() + "' --alpha banana",
+        "compute '" + cube_.string() + "' --alpha inf",
+        "compute '" + cube_.string() + "' --alpha 1 --solvent -1",
+        "compute '" + cube_.string() + "' --alpha 1 --engine warp",
+        "compute '" + cube_.string() + "' --alpha 1 --threads -3",
+        "compute '" + cube_.string() + "' --alpha 1 --radii nosuchset",
+        "compute '" + cube_.string() + "' --alpha 1 --model 0",
+        "compute '" + cube_.string() + "' --alpha 1 --model 9",
+        "verify '" + cube_.string() + "' --alpha 1 --engine cgal"}) {
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.code, 2) << arguments << "\n" << outcome.err;
+    EXPECT_FALSE(outcome.err.empty()) << arguments;
+  }
+}
+
+TEST_F(Cli, BadInputIsCode3AndNamesFileAndLine) {
+  const fs::path bad = write("bad.xyzr", "0 0 0 1.5\n0 0 banana 1.5\n");
+  const Outcome outcome = run("compute '" + bad.string() + "' --alpha 1");
+  EXPECT_EQ(outcome.code, 3);
+  EXPECT_TRUE(contains(outcome.err, "bad.xyzr, line 2")) << outcome.err;
+  const fs::path pixels = write("noise.pdb", std::string("\x89PNG\r\n\x1a\n\0\0", 10));
+  for (const std::string file : {std::string("/nonexistent/x.pdb"), folder_.string(),
+                                 write("empty.pdb", "").string(), pixels.string()}) {
+    for (const char* command : {"info", "compute --alpha 1", "verify --alpha 1"}) {
+      const Outcome failed = run(std::string(command) + " '" + file + "'");
+      EXPECT_EQ(failed.code, 3) << command << " " << file << "\n" << failed.err;
+      EXPECT_TRUE(contains(failed.err, file)) << failed.err;
+    }
+  }
+}
+
+TEST_F(Cli, UnwritableOutputIsCode5) {
+  const std::string base = "compute '" + cube_.string() + "' --alpha 1 ";
+  EXPECT_EQ(run(base + "--out /nonexistent/x").code, 5);
+  EXPECT_EQ(run(base + "--json /nonexistent/x").code, 5);
+  EXPECT_EQ(run(base + "--out '" + folder_.string() + "'").code, 5);
+}
+
+TEST_F(Cli, JsonCarriesCountsHashTimesAndProvenance) {
+  const json result = compute_json("'" + cube_.string() + "' --alpha 1 --engine cpu");
+  // At alpha 1 the corners' spheres (1.5² + 1 >= 3) reach the middle: the cube is filled.
+  EXPECT_EQ(result["counts"]["vertices"], 8);
+  const int edges = result["counts"]["edges"], triangles = result["counts"]["triangles"],
+            tetrahedra = result["counts"]["tetrahedra"];
+  EXPECT_TRUE(tetrahedra == 5 || tetrahedra == 6) << tetrahedra;
+  EXPECT_EQ(8 - edges + triangles - tetrahedra, 1);
+  EXPECT_EQ(result["euler_characteristic"], 1);
+  EXPECT_EQ(result["hash"].get<std::string>().size(), 16u);
+  EXPECT_FALSE(result["timings_ms"]["stages"].empty());
+  EXPECT_EQ(result["input"]["balls"], 8);
+  EXPECT_EQ(result["input"]["sha256"].get<std::string>().size(), 64u);
+  EXPECT_EQ(result["request"]["alpha_angstrom2"], 1.0);
+  EXPECT_TRUE(result["program"].contains("commit"));
+}
+
+TEST_F(Cli, Sha256IsTheFiles) {
+  const fs::path two = write("two.xyzr", "0 0 0 1\n1 0 0 1\n");
+  std::FILE* pipe = ::popen(("sha256sum '" + two.string() + "'").c_str(), "r");
+  ASSERT_TRUE(pipe);
+  char digest[65] = {};
+  ASSERT_EQ(std::fread(digest, 1, 64, pipe), 64u);
+  ::pclose(pipe);
+  EXPECT_EQ(compute_json("'" + two.string() + "' --alpha 0")["input"]["sha256"], digest);
+}
+
+TEST_F(Cli, TheHashIsTheSameOnEveryEngineAndThreadCount) {
+  const std::string file = "'" ALPHASCOPE_SOURCE_DIR "/resources/molecules/1crn.pdb'";
+  const std::string request = file + " --alpha 1.4 --solvent 0.5";
+  const json one = compute_json(request + " --engine cpu --threads 1");
+  EXPECT_EQ(compute_json(request + " --engine cpu --threads 2")["hash"], one["hash"]);
+  EXPECT_EQ(compute_json(request + " --engine cgal --threads 1")["hash"], one["hash"]);
+  EXPECT_EQ(compute_json(request + " --engine auto")["hash"], one["hash"]);
+  EXPECT_NE(compute_json(file + " --alpha 1.3 --solvent 0.5")["hash"], one["hash"]);
+  const json tetrahedra = compute_json(request + " --tetrahedra-only");
+  EXPECT_EQ(tetrahedra["tetrahedra_hash"], one["tetrahedra_hash"]);
+  EXPECT_EQ(tetrahedra["counts"]["tetrahedra"], one["counts"]["tetrahedra"]);
+  EXPECT_TRUE(tetrahedra["counts"]["edges"].is_null()) << "unknown is not zero";
+}
+
+TEST_F(Cli, TheComplexFileHoldsWhatItSays) {
+  const fs::path out = folder_ / "cube.alpha";
+  const Outcome outcome = run("compute '" + cube_.string() + "' --alpha 1 --out '" + out.string() + "'");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  std::ifstream file(out);
+  std::string line, last;
+  std::map<std::string, long> announced, found;
+  std::string section;
+  ASSERT_TRUE(std::getline(file, line));
+  EXPECT_EQ(line, "alphascope-complex 1");
+  while (std::getline(file, line)) {
+    std::istringstream words(line);
+    std::string first;
+    words >> first;
+    if (first == "balls" || first == "vertices" || first == "edges" || first == "triangles" ||
+        first == "tetrahedra") {
+      section = first;
+      words >> announced[section];
+    } else if (line != "end" && !section.empty()) {
+      ++found[section];
+      std::istringstream fields(line);
+      int count = 0;
+      for (std::string field; fields >> field;) ++count;
+      const std::map<std::string, int> expected{
+          {"balls", 4}, {"vertices", 3}, {"edges", 4}, {"triangles", 5}, {"tetrahedra", 6}};
+      EXPECT_EQ(count, expected.at(section)) << line;
+    }
+    last = line;
+  }
+  EXPECT_EQ(last, "end");
+  EXPECT_EQ(announced, found);
+  EXPECT_EQ(announced["balls"], 8);
+  EXPECT_TRUE(contains(contents(out), "\nballs 8\n0.000 0.000 0.000 1.500\n"));
+}
+
+TEST_F(Cli, OutputsReplaceWholeFilesAndLeaveNothingBehind) {
+  const fs::path out = write("old.alpha", "the old one");
+  fs::create_symlink(out, folder_ / "link");
+  const std::string link = "'" + (folder_ / "link").string() + "'";
+  EXPECT_EQ(run("compute '" + cube_.string() + "' --alpha 1 --out " + link).code, 0);
+  EXPECT_TRUE(fs::is_symlink(folder_ / "link"));
+  EXPECT_TRUE(contains(contents(out), "alphascope-complex 1"));
+  EXPECT_EQ(run("compute '" + cube_.string() + "' --alpha 1 --out /dev/null").code, 0);
+  EXPECT_TRUE(fs::is_character_file("/dev/null"));
+  const std::string before = contents(out);
+  EXPECT_EQ(run("compute /nonexistent --alpha 1 --out " + link).code, 3);
+  EXPECT_EQ(contents(out), before);
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder_)) {
+    EXPECT_FALSE(contains(entry.path().filename().string(), "alpha.")) << entry.path();
+  }
+}
+
+TEST_F(Cli, VerifySaysIdentical) {
+  const Outcome outcome = run("verify '" + cube_.string() + "' --alpha -1,0,0.75,1,100 --definition");
+  EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;
+  EXPECT_TRUE(contains(outcome.out, "identical to CGAL"));
+  EXPECT_TRUE(contains(outcome.out, "vertices: 8 of 8"));
+  EXPECT_TRUE(contains(outcome.out, ", 0 false"));
+  const Outcome as_json = run("verify '" + cube_.string() + "' --alpha 1 --json -");
+  EXPECT_EQ(as_json.code, 0);
+  EXPECT_EQ(json::parse(as_json.out)["identical"], true);
+}
+
+TEST_F(Cli, BenchWritesTableAndCsv) {
+  const fs::path csv = folder_ / "times.csv";
+  const Outcome outcome = run("bench '" + cube_.string() + "' --alpha 0,1 --threads 1,2 --runs 2 " +
+                              "--tetrahedra-only --csv '" + csv.string() + "'");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_TRUE(contains(outcome.out, "cube.xyzr"));
+  std::istringstream lines(contents(csv));
+  std::string header, line;
+  std::getline(lines, header);
+  const auto commas = std::count(header.begin(), header.end(), ',');
+  int rows = 0;
+  while (std::getline(lines, line)) {
+    ++rows;
+    EXPECT_EQ(line.back(), '1') << "identical to CGAL";
+    EXPECT_GE(std::count(line.begin(), line.end(), ','), commas);
+  }
+  EXPECT_EQ(rows, 4);
+}
+
+TEST_F(Cli, InfoTellsWhatIsUsed) {
+  const Outcome outcome = run("info '" ALPHASCOPE_SOURCE_DIR "/resources/molecules/1crn.pdb'");
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_TRUE(contains(outcome.out, "used 327 of 327 atoms")) << outcome.out;
+  EXPECT_TRUE(contains(outcome.out, "nothing was rounded"));
+}
+
+TEST_F(Cli, InterruptIsCode130AndWritesNothing) {
+  // Enough work to be still running when the signal comes: many runs of a benchmark.
+  const fs::path csv = folder_ / "times.csv";
+  const pid_t child = ::fork();
+  ASSERT_GE(child, 0);
+  if (child == 0) {
+    std::freopen("/dev/null", "w", stdout);
+    std::freopen("/dev/null", "w", stderr);
+    ::execl(ALPHASCOPE_CLI, ALPHASCOPE_CLI, "bench",
+            ALPHASCOPE_SOURCE_DIR "/resources/molecules/4hhb.pdb.gz", "--alpha", "10", "--runs",
+            "1000", "--csv", csv.c_str(), static_cast<char*>(nullptr));
+    ::_exit(99);
+  }
+  std::this_thread::sleep_for(std::chrono::milliseconds(700));
+  ASSERT_EQ(::kill(child, SIGINT), 0);
+  int status = 0;
+  ASSERT_EQ(::waitpid(child, &status, 0), child);
+  ASSERT_TRUE(WIFEXITED(status));
+  EXPECT_EQ(WEXITSTATUS(status), 130);
+  EXPECT_FALSE(fs::exists(csv));
+}
+
+// The counts that the reference molecule of the thesis must give.
+TEST_F(Cli, GramicidinHasItsKnownCounts) {
+  const fs::path file = fs::path(ALPHASCOPE_TEST_DATA) / "ladder" / "1grm.crd";
+  if (std::string(ALPHASCOPE_TEST_DATA).empty() || !fs::exists(file)) {
+    GTEST_SKIP() << "needs ladder/1grm.crd in ALPHASCOPE_TEST_DATA";
+  }
+  const struct {
+    const char* request;
+    int edges, triangles, tetrahedra;
+  } known[] = {{"--alpha 0", 576, 336, 20},
+               {"--alpha 1", 812, 650, 136},
+               {"--alpha 1.4", 906, 783, 185},
+               {"--alpha 0 --solvent 1.4", 1393, 1977, 846}};
+  for (const auto& k : known) {
+    const json counts = compute_json("'" + file.string() + "' " + k.request)["counts"];
+    EXPECT_EQ(counts["edges"], k.edges) << k.request;
+    EXPECT_EQ(counts["triangles"], k.triangles) << k.request;
+    EXPECT_EQ(counts["tetrahedra"], k.tetrahedra) << k.request;
+  }
+}
+
+}  // namespace

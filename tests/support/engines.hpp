@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/complex/engine.hpp"
+#include "tests/support/facet_only_engine.hpp"
 
 namespace alphascope::testing {
 
@@ -31,6 +32,9 @@ inline std::vector<EngineFactory> host_engines() {
   for (const int threads : {1, 2}) {
     engines.push_back({"cpu_" + std::to_string(threads), [threads](auto balls) {
                          return make_cpu_engine(std::move(balls), {threads});
+                       }});
+    engines.push_back({"facets_" + std::to_string(threads), [threads](auto balls) {
+                         return std::make_unique<FacetOnlyEngine>(std::move(balls), threads);
                        }});
   }
   return engines;

@@ -1,6 +1,7 @@
 // Every engine on degenerate and random sets of balls, against the definition in rationals.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <set>
@@ -24,7 +25,7 @@ using testing::RationalOracle;
 // same float once the value is above 16.
 std::vector<double> interesting_alphas(const RationalOracle& oracle) {
   constexpr double kStep = 1.0 / 1048576;
-  std::set<double> alphas = {-1e6, -1, 0, 1, 1e6};
+  std::set<double> alphas = {-1e6, -1, 0, 1, 1e6, 1e300};
   for (const auto& [simplex, value] : oracle.alpha_values()) {
     const double near = std::round(value.get_d() / kStep) * kStep;
     alphas.insert({near - kStep, near, near + kStep});
@@ -52,11 +53,13 @@ std::string list_balls(const BallSet& balls) {
   return text;
 }
 
-// At most `most` of the alphas, always with the first and last ones.
+// At most `most` of the alphas, always with the first and last ones, in random order: an engine may
+// answer from what it has kept.
 std::vector<double> some_of(Random& random, std::vector<double> alphas, std::size_t most) {
   while (alphas.size() > most) {
     alphas.erase(alphas.begin() + testing::random_int(random, 1, int(alphas.size()) - 2));
   }
+  std::shuffle(alphas.begin(), alphas.end(), random);
   return alphas;
 }
 

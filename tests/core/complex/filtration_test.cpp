@@ -1,0 +1,129 @@
+// Thresholds of a cached filtration, from the whole triangulation and from a complex at alpha_max.
+#include "core/complex/filtration.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "core/complex/compare.hpp"
+#include "core/complex/engine.hpp"
+#include "tests/support/random_balls.hpp"
+#include "tests/support/rational_oracle.hpp"
+
+namespace alphascope {
+namespace {
+
+using testing::NamedBalls;
+using testing::Random;
+using testing::RationalOracle;
+
+// A cluster of balls and one so far away that its simplices have values near 6e16 that differ by
+// about 1e9, less than the distance of floats there: thresholds between them separate values of one
+// float.
+TEST(Filtration, SeparatesValuesOfOneFloat) {
+  Random random(20);
+  std::size_t separated = 0;
+  for (int round = 0; round < 120; ++round) {
+    BallSet balls = testing::random_balls(random, 7, 2, 1, 2);
+    testing::add_ball(balls, 500000000 - round, 12, 7, 1);
+    const auto shared = std::make_shared<const BallSet>(balls);
+    const RationalOracle oracle(balls);
+    const Filtration filtration(shared, triangulate(balls, 1, {}), {});
+    std::vector<mpq_class> values;
+    for (const auto& [simplex, value] : oracle.alpha_values()) values.push_back(value);
+    std::sort(values.begin(), values.end());
+    for (std::size_t n = 0; n + 1 < values.size(); ++n) {
+      const double alpha = mpq_class((values[n] + values[n + 1]) / 2).get_d();
+      if (!(values[n] <= mpq_class(alpha) && mpq_class(alpha) < values[n + 1])) continue;
+      separated += testing::nearest_float(values[n]) == testing::nearest_float(values[n + 1]);
+      const AlphaComplex expected = oracle.complex(alpha);
+      const AlphaComplex found = threshold(filtration, alpha, false);
+      ASSERT_TRUE(compare(found, expected).identical());
+      ASSERT_EQ(found.hash, expected.hash);
+      const AlphaComplex only = threshold(filtration, alpha, true);
+      ASSERT_TRUE(compare(only, expected).identical());
+
+      const Filtration bounded(shared, std::make_shared<AlphaComplex>(oracle.complex(alpha + 1)));
+      ASSERT_TRUE(compare(threshold(bounded, alpha, false), expected).identical());
+    }
+  }
+  EXPECT_GT(separated, 100u);
+}
+
+TEST(Filtration, OfAComplexAnswersEverySmallerAlpha) {
+  Random random(21);
+  for (const NamedBalls& set : testing::large_hard_sets(random)) {
+    const auto balls = std::make_shared<const BallSet>(set.balls);
+    const auto engine = make_cgal_engine(balls, {1});
+    const auto top = std::make_shared<AlphaComplex>(engine->compute({7}, {}));
+    const Filtration filtration(balls, top);
+    EXPECT_EQ(filtration.alpha_max_on_lattice(), 7);
+    for (const double alpha : {-2.0, 0.0, 0.5, 1.0, 2.0, 3.5, 5.0, 7.0}) {
+      EXPECT_TRUE(
+          compare(threshold(filtration, alpha, false), engine->compute({alpha}, {})).identical())
+          << set.name << ", alpha " << alpha;
+    }
+    EXPECT_THROW(threshold(filtration, 7.5, false), std::invalid_argument);
+    EXPECT_THROW(threshold(filtration, std::nan(""), false), std::invalid_argument);
+  }
+}
+
+TEST(Filtration, NeedsAWholeComplex) {
+  const auto balls = std::make_shared<const BallSet>();
+  const auto only = std::make_shared<AlphaComplex>();
+  only->tetrahedra_only = true;
+  EXPECT_THROW(Filtration(balls, only), std::invalid_argument);
+}
+
+// Orthospheres larger than any float: the values are infinite, alpha decides exactly.
+TEST(Filtration, KeepsValuesBeyondAllFloatsApart) {
+  BallSet balls;
+  balls.lattice.digits = 0;
+  const int far = kMaxLatticeCoordinate;
+  testing::add_ball(balls, -far, -far, 0, 1);
+  testing::add_ball(balls, far, -far + 1, 0, 1);
+  testing::add_ball(balls, -far + 1, far, 0, 1);
+  testing::add_ball(balls, far, far, 1, 1);
+  testing::add_ball(balls, far - 7, far - 9, 0, 1);
+  const RationalOracle oracle(balls);
+  const Filtration filtration(std::make_shared<const BallSet>(balls), triangulate(balls, 1, {}),
+                              {});
+  for (const double alpha :
+       {1e17, 1e20, 1e30, 1e40, 1e60, std::numeric_limits<double>::infinity()}) {
+    EXPECT_TRUE(compare(threshold(filtration, alpha, false), oracle.complex(alpha)).identical())
+        << alpha;
+  }
+}
+
+TEST(Filtration, ClassesFollowFromTheSimplices) {
+  Random random(22);
+  for (const NamedBalls& set : testing::large_hard_sets(random)) {
+    AlphaComplex complex =
+        make_cgal_engine(std::make_shared<const BallSet>(set.balls), {1})->compute({2}, {});
+    const AlphaComplex before = complex;
+    std::fill(complex.edges.classes.begin(), complex.edges.classes.end(), SimplexClass::singular);
+    classify(complex);
+    EXPECT_TRUE(compare(complex, before).identical()) << set.name;
+  }
+}
+
+// The parallel triangulation is the sequential one, hidden and coincident balls included.
+TEST(Triangulation, DoesNotDependOnThreads) {
+  Random random(23);
+  for (const int high_radius : {30, 900}) {
+    const BallSet balls = testing::random_balls(random, 20000, 500, 1, high_radius);
+    RegularTriangulation a = triangulate(balls, 1, {}), b = triangulate(balls, 4, {});
+    std::sort(a.tetrahedra.begin(), a.tetrahedra.end());
+    std::sort(b.tetrahedra.begin(), b.tetrahedra.end());
+    EXPECT_GT(a.hidden.size(), high_radius == 900 ? 10000u : 0u);
+    EXPECT_EQ(a.tetrahedra, b.tetrahedra);
+    EXPECT_EQ(a.vertices, b.vertices);
+    EXPECT_EQ(a.hidden, b.hidden);
+  }
+}
+
+}  // namespace
+}  // namespace alphascope

@@ -1,0 +1,44 @@
+// Facet clipping at every alpha, where the CPU engine would have chosen a faster route.
+#pragma once
+
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+
+#include "core/complex/cpu_facets.hpp"
+#include "core/complex/engine.hpp"
+#include "core/geometry/coincident.hpp"
+
+namespace alphascope::testing {
+
+class FacetOnlyEngine : public Engine {
+ public:
+  FacetOnlyEngine(std::shared_ptr<const BallSet> balls, int threads)
+      : balls_(std::move(balls)), arena_(threads) {}
+
+  AlphaComplex compute(const AlphaRequest& request, const RunContext& context) override {
+    AlphaComplex complex;
+    complex.lattice = balls_->lattice;
+    complex.alpha_on_lattice = balls_->lattice.alpha_on_lattice(request.alpha_angstrom2);
+    complex.tetrahedra_only = request.tetrahedra_only;
+    const UniformGrid grid =
+        make_uniform_grid(*balls_, complex.alpha_on_lattice, coincident_hidden(*balls_));
+    // The facet kernels' range; beyond it only the triangulation answers.
+    const auto widest = std::max_element(grid.reach.begin(), grid.reach.end());
+    if (widest != grid.reach.end() && 2 * double{*widest} >= (1 << 29)) {
+      return make_cgal_engine(balls_, {1})->compute(request, context);
+    }
+    arena_.execute([&] {
+      StageTimer timer(complex.timings);
+      compute_facets(*balls_, grid, context, timer, complex);
+    });
+    complex.hash = complex_hash(complex);
+    return complex;
+  }
+
+ private:
+  std::shared_ptr<const BallSet> balls_;
+  tbb::task_arena arena_;
+};
+
+}  // namespace alphascope::testing

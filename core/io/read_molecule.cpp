@@ -1,11 +1,15 @@
 #include "core/io/read_molecule.hpp"
 
+#include <future>
+
 #include "core/io/readers.hpp"
 #include "core/io/sniff_format.hpp"
 #include "core/io/text_file.hpp"
 
 namespace alphascope {
 namespace {
+
+constexpr std::size_t kHashInThreadFrom = std::size_t{1} << 20;  // bytes
 
 constexpr const char* kFormats =
     "Formats that can be opened: PDB, mmCIF, PQR, XYZ, XYZR and CRD (x y z r, or CHARMM cards), "
@@ -41,7 +45,13 @@ Molecule read_format(FileFormat format, const ReaderInput& input) {
 Molecule read_molecule(const std::filesystem::path& path, const ReadOptions& options,
                        const RunContext& context) {
   const LoadedText loaded = load_text(path, options.max_bytes, context);
-  return read_format(sniff_format(path, loaded.text), {path, loaded.text, context});
+  // Hashing takes about as long as parsing, so that large files are hashed beside it.
+  const bool large = loaded.text.size() > kHashInThreadFrom && !loaded.compressed;
+  std::future<std::string> hash = std::async(large ? std::launch::async : std::launch::deferred,
+                                             [&loaded] { return file_hash(loaded); });
+  Molecule molecule = read_format(sniff_format(path, loaded.text), {path, loaded.text, context});
+  molecule.sha256 = hash.get();
+  return molecule;
 }
 
 }  // namespace alphascope

@@ -9,11 +9,14 @@
 #include <limits>
 
 #include "core/io/read_error.hpp"
+#include "core/io/sha256.hpp"
 
 namespace alphascope {
 namespace {
 
 constexpr std::size_t kChunk = std::size_t{1} << 20;
+
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";  // UTF-8's
 
 std::string mebibytes(std::uint64_t bytes) {
   return std::to_string(bytes >> 20) + " MiB";
@@ -142,10 +145,22 @@ LoadedText load_text(const std::filesystem::path& path, std::uint64_t max_bytes,
   loaded.file_bytes = loaded.text.size();
   if (loaded.text.starts_with("\x1f\x8b")) {
     loaded.compressed = true;
+    Sha256 hash;
+    hash.update(loaded.text);
+    loaded.sha256 = hash.finish();
     loaded.text = unpack(path, std::move(loaded.text), max_bytes, context);
   }
-  if (loaded.text.starts_with("\xEF\xBB\xBF")) loaded.text.erase(0, 3);
+  loaded.byte_order_mark = loaded.text.starts_with(kByteOrderMark);
+  if (loaded.byte_order_mark) loaded.text.erase(0, kByteOrderMark.size());
   return loaded;
+}
+
+std::string file_hash(const LoadedText& loaded) {
+  if (!loaded.sha256.empty()) return loaded.sha256;
+  Sha256 hash;
+  if (loaded.byte_order_mark) hash.update(kByteOrderMark);
+  hash.update(loaded.text);
+  return hash.finish();
 }
 
 }  // namespace alphascope

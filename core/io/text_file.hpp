@@ -14,11 +14,16 @@ struct LoadedText {
   std::string text;  // unpacked; a UTF-8 byte order mark is removed
   std::uint64_t file_bytes = 0;
   bool compressed = false;  // told by content, not by name
+  bool byte_order_mark = false;  // was there
+  std::string sha256;  // of the packed bytes; empty when not compressed: see file_hash()
 };
 
 // Throws ReadError for a missing file, a directory, a pipe or device (which could block for ever),
 // a file without permission, damaged gzip data, or more than max_bytes of text.
 LoadedText load_text(const std::filesystem::path& path, std::uint64_t max_bytes,
                      const RunContext& context);
+
+// SHA-256 of the file's bytes, from what was loaded.
+std::string file_hash(const LoadedText& loaded);
 
 }  // namespace alphascope

@@ -214,6 +214,8 @@ PreparedBalls prepare_balls(const Molecule& molecule, const BallOptions& options
   for (std::size_t i = range.begin; i < range.end; ++i) {
     if (std::size_t* const counter = filter.reason_to_drop(i, report)) {
       ++*counter;
+      report.dropped_water_hydrogens +=
+          counter == &report.dropped_waters && molecule.atoms[i].element == kHydrogen;
       continue;
     }
     const std::int32_t radius = radii.radius(molecule.atoms[i]);

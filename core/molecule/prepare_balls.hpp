@@ -51,7 +51,8 @@ struct SelectionReport {
   std::size_t dropped_chains = 0;
   std::size_t dropped_selection = 0;  // not picked by the selection expression
   std::size_t dropped_dummies = 0;
-  std::size_t dropped_waters = 0;
+  std::size_t dropped_waters = 0;           // atoms of waters
+  std::size_t dropped_water_hydrogens = 0;  // of them
   std::size_t dropped_ions = 0;
   std::size_t dropped_ligands = 0;
   std::size_t dropped_polymers = 0;

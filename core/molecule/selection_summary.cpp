@@ -19,6 +19,8 @@ std::string counted(std::size_t count, const char* one, const char* many) {
 std::string summary(const SelectionReport& report) {
   std::string text =
       "used " + with_commas(report.used) + " of " + counted(report.total, "atom", "atoms");
+  // A water of a crystal is one atom; with hydrogens, atoms are counted and said to be.
+  const bool one_atom_each = report.dropped_water_hydrogens == 0;
   const struct {
     std::size_t count;
     const char *one, *many;
@@ -26,7 +28,8 @@ std::string summary(const SelectionReport& report) {
       {report.dropped_chains, "atom of another chain", "atoms of other chains"},
       {report.dropped_selection, "atom not selected", "atoms not selected"},
       {report.dropped_dummies, "dummy atom", "dummy atoms"},
-      {report.dropped_waters, "water", "waters"},
+      {report.dropped_waters, one_atom_each ? "water" : "water atom",
+       one_atom_each ? "waters" : "water atoms"},
       {report.dropped_ions, "ion", "ions"},
       {report.dropped_ligands, "ligand atom", "ligand atoms"},
       {report.dropped_polymers, "polymer atom", "polymer atoms"},

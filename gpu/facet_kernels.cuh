@@ -16,6 +16,8 @@ namespace alphascope::gpu {
 inline constexpr int kBlockThreads = 128;
 inline constexpr int kTile = 8;  // lanes that search the neighbours of one ball together
 
+inline constexpr int kMaxBallsPerBlock = 32;
+
 // Sides of a polygon that fit the hot kernel's local memory; a larger facet goes to kernel III.
 inline constexpr int kFloatSides = 20;
 inline constexpr int kExactSides = 64;
@@ -62,6 +64,7 @@ struct Output {
   std::uint8_t* vertex_state;   // per ball: 0 absent, 1 attached, 2 unattached
   std::uint32_t* exact_list;    // slots of balls for kernel III
   std::uint32_t* exact_count;
+  std::uint32_t* exact_corners;    // corners that kernel II decided in integers
   std::uint32_t* needed_list;      // largest neighbour list met
   std::uint32_t* needed_staging;   // largest number of simplices of one dimension in a block
   std::uint32_t* failures;         // facets that even kernel III could not hold
@@ -152,7 +155,7 @@ struct BlockMemory {
   Staged* staged[3];       // edges, triangles, tetrahedra; staging_capacity each
   int* list_size;          // per ball of the block
   int* exact;              // per ball: 1 when undecided
-  int* counters;           // 0-2 staged, 3 queue, 4 queue head
+  int* counters;           // 0-2 staged, 3 queue, 4 queue head, 5 exact corners, 6 longest list
 };
 
 __host__ __device__ inline std::size_t reused_words(const Problem& p) {
@@ -492,14 +495,22 @@ struct FacetPlace {
         weight(static_cast<std::int64_t>(neighbours.centre.w) * neighbours.centre.w) {}
 };
 
-// The rare corner that single precision leaves open. Out of line: its registers are not the loop's.
-__device__ __noinline__ int corner_in_double(const Problem& p, const SortedBalls& sorted,
-                                             const BlockMemory& m, std::uint32_t first,
-                                             const FloatFacet& f, int k, int l, int cutter) {
+// The rare corner that single precision leaves open: in double, then in integers, then by
+// perturbation; always decided. Out of line: its registers are not the loop's. Deciding the one corner
+// here is far quicker than sending its facet to kernel III (55 us for a single one on an H200).
+__device__ __noinline__ int decide_corner(const Problem& p, const SortedBalls& sorted,
+                                          const BlockMemory& m, std::uint32_t first,
+                                          const FloatFacet& f, int k, int l, int cutter) {
   const FacetPlace place(m, sorted, first + f.ball, f.entry0);
   const FacetInput<BlockNeighbours> in{place.neighbours, f.j, place.weight, p.alpha, p.ghost_reach, true};
-  return corner_cut_filtered(in.neighbours.lifted(f.j), f.axis, in.side_vector(k, f.axis.axis),
-                             in.side_vector(l, f.axis.axis), in.neighbours.lifted(cutter));
+  const LiftedInt vj = in.neighbours.lifted(f.j), vk = in.side_vector(k, f.axis.axis),
+                  vl = in.side_vector(l, f.axis.axis), vm = in.neighbours.lifted(cutter);
+  int sign = corner_cut_filtered(vj, f.axis, vk, vl, vm);
+  if (sign != 0) return sign;
+  atomicAdd(&m.counters[5], 1);
+  sign = p.narrow ? corner_cut_exact<Int128>(vj, f.axis, vk, vl, vm)
+                  : corner_cut_exact<WideInt<4>>(vj, f.axis, vk, vl, vm);
+  return sign != 0 ? sign : perturbed_cut(vj, vk, k < 0, vl, l < 0, vm);
 }
 
 // Kernel II over the block's queue: each lane clips its facet, one neighbour a turn, and fetches the
@@ -511,6 +522,12 @@ __device__ void clip_queue(const Problem& p, const SortedBalls& sorted, const Bl
   // The polygon refers to these two, which change with the facet.
   BlockNeighbours neighbours{m.vectors, m.slots, m.indices, sorted.ball, make_int4(0, 0, 0, 0)};
   FloatPolygon<BlockNeighbours, kFloatSides> polygon(f.frame, neighbours, static_cast<float>(p.ghost_reach) * p.scale);
+  FloatBox box;
+  const auto bound_polygon = [&] {
+    box.clear();
+    for (int s = 0; s < polygon.size; ++s) box.add(polygon.corners[s]);
+    box.finish();
+  };
   bool active = false;
   for (;;) {
     if (!active) {
@@ -529,6 +546,7 @@ __device__ void clip_queue(const Problem& p, const SortedBalls& sorted, const Bl
       neighbours.vectors = m.vectors + f.entry0;
       start_polygon(polygon, ghost_line(kGhostYZ, polygon.ghost_reach), ghost_line(kGhostY, polygon.ghost_reach),
                     ghost_line(kGhostZ, polygon.ghost_reach));
+      bound_polygon();
       active = true;
       if constexpr (kWhole) {
         const FacetPlace place(m, sorted, first + f.ball, f.entry0);
@@ -552,9 +570,10 @@ __device__ void clip_queue(const Problem& p, const SortedBalls& sorted, const Bl
     const int k = f.word * 32 + __ffs(static_cast<int>(f.bits)) - 1;
     f.bits &= f.bits - 1;
     const FloatSideTest test(f.frame.line(neighbours.scaled(k)));
+    if (test.spares(box)) continue;
     const auto side = [&](int s) {
       const int sign = test.side(polygon.corners[s]);
-      return sign != 0 ? sign : corner_in_double(p, sorted, m, first, f, polygon.ids[s],
+      return sign != 0 ? sign : decide_corner(p, sorted, m, first, f, polygon.ids[s],
                                                  polygon.ids[s + 1 == polygon.size ? 0 : s + 1], k);
     };
     const ClipOutcome outcome = clip(polygon, test.line, k, side);
@@ -563,6 +582,8 @@ __device__ void clip_queue(const Problem& p, const SortedBalls& sorted, const Bl
       active = false;
     } else if (outcome == ClipOutcome::empty) {
       active = false;
+    } else if (outcome == ClipOutcome::changed) {
+      bound_polygon();
     }
   }
 }
@@ -575,7 +596,7 @@ __device__ void process_balls(const Problem& p, const SortedBalls& sorted, const
   const int lane = threadIdx.x % kTile, tile = threadIdx.x / kTile, tiles = blockDim.x / kTile;
   const int tile_shift = (threadIdx.x & 31) / kTile * kTile;
   const unsigned tile_mask = ((1u << kTile) - 1) << tile_shift;
-  if (threadIdx.x < 5) m.counters[threadIdx.x] = 0;
+  if (threadIdx.x < 7) m.counters[threadIdx.x] = 0;
   for (int b = threadIdx.x; b < balls; b += blockDim.x) {
     m.exact[b] = 0;
     ball_index[b] = sorted.index[first + b];
@@ -588,7 +609,7 @@ __device__ void process_balls(const Problem& p, const SortedBalls& sorted, const
     order_neighbours(p, sorted, first + b, count, entry0, m, lane, tile_mask);
     if (lane == 0) {
       m.list_size[b] = count;
-      if (all > p.list_capacity) atomicMax(out.needed_list, static_cast<std::uint32_t>(all));
+      atomicMax(&m.counters[6], all);
     }
   }
   __syncthreads();
@@ -615,6 +636,10 @@ __device__ void process_balls(const Problem& p, const SortedBalls& sorted, const
   }
   __syncthreads();
 
+  if (threadIdx.x == 0) {
+    atomicMax(out.needed_list, static_cast<std::uint32_t>(m.counters[6]));
+    if (m.counters[5] > 0) atomicAdd(out.exact_corners, static_cast<std::uint32_t>(m.counters[5]));
+  }
   if (!kExact) {
     for (int b = threadIdx.x; b < balls; b += blockDim.x) {
       if (m.exact[b]) out.exact_list[atomicAdd(out.exact_count, 1u)] = first + b;
@@ -640,7 +665,7 @@ __device__ void process_balls(const Problem& p, const SortedBalls& sorted, const
 template <bool kWhole>
 __global__ void __launch_bounds__(kBlockThreads) facets_filtered(Problem p, SortedBalls sorted, Output out) {
   extern __shared__ __align__(16) unsigned char shared[];
-  __shared__ std::uint32_t ball_index[64];
+  __shared__ std::uint32_t ball_index[kMaxBallsPerBlock];
   __shared__ std::uint32_t base;
   const BlockMemory m = carve(shared, p, kWhole);
   const std::uint32_t alive = *sorted.alive;

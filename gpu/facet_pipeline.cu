@@ -22,13 +22,13 @@ constexpr double kMaxCutoff = 16777216.0;
 // Start values of what is afterwards sized by counting: a list that is too short, or a staging area,
 // is noticed by the kernel and the run repeated with what it needed.
 constexpr int kFirstList = 32;
-constexpr int kFirstStaging = 320;
+constexpr int kFirstStaging = 12;  // a ball of the block
 constexpr int kMaxList = 4095;  // 12 bits of a staging key
 
 // Counters of one run, together so that one copy brings them back.
 struct Counters {
   std::uint32_t cursor[3];
-  std::uint32_t exact_count, needed_list, needed_staging, failures, padding;
+  std::uint32_t exact_count, exact_corners, needed_list, needed_staging, failures;
 };
 
 // The device-side buffers of one dimension.
@@ -97,7 +97,13 @@ struct FacetPipeline::State {
   std::size_t n = 0;
   LatticePoint low, high;
   std::int32_t max_radius = 0, min_radius = 0;
-  int list_capacity = kFirstList, staging_capacity = kFirstStaging;
+  // What earlier runs needed, by alpha: the longest neighbour list and the fullest staging area.
+  struct Need {
+    double alpha;
+    bool whole;
+    int list, staging;
+  };
+  std::vector<Need> needs;
   int shared_limit = 0, multiprocessors = 1;
 
   PinnedBuffer<int4> host_balls;
@@ -114,6 +120,33 @@ struct FacetPipeline::State {
 
   ~State() {
     if (stream != nullptr) cudaStreamDestroy(stream);
+  }
+
+  // The need of the nearest alpha not below this one; less alpha never needs more.
+  Need expected_need(double alpha, bool whole) const {
+    Need best{alpha, whole, kFirstList, kFirstStaging};
+    bool found = false;
+    for (const Need& n : needs) {
+      if (n.whole != whole || n.alpha < alpha || (found && n.alpha >= best.alpha)) continue;
+      best = n;
+      found = true;
+    }
+    if (!found) {
+      for (const Need& n : needs) {
+        if (n.whole == whole && n.list > best.list) best = {alpha, whole, n.list, n.staging};
+      }
+    }
+    return best;
+  }
+  void note_need(const Need& need) {
+    for (Need& n : needs) {
+      if (n.whole == need.whole && n.alpha == need.alpha) {
+        n = need;
+        return;
+      }
+    }
+    if (needs.size() >= 64) needs.erase(needs.begin());
+    needs.push_back(need);
   }
 
   void scan(const std::uint32_t* in, std::uint32_t* out, std::size_t count) {
@@ -253,17 +286,19 @@ PipelineResult FacetPipeline::run(double alpha, bool tetrahedra_only, const Canc
   }
 
   EventTimer timer(s.stream, times);
+  State::Need need = s.expected_need(alpha, whole);
   for (int attempt = 0;; ++attempt) {
     cancel.throw_if_cancelled();
-    // As many balls a block as its memory comfortably holds.
-    p.list_capacity = s.list_capacity;
-    p.staging_capacity = s.staging_capacity;
-    p.balls_per_block = std::clamp(1024 / s.list_capacity, 1, 32);
-    const std::size_t shared = block_memory_bytes(p, whole);
+    // As many balls a block as its memory comfortably holds, but blocks for all multiprocessors.
+    p.list_capacity = (need.list + 7) / 8 * 8;
+    const int fair = static_cast<int>(s.n / (static_cast<std::size_t>(s.multiprocessors) * 6));
+    p.balls_per_block = std::clamp(std::min(1024 / p.list_capacity, fair), 1, kMaxBallsPerBlock);
+    p.staging_capacity = need.staging * p.balls_per_block;
     Problem exact = p;
     exact.balls_per_block = 1;
+    const std::size_t shared = block_memory_bytes(p, whole);
     const std::size_t shared_exact = block_memory_bytes(exact, whole);
-    if (shared > static_cast<std::size_t>(s.shared_limit) || s.list_capacity > kMaxList) {
+    if (shared > static_cast<std::size_t>(s.shared_limit) || p.list_capacity > kMaxList) {
       result.fits = false;
       return result;
     }
@@ -283,7 +318,7 @@ PipelineResult FacetPipeline::run(double alpha, bool tetrahedra_only, const Canc
                              s.cell_start.get() + (cell_count - 1)};
     Counters* c = s.counters.get();
     const Output out{s.device_simplices<2>(whole), s.device_simplices<3>(whole), s.device_simplices<4>(whole),
-                     s.vertex_state.get(), s.exact_list.get(), &c->exact_count, &c->needed_list,
+                     s.vertex_state.get(), s.exact_list.get(), &c->exact_count, &c->exact_corners, &c->needed_list,
                      &c->needed_staging, &c->failures};
     for (int d = whole ? 1 : 3; d < 4; ++d) s.zero(s.dimension[d].count.get(), s.n * 4);
     if (whole) s.zero(s.vertex_state.get(), s.n);
@@ -332,12 +367,12 @@ PipelineResult FacetPipeline::run(double alpha, bool tetrahedra_only, const Canc
     // Was everything counted on? If not, once more with what it needs.
     const Counters& got = *s.host_counters.get();
     bool again = false;
-    if (got.needed_list > static_cast<std::uint32_t>(s.list_capacity)) {
-      s.list_capacity = static_cast<int>((got.needed_list + 15) / 16 * 16);
+    if (got.needed_list > static_cast<std::uint32_t>(p.list_capacity)) {
+      need.list = static_cast<int>(got.needed_list);
       again = true;
     }
-    if (got.needed_staging > static_cast<std::uint32_t>(s.staging_capacity)) {
-      s.staging_capacity = static_cast<int>(got.needed_staging + got.needed_staging / 8 + 16);
+    if (got.needed_staging > static_cast<std::uint32_t>(p.staging_capacity)) {
+      need.staging = static_cast<int>(got.needed_staging) / p.balls_per_block * 5 / 4 + 4;
       again = true;
     }
     for (int d = whole ? 1 : 3; d < 4; ++d) {
@@ -357,7 +392,9 @@ PipelineResult FacetPipeline::run(double alpha, bool tetrahedra_only, const Canc
       return result;
     }
 
+    s.note_need({alpha, whole, std::max(8, static_cast<int>(got.needed_list)), need.staging});
     cancel.throw_if_cancelled();
+    result.exact_corners = got.exact_corners;
     result.exact_balls = got.exact_count;
     if (whole) {
       result.vertices = s.fetch<1>(vertex_tail[0] + vertex_tail[1], true);

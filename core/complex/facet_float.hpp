@@ -77,6 +77,24 @@ struct FloatCorner {
   }
 };
 
+// A box around all corners and their errors.
+struct FloatBox {
+  float y0, y1, z0, z1;
+  float size;  // largest absolute coordinate
+
+  ALPHASCOPE_INLINE void clear() {
+    y0 = z0 = HUGE_VALF;
+    y1 = z1 = -HUGE_VALF;
+  }
+  ALPHASCOPE_INLINE void add(const FloatCorner& c) {
+    y0 = fminf(y0, c.y - 1.01f * c.e);
+    y1 = fmaxf(y1, c.y + 1.01f * c.e);
+    z0 = fminf(z0, c.z - 1.01f * c.e);
+    z1 = fmaxf(z1, c.z + 1.01f * c.e);
+  }
+  ALPHASCOPE_INLINE void finish() { size = fmaxf(fmaxf(-y0, y1), fmaxf(-z0, z1)); }
+};
+
 // Everything about a line that the side test of a corner needs, made once per line.
 struct FloatSideTest {
   FloatLine line;
@@ -87,6 +105,12 @@ struct FloatSideTest {
     by_error = 2.05f * s;
     by_size = 2.05f * l.slope_error + 6.0f * kU * s;
     constant = 1.02f * l.offset_error + 2.0f * kU * fabsf(l.t);
+  }
+  // True when no point of the box is cut off: the line can be skipped without looking at corners.
+  ALPHASCOPE_INLINE bool spares(const FloatBox& box) const {
+    const float reach = fmaf(line.a, line.a > 0 ? box.y1 : box.y0,
+                             line.b * (line.b > 0 ? box.z1 : box.z0));
+    return reach + fmaf(by_size, box.size, constant) < line.t;
   }
   // +1 cut off, -1 kept, 0 not known (also when a corner is not a number).
   ALPHASCOPE_INLINE int side(const FloatCorner& c) const {

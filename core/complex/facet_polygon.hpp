@@ -192,4 +192,15 @@ ALPHASCOPE_HOST_DEVICE inline int corner_cut_filtered(const LiftedInt& j, const 
   return (value > bound) - (value < -bound);
 }
 
+// The same in integers (Int128 or WideInt<4>, as clip_error_bound's products require): 0 is a tie.
+template <class Integer>
+ALPHASCOPE_HOST_DEVICE int corner_cut_exact(const LiftedInt& j, const FacetAxis& axis,
+                                            const LiftedInt& k, const LiftedInt& l,
+                                            const LiftedInt& m) {
+  const auto frame = make_facet_frame(lifted_as<Integer>(j), axis.axis, axis.negative);
+  FacetCorner<Integer> corner;
+  corner.meet(frame.line(lifted_as<Integer>(k)), frame.line(lifted_as<Integer>(l)));
+  return sign_of(corner.beyond(frame.line(lifted_as<Integer>(m))));
+}
+
 }  // namespace alphascope

@@ -17,6 +17,7 @@ namespace {
 namespace rules = gemmi::cif::rules;
 namespace pegtl = tao::pegtl;
 
+constexpr std::string_view kAtomSite = "_atom_site.";
 constexpr std::size_t kProgressRows = 16384;
 
 // The columns that we use; in the order of kColumnTags.
@@ -115,7 +116,7 @@ class MmcifReader {
   void item_value(std::string_view raw, std::size_t line) {
     if (item_ == "_struct.title" && builder_.molecule().title.empty()) {
       builder_.molecule().title = std::string(trimmed(plain(raw)));
-    } else if (item_.starts_with("_atom_site.")) {
+    } else if (item_.starts_with(kAtomSite)) {
       single_tags_.push_back(item_);
       single_row_.push_back({raw, line});
     } else if (MmcifAssemblyTables::wants(item_)) {
@@ -146,7 +147,7 @@ class MmcifReader {
   Table recognise() {
     for (const std::string& tag : tags_) fractional_ |= tag == "_atom_site_fract_x";
     if (MmcifAssemblyTables::wants(tags_.front())) return Table::assembly;
-    if (!tags_.front().starts_with("_atom_site.")) return Table::other;
+    if (!tags_.front().starts_with(kAtomSite)) return Table::other;
     if (builder_.size() > 0 && block_ != atoms_block_) {
       ++ignored_blocks_;
       return Table::other;
@@ -154,7 +155,8 @@ class MmcifReader {
     atoms_block_ = block_;
     where_.fill(std::nullopt);
     for (std::size_t k = 0; k < tags_.size(); ++k) {
-      const std::string_view name = std::string_view(tags_[k]).substr(11);
+      if (!tags_[k].starts_with(kAtomSite)) continue;  // a loop that mixes tables
+      const std::string_view name = std::string_view(tags_[k]).substr(kAtomSite.size());
       for (std::size_t c = 0; c < kColumnCount; ++c) {
         if (kColumnTags[c] == name) where_[c] = k;
       }

@@ -111,7 +111,10 @@ class PdbReader {
   }
 
   void take(std::string_view line) {
-    if (line.starts_with("ATOM  ") || line.starts_with("HETATM")) {
+    // Some programs let a serial number of six digits begin in column 6.
+    const bool atom =
+        line.starts_with("ATOM ") && line.size() > 5 && (is_blank(line[5]) || is_digit(line[5]));
+    if (atom || line.starts_with("HETATM")) {
       take_atom(line);
     } else if (line.starts_with("MODEL") && (line.size() == 5 || is_blank(line[5]))) {
       std::int32_t number = ++model_count_;
@@ -222,7 +225,9 @@ class PdbReader {
 
   void take_names(std::string_view line, std::size_t shift, Atom& atom) {
     NameTable& names = builder_.molecule().names;
-    atom.serial = parse_serial(columns(line, 7, 11), 5);
+    const bool six_digits = !atom.hetero && is_digit(line[5]);
+    atom.serial =
+        six_digits ? parse_serial(columns(line, 6, 11), 6) : parse_serial(columns(line, 7, 11), 5);
     atom.name = names.intern(trimmed(columns(line, 13, 16)));
     atom.altloc = column(line, 17);
     take_residue_and_chain(line, atom);

@@ -51,6 +51,11 @@ Molecule read_molecule(const std::filesystem::path& path, const ReadOptions& opt
                                              [&loaded] { return file_hash(loaded); });
   Molecule molecule = read_format(sniff_format(path, loaded.text), {path, loaded.text, context});
   molecule.sha256 = hash.get();
+  // PDB columns tell where a cut goes through a number; elsewhere nothing does.
+  if (molecule.format != "PDB" && loaded.text.back() != '\n') {
+    molecule.notes.push_back(
+        "The last line has no line end: if the file was cut off, its last atom may be wrong");
+  }
   return molecule;
 }
 

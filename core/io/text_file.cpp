@@ -152,6 +152,11 @@ LoadedText load_text(const std::filesystem::path& path, std::uint64_t max_bytes,
   }
   loaded.byte_order_mark = loaded.text.starts_with(kByteOrderMark);
   if (loaded.byte_order_mark) loaded.text.erase(0, kByteOrderMark.size());
+  // Lines of the oldest systems end with CR alone.
+  if (loaded.text.find('\n') == std::string::npos && loaded.text.find('\r') != std::string::npos) {
+    loaded.sha256 = file_hash(loaded);
+    std::replace(loaded.text.begin(), loaded.text.end(), '\r', '\n');
+  }
   return loaded;
 }
 

@@ -11,11 +11,11 @@
 namespace alphascope {
 
 struct LoadedText {
-  std::string text;  // unpacked; a UTF-8 byte order mark is removed
+  std::string text;  // unpacked; a UTF-8 byte order mark is removed, CR-only lines get LF
   std::uint64_t file_bytes = 0;
-  bool compressed = false;  // told by content, not by name
+  bool compressed = false;       // told by content, not by name
   bool byte_order_mark = false;  // was there
-  std::string sha256;  // of the packed bytes; empty when not compressed: see file_hash()
+  std::string sha256;            // when it is known already; see file_hash()
 };
 
 // Throws ReadError for a missing file, a directory, a pipe or device (which could block for ever),

@@ -102,6 +102,8 @@ TEST(ReadPdb, HybridThirtySix) {
   EXPECT_EQ(m.atoms[2].serial, 100000 + 26 * 36 * 36 * 36 * 36);
   EXPECT_EQ(m.atoms[3].serial, 0);
   EXPECT_EQ(m.atoms[3].residue_number, -1);
+  const Molecule six = read_text("a.pdb", "ATOM 111757  CG3 VAL B  52 " + rest.substr(1));
+  EXPECT_EQ(six.atoms[0].serial, 111757);
 }
 
 TEST(ReadPdb, Models) {

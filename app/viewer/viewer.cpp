@@ -88,7 +88,7 @@ void Viewer::take_session() {
     state_.result = {};
     if (shown_molecule_ != s.molecule) {
       host_.set_title(state_.molecule.name + " – Alphascope");
-      state_.memory.timings_cold = true;
+      colour_by_what_differs(*s.molecule);
     }
     shown_molecule_ = s.molecule;
     compared_ = nullptr;
@@ -117,6 +117,17 @@ void Viewer::take_session() {
     state_.memory_bytes = resident_bytes();
   }
   update_badge();
+}
+
+// Chains say nothing when there is only one; then elements do. A choice of the user's stays.
+void Viewer::colour_by_what_differs(const Molecule& molecule) {
+  DisplayControls& d = state_.display;
+  if (d.ball_colour != automatic_colour_ || d.complex_colour != automatic_colour_) return;
+  const bool one_chain =
+      std::all_of(molecule.atoms.begin(), molecule.atoms.end(),
+                  [&](const Atom& a) { return a.chain == molecule.atoms.front().chain; });
+  automatic_colour_ = one_chain ? ColourBy::element : ColourBy::chain;
+  d.ball_colour = d.complex_colour = automatic_colour_;
 }
 
 void Viewer::update_badge() {

@@ -48,6 +48,7 @@ class Viewer {
   void send_controls();  // changed controls to session and scene
   void update_busy();
   void update_badge();
+  void colour_by_what_differs(const Molecule& molecule);
   void compare_when_due();
   bool interacting() const;
   void draw(ScriptedInput* input, bool patient,
@@ -66,6 +67,7 @@ class Viewer {
   std::shared_ptr<const Molecule> shown_molecule_;
   std::shared_ptr<const Answer> compared_;  // the last answer for which a comparison was asked
   std::optional<Clock::time_point> busy_since_;
+  ColourBy automatic_colour_ = ColourBy::chain;
   int frames_due_ = 3;
   bool quit_ = false;
   bool patient_ = false;

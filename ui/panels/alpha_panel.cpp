@@ -58,27 +58,27 @@ void typed_and_presets(PanelContext& ctx) {
   record(ctx, "alpha.typed");
   ImGui::SameLine(0, ctx.px(4));
   ImGui::TextUnformatted("Å²");
+  const float left = ImGui::GetItemRectMax().x - ImGui::GetWindowPos().x + ctx.px(10);
+  const float width = (ImGui::GetWindowContentRegionMax().x - left - ctx.px(12)) / 4;
   for (const double preset : kPresets) {
     ImGui::SameLine(0, preset == kPresets[0] ? ctx.px(10) : ctx.px(4));
     const std::string text = short_number_text(preset, 1);
     const std::string name = "alpha.preset." + text;
-    if (button(ctx, name.c_str(), text.c_str(), {ctx.px(34), 0})) alpha = preset;
+    if (button(ctx, name.c_str(), text.c_str(), {width, 0})) alpha = preset;
   }
 }
 
 void solvent(PanelContext& ctx) {
   double& radius = ctx.state.compute.solvent;
-  row_label(ctx, "Solvent radius", 62);
+  row_label(ctx, "Solvent radius");
   double value = radius;
-  const double low = 0, high = 5;
-  if (ImGui::SliderScalar("##solvent", ImGuiDataType_Double, &value, &low, &high, "%.2f Å")) {
+  if (value_slider(ctx, "alpha.solvent", value, 0, 5, number_text(radius, 2) + " Å", 56)) {
     radius = std::clamp(std::round(value * 100) / 100, 0.0, kLargestSolvent);
   }
-  record(ctx, "alpha.solvent");
   tooltip("Solvent radius in Å: r becomes r + s before anything else.\nCtrl + click to type.");
   ImGui::SameLine(0, ctx.px(6));
   const bool water = radius == kWater;
-  if (button(ctx, "alpha.water", water ? "0 Å" : "1.4 Å", {ctx.px(56), 0})) {
+  if (button(ctx, "alpha.water", water ? "0 Å" : "1.4 Å", {-1, 0})) {
     radius = water ? 0 : kWater;
   }
   tooltip(water ? "No solvent" : "Water: 1.4 Å");

@@ -8,9 +8,8 @@ void colour_row(PanelContext& ctx, const char* name, const char* label, ColourBy
                 bool with_alpha) {
   static constexpr const char* kLabels[] = {"Element", "Chain", "One colour", "Alpha value"};
   row_label(ctx, label);
-  ImGui::PushID(name);
-  const bool open = ImGui::BeginCombo("##colour", kLabels[static_cast<int>(colour)]);
-  ImGui::PopID();
+  const std::string id = std::string("##") + name;
+  const bool open = ImGui::BeginCombo(id.c_str(), kLabels[static_cast<int>(colour)]);
   record(ctx, name);
   if (!open) return;
   for (int i = 0; i < (with_alpha ? 4 : 3); ++i) {

@@ -72,8 +72,8 @@ void notes(PanelContext& ctx) {
   if (list.empty()) return;
   const std::string title =
       list.size() == 1
-          ? "1 note from the reader"
-          : with_separators(static_cast<long long>(list.size())) + " notes from the reader";
+          ? "1 note on this molecule"
+          : with_separators(static_cast<long long>(list.size())) + " notes on this molecule";
   ImGui::PushStyleColor(ImGuiCol_Text, to_imgui(ctx.palette.warning));
   const bool open =
       ImGui::TreeNodeEx("notes", ImGuiTreeNodeFlags_SpanAvailWidth, "%s", title.c_str());

@@ -56,10 +56,13 @@ void speed(PanelContext& ctx) {
   if (!ours || !cgal || ours->wall_milliseconds <= 0) return;
   const double ratio = cgal->wall_milliseconds / ours->wall_milliseconds;
   ImGui::SameLine();
-  const std::string text = ratio >= 1 ? ratio_text(ratio) + " faster than CGAL"
-                                      : ratio_text(1 / ratio) + " slower than CGAL";
-  pill(ctx, text, ratio >= 1 ? ctx.palette.accent : ctx.palette.warning,
-       ratio >= 1 ? ctx.palette.field : ctx.palette.warning_fill);
+  const bool even = ratio > 0.95 && ratio < 1.05;
+  const std::string text = even         ? "as fast as CGAL"
+                           : ratio >= 1 ? ratio_text(ratio) + " faster than CGAL"
+                                        : ratio_text(1 / ratio) + " slower than CGAL";
+  const bool slower = ratio < 1 && !even;
+  pill(ctx, text, slower ? ctx.palette.warning : ctx.palette.accent,
+       slower ? ctx.palette.warning_fill : ctx.palette.field);
   record(ctx, "timings.speed");
   tooltip(cold ? "Whole first computation, set-up included, beside CGAL's triangulation and filter "
                  "(one thread)."
@@ -83,9 +86,14 @@ void title(PanelContext& ctx) {
   ImGui::AlignTextToFramePadding();
   strong_text(ctx, "Timings");
   ImGui::SameLine(0, ctx.px(14));
-  int run = ctx.state.memory.timings_cold ? 0 : 1;
-  choice(ctx, "timings.run", {"Cold", "Warm"}, run, ctx.px(116));
-  ctx.state.memory.timings_cold = run == 0;
+  PanelMemory& m = ctx.state.memory;
+  // Until the user chooses: the first computation, then what the slider does.
+  if (!m.timings_pinned) m.timings_cold = !(ctx.state.ours && ctx.state.ours->warm);
+  int run = m.timings_cold ? 0 : 1;
+  if (choice(ctx, "timings.run", {"Cold", "Warm"}, run, ctx.px(124))) {
+    m.timings_pinned = true;
+    m.timings_cold = run == 0;
+  }
   tooltip(
       "Cold: the first alpha of a molecule, set-up included.\nWarm: a later alpha of the same "
       "molecule, as the slider asks for.");

@@ -148,7 +148,8 @@ struct PanelMemory {
   std::string save_path;
   int save_width = 1920, save_height = 1080;
   bool save_transparent = false;
-  bool timings_cold = true;  // which of the two runs the waterfall shows
+  bool timings_cold = true;     // which of the two runs the waterfall shows
+  bool timings_pinned = false;  // the user has chosen which
   float bottom_height = 0;   // pixels; 0: default
   bool dragging_view = false;
 };

@@ -52,7 +52,7 @@ class Chart {
     left_ = corner.x;
     right_ = corner.x + width - ctx.px(86);  // room for the last duration
     top_ = corner.y;
-    row_ = ctx.px(16.5f);
+    row_ = ctx.px(15.5f);
     bottom_ = top_ + row_ * static_cast<float>(lines + 1);
   }
 

@@ -1,7 +1,10 @@
 // See the header.
 #include "ui/panels/widgets.hpp"
 
+#include <algorithm>
 #include <cmath>
+
+#include "ui/panels/format.hpp"
 
 namespace alphascope {
 
@@ -79,15 +82,27 @@ void row_label(PanelContext& ctx, const char* label, float reserve) {
   ImGui::SetNextItemWidth(reserve > 0 ? -ctx.px(reserve) : -1);
 }
 
-bool percent_slider(PanelContext& ctx, const char* name, float& value, float low, float high) {
-  float percent = std::round(value * 100);
+bool value_slider(PanelContext& ctx, const char* name, double& value, double low, double high,
+                  const std::string& text, float reserve) {
+  const float text_width = ctx.px(48);
   ImGui::PushID(name);
-  const bool changed = ImGui::SliderFloat("##v", &percent, low * 100, high * 100, "%.0f %%",
-                                          ImGuiSliderFlags_AlwaysClamp);
+  ImGui::SetNextItemWidth(-ctx.px(reserve) - text_width);
+  const bool changed =
+      ImGui::SliderScalar("##v", ImGuiDataType_Double, &value, &low, &high, "");
   ImGui::PopID();
   record(ctx, name);
-  if (changed) value = percent / 100;
+  const float right = ImGui::GetItemRectMax().x - ImGui::GetWindowPos().x + text_width;
+  ImGui::SameLine(right - ImGui::CalcTextSize(text.c_str()).x);
+  ImGui::TextUnformatted(text.c_str());
   return changed;
+}
+
+bool percent_slider(PanelContext& ctx, const char* name, float& value, float low, float high) {
+  double percent = value * 100;
+  const std::string text = number_text(percent, 0) + " %";
+  if (!value_slider(ctx, name, percent, low * 100, high * 100, text)) return false;
+  value = std::clamp(static_cast<float>(std::round(percent) / 100), low, high);
+  return true;
 }
 
 bool section(PanelContext& ctx, const char* name, const char* title) {

@@ -13,7 +13,7 @@ constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoDecoration | ImGuiWindowF
                                     ImGuiWindowFlags_NoSavedSettings |
                                     ImGuiWindowFlags_NoBringToFrontOnFocus;
 
-constexpr float kLeftWidth = 320, kBottomHeight = 248, kStatusHeight = 27;
+constexpr float kLeftWidth = 320, kBottomHeight = 262, kStatusHeight = 27;
 constexpr float kLeastBottom = 76, kLeastView = 180;
 
 void begin(const char* id, float x, float y, float w, float h, ImGuiWindowFlags extra = 0) {
@@ -23,7 +23,11 @@ void begin(const char* id, float x, float y, float w, float h, ImGuiWindowFlags 
 }
 
 void hairline(PanelContext& ctx, ImVec2 from, ImVec2 to) {
-  ImGui::GetWindowDrawList()->AddLine(from, to, to_u32(ctx.palette.border), 1);
+  // Windows clip what touches their padding; these lines run from edge to edge.
+  ImDrawList* draw = ImGui::GetWindowDrawList();
+  draw->PushClipRectFullScreen();
+  draw->AddLine(from, to, to_u32(ctx.palette.border), 1);
+  draw->PopClipRect();
 }
 
 void left_panel(PanelContext& ctx, float top, float height) {

@@ -150,7 +150,7 @@ struct PanelMemory {
   bool save_transparent = false;
   bool timings_cold = true;     // which of the two runs the waterfall shows
   bool timings_pinned = false;  // the user has chosen which
-  float bottom_height = 0;   // pixels; 0: default
+  float bottom_height = 0;      // pixels; 0: default
   bool dragging_view = false;
 };
 

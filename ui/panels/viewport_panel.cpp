@@ -131,7 +131,8 @@ void empty_state(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
   ImGui::PushFont(ctx.fonts.large);
   ImGui::TextUnformatted("Open a molecule to begin");
   ImGui::PopFont();
-  muted_text(ctx, "Drop a file here, or choose one: PDB, mmCIF, XYZR, PQR, XYZ, CRD; plain or .gz.");
+  muted_text(ctx,
+             "Drop a file here, or choose one: PDB, mmCIF, XYZR, PQR, XYZ, CRD; plain or .gz.");
   ImGui::Dummy({0, ctx.px(6)});
   if (button(ctx, "empty.open", "Open file…", {ctx.px(130), ctx.px(34)}, ButtonKind::primary)) {
     s.memory.show_browser = true;

@@ -87,8 +87,7 @@ bool value_slider(PanelContext& ctx, const char* name, double& value, double low
   const float text_width = ctx.px(48);
   ImGui::PushID(name);
   ImGui::SetNextItemWidth(-ctx.px(reserve) - text_width);
-  const bool changed =
-      ImGui::SliderScalar("##v", ImGuiDataType_Double, &value, &low, &high, "");
+  const bool changed = ImGui::SliderScalar("##v", ImGuiDataType_Double, &value, &low, &high, "");
   ImGui::PopID();
   record(ctx, name);
   const float right = ImGui::GetItemRectMax().x - ImGui::GetWindowPos().x + text_width;

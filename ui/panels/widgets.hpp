@@ -41,8 +41,8 @@ bool choice(PanelContext& ctx, const char* name, std::initializer_list<const cha
 // `reserve` pixels at scale 1.
 void row_label(PanelContext& ctx, const char* label, float reserve = 0);
 
-// A slider with its value as `text` at its right; takes the remaining width less `reserve` pixels at
-// scale 1. Ctrl + click to type.
+// A slider with its value as `text` at its right; takes the remaining width less `reserve` pixels
+// at scale 1. Ctrl + click to type.
 bool value_slider(PanelContext& ctx, const char* name, double& value, double low, double high,
                   const std::string& text, float reserve = 0);
 

@@ -1,0 +1,46 @@
+#include "ui/panels/format.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace alphascope {
+namespace {
+
+TEST(Format, CountsHaveSeparators) {
+  EXPECT_EQ(with_separators(0), "0");
+  EXPECT_EQ(with_separators(999), "999");
+  EXPECT_EQ(with_separators(1000), "1,000");
+  EXPECT_EQ(with_separators(58674), "58,674");
+  EXPECT_EQ(with_separators(16284240), "16,284,240");
+  EXPECT_EQ(with_separators(-837), "−837");
+  EXPECT_EQ(with_separators(-1234567), "−1,234,567");
+}
+
+TEST(Format, TimesHaveThreeDigitsAndAUnit) {
+  EXPECT_EQ(milliseconds_text(0.0421), "0.042 ms");
+  EXPECT_EQ(milliseconds_text(2.534), "2.53 ms");
+  EXPECT_EQ(milliseconds_text(52.83), "52.8 ms");
+  EXPECT_EQ(milliseconds_text(159.9), "160 ms");
+  EXPECT_EQ(milliseconds_text(1240), "1.24 s");
+}
+
+TEST(Format, NumbersAreAsShortAsTheirValue) {
+  EXPECT_EQ(short_number_text(1.4, 3), "1.4");
+  EXPECT_EQ(short_number_text(10, 3), "10");
+  EXPECT_EQ(short_number_text(-0.25, 3), "-0.25");
+  EXPECT_EQ(short_number_text(-0.0001, 3), "0");
+  EXPECT_EQ(short_number_text(100, 0), "100");
+}
+
+TEST(Format, RatiosAndBytes) {
+  EXPECT_EQ(ratio_text(3.21), "3.2×");
+  EXPECT_EQ(ratio_text(412), "412×");
+  EXPECT_EQ(ratio_text(0.02), "0.02×");
+  EXPECT_EQ(ratio_text(std::numeric_limits<double>::infinity()), "–");
+  EXPECT_EQ(bytes_text(340'000'000), "340 MB");
+  EXPECT_EQ(bytes_text(2'470'000'000), "2.47 GB");
+}
+
+}  // namespace
+}  // namespace alphascope

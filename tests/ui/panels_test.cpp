@@ -1,0 +1,237 @@
+// The panels without any renderer: ImGui builds its draw lists, nobody draws them.
+#include <gtest/gtest.h>
+#include <imgui.h>
+
+#include <cmath>
+
+#include "ui/panels/keys.hpp"
+#include "ui/panels/style.hpp"
+#include "ui/panels/window_layout.hpp"
+
+namespace alphascope {
+namespace {
+
+struct Size {
+  float width, height, scale;
+};
+
+class Panels {
+ public:
+  explicit Panels(Size size) : size_(size), context_(ImGui::CreateContext()) {
+    ImGuiIO& io = ImGui::GetIO();
+    io.IniFilename = nullptr;
+    io.KeyMap[ImGuiKey_Enter] = key::kEnter;
+    io.KeyMap[ImGuiKey_Backspace] = key::kBackspace;
+    io.KeyMap[ImGuiKey_A] = key::kA;
+    apply_style(Theme::dark, size.scale);
+    fonts_ = load_fonts(size.scale);
+    frame(3);
+  }
+  ~Panels() { ImGui::DestroyContext(context_); }
+
+  void frame(int count = 1) {
+    for (int i = 0; i < count; ++i) {
+      ImGuiIO& io = ImGui::GetIO();
+      io.DisplaySize = {size_.width * size_.scale, size_.height * size_.scale};
+      io.DeltaTime = 1.0f / 60;
+      ImGui::NewFrame();
+      draw_window(state, rects, fonts_, size_.scale);
+      ImGui::Render();
+    }
+  }
+  void point_at(const std::string& name, float fx = 0.5f, float fy = 0.5f) {
+    ASSERT_TRUE(rects.contains(name)) << name;
+    const WidgetRect r = rects[name];
+    ImGui::GetIO().MousePos = {r.x0 + fx * (r.x1 - r.x0), r.y0 + fy * (r.y1 - r.y0)};
+    frame(2);
+  }
+  void press(bool down) {
+    ImGui::GetIO().MouseDown[0] = down;
+    frame(2);
+  }
+  void click(const std::string& name, float fx = 0.5f, float fy = 0.5f) {
+    point_at(name, fx, fy);
+    press(true);
+    press(false);
+  }
+  void tap(int code) {
+    ImGui::GetIO().KeysDown[code] = true;
+    frame();
+    ImGui::GetIO().KeysDown[code] = false;
+    frame();
+  }
+
+  ViewState state;
+  WidgetRects rects;
+
+ private:
+  Size size_;
+  ImGuiContext* context_;
+  PanelFonts fonts_;
+};
+
+ViewState loaded_state() {
+  ViewState s;
+  s.molecule = {
+      true,          "4hhb.pdb.gz", "/data",
+      "HAEMOGLOBIN", "PDB",         "used 4,558 of 4,779 atoms; dropped 221 waters; radii ProtOr",
+      {"a note"},    4558,          {{"C", 1.7, 2.07}, {"N", 1.55, 1.95}}};
+  s.result.present = true;
+  s.result.tetrahedra = 8090;
+  s.result.hash = "f619dc636b8b16e6";
+  s.ours = EngineTimings{"facet engine",
+                         "CPU, 2 threads",
+                         TimedRun{{{"grid", 0.1, true}, {"kernel II", 20, false}}, 20.2},
+                         {}};
+  s.cgal = EngineTimings{
+      "CGAL triangulation", "CPU", TimedRun{{{"regular triangulation", 60, true}}, 60.5}, {}};
+  s.badge = {BadgeInfo::State::identical, "identical to CGAL: 8,090 of 8,090 tetrahedra"};
+  s.samples = {{"crambin", "1CRN"}};
+  s.radii_sets = {{"automatic", ""}, {"Bondi", "Bondi 1964"}};
+  return s;
+}
+
+TEST(PanelsTest, EmptyWindowOffersToOpenSomething) {
+  Panels p({1280, 800, 1});
+  p.state.samples = {{"crambin", "1CRN"}};
+  p.frame(3);
+  p.click("empty.sample.0");
+  // The request of an earlier frame stays until the program takes it.
+  ASSERT_TRUE(p.state.requests.open_sample.has_value());
+  EXPECT_EQ(*p.state.requests.open_sample, 0u);
+  EXPECT_FALSE(p.rects.contains("timings.badge"));
+}
+
+TEST(PanelsTest, PresetsAndSliderChangeAlpha) {
+  Panels p({1280, 800, 1});
+  p.state = loaded_state();
+  p.frame(2);
+  p.click("alpha.preset.1.4");
+  EXPECT_DOUBLE_EQ(p.state.compute.alpha, 1.4);
+  p.point_at("alpha.slider", 0.2f);
+  p.press(true);
+  const double low = p.state.compute.alpha;
+  p.point_at("alpha.slider", 0.8f);
+  const double high = p.state.compute.alpha;
+  p.press(false);
+  EXPECT_LT(low, 0.5);
+  EXPECT_GT(high, 6);
+  EXPECT_DOUBLE_EQ(high, std::round(high * 100) / 100);
+}
+
+TEST(PanelsTest, AlphaCanBeTyped) {
+  Panels p({1280, 800, 1});
+  p.state = loaded_state();
+  p.frame(2);
+  p.click("alpha.typed");
+  ImGui::GetIO().KeyCtrl = true;
+  p.tap(key::kA);
+  ImGui::GetIO().KeyCtrl = false;
+  ImGui::GetIO().AddInputCharactersUTF8("-2.25");
+  p.frame(2);
+  p.tap(key::kEnter);
+  EXPECT_DOUBLE_EQ(p.state.compute.alpha, -2.25);
+}
+
+TEST(PanelsTest, WaterButtonTogglesTheSolvent) {
+  Panels p({1280, 800, 1});
+  p.state = loaded_state();
+  p.frame(2);
+  p.click("alpha.water");
+  EXPECT_DOUBLE_EQ(p.state.compute.solvent, 1.4);
+  p.click("alpha.water");
+  EXPECT_DOUBLE_EQ(p.state.compute.solvent, 0);
+}
+
+TEST(PanelsTest, DraggingTheSliderNeverTurnsTheView) {
+  Panels p({1280, 800, 1});
+  p.state = loaded_state();
+  p.frame(2);
+  p.point_at("alpha.slider", 0.2f);
+  p.press(true);
+  p.point_at("view", 0.5f, 0.5f);  // the mouse leaves the slider while the button is down
+  EXPECT_TRUE(p.state.viewport.events.empty());
+  p.press(false);
+}
+
+TEST(PanelsTest, DraggingInTheViewIsForwarded) {
+  Panels p({1280, 800, 1});
+  p.state = loaded_state();
+  p.frame(2);
+  p.point_at("view", 0.5f, 0.5f);
+  ImGui::GetIO().MouseDown[0] = true;
+  p.frame();
+  ASSERT_EQ(p.state.viewport.events.size(), 2u);
+  EXPECT_EQ(p.state.viewport.events[1].kind, PointerEvent::Kind::press);
+  EXPECT_NEAR(p.state.viewport.events[1].x, p.state.viewport.width / 2, 2);
+  ImGui::GetIO().MouseDown[0] = false;
+  p.frame();
+  ASSERT_FALSE(p.state.viewport.events.empty());
+  EXPECT_EQ(p.state.viewport.events.back().kind, PointerEvent::Kind::release);
+}
+
+TEST(PanelsTest, ShortcutsWorkButNotWhileTyping) {
+  Panels p({1280, 800, 1});
+  p.state = loaded_state();
+  p.frame(2);
+  p.tap(key::kB);
+  EXPECT_FALSE(p.state.display.balls);
+  p.click("alpha.typed");
+  p.tap(key::kB);
+  EXPECT_FALSE(p.state.display.balls);
+}
+
+TEST(PanelsTest, ErrorIsShownUntilDismissed) {
+  Panels p({1280, 800, 1});
+  p.state = loaded_state();
+  p.state.error = "x.pdb, line 3: no number. Write one.";
+  p.frame(3);
+  ASSERT_TRUE(p.rects.contains("error.ok"));
+  p.click("error.ok");
+  EXPECT_TRUE(p.state.error.empty());
+  p.frame(2);
+  EXPECT_FALSE(p.rects.contains("error.ok"));
+}
+
+TEST(PanelsTest, LongWorkShowsProgressAndCancel) {
+  Panels p({1280, 800, 1});
+  p.state = loaded_state();
+  p.state.busy = {true, "Computing: kernel II", 0.4, 0.05};
+  p.frame(2);
+  EXPECT_FALSE(p.rects.contains("view.cancel"));  // too short to be worth a flicker
+  p.state.busy.seconds = 1;
+  p.frame(2);
+  p.click("view.cancel");
+  EXPECT_TRUE(p.state.requests.cancel);
+}
+
+class PanelsAtEverySize : public ::testing::TestWithParam<Size> {};
+
+TEST_P(PanelsAtEverySize, NothingLeavesTheWindow) {
+  const Size size = GetParam();
+  Panels p(size);
+  p.state = loaded_state();
+  p.state.molecule.summary += std::string(300, 'x');  // one word that cannot be wrapped
+  p.frame(3);
+  const float width = size.width * size.scale, height = size.height * size.scale;
+  for (const char* name :
+       {"molecule.open", "molecule.sample", "alpha.slider", "alpha.preset.10", "alpha.water",
+        "timings.badge", "timings.waterfall", "status.hash", "status.device", "view"}) {
+    ASSERT_TRUE(p.rects.contains(name)) << name;
+    const WidgetRect r = p.rects[name];
+    EXPECT_GE(r.x0, 0) << name;
+    EXPECT_LE(r.x1, width + 0.5f) << name;
+    EXPECT_LE(r.y1, height + 0.5f) << name;
+    EXPECT_GT(r.x1, r.x0) << name;
+  }
+  EXPECT_LE(p.rects["alpha.preset.10"].x1, p.rects["view"].x0);
+  EXPECT_LE(p.rects["status.hash"].x1, p.rects["status.device"].x0);
+  EXPECT_GT(p.state.viewport.height, 100);
+}
+
+INSTANTIATE_TEST_SUITE_P(Sizes, PanelsAtEverySize,
+                         ::testing::Values(Size{1100, 700, 1}, Size{1280, 800, 1},
+                                           Size{1920, 1080, 1}, Size{1280, 800, 2}));
+
+}  // namespace
+}  // namespace alphascope

@@ -1,0 +1,227 @@
+// The whole window in process, without a display: open, slide, look at the pixels.
+#include "app/viewer/viewer.hpp"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+
+#include "app/viewer/options.hpp"
+#include "app/viewer/script.hpp"
+#include "app/viewer/state_bridge.hpp"
+#include "ui/scene/frame_grab.hpp"
+
+namespace alphascope {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path crambin() {
+  return fs::path(ALPHASCOPE_SOURCE_DIR) / "resources/molecules/1crn.pdb";
+}
+
+class ViewerTest : public ::testing::Test {
+ protected:
+  ViewerTest()
+      : folder_(fs::temp_directory_path() / ("alphascope_viewer_" + std::to_string(getpid()))) {
+    fs::create_directories(folder_);
+    host_ = make_egl_host({1100, 700, 1, "test"});
+    ViewerOptions options;
+    options.compare = false;
+    viewer_ = std::make_unique<Viewer>(*host_, options);
+  }
+  ~ViewerTest() override {
+    viewer_.reset();
+    host_.reset();
+    fs::remove_all(folder_);
+  }
+
+  std::string run(const std::string& text) {
+    std::istringstream script(text);
+    std::ostringstream out;
+    run_script(*viewer_, script, "test", out);
+    return out.str();
+  }
+  void open_crambin() { run("open " + crambin().string() + "\nwait-idle\n"); }
+
+  // Size in bytes tells apart an empty picture (compresses to nothing) from a drawn one.
+  std::uintmax_t shot(const std::string& name) {
+    run("move status.device\nshot " + (folder_ / name).string() + "\n");
+    return fs::file_size(folder_ / name);
+  }
+  std::string bytes(const std::string& name) {
+    std::ifstream file(folder_ / name, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+  }
+
+  // What the engine says without any window.
+  AlphaComplex expected(double alpha, double solvent = 0) {
+    const auto& prepared = *viewer_->session().state().prepared;
+    const auto balls = std::make_shared<const BallSet>(with_solvent(*prepared.balls, solvent));
+    return make_cgal_engine(balls)->compute({alpha, false}, {});
+  }
+
+  fs::path folder_;
+  std::unique_ptr<Host> host_;
+  std::unique_ptr<Viewer> viewer_;
+};
+
+TEST_F(ViewerTest, OpensAndShowsTheComplex) {
+  const auto empty = shot("empty.png");
+  open_crambin();
+  const ResultInfo& r = viewer_->state().result;
+  ASSERT_TRUE(r.present);
+  EXPECT_EQ(viewer_->state().molecule.balls, 327u);
+  EXPECT_EQ(r.hash, hash_text(expected(0).hash));
+  EXPECT_GT(shot("open.png"), empty + 10000);
+}
+
+TEST_F(ViewerTest, SlidingChangesComplexAndPicture) {
+  open_crambin();
+  shot("before.png");
+  run("click alpha.preset.3\nwait-idle\n");
+  EXPECT_DOUBLE_EQ(viewer_->state().result.alpha, 3);
+  EXPECT_EQ(viewer_->state().result.hash, hash_text(expected(3).hash));
+  shot("after.png");
+  EXPECT_NE(bytes("before.png"), bytes("after.png"));
+}
+
+TEST_F(ViewerTest, SliderStormEndsAtTheLastAlpha) {
+  open_crambin();
+  std::string moves;
+  for (int i = 0; i < 300; ++i) {
+    moves += "move alpha.slider " + std::to_string(0.1 + 0.8 * ((i * 37) % 100) / 100) + " 0.5\n";
+  }
+  run("move alpha.slider 0.1 0.5\ndown\n" + moves + "move alpha.slider 0.45 0.5\nup\nwait-idle\n");
+  const ViewState& s = viewer_->state();
+  EXPECT_DOUBLE_EQ(s.result.alpha, s.compute.alpha);
+  EXPECT_EQ(s.result.hash, hash_text(expected(s.compute.alpha).hash));
+  EXPECT_TRUE(s.error.empty()) << s.error;
+}
+
+TEST_F(ViewerTest, SolventAndTetrahedraOnly) {
+  open_crambin();
+  run("click alpha.water\nwait-idle\n");
+  EXPECT_EQ(viewer_->state().result.hash, hash_text(expected(0, 1.4).hash));
+  run("click engine.tetrahedra_only\nwait-idle\n");
+  EXPECT_TRUE(viewer_->state().result.tetrahedra_only);
+  EXPECT_EQ(viewer_->state().result.tetrahedra, expected(0, 1.4).tetrahedra.size());
+}
+
+TEST_F(ViewerTest, ComparingGivesTheBadge) {
+  open_crambin();
+  EXPECT_EQ(viewer_->state().badge.state, BadgeInfo::State::not_compared);
+  run("click timings.compare\nwait-idle\n");
+  const BadgeInfo& badge = viewer_->state().badge;
+  EXPECT_EQ(badge.state, BadgeInfo::State::identical);
+  const std::string n = std::to_string(viewer_->state().result.tetrahedra);
+  EXPECT_EQ(badge.text, "identical to CGAL: " + n + " of " + n + " tetrahedra");
+  EXPECT_TRUE(viewer_->state().cgal.has_value());
+  run("click alpha.preset.10\nwait-idle\n");
+  EXPECT_EQ(badge.state, BadgeInfo::State::not_compared);  // of another alpha
+}
+
+TEST_F(ViewerTest, ABadFileKeepsTheMoleculeAndSaysWhy) {
+  open_crambin();
+  const std::string hash = viewer_->state().result.hash;
+  const fs::path bad = folder_ / "bad.pdb";
+  std::ofstream(bad) << "ATOM      1  CA  ALA A   1      nonsense\n";
+  run("open " + bad.string() + "\nwait-idle\n");
+  EXPECT_NE(viewer_->state().error.find("bad.pdb, line 1"), std::string::npos)
+      << viewer_->state().error;
+  EXPECT_EQ(viewer_->state().molecule.name, "1crn.pdb");
+  EXPECT_EQ(viewer_->state().result.hash, hash);
+  run("click error.ok\n");
+  EXPECT_TRUE(viewer_->state().error.empty());
+}
+
+TEST_F(ViewerTest, EveryDisplaySwitchDraws) {
+  open_crambin();
+  run("click alpha.preset.1.4\nwait-idle\n");
+  DisplayControls& d = viewer_->state().display;
+  shot("0.png");
+  const std::vector<std::pair<const char*, std::function<void()>>> switches{
+      {"balls", [&] { d.balls = false; }},
+      {"shrink", [&] { d.shrink = 0.3f; }},
+      {"edges", [&] { d.edges = true, d.singular_only = false; }},
+      {"colour", [&] { d.complex_colour = ColourBy::alpha; }},
+      {"opacity", [&] { d.complex_opacity = 0.4f; }},
+      {"light", [&] { viewer_->state().theme = Theme::light; }}};
+  std::string last = bytes("0.png");
+  for (const auto& [name, change] : switches) {
+    change();
+    run("wait-idle\n");
+    shot("1.png");
+    EXPECT_NE(bytes("1.png"), last) << name << " changed nothing";
+    last = bytes("1.png");
+  }
+}
+
+TEST_F(ViewerTest, SavesAPictureOfTheChosenSize) {
+  open_crambin();
+  viewer_->state().requests.screenshot = ScreenshotRequest{folder_ / "picture.png", 320, 240, true};
+  run("frames 2\n");
+  EXPECT_TRUE(viewer_->state().error.empty()) << viewer_->state().error;
+  EXPECT_GT(fs::file_size(folder_ / "picture.png"), 2000u);
+  viewer_->state().requests.screenshot =
+      ScreenshotRequest{"/no/such/folder/picture.png", 320, 240, false};
+  run("frames 2\n");
+  EXPECT_NE(viewer_->state().error.find("/no/such/folder"), std::string::npos);
+}
+
+TEST_F(ViewerTest, ResizingIsFollowed) {
+  open_crambin();
+  run("size 1500 900\n");
+  EXPECT_GT(viewer_->state().viewport.width, 1100);
+  EXPECT_GT(shot("large.png"), 20000u);
+}
+
+TEST_F(ViewerTest, ScriptsNameTheLineThatFails) {
+  try {
+    run("frames 1\n# a comment\n\nclick no.such.widget\n");
+    FAIL() << "a widget that does not exist was clicked";
+  } catch (const std::runtime_error& error) {
+    EXPECT_STREQ(error.what(), "test, line 4: there is no widget 'no.such.widget' on screen");
+  }
+}
+
+TEST(ViewerOptionsTest, ReadsEverything) {
+  const char* argv[] = {"alphascope", "m.pdb",    "--alpha", "-0.5", "--solvent", "1.4",
+                        "--size",     "1280x800", "--scale", "2",    "--shot",    "o.png"};
+  const ParsedOptions parsed = parse_options(static_cast<int>(std::size(argv)), argv);
+  ASSERT_FALSE(parsed.exit_code) << parsed.text;
+  EXPECT_EQ(*parsed.options.file, "m.pdb");
+  EXPECT_DOUBLE_EQ(parsed.options.alpha, -0.5);
+  EXPECT_EQ(parsed.options.width, 1280);
+  EXPECT_DOUBLE_EQ(parsed.options.scale, 2);
+}
+
+TEST(ViewerOptionsTest, RefusesNonsenseWithAReason) {
+  for (const char* bad : {"--alpha=nan", "--alpha=abc", "--size=12", "--size=1x1", "--solvent=-1",
+                          "--scale=0", "--script=/no/such/file", "--what"}) {
+    const char* argv[] = {"alphascope", bad};
+    const ParsedOptions parsed = parse_options(2, argv);
+    ASSERT_TRUE(parsed.exit_code) << bad;
+    EXPECT_NE(*parsed.exit_code, 0) << bad;
+    EXPECT_FALSE(parsed.text.empty()) << bad;
+  }
+}
+
+TEST(StateBridge, SaysWhatDiffers) {
+  auto agreement = std::make_shared<Agreement>();
+  agreement->ours = std::make_shared<const Answer>();
+  agreement->comparison.tetrahedra.missing = {{0, 1, 2, 3}};
+  agreement->comparison.edges.extra = {{0, 1}, {0, 2}};
+  SessionState state;
+  state.ours = agreement->ours;
+  state.agreement = agreement;
+  const BadgeInfo badge = describe_agreement(state, false);
+  EXPECT_EQ(badge.state, BadgeInfo::State::different);
+  EXPECT_EQ(badge.text,
+            "differs from CGAL: tetrahedra: 1 missing, 0 extra; edges: 0 missing, 2 extra");
+}
+
+}  // namespace
+}  // namespace alphascope

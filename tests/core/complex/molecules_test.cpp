@@ -1,6 +1,11 @@
 // Real molecules: known counts, and every engine against CGAL.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <filesystem>
+#include <string>
+#include <vector>
+
 #include "core/complex/compare.hpp"
 #include "tests/support/engines.hpp"
 #include "tests/support/molecules.hpp"
@@ -30,7 +35,7 @@ constexpr KnownCounts kKnown[] = {
 };
 
 class EveryEngine : public ::testing::TestWithParam<EngineFactory> {};
-INSTANTIATE_TEST_SUITE_P(Quick, EveryEngine, ::testing::ValuesIn(testing::host_engines()),
+INSTANTIATE_TEST_SUITE_P(Engines, EveryEngine, ::testing::ValuesIn(testing::host_engines()),
                          testing::engine_name);
 
 TEST_P(EveryEngine, FindsTheKnownCounts) {
@@ -49,12 +54,17 @@ TEST_P(EveryEngine, FindsTheKnownCounts) {
   }
 }
 
-void expect_equals_cgal(const EngineFactory& factory, const char* file) {
+void expect_equals_cgal(const EngineFactory& factory, const std::string& file,
+                        std::size_t most_balls = SIZE_MAX) {
   for (const double solvent : {0.0, 1.4}) {
     const auto balls = testing::molecule_balls(file, solvent);
+    if (balls->size() > most_balls) return;
     const auto reference = make_cgal_engine(balls, {1});
     const auto engine = factory.make(balls);
-    for (const double alpha : {-1.0, 0.0, 0.5, 1.4, 3.0, 10.0, 100.0}) {
+    // Clipping of everything by everything is not what facets are for.
+    const bool facets = factory.name.starts_with("facets");
+    for (const double alpha : {10.0, -1.0, 0.0, 0.5, 1.4, 3.0, 100.0}) {
+      if (facets && alpha > 10 && balls->size() > 500) continue;
       const AlphaComplex expected = reference->compute({alpha}, {});
       const AlphaComplex found = engine->compute({alpha}, {});
       EXPECT_TRUE(compare(found, expected).identical())
@@ -69,6 +79,44 @@ TEST_P(EveryEngine, EqualsCgalOnSmallMolecules) {
   for (const char* file : {"ladder/1grm.crd", "ladder/1crn.pdb", "ladder/1bna.pdb"}) {
     expect_equals_cgal(GetParam(), file);
   }
+}
+
+// Every file that can be opened and is not too large. Those that cannot are the readers' tests.
+void expect_equals_cgal_in(const EngineFactory& factory, const char* folder, std::size_t most_balls,
+                           std::size_t expected_files) {
+  std::vector<std::string> files;
+  for (const auto& entry :
+       std::filesystem::recursive_directory_iterator(testing::test_data_folder() / folder)) {
+    if (!entry.is_regular_file()) continue;
+    files.push_back(entry.path().lexically_relative(testing::test_data_folder()).string());
+  }
+  std::sort(files.begin(), files.end());
+  std::size_t compared = 0;
+  for (const std::string& file : files) {
+    try {
+      testing::molecule_balls(file);
+    } catch (const std::exception&) {
+      continue;
+    }
+    ++compared;
+    expect_equals_cgal(factory, file, most_balls);
+  }
+  EXPECT_GE(compared, expected_files);
+}
+
+TEST_P(EveryEngine, EqualsCgalOnTheThesisMoleculesLong) {
+  ALPHASCOPE_NEED_TEST_DATA();
+  expect_equals_cgal_in(GetParam(), "thesis", 60000, 6);
+}
+
+TEST_P(EveryEngine, EqualsCgalOnTheLadderLong) {
+  ALPHASCOPE_NEED_TEST_DATA();
+  expect_equals_cgal_in(GetParam(), "ladder", 100000, 20);
+}
+
+TEST_P(EveryEngine, EqualsCgalOnAwkwardMoleculesLong) {
+  ALPHASCOPE_NEED_TEST_DATA();
+  expect_equals_cgal_in(GetParam(), "awkward", 60000, 40);
 }
 
 }  // namespace

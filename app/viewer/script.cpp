@@ -143,8 +143,16 @@ class ScriptRunner {
          << " hash " << r.hash << " badge " << viewer_.state().badge.text << '\n';
   }
 
+  void time(std::istream& arguments) {
+    const auto now = std::chrono::steady_clock::now();
+    const std::chrono::duration<double, std::milli> since = now - last_time_;
+    last_time_ = now;
+    out_ << rest(arguments) << ": " << since.count() << " ms\n";
+  }
+
   Viewer& viewer_;
   std::ostream& out_;
+  std::chrono::steady_clock::time_point last_time_ = std::chrono::steady_clock::now();
   ScriptedInput input_;
 };
 
@@ -162,7 +170,8 @@ const std::map<std::string, ScriptRunner::Command> ScriptRunner::kCommands{
     {"open", &ScriptRunner::open},
     {"size", &ScriptRunner::size},
     {"shot", &ScriptRunner::shot},
-    {"print", &ScriptRunner::print}};
+    {"print", &ScriptRunner::print},
+    {"time", &ScriptRunner::time}};
 
 }  // namespace
 

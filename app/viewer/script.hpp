@@ -13,6 +13,7 @@
 //   size W H            of the window, pixels
 //   shot FILE           picture of the whole window as PNG
 //   print               counts and hash of the result to standard output
+//   time TEXT           milliseconds since the last `time` to standard output
 //   quit
 //
 // Empty lines and lines that start with # are skipped.

@@ -20,6 +20,9 @@ namespace {
 
 // ImGui needs a frame or two after the last input until everything has settled (hover, popups).
 constexpr int kSettlingFrames = 3;
+// Tooltips appear when the mouse rests, which is no event: one more frame is drawn for them.
+constexpr std::chrono::milliseconds kTooltipFrameAfter{450};
+static_assert(kTooltipFrameAfter.count() > 1000 * kTooltipDelaySeconds);
 constexpr double kBusyInterval = 0.05, kIdleInterval = 1.0;  // seconds
 // Comparing by itself is switched off beyond: CGAL would keep the second half of the cores busy.
 constexpr std::size_t kMostBallsToCompareUnasked = 200000;
@@ -132,6 +135,9 @@ void Viewer::colour_by_what_differs(const Molecule& molecule) {
 
 void Viewer::update_badge() {
   state_.badge = describe_agreement(session_.state(), session_.activity().comparing.busy);
+  if (state_.badge.state == BadgeInfo::State::not_compared && compares_by_itself()) {
+    state_.badge = {BadgeInfo::State::comparing, "to be compared with CGAL…"};
+  }
 }
 
 void Viewer::update_busy() {
@@ -155,10 +161,15 @@ void Viewer::update_busy() {
   state_.busy = busy;
 }
 
+bool Viewer::compares_by_itself() const {
+  const auto& ours = session_.state().ours;
+  return state_.auto_compare && ours && ours->request.engine != EngineChoice::cgal &&
+         state_.molecule.balls <= kMostBallsToCompareUnasked;
+}
+
 void Viewer::compare_when_due() {
   const auto& s = session_.state();
-  if (!state_.auto_compare || !s.ours || !s.up_to_date() || compared_ == s.ours) return;
-  if (state_.molecule.balls > kMostBallsToCompareUnasked || interacting()) return;
+  if (!compares_by_itself() || !s.up_to_date() || compared_ == s.ours || interacting()) return;
   compared_ = s.ours;
   session_.request_comparison();
 }
@@ -250,12 +261,22 @@ void Viewer::shoot(const std::filesystem::path& path, ScriptedInput* input) {
 double Viewer::idle_seconds() const {
   if (frames_due_ > 0) return 0;
   const double idle = busy() ? kBusyInterval : kIdleInterval;
-  return std::min(idle, std::max(0.001, scene_.seconds_to_refinement()));
+  double wait = std::min(idle, scene_.seconds_to_refinement());
+  if (tooltip_due_) {
+    wait = std::min(wait, std::chrono::duration<double>(*tooltip_due_ - Clock::now()).count());
+  }
+  return std::max(0.001, wait);
 }
 
 void Viewer::run() {
   while (!quit_ && !host_.close_requested()) {
-    if (host_.wait_events(idle_seconds())) frames_due_ = std::max(frames_due_, kSettlingFrames);
+    if (host_.wait_events(idle_seconds())) {
+      frames_due_ = kSettlingFrames;
+      tooltip_due_ = Clock::now() + kTooltipFrameAfter;
+    } else if (tooltip_due_ && Clock::now() >= *tooltip_due_) {
+      frames_due_ = std::max(frames_due_, 1);
+      tooltip_due_.reset();
+    }
     for (const auto& file : host_.take_dropped_files()) open(file);
     take_session();
     compare_when_due();

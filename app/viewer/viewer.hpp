@@ -49,6 +49,7 @@ class Viewer {
   void update_busy();
   void update_badge();
   void colour_by_what_differs(const Molecule& molecule);
+  bool compares_by_itself() const;
   void compare_when_due();
   bool interacting() const;
   void draw(ScriptedInput* input, bool patient,
@@ -66,7 +67,7 @@ class Viewer {
   SelectionControls sent_selection_;
   std::shared_ptr<const Molecule> shown_molecule_;
   std::shared_ptr<const Answer> compared_;  // the last answer for which a comparison was asked
-  std::optional<Clock::time_point> busy_since_;
+  std::optional<Clock::time_point> busy_since_, tooltip_due_;
   ColourBy automatic_colour_ = ColourBy::chain;
   int frames_due_ = 3;
   bool quit_ = false;

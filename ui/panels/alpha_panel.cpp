@@ -38,6 +38,7 @@ void slider(PanelContext& ctx) {
   }
   record(ctx, "alpha.slider");
   tooltip(
+      ctx,
       "Alpha in Å². Every radius r becomes sqrt(r² + α).\nCtrl + click to type; arrow keys step "
       "by 0.1, with shift by 1.");
   draw_ticks(ctx, low, high);
@@ -75,13 +76,13 @@ void solvent(PanelContext& ctx) {
   if (value_slider(ctx, "alpha.solvent", value, 0, 5, number_text(radius, 2) + " Å", 56)) {
     radius = std::clamp(std::round(value * 100) / 100, 0.0, kLargestSolvent);
   }
-  tooltip("Solvent radius in Å: r becomes r + s before anything else.\nCtrl + click to type.");
+  tooltip(ctx, "Solvent radius in Å: r becomes r + s before anything else.\nCtrl + click to type.");
   ImGui::SameLine(0, ctx.px(6));
   const bool water = radius == kWater;
   if (button(ctx, "alpha.water", water ? "0 Å" : "1.4 Å", {-1, 0})) {
     radius = water ? 0 : kWater;
   }
-  tooltip(water ? "No solvent" : "Water: 1.4 Å");
+  tooltip(ctx, water ? "No solvent" : "Water: 1.4 Å");
 }
 
 // "C 1.70 → 2.07", two columns.
@@ -106,7 +107,7 @@ void grown_radii(PanelContext& ctx) {
     rest += (i == kShown ? "" : "\n") + radii[i].element + " " + number_text(radii[i].radius, 2) +
             " → " + number_text(radii[i].grown, 2);
   }
-  tooltip(rest.c_str());
+  tooltip(ctx, rest.c_str());
 }
 
 }  // namespace

@@ -49,7 +49,7 @@ void complex(PanelContext& ctx) {
     ImGui::Unindent();
   }
   checkbox(ctx, "display.boundary", "Boundary surface", d.boundary);
-  tooltip("Faces that belong to exactly one tetrahedron.");
+  tooltip(ctx, "Faces that belong to exactly one tetrahedron.");
   ImGui::BeginDisabled(only_tetrahedra);
   checkbox(ctx, "display.triangles", "Triangles", d.triangles);
   ImGui::SameLine(0, ctx.px(18));
@@ -57,7 +57,7 @@ void complex(PanelContext& ctx) {
   if (d.triangles || d.edges) {
     ImGui::Indent();
     checkbox(ctx, "display.singular_only", "Singular ones only", d.singular_only);
-    tooltip("Singular: face of no larger simplex of the complex.");
+    tooltip(ctx, "Singular: face of no larger simplex of the complex.");
     ImGui::Unindent();
   }
   ImGui::EndDisabled();
@@ -76,9 +76,9 @@ void draw_display_panel(PanelContext& ctx) {
   balls(ctx);
   complex(ctx);
   checkbox(ctx, "display.occlusion", "Soft shadows at rest", ctx.state.display.ambient_occlusion);
-  tooltip(
-      "Ambient occlusion: crevices darken, which shows depth. Left out while you turn a large "
-      "molecule.");
+  tooltip(ctx,
+          "Ambient occlusion: crevices darken, which shows depth. Left out while you turn a large "
+          "molecule.");
 }
 
 }  // namespace alphascope

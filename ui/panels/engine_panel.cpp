@@ -39,7 +39,7 @@ void draw_engine_panel(PanelContext& ctx) {
         s.compute.engine = e.option;
       }
       record(ctx, (std::string("engine.") + e.label).c_str());
-      tooltip(e.help);
+      tooltip(ctx, e.help);
     }
     ImGui::EndCombo();
   }
@@ -49,11 +49,12 @@ void draw_engine_panel(PanelContext& ctx) {
   if (!s.gpu_text.empty()) muted_wrapped(ctx, s.gpu_text);
   ImGui::PopFont();
   checkbox(ctx, "engine.tetrahedra_only", "Tetrahedra only (faster)", s.compute.tetrahedra_only);
-  tooltip(
-      "Computes the tetrahedra of the complex without its triangles, edges and vertices: the "
-      "thesis' sub-complex.");
+  tooltip(ctx,
+          "Computes the tetrahedra of the complex without its triangles, edges and vertices: the "
+          "thesis' sub-complex.");
   checkbox(ctx, "engine.auto_compare", "Compare with CGAL every time", s.auto_compare);
   tooltip(
+      ctx,
       "After each change CGAL computes the same complex in the background, and both are compared "
       "simplex by simplex.");
 }

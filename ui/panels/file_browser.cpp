@@ -53,7 +53,7 @@ void accept_typed(ViewState& s) {
 void path_row(PanelContext& ctx) {
   PanelMemory& m = ctx.state.memory;
   if (button(ctx, "browser.up", "Up")) enter(m, m.browser_folder.parent_path());
-  tooltip("The folder above");
+  tooltip(ctx, "The folder above");
   ImGui::SameLine();
   if (button(ctx, "browser.home", "Home")) {
     if (const char* home = std::getenv("HOME")) enter(m, home);

@@ -26,7 +26,7 @@ void open_buttons(PanelContext& ctx) {
   ImGui::BeginDisabled(s.samples.empty());
   if (button(ctx, "molecule.sample", "Sample molecule", {half, 0})) ImGui::OpenPopup("samples");
   ImGui::EndDisabled();
-  if (s.samples.empty()) tooltip("The folder with the sample molecules was not found.");
+  if (s.samples.empty()) tooltip(ctx, "The folder with the sample molecules was not found.");
   sample_popup(ctx);
 }
 
@@ -38,7 +38,7 @@ void radii_row(PanelContext& ctx) {
   const bool open = ImGui::BeginCombo("##radii", chosen.name.c_str());
   record(ctx, "molecule.radii");
   if (!open) {
-    tooltip(chosen.citation.c_str());
+    tooltip(ctx, chosen.citation.c_str());
     return;
   }
   for (std::size_t i = 0; i < s.radii_sets.size(); ++i) {
@@ -47,7 +47,7 @@ void radii_row(PanelContext& ctx) {
       s.selection.radii_set = static_cast<int>(i);
     }
     record(ctx, ("molecule.radii." + std::to_string(i)).c_str());
-    tooltip(s.radii_sets[i].citation.c_str());
+    tooltip(ctx, s.radii_sets[i].citation.c_str());
   }
   ImGui::EndCombo();
 }
@@ -99,10 +99,10 @@ void draw_molecule_panel(PanelContext& ctx) {
   ImGui::TextUnformatted(fitted_text(m.name, width).c_str());
   ImGui::PopFont();
   record(ctx, "molecule.name");
-  tooltip(((m.folder.empty() ? "" : m.folder + "\n") + m.format).c_str());
+  tooltip(ctx, ((m.folder.empty() ? "" : m.folder + "\n") + m.format).c_str());
   if (!m.title.empty()) {
     muted_text(ctx, fitted_text(m.title, width));
-    tooltip(m.title.c_str());
+    tooltip(ctx, m.title.c_str());
   }
   ImGui::PushTextWrapPos(0);
   ImGui::TextUnformatted(m.summary.c_str());

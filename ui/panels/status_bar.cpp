@@ -13,7 +13,7 @@ void item(PanelContext& ctx, const char* name, const char* label, const std::str
   ImGui::TextUnformatted(value.c_str());
   ImGui::EndGroup();
   record(ctx, name);
-  tooltip(help);
+  tooltip(ctx, help);
   ImGui::SameLine(0, ctx.px(16));
 }
 
@@ -38,9 +38,9 @@ void counts(PanelContext& ctx) {
   ImGui::PopFont();
   ImGui::EndGroup();
   record(ctx, "status.hash");
-  tooltip(
-      "Of the set of simplices: equal complexes have equal hashes, on every engine and on the "
-      "command line. Click to copy.");
+  tooltip(ctx,
+          "Of the set of simplices: equal complexes have equal hashes, on every engine and on the "
+          "command line. Click to copy.");
   if (ImGui::IsItemClicked()) ImGui::SetClipboardText(r.hash.c_str());
   ImGui::SameLine(0, ctx.px(16));
 }

@@ -43,7 +43,7 @@ void badge(PanelContext& ctx) {
   const float room = ImGui::GetContentRegionAvail().x - ctx.px(240);
   pill(ctx, fitted_text(full, room), l.text, l.fill);
   record(ctx, "timings.badge");
-  tooltip(full.c_str());
+  tooltip(ctx, full.c_str());
 }
 
 // How many times faster than CGAL, for the run that is shown.
@@ -64,7 +64,8 @@ void speed(PanelContext& ctx) {
   pill(ctx, text, slower ? ctx.palette.warning : ctx.palette.accent,
        slower ? ctx.palette.warning_fill : ctx.palette.field);
   record(ctx, "timings.speed");
-  tooltip(cold ? "Whole first computation, set-up included, beside CGAL's triangulation and filter "
+  tooltip(ctx,
+          cold ? "Whole first computation, set-up included, beside CGAL's triangulation and filter "
                  "(one thread)."
                : "A later alpha of the same molecule, beside CGAL's filter on its triangulation.");
 }
@@ -79,7 +80,7 @@ void compare_button(PanelContext& ctx) {
              ButtonKind::primary)) {
     ctx.state.requests.compare = true;
   }
-  tooltip("Computes the same complex with CGAL and compares simplex by simplex (C).");
+  tooltip(ctx, "Computes the same complex with CGAL and compares simplex by simplex (C).");
 }
 
 void title(PanelContext& ctx) {
@@ -94,9 +95,9 @@ void title(PanelContext& ctx) {
     m.timings_pinned = true;
     m.timings_cold = run == 0;
   }
-  tooltip(
-      "Cold: the first alpha of a molecule, set-up included.\nWarm: a later alpha of the same "
-      "molecule, as the slider asks for.");
+  tooltip(ctx,
+          "Cold: the first alpha of a molecule, set-up included.\nWarm: a later alpha of the same "
+          "molecule, as the slider asks for.");
   ImGui::SameLine(0, ctx.px(14));
 }
 
@@ -127,7 +128,7 @@ void summary_line(PanelContext& ctx) {
   muted_text(ctx, fitted_text(text, ImGui::GetContentRegionAvail().x));
   ImGui::PopFont();
   record(ctx, "timings.summary");
-  tooltip(text.c_str());
+  tooltip(ctx, text.c_str());
 }
 
 }  // namespace

@@ -138,6 +138,8 @@ struct SampleMolecule {
   std::string name, detail;  // "Crambin", "1CRN · 327 atoms"
 };
 
+inline constexpr double kTooltipDelaySeconds = 0.4;
+
 // What the panels remember between frames.
 struct PanelMemory {
   bool show_cheat_sheet = false, show_about = false, show_browser = false, show_save = false;
@@ -152,6 +154,7 @@ struct PanelMemory {
   bool timings_pinned = false;  // the user has chosen which
   float bottom_height = 0;      // pixels; 0: default
   bool dragging_view = false;
+  double mouse_still_seconds = 0;  // since the mouse moved or a button was down
 };
 
 struct ViewState {

@@ -142,7 +142,7 @@ void empty_state(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
     const std::string label = "Try " + s.samples[i].name;
     const std::string name = "empty.sample." + std::to_string(i);
     if (button(ctx, name.c_str(), label.c_str(), {0, ctx.px(34)})) s.requests.open_sample = i;
-    tooltip(s.samples[i].detail.c_str());
+    tooltip(ctx, s.samples[i].detail.c_str());
   }
   ImGui::Dummy({0, ctx.px(6)});
   muted_text(ctx, "Then move alpha: the exact alpha complex follows,");

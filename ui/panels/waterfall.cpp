@@ -80,7 +80,7 @@ class Chart {
     ImGui::PushID(index);
     ImGui::InvisibleButton("##line", {right_ - left_ + ctx_.px(80), row_});
     ImGui::PopID();
-    tooltip((line.label + ": " + milliseconds_text(line.length)).c_str());
+    tooltip(ctx_, (line.label + ": " + milliseconds_text(line.length)).c_str());
     if (line.heading) ImGui::PushFont(ctx_.fonts.strong);
     const float indent = line.heading ? 0 : ctx_.px(12);
     const std::string label = fitted_text(line.label, gutter_ - left_ - indent - ctx_.px(10));

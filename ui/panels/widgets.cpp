@@ -117,7 +117,8 @@ bool section(PanelContext& ctx, const char* name, const char* title) {
   return open;
 }
 
-void tooltip(const char* text) {
+void tooltip(PanelContext& ctx, const char* text) {
+  if (ctx.state.memory.mouse_still_seconds < kTooltipDelaySeconds) return;
   if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
   ImGui::BeginTooltip();
   ImGui::PushTextWrapPos(ImGui::GetFontSize() * 24);

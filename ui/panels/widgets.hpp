@@ -51,7 +51,8 @@ bool percent_slider(PanelContext& ctx, const char* name, float& value, float low
 
 bool section(PanelContext& ctx, const char* name, const char* title);
 
-void tooltip(const char* text);                               // for the last item
+// For the last item; shown once the mouse has rested on it.
+void tooltip(PanelContext& ctx, const char* text);
 void muted_text(PanelContext& ctx, const std::string& text);  // one line
 void muted_wrapped(PanelContext& ctx, const std::string& text);
 void strong_text(PanelContext& ctx, const std::string& text);

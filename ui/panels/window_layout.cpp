@@ -88,11 +88,18 @@ void status(PanelContext& ctx, float y, float width, float height) {
   ImGui::PopStyleColor();
 }
 
+void note_mouse(PanelMemory& memory) {
+  const ImGuiIO& io = ImGui::GetIO();
+  const bool busy = io.MouseDelta.x != 0 || io.MouseDelta.y != 0 || ImGui::IsAnyMouseDown();
+  memory.mouse_still_seconds = busy ? 0 : memory.mouse_still_seconds + io.DeltaTime;
+}
+
 }  // namespace
 
 void draw_window(ViewState& state, WidgetRects& rects, const PanelFonts& fonts, float scale) {
   rects.clear();
   PanelContext ctx{state, rects, fonts, palette(state.theme), scale};
+  note_mouse(state.memory);
   draw_menu_bar(ctx);
   const ImVec2 display = ImGui::GetIO().DisplaySize;
   const float top = ImGui::GetFrameHeight();

@@ -5,6 +5,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <stdexcept>
 #include <utility>
@@ -74,9 +75,7 @@ class GlfwHost final : public Host {
       auto* self = static_cast<GlfwHost*>(glfwGetWindowUserPointer(w));
       for (int i = 0; i < count; ++i) self->dropped_.emplace_back(paths[i]);
     });
-    glfwSetWindowRefreshCallback(window_, [](GLFWwindow* w) {
-      static_cast<GlfwHost*>(glfwGetWindowUserPointer(w))->something_ = true;
-    });
+    note_events();
   }
 
   ~GlfwHost() override {
@@ -101,14 +100,16 @@ class GlfwHost final : public Host {
     something_ = false;
     if (timeout_seconds <= 0) {
       glfwPollEvents();
-      return true;
+    } else {
+      glfwWaitEventsTimeout(timeout_seconds);
     }
-    const double start = glfwGetTime();
-    glfwWaitEventsTimeout(timeout_seconds);
-    return something_ || glfwGetTime() - start < timeout_seconds * 0.99;
+    return woken_.exchange(false) || something_ || !dropped_.empty();
   }
 
-  void wake() override { glfwPostEmptyEvent(); }
+  void wake() override {
+    woken_ = true;
+    glfwPostEmptyEvent();
+  }
 
   std::vector<std::filesystem::path> take_dropped_files() override {
     return std::exchange(dropped_, {});
@@ -126,9 +127,28 @@ class GlfwHost final : public Host {
     return static_cast<int>(std::lround(static_cast<float>(at_scale_1) * scale));
   }
 
+  static void note(GLFWwindow* window) {
+    static_cast<GlfwHost*>(glfwGetWindowUserPointer(window))->something_ = true;
+  }
+
+  // Before ImGui installs its callbacks: it calls these first.
+  void note_events() {
+    glfwSetWindowRefreshCallback(window_, [](GLFWwindow* w) { note(w); });
+    glfwSetFramebufferSizeCallback(window_, [](GLFWwindow* w, int, int) { note(w); });
+    glfwSetWindowContentScaleCallback(window_, [](GLFWwindow* w, float, float) { note(w); });
+    glfwSetWindowFocusCallback(window_, [](GLFWwindow* w, int) { note(w); });
+    glfwSetCursorEnterCallback(window_, [](GLFWwindow* w, int) { note(w); });
+    glfwSetCursorPosCallback(window_, [](GLFWwindow* w, double, double) { note(w); });
+    glfwSetMouseButtonCallback(window_, [](GLFWwindow* w, int, int, int) { note(w); });
+    glfwSetScrollCallback(window_, [](GLFWwindow* w, double, double) { note(w); });
+    glfwSetKeyCallback(window_, [](GLFWwindow* w, int, int, int, int) { note(w); });
+    glfwSetCharCallback(window_, [](GLFWwindow* w, unsigned) { note(w); });
+  }
+
   GLFWwindow* window_ = nullptr;
   float fixed_scale_;
   bool something_ = false;
+  std::atomic<bool> woken_ = false;
   std::vector<std::filesystem::path> dropped_;
 };
 

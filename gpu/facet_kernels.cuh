@@ -14,13 +14,19 @@
 namespace alphascope::gpu {
 
 inline constexpr int kBlockThreads = 128;
-inline constexpr int kTile = 8;  // lanes that search the neighbours of one ball together
+// The hot kernel lives on many resident blocks; without a cap, the call of the exact corner test takes
+// 246 registers and leaves two.
+inline constexpr int kResidentBlocks = 6;
 
 inline constexpr int kMaxBallsPerBlock = 32;
 
 // Sides of a polygon that fit the hot kernel's local memory; a larger facet goes to kernel III.
 inline constexpr int kFloatSides = 20;
 inline constexpr int kExactSides = 64;
+
+// Wide enough for every predicate within the lattice's bounds. So few corners need it (9 of a million
+// balls) that 128 bits, where they suffice, would gain nothing.
+using ExactInteger = WideInt<4>;
 
 // What all kernels know about the request; passed by value.
 struct Problem {
@@ -30,10 +36,10 @@ struct Problem {
   double alpha;           // square lattice units
   float scale;            // power of two: scaled = lattice * scale
   std::int64_t ghost_reach;  // power of two above every sqrt(w + alpha), lattice units
+  int tile;                // lanes that search the neighbours of one ball together: 1, 2, 4 or 8
   int balls_per_block;
   int list_capacity;      // neighbours of a ball that fit the block's memory
   int staging_capacity;   // simplices of one dimension that fit
-  bool narrow;            // every predicate fits 128-bit integers
 };
 
 // Balls in cell order.
@@ -239,7 +245,7 @@ __device__ inline int search_neighbours(const Problem& p, const SortedBalls& bal
     for (int ay = max(cy - 1, 0); ay <= min(cy + 1, p.ny - 1); ++ay) {
       const int row = (ax * p.ny + ay) * p.nz;
       const std::uint32_t begin = balls.cell_start[row + z0], end = balls.cell_start[row + z1 + 1];
-      for (std::uint32_t base = begin; base < end; base += kTile) {
+      for (std::uint32_t base = begin; base < end; base += p.tile) {
         const std::uint32_t t = base + lane;
         bool hit = false;
         if (t < end && t != slot) {
@@ -248,7 +254,7 @@ __device__ inline int search_neighbours(const Problem& p, const SortedBalls& bal
                       dz = static_cast<float>(o.z - b.z), sum = balls.reach[t] + reach;
           hit = fmaf(dx, dx, fmaf(dy, dy, dz * dz)) <= sum * sum * kMargin;
         }
-        const unsigned hits = (__ballot_sync(tile_mask, hit) >> tile_shift) & ((1u << kTile) - 1);
+        const unsigned hits = (__ballot_sync(tile_mask, hit) >> tile_shift) & ((1u << p.tile) - 1);
         const int at = count + __popc(hits & ((1u << lane) - 1));
         if (hit && at < p.list_capacity) found[at] = t;
         count += __popc(hits);
@@ -268,7 +274,7 @@ __device__ inline void order_neighbours(const Problem& p, const SortedBalls& bal
   const std::uint32_t* found = m.found + entry0;
   std::uint32_t* found_index = m.found_index + entry0;
   float* found_key = m.found_key + entry0;
-  for (int a = lane; a < count; a += kTile) {
+  for (int a = lane; a < count; a += p.tile) {
     const int4 q = balls.ball[found[a]];
     const float x = static_cast<float>(q.x - b.x), y = static_cast<float>(q.y - b.y),
                 z = static_cast<float>(q.z - b.z), square = x * x + y * y + z * z;
@@ -276,7 +282,7 @@ __device__ inline void order_neighbours(const Problem& p, const SortedBalls& bal
     found_key[a] = (square + static_cast<float>(wi - static_cast<std::int64_t>(q.w) * q.w)) * rsqrtf(square);
   }
   __syncwarp(tile_mask);
-  for (int a = lane; a < count; a += kTile) {
+  for (int a = lane; a < count; a += p.tile) {
     const std::uint32_t t = found[a], index = found_index[a];
     const float key = found_key[a];
     int nearer = 0, rank = 0;
@@ -367,21 +373,20 @@ __device__ bool report_float_facet(const FacetInput<BlockNeighbours>& in, const 
 }
 
 // Storage of an exact polygon in the local memory of a thread.
-template <class Integer>
 struct ExactPolygon {
-  using Line = FacetLine<Integer>;
-  const FacetFrame<Integer>& frame;
+  using Line = FacetLine<ExactInteger>;
+  const FacetFrame<ExactInteger>& frame;
   const FacetInput<BlockNeighbours>& in;
   int size = 0;
-  FacetCorner<Integer> corners[kExactSides];
+  FacetCorner<ExactInteger> corners[kExactSides];
   short ids[kExactSides];
 
-  __device__ ExactPolygon(const FacetFrame<Integer>& f, const FacetInput<BlockNeighbours>& i)
+  __device__ ExactPolygon(const FacetFrame<ExactInteger>& f, const FacetInput<BlockNeighbours>& i)
       : frame(f), in(i) {}
   __device__ int capacity() const { return kExactSides; }
   __device__ int id(int s) const { return ids[s]; }
   __device__ Line line(int s) const {
-    return frame.line(lifted_as<Integer>(in.side_vector(ids[s], frame.axis)));
+    return frame.line(lifted_as<ExactInteger>(in.side_vector(ids[s], frame.axis)));
   }
   __device__ void set_side(int s, int id, const Line&) { ids[s] = static_cast<short>(id); }
   __device__ void meet(int s, const Line& k, const Line& l) { corners[s].meet(k, l); }
@@ -392,20 +397,20 @@ struct ExactPolygon {
 };
 
 // Kernel III of one facet. False only when the polygon does not fit.
-template <bool kWhole, class Integer>
+template <bool kWhole>
 __device__ bool exact_facet(const FacetInput<BlockNeighbours>& in, const std::uint32_t* mask, int count,
                             StagingSink& sink) {
   float edge_value = 0;
   if (kWhole && decide_edge<ExactDecider>(in, &edge_value) == Decision::out) return true;
   const LiftedInt j = in.neighbours.lifted(in.j);
   const FacetAxis axis = facet_axis(j.x, j.y, j.z);
-  const auto frame = make_facet_frame(lifted_as<Integer>(j), axis.axis, axis.negative);
-  ExactPolygon<Integer> polygon(frame, in);
+  const auto frame = make_facet_frame(lifted_as<ExactInteger>(j), axis.axis, axis.negative);
+  ExactPolygon polygon(frame, in);
   start_polygon(polygon, frame, in.ghost_reach);
   for (int m = 0; m < count; ++m) {
     if (!(mask[m >> 5] >> (m & 31) & 1)) continue;
     const LiftedInt vm = in.neighbours.lifted(m);
-    const auto line = frame.line(lifted_as<Integer>(vm));
+    const auto line = frame.line(lifted_as<ExactInteger>(vm));
     const auto side = [&](int s) {
       const int sign = sign_of(polygon.corners[s].beyond(line));
       if (sign != 0) return sign;
@@ -508,8 +513,7 @@ __device__ __noinline__ int decide_corner(const Problem& p, const SortedBalls& s
   int sign = corner_cut_filtered(vj, f.axis, vk, vl, vm);
   if (sign != 0) return sign;
   atomicAdd(&m.counters[5], 1);
-  sign = p.narrow ? corner_cut_exact<Int128>(vj, f.axis, vk, vl, vm)
-                  : corner_cut_exact<WideInt<4>>(vj, f.axis, vk, vl, vm);
+  sign = corner_cut_exact<ExactInteger>(vj, f.axis, vk, vl, vm);
   return sign != 0 ? sign : perturbed_cut(vj, vk, k < 0, vl, l < 0, vm);
 }
 
@@ -589,13 +593,13 @@ __device__ void clip_queue(const Problem& p, const SortedBalls& sorted, const Bl
 }
 
 // Balls [first, first + balls) of the sorted order, or one ball of the exact list.
-template <bool kWhole, bool kExact, class Integer>
+template <bool kWhole, bool kExact>
 __device__ void process_balls(const Problem& p, const SortedBalls& sorted, const Output& out,
                               const BlockMemory& m, std::uint32_t first, int balls,
                               std::uint32_t* ball_index, std::uint32_t* shared_base) {
-  const int lane = threadIdx.x % kTile, tile = threadIdx.x / kTile, tiles = blockDim.x / kTile;
-  const int tile_shift = (threadIdx.x & 31) / kTile * kTile;
-  const unsigned tile_mask = ((1u << kTile) - 1) << tile_shift;
+  const int lane = threadIdx.x & (p.tile - 1), tile = threadIdx.x / p.tile, tiles = blockDim.x / p.tile;
+  const int tile_shift = threadIdx.x & 31 & ~(p.tile - 1);
+  const unsigned tile_mask = ((1u << p.tile) - 1) << tile_shift;
   if (threadIdx.x < 7) m.counters[threadIdx.x] = 0;
   for (int b = threadIdx.x; b < balls; b += blockDim.x) {
     m.exact[b] = 0;
@@ -629,7 +633,7 @@ __device__ void process_balls(const Problem& p, const SortedBalls& sorted, const
       const FacetPlace place(m, sorted, first + b, entry0);
       const FacetInput<BlockNeighbours> in{place.neighbours, e - entry0, place.weight, p.alpha, p.ghost_reach, true};
       StagingSink sink{m, p.staging_capacity, b, m.rank + entry0, e - entry0};
-      if (!exact_facet<kWhole, Integer>(in, m.masks + e * mask_words(p), m.list_size[b], sink)) atomicAdd(out.failures, 1u);
+      if (!exact_facet<kWhole>(in, m.masks + e * mask_words(p), m.list_size[b], sink)) atomicAdd(out.failures, 1u);
     }
   } else {
     clip_queue<kWhole>(p, sorted, m, first, facets);
@@ -663,7 +667,7 @@ __device__ void process_balls(const Problem& p, const SortedBalls& sorted, const
 }
 
 template <bool kWhole>
-__global__ void __launch_bounds__(kBlockThreads) facets_filtered(Problem p, SortedBalls sorted, Output out) {
+__global__ void __launch_bounds__(kBlockThreads, kResidentBlocks) facets_filtered(Problem p, SortedBalls sorted, Output out) {
   extern __shared__ __align__(16) unsigned char shared[];
   __shared__ std::uint32_t ball_index[kMaxBallsPerBlock];
   __shared__ std::uint32_t base;
@@ -672,11 +676,11 @@ __global__ void __launch_bounds__(kBlockThreads) facets_filtered(Problem p, Sort
   const std::uint32_t first = blockIdx.x * static_cast<std::uint32_t>(p.balls_per_block);
   if (first >= alive) return;
   const int balls = static_cast<int>(min(static_cast<std::uint32_t>(p.balls_per_block), alive - first));
-  process_balls<kWhole, false, Int128>(p, sorted, out, m, first, balls, ball_index, &base);
+  process_balls<kWhole, false>(p, sorted, out, m, first, balls, ball_index, &base);
 }
 
 // One ball at a time; p.balls_per_block is 1.
-template <bool kWhole, class Integer>
+template <bool kWhole>
 __global__ void __launch_bounds__(kBlockThreads) facets_exact(Problem p, SortedBalls sorted, Output out) {
   extern __shared__ __align__(16) unsigned char shared[];
   __shared__ std::uint32_t ball_index[1];
@@ -684,7 +688,7 @@ __global__ void __launch_bounds__(kBlockThreads) facets_exact(Problem p, SortedB
   const BlockMemory m = carve(shared, p, kWhole);
   const std::uint32_t count = *out.exact_count;
   for (std::uint32_t n = blockIdx.x; n < count; n += gridDim.x) {
-    process_balls<kWhole, true, Integer>(p, sorted, out, m, out.exact_list[n], 1, ball_index, &base);
+    process_balls<kWhole, true>(p, sorted, out, m, out.exact_list[n], 1, ball_index, &base);
     __syncthreads();
   }
 }

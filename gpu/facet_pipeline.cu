@@ -23,6 +23,8 @@ constexpr double kMaxCutoff = 16777216.0;
 // is noticed by the kernel and the run repeated with what it needed.
 constexpr int kFirstList = 32;
 constexpr int kFirstStaging = 12;  // a ball of the block
+// From here on there are balls enough to fill the machine with fewer lanes each.
+constexpr std::size_t kManyBalls = 200000;
 constexpr int kMaxList = 4095;  // 12 bits of a staging key
 
 // Counters of one run, together so that one copy brings them back.
@@ -96,7 +98,7 @@ struct FacetPipeline::State {
   cudaStream_t stream = nullptr;
   std::size_t n = 0;
   LatticePoint low, high;
-  std::int32_t max_radius = 0, min_radius = 0;
+  std::int32_t max_radius = 0;
   // What earlier runs needed, by alpha: the longest neighbour list and the fullest staging area.
   struct Need {
     double alpha;
@@ -209,7 +211,7 @@ FacetPipeline::FacetPipeline(const BallSet& balls) : state_(std::make_unique<Sta
   const std::vector<bool> hidden = coincident_hidden(balls);
   s.host_balls.reserve(std::max<std::size_t>(s.n, 1));
   s.low = s.high = s.n == 0 ? LatticePoint{} : balls.centres[0];
-  s.min_radius = s.max_radius = s.n == 0 ? 1 : balls.radii[0];
+  s.max_radius = s.n == 0 ? 1 : balls.radii[0];
   for (BallIndex i = 0; i < s.n; ++i) {
     const LatticePoint& c = balls.centres[i];
     const bool dead = !hidden.empty() && hidden[i];
@@ -217,7 +219,6 @@ FacetPipeline::FacetPipeline(const BallSet& balls) : state_(std::make_unique<Sta
     s.low = {std::min(s.low.x, c.x), std::min(s.low.y, c.y), std::min(s.low.z, c.z)};
     s.high = {std::max(s.high.x, c.x), std::max(s.high.y, c.y), std::max(s.high.z, c.z)};
     s.max_radius = std::max(s.max_radius, balls.radii[i]);
-    s.min_radius = std::min(s.min_radius, balls.radii[i]);
   }
   s.host_counters.reserve(1);
   s.counters.reserve(1);
@@ -237,7 +238,6 @@ PipelineResult FacetPipeline::run(double alpha, bool tetrahedra_only, const Canc
   const bool whole = !tetrahedra_only;
   PipelineResult result;
   const double largest = static_cast<double>(s.max_radius) * s.max_radius + alpha;
-  const double smallest = static_cast<double>(s.min_radius) * s.min_radius + std::min(alpha, 0.0);
   if (s.n == 0 || largest < 0) return result;
   const double cutoff = 2 * std::sqrt(largest);
   if (!(cutoff < kMaxCutoff)) {
@@ -264,9 +264,6 @@ PipelineResult FacetPipeline::run(double alpha, bool tetrahedra_only, const Canc
   p.ny = static_cast<int>(cells(s.low.y, s.high.y));
   p.nz = static_cast<int>(cells(s.low.z, s.high.z));
   const std::size_t cell_count = static_cast<std::size_t>(p.nx) * p.ny * p.nz + 1;  // and the dead
-  // |d| < cutoff and |c| <= cutoff² + the spread of the weights (see clip_error_bound).
-  const double power = cutoff * cutoff + largest - smallest + 8 * cutoff + 64;
-  p.narrow = cutoff < 131072.0 && power < 68719476736.0;
   s.cell_count.reserve(cell_count + 1);
   s.cell_start.reserve(cell_count + 1);
   for (int d = 1; d < 4; ++d) {
@@ -294,6 +291,7 @@ PipelineResult FacetPipeline::run(double alpha, bool tetrahedra_only, const Canc
     const int fair = static_cast<int>(s.n / (static_cast<std::size_t>(s.multiprocessors) * 6));
     p.balls_per_block = std::clamp(std::min(1024 / p.list_capacity, fair), 1, kMaxBallsPerBlock);
     p.staging_capacity = need.staging * p.balls_per_block;
+    p.tile = s.n > kManyBalls ? 4 : 8;
     Problem exact = p;
     exact.balls_per_block = 1;
     const std::size_t shared = block_memory_bytes(p, whole);
@@ -331,11 +329,7 @@ PipelineResult FacetPipeline::run(double alpha, bool tetrahedra_only, const Canc
     launch(whole ? facets_filtered<true> : facets_filtered<false>, blocks, p, shared);
     timer.mark(stage::kCandidatesAndFiltered);
     const unsigned exact_blocks = static_cast<unsigned>(2 * s.multiprocessors);
-    if (p.narrow) {
-      launch(whole ? facets_exact<true, Int128> : facets_exact<false, Int128>, exact_blocks, exact, shared_exact);
-    } else {
-      launch(whole ? facets_exact<true, WideInt<4>> : facets_exact<false, WideInt<4>>, exact_blocks, exact, shared_exact);
-    }
+    launch(whole ? facets_exact<true> : facets_exact<false>, exact_blocks, exact, shared_exact);
     timer.mark(stage::kExactValidity);
 
     if (whole) {

@@ -109,6 +109,25 @@ void complete_vertices(const BallSet& balls, const std::vector<VertexState>& sta
 
 }  // namespace
 
+NeighbourMoments sample_neighbours(const UniformGrid& grid, std::size_t samples) {
+  NeighbourMoments moments;
+  if (grid.size() == 0) return moments;
+  const std::size_t step = std::max<std::size_t>(1, grid.size() / samples);
+  std::vector<std::uint32_t> found, row_hits;
+  double count = 0;
+  for (std::size_t slot = step / 2; slot < grid.size(); slot += step) {
+    found.clear();
+    find_neighbours(grid, static_cast<std::uint32_t>(slot), found, row_hits);
+    const auto m = static_cast<double>(found.size());
+    moments.mean += m;
+    moments.mean_square += m * m;
+    count += 1;
+  }
+  moments.mean /= count;
+  moments.mean_square /= count;
+  return moments;
+}
+
 FacetStatistics compute_facets(const BallSet& balls, const UniformGrid& grid,
                                const RunContext& context, StageTimer& timer,
                                AlphaComplex& complex) {

@@ -16,6 +16,13 @@ struct FacetStatistics {
   std::size_t exact_facets = 0;     // of these, done again in exact integers
 };
 
+// Mean number of neighbours of a ball and mean of its square, from at most `samples` balls spread
+// over the grid: what the cost of the facets depends on.
+struct NeighbourMoments {
+  double mean = 0, mean_square = 0;
+};
+NeighbourMoments sample_neighbours(const UniformGrid& grid, std::size_t samples);
+
 // Fills the simplices of `complex` (alpha_on_lattice and tetrahedra_only are read from it) from a
 // grid made for the same alpha, and appends the stages from kernel I on to its timings. Runs in the
 // calling task arena. Throws Cancelled, std::bad_alloc.

@@ -14,27 +14,18 @@
 namespace alphascope {
 namespace {
 
-// Microseconds of one thread per ball with m expected neighbours: a fit to 1K4C (16,068 balls, alpha 0
-// to 5 and solvent 1.4; m = 4.6, 9.0, 14.7, 22.4, 26.7) on one core of an AMD EPYC. Only the choice of a route depends
-// on them, never a result.
-double facet_cost(double m, bool tetrahedra_only) {
-  return tetrahedra_only ? 0.15 + 0.05 * m + 0.0085 * m * m : 0.2 + 0.16 * m + 0.0105 * m * m;
+// Microseconds of one thread per ball: a fit to 1K4C (16,068 balls, alpha 0 to 5 and solvent 1.4: 5.7
+// to 36 neighbours a ball) on one core of an AMD EPYC. Only the choice of a route depends on it,
+// never a result.
+double facet_cost(const NeighbourMoments& m, bool tetrahedra_only) {
+  return tetrahedra_only ? 0.1 + 0.04 * m.mean + 0.006 * m.mean_square
+                         : 0.1 + 0.18 * m.mean + 0.0042 * m.mean_square;
 }
+constexpr std::size_t kCostSamples = 256;
 // The same for the triangulation and, for a whole complex, its alpha values.
 double triangulation_cost(bool tetrahedra_only) { return tetrahedra_only ? 3.7 : 8.2; }
 // Facets scale with the threads; the triangulation does so less.
 double triangulation_speed_up(int threads) { return std::pow(threads, 0.75); }
-
-// Neighbours per ball, from the candidates in the 27 cells around it: the share of their volume that
-// lies within reach, for balls spread evenly and of similar size.
-double expected_neighbours(const UniformGrid& grid) {
-  if (grid.size() == 0) return 0;
-  double mean_reach = 0;
-  for (const float reach : grid.reach) mean_reach += reach;
-  mean_reach /= static_cast<double>(grid.size());
-  const double ratio = 2 * mean_reach / grid.cell_width;
-  return grid.search_cost() / static_cast<double>(grid.size()) * (4.18879 / 27) * ratio * ratio * ratio;
-}
 
 class FacetEngine : public Engine {
  public:
@@ -84,15 +75,16 @@ class FacetEngine : public Engine {
     context.report(stage::kGrid, 0);
     if (!std::isfinite(alpha)) return triangulated(request, context, timer);
     const UniformGrid grid = make_uniform_grid(*balls_, alpha, *hidden_);
-    const double facets = facet_cost(expected_neighbours(grid), tetrahedra_only) / arena_.max_concurrency();
-    const double triangulation = triangulation_cost(tetrahedra_only) / triangulation_speed_up(arena_.max_concurrency());
-    // A search of everything against everything is never worth it, whatever the averages say.
-    const bool search_is_local = grid.search_cost() < 2000.0 * static_cast<double>(grid.size()) + 1e6;
+    // A search of everything against everything is never worth it, whatever a sample says.
+    const double search_cost = grid.search_cost();
+    const bool local = search_cost < 2000.0 * static_cast<double>(grid.size()) + 1e6 &&
+                       2 * largest_reach(grid) < kMaxFacetReach;
+    const int threads = arena_.max_concurrency();
+    const bool clip = local && facet_cost(sample_neighbours(grid, kCostSamples), tetrahedra_only) / threads <
+                                   triangulation_cost(tetrahedra_only) / triangulation_speed_up(threads);
     timer.lap(stage::kGrid);
-    if (facets > triangulation || !search_is_local || 2 * largest_reach(grid) >= kMaxFacetReach) {
-      return triangulated(request, context, timer);
-    }
-    return clipped(grid, alpha, tetrahedra_only, context, timer);
+    return clip ? clipped(grid, alpha, tetrahedra_only, context, timer)
+                : triangulated(request, context, timer);
   }
 
   AlphaComplex clipped(const UniformGrid& grid, double alpha, bool tetrahedra_only,

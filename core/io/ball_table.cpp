@@ -97,7 +97,6 @@ class BallTableReader {
            "more balls than the " + std::to_string(count_) + " that the first line announces",
            "Correct the count or remove the surplus lines");
     }
-    NameTable& names = builder_.molecule().names;
     Atom atom;
     atom.source_line = static_cast<std::uint32_t>(lines_.number());
     atom.serial = static_cast<std::int32_t>(builder_.size() + 1);

@@ -87,7 +87,7 @@ TEST_F(Cli, HelpHasExamplesAndExitCodes) {
 }
 
 TEST_F(Cli, WrongUsageIsCode2) {
-  for (const std::string arguments :
+  for (const std::string& arguments :
        {std::string(""), std::string("frobnicate"), "compute '" + cube_.string() + "'",
         "compute '" + cube_.string() + "' --alpha banana",
         "compute '" + cube_.string() + "' --alpha inf",
@@ -110,7 +110,7 @@ TEST_F(Cli, BadInputIsCode3AndNamesFileAndLine) {
   EXPECT_EQ(outcome.code, 3);
   EXPECT_TRUE(contains(outcome.err, "bad.xyzr, line 2")) << outcome.err;
   const fs::path pixels = write("noise.pdb", std::string("\x89PNG\r\n\x1a\n\0\0", 10));
-  for (const std::string file : {std::string("/nonexistent/x.pdb"), folder_.string(),
+  for (const std::string& file : {std::string("/nonexistent/x.pdb"), folder_.string(),
                                  write("empty.pdb", "").string(), pixels.string()}) {
     for (const char* command : {"info", "compute --alpha 1", "verify --alpha 1"}) {
       const Outcome failed = run(std::string(command) + " '" + file + "'");

@@ -169,7 +169,7 @@ template <int N>
 void add_simplex(SimplexList<N>& list, const std::vector<BallIndex>& simplex,
                  const Rational& value) {
   if (simplex.size() != N) return;
-  std::array<BallIndex, N> s;
+  std::array<BallIndex, N> s{};
   std::copy(simplex.begin(), simplex.end(), s.begin());
   list.simplices.push_back(s);
   list.alpha_values.push_back(nearest_float(value));

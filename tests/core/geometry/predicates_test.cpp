@@ -186,8 +186,12 @@ void check_predicates(std::uint64_t seed, int cases_per_kind) {
       }
     }
     EXPECT_GT(radii.cases, cases_per_kind / 2u) << "kind " << kind;
-    if (kind < 3) EXPECT_GT(filters.filtered, cases_per_kind / 2u) << "kind " << kind;
-    if (kind == 0) EXPECT_GT(corners.ties, cases_per_kind / 100u);
+    if (kind < 3) {
+      EXPECT_GT(filters.filtered, cases_per_kind / 2u) << "kind " << kind;
+    }
+    if (kind == 0) {
+      EXPECT_GT(corners.ties, cases_per_kind / 100u);
+    }
     ::testing::Test::RecordProperty("corner_ties_" + std::to_string(kind),
                                     std::to_string(corners.ties));
   }

@@ -1,0 +1,60 @@
+# What scripts/run and scripts/test share. To be sourced; sets -euo pipefail and goes to the root.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+
+say() { printf '\n== %s\n' "$*"; }
+die() { printf 'error: %s\n' "$*" >&2; exit 1; }
+
+# Installs what scripts/packages.txt names and is not there yet; touches nothing when all is.
+install_packages() {
+  local wanted missing=() package
+  if ! command -v apt-get >/dev/null; then
+    say "This is no Debian system: install by hand what scripts/packages.txt names, if you have not."
+    return
+  fi
+  wanted=$(grep -v '^#' scripts/packages.txt)
+  for package in $wanted; do
+    dpkg-query -W -f='${Status}' "$package" 2>/dev/null | grep -q 'ok installed' ||
+      missing+=("$package")
+  done
+  if [ ${#missing[@]} -eq 0 ]; then
+    say "All packages are installed"
+    return
+  fi
+  local as_root=()
+  if [ "$(id -u)" -ne 0 ]; then
+    command -v sudo >/dev/null ||
+      die "missing packages, and neither root nor sudo here. As root: apt-get install ${missing[*]}"
+    as_root=(sudo)
+  fi
+  say "Installing ${#missing[@]} packages: ${missing[*]}"
+  "${as_root[@]}" apt-get update -q
+  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
+    apt-get install -q -y --no-install-recommends "${missing[@]}"
+}
+
+# Compiling a source that uses CGAL or VTK takes up to 1.5 GiB, so memory limits the jobs too.
+jobs() {
+  local cores gibibytes
+  cores=$(nproc)
+  gibibytes=$(awk '/MemAvailable/ {print int($2 / 1048576 / 1.5)}' /proc/meminfo)
+  [ "$gibibytes" -ge 1 ] || gibibytes=1
+  echo $((cores < gibibytes ? cores : gibibytes))
+}
+
+# build PRESET [TARGET...]: configures when needed, then builds.
+build() {
+  local preset=$1
+  shift
+  if command -v ccache >/dev/null; then
+    export CMAKE_C_COMPILER_LAUNCHER=ccache CMAKE_CXX_COMPILER_LAUNCHER=ccache
+  fi
+  if [ ! -f "build/$preset/build.ninja" ]; then
+    say "Configuring build/$preset"
+    cmake --preset "$preset" -Wno-dev
+  fi
+  say "Building build/$preset ${*:+($*)}"
+  local targets=()
+  [ $# -eq 0 ] || targets=(--target "$@")
+  cmake --build "build/$preset" --parallel "$(jobs)" "${targets[@]}"
+}

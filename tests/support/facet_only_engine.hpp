@@ -4,6 +4,8 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <cmath>
+#include <stdexcept>
 
 #include "core/complex/cpu_facets.hpp"
 #include "core/complex/engine.hpp"
@@ -17,6 +19,7 @@ class FacetOnlyEngine : public Engine {
       : balls_(std::move(balls)), arena_(threads) {}
 
   AlphaComplex compute(const AlphaRequest& request, const RunContext& context) override {
+    if (std::isnan(request.alpha_angstrom2)) throw std::invalid_argument("alpha is not a number");
     AlphaComplex complex;
     complex.lattice = balls_->lattice;
     complex.alpha_on_lattice = balls_->lattice.alpha_on_lattice(request.alpha_angstrom2);

@@ -110,6 +110,30 @@ TEST(Filtration, ClassesFollowFromTheSimplices) {
   }
 }
 
+// Setup is paid once: later alphas are thresholds and say so.
+TEST(CgalEngine, TimesSetupApart) {
+  Random random(24);
+  const auto engine = make_cgal_engine(
+      std::make_shared<const BallSet>(testing::random_balls(random, 500, 1000, 50, 200)), {1});
+  const AlphaComplex only = engine->compute({100, true}, {});
+  EXPECT_EQ(only.engine.route, "regular triangulation, then threshold");
+  ASSERT_EQ(only.timings.stages.size(), 2u);
+  EXPECT_EQ(only.timings.stages[0].label, stage::kTriangulation);
+  EXPECT_TRUE(only.timings.stages[0].setup);
+  EXPECT_FALSE(only.timings.stages[1].setup);
+
+  const AlphaComplex whole = engine->compute({100}, {});
+  ASSERT_EQ(whole.timings.stages.size(), 2u);
+  EXPECT_EQ(whole.timings.stages[0].label, stage::kClassification);
+  EXPECT_TRUE(whole.timings.stages[0].setup);
+
+  const AlphaComplex later = engine->compute({50}, {});
+  EXPECT_EQ(later.engine.route, "threshold of cached filtration");
+  ASSERT_EQ(later.timings.stages.size(), 1u);
+  EXPECT_EQ(later.timings.setup_milliseconds(), 0);
+  EXPECT_GE(later.timings.wall_milliseconds, later.timings.stages[0].milliseconds);
+}
+
 // The parallel triangulation is the sequential one, hidden and coincident balls included.
 TEST(Triangulation, DoesNotDependOnThreads) {
   Random random(23);

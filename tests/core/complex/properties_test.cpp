@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 #include <numeric>
+#include <stdexcept>
 
 #include "core/complex/compare.hpp"
 #include "core/complex/verify.hpp"
@@ -145,7 +146,17 @@ TEST_P(Properties, WholeTriangulationHasEulerCharacteristicOne) {
   }
 }
 
-TEST_P(Properties, RefusesNanAndStaysUsableWhenCancelled) {
+TEST_P(Properties, RefusesNanAndTakesInfinity) {
+  Random random(13);
+  const auto engine = GetParam().make(
+      std::make_shared<const BallSet>(testing::random_balls(random, 50, 100, 10, 20)));
+  EXPECT_THROW(engine->compute({std::numeric_limits<double>::quiet_NaN()}, {}),
+               std::invalid_argument);
+  EXPECT_EQ(engine->compute({-kInfinity}, {}).vertices.size(), 0u);
+  EXPECT_EQ(engine->compute({kInfinity}, {}).vertices.size(), 50u);
+}
+
+TEST_P(Properties, StaysUsableWhenCancelled) {
   Random random(10);
   const auto balls =
       std::make_shared<const BallSet>(testing::random_balls(random, 5000, 20000, 500, 1500));

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <utility>
 #include <vector>
 
 #include "core/geometry/ball_set.hpp"
@@ -29,7 +28,6 @@ class FaceGroups {
 
   std::size_t size() const { return faces_.size(); }
   const std::vector<std::array<BallIndex, N>>& faces() const { return faces_; }
-  std::vector<std::array<BallIndex, N>> take_faces() { return std::move(faces_); }
 
   // Calls visit(index of a coface) for each coface of this face.
   template <class Visit>
@@ -89,28 +87,34 @@ class FaceGroups {
     }
   }
 
+  // Counts the faces of each bucket, then writes them to where they belong.
   void mark_faces() {
-    std::size_t count = 0;
-    for_each_face([&](std::size_t, std::uint32_t) { ++count; });
-    faces_.reserve(count);
-    first_record_.reserve(count + 1);
-    for_each_face([&](std::size_t v, std::uint32_t r) {
-      std::array<BallIndex, N> face;
-      face[0] = static_cast<BallIndex>(v);
-      if constexpr (N > 1) face[N - 1] = static_cast<BallIndex>(records_[r].rest);
-      if constexpr (N > 2) face[1] = static_cast<BallIndex>(records_[r].rest >> 32);
-      faces_.push_back(face);
-      first_record_.push_back(r);
+    const std::size_t buckets = bucket_.size() - 1;
+    std::vector<std::uint32_t> first_face(buckets + 1, 0);
+    tbb::parallel_for(std::size_t{0}, buckets, [&](std::size_t v) {
+      for_faces_of(v, [&](std::uint32_t) { ++first_face[v + 1]; });
     });
-    first_record_.push_back(static_cast<std::uint32_t>(records_.size()));
+    for (std::size_t v = 0; v < buckets; ++v) first_face[v + 1] += first_face[v];
+    faces_.resize(first_face.back());
+    first_record_.resize(faces_.size() + 1);
+    first_record_.back() = static_cast<std::uint32_t>(records_.size());
+    tbb::parallel_for(std::size_t{0}, buckets, [&](std::size_t v) {
+      std::uint32_t at = first_face[v];
+      for_faces_of(v, [&](std::uint32_t r) {
+        std::array<BallIndex, N>& face = faces_[at];
+        face[0] = static_cast<BallIndex>(v);
+        if constexpr (N > 1) face[N - 1] = static_cast<BallIndex>(records_[r].rest);
+        if constexpr (N > 2) face[1] = static_cast<BallIndex>(records_[r].rest >> 32);
+        first_record_[at++] = r;
+      });
+    });
   }
 
+  // Calls visit(first record) for each face whose first vertex is v.
   template <class Visit>
-  void for_each_face(const Visit& visit) const {
-    for (std::size_t v = 0; v + 1 < bucket_.size(); ++v) {
-      for (std::uint32_t r = bucket_[v]; r < bucket_[v + 1]; ++r) {
-        if (r == bucket_[v] || records_[r].rest != records_[r - 1].rest) visit(v, r);
-      }
+  void for_faces_of(std::size_t v, const Visit& visit) const {
+    for (std::uint32_t r = bucket_[v]; r < bucket_[v + 1]; ++r) {
+      if (r == bucket_[v] || records_[r].rest != records_[r - 1].rest) visit(r);
     }
   }
 

@@ -75,7 +75,7 @@ ClassLevels class_levels(std::size_t count, const std::vector<std::uint32_t>& po
   ClassLevels levels;
   levels.regular_from.assign(count, kNever);
   levels.interior_from.assign(count, kNever);
-  for (std::size_t g = 0; g < groups.size(); ++g) {
+  parallel_ranges(groups.size(), {}, [&](std::size_t g) {
     float regular = std::numeric_limits<float>::infinity();
     float interior = -std::numeric_limits<float>::infinity();
     groups.for_cofaces(g, [&](std::uint32_t c) {
@@ -86,7 +86,7 @@ ClassLevels class_levels(std::size_t count, const std::vector<std::uint32_t>& po
     });
     levels.regular_from[position[g]] = regular;
     levels.interior_from[position[g]] = N == 3 && groups.coface_count(g) != 2 ? kNever : interior;
-  }
+  });
   return levels;
 }
 

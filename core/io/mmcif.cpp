@@ -1,11 +1,11 @@
-// mmCIF: the atom_site table and the title, through gemmi's CIF grammar with our own actions, so
-// that numbers stay text until they are on the lattice and every value knows its line.
+// mmCIF: the atom_site table, assemblies and the title. Numbers stay text until they are on the
+// lattice, and every value knows its line.
 #include <charconv>
-#include <gemmi/cif.hpp>
 #include <optional>
 #include <set>
 
 #include "core/io/atom_names.hpp"
+#include "core/io/cif_grammar.hpp"
 #include "core/io/line_reader.hpp"
 #include "core/io/mmcif_assembly.hpp"
 #include "core/io/molecule_builder.hpp"
@@ -13,9 +13,6 @@
 
 namespace alphascope {
 namespace {
-
-namespace rules = gemmi::cif::rules;
-namespace pegtl = tao::pegtl;
 
 constexpr std::string_view kAtomSite = "_atom_site.";
 constexpr std::size_t kProgressRows = 16384;
@@ -75,20 +72,20 @@ struct CifValue {
 };
 
 // Receives what the grammar meets, in file order.
-class MmcifReader {
+class MmcifReader : public CifHandler {
  public:
   explicit MmcifReader(const ReaderInput& input) : input_(input), builder_(input.source, "mmCIF") {}
 
-  void begin_block() { ++block_; }
-  void begin_loop() {
+  void begin_block() override { ++block_; }
+  void begin_loop() override {
     tags_.clear();
     row_.clear();
     column_ = 0;
     kind_ = Table::undecided;
   }
-  void loop_tag(std::string_view tag) { tags_.emplace_back(lower(tag)); }
+  void loop_tag(std::string_view tag) override { tags_.emplace_back(lower(tag)); }
 
-  void loop_value(std::string_view raw, std::size_t line) {
+  void loop_value(std::string_view raw, std::size_t line) override {
     if (kind_ == Table::undecided) kind_ = recognise();
     if (kind_ == Table::other) return;
     if (kind_ == Table::assembly) {
@@ -102,7 +99,7 @@ class MmcifReader {
     row_.clear();
   }
 
-  void end_loop() {
+  void end_loop() override {
     if (kind_ == Table::atoms && !row_.empty()) {
       fail(row_.front().line,
            "this row of the atom_site table has " + std::to_string(row_.size()) + " of its " +
@@ -111,9 +108,9 @@ class MmcifReader {
     }
   }
 
-  void item_tag(std::string_view tag) { item_ = lower(tag); }
+  void item_tag(std::string_view tag) override { item_ = lower(tag); }
 
-  void item_value(std::string_view raw, std::size_t line) {
+  void item_value(std::string_view raw, std::size_t line) override {
     if (item_ == "_struct.title" && builder_.molecule().title.empty()) {
       builder_.molecule().title = std::string(trimmed(plain(raw)));
     } else if (item_.starts_with(kAtomSite)) {
@@ -284,74 +281,15 @@ class MmcifReader {
   bool fractional_ = false;
 };
 
-template <typename Input>
-std::string_view matched(const Input& in) {
-  return {in.begin(), in.size()};
-}
-
-template <typename Rule>
-struct MmcifAction : pegtl::nothing<Rule> {};
-
-template <>
-struct MmcifAction<rules::datablockname> {
-  template <typename Input>
-  static void apply(const Input&, MmcifReader& reader) {
-    reader.begin_block();
-  }
-};
-template <>
-struct MmcifAction<rules::str_loop> {
-  template <typename Input>
-  static void apply(const Input&, MmcifReader& reader) {
-    reader.begin_loop();
-  }
-};
-template <>
-struct MmcifAction<rules::loop_tag> {
-  template <typename Input>
-  static void apply(const Input& in, MmcifReader& reader) {
-    reader.loop_tag(matched(in));
-  }
-};
-template <>
-struct MmcifAction<rules::loop_value> {
-  template <typename Input>
-  static void apply(const Input& in, MmcifReader& reader) {
-    reader.loop_value(matched(in), in.iterator().line);
-  }
-};
-template <>
-struct MmcifAction<rules::loop> {
-  template <typename Input>
-  static void apply(const Input&, MmcifReader& reader) {
-    reader.end_loop();
-  }
-};
-template <>
-struct MmcifAction<rules::item_tag> {
-  template <typename Input>
-  static void apply(const Input& in, MmcifReader& reader) {
-    reader.item_tag(matched(in));
-  }
-};
-template <>
-struct MmcifAction<rules::item_value> {
-  template <typename Input>
-  static void apply(const Input& in, MmcifReader& reader) {
-    reader.item_value(matched(in), in.iterator().line);
-  }
-};
-
 }  // namespace
 
 Molecule read_mmcif(const ReaderInput& input) {
   MmcifReader reader(input);
-  pegtl::memory_input<> in(input.text.data(), input.text.size(), "");
   try {
-    pegtl::parse<rules::file, MmcifAction, gemmi::cif::Errors>(in, reader);
-  } catch (const pegtl::parse_error& error) {
-    throw ReadError(input.source, error.positions().front().line,
-                    "this is not correct CIF: " + std::string(error.message()),
+    parse_cif(input.text, reader);
+  } catch (const CifSyntaxError& error) {
+    throw ReadError(input.source, error.line(),
+                    "this is not correct CIF: " + std::string(error.what()),
                     "The file is truncated or damaged; fetch it again");
   }
   return reader.finish();

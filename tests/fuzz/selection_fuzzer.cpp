@@ -1,0 +1,21 @@
+// Any text as a selection expression and as the operators of an assembly.
+#include <cstdlib>
+
+#include "core/molecule/selection_expression.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {
+  const std::string_view text(reinterpret_cast<const char*>(data), size);
+  try {
+    alphascope::Molecule m;
+    m.atoms.resize(1);
+    m.atoms[0].chain = m.names.intern("A");
+    const auto bound = alphascope::SelectionExpression::parse(text).bind(m);
+    static_cast<void>(bound(m.atoms[0]));
+  } catch (const alphascope::SelectionError& error) {
+    if (error.column() < 1 || error.column() > size + 1) std::abort();
+  }
+  const std::vector<alphascope::SymmetryOperator> operators = {{"1", {}}, {"2", {}}, {"P", {}}};
+  std::vector<std::vector<std::uint32_t>> factors;
+  alphascope::parse_operator_expression(text, operators, factors);
+  return 0;
+}

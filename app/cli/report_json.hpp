@@ -1,4 +1,4 @@
-// Results with their provenance as JSON (docs/file-formats.md) and as the header of a text file.
+// Results with their provenance as JSON (docs/output-files.md) and as the header of a text file.
 #pragma once
 
 #include <nlohmann/json.hpp>

@@ -1,4 +1,4 @@
-// An alpha complex as text with all its simplices (docs/file-formats.md). Other formats for meshes
+// An alpha complex as text with all its simplices (docs/output-files.md). Other formats for meshes
 // are written elsewhere.
 #pragma once
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <type_traits>
 #include <vector>
 
 #include "core/geometry/ball_set.hpp"
@@ -42,9 +43,10 @@ class FaceGroups {
 
  private:
   // One face of one coface; its first vertex is the bucket's, the others are packed into a number
-  // (sorting is half of the work).
+  // (sorting is half of the work, and there are 40 records per ball).
+  using Rest = std::conditional_t<(N > 2), std::uint64_t, std::uint32_t>;
   struct Record {
-    std::uint64_t rest;
+    Rest rest;
     std::uint32_t coface;
     bool operator<(const Record& other) const {
       return rest != other.rest ? rest < other.rest : coface < other.coface;
@@ -72,7 +74,9 @@ class FaceGroups {
       for (int dropped = 0; dropped <= N; ++dropped) {
         Record record{0, c};
         for (int v = dropped == 0 ? 2 : 1; v <= N; ++v) {
-          if (v != dropped) record.rest = record.rest << 32 | cofaces[c][v];
+          if (v == dropped) continue;
+          if constexpr (N > 2) record.rest <<= 32;
+          record.rest |= cofaces[c][v];
         }
         records_[next[cofaces[c][dropped == 0 ? 1 : 0]]++] = record;
       }

@@ -111,7 +111,8 @@ void SceneController::update_radii() {
     style.alpha = answer_->request.alpha_angstrom2;
     style.solvent_radius = answer_->request.solvent_radius_angstrom;
   }
-  scene_.set_ball_radii(drawn_radii(*geometry_, style));
+  radii_ = drawn_radii(*geometry_, style);
+  scene_.set_ball_radii(radii_);
   dirty_ = true;
 }
 
@@ -207,6 +208,11 @@ void SceneController::render(ViewportInfo& viewport, bool interacting, bool pati
   refine_ = quality_.at_rest() > target;
   viewport.texture = scene_.texture();
   viewport.angstrom_per_pixel = scene_.angstrom_per_pixel();
+}
+
+std::optional<std::size_t> SceneController::pick(int x, int y) const {
+  if (!geometry_ || !display_.balls || width_ == 0) return std::nullopt;
+  return pick_ball(*geometry_, radii_, scene_.ray(x, y));
 }
 
 void SceneController::save_picture(const ScreenshotRequest& request) {

@@ -37,6 +37,8 @@ class SceneController {
   // Draws when something changed or a finer picture is due. `patient`: as fine as possible,
   // whatever it takes (for pictures).
   void render(ViewportInfo& viewport, bool interacting, bool patient);
+  // The ball under a pixel of the picture, when balls are shown.
+  std::optional<std::size_t> pick(int x, int y) const;
   void save_picture(const ScreenshotRequest& request);
 
  private:
@@ -52,6 +54,7 @@ class SceneController {
   std::shared_ptr<const Molecule> molecule_;
   std::shared_ptr<const PreparedBalls> prepared_;
   std::shared_ptr<const BallGeometry> geometry_;
+  std::vector<float> radii_;  // Å, as drawn
   std::shared_ptr<const std::vector<Rgb8>> by_element_, by_chain_;
   std::shared_ptr<const Answer> answer_;
   DisplayControls display_;

@@ -69,6 +69,24 @@ std::vector<GrownRadius> grown_radii(const Molecule& molecule, const PreparedBal
   return result;
 }
 
+std::string describe_ball(const Molecule& molecule, const PreparedBalls& prepared,
+                          const ComputeControls& controls, std::size_t ball) {
+  const BallSet& balls = *prepared.balls;
+  const Lattice& lattice = balls.lattice;
+  const LatticePoint& c = balls.centres[ball];
+  const double radius = lattice.angstrom(balls.radii[ball]),
+               with_solvent = radius + controls.solvent;
+  const double grown = std::sqrt(std::max(0.0, with_solvent * with_solvent + controls.alpha));
+  const int digits = std::clamp(lattice.digits, 0, 4);
+  const auto coordinate = [&](std::int32_t x) {
+    return short_number_text(lattice.angstrom(x), digits);
+  };
+  const std::string label = atom_label(molecule, prepared.atom_of_ball[ball]);
+  return (label.empty() ? "ball " + count(ball + 1) : label) + "\ncentre " + coordinate(c.x) +
+         ", " + coordinate(c.y) + ", " + coordinate(c.z) + " Å\nradius " +
+         short_number_text(radius, 3) + " Å, grown " + number_text(grown, 2) + " Å";
+}
+
 MoleculeInfo describe_molecule(const Molecule& molecule, const PreparedBalls& prepared) {
   MoleculeInfo info;
   info.loaded = true;

@@ -12,6 +12,10 @@ MoleculeInfo describe_molecule(const Molecule& molecule, const PreparedBalls& pr
 std::vector<GrownRadius> grown_radii(const Molecule& molecule, const PreparedBalls& prepared,
                                      const ComputeControls& controls);
 
+// Name, place and radii of one ball, in lines.
+std::string describe_ball(const Molecule& molecule, const PreparedBalls& prepared,
+                          const ComputeControls& controls, std::size_t ball);
+
 ResultInfo describe_answer(const Answer& answer);
 std::optional<EngineTimings> describe_timings(const ColdAndWarm& timings, const EngineInfo& engine);
 BadgeInfo describe_agreement(const SessionState& state, bool comparing);

@@ -218,6 +218,16 @@ void Viewer::send_controls() {
   scene_.set_display(state_.display, state_.theme);
 }
 
+void Viewer::describe_under_mouse() {
+  ViewportInfo& v = state_.viewport;
+  v.under_mouse.clear();
+  const SessionState& s = session_.state();
+  if (!v.hovered || !s.molecule) return;
+  if (const auto ball = scene_.pick(v.mouse_x, v.mouse_y)) {
+    v.under_mouse = describe_ball(*s.molecule, *s.prepared, state_.compute, *ball);
+  }
+}
+
 bool Viewer::interacting() const {
   const ImGuiIO& io = ImGui::GetIO();
   return io.MouseDown[0] || io.MouseDown[1] || io.MouseDown[2];
@@ -226,6 +236,7 @@ bool Viewer::interacting() const {
 void Viewer::draw(ScriptedInput* input, bool patient,
                   const std::function<void(unsigned)>& before_swap) {
   update_busy();
+  describe_under_mouse();
   if (!frame_.begin(state_.theme, input)) return;
   draw_window(state_, rects_, frame_.fonts(), frame_.scale());
   for (const PointerEvent& event : state_.viewport.events) scene_.pointer(event);

@@ -51,6 +51,7 @@ class Viewer {
   void colour_by_what_differs(const Molecule& molecule);
   bool compares_by_itself() const;
   void compare_when_due();
+  void describe_under_mouse();
   bool interacting() const;
   void draw(ScriptedInput* input, bool patient,
             const std::function<void(unsigned)>& before_swap = {});

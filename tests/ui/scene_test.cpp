@@ -140,6 +140,27 @@ TEST_F(SceneTest, DraggingTurnsAndResetRestores) {
   EXPECT_EQ(differing_pixels(before, scene.grab(320, 200, false)), 0);
 }
 
+TEST_F(SceneTest, ARayThroughEveryBallsPixelPicksABallThere) {
+  load(0);
+  scene.set_mesh(nullptr);
+  std::vector<float> radii = drawn_radii(*geometry, {});
+  scene.render(640, 400, RenderQuality::draft);
+  const Image image = scene.grab(640, 400, false);
+  int background = 0, wrong = 0;
+  for (int y = 3; y < 400; y += 7) {
+    for (int x = 3; x < 640; x += 7) {
+      const std::uint8_t* p = &image.rgba[(std::size_t(y) * 640 + x) * 4];
+      const auto ball = pick_ball(*geometry, radii, scene.ray(x, y));
+      if (!ball) ++background;
+      const bool red = p[0] > p[2] + 40, blue = p[2] > p[0] + 40;
+      const bool first_half = ball && *ball < geometry->centres.size() / 2;
+      wrong += (red && (!ball || !first_half)) || (blue && (!ball || first_half));
+    }
+  }
+  EXPECT_GT(background, 1000);
+  EXPECT_LE(wrong, 20);  // of 5,200: pixels on an outline
+}
+
 TEST_F(SceneTest, WheelZoomsIn) {
   load(0);
   scene.render(320, 200, RenderQuality::draft);

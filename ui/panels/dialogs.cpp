@@ -76,6 +76,7 @@ void cheat_sheet(PanelContext& ctx) {
                 {{"drag", "turn"},
                  {"middle drag, shift + drag", "shift"},
                  {"wheel, right drag", "zoom"},
+                 {"rest on a ball", "its name, place and radii"},
                  {"R", "reset the view"},
                  {"B, T, E", "balls, tetrahedra, edges on and off"},
                  {"Ctrl + L", "light or dark"}});

@@ -1,120 +1,18 @@
-// Everything the panels show and everything the user can change or ask for, as plain data. The
-// program fills the Info parts and reads controls and requests; panels know nothing else.
+// Everything between the panels and the program, as plain data: what is shown, what was set, what
+// was asked for. Panels know nothing else.
 #pragma once
 
-#include <cstdint>
+#include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "ui/panels/controls.hpp"
+#include "ui/panels/view_info.hpp"
 #include "ui/theme.hpp"
 
 namespace alphascope {
-
-enum class EngineOption : std::uint8_t { automatic, gpu, cpu, cgal };
-enum class ColourBy : std::uint8_t { element, chain, single, alpha };  // alpha: simplices only
-
-// A change of these needs a new computation.
-struct ComputeControls {
-  double alpha = 0;    // Å²
-  double solvent = 0;  // Å
-  EngineOption engine = EngineOption::automatic;
-  bool tetrahedra_only = false;
-  friend bool operator==(const ComputeControls&, const ComputeControls&) = default;
-};
-
-// Which atoms become balls; a change needs new balls.
-enum class HydrogenOption : std::uint8_t { automatic, keep, drop };
-struct SelectionControls {
-  bool waters = false, ligands = true, ions = true;
-  HydrogenOption hydrogens = HydrogenOption::automatic;
-  int radii_set = 0;  // index into ViewState::radii_sets
-  friend bool operator==(const SelectionControls&, const SelectionControls&) = default;
-};
-
-// A change of these only needs a new picture.
-struct DisplayControls {
-  bool balls = true, tetrahedra = true, boundary = false, triangles = false, edges = false;
-  bool singular_only = true;  // triangles and edges that are faces of nothing larger
-  bool grown_balls = false;   // sqrt((radius + solvent)² + alpha) instead of the radius
-  float ball_scale = 0.3f;    // times the radius
-  float ball_opacity = 1, complex_opacity = 1;
-  float shrink = 0;  // of tetrahedra, 0 to 0.9
-  ColourBy ball_colour = ColourBy::chain, complex_colour = ColourBy::chain;
-  bool ambient_occlusion = true;
-  friend bool operator==(const DisplayControls&, const DisplayControls&) = default;
-};
-
-struct GrownRadius {
-  std::string element;           // "C"; empty when the file does not say
-  double radius = 0, grown = 0;  // Å; grown is 0 where the ball is empty
-};
-
-struct MoleculeInfo {
-  bool loaded = false;
-  std::string name, folder, title, format;  // "4hhb.pdb.gz", "/data", "HAEMOGLOBIN…", "PDB"
-  std::string summary;                      // one line: used, dropped, guessed
-  std::vector<std::string> notes;           // what the reader had to assume
-  std::size_t balls = 0;
-  std::vector<GrownRadius> radii;  // each pair of element and radius, most frequent first
-};
-
-struct ResultInfo {
-  bool present = false;
-  double alpha = 0, solvent = 0;  // of this result; the controls may be ahead
-  bool tetrahedra_only = false;
-  std::size_t vertices = 0, edges = 0, triangles = 0, tetrahedra = 0;
-  long long euler = 0;
-  std::string hash, engine, device, route;
-};
-
-struct StageBar {
-  std::string label;
-  double milliseconds = 0;
-  bool setup = false;  // paid once a molecule
-};
-
-struct TimedRun {
-  std::vector<StageBar> stages;
-  double wall_milliseconds = 0;
-};
-
-// cold: the first computation, set-up included. warm: a later alpha of the same molecule.
-struct EngineTimings {
-  std::string engine, device;
-  std::optional<TimedRun> cold, warm;
-};
-
-struct BadgeInfo {
-  enum class State : std::uint8_t { not_compared, comparing, identical, different, failed };
-  State state = State::not_compared;
-  std::string text;  // "identical to CGAL: 16,445 of 16,445 tetrahedra"
-};
-
-struct BusyInfo {
-  bool active = false;
-  std::string what;   // "Opening 1aon.pdb.gz", "kernel II (filtered validity)"
-  double share = -1;  // 0 to 1; negative: unknown
-  double seconds = 0;
-};
-
-struct PointerEvent {
-  enum class Kind : std::uint8_t { move, press, release, wheel, double_click };
-  Kind kind = Kind::move;
-  int x = 0, y = 0;  // pixels of the picture, from its top left
-  int button = 0;    // 0 left, 1 right, 2 middle
-  double wheel = 0;
-  bool control = false, shift = false;
-};
-
-struct ViewportInfo {
-  std::uint64_t texture = 0;  // OpenGL name of the picture; 0: none yet
-  double angstrom_per_pixel = 0;
-  // Written by the panels: how large the picture should be (pixels) and what the mouse did on it.
-  int width = 0, height = 0;
-  std::vector<PointerEvent> events;
-};
 
 struct ScreenshotRequest {
   std::filesystem::path path;

@@ -30,9 +30,14 @@ void mouse(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
                          ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
                              ImGuiButtonFlags_MouseButtonMiddle);
   record(ctx, "view");
+  v.hovered = false;
   if (!ctx.state.molecule.loaded) return;
   const ImGuiIO& io = ImGui::GetIO();
   const bool hovered = ImGui::IsItemHovered();
+  v.hovered = hovered && !ImGui::IsAnyMouseDown();
+  v.mouse_x = static_cast<int>(io.MousePos.x - corner.x);
+  v.mouse_y = static_cast<int>(io.MousePos.y - corner.y);
+  if (!v.under_mouse.empty()) tooltip(ctx, v.under_mouse.c_str());
   bool& dragging = ctx.state.memory.dragging_view;
   const auto event = [&](PointerEvent::Kind kind, int button, double wheel) {
     v.events.push_back({kind, static_cast<int>(io.MousePos.x - corner.x),

@@ -8,6 +8,7 @@
 #include <vtkGenericRenderWindowInteractor.h>
 #include <vtkInteractorStyleTrackballCamera.h>
 #include <vtkLight.h>
+#include <vtkMath.h>
 #include <vtkNew.h>
 #include <vtkObject.h>
 #include <vtkOpenGLFramebufferObject.h>
@@ -292,6 +293,27 @@ double Scene::angstrom_per_pixel() const {
   const vtkCamera* camera = impl_->renderer->GetActiveCamera();
   const double distance = const_cast<vtkCamera*>(camera)->GetDistance();
   return 2 * distance * std::tan(kViewAngleDegrees * M_PI / 360) / impl_->picture_height;
+}
+
+Ray Scene::ray(double x, double y) const {
+  vtkCamera* camera = impl_->renderer->GetActiveCamera();
+  const int* size = impl_->window->GetSize();
+  const double width = double(size[0]) / impl_->samples, height = double(size[1]) / impl_->samples;
+  const double tangent = std::tan(kViewAngleDegrees * M_PI / 360);
+  Ray ray;
+  double forward[3], up[3], right[3];
+  camera->GetPosition(ray.start.data());
+  camera->GetDirectionOfProjection(forward);
+  camera->GetViewUp(up);
+  vtkMath::Cross(forward, up, right);
+  vtkMath::Normalize(right);
+  vtkMath::Cross(right, forward, up);  // the camera's own need not be at a right angle
+  const double across = (2 * (x + 0.5) / width - 1) * tangent * width / height;
+  const double upwards = (1 - 2 * (y + 0.5) / height) * tangent;
+  for (int k = 0; k < 3; ++k) {
+    ray.direction[k] = forward[k] + across * right[k] + upwards * up[k];
+  }
+  return ray;
 }
 
 void Scene::pointer_move(int x, int y, bool control, bool shift) {

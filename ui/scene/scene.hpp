@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "ui/scene/ball_geometry.hpp"
+#include "ui/scene/ball_pick.hpp"
 #include "ui/scene/complex_mesh.hpp"
 #include "ui/theme.hpp"
 
@@ -55,6 +56,9 @@ class Scene {
   unsigned texture() const;
   // Å that one pixel of the last picture spans at the camera's focal point.
   double angstrom_per_pixel() const;
+
+  // The line of sight through a pixel of the last picture, counted from its top left.
+  Ray ray(double x, double y) const;
 
   // Trackball: left turns, middle or shift + left shifts, right or wheel zooms. Coordinates in
   // pixels of the picture from its top left.

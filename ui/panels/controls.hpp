@@ -1,0 +1,42 @@
+// What the user can set: plain data that the panels change and the program reads.
+#pragma once
+
+#include <cstdint>
+
+namespace alphascope {
+
+enum class EngineOption : std::uint8_t { automatic, gpu, cpu, cgal };
+enum class ColourBy : std::uint8_t { element, chain, single, alpha };  // alpha: simplices only
+
+// A change of these needs a new computation.
+struct ComputeControls {
+  double alpha = 0;    // Å²
+  double solvent = 0;  // Å
+  EngineOption engine = EngineOption::automatic;
+  bool tetrahedra_only = false;
+  friend bool operator==(const ComputeControls&, const ComputeControls&) = default;
+};
+
+// Which atoms become balls; a change needs new balls.
+enum class HydrogenOption : std::uint8_t { automatic, keep, drop };
+struct SelectionControls {
+  bool waters = false, ligands = true, ions = true;
+  HydrogenOption hydrogens = HydrogenOption::automatic;
+  int radii_set = 0;  // index into ViewState::radii_sets
+  friend bool operator==(const SelectionControls&, const SelectionControls&) = default;
+};
+
+// A change of these only needs a new picture.
+struct DisplayControls {
+  bool balls = true, tetrahedra = true, boundary = false, triangles = false, edges = false;
+  bool singular_only = true;  // triangles and edges that are faces of nothing larger
+  bool grown_balls = false;   // sqrt((radius + solvent)² + alpha) instead of the radius
+  float ball_scale = 0.3f;    // times the radius
+  float ball_opacity = 1, complex_opacity = 1;
+  float shrink = 0;  // of tetrahedra, 0 to 0.9
+  ColourBy ball_colour = ColourBy::chain, complex_colour = ColourBy::chain;
+  bool ambient_occlusion = true;
+  friend bool operator==(const DisplayControls&, const DisplayControls&) = default;
+};
+
+}  // namespace alphascope

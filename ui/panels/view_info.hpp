@@ -1,0 +1,84 @@
+// What the panels show of molecule, result, timings and view: plain data that the program fills.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace alphascope {
+
+struct GrownRadius {
+  std::string element;           // "C"; empty when the file does not say
+  double radius = 0, grown = 0;  // Å; grown is 0 where the ball is empty
+};
+
+struct MoleculeInfo {
+  bool loaded = false;
+  std::string name, folder, title, format;  // "4hhb.pdb.gz", "/data", "HAEMOGLOBIN…", "PDB"
+  std::string summary;                      // one line: used, dropped, guessed
+  std::vector<std::string> notes;           // what the reader had to assume
+  std::size_t balls = 0;
+  std::vector<GrownRadius> radii;  // each pair of element and radius, most frequent first
+};
+
+struct ResultInfo {
+  bool present = false;
+  double alpha = 0, solvent = 0;  // of this result; the controls may be ahead
+  bool tetrahedra_only = false;
+  std::size_t vertices = 0, edges = 0, triangles = 0, tetrahedra = 0;
+  long long euler = 0;
+  std::string hash, engine, device, route;
+};
+
+struct StageBar {
+  std::string label;
+  double milliseconds = 0;
+  bool setup = false;  // paid once a molecule
+};
+
+struct TimedRun {
+  std::vector<StageBar> stages;
+  double wall_milliseconds = 0;
+};
+
+// cold: the first computation, set-up included. warm: a later alpha of the same molecule.
+struct EngineTimings {
+  std::string engine, device;
+  std::optional<TimedRun> cold, warm;
+};
+
+struct BadgeInfo {
+  enum class State : std::uint8_t { not_compared, comparing, identical, different, failed };
+  State state = State::not_compared;
+  std::string text;  // "identical to CGAL: 16,445 of 16,445 tetrahedra"
+};
+
+struct BusyInfo {
+  bool active = false;
+  std::string what;   // "Opening 1aon.pdb.gz", "kernel II (filtered validity)"
+  double share = -1;  // 0 to 1; negative: unknown
+  double seconds = 0;
+};
+
+struct PointerEvent {
+  enum class Kind : std::uint8_t { move, press, release, wheel, double_click };
+  Kind kind = Kind::move;
+  int x = 0, y = 0;  // pixels of the picture, from its top left
+  int button = 0;    // 0 left, 1 right, 2 middle
+  double wheel = 0;
+  bool control = false, shift = false;
+};
+
+struct ViewportInfo {
+  std::uint64_t texture = 0;  // OpenGL name of the picture; 0: none yet
+  double angstrom_per_pixel = 0;
+  // Written by the panels: how large the picture should be (pixels) and what the mouse did on it.
+  int width = 0, height = 0;
+  std::vector<PointerEvent> events;
+  bool hovered = false;  // the mouse is on the picture and no button is down
+  int mouse_x = 0, mouse_y = 0;
+  std::string under_mouse;  // what is there, as the program says; shown when the mouse rests
+};
+
+}  // namespace alphascope

@@ -14,9 +14,6 @@
 namespace alphascope::gpu {
 
 inline constexpr int kBlockThreads = 128;
-// The hot kernel lives on many resident blocks; without a cap, the call of the exact corner test takes
-// 246 registers and leaves two.
-inline constexpr int kResidentBlocks = 6;
 
 inline constexpr int kMaxBallsPerBlock = 32;
 
@@ -24,8 +21,8 @@ inline constexpr int kMaxBallsPerBlock = 32;
 inline constexpr int kFloatSides = 20;
 inline constexpr int kExactSides = 64;
 
-// Wide enough for every predicate within the lattice's bounds. So few corners need it (9 of a million
-// balls) that 128 bits, where they suffice, would gain nothing.
+// Wide enough for every predicate within the lattice's bounds. So few facets need it (9 corners of a
+// million balls at alpha 1.4) that 128 bits, where they suffice, would gain nothing.
 using ExactInteger = WideInt<4>;
 
 // What all kernels know about the request; passed by value.
@@ -70,7 +67,6 @@ struct Output {
   std::uint8_t* vertex_state;   // per ball: 0 absent, 1 attached, 2 unattached
   std::uint32_t* exact_list;    // slots of balls for kernel III
   std::uint32_t* exact_count;
-  std::uint32_t* exact_corners;    // corners that kernel II decided in integers
   std::uint32_t* needed_list;      // largest neighbour list met
   std::uint32_t* needed_staging;   // largest number of simplices of one dimension in a block
   std::uint32_t* failures;         // facets that even kernel III could not hold
@@ -161,7 +157,7 @@ struct BlockMemory {
   Staged* staged[3];       // edges, triangles, tetrahedra; staging_capacity each
   int* list_size;          // per ball of the block
   int* exact;              // per ball: 1 when undecided
-  int* counters;           // 0-2 staged, 3 queue, 4 queue head, 5 exact corners, 6 longest list
+  int* counters;           // 0-2 staged, 3 queue, 4 queue head, 5 longest list
 };
 
 __host__ __device__ inline std::size_t reused_words(const Problem& p) {
@@ -500,21 +496,16 @@ struct FacetPlace {
         weight(static_cast<std::int64_t>(neighbours.centre.w) * neighbours.centre.w) {}
 };
 
-// The rare corner that single precision leaves open: in double, then in integers, then by
-// perturbation; always decided. Out of line: its registers are not the loop's. Deciding the one corner
-// here is far quicker than sending its facet to kernel III (55 us for a single one on an H200).
-__device__ __noinline__ int decide_corner(const Problem& p, const SortedBalls& sorted,
-                                          const BlockMemory& m, std::uint32_t first,
-                                          const FloatFacet& f, int k, int l, int cutter) {
+// The rare corner that single precision leaves open, in double. Out of line: its registers are not the
+// loop's. Integers here as well would spare kernel III's 55 us, but the 246 registers that they take
+// slow the whole kernel down (1K4C, alpha 10, H200: 2.0 ms against 1.3).
+__device__ __noinline__ int corner_in_double(const Problem& p, const SortedBalls& sorted,
+                                             const BlockMemory& m, std::uint32_t first,
+                                             const FloatFacet& f, int k, int l, int cutter) {
   const FacetPlace place(m, sorted, first + f.ball, f.entry0);
   const FacetInput<BlockNeighbours> in{place.neighbours, f.j, place.weight, p.alpha, p.ghost_reach, true};
-  const LiftedInt vj = in.neighbours.lifted(f.j), vk = in.side_vector(k, f.axis.axis),
-                  vl = in.side_vector(l, f.axis.axis), vm = in.neighbours.lifted(cutter);
-  int sign = corner_cut_filtered(vj, f.axis, vk, vl, vm);
-  if (sign != 0) return sign;
-  atomicAdd(&m.counters[5], 1);
-  sign = corner_cut_exact<ExactInteger>(vj, f.axis, vk, vl, vm);
-  return sign != 0 ? sign : perturbed_cut(vj, vk, k < 0, vl, l < 0, vm);
+  return corner_cut_filtered(in.neighbours.lifted(f.j), f.axis, in.side_vector(k, f.axis.axis),
+                             in.side_vector(l, f.axis.axis), in.neighbours.lifted(cutter));
 }
 
 // Kernel II over the block's queue: each lane clips its facet, one neighbour a turn, and fetches the
@@ -577,7 +568,7 @@ __device__ void clip_queue(const Problem& p, const SortedBalls& sorted, const Bl
     if (test.spares(box)) continue;
     const auto side = [&](int s) {
       const int sign = test.side(polygon.corners[s]);
-      return sign != 0 ? sign : decide_corner(p, sorted, m, first, f, polygon.ids[s],
+      return sign != 0 ? sign : corner_in_double(p, sorted, m, first, f, polygon.ids[s],
                                                  polygon.ids[s + 1 == polygon.size ? 0 : s + 1], k);
     };
     const ClipOutcome outcome = clip(polygon, test.line, k, side);
@@ -600,7 +591,7 @@ __device__ void process_balls(const Problem& p, const SortedBalls& sorted, const
   const int lane = threadIdx.x & (p.tile - 1), tile = threadIdx.x / p.tile, tiles = blockDim.x / p.tile;
   const int tile_shift = threadIdx.x & 31 & ~(p.tile - 1);
   const unsigned tile_mask = ((1u << p.tile) - 1) << tile_shift;
-  if (threadIdx.x < 7) m.counters[threadIdx.x] = 0;
+  if (threadIdx.x < 6) m.counters[threadIdx.x] = 0;
   for (int b = threadIdx.x; b < balls; b += blockDim.x) {
     m.exact[b] = 0;
     ball_index[b] = sorted.index[first + b];
@@ -613,7 +604,7 @@ __device__ void process_balls(const Problem& p, const SortedBalls& sorted, const
     order_neighbours(p, sorted, first + b, count, entry0, m, lane, tile_mask);
     if (lane == 0) {
       m.list_size[b] = count;
-      atomicMax(&m.counters[6], all);
+      atomicMax(&m.counters[5], all);
     }
   }
   __syncthreads();
@@ -641,8 +632,7 @@ __device__ void process_balls(const Problem& p, const SortedBalls& sorted, const
   __syncthreads();
 
   if (threadIdx.x == 0) {
-    atomicMax(out.needed_list, static_cast<std::uint32_t>(m.counters[6]));
-    if (m.counters[5] > 0) atomicAdd(out.exact_corners, static_cast<std::uint32_t>(m.counters[5]));
+    atomicMax(out.needed_list, static_cast<std::uint32_t>(m.counters[5]));
   }
   if (!kExact) {
     for (int b = threadIdx.x; b < balls; b += blockDim.x) {
@@ -667,7 +657,7 @@ __device__ void process_balls(const Problem& p, const SortedBalls& sorted, const
 }
 
 template <bool kWhole>
-__global__ void __launch_bounds__(kBlockThreads, kResidentBlocks) facets_filtered(Problem p, SortedBalls sorted, Output out) {
+__global__ void __launch_bounds__(kBlockThreads) facets_filtered(Problem p, SortedBalls sorted, Output out) {
   extern __shared__ __align__(16) unsigned char shared[];
   __shared__ std::uint32_t ball_index[kMaxBallsPerBlock];
   __shared__ std::uint32_t base;

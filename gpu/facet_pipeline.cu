@@ -30,7 +30,7 @@ constexpr int kMaxList = 4095;  // 12 bits of a staging key
 // Counters of one run, together so that one copy brings them back.
 struct Counters {
   std::uint32_t cursor[3];
-  std::uint32_t exact_count, exact_corners, needed_list, needed_staging, failures;
+  std::uint32_t exact_count, needed_list, needed_staging, failures, padding;
 };
 
 // The device-side buffers of one dimension.
@@ -288,7 +288,7 @@ PipelineResult FacetPipeline::run(double alpha, bool tetrahedra_only, const Canc
     cancel.throw_if_cancelled();
     // As many balls a block as its memory comfortably holds, but blocks for all multiprocessors.
     p.list_capacity = (need.list + 7) / 8 * 8;
-    const int fair = static_cast<int>(s.n / (static_cast<std::size_t>(s.multiprocessors) * 6));
+    const int fair = static_cast<int>(s.n / (static_cast<std::size_t>(s.multiprocessors) * 4));
     p.balls_per_block = std::clamp(std::min(1024 / p.list_capacity, fair), 1, kMaxBallsPerBlock);
     p.staging_capacity = need.staging * p.balls_per_block;
     p.tile = s.n > kManyBalls ? 4 : 8;
@@ -316,7 +316,7 @@ PipelineResult FacetPipeline::run(double alpha, bool tetrahedra_only, const Canc
                              s.cell_start.get() + (cell_count - 1)};
     Counters* c = s.counters.get();
     const Output out{s.device_simplices<2>(whole), s.device_simplices<3>(whole), s.device_simplices<4>(whole),
-                     s.vertex_state.get(), s.exact_list.get(), &c->exact_count, &c->exact_corners, &c->needed_list,
+                     s.vertex_state.get(), s.exact_list.get(), &c->exact_count, &c->needed_list,
                      &c->needed_staging, &c->failures};
     for (int d = whole ? 1 : 3; d < 4; ++d) s.zero(s.dimension[d].count.get(), s.n * 4);
     if (whole) s.zero(s.vertex_state.get(), s.n);
@@ -388,7 +388,6 @@ PipelineResult FacetPipeline::run(double alpha, bool tetrahedra_only, const Canc
 
     s.note_need({alpha, whole, std::max(8, static_cast<int>(got.needed_list)), need.staging});
     cancel.throw_if_cancelled();
-    result.exact_corners = got.exact_corners;
     result.exact_balls = got.exact_count;
     if (whole) {
       result.vertices = s.fetch<1>(vertex_tail[0] + vertex_tail[1], true);

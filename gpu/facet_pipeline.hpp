@@ -24,7 +24,6 @@ struct PipelineResult {
   HostSimplices<2> edges;
   HostSimplices<3> triangles;
   HostSimplices<4> tetrahedra;
-  std::uint32_t exact_corners = 0;  // corners that needed integers within kernel II
   std::uint32_t exact_balls = 0;  // balls that went through kernel III
   bool fits = true;               // false: this request is beyond the kernels' limits
 };

@@ -114,7 +114,7 @@ void time_one(const std::string& name, const BallSet& balls, double solvent, dou
     pipeline.run(a, only, {}, &stages);
     stages = {};
     pipeline.run(a, only, {}, &stages);
-    std::printf("TIME %-6s n=%zu s=%g a=%g %-5s median %.3f ms min %.3f | T=%zu E=%zu exact balls %u corners %u |", name.c_str(), grown.size(), solvent, alpha, only ? "tets" : "whole", t[t.size() / 2], t[0], r.tetrahedra.simplices.size(), r.edges.simplices.size(), r.exact_balls, r.exact_corners);
+    std::printf("TIME %-6s n=%zu s=%g a=%g %-5s median %.3f ms min %.3f | T=%zu E=%zu exact balls %u |", name.c_str(), grown.size(), solvent, alpha, only ? "tets" : "whole", t[t.size() / 2], t[0], r.tetrahedra.simplices.size(), r.edges.simplices.size(), r.exact_balls);
     for (const auto& s : stages.stages) std::printf(" %s %.3f;", s.label.c_str(), s.milliseconds);
     std::printf("\n");
     std::fflush(stdout);

@@ -1,0 +1,77 @@
+// The CUDA engine against the CPU's, byte for byte, on a machine with a device; and what is said where
+// there is none.
+#include "gpu/gpu_engine.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+#include "tests/support/random_balls.hpp"
+
+namespace alphascope {
+namespace {
+
+using testing::NamedBalls;
+using testing::Random;
+
+template <int N>
+void expect_same(const SimplexList<N>& a, const SimplexList<N>& b) {
+  EXPECT_EQ(a.simplices, b.simplices);
+  EXPECT_EQ(a.classes, b.classes);
+  ASSERT_EQ(a.alpha_values.size(), b.alpha_values.size());
+  EXPECT_EQ(std::memcmp(a.alpha_values.data(), b.alpha_values.data(), a.alpha_values.size() * sizeof(float)), 0);
+}
+
+void expect_same_on_gpu(const std::shared_ptr<const BallSet>& balls, double alpha_angstrom2) {
+  std::string why_not;
+  const auto gpu = make_gpu_engine(balls, {}, &why_not);
+  ASSERT_TRUE(gpu) << why_not;
+  const auto cpu = make_cpu_engine(balls);
+  for (const bool tetrahedra_only : {true, false}) {
+    const AlphaComplex found = gpu->compute({alpha_angstrom2, tetrahedra_only}, {});
+    const AlphaComplex expected = cpu->compute({alpha_angstrom2, tetrahedra_only}, {});
+    SCOPED_TRACE("alpha " + std::to_string(alpha_angstrom2) + ", " + found.engine.route);
+    expect_same(found.vertices, expected.vertices);
+    expect_same(found.edges, expected.edges);
+    expect_same(found.triangles, expected.triangles);
+    expect_same(found.tetrahedra, expected.tetrahedra);
+    EXPECT_EQ(found.hash, expected.hash);
+  }
+}
+
+TEST(Gpu, EqualsTheCpuOnHardSets) {
+  if (!gpu_device().usable) GTEST_SKIP() << gpu_device().why_not;
+  Random random(5);
+  for (const NamedBalls& set : testing::large_hard_sets(random)) {
+    SCOPED_TRACE(set.name);
+    const auto balls = std::make_shared<const BallSet>(set.balls);
+    const double unit = set.name == "random" ? 1e4 : 1;
+    for (const double alpha : {-1.0, 0.0, 0.25, 0.5, 1.0, 3.0, 40.0}) expect_same_on_gpu(balls, alpha * unit);
+  }
+}
+
+TEST(Gpu, EqualsItselfFromRunToRun) {
+  if (!gpu_device().usable) GTEST_SKIP() << gpu_device().why_not;
+  Random random(6);
+  const auto sets = testing::large_hard_sets(random);
+  const auto balls = std::make_shared<const BallSet>(sets.front().balls);
+  const auto engine = make_gpu_engine(balls, {}, nullptr);
+  ASSERT_TRUE(engine);
+  const AlphaComplex first = engine->compute({0.5, false}, {});
+  for (int run = 0; run < 20; ++run) expect_same(engine->compute({0.5, false}, {}).tetrahedra, first.tetrahedra);
+}
+
+TEST(Gpu, SaysWhyItCannotBeUsed) {
+  const GpuDevice& device = gpu_device();
+  if (device.usable) GTEST_SKIP() << device.name << " is usable";
+  EXPECT_NE(device.why_not.find("CPU engine"), std::string::npos) << device.why_not;
+  BallSet balls;
+  balls.centres.push_back({0, 0, 0});
+  balls.radii.push_back(1000);
+  std::string why_not;
+  EXPECT_EQ(make_gpu_engine(std::make_shared<const BallSet>(balls), {}, &why_not), nullptr);
+  EXPECT_EQ(why_not, device.why_not);
+}
+
+}  // namespace
+}  // namespace alphascope

@@ -198,7 +198,7 @@ void check_predicates(std::uint64_t seed, int cases_per_kind) {
 }
 
 TEST(Predicates, AgreeWithRationals) {
-  check_predicates(1, 20000);
+  check_predicates(1, 8000);
 }
 
 TEST(Predicates, AgreeWithRationalsLong) {

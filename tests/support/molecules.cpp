@@ -4,6 +4,15 @@
 #include "core/molecule/prepare_balls.hpp"
 
 namespace alphascope::testing {
+namespace {
+
+std::shared_ptr<const BallSet> read_balls(const std::filesystem::path& path,
+                                          double solvent_angstrom) {
+  const PreparedBalls prepared = prepare_balls(read_molecule(path));
+  return std::make_shared<BallSet>(with_solvent(*prepared.balls, solvent_angstrom));
+}
+
+}  // namespace
 
 std::filesystem::path test_data_folder() {
   const char* folder = std::getenv("ALPHASCOPE_TEST_DATA");
@@ -13,8 +22,12 @@ std::filesystem::path test_data_folder() {
 std::shared_ptr<const BallSet> molecule_balls(const std::string& file, double solvent_angstrom) {
   const std::filesystem::path folder = test_data_folder();
   if (folder.empty()) return nullptr;
-  const PreparedBalls prepared = prepare_balls(read_molecule(folder / file));
-  return std::make_shared<BallSet>(with_solvent(*prepared.balls, solvent_angstrom));
+  return read_balls(folder / file, solvent_angstrom);
+}
+
+std::shared_ptr<const BallSet> sample_balls(const std::string& file, double solvent_angstrom) {
+  const std::filesystem::path root = ALPHASCOPE_SOURCE_DIR;
+  return read_balls(root / "resources" / "molecules" / file, solvent_angstrom);
 }
 
 }  // namespace alphascope::testing

@@ -1,4 +1,5 @@
-// Balls of the large test molecules, which are not part of the repository.
+// Balls of the program's sample molecules, and of the large test molecules that are not part of the
+// repository.
 #pragma once
 
 #include <cstdlib>
@@ -13,6 +14,9 @@ namespace alphascope::testing {
 // The data folder: the environment variable ALPHASCOPE_TEST_DATA, else the CMake cache variable of
 // the same name; empty when neither is set.
 std::filesystem::path test_data_folder();
+
+// Balls of a sample molecule of the program ("1crn.pdb"), which is always there.
+std::shared_ptr<const BallSet> sample_balls(const std::string& file, double solvent_angstrom = 0);
 
 // Balls of a file of the data folder ("thesis/1k4c.crd.gz"), default selection and radii, grown by
 // the solvent radius (Å). Null when the folder is not set; throws when it is and the file is not

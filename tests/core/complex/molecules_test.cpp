@@ -54,24 +54,35 @@ TEST_P(EveryEngine, FindsTheKnownCounts) {
   }
 }
 
+void expect_equals_cgal(const EngineFactory& factory, const std::string& name,
+                        std::shared_ptr<const BallSet> balls) {
+  const auto reference = make_cgal_engine(balls, {1});
+  const auto engine = factory.make(balls);
+  // Clipping of everything by everything is not what facets are for.
+  const bool facets = factory.name.starts_with("facets");
+  for (const double alpha : {10.0, -1.0, 0.0, 0.5, 1.4, 3.0, 100.0}) {
+    if (facets && alpha > 10 && balls->size() > 500) continue;
+    const AlphaComplex expected = reference->compute({alpha}, {});
+    const AlphaComplex found = engine->compute({alpha}, {});
+    EXPECT_TRUE(compare(found, expected).identical()) << name << ", alpha " << alpha;
+    EXPECT_EQ(found.hash, expected.hash);
+  }
+}
+
+// Without the solvent radius and with it.
 void expect_equals_cgal(const EngineFactory& factory, const std::string& file,
                         std::size_t most_balls = SIZE_MAX) {
   for (const double solvent : {0.0, 1.4}) {
     const auto balls = testing::molecule_balls(file, solvent);
     if (balls->size() > most_balls) return;
-    const auto reference = make_cgal_engine(balls, {1});
-    const auto engine = factory.make(balls);
-    // Clipping of everything by everything is not what facets are for.
-    const bool facets = factory.name.starts_with("facets");
-    for (const double alpha : {10.0, -1.0, 0.0, 0.5, 1.4, 3.0, 100.0}) {
-      if (facets && alpha > 10 && balls->size() > 500) continue;
-      const AlphaComplex expected = reference->compute({alpha}, {});
-      const AlphaComplex found = engine->compute({alpha}, {});
-      EXPECT_TRUE(compare(found, expected).identical())
-          << file << ", solvent " << solvent << ", alpha " << alpha;
-      EXPECT_EQ(found.hash, expected.hash);
-    }
+    expect_equals_cgal(factory, file + ", solvent " + std::to_string(solvent), balls);
   }
+}
+
+TEST_P(EveryEngine, EqualsCgalOnTheSamples) {
+  expect_equals_cgal(GetParam(), "1crn", testing::sample_balls("1crn.pdb"));
+  expect_equals_cgal(GetParam(), "1crn, solvent", testing::sample_balls("1crn.pdb", 1.4));
+  expect_equals_cgal(GetParam(), "4hhb", testing::sample_balls("4hhb.pdb.gz"));
 }
 
 TEST_P(EveryEngine, EqualsCgalOnSmallMolecules) {

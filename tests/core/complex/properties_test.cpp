@@ -172,8 +172,7 @@ TEST_P(Properties, StaysUsableWhenCancelled) {
 }
 
 TEST_P(Properties, MoleculeMeetsTheDefinition) {
-  ALPHASCOPE_NEED_TEST_DATA();
-  const auto balls = testing::molecule_balls("ladder/1crn.pdb");
+  const auto balls = testing::sample_balls("1crn.pdb");
   const auto engine = GetParam().make(balls);
   for (const double alpha : {0.0, 1.4, 10.0}) {
     const Verification verification = verify(*balls, engine->compute({alpha}, {}));

@@ -36,7 +36,7 @@ struct EngineOptions {
 // answers from a cached filtration when it holds one. (core/complex/facet_engine.cpp)
 std::unique_ptr<Engine> make_cpu_engine(std::shared_ptr<const BallSet> balls, EngineOptions options = {});
 
-// CGAL's Regular_triangulation_3 (parallel with TBB when threads != 1), then classification.
+// CGAL's Regular_triangulation_3 (its parallel code from 3 threads on), then classification.
 // The reference that the other engines are compared with. (core/complex/cgal_engine.cpp)
 std::unique_ptr<Engine> make_cgal_engine(std::shared_ptr<const BallSet> balls, EngineOptions options = {});
 

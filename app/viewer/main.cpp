@@ -19,8 +19,10 @@ int drive(alphascope::Viewer& viewer, const alphascope::ViewerOptions& options) 
     alphascope::run_script(viewer, script, options.script->string(), std::cout);
   }
   if (options.shot) {
-    std::istringstream script("wait-idle\nshot " + options.shot->string() + "\n");
-    alphascope::run_script(viewer, script, "--shot", std::cout);
+    std::istringstream wait("wait-idle\n");
+    alphascope::run_script(viewer, wait, "--shot", std::cout);
+    alphascope::ScriptedInput no_input;
+    viewer.shoot(*options.shot, &no_input);
   }
   if (!viewer.state().error.empty()) throw std::runtime_error(viewer.state().error);
   return 0;

@@ -23,6 +23,7 @@ constexpr int kSettlingFrames = 3;
 // Tooltips appear when the mouse rests, which is no event: one more frame is drawn for them.
 constexpr std::chrono::milliseconds kTooltipFrameAfter{450};
 static_assert(kTooltipFrameAfter.count() > 1000 * kTooltipDelaySeconds);
+constexpr double kPlayUntil = 10, kPlayStep = 0.05;          // Å²
 constexpr double kBusyInterval = 0.05, kIdleInterval = 1.0;  // seconds
 // Comparing by itself is switched off beyond: CGAL would keep the second half of the cores busy.
 constexpr std::size_t kMostBallsToCompareUnasked = 200000;
@@ -135,7 +136,14 @@ void Viewer::colour_by_what_differs(const Molecule& molecule) {
 
 void Viewer::update_badge() {
   state_.badge = describe_agreement(session_.state(), session_.activity().comparing.busy);
-  if (state_.badge.state == BadgeInfo::State::not_compared && compares_by_itself()) {
+  const bool comparing = session_.activity().comparing.busy;
+  if (!comparing) comparing_since_.reset();
+  if (comparing && !comparing_since_) comparing_since_ = Clock::now();
+  if (comparing) {
+    state_.badge.seconds = std::chrono::duration<double>(Clock::now() - *comparing_since_).count();
+  }
+  if (state_.badge.state == BadgeInfo::State::not_compared && compares_by_itself() &&
+      compared_ != session_.state().ours) {
     state_.badge = {BadgeInfo::State::comparing, "to be compared with CGAL…"};
   }
 }
@@ -187,6 +195,7 @@ void Viewer::take_requests() {
     session_.cancel_computing();
     session_.cancel_comparison();
   }
+  if (r.cancel_compare) session_.cancel_comparison();
   if (r.reset_view) scene_.reset_view();
   if (r.quit) quit_ = true;
   if (r.screenshot) {
@@ -228,9 +237,22 @@ void Viewer::describe_under_mouse() {
   }
 }
 
+// The next step is asked for when the last one is on screen, however long that took.
+void Viewer::play() {
+  bool& playing = state_.memory.playing;
+  if (!playing || !session_.state().up_to_date() || scene_.busy()) return;
+  double& alpha = state_.compute.alpha;
+  if (alpha >= kPlayUntil) {
+    playing = false;
+    return;
+  }
+  alpha = std::round((alpha + kPlayStep) * 1000) / 1000;
+  frames_due_ = kSettlingFrames;
+}
+
 bool Viewer::interacting() const {
   const ImGuiIO& io = ImGui::GetIO();
-  return io.MouseDown[0] || io.MouseDown[1] || io.MouseDown[2];
+  return state_.memory.playing || io.MouseDown[0] || io.MouseDown[1] || io.MouseDown[2];
 }
 
 void Viewer::draw(ScriptedInput* input, bool patient,
@@ -241,6 +263,7 @@ void Viewer::draw(ScriptedInput* input, bool patient,
   draw_window(state_, rects_, frame_.fonts(), frame_.scale());
   for (const PointerEvent& event : state_.viewport.events) scene_.pointer(event);
   take_requests();
+  play();
   send_controls();
   scene_.poll();
   // After the panels, so that the picture has this frame's size; ImGui draws it afterwards.
@@ -292,7 +315,7 @@ void Viewer::run() {
     take_session();
     compare_when_due();
     scene_.poll();
-    const bool due = frames_due_ > 0 || busy() || scene_.wants_frame();
+    const bool due = frames_due_ > 0 || state_.memory.playing || busy() || scene_.wants_frame();
     if (!due) continue;
     frames_due_ = std::max(0, frames_due_ - 1);
     draw(nullptr, false);

@@ -52,6 +52,7 @@ class Viewer {
   bool compares_by_itself() const;
   void compare_when_due();
   void describe_under_mouse();
+  void play();
   bool interacting() const;
   void draw(ScriptedInput* input, bool patient,
             const std::function<void(unsigned)>& before_swap = {});
@@ -68,7 +69,7 @@ class Viewer {
   SelectionControls sent_selection_;
   std::shared_ptr<const Molecule> shown_molecule_;
   std::shared_ptr<const Answer> compared_;  // the last answer for which a comparison was asked
-  std::optional<Clock::time_point> busy_since_, tooltip_due_;
+  std::optional<Clock::time_point> busy_since_, comparing_since_, tooltip_due_;
   ColourBy automatic_colour_ = ColourBy::chain;
   int frames_due_ = 3;
   bool quit_ = false;

@@ -91,7 +91,7 @@ TEST_F(ViewerTest, SlidingChangesComplexAndPicture) {
 TEST_F(ViewerTest, SliderStormEndsAtTheLastAlpha) {
   open_crambin();
   std::string moves;
-  for (int i = 0; i < 300; ++i) {
+  for (int i = 0; i < 200; ++i) {
     moves += "move alpha.slider " + std::to_string(0.1 + 0.8 * ((i * 37) % 100) / 100) + " 0.5\n";
   }
   run("move alpha.slider 0.1 0.5\ndown\n" + moves + "move alpha.slider 0.45 0.5\nup\nwait-idle\n");
@@ -99,6 +99,16 @@ TEST_F(ViewerTest, SliderStormEndsAtTheLastAlpha) {
   EXPECT_DOUBLE_EQ(s.result.alpha, s.compute.alpha);
   EXPECT_EQ(s.result.hash, hash_text(expected(s.compute.alpha).hash));
   EXPECT_TRUE(s.error.empty()) << s.error;
+}
+
+TEST_F(ViewerTest, PlayingLetsAlphaGrowUntilStopped) {
+  open_crambin();
+  run("click alpha.play\nframes 60\nclick alpha.play\nwait-idle\n");
+  const ViewState& s = viewer_->state();
+  EXPECT_FALSE(s.memory.playing);
+  EXPECT_GT(s.compute.alpha, 0.04);
+  EXPECT_DOUBLE_EQ(s.result.alpha, s.compute.alpha);
+  EXPECT_EQ(s.result.hash, hash_text(expected(s.compute.alpha).hash));
 }
 
 TEST_F(ViewerTest, SolventAndTetrahedraOnly) {

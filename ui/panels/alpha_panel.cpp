@@ -31,10 +31,20 @@ void slider(PanelContext& ctx) {
   double& alpha = ctx.state.compute.alpha;
   const double low = std::min(kSliderLow, alpha), high = std::max(kSliderHigh, alpha);
   double value = alpha;
+  bool& playing = ctx.state.memory.playing;
+  ImGui::BeginDisabled(!ctx.state.result.present);
+  if (button(ctx, "alpha.play", playing ? "Stop" : "Play", {ctx.px(44), 0})) {
+    playing = !playing;
+    if (playing && alpha >= kSliderHigh) alpha = 0;
+  }
+  ImGui::EndDisabled();
+  tooltip(ctx, playing ? "Stop here" : "Let alpha grow by itself, up to 10 Å²");
+  ImGui::SameLine(0, ctx.px(6));
   ImGui::SetNextItemWidth(-1);
   if (ImGui::SliderScalar("##alpha", ImGuiDataType_Double, &value, &low, &high, "")) {
     alpha = std::round(value / kSliderStep) * kSliderStep;
     if (alpha == 0) alpha = 0;  // no minus zero in the text
+    playing = false;
   }
   record(ctx, "alpha.slider");
   tooltip(

@@ -5,6 +5,9 @@
 namespace alphascope {
 namespace {
 
+// Shorter comparisons end before a button could be hit.
+constexpr double kCancelAfterSeconds = 1;
+
 struct BadgeLook {
   Colour text, fill;
   const char* symbol;
@@ -72,7 +75,13 @@ void speed(PanelContext& ctx) {
 
 void compare_button(PanelContext& ctx) {
   const ViewState& s = ctx.state;
-  if (s.badge.state == BadgeInfo::State::comparing || !s.result.present) return;
+  if (!s.result.present) return;
+  if (s.badge.state == BadgeInfo::State::comparing) {
+    if (s.badge.seconds < kCancelAfterSeconds) return;
+    ImGui::SameLine();
+    if (button(ctx, "timings.cancel", "Cancel")) ctx.state.requests.cancel_compare = true;
+    return;
+  }
   if (s.badge.state == BadgeInfo::State::identical) return;
   ImGui::SameLine();
   const bool first = s.badge.state == BadgeInfo::State::not_compared;

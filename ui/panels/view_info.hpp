@@ -51,7 +51,8 @@ struct EngineTimings {
 struct BadgeInfo {
   enum class State : std::uint8_t { not_compared, comparing, identical, different, failed };
   State state = State::not_compared;
-  std::string text;  // "identical to CGAL: 16,445 of 16,445 tetrahedra"
+  std::string text;    // "identical to CGAL: 16,445 of 16,445 tetrahedra"
+  double seconds = 0;  // that the comparison has been running
 };
 
 struct BusyInfo {

@@ -25,7 +25,8 @@ struct Requests {
   std::optional<std::filesystem::path> open;
   std::optional<std::size_t> open_sample;  // index into ViewState::samples
   std::optional<ScreenshotRequest> screenshot;
-  bool compare = false, cancel = false, reset_view = false, quit = false;
+  bool compare = false, cancel = false, cancel_compare = false;
+  bool reset_view = false, quit = false;
 };
 
 struct RadiiSetEntry {
@@ -52,6 +53,7 @@ struct PanelMemory {
   bool timings_pinned = false;  // the user has chosen which
   float bottom_height = 0;      // pixels; 0: default
   bool dragging_view = false;
+  bool playing = false;            // alpha grows by itself, one step a finished result
   double mouse_still_seconds = 0;  // since the mouse moved or a button was down
 };
 

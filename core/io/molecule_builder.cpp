@@ -33,6 +33,8 @@ void MoleculeBuilder::reserve(std::size_t atoms) {
 
 void MoleculeBuilder::begin_model(int number) {
   std::vector<ModelRange>& models = molecule_.models;
+  // Atoms that came before any model are one.
+  if (models.empty() && size() > 0) models.push_back({1, 0, size()});
   if (!models.empty()) {
     models.back().end = size();
     if (models.back().size() == 0) models.pop_back();

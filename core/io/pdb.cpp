@@ -152,6 +152,7 @@ class PdbReader {
       builder_.begin_model(++model_count_);
       between_models_ = false;
     }
+    model_count_ = std::max(model_count_, 1);
     Atom atom;
     atom.source_line = static_cast<std::uint32_t>(lines_.number());
     atom.hetero = line[0] == 'H';

@@ -30,6 +30,7 @@ class PqrReader {
       if (line.starts_with("ATOM") || line.starts_with("HETATM")) {
         if (between_models_) builder_.begin_model(++models_);
         between_models_ = false;
+        models_ = std::max(models_, 1);
         take_atom(line);
       } else if (line.starts_with("MODEL")) {
         builder_.begin_model(++models_);

@@ -114,6 +114,12 @@ TEST(ReadPdb, Models) {
   EXPECT_EQ(m.models[0].number, 4);
   EXPECT_EQ(m.models[0].size(), 2u);
   EXPECT_EQ(m.models[1].size(), 1u);
+  const Molecule before = read_text("a.pdb", atom + "ENDMDL\n" + atom + atom + "MODEL 7\n" + atom);
+  ASSERT_EQ(before.models.size(), 3u) << "atoms before any MODEL are a model";
+  EXPECT_EQ(before.models[0].size(), 1u);
+  EXPECT_EQ(before.models[1].number, 2);
+  EXPECT_EQ(before.models[1].size(), 2u);
+  EXPECT_EQ(before.models[2].number, 7);
   BallOptions all;
   all.model = kAllModels;
   EXPECT_EQ(prepare_balls(m, all).report.used, 3u);

@@ -1,5 +1,5 @@
 // Checks and times the CUDA engine on a machine with a GPU: equality with the CPU engine first, byte
-// for byte, then medians. Inputs are .balls files (tests/bench/README.md), so that the program needs
+// for byte, then medians. Inputs are .balls files (make_balls.py), so that the program needs
 // nothing but the CUDA driver and libtbb.
 #include <algorithm>
 #include <chrono>
@@ -94,8 +94,23 @@ void random_checks() {
   check("cubic lattice", cubic, 0, {0, 0.14, 0.39, 0.5, 1});
 }
 
+// CGAL's own route to the tetrahedra, triangulation and filter, each time from nothing (ms, median).
+double time_cgal(const std::shared_ptr<const BallSet>& balls, double alpha, int threads) {
+  std::vector<double> t;
+  for (int run = 0; run < (balls->size() > 200000 ? 1 : 5); ++run) {
+    t.push_back(make_cgal_engine(balls, {threads})->compute({alpha, true}, {}).timings.wall_milliseconds);
+  }
+  std::sort(t.begin(), t.end());
+  return t[t.size() / 2];
+}
+
 void time_one(const std::string& name, const BallSet& balls, double solvent, double alpha) {
   const BallSet grown = with_solvent(balls, solvent);
+  if (grown.size() < 4000000) {
+    const auto shared = std::make_shared<const BallSet>(grown);
+    std::printf("CGAL %-6s n=%zu s=%g a=%g tets 1 thread %.1f ms, 16 threads %.1f ms\n", name.c_str(), grown.size(), solvent, alpha,
+                time_cgal(shared, alpha, 1), time_cgal(shared, alpha, 16));
+  }
   gpu::FacetPipeline pipeline(grown);
   const double a = grown.lattice.alpha_on_lattice(alpha);
   for (const bool only : {true, false}) {

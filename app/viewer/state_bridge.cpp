@@ -131,15 +131,16 @@ ResultInfo describe_answer(const Answer& answer) {
   return r;
 }
 
-std::optional<EngineTimings> describe_timings(const ColdAndWarm& timings,
-                                              const EngineInfo& engine) {
-  if (!timings.cold && !timings.warm) return std::nullopt;
-  EngineTimings result;
-  result.engine = engine.name;
-  result.device = engine.device;
-  if (timings.cold) result.cold = to_run(*timings.cold);
-  if (timings.warm) result.warm = to_run(*timings.warm);
-  return result;
+void note_timings(std::optional<EngineTimings>& timings, const AlphaComplex& complex) {
+  if (!timings || timings->engine != complex.engine.name) timings.emplace();
+  timings->engine = complex.engine.name;
+  timings->device = complex.engine.device;
+  TimedRun run = to_run(complex.timings);
+  run.alpha = complex.alpha_angstrom2();
+  run.tetrahedra_only = complex.tetrahedra_only;
+  const bool cold = std::any_of(run.stages.begin(), run.stages.end(),
+                                [](const StageBar& stage) { return stage.setup; });
+  (cold ? timings->cold : timings->warm) = std::move(run);
 }
 
 BadgeInfo describe_agreement(const SessionState& state, bool comparing) {

@@ -17,7 +17,9 @@ std::string describe_ball(const Molecule& molecule, const PreparedBalls& prepare
                           const ComputeControls& controls, std::size_t ball);
 
 ResultInfo describe_answer(const Answer& answer);
-std::optional<EngineTimings> describe_timings(const ColdAndWarm& timings, const EngineInfo& engine);
+// Notes what `complex` took, as cold when it had to set something up; starts anew for a null
+// `timings`, another engine or a forgotten molecule.
+void note_timings(std::optional<EngineTimings>& timings, const AlphaComplex& complex);
 BadgeInfo describe_agreement(const SessionState& state, bool comparing);
 
 SessionRequest to_request(const ComputeControls& controls);

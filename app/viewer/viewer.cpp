@@ -36,6 +36,14 @@ std::size_t resident_bytes() {
   return resident * static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
 }
 
+// Runs that the session has forgotten, since they were of other balls, go.
+void keep_only(std::optional<EngineTimings>& shown, const ColdAndWarm& known) {
+  if (!shown) return;
+  if (!known.cold) shown->cold.reset();
+  if (!known.warm) shown->warm.reset();
+  if (!shown->cold && !shown->warm) shown.reset();
+}
+
 }  // namespace
 
 Viewer::Viewer(Host& host, const ViewerOptions& options)
@@ -105,16 +113,12 @@ void Viewer::take_session() {
       state_.device_text = s.ours->complex.engine.name + " on " + s.ours->complex.engine.device;
       state_.gpu_text = s.ours->engine_note;
       state_.gpu_available = s.ours->engine_note.empty();
-      state_.ours = describe_timings(s.our_timings, s.ours->complex.engine);
-    } else {
-      state_.ours = state_.cgal = std::nullopt;
+      note_timings(state_.ours, s.ours->complex);
     }
   }
-  if (changes.agreement) {
-    state_.cgal = s.agreement
-                      ? describe_timings(s.reference_timings, s.agreement->reference->engine)
-                      : std::nullopt;
-  }
+  if (changes.agreement && s.agreement) note_timings(state_.cgal, *s.agreement->reference);
+  keep_only(state_.ours, s.our_timings);
+  keep_only(state_.cgal, s.reference_timings);
   if (changes.error && !s.last_error.empty()) state_.error = s.last_error;
   if (changes.any()) {
     frames_due_ = kSettlingFrames;

@@ -43,7 +43,7 @@ void badge(PanelContext& ctx) {
   const BadgeInfo& b = ctx.state.badge;
   const BadgeLook l = look(ctx.palette, b.state);
   const std::string full = l.symbol + b.text;
-  const float room = ImGui::GetContentRegionAvail().x - ctx.px(240);
+  const float room = ImGui::GetContentRegionAvail().x - ctx.px(270);
   pill(ctx, fitted_text(full, room), l.text, l.fill);
   record(ctx, "timings.badge");
   tooltip(ctx, full.c_str());
@@ -56,13 +56,15 @@ void speed(PanelContext& ctx) {
   const bool cold = s.memory.timings_cold;
   const auto& ours = cold ? s.ours->cold : s.ours->warm;
   const auto& cgal = cold ? s.cgal->cold : s.cgal->warm;
-  if (!ours || !cgal || ours->wall_milliseconds <= 0) return;
+  if (!ours || !cgal || ours->wall_milliseconds <= 0 || !ours->same_task(*cgal)) return;
   const double ratio = cgal->wall_milliseconds / ours->wall_milliseconds;
   ImGui::SameLine();
+  // Warm, CGAL has its whole triangulation already and only filters it.
+  const std::string whom = cold ? "CGAL" : "CGAL's filter";
   const bool even = ratio > 0.95 && ratio < 1.05;
-  const std::string text = even         ? "as fast as CGAL"
-                           : ratio >= 1 ? ratio_text(ratio) + " faster than CGAL"
-                                        : ratio_text(1 / ratio) + " slower than CGAL";
+  const std::string text = even         ? "as fast as " + whom
+                           : ratio >= 1 ? ratio_text(ratio) + " faster than " + whom
+                                        : ratio_text(1 / ratio) + " slower than " + whom;
   const bool slower = ratio < 1 && !even;
   pill(ctx, text, slower ? ctx.palette.warning : ctx.palette.accent,
        slower ? ctx.palette.warning_fill : ctx.palette.field);
@@ -112,7 +114,7 @@ void title(PanelContext& ctx) {
 
 std::string speed_part(const char* label, const std::optional<TimedRun>& ours,
                        const std::optional<TimedRun>& cgal) {
-  if (!ours || !cgal || ours->wall_milliseconds <= 0) return {};
+  if (!ours || !cgal || ours->wall_milliseconds <= 0 || !ours->same_task(*cgal)) return {};
   return std::string(label) + " " + ratio_text(cgal->wall_milliseconds / ours->wall_milliseconds);
 }
 

@@ -40,6 +40,12 @@ struct StageBar {
 struct TimedRun {
   std::vector<StageBar> stages;
   double wall_milliseconds = 0;
+  // What was computed; times of different tasks are not to be compared.
+  double alpha = 0;  // Å²
+  bool tetrahedra_only = false;
+  bool same_task(const TimedRun& other) const {
+    return alpha == other.alpha && tetrahedra_only == other.tetrahedra_only;
+  }
 };
 
 // cold: the first computation, set-up included. warm: a later alpha of the same molecule.

@@ -24,7 +24,9 @@ const TimedRun* shown_run(const std::optional<EngineTimings>& timings, bool cold
 
 void add_lines(std::vector<Line>& lines, const EngineTimings& timings, const TimedRun& run,
                const Colour& bar, const Colour& setup_bar) {
-  lines.push_back({timings.engine, 0, run.wall_milliseconds, bar, true});
+  const std::string task =
+      "  α " + short_number_text(run.alpha, 3) + (run.tetrahedra_only ? ", tetrahedra only" : "");
+  lines.push_back({timings.engine + task, 0, run.wall_milliseconds, bar, true});
   double start = 0;
   for (const StageBar& stage : run.stages) {
     lines.push_back({stage.label, start, stage.milliseconds, stage.setup ? setup_bar : bar, false});

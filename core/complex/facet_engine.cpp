@@ -3,6 +3,7 @@
 #include <tbb/task_arena.h>
 
 #include <cmath>
+#include <new>
 #include <optional>
 #include <stdexcept>
 
@@ -96,12 +97,19 @@ class FacetEngine : public Engine {
     compute_facets(*balls_, grid, context, timer, complex);
     complex.hash = complex_hash(complex);
     complex.engine.route = "facet clipping";
-    if (options_.cache && !tetrahedra_only) {
-      top_ = std::make_shared<AlphaComplex>(complex);
-      filtration_.reset();
-    }
+    if (options_.cache && !tetrahedra_only) keep(complex);
     timer.lap(stage::kHash);
     return complex;
+  }
+
+  // For smaller alphas to come; a result is worth more than its copy when memory is short.
+  void keep(const AlphaComplex& complex) {
+    filtration_.reset();
+    try {
+      top_ = std::make_shared<AlphaComplex>(complex);
+    } catch (const std::bad_alloc&) {
+      top_.reset();
+    }
   }
 
   // CGAL's engine keeps its triangulation, so every later alpha is a threshold too.

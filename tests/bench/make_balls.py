@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes the inputs of gpu_lease.cpp: make_balls.py DATA_FOLDER OUT_FOLDER.
+"""Writes the inputs of gpu_bench.cpp: make_balls.py DATA_FOLDER OUT_FOLDER.
 
 A .balls file holds three int32 (lattice digits, balls, operators), then per ball four int32 (x, y, z and
 radius on the lattice), then per operator twelve doubles (rows of rotation and translation, in Angstrom).

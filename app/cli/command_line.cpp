@@ -56,6 +56,11 @@ void add_input(CLI::App& command, InputOptions& input) {
   command.add_option("--chain", input.chains, "Only these chains, such as A,B")
       ->delimiter(',')
       ->type_name("ID");
+  command.add_option("--select", input.select,
+                     "Only what this picks, such as \"chain A and not resn HEM\"")
+      ->type_name("EXPRESSION");
+  command.add_option("--assembly", input.assembly, "Expand a biological assembly; info lists them")
+      ->type_name("ID");
   command.add_flag("--waters", input.waters, "Keep waters");
   command.add_flag("--no-ligands", input.no_ligands, "Drop ligands");
   command.add_flag("--no-ions", input.no_ions, "Drop ions");

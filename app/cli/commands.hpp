@@ -35,6 +35,8 @@ struct InputOptions {
   std::string hydrogens = "auto", altlocs = "best";
   bool waters = false, no_ligands = false, no_ions = false;
   std::vector<std::string> chains;
+  std::string select;    // core/molecule/selection_expression.hpp
+  std::string assembly;  // id, empty = as deposited
 };
 
 struct InfoOptions {

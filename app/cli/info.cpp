@@ -8,6 +8,7 @@
 #include "app/cli/report_json.hpp"
 #include "app/cli/terminal.hpp"
 #include "app/cli/text.hpp"
+#include "core/molecule/assembly.hpp"
 
 namespace alphascope::cli {
 namespace {
@@ -48,6 +49,12 @@ void print(const Input& input) {
   std::cout << "atoms       " << grouped(molecule.atoms.size()) << " in "
             << grouped(molecule.models.size())
             << (molecule.models.size() == 1 ? " model\n" : " models\n");
+  for (const AssemblyInfo& assembly : list_assemblies(molecule)) {
+    std::cout << "assembly    --assembly " << assembly.id << ": " << grouped(assembly.copies)
+              << (assembly.copies == 1 ? " operator, " : " operators, ") << grouped(assembly.atoms)
+              << " atoms, about " << grouped(assembly.memory_bytes >> 20) << " MiB"
+              << (assembly.details.empty() ? "" : " (" + assembly.details + ")") << "\n";
+  }
   std::cout << "balls       " << grouped(balls.size()) << "\n";
   std::cout << "radii       " << report.radii_name;
   if (!report.radii_citation.empty()) std::cout << ": " << report.radii_citation;
@@ -76,7 +83,7 @@ void print(const Input& input) {
     std::cout << names[axis] << "           " << number_text(range.min) << " to "
               << number_text(range.max) << " Å\n";
   }
-  std::cout << "sha256      " << input.sha256 << "\n";
+  std::cout << "sha256      " << molecule.sha256 << "\n";
   std::cout << "opened in   " << milliseconds_text(input.open_milliseconds) << "\n";
 }
 

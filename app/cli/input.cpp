@@ -3,7 +3,6 @@
 #include <charconv>
 #include <chrono>
 
-#include "core/io/sha256.hpp"
 #include "core/io/user_radii.hpp"
 
 namespace alphascope::cli {
@@ -49,13 +48,15 @@ Input open_input(const InputOptions& options, const RunContext& context) {
   open.balls.ligands = !options.no_ligands;
   open.balls.ions = !options.no_ions;
   open.balls.chains = options.chains;
+  open.balls.selection = options.select;
+  open.assembly = options.assembly;
 
   Input input;
+  input.selection_expression = options.select;
   const auto start = std::chrono::steady_clock::now();
   input.opened = open_molecule(options.file, open, context);
   input.open_milliseconds = std::chrono::duration<double, std::milli>(
                                 std::chrono::steady_clock::now() - start).count();
-  input.sha256 = sha256_of_file(options.file);
   return input;
 }
 

@@ -9,8 +9,8 @@ namespace alphascope::cli {
 
 struct Input {
   OpenedMolecule opened;
-  std::string sha256;  // of the file on disk
-  double open_milliseconds = 0;  // reading, selecting, radii; without the SHA-256
+  std::string selection_expression;
+  double open_milliseconds = 0;  // reading, selecting, radii
 
   const Molecule& molecule() const { return *opened.molecule; }
   const PreparedBalls& prepared() const { return *opened.prepared; }

@@ -1,8 +1,9 @@
-// From a file to balls in one step: reading, then selecting and giving radii.
+// From a file to balls in one step: reading, expanding an assembly, selecting and giving radii.
 #pragma once
 
 #include <filesystem>
 #include <memory>
+#include <string>
 
 #include "core/io/read_molecule.hpp"
 #include "core/molecule/prepare_balls.hpp"
@@ -11,6 +12,7 @@ namespace alphascope {
 
 struct OpenOptions {
   ReadOptions read;
+  std::string assembly;  // id of the biological assembly to expand; empty = as deposited
   BallOptions balls;
 };
 

@@ -44,9 +44,13 @@ void Session::open(const std::filesystem::path& path) {
 }
 
 void Session::set_open_options(const OpenOptions& options) {
+  const bool same_atoms = options.assembly == options_.assembly &&
+                          options.read.max_bytes == options_.read.max_bytes;
   options_ = options;
   if (!opening_path_.empty()) {
     submit_open(opening_path_);
+  } else if (state_.molecule && !same_atoms) {
+    open(state_.molecule->source);
   } else if (state_.molecule) {
     submit_prepare();
   }

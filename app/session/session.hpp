@@ -81,7 +81,8 @@ class Session {
   // Reads a file in the background; then its complex is computed at the present request. The old
   // molecule and its results stay until that has succeeded.
   void open(const std::filesystem::path& path);
-  // Applies to the open molecule at once and to those opened later.
+  // Applies to the open molecule at once (read again when another assembly is asked for) and to
+  // those opened later.
   void set_open_options(const OpenOptions& options);
   const OpenOptions& open_options() const { return options_; }
   void cancel_opening() { opener_.cancel(); }

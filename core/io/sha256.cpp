@@ -3,10 +3,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <fstream>
-#include <vector>
-
-#include "core/io/read_error.hpp"
 
 namespace alphascope {
 namespace {
@@ -70,18 +66,6 @@ std::string Sha256::finish() {
     for (int shift = 28; shift >= 0; shift -= 4) text += "0123456789abcdef"[word >> shift & 15];
   }
   return text;
-}
-
-std::string sha256_of_file(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw ReadError(path, 0, "the file cannot be opened", "Check its name and permissions");
-  Sha256 hash;
-  std::vector<char> buffer(std::size_t{1} << 16);
-  while (file.read(buffer.data(), static_cast<std::streamsize>(buffer.size())), file.gcount() > 0) {
-    hash.update({buffer.data(), static_cast<std::size_t>(file.gcount())});
-  }
-  if (file.bad()) throw ReadError(path, 0, "reading failed", "Check the disk or the network share");
-  return hash.finish();
 }
 
 }  // namespace alphascope

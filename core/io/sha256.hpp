@@ -4,7 +4,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <filesystem>
 #include <string>
 #include <string_view>
 
@@ -23,8 +22,5 @@ class Sha256 {
   std::array<unsigned char, 64> pending_{};
   std::uint64_t bytes_ = 0;
 };
-
-// Of the file as it lies on disk (packed if it is packed). Throws ReadError.
-std::string sha256_of_file(const std::filesystem::path& path);
 
 }  // namespace alphascope

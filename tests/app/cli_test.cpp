@@ -257,6 +257,16 @@ TEST_F(Cli, InfoTellsWhatIsUsed) {
   EXPECT_TRUE(contains(outcome.out, "nothing was rounded"));
 }
 
+TEST_F(Cli, SelectionAndAssemblyComeFromTheCommandLine) {
+  const std::string file = "'" ALPHASCOPE_SOURCE_DIR "/resources/molecules/1crn.pdb' --alpha 0 ";
+  const json picked = compute_json(file + "--select 'name CA'");
+  EXPECT_EQ(picked["input"]["balls"], 46) << "crambin has 46 residues";
+  EXPECT_EQ(picked["input"]["selection_expression"], "name CA");
+  EXPECT_EQ(compute_json(file + "--assembly 1")["input"]["assembly"], "1");
+  EXPECT_EQ(run("compute " + file + "--select 'chain and'").code, 2);
+  EXPECT_EQ(run("compute " + file + "--assembly nosuch").code, 2);
+}
+
 TEST_F(Cli, InterruptIsCode130AndWritesNothing) {
   // Enough work to be still running when the signal comes: many runs of a benchmark.
   const fs::path csv = folder_ / "times.csv";

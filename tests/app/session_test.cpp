@@ -2,6 +2,7 @@
 #include "app/session/session.hpp"
 
 #include <gtest/gtest.h>
+#include <stdlib.h>
 
 #include <fstream>
 
@@ -16,9 +17,9 @@ using test::FakeEngineLog;
 class SessionTest : public ::testing::Test {
  protected:
   void SetUp() override {
-    folder_ = std::filesystem::path(::testing::TempDir()) /
-              ("session_" + std::to_string(reinterpret_cast<std::uintptr_t>(this)));
-    std::filesystem::create_directories(folder_);
+    std::string pattern =
+        (std::filesystem::path(::testing::TempDir()) / "alphascope_session_XXXXXX").string();
+    folder_ = ::mkdtemp(pattern.data());  // tests run side by side, each in a process of its own
     good_ = write("good.xyzr", "0 0 0 1.7\n1.5 0 0 1.7\n0 1.5 0 1.5\n0 0 1.5 1.2\n");
     other_ = write("other.xyzr", "0 0 0 1.7\n2 0 0 1.7\n");
     bad_ = write("bad.xyzr", "0 0 0 1.7\n1 2 banana 1.7\n");

@@ -24,6 +24,12 @@ struct SimplexBuffer {
   std::vector<float> values;          // empty when only tetrahedra are asked for
   std::vector<std::uint8_t> classes;  // empty for tetrahedra
   std::uint32_t size() const { return static_cast<std::uint32_t>(simplices.size()); }
+  // All blocks wait for the last: what their vectors reserved beyond their content adds up.
+  void shrink() {
+    simplices.shrink_to_fit();
+    values.shrink_to_fit();
+    classes.shrink_to_fit();
+  }
 };
 
 struct BlockOutput {

@@ -180,6 +180,9 @@ FacetStatistics compute_facets(const BallSet& balls, const UniformGrid& grid,
       list_begin = list_end;
     }
     neighbours[b] = {};
+    out.edges.shrink();
+    out.triangles.shrink();
+    out.tetrahedra.shrink();
     const std::size_t done = blocks_done.fetch_add(1, std::memory_order_relaxed) + 1;
     if (done % 64 == 0) context.report(stage::kFilteredValidity, static_cast<double>(done) / static_cast<double>(block_count));
   });

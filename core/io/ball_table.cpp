@@ -35,7 +35,7 @@ class BallTableReader {
   Molecule read() {
     std::string_view line;
     while (lines_.next(line)) {
-      if (lines_.number() % kProgressLines == 0) report();
+      if (lines_.number() % kProgressLines == 0) input_.report(lines_.bytes_left());
       std::string_view data = trimmed(line);
       if (data.empty() || data.front() == '#') continue;
       if (first_line_ && take_count(data)) continue;
@@ -52,12 +52,6 @@ class BallTableReader {
   }
 
  private:
-  void report() {
-    input_.context.cancel.throw_if_cancelled();
-    const double left = static_cast<double>(lines_.bytes_left());
-    input_.context.report("reading", 1 - left / static_cast<double>(input_.text.size()));
-  }
-
   bool take_count(std::string_view data) {
     const auto [end, error] = std::from_chars(data.data(), data.data() + data.size(), count_);
     counted_ = error == std::errc() && end == data.data() + data.size();

@@ -76,11 +76,7 @@ class CardReader {
   }
 
   void take_atom(std::string_view line) {
-    if (builder_.size() % kProgressAtoms == 0) {
-      input_.context.cancel.throw_if_cancelled();
-      const double left = static_cast<double>(lines_.bytes_left());
-      input_.context.report("reading", 1 - left / static_cast<double>(input_.text.size()));
-    }
+    if (builder_.size() % kProgressAtoms == 0) input_.report(lines_.bytes_left());
     const CardLayout& layout = wide_ ? kWide : kNarrow;
     NameTable& names = builder_.molecule().names;
     Atom atom;

@@ -177,9 +177,8 @@ class MmcifReader : public CifHandler {
 
   void take_row() {
     if (++rows_ % kProgressRows == 0) {
-      input_.context.cancel.throw_if_cancelled();
-      const double done = static_cast<double>(row_[0].raw.data() - input_.text.data());
-      input_.context.report("reading", done / static_cast<double>(input_.text.size()));
+      const char* const end = input_.text.data() + input_.text.size();
+      input_.report(static_cast<std::size_t>(end - row_[0].raw.data()));
     }
     NameTable& names = builder_.molecule().names;
     begin_model_if_new();

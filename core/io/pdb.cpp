@@ -84,7 +84,7 @@ class PdbReader {
   Molecule read() {
     std::string_view line;
     while (lines_.next(line)) {
-      if (lines_.number() % kProgressLines == 0) report();
+      if (lines_.number() % kProgressLines == 0) input_.report(lines_.bytes_left());
       take(line);
     }
     Molecule& molecule = builder_.molecule();
@@ -104,12 +104,6 @@ class PdbReader {
   }
 
  private:
-  void report() {
-    input_.context.cancel.throw_if_cancelled();
-    const double left = static_cast<double>(lines_.bytes_left());
-    input_.context.report("reading", 1 - left / static_cast<double>(input_.text.size()));
-  }
-
   void take(std::string_view line) {
     // Some programs let a serial number of six digits begin in column 6.
     const bool atom =

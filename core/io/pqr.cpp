@@ -26,7 +26,7 @@ class PqrReader {
   Molecule read() {
     std::string_view line;
     while (lines_.next(line)) {
-      if (lines_.number() % kProgressLines == 0) report();
+      if (lines_.number() % kProgressLines == 0) input_.report(lines_.bytes_left());
       if (line.starts_with("ATOM") || line.starts_with("HETATM")) {
         if (between_models_) builder_.begin_model(++models_);
         between_models_ = false;
@@ -43,12 +43,6 @@ class PqrReader {
   }
 
  private:
-  void report() {
-    input_.context.cancel.throw_if_cancelled();
-    const double left = static_cast<double>(lines_.bytes_left());
-    input_.context.report("reading", 1 - left / static_cast<double>(input_.text.size()));
-  }
-
   void take_atom(std::string_view line) {
     line_ = line;
     const std::size_t tag = line[0] == 'H' ? 6 : 4;

@@ -2,6 +2,7 @@
 // read_molecule.cpp; nothing here touches the disk.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <string_view>
 
@@ -14,6 +15,12 @@ struct ReaderInput {
   std::filesystem::path source;  // for messages and Molecule::source only
   std::string_view text;
   RunContext context;
+
+  // To be called now and then while reading: reports the share done, and throws Cancelled.
+  void report(std::size_t bytes_left) const {
+    context.cancel.throw_if_cancelled();
+    context.report("reading", 1 - static_cast<double>(bytes_left) / static_cast<double>(text.size()));
+  }
 };
 
 // All of them throw ReadError with the line at fault, and Cancelled.

@@ -147,7 +147,7 @@ class XyzReader {
   }
 
   void take_atom(std::string_view line) {
-    if (builder_.size() % kProgressAtoms == 0) report();
+    if (builder_.size() % kProgressAtoms == 0) input_.report(lines_.bytes_left());
     std::array<Decimal, 3> position;
     std::optional<Decimal> radius;
     std::string_view symbol;
@@ -189,12 +189,6 @@ class XyzReader {
          status == DecimalStatus::not_finite
              ? "Coordinates must be finite; remove this atom or compute it again"
              : "The count before these atoms may be wrong, or the file is damaged");
-  }
-
-  void report() {
-    input_.context.cancel.throw_if_cancelled();
-    const double left = static_cast<double>(lines_.bytes_left());
-    input_.context.report("reading", 1 - left / static_cast<double>(input_.text.size()));
   }
 
   [[noreturn]] void fail(std::string reason, std::string remedy) const {

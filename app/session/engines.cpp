@@ -60,7 +60,8 @@ MadeEngine make_engine(EngineChoice choice, std::shared_ptr<const BallSet> balls
       return made;
     }
     if (choice == EngineChoice::gpu) {
-      throw EngineUnavailable("The GPU engine cannot be used. " + why_not);
+      throw EngineUnavailable("The GPU engine cannot be used. " + why_not +
+                              " Choose the engine \"cpu\" or \"auto\" instead.");
     }
     made.note = why_not;
   }

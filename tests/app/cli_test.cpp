@@ -120,6 +120,15 @@ TEST_F(Cli, BadInputIsCode3AndNamesFileAndLine) {
   }
 }
 
+TEST_F(Cli, AnEngineThatCannotBeHadIsNotReplacedInSilence) {
+  const Outcome gpu = run("compute '" + cube_.string() + "' --alpha 1 --engine gpu");
+  if (gpu.code == 0) GTEST_SKIP() << "there is a GPU";
+  EXPECT_EQ(gpu.code, 4);
+  EXPECT_TRUE(contains(gpu.err, "The GPU engine cannot be used.")) << gpu.err;
+  EXPECT_TRUE(contains(gpu.err, "\"cpu\" or \"auto\"")) << gpu.err;
+  EXPECT_FALSE(contains(gpu.err, "runs instead")) << "nothing runs: " << gpu.err;
+}
+
 TEST_F(Cli, UnwritableOutputIsCode5) {
   const std::string base = "compute '" + cube_.string() + "' --alpha 1 ";
   EXPECT_EQ(run(base + "--out /nonexistent/x").code, 5);

@@ -39,6 +39,23 @@ Json radii_json(const BallSet& balls) {
   return json;
 }
 
+void print_guesses(std::vector<GuessedRadius> guesses) {
+  // What comes from outside of the set says more than that a ligand's carbon is a carbon.
+  std::stable_partition(guesses.begin(), guesses.end(), [](const GuessedRadius& guess) {
+    return guess.source != kTypicalOfTheSet;
+  });
+  for (std::size_t i = 0; i < std::min(kShownGuesses, guesses.size()); ++i) {
+    const GuessedRadius& guess = guesses[i];
+    std::cout << "  guessed   " << guess.atoms << ": " << number_text(guess.radius_angstrom)
+              << " Å for " << grouped(guess.count) << (guess.count == 1 ? " atom" : " atoms") << " ("
+              << guess.source << ")\n";
+  }
+  if (guesses.size() > kShownGuesses) {
+    std::cout << "  guessed   … and " << grouped(guesses.size() - kShownGuesses)
+              << " more kinds of atoms; --json lists all\n";
+  }
+}
+
 void print(const Input& input) {
   const Molecule& molecule = input.molecule();
   const BallSet& balls = *input.prepared().balls;
@@ -59,15 +76,7 @@ void print(const Input& input) {
   std::cout << "radii       " << report.radii_name;
   if (!report.radii_citation.empty()) std::cout << ": " << report.radii_citation;
   std::cout << "\n";
-  for (std::size_t i = 0; i < std::min(kShownGuesses, report.guessed.size()); ++i) {
-    const GuessedRadius& guess = report.guessed[i];
-    std::cout << "  guessed   " << guess.atoms << ": " << number_text(guess.radius_angstrom)
-              << " Å for " << grouped(guess.count) << (guess.count == 1 ? " atom\n" : " atoms\n");
-  }
-  if (report.guessed.size() > kShownGuesses) {
-    std::cout << "  guessed   … and " << grouped(report.guessed.size() - kShownGuesses)
-              << " more kinds of atoms; --json lists all\n";
-  }
+  print_guesses(report.guessed);
   std::cout << "lattice     " << number_text(balls.lattice.unit_angstrom()) << " Å; "
             << (molecule.rounding_angstrom > 0
                     ? "coordinates rounded by up to " + number_text(molecule.rounding_angstrom) + " Å\n"

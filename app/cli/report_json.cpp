@@ -20,7 +20,8 @@ Json input_json(const Input& input) {
   for (const GuessedRadius& guess : report.guessed) {
     guessed.push_back({{"atoms", guess.atoms},
                        {"count", guess.count},
-                       {"radius_angstrom", guess.radius_angstrom}});
+                       {"radius_angstrom", guess.radius_angstrom},
+                       {"source", guess.source}});
   }
   return {
       {"file", molecule.source.string()},

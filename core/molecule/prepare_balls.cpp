@@ -132,7 +132,8 @@ class RadiusSource {
       std::string name(molecule_.text(atom.name));
       if (name.empty()) name = std::string(element_symbol(atom.element));
       if (atom.residue_name != 0) name += " in " + std::string(molecule_.text(atom.residue_name));
-      report_.guessed.push_back({std::move(name), 0, assigned.microangstrom / 1e6});
+      report_.guessed.push_back(
+          {std::move(name), 0, assigned.microangstrom / 1e6, std::string(assigned.source)});
     }
     ++report_.guessed[entry->second].count;
   }

@@ -42,6 +42,7 @@ struct GuessedRadius {
   std::string atoms;  // "FE in HEM"
   std::size_t count = 0;
   double radius_angstrom = 0;
+  std::string source;  // "ionic radius, Shannon 1976"
 };
 
 // Each atom left out is counted once, under the first of the reasons that applies.

@@ -1,39 +1,16 @@
 #include "core/molecule/radii_set.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 
 #include "core/molecule/amber_radii.hpp"
 #include "core/molecule/atom_type.hpp"
+#include "core/molecule/element_table.hpp"
+#include "core/molecule/fallback_radii.hpp"
 
 namespace alphascope {
 namespace {
 
-using ElementTable = std::array<std::int16_t, kHeaviestElement + 1>;  // 10^-3 Å; 0 = no value
-
-struct Entry {
-  Element element;
-  std::int16_t milliangstrom;
-};
-
-template <std::size_t N>
-constexpr ElementTable make_table(const Entry (&entries)[N]) {
-  ElementTable table{};
-  for (const Entry& e : entries) table[e.element] = e.milliangstrom;
-  return table;
-}
-
-constexpr Entry kBondiEntries[] = {
-    {1, 1200},  {2, 1400},  {3, 1820},  {6, 1700},  {7, 1550},  {8, 1520},  {9, 1470},  {10, 1540},
-    {11, 2270}, {12, 1730}, {14, 2100}, {15, 1800}, {16, 1800}, {17, 1750}, {18, 1880}, {19, 2750},
-    {28, 1630}, {29, 1400}, {30, 1390}, {31, 1870}, {33, 1850}, {34, 1900}, {35, 1850}, {36, 2020},
-    {46, 1630}, {47, 1720}, {48, 1580}, {49, 1930}, {50, 2170}, {52, 2060}, {53, 1980}, {54, 2160},
-    {78, 1750}, {79, 1660}, {80, 1550}, {81, 1960}, {82, 2020}, {92, 1860}};
-constexpr ElementTable kBondi = make_table(kBondiEntries);
-
-// Covers nearly every element, so it also fills the gaps of the other sets.
-constexpr Entry kAlvarezEntries[] = {
+constexpr ElementEntry kAlvarezEntries[] = {
     {1, 1200},  {2, 1430},  {3, 2120},  {4, 1980},  {5, 1910},  {6, 1770},  {7, 1660},  {8, 1500},
     {9, 1460},  {10, 1580}, {11, 2500}, {12, 2510}, {13, 2250}, {14, 2190}, {15, 1900}, {16, 1890},
     {17, 1820}, {18, 1830}, {19, 2730}, {20, 2620}, {21, 2580}, {22, 2460}, {23, 2420}, {24, 2450},
@@ -46,12 +23,12 @@ constexpr Entry kAlvarezEntries[] = {
     {74, 2570}, {75, 2490}, {76, 2480}, {77, 2410}, {78, 2290}, {79, 2320}, {80, 2450}, {81, 2470},
     {82, 2600}, {83, 2540}, {89, 2800}, {90, 2930}, {91, 2880}, {92, 2710}, {93, 2820}, {94, 2810},
     {95, 2830}, {96, 3050}, {97, 3400}, {98, 3050}, {99, 2700}};
-constexpr ElementTable kAlvarez = make_table(kAlvarezEntries);
+constexpr ElementTable kAlvarez = make_element_table(kAlvarezEntries);
 
 // RasMol's table has units of 1/250 Å: 387, 350, 337, 452.
-constexpr Entry kRasmolEntries[] = {{1, 1100}, {6, 1548},  {7, 1400},
+constexpr ElementEntry kRasmolEntries[] = {{1, 1100}, {6, 1548},  {7, 1400},
                                     {8, 1348}, {15, 1880}, {16, 1808}};
-constexpr ElementTable kRasmol = make_table(kRasmolEntries);
+constexpr ElementTable kRasmol = make_element_table(kRasmolEntries);
 
 constexpr RadiiSetInfo kSets[] = {
     {RadiiSet::automatic, "auto", "automatic", "", false},
@@ -167,39 +144,32 @@ int typical(RadiiSet set, Element element) {
   }
 }
 
-AssignedRadius milli(int milliangstrom, bool guessed) {
-  return {milliangstrom * 1000, guessed};
+AssignedRadius of_set(int milliangstrom) {
+  return {milliangstrom * 1000, false, {}};
 }
 
-// For an element that the set does not have: Bondi, then Alvarez, then the default.
-AssignedRadius guess(Element element) {
-  if (element != kUnknownElement && element <= kHeaviestElement) {
-    if (kBondi[element] > 0) return milli(kBondi[element], true);
-    if (kAlvarez[element] > 0) return milli(kAlvarez[element], true);
-  }
-  return milli(static_cast<int>(std::lround(kUnknownRadiusAngstrom * 1000)), true);
+AssignedRadius by_element(const ElementTable& table, RadiiSet set, const Atom& atom) {
+  const bool known = atom.element <= kHeaviestElement && table[atom.element] > 0;
+  return known ? of_set(table[atom.element]) : fallback_radius(set, atom.element, atom.kind);
 }
 
-AssignedRadius by_element(const ElementTable& table, Element element) {
-  if (element <= kHeaviestElement && table[element] > 0) return milli(table[element], false);
-  return guess(element);
-}
-
-AssignedRadius by_type(RadiiSet set, AtomType type, Element element) {
+AssignedRadius by_type(RadiiSet set, AtomType type, const Atom& atom) {
   const int typed = set == RadiiSet::naccess ? naccess(type) : protor(type);
-  if (typed > 0) return milli(typed, false);
-  const int middle = typical(set, element);
-  return middle > 0 ? milli(middle, true) : guess(element);
+  if (typed > 0) return of_set(typed);
+  const int middle = typical(set, atom.element);
+  if (middle > 0) return {middle * 1000, true, kTypicalOfTheSet};
+  return fallback_radius(set, atom.element, atom.kind);
 }
 
-AssignedRadius by_user(const UserRadii& table, std::string_view residue, std::string_view atom,
-                       Element element) {
+AssignedRadius by_user(const UserRadii& table, std::string_view residue, std::string_view name,
+                       const Atom& atom) {
   for (const std::string_view where : {residue, std::string_view("*")}) {
-    const auto found = table.by_atom.find(std::string(where) + ' ' + std::string(atom));
-    if (found != table.by_atom.end()) return {found->second, false};
+    const auto found = table.by_atom.find(std::string(where) + ' ' + std::string(name));
+    if (found != table.by_atom.end()) return {found->second, false, {}};
   }
-  const auto found = table.by_element.find(element);
-  return found != table.by_element.end() ? AssignedRadius{found->second, false} : guess(element);
+  const auto found = table.by_element.find(atom.element);
+  if (found != table.by_element.end()) return {found->second, false, {}};
+  return fallback_radius(RadiiSet::user, atom.element, atom.kind);
 }
 
 }  // namespace
@@ -243,22 +213,24 @@ AssignedRadius RadiiLookup::find(const Atom& atom) const {
   const std::string_view name = molecule_.text(atom.name);
   switch (set_) {
     case RadiiSet::alvarez:
-      return by_element(kAlvarez, atom.element);
+      return by_element(kAlvarez, set_, atom);
     case RadiiSet::rasmol:
-      return by_element(kRasmol, atom.element);
+      return by_element(kRasmol, set_, atom);
     case RadiiSet::user:
-      return by_user(*user_, residue, name, atom.element);
+      return by_user(*user_, residue, name, atom);
     case RadiiSet::protor:
     case RadiiSet::naccess: {
       const bool typed = atom.element != kHydrogen && atom.kind != AtomKind::ligand;
-      return by_type(set_, typed ? atom_type(residue, name) : AtomType::none, atom.element);
+      return by_type(set_, typed ? atom_type(residue, name) : AtomType::none, atom);
     }
     case RadiiSet::amber: {
       const int radius = amber_radius_milliangstrom(residue, name, atom.element);
-      return radius > 0 ? milli(radius, false) : guess(atom.element);
+      return radius > 0 ? of_set(radius) : fallback_radius(set_, atom.element, atom.kind);
     }
-    default:
-      return by_element(kBondi, atom.element);
+    default: {
+      const int radius = bondi_milliangstrom(atom.element);
+      return radius > 0 ? of_set(radius) : fallback_radius(set_, atom.element, atom.kind);
+    }
   }
 }
 

@@ -47,9 +47,13 @@ struct UserRadii {
   std::map<Element, std::int32_t> by_element;
 };
 
+// AssignedRadius::source of atoms that the set knows by their element only, such as a ligand's.
+inline constexpr std::string_view kTypicalOfTheSet = "the set's typical value for the element";
+
 struct AssignedRadius {
   std::int32_t microangstrom = 0;  // > 0
   bool guessed = false;  // the set has no value: the element's from elsewhere, or a default
+  std::string_view source;  // of a guess: "Bondi 1964"; static text
 };
 
 // What an atom of unknown element gets.

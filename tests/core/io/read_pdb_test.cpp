@@ -42,7 +42,7 @@ TEST(ReadPdb, DefaultSelectionIsCountedInFull) {
   const Molecule m = read_text("a.pdb", kSmall);
   const PreparedBalls prepared = prepare_balls(m);
   EXPECT_EQ(prepared.atom_of_ball, (std::vector<std::uint32_t>{0, 2, 3, 4, 5}));
-  EXPECT_EQ(prepared.balls->radii, (std::vector<std::int32_t>{1640, 1880, 1760, 1390, 1760}));
+  EXPECT_EQ(prepared.balls->radii, (std::vector<std::int32_t>{1640, 1880, 1760, 740, 1760}));
   EXPECT_EQ(summary(prepared.report),
             "used 5 of 7 atoms; dropped 1 water, 1 alternative location; radii ProtOr; 3 guessed");
   BallOptions options;

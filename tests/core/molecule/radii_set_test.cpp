@@ -70,12 +70,46 @@ TEST(RadiiSets, ValuesOfThePapers) {
   expect_milli(a, "SER", "OG", "O", 1721);
 }
 
-TEST(RadiiSets, WhatASetLacksIsMarkedGuessed) {
-  EXPECT_TRUE(radius(RadiiSet::protor, "HEM", "FE", "Fe").guessed);
-  EXPECT_EQ(radius(RadiiSet::protor, "HEM", "FE", "Fe").microangstrom, 2440000);
+TEST(RadiiSets, WhatASetLacksIsMarkedGuessedWithItsSource) {
   EXPECT_TRUE(radius(RadiiSet::protor, "HEM", "CHA", "C").guessed);
   EXPECT_EQ(radius(RadiiSet::bondi, "XXX", "?", "X").microangstrom, 1800000);
   EXPECT_TRUE(radius(RadiiSet::protor, "ALA", "CA", "C", AtomKind::ligand).guessed);
+  EXPECT_TRUE(radius(RadiiSet::protor, "ALA", "CA", "C").source.empty());
+  for (const RadiiSetInfo& info : all_radii_sets()) {
+    if (info.set <= RadiiSet::file || info.set == RadiiSet::user) continue;
+    const AssignedRadius unknown = radius(info.set, "XXX", "?", "X");
+    EXPECT_TRUE(unknown.guessed && !unknown.source.empty()) << info.id;
+  }
+}
+
+TEST(RadiiSets, MetalsAreIonsWhereTheSetIsMadeForBiomolecules) {
+  for (const RadiiSet set : {RadiiSet::protor, RadiiSet::naccess, RadiiSet::rasmol}) {
+    const AssignedRadius iron = radius(set, "HEM", "FE", "Fe", AtomKind::ligand);
+    EXPECT_EQ(iron.microangstrom, 610000);
+    EXPECT_TRUE(iron.guessed);
+    EXPECT_EQ(iron.source, "ionic radius, Shannon 1976");
+    EXPECT_EQ(radius(set, "CA", "CA", "Ca", AtomKind::ion).microangstrom, 1000000);
+    EXPECT_EQ(radius(set, "ZN", "ZN", "Zn", AtomKind::ion).microangstrom, 740000);
+    EXPECT_EQ(radius(set, "CL", "CL", "Cl", AtomKind::ion).microangstrom, 1810000);
+    EXPECT_EQ(radius(set, "LIG", "CL1", "Cl", AtomKind::ligand).microangstrom, 1750000)
+        << "chlorine of a molecule is no chloride";
+  }
+  // AMBER has ions of its own, but no iron.
+  EXPECT_EQ(radius(RadiiSet::amber, "CA", "CA", "Ca", AtomKind::ion).microangstrom, 1713000);
+  EXPECT_FALSE(radius(RadiiSet::amber, "CA", "CA", "Ca", AtomKind::ion).guessed);
+  EXPECT_EQ(radius(RadiiSet::amber, "HEM", "FE", "Fe").microangstrom, 610000);
+}
+
+TEST(RadiiSets, MetalsAreAtomsInTheVanDerWaalsSets) {
+  const AssignedRadius zinc = radius(RadiiSet::bondi, "ZN", "ZN", "Zn", AtomKind::ion);
+  EXPECT_EQ(zinc.microangstrom, 1390000);
+  EXPECT_FALSE(zinc.guessed);
+  const AssignedRadius calcium = radius(RadiiSet::bondi, "CA", "CA", "Ca", AtomKind::ion);
+  EXPECT_EQ(calcium.microangstrom, 2310000);
+  EXPECT_EQ(calcium.source, "Mantina 2009");
+  EXPECT_EQ(radius(RadiiSet::bondi, "HEM", "FE", "Fe").microangstrom, 2000000);
+  EXPECT_EQ(radius(RadiiSet::alvarez, "HEM", "FE", "Fe").microangstrom, 2440000);
+  EXPECT_FALSE(radius(RadiiSet::alvarez, "HEM", "FE", "Fe").guessed);
 }
 
 TEST(RadiiSets, EverySetHasANameACitationAndAPositiveRadiusForEveryElement) {
@@ -90,7 +124,7 @@ TEST(RadiiSets, EverySetHasANameACitationAndAPositiveRadiusForEveryElement) {
       Molecule m;
       Atom a;
       a.element = static_cast<Element>(z);
-      EXPECT_GT(RadiiLookup(m, info.set, nullptr).radius(a).microangstrom, 500000) << info.id << z;
+      EXPECT_GT(RadiiLookup(m, info.set, nullptr).radius(a).microangstrom, 440000) << info.id << z;
     }
   }
   RadiiSet none{};

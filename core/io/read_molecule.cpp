@@ -2,6 +2,7 @@
 
 #include <future>
 
+#include "core/io/lookalike.hpp"
 #include "core/io/readers.hpp"
 #include "core/io/sniff_format.hpp"
 #include "core/io/text_file.hpp"
@@ -34,10 +35,18 @@ Molecule read_format(FileFormat format, const ReaderInput& input) {
     case FileFormat::unknown:
       break;
   }
-  throw ReadError(
-      input.source, 0,
-      "this is no molecule file that can be read: it looks like " + describe_unknown(input.text),
-      kFormats);
+  const Lookalike found = look_at(input.text);
+  throw ReadError(input.source, 0,
+                  "this is no molecule file that can be read: it looks like " + found.what,
+                  found.remedy.empty() ? kFormats : found.remedy);
+}
+
+void refuse_blank(const std::filesystem::path& path, std::string_view text) {
+  if (text.find_first_not_of(" \t\r\n\v\f") != std::string_view::npos) return;
+  throw ReadError(path, 0,
+                  text.empty() ? "the file is empty: it holds no atoms"
+                               : "the file has nothing but blanks: it holds no atoms",
+                  "Fetch or copy it again");
 }
 
 }  // namespace
@@ -45,6 +54,7 @@ Molecule read_format(FileFormat format, const ReaderInput& input) {
 Molecule read_molecule(const std::filesystem::path& path, const ReadOptions& options,
                        const RunContext& context) {
   const LoadedText loaded = load_text(path, options.max_bytes, context);
+  refuse_blank(path, loaded.text);
   // Hashing takes about as long as parsing, so that large files are hashed beside it.
   const bool large = loaded.text.size() > kHashInThreadFrom && !loaded.compressed;
   std::future<std::string> hash = std::async(large ? std::launch::async : std::launch::deferred,

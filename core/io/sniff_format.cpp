@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <array>
 
-#include "core/io/atom_names.hpp"
 #include "core/io/decimal.hpp"
 #include "core/io/line_reader.hpp"
+#include "core/io/lookalike.hpp"
 
 namespace alphascope {
 namespace {
@@ -19,6 +19,16 @@ constexpr std::array<std::string_view, 18> kPdbRecords = {
 bool is_pdb_record(std::string_view line) {
   return std::any_of(kPdbRecords.begin(), kPdbRecords.end(),
                      [&](std::string_view record) { return line.starts_with(record); });
+}
+
+bool has_pdb_record(std::string_view text) {
+  LineReader lines(text);
+  std::string_view line;
+  for (int k = 0; k < kLinesToLookAt && lines.next(line); ++k) {
+    // A serial of six digits may begin in column 6; without the name .pdb that could be PQR.
+    if (is_pdb_record(line) || line.starts_with("ATOM ")) return true;
+  }
+  return false;
 }
 
 bool is_cif_start(std::string_view line) {
@@ -113,34 +123,18 @@ FileFormat sniff_content(std::string_view text, std::string_view extension) {
 }  // namespace
 
 FileFormat sniff_format(const std::filesystem::path& path, std::string_view text) {
+  if (look_at(text).certain) return FileFormat::unknown;
   const std::string extension = extension_without_gz(path);
   const FileFormat content = sniff_content(text, extension);
   if (content != FileFormat::unknown) return content;
   if (text.substr(0, 4096).find('\0') != std::string_view::npos) return FileFormat::unknown;
-  // Damaged, truncated or empty: the reader of the extension says best what is wrong.
-  if (extension == ".pdb" || extension == ".ent") return FileFormat::pdb;
+  // Damaged or truncated: the reader of the extension says best what is wrong.
+  if ((extension == ".pdb" || extension == ".ent") && has_pdb_record(text)) return FileFormat::pdb;
   if (extension == ".cif" || extension == ".mmcif") return FileFormat::mmcif;
   if (extension == ".pqr") return FileFormat::pqr;
   if (extension == ".xyz") return FileFormat::xyz;
   if (extension == ".xyzr" || extension == ".crd") return FileFormat::ball_table;
   return FileFormat::unknown;
-}
-
-std::string describe_unknown(std::string_view text) {
-  if (text.empty()) return "an empty file";
-  if (text.substr(0, 4096).find('\0') != std::string_view::npos) return "a binary file";
-  LineReader lines(text);
-  std::string_view line;
-  while (lines.next(line)) {
-    const std::string_view data = trimmed(line);
-    if (data.empty()) continue;
-    if (data.starts_with("<?xml") || data.starts_with("<!DOCTYPE") || data.starts_with("<html")) {
-      return "a web page or XML: \"" + shortened(data) + "\"";
-    }
-    if (data.front() == '{') return "JSON";
-    return "a text that begins with \"" + shortened(data) + "\"";
-  }
-  return "a file of blank lines";
 }
 
 }  // namespace alphascope

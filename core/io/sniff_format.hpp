@@ -2,7 +2,6 @@
 #pragma once
 
 #include <filesystem>
-#include <string>
 #include <string_view>
 
 namespace alphascope {
@@ -18,9 +17,7 @@ enum class FileFormat : unsigned char {
   charmm_card
 };
 
+// unknown for what is certainly something else (core/io/lookalike.hpp), whatever its name.
 FileFormat sniff_format(const std::filesystem::path& path, std::string_view text);
-
-// What an unknown file looks like, to complete "it looks like …".
-std::string describe_unknown(std::string_view text);
 
 }  // namespace alphascope

@@ -1,11 +1,13 @@
 #include "core/io/text_file.hpp"
 
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
 #include <zlib.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
-#include <fstream>
 #include <limits>
 
 #include "core/io/read_error.hpp"
@@ -16,6 +18,11 @@ namespace {
 
 constexpr std::size_t kChunk = std::size_t{1} << 20;
 
+// Coordinates of molecules pack to a third or a tenth, a file of equal lines to a hundredth; a gzip
+// bomb to a thousandth. Small files may do what they like.
+constexpr std::uint64_t kMostExpansion = 200;
+constexpr std::uint64_t kSuspiciousFrom = std::uint64_t{256} << 20;  // bytes
+
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";  // UTF-8's
 
 std::string mebibytes(std::uint64_t bytes) {
@@ -24,56 +31,98 @@ std::string mebibytes(std::uint64_t bytes) {
 
 [[noreturn]] void refuse_size(const std::filesystem::path& path, std::uint64_t limit) {
   throw ReadError(path, 0, "the text is larger than the limit of " + mebibytes(limit),
-                  "If this is meant to be so large, raise the limit (option max_bytes)");
+                  "Keep only the atoms that you need, in a file of their own");
 }
 
-void refuse_what_is_no_file(const std::filesystem::path& path) {
-  namespace fs = std::filesystem;
-  std::error_code error;
-  const fs::file_status status = fs::status(path, error);
-  if (status.type() == fs::file_type::not_found) {
-    throw ReadError(path, 0, "there is no such file", "Check the name and the folder");
+[[noreturn]] void refuse_errno(const std::filesystem::path& path, const char* what,
+                               const char* remedy) {
+  throw ReadError(path, 0, std::string(what) + ": " + std::strerror(errno), remedy);
+}
+
+class Descriptor {
+ public:
+  // Not waiting for a writer, should this be a pipe.
+  explicit Descriptor(const std::filesystem::path& path)
+      : number_(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)) {}
+  ~Descriptor() {
+    if (number_ >= 0) ::close(number_);
   }
-  if (error) {
-    throw ReadError(path, 0, "the file cannot be reached: " + error.message(),
-                    "Check the permissions of the folder");
-  }
-  if (status.type() == fs::file_type::directory) {
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  int number() const { return number_; }
+
+ private:
+  int number_;
+};
+
+void refuse_what_is_no_file(const std::filesystem::path& path, const struct stat& status) {
+  if (S_ISDIR(status.st_mode)) {
     throw ReadError(path, 0, "this is a folder, not a file", "Choose a file inside it");
   }
-  if (status.type() != fs::file_type::regular) {
+  if (!S_ISREG(status.st_mode)) {
     throw ReadError(path, 0, "this is a pipe or a device, not an ordinary file",
                     "Save its content to a file and open that");
   }
 }
 
-std::string read_bytes(const std::filesystem::path& path, std::uint64_t max_bytes,
-                       const RunContext& context) {
-  refuse_what_is_no_file(path);
-  errno = 0;
-  std::ifstream file(path, std::ios::binary);
-  if (!file) {
-    throw ReadError(path, 0, std::string("the file cannot be opened: ") + std::strerror(errno),
-                    "Check that you may read it");
+[[noreturn]] void refuse_opening(const std::filesystem::path& path) {
+  if (errno == ENOENT || errno == ENOTDIR) {
+    throw ReadError(path, 0, "there is no such file", "Check the name and the folder");
   }
-  std::error_code error;
-  const std::uint64_t size = std::filesystem::file_size(path, error);
-  if (!error && size > max_bytes) refuse_size(path, max_bytes);
-  std::string bytes;
-  if (!error) bytes.reserve(size);
-  while (file) {
+  refuse_errno(path, "the file cannot be opened", "Check that you may read it");
+}
+
+// Refuses a line that is too long while the text still grows.
+class LineLengths {
+ public:
+  explicit LineLengths(const std::filesystem::path& path) : path_(path) {}
+
+  void look_at(std::string_view text) {
+    const std::string_view fresh = text.substr(seen_);
+    const std::size_t last = fresh.find_last_of("\n\r");
+    if (last != std::string_view::npos) line_start_ = seen_ + last + 1;
+    seen_ = text.size();
+    if (seen_ - line_start_ <= kLongestLine) return;
+    const std::string_view before = text.substr(0, line_start_);
+    throw ReadError(
+        path_, 1 + static_cast<std::size_t>(std::count(before.begin(), before.end(), '\n')),
+        "this line is longer than " + mebibytes(kLongestLine),
+        "No coordinate file has such lines; check that this is one, and fetch it again");
+  }
+
+ private:
+  const std::filesystem::path& path_;
+  std::size_t seen_ = 0, line_start_ = 0;
+};
+
+TextBuffer read_bytes(const std::filesystem::path& path, std::uint64_t max_bytes,
+                      const RunContext& context) {
+  // Looked at before it is opened, which may do something to a device; and again afterwards, should
+  // something else be there by then.
+  struct stat status {};
+  if (::stat(path.c_str(), &status) != 0) refuse_opening(path);
+  refuse_what_is_no_file(path, status);
+  const Descriptor file(path);
+  if (file.number() < 0 || ::fstat(file.number(), &status) != 0) refuse_opening(path);
+  refuse_what_is_no_file(path, status);
+  const std::uint64_t size = static_cast<std::uint64_t>(status.st_size);
+  if (size > max_bytes) refuse_size(path, max_bytes);
+  LineLengths lengths(path);
+  TextBuffer bytes;
+  bytes.reserve(size + 1);  // one more, to meet the end within it
+  for (;;) {
     context.cancel.throw_if_cancelled();
-    const std::size_t old = bytes.size();
-    bytes.resize(old + std::min<std::uint64_t>(kChunk, max_bytes + 1 - old));
-    file.read(bytes.data() + old, static_cast<std::streamsize>(bytes.size() - old));
-    bytes.resize(old + static_cast<std::size_t>(file.gcount()));
+    if (bytes.size() == bytes.capacity())
+      bytes.reserve(bytes.size() + kChunk);  // it grew meanwhile
+    const std::size_t room = std::min(kChunk, bytes.capacity() - bytes.size());
+    const ssize_t got = ::read(file.number(), bytes.data() + bytes.size(), room);
+    if (got < 0 && errno == EINTR) continue;
+    if (got < 0) refuse_errno(path, "reading stopped", "Check the disk or the network drive");
+    if (got == 0) return bytes;
+    bytes.set_size(bytes.size() + static_cast<std::size_t>(got));
     if (bytes.size() > max_bytes) refuse_size(path, max_bytes);
+    if (!bytes.view().starts_with("\x1f\x8b")) lengths.look_at(bytes.view());
   }
-  if (file.bad()) {
-    throw ReadError(path, 0, std::string("reading stopped: ") + std::strerror(errno),
-                    "Check the disk or the network drive");
-  }
-  return bytes;
 }
 
 class Inflater {
@@ -96,33 +145,41 @@ class Inflater {
                   "Fetch or copy the file again");
 }
 
+void refuse_bomb(const std::filesystem::path& path, std::uint64_t unpacked, std::uint64_t packed) {
+  if (unpacked <= kSuspiciousFrom || unpacked / kMostExpansion <= packed) return;
+  throw ReadError(path, 0,
+                  "the gzip data unpack to more than " + std::to_string(kMostExpansion) +
+                      " times their size, which coordinates never do",
+                  "If this is a molecule nevertheless, unpack the file and open that");
+}
+
 // All members of a gzip file, one after another, as gunzip does.
-std::string unpack(const std::filesystem::path& path, std::string packed, std::uint64_t max_bytes,
-                   const RunContext& context) {
+TextBuffer unpack(const std::filesystem::path& path, TextBuffer packed, std::uint64_t max_bytes,
+                  const RunContext& context) {
   Inflater inflater;
   z_stream& stream = inflater.stream;
-  std::string text;
+  LineLengths lengths(path);
+  TextBuffer text;
   std::size_t used = 0;
-  text.resize(std::clamp<std::uint64_t>(packed.size() * 5, kChunk, max_bytes + 1));
-  std::size_t filled = 0;
+  text.reserve(std::clamp<std::uint64_t>(packed.size() * 5, kChunk, max_bytes + 1));
   for (;;) {
     context.cancel.throw_if_cancelled();
-    if (filled == text.size()) {
-      if (filled > max_bytes) refuse_size(path, max_bytes);
-      text.resize(std::min<std::uint64_t>(filled * 2, max_bytes + 1));
+    if (text.size() == text.capacity()) {
+      if (text.size() > max_bytes) refuse_size(path, max_bytes);
+      text.reserve(std::min<std::uint64_t>(text.capacity() * 2, max_bytes + 1));
     }
     stream.next_in = reinterpret_cast<Bytef*>(packed.data() + used);
     stream.avail_in = static_cast<uInt>(std::min<std::size_t>(packed.size() - used, 1u << 30));
-    stream.next_out = reinterpret_cast<Bytef*>(text.data() + filled);
-    stream.avail_out = static_cast<uInt>(std::min<std::size_t>(text.size() - filled, 8 * kChunk));
+    stream.next_out = reinterpret_cast<Bytef*>(text.data() + text.size());
+    stream.avail_out = static_cast<uInt>(std::min(text.capacity() - text.size(), 8 * kChunk));
     const uInt in = stream.avail_in, out = stream.avail_out;
     const int code = inflate(&stream, Z_NO_FLUSH);
     used += in - stream.avail_in;
-    filled += out - stream.avail_out;
+    text.set_size(text.size() + (out - stream.avail_out));
+    lengths.look_at(text.view());
+    refuse_bomb(path, text.size(), packed.size());
     if (code == Z_STREAM_END) {
-      const bool another =
-          packed.size() - used >= 2 && packed[used] == '\x1f' && packed[used + 1] == '\x8b';
-      if (!another) break;
+      if (!packed.view().substr(used).starts_with("\x1f\x8b")) break;
       inflateReset(&stream);
     } else if (code != Z_OK) {
       refuse_gzip(path, code);
@@ -130,8 +187,7 @@ std::string unpack(const std::filesystem::path& path, std::string packed, std::u
       refuse_gzip(path, Z_BUF_ERROR);
     }
   }
-  text.resize(filled);
-  if (filled > max_bytes) refuse_size(path, max_bytes);
+  if (text.size() > max_bytes) refuse_size(path, max_bytes);
   return text;
 }
 
@@ -141,21 +197,23 @@ LoadedText load_text(const std::filesystem::path& path, std::uint64_t max_bytes,
                      const RunContext& context) {
   max_bytes = std::min<std::uint64_t>(max_bytes, std::numeric_limits<std::int64_t>::max() / 4);
   LoadedText loaded;
-  loaded.text = read_bytes(path, max_bytes, context);
-  loaded.file_bytes = loaded.text.size();
-  if (loaded.text.starts_with("\x1f\x8b")) {
+  loaded.buffer = read_bytes(path, max_bytes, context);
+  loaded.file_bytes = loaded.buffer.size();
+  if (loaded.buffer.view().starts_with("\x1f\x8b")) {
     loaded.compressed = true;
     Sha256 hash;
-    hash.update(loaded.text);
+    hash.update(loaded.buffer.view());
     loaded.sha256 = hash.finish();
-    loaded.text = unpack(path, std::move(loaded.text), max_bytes, context);
+    loaded.buffer = unpack(path, std::move(loaded.buffer), max_bytes, context);
   }
+  loaded.text = loaded.buffer.view();
   loaded.byte_order_mark = loaded.text.starts_with(kByteOrderMark);
-  if (loaded.byte_order_mark) loaded.text.erase(0, kByteOrderMark.size());
+  if (loaded.byte_order_mark) loaded.text.remove_prefix(kByteOrderMark.size());
   // Lines of the oldest systems end with CR alone.
-  if (loaded.text.find('\n') == std::string::npos && loaded.text.find('\r') != std::string::npos) {
+  if (loaded.text.find('\n') == std::string_view::npos &&
+      loaded.text.find('\r') != std::string_view::npos) {
     loaded.sha256 = file_hash(loaded);
-    std::replace(loaded.text.begin(), loaded.text.end(), '\r', '\n');
+    std::replace(loaded.buffer.data(), loaded.buffer.data() + loaded.buffer.size(), '\r', '\n');
   }
   return loaded;
 }
@@ -163,8 +221,7 @@ LoadedText load_text(const std::filesystem::path& path, std::uint64_t max_bytes,
 std::string file_hash(const LoadedText& loaded) {
   if (!loaded.sha256.empty()) return loaded.sha256;
   Sha256 hash;
-  if (loaded.byte_order_mark) hash.update(kByteOrderMark);
-  hash.update(loaded.text);
+  hash.update(loaded.buffer.view());
   return hash.finish();
 }
 

@@ -6,12 +6,18 @@
 #include <string>
 #include <string_view>
 
+#include "core/io/text_buffer.hpp"
 #include "core/run/cancel_token.hpp"
 
 namespace alphascope {
 
+// No line of a coordinate file is nearly so long; what has one is no text, and is refused before
+// its gigabytes are read.
+inline constexpr std::size_t kLongestLine = std::size_t{16} << 20;  // bytes
+
 struct LoadedText {
-  std::string text;  // unpacked; a UTF-8 byte order mark is removed, CR-only lines get LF
+  TextBuffer buffer;
+  std::string_view text;  // in the buffer: unpacked, without a UTF-8 mark, CR-only lines with LF
   std::uint64_t file_bytes = 0;
   bool compressed = false;       // told by content, not by name
   bool byte_order_mark = false;  // was there
@@ -19,7 +25,8 @@ struct LoadedText {
 };
 
 // Throws ReadError for a missing file, a directory, a pipe or device (which could block for ever),
-// a file without permission, damaged gzip data, or more than max_bytes of text.
+// a file without permission, damaged gzip data, a line longer than kLongestLine, more than
+// max_bytes of text, or gzip data that unpack to more than any molecule would.
 LoadedText load_text(const std::filesystem::path& path, std::uint64_t max_bytes,
                      const RunContext& context);
 

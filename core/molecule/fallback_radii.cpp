@@ -23,8 +23,9 @@ constexpr ElementEntry kMantinaEntries[] = {
 constexpr ElementTable kMantina = make_element_table(kMantinaEntries);
 
 // R. D. Shannon, Acta Cryst. A 32 (1976) 751: effective ionic radii, six neighbours, for the charge
-// that ChimeraX takes (the CRC Handbook's short table): Fe2+ and Co2+ of low spin, Mn2+ of high spin,
-// else the commonest. The second half, which that table lacks: Ag+, Tl+, else 3+, W, Re and Os 4+.
+// that ChimeraX takes (the CRC Handbook's short table): Fe2+ and Co2+ of low spin, Mn2+ of high
+// spin, else the commonest. The second half, which that table lacks: Ag+, Tl+, else 3+, W, Re and
+// Os 4+.
 constexpr ElementEntry kIonicEntries[] = {
     {3, 760},   {4, 450},   {9, 1330},  {11, 1020}, {12, 720},  {13, 540},  {17, 1810}, {19, 1380},
     {20, 1000}, {21, 750},  {22, 860},  {23, 790},  {24, 730},  {25, 830},  {26, 610},  {27, 650},

@@ -27,7 +27,7 @@ constexpr ElementTable kAlvarez = make_element_table(kAlvarezEntries);
 
 // RasMol's table has units of 1/250 Å: 387, 350, 337, 452.
 constexpr ElementEntry kRasmolEntries[] = {{1, 1100}, {6, 1548},  {7, 1400},
-                                    {8, 1348}, {15, 1880}, {16, 1808}};
+                                           {8, 1348}, {15, 1880}, {16, 1808}};
 constexpr ElementTable kRasmol = make_element_table(kRasmolEntries);
 
 constexpr RadiiSetInfo kSets[] = {

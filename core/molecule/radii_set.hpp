@@ -52,7 +52,7 @@ inline constexpr std::string_view kTypicalOfTheSet = "the set's typical value fo
 
 struct AssignedRadius {
   std::int32_t microangstrom = 0;  // > 0
-  bool guessed = false;  // the set has no value: the element's from elsewhere, or a default
+  bool guessed = false;     // the set has no value: the element's from elsewhere, or a default
   std::string_view source;  // of a guess: "Bondi 1964"; static text
 };
 

@@ -1,6 +1,8 @@
 // Input that is damaged, absurd or malicious: a message or the right molecule, never a crash, a
 // hang or a silently different one.
+#include <sys/resource.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 #include <zlib.h>
 
@@ -126,18 +128,69 @@ TEST(HostileInput, PipesAndForbiddenFilesAreNamed) {
   ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
   EXPECT_THROW(read_molecule(pipe), ReadError) << "and does not wait for a writer";
   EXPECT_THROW(read_molecule("/dev/zero"), ReadError);
-  if (geteuid() == 0) return;  // root may read everything
+  EXPECT_THROW(read_molecule(file.path() / "x.pdb"), ReadError) << "a file is no folder";
+}
+
+// Root may read everything, so that a child gives that up first.
+TEST(HostileInput, AFileWithoutPermissionIsNamed) {
+  const TemporaryFile file("a.pdb", "x");
   std::filesystem::permissions(file.path(), std::filesystem::perms::none);
+  const pid_t child = fork();
+  ASSERT_GE(child, 0);
+  if (child == 0) {
+    constexpr uid_t kNobody = 65534;
+    if (geteuid() == 0 && setuid(kNobody) != 0) _exit(2);
+    try {
+      read_molecule(file.path());
+    } catch (const ReadError& error) {
+      _exit(error.reason() == "the file cannot be opened: Permission denied" ? 0 : 1);
+    }
+    _exit(1);
+  }
+  int status = 0;
+  ASSERT_EQ(waitpid(child, &status, 0), child);
+  ASSERT_TRUE(WIFEXITED(status));
+  EXPECT_EQ(WEXITSTATUS(status), 0);
+}
+
+long peak_mebibytes() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return usage.ru_maxrss >> 10;
+}
+
+TEST(HostileInput, ALineOfTwoGigabytesIsRefusedBeforeItIsRead) {
+  const TemporaryFile file("a.pdb", "REMARK 1\nATOM  ");
+  std::filesystem::resize_file(file.path(), std::uintmax_t{2} << 30);  // zeros; takes no disk
+  const long before = peak_mebibytes();
   try {
     read_molecule(file.path());
     ADD_FAILURE();
   } catch (const ReadError& error) {
-    EXPECT_NE(error.reason().find("cannot be opened"), std::string::npos);
+    EXPECT_EQ(error.reason(), "this line is longer than 16 MiB");
+    EXPECT_EQ(error.line(), 2u);
   }
+  EXPECT_LT(peak_mebibytes() - before, 512);
+}
+
+TEST(HostileInput, ABombIsRefusedWithoutTheMemoryThatItAsksFor) {
+  const std::string member = gzip(std::string(std::size_t{64} << 20, '\n'));
+  std::string bomb;
+  for (int k = 0; k < 100; ++k) bomb += member;  // 6.25 GiB
+  const TemporaryFile file("a.pdb.gz", bomb);
+  try {
+    read_molecule(file.path());
+    ADD_FAILURE();
+  } catch (const ReadError& error) {
+    EXPECT_NE(error.reason().find("more than 200 times"), std::string::npos) << error.what();
+  }
+  // One long line, packed.
+  const std::string line = gzip(std::string(std::size_t{64} << 20, 'x'));
+  EXPECT_EQ(refusal("a.pdb.gz", line).reason(), "this line is longer than 16 MiB");
 }
 
 TEST(HostileInput, HugeLinesAndCounts) {
-  const std::string line(std::size_t{32} << 20, 'x');
+  const std::string line(std::size_t{15} << 20, 'x');
   EXPECT_LT(refusal("a.pdb", line).reason().size(), 300u) << "the message stays short";
   EXPECT_LT(refusal("a.pdb", "ATOM  " + line).reason().size(), 300u);
   EXPECT_LT(refusal("a.xyzr", "1 2 3 " + line).reason().size(), 300u);

@@ -111,16 +111,52 @@ TEST(SniffFormat, ContentGoesBeforeTheExtension) {
 }
 
 TEST(SniffFormat, UnknownFilesAreDescribed) {
-  EXPECT_NE(std::string(refusal("a.html", "<!DOCTYPE html>\n<p>404</p>").what()).find("web page"),
-            std::string::npos);
-  EXPECT_NE(std::string(refusal("a.json", "{\"a\": 1}").what()).find("JSON"), std::string::npos);
-  EXPECT_NE(std::string(refusal("a.dat", std::string_view("\x7f"
-                                                          "ELF\0\1",
-                                                          6))
-                            .what())
-                .find("binary"),
-            std::string::npos);
-  EXPECT_NE(std::string(refusal("a.dat", "").what()).find("an empty file"), std::string::npos);
+  using namespace std::string_view_literals;
+  const struct {
+    std::string_view text, what, remedy;
+  } cases[] = {
+      {"Dear reader,\nhello\n", "a text that begins with \"Dear reader,\"",
+       "Formats that can be opened"},
+      {"\x7f"
+       "ELF\0\1"sv,
+       "a binary file", "Formats that can be opened"},
+      {"<!DOCTYPE html>\n<p>404</p>", "a web page", "browser"},
+      {"\n<HTML>", "a web page", "browser"},
+      {"<?xml version='1.0'?>", "XML", "mmCIF"},
+      {"{\"a\": 1}", "JSON", "Formats that can be opened"},
+      {">1CRN\nTTCC\n", "a sequence", "coordinates"},
+      {"BZh91AY&SY", "bzip2", "Unpack"},
+      {"\xfd"
+       "7zXZ\0\0"sv,
+       "xz", "Unpack"},
+      {"PK\3\4\0\0"sv, "zip", "inside"},
+      {"%PDF-1.4\n", "PDF", "mmCIF"},
+      {"\xff\xfe"
+       "A\0T\0"sv,
+       "UTF-16", "UTF-8"},
+      {"@<TRIPOS>MOLECULE\nx\n", "MOL2", "Open Babel"},
+      {"\n  RDKit\n\n  3  2  0  0  0  0  0  0  0  0999 V2000\n", "molfile", "Open Babel"},
+      {"Water\n    1\n    1SOL     OW    1   0.126   1.624   1.679\n", "in nm", "PDB"},
+      {"\x83\xa7"
+       "encoder\xaa"
+       "dataBlocks\x91",
+       "BinaryCIF", "mmCIF"},
+      {"1.0,2.0,3.0,1.5\n", "a table of numbers with \",\"", "XYZR"},
+      {"OFF\n3 1 0\n0 0 0\n", "surface mesh", "coordinates"},
+  };
+  // Whatever they are called: a page that says "not found" is saved under the name of the molecule.
+  for (const char* name : {"a.dat", "a.pdb", "a.cif.gz", "a.xyzr"}) {
+    for (const auto& c : cases) {
+      if (std::string_view(name) != "a.dat" && c.remedy.starts_with("Formats")) continue;
+      const ReadError error = refusal(name, c.text);
+      EXPECT_NE(error.reason().find(c.what), std::string::npos) << name << ": " << error.what();
+      EXPECT_NE(error.remedy().find(c.remedy), std::string::npos) << name << ": " << error.what();
+    }
+  }
+  EXPECT_NE(refusal("a.pdb", "Dear reader,\n").reason().find("Dear reader"), std::string::npos);
+  EXPECT_EQ(refusal("a.dat", "").reason(), "the file is empty: it holds no atoms");
+  EXPECT_EQ(refusal("a.pdb", " \n\r\n").reason(),
+            "the file has nothing but blanks: it holds no atoms");
 }
 
 }  // namespace

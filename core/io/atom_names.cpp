@@ -44,7 +44,7 @@ ResidueFamily residue_family(std::string_view name) {
     return ResidueFamily::biopolymer;
   }
   if (contains(kIons, name) || is_ion_symbol(name)) return ResidueFamily::ion;
-  return ResidueFamily::unknown;
+  return info.found() ? ResidueFamily::ligand : ResidueFamily::unknown;
 }
 
 ResidueFamily ResidueFamilies::of(NameId residue_name, const NameTable& names) {
@@ -64,6 +64,8 @@ AtomKind atom_kind(ResidueFamily family, bool hetero) {
       return AtomKind::dummy;
     case ResidueFamily::biopolymer:
       return AtomKind::polymer;
+    case ResidueFamily::ligand:
+      return AtomKind::ligand;
     case ResidueFamily::unknown:
       break;
   }

@@ -11,7 +11,7 @@
 namespace alphascope {
 
 // What is known of a residue by its name alone.
-enum class ResidueFamily : std::uint8_t { unknown, biopolymer, water, ion, dummy };
+enum class ResidueFamily : std::uint8_t { unknown, biopolymer, ligand, water, ion, dummy };
 ResidueFamily residue_family(std::string_view residue_name);
 
 // residue_family() of interned names, each asked once.
@@ -23,7 +23,8 @@ class ResidueFamilies {
   std::vector<std::optional<ResidueFamily>> families_;  // by NameId
 };
 
-// An unknown residue is a ligand when its atoms are HETATM, else part of a polymer.
+// An unknown residue is a ligand when its atoms are HETATM, else part of a polymer; a known ligand
+// is one either way, since many programs write ATOM only.
 AtomKind atom_kind(ResidueFamily family, bool hetero);
 
 // Element of an atom name without blanks. In a biopolymer "CA" and "HG" are C and H; elsewhere a

@@ -198,7 +198,9 @@ class MmcifReader : public CifHandler {
     atom.occupancy = real(kOccupancy, 1);
     atom.b_factor = real(kBFactor, 0);
     const ResidueFamily family = families_.of(atom.residue_name, names);
-    atom.kind = atom_kind(family, atom.hetero && value(kLabelSeq).empty());
+    const bool in_polymer = !value(kLabelSeq).empty();
+    atom.kind = atom_kind(family, atom.hetero && !in_polymer);
+    if (in_polymer && atom.kind == AtomKind::ligand) atom.kind = AtomKind::polymer;
     atom.element = element_from_symbol(value(kSymbol));
     if (atom.element == kUnknownElement && value(kSymbol).empty()) {
       atom.element =

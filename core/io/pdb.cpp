@@ -122,8 +122,7 @@ class PdbReader {
     } else if (line.starts_with("TITLE ")) {
       take_title(line);
     } else if (line.starts_with("MODRES")) {
-      modified_.insert(
-          residue_key(columns(line, 17, 17), columns(line, 19, 22), columns(line, 23, 23)));
+      take_modified(line);
     }
   }
 
@@ -133,6 +132,15 @@ class PdbReader {
     while (!more.empty() && is_blank(more.back())) more.remove_suffix(1);
     if (title.empty()) more = trimmed(more);
     title += more;
+  }
+
+  // A residue that stands for an amino acid or a nucleotide. Programs also note other renamings
+  // here, such as SUL for the sulphate SO4.
+  void take_modified(std::string_view line) {
+    const std::string_view standard = trimmed(columns(line, 25, 27));
+    if (!standard.empty() && residue_family(standard) != ResidueFamily::biopolymer) return;
+    modified_.insert(
+        residue_key(columns(line, 17, 17), columns(line, 19, 22), columns(line, 23, 23)));
   }
 
   static std::string residue_key(std::string_view chain, std::string_view number,
@@ -250,8 +258,9 @@ class PdbReader {
     std::string_view residue = trimmed(columns(line, 18, 20));
     std::string_view chain = trimmed(columns(line, 22, 22));
     if (column(line, 21) != ' ') {
+      const ResidueFamily family = residue_family(residue);
       const bool two_letter_chain =
-          !chain.empty() && residue_family(residue) != ResidueFamily::unknown;
+          !chain.empty() && family != ResidueFamily::unknown && family != ResidueFamily::ligand;
       if (two_letter_chain) {
         chain = columns(line, 21, 22);
       } else {
@@ -269,7 +278,8 @@ class PdbReader {
     const ResidueFamily family = family_of(atom.residue_name);
     const bool biopolymer =
         // Left-justified names of programs that do not know the rule below.
-        (!atom.hetero && family == ResidueFamily::unknown && has_position_letter(field)) ||
+        (!atom.hetero && (family == ResidueFamily::unknown || family == ResidueFamily::ligand) &&
+         has_position_letter(field)) ||
         family == ResidueFamily::biopolymer || family == ResidueFamily::water ||
         // " CA " and "HE21": columns 13-14 are the symbol, right-justified, unless all are used.
         (!field.empty() && is_blank(field[0])) ||

@@ -60,7 +60,7 @@ class PqrReader {
     atom.element = element_from_atom_name(
         builder_.molecule().text(atom.name),
         family == ResidueFamily::biopolymer || family == ResidueFamily::water ||
-            (family == ResidueFamily::unknown &&
+            ((family == ResidueFamily::unknown || family == ResidueFamily::ligand) &&
              has_position_letter(builder_.molecule().text(atom.name))));
     builder_.add(atom, position, radius);
   }

@@ -1,11 +1,13 @@
 // Every file of the data folder opens to the atom counts of the folder's README, or is refused as
 // written below. The README is the table of this test.
 #include <algorithm>
+#include <array>
 #include <fstream>
 #include <map>
 #include <string>
 #include <vector>
 
+#include "core/molecule/prepare_balls.hpp"
 #include "tests/core/io/temporary_file.hpp"
 
 namespace alphascope {
@@ -94,6 +96,22 @@ std::vector<std::pair<LatticePoint, Element>> sorted_atoms(const Molecule& m) {
   return atoms;
 }
 
+// x, y, z and radius of every ball on the lattice of that many digits, which holds them exactly.
+std::vector<std::array<int, 4>> balls_at(const Molecule& m, const BallOptions& options,
+                                         int digits) {
+  const PreparedBalls prepared = prepare_balls(m, options);
+  EXPECT_LE(prepared.balls->lattice.digits, digits);
+  int factor = 1;
+  for (int d = prepared.balls->lattice.digits; d < digits; ++d) factor *= 10;
+  std::vector<std::array<int, 4>> result;
+  for (std::size_t i = 0; i < prepared.balls->size(); ++i) {
+    const LatticePoint& p = prepared.balls->centres[i];
+    result.push_back({p.x * factor, p.y * factor, p.z * factor, prepared.balls->radii[i] * factor});
+  }
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
 TEST(DataFolder, TheSameMoleculeInOtherFormatsHasTheSameAtoms) {
   ALPHASCOPE_NEED_TEST_DATA();
   const Molecule pdb = read_molecule(test_data("ladder/adk_open.pdb.gz"));
@@ -105,6 +123,15 @@ TEST(DataFolder, TheSameMoleculeInOtherFormatsHasTheSameAtoms) {
     ASSERT_EQ(pdb.atoms[i].element, card.atoms[i].element) << i;
     ASSERT_EQ(pdb.text(pdb.atoms[i].name), card.text(card.atoms[i].name)) << i;
     ASSERT_EQ(pdb.atoms[i].residue_number, card.atoms[i].residue_number) << i;
+  }
+  // The same atoms as PQR; but 24 hydrogens were built anew there, and some atoms come in another
+  // order.
+  const Molecule pqr = read_molecule(test_data("ladder/adk_open.pqr.gz"));
+  BallOptions bondi;
+  bondi.radii = RadiiSet::bondi;
+  bondi.hydrogens = HydrogenRule::drop;
+  for (const Molecule* other : {&card, &pqr}) {
+    EXPECT_TRUE(balls_at(pdb, bondi, 4) == balls_at(*other, bondi, 4)) << other->format;
   }
   // PDB formats 2.3 and 3.0, without and with the element column.
   const Molecule old_format = read_molecule(test_data("awkward/104d_v23.pdb"));

@@ -38,6 +38,20 @@ TEST(ReadPdb, ReadsColumnsAndKinds) {
   EXPECT_TRUE(m.notes.empty());
 }
 
+TEST(ReadPdb, KnownLigandsAreLigandsWhateverTheRecord) {
+  const std::string rest = "      27.340  24.430   2.614  1.00  9.67           C  \n";
+  const Molecule m =
+      read_text("a.pdb",
+                "MODRES      SUL A   3  SO4\nMODRES      MSE A   4  MET\n"
+                "ATOM      1  CHA HEM A   1 " +
+                    rest.substr(1) + "ATOM      2  CA  UNK A   2 " + rest.substr(1) +
+                    "HETATM    3  S   SUL A   3 " + rest.substr(1) + "HETATM    4  CA  MSE A   4 " +
+                    rest.substr(1) + "ATOM      5  C1  GOL A   5 " + rest.substr(1));
+  const AtomKind expected[] = {AtomKind::ligand, AtomKind::polymer, AtomKind::ligand,
+                               AtomKind::polymer, AtomKind::ligand};
+  for (std::size_t i = 0; i < 5; ++i) EXPECT_EQ(m.atoms[i].kind, expected[i]) << i;
+}
+
 TEST(ReadPdb, DefaultSelectionIsCountedInFull) {
   const Molecule m = read_text("a.pdb", kSmall);
   const PreparedBalls prepared = prepare_balls(m);

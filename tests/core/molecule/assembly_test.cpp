@@ -114,6 +114,10 @@ TEST(Assembly, AgreesWithTheDerivedCapsidOf2buk) {
     ASSERT_LE(std::abs(a.x - b.x) + std::abs(a.y - b.y) + std::abs(a.z - b.z), 3) << i;
   }
   EXPECT_EQ(differing, 0u) << "positions on a tie of rounding";
+  const PreparedBalls a = prepare_balls(expanded), b = prepare_balls(derived);
+  EXPECT_TRUE(a.balls->centres == b.balls->centres);
+  EXPECT_TRUE(a.balls->radii == b.balls->radii);
+  EXPECT_EQ(summary(a.report), summary(b.report));
 }
 
 TEST(Assembly, KcsaTetramerIsTheThesisFile) {

@@ -16,7 +16,18 @@ constexpr const char* kFormats =
     "Formats that can be opened: PDB, mmCIF, PQR, XYZ, XYZR and CRD (x y z r, or CHARMM cards), "
     "also packed as .gz";
 
+void refuse_blank(const std::filesystem::path& path, std::string_view text) {
+  if (text.find_first_not_of(" \t\r\n\v\f") != std::string_view::npos) return;
+  throw ReadError(path, 0,
+                  text.empty() ? "the file is empty: it holds no atoms"
+                               : "the file has nothing but blanks: it holds no atoms",
+                  "Fetch or copy it again");
+}
+
+}  // namespace
+
 Molecule read_format(FileFormat format, const ReaderInput& input) {
+  refuse_blank(input.source, input.text);
   switch (format) {
     case FileFormat::pdb:
       return read_pdb(input);
@@ -41,20 +52,9 @@ Molecule read_format(FileFormat format, const ReaderInput& input) {
                   found.remedy.empty() ? kFormats : found.remedy);
 }
 
-void refuse_blank(const std::filesystem::path& path, std::string_view text) {
-  if (text.find_first_not_of(" \t\r\n\v\f") != std::string_view::npos) return;
-  throw ReadError(path, 0,
-                  text.empty() ? "the file is empty: it holds no atoms"
-                               : "the file has nothing but blanks: it holds no atoms",
-                  "Fetch or copy it again");
-}
-
-}  // namespace
-
 Molecule read_molecule(const std::filesystem::path& path, const ReadOptions& options,
                        const RunContext& context) {
   const LoadedText loaded = load_text(path, options.max_bytes, context);
-  refuse_blank(path, loaded.text);
   // Hashing takes about as long as parsing, so that large files are hashed beside it.
   const bool large = loaded.text.size() > kHashInThreadFrom && !loaded.compressed;
   std::future<std::string> hash = std::async(large ? std::launch::async : std::launch::deferred,

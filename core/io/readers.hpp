@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <string_view>
 
+#include "core/io/sniff_format.hpp"
 #include "core/molecule/molecule.hpp"
 #include "core/run/cancel_token.hpp"
 
@@ -19,11 +20,16 @@ struct ReaderInput {
   // To be called now and then while reading: reports the share done, and throws Cancelled.
   void report(std::size_t bytes_left) const {
     context.cancel.throw_if_cancelled();
-    context.report("reading", 1 - static_cast<double>(bytes_left) / static_cast<double>(text.size()));
+    context.report("reading",
+                   1 - static_cast<double>(bytes_left) / static_cast<double>(text.size()));
   }
 };
 
 // All of them throw ReadError with the line at fault, and Cancelled.
+
+// By the format's own reader. For FileFormat::unknown, and for a text of blanks, the error says
+// what the text looks like.
+Molecule read_format(FileFormat format, const ReaderInput& input);
 
 // ATOM and HETATM records of all models. Atoms between two models, or after the last ENDMDL, form a
 // model of their own.

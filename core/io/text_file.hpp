@@ -7,13 +7,10 @@
 #include <string_view>
 
 #include "core/io/text_buffer.hpp"
+#include "core/io/text_limits.hpp"
 #include "core/run/cancel_token.hpp"
 
 namespace alphascope {
-
-// No line of a coordinate file is nearly so long; what has one is no text, and is refused before
-// its gigabytes are read.
-inline constexpr std::size_t kLongestLine = std::size_t{16} << 20;  // bytes
 
 struct LoadedText {
   TextBuffer buffer;

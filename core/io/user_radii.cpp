@@ -83,10 +83,16 @@ class UserRadiiReader {
 
 }  // namespace
 
+UserRadii parse_user_radii(const std::filesystem::path& path, std::string_view text) {
+  return UserRadiiReader(path, text).read();
+}
+
 std::shared_ptr<const UserRadii> read_user_radii(const std::filesystem::path& path,
                                                  const RunContext& context) {
   const LoadedText loaded = load_text(path, kMaxBytes, context);
-  return std::make_shared<const UserRadii>(UserRadiiReader(path, loaded.text).read());
+  UserRadii radii = parse_user_radii(path, loaded.text);
+  radii.sha256 = file_hash(loaded);
+  return std::make_shared<const UserRadii>(std::move(radii));
 }
 
 }  // namespace alphascope

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <string_view>
 
 #include "core/io/read_error.hpp"
 #include "core/molecule/radii_set.hpp"
@@ -18,5 +19,8 @@ namespace alphascope {
 // is not above 0 and at most 60 Å, and for an entry that is given twice.
 std::shared_ptr<const UserRadii> read_user_radii(const std::filesystem::path& path,
                                                  const RunContext& context = {});
+
+// The same from text in memory; `path` is for messages and UserRadii::source only.
+UserRadii parse_user_radii(const std::filesystem::path& path, std::string_view text);
 
 }  // namespace alphascope

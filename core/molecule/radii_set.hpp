@@ -43,6 +43,7 @@ bool find_radii_set(std::string_view id, RadiiSet& set);
 // Radii of a table written by the user (core/io/user_radii.hpp), in 10^-6 Å.
 struct UserRadii {
   std::string source;                           // file name, for the report
+  std::string sha256;                           // of that file; empty when it was no file
   std::map<std::string, std::int32_t> by_atom;  // "ALA CB"; "* CB" for any residue
   std::map<Element, std::int32_t> by_element;
 };

@@ -1,0 +1,34 @@
+#include "core/io/text_limits.hpp"
+
+#include <algorithm>
+
+#include "core/io/read_error.hpp"
+
+namespace alphascope {
+namespace {
+
+std::string mebibytes(std::uint64_t bytes) {
+  return std::to_string(bytes >> 20) + " MiB";
+}
+
+}  // namespace
+
+void refuse_text_beyond(const std::filesystem::path& path, std::uint64_t limit) {
+  throw ReadError(path, 0, "the text is larger than the limit of " + mebibytes(limit),
+                  "Keep only the atoms that you need, in a file of their own");
+}
+
+void LineLengths::look_at(std::string_view text) {
+  const std::string_view fresh = text.substr(seen_);
+  const std::size_t last = fresh.find_last_of("\n\r");
+  if (last != std::string_view::npos) line_start_ = seen_ + last + 1;
+  seen_ = text.size();
+  if (seen_ - line_start_ <= kLongestLine) return;
+  const std::string_view before = text.substr(0, line_start_);
+  throw ReadError(path_,
+                  1 + static_cast<std::size_t>(std::count(before.begin(), before.end(), '\n')),
+                  "this line is longer than " + mebibytes(kLongestLine),
+                  "No coordinate file has such lines; check that this is one, and fetch it again");
+}
+
+}  // namespace alphascope

@@ -1,0 +1,57 @@
+// What every reader promises of the molecules that it makes; a broken promise ends the program.
+#pragma once
+
+#include <cstdlib>
+#include <stdexcept>
+
+#include "core/io/read_error.hpp"
+#include "core/molecule/prepare_balls.hpp"
+
+namespace alphascope::fuzz {
+
+inline void require(bool promise) {
+  if (!promise) std::abort();
+}
+
+inline void check(const Molecule& m) {
+  require(!m.atoms.empty() && !m.models.empty());
+  std::size_t next = 0;
+  for (const ModelRange& model : m.models) {
+    require(model.begin == next && model.end > model.begin);
+    next = model.end;
+  }
+  require(next == m.atoms.size());
+  const auto inside = [](std::int32_t c) {
+    return c >= -kMaxLatticeCoordinate && c <= kMaxLatticeCoordinate;
+  };
+  for (const Atom& a : m.atoms) {
+    require(inside(a.position.x) && inside(a.position.y) && inside(a.position.z));
+    require(a.name < m.names.size() && a.residue_name < m.names.size() &&
+            a.chain < m.names.size() && a.label_chain < m.names.size());
+  }
+  BallOptions all;
+  all.model = kAllModels;
+  const PreparedBalls prepared = prepare_balls(m, all);
+  for (const std::int32_t radius : prepared.balls->radii) {
+    require(radius > 0 && radius <= kMaxLatticeRadius);
+  }
+}
+
+// Reads, checks, and expands what is small enough. A ReadError must say something and what to do.
+template <class Read>
+void check_reading(Read read) {
+  try {
+    const Molecule m = read();
+    check(m);
+    for (const AssemblyInfo& info : list_assemblies(m)) {
+      if (info.atoms > 0 && info.atoms < 10000) check(expand_assembly(m, info.id));
+    }
+  } catch (const ReadError& error) {
+    require(!error.reason().empty() && !error.remedy().empty());
+    require(error.reason().size() < 1000);
+  } catch (const std::invalid_argument&) {
+    // An assembly that leaves the lattice.
+  }
+}
+
+}  // namespace alphascope::fuzz

@@ -1,0 +1,19 @@
+// Any bytes as gzip data: a text within the limit, or a ReadError.
+#include "core/io/gzip.hpp"
+#include "tests/fuzz/check_molecule.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {
+  constexpr std::uint64_t kLimit = std::uint64_t{1} << 20;  // bytes
+  const std::string_view packed(reinterpret_cast<const char*>(data), size);
+  try {
+    const alphascope::TextBuffer text = alphascope::unpack_gzip("fuzz.gz", packed, kLimit, {});
+    alphascope::fuzz::require(text.size() <= kLimit);
+    // Every byte must have been written.
+    std::size_t sum = 0;
+    for (const char c : text.view()) sum += static_cast<unsigned char>(c);
+    alphascope::fuzz::require(sum <= 255 * text.size());
+  } catch (const alphascope::ReadError& error) {
+    alphascope::fuzz::require(!error.reason().empty() && !error.remedy().empty());
+  }
+  return 0;
+}

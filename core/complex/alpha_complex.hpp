@@ -29,11 +29,18 @@ struct SimplexList {
   std::size_t size() const { return simplices.size(); }
 };
 
+// Something an engine counted on its way, for display.
+struct EngineCounter {
+  std::string name;  // "4-tuples into kernel II"
+  std::uint64_t value = 0;
+};
+
 // Which engine made the result, for display and provenance.
 struct EngineInfo {
   std::string name;    // "facet engine", "CGAL triangulation"
   std::string device;  // "CPU, 2 threads", "NVIDIA H200"
   std::string route;   // "facet clipping", "regular triangulation, then threshold", "threshold of cached filtration"
+  std::vector<EngineCounter> counters = {};  // empty where nothing is counted
 };
 
 struct AlphaComplex {

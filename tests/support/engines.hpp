@@ -4,12 +4,15 @@
 #include <gtest/gtest.h>
 
 #include <functional>
+#include <limits>
 #include <memory>
 #include <ostream>
 #include <string>
 #include <vector>
 
 #include "core/complex/engine.hpp"
+#include "core/complex/tuple_engine.hpp"
+#include "core/geometry/coincident.hpp"
 #include "tests/support/facet_only_engine.hpp"
 
 namespace alphascope::testing {
@@ -17,6 +20,18 @@ namespace alphascope::testing {
 struct EngineFactory {
   std::string name;  // letters, digits and _ only
   std::function<std::unique_ptr<Engine>(std::shared_ptr<const BallSet>)> make;
+  // What is slow beyond use on larger sets, or where balls have more neighbours, says so here.
+  int most_balls = 1000;
+  double most_tuples = std::numeric_limits<double>::infinity();
+
+  // Would this engine take no more than seconds?
+  bool affords(const BallSet& balls, double alpha_angstrom2) const {
+    if (most_tuples == std::numeric_limits<double>::infinity()) return true;
+    const double alpha = balls.lattice.alpha_on_lattice(alpha_angstrom2);
+    const UniformGrid grid = make_uniform_grid(balls, alpha, coincident_hidden(balls));
+    const double later = sample_neighbours(grid, 64).mean / 2;
+    return static_cast<double>(grid.size()) * later * later * later / 6 < most_tuples;
+  }
   friend void PrintTo(const EngineFactory& factory, std::ostream* out) { *out << factory.name; }
 };
 
@@ -36,6 +51,18 @@ inline std::vector<EngineFactory> host_engines() {
     engines.push_back({"facets_" + std::to_string(threads), [threads](auto balls) {
                          return std::make_unique<FacetOnlyEngine>(std::move(balls), threads);
                        }});
+  }
+  // The work grows with the cube of the neighbours.
+  TupleOptions batches;
+  batches.tuples_per_batch = 700;  // so that small sets need many
+  for (const auto& [name, options] :
+       {std::pair("tuples_1", TupleOptions{}), {"tuples_2", batches}}) {
+    const int threads = options == batches ? 2 : 1;
+    engines.push_back({name,
+                       [threads, options](auto balls) {
+                         return make_tuple_engine(std::move(balls), {threads}, options);
+                       },
+                       35, 3e6});
   }
   return engines;
 }

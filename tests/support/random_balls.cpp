@@ -177,7 +177,7 @@ std::vector<NamedBalls> small_hard_sets(Random& random, int most) {
   return sets;
 }
 
-std::vector<NamedBalls> large_hard_sets(Random& random) {
+std::vector<NamedBalls> large_hard_sets(Random& random, int most) {
   std::vector<NamedBalls> sets;
   const auto one = [] { return 1; };
   const auto mixed = [&] { return random_int(random, 1, 4); };
@@ -199,7 +199,7 @@ std::vector<NamedBalls> large_hard_sets(Random& random) {
   }
   sets.push_back({"cospherical shells", shells});
   sets.push_back({"extremes of the lattice", extremes(random, 120)});
-  for (NamedBalls& set : sets) truncate(set.balls, random, 1000);  // shuffles
+  for (NamedBalls& set : sets) truncate(set.balls, random, most);  // shuffles
   return sets;
 }
 

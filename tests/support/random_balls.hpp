@@ -33,7 +33,7 @@ BallSet permuted(const BallSet& balls, const std::vector<BallIndex>& order);
 std::vector<NamedBalls> small_hard_sets(Random& random, int most);
 
 // Tens to hundreds of balls: the same kinds at size, cubic, body-centred and FCC lattices with
-// equal and with random radii, planes, lines.
-std::vector<NamedBalls> large_hard_sets(Random& random);
+// equal and with random radii, planes, lines. At most `most` balls each, picked at random.
+std::vector<NamedBalls> large_hard_sets(Random& random, int most = 1000);
 
 }  // namespace alphascope::testing

@@ -25,6 +25,9 @@ class Properties : public ::testing::TestWithParam<EngineFactory> {
   AlphaComplex complex_of(const BallSet& balls, double alpha) {
     return GetParam().make(std::make_shared<const BallSet>(balls))->compute({alpha}, {});
   }
+  std::vector<NamedBalls> hard_sets(Random& random) {
+    return testing::large_hard_sets(random, GetParam().most_balls);
+  }
 };
 INSTANTIATE_TEST_SUITE_P(Engines, Properties, ::testing::ValuesIn(testing::host_engines()),
                          testing::engine_name);
@@ -73,7 +76,7 @@ bool has_twins(const BallSet& balls) {
 TEST_P(Properties, OrderOfTheBallsDoesNotMatter) {
   Random random(5);
   std::size_t compared = 0;
-  for (const NamedBalls& set : testing::large_hard_sets(random)) {
+  for (const NamedBalls& set : hard_sets(random)) {
     if (has_twins(set.balls)) continue;
     ++compared;
     std::vector<BallIndex> order(set.balls.size());
@@ -112,7 +115,7 @@ TEST_P(Properties, SymmetriesOfTheLatticeDoNotMatter) {
 // Translations keep the order by which ties are broken.
 TEST_P(Properties, TranslationsDoNotMatter) {
   Random random(7);
-  for (const NamedBalls& set : testing::large_hard_sets(random)) {
+  for (const NamedBalls& set : hard_sets(random)) {
     if (set.name == "extremes of the lattice") continue;
     BallSet image = set.balls;
     for (LatticePoint& p : image.centres) p = {p.x + 536000000, p.y - 77, p.z - 536000000};
@@ -122,7 +125,7 @@ TEST_P(Properties, TranslationsDoNotMatter) {
 
 TEST_P(Properties, GrowsWithAlphaAndMeetsTheDefinition) {
   Random random(8);
-  for (const NamedBalls& set : testing::large_hard_sets(random)) {
+  for (const NamedBalls& set : hard_sets(random)) {
     const auto engine = GetParam().make(std::make_shared<const BallSet>(set.balls));
     AlphaComplex smaller = engine->compute({-1e30}, {});
     EXPECT_EQ(smaller.vertices.size(), 0u);
@@ -139,7 +142,7 @@ TEST_P(Properties, GrowsWithAlphaAndMeetsTheDefinition) {
 // At alpha = infinity the complex is the whole triangulation of a convex hull: contractible.
 TEST_P(Properties, WholeTriangulationHasEulerCharacteristicOne) {
   Random random(9);
-  for (const NamedBalls& set : testing::large_hard_sets(random)) {
+  for (const NamedBalls& set : hard_sets(random)) {
     const AlphaComplex complex = complex_of(set.balls, kInfinity);
     EXPECT_EQ(complex.euler_characteristic(), 1) << set.name;
     EXPECT_TRUE(is_subcomplex(complex_of(set.balls, 2), complex)) << set.name;
@@ -149,11 +152,11 @@ TEST_P(Properties, WholeTriangulationHasEulerCharacteristicOne) {
 TEST_P(Properties, RefusesNanAndTakesInfinity) {
   Random random(13);
   const auto engine = GetParam().make(
-      std::make_shared<const BallSet>(testing::random_balls(random, 50, 100, 10, 20)));
+      std::make_shared<const BallSet>(testing::random_balls(random, 30, 100, 10, 20)));
   EXPECT_THROW(engine->compute({std::numeric_limits<double>::quiet_NaN()}, {}),
                std::invalid_argument);
   EXPECT_EQ(engine->compute({-kInfinity}, {}).vertices.size(), 0u);
-  EXPECT_EQ(engine->compute({kInfinity}, {}).vertices.size(), 50u);
+  EXPECT_EQ(engine->compute({kInfinity}, {}).vertices.size(), 30u);
 }
 
 TEST_P(Properties, StaysUsableWhenCancelled) {
@@ -175,6 +178,7 @@ TEST_P(Properties, MoleculeMeetsTheDefinition) {
   const auto balls = testing::sample_balls("1crn.pdb");
   const auto engine = GetParam().make(balls);
   for (const double alpha : {0.0, 1.4, 10.0}) {
+    if (!GetParam().affords(*balls, alpha)) continue;
     const Verification verification = verify(*balls, engine->compute({alpha}, {}));
     EXPECT_TRUE(verification.ok()) << verification.messages.at(0);
     EXPECT_GT(verification.checks, 1000u);

@@ -44,7 +44,7 @@ void run_once(const std::shared_ptr<const BallSet>& balls, const SessionRequest&
   AlphaComplex complex;
   const AlphaRequest at{request.alpha_angstrom2, request.tetrahedra_only};
   series.cold.push_back(timed([&] {
-    made = make_engine(request.engine, balls, request.threads);
+    made = make_engine(request.engine, balls, {request.threads, request.tuples});
     complex = made.engine->compute(at, context);
   }));
   const AlphaRequest beside{request.alpha_angstrom2 - kSliderStep, request.tetrahedra_only};

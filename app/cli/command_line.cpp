@@ -87,6 +87,36 @@ void add_alphas(CLI::App& command, std::vector<double>& alphas) {
       ->type_name("A,B,...");
 }
 
+// The switches of the tuple engine; refused with another engine, where they would do nothing.
+void add_tuples(CLI::App& command, SessionRequest& request) {
+  constexpr const char* kGroup = "Options of --engine tuples-cpu (same result)";
+  TupleOptions& tuples = request.tuples;
+  command.add_option_function<std::string>(
+             "--tuple-grid",
+             [&tuples](const std::string& id) {
+               tuples.grid = id == "100" ? TupleGridKind::thesis : TupleGridKind::automatic;
+             },
+             "Cells: auto, or 100 for 100 x 100 x 100")
+      ->check(CLI::IsMember({"auto", "100"}))
+      ->group(kGroup);
+  const auto off = [&](const char* name, bool& value, const char* help) {
+    command.add_flag_callback(name, [&value] { value = false; }, help)->group(kGroup);
+  };
+  off("--no-edge-optimisation", tuples.edge_optimisation,
+      "Enumerate tuples of balls that do not all meet, too");
+  off("--no-alpha-optimisation", tuples.alpha_optimisation,
+      "Send tuples of ortho-radius above alpha to kernel II, too");
+  command.add_option("--tuples-per-batch", tuples.tuples_per_batch,
+                     "Tuples held at once, 0 to choose")
+      ->check(CLI::Range(0, 100'000'000))
+      ->type_name("N")
+      ->group(kGroup);
+  command.parse_complete_callback([&request] {
+    if (request.engine == EngineChoice::tuples_cpu || request.tuples == TupleOptions{}) return;
+    throw CLI::ValidationError("The options of the tuple engine", "need --engine tuples-cpu");
+  });
+}
+
 void add_engine(CLI::App& command, SessionRequest& request, bool threads) {
   command.add_option("--solvent", request.solvent_radius_angstrom, "Solvent radius in Å, from 0 up")
       ->check(kFinite)
@@ -96,7 +126,7 @@ void add_engine(CLI::App& command, SessionRequest& request, bool threads) {
              "--engine",
              [&request](const std::string& id) { request.engine = *engine_from_id(id); },
              "auto takes the GPU when there is one; the result is the same")
-      ->check(CLI::IsMember({"auto", "cpu", "cgal", "gpu"}));
+      ->check(CLI::IsMember({"auto", "cpu", "cgal", "gpu", "tuples-cpu"}));
   if (threads) {
     command.add_option("--threads", request.threads, "CPU threads; 0 for all")
         ->check(CLI::Range(0, 1024))
@@ -104,6 +134,7 @@ void add_engine(CLI::App& command, SessionRequest& request, bool threads) {
   }
   command.add_flag("--tetrahedra-only", request.tetrahedra_only,
                    "Only tetrahedra (without vertices, edges, triangles and classes)");
+  add_tuples(command, request);
 }
 
 void add_info(CLI::App& app, InfoOptions& options, Command& chosen) {

@@ -51,12 +51,20 @@ Json input_json(const Input& input) {
 
 Json request_json(const SessionRequest& request, const Lattice& lattice) {
   const double on_lattice = lattice.alpha_on_lattice(request.alpha_angstrom2);
-  return {{"alpha_angstrom2", request.alpha_angstrom2},
-          {"alpha_used_square_lattice_units", on_lattice},
-          {"solvent_radius_angstrom", request.solvent_radius_angstrom},
-          {"tetrahedra_only", request.tetrahedra_only},
-          {"engine", engine_id(request.engine)},
-          {"threads", request.threads}};
+  Json json{{"alpha_angstrom2", request.alpha_angstrom2},
+            {"alpha_used_square_lattice_units", on_lattice},
+            {"solvent_radius_angstrom", request.solvent_radius_angstrom},
+            {"tetrahedra_only", request.tetrahedra_only},
+            {"engine", engine_id(request.engine)},
+            {"threads", request.threads}};
+  if (request.engine == EngineChoice::tuples_cpu) {
+    const TupleOptions& t = request.tuples;
+    json["tuples"] = {{"grid", t.grid == TupleGridKind::thesis ? "100" : "auto"},
+                      {"edge_optimisation", t.edge_optimisation},
+                      {"alpha_optimisation", t.alpha_optimisation},
+                      {"tuples_per_batch", t.tuples_per_batch}};
+  }
+  return json;
 }
 
 Json complex_json(const AlphaComplex& complex, const std::string& engine_note) {
@@ -73,6 +81,11 @@ Json complex_json(const AlphaComplex& complex, const std::string& engine_note) {
                     {"device", complex.engine.device},
                     {"route", complex.engine.route},
                     {"note", engine_note}};
+  if (!complex.engine.counters.empty()) {
+    Json counters = Json::object();
+    for (const EngineCounter& c : complex.engine.counters) counters[c.name] = c.value;
+    json["engine"]["counters"] = counters;
+  }
   Json stages = Json::array();
   for (const StageTime& stage : complex.timings.stages) {
     stages.push_back(

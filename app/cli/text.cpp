@@ -46,6 +46,9 @@ std::string complex_text(const AlphaComplex& complex) {
   text += "hash        " + hash_text(complex.hash) + "\n";
   text += "engine      " + complex.engine.name + ", " + complex.engine.device + " (" +
           complex.engine.route + ")\n";
+  for (const EngineCounter& counter : complex.engine.counters) {
+    text += "            " + grouped(counter.value) + " " + counter.name + "\n";
+  }
   text += "time        " + milliseconds_text(complex.timings.wall_milliseconds) + "\n";
   for (const StageTime& stage : complex.timings.stages) {
     text += "            " + milliseconds_text(stage.milliseconds) + "  " + stage.label +

@@ -12,7 +12,8 @@ EngineCache::Entry& EngineCache::find_or_make(const std::shared_ptr<const BallSe
   const auto fits = [&](const Entry& entry) {
     return entry.base == balls &&
            entry.solvent_radius_angstrom == request.solvent_radius_angstrom &&
-           entry.choice == request.engine && entry.threads == request.threads;
+           entry.choice == request.engine && entry.threads == request.threads &&
+           entry.tuples == request.tuples;
   };
   const auto found = std::find_if(entries_.begin(), entries_.end(), fits);
   if (found != entries_.end()) {
@@ -28,9 +29,9 @@ EngineCache::Entry& EngineCache::find_or_make(const std::shared_ptr<const BallSe
     grown =
         std::make_shared<const BallSet>(with_solvent(*balls, request.solvent_radius_angstrom));
   }
-  MadeEngine made = factory_(request.engine, grown, request.threads);
+  MadeEngine made = factory_(request.engine, grown, {request.threads, request.tuples});
   entries_.push_front({balls, std::move(grown), request.solvent_radius_angstrom, request.engine,
-                       request.threads, std::move(made)});
+                       request.threads, request.tuples, std::move(made)});
   return entries_.front();
 }
 
@@ -52,7 +53,7 @@ EngineCache::Result EngineCache::compute(const std::shared_ptr<const BallSet>& b
     if (!may_fall_back) throw;
     const std::string note = std::string("The GPU failed (") + e.what() +
                              "); the CPU engine went on and gives the same results.";
-    entry.made = factory_(EngineChoice::cpu, entry.grown, request.threads);
+    entry.made = factory_(EngineChoice::cpu, entry.grown, {request.threads, {}});
     entry.made.note = note;
   }
   AlphaComplex complex = entry.made.engine->compute(alpha, context);

@@ -17,6 +17,7 @@ struct SessionRequest {
   bool tetrahedra_only = false;
   EngineChoice engine = EngineChoice::automatic;
   int threads = 0;  // 0: as many as the machine has
+  TupleOptions tuples = {};  // of the tuple engine only
   friend bool operator==(const SessionRequest&, const SessionRequest&) = default;
 };
 
@@ -48,6 +49,7 @@ class EngineCache {
     double solvent_radius_angstrom;
     EngineChoice choice;
     int threads;
+    TupleOptions tuples;
     MadeEngine made;
   };
 

@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "core/complex/tuple_engine.hpp"
 #ifdef ALPHASCOPE_HAS_GPU
 #include "gpu/gpu_engine.hpp"
 #endif
@@ -11,11 +12,12 @@
 namespace alphascope {
 namespace {
 
-constexpr std::array<std::pair<EngineChoice, std::string_view>, 4> kIds{{
+constexpr std::array<std::pair<EngineChoice, std::string_view>, 5> kIds{{
     {EngineChoice::automatic, "auto"},
     {EngineChoice::cpu, "cpu"},
     {EngineChoice::cgal, "cgal"},
     {EngineChoice::gpu, "gpu"},
+    {EngineChoice::tuples_cpu, "tuples-cpu"},
 }};
 
 std::unique_ptr<Engine> try_gpu(const std::shared_ptr<const BallSet>& balls, int threads,
@@ -46,8 +48,14 @@ std::optional<EngineChoice> engine_from_id(std::string_view id) {
   return std::nullopt;
 }
 
-MadeEngine make_engine(EngineChoice choice, std::shared_ptr<const BallSet> balls, int threads) {
+MadeEngine make_engine(EngineChoice choice, std::shared_ptr<const BallSet> balls,
+                       const EngineSettings& settings) {
+  const int threads = settings.threads;
   MadeEngine made;
+  if (choice == EngineChoice::tuples_cpu) {
+    made.engine = make_tuple_engine(std::move(balls), {threads}, settings.tuples);
+    return made;
+  }
   if (choice == EngineChoice::cgal) {
     made.engine = make_cgal_engine(std::move(balls), {threads});
     return made;

@@ -8,13 +8,15 @@
 #include <string_view>
 
 #include "core/complex/engine.hpp"
+#include "core/complex/tuple_options.hpp"
 
 namespace alphascope {
 
-// automatic: the GPU when it can be used, else the CPU.
-enum class EngineChoice { automatic, cpu, cgal, gpu };
+// automatic: the GPU when it can be used, else the CPU. tuples_cpu is the thesis' pipeline.
+enum class EngineChoice { automatic, cpu, cgal, gpu, tuples_cpu };
 
-std::string_view engine_id(EngineChoice choice);  // "auto", "cpu", "cgal", "gpu"
+// "auto", "cpu", "cgal", "gpu", "tuples-cpu"
+std::string_view engine_id(EngineChoice choice);
 std::optional<EngineChoice> engine_from_id(std::string_view id);
 
 // The chosen engine cannot work here; what() says why and what to choose instead.
@@ -28,11 +30,16 @@ struct MadeEngine {
   std::string note;  // why `automatic` did not take the GPU; empty when it did or was not asked
 };
 
-// threads = 0: as many as the machine has.
-using EngineFactory = std::function<MadeEngine(
-    EngineChoice choice, std::shared_ptr<const BallSet> balls, int threads)>;
+struct EngineSettings {
+  int threads = 0;      // 0: as many as the machine has
+  TupleOptions tuples;  // of the tuple engine only
+};
 
-// The factory of the program. Throws EngineUnavailable (never for automatic, cpu and cgal).
-MadeEngine make_engine(EngineChoice choice, std::shared_ptr<const BallSet> balls, int threads);
+using EngineFactory = std::function<MadeEngine(
+    EngineChoice choice, std::shared_ptr<const BallSet> balls, const EngineSettings& settings)>;
+
+// The factory of the program. Throws EngineUnavailable (only for gpu).
+MadeEngine make_engine(EngineChoice choice, std::shared_ptr<const BallSet> balls,
+                       const EngineSettings& settings);
 
 }  // namespace alphascope

@@ -94,6 +94,8 @@ TEST_F(Cli, WrongUsageIsCode2) {
         "compute '" + cube_.string() + "' --alpha 1 --solvent -1",
         "compute '" + cube_.string() + "' --alpha 1 --engine warp",
         "compute '" + cube_.string() + "' --alpha 1 --threads -3",
+        "compute '" + cube_.string() + "' --alpha 1 --engine cpu --no-edge-optimisation",
+        "compute '" + cube_.string() + "' --alpha 1 --engine tuples-cpu --tuple-grid 7",
         "compute '" + cube_.string() + "' --alpha 1 --radii nosuchset",
         "compute '" + cube_.string() + "' --alpha 1 --model 0",
         "compute '" + cube_.string() + "' --alpha 1 --model 9",
@@ -175,6 +177,25 @@ TEST_F(Cli, TheHashIsTheSameOnEveryEngineAndThreadCount) {
   EXPECT_EQ(tetrahedra["tetrahedra_hash"], one["tetrahedra_hash"]);
   EXPECT_EQ(tetrahedra["counts"]["tetrahedra"], one["counts"]["tetrahedra"]);
   EXPECT_TRUE(tetrahedra["counts"]["edges"].is_null()) << "unknown is not zero";
+}
+
+TEST_F(Cli, TheTupleEngineHasSwitchesAndCountsItsTuples) {
+  const std::string file = "'" ALPHASCOPE_SOURCE_DIR "/resources/molecules/1crn.pdb' --alpha 1.4";
+  const json expected = compute_json(file + " --engine cpu");
+  const json plain = compute_json(file + " --engine tuples-cpu");
+  const json bare = compute_json(
+      file + " --engine tuples-cpu --no-edge-optimisation --no-alpha-optimisation "
+             "--tuple-grid 100 --tuples-per-batch 5000");
+  EXPECT_EQ(plain["hash"], expected["hash"]);
+  EXPECT_EQ(bare["hash"], expected["hash"]);
+  EXPECT_FALSE(expected["engine"].contains("counters"));
+  const json &few = plain["engine"]["counters"], &many = bare["engine"]["counters"];
+  EXPECT_LT(few["4-tuples into kernel II"].get<long>(), few["4-tuples enumerated"].get<long>());
+  EXPECT_EQ(many["4-tuples into kernel II"], many["4-tuples enumerated"]);
+  EXPECT_LT(10 * few["4-tuples enumerated"].get<long>(), many["4-tuples enumerated"].get<long>());
+  EXPECT_EQ(many["valid 4-tuples"], expected["counts"]["tetrahedra"]);
+  EXPECT_EQ(bare["request"]["tuples"]["grid"], "100");
+  EXPECT_FALSE(bare["request"]["tuples"]["edge_optimisation"]);
 }
 
 TEST_F(Cli, TheComplexFileHoldsWhatItSays) {

@@ -45,6 +45,20 @@ TEST(EngineCache, GrowsTheBallsAndKeepsTwoSettings) {
   EXPECT_EQ(log.made, 4);
 }
 
+TEST(EngineCache, TellsEnginesApartByTheirSwitches) {
+  FakeEngineLog log;
+  EngineCache cache(fake_factory(log));
+  const auto balls = few_balls(4);
+  SessionRequest request;
+  request.engine = EngineChoice::tuples_cpu;
+  cache.compute(balls, request, {});
+  cache.compute(balls, request, {});
+  EXPECT_EQ(log.made, 1);
+  request.tuples.edge_optimisation = false;
+  cache.compute(balls, request, {});
+  EXPECT_EQ(log.made, 2);
+}
+
 TEST(EngineCache, FreesTheEnginesOfAnotherMolecule) {
   FakeEngineLog log;
   EngineCache cache(fake_factory(log));
@@ -89,7 +103,7 @@ TEST(EngineCache, ABadSolventRadiusLeavesItUsable) {
 
 TEST(EngineChoice, IdsGoBothWays) {
   for (EngineChoice choice : {EngineChoice::automatic, EngineChoice::cpu, EngineChoice::cgal,
-                              EngineChoice::gpu}) {
+                              EngineChoice::gpu, EngineChoice::tuples_cpu}) {
     EXPECT_EQ(engine_from_id(engine_id(choice)), choice);
   }
   EXPECT_EQ(engine_from_id("warp"), std::nullopt);

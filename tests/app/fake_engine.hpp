@@ -62,7 +62,8 @@ class FakeEngine : public Engine {
 
 // `gpu` says whether automatic and gpu give a "gpu" engine. The log must outlive the engines.
 inline EngineFactory fake_factory(FakeEngineLog& log, bool gpu = false) {
-  return [&log, gpu](EngineChoice choice, std::shared_ptr<const BallSet> balls, int) {
+  return [&log, gpu](EngineChoice choice, std::shared_ptr<const BallSet> balls,
+                     const EngineSettings&) {
     ++log.made;
     MadeEngine made;
     made.uses_gpu =

@@ -238,8 +238,9 @@ TEST_F(SessionTest, ASliderMovesWhileTheComparisonRuns) {
   FakeEngineLog slow;
   slow.hold = true;
   Session::Services services = Session::program_services();
-  services.make_engine = [&](EngineChoice choice, std::shared_ptr<const BallSet> balls, int threads) {
-    return fake_factory(choice == EngineChoice::cgal ? slow : log_)(choice, balls, threads);
+  services.make_engine = [&](EngineChoice choice, std::shared_ptr<const BallSet> balls,
+                             const EngineSettings& settings) {
+    return fake_factory(choice == EngineChoice::cgal ? slow : log_)(choice, balls, settings);
   };
   Session session({}, services);
   session.open(good_);

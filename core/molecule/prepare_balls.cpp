@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <optional>
 #include <stdexcept>
 #include <unordered_map>
@@ -12,6 +13,8 @@
 
 namespace alphascope {
 namespace {
+
+constexpr std::size_t kAtomsBetweenReports = 1 << 16;
 
 struct AtomRange {
   std::size_t begin, end;
@@ -38,11 +41,7 @@ class AtomFilter {
     if (options.selection.find_first_not_of(" \t\r\n") != std::string::npos) {
       selection_ = SelectionExpression::parse(options.selection).bind(molecule);
     }
-    for (const std::string& chain : options.chains) {
-      chains_.push_back(chain.empty() ? 0 : molecule.names.find(chain));
-      // A chain that is not there must not match the atoms without chain (id 0).
-      if (!chain.empty() && chains_.back() == 0) chains_.pop_back();
-    }
+    choose_chains();
     if (options.altlocs == AltlocRule::best && options.model != kAllModels) {
       minor_ = minor_altlocs(molecule, range.begin, range.end);
     } else if (options.altlocs == AltlocRule::best) {
@@ -53,49 +52,113 @@ class AtomFilter {
     }
   }
 
-  // The counter of the reason to leave this atom out, or null to keep it.
-  std::size_t* reason_to_drop(std::size_t i, SelectionReport& report) const {
+  std::optional<DropReason> reason_to_drop(std::size_t i) const {
     const Atom& atom = molecule_.atoms[i];
-    if (!options_.chains.empty() &&
-        std::find(chains_.begin(), chains_.end(), atom.chain) == chains_.end()) {
-      return &report.dropped_chains;
-    }
-    if (selection_ && !(*selection_)(atom)) return &report.dropped_selection;
+    if (!chains_.empty() && !chains_[atom.chain]) return DropReason::chain;
+    if (selection_ && !(*selection_)(atom)) return DropReason::selection;
     switch (atom.kind) {
       case AtomKind::dummy:
-        if (!options_.dummies) return &report.dropped_dummies;
+        if (!options_.dummies) return DropReason::dummy;
         break;
       case AtomKind::water:
-        if (!options_.waters) return &report.dropped_waters;
+        if (!options_.waters) return DropReason::water;
         break;
       case AtomKind::ion:
-        if (!options_.ions) return &report.dropped_ions;
+        if (!options_.ions) return DropReason::ion;
         break;
       case AtomKind::ligand:
-        if (!options_.ligands) return &report.dropped_ligands;
+        if (!options_.ligands) return DropReason::ligand;
         break;
       case AtomKind::polymer:
-        if (!options_.polymers) return &report.dropped_polymers;
+        if (!options_.polymers) return DropReason::polymer;
         break;
     }
-    if (drop_hydrogens_ && atom.element == kHydrogen) {
-      return &report.dropped_hydrogens;
-    }
-    if (!minor_.empty() && minor_[i - range_.begin]) return &report.dropped_altlocs;
-    return nullptr;
+    if (drop_hydrogens_ && atom.element == kHydrogen) return DropReason::hydrogen;
+    if (!minor_.empty() && minor_[i - range_.begin]) return DropReason::altloc;
+    return std::nullopt;
   }
 
  private:
+  void choose_chains() {
+    if (options_.chains.empty() && options_.without_chains.empty()) return;
+    chains_.assign(molecule_.names.size(), options_.chains.empty());
+    const auto mark = [this](const std::vector<std::string>& chains, bool keep) {
+      for (const std::string& chain : chains) {
+        const NameId id = molecule_.names.find(chain);
+        // A chain that is not there must not match the atoms without chain (id 0).
+        if (id != 0 || chain.empty()) chains_[id] = keep;
+      }
+    };
+    mark(options_.chains, true);
+    mark(options_.without_chains, false);
+  }
+
   const Molecule& molecule_;
   const BallOptions& options_;
   AtomRange range_;
   bool drop_hydrogens_;
-  std::vector<NameId> chains_;
+  std::vector<bool> chains_;  // by name: whether the chain is kept; empty = all are
   std::optional<SelectionExpression::Bound> selection_;
   std::vector<bool> minor_;
 };
 
-// Radii in lattice units, with the list of the guessed ones.
+// Counts each dropped atom under its reason, and under its residue's name for the list.
+class DropCounter {
+ public:
+  DropCounter(const Molecule& molecule, SelectionReport& report)
+      : molecule_(molecule), report_(report) {}
+
+  void add(const Atom& atom, DropReason reason) {
+    ++counter(reason);
+    report_.dropped_water_hydrogens += reason == DropReason::water && atom.element == kHydrogen;
+    ++by_residue_[{reason, atom.residue_name}];
+  }
+
+  void finish() {
+    for (const auto& [key, count] : by_residue_) {
+      report_.dropped.push_back({key.first, std::string(molecule_.text(key.second)), count});
+    }
+    std::stable_sort(report_.dropped.begin(), report_.dropped.end(),
+                     [](const DroppedAtoms& a, const DroppedAtoms& b) {
+                       return a.reason != b.reason ? a.reason < b.reason : a.count > b.count;
+                     });
+  }
+
+ private:
+  std::size_t& counter(DropReason reason) {
+    switch (reason) {
+      case DropReason::chain:
+        return report_.dropped_chains;
+      case DropReason::selection:
+        return report_.dropped_selection;
+      case DropReason::dummy:
+        return report_.dropped_dummies;
+      case DropReason::water:
+        return report_.dropped_waters;
+      case DropReason::ion:
+        return report_.dropped_ions;
+      case DropReason::ligand:
+        return report_.dropped_ligands;
+      case DropReason::polymer:
+        return report_.dropped_polymers;
+      case DropReason::hydrogen:
+        return report_.dropped_hydrogens;
+      case DropReason::altloc:
+        return report_.dropped_altlocs;
+      case DropReason::zero_radius:
+        return report_.dropped_zero_radius;
+      case DropReason::without_radius:
+        break;
+    }
+    return report_.dropped_without_radius;
+  }
+
+  const Molecule& molecule_;
+  SelectionReport& report_;
+  std::map<std::pair<DropReason, NameId>, std::size_t> by_residue_;
+};
+
+// Radii in lattice units, with the lists of the guessed, overridden and missing ones.
 class RadiusSource {
  public:
   RadiusSource(const Molecule& molecule, const BallOptions& options, SelectionReport& report)
@@ -104,38 +167,73 @@ class RadiusSource {
         lookup_(molecule, report.radii, options.user_radii),
         report_(report) {
     scale_ = molecule.lattice.units_per_angstrom() / 1e6;
+    for (const RadiusOverride& o : options.overrides) add_override(o);
   }
 
-  // 0 when the atom has no ball; the reason is then counted.
-  std::int32_t radius(const Atom& atom) {
+  // 0 when the atom has no ball; `missing` then says why.
+  std::int32_t radius(const Atom& atom, DropReason& missing) {
+    if (!overrides_.empty()) {
+      const auto found = overrides_.find(key(atom));
+      if (found != overrides_.end()) {
+        ++report_.overridden_atoms;
+        note(report_.overridden, override_index_, atom, found->second / 1e6, "set by hand");
+        return on_lattice(found->second);
+      }
+    }
     if (set_ == RadiiSet::file) {
       if (atom.file_radius > 0) return atom.file_radius;
-      ++(atom.file_radius == 0 ? report_.dropped_zero_radius : report_.dropped_without_radius);
+      missing = atom.file_radius == 0 ? DropReason::zero_radius : DropReason::without_radius;
+      note(report_.unsized, unsized_index_, atom, 0, "");
       return 0;
     }
     const AssignedRadius assigned = lookup_.radius(atom);
-    const double exact = assigned.microangstrom * scale_;
+    if (assigned.guessed) {
+      ++report_.guessed_atoms;
+      note(report_.guessed, guess_index_, atom, assigned.microangstrom / 1e6, assigned.source);
+    }
+    return on_lattice(assigned.microangstrom);
+  }
+
+ private:
+  using Index = std::unordered_map<std::uint64_t, std::size_t>;
+
+  // Names are numbered from 0 without gaps, far below 2^28 even in the largest files.
+  static std::uint64_t key(NameId residue, NameId name, Element element) {
+    return (std::uint64_t{residue} << 36) ^ (std::uint64_t{name} << 8) ^ element;
+  }
+  static std::uint64_t key(const Atom& atom) {
+    return key(atom.residue_name, atom.name, atom.element);
+  }
+
+  void add_override(const RadiusOverride& o) {
+    const NameId residue = molecule_.names.find(o.residue), name = molecule_.names.find(o.atom);
+    // Names that this molecule does not have must not match its atoms without a name (id 0).
+    if ((residue == 0 && !o.residue.empty()) || (name == 0 && !o.atom.empty())) return;
+    overrides_[key(residue, name, o.element)] = o.microangstrom;
+  }
+
+  std::int32_t on_lattice(std::int32_t microangstrom) {
+    const double exact = microangstrom * scale_;
     // A lattice of whole ångströms must not make a ball vanish.
     const double units = std::clamp(std::round(exact), 1.0, double{kMaxLatticeRadius});
     report_.radius_rounding_angstrom = std::max(
         report_.radius_rounding_angstrom, molecule_.lattice.angstrom(std::fabs(units - exact)));
-    if (assigned.guessed) note_guess(atom, assigned);
     return static_cast<std::int32_t>(units);
   }
 
- private:
-  void note_guess(const Atom& atom, const AssignedRadius& assigned) {
-    ++report_.guessed_atoms;
-    const std::uint64_t key = (std::uint64_t{atom.name} << 32) | atom.residue_name;
-    const auto [entry, inserted] = guess_index_.try_emplace(key, report_.guessed.size());
+  void note(std::vector<GuessedRadius>& list, Index& index, const Atom& atom, double angstrom,
+            std::string_view source) {
+    const auto [entry, inserted] = index.try_emplace(key(atom), list.size());
     if (inserted) {
-      std::string name(molecule_.text(atom.name));
-      if (name.empty()) name = std::string(element_symbol(atom.element));
-      if (atom.residue_name != 0) name += " in " + std::string(molecule_.text(atom.residue_name));
-      report_.guessed.push_back(
-          {std::move(name), 0, assigned.microangstrom / 1e6, std::string(assigned.source)});
+      GuessedRadius row{"", 0, angstrom, std::string(source)};
+      row.residue = molecule_.text(atom.residue_name);
+      row.atom = molecule_.text(atom.name);
+      row.element = atom.element;
+      row.atoms = row.atom.empty() ? std::string(element_symbol(atom.element)) : row.atom;
+      if (!row.residue.empty()) row.atoms += " in " + row.residue;
+      list.push_back(std::move(row));
     }
-    ++report_.guessed[entry->second].count;
+    ++list[entry->second].count;
   }
 
   const Molecule& molecule_;
@@ -143,7 +241,37 @@ class RadiusSource {
   RadiiLookup lookup_;
   SelectionReport& report_;
   double scale_ = 1;  // lattice units per 10^-6 Å
-  std::unordered_map<std::uint64_t, std::size_t> guess_index_;
+  std::unordered_map<std::uint64_t, std::int32_t> overrides_;
+  Index guess_index_, override_index_, unsized_index_;
+};
+
+// Balls by element and radius.
+class SizeCounter {
+ public:
+  void add(Element element, std::int32_t radius) {
+    const std::uint64_t key = (std::uint64_t{element} << 32) | static_cast<std::uint32_t>(radius);
+    // Neighbours in a file often are of one size.
+    if (key != last_key_ || last_ == nullptr) {
+      last_ = &counts_[key];
+      last_key_ = key;
+    }
+    ++*last_;
+  }
+  std::vector<BallSize> sizes() const {
+    std::vector<BallSize> list;
+    for (const auto& [key, count] : counts_) {
+      list.push_back(
+          {static_cast<Element>(key >> 32), static_cast<std::int32_t>(key & 0xffffffffu), count});
+    }
+    std::stable_sort(list.begin(), list.end(),
+                     [](const BallSize& a, const BallSize& b) { return a.count > b.count; });
+    return list;
+  }
+
+ private:
+  std::map<std::uint64_t, std::size_t> counts_;  // its elements stay where they are
+  std::uint64_t last_key_ = 0;
+  std::size_t* last_ = nullptr;
 };
 
 // ProtOr is meant for proteins and nucleic acids without hydrogens, and says nothing of others.
@@ -195,7 +323,8 @@ std::size_t count_coincident(const std::vector<LatticePoint>& points) {
 
 }  // namespace
 
-PreparedBalls prepare_balls(const Molecule& molecule, const BallOptions& options) {
+PreparedBalls prepare_balls(const Molecule& molecule, const BallOptions& options,
+                            const RunContext& context) {
   const AtomRange range = chosen_atoms(molecule, options.model);
   PreparedBalls result;
   SelectionReport& report = result.report;
@@ -209,22 +338,32 @@ PreparedBalls prepare_balls(const Molecule& molecule, const BallOptions& options
       (options.hydrogens == HydrogenRule::automatic && radii_set_info(report.radii).united_atom);
 
   const AtomFilter filter(molecule, options, range, drop_hydrogens);
+  DropCounter dropped(molecule, report);
   RadiusSource radii(molecule, options, report);
+  SizeCounter sizes;
   auto balls = std::make_shared<BallSet>();
   balls->lattice = molecule.lattice;
   for (std::size_t i = range.begin; i < range.end; ++i) {
-    if (std::size_t* const counter = filter.reason_to_drop(i, report)) {
-      ++*counter;
-      report.dropped_water_hydrogens +=
-          counter == &report.dropped_waters && molecule.atoms[i].element == kHydrogen;
+    if (i % kAtomsBetweenReports == 0) {
+      context.cancel.throw_if_cancelled();
+      context.report("selection and radii",
+                     static_cast<double>(i - range.begin) / static_cast<double>(report.total));
+    }
+    const Atom& atom = molecule.atoms[i];
+    std::optional<DropReason> reason = filter.reason_to_drop(i);
+    DropReason missing{};
+    const std::int32_t radius = reason ? 0 : radii.radius(atom, missing);
+    if (radius == 0) {
+      dropped.add(atom, reason.value_or(missing));
       continue;
     }
-    const std::int32_t radius = radii.radius(molecule.atoms[i]);
-    if (radius == 0) continue;
-    balls->centres.push_back(molecule.atoms[i].position);
+    balls->centres.push_back(atom.position);
     balls->radii.push_back(radius);
+    sizes.add(atom.element, radius);
     result.atom_of_ball.push_back(static_cast<std::uint32_t>(i));
   }
+  dropped.finish();
+  report.sizes = sizes.sizes();
   report.used = balls->size();
   report.coincident_centres = count_coincident(balls->centres);
   result.balls = std::move(balls);

@@ -10,6 +10,7 @@
 #include "core/geometry/ball_set.hpp"
 #include "core/molecule/molecule.hpp"
 #include "core/molecule/radii_set.hpp"
+#include "core/run/cancel_token.hpp"
 
 namespace alphascope {
 
@@ -22,6 +23,14 @@ enum class HydrogenRule : std::uint8_t { automatic, keep, drop };
 
 inline constexpr int kAllModels = -1;
 
+// A radius that a user gave to all atoms of one name, element and residue name.
+struct RadiusOverride {
+  std::string residue, atom;  // as in the file; empty where it gives none
+  Element element = kUnknownElement;
+  std::int32_t microangstrom = 0;  // > 0
+  friend bool operator==(const RadiusOverride&, const RadiusOverride&) = default;
+};
+
 struct BallOptions {
   RadiiSet radii = RadiiSet::automatic;
   std::shared_ptr<const UserRadii> user_radii;  // for RadiiSet::user
@@ -32,17 +41,50 @@ struct BallOptions {
   bool ligands = true;
   bool ions = true;
   bool waters = false;
-  bool dummies = false;             // markers without matter (OPM's membrane planes)
-  std::vector<std::string> chains;  // only these; empty = all
-  std::string selection;            // core/molecule/selection_expression.hpp; blank = all
+  bool dummies = false;                     // markers without matter (OPM's membrane planes)
+  std::vector<std::string> chains;          // only these; empty = all
+  std::vector<std::string> without_chains;  // none of these
+  std::string selection;                    // core/molecule/selection_expression.hpp; blank = all
+  std::vector<RadiusOverride> overrides;    // go before every radii set
+  friend bool operator==(const BallOptions&, const BallOptions&) = default;
 };
 
-// A radius that the set did not have, for all atoms of one name.
+// A radius that the set did not have, for all atoms of one name, element and residue name.
 struct GuessedRadius {
   std::string atoms;  // "FE in HEM"
   std::size_t count = 0;
   double radius_angstrom = 0;
-  std::string source;  // "ionic radius, Shannon 1976"
+  std::string source = {};               // "ionic radius, Shannon 1976"
+  std::string residue = {}, atom = {};  // as in RadiusOverride
+  Element element = kUnknownElement;
+};
+
+enum class DropReason : std::uint8_t {
+  chain,
+  selection,
+  dummy,
+  water,
+  ion,
+  ligand,
+  polymer,
+  hydrogen,
+  altloc,
+  zero_radius,
+  without_radius
+};
+
+// Atoms of one residue name left out for one reason.
+struct DroppedAtoms {
+  DropReason reason;
+  std::string residue;
+  std::size_t count = 0;
+};
+
+// Balls of one element and radius (lattice units, before any solvent).
+struct BallSize {
+  Element element = kUnknownElement;
+  std::int32_t radius = 0;
+  std::size_t count = 0;
 };
 
 // Each atom left out is counted once, under the first of the reasons that applies.
@@ -61,13 +103,18 @@ struct SelectionReport {
   std::size_t dropped_altlocs = 0;
   std::size_t dropped_zero_radius = 0;  // the file says 0: no ball, by its own account
   std::size_t dropped_without_radius =
-      0;  // the file's own radii are asked for and it has none here
+      0;                              // the file's own radii are asked for and it has none here
+  std::vector<DroppedAtoms> dropped;  // the same, by residue name: reasons in order, most first
 
   RadiiSet radii = RadiiSet::bondi;  // never automatic
   std::string radii_name;
   std::string radii_citation;
   std::vector<GuessedRadius> guessed;  // in order of first appearance
   std::size_t guessed_atoms = 0;
+  std::vector<GuessedRadius> overridden;  // by BallOptions::overrides
+  std::size_t overridden_atoms = 0;
+  std::vector<GuessedRadius> unsized;   // dropped for the lack of a radius; theirs is 0 here
+  std::vector<BallSize> sizes;          // of the balls, most frequent first
   double radius_rounding_angstrom = 0;  // largest change made to a radius by a coarse lattice
 
   // Balls whose centre is exactly that of an earlier ball. They stay in the set; of balls with one
@@ -83,10 +130,20 @@ struct PreparedBalls {
 
 // Balls come in the order of their atoms. Throws std::invalid_argument for a model that is not
 // there, for radii from a file without any, for RadiiSet::user without a table, and for more atoms
-// than an index can count. No atom left is no error: the set is empty and the report says why.
-PreparedBalls prepare_balls(const Molecule& molecule, const BallOptions& options = {});
+// than an index can count; Cancelled. No atom left is no error: the set is empty and the report
+// says why.
+PreparedBalls prepare_balls(const Molecule& molecule, const BallOptions& options = {},
+                            const RunContext& context = {});
 
 // "used 2,104 of 2,431 atoms; dropped 201 waters, 88 alternative locations; radii Bondi; 2 guessed"
 std::string summary(const SelectionReport& report);
+
+struct CountedReason {
+  DropReason reason;
+  std::size_t count = 0;
+  std::string text;  // "201 waters"
+};
+// The reasons for which something was dropped, in the order in which they apply.
+std::vector<CountedReason> drop_reasons(const SelectionReport& report);
 
 }  // namespace alphascope

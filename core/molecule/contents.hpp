@@ -1,0 +1,32 @@
+// What a molecule consists of, counted: for lists from which people choose.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "core/molecule/molecule.hpp"
+
+namespace alphascope {
+
+// Atoms by kind; the index is an AtomKind.
+using KindCounts = std::array<std::size_t, 5>;
+
+struct ChainContents {
+  std::string name;  // the author's; empty where the file gives none
+  std::size_t atoms = 0;
+  KindCounts kinds{};
+};
+
+struct MoleculeContents {
+  std::vector<ChainContents> chains;  // in order of first appearance
+  KindCounts kinds{};
+  std::size_t hydrogens = 0;
+  std::size_t with_altloc = 0;  // atoms that have an alternative location's letter
+};
+
+// All models together.
+MoleculeContents contents_of(const Molecule& molecule);
+
+}  // namespace alphascope

@@ -1,0 +1,151 @@
+// What is kept, dropped, guessed and set by hand, and that all of it is counted.
+#include "core/molecule/prepare_balls.hpp"
+
+#include <gtest/gtest.h>
+
+#include <numeric>
+
+#include "core/molecule/contents.hpp"
+#include "tests/core/io/temporary_file.hpp"
+
+namespace alphascope {
+namespace {
+
+constexpr const char* kFile =
+    "ATOM      1  N   ALA A   1      27.340  24.430   2.614  1.00  9.67           N  \n"
+    "ATOM      2  CA AALA A   1      26.266  25.413   2.842  0.40 10.38           C  \n"
+    "ATOM      3  CA BALA A   1      26.366  25.413   2.842  0.60 10.38           C  \n"
+    "ATOM      4  N   GLY B   2      20.266  25.413  -2.842  1.00 10.38           N  \n"
+    "HETATM    5 FE   HEM B   3       1.266  25.413   8.842  1.00 10.38          FE  \n"
+    "HETATM    6 FE   HEM A   4       9.266  25.413   8.842  1.00 10.38          FE  \n"
+    "HETATM    7  QX  UNK A   5       2.266  25.413   8.842  1.00 10.38              \n"
+    "HETATM    8  O   HOH A   6       3.266  25.413   8.842  1.00 10.38           O  \n"
+    "HETATM    9  O   WAT B   7       4.266  25.413   8.842  1.00 10.38           O  \n"
+    "HETATM   10  O   HOH B   8       5.266  25.413   8.842  1.00 10.38           O  \n";
+
+const Molecule& molecule() {
+  static const Molecule m = read_text("a.pdb", kFile);
+  return m;
+}
+
+BallOptions bondi() {
+  BallOptions options;
+  options.radii = RadiiSet::bondi;
+  return options;
+}
+
+TEST(PrepareBalls, ListsWhatWasDroppedByReasonAndResidue) {
+  const SelectionReport report = prepare_balls(molecule(), bondi()).report;
+  ASSERT_EQ(report.dropped.size(), 3u);
+  EXPECT_EQ(report.dropped[0].reason, DropReason::water);
+  EXPECT_EQ(report.dropped[0].residue, "HOH");
+  EXPECT_EQ(report.dropped[0].count, 2u);
+  EXPECT_EQ(report.dropped[1].residue, "WAT");
+  EXPECT_EQ(report.dropped[2].reason, DropReason::altloc);
+  EXPECT_EQ(report.dropped[2].residue, "ALA");
+  const auto reasons = drop_reasons(report);
+  ASSERT_EQ(reasons.size(), 2u);
+  EXPECT_EQ(reasons[0].text, "3 waters");
+  EXPECT_EQ(reasons[1].text, "1 alternative location");
+  std::size_t dropped = 0;
+  for (const CountedReason& reason : reasons) dropped += reason.count;
+  EXPECT_EQ(dropped, report.total - report.used);
+}
+
+TEST(PrepareBalls, ChainsCanBeSwitchedOff) {
+  BallOptions options = bondi();
+  options.without_chains = {"B", "no such chain"};
+  const SelectionReport report = prepare_balls(molecule(), options).report;
+  EXPECT_EQ(report.dropped_chains, 4u);
+  EXPECT_EQ(report.used, 4u);
+  options.chains = {"B"};
+  EXPECT_EQ(prepare_balls(molecule(), options).report.used, 0u);
+  options.without_chains = {"A", "B"};
+  options.chains.clear();
+  EXPECT_EQ(prepare_balls(molecule(), options).report.dropped_chains, 10u);
+}
+
+TEST(PrepareBalls, RadiiSetByHandGoBeforeTheSetAndAreCounted) {
+  BallOptions options = bondi();
+  const PreparedBalls before = prepare_balls(molecule(), options);
+  EXPECT_EQ(before.report.guessed_atoms, 3u);  // iron is not in Bondi's set
+  ASSERT_EQ(before.report.guessed.size(), 2u);
+  EXPECT_EQ(before.report.guessed[0].residue, "HEM");
+  EXPECT_EQ(before.report.guessed[0].atom, "FE");
+  EXPECT_EQ(element_symbol(before.report.guessed[0].element), "Fe");
+
+  options.overrides = {{"HEM", "FE", element_from_symbol("Fe"), 1234567}};
+  const PreparedBalls after = prepare_balls(molecule(), options);
+  EXPECT_EQ(after.report.overridden_atoms, 2u);
+  ASSERT_EQ(after.report.overridden.size(), 1u);
+  EXPECT_EQ(after.report.overridden[0].count, 2u);
+  EXPECT_DOUBLE_EQ(after.report.overridden[0].radius_angstrom, 1.234567);
+  EXPECT_EQ(after.report.guessed_atoms, 1u) << "what is set by hand is no guess";
+  EXPECT_EQ(std::count(after.balls->radii.begin(), after.balls->radii.end(), 1235), 2)
+      << "on the lattice of 0.001 Å";
+  EXPECT_NEAR(after.report.radius_rounding_angstrom, 0.000433, 1e-9);
+  EXPECT_NE(summary(after.report).find("; 1 guessed; 2 set by hand"), std::string::npos)
+      << summary(after.report);
+}
+
+TEST(PrepareBalls, AnOverrideNeedsResidueNameAndElement) {
+  for (const RadiusOverride& other : {RadiusOverride{"HEN", "FE", element_from_symbol("Fe"), 1},
+                                      RadiusOverride{"HEM", "FF", element_from_symbol("Fe"), 1},
+                                      RadiusOverride{"HEM", "FE", element_from_symbol("C"), 1},
+                                      RadiusOverride{"", "", element_from_symbol("Fe"), 1}}) {
+    BallOptions options = bondi();
+    options.overrides = {other};
+    EXPECT_EQ(prepare_balls(molecule(), options).report.overridden_atoms, 0u);
+  }
+}
+
+TEST(PrepareBalls, AtomsWithoutRadiusAreListedAndCanGetOne) {
+  const Molecule m = read_text("a.pqr",
+                               "ATOM 1 N ALA 1 0.0 0.0 0.0 0.5 1.5\n"
+                               "ATOM 2 HN ALA 1 1.0 0.0 0.0 0.5 0.0\n"
+                               "ATOM 3 HN ALA 2 2.0 0.0 0.0 0.5 0.0\n");
+  BallOptions options;
+  options.radii = RadiiSet::file;
+  const SelectionReport before = prepare_balls(m, options).report;
+  EXPECT_EQ(before.dropped_zero_radius, 2u);
+  ASSERT_EQ(before.unsized.size(), 1u);
+  EXPECT_EQ(before.unsized[0].atoms, "HN in ALA");
+  EXPECT_EQ(before.unsized[0].count, 2u);
+  options.overrides = {{"ALA", "HN", before.unsized[0].element, 600000}};
+  const PreparedBalls after = prepare_balls(m, options);
+  EXPECT_EQ(after.balls->size(), 3u);
+  EXPECT_TRUE(after.report.unsized.empty());
+  EXPECT_EQ(after.report.dropped_zero_radius, 0u);
+}
+
+TEST(PrepareBalls, SizesCountEveryBall) {
+  const PreparedBalls prepared = prepare_balls(molecule(), bondi());
+  const auto& sizes = prepared.report.sizes;
+  const std::size_t sum =
+      std::accumulate(sizes.begin(), sizes.end(), std::size_t{0},
+                      [](std::size_t n, const BallSize& size) { return n + size.count; });
+  EXPECT_EQ(sum, prepared.balls->size());
+  EXPECT_GE(sizes.front().count, sizes.back().count);
+  EXPECT_EQ(sizes.size(), 4u);  // N, C, Fe, unknown
+}
+
+TEST(PrepareBalls, NoticesThatItIsCancelled) {
+  RunContext context;
+  context.cancel.cancel();
+  EXPECT_THROW(prepare_balls(molecule(), bondi(), context), Cancelled);
+}
+
+TEST(Contents, CountsChainsAndKinds) {
+  const MoleculeContents c = contents_of(molecule());
+  ASSERT_EQ(c.chains.size(), 2u);
+  EXPECT_EQ(c.chains[0].name, "A");
+  EXPECT_EQ(c.chains[0].atoms, 6u);
+  EXPECT_EQ(c.chains[1].kinds[static_cast<std::size_t>(AtomKind::water)], 2u);
+  EXPECT_EQ(c.kinds[static_cast<std::size_t>(AtomKind::water)], 3u);
+  EXPECT_EQ(c.kinds[static_cast<std::size_t>(AtomKind::ligand)], 2u);
+  EXPECT_EQ(c.with_altloc, 2u);
+  EXPECT_EQ(c.hydrogens, 0u);
+}
+
+}  // namespace
+}  // namespace alphascope

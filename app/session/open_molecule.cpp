@@ -2,21 +2,65 @@
 
 #include <utility>
 
+#include "core/io/user_radii.hpp"
 #include "core/molecule/assembly.hpp"
 
 namespace alphascope {
+namespace {
+
+std::shared_ptr<const PreparedBalls> prepare(const Molecule& molecule, const OpenOptions& options,
+                                             const RunContext& context) {
+  context.report("selection and radii", 0);
+  BallOptions balls = options.balls;
+  if (balls.radii == RadiiSet::user && !balls.user_radii && !options.radii_table.empty()) {
+    balls.user_radii = read_user_radii(options.radii_table, context);
+  }
+  return std::make_shared<const PreparedBalls>(prepare_balls(molecule, balls, context));
+}
+
+void expand(OpenedMolecule& opened, const OpenOptions& options, const RunContext& context) {
+  opened.molecule = opened.deposited;
+  if (!options.assembly.empty()) {
+    context.report("assembly", 0);
+    opened.molecule = std::make_shared<const Molecule>(
+        expand_assembly(*opened.deposited, options.assembly, context));
+  }
+  opened.contents = std::make_shared<const MoleculeContents>(contents_of(*opened.molecule));
+}
+
+}  // namespace
+
+OpenOptions for_another_file(const OpenOptions& options) {
+  OpenOptions result = options;
+  const BallOptions defaults;
+  result.assembly.clear();
+  result.balls.model = defaults.model;
+  result.balls.chains = defaults.chains;
+  result.balls.without_chains = defaults.without_chains;
+  result.balls.selection = defaults.selection;
+  result.balls.overrides = defaults.overrides;
+  return result;
+}
 
 OpenedMolecule open_molecule(const std::filesystem::path& path, const OpenOptions& options,
                              const RunContext& context) {
-  auto molecule = std::make_shared<Molecule>(read_molecule(path, options.read, context));
+  OpenedMolecule opened;
+  opened.deposited = std::make_shared<const Molecule>(read_molecule(path, options.read, context));
   context.cancel.throw_if_cancelled();
-  if (!options.assembly.empty()) {
-    context.report("assembly", 0);
-    *molecule = expand_assembly(*molecule, options.assembly, context);
-  }
-  context.report("selection and radii", 0);
-  auto prepared = std::make_shared<PreparedBalls>(prepare_balls(*molecule, options.balls));
-  return {std::move(molecule), std::move(prepared)};
+  opened.assemblies = list_assemblies(*opened.deposited);
+  expand(opened, options, context);
+  opened.prepared = prepare(*opened.molecule, options, context);
+  opened.options = options;
+  return opened;
+}
+
+OpenedMolecule reopen_molecule(const OpenedMolecule& opened, const OpenOptions& options,
+                               const RunContext& context) {
+  OpenedMolecule result = opened;
+  if (options.assembly != opened.options.assembly) expand(result, options, context);
+  result.prepared = prepare(*result.molecule, options, context);
+  result.options = options;
+  return result;
 }
 
 }  // namespace alphascope

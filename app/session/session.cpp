@@ -25,7 +25,7 @@ void ColdAndWarm::note(const StageTimes& times) {
 }
 
 Session::Services Session::program_services() {
-  return {&make_engine, &alphascope::open_molecule};
+  return {&make_engine, &alphascope::open_molecule, &alphascope::reopen_molecule};
 }
 
 Session::Session(std::function<void()> wake, Services services)
@@ -44,43 +44,51 @@ void Session::open(const std::filesystem::path& path) {
 }
 
 void Session::set_open_options(const OpenOptions& options) {
-  const bool same_atoms = options.assembly == options_.assembly &&
-                          options.read.max_bytes == options_.read.max_bytes;
   options_ = options;
   if (!opening_path_.empty()) {
     submit_open(opening_path_);
-  } else if (state_.molecule && !same_atoms) {
-    open(state_.molecule->source);
-  } else if (state_.molecule) {
-    submit_prepare();
+  } else if (state_.opened) {
+    submit_reopen();
   }
 }
 
 void Session::submit_open(const std::filesystem::path& path) {
+  const OpenOptions options = state_.opened ? for_another_file(options_) : options_;
   opener_.submit(
-      [this, path, options = options_, open = services_.open_molecule](const RunContext& context) {
-        OpenedMolecule opened = open(path, options, context);
+      [this, path, options, open = services_.open_molecule](const RunContext& context) {
+        auto opened = std::make_shared<const OpenedMolecule>(open(path, options, context));
         return [this, opened] { take_opened(opened); };
       },
       failure_of(Source::opening, ""));
 }
 
-void Session::submit_prepare() {
+void Session::submit_reopen() {
+  const bool same_file_limit =
+      options_.read.max_bytes == state_.opened->options.read.max_bytes;
+  if (!same_file_limit) {
+    open(state_.molecule->source);
+    return;
+  }
   opener_.submit(
-      [this, molecule = state_.molecule, options = options_.balls](const RunContext&) {
-        OpenedMolecule opened{
-            molecule, std::make_shared<const PreparedBalls>(prepare_balls(*molecule, options))};
+      [this, before = state_.opened, options = options_,
+       reopen = services_.reopen_molecule](const RunContext& context) {
+        auto opened = std::make_shared<const OpenedMolecule>(reopen(*before, options, context));
         return [this, opened] { take_opened(opened); };
       },
       failure_of(Source::opening, ""));
 }
 
-void Session::take_opened(OpenedMolecule opened) {
-  if (!opener_.activity().busy) opening_path_.clear();
+void Session::take_opened(std::shared_ptr<const OpenedMolecule> opened) {
+  const bool latest = !opener_.activity().busy;
+  if (latest) {
+    opening_path_.clear();
+    options_ = opened->options;
+  }
   computer_.cancel();
   comparer_.cancel();
-  state_.molecule = std::move(opened.molecule);
-  state_.prepared = std::move(opened.prepared);
+  state_.molecule = opened->molecule;
+  state_.prepared = opened->prepared;
+  state_.opened = std::move(opened);
   state_.ours = nullptr;
   state_.agreement = nullptr;
   state_.our_timings = {};
@@ -88,6 +96,21 @@ void Session::take_opened(OpenedMolecule opened) {
   changes_.molecule = changes_.answer = changes_.agreement = true;
   succeeded(Source::opening);
   submit_compute();
+}
+
+// The molecule that is open stays. Options that were set while another file was being read are
+// still to be applied to it; options that it refused are taken back.
+void Session::opening_failed() {
+  if (opener_.activity().busy) return;
+  const bool was_a_file = !opening_path_.empty();
+  opening_path_.clear();
+  if (!state_.opened || options_ == state_.opened->options) return;
+  if (was_a_file) {
+    submit_reopen();
+  } else {
+    options_ = state_.opened->options;
+    changes_.options = true;
+  }
 }
 
 void Session::set_request(const SessionRequest& request) {
@@ -168,7 +191,7 @@ void Session::take_agreement(std::shared_ptr<const Agreement> agreement) {
 
 Worker::FailureHandler Session::failure_of(Source source, std::string prefix) {
   return [this, source, prefix = std::move(prefix)](const Worker::Failure& failure) {
-    if (!opener_.activity().busy) opening_path_.clear();
+    if (source == Source::opening) opening_failed();
     if (failure.cancelled) return;
     state_.last_error = prefix + failure.message;
     error_source_ = source;

@@ -39,6 +39,7 @@ struct ColdAndWarm {
 
 // Pointers are null as long as there is nothing.
 struct SessionState {
+  std::shared_ptr<const OpenedMolecule> opened;  // what the next two are parts of
   std::shared_ptr<const Molecule> molecule;
   std::shared_ptr<const PreparedBalls> prepared;  // radii before any solvent radius
   SessionRequest request;                         // the latest asked for
@@ -61,16 +62,20 @@ struct SessionChanges {
   bool answer = false;     // ours, our_timings
   bool agreement = false;  // agreement, reference_timings
   bool error = false;      // last_error
-  bool any() const { return molecule || answer || agreement || error; }
+  bool options = false;    // open_options(), by the session itself
+  bool any() const { return molecule || answer || agreement || error || options; }
 };
 
 class Session {
  public:
   using Opener = std::function<OpenedMolecule(const std::filesystem::path&, const OpenOptions&,
                                               const RunContext&)>;
+  using Reopener =
+      std::function<OpenedMolecule(const OpenedMolecule&, const OpenOptions&, const RunContext&)>;
   struct Services {
     EngineFactory make_engine;  // also asked, on another thread, for the CGAL reference
     Opener open_molecule;
+    Reopener reopen_molecule;
   };
   static Services program_services();
 
@@ -79,10 +84,11 @@ class Session {
   ~Session();
 
   // Reads a file in the background; then its complex is computed at the present request. The old
-  // molecule and its results stay until that has succeeded.
+  // molecule and its results stay until that has succeeded. After the first file, the options that
+  // were chosen for one file only go back to their defaults (for_another_file()).
   void open(const std::filesystem::path& path);
-  // Applies to the open molecule at once (read again when another assembly is asked for) and to
-  // those opened later.
+  // Applies to the open molecule at once, and to those opened later. When it fails or is cancelled
+  // the molecule stays as it was, and the options go back to those that it was made with.
   void set_open_options(const OpenOptions& options);
   const OpenOptions& open_options() const { return options_; }
   void cancel_opening() { opener_.cancel(); }
@@ -103,10 +109,11 @@ class Session {
 
  private:
   void submit_open(const std::filesystem::path& path);
-  void submit_prepare();
+  void submit_reopen();
+  void opening_failed();
   void submit_compute();
   void submit_comparison();
-  void take_opened(OpenedMolecule opened);
+  void take_opened(std::shared_ptr<const OpenedMolecule> opened);
   void take_answer(std::shared_ptr<const Answer> answer);
   void take_agreement(std::shared_ptr<const Agreement> agreement);
   enum class Source { none, opening, computing, comparing };

@@ -48,6 +48,7 @@ class SessionTest : public ::testing::Test {
       all.answer |= changes.answer;
       all.agreement |= changes.agreement;
       all.error |= changes.error;
+      all.options |= changes.options;
       busy |= changes.any();
       std::this_thread::yield();
     }
@@ -266,15 +267,146 @@ TEST_F(SessionTest, OptionsChangeTheOpenMoleculeAndFailuresKeepIt) {
   OpenOptions options;
   options.balls.radii = RadiiSet::bondi;
   session->set_open_options(options);
-  settle(*session);
+  EXPECT_FALSE(settle(*session).options);
   EXPECT_EQ(session->state().molecule, molecule) << "not read again";
   EXPECT_NE(session->state().prepared, prepared);
   EXPECT_EQ(session->state().ours->prepared, session->state().prepared);
-  options.balls.model = 17;
+  const auto ours = session->state().ours;
+  OpenOptions wrong = options;
+  wrong.balls.model = 17;
+  session->set_open_options(wrong);
+  const SessionChanges changes = settle(*session);
+  EXPECT_FALSE(session->state().last_error.empty());
+  EXPECT_EQ(session->state().ours, ours) << "the present result stays";
+  EXPECT_TRUE(changes.options);
+  EXPECT_EQ(session->open_options(), options) << "what was refused is taken back";
+}
+
+TEST_F(SessionTest, AnAssemblyIsExpandedFromTheDepositedAtomsAndTakenBack) {
+  const std::filesystem::path dimer = write(
+      "dimer.pdb",
+      "REMARK 350 BIOMOLECULE: 1\n"
+      "REMARK 350 APPLY THE FOLLOWING TO CHAINS: A\n"
+      "REMARK 350   BIOMT1   1  1.000000  0.000000  0.000000        0.00000\n"
+      "REMARK 350   BIOMT2   1  0.000000  1.000000  0.000000        0.00000\n"
+      "REMARK 350   BIOMT3   1  0.000000  0.000000  1.000000        0.00000\n"
+      "REMARK 350   BIOMT1   2 -1.000000  0.000000  0.000000        0.00000\n"
+      "REMARK 350   BIOMT2   2  0.000000 -1.000000  0.000000        0.00000\n"
+      "REMARK 350   BIOMT3   2  0.000000  0.000000  1.000000        0.00000\n"
+      "ATOM      1  N   MET A   1       1.000   2.000   3.000  1.00  9.67           N  \n");
+  const auto session = make();
+  session->open(dimer);
+  settle(*session);
+  const auto deposited = session->state().molecule;
+  ASSERT_EQ(session->state().opened->assemblies.size(), 1u);
+  EXPECT_EQ(session->state().opened->assemblies[0].atoms, 2u);
+  std::filesystem::remove(dimer);  // it must not be read again
+
+  OpenOptions options = session->open_options();
+  options.assembly = "1";
   session->set_open_options(options);
   settle(*session);
-  EXPECT_FALSE(session->state().last_error.empty());
-  EXPECT_TRUE(session->state().prepared);
+  EXPECT_EQ(session->state().molecule->atoms.size(), 2u);
+  EXPECT_EQ(session->state().opened->contents->chains.size(), 2u);
+  EXPECT_EQ(session->state().opened->deposited, deposited);
+  EXPECT_TRUE(session->state().up_to_date());
+
+  options.assembly = "7";
+  session->set_open_options(options);
+  settle(*session);
+  EXPECT_NE(session->state().last_error.find("no assembly 7"), std::string::npos);
+  EXPECT_EQ(session->state().molecule->atoms.size(), 2u) << "the present molecule stays";
+  EXPECT_EQ(session->open_options().assembly, "1");
+
+  options.assembly.clear();
+  session->set_open_options(options);
+  settle(*session);
+  EXPECT_EQ(session->state().molecule, deposited);
+  EXPECT_TRUE(session->state().last_error.empty());
+}
+
+TEST_F(SessionTest, CancellingAnExpansionKeepsTheMoleculeAndTakesTheOptionsBack) {
+  std::atomic<bool> expanding{false};
+  Session::Services services = Session::program_services();
+  services.make_engine = fake_factory(log_);
+  services.reopen_molecule = [&](const OpenedMolecule&, const OpenOptions&,
+                                 const RunContext& context) -> OpenedMolecule {
+    expanding = true;
+    for (;;) {
+      context.cancel.throw_if_cancelled();
+      std::this_thread::yield();
+    }
+  };
+  Session session({}, services);
+  session.open(good_);
+  settle(session);
+  const auto ours = session.state().ours;
+  OpenOptions options = session.open_options();
+  options.assembly = "1";
+  session.set_open_options(options);
+  ASSERT_TRUE(poll_until(session, [&] { return expanding.load(); }));
+  EXPECT_EQ(session.state().ours, ours) << "still there while it is on its way";
+  session.cancel_opening();
+  const SessionChanges changes = settle(session);
+  EXPECT_TRUE(changes.options);
+  EXPECT_TRUE(session.open_options().assembly.empty());
+  EXPECT_EQ(session.state().ours, ours);
+  EXPECT_TRUE(session.state().last_error.empty());
+}
+
+TEST_F(SessionTest, AnotherFileForgetsWhatWasChosenForTheLast) {
+  const auto session = make();
+  session->open(good_);
+  settle(*session);
+  OpenOptions options;
+  options.balls.radii = RadiiSet::bondi;
+  options.balls.selection = "resi 1";
+  options.balls.without_chains = {"A"};
+  options.balls.overrides = {{"", "C", 6, 1000000}};
+  session->set_open_options(options);
+  settle(*session);
+  session->open(bad_);
+  settle(*session);
+  EXPECT_EQ(session->open_options(), options) << "the file could not be opened";
+  session->open(other_);
+  settle(*session);
+  EXPECT_EQ(session->open_options(), for_another_file(options));
+  EXPECT_TRUE(session->open_options().balls.selection.empty());
+  EXPECT_TRUE(session->open_options().balls.without_chains.empty());
+  EXPECT_TRUE(session->open_options().balls.overrides.empty());
+  EXPECT_EQ(session->open_options().balls.radii, RadiiSet::bondi) << "a rule, not of one file";
+  EXPECT_EQ(session->state().prepared->report.radii, RadiiSet::bondi);
+}
+
+TEST_F(SessionTest, OptionsSetWhileABadFileIsReadStillApply) {
+  const auto session = make();
+  session->open(good_);
+  settle(*session);
+  session->open(bad_);
+  OpenOptions options = session->open_options();
+  options.balls.radii = RadiiSet::alvarez;
+  session->set_open_options(options);
+  settle(*session);
+  EXPECT_EQ(session->open_options(), options);
+  EXPECT_EQ(session->state().prepared->report.radii, RadiiSet::alvarez);
+}
+
+TEST_F(SessionTest, ATableOfRadiiIsReadInTheBackground) {
+  const auto session = make();
+  session->open(good_);
+  settle(*session);
+  OpenOptions options;
+  options.balls.radii = RadiiSet::user;
+  options.radii_table = write("radii.txt", "X 2.5\n");
+  session->set_open_options(options);
+  settle(*session);
+  EXPECT_EQ(session->state().prepared->balls->radii, std::vector<std::int32_t>(4, 2500));
+  options.radii_table = write("bad.txt", "C banana\n");
+  session->set_open_options(options);
+  settle(*session);
+  EXPECT_NE(session->state().last_error.find("bad.txt, line 1"), std::string::npos)
+      << session->state().last_error;
+  EXPECT_EQ(session->open_options().radii_table.filename(), "radii.txt");
 }
 
 TEST_F(SessionTest, DestructionDuringWorkJoins) {

@@ -22,6 +22,20 @@ Rgb8 to_rgb8(const Colour& c) {
   return {byte(c.r), byte(c.g), byte(c.b)};
 }
 
+std::shared_ptr<const DrawnMolecule> make_drawn(std::shared_ptr<const Molecule> molecule,
+                                                std::shared_ptr<const PreparedBalls> prepared,
+                                                const RunContext& context) {
+  auto drawn = std::make_shared<DrawnMolecule>();
+  drawn->geometry = std::make_shared<const BallGeometry>(*prepared->balls);
+  context.cancel.throw_if_cancelled();
+  drawn->by_element = shared(colours_by_element(*molecule, prepared->atom_of_ball));
+  drawn->by_chain = shared(colours_by_chain(*molecule, prepared->atom_of_ball));
+  context.cancel.throw_if_cancelled();
+  drawn->molecule = std::move(molecule);
+  drawn->prepared = std::move(prepared);
+  return drawn;
+}
+
 ComplexColouring colouring(ColourBy colour) {
   switch (colour) {
     case ColourBy::single:
@@ -41,26 +55,27 @@ SceneController::SceneController(std::function<void()> wake) : mesh_worker_(std:
 
 void SceneController::set_molecule(std::shared_ptr<const Molecule> molecule,
                                    std::shared_ptr<const PreparedBalls> prepared) {
+  const bool same_molecule = drawn_molecule_ && drawn_molecule_->molecule == molecule;
   mesh_worker_.cancel();
-  const bool keep_view = molecule == molecule_;  // only the selection or the radii changed
   molecule_ = std::move(molecule);
   prepared_ = std::move(prepared);
   answer_ = nullptr;
-  geometry_ = std::make_shared<const BallGeometry>(*prepared_->balls);
-  by_element_ = shared(colours_by_element(*molecule_, prepared_->atom_of_ball));
-  by_chain_ = shared(colours_by_chain(*molecule_, prepared_->atom_of_ball));
-  scene_.set_balls(geometry_, *by_chain_);
-  if (!keep_view) scene_.reset_view();
-  update_colours();
-  update_radii();
-  quality_.forget();
+  waiting_ = same_molecule;
+  if (!waiting_) submit();
 }
 
 void SceneController::set_answer(std::shared_ptr<const Answer> answer) {
-  if (answer && answer->prepared != prepared_) return;
+  if (!answer || answer->prepared != prepared_) return;
   answer_ = std::move(answer);
-  if (display_.grown_balls) update_radii();
-  submit_mesh();
+  waiting_ = false;
+  submit();
+}
+
+void SceneController::show_without_answer() {
+  if (!prepared_ || answer_) return;
+  if (!waiting_ && drawn_molecule_ && drawn_molecule_->prepared == prepared_) return;
+  waiting_ = false;
+  submit();
 }
 
 void SceneController::set_display(const DisplayControls& display, Theme theme) {
@@ -80,38 +95,39 @@ void SceneController::set_display(const DisplayControls& display, Theme theme) {
     update_radii();
   }
   if (mesh_options() != requested_mesh_ || before.complex_colour != display.complex_colour) {
-    submit_mesh();
+    submit();
   }
   dirty_ = true;
 }
 
 void SceneController::update_colours() {
-  if (!geometry_) return;
+  if (!drawn_molecule_) return;
+  const DrawnMolecule& d = *drawn_molecule_;
   switch (display_.ball_colour) {
     case ColourBy::element:
-      scene_.set_ball_colours(*by_element_);
+      scene_.set_ball_colours(*d.by_element);
       break;
     case ColourBy::chain:
-      scene_.set_ball_colours(*by_chain_);
+      scene_.set_ball_colours(*d.by_chain);
       break;
     case ColourBy::single:
     case ColourBy::alpha:
-      scene_.set_ball_colours(std::vector<Rgb8>(geometry_->centres.size(), element_colour(6)));
+      scene_.set_ball_colours(std::vector<Rgb8>(d.geometry->centres.size(), element_colour(6)));
       break;
   }
   dirty_ = true;
 }
 
 void SceneController::update_radii() {
-  if (!geometry_) return;
+  if (!drawn_molecule_) return;
   BallStyle style;
   style.scale = display_.ball_scale;
-  style.grown = display_.grown_balls && answer_;
+  style.grown = display_.grown_balls && drawn_answer_;
   if (style.grown) {
-    style.alpha = answer_->request.alpha_angstrom2;
-    style.solvent_radius = answer_->request.solvent_radius_angstrom;
+    style.alpha = drawn_answer_->request.alpha_angstrom2;
+    style.solvent_radius = drawn_answer_->request.solvent_radius_angstrom;
   }
-  radii_ = drawn_radii(*geometry_, style);
+  radii_ = drawn_radii(*drawn_molecule_->geometry, style);
   scene_.set_ball_radii(radii_);
   dirty_ = true;
 }
@@ -130,25 +146,44 @@ MeshOptions SceneController::mesh_options() const {
   return options;
 }
 
-void SceneController::submit_mesh() {
+void SceneController::submit() {
   requested_mesh_ = mesh_options();
-  if (!answer_) {
-    mesh_worker_.cancel();
-    scene_.set_mesh(nullptr);
-    dirty_ = true;
-    return;
-  }
-  const auto colours = display_.complex_colour == ColourBy::element ? by_element_ : by_chain_;
-  mesh_worker_.submit([this, geometry = geometry_, colours, answer = answer_,
-                       options = requested_mesh_](const RunContext&) -> Worker::Delivery {
-    auto mesh = std::make_shared<const ComplexMesh>(
-        build_mesh(*geometry, *colours, answer->complex, options));
-    return [this, geometry, mesh] {
-      if (geometry != geometry_) return;
-      scene_.set_mesh(mesh);
-      dirty_ = true;
-    };
+  if (!prepared_ || waiting_) return;  // what is awaited will be made with the new options
+  const bool by_element = display_.complex_colour == ColourBy::element;
+  mesh_worker_.submit([this, drawn = drawn_molecule_, molecule = molecule_, prepared = prepared_,
+                       answer = answer_, by_element,
+                       options = requested_mesh_](const RunContext& context) -> Worker::Delivery {
+    const bool known = drawn && drawn->prepared == prepared;
+    const auto next = known ? drawn : make_drawn(molecule, prepared, context);
+    std::shared_ptr<const ComplexMesh> mesh;
+    if (answer) {
+      mesh = std::make_shared<const ComplexMesh>(
+          build_mesh(*next->geometry, by_element ? *next->by_element : *next->by_chain,
+                     answer->complex, options));
+    }
+    return [this, next, answer, mesh] { take(next, answer, mesh); };
   });
+}
+
+void SceneController::take(std::shared_ptr<const DrawnMolecule> drawn,
+                           std::shared_ptr<const Answer> answer,
+                           std::shared_ptr<const ComplexMesh> mesh) {
+  if (drawn->prepared != prepared_) return;
+  const bool new_balls = drawn != drawn_molecule_;
+  drawn_answer_ = std::move(answer);
+  if (new_balls) {
+    const bool keep_view = drawn_molecule_ && drawn_molecule_->molecule == drawn->molecule;
+    drawn_molecule_ = std::move(drawn);
+    scene_.set_balls(drawn_molecule_->geometry, *drawn_molecule_->by_chain);
+    if (!keep_view) {
+      scene_.reset_view();
+      quality_.forget();
+    }
+    update_colours();
+  }
+  if (new_balls || display_.grown_balls) update_radii();
+  scene_.set_mesh(std::move(mesh));
+  dirty_ = true;
 }
 
 void SceneController::pointer(const PointerEvent& event) {
@@ -190,7 +225,7 @@ double SceneController::seconds_to_refinement() const {
 }
 
 void SceneController::render(ViewportInfo& viewport, bool interacting, bool patient) {
-  if (viewport.width < 8 || viewport.height < 8 || !geometry_) return;
+  if (viewport.width < 8 || viewport.height < 8 || !drawn_molecule_) return;
   if (viewport.width != width_ || viewport.height != height_) {
     width_ = viewport.width;
     height_ = viewport.height;
@@ -211,8 +246,8 @@ void SceneController::render(ViewportInfo& viewport, bool interacting, bool pati
 }
 
 std::optional<std::size_t> SceneController::pick(int x, int y) const {
-  if (!geometry_ || !display_.balls || width_ == 0) return std::nullopt;
-  return pick_ball(*geometry_, radii_, scene_.ray(x, y));
+  if (!drawn_molecule_ || !display_.balls || width_ == 0) return std::nullopt;
+  return pick_ball(*drawn_molecule_->geometry, radii_, scene_.ray(x, y));
 }
 
 void SceneController::save_picture(const ScreenshotRequest& request) {

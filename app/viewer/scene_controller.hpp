@@ -1,5 +1,6 @@
-// Keeps the scene in step with the session's answers and the display controls. Meshes are filled on
-// a worker; pictures are drawn only when something changed.
+// Keeps the scene in step with the session's answers and the display controls. Geometry and meshes
+// are filled on a worker; the last picture stays until they are there, and pictures are drawn only
+// when something changed.
 #pragma once
 
 #include <chrono>
@@ -15,14 +16,26 @@
 
 namespace alphascope {
 
+// A molecule's balls, and what was made of them for drawing.
+struct DrawnMolecule {
+  std::shared_ptr<const Molecule> molecule;
+  std::shared_ptr<const PreparedBalls> prepared;
+  std::shared_ptr<const BallGeometry> geometry;
+  std::shared_ptr<const std::vector<Rgb8>> by_element, by_chain;
+};
+
 class SceneController {
  public:
   // An OpenGL context must be current; `wake` as in Worker.
   explicit SceneController(std::function<void()> wake);
 
+  // Other balls of the same molecule (another selection, model or radius) appear with their answer,
+  // or with show_without_answer(); those of another molecule as soon as possible.
   void set_molecule(std::shared_ptr<const Molecule> molecule,
                     std::shared_ptr<const PreparedBalls> prepared);
-  void set_answer(std::shared_ptr<const Answer> answer);  // null: none
+  const std::shared_ptr<const Molecule>& molecule() const { return molecule_; }  // last set
+  void set_answer(std::shared_ptr<const Answer> answer);
+  void show_without_answer();  // there will be none
   void set_display(const DisplayControls& display, Theme theme);
   void pointer(const PointerEvent& event);
   void reset_view();
@@ -39,6 +52,8 @@ class SceneController {
   void render(ViewportInfo& viewport, bool interacting, bool patient);
   // The ball under a pixel of the picture, when balls are shown.
   std::optional<std::size_t> pick(int x, int y) const;
+  // What is on screen, which may still be older than what was set; null before the first.
+  const DrawnMolecule* drawn() const { return drawn_molecule_.get(); }
   void save_picture(const ScreenshotRequest& request);
 
  private:
@@ -46,17 +61,22 @@ class SceneController {
 
   void update_colours();
   void update_radii();
-  void submit_mesh();
+  void submit();
+  void take(std::shared_ptr<const DrawnMolecule> drawn, std::shared_ptr<const Answer> answer,
+            std::shared_ptr<const ComplexMesh> mesh);
   MeshOptions mesh_options() const;
 
   Scene scene_;
   QualityChooser quality_;
+  // Wanted on screen.
   std::shared_ptr<const Molecule> molecule_;
   std::shared_ptr<const PreparedBalls> prepared_;
-  std::shared_ptr<const BallGeometry> geometry_;
-  std::vector<float> radii_;  // Å, as drawn
-  std::shared_ptr<const std::vector<Rgb8>> by_element_, by_chain_;
   std::shared_ptr<const Answer> answer_;
+  bool waiting_ = false;  // for the answer: until then nothing new is drawn
+  // On screen.
+  std::shared_ptr<const DrawnMolecule> drawn_molecule_;
+  std::shared_ptr<const Answer> drawn_answer_;
+  std::vector<float> radii_;  // Å, as drawn
   DisplayControls display_;
   Theme theme_ = Theme::dark;
   MeshOptions requested_mesh_;

@@ -52,7 +52,12 @@ class ScriptRunner {
     float fx = 0.5f, fy = 0.5f;
     if (!(arguments >> name)) throw std::runtime_error("name a widget to move to");
     arguments >> fx >> fy;
-    const auto it = viewer_.widgets().find(name);
+    auto it = viewer_.widgets().find(name);
+    if (it != viewer_.widgets().end() && !it->second.visible) {
+      viewer_.state().memory.reveal = name;
+      frames(2);
+      it = viewer_.widgets().find(name);
+    }
     if (it == viewer_.widgets().end()) {
       throw std::runtime_error("there is no widget '" + name + "' on screen");
     }
@@ -108,15 +113,15 @@ class ScriptRunner {
   }
   void wait_idle(std::istream&) {
     const auto deadline = std::chrono::steady_clock::now() + kLongestWait;
-    frames(2);
-    while (viewer_.busy()) {
+    // One job's result can start the next when it is taken in, so a quiet moment is not yet the
+    // end.
+    for (int quiet = 0; quiet < 4; quiet = viewer_.busy() ? 0 : quiet + 1) {
       if (std::chrono::steady_clock::now() > deadline) {
         throw std::runtime_error("still busy after five minutes");
       }
-      viewer_.host().wait_events(0.005);
+      if (viewer_.busy()) viewer_.host().wait_events(0.005);
       frames(1);
     }
-    frames(3);
   }
   void pass_frames(std::istream& arguments) {
     int count = 1;

@@ -1,6 +1,7 @@
 // Drives the window by a script, through the same frames and widgets that a user has.
 //
-//   move NAME [FX FY]   mouse to a widget; FX, FY from 0 to 1 inside it (default its middle)
+//   move NAME [FX FY]   mouse to a widget, scrolled into sight; FX, FY from 0 to 1 inside it
+//                       (default its middle)
 //   down | up           left mouse button
 //   click NAME [FX FY]  move, down, up
 //   double-click NAME   as click, twice

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 #include "ui/panels/format.hpp"
 
@@ -46,29 +45,6 @@ std::string differences(const Comparison& c) {
 
 }  // namespace
 
-std::vector<GrownRadius> grown_radii(const Molecule& molecule, const PreparedBalls& prepared,
-                                     const ComputeControls& controls) {
-  std::map<std::pair<Element, std::int32_t>, std::size_t> counts;
-  const BallSet& balls = *prepared.balls;
-  for (std::size_t i = 0; i < balls.size(); ++i) {
-    ++counts[{molecule.atoms[prepared.atom_of_ball[i]].element, balls.radii[i]}];
-  }
-  std::vector<std::pair<std::size_t, GrownRadius>> rows;
-  for (const auto& [key, number] : counts) {
-    GrownRadius row;
-    if (key.first != kUnknownElement) row.element = element_symbol(key.first);
-    row.radius = balls.lattice.angstrom(key.second);
-    const double with_solvent = row.radius + controls.solvent;
-    row.grown = std::sqrt(std::max(0.0, with_solvent * with_solvent + controls.alpha));
-    rows.emplace_back(number, row);
-  }
-  std::stable_sort(rows.begin(), rows.end(),
-                   [](const auto& a, const auto& b) { return a.first > b.first; });
-  std::vector<GrownRadius> result;
-  for (auto& row : rows) result.push_back(std::move(row.second));
-  return result;
-}
-
 std::string describe_ball(const Molecule& molecule, const PreparedBalls& prepared,
                           const ComputeControls& controls, std::size_t ball) {
   const BallSet& balls = *prepared.balls;
@@ -85,31 +61,6 @@ std::string describe_ball(const Molecule& molecule, const PreparedBalls& prepare
   return (label.empty() ? "ball " + count(ball + 1) : label) + "\ncentre " + coordinate(c.x) +
          ", " + coordinate(c.y) + ", " + coordinate(c.z) + " Å\nradius " +
          short_number_text(radius, 3) + " Å, grown " + number_text(grown, 2) + " Å";
-}
-
-MoleculeInfo describe_molecule(const Molecule& molecule, const PreparedBalls& prepared) {
-  MoleculeInfo info;
-  info.loaded = true;
-  info.name = molecule.source.filename().string();
-  info.folder = molecule.source.parent_path().string();
-  info.title = molecule.title;
-  info.format = molecule.format;
-  info.summary = summary(prepared.report);
-  info.notes = molecule.notes;
-  if (molecule.rounding_angstrom > 0) {
-    info.notes.push_back("Rounded to the lattice, by at most " +
-                         short_number_text(molecule.rounding_angstrom, 9) + " Å.");
-  }
-  for (const GuessedRadius& guess : prepared.report.guessed) {
-    info.notes.push_back("Radius guessed for " + guess.atoms + " (" + count(guess.count) +
-                         "): " + short_number_text(guess.radius_angstrom, 3) + " Å.");
-  }
-  if (prepared.report.coincident_centres > 0) {
-    info.notes.push_back(count(prepared.report.coincident_centres) +
-                         " balls share a centre with another; the largest of each counts.");
-  }
-  info.balls = prepared.balls->size();
-  return info;
 }
 
 ResultInfo describe_answer(const Answer& answer) {
@@ -177,35 +128,6 @@ SessionRequest to_request(const ComputeControls& controls) {
       break;
   }
   return request;
-}
-
-std::vector<RadiiSet> offered_radii_sets() {
-  std::vector<RadiiSet> sets{RadiiSet::automatic};
-  for (const RadiiSetInfo& info : all_radii_sets()) {
-    if (info.set != RadiiSet::automatic && info.set != RadiiSet::user) sets.push_back(info.set);
-  }
-  return sets;
-}
-
-OpenOptions to_open_options(const SelectionControls& controls,
-                            const std::vector<RadiiSet>& radii_sets) {
-  OpenOptions options;
-  options.balls.waters = controls.waters;
-  options.balls.ligands = controls.ligands;
-  options.balls.ions = controls.ions;
-  options.balls.radii = radii_sets.at(static_cast<std::size_t>(controls.radii_set));
-  switch (controls.hydrogens) {
-    case HydrogenOption::automatic:
-      options.balls.hydrogens = HydrogenRule::automatic;
-      break;
-    case HydrogenOption::keep:
-      options.balls.hydrogens = HydrogenRule::keep;
-      break;
-    case HydrogenOption::drop:
-      options.balls.hydrogens = HydrogenRule::drop;
-      break;
-  }
-  return options;
 }
 
 }  // namespace alphascope

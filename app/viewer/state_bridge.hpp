@@ -6,12 +6,6 @@
 
 namespace alphascope {
 
-MoleculeInfo describe_molecule(const Molecule& molecule, const PreparedBalls& prepared);
-
-// Elements with their radii, grown by the solvent radius (Å) and alpha (Å²), most frequent first.
-std::vector<GrownRadius> grown_radii(const Molecule& molecule, const PreparedBalls& prepared,
-                                     const ComputeControls& controls);
-
 // Name, place and radii of one ball, in lines.
 std::string describe_ball(const Molecule& molecule, const PreparedBalls& prepared,
                           const ComputeControls& controls, std::size_t ball);
@@ -23,10 +17,4 @@ void note_timings(std::optional<EngineTimings>& timings, const AlphaComplex& com
 BadgeInfo describe_agreement(const SessionState& state, bool comparing);
 
 SessionRequest to_request(const ComputeControls& controls);
-OpenOptions to_open_options(const SelectionControls& controls,
-                            const std::vector<RadiiSet>& radii_sets);
-
-// The sets that the window offers, in the order of ViewState::radii_sets.
-std::vector<RadiiSet> offered_radii_sets();
-
 }  // namespace alphascope

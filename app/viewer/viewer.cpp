@@ -2,15 +2,15 @@
 #include "app/viewer/viewer.hpp"
 
 #include <imgui.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <utility>
 
+#include "app/viewer/molecule_info.hpp"
 #include "app/viewer/resources.hpp"
 #include "app/viewer/state_bridge.hpp"
+#include "app/viewer/system_memory.hpp"
 #include "ui/panels/format.hpp"
 #include "ui/panels/window_layout.hpp"
 #include "ui/scene/frame_grab.hpp"
@@ -27,14 +27,9 @@ constexpr double kPlayUntil = 10, kPlayStep = 0.05;          // Å²
 constexpr double kBusyInterval = 0.05, kIdleInterval = 1.0;  // seconds
 // Comparing by itself is switched off beyond: CGAL would keep the second half of the cores busy.
 constexpr std::size_t kMostBallsToCompareUnasked = 200000;
-
-// Resident memory of this process; 0 where /proc is missing.
-std::size_t resident_bytes() {
-  std::ifstream statm("/proc/self/statm");
-  std::size_t total = 0, resident = 0;
-  statm >> total >> resident;
-  return resident * static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
-}
+// A model asked for by the slider lets the one before it be finished, so that pictures flow while
+// the hand moves, but not for longer than this.
+constexpr std::chrono::milliseconds kModelGrace{300};
 
 // Runs that the session has forgotten, since they were of other balls, go.
 void keep_only(std::optional<EngineTimings>& shown, const ColdAndWarm& known) {
@@ -74,10 +69,7 @@ void Viewer::fill_constants() {
     sample_paths_.push_back(sample.path);
   }
   radii_sets_ = offered_radii_sets();
-  for (const RadiiSet set : radii_sets_) {
-    const RadiiSetInfo& info = radii_set_info(set);
-    state_.radii_sets.push_back({std::string(info.name), std::string(info.citation)});
-  }
+  state_.radii_sets = radii_set_entries(radii_sets_);
 }
 
 void Viewer::open(const std::filesystem::path& path) {
@@ -88,41 +80,72 @@ void Viewer::open(const std::filesystem::path& path) {
 
 bool Viewer::busy() const {
   const SessionActivity a = session_.activity();
-  return a.opening.busy || a.computing.busy || a.comparing.busy || scene_.busy();
+  return state_.selection != sent_selection_ || a.opening.busy || a.computing.busy ||
+         a.comparing.busy || scene_.busy();
+}
+
+bool Viewer::settled() const {
+  const SessionActivity a = session_.activity();
+  return !a.opening.busy && !a.computing.busy && session_.state().up_to_date();
+}
+
+void Viewer::take_molecule() {
+  const SessionState& s = session_.state();
+  const bool new_file = shown_file_ != s.opened->deposited;
+  const bool new_molecule = scene_.molecule() != s.molecule;
+  scene_.set_molecule(s.molecule, s.prepared);
+  state_.molecule = describe_molecule(*s.opened);
+  state_.molecule.radii = grown_radii(*s.prepared, state_.compute);
+  compared_ = nullptr;
+  // Another selection of the same molecule leaves the last result on screen until its own is there.
+  if (!new_molecule) return;
+  state_.result = {};
+  colour_by_what_differs(*s.molecule);
+  if (!new_file) return;
+  shown_file_ = s.opened->deposited;
+  host_.set_title(state_.molecule.name + " – Alphascope");
+  state_.memory.playing_models = false;
+  state_.selection = sent_selection_ = to_controls(session_.open_options(), radii_sets_);
+  state_.expression_error = {};
+  state_.memory.expression_typed = state_.memory.expression_shown = state_.selection.expression;
+}
+
+void Viewer::take_answer() {
+  const SessionState& s = session_.state();
+  scene_.set_answer(s.ours);
+  state_.result = describe_answer(*s.ours);
+  state_.device_text = s.ours->complex.engine.name + " on " + s.ours->complex.engine.device;
+  state_.gpu_text = s.ours->engine_note;
+  state_.gpu_available = s.ours->engine_note.empty();
+  note_timings(state_.ours, s.ours->complex);
 }
 
 void Viewer::take_session() {
   const SessionChanges changes = session_.poll();
   const SessionState& s = session_.state();
-  if (changes.molecule && s.molecule) {
-    scene_.set_molecule(s.molecule, s.prepared);
-    state_.molecule = describe_molecule(*s.molecule, *s.prepared);
+  if (changes.molecule && s.opened) take_molecule();
+  if (changes.answer && s.ours) take_answer();
+  if (s.prepared && !s.ours && !session_.activity().computing.busy) {
+    scene_.show_without_answer();  // cancelled or failed
     state_.result = {};
-    if (shown_molecule_ != s.molecule) {
-      host_.set_title(state_.molecule.name + " – Alphascope");
-      colour_by_what_differs(*s.molecule);
-    }
-    shown_molecule_ = s.molecule;
-    compared_ = nullptr;
-    state_.molecule.radii = grown_radii(*s.molecule, *s.prepared, state_.compute);
-  }
-  if (changes.answer) {
-    scene_.set_answer(s.ours);
-    if (s.ours) {
-      state_.result = describe_answer(*s.ours);
-      state_.device_text = s.ours->complex.engine.name + " on " + s.ours->complex.engine.device;
-      state_.gpu_text = s.ours->engine_note;
-      state_.gpu_available = s.ours->engine_note.empty();
-      note_timings(state_.ours, s.ours->complex);
-    }
   }
   if (changes.agreement && s.agreement) note_timings(state_.cgal, *s.agreement->reference);
-  keep_only(state_.ours, s.our_timings);
-  keep_only(state_.cgal, s.reference_timings);
-  if (changes.error && !s.last_error.empty()) state_.error = s.last_error;
+  if (s.ours) {  // else the next answer is on its way
+    keep_only(state_.ours, s.our_timings);
+    keep_only(state_.cgal, s.reference_timings);
+  }
+  if (changes.options) {  // what was asked for failed or was cancelled
+    state_.selection = sent_selection_ = to_controls(session_.open_options(), radii_sets_);
+    state_.memory.playing_models = false;
+  }
+  if (changes.error && !s.last_error.empty()) {
+    state_.error = s.last_error;
+    state_.memory.playing = state_.memory.playing_models = false;
+  }
   if (changes.any()) {
     frames_due_ = kSettlingFrames;
     state_.memory_bytes = resident_bytes();
+    state_.free_bytes = available_bytes();
   }
   update_badge();
 }
@@ -161,7 +184,8 @@ void Viewer::update_busy() {
     busy.what = what + (activity.stage.empty() ? "" : ": " + activity.stage);
     busy.share = activity.share > 0 ? activity.share : -1;
   };
-  take(a.opening, "Opening " + a.opening_path.filename().string());
+  take(a.opening, a.opening_path.empty() ? state_.molecule.name
+                                         : "Opening " + a.opening_path.filename().string());
   take(a.computing, "Computing");
   // A comparison in the background is the badge's business; it holds nothing up.
   if (busy.active) {
@@ -195,6 +219,7 @@ void Viewer::take_requests() {
     session_.request_comparison();
   }
   if (r.cancel) {
+    state_.memory.playing = state_.memory.playing_models = false;
     session_.cancel_opening();
     session_.cancel_computing();
     session_.cancel_comparison();
@@ -218,26 +243,43 @@ void Viewer::send_controls() {
     sent_compute_ = state_.compute;
     session_.set_request(to_request(state_.compute));
     const SessionState& s = session_.state();
-    if (s.molecule) {
-      state_.molecule.radii = grown_radii(*s.molecule, *s.prepared, state_.compute);
-    }
+    if (s.prepared) state_.molecule.radii = grown_radii(*s.prepared, state_.compute);
     frames_due_ = kSettlingFrames;
   }
-  if (state_.selection != sent_selection_) {
-    sent_selection_ = state_.selection;
-    session_.set_open_options(to_open_options(state_.selection, radii_sets_));
-    frames_due_ = kSettlingFrames;
-  }
+  send_selection();
   scene_.set_display(state_.display, state_.theme);
+}
+
+void Viewer::send_selection() {
+  SelectionControls& wanted = state_.selection;
+  if (wanted.expression != sent_selection_.expression) {
+    state_.expression_error = check_expression(wanted.expression);
+    if (!state_.expression_error.text.empty()) {
+      wanted.expression = sent_selection_.expression;
+      state_.memory.expression_shown = wanted.expression;  // what was typed stays, to be mended
+    }
+  }
+  if (wanted == sent_selection_) return;
+  SelectionControls only_model = sent_selection_;
+  only_model.model = wanted.model;
+  const bool may_wait = wanted == only_model && !settled() && state_.error.empty() &&
+                        Clock::now() - selection_sent_at_ < kModelGrace;
+  if (may_wait) return;
+  // Copies of chains have other names, and copies of models other atoms.
+  if (wanted.assembly != sent_selection_.assembly) wanted.chains_off.clear();
+  sent_selection_ = wanted;
+  selection_sent_at_ = Clock::now();
+  session_.set_open_options(to_open_options(wanted, radii_sets_));
+  frames_due_ = kSettlingFrames;
 }
 
 void Viewer::describe_under_mouse() {
   ViewportInfo& v = state_.viewport;
   v.under_mouse.clear();
-  const SessionState& s = session_.state();
-  if (!v.hovered || !s.molecule) return;
+  const DrawnMolecule* drawn = scene_.drawn();
+  if (!v.hovered || drawn == nullptr) return;
   if (const auto ball = scene_.pick(v.mouse_x, v.mouse_y)) {
-    v.under_mouse = describe_ball(*s.molecule, *s.prepared, state_.compute, *ball);
+    v.under_mouse = describe_ball(*drawn->molecule, *drawn->prepared, state_.compute, *ball);
   }
 }
 
@@ -254,9 +296,27 @@ void Viewer::play() {
   frames_due_ = kSettlingFrames;
 }
 
+// As play(): a model is asked for when the last one is on screen, and its time is over.
+void Viewer::play_models() {
+  if (!state_.memory.playing_models) {
+    model_playback_.stop();
+    return;
+  }
+  int& model = state_.selection.model;
+  const ModelPlayback::Scene scene{
+      model, static_cast<int>(state_.molecule.models.size()),
+      settled() && !scene_.busy() && state_.selection == sent_selection_};
+  if (const auto next =
+          model_playback_.next(scene, state_.memory.models_per_second, Clock::now())) {
+    model = *next;
+    frames_due_ = kSettlingFrames;
+  }
+}
+
 bool Viewer::interacting() const {
   const ImGuiIO& io = ImGui::GetIO();
-  return state_.memory.playing || io.MouseDown[0] || io.MouseDown[1] || io.MouseDown[2];
+  return state_.memory.playing || state_.memory.playing_models || io.MouseDown[0] ||
+         io.MouseDown[1] || io.MouseDown[2];
 }
 
 void Viewer::draw(ScriptedInput* input, bool patient,
@@ -268,6 +328,7 @@ void Viewer::draw(ScriptedInput* input, bool patient,
   for (const PointerEvent& event : state_.viewport.events) scene_.pointer(event);
   take_requests();
   play();
+  play_models();
   send_controls();
   scene_.poll();
   // After the panels, so that the picture has this frame's size; ImGui draws it afterwards.
@@ -300,6 +361,10 @@ double Viewer::idle_seconds() const {
   if (frames_due_ > 0) return 0;
   const double idle = busy() ? kBusyInterval : kIdleInterval;
   double wait = std::min(idle, scene_.seconds_to_refinement());
+  if (state_.memory.playing_models) {
+    wait = std::min(wait,
+                    model_playback_.seconds_to_next(state_.memory.models_per_second, Clock::now()));
+  }
   if (tooltip_due_) {
     wait = std::min(wait, std::chrono::duration<double>(*tooltip_due_ - Clock::now()).count());
   }
@@ -319,7 +384,9 @@ void Viewer::run() {
     take_session();
     compare_when_due();
     scene_.poll();
-    const bool due = frames_due_ > 0 || state_.memory.playing || busy() || scene_.wants_frame();
+    const bool playing = state_.memory.playing || state_.memory.playing_models;
+    const bool due = frames_due_ > 0 || playing || busy() || scene_.wants_frame() ||
+                     state_.selection != sent_selection_;
     if (!due) continue;
     frames_due_ = std::max(0, frames_due_ - 1);
     draw(nullptr, false);

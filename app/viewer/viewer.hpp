@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "app/session/session.hpp"
+#include "app/viewer/model_playback.hpp"
 #include "app/viewer/options.hpp"
 #include "app/viewer/scene_controller.hpp"
 #include "ui/panels/view_state.hpp"
@@ -43,9 +44,13 @@ class Viewer {
   using Clock = std::chrono::steady_clock;
 
   void fill_constants();
-  void take_session();   // results and failures into the state
+  void take_session();  // results and failures into the state
+  void take_molecule();
+  void take_answer();
   void take_requests();  // what the panels asked for
   void send_controls();  // changed controls to session and scene
+  void send_selection();
+  bool settled() const;  // the latest request is answered
   void update_busy();
   void update_badge();
   void colour_by_what_differs(const Molecule& molecule);
@@ -53,6 +58,7 @@ class Viewer {
   void compare_when_due();
   void describe_under_mouse();
   void play();
+  void play_models();
   bool interacting() const;
   void draw(ScriptedInput* input, bool patient,
             const std::function<void(unsigned)>& before_swap = {});
@@ -67,9 +73,11 @@ class Viewer {
   std::vector<std::filesystem::path> sample_paths_;
   ComputeControls sent_compute_;
   SelectionControls sent_selection_;
-  std::shared_ptr<const Molecule> shown_molecule_;
-  std::shared_ptr<const Answer> compared_;  // the last answer for which a comparison was asked
+  std::shared_ptr<const Molecule> shown_file_;  // as deposited
+  std::shared_ptr<const Answer> compared_;      // the last answer for which a comparison was asked
   std::optional<Clock::time_point> busy_since_, comparing_since_, tooltip_due_;
+  Clock::time_point selection_sent_at_{};
+  ModelPlayback model_playback_;
   ColourBy automatic_colour_ = ColourBy::chain;
   int frames_due_ = 3;
   bool quit_ = false;

@@ -1,95 +1,14 @@
-// The panels without any renderer: ImGui builds its draw lists, nobody draws them.
-#include <gtest/gtest.h>
-#include <imgui.h>
-
+// The panels around the view: alpha, timings, dialogs, shortcuts.
 #include <cmath>
 
-#include "ui/panels/keys.hpp"
-#include "ui/panels/style.hpp"
-#include "ui/panels/window_layout.hpp"
+#include "tests/ui/panels_fixture.hpp"
 
 namespace alphascope {
 namespace {
 
-struct Size {
-  float width, height, scale;
-};
-
-class Panels {
- public:
-  explicit Panels(Size size) : size_(size), context_(ImGui::CreateContext()) {
-    ImGuiIO& io = ImGui::GetIO();
-    io.IniFilename = nullptr;
-    io.KeyMap[ImGuiKey_Enter] = key::kEnter;
-    io.KeyMap[ImGuiKey_Backspace] = key::kBackspace;
-    io.KeyMap[ImGuiKey_A] = key::kA;
-    apply_style(Theme::dark, size.scale);
-    fonts_ = load_fonts(size.scale);
-    frame(3);
-  }
-  ~Panels() { ImGui::DestroyContext(context_); }
-
-  void frame(int count = 1) {
-    for (int i = 0; i < count; ++i) {
-      ImGuiIO& io = ImGui::GetIO();
-      io.DisplaySize = {size_.width * size_.scale, size_.height * size_.scale};
-      io.DeltaTime = 1.0f / 60;
-      ImGui::NewFrame();
-      draw_window(state, rects, fonts_, size_.scale);
-      ImGui::Render();
-    }
-  }
-  void point_at(const std::string& name, float fx = 0.5f, float fy = 0.5f) {
-    ASSERT_TRUE(rects.contains(name)) << name;
-    const WidgetRect r = rects[name];
-    ImGui::GetIO().MousePos = {r.x0 + fx * (r.x1 - r.x0), r.y0 + fy * (r.y1 - r.y0)};
-    frame(2);
-  }
-  void press(bool down) {
-    ImGui::GetIO().MouseDown[0] = down;
-    frame(2);
-  }
-  void click(const std::string& name, float fx = 0.5f, float fy = 0.5f) {
-    point_at(name, fx, fy);
-    press(true);
-    press(false);
-  }
-  void tap(int code) {
-    ImGui::GetIO().KeysDown[code] = true;
-    frame();
-    ImGui::GetIO().KeysDown[code] = false;
-    frame();
-  }
-
-  ViewState state;
-  WidgetRects rects;
-
- private:
-  Size size_;
-  ImGuiContext* context_;
-  PanelFonts fonts_;
-};
-
-ViewState loaded_state() {
-  ViewState s;
-  s.molecule = {
-      true,          "4hhb.pdb.gz", "/data",
-      "HAEMOGLOBIN", "PDB",         "used 4,558 of 4,779 atoms; dropped 221 waters; radii ProtOr",
-      {"a note"},    4558,          {{"C", 1.7, 2.07}, {"N", 1.55, 1.95}}};
-  s.result.present = true;
-  s.result.tetrahedra = 8090;
-  s.result.hash = "f619dc636b8b16e6";
-  s.ours = EngineTimings{"facet engine",
-                         "CPU, 2 threads",
-                         TimedRun{{{"grid", 0.1, true}, {"kernel II", 20, false}}, 20.2},
-                         {}};
-  s.cgal = EngineTimings{
-      "CGAL triangulation", "CPU", TimedRun{{{"regular triangulation", 60, true}}, 60.5}, {}};
-  s.badge = {BadgeInfo::State::identical, "identical to CGAL: 8,090 of 8,090 tetrahedra"};
-  s.samples = {{"crambin", "1CRN"}};
-  s.radii_sets = {{"automatic", ""}, {"Bondi", "Bondi 1964"}};
-  return s;
-}
+using testing::loaded_state;
+using testing::Panels;
+using testing::Size;
 
 TEST(PanelsTest, EmptyWindowOffersToOpenSomething) {
   Panels p({1280, 800, 1});

@@ -2,6 +2,10 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
+#include <vector>
+
+#include "ui/panels/radius_edits.hpp"
 
 namespace alphascope {
 
@@ -17,12 +21,22 @@ struct ComputeControls {
   friend bool operator==(const ComputeControls&, const ComputeControls&) = default;
 };
 
-// Which atoms become balls; a change needs new balls.
+// Which atoms become balls, and how large; a change needs new balls.
 enum class HydrogenOption : std::uint8_t { automatic, keep, drop };
+enum class AltlocOption : std::uint8_t { best, all };
+inline constexpr int kEveryModel = -1;
 struct SelectionControls {
-  bool waters = false, ligands = true, ions = true;
+  bool polymers = true, ligands = true, ions = true, waters = false, dummies = false;
   HydrogenOption hydrogens = HydrogenOption::automatic;
-  int radii_set = 0;  // index into ViewState::radii_sets
+  AltlocOption altlocs = AltlocOption::best;
+  int radii_set = 0;        // index into ViewState::radii_sets
+  std::string radii_table;  // file of the user's own set
+  // What follows belongs to one file and is forgotten with it.
+  std::string assembly;  // id; empty: as deposited
+  int model = 0;         // index, or kEveryModel: all at once
+  std::vector<std::string> chains_off;
+  std::string expression;
+  RadiusEdits radius_edits;
   friend bool operator==(const SelectionControls&, const SelectionControls&) = default;
 };
 

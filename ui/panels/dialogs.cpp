@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "ui/panels/format.hpp"
 #include "ui/panels/keys.hpp"
 #include "ui/panels/panels.hpp"
 
@@ -14,6 +15,9 @@ namespace {
 constexpr ImGuiWindowFlags kModalFlags = ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                                          ImGuiWindowFlags_NoSavedSettings |
                                          ImGuiWindowFlags_AlwaysAutoResize;
+
+// Resident memory of the whole window with an assembly's complex at alpha 0, divided by its atoms.
+constexpr std::uint64_t kBytesPerAtomShown = 1200;
 
 bool begin_modal(PanelContext& ctx, const char* title, bool wanted) {
   if (wanted && !ImGui::IsPopupOpen(title)) ImGui::OpenPopup(title);
@@ -122,6 +126,56 @@ void about(PanelContext& ctx) {
   ImGui::EndPopup();
 }
 
+void assembly_facts(PanelContext& ctx, const AssemblyRow& a) {
+  const auto number = [](std::uint64_t n) { return with_separators(static_cast<long long>(n)); };
+  const auto bytes = [](std::uint64_t n) { return bytes_text(static_cast<std::size_t>(n)); };
+  const auto fact = [&ctx](const char* what, const std::string& value) {
+    muted_text(ctx, what);
+    ImGui::SameLine(ctx.px(250));
+    ImGui::TextUnformatted(value.c_str());
+  };
+  const std::uint64_t all = a.atoms * kBytesPerAtomShown, free = ctx.state.free_bytes;
+  fact("Assembly", a.id + (a.details.empty() ? "" : " (" + a.details + ")"));
+  fact("Copies", number(a.copies));
+  fact("Atoms", number(a.atoms));
+  fact("Memory for the atoms", "about " + bytes(a.bytes));
+  fact("With complex and picture", "about " + bytes(all));
+  if (free > 0) fact("Free on this machine", bytes(free));
+  if (free == 0 || all <= free) return;
+  ImGui::PushStyleColor(ImGuiCol_Text, to_imgui(ctx.palette.warning));
+  wrapped_text("That may not be enough: the system may end the program.");
+  ImGui::PopStyleColor();
+  record(ctx, "assembly.too_large");
+}
+
+void confirm_assembly(PanelContext& ctx) {
+  ViewState& s = ctx.state;
+  std::string& id = s.memory.confirm_assembly;
+  const auto& list = s.molecule.assemblies;
+  const auto found =
+      std::find_if(list.begin(), list.end(), [&](const AssemblyRow& a) { return a.id == id; });
+  if (found == list.end()) id.clear();
+  if (!begin_modal(ctx, "Expand a large assembly?", !id.empty())) return;
+  ImGui::Dummy({ctx.px(440), 0});
+  assembly_facts(ctx, *found);
+  ImGui::Dummy({0, ctx.px(6)});
+  muted_wrapped(ctx,
+                "Expanding and computing can be cancelled; until the copies are made, the present "
+                "molecule stays.");
+  ImGui::Dummy({0, ctx.px(6)});
+  const bool expand =
+      button(ctx, "assembly.expand", "Expand", {ctx.px(100), 0}, ButtonKind::primary);
+  ImGui::SameLine();
+  const bool cancel = button(ctx, "assembly.cancel", "Cancel", {ctx.px(100), 0}) ||
+                      ImGui::IsKeyPressed(key::kEscape, false);
+  if (expand) s.selection.assembly = id;
+  if (expand || cancel) {
+    id.clear();
+    ImGui::CloseCurrentPopup();
+  }
+  ImGui::EndPopup();
+}
+
 void size_preset(PanelContext& ctx, const char* name, const char* label, int width, int height) {
   if (button(ctx, name, label)) {
     ctx.state.memory.save_width = width;
@@ -191,6 +245,7 @@ void draw_dialogs(PanelContext& ctx) {
   cheat_sheet(ctx);
   about(ctx);
   save_picture(ctx);
+  confirm_assembly(ctx);
   error_dialog(ctx);
 }
 

@@ -12,6 +12,7 @@ void colour_row(PanelContext& ctx, const char* name, const char* label, ColourBy
   const bool open = ImGui::BeginCombo(id.c_str(), kLabels[static_cast<int>(colour)]);
   record(ctx, name);
   if (!open) return;
+  close_on_escape();
   for (int i = 0; i < (with_alpha ? 4 : 3); ++i) {
     if (ImGui::Selectable(kLabels[i], static_cast<int>(colour) == i)) {
       colour = static_cast<ColourBy>(i);

@@ -32,6 +32,7 @@ void draw_engine_panel(PanelContext& ctx) {
   const bool open = ImGui::BeginCombo("##engine", current);
   record(ctx, "engine.choice");
   if (open) {
+    close_on_escape();
     for (const EngineEntry& e : kEngines) {
       const bool usable = e.option != EngineOption::gpu || s.gpu_available;
       if (ImGui::Selectable(e.label, e.option == s.compute.engine,

@@ -1,4 +1,5 @@
-// The dialog for opening a molecule: folders and files that look like one, and a path to type.
+// The dialog for opening a molecule or a table of radii: folders and files that look like one, and
+// a path to type.
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
@@ -15,7 +16,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kTitle = "Open a molecule";
+bool for_table(const PanelMemory& m) {
+  return m.browser_purpose == BrowserPurpose::radii_table;
+}
+
+const char* title(const PanelMemory& m) {
+  return for_table(m) ? "Open a table of radii" : "Open a molecule";
+}
 
 void enter(PanelMemory& m, const fs::path& folder) {
   std::error_code error;
@@ -30,7 +37,15 @@ void enter(PanelMemory& m, const fs::path& folder) {
 }
 
 void open(ViewState& s, const fs::path& file) {
-  s.requests.open = file;
+  if (for_table(s.memory)) {
+    s.selection.radii_table = file.string();
+    for (std::size_t i = 0; i < s.radii_sets.size(); ++i) {
+      const bool table = s.radii_sets[i].kind == RadiiSetEntry::Kind::user_table;
+      if (table) s.selection.radii_set = static_cast<int>(i);
+    }
+  } else {
+    s.requests.open = file;
+  }
   s.memory.show_browser = false;
   ImGui::CloseCurrentPopup();
 }
@@ -91,7 +106,7 @@ void entry_row(PanelContext& ctx, const FolderEntry& entry) {
 void listing(PanelContext& ctx, float height) {
   PanelMemory& m = ctx.state.memory;
   // Read again in every frame in which the dialog is redrawn: cheap, and never out of date.
-  const FolderListing list = list_folder(m.browser_folder, m.browser_all_files);
+  const FolderListing list = list_folder(m.browser_folder, m.browser_all_files || for_table(m));
   ImGui::PushStyleColor(ImGuiCol_ChildBg, to_imgui(ctx.palette.panel));
   ImGui::BeginChild("entries", {0, height}, true);
   if (!list.error.empty()) {
@@ -114,7 +129,12 @@ void listing(PanelContext& ctx, float height) {
 
 void buttons(PanelContext& ctx) {
   ViewState& s = ctx.state;
-  checkbox(ctx, "browser.all", "All files", s.memory.browser_all_files);
+  if (for_table(s.memory)) {
+    ImGui::AlignTextToFramePadding();
+    muted_text(ctx, "Lines such as: C 1.70   ALA CB 1.88   * CB 1.88");
+  } else {
+    checkbox(ctx, "browser.all", "All files", s.memory.browser_all_files);
+  }
   const float width = ctx.px(96);
   ImGui::SameLine(ImGui::GetWindowWidth() - 2 * width - ctx.px(20));
   if (button(ctx, "browser.cancel", "Cancel", {width, 0}) ||
@@ -133,16 +153,16 @@ void buttons(PanelContext& ctx) {
 void draw_file_browser(PanelContext& ctx) {
   PanelMemory& m = ctx.state.memory;
   if (!m.show_browser) return;
-  if (!ImGui::IsPopupOpen(kTitle)) {
+  if (!ImGui::IsPopupOpen(title(m))) {
     enter(m, m.browser_folder.empty() ? sensible_start_folder() : m.browser_folder);
-    ImGui::OpenPopup(kTitle);
+    ImGui::OpenPopup(title(m));
   }
   const ImVec2 display = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos({display.x / 2, display.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
   ImGui::SetNextWindowSize(
       {std::min(ctx.px(640), display.x * 0.9f), std::min(ctx.px(480), display.y * 0.85f)});
   if (!ImGui::BeginPopupModal(
-          kTitle, nullptr,
+          title(m), nullptr,
           ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings)) {
     return;
   }

@@ -17,6 +17,7 @@ bool menu_item(PanelContext& ctx, const char* name, const char* label, const cha
 bool begin_menu(PanelContext& ctx, const char* name, const char* label) {
   const bool open = ImGui::BeginMenu(label);
   record(ctx, name);
+  if (open) close_on_escape();
   return open;
 }
 
@@ -27,7 +28,7 @@ void toggle_theme(ViewState& s) {
 void file_menu(PanelContext& ctx) {
   ViewState& s = ctx.state;
   if (!begin_menu(ctx, "menu.file", "File")) return;
-  if (menu_item(ctx, "menu.open", "Open…", "Ctrl+O")) s.memory.show_browser = true;
+  if (menu_item(ctx, "menu.open", "Open…", "Ctrl+O")) open_browser(s);
   if (ImGui::BeginMenu("Sample molecule", !s.samples.empty())) {
     for (std::size_t i = 0; i < s.samples.size(); ++i) {
       if (ImGui::MenuItem(s.samples[i].name.c_str(), s.samples[i].detail.c_str())) {
@@ -83,7 +84,7 @@ void shortcuts(ViewState& s) {
   if (ImGui::IsKeyPressed(key::kF1, false)) s.memory.show_cheat_sheet = !s.memory.show_cheat_sheet;
   if (io.WantTextInput || ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup)) return;
   if (io.KeyCtrl) {
-    if (ImGui::IsKeyPressed(key::kO, false)) s.memory.show_browser = true;
+    if (ImGui::IsKeyPressed(key::kO, false)) open_browser(s);
     if (ImGui::IsKeyPressed(key::kS, false) && s.molecule.loaded) s.memory.show_save = true;
     if (ImGui::IsKeyPressed(key::kL, false)) toggle_theme(s);
     if (ImGui::IsKeyPressed(key::kQ, false)) s.requests.quit = true;

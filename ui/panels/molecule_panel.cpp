@@ -8,6 +8,7 @@ namespace {
 void sample_popup(PanelContext& ctx) {
   ViewState& s = ctx.state;
   if (!ImGui::BeginPopup("samples")) return;
+  close_on_escape();
   for (std::size_t i = 0; i < s.samples.size(); ++i) {
     if (ImGui::MenuItem(s.samples[i].name.c_str(), s.samples[i].detail.c_str())) {
       s.requests.open_sample = i;
@@ -21,7 +22,7 @@ void open_buttons(PanelContext& ctx) {
   ViewState& s = ctx.state;
   const float half = (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x) / 2;
   const auto kind = s.molecule.loaded ? ButtonKind::normal : ButtonKind::primary;
-  if (button(ctx, "molecule.open", "Open…", {half, 0}, kind)) s.memory.show_browser = true;
+  if (button(ctx, "molecule.open", "Open…", {half, 0}, kind)) open_browser(s);
   ImGui::SameLine();
   ImGui::BeginDisabled(s.samples.empty());
   if (button(ctx, "molecule.sample", "Sample molecule", {half, 0})) ImGui::OpenPopup("samples");
@@ -30,41 +31,20 @@ void open_buttons(PanelContext& ctx) {
   sample_popup(ctx);
 }
 
-void radii_row(PanelContext& ctx) {
-  ViewState& s = ctx.state;
-  if (s.radii_sets.empty()) return;
-  row_label(ctx, "Radii");
-  const auto& chosen = s.radii_sets[static_cast<std::size_t>(s.selection.radii_set)];
-  const bool open = ImGui::BeginCombo("##radii", chosen.name.c_str());
-  record(ctx, "molecule.radii");
-  if (!open) {
-    tooltip(ctx, chosen.citation.c_str());
-    return;
+void dropped(PanelContext& ctx) {
+  const MoleculeInfo& m = ctx.state.molecule;
+  if (m.dropped.empty()) return;
+  const std::string title = with_separators(static_cast<long long>(m.dropped_atoms)) +
+                            (m.dropped_atoms == 1 ? " atom was dropped" : " atoms were dropped");
+  if (!disclosure(ctx, "molecule.dropped", title, ctx.palette.text_muted)) return;
+  for (const DroppedRow& row : m.dropped) {
+    ImGui::TextUnformatted(row.text.c_str());
+    if (row.detail.empty()) continue;
+    ImGui::PushFont(ctx.fonts.small);
+    muted_wrapped(ctx, row.detail);
+    ImGui::PopFont();
   }
-  for (std::size_t i = 0; i < s.radii_sets.size(); ++i) {
-    const bool on = static_cast<int>(i) == s.selection.radii_set;
-    if (ImGui::Selectable(s.radii_sets[i].name.c_str(), on)) {
-      s.selection.radii_set = static_cast<int>(i);
-    }
-    record(ctx, ("molecule.radii." + std::to_string(i)).c_str());
-    tooltip(ctx, s.radii_sets[i].citation.c_str());
-  }
-  ImGui::EndCombo();
-}
-
-void selection(PanelContext& ctx) {
-  SelectionControls& c = ctx.state.selection;
-  radii_row(ctx);
-  row_label(ctx, "Hydrogens");
-  int hydrogens = static_cast<int>(c.hydrogens);
-  choice(ctx, "molecule.hydrogens", {"auto", "keep", "drop"}, hydrogens,
-         ImGui::GetContentRegionAvail().x);
-  c.hydrogens = static_cast<HydrogenOption>(hydrogens);
-  checkbox(ctx, "molecule.waters", "Waters", c.waters);
-  ImGui::SameLine(0, ctx.px(16));
-  checkbox(ctx, "molecule.ligands", "Ligands", c.ligands);
-  ImGui::SameLine(0, ctx.px(16));
-  checkbox(ctx, "molecule.ions", "Ions", c.ions);
+  ImGui::TreePop();
 }
 
 void notes(PanelContext& ctx) {
@@ -74,12 +54,7 @@ void notes(PanelContext& ctx) {
       list.size() == 1
           ? "1 note on this molecule"
           : with_separators(static_cast<long long>(list.size())) + " notes on this molecule";
-  ImGui::PushStyleColor(ImGuiCol_Text, to_imgui(ctx.palette.warning));
-  const bool open =
-      ImGui::TreeNodeEx("notes", ImGuiTreeNodeFlags_SpanAvailWidth, "%s", title.c_str());
-  ImGui::PopStyleColor();
-  record(ctx, "molecule.notes");
-  if (!open) return;
+  if (!disclosure(ctx, "molecule.notes", title, ctx.palette.warning)) return;
   for (const std::string& note : list) muted_wrapped(ctx, note);
   ImGui::TreePop();
 }
@@ -104,12 +79,16 @@ void draw_molecule_panel(PanelContext& ctx) {
     muted_text(ctx, fitted_text(m.title, width));
     tooltip(ctx, m.title.c_str());
   }
-  ImGui::PushTextWrapPos(0);
-  ImGui::TextUnformatted(m.summary.c_str());
-  ImGui::PopTextWrapPos();
+  ImGui::BeginGroup();
+  wrapped_text(m.summary);
+  ImGui::EndGroup();
   record(ctx, "molecule.summary");
-  selection(ctx);
+  dropped(ctx);
   notes(ctx);
+  draw_source_rows(ctx);
+  draw_radii_rows(ctx);
+  draw_selection_rows(ctx);
+  draw_provenance(ctx);
 }
 
 }  // namespace alphascope

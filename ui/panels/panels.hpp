@@ -16,6 +16,12 @@ void draw_viewport(PanelContext& ctx);
 void draw_file_browser(PanelContext& ctx);
 void draw_dialogs(PanelContext& ctx);
 
+// Parts of the molecule panel: where the atoms come from, which are used, how large they are.
+void draw_source_rows(PanelContext& ctx);  // assembly and models
+void draw_selection_rows(PanelContext& ctx);
+void draw_radii_rows(PanelContext& ctx);
+void draw_provenance(PanelContext& ctx);
+
 // Stages as bars, one below the other on one time axis, of both engines.
 void draw_waterfall(PanelContext& ctx, float height);
 

@@ -6,11 +6,44 @@
 #include <string>
 #include <vector>
 
+#include "ui/panels/radius_edits.hpp"
+
 namespace alphascope {
 
 struct GrownRadius {
   std::string element;           // "C"; empty when the file does not say
   double radius = 0, grown = 0;  // Å; grown is 0 where the ball is empty
+};
+
+// What was left out for one reason: "221 waters", "HOH 221".
+struct DroppedRow {
+  std::string text, detail;
+};
+
+// Atoms of one name whose radius did not come from the radii set.
+struct RadiusRow {
+  enum class Kind : std::uint8_t { guessed, by_hand, none };  // none: no ball, for lack of a radius
+  Kind kind = Kind::guessed;
+  AtomGroup atoms;
+  std::size_t count = 0;
+  double radius = 0;  // Å, in use
+};
+
+struct ChainRow {
+  std::string name, detail;  // "A", "polymer 1,069 · water 60"
+  std::size_t atoms = 0;
+};
+
+struct AssemblyRow {
+  std::string id, details;  // "1", "author determined dimeric"
+  std::uint64_t copies = 0, atoms = 0;
+  std::uint64_t bytes = 0;  // for its atoms and balls, about
+};
+
+// Atoms of the whole molecule, all models, by what the toggles ask for.
+struct KindTotals {
+  std::size_t polymers = 0, waters = 0, ligands = 0, ions = 0, dummies = 0;
+  std::size_t hydrogens = 0, altlocs = 0;
 };
 
 struct MoleculeInfo {
@@ -20,6 +53,18 @@ struct MoleculeInfo {
   std::vector<std::string> notes;           // what the reader had to assume
   std::size_t balls = 0;
   std::vector<GrownRadius> radii;  // each pair of element and radius, most frequent first
+  std::size_t dropped_atoms = 0;
+  std::vector<DroppedRow> dropped;
+  std::vector<RadiusRow> radius_rows;
+  std::vector<ChainRow> chains;
+  std::uint64_t deposited_atoms = 0;  // of all models
+  std::vector<AssemblyRow> assemblies;
+  std::vector<int> models;  // their numbers, as the file says
+  KindTotals kinds;
+  bool has_file_radii = false;
+  std::string sha256, radii_name, radii_citation;
+  // "Lattice unit", "0.001 Å": where the numbers come from; complete, for people and papers.
+  std::vector<std::pair<std::string, std::string>> provenance;
 };
 
 struct ResultInfo {

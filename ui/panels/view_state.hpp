@@ -30,7 +30,15 @@ struct Requests {
 };
 
 struct RadiiSetEntry {
+  enum class Kind : std::uint8_t { values, from_file, user_table };
   std::string name, citation;
+  Kind kind = Kind::values;
+};
+
+// Why the selection expression was not taken; empty text: it was.
+struct ExpressionError {
+  std::string text;
+  std::size_t column = 0;  // in the expression, from 1; 0: unknown
 };
 
 struct SampleMolecule {
@@ -39,6 +47,8 @@ struct SampleMolecule {
 
 inline constexpr double kTooltipDelaySeconds = 0.4;
 
+enum class BrowserPurpose : std::uint8_t { molecule, radii_table };
+
 // What the panels remember between frames.
 struct PanelMemory {
   bool show_cheat_sheet = false, show_about = false, show_browser = false, show_save = false;
@@ -46,6 +56,7 @@ struct PanelMemory {
   std::string browser_typed;
   std::filesystem::path browser_selected;
   bool browser_all_files = false;
+  BrowserPurpose browser_purpose = BrowserPurpose::molecule;
   std::string save_path;
   int save_width = 1920, save_height = 1080;
   bool save_transparent = false;
@@ -53,7 +64,17 @@ struct PanelMemory {
   bool timings_pinned = false;  // the user has chosen which
   float bottom_height = 0;      // pixels; 0: default
   bool dragging_view = false;
-  bool playing = false;            // alpha grows by itself, one step a finished result
+  bool playing = false;         // alpha grows by itself, one step a finished result
+  bool playing_models = false;  // models follow one another as frames
+  float models_per_second = 5;  // at most; fewer when computing takes longer
+  std::string expression_typed;
+  std::string expression_shown;  // the one in force when expression_typed was last taken over
+  std::string chain_filter;
+  std::string confirm_assembly;  // id of the one that is asked about; empty: none
+  int radius_editing = -1;       // row of MoleculeInfo::radius_rows whose text is being typed
+  std::string radius_typed;
+  std::string radius_error;        // why what was typed is no radius
+  std::string reveal;              // a widget to be scrolled into sight, for scripts
   double mouse_still_seconds = 0;  // since the mouse moved or a button was down
 };
 
@@ -75,8 +96,10 @@ struct ViewState {
   std::string gpu_text;  // its name, or the sentence that says why there is none
   std::string version;
   std::size_t memory_bytes = 0;  // of the whole program
-  std::string error;             // shown as a dialog until dismissed
-  std::string notice;            // one line in the status bar, "saved /tmp/a.png"
+  std::uint64_t free_bytes = 0;  // that the machine could still give; 0: unknown
+  ExpressionError expression_error;
+  std::string error;   // shown as a dialog until dismissed
+  std::string notice;  // one line in the status bar, "saved /tmp/a.png"
   std::vector<SampleMolecule> samples;
   std::vector<RadiiSetEntry> radii_sets;
 

@@ -140,7 +140,7 @@ void empty_state(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
              "Drop a file here, or choose one: PDB, mmCIF, XYZR, PQR, XYZ, CRD; plain or .gz.");
   ImGui::Dummy({0, ctx.px(6)});
   if (button(ctx, "empty.open", "Open file…", {ctx.px(130), ctx.px(34)}, ButtonKind::primary)) {
-    s.memory.show_browser = true;
+    open_browser(s);
   }
   for (std::size_t i = 0; i < s.samples.size(); ++i) {
     ImGui::SameLine();

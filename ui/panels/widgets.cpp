@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "ui/panels/format.hpp"
+#include "ui/panels/keys.hpp"
 
 namespace alphascope {
 
@@ -18,7 +19,11 @@ ImU32 to_u32(const Colour& c, float alpha) {
 
 void record(PanelContext& ctx, const char* name) {
   const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
-  ctx.rects[name] = {low.x, low.y, high.x, high.y};
+  ctx.rects[name] = {low.x, low.y, high.x, high.y, ImGui::IsItemVisible()};
+  if (ctx.state.memory.reveal == name) {
+    ImGui::SetScrollHereY();
+    ctx.state.memory.reveal.clear();
+  }
 }
 
 bool button(PanelContext& ctx, const char* name, const char* label, ImVec2 size, ButtonKind kind) {
@@ -48,6 +53,11 @@ bool checkbox(PanelContext& ctx, const char* name, const char* label, bool& valu
   ImGui::PopID();
   record(ctx, name);
   return changed;
+}
+
+void open_browser(ViewState& state) {
+  state.memory.browser_purpose = BrowserPurpose::molecule;
+  state.memory.show_browser = true;
 }
 
 bool choice(PanelContext& ctx, const char* name, std::initializer_list<const char*> labels,
@@ -104,6 +114,21 @@ bool percent_slider(PanelContext& ctx, const char* name, float& value, float low
   return true;
 }
 
+bool disclosure(PanelContext& ctx, const char* name, const std::string& title,
+                const Colour& colour) {
+  ImGui::PushStyleColor(ImGuiCol_Text, to_imgui(colour));
+  const bool open = ImGui::TreeNodeEx(name, ImGuiTreeNodeFlags_SpanAvailWidth, "%s", title.c_str());
+  ImGui::PopStyleColor();
+  record(ctx, name);
+  return open;
+}
+
+void close_on_escape() {
+  if (ImGui::IsKeyPressed(key::kEscape, false) && !ImGui::GetIO().WantTextInput) {
+    ImGui::CloseCurrentPopup();
+  }
+}
+
 bool section(PanelContext& ctx, const char* name, const char* title) {
   ImGui::Dummy({0, ctx.px(2)});
   ImGui::PushFont(ctx.fonts.strong);
@@ -135,10 +160,30 @@ void muted_text(PanelContext& ctx, const std::string& text) {
 
 void muted_wrapped(PanelContext& ctx, const std::string& text) {
   ImGui::PushStyleColor(ImGuiCol_Text, to_imgui(ctx.palette.text_muted));
-  ImGui::PushTextWrapPos(0);
-  ImGui::TextUnformatted(text.c_str());
-  ImGui::PopTextWrapPos();
+  wrapped_text(text);
   ImGui::PopStyleColor();
+}
+
+void wrapped_text(const std::string& text) {
+  const float width = ImGui::GetContentRegionAvail().x;
+  std::string lines = text;
+  std::size_t line = 0, last_blank = std::string::npos;
+  for (std::size_t i = 0; i <= lines.size(); ++i) {
+    if (i < lines.size() && lines[i] != ' ' && lines[i] != '\n') continue;
+    const bool too_long = ImGui::CalcTextSize(lines.data() + line, lines.data() + i).x > width;
+    if (too_long && last_blank != std::string::npos) {
+      lines[last_blank] = '\n';
+      line = last_blank + 1;
+    }
+    last_blank = i;
+    if (i < lines.size() && lines[i] == '\n') {
+      line = i + 1;
+      last_blank = std::string::npos;
+    }
+  }
+  ImGui::PushTextWrapPos(0);  // for words that are wider than a line
+  ImGui::TextUnformatted(lines.c_str());
+  ImGui::PopTextWrapPos();
 }
 
 void strong_text(PanelContext& ctx, const std::string& text) {

@@ -33,6 +33,9 @@ bool button(PanelContext& ctx, const char* name, const char* label, ImVec2 size 
             ButtonKind kind = ButtonKind::normal);
 bool checkbox(PanelContext& ctx, const char* name, const char* label, bool& value);
 
+// Opens the file dialog for a molecule.
+void open_browser(ViewState& state);
+
 // Two or more choices side by side; returns true when the choice changed.
 bool choice(PanelContext& ctx, const char* name, std::initializer_list<const char*> labels,
             int& chosen, float width);
@@ -49,6 +52,13 @@ bool value_slider(PanelContext& ctx, const char* name, double& value, double low
 // Slider over 0..1 shown in percent.
 bool percent_slider(PanelContext& ctx, const char* name, float& value, float low, float high);
 
+// A line that opens a list below it; the caller ends an open one with ImGui::TreePop().
+bool disclosure(PanelContext& ctx, const char* name, const std::string& title,
+                const Colour& colour);
+
+// Between BeginPopup, BeginMenu or BeginCombo and their end: Escape closes what is open.
+void close_on_escape();
+
 bool section(PanelContext& ctx, const char* name, const char* title);
 
 // For the last item; shown once the mouse has rested on it.
@@ -56,6 +66,9 @@ void tooltip(PanelContext& ctx, const char* text);
 void muted_text(PanelContext& ctx, const std::string& text);  // one line
 void muted_wrapped(PanelContext& ctx, const std::string& text);
 void strong_text(PanelContext& ctx, const std::string& text);
+
+// In the width that is left; lines break at blanks only, never inside "1,224 atoms".
+void wrapped_text(const std::string& text);
 
 // `text` cut to `width` pixels with "…" in the middle where it does not fit.
 std::string fitted_text(const std::string& text, float width);

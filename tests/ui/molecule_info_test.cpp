@@ -1,0 +1,149 @@
+// What the panels are told of a molecule, and that their choices survive the way there and back.
+#include "app/viewer/molecule_info.hpp"
+
+#include <gtest/gtest.h>
+
+#include "app/session/open_molecule.hpp"
+#include "tests/core/io/temporary_file.hpp"
+
+namespace alphascope {
+namespace {
+
+constexpr const char* kTwoModels =
+    "MODEL        7\n"
+    "ATOM      1  N   ALA A   1      27.340  24.430   2.614  1.00  9.67           N  \n"
+    "HETATM    2 FE   HEM B   3       1.266  25.413   8.842  1.00 10.38          FE  \n"
+    "HETATM    3  O   HOH A   6       3.266  25.413   8.842  1.00 10.38           O  \n"
+    "ENDMDL\n"
+    "MODEL        9\n"
+    "ATOM      1  N   ALA A   1      27.340  24.430   3.614  1.00  9.67           N  \n"
+    "HETATM    2 FE   HEM B   3       1.266  25.413   8.842  1.00 10.38          FE  \n"
+    "HETATM    3  O   HOH A   6       3.266  25.413   8.842  1.00 10.38           O  \n"
+    "ENDMDL\n";
+
+OpenedMolecule open_text(const std::string& text, const OpenOptions& options) {
+  const TemporaryFile file("a.pdb", text);
+  return open_molecule(file.path(), options, {});
+}
+
+std::string value_of(const MoleculeInfo& info, const std::string& key) {
+  for (const auto& [k, value] : info.provenance) {
+    if (k == key) return value;
+  }
+  return "(missing)";
+}
+
+OpenOptions some_options() {
+  OpenOptions options;
+  options.balls.model = 1;
+  options.balls.radii = RadiiSet::bondi;
+  options.balls.overrides = {{"HEM", "FE", element_from_symbol("Fe"), 1500000}};
+  options.balls.selection = "chain A,B";
+  return options;
+}
+
+TEST(MoleculeInfo, TellsEverythingThatIsChosenFrom) {
+  const MoleculeInfo info = describe_molecule(open_text(kTwoModels, some_options()));
+  EXPECT_EQ(info.models, (std::vector<int>{7, 9}));
+  ASSERT_EQ(info.chains.size(), 2u);
+  EXPECT_EQ(info.chains[0].name, "A");
+  EXPECT_EQ(info.chains[0].detail, "polymer 2 · water 2");
+  EXPECT_EQ(info.kinds.waters, 2u);
+  ASSERT_EQ(info.dropped.size(), 1u);
+  EXPECT_EQ(info.dropped[0].text, "1 water");
+  EXPECT_EQ(info.dropped[0].detail, "HOH 1");
+  EXPECT_EQ(info.dropped_atoms, 1u);
+  ASSERT_EQ(info.radius_rows.size(), 1u);
+  EXPECT_EQ(info.radius_rows[0].kind, RadiusRow::Kind::by_hand);
+  EXPECT_EQ(info.radius_rows[0].atoms, (AtomGroup{"HEM", "FE", "Fe"}));
+  EXPECT_DOUBLE_EQ(info.radius_rows[0].radius, 1.5);
+}
+
+TEST(MoleculeInfo, ProvenanceNamesWhatTheNumbersDependOn) {
+  const MoleculeInfo info = describe_molecule(open_text(kTwoModels, some_options()));
+  EXPECT_EQ(value_of(info, "SHA-256").size(), 64u);
+  EXPECT_EQ(value_of(info, "SHA-256"), info.sha256);
+  EXPECT_EQ(value_of(info, "Assembly"), "none: as deposited");
+  EXPECT_EQ(value_of(info, "Model"), "2 of 2 (number 9 in the file)");
+  EXPECT_EQ(value_of(info, "Expression"), "chain A,B");
+  EXPECT_EQ(value_of(info, "Lattice unit"), "0.001 Å");
+  EXPECT_EQ(value_of(info, "Rounding"), "none: every digit of the file is kept");
+  EXPECT_EQ(value_of(info, "By hand"), "FE in HEM: 1.5 Å (1)");
+  EXPECT_NE(value_of(info, "Radii").find("Bondi: A. Bondi"), std::string::npos);
+  EXPECT_NE(value_of(info, "Selection").find("used 2 of 3 atoms"), std::string::npos);
+}
+
+TEST(MoleculeInfo, DoubtfulElementsComeFirstAndEditsDoNotMoveRows) {
+  OpenOptions options;
+  options.balls.radii = RadiiSet::protor;  // ligands are guessed
+  const std::string text =
+      "HETATM    1  C1  AAA B   3       1.266  25.413   8.842  1.00 10.38           C  \n"
+      "HETATM    2 ZN   ZZZ B   4       3.266  25.413   8.842  1.00 10.38          ZN  \n";
+  const MoleculeInfo before = describe_molecule(open_text(text, options));
+  ASSERT_EQ(before.radius_rows.size(), 2u);
+  EXPECT_EQ(before.radius_rows[0].atoms.element, "Zn");
+  options.balls.overrides = {{"AAA", "C1", 6, 1500000}};
+  const MoleculeInfo after = describe_molecule(open_text(text, options));
+  EXPECT_EQ(after.radius_rows[1].kind, RadiusRow::Kind::by_hand);
+  EXPECT_EQ(after.radius_rows[0].atoms, before.radius_rows[0].atoms);
+}
+
+TEST(MoleculeInfo, SaysWhenNothingIsLeft) {
+  OpenOptions options;
+  options.balls.selection = "none";
+  const MoleculeInfo info = describe_molecule(open_text(kTwoModels, options));
+  ASSERT_FALSE(info.notes.empty());
+  EXPECT_NE(info.notes.back().find("No atom is left"), std::string::npos);
+}
+
+TEST(MoleculeInfo, GrownRadiiFollowTheSizesInUse) {
+  const OpenedMolecule opened = open_text(kTwoModels, some_options());
+  ComputeControls controls;
+  controls.alpha = 1.4;
+  const auto radii = grown_radii(*opened.prepared, controls);
+  ASSERT_EQ(radii.size(), 2u);
+  for (const GrownRadius& r : radii) {
+    EXPECT_NEAR(r.grown, std::sqrt(r.radius * r.radius + 1.4), 1e-12);
+  }
+}
+
+TEST(SelectionControlsTest, SurviveTheWayToTheSessionAndBack) {
+  const auto sets = offered_radii_sets();
+  SelectionControls c;
+  c.polymers = c.ligands = false;
+  c.waters = c.dummies = true;
+  c.hydrogens = HydrogenOption::drop;
+  c.altlocs = AltlocOption::all;
+  c.radii_set = static_cast<int>(sets.size()) - 1;
+  c.radii_table = "/tmp/radii.txt";
+  c.assembly = "PAU";
+  c.model = kEveryModel;
+  c.chains_off = {"A-2", ""};
+  c.expression = "resi 1-3";
+  c.radius_edits.set({"HEM", "FE", "Fe"}, 1.234567);
+  c.radius_edits.set({"", "Q", "X"}, 2.2);
+  EXPECT_EQ(to_controls(to_open_options(c, sets), sets), c);
+  EXPECT_EQ(to_controls(OpenOptions{}, sets), SelectionControls{}) << "the defaults are the same";
+}
+
+TEST(SelectionControlsTest, EveryRadiiSetIsOfferedWithItsSource) {
+  const auto sets = offered_radii_sets();
+  const auto entries = radii_set_entries(sets);
+  ASSERT_EQ(sets.size(), all_radii_sets().size());
+  for (const RadiiSetEntry& entry : entries) {
+    EXPECT_FALSE(entry.name.empty());
+    EXPECT_FALSE(entry.citation.empty()) << entry.name;
+  }
+  EXPECT_EQ(entries.back().kind, RadiiSetEntry::Kind::user_table);
+}
+
+TEST(SelectionControlsTest, AnExpressionAtFaultNamesItsColumn) {
+  EXPECT_TRUE(check_expression("chain A and not resn HEM").text.empty());
+  EXPECT_TRUE(check_expression("").text.empty());
+  const ExpressionError error = check_expression("chain A)");
+  EXPECT_EQ(error.column, 8u);
+  EXPECT_NE(error.text.find("column 8"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace alphascope

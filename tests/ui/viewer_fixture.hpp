@@ -1,0 +1,72 @@
+// The whole window in process, without a display.
+#pragma once
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <sstream>
+#include <string>
+
+#include "app/viewer/options.hpp"
+#include "app/viewer/script.hpp"
+#include "app/viewer/viewer.hpp"
+#include "ui/scene/frame_grab.hpp"
+
+namespace alphascope::testing {
+
+namespace fs = std::filesystem;
+
+inline fs::path crambin() {
+  return fs::path(ALPHASCOPE_SOURCE_DIR) / "resources/molecules/1crn.pdb";
+}
+
+class ViewerTest : public ::testing::Test {
+ protected:
+  ViewerTest()
+      : folder_(fs::temp_directory_path() / ("alphascope_viewer_" + std::to_string(getpid()))) {
+    fs::create_directories(folder_);
+    host_ = make_egl_host({1100, 700, 1, "test"});
+    ViewerOptions options;
+    options.compare = false;
+    viewer_ = std::make_unique<Viewer>(*host_, options);
+  }
+  ~ViewerTest() override {
+    viewer_.reset();
+    host_.reset();
+    fs::remove_all(folder_);
+  }
+
+  std::string run(const std::string& text) {
+    std::istringstream script(text);
+    std::ostringstream out;
+    run_script(*viewer_, script, "test", out);
+    return out.str();
+  }
+  void open_crambin() { run("open " + crambin().string() + "\nwait-idle\n"); }
+
+  // Size in bytes tells apart an empty picture (compresses to nothing) from a drawn one.
+  std::uintmax_t shot(const std::string& name) {
+    run("move status.device\nshot " + (folder_ / name).string() + "\n");
+    return fs::file_size(folder_ / name);
+  }
+  std::string bytes(const std::string& name) {
+    std::ifstream file(folder_ / name, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+  }
+
+  // What the engine says without any window.
+  AlphaComplex expected(double alpha, double solvent = 0) {
+    const auto& prepared = *viewer_->session().state().prepared;
+    const auto balls = std::make_shared<const BallSet>(with_solvent(*prepared.balls, solvent));
+    return make_cgal_engine(balls)->compute({alpha, false}, {});
+  }
+
+  fs::path folder_;
+  std::unique_ptr<Host> host_;
+  std::unique_ptr<Viewer> viewer_;
+};
+
+}  // namespace alphascope::testing

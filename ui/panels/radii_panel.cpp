@@ -1,0 +1,208 @@
+// The radii set, and the list of atoms that it does not know: each radius can be typed.
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "ui/panels/format.hpp"
+#include "ui/panels/panels.hpp"
+
+namespace alphascope {
+namespace {
+
+using Kind = RadiusRow::Kind;
+
+std::string number(std::size_t n) {
+  return with_separators(static_cast<long long>(n));
+}
+
+void open_table_browser(ViewState& s) {
+  s.memory.browser_purpose = BrowserPurpose::radii_table;
+  s.memory.show_browser = true;
+}
+
+void set_entry(PanelContext& ctx, std::size_t i) {
+  ViewState& s = ctx.state;
+  const RadiiSetEntry& entry = s.radii_sets[i];
+  const bool on = static_cast<int>(i) == s.selection.radii_set;
+  const bool table = entry.kind == RadiiSetEntry::Kind::user_table;
+  const bool usable =
+      entry.kind != RadiiSetEntry::Kind::from_file || s.molecule.has_file_radii || on;
+  const std::string label = table ? entry.name + "…" : entry.name;
+  if (ImGui::Selectable(label.c_str(), on, usable ? 0 : ImGuiSelectableFlags_Disabled)) {
+    if (table) {
+      open_table_browser(s);
+    } else {
+      s.selection.radii_set = static_cast<int>(i);
+    }
+  }
+  record(ctx, ("molecule.radii." + std::to_string(i)).c_str());
+  tooltip(ctx, !usable ? "This file has no radii of its own."
+               : table
+                   ? "Your own table, from a file with lines such as\nC 1.70\nALA CB 1.88\n* CB "
+                     "1.88"
+                   : entry.citation.c_str());
+}
+
+void set_row(PanelContext& ctx) {
+  ViewState& s = ctx.state;
+  if (s.radii_sets.empty()) return;
+  row_label(ctx, "Radii");
+  const RadiiSetEntry& chosen = s.radii_sets[static_cast<std::size_t>(s.selection.radii_set)];
+  std::string preview = chosen.name;
+  if (s.selection.radii_set == 0 && !s.molecule.radii_name.empty()) {
+    preview += ": " + s.molecule.radii_name;
+  }
+  const bool open = ImGui::BeginCombo("##radii", preview.c_str(), ImGuiComboFlags_HeightLarge);
+  record(ctx, "molecule.radii");
+  if (!open) {
+    tooltip(ctx, s.molecule.radii_citation.empty() ? chosen.citation.c_str()
+                                                   : s.molecule.radii_citation.c_str());
+  } else {
+    close_on_escape();
+    for (std::size_t i = 0; i < s.radii_sets.size(); ++i) set_entry(ctx, i);
+    ImGui::EndCombo();
+  }
+  if (chosen.kind != RadiiSetEntry::Kind::user_table || s.selection.radii_table.empty()) return;
+  row_label(ctx, "");
+  if (button(ctx, "molecule.radii.table", "Another table…")) open_table_browser(s);
+  tooltip(ctx, s.selection.radii_table.c_str());
+}
+
+// --- the list
+
+std::string title(const std::vector<RadiusRow>& rows) {
+  std::size_t guessed = 0, by_hand = 0, none = 0;
+  for (const RadiusRow& row : rows) {
+    (row.kind == Kind::guessed ? guessed : row.kind == Kind::by_hand ? by_hand : none) += row.count;
+  }
+  std::string text;
+  const auto add = [&text](std::size_t count, const char* what) {
+    if (count > 0) text += (text.empty() ? "" : ", ") + number(count) + " " + what;
+  };
+  add(none, "without radius");
+  add(guessed, "guessed");
+  add(by_hand, "set by hand");
+  return "Radii: " + text;
+}
+
+void apply(ViewState& s, const RadiusRow& row, const std::string& text) {
+  PanelMemory& m = s.memory;
+  if (const auto radius = RadiusEdits::parse(text)) {
+    m.radius_error.clear();
+    s.selection.radius_edits.set(row.atoms, *radius);
+    return;
+  }
+  m.radius_error = "“" + text + "” is no radius: write a number from " +
+                   short_number_text(RadiusEdits::kSmallest, 3) + " to " +
+                   short_number_text(RadiusEdits::kLargest, 0) + " (Å).";
+}
+
+void radius_field(PanelContext& ctx, const RadiusRow& row, int index) {
+  ViewState& s = ctx.state;
+  PanelMemory& m = s.memory;
+  const std::string shown = row.kind == Kind::none ? "" : short_number_text(row.radius, 6);
+  std::string text = m.radius_editing == index ? m.radius_typed : shown;
+  ImGui::SetNextItemWidth(-1);
+  ImGui::InputTextWithHint("##radius", "none", &text, ImGuiInputTextFlags_AutoSelectAll);
+  record(ctx, ("radius." + row.atoms.residue + "." + row.atoms.atom).c_str());
+  if (ImGui::IsItemActivated()) {
+    m.radius_editing = index;
+    m.radius_error.clear();
+  }
+  if (m.radius_editing != index) return;
+  m.radius_typed = text;
+  if (ImGui::IsItemDeactivated()) {
+    m.radius_editing = -1;
+    if (text != shown) apply(s, row, text);
+  }
+}
+
+void radius_line(PanelContext& ctx, const RadiusRow& row, int index) {
+  ViewState& s = ctx.state;
+  ImGui::PushID((row.atoms.residue + '\n' + row.atoms.atom + '\n' + row.atoms.element).c_str());
+  ImGui::TableNextRow();
+  ImGui::TableNextColumn();
+  ImGui::AlignTextToFramePadding();
+  const std::string name = row.atoms.residue + " " + row.atoms.atom;
+  ImGui::TextUnformatted(name == " " ? "(no name)" : name.c_str());
+  ImGui::TableNextColumn();
+  muted_text(ctx, row.atoms.element == "X" ? "?" : row.atoms.element);
+  if (row.atoms.element == "X") tooltip(ctx, "The element is not known.");
+  ImGui::TableNextColumn();
+  muted_text(ctx, number(row.count));
+  ImGui::TableNextColumn();
+  radius_field(ctx, row, index);
+  ImGui::TableNextColumn();
+  if (row.kind == Kind::by_hand) {
+    const std::string id = "radius.reset." + row.atoms.residue + "." + row.atoms.atom;
+    if (button(ctx, id.c_str(), "×", {-1, 0}, ButtonKind::quiet)) {
+      s.selection.radius_edits.reset(row.atoms);
+    }
+    tooltip(ctx, "Set by hand. Back to what the radii set says.");
+  }
+  ImGui::PopID();
+}
+
+void radius_table(PanelContext& ctx) {
+  const auto& rows = ctx.state.molecule.radius_rows;
+  const float row_height = ImGui::GetFrameHeight() + 2 * ImGui::GetStyle().CellPadding.y;
+  const float height = row_height * static_cast<float>(std::min<std::size_t>(rows.size(), 8) + 1);
+  if (!ImGui::BeginTable("radii", 5, ImGuiTableFlags_ScrollY, {0, height})) return;
+  ImGui::TableSetupColumn("Residue, atom", ImGuiTableColumnFlags_WidthStretch);
+  ImGui::TableSetupColumn("El.", ImGuiTableColumnFlags_WidthFixed, ctx.px(22));
+  ImGui::TableSetupColumn("Atoms", ImGuiTableColumnFlags_WidthFixed, ctx.px(46));
+  ImGui::TableSetupColumn("Radius, Å", ImGuiTableColumnFlags_WidthFixed, ctx.px(66));
+  ImGui::TableSetupColumn("##reset", ImGuiTableColumnFlags_WidthFixed, ctx.px(22));
+  ImGui::TableSetupScrollFreeze(0, 1);
+  ImGui::PushStyleColor(ImGuiCol_Text, to_imgui(ctx.palette.text_muted));
+  ImGui::TableHeadersRow();
+  ImGui::PopStyleColor();
+  ImGuiListClipper clipper;
+  clipper.Begin(static_cast<int>(rows.size()), row_height);
+  while (clipper.Step()) {
+    for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
+      radius_line(ctx, rows[static_cast<std::size_t>(i)], i);
+    }
+  }
+  ImGui::EndTable();
+}
+
+void radius_list(PanelContext& ctx) {
+  ViewState& s = ctx.state;
+  const auto& rows = s.molecule.radius_rows;
+  const bool edited = !s.selection.radius_edits.list().empty();
+  if (rows.empty() && !edited) return;
+  const bool warn = std::any_of(rows.begin(), rows.end(),
+                                [](const RadiusRow& row) { return row.kind != Kind::by_hand; });
+  if (!disclosure(ctx, "molecule.radius_list", title(rows),
+                  warn ? ctx.palette.warning : ctx.palette.text_muted)) {
+    return;
+  }
+  ImGui::Unindent();  // the width is needed
+  ImGui::PushFont(ctx.fonts.small);
+  muted_wrapped(ctx, "The radii set has no value for these; type a better one.");
+  if (!rows.empty()) radius_table(ctx);
+  if (!s.memory.radius_error.empty()) {
+    ImGui::PushStyleColor(ImGuiCol_Text, to_imgui(ctx.palette.error));
+    wrapped_text(s.memory.radius_error);
+    ImGui::PopStyleColor();
+    record(ctx, "radius.error");
+  }
+  if (edited && button(ctx, "radius.reset_all", "Reset all set by hand")) {
+    s.selection.radius_edits.reset_all();
+  }
+  ImGui::PopFont();
+  ImGui::Indent();
+  ImGui::TreePop();
+}
+
+}  // namespace
+
+void draw_radii_rows(PanelContext& ctx) {
+  set_row(ctx);
+  radius_list(ctx);
+}
+
+}  // namespace alphascope

@@ -1,0 +1,236 @@
+// Which atoms become balls: one control for every rule.
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+
+#include "ui/panels/format.hpp"
+#include "ui/panels/panels.hpp"
+
+namespace alphascope {
+namespace {
+
+std::string number(std::size_t n) {
+  return with_separators(static_cast<long long>(n));
+}
+
+void kind_toggle(PanelContext& ctx, const char* name, const char* label, bool& value,
+                 std::size_t atoms, const char* help) {
+  checkbox(ctx, name, label, value);
+  const std::string count = atoms == 0 ? "None in this molecule."
+                                       : number(atoms) + " atoms in this molecule, all models.";
+  tooltip(ctx, (help + std::string("\n") + count).c_str());
+}
+
+void kinds(PanelContext& ctx) {
+  SelectionControls& c = ctx.state.selection;
+  const KindTotals& k = ctx.state.molecule.kinds;
+  row_label(ctx, "Keep");
+  const float column = ImGui::GetCursorPosX() + ctx.px(96);
+  kind_toggle(ctx, "molecule.polymers", "Polymers", c.polymers, k.polymers,
+              "Proteins and nucleic acids, with their modified residues.");
+  ImGui::SameLine(column);
+  kind_toggle(ctx, "molecule.waters", "Waters", c.waters, k.waters, "HOH, DOD, WAT, SOL, TIP3 …");
+  row_label(ctx, "");
+  kind_toggle(ctx, "molecule.ligands", "Ligands", c.ligands, k.ligands,
+              "Whatever is neither polymer, water, ion nor dummy.");
+  ImGui::SameLine(column);
+  kind_toggle(ctx, "molecule.ions", "Ions", c.ions, k.ions,
+              "Metal and halide atoms that are a residue of their own.");
+  if (k.dummies == 0 && !c.dummies) return;
+  row_label(ctx, "");
+  kind_toggle(ctx, "molecule.dummies", "Dummy atoms", c.dummies, k.dummies,
+              "Markers without matter (residue DUM), such as membrane planes.");
+}
+
+void hydrogens_and_altlocs(PanelContext& ctx) {
+  SelectionControls& c = ctx.state.selection;
+  const KindTotals& k = ctx.state.molecule.kinds;
+  row_label(ctx, "Hydrogens");
+  int hydrogens = static_cast<int>(c.hydrogens);
+  ImGui::BeginGroup();
+  choice(ctx, "molecule.hydrogens", {"auto", "keep", "drop"}, hydrogens,
+         ImGui::GetContentRegionAvail().x);
+  ImGui::EndGroup();
+  tooltip(ctx, ("auto drops them when the radii set counts them with their heavy atoms.\n" +
+                number(k.hydrogens) + " in this molecule, all models.")
+                   .c_str());
+  c.hydrogens = static_cast<HydrogenOption>(hydrogens);
+  row_label(ctx, "Alternatives");
+  int altlocs = static_cast<int>(c.altlocs);
+  ImGui::BeginGroup();
+  choice(ctx, "molecule.altlocs", {"best", "all"}, altlocs, ImGui::GetContentRegionAvail().x);
+  ImGui::EndGroup();
+  tooltip(ctx, ("Alternative locations of one atom. best: of each residue the letter of highest "
+                "occupancy, then lowest B factor.\n" +
+                number(k.altlocs) + " atoms have a letter, all models.")
+                   .c_str());
+  c.altlocs = static_cast<AltlocOption>(altlocs);
+}
+
+// --- chains
+
+bool is_off(const SelectionControls& c, const std::string& chain) {
+  return std::find(c.chains_off.begin(), c.chains_off.end(), chain) != c.chains_off.end();
+}
+
+void switch_chain(SelectionControls& c, const std::string& chain, bool on) {
+  std::erase(c.chains_off, chain);
+  if (!on) c.chains_off.push_back(chain);
+}
+
+void switch_all(ViewState& s, bool on, const std::string& but = {}, bool with_exception = false) {
+  s.selection.chains_off.clear();
+  for (const ChainRow& chain : s.molecule.chains) {
+    const bool exception = with_exception && chain.name == but;
+    if (!on && !exception) s.selection.chains_off.push_back(chain.name);
+  }
+}
+
+void chain_line(PanelContext& ctx, const ChainRow& chain, float width) {
+  ViewState& s = ctx.state;
+  bool on = !is_off(s.selection, chain.name);
+  const std::string id = "molecule.chain." + chain.name;
+  if (checkbox(ctx, id.c_str(), chain.name.empty() ? "(no name)" : chain.name.c_str(), on)) {
+    switch_chain(s.selection, chain.name, on);
+  }
+  tooltip(ctx, chain.detail.c_str());
+  ImGui::SameLine(ctx.px(88));
+  ImGui::AlignTextToFramePadding();
+  muted_text(ctx, number(chain.atoms) + " atoms");
+  tooltip(ctx, chain.detail.c_str());
+  ImGui::SameLine(width - ctx.px(52));
+  if (button(ctx, ("molecule.only." + chain.name).c_str(), "only", {ctx.px(44), 0},
+             ButtonKind::quiet)) {
+    switch_all(s, false, chain.name, true);
+  }
+}
+
+// Only what is in sight is drawn: an assembly can have thousands of chains.
+void chain_lines(PanelContext& ctx) {
+  const ViewState& s = ctx.state;
+  const std::string& filter = s.memory.chain_filter;
+  std::vector<const ChainRow*> shown;
+  for (const ChainRow& chain : s.molecule.chains) {
+    if (filter.empty() || chain.name.find(filter) != std::string::npos) shown.push_back(&chain);
+  }
+  const float row = ImGui::GetFrameHeightWithSpacing();
+  const float width = ctx.px(250);
+  const float height = row * static_cast<float>(std::clamp<std::size_t>(shown.size(), 1, 10));
+  ImGui::BeginChild("chains", {width, height});
+  if (shown.empty()) muted_text(ctx, "No chain has that in its name.");
+  ImGuiListClipper clipper;
+  clipper.Begin(static_cast<int>(shown.size()), row);
+  while (clipper.Step()) {
+    for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
+      chain_line(ctx, *shown[static_cast<std::size_t>(i)], width);
+    }
+  }
+  ImGui::EndChild();
+}
+
+void chain_popup(PanelContext& ctx) {
+  ViewState& s = ctx.state;
+  constexpr std::size_t kFilterFrom = 10;
+  if (button(ctx, "molecule.chains.all", "All")) switch_all(s, true);
+  ImGui::SameLine(0, ctx.px(4));
+  if (button(ctx, "molecule.chains.none", "None")) switch_all(s, false);
+  if (s.molecule.chains.size() >= kFilterFrom) {
+    ImGui::SameLine(0, ctx.px(8));
+    ImGui::SetNextItemWidth(ctx.px(130));
+    ImGui::InputTextWithHint("##filter", "name contains…", &s.memory.chain_filter);
+    record(ctx, "molecule.chains.filter");
+  } else {
+    s.memory.chain_filter.clear();
+  }
+  chain_lines(ctx);
+}
+
+void chains(PanelContext& ctx) {
+  const ViewState& s = ctx.state;
+  const std::size_t all = s.molecule.chains.size();
+  const auto off = static_cast<std::size_t>(
+      std::count_if(s.molecule.chains.begin(), s.molecule.chains.end(),
+                    [&](const ChainRow& chain) { return is_off(s.selection, chain.name); }));
+  row_label(ctx, "Chains");
+  const std::string preview = all == 1 && off == 0 ? "the only one"
+                              : off == 0           ? "all " + number(all)
+                                                   : number(all - off) + " of " + number(all);
+  const bool open = ImGui::BeginCombo("##chains", preview.c_str(), ImGuiComboFlags_HeightLargest);
+  record(ctx, "molecule.chains");
+  if (!open) return;
+  close_on_escape();
+  chain_popup(ctx);
+  ImGui::EndCombo();
+}
+
+// --- expression
+
+constexpr const char* kExpressionHelp =
+    "Keeps only the atoms that an expression picks. Enter applies it.\n\n"
+    "chain A,B      resi 10-20,35      resn ALA,G*\n"
+    "name CA,C?      element C,Zn      altloc A\n"
+    "polymer  water  ligand  ion  hydrogen  hetero\n"
+    "not …      … and …      … or …      ( … )\n\n"
+    "chain A and not resn HEM\n"
+    "resi 1-50 or ligand\n"
+    "name CA and (chain A or chain B)\n\n"
+    "The toggles above still apply: to pick waters, keep them.";
+
+// Points at the column at fault, below the field.
+void mark_column(PanelContext& ctx, const std::string& text, std::size_t column) {
+  const WidgetRect field = ctx.rects["molecule.expression"];
+  const std::size_t before = std::min(column - 1, text.size());
+  const float left = field.x0 + ImGui::GetStyle().FramePadding.x;
+  const float x = left + ImGui::CalcTextSize(text.substr(0, before).c_str()).x;
+  if (x > field.x1) return;  // scrolled out; the message names the column
+  ImGui::GetWindowDrawList()->AddRectFilled({x, field.y1 - ctx.px(3)},
+                                            {std::min(x + ctx.px(8), field.x1), field.y1},
+                                            to_u32(ctx.palette.error));
+}
+
+void expression(PanelContext& ctx) {
+  ViewState& s = ctx.state;
+  PanelMemory& m = s.memory;
+  if (s.selection.expression != m.expression_shown) {  // another file, or taken back
+    m.expression_shown = m.expression_typed = s.selection.expression;
+  }
+  row_label(ctx, "Only", 30);
+  const bool entered =
+      ImGui::InputTextWithHint("##expression", "chain A and not resn HEM", &m.expression_typed,
+                               ImGuiInputTextFlags_EnterReturnsTrue);
+  record(ctx, "molecule.expression");
+  if (ImGui::IsItemEdited()) s.expression_error = {};
+  const bool pending = m.expression_typed != s.selection.expression;
+  if (entered) {
+    s.expression_error = {};
+    s.selection.expression = m.expression_shown = m.expression_typed;
+  }
+  if (s.expression_error.column > 0)
+    mark_column(ctx, m.expression_typed, s.expression_error.column);
+  ImGui::SameLine(0, ctx.px(4));
+  button(ctx, "molecule.expression.help", "?", {-1, 0}, ButtonKind::quiet);
+  tooltip(ctx, kExpressionHelp);
+  if (!s.expression_error.text.empty()) {
+    ImGui::PushStyleColor(ImGuiCol_Text, to_imgui(ctx.palette.error));
+    wrapped_text(s.expression_error.text);
+    ImGui::PopStyleColor();
+    record(ctx, "molecule.expression.error");
+  } else if (pending) {
+    ImGui::PushFont(ctx.fonts.small);
+    row_label(ctx, "");
+    muted_text(ctx, "Enter applies it.");
+    ImGui::PopFont();
+  }
+}
+
+}  // namespace
+
+void draw_selection_rows(PanelContext& ctx) {
+  kinds(ctx);
+  hydrogens_and_altlocs(ctx);
+  chains(ctx);
+  expression(ctx);
+}
+
+}  // namespace alphascope

@@ -1,0 +1,129 @@
+// Which copies of the file's atoms are looked at: the biological assembly, and the model.
+#include <algorithm>
+
+#include "ui/panels/format.hpp"
+#include "ui/panels/panels.hpp"
+
+namespace alphascope {
+namespace {
+
+// Larger assemblies take seconds to minutes and gigabytes; they are asked about first.
+constexpr std::uint64_t kAskFromAtoms = 300'000;
+constexpr float kSlowest = 0.5f, kFastest = 30;  // models per second
+
+std::string number(std::uint64_t n) {
+  return with_separators(static_cast<long long>(n));
+}
+
+std::string copies_text(const AssemblyRow& a) {
+  return number(a.copies) + (a.copies == 1 ? " copy, " : " copies, ") + number(a.atoms) + " atoms";
+}
+
+void choose(ViewState& s, const AssemblyRow& a) {
+  if (s.selection.assembly == a.id) return;
+  if (a.atoms >= kAskFromAtoms) {
+    s.memory.confirm_assembly = a.id;
+  } else {
+    s.selection.assembly = a.id;
+  }
+}
+
+void assembly_entries(PanelContext& ctx) {
+  ViewState& s = ctx.state;
+  const std::string deposited = "as deposited: " + number(s.molecule.deposited_atoms) + " atoms";
+  if (ImGui::Selectable(deposited.c_str(), s.selection.assembly.empty())) {
+    s.selection.assembly.clear();
+  }
+  record(ctx, "molecule.assembly.deposited");
+  for (const AssemblyRow& a : s.molecule.assemblies) {
+    const std::string text =
+        a.id + ": " + copies_text(a) + ", about " + bytes_text(static_cast<std::size_t>(a.bytes));
+    if (ImGui::Selectable(text.c_str(), s.selection.assembly == a.id)) choose(s, a);
+    record(ctx, ("molecule.assembly." + a.id).c_str());
+    if (!a.details.empty()) tooltip(ctx, a.details.c_str());
+  }
+}
+
+void assembly_row(PanelContext& ctx) {
+  const ViewState& s = ctx.state;
+  const auto& list = s.molecule.assemblies;
+  if (list.empty()) return;
+  row_label(ctx, "Assembly");
+  const auto chosen = std::find_if(
+      list.begin(), list.end(), [&](const AssemblyRow& a) { return a.id == s.selection.assembly; });
+  const std::string preview =
+      chosen == list.end() ? "as deposited" : chosen->id + ": " + copies_text(*chosen);
+  const bool open = ImGui::BeginCombo("##assembly", preview.c_str());
+  record(ctx, "molecule.assembly");
+  if (!open) {
+    tooltip(ctx,
+            "Biological assemblies that the file describes: copies of its chains as the molecule "
+            "occurs in nature.");
+    return;
+  }
+  close_on_escape();
+  assembly_entries(ctx);
+  ImGui::EndCombo();
+}
+
+void play_button(PanelContext& ctx) {
+  bool& playing = ctx.state.memory.playing_models;
+  if (button(ctx, "molecule.play", playing ? "Stop" : "Play", {ctx.px(44), 0})) playing = !playing;
+  tooltip(ctx, playing
+                   ? "Stop at this model"
+                   : "Show the models one after the other, each with its complex at this alpha");
+  ImGui::SameLine(0, ctx.px(6));
+}
+
+void model_slider(PanelContext& ctx) {
+  ViewState& s = ctx.state;
+  const int count = static_cast<int>(s.molecule.models.size());
+  int& model = s.selection.model;
+  const bool every = model == kEveryModel;
+  int shown = every ? 1 : model + 1;
+  const std::string format = every ? "all " + number(s.molecule.models.size())
+                                   : "%d of " + number(s.molecule.models.size());
+  ImGui::SetNextItemWidth(-1);
+  if (ImGui::SliderInt("##model", &shown, 1, count, format.c_str(), ImGuiSliderFlags_AlwaysClamp)) {
+    model = shown - 1;
+    s.memory.playing_models = false;
+  }
+  record(ctx, "molecule.model");
+  if (every) return;
+  const int in_file = s.molecule.models[static_cast<std::size_t>(std::clamp(model, 0, count - 1))];
+  tooltip(ctx, ("Model number " + std::to_string(in_file) +
+                " in the file. Alpha stays when the model changes.")
+                   .c_str());
+}
+
+void model_rows(PanelContext& ctx) {
+  ViewState& s = ctx.state;
+  if (s.molecule.models.size() < 2) return;
+  row_label(ctx, "Model");
+  play_button(ctx);
+  model_slider(ctx);
+  row_label(ctx, "");
+  bool every = s.selection.model == kEveryModel;
+  if (checkbox(ctx, "molecule.every_model", "All at once", every)) {
+    s.selection.model = every ? kEveryModel : 0;
+    s.memory.playing_models = false;
+  }
+  tooltip(ctx, "The atoms of all models together, as one molecule.");
+  ImGui::SameLine(0, ctx.px(8));
+  ImGui::SetNextItemWidth(-1);
+  ImGui::DragFloat("##speed", &s.memory.models_per_second, 0.1f, kSlowest, kFastest, "%.1f / s",
+                   ImGuiSliderFlags_AlwaysClamp);
+  record(ctx, "molecule.speed");
+  tooltip(ctx,
+          "Models per second while playing, at most: each waits for its complex. Drag, or Ctrl + "
+          "click to type.");
+}
+
+}  // namespace
+
+void draw_source_rows(PanelContext& ctx) {
+  assembly_row(ctx);
+  model_rows(ctx);
+}
+
+}  // namespace alphascope

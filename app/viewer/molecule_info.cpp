@@ -46,7 +46,8 @@ void add_radius_rows(MoleculeInfo& info, const std::vector<GuessedRadius>& list,
     info.radius_rows.push_back({kind,
                                 {g.residue, g.atom, std::string(element_symbol(g.element))},
                                 g.count,
-                                g.radius_angstrom});
+                                g.radius_angstrom,
+                                g.source});
   }
 }
 

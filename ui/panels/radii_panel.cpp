@@ -107,6 +107,9 @@ void radius_field(PanelContext& ctx, const RadiusRow& row, int index) {
   ImGui::SetNextItemWidth(-1);
   ImGui::InputTextWithHint("##radius", "none", &text, ImGuiInputTextFlags_AutoSelectAll);
   record(ctx, ("radius." + row.atoms.residue + "." + row.atoms.atom).c_str());
+  if (row.kind == Kind::guessed && !row.source.empty()) {
+    tooltip(ctx, ("Guessed: " + row.source + ".").c_str());
+  }
   if (ImGui::IsItemActivated()) {
     m.radius_editing = index;
     m.radius_error.clear();

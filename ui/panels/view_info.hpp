@@ -26,7 +26,8 @@ struct RadiusRow {
   Kind kind = Kind::guessed;
   AtomGroup atoms;
   std::size_t count = 0;
-  double radius = 0;  // Å, in use
+  double radius = 0;        // Å, in use
+  std::string source = {};  // of a guess: "ionic radius, Shannon 1976"
 };
 
 struct ChainRow {

@@ -1,0 +1,72 @@
+#include "core/molecule/provenance.hpp"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace alphascope {
+namespace {
+
+std::string decimal(double number, int digits) {
+  char text[48];
+  std::snprintf(text, sizeof text, "%.*f", digits, number);
+  return text;
+}
+
+std::string short_number(double number) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g", number);
+  return text;
+}
+
+std::string radii_text(const BallOptions& options, const SelectionReport& report) {
+  std::string text = report.radii_name;
+  if (report.radii == RadiiSet::user && options.user_radii) {
+    text += " " + options.user_radii->source;
+    if (!options.user_radii->sha256.empty()) text += " (sha256 " + options.user_radii->sha256 + ")";
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string model_text(int model) {
+  return model == kAllModels ? "joined" : std::to_string(model + 1);
+}
+
+std::string options_text(const BallOptions& options) {
+  std::string text;
+  const auto add = [&](bool given, const std::string& words) {
+    if (given) text += (text.empty() ? "--" : " --") + words;
+  };
+  add(options.hydrogens == HydrogenRule::keep, "hydrogens keep");
+  add(options.hydrogens == HydrogenRule::drop, "hydrogens drop");
+  add(options.altlocs == AltlocRule::all, "altlocs all");
+  std::string chains;
+  for (const std::string& chain : options.chains) chains += (chains.empty() ? "" : ",") + chain;
+  add(!options.chains.empty(), "chain " + chains);
+  add(options.waters, "waters");
+  add(options.dummies, "dummies");
+  add(!options.ligands, "no-ligands");
+  add(!options.ions, "no-ions");
+  add(!options.polymers, "no-polymers");
+  return text;
+}
+
+Provenance provenance(const Molecule& molecule, const BallOptions& options,
+                      const SelectionReport& report) {
+  const Lattice& lattice = molecule.lattice;
+  return {{"file", molecule.source.string()},
+          {"sha256", molecule.sha256},
+          {"format", molecule.format},
+          {"model", model_text(options.model)},
+          {"assembly", molecule.assembly_id},
+          {"options", options_text(options)},
+          {"selection_expression", options.selection},
+          {"selection", summary(report)},
+          {"radii", radii_text(options, report)},
+          {"lattice_unit_angstrom", decimal(lattice.unit_angstrom(), std::max(0, lattice.digits))},
+          {"rounding_angstrom", short_number(molecule.rounding_angstrom)},
+          {"radius_rounding_angstrom", short_number(report.radius_rounding_angstrom)}};
+}
+
+}  // namespace alphascope

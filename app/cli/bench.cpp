@@ -8,10 +8,10 @@
 #include <iostream>
 
 #include "app/cli/commands.hpp"
-#include "app/cli/input.hpp"
+#include "app/cli/csv.hpp"
+#include "app/cli/report_json.hpp"
 #include "app/cli/terminal.hpp"
 #include "app/cli/text.hpp"
-#include "core/io/atomic_file.hpp"
 
 namespace alphascope::cli {
 namespace {
@@ -32,7 +32,8 @@ template <class Work>
 double timed(Work work) {
   const auto start = std::chrono::steady_clock::now();
   work();
-  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
+      .count();
 }
 
 // The step between two places of a slider that a hand can still tell apart.
@@ -61,12 +62,18 @@ struct Row {
   std::size_t balls = 0;
   SessionRequest request;
   Series ours, cgal;
+  Provenance provenance;
   bool same() const { return ours.complex.hash == cgal.complex.hash; }
 };
 
-Row measure(const std::filesystem::path& file, const std::shared_ptr<const BallSet>& balls,
+Row measure(const Input& input, const std::shared_ptr<const BallSet>& balls,
             const SessionRequest& request, int runs, const RunContext& context) {
-  Row row{file.filename().string(), balls->size(), request, {}, {}};
+  Row row{input.molecule().source.filename().string(),
+          balls->size(),
+          request,
+          {},
+          {},
+          input.provenance()};
   SessionRequest cgal = request;
   cgal.engine = EngineChoice::cgal;
   for (int run = 0; run < runs; ++run) {
@@ -89,41 +96,41 @@ void print_row(const Row& row) {
               row.file.c_str(), grouped(row.balls).c_str(),
               number_text(row.request.alpha_angstrom2).c_str(),
               number_text(row.request.solvent_radius_angstrom).c_str(), row.request.threads,
-              grouped(row.ours.tetrahedra).c_str(), cold, cgal, cgal / cold,
-              median(row.ours.warm), median(row.cgal.warm), row.ours.complex.engine.name.c_str(),
+              grouped(row.ours.tetrahedra).c_str(), cold, cgal, cgal / cold, median(row.ours.warm),
+              median(row.cgal.warm), row.ours.complex.engine.name.c_str(),
               row.ours.complex.engine.route.c_str(), row.same() ? "" : "  DIFFERS FROM CGAL");
   std::fflush(stdout);
 }
 
-std::string csv_quoted(const std::string& text) {
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
-  return quoted + "\"";
-}
-
-std::string csv(const std::vector<Row>& rows) {
-  std::string text =
-      "file,balls,alpha_angstrom2,solvent_radius_angstrom,tetrahedra_only,threads,tetrahedra,hash,"
-      "engine,device,route,runs,cold_median_ms,cold_min_ms,warm_median_ms,cgal_cold_median_ms,"
-      "cgal_cold_min_ms,cgal_warm_median_ms,identical\n";
-  const auto least = [](const std::vector<double>& v) { return *std::min_element(v.begin(), v.end()); };
-  for (const Row& row : rows) {
-    const SessionRequest& r = row.request;
-    text += csv_quoted(row.file) + "," + std::to_string(row.balls) + "," +
-            number_text(r.alpha_angstrom2) + "," + number_text(r.solvent_radius_angstrom) + "," +
-            (r.tetrahedra_only ? "1," : "0,") + std::to_string(r.threads) + "," +
-            std::to_string(row.ours.tetrahedra) + "," + hash_text(row.ours.complex.hash) + "," +
-            csv_quoted(row.ours.complex.engine.name) + "," +
-            csv_quoted(row.ours.complex.engine.device) + "," +
-            csv_quoted(row.ours.complex.engine.route) + "," +
-            std::to_string(row.ours.cold.size());
-    for (const double ms : {median(row.ours.cold), least(row.ours.cold), median(row.ours.warm),
-                            median(row.cgal.cold), least(row.cgal.cold), median(row.cgal.warm)}) {
-      text += "," + number_text(ms);
-    }
-    text += row.same() ? ",1\n" : ",0\n";
+CsvRow csv_row(const Row& row) {
+  const auto least = [](const std::vector<double>& v) {
+    return *std::min_element(v.begin(), v.end());
+  };
+  const SessionRequest& r = row.request;
+  CsvRow csv{{"file", row.file},
+             {"balls", std::to_string(row.balls)},
+             {"alpha_angstrom2", number_text(r.alpha_angstrom2)},
+             {"solvent_radius_angstrom", number_text(r.solvent_radius_angstrom)},
+             {"tetrahedra_only", r.tetrahedra_only ? "1" : "0"},
+             {"threads", std::to_string(r.threads)},
+             {"tetrahedra", std::to_string(row.ours.tetrahedra)},
+             {"hash", hash_text(row.ours.complex.hash)},
+             {"engine", row.ours.complex.engine.name},
+             {"device", row.ours.complex.engine.device},
+             {"route", row.ours.complex.engine.route},
+             {"runs", std::to_string(row.ours.cold.size())},
+             {"cold_median_ms", csv_milliseconds(median(row.ours.cold))},
+             {"cold_min_ms", csv_milliseconds(least(row.ours.cold))},
+             {"warm_median_ms", csv_milliseconds(median(row.ours.warm))},
+             {"cgal_cold_median_ms", csv_milliseconds(median(row.cgal.cold))},
+             {"cgal_cold_min_ms", csv_milliseconds(least(row.cgal.cold))},
+             {"cgal_warm_median_ms", csv_milliseconds(median(row.cgal.warm))},
+             {"identical", row.same() ? "1" : "0"}};
+  for (const auto& entry : row.provenance) {
+    if (entry.first != "file") csv.push_back(entry);
   }
-  return text;
+  csv.emplace_back("program", program_text());
+  return csv;
 }
 
 }  // namespace
@@ -141,28 +148,29 @@ ExitCode run_bench(const BenchOptions& options) {
   for (const std::filesystem::path& file : options.files) {
     InputOptions input_options = options.input;
     input_options.file = file;
-    const Input input = open_input(input_options, context);
-    clear_progress();
-    std::shared_ptr<const BallSet> balls = input.prepared().balls;
-    if (options.request.solvent_radius_angstrom != 0) {
-      balls = std::make_shared<const BallSet>(
-          with_solvent(*balls, options.request.solvent_radius_angstrom));
-    }
-    for (const int threads : options.threads) {
-      for (const double alpha : options.alphas) {
-        SessionRequest request = options.request;
-        request.alpha_angstrom2 = alpha;
-        request.threads = threads;
-        rows.push_back(measure(file, balls, request, options.runs, quiet));
-        same &= rows.back().same();
-        print_row(rows.back());
+    for_each_model(input_options, context, [&](const Input& input) {
+      clear_progress();
+      std::shared_ptr<const BallSet> balls = input.prepared().balls;
+      if (options.request.solvent_radius_angstrom != 0) {
+        balls = std::make_shared<const BallSet>(
+            with_solvent(*balls, options.request.solvent_radius_angstrom));
       }
-    }
+      for (const int threads : options.threads) {
+        for (const double alpha : options.alphas) {
+          SessionRequest request = options.request;
+          request.alpha_angstrom2 = alpha;
+          request.threads = threads;
+          rows.push_back(measure(input, balls, request, options.runs, quiet));
+          same &= rows.back().same();
+          print_row(rows.back());
+        }
+      }
+    });
   }
   if (!options.csv.empty()) {
-    AtomicFile file(options.csv);
-    file.write(csv(rows));
-    file.commit();
+    std::vector<CsvRow> table;
+    for (const Row& row : rows) table.push_back(csv_row(row));
+    write_csv(table, options.csv);
   }
   return same ? ExitCode::ok : ExitCode::differs;
 }

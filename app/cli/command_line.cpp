@@ -22,6 +22,7 @@ Examples:
   alphascope-cli info 1crn.pdb
   alphascope-cli compute 1crn.pdb --alpha 0 --solvent 1.4 --json 1crn.json
   alphascope-cli compute 1k4c.crd.gz --alpha 1.4 --out 1k4c.alpha
+  alphascope-cli compute 1d3z.cif.gz --model all --alpha 0 --solvent 1.4 --csv models.csv
   alphascope-cli verify 1crn.pdb --alpha -1,0,1.4,10
   alphascope-cli bench 1k4c.crd.gz --alpha 0,1.4,3 --tetrahedra-only --csv times.csv
   alphascope-cli screenshot 1crn.pdb --alpha 1.4 --size 1920x1080 -o 1crn.png
@@ -48,7 +49,8 @@ void add_input(CLI::App& command, InputOptions& input) {
                      "Radii: auto, file (the file's own), bondi, protor, alvarez, amber, naccess, "
                      "rasmol; or a file with a table of your own")
       ->type_name("SET");
-  command.add_option("--model", input.model, "Model, counted from 1, or all")->type_name("N|all");
+  command.add_option("--model", input.model, "Model, counted from 1; all for each by itself, joined for all as one")
+      ->type_name("N|all|joined");
   command.add_option("--hydrogens", input.hydrogens, "auto drops them with united-atom radii")
       ->check(CLI::IsMember({"auto", "keep", "drop"}));
   command.add_option("--altlocs", input.altlocs, "Alternative locations: the best, or all")
@@ -62,6 +64,8 @@ void add_input(CLI::App& command, InputOptions& input) {
   command.add_option("--assembly", input.assembly, "Expand a biological assembly; info lists them")
       ->type_name("ID");
   command.add_flag("--waters", input.waters, "Keep waters");
+  command.add_flag("--dummies", input.dummies, "Keep dummy atoms, such as OPM's membrane planes");
+  command.add_flag("--no-polymers", input.no_polymers, "Drop proteins and nucleic acids");
   command.add_flag("--no-ligands", input.no_ligands, "Drop ligands");
   command.add_flag("--no-ions", input.no_ions, "Drop ions");
 }
@@ -152,6 +156,8 @@ void add_compute(CLI::App& app, ComputeOptions& options, Command& chosen) {
   add_engine(command, options.request, true);
   command.add_option("--json", options.json,
                      "Counts, hash, times and provenance as JSON, - for standard output")
+      ->type_name("OUT");
+  command.add_option("--csv", options.csv, "Counts and provenance as CSV, one row for each model")
       ->type_name("OUT");
   command.add_option("--out", options.out, "All simplices with their alpha values, as text")
       ->type_name("COMPLEX");

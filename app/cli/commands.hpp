@@ -15,12 +15,12 @@ namespace alphascope::cli {
 // Documented in --help and docs/user-guide.md; scripts rely on them.
 enum class ExitCode : int {
   ok = 0,
-  differs = 1,             // verify and bench: not the same as CGAL
-  usage = 2,               // the command line makes no sense
-  unreadable_input = 3,    // a file cannot be read or understood
-  computing_failed = 4,    // engine unavailable, out of memory, internal error
-  unwritable_output = 5,   // an output file cannot be written
-  cancelled = 130,         // Ctrl-C, as shells expect (128 + SIGINT)
+  differs = 1,            // verify and bench: not the same as CGAL
+  usage = 2,              // the command line makes no sense
+  unreadable_input = 3,   // a file cannot be read or understood
+  computing_failed = 4,   // engine unavailable, out of memory, internal error
+  unwritable_output = 5,  // an output file cannot be written
+  cancelled = 130,        // Ctrl-C, as shells expect (128 + SIGINT)
 };
 
 // A sensible-looking command line that asks for what cannot be.
@@ -31,9 +31,9 @@ struct UsageError : std::runtime_error {
 struct InputOptions {
   std::filesystem::path file;
   std::string radii = "auto";  // id of a radii set, or a file with a table of radii
-  std::string model = "1";     // counted from 1, or "all"
+  std::string model = "1";     // counted from 1; "all": each by itself; "joined": all as one
   std::string hydrogens = "auto", altlocs = "best";
-  bool waters = false, no_ligands = false, no_ions = false;
+  bool waters = false, dummies = false, no_ligands = false, no_ions = false, no_polymers = false;
   std::vector<std::string> chains;
   std::string select;    // core/molecule/selection_expression.hpp
   std::string assembly;  // id, empty = as deposited
@@ -47,7 +47,7 @@ struct InfoOptions {
 struct ComputeOptions {
   InputOptions input;
   SessionRequest request;
-  std::string json, out;
+  std::string json, csv, out;
 };
 
 struct VerifyOptions {

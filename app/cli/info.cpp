@@ -47,8 +47,8 @@ void print_guesses(std::vector<GuessedRadius> guesses) {
   for (std::size_t i = 0; i < std::min(kShownGuesses, guesses.size()); ++i) {
     const GuessedRadius& guess = guesses[i];
     std::cout << "  guessed   " << guess.atoms << ": " << number_text(guess.radius_angstrom)
-              << " Å for " << grouped(guess.count) << (guess.count == 1 ? " atom" : " atoms") << " ("
-              << guess.source << ")\n";
+              << " Å for " << grouped(guess.count) << (guess.count == 1 ? " atom" : " atoms")
+              << " (" << guess.source << ")\n";
   }
   if (guesses.size() > kShownGuesses) {
     std::cout << "  guessed   … and " << grouped(guesses.size() - kShownGuesses)
@@ -79,7 +79,8 @@ void print(const Input& input) {
   print_guesses(report.guessed);
   std::cout << "lattice     " << number_text(balls.lattice.unit_angstrom()) << " Å; "
             << (molecule.rounding_angstrom > 0
-                    ? "coordinates rounded by up to " + number_text(molecule.rounding_angstrom) + " Å\n"
+                    ? "coordinates rounded by up to " + number_text(molecule.rounding_angstrom) +
+                          " Å\n"
                     : std::string("nothing was rounded\n"));
   if (report.coincident_centres > 0) {
     std::cout << "coincident  " << grouped(report.coincident_centres)
@@ -99,15 +100,26 @@ void print(const Input& input) {
 }  // namespace
 
 ExitCode run_info(const InfoOptions& options) {
-  const Input input = open_input(options.input, run_context());
-  clear_progress();
-  if (options.json != "-") print(input);
-  if (!options.json.empty()) {
-    write_json({{"program", program_json()},
-                {"input", input_json(input)},
-                {"radii_in_use", radii_json(*input.prepared().balls)}},
-               options.json);
+  const bool each = each_model(options.input);
+  Json models = Json::array();
+  for_each_model(options.input, run_context(), [&](const Input& input) {
+    clear_progress();
+    if (options.json != "-" && (!each || input.balls.model == 0)) print(input);
+    if (options.json != "-" && each) {
+      std::cout << "model " << model_text(input.balls.model) << ": "
+                << summary(input.prepared().report) << "\n";
+    }
+    models.push_back(
+        {{"input", input_json(input)}, {"radii_in_use", radii_json(*input.prepared().balls)}});
+  });
+  if (options.json.empty()) return ExitCode::ok;
+  Json json{{"program", program_json()}};
+  if (each) {
+    json["models"] = std::move(models);
+  } else {
+    json.update(models[0]);
   }
+  write_json(json, options.json);
   return ExitCode::ok;
 }
 

@@ -20,23 +20,26 @@ void set_radii(const std::string& radii, BallOptions& balls, const RunContext& c
   for (const RadiiSetInfo& set : all_radii_sets()) {
     if (set.set != RadiiSet::user && set.id != "auto") known += ", " + std::string(set.id);
   }
-  throw UsageError("There is no radii set \"" + radii + "\", nor a file of that name. Known sets: " +
-                   known + "; or give a file with a table of radii.");
+  throw UsageError("There is no radii set \"" + radii +
+                   "\", nor a file of that name. Known sets: " + known +
+                   "; or give a file with a table of radii.");
 }
 
 int model_index(const std::string& text) {
-  if (text == "all") return kAllModels;
+  if (text == "joined") return kAllModels;
+  if (text == "all") return 0;  // and the others after it
   int number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
   if (error != std::errc() || end != text.data() + text.size() || number < 1) {
-    throw UsageError("--model takes a number from 1 up, or all; not \"" + text + "\".");
+    throw UsageError(
+        "--model takes a number from 1 up, all (each by itself) or joined (all as one); "
+        "not \"" +
+        text + "\".");
   }
   return number - 1;
 }
 
-}  // namespace
-
-Input open_input(const InputOptions& options, const RunContext& context) {
+OpenOptions open_options(const InputOptions& options, const RunContext& context) {
   OpenOptions open;
   set_radii(options.radii, open.balls, context);
   open.balls.model = model_index(options.model);
@@ -45,24 +48,69 @@ Input open_input(const InputOptions& options, const RunContext& context) {
                                                        : HydrogenRule::automatic;
   open.balls.altlocs = options.altlocs == "all" ? AltlocRule::all : AltlocRule::best;
   open.balls.waters = options.waters;
+  open.balls.dummies = options.dummies;
   open.balls.ligands = !options.no_ligands;
   open.balls.ions = !options.no_ions;
+  open.balls.polymers = !options.no_polymers;
   open.balls.chains = options.chains;
   open.balls.selection = options.select;
   open.assembly = options.assembly;
+  return open;
+}
 
-  Input input;
-  input.selection_expression = options.select;
+template <class Work>
+double timed(Work work) {
   const auto start = std::chrono::steady_clock::now();
-  input.opened = open_molecule(options.file, open, context);
-  input.open_milliseconds = std::chrono::duration<double, std::milli>(
-                                std::chrono::steady_clock::now() - start).count();
+  work();
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
+      .count();
+}
+
+Input open_input(const InputOptions& options, const RunContext& context) {
+  Input input;
+  const OpenOptions open = open_options(options, context);
+  input.balls = open.balls;
+  input.open_milliseconds =
+      timed([&] { input.opened = open_molecule(options.file, open, context); });
   return input;
 }
 
+}  // namespace
+
+void for_each_model(const InputOptions& options, const RunContext& context,
+                    const std::function<void(const Input&)>& use) {
+  Input input = open_input(options, context);
+  use(input);
+  if (!each_model(options)) return;
+  const int models = static_cast<int>(input.molecule().models.size());
+  for (int model = 1; model < models; ++model) {
+    context.cancel.throw_if_cancelled();
+    input.balls.model = model;
+    input.open_milliseconds = timed([&] {
+      input.opened.prepared =
+          std::make_shared<const PreparedBalls>(prepare_balls(input.molecule(), input.balls));
+    });
+    use(input);
+  }
+}
+
+Input open_one_model(const InputOptions& options, const char* why_one, const RunContext& context) {
+  if (each_model(options)) {
+    throw UsageError(std::string(why_one) +
+                     " Give the number of a model, or joined for all of them as one.");
+  }
+  return open_input(options, context);
+}
+
 std::string input_text(const Input& input) {
-  std::string text = input.molecule().source.filename().string() + ": " +
-                     summary(input.prepared().report) + "\n";
+  std::string text =
+      input.molecule().source.filename().string() + ": " + summary(input.prepared().report) + "\n";
+  if (input.balls.model == kAllModels && input.molecule().models.size() > 1) {
+    text += "  all " + std::to_string(input.molecule().models.size()) + " models as one\n";
+  } else if (input.molecule().models.size() > 1) {
+    text += "  model " + model_text(input.balls.model) + " of " +
+            std::to_string(input.molecule().models.size()) + "\n";
+  }
   for (const std::string& note : input.molecule().notes) text += "  note: " + note + "\n";
   if (input.prepared().balls->size() == 0) {
     text += "  note: no atom is left, so every complex is empty; see --help for what is kept\n";

@@ -7,10 +7,13 @@
 
 namespace alphascope::cli {
 
+std::string program_text() {
+  return "alphascope-cli " + std::string(program_version()) + " (" + std::string(program_commit()) +
+         ")";
+}
+
 Json program_json() {
-  return {{"name", "alphascope-cli"},
-          {"version", program_version()},
-          {"commit", program_commit()}};
+  return {{"name", "alphascope-cli"}, {"version", program_version()}, {"commit", program_commit()}};
 }
 
 Json input_json(const Input& input) {
@@ -23,14 +26,19 @@ Json input_json(const Input& input) {
                        {"radius_angstrom", guess.radius_angstrom},
                        {"source", guess.source}});
   }
-  return {
+  const BallOptions& options = input.balls;
+  const bool one_model = options.model != kAllModels;
+  Json json{
       {"file", molecule.source.string()},
-      {"sha256", input.molecule().sha256},
+      {"sha256", molecule.sha256},
       {"format", molecule.format},
       {"title", molecule.title},
       {"models", molecule.models.size()},
+      {"model", one_model ? Json(options.model + 1) : Json("joined")},
+      {"model_number_in_file", one_model ? Json(molecule.models[options.model].number) : Json()},
       {"assembly", molecule.assembly_id},
-      {"selection_expression", input.selection_expression},
+      {"options", options_text(options)},
+      {"selection_expression", options.selection},
       {"balls", input.prepared().balls->size()},
       {"selection", summary(report)},
       {"atoms_total", report.total},
@@ -47,6 +55,8 @@ Json input_json(const Input& input) {
       {"notes", molecule.notes},
       {"open_ms", input.open_milliseconds},
   };
+  if (report.radii == RadiiSet::user) json["radii"]["table_sha256"] = options.user_radii->sha256;
+  return json;
 }
 
 Json request_json(const SessionRequest& request, const Lattice& lattice) {
@@ -88,8 +98,7 @@ Json complex_json(const AlphaComplex& complex, const std::string& engine_note) {
   }
   Json stages = Json::array();
   for (const StageTime& stage : complex.timings.stages) {
-    stages.push_back(
-        {{"stage", stage.label}, {"ms", stage.milliseconds}, {"setup", stage.setup}});
+    stages.push_back({{"stage", stage.label}, {"ms", stage.milliseconds}, {"setup", stage.setup}});
   }
   json["timings_ms"] = {{"wall", complex.timings.wall_milliseconds},
                         {"setup", complex.timings.setup_milliseconds()},
@@ -103,8 +112,7 @@ Json comparison_json(const Comparison& comparison) {
                 {"missing", difference.missing},
                 {"extra", difference.extra}};
   };
-  Json json{{"identical", comparison.identical()},
-            {"tetrahedra_only", comparison.tetrahedra_only}};
+  Json json{{"identical", comparison.identical()}, {"tetrahedra_only", comparison.tetrahedra_only}};
   if (!comparison.tetrahedra_only) {
     json["vertices"] = set(comparison.vertices);
     json["edges"] = set(comparison.edges);
@@ -118,24 +126,17 @@ Json comparison_json(const Comparison& comparison) {
 
 ComplexHeader complex_header(const Input& input, const SessionRequest& request,
                              const AlphaComplex& complex) {
-  const SelectionReport& report = input.prepared().report;
-  return {
-      {"program", "alphascope-cli " + std::string(program_version()) + " (" +
-                      std::string(program_commit()) + ")"},
-      {"file", input.molecule().source.string()},
-      {"sha256", input.molecule().sha256},
-      {"selection", summary(report)},
-      {"selection_expression", input.selection_expression},
-      {"assembly", input.molecule().assembly_id},
-      {"radii", report.radii_name},
-      {"lattice_unit_angstrom", number_text(complex.lattice.unit_angstrom())},
-      {"rounding_angstrom", number_text(input.molecule().rounding_angstrom)},
+  ComplexHeader header{{"program", program_text()}};
+  for (auto& entry : input.provenance()) header.push_back(std::move(entry));
+  const ComplexHeader rest{
       {"alpha_angstrom2", number_text(request.alpha_angstrom2)},
       {"solvent_radius_angstrom", number_text(request.solvent_radius_angstrom)},
       {"tetrahedra_only", complex.tetrahedra_only ? "1" : "0"},
-      {"engine", complex.engine.name + ", " + complex.engine.device + " (" + complex.engine.route + ")"},
-      {"hash", hash_text(complex.hash)},
-  };
+      {"engine",
+       complex.engine.name + ", " + complex.engine.device + " (" + complex.engine.route + ")"},
+      {"hash", hash_text(complex.hash)}};
+  header.insert(header.end(), rest.begin(), rest.end());
+  return header;
 }
 
 void write_json(const Json& json, const std::string& path) {

@@ -12,6 +12,7 @@ namespace alphascope::cli {
 
 using Json = nlohmann::ordered_json;
 
+std::string program_text();  // "alphascope-cli 0.1.0 (0123456789ab)"
 Json program_json();
 Json input_json(const Input& input);
 Json request_json(const SessionRequest& request, const Lattice& lattice);

@@ -23,11 +23,12 @@ std::string simplex_text(const std::array<BallIndex, N>& simplex, const Input& i
 }
 
 template <int N>
-void print_set(std::ostream& out, const char* name, const SetDifference<N>& set,
-               const Input& input, std::size_t shown) {
+void print_set(std::ostream& out, const char* name, const SetDifference<N>& set, const Input& input,
+               std::size_t shown) {
   const std::size_t reference = set.common + set.missing.size();
   out << "  " << name << ": " << grouped(set.common) << " of " << grouped(reference);
-  if (!set.extra.empty()) out << ", and " << grouped(set.extra.size()) << " that CGAL does not have";
+  if (!set.extra.empty())
+    out << ", and " << grouped(set.extra.size()) << " that CGAL does not have";
   out << "\n";
   const auto print = [&](const char* kind, const auto& list) {
     for (std::size_t i = 0; i < std::min(shown, list.size()); ++i) {
@@ -51,7 +52,7 @@ void print_comparison(std::ostream& out, const Comparison& comparison, const Inp
   print_set(out, "tetrahedra", comparison.tetrahedra, input, shown);
   if (!comparison.tetrahedra_only) {
     out << "  alpha values that differ: " << grouped(comparison.alpha_values_differing)
-              << "; classes that differ: " << grouped(comparison.classes_differing) << "\n";
+        << "; classes that differ: " << grouped(comparison.classes_differing) << "\n";
   }
 }
 
@@ -59,11 +60,37 @@ void print_comparison(std::ostream& out, const Comparison& comparison, const Inp
 bool check_definition(std::ostream& out, const BallSet& balls, const AlphaComplex& complex,
                       Json& json) {
   const Verification found = verify(balls, complex);
-  out << "  definition: " << grouped(found.checks) << " facts checked, "
-            << grouped(found.failures) << " false\n";
+  out << "  definition: " << grouped(found.checks) << " facts checked, " << grouped(found.failures)
+      << " false\n";
   for (const std::string& message : found.messages) out << "    " << message << "\n";
   json["definition"] = {{"checks", found.checks}, {"failures", found.failures}};
   return found.ok();
+}
+
+// One alpha: computes both, prints, fills `json`; true when nothing is wrong.
+bool verify_one(const Input& input, const SessionRequest& request, const VerifyOptions& options,
+                EngineCache& ours, EngineCache& reference, std::ostream& out, Json& json) {
+  const RunContext& context = run_context();
+  const EngineCache::Result mine = ours.compute(input.prepared().balls, request, context);
+  SessionRequest cgal = request;
+  cgal.engine = EngineChoice::cgal;
+  cgal.threads = options.cgal_threads;
+  const EngineCache::Result theirs = reference.compute(input.prepared().balls, cgal, context);
+  const Comparison comparison = compare(mine.complex, theirs.complex);
+  clear_progress();
+  out << "alpha " << number_text(request.alpha_angstrom2) << " Å², solvent radius "
+      << number_text(request.solvent_radius_angstrom)
+      << " Å: " << (comparison.identical() ? "identical to CGAL" : "DIFFERS FROM CGAL") << " ("
+      << mine.complex.engine.name << ", " << mine.complex.engine.route << "; hash "
+      << hash_text(mine.complex.hash) << ")\n";
+  print_comparison(out, comparison, input, options.shown);
+  json = {{"request", request_json(request, mine.balls->lattice)},
+          {"comparison", comparison_json(comparison)},
+          {"ours", complex_json(mine.complex, mine.note)},
+          {"cgal", complex_json(theirs.complex, theirs.note)}};
+  const bool defined =
+      !options.definition || check_definition(out, *mine.balls, mine.complex, json);
+  return comparison.identical() && defined;
 }
 
 }  // namespace
@@ -76,43 +103,28 @@ ExitCode run_verify(const VerifyOptions& options) {
     throw UsageError("--definition needs the whole complex; leave out --tetrahedra-only.");
   }
   const RunContext& context = run_context();
-  const Input input = open_input(options.input, context);
-  EngineCache ours(&make_engine), reference(&make_engine);
-  clear_progress();
   std::ostream out(options.json == "-" ? nullptr : std::cout.rdbuf());  // null: prints nothing
-  out << input_text(input);
-  Json results = Json::array();
+  Json results = Json::array(), first_input;
   bool all_good = true;
-  for (const double alpha : options.alphas) {
-    SessionRequest request = options.request;
-    request.alpha_angstrom2 = alpha;
-    const EngineCache::Result mine = ours.compute(input.prepared().balls, request, context);
-    SessionRequest cgal = request;
-    cgal.engine = EngineChoice::cgal;
-    cgal.threads = options.cgal_threads;
-    const EngineCache::Result theirs =
-        reference.compute(input.prepared().balls, cgal, context);
-    const Comparison comparison = compare(mine.complex, theirs.complex);
+  for_each_model(options.input, context, [&](const Input& input) {
     clear_progress();
-    out << "alpha " << number_text(alpha) << " Å², solvent radius "
-              << number_text(request.solvent_radius_angstrom) << " Å: "
-              << (comparison.identical() ? "identical to CGAL" : "DIFFERS FROM CGAL") << " ("
-              << mine.complex.engine.name << ", " << mine.complex.engine.route << "; hash "
-              << hash_text(mine.complex.hash) << ")\n";
-    print_comparison(out, comparison, input, options.shown);
-    Json json{{"request", request_json(request, mine.balls->lattice)},
-              {"comparison", comparison_json(comparison)},
-              {"ours", complex_json(mine.complex, mine.note)},
-              {"cgal", complex_json(theirs.complex, theirs.note)}};
-    all_good &= comparison.identical();
-    if (options.definition) all_good &= check_definition(out, *mine.balls, mine.complex, json);
-    results.push_back(std::move(json));
-    out << std::flush;
-  }
+    out << input_text(input);
+    if (first_input.is_null()) first_input = input_json(input);
+    EngineCache ours(&make_engine), reference(&make_engine);
+    for (const double alpha : options.alphas) {
+      SessionRequest request = options.request;
+      request.alpha_angstrom2 = alpha;
+      Json json;
+      all_good &= verify_one(input, request, options, ours, reference, out, json);
+      if (each_model(options.input)) json["input"] = input_json(input);
+      results.push_back(std::move(json));
+      out << std::flush;
+    }
+  });
   if (!options.json.empty()) {
     write_json({{"identical", all_good},
                 {"results", results},
-                {"input", input_json(input)},
+                {"input", first_input},
                 {"program", program_json()}},
                options.json);
   }

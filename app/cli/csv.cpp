@@ -1,0 +1,45 @@
+#include "app/cli/csv.hpp"
+
+#include <cstdio>
+
+#include "core/io/atomic_file.hpp"
+
+namespace alphascope::cli {
+namespace {
+
+// Quoted where a reader would take it for more than one field.
+std::string field(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
+  return quoted + "\"";
+}
+
+}  // namespace
+
+std::string csv_milliseconds(double milliseconds) {
+  char text[48];
+  std::snprintf(text, sizeof text, "%.4f", milliseconds);
+  return text;
+}
+
+std::string csv_text(const std::vector<CsvRow>& rows) {
+  std::string text;
+  if (rows.empty()) return text;
+  for (const auto& [name, value] : rows.front()) text += (text.empty() ? "" : ",") + field(name);
+  text += "\n";
+  for (const CsvRow& row : rows) {
+    std::string line;
+    for (std::size_t k = 0; k < row.size(); ++k) line += (k ? "," : "") + field(row[k].second);
+    text += line + "\n";
+  }
+  return text;
+}
+
+void write_csv(const std::vector<CsvRow>& rows, const std::string& path) {
+  AtomicFile file(path);
+  file.write(csv_text(rows));
+  file.commit();
+}
+
+}  // namespace alphascope::cli

@@ -58,6 +58,9 @@ void add_input(CLI::App& command, InputOptions& input) {
   command.add_option("--chain", input.chains, "Only these chains, such as A,B")
       ->delimiter(',')
       ->type_name("ID");
+  command.add_option("--without-chain", input.without_chains, "All but these chains")
+      ->delimiter(',')
+      ->type_name("ID");
   command.add_option("--select", input.select,
                      "Only what this picks, such as \"chain A and not resn HEM\"")
       ->type_name("EXPRESSION");

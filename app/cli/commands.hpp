@@ -34,7 +34,7 @@ struct InputOptions {
   std::string model = "1";     // counted from 1; "all": each by itself; "joined": all as one
   std::string hydrogens = "auto", altlocs = "best";
   bool waters = false, dummies = false, no_ligands = false, no_ions = false, no_polymers = false;
-  std::vector<std::string> chains;
+  std::vector<std::string> chains, without_chains;
   std::string select;    // core/molecule/selection_expression.hpp
   std::string assembly;  // id, empty = as deposited
 };

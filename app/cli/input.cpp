@@ -53,6 +53,7 @@ OpenOptions open_options(const InputOptions& options, const RunContext& context)
   open.balls.ions = !options.no_ions;
   open.balls.polymers = !options.no_polymers;
   open.balls.chains = options.chains;
+  open.balls.without_chains = options.without_chains;
   open.balls.selection = options.select;
   open.assembly = options.assembly;
   return open;

@@ -14,7 +14,13 @@ std::string decimal(double number, int digits) {
 
 std::string short_number(double number) {
   char text[32];
-  std::snprintf(text, sizeof text, "%.3g", number);
+  std::snprintf(text, sizeof text, "%.6g", number);
+  return text;
+}
+
+std::string joined(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : ",") + name;
   return text;
 }
 
@@ -23,6 +29,9 @@ std::string radii_text(const BallOptions& options, const SelectionReport& report
   if (report.radii == RadiiSet::user && options.user_radii) {
     text += " " + options.user_radii->source;
     if (!options.user_radii->sha256.empty()) text += " (sha256 " + options.user_radii->sha256 + ")";
+  }
+  for (const GuessedRadius& given : report.overridden) {
+    text += "; by hand " + given.atoms + " " + short_number(given.radius_angstrom);
   }
   return text;
 }
@@ -41,9 +50,8 @@ std::string options_text(const BallOptions& options) {
   add(options.hydrogens == HydrogenRule::keep, "hydrogens keep");
   add(options.hydrogens == HydrogenRule::drop, "hydrogens drop");
   add(options.altlocs == AltlocRule::all, "altlocs all");
-  std::string chains;
-  for (const std::string& chain : options.chains) chains += (chains.empty() ? "" : ",") + chain;
-  add(!options.chains.empty(), "chain " + chains);
+  add(!options.chains.empty(), "chain " + joined(options.chains));
+  add(!options.without_chains.empty(), "without-chain " + joined(options.without_chains));
   add(options.waters, "waters");
   add(options.dummies, "dummies");
   add(!options.ligands, "no-ligands");

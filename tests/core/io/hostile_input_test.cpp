@@ -73,7 +73,9 @@ TEST(HostileInput, TruncationAtEveryByte) {
         ASSERT_LE(m.atoms.size(), 2u);
         // Only an atom in the cut line may differ, and then a note says so.
         const bool cut = sample.text[length - 1] != '\n' && m.format != "PDB";
-        if (cut) ASSERT_FALSE(m.notes.empty());
+        if (cut) {
+          ASSERT_FALSE(m.notes.empty());
+        }
         for (std::size_t i = 0; i + (cut ? 1 : 0) < m.atoms.size(); ++i) {
           const double there = whole.lattice.angstrom(whole.atoms[i].position.x);
           ASSERT_EQ(m.lattice.angstrom(m.atoms[i].position.x), there);

@@ -33,6 +33,21 @@ TEST(Provenance, SaysFileChoicesAndRounding) {
   EXPECT_EQ(said.at("radius_rounding_angstrom"), "0");
 }
 
+TEST(Provenance, NamesTheTableAndWhatWasSetByHand) {
+  const Molecule m = read_text("a.xyzr", "1 2 3 1.5 CA\n5 6 7 1.5 O\n");
+  BallOptions options;
+  options.radii = RadiiSet::user;
+  auto table = std::make_shared<UserRadii>();
+  table->source = "mine.txt";
+  table->sha256 = "0123";
+  table->by_element[6] = 1700000;
+  options.user_radii = table;
+  options.overrides = {{"", "O", 8, 1234567}};
+  const Provenance list = provenance(m, options, prepare_balls(m, options).report);
+  const std::map<std::string, std::string> said(list.begin(), list.end());
+  EXPECT_EQ(said.at("radii"), "user table mine.txt (sha256 0123); by hand O 1.23457");
+}
+
 TEST(Provenance, OptionsAreTheCommandLines) {
   BallOptions options;
   EXPECT_EQ(options_text(options), "");
@@ -40,8 +55,10 @@ TEST(Provenance, OptionsAreTheCommandLines) {
   options.waters = options.dummies = true;
   options.ligands = options.polymers = false;
   options.chains = {"A", "B-2"};
+  options.without_chains = {"C"};
   EXPECT_EQ(options_text(options),
-            "--hydrogens drop --chain A,B-2 --waters --dummies --no-ligands --no-polymers");
+            "--hydrogens drop --chain A,B-2 --without-chain C --waters --dummies --no-ligands "
+            "--no-polymers");
   EXPECT_EQ(model_text(0), "1");
   EXPECT_EQ(model_text(kAllModels), "joined");
 }

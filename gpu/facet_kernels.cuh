@@ -4,18 +4,11 @@
 // the same kernel with exact integers (kernel III). The per-facet bodies are core/complex/facet_*.hpp.
 #pragma once
 
-#include <cuda_runtime.h>
-
-#include <cstdint>
-
 #include "core/complex/facet_float.hpp"
 #include "core/geometry/perturbation.hpp"
+#include "gpu/problem.cuh"
 
 namespace alphascope::gpu {
-
-inline constexpr int kBlockThreads = 128;
-
-inline constexpr int kMaxBallsPerBlock = 32;
 
 // Sides of a polygon that fit the hot kernel's local memory; a larger facet goes to kernel III.
 inline constexpr int kFloatSides = 20;
@@ -24,41 +17,6 @@ inline constexpr int kExactSides = 64;
 // Wide enough for every predicate within the lattice's bounds. So few facets need it (9 corners of a
 // million balls at alpha 1.4) that 128 bits, where they suffice, would gain nothing.
 using ExactInteger = WideInt<4>;
-
-// What all kernels know about the request; passed by value.
-struct Problem {
-  int ball_count;
-  int4 origin;  // of the grid (w unused), lattice units
-  int cell_width, nx, ny, nz;
-  double alpha;           // square lattice units
-  float scale;            // power of two: scaled = lattice * scale
-  std::int64_t ghost_reach;  // power of two above every sqrt(w + alpha), lattice units
-  int tile;                // lanes that search the neighbours of one ball together: 1, 2, 4 or 8
-  int balls_per_block;
-  int list_capacity;      // neighbours of a ball that fit the block's memory
-  int staging_capacity;   // simplices of one dimension that fit
-};
-
-// Balls in cell order.
-struct SortedBalls {
-  const int4* ball;         // x, y, z, radius
-  const std::uint32_t* index;  // in the BallSet
-  const float* reach;       // sqrt(w + alpha), rounded up, lattice units
-  const std::uint32_t* cell_start;
-  const std::uint32_t* alive;  // one number: balls before the dead ones
-};
-
-// Simplices of one dimension on the device, in the order in which blocks finished.
-template <int N>
-struct DeviceSimplices {
-  std::uint32_t* vertices;  // N per simplex
-  float* value;             // null when only tetrahedra are asked for
-  std::uint8_t* simplex_class;
-  std::uint32_t capacity;
-  std::uint32_t* cursor;    // simplices written (may pass capacity: then nothing counts)
-  std::uint32_t* start;     // per ball: its first simplex
-  std::uint32_t* count;     // per ball
-};
 
 struct Output {
   DeviceSimplices<2> edges;
@@ -71,43 +29,6 @@ struct Output {
   std::uint32_t* needed_staging;   // largest number of simplices of one dimension in a block
   std::uint32_t* failures;         // facets that even kernel III could not hold
 };
-
-__device__ inline int grid_cell(int coordinate, int lower, int width, int count) {
-  const int cell = (coordinate - lower) / width;
-  return cell < count ? cell : count - 1;
-}
-
-// ---- cells -------------------------------------------------------------------------------------
-
-__global__ void assign_cells(Problem p, const int4* balls, std::uint32_t* cell_count,
-                             uint2* cell_and_rank) {
-  const int i = blockIdx.x * blockDim.x + threadIdx.x;
-  if (i >= p.ball_count) return;
-  const int4 b = balls[i];
-  const double square = static_cast<double>(static_cast<std::int64_t>(b.w) * b.w) + p.alpha;
-  std::uint32_t cell = p.nx * p.ny * p.nz;  // the dead: hidden (negative radius) or empty at alpha
-  if (b.w > 0 && square >= 0) {
-    const int cx = grid_cell(b.x, p.origin.x, p.cell_width, p.nx);
-    const int cy = grid_cell(b.y, p.origin.y, p.cell_width, p.ny);
-    const int cz = grid_cell(b.z, p.origin.z, p.cell_width, p.nz);
-    cell = (cx * p.ny + cy) * p.nz + cz;
-  }
-  cell_and_rank[i] = make_uint2(cell, atomicAdd(&cell_count[cell], 1u));
-}
-
-__global__ void sort_into_cells(Problem p, const int4* balls, const uint2* cell_and_rank,
-                                const std::uint32_t* cell_start, int4* sorted, std::uint32_t* index,
-                                float* reach) {
-  const int i = blockIdx.x * blockDim.x + threadIdx.x;
-  if (i >= p.ball_count) return;
-  const int4 b = balls[i];
-  const uint2 c = cell_and_rank[i];
-  const std::uint32_t slot = cell_start[c.x] + c.y;
-  sorted[slot] = b;
-  index[slot] = i;
-  const float square = static_cast<float>(static_cast<double>(static_cast<std::int64_t>(b.w) * b.w) + p.alpha);
-  reach[slot] = sqrtf(fmaxf(square, 0.0f)) * (1.0f + 1e-6f);
-}
 
 // ---- facets ------------------------------------------------------------------------------------
 
@@ -225,60 +146,24 @@ struct StagingSink {
   __device__ void tetrahedron(int k, int l) { tetrahedron(k, l, 0.0f); }
 };
 
-// Kernel I for one ball: a tile of lanes reads the 27 cells around it.
-__device__ inline int search_neighbours(const Problem& p, const SortedBalls& balls,
-                                        std::uint32_t slot, std::uint32_t* found, int lane,
-                                        unsigned tile_mask, int tile_shift) {
-  const int4 b = balls.ball[slot];
-  const float reach = balls.reach[slot];
-  const int cx = grid_cell(b.x, p.origin.x, p.cell_width, p.nx);
-  const int cy = grid_cell(b.y, p.origin.y, p.cell_width, p.ny);
-  const int cz = grid_cell(b.z, p.origin.z, p.cell_width, p.nz);
-  const int z0 = max(cz - 1, 0), z1 = min(cz + 1, p.nz - 1);
-  constexpr float kMargin = 1.0f + 1.0f / (1 << 17);  // above all roundings of the test
-  int count = 0;
-  for (int ax = max(cx - 1, 0); ax <= min(cx + 1, p.nx - 1); ++ax) {
-    for (int ay = max(cy - 1, 0); ay <= min(cy + 1, p.ny - 1); ++ay) {
-      const int row = (ax * p.ny + ay) * p.nz;
-      const std::uint32_t begin = balls.cell_start[row + z0], end = balls.cell_start[row + z1 + 1];
-      for (std::uint32_t base = begin; base < end; base += p.tile) {
-        const std::uint32_t t = base + lane;
-        bool hit = false;
-        if (t < end && t != slot) {
-          const int4 o = balls.ball[t];
-          const float dx = static_cast<float>(o.x - b.x), dy = static_cast<float>(o.y - b.y),
-                      dz = static_cast<float>(o.z - b.z), sum = balls.reach[t] + reach;
-          hit = fmaf(dx, dx, fmaf(dy, dy, dz * dz)) <= sum * sum * kMargin;
-        }
-        const unsigned hits = (__ballot_sync(tile_mask, hit) >> tile_shift) & ((1u << p.tile) - 1);
-        const int at = count + __popc(hits & ((1u << lane) - 1));
-        if (hit && at < p.list_capacity) found[at] = t;
-        count += __popc(hits);
-      }
-    }
-  }
-  return count;
-}
-
 // Orders one ball's list by the distance of the bisectors, and ranks it by index. Lists are short:
 // counting is quick.
 __device__ inline void order_neighbours(const Problem& p, const SortedBalls& balls, std::uint32_t slot,
-                                        int count, int entry0, const BlockMemory& m, int lane,
-                                        unsigned tile_mask) {
+                                        int count, int entry0, const BlockMemory& m, int lane) {
   const int4 b = balls.ball[slot];
   const std::int64_t wi = static_cast<std::int64_t>(b.w) * b.w;
   const std::uint32_t* found = m.found + entry0;
   std::uint32_t* found_index = m.found_index + entry0;
   float* found_key = m.found_key + entry0;
-  for (int a = lane; a < count; a += p.tile) {
+  for (int a = lane; a < count; a += 32) {
     const int4 q = balls.ball[found[a]];
     const float x = static_cast<float>(q.x - b.x), y = static_cast<float>(q.y - b.y),
                 z = static_cast<float>(q.z - b.z), square = x * x + y * y + z * z;
     found_index[a] = balls.index[found[a]];
     found_key[a] = (square + static_cast<float>(wi - static_cast<std::int64_t>(q.w) * q.w)) * rsqrtf(square);
   }
-  __syncwarp(tile_mask);
-  for (int a = lane; a < count; a += p.tile) {
+  __syncwarp();
+  for (int a = lane; a < count; a += 32) {
     const std::uint32_t t = found[a], index = found_index[a];
     const float key = found_key[a];
     int nearer = 0, rank = 0;
@@ -294,7 +179,7 @@ __device__ inline void order_neighbours(const Problem& p, const SortedBalls& bal
     m.vectors[entry] = make_float4(static_cast<float>(x) * p.scale, static_cast<float>(y) * p.scale,
                                    static_cast<float>(z) * p.scale,
                                    static_cast<float>(c) * p.scale * p.scale);
-    m.reach[entry] = balls.reach[t] * p.scale;
+    m.reach[entry] = balls.near[t].w * p.scale;
     m.slots[entry] = t;
     m.indices[entry] = index;
     m.rank[entry] = rank;
@@ -588,20 +473,19 @@ template <bool kWhole, bool kExact>
 __device__ void process_balls(const Problem& p, const SortedBalls& sorted, const Output& out,
                               const BlockMemory& m, std::uint32_t first, int balls,
                               std::uint32_t* ball_index, std::uint32_t* shared_base) {
-  const int lane = threadIdx.x & (p.tile - 1), tile = threadIdx.x / p.tile, tiles = blockDim.x / p.tile;
-  const int tile_shift = threadIdx.x & 31 & ~(p.tile - 1);
-  const unsigned tile_mask = ((1u << p.tile) - 1) << tile_shift;
+  __shared__ std::uint32_t surroundings[kBlockThreads / 32][18];
+  const int lane = threadIdx.x & 31, warp = threadIdx.x >> 5;
+  const Surroundings around{surroundings[warp], surroundings[warp] + 9};
   if (threadIdx.x < 6) m.counters[threadIdx.x] = 0;
   for (int b = threadIdx.x; b < balls; b += blockDim.x) {
     m.exact[b] = 0;
     ball_index[b] = sorted.index[first + b];
   }
-  for (int b = tile; b < balls; b += tiles) {
+  for (int b = warp; b < balls; b += kBlockThreads / 32) {
     const int entry0 = b * p.list_capacity;
-    const int all = search_neighbours(p, sorted, first + b, m.found + entry0, lane, tile_mask, tile_shift);
+    const int all = search_neighbours(p, sorted, first + b, around, m.found + entry0);
     const int count = min(all, p.list_capacity);
-    __syncwarp(tile_mask);
-    order_neighbours(p, sorted, first + b, count, entry0, m, lane, tile_mask);
+    order_neighbours(p, sorted, first + b, count, entry0, m, lane);
     if (lane == 0) {
       m.list_size[b] = count;
       atomicMax(&m.counters[5], all);
@@ -684,32 +568,6 @@ __global__ void __launch_bounds__(kBlockThreads) facets_exact(Problem p, SortedB
 }
 
 // ---- order -------------------------------------------------------------------------------------
-
-// Moves every simplex to its lexicographic place: the prefix sum of its lowest ball, and its rank
-// among that ball's.
-template <int N>
-__global__ void place(DeviceSimplices<N> from, const std::uint32_t* offset, std::uint32_t* vertices,
-                      float* value, std::uint8_t* simplex_class) {
-  const std::uint32_t count = *from.cursor;
-  if (count > from.capacity) return;  // the run will be repeated with room for all
-  for (std::uint32_t t = blockIdx.x * blockDim.x + threadIdx.x; t < count; t += gridDim.x * blockDim.x) {
-    const std::uint32_t i = from.vertices[static_cast<std::size_t>(t) * N];
-    const std::uint32_t to = offset[i] + (t - from.start[i]);
-    if constexpr (N == 4) {
-      reinterpret_cast<uint4*>(vertices)[to] = reinterpret_cast<const uint4*>(from.vertices)[t];
-    } else if constexpr (N == 2) {
-      reinterpret_cast<uint2*>(vertices)[to] = reinterpret_cast<const uint2*>(from.vertices)[t];
-    } else {
-      for (int v = 0; v < N; ++v) {
-        vertices[static_cast<std::size_t>(to) * N + v] = from.vertices[static_cast<std::size_t>(t) * N + v];
-      }
-    }
-    if (value != nullptr) {
-      value[to] = from.value[t];
-      simplex_class[to] = from.simplex_class[t];
-    }
-  }
-}
 
 // Floats as unsigned numbers of the same order, for atomicMin.
 __device__ inline std::uint32_t ordered_bits(float value) {

@@ -39,8 +39,9 @@ class FacetPipeline {
   PipelineResult run(double alpha_on_lattice, bool tetrahedra_only, const CancelToken& cancel,
                      StageTimes* times);
 
+  struct State;  // for the pipeline's own sources
+
  private:
-  struct State;
   std::unique_ptr<State> state_;
 };
 

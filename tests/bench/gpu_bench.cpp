@@ -56,6 +56,7 @@ bool same(const AlphaComplex& a, const AlphaComplex& b) {
 }
 
 int failures = 0;
+bool with_cgal = false, with_whole = true;
 
 void check(const std::string& name, const BallSet& balls, double solvent, const std::vector<double>& alphas) {
   auto grown = std::make_shared<BallSet>(with_solvent(balls, solvent));
@@ -106,7 +107,7 @@ double time_cgal(const std::shared_ptr<const BallSet>& balls, double alpha, int 
 
 void time_one(const std::string& name, const BallSet& balls, double solvent, double alpha) {
   const BallSet grown = with_solvent(balls, solvent);
-  if (grown.size() < 4000000) {
+  if (with_cgal && grown.size() < 4000000) {
     const auto shared = std::make_shared<const BallSet>(grown);
     std::printf("CGAL %-6s n=%zu s=%g a=%g tets 1 thread %.1f ms, 16 threads %.1f ms\n", name.c_str(), grown.size(), solvent, alpha,
                 time_cgal(shared, alpha, 1), time_cgal(shared, alpha, 16));
@@ -114,6 +115,7 @@ void time_one(const std::string& name, const BallSet& balls, double solvent, dou
   gpu::FacetPipeline pipeline(grown);
   const double a = grown.lattice.alpha_on_lattice(alpha);
   for (const bool only : {true, false}) {
+    if (!only && !with_whole) continue;
     gpu::PipelineResult r;
     for (int w = 0; w < 3; ++w) r = pipeline.run(a, only, {}, nullptr);
     if (!r.fits) { std::printf("%s does not fit\n", name.c_str()); continue; }
@@ -141,6 +143,8 @@ void time_one(const std::string& name, const BallSet& balls, double solvent, dou
 int main(int argc, char** argv) {
   const std::string data = argc > 1 ? argv[1] : ".";
   const std::string what = argc > 2 ? argv[2] : "check,time";
+  with_cgal = what.find("cgal") != std::string::npos;
+  with_whole = what.find("only") == std::string::npos;
   const auto& d = gpu_device();
   std::printf("device: %s usable %d %s %s\n", d.name.c_str(), d.usable, d.driver.c_str(), d.why_not.c_str());
   if (what.find("check") != std::string::npos) {

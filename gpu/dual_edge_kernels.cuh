@@ -1,0 +1,600 @@
+// The CUDA executor of "tetrahedra only": one block takes a run of balls through neighbours (kernel I:
+// lists, which neighbours meet, triangles ijk worth a look) and dual edges in single precision with
+// certified errors (kernel II), and writes the tetrahedra whose lowest vertex is one of its balls. A
+// ball with an undecided dual edge goes, whole, to the same kernel with double precision and exact
+// integers (kernel III). The per-triangle bodies are core/complex/*dual_edge.hpp.
+#pragma once
+
+#include "core/complex/facet_disc.hpp"
+#include "core/complex/exact_dual_edge.hpp"
+#include "gpu/problem.cuh"
+
+namespace alphascope::gpu {
+
+struct DualEdgeOutput {
+  uint4* tetrahedra;
+  std::uint32_t capacity;
+  std::uint32_t* cursor;
+  std::uint32_t *start, *count;  // per ball
+  std::uint32_t *exact_list, *exact_count;
+  BlockStatistics* statistics;
+};
+
+struct DualEdgeProblem {
+  Problem common;
+  BlockRoom capacity;
+  std::uint32_t deferred_limit;  // beyond so many kernel III leaves the run to be repeated with more room
+  int words;              // of a row of bits: (capacity.list + 31) / 32
+  float radius_scale;     // scale²: square lattice units to scaled ones
+  bool small_lattice;     // Int128 suffices for exact predicates
+  int first_cuts;         // of a triangle's cuts, before it is looked at as a survivor
+  bool cull_facets;       // long lists: drop edges ij whose disc a single ball covers
+  const int4* balls;      // in the order of the BallSet
+};
+
+constexpr int kMaxRows = 1 << 13, kMaxTriangles = 1 << 16;
+constexpr int kSampled = 64;  // every so many blocks count for the statistics
+
+// Packs a triangle of the block: row of j, neighbour k, ball.
+__device__ inline std::uint32_t pack_triangle(int row, int k, int ball) {
+  return static_cast<std::uint32_t>(row) | static_cast<std::uint32_t>(k) << 13 | static_cast<std::uint32_t>(ball) << 25;
+}
+
+struct DualEdgeMemory {
+  float4* vectors;        // entries: scaled d and c, ascending by index
+  float* reach;
+  std::uint32_t* index;
+  std::uint32_t *found, *found_index;  // a warp's unordered list
+  std::uint32_t* rows;    // words of bits for each later neighbour j: who meets j as well
+  std::uint8_t* row_ball;  // whose row it is
+  std::uint32_t* triangles;
+  std::uint32_t* results;  // of each triangle: 12 bits for each of its tetrahedra's last vertices + 1
+  std::uint16_t *survivors, *by_length;  // triangles that the first cuts leave; and in order of work
+};
+
+__host__ __device__ inline std::size_t block_memory_bytes(const DualEdgeProblem& p) {
+  constexpr std::size_t kWarps = kBlockThreads / 32;
+  return static_cast<std::size_t>(p.capacity.entries) * 24 + kWarps * p.capacity.list * 8 +
+         static_cast<std::size_t>(p.capacity.rows) * (4 * p.words + 1) + static_cast<std::size_t>(p.capacity.triangles) * 12 + 16;
+}
+__device__ inline DualEdgeMemory carve(unsigned char* shared, const DualEdgeProblem& p) {
+  DualEdgeMemory m;
+  const std::size_t warp = threadIdx.x >> 5, warps = kBlockThreads / 32;
+  m.vectors = reinterpret_cast<float4*>(shared);
+  m.reach = reinterpret_cast<float*>(m.vectors + p.capacity.entries);
+  m.index = reinterpret_cast<std::uint32_t*>(m.reach + p.capacity.entries);
+  m.found = m.index + p.capacity.entries + 2 * warp * p.capacity.list;
+  m.found_index = m.found + p.capacity.list;
+  m.rows = m.index + p.capacity.entries + 2 * warps * p.capacity.list;
+  m.triangles = m.rows + static_cast<std::size_t>(p.capacity.rows) * p.words;
+  m.results = m.triangles + p.capacity.triangles;
+  m.survivors = reinterpret_cast<std::uint16_t*>(m.results + p.capacity.triangles);
+  m.by_length = m.survivors + p.capacity.triangles;
+  m.row_ball = reinterpret_cast<std::uint8_t*>(m.by_length + p.capacity.triangles);
+  return m;
+}
+
+// Per ball of the block.
+constexpr int kLengths = 32;  // longer ones count as this long
+struct BlockBalls {
+  int4 ball[kMaxBallsPerBlock];
+  std::uint32_t index[kMaxBallsPerBlock];
+  float radius_square[kMaxBallsPerBlock];  // w + alpha, scaled
+  int list[kMaxBallsPerBlock];       // neighbours; none when there is no room for them
+  int later[kMaxBallsPerBlock];      // of them, of higher index
+  int entry0[kMaxBallsPerBlock];     // where they begin
+  int row0[kMaxBallsPerBlock];
+  int tetrahedra[kMaxBallsPerBlock];
+  int exact[kMaxBallsPerBlock];      // 1 undecided, 2 no room: for kernel III
+  int scan[kBlockThreads / 32];
+  std::uint32_t surroundings[kBlockThreads / 32][18];
+  int lengths[kLengths];             // triangles of so many cuts; then where they begin
+  int entries, rows, triangles;
+  int next_triangle, next_survivor, survivors;
+  std::uint32_t base;
+};
+
+// Sum over the lanes before this one.
+__device__ inline int warp_scan(int value) {
+  const int lane = threadIdx.x & 31;
+  int sum = value;
+  for (int step = 1; step < 32; step *= 2) {
+    const int other = __shfl_up_sync(~0u, sum, step);
+    if (lane >= step) sum += other;
+  }
+  return sum - value;
+}
+
+// Sum over the threads before this one, and over all. Every thread takes part.
+__device__ inline int block_scan(int value, int* scratch, int* total) {
+  const int lane = threadIdx.x & 31, warp = threadIdx.x >> 5;
+  const int before = warp_scan(value);
+  __syncthreads();  // an earlier scan's scratch has been read
+  if (lane == 31) scratch[warp] = before + value;
+  __syncthreads();
+  int sum = 0, all = 0;
+  for (int w = 0; w < kBlockThreads / 32; ++w) {
+    const int part = scratch[w];
+    if (w < warp) sum += part;
+    all += part;
+  }
+  *total = all;
+  return sum + before;
+}
+
+// Few blocks meet a new maximum.
+__device__ inline void note_largest(std::uint32_t* largest, int value) {
+  if (*static_cast<volatile std::uint32_t*>(largest) < static_cast<std::uint32_t>(value)) {
+    atomicMax(largest, static_cast<std::uint32_t>(value));
+  }
+}
+__device__ inline void add(std::uint64_t* sum, std::uint64_t value) {
+  atomicAdd(reinterpret_cast<unsigned long long*>(sum), static_cast<unsigned long long>(value));
+}
+
+// Writes one ball's list ordered by index, relative to the ball. One warp.
+__device__ inline void order_list(const Problem& p, const SortedBalls& sorted, const DualEdgeMemory& m,
+                                  const int4& centre, int n, int entry0) {
+  const std::int64_t wi = static_cast<std::int64_t>(centre.w) * centre.w;
+  for (int a = threadIdx.x & 31; a < n; a += 32) {
+    const std::uint32_t t = m.found[a], index = m.found_index[a];
+    const int4 q = sorted.ball[t];
+    const float reach = sorted.near[t].w * p.scale;
+    int rank = 0;
+    for (int o = 0; o < n; ++o) rank += m.found_index[o] < index;
+    const std::int64_t x = q.x - centre.x, y = q.y - centre.y, z = q.z - centre.z;
+    const std::int64_t c = x * x + y * y + z * z + wi - static_cast<std::int64_t>(q.w) * q.w;
+    const int entry = entry0 + rank;
+    m.vectors[entry] = make_float4(static_cast<float>(x) * p.scale, static_cast<float>(y) * p.scale,
+                                   static_cast<float>(z) * p.scale, static_cast<float>(c) * p.scale * p.scale);
+    m.reach[entry] = reach;
+    m.index[entry] = index;
+  }
+}
+
+// Writes the row of the neighbours that meet j as well as i.
+__device__ inline void fill_row(const DualEdgeProblem& p, const DualEdgeMemory& m, int words, int entry0,
+                                int n, int j, float radius_square, std::uint32_t* row) {
+  const float4 vj = m.vectors[entry0 + j];
+  const float reach = m.reach[entry0 + j];
+  for (int w = 0; w < words; ++w) {
+    std::uint32_t bits = 0;
+    const int end = min(n, w * 32 + 32);
+    for (int k = w * 32; k < end; ++k) {
+      const float4 v = m.vectors[entry0 + k];
+      const float x = v.x - vj.x, y = v.y - vj.y, z = v.z - vj.z, sum = m.reach[entry0 + k] + reach;
+      if (fmaf(x, x, fmaf(y, y, z * z)) <= sum * sum) bits |= 1u << (k & 31);
+    }
+    if (j >> 5 == w) bits &= ~(1u << (j & 31));
+    row[w] = bits;
+  }
+  if (!p.cull_facets) return;
+  const FacetDisc<float> disc({vj.x, vj.y, vj.z, vj.w}, radius_square);
+  bool dead = disc.certainly_empty();
+  for (int w = 0; w < words && !dead; ++w) {
+    for (std::uint32_t bits = row[w]; bits != 0 && !dead; bits &= bits - 1) {
+      const float4 v = m.vectors[entry0 + w * 32 + __ffs(static_cast<int>(bits)) - 1];
+      dead = disc.certainly_covered_by({v.x, v.y, v.z, v.w});
+    }
+  }
+  // Without a row, j is in no triangle; it still cuts those of others.
+  for (int w = 0; w < words && dead; ++w) row[w] = 0;
+}
+
+__device__ inline std::uint32_t bits_after(int k, int word) {
+  const int first = k + 1 - word * 32;  // the first bit to keep
+  return first <= 0 ? ~0u : first >= 32 ? 0u : ~0u << first;
+}
+
+// A triangle's parts, unpacked.
+struct Triangle {
+  int ball, j, k, entry0;
+  const std::uint32_t *row_j, *row_k;
+
+  __device__ Triangle(const DualEdgeMemory& m, const BlockBalls& s, int words, std::uint32_t packed)
+      : ball(packed >> 25), k(packed >> 13 & 4095), entry0(s.entry0[ball]) {
+    const int row = packed & (kMaxRows - 1), first_later = s.list[ball] - s.later[ball];
+    j = first_later + row - s.row0[ball];
+    row_j = m.rows + row * words;
+    row_k = m.rows + (s.row0[ball] + k - first_later) * words;
+  }
+  // Is there a neighbour of higher index than k that meets all three?
+  __device__ bool has_fourth(int words) const {
+    for (int w = k >> 5; w < words; ++w) {
+      if ((row_j[w] & row_k[w] & bits_after(k, w)) != 0) return true;
+    }
+    return false;
+  }
+};
+
+// The neighbours of a ball for the exact templates, straight from the balls.
+struct ExactNeighbours {
+  const std::uint32_t* indices;
+  const int4* balls;
+  int4 centre;
+  __device__ LiftedInt lifted(int k) const {
+    const int4 b = balls[indices[k]];
+    const std::int64_t x = b.x - centre.x, y = b.y - centre.y, z = b.z - centre.z;
+    const std::int64_t w = static_cast<std::int64_t>(b.w) * b.w,
+                       wi = static_cast<std::int64_t>(centre.w) * centre.w;
+    return {x, y, z, x * x + y * y + z * z + wi - w};
+  }
+  __device__ std::uint32_t ball(int k) const { return indices[k]; }
+};
+
+// The last vertices of a triangle's tetrahedra: -1 for none.
+struct Ends {
+  int high, low;
+  bool known;
+};
+
+// Kernel II of one triangle; `lifted(m)` is in the units of Real.
+template <class Real, class Lifted>
+__device__ inline Ends dual_edge_ends(const std::uint32_t* row_j, const std::uint32_t* row_k, int words,
+                                      int j, int k, Real radius_square, const Lifted& lifted) {
+  DualEdge<Real> edge;
+  if (!edge.start(lifted(j), lifted(k), radius_square)) return {-1, -1, true};
+  for (int w = 0; w < words; ++w) {
+    for (std::uint32_t bits = row_j[w] & row_k[w]; bits != 0; bits &= bits - 1) {
+      const int m = w * 32 + __ffs(static_cast<int>(bits)) - 1;
+      if (edge.cut(lifted(m), m)) return {-1, -1, true};
+    }
+  }
+  if (!edge.ends_certain()) return {-1, -1, false};
+  Ends ends{-1, -1, true};
+  const bool high = edge.high().cutter > k, low = edge.low().cutter > k;
+  if (!high && !low) return ends;
+  ends.known = edge.certainly_there();
+  if (high) {
+    const Decision d = edge.within(edge.high(), radius_square);
+    if (d == Decision::in) ends.high = edge.high().cutter;
+    ends.known = ends.known && d != Decision::unknown;
+  }
+  if (low) {
+    const Decision d = edge.within(edge.low(), radius_square);
+    if (d == Decision::in) ends.low = edge.low().cutter;
+    ends.known = ends.known && d != Decision::unknown;
+  }
+  return ends;
+}
+
+// Kernel III of one triangle: double precision, then integers. Not inlined: it is rare and large.
+__device__ __noinline__ Ends exact_ends(const DualEdgeProblem& p, const DualEdgeMemory& m, int4 centre,
+                                        int entry0, const std::uint32_t* row_j,
+                                        const std::uint32_t* row_k, int j, int k) {
+  const ExactNeighbours neighbours{m.index + entry0, p.balls, centre};
+  const std::int64_t weight = static_cast<std::int64_t>(centre.w) * centre.w;
+  const Ends ends = dual_edge_ends<double>(
+      row_j, row_k, p.words, j, k, static_cast<double>(weight) + p.common.alpha,
+      [&](int a) { return lifted_as<double>(neighbours.lifted(a)); });
+  if (ends.known) return ends;
+  const FacetInput<ExactNeighbours> in{neighbours, j, weight, p.common.alpha, p.common.ghost_reach, true};
+  const auto next = [&](int after) {
+    for (int w = (after + 1) >> 5; w < p.words; ++w) {
+      const std::uint32_t bits = row_j[w] & row_k[w] & bits_after(after, w);
+      if (bits != 0) return w * 32 + __ffs(static_cast<int>(bits)) - 1;
+    }
+    return -1;
+  };
+  const auto end = [&](int side) {
+    const int l = p.small_lattice ? exact_end<Int128>(in, k, side, next) : exact_end<WideInt<4>>(in, k, side, next);
+    return l > k ? l : -1;
+  };
+  return {end(1), end(-1), true};
+}
+
+// Kernel I of the block's balls, a warp each: their ordered lists. Balls without room are marked.
+template <bool kExact>
+__device__ inline void find_lists(const DualEdgeProblem& p, const SortedBalls& sorted,
+                                  const DualEdgeOutput& out, const DualEdgeMemory& m, BlockBalls& s,
+                                  std::uint32_t first, int balls) {
+  const int lane = threadIdx.x & 31, warp = threadIdx.x >> 5;
+  const Surroundings around{s.surroundings[warp], s.surroundings[warp] + 9};
+  if (threadIdx.x == 0) s.entries = s.rows = s.next_triangle = s.next_survivor = s.survivors = 0;
+  if (threadIdx.x < kLengths) s.lengths[threadIdx.x] = 0;
+  __syncthreads();
+  for (int b = warp; b < balls; b += kBlockThreads / 32) {
+    const std::uint32_t slot = first + b, index = sorted.index[slot];
+    const int4 centre = sorted.ball[slot];
+    const int all = search_neighbours(p.common, sorted, slot, around, m.found);
+    int n = all <= p.common.list_capacity ? all : 0, later = 0;
+    for (int a = lane; a < n; a += 32) {
+      const std::uint32_t other = sorted.index[m.found[a]];
+      m.found_index[a] = other;
+      later += other > index;
+    }
+    for (int step = 16; step > 0; step /= 2) later += __shfl_xor_sync(~0u, later, step);
+    int entry0 = 0, row0 = 0;
+    if (lane == 0) {
+      entry0 = atomicAdd(&s.entries, n);
+      row0 = atomicAdd(&s.rows, later);
+      if (entry0 + n > static_cast<int>(p.capacity.entries) || row0 + later > static_cast<int>(p.capacity.rows)) n = -1;
+    }
+    entry0 = __shfl_sync(~0u, entry0, 0);
+    row0 = __shfl_sync(~0u, row0, 0);
+    n = __shfl_sync(~0u, n, 0);
+    const bool room = n >= 0 && all <= p.common.list_capacity;
+    // Rows of a ball without room are still counted: they are its, and empty.
+    for (int a = lane; a < later && row0 + a < static_cast<int>(p.capacity.rows); a += 32) {
+      m.row_ball[row0 + a] = static_cast<std::uint8_t>(room ? b : kMaxBallsPerBlock);
+    }
+    if (room) order_list(p.common, sorted, m, centre, n, entry0);
+    if (lane == 0) {
+      const double square = static_cast<double>(static_cast<std::int64_t>(centre.w) * centre.w) + p.common.alpha;
+      s.radius_square[b] = static_cast<float>(square) * p.radius_scale;
+      s.ball[b] = centre;
+      s.index[b] = index;
+      s.list[b] = room ? n : 0;
+      s.later[b] = room ? later : 0;
+      s.entry0[b] = entry0;
+      s.row0[b] = row0;
+      s.tetrahedra[b] = 0;
+      s.exact[b] = room ? 0 : 2;
+      note_largest(&out.statistics->longest_list, all);
+      if (!kExact && blockIdx.x % kSampled == 0) {
+        add(&out.statistics->balls, 1);
+        add(&out.statistics->entries, all);
+        add(&out.statistics->entry_squares, static_cast<std::uint64_t>(all) * all);
+      }
+    }
+    __syncwarp();
+  }
+  __syncthreads();
+  if (threadIdx.x == 0) s.rows = min(s.rows, static_cast<int>(p.capacity.rows));
+  __syncthreads();
+}
+
+// Counting sort of triangles by how many cuts they have, the longest first, so that the lanes of a warp
+// take about as long. `list` null: all triangles.
+__device__ inline void sort_by_length(const DualEdgeMemory& m, BlockBalls& s, int count, int words,
+                                      const std::uint16_t* list) {
+  const auto length = [&](int t) {
+    const Triangle triangle(m, s, words, m.triangles[t]);
+    int cuts = 0;
+    for (int w = 0; w < words; ++w) cuts += __popc(triangle.row_j[w] & triangle.row_k[w]);
+    return kLengths - 1 - min(cuts, kLengths - 1);
+  };
+  for (int at = threadIdx.x; at < count; at += kBlockThreads) atomicAdd(&s.lengths[length(list == nullptr ? at : list[at])], 1);
+  __syncthreads();
+  if (threadIdx.x < kLengths) s.lengths[threadIdx.x] = warp_scan(s.lengths[threadIdx.x]);
+  __syncthreads();
+  for (int at = threadIdx.x; at < count; at += kBlockThreads) {
+    const int t = list == nullptr ? at : list[at];
+    m.by_length[atomicAdd(&s.lengths[length(t)], 1)] = static_cast<std::uint16_t>(t);
+  }
+  __syncthreads();
+}
+
+// The list of triangles of three balls that meet and have a fourth: of each ball, in lexicographic order.
+// Balls without room for theirs are marked. Returns the length of the list.
+template <bool kExact>
+__device__ inline int list_triangles(const DualEdgeProblem& p, const DualEdgeOutput& out,
+                                     const DualEdgeMemory& m, BlockBalls& s, int words) {
+  const int rows = s.rows, capacity = static_cast<int>(p.capacity.triangles);
+  if (threadIdx.x == 0) s.triangles = capacity;
+  int all = 0;
+  for (int row0 = 0; row0 < rows; row0 += kBlockThreads) {
+    const int row = row0 + static_cast<int>(threadIdx.x);
+    int b = kMaxBallsPerBlock, j = 0, count = 0, round = 0;
+    if (row < rows) b = m.row_ball[row];
+    if (b < kMaxBallsPerBlock) {
+      j = s.list[b] - s.later[b] + row - s.row0[b];
+      for (int w = j >> 5; w < words; ++w) count += __popc(m.rows[row * words + w] & bits_after(j, w));
+    }
+    int at = all + block_scan(count, s.scan, &round);
+    all += round;
+    if (count == 0) continue;
+    if (at + count > capacity) {
+      s.exact[b] = 2;
+      atomicMin(&s.triangles, at);
+      continue;
+    }
+    for (int w = j >> 5; w < words; ++w) {
+      for (std::uint32_t bits = m.rows[row * words + w] & bits_after(j, w); bits != 0; bits &= bits - 1) {
+        m.triangles[at++] = pack_triangle(row, w * 32 + __ffs(static_cast<int>(bits)) - 1, b);
+      }
+    }
+  }
+  if (threadIdx.x == 0 && kExact) note_largest(&out.statistics->most_triangles, all);
+  if (threadIdx.x == 0 && !kExact && blockIdx.x % kSampled == 0) add(&out.statistics->triangles, all);
+  __syncthreads();
+  all = min(all, s.triangles);
+  // Compaction in place: what a round writes has been read.
+  int kept = 0;
+  for (int t0 = 0; t0 < all; t0 += kBlockThreads) {
+    const int t = t0 + static_cast<int>(threadIdx.x);
+    std::uint32_t packed = 0;
+    bool keep = false;
+    if (t < all) {
+      packed = m.triangles[t];
+      keep = Triangle(m, s, words, packed).has_fourth(words);
+    }
+    int round = 0;
+    const int at = kept + block_scan(keep, s.scan, &round);
+    kept += round;
+    if (keep) m.triangles[at] = packed;
+  }
+  __syncthreads();
+  return kept;
+}
+
+// A warp's next 32 numbers below `end`, or false.
+__device__ inline bool take(int* counter, int end, int& mine) {
+  int t = 0;
+  if ((threadIdx.x & 31) == 0) t = atomicAdd(counter, 32);
+  mine = __shfl_sync(~0u, t, 0) + static_cast<int>(threadIdx.x & 31);
+  return __any_sync(~0u, mine < end);
+}
+
+__device__ inline void note_ends(const DualEdgeMemory& m, BlockBalls& s, int b, int t, const Ends& ends) {
+  if (!ends.known) atomicMax(&s.exact[b], 1);
+  const int low = min(ends.low, ends.high), high = max(ends.low, ends.high);
+  m.results[t] = static_cast<std::uint32_t>(low + 1) | static_cast<std::uint32_t>(high + 1) << 12;
+  const int count = (low >= 0) + (high >= 0);
+  if (count > 0) atomicAdd(&s.tetrahedra[b], count);
+}
+
+// The first few cuts of every triangle: those that survive them are listed. They take about as long as
+// each other, whereas lanes that are finished early would wait for them.
+__device__ inline void first_cuts(const DualEdgeProblem& p, const DualEdgeMemory& m, BlockBalls& s,
+                                  int triangles, int words) {
+  for (int t = 0; take(&s.next_triangle, triangles, t);) {
+    if (t < triangles) {
+      const Triangle triangle(m, s, words, m.triangles[t]);
+      const float4* vectors = m.vectors + triangle.entry0;
+      const auto vector = [&](int a) {
+        const float4 v = vectors[a];
+        return LiftedVector<float>{v.x, v.y, v.z, v.w};
+      };
+      DualEdge<float> edge;
+      bool survives = edge.start(vector(triangle.j), vector(triangle.k), s.radius_square[triangle.ball]);
+      int left = p.first_cuts;
+      for (int w = 0; w < words && survives && left > 0; ++w) {
+        for (std::uint32_t bits = triangle.row_j[w] & triangle.row_k[w]; bits != 0 && survives && left > 0; bits &= bits - 1, --left) {
+          const int other = w * 32 + __ffs(static_cast<int>(bits)) - 1;
+          survives = !edge.cut(vector(other), other);
+        }
+      }
+      m.results[t] = 0;
+      if (survives) m.survivors[atomicAdd(&s.survivors, 1)] = static_cast<std::uint16_t>(t);
+    }
+    __syncwarp();
+  }
+  __syncthreads();
+}
+
+// Kernel II of the block's triangles.
+__device__ inline void find_tetrahedra(const DualEdgeProblem& p, const DualEdgeMemory& m, BlockBalls& s,
+                                       int triangles, int words) {
+  const std::uint16_t* list = nullptr;
+  int count = triangles;
+  if (p.first_cuts > 0) {
+    first_cuts(p, m, s, triangles, words);
+    list = m.survivors;
+    count = s.survivors;
+  }
+  sort_by_length(m, s, count, words, list);
+  for (int at = 0; take(&s.next_survivor, count, at);) {
+    if (at < count) {
+      const int t = m.by_length[at];
+      const Triangle triangle(m, s, words, m.triangles[t]);
+      const float4* vectors = m.vectors + triangle.entry0;
+      note_ends(m, s, triangle.ball, t,
+                dual_edge_ends<float>(triangle.row_j, triangle.row_k, words, triangle.j, triangle.k,
+                                      s.radius_square[triangle.ball], [&](int a) {
+                                        const float4 v = vectors[a];
+                                        return LiftedVector<float>{v.x, v.y, v.z, v.w};
+                                      }));
+    }
+    __syncwarp();
+  }
+  __syncthreads();
+}
+
+// Kernel III of the block's triangles.
+__device__ inline void find_tetrahedra_exactly(const DualEdgeProblem& p, const DualEdgeMemory& m,
+                                               BlockBalls& s, int triangles, int words) {
+  for (int t = threadIdx.x; t < triangles; t += kBlockThreads) {
+    const Triangle triangle(m, s, words, m.triangles[t]);
+    note_ends(m, s, triangle.ball, t, exact_ends(p, m, s.ball[triangle.ball], triangle.entry0, triangle.row_j, triangle.row_k, triangle.j, triangle.k));
+  }
+  __syncthreads();
+}
+
+// Writes the tetrahedra of all balls but the undecided ones, and where each ball's are.
+template <bool kExact>
+__device__ inline void write_tetrahedra(const DualEdgeOutput& out, const DualEdgeMemory& m, BlockBalls& s,
+                                        std::uint32_t first, int balls, int triangles, int words) {
+  if (threadIdx.x < 32) {
+    const int b = static_cast<int>(threadIdx.x);
+    const int kept = b < balls && !s.exact[b] ? s.tetrahedra[b] : 0;
+    // The triangles lie in the order in which warps were given rows.
+    const int row0 = b < balls ? s.row0[b] : 0;
+    int before = 0, all = 0;
+    for (int o = 0; o < balls; ++o) {
+      const int other = __shfl_sync(~0u, kept, o);
+      if (__shfl_sync(~0u, row0, o) < row0) before += other;
+      all += other;
+    }
+    if (b == 0) s.base = all == 0 ? 0 : atomicAdd(out.cursor, static_cast<std::uint32_t>(all));
+    __syncwarp();
+    if (b < balls) {
+      if (!kExact && s.exact[b]) {  // all of this ball is done again by kernel III
+        out.exact_list[atomicAdd(out.exact_count, 1u)] = first + b;
+        if (s.exact[b] == 2) atomicAdd(&out.statistics->deferred, 1u);
+      } else if (!s.exact[b]) {
+        out.start[s.index[b]] = s.base + before;
+        out.count[s.index[b]] = kept;
+      }
+    }
+  }
+  __syncthreads();
+  std::uint32_t at = s.base;
+  for (int t0 = 0; t0 < triangles; t0 += kBlockThreads) {
+    const int t = t0 + static_cast<int>(threadIdx.x);
+    std::uint32_t packed = 0, result = 0;
+    if (t < triangles) {
+      packed = m.triangles[t];
+      if (!s.exact[packed >> 25]) result = m.results[t];
+    }
+    const int count = ((result & 4095) != 0) + (result >> 12 != 0);
+    int round = 0;
+    std::uint32_t to = at + block_scan(count, s.scan, &round);
+    at += round;
+    if (count == 0 || to + count > out.capacity) continue;
+    const Triangle triangle(m, s, words, packed);
+    const std::uint32_t* index = m.index + triangle.entry0;
+    const uint4 v = make_uint4(s.index[triangle.ball], index[triangle.j], index[triangle.k], 0);
+    if ((result & 4095) != 0) out.tetrahedra[to++] = make_uint4(v.x, v.y, v.z, index[(result & 4095) - 1]);
+    if (result >> 12 != 0) out.tetrahedra[to] = make_uint4(v.x, v.y, v.z, index[(result >> 12) - 1]);
+  }
+}
+
+// Balls [first, first + balls) of the sorted order. Every thread of the block calls it. kWords: words of a
+// row, or 0 for any number.
+template <bool kExact, int kWords>
+__device__ void process_balls(const DualEdgeProblem& p, const SortedBalls& sorted, const DualEdgeOutput& out,
+                              const DualEdgeMemory& m, BlockBalls& s, std::uint32_t first, int balls) {
+  const int words = kWords > 0 ? kWords : p.words;
+  find_lists<kExact>(p, sorted, out, m, s, first, balls);
+  for (int row = threadIdx.x; row < s.rows; row += kBlockThreads) {
+    const int b = m.row_ball[row];
+    if (b == kMaxBallsPerBlock) continue;
+    fill_row(p, m, words, s.entry0[b], s.list[b], s.list[b] - s.later[b] + row - s.row0[b], s.radius_square[b], m.rows + row * words);
+  }
+  __syncthreads();
+  const int triangles = list_triangles<kExact>(p, out, m, s, words);
+  if constexpr (kExact) {
+    find_tetrahedra_exactly(p, m, s, triangles, words);
+  } else {
+    find_tetrahedra(p, m, s, triangles, words);
+  }
+  write_tetrahedra<kExact>(out, m, s, first, balls, triangles, words);
+}
+
+template <int kWords>
+__global__ void __launch_bounds__(kBlockThreads) dual_edges_filtered(DualEdgeProblem p, SortedBalls sorted, DualEdgeOutput out) {
+  extern __shared__ __align__(16) unsigned char shared[];
+  __shared__ BlockBalls s;
+  const DualEdgeMemory m = carve(shared, p);
+  const std::uint32_t alive = *sorted.alive;
+  const std::uint32_t first = blockIdx.x * static_cast<std::uint32_t>(p.common.balls_per_block);
+  if (first >= alive) return;
+  const int balls = static_cast<int>(min(static_cast<std::uint32_t>(p.common.balls_per_block), alive - first));
+  process_balls<false, kWords>(p, sorted, out, m, s, first, balls);
+}
+
+// One ball at a time; p.common.balls_per_block is 1.
+__global__ void __launch_bounds__(kBlockThreads) dual_edges_exact(DualEdgeProblem p, SortedBalls sorted, DualEdgeOutput out) {
+  extern __shared__ __align__(16) unsigned char shared[];
+  __shared__ BlockBalls s;
+  const DualEdgeMemory m = carve(shared, p);
+  const std::uint32_t count = *out.exact_count;
+  if (out.statistics->deferred > p.deferred_limit) return;
+  for (std::uint32_t n = blockIdx.x; n < count; n += gridDim.x) {
+    process_balls<true, 0>(p, sorted, out, m, s, out.exact_list[n], 1);
+    __syncthreads();
+  }
+}
+
+}  // namespace alphascope::gpu

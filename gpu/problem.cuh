@@ -1,0 +1,156 @@
+// What all kernels of one request share: the problem, the balls in cell order, the neighbour search, and
+// how simplices get their lexicographic places.
+#pragma once
+
+#include <cuda_runtime.h>
+
+#include <cstdint>
+
+namespace alphascope::gpu {
+
+inline constexpr int kBlockThreads = 128;
+
+inline constexpr int kMaxBallsPerBlock = 32;
+
+// What all kernels know about the request; passed by value.
+struct Problem {
+  int ball_count;
+  int4 origin;  // of the grid (w unused), lattice units
+  int cell_width, nx, ny, nz;  // cells, with a border of empty ones
+  int cell_count;         // with one more for the dead
+  float reach_slack;      // lattice units: what rounding the coordinates can take from a distance
+  double alpha;           // square lattice units
+  float scale;            // power of two: scaled = lattice * scale
+  std::int64_t ghost_reach;  // power of two above every sqrt(w + alpha), lattice units
+  int balls_per_block;
+  int list_capacity;      // neighbours of a ball that fit the block's memory
+  int staging_capacity;   // simplices of one dimension that fit
+};
+
+// What a block's shared memory has room for.
+struct BlockRoom {
+  std::uint32_t list;       // neighbours of one ball
+  std::uint32_t entries;    // neighbours of all the block's balls
+  std::uint32_t rows;       // those of higher index than their ball
+  std::uint32_t triangles;  // of three balls that meet
+};
+
+// What a run of blocks met. Sums over every `kSampled`-th block, from which the room of the next run
+// follows; maxima over all.
+struct BlockStatistics {
+  std::uint64_t balls, entries, entry_squares, triangles;
+  std::uint32_t longest_list;    // of one ball
+  std::uint32_t most_triangles;  // of one ball that kernel III looked at
+  std::uint32_t deferred;        // balls that found no room and went to kernel III
+  std::uint32_t padding;
+};
+
+// Balls in cell order.
+struct SortedBalls {
+  const int4* ball;         // x, y, z, radius
+  const std::uint32_t* index;  // in the BallSet
+  // x, y, z from the grid's origin (nearest floats) and sqrt(w + alpha), rounded up so far that grown
+  // balls that meet are found to meet in single precision; lattice units.
+  const float4* near;
+  const std::uint32_t* cell;
+  const std::uint32_t* cell_start;
+  const std::uint32_t* alive;  // one number: balls before the dead ones
+};
+
+// Simplices of one dimension on the device, in the order in which blocks finished.
+template <int N>
+struct DeviceSimplices {
+  std::uint32_t* vertices;  // N per simplex
+  float* value;             // null when only tetrahedra are asked for
+  std::uint8_t* simplex_class;
+  std::uint32_t capacity;
+  std::uint32_t* cursor;    // simplices written (may pass capacity: then nothing counts)
+  std::uint32_t* start;     // per ball: its first simplex
+  std::uint32_t* count;     // per ball
+};
+
+// The balls of the 27 cells around a ball, numbered 0, 1, ...: nine rows of three cells, each a run of
+// slots. For one warp; `end` and `base` are nine words of its own in shared memory.
+struct Surroundings {
+  std::uint32_t *end, *base;
+
+  // Returns how many there are.
+  __device__ std::uint32_t load(const Problem& p, const SortedBalls& balls, std::uint32_t slot) {
+    const int lane = threadIdx.x & 31, r = lane < 9 ? lane : 8;
+    const std::uint32_t* row = balls.cell_start + balls.cell[slot] + ((r / 3 - 1) * p.ny + r % 3 - 1) * p.nz;
+    const std::uint32_t begin = row[-1], length = row[2] - begin;
+    std::uint32_t sum = length;
+    for (int step = 1; step < 9; step *= 2) {
+      const std::uint32_t other = __shfl_up_sync(~0u, sum, step);
+      if (lane >= step) sum += other;
+    }
+    if (lane < 9) {
+      end[lane] = sum;
+      base[lane] = begin - (sum - length);
+    }
+    __syncwarp();
+    return end[8];
+  }
+  __device__ std::uint32_t slot(std::uint32_t number) const {
+    int r = number >= end[4] ? 5 : 0;
+    r += number >= end[r + 1] ? 2 : 0;
+    r += number >= end[r] ? 1 : 0;
+    r += r < 8 && number >= end[r] ? 1 : 0;
+    return base[r] + number;
+  }
+};
+
+// Kernel I for one ball and one warp: lists those that it meets in `found`, in no order. Returns the number
+// of all, also of those that do not fit.
+__device__ inline int search_neighbours(const Problem& p, const SortedBalls& balls, std::uint32_t slot,
+                                        Surroundings around, std::uint32_t* found) {
+  const int lane = threadIdx.x & 31;
+  const float4 b = balls.near[slot];
+  const std::uint32_t all = around.load(p, balls, slot);
+  int count = 0;
+  for (std::uint32_t first = 0; first < all; first += 32) {
+    const std::uint32_t number = first + lane;
+    std::uint32_t t = slot;
+    bool hit = false;
+    if (number < all) {
+      t = around.slot(number);
+      const float4 o = balls.near[t];
+      const float x = o.x - b.x, y = o.y - b.y, z = o.z - b.z, sum = o.w + b.w;
+      hit = fmaf(x, x, fmaf(y, y, z * z)) <= sum * sum && t != slot;
+    }
+    const unsigned hits = __ballot_sync(~0u, hit);
+    const int at = count + __popc(hits & ((1u << lane) - 1));
+    if (hit && at < p.list_capacity) found[at] = t;
+    count += __popc(hits);
+  }
+  __syncwarp();
+  return count;
+}
+
+// Moves every simplex to its lexicographic place: the prefix sum of its lowest ball, and its rank
+// among that ball's.
+template <int N>
+__global__ void place(DeviceSimplices<N> from, const std::uint32_t* offset, std::uint32_t* vertices,
+                      float* value, std::uint8_t* simplex_class) {
+  const std::uint32_t count = *from.cursor;
+  if (count > from.capacity) return;  // the run will be repeated with room for all
+  for (std::uint32_t t = blockIdx.x * blockDim.x + threadIdx.x; t < count; t += gridDim.x * blockDim.x) {
+    const std::uint32_t i = from.vertices[static_cast<std::size_t>(t) * N];
+    const std::uint32_t to = offset[i] + (t - from.start[i]);
+    if constexpr (N == 4) {
+      reinterpret_cast<uint4*>(vertices)[to] = reinterpret_cast<const uint4*>(from.vertices)[t];
+    } else if constexpr (N == 2) {
+      reinterpret_cast<uint2*>(vertices)[to] = reinterpret_cast<const uint2*>(from.vertices)[t];
+    } else {
+      for (int v = 0; v < N; ++v) {
+        vertices[static_cast<std::size_t>(to) * N + v] = from.vertices[static_cast<std::size_t>(t) * N + v];
+      }
+    }
+    if (value != nullptr) {
+      value[to] = from.value[t];
+      simplex_class[to] = from.simplex_class[t];
+    }
+  }
+}
+
+}  // namespace alphascope::gpu

@@ -1,0 +1,107 @@
+// The tuple engine on the GPU: byte for byte the CPU's facet engine, whatever the switches, and
+// what is said without a device.
+#include "gpu/tuple_engine.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+#include "core/complex/tuple_engine.hpp"
+#include "gpu/gpu_engine.hpp"
+#include "tests/support/random_balls.hpp"
+
+namespace alphascope {
+namespace {
+
+using testing::NamedBalls;
+using testing::Random;
+
+template <int N>
+void expect_same(const SimplexList<N>& a, const SimplexList<N>& b) {
+  EXPECT_EQ(a.simplices, b.simplices);
+  EXPECT_EQ(a.classes, b.classes);
+  ASSERT_EQ(a.alpha_values.size(), b.alpha_values.size());
+  if (a.alpha_values.empty()) return;
+  EXPECT_EQ(std::memcmp(a.alpha_values.data(), b.alpha_values.data(),
+                        a.alpha_values.size() * sizeof(float)),
+            0);
+}
+
+void expect_same(const AlphaComplex& a, const AlphaComplex& b) {
+  expect_same(a.vertices, b.vertices);
+  expect_same(a.edges, b.edges);
+  expect_same(a.triangles, b.triangles);
+  expect_same(a.tetrahedra, b.tetrahedra);
+  EXPECT_EQ(a.hash, b.hash);
+}
+
+// Every switch turned alone, and all of them.
+std::vector<TupleOptions> some_switches() {
+  std::vector<TupleOptions> all(8);
+  all[1].grid = TupleGridKind::thesis;
+  all[2].edge_optimisation = false;
+  all[3].alpha_optimisation = false;
+  all[4].pinned = false;
+  all[5].streams = 1;
+  all[6].texture = false;
+  all[7] = {TupleGridKind::thesis, false, false, false, 3, false, 5000};
+  return all;
+}
+
+TEST(GpuTuples, EqualTheCpuOnHardSetsWhateverTheSwitches) {
+  if (!gpu_device().usable) GTEST_SKIP() << gpu_device().why_not;
+  Random random(41);
+  for (const NamedBalls& set : testing::large_hard_sets(random, 35)) {
+    SCOPED_TRACE(set.name);
+    const auto balls = std::make_shared<const BallSet>(set.balls);
+    const double unit = set.name == "random" ? 1e4 : 1;
+    for (const TupleOptions& options : some_switches()) {
+      std::string why_not;
+      const auto gpu = make_gpu_tuple_engine(balls, options, &why_not);
+      ASSERT_TRUE(gpu) << why_not;
+      const auto cpu = make_cpu_engine(balls, {0, false});
+      const auto tuples = make_tuple_engine(balls, {}, options);
+      for (const double alpha : {-1.0, 0.0, 0.5, 3.0, 40.0}) {
+        for (const bool only : {true, false}) {
+          const AlphaRequest request{alpha * unit, only};
+          const AlphaComplex found = gpu->compute(request, {});
+          expect_same(found, cpu->compute(request, {}));
+          // The same arithmetic: even the band is the CPU's.
+          const AlphaComplex on_cpu = tuples->compute(request, {});
+          for (std::size_t c = 0; c + 1 < found.engine.counters.size(); ++c) {
+            EXPECT_EQ(found.engine.counters[c].value, on_cpu.engine.counters[c].value)
+                << found.engine.counters[c].name;
+          }
+          if (::testing::Test::HasFailure()) return;
+        }
+      }
+    }
+  }
+}
+
+TEST(GpuTuples, StayUsableWhenCancelled) {
+  if (!gpu_device().usable) GTEST_SKIP() << gpu_device().why_not;
+  Random random(42);
+  const auto balls =
+      std::make_shared<const BallSet>(testing::random_balls(random, 3000, 20000, 500, 1500));
+  const auto engine = make_gpu_tuple_engine(balls, {}, nullptr);
+  ASSERT_TRUE(engine);
+  RunContext context;
+  context.progress = [&](std::string_view, double) { context.cancel.cancel(); };
+  EXPECT_THROW(engine->compute({1e5}, context), Cancelled);
+  expect_same(engine->compute({1e5}, {}), make_cpu_engine(balls)->compute({1e5}, {}));
+}
+
+TEST(GpuTuples, SayWhyTheyCannotBeUsed) {
+  if (gpu_device().usable) GTEST_SKIP() << gpu_device().name << " is usable";
+  BallSet balls;
+  balls.centres.push_back({0, 0, 0});
+  balls.radii.push_back(1000);
+  std::string why_not;
+  EXPECT_EQ(make_gpu_tuple_engine(std::make_shared<const BallSet>(balls), {}, &why_not), nullptr);
+  EXPECT_EQ(why_not, gpu_device().why_not);
+  EXPECT_FALSE(why_not.empty());
+}
+
+}  // namespace
+}  // namespace alphascope

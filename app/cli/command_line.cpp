@@ -94,9 +94,9 @@ void add_alphas(CLI::App& command, std::vector<double>& alphas) {
       ->type_name("A,B,...");
 }
 
-// The switches of the tuple engine; refused with another engine, where they would do nothing.
+// The switches of the tuple engines; refused with another engine, where they would do nothing.
 void add_tuples(CLI::App& command, SessionRequest& request) {
-  constexpr const char* kGroup = "Options of --engine tuples-cpu (same result)";
+  constexpr const char* kGroup = "Options of --engine tuples-cpu and tuples-gpu (same result)";
   TupleOptions& tuples = request.tuples;
   command.add_option_function<std::string>(
              "--tuple-grid",
@@ -113,14 +113,21 @@ void add_tuples(CLI::App& command, SessionRequest& request) {
       "Enumerate tuples of balls that do not all meet, too");
   off("--no-alpha-optimisation", tuples.alpha_optimisation,
       "Send tuples of ortho-radius above alpha to kernel II, too");
+  off("--pageable", tuples.pinned, "GPU: pageable host memory instead of pinned");
+  off("--no-texture", tuples.texture, "GPU: read balls from plain memory, not through textures");
+  command.add_option("--streams", tuples.streams, "GPU: streams side by side, 1 for none")
+      ->check(CLI::Range(1, 8))
+      ->type_name("N")
+      ->group(kGroup);
   command.add_option("--tuples-per-batch", tuples.tuples_per_batch,
                      "Tuples held at once, 0 to choose")
       ->check(CLI::Range(0, 100'000'000))
       ->type_name("N")
       ->group(kGroup);
   command.parse_complete_callback([&request] {
-    if (request.engine == EngineChoice::tuples_cpu || request.tuples == TupleOptions{}) return;
-    throw CLI::ValidationError("The options of the tuple engine", "need --engine tuples-cpu");
+    if (is_tuple_engine(request.engine) || request.tuples == TupleOptions{}) return;
+    throw CLI::ValidationError("The options of the tuple engines",
+                               "need --engine tuples-cpu or tuples-gpu");
   });
 }
 
@@ -133,7 +140,7 @@ void add_engine(CLI::App& command, SessionRequest& request, bool threads) {
              "--engine",
              [&request](const std::string& id) { request.engine = *engine_from_id(id); },
              "auto takes the GPU when there is one; the result is the same")
-      ->check(CLI::IsMember({"auto", "cpu", "cgal", "gpu", "tuples-cpu"}));
+      ->check(CLI::IsMember({"auto", "cpu", "cgal", "gpu", "tuples-cpu", "tuples-gpu"}));
   if (threads) {
     command.add_option("--threads", request.threads, "CPU threads; 0 for all")
         ->check(CLI::Range(0, 1024))

@@ -67,11 +67,14 @@ Json request_json(const SessionRequest& request, const Lattice& lattice) {
             {"tetrahedra_only", request.tetrahedra_only},
             {"engine", engine_id(request.engine)},
             {"threads", request.threads}};
-  if (request.engine == EngineChoice::tuples_cpu) {
+  if (is_tuple_engine(request.engine)) {
     const TupleOptions& t = request.tuples;
     json["tuples"] = {{"grid", t.grid == TupleGridKind::thesis ? "100" : "auto"},
                       {"edge_optimisation", t.edge_optimisation},
                       {"alpha_optimisation", t.alpha_optimisation},
+                      {"pinned", t.pinned},
+                      {"streams", t.streams},
+                      {"texture", t.texture},
                       {"tuples_per_batch", t.tuples_per_batch}};
   }
   return json;

@@ -17,7 +17,7 @@ struct SessionRequest {
   bool tetrahedra_only = false;
   EngineChoice engine = EngineChoice::automatic;
   int threads = 0;  // 0: as many as the machine has
-  TupleOptions tuples = {};  // of the tuple engine only
+  TupleOptions tuples = {};  // of the tuple engines only
   friend bool operator==(const SessionRequest&, const SessionRequest&) = default;
 };
 

@@ -7,17 +7,19 @@
 #include "core/complex/tuple_engine.hpp"
 #ifdef ALPHASCOPE_HAS_GPU
 #include "gpu/gpu_engine.hpp"
+#include "gpu/tuple_engine.hpp"
 #endif
 
 namespace alphascope {
 namespace {
 
-constexpr std::array<std::pair<EngineChoice, std::string_view>, 5> kIds{{
+constexpr std::array<std::pair<EngineChoice, std::string_view>, 6> kIds{{
     {EngineChoice::automatic, "auto"},
     {EngineChoice::cpu, "cpu"},
     {EngineChoice::cgal, "cgal"},
     {EngineChoice::gpu, "gpu"},
     {EngineChoice::tuples_cpu, "tuples-cpu"},
+    {EngineChoice::tuples_gpu, "tuples-gpu"},
 }};
 
 std::unique_ptr<Engine> try_gpu(const std::shared_ptr<const BallSet>& balls, int threads,
@@ -30,6 +32,24 @@ std::unique_ptr<Engine> try_gpu(const std::shared_ptr<const BallSet>& balls, int
   why_not = "This build has no GPU engine. The CPU engine gives the same results.";
   return nullptr;
 #endif
+}
+
+MadeEngine make_tuples_on_gpu(std::shared_ptr<const BallSet> balls, const TupleOptions& tuples) {
+  MadeEngine made;
+  std::string why_not;
+#ifdef ALPHASCOPE_HAS_GPU
+  made.engine = make_gpu_tuple_engine(std::move(balls), tuples, &why_not);
+#else
+  static_cast<void>(balls);
+  static_cast<void>(tuples);
+  why_not = "This build has no GPU engine.";
+#endif
+  if (!made.engine) {
+    throw EngineUnavailable("The tuple engine cannot be used on the GPU. " + why_not +
+                            " Choose the engine \"tuples-cpu\" instead.");
+  }
+  made.uses_gpu = true;
+  return made;
 }
 
 }  // namespace
@@ -55,6 +75,9 @@ MadeEngine make_engine(EngineChoice choice, std::shared_ptr<const BallSet> balls
   if (choice == EngineChoice::tuples_cpu) {
     made.engine = make_tuple_engine(std::move(balls), {threads}, settings.tuples);
     return made;
+  }
+  if (choice == EngineChoice::tuples_gpu) {
+    return make_tuples_on_gpu(std::move(balls), settings.tuples);
   }
   if (choice == EngineChoice::cgal) {
     made.engine = make_cgal_engine(std::move(balls), {threads});

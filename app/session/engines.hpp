@@ -12,12 +12,16 @@
 
 namespace alphascope {
 
-// automatic: the GPU when it can be used, else the CPU. tuples_cpu is the thesis' pipeline.
-enum class EngineChoice { automatic, cpu, cgal, gpu, tuples_cpu };
+// automatic: the GPU when it can be used, else the CPU. The tuple engines are the thesis' pipeline.
+enum class EngineChoice { automatic, cpu, cgal, gpu, tuples_cpu, tuples_gpu };
 
-// "auto", "cpu", "cgal", "gpu", "tuples-cpu"
+// "auto", "cpu", "cgal", "gpu", "tuples-cpu", "tuples-gpu"
 std::string_view engine_id(EngineChoice choice);
 std::optional<EngineChoice> engine_from_id(std::string_view id);
+
+inline bool is_tuple_engine(EngineChoice choice) {
+  return choice == EngineChoice::tuples_cpu || choice == EngineChoice::tuples_gpu;
+}
 
 // The chosen engine cannot work here; what() says why and what to choose instead.
 struct EngineUnavailable : std::runtime_error {
@@ -32,13 +36,13 @@ struct MadeEngine {
 
 struct EngineSettings {
   int threads = 0;      // 0: as many as the machine has
-  TupleOptions tuples;  // of the tuple engine only
+  TupleOptions tuples;  // of the tuple engines only
 };
 
 using EngineFactory = std::function<MadeEngine(
     EngineChoice choice, std::shared_ptr<const BallSet> balls, const EngineSettings& settings)>;
 
-// The factory of the program. Throws EngineUnavailable (only for gpu).
+// The factory of the program. Throws EngineUnavailable (only for gpu and tuples_gpu).
 MadeEngine make_engine(EngineChoice choice, std::shared_ptr<const BallSet> balls,
                        const EngineSettings& settings);
 

@@ -228,6 +228,18 @@ TEST_F(Cli, TheTupleEngineHasSwitchesAndCountsItsTuples) {
   EXPECT_FALSE(bare["request"]["tuples"]["edge_optimisation"]);
 }
 
+// Where there is no device, it says so and what to choose; the CPU does not stand in for it.
+TEST_F(Cli, TheTupleEngineOnTheGpuWorksOrSaysWhyNot) {
+  const std::string request = "compute '" + cube_.string() + "' --alpha 1 --engine tuples-gpu";
+  const Outcome outcome = run(request + " --pageable --streams 1 --no-texture");
+  if (outcome.code == 0) {
+    EXPECT_TRUE(contains(outcome.out, "without pinned memory and streams and textures"));
+  } else {
+    EXPECT_EQ(outcome.code, 4);
+    EXPECT_TRUE(contains(outcome.err, "tuples-cpu")) << outcome.err;
+  }
+}
+
 TEST_F(Cli, TheComplexFileHoldsWhatItSays) {
   const fs::path out = folder_ / "cube.alpha";
   const Outcome outcome = run("compute '" + cube_.string() + "' --alpha 1 --out '" + out.string() + "'");

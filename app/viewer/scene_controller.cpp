@@ -60,6 +60,7 @@ void SceneController::set_molecule(std::shared_ptr<const Molecule> molecule,
   molecule_ = std::move(molecule);
   prepared_ = std::move(prepared);
   answer_ = nullptr;
+  agreement_ = nullptr;
   waiting_ = same_molecule;
   if (!waiting_) submit();
 }
@@ -67,7 +68,14 @@ void SceneController::set_molecule(std::shared_ptr<const Molecule> molecule,
 void SceneController::set_answer(std::shared_ptr<const Answer> answer) {
   if (!answer || answer->prepared != prepared_) return;
   answer_ = std::move(answer);
+  agreement_ = nullptr;
   waiting_ = false;
+  submit();
+}
+
+void SceneController::set_agreement(std::shared_ptr<const Agreement> agreement) {
+  if (!agreement || agreement->ours != answer_ || agreement->comparison.identical()) return;
+  agreement_ = std::move(agreement);
   submit();
 }
 
@@ -151,29 +159,33 @@ void SceneController::submit() {
   if (!prepared_ || waiting_) return;  // what is awaited will be made with the new options
   const bool by_element = display_.complex_colour == ColourBy::element;
   mesh_worker_.submit([this, drawn = drawn_molecule_, molecule = molecule_, prepared = prepared_,
-                       answer = answer_, by_element,
+                       answer = answer_, agreement = agreement_, by_element,
                        options = requested_mesh_](const RunContext& context) -> Worker::Delivery {
+    Drawing drawing;
     const bool known = drawn && drawn->prepared == prepared;
-    const auto next = known ? drawn : make_drawn(molecule, prepared, context);
-    std::shared_ptr<const ComplexMesh> mesh;
+    drawing.molecule = known ? drawn : make_drawn(molecule, prepared, context);
+    drawing.answer = answer;
+    const DrawnMolecule& m = *drawing.molecule;
     if (answer) {
-      mesh = std::make_shared<const ComplexMesh>(
-          build_mesh(*next->geometry, by_element ? *next->by_element : *next->by_chain,
-                     answer->complex, options));
+      drawing.mesh = std::make_shared<const ComplexMesh>(build_mesh(
+          *m.geometry, by_element ? *m.by_element : *m.by_chain, answer->complex, options));
     }
-    return [this, next, answer, mesh] { take(next, answer, mesh); };
+    if (agreement) {
+      drawing.differences = std::make_shared<const DifferenceMesh>(
+          build_difference_mesh(*m.geometry, agreement->comparison));
+    }
+    return [this, drawing] { take(drawing); };
   });
 }
 
-void SceneController::take(std::shared_ptr<const DrawnMolecule> drawn,
-                           std::shared_ptr<const Answer> answer,
-                           std::shared_ptr<const ComplexMesh> mesh) {
-  if (drawn->prepared != prepared_) return;
-  const bool new_balls = drawn != drawn_molecule_;
-  drawn_answer_ = std::move(answer);
+void SceneController::take(Drawing drawing) {
+  if (drawing.molecule->prepared != prepared_) return;
+  const bool new_balls = drawing.molecule != drawn_molecule_;
+  drawn_answer_ = std::move(drawing.answer);
   if (new_balls) {
-    const bool keep_view = drawn_molecule_ && drawn_molecule_->molecule == drawn->molecule;
-    drawn_molecule_ = std::move(drawn);
+    const bool keep_view =
+        drawn_molecule_ && drawn_molecule_->molecule == drawing.molecule->molecule;
+    drawn_molecule_ = std::move(drawing.molecule);
     scene_.set_balls(drawn_molecule_->geometry, *drawn_molecule_->by_chain);
     if (!keep_view) {
       scene_.reset_view();
@@ -182,7 +194,8 @@ void SceneController::take(std::shared_ptr<const DrawnMolecule> drawn,
     update_colours();
   }
   if (new_balls || display_.grown_balls) update_radii();
-  scene_.set_mesh(std::move(mesh));
+  scene_.set_mesh(std::move(drawing.mesh));
+  scene_.set_differences(std::move(drawing.differences));
   dirty_ = true;
 }
 

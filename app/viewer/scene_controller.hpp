@@ -36,6 +36,8 @@ class SceneController {
   const std::shared_ptr<const Molecule>& molecule() const { return molecule_; }  // last set
   void set_answer(std::shared_ptr<const Answer> answer);
   void show_without_answer();  // there will be none
+  // Draws what differs from the reference, if anything does.
+  void set_agreement(std::shared_ptr<const Agreement> agreement);
   void set_display(const DisplayControls& display, Theme theme);
   void pointer(const PointerEvent& event);
   void reset_view();
@@ -62,8 +64,13 @@ class SceneController {
   void update_colours();
   void update_radii();
   void submit();
-  void take(std::shared_ptr<const DrawnMolecule> drawn, std::shared_ptr<const Answer> answer,
-            std::shared_ptr<const ComplexMesh> mesh);
+  struct Drawing {
+    std::shared_ptr<const DrawnMolecule> molecule;
+    std::shared_ptr<const Answer> answer;
+    std::shared_ptr<const ComplexMesh> mesh;
+    std::shared_ptr<const DifferenceMesh> differences;
+  };
+  void take(Drawing drawing);
   MeshOptions mesh_options() const;
 
   Scene scene_;
@@ -72,7 +79,8 @@ class SceneController {
   std::shared_ptr<const Molecule> molecule_;
   std::shared_ptr<const PreparedBalls> prepared_;
   std::shared_ptr<const Answer> answer_;
-  bool waiting_ = false;  // for the answer: until then nothing new is drawn
+  std::shared_ptr<const Agreement> agreement_;  // of answer_, and only when something differs
+  bool waiting_ = false;                        // for the answer: until then nothing new is drawn
   // On screen.
   std::shared_ptr<const DrawnMolecule> drawn_molecule_;
   std::shared_ptr<const Answer> drawn_answer_;

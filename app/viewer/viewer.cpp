@@ -41,11 +41,11 @@ void keep_only(std::optional<EngineTimings>& shown, const ColdAndWarm& known) {
 
 }  // namespace
 
-Viewer::Viewer(Host& host, const ViewerOptions& options)
+Viewer::Viewer(Host& host, const ViewerOptions& options, Session::Services services)
     : host_(host),
       frame_(host, options.light ? Theme::light : Theme::dark),
       scene_([&host] { host.wake(); }),
-      session_([&host] { host.wake(); }) {
+      session_([&host] { host.wake(); }, std::move(services)) {
   fill_constants();
   state_.theme = options.light ? Theme::light : Theme::dark;
   state_.compute.alpha = options.alpha;
@@ -129,7 +129,10 @@ void Viewer::take_session() {
     scene_.show_without_answer();  // cancelled or failed
     state_.result = {};
   }
-  if (changes.agreement && s.agreement) note_timings(state_.cgal, *s.agreement->reference);
+  if (changes.agreement && s.agreement) {
+    note_timings(state_.cgal, *s.agreement->reference);
+    scene_.set_agreement(s.agreement);
+  }
   if (s.ours) {  // else the next answer is on its way
     keep_only(state_.ours, s.our_timings);
     keep_only(state_.cgal, s.reference_timings);

@@ -19,7 +19,8 @@ namespace alphascope {
 
 class Viewer {
  public:
-  Viewer(Host& host, const ViewerOptions& options);
+  Viewer(Host& host, const ViewerOptions& options,
+         Session::Services services = Session::program_services());
   ~Viewer();
 
   // Until the user quits. Draws only when something changed.

@@ -43,10 +43,15 @@ void badge(PanelContext& ctx) {
   const BadgeInfo& b = ctx.state.badge;
   const BadgeLook l = look(ctx.palette, b.state);
   const std::string full = l.symbol + b.text;
-  const float room = ImGui::GetContentRegionAvail().x - ctx.px(270);
+  const float room = ImGui::GetContentRegionAvail().x - ctx.px(290);
   pill(ctx, fitted_text(full, room), l.text, l.fill);
   record(ctx, "timings.badge");
-  tooltip(ctx, full.c_str());
+  const bool different = b.state == BadgeInfo::State::different;
+  tooltip(ctx,
+          (full + (different ? "\n\nDrawn over the picture: what only CGAL has in magenta, what "
+                               "only this engine has in yellow."
+                             : ""))
+              .c_str());
 }
 
 // How many times faster than CGAL, for the run that is shown.

@@ -40,6 +40,8 @@ constexpr double kViewAngleDegrees = 25;  // less than VTK's 30: molecules disto
 // Exact transparency of this many layers; more cost time and show no difference.
 constexpr int kPeels = 6;
 constexpr int kFineSamples = 2;  // each way
+// Units of depth by which differences are moved to the front: more than any molecule is deep.
+constexpr double kToTheFront = -1e6;
 
 struct MeshActor {
   vtkNew<vtkPolyDataMapper> mapper;
@@ -69,6 +71,12 @@ struct MeshActor {
     mapper->SetInputData(nullptr);
     actor->VisibilityOff();
   }
+  void always_in_front() {
+    mapper->SetResolveCoincidentTopologyToPolygonOffset();
+    mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(0, kToTheFront);
+    mapper->SetRelativeCoincidentTopologyLineOffsetParameters(0, kToTheFront);
+    actor->GetProperty()->LightingOff();
+  }
 };
 
 }  // namespace
@@ -81,9 +89,10 @@ struct Scene::Impl {
   vtkNew<vtkOpenGLSphereMapper> ball_mapper;
   vtkNew<vtkActor> ball_actor;
   vtkSmartPointer<vtkPolyData> ball_data;
-  MeshActor tetrahedra, boundary, triangles, edges;
+  MeshActor tetrahedra, boundary, triangles, edges, differing_faces, differing_edges;
   std::shared_ptr<const BallGeometry> balls;
   std::shared_ptr<const ComplexMesh> mesh;  // VTK reads its arrays in place
+  std::shared_ptr<const DifferenceMesh> differences;
   SceneStyle style;
   int picture_height = 1;
   int samples = 1;             // each way, of the last picture
@@ -103,6 +112,10 @@ struct Scene::Impl {
     edges.actor->GetProperty()->LightingOff();
     renderer->AddActor(ball_actor);
     for (MeshActor* m : {&tetrahedra, &boundary, &triangles, &edges}) renderer->AddActor(m->actor);
+    for (MeshActor* m : {&differing_faces, &differing_edges}) {
+      m->always_in_front();
+      renderer->AddActor(m->actor);
+    }
     renderer->GetActiveCamera()->SetViewAngle(kViewAngleDegrees);
   }
 
@@ -180,6 +193,7 @@ struct Scene::Impl {
     if (balls && std::exchange(reset_pending, false)) reset_camera();
     const float width_scale = static_cast<float>(samples);
     edges.actor->GetProperty()->SetLineWidth(1.5f * width_scale);
+    differing_edges.actor->GetProperty()->SetLineWidth(3.5f * width_scale);
     renderer->ResetCameraClippingRange();
     window->Render();
   }
@@ -228,6 +242,7 @@ void Scene::set_balls(std::shared_ptr<const BallGeometry> balls, const std::vect
     throw std::invalid_argument("every ball needs one colour");
   }
   set_mesh(nullptr);
+  set_differences(nullptr);
   impl_->balls = std::move(balls);
   impl_->ball_data = balls_to_vtk(*impl_->balls);
   set_radii(impl_->ball_data, drawn_radii(*impl_->balls, {}));
@@ -256,6 +271,17 @@ void Scene::set_mesh(std::shared_ptr<const ComplexMesh> mesh) {
     }
   }
   impl_->mesh = std::move(mesh);  // only now may the old arrays go
+}
+
+void Scene::set_differences(std::shared_ptr<const DifferenceMesh> differences) {
+  if (differences) {
+    impl_->differing_faces.show(differences->faces, 3);
+    impl_->differing_edges.show(differences->edges, 2);
+  } else {
+    impl_->differing_faces.hide();
+    impl_->differing_edges.hide();
+  }
+  impl_->differences = std::move(differences);
 }
 
 void Scene::set_style(const SceneStyle& style) {

@@ -9,6 +9,7 @@
 #include "ui/scene/ball_geometry.hpp"
 #include "ui/scene/ball_pick.hpp"
 #include "ui/scene/complex_mesh.hpp"
+#include "ui/scene/difference_mesh.hpp"
 #include "ui/theme.hpp"
 
 namespace alphascope {
@@ -47,6 +48,8 @@ class Scene {
   void set_ball_radii(const std::vector<float>& radii);  // Å, as drawn
   void set_ball_colours(const std::vector<Rgb8>& colours);
   void set_mesh(std::shared_ptr<const ComplexMesh> mesh);  // null: none
+  // Drawn over everything else, so that nothing hides what is wrong; null: none.
+  void set_differences(std::shared_ptr<const DifferenceMesh> differences);
   void set_style(const SceneStyle& style);
   void reset_view();
 

@@ -235,6 +235,16 @@ TEST(MenuTest, EscapeClosesMenusAndLists) {
   EXPECT_FALSE(p.state.requests.cancel) << "the menu had the key";
 }
 
+TEST_F(MoleculePanel, EscapeStopsPlayingBeforeItCancels) {
+  p.state.busy = {true, "Computing", 0.4, 0.01};
+  p.state.memory.playing_models = true;
+  p.tap(key::kEscape);
+  EXPECT_FALSE(p.state.memory.playing_models);
+  EXPECT_FALSE(p.state.requests.cancel) << "the model at hand still gets its complex";
+  p.tap(key::kEscape);
+  EXPECT_TRUE(p.state.requests.cancel);
+}
+
 class MoleculePanelAtEverySize : public ::testing::TestWithParam<Size> {};
 
 TEST_P(MoleculePanelAtEverySize, NothingLeavesThePanelAndAlphaIsInSight) {

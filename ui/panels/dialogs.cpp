@@ -16,7 +16,8 @@ constexpr ImGuiWindowFlags kModalFlags = ImGuiWindowFlags_NoResize | ImGuiWindow
                                          ImGuiWindowFlags_NoSavedSettings |
                                          ImGuiWindowFlags_AlwaysAutoResize;
 
-// Resident memory of the whole window with an assembly's complex at alpha 0, divided by its atoms.
+// Peak memory of the whole window with an assembly's complex at alpha 0 on the CPU engine, per
+// atom: 890 bytes for 1M4X' assembly 4 (1.6 million atoms), 1,190 for 3J6R's (1.0 million).
 constexpr std::uint64_t kBytesPerAtomShown = 1200;
 
 bool begin_modal(PanelContext& ctx, const char* title, bool wanted) {
@@ -89,7 +90,7 @@ void cheat_sheet(PanelContext& ctx) {
                  {"shift + ← →", "alpha − and + 1 Å²"},
                  {"Ctrl + click on a slider", "type the value"},
                  {"C", "compare with CGAL"},
-                 {"Esc", "cancel what is being computed"}});
+                 {"Esc", "close a menu; stop playing; cancel"}});
   shortcut_rows(ctx, "File",
                 {{"Ctrl + O, or drop a file", "open a molecule"},
                  {"Ctrl + S", "save a picture"},

@@ -79,6 +79,13 @@ void step_alpha(ViewState& s, double step) {
   s.compute.alpha = std::round((s.compute.alpha + step) * 1000) / 1000;
 }
 
+// The step at hand still finishes when something plays: a picture without its complex helps nobody.
+void stop(ViewState& s) {
+  const bool playing = s.memory.playing || s.memory.playing_models;
+  s.memory.playing = s.memory.playing_models = false;
+  if (!playing && s.busy.active) s.requests.cancel = true;
+}
+
 void shortcuts(ViewState& s) {
   const ImGuiIO& io = ImGui::GetIO();
   if (ImGui::IsKeyPressed(key::kF1, false)) s.memory.show_cheat_sheet = !s.memory.show_cheat_sheet;
@@ -90,7 +97,7 @@ void shortcuts(ViewState& s) {
     if (ImGui::IsKeyPressed(key::kQ, false)) s.requests.quit = true;
     return;
   }
-  if (ImGui::IsKeyPressed(key::kEscape, false) && s.busy.active) s.requests.cancel = true;
+  if (ImGui::IsKeyPressed(key::kEscape, false)) stop(s);
   if (ImGui::IsKeyPressed(key::kR, false)) s.requests.reset_view = true;
   if (ImGui::IsKeyPressed(key::kC, false) && s.result.present) s.requests.compare = true;
   if (ImGui::IsKeyPressed(key::kB, false)) s.display.balls = !s.display.balls;

@@ -197,7 +197,7 @@ void expression(PanelContext& ctx) {
   }
   row_label(ctx, "Only", 30);
   const bool entered =
-      ImGui::InputTextWithHint("##expression", "chain A and not resn HEM", &m.expression_typed,
+      ImGui::InputTextWithHint("##expression", "chain A or ligand", &m.expression_typed,
                                ImGuiInputTextFlags_EnterReturnsTrue);
   record(ctx, "molecule.expression");
   if (ImGui::IsItemEdited()) s.expression_error = {};

@@ -3,7 +3,6 @@
 #include "ui/scene/ball_colours.hpp"
 
 #include <array>
-#include <unordered_map>
 
 #include "core/molecule/element.hpp"
 
@@ -82,12 +81,19 @@ std::vector<Rgb8> colours_by_element(const Molecule& molecule,
 
 std::vector<Rgb8> colours_by_chain(const Molecule& molecule,
                                    const std::vector<std::uint32_t>& atom_of_ball) {
-  std::unordered_map<NameId, std::size_t> order;
+  // Over all atoms, so that a chain keeps its colour when another one is switched off.
+  std::vector<Rgb8> of_chain(molecule.names.size());
+  std::vector<bool> seen(molecule.names.size(), false);
+  std::size_t chains = 0;
+  for (const Atom& atom : molecule.atoms) {
+    if (seen[atom.chain]) continue;
+    seen[atom.chain] = true;
+    of_chain[atom.chain] = kChainColours[chains++ % kChainColours.size()];
+  }
   std::vector<Rgb8> colours;
   colours.reserve(atom_of_ball.size());
   for (const std::uint32_t atom : atom_of_ball) {
-    const auto [it, added] = order.try_emplace(molecule.atoms[atom].chain, order.size());
-    colours.push_back(kChainColours[it->second % kChainColours.size()]);
+    colours.push_back(of_chain[molecule.atoms[atom].chain]);
   }
   return colours;
 }

@@ -12,7 +12,7 @@ namespace alphascope {
 // `atom_of_ball` as in PreparedBalls: an index into the molecule's atoms for each ball.
 std::vector<Rgb8> colours_by_element(const Molecule& molecule,
                                      const std::vector<std::uint32_t>& atom_of_ball);
-// Chains in order of appearance; the colours repeat after ten.
+// Chains in the order in which the molecule has them; the colours repeat after ten.
 std::vector<Rgb8> colours_by_chain(const Molecule& molecule,
                                    const std::vector<std::uint32_t>& atom_of_ball);
 

@@ -69,7 +69,8 @@ int exact_side(const LiftedInt (&v)[K], const LiftedInt& m) {
 
 template <int K>
 void check_tuples(int spread, int scale, int shake, double least_share) {
-  std::mt19937 random(static_cast<unsigned>(1000 * spread + 10 * scale + shake + K));
+  std::mt19937 random(1000u * static_cast<unsigned>(spread) +
+                      static_cast<unsigned>(10 * scale + shake + K));
   Tally conflicts, sizes;
   for (int round = 0; round < 10000; ++round) {
     const auto b = five_balls(random, spread, scale, shake);

@@ -82,18 +82,23 @@ std::unique_ptr<Engine> gpu_engine(const Balls& balls, const TupleOptions& optio
 void check(const std::string& name, const Balls& balls, const std::vector<double>& alphas,
            const std::vector<TupleOptions>& switches) {
   const auto facets = make_cpu_engine(balls, {0, false});
+  std::vector<AlphaRequest> requests;
+  std::vector<AlphaComplex> expected;
   for (const double alpha : alphas) {
     for (const bool only : {false, true}) {
-      const AlphaRequest request{alpha, only};
-      const AlphaComplex expected = facets->compute(request, {});
-      for (const TupleOptions& o : switches) {
-        const std::string what = name + ", alpha " + std::to_string(alpha) +
-                                 (only ? ", tetrahedra only: " : ": ") + name_of(o);
-        const auto engine = gpu_engine(balls, o);
-        const AlphaComplex found = engine->compute(request, {});
-        expect(same(found, expected), what);
-        expect(same(engine->compute(request, {}), found), what + ", second run");
-      }
+      requests.push_back({alpha, only});
+      expected.push_back(facets->compute(requests.back(), {}));
+    }
+  }
+  for (const TupleOptions& o : switches) {
+    const auto engine = gpu_engine(balls, o);  // making one takes longer than asking it
+    for (std::size_t r = 0; r < requests.size(); ++r) {
+      const std::string what = name + ", alpha " + std::to_string(requests[r].alpha_angstrom2) +
+                               (requests[r].tetrahedra_only ? ", tetrahedra only: " : ": ") +
+                               name_of(o);
+      const AlphaComplex found = engine->compute(requests[r], {});
+      expect(same(found, expected[r]), what);
+      expect(same(engine->compute(requests[r], {}), found), what + ", second run");
     }
   }
 }
@@ -127,9 +132,9 @@ Balls random_set(std::mt19937& random, int count, int side, int most_radius) {
 void check_small_sets() {
   std::mt19937 random(7);
   const auto switches = all_switches();
-  for (int round = 0; round < 4; ++round) {
+  for (int round = 0; round < 2; ++round) {
     const std::string number = std::to_string(round);
-    check("few " + number, random_set(random, round, 4, 3), {0, 9}, switches);
+    check("few " + number, random_set(random, 4 * round, 4, 3), {0, 9}, switches);
     check("coarse " + number, random_set(random, 40, 4, 3), {-1, 0, 2, 30}, switches);
     check("dense " + number, random_set(random, 30, 1, 3), {0, 1}, switches);
     check("random " + number, random_set(random, 60, 1000, 400), {0, 1e5}, switches);

@@ -235,6 +235,13 @@ TEST(MenuTest, EscapeClosesMenusAndLists) {
   EXPECT_FALSE(p.state.requests.cancel) << "the menu had the key";
 }
 
+TEST_F(MoleculePanel, AnEmptySelectionIsExplainedInTheView) {
+  EXPECT_FALSE(p.rects.contains("view.nothing"));
+  p.state.molecule.balls = 0;
+  p.frame(2);
+  EXPECT_TRUE(p.rects.contains("view.nothing"));
+}
+
 TEST_F(MoleculePanel, EscapeStopsPlayingBeforeItCancels) {
   p.state.busy = {true, "Computing", 0.4, 0.01};
   p.state.memory.playing_models = true;

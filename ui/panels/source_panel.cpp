@@ -15,8 +15,14 @@ std::string number(std::uint64_t n) {
   return with_separators(static_cast<long long>(n));
 }
 
-std::string copies_text(const AssemblyRow& a) {
-  return number(a.copies) + (a.copies == 1 ? " copy, " : " copies, ") + number(a.atoms) + " atoms";
+// Atoms are counted in all models, since all are copied.
+std::string atoms_text(const ViewState& s, std::uint64_t atoms) {
+  const std::size_t models = s.molecule.models.size();
+  return number(atoms) + " atoms" + (models > 1 ? " in " + number(models) + " models" : "");
+}
+
+std::string copies_text(const ViewState& s, const AssemblyRow& a) {
+  return number(a.copies) + (a.copies == 1 ? " copy, " : " copies, ") + atoms_text(s, a.atoms);
 }
 
 void choose(ViewState& s, const AssemblyRow& a) {
@@ -30,14 +36,14 @@ void choose(ViewState& s, const AssemblyRow& a) {
 
 void assembly_entries(PanelContext& ctx) {
   ViewState& s = ctx.state;
-  const std::string deposited = "as deposited: " + number(s.molecule.deposited_atoms) + " atoms";
+  const std::string deposited = "as deposited: " + atoms_text(s, s.molecule.deposited_atoms);
   if (ImGui::Selectable(deposited.c_str(), s.selection.assembly.empty())) {
     s.selection.assembly.clear();
   }
   record(ctx, "molecule.assembly.deposited");
   for (const AssemblyRow& a : s.molecule.assemblies) {
-    const std::string text =
-        a.id + ": " + copies_text(a) + ", about " + bytes_text(static_cast<std::size_t>(a.bytes));
+    const std::string text = a.id + ": " + copies_text(s, a) + ", about " +
+                             bytes_text(static_cast<std::size_t>(a.bytes));
     if (ImGui::Selectable(text.c_str(), s.selection.assembly == a.id)) choose(s, a);
     record(ctx, ("molecule.assembly." + a.id).c_str());
     if (!a.details.empty()) tooltip(ctx, a.details.c_str());
@@ -52,7 +58,7 @@ void assembly_row(PanelContext& ctx) {
   const auto chosen = std::find_if(
       list.begin(), list.end(), [&](const AssemblyRow& a) { return a.id == s.selection.assembly; });
   const std::string preview =
-      chosen == list.end() ? "as deposited" : chosen->id + ": " + copies_text(*chosen);
+      chosen == list.end() ? "as deposited" : chosen->id + ": " + copies_text(s, *chosen);
   const bool open = ImGui::BeginCombo("##assembly", preview.c_str());
   record(ctx, "molecule.assembly");
   if (!open) {
@@ -69,9 +75,9 @@ void assembly_row(PanelContext& ctx) {
 void play_button(PanelContext& ctx) {
   bool& playing = ctx.state.memory.playing_models;
   if (button(ctx, "molecule.play", playing ? "Stop" : "Play", {ctx.px(44), 0})) playing = !playing;
-  tooltip(ctx, playing
-                   ? "Stop at this model"
-                   : "Show the models one after the other, each with its complex at this alpha");
+  if (!playing) {  // then it would hide the slider's number
+    tooltip(ctx, "Show the models one after the other, each with its complex at this alpha");
+  }
   ImGui::SameLine(0, ctx.px(6));
 }
 

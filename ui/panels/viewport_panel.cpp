@@ -157,6 +157,16 @@ void empty_state(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
   end_overlay();
 }
 
+void nothing_left(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
+  const MoleculeInfo& m = ctx.state.molecule;
+  if (!m.loaded || m.balls > 0 || ctx.state.busy.active) return;
+  begin_overlay(ctx, "##nothing", {corner.x + size.x / 2, corner.y + size.y / 2}, {0.5f, 0.5f});
+  ImGui::TextUnformatted("No atom is left by this selection, so there is nothing to show.");
+  muted_text(ctx, "Keep more kinds of atoms or chains at the left, or clear the expression.");
+  record(ctx, "view.nothing");
+  end_overlay();
+}
+
 }  // namespace
 
 void draw_viewport(PanelContext& ctx) {
@@ -175,6 +185,7 @@ void draw_viewport(PanelContext& ctx) {
   }
   progress(ctx, corner, size);
   empty_state(ctx, corner, size);
+  nothing_left(ctx, corner, size);
 }
 
 }  // namespace alphascope

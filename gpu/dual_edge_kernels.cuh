@@ -44,35 +44,41 @@ struct DualEdgeMemory {
   float4* vectors;        // entries: scaled d and c, ascending by index
   float* reach;
   std::uint32_t* index;
-  std::uint32_t *found, *found_index;  // a warp's unordered list
   std::uint32_t* rows;    // words of bits for each later neighbour j: who meets j as well
-  std::uint8_t* row_ball;  // whose row it is
+  uint2* kept;            // triangle, and 12 bits for each of its tetrahedra's last vertices + 1
   std::uint32_t* triangles;
-  std::uint32_t* results;  // of each triangle: 12 bits for each of its tetrahedra's last vertices + 1
-  std::uint16_t *survivors, *by_length;  // triangles that the first cuts leave; and in order of work
+  std::uint16_t* work;    // triangles in order of work
+  std::uint8_t* row_ball;  // whose row it is
+  // Before the lists are ordered, in the place of triangles and work: what half a warp found.
+  std::uint32_t *found, *found_index;
 };
 
+constexpr std::size_t kHalves = kBlockThreads / kSearchLanes;
+
+__host__ __device__ inline std::size_t triangle_words(const DualEdgeProblem& p) {
+  const std::size_t triangles = (3 * static_cast<std::size_t>(p.capacity.triangles) + 1) / 2;
+  const std::size_t lists = 2 * kHalves * p.capacity.list;
+  return triangles > lists ? triangles : lists;
+}
 __host__ __device__ inline std::size_t block_memory_bytes(const DualEdgeProblem& p) {
-  constexpr std::size_t kWarps = kBlockThreads / 32;
-  return static_cast<std::size_t>(p.capacity.entries) * 24 + kWarps * p.capacity.list * 8 +
-         static_cast<std::size_t>(p.capacity.rows) * (4 * p.words + 1) + static_cast<std::size_t>(p.capacity.triangles) * 12 + 16;
+  return static_cast<std::size_t>(p.capacity.entries) * 24 + static_cast<std::size_t>(p.capacity.kept) * 8 +
+         static_cast<std::size_t>(p.capacity.rows) * (4 * p.words + 1) + triangle_words(p) * 4 + 16;
 }
 __device__ inline DualEdgeMemory carve(unsigned char* shared, const DualEdgeProblem& p) {
   DualEdgeMemory m;
-  const std::size_t warp = threadIdx.x >> 5, warps = kBlockThreads / 32;
   m.vectors = reinterpret_cast<float4*>(shared);
-  m.reach = reinterpret_cast<float*>(m.vectors + p.capacity.entries);
+  m.kept = reinterpret_cast<uint2*>(m.vectors + p.capacity.entries);
+  m.reach = reinterpret_cast<float*>(m.kept + p.capacity.kept);
   m.index = reinterpret_cast<std::uint32_t*>(m.reach + p.capacity.entries);
-  m.found = m.index + p.capacity.entries + 2 * warp * p.capacity.list;
-  m.found_index = m.found + p.capacity.list;
-  m.rows = m.index + p.capacity.entries + 2 * warps * p.capacity.list;
+  m.rows = m.index + p.capacity.entries;
   m.triangles = m.rows + static_cast<std::size_t>(p.capacity.rows) * p.words;
-  m.results = m.triangles + p.capacity.triangles;
-  m.survivors = reinterpret_cast<std::uint16_t*>(m.results + p.capacity.triangles);
-  m.by_length = m.survivors + p.capacity.triangles;
-  m.row_ball = reinterpret_cast<std::uint8_t*>(m.by_length + p.capacity.triangles);
+  m.work = reinterpret_cast<std::uint16_t*>(m.triangles + p.capacity.triangles);
+  m.found = m.triangles + threadIdx.x / kSearchLanes * 2 * p.capacity.list;
+  m.found_index = m.found + p.capacity.list;
+  m.row_ball = reinterpret_cast<std::uint8_t*>(m.triangles + triangle_words(p));
   return m;
 }
+
 
 // Per ball of the block.
 constexpr int kLengths = 32;  // longer ones count as this long
@@ -87,10 +93,10 @@ struct BlockBalls {
   int tetrahedra[kMaxBallsPerBlock];
   int exact[kMaxBallsPerBlock];      // 1 undecided, 2 no room: for kernel III
   int scan[kBlockThreads / 32];
-  std::uint32_t surroundings[kBlockThreads / 32][18];
+  Surroundings surroundings[kBlockThreads / kSearchLanes];
   int lengths[kLengths];             // triangles of so many cuts; then where they begin
   int entries, rows, triangles;
-  int next_triangle, next_survivor, survivors;
+  int next_triangle, next_work, survivors, kept;
   std::uint32_t base;
 };
 
@@ -132,11 +138,11 @@ __device__ inline void add(std::uint64_t* sum, std::uint64_t value) {
   atomicAdd(reinterpret_cast<unsigned long long*>(sum), static_cast<unsigned long long>(value));
 }
 
-// Writes one ball's list ordered by index, relative to the ball. One warp.
+// Writes one ball's list ordered by index, relative to the ball. Half a warp.
 __device__ inline void order_list(const Problem& p, const SortedBalls& sorted, const DualEdgeMemory& m,
                                   const int4& centre, int n, int entry0) {
   const std::int64_t wi = static_cast<std::int64_t>(centre.w) * centre.w;
-  for (int a = threadIdx.x & 31; a < n; a += 32) {
+  for (int a = threadIdx.x & (kSearchLanes - 1); a < n; a += kSearchLanes) {
     const std::uint32_t t = m.found[a], index = m.found_index[a];
     const int4 q = sorted.ball[t];
     const float reach = sorted.near[t].w * p.scale;
@@ -228,21 +234,30 @@ struct Ends {
   bool known;
 };
 
+// Clips by the neighbours of one word of bits; true when nothing is left.
+template <class Real, class Lifted>
+__device__ inline bool clip_word(DualEdge<Real>& edge, std::uint32_t bits, int base, const Lifted& lifted) {
+  using Takes = typename DualEdge<Real>::Takes;
+  for (; bits != 0; bits &= bits - 1) {
+    const int m = base + __ffs(static_cast<int>(bits)) - 1;
+    const auto cut = edge.cut_by(lifted(m));
+    const Takes takes = edge.takes(cut);
+    if (takes == Takes::all || (takes == Takes::some && edge.clip(cut, m))) return true;
+  }
+  return false;
+}
+
 // Kernel II of one triangle; `lifted(m)` is in the units of Real.
 template <class Real, class Lifted>
-__device__ inline Ends dual_edge_ends(const std::uint32_t* row_j, const std::uint32_t* row_k, int words,
-                                      int j, int k, Real radius_square, const Lifted& lifted) {
+__device__ inline Ends dual_edge_ends(const Triangle& t, int words, Real radius_square, const Lifted& lifted) {
   DualEdge<Real> edge;
-  if (!edge.start(lifted(j), lifted(k), radius_square)) return {-1, -1, true};
+  if (!edge.start(lifted(t.j), lifted(t.k), radius_square)) return {-1, -1, true};
   for (int w = 0; w < words; ++w) {
-    for (std::uint32_t bits = row_j[w] & row_k[w]; bits != 0; bits &= bits - 1) {
-      const int m = w * 32 + __ffs(static_cast<int>(bits)) - 1;
-      if (edge.cut(lifted(m), m)) return {-1, -1, true};
-    }
+    if (clip_word(edge, t.row_j[w] & t.row_k[w], w * 32, lifted)) return {-1, -1, true};
   }
   if (!edge.ends_certain()) return {-1, -1, false};
   Ends ends{-1, -1, true};
-  const bool high = edge.high().cutter > k, low = edge.low().cutter > k;
+  const bool high = edge.high().cutter > t.k, low = edge.low().cutter > t.k;
   if (!high && !low) return ends;
   ends.known = edge.certainly_there();
   if (high) {
@@ -260,66 +275,68 @@ __device__ inline Ends dual_edge_ends(const std::uint32_t* row_j, const std::uin
 
 // Kernel III of one triangle: double precision, then integers. Not inlined: it is rare and large.
 __device__ __noinline__ Ends exact_ends(const DualEdgeProblem& p, const DualEdgeMemory& m, int4 centre,
-                                        int entry0, const std::uint32_t* row_j,
-                                        const std::uint32_t* row_k, int j, int k) {
-  const ExactNeighbours neighbours{m.index + entry0, p.balls, centre};
+                                        const Triangle& t) {
+  const ExactNeighbours neighbours{m.index + t.entry0, p.balls, centre};
   const std::int64_t weight = static_cast<std::int64_t>(centre.w) * centre.w;
-  const Ends ends = dual_edge_ends<double>(
-      row_j, row_k, p.words, j, k, static_cast<double>(weight) + p.common.alpha,
-      [&](int a) { return lifted_as<double>(neighbours.lifted(a)); });
+  const Ends ends = dual_edge_ends<double>(t, p.words, static_cast<double>(weight) + p.common.alpha,
+                                           [&](int a) { return lifted_as<double>(neighbours.lifted(a)); });
   if (ends.known) return ends;
-  const FacetInput<ExactNeighbours> in{neighbours, j, weight, p.common.alpha, p.common.ghost_reach, true};
+  const FacetInput<ExactNeighbours> in{neighbours, t.j, weight, p.common.alpha, p.common.ghost_reach, true};
   const auto next = [&](int after) {
     for (int w = (after + 1) >> 5; w < p.words; ++w) {
-      const std::uint32_t bits = row_j[w] & row_k[w] & bits_after(after, w);
+      const std::uint32_t bits = t.row_j[w] & t.row_k[w] & bits_after(after, w);
       if (bits != 0) return w * 32 + __ffs(static_cast<int>(bits)) - 1;
     }
     return -1;
   };
   const auto end = [&](int side) {
-    const int l = p.small_lattice ? exact_end<Int128>(in, k, side, next) : exact_end<WideInt<4>>(in, k, side, next);
-    return l > k ? l : -1;
+    const int l = p.small_lattice ? exact_end<Int128>(in, t.k, side, next) : exact_end<WideInt<4>>(in, t.k, side, next);
+    return l > t.k ? l : -1;
   };
   return {end(1), end(-1), true};
 }
 
-// Kernel I of the block's balls, a warp each: their ordered lists. Balls without room are marked.
+// Kernel I of the block's balls, half a warp each: their ordered lists. Balls without room are marked.
 template <bool kExact>
 __device__ inline void find_lists(const DualEdgeProblem& p, const SortedBalls& sorted,
                                   const DualEdgeOutput& out, const DualEdgeMemory& m, BlockBalls& s,
                                   std::uint32_t first, int balls) {
-  const int lane = threadIdx.x & 31, warp = threadIdx.x >> 5;
-  const Surroundings around{s.surroundings[warp], s.surroundings[warp] + 9};
-  if (threadIdx.x == 0) s.entries = s.rows = s.next_triangle = s.next_survivor = s.survivors = 0;
+  const int lane = threadIdx.x & (kSearchLanes - 1), half = threadIdx.x & kSearchLanes;
+  if (threadIdx.x == 0) s.entries = s.rows = s.next_triangle = s.next_work = s.survivors = s.kept = 0;
   if (threadIdx.x < kLengths) s.lengths[threadIdx.x] = 0;
   __syncthreads();
-  for (int b = warp; b < balls; b += kBlockThreads / 32) {
+  for (int pair = threadIdx.x >> 5; 2 * pair < balls; pair += kBlockThreads / 32) {
+    // Of an odd last pair, the second half repeats the first's reads in vain.
+    const bool active = half == 0 || 2 * pair + 1 < balls;
+    const int b = 2 * pair + (half != 0 && active);
     const std::uint32_t slot = first + b, index = sorted.index[slot];
     const int4 centre = sorted.ball[slot];
-    const int all = search_neighbours(p.common, sorted, slot, around, m.found);
-    int n = all <= p.common.list_capacity ? all : 0, later = 0;
-    for (int a = lane; a < n; a += 32) {
+    const int all = search_neighbours(p.common, sorted, slot, active, s.surroundings[threadIdx.x / kSearchLanes], m.found);
+    const int n = all <= p.common.list_capacity ? all : 0;
+    int later = 0;
+    for (int a = lane; a < n; a += kSearchLanes) {
       const std::uint32_t other = sorted.index[m.found[a]];
       m.found_index[a] = other;
       later += other > index;
     }
-    for (int step = 16; step > 0; step /= 2) later += __shfl_xor_sync(~0u, later, step);
+    for (int step = kSearchLanes / 2; step > 0; step /= 2) later += __shfl_xor_sync(~0u, later, step);
     int entry0 = 0, row0 = 0;
-    if (lane == 0) {
+    if (lane == 0 && active) {
       entry0 = atomicAdd(&s.entries, n);
       row0 = atomicAdd(&s.rows, later);
-      if (entry0 + n > static_cast<int>(p.capacity.entries) || row0 + later > static_cast<int>(p.capacity.rows)) n = -1;
     }
-    entry0 = __shfl_sync(~0u, entry0, 0);
-    row0 = __shfl_sync(~0u, row0, 0);
-    n = __shfl_sync(~0u, n, 0);
-    const bool room = n >= 0 && all <= p.common.list_capacity;
-    // Rows of a ball without room are still counted: they are its, and empty.
-    for (int a = lane; a < later && row0 + a < static_cast<int>(p.capacity.rows); a += 32) {
-      m.row_ball[row0 + a] = static_cast<std::uint8_t>(room ? b : kMaxBallsPerBlock);
+    entry0 = __shfl_sync(~0u, entry0, half);
+    row0 = __shfl_sync(~0u, row0, half);
+    const int row_room = static_cast<int>(p.capacity.rows);
+    const bool room = n == all && entry0 + n <= static_cast<int>(p.capacity.entries) && row0 + later <= row_room;
+    if (active) {
+      // Rows of a ball without room still count: they are nobody's.
+      for (int a = lane; a < later && row0 + a < row_room; a += kSearchLanes) {
+        m.row_ball[row0 + a] = static_cast<std::uint8_t>(room ? b : kMaxBallsPerBlock);
+      }
+      if (room) order_list(p.common, sorted, m, centre, n, entry0);
     }
-    if (room) order_list(p.common, sorted, m, centre, n, entry0);
-    if (lane == 0) {
+    if (active && lane == 0) {
       const double square = static_cast<double>(static_cast<std::int64_t>(centre.w) * centre.w) + p.common.alpha;
       s.radius_square[b] = static_cast<float>(square) * p.radius_scale;
       s.ball[b] = centre;
@@ -330,7 +347,7 @@ __device__ inline void find_lists(const DualEdgeProblem& p, const SortedBalls& s
       s.row0[b] = row0;
       s.tetrahedra[b] = 0;
       s.exact[b] = room ? 0 : 2;
-      note_largest(&out.statistics->longest_list, all);
+      if (kExact || all > p.common.list_capacity) note_largest(&out.statistics->longest_list, all);
       if (!kExact && blockIdx.x % kSampled == 0) {
         add(&out.statistics->balls, 1);
         add(&out.statistics->entries, all);
@@ -345,25 +362,32 @@ __device__ inline void find_lists(const DualEdgeProblem& p, const SortedBalls& s
 }
 
 // Counting sort of triangles by how many cuts they have, the longest first, so that the lanes of a warp
-// take about as long. `list` null: all triangles.
-__device__ inline void sort_by_length(const DualEdgeMemory& m, BlockBalls& s, int count, int words,
-                                      const std::uint16_t* list) {
+// take about as long.
+__device__ inline void sort_by_length(const DualEdgeMemory& m, BlockBalls& s, int count, int words) {
   const auto length = [&](int t) {
     const Triangle triangle(m, s, words, m.triangles[t]);
     int cuts = 0;
     for (int w = 0; w < words; ++w) cuts += __popc(triangle.row_j[w] & triangle.row_k[w]);
     return kLengths - 1 - min(cuts, kLengths - 1);
   };
-  for (int at = threadIdx.x; at < count; at += kBlockThreads) atomicAdd(&s.lengths[length(list == nullptr ? at : list[at])], 1);
+  for (int t = threadIdx.x; t < count; t += kBlockThreads) atomicAdd(&s.lengths[length(t)], 1);
   __syncthreads();
   if (threadIdx.x < kLengths) s.lengths[threadIdx.x] = warp_scan(s.lengths[threadIdx.x]);
   __syncthreads();
-  for (int at = threadIdx.x; at < count; at += kBlockThreads) {
-    const int t = list == nullptr ? at : list[at];
-    m.by_length[atomicAdd(&s.lengths[length(t)], 1)] = static_cast<std::uint16_t>(t);
+  for (int t = threadIdx.x; t < count; t += kBlockThreads) {
+    m.work[atomicAdd(&s.lengths[length(t)], 1)] = static_cast<std::uint16_t>(t);
   }
   __syncthreads();
 }
+
+// The scaled vectors of one ball's neighbours.
+struct ScaledNeighbours {
+  const float4* vectors;
+  __device__ LiftedVector<float> operator()(int a) const {
+    const float4 v = vectors[a];
+    return {v.x, v.y, v.z, v.w};
+  }
+};
 
 // The list of triangles of three balls that meet and have a fourth: of each ball, in lexicographic order.
 // Balls without room for theirs are marked. Returns the length of the list.
@@ -407,7 +431,10 @@ __device__ inline int list_triangles(const DualEdgeProblem& p, const DualEdgeOut
     bool keep = false;
     if (t < all) {
       packed = m.triangles[t];
-      keep = Triangle(m, s, words, packed).has_fourth(words);
+      const Triangle triangle(m, s, words, packed);
+      const ScaledNeighbours vector{m.vectors + triangle.entry0};
+      keep = triangle.has_fourth(words) &&
+             !DualEdge<float>::certainly_outside(vector(triangle.j), vector(triangle.k), s.radius_square[triangle.ball]);
     }
     int round = 0;
     const int at = kept + block_scan(keep, s.scan, &round);
@@ -426,12 +453,17 @@ __device__ inline bool take(int* counter, int end, int& mine) {
   return __any_sync(~0u, mine < end);
 }
 
-__device__ inline void note_ends(const DualEdgeMemory& m, BlockBalls& s, int b, int t, const Ends& ends) {
+__device__ inline void note_ends(const DualEdgeProblem& p, const DualEdgeMemory& m, BlockBalls& s, int b, int t, const Ends& ends) {
   if (!ends.known) atomicMax(&s.exact[b], 1);
   const int low = min(ends.low, ends.high), high = max(ends.low, ends.high);
-  m.results[t] = static_cast<std::uint32_t>(low + 1) | static_cast<std::uint32_t>(high + 1) << 12;
-  const int count = (low >= 0) + (high >= 0);
-  if (count > 0) atomicAdd(&s.tetrahedra[b], count);
+  if (high < 0) return;
+  const int at = atomicAdd(&s.kept, 1);
+  if (at >= static_cast<int>(p.capacity.kept)) {
+    s.exact[b] = 2;
+    return;
+  }
+  m.kept[at] = make_uint2(t, static_cast<std::uint32_t>(low + 1) | static_cast<std::uint32_t>(high + 1) << 12);
+  atomicAdd(&s.tetrahedra[b], low >= 0 ? 2 : 1);
 }
 
 // The first few cuts of every triangle: those that survive them are listed. They take about as long as
@@ -441,22 +473,16 @@ __device__ inline void first_cuts(const DualEdgeProblem& p, const DualEdgeMemory
   for (int t = 0; take(&s.next_triangle, triangles, t);) {
     if (t < triangles) {
       const Triangle triangle(m, s, words, m.triangles[t]);
-      const float4* vectors = m.vectors + triangle.entry0;
-      const auto vector = [&](int a) {
-        const float4 v = vectors[a];
-        return LiftedVector<float>{v.x, v.y, v.z, v.w};
-      };
+      const ScaledNeighbours vector{m.vectors + triangle.entry0};
       DualEdge<float> edge;
       bool survives = edge.start(vector(triangle.j), vector(triangle.k), s.radius_square[triangle.ball]);
       int left = p.first_cuts;
       for (int w = 0; w < words && survives && left > 0; ++w) {
-        for (std::uint32_t bits = triangle.row_j[w] & triangle.row_k[w]; bits != 0 && survives && left > 0; bits &= bits - 1, --left) {
-          const int other = w * 32 + __ffs(static_cast<int>(bits)) - 1;
-          survives = !edge.cut(vector(other), other);
-        }
+        std::uint32_t bits = triangle.row_j[w] & triangle.row_k[w], first = 0;
+        for (; bits != 0 && left > 0; bits &= bits - 1, --left) first |= bits & (0u - bits);
+        survives = !clip_word(edge, first, w * 32, vector);
       }
-      m.results[t] = 0;
-      if (survives) m.survivors[atomicAdd(&s.survivors, 1)] = static_cast<std::uint16_t>(t);
+      if (survives) m.work[atomicAdd(&s.survivors, 1)] = static_cast<std::uint16_t>(t);
     }
     __syncwarp();
   }
@@ -466,25 +492,19 @@ __device__ inline void first_cuts(const DualEdgeProblem& p, const DualEdgeMemory
 // Kernel II of the block's triangles.
 __device__ inline void find_tetrahedra(const DualEdgeProblem& p, const DualEdgeMemory& m, BlockBalls& s,
                                        int triangles, int words) {
-  const std::uint16_t* list = nullptr;
   int count = triangles;
   if (p.first_cuts > 0) {
     first_cuts(p, m, s, triangles, words);
-    list = m.survivors;
     count = s.survivors;
+  } else {
+    sort_by_length(m, s, triangles, words);
   }
-  sort_by_length(m, s, count, words, list);
-  for (int at = 0; take(&s.next_survivor, count, at);) {
+  for (int at = 0; take(&s.next_work, count, at);) {
     if (at < count) {
-      const int t = m.by_length[at];
+      const int t = m.work[at];
       const Triangle triangle(m, s, words, m.triangles[t]);
-      const float4* vectors = m.vectors + triangle.entry0;
-      note_ends(m, s, triangle.ball, t,
-                dual_edge_ends<float>(triangle.row_j, triangle.row_k, words, triangle.j, triangle.k,
-                                      s.radius_square[triangle.ball], [&](int a) {
-                                        const float4 v = vectors[a];
-                                        return LiftedVector<float>{v.x, v.y, v.z, v.w};
-                                      }));
+      note_ends(p, m, s, triangle.ball, t,
+                dual_edge_ends<float>(triangle, words, s.radius_square[triangle.ball], ScaledNeighbours{m.vectors + triangle.entry0}));
     }
     __syncwarp();
   }
@@ -496,19 +516,20 @@ __device__ inline void find_tetrahedra_exactly(const DualEdgeProblem& p, const D
                                                BlockBalls& s, int triangles, int words) {
   for (int t = threadIdx.x; t < triangles; t += kBlockThreads) {
     const Triangle triangle(m, s, words, m.triangles[t]);
-    note_ends(m, s, triangle.ball, t, exact_ends(p, m, s.ball[triangle.ball], triangle.entry0, triangle.row_j, triangle.row_k, triangle.j, triangle.k));
+    note_ends(p, m, s, triangle.ball, t, exact_ends(p, m, s.ball[triangle.ball], triangle));
   }
   __syncthreads();
 }
 
-// Writes the tetrahedra of all balls but the undecided ones, and where each ball's are.
+// Writes the tetrahedra of all balls but those for kernel III, and where each ball's are.
 template <bool kExact>
-__device__ inline void write_tetrahedra(const DualEdgeOutput& out, const DualEdgeMemory& m, BlockBalls& s,
-                                        std::uint32_t first, int balls, int triangles, int words) {
+__device__ inline void write_tetrahedra(const DualEdgeProblem& p, const DualEdgeOutput& out,
+                                        const DualEdgeMemory& m, BlockBalls& s, std::uint32_t first,
+                                        int balls, int words) {
   if (threadIdx.x < 32) {
     const int b = static_cast<int>(threadIdx.x);
     const int kept = b < balls && !s.exact[b] ? s.tetrahedra[b] : 0;
-    // The triangles lie in the order in which warps were given rows.
+    // The triangles lie in the order in which half warps were given rows.
     const int row0 = b < balls ? s.row0[b] : 0;
     int before = 0, all = 0;
     for (int o = 0; o < balls; ++o) {
@@ -519,7 +540,7 @@ __device__ inline void write_tetrahedra(const DualEdgeOutput& out, const DualEdg
     if (b == 0) s.base = all == 0 ? 0 : atomicAdd(out.cursor, static_cast<std::uint32_t>(all));
     __syncwarp();
     if (b < balls) {
-      if (!kExact && s.exact[b]) {  // all of this ball is done again by kernel III
+      if (!kExact && s.exact[b]) {  // all of this ball is done again
         out.exact_list[atomicAdd(out.exact_count, 1u)] = first + b;
         if (s.exact[b] == 2) atomicAdd(&out.statistics->deferred, 1u);
       } else if (!s.exact[b]) {
@@ -527,26 +548,25 @@ __device__ inline void write_tetrahedra(const DualEdgeOutput& out, const DualEdg
         out.count[s.index[b]] = kept;
       }
     }
+    if (kExact && b == 0) note_largest(&out.statistics->most_kept, s.kept);
   }
   __syncthreads();
-  std::uint32_t at = s.base;
-  for (int t0 = 0; t0 < triangles; t0 += kBlockThreads) {
-    const int t = t0 + static_cast<int>(threadIdx.x);
-    std::uint32_t packed = 0, result = 0;
-    if (t < triangles) {
-      packed = m.triangles[t];
-      if (!s.exact[packed >> 25]) result = m.results[t];
+  const int kept = min(s.kept, static_cast<int>(p.capacity.kept));
+  for (int a = threadIdx.x; a < kept; a += kBlockThreads) {
+    const uint2 own = m.kept[a];
+    const Triangle triangle(m, s, words, m.triangles[own.x]);
+    if (s.exact[triangle.ball]) continue;
+    std::uint32_t to = s.base;
+    for (int o = 0; o < kept; ++o) {
+      const uint2 other = m.kept[o];
+      if (other.x < own.x && !s.exact[m.triangles[other.x] >> 25]) to += (other.y & 4095) != 0 ? 2 : 1;
     }
-    const int count = ((result & 4095) != 0) + (result >> 12 != 0);
-    int round = 0;
-    std::uint32_t to = at + block_scan(count, s.scan, &round);
-    at += round;
-    if (count == 0 || to + count > out.capacity) continue;
-    const Triangle triangle(m, s, words, packed);
+    const int low = static_cast<int>(own.y & 4095) - 1, high = static_cast<int>(own.y >> 12) - 1;
+    if (to + (low >= 0 ? 2 : 1) > out.capacity) continue;
     const std::uint32_t* index = m.index + triangle.entry0;
     const uint4 v = make_uint4(s.index[triangle.ball], index[triangle.j], index[triangle.k], 0);
-    if ((result & 4095) != 0) out.tetrahedra[to++] = make_uint4(v.x, v.y, v.z, index[(result & 4095) - 1]);
-    if (result >> 12 != 0) out.tetrahedra[to] = make_uint4(v.x, v.y, v.z, index[(result >> 12) - 1]);
+    if (low >= 0) out.tetrahedra[to++] = make_uint4(v.x, v.y, v.z, index[low]);
+    out.tetrahedra[to] = make_uint4(v.x, v.y, v.z, index[high]);
   }
 }
 
@@ -569,7 +589,7 @@ __device__ void process_balls(const DualEdgeProblem& p, const SortedBalls& sorte
   } else {
     find_tetrahedra(p, m, s, triangles, words);
   }
-  write_tetrahedra<kExact>(out, m, s, first, balls, triangles, words);
+  write_tetrahedra<kExact>(p, out, m, s, first, balls, words);
 }
 
 template <int kWords>

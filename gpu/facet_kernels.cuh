@@ -155,7 +155,7 @@ __device__ inline void order_neighbours(const Problem& p, const SortedBalls& bal
   const std::uint32_t* found = m.found + entry0;
   std::uint32_t* found_index = m.found_index + entry0;
   float* found_key = m.found_key + entry0;
-  for (int a = lane; a < count; a += 32) {
+  for (int a = lane; a < count; a += kSearchLanes) {
     const int4 q = balls.ball[found[a]];
     const float x = static_cast<float>(q.x - b.x), y = static_cast<float>(q.y - b.y),
                 z = static_cast<float>(q.z - b.z), square = x * x + y * y + z * z;
@@ -163,7 +163,7 @@ __device__ inline void order_neighbours(const Problem& p, const SortedBalls& bal
     found_key[a] = (square + static_cast<float>(wi - static_cast<std::int64_t>(q.w) * q.w)) * rsqrtf(square);
   }
   __syncwarp();
-  for (int a = lane; a < count; a += 32) {
+  for (int a = lane; a < count; a += kSearchLanes) {
     const std::uint32_t t = found[a], index = found_index[a];
     const float key = found_key[a];
     int nearer = 0, rank = 0;
@@ -473,20 +473,22 @@ template <bool kWhole, bool kExact>
 __device__ void process_balls(const Problem& p, const SortedBalls& sorted, const Output& out,
                               const BlockMemory& m, std::uint32_t first, int balls,
                               std::uint32_t* ball_index, std::uint32_t* shared_base) {
-  __shared__ std::uint32_t surroundings[kBlockThreads / 32][18];
-  const int lane = threadIdx.x & 31, warp = threadIdx.x >> 5;
-  const Surroundings around{surroundings[warp], surroundings[warp] + 9};
+  __shared__ Surroundings surroundings[kBlockThreads / kSearchLanes];
+  const int lane = threadIdx.x & (kSearchLanes - 1);
   if (threadIdx.x < 6) m.counters[threadIdx.x] = 0;
   for (int b = threadIdx.x; b < balls; b += blockDim.x) {
     m.exact[b] = 0;
     ball_index[b] = sorted.index[first + b];
   }
-  for (int b = warp; b < balls; b += kBlockThreads / 32) {
+  // Two balls a warp; of an odd last pair, the second half repeats the first's reads in vain.
+  for (int pair = threadIdx.x >> 5; 2 * pair < balls; pair += kBlockThreads / 32) {
+    const int b = 2 * pair + ((threadIdx.x & kSearchLanes) != 0 && 2 * pair + 1 < balls);
+    const bool active = (threadIdx.x & kSearchLanes) == 0 || 2 * pair + 1 < balls;
     const int entry0 = b * p.list_capacity;
-    const int all = search_neighbours(p, sorted, first + b, around, m.found + entry0);
+    const int all = search_neighbours(p, sorted, first + b, active, surroundings[threadIdx.x / kSearchLanes], m.found + entry0);
     const int count = min(all, p.list_capacity);
     order_neighbours(p, sorted, first + b, count, entry0, m, lane);
-    if (lane == 0) {
+    if (lane == 0 && active) {
       m.list_size[b] = count;
       atomicMax(&m.counters[5], all);
     }

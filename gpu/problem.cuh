@@ -33,6 +33,7 @@ struct BlockRoom {
   std::uint32_t entries;    // neighbours of all the block's balls
   std::uint32_t rows;       // those of higher index than their ball
   std::uint32_t triangles;  // of three balls that meet
+  std::uint32_t kept;       // of those, with a tetrahedron in K_alpha
 };
 
 // What a run of blocks met. Sums over every `kSampled`-th block, from which the room of the next run
@@ -40,9 +41,8 @@ struct BlockRoom {
 struct BlockStatistics {
   std::uint64_t balls, entries, entry_squares, triangles;
   std::uint32_t longest_list;    // of one ball
-  std::uint32_t most_triangles;  // of one ball that kernel III looked at
+  std::uint32_t most_triangles, most_kept;  // of one ball that kernel III looked at
   std::uint32_t deferred;        // balls that found no room and went to kernel III
-  std::uint32_t padding;
 };
 
 // Balls in cell order.
@@ -69,19 +69,24 @@ struct DeviceSimplices {
   std::uint32_t* count;     // per ball
 };
 
-// The balls of the 27 cells around a ball, numbered 0, 1, ...: nine rows of three cells, each a run of
-// slots. For one warp; `end` and `base` are nine words of its own in shared memory.
-struct Surroundings {
-  std::uint32_t *end, *base;
+// Lanes that look for the neighbours of one ball.
+inline constexpr int kSearchLanes = 16;
 
-  // Returns how many there are.
-  __device__ std::uint32_t load(const Problem& p, const SortedBalls& balls, std::uint32_t slot) {
-    const int lane = threadIdx.x & 31, r = lane < 9 ? lane : 8;
+// The balls of the 27 cells around a ball, numbered 0, 1, ...: nine rows of three cells, each a run of
+// slots. For half a warp, which keeps it in shared memory of its own.
+struct Surroundings {
+  std::uint32_t end[9];   // the numbers before the end of each row
+  std::uint32_t base[9];  // slot less number, in each row
+
+  // All lanes of a warp call it.
+  __device__ void load(const Problem& p, const SortedBalls& balls, std::uint32_t slot) {
+    const int lane = threadIdx.x & (kSearchLanes - 1), r = lane < 9 ? lane : 8;
     const std::uint32_t* row = balls.cell_start + balls.cell[slot] + ((r / 3 - 1) * p.ny + r % 3 - 1) * p.nz;
     const std::uint32_t begin = row[-1], length = row[2] - begin;
     std::uint32_t sum = length;
+#pragma unroll
     for (int step = 1; step < 9; step *= 2) {
-      const std::uint32_t other = __shfl_up_sync(~0u, sum, step);
+      const std::uint32_t other = __shfl_up_sync(~0u, sum, step, kSearchLanes);
       if (lane >= step) sum += other;
     }
     if (lane < 9) {
@@ -89,7 +94,6 @@ struct Surroundings {
       base[lane] = begin - (sum - length);
     }
     __syncwarp();
-    return end[8];
   }
   __device__ std::uint32_t slot(std::uint32_t number) const {
     int r = number >= end[4] ? 5 : 0;
@@ -100,16 +104,16 @@ struct Surroundings {
   }
 };
 
-// Kernel I for one ball and one warp: lists those that it meets in `found`, in no order. Returns the number
-// of all, also of those that do not fit.
+// Kernel I for two balls of one warp, half a warp each: lists the balls that theirs meets in `found`, in no
+// order. Returns the number of all, also of those that do not fit; 0 when not `active`.
 __device__ inline int search_neighbours(const Problem& p, const SortedBalls& balls, std::uint32_t slot,
-                                        Surroundings around, std::uint32_t* found) {
-  const int lane = threadIdx.x & 31;
+                                        bool active, Surroundings& around, std::uint32_t* found) {
+  const int lane = threadIdx.x & (kSearchLanes - 1), half = threadIdx.x & kSearchLanes;
   const float4 b = balls.near[slot];
-  const std::uint32_t all = around.load(p, balls, slot);
+  around.load(p, balls, slot);
+  const std::uint32_t all = active ? around.end[8] : 0;
   int count = 0;
-  for (std::uint32_t first = 0; first < all; first += 32) {
-    const std::uint32_t number = first + lane;
+  for (std::uint32_t number = lane; __any_sync(~0u, number < all); number += kSearchLanes) {
     std::uint32_t t = slot;
     bool hit = false;
     if (number < all) {
@@ -118,7 +122,7 @@ __device__ inline int search_neighbours(const Problem& p, const SortedBalls& bal
       const float x = o.x - b.x, y = o.y - b.y, z = o.z - b.z, sum = o.w + b.w;
       hit = fmaf(x, x, fmaf(y, y, z * z)) <= sum * sum && t != slot;
     }
-    const unsigned hits = __ballot_sync(~0u, hit);
+    const unsigned hits = __ballot_sync(~0u, hit) >> half & 0xffffu;
     const int at = count + __popc(hits & ((1u << lane) - 1));
     if (hit && at < p.list_capacity) found[at] = t;
     count += __popc(hits);

@@ -16,17 +16,18 @@ std::uint32_t whole_words(double list) { return static_cast<std::uint32_t>(std::
 
 // What sampled blocks say about a ball's neighbours and triangles.
 struct Means {
-  double list, deviation, triangles;
+  double list, deviation, triangles, tetrahedra;
 };
 
 // Room for blocks of so many balls. Neighbours have similar surroundings, so a block's sum varies more
 // than sums of independent balls would; triangles vary like squares of lists.
 BlockRoom room_for(int balls, const Means& means, double margin) {
-  const double varied = margin * 4.5 * means.deviation / std::max(1.0, means.list) / std::sqrt(balls);
+  const double varied = margin * 3 * means.deviation / std::max(1.0, means.list) / std::sqrt(balls);
   const double lists = balls * means.list * (1.1 + varied), triangles = balls * means.triangles * (1.1 + 2 * varied);
-  const double list = std::min(means.list + 4 * margin * means.deviation, static_cast<double>(kMaxList - 1));
+  const double list = std::min(means.list + 3 * margin * means.deviation, static_cast<double>(kMaxList - 1));
   return {whole_words(list), static_cast<std::uint32_t>(lists) + 32, static_cast<std::uint32_t>(lists / 2) + 32,
-          std::min<std::uint32_t>(static_cast<std::uint32_t>(triangles) + 64, kMaxTriangles - 1)};
+          std::min<std::uint32_t>(static_cast<std::uint32_t>(triangles) + 64, kMaxTriangles - 1),
+          static_cast<std::uint32_t>(balls * means.tetrahedra * (1.1 + 2 * varied)) + 16};
 }
 
 // The largest run of balls whose block stays within its share of shared memory.
@@ -57,8 +58,8 @@ State::TetrahedraNeed first_need(const State& s, double alpha) {
   }
   if (best != nullptr) return *best;
   // A molecule at small alpha; the run says what it really needs.
-  State::TetrahedraNeed need{alpha, 1, {}, {64, 64, 64, 1024}, s.n, 1};
-  choose_room(need, fair_share(s), {12, 3, 14});
+  State::TetrahedraNeed need{alpha, 1, {}, {64, 64, 64, 1024, 64}, s.n, 1};
+  choose_room(need, fair_share(s), {12, 3, 14, 1.5});
   return need;
 }
 
@@ -80,7 +81,7 @@ DualEdgeProblem make_problem(const State& s, const Problem& plan, const BlockRoo
   const double offset = 2 * std::sqrt(static_cast<double>(s.max_radius) * s.max_radius + plan.alpha) * 1.001 + 2;
   p.small_lattice = offset < static_cast<double>(kSmallOffset) && s.max_radius < kSmallOffset;
   p.cull_facets = room.entries >= 1.3 * kLongLists * balls_per_block;
-  p.first_cuts = p.cull_facets ? 8 : 0;
+  p.first_cuts = p.cull_facets ? 10 : 0;
   p.balls = s.balls.get();
   p.deferred_limit = static_cast<std::uint32_t>(std::max<std::size_t>(256, s.n / 200));
   return p;
@@ -166,12 +167,15 @@ PipelineResult State::run_tetrahedra(double alpha, const CancelToken& cancel, St
       // Balls without room count no triangles; half of their neighbours' pairs are a fair start.
       const double seen = static_cast<double>(met.triangles) / balls;
       const bool unseen = met.deferred > p.deferred_limit;
-      choose_room(next, fair_share(*this), {list, deviation, unseen ? std::max(seen, list * list / 8) : seen});
+      choose_room(next, fair_share(*this), {list, deviation, unseen ? std::max(seen, list * list / 8) : seen,
+                                             unseen ? 6.5 : static_cast<double>(found) / static_cast<double>(n)});
     }
     if (met.longest_list > need.ball.list || met.most_triangles > need.ball.triangles ||
+        met.most_kept > need.ball.kept ||
         met.deferred > p.deferred_limit || found > out.capacity) {
       const std::uint32_t list = std::max(need.ball.list, whole_words(met.longest_list));
-      next.ball = {list, list, list, std::max(need.ball.triangles, met.most_triangles + met.most_triangles / 8)};
+      next.ball = {list, list, list, std::max(need.ball.triangles, met.most_triangles + met.most_triangles / 8),
+                   std::max(need.ball.kept, met.most_kept + met.most_kept / 8)};
       next.tetrahedra = std::max(need.tetrahedra, found + found / 8);
       need = next;
       continue;

@@ -96,28 +96,57 @@ class DualEdge {
     return true;
   }
 
-  // Cuts by ball m, called `id`; true when nothing is left. A cut that is not understood is left out and
-  // remembered: another one may still take everything.
-  ALPHASCOPE_INLINE bool cut(const LiftedVector<Real>& m, int id) {
-    const Real slope = multiply_add(m.x, n_.x, multiply_add(m.y, n_.y, m.z * n_.z));
-    const Real offset = multiply_add(-m.x, foot_.x, multiply_add(-m.y, foot_.y,
-                                     multiply_add(-m.z, foot_.z, Real(0.5) * m.c)));
+  // A cheaper start() that says less: true only when no point of the line has pi_i <= alpha.
+  ALPHASCOPE_INLINE static bool certainly_outside(const LiftedVector<Real>& j,
+                                                  const LiftedVector<Real>& k, Real radius_square) {
+    const Vector3<Real> n{j.y * k.z - j.z * k.y, j.z * k.x - j.x * k.z, j.x * k.y - j.y * k.x};
+    const Vector3<Real> g{j.c * k.x - k.c * j.x, j.c * k.y - k.c * j.y, j.c * k.z - k.c * j.z};
+    const Real jj = largest_coordinate(j), kk = largest_coordinate(k);
+    // Plain products here: each coordinate of n errs by 3 u of its two products' bound, each of g by 4 u.
+    const Real n_error = 6 * kU * jj * kk, g_error = 4 * kU * (magnitude(j.c) * kk + magnitude(k.c) * jj);
+    const Real n_square = multiply_add(n.x, n.x, multiply_add(n.y, n.y, n.z * n.z));
+    const Real g_square = multiply_add(g.x, g.x, multiply_add(g.y, g.y, g.z * g.z));
+    const Real n_sum = magnitude(n.x) + magnitude(n.y) + magnitude(n.z);
+    const Real g_sum = magnitude(g.x) + magnitude(g.y) + magnitude(g.z);
+    // |foot|² = |g|² / (4 |n|²).
+    return g_square * (1 - 8 * kU) - 2 * g_error * g_sum >
+           Real(4) * radius_square * (1 + 8 * kU) * (n_square + n_error * (2 * n_sum + 3 * n_error));
+  }
+
+  // How ball m cuts the line: where s (d_m·n) = c_m / 2 - d_m·foot, each within its error.
+  struct Cut {
+    Real slope, offset, slope_error, offset_error;
+  };
+  ALPHASCOPE_INLINE Cut cut_by(const LiftedVector<Real>& m) const {
     const Real length = magnitude(m.x) + magnitude(m.y) + magnitude(m.z);
-    const Real steepness = magnitude(slope), slope_error = length * slope_error_;
-    const Real offset_error = multiply_add(Real(2.6) * kU, magnitude(m.c), length * offset_error_);
-    const Real farthest = multiply_add(steepness + slope_error, reach_, offset_error);
-    if (offset > farthest) return false;
-    if (offset < -farthest) return true;
+    return {multiply_add(m.x, n_.x, multiply_add(m.y, n_.y, m.z * n_.z)),
+            multiply_add(-m.x, foot_.x, multiply_add(-m.y, foot_.y,
+                         multiply_add(-m.z, foot_.z, Real(0.5) * m.c))),
+            length * slope_error_,
+            multiply_add(Real(2.6) * kU, magnitude(m.c), length * offset_error_)};
+  }
+
+  // Within the disc, does it certainly take nothing, or certainly all?
+  enum class Takes { nothing, all, some };
+  ALPHASCOPE_INLINE Takes takes(const Cut& cut) const {
+    const Real farthest = multiply_add(magnitude(cut.slope) + cut.slope_error, reach_, cut.offset_error);
+    return cut.offset > farthest ? Takes::nothing : cut.offset < -farthest ? Takes::all : Takes::some;
+  }
+
+  // Cuts by ball `id`; true when nothing is left. A cut that is not understood is left out and
+  // remembered: another one may still take everything.
+  ALPHASCOPE_INLINE bool clip(const Cut& cut, int id) {
+    const Real steepness = magnitude(cut.slope);
     const Real inverse = rough_reciprocal(steepness);
-    const Real t = offset * inverse;
+    const Real t = cut.offset * inverse;
     const Real size = magnitude(t);
     // (a - b t) / (slope - b) for errors a and b, |b| < |slope| / 8.
     const Real error = multiply_add(6 * kU, size,
-                                    Real(1.15) * inverse * multiply_add(size, slope_error, offset_error));
-    const bool above = slope > 0;
+                                    Real(1.15) * inverse * multiply_add(size, cut.slope_error, cut.offset_error));
+    const bool above = cut.slope > 0;
     const End old = above ? high_ : low_;
     const Real gain = old.t - t, doubt = error + old.error;
-    if (!(steepness > 8 * slope_error) || !(magnitude(gain) > doubt || old.cutter < 0)) {
+    if (!(steepness > 8 * cut.slope_error) || !(magnitude(gain) > doubt || old.cutter < 0)) {
       unsure_ = true;
       return false;
     }

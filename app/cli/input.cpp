@@ -1,9 +1,11 @@
 #include "app/cli/input.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <chrono>
 
 #include "core/io/user_radii.hpp"
+#include "core/molecule/selection_expression.hpp"
 
 namespace alphascope::cli {
 namespace {
@@ -67,12 +69,38 @@ double timed(Work work) {
       .count();
 }
 
+// "B" for a file with chains A and C would be an empty set of balls: rather a slip of the pen.
+void require_chains(const std::vector<std::string>& asked, const MoleculeContents& contents) {
+  constexpr std::size_t kListed = 20;
+  for (const std::string& name : asked) {
+    const auto named = [&](const ChainContents& chain) { return chain.name == name; };
+    if (std::any_of(contents.chains.begin(), contents.chains.end(), named)) continue;
+    std::string known;
+    for (std::size_t k = 0; k < std::min(kListed, contents.chains.size()); ++k) {
+      const std::string& chain = contents.chains[k].name;
+      known += (k ? ", " : "") + (chain.empty() ? "one without a name" : chain);
+    }
+    if (contents.chains.size() > kListed) {
+      known += " … " + std::to_string(contents.chains.size()) + " in all";
+    }
+    throw std::invalid_argument("there is no chain \"" + name + "\": the file has " + known);
+  }
+}
+
 Input open_input(const InputOptions& options, const RunContext& context) {
   Input input;
   const OpenOptions open = open_options(options, context);
   input.balls = open.balls;
-  input.open_milliseconds =
-      timed([&] { input.opened = open_molecule(options.file, open, context); });
+  try {
+    input.open_milliseconds =
+        timed([&] { input.opened = open_molecule(options.file, open, context); });
+    require_chains(options.chains, *input.opened.contents);
+    require_chains(options.without_chains, *input.opened.contents);
+  } catch (const SelectionError& error) {
+    throw UsageError("--select \"" + options.select + "\", " + error.what() + ".");
+  } catch (const std::invalid_argument& error) {
+    throw UsageError(options.file.string() + ": " + error.what() + ".");
+  }
   return input;
 }
 

@@ -59,6 +59,9 @@ Molecule MoleculeBuilder::finish() {
   if (molecule_.models.empty()) molecule_.models.push_back({1, 0, 0});
   molecule_.models.back().end = size();
   if (molecule_.models.back().size() == 0) molecule_.models.pop_back();
+  if (!radii_.empty() && !molecule_.has_file_radii) {
+    molecule_.notes.push_back("Every radius in the file is 0, so that a radii set is used instead");
+  }
   if (!radii_.empty()) radii_.resize(size(), kNoRadius);
   place(choose_digits());
   return std::move(molecule_);

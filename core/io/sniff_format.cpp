@@ -64,6 +64,12 @@ bool is_ball_line(std::string_view line) {
                                        numbers_from(kinds, kinds.size() - 4, 4));
 }
 
+// "1 OW x y z 221 2", of which one coordinate may be damaged: its reader says that best.
+bool is_tinker_atom(std::string_view kinds) {
+  if (kinds.size() < 6 || kinds[0] != 'i' || kinds[1] != 'w' || kinds[5] != 'i') return false;
+  return std::count(kinds.begin() + 2, kinds.begin() + 5, 'w') <= 1;
+}
+
 std::string extension_without_gz(const std::filesystem::path& path) {
   std::filesystem::path name = path.filename();
   const auto lower = [](std::string text) {
@@ -79,9 +85,7 @@ FileFormat sniff_counted(std::string_view first, LineReader lines, std::string_v
   std::string_view second, third;
   lines.next(second);
   const std::string kinds = field_kinds(second);
-  if (kinds.size() >= 6 && kinds[0] == 'i' && kinds[1] == 'w' && numbers_from(kinds, 2, 4)) {
-    return FileFormat::tinker_xyz;
-  }
+  if (is_tinker_atom(kinds)) return FileFormat::tinker_xyz;
   lines.next(third);
   const std::string below = field_kinds(third);
   const bool box = kinds.size() == 6 && numbers_from(kinds, 0, 6);

@@ -136,6 +136,24 @@ TEST_F(Cli, WrongUsageIsCode2) {
   }
 }
 
+TEST_F(Cli, WrongChoicesNameTheFileAndWhatThereIs) {
+  const std::string file = ALPHASCOPE_SOURCE_DIR "/resources/molecules/1crn.pdb";
+  const struct {
+    const char *option, *said;
+  } cases[] = {{"--chain Z", "1crn.pdb: there is no chain \"Z\": the file has A."},
+               {"--without-chain A,Q", "there is no chain \"Q\""},
+               {"--model 2", "1crn.pdb: there is no model 2: the file has 1."},
+               {"--assembly 9", "1crn.pdb: there is no assembly 9: the file has 1."},
+               {"--radii file", "1crn.pdb: the file has no radii of its own"},
+               {"--select 'chain'", "--select \"chain\", column 6: expected a chain name"}};
+  for (const auto& c : cases) {
+    const Outcome outcome = run("info '" + file + "' " + c.option);
+    EXPECT_EQ(outcome.code, 2) << c.option;
+    EXPECT_TRUE(contains(outcome.err, c.said)) << outcome.err;
+  }
+  EXPECT_TRUE(contains(run("info '" + cube_.string() + "' --chain A").err, "one without a name"));
+}
+
 TEST_F(Cli, BadInputIsCode3AndNamesFileAndLine) {
   const fs::path bad = write("bad.xyzr", "0 0 0 1.5\n0 0 banana 1.5\n");
   const Outcome outcome = run("compute '" + bad.string() + "' --alpha 1");

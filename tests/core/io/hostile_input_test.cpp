@@ -6,6 +6,7 @@
 #include <unistd.h>
 #include <zlib.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <functional>
 #include <string>
@@ -213,6 +214,59 @@ TEST(HostileInput, AbsurdNumbers) {
   EXPECT_EQ(refusal("a.xyzr", "1 2 3 1\n1 2 3 1e-300\n").line(), 2u) << "a radius must not vanish";
   EXPECT_EQ(read_text("a.xyzr", "536870911 0 0 1\n").lattice.digits, 0);
   EXPECT_EQ(refusal("a.xyzr", "536870912 0 0 1\n").line(), 1u);
+}
+
+// A file of each format with one atom, whose y is @ and whose radius, if any, is %.
+const Sample kTemplates[] = {
+    {"a.pdb", "ATOM      1  N   MET A   1      27.340@   2.614\n"},
+    {"a.cif",
+     "data_X\nloop_\n_atom_site.id\n_atom_site.Cartn_x\n_atom_site.Cartn_y\n_atom_site.Cartn_z\n"
+     "1 1.25 @ 3.75\n"},
+    {"a.pqr", "REMARK 1 PQR file\nATOM 1 N ILE A 16 5.25 @ 18.75 -0.3 %\n"},
+    {"a.xyz", "1\nProperties=species:S:1:pos:R:3:radius:R:1\nC 1.25 @ 3.75 %\n"},
+    {"t.xyz", " 1 water\n 1 O 1.25 @ 3.75 1\n"},
+    {"a.xyzr", "1.25 @ 3.75 %\n"},
+    {"b.xyzr", "A 1 CA 1.25 @ 3.75 %\n"},
+    {"a.crd", "1\n\n1.25 @ 3.75 %\n"},
+    {"c.crd", "* T\n    1\n    1    1 LYS  N    -14.05410@  43.57444 G    1      0.00000\n"}};
+
+// Columns of PDB and CHARMM files are 8 and 10 wide.
+std::string filled(const Sample& sample, std::string number, const std::string& radius) {
+  std::string text = sample.text;
+  const std::string_view name = sample.name;
+  const std::size_t width = name == "a.pdb" ? 8 : name == "c.crd" ? 10 : 0;
+  if (number.size() < width) number.insert(0, width - number.size(), ' ');
+  text.replace(text.find('@'), 1, number);
+  const std::size_t at = text.find('%');
+  if (at != std::string::npos) text.replace(at, 1, radius);
+  return text;
+}
+
+TEST(HostileInput, EveryFormatRefusesNumbersThatAreNone) {
+  for (const Sample& sample : kTemplates) {
+    const std::size_t lines =
+        static_cast<std::size_t>(std::count(sample.text.begin(), sample.text.end(), '\n'));
+    ASSERT_EQ(read_text(sample.name, filled(sample, "2.5", "1.5")).atoms.size(), 1u) << sample.name;
+    for (const char* number : {"nan", "inf", "-inf", "NaN", "1e300", "-1e300", "0x1p4", "1,5"}) {
+      SCOPED_TRACE(std::string(sample.name) + " " + number);
+      const ReadError error = refusal(sample.name, filled(sample, number, "1.5"));
+      EXPECT_EQ(error.line(), lines) << error.what();
+      EXPECT_FALSE(error.remedy().empty());
+    }
+    if (sample.text.find('%') == std::string::npos) continue;
+    for (const char* radius : {"nan", "inf", "1e300", "-1.5", "-1e-9", "1e-300"}) {
+      SCOPED_TRACE(std::string(sample.name) + " radius " + radius);
+      const ReadError error = refusal(sample.name, filled(sample, "2.5", radius));
+      EXPECT_EQ(error.line(), lines) << error.what();
+      EXPECT_FALSE(error.remedy().empty());
+    }
+    // Radius 0 is what a file may say: counted, never a ball without a word.
+    const Molecule zero = read_text(sample.name, filled(sample, "2.5", "0"));
+    EXPECT_FALSE(zero.has_file_radii);
+    ASSERT_EQ(zero.notes.size(), 1u) << sample.name;
+    EXPECT_NE(zero.notes[0].find("Every radius in the file is 0"), std::string::npos);
+    EXPECT_GT(prepare_balls(zero).balls->radii.at(0), 0);
+  }
 }
 
 TEST(HostileInput, AMillionCoincidentAtoms) {

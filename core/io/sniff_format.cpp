@@ -99,6 +99,18 @@ FileFormat sniff_counted(std::string_view first, LineReader lines, std::string_v
   return FileFormat::unknown;
 }
 
+// Title lines with *, then the number of atoms. Other programs begin their reports with * as well.
+FileFormat sniff_card(std::string_view text, std::string_view extension) {
+  LineReader lines(text);
+  std::string_view line;
+  for (int k = 0; k < kLinesToLookAt && lines.next(line); ++k) {
+    const std::string_view data = trimmed(line);
+    if (data.empty() || data.front() == '*') continue;
+    return field_kinds(data).starts_with('i') ? FileFormat::charmm_card : FileFormat::unknown;
+  }
+  return extension == ".crd" ? FileFormat::charmm_card : FileFormat::unknown;  // cut off
+}
+
 FileFormat sniff_content(std::string_view text, std::string_view extension) {
   LineReader lines(text);
   std::string_view line;
@@ -114,7 +126,7 @@ FileFormat sniff_content(std::string_view text, std::string_view extension) {
     const std::string_view data = trimmed(line);
     if (data.empty() || data.front() == '#') continue;
     if (is_cif_start(data)) return FileFormat::mmcif;
-    if (k == 0 && data.front() == '*') return FileFormat::charmm_card;
+    if (k == 0 && data.front() == '*') return sniff_card(text, extension);
     if (field_kinds(data).starts_with('i')) {
       const FileFormat counted = sniff_counted(data, lines, extension);
       if (counted != FileFormat::unknown) return counted;

@@ -4,6 +4,7 @@
 #include <array>
 #include <fstream>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -94,6 +95,26 @@ std::vector<std::pair<LatticePoint, Element>> sorted_atoms(const Molecule& m) {
   for (const Atom& a : m.atoms) atoms.emplace_back(a.position, a.element);
   std::sort(atoms.begin(), atoms.end());
   return atoms;
+}
+
+TEST(DataFolder, WhateverElseLiesThereIsRefusedBySayingWhatItIs) {
+  ALPHASCOPE_NEED_TEST_DATA();
+  std::set<std::string> molecules;
+  for (const Row& row : read_table()) molecules.insert(row.file);
+  std::size_t others = 0;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(ALPHASCOPE_TEST_DATA)) {
+    if (!entry.is_regular_file()) continue;
+    const std::string name = std::filesystem::relative(entry.path(), ALPHASCOPE_TEST_DATA).string();
+    if (molecules.contains(name)) continue;
+    ++others;
+    try {
+      read_molecule(entry.path());
+      ADD_FAILURE() << name << " opened, though it is in no table of molecules";
+    } catch (const ReadError& error) {
+      EXPECT_NE(error.reason().find("it looks like"), std::string::npos) << error.what();
+    }
+  }
+  EXPECT_GE(others, 20u);
 }
 
 // x, y, z and radius of every ball on the lattice of that many digits, which holds them exactly.

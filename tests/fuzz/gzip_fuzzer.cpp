@@ -3,12 +3,12 @@
 #include "tests/fuzz/check_molecule.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {
-  constexpr std::uint64_t kLimit = std::uint64_t{1} << 20;  // bytes
+  constexpr std::uint64_t kLimit = std::uint64_t{1} << 14;  // bytes; small, for many runs
   const std::string_view packed(reinterpret_cast<const char*>(data), size);
   try {
     const alphascope::TextBuffer text = alphascope::unpack_gzip("fuzz.gz", packed, kLimit, {});
     alphascope::fuzz::require(text.size() <= kLimit);
-    // Every byte must have been written.
+    // Touches every byte.
     std::size_t sum = 0;
     for (const char c : text.view()) sum += static_cast<unsigned char>(c);
     alphascope::fuzz::require(sum <= 255 * text.size());

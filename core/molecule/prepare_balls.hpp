@@ -54,7 +54,7 @@ struct GuessedRadius {
   std::string atoms;  // "FE in HEM"
   std::size_t count = 0;
   double radius_angstrom = 0;
-  std::string source = {};               // "ionic radius, Shannon 1976"
+  std::string source = {};              // "ionic radius, Shannon 1976"
   std::string residue = {}, atom = {};  // as in RadiusOverride
   Element element = kUnknownElement;
 };

@@ -7,6 +7,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "gpu/faults.hpp"
+
 namespace alphascope::gpu {
 
 // A CUDA call failed. Running out of memory is std::bad_alloc instead.
@@ -15,6 +17,7 @@ struct DeviceError : std::runtime_error {
 };
 
 inline void check(cudaError_t status, const char* what) {
+  if (Faults::lost()) status = cudaErrorDevicesUnavailable;
   if (status == cudaSuccess) return;
   cudaGetLastError();  // the error is reported here; do not report it again later
   if (status == cudaErrorMemoryAllocation) throw std::bad_alloc();
@@ -34,6 +37,7 @@ class DeviceBuffer {
     cudaFree(data_);
     data_ = nullptr;
     capacity_ = 0;
+    if (Faults::refuses()) throw std::bad_alloc();
     check(cudaMalloc(&data_, count * sizeof(T)), "reserving device memory");
     capacity_ = count;
   }
@@ -58,6 +62,7 @@ class PinnedBuffer {
     cudaFreeHost(data_);
     data_ = nullptr;
     capacity_ = 0;
+    if (Faults::refuses()) throw std::bad_alloc();
     check(cudaMallocHost(&data_, count * sizeof(T)), "reserving pinned host memory");
     capacity_ = count;
   }

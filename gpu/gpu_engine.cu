@@ -2,8 +2,10 @@
 #include "gpu/gpu_engine.hpp"
 
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 
+#include "core/complex/slabs.hpp"
 #include "gpu/device_buffer.cuh"
 #include "gpu/facet_pipeline.hpp"
 
@@ -31,7 +33,7 @@ void run_probe() {
 
 GpuDevice probe_device() {
   GpuDevice d;
-  constexpr const char* kFallback = " The CPU engine runs instead, with the same results.";
+  constexpr const char* kFallback = " The CPU engine gives the same results.";
   int count = 0;
   const cudaError_t status = cudaGetDeviceCount(&count);
   int driver = 0;
@@ -72,18 +74,21 @@ void copy(const gpu::HostSimplices<N>& from, SimplexList<N>& to) {
   to.classes.assign(from.classes.begin(), from.classes.end());
 }
 
+// More slabs than this and the halos are most of the work.
+constexpr std::size_t kMostSlabs = 256;
+
 class GpuEngine : public Engine {
  public:
   GpuEngine(std::shared_ptr<const BallSet> balls, EngineOptions options)
-      : balls_(std::move(balls)), options_(options), pipeline_(*balls_) {}
+      : balls_(std::move(balls)), options_(options) {}
 
   AlphaComplex compute(const AlphaRequest& request, const RunContext& context) override {
     if (std::isnan(request.alpha_angstrom2)) throw std::invalid_argument("alpha is not a number");
     std::string why_cpu = "beyond the GPU kernels' limits";
     try {
-      AlphaComplex complex;
-      if (on_device(request, context, complex)) return complex;
+      if (std::optional<AlphaComplex> complex = on_device(request, context)) return *std::move(complex);
     } catch (const gpu::DeviceError& error) {
+      pipeline_.reset();  // whatever it still holds is of no use
       why_cpu = error.what();
     } catch (const std::bad_alloc&) {
       why_cpu = "the GPU's memory is full";
@@ -95,14 +100,52 @@ class GpuEngine : public Engine {
   }
 
  private:
-  bool on_device(const AlphaRequest& request, const RunContext& context, AlphaComplex& complex) {
-    complex.lattice = balls_->lattice;
-    complex.alpha_on_lattice = balls_->lattice.alpha_on_lattice(request.alpha_angstrom2);
+  // The set at once, or in as few slabs as the device's memory allows. Nothing when the request is
+  // beyond the kernels' limits.
+  std::optional<AlphaComplex> on_device(const AlphaRequest& request, const RunContext& context) {
+    for (;;) {
+      try {
+        if (slabs_ == 1) return whole_set(request, context);
+        return in_slabs(request, context);
+      } catch (const std::bad_alloc&) {
+        pipeline_.reset();
+        if (slabs_ >= kMostSlabs || slabs_ > balls_->size()) throw;
+        slabs_ *= 2;
+      }
+    }
+  }
+
+  std::optional<AlphaComplex> whole_set(const AlphaRequest& request, const RunContext& context) {
+    if (!pipeline_) pipeline_ = std::make_unique<gpu::FacetPipeline>(*balls_);
+    return run(*pipeline_, *balls_, request, context);
+  }
+
+  std::optional<AlphaComplex> in_slabs(const AlphaRequest& request, const RunContext& context) {
+    struct BeyondLimits {};
+    try {
+      AlphaComplex complex = compute_in_slabs(*balls_, request, slabs_, context, [&](std::shared_ptr<const BallSet> part) {
+        gpu::FacetPipeline pipeline(*part);
+        std::optional<AlphaComplex> result = run(pipeline, *part, request, context);
+        if (!result) throw BeyondLimits{};
+        return *std::move(result);
+      });
+      complex.engine.route += ", in " + std::to_string(slabs_) + " slabs";
+      return complex;
+    } catch (const BeyondLimits&) {
+      return std::nullopt;
+    }
+  }
+
+  std::optional<AlphaComplex> run(gpu::FacetPipeline& pipeline, const BallSet& balls,
+                                  const AlphaRequest& request, const RunContext& context) {
+    AlphaComplex complex;
+    complex.lattice = balls.lattice;
+    complex.alpha_on_lattice = balls.lattice.alpha_on_lattice(request.alpha_angstrom2);
     complex.tetrahedra_only = request.tetrahedra_only;
-    StageTimes ignored;
-    StageTimer wall(ignored);
-    const gpu::PipelineResult result = pipeline_.run(complex.alpha_on_lattice, request.tetrahedra_only, context.cancel, &complex.timings);
-    if (!result.fits) return false;
+    StageTimes whole;
+    StageTimer wall(whole);
+    const gpu::PipelineResult result = pipeline.run(complex.alpha_on_lattice, request.tetrahedra_only, context.cancel, &complex.timings);
+    if (!result.fits) return std::nullopt;
     StageTimes host;
     StageTimer host_timer(host);
     copy(result.vertices, complex.vertices);
@@ -112,15 +155,17 @@ class GpuEngine : public Engine {
     host_timer.lap("result arrays");
     wall.finish();
     complex.timings.stages.push_back(host.stages.front());
-    complex.timings.wall_milliseconds = ignored.wall_milliseconds;
+    complex.timings.wall_milliseconds = whole.wall_milliseconds;
     complex.hash = complex_hash(complex);
     complex.engine = {"facet engine", gpu_device().name, "facet clipping"};
-    return true;
+    complex.engine.counters.push_back({"balls through kernel III", result.exact_balls});
+    return complex;
   }
 
   std::shared_ptr<const BallSet> balls_;
   EngineOptions options_;
-  gpu::FacetPipeline pipeline_;
+  std::size_t slabs_ = 1;
+  std::unique_ptr<gpu::FacetPipeline> pipeline_;
   std::unique_ptr<Engine> cpu_;
 };
 

@@ -60,7 +60,7 @@ struct WideInt {
   ALPHASCOPE_HOST_DEVICE WideInt operator-() const { return WideInt(0) - *this; }
 
   // Modulo 2^(64 kLimbs), where the product of two's complements is that of the signed values.
-  ALPHASCOPE_HOST_DEVICE friend WideInt operator*(const WideInt& a, const WideInt& b) {
+  ALPHASCOPE_DEVICE_CALL friend WideInt operator*(const WideInt& a, const WideInt& b) {
     WideInt product(0);
     for (int i = 0; i < kLimbs; ++i) {
       std::uint64_t carry = 0;
@@ -73,7 +73,7 @@ struct WideInt {
     return product;
   }
 
-  ALPHASCOPE_HOST_DEVICE WideInt shifted_left(int bits) const {
+  ALPHASCOPE_DEVICE_CALL WideInt shifted_left(int bits) const {
     WideInt result(0);
     const int limbs = bits / 64, rest = bits % 64;
     for (int i = kLimbs - 1; i >= limbs; --i) {

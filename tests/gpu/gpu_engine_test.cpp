@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <cstring>
 
 #include "tests/support/random_balls.hpp"
@@ -59,6 +60,14 @@ TEST(Gpu, EqualsItselfFromRunToRun) {
   ASSERT_TRUE(engine);
   const AlphaComplex first = engine->compute({0.5, false}, {});
   for (int run = 0; run < 20; ++run) expect_same(engine->compute({0.5, false}, {}).tetrahedra, first.tetrahedra);
+}
+
+// Run by ctest with a stand-in for the driver's library that claims to be old (old_driver.c).
+TEST(Gpu, SaysThatADriverIsTooOld) {
+  if (std::getenv("ALPHASCOPE_EXPECT_OLD_DRIVER") == nullptr) GTEST_SKIP() << "only with old_driver.c";
+  EXPECT_FALSE(gpu_device().usable);
+  EXPECT_NE(gpu_device().why_not.find("supports CUDA 10.2, this program needs"), std::string::npos) << gpu_device().why_not;
+  EXPECT_NE(gpu_device().why_not.find("update the driver"), std::string::npos) << gpu_device().why_not;
 }
 
 TEST(Gpu, SaysWhyItCannotBeUsed) {

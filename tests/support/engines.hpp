@@ -15,6 +15,11 @@
 #include "core/geometry/coincident.hpp"
 #include "tests/support/facet_only_engine.hpp"
 
+#ifdef ALPHASCOPE_TEST_GPU_ENGINES
+#include "gpu/gpu_engine.hpp"
+#include "gpu/tuple_engine.hpp"
+#endif
+
 namespace alphascope::testing {
 
 struct EngineFactory {
@@ -23,6 +28,8 @@ struct EngineFactory {
   // What is slow beyond use on larger sets, or where balls have more neighbours, says so here.
   int most_balls = 1000;
   double most_tuples = std::numeric_limits<double>::infinity();
+  // Why there can be no such engine on this machine; empty when there can.
+  std::string why_not;
 
   // Would this engine take no more than seconds?
   bool affords(const BallSet& balls, double alpha_angstrom2) const {
@@ -35,8 +42,7 @@ struct EngineFactory {
   friend void PrintTo(const EngineFactory& factory, std::ostream* out) { *out << factory.name; }
 };
 
-// Host engines, on one thread and on as many as switch their parallel code on. Suites of other
-// targets may append to the list.
+// Host engines, on one thread and on as many as switch their parallel code on.
 inline std::vector<EngineFactory> host_engines() {
   std::vector<EngineFactory> engines;
   for (const int threads : {1, 4}) {
@@ -66,6 +72,27 @@ inline std::vector<EngineFactory> host_engines() {
   }
   return engines;
 }
+
+#ifdef ALPHASCOPE_TEST_GPU_ENGINES
+// The same suites are compiled a second time for the device's engines (tests/gpu).
+inline std::vector<EngineFactory> engines() {
+  const std::string why_not = gpu_device().usable ? "" : gpu_device().why_not;
+  const auto tuples = [](auto balls) { return make_gpu_tuple_engine(std::move(balls), {}, nullptr); };
+  return {{"gpu", [](auto balls) { return make_gpu_engine(std::move(balls), {}, nullptr); }, 1000,
+           std::numeric_limits<double>::infinity(), why_not},
+          {"gpu_tuples", tuples, 35, 3e6, why_not}};
+}
+#else
+inline std::vector<EngineFactory> engines() { return host_engines(); }
+#endif
+
+// What a suite of every engine derives from: skipped where there is no such engine.
+class EngineSuite : public ::testing::TestWithParam<EngineFactory> {
+ protected:
+  void SetUp() override {
+    if (!GetParam().why_not.empty()) GTEST_SKIP() << GetParam().why_not;
+  }
+};
 
 // What GoogleTest appends to the names of parametrised tests.
 inline std::string engine_name(const ::testing::TestParamInfo<EngineFactory>& info) {

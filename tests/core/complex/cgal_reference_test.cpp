@@ -15,8 +15,8 @@ using testing::EngineFactory;
 using testing::NamedBalls;
 using testing::Random;
 
-class DirectCgal : public ::testing::TestWithParam<EngineFactory> {};
-INSTANTIATE_TEST_SUITE_P(Engines, DirectCgal, ::testing::ValuesIn(testing::host_engines()),
+class DirectCgal : public testing::EngineSuite {};
+INSTANTIATE_TEST_SUITE_P(Engines, DirectCgal, ::testing::ValuesIn(testing::engines()),
                          testing::engine_name);
 
 // Fixed_alpha_shape_3 knows no alpha values, so all else must agree.

@@ -86,8 +86,8 @@ void expect_equals_oracle(const EngineFactory& factory, Random& random, const Na
   }
 }
 
-class HardSets : public ::testing::TestWithParam<EngineFactory> {};
-INSTANTIATE_TEST_SUITE_P(Engines, HardSets, ::testing::ValuesIn(testing::host_engines()),
+class HardSets : public testing::EngineSuite {};
+INSTANTIATE_TEST_SUITE_P(Engines, HardSets, ::testing::ValuesIn(testing::engines()),
                          testing::engine_name);
 
 void expect_small_sets_equal(const EngineFactory& factory, int seed, int rounds, int most_balls) {

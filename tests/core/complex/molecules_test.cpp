@@ -34,8 +34,8 @@ constexpr KnownCounts kKnown[] = {
     {"thesis/1k4c.crd.gz", 1.4, 0, 105597, 166727, 76947},
 };
 
-class EveryEngine : public ::testing::TestWithParam<EngineFactory> {};
-INSTANTIATE_TEST_SUITE_P(Engines, EveryEngine, ::testing::ValuesIn(testing::host_engines()),
+class EveryEngine : public testing::EngineSuite {};
+INSTANTIATE_TEST_SUITE_P(Engines, EveryEngine, ::testing::ValuesIn(testing::engines()),
                          testing::engine_name);
 
 TEST_P(EveryEngine, FindsTheKnownCounts) {

@@ -20,7 +20,7 @@ using testing::EngineFactory;
 using testing::NamedBalls;
 using testing::Random;
 
-class Properties : public ::testing::TestWithParam<EngineFactory> {
+class Properties : public testing::EngineSuite {
  protected:
   AlphaComplex complex_of(const BallSet& balls, double alpha) {
     return GetParam().make(std::make_shared<const BallSet>(balls))->compute({alpha}, {});
@@ -29,7 +29,7 @@ class Properties : public ::testing::TestWithParam<EngineFactory> {
     return testing::large_hard_sets(random, GetParam().most_balls);
   }
 };
-INSTANTIATE_TEST_SUITE_P(Engines, Properties, ::testing::ValuesIn(testing::host_engines()),
+INSTANTIATE_TEST_SUITE_P(Engines, Properties, ::testing::ValuesIn(testing::engines()),
                          testing::engine_name);
 
 constexpr double kAlphas[] = {-2, 0, 0.5, 1, 2, 5, 20, 1000};

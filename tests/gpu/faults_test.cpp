@@ -1,0 +1,76 @@
+// A device that is full or lost at any moment: the answer is the same, it is said where it came from, and
+// the engine is as good as new afterwards.
+#include "gpu/faults.hpp"
+
+#include <gtest/gtest.h>
+
+#include "gpu/gpu_engine.hpp"
+#include "tests/support/random_balls.hpp"
+
+namespace alphascope {
+namespace {
+
+using gpu::Faults;
+
+class GpuFaults : public ::testing::TestWithParam<bool> {
+ protected:
+  void SetUp() override {
+    if (!gpu_device().usable) GTEST_SKIP() << gpu_device().why_not;
+    testing::Random random(31);
+    balls_ = std::make_shared<const BallSet>(testing::large_hard_sets(random).front().balls);
+  }
+  void TearDown() override { Faults::none(); }
+
+  AlphaRequest request() const { return {0.5, GetParam()}; }
+  std::uint64_t expected_hash() const { return make_cpu_engine(balls_)->compute(request(), {}).hash; }
+  static bool on_cpu(const AlphaComplex& complex) { return complex.engine.route.find("on the CPU") != std::string::npos; }
+
+  std::shared_ptr<const BallSet> balls_;
+};
+INSTANTIATE_TEST_SUITE_P(Requests, GpuFaults, ::testing::Bool(),
+                         [](const auto& given) { return given.param ? "TetrahedraOnly" : "Whole"; });
+
+TEST_P(GpuFaults, ARefusedReservationIsAnsweredInSlabs) {
+  const std::uint64_t expected = expected_hash();
+  int refused = 0;
+  for (int n = 0;; ++n) {
+    const auto engine = make_gpu_engine(balls_, {}, nullptr);
+    ASSERT_TRUE(engine);
+    Faults::none();
+    Faults::refuse_reservation = n;
+    const AlphaComplex found = engine->compute(request(), {});
+    const bool met = Faults::met > 0;
+    Faults::none();
+    EXPECT_EQ(found.hash, expected) << "reservation " << n << ", " << found.engine.route;
+    if (!met) break;
+    ++refused;
+    EXPECT_NE(found.engine.route.find("slabs"), std::string::npos) << found.engine.route;
+    EXPECT_EQ(engine->compute(request(), {}).hash, expected) << "after reservation " << n;
+  }
+  EXPECT_GT(refused, 10);
+}
+
+TEST_P(GpuFaults, ALostDeviceIsAnsweredByTheCpu) {
+  const std::uint64_t expected = expected_hash();
+  int lost = 0;
+  for (int n = 0;; ++n) {
+    const auto engine = make_gpu_engine(balls_, {}, nullptr);
+    ASSERT_TRUE(engine);
+    Faults::none();
+    Faults::lose_device = n;
+    const AlphaComplex found = engine->compute(request(), {});
+    const bool met = Faults::met > 0;
+    Faults::none();
+    EXPECT_EQ(found.hash, expected) << "call " << n;
+    if (!met) break;
+    ++lost;
+    EXPECT_TRUE(on_cpu(found)) << "call " << n << ", " << found.engine.route;
+    const AlphaComplex again = engine->compute(request(), {});
+    EXPECT_EQ(again.hash, expected);
+    EXPECT_FALSE(on_cpu(again)) << again.engine.route;
+  }
+  EXPECT_GT(lost, 10);
+}
+
+}  // namespace
+}  // namespace alphascope

@@ -49,7 +49,9 @@ void add_input(CLI::App& command, InputOptions& input) {
                      "Radii: auto, file (the file's own), bondi, protor, alvarez, amber, naccess, "
                      "rasmol; or a file with a table of your own")
       ->type_name("SET");
-  command.add_option("--model", input.model, "Model, counted from 1; all for each by itself, joined for all as one")
+  command
+      .add_option("--model", input.model,
+                  "Model, counted from 1; all for each by itself, joined for all as one")
       ->type_name("N|all|joined");
   command.add_option("--hydrogens", input.hydrogens, "auto drops them with united-atom radii")
       ->check(CLI::IsMember({"auto", "keep", "drop"}));

@@ -1,108 +1,12 @@
 // The real alphascope-cli on small files: results, exit codes, and messages for bad input.
-#include <gtest/gtest.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
 #include <chrono>
 #include <csignal>
-#include <cstdio>
-#include <filesystem>
-#include <fstream>
-#include <map>
-#include <nlohmann/json.hpp>
-#include <sstream>
 #include <thread>
-#include <utility>
-#include <vector>
 
+#include "tests/app/cli_fixture.hpp"
+
+namespace alphascope::testing {
 namespace {
-
-namespace fs = std::filesystem;
-using nlohmann::json;
-
-struct Outcome {
-  int code = -1;
-  std::string out, err;
-};
-
-std::string contents(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
-
-// What pandas or R would read: names and rows of fields.
-std::vector<std::map<std::string, std::string>> csv_rows(const std::string& text) {
-  std::vector<std::vector<std::string>> lines(1);
-  std::string field;
-  bool quoted = false;
-  for (std::size_t k = 0; k < text.size(); ++k) {
-    const char c = text[k];
-    if (c == '"') {
-      if (quoted && k + 1 < text.size() && text[k + 1] == '"') field += text[++k];
-      else quoted = !quoted;
-    } else if (!quoted && (c == ',' || c == '\n')) {
-      lines.back().push_back(std::exchange(field, {}));
-      if (c == '\n') lines.emplace_back();
-    } else {
-      field += c;
-    }
-  }
-  lines.pop_back();
-  std::vector<std::map<std::string, std::string>> rows;
-  for (std::size_t n = 1; n < lines.size(); ++n) {
-    EXPECT_EQ(lines[n].size(), lines[0].size()) << "row " << n;
-    rows.emplace_back();
-    for (std::size_t k = 0; k < lines[0].size(); ++k) rows.back()[lines[0][k]] = lines[n].at(k);
-  }
-  return rows;
-}
-
-class Cli : public ::testing::Test {
- protected:
-  void SetUp() override {
-    std::string pattern = (fs::path(::testing::TempDir()) / "alphascope_cli_XXXXXX").string();
-    folder_ = ::mkdtemp(pattern.data());
-    // A cube of eight equal balls: every tie that there can be, and counts known by hand.
-    std::string cube;
-    for (int i = 0; i < 8; ++i) {
-      cube += std::to_string(2 * (i & 1)) + " " + std::to_string(i & 2) + " " +
-              std::to_string((i & 4) / 2) + " 1.5\n";
-    }
-    cube_ = write("cube.xyzr", cube);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
-  fs::path write(const std::string& name, const std::string& text) const {
-    std::ofstream(folder_ / name, std::ios::binary) << text;
-    return folder_ / name;
-  }
-
-  Outcome run(const std::string& arguments) const {
-    const fs::path out = folder_ / "stdout", err = folder_ / "stderr";
-    const std::string command = std::string("'" ALPHASCOPE_CLI "' ") + arguments + " >'" +
-                                out.string() + "' 2>'" + err.string() + "' </dev/null";
-    const int status = std::system(command.c_str());
-    Outcome outcome;
-    outcome.code = WIFEXITED(status) ? WEXITSTATUS(status) : 1000 + WTERMSIG(status);
-    outcome.out = contents(out);
-    outcome.err = contents(err);
-    return outcome;
-  }
-
-  json compute_json(const std::string& arguments) const {
-    const Outcome outcome = run("compute " + arguments + " --json -");
-    EXPECT_EQ(outcome.code, 0) << outcome.err;
-    return json::parse(outcome.out);
-  }
-
-  static bool contains(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-  }
-
-  fs::path folder_, cube_;
-};
 
 TEST_F(Cli, HelpHasExamplesAndExitCodes) {
   const Outcome outcome = run("--help");
@@ -349,119 +253,6 @@ TEST_F(Cli, SelectionAndAssemblyComeFromTheCommandLine) {
   EXPECT_EQ(run("compute " + file + "--assembly nosuch").code, 2);
 }
 
-constexpr const char* kProvenance[] = {
-    "file", "sha256", "format", "model", "assembly", "options", "selection_expression", "selection",
-    "radii", "lattice_unit_angstrom", "rounding_angstrom", "radius_rounding_angstrom", "program"};
-
-// Two models: an edge, and three balls of which the third is a water's.
-constexpr const char* kTwoModels =
-    "MODEL        4\n"
-    "ATOM      1  CA  ALA A   1       0.000   0.000   0.000  1.00  9.67           C  \n"
-    "ATOM      2  CA  ALA A   2       3.000   0.000   0.000  1.00  9.67           C  \n"
-    "ENDMDL\nMODEL        9\n"
-    "ATOM      1  CA  ALA A   1       0.000   0.000   0.000  1.00  9.67           C  \n"
-    "ATOM      2  CA  ALA A   2       9.000   0.000   0.000  1.00  9.67           C  \n"
-    "HETATM    3  O   HOH A   3       1.500   1.500   0.000  1.00  9.67           O  \n"
-    "ENDMDL\n";
-
-TEST_F(Cli, EachModelGivesAResultOfItsOwn) {
-  const std::string file = "'" + write("two.pdb", kTwoModels).string() + "' --alpha 0 ";
-  const fs::path csv = folder_ / "m.csv", out = folder_ / "m.alpha", js = folder_ / "m.json";
-  const Outcome outcome = run("compute " + file + "--model all --csv '" + csv.string() + "' --out '" +
-                              out.string() + "' --json '" + js.string() + "'");
-  ASSERT_EQ(outcome.code, 0) << outcome.err;
-  const json models = json::parse(contents(js))["models"];
-  ASSERT_EQ(models.size(), 2u);
-  const auto rows = csv_rows(contents(csv));
-  ASSERT_EQ(rows.size(), 2u);
-  for (int k = 0; k < 2; ++k) {
-    // The very result that the model gives alone.
-    const json alone = compute_json(file + "--model " + std::to_string(k + 1));
-    EXPECT_EQ(models[k]["hash"], alone["hash"]);
-    EXPECT_EQ(models[k]["counts"], alone["counts"]);
-    EXPECT_EQ(models[k]["input"]["selection"], alone["input"]["selection"]);
-    EXPECT_EQ(models[k]["input"]["model"], k + 1);
-    EXPECT_EQ(rows[k].at("model"), std::to_string(k + 1));
-    EXPECT_EQ(rows[k].at("hash"), alone["hash"]);
-    EXPECT_EQ(rows[k].at("edges"), alone["counts"]["edges"].dump());
-    EXPECT_TRUE(contains(outcome.out, alone["hash"])) << outcome.out;
-  }
-  EXPECT_EQ(models[0]["counts"]["edges"], 1);
-  EXPECT_EQ(models[1]["counts"]["edges"], 0);
-  EXPECT_EQ(models[0]["input"]["model_number_in_file"], 4);
-  // One document after another.
-  const std::string text = contents(out);
-  std::size_t documents = 0;
-  for (std::size_t at = text.find("alphascope-complex 1\n"); at != text.npos;
-       at = text.find("alphascope-complex 1\n", at + 1)) {
-    ++documents;
-  }
-  EXPECT_EQ(documents, 2u);
-  EXPECT_TRUE(contains(text, "\nmodel 2\n"));
-  EXPECT_TRUE(text.ends_with("\nend\n"));
-}
-
-TEST_F(Cli, JoinedModelsAreOneSet) {
-  const std::string file = "'" + write("two.pdb", kTwoModels).string() + "' ";
-  const json joined = compute_json(file + "--alpha 0 --model joined --waters");
-  EXPECT_EQ(joined["input"]["balls"], 5);
-  EXPECT_EQ(joined["input"]["model"], "joined");
-  EXPECT_EQ(joined["input"]["options"], "--waters");
-  EXPECT_EQ(compute_json(file + "--alpha 0 --model 2 --no-polymers --waters")["input"]["balls"], 1);
-  EXPECT_EQ(run("compute " + file + "--alpha 0 --model 3").code, 2);
-  EXPECT_EQ(run("screenshot " + file + "--alpha 0 --model all -o '" +
-                (folder_ / "x.png").string() + "'").code, 2) << "one picture, one model";
-}
-
-TEST_F(Cli, VerifyAndInfoTakeEachModelToo) {
-  const std::string file = "'" + write("two.pdb", kTwoModels).string() + "' --model all ";
-  const Outcome verified = run("verify " + file + "--alpha 0,9 --json -");
-  ASSERT_EQ(verified.code, 0) << verified.err;
-  const json results = json::parse(verified.out)["results"];
-  ASSERT_EQ(results.size(), 4u);
-  EXPECT_EQ(results[3]["input"]["model"], 2);
-  const json info = json::parse(run("info " + file + "--json -").out);
-  ASSERT_EQ(info["models"].size(), 2u);
-  EXPECT_EQ(info["models"][1]["input"]["atoms_used"], 2);
-  EXPECT_TRUE(contains(run("info " + file).out, "model 2: used 2 of 3 atoms; dropped 1 water"));
-}
-
-TEST_F(Cli, EveryOutputSaysWhereItComesFrom) {
-  const fs::path csv = folder_ / "c.csv", times = folder_ / "t.csv", out = folder_ / "c.alpha";
-  const fs::path table = write("mine.txt", "C 1.5\nX 1.25\n");
-  const std::string file = "'" + cube_.string() + "' --alpha 1 --radii '" + table.string() + "' ";
-  ASSERT_EQ(run("compute " + file + "--csv '" + csv.string() + "' --out '" + out.string() + "'").code, 0);
-  ASSERT_EQ(run("bench " + file + "--runs 1 --csv '" + times.string() + "'").code, 0);
-  const json result = compute_json(file);
-  const std::string text = contents(out);
-  for (const fs::path& path : {csv, times}) {
-    const auto rows = csv_rows(contents(path));
-    ASSERT_EQ(rows.size(), 1u);
-    for (const char* key : kProvenance) EXPECT_TRUE(rows[0].contains(key)) << path << ' ' << key;
-    EXPECT_EQ(rows[0].at("sha256"), result["input"]["sha256"]);
-    EXPECT_EQ(rows[0].at("lattice_unit_angstrom"), "0.001");
-    EXPECT_TRUE(contains(rows[0].at("radii"), result["input"]["radii"]["table_sha256"]));
-    EXPECT_EQ(rows[0].at("selection"), result["input"]["selection"]);
-  }
-  for (const char* key : kProvenance) {
-    EXPECT_TRUE(contains(text, std::string("\n") + key + " ")) << key;
-  }
-  EXPECT_TRUE(contains(run("compute " + file).out, result["input"]["sha256"]));
-}
-
-TEST_F(Cli, PicturesSayWhereTheyComeFrom) {
-  const fs::path picture = folder_ / "cube.png";
-  const Outcome outcome = run("screenshot '" + cube_.string() + "' --alpha 1 --size 64x64 -o '" +
-                              picture.string() + "'");
-  if (outcome.code != 0) GTEST_SKIP() << "no renderer here: " << outcome.err;
-  const std::string png = contents(picture);
-  const json input = compute_json("'" + cube_.string() + "' --alpha 1")["input"];
-  EXPECT_TRUE(png.starts_with("\x89PNG"));
-  EXPECT_TRUE(contains(png, "alphascope:sha256"));
-  EXPECT_TRUE(contains(png, input["sha256"]));
-  EXPECT_TRUE(contains(png, "alphascope:alpha_angstrom2"));
-}
-
 TEST_F(Cli, InterruptIsCode130AndWritesNothing) {
   // Enough work to be still running when the signal comes: many runs of a benchmark.
   const fs::path csv = folder_ / "times.csv";
@@ -506,3 +297,4 @@ TEST_F(Cli, GramicidinHasItsKnownCounts) {
 }
 
 }  // namespace
+}  // namespace alphascope::testing

@@ -6,7 +6,7 @@
 #pragma once
 
 #include "core/complex/facet_disc.hpp"
-#include "core/complex/exact_dual_edge.hpp"
+#include "core/complex/triangle_tetrahedra.hpp"
 #include "gpu/problem.cuh"
 
 namespace alphascope::gpu {
@@ -187,29 +187,17 @@ __device__ inline void fill_row(const DualEdgeProblem& p, const DualEdgeMemory& 
   for (int w = 0; w < words && dead; ++w) row[w] = 0;
 }
 
-__device__ inline std::uint32_t bits_after(int k, int word) {
-  const int first = k + 1 - word * 32;  // the first bit to keep
-  return first <= 0 ? ~0u : first >= 32 ? 0u : ~0u << first;
-}
-
 // A triangle's parts, unpacked.
-struct Triangle {
-  int ball, j, k, entry0;
-  const std::uint32_t *row_j, *row_k;
+struct Triangle : TriangleRows {
+  int ball, entry0;
 
   __device__ Triangle(const DualEdgeMemory& m, const BlockBalls& s, int words, std::uint32_t packed)
-      : ball(packed >> 25), k(packed >> 13 & 4095), entry0(s.entry0[ball]) {
+      : ball(packed >> 25), entry0(s.entry0[ball]) {
     const int row = packed & (kMaxRows - 1), first_later = s.list[ball] - s.later[ball];
+    k = packed >> 13 & 4095;
     j = first_later + row - s.row0[ball];
     row_j = m.rows + row * words;
     row_k = m.rows + (s.row0[ball] + k - first_later) * words;
-  }
-  // Is there a neighbour of higher index than k that meets all three?
-  __device__ bool has_fourth(int words) const {
-    for (int w = k >> 5; w < words; ++w) {
-      if ((row_j[w] & row_k[w] & bits_after(k, w)) != 0) return true;
-    }
-    return false;
   }
 };
 
@@ -228,72 +216,16 @@ struct ExactNeighbours {
   __device__ std::uint32_t ball(int k) const { return indices[k]; }
 };
 
-// The last vertices of a triangle's tetrahedra: -1 for none.
-struct Ends {
-  int high, low;
-  bool known;
-};
-
-// Clips by the neighbours of one word of bits; true when nothing is left.
-template <class Real, class Lifted>
-__device__ inline bool clip_word(DualEdge<Real>& edge, std::uint32_t bits, int base, const Lifted& lifted) {
-  using Takes = typename DualEdge<Real>::Takes;
-  for (; bits != 0; bits &= bits - 1) {
-    const int m = base + __ffs(static_cast<int>(bits)) - 1;
-    const auto cut = edge.cut_by(lifted(m));
-    const Takes takes = edge.takes(cut);
-    if (takes == Takes::all || (takes == Takes::some && edge.clip(cut, m))) return true;
-  }
-  return false;
-}
-
-// Kernel II of one triangle; `lifted(m)` is in the units of Real.
-template <class Real, class Lifted>
-__device__ inline Ends dual_edge_ends(const Triangle& t, int words, Real radius_square, const Lifted& lifted) {
-  DualEdge<Real> edge;
-  if (!edge.start(lifted(t.j), lifted(t.k), radius_square)) return {-1, -1, true};
-  for (int w = 0; w < words; ++w) {
-    if (clip_word(edge, t.row_j[w] & t.row_k[w], w * 32, lifted)) return {-1, -1, true};
-  }
-  if (!edge.ends_certain()) return {-1, -1, false};
-  Ends ends{-1, -1, true};
-  const bool high = edge.high().cutter > t.k, low = edge.low().cutter > t.k;
-  if (!high && !low) return ends;
-  ends.known = edge.certainly_there();
-  if (high) {
-    const Decision d = edge.within(edge.high(), radius_square);
-    if (d == Decision::in) ends.high = edge.high().cutter;
-    ends.known = ends.known && d != Decision::unknown;
-  }
-  if (low) {
-    const Decision d = edge.within(edge.low(), radius_square);
-    if (d == Decision::in) ends.low = edge.low().cutter;
-    ends.known = ends.known && d != Decision::unknown;
-  }
-  return ends;
-}
-
 // Kernel III of one triangle: double precision, then integers. Not inlined: it is rare and large.
-__device__ __noinline__ Ends exact_ends(const DualEdgeProblem& p, const DualEdgeMemory& m, int4 centre,
-                                        const Triangle& t) {
+__device__ __noinline__ TriangleEnds decided_ends(const DualEdgeProblem& p, const DualEdgeMemory& m,
+                                                  int4 centre, const Triangle& t) {
   const ExactNeighbours neighbours{m.index + t.entry0, p.balls, centre};
   const std::int64_t weight = static_cast<std::int64_t>(centre.w) * centre.w;
-  const Ends ends = dual_edge_ends<double>(t, p.words, static_cast<double>(weight) + p.common.alpha,
-                                           [&](int a) { return lifted_as<double>(neighbours.lifted(a)); });
+  const TriangleEnds ends = filtered_ends<double>(t, p.words, static_cast<double>(weight) + p.common.alpha,
+                                                  [&](int a) { return lifted_as<double>(neighbours.lifted(a)); });
   if (ends.known) return ends;
   const FacetInput<ExactNeighbours> in{neighbours, t.j, weight, p.common.alpha, p.common.ghost_reach, true};
-  const auto next = [&](int after) {
-    for (int w = (after + 1) >> 5; w < p.words; ++w) {
-      const std::uint32_t bits = t.row_j[w] & t.row_k[w] & bits_after(after, w);
-      if (bits != 0) return w * 32 + __ffs(static_cast<int>(bits)) - 1;
-    }
-    return -1;
-  };
-  const auto end = [&](int side) {
-    const int l = p.small_lattice ? exact_end<Int128>(in, t.k, side, next) : exact_end<WideInt<4>>(in, t.k, side, next);
-    return l > t.k ? l : -1;
-  };
-  return {end(1), end(-1), true};
+  return p.small_lattice ? exact_ends<Int128>(in, t, p.words) : exact_ends<WideInt<4>>(in, t, p.words);
 }
 
 // Kernel I of the block's balls, half a warp each: their ordered lists. Balls without room are marked.
@@ -367,7 +299,7 @@ __device__ inline void sort_by_length(const DualEdgeMemory& m, BlockBalls& s, in
   const auto length = [&](int t) {
     const Triangle triangle(m, s, words, m.triangles[t]);
     int cuts = 0;
-    for (int w = 0; w < words; ++w) cuts += __popc(triangle.row_j[w] & triangle.row_k[w]);
+    for (int w = 0; w < words; ++w) cuts += __popc(triangle.common(w));
     return kLengths - 1 - min(cuts, kLengths - 1);
   };
   for (int t = threadIdx.x; t < count; t += kBlockThreads) atomicAdd(&s.lengths[length(t)], 1);
@@ -453,7 +385,7 @@ __device__ inline bool take(int* counter, int end, int& mine) {
   return __any_sync(~0u, mine < end);
 }
 
-__device__ inline void note_ends(const DualEdgeProblem& p, const DualEdgeMemory& m, BlockBalls& s, int b, int t, const Ends& ends) {
+__device__ inline void note_ends(const DualEdgeProblem& p, const DualEdgeMemory& m, BlockBalls& s, int b, int t, const TriangleEnds& ends) {
   if (!ends.known) atomicMax(&s.exact[b], 1);
   const int low = min(ends.low, ends.high), high = max(ends.low, ends.high);
   if (high < 0) return;
@@ -478,9 +410,9 @@ __device__ inline void first_cuts(const DualEdgeProblem& p, const DualEdgeMemory
       bool survives = edge.start(vector(triangle.j), vector(triangle.k), s.radius_square[triangle.ball]);
       int left = p.first_cuts;
       for (int w = 0; w < words && survives && left > 0; ++w) {
-        std::uint32_t bits = triangle.row_j[w] & triangle.row_k[w], first = 0;
+        std::uint32_t bits = triangle.common(w), first = 0;
         for (; bits != 0 && left > 0; bits &= bits - 1, --left) first |= bits & (0u - bits);
-        survives = !clip_word(edge, first, w * 32, vector);
+        survives = !clip_by(edge, first, w * 32, vector);
       }
       if (survives) m.work[atomicAdd(&s.survivors, 1)] = static_cast<std::uint16_t>(t);
     }
@@ -504,7 +436,7 @@ __device__ inline void find_tetrahedra(const DualEdgeProblem& p, const DualEdgeM
       const int t = m.work[at];
       const Triangle triangle(m, s, words, m.triangles[t]);
       note_ends(p, m, s, triangle.ball, t,
-                dual_edge_ends<float>(triangle, words, s.radius_square[triangle.ball], ScaledNeighbours{m.vectors + triangle.entry0}));
+                filtered_ends<float>(triangle, words, s.radius_square[triangle.ball], ScaledNeighbours{m.vectors + triangle.entry0}));
     }
     __syncwarp();
   }
@@ -516,7 +448,7 @@ __device__ inline void find_tetrahedra_exactly(const DualEdgeProblem& p, const D
                                                BlockBalls& s, int triangles, int words) {
   for (int t = threadIdx.x; t < triangles; t += kBlockThreads) {
     const Triangle triangle(m, s, words, m.triangles[t]);
-    note_ends(p, m, s, triangle.ball, t, exact_ends(p, m, s.ball[triangle.ball], triangle));
+    note_ends(p, m, s, triangle.ball, t, decided_ends(p, m, s.ball[triangle.ball], triangle));
   }
   __syncthreads();
 }

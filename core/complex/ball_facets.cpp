@@ -110,10 +110,6 @@ void BallFacets::report(const FacetInput<Neighbours>& input, const Polygon<T>& p
                         float edge_value, BlockOutput& out) {
   Collector<Neighbours> sink{neighbours_,          i_, neighbours_.ball(input.j), out,
                              out.triangles.size(), out.tetrahedra.size()};
-  if (!whole_) {
-    report_tetrahedra<ExactDecider>(input, polygon, sink);
-    return;
-  }
   const auto sides = static_cast<std::size_t>(polygon.size);
   if (corner_in_.size() < sides) {
     corner_in_.resize(2 * sides);
@@ -170,7 +166,7 @@ void BallFacets::facet(int j, BlockOutput& out) {
   const FacetInput<Neighbours> input{neighbours_,  j, weight_, alpha_, ghost_reach_,
                                      largest_offset_ < kBracketLimit};
   float edge_value = 0;
-  if (whole_ && decide_edge<ExactDecider>(input, &edge_value) == Decision::out) return;
+  if (decide_edge<ExactDecider>(input, &edge_value) == Decision::out) return;
   const FacetAxis axis = facet_axis(vj.x, vj.y, vj.z);
   if (filtered_facet(input, axis.axis, axis.negative, edge_value, out)) return;
 
@@ -187,13 +183,14 @@ void BallFacets::facet(int j, BlockOutput& out) {
 VertexState BallFacets::process(std::uint32_t slot, std::span<const std::uint32_t> list,
                                 BlockOutput& out) {
   load(slot, list);
+  if (!whole_) {
+    tetrahedra(out);
+    return VertexState::absent;  // not asked for
+  }
   const int n = static_cast<int>(list.size());
   for (int j = 0; j < n; ++j) {
     if (neighbours_.ball(j) < i_) continue;
-    // Tetrahedra alone need two further balls after j; the list ascends.
-    if (!whole_ && n - j < 3) break;
     collect_common(j);
-    if (!whole_ && (common_.size() < 2 || common_[common_.size() - 2] < j)) continue;
     ++facets_;
     facet(j, out);
   }

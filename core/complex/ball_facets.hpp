@@ -1,5 +1,6 @@
-// All facets of one ball on the CPU: filtered first, exact where the filter cannot decide. Owns the
-// scratch memory of one thread. The kernel bodies are facet_polygon.hpp and facet_complex.hpp.
+// All facets, or only the tetrahedra, of one ball on the CPU: filtered first, exact where the filter cannot
+// decide. Owns the scratch memory of one thread. The kernel bodies are facet_polygon.hpp,
+// facet_complex.hpp and triangle_tetrahedra.hpp.
 #pragma once
 
 #include <array>
@@ -8,6 +9,7 @@
 #include <vector>
 
 #include "core/complex/facet_complex.hpp"
+#include "core/complex/triangle_tetrahedra.hpp"
 #include "core/geometry/ball_set.hpp"
 #include "core/geometry/uniform_grid.hpp"
 
@@ -89,6 +91,10 @@ class BallFacets {
   };
 
   void load(std::uint32_t slot, std::span<const std::uint32_t> list);
+  // Of a tetrahedra-only request (ball_tetrahedra.cpp).
+  void tetrahedra(BlockOutput& out);
+  void fill_row(int j, int words, double radius_square, std::uint32_t* row);
+  TriangleEnds exact_triangle(const TriangleRows& triangle, int words);
   void collect_common(int j);
   void facet(int j, BlockOutput& out);
   bool filtered_facet(const FacetInput<Neighbours>& input, int axis, bool negative, float edge_value,
@@ -114,6 +120,8 @@ class BallFacets {
   Neighbours neighbours_;
   std::vector<float> dx_, dy_, dz_, reach_;
   std::vector<int> common_;  // slots of the balls that can cut the current facet
+  std::vector<LiftedVector<double>> doubles_;  // the vectors once more
+  std::vector<std::uint32_t> rows_;            // of the later neighbours
 
   Polygon<double> filtered_;
   Polygon<Int128> exact128_;

@@ -9,7 +9,7 @@ namespace alphascope {
 
 // Int128 holds orthocentre_cut for |d_x| < 2^17 and |c| < 2^36: |d_j × d_k| < 2^35, its products with c
 // and d_m < 2^88, twelve of them < 2^92. WideInt<4> holds it for every lattice: 2^61, 2^154.
-inline constexpr std::int64_t kSmallOffset = std::int64_t{1} << 17;
+inline constexpr std::int64_t kSmallOffset = std::int64_t{1} << 17, kSmallPower = std::int64_t{1} << 36;
 
 // +1 when ball m cuts off the orthocentre x of ijkl, else -1; ties broken by the perturbation. With
 // D = det(d_j, d_k, d_l), not 0: 2 D x = c_j d_k × d_l + c_k d_l × d_j + c_l d_j × d_k.

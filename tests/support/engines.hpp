@@ -29,7 +29,7 @@ struct EngineFactory {
   int most_balls = 1000;
   double most_tuples = std::numeric_limits<double>::infinity();
   // Why there can be no such engine on this machine; empty when there can.
-  std::string why_not;
+  std::string why_not = {};
 
   // Would this engine take no more than seconds?
   bool affords(const BallSet& balls, double alpha_angstrom2) const {

@@ -84,7 +84,10 @@ Row measure(const Input& input, const std::shared_ptr<const BallSet>& balls,
   return row;
 }
 
-void print_header() {
+void print_header(const BenchOptions& options) {
+  std::cout << "medians of " << options.runs << " runs, cold = new engine, warm = alpha moved by "
+            << number_text(kSliderStep) << " Å²; ratio = CGAL cold / ours cold"
+            << (options.request.tetrahedra_only ? "; tetrahedra only" : "") << std::endl;
   std::printf("%-18s %9s %7s %7s %3s %10s %11s %11s %7s %11s %11s  %s\n", "file", "balls", "alpha",
               "solvent", "thr", "tetrahedra", "cold ms", "CGAL cold", "ratio", "warm ms",
               "CGAL warm", "engine");
@@ -141,10 +144,8 @@ ExitCode run_bench(const BenchOptions& options) {
   quiet.cancel = context.cancel;
   std::vector<Row> rows;
   bool same = true;
-  std::cout << "medians of " << options.runs << " runs, cold = new engine, warm = alpha moved by "
-            << number_text(kSliderStep) << " Å²; ratio = CGAL cold / ours cold"
-            << (options.request.tetrahedra_only ? "; tetrahedra only" : "") << std::endl;
-  print_header();
+  const bool print = options.csv != "-";
+  if (print) print_header(options);
   for (const std::filesystem::path& file : options.files) {
     InputOptions input_options = options.input;
     input_options.file = file;
@@ -162,7 +163,7 @@ ExitCode run_bench(const BenchOptions& options) {
           request.threads = threads;
           rows.push_back(measure(input, balls, request, options.runs, quiet));
           same &= rows.back().same();
-          print_row(rows.back());
+          if (print) print_row(rows.back());
         }
       }
     });

@@ -169,7 +169,7 @@ void add_compute(CLI::App& app, ComputeOptions& options, Command& chosen) {
   command.add_option("--json", options.json,
                      "Counts, hash, times and provenance as JSON, - for standard output")
       ->type_name("OUT");
-  command.add_option("--csv", options.csv, "Counts and provenance as CSV, one row for each model")
+  command.add_option("--csv", options.csv, "Counts and provenance as CSV, one row for each model; - for standard output")
       ->type_name("OUT");
   command.add_option("--out", options.out, "All simplices with their alpha values, as text")
       ->type_name("COMPLEX");
@@ -208,7 +208,7 @@ void add_bench(CLI::App& app, BenchOptions& options, Command& chosen) {
   command.add_option("--runs", options.runs, "Runs of each")
       ->check(CLI::Range(1, 1000))
       ->type_name("N");
-  command.add_option("--csv", options.csv, "The table as CSV")->type_name("OUT");
+  command.add_option("--csv", options.csv, "The table as CSV, - for standard output")->type_name("OUT");
   command.callback([&] { chosen = [&] { return run_bench(options); }; });
 }
 

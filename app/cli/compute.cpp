@@ -105,7 +105,8 @@ ExitCode run_compute(const ComputeOptions& options) {
                          complex_header(input, request, result.complex), *out, context);
     }
     clear_progress();
-    if (options.json != "-") (each ? print_line : print_one)(input, request, result);
+    if (options.json != "-" && options.csv != "-")
+      (each ? print_line : print_one)(input, request, result);
     if (!options.json.empty()) results.push_back(result_json(input, request, result));
     if (!options.csv.empty()) rows.push_back(csv_row(input, request, result.complex));
   });

@@ -1,6 +1,7 @@
 #include "app/cli/csv.hpp"
 
 #include <cstdio>
+#include <iostream>
 
 #include "core/io/atomic_file.hpp"
 
@@ -37,6 +38,11 @@ std::string csv_text(const std::vector<CsvRow>& rows) {
 }
 
 void write_csv(const std::vector<CsvRow>& rows, const std::string& path) {
+  if (path == "-") {
+    std::cout << csv_text(rows) << std::flush;
+    if (!std::cout) throw WriteError("Cannot write to standard output.");
+    return;
+  }
   AtomicFile file(path);
   file.write(csv_text(rows));
   file.commit();

@@ -16,7 +16,7 @@ std::string csv_milliseconds(double milliseconds);
 // A line with the names, then one line a row.
 std::string csv_text(const std::vector<CsvRow>& rows);
 
-// Written whole or not at all. Throws WriteError.
+// To a file, whole or not at all; "-" is standard output. Throws WriteError.
 void write_csv(const std::vector<CsvRow>& rows, const std::string& path);
 
 }  // namespace alphascope::cli

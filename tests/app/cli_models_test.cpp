@@ -66,6 +66,26 @@ TEST_F(Cli, EachModelGivesAResultOfItsOwn) {
   EXPECT_TRUE(text.ends_with("\nend\n"));
 }
 
+TEST_F(Cli, CsvOnStandardOutputIsAlone) {
+  const Outcome outcome =
+      run("compute '" + write("two.pdb", kTwoModels).string() + "' --alpha 0 --model all --csv -");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  const auto rows = csv_rows(outcome.out);
+  ASSERT_EQ(rows.size(), 2u);
+  EXPECT_EQ(rows[1].at("balls"), "2");
+  const Outcome times = run("bench '" + cube_.string() + "' --alpha 0 --runs 1 --csv -");
+  EXPECT_EQ(csv_rows(times.out).at(0).at("identical"), "1");
+}
+
+TEST_F(Cli, AModelWithoutBallsIsAnEmptyResult) {
+  const json models = compute_json("'" + write("two.pdb", kTwoModels).string() +
+                                   "' --alpha 0 --model all --waters --select water")["models"];
+  ASSERT_EQ(models.size(), 2u);
+  EXPECT_EQ(models[0]["input"]["balls"], 0);
+  EXPECT_EQ(models[0]["counts"]["vertices"], 0);
+  EXPECT_EQ(models[1]["counts"]["vertices"], 1);
+}
+
 TEST_F(Cli, JoinedModelsAreOneSet) {
   const std::string file = "'" + write("two.pdb", kTwoModels).string() + "' ";
   const json joined = compute_json(file + "--alpha 0 --model joined --waters");

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+
 namespace alphascope {
 namespace {
 
@@ -60,6 +62,13 @@ TEST(Decimal, ConvertsToUnitsExactlyOrRoundsOnce) {
   EXPECT_GT(rounding, 0);
   EXPECT_EQ(to_units(parsed("1e300"), 3, rounding), std::int64_t{1} << 62);
   EXPECT_EQ(to_units(parsed("-1e300"), 3, rounding), -(std::int64_t{1} << 62));
+}
+
+TEST(Decimal, BecomesTheNearestDouble) {
+  for (const char* text : {"12.345", "-0.1", "1e22", "123456789.123456", "1e-18", "0.3", "2.5e-7"}) {
+    EXPECT_EQ(parsed(text).to_double(), std::strtod(text, nullptr)) << text;
+  }
+  EXPECT_NEAR(parsed("1e-30").to_double(), 1e-30, 1e-45);
 }
 
 TEST(Decimal, CutDigitsStillDecideATie) {

@@ -5,14 +5,19 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 say() { printf '\n== %s\n' "$*"; }
 die() { printf 'error: %s\n' "$*" >&2; exit 1; }
 
-# Installs what scripts/packages.txt names and is not there yet; touches nothing when all is.
+# install_packages [fuzzing]: installs what scripts/packages.txt names and is not there yet; touches
+# nothing when all is. The section "fuzzing", a second compiler, only when asked for.
 install_packages() {
   local wanted missing=() package
   if ! command -v apt-get >/dev/null; then
     say "This is no Debian system: install by hand what scripts/packages.txt names, if you have not."
     return
   fi
-  wanted=$(grep -v '^#' scripts/packages.txt)
+  if [ "${1:-}" = fuzzing ]; then
+    wanted=$(grep -v '^#' scripts/packages.txt)
+  else
+    wanted=$(sed '/^# fuzzing/,/^# /{/^[^#]/d}' scripts/packages.txt | grep -v '^#')
+  fi
   for package in $wanted; do
     dpkg-query -W -f='${Status}' "$package" 2>/dev/null | grep -q 'ok installed' ||
       missing+=("$package")

@@ -252,6 +252,7 @@ __device__ inline void find_lists(const DualEdgeProblem& p, const SortedBalls& s
       later += other > index;
     }
     for (int step = kSearchLanes / 2; step > 0; step /= 2) later += __shfl_xor_sync(~0u, later, step);
+    __syncwarp();  // order_list reads what other lanes found
     int entry0 = 0, row0 = 0;
     if (lane == 0 && active) {
       entry0 = atomicAdd(&s.entries, n);

@@ -86,21 +86,21 @@ __host__ __device__ inline std::size_t reused_words(const Problem& p) {
   const std::size_t later = entries * (1 + mask_words(p));
   return later > 3 * entries ? later : 3 * entries;
 }
-__host__ __device__ inline std::size_t block_memory_bytes(const Problem& p, bool whole) {
+__host__ __device__ inline std::size_t block_memory_bytes(const Problem& p) {
   const std::size_t entries = static_cast<std::size_t>(p.balls_per_block) * p.list_capacity;
   return entries * (16 + 5 * 4) + reused_words(p) * 4 +
-         static_cast<std::size_t>(p.staging_capacity) * 16 * (whole ? 3 : 1) +
+         static_cast<std::size_t>(p.staging_capacity) * 16 * 3 +
          (2 * static_cast<std::size_t>(p.balls_per_block) + 16) * 4;
 }
 
-__device__ inline BlockMemory carve(unsigned char* shared, const Problem& p, bool whole) {
+__device__ inline BlockMemory carve(unsigned char* shared, const Problem& p) {
   BlockMemory m;
   const int entries = p.balls_per_block * p.list_capacity;
   m.vectors = reinterpret_cast<float4*>(shared);
   auto* staged = reinterpret_cast<Staged*>(m.vectors + entries);
   for (int d = 0; d < 3; ++d) {
     m.staged[d] = staged;
-    if (whole && d < 2) staged += p.staging_capacity;
+    if (d < 2) staged += p.staging_capacity;
   }
   m.reach = reinterpret_cast<float*>(staged + p.staging_capacity);
   m.slots = reinterpret_cast<std::uint32_t*>(m.reach + entries);
@@ -187,16 +187,12 @@ __device__ inline void order_neighbours(const Problem& p, const SortedBalls& bal
   }
 }
 
-// Writes the mask of the neighbours that meet j as well as i, and says whether the facet is worth
-// clipping (tetrahedra alone need two such neighbours of higher index).
-template <bool kWhole>
-__device__ inline bool mask_common(const Problem& p, const BlockMemory& m, int entry0, int j, int n) {
+// Writes the mask of the neighbours that meet j as well as i.
+__device__ inline void mask_common(const Problem& p, const BlockMemory& m, int entry0, int j, int n) {
   const float4 vj = m.vectors[entry0 + j];
   const float reach_j = m.reach[entry0 + j];
-  const std::uint32_t index_j = m.indices[entry0 + j];
   std::uint32_t* mask = m.masks + (entry0 + j) * mask_words(p);
   constexpr float kMargin = 1.0f + 1.0f / (1 << 17);
-  int later = 0;
   for (int w = 0; w * 32 < n; ++w) {
     std::uint32_t bits = 0;
     const int end = min(n, w * 32 + 32);
@@ -205,12 +201,10 @@ __device__ inline bool mask_common(const Problem& p, const BlockMemory& m, int e
       const float x = v.x - vj.x, y = v.y - vj.y, z = v.z - vj.z, sum = m.reach[entry0 + k] + reach_j;
       if (k != j && fmaf(x, x, fmaf(y, y, z * z)) <= sum * sum * kMargin) {
         bits |= 1u << (k & 31);
-        later += m.indices[entry0 + k] > index_j;
       }
     }
     mask[w] = bits;
   }
-  return kWhole || later >= 2;
 }
 
 // A facet in the making: one lane takes it through its cuts, then takes the next.
@@ -227,30 +221,6 @@ __device__ inline FacetAxis float_axis(const float4& v) {
   if (x >= y && x >= z) return {0, v.x < 0};
   if (y >= z) return {1, v.y < 0};
   return {2, v.z < 0};
-}
-
-// Reports a finished polygon; false when something could not be decided.
-template <bool kWhole, class Polygon>
-__device__ bool report_float_facet(const FacetInput<BlockNeighbours>& in, const Polygon& polygon,
-                                   const FloatFacet& f, float radius_square, StagingSink& sink) {
-  if constexpr (kWhole) {
-    signed char corner_in[kFloatSides];
-    float corner_value[kFloatSides];
-    return report_facet<FilteredDecider>(in, polygon, f.axis.axis, f.edge_value, {corner_in, corner_value}, sink);
-  }
-  const auto ball_j = in.neighbours.ball(in.j);
-  for (int s = 0; s < polygon.size; ++s) {
-    const int k = polygon.ids[s], l = polygon.ids[s + 1 == polygon.size ? 0 : s + 1];
-    if (k < 0 || l < 0 || in.neighbours.ball(k) < ball_j || in.neighbours.ball(l) < ball_j) continue;
-    int within = corner_within(f.frame, polygon.corners[s], radius_square);
-    if (within == 0) {
-      const Decision d = decide_tetrahedron<FilteredDecider>(in, k, l, nullptr);
-      if (d == Decision::unknown) return false;
-      within = static_cast<int>(d);
-    }
-    if (within > 0) sink.tetrahedron(k, l);
-  }
-  return true;
 }
 
 // Storage of an exact polygon in the local memory of a thread.
@@ -278,11 +248,10 @@ struct ExactPolygon {
 };
 
 // Kernel III of one facet. False only when the polygon does not fit.
-template <bool kWhole>
 __device__ bool exact_facet(const FacetInput<BlockNeighbours>& in, const std::uint32_t* mask, int count,
                             StagingSink& sink) {
   float edge_value = 0;
-  if (kWhole && decide_edge<ExactDecider>(in, &edge_value) == Decision::out) return true;
+  if (decide_edge<ExactDecider>(in, &edge_value) == Decision::out) return true;
   const LiftedInt j = in.neighbours.lifted(in.j);
   const FacetAxis axis = facet_axis(j.x, j.y, j.z);
   const auto frame = make_facet_frame(lifted_as<ExactInteger>(j), axis.axis, axis.negative);
@@ -303,13 +272,9 @@ __device__ bool exact_facet(const FacetInput<BlockNeighbours>& in, const std::ui
     if (outcome == ClipOutcome::empty) return true;
     if (outcome == ClipOutcome::full) return false;
   }
-  if (kWhole) {
-    signed char corner_in[kExactSides];
-    float corner_value[kExactSides];
-    report_facet<ExactDecider>(in, polygon, axis.axis, edge_value, {corner_in, corner_value}, sink);
-  } else {
-    report_tetrahedra<ExactDecider>(in, polygon, sink);
-  }
+  signed char corner_in[kExactSides];
+  float corner_value[kExactSides];
+  report_facet<ExactDecider>(in, polygon, axis.axis, edge_value, {corner_in, corner_value}, sink);
   return true;
 }
 
@@ -395,7 +360,6 @@ __device__ __noinline__ int corner_in_double(const Problem& p, const SortedBalls
 
 // Kernel II over the block's queue: each lane clips its facet, one neighbour a turn, and fetches the
 // next facet when its own is finished, so that short lives do not wait for long ones.
-template <bool kWhole>
 __device__ void clip_queue(const Problem& p, const SortedBalls& sorted, const BlockMemory& m,
                            std::uint32_t first, int facets) {
   FloatFacet f;
@@ -428,13 +392,11 @@ __device__ void clip_queue(const Problem& p, const SortedBalls& sorted, const Bl
                     ghost_line(kGhostZ, polygon.ghost_reach));
       bound_polygon();
       active = true;
-      if constexpr (kWhole) {
-        const FacetPlace place(m, sorted, first + f.ball, f.entry0);
-        const FacetInput<BlockNeighbours> in{place.neighbours, f.j, place.weight, p.alpha, p.ghost_reach, true};
-        const Decision d = decide_edge<FilteredDecider>(in, &f.edge_value);
-        if (d == Decision::unknown) atomicExch(&m.exact[f.ball], 1);
-        active = d == Decision::in;
-      }
+      const FacetPlace place(m, sorted, first + f.ball, f.entry0);
+      const FacetInput<BlockNeighbours> in{place.neighbours, f.j, place.weight, p.alpha, p.ghost_reach, true};
+      const Decision d = decide_edge<FilteredDecider>(in, &f.edge_value);
+      if (d == Decision::unknown) atomicExch(&m.exact[f.ball], 1);
+      active = d == Decision::in;
       continue;
     }
     while (f.bits == 0 && f.word + 1 < f.words) f.bits = m.masks[(f.entry0 + f.j) * mask_words(p) + ++f.word];
@@ -442,8 +404,11 @@ __device__ void clip_queue(const Problem& p, const SortedBalls& sorted, const Bl
       const FacetPlace place(m, sorted, first + f.ball, f.entry0);
       const FacetInput<BlockNeighbours> in{place.neighbours, f.j, place.weight, p.alpha, p.ghost_reach, true};
       StagingSink sink{m, p.staging_capacity, f.ball, m.rank + f.entry0, f.j};
-      const float radius_square = static_cast<float>(static_cast<double>(place.weight) + p.alpha) * p.scale * p.scale;
-      if (!report_float_facet<kWhole>(in, polygon, f, radius_square, sink)) atomicExch(&m.exact[f.ball], 1);
+      signed char corner_in[kFloatSides];
+      float corner_value[kFloatSides];
+      if (!report_facet<FilteredDecider>(in, polygon, f.axis.axis, f.edge_value, {corner_in, corner_value}, sink)) {
+        atomicExch(&m.exact[f.ball], 1);
+      }
       active = false;
       continue;
     }
@@ -469,7 +434,7 @@ __device__ void clip_queue(const Problem& p, const SortedBalls& sorted, const Bl
 }
 
 // Balls [first, first + balls) of the sorted order, or one ball of the exact list.
-template <bool kWhole, bool kExact>
+template <bool kExact>
 __device__ void process_balls(const Problem& p, const SortedBalls& sorted, const Output& out,
                               const BlockMemory& m, std::uint32_t first, int balls,
                               std::uint32_t* ball_index, std::uint32_t* shared_base) {
@@ -499,7 +464,8 @@ __device__ void process_balls(const Problem& p, const SortedBalls& sorted, const
   for (int e = threadIdx.x; e < balls * p.list_capacity; e += blockDim.x) {
     const int b = e / p.list_capacity, j = e - b * p.list_capacity, n = m.list_size[b];
     if (j >= n || m.indices[e] < ball_index[b]) continue;
-    if (mask_common<kWhole>(p, m, b * p.list_capacity, j, n)) m.queue[atomicAdd(&m.counters[3], 1)] = e;
+    mask_common(p, m, b * p.list_capacity, j, n);
+    m.queue[atomicAdd(&m.counters[3], 1)] = e;
   }
   __syncthreads();
 
@@ -510,10 +476,10 @@ __device__ void process_balls(const Problem& p, const SortedBalls& sorted, const
       const FacetPlace place(m, sorted, first + b, entry0);
       const FacetInput<BlockNeighbours> in{place.neighbours, e - entry0, place.weight, p.alpha, p.ghost_reach, true};
       StagingSink sink{m, p.staging_capacity, b, m.rank + entry0, e - entry0};
-      if (!exact_facet<kWhole>(in, m.masks + e * mask_words(p), m.list_size[b], sink)) atomicAdd(out.failures, 1u);
+      if (!exact_facet(in, m.masks + e * mask_words(p), m.list_size[b], sink)) atomicAdd(out.failures, 1u);
     }
   } else {
-    clip_queue<kWhole>(p, sorted, m, first, facets);
+    clip_queue(p, sorted, m, first, facets);
   }
   __syncthreads();
 
@@ -525,46 +491,42 @@ __device__ void process_balls(const Problem& p, const SortedBalls& sorted, const
       if (m.exact[b]) out.exact_list[atomicAdd(out.exact_count, 1u)] = first + b;
     }
   }
-  if (kWhole) {
-    for (int b = threadIdx.x; b < balls; b += blockDim.x) {
-      const int radius = sorted.ball[first + b].w;
-      const double weight = static_cast<double>(static_cast<std::int64_t>(radius) * radius);
-      std::uint8_t state = -weight > p.alpha ? 0 : 2;
-      // A float keeps the sign of c; equality counts as attached (see BallFacets::process).
-      for (int k = 0; k < m.list_size[b] && state == 2; ++k) {
-        if (m.vectors[b * p.list_capacity + k].w <= 0.0f) state = 1;
-      }
-      out.vertex_state[ball_index[b]] = state;
+  for (int b = threadIdx.x; b < balls; b += blockDim.x) {
+    const int radius = sorted.ball[first + b].w;
+    const double weight = static_cast<double>(static_cast<std::int64_t>(radius) * radius);
+    std::uint8_t state = -weight > p.alpha ? 0 : 2;
+    // A float keeps the sign of c; equality counts as attached (see BallFacets::process).
+    for (int k = 0; k < m.list_size[b] && state == 2; ++k) {
+      if (m.vectors[b * p.list_capacity + k].w <= 0.0f) state = 1;
     }
-    write_staged<2>(p, m, ball_index, balls, out.edges, out.needed_staging, shared_base);
-    write_staged<3>(p, m, ball_index, balls, out.triangles, out.needed_staging, shared_base);
+    out.vertex_state[ball_index[b]] = state;
   }
+  write_staged<2>(p, m, ball_index, balls, out.edges, out.needed_staging, shared_base);
+  write_staged<3>(p, m, ball_index, balls, out.triangles, out.needed_staging, shared_base);
   write_staged<4>(p, m, ball_index, balls, out.tetrahedra, out.needed_staging, shared_base);
 }
 
-template <bool kWhole>
 __global__ void __launch_bounds__(kBlockThreads) facets_filtered(Problem p, SortedBalls sorted, Output out) {
   extern __shared__ __align__(16) unsigned char shared[];
   __shared__ std::uint32_t ball_index[kMaxBallsPerBlock];
   __shared__ std::uint32_t base;
-  const BlockMemory m = carve(shared, p, kWhole);
+  const BlockMemory m = carve(shared, p);
   const std::uint32_t alive = *sorted.alive;
   const std::uint32_t first = blockIdx.x * static_cast<std::uint32_t>(p.balls_per_block);
   if (first >= alive) return;
   const int balls = static_cast<int>(min(static_cast<std::uint32_t>(p.balls_per_block), alive - first));
-  process_balls<kWhole, false>(p, sorted, out, m, first, balls, ball_index, &base);
+  process_balls<false>(p, sorted, out, m, first, balls, ball_index, &base);
 }
 
 // One ball at a time; p.balls_per_block is 1.
-template <bool kWhole>
 __global__ void __launch_bounds__(kBlockThreads) facets_exact(Problem p, SortedBalls sorted, Output out) {
   extern __shared__ __align__(16) unsigned char shared[];
   __shared__ std::uint32_t ball_index[1];
   __shared__ std::uint32_t base;
-  const BlockMemory m = carve(shared, p, kWhole);
+  const BlockMemory m = carve(shared, p);
   const std::uint32_t count = *out.exact_count;
   for (std::uint32_t n = blockIdx.x; n < count; n += gridDim.x) {
-    process_balls<kWhole, true>(p, sorted, out, m, out.exact_list[n], 1, ball_index, &base);
+    process_balls<true>(p, sorted, out, m, out.exact_list[n], 1, ball_index, &base);
     __syncthreads();
   }
 }

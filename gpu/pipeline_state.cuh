@@ -103,10 +103,9 @@ struct FacetPipeline::State {
   std::size_t n = 0;
   LatticePoint low, high;
   std::int32_t max_radius = 0;
-  // What earlier runs needed, by alpha: the longest neighbour list and the fullest staging area.
+  // What earlier whole runs needed, by alpha: the longest neighbour list and the fullest staging area.
   struct Need {
     double alpha;
-    bool whole;
     int list, staging;
   };
   std::vector<Need> needs;
@@ -140,24 +139,24 @@ struct FacetPipeline::State {
   }
 
   // The need of the nearest alpha not below this one; less alpha never needs more.
-  Need expected_need(double alpha, bool whole) const {
-    Need best{alpha, whole, kFirstList, kFirstStaging};
+  Need expected_need(double alpha) const {
+    Need best{alpha, kFirstList, kFirstStaging};
     bool found = false;
     for (const Need& n : needs) {
-      if (n.whole != whole || n.alpha < alpha || (found && n.alpha >= best.alpha)) continue;
+      if (n.alpha < alpha || (found && n.alpha >= best.alpha)) continue;
       best = n;
       found = true;
     }
     if (!found) {
       for (const Need& n : needs) {
-        if (n.whole == whole && n.list > best.list) best = {alpha, whole, n.list, n.staging};
+        if (n.list > best.list) best = {alpha, n.list, n.staging};
       }
     }
     return best;
   }
   void note_need(const Need& need) {
     for (Need& n : needs) {
-      if (n.whole == need.whole && n.alpha == need.alpha) {
+      if (n.alpha == need.alpha) {
         n = need;
         return;
       }

@@ -102,7 +102,10 @@ PipelineResult State::run_tetrahedra(double alpha, const CancelToken& cancel, St
   TetrahedraNeed need = first_need(*this, alpha);
   for (int attempt = 0; attempt < 12; ++attempt) {
     cancel.throw_if_cancelled();
+    const std::size_t room = d.ordered.capacity();
     d.reserve(std::max<std::size_t>(need.tetrahedra, 1024), 4, false);
+    // What is copied along below may be more than is found.
+    if (d.ordered.capacity() != room) zero(d.ordered.get(), d.ordered.capacity() * 4);
     const DualEdgeProblem p = make_problem(*this, *plan, need.block, need.balls_per_block);
     DualEdgeProblem one = make_problem(*this, *plan, need.ball, 1);
     const std::size_t shared = block_memory_bytes(p), shared_one = block_memory_bytes(one);

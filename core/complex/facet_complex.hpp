@@ -125,23 +125,6 @@ struct FacetScratch {
   float* corner_value = nullptr;
 };
 
-// Calls sink.tetrahedron(k_slot, l_slot) for every corner whose tetrahedron is in K_alpha and
-// whose other vertices both come after j (so that each tetrahedron is reported once). Returns false
-// when a decision is unknown; nothing reported before then counts.
-template <class Decider, class Neighbours, class Polygon, class Sink>
-ALPHASCOPE_INLINE bool report_tetrahedra(const FacetInput<Neighbours>& in, const Polygon& p,
-                                         Sink& sink) {
-  const auto ball_j = in.neighbours.ball(in.j);
-  for (int s = 0; s < p.size; ++s) {
-    const int k = p.id(s), l = p.id(s + 1 == p.size ? 0 : s + 1);
-    if (k < 0 || l < 0 || in.neighbours.ball(k) < ball_j || in.neighbours.ball(l) < ball_j) continue;
-    const Decision d = decide_tetrahedron<Decider>(in, k, l, nullptr);
-    if (d == Decision::unknown) return false;
-    if (d == Decision::in) sink.tetrahedron(k, l);
-  }
-  return true;
-}
-
 // The triangle ijk on side s: in K_alpha? Attached to the corner beyond which its orthocentre lies.
 template <class Decider, class Neighbours, class Polygon>
 ALPHASCOPE_INLINE Decision side_triangle(const FacetInput<Neighbours>& in, const Polygon& p,

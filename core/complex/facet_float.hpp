@@ -120,19 +120,6 @@ struct FloatSideTest {
   }
 };
 
-// Is |x|² <= radius_square at the corner? +1 yes, -1 no, 0 not known. radius_square is the nearest
-// float of (w + alpha) in scaled units.
-ALPHASCOPE_INLINE int corner_within(const FloatFrame& f, const FloatCorner& c, float radius_square) {
-  const float x = fmaf(-f.m2, c.z, fmaf(-f.m1, c.y, f.h));
-  const float size = fmaxf(fabsf(c.y), fabsf(c.z));
-  const float ex = 2.05f * c.e + kU * (5.0f * fabsf(f.h) + 8.0f * size);
-  const float square = fmaf(x, x, fmaf(c.y, c.y, c.z * c.z));
-  const float error = ex * (2.0f * fabsf(x) + ex) + 2.0f * c.e * (2.0f * size + c.e) +
-                      4.0f * kU * square + 2.0f * kU * radius_square;
-  const float value = 1.02f * error;
-  return square + value < radius_square ? 1 : square - value > radius_square ? -1 : 0;
-}
-
 // A polygon in the local memory of a thread. Lines are recomputed when a cut needs them.
 template <class Neighbours, int kCapacity>
 struct FloatPolygon {

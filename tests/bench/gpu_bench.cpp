@@ -1,6 +1,7 @@
 // Checks and times the CUDA engine on a machine with a GPU: equality with the CPU engine first, byte
-// for byte, then medians. Inputs are .balls files (make_balls.py), so that the program needs
-// nothing but the CUDA driver and libtbb.
+// for byte, then medians. alphascope_gpu_bench DATA WORDS, WORDS any of check, time, huge, cgal (beside
+// time), only (no whole complex), or one:NAME:ALPHA[:SOLVENT]. Inputs are .balls files (make_balls.py),
+// so that the program needs nothing but the CUDA driver and libtbb.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -164,9 +165,12 @@ int main(int argc, char** argv) {
       time_one(name, balls, 1.4, 0);
     }
   }
-  if (what.rfind("one:", 0) == 0) {
-    const std::size_t colon = what.find(':', 4);
-    time_one(what.substr(4, colon - 4), read_balls(data + "/" + what.substr(4, colon - 4) + ".balls"), 0, std::stod(what.substr(colon + 1)));
+  if (what.rfind("one:", 0) == 0) {  // one:NAME:ALPHA or one:NAME:ALPHA:SOLVENT
+    const std::string row = what.substr(4, what.find(',') - 4);
+    const std::size_t first = row.find(':'), second = row.find(':', first + 1);
+    const std::string name = row.substr(0, first);
+    const double solvent = second == std::string::npos ? 0 : std::stod(row.substr(second + 1));
+    time_one(name, read_balls(data + "/" + name + ".balls"), solvent, std::stod(row.substr(first + 1)));
   }
   if (what.find("huge") != std::string::npos) {
     const BallSet balls = read_balls(data + "/1m4x.balls");

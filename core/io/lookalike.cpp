@@ -118,7 +118,10 @@ Lookalike look_at_lines(std::string_view text) {
 Lookalike look_at(std::string_view text) {
   const std::string_view head = text.substr(0, kHead);
   if (head.empty()) return {"an empty file", "", false};
+  const bool binary = head.find('\0') != head.npos;
   for (const Mark& mark : kMarks) {
+    // Inside of a text, in a title say, such letters mean nothing.
+    if (mark.at > 0 && !binary) continue;
     if (head.size() > mark.at && head.substr(mark.at).starts_with(mark.bytes)) {
       return {std::string(mark.what), std::string(mark.remedy), true};
     }
@@ -130,7 +133,7 @@ Lookalike look_at(std::string_view text) {
   if (message_pack && head.find("mmtfVersion") != head.npos) {
     return {"MMTF", std::string(kFetchText), true};
   }
-  if (head.find('\0') != head.npos) return {"a binary file", "", false};
+  if (binary) return {"a binary file", "", false};
   const Lookalike known = look_at_lines(text);
   if (known.certain) return known;
 

@@ -1,5 +1,6 @@
 // PQR, XYZ in its three kinds, CHARMM cards, and telling formats apart.
 #include <string>
+#include <utility>
 
 #include "core/molecule/prepare_balls.hpp"
 #include "tests/core/io/temporary_file.hpp"
@@ -110,6 +111,18 @@ TEST(SniffFormat, ContentGoesBeforeTheExtension) {
   EXPECT_EQ(read_text("A.CRD", "1\n\n1 2 3 1.5\n").format, "CRD");
 }
 
+TEST(SniffFormat, WordsOfATitleAreNoMarks) {
+  // At the byte where a density map has its name, and a tar archive and a DCD file theirs.
+  for (const auto& [at, word] : {std::pair{208, "MAP "}, {257, "ustar"}}) {
+    std::string text;
+    for (int k = 0; k < 4; ++k) text += "REMARK   1" + std::string(70, ' ') + "\n";
+    text.replace(static_cast<std::size_t>(at), std::string(word).size(), word);
+    text += "ATOM      1  N   MET A   1      27.340  24.430   2.614\n";
+    EXPECT_EQ(read_text("a.pdb", text).format, "PDB") << word;
+  }
+  EXPECT_EQ(read_text("a.xyz", "1\n  CORD of a spine\nC 1 2 3\n").atoms.size(), 1u);
+}
+
 TEST(SniffFormat, UnknownFilesAreDescribed) {
   using namespace std::string_view_literals;
   const struct {
@@ -143,6 +156,7 @@ TEST(SniffFormat, UnknownFilesAreDescribed) {
        "BinaryCIF", "mmCIF"},
       {"1.0,2.0,3.0,1.5\n", "a table of numbers with \",\"", "XYZR"},
       {"OFF\n3 1 0\n0 0 0\n", "surface mesh", "coordinates"},
+      {"\x54\0\0\0CORD\0\0"sv, "DCD", "frames"},
   };
   // Whatever they are called: a page that says "not found" is saved under the name of the molecule.
   for (const char* name : {"a.dat", "a.pdb", "a.cif.gz", "a.xyzr"}) {

@@ -8,10 +8,10 @@
 #include <iostream>
 
 #include "app/cli/commands.hpp"
-#include "app/cli/csv.hpp"
 #include "app/cli/report_json.hpp"
 #include "app/cli/terminal.hpp"
 #include "app/cli/text.hpp"
+#include "core/io/csv.hpp"
 
 namespace alphascope::cli {
 namespace {
@@ -139,6 +139,11 @@ CsvRow csv_row(const Row& row) {
 }  // namespace
 
 ExitCode run_bench(const BenchOptions& options) {
+  if (!options.suite.empty()) return run_thesis_bench(options);
+  if (options.alphas.empty()) throw UsageError("--alpha is required, such as --alpha 0,1.4,3");
+  if (!options.engines.empty() || !options.json.empty() || !options.charts.empty()) {
+    throw UsageError("--engines, --json and --charts need --suite thesis");
+  }
   const RunContext& context = run_context();
   RunContext quiet;  // no progress reports while the clock runs
   quiet.cancel = context.cancel;

@@ -1,11 +1,11 @@
-#include "app/cli/csv.hpp"
+#include "core/io/csv.hpp"
 
 #include <cstdio>
 #include <iostream>
 
 #include "core/io/atomic_file.hpp"
 
-namespace alphascope::cli {
+namespace alphascope {
 namespace {
 
 // Quoted where a reader would take it for more than one field.
@@ -48,4 +48,4 @@ void write_csv(const std::vector<CsvRow>& rows, const std::string& path) {
   file.commit();
 }
 
-}  // namespace alphascope::cli
+}  // namespace alphascope

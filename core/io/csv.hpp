@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-namespace alphascope::cli {
+namespace alphascope {
 
 // A row as column names and values; all rows of a table have the same names.
 using CsvRow = std::vector<std::pair<std::string, std::string>>;
@@ -19,4 +19,4 @@ std::string csv_text(const std::vector<CsvRow>& rows);
 // To a file, whole or not at all; "-" is standard output. Throws WriteError.
 void write_csv(const std::vector<CsvRow>& rows, const std::string& path);
 
-}  // namespace alphascope::cli
+}  // namespace alphascope

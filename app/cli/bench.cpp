@@ -11,7 +11,7 @@
 #include "app/cli/report_json.hpp"
 #include "app/cli/terminal.hpp"
 #include "app/cli/text.hpp"
-#include "core/io/csv.hpp"
+#include "app/cli/csv_output.hpp"
 
 namespace alphascope::cli {
 namespace {
@@ -176,7 +176,7 @@ ExitCode run_bench(const BenchOptions& options) {
   if (!options.csv.empty()) {
     std::vector<CsvRow> table;
     for (const Row& row : rows) table.push_back(csv_row(row));
-    write_csv(table, options.csv);
+    put_csv(table, options.csv);
   }
   return same ? ExitCode::ok : ExitCode::differs;
 }

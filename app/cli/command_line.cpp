@@ -194,12 +194,44 @@ void add_verify(CLI::App& app, VerifyOptions& options, Command& chosen) {
   command.callback([&] { chosen = [&] { return run_verify(options); }; });
 }
 
+// What only --suite thesis has.
+void add_thesis_suite(CLI::App& command, BenchOptions& options) {
+  constexpr const char* kGroup = "The thesis' table and figures";
+  command.add_option("--suite", options.suite,
+                     "thesis: all engines, stages, ablations and figures of the thesis' chapter 4")
+      ->check(CLI::IsMember({"thesis"}))
+      ->group(kGroup);
+  command.add_option("--engines", options.engines, "Those of the suite; all that can run if left out")
+      ->delimiter(',')
+      ->check(CLI::IsMember({"cpu", "gpu", "tuples-cpu", "tuples-gpu"}))
+      ->type_name("ID,...")
+      ->group(kGroup);
+  command.add_option("--seconds", options.seconds_per_row,
+                     "Most time for a row; what needs longer for one run is left out")
+      ->check(CLI::Range(0.1, 86400.0))
+      ->type_name("S")
+      ->group(kGroup);
+  command.add_flag_callback("--no-ablation", [&options] { options.ablation = false; },
+                            "Without the rows that switch optimisations off")
+      ->group(kGroup);
+  command.add_option("--json", options.json, "The table as JSON, - for standard output")
+      ->type_name("OUT")
+      ->group(kGroup);
+  command.add_option("--charts", options.charts, "The figures as SVG, into this folder")
+      ->type_name("DIR")
+      ->group(kGroup);
+}
+
 void add_bench(CLI::App& app, BenchOptions& options, Command& chosen) {
   CLI::App& command = *app.add_subcommand(
       "bench", "Time our engine and CGAL in one process, cold and warm; medians");
   command.add_option("FILE", options.files, "Molecules")->required();
   add_input(command, options.input);
-  add_alphas(command, options.alphas);
+  command.add_option("--alpha", options.alphas,
+                     "Alphas in Å², such as -1,0,1.4; the suite takes 0,1.4,3 if left out")
+      ->delimiter(',')
+      ->check(kFinite)
+      ->type_name("A,B,...");
   add_engine(command, options.request, false);
   command.add_option("--threads", options.threads, "CPU threads for both, such as 1,2; 0 for all")
       ->delimiter(',')
@@ -208,7 +240,9 @@ void add_bench(CLI::App& app, BenchOptions& options, Command& chosen) {
   command.add_option("--runs", options.runs, "Runs of each")
       ->check(CLI::Range(1, 1000))
       ->type_name("N");
-  command.add_option("--csv", options.csv, "The table as CSV, - for standard output")->type_name("OUT");
+  command.add_option("--csv", options.csv, "The table as CSV, - for standard output")
+      ->type_name("OUT");
+  add_thesis_suite(command, options);
   command.callback([&] { chosen = [&] { return run_bench(options); }; });
 }
 

@@ -68,6 +68,12 @@ struct BenchOptions {
   std::vector<int> threads{1};
   int runs = 5;
   std::string csv;
+  // What follows is of --suite thesis.
+  std::string suite;                 // "thesis", or empty
+  std::vector<std::string> engines;  // ids; empty: all that can run here
+  double seconds_per_row = 20;
+  bool ablation = true;
+  std::string json, charts;  // charts: a folder
 };
 
 struct ScreenshotCommandOptions {
@@ -84,6 +90,7 @@ ExitCode run_info(const InfoOptions& options);
 ExitCode run_compute(const ComputeOptions& options);
 ExitCode run_verify(const VerifyOptions& options);
 ExitCode run_bench(const BenchOptions& options);
+ExitCode run_thesis_bench(const BenchOptions& options);
 ExitCode run_screenshot(const ScreenshotCommandOptions& options);
 
 }  // namespace alphascope::cli

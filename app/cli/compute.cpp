@@ -8,7 +8,7 @@
 #include "app/cli/report_json.hpp"
 #include "app/cli/terminal.hpp"
 #include "app/cli/text.hpp"
-#include "core/io/csv.hpp"
+#include "app/cli/csv_output.hpp"
 
 namespace alphascope::cli {
 namespace {
@@ -111,7 +111,7 @@ ExitCode run_compute(const ComputeOptions& options) {
     if (!options.csv.empty()) rows.push_back(csv_row(input, request, result.complex));
   });
   if (out) out->commit();
-  if (!options.csv.empty()) write_csv(rows, options.csv);
+  if (!options.csv.empty()) put_csv(rows, options.csv);
   if (!options.json.empty()) {
     Json json = each ? Json{{"models", std::move(results)}} : std::move(results[0]);
     json["program"] = program_json();

@@ -1,7 +1,6 @@
 #include "core/io/csv.hpp"
 
 #include <cstdio>
-#include <iostream>
 
 #include "core/io/atomic_file.hpp"
 
@@ -37,12 +36,7 @@ std::string csv_text(const std::vector<CsvRow>& rows) {
   return text;
 }
 
-void write_csv(const std::vector<CsvRow>& rows, const std::string& path) {
-  if (path == "-") {
-    std::cout << csv_text(rows) << std::flush;
-    if (!std::cout) throw WriteError("Cannot write to standard output.");
-    return;
-  }
+void write_csv(const std::vector<CsvRow>& rows, const std::filesystem::path& path) {
   AtomicFile file(path);
   file.write(csv_text(rows));
   file.commit();

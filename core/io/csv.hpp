@@ -1,6 +1,7 @@
 // Tables as comma-separated values (RFC 4180), for pandas, R and spreadsheets.
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <utility>
 #include <vector>
@@ -16,7 +17,7 @@ std::string csv_milliseconds(double milliseconds);
 // A line with the names, then one line a row.
 std::string csv_text(const std::vector<CsvRow>& rows);
 
-// To a file, whole or not at all; "-" is standard output. Throws WriteError.
-void write_csv(const std::vector<CsvRow>& rows, const std::string& path);
+// Written whole or not at all. Throws WriteError.
+void write_csv(const std::vector<CsvRow>& rows, const std::filesystem::path& path);
 
 }  // namespace alphascope

@@ -8,7 +8,7 @@ namespace {
 using State = FacetPipeline::State;
 
 // Of shared memory a block: so that several share a multiprocessor's.
-constexpr std::size_t kBlockBytes = 23 * 1024, kLargeBlockBytes = 36 * 1024;
+constexpr std::size_t kBlockBytes = 30 * 1024, kLargeBlockBytes = 36 * 1024;
 // Mean number of neighbours from which on covered discs are looked for, and lists are long.
 constexpr double kLongLists = 20;
 
@@ -81,7 +81,7 @@ DualEdgeProblem make_problem(const State& s, const Problem& plan, const BlockRoo
   const double offset = 2 * std::sqrt(static_cast<double>(s.max_radius) * s.max_radius + plan.alpha) * 1.001 + 2;
   p.small_lattice = offset < static_cast<double>(kSmallOffset) && s.max_radius < kSmallOffset;
   p.cull_facets = room.entries >= 1.3 * kLongLists * balls_per_block;
-  p.first_cuts = p.cull_facets ? 10 : 0;
+  p.first_cuts = p.cull_facets ? 8 : 0;
   p.balls = s.balls.get();
   p.deferred_limit = static_cast<std::uint32_t>(std::max<std::size_t>(256, s.n / 200));
   return p;

@@ -1,6 +1,7 @@
 #include "app/session/session.hpp"
 
 #include <algorithm>
+#include <thread>
 #include <utility>
 
 namespace alphascope {
@@ -13,7 +14,7 @@ constexpr std::chrono::milliseconds kSliderGrace{150};
 
 bool same_engine(const SessionRequest& a, const SessionRequest& b) {
   return a.solvent_radius_angstrom == b.solvent_radius_angstrom && a.engine == b.engine &&
-         a.threads == b.threads;
+         a.threads == b.threads && a.tuples == b.tuples;
 }
 
 }  // namespace
@@ -25,7 +26,8 @@ void ColdAndWarm::note(const StageTimes& times) {
 }
 
 Session::Services Session::program_services() {
-  return {&make_engine, &alphascope::open_molecule, &alphascope::reopen_molecule};
+  return {&make_engine, &alphascope::open_molecule, &alphascope::reopen_molecule,
+          static_cast<int>(std::thread::hardware_concurrency())};
 }
 
 Session::Session(std::function<void()> wake, Services services)
@@ -92,7 +94,7 @@ void Session::take_opened(std::shared_ptr<const OpenedMolecule> opened) {
   state_.ours = nullptr;
   state_.agreement = nullptr;
   state_.our_timings = {};
-  state_.reference_timings = {};
+  forget_reference_timings();
   changes_.molecule = changes_.answer = changes_.agreement = true;
   succeeded(Source::opening);
   submit_compute();
@@ -117,8 +119,10 @@ void Session::set_request(const SessionRequest& request) {
   if (request == state_.request && (state_.up_to_date() || computer_.activity().busy)) return;
   if (!same_engine(request, state_.request)) state_.our_timings = {};
   if (request.solvent_radius_angstrom != state_.request.solvent_radius_angstrom) {
-    state_.reference_timings = {};
+    forget_reference_timings();
   }
+  // It would take the cores from what is now to be computed and timed.
+  if (timing_parallel_) comparer_.cancel();
   state_.request = request;
   if (state_.prepared) submit_compute();
 }
@@ -159,7 +163,7 @@ void Session::cancel_comparison() {
 }
 
 void Session::submit_comparison() {
-  comparison_wanted_ = false;
+  comparison_wanted_ = timing_parallel_ = false;
   SessionRequest request = state_.ours->request;
   request.engine = EngineChoice::cgal;
   request.threads = comparison_threads_;
@@ -187,6 +191,43 @@ void Session::take_agreement(std::shared_ptr<const Agreement> agreement) {
   state_.agreement = std::move(agreement);
   changes_.agreement = true;
   succeeded(Source::comparing);
+  // CGAL's parallel code starts at three threads (core/complex/engine.hpp).
+  if (services_.cgal_threads >= 3 && state_.up_to_date()) submit_parallel_timing();
+}
+
+void Session::submit_parallel_timing() {
+  timing_parallel_ = true;
+  SessionRequest request = state_.ours->request;
+  request.engine = EngineChoice::cgal;
+  request.threads = services_.cgal_threads;
+  comparer_.submit(
+      [this, request, ours = state_.ours, references = references_](const RunContext& context) {
+        EngineCache::Result result = references->compute(ours->prepared->balls, request, context);
+        AlphaComplex& complex = result.complex;
+        complex.vertices = {};
+        complex.edges = {};
+        complex.triangles = {};
+        complex.tetrahedra = {};
+        auto times = std::make_shared<AlphaComplex>(std::move(complex));
+        return [this, ours, times] { take_parallel_timing(ours, std::move(*times)); };
+      },
+      failure_of(Source::comparing, "Timing CGAL with all threads failed: "));
+}
+
+void Session::take_parallel_timing(std::shared_ptr<const Answer> ours, AlphaComplex complex) {
+  timing_parallel_ = false;
+  if (ours->prepared != state_.prepared || ours->request.solvent_radius_angstrom !=
+                                               state_.request.solvent_radius_angstrom) {
+    return;
+  }
+  state_.parallel_timings.note(complex.timings);
+  state_.parallel_reference = std::make_shared<const AlphaComplex>(std::move(complex));
+  changes_.agreement = true;
+}
+
+void Session::forget_reference_timings() {
+  state_.reference_timings = state_.parallel_timings = {};
+  state_.parallel_reference = nullptr;
 }
 
 Worker::FailureHandler Session::failure_of(Source source, std::string prefix) {
@@ -214,7 +255,10 @@ SessionChanges Session::poll() {
 }
 
 SessionActivity Session::activity() const {
-  return {opener_.activity(), computer_.activity(), comparer_.activity(), opening_path_};
+  SessionActivity a{opener_.activity(), computer_.activity(), comparer_.activity(), {},
+                    opening_path_};
+  if (timing_parallel_) std::swap(a.comparing, a.timing);
+  return a;
 }
 
 }  // namespace alphascope

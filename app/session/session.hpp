@@ -46,6 +46,10 @@ struct SessionState {
   std::shared_ptr<const Answer> ours;
   std::shared_ptr<const Agreement> agreement;  // of `ours` when agreement->ours == ours
   ColdAndWarm our_timings, reference_timings;  // of the present balls, solvent radius and engine
+  // CGAL with all threads, for its times only (its lists are empty); not of machines without
+  // enough threads. Follows an agreement.
+  std::shared_ptr<const AlphaComplex> parallel_reference;
+  ColdAndWarm parallel_timings;
   std::string last_error;                      // empty once the same thing has succeeded
 
   // `ours` answers the latest request.
@@ -54,6 +58,7 @@ struct SessionState {
 
 struct SessionActivity {
   Worker::Activity opening, computing, comparing;
+  Worker::Activity timing;  // of CGAL with all threads, after a comparison
   std::filesystem::path opening_path;  // while opening.busy
 };
 
@@ -76,6 +81,8 @@ class Session {
     EngineFactory make_engine;  // also asked, on another thread, for the CGAL reference
     Opener open_molecule;
     Reopener reopen_molecule;
+    // Of the parallel CGAL that is timed after a comparison; fewer than three: it is not.
+    int cgal_threads = 0;
   };
   static Services program_services();
 
@@ -113,6 +120,9 @@ class Session {
   void opening_failed();
   void submit_compute();
   void submit_comparison();
+  void submit_parallel_timing();
+  void take_parallel_timing(std::shared_ptr<const Answer> ours, AlphaComplex complex);
+  void forget_reference_timings();
   void take_opened(std::shared_ptr<const OpenedMolecule> opened);
   void take_answer(std::shared_ptr<const Answer> answer);
   void take_agreement(std::shared_ptr<const Agreement> agreement);
@@ -127,6 +137,7 @@ class Session {
   Source error_source_ = Source::none;
   std::filesystem::path opening_path_;  // empty when none is on its way
   bool comparison_wanted_ = false;
+  bool timing_parallel_ = false;  // is what the comparer does
   int comparison_threads_ = 1;
   // Each is touched by the jobs of one worker only.
   std::shared_ptr<EngineCache> engines_, references_;

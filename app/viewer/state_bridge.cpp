@@ -43,6 +43,21 @@ std::string differences(const Comparison& c) {
   return text;
 }
 
+// Of other engines the switches are none of the request: it must not change with them.
+TupleOptions to_tuple_options(const ComputeControls& controls) {
+  if (!is_tuple_engine(controls.engine)) return {};
+  const TupleControls& c = controls.tuples;
+  TupleOptions t;
+  t.grid = c.suited_grid ? TupleGridKind::automatic : TupleGridKind::thesis;
+  t.edge_optimisation = c.edge_optimisation;
+  t.alpha_optimisation = c.alpha_optimisation;
+  if (controls.engine == EngineOption::tuples_cpu) return t;
+  t.pinned = c.pinned;
+  t.texture = c.texture;
+  if (!c.streams) t.streams = 1;
+  return t;
+}
+
 }  // namespace
 
 std::string describe_ball(const Molecule& molecule, const PreparedBalls& prepared,
@@ -83,9 +98,12 @@ ResultInfo describe_answer(const Answer& answer) {
 }
 
 void note_timings(std::optional<EngineTimings>& timings, const AlphaComplex& complex) {
-  if (!timings || timings->engine != complex.engine.name) timings.emplace();
-  timings->engine = complex.engine.name;
-  timings->device = complex.engine.device;
+  const EngineInfo& engine = complex.engine;
+  if (!timings || timings->engine != engine.name || timings->device != engine.device) {
+    timings.emplace();
+  }
+  timings->engine = engine.name;
+  timings->device = engine.device;
   TimedRun run = to_run(complex.timings);
   run.alpha = complex.alpha_angstrom2();
   run.tetrahedra_only = complex.tetrahedra_only;
@@ -108,11 +126,22 @@ BadgeInfo describe_agreement(const SessionState& state, bool comparing) {
           "identical to CGAL: " + number + " of " + number + " tetrahedra"};
 }
 
+GpuInfo describe_gpu(const MachineInfo& machine) {
+  return {true,
+          machine.gpu_usable,
+          machine.gpu,
+          machine.driver,
+          machine.gpu_capability,
+          machine.gpu_memory_bytes,
+          machine.gpu_why_not};
+}
+
 SessionRequest to_request(const ComputeControls& controls) {
   SessionRequest request;
   request.alpha_angstrom2 = controls.alpha;
   request.solvent_radius_angstrom = controls.solvent;
   request.tetrahedra_only = controls.tetrahedra_only;
+  request.tuples = to_tuple_options(controls);
   switch (controls.engine) {
     case EngineOption::automatic:
       request.engine = EngineChoice::automatic;
@@ -122,6 +151,12 @@ SessionRequest to_request(const ComputeControls& controls) {
       break;
     case EngineOption::cpu:
       request.engine = EngineChoice::cpu;
+      break;
+    case EngineOption::tuples_gpu:
+      request.engine = EngineChoice::tuples_gpu;
+      break;
+    case EngineOption::tuples_cpu:
+      request.engine = EngineChoice::tuples_cpu;
       break;
     case EngineOption::cgal:
       request.engine = EngineChoice::cgal;

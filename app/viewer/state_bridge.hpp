@@ -1,6 +1,7 @@
 // From what the session holds to what the panels show, and back. Pure functions: no window, no GL.
 #pragma once
 
+#include "app/session/machine.hpp"
 #include "app/session/session.hpp"
 #include "ui/panels/view_state.hpp"
 
@@ -16,5 +17,6 @@ ResultInfo describe_answer(const Answer& answer);
 void note_timings(std::optional<EngineTimings>& timings, const AlphaComplex& complex);
 BadgeInfo describe_agreement(const SessionState& state, bool comparing);
 
+GpuInfo describe_gpu(const MachineInfo& machine);
 SessionRequest to_request(const ComputeControls& controls);
 }  // namespace alphascope

@@ -45,6 +45,12 @@ Viewer::Viewer(Host& host, const ViewerOptions& options, Session::Services servi
     : host_(host),
       frame_(host, options.light ? Theme::light : Theme::dark),
       scene_([&host] { host.wake(); }),
+      machine_(std::async(std::launch::async,
+                          [&host] {
+                            const MachineInfo& machine = machine_info();
+                            host.wake();
+                            return machine;
+                          })),
       session_([&host] { host.wake(); }, std::move(services)) {
   fill_constants();
   state_.theme = options.light ? Theme::light : Theme::dark;
@@ -81,7 +87,7 @@ void Viewer::open(const std::filesystem::path& path) {
 bool Viewer::busy() const {
   const SessionActivity a = session_.activity();
   return state_.selection != sent_selection_ || a.opening.busy || a.computing.busy ||
-         a.comparing.busy || scene_.busy();
+         a.comparing.busy || a.timing.busy || !state_.gpu.known || scene_.busy();
 }
 
 bool Viewer::settled() const {
@@ -115,12 +121,20 @@ void Viewer::take_answer() {
   scene_.set_answer(s.ours);
   state_.result = describe_answer(*s.ours);
   state_.device_text = s.ours->complex.engine.name + " on " + s.ours->complex.engine.device;
-  state_.gpu_text = s.ours->engine_note;
-  state_.gpu_available = s.ours->engine_note.empty();
+  state_.engine_note = s.ours->engine_note;
   note_timings(state_.ours, s.ours->complex);
 }
 
+void Viewer::take_machine() {
+  if (state_.gpu.known || machine_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) {
+    return;
+  }
+  state_.gpu = describe_gpu(machine_.get());
+  frames_due_ = kSettlingFrames;
+}
+
 void Viewer::take_session() {
+  take_machine();
   const SessionChanges changes = session_.poll();
   const SessionState& s = session_.state();
   if (changes.molecule && s.opened) take_molecule();
@@ -132,10 +146,14 @@ void Viewer::take_session() {
   if (changes.agreement && s.agreement) {
     note_timings(state_.cgal, *s.agreement->reference);
     scene_.set_agreement(s.agreement);
+    if (s.parallel_reference) {
+      note_timings(state_.cgal_parallel, *s.parallel_reference);
+    }
   }
   if (s.ours) {  // else the next answer is on its way
     keep_only(state_.ours, s.our_timings);
     keep_only(state_.cgal, s.reference_timings);
+    keep_only(state_.cgal_parallel, s.parallel_timings);
   }
   if (changes.options) {  // what was asked for failed or was cancelled
     state_.selection = sent_selection_ = to_controls(session_.open_options(), radii_sets_);

@@ -4,8 +4,10 @@
 #include <chrono>
 #include <filesystem>
 #include <functional>
+#include <future>
 #include <memory>
 
+#include "app/session/machine.hpp"
 #include "app/session/session.hpp"
 #include "app/viewer/model_playback.hpp"
 #include "app/viewer/options.hpp"
@@ -46,6 +48,7 @@ class Viewer {
 
   void fill_constants();
   void take_session();  // results and failures into the state
+  void take_machine();
   void take_molecule();
   void take_answer();
   void take_requests();  // what the panels asked for
@@ -83,6 +86,7 @@ class Viewer {
   int frames_due_ = 3;
   bool quit_ = false;
   bool patient_ = false;
+  std::future<MachineInfo> machine_;  // looking for a GPU can take a second
   Session session_;  // last: its threads wake the host
 };
 

@@ -235,6 +235,53 @@ TEST_F(SessionTest, ComparesTheAnswerThatIsOnItsWay) {
   EXPECT_TRUE(state.reference_timings.cold);
 }
 
+TEST_F(SessionTest, CgalIsTimedWithAllThreadsToo) {
+  std::vector<int> threads;
+  Session::Services services = Session::program_services();
+  services.make_engine = [&](EngineChoice choice, std::shared_ptr<const BallSet> balls,
+                             const EngineSettings& settings) {
+    if (choice == EngineChoice::cgal) threads.push_back(settings.threads);
+    return fake_factory(log_)(choice, balls, settings);
+  };
+  for (const int available : {2, 4}) {
+    threads.clear();
+    services.cgal_threads = available;
+    Session session({}, services);
+    session.open(good_);
+    settle(session);
+    session.request_comparison();
+    settle(session);
+    const bool parallel = available >= 3;  // from where CGAL's parallel code works
+    ASSERT_TRUE(poll_until(session, [&] {
+      return session.state().agreement &&
+             (session.state().parallel_reference != nullptr) == parallel;
+    }));
+    EXPECT_EQ(session.state().parallel_timings.cold.has_value(), parallel);
+    EXPECT_EQ(session.state().parallel_reference != nullptr, parallel);
+    EXPECT_EQ(threads, parallel ? (std::vector<int>{1, 4}) : std::vector<int>{1});
+    SessionRequest other = alpha(0);
+    other.solvent_radius_angstrom = 1.4;
+    session.set_request(other);
+    EXPECT_FALSE(session.state().parallel_timings.cold) << "of other balls";
+    settle(session);
+  }
+}
+
+TEST_F(SessionTest, AnotherSwitchOfTheTupleEngineForgetsItsTimes) {
+  const auto session = make();
+  session->open(good_);
+  SessionRequest request = alpha(0);
+  request.engine = EngineChoice::tuples_cpu;
+  session->set_request(request);
+  settle(*session);
+  ASSERT_TRUE(session->state().our_timings.cold);
+  request.tuples.edge_optimisation = false;
+  session->set_request(request);
+  EXPECT_FALSE(session->state().our_timings.cold);
+  settle(*session);
+  EXPECT_TRUE(session->state().our_timings.cold);
+}
+
 TEST_F(SessionTest, ASliderMovesWhileTheComparisonRuns) {
   FakeEngineLog slow;
   slow.hold = true;

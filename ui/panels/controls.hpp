@@ -9,8 +9,19 @@
 
 namespace alphascope {
 
-enum class EngineOption : std::uint8_t { automatic, gpu, cpu, cgal };
+enum class EngineOption : std::uint8_t { automatic, gpu, cpu, tuples_gpu, tuples_cpu, cgal };
+inline bool is_tuple_engine(EngineOption e) {
+  return e == EngineOption::tuples_gpu || e == EngineOption::tuples_cpu;
+}
 enum class ColourBy : std::uint8_t { element, chain, single, alpha };  // alpha: simplices only
+
+// Optimisations of the thesis' tuple engine; none changes the result.
+struct TupleControls {
+  bool suited_grid = true;  // else 100 x 100 x 100 cells
+  bool edge_optimisation = true, alpha_optimisation = true;
+  bool pinned = true, streams = true, texture = true;  // of the GPU
+  friend bool operator==(const TupleControls&, const TupleControls&) = default;
+};
 
 // A change of these needs a new computation.
 struct ComputeControls {
@@ -18,6 +29,7 @@ struct ComputeControls {
   double solvent = 0;  // Å
   EngineOption engine = EngineOption::automatic;
   bool tetrahedra_only = false;
+  TupleControls tuples;  // of the tuple engines only
   friend bool operator==(const ComputeControls&, const ComputeControls&) = default;
 };
 

@@ -135,6 +135,10 @@ void summary_line(PanelContext& ctx) {
       s.ours->engine + ": cold " + wall_text(s.ours->cold) + ", warm " + wall_text(s.ours->warm);
   if (s.cgal) {
     text += "   ·   CGAL: cold " + wall_text(s.cgal->cold) + ", warm " + wall_text(s.cgal->warm);
+    if (s.cgal_parallel) {
+      text += "   ·   CGAL on " + s.cgal_parallel->device + ": cold " +
+              wall_text(s.cgal_parallel->cold) + ", warm " + wall_text(s.cgal_parallel->warm);
+    }
     const std::string cold = speed_part("cold", s.ours->cold, s.cgal->cold);
     const std::string warm = speed_part("warm", s.ours->warm, s.cgal->warm);
     if (!cold.empty() || !warm.empty()) {

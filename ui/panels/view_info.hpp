@@ -100,6 +100,15 @@ struct EngineTimings {
   std::optional<TimedRun> cold, warm;
 };
 
+// The graphics processor as the program found it.
+struct GpuInfo {
+  bool known = false;  // false: still being looked for
+  bool usable = false;
+  std::string name, driver, capability;  // "NVIDIA H200", "CUDA driver 13.0", "9.0"
+  std::size_t memory_bytes = 0;
+  std::string why_not;  // the sentence that says why it is not used
+};
+
 struct BadgeInfo {
   enum class State : std::uint8_t { not_compared, comparing, identical, different, failed };
   State state = State::not_compared;

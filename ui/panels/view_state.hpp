@@ -87,13 +87,13 @@ struct ViewState {
 
   MoleculeInfo molecule;
   ResultInfo result;
-  std::optional<EngineTimings> ours, cgal;
+  std::optional<EngineTimings> ours, cgal, cgal_parallel;  // the last: with all threads
   BadgeInfo badge;
   BusyInfo busy;
   ViewportInfo viewport;
   std::string device_text;  // "CPU · 2 threads"
-  bool gpu_available = false;
-  std::string gpu_text;  // its name, or the sentence that says why there is none
+  GpuInfo gpu;
+  std::string engine_note;  // why another engine than hoped for was used; may be empty
   std::string version;
   std::size_t memory_bytes = 0;  // of the whole program
   std::uint64_t free_bytes = 0;  // that the machine could still give; 0: unknown

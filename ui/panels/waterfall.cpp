@@ -26,7 +26,7 @@ void add_lines(std::vector<Line>& lines, const EngineTimings& timings, const Tim
                const Colour& bar, const Colour& setup_bar) {
   const std::string task =
       "  α " + short_number_text(run.alpha, 3) + (run.tetrahedra_only ? ", tetrahedra only" : "");
-  lines.push_back({timings.engine + task, 0, run.wall_milliseconds, bar, true});
+  lines.push_back({timings.engine + ", " + timings.device + task, 0, run.wall_milliseconds, bar, true});
   double start = 0;
   for (const StageBar& stage : run.stages) {
     lines.push_back({stage.label, start, stage.milliseconds, stage.setup ? setup_bar : bar, false});
@@ -126,6 +126,10 @@ void draw_waterfall(PanelContext& ctx, float height) {
   }
   if (const TimedRun* run = shown_run(s.cgal, s.memory.timings_cold)) {
     add_lines(lines, *s.cgal, *run, p.bar_cgal, p.bar_cgal_setup);
+    range = std::max(range, run->wall_milliseconds);
+  }
+  if (const TimedRun* run = shown_run(s.cgal_parallel, s.memory.timings_cold)) {
+    add_lines(lines, *s.cgal_parallel, *run, p.bar_cgal, p.bar_cgal_setup);
     range = std::max(range, run->wall_milliseconds);
   }
   if (lines.empty()) {

@@ -21,7 +21,8 @@ inline void check(cudaError_t status, const char* what) {
   if (status == cudaSuccess) return;
   cudaGetLastError();  // the error is reported here; do not report it again later
   if (status == cudaErrorMemoryAllocation) throw std::bad_alloc();
-  throw DeviceError(std::string("the GPU failed while ") + what + ": " + cudaGetErrorString(status));
+  throw DeviceError(std::string("the GPU failed while ") + what + ": " +
+                    cudaGetErrorString(status));
 }
 
 // Uninitialised device memory; growing loses the content.

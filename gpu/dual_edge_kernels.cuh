@@ -1,205 +1,14 @@
-// The CUDA executor of "tetrahedra only": one block takes a run of balls through neighbours (kernel I:
-// lists, which neighbours meet, triangles ijk worth a look) and dual edges in single precision with
-// certified errors (kernel II), and writes the tetrahedra whose lowest vertex is one of its balls. A
-// ball with an undecided dual edge goes, whole, to the same kernel with double precision and exact
-// integers (kernel III). The per-triangle bodies are core/complex/*dual_edge.hpp.
+// The CUDA executor of "tetrahedra only": one block takes a run of balls through neighbours (kernel
+// I: lists, which neighbours meet, triangles ijk worth a look) and dual edges in single precision
+// with certified errors (kernel II), and writes the tetrahedra whose lowest vertex is one of its
+// balls. A ball with an undecided dual edge goes, whole, to the same kernel with double precision
+// and exact integers (kernel III). The per-triangle bodies are
+// core/complex/triangle_tetrahedra.hpp.
 #pragma once
 
-#include "core/complex/facet_disc.hpp"
-#include "core/complex/triangle_tetrahedra.hpp"
-#include "gpu/problem.cuh"
+#include "gpu/dual_edge_block.cuh"
 
 namespace alphascope::gpu {
-
-struct DualEdgeOutput {
-  uint4* tetrahedra;
-  std::uint32_t capacity;
-  std::uint32_t* cursor;
-  std::uint32_t *start, *count;  // per ball
-  std::uint32_t *exact_list, *exact_count;
-  BlockStatistics* statistics;
-};
-
-struct DualEdgeProblem {
-  Problem common;
-  BlockRoom capacity;
-  std::uint32_t deferred_limit;  // beyond so many kernel III leaves the run to be repeated with more room
-  int words;              // of a row of bits: (capacity.list + 31) / 32
-  float radius_scale;     // scale²: square lattice units to scaled ones
-  bool small_lattice;     // Int128 suffices for exact predicates
-  int first_cuts;         // of a triangle's cuts, before it is looked at as a survivor
-  bool cull_facets;       // long lists: drop edges ij whose disc a single ball covers
-  const int4* balls;      // in the order of the BallSet
-};
-
-constexpr int kMaxRows = 1 << 13, kMaxTriangles = 1 << 16;
-constexpr int kSampled = 64;  // every so many blocks count for the statistics
-
-// Packs a triangle of the block: row of j, neighbour k, ball.
-__device__ inline std::uint32_t pack_triangle(int row, int k, int ball) {
-  return static_cast<std::uint32_t>(row) | static_cast<std::uint32_t>(k) << 13 | static_cast<std::uint32_t>(ball) << 25;
-}
-
-struct DualEdgeMemory {
-  float4* vectors;        // entries: scaled d and c, ascending by index
-  float* reach;
-  std::uint32_t* index;
-  std::uint32_t* rows;    // words of bits for each later neighbour j: who meets j as well
-  uint2* kept;            // triangle, and 12 bits for each of its tetrahedra's last vertices + 1
-  std::uint32_t* triangles;
-  std::uint16_t* work;    // triangles in order of work
-  std::uint8_t* row_ball;  // whose row it is
-  // Before the lists are ordered, in the place of triangles and work: what half a warp found.
-  std::uint32_t *found, *found_index;
-};
-
-constexpr std::size_t kHalves = kBlockThreads / kSearchLanes;
-
-__host__ __device__ inline std::size_t triangle_words(const DualEdgeProblem& p) {
-  const std::size_t triangles = (3 * static_cast<std::size_t>(p.capacity.triangles) + 1) / 2;
-  const std::size_t lists = 2 * kHalves * p.capacity.list;
-  return triangles > lists ? triangles : lists;
-}
-__host__ __device__ inline std::size_t block_memory_bytes(const DualEdgeProblem& p) {
-  return static_cast<std::size_t>(p.capacity.entries) * 24 + static_cast<std::size_t>(p.capacity.kept) * 8 +
-         static_cast<std::size_t>(p.capacity.rows) * (4 * p.words + 1) + triangle_words(p) * 4 + 16;
-}
-__device__ inline DualEdgeMemory carve(unsigned char* shared, const DualEdgeProblem& p) {
-  DualEdgeMemory m;
-  m.vectors = reinterpret_cast<float4*>(shared);
-  m.kept = reinterpret_cast<uint2*>(m.vectors + p.capacity.entries);
-  m.reach = reinterpret_cast<float*>(m.kept + p.capacity.kept);
-  m.index = reinterpret_cast<std::uint32_t*>(m.reach + p.capacity.entries);
-  m.rows = m.index + p.capacity.entries;
-  m.triangles = m.rows + static_cast<std::size_t>(p.capacity.rows) * p.words;
-  m.work = reinterpret_cast<std::uint16_t*>(m.triangles + p.capacity.triangles);
-  m.found = m.triangles + threadIdx.x / kSearchLanes * 2 * p.capacity.list;
-  m.found_index = m.found + p.capacity.list;
-  m.row_ball = reinterpret_cast<std::uint8_t*>(m.triangles + triangle_words(p));
-  return m;
-}
-
-
-// Per ball of the block.
-constexpr int kLengths = 32;  // longer ones count as this long
-struct BlockBalls {
-  int4 ball[kMaxBallsPerBlock];
-  std::uint32_t index[kMaxBallsPerBlock];
-  float radius_square[kMaxBallsPerBlock];  // w + alpha, scaled
-  int list[kMaxBallsPerBlock];       // neighbours; none when there is no room for them
-  int later[kMaxBallsPerBlock];      // of them, of higher index
-  int entry0[kMaxBallsPerBlock];     // where they begin
-  int row0[kMaxBallsPerBlock];
-  int tetrahedra[kMaxBallsPerBlock];
-  int exact[kMaxBallsPerBlock];      // 1 undecided, 2 no room: for kernel III
-  int scan[kBlockThreads / 32];
-  Surroundings surroundings[kBlockThreads / kSearchLanes];
-  int lengths[kLengths];             // triangles of so many cuts; then where they begin
-  int entries, rows, triangles;
-  int next_triangle, next_work, survivors, kept;
-  std::uint32_t base;
-};
-
-// Sum over the lanes before this one.
-__device__ inline int warp_scan(int value) {
-  const int lane = threadIdx.x & 31;
-  int sum = value;
-  for (int step = 1; step < 32; step *= 2) {
-    const int other = __shfl_up_sync(~0u, sum, step);
-    if (lane >= step) sum += other;
-  }
-  return sum - value;
-}
-
-// Sum over the threads before this one, and over all. Every thread takes part.
-__device__ inline int block_scan(int value, int* scratch, int* total) {
-  const int lane = threadIdx.x & 31, warp = threadIdx.x >> 5;
-  const int before = warp_scan(value);
-  __syncthreads();  // an earlier scan's scratch has been read
-  if (lane == 31) scratch[warp] = before + value;
-  __syncthreads();
-  int sum = 0, all = 0;
-  for (int w = 0; w < kBlockThreads / 32; ++w) {
-    const int part = scratch[w];
-    if (w < warp) sum += part;
-    all += part;
-  }
-  *total = all;
-  return sum + before;
-}
-
-// Few blocks meet a new maximum.
-__device__ inline void note_largest(std::uint32_t* largest, int value) {
-  if (*static_cast<volatile std::uint32_t*>(largest) < static_cast<std::uint32_t>(value)) {
-    atomicMax(largest, static_cast<std::uint32_t>(value));
-  }
-}
-__device__ inline void add(std::uint64_t* sum, std::uint64_t value) {
-  atomicAdd(reinterpret_cast<unsigned long long*>(sum), static_cast<unsigned long long>(value));
-}
-
-// Writes one ball's list ordered by index, relative to the ball. Half a warp.
-__device__ inline void order_list(const Problem& p, const SortedBalls& sorted, const DualEdgeMemory& m,
-                                  const int4& centre, int n, int entry0) {
-  const std::int64_t wi = static_cast<std::int64_t>(centre.w) * centre.w;
-  for (int a = threadIdx.x & (kSearchLanes - 1); a < n; a += kSearchLanes) {
-    const std::uint32_t t = m.found[a], index = m.found_index[a];
-    const int4 q = sorted.ball[t];
-    const float reach = sorted.near[t].w * p.scale;
-    int rank = 0;
-    for (int o = 0; o < n; ++o) rank += m.found_index[o] < index;
-    const std::int64_t x = q.x - centre.x, y = q.y - centre.y, z = q.z - centre.z;
-    const std::int64_t c = x * x + y * y + z * z + wi - static_cast<std::int64_t>(q.w) * q.w;
-    const int entry = entry0 + rank;
-    m.vectors[entry] = make_float4(static_cast<float>(x) * p.scale, static_cast<float>(y) * p.scale,
-                                   static_cast<float>(z) * p.scale, static_cast<float>(c) * p.scale * p.scale);
-    m.reach[entry] = reach;
-    m.index[entry] = index;
-  }
-}
-
-// Writes the row of the neighbours that meet j as well as i.
-__device__ inline void fill_row(const DualEdgeProblem& p, const DualEdgeMemory& m, int words, int entry0,
-                                int n, int j, float radius_square, std::uint32_t* row) {
-  const float4 vj = m.vectors[entry0 + j];
-  const float reach = m.reach[entry0 + j];
-  for (int w = 0; w < words; ++w) {
-    std::uint32_t bits = 0;
-    const int end = min(n, w * 32 + 32);
-    for (int k = w * 32; k < end; ++k) {
-      const float4 v = m.vectors[entry0 + k];
-      const float x = v.x - vj.x, y = v.y - vj.y, z = v.z - vj.z, sum = m.reach[entry0 + k] + reach;
-      if (fmaf(x, x, fmaf(y, y, z * z)) <= sum * sum) bits |= 1u << (k & 31);
-    }
-    if (j >> 5 == w) bits &= ~(1u << (j & 31));
-    row[w] = bits;
-  }
-  if (!p.cull_facets) return;
-  const FacetDisc<float> disc({vj.x, vj.y, vj.z, vj.w}, radius_square);
-  bool dead = disc.certainly_empty();
-  for (int w = 0; w < words && !dead; ++w) {
-    for (std::uint32_t bits = row[w]; bits != 0 && !dead; bits &= bits - 1) {
-      const float4 v = m.vectors[entry0 + w * 32 + __ffs(static_cast<int>(bits)) - 1];
-      dead = disc.certainly_covered_by({v.x, v.y, v.z, v.w});
-    }
-  }
-  // Without a row, j is in no triangle; it still cuts those of others.
-  for (int w = 0; w < words && dead; ++w) row[w] = 0;
-}
-
-// A triangle's parts, unpacked.
-struct Triangle : TriangleRows {
-  int ball, entry0;
-
-  __device__ Triangle(const DualEdgeMemory& m, const BlockBalls& s, int words, std::uint32_t packed)
-      : ball(packed >> 25), entry0(s.entry0[ball]) {
-    const int row = packed & (kMaxRows - 1), first_later = s.list[ball] - s.later[ball];
-    k = packed >> 13 & 4095;
-    j = first_later + row - s.row0[ball];
-    row_j = m.rows + row * words;
-    row_k = m.rows + (s.row0[ball] + k - first_later) * words;
-  }
-};
 
 // The neighbours of a ball for the exact templates, straight from the balls.
 struct ExactNeighbours {
@@ -221,20 +30,25 @@ __device__ __noinline__ TriangleEnds decided_ends(const DualEdgeProblem& p, cons
                                                   int4 centre, const Triangle& t) {
   const ExactNeighbours neighbours{m.index + t.entry0, p.balls, centre};
   const std::int64_t weight = static_cast<std::int64_t>(centre.w) * centre.w;
-  const TriangleEnds ends = filtered_ends<double>(t, p.words, static_cast<double>(weight) + p.common.alpha,
-                                                  [&](int a) { return lifted_as<double>(neighbours.lifted(a)); });
+  const TriangleEnds ends =
+      filtered_ends<double>(t, p.words, static_cast<double>(weight) + p.common.alpha,
+                            [&](int a) { return lifted_as<double>(neighbours.lifted(a)); });
   if (ends.known) return ends;
-  const FacetInput<ExactNeighbours> in{neighbours, t.j, weight, p.common.alpha, p.common.ghost_reach, true};
-  return p.small_lattice ? exact_ends<Int128>(in, t, p.words) : exact_ends<WideInt<4>>(in, t, p.words);
+  const FacetInput<ExactNeighbours> in{neighbours,           t.j, weight, p.common.alpha,
+                                       p.common.ghost_reach, true};
+  return p.small_lattice ? exact_ends<Int128>(in, t, p.words)
+                         : exact_ends<WideInt<4>>(in, t, p.words);
 }
 
-// Kernel I of the block's balls, half a warp each: their ordered lists. Balls without room are marked.
+// Kernel I of the block's balls, half a warp each: their ordered lists. Balls without room are
+// marked.
 template <bool kExact>
 __device__ inline void find_lists(const DualEdgeProblem& p, const SortedBalls& sorted,
                                   const DualEdgeOutput& out, const DualEdgeMemory& m, BlockBalls& s,
                                   std::uint32_t first, int balls) {
   const int lane = threadIdx.x & (kSearchLanes - 1), half = threadIdx.x & kSearchLanes;
-  if (threadIdx.x == 0) s.entries = s.rows = s.next_triangle = s.next_work = s.survivors = s.kept = 0;
+  if (threadIdx.x == 0)
+    s.entries = s.rows = s.next_triangle = s.next_work = s.survivors = s.kept = 0;
   if (threadIdx.x < kLengths) s.lengths[threadIdx.x] = 0;
   __syncthreads();
   for (int pair = threadIdx.x >> 5; 2 * pair < balls; pair += kBlockThreads / 32) {
@@ -243,7 +57,8 @@ __device__ inline void find_lists(const DualEdgeProblem& p, const SortedBalls& s
     const int b = 2 * pair + (half != 0 && active);
     const std::uint32_t slot = first + b, index = sorted.index[slot];
     const int4 centre = sorted.ball[slot];
-    const int all = search_neighbours(p.common, sorted, slot, active, s.surroundings[threadIdx.x / kSearchLanes], m.found);
+    const int all = search_neighbours(p.common, sorted, slot, active,
+                                      s.surroundings[threadIdx.x / kSearchLanes], m.found);
     const int n = all <= p.common.list_capacity ? all : 0;
     int later = 0;
     for (int a = lane; a < n; a += kSearchLanes) {
@@ -251,7 +66,8 @@ __device__ inline void find_lists(const DualEdgeProblem& p, const SortedBalls& s
       m.found_index[a] = other;
       later += other > index;
     }
-    for (int step = kSearchLanes / 2; step > 0; step /= 2) later += __shfl_xor_sync(~0u, later, step);
+    for (int step = kSearchLanes / 2; step > 0; step /= 2)
+      later += __shfl_xor_sync(~0u, later, step);
     __syncwarp();  // order_list reads what other lanes found
     int entry0 = 0, row0 = 0;
     if (lane == 0 && active) {
@@ -261,7 +77,8 @@ __device__ inline void find_lists(const DualEdgeProblem& p, const SortedBalls& s
     entry0 = __shfl_sync(~0u, entry0, half);
     row0 = __shfl_sync(~0u, row0, half);
     const int row_room = static_cast<int>(p.capacity.rows);
-    const bool room = n == all && entry0 + n <= static_cast<int>(p.capacity.entries) && row0 + later <= row_room;
+    const bool room =
+        n == all && entry0 + n <= static_cast<int>(p.capacity.entries) && row0 + later <= row_room;
     if (active) {
       // Rows of a ball without room still count: they are nobody's.
       for (int a = lane; a < later && row0 + a < row_room; a += kSearchLanes) {
@@ -270,7 +87,8 @@ __device__ inline void find_lists(const DualEdgeProblem& p, const SortedBalls& s
       if (room) order_list(p.common, sorted, m, centre, n, entry0);
     }
     if (active && lane == 0) {
-      const double square = static_cast<double>(static_cast<std::int64_t>(centre.w) * centre.w) + p.common.alpha;
+      const double square =
+          static_cast<double>(static_cast<std::int64_t>(centre.w) * centre.w) + p.common.alpha;
       s.radius_square[b] = static_cast<float>(square) * p.radius_scale;
       s.ball[b] = centre;
       s.index[b] = index;
@@ -294,9 +112,10 @@ __device__ inline void find_lists(const DualEdgeProblem& p, const SortedBalls& s
   __syncthreads();
 }
 
-// Counting sort of triangles by how many cuts they have, the longest first, so that the lanes of a warp
-// take about as long.
-__device__ inline void sort_by_length(const DualEdgeMemory& m, BlockBalls& s, int count, int words) {
+// Counting sort of triangles by how many cuts they have, the longest first, so that the lanes of a
+// warp take about as long.
+__device__ inline void sort_by_length(const DualEdgeMemory& m, BlockBalls& s, int count,
+                                      int words) {
   const auto length = [&](int t) {
     const Triangle triangle(m, s, words, m.triangles[t]);
     int cuts = 0;
@@ -322,8 +141,8 @@ struct ScaledNeighbours {
   }
 };
 
-// The list of triangles of three balls that meet and have a fourth: of each ball, in lexicographic order.
-// Balls without room for theirs are marked. Returns the length of the list.
+// The list of triangles of three balls that meet and have a fourth: of each ball, in lexicographic
+// order. Balls without room for theirs are marked. Returns the length of the list.
 template <bool kExact>
 __device__ inline int list_triangles(const DualEdgeProblem& p, const DualEdgeOutput& out,
                                      const DualEdgeMemory& m, BlockBalls& s, int words) {
@@ -336,7 +155,8 @@ __device__ inline int list_triangles(const DualEdgeProblem& p, const DualEdgeOut
     if (row < rows) b = m.row_ball[row];
     if (b < kMaxBallsPerBlock) {
       j = s.list[b] - s.later[b] + row - s.row0[b];
-      for (int w = j >> 5; w < words; ++w) count += __popc(m.rows[row * words + w] & bits_after(j, w));
+      for (int w = j >> 5; w < words; ++w)
+        count += __popc(m.rows[row * words + w] & bits_after(j, w));
     }
     int at = all + block_scan(count, s.scan, &round);
     all += round;
@@ -347,13 +167,15 @@ __device__ inline int list_triangles(const DualEdgeProblem& p, const DualEdgeOut
       continue;
     }
     for (int w = j >> 5; w < words; ++w) {
-      for (std::uint32_t bits = m.rows[row * words + w] & bits_after(j, w); bits != 0; bits &= bits - 1) {
+      for (std::uint32_t bits = m.rows[row * words + w] & bits_after(j, w); bits != 0;
+           bits &= bits - 1) {
         m.triangles[at++] = pack_triangle(row, w * 32 + __ffs(static_cast<int>(bits)) - 1, b);
       }
     }
   }
   if (threadIdx.x == 0 && kExact) note_largest(&out.statistics->most_triangles, all);
-  if (threadIdx.x == 0 && !kExact && blockIdx.x % kSampled == 0) add(&out.statistics->triangles, all);
+  if (threadIdx.x == 0 && !kExact && blockIdx.x % kSampled == 0)
+    add(&out.statistics->triangles, all);
   __syncthreads();
   all = min(all, s.triangles);
   // Compaction in place: what a round writes has been read.
@@ -367,7 +189,8 @@ __device__ inline int list_triangles(const DualEdgeProblem& p, const DualEdgeOut
       const Triangle triangle(m, s, words, packed);
       const ScaledNeighbours vector{m.vectors + triangle.entry0};
       keep = triangle.has_fourth(words) &&
-             !DualEdge<float>::certainly_outside(vector(triangle.j), vector(triangle.k), s.radius_square[triangle.ball]);
+             !DualEdge<float>::certainly_outside(vector(triangle.j), vector(triangle.k),
+                                                 s.radius_square[triangle.ball]);
     }
     int round = 0;
     const int at = kept + block_scan(keep, s.scan, &round);
@@ -386,7 +209,8 @@ __device__ inline bool take(int* counter, int end, int& mine) {
   return __any_sync(~0u, mine < end);
 }
 
-__device__ inline void note_ends(const DualEdgeProblem& p, const DualEdgeMemory& m, BlockBalls& s, int b, int t, const TriangleEnds& ends) {
+__device__ inline void note_ends(const DualEdgeProblem& p, const DualEdgeMemory& m, BlockBalls& s,
+                                 int b, int t, const TriangleEnds& ends) {
   if (!ends.known) atomicMax(&s.exact[b], 1);
   const int low = min(ends.low, ends.high), high = max(ends.low, ends.high);
   if (high < 0) return;
@@ -395,12 +219,13 @@ __device__ inline void note_ends(const DualEdgeProblem& p, const DualEdgeMemory&
     s.exact[b] = 2;
     return;
   }
-  m.kept[at] = make_uint2(t, static_cast<std::uint32_t>(low + 1) | static_cast<std::uint32_t>(high + 1) << 12);
+  m.kept[at] = make_uint2(
+      t, static_cast<std::uint32_t>(low + 1) | static_cast<std::uint32_t>(high + 1) << 12);
   atomicAdd(&s.tetrahedra[b], low >= 0 ? 2 : 1);
 }
 
-// The first few cuts of every triangle: those that survive them are listed. They take about as long as
-// each other, whereas lanes that are finished early would wait for them.
+// The first few cuts of every triangle: those that survive them are listed. They take about as long
+// as each other, whereas lanes that are finished early would wait for them.
 __device__ inline void first_cuts(const DualEdgeProblem& p, const DualEdgeMemory& m, BlockBalls& s,
                                   int triangles, int words) {
   for (int t = 0; take(&s.next_triangle, triangles, t);) {
@@ -408,7 +233,8 @@ __device__ inline void first_cuts(const DualEdgeProblem& p, const DualEdgeMemory
       const Triangle triangle(m, s, words, m.triangles[t]);
       const ScaledNeighbours vector{m.vectors + triangle.entry0};
       DualEdge<float> edge;
-      bool survives = edge.start(vector(triangle.j), vector(triangle.k), s.radius_square[triangle.ball]);
+      bool survives =
+          edge.start(vector(triangle.j), vector(triangle.k), s.radius_square[triangle.ball]);
       int left = p.first_cuts;
       for (int w = 0; w < words && survives && left > 0; ++w) {
         std::uint32_t bits = triangle.common(w), first = 0;
@@ -423,8 +249,8 @@ __device__ inline void first_cuts(const DualEdgeProblem& p, const DualEdgeMemory
 }
 
 // Kernel II of the block's triangles.
-__device__ inline void find_tetrahedra(const DualEdgeProblem& p, const DualEdgeMemory& m, BlockBalls& s,
-                                       int triangles, int words) {
+__device__ inline void find_tetrahedra(const DualEdgeProblem& p, const DualEdgeMemory& m,
+                                       BlockBalls& s, int triangles, int words) {
   int count = triangles;
   if (p.first_cuts > 0) {
     first_cuts(p, m, s, triangles, words);
@@ -437,7 +263,8 @@ __device__ inline void find_tetrahedra(const DualEdgeProblem& p, const DualEdgeM
       const int t = m.work[at];
       const Triangle triangle(m, s, words, m.triangles[t]);
       note_ends(p, m, s, triangle.ball, t,
-                filtered_ends<float>(triangle, words, s.radius_square[triangle.ball], ScaledNeighbours{m.vectors + triangle.entry0}));
+                filtered_ends<float>(triangle, words, s.radius_square[triangle.ball],
+                                     ScaledNeighbours{m.vectors + triangle.entry0}));
     }
     __syncwarp();
   }
@@ -492,7 +319,8 @@ __device__ inline void write_tetrahedra(const DualEdgeProblem& p, const DualEdge
     std::uint32_t to = s.base;
     for (int o = 0; o < kept; ++o) {
       const uint2 other = m.kept[o];
-      if (other.x < own.x && !s.exact[m.triangles[other.x] >> 25]) to += (other.y & 4095) != 0 ? 2 : 1;
+      if (other.x < own.x && !s.exact[m.triangles[other.x] >> 25])
+        to += (other.y & 4095) != 0 ? 2 : 1;
     }
     const int low = static_cast<int>(own.y & 4095) - 1, high = static_cast<int>(own.y >> 12) - 1;
     if (to + (low >= 0 ? 2 : 1) > out.capacity) continue;
@@ -503,17 +331,19 @@ __device__ inline void write_tetrahedra(const DualEdgeProblem& p, const DualEdge
   }
 }
 
-// Balls [first, first + balls) of the sorted order. Every thread of the block calls it. kWords: words of a
-// row, or 0 for any number.
+// Balls [first, first + balls) of the sorted order. Every thread of the block calls it. kWords:
+// words of a row, or 0 for any number.
 template <bool kExact, int kWords>
-__device__ void process_balls(const DualEdgeProblem& p, const SortedBalls& sorted, const DualEdgeOutput& out,
-                              const DualEdgeMemory& m, BlockBalls& s, std::uint32_t first, int balls) {
+__device__ void process_balls(const DualEdgeProblem& p, const SortedBalls& sorted,
+                              const DualEdgeOutput& out, const DualEdgeMemory& m, BlockBalls& s,
+                              std::uint32_t first, int balls) {
   const int words = kWords > 0 ? kWords : p.words;
   find_lists<kExact>(p, sorted, out, m, s, first, balls);
   for (int row = threadIdx.x; row < s.rows; row += kBlockThreads) {
     const int b = m.row_ball[row];
     if (b == kMaxBallsPerBlock) continue;
-    fill_row(p, m, words, s.entry0[b], s.list[b], s.list[b] - s.later[b] + row - s.row0[b], s.radius_square[b], m.rows + row * words);
+    fill_row(p, m, words, s.entry0[b], s.list[b], s.list[b] - s.later[b] + row - s.row0[b],
+             s.radius_square[b], m.rows + row * words);
   }
   __syncthreads();
   const int triangles = list_triangles<kExact>(p, out, m, s, words);
@@ -526,19 +356,22 @@ __device__ void process_balls(const DualEdgeProblem& p, const SortedBalls& sorte
 }
 
 template <int kWords>
-__global__ void __launch_bounds__(kBlockThreads) dual_edges_filtered(DualEdgeProblem p, SortedBalls sorted, DualEdgeOutput out) {
+__global__ void __launch_bounds__(kBlockThreads)
+    dual_edges_filtered(DualEdgeProblem p, SortedBalls sorted, DualEdgeOutput out) {
   extern __shared__ __align__(16) unsigned char shared[];
   __shared__ BlockBalls s;
   const DualEdgeMemory m = carve(shared, p);
   const std::uint32_t alive = *sorted.alive;
   const std::uint32_t first = blockIdx.x * static_cast<std::uint32_t>(p.common.balls_per_block);
   if (first >= alive) return;
-  const int balls = static_cast<int>(min(static_cast<std::uint32_t>(p.common.balls_per_block), alive - first));
+  const int balls =
+      static_cast<int>(min(static_cast<std::uint32_t>(p.common.balls_per_block), alive - first));
   process_balls<false, kWords>(p, sorted, out, m, s, first, balls);
 }
 
 // One ball at a time; p.common.balls_per_block is 1.
-__global__ void __launch_bounds__(kBlockThreads) dual_edges_exact(DualEdgeProblem p, SortedBalls sorted, DualEdgeOutput out) {
+__global__ void __launch_bounds__(kBlockThreads)
+    dual_edges_exact(DualEdgeProblem p, SortedBalls sorted, DualEdgeOutput out) {
   extern __shared__ __align__(16) unsigned char shared[];
   __shared__ BlockBalls s;
   const DualEdgeMemory m = carve(shared, p);

@@ -1,7 +1,8 @@
-// The CUDA executor's kernels of the facet engine. One block takes a run of balls through the stages:
-// neighbours (kernel I), facets in single precision with certified errors (kernel II), and writes the
-// simplices whose lowest vertex is one of its balls. A ball with an undecided facet goes, whole, to
-// the same kernel with exact integers (kernel III). The per-facet bodies are core/complex/facet_*.hpp.
+// The CUDA executor's kernels of the facet engine. One block takes a run of balls through the
+// stages: neighbours (kernel I), facets in single precision with certified errors (kernel II), and
+// writes the simplices whose lowest vertex is one of its balls. A ball with an undecided facet
+// goes, whole, to the same kernel with exact integers (kernel III). The per-facet bodies are
+// core/complex/facet_*.hpp.
 #pragma once
 
 #include "core/complex/facet_float.hpp"
@@ -14,20 +15,20 @@ namespace alphascope::gpu {
 inline constexpr int kFloatSides = 20;
 inline constexpr int kExactSides = 64;
 
-// Wide enough for every predicate within the lattice's bounds. So few facets need it (9 corners of a
-// million balls at alpha 1.4) that 128 bits, where they suffice, would gain nothing.
+// Wide enough for every predicate within the lattice's bounds. So few facets need it (9 corners of
+// a million balls at alpha 1.4) that 128 bits, where they suffice, would gain nothing.
 using ExactInteger = WideInt<4>;
 
 struct Output {
   DeviceSimplices<2> edges;
   DeviceSimplices<3> triangles;
   DeviceSimplices<4> tetrahedra;
-  std::uint8_t* vertex_state;   // per ball: 0 absent, 1 attached, 2 unattached
-  std::uint32_t* exact_list;    // slots of balls for kernel III
+  std::uint8_t* vertex_state;  // per ball: 0 absent, 1 attached, 2 unattached
+  std::uint32_t* exact_list;   // slots of balls for kernel III
   std::uint32_t* exact_count;
-  std::uint32_t* needed_list;      // largest neighbour list met
-  std::uint32_t* needed_staging;   // largest number of simplices of one dimension in a block
-  std::uint32_t* failures;         // facets that even kernel III could not hold
+  std::uint32_t* needed_list;     // largest neighbour list met
+  std::uint32_t* needed_staging;  // largest number of simplices of one dimension in a block
+  std::uint32_t* failures;        // facets that even kernel III could not hold
 };
 
 // ---- facets ------------------------------------------------------------------------------------
@@ -35,11 +36,11 @@ struct Output {
 // One ball's neighbours in the block's shared memory, nearest bisector first: facets that die, die
 // early. `indices` are those in the BallSet.
 struct BlockNeighbours {
-  const float4* vectors;        // scaled d and c
+  const float4* vectors;  // scaled d and c
   const std::uint32_t* slots;
   const std::uint32_t* indices;
   const int4* sorted;
-  int4 centre;                  // of ball i
+  int4 centre;  // of ball i
 
   __device__ LiftedVector<float> scaled(int k) const {
     const float4 v = vectors[k];
@@ -63,10 +64,12 @@ struct Staged {
 };
 
 // Which neighbours can cut a facet: one bit each.
-__host__ __device__ inline int mask_words(const Problem& p) { return (p.list_capacity + 31) / 32; }
+__host__ __device__ inline int mask_words(const Problem& p) {
+  return (p.list_capacity + 31) / 32;
+}
 
 struct BlockMemory {
-  float4* vectors;         // balls_per_block * list_capacity of each
+  float4* vectors;  // balls_per_block * list_capacity of each
   float* reach;
   std::uint32_t *slots, *indices;
   std::uint32_t *rank, *by_rank;  // rank of an entry by index; and the index of a rank
@@ -74,11 +77,11 @@ struct BlockMemory {
   std::uint32_t *found, *found_index;
   float* found_key;
   // Afterwards, in the same place:
-  std::uint32_t *queue, *masks;   // facets to clip (entry of j), and mask_words of each entry
-  Staged* staged[3];       // edges, triangles, tetrahedra; staging_capacity each
-  int* list_size;          // per ball of the block
-  int* exact;              // per ball: 1 when undecided
-  int* counters;           // 0-2 staged, 3 queue, 4 queue head, 5 longest list
+  std::uint32_t *queue, *masks;  // facets to clip (entry of j), and mask_words of each entry
+  Staged* staged[3];             // edges, triangles, tetrahedra; staging_capacity each
+  int* list_size;                // per ball of the block
+  int* exact;                    // per ball: 1 when undecided
+  int* counters;                 // 0-2 staged, 3 queue, 4 queue head, 5 longest list
 };
 
 __host__ __device__ inline std::size_t reused_words(const Problem& p) {
@@ -129,10 +132,10 @@ struct StagingSink {
   __device__ void push(int dimension, std::uint64_t key, float value, int simplex_class) {
     const int at = atomicAdd(&memory.counters[dimension], 1);
     if (at < capacity) {
-      memory.staged[dimension][at] = {
-          key | static_cast<std::uint64_t>(ball) << 50 | static_cast<std::uint64_t>(rank[j]) << 38 |
-              static_cast<std::uint64_t>(simplex_class),
-          value};
+      memory.staged[dimension][at] = {key | static_cast<std::uint64_t>(ball) << 50 |
+                                          static_cast<std::uint64_t>(rank[j]) << 38 |
+                                          static_cast<std::uint64_t>(simplex_class),
+                                      value};
     }
   }
   __device__ void edge(float value, int simplex_class) { push(0, 0, value, simplex_class); }
@@ -141,15 +144,17 @@ struct StagingSink {
   }
   __device__ void tetrahedron(int k, int l, float value) {
     const std::uint32_t a = rank[k], b = rank[l], low = min(a, b), high = max(a, b);
-    push(2, static_cast<std::uint64_t>(low) << 26 | static_cast<std::uint64_t>(high) << 14, value, 2);
+    push(2, static_cast<std::uint64_t>(low) << 26 | static_cast<std::uint64_t>(high) << 14, value,
+         2);
   }
   __device__ void tetrahedron(int k, int l) { tetrahedron(k, l, 0.0f); }
 };
 
 // Orders one ball's list by the distance of the bisectors, and ranks it by index. Lists are short:
 // counting is quick.
-__device__ inline void order_neighbours(const Problem& p, const SortedBalls& balls, std::uint32_t slot,
-                                        int count, int entry0, const BlockMemory& m, int lane) {
+__device__ inline void order_neighbours(const Problem& p, const SortedBalls& balls,
+                                        std::uint32_t slot, int count, int entry0,
+                                        const BlockMemory& m, int lane) {
   const int4 b = balls.ball[slot];
   const std::int64_t wi = static_cast<std::int64_t>(b.w) * b.w;
   const std::uint32_t* found = m.found + entry0;
@@ -160,7 +165,8 @@ __device__ inline void order_neighbours(const Problem& p, const SortedBalls& bal
     const float x = static_cast<float>(q.x - b.x), y = static_cast<float>(q.y - b.y),
                 z = static_cast<float>(q.z - b.z), square = x * x + y * y + z * z;
     found_index[a] = balls.index[found[a]];
-    found_key[a] = (square + static_cast<float>(wi - static_cast<std::int64_t>(q.w) * q.w)) * rsqrtf(square);
+    found_key[a] =
+        (square + static_cast<float>(wi - static_cast<std::int64_t>(q.w) * q.w)) * rsqrtf(square);
   }
   __syncwarp();
   for (int a = lane; a < count; a += kSearchLanes) {
@@ -176,9 +182,9 @@ __device__ inline void order_neighbours(const Problem& p, const SortedBalls& bal
     const std::int64_t x = q.x - b.x, y = q.y - b.y, z = q.z - b.z;
     const std::int64_t c = x * x + y * y + z * z + wi - static_cast<std::int64_t>(q.w) * q.w;
     const int entry = entry0 + nearer;
-    m.vectors[entry] = make_float4(static_cast<float>(x) * p.scale, static_cast<float>(y) * p.scale,
-                                   static_cast<float>(z) * p.scale,
-                                   static_cast<float>(c) * p.scale * p.scale);
+    m.vectors[entry] =
+        make_float4(static_cast<float>(x) * p.scale, static_cast<float>(y) * p.scale,
+                    static_cast<float>(z) * p.scale, static_cast<float>(c) * p.scale * p.scale);
     m.reach[entry] = balls.near[t].w * p.scale;
     m.slots[entry] = t;
     m.indices[entry] = index;
@@ -188,7 +194,8 @@ __device__ inline void order_neighbours(const Problem& p, const SortedBalls& bal
 }
 
 // Writes the mask of the neighbours that meet j as well as i.
-__device__ inline void mask_common(const Problem& p, const BlockMemory& m, int entry0, int j, int n) {
+__device__ inline void mask_common(const Problem& p, const BlockMemory& m, int entry0, int j,
+                                   int n) {
   const float4 vj = m.vectors[entry0 + j];
   const float reach_j = m.reach[entry0 + j];
   std::uint32_t* mask = m.masks + (entry0 + j) * mask_words(p);
@@ -198,7 +205,8 @@ __device__ inline void mask_common(const Problem& p, const BlockMemory& m, int e
     const int end = min(n, w * 32 + 32);
     for (int k = w * 32; k < end; ++k) {
       const float4 v = m.vectors[entry0 + k];
-      const float x = v.x - vj.x, y = v.y - vj.y, z = v.z - vj.z, sum = m.reach[entry0 + k] + reach_j;
+      const float x = v.x - vj.x, y = v.y - vj.y, z = v.z - vj.z,
+                  sum = m.reach[entry0 + k] + reach_j;
       if (k != j && fmaf(x, x, fmaf(y, y, z * z)) <= sum * sum * kMargin) {
         bits |= 1u << (k & 31);
       }
@@ -248,8 +256,8 @@ struct ExactPolygon {
 };
 
 // Kernel III of one facet. False only when the polygon does not fit.
-__device__ bool exact_facet(const FacetInput<BlockNeighbours>& in, const std::uint32_t* mask, int count,
-                            StagingSink& sink) {
+__device__ bool exact_facet(const FacetInput<BlockNeighbours>& in, const std::uint32_t* mask,
+                            int count, StagingSink& sink) {
   float edge_value = 0;
   if (decide_edge<ExactDecider>(in, &edge_value) == Decision::out) return true;
   const LiftedInt j = in.neighbours.lifted(in.j);
@@ -280,9 +288,9 @@ __device__ bool exact_facet(const FacetInput<BlockNeighbours>& in, const std::ui
 
 // Writes the staged simplices of one dimension in order, and where each ball's are.
 template <int N>
-__device__ void write_staged(const Problem& p, const BlockMemory& m, const std::uint32_t* ball_index,
-                             int balls, DeviceSimplices<N> out, std::uint32_t* needed_staging,
-                             std::uint32_t* shared_base) {
+__device__ void write_staged(const Problem& p, const BlockMemory& m,
+                             const std::uint32_t* ball_index, int balls, DeviceSimplices<N> out,
+                             std::uint32_t* needed_staging, std::uint32_t* shared_base) {
   const int dimension = N - 2;
   Staged* staged = m.staged[dimension];
   const int all = m.counters[dimension];
@@ -340,32 +348,35 @@ struct FacetPlace {
   BlockNeighbours neighbours;
   std::int64_t weight;
 
-  __device__ FacetPlace(const BlockMemory& m, const SortedBalls& sorted, std::uint32_t slot, int entry0)
+  __device__ FacetPlace(const BlockMemory& m, const SortedBalls& sorted, std::uint32_t slot,
+                        int entry0)
       : neighbours{m.vectors + entry0, m.slots + entry0, m.indices + entry0, sorted.ball,
                    sorted.ball[slot]},
         weight(static_cast<std::int64_t>(neighbours.centre.w) * neighbours.centre.w) {}
 };
 
-// The rare corner that single precision leaves open, in double. Out of line: its registers are not the
-// loop's. Integers here as well would spare kernel III's 55 us, but the 246 registers that they take
-// slow the whole kernel down (1K4C, alpha 10, H200: 2.0 ms against 1.3).
+// The rare corner that single precision leaves open, in double. Out of line: its registers are not
+// the loop's. Integers here as well would spare kernel III's 55 us, but the 246 registers that they
+// take slow the whole kernel down (1K4C, alpha 10, H200: 2.0 ms against 1.3).
 __device__ __noinline__ int corner_in_double(const Problem& p, const SortedBalls& sorted,
                                              const BlockMemory& m, std::uint32_t first,
                                              const FloatFacet& f, int k, int l, int cutter) {
   const FacetPlace place(m, sorted, first + f.ball, f.entry0);
-  const FacetInput<BlockNeighbours> in{place.neighbours, f.j, place.weight, p.alpha, p.ghost_reach, true};
+  const FacetInput<BlockNeighbours> in{place.neighbours, f.j,           place.weight,
+                                       p.alpha,          p.ghost_reach, true};
   return corner_cut_filtered(in.neighbours.lifted(f.j), f.axis, in.side_vector(k, f.axis.axis),
                              in.side_vector(l, f.axis.axis), in.neighbours.lifted(cutter));
 }
 
-// Kernel II over the block's queue: each lane clips its facet, one neighbour a turn, and fetches the
-// next facet when its own is finished, so that short lives do not wait for long ones.
+// Kernel II over the block's queue: each lane clips its facet, one neighbour a turn, and fetches
+// the next facet when its own is finished, so that short lives do not wait for long ones.
 __device__ void clip_queue(const Problem& p, const SortedBalls& sorted, const BlockMemory& m,
                            std::uint32_t first, int facets) {
   FloatFacet f;
   // The polygon refers to these two, which change with the facet.
   BlockNeighbours neighbours{m.vectors, m.slots, m.indices, sorted.ball, make_int4(0, 0, 0, 0)};
-  FloatPolygon<BlockNeighbours, kFloatSides> polygon(f.frame, neighbours, static_cast<float>(p.ghost_reach) * p.scale);
+  FloatPolygon<BlockNeighbours, kFloatSides> polygon(f.frame, neighbours,
+                                                     static_cast<float>(p.ghost_reach) * p.scale);
   FloatBox box;
   const auto bound_polygon = [&] {
     box.clear();
@@ -388,25 +399,30 @@ __device__ void clip_queue(const Problem& p, const SortedBalls& sorted, const Bl
       f.axis = float_axis(vj);
       f.frame = make_float_frame({vj.x, vj.y, vj.z, vj.w}, f.axis);
       neighbours.vectors = m.vectors + f.entry0;
-      start_polygon(polygon, ghost_line(kGhostYZ, polygon.ghost_reach), ghost_line(kGhostY, polygon.ghost_reach),
+      start_polygon(polygon, ghost_line(kGhostYZ, polygon.ghost_reach),
+                    ghost_line(kGhostY, polygon.ghost_reach),
                     ghost_line(kGhostZ, polygon.ghost_reach));
       bound_polygon();
       active = true;
       const FacetPlace place(m, sorted, first + f.ball, f.entry0);
-      const FacetInput<BlockNeighbours> in{place.neighbours, f.j, place.weight, p.alpha, p.ghost_reach, true};
+      const FacetInput<BlockNeighbours> in{place.neighbours, f.j,           place.weight,
+                                           p.alpha,          p.ghost_reach, true};
       const Decision d = decide_edge<FilteredDecider>(in, &f.edge_value);
       if (d == Decision::unknown) atomicExch(&m.exact[f.ball], 1);
       active = d == Decision::in;
       continue;
     }
-    while (f.bits == 0 && f.word + 1 < f.words) f.bits = m.masks[(f.entry0 + f.j) * mask_words(p) + ++f.word];
+    while (f.bits == 0 && f.word + 1 < f.words)
+      f.bits = m.masks[(f.entry0 + f.j) * mask_words(p) + ++f.word];
     if (f.bits == 0) {  // all cuts made
       const FacetPlace place(m, sorted, first + f.ball, f.entry0);
-      const FacetInput<BlockNeighbours> in{place.neighbours, f.j, place.weight, p.alpha, p.ghost_reach, true};
+      const FacetInput<BlockNeighbours> in{place.neighbours, f.j,           place.weight,
+                                           p.alpha,          p.ghost_reach, true};
       StagingSink sink{m, p.staging_capacity, f.ball, m.rank + f.entry0, f.j};
       signed char corner_in[kFloatSides];
       float corner_value[kFloatSides];
-      if (!report_facet<FilteredDecider>(in, polygon, f.axis.axis, f.edge_value, {corner_in, corner_value}, sink)) {
+      if (!report_facet<FilteredDecider>(in, polygon, f.axis.axis, f.edge_value,
+                                         {corner_in, corner_value}, sink)) {
         atomicExch(&m.exact[f.ball], 1);
       }
       active = false;
@@ -418,8 +434,9 @@ __device__ void clip_queue(const Problem& p, const SortedBalls& sorted, const Bl
     if (test.spares(box)) continue;
     const auto side = [&](int s) {
       const int sign = test.side(polygon.corners[s]);
-      return sign != 0 ? sign : corner_in_double(p, sorted, m, first, f, polygon.ids[s],
-                                                 polygon.ids[s + 1 == polygon.size ? 0 : s + 1], k);
+      return sign != 0 ? sign
+                       : corner_in_double(p, sorted, m, first, f, polygon.ids[s],
+                                          polygon.ids[s + 1 == polygon.size ? 0 : s + 1], k);
     };
     const ClipOutcome outcome = clip(polygon, test.line, k, side);
     if (outcome == ClipOutcome::uncertain || outcome == ClipOutcome::full) {
@@ -450,7 +467,8 @@ __device__ void process_balls(const Problem& p, const SortedBalls& sorted, const
     const int b = 2 * pair + ((threadIdx.x & kSearchLanes) != 0 && 2 * pair + 1 < balls);
     const bool active = (threadIdx.x & kSearchLanes) == 0 || 2 * pair + 1 < balls;
     const int entry0 = b * p.list_capacity;
-    const int all = search_neighbours(p, sorted, first + b, active, surroundings[threadIdx.x / kSearchLanes], m.found + entry0);
+    const int all = search_neighbours(p, sorted, first + b, active,
+                                      surroundings[threadIdx.x / kSearchLanes], m.found + entry0);
     const int count = min(all, p.list_capacity);
     order_neighbours(p, sorted, first + b, count, entry0, m, lane);
     if (lane == 0 && active) {
@@ -472,11 +490,14 @@ __device__ void process_balls(const Problem& p, const SortedBalls& sorted, const
   const int facets = m.counters[3];
   if constexpr (kExact) {
     for (int f = threadIdx.x; f < facets; f += blockDim.x) {
-      const int e = static_cast<int>(m.queue[f]), b = e / p.list_capacity, entry0 = b * p.list_capacity;
+      const int e = static_cast<int>(m.queue[f]), b = e / p.list_capacity,
+                entry0 = b * p.list_capacity;
       const FacetPlace place(m, sorted, first + b, entry0);
-      const FacetInput<BlockNeighbours> in{place.neighbours, e - entry0, place.weight, p.alpha, p.ghost_reach, true};
+      const FacetInput<BlockNeighbours> in{place.neighbours, e - entry0,    place.weight,
+                                           p.alpha,          p.ghost_reach, true};
       StagingSink sink{m, p.staging_capacity, b, m.rank + entry0, e - entry0};
-      if (!exact_facet(in, m.masks + e * mask_words(p), m.list_size[b], sink)) atomicAdd(out.failures, 1u);
+      if (!exact_facet(in, m.masks + e * mask_words(p), m.list_size[b], sink))
+        atomicAdd(out.failures, 1u);
     }
   } else {
     clip_queue(p, sorted, m, first, facets);
@@ -506,7 +527,8 @@ __device__ void process_balls(const Problem& p, const SortedBalls& sorted, const
   write_staged<4>(p, m, ball_index, balls, out.tetrahedra, out.needed_staging, shared_base);
 }
 
-__global__ void __launch_bounds__(kBlockThreads) facets_filtered(Problem p, SortedBalls sorted, Output out) {
+__global__ void __launch_bounds__(kBlockThreads)
+    facets_filtered(Problem p, SortedBalls sorted, Output out) {
   extern __shared__ __align__(16) unsigned char shared[];
   __shared__ std::uint32_t ball_index[kMaxBallsPerBlock];
   __shared__ std::uint32_t base;
@@ -514,12 +536,14 @@ __global__ void __launch_bounds__(kBlockThreads) facets_filtered(Problem p, Sort
   const std::uint32_t alive = *sorted.alive;
   const std::uint32_t first = blockIdx.x * static_cast<std::uint32_t>(p.balls_per_block);
   if (first >= alive) return;
-  const int balls = static_cast<int>(min(static_cast<std::uint32_t>(p.balls_per_block), alive - first));
+  const int balls =
+      static_cast<int>(min(static_cast<std::uint32_t>(p.balls_per_block), alive - first));
   process_balls<false>(p, sorted, out, m, first, balls, ball_index, &base);
 }
 
 // One ball at a time; p.balls_per_block is 1.
-__global__ void __launch_bounds__(kBlockThreads) facets_exact(Problem p, SortedBalls sorted, Output out) {
+__global__ void __launch_bounds__(kBlockThreads)
+    facets_exact(Problem p, SortedBalls sorted, Output out) {
   extern __shared__ __align__(16) unsigned char shared[];
   __shared__ std::uint32_t ball_index[1];
   __shared__ std::uint32_t base;
@@ -545,12 +569,12 @@ __device__ inline float from_ordered_bits(std::uint32_t bits) {
 // Per ball: has an edge (1), has an edge that is not interior (2), and its nearest edge.
 __global__ void gather_vertices(const std::uint32_t* edges, const float* value,
                                 const std::uint8_t* simplex_class, const std::uint32_t* cursor,
-                                std::uint32_t capacity,
-                                const std::uint8_t* state, std::uint32_t* flags,
-                                std::uint32_t* nearest) {
+                                std::uint32_t capacity, const std::uint8_t* state,
+                                std::uint32_t* flags, std::uint32_t* nearest) {
   const std::uint32_t count = *cursor;
   if (count > capacity) return;
-  for (std::uint32_t e = blockIdx.x * blockDim.x + threadIdx.x; e < count; e += gridDim.x * blockDim.x) {
+  for (std::uint32_t e = blockIdx.x * blockDim.x + threadIdx.x; e < count;
+       e += gridDim.x * blockDim.x) {
     const std::uint32_t flag = simplex_class[e] == 2 ? 1u : 3u;
     for (int end = 0; end < 2; ++end) {
       const std::uint32_t v = edges[2 * static_cast<std::size_t>(e) + end];

@@ -11,8 +11,10 @@ FacetPipeline::FacetPipeline(const BallSet& balls) : state_(std::make_unique<Sta
   s.n = balls.size();
   int device = 0;
   check(cudaGetDevice(&device), "asking for the device");
-  check(cudaDeviceGetAttribute(&s.shared_limit, cudaDevAttrMaxSharedMemoryPerBlockOptin, device), "asking for its shared memory");
-  check(cudaDeviceGetAttribute(&s.multiprocessors, cudaDevAttrMultiProcessorCount, device), "asking for its processors");
+  check(cudaDeviceGetAttribute(&s.shared_limit, cudaDevAttrMaxSharedMemoryPerBlockOptin, device),
+        "asking for its shared memory");
+  check(cudaDeviceGetAttribute(&s.multiprocessors, cudaDevAttrMultiProcessorCount, device),
+        "asking for its processors");
   check(cudaStreamCreateWithFlags(&s.stream, cudaStreamNonBlocking), "creating a stream");
   const std::vector<bool> hidden = coincident_hidden(balls);
   s.host_balls.reserve(std::max<std::size_t>(s.n, 1));
@@ -46,19 +48,22 @@ std::optional<Problem> FacetPipeline::State::plan(double alpha) {
   Problem p{};
   p.ball_count = static_cast<int>(s.n);
   p.alpha = alpha;
-  p.scale = static_cast<float>(std::ldexp(1.0, -static_cast<int>(std::ceil(std::log2(std::max(cutoff, 2.0))))));
+  p.scale = static_cast<float>(
+      std::ldexp(1.0, -static_cast<int>(std::ceil(std::log2(std::max(cutoff, 2.0))))));
   p.ghost_reach = 4;
   while (static_cast<double>(p.ghost_reach) < std::sqrt(largest) + 2) p.ghost_reach *= 2;
   p.origin = make_int4(s.low.x, s.low.y, s.low.z, 0);
   // Coordinates up to 2^24 from the origin are exact in single precision; both ends may round.
-  const double extent = std::max({static_cast<double>(s.high.x) - s.low.x, static_cast<double>(s.high.y) - s.low.y,
-                                  static_cast<double>(s.high.z) - s.low.z});
+  const double extent =
+      std::max({static_cast<double>(s.high.x) - s.low.x, static_cast<double>(s.high.y) - s.low.y,
+                static_cast<double>(s.high.z) - s.low.z});
   p.reach_slack = extent < 16777216.0 ? 0.0f : static_cast<float>(extent / 8388608.0);
   double width = std::ceil((cutoff + 2 * p.reach_slack) * (1 + 1e-4)) + 2;
   const auto cells = [&](std::int32_t low, std::int32_t high) {
     return std::floor((static_cast<double>(high) - low) / width) + 3;
   };
-  while (cells(s.low.x, s.high.x) * cells(s.low.y, s.high.y) * cells(s.low.z, s.high.z) > 8.0 * static_cast<double>(s.n) + 512) {
+  while (cells(s.low.x, s.high.x) * cells(s.low.y, s.high.y) * cells(s.low.z, s.high.z) >
+         8.0 * static_cast<double>(s.n) + 512) {
     width = std::ceil(width * 1.25);
   }
   p.cell_width = static_cast<int>(std::min(width, 2147483647.0));
@@ -73,24 +78,31 @@ std::optional<Problem> FacetPipeline::State::plan(double alpha) {
 }
 
 SortedBalls FacetPipeline::State::sort_into_cells(const Problem& p, EventTimer& timer) {
-  check(cudaMemcpyAsync(balls.get(), host_balls.get(), n * sizeof(int4), cudaMemcpyHostToDevice, stream), "copying the balls");
+  check(cudaMemcpyAsync(balls.get(), host_balls.get(), n * sizeof(int4), cudaMemcpyHostToDevice,
+                        stream),
+        "copying the balls");
   timer.mark(stage::kHostToDevice);
   // One fill: the counters, the cells' and the balls' counts.
   zero(zeroed.get(), (kCounterWords + p.cell_count + 1 + n) * 4);
   std::uint32_t* cell_count = zeroed.get() + kCounterWords;
-  gpu::assign_cells<<<blocks_for(n), kThreads, 0, stream>>>(p, balls.get(), cell_count, cell_and_rank.get());
+  gpu::assign_cells<<<blocks_for(n), kThreads, 0, stream>>>(p, balls.get(), cell_count,
+                                                            cell_and_rank.get());
   scan(cell_count, cell_start.get(), p.cell_count + 1);
-  gpu::sort_into_cells<<<blocks_for(n), kThreads, 0, stream>>>(p, balls.get(), cell_and_rank.get(), cell_start.get(), sorted.get(), index.get(), near.get(), cell.get());
+  gpu::sort_into_cells<<<blocks_for(n), kThreads, 0, stream>>>(p, balls.get(), cell_and_rank.get(),
+                                                               cell_start.get(), sorted.get(),
+                                                               index.get(), near.get(), cell.get());
   check(cudaGetLastError(), "sorting the balls");
   timer.mark(stage::kGrid);
-  return {sorted.get(), index.get(), near.get(), cell.get(), cell_start.get(), cell_start.get() + (p.cell_count - 1)};
+  return {sorted.get(), index.get(),      near.get(),
+          cell.get(),   cell_start.get(), cell_start.get() + (p.cell_count - 1)};
 }
 
 PipelineResult FacetPipeline::run(double alpha, bool tetrahedra_only, const CancelToken& cancel,
                                   StageTimes* times) {
   State& s = *state_;
   if (s.n == 0 || static_cast<double>(s.max_radius) * s.max_radius + alpha < 0) return {};
-  return tetrahedra_only ? s.run_tetrahedra(alpha, cancel, times) : s.run_whole(alpha, cancel, times);
+  return tetrahedra_only ? s.run_tetrahedra(alpha, cancel, times)
+                         : s.run_whole(alpha, cancel, times);
 }
 
 }  // namespace alphascope::gpu

@@ -1,5 +1,5 @@
-// Runs the facet kernels for one set of balls, alpha after alpha, and leaves the simplices in pinned
-// host memory. The engine face, fallbacks and device probing are gpu_engine.cu's business.
+// Runs the facet kernels for one set of balls, alpha after alpha, and leaves the simplices in
+// pinned host memory. The engine face, fallbacks and device probing are gpu_engine.cu's business.
 #pragma once
 
 #include <cstdint>

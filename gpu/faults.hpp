@@ -1,5 +1,6 @@
-// Faults on purpose, for tests: the n-th reservation of memory is refused, or from the n-th CUDA call on
-// every one fails, as when a device is lost. Off unless a test switches one on; one process at a time.
+// Faults on purpose, for tests: the n-th reservation of memory is refused, or from the n-th CUDA
+// call on every one fails, as when a device is lost. Off unless a test switches one on; one process
+// at a time.
 #pragma once
 
 #include <atomic>

@@ -12,7 +12,9 @@
 namespace alphascope {
 namespace {
 
-__global__ void prove(int* out) { out[threadIdx.x] = static_cast<int>(threadIdx.x * threadIdx.x); }
+__global__ void prove(int* out) {
+  out[threadIdx.x] = static_cast<int>(threadIdx.x * threadIdx.x);
+}
 
 std::string version_text(int version) {
   return std::to_string(version / 1000) + "." + std::to_string(version % 1000 / 10);
@@ -25,9 +27,11 @@ void run_probe() {
   prove<<<1, 32>>>(out.get());
   gpu::check(cudaGetLastError(), "starting a test kernel");
   int host[32] = {};
-  gpu::check(cudaMemcpy(host, out.get(), sizeof host, cudaMemcpyDeviceToHost), "running a test kernel");
+  gpu::check(cudaMemcpy(host, out.get(), sizeof host, cudaMemcpyDeviceToHost),
+             "running a test kernel");
   for (int i = 0; i < 32; ++i) {
-    if (host[i] != i * i) throw gpu::DeviceError("the GPU computed a wrong number in a test kernel");
+    if (host[i] != i * i)
+      throw gpu::DeviceError("the GPU computed a wrong number in a test kernel");
   }
 }
 
@@ -45,8 +49,9 @@ GpuDevice probe_device() {
     if (status == cudaErrorInsufficientDriver && driver == 0) {
       d.why_not = std::string("No NVIDIA driver was found.") + kFallback;
     } else if (status == cudaErrorInsufficientDriver) {
-      d.why_not = "The NVIDIA driver supports CUDA " + version_text(driver) + ", this program needs " +
-                  version_text(CUDART_VERSION) + ": update the driver." + kFallback;
+      d.why_not = "The NVIDIA driver supports CUDA " + version_text(driver) +
+                  ", this program needs " + version_text(CUDART_VERSION) + ": update the driver." +
+                  kFallback;
     } else {
       d.why_not = "No usable NVIDIA GPU (" + reason + ")." + kFallback;
     }
@@ -62,7 +67,8 @@ GpuDevice probe_device() {
     run_probe();
     d.usable = true;
   } catch (const std::exception& error) {
-    d.why_not = (d.name.empty() ? std::string("The GPU") : d.name) + " cannot be used: " + error.what() + "." + kFallback;
+    d.why_not = (d.name.empty() ? std::string("The GPU") : d.name) +
+                " cannot be used: " + error.what() + "." + kFallback;
   }
   return d;
 }
@@ -86,7 +92,8 @@ class GpuEngine : public Engine {
     if (std::isnan(request.alpha_angstrom2)) throw std::invalid_argument("alpha is not a number");
     std::string why_cpu = "beyond the GPU kernels' limits";
     try {
-      if (std::optional<AlphaComplex> complex = on_device(request, context)) return *std::move(complex);
+      if (std::optional<AlphaComplex> complex = on_device(request, context))
+        return *std::move(complex);
     } catch (const gpu::DeviceError& error) {
       pipeline_.reset();  // whatever it still holds is of no use
       why_cpu = error.what();
@@ -123,12 +130,13 @@ class GpuEngine : public Engine {
   std::optional<AlphaComplex> in_slabs(const AlphaRequest& request, const RunContext& context) {
     struct BeyondLimits {};
     try {
-      AlphaComplex complex = compute_in_slabs(*balls_, request, slabs_, context, [&](std::shared_ptr<const BallSet> part) {
-        gpu::FacetPipeline pipeline(*part);
-        std::optional<AlphaComplex> result = run(pipeline, *part, request, context);
-        if (!result) throw BeyondLimits{};
-        return *std::move(result);
-      });
+      AlphaComplex complex = compute_in_slabs(
+          *balls_, request, slabs_, context, [&](std::shared_ptr<const BallSet> part) {
+            gpu::FacetPipeline pipeline(*part);
+            std::optional<AlphaComplex> result = run(pipeline, *part, request, context);
+            if (!result) throw BeyondLimits{};
+            return *std::move(result);
+          });
       complex.engine.route += ", in " + std::to_string(slabs_) + " slabs";
       return complex;
     } catch (const BeyondLimits&) {
@@ -144,7 +152,8 @@ class GpuEngine : public Engine {
     complex.tetrahedra_only = request.tetrahedra_only;
     StageTimes whole;
     StageTimer wall(whole);
-    const gpu::PipelineResult result = pipeline.run(complex.alpha_on_lattice, request.tetrahedra_only, context.cancel, &complex.timings);
+    const gpu::PipelineResult result = pipeline.run(
+        complex.alpha_on_lattice, request.tetrahedra_only, context.cancel, &complex.timings);
     if (!result.fits) return std::nullopt;
     StageTimes host;
     StageTimer host_timer(host);

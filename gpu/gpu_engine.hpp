@@ -13,11 +13,11 @@ namespace alphascope {
 
 struct GpuDevice {
   bool usable = false;
-  std::string name;         // "NVIDIA H200"; empty without a device
+  std::string name;  // "NVIDIA H200"; empty without a device
   // When not usable: why, what to do, and that the CPU engine gives the same results. Not that it
   // runs instead, which is for whoever chooses the engine to say.
   std::string why_not;
-  std::string driver;       // "CUDA driver 13.0"
+  std::string driver;          // "CUDA driver 13.0"
   int compute_capability = 0;  // 90 for 9.0
   std::size_t memory_bytes = 0;
 };
@@ -25,8 +25,8 @@ struct GpuDevice {
 // Looks for a device and runs a small kernel on it; the answer is kept. Never throws.
 const GpuDevice& gpu_device();
 
-// Null when the device cannot be used: *why_not then says why. The engine falls back to the CPU's for
-// single requests that do not fit the device (its AlphaComplex says so in engine.route).
+// Null when the device cannot be used: *why_not then says why. The engine falls back to the CPU's
+// for single requests that do not fit the device (its AlphaComplex says so in engine.route).
 std::unique_ptr<Engine> make_gpu_engine(std::shared_ptr<const BallSet> balls, EngineOptions options,
                                         std::string* why_not);
 

@@ -5,7 +5,9 @@
 
 namespace alphascope::gpu {
 
-__device__ inline int grid_cell(int coordinate, int lower, int width) { return (coordinate - lower) / width + 1; }
+__device__ inline int grid_cell(int coordinate, int lower, int width) {
+  return (coordinate - lower) / width + 1;
+}
 
 __global__ void assign_cells(Problem p, const int4* balls, std::uint32_t* cell_count,
                              uint2* cell_and_rank) {
@@ -15,7 +17,9 @@ __global__ void assign_cells(Problem p, const int4* balls, std::uint32_t* cell_c
   const double square = static_cast<double>(static_cast<std::int64_t>(b.w) * b.w) + p.alpha;
   std::uint32_t cell = p.cell_count - 1;  // the dead: hidden (negative radius) or empty at alpha
   if (b.w > 0 && square >= 0) {
-    cell = (grid_cell(b.x, p.origin.x, p.cell_width) * p.ny + grid_cell(b.y, p.origin.y, p.cell_width)) * p.nz +
+    cell = (grid_cell(b.x, p.origin.x, p.cell_width) * p.ny +
+            grid_cell(b.y, p.origin.y, p.cell_width)) *
+               p.nz +
            grid_cell(b.z, p.origin.z, p.cell_width);
   }
   cell_and_rank[i] = make_uint2(cell, atomicAdd(&cell_count[cell], 1u));
@@ -32,10 +36,13 @@ __global__ void sort_into_cells(Problem p, const int4* balls, const uint2* cell_
   sorted[slot] = b;
   index[slot] = i;
   cell[slot] = c.x;
-  const float square = static_cast<float>(static_cast<double>(static_cast<std::int64_t>(b.w) * b.w) + p.alpha);
+  const float square =
+      static_cast<float>(static_cast<double>(static_cast<std::int64_t>(b.w) * b.w) + p.alpha);
   // 2^-16 is far above the roundings of the test of two balls.
   const float reach = sqrtf(fmaxf(square, 0.0f)) * (1.0f + 1.0f / 65536) + p.reach_slack;
-  const auto from_origin = [](int at, int origin) { return static_cast<float>(static_cast<std::int64_t>(at) - origin); };
+  const auto from_origin = [](int at, int origin) {
+    return static_cast<float>(static_cast<std::int64_t>(at) - origin);
+  };
   near[slot] = make_float4(from_origin(b.x, p.origin.x), from_origin(b.y, p.origin.y),
                            from_origin(b.z, p.origin.z), reach);
 }

@@ -1,5 +1,5 @@
-// What the runs for one set of balls share: device buffers, the plan of the grid, event timing. Included
-// by the pipeline's sources only.
+// What the runs for one set of balls share: device buffers, the plan of the grid, event timing.
+// Included by the pipeline's sources only.
 #pragma once
 
 #include <cub/device/device_scan.cuh>
@@ -18,16 +18,19 @@ namespace alphascope::gpu {
 
 inline constexpr int kThreads = 256;
 
-inline unsigned blocks_for(std::size_t items) { return static_cast<unsigned>((items + kThreads - 1) / kThreads); }
+inline unsigned blocks_for(std::size_t items) {
+  return static_cast<unsigned>((items + kThreads - 1) / kThreads);
+}
 
-// Differences stay exact in float and inside the double brackets.
-inline constexpr double kMaxCutoff = 16777216.0;
+// Below 2^24, by what the margins of the neighbour search may add: differences of neighbours stay
+// exact in single precision and within the double brackets.
+inline constexpr double kMaxCutoff = 16.7e6;
 
-// Start values of what is afterwards sized by counting: a list that is too short, or a staging area,
-// is noticed by the kernel and the run repeated with what it needed.
+// Start values of what is afterwards sized by counting: a list that is too short, or a staging
+// area, is noticed by the kernel and the run repeated with what it needed.
 inline constexpr int kFirstList = 32;
 inline constexpr int kFirstStaging = 12;  // a ball of the block
-inline constexpr int kMaxList = 4095;  // 12 bits of a staging key
+inline constexpr int kMaxList = 4095;     // 12 bits of a staging key
 
 // Counters of one run, together so that one copy brings them back.
 struct Counters {
@@ -88,7 +91,10 @@ class EventTimer {
       times_->stages.push_back({std::string(labels_[s]), milliseconds, false});
     }
   }
-  void restart() { labels_.clear(); if (times_ != nullptr) check(cudaEventRecord(events_[0], stream_), "recording an event"); }
+  void restart() {
+    labels_.clear();
+    if (times_ != nullptr) check(cudaEventRecord(events_[0], stream_), "recording an event");
+  }
 
  private:
   cudaStream_t stream_;
@@ -103,7 +109,8 @@ struct FacetPipeline::State {
   std::size_t n = 0;
   LatticePoint low, high;
   std::int32_t max_radius = 0;
-  // What earlier whole runs needed, by alpha: the longest neighbour list and the fullest staging area.
+  // What earlier whole runs needed, by alpha: the longest neighbour list and the fullest staging
+  // area.
   struct Need {
     double alpha;
     int list, staging;
@@ -124,7 +131,8 @@ struct FacetPipeline::State {
   PinnedBuffer<Counters> host_counters;
   DeviceBuffer<int4> balls, sorted;
   DeviceBuffer<uint2> cell_and_rank;
-  DeviceBuffer<std::uint32_t> zeroed;  // Counters, then the cells' counts, then the balls' tetrahedra
+  DeviceBuffer<std::uint32_t>
+      zeroed;  // Counters, then the cells' counts, then the balls' tetrahedra
   DeviceBuffer<std::uint32_t> index, cell, cell_start, exact_list;
   DeviceBuffer<float4> near;
   DeviceBuffer<std::uint8_t> vertex_state;
@@ -173,9 +181,12 @@ struct FacetPipeline::State {
 
   void scan(const std::uint32_t* in, std::uint32_t* out, std::size_t count) {
     std::size_t bytes = 0;
-    check(cub::DeviceScan::ExclusiveSum(nullptr, bytes, in, out, static_cast<int>(count), stream), "sizing a prefix sum");
+    check(cub::DeviceScan::ExclusiveSum(nullptr, bytes, in, out, static_cast<int>(count), stream),
+          "sizing a prefix sum");
     scratch.reserve(bytes);
-    check(cub::DeviceScan::ExclusiveSum(scratch.get(), bytes, in, out, static_cast<int>(count), stream), "a prefix sum");
+    check(cub::DeviceScan::ExclusiveSum(scratch.get(), bytes, in, out, static_cast<int>(count),
+                                        stream),
+          "a prefix sum");
   }
   void zero(void* data, std::size_t bytes) {
     check(cudaMemsetAsync(data, 0, bytes, stream), "clearing device memory");
@@ -204,15 +215,22 @@ struct FacetPipeline::State {
   HostSimplices<N> fetch(std::size_t count, bool whole) {
     DimensionBuffers& d = dimension[N - 1];
     d.host_vertices.reserve(count * N + count * N / 8);
-    check(cudaMemcpyAsync(d.host_vertices.get(), d.ordered.get(), count * N * 4, cudaMemcpyDeviceToHost, stream), "copying simplices");
+    check(cudaMemcpyAsync(d.host_vertices.get(), d.ordered.get(), count * N * 4,
+                          cudaMemcpyDeviceToHost, stream),
+          "copying simplices");
     HostSimplices<N> result;
     static_assert(sizeof(std::array<BallIndex, N>) == N * sizeof(std::uint32_t));
-    result.simplices = {reinterpret_cast<const std::array<BallIndex, N>*>(d.host_vertices.get()), count};
+    result.simplices = {reinterpret_cast<const std::array<BallIndex, N>*>(d.host_vertices.get()),
+                        count};
     if (whole) {
       d.host_value.reserve(count + count / 8);
       d.host_class.reserve(count + count / 8);
-      check(cudaMemcpyAsync(d.host_value.get(), d.ordered_value.get(), count * 4, cudaMemcpyDeviceToHost, stream), "copying alpha values");
-      check(cudaMemcpyAsync(d.host_class.get(), d.ordered_class.get(), count, cudaMemcpyDeviceToHost, stream), "copying classes");
+      check(cudaMemcpyAsync(d.host_value.get(), d.ordered_value.get(), count * 4,
+                            cudaMemcpyDeviceToHost, stream),
+            "copying alpha values");
+      check(cudaMemcpyAsync(d.host_class.get(), d.ordered_class.get(), count,
+                            cudaMemcpyDeviceToHost, stream),
+            "copying classes");
       result.values = {d.host_value.get(), count};
       result.classes = {reinterpret_cast<const SimplexClass*>(d.host_class.get()), count};
     }

@@ -1,5 +1,5 @@
-// What all kernels of one request share: the problem, the balls in cell order, the neighbour search, and
-// how simplices get their lexicographic places.
+// What all kernels of one request share: the problem, the balls in cell order, the neighbour
+// search, and how simplices get their lexicographic places.
 #pragma once
 
 #include <cuda_runtime.h>
@@ -15,16 +15,16 @@ inline constexpr int kMaxBallsPerBlock = 32;
 // What all kernels know about the request; passed by value.
 struct Problem {
   int ball_count;
-  int4 origin;  // of the grid (w unused), lattice units
+  int4 origin;                 // of the grid (w unused), lattice units
   int cell_width, nx, ny, nz;  // cells, with a border of empty ones
-  int cell_count;         // with one more for the dead
-  float reach_slack;      // lattice units: what rounding the coordinates can take from a distance
-  double alpha;           // square lattice units
-  float scale;            // power of two: scaled = lattice * scale
+  int cell_count;              // with one more for the dead
+  float reach_slack;  // lattice units: what rounding the coordinates can take from a distance
+  double alpha;       // square lattice units
+  float scale;        // power of two: scaled = lattice * scale
   std::int64_t ghost_reach;  // power of two above every sqrt(w + alpha), lattice units
   int balls_per_block;
-  int list_capacity;      // neighbours of a ball that fit the block's memory
-  int staging_capacity;   // simplices of one dimension that fit
+  int list_capacity;     // neighbours of a ball that fit the block's memory
+  int staging_capacity;  // simplices of one dimension that fit
 };
 
 // What a block's shared memory has room for.
@@ -36,21 +36,21 @@ struct BlockRoom {
   std::uint32_t kept;       // of those, with a tetrahedron in K_alpha
 };
 
-// What a run of blocks met. Sums over every `kSampled`-th block, from which the room of the next run
-// follows; maxima over all.
+// What a run of blocks met. Sums over every `kSampled`-th block, from which the room of the next
+// run follows; maxima over all.
 struct BlockStatistics {
   std::uint64_t balls, entries, entry_squares, triangles;
-  std::uint32_t longest_list;    // of one ball
+  std::uint32_t longest_list;               // of one ball
   std::uint32_t most_triangles, most_kept;  // of one ball that kernel III looked at
-  std::uint32_t deferred;        // balls that found no room and went to kernel III
+  std::uint32_t deferred;                   // balls that found no room and went to kernel III
 };
 
 // Balls in cell order.
 struct SortedBalls {
-  const int4* ball;         // x, y, z, radius
+  const int4* ball;            // x, y, z, radius
   const std::uint32_t* index;  // in the BallSet
-  // x, y, z from the grid's origin (nearest floats) and sqrt(w + alpha), rounded up so far that grown
-  // balls that meet are found to meet in single precision; lattice units.
+  // x, y, z from the grid's origin (nearest floats) and sqrt(w + alpha), rounded up so far that
+  // grown balls that meet are found to meet in single precision; lattice units.
   const float4* near;
   const std::uint32_t* cell;
   const std::uint32_t* cell_start;
@@ -64,16 +64,16 @@ struct DeviceSimplices {
   float* value;             // null when only tetrahedra are asked for
   std::uint8_t* simplex_class;
   std::uint32_t capacity;
-  std::uint32_t* cursor;    // simplices written (may pass capacity: then nothing counts)
-  std::uint32_t* start;     // per ball: its first simplex
-  std::uint32_t* count;     // per ball
+  std::uint32_t* cursor;  // simplices written (may pass capacity: then nothing counts)
+  std::uint32_t* start;   // per ball: its first simplex
+  std::uint32_t* count;   // per ball
 };
 
 // Lanes that look for the neighbours of one ball.
 inline constexpr int kSearchLanes = 16;
 
-// The balls of the 27 cells around a ball, numbered 0, 1, ...: nine rows of three cells, each a run of
-// slots. For half a warp, which keeps it in shared memory of its own.
+// The balls of the 27 cells around a ball, numbered 0, 1, ...: nine rows of three cells, each a run
+// of slots. For half a warp, which keeps it in shared memory of its own.
 struct Surroundings {
   std::uint32_t end[9];   // the numbers before the end of each row
   std::uint32_t base[9];  // slot less number, in each row
@@ -81,7 +81,8 @@ struct Surroundings {
   // All lanes of a warp call it.
   __device__ void load(const Problem& p, const SortedBalls& balls, std::uint32_t slot) {
     const int lane = threadIdx.x & (kSearchLanes - 1), r = lane < 9 ? lane : 8;
-    const std::uint32_t* row = balls.cell_start + balls.cell[slot] + ((r / 3 - 1) * p.ny + r % 3 - 1) * p.nz;
+    const std::uint32_t* row =
+        balls.cell_start + balls.cell[slot] + ((r / 3 - 1) * p.ny + r % 3 - 1) * p.nz;
     const std::uint32_t begin = row[-1], length = row[2] - begin;
     std::uint32_t sum = length;
 #pragma unroll
@@ -104,10 +105,12 @@ struct Surroundings {
   }
 };
 
-// Kernel I for two balls of one warp, half a warp each: lists the balls that theirs meets in `found`, in no
-// order. Returns the number of all, also of those that do not fit; 0 when not `active`.
-__device__ inline int search_neighbours(const Problem& p, const SortedBalls& balls, std::uint32_t slot,
-                                        bool active, Surroundings& around, std::uint32_t* found) {
+// Kernel I for two balls of one warp, half a warp each: lists the balls that theirs meets in
+// `found`, in no order. Returns the number of all, also of those that do not fit; 0 when not
+// `active`.
+__device__ inline int search_neighbours(const Problem& p, const SortedBalls& balls,
+                                        std::uint32_t slot, bool active, Surroundings& around,
+                                        std::uint32_t* found) {
   const int lane = threadIdx.x & (kSearchLanes - 1), half = threadIdx.x & kSearchLanes;
   const float4 b = balls.near[slot];
   around.load(p, balls, slot);
@@ -138,7 +141,8 @@ __global__ void place(DeviceSimplices<N> from, const std::uint32_t* offset, std:
                       float* value, std::uint8_t* simplex_class) {
   const std::uint32_t count = *from.cursor;
   if (count > from.capacity) return;  // the run will be repeated with room for all
-  for (std::uint32_t t = blockIdx.x * blockDim.x + threadIdx.x; t < count; t += gridDim.x * blockDim.x) {
+  for (std::uint32_t t = blockIdx.x * blockDim.x + threadIdx.x; t < count;
+       t += gridDim.x * blockDim.x) {
     const std::uint32_t i = from.vertices[static_cast<std::size_t>(t) * N];
     const std::uint32_t to = offset[i] + (t - from.start[i]);
     if constexpr (N == 4) {
@@ -147,7 +151,8 @@ __global__ void place(DeviceSimplices<N> from, const std::uint32_t* offset, std:
       reinterpret_cast<uint2*>(vertices)[to] = reinterpret_cast<const uint2*>(from.vertices)[t];
     } else {
       for (int v = 0; v < N; ++v) {
-        vertices[static_cast<std::size_t>(to) * N + v] = from.vertices[static_cast<std::size_t>(t) * N + v];
+        vertices[static_cast<std::size_t>(to) * N + v] =
+            from.vertices[static_cast<std::size_t>(t) * N + v];
       }
     }
     if (value != nullptr) {

@@ -4,7 +4,8 @@
 
 namespace alphascope::gpu {
 
-PipelineResult FacetPipeline::State::run_whole(double alpha, const CancelToken& cancel, StageTimes* times) {
+PipelineResult FacetPipeline::State::run_whole(double alpha, const CancelToken& cancel,
+                                               StageTimes* times) {
   State& s = *this;
   PipelineResult result;
   const std::optional<Problem> plan = s.plan(alpha);
@@ -47,14 +48,23 @@ PipelineResult FacetPipeline::State::run_whole(double alpha, const CancelToken& 
     timer.restart();
     const SortedBalls sorted = s.sort_into_cells(p, timer);
     Counters* c = s.counters();
-    const Output out{s.device_simplices<2>(true), s.device_simplices<3>(true), s.device_simplices<4>(true),
-                     s.vertex_state.get(), s.exact_list.get(), &c->exact_count, &c->needed_list,
-                     &c->needed_staging, &c->failures};
+    const Output out{s.device_simplices<2>(true),
+                     s.device_simplices<3>(true),
+                     s.device_simplices<4>(true),
+                     s.vertex_state.get(),
+                     s.exact_list.get(),
+                     &c->exact_count,
+                     &c->needed_list,
+                     &c->needed_staging,
+                     &c->failures};
     for (int d = 1; d < 4; ++d) s.zero(s.dimension[d].count.get(), s.n * 4);
     s.zero(s.vertex_state.get(), s.n);
-    const unsigned blocks = static_cast<unsigned>((s.n + p.balls_per_block - 1) / p.balls_per_block);
+    const unsigned blocks =
+        static_cast<unsigned>((s.n + p.balls_per_block - 1) / p.balls_per_block);
     const auto launch = [&](auto kernel, unsigned grid, const Problem& problem, std::size_t bytes) {
-      check(cudaFuncSetAttribute(kernel, cudaFuncAttributeMaxDynamicSharedMemorySize, static_cast<int>(bytes)), "preparing a kernel");
+      check(cudaFuncSetAttribute(kernel, cudaFuncAttributeMaxDynamicSharedMemorySize,
+                                 static_cast<int>(bytes)),
+            "preparing a kernel");
       kernel<<<grid, kBlockThreads, bytes, s.stream>>>(problem, sorted, out);
       check(cudaGetLastError(), "starting a kernel");
     };
@@ -70,17 +80,27 @@ PipelineResult FacetPipeline::State::run_whole(double alpha, const CancelToken& 
     s.zero(s.flags.get(), s.n * 4);
     check(cudaMemsetAsync(s.nearest.get(), 0xff, s.n * 4, s.stream), "clearing device memory");
     gather_vertices<<<4 * s.multiprocessors, kThreads, 0, s.stream>>>(
-        s.dimension[1].ordered.get(), s.dimension[1].ordered_value.get(), s.dimension[1].ordered_class.get(),
-        &c->cursor[0], static_cast<std::uint32_t>(s.dimension[1].simplices(2, true)), s.vertex_state.get(), s.flags.get(), s.nearest.get());
-    mark_vertices<<<blocks_for(s.n), kThreads, 0, s.stream>>>(p.ball_count, s.vertex_state.get(), s.flags.get(), s.present.get());
+        s.dimension[1].ordered.get(), s.dimension[1].ordered_value.get(),
+        s.dimension[1].ordered_class.get(), &c->cursor[0],
+        static_cast<std::uint32_t>(s.dimension[1].simplices(2, true)), s.vertex_state.get(),
+        s.flags.get(), s.nearest.get());
+    mark_vertices<<<blocks_for(s.n), kThreads, 0, s.stream>>>(p.ball_count, s.vertex_state.get(),
+                                                              s.flags.get(), s.present.get());
     s.scan(s.present.get(), s.dimension[0].offset.get(), s.n);
     place_vertices<<<blocks_for(s.n), kThreads, 0, s.stream>>>(
-        p.ball_count, s.balls.get(), s.vertex_state.get(), s.flags.get(), s.nearest.get(), s.present.get(),
-        s.dimension[0].offset.get(), s.dimension[0].ordered.get(), s.dimension[0].ordered_value.get(), s.dimension[0].ordered_class.get());
-    check(cudaMemcpyAsync(s.host_counters.get(), c, sizeof(Counters), cudaMemcpyDeviceToHost, s.stream), "copying the counts");
+        p.ball_count, s.balls.get(), s.vertex_state.get(), s.flags.get(), s.nearest.get(),
+        s.present.get(), s.dimension[0].offset.get(), s.dimension[0].ordered.get(),
+        s.dimension[0].ordered_value.get(), s.dimension[0].ordered_class.get());
+    check(cudaMemcpyAsync(s.host_counters.get(), c, sizeof(Counters), cudaMemcpyDeviceToHost,
+                          s.stream),
+          "copying the counts");
     std::uint32_t vertex_tail[2] = {0, 0};
-    check(cudaMemcpyAsync(&vertex_tail[0], s.present.get() + s.n - 1, 4, cudaMemcpyDeviceToHost, s.stream), "copying the counts");
-    check(cudaMemcpyAsync(&vertex_tail[1], s.dimension[0].offset.get() + s.n - 1, 4, cudaMemcpyDeviceToHost, s.stream), "copying the counts");
+    check(cudaMemcpyAsync(&vertex_tail[0], s.present.get() + s.n - 1, 4, cudaMemcpyDeviceToHost,
+                          s.stream),
+          "copying the counts");
+    check(cudaMemcpyAsync(&vertex_tail[1], s.dimension[0].offset.get() + s.n - 1, 4,
+                          cudaMemcpyDeviceToHost, s.stream),
+          "copying the counts");
     timer.mark(stage::kPrefixSum);
     check(cudaStreamSynchronize(s.stream), "computing facets");
 

@@ -27,7 +27,9 @@ std::uint64_t set_hash(const SimplexList<N>& list) {
 
 }  // namespace
 
-std::uint64_t tetrahedra_hash(const AlphaComplex& complex) { return set_hash(complex.tetrahedra); }
+std::uint64_t tetrahedra_hash(const AlphaComplex& complex) {
+  return set_hash(complex.tetrahedra);
+}
 
 std::uint64_t complex_hash(const AlphaComplex& complex) {
   std::uint64_t h = tetrahedra_hash(complex);

@@ -39,20 +39,21 @@ struct EngineCounter {
 struct EngineInfo {
   std::string name;    // "facet engine", "CGAL triangulation"
   std::string device;  // "CPU, 2 threads", "NVIDIA H200"
-  std::string route;   // "facet clipping", "regular triangulation, then threshold", "threshold of cached filtration"
+  std::string route;   // "facet clipping", "regular triangulation, then threshold", "threshold of
+                       // cached filtration"
   std::vector<EngineCounter> counters = {};  // empty where nothing is counted
 };
 
 struct AlphaComplex {
   Lattice lattice;
-  double alpha_on_lattice = 0;     // square lattice units: the exact threshold used
+  double alpha_on_lattice = 0;  // square lattice units: the exact threshold used
   // Then vertices, edges and triangles are empty, and tetrahedra have no alpha values or classes.
   bool tetrahedra_only = false;
   SimplexList<1> vertices;
   SimplexList<2> edges;
   SimplexList<3> triangles;
   SimplexList<4> tetrahedra;
-  std::uint64_t hash = 0;          // see complex_hash()
+  std::uint64_t hash = 0;  // see complex_hash()
   EngineInfo engine;
   StageTimes timings;
 

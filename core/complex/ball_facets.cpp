@@ -37,7 +37,8 @@ struct Collector {
  private:
   void tetrahedron(int k, int l, const float* value) {
     const BallIndex a = neighbours.ball(k), b = neighbours.ball(l);
-    insert(out.tetrahedra, first_tetrahedron, {i, j, std::min(a, b), std::max(a, b)}, value, nullptr);
+    insert(out.tetrahedra, first_tetrahedron, {i, j, std::min(a, b), std::max(a, b)}, value,
+           nullptr);
   }
   template <int N>
   static void insert(SimplexBuffer<N>& buffer, std::size_t first, std::array<BallIndex, N> simplex,
@@ -48,7 +49,8 @@ struct Collector {
     buffer.simplices.insert(buffer.simplices.begin() + offset, simplex);
     if (value != nullptr) buffer.values.insert(buffer.values.begin() + offset, *value);
     if (simplex_class != nullptr) {
-      buffer.classes.insert(buffer.classes.begin() + offset, static_cast<std::uint8_t>(*simplex_class));
+      buffer.classes.insert(buffer.classes.begin() + offset,
+                            static_cast<std::uint8_t>(*simplex_class));
     }
   }
 };
@@ -59,7 +61,8 @@ void BallFacets::load(std::uint32_t slot, std::span<const std::uint32_t> list) {
   i_ = grid_.ball[slot];
   weight_ = balls_.weight(i_);
   // A whole number above the radius of the disc, whatever the rounding of sqrt.
-  ghost_reach_ = static_cast<std::int64_t>(std::sqrt(static_cast<double>(weight_) + alpha_) * (1 + 1e-12)) + 2;
+  ghost_reach_ =
+      static_cast<std::int64_t>(std::sqrt(static_cast<double>(weight_) + alpha_) * (1 + 1e-12)) + 2;
   const std::size_t n = list.size();
   neighbours_.vectors.resize(n);
   neighbours_.balls.resize(n);
@@ -85,8 +88,8 @@ void BallFacets::load(std::uint32_t slot, std::span<const std::uint32_t> list) {
     largest_offset_ = std::max({largest_offset_, std::abs(x), std::abs(y), std::abs(z)});
     largest_power_ = std::max(largest_power_, std::abs(c));
   }
-  clip_bound_ = clip_error_bound(static_cast<double>(largest_offset_), static_cast<double>(largest_power_),
-                                 kUnitRoundoff);
+  clip_bound_ = clip_error_bound(static_cast<double>(largest_offset_),
+                                 static_cast<double>(largest_power_), kUnitRoundoff);
 }
 
 // Only balls that meet the grown ball j as well as ball i can cut their facet where pi <= alpha.
@@ -108,21 +111,23 @@ void BallFacets::collect_common(int j) {
 template <class T>
 void BallFacets::report(const FacetInput<Neighbours>& input, const Polygon<T>& polygon, int axis,
                         float edge_value, BlockOutput& out) {
-  Collector<Neighbours> sink{neighbours_,          i_, neighbours_.ball(input.j), out,
-                             out.triangles.size(), out.tetrahedra.size()};
+  Collector<Neighbours> sink{
+      neighbours_, i_, neighbours_.ball(input.j), out, out.triangles.size(), out.tetrahedra.size()};
   const auto sides = static_cast<std::size_t>(polygon.size);
   if (corner_in_.size() < sides) {
     corner_in_.resize(2 * sides);
     corner_value_.resize(2 * sides);
   }
-  report_facet<ExactDecider>(input, polygon, axis, edge_value, {corner_in_.data(), corner_value_.data()}, sink);
+  report_facet<ExactDecider>(input, polygon, axis, edge_value,
+                             {corner_in_.data(), corner_value_.data()}, sink);
 }
 
 bool BallFacets::filtered_facet(const FacetInput<Neighbours>& input, int axis, bool negative,
                                 float edge_value, BlockOutput& out) {
   filtered_.reserve(common_.size() + 3);
   Polygon<double>& polygon = filtered_;
-  const auto frame = make_facet_frame(lifted_as<double>(neighbours_.lifted(input.j)), axis, negative);
+  const auto frame =
+      make_facet_frame(lifted_as<double>(neighbours_.lifted(input.j)), axis, negative);
   start_polygon(polygon, frame, ghost_reach_);
   const double bound = clip_bound_;
   for (const int k : common_) {
@@ -140,8 +145,8 @@ bool BallFacets::filtered_facet(const FacetInput<Neighbours>& input, int axis, b
 }
 
 template <class Integer>
-void BallFacets::exact_facet(Polygon<Integer>& scratch, const FacetInput<Neighbours>& input, int axis,
-                             bool negative, float edge_value, BlockOutput& out) {
+void BallFacets::exact_facet(Polygon<Integer>& scratch, const FacetInput<Neighbours>& input,
+                             int axis, bool negative, float edge_value, BlockOutput& out) {
   scratch.reserve(common_.size() + 3);
   Polygon<Integer>& polygon = scratch;
   const LiftedInt j = neighbours_.lifted(input.j);
@@ -154,7 +159,8 @@ void BallFacets::exact_facet(Polygon<Integer>& scratch, const FacetInput<Neighbo
       const int sign = sign_of(polygon.corner(s).beyond(line));
       if (sign != 0) return sign;
       const int k = polygon.id(s), l = polygon.id(s + 1 == polygon.size ? 0 : s + 1);
-      return perturbed_cut(j, input.side_vector(k, axis), k < 0, input.side_vector(l, axis), l < 0, vm);
+      return perturbed_cut(j, input.side_vector(k, axis), k < 0, input.side_vector(l, axis), l < 0,
+                           vm);
     };
     if (clip(polygon, line, m, side) == ClipOutcome::empty) return;
   }
@@ -163,8 +169,8 @@ void BallFacets::exact_facet(Polygon<Integer>& scratch, const FacetInput<Neighbo
 
 void BallFacets::facet(int j, BlockOutput& out) {
   const LiftedInt& vj = neighbours_.lifted(j);
-  const FacetInput<Neighbours> input{neighbours_,  j, weight_, alpha_, ghost_reach_,
-                                     largest_offset_ < kBracketLimit};
+  const FacetInput<Neighbours> input{
+      neighbours_, j, weight_, alpha_, ghost_reach_, largest_offset_ < kBracketLimit};
   float edge_value = 0;
   if (decide_edge<ExactDecider>(input, &edge_value) == Decision::out) return;
   const FacetAxis axis = facet_axis(vj.x, vj.y, vj.z);
@@ -177,7 +183,8 @@ void BallFacets::facet(int j, BlockOutput& out) {
   } else {
     exact_facet(exact256_, input, axis.axis, axis.negative, edge_value, out);
   }
-  exact_milliseconds_ += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  exact_milliseconds_ +=
+      std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
 
 VertexState BallFacets::process(std::uint32_t slot, std::span<const std::uint32_t> list,

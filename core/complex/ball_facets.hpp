@@ -1,6 +1,6 @@
-// All facets, or only the tetrahedra, of one ball on the CPU: filtered first, exact where the filter cannot
-// decide. Owns the scratch memory of one thread. The kernel bodies are facet_polygon.hpp,
-// facet_complex.hpp and triangle_tetrahedra.hpp.
+// All facets, or only the tetrahedra, of one ball on the CPU: filtered first, exact where the
+// filter cannot decide. Owns the scratch memory of one thread. The kernel bodies are
+// facet_polygon.hpp, facet_complex.hpp and triangle_tetrahedra.hpp.
 #pragma once
 
 #include <array>
@@ -75,8 +75,12 @@ class BallFacets {
     int id(int s) const { return sides[static_cast<std::size_t>(s)].id; }
     const Line& line(int s) const { return sides[static_cast<std::size_t>(s)].line; }
     const FacetCorner<T>& corner(int s) const { return corners[static_cast<std::size_t>(s)]; }
-    void set_side(int s, int id, const Line& line) { sides[static_cast<std::size_t>(s)] = {line, id}; }
-    void meet(int s, const Line& k, const Line& l) { corners[static_cast<std::size_t>(s)].meet(k, l); }
+    void set_side(int s, int id, const Line& line) {
+      sides[static_cast<std::size_t>(s)] = {line, id};
+    }
+    void meet(int s, const Line& k, const Line& l) {
+      corners[static_cast<std::size_t>(s)].meet(k, l);
+    }
     void move(int from, int to) {
       sides[static_cast<std::size_t>(to)] = sides[static_cast<std::size_t>(from)];
       corners[static_cast<std::size_t>(to)] = corners[static_cast<std::size_t>(from)];
@@ -97,8 +101,8 @@ class BallFacets {
   TriangleEnds exact_triangle(const TriangleRows& triangle, int words);
   void collect_common(int j);
   void facet(int j, BlockOutput& out);
-  bool filtered_facet(const FacetInput<Neighbours>& input, int axis, bool negative, float edge_value,
-                      BlockOutput& out);
+  bool filtered_facet(const FacetInput<Neighbours>& input, int axis, bool negative,
+                      float edge_value, BlockOutput& out);
   template <class Integer>
   void exact_facet(Polygon<Integer>& scratch, const FacetInput<Neighbours>& input, int axis,
                    bool negative, float edge_value, BlockOutput& out);
@@ -119,7 +123,7 @@ class BallFacets {
   double clip_bound_ = 0;
   Neighbours neighbours_;
   std::vector<float> dx_, dy_, dz_, reach_;
-  std::vector<int> common_;  // slots of the balls that can cut the current facet
+  std::vector<int> common_;                    // slots of the balls that can cut the current facet
   std::vector<LiftedVector<double>> doubles_;  // the vectors once more
   std::vector<std::uint32_t> rows_;            // of the later neighbours
 

@@ -14,7 +14,8 @@ struct SetDifference {
 };
 
 struct Comparison {
-  bool tetrahedra_only = false;  // true when either side has only tetrahedra: the rest is not compared
+  bool tetrahedra_only =
+      false;  // true when either side has only tetrahedra: the rest is not compared
   SetDifference<1> vertices;
   SetDifference<2> edges;
   SetDifference<3> triangles;

@@ -23,8 +23,8 @@ struct NeighbourBlock {
   std::vector<std::uint32_t> end;  // per ball of the block: end of its list
 };
 
-// All slots whose grown ball may meet that of `slot`: a superset, by a margin far above the rounding
-// of float. Ascending by ball index.
+// All slots whose grown ball may meet that of `slot`: a superset, by a margin far above the
+// rounding of float. Ascending by ball index.
 void find_neighbours(const UniformGrid& grid, std::uint32_t slot, std::vector<std::uint32_t>& found,
                      std::vector<std::uint32_t>& row_hits) {
   constexpr float kMargin = 1.0f + 1.0f / (1 << 18);
@@ -65,7 +65,8 @@ struct BallRange {
 template <int N>
 void place(const SimplexBuffer<N>& from, std::size_t begin, std::size_t end, std::size_t to,
            SimplexList<N>& list) {
-  std::copy(from.simplices.begin() + begin, from.simplices.begin() + end, list.simplices.begin() + to);
+  std::copy(from.simplices.begin() + begin, from.simplices.begin() + end,
+            list.simplices.begin() + to);
   if (list.alpha_values.empty()) return;
   std::copy(from.values.begin() + begin, from.values.begin() + end, list.alpha_values.begin() + to);
   for (std::size_t s = begin; s < end && !from.classes.empty(); ++s) {
@@ -87,7 +88,8 @@ void complete_vertices(const BallSet& balls, const std::vector<VertexState>& sta
   std::vector<float> value(balls.size());
   enum : std::uint8_t { kHasEdge = 1, kBoundaryEdge = 2 };
   std::vector<std::uint8_t> flags(balls.size(), 0);
-  for (BallIndex i = 0; i < balls.size(); ++i) value[i] = static_cast<float>(-static_cast<double>(balls.weight(i)));
+  for (BallIndex i = 0; i < balls.size(); ++i)
+    value[i] = static_cast<float>(-static_cast<double>(balls.weight(i)));
   std::vector<float> nearest(balls.size(), HUGE_VALF);
   for (std::size_t e = 0; e < complex.edges.size(); ++e) {
     const bool interior = complex.edges.classes[e] == SimplexClass::interior;
@@ -145,7 +147,8 @@ FacetStatistics compute_facets(const BallSet& balls, const UniformGrid& grid,
     if (context.cancel.cancelled()) return;
     const auto [begin, end] = block_slots(b);
     for (std::size_t slot = begin; slot < end; ++slot) {
-      find_neighbours(grid, static_cast<std::uint32_t>(slot), neighbours[b].slots, row_hits.local());
+      find_neighbours(grid, static_cast<std::uint32_t>(slot), neighbours[b].slots,
+                      row_hits.local());
       neighbours[b].end.push_back(static_cast<std::uint32_t>(neighbours[b].slots.size()));
     }
   });
@@ -156,9 +159,8 @@ FacetStatistics compute_facets(const BallSet& balls, const UniformGrid& grid,
   std::vector<BlockOutput> outputs(block_count);
   std::vector<BallRange> ranges(grid.size());
   std::vector<VertexState> states(whole ? balls.size() : 0, VertexState::absent);
-  tbb::enumerable_thread_specific<std::unique_ptr<BallFacets>> workers([&] {
-    return std::make_unique<BallFacets>(balls, grid, complex.alpha_on_lattice, whole);
-  });
+  tbb::enumerable_thread_specific<std::unique_ptr<BallFacets>> workers(
+      [&] { return std::make_unique<BallFacets>(balls, grid, complex.alpha_on_lattice, whole); });
   tbb::parallel_for(std::size_t{0}, block_count, [&](std::size_t b) {
     if (context.cancel.cancelled()) return;
     BallFacets& worker = *workers.local();
@@ -171,8 +173,9 @@ FacetStatistics compute_facets(const BallSet& balls, const UniformGrid& grid,
       range.edge[0] = out.edges.size();
       range.triangle[0] = out.triangles.size();
       range.tetrahedron[0] = out.tetrahedra.size();
-      const VertexState state = worker.process(
-          static_cast<std::uint32_t>(slot), {neighbours[b].slots.data() + list_begin, list_end - list_begin}, out);
+      const VertexState state =
+          worker.process(static_cast<std::uint32_t>(slot),
+                         {neighbours[b].slots.data() + list_begin, list_end - list_begin}, out);
       if (whole) states[grid.ball[slot]] = state;
       range.edge[1] = out.edges.size();
       range.triangle[1] = out.triangles.size();
@@ -184,7 +187,9 @@ FacetStatistics compute_facets(const BallSet& balls, const UniformGrid& grid,
     out.triangles.shrink();
     out.tetrahedra.shrink();
     const std::size_t done = blocks_done.fetch_add(1, std::memory_order_relaxed) + 1;
-    if (done % 64 == 0) context.report(stage::kFilteredValidity, static_cast<double>(done) / static_cast<double>(block_count));
+    if (done % 64 == 0)
+      context.report(stage::kFilteredValidity,
+                     static_cast<double>(done) / static_cast<double>(block_count));
   });
   context.cancel.throw_if_cancelled();
   FacetStatistics statistics;
@@ -225,7 +230,8 @@ FacetStatistics compute_facets(const BallSet& balls, const UniformGrid& grid,
       const Place& to = places[grid.ball[slot]];
       place(outputs[b].edges, r.edge[0], r.edge[1], to.edge, complex.edges);
       place(outputs[b].triangles, r.triangle[0], r.triangle[1], to.triangle, complex.triangles);
-      place(outputs[b].tetrahedra, r.tetrahedron[0], r.tetrahedron[1], to.tetrahedron, complex.tetrahedra);
+      place(outputs[b].tetrahedra, r.tetrahedron[0], r.tetrahedron[1], to.tetrahedron,
+            complex.tetrahedra);
     }
     outputs[b] = {};
   });

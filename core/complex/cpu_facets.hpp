@@ -27,7 +27,6 @@ NeighbourMoments sample_neighbours(const UniformGrid& grid, std::size_t samples)
 // grid made for the same alpha, and appends the stages from kernel I on to its timings. Runs in the
 // calling task arena. Throws Cancelled, std::bad_alloc.
 FacetStatistics compute_facets(const BallSet& balls, const UniformGrid& grid,
-                               const RunContext& context, StageTimer& timer,
-                               AlphaComplex& complex);
+                               const RunContext& context, StageTimer& timer, AlphaComplex& complex);
 
 }  // namespace alphascope

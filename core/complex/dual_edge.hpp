@@ -1,8 +1,8 @@
-// The dual edge of a triangle ijk: the part of the line { x : pi_i = pi_j = pi_k } that the bisectors of
-// i with its other neighbours leave. Its ends are the orthocentres of the tetrahedra ijkl. One template
-// body for single precision (the GPU's hot path: laptop GPUs have almost no double precision) and
-// double (the CPU, and what single precision leaves open); every decision is certified or `unknown`,
-// and then exact_dual_edge.hpp decides.
+// The dual edge of a triangle ijk: the part of the line { x : pi_i = pi_j = pi_k } that the
+// bisectors of i with its other neighbours leave. Its ends are the orthocentres of the tetrahedra
+// ijkl. One template body for single precision (the GPU's hot path: laptop GPUs have almost no
+// double precision) and double (the CPU, and what single precision leaves open); every decision is
+// certified or `unknown`, and then exact_dual_edge.hpp decides.
 //
 // Legend (origin p_i; lifted vectors (d, c) as in orthosphere.hpp; u: unit roundoff):
 //   line     x(s) = foot + s n,  n = d_j × d_k,  foot = g × n / (2 |n|²),  g = c_j d_k - c_k d_j
@@ -10,8 +10,9 @@
 //   N, F, P, G  largest coordinates of n, foot, g × n, g
 // Only the part with pi_i <= alpha matters: |x|² <= w_i + alpha.
 //
-// Source: Masood, Ray, Natarajan, Comput. Geom. 90 (2020), compute the alpha complex per simplex; clipping
-// the dual edge, one interval instead of a polygon or of one test per 4-tuple and ball, is ours.
+// Source: Masood, Ray, Natarajan, Comput. Geom. 90 (2020), compute the alpha complex per simplex;
+// clipping the dual edge, one interval instead of a polygon or of one test per 4-tuple and ball, is
+// ours.
 #pragma once
 
 #include "core/complex/facet_complex.hpp"
@@ -19,8 +20,8 @@
 
 namespace alphascope {
 
-// u with a margin of 3 %, which covers the roundings of the bounds themselves. d are exact; c are the
-// nearest numbers.
+// u with a margin of 3 %, which covers the roundings of the bounds themselves. d are exact; c are
+// the nearest numbers.
 template <class Real>
 struct Rounding;
 template <>
@@ -32,8 +33,8 @@ struct Rounding<double> {
   static constexpr double u = 1.144e-16;
 };
 
-// a b - c d within 2 u of its value. Single precision: W. Kahan's, see C.-P. Jeannerod et al., Math.
-// Comp. 82 (2013). Double: exact for the d, which are whole numbers below 2^25.
+// a b - c d within 2 u of its value. Single precision: W. Kahan's, see C.-P. Jeannerod et al.,
+// Math. Comp. 82 (2013). Double: exact for the d, which are whole numbers below 2^25.
 ALPHASCOPE_INLINE float difference_of_products(float a, float b, float c, float d) {
   const float product = c * d;
   return fmaf(a, b, -product) + fmaf(-c, d, product);
@@ -43,8 +44,12 @@ ALPHASCOPE_INLINE double difference_of_products(double a, double b, double c, do
 }
 
 // Explicit fma where it is one instruction; the bounds hold either way.
-ALPHASCOPE_INLINE float multiply_add(float a, float b, float c) { return fmaf(a, b, c); }
-ALPHASCOPE_INLINE double multiply_add(double a, double b, double c) { return a * b + c; }
+ALPHASCOPE_INLINE float multiply_add(float a, float b, float c) {
+  return fmaf(a, b, c);
+}
+ALPHASCOPE_INLINE double multiply_add(double a, double b, double c) {
+  return a * b + c;
+}
 
 template <class Vector>
 ALPHASCOPE_INLINE auto largest_coordinate(const Vector& v) {
@@ -57,15 +62,15 @@ ALPHASCOPE_INLINE auto largest_coordinate(const Vector& v) {
 template <class Real>
 class DualEdge {
  public:
-  // Where ball `cutter` ends the edge: t = ±s within `error`. cutter -1: the boundary of the disc, or
-  // somewhat beyond.
+  // Where ball `cutter` ends the edge: t = ±s within `error`. cutter -1: the boundary of the disc,
+  // or somewhat beyond.
   struct End {
     Real t, error;
     int cutter;
   };
 
-  // False when no point of the line has pi_i <= alpha, or the three centres are collinear (then ijk is
-  // no simplex). `radius_square` is the nearest number to w_i + alpha.
+  // False when no point of the line has pi_i <= alpha, or the three centres are collinear (then ijk
+  // is no simplex). `radius_square` is the nearest number to w_i + alpha.
   ALPHASCOPE_INLINE bool start(const LiftedVector<Real>& j, const LiftedVector<Real>& k,
                                Real radius_square) {
     n_ = {difference_of_products(j.y, k.z, j.z, k.y), difference_of_products(j.z, k.x, j.x, k.z),
@@ -73,19 +78,24 @@ class DualEdge {
     q_ = multiply_add(n_.x, n_.x, multiply_add(n_.y, n_.y, n_.z * n_.z));
     if (!(q_ > 0)) return false;
     const Vector3<Real> g{j.c * k.x - k.c * j.x, j.c * k.y - k.c * j.y, j.c * k.z - k.c * j.z};
-    const Vector3<Real> p{g.y * n_.z - g.z * n_.y, g.z * n_.x - g.x * n_.z, g.x * n_.y - g.y * n_.x};
+    const Vector3<Real> p{g.y * n_.z - g.z * n_.y, g.z * n_.x - g.x * n_.z,
+                          g.x * n_.y - g.y * n_.x};
     const Real r = Real(0.5) * rough_reciprocal(q_);
     foot_ = {p.x * r, p.y * r, p.z * r};
-    // Each product of g errs by 2 u (one from c), its difference by u; n errs by 2 u, each product of p
-    // by u, its difference by u; 1/|n|² by 12 u.
-    const Real n = largest_coordinate(n_), f = largest_coordinate(foot_), size = largest_coordinate(g);
-    const Real products = magnitude(j.c) * largest_coordinate(k) + magnitude(k.c) * largest_coordinate(j);
+    // Each product of g errs by 2 u (one from c), its difference by u; n errs by 2 u, each product
+    // of p by u, its difference by u; 1/|n|² by 12 u.
+    const Real n = largest_coordinate(n_), f = largest_coordinate(foot_),
+               size = largest_coordinate(g);
+    const Real products =
+        magnitude(j.c) * largest_coordinate(k) + magnitude(k.c) * largest_coordinate(j);
     const Real g_error = kU * (2 * products + size);
     foot_error_ = Real(1.01) * r * n * (2 * g_error + Real(6.1) * kU * size) + 15 * kU * f;
     slope_error_ = Real(5.1) * kU * n;
     offset_error_ = foot_error_ + Real(5.1) * kU * f;
-    foot_square_ = multiply_add(foot_.x, foot_.x, multiply_add(foot_.y, foot_.y, foot_.z * foot_.z));
-    square_error_ = foot_error_ * (6 * f + 3 * foot_error_) + kU * (5 * foot_square_ + 3 * radius_square);
+    foot_square_ =
+        multiply_add(foot_.x, foot_.x, multiply_add(foot_.y, foot_.y, foot_.z * foot_.z));
+    square_error_ =
+        foot_error_ * (6 * f + 3 * foot_error_) + kU * (5 * foot_square_ + 3 * radius_square);
     const Real room = radius_square - foot_square_ + square_error_;
     if (room < 0) return false;
     const Real tiny = Real(1e-30);
@@ -102,15 +112,18 @@ class DualEdge {
     const Vector3<Real> n{j.y * k.z - j.z * k.y, j.z * k.x - j.x * k.z, j.x * k.y - j.y * k.x};
     const Vector3<Real> g{j.c * k.x - k.c * j.x, j.c * k.y - k.c * j.y, j.c * k.z - k.c * j.z};
     const Real jj = largest_coordinate(j), kk = largest_coordinate(k);
-    // Plain products here: each coordinate of n errs by 3 u of its two products' bound, each of g by 4 u.
-    const Real n_error = 6 * kU * jj * kk, g_error = 4 * kU * (magnitude(j.c) * kk + magnitude(k.c) * jj);
+    // Plain products here: each coordinate of n errs by 3 u of its two products' bound, each of g
+    // by 4 u.
+    const Real n_error = 6 * kU * jj * kk,
+               g_error = 4 * kU * (magnitude(j.c) * kk + magnitude(k.c) * jj);
     const Real n_square = multiply_add(n.x, n.x, multiply_add(n.y, n.y, n.z * n.z));
     const Real g_square = multiply_add(g.x, g.x, multiply_add(g.y, g.y, g.z * g.z));
     const Real n_sum = magnitude(n.x) + magnitude(n.y) + magnitude(n.z);
     const Real g_sum = magnitude(g.x) + magnitude(g.y) + magnitude(g.z);
     // |foot|² = |g|² / (4 |n|²).
     return g_square * (1 - 8 * kU) - 2 * g_error * g_sum >
-           Real(4) * radius_square * (1 + 8 * kU) * (n_square + n_error * (2 * n_sum + 3 * n_error));
+           Real(4) * radius_square * (1 + 8 * kU) *
+               (n_square + n_error * (2 * n_sum + 3 * n_error));
   }
 
   // How ball m cuts the line: where s (d_m·n) = c_m / 2 - d_m·foot, each within its error.
@@ -120,8 +133,8 @@ class DualEdge {
   ALPHASCOPE_INLINE Cut cut_by(const LiftedVector<Real>& m) const {
     const Real length = magnitude(m.x) + magnitude(m.y) + magnitude(m.z);
     return {multiply_add(m.x, n_.x, multiply_add(m.y, n_.y, m.z * n_.z)),
-            multiply_add(-m.x, foot_.x, multiply_add(-m.y, foot_.y,
-                         multiply_add(-m.z, foot_.z, Real(0.5) * m.c))),
+            multiply_add(-m.x, foot_.x,
+                         multiply_add(-m.y, foot_.y, multiply_add(-m.z, foot_.z, Real(0.5) * m.c))),
             length * slope_error_,
             multiply_add(Real(2.6) * kU, magnitude(m.c), length * offset_error_)};
   }
@@ -129,8 +142,11 @@ class DualEdge {
   // Within the disc, does it certainly take nothing, or certainly all?
   enum class Takes { nothing, all, some };
   ALPHASCOPE_INLINE Takes takes(const Cut& cut) const {
-    const Real farthest = multiply_add(magnitude(cut.slope) + cut.slope_error, reach_, cut.offset_error);
-    return cut.offset > farthest ? Takes::nothing : cut.offset < -farthest ? Takes::all : Takes::some;
+    const Real farthest =
+        multiply_add(magnitude(cut.slope) + cut.slope_error, reach_, cut.offset_error);
+    return cut.offset > farthest    ? Takes::nothing
+           : cut.offset < -farthest ? Takes::all
+                                    : Takes::some;
   }
 
   // Cuts by ball `id`; true when nothing is left. A cut that is not understood is left out and
@@ -141,8 +157,8 @@ class DualEdge {
     const Real t = cut.offset * inverse;
     const Real size = magnitude(t);
     // (a - b t) / (slope - b) for errors a and b, |b| < |slope| / 8.
-    const Real error = multiply_add(6 * kU, size,
-                                    Real(1.15) * inverse * multiply_add(size, cut.slope_error, cut.offset_error));
+    const Real error = multiply_add(
+        6 * kU, size, Real(1.15) * inverse * multiply_add(size, cut.slope_error, cut.offset_error));
     const bool above = cut.slope > 0;
     const End old = above ? high_ : low_;
     const Real gain = old.t - t, doubt = error + old.error;
@@ -150,8 +166,8 @@ class DualEdge {
       unsure_ = true;
       return false;
     }
-    // Near the disc's boundary either answer is right: the tetrahedron is judged by within(). What is
-    // not a number must not pass for beyond it.
+    // Near the disc's boundary either answer is right: the tetrahedron is judged by within(). What
+    // is not a number must not pass for beyond it.
     if (old.cutter < 0 ? gain <= -error : gain < 0) return false;
     if (above) {
       high_ = {t, error, id};
@@ -163,8 +179,8 @@ class DualEdge {
 
   // After all cuts: was every cut understood, so that both ends are the right ones?
   ALPHASCOPE_INLINE bool ends_certain() const { return !unsure_; }
-  // Is there certainly an edge between them? An end at the disc's boundary does not matter: the other
-  // one is then judged by within().
+  // Is there certainly an edge between them? An end at the disc's boundary does not matter: the
+  // other one is then judged by within().
   ALPHASCOPE_INLINE bool certainly_there() const {
     return high_.cutter < 0 || low_.cutter < 0 || high_.t + low_.t > high_.error + low_.error;
   }

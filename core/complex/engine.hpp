@@ -1,5 +1,5 @@
-// What every engine promises. An engine is made once per set of balls (setup) and then asked for one
-// alpha after another.
+// What every engine promises. An engine is made once per set of balls (setup) and then asked for
+// one alpha after another.
 #pragma once
 
 #include <memory>
@@ -28,16 +28,19 @@ class Engine {
 // threads = 0: as many as the machine has.
 struct EngineOptions {
   int threads = 0;
-  // Keep the last whole complex, so that a smaller alpha is only a threshold; costs its memory again.
+  // Keep the last whole complex, so that a smaller alpha is only a threshold; costs its memory
+  // again.
   bool cache = true;
 };
 
 // Facet clipping for small alpha; hands over to CGAL's triangulation where that is faster, and
 // answers from a cached filtration when it holds one. (core/complex/facet_engine.cpp)
-std::unique_ptr<Engine> make_cpu_engine(std::shared_ptr<const BallSet> balls, EngineOptions options = {});
+std::unique_ptr<Engine> make_cpu_engine(std::shared_ptr<const BallSet> balls,
+                                        EngineOptions options = {});
 
 // CGAL's Regular_triangulation_3 (its parallel code from 3 threads on), then classification.
 // The reference that the other engines are compared with. (core/complex/cgal_engine.cpp)
-std::unique_ptr<Engine> make_cgal_engine(std::shared_ptr<const BallSet> balls, EngineOptions options = {});
+std::unique_ptr<Engine> make_cgal_engine(std::shared_ptr<const BallSet> balls,
+                                         EngineOptions options = {});
 
 }  // namespace alphascope

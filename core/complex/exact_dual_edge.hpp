@@ -7,18 +7,20 @@
 
 namespace alphascope {
 
-// Int128 holds orthocentre_cut for |d_x| < 2^17 and |c| < 2^36: |d_j × d_k| < 2^35, its products with c
-// and d_m < 2^88, twelve of them < 2^92. WideInt<4> holds it for every lattice: 2^61, 2^154.
-inline constexpr std::int64_t kSmallOffset = std::int64_t{1} << 17, kSmallPower = std::int64_t{1} << 36;
+// Int128 holds orthocentre_cut for |d_x| < 2^17 and |c| < 2^36: |d_j × d_k| < 2^35, its products
+// with c and d_m < 2^88, twelve of them < 2^92. WideInt<4> holds it for every lattice: 2^61, 2^154.
+inline constexpr std::int64_t kSmallOffset = std::int64_t{1} << 17,
+                              kSmallPower = std::int64_t{1} << 36;
 
 // +1 when ball m cuts off the orthocentre x of ijkl, else -1; ties broken by the perturbation. With
 // D = det(d_j, d_k, d_l), not 0: 2 D x = c_j d_k × d_l + c_k d_l × d_j + c_l d_j × d_k.
 template <class Integer>
-ALPHASCOPE_HOST_DEVICE int orthocentre_cut(const LiftedInt& j, const LiftedInt& k, const LiftedInt& l,
-                                           const LiftedInt& m) {
+ALPHASCOPE_HOST_DEVICE int orthocentre_cut(const LiftedInt& j, const LiftedInt& k,
+                                           const LiftedInt& l, const LiftedInt& m) {
   const auto kl = cross(k, l), lj = cross(l, j), jk = cross(j, k);
   const Integer cj(j.c), ck(k.c), cl(l.c);
-  const Integer d = Integer(j.x) * Integer(kl.x) + Integer(j.y) * Integer(kl.y) + Integer(j.z) * Integer(kl.z);
+  const Integer d =
+      Integer(j.x) * Integer(kl.x) + Integer(j.y) * Integer(kl.y) + Integer(j.z) * Integer(kl.z);
   const Integer x = cj * Integer(kl.x) + ck * Integer(lj.x) + cl * Integer(jk.x);
   const Integer y = cj * Integer(kl.y) + ck * Integer(lj.y) + cl * Integer(jk.y);
   const Integer z = cj * Integer(kl.z) + ck * Integer(lj.z) + cl * Integer(jk.z);
@@ -27,11 +29,12 @@ ALPHASCOPE_HOST_DEVICE int orthocentre_cut(const LiftedInt& j, const LiftedInt& 
   return sign != 0 ? sign : perturbed_cut(j, k, false, l, false, m);
 }
 
-// The ball that ends the dual edge of ijk on one side (+1: along d_j × d_k) if its tetrahedron is in
-// K_alpha, else -1. `next(m)` is the common neighbour of i, j and k after m, from next(-1) on, or -1.
-// `k` and results are slots of in.neighbours.
+// The ball that ends the dual edge of ijk on one side (+1: along d_j × d_k) if its tetrahedron is
+// in K_alpha, else -1. `next(m)` is the common neighbour of i, j and k after m, from next(-1) on,
+// or -1. `k` and results are slots of in.neighbours.
 template <class Integer, class Neighbours, class Next>
-ALPHASCOPE_HOST_DEVICE int exact_end(const FacetInput<Neighbours>& in, int k, int side, const Next& next) {
+ALPHASCOPE_HOST_DEVICE int exact_end(const FacetInput<Neighbours>& in, int k, int side,
+                                     const Next& next) {
   const LiftedInt vj = in.neighbours.lifted(in.j), vk = in.neighbours.lifted(k);
   int end = -1;
   LiftedInt v_end{};

@@ -1,10 +1,10 @@
-// What a finished facet polygon P_ij says about K_alpha: the edge ij, the triangles ijk on its sides
-// and the tetrahedra ijkl at its corners, with alpha values and classes. One template body for the
-// CPU and the CUDA executor; how the polygon was cut is facet_polygon.hpp's business.
+// What a finished facet polygon P_ij says about K_alpha: the edge ij, the triangles ijk on its
+// sides and the tetrahedra ijkl at its corners, with alpha values and classes. One template body
+// for the CPU and the CUDA executor; how the polygon was cut is facet_polygon.hpp's business.
 //
 // Why a local polygon suffices: it may lack cuts by balls outside N_alpha(i), but those only remove
-// points of pi_i > alpha. So wherever pi_i <= alpha the polygon is the true facet, and every simplex
-// of K_alpha has its witness there (docs/algorithm.md).
+// points of pi_i > alpha. So wherever pi_i <= alpha the polygon is the true facet, and every
+// simplex of K_alpha has its witness there (docs/algorithm.md).
 #pragma once
 
 #include "core/complex/facet_polygon.hpp"
@@ -23,8 +23,8 @@ struct FilteredDecider {
   static constexpr bool kExact = false;
 };
 
-// Is rho <= alpha? And its nearest float, when it is and `rounded` is not null. `exact` is called on
-// demand.
+// Is rho <= alpha? And its nearest float, when it is and `rounded` is not null. `exact` is called
+// on demand.
 template <class Decider, class Exact>
 ALPHASCOPE_INLINE Decision decide_rho(const Bracket& rho, double alpha, float* rounded,
                                       const Exact& exact) {
@@ -66,12 +66,12 @@ ALPHASCOPE_INLINE Decision decide_edge(const FacetInput<Neighbours>& in, float* 
 }
 
 template <class Decider, class Neighbours>
-ALPHASCOPE_INLINE Decision decide_triangle(const FacetInput<Neighbours>& in, int k, float* rounded) {
+ALPHASCOPE_INLINE Decision decide_triangle(const FacetInput<Neighbours>& in, int k,
+                                           float* rounded) {
   const LiftedInt j = in.neighbours.lifted(in.j), vk = in.neighbours.lifted(k);
-  const Bracket rho = in.brackets_hold
-                          ? triangle_rho(lifted_as<double>(j), lifted_as<double>(vk),
-                                         static_cast<double>(in.weight))
-                          : Bracket{0, HUGE_VAL};
+  const Bracket rho = in.brackets_hold ? triangle_rho(lifted_as<double>(j), lifted_as<double>(vk),
+                                                      static_cast<double>(in.weight))
+                                       : Bracket{0, HUGE_VAL};
   return decide_rho<Decider>(rho, in.alpha, rounded,
                              [&] { return exact_triangle_rho(j, vk, in.weight); });
 }
@@ -89,14 +89,14 @@ ALPHASCOPE_INLINE Decision decide_tetrahedron(const FacetInput<Neighbours>& in, 
                              [&] { return exact_tetrahedron_rho(j, vk, vl, in.weight); });
 }
 
-// Does ball (or ghost) m cut off the orthocentre of edge ij / triangle ijk? +1, 0 or -1, where 0 from
-// the filter means unknown, and from the exact test a tie (the value is then the same either way).
+// Does ball (or ghost) m cut off the orthocentre of edge ij / triangle ijk? +1, 0 or -1, where 0
+// from the filter means unknown, and from the exact test a tie (the value is then the same either
+// way).
 template <class Decider, class Neighbours>
 ALPHASCOPE_INLINE Decision edge_cut_by(const FacetInput<Neighbours>& in, int m) {
   const LiftedInt j = in.neighbours.lifted(in.j), vm = in.neighbours.lifted(m);
-  int side = in.brackets_hold
-                 ? edge_foot_cut_filtered(lifted_as<double>(j), lifted_as<double>(vm))
-                 : 0;
+  int side =
+      in.brackets_hold ? edge_foot_cut_filtered(lifted_as<double>(j), lifted_as<double>(vm)) : 0;
   if (side == 0) {
     if constexpr (!Decider::kExact) return Decision::unknown;
     side = edge_foot_cut_exact(j, vm);
@@ -121,7 +121,7 @@ ALPHASCOPE_INLINE Decision triangle_cut_by(const FacetInput<Neighbours>& in, int
 
 // Classes as numbers, so that this header needs no host type: 0 singular, 1 regular, 2 interior.
 struct FacetScratch {
-  signed char* corner_in = nullptr;   // per corner: Decision of its tetrahedron (out for ghosts)
+  signed char* corner_in = nullptr;  // per corner: Decision of its tetrahedron (out for ghosts)
   float* corner_value = nullptr;
 };
 
@@ -131,11 +131,10 @@ ALPHASCOPE_INLINE Decision side_triangle(const FacetInput<Neighbours>& in, const
                                          int axis, const FacetScratch& scratch, int s,
                                          float* value) {
   const int n = p.size, before = s == 0 ? n - 1 : s - 1, after = s + 1 == n ? 0 : s + 1;
-  const int ends[2] = {before, s};                  // corners
+  const int ends[2] = {before, s};  // corners
   const int cutters[2] = {p.id(before), p.id(after)};
   for (int e = 0; e < 2; ++e) {
-    const Decision cut =
-        triangle_cut_by<Decider>(in, p.id(s), in.side_vector(cutters[e], axis));
+    const Decision cut = triangle_cut_by<Decider>(in, p.id(s), in.side_vector(cutters[e], axis));
     if (cut == Decision::unknown) return Decision::unknown;
     if (cut == Decision::in) {
       *value = scratch.corner_value[ends[e]];
@@ -149,9 +148,8 @@ ALPHASCOPE_INLINE Decision side_triangle(const FacetInput<Neighbours>& in, const
 // sink.edge(value, class), sink.triangle(k_slot, value, class), sink.tetrahedron(k, l, value), the
 // latter two only for vertices after j. Returns false when a decision is unknown.
 template <class Decider, class Neighbours, class Polygon, class Sink>
-ALPHASCOPE_INLINE bool report_facet(const FacetInput<Neighbours>& in, const Polygon& p,
-                                    int axis, float edge_value, const FacetScratch& scratch,
-                                    Sink& sink) {
+ALPHASCOPE_INLINE bool report_facet(const FacetInput<Neighbours>& in, const Polygon& p, int axis,
+                                    float edge_value, const FacetScratch& scratch, Sink& sink) {
   const int n = p.size;
   const auto ball_j = in.neighbours.ball(in.j);
   bool all_corners_in = true;
@@ -184,7 +182,8 @@ ALPHASCOPE_INLINE bool report_facet(const FacetInput<Neighbours>& in, const Poly
     if (!any_triangle || value < attached_value) attached_value = value;
     any_triangle = true;
     if (in.neighbours.ball(k) > ball_j) {
-      const int cofaces = (scratch.corner_in[s] == 1) + (scratch.corner_in[s == 0 ? n - 1 : s - 1] == 1);
+      const int cofaces =
+          (scratch.corner_in[s] == 1) + (scratch.corner_in[s == 0 ? n - 1 : s - 1] == 1);
       sink.triangle(k, value, cofaces);
     }
   }

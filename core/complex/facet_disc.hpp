@@ -1,7 +1,7 @@
-// The disc in which the radical plane of i and j meets the grown ball i: { 2 d_j·x = c_j, |x|² <= w_i +
-// alpha }. Edge ij is in K_alpha only if some of its disc survives the other bisectors; most edges of
-// long neighbour lists die because a single ball covers it all. A cull: what it says is certain, what
-// it leaves is decided elsewhere. Host and device; legend of dual_edge.hpp.
+// The disc in which the radical plane of i and j meets the grown ball i: { 2 d_j·x = c_j, |x|² <=
+// w_i + alpha }. Edge ij is in K_alpha only if some of its disc survives the other bisectors; most
+// edges of long neighbour lists die because a single ball covers it all. A cull: what it says is
+// certain, what it leaves is decided elsewhere. Host and device; legend of dual_edge.hpp.
 #pragma once
 
 #include "core/complex/dual_edge.hpp"
@@ -19,8 +19,8 @@ class FacetDisc {
 
   ALPHASCOPE_INLINE bool certainly_empty() const { return square_ < 0; }
 
-  // Does ball m certainly cut off all of the disc? At its centre x, 2 d_m·x - c_m is `gap`; it falls by
-  // at most twice the disc's radius times the part of d_m across d_j.
+  // Does ball m certainly cut off all of the disc? At its centre x, 2 d_m·x - c_m is `gap`; it
+  // falls by at most twice the disc's radius times the part of d_m across d_j.
   ALPHASCOPE_INLINE bool certainly_covered_by(const LiftedVector<Real>& m) const {
     const Real along = multiply_add(m.x, j_.x, multiply_add(m.y, j_.y, m.z * j_.z));
     const Real length = multiply_add(m.x, m.x, multiply_add(m.y, m.y, m.z * m.z));

@@ -1,5 +1,5 @@
-// The CPU engine: facet clipping while alpha is small, CGAL's triangulation where that is faster, and
-// a threshold of what it already knows where it can.
+// The CPU engine: facet clipping while alpha is small, CGAL's triangulation where that is faster,
+// and a threshold of what it already knows where it can.
 #include <tbb/task_arena.h>
 
 #include <cmath>
@@ -15,18 +15,22 @@
 namespace alphascope {
 namespace {
 
-// Microseconds of one thread per ball: a fit to 1K4C (16,068 balls, alpha 0 to 5 and solvent 1.4: 5.7
-// to 36 neighbours a ball) on one core of an AMD EPYC. Only the choice of a route depends on it,
-// never a result.
+// Microseconds of one thread per ball: a fit to 1K4C (16,068 balls, alpha 0 to 5 and
+// solvent 1.4: 5.7 to 36 neighbours a ball) on one core of an AMD EPYC. Only the choice of a route
+// depends on it, never a result.
 double facet_cost(const NeighbourMoments& m, bool tetrahedra_only) {
   return tetrahedra_only ? 0.1 + 0.04 * m.mean + 0.006 * m.mean_square
                          : 0.1 + 0.18 * m.mean + 0.0042 * m.mean_square;
 }
 constexpr std::size_t kCostSamples = 256;
 // The same for the triangulation and, for a whole complex, its alpha values.
-double triangulation_cost(bool tetrahedra_only) { return tetrahedra_only ? 3.7 : 8.2; }
+double triangulation_cost(bool tetrahedra_only) {
+  return tetrahedra_only ? 3.7 : 8.2;
+}
 // Facets scale with the threads; the triangulation does so less.
-double triangulation_speed_up(int threads) { return std::pow(threads, 0.75); }
+double triangulation_speed_up(int threads) {
+  return std::pow(threads, 0.75);
+}
 
 class FacetEngine : public Engine {
  public:
@@ -48,7 +52,8 @@ class FacetEngine : public Engine {
     complex.timings = std::move(times);
     const int threads = arena_.max_concurrency();
     complex.engine.name = "facet engine";
-    complex.engine.device = "CPU, " + std::to_string(threads) + (threads == 1 ? " thread" : " threads");
+    complex.engine.device =
+        "CPU, " + std::to_string(threads) + (threads == 1 ? " thread" : " threads");
     return complex;
   }
 
@@ -81,8 +86,9 @@ class FacetEngine : public Engine {
     const bool local = search_cost < 2000.0 * static_cast<double>(grid.size()) + 1e6 &&
                        2 * largest_reach(grid) < kMaxFacetReach;
     const int threads = arena_.max_concurrency();
-    const bool clip = local && facet_cost(sample_neighbours(grid, kCostSamples), tetrahedra_only) / threads <
-                                   triangulation_cost(tetrahedra_only) / triangulation_speed_up(threads);
+    const bool clip =
+        local && facet_cost(sample_neighbours(grid, kCostSamples), tetrahedra_only) / threads <
+                     triangulation_cost(tetrahedra_only) / triangulation_speed_up(threads);
     timer.lap(stage::kGrid);
     return clip ? clipped(grid, alpha, tetrahedra_only, context, timer)
                 : triangulated(request, context, timer);
@@ -144,7 +150,8 @@ class FacetEngine : public Engine {
 
 }  // namespace
 
-std::unique_ptr<Engine> make_cpu_engine(std::shared_ptr<const BallSet> balls, EngineOptions options) {
+std::unique_ptr<Engine> make_cpu_engine(std::shared_ptr<const BallSet> balls,
+                                        EngineOptions options) {
   return std::make_unique<FacetEngine>(std::move(balls), options);
 }
 

@@ -66,9 +66,9 @@ struct FloatCorner {
     const float inverse = 1.0f / det;  // det > 0 in exact arithmetic
     y = (k.t * l.b - l.t * k.b) * inverse;
     z = (k.a * l.t - l.a * k.t) * inverse;
-    const float numerator_error =
-        sl * (k.offset_error + 2.0f * kU * fabsf(k.t)) + sk * (l.offset_error + 2.0f * kU * fabsf(l.t)) +
-        fabsf(k.t) * l.slope_error + fabsf(l.t) * k.slope_error;
+    const float numerator_error = sl * (k.offset_error + 2.0f * kU * fabsf(k.t)) +
+                                  sk * (l.offset_error + 2.0f * kU * fabsf(l.t)) +
+                                  fabsf(k.t) * l.slope_error + fabsf(l.t) * k.slope_error;
     const float size = fmaxf(fabsf(y), fabsf(z));
     // The quotient's two roundings are in the last term; a det that may vanish makes e infinite.
     e = det > 2.0f * det_error
@@ -108,8 +108,8 @@ struct FloatSideTest {
   }
   // True when no point of the box is cut off: the line can be skipped without looking at corners.
   ALPHASCOPE_INLINE bool spares(const FloatBox& box) const {
-    const float reach = fmaf(line.a, line.a > 0 ? box.y1 : box.y0,
-                             line.b * (line.b > 0 ? box.z1 : box.z0));
+    const float reach =
+        fmaf(line.a, line.a > 0 ? box.y1 : box.y0, line.b * (line.b > 0 ? box.z1 : box.z0));
     return reach + fmaf(by_size, box.size, constant) < line.t;
   }
   // +1 cut off, -1 kept, 0 not known (also when a corner is not a number).
@@ -138,8 +138,12 @@ struct FloatPolygon {
   ALPHASCOPE_INLINE FloatLine line(int s) const {
     return ids[s] < 0 ? ghost_line(ids[s], ghost_reach) : frame.line(neighbours.scaled(ids[s]));
   }
-  ALPHASCOPE_INLINE void set_side(int s, int id, const FloatLine&) { ids[s] = static_cast<short>(id); }
-  ALPHASCOPE_INLINE void meet(int s, const FloatLine& k, const FloatLine& l) { corners[s].meet(k, l); }
+  ALPHASCOPE_INLINE void set_side(int s, int id, const FloatLine&) {
+    ids[s] = static_cast<short>(id);
+  }
+  ALPHASCOPE_INLINE void meet(int s, const FloatLine& k, const FloatLine& l) {
+    corners[s].meet(k, l);
+  }
   ALPHASCOPE_INLINE void move(int from, int to) {
     ids[to] = ids[from];
     corners[to] = corners[from];

@@ -5,9 +5,9 @@
 //
 // Legend (lattice units, origin p_i; lifted vectors (d, c) as in orthosphere.hpp):
 //   plane     2 d_j·x = c_j, oriented and its axes renamed so that q = ±d_j has q.x = |d_j|_max > 0
-//   line k    2 (a y + b z) <= c      where  (a, b, c) = q.x (d_k.y, d_k.z, c_k) - d_k.x (q.y, q.z, e)
-//   side s    the part of a line that bounds the polygon; sides run counter-clockwise
-//   corner s  where side s meets side s+1:  (y, z) = (u, v) / (2 w),  w > 0
+//   line k    2 (a y + b z) <= c      where  (a, b, c) = q.x (d_k.y, d_k.z, c_k) - d_k.x (q.y, q.z,
+//   e) side s    the part of a line that bounds the polygon; sides run counter-clockwise corner s
+//   where side s meets side s+1:  (y, z) = (u, v) / (2 w),  w > 0
 // Source: N. P. Ranjanikar's thesis for the locality; clipping facets instead of enumerating
 // 4-tuples is ours (docs/algorithm.md).
 #pragma once
@@ -39,7 +39,8 @@ struct FacetFrame {
 };
 
 template <class T>
-ALPHASCOPE_INLINE FacetFrame<T> make_facet_frame(const LiftedVector<T>& j, int axis, bool negative) {
+ALPHASCOPE_INLINE FacetFrame<T> make_facet_frame(const LiftedVector<T>& j, int axis,
+                                                 bool negative) {
   LiftedVector<T> q = FacetFrame<T>::permuted(j, axis);
   if (negative) q = {-q.x, -q.y, -q.z, -q.c};
   return {q, axis};
@@ -64,7 +65,7 @@ inline constexpr int kGhostY = -1, kGhostZ = -2, kGhostYZ = -3;
 
 // The ghosts as lifted vectors (2 d·x <= c), with axes permuted back to those of the lattice.
 ALPHASCOPE_INLINE LiftedInt ghost_vector(int id, int axis, std::int64_t g) {
-  LiftedInt p = id == kGhostY ? LiftedInt{0, -1, 0, 2 * g}
+  LiftedInt p = id == kGhostY   ? LiftedInt{0, -1, 0, 2 * g}
                 : id == kGhostZ ? LiftedInt{0, 0, -1, 2 * g}
                                 : LiftedInt{0, 1, 1, 4 * g};
   if (axis == 1) return {p.z, p.x, p.y, p.c};
@@ -116,8 +117,8 @@ ALPHASCOPE_INLINE void start_polygon(Polygon& p, const FacetFrame<T>& frame, std
   start_polygon(p, Line{q, q, reach + reach}, Line{-q, T(0), reach}, Line{T(0), -q, reach});
 }
 
-// Cuts the polygon by a line. `side(s)` says whether the line cuts corner s off: +1 yes, -1 no, 0 not
-// known. With consistent signs the cut corners are one run of the cycle.
+// Cuts the polygon by a line. `side(s)` says whether the line cuts corner s off: +1 yes, -1 no, 0
+// not known. With consistent signs the cut corners are one run of the cycle.
 template <class Polygon, class SideOf>
 ALPHASCOPE_INLINE ClipOutcome clip(Polygon& p, const typename Polygon::Line& m, int id,
                                    const SideOf& side) {
@@ -129,8 +130,10 @@ ALPHASCOPE_INLINE ClipOutcome clip(Polygon& p, const typename Polygon::Line& m, 
     if (sign == 0) return ClipOutcome::uncertain;
     const bool cut = sign > 0;
     cut_count += cut;
-    if (s == 0) cut_zero = cut;
-    else if (cut && !previous) first = s;
+    if (s == 0)
+      cut_zero = cut;
+    else if (cut && !previous)
+      first = s;
     previous = cut;
   }
   if (cut_count == 0) return ClipOutcome::unchanged;
@@ -163,17 +166,18 @@ ALPHASCOPE_INLINE ClipOutcome clip(Polygon& p, const typename Polygon::Line& m, 
   return ClipOutcome::changed;
 }
 
-// Bound on the rounding error of the predicate value in floating point of unit roundoff u, for lines
-// of balls with |d_x| <= d and |c| <= c (both >= 1, c >= 4 g): |a|,|b| <= 2d², |line c| <= 2dc, the
-// corner terms <= 8 d³c and 8 d⁴, the three products of the value <= 16 d⁵c each, with at most 12
-// roundings on any path: 12 u · 48 d⁵c = 576 u d⁵c, and a margin for the second order.
+// Bound on the rounding error of the predicate value in floating point of unit roundoff u, for
+// lines of balls with |d_x| <= d and |c| <= c (both >= 1, c >= 4 g): |a|,|b| <= 2d², |line c| <=
+// 2dc, the corner terms <= 8 d³c and 8 d⁴, the three products of the value <= 16 d⁵c each, with at
+// most 12 roundings on any path: 12 u · 48 d⁵c = 576 u d⁵c, and a margin for the second order.
 template <class T>
 ALPHASCOPE_INLINE T clip_error_bound(T d, T c, T unit_roundoff) {
   return T(600) * unit_roundoff * (d * d) * (d * d) * (d * c);
 }
 
-// The clip predicate of one corner in double precision from integer vectors: does ball m cut off the
-// corner of facet ij where k and l (balls or ghosts) meet? +1, -1, or 0 when the filter cannot tell.
+// The clip predicate of one corner in double precision from integer vectors: does ball m cut off
+// the corner of facet ij where k and l (balls or ghosts) meet? +1, -1, or 0 when the filter cannot
+// tell.
 ALPHASCOPE_HOST_DEVICE inline int corner_cut_filtered(const LiftedInt& j, const FacetAxis& axis,
                                                       const LiftedInt& k, const LiftedInt& l,
                                                       const LiftedInt& m) {

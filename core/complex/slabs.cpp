@@ -1,6 +1,6 @@
-// Why a halo of one neighbourhood suffices: every simplex at an own ball v, whichever its lowest vertex,
-// is decided by balls that meet the grown ball v (docs/algorithm.md), and all of those are in the part.
-// So are all edges of v, from which its own value and class follow.
+// Why a halo of one neighbourhood suffices: every simplex at an own ball v, whichever its lowest
+// vertex, is decided by balls that meet the grown ball v (docs/algorithm.md), and all of those are
+// in the part. So are all edges of v, from which its own value and class follow.
 #include "core/complex/slabs.hpp"
 
 #include <algorithm>
@@ -9,13 +9,17 @@
 namespace alphascope {
 namespace {
 
-std::int32_t coordinate(const LatticePoint& p, int axis) { return axis == 0 ? p.x : axis == 1 ? p.y : p.z; }
+std::int32_t coordinate(const LatticePoint& p, int axis) {
+  return axis == 0 ? p.x : axis == 1 ? p.y : p.z;
+}
 
 int longest_axis(const BallSet& balls) {
   int longest = 0;
   std::int64_t extent = -1;
   for (int axis = 0; axis < 3; ++axis) {
-    const auto less = [axis](const LatticePoint& a, const LatticePoint& b) { return coordinate(a, axis) < coordinate(b, axis); };
+    const auto less = [axis](const LatticePoint& a, const LatticePoint& b) {
+      return coordinate(a, axis) < coordinate(b, axis);
+    };
     const auto [low, high] = std::minmax_element(balls.centres.begin(), balls.centres.end(), less);
     const std::int64_t length = std::int64_t{coordinate(*high, axis)} - coordinate(*low, axis);
     if (length > extent) {
@@ -111,7 +115,8 @@ AlphaComplex compute_in_slabs(const BallSet& balls, const AlphaRequest& request,
   result.tetrahedra_only = request.tetrahedra_only;
   StageTimer wall(result.timings);
   const int axis = balls.size() == 0 ? 0 : longest_axis(balls);
-  const std::vector<std::int32_t> bounds = balls.size() == 0 ? std::vector<std::int32_t>{} : slab_bounds(balls, axis, slabs);
+  const std::vector<std::int32_t> bounds =
+      balls.size() == 0 ? std::vector<std::int32_t>{} : slab_bounds(balls, axis, slabs);
   const double halo = meeting_distance(balls, result.alpha_on_lattice);
   Gathered<1> vertices;
   Gathered<2> edges;
@@ -125,7 +130,8 @@ AlphaComplex compute_in_slabs(const BallSet& balls, const AlphaRequest& request,
     part.balls->lattice = balls.lattice;
     for (BallIndex i = 0; i < balls.size(); ++i) {
       const std::int32_t at = coordinate(balls.centres[i], axis);
-      const bool after = s == 0 || at >= bounds[s - 1], before = s == bounds.size() || at < bounds[s];
+      const bool after = s == 0 || at >= bounds[s - 1],
+                 before = s == bounds.size() || at < bounds[s];
       if (!after && static_cast<double>(bounds[s - 1]) - at > halo) continue;
       if (!before && static_cast<double>(at) - bounds[s] > halo) continue;
       part.balls->centres.push_back(balls.centres[i]);

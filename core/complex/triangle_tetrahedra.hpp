@@ -1,10 +1,10 @@
-// From a triangle ijk of ball i and two of its neighbours to the tetrahedra at the ends of its dual edge:
-// one template body for the CPU and the CUDA executor.
+// From a triangle ijk of ball i and two of its neighbours to the tetrahedra at the ends of its dual
+// edge: one template body for the CPU and the CUDA executor.
 //
-// The neighbours of ball i are numbered by ball index. Each later neighbour j has a row of bits, 32 a
-// word: bit m says that m meets j as well as i. So the balls that can cut the dual edge of ijk are
-// row_j & row_k (docs/algorithm.md: what cuts it where pi_i <= alpha meets all three), and every tetrahedron
-// is found once, from its three lowest balls.
+// The neighbours of ball i are numbered by ball index. Each later neighbour j has a row of bits, 32
+// a word: bit m says that m meets j as well as i. So the balls that can cut the dual edge of ijk
+// are row_j & row_k (docs/algorithm.md: what cuts it where pi_i <= alpha meets all three), and
+// every tetrahedron is found once, from its three lowest balls.
 #pragma once
 
 #include "core/complex/dual_edge.hpp"
@@ -54,9 +54,11 @@ struct TriangleEnds {
   bool known;
 };
 
-// Clips by the neighbours of one word of bits, of which bit 0 is number `base`; true when nothing is left.
+// Clips by the neighbours of one word of bits, of which bit 0 is number `base`; true when nothing
+// is left.
 template <class Real, class Lifted>
-ALPHASCOPE_INLINE bool clip_by(DualEdge<Real>& edge, std::uint32_t bits, int base, const Lifted& lifted) {
+ALPHASCOPE_INLINE bool clip_by(DualEdge<Real>& edge, std::uint32_t bits, int base,
+                               const Lifted& lifted) {
   using Takes = typename DualEdge<Real>::Takes;
   for (; bits != 0; bits &= bits - 1) {
     const int m = base + lowest_bit(bits);
@@ -96,10 +98,11 @@ ALPHASCOPE_INLINE TriangleEnds filtered_ends(const TriangleRows& t, int words, R
 
 // Kernel III of one triangle in integers; Integer as orthocentre_cut() asks.
 template <class Integer, class Neighbours>
-ALPHASCOPE_HOST_DEVICE TriangleEnds exact_ends(const FacetInput<Neighbours>& in, const TriangleRows& t,
-                                               int words) {
+ALPHASCOPE_HOST_DEVICE TriangleEnds exact_ends(const FacetInput<Neighbours>& in,
+                                               const TriangleRows& t, int words) {
   const auto next = [&](int m) { return t.next_common(m, words); };
-  const int high = exact_end<Integer>(in, t.k, 1, next), low = exact_end<Integer>(in, t.k, -1, next);
+  const int high = exact_end<Integer>(in, t.k, 1, next),
+            low = exact_end<Integer>(in, t.k, -1, next);
   return {high > t.k ? high : -1, low > t.k ? low : -1, true};
 }
 

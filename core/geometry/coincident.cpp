@@ -7,7 +7,8 @@ namespace {
 
 std::uint64_t centre_hash(const LatticePoint& p) {
   std::uint64_t h = static_cast<std::uint32_t>(p.x);
-  h = (h ^ (static_cast<std::uint64_t>(static_cast<std::uint32_t>(p.y)) << 24)) * 0x9e3779b97f4a7c15u;
+  h = (h ^ (static_cast<std::uint64_t>(static_cast<std::uint32_t>(p.y)) << 24)) *
+      0x9e3779b97f4a7c15u;
   h = (h ^ (h >> 29) ^ static_cast<std::uint32_t>(p.z)) * 0xbf58476d1ce4e5b9u;
   return h ^ (h >> 32);
 }

@@ -25,19 +25,27 @@ Bracket bracket(const LiftedSimplex& s) {
   LiftedVector<double> v[3];
   for (int n = 0; n < s.others; ++n) v[n] = lifted_as<double>(s.v[n]);
   switch (s.others) {
-    case 0: return {-weight, 0};
-    case 1: return edge_rho(v[0], weight);
-    case 2: return triangle_rho(v[0], v[1], weight);
-    default: return tetrahedron_rho(v[0], v[1], v[2], weight);
+    case 0:
+      return {-weight, 0};
+    case 1:
+      return edge_rho(v[0], weight);
+    case 2:
+      return triangle_rho(v[0], v[1], weight);
+    default:
+      return tetrahedron_rho(v[0], v[1], v[2], weight);
   }
 }
 
 ExactRho exact(const LiftedSimplex& s) {
   switch (s.others) {
-    case 0: return exact_vertex_rho(s.weight);
-    case 1: return exact_edge_rho(s.v[0], s.weight);
-    case 2: return exact_triangle_rho(s.v[0], s.v[1], s.weight);
-    default: return exact_tetrahedron_rho(s.v[0], s.v[1], s.v[2], s.weight);
+    case 0:
+      return exact_vertex_rho(s.weight);
+    case 1:
+      return exact_edge_rho(s.v[0], s.weight);
+    case 2:
+      return exact_triangle_rho(s.v[0], s.v[1], s.weight);
+    default:
+      return exact_tetrahedron_rho(s.v[0], s.v[1], s.v[2], s.weight);
   }
 }
 

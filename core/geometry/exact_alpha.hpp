@@ -1,4 +1,5 @@
-// Exact decisions about ortho-radii of simplices of a BallSet: the plain host face of orthosphere.hpp.
+// Exact decisions about ortho-radii of simplices of a BallSet: the plain host face of
+// orthosphere.hpp.
 #pragma once
 
 #include <span>

@@ -14,7 +14,8 @@
 #define ALPHASCOPE_INLINE inline __attribute__((always_inline))
 #endif
 
-// For large leaves that many places of a kernel call: inlined everywhere, they make the compiler slow.
+// For large leaves that many places of a kernel call: inlined everywhere, they make the compiler
+// slow.
 #ifdef __CUDACC__
 #define ALPHASCOPE_DEVICE_CALL __host__ __device__ __noinline__
 #else

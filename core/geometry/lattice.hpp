@@ -36,8 +36,7 @@ struct Lattice {
   // every engine and CGAL compare with. Decimal values such as 1.4 arrive without any rounding.
   double alpha_on_lattice(double alpha_angstrom2) const {
     const double value = alpha_angstrom2 * std::pow(10.0, 2 * digits);
-    return std::fabs(value) < 4.0e9 ? std::round(value * 1048576.0) / 1048576.0
-                                    : std::round(value);
+    return std::fabs(value) < 4.0e9 ? std::round(value * 1048576.0) / 1048576.0 : std::round(value);
   }
   friend bool operator==(const Lattice&, const Lattice&) = default;
 };

@@ -3,8 +3,8 @@
 //
 // A simplex is given relative to its first ball i: every other ball k is its lifted vector
 //   d = p_k - p_i,   c = |d|² + w_i - w_k,
-// so that the bisector of i and k is { x : 2 d·x = c } with x measured from p_i, and ball k has less
-// power distance than i where 2 d·x > c. The lattice bounds (lattice.hpp) give |d_x| < 2^30,
+// so that the bisector of i and k is { x : 2 d·x = c } with x measured from p_i, and ball k has
+// less power distance than i where 2 d·x > c. The lattice bounds (lattice.hpp) give |d_x| < 2^30,
 // |c| < 2^63; products below state the bits they need.
 #pragma once
 

@@ -1,8 +1,8 @@
-// What decides when five balls have equal power at a point: the symbolic perturbation of the weights
-// that CGAL's Regular_triangulation_3::side_of_oriented_power_sphere uses. The balls are ordered
-// lexicographically by centre; a later one has its weight decreased by infinitely more than all
-// earlier ones together. O. Devillers, M. Teillaud, Perturbations for Delaunay and weighted Delaunay
-// 3D triangulations, Comput. Geom. 44 (2011). Host and device.
+// What decides when five balls have equal power at a point: the symbolic perturbation of the
+// weights that CGAL's Regular_triangulation_3::side_of_oriented_power_sphere uses. The balls are
+// ordered lexicographically by centre; a later one has its weight decreased by infinitely more than
+// all earlier ones together. O. Devillers, M. Teillaud, Perturbations for Delaunay and weighted
+// Delaunay 3D triangulations, Comput. Geom. 44 (2011). Host and device.
 #pragma once
 
 #include "core/geometry/orthosphere.hpp"
@@ -30,8 +30,8 @@ ALPHASCOPE_HOST_DEVICE inline Int128 determinant(const LiftedInt& a, const Lifte
 //   e_l det(d_j, d_k, d_m)/D,  e_k det(d_l, d_j, d_m)/D,  e_j det(d_k, d_l, d_m)/D,  -e_m,
 // with D = det(d_j, d_k, d_l), and by e_i times 1 minus the sum of those quotients of real balls.
 // The first nonzero term in the order of the e decides; m's own term always does.
-ALPHASCOPE_HOST_DEVICE inline int perturbed_cut(const LiftedInt& j, const LiftedInt& k, bool k_ghost,
-                                                const LiftedInt& l, bool l_ghost,
+ALPHASCOPE_HOST_DEVICE inline int perturbed_cut(const LiftedInt& j, const LiftedInt& k,
+                                                bool k_ghost, const LiftedInt& l, bool l_ghost,
                                                 const LiftedInt& m) {
   const Int128 d = determinant(j, k, l);
   const Int128 term_j = determinant(k, l, m);
@@ -41,11 +41,8 @@ ALPHASCOPE_HOST_DEVICE inline int perturbed_cut(const LiftedInt& j, const Lifted
     LiftedInt centre;
     Int128 coefficient;  // times D, so its sign is relative to D's
   };
-  Term terms[5] = {{{0, 0, 0, 0}, d - term_j - term_k - term_l},
-                   {j, term_j},
-                   {k, term_k},
-                   {l, term_l},
-                   {m, -d}};
+  Term terms[5] = {
+      {{0, 0, 0, 0}, d - term_j - term_k - term_l}, {j, term_j}, {k, term_k}, {l, term_l}, {m, -d}};
   for (int a = 1; a < 5; ++a) {  // descending by centre; a ghost's coefficient is 0 wherever it is
     for (int b = a; b > 0 && lexicographically_less(terms[b - 1].centre, terms[b].centre); --b) {
       const Term swapped = terms[b];

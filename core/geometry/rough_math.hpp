@@ -1,6 +1,6 @@
-// Quick reciprocals and square roots for bounds and filtered values, within 4 u (u = 2^-24, 2^-53) of the
-// true value. Devices have an instruction for them; hosts divide. Results differ between machines in
-// the last bits, so nothing that is reported may depend on more than the bound.
+// Quick reciprocals and square roots for bounds and filtered values, within 4 u (u = 2^-24, 2^-53)
+// of the true value. Devices have an instruction for them; hosts divide. Results differ between
+// machines in the last bits, so nothing that is reported may depend on more than the bound.
 #pragma once
 
 #include <cmath>
@@ -19,7 +19,9 @@ ALPHASCOPE_INLINE float rough_reciprocal(float x) {
   return 1.0f / x;
 #endif
 }
-ALPHASCOPE_INLINE double rough_reciprocal(double x) { return 1.0 / x; }
+ALPHASCOPE_INLINE double rough_reciprocal(double x) {
+  return 1.0 / x;
+}
 
 // x > 0, a normal number.
 ALPHASCOPE_INLINE float rough_square_root(float x) {
@@ -31,6 +33,8 @@ ALPHASCOPE_INLINE float rough_square_root(float x) {
   return std::sqrt(x);
 #endif
 }
-ALPHASCOPE_INLINE double rough_square_root(double x) { return sqrt(x); }
+ALPHASCOPE_INLINE double rough_square_root(double x) {
+  return sqrt(x);
+}
 
 }  // namespace alphascope

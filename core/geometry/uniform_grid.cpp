@@ -14,7 +14,8 @@ constexpr double kReachMargin = 1.0 + 1e-5;
 constexpr double kMaxCellsPerBall = 4.0;
 
 struct Box {
-  LatticePoint low{std::numeric_limits<std::int32_t>::max(), std::numeric_limits<std::int32_t>::max(),
+  LatticePoint low{std::numeric_limits<std::int32_t>::max(),
+                   std::numeric_limits<std::int32_t>::max(),
                    std::numeric_limits<std::int32_t>::max()};
   LatticePoint high{std::numeric_limits<std::int32_t>::min(),
                     std::numeric_limits<std::int32_t>::min(),

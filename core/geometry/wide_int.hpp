@@ -1,6 +1,6 @@
 // Fixed-width signed integers beyond 64 bits, for exact predicates on host and device. Only what
-// predicates need: sums, products, signs, shifts, and the nearest double. Overflow wraps; the widths
-// are proven sufficient where they are chosen (orthosphere.hpp, facet_polygon.hpp).
+// predicates need: sums, products, signs, shifts, and the nearest double. Overflow wraps; the
+// widths are proven sufficient where they are chosen (orthosphere.hpp, facet_polygon.hpp).
 #pragma once
 
 #include <cstdint>
@@ -97,8 +97,12 @@ struct WideInt {
   }
 };
 
-ALPHASCOPE_HOST_DEVICE inline int sign_of(Int128 value) { return (value > 0) - (value < 0); }
-ALPHASCOPE_HOST_DEVICE inline int sign_of(std::int64_t value) { return (value > 0) - (value < 0); }
+ALPHASCOPE_HOST_DEVICE inline int sign_of(Int128 value) {
+  return (value > 0) - (value < 0);
+}
+ALPHASCOPE_HOST_DEVICE inline int sign_of(std::int64_t value) {
+  return (value > 0) - (value < 0);
+}
 template <int kLimbs>
 ALPHASCOPE_HOST_DEVICE int sign_of(const WideInt<kLimbs>& value) {
   return value.sign();

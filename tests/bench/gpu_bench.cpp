@@ -1,7 +1,7 @@
-// Checks and times the CUDA engine on a machine with a GPU: equality with the CPU engine first, byte
-// for byte, then medians. alphascope_gpu_bench DATA WORDS, WORDS any of check, time, huge, cgal (beside
-// time), only (no whole complex), or one:NAME:ALPHA[:SOLVENT]. Inputs are .balls files (make_balls.py),
-// so that the program needs nothing but the CUDA driver and libtbb.
+// Checks and times the CUDA engine on a machine with a GPU: equality with the CPU engine first,
+// byte for byte, then medians. alphascope_gpu_bench DATA WORDS, WORDS any of check, time, huge,
+// cgal (beside time), only (no whole complex), or one:NAME:ALPHA[:SOLVENT]. Inputs are .balls files
+// (make_balls.py), so that the program needs nothing but the CUDA driver and libtbb.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -39,7 +39,9 @@ BallSet read_balls(const std::string& path) {
         q[r] = ops[o + 4 * r + 3] * unit;
         for (int k = 0; k < 3; ++k) q[r] += ops[o + 4 * r + k] * base[a + k];
       }
-      balls.centres.push_back({static_cast<int>(std::lround(q[0])), static_cast<int>(std::lround(q[1])), static_cast<int>(std::lround(q[2]))});
+      balls.centres.push_back({static_cast<int>(std::lround(q[0])),
+                               static_cast<int>(std::lround(q[1])),
+                               static_cast<int>(std::lround(q[2]))});
       balls.radii.push_back(base[a + 3]);
     }
   }
@@ -50,20 +52,26 @@ template <int N>
 bool same(const SimplexList<N>& a, const SimplexList<N>& b) {
   return a.simplices == b.simplices && a.classes == b.classes &&
          a.alpha_values.size() == b.alpha_values.size() &&
-         (a.alpha_values.empty() || std::memcmp(a.alpha_values.data(), b.alpha_values.data(), a.alpha_values.size() * 4) == 0);
+         (a.alpha_values.empty() || std::memcmp(a.alpha_values.data(), b.alpha_values.data(),
+                                                a.alpha_values.size() * 4) == 0);
 }
 bool same(const AlphaComplex& a, const AlphaComplex& b) {
-  return same(a.vertices, b.vertices) && same(a.edges, b.edges) && same(a.triangles, b.triangles) && same(a.tetrahedra, b.tetrahedra);
+  return same(a.vertices, b.vertices) && same(a.edges, b.edges) && same(a.triangles, b.triangles) &&
+         same(a.tetrahedra, b.tetrahedra);
 }
 
 int failures = 0;
 bool with_cgal = false, with_whole = true;
 
-void check(const std::string& name, const BallSet& balls, double solvent, const std::vector<double>& alphas) {
+void check(const std::string& name, const BallSet& balls, double solvent,
+           const std::vector<double>& alphas) {
   auto grown = std::make_shared<BallSet>(with_solvent(balls, solvent));
   std::string why;
   auto gpu = make_gpu_engine(grown, {}, &why);
-  if (!gpu) { std::printf("no gpu engine: %s\n", why.c_str()); std::exit(2); }
+  if (!gpu) {
+    std::printf("no gpu engine: %s\n", why.c_str());
+    std::exit(2);
+  }
   auto cpu = make_cpu_engine(grown, {});
   for (const double alpha : alphas) {
     for (const bool only : {true, false}) {
@@ -71,8 +79,11 @@ void check(const std::string& name, const BallSet& balls, double solvent, const 
       const bool ok = same(a, b);
       failures += !ok;
       if (!ok || balls.size() > 2000) {
-        std::printf("%s %s s=%g a=%g %s: V %zu/%zu E %zu/%zu F %zu/%zu T %zu/%zu  %s\n", ok ? "ok  " : "DIFF", name.c_str(), solvent, alpha, only ? "tets" : "whole",
-                    a.vertices.size(), b.vertices.size(), a.edges.size(), b.edges.size(), a.triangles.size(), b.triangles.size(), a.tetrahedra.size(), b.tetrahedra.size(), a.engine.route.c_str());
+        std::printf("%s %s s=%g a=%g %s: V %zu/%zu E %zu/%zu F %zu/%zu T %zu/%zu  %s\n",
+                    ok ? "ok  " : "DIFF", name.c_str(), solvent, alpha, only ? "tets" : "whole",
+                    a.vertices.size(), b.vertices.size(), a.edges.size(), b.edges.size(),
+                    a.triangles.size(), b.triangles.size(), a.tetrahedra.size(),
+                    b.tetrahedra.size(), a.engine.route.c_str());
       }
     }
   }
@@ -82,7 +93,9 @@ void random_checks() {
   std::mt19937 rng(1);
   for (int round = 0; round < 60; ++round) {
     BallSet balls;
-    const int n = round < 6 ? round : 20 + round * 5, side = round % 3 == 0 ? 8 : round % 3 == 1 ? 40 : 3000;
+    const int n = round < 6 ? round : 20 + round * 5, side = round % 3 == 0   ? 8
+                                                             : round % 3 == 1 ? 40
+                                                                              : 3000;
     std::uniform_int_distribution<int> at(-side, side), radius(1, std::max(2, side / 2));
     for (int i = 0; i < n; ++i) {
       balls.centres.push_back({at(rng), at(rng), at(rng)});
@@ -92,15 +105,22 @@ void random_checks() {
     check("random " + std::to_string(round), balls, 0, {-0.1 * u, 0, 0.05 * u, 0.25 * u, u, 1e-6});
   }
   BallSet cubic;
-  for (int x = 0; x < 8; ++x) for (int y = 0; y < 8; ++y) for (int z = 0; z < 8; ++z) { cubic.centres.push_back({1000 * x, 1000 * y, 1000 * z}); cubic.radii.push_back(600); }
+  for (int x = 0; x < 8; ++x)
+    for (int y = 0; y < 8; ++y)
+      for (int z = 0; z < 8; ++z) {
+        cubic.centres.push_back({1000 * x, 1000 * y, 1000 * z});
+        cubic.radii.push_back(600);
+      }
   check("cubic lattice", cubic, 0, {0, 0.14, 0.39, 0.5, 1});
 }
 
-// CGAL's own route to the tetrahedra, triangulation and filter, each time from nothing (ms, median).
+// CGAL's own route to the tetrahedra, triangulation and filter, each time from nothing (ms,
+// median).
 double time_cgal(const std::shared_ptr<const BallSet>& balls, double alpha, int threads) {
   std::vector<double> t;
   for (int run = 0; run < (balls->size() > 200000 ? 1 : 5); ++run) {
-    t.push_back(make_cgal_engine(balls, {threads})->compute({alpha, true}, {}).timings.wall_milliseconds);
+    t.push_back(
+        make_cgal_engine(balls, {threads})->compute({alpha, true}, {}).timings.wall_milliseconds);
   }
   std::sort(t.begin(), t.end());
   return t[t.size() / 2];
@@ -110,8 +130,9 @@ void time_one(const std::string& name, const BallSet& balls, double solvent, dou
   const BallSet grown = with_solvent(balls, solvent);
   if (with_cgal && grown.size() < 4000000) {
     const auto shared = std::make_shared<const BallSet>(grown);
-    std::printf("CGAL %-6s n=%zu s=%g a=%g tets 1 thread %.1f ms, 16 threads %.1f ms\n", name.c_str(), grown.size(), solvent, alpha,
-                time_cgal(shared, alpha, 1), time_cgal(shared, alpha, 16));
+    std::printf("CGAL %-6s n=%zu s=%g a=%g tets 1 thread %.1f ms, 16 threads %.1f ms\n",
+                name.c_str(), grown.size(), solvent, alpha, time_cgal(shared, alpha, 1),
+                time_cgal(shared, alpha, 16));
   }
   gpu::FacetPipeline pipeline(grown);
   const double a = grown.lattice.alpha_on_lattice(alpha);
@@ -119,20 +140,28 @@ void time_one(const std::string& name, const BallSet& balls, double solvent, dou
     if (!only && !with_whole) continue;
     gpu::PipelineResult r;
     for (int w = 0; w < 3; ++w) r = pipeline.run(a, only, {}, nullptr);
-    if (!r.fits) { std::printf("%s does not fit\n", name.c_str()); continue; }
+    if (!r.fits) {
+      std::printf("%s does not fit\n", name.c_str());
+      continue;
+    }
     std::vector<double> t;
     const int runs = grown.size() > 4000000 ? 5 : 21;
     for (int i = 0; i < runs; ++i) {
       const auto start = std::chrono::steady_clock::now();
       r = pipeline.run(a, only, {}, nullptr);
-      t.push_back(std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
+      t.push_back(
+          std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
+              .count());
     }
     std::sort(t.begin(), t.end());
     StageTimes stages;
     pipeline.run(a, only, {}, &stages);
     stages = {};
     pipeline.run(a, only, {}, &stages);
-    std::printf("TIME %-6s n=%zu s=%g a=%g %-5s median %.3f ms min %.3f | T=%zu E=%zu exact balls %u |", name.c_str(), grown.size(), solvent, alpha, only ? "tets" : "whole", t[t.size() / 2], t[0], r.tetrahedra.simplices.size(), r.edges.simplices.size(), r.exact_balls);
+    std::printf(
+        "TIME %-6s n=%zu s=%g a=%g %-5s median %.3f ms min %.3f | T=%zu E=%zu exact balls %u |",
+        name.c_str(), grown.size(), solvent, alpha, only ? "tets" : "whole", t[t.size() / 2], t[0],
+        r.tetrahedra.simplices.size(), r.edges.simplices.size(), r.exact_balls);
     for (const auto& s : stages.stages) std::printf(" %s %.3f;", s.label.c_str(), s.milliseconds);
     std::printf("\n");
     std::fflush(stdout);
@@ -147,7 +176,8 @@ int main(int argc, char** argv) {
   with_cgal = what.find("cgal") != std::string::npos;
   with_whole = what.find("only") == std::string::npos;
   const auto& d = gpu_device();
-  std::printf("device: %s usable %d %s %s\n", d.name.c_str(), d.usable, d.driver.c_str(), d.why_not.c_str());
+  std::printf("device: %s usable %d %s %s\n", d.name.c_str(), d.usable, d.driver.c_str(),
+              d.why_not.c_str());
   if (what.find("check") != std::string::npos) {
     random_checks();
     std::printf("random: %d differences\n", failures);
@@ -170,7 +200,8 @@ int main(int argc, char** argv) {
     const std::size_t first = row.find(':'), second = row.find(':', first + 1);
     const std::string name = row.substr(0, first);
     const double solvent = second == std::string::npos ? 0 : std::stod(row.substr(second + 1));
-    time_one(name, read_balls(data + "/" + name + ".balls"), solvent, std::stod(row.substr(first + 1)));
+    time_one(name, read_balls(data + "/" + name + ".balls"), solvent,
+             std::stod(row.substr(first + 1)));
   }
   if (what.find("huge") != std::string::npos) {
     const BallSet balls = read_balls(data + "/1m4x.balls");

@@ -1,5 +1,5 @@
-// A device that is full or lost at any moment: the answer is the same, it is said where it came from, and
-// the engine is as good as new afterwards.
+// A device that is full or lost at any moment: the answer is the same, it is said where it came
+// from, and the engine is as good as new afterwards.
 #include "gpu/faults.hpp"
 
 #include <gtest/gtest.h>
@@ -22,13 +22,18 @@ class GpuFaults : public ::testing::TestWithParam<bool> {
   void TearDown() override { Faults::none(); }
 
   AlphaRequest request() const { return {0.5, GetParam()}; }
-  std::uint64_t expected_hash() const { return make_cpu_engine(balls_)->compute(request(), {}).hash; }
-  static bool on_cpu(const AlphaComplex& complex) { return complex.engine.route.find("on the CPU") != std::string::npos; }
+  std::uint64_t expected_hash() const {
+    return make_cpu_engine(balls_)->compute(request(), {}).hash;
+  }
+  static bool on_cpu(const AlphaComplex& complex) {
+    return complex.engine.route.find("on the CPU") != std::string::npos;
+  }
 
   std::shared_ptr<const BallSet> balls_;
 };
-INSTANTIATE_TEST_SUITE_P(Requests, GpuFaults, ::testing::Bool(),
-                         [](const auto& given) { return given.param ? "TetrahedraOnly" : "Whole"; });
+INSTANTIATE_TEST_SUITE_P(Requests, GpuFaults, ::testing::Bool(), [](const auto& given) {
+  return given.param ? "TetrahedraOnly" : "Whole";
+});
 
 TEST_P(GpuFaults, ARefusedReservationIsAnsweredInSlabs) {
   const std::uint64_t expected = expected_hash();

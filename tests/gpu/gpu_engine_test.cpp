@@ -1,5 +1,5 @@
-// The CUDA engine against the CPU's, byte for byte, on a machine with a device; and what is said where
-// there is none.
+// The CUDA engine against the CPU's, byte for byte, on a machine with a device; and what is said
+// where there is none.
 #include "gpu/gpu_engine.hpp"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,9 @@ void expect_same(const SimplexList<N>& a, const SimplexList<N>& b) {
   EXPECT_EQ(a.simplices, b.simplices);
   EXPECT_EQ(a.classes, b.classes);
   ASSERT_EQ(a.alpha_values.size(), b.alpha_values.size());
-  EXPECT_EQ(std::memcmp(a.alpha_values.data(), b.alpha_values.data(), a.alpha_values.size() * sizeof(float)), 0);
+  EXPECT_EQ(std::memcmp(a.alpha_values.data(), b.alpha_values.data(),
+                        a.alpha_values.size() * sizeof(float)),
+            0);
 }
 
 void expect_same_on_gpu(const std::shared_ptr<const BallSet>& balls, double alpha_angstrom2) {
@@ -47,7 +49,8 @@ TEST(Gpu, EqualsTheCpuOnHardSets) {
     SCOPED_TRACE(set.name);
     const auto balls = std::make_shared<const BallSet>(set.balls);
     const double unit = set.name == "random" ? 1e4 : 1;
-    for (const double alpha : {-1.0, 0.0, 0.25, 0.5, 1.0, 3.0, 40.0}) expect_same_on_gpu(balls, alpha * unit);
+    for (const double alpha : {-1.0, 0.0, 0.25, 0.5, 1.0, 3.0, 40.0})
+      expect_same_on_gpu(balls, alpha * unit);
   }
 }
 
@@ -59,15 +62,19 @@ TEST(Gpu, EqualsItselfFromRunToRun) {
   const auto engine = make_gpu_engine(balls, {}, nullptr);
   ASSERT_TRUE(engine);
   const AlphaComplex first = engine->compute({0.5, false}, {});
-  for (int run = 0; run < 20; ++run) expect_same(engine->compute({0.5, false}, {}).tetrahedra, first.tetrahedra);
+  for (int run = 0; run < 20; ++run)
+    expect_same(engine->compute({0.5, false}, {}).tetrahedra, first.tetrahedra);
 }
 
 // Run by ctest with a stand-in for the driver's library that claims to be old (old_driver.c).
 TEST(Gpu, SaysThatADriverIsTooOld) {
-  if (std::getenv("ALPHASCOPE_EXPECT_OLD_DRIVER") == nullptr) GTEST_SKIP() << "only with old_driver.c";
+  if (std::getenv("ALPHASCOPE_EXPECT_OLD_DRIVER") == nullptr)
+    GTEST_SKIP() << "only with old_driver.c";
   EXPECT_FALSE(gpu_device().usable);
-  EXPECT_NE(gpu_device().why_not.find("supports CUDA 10.2, this program needs"), std::string::npos) << gpu_device().why_not;
-  EXPECT_NE(gpu_device().why_not.find("update the driver"), std::string::npos) << gpu_device().why_not;
+  EXPECT_NE(gpu_device().why_not.find("supports CUDA 10.2, this program needs"), std::string::npos)
+      << gpu_device().why_not;
+  EXPECT_NE(gpu_device().why_not.find("update the driver"), std::string::npos)
+      << gpu_device().why_not;
 }
 
 TEST(Gpu, SaysWhyItCannotBeUsed) {

@@ -77,13 +77,17 @@ inline std::vector<EngineFactory> host_engines() {
 // The same suites are compiled a second time for the device's engines (tests/gpu).
 inline std::vector<EngineFactory> engines() {
   const std::string why_not = gpu_device().usable ? "" : gpu_device().why_not;
-  const auto tuples = [](auto balls) { return make_gpu_tuple_engine(std::move(balls), {}, nullptr); };
+  const auto tuples = [](auto balls) {
+    return make_gpu_tuple_engine(std::move(balls), {}, nullptr);
+  };
   return {{"gpu", [](auto balls) { return make_gpu_engine(std::move(balls), {}, nullptr); }, 1000,
            std::numeric_limits<double>::infinity(), why_not},
           {"gpu_tuples", tuples, 35, 3e6, why_not}};
 }
 #else
-inline std::vector<EngineFactory> engines() { return host_engines(); }
+inline std::vector<EngineFactory> engines() {
+  return host_engines();
+}
 #endif
 
 // What a suite of every engine derives from: skipped where there is no such engine.

@@ -1,5 +1,5 @@
-// Dual edges in single and double precision: whatever they decide must be what integers decide, on random
-// and on nearly degenerate neighbourhoods; and so must the discs' cull.
+// Dual edges in single and double precision: whatever they decide must be what integers decide, on
+// random and on nearly degenerate neighbourhoods; and so must the discs' cull.
 #include "core/complex/dual_edge.hpp"
 
 #include <gtest/gtest.h>
@@ -53,9 +53,12 @@ struct Ends {
 
 template <class Real>
 Ends ends_of(const Neighbourhood& n, Real radius_square, Real scale) {
-  if (DualEdge<Real>::certainly_outside(scaled(n.lifted(0), scale), scaled(n.lifted(1), scale), radius_square)) return {true, -1, -1};
+  if (DualEdge<Real>::certainly_outside(scaled(n.lifted(0), scale), scaled(n.lifted(1), scale),
+                                        radius_square))
+    return {true, -1, -1};
   DualEdge<Real> edge;
-  if (!edge.start(scaled(n.lifted(0), scale), scaled(n.lifted(1), scale), radius_square)) return {true, -1, -1};
+  if (!edge.start(scaled(n.lifted(0), scale), scaled(n.lifted(1), scale), radius_square))
+    return {true, -1, -1};
   for (int m = 2; m < kCount; ++m) {
     const auto cut = edge.cut_by(scaled(n.lifted(m), scale));
     const auto takes = edge.takes(cut);
@@ -83,7 +86,9 @@ class DualEdges : public ::testing::TestWithParam<int> {
       if (sign_of(determinant(n.lifted(0), n.lifted(1), n.lifted(l))) != side) continue;
       bool empty = true;
       for (int m = 2; m < kCount; ++m) {
-        if (m != l && orthocentre_cut<WideInt<4>>(n.lifted(0), n.lifted(1), n.lifted(l), n.lifted(m)) > 0) empty = false;
+        if (m != l &&
+            orthocentre_cut<WideInt<4>>(n.lifted(0), n.lifted(1), n.lifted(l), n.lifted(m)) > 0)
+          empty = false;
       }
       const ExactRho rho = exact_tetrahedron_rho(n.lifted(0), n.lifted(1), n.lifted(l), weight);
       if (empty && compare_exact(rho, alpha) <= 0) return l;
@@ -155,8 +160,10 @@ TEST_P(DualEdges, CoveredDiscsAreCovered) {
   std::size_t covered = 0;
   for (int round = 0; round < 40000; ++round) {
     const Neighbourhood n = random_neighbourhood(random, GetParam());
-    const double square = static_cast<double>(random() % static_cast<unsigned>(3 * GetParam() * GetParam()));
-    const FacetDisc<float> disc(scaled(n.lifted(0), scale), static_cast<float>(square) * scale * scale);
+    const double square =
+        static_cast<double>(random() % static_cast<unsigned>(3 * GetParam() * GetParam()));
+    const FacetDisc<float> disc(scaled(n.lifted(0), scale),
+                                static_cast<float>(square) * scale * scale);
     const auto j = lifted_as<double>(n.lifted(0)), m = lifted_as<double>(n.lifted(1));
     const double length = dot(j, j), depth = j.c * j.c / (4 * length);
     if (disc.certainly_empty()) {

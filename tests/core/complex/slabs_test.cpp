@@ -1,5 +1,5 @@
-// Slab by slab must give what the whole set gives: the same simplices, values and classes in the same
-// order, wherever the cuts fall.
+// Slab by slab must give what the whole set gives: the same simplices, values and classes in the
+// same order, wherever the cuts fall.
 #include "core/complex/slabs.hpp"
 
 #include <gtest/gtest.h>

@@ -51,6 +51,7 @@ Viewer::Viewer(Host& host, const ViewerOptions& options, Session::Services servi
                             host.wake();
                             return machine;
                           })),
+      benchmark_([&host] { host.wake(); }, services.make_engine),
       session_([&host] { host.wake(); }, std::move(services)) {
   fill_constants();
   state_.theme = options.light ? Theme::light : Theme::dark;
@@ -84,7 +85,9 @@ void Viewer::open(const std::filesystem::path& path) {
   session_.open(path);
 }
 
-bool Viewer::busy() const {
+bool Viewer::busy() const { return working() || benchmark_.busy(); }
+
+bool Viewer::working() const {
   const SessionActivity a = session_.activity();
   return state_.selection != sent_selection_ || a.opening.busy || a.computing.busy ||
          a.comparing.busy || a.timing.busy || !state_.gpu.known || scene_.busy();
@@ -135,6 +138,7 @@ void Viewer::take_machine() {
 
 void Viewer::take_session() {
   take_machine();
+  if (benchmark_.busy() && benchmark_.poll(state_.benchmark)) frames_due_ = kSettlingFrames;
   const SessionChanges changes = session_.poll();
   const SessionState& s = session_.state();
   if (changes.molecule && s.opened) take_molecule();
@@ -246,6 +250,11 @@ void Viewer::take_requests() {
     session_.cancel_comparison();
   }
   if (r.cancel_compare) session_.cancel_comparison();
+  if (r.run_benchmark) {
+    benchmark_.start(session_.state(), state_.benchmark_controls, state_.benchmark);
+  }
+  if (r.cancel_benchmark) benchmark_.cancel();
+  if (r.export_benchmark) benchmark_.save(state_.benchmark_controls, state_.benchmark);
   if (r.reset_view) scene_.reset_view();
   if (r.quit) quit_ = true;
   if (r.screenshot) {
@@ -380,7 +389,7 @@ void Viewer::shoot(const std::filesystem::path& path, ScriptedInput* input) {
 
 double Viewer::idle_seconds() const {
   if (frames_due_ > 0) return 0;
-  const double idle = busy() ? kBusyInterval : kIdleInterval;
+  const double idle = working() ? kBusyInterval : kIdleInterval;
   double wait = std::min(idle, scene_.seconds_to_refinement());
   if (state_.memory.playing_models) {
     wait = std::min(wait,
@@ -406,7 +415,7 @@ void Viewer::run() {
     compare_when_due();
     scene_.poll();
     const bool playing = state_.memory.playing || state_.memory.playing_models;
-    const bool due = frames_due_ > 0 || playing || busy() || scene_.wants_frame() ||
+    const bool due = frames_due_ > 0 || playing || working() || scene_.wants_frame() ||
                      state_.selection != sent_selection_;
     if (!due) continue;
     frames_due_ = std::max(0, frames_due_ - 1);

@@ -9,6 +9,7 @@
 
 #include "app/session/machine.hpp"
 #include "app/session/session.hpp"
+#include "app/viewer/benchmark.hpp"
 #include "app/viewer/model_playback.hpp"
 #include "app/viewer/options.hpp"
 #include "app/viewer/scene_controller.hpp"
@@ -48,6 +49,8 @@ class Viewer {
 
   void fill_constants();
   void take_session();  // results and failures into the state
+  // As busy(), but for a benchmark: frames drawn meanwhile would be in its times.
+  bool working() const;
   void take_machine();
   void take_molecule();
   void take_answer();
@@ -87,6 +90,7 @@ class Viewer {
   bool quit_ = false;
   bool patient_ = false;
   std::future<MachineInfo> machine_;  // looking for a GPU can take a second
+  Benchmark benchmark_;
   Session session_;  // last: its threads wake the host
 };
 

@@ -66,6 +66,15 @@ void view_menu(PanelContext& ctx) {
   ImGui::EndMenu();
 }
 
+void tools_menu(PanelContext& ctx) {
+  if (!begin_menu(ctx, "menu.tools", "Tools")) return;
+  if (menu_item(ctx, "menu.benchmark", "Benchmark…", nullptr, false, ctx.state.molecule.loaded)) {
+    ctx.state.memory.playing = ctx.state.memory.playing_models = false;
+    ctx.state.memory.show_benchmark = true;
+  }
+  ImGui::EndMenu();
+}
+
 void help_menu(PanelContext& ctx) {
   if (!begin_menu(ctx, "menu.help", "Help")) return;
   if (menu_item(ctx, "menu.cheat_sheet", "Mouse and keyboard", "F1")) {
@@ -115,6 +124,7 @@ void draw_menu_bar(PanelContext& ctx) {
   if (!ImGui::BeginMainMenuBar()) return;
   file_menu(ctx);
   view_menu(ctx);
+  tools_menu(ctx);
   help_menu(ctx);
   ImGui::EndMainMenuBar();
 }

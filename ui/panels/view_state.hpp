@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "ui/panels/benchmark_info.hpp"
 #include "ui/panels/controls.hpp"
 #include "ui/panels/view_info.hpp"
 #include "ui/theme.hpp"
@@ -27,6 +28,7 @@ struct Requests {
   std::optional<ScreenshotRequest> screenshot;
   bool compare = false, cancel = false, cancel_compare = false;
   bool reset_view = false, quit = false;
+  bool run_benchmark = false, cancel_benchmark = false, export_benchmark = false;
 };
 
 struct RadiiSetEntry {
@@ -52,6 +54,7 @@ enum class BrowserPurpose : std::uint8_t { molecule, radii_table };
 // What the panels remember between frames.
 struct PanelMemory {
   bool show_cheat_sheet = false, show_about = false, show_browser = false, show_save = false;
+  bool show_benchmark = false;
   std::filesystem::path browser_folder;  // empty: choose a sensible one
   std::string browser_typed;
   std::filesystem::path browser_selected;
@@ -89,6 +92,8 @@ struct ViewState {
   ResultInfo result;
   std::optional<EngineTimings> ours, cgal, cgal_parallel;  // the last: with all threads
   BadgeInfo badge;
+  BenchmarkControls benchmark_controls;
+  BenchmarkInfo benchmark;
   BusyInfo busy;
   ViewportInfo viewport;
   std::string device_text;  // "CPU · 2 threads"

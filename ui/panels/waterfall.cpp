@@ -44,9 +44,9 @@ double tick_step(double range, int most) {
   return step;
 }
 
-class Chart {
+class Waterfall {
  public:
-  Chart(PanelContext& ctx, double range, std::size_t lines)
+  Waterfall(PanelContext& ctx, double range, std::size_t lines)
       : ctx_(ctx), draw_(ImGui::GetWindowDrawList()), range_(std::max(range, 1e-6)) {
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const float width = ImGui::GetContentRegionAvail().x;
@@ -137,7 +137,7 @@ void draw_waterfall(PanelContext& ctx, float height) {
                         ? "No computation yet."
                         : "Not measured yet: move alpha once more with the same molecule.");
   } else {
-    Chart chart(ctx, range, lines.size());
+    Waterfall chart(ctx, range, lines.size());
     chart.axis();
     for (std::size_t i = 0; i < lines.size(); ++i) chart.line(lines[i], static_cast<int>(i));
   }

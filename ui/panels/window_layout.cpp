@@ -116,6 +116,7 @@ void draw_window(ViewState& state, WidgetRects& rects, const PanelFonts& fonts, 
   timings(ctx, left, top + middle - bottom, right, bottom);
   status(ctx, display.y - status_height, display.x, status_height);
   draw_file_browser(ctx);
+  draw_benchmark_page(ctx);
   draw_dialogs(ctx);
 }
 

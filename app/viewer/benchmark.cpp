@@ -1,0 +1,194 @@
+// See the header.
+#include "app/viewer/benchmark.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <stdexcept>
+
+#include "app/session/thesis_charts.hpp"
+#include "app/session/thesis_table.hpp"
+#include "core/chart/layout.hpp"
+#include "core/chart/svg.hpp"
+#include "core/molecule/provenance.hpp"
+#include "ui/panels/format.hpp"
+
+namespace alphascope {
+namespace {
+
+std::vector<std::string> columns() {
+  return {"alpha (Å²)",     "engine",          "memcpy (ms)", "kernel I (ms)", "prefix sum (ms)",
+          "kernel II (ms)", "kernel III (ms)", "other (ms)",  "cold (ms)",     "warm (ms)",
+          "speed-up",       "tetrahedra",      "of full (%)", "same as CGAL",  "note"};
+}
+
+std::string ms(const std::optional<double>& milliseconds) {
+  return milliseconds ? chart_number(*milliseconds) : "–";
+}
+
+std::vector<std::string> cells(const ThesisRow& row) {
+  const bool ok = row.measured();
+  const auto when = [ok](const std::string& text) { return ok ? text : std::string("–"); };
+  const ThesisStages& s = row.stages;
+  const auto ratio = row.speed_up();
+  const auto share = row.share_of_full();
+  std::string note = ok ? row.engine.device : "left out: " + row.skipped;
+  if (s.kernel1_has_kernel2) note += "; kernel I is I + II in one launch";
+  return {chart_number(row.alpha_angstrom2),
+          contestant_text(row),
+          ms(s.memcpy),
+          ms(s.kernel1),
+          ms(s.prefix_sum),
+          ms(s.kernel2),
+          ms(s.kernel3),
+          ms(s.other),
+          when(chart_number(row.cold_milliseconds)),
+          when(chart_number(row.warm_milliseconds)),
+          ratio ? ratio_text(*ratio) : "–",
+          when(with_separators(static_cast<long long>(row.tetrahedra))),
+          share ? chart_number(100 * *share) : "–",
+          !row.same_as_cgal   ? "not compared"
+          : *row.same_as_cgal ? "yes"
+                              : "NO",
+          note};
+}
+
+void show(const ThesisRow& row, BenchmarkInfo& info) {
+  info.rows.push_back(cells(row));
+  info.differs.push_back(row.same_as_cgal == false);
+}
+
+std::vector<std::string> lines(const ThesisReport& report) {
+  std::vector<std::string> text{machine_text(report.machine) + "; " + report.program};
+  for (const BreakEven& found : report.break_even) {
+    text.push_back(std::string(engine_id(found.choice)) +
+                   " beats CGAL with one thread up to: " + break_even_text(found));
+  }
+  return text;
+}
+
+ThesisOptions to_options(const BenchmarkControls& c, double solvent) {
+  ThesisOptions options;
+  options.alphas = parse_alphas(c.alphas);
+  for (const EngineChoice choice : thesis_engines(machine_info())) {
+    const bool wanted = choice == EngineChoice::tuples_gpu   ? c.tuples_gpu
+                        : choice == EngineChoice::gpu        ? c.gpu
+                        : choice == EngineChoice::tuples_cpu ? c.tuples_cpu
+                                                             : c.cpu;
+    if (wanted) options.engines.push_back(choice);
+  }
+  options.solvent_radius_angstrom = solvent;
+  options.repeats = c.runs;
+  options.seconds_per_row = c.seconds_per_row;
+  options.ablation = c.ablation;
+  return options;
+}
+
+ThesisMolecule to_molecule(const SessionState& session) {
+  const OpenedMolecule& opened = *session.opened;
+  const double solvent = session.request.solvent_radius_angstrom;
+  std::shared_ptr<const BallSet> balls = session.prepared->balls;
+  if (solvent != 0) balls = std::make_shared<const BallSet>(with_solvent(*balls, solvent));
+  std::string name = opened.molecule->source.filename().string();
+  name.erase(std::min(name.find('.'), name.size()));
+  return {name, balls,
+          provenance(*opened.molecule, opened.options.balls, session.prepared->report)};
+}
+
+}  // namespace
+
+std::vector<double> parse_alphas(const std::string& text) {
+  std::vector<double> alphas;
+  for (std::size_t k = 0; k < text.size();) {
+    const std::size_t start = text.find_first_not_of(" ,;", k);
+    if (start == std::string::npos) break;
+    k = std::min(text.find_first_of(" ,;", start), text.size());
+    const std::string word = text.substr(start, k - start);
+    char* end = nullptr;
+    const double alpha = std::strtod(word.c_str(), &end);
+    if (*end != '\0' || !std::isfinite(alpha)) {
+      throw std::invalid_argument("\"" + word + "\" is no alpha; write numbers such as 0, 1.4, 3");
+    }
+    alphas.push_back(alpha);
+  }
+  if (alphas.empty()) throw std::invalid_argument("Write at least one alpha, such as 0, 1.4, 3");
+  return alphas;
+}
+
+void Benchmark::start(const SessionState& session, const BenchmarkControls& controls,
+                      BenchmarkInfo& info) {
+  if (running_ || !session.opened || !session.prepared) return;
+  info = {};
+  info.columns = columns();
+  try {
+    const ThesisOptions options = to_options(controls, session.request.solvent_radius_angstrom);
+    const ThesisMolecule molecule = to_molecule(session);
+    report_ = nullptr;
+    failure_.clear();
+    finished_ = false;
+    arrived_ = std::make_shared<Arrived>();
+    worker_.submit(
+        [this, options, molecule, arrived = arrived_](const RunContext& context) {
+          const auto listener = [&](const ThesisRow& row) {
+            const std::lock_guard lock(arrived->mutex);
+            arrived->rows.push_back(row);
+          };
+          auto report = std::make_shared<const ThesisReport>(
+              run_thesis_suite({molecule}, options, factory_, context, listener));
+          return [this, report] {
+            report_ = report;
+            finished_ = true;
+          };
+        },
+        [this](const Worker::Failure& failure) {
+          failure_ =
+              failure.cancelled ? "Cancelled; what was measured so far is shown." : failure.message;
+          finished_ = true;
+        });
+    running_ = info.running = true;
+  } catch (const std::exception& e) {
+    info.error = e.what();
+  }
+}
+
+bool Benchmark::poll(BenchmarkInfo& info) {
+  worker_.poll();
+  if (!running_) return false;
+  bool changed = finished_;
+  {
+    const std::lock_guard lock(arrived_->mutex);
+    changed |= !arrived_->rows.empty();
+    for (const ThesisRow& row : arrived_->rows) show(row, info);
+    arrived_->rows.clear();
+  }
+  const Worker::Activity activity = worker_.activity();
+  changed |= info.progress != activity.stage;
+  info.running = !finished_;
+  info.progress = activity.stage;
+  info.share = activity.share;
+  if (!finished_) return changed;
+  running_ = false;
+  info.error = failure_;
+  if (!report_) return true;
+  info.charts = thesis_charts(*report_);
+  info.lines = lines(*report_);
+  info.complete = true;
+  return true;
+}
+
+void Benchmark::save(const BenchmarkControls& controls, BenchmarkInfo& info) const {
+  if (!report_) return;
+  info.error.clear();
+  info.exported.clear();
+  try {
+    const std::filesystem::path folder = controls.folder;
+    const auto figures = write_charts(thesis_charts(*report_), folder);
+    write_csv(to_csv(thesis_table(*report_)), folder / "thesis.csv");
+    info.exported = "Wrote thesis.csv and " + std::to_string(figures.size()) + " figures to " +
+                    std::filesystem::absolute(folder).string();
+  } catch (const std::exception& e) {
+    info.error = e.what();
+  }
+}
+
+}  // namespace alphascope

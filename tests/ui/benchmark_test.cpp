@@ -1,0 +1,92 @@
+// The benchmark page and what runs behind it.
+#include "app/viewer/benchmark.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/ui/panels_fixture.hpp"
+#include "tests/ui/viewer_fixture.hpp"
+
+namespace alphascope::testing {
+namespace {
+
+TEST(BenchmarkControlsText, AlphasAreNumbersBetweenCommasOrBlanks) {
+  EXPECT_EQ(parse_alphas("0, 1.4 -3;5"), (std::vector<double>{0, 1.4, -3, 5}));
+  for (const char* bad : {"", " , ", "1,x", "nan", "inf", "1e999"}) {
+    EXPECT_THROW(parse_alphas(bad), std::invalid_argument) << bad;
+  }
+}
+
+TEST(BenchmarkPage, OpensFromTheMenuAndAsksToRunCancelAndExport) {
+  Panels panels({1280, 800, 1});
+  panels.state = loaded_state();
+  panels.state.gpu = {true, false, "", "", "", 0, "There is no NVIDIA driver."};
+  panels.frame(2);
+  panels.click("menu.tools");
+  panels.click("menu.benchmark");
+  panels.frame(2);
+  ASSERT_TRUE(panels.rects.contains("benchmark.run"));
+  panels.click("benchmark.run");
+  EXPECT_TRUE(panels.state.requests.run_benchmark);
+  panels.click("benchmark.export");
+  EXPECT_FALSE(panels.state.requests.export_benchmark) << "there is nothing yet";
+  panels.state.benchmark.running = true;
+  panels.frame(2);
+  EXPECT_FALSE(panels.rects.contains("benchmark.run"));
+  panels.click("benchmark.close");
+  EXPECT_TRUE(panels.state.memory.show_benchmark) << "cancel first";
+  panels.click("benchmark.cancel");
+  EXPECT_TRUE(panels.state.requests.cancel_benchmark);
+  panels.state.benchmark.running = false;
+  panels.state.benchmark.complete = true;
+  panels.frame(2);
+  panels.click("benchmark.export");
+  EXPECT_TRUE(panels.state.requests.export_benchmark);
+  panels.click("benchmark.close");
+  EXPECT_FALSE(panels.state.memory.show_benchmark);
+}
+
+TEST_F(ViewerTest, TheBenchmarkMeasuresTheOpenMoleculeAndExportsIt) {
+  viewer_->open(crambin());
+  run("wait-idle\nclick menu.tools\nclick menu.benchmark\n");
+  BenchmarkControls& c = viewer_->state().benchmark_controls;
+  c.alphas = "0";
+  c.runs = 1;
+  c.folder = (folder_ / "out").string();
+  run("click benchmark.run\nwait-idle\nclick benchmark.page.1\nframes 3\n");
+  const BenchmarkInfo& b = viewer_->state().benchmark;
+  EXPECT_EQ(b.error, "");
+  EXPECT_TRUE(b.complete);
+  EXPECT_FALSE(b.running);
+  ASSERT_GE(b.rows.size(), 6u) << "CGAL, tuples, facets, three ablations";
+  for (const auto& row : b.rows) EXPECT_EQ(row.size(), b.columns.size());
+  for (const bool differs : b.differs) EXPECT_FALSE(differs);
+  EXPECT_GE(b.charts.size(), 5u);
+  run("click benchmark.export\nframes 2\n");
+  EXPECT_TRUE(fs::exists(folder_ / "out" / "thesis.csv"));
+  EXPECT_TRUE(fs::exists(folder_ / "out" / "speed-up.svg"));
+  EXPECT_NE(b.exported, "");
+  c.folder = (folder_ / "out" / "thesis.csv").string();
+  run("click benchmark.export\nframes 2\n");
+  EXPECT_NE(b.error, "") << "a file is no folder";
+}
+
+TEST_F(ViewerTest, ACancelledBenchmarkKeepsWhatItHasAndABadAlphaIsTold) {
+  viewer_->open(crambin());
+  run("wait-idle\nclick menu.tools\nclick menu.benchmark\n");
+  BenchmarkControls& c = viewer_->state().benchmark_controls;
+  c.alphas = "zero";
+  run("click benchmark.run\nframes 2\n");
+  const BenchmarkInfo& b = viewer_->state().benchmark;
+  EXPECT_NE(b.error.find("\"zero\""), std::string::npos);
+  c.alphas = "0, 1";
+  c.runs = 1000;
+  run("click benchmark.run\nframes 2\n");
+  EXPECT_TRUE(b.running);
+  run("click benchmark.cancel\nwait-idle\n");
+  EXPECT_FALSE(b.running);
+  EXPECT_FALSE(b.complete);
+  EXPECT_NE(b.error.find("Cancelled"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace alphascope::testing

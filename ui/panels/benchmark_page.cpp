@@ -1,0 +1,265 @@
+// The benchmark page: the thesis' table and figures for the open molecule. Modal, so that nothing
+// else takes the cores while it measures.
+#include <imgui.h>
+// Needs imgui.h first.
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/chart/layout.hpp"
+#include "ui/panels/format.hpp"
+#include "ui/panels/keys.hpp"
+#include "ui/panels/panels.hpp"
+
+namespace alphascope {
+namespace {
+
+ImU32 ink(const Palette& p, ChartInk ink) {
+  switch (ink) {
+    case ChartInk::text:
+      return to_u32(p.text);
+    case ChartInk::grid:
+      return to_u32(p.border);
+    case ChartInk::muted:
+    case ChartInk::axis:
+      break;
+  }
+  return to_u32(p.text_muted);
+}
+
+ImU32 ink_of_series(std::size_t n) {
+  const ChartColour c = chart_colour(n);
+  return IM_COL32(c.r, c.g, c.b, 255);
+}
+
+void dashed(ImDrawList* draw, ImVec2 from, ImVec2 to, ImU32 colour, float dash) {
+  const float dx = to.x - from.x, dy = to.y - from.y;
+  const float length = std::max(1.0f, std::sqrt(dx * dx + dy * dy));
+  for (float at = 0; at < length; at += 2 * dash) {
+    const float end = std::min(at + dash, length);
+    draw->AddLine({from.x + dx * at / length, from.y + dy * at / length},
+                  {from.x + dx * end / length, from.y + dy * end / length}, colour, 1);
+  }
+}
+
+void draw_chart(PanelContext& ctx, const Chart& chart) {
+  const ImVec2 origin = ImGui::GetCursorScreenPos();
+  const auto width_of = [](const std::string& text) { return ImGui::CalcTextSize(text.c_str()).x; };
+  const ChartDrawing d = lay_out(chart, ImGui::GetContentRegionAvail().x - ctx.px(8),
+                                 {ImGui::GetFontSize(), width_of});
+  ImDrawList* draw = ImGui::GetWindowDrawList();
+  const auto at = [&](float x, float y) { return ImVec2{origin.x + x, origin.y + y}; };
+  for (const ChartLine& l : d.lines) {
+    const ImU32 colour = l.series ? ink_of_series(*l.series) : ink(ctx.palette, l.ink);
+    if (l.dashed) {
+      dashed(draw, at(l.x0, l.y0), at(l.x1, l.y1), colour, ctx.px(4));
+    } else {
+      draw->AddLine(at(l.x0, l.y0), at(l.x1, l.y1), colour, l.series ? ctx.px(2) : 1);
+    }
+  }
+  std::string tip;
+  const auto over = [&](float x0, float y0, float x1, float y1, const std::string& what) {
+    if (ImGui::IsMouseHoveringRect(at(x0, y0), at(x1, y1))) tip = what;
+  };
+  for (const ChartBox& b : d.boxes) {
+    draw->AddRectFilled(at(b.x, b.y), at(b.x + b.width, b.y + b.height), ink_of_series(b.series));
+    over(b.x, b.y, b.x + b.width, b.y + b.height, b.tip);
+  }
+  const float r = ctx.px(3.5f);
+  for (const ChartDot& p : d.dots) {
+    draw->AddCircleFilled(at(p.x, p.y), r, ink_of_series(p.series));
+    over(p.x - r, p.y - r, p.x + r, p.y + r, p.tip);
+  }
+  for (const ChartText& t : d.texts) {
+    const float width = width_of(t.text), middle = ImGui::GetFontSize() / 2;
+    const float shift = t.anchor == ChartAnchor::start    ? 0
+                        : t.anchor == ChartAnchor::middle ? width / 2
+                                                          : width;
+    if (t.title) ImGui::PushFont(ctx.fonts.strong);
+    draw->AddText(at(t.x - shift, t.y - middle), ink(ctx.palette, t.ink), t.text.c_str());
+    if (t.title) ImGui::PopFont();
+  }
+  ImGui::Dummy({d.width, d.height + ctx.px(16)});
+  if (!tip.empty()) ImGui::SetTooltip("%s", tip.c_str());
+}
+
+void engine_box(PanelContext& ctx, const char* name, const char* label, bool& value, bool gpu) {
+  const bool usable = !gpu || ctx.state.gpu.usable;
+  ImGui::BeginDisabled(!usable);
+  bool shown = value && usable;
+  if (checkbox(ctx, name, label, shown)) value = shown;
+  ImGui::EndDisabled();
+  if (!usable) tooltip(ctx, ctx.state.gpu.why_not.c_str());
+  ImGui::SameLine(0, ctx.px(16));
+}
+
+void number_field(PanelContext& ctx, const char* name, const char* label, int& value, int most) {
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted(label);
+  ImGui::SameLine(0, ctx.px(6));
+  ImGui::SetNextItemWidth(ctx.px(56));
+  ImGui::PushID(name);
+  ImGui::InputInt("##value", &value, 0);
+  ImGui::PopID();
+  record(ctx, name);
+  value = std::clamp(value, 1, most);
+  ImGui::SameLine(0, ctx.px(16));
+}
+
+void controls(PanelContext& ctx) {
+  BenchmarkControls& c = ctx.state.benchmark_controls;
+  ImGui::BeginDisabled(ctx.state.benchmark.running);
+  row_label(ctx, "Alphas (Å²)");
+  ImGui::SetNextItemWidth(ctx.px(190));
+  ImGui::InputText("##alphas", &c.alphas);
+  record(ctx, "benchmark.alphas");
+  ImGui::SameLine(0, ctx.px(16));
+  number_field(ctx, "benchmark.runs", "runs", c.runs, 1000);
+  number_field(ctx, "benchmark.seconds", "at most seconds a row", c.seconds_per_row, 86400);
+  tooltip(ctx, "A row that cannot finish one run in this time is left out; nothing is estimated.");
+  ImGui::NewLine();
+  row_label(ctx, "Engines");
+  engine_box(ctx, "benchmark.tuples_gpu", "thesis' tuples, GPU", c.tuples_gpu, true);
+  engine_box(ctx, "benchmark.gpu", "GPU", c.gpu, true);
+  engine_box(ctx, "benchmark.tuples_cpu", "thesis' tuples, CPU", c.tuples_cpu, false);
+  engine_box(ctx, "benchmark.cpu", "CPU", c.cpu, false);
+  checkbox(ctx, "benchmark.ablation", "each optimisation off in turn", c.ablation);
+  tooltip(ctx, "Of the thesis' tuples, at the smallest alpha.");
+  ImGui::EndDisabled();
+}
+
+void run_row(PanelContext& ctx) {
+  ViewState& s = ctx.state;
+  BenchmarkInfo& b = s.benchmark;
+  row_label(ctx, "");
+  if (b.running) {
+    if (button(ctx, "benchmark.cancel", "Cancel", {ctx.px(100), 0})) {
+      s.requests.cancel_benchmark = true;
+    }
+    ImGui::SameLine(0, ctx.px(12));
+    ImGui::ProgressBar(static_cast<float>(b.share), {ctx.px(160), 0});
+    ImGui::SameLine(0, ctx.px(12));
+    muted_text(ctx, b.progress);
+    return;
+  }
+  ImGui::BeginDisabled(!s.molecule.loaded);
+  if (button(ctx, "benchmark.run", "Run", {ctx.px(100), 0}, ButtonKind::primary)) {
+    s.requests.run_benchmark = true;
+  }
+  ImGui::EndDisabled();
+  ImGui::SameLine(0, ctx.px(12));
+  muted_text(ctx, s.molecule.loaded ? s.molecule.name + ", tetrahedra only, beside CGAL"
+                                    : "Open a molecule first.");
+}
+
+void table(PanelContext& ctx, float height) {
+  const BenchmarkInfo& b = ctx.state.benchmark;
+  const int columns = static_cast<int>(b.columns.size());
+  constexpr ImGuiTableFlags kFlags = ImGuiTableFlags_ScrollX | ImGuiTableFlags_ScrollY |
+                                     ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersInnerV |
+                                     ImGuiTableFlags_SizingFixedFit;
+  if (columns == 0) return;
+  ImGui::PushStyleColor(ImGuiCol_TableHeaderBg, to_imgui(ctx.palette.field));
+  const bool open = ImGui::BeginTable("rows", columns, kFlags, {0, height});
+  ImGui::PopStyleColor();
+  if (!open) return;
+  ImGui::TableSetupScrollFreeze(1, 1);
+  for (const std::string& name : b.columns) ImGui::TableSetupColumn(name.c_str());
+  ImGui::TableHeadersRow();
+  for (std::size_t r = 0; r < b.rows.size(); ++r) {
+    ImGui::TableNextRow();
+    for (const std::string& text : b.rows[r]) {
+      ImGui::TableNextColumn();
+      if (b.differs[r]) ImGui::PushStyleColor(ImGuiCol_Text, to_imgui(ctx.palette.error));
+      ImGui::TextUnformatted(text.c_str());
+      if (b.differs[r]) ImGui::PopStyleColor();
+    }
+  }
+  ImGui::EndTable();
+  record(ctx, "benchmark.table");
+}
+
+void table_page(PanelContext& ctx) {
+  const std::vector<std::string>& lines = ctx.state.benchmark.lines;
+  const float below = ImGui::GetTextLineHeightWithSpacing() * static_cast<float>(lines.size());
+  table(ctx, std::max(ctx.px(80), ImGui::GetContentRegionAvail().y - below - ctx.px(4)));
+  for (const std::string& text : lines) muted_text(ctx, text);
+}
+
+void chart_page(PanelContext& ctx) {
+  const BenchmarkInfo& b = ctx.state.benchmark;
+  if (b.charts.empty()) muted_text(ctx, "Charts appear when a run is complete.");
+  for (const Chart& chart : b.charts) draw_chart(ctx, chart);
+}
+
+void results(PanelContext& ctx, float height) {
+  ViewState& s = ctx.state;
+  int page = s.benchmark_controls.charts ? 1 : 0;
+  choice(ctx, "benchmark.page", {"Table", "Charts"}, page, ctx.px(180));
+  s.benchmark_controls.charts = page == 1;
+  height -= ImGui::GetFrameHeightWithSpacing();
+  ImGui::PushFont(ctx.fonts.small);
+  ImGui::BeginChild("results", {0, height});
+  page == 0 ? table_page(ctx) : chart_page(ctx);
+  ImGui::EndChild();
+  record(ctx, "benchmark.results");
+  ImGui::PopFont();
+}
+
+void export_row(PanelContext& ctx) {
+  ViewState& s = ctx.state;
+  ImGui::BeginDisabled(!s.benchmark.complete || s.benchmark_controls.folder.empty());
+  if (button(ctx, "benchmark.export", "Export CSV and SVG", {ctx.px(170), 0})) {
+    s.requests.export_benchmark = true;
+  }
+  ImGui::EndDisabled();
+  ImGui::SameLine(0, ctx.px(8));
+  ImGui::TextUnformatted("into the folder");
+  ImGui::SameLine(0, ctx.px(8));
+  ImGui::SetNextItemWidth(ctx.px(260));
+  ImGui::InputText("##folder", &s.benchmark_controls.folder);
+  record(ctx, "benchmark.folder");
+  ImGui::SameLine(ImGui::GetContentRegionMax().x - ctx.px(100));
+  ImGui::BeginDisabled(s.benchmark.running);
+  const bool closed = button(ctx, "benchmark.close", "Close", {ctx.px(100), 0}) ||
+                      (!s.benchmark.running && !ImGui::GetIO().WantTextInput &&
+                       ImGui::IsKeyPressed(key::kEscape, false));
+  ImGui::EndDisabled();
+  if (closed) {
+    s.memory.show_benchmark = false;
+    ImGui::CloseCurrentPopup();
+  }
+}
+
+void message(PanelContext& ctx) {
+  const BenchmarkInfo& b = ctx.state.benchmark;
+  const bool bad = !b.error.empty();
+  ImGui::PushStyleColor(ImGuiCol_Text, to_imgui(bad ? ctx.palette.error : ctx.palette.success));
+  ImGui::TextUnformatted(bad ? b.error.c_str() : b.exported.c_str());
+  ImGui::PopStyleColor();
+  record(ctx, "benchmark.message");
+}
+
+}  // namespace
+
+void draw_benchmark_page(PanelContext& ctx) {
+  constexpr const char* kTitle = "Benchmark: the thesis' table and figures";
+  ViewState& s = ctx.state;
+  if (!s.memory.show_benchmark) return;
+  if (!ImGui::IsPopupOpen(kTitle)) ImGui::OpenPopup(kTitle);
+  const ImVec2 display = ImGui::GetIO().DisplaySize;
+  ImGui::SetNextWindowPos({display.x / 2, display.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
+  ImGui::SetNextWindowSize({display.x * 0.92f, display.y * 0.9f});
+  constexpr ImGuiWindowFlags kFlags =
+      ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings;
+  if (!ImGui::BeginPopupModal(kTitle, nullptr, kFlags)) return;
+  controls(ctx);
+  run_row(ctx);
+  message(ctx);
+  results(ctx, ImGui::GetContentRegionAvail().y - ImGui::GetFrameHeightWithSpacing() - ctx.px(6));
+  export_row(ctx);
+  ImGui::EndPopup();
+}
+
+}  // namespace alphascope

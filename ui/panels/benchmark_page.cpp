@@ -153,17 +153,8 @@ void run_row(PanelContext& ctx) {
                                     : "Open a molecule first.");
 }
 
-void table(PanelContext& ctx, float height) {
+void table_rows(PanelContext& ctx) {
   const BenchmarkInfo& b = ctx.state.benchmark;
-  const int columns = static_cast<int>(b.columns.size());
-  constexpr ImGuiTableFlags kFlags = ImGuiTableFlags_ScrollX | ImGuiTableFlags_ScrollY |
-                                     ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersInnerV |
-                                     ImGuiTableFlags_SizingFixedFit;
-  if (columns == 0) return;
-  ImGui::PushStyleColor(ImGuiCol_TableHeaderBg, to_imgui(ctx.palette.field));
-  const bool open = ImGui::BeginTable("rows", columns, kFlags, {0, height});
-  ImGui::PopStyleColor();
-  if (!open) return;
   ImGui::TableSetupScrollFreeze(1, 1);
   for (const std::string& name : b.columns) ImGui::TableSetupColumn(name.c_str());
   ImGui::TableHeadersRow();
@@ -177,6 +168,21 @@ void table(PanelContext& ctx, float height) {
     }
   }
   ImGui::EndTable();
+}
+
+void table(PanelContext& ctx, float height) {
+  const BenchmarkInfo& b = ctx.state.benchmark;
+  const int columns = static_cast<int>(b.columns.size());
+  constexpr ImGuiTableFlags kFlags = ImGuiTableFlags_ScrollX | ImGuiTableFlags_ScrollY |
+                                     ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersInnerV |
+                                     ImGuiTableFlags_SizingFixedFit;
+  if (columns == 0) return;
+  ImGui::PushStyleColor(ImGuiCol_TableHeaderBg, to_imgui(ctx.palette.field));
+  ImGui::PushStyleColor(ImGuiCol_TableRowBgAlt, to_imgui(ctx.palette.field, 0.45f));
+  ImGui::PushStyleColor(ImGuiCol_TableBorderLight, to_imgui(ctx.palette.border));
+  const bool open = ImGui::BeginTable("rows", columns, kFlags, {0, height});
+  if (open) table_rows(ctx);
+  ImGui::PopStyleColor(3);
   record(ctx, "benchmark.table");
 }
 

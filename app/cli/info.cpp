@@ -1,5 +1,6 @@
 // alphascope-cli info: what is in a file, and what would be used of it.
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <iostream>
 #include <map>
@@ -56,6 +57,26 @@ void print_guesses(std::vector<GuessedRadius> guesses) {
   }
 }
 
+// Atoms and memory are those of copying this molecule, so they are only said of a deposited one.
+void print_assemblies(const Molecule& molecule) {
+  for (const AssemblyInfo& assembly : list_assemblies(molecule)) {
+    std::cout << "assembly    --assembly " << assembly.id << ": " << grouped(assembly.copies)
+              << (assembly.copies == 1 ? " operator" : " operators");
+    if (molecule.assembly_id.empty()) {
+      std::cout << ", " << grouped(assembly.atoms) << " atoms, about "
+                << grouped(assembly.memory_bytes >> 20) << " MiB";
+    }
+    std::cout << (assembly.id == molecule.assembly_id ? ", expanded here" : "")
+              << (assembly.details.empty() ? "" : " (" + assembly.details + ")") << "\n";
+  }
+}
+
+// An upper bound on the rounding with two digits, for people.
+std::string rounding_text(double angstrom) {
+  const double unit = std::pow(10, std::floor(std::log10(angstrom)) - 1);
+  return number_text(std::ceil(angstrom / unit) / std::round(1 / unit));
+}
+
 void print(const Input& input) {
   const Molecule& molecule = input.molecule();
   const BallSet& balls = *input.prepared().balls;
@@ -66,12 +87,7 @@ void print(const Input& input) {
   std::cout << "atoms       " << grouped(molecule.atoms.size()) << " in "
             << grouped(molecule.models.size())
             << (molecule.models.size() == 1 ? " model\n" : " models\n");
-  for (const AssemblyInfo& assembly : list_assemblies(molecule)) {
-    std::cout << "assembly    --assembly " << assembly.id << ": " << grouped(assembly.copies)
-              << (assembly.copies == 1 ? " operator, " : " operators, ") << grouped(assembly.atoms)
-              << " atoms, about " << grouped(assembly.memory_bytes >> 20) << " MiB"
-              << (assembly.details.empty() ? "" : " (" + assembly.details + ")") << "\n";
-  }
+  print_assemblies(molecule);
   std::cout << "balls       " << grouped(balls.size()) << "\n";
   std::cout << "radii       " << report.radii_name;
   if (!report.radii_citation.empty()) std::cout << ": " << report.radii_citation;
@@ -79,7 +95,7 @@ void print(const Input& input) {
   print_guesses(report.guessed);
   std::cout << "lattice     " << number_text(balls.lattice.unit_angstrom()) << " Å; "
             << (molecule.rounding_angstrom > 0
-                    ? "coordinates rounded by up to " + number_text(molecule.rounding_angstrom) +
+                    ? "coordinates rounded by up to " + rounding_text(molecule.rounding_angstrom) +
                           " Å\n"
                     : std::string("nothing was rounded\n"));
   if (report.coincident_centres > 0) {

@@ -251,6 +251,10 @@ TEST_F(Cli, SelectionAndAssemblyComeFromTheCommandLine) {
   EXPECT_EQ(compute_json(file + "--assembly 1")["input"]["assembly"], "1");
   EXPECT_EQ(run("compute " + file + "--select 'chain and'").code, 2);
   EXPECT_EQ(run("compute " + file + "--assembly nosuch").code, 2);
+  // Sizes are those of expanding what was deposited.
+  const std::string info = "info '" ALPHASCOPE_SOURCE_DIR "/resources/molecules/1crn.pdb'";
+  EXPECT_TRUE(contains(run(info).out, "--assembly 1: 1 operator, 327 atoms"));
+  EXPECT_TRUE(contains(run(info + " --assembly 1").out, "1 operator, expanded here"));
 }
 
 TEST_F(Cli, InterruptIsCode130AndWritesNothing) {

@@ -193,7 +193,8 @@ std::unique_ptr<Engine> make_gpu_engine(std::shared_ptr<const BallSet> balls, En
     try {
       return std::make_unique<GpuEngine>(std::move(balls), options);
     } catch (const std::exception& error) {
-      reason = device.name + " cannot take this molecule: " + error.what();
+      reason = device.name + " cannot take this molecule: " + error.what() +
+               ". The CPU engine gives the same results.";
     }
   }
   if (why_not != nullptr) *why_not = reason;

@@ -5,25 +5,16 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
-#include <cstring>
 
+#include "tests/support/expect_same.hpp"
 #include "tests/support/random_balls.hpp"
 
 namespace alphascope {
 namespace {
 
+using testing::expect_same;
 using testing::NamedBalls;
 using testing::Random;
-
-template <int N>
-void expect_same(const SimplexList<N>& a, const SimplexList<N>& b) {
-  EXPECT_EQ(a.simplices, b.simplices);
-  EXPECT_EQ(a.classes, b.classes);
-  ASSERT_EQ(a.alpha_values.size(), b.alpha_values.size());
-  EXPECT_EQ(std::memcmp(a.alpha_values.data(), b.alpha_values.data(),
-                        a.alpha_values.size() * sizeof(float)),
-            0);
-}
 
 void expect_same_on_gpu(const std::shared_ptr<const BallSet>& balls, double alpha_angstrom2) {
   std::string why_not;
@@ -34,11 +25,7 @@ void expect_same_on_gpu(const std::shared_ptr<const BallSet>& balls, double alph
     const AlphaComplex found = gpu->compute({alpha_angstrom2, tetrahedra_only}, {});
     const AlphaComplex expected = cpu->compute({alpha_angstrom2, tetrahedra_only}, {});
     SCOPED_TRACE("alpha " + std::to_string(alpha_angstrom2) + ", " + found.engine.route);
-    expect_same(found.vertices, expected.vertices);
-    expect_same(found.edges, expected.edges);
-    expect_same(found.triangles, expected.triangles);
-    expect_same(found.tetrahedra, expected.tetrahedra);
-    EXPECT_EQ(found.hash, expected.hash);
+    expect_same(found, expected);
   }
 }
 

@@ -4,20 +4,15 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/expect_same.hpp"
 #include "tests/support/random_balls.hpp"
 
 namespace alphascope {
 namespace {
 
+using testing::expect_same;
 using testing::NamedBalls;
 using testing::Random;
-
-template <int N>
-void expect_same(const SimplexList<N>& a, const SimplexList<N>& b) {
-  EXPECT_EQ(a.simplices, b.simplices);
-  EXPECT_EQ(a.alpha_values, b.alpha_values);
-  EXPECT_EQ(a.classes, b.classes);
-}
 
 AlphaComplex in_slabs(const BallSet& balls, const AlphaRequest& request, std::size_t slabs) {
   return compute_in_slabs(balls, request, slabs, {}, [&](std::shared_ptr<const BallSet> part) {
@@ -38,11 +33,7 @@ TEST(Slabs, GiveTheWholeComplex) {
         for (const std::size_t slabs : {1, 2, 3, 7}) {
           SCOPED_TRACE(std::to_string(slabs) + " slabs, alpha " + std::to_string(alpha));
           const AlphaComplex found = in_slabs(*balls, request, slabs);
-          expect_same(found.vertices, whole.vertices);
-          expect_same(found.edges, whole.edges);
-          expect_same(found.triangles, whole.triangles);
-          expect_same(found.tetrahedra, whole.tetrahedra);
-          EXPECT_EQ(found.hash, whole.hash);
+          expect_same(found, whole);
         }
       }
     }

@@ -6,10 +6,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <map>
 
 #include "core/complex/tuple_scene.hpp"
+#include "tests/support/expect_same.hpp"
 #include "tests/support/facet_only_engine.hpp"
 #include "tests/support/molecules.hpp"
 #include "tests/support/random_balls.hpp"
@@ -17,27 +17,9 @@
 namespace alphascope {
 namespace {
 
+using testing::expect_same;
 using testing::NamedBalls;
 using testing::Random;
-
-template <int N>
-void expect_same(const SimplexList<N>& a, const SimplexList<N>& b) {
-  EXPECT_EQ(a.simplices, b.simplices);
-  EXPECT_EQ(a.classes, b.classes);
-  ASSERT_EQ(a.alpha_values.size(), b.alpha_values.size());
-  if (a.alpha_values.empty()) return;
-  EXPECT_EQ(std::memcmp(a.alpha_values.data(), b.alpha_values.data(),
-                        a.alpha_values.size() * sizeof(float)),
-            0);
-}
-
-void expect_same(const AlphaComplex& a, const AlphaComplex& b) {
-  expect_same(a.vertices, b.vertices);
-  expect_same(a.edges, b.edges);
-  expect_same(a.triangles, b.triangles);
-  expect_same(a.tetrahedra, b.tetrahedra);
-  EXPECT_EQ(a.hash, b.hash);
-}
 
 std::vector<TupleOptions> all_switches() {
   std::vector<TupleOptions> all;

@@ -35,16 +35,26 @@ EngineCache::Entry& EngineCache::find_or_make(const std::shared_ptr<const BallSe
   return entries_.front();
 }
 
+// A first answer without set-up stages follows one that was cancelled after them: it is not cold.
+EngineCache::Result EngineCache::answer(Entry& entry, const SessionRequest& request,
+                                        const RunContext& context) {
+  AlphaComplex complex =
+      entry.made.engine->compute({request.alpha_angstrom2, request.tetrahedra_only}, context);
+  const auto& stages = complex.timings.stages;
+  const bool set_up =
+      std::any_of(stages.begin(), stages.end(), [](const StageTime& s) { return s.setup; });
+  const bool first = !std::exchange(entry.answered, true);
+  return {std::move(complex), entry.grown, entry.made.note, first && set_up};
+}
+
 EngineCache::Result EngineCache::compute(const std::shared_ptr<const BallSet>& balls,
                                          const SessionRequest& request,
                                          const RunContext& context) {
   context.cancel.throw_if_cancelled();
   Entry& entry = find_or_make(balls, request);
-  const AlphaRequest alpha{request.alpha_angstrom2, request.tetrahedra_only};
   const bool may_fall_back = entry.made.uses_gpu && request.engine == EngineChoice::automatic;
   try {
-    AlphaComplex complex = entry.made.engine->compute(alpha, context);
-    return {std::move(complex), entry.grown, entry.made.note};
+    return answer(entry, request, context);
   } catch (const Cancelled&) {
     throw;
   } catch (const std::invalid_argument&) {
@@ -55,9 +65,9 @@ EngineCache::Result EngineCache::compute(const std::shared_ptr<const BallSet>& b
                              "); the CPU engine went on and gives the same results.";
     entry.made = factory_(EngineChoice::cpu, entry.grown, {request.threads, {}});
     entry.made.note = note;
+    entry.answered = false;
   }
-  AlphaComplex complex = entry.made.engine->compute(alpha, context);
-  return {std::move(complex), entry.grown, entry.made.note};
+  return answer(entry, request, context);
 }
 
 }  // namespace alphascope

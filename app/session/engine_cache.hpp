@@ -30,6 +30,7 @@ class EngineCache {
     AlphaComplex complex;
     std::shared_ptr<const BallSet> balls;  // with the solvent radius: what the engine saw
     std::string note;                      // about the choice of engine; may be empty
+    bool cold = false;                     // the engine's first answer, and it had to set up
   };
 
   // `balls` without solvent radius. An automatic choice of the GPU that fails while computing is
@@ -51,8 +52,10 @@ class EngineCache {
     int threads;
     TupleOptions tuples;
     MadeEngine made;
+    bool answered = false;  // by `made`
   };
 
+  static Result answer(Entry& entry, const SessionRequest& request, const RunContext& context);
   Entry& find_or_make(const std::shared_ptr<const BallSet>& balls, const SessionRequest& request);
 
   EngineFactory factory_;

@@ -1,6 +1,5 @@
 #include "app/session/session.hpp"
 
-#include <algorithm>
 #include <thread>
 #include <utility>
 
@@ -17,13 +16,15 @@ bool same_engine(const SessionRequest& a, const SessionRequest& b) {
          a.threads == b.threads && a.tuples == b.tuples;
 }
 
-}  // namespace
-
-void ColdAndWarm::note(const StageTimes& times) {
-  const bool was_cold = std::any_of(times.stages.begin(), times.stages.end(),
-                                    [](const StageTime& s) { return s.setup; });
-  (was_cold ? cold : warm) = times;
+AlphaComplex without_simplices(AlphaComplex complex) {
+  complex.vertices = {};
+  complex.edges = {};
+  complex.triangles = {};
+  complex.tetrahedra = {};
+  return complex;
 }
+
+}  // namespace
 
 Session::Services Session::program_services() {
   return {&make_engine, &alphascope::open_molecule, &alphascope::reopen_molecule,
@@ -127,14 +128,22 @@ void Session::set_request(const SessionRequest& request) {
   if (state_.prepared) submit_compute();
 }
 
-void Session::submit_compute() {
+void Session::compute_anew() {
+  if (!state_.prepared) return;
+  reference_anew_ = true;
+  if (timing_parallel_) comparer_.cancel();
+  submit_compute(Engines::anew);
+}
+
+void Session::submit_compute(Engines which) {
   computer_.submit(
-      [this, request = state_.request, prepared = state_.prepared,
+      [this, which, request = state_.request, prepared = state_.prepared,
        engines = engines_](const RunContext& context) {
+        if (which == Engines::anew) engines->clear();
         EngineCache::Result result = engines->compute(prepared->balls, request, context);
         auto answer = std::make_shared<const Answer>(Answer{request, prepared, std::move(result.balls),
                                                       std::move(result.complex),
-                                                      std::move(result.note)});
+                                                      std::move(result.note), result.cold});
         return [this, answer] { take_answer(answer); };
       },
       failure_of(Source::computing, "Computing the complex failed: "));
@@ -143,7 +152,7 @@ void Session::submit_compute() {
 void Session::take_answer(std::shared_ptr<const Answer> answer) {
   if (answer->prepared != state_.prepared) return;  // of the molecule before
   if (same_engine(answer->request, state_.request)) {
-    state_.our_timings.note(answer->complex.timings);
+    state_.our_timings.note(answer->complex, answer->cold);
   }
   state_.ours = std::move(answer);
   changes_.answer = true;
@@ -162,13 +171,22 @@ void Session::cancel_comparison() {
   comparer_.cancel();
 }
 
-void Session::submit_comparison() {
-  comparison_wanted_ = timing_parallel_ = false;
+// Without the tuple engine's switches: they are nothing to CGAL, whose triangulation is kept.
+SessionRequest Session::reference_request(int threads) const {
   SessionRequest request = state_.ours->request;
   request.engine = EngineChoice::cgal;
-  request.threads = comparison_threads_;
+  request.threads = threads;
+  request.tuples = {};
+  return request;
+}
+
+void Session::submit_comparison() {
+  comparison_wanted_ = timing_parallel_ = false;
+  const SessionRequest request = reference_request(comparison_threads_);
+  const bool anew = std::exchange(reference_anew_, false);
   comparer_.submit(
-      [this, request, ours = state_.ours, references = references_](const RunContext& context) {
+      [this, anew, request, ours = state_.ours, references = references_](const RunContext& context) {
+        if (anew) references->clear();
         EngineCache::Result result =
             references->compute(ours->prepared->balls, request, context);
         context.cancel.throw_if_cancelled();
@@ -176,6 +194,7 @@ void Session::submit_comparison() {
         auto agreement = std::make_shared<Agreement>();
         agreement->ours = ours;
         agreement->comparison = compare(ours->complex, result.complex);
+        agreement->reference_cold = result.cold;
         agreement->reference = std::make_shared<const AlphaComplex>(std::move(result.complex));
         return [this, agreement] { take_agreement(agreement); };
       },
@@ -186,7 +205,7 @@ void Session::take_agreement(std::shared_ptr<const Agreement> agreement) {
   const Answer& ours = *agreement->ours;
   if (ours.prepared != state_.prepared) return;  // of the molecule before
   if (ours.request.solvent_radius_angstrom == state_.request.solvent_radius_angstrom) {
-    state_.reference_timings.note(agreement->reference->timings);
+    state_.reference_timings.note(*agreement->reference, agreement->reference_cold);
   }
   state_.agreement = std::move(agreement);
   changes_.agreement = true;
@@ -197,37 +216,31 @@ void Session::take_agreement(std::shared_ptr<const Agreement> agreement) {
 
 void Session::submit_parallel_timing() {
   timing_parallel_ = true;
-  SessionRequest request = state_.ours->request;
-  request.engine = EngineChoice::cgal;
-  request.threads = services_.cgal_threads;
+  const SessionRequest request = reference_request(services_.cgal_threads);
   comparer_.submit(
       [this, request, ours = state_.ours, references = references_](const RunContext& context) {
         EngineCache::Result result = references->compute(ours->prepared->balls, request, context);
-        AlphaComplex& complex = result.complex;
-        complex.vertices = {};
-        complex.edges = {};
-        complex.triangles = {};
-        complex.tetrahedra = {};
-        auto times = std::make_shared<AlphaComplex>(std::move(complex));
-        return [this, ours, times] { take_parallel_timing(ours, std::move(*times)); };
+        // Only the times are wanted; the lists are as long as those that were compared.
+        auto times = std::make_shared<EngineCache::Result>();
+        times->cold = result.cold;
+        times->complex = without_simplices(std::move(result.complex));
+        return [this, ours, times] { take_parallel_timing(*ours, *times); };
       },
       failure_of(Source::comparing, "Timing CGAL with all threads failed: "));
 }
 
-void Session::take_parallel_timing(std::shared_ptr<const Answer> ours, AlphaComplex complex) {
+void Session::take_parallel_timing(const Answer& ours, const EngineCache::Result& times) {
   timing_parallel_ = false;
-  if (ours->prepared != state_.prepared || ours->request.solvent_radius_angstrom !=
-                                               state_.request.solvent_radius_angstrom) {
+  if (ours.prepared != state_.prepared ||
+      ours.request.solvent_radius_angstrom != state_.request.solvent_radius_angstrom) {
     return;
   }
-  state_.parallel_timings.note(complex.timings);
-  state_.parallel_reference = std::make_shared<const AlphaComplex>(std::move(complex));
+  state_.parallel_timings.note(times.complex, times.cold);
   changes_.agreement = true;
 }
 
 void Session::forget_reference_timings() {
   state_.reference_timings = state_.parallel_timings = {};
-  state_.parallel_reference = nullptr;
 }
 
 Worker::FailureHandler Session::failure_of(Source source, std::string prefix) {

@@ -5,9 +5,9 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
-#include <optional>
 #include <string>
 
+#include "app/session/cold_and_warm.hpp"
 #include "app/session/engine_cache.hpp"
 #include "app/session/open_molecule.hpp"
 #include "core/complex/compare.hpp"
@@ -22,6 +22,7 @@ struct Answer {
   std::shared_ptr<const BallSet> balls;  // with the solvent radius: what the engine saw
   AlphaComplex complex;
   std::string engine_note;  // why another engine than hoped for was used; may be empty
+  bool cold = false;        // as EngineCache::Result
 };
 
 // An answer beside CGAL's; immutable once handed over.
@@ -29,12 +30,7 @@ struct Agreement {
   std::shared_ptr<const Answer> ours;
   std::shared_ptr<const AlphaComplex> reference;
   Comparison comparison;
-};
-
-// Cold: the latest computation that had to set something up. Warm: the latest one that did not.
-struct ColdAndWarm {
-  std::optional<StageTimes> cold, warm;
-  void note(const StageTimes& times);
+  bool reference_cold = false;
 };
 
 // Pointers are null as long as there is nothing.
@@ -46,9 +42,7 @@ struct SessionState {
   std::shared_ptr<const Answer> ours;
   std::shared_ptr<const Agreement> agreement;  // of `ours` when agreement->ours == ours
   ColdAndWarm our_timings, reference_timings;  // of the present balls, solvent radius and engine
-  // CGAL with all threads, for its times only (its lists are empty); not of machines without
-  // enough threads. Follows an agreement.
-  std::shared_ptr<const AlphaComplex> parallel_reference;
+  // CGAL with all threads; not of machines without enough threads. Follows an agreement.
   ColdAndWarm parallel_timings;
   std::string last_error;                      // empty once the same thing has succeeded
 
@@ -103,6 +97,9 @@ class Session {
   // Latest wins. Does nothing when `request` is the present one and already answered or on its way.
   void set_request(const SessionRequest& request);
   void cancel_computing() { computer_.cancel(); }
+  // Answers the present request once more, set-up included, as if the molecule had just been opened;
+  // so does CGAL when it is next asked to compare. For the cold times of engines that were kept.
+  void compute_anew();
 
   // Compares with CGAL's triangulation, on a thread of its own: the present answer, or the next when
   // one is on its way. `threads` for CGAL: 1 is its sequential triangulation, 0 all of the machine.
@@ -118,10 +115,12 @@ class Session {
   void submit_open(const std::filesystem::path& path);
   void submit_reopen();
   void opening_failed();
-  void submit_compute();
+  enum class Engines { kept, anew };
+  void submit_compute(Engines which = Engines::kept);
+  SessionRequest reference_request(int threads) const;
   void submit_comparison();
   void submit_parallel_timing();
-  void take_parallel_timing(std::shared_ptr<const Answer> ours, AlphaComplex complex);
+  void take_parallel_timing(const Answer& ours, const EngineCache::Result& times);
   void forget_reference_timings();
   void take_opened(std::shared_ptr<const OpenedMolecule> opened);
   void take_answer(std::shared_ptr<const Answer> answer);
@@ -137,6 +136,7 @@ class Session {
   Source error_source_ = Source::none;
   std::filesystem::path opening_path_;  // empty when none is on its way
   bool comparison_wanted_ = false;
+  bool reference_anew_ = false;  // of the next comparison
   bool timing_parallel_ = false;  // is what the comparer does
   int comparison_threads_ = 1;
   // Each is touched by the jobs of one worker only.

@@ -13,10 +13,13 @@ std::string count(std::size_t n) {
   return with_separators(static_cast<long long>(n));
 }
 
-TimedRun to_run(const StageTimes& times) {
+TimedRun to_run(const MeasuredRun& measured) {
   TimedRun run;
-  run.wall_milliseconds = times.wall_milliseconds;
-  for (const StageTime& s : times.stages) run.stages.push_back({s.label, s.milliseconds, s.setup});
+  run.alpha = measured.alpha_angstrom2;
+  run.tetrahedra_only = measured.tetrahedra_only;
+  run.wall_milliseconds = measured.times.wall_milliseconds;
+  for (const StageTime& s : measured.times.stages)
+    run.stages.push_back({s.label, s.milliseconds, s.setup});
   return run;
 }
 
@@ -97,19 +100,14 @@ ResultInfo describe_answer(const Answer& answer) {
   return r;
 }
 
-void note_timings(std::optional<EngineTimings>& timings, const AlphaComplex& complex) {
-  const EngineInfo& engine = complex.engine;
-  if (!timings || timings->engine != engine.name || timings->device != engine.device) {
-    timings.emplace();
-  }
-  timings->engine = engine.name;
-  timings->device = engine.device;
-  TimedRun run = to_run(complex.timings);
-  run.alpha = complex.alpha_angstrom2();
-  run.tetrahedra_only = complex.tetrahedra_only;
-  const bool cold = std::any_of(run.stages.begin(), run.stages.end(),
-                                [](const StageBar& stage) { return stage.setup; });
-  (cold ? timings->cold : timings->warm) = std::move(run);
+std::optional<EngineTimings> describe_timings(const ColdAndWarm& timings) {
+  if (!timings.cold && !timings.warm) return std::nullopt;
+  EngineTimings shown;
+  shown.engine = timings.engine.name;
+  shown.device = timings.engine.device;
+  if (timings.cold) shown.cold = to_run(*timings.cold);
+  if (timings.warm) shown.warm = to_run(*timings.warm);
+  return shown;
 }
 
 BadgeInfo describe_agreement(const SessionState& state, bool comparing) {

@@ -12,9 +12,7 @@ std::string describe_ball(const Molecule& molecule, const PreparedBalls& prepare
                           const ComputeControls& controls, std::size_t ball);
 
 ResultInfo describe_answer(const Answer& answer);
-// Notes what `complex` took, as cold when it had to set something up; starts anew for a null
-// `timings`, another engine or a forgotten molecule.
-void note_timings(std::optional<EngineTimings>& timings, const AlphaComplex& complex);
+std::optional<EngineTimings> describe_timings(const ColdAndWarm& timings);  // nothing for no run
 BadgeInfo describe_agreement(const SessionState& state, bool comparing);
 
 GpuInfo describe_gpu(const MachineInfo& machine);

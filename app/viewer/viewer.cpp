@@ -31,14 +31,6 @@ constexpr std::size_t kMostBallsToCompareUnasked = 200000;
 // the hand moves, but not for longer than this.
 constexpr std::chrono::milliseconds kModelGrace{300};
 
-// Runs that the session has forgotten, since they were of other balls, go.
-void keep_only(std::optional<EngineTimings>& shown, const ColdAndWarm& known) {
-  if (!shown) return;
-  if (!known.cold) shown->cold.reset();
-  if (!known.warm) shown->warm.reset();
-  if (!shown->cold && !shown->warm) shown.reset();
-}
-
 }  // namespace
 
 Viewer::Viewer(Host& host, const ViewerOptions& options, Session::Services services)
@@ -125,7 +117,6 @@ void Viewer::take_answer() {
   state_.result = describe_answer(*s.ours);
   state_.device_text = s.ours->complex.engine.name + " on " + s.ours->complex.engine.device;
   state_.engine_note = s.ours->engine_note;
-  note_timings(state_.ours, s.ours->complex);
 }
 
 void Viewer::take_machine() {
@@ -147,17 +138,11 @@ void Viewer::take_session() {
     scene_.show_without_answer();  // cancelled or failed
     state_.result = {};
   }
-  if (changes.agreement && s.agreement) {
-    note_timings(state_.cgal, *s.agreement->reference);
-    scene_.set_agreement(s.agreement);
-    if (s.parallel_reference) {
-      note_timings(state_.cgal_parallel, *s.parallel_reference);
-    }
-  }
+  if (changes.agreement && s.agreement) scene_.set_agreement(s.agreement);
   if (s.ours) {  // else the next answer is on its way
-    keep_only(state_.ours, s.our_timings);
-    keep_only(state_.cgal, s.reference_timings);
-    keep_only(state_.cgal_parallel, s.parallel_timings);
+    state_.ours = describe_timings(s.our_timings);
+    state_.cgal = describe_timings(s.reference_timings);
+    state_.cgal_parallel = describe_timings(s.parallel_timings);
   }
   if (changes.options) {  // what was asked for failed or was cancelled
     state_.selection = sent_selection_ = to_controls(session_.open_options(), radii_sets_);
@@ -249,6 +234,7 @@ void Viewer::take_requests() {
     session_.cancel_computing();
     session_.cancel_comparison();
   }
+  if (r.compute_anew) session_.compute_anew();
   if (r.cancel_compare) session_.cancel_comparison();
   if (r.run_benchmark) {
     benchmark_.start(session_.state(), state_.benchmark_controls, state_.benchmark);

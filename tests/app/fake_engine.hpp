@@ -19,6 +19,7 @@ struct FakeEngineLog {
   std::atomic<bool> hold{false};         // computations wait, and notice their cancel token
   std::atomic<bool> fail_gpu{false};     // computations of a "gpu" engine throw
   std::atomic<bool> fail_next{false};    // the next computation throws
+  std::atomic<bool> set_up_again{false};  // answers after the first have set-up stages, too
   std::atomic<int> steps{1};             // of 50 µs each
 };
 
@@ -48,7 +49,7 @@ class FakeEngine : public Engine {
       complex.vertices.alpha_values.push_back(static_cast<float>(-balls_->weight(i)));
       complex.vertices.classes.push_back(SimplexClass::singular);
     }
-    complex.timings.stages.push_back({"fake", 1.0, first_});
+    complex.timings.stages.push_back({"fake", 1.0, first_ || log_.set_up_again});
     first_ = false;
     ++log_.finished;
     return complex;

@@ -110,6 +110,83 @@ TEST_F(SessionTest, ColdAndWarmTimesAreKeptApart) {
   EXPECT_FALSE(session->state().our_timings.warm) << "another set of balls";
 }
 
+TEST_F(SessionTest, OnlyTheFirstAnswerIsCold) {
+  const auto session = make();
+  session->set_request(alpha(3));
+  session->open(good_);
+  settle(*session);
+  log_.set_up_again = true;  // as engines do that prepare something for the next answers
+  session->set_request(alpha(1));
+  settle(*session);
+  const ColdAndWarm& ours = session->state().our_timings;
+  ASSERT_TRUE(ours.cold && ours.warm);
+  EXPECT_DOUBLE_EQ(ours.cold->alpha_angstrom2, 3);
+  EXPECT_DOUBLE_EQ(ours.warm->alpha_angstrom2, 1);
+}
+
+TEST_F(SessionTest, ComputingAnewGivesTheColdTimeOfAnEngineThatWasKept) {
+  const auto session = make();
+  session->open(good_);
+  settle(*session);
+  session->request_comparison();
+  settle(*session);
+  const SessionRequest first = session->state().request;
+  SessionRequest other = first;
+  other.engine = EngineChoice::cpu;
+  session->set_request(other);
+  settle(*session);
+  session->set_request(first);
+  settle(*session);
+  ASSERT_FALSE(session->state().our_timings.cold) << "the engine was kept";
+  const auto before = session->state().ours;
+  const int made = log_.made;
+  session->compute_anew();
+  settle(*session);
+  EXPECT_TRUE(session->state().our_timings.cold);
+  EXPECT_NE(session->state().ours, before) << "so that it is compared again";
+  EXPECT_EQ(log_.made, made + 1);
+  session->request_comparison();
+  settle(*session);
+  EXPECT_EQ(log_.made, made + 2) << "CGAL triangulates anew";
+  EXPECT_TRUE(session->state().reference_timings.cold);
+  session->set_request(alpha(2));
+  settle(*session);
+  session->request_comparison();
+  settle(*session);
+  EXPECT_EQ(log_.made, made + 2) << "once only";
+}
+
+TEST_F(SessionTest, ComputingAnewWithoutAMoleculeDoesNothing) {
+  const auto session = make();
+  session->compute_anew();
+  settle(*session);
+  EXPECT_EQ(log_.started, 0);
+}
+
+TEST_F(SessionTest, SwitchesOfTheTupleEngineLeaveCgalsTriangulation) {
+  std::atomic<int> references{0};
+  Session::Services services = Session::program_services();
+  services.cgal_threads = 1;
+  services.make_engine = [&](EngineChoice choice, std::shared_ptr<const BallSet> balls,
+                             const EngineSettings& settings) {
+    if (choice == EngineChoice::cgal) ++references;
+    return fake_factory(log_)(choice, balls, settings);
+  };
+  Session session({}, services);
+  session.open(good_);
+  settle(session);
+  SessionRequest request = alpha(0);
+  request.engine = EngineChoice::tuples_cpu;
+  for (const bool edge_optimisation : {true, false}) {
+    request.tuples.edge_optimisation = edge_optimisation;
+    session.set_request(request);
+    session.request_comparison();
+    settle(session);
+    ASSERT_TRUE(session.state().agreement);
+  }
+  EXPECT_EQ(references, 1);
+}
+
 TEST_F(SessionTest, AFailedOpenKeepsTheOldMolecule) {
   const auto session = make();
   session->open(good_);
@@ -254,10 +331,8 @@ TEST_F(SessionTest, CgalIsTimedWithAllThreadsToo) {
     const bool parallel = available >= 3;  // from where CGAL's parallel code works
     ASSERT_TRUE(poll_until(session, [&] {
       return session.state().agreement &&
-             (session.state().parallel_reference != nullptr) == parallel;
+             session.state().parallel_timings.cold.has_value() == parallel;
     }));
-    EXPECT_EQ(session.state().parallel_timings.cold.has_value(), parallel);
-    EXPECT_EQ(session.state().parallel_reference != nullptr, parallel);
     EXPECT_EQ(threads, parallel ? (std::vector<int>{1, 4}) : std::vector<int>{1});
     SessionRequest other = alpha(0);
     other.solvent_radius_angstrom = 1.4;

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "tests/ui/panels_fixture.hpp"
+#include "ui/panels/timings_text.hpp"
 
 namespace alphascope {
 namespace {
@@ -122,6 +123,44 @@ TEST(PanelsTest, LongWorkShowsProgressAndCancel) {
   p.frame(2);
   p.click("view.cancel");
   EXPECT_TRUE(p.state.requests.cancel);
+}
+
+TEST(PanelsTest, MissingTimesSayWhyAndHowToGetThem) {
+  ViewState s;
+  ASSERT_EQ(missing_times(s, true).size(), 1u);
+  EXPECT_NE(missing_times(s, true)[0].find("Open a molecule"), std::string::npos);
+  s.molecule.loaded = true;
+  EXPECT_EQ(missing_times(s, true)[0], "Nothing is computed yet: move alpha.");
+  s.busy.active = true;
+  EXPECT_NE(missing_times(s, true)[0].find("when this is done"), std::string::npos);
+  s = loaded_state();  // cold times of both, none warm
+  EXPECT_TRUE(missing_times(s, true).empty());
+  EXPECT_FALSE(lacks_cold_time(s));
+  ASSERT_EQ(missing_times(s, false).size(), 2u);
+  EXPECT_NE(missing_times(s, false)[0].find("Move alpha once more"), std::string::npos);
+  s.ours->warm = s.ours->cold;
+  s.cgal->warm.swap(s.cgal->cold);
+  ASSERT_EQ(missing_times(s, true).size(), 1u);
+  EXPECT_EQ(missing_times(s, true)[0].find("CGAL: no cold time"), 0u);
+  EXPECT_TRUE(lacks_cold_time(s));
+  EXPECT_TRUE(missing_times(s, false).empty());
+  EXPECT_EQ(wall_text(s.cgal->cold), "not measured");
+}
+
+TEST(PanelsTest, ColdTimesThatAreMissingCanBeMeasured) {
+  Panels p({1280, 800, 1});
+  p.state = loaded_state();
+  p.frame(2);
+  EXPECT_FALSE(p.rects.contains("timings.missing"));
+  EXPECT_FALSE(p.rects.contains("timings.compute_anew"));
+  p.state.ours->warm.swap(p.state.ours->cold);
+  p.frame(2);
+  p.click("timings.run.0");
+  EXPECT_TRUE(p.rects.contains("timings.missing"));
+  p.click("timings.compute_anew");
+  EXPECT_TRUE(p.state.requests.compute_anew);
+  p.click("timings.run.1");
+  EXPECT_FALSE(p.rects.contains("timings.compute_anew"));
 }
 
 class PanelsAtEverySize : public ::testing::TestWithParam<Size> {};

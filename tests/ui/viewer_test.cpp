@@ -76,6 +76,20 @@ TEST_F(ViewerTest, ComparingGivesTheBadge) {
   EXPECT_EQ(badge.state, BadgeInfo::State::not_compared);  // of another alpha
 }
 
+TEST_F(ViewerTest, AColdTimeIsMeasuredWhenAskedFor) {
+  open_crambin();
+  ViewState& s = viewer_->state();
+  for (const auto engine : {EngineOption::cgal, EngineOption::automatic}) {
+    s.compute.engine = engine;
+    run("frames 1\nwait-idle\n");
+  }
+  ASSERT_TRUE(s.ours);
+  ASSERT_FALSE(s.ours->cold) << "the engine was kept";
+  run("click timings.run.0\nclick timings.compute_anew\nwait-idle\n");
+  EXPECT_TRUE(s.ours->cold);
+  EXPECT_TRUE(s.ours->warm);
+}
+
 TEST_F(ViewerTest, ABadFileKeepsTheMoleculeAndSaysWhy) {
   open_crambin();
   const std::string hash = viewer_->state().result.hash;

@@ -1,6 +1,7 @@
 // Our engine's time beside CGAL's, and whether both agree.
 #include "ui/panels/format.hpp"
 #include "ui/panels/panels.hpp"
+#include "ui/panels/timings_text.hpp"
 
 namespace alphascope {
 namespace {
@@ -122,10 +123,6 @@ std::string speed_part(const char* label, const std::optional<TimedRun>& ours,
                        const std::optional<TimedRun>& cgal) {
   if (!ours || !cgal || ours->wall_milliseconds <= 0 || !ours->same_task(*cgal)) return {};
   return std::string(label) + " " + ratio_text(cgal->wall_milliseconds / ours->wall_milliseconds);
-}
-
-std::string wall_text(const std::optional<TimedRun>& run) {
-  return run ? milliseconds_text(run->wall_milliseconds) : std::string("–");
 }
 
 void summary_line(PanelContext& ctx) {

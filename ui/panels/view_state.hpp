@@ -27,6 +27,7 @@ struct Requests {
   std::optional<std::size_t> open_sample;  // index into ViewState::samples
   std::optional<ScreenshotRequest> screenshot;
   bool compare = false, cancel = false, cancel_compare = false;
+  bool compute_anew = false;  // set-up included, for its cold time
   bool reset_view = false, quit = false;
   bool run_benchmark = false, cancel_benchmark = false, export_benchmark = false;
 };

@@ -5,6 +5,7 @@
 
 #include "ui/panels/format.hpp"
 #include "ui/panels/panels.hpp"
+#include "ui/panels/timings_text.hpp"
 
 namespace alphascope {
 namespace {
@@ -110,6 +111,21 @@ class Waterfall {
   float left_, gutter_, right_, top_, bottom_, row_;
 };
 
+void missing(PanelContext& ctx) {
+  ViewState& s = ctx.state;
+  const std::vector<std::string> sentences = missing_times(s, s.memory.timings_cold);
+  if (sentences.empty()) return;
+  for (const std::string& sentence : sentences) muted_wrapped(ctx, sentence);
+  record(ctx, "timings.missing");
+  if (!s.memory.timings_cold || !lacks_cold_time(s)) return;
+  ImGui::BeginDisabled(s.busy.active);
+  if (button(ctx, "timings.compute_anew", "Measure cold times")) s.requests.compute_anew = true;
+  ImGui::EndDisabled();
+  tooltip(ctx,
+          "Computes the same complex again as if the molecule had just been opened, set-up "
+          "included; CGAL triangulates anew when it is next compared with.");
+}
+
 }  // namespace
 
 void draw_waterfall(PanelContext& ctx, float height) {
@@ -132,16 +148,13 @@ void draw_waterfall(PanelContext& ctx, float height) {
     add_lines(lines, *s.cgal_parallel, *run, p.bar_cgal, p.bar_cgal_setup);
     range = std::max(range, run->wall_milliseconds);
   }
-  if (lines.empty()) {
-    muted_text(ctx, s.memory.timings_cold
-                        ? "No computation yet."
-                        : "Not measured yet: move alpha once more with the same molecule.");
-  } else {
+  if (!lines.empty()) {
     Waterfall chart(ctx, range, lines.size());
     chart.axis();
     for (std::size_t i = 0; i < lines.size(); ++i) chart.line(lines[i], static_cast<int>(i));
   }
   ImGui::PopStyleVar();
+  missing(ctx);
   ImGui::PopFont();
   ImGui::EndChild();
   record(ctx, "timings.waterfall");

@@ -1,0 +1,48 @@
+// See the header.
+#include "ui/panels/timings_text.hpp"
+
+#include "ui/panels/format.hpp"
+
+namespace alphascope {
+namespace {
+
+bool lacks_cold(const std::optional<EngineTimings>& timings) {
+  return timings && !timings->cold;
+}
+
+}  // namespace
+
+std::vector<std::string> missing_times(const ViewState& state, bool cold) {
+  if (!state.ours) {
+    return {state.busy.active ? "The time of each stage appears here when this is done."
+            : state.molecule.loaded
+                ? "Nothing is computed yet: move alpha."
+                : "Open a molecule: the time of each stage appears here, beside CGAL's."};
+  }
+  std::vector<std::string> lines;
+  if (cold && lacks_cold(state.ours)) {
+    lines.push_back(state.ours->engine +
+                    ": no cold time, since the engine was kept from before and set nothing up.");
+  }
+  if (!cold && !state.ours->warm) {
+    lines.push_back(state.ours->engine +
+                    ": no warm time yet. Move alpha once more with the same molecule.");
+  }
+  if (cold && lacks_cold(state.cgal)) {
+    lines.push_back("CGAL: no cold time, since its triangulation was kept from before.");
+  }
+  if (!cold && state.cgal && !state.cgal->warm) {
+    lines.push_back("CGAL: no warm time yet. It is taken when another alpha is compared.");
+  }
+  return lines;
+}
+
+bool lacks_cold_time(const ViewState& state) {
+  return lacks_cold(state.ours) || lacks_cold(state.cgal);
+}
+
+std::string wall_text(const std::optional<TimedRun>& run) {
+  return run ? milliseconds_text(run->wall_milliseconds) : std::string("not measured");
+}
+
+}  // namespace alphascope

@@ -157,6 +157,35 @@ TEST_F(MoleculePanel, ModelsHaveASliderAndPlay) {
   EXPECT_EQ(selection().model, 0);
 }
 
+TEST_F(MoleculePanel, TheNumberOfTheModelIsBesideItsSlider) {
+  for (const std::size_t count : {std::size_t{3}, std::size_t{24}, std::size_t{10000}}) {
+    p.state.molecule.models.assign(count, 1);
+    for (const int model :
+         {0, static_cast<int>(count / 2), static_cast<int>(count) - 1, kEveryModel}) {
+      p.state.selection.model = model;
+      p.frame(2);
+      const WidgetRect slider = p.rects["molecule.model"], text = p.rects["molecule.model.text"];
+      EXPECT_GE(text.x0, slider.x1) << count << ", model " << model;
+      EXPECT_GE(slider.x1 - slider.x0, 40) << count;
+      EXPECT_LE(text.x1, p.rects["view"].x0) << count;
+    }
+  }
+}
+
+TEST_F(MoleculePanel, AModelCanBeTyped) {
+  p.state.molecule.models.assign(24, 1);
+  p.frame(2);
+  p.point_at("molecule.model");
+  ImGui::GetIO().KeyCtrl = true;
+  p.press(true);
+  p.press(false);
+  ImGui::GetIO().KeyCtrl = false;
+  ImGui::GetIO().AddInputCharactersUTF8("17");
+  p.frame(2);
+  p.tap(key::kEnter);
+  EXPECT_EQ(selection().model, 16);
+}
+
 TEST_F(MoleculePanel, ARadiusIsTypedAndReset) {
   p.click("molecule.radius_list");
   p.type("radius.HEM.FE", "1.5");

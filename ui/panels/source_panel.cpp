@@ -75,10 +75,19 @@ void assembly_row(PanelContext& ctx) {
 void play_button(PanelContext& ctx) {
   bool& playing = ctx.state.memory.playing_models;
   if (button(ctx, "molecule.play", playing ? "Stop" : "Play", {ctx.px(44), 0})) playing = !playing;
-  if (!playing) {  // then it would hide the slider's number
+  if (!playing) {  // then it would be in the way
     tooltip(ctx, "Show the models one after the other, each with its complex at this alpha");
   }
   ImGui::SameLine(0, ctx.px(6));
+}
+
+void model_tooltip(PanelContext& ctx, int model) {
+  const std::vector<int>& numbers = ctx.state.molecule.models;
+  const auto index =
+      std::clamp<std::size_t>(static_cast<std::size_t>(model), 0, numbers.size() - 1);
+  tooltip(ctx, ("Model number " + std::to_string(numbers[index]) +
+                " in the file. Alpha stays when the model changes. Ctrl + click to type.")
+                   .c_str());
 }
 
 void model_slider(PanelContext& ctx) {
@@ -87,19 +96,23 @@ void model_slider(PanelContext& ctx) {
   int& model = s.selection.model;
   const bool every = model == kEveryModel;
   int shown = every ? 1 : model + 1;
-  const std::string format = every ? "all " + number(s.molecule.models.size())
-                                   : "%d of " + number(s.molecule.models.size());
-  ImGui::SetNextItemWidth(-1);
-  if (ImGui::SliderInt("##model", &shown, 1, count, format.c_str(), ImGuiSliderFlags_AlwaysClamp)) {
+  // Beside the slider, whose grab would cover it; as wide as the longest, so that nothing jumps.
+  const std::string all = number(s.molecule.models.size());
+  const float text_width = ImGui::CalcTextSize((all + " of " + all).c_str()).x;
+  const float left_for_slider = ImGui::GetContentRegionAvail().x - text_width - ctx.px(8);
+  ImGui::SetNextItemWidth(std::max(left_for_slider, ctx.px(40)));
+  if (ImGui::SliderInt("##model", &shown, 1, count, "", ImGuiSliderFlags_AlwaysClamp)) {
     model = shown - 1;
     s.memory.playing_models = false;
   }
   record(ctx, "molecule.model");
-  if (every) return;
-  const int in_file = s.molecule.models[static_cast<std::size_t>(std::clamp(model, 0, count - 1))];
-  tooltip(ctx, ("Model number " + std::to_string(in_file) +
-                " in the file. Alpha stays when the model changes.")
-                   .c_str());
+  if (!every) model_tooltip(ctx, model);
+  const std::string text =
+      every ? "all " + all : number(static_cast<std::uint64_t>(shown)) + " of " + all;
+  const float right = ImGui::GetWindowContentRegionMax().x;
+  ImGui::SameLine(right - ImGui::CalcTextSize(text.c_str()).x);
+  ImGui::TextUnformatted(text.c_str());
+  record(ctx, "molecule.model.text");
 }
 
 void model_rows(PanelContext& ctx) {

@@ -25,11 +25,19 @@ class ScriptRunner {
     std::string command;
     arguments >> command;
     if (command.empty() || command.front() == '#') return true;
+    if (command == "when") return when(rest(arguments));
+    if (command == "end") return end();
+    if (skipping_) return true;
     if (command == "quit") return false;
     const auto it = kCommands.find(command);
     if (it == kCommands.end()) throw std::runtime_error("unknown command '" + command + "'");
     (this->*it->second)(arguments);
     return !viewer_.quit_requested();
+  }
+
+  // Throws when a `when` has no `end`.
+  void finish() const {
+    if (inside_when_) throw std::runtime_error("the last 'when' has no 'end'");
   }
 
  private:
@@ -38,6 +46,42 @@ class ScriptRunner {
 
   void frames(int count) {
     for (int i = 0; i < count; ++i) viewer_.step(&input_);
+  }
+
+  // Asks the molecule and not the widgets: one that should be there and is not stays an error.
+  bool holds(const std::string& condition) const {
+    const MoleculeInfo& m = viewer_.state().molecule;
+    const std::map<std::string, bool> conditions{{"dropped", !m.dropped.empty()},
+                                                 {"guessed", !m.radius_rows.empty()},
+                                                 {"chains", m.chains.size() > 1},
+                                                 {"models", m.models.size() > 1},
+                                                 {"assemblies", !m.assemblies.empty()}};
+    const auto found = conditions.find(condition);
+    if (found == conditions.end()) {
+      throw std::runtime_error("unknown condition '" + condition +
+                               "'; known are dropped, guessed, chains, models, assemblies");
+    }
+    return found->second;
+  }
+  bool when(const std::string& condition) {
+    if (inside_when_) throw std::runtime_error("'when' inside of 'when'");
+    inside_when_ = true;
+    skipping_ = !holds(condition);
+    return true;
+  }
+  bool end() {
+    if (!inside_when_) throw std::runtime_error("'end' without 'when'");
+    inside_when_ = skipping_ = false;
+    return true;
+  }
+
+  // "radius.*" is the first in the alphabet whose name starts with "radius.".
+  WidgetRects::const_iterator find(const std::string& name) const {
+    const WidgetRects& all = viewer_.widgets();
+    if (name.empty() || name.back() != '*') return all.find(name);
+    const std::string start = name.substr(0, name.size() - 1);
+    const auto it = all.lower_bound(start);
+    return it != all.end() && it->first.starts_with(start) ? it : all.end();
   }
 
   static std::string rest(std::istream& arguments) {
@@ -52,11 +96,11 @@ class ScriptRunner {
     float fx = 0.5f, fy = 0.5f;
     if (!(arguments >> name)) throw std::runtime_error("name a widget to move to");
     arguments >> fx >> fy;
-    auto it = viewer_.widgets().find(name);
+    auto it = find(name);
     if (it != viewer_.widgets().end() && !it->second.visible) {
-      viewer_.state().memory.reveal = name;
+      viewer_.state().memory.reveal = it->first;
       frames(2);
-      it = viewer_.widgets().find(name);
+      it = find(name);
     }
     if (it == viewer_.widgets().end()) {
       throw std::runtime_error("there is no widget '" + name + "' on screen");
@@ -159,6 +203,7 @@ class ScriptRunner {
   std::ostream& out_;
   std::chrono::steady_clock::time_point last_time_ = std::chrono::steady_clock::now();
   ScriptedInput input_;
+  bool inside_when_ = false, skipping_ = false;
 };
 
 const std::map<std::string, ScriptRunner::Command> ScriptRunner::kCommands{
@@ -183,12 +228,14 @@ const std::map<std::string, ScriptRunner::Command> ScriptRunner::kCommands{
 void run_script(Viewer& viewer, std::istream& script, const std::string& name, std::ostream& out) {
   ScriptRunner runner(viewer, out);
   std::string line;
-  for (int number = 1; std::getline(script, line); ++number) {
-    try {
+  int number = 1;
+  try {
+    for (; std::getline(script, line); ++number) {
       if (!runner.run(line)) return;
-    } catch (const std::exception& error) {
-      throw std::runtime_error(name + ", line " + std::to_string(number) + ": " + error.what());
     }
+    runner.finish();
+  } catch (const std::exception& error) {
+    throw std::runtime_error(name + ", line " + std::to_string(number) + ": " + error.what());
   }
 }
 

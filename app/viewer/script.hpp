@@ -1,7 +1,7 @@
 // Drives the window by a script, through the same frames and widgets that a user has.
 //
 //   move NAME [FX FY]   mouse to a widget, scrolled into sight; FX, FY from 0 to 1 inside it
-//                       (default its middle)
+//                       (default its middle). A NAME that ends in * is the first that starts so
 //   down | up           left mouse button
 //   click NAME [FX FY]  move, down, up
 //   double-click NAME   as click, twice
@@ -15,6 +15,8 @@
 //   shot FILE           picture of the whole window as PNG
 //   print               counts and hash of the result to standard output
 //   time TEXT           milliseconds since the last `time` to standard output
+//   when CONDITION      what follows, up to `end`, only if the molecule has any: dropped (atoms),
+//                       guessed (radii, or set by hand), chains, models (more than one), assemblies
 //   quit
 //
 // Empty lines and lines that start with # are skipped.

@@ -154,6 +154,20 @@ TEST_F(ViewerTest, ScriptsNameTheLineThatFails) {
   }
 }
 
+TEST_F(ViewerTest, ScriptsDoSomethingOnlyWhenTheMoleculeHasIt) {
+  open_crambin();  // nothing of it is dropped, and it has one chain and an assembly
+  run("when dropped\nclick no.such.widget\nend\nwhen chains\nquit\nend\n"
+      "when assemblies\nclick alpha.preset.*\nend\nwait-idle\n");
+  EXPECT_DOUBLE_EQ(viewer_->state().result.alpha, 0);
+  run("click alpha.preset.3*\nwait-idle\n");
+  EXPECT_DOUBLE_EQ(viewer_->state().result.alpha, 3);
+  for (const char* wrong :
+       {"when assemblies\nclick no.such.widget\nend\n", "when nonsense\nend\n", "end\n",
+        "when dropped\n", "when dropped\nwhen chains\nend\nend\n", "click no.such.*\n"}) {
+    EXPECT_THROW(run(wrong), std::runtime_error) << wrong;
+  }
+}
+
 TEST(ViewerOptionsTest, ReadsEverything) {
   const char* argv[] = {"alphascope", "m.pdb",    "--alpha", "-0.5", "--solvent", "1.4",
                         "--size",     "1280x800", "--scale", "2",    "--shot",    "o.png"};

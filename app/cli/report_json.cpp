@@ -3,13 +3,13 @@
 #include <iostream>
 
 #include "app/cli/text.hpp"
+#include "app/session/result_header.hpp"
 #include "app/session/version.hpp"
 
 namespace alphascope::cli {
 
 std::string program_text() {
-  return "alphascope-cli " + std::string(program_version()) + " (" + std::string(program_commit()) +
-         ")";
+  return alphascope::program_text("alphascope-cli");
 }
 
 Json program_json() {
@@ -129,17 +129,7 @@ Json comparison_json(const Comparison& comparison) {
 
 ComplexHeader complex_header(const Input& input, const SessionRequest& request,
                              const AlphaComplex& complex) {
-  ComplexHeader header{{"program", program_text()}};
-  for (auto& entry : input.provenance()) header.push_back(std::move(entry));
-  const ComplexHeader rest{
-      {"alpha_angstrom2", number_text(request.alpha_angstrom2)},
-      {"solvent_radius_angstrom", number_text(request.solvent_radius_angstrom)},
-      {"tetrahedra_only", complex.tetrahedra_only ? "1" : "0"},
-      {"engine",
-       complex.engine.name + ", " + complex.engine.device + " (" + complex.engine.route + ")"},
-      {"hash", hash_text(complex.hash)}};
-  header.insert(header.end(), rest.begin(), rest.end());
-  return header;
+  return result_header("alphascope-cli", input.provenance(), request, complex);
 }
 
 void write_json(const Json& json, const std::string& path) {

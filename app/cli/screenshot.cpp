@@ -1,6 +1,5 @@
 // alphascope-cli screenshot: a picture of a complex, without a display.
 #include <charconv>
-#include <fstream>
 #include <iostream>
 
 #include "app/cli/commands.hpp"
@@ -9,7 +8,7 @@
 #include "app/cli/text.hpp"
 
 #ifdef ALPHASCOPE_HAS_SCENE
-#include "core/io/png_text.hpp"
+#include "app/session/result_header.hpp"
 #include "ui/scene/ball_colours.hpp"
 #include "ui/scene/screenshot.hpp"
 #endif
@@ -49,38 +48,21 @@ ScreenshotOptions picture_options(const ScreenshotCommandOptions& options) {
   return picture;
 }
 
-// Image programs show it among the properties of the picture. Not into a pipe or a device.
-void add_provenance(const std::filesystem::path& path, const ComplexHeader& header) {
-  if (!std::filesystem::is_regular_file(path)) return;
-  std::string png;
-  {
-    std::ifstream file(path, std::ios::binary);
-    png.assign(std::istreambuf_iterator<char>(file), {});
-  }
-  std::vector<std::pair<std::string, std::string>> texts;
-  for (const auto& [key, value] : header) {
-    texts.emplace_back(key == "program" ? "Software" : "alphascope:" + key, value);
-  }
-  AtomicFile file(path);
-  file.write(with_png_text(png, texts));
-  file.commit();
-}
-
 }  // namespace
 
 ExitCode run_screenshot(const ScreenshotCommandOptions& options) {
-  const ScreenshotOptions picture = picture_options(options);
+  ScreenshotOptions picture = picture_options(options);
   const RunContext& context = run_context();
   const Input input = open_one_model(options.input, "A picture shows one model.", context);
   EngineCache engines(&make_engine);
   const EngineCache::Result result =
       engines.compute(input.prepared().balls, options.request, context);
   const std::vector<std::uint32_t>& atoms = input.prepared().atom_of_ball;
+  picture.texts = picture_texts(complex_header(input, options.request, result.complex));
   render_screenshot(*input.prepared().balls, result.complex,
                     options.colours == "chain" ? colours_by_chain(input.molecule(), atoms)
                                                : colours_by_element(input.molecule(), atoms),
                     picture, options.out);
-  add_provenance(options.out, complex_header(input, options.request, result.complex));
   clear_progress();
   std::cout << input_text(input) << complex_text(result.complex) << "picture     "
             << options.out.string() << ", " << picture.width << " x " << picture.height << "\n";

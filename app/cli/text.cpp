@@ -1,8 +1,8 @@
 #include "app/cli/text.hpp"
 
-#include <charconv>
-#include <cmath>
 #include <cstdio>
+
+#include "app/session/result_header.hpp"
 
 namespace alphascope::cli {
 
@@ -13,13 +13,7 @@ std::string grouped(std::uint64_t number) {
 }
 
 std::string number_text(double number) {
-  char buffer[48];
-  const double size = std::fabs(number);
-  // "0.0001" rather than "1e-04"; the exponent only where it saves reading.
-  const bool plain = size == 0 || (size >= 1e-6 && size < 1e15);
-  char* const end = buffer + sizeof buffer;
-  return {buffer, plain ? std::to_chars(buffer, end, number, std::chars_format::fixed).ptr
-                        : std::to_chars(buffer, end, number).ptr};
+  return shortest_number(number);
 }
 
 std::string milliseconds_text(double milliseconds) {

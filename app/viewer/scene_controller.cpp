@@ -2,10 +2,11 @@
 #include "app/viewer/scene_controller.hpp"
 
 #include <algorithm>
+#include <tuple>
 #include <utility>
 
+#include "app/session/result_header.hpp"
 #include "ui/scene/ball_colours.hpp"
-#include "ui/scene/frame_grab.hpp"
 
 namespace alphascope {
 namespace {
@@ -22,17 +23,18 @@ Rgb8 to_rgb8(const Colour& c) {
   return {byte(c.r), byte(c.g), byte(c.b)};
 }
 
-std::shared_ptr<const DrawnMolecule> make_drawn(std::shared_ptr<const Molecule> molecule,
-                                                std::shared_ptr<const PreparedBalls> prepared,
+std::shared_ptr<const DrawnMolecule> make_drawn(std::shared_ptr<const OpenedMolecule> opened,
                                                 const RunContext& context) {
   auto drawn = std::make_shared<DrawnMolecule>();
+  const auto& [molecule, prepared] = std::tie(opened->molecule, opened->prepared);
   drawn->geometry = std::make_shared<const BallGeometry>(*prepared->balls);
   context.cancel.throw_if_cancelled();
   drawn->by_element = shared(colours_by_element(*molecule, prepared->atom_of_ball));
   drawn->by_chain = shared(colours_by_chain(*molecule, prepared->atom_of_ball));
   context.cancel.throw_if_cancelled();
-  drawn->molecule = std::move(molecule);
-  drawn->prepared = std::move(prepared);
+  drawn->molecule = molecule;
+  drawn->prepared = prepared;
+  drawn->opened = std::move(opened);
   return drawn;
 }
 
@@ -53,12 +55,15 @@ ComplexColouring colouring(ColourBy colour) {
 
 SceneController::SceneController(std::function<void()> wake) : mesh_worker_(std::move(wake)) {}
 
-void SceneController::set_molecule(std::shared_ptr<const Molecule> molecule,
-                                   std::shared_ptr<const PreparedBalls> prepared) {
-  const bool same_molecule = drawn_molecule_ && drawn_molecule_->molecule == molecule;
+std::shared_ptr<const Molecule> SceneController::molecule() const {
+  return opened_ ? opened_->molecule : nullptr;
+}
+
+void SceneController::set_molecule(std::shared_ptr<const OpenedMolecule> opened) {
+  const bool same_molecule = drawn_molecule_ && drawn_molecule_->molecule == opened->molecule;
   mesh_worker_.cancel();
-  molecule_ = std::move(molecule);
-  prepared_ = std::move(prepared);
+  prepared_ = opened->prepared;
+  opened_ = std::move(opened);
   answer_ = nullptr;
   agreement_ = nullptr;
   waiting_ = same_molecule;
@@ -158,12 +163,12 @@ void SceneController::submit() {
   requested_mesh_ = mesh_options();
   if (!prepared_ || waiting_) return;  // what is awaited will be made with the new options
   const bool by_element = display_.complex_colour == ColourBy::element;
-  mesh_worker_.submit([this, drawn = drawn_molecule_, molecule = molecule_, prepared = prepared_,
-                       answer = answer_, agreement = agreement_, by_element,
+  mesh_worker_.submit([this, drawn = drawn_molecule_, opened = opened_, answer = answer_,
+                       agreement = agreement_, by_element,
                        options = requested_mesh_](const RunContext& context) -> Worker::Delivery {
     Drawing drawing;
-    const bool known = drawn && drawn->prepared == prepared;
-    drawing.molecule = known ? drawn : make_drawn(molecule, prepared, context);
+    const bool known = drawn && drawn->prepared == opened->prepared;
+    drawing.molecule = known ? drawn : make_drawn(opened, context);
     drawing.answer = answer;
     const DrawnMolecule& m = *drawing.molecule;
     if (answer) {
@@ -263,8 +268,23 @@ std::optional<std::size_t> SceneController::pick(int x, int y) const {
   return pick_ball(*drawn_molecule_->geometry, radii_, scene_.ray(x, y));
 }
 
+PictureTexts SceneController::texts() const {
+  if (!drawn_molecule_) return {};
+  constexpr const char* kProgram = "alphascope";
+  const OpenedMolecule& opened = *drawn_molecule_->opened;
+  const Provenance balls =
+      provenance(*opened.molecule, opened.options.balls, opened.prepared->report);
+  if (drawn_answer_) {
+    return picture_texts(
+        result_header(kProgram, balls, drawn_answer_->request, drawn_answer_->complex));
+  }
+  ComplexHeader header{{"program", program_text(kProgram)}};
+  header.insert(header.end(), balls.begin(), balls.end());
+  return picture_texts(header);
+}
+
 void SceneController::save_picture(const ScreenshotRequest& request) {
-  write_png(scene_.grab(request.width, request.height, request.transparent), request.path);
+  write_png(scene_.grab(request.width, request.height, request.transparent), request.path, texts());
   dirty_ = true;
 }
 

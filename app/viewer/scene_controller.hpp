@@ -11,6 +11,7 @@
 #include "app/session/session.hpp"
 #include "core/run/worker.hpp"
 #include "ui/panels/view_state.hpp"
+#include "ui/scene/frame_grab.hpp"
 #include "ui/scene/quality.hpp"
 #include "ui/scene/scene.hpp"
 
@@ -18,6 +19,7 @@ namespace alphascope {
 
 // A molecule's balls, and what was made of them for drawing.
 struct DrawnMolecule {
+  std::shared_ptr<const OpenedMolecule> opened;  // of which the next two are
   std::shared_ptr<const Molecule> molecule;
   std::shared_ptr<const PreparedBalls> prepared;
   std::shared_ptr<const BallGeometry> geometry;
@@ -31,9 +33,8 @@ class SceneController {
 
   // Other balls of the same molecule (another selection, model or radius) appear with their answer,
   // or with show_without_answer(); those of another molecule as soon as possible.
-  void set_molecule(std::shared_ptr<const Molecule> molecule,
-                    std::shared_ptr<const PreparedBalls> prepared);
-  const std::shared_ptr<const Molecule>& molecule() const { return molecule_; }  // last set
+  void set_molecule(std::shared_ptr<const OpenedMolecule> opened);
+  std::shared_ptr<const Molecule> molecule() const;  // last set
   void set_answer(std::shared_ptr<const Answer> answer);
   void show_without_answer();  // there will be none
   // Draws what differs from the reference, if anything does.
@@ -57,6 +58,8 @@ class SceneController {
   // What is on screen, which may still be older than what was set; null before the first.
   const DrawnMolecule* drawn() const { return drawn_molecule_.get(); }
   void save_picture(const ScreenshotRequest& request);
+  // Where what is on screen comes from, to go into pictures of it; empty when nothing is.
+  PictureTexts texts() const;
 
  private:
   using Clock = std::chrono::steady_clock;
@@ -76,8 +79,8 @@ class SceneController {
   Scene scene_;
   QualityChooser quality_;
   // Wanted on screen.
-  std::shared_ptr<const Molecule> molecule_;
-  std::shared_ptr<const PreparedBalls> prepared_;
+  std::shared_ptr<const OpenedMolecule> opened_;
+  std::shared_ptr<const PreparedBalls> prepared_;  // of opened_
   std::shared_ptr<const Answer> answer_;
   std::shared_ptr<const Agreement> agreement_;  // of answer_, and only when something differs
   bool waiting_ = false;                        // for the answer: until then nothing new is drawn

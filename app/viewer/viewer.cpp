@@ -94,7 +94,7 @@ void Viewer::take_molecule() {
   const SessionState& s = session_.state();
   const bool new_file = shown_file_ != s.opened->deposited;
   const bool new_molecule = scene_.molecule() != s.molecule;
-  scene_.set_molecule(s.molecule, s.prepared);
+  scene_.set_molecule(s.opened);
   state_.molecule = describe_molecule(*s.opened);
   state_.molecule.radii = grown_radii(*s.prepared, state_.compute);
   compared_ = nullptr;
@@ -368,7 +368,7 @@ void Viewer::shoot(const std::filesystem::path& path, ScriptedInput* input) {
   draw(input, true, [&](unsigned framebuffer) {
     Image image = read_framebuffer(framebuffer, size.width, size.height);
     for (std::size_t i = 3; i < image.rgba.size(); i += 4) image.rgba[i] = 255;
-    write_png(image, path);
+    write_png(image, path, scene_.texts());
   });
   patient_ = false;
 }

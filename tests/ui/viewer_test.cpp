@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "app/viewer/state_bridge.hpp"
+#include "tests/support/png_chunks.hpp"
 #include "tests/ui/viewer_fixture.hpp"
 
 namespace alphascope {
@@ -9,6 +10,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using testing::crambin;
+using testing::texts_of;
 using testing::ViewerTest;
 
 TEST_F(ViewerTest, OpensAndShowsTheComplex) {
@@ -136,6 +138,47 @@ TEST_F(ViewerTest, SavesAPictureOfTheChosenSize) {
       ScreenshotRequest{"/no/such/folder/picture.png", 320, 240, false};
   run("frames 2\n");
   EXPECT_NE(viewer_->state().error.find("/no/such/folder"), std::string::npos);
+}
+
+TEST_F(ViewerTest, PicturesSayWhereTheyComeFrom) {
+  shot("empty.png");
+  EXPECT_TRUE(texts_of(bytes("empty.png")).empty());
+  open_crambin();
+  run("click alpha.preset.1.4\nclick alpha.water\nwait-idle\n");
+  viewer_->state().requests.screenshot = ScreenshotRequest{folder_ / "picture.png", 320, 240, true};
+  run("frames 2\n");
+  ASSERT_TRUE(viewer_->state().error.empty()) << viewer_->state().error;
+  const auto texts = texts_of(bytes("picture.png"));
+  const auto text = [&texts](const std::string& key) {
+    const auto found = texts.find(key);
+    return found == texts.end() ? "(none)" : found->second;
+  };
+  EXPECT_EQ(text("Software").find("alphascope "), 0u) << text("Software");
+  EXPECT_EQ(text("alphascope:file"), crambin().string());
+  EXPECT_EQ(text("alphascope:sha256"), viewer_->session().state().molecule->sha256);
+  EXPECT_EQ(text("alphascope:alpha_angstrom2"), "1.4");
+  EXPECT_EQ(text("alphascope:solvent_radius_angstrom"), "1.4");
+  EXPECT_EQ(text("alphascope:hash"), hash_text(expected(1.4, 1.4).hash));
+  EXPECT_EQ(text("alphascope:radii").find("ProtOr"), 0u) << text("alphascope:radii");
+  shot("window.png");  // the whole window says the same
+  EXPECT_EQ(texts_of(bytes("window.png")), texts);
+}
+
+TEST_F(ViewerTest, PicturesSayTheSameAsTheCommandLines) {
+  open_crambin();
+  run("click alpha.preset.3\nclick molecule.ligands\nwait-idle\nshot " +
+      (folder_ / "window.png").string() + "\n");
+  const std::string command = std::string(ALPHASCOPE_CLI) + " screenshot " + crambin().string() +
+                              " --alpha 3 --no-ligands --size 64x64 -o " +
+                              (folder_ / "cli.png").string() + " > /dev/null 2>&1";
+  ASSERT_EQ(std::system(command.c_str()), 0) << command;
+  auto window = texts_of(bytes("window.png")), cli = texts_of(bytes("cli.png"));
+  EXPECT_EQ(window["alphascope:options"], "--no-ligands");
+  for (auto* texts : {&window, &cli}) {  // "alphascope 0.1.0 (…)" and "alphascope-cli 0.1.0 (…)"
+    std::string& program = (*texts)["Software"];
+    program.erase(0, program.find(' '));
+  }
+  EXPECT_EQ(window, cli);
 }
 
 TEST_F(ViewerTest, ResizingIsFollowed) {

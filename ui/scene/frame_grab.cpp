@@ -11,8 +11,11 @@
 
 #include <algorithm>
 #include <cstring>
-#include <fstream>
 #include <stdexcept>
+#include <string_view>
+
+#include "core/io/atomic_file.hpp"
+#include "core/io/png_text.hpp"
 
 namespace alphascope {
 
@@ -57,11 +60,7 @@ Image downsample(const Image& image, int factor) {
   return result;
 }
 
-void write_png(const Image& image, const std::filesystem::path& path) {
-  const auto fail = [&path] {
-    throw std::runtime_error("cannot write '" + path.string() +
-                             "'; check that the folder exists and is writable");
-  };
+void write_png(const Image& image, const std::filesystem::path& path, const PictureTexts& texts) {
   if (image.width <= 0 || image.height <= 0) throw std::invalid_argument("empty image");
   bool opaque = true;
   for (std::size_t i = 3; i < image.rgba.size(); i += 4) opaque = opaque && image.rgba[i] == 255;
@@ -80,13 +79,13 @@ void write_png(const Image& image, const std::filesystem::path& path) {
   writer->SetInputData(data);
   writer->WriteToMemoryOn();
   writer->Write();
-  const vtkUnsignedCharArray* bytes = writer->GetResult();
-  std::ofstream file(path, std::ios::binary);
-  if (!file || bytes == nullptr) fail();
-  file.write(reinterpret_cast<const char*>(const_cast<vtkUnsignedCharArray*>(bytes)->GetPointer(0)),
-             bytes->GetNumberOfValues());
-  file.close();
-  if (!file) fail();
+  vtkUnsignedCharArray* bytes = writer->GetResult();
+  if (bytes == nullptr) throw std::runtime_error("the picture could not be made into a PNG file");
+  const std::string_view png(reinterpret_cast<const char*>(bytes->GetPointer(0)),
+                             static_cast<std::size_t>(bytes->GetNumberOfValues()));
+  AtomicFile file(path);
+  file.write(with_png_text(png, texts));
+  file.commit();
 }
 
 }  // namespace alphascope

@@ -2,6 +2,9 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "ui/scene/scene.hpp"
 
@@ -13,7 +16,12 @@ Image read_framebuffer(unsigned framebuffer, int width, int height);
 // Means of factor x factor pixels; weighted by alpha, so that transparent pixels give no colour.
 Image downsample(const Image& image, int factor);
 
-// Throws std::runtime_error naming the path when it cannot be written.
-void write_png(const Image& image, const std::filesystem::path& path);
+// Keyword and text, as with_png_text() takes them (core/io/png_text.hpp).
+using PictureTexts = std::vector<std::pair<std::string, std::string>>;
+
+// The file appears whole or not at all. Throws WriteError naming the path when it cannot be
+// written.
+void write_png(const Image& image, const std::filesystem::path& path,
+               const PictureTexts& texts = {});
 
 }  // namespace alphascope

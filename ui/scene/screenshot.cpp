@@ -3,7 +3,6 @@
 
 #include <stdexcept>
 
-#include "ui/scene/frame_grab.hpp"
 #include "ui/window/egl_context.hpp"
 
 namespace alphascope {
@@ -29,7 +28,7 @@ void render_screenshot(const BallSet& balls, const AlphaComplex& complex,
   scene.set_balls(geometry, colours);
   scene.set_ball_radii(drawn_radii(*geometry, options.balls));
   scene.set_mesh(mesh);
-  write_png(scene.grab(options.width, options.height, options.transparent), path);
+  write_png(scene.grab(options.width, options.height, options.transparent), path, options.texts);
 }
 
 }  // namespace alphascope

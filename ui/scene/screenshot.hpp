@@ -6,7 +6,7 @@
 
 #include "core/complex/alpha_complex.hpp"
 #include "core/geometry/ball_set.hpp"
-#include "ui/scene/scene.hpp"
+#include "ui/scene/frame_grab.hpp"
 
 namespace alphascope {
 
@@ -16,6 +16,7 @@ struct ScreenshotOptions {
   SceneStyle style;
   BallStyle balls;
   MeshOptions mesh;
+  PictureTexts texts;  // into the file
 };
 
 // Draws `complex` with its `balls` (radii before any solvent; one colour each) in the default view.

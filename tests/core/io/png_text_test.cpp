@@ -1,37 +1,15 @@
 #include "core/io/png_text.hpp"
 
 #include <gtest/gtest.h>
-#include <zlib.h>
 
-#include <cstdint>
 #include <stdexcept>
+
+#include "tests/support/png_chunks.hpp"
 
 namespace alphascope {
 namespace {
 
-std::uint32_t number_at(const std::string& bytes, std::size_t at) {
-  std::uint32_t number = 0;
-  for (std::size_t k = 0; k < 4; ++k) {
-    number = number << 8 | static_cast<unsigned char>(bytes.at(at + k));
-  }
-  return number;
-}
-
-// A picture's chunks: type and data. Every length and checksum must be right.
-std::vector<std::pair<std::string, std::string>> chunks_of(const std::string& png) {
-  std::vector<std::pair<std::string, std::string>> chunks;
-  std::size_t at = 8;
-  while (at < png.size()) {
-    const std::uint32_t length = number_at(png, at);
-    const std::string body = png.substr(at + 4, length + 4);
-    EXPECT_EQ(crc32(0, reinterpret_cast<const Bytef*>(body.data()), static_cast<uInt>(body.size())),
-              number_at(png, at + 8 + length));
-    chunks.emplace_back(body.substr(0, 4), body.substr(4));
-    at += 12 + length;
-  }
-  EXPECT_EQ(at, png.size());
-  return chunks;
-}
+using testing::chunks_of;
 
 // One transparent pixel.
 const std::string kPixel(

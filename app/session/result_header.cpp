@@ -1,0 +1,49 @@
+// See the header.
+#include "app/session/result_header.hpp"
+
+#include <charconv>
+#include <cmath>
+
+#include "app/session/version.hpp"
+
+namespace alphascope {
+
+std::string shortest_number(double number) {
+  char buffer[48];
+  const double size = std::fabs(number);
+  // "0.0001" rather than "1e-04"; the exponent only where it saves reading.
+  const bool plain = size == 0 || (size >= 1e-6 && size < 1e15);
+  char* const end = buffer + sizeof buffer;
+  return {buffer, plain ? std::to_chars(buffer, end, number, std::chars_format::fixed).ptr
+                        : std::to_chars(buffer, end, number).ptr};
+}
+
+std::string program_text(std::string_view program) {
+  return std::string(program) + " " + std::string(program_version()) + " (" +
+         std::string(program_commit()) + ")";
+}
+
+ComplexHeader result_header(std::string_view program, const Provenance& balls,
+                            const SessionRequest& request, const AlphaComplex& complex) {
+  ComplexHeader header{{"program", program_text(program)}};
+  header.insert(header.end(), balls.begin(), balls.end());
+  const ComplexHeader rest{
+      {"alpha_angstrom2", shortest_number(request.alpha_angstrom2)},
+      {"solvent_radius_angstrom", shortest_number(request.solvent_radius_angstrom)},
+      {"tetrahedra_only", complex.tetrahedra_only ? "1" : "0"},
+      {"engine",
+       complex.engine.name + ", " + complex.engine.device + " (" + complex.engine.route + ")"},
+      {"hash", hash_text(complex.hash)}};
+  header.insert(header.end(), rest.begin(), rest.end());
+  return header;
+}
+
+std::vector<std::pair<std::string, std::string>> picture_texts(const ComplexHeader& header) {
+  std::vector<std::pair<std::string, std::string>> texts;
+  for (const auto& [key, value] : header) {
+    texts.emplace_back(key == "program" ? "Software" : "alphascope:" + key, value);
+  }
+  return texts;
+}
+
+}  // namespace alphascope

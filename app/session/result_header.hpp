@@ -1,0 +1,26 @@
+// Where a result comes from, for whatever is written of it: the same for window and command line.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "app/session/engine_cache.hpp"
+#include "core/io/write_complex.hpp"
+#include "core/molecule/provenance.hpp"
+
+namespace alphascope {
+
+// Shortest that reads back as the same number: "1.4", "-0.5", "0.0001".
+std::string shortest_number(double number);
+
+// "alphascope-cli 0.1.0 (0123456789ab)".
+std::string program_text(std::string_view program);
+
+// `program`, then `balls`, then what was asked of an engine and what it answered.
+ComplexHeader result_header(std::string_view program, const Provenance& balls,
+                            const SessionRequest& request, const AlphaComplex& complex);
+
+// The same as texts of a picture (docs/output-files.md).
+std::vector<std::pair<std::string, std::string>> picture_texts(const ComplexHeader& header);
+
+}  // namespace alphascope

@@ -105,7 +105,7 @@ void Viewer::take_molecule() {
   if (!new_file) return;
   shown_file_ = s.opened->deposited;
   host_.set_title(state_.molecule.name + " – Alphascope");
-  state_.memory.playing_models = false;
+  state_.memory.playing_models = state_.memory.timings_pinned = false;
   state_.selection = sent_selection_ = to_controls(session_.open_options(), radii_sets_);
   state_.expression_error = {};
   state_.memory.expression_typed = state_.memory.expression_shown = state_.selection.expression;

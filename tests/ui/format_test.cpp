@@ -20,6 +20,9 @@ TEST(Format, CountsHaveSeparators) {
 TEST(Format, TimesHaveThreeDigitsAndAUnit) {
   EXPECT_EQ(milliseconds_text(0.0421), "0.042 ms");
   EXPECT_EQ(milliseconds_text(2.534), "2.53 ms");
+  EXPECT_EQ(milliseconds_text(0.0006), "0.001 ms");
+  EXPECT_EQ(milliseconds_text(0.0002), "<0.001 ms");  // it was run, and took some time
+  EXPECT_EQ(milliseconds_text(0), "0 ms");
   EXPECT_EQ(milliseconds_text(52.83), "52.8 ms");
   EXPECT_EQ(milliseconds_text(159.9), "160 ms");
   EXPECT_EQ(milliseconds_text(1240), "1.24 s");

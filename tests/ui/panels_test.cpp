@@ -163,6 +163,45 @@ TEST(PanelsTest, ColdTimesThatAreMissingCanBeMeasured) {
   EXPECT_FALSE(p.rects.contains("timings.compute_anew"));
 }
 
+TEST(PanelsTest, AChoiceOfTimesStaysAlsoWhenThereAreNone) {
+  Panels p({1280, 800, 1});
+  p.state = loaded_state();  // cold only
+  p.frame(2);
+  p.click("timings.run.1");
+  EXPECT_FALSE(p.state.memory.timings_cold);
+  EXPECT_TRUE(p.rects.contains("timings.missing"));
+  p.click("timings.run.0");
+  EXPECT_TRUE(p.state.memory.timings_cold);
+  EXPECT_FALSE(p.rects.contains("timings.missing"));
+}
+
+TEST(PanelsTest, SavingSaysWhatItReplacesAndWhichFolderIsMissing) {
+  Panels p({1280, 800, 1});
+  p.state = loaded_state();
+  p.state.memory.show_save = true;
+  const auto folder = std::filesystem::temp_directory_path();
+  p.state.memory.save_path = (folder / "alphascope no such picture.png").string();
+  p.frame(3);
+  EXPECT_FALSE(p.rects.contains("save.replaces"));
+  EXPECT_FALSE(p.rects.contains("save.no_folder"));
+  const float bottom = p.rects["save.ok"].y1;
+  p.state.memory.save_path = (folder / "alphascope no such folder" / "x.png").string();
+  p.frame(2);
+  EXPECT_TRUE(p.rects.contains("save.no_folder"));
+  EXPECT_FLOAT_EQ(p.rects["save.ok"].y1, bottom) << "nothing jumps while one types";
+  p.state.memory.save_path = std::string(ALPHASCOPE_SOURCE_DIR) + "/README.md";
+  p.frame(2);
+  EXPECT_FALSE(p.rects.contains("save.replaces")) << "it will be README.md.png";
+  p.state.memory.save_path = std::string(ALPHASCOPE_SOURCE_DIR) + "/docs/images/window.png";
+  p.frame(2);
+  EXPECT_TRUE(p.rects.contains("save.replaces"));
+  p.state.memory.save_path = (folder / "figure 1").string();
+  p.frame(2);
+  p.click("save.ok");
+  ASSERT_TRUE(p.state.requests.screenshot);
+  EXPECT_EQ(p.state.requests.screenshot->path, folder / "figure 1.png");
+}
+
 class PanelsAtEverySize : public ::testing::TestWithParam<Size> {};
 
 TEST_P(PanelsAtEverySize, NothingLeavesTheWindow) {

@@ -89,10 +89,10 @@ void solvent(PanelContext& ctx) {
   tooltip(ctx, "Solvent radius in Å: r becomes r + s before anything else.\nCtrl + click to type.");
   ImGui::SameLine(0, ctx.px(6));
   const bool water = radius == kWater;
-  if (button(ctx, "alpha.water", water ? "0 Å" : "1.4 Å", {-1, 0})) {
+  if (button(ctx, "alpha.water", water ? "none" : "water", {-1, 0})) {
     radius = water ? 0 : kWater;
   }
-  tooltip(ctx, water ? "No solvent" : "Water: 1.4 Å");
+  tooltip(ctx, water ? "No solvent: 0 Å" : "Water: 1.4 Å");
 }
 
 // "C 1.70 → 2.07", two columns.

@@ -84,13 +84,33 @@ void draw_chart(PanelContext& ctx, const Chart& chart) {
   if (!tip.empty()) ImGui::SetTooltip("%s", tip.c_str());
 }
 
-void engine_box(PanelContext& ctx, const char* name, const char* label, bool& value, bool gpu) {
-  const bool usable = !gpu || ctx.state.gpu.usable;
+struct EngineBox {
+  const char* name;  // of the widget
+  const char* label;
+  const char* id;  // in table, figures and files
+  bool BenchmarkControls::*value;
+  bool gpu;
+};
+
+constexpr EngineBox kEngineBoxes[] = {
+    {"benchmark.tuples_gpu", "thesis' tuples, GPU", "tuples-gpu", &BenchmarkControls::tuples_gpu,
+     true},
+    {"benchmark.gpu", "GPU", "gpu", &BenchmarkControls::gpu, true},
+    {"benchmark.tuples_cpu", "thesis' tuples, CPU", "tuples-cpu", &BenchmarkControls::tuples_cpu,
+     false},
+    {"benchmark.cpu", "CPU", "cpu", &BenchmarkControls::cpu, false},
+};
+
+void engine_box(PanelContext& ctx, const EngineBox& box) {
+  const bool usable = !box.gpu || ctx.state.gpu.usable;
+  bool& value = ctx.state.benchmark_controls.*box.value;
   ImGui::BeginDisabled(!usable);
   bool shown = value && usable;
-  if (checkbox(ctx, name, label, shown)) value = shown;
+  if (checkbox(ctx, box.name, box.label, shown)) value = shown;
   ImGui::EndDisabled();
-  if (!usable) tooltip(ctx, ctx.state.gpu.why_not.c_str());
+  const std::string help =
+      usable ? std::string("“") + box.id + "” in table, figures and files." : ctx.state.gpu.why_not;
+  tooltip(ctx, help.c_str());
   ImGui::SameLine(0, ctx.px(16));
 }
 
@@ -116,14 +136,11 @@ void controls(PanelContext& ctx) {
   record(ctx, "benchmark.alphas");
   ImGui::SameLine(0, ctx.px(16));
   number_field(ctx, "benchmark.runs", "runs", c.runs, 1000);
-  number_field(ctx, "benchmark.seconds", "at most seconds a row", c.seconds_per_row, 86400);
+  number_field(ctx, "benchmark.seconds", "seconds a row, at most", c.seconds_per_row, 86400);
   tooltip(ctx, "A row that cannot finish one run in this time is left out; nothing is estimated.");
   ImGui::NewLine();
   row_label(ctx, "Engines");
-  engine_box(ctx, "benchmark.tuples_gpu", "thesis' tuples, GPU", c.tuples_gpu, true);
-  engine_box(ctx, "benchmark.gpu", "GPU", c.gpu, true);
-  engine_box(ctx, "benchmark.tuples_cpu", "thesis' tuples, CPU", c.tuples_cpu, false);
-  engine_box(ctx, "benchmark.cpu", "CPU", c.cpu, false);
+  for (const EngineBox& box : kEngineBoxes) engine_box(ctx, box);
   checkbox(ctx, "benchmark.ablation", "each optimisation off in turn", c.ablation);
   tooltip(ctx, "Of the thesis' tuples, at the smallest alpha.");
   ImGui::EndDisabled();
@@ -176,13 +193,18 @@ void table(PanelContext& ctx, float height) {
   constexpr ImGuiTableFlags kFlags = ImGuiTableFlags_ScrollX | ImGuiTableFlags_ScrollY |
                                      ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersInnerV |
                                      ImGuiTableFlags_SizingFixedFit;
-  if (columns == 0) return;
-  ImGui::PushStyleColor(ImGuiCol_TableHeaderBg, to_imgui(ctx.palette.field));
+  if (columns == 0) {
+    muted_wrapped(
+        ctx,
+        "Run measures each engine at each alpha, beside CGAL. Rows appear here as they are "
+        "finished; Cancel keeps them.");
+    record(ctx, "benchmark.empty");
+    return;
+  }
   ImGui::PushStyleColor(ImGuiCol_TableRowBgAlt, to_imgui(ctx.palette.field, 0.45f));
-  ImGui::PushStyleColor(ImGuiCol_TableBorderLight, to_imgui(ctx.palette.border));
   const bool open = ImGui::BeginTable("rows", columns, kFlags, {0, height});
   if (open) table_rows(ctx);
-  ImGui::PopStyleColor(3);
+  ImGui::PopStyleColor();
   record(ctx, "benchmark.table");
 }
 

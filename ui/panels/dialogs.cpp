@@ -210,6 +210,39 @@ void save_size(PanelContext& ctx) {
   ImGui::NewLine();
 }
 
+// Pictures are PNG files whatever one calls them.
+std::filesystem::path picture_path(const PanelMemory& m) {
+  std::error_code ignored;
+  std::filesystem::path path = std::filesystem::absolute(m.save_path, ignored).lexically_normal();
+  const std::string extension = path.extension().string();
+  if (extension != ".png" && extension != ".PNG") path += ".png";
+  return path;
+}
+
+// Where it will be, whatever folder the program was started in, and what becomes of what is there.
+void save_target(PanelContext& ctx) {
+  std::error_code ignored;
+  const std::filesystem::path path = picture_path(ctx.state.memory);
+  row_label(ctx, "");
+  ImGui::PushFont(ctx.fonts.small);
+  if (std::filesystem::is_regular_file(path, ignored)) {
+    ImGui::PushStyleColor(ImGuiCol_Text, to_imgui(ctx.palette.warning));
+    ImGui::TextUnformatted("This file is there already and will be replaced.");
+    ImGui::PopStyleColor();
+    record(ctx, "save.replaces");
+  } else if (!std::filesystem::is_directory(path.parent_path(), ignored)) {
+    ImGui::PushStyleColor(ImGuiCol_Text, to_imgui(ctx.palette.error));
+    ImGui::TextUnformatted(
+        fitted_text("There is no folder " + path.parent_path().string(), ctx.px(340)).c_str());
+    ImGui::PopStyleColor();
+    record(ctx, "save.no_folder");
+  } else {
+    muted_text(ctx, fitted_text(path.string(), ctx.px(340)));
+    tooltip(ctx, path.string().c_str());
+  }
+  ImGui::PopFont();
+}
+
 void save_picture(PanelContext& ctx) {
   ViewState& s = ctx.state;
   PanelMemory& m = s.memory;
@@ -220,9 +253,14 @@ void save_picture(PanelContext& ctx) {
   const bool entered =
       ImGui::InputText("##path", &m.save_path, ImGuiInputTextFlags_EnterReturnsTrue);
   record(ctx, "save.path");
+  save_target(ctx);
   save_size(ctx);
   row_label(ctx, "");
   checkbox(ctx, "save.transparent", "Transparent background", m.save_transparent);
+  ImGui::PushFont(ctx.fonts.small);
+  row_label(ctx, "");
+  muted_text(ctx, "File, selection, radii, alpha and hash are written into the picture.");
+  ImGui::PopFont();
   ImGui::Dummy({0, ctx.px(6)});
   if (button(ctx, "save.cancel", "Cancel", {ctx.px(100), 0}) ||
       ImGui::IsKeyPressed(key::kEscape, false)) {
@@ -232,7 +270,7 @@ void save_picture(PanelContext& ctx) {
   ImGui::BeginDisabled(m.save_path.empty());
   if (button(ctx, "save.ok", "Save", {ctx.px(100), 0}, ButtonKind::primary) ||
       (entered && !m.save_path.empty())) {
-    s.requests.screenshot = {m.save_path, m.save_width, m.save_height, m.save_transparent};
+    s.requests.screenshot = {picture_path(m), m.save_width, m.save_height, m.save_transparent};
     m.show_save = false;
   }
   ImGui::EndDisabled();

@@ -35,6 +35,8 @@ std::string milliseconds_text(double milliseconds) {
   if (milliseconds >= 100) return number_text(milliseconds, 0) + " ms";
   if (milliseconds >= 10) return number_text(milliseconds, 1) + " ms";
   if (milliseconds >= 1) return number_text(milliseconds, 2) + " ms";
+  if (milliseconds == 0) return "0 ms";
+  if (milliseconds < 0.0005) return "<0.001 ms";
   return number_text(milliseconds, 3) + " ms";
 }
 

@@ -94,6 +94,8 @@ void apply_style(Theme theme, float scale) {
   c[ImGuiCol_ScrollbarBg] = ImVec4(0, 0, 0, 0);
   c[ImGuiCol_ScrollbarGrab] = vec4(p.field_active);
   c[ImGuiCol_ScrollbarGrabHovered] = c[ImGuiCol_ScrollbarGrabActive] = vec4(p.text_disabled);
+  c[ImGuiCol_TableHeaderBg] = vec4(p.field);
+  c[ImGuiCol_TableBorderLight] = vec4(p.border);
   c[ImGuiCol_PlotHistogram] = vec4(p.accent);
   c[ImGuiCol_TextSelectedBg] = vec4(p.accent, 0.35f);
   c[ImGuiCol_NavHighlight] = vec4(p.accent);

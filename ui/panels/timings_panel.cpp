@@ -105,9 +105,10 @@ void title(PanelContext& ctx) {
   strong_text(ctx, "Timings");
   ImGui::SameLine(0, ctx.px(14));
   PanelMemory& m = ctx.state.memory;
-  // Until the user chooses: the first computation, then what the slider does. Never an empty chart.
+  // Until the user chooses: the first computation, then what the slider does. Never an empty chart;
+  // a choice without times is explained (missing_times()).
   const bool warm = ctx.state.ours && ctx.state.ours->warm;
-  if (!warm || !m.timings_pinned) m.timings_cold = !warm;
+  if (!m.timings_pinned) m.timings_cold = !warm;
   int run = m.timings_cold ? 0 : 1;
   if (choice(ctx, "timings.run", {"Cold", "Warm"}, run, ctx.px(124))) {
     m.timings_pinned = true;

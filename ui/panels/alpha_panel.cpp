@@ -86,7 +86,9 @@ void solvent(PanelContext& ctx) {
   if (value_slider(ctx, "alpha.solvent", value, 0, 5, number_text(radius, 2) + " Å", 56)) {
     radius = std::clamp(std::round(value * 100) / 100, 0.0, kLargestSolvent);
   }
-  tooltip(ctx, "Solvent radius in Å: r becomes r + s before anything else.\nCtrl + click to type.");
+  tooltip(
+      ctx,
+      "Solvent radius in Å: every radius grows by it before anything else.\nCtrl + click to type.");
   ImGui::SameLine(0, ctx.px(6));
   const bool water = radius == kWater;
   if (button(ctx, "alpha.water", water ? "none" : "water", {-1, 0})) {
@@ -99,7 +101,7 @@ void solvent(PanelContext& ctx) {
 void grown_radii(PanelContext& ctx) {
   const auto& radii = ctx.state.molecule.radii;
   if (radii.empty()) return;
-  muted_text(ctx, "Radii, grown by s and α (Å)");
+  muted_text(ctx, "Radii → grown by solvent and α (Å)");
   const float half = ImGui::GetContentRegionAvail().x / 2;
   const float start = ImGui::GetCursorPosX();
   constexpr std::size_t kShown = 6;

@@ -115,6 +115,7 @@ void missing(PanelContext& ctx) {
   ViewState& s = ctx.state;
   const std::vector<std::string> sentences = missing_times(s, s.memory.timings_cold);
   if (sentences.empty()) return;
+  ImGui::Dummy({0, ctx.px(3)});
   for (const std::string& sentence : sentences) muted_wrapped(ctx, sentence);
   record(ctx, "timings.missing");
   if (!s.memory.timings_cold || !lacks_cold_time(s)) return;

@@ -2,6 +2,7 @@
 
 #include <zlib.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <stdexcept>
 
@@ -16,8 +17,11 @@ void append_big_endian(std::string& bytes, std::uint32_t number) {
 }
 
 std::string text_chunk(const std::string& keyword, const std::string& text) {
-  std::string body = "iTXt" + keyword;
-  body.append(5, '\0');  // end of keyword, not compressed, method 0, no language, no translation
+  const bool ascii = std::all_of(text.begin(), text.end(),
+                                 [](char c) { return static_cast<unsigned char>(c) < 0x80; });
+  std::string body = (ascii ? "tEXt" : "iTXt") + keyword;
+  // End of keyword; for iTXt: not compressed, method 0, no language, no translation.
+  body.append(ascii ? 1 : 5, '\0');
   body += text;
   std::string chunk;
   append_big_endian(chunk, static_cast<std::uint32_t>(body.size() - 4));

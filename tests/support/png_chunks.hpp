@@ -36,11 +36,12 @@ inline std::vector<std::pair<std::string, std::string>> chunks_of(const std::str
   return chunks;
 }
 
-// Its uncompressed international texts, by keyword.
+// Its uncompressed texts, plain and international, by keyword.
 inline std::map<std::string, std::string> texts_of(const std::string& png) {
   std::map<std::string, std::string> texts;
   for (const auto& [type, data] : chunks_of(png)) {
     const std::size_t end = data.find('\0');
+    if (type == "tEXt") texts[data.substr(0, end)] = data.substr(end + 1);
     if (type == "iTXt") texts[data.substr(0, end)] = data.substr(end + 5);
   }
   return texts;

@@ -23,8 +23,9 @@ TEST(PngText, AddsChunksBehindTheHeaderAndKeepsTheRest) {
   const auto after = chunks_of(with_png_text(kPixel, {{"Software", "x 1"}, {"alpha", "1.4 Å²"}}));
   ASSERT_EQ(after.size(), 5u);
   EXPECT_EQ(after[0], before[0]);
-  EXPECT_EQ(after[1].first, "iTXt");
-  EXPECT_EQ(after[1].second, std::string("Software\0\0\0\0\0x 1", 16));
+  EXPECT_EQ(after[1].first, "tEXt");
+  EXPECT_EQ(after[1].second, std::string("Software\0x 1", 12));
+  EXPECT_EQ(after[2].first, "iTXt");
   EXPECT_EQ(after[2].second, std::string("alpha\0\0\0\0\0", 10) + "1.4 Å²");
   EXPECT_EQ(after[3], before[1]);
   EXPECT_EQ(after[4], before[2]);

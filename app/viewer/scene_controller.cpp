@@ -38,6 +38,18 @@ std::shared_ptr<const DrawnMolecule> make_drawn(std::shared_ptr<const OpenedMole
   return drawn;
 }
 
+ColourLegend legend_of(const AlphaScale& scale) {
+  constexpr int kStops = 33;  // the map's nine colours, and three between each two
+  ColourLegend legend;
+  for (int i = 0; i < kStops; ++i) {
+    const double share = static_cast<double>(i) / (kStops - 1);
+    const Rgb8 c = scale.colour_at(share);
+    legend.stops.push_back(
+        {{c.r / 255.0f, c.g / 255.0f, c.b / 255.0f, 1.0f}, scale.alpha_at(share)});
+  }
+  return legend;
+}
+
 ComplexColouring colouring(ColourBy colour) {
   switch (colour) {
     case ColourBy::single:
@@ -199,6 +211,8 @@ void SceneController::take(Drawing drawing) {
     update_colours();
   }
   if (new_balls || display_.grown_balls) update_radii();
+  legend_ = drawing.mesh && drawing.mesh->scale ? std::optional(legend_of(*drawing.mesh->scale))
+                                                : std::nullopt;
   scene_.set_mesh(std::move(drawing.mesh));
   scene_.set_differences(std::move(drawing.differences));
   dirty_ = true;
@@ -243,6 +257,7 @@ double SceneController::seconds_to_refinement() const {
 }
 
 void SceneController::render(ViewportInfo& viewport, bool interacting, bool patient) {
+  viewport.legend = legend_;
   if (viewport.width < 8 || viewport.height < 8 || !drawn_molecule_) return;
   if (viewport.width != width_ || viewport.height != height_) {
     width_ = viewport.width;

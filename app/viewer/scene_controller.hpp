@@ -88,6 +88,7 @@ class SceneController {
   std::shared_ptr<const DrawnMolecule> drawn_molecule_;
   std::shared_ptr<const Answer> drawn_answer_;
   std::vector<float> radii_;  // Å, as drawn
+  std::optional<ColourLegend> legend_;
   DisplayControls display_;
   Theme theme_ = Theme::dark;
   MeshOptions requested_mesh_;

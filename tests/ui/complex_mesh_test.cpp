@@ -158,5 +158,27 @@ TEST(BallGeometry, EmptyAndSingleBallAreHarmless) {
   EXPECT_DOUBLE_EQ(geometry.bounds[0], -1.5);
 }
 
+TEST(ComplexMesh, ColoursByAlphaSayWhatTheyMean) {
+  const Case c;
+  MeshOptions options;
+  EXPECT_FALSE(c.mesh(options).scale);
+  options.colouring = ComplexColouring::alpha;
+  const ComplexMesh mesh = c.mesh(options);
+  ASSERT_TRUE(mesh.scale);
+  float low = static_cast<float>(c.complex.alpha_on_lattice);
+  for (const float v : c.complex.tetrahedra.alpha_values) low = std::min(low, v);
+  EXPECT_DOUBLE_EQ(mesh.scale->alpha_at(1), 1.0);
+  EXPECT_DOUBLE_EQ(mesh.scale->alpha_at(0), c.complex.lattice.square_angstrom(low));
+  EXPECT_LT(mesh.scale->alpha_at(0), mesh.scale->alpha_at(0.5));
+  EXPECT_EQ(mesh.scale->colour(low), mesh.scale->colour_at(0));
+  // A colour means the alpha that has it.
+  const double middle = mesh.scale->alpha_at(0.5) / c.complex.lattice.square_angstrom(1);
+  EXPECT_EQ(mesh.scale->colour(static_cast<float>(middle)), mesh.scale->colour_at(0.5));
+  options.edges = true;  // which come earlier
+  EXPECT_LT(c.mesh(options).scale->alpha_at(0), mesh.scale->alpha_at(0));
+  options.tetrahedra = options.edges = false;
+  EXPECT_FALSE(c.mesh(options).scale) << "nothing is drawn in these colours";
+}
+
 }  // namespace
 }  // namespace alphascope

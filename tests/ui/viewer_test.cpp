@@ -128,6 +128,25 @@ TEST_F(ViewerTest, EveryDisplaySwitchDraws) {
   }
 }
 
+TEST_F(ViewerTest, ColoursByAlphaHaveALegend) {
+  open_crambin();
+  run("click alpha.preset.3\nwait-idle\n");
+  EXPECT_FALSE(viewer_->state().viewport.legend);
+  run("click display.complex_colour\nclick display.complex_colour.3\nwait-idle\n");
+  const auto& legend = viewer_->state().viewport.legend;
+  ASSERT_TRUE(legend);
+  EXPECT_DOUBLE_EQ(legend->stops.back().alpha, 3);
+  EXPECT_LT(legend->stops.front().alpha, 0);
+  const WidgetRects& widgets = viewer_->widgets();
+  ASSERT_TRUE(widgets.contains("view.legend"));
+  EXPECT_GE(widgets.at("view.legend").x0, widgets.at("view").x0);
+  EXPECT_LE(widgets.at("view.legend").y1, widgets.at("view").y1);
+  run("click alpha.preset.1.4\nwait-idle\n");
+  EXPECT_DOUBLE_EQ(legend->stops.back().alpha, 1.4) << "it follows alpha";
+  run("click display.tetrahedra\nwait-idle\n");
+  EXPECT_FALSE(legend) << "nothing is drawn in these colours";
+}
+
 TEST_F(ViewerTest, SavesAPictureOfTheChosenSize) {
   open_crambin();
   viewer_->state().requests.screenshot = ScreenshotRequest{folder_ / "picture.png", 320, 240, true};

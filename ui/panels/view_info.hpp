@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "ui/panels/radius_edits.hpp"
+#include "ui/theme.hpp"
 
 namespace alphascope {
 
@@ -132,9 +133,19 @@ struct PointerEvent {
   bool control = false, shift = false;
 };
 
+// What colours by alpha value mean.
+struct ColourLegend {
+  struct Stop {
+    Colour colour;
+    double alpha = 0;  // Å²
+  };
+  std::vector<Stop> stops;  // evenly along the colour map, smallest alpha first
+};
+
 struct ViewportInfo {
   std::uint64_t texture = 0;  // OpenGL name of the picture; 0: none yet
   double angstrom_per_pixel = 0;
+  std::optional<ColourLegend> legend;
   // Written by the panels: how large the picture should be (pixels) and what the mouse did on it.
   int width = 0, height = 0;
   std::vector<PointerEvent> events;

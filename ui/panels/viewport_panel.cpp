@@ -84,6 +84,32 @@ void scale_bar(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
                 text.c_str());
 }
 
+// A bar of colours with the alpha values at its ends and middle.
+void legend(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
+  const auto& legend = ctx.state.viewport.legend;
+  if (!legend || legend->stops.size() < 2 || size.x < ctx.px(420)) return;
+  const auto& stops = legend->stops;
+  const float width = ctx.px(180), height = ctx.px(10), line = ImGui::GetTextLineHeight();
+  const ImVec2 bar{corner.x + ctx.px(20), corner.y + size.y - ctx.px(20) - line - height};
+  ImDrawList* draw = ImGui::GetWindowDrawList();
+  const ImU32 ink = to_u32(ctx.palette.text_muted);
+  draw->AddText({bar.x, bar.y - ctx.px(4) - line}, ink, "alpha value (Å²)");
+  const float step = width / static_cast<float>(stops.size() - 1);
+  for (std::size_t i = 0; i + 1 < stops.size(); ++i) {
+    const float x = bar.x + step * static_cast<float>(i);
+    const ImU32 left = to_u32(stops[i].colour), right = to_u32(stops[i + 1].colour);
+    draw->AddRectFilledMultiColor({x, bar.y}, {x + step, bar.y + height}, left, right, right, left);
+  }
+  for (const float share : {0.0f, 0.5f, 1.0f}) {
+    const double alpha = stops[static_cast<std::size_t>(share * (stops.size() - 1))].alpha;
+    const std::string text = short_number_text(alpha, 2);
+    const float shift = share * ImGui::CalcTextSize(text.c_str()).x;
+    draw->AddText({bar.x + share * width - shift, bar.y + height + ctx.px(3)}, ink, text.c_str());
+  }
+  ctx.rects["view.legend"] = {bar.x, bar.y - ctx.px(4) - line, bar.x + width,
+                              bar.y + height + ctx.px(3) + line, true};
+}
+
 void caption(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
   const ResultInfo& r = ctx.state.result;
   if (!r.present) return;
@@ -181,6 +207,7 @@ void draw_viewport(PanelContext& ctx) {
   mouse(ctx, corner, size);
   if (ctx.state.molecule.loaded) {
     scale_bar(ctx, corner, size);
+    legend(ctx, corner, size);
     caption(ctx, corner, size);
   }
   progress(ctx, corner, size);

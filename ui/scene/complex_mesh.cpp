@@ -2,7 +2,6 @@
 #include "ui/scene/complex_mesh.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <stdexcept>
 
 namespace alphascope {
@@ -13,46 +12,16 @@ using Point = std::array<float, 3>;
 // The face opposite to each corner of a tetrahedron.
 constexpr int kFaces[4][3] = {{1, 2, 3}, {0, 2, 3}, {0, 1, 3}, {0, 1, 2}};
 
-// Viridis (Smith and van der Walt, matplotlib 2.0), CC0, every 32nd of its 256 entries.
-constexpr Rgb8 kViridis[9] = {{68, 1, 84},    {71, 44, 122},  {59, 81, 139},
-                              {44, 113, 142}, {33, 144, 141}, {39, 173, 129},
-                              {92, 200, 99},  {170, 220, 50}, {253, 231, 37}};
-
-Rgb8 viridis(double t) {
-  const double x = std::clamp(t, 0.0, 1.0) * 8;
-  const int i = std::min(7, static_cast<int>(x));
-  const double f = x - i;
-  const auto mix = [f](std::uint8_t a, std::uint8_t b) {
-    return static_cast<std::uint8_t>(std::lround(a + f * (b - a)));
-  };
-  const Rgb8 &a = kViridis[i], &b = kViridis[i + 1];
-  return {mix(a.r, b.r), mix(a.g, b.g), mix(a.b, b.b)};
-}
-
-// Maps alpha values to the colour map. The square root spreads the crowded small values.
-class AlphaScale {
- public:
-  explicit AlphaScale(const AlphaComplex& complex) {
-    low_ = high_ = static_cast<float>(complex.alpha_on_lattice);
-    for (const auto* values : {&complex.tetrahedra.alpha_values, &complex.triangles.alpha_values,
-                               &complex.edges.alpha_values}) {
-      for (const float v : *values) low_ = std::min(low_, v);
-    }
-  }
-  Rgb8 colour(float value) const {
-    return high_ > low_ ? viridis(std::sqrt(std::max(0.0f, (value - low_) / (high_ - low_))))
-                        : viridis(0.5);
-  }
-
- private:
-  float low_ = 0, high_ = 0;
-};
-
 class MeshBuilder {
  public:
   MeshBuilder(const BallGeometry& balls, const std::vector<Rgb8>& colours,
               const AlphaComplex& complex, const MeshOptions& options)
-      : balls_(balls), colours_(colours), complex_(complex), options_(options), scale_(complex) {}
+      : balls_(balls),
+        colours_(colours),
+        complex_(complex),
+        options_(options),
+        scale_(complex,
+               {options.tetrahedra || options.boundary, options.triangles, options.edges}) {}
 
   ComplexMesh build() {
     ComplexMesh mesh;
@@ -68,6 +37,7 @@ class MeshBuilder {
     if (options_.boundary) add_boundary(mesh.boundary);
     if (options_.triangles) add_list(complex_.triangles, mesh.triangles);
     if (options_.edges) add_list(complex_.edges, mesh.edges);
+    if (options_.colouring == ComplexColouring::alpha && mesh.points() > 0) mesh.scale = scale_;
     return mesh;
   }
 

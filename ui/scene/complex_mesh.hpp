@@ -4,10 +4,12 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "core/complex/alpha_complex.hpp"
 #include "core/geometry/ball_set.hpp"
+#include "ui/scene/alpha_scale.hpp"
 #include "ui/scene/ball_geometry.hpp"
 
 namespace alphascope {
@@ -45,6 +47,10 @@ struct ComplexMesh {
   CellSoup tetrahedra, boundary, triangles;  // triangles
   CellSoup edges;                            // lines
   std::size_t tetrahedra_drawn = 0;          // all tetrahedra of the complex, or 0 when off
+  std::optional<AlphaScale> scale;           // what its colours mean, if they are of alpha values
+  std::size_t points() const {
+    return tetrahedra.points() + boundary.points() + triangles.points() + edges.points();
+  }
 };
 
 // `colours` holds one colour a ball. Throws std::invalid_argument when complex, balls and colours

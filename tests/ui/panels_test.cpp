@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "tests/ui/panels_fixture.hpp"
+#include "ui/panels/panels.hpp"
 #include "ui/panels/timings_text.hpp"
 
 namespace alphascope {
@@ -161,6 +162,19 @@ TEST(PanelsTest, ColdTimesThatAreMissingCanBeMeasured) {
   EXPECT_TRUE(p.state.requests.compute_anew);
   p.click("timings.run.1");
   EXPECT_FALSE(p.rects.contains("timings.compute_anew"));
+}
+
+TEST(PanelsTest, TheCaptionSaysWhyNothingIsThere) {
+  ViewState s = loaded_state();
+  s.result.alpha = -8;
+  EXPECT_EQ(caption_text(s), "4hhb.pdb.gz   α = -8 Å²");
+  s.result.tetrahedra = 0;
+  EXPECT_NE(caption_text(s).find("no ball is left at this alpha"), std::string::npos);
+  s.result.vertices = 3;
+  EXPECT_NE(caption_text(s).find("no tetrahedra at this alpha"), std::string::npos);
+  s.result.vertices = 0;
+  s.result.tetrahedra_only = true;  // then vertices are not counted
+  EXPECT_NE(caption_text(s).find("no tetrahedra at this alpha"), std::string::npos);
 }
 
 TEST(PanelsTest, AChoiceOfTimesStaysAlsoWhenThereAreNone) {

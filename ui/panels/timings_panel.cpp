@@ -40,6 +40,23 @@ void pill(PanelContext& ctx, const std::string& text, const Colour& colour, cons
   ImGui::Dummy({width, height});
 }
 
+std::string badge_help(const ViewState& s) {
+  const bool identical = s.badge.state == BadgeInfo::State::identical;
+  const bool different = s.badge.state == BadgeInfo::State::different;
+  if (!identical && !different) return {};
+  std::string text =
+      s.result.tetrahedra_only
+          ? "\n\nThe tetrahedra of both were compared one by one."
+          : "\n\nVertices, edges, triangles and tetrahedra of both were compared one "
+            "by one, with their alpha values and classes.";
+  if (different) {
+    text +=
+        " Drawn over the picture: what only CGAL has in magenta, what only this engine has in "
+        "yellow.";
+  }
+  return text;
+}
+
 void badge(PanelContext& ctx) {
   const BadgeInfo& b = ctx.state.badge;
   const BadgeLook l = look(ctx.palette, b.state);
@@ -47,12 +64,7 @@ void badge(PanelContext& ctx) {
   const float room = ImGui::GetContentRegionAvail().x - ctx.px(290);
   pill(ctx, fitted_text(full, room), l.text, l.fill);
   record(ctx, "timings.badge");
-  const bool different = b.state == BadgeInfo::State::different;
-  tooltip(ctx,
-          (full + (different ? "\n\nDrawn over the picture: what only CGAL has in magenta, what "
-                               "only this engine has in yellow."
-                             : ""))
-              .c_str());
+  tooltip(ctx, (full + badge_help(ctx.state)).c_str());
 }
 
 // How many times faster than CGAL, for the run that is shown.

@@ -111,10 +111,8 @@ void legend(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
 }
 
 void caption(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
-  const ResultInfo& r = ctx.state.result;
-  if (!r.present) return;
-  std::string text = ctx.state.molecule.name + "   α = " + short_number_text(r.alpha, 3) + " Å²";
-  if (r.solvent > 0) text += "   solvent " + short_number_text(r.solvent, 2) + " Å";
+  if (!ctx.state.result.present) return;
+  const std::string text = caption_text(ctx.state);
   ImDrawList* draw = ImGui::GetWindowDrawList();
   draw->AddText({corner.x + ctx.px(16), corner.y + ctx.px(14)}, to_u32(ctx.palette.text_muted),
                 fitted_text(text, size.x - ctx.px(260)).c_str());
@@ -194,6 +192,15 @@ void nothing_left(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
 }
 
 }  // namespace
+
+std::string caption_text(const ViewState& s) {
+  const ResultInfo& r = s.result;
+  std::string text = s.molecule.name + "   α = " + short_number_text(r.alpha, 3) + " Å²";
+  if (r.solvent > 0) text += "   solvent " + short_number_text(r.solvent, 2) + " Å";
+  if (r.tetrahedra > 0 || s.molecule.balls == 0) return text;
+  return text + (r.tetrahedra_only || r.vertices > 0 ? "   no tetrahedra at this alpha"
+                                                     : "   no ball is left at this alpha");
+}
 
 void draw_viewport(PanelContext& ctx) {
   const ImVec2 corner = ImGui::GetCursorScreenPos();

@@ -3,16 +3,55 @@
 #pragma once
 
 #include "core/complex/facet_disc.hpp"
-#include "core/complex/triangle_tetrahedra.hpp"
+#include "core/complex/triangle_faces.hpp"
 #include "gpu/problem.cuh"
 
 namespace alphascope::gpu {
 
-struct DualEdgeOutput {
-  uint4* tetrahedra;
+// The edges that may be in K_alpha, of each ball to its later neighbours, ascending.
+struct EdgeCandidates {
+  std::uint32_t *begin, *end;  // the balls
+  // ordered_bits of the least value of a coface in K_alpha, kNoValue for none.
+  std::uint32_t* least;
+  std::uint32_t* flags;  // kUnattached, and what those cofaces say
   std::uint32_t capacity;
   std::uint32_t* cursor;
   std::uint32_t *start, *count;  // per ball
+};
+
+// Tetrahedra of K_alpha in the order in which blocks finished.
+struct FoundTetrahedra {
+  uint4* vertices;
+  std::uint32_t capacity;
+  std::uint32_t* cursor;         // found (may pass capacity: then nothing counts)
+  std::uint32_t *start, *count;  // per ball, as lowest vertex
+};
+
+// The same of triangles.
+struct FoundTriangles {
+  std::uint32_t* vertices;  // 3 each
+  std::uint32_t* info;      // pack_info
+  std::uint32_t*
+      attached_to;  // the last vertex of the tetrahedron with its value; kNoBall: its own
+  std::uint32_t capacity;
+  std::uint32_t* cursor;
+  std::uint32_t *start, *count;  // per ball
+};
+inline constexpr std::uint32_t kNoBall = ~0u;
+
+// The places of edges ij and ik among the candidates of i, and the number of tetrahedra in K_alpha.
+__device__ inline std::uint32_t pack_info(int edge_j, int edge_k, int cofaces) {
+  return static_cast<std::uint32_t>(edge_j) | static_cast<std::uint32_t>(edge_k) << 12 |
+         static_cast<std::uint32_t>(cofaces) << 24;
+}
+
+struct DualEdgeOutput {
+  FoundTetrahedra tetrahedra;
+  // Of a whole complex only:
+  FoundTriangles triangles;
+  EdgeCandidates edges;
+  std::uint32_t* vertex_state;  // per ball: 0 absent, 1 attached, 2 unattached
+
   std::uint32_t *exact_list, *exact_count;
   BlockStatistics* statistics;
 };
@@ -44,13 +83,22 @@ struct DualEdgeMemory {
   float* reach;
   std::uint32_t* index;
   std::uint32_t* rows;  // words of bits for each later neighbour j: who meets j as well
-  uint2* kept;          // triangle, and 12 bits for each of its tetrahedra's last vertices + 1
+  uint2* kept;          // triangles found: their number, and pack_face()
+  // p.words of bits for each ball: which later neighbours j can have edge ij in K_alpha.
+  std::uint32_t* possible;
+  // One bit a triangle: found; with one tetrahedron to write or more; with two. Then, for each
+  // word, what is found in the words before.
+  std::uint32_t *found_bits, *one_bits, *two_bits, *triangles_before, *tetrahedra_before;
   std::uint32_t* triangles;
-  std::uint16_t* work;     // triangles in order of work
-  std::uint8_t* row_ball;  // whose row it is
-  // Before the lists are ordered, in the place of triangles and work: what half a warp found.
+  std::uint16_t* work;  // triangles in order of work
+  // Whose row it is, and kUnattachedRow.
+  std::uint8_t* row_ball;
+  // Before the lists are ordered, in the place of triangles and work: what half a warp met.
   std::uint32_t *found, *found_index;
 };
+
+constexpr int kRowBall = 63, kUnattachedRow = 64;
+static_assert(kMaxBallsPerBlock < kRowBall);
 
 constexpr std::size_t kHalves = kBlockThreads / kSearchLanes;
 
@@ -59,18 +107,29 @@ __host__ __device__ inline std::size_t triangle_words(const DualEdgeProblem& p) 
   const std::size_t lists = 2 * kHalves * p.capacity.list;
   return triangles > lists ? triangles : lists;
 }
+__host__ __device__ inline std::size_t bit_words(const DualEdgeProblem& p) {
+  return (static_cast<std::size_t>(p.capacity.triangles) + 31) / 32 + 1;
+}
 __host__ __device__ inline std::size_t block_memory_bytes(const DualEdgeProblem& p) {
   return static_cast<std::size_t>(p.capacity.entries) * 24 +
-         static_cast<std::size_t>(p.capacity.kept) * 8 +
+         static_cast<std::size_t>(p.capacity.kept) * 8 + bit_words(p) * 20 +
+         static_cast<std::size_t>(p.common.balls_per_block) * p.words * 4 +
          static_cast<std::size_t>(p.capacity.rows) * (4 * p.words + 1) + triangle_words(p) * 4 + 16;
 }
 __device__ inline DualEdgeMemory carve(unsigned char* shared, const DualEdgeProblem& p) {
   DualEdgeMemory m;
+  const std::size_t bits = bit_words(p);
   m.vectors = reinterpret_cast<float4*>(shared);
   m.kept = reinterpret_cast<uint2*>(m.vectors + p.capacity.entries);
   m.reach = reinterpret_cast<float*>(m.kept + p.capacity.kept);
   m.index = reinterpret_cast<std::uint32_t*>(m.reach + p.capacity.entries);
-  m.rows = m.index + p.capacity.entries;
+  m.found_bits = m.index + p.capacity.entries;
+  m.one_bits = m.found_bits + bits;
+  m.two_bits = m.one_bits + bits;
+  m.triangles_before = m.two_bits + bits;
+  m.tetrahedra_before = m.triangles_before + bits;
+  m.possible = m.tetrahedra_before + bits;
+  m.rows = m.possible + static_cast<std::size_t>(p.common.balls_per_block) * p.words;
   m.triangles = m.rows + static_cast<std::size_t>(p.capacity.rows) * p.words;
   m.work = reinterpret_cast<std::uint16_t*>(m.triangles + p.capacity.triangles);
   m.found = m.triangles + threadIdx.x / kSearchLanes * 2 * p.capacity.list;
@@ -89,14 +148,18 @@ struct BlockBalls {
   int later[kMaxBallsPerBlock];            // of them, of higher index
   int entry0[kMaxBallsPerBlock];           // where they begin
   int row0[kMaxBallsPerBlock];
-  int tetrahedra[kMaxBallsPerBlock];
   int exact[kMaxBallsPerBlock];  // 1 undecided, 2 no room: for kernel III
+  int first_triangle[kMaxBallsPerBlock], end_triangle[kMaxBallsPerBlock];
+  // Where simplices go, less their number in the block: of triangles and tetrahedra, less the row
+  // for edges. Modulo 2^32.
+  std::uint32_t triangle_at[kMaxBallsPerBlock], tetrahedron_at[kMaxBallsPerBlock],
+      edge_at[kMaxBallsPerBlock];
+  bool attached[kMaxBallsPerBlock];  // the ball's centre lies outside its power cell
   int scan[kBlockThreads / 32];
   Surroundings surroundings[kBlockThreads / kSearchLanes];
   int lengths[kLengths];  // triangles of so many cuts; then where they begin
   int entries, rows, triangles;
   int next_triangle, next_work, survivors, kept;
-  std::uint32_t base;
 };
 
 // Sum over the lanes before this one.
@@ -137,10 +200,12 @@ __device__ inline void add(std::uint64_t* sum, std::uint64_t value) {
   atomicAdd(reinterpret_cast<unsigned long long*>(sum), static_cast<unsigned long long>(value));
 }
 
-// Writes one ball's list ordered by index, relative to the ball. Half a warp.
-__device__ inline void order_list(const Problem& p, const SortedBalls& sorted,
+// Writes one ball's list ordered by index, relative to the ball. Half a warp; true where a lane met
+// a ball whose power at the centre is no larger.
+__device__ inline bool order_list(const Problem& p, const SortedBalls& sorted,
                                   const DualEdgeMemory& m, const int4& centre, int n, int entry0) {
   const std::int64_t wi = static_cast<std::int64_t>(centre.w) * centre.w;
+  bool attached = false;
   for (int a = threadIdx.x & (kSearchLanes - 1); a < n; a += kSearchLanes) {
     const std::uint32_t t = m.found[a], index = m.found_index[a];
     const int4 q = sorted.ball[t];
@@ -155,36 +220,9 @@ __device__ inline void order_list(const Problem& p, const SortedBalls& sorted,
                     static_cast<float>(z) * p.scale, static_cast<float>(c) * p.scale * p.scale);
     m.reach[entry] = reach;
     m.index[entry] = index;
+    attached = attached || c <= 0;
   }
-}
-
-// Writes the row of the neighbours that meet j as well as i.
-__device__ inline void fill_row(const DualEdgeProblem& p, const DualEdgeMemory& m, int words,
-                                int entry0, int n, int j, float radius_square, std::uint32_t* row) {
-  const float4 vj = m.vectors[entry0 + j];
-  const float reach = m.reach[entry0 + j];
-  for (int w = 0; w < words; ++w) {
-    std::uint32_t bits = 0;
-    const int end = min(n, w * 32 + 32);
-    for (int k = w * 32; k < end; ++k) {
-      const float4 v = m.vectors[entry0 + k];
-      const float x = v.x - vj.x, y = v.y - vj.y, z = v.z - vj.z, sum = m.reach[entry0 + k] + reach;
-      if (fmaf(x, x, fmaf(y, y, z * z)) <= sum * sum) bits |= 1u << (k & 31);
-    }
-    if (j >> 5 == w) bits &= ~(1u << (j & 31));
-    row[w] = bits;
-  }
-  if (!p.cull_facets) return;
-  const FacetDisc<float> disc({vj.x, vj.y, vj.z, vj.w}, radius_square);
-  bool dead = disc.certainly_empty();
-  for (int w = 0; w < words && !dead; ++w) {
-    for (std::uint32_t bits = row[w]; bits != 0 && !dead; bits &= bits - 1) {
-      const float4 v = m.vectors[entry0 + w * 32 + __ffs(static_cast<int>(bits)) - 1];
-      dead = disc.certainly_covered_by({v.x, v.y, v.z, v.w});
-    }
-  }
-  // Without a row, j is in no triangle; it still cuts those of others.
-  for (int w = 0; w < words && dead; ++w) row[w] = 0;
+  return attached;
 }
 
 // A triangle's parts, unpacked.
@@ -200,5 +238,48 @@ struct Triangle : TriangleRows {
     row_k = m.rows + (s.row0[ball] + k - first_later) * words;
   }
 };
+
+// Two ends of 12 bits + 1, and which of them the triangle is attached to.
+__device__ inline std::uint32_t pack_face(const TriangleFace& f) {
+  return static_cast<std::uint32_t>(f.high + 1) | static_cast<std::uint32_t>(f.low + 1) << 12 |
+         static_cast<std::uint32_t>(f.attached) << 24;
+}
+__device__ inline TriangleFace unpack_face(std::uint32_t packed) {
+  return {Decision::in, static_cast<int>(packed & 4095) - 1,
+          static_cast<int>(packed >> 12 & 4095) - 1,
+          static_cast<TriangleFace::Attached>(packed >> 24)};
+}
+
+// The scaled vectors of one ball's neighbours.
+struct ScaledNeighbours {
+  const float4* vectors;
+  __device__ LiftedVector<float> operator()(int a) const {
+    const float4 v = vectors[a];
+    return {v.x, v.y, v.z, v.w};
+  }
+};
+
+// The neighbours of a ball for the exact templates, straight from the balls.
+struct ExactNeighbours {
+  const std::uint32_t* indices;
+  const int4* balls;
+  int4 centre;
+  __device__ LiftedInt lifted(int k) const {
+    const int4 b = balls[indices[k]];
+    const std::int64_t x = b.x - centre.x, y = b.y - centre.y, z = b.z - centre.z;
+    const std::int64_t w = static_cast<std::int64_t>(b.w) * b.w,
+                       wi = static_cast<std::int64_t>(centre.w) * centre.w;
+    return {x, y, z, x * x + y * y + z * z + wi - w};
+  }
+  __device__ std::int64_t weight() const { return static_cast<std::int64_t>(centre.w) * centre.w; }
+  __device__ Neighbourhood<ExactNeighbours> of(const DualEdgeProblem& p) const {
+    return {*this, weight(), p.common.alpha, p.common.ghost_reach, true};
+  }
+};
+__device__ inline ExactNeighbours exact_neighbours(const DualEdgeProblem& p,
+                                                   const DualEdgeMemory& m, const BlockBalls& s,
+                                                   int b) {
+  return {m.index + s.entry0[b], p.balls, s.ball[b]};
+}
 
 }  // namespace alphascope::gpu

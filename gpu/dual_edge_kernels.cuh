@@ -1,43 +1,28 @@
-// The CUDA executor of "tetrahedra only": one block takes a run of balls through neighbours (kernel
+// The CUDA executor of the facet engine: one block takes a run of balls through neighbours (kernel
 // I: lists, which neighbours meet, triangles ijk worth a look) and dual edges in single precision
-// with certified errors (kernel II), and writes the tetrahedra whose lowest vertex is one of its
-// balls. A ball with an undecided dual edge goes, whole, to the same kernel with double precision
-// and exact integers (kernel III). The per-triangle bodies are
-// core/complex/triangle_tetrahedra.hpp.
+// with certified errors (kernel II), and writes the simplices whose lowest vertex is one of its
+// balls. A ball with an undecided simplex goes, whole, to the same kernel with double precision and
+// exact integers (kernel III). The bodies per triangle and edge are core/complex/triangle_faces.hpp
+// and facet_disc.hpp.
 #pragma once
 
-#include "gpu/dual_edge_block.cuh"
+#include "gpu/dual_edge_output.cuh"
+#include "gpu/dual_edge_rows.cuh"
+#include "gpu/launch.cuh"
 
 namespace alphascope::gpu {
 
-// The neighbours of a ball for the exact templates, straight from the balls.
-struct ExactNeighbours {
-  const std::uint32_t* indices;
-  const int4* balls;
-  int4 centre;
-  __device__ LiftedInt lifted(int k) const {
-    const int4 b = balls[indices[k]];
-    const std::int64_t x = b.x - centre.x, y = b.y - centre.y, z = b.z - centre.z;
-    const std::int64_t w = static_cast<std::int64_t>(b.w) * b.w,
-                       wi = static_cast<std::int64_t>(centre.w) * centre.w;
-    return {x, y, z, x * x + y * y + z * z + wi - w};
-  }
-  __device__ std::uint32_t ball(int k) const { return indices[k]; }
-};
-
 // Kernel III of one triangle: double precision, then integers. Not inlined: it is rare and large.
-__device__ __noinline__ TriangleEnds decided_ends(const DualEdgeProblem& p, const DualEdgeMemory& m,
-                                                  int4 centre, const Triangle& t) {
-  const ExactNeighbours neighbours{m.index + t.entry0, p.balls, centre};
-  const std::int64_t weight = static_cast<std::int64_t>(centre.w) * centre.w;
-  const TriangleEnds ends =
-      filtered_ends<double>(t, p.words, static_cast<double>(weight) + p.common.alpha,
+__device__ __noinline__ TriangleFace decided_face(const DualEdgeProblem& p,
+                                                  const ExactNeighbours& neighbours,
+                                                  const TriangleRows& t) {
+  const TriangleFace face =
+      filtered_face<double>(t, p.words, static_cast<double>(neighbours.weight()) + p.common.alpha,
                             [&](int a) { return lifted_as<double>(neighbours.lifted(a)); });
-  if (ends.known) return ends;
-  const FacetInput<ExactNeighbours> in{neighbours,           t.j, weight, p.common.alpha,
-                                       p.common.ghost_reach, true};
-  return p.small_lattice ? exact_ends<Int128>(in, t, p.words)
-                         : exact_ends<WideInt<4>>(in, t, p.words);
+  if (face.in != Decision::unknown) return face;
+  const auto in = neighbours.of(p);
+  return p.small_lattice ? exact_face<Int128>(in, t, p.words)
+                         : exact_face<WideInt<4>>(in, t, p.words);
 }
 
 // Kernel I of the block's balls, half a warp each: their ordered lists. Balls without room are
@@ -50,6 +35,7 @@ __device__ inline void find_lists(const DualEdgeProblem& p, const SortedBalls& s
   if (threadIdx.x == 0)
     s.entries = s.rows = s.next_triangle = s.next_work = s.survivors = s.kept = 0;
   if (threadIdx.x < kLengths) s.lengths[threadIdx.x] = 0;
+  for (int w = threadIdx.x; w < balls * p.words; w += kBlockThreads) m.possible[w] = 0;
   __syncthreads();
   for (int pair = threadIdx.x >> 5; 2 * pair < balls; pair += kBlockThreads / 32) {
     // Of an odd last pair, the second half repeats the first's reads in vain.
@@ -84,8 +70,9 @@ __device__ inline void find_lists(const DualEdgeProblem& p, const SortedBalls& s
       for (int a = lane; a < later && row0 + a < row_room; a += kSearchLanes) {
         m.row_ball[row0 + a] = static_cast<std::uint8_t>(room ? b : kMaxBallsPerBlock);
       }
-      if (room) order_list(p.common, sorted, m, centre, n, entry0);
     }
+    const bool lane_attached = active && room && order_list(p.common, sorted, m, centre, n, entry0);
+    const bool attached = (__ballot_sync(~0u, lane_attached) >> half & 0xffffu) != 0;
     if (active && lane == 0) {
       const double square =
           static_cast<double>(static_cast<std::int64_t>(centre.w) * centre.w) + p.common.alpha;
@@ -96,7 +83,9 @@ __device__ inline void find_lists(const DualEdgeProblem& p, const SortedBalls& s
       s.later[b] = room ? later : 0;
       s.entry0[b] = entry0;
       s.row0[b] = row0;
-      s.tetrahedra[b] = 0;
+      s.attached[b] = attached;
+      s.first_triangle[b] = INT_MAX;
+      s.end_triangle[b] = 0;
       s.exact[b] = room ? 0 : 2;
       if (kExact || all > p.common.list_capacity) note_largest(&out.statistics->longest_list, all);
       if (!kExact && blockIdx.x % kSampled == 0) {
@@ -132,31 +121,26 @@ __device__ inline void sort_by_length(const DualEdgeMemory& m, BlockBalls& s, in
   __syncthreads();
 }
 
-// The scaled vectors of one ball's neighbours.
-struct ScaledNeighbours {
-  const float4* vectors;
-  __device__ LiftedVector<float> operator()(int a) const {
-    const float4 v = vectors[a];
-    return {v.x, v.y, v.z, v.w};
-  }
-};
-
-// The list of triangles of three balls that meet and have a fourth: of each ball, in lexicographic
-// order. Balls without room for theirs are marked. Returns the length of the list.
-template <bool kExact>
+// The list of triangles of three balls that meet, whose edges ij and ik are possible and which, of
+// tetrahedra alone, have a fourth: of each ball, in lexicographic order. Balls without room for
+// theirs are marked. Returns the length of the list.
+template <bool kWhole, bool kExact>
 __device__ inline int list_triangles(const DualEdgeProblem& p, const DualEdgeOutput& out,
                                      const DualEdgeMemory& m, BlockBalls& s, int words) {
   const int rows = s.rows, capacity = static_cast<int>(p.capacity.triangles);
+  const auto later_bits = [&](int row, int w, int j, int b) {
+    const std::uint32_t bits = m.rows[row * words + w] & bits_after(j, w);
+    return looks_at_edges<kWhole>(p) ? bits & m.possible[b * words + w] : bits;
+  };
   if (threadIdx.x == 0) s.triangles = capacity;
   int all = 0;
   for (int row0 = 0; row0 < rows; row0 += kBlockThreads) {
     const int row = row0 + static_cast<int>(threadIdx.x);
     int b = kMaxBallsPerBlock, j = 0, count = 0, round = 0;
-    if (row < rows) b = m.row_ball[row];
+    if (row < rows) b = m.row_ball[row] & kRowBall;
     if (b < kMaxBallsPerBlock) {
       j = s.list[b] - s.later[b] + row - s.row0[b];
-      for (int w = j >> 5; w < words; ++w)
-        count += __popc(m.rows[row * words + w] & bits_after(j, w));
+      for (int w = j >> 5; w < words; ++w) count += __popc(later_bits(row, w, j, b));
     }
     int at = all + block_scan(count, s.scan, &round);
     all += round;
@@ -167,8 +151,7 @@ __device__ inline int list_triangles(const DualEdgeProblem& p, const DualEdgeOut
       continue;
     }
     for (int w = j >> 5; w < words; ++w) {
-      for (std::uint32_t bits = m.rows[row * words + w] & bits_after(j, w); bits != 0;
-           bits &= bits - 1) {
+      for (std::uint32_t bits = later_bits(row, w, j, b); bits != 0; bits &= bits - 1) {
         m.triangles[at++] = pack_triangle(row, w * 32 + __ffs(static_cast<int>(bits)) - 1, b);
       }
     }
@@ -188,7 +171,7 @@ __device__ inline int list_triangles(const DualEdgeProblem& p, const DualEdgeOut
       packed = m.triangles[t];
       const Triangle triangle(m, s, words, packed);
       const ScaledNeighbours vector{m.vectors + triangle.entry0};
-      keep = triangle.has_fourth(words) &&
+      keep = (kWhole || triangle.has_fourth(words)) &&
              !DualEdge<float>::certainly_outside(vector(triangle.j), vector(triangle.k),
                                                  s.radius_square[triangle.ball]);
     }
@@ -197,6 +180,14 @@ __device__ inline int list_triangles(const DualEdgeProblem& p, const DualEdgeOut
     kept += round;
     if (keep) m.triangles[at] = packed;
   }
+  __syncthreads();
+  for (int t = threadIdx.x; t < kept; t += kBlockThreads) {
+    const std::uint32_t b = m.triangles[t] >> 25;
+    if (t == 0 || m.triangles[t - 1] >> 25 != b) s.first_triangle[b] = t;
+    if (t + 1 == kept || m.triangles[t + 1] >> 25 != b) s.end_triangle[b] = t + 1;
+  }
+  for (int w = threadIdx.x; w <= kept >> 5; w += kBlockThreads)
+    m.found_bits[w] = m.one_bits[w] = m.two_bits[w] = 0;
   __syncthreads();
   return kept;
 }
@@ -209,19 +200,37 @@ __device__ inline bool take(int* counter, int end, int& mine) {
   return __any_sync(~0u, mine < end);
 }
 
-__device__ inline void note_ends(const DualEdgeProblem& p, const DualEdgeMemory& m, BlockBalls& s,
-                                 int b, int t, const TriangleEnds& ends) {
-  if (!ends.known) atomicMax(&s.exact[b], 1);
-  const int low = min(ends.low, ends.high), high = max(ends.low, ends.high);
-  if (high < 0) return;
+// Keeps a triangle of K_alpha; of tetrahedra alone, one with tetrahedra to write.
+__device__ inline void keep(const DualEdgeProblem& p, const DualEdgeMemory& m, BlockBalls& s, int b,
+                            int t, int tetrahedra, const TriangleFace& face) {
   const int at = atomicAdd(&s.kept, 1);
   if (at >= static_cast<int>(p.capacity.kept)) {
     s.exact[b] = 2;
     return;
   }
-  m.kept[at] = make_uint2(
-      t, static_cast<std::uint32_t>(low + 1) | static_cast<std::uint32_t>(high + 1) << 12);
-  atomicAdd(&s.tetrahedra[b], low >= 0 ? 2 : 1);
+  m.kept[at] = make_uint2(t, pack_face(face));
+  const std::uint32_t bit = 1u << (t & 31);
+  if (p.common.whole) atomicOr(&m.found_bits[t >> 5], bit);
+  if (tetrahedra > 0) atomicOr(&m.one_bits[t >> 5], bit);
+  if (tetrahedra > 1) atomicOr(&m.two_bits[t >> 5], bit);
+}
+
+template <bool kWhole>
+__device__ inline void note_face(const DualEdgeProblem& p, const DualEdgeMemory& m, BlockBalls& s,
+                                 const Triangle& t, int number, const TriangleFace& face) {
+  if (face.in == Decision::unknown) {
+    atomicMax(&s.exact[t.ball], 1);
+    return;
+  }
+  const int tetrahedra = (face.high > t.k) + (face.low > t.k);
+  if (face.in == Decision::in && (kWhole || tetrahedra > 0))
+    keep(p, m, s, t.ball, number, tetrahedra, face);
+}
+
+// The answer of a run for tetrahedra alone.
+__device__ inline TriangleFace as_face(const TriangleEnds& ends) {
+  return {ends.known ? Decision::in : Decision::unknown, ends.high, ends.low,
+          TriangleFace::Attached::no};
 }
 
 // The first few cuts of every triangle: those that survive them are listed. They take about as long
@@ -233,14 +242,9 @@ __device__ inline void first_cuts(const DualEdgeProblem& p, const DualEdgeMemory
       const Triangle triangle(m, s, words, m.triangles[t]);
       const ScaledNeighbours vector{m.vectors + triangle.entry0};
       DualEdge<float> edge;
-      bool survives =
-          edge.start(vector(triangle.j), vector(triangle.k), s.radius_square[triangle.ball]);
-      int left = p.first_cuts;
-      for (int w = 0; w < words && survives && left > 0; ++w) {
-        std::uint32_t bits = triangle.common(w), first = 0;
-        for (; bits != 0 && left > 0; bits &= bits - 1, --left) first |= bits & (0u - bits);
-        survives = !clip_by(edge, first, w * 32, vector);
-      }
+      const bool survives =
+          edge.start(vector(triangle.j), vector(triangle.k), s.radius_square[triangle.ball]) &&
+          !clips_away(edge, triangle, words, p.first_cuts, vector);
       if (survives) m.work[atomicAdd(&s.survivors, 1)] = static_cast<std::uint16_t>(t);
     }
     __syncwarp();
@@ -249,8 +253,9 @@ __device__ inline void first_cuts(const DualEdgeProblem& p, const DualEdgeMemory
 }
 
 // Kernel II of the block's triangles.
-__device__ inline void find_tetrahedra(const DualEdgeProblem& p, const DualEdgeMemory& m,
-                                       BlockBalls& s, int triangles, int words) {
+template <bool kWhole>
+__device__ inline void find_faces(const DualEdgeProblem& p, const DualEdgeMemory& m, BlockBalls& s,
+                                  int triangles, int words) {
   int count = triangles;
   if (p.first_cuts > 0) {
     first_cuts(p, m, s, triangles, words);
@@ -262,9 +267,15 @@ __device__ inline void find_tetrahedra(const DualEdgeProblem& p, const DualEdgeM
     if (at < count) {
       const int t = m.work[at];
       const Triangle triangle(m, s, words, m.triangles[t]);
-      note_ends(p, m, s, triangle.ball, t,
-                filtered_ends<float>(triangle, words, s.radius_square[triangle.ball],
-                                     ScaledNeighbours{m.vectors + triangle.entry0}));
+      const float square = s.radius_square[triangle.ball];
+      const ScaledNeighbours vectors{m.vectors + triangle.entry0};
+      if constexpr (kWhole) {
+        note_face<true>(p, m, s, triangle, t,
+                        filtered_face<float>(triangle, words, square, vectors));
+      } else {
+        note_face<false>(p, m, s, triangle, t,
+                         as_face(filtered_ends<float>(triangle, words, square, vectors)));
+      }
     }
     __syncwarp();
   }
@@ -272,113 +283,69 @@ __device__ inline void find_tetrahedra(const DualEdgeProblem& p, const DualEdgeM
 }
 
 // Kernel III of the block's triangles.
-__device__ inline void find_tetrahedra_exactly(const DualEdgeProblem& p, const DualEdgeMemory& m,
-                                               BlockBalls& s, int triangles, int words) {
+template <bool kWhole>
+__device__ inline void find_faces_exactly(const DualEdgeProblem& p, const DualEdgeMemory& m,
+                                          BlockBalls& s, int triangles, int words) {
   for (int t = threadIdx.x; t < triangles; t += kBlockThreads) {
     const Triangle triangle(m, s, words, m.triangles[t]);
-    note_ends(p, m, s, triangle.ball, t, decided_ends(p, m, s.ball[triangle.ball], triangle));
+    note_face<kWhole>(p, m, s, triangle, t,
+                      decided_face(p, exact_neighbours(p, m, s, triangle.ball), triangle));
   }
   __syncthreads();
 }
 
-// Writes the tetrahedra of all balls but those for kernel III, and where each ball's are.
-template <bool kExact>
-__device__ inline void write_tetrahedra(const DualEdgeProblem& p, const DualEdgeOutput& out,
-                                        const DualEdgeMemory& m, BlockBalls& s, std::uint32_t first,
-                                        int balls, int words) {
-  if (threadIdx.x < 32) {
-    const int b = static_cast<int>(threadIdx.x);
-    const int kept = b < balls && !s.exact[b] ? s.tetrahedra[b] : 0;
-    // The triangles lie in the order in which half warps were given rows.
-    const int row0 = b < balls ? s.row0[b] : 0;
-    int before = 0, all = 0;
-    for (int o = 0; o < balls; ++o) {
-      const int other = __shfl_sync(~0u, kept, o);
-      if (__shfl_sync(~0u, row0, o) < row0) before += other;
-      all += other;
-    }
-    if (b == 0) s.base = all == 0 ? 0 : atomicAdd(out.cursor, static_cast<std::uint32_t>(all));
-    __syncwarp();
-    if (b < balls) {
-      if (!kExact && s.exact[b]) {  // all of this ball is done again
-        out.exact_list[atomicAdd(out.exact_count, 1u)] = first + b;
-        if (s.exact[b] == 2) atomicAdd(&out.statistics->deferred, 1u);
-      } else if (!s.exact[b]) {
-        out.start[s.index[b]] = s.base + before;
-        out.count[s.index[b]] = kept;
-      }
-    }
-    if (kExact && b == 0) note_largest(&out.statistics->most_kept, s.kept);
-  }
-  __syncthreads();
-  const int kept = min(s.kept, static_cast<int>(p.capacity.kept));
-  for (int a = threadIdx.x; a < kept; a += kBlockThreads) {
-    const uint2 own = m.kept[a];
-    const Triangle triangle(m, s, words, m.triangles[own.x]);
-    if (s.exact[triangle.ball]) continue;
-    std::uint32_t to = s.base;
-    for (int o = 0; o < kept; ++o) {
-      const uint2 other = m.kept[o];
-      if (other.x < own.x && !s.exact[m.triangles[other.x] >> 25])
-        to += (other.y & 4095) != 0 ? 2 : 1;
-    }
-    const int low = static_cast<int>(own.y & 4095) - 1, high = static_cast<int>(own.y >> 12) - 1;
-    if (to + (low >= 0 ? 2 : 1) > out.capacity) continue;
-    const std::uint32_t* index = m.index + triangle.entry0;
-    const uint4 v = make_uint4(s.index[triangle.ball], index[triangle.j], index[triangle.k], 0);
-    if (low >= 0) out.tetrahedra[to++] = make_uint4(v.x, v.y, v.z, index[low]);
-    out.tetrahedra[to] = make_uint4(v.x, v.y, v.z, index[high]);
-  }
+// Per ball: is it a vertex of K_alpha?
+__device__ inline void write_vertex_states(const DualEdgeProblem& p, const DualEdgeOutput& out,
+                                           const BlockBalls& s, int balls) {
+  const int b = static_cast<int>(threadIdx.x);
+  if (b >= balls || s.exact[b]) return;
+  const double weight = static_cast<double>(static_cast<std::int64_t>(s.ball[b].w) * s.ball[b].w);
+  // Equality counts as attached (see BallSimplices::vertex_state).
+  out.vertex_state[s.index[b]] = -weight > p.common.alpha ? 0 : s.attached[b] ? 1 : 2;
 }
 
 // Balls [first, first + balls) of the sorted order. Every thread of the block calls it. kWords:
 // words of a row, or 0 for any number.
-template <bool kExact, int kWords>
+template <bool kWhole, bool kExact, int kWords>
 __device__ void process_balls(const DualEdgeProblem& p, const SortedBalls& sorted,
                               const DualEdgeOutput& out, const DualEdgeMemory& m, BlockBalls& s,
                               std::uint32_t first, int balls) {
   const int words = kWords > 0 ? kWords : p.words;
   find_lists<kExact>(p, sorted, out, m, s, first, balls);
-  for (int row = threadIdx.x; row < s.rows; row += kBlockThreads) {
-    const int b = m.row_ball[row];
-    if (b == kMaxBallsPerBlock) continue;
-    fill_row(p, m, words, s.entry0[b], s.list[b], s.list[b] - s.later[b] + row - s.row0[b],
-             s.radius_square[b], m.rows + row * words);
-  }
-  __syncthreads();
-  const int triangles = list_triangles<kExact>(p, out, m, s, words);
+  make_rows<kWhole, kExact>(p, m, s, words);
+  const int triangles = list_triangles<kWhole, kExact>(p, out, m, s, words);
   if constexpr (kExact) {
-    find_tetrahedra_exactly(p, m, s, triangles, words);
+    find_faces_exactly<kWhole>(p, m, s, triangles, words);
   } else {
-    find_tetrahedra(p, m, s, triangles, words);
+    find_faces<kWhole>(p, m, s, triangles, words);
   }
-  write_tetrahedra<kExact>(p, out, m, s, first, balls, words);
+  if constexpr (kWhole) write_vertex_states(p, out, s, balls);
+  write_simplices<kWhole, kExact>(p, out, m, s, first, balls, triangles, words);
 }
 
-template <int kWords>
+template <bool kWhole, int kWords>
 __global__ void __launch_bounds__(kBlockThreads)
     dual_edges_filtered(DualEdgeProblem p, SortedBalls sorted, DualEdgeOutput out) {
-  extern __shared__ __align__(16) unsigned char shared[];
   __shared__ BlockBalls s;
-  const DualEdgeMemory m = carve(shared, p);
+  const DualEdgeMemory m = carve(dynamic_shared_memory(), p);
   const std::uint32_t alive = *sorted.alive;
   const std::uint32_t first = blockIdx.x * static_cast<std::uint32_t>(p.common.balls_per_block);
   if (first >= alive) return;
   const int balls =
       static_cast<int>(min(static_cast<std::uint32_t>(p.common.balls_per_block), alive - first));
-  process_balls<false, kWords>(p, sorted, out, m, s, first, balls);
+  process_balls<kWhole, false, kWords>(p, sorted, out, m, s, first, balls);
 }
 
 // One ball at a time; p.common.balls_per_block is 1.
+template <bool kWhole>
 __global__ void __launch_bounds__(kBlockThreads)
     dual_edges_exact(DualEdgeProblem p, SortedBalls sorted, DualEdgeOutput out) {
-  extern __shared__ __align__(16) unsigned char shared[];
   __shared__ BlockBalls s;
-  const DualEdgeMemory m = carve(shared, p);
+  const DualEdgeMemory m = carve(dynamic_shared_memory(), p);
   const std::uint32_t count = *out.exact_count;
   if (out.statistics->deferred > p.deferred_limit) return;
   for (std::uint32_t n = blockIdx.x; n < count; n += gridDim.x) {
-    process_balls<true, 0>(p, sorted, out, m, s, out.exact_list[n], 1);
+    process_balls<kWhole, true, 0>(p, sorted, out, m, s, out.exact_list[n], 1);
     __syncthreads();
   }
 }

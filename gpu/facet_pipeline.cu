@@ -1,5 +1,4 @@
-// Sets of balls on the device: the plan of a run, and its grid. The runs themselves are
-// tetrahedra_run.cu and whole_run.cu.
+// Sets of balls on the device: the plan of a run, and its grid. The run itself is dual_edge_run.cu.
 #include "core/geometry/coincident.hpp"
 #include "gpu/grid_kernels.cuh"
 #include "gpu/pipeline_state.cuh"
@@ -40,7 +39,7 @@ FacetPipeline::FacetPipeline(const BallSet& balls) : state_(std::make_unique<Sta
 
 FacetPipeline::~FacetPipeline() = default;
 
-std::optional<Problem> FacetPipeline::State::plan(double alpha) {
+std::optional<Problem> FacetPipeline::State::plan(double alpha, bool whole) {
   State& s = *this;
   const double largest = static_cast<double>(s.max_radius) * s.max_radius + alpha;
   const double cutoff = 2 * std::sqrt(largest);
@@ -48,6 +47,7 @@ std::optional<Problem> FacetPipeline::State::plan(double alpha) {
   Problem p{};
   p.ball_count = static_cast<int>(s.n);
   p.alpha = alpha;
+  p.whole = whole;
   p.scale = static_cast<float>(
       std::ldexp(1.0, -static_cast<int>(std::ceil(std::log2(std::max(cutoff, 2.0))))));
   p.ghost_reach = 4;
@@ -59,8 +59,8 @@ std::optional<Problem> FacetPipeline::State::plan(double alpha) {
                 static_cast<double>(s.high.z) - s.low.z});
   p.reach_slack = extent < 16777216.0 ? 0.0f : static_cast<float>(extent / 8388608.0);
   double width = std::ceil((cutoff + 2 * p.reach_slack) * (1 + 1e-4)) + 2;
-  const auto cells = [&](std::int32_t low, std::int32_t high) {
-    return std::floor((static_cast<double>(high) - low) / width) + 3;
+  const auto cells = [&](std::int32_t from, std::int32_t to) {
+    return std::floor((static_cast<double>(to) - from) / width) + 3;
   };
   while (cells(s.low.x, s.high.x) * cells(s.low.y, s.high.y) * cells(s.low.z, s.high.z) >
          8.0 * static_cast<double>(s.n) + 512) {
@@ -71,7 +71,7 @@ std::optional<Problem> FacetPipeline::State::plan(double alpha) {
   p.ny = static_cast<int>(cells(s.low.y, s.high.y));
   p.nz = static_cast<int>(cells(s.low.z, s.high.z));
   const std::size_t cell_count = static_cast<std::size_t>(p.nx) * p.ny * p.nz + 1;  // and the dead
-  s.zeroed.reserve(kCounterWords + cell_count + 1 + s.n);
+  s.zeroed.reserve(kCounterWords + cell_count + 1 + kZeroedArrays * s.n);
   s.cell_start.reserve(cell_count + 1);
   p.cell_count = static_cast<int>(cell_count);
   return p;
@@ -83,26 +83,17 @@ SortedBalls FacetPipeline::State::sort_into_cells(const Problem& p, EventTimer& 
         "copying the balls");
   timer.mark(stage::kHostToDevice);
   // One fill: the counters, the cells' and the balls' counts.
-  zero(zeroed.get(), (kCounterWords + p.cell_count + 1 + n) * 4);
+  fill(zeroed.get(), 0, (kCounterWords + p.cell_count + 1 + (p.whole ? kZeroedArrays : 1) * n) * 4);
   std::uint32_t* cell_count = zeroed.get() + kCounterWords;
-  gpu::assign_cells<<<blocks_for(n), kThreads, 0, stream>>>(p, balls.get(), cell_count,
-                                                            cell_and_rank.get());
+  const LaunchShape per_ball{blocks_for(n), kThreads, stream};
+  launch(gpu::assign_cells, per_ball, p, balls.get(), cell_count, cell_and_rank.get());
   scan(cell_count, cell_start.get(), p.cell_count + 1);
-  gpu::sort_into_cells<<<blocks_for(n), kThreads, 0, stream>>>(p, balls.get(), cell_and_rank.get(),
-                                                               cell_start.get(), sorted.get(),
-                                                               index.get(), near.get(), cell.get());
+  launch(gpu::sort_into_cells, per_ball, p, balls.get(), cell_and_rank.get(), cell_start.get(),
+         sorted.get(), index.get(), near.get(), cell.get());
   check(cudaGetLastError(), "sorting the balls");
   timer.mark(stage::kGrid);
   return {sorted.get(), index.get(),      near.get(),
           cell.get(),   cell_start.get(), cell_start.get() + (p.cell_count - 1)};
-}
-
-PipelineResult FacetPipeline::run(double alpha, bool tetrahedra_only, const CancelToken& cancel,
-                                  StageTimes* times) {
-  State& s = *state_;
-  if (s.n == 0 || static_cast<double>(s.max_radius) * s.max_radius + alpha < 0) return {};
-  return tetrahedra_only ? s.run_tetrahedra(alpha, cancel, times)
-                         : s.run_whole(alpha, cancel, times);
 }
 
 }  // namespace alphascope::gpu

@@ -11,7 +11,8 @@
 
 namespace alphascope::gpu {
 
-// Valid until the next run. Lexicographic order; values and classes are empty for tetrahedra only.
+// Valid until the next run. Lexicographic order; values and classes are
+// empty for tetrahedra only, classes for tetrahedra.
 template <int N>
 struct HostSimplices {
   std::span<const std::array<BallIndex, N>> simplices;

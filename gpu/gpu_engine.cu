@@ -8,6 +8,7 @@
 #include "core/complex/slabs.hpp"
 #include "gpu/device_buffer.cuh"
 #include "gpu/facet_pipeline.hpp"
+#include "gpu/launch.cuh"
 
 namespace alphascope {
 namespace {
@@ -24,7 +25,7 @@ std::string version_text(int version) {
 void run_probe() {
   gpu::DeviceBuffer<int> out;
   out.reserve(32);
-  prove<<<1, 32>>>(out.get());
+  gpu::launch(prove, {1, 32, nullptr}, out.get());
   gpu::check(cudaGetLastError(), "starting a test kernel");
   int host[32] = {};
   gpu::check(cudaMemcpy(host, out.get(), sizeof host, cudaMemcpyDeviceToHost),
@@ -77,7 +78,12 @@ template <int N>
 void copy(const gpu::HostSimplices<N>& from, SimplexList<N>& to) {
   to.simplices.assign(from.simplices.begin(), from.simplices.end());
   to.alpha_values.assign(from.values.begin(), from.values.end());
-  to.classes.assign(from.classes.begin(), from.classes.end());
+  // Tetrahedra have no coface: all of K_alpha's are interior.
+  if (N == 4) {
+    to.classes.assign(from.values.size(), SimplexClass::interior);
+  } else {
+    to.classes.assign(from.classes.begin(), from.classes.end());
+  }
 }
 
 // More slabs than this and the halos are most of the work.
@@ -166,7 +172,7 @@ class GpuEngine : public Engine {
     complex.timings.stages.push_back(host.stages.front());
     complex.timings.wall_milliseconds = whole.wall_milliseconds;
     complex.hash = complex_hash(complex);
-    complex.engine = {"facet engine", gpu_device().name, "facet clipping"};
+    complex.engine = {"facet engine", gpu_device().name, "dual edge clipping"};
     complex.engine.counters.push_back({"balls through kernel III", result.exact_balls});
     return complex;
   }

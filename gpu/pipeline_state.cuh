@@ -12,6 +12,7 @@
 
 #include "gpu/device_buffer.cuh"
 #include "gpu/facet_pipeline.hpp"
+#include "gpu/launch.cuh"
 #include "gpu/problem.cuh"
 
 namespace alphascope::gpu {
@@ -26,43 +27,54 @@ inline unsigned blocks_for(std::size_t items) {
 // exact in single precision and within the double brackets.
 inline constexpr double kMaxCutoff = 16.7e6;
 
-// Start values of what is afterwards sized by counting: a list that is too short, or a staging
-// area, is noticed by the kernel and the run repeated with what it needed.
-inline constexpr int kFirstList = 32;
-inline constexpr int kFirstStaging = 12;  // a ball of the block
-inline constexpr int kMaxList = 4095;     // 12 bits of a staging key
+inline constexpr int kMaxList = 4095;  // 12 bits of a packed triangle
 
 // Counters of one run, together so that one copy brings them back.
 struct Counters {
-  std::uint32_t cursor[3];
-  std::uint32_t exact_count, needed_list, needed_staging, failures, padding;
-  BlockStatistics blocks;  // of a tetrahedra run
+  std::uint32_t edges, triangles, tetrahedra;  // found; edges: candidates
+  std::uint32_t exact_count;
+  std::uint64_t edges_and_vertices;  // of a whole result (pair_of)
+  BlockStatistics blocks;
 };
 
 inline constexpr std::size_t kCounterWords = sizeof(Counters) / 4;
 
-// The device-side buffers of one dimension.
-struct DimensionBuffers {
-  DeviceBuffer<std::uint32_t> vertices, ordered;
-  DeviceBuffer<float> value, ordered_value;
-  DeviceBuffer<std::uint8_t> simplex_class, ordered_class;
-  DeviceBuffer<std::uint32_t> start, count, offset;
-  PinnedBuffer<std::uint32_t> host_vertices;
-  PinnedBuffer<float> host_value;
-  PinnedBuffer<std::uint8_t> host_class;
-
-  // How many fit; the vertices alone may have grown for an earlier request without values.
-  std::size_t simplices(int n, bool values) const {
-    return values ? std::min(vertices.capacity() / n, value.capacity()) : vertices.capacity() / n;
+// How many simplices there are of each dimension.
+struct SimplexCounts {
+  std::size_t of[4] = {0, 0, 0, 0};
+  std::size_t& operator[](int dimension) { return of[dimension]; }
+  std::size_t operator[](int dimension) const { return of[dimension]; }
+  bool cover(const SimplexCounts& other) const {
+    for (int d = 0; d < 4; ++d) {
+      if (of[d] < other.of[d]) return false;
+    }
+    return true;
   }
-  void reserve(std::size_t simplices, int n, bool values) {
-    vertices.reserve(simplices * n);
-    ordered.reserve(simplices * n);
-    if (!values) return;
-    value.reserve(simplices);
-    ordered_value.reserve(simplices);
-    simplex_class.reserve(simplices);
-    ordered_class.reserve(simplices);
+};
+
+// Where the arrays of a result lie in one piece of memory, the same on the device and on the host,
+// so that one copy brings all.
+struct ResultLayout {
+  struct Section {
+    std::size_t vertices, value, simplex_class;  // bytes from the start
+  };
+  Section dimension[4];
+  SimplexCounts room;
+  std::size_t bytes = 0;
+
+  ResultLayout(const SimplexCounts& counts, bool whole) : room(counts) {
+    const auto take = [&](std::size_t size) {
+      const std::size_t at = bytes;
+      bytes += (size + 255) / 256 * 256;
+      return at;
+    };
+    for (int d = 0; d < 4; ++d) {
+      const std::size_t count = whole || d == 3 ? counts[d] : 0;
+      dimension[d].vertices = take(count * 4 * (d + 1));
+      dimension[d].value = take(whole ? count * 4 : 0);
+      // Tetrahedra of K_alpha are interior.
+      dimension[d].simplex_class = take(whole && d < 3 ? count : 0);
+    }
   }
 };
 
@@ -109,36 +121,46 @@ struct FacetPipeline::State {
   std::size_t n = 0;
   LatticePoint low, high;
   std::int32_t max_radius = 0;
-  // What earlier whole runs needed, by alpha: the longest neighbour list and the fullest staging
-  // area.
+  // What earlier runs needed, by alpha.
   struct Need {
     double alpha;
-    int list, staging;
+    bool whole;
+    int balls_per_block;
+    BlockRoom block, ball;   // of kernel II's blocks, and of kernel III's, which take one ball
+    SimplexCounts counts;    // of the result
+    std::size_t candidates;  // edges
+    double mean_list;        // neighbours of a ball
+    double margin;           // over the mean room
+    bool counted;            // by a run of this very alpha
   };
   std::vector<Need> needs;
-  // The same for tetrahedra runs.
-  struct TetrahedraNeed {
-    double alpha;
-    int balls_per_block;
-    BlockRoom block, ball;  // of kernel II's blocks, and of kernel III's, which take one ball
-    std::size_t tetrahedra;
-    double margin;  // over the mean room
-  };
-  std::vector<TetrahedraNeed> tetrahedra_needs;
   int shared_limit = 0, multiprocessors = 1;
 
   PinnedBuffer<int4> host_balls;
   PinnedBuffer<Counters> host_counters;
   DeviceBuffer<int4> balls, sorted;
   DeviceBuffer<uint2> cell_and_rank;
-  DeviceBuffer<std::uint32_t>
-      zeroed;  // Counters, then the cells' counts, then the balls' tetrahedra
+  // Cleared at once at the start of a run: Counters, then the cells' counts, the balls' of
+  // tetrahedra, triangles and edge candidates, and what is known of vertices (VertexStates).
+  DeviceBuffer<std::uint32_t> zeroed;
   DeviceBuffer<std::uint32_t> index, cell, cell_start, exact_list;
   DeviceBuffer<float4> near;
-  DeviceBuffer<std::uint8_t> vertex_state;
-  DeviceBuffer<std::uint32_t> flags, nearest, present;
   DeviceBuffer<unsigned char> scratch;
-  DimensionBuffers dimension[4];  // vertices, edges, triangles, tetrahedra
+  // As blocks write them (dual_edge_block.cuh).
+  struct {
+    DeviceBuffer<uint4> vertices;
+    DeviceBuffer<std::uint32_t> start;
+  } tetrahedra;
+  struct {
+    DeviceBuffer<std::uint32_t> vertices, info, attached_to, start;
+  } triangles;
+  struct {
+    DeviceBuffer<std::uint32_t> begin, end, least, flags, start;
+  } edges;
+  DeviceBuffer<std::uint32_t> offset;
+  DeviceBuffer<std::uint64_t> pairs, places;
+  DeviceBuffer<unsigned char> result;
+  PinnedBuffer<unsigned char> host_result;
 
   Counters* counters() { return reinterpret_cast<Counters*>(zeroed.get()); }
 
@@ -146,40 +168,18 @@ struct FacetPipeline::State {
     if (stream != nullptr) cudaStreamDestroy(stream);
   }
 
-  // The need of the nearest alpha not below this one; less alpha never needs more.
-  Need expected_need(double alpha) const {
-    Need best{alpha, kFirstList, kFirstStaging};
-    bool found = false;
-    for (const Need& n : needs) {
-      if (n.alpha < alpha || (found && n.alpha >= best.alpha)) continue;
-      best = n;
-      found = true;
-    }
-    if (!found) {
-      for (const Need& n : needs) {
-        if (n.list > best.list) best = {alpha, n.list, n.staging};
-      }
-    }
-    return best;
-  }
-  void note_need(const Need& need) {
-    for (Need& n : needs) {
-      if (n.alpha == need.alpha) {
-        n = need;
-        return;
-      }
-    }
-    if (needs.size() >= 64) needs.erase(needs.begin());
-    needs.push_back(need);
-  }
-
   // The grid for this alpha, with its buffers; nothing when differences would not be exact.
-  std::optional<Problem> plan(double alpha);
+  std::optional<Problem> plan(double alpha, bool whole);
   SortedBalls sort_into_cells(const Problem& p, EventTimer& timer);
-  PipelineResult run_tetrahedra(double alpha, const CancelToken& cancel, StageTimes* times);
-  PipelineResult run_whole(double alpha, const CancelToken& cancel, StageTimes* times);
+  // Words of `zeroed` that come after the counters and the cells: arrays of n.
+  static constexpr int kZeroedArrays = 6;
+  std::uint32_t* zeroed_array(const Problem& p, int number) {
+    return zeroed.get() + kCounterWords + p.cell_count + 1 + static_cast<std::size_t>(number) * n;
+  }
 
-  void scan(const std::uint32_t* in, std::uint32_t* out, std::size_t count) {
+  // Sums of the numbers before each.
+  template <class Number>
+  void scan(const Number* in, Number* out, std::size_t count) {
     std::size_t bytes = 0;
     check(cub::DeviceScan::ExclusiveSum(nullptr, bytes, in, out, static_cast<int>(count), stream),
           "sizing a prefix sum");
@@ -188,53 +188,8 @@ struct FacetPipeline::State {
                                         stream),
           "a prefix sum");
   }
-  void zero(void* data, std::size_t bytes) {
-    check(cudaMemsetAsync(data, 0, bytes, stream), "clearing device memory");
-  }
-  template <int N>
-  DeviceSimplices<N> device_simplices(bool whole) {
-    DimensionBuffers& d = dimension[N - 1];
-    return {d.vertices.get(),
-            whole ? d.value.get() : nullptr,
-            whole ? d.simplex_class.get() : nullptr,
-            static_cast<std::uint32_t>(d.simplices(N, whole)),
-            &counters()->cursor[N - 2],
-            d.start.get(),
-            d.count.get()};
-  }
-  template <int N>
-  void order(bool whole) {
-    DimensionBuffers& d = dimension[N - 1];
-    scan(d.count.get(), d.offset.get(), n);
-    place<N><<<4 * multiprocessors, kThreads, 0, stream>>>(
-        device_simplices<N>(whole), d.offset.get(), d.ordered.get(),
-        whole ? d.ordered_value.get() : nullptr, whole ? d.ordered_class.get() : nullptr);
-  }
-  // Brings `count` simplices to the host.
-  template <int N>
-  HostSimplices<N> fetch(std::size_t count, bool whole) {
-    DimensionBuffers& d = dimension[N - 1];
-    d.host_vertices.reserve(count * N + count * N / 8);
-    check(cudaMemcpyAsync(d.host_vertices.get(), d.ordered.get(), count * N * 4,
-                          cudaMemcpyDeviceToHost, stream),
-          "copying simplices");
-    HostSimplices<N> result;
-    static_assert(sizeof(std::array<BallIndex, N>) == N * sizeof(std::uint32_t));
-    result.simplices = {reinterpret_cast<const std::array<BallIndex, N>*>(d.host_vertices.get()),
-                        count};
-    if (whole) {
-      d.host_value.reserve(count + count / 8);
-      d.host_class.reserve(count + count / 8);
-      check(cudaMemcpyAsync(d.host_value.get(), d.ordered_value.get(), count * 4,
-                            cudaMemcpyDeviceToHost, stream),
-            "copying alpha values");
-      check(cudaMemcpyAsync(d.host_class.get(), d.ordered_class.get(), count,
-                            cudaMemcpyDeviceToHost, stream),
-            "copying classes");
-      result.values = {d.host_value.get(), count};
-      result.classes = {reinterpret_cast<const SimplexClass*>(d.host_class.get()), count};
-    }
-    return result;
+  void fill(void* data, int byte, std::size_t bytes) {
+    check(cudaMemsetAsync(data, byte, bytes, stream), "clearing device memory");
   }
 };
 

@@ -1,5 +1,5 @@
 // What all kernels of one request share: the problem, the balls in cell order, the neighbour
-// search, and how simplices get their lexicographic places.
+// search.
 #pragma once
 
 #include <cuda_runtime.h>
@@ -20,11 +20,11 @@ struct Problem {
   int cell_count;              // with one more for the dead
   float reach_slack;  // lattice units: what rounding the coordinates can take from a distance
   double alpha;       // square lattice units
+  bool whole;         // all simplices with values, not tetrahedra alone
   float scale;        // power of two: scaled = lattice * scale
   std::int64_t ghost_reach;  // power of two above every sqrt(w + alpha), lattice units
   int balls_per_block;
-  int list_capacity;     // neighbours of a ball that fit the block's memory
-  int staging_capacity;  // simplices of one dimension that fit
+  int list_capacity;  // neighbours of a ball that fit the block's memory
 };
 
 // What a block's shared memory has room for.
@@ -33,7 +33,7 @@ struct BlockRoom {
   std::uint32_t entries;    // neighbours of all the block's balls
   std::uint32_t rows;       // those of higher index than their ball
   std::uint32_t triangles;  // of three balls that meet
-  std::uint32_t kept;       // of those, with a tetrahedron in K_alpha
+  std::uint32_t kept;       // of those, in K_alpha; of tetrahedra alone, with one in K_alpha
 };
 
 // What a run of blocks met. Sums over every `kSampled`-th block, from which the room of the next
@@ -55,18 +55,6 @@ struct SortedBalls {
   const std::uint32_t* cell;
   const std::uint32_t* cell_start;
   const std::uint32_t* alive;  // one number: balls before the dead ones
-};
-
-// Simplices of one dimension on the device, in the order in which blocks finished.
-template <int N>
-struct DeviceSimplices {
-  std::uint32_t* vertices;  // N per simplex
-  float* value;             // null when only tetrahedra are asked for
-  std::uint8_t* simplex_class;
-  std::uint32_t capacity;
-  std::uint32_t* cursor;  // simplices written (may pass capacity: then nothing counts)
-  std::uint32_t* start;   // per ball: its first simplex
-  std::uint32_t* count;   // per ball
 };
 
 // Lanes that look for the neighbours of one ball.
@@ -132,34 +120,6 @@ __device__ inline int search_neighbours(const Problem& p, const SortedBalls& bal
   }
   __syncwarp();
   return count;
-}
-
-// Moves every simplex to its lexicographic place: the prefix sum of its lowest ball, and its rank
-// among that ball's.
-template <int N>
-__global__ void place(DeviceSimplices<N> from, const std::uint32_t* offset, std::uint32_t* vertices,
-                      float* value, std::uint8_t* simplex_class) {
-  const std::uint32_t count = *from.cursor;
-  if (count > from.capacity) return;  // the run will be repeated with room for all
-  for (std::uint32_t t = blockIdx.x * blockDim.x + threadIdx.x; t < count;
-       t += gridDim.x * blockDim.x) {
-    const std::uint32_t i = from.vertices[static_cast<std::size_t>(t) * N];
-    const std::uint32_t to = offset[i] + (t - from.start[i]);
-    if constexpr (N == 4) {
-      reinterpret_cast<uint4*>(vertices)[to] = reinterpret_cast<const uint4*>(from.vertices)[t];
-    } else if constexpr (N == 2) {
-      reinterpret_cast<uint2*>(vertices)[to] = reinterpret_cast<const uint2*>(from.vertices)[t];
-    } else {
-      for (int v = 0; v < N; ++v) {
-        vertices[static_cast<std::size_t>(to) * N + v] =
-            from.vertices[static_cast<std::size_t>(t) * N + v];
-      }
-    }
-    if (value != nullptr) {
-      value[to] = from.value[t];
-      simplex_class[to] = from.simplex_class[t];
-    }
-  }
 }
 
 }  // namespace alphascope::gpu

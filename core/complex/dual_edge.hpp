@@ -15,23 +15,11 @@
 // ours.
 #pragma once
 
-#include "core/complex/facet_complex.hpp"
+#include "core/complex/simplex_decisions.hpp"
 #include "core/geometry/rough_math.hpp"
+#include "core/geometry/rounding.hpp"
 
 namespace alphascope {
-
-// u with a margin of 3 %, which covers the roundings of the bounds themselves. d are exact; c are
-// the nearest numbers.
-template <class Real>
-struct Rounding;
-template <>
-struct Rounding<float> {
-  static constexpr float u = 6.14e-8f;
-};
-template <>
-struct Rounding<double> {
-  static constexpr double u = 1.144e-16;
-};
 
 // a b - c d within 2 u of its value. Single precision: W. Kahan's, see C.-P. Jeannerod et al.,
 // Math. Comp. 82 (2013). Double: exact for the d, which are whole numbers below 2^25.
@@ -188,6 +176,18 @@ class DualEdge {
   ALPHASCOPE_INLINE const End& high() const { return high_; }
   ALPHASCOPE_INLINE const End& low() const { return low_; }
 
+  // Does this end cut off the foot, so that ijk is attached to its tetrahedron?
+  ALPHASCOPE_INLINE static Decision beyond_foot(const End& end) {
+    return end.t > end.error    ? Decision::out
+           : end.t < -end.error ? Decision::in
+                                : Decision::unknown;
+  }
+  // Is rho of the triangle <= alpha?
+  ALPHASCOPE_INLINE Decision foot_within(Real radius_square) const {
+    if (foot_square_ + square_error_ < radius_square) return Decision::in;
+    if (foot_square_ - square_error_ > radius_square) return Decision::out;
+    return Decision::unknown;
+  }
   // Is rho of the tetrahedron at this end <= alpha?
   ALPHASCOPE_INLINE Decision within(const End& end, Real radius_square) const {
     const Real along = end.t * end.t * q_;

@@ -1,4 +1,4 @@
-// The CPU engine: facet clipping while alpha is small, CGAL's triangulation where that is faster,
+// The CPU engine: dual edges while alpha is small, CGAL's triangulation where that is faster,
 // and a threshold of what it already knows where it can.
 #include <tbb/task_arena.h>
 
@@ -7,7 +7,7 @@
 #include <optional>
 #include <stdexcept>
 
-#include "core/complex/cpu_facets.hpp"
+#include "core/complex/cpu_dual_edges.hpp"
 #include "core/complex/engine.hpp"
 #include "core/complex/filtration.hpp"
 #include "core/geometry/coincident.hpp"
@@ -20,7 +20,7 @@ namespace {
 // depends on it, never a result.
 double facet_cost(const NeighbourMoments& m, bool tetrahedra_only) {
   return tetrahedra_only ? 0.1 + 0.04 * m.mean + 0.006 * m.mean_square
-                         : 0.1 + 0.18 * m.mean + 0.0042 * m.mean_square;
+                         : 0.1 + 0.15 * m.mean + 0.0067 * m.mean_square;
 }
 constexpr std::size_t kCostSamples = 256;
 // The same for the triangulation and, for a whole complex, its alpha values.
@@ -100,9 +100,9 @@ class FacetEngine : public Engine {
     complex.lattice = balls_->lattice;
     complex.alpha_on_lattice = alpha;
     complex.tetrahedra_only = tetrahedra_only;
-    compute_facets(*balls_, grid, context, timer, complex);
+    compute_by_dual_edges(*balls_, grid, context, timer, complex);
     complex.hash = complex_hash(complex);
-    complex.engine.route = "facet clipping";
+    complex.engine.route = "dual edge clipping";
     if (options_.cache && !tetrahedra_only) keep(complex);
     timer.lap(stage::kHash);
     return complex;

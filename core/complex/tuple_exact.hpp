@@ -15,7 +15,7 @@
 //    other than 0 decides. For a 4-tuple that is perturbed_cut().
 #pragma once
 
-#include "core/complex/facet_complex.hpp"
+#include "core/complex/simplex_decisions.hpp"
 #include "core/geometry/perturbation.hpp"
 
 namespace alphascope {
@@ -83,15 +83,7 @@ struct ExactCentre<1, Integer> {
     if (side != 0) return side > 0 ? Conflict::destroys : Conflict::none;
     const auto n = cross(j, m);
     if (n.x != 0 || n.y != 0 || n.z != 0) return Conflict::defers;
-    // m = lambda d_j, all along d_j's largest coordinate.
-    const FacetAxis largest = facet_axis(j.x, j.y, j.z);
-    const std::int64_t b = largest.axis == 0 ? j.x : largest.axis == 1 ? j.y : j.z;
-    const std::int64_t a = largest.axis == 0 ? m.x : largest.axis == 1 ? m.y : m.z;
-    const int sign_b = sign_of(b);
-    HullTie tie{m, 1};
-    tie.add(j, -sign_of(a) * sign_b);
-    tie.add({0, 0, 0, 0}, -sign_of(b - a) * sign_b);
-    return tie.sign < 0 ? Conflict::destroys : Conflict::none;
+    return lies_between(j, m) ? Conflict::destroys : Conflict::none;
   }
 };
 

@@ -11,15 +11,18 @@
 // maximum norm, A is regular and |x - y| <= |X| |r| / (1 - t), entries of X and r taken absolute.
 // Neither X nor y needs to be good; only R and r are bounded, which are plain sums of products.
 //
-// u = 2^-24. kU of facet_float.hpp is 3 % above u, for second-order terms and the roundings of the
+// u = 2^-24. kU is 3 % above u, for second-order terms and the roundings of the
 // bounds themselves. Differences of centres and sums of radii below 2^24 are exact, products of
 // such numbers far from underflow and overflow; a quotient that is not ends in an infinite error.
 #pragma once
 
-#include "core/complex/facet_float.hpp"
+#include "core/complex/simplex_decisions.hpp"
 #include "core/complex/tuple_scene.hpp"
+#include "core/geometry/rounding.hpp"
 
 namespace alphascope {
+
+inline constexpr float kU = Rounding<float>::u;
 
 // Ball m as seen from ball i: half is c / 2 within half_error.
 struct FloatLifted {

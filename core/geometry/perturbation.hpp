@@ -57,4 +57,13 @@ ALPHASCOPE_HOST_DEVICE inline int perturbed_cut(const LiftedInt& j, const Lifted
   return -1;  // not reached: D is not 0 at a corner
 }
 
+// The same for ball m that is collinear with i and j and has their power all over their radical
+// plane: it cuts off edge ij if it lies between them. Of three collinear balls the last in the
+// order is an outer one, so the middle one always stays in sight.
+ALPHASCOPE_HOST_DEVICE inline bool lies_between(const LiftedInt& j, const LiftedInt& m) {
+  const std::int64_t b = j.x != 0 ? j.x : j.y != 0 ? j.y : j.z;
+  const std::int64_t a = j.x != 0 ? m.x : j.y != 0 ? m.y : m.z;
+  return b > 0 ? 0 < a && a < b : b < a && a < 0;
+}
+
 }  // namespace alphascope

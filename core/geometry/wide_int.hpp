@@ -1,6 +1,6 @@
 // Fixed-width signed integers beyond 64 bits, for exact predicates on host and device. Only what
 // predicates need: sums, products, signs, shifts, and the nearest double. Overflow wraps; the
-// widths are proven sufficient where they are chosen (orthosphere.hpp, facet_polygon.hpp).
+// widths are proven sufficient where they are chosen (orthosphere.hpp, exact_dual_edge.hpp).
 #pragma once
 
 #include <cstdint>

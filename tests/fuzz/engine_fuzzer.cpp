@@ -1,4 +1,4 @@
-// libFuzzer target: bytes become a few balls on a small lattice and some alphas; facet clipping,
+// libFuzzer target: bytes become a few balls on a small lattice and some alphas; dual edges,
 // the CPU engine and CGAL must give the same complex, which must meet the definition.
 //
 // First byte: bits 0-1 the scale of the coordinates, bits 2-4 how many alphas follow. Then one byte

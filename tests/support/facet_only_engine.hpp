@@ -7,7 +7,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "core/complex/cpu_facets.hpp"
+#include "core/complex/cpu_dual_edges.hpp"
 #include "core/complex/engine.hpp"
 #include "core/geometry/coincident.hpp"
 
@@ -33,7 +33,7 @@ class FacetOnlyEngine : public Engine {
     }
     arena_.execute([&] {
       StageTimer timer(complex.timings);
-      compute_facets(*balls_, grid, context, timer, complex);
+      compute_by_dual_edges(*balls_, grid, context, timer, complex);
     });
     complex.hash = complex_hash(complex);
     return complex;

@@ -6,30 +6,32 @@
 
 #include <array>
 #include <random>
+#include <set>
 
-#include "core/complex/exact_dual_edge.hpp"
 #include "core/complex/facet_disc.hpp"
+#include "core/complex/triangle_faces.hpp"
 
 namespace alphascope {
 namespace {
 
 constexpr int kCount = 9;  // neighbours of ball i: j, k and seven that cut
 
-struct Neighbourhood {
+struct Neighbours {
   std::array<LiftedInt, kCount> vectors;
   const LiftedInt& lifted(int slot) const { return vectors[static_cast<std::size_t>(slot)]; }
   int ball(int slot) const { return slot; }
 };
 
-// Neighbours of a ball at the origin, lattice units; a small `spread` gives many ties.
-Neighbourhood random_neighbourhood(std::mt19937& random, int spread) {
+// Neighbours of a ball at the origin, no two at one place; a small `spread` gives many ties.
+Neighbours random_neighbours(std::mt19937& random, int spread) {
   std::uniform_int_distribution<int> at(-spread, spread), radius(1, spread);
-  Neighbourhood result;
   const std::int64_t own = radius(random);
+  std::set<std::array<std::int64_t, 3>> taken{{0, 0, 0}};
+  Neighbours result;
   for (LiftedInt& v : result.vectors) {
     do {
       v = {at(random), at(random), at(random), 0};
-    } while (v.x == 0 && v.y == 0 && v.z == 0);
+    } while (!taken.insert({v.x, v.y, v.z}).second);
     const std::int64_t other = radius(random);
     v.c = v.x * v.x + v.y * v.y + v.z * v.z + own * own - other * other;
   }
@@ -43,78 +45,116 @@ LiftedVector<Real> scaled(const LiftedInt& v, Real scale) {
 }
 
 struct Count {
-  std::size_t decided = 0, undecided = 0, found = 0, wrong = 0;
+  std::size_t decided = 0, undecided = 0, found = 0, ends = 0, attached = 0, wrong = 0;
 };
 
-struct Ends {
-  bool known;
-  int high, low;  // -1: no tetrahedron of K_alpha
-};
+// All other balls cut: rows of bits with every neighbour but j (0) and k (1).
+constexpr std::uint32_t kOthers = ((1u << kCount) - 1) & ~3u;
+constexpr TriangleRows kTriangle{0, 1, &kOthers, &kOthers};
 
 template <class Real>
-Ends ends_of(const Neighbourhood& n, Real radius_square, Real scale) {
-  if (DualEdge<Real>::certainly_outside(scaled(n.lifted(0), scale), scaled(n.lifted(1), scale),
-                                        radius_square))
-    return {true, -1, -1};
-  DualEdge<Real> edge;
-  if (!edge.start(scaled(n.lifted(0), scale), scaled(n.lifted(1), scale), radius_square))
-    return {true, -1, -1};
-  for (int m = 2; m < kCount; ++m) {
-    const auto cut = edge.cut_by(scaled(n.lifted(m), scale));
-    const auto takes = edge.takes(cut);
-    if (takes == DualEdge<Real>::Takes::all) return {true, -1, -1};
-    if (takes == DualEdge<Real>::Takes::some && edge.clip(cut, m)) return {true, -1, -1};
+TriangleFace filtered(const Neighbours& n, Real radius_square, Real scale) {
+  const auto lifted = [&](int m) { return scaled(n.lifted(m), scale); };
+  if (DualEdge<Real>::certainly_outside(lifted(0), lifted(1), radius_square))
+    return TriangleFace::absent();
+  return filtered_face<Real>(kTriangle, 1, radius_square, lifted);
+}
+
+// The face by its definition: every candidate for an end against every other ball.
+class Definition {
+ public:
+  Definition(const Neighbourhood<Neighbours>& in, const Neighbours& n) : in_(in), n_(n) {
+    face_ = TriangleFace::absent();
+    const auto normal = cross(n.lifted(0), n.lifted(1));
+    if (normal.x == 0 && normal.y == 0 && normal.z == 0) return;
+    const EndBall high = end(1), low = end(-1);
+    if (high.slot == kNothing || low.slot == kNothing) return;
+    face_.in = compare_exact(exact_triangle_rho(n.lifted(0), n.lifted(1), in.weight), in.alpha) > 0
+                   ? Decision::out
+                   : Decision::in;
+    judge(high, face_.high, TriangleFace::Attached::high);
+    judge(low, face_.low, TriangleFace::Attached::low);
   }
-  if (!edge.ends_certain() || !edge.certainly_there()) return {false, -1, -1};
-  Ends ends{true, -1, -1};
-  const auto judge = [&](const typename DualEdge<Real>::End& end, int& cutter) {
-    if (end.cutter < 0) return;
-    const Decision d = edge.within(end, radius_square);
-    if (d == Decision::in) cutter = end.cutter;
-    if (d == Decision::unknown) ends.known = false;
-  };
-  judge(edge.high(), ends.high);
-  judge(edge.low(), ends.low);
-  return ends;
+  const TriangleFace& face() const { return face_; }
+
+ private:
+  static constexpr int kNothing = -2;
+
+  // On this side; the ghost if no ball ends it there.
+  EndBall end(int side) const {
+    const EndBall ghost = ghost_end(n_.lifted(0), n_.lifted(1), side, in_.ghost_reach);
+    if (survives(ghost)) return ghost;
+    for (int l = 2; l < kCount; ++l) {
+      if (sign_of(determinant(n_.lifted(0), n_.lifted(1), n_.lifted(l))) != side) continue;
+      if (survives({l, n_.lifted(l)})) return {l, n_.lifted(l)};
+    }
+    return {kNothing, {}};
+  }
+  bool survives(const EndBall& end) const {
+    for (int m = 2; m < kCount; ++m) {
+      if (m != end.slot &&
+          orthocentre_cut<WideInt<4>>(n_.lifted(0), n_.lifted(1), end, n_.lifted(m)) > 0)
+        return false;
+    }
+    return true;
+  }
+  void judge(const EndBall& end, int& slot, TriangleFace::Attached side) {
+    if (end.slot < 0) return;
+    const ExactRho rho = exact_tetrahedron_rho(n_.lifted(0), n_.lifted(1), end.lifted, in_.weight);
+    const bool in = compare_exact(rho, in_.alpha) <= 0;
+    if (in) slot = end.slot;
+    if (triangle_foot_cut_exact(n_.lifted(0), n_.lifted(1), end.lifted) <= 0) return;
+    face_.attached = side;
+    face_.in = in ? Decision::in : Decision::out;
+  }
+
+  const Neighbourhood<Neighbours>& in_;
+  const Neighbours& n_;
+  TriangleFace face_;
+};
+
+bool same(const TriangleFace& a, const TriangleFace& b) {
+  if (a.in != b.in) return false;
+  return a.in != Decision::in || (a.high == b.high && a.low == b.low && a.attached == b.attached);
 }
 
 class DualEdges : public ::testing::TestWithParam<int> {
  protected:
-  // Exact answers by the definition: every candidate against every other ball.
-  static int defined_end(const Neighbourhood& n, int side, std::int64_t weight, double alpha) {
-    for (int l = 2; l < kCount; ++l) {
-      if (sign_of(determinant(n.lifted(0), n.lifted(1), n.lifted(l))) != side) continue;
-      bool empty = true;
-      for (int m = 2; m < kCount; ++m) {
-        if (m != l &&
-            orthocentre_cut<WideInt<4>>(n.lifted(0), n.lifted(1), n.lifted(l), n.lifted(m)) > 0)
-          empty = false;
-      }
-      const ExactRho rho = exact_tetrahedron_rho(n.lifted(0), n.lifted(1), n.lifted(l), weight);
-      if (empty && compare_exact(rho, alpha) <= 0) return l;
-    }
-    return -1;
+  std::int64_t weight() const { return std::int64_t{GetParam()} * GetParam() / 2; }
+  // `alpha` of every third round is next to the alpha value of a simplex.
+  double alpha_of(const Neighbours& n, int round, std::mt19937& random) const {
+    const double any = static_cast<double>(random() % static_cast<unsigned>(3 * weight() + 1));
+    if (round % 3 != 0) return any;
+    return round % 2 == 0
+               ? round_exact(exact_tetrahedron_rho(n.lifted(0), n.lifted(1), n.lifted(2), weight()))
+               : round_exact(exact_triangle_rho(n.lifted(0), n.lifted(1), weight()));
+  }
+  bool sensible(double alpha) const {
+    return alpha > -static_cast<double>(weight()) && alpha < 1e9;
+  }
+  Neighbourhood<Neighbours> around(const Neighbours& n, double alpha) const {
+    const auto reach =
+        static_cast<std::int64_t>(std::sqrt(static_cast<double>(weight()) + alpha)) + 2;
+    return {n, weight(), alpha, reach, true};
   }
 
   template <class Real>
-  static Count compare(Real scale) {
+  Count compare(Real scale) const {
     std::mt19937 random(static_cast<unsigned>(GetParam()));
-    const std::int64_t weight = std::int64_t{GetParam()} * GetParam() / 2;
     Count count;
     for (int round = 0; round < 40000; ++round) {
-      const Neighbourhood n = random_neighbourhood(random, GetParam());
-      double alpha = static_cast<double>(random() % static_cast<unsigned>(3 * weight + 1));
-      if (round % 3 == 0) {  // next to the alpha value of a tetrahedron
-        alpha = round_exact(exact_tetrahedron_rho(n.lifted(0), n.lifted(1), n.lifted(2), weight));
-        if (!(alpha > -static_cast<double>(weight) && alpha < 1e9)) continue;
-      }
-      const auto square = static_cast<Real>(static_cast<double>(weight) + alpha) * scale * scale;
-      const Ends ours = ends_of<Real>(n, square, scale);
-      ++(ours.known ? count.decided : count.undecided);
-      if (!ours.known) continue;
-      const int high = defined_end(n, 1, weight, alpha), low = defined_end(n, -1, weight, alpha);
-      count.found += (high >= 0) + (low >= 0);
-      count.wrong += ours.high != high || ours.low != low;
+      const Neighbours n = random_neighbours(random, GetParam());
+      const double alpha = alpha_of(n, round, random);
+      if (!sensible(alpha)) continue;
+      const auto square = static_cast<Real>(static_cast<double>(weight()) + alpha) * scale * scale;
+      const TriangleFace ours = filtered<Real>(n, square, scale);
+      ++(ours.in != Decision::unknown ? count.decided : count.undecided);
+      if (ours.in == Decision::unknown) continue;
+      const TriangleFace defined = Definition(around(n, alpha), n).face();
+      count.found += ours.in == Decision::in;
+      count.ends += (ours.high >= 0) + (ours.low >= 0);
+      count.attached += ours.in == Decision::in && ours.attached != TriangleFace::Attached::no;
+      count.wrong += !same(ours, defined);
     }
     return count;
   }
@@ -125,6 +165,8 @@ TEST_P(DualEdges, SinglePrecisionIsNeverWrong) {
   const Count count = compare<float>(1.0f / 32768);
   EXPECT_EQ(count.wrong, 0u);
   EXPECT_GT(count.found, 100u);
+  EXPECT_GT(count.ends, 100u);
+  EXPECT_GT(count.attached, 20u);
   EXPECT_GT(count.decided, GetParam() >= 3000 ? 15 * count.undecided : count.undecided / 4);
 }
 
@@ -132,25 +174,44 @@ TEST_P(DualEdges, DoublePrecisionIsNeverWrong) {
   const Count count = compare<double>(1.0);
   EXPECT_EQ(count.wrong, 0u);
   EXPECT_GT(count.found, 100u);
+  EXPECT_GT(count.attached, 20u);
 }
 
-TEST_P(DualEdges, ExactEndsAreThoseOfTheDefinition) {
+TEST_P(DualEdges, ExactFacesAreThoseOfTheDefinition) {
   std::mt19937 random(7);
-  const std::int64_t weight = std::int64_t{GetParam()} * GetParam() / 2;
   std::size_t found = 0;
   for (int round = 0; round < 8000; ++round) {
-    const Neighbourhood n = random_neighbourhood(random, GetParam());
-    const double alpha = static_cast<double>(random() % static_cast<unsigned>(3 * weight + 1));
-    const FacetInput<Neighbourhood> in{n, 0, weight, alpha, 1, true};
-    const auto next = [](int m) { return m < 2 ? 2 : m + 1 < kCount ? m + 1 : -1; };
-    for (const int side : {1, -1}) {
-      const int defined = defined_end(n, side, weight, alpha);
-      EXPECT_EQ(exact_end<Int128>(in, 1, side, next), defined);
-      EXPECT_EQ(exact_end<WideInt<4>>(in, 1, side, next), defined);
-      found += defined >= 0;
-    }
+    const Neighbours n = random_neighbours(random, GetParam());
+    const double alpha = alpha_of(n, round, random);
+    if (!sensible(alpha)) continue;
+    const auto in = around(n, alpha);
+    const TriangleFace defined = Definition(in, n).face();
+    EXPECT_TRUE(same(exact_face<Int128>(in, kTriangle, 1), defined));
+    EXPECT_TRUE(same(exact_face<WideInt<4>>(in, kTriangle, 1), defined));
+    found += defined.in == Decision::in;
   }
   EXPECT_GT(found, 100u);
+}
+
+TEST_P(DualEdges, CutCentresOfDiscsAreCut) {
+  std::mt19937 random(5);
+  const float scale = 1.0f / 32768;
+  std::size_t in = 0, out = 0;
+  for (int round = 0; round < 40000; ++round) {
+    const Neighbours n = random_neighbours(random, GetParam());
+    const FacetDisc<float> disc(scaled(n.lifted(0), scale), 1.0f);
+    const Decision ours = disc.cut_by(scaled(n.lifted(1), scale)).centre;
+    const int exact = edge_foot_cut_exact(n.lifted(0), n.lifted(1));
+    if (ours == Decision::in) {
+      EXPECT_EQ(exact, 1);
+    } else if (ours == Decision::out) {
+      EXPECT_EQ(exact, -1);
+    }
+    in += ours == Decision::in;
+    out += ours == Decision::out;
+  }
+  EXPECT_GT(in, 1000u);
+  EXPECT_GT(out, 1000u);
 }
 
 // A point of the disc that ball m keeps refutes "covered": the disc is sampled around its centre.
@@ -159,7 +220,7 @@ TEST_P(DualEdges, CoveredDiscsAreCovered) {
   const float scale = 1.0f / 32768;
   std::size_t covered = 0;
   for (int round = 0; round < 40000; ++round) {
-    const Neighbourhood n = random_neighbourhood(random, GetParam());
+    const Neighbours n = random_neighbours(random, GetParam());
     const double square =
         static_cast<double>(random() % static_cast<unsigned>(3 * GetParam() * GetParam()));
     const FacetDisc<float> disc(scaled(n.lifted(0), scale),
@@ -170,7 +231,7 @@ TEST_P(DualEdges, CoveredDiscsAreCovered) {
       EXPECT_GT(depth, square);
       continue;
     }
-    if (!disc.certainly_covered_by(scaled(n.lifted(1), scale)) || depth > square) continue;
+    if (!disc.cut_by(scaled(n.lifted(1), scale)).covers || depth > square) continue;
     ++covered;
     // Farthest along -d_m in the plane: the point that m cuts off last.
     const double share = dot(m, j) / length;

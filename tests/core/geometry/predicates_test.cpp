@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "core/complex/facet_polygon.hpp"
+#include "core/complex/exact_dual_edge.hpp"
 #include "core/geometry/exact_alpha.hpp"
 #include "core/geometry/foot_predicate.hpp"
 #include "core/geometry/perturbation.hpp"
@@ -134,30 +134,19 @@ void check_filters(const BallSet& balls, Seen& seen) {
   }
 }
 
-// The corner of facet 01 where 2 and 3 meet, in the order that makes it counter-clockwise.
-void check_corner(const BallSet& balls, Seen& seen) {
+// The orthocentre of 0123 as an end of the dual edge of 012, cut by 4.
+void check_orthocentre(const BallSet& balls, Seen& seen) {
   const BallIndex simplex[4] = {0, 1, 2, 3};
   const Orthosphere sphere = testing::orthosphere(balls, simplex);
-  const int expected = -sign_of_rational(testing::power_excess(balls, sphere, 4));
-  const LiftedInt j = lifted_vector(balls, 0, 1), m = lifted_vector(balls, 0, 4);
-  LiftedInt k = lifted_vector(balls, 0, 2), l = lifted_vector(balls, 0, 3);
-  const FacetAxis axis = facet_axis(j.x, j.y, j.z);
-  // w has the sign of ±det(j, k, l): + as the frame's q is ±d_j.
-  if ((determinant(j, k, l) < 0) != axis.negative) std::swap(k, l);
-  if (within_bracket_limit(j) && within_bracket_limit(k) && within_bracket_limit(l) &&
-      within_bracket_limit(m)) {
-    const int filtered = corner_cut_filtered(j, axis, k, l, m);
-    if (filtered != 0) {
-      ++seen.filtered;
-      ASSERT_EQ(filtered, expected);
-    }
-  }
-  if (expected == 0) {
-    ++seen.ties;
-    const int cut = testing::perturbed_conflict(balls, simplex, 4) ? 1 : -1;
-    ASSERT_EQ(perturbed_cut(j, k, false, l, false, m), cut);
-    ASSERT_EQ(perturbed_cut(j, l, false, k, false, m), cut);
-  }
+  const int excess = -sign_of_rational(testing::power_excess(balls, sphere, 4));
+  const LiftedInt j = lifted_vector(balls, 0, 1), k = lifted_vector(balls, 0, 2),
+                  l = lifted_vector(balls, 0, 3), m = lifted_vector(balls, 0, 4);
+  const int cut = excess != 0 ? excess : testing::perturbed_conflict(balls, simplex, 4) ? 1 : -1;
+  ASSERT_EQ(orthocentre_cut<WideInt<4>>(j, k, {3, l}, m), cut);
+  if (excess != 0) return;
+  ++seen.ties;
+  ASSERT_EQ(perturbed_cut(j, k, false, l, false, m), cut);
+  ASSERT_EQ(perturbed_cut(j, l, false, k, false, m), cut);
 }
 
 std::string list_balls(const BallSet& balls) {
@@ -179,7 +168,7 @@ void check_predicates(std::uint64_t seed, int cases_per_kind) {
       const int count = 1 + n % 4;
       if (independent(balls, count)) check_ortho_radius(balls, count, random, radii);
       check_filters(balls, filters);
-      if (independent(balls, 4)) check_corner(balls, corners);
+      if (independent(balls, 4)) check_orthocentre(balls, corners);
       if (::testing::Test::HasFatalFailure()) {
         ADD_FAILURE() << "kind " << kind << ", count " << count << list_balls(balls);
         return;

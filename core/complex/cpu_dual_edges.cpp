@@ -1,4 +1,4 @@
-#include "core/complex/cpu_facets.hpp"
+#include "core/complex/cpu_dual_edges.hpp"
 
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
@@ -8,7 +8,8 @@
 #include <cmath>
 #include <memory>
 
-#include "core/complex/ball_facets.hpp"
+#include "core/complex/ball_simplices.hpp"
+#include "core/complex/gather_faces.hpp"
 
 namespace alphascope {
 namespace {
@@ -69,8 +70,8 @@ void place(const SimplexBuffer<N>& from, std::size_t begin, std::size_t end, std
             list.simplices.begin() + to);
   if (list.alpha_values.empty()) return;
   std::copy(from.values.begin() + begin, from.values.begin() + end, list.alpha_values.begin() + to);
-  for (std::size_t s = begin; s < end && !from.classes.empty(); ++s) {
-    list.classes[to + (s - begin)] = static_cast<SimplexClass>(from.classes[s]);
+  for (std::size_t s = begin; s < end && !from.states.empty(); ++s) {
+    list.classes[to + (s - begin)] = static_cast<SimplexClass>(from.states[s]);
   }
 }
 
@@ -80,33 +81,6 @@ void resize(SimplexList<N>& list, std::size_t size, bool with_values) {
   list.alpha_values.resize(with_values ? size : 0);
   // Tetrahedra have no coface: all of K_alpha's are interior.
   list.classes.assign(with_values ? size : 0, SimplexClass::interior);
-}
-
-// Vertices: the values of unattached ones are known per ball, the rest follows from the edges.
-void complete_vertices(const BallSet& balls, const std::vector<VertexState>& states,
-                       AlphaComplex& complex) {
-  std::vector<float> value(balls.size());
-  enum : std::uint8_t { kHasEdge = 1, kBoundaryEdge = 2 };
-  std::vector<std::uint8_t> flags(balls.size(), 0);
-  for (BallIndex i = 0; i < balls.size(); ++i)
-    value[i] = static_cast<float>(-static_cast<double>(balls.weight(i)));
-  std::vector<float> nearest(balls.size(), HUGE_VALF);
-  for (std::size_t e = 0; e < complex.edges.size(); ++e) {
-    const bool interior = complex.edges.classes[e] == SimplexClass::interior;
-    for (const BallIndex v : complex.edges.simplices[e]) {
-      flags[v] = static_cast<std::uint8_t>(flags[v] | kHasEdge | (interior ? 0 : kBoundaryEdge));
-      nearest[v] = std::min(nearest[v], complex.edges.alpha_values[e]);
-    }
-  }
-  for (BallIndex i = 0; i < balls.size(); ++i) {
-    const bool attached = states[i] == VertexState::attached;
-    if (states[i] == VertexState::absent || (attached && !(flags[i] & kHasEdge))) continue;
-    complex.vertices.simplices.push_back({i});
-    complex.vertices.alpha_values.push_back(attached ? nearest[i] : value[i]);
-    complex.vertices.classes.push_back(!(flags[i] & kHasEdge)       ? SimplexClass::singular
-                                       : (flags[i] & kBoundaryEdge) ? SimplexClass::regular
-                                                                    : SimplexClass::interior);
-  }
 }
 
 }  // namespace
@@ -130,9 +104,9 @@ NeighbourMoments sample_neighbours(const UniformGrid& grid, std::size_t samples)
   return moments;
 }
 
-FacetStatistics compute_facets(const BallSet& balls, const UniformGrid& grid,
-                               const RunContext& context, StageTimer& timer,
-                               AlphaComplex& complex) {
+DualEdgeStatistics compute_by_dual_edges(const BallSet& balls, const UniformGrid& grid,
+                                         const RunContext& context, StageTimer& timer,
+                                         AlphaComplex& complex) {
   const std::size_t block_count = (grid.size() + kBallsPerBlock - 1) / kBallsPerBlock;
   const auto block_slots = [&](std::size_t b) {
     return std::pair{b * kBallsPerBlock, std::min(grid.size(), (b + 1) * kBallsPerBlock)};
@@ -155,15 +129,16 @@ FacetStatistics compute_facets(const BallSet& balls, const UniformGrid& grid,
   context.cancel.throw_if_cancelled();
   timer.lap(stage::kCandidates);
 
-  // Kernels II and III: facets; the exact ones are redone where they stand, and timed.
+  // Kernels II and III: dual edges; the exact ones are redone where they stand, and timed.
   std::vector<BlockOutput> outputs(block_count);
   std::vector<BallRange> ranges(grid.size());
   std::vector<VertexState> states(whole ? balls.size() : 0, VertexState::absent);
-  tbb::enumerable_thread_specific<std::unique_ptr<BallFacets>> workers(
-      [&] { return std::make_unique<BallFacets>(balls, grid, complex.alpha_on_lattice, whole); });
+  tbb::enumerable_thread_specific<std::unique_ptr<BallSimplices>> workers([&] {
+    return std::make_unique<BallSimplices>(balls, grid, complex.alpha_on_lattice, whole);
+  });
   tbb::parallel_for(std::size_t{0}, block_count, [&](std::size_t b) {
     if (context.cancel.cancelled()) return;
-    BallFacets& worker = *workers.local();
+    BallSimplices& worker = *workers.local();
     BlockOutput& out = outputs[b];
     const auto [begin, end] = block_slots(b);
     std::uint32_t list_begin = 0;
@@ -192,12 +167,12 @@ FacetStatistics compute_facets(const BallSet& balls, const UniformGrid& grid,
                      static_cast<double>(done) / static_cast<double>(block_count));
   });
   context.cancel.throw_if_cancelled();
-  FacetStatistics statistics;
+  DualEdgeStatistics statistics;
   double exact_milliseconds = 0;
   std::size_t worker_count = 0;
   for (const auto& worker : workers) {
-    statistics.candidate_edges += worker->facets();
-    statistics.exact_facets += worker->exact_facets();
+    statistics.dual_edges += worker->dual_edges();
+    statistics.exact += worker->exact_dual_edges();
     exact_milliseconds += worker->exact_milliseconds();
     ++worker_count;
   }
@@ -206,21 +181,22 @@ FacetStatistics compute_facets(const BallSet& balls, const UniformGrid& grid,
 
   // Prefix sum over the balls in index order gives every simplex its place: lexicographic order.
   struct Place {
-    std::size_t edge = 0, triangle = 0, tetrahedron = 0;
+    std::size_t triangle = 0, tetrahedron = 0;
   };
   std::vector<Place> places(balls.size() + 1);
+  std::vector<EdgeRange> edges(whole ? balls.size() : 0);
   for (std::size_t slot = 0; slot < grid.size(); ++slot) {
+    const BallRange& r = ranges[slot];
     Place& p = places[grid.ball[slot] + 1];
-    p.edge = ranges[slot].edge[1] - ranges[slot].edge[0];
-    p.triangle = ranges[slot].triangle[1] - ranges[slot].triangle[0];
-    p.tetrahedron = ranges[slot].tetrahedron[1] - ranges[slot].tetrahedron[0];
+    p.triangle = r.triangle[1] - r.triangle[0];
+    p.tetrahedron = r.tetrahedron[1] - r.tetrahedron[0];
+    if (whole)
+      edges[grid.ball[slot]] = {&outputs[slot / kBallsPerBlock].edges, r.edge[0], r.edge[1]};
   }
   for (std::size_t i = 0; i < balls.size(); ++i) {
-    places[i + 1].edge += places[i].edge;
     places[i + 1].triangle += places[i].triangle;
     places[i + 1].tetrahedron += places[i].tetrahedron;
   }
-  resize(complex.edges, places.back().edge, whole);
   resize(complex.triangles, places.back().triangle, whole);
   resize(complex.tetrahedra, places.back().tetrahedron, whole);
   tbb::parallel_for(std::size_t{0}, block_count, [&](std::size_t b) {
@@ -228,14 +204,17 @@ FacetStatistics compute_facets(const BallSet& balls, const UniformGrid& grid,
     for (std::size_t slot = begin; slot < end; ++slot) {
       const BallRange& r = ranges[slot];
       const Place& to = places[grid.ball[slot]];
-      place(outputs[b].edges, r.edge[0], r.edge[1], to.edge, complex.edges);
       place(outputs[b].triangles, r.triangle[0], r.triangle[1], to.triangle, complex.triangles);
       place(outputs[b].tetrahedra, r.tetrahedron[0], r.tetrahedron[1], to.tetrahedron,
             complex.tetrahedra);
     }
-    outputs[b] = {};
+    outputs[b].triangles = {};
+    outputs[b].tetrahedra = {};
   });
-  if (whole) complete_vertices(balls, states, complex);
+  if (whole) {
+    gather_edges(edges, complex);
+    gather_vertices(balls, states, complex);
+  }
   timer.lap(stage::kPrefixSum);
   return statistics;
 }

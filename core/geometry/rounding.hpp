@@ -1,0 +1,19 @@
+// Unit roundoffs for certified bounds in either precision.
+#pragma once
+
+namespace alphascope {
+
+// u with a margin of 3 %, which covers the roundings of the bounds themselves. d are exact; c are
+// the nearest numbers.
+template <class Real>
+struct Rounding;
+template <>
+struct Rounding<float> {
+  static constexpr float u = 6.14e-8f;
+};
+template <>
+struct Rounding<double> {
+  static constexpr double u = 1.144e-16;
+};
+
+}  // namespace alphascope

@@ -1,0 +1,260 @@
+// From what blocks wrote to the result in lexicographic order: tetrahedra and triangles move to
+// their places, edges learn from triangles, vertices from edges. The CPU's is
+// core/complex/gather_faces.hpp.
+#pragma once
+
+#include "gpu/dual_edge_block.cuh"
+#include "gpu/ordered_bits.cuh"
+
+namespace alphascope::gpu {
+
+// One dimension of a result, in its order.
+struct OrderedSimplices {
+  std::uint32_t* vertices;
+  float* value;
+  std::uint8_t* simplex_class;
+  std::uint32_t capacity;
+};
+struct OrderedResult {
+  OrderedSimplices dimension[4];
+};
+
+// Two numbers per ball that are summed at once; one more pair makes the last sum the total.
+__device__ inline std::uint64_t pair_of(std::uint32_t low, std::uint32_t high) {
+  return static_cast<std::uint64_t>(high) << 32 | low;
+}
+__host__ __device__ inline std::uint32_t low_of(std::uint64_t pair) {
+  return static_cast<std::uint32_t>(pair);
+}
+__host__ __device__ inline std::uint32_t high_of(std::uint64_t pair) {
+  return static_cast<std::uint32_t>(pair >> 32);
+}
+
+__global__ void pair_counts(int balls, const std::uint32_t* tetrahedra,
+                            const std::uint32_t* triangles, std::uint64_t* pairs) {
+  const int i = blockIdx.x * blockDim.x + threadIdx.x;
+  if (i <= balls) pairs[i] = i == balls ? 0 : pair_of(tetrahedra[i], triangles[i]);
+}
+
+// Of kernels that find values. Double precision waits for its operands: more warps at once pay,
+// even at the price of registers that spill.
+constexpr int kValueThreads = 128;
+#ifndef ALPHASCOPE_VALUE_BLOCKS
+#define ALPHASCOPE_VALUE_BLOCKS 6
+#endif
+constexpr int kValueBlocks = ALPHASCOPE_VALUE_BLOCKS;
+
+// A simplex as the templates of simplex_decisions.hpp see it: lifted from its first ball, the
+// others in slots 0 to 2.
+struct SimplexBalls {
+  int4 centre, other[3];
+
+  __device__ LiftedInt lifted(int k) const {
+    const std::int64_t x = other[k].x - centre.x, y = other[k].y - centre.y,
+                       z = other[k].z - centre.z;
+    const std::int64_t w = static_cast<std::int64_t>(other[k].w) * other[k].w;
+    return {x, y, z, x * x + y * y + z * z + weight() - w};
+  }
+  __device__ std::int64_t weight() const { return static_cast<std::int64_t>(centre.w) * centre.w; }
+};
+
+template <class Decider>
+__device__ inline Decision value_of(const SimplexBalls& balls, int vertices, float* value) {
+  const Neighbourhood<SimplexBalls> in{balls, balls.weight(), HUGE_VAL, 0, true};
+  return vertices == 2   ? decide_edge<Decider>(in, 0, value)
+         : vertices == 3 ? decide_triangle<Decider>(in, 0, 1, value)
+                         : decide_tetrahedron<Decider>(in, 0, 1, 2, value);
+}
+// Where double precision does not tell which float is nearest: about one simplex in a million.
+__device__ __noinline__ float exact_value(const SimplexBalls& balls, int vertices) {
+  float value = 0;
+  value_of<ExactDecider>(balls, vertices, &value);
+  return value;
+}
+// The ortho-radius of a simplex of K_alpha, square lattice units, the nearest float.
+template <int kVertices>
+__device__ inline float ortho_radius(const int4* ball, const uint4& v) {
+  const SimplexBalls balls{
+      ball[v.x], {ball[v.y], ball[kVertices > 2 ? v.z : v.y], ball[kVertices > 3 ? v.w : v.y]}};
+  float value = 0;
+  if (value_of<FilteredDecider>(balls, kVertices, &value) == Decision::in) return value;
+  return exact_value(balls, kVertices);
+}
+
+// Tells an edge the value and class of a triangle.
+__device__ inline void tell(const EdgeCandidates& edges, std::uint32_t e, std::uint32_t value,
+                            std::uint32_t flags) {
+  const std::uint32_t known = edges.flags[e];
+  if (!(known & kUnattached)) atomicMin(&edges.least[e], value);
+  if ((known & flags) != flags) atomicOr(&edges.flags[e], flags);
+}
+// Tells edge jk, which is among the candidates of j in ascending order; unless ball j found no room
+// at all, and the run will be repeated.
+__device__ inline void tell_last(const EdgeCandidates& edges, std::uint32_t j, std::uint32_t k,
+                                 std::uint32_t value, std::uint32_t flags) {
+  const std::uint32_t count = edges.count[j];
+  if (count == 0) return;
+  std::uint32_t low = edges.start[j], high = low + count;
+  while (low + 1 < high) {
+    const std::uint32_t middle = (low + high) / 2;
+    (edges.end[middle] <= k ? low : high) = middle;
+  }
+  tell(edges, low, value, flags);
+}
+
+// Triangle t: its value, which its edges learn, and its place.
+__device__ inline void place_triangle(const DualEdgeOutput& from, std::uint32_t t, const int4* ball,
+                                      const std::uint64_t* places, const OrderedSimplices& out) {
+  const std::uint32_t* v = from.triangles.vertices + 3 * static_cast<std::size_t>(t);
+  const std::uint32_t i = v[0], j = v[1], k = v[2], info = from.triangles.info[t];
+  const std::uint32_t l = from.triangles.attached_to[t];
+  const float value = l == kNoBall ? ortho_radius<3>(ball, make_uint4(i, j, k, 0))
+                                   : ortho_radius<4>(ball, make_uint4(i, j, k, l));
+  const std::uint32_t bits = ordered_bits(value), cofaces = info >> 24,
+                      flags = coface_flags(cofaces == 2), own = from.edges.start[i];
+  tell(from.edges, own + (info & 4095), bits, flags);
+  tell(from.edges, own + (info >> 12 & 4095), bits, flags);
+  tell_last(from.edges, j, k, bits, flags);
+  const std::uint32_t at = high_of(places[i]) + (t - from.triangles.start[i]);
+  if (at >= out.capacity) return;
+  std::uint32_t* place = out.vertices + 3 * static_cast<std::size_t>(at);
+  place[0] = i;
+  place[1] = j;
+  place[2] = k;
+  out.value[at] = value;
+  out.simplex_class[at] = static_cast<std::uint8_t>(cofaces);
+}
+
+// Triangles and tetrahedra; `places`: per ball, those of balls before it.
+__global__ void __launch_bounds__(kValueThreads, kValueBlocks)
+    place_faces(DualEdgeOutput from, const int4* ball, const std::uint64_t* places,
+                OrderedResult to) {
+  const std::uint32_t triangles = *from.triangles.cursor, tetrahedra = *from.tetrahedra.cursor;
+  // The run will be repeated with room for all.
+  if (triangles > from.triangles.capacity || tetrahedra > from.tetrahedra.capacity ||
+      *from.edges.cursor > from.edges.capacity)
+    return;
+  const std::uint32_t step = gridDim.x * blockDim.x;
+  for (std::uint32_t t = blockIdx.x * blockDim.x + threadIdx.x; t < triangles; t += step)
+    place_triangle(from, t, ball, places, to.dimension[2]);
+  for (std::uint32_t t = blockIdx.x * blockDim.x + threadIdx.x; t < tetrahedra; t += step) {
+    const uint4 v = from.tetrahedra.vertices[t];
+    const std::uint32_t at = low_of(places[v.x]) + (t - from.tetrahedra.start[v.x]);
+    const OrderedSimplices& out = to.dimension[3];
+    if (at >= out.capacity) continue;
+    reinterpret_cast<uint4*>(out.vertices)[at] = v;
+    out.value[at] = ortho_radius<4>(ball, v);
+  }
+}
+
+// Tetrahedra alone, without values.
+__global__ void place_tetrahedra(FoundTetrahedra from, const std::uint32_t* places,
+                                 OrderedSimplices to) {
+  const std::uint32_t count = *from.cursor;
+  if (count > from.capacity) return;  // the run will be repeated with room for all
+  for (std::uint32_t t = blockIdx.x * blockDim.x + threadIdx.x; t < count;
+       t += gridDim.x * blockDim.x) {
+    const uint4 v = from.vertices[t];
+    const std::uint32_t at = places[v.x] + (t - from.start[v.x]);
+    if (at < to.capacity) reinterpret_cast<uint4*>(to.vertices)[at] = v;
+  }
+}
+
+// What vertices learn from edges.
+struct VertexStates {
+  std::uint32_t* state;     // as DualEdgeOutput::vertex_state
+  std::uint32_t* flags;     // of the edges in K_alpha
+  std::uint32_t* greatest;  // ~ordered_bits of their least value, so that 0 is none
+};
+
+// Unattached, or attached to a triangle of K_alpha.
+__device__ inline bool edge_is_there(std::uint32_t flags) {
+  return (flags & (kUnattached | kHasCoface)) != 0;
+}
+__device__ inline bool vertex_is_there(const VertexStates& v, std::uint32_t i) {
+  return v.state[i] == 2 || (v.state[i] == 1 && (v.flags[i] & kHasCoface));
+}
+
+// The values of unattached edges; and vertices learn from all edges in K_alpha.
+__global__ void __launch_bounds__(kValueThreads, kValueBlocks)
+    finish_edges(const int4* ball, EdgeCandidates edges, VertexStates vertices) {
+  const std::uint32_t count = *edges.cursor, step = gridDim.x * blockDim.x;
+  if (count > edges.capacity) return;
+  for (std::uint32_t e = blockIdx.x * blockDim.x + threadIdx.x; e < count; e += step) {
+    const std::uint32_t flags = edges.flags[e];
+    if (!edge_is_there(flags)) continue;
+    const std::uint32_t ends[2] = {edges.begin[e], edges.end[e]};
+    std::uint32_t least = edges.least[e];
+    if (flags & kUnattached) {
+      least = ordered_bits(ortho_radius<2>(ball, make_uint4(ends[0], ends[1], 0, 0)));
+      edges.least[e] = least;
+    }
+    const std::uint32_t flag = coface_flags(class_of(flags) == 2);
+    for (const std::uint32_t v : ends) {
+      if ((vertices.flags[v] & flag) != flag) atomicOr(&vertices.flags[v], flag);
+      if (vertices.state[v] == 1 && vertices.greatest[v] < ~least)
+        atomicMax(&vertices.greatest[v], ~least);
+    }
+  }
+}
+
+// Lanes that look at one ball's edges.
+constexpr int kEdgeLanes = 8;
+
+// Calls visit(candidate, those before it that are in K_alpha) for the edges of one ball that are in
+// K_alpha, in turns of kEdgeLanes. Every lane of the warp calls it; returns how many there are.
+template <class Visit>
+__device__ inline std::uint32_t for_edges(const EdgeCandidates& edges, std::uint32_t ball,
+                                          bool active, const Visit& visit) {
+  const int lane = threadIdx.x & (kEdgeLanes - 1), group = threadIdx.x & 31 & ~(kEdgeLanes - 1);
+  const std::uint32_t begin = active ? edges.start[ball] : 0,
+                      end = active ? begin + edges.count[ball] : 0;
+  std::uint32_t found = 0;
+  for (std::uint32_t e = begin + lane; __any_sync(~0u, e < end); e += kEdgeLanes) {
+    const bool there = e < end && edge_is_there(edges.flags[e]);
+    const unsigned all = __ballot_sync(~0u, there) >> group & ((1u << kEdgeLanes) - 1);
+    if (there) visit(e, found + __popc(all & ((1u << lane) - 1)));
+    found += __popc(all);
+  }
+  return found;
+}
+
+// Counts the edges in K_alpha of each ball, and the ball itself if it is a vertex.
+__global__ void pair_edges_and_vertices(int balls, EdgeCandidates edges, VertexStates vertices,
+                                        std::uint64_t* pairs) {
+  if (*edges.cursor > edges.capacity) return;
+  const int i = static_cast<int>((blockIdx.x * blockDim.x + threadIdx.x) / kEdgeLanes);
+  const std::uint32_t found = for_edges(edges, i, i < balls, [](std::uint32_t, std::uint32_t) {});
+  if (i > balls || threadIdx.x % kEdgeLanes != 0) return;
+  pairs[i] = i == balls ? 0 : pair_of(found, vertex_is_there(vertices, i));
+}
+
+// Writes edges and vertices; `places`: per ball, those of balls before it.
+__global__ void place_edges_and_vertices(int balls, const int4* ball, EdgeCandidates edges,
+                                         VertexStates vertices, const std::uint64_t* places,
+                                         OrderedResult to, std::uint64_t* total) {
+  if (*edges.cursor > edges.capacity) return;
+  if (blockIdx.x == 0 && threadIdx.x == 0) *total = places[balls];
+  const std::uint32_t i = (blockIdx.x * blockDim.x + threadIdx.x) / kEdgeLanes;
+  const bool active = i < static_cast<std::uint32_t>(balls);
+  const std::uint32_t first = active ? low_of(places[i]) : 0;
+  for_edges(edges, i, active, [&](std::uint32_t e, std::uint32_t number) {
+    const std::uint32_t at = first + number;
+    const OrderedSimplices& out = to.dimension[1];
+    if (at >= out.capacity) return;
+    reinterpret_cast<uint2*>(out.vertices)[at] = make_uint2(i, edges.end[e]);
+    out.value[at] = from_ordered_bits(edges.least[e]);
+    out.simplex_class[at] = class_of(edges.flags[e]);
+  });
+  if (!active || threadIdx.x % kEdgeLanes != 0 || !vertex_is_there(vertices, i)) return;
+  const std::uint32_t at = high_of(places[i]);
+  const OrderedSimplices& out = to.dimension[0];
+  if (at >= out.capacity) return;
+  const double weight = static_cast<double>(static_cast<std::int64_t>(ball[i].w) * ball[i].w);
+  out.vertices[at] = i;
+  out.value[at] = vertices.state[i] == 1 ? from_ordered_bits(~vertices.greatest[i])
+                                         : static_cast<float>(-weight);
+  out.simplex_class[at] = class_of(vertices.flags[i]);
+}
+
+}  // namespace alphascope::gpu

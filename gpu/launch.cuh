@@ -1,0 +1,39 @@
+// The one place with CUDA's launch syntax. Everything else in the kernels and in what starts them
+// is plain C++ to a host compiler, so that tests run them without a device (tests/gpu/emulated).
+#pragma once
+
+#include <cuda_runtime.h>
+
+#include <cstddef>
+
+namespace alphascope::gpu {
+
+struct LaunchShape {
+  unsigned blocks, threads;
+  cudaStream_t stream;
+  std::size_t shared_bytes = 0;  // dynamic
+};
+
+// The caller asks cudaGetLastError() whether it worked.
+template <class... Parameters, class... Arguments>
+void launch(void (*kernel)(Parameters...), const LaunchShape& shape,
+            const Arguments&... arguments) {
+#ifdef __CUDACC__
+  kernel<<<shape.blocks, shape.threads, shape.shared_bytes, shape.stream>>>(arguments...);
+#else
+  emulated::run_grid(shape.blocks, shape.threads, shape.shared_bytes,
+                     [&] { kernel(arguments...); });
+#endif
+}
+
+// The block's dynamic shared memory, in a kernel.
+__device__ inline unsigned char* dynamic_shared_memory() {
+#ifdef __CUDACC__
+  extern __shared__ __align__(16) unsigned char memory[];
+  return memory;
+#else
+  return emulated::shared_memory();
+#endif
+}
+
+}  // namespace alphascope::gpu

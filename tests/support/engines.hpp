@@ -15,7 +15,7 @@
 #include "core/geometry/coincident.hpp"
 #include "tests/support/facet_only_engine.hpp"
 
-#ifdef ALPHASCOPE_TEST_GPU_ENGINES
+#if defined(ALPHASCOPE_TEST_GPU_ENGINES) || defined(ALPHASCOPE_TEST_EMULATED_GPU)
 #include "gpu/gpu_engine.hpp"
 #include "gpu/tuple_engine.hpp"
 #endif
@@ -83,6 +83,12 @@ inline std::vector<EngineFactory> engines() {
   return {{"gpu", [](auto balls) { return make_gpu_engine(std::move(balls), {}, nullptr); }, 1000,
            std::numeric_limits<double>::infinity(), why_not},
           {"gpu_tuples", tuples, 35, 3e6, why_not}};
+}
+#elif defined(ALPHASCOPE_TEST_EMULATED_GPU)
+// And a third time for its kernels on the CPU (tests/gpu/emulated), which is slow.
+inline std::vector<EngineFactory> engines() {
+  return {{"emulated_gpu",
+           [](auto balls) { return make_gpu_engine(std::move(balls), {}, nullptr); }, 150, 1e5}};
 }
 #else
 inline std::vector<EngineFactory> engines() {

@@ -1,0 +1,280 @@
+// A stand-in for CUDA's runtime: device code as plain C++, "device memory" as the host's, and grids
+// that run on the CPU, block after block, every thread of a block as a fiber. So the kernels and all
+// that starts them are tested on machines without a GPU, also under AddressSanitizer. It is no
+// substitute for a device: blocks do not run at the same time, and warps not in lockstep between
+// their collective operations.
+#pragma once
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <cstring>
+#include <functional>
+#include <type_traits>
+
+#define __host__
+#define __device__
+#define __global__
+#define __noinline__
+#define __launch_bounds__(...)
+#define __align__(bytes) __attribute__((aligned(bytes)))
+// One block at a time; its fibers share what is static.
+#define __shared__ static
+
+struct uint2 {
+  unsigned x, y;
+};
+struct uint3 {
+  unsigned x, y, z;
+};
+struct alignas(16) uint4 {
+  unsigned x, y, z, w;
+};
+struct alignas(16) int4 {
+  int x, y, z, w;
+};
+struct alignas(16) float4 {
+  float x, y, z, w;
+};
+inline uint2 make_uint2(unsigned x, unsigned y) {
+  return {x, y};
+}
+inline uint3 make_uint3(unsigned x, unsigned y, unsigned z) {
+  return {x, y, z};
+}
+inline uint4 make_uint4(unsigned x, unsigned y, unsigned z, unsigned w) {
+  return {x, y, z, w};
+}
+inline int4 make_int4(int x, int y, int z, int w) {
+  return {x, y, z, w};
+}
+inline float4 make_float4(float x, float y, float z, float w) {
+  return {x, y, z, w};
+}
+
+// ---- grids -------------------------------------------------------------------------------------
+
+extern uint3 threadIdx, blockIdx, blockDim, gridDim;
+
+namespace emulated {
+
+// Runs the body once per thread of the grid.
+void run_grid(unsigned blocks, unsigned threads, std::size_t shared_bytes,
+              const std::function<void()>& body);
+unsigned char* shared_memory();
+
+// Until all threads of the block, or of the warp, are there.
+void wait_for_block();
+void wait_for_warp();
+// What every lane of the warp handed in; valid until the next exchange.
+const std::uint64_t* exchange(std::uint64_t own);
+
+template <class T>
+std::uint64_t bits_of(T value) {
+  static_assert(sizeof(T) <= 8);
+  std::uint64_t bits = 0;
+  std::memcpy(&bits, &value, sizeof value);
+  return bits;
+}
+template <class T>
+T value_of(std::uint64_t bits) {
+  T value;
+  std::memcpy(&value, &bits, sizeof value);
+  return value;
+}
+inline int lane() {
+  return static_cast<int>(threadIdx.x & 31);
+}
+template <class T>
+T shuffle(T own, int from) {
+  return value_of<T>(exchange(bits_of(own))[from]);
+}
+
+}  // namespace emulated
+
+inline void __syncthreads() {
+  emulated::wait_for_block();
+}
+inline void __syncwarp() {
+  emulated::wait_for_warp();
+}
+template <class T>
+T __shfl_sync(unsigned, T own, int from) {
+  return emulated::shuffle(own, from & 31);
+}
+template <class T>
+T __shfl_up_sync(unsigned, T own, int by, int width = 32) {
+  const int lane = emulated::lane();
+  return emulated::shuffle(own, lane % width >= by ? lane - by : lane);
+}
+template <class T>
+T __shfl_xor_sync(unsigned, T own, int mask) {
+  return emulated::shuffle(own, emulated::lane() ^ mask);
+}
+inline unsigned __ballot_sync(unsigned, bool own) {
+  const std::uint64_t* all = emulated::exchange(own ? 1 : 0);
+  unsigned bits = 0;
+  for (unsigned lane = 0; lane < 32; ++lane) bits |= static_cast<unsigned>(all[lane]) << lane;
+  return bits;
+}
+inline bool __any_sync(unsigned mask, bool own) {
+  return __ballot_sync(mask, own) != 0;
+}
+
+// Fibers of one thread: nothing happens between reading and writing.
+template <class T>
+T atomicAdd(T* to, std::type_identity_t<T> value) {
+  const T old = *to;
+  *to = old + value;
+  return old;
+}
+template <class T>
+T atomicMax(T* to, std::type_identity_t<T> value) {
+  const T old = *to;
+  *to = std::max(old, value);
+  return old;
+}
+template <class T>
+T atomicMin(T* to, std::type_identity_t<T> value) {
+  const T old = *to;
+  *to = std::min(old, value);
+  return old;
+}
+template <class T>
+T atomicOr(T* to, std::type_identity_t<T> value) {
+  const T old = *to;
+  *to = old | value;
+  return old;
+}
+
+inline int __popc(unsigned bits) {
+  return std::popcount(bits);
+}
+inline int __ffs(int bits) {
+  return __builtin_ffs(bits);
+}
+inline unsigned __float_as_uint(float value) {
+  return std::bit_cast<unsigned>(value);
+}
+inline float __uint_as_float(unsigned bits) {
+  return std::bit_cast<float>(bits);
+}
+template <class A, class B>
+constexpr std::common_type_t<A, B> min(A a, B b) {
+  return b < a ? b : a;
+}
+template <class A, class B>
+constexpr std::common_type_t<A, B> max(A a, B b) {
+  return a < b ? b : a;
+}
+
+// ---- runtime -----------------------------------------------------------------------------------
+
+enum cudaError_t {
+  cudaSuccess,
+  cudaErrorMemoryAllocation,
+  cudaErrorDevicesUnavailable,
+  cudaErrorInsufficientDriver
+};
+enum cudaMemcpyKind { cudaMemcpyHostToDevice, cudaMemcpyDeviceToHost };
+enum cudaDeviceAttr { cudaDevAttrMaxSharedMemoryPerBlockOptin, cudaDevAttrMultiProcessorCount };
+enum cudaFuncAttribute { cudaFuncAttributeMaxDynamicSharedMemorySize };
+enum { cudaStreamNonBlocking };
+#define CUDART_VERSION 12000
+struct EmulatedStream;
+struct EmulatedEvent;
+using cudaStream_t = EmulatedStream*;
+using cudaEvent_t = EmulatedEvent*;
+struct cudaDeviceProp {
+  char name[64];
+  std::size_t totalGlobalMem;
+  int major, minor;
+};
+
+inline cudaError_t cudaGetLastError() {
+  return cudaSuccess;
+}
+inline const char* cudaGetErrorString(cudaError_t) {
+  return "an emulated error";
+}
+inline cudaError_t cudaGetDeviceCount(int* count) {
+  *count = 1;
+  return cudaSuccess;
+}
+inline cudaError_t cudaDriverGetVersion(int* version) {
+  *version = CUDART_VERSION;
+  return cudaSuccess;
+}
+inline cudaError_t cudaGetDevice(int* device) {
+  *device = 0;
+  return cudaSuccess;
+}
+inline cudaError_t cudaGetDeviceProperties(cudaDeviceProp* p, int) {
+  *p = {"emulated device", std::size_t{1} << 30, 9, 0};
+  return cudaSuccess;
+}
+inline cudaError_t cudaDeviceGetAttribute(int* value, cudaDeviceAttr attribute, int) {
+  *value = attribute == cudaDevAttrMultiProcessorCount ? 2 : 227 * 1024;
+  return cudaSuccess;
+}
+template <class Kernel>
+cudaError_t cudaFuncSetAttribute(Kernel, cudaFuncAttribute, int) {
+  return cudaSuccess;
+}
+// Filled with what is no sensible value of anything, as a device's memory may be.
+template <class T>
+cudaError_t cudaMalloc(T** data, std::size_t bytes) {
+  *data = static_cast<T*>(std::aligned_alloc(256, (bytes + 255) / 256 * 256));
+  if (*data == nullptr && bytes > 0) return cudaErrorMemoryAllocation;
+  if (*data != nullptr) std::memset(static_cast<void*>(*data), 0xa5, bytes);
+  return cudaSuccess;
+}
+template <class T>
+cudaError_t cudaMallocHost(T** data, std::size_t bytes) {
+  return cudaMalloc(data, bytes);
+}
+inline cudaError_t cudaFree(void* data) {
+  std::free(data);
+  return cudaSuccess;
+}
+inline cudaError_t cudaFreeHost(void* data) {
+  return cudaFree(data);
+}
+inline cudaError_t cudaMemcpy(void* to, const void* from, std::size_t bytes, cudaMemcpyKind) {
+  if (bytes > 0) std::memcpy(to, from, bytes);
+  return cudaSuccess;
+}
+inline cudaError_t cudaMemcpyAsync(void* to, const void* from, std::size_t bytes,
+                                   cudaMemcpyKind kind, cudaStream_t) {
+  return cudaMemcpy(to, from, bytes, kind);
+}
+inline cudaError_t cudaMemsetAsync(void* to, int byte, std::size_t bytes, cudaStream_t) {
+  if (bytes > 0) std::memset(to, byte, bytes);
+  return cudaSuccess;
+}
+inline cudaError_t cudaStreamCreateWithFlags(cudaStream_t* stream, unsigned) {
+  *stream = nullptr;
+  return cudaSuccess;
+}
+inline cudaError_t cudaStreamDestroy(cudaStream_t) {
+  return cudaSuccess;
+}
+inline cudaError_t cudaStreamSynchronize(cudaStream_t) {
+  return cudaSuccess;
+}
+inline cudaError_t cudaEventCreate(cudaEvent_t* event) {
+  *event = nullptr;
+  return cudaSuccess;
+}
+inline cudaError_t cudaEventDestroy(cudaEvent_t) {
+  return cudaSuccess;
+}
+inline cudaError_t cudaEventRecord(cudaEvent_t, cudaStream_t) {
+  return cudaSuccess;
+}
+inline cudaError_t cudaEventElapsedTime(float* milliseconds, cudaEvent_t, cudaEvent_t) {
+  *milliseconds = 0;
+  return cudaSuccess;
+}

@@ -1,0 +1,135 @@
+// How much shared memory the blocks of a run get for what, and the result for its simplices: from
+// what earlier runs of the same balls met.
+#pragma once
+
+#include "gpu/dual_edge_block.cuh"
+#include "gpu/pipeline_state.cuh"
+
+namespace alphascope::gpu {
+
+using State = FacetPipeline::State;
+using Need = State::Need;
+
+// Of shared memory a block, so that several share a multiprocessor's: with what is static and
+// reserved, six of long lists on Hopper. Fastest of what was tried on an H200.
+inline constexpr std::size_t kBlockBytes = 30 * 1024, kLargeBlockBytes = 33 * 1024;
+// Mean number of neighbours from which on covered discs are looked for. A whole complex looks at
+// every disc anyway.
+inline double long_list(bool whole) {
+  return whole ? 20 : 26;
+}
+
+inline std::uint32_t whole_words(double list) {
+  return static_cast<std::uint32_t>(std::ceil(std::max(1.0, list) / 32)) * 32;
+}
+
+// Of room_for().
+inline constexpr double kLeastMore = 1, kMostMore = 3;
+
+// What sampled blocks say about a ball's neighbours and triangles; `kept` as in BlockRoom.
+struct Means {
+  double list, deviation, triangles, kept;
+};
+
+// Room for blocks of so many balls: for lists `margin` times three standard deviations above the
+// mean, for their sums `more` times that. Neighbours have similar surroundings, so a block's sum
+// varies more than sums of independent balls would; triangles vary like squares of lists. Balls
+// that find no room go to kernel III.
+inline BlockRoom room_for(int balls, const Means& means, double margin, double more) {
+  const double spread = 3 * margin * means.deviation;
+  const double varied = more * spread / std::max(1.0, means.list) / std::sqrt(balls);
+  const double lists = balls * means.list * (1.1 + varied),
+               triangles = balls * means.triangles * (1.1 + 2 * varied);
+  const double list = std::min(means.list + spread, static_cast<double>(kMaxList - 1));
+  return {whole_words(list), static_cast<std::uint32_t>(lists) + 32,
+          static_cast<std::uint32_t>(lists / 2) + 32,
+          std::min<std::uint32_t>(static_cast<std::uint32_t>(triangles) + 64, kMaxTriangles - 1),
+          static_cast<std::uint32_t>(balls * means.kept * (1.1 + 2 * varied)) + 16};
+}
+
+inline std::size_t bytes_of(const BlockRoom& room, int balls) {
+  DualEdgeProblem p{};
+  p.common.balls_per_block = balls;
+  p.capacity = room;
+  p.words = static_cast<int>(room.list / 32);
+  return block_memory_bytes(p);
+}
+
+// The largest run of balls whose block stays within its share of shared memory, of which it then
+// takes all that helps.
+inline void choose_room(Need& need, std::size_t fair, const Means& means) {
+  const std::size_t limit = means.list >= 20 ? kLargeBlockBytes : kBlockBytes;
+  const auto room = [&](double more) {
+    return room_for(need.balls_per_block, means, need.margin, more);
+  };
+  need.balls_per_block = kMaxBallsPerBlock;
+  while (need.balls_per_block > 1 &&
+         (bytes_of(room(kLeastMore), need.balls_per_block) > limit ||
+          static_cast<std::size_t>(need.balls_per_block) > std::max<std::size_t>(fair, 4)))
+    need.balls_per_block /= 2;
+  need.block = room(kLeastMore);
+  for (double more = kLeastMore + 0.1; more <= kMostMore; more += 0.1) {
+    if (bytes_of(room(more), need.balls_per_block) > limit) break;
+    need.block = room(more);
+  }
+}
+
+// Balls a block when there are not enough to fill the machine.
+inline std::size_t fair_share(const State& s) {
+  return s.n / (static_cast<std::size_t>(s.multiprocessors) * 7);
+}
+
+// The need of this alpha, or of the nearest one above: less alpha never needs more.
+inline Need first_need(const State& s, double alpha, bool whole) {
+  const Need* best = nullptr;
+  const auto better = [&](const Need& n) {
+    if (n.whole != whole) return false;
+    if (best == nullptr) return true;
+    const bool enough = n.alpha >= alpha, best_enough = best->alpha >= alpha;
+    return enough != best_enough ? enough : enough ? n.alpha < best->alpha : n.alpha > best->alpha;
+  };
+  for (const Need& n : s.needs) {
+    if (better(n)) best = &n;
+  }
+  if (best != nullptr) {
+    Need need = *best;
+    need.counted = best->alpha == alpha;
+    return need;
+  }
+  // A molecule at small alpha; the run says what it really needs.
+  Need need{alpha,   whole, 1, {},   {64, 64, 64, 1024, 64}, {{s.n, 5 * s.n, 6 * s.n, s.n}},
+            8 * s.n, 12,    1, false};
+  choose_room(need, fair_share(s), {need.mean_list, 3, 14, whole ? 5.0 : 1.5});
+  return need;
+}
+
+inline void remember(State& s, const Need& need) {
+  auto& all = s.needs;
+  all.erase(
+      std::remove_if(all.begin(), all.end(),
+                     [&](const Need& n) { return n.alpha == need.alpha && n.whole == need.whole; }),
+      all.end());
+  if (all.size() >= 64) all.erase(all.begin());
+  all.push_back(need);
+}
+
+inline DualEdgeProblem make_problem(const State& s, const Problem& plan, const BlockRoom& room,
+                                    int balls_per_block, double mean_list) {
+  DualEdgeProblem p{};
+  p.common = plan;
+  p.common.balls_per_block = balls_per_block;
+  p.capacity = room;
+  p.common.list_capacity = static_cast<int>(room.list);
+  p.words = static_cast<int>((room.list + 31) / 32);
+  p.radius_scale = p.common.scale * p.common.scale;
+  const double grown = std::sqrt(static_cast<double>(s.max_radius) * s.max_radius + plan.alpha);
+  const double offset = 2 * (grown + plan.reach_slack) * 1.001 + 2;  // bounds every |d_x|
+  p.small_lattice = offset < static_cast<double>(kSmallOffset) && s.max_radius < kSmallOffset;
+  p.cull_facets = mean_list >= long_list(plan.whole);
+  p.first_cuts = p.cull_facets ? 8 : 0;
+  p.balls = s.balls.get();
+  p.deferred_limit = static_cast<std::uint32_t>(std::max<std::size_t>(256, s.n / 200));
+  return p;
+}
+
+}  // namespace alphascope::gpu

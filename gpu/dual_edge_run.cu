@@ -202,7 +202,7 @@ class Run {
     const auto kept = static_cast<double>(whole_ ? got.triangles : got.tetrahedra);
     const Means means{list, deviation, unseen ? std::max(seen, list * list / 8) : seen,
                       unseen ? (whole_ ? 15 : 6.5) : kept / static_cast<double>(s_.n)};
-    choose_room(next, fair_share(s_), means);
+    choose_room(s_, next, means);
     if (met.deferred > std::max<std::size_t>(32, s_.n / 2000)) widen(next, means, unseen);
     return next;
   }
@@ -212,7 +212,7 @@ class Run {
   void widen(Need& need, const Means& means, bool must) const {
     Need wide = need;
     wide.margin *= 1.2;
-    choose_room(wide, fair_share(s_), means);
+    choose_room(s_, wide, means);
     if (must || wide.balls_per_block == need.balls_per_block) need = wide;
   }
 

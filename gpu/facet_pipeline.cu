@@ -12,6 +12,9 @@ FacetPipeline::FacetPipeline(const BallSet& balls) : state_(std::make_unique<Sta
   check(cudaGetDevice(&device), "asking for the device");
   check(cudaDeviceGetAttribute(&s.shared_limit, cudaDevAttrMaxSharedMemoryPerBlockOptin, device),
         "asking for its shared memory");
+  check(cudaDeviceGetAttribute(&s.shared_per_multiprocessor,
+                               cudaDevAttrMaxSharedMemoryPerMultiprocessor, device),
+        "asking for its shared memory");
   check(cudaDeviceGetAttribute(&s.multiprocessors, cudaDevAttrMultiProcessorCount, device),
         "asking for its processors");
   check(cudaStreamCreateWithFlags(&s.stream, cudaStreamNonBlocking), "creating a stream");

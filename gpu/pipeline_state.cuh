@@ -134,7 +134,8 @@ struct FacetPipeline::State {
     bool counted;            // by a run of this very alpha
   };
   std::vector<Need> needs;
-  int shared_limit = 0, multiprocessors = 1;
+  // Of the device: shared memory of a block and of a multiprocessor, bytes.
+  int shared_limit = 0, shared_per_multiprocessor = 0, multiprocessors = 1;
 
   PinnedBuffer<int4> host_balls;
   PinnedBuffer<Counters> host_counters;

@@ -10,9 +10,15 @@ namespace alphascope::gpu {
 using State = FacetPipeline::State;
 using Need = State::Need;
 
-// Of shared memory a block, so that several share a multiprocessor's: with what is static and
-// reserved, six of long lists on Hopper. Fastest of what was tried on an H200.
-inline constexpr std::size_t kBlockBytes = 30 * 1024, kLargeBlockBytes = 33 * 1024;
+// Shared memory of a block: so that six share a multiprocessor with as much as Ampere's and
+// Hopper's server parts have, four on others. 33 KB for long lists and 30 for short ones were the
+// fastest of what was tried on an H200; nothing was tried on others.
+inline std::size_t block_bytes(const State& s, double mean_list) {
+  const std::size_t all = s.shared_per_multiprocessor, blocks = all >= 160 * 1024 ? 6 : 4;
+  // What is static, what CUDA keeps for itself (1 KB), and rounding.
+  const std::size_t share = all / blocks - sizeof(BlockBalls) - 2 * 1024;
+  return mean_list >= 20 ? share : std::min<std::size_t>(share, 30 * 1024);
+}
 // Mean number of neighbours from which on covered discs are looked for. A whole complex looks at
 // every disc anyway.
 inline double long_list(bool whole) {
@@ -55,10 +61,15 @@ inline std::size_t bytes_of(const BlockRoom& room, int balls) {
   return block_memory_bytes(p);
 }
 
+// Balls a block when there are not enough to fill the machine.
+inline std::size_t fair_share(const State& s) {
+  return s.n / (static_cast<std::size_t>(s.multiprocessors) * 7);
+}
+
 // The largest run of balls whose block stays within its share of shared memory, of which it then
 // takes all that helps.
-inline void choose_room(Need& need, std::size_t fair, const Means& means) {
-  const std::size_t limit = means.list >= 20 ? kLargeBlockBytes : kBlockBytes;
+inline void choose_room(const State& s, Need& need, const Means& means) {
+  const std::size_t limit = block_bytes(s, means.list), fair = fair_share(s);
   const auto room = [&](double more) {
     return room_for(need.balls_per_block, means, need.margin, more);
   };
@@ -72,11 +83,6 @@ inline void choose_room(Need& need, std::size_t fair, const Means& means) {
     if (bytes_of(room(more), need.balls_per_block) > limit) break;
     need.block = room(more);
   }
-}
-
-// Balls a block when there are not enough to fill the machine.
-inline std::size_t fair_share(const State& s) {
-  return s.n / (static_cast<std::size_t>(s.multiprocessors) * 7);
 }
 
 // The need of this alpha, or of the nearest one above: less alpha never needs more.
@@ -99,7 +105,7 @@ inline Need first_need(const State& s, double alpha, bool whole) {
   // A molecule at small alpha; the run says what it really needs.
   Need need{alpha,   whole, 1, {},   {64, 64, 64, 1024, 64}, {{s.n, 5 * s.n, 6 * s.n, s.n}},
             8 * s.n, 12,    1, false};
-  choose_room(need, fair_share(s), {need.mean_list, 3, 14, whole ? 5.0 : 1.5});
+  choose_room(s, need, {need.mean_list, 3, 14, whole ? 5.0 : 1.5});
   return need;
 }
 

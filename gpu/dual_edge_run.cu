@@ -154,7 +154,7 @@ class Run {
       dual_edges<false>(need, sorted, out);
       s_.scan(out.tetrahedra.count, s_.offset.get(), s_.n);
       launch(place_tetrahedra, {4u * s_.multiprocessors, kThreads, s_.stream}, out.tetrahedra,
-             s_.offset.get(), ordered.dimension[3]);
+             s_.offset.get(), ordered.dimension[3], &s_.counters()->hash[3]);
     }
     check(cudaGetLastError(), "ordering the simplices");
     check(cudaMemcpyAsync(s_.host_counters.get(), s_.counters(), sizeof(Counters),
@@ -172,12 +172,14 @@ class Run {
         values{2u * kValueBlocks * s_.multiprocessors, kValueThreads, s_.stream};
     launch(pair_counts, per_ball, balls, out.tetrahedra.count, out.triangles.count, s_.pairs.get());
     s_.scan(s_.pairs.get(), s_.places.get(), s_.n + 1);
-    launch(place_faces, values, out, s_.balls.get(), s_.places.get(), ordered);
+    launch(place_faces, values, out, s_.balls.get(), s_.places.get(), ordered, &s_.counters()->hash[0]);
     launch(finish_edges, values, s_.balls.get(), out.edges, vertices);
     launch(pair_edges_and_vertices, per_edge, balls, out.edges, vertices, s_.pairs.get());
     s_.scan(s_.pairs.get(), s_.places.get(), s_.n + 1);
-    launch(place_edges_and_vertices, per_edge, balls, s_.balls.get(), out.edges, vertices,
-           s_.places.get(), ordered, &s_.counters()->edges_and_vertices);
+    // Not more blocks than needed at once: each adds to the one hash.
+    const LaunchShape some{std::min(per_edge.blocks, 8u * s_.multiprocessors), kThreads, s_.stream};
+    launch(place_edges_and_vertices, some, balls, s_.balls.get(), out.edges, vertices,
+           s_.places.get(), ordered, &s_.counters()->edges_and_vertices, &s_.counters()->hash[0]);
   }
 
   // The next run's room: of this alpha, or of this very run once more.
@@ -286,6 +288,10 @@ class Run {
   PipelineResult result(const ResultLayout& layout, const SimplexCounts& counts) const {
     PipelineResult result;
     result.exact_balls = s_.host_counters.get()->exact_count;
+    for (int d = 0; d < 4; ++d) {
+      result.hash.sum[d] = s_.host_counters.get()->hash[d];
+      result.hash.count[d] = whole_ || d == 3 ? counts[d] : 0;
+    }
     if (whole_) {
       result.vertices = simplices<1>(layout, counts);
       result.edges = simplices<2>(layout, counts);

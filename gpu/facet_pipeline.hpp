@@ -7,6 +7,7 @@
 #include <span>
 
 #include "core/complex/alpha_complex.hpp"
+#include "core/complex/simplex_hash.hpp"
 #include "core/run/cancel_token.hpp"
 
 namespace alphascope::gpu {
@@ -25,6 +26,7 @@ struct PipelineResult {
   HostSimplices<2> edges;
   HostSimplices<3> triangles;
   HostSimplices<4> tetrahedra;
+  HashSums hash;
   std::uint32_t exact_balls = 0;  // balls that went through kernel III
   bool fits = true;               // false: this request is beyond the kernels' limits
 };

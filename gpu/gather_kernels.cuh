@@ -3,6 +3,7 @@
 // core/complex/gather_faces.hpp.
 #pragma once
 
+#include "core/complex/simplex_hash.hpp"
 #include "gpu/dual_edge_block.cuh"
 #include "gpu/ordered_bits.cuh"
 
@@ -102,9 +103,17 @@ __device__ inline void tell_last(const EdgeCandidates& edges, std::uint32_t j, s
   tell(edges, low, value, flags);
 }
 
-// Triangle t: its value, which its edges learn, and its place.
-__device__ inline void place_triangle(const DualEdgeOutput& from, std::uint32_t t, const int4* ball,
-                                      const std::uint64_t* places, const OrderedSimplices& out) {
+// Adds up what all lanes of a warp have, in one place.
+__device__ inline void add_of_warp(std::uint64_t own, std::uint64_t* sum) {
+  for (int step = 16; step > 0; step /= 2) own += __shfl_xor_sync(~0u, own, step);
+  if ((threadIdx.x & 31) == 0 && own != 0)
+    atomicAdd(reinterpret_cast<unsigned long long*>(sum), static_cast<unsigned long long>(own));
+}
+
+// Triangle t: its value, which its edges learn, and its place; returns its hash.
+__device__ inline std::uint64_t place_triangle(const DualEdgeOutput& from, std::uint32_t t,
+                                               const int4* ball, const std::uint64_t* places,
+                                               const OrderedSimplices& out) {
   const std::uint32_t* v = from.triangles.vertices + 3 * static_cast<std::size_t>(t);
   const std::uint32_t i = v[0], j = v[1], k = v[2], info = from.triangles.info[t];
   const std::uint32_t l = from.triangles.attached_to[t];
@@ -116,27 +125,34 @@ __device__ inline void place_triangle(const DualEdgeOutput& from, std::uint32_t 
   tell(from.edges, own + (info >> 12 & 4095), bits, flags);
   tell_last(from.edges, j, k, bits, flags);
   const std::uint32_t at = high_of(places[i]) + (t - from.triangles.start[i]);
-  if (at >= out.capacity) return;
+  if (at >= out.capacity) return 0;
   std::uint32_t* place = out.vertices + 3 * static_cast<std::size_t>(at);
   place[0] = i;
   place[1] = j;
   place[2] = k;
   out.value[at] = value;
   out.simplex_class[at] = static_cast<std::uint8_t>(cofaces);
+  return simplex_hash<3>(v);
+}
+
+__device__ inline std::uint64_t hash_of(const uint4& tetrahedron) {
+  const std::uint32_t v[4] = {tetrahedron.x, tetrahedron.y, tetrahedron.z, tetrahedron.w};
+  return simplex_hash<4>(v);
 }
 
 // Triangles and tetrahedra; `places`: per ball, those of balls before it.
 __global__ void __launch_bounds__(kValueThreads, kValueBlocks)
     place_faces(DualEdgeOutput from, const int4* ball, const std::uint64_t* places,
-                OrderedResult to) {
+                OrderedResult to, std::uint64_t* hash) {
   const std::uint32_t triangles = *from.triangles.cursor, tetrahedra = *from.tetrahedra.cursor;
   // The run will be repeated with room for all.
   if (triangles > from.triangles.capacity || tetrahedra > from.tetrahedra.capacity ||
       *from.edges.cursor > from.edges.capacity)
     return;
   const std::uint32_t step = gridDim.x * blockDim.x;
+  std::uint64_t triangle_hash = 0, tetrahedron_hash = 0;
   for (std::uint32_t t = blockIdx.x * blockDim.x + threadIdx.x; t < triangles; t += step)
-    place_triangle(from, t, ball, places, to.dimension[2]);
+    triangle_hash += place_triangle(from, t, ball, places, to.dimension[2]);
   for (std::uint32_t t = blockIdx.x * blockDim.x + threadIdx.x; t < tetrahedra; t += step) {
     const uint4 v = from.tetrahedra.vertices[t];
     const std::uint32_t at = low_of(places[v.x]) + (t - from.tetrahedra.start[v.x]);
@@ -144,20 +160,29 @@ __global__ void __launch_bounds__(kValueThreads, kValueBlocks)
     if (at >= out.capacity) continue;
     reinterpret_cast<uint4*>(out.vertices)[at] = v;
     out.value[at] = ortho_radius<4>(ball, v);
+    tetrahedron_hash += hash_of(v);
   }
+  __syncwarp();
+  add_of_warp(triangle_hash, &hash[2]);
+  add_of_warp(tetrahedron_hash, &hash[3]);
 }
 
 // Tetrahedra alone, without values.
 __global__ void place_tetrahedra(FoundTetrahedra from, const std::uint32_t* places,
-                                 OrderedSimplices to) {
+                                 OrderedSimplices to, std::uint64_t* hash) {
   const std::uint32_t count = *from.cursor;
   if (count > from.capacity) return;  // the run will be repeated with room for all
+  std::uint64_t sum = 0;
   for (std::uint32_t t = blockIdx.x * blockDim.x + threadIdx.x; t < count;
        t += gridDim.x * blockDim.x) {
     const uint4 v = from.vertices[t];
     const std::uint32_t at = places[v.x] + (t - from.start[v.x]);
-    if (at < to.capacity) reinterpret_cast<uint4*>(to.vertices)[at] = v;
+    if (at >= to.capacity) continue;
+    reinterpret_cast<uint4*>(to.vertices)[at] = v;
+    sum += hash_of(v);
   }
+  __syncwarp();
+  add_of_warp(sum, hash);
 }
 
 // What vertices learn from edges.
@@ -229,32 +254,47 @@ __global__ void pair_edges_and_vertices(int balls, EdgeCandidates edges, VertexS
   pairs[i] = i == balls ? 0 : pair_of(found, vertex_is_there(vertices, i));
 }
 
-// Writes edges and vertices; `places`: per ball, those of balls before it.
-__global__ void place_edges_and_vertices(int balls, const int4* ball, EdgeCandidates edges,
-                                         VertexStates vertices, const std::uint64_t* places,
-                                         OrderedResult to, std::uint64_t* total) {
-  if (*edges.cursor > edges.capacity) return;
-  if (blockIdx.x == 0 && threadIdx.x == 0) *total = places[balls];
-  const std::uint32_t i = (blockIdx.x * blockDim.x + threadIdx.x) / kEdgeLanes;
-  const bool active = i < static_cast<std::uint32_t>(balls);
-  const std::uint32_t first = active ? low_of(places[i]) : 0;
-  for_edges(edges, i, active, [&](std::uint32_t e, std::uint32_t number) {
-    const std::uint32_t at = first + number;
-    const OrderedSimplices& out = to.dimension[1];
-    if (at >= out.capacity) return;
-    reinterpret_cast<uint2*>(out.vertices)[at] = make_uint2(i, edges.end[e]);
-    out.value[at] = from_ordered_bits(edges.least[e]);
-    out.simplex_class[at] = class_of(edges.flags[e]);
-  });
-  if (!active || threadIdx.x % kEdgeLanes != 0 || !vertex_is_there(vertices, i)) return;
-  const std::uint32_t at = high_of(places[i]);
-  const OrderedSimplices& out = to.dimension[0];
-  if (at >= out.capacity) return;
+// Writes vertex i; returns its hash.
+__device__ inline std::uint64_t place_vertex(std::uint32_t i, const int4* ball,
+                                             const VertexStates& vertices, std::uint32_t at,
+                                             const OrderedSimplices& out) {
+  if (at >= out.capacity) return 0;
   const double weight = static_cast<double>(static_cast<std::int64_t>(ball[i].w) * ball[i].w);
   out.vertices[at] = i;
   out.value[at] = vertices.state[i] == 1 ? from_ordered_bits(~vertices.greatest[i])
                                          : static_cast<float>(-weight);
   out.simplex_class[at] = class_of(vertices.flags[i]);
+  return simplex_hash<1>(&i);
+}
+
+// Writes edges and vertices; `places`: per ball, those of balls before it.
+__global__ void place_edges_and_vertices(int balls, const int4* ball, EdgeCandidates edges,
+                                         VertexStates vertices, const std::uint64_t* places,
+                                         OrderedResult to, std::uint64_t* total,
+                                         std::uint64_t* hash) {
+  if (*edges.cursor > edges.capacity) return;
+  if (blockIdx.x == 0 && threadIdx.x == 0) *total = places[balls];
+  const auto end = static_cast<std::uint32_t>(balls);
+  const std::uint32_t step = gridDim.x * blockDim.x / kEdgeLanes;
+  std::uint64_t edge_hash = 0, vertex_hash = 0;
+  for (std::uint32_t i = (blockIdx.x * blockDim.x + threadIdx.x) / kEdgeLanes;
+       __any_sync(~0u, i < end); i += step) {
+    const std::uint32_t first = i < end ? low_of(places[i]) : 0;
+    for_edges(edges, i, i < end, [&](std::uint32_t e, std::uint32_t number) {
+      const std::uint32_t at = first + number, v[2] = {i, edges.end[e]};
+      const OrderedSimplices& out = to.dimension[1];
+      if (at >= out.capacity) return;
+      reinterpret_cast<uint2*>(out.vertices)[at] = make_uint2(v[0], v[1]);
+      out.value[at] = from_ordered_bits(edges.least[e]);
+      out.simplex_class[at] = class_of(edges.flags[e]);
+      edge_hash += simplex_hash<2>(v);
+    });
+    if (i < end && threadIdx.x % kEdgeLanes == 0 && vertex_is_there(vertices, i))
+      vertex_hash += place_vertex(i, ball, vertices, high_of(places[i]), to.dimension[0]);
+    __syncwarp();
+  }
+  add_of_warp(vertex_hash, &hash[0]);
+  add_of_warp(edge_hash, &hash[1]);
 }
 
 }  // namespace alphascope::gpu

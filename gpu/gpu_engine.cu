@@ -9,6 +9,7 @@
 #include "gpu/device_buffer.cuh"
 #include "gpu/facet_pipeline.hpp"
 #include "gpu/launch.cuh"
+#include "gpu/result_arrays.hpp"
 
 namespace alphascope {
 namespace {
@@ -72,18 +73,6 @@ GpuDevice probe_device() {
                 " cannot be used: " + error.what() + "." + kFallback;
   }
   return d;
-}
-
-template <int N>
-void copy(const gpu::HostSimplices<N>& from, SimplexList<N>& to) {
-  to.simplices.assign(from.simplices.begin(), from.simplices.end());
-  to.alpha_values.assign(from.values.begin(), from.values.end());
-  // Tetrahedra have no coface: all of K_alpha's are interior.
-  if (N == 4) {
-    to.classes.assign(from.values.size(), SimplexClass::interior);
-  } else {
-    to.classes.assign(from.classes.begin(), from.classes.end());
-  }
 }
 
 // More slabs than this and the halos are most of the work.
@@ -163,15 +152,12 @@ class GpuEngine : public Engine {
     if (!result.fits) return std::nullopt;
     StageTimes host;
     StageTimer host_timer(host);
-    copy(result.vertices, complex.vertices);
-    copy(result.edges, complex.edges);
-    copy(result.triangles, complex.triangles);
-    copy(result.tetrahedra, complex.tetrahedra);
+    gpu::copy_result(result, complex);
+    complex.hash = result.hash.combined(request.tetrahedra_only);
     host_timer.lap("result arrays");
     wall.finish();
     complex.timings.stages.push_back(host.stages.front());
     complex.timings.wall_milliseconds = whole.wall_milliseconds;
-    complex.hash = complex_hash(complex);
     complex.engine = {"facet engine", gpu_device().name, "dual edge clipping"};
     complex.engine.counters.push_back({"balls through kernel III", result.exact_balls});
     return complex;

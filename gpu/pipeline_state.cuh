@@ -34,6 +34,7 @@ struct Counters {
   std::uint32_t edges, triangles, tetrahedra;  // found; edges: candidates
   std::uint32_t exact_count;
   std::uint64_t edges_and_vertices;  // of a whole result (pair_of)
+  std::uint64_t hash[4];             // HashSums::sum
   BlockStatistics blocks;
 };
 

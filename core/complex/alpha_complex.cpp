@@ -1,42 +1,55 @@
 #include "core/complex/alpha_complex.hpp"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_reduce.h>
+
 #include <cstdio>
+#include <functional>
+
+#include "core/complex/simplex_hash.hpp"
 
 namespace alphascope {
 namespace {
 
-// Finaliser of splitmix64 (Steele, Lea, Flood, OOPSLA 2014): a bijection that mixes all bits.
-std::uint64_t mix(std::uint64_t x) {
-  x += 0x9e3779b97f4a7c15u;
-  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
-  x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
-  return x ^ (x >> 31);
-}
+// Below this, one thread is as quick.
+constexpr std::size_t kManySimplices = 1 << 15;
 
-// A sum does not depend on the order of its terms.
 template <int N>
-std::uint64_t set_hash(const SimplexList<N>& list) {
-  std::uint64_t sum = 0;
-  for (const auto& simplex : list.simplices) {
-    std::uint64_t h = N;
-    for (const BallIndex v : simplex) h = mix(h ^ v);
-    sum += h;
+void add(const SimplexList<N>& list, HashSums& sums) {
+  const auto sum = [&](std::size_t begin, std::size_t end) {
+    std::uint64_t all = 0;
+    for (std::size_t s = begin; s < end; ++s) all += simplex_hash<N>(list.simplices[s].data());
+    return all;
+  };
+  sums.count[N - 1] = list.size();
+  if (list.size() < kManySimplices) {
+    sums.sum[N - 1] = sum(0, list.size());
+    return;
   }
-  return mix(sum ^ list.size());
+  sums.sum[N - 1] = tbb::parallel_reduce(
+      tbb::blocked_range<std::size_t>(0, list.size(), kManySimplices), std::uint64_t{0},
+      [&](const tbb::blocked_range<std::size_t>& part, std::uint64_t before) {
+        return before + sum(part.begin(), part.end());
+      },
+      std::plus<>());
 }
 
 }  // namespace
 
 std::uint64_t tetrahedra_hash(const AlphaComplex& complex) {
-  return set_hash(complex.tetrahedra);
+  HashSums sums;
+  add(complex.tetrahedra, sums);
+  return sums.combined(true);
 }
 
 std::uint64_t complex_hash(const AlphaComplex& complex) {
-  std::uint64_t h = tetrahedra_hash(complex);
-  if (complex.tetrahedra_only) return h;
-  h = mix(h ^ set_hash(complex.triangles));
-  h = mix(h ^ set_hash(complex.edges));
-  return mix(h ^ set_hash(complex.vertices));
+  if (complex.tetrahedra_only) return tetrahedra_hash(complex);
+  HashSums sums;
+  add(complex.vertices, sums);
+  add(complex.edges, sums);
+  add(complex.triangles, sums);
+  add(complex.tetrahedra, sums);
+  return sums.combined(false);
 }
 
 std::string hash_text(std::uint64_t hash) {

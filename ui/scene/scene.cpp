@@ -59,16 +59,17 @@ struct MeshActor {
     property->SetSpecular(0.12);
     property->SetSpecularPower(20);
   }
-  void show(const CellSoup& soup, int corners) {
+  void show(const CellSoup& soup, int corners, vtkWindow* window) {
     if (soup.points() == 0) {
-      hide();
+      hide(window);
       return;
     }
     mapper->SetInputData(soup_to_vtk(soup, corners));
     actor->VisibilityOn();
   }
-  void hide() {
+  void hide(vtkWindow* window) {
     mapper->SetInputData(nullptr);
+    mapper->ReleaseGraphicsResources(window);  // else its buffers stay until it draws again
     actor->VisibilityOff();
   }
   void always_in_front() {
@@ -248,6 +249,7 @@ void Scene::set_balls(std::shared_ptr<const BallGeometry> balls, const std::vect
   set_radii(impl_->ball_data, drawn_radii(*impl_->balls, {}));
   set_colours(impl_->ball_data, colours);
   impl_->ball_mapper->SetInputData(impl_->ball_data);
+  impl_->ball_mapper->ReleaseGraphicsResources(impl_->window);
   impl_->apply_style();
 }
 
@@ -261,13 +263,13 @@ void Scene::set_ball_colours(const std::vector<Rgb8>& colours) {
 
 void Scene::set_mesh(std::shared_ptr<const ComplexMesh> mesh) {
   if (mesh) {
-    impl_->tetrahedra.show(mesh->tetrahedra, 3);
-    impl_->boundary.show(mesh->boundary, 3);
-    impl_->triangles.show(mesh->triangles, 3);
-    impl_->edges.show(mesh->edges, 2);
+    impl_->tetrahedra.show(mesh->tetrahedra, 3, impl_->window);
+    impl_->boundary.show(mesh->boundary, 3, impl_->window);
+    impl_->triangles.show(mesh->triangles, 3, impl_->window);
+    impl_->edges.show(mesh->edges, 2, impl_->window);
   } else {
     for (MeshActor* m : {&impl_->tetrahedra, &impl_->boundary, &impl_->triangles, &impl_->edges}) {
-      m->hide();
+      m->hide(impl_->window);
     }
   }
   impl_->mesh = std::move(mesh);  // only now may the old arrays go
@@ -275,11 +277,11 @@ void Scene::set_mesh(std::shared_ptr<const ComplexMesh> mesh) {
 
 void Scene::set_differences(std::shared_ptr<const DifferenceMesh> differences) {
   if (differences) {
-    impl_->differing_faces.show(differences->faces, 3);
-    impl_->differing_edges.show(differences->edges, 2);
+    impl_->differing_faces.show(differences->faces, 3, impl_->window);
+    impl_->differing_edges.show(differences->edges, 2, impl_->window);
   } else {
-    impl_->differing_faces.hide();
-    impl_->differing_edges.hide();
+    impl_->differing_faces.hide(impl_->window);
+    impl_->differing_edges.hide(impl_->window);
   }
   impl_->differences = std::move(differences);
 }

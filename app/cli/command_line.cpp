@@ -262,6 +262,11 @@ void add_screenshot(CLI::App& app, ScreenshotCommandOptions& options, Command& c
       ->check(CLI::Range(0.0, 0.9));
   command.add_option("--colours", options.colours, "Colour balls by element or chain")
       ->check(CLI::IsMember({"element", "chain"}));
+  command
+      .add_option("--drawing-memory", options.drawing_memory_mb,
+                  "Draw as if so much memory were free; otherwise what the system says")
+      ->check(CLI::Range(std::uint64_t{0}, std::uint64_t{1} << 40))
+      ->type_name("MB");
   command.callback([&] { chosen = [&] { return run_screenshot(options); }; });
 }
 

@@ -84,6 +84,7 @@ struct ScreenshotCommandOptions {
   bool transparent = false, light = false, no_balls = false, grown = false, boundary = false;
   double shrink = 0;
   std::string colours = "element";
+  std::optional<std::uint64_t> drawing_memory_mb;  // taken as free; none: what is
 };
 
 ExitCode run_info(const InfoOptions& options);

@@ -9,6 +9,7 @@
 
 #ifdef ALPHASCOPE_HAS_SCENE
 #include "app/session/result_header.hpp"
+#include "app/session/system_memory.hpp"
 #include "ui/scene/ball_colours.hpp"
 #include "ui/scene/screenshot.hpp"
 #endif
@@ -59,11 +60,16 @@ ExitCode run_screenshot(const ScreenshotCommandOptions& options) {
       engines.compute(input.prepared().balls, options.request, context);
   const std::vector<std::uint32_t>& atoms = input.prepared().atom_of_ball;
   picture.texts = picture_texts(complex_header(input, options.request, result.complex));
-  render_screenshot(*input.prepared().balls, result.complex,
-                    options.colours == "chain" ? colours_by_chain(input.molecule(), atoms)
-                                               : colours_by_element(input.molecule(), atoms),
-                    picture, options.out);
+  picture.free_bytes = options.drawing_memory_mb
+                           ? std::optional(*options.drawing_memory_mb * 1000000)
+                           : available_bytes();
+  const std::string not_drawn =
+      render_screenshot(*input.prepared().balls, result.complex,
+                        options.colours == "chain" ? colours_by_chain(input.molecule(), atoms)
+                                                   : colours_by_element(input.molecule(), atoms),
+                        picture, options.out);
   clear_progress();
+  if (!not_drawn.empty()) std::cerr << "alphascope-cli: " << not_drawn << "\n";
   std::cout << input_text(input) << complex_text(result.complex) << "picture     "
             << options.out.string() << ", " << picture.width << " x " << picture.height << "\n";
   return ExitCode::ok;

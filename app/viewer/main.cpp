@@ -2,9 +2,11 @@
 #include <cstdio>
 #include <fstream>
 #include <iostream>
+#include <new>
 #include <sstream>
 #include <stdexcept>
 
+#include "app/session/system_memory.hpp"
 #include "app/viewer/options.hpp"
 #include "app/viewer/script.hpp"
 #include "app/viewer/viewer.hpp"
@@ -12,6 +14,8 @@
 namespace {
 
 constexpr int kBadArguments = 1, kNoDisplay = 2, kFailed = 3;
+// The window took 120 MB with nothing in it.
+constexpr std::uint64_t kLeastFreeBytes = 150 << 20;
 
 int drive(alphascope::Viewer& viewer, const alphascope::ViewerOptions& options) {
   if (options.script) {
@@ -40,6 +44,15 @@ int main(int argc, char** argv) {
   const alphascope::HostOptions host_options{options.width, options.height, options.scale,
                                              "Alphascope"};
   const bool scripted = options.script || options.shot;
+  // OpenGL drivers end the program where they find no memory.
+  const auto free = alphascope::available_bytes();
+  if (free && *free < kLeastFreeBytes) {
+    std::fprintf(stderr,
+                 "alphascope: too little memory is free to open a window (%llu MB; see also ulimit "
+                 "-v). Close other programs, or compute with alphascope-cli.\n",
+                 static_cast<unsigned long long>(*free / 1000000));
+    return kFailed;
+  }
   std::unique_ptr<alphascope::Host> host;
   try {
     host = scripted ? alphascope::make_egl_host(host_options)
@@ -53,6 +66,9 @@ int main(int argc, char** argv) {
     if (scripted) return drive(viewer, options);
     viewer.run();
     return 0;
+  } catch (const std::bad_alloc&) {
+    std::fputs("alphascope: there is not enough memory for the window.\n", stderr);
+    return kFailed;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "alphascope: %s\n", error.what());
     return kFailed;

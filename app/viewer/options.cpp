@@ -54,6 +54,9 @@ ParsedOptions parse_options(int argc, const char* const* argv) {
   app.add_flag("--light", o.light, "Light theme");
   app.add_flag("--tetrahedra-only", o.tetrahedra_only, "Compute tetrahedra only");
   app.add_flag("--no-compare", no_compare, "Do not compare with CGAL by itself");
+  app.add_option("--drawing-memory", o.drawing_memory_mb,
+                 "Draw as if so much memory were free (MB); otherwise what the system says")
+      ->check(CLI::Range(std::uint64_t{0}, std::uint64_t{1} << 40));
   app.add_option("--script", o.script, "Drive the window by the commands in this file")
       ->check(CLI::ExistingFile);
   app.add_option("--shot", o.shot, "Write a picture of the window and exit; needs no display");

@@ -1,6 +1,7 @@
 // The command line of alphascope.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -17,6 +18,7 @@ struct ViewerOptions {
   bool tetrahedra_only = false;
   bool compare = true;
   std::optional<std::filesystem::path> script, shot;
+  std::optional<std::uint64_t> drawing_memory_mb;  // taken as free; none: what is
 };
 
 struct ParsedOptions {

@@ -2,6 +2,8 @@
 #include "app/viewer/scene_controller.hpp"
 
 #include <algorithm>
+#include <new>
+#include <stdexcept>
 #include <tuple>
 #include <utility>
 
@@ -13,6 +15,9 @@ namespace {
 
 constexpr double kRefineAfterSeconds = 0.25;
 constexpr double kNever = 1e9;
+// Newer pictures that arrive sooner than this follow the hand; saying so would flicker.
+constexpr std::chrono::milliseconds kOutdatedAfter{500};
+const std::string kNoMemory = std::string(kNothingDrawn) + " Choose" + kShowLess;
 
 std::shared_ptr<const std::vector<Rgb8>> shared(std::vector<Rgb8> colours) {
   return std::make_shared<const std::vector<Rgb8>>(std::move(colours));
@@ -35,6 +40,17 @@ std::shared_ptr<const DrawnMolecule> make_drawn(std::shared_ptr<const OpenedMole
   drawn->molecule = molecule;
   drawn->prepared = prepared;
   drawn->opened = std::move(opened);
+  return drawn;
+}
+
+// Without balls, for want of memory.
+std::shared_ptr<const DrawnMolecule> undrawn(std::shared_ptr<const OpenedMolecule> opened) {
+  auto drawn = std::make_shared<DrawnMolecule>();
+  drawn->molecule = opened->molecule;
+  drawn->prepared = opened->prepared;
+  drawn->opened = std::move(opened);
+  drawn->geometry = std::make_shared<const BallGeometry>();
+  drawn->by_element = drawn->by_chain = shared({});
   return drawn;
 }
 
@@ -65,14 +81,15 @@ ComplexColouring colouring(ColourBy colour) {
 
 }  // namespace
 
-SceneController::SceneController(std::function<void()> wake) : mesh_worker_(std::move(wake)) {}
+SceneController::SceneController(std::function<void()> wake, FreeMemory free_memory)
+    : free_memory_(std::move(free_memory)), mesh_worker_(std::move(wake)) {}
 
 std::shared_ptr<const Molecule> SceneController::molecule() const {
   return opened_ ? opened_->molecule : nullptr;
 }
 
 void SceneController::set_molecule(std::shared_ptr<const OpenedMolecule> opened) {
-  const bool same_molecule = drawn_molecule_ && drawn_molecule_->molecule == opened->molecule;
+  const bool same_molecule = viewed_ == opened->molecule;
   mesh_worker_.cancel();
   prepared_ = opened->prepared;
   opened_ = std::move(opened);
@@ -174,35 +191,83 @@ MeshOptions SceneController::mesh_options() const {
 void SceneController::submit() {
   requested_mesh_ = mesh_options();
   if (!prepared_ || waiting_) return;  // what is awaited will be made with the new options
-  const bool by_element = display_.complex_colour == ColourBy::element;
-  mesh_worker_.submit([this, drawn = drawn_molecule_, opened = opened_, answer = answer_,
-                       agreement = agreement_, by_element,
-                       options = requested_mesh_](const RunContext& context) -> Worker::Delivery {
-    Drawing drawing;
-    const bool known = drawn && drawn->prepared == opened->prepared;
-    drawing.molecule = known ? drawn : make_drawn(opened, context);
-    drawing.answer = answer;
-    const DrawnMolecule& m = *drawing.molecule;
-    if (answer) {
-      drawing.mesh = std::make_shared<const ComplexMesh>(build_mesh(
-          *m.geometry, by_element ? *m.by_element : *m.by_chain, answer->complex, options));
-    }
-    if (agreement) {
-      drawing.differences = std::make_shared<const DifferenceMesh>(
-          build_difference_mesh(*m.geometry, agreement->comparison));
-    }
-    return [this, drawing] { take(drawing); };
-  });
+  const Wanted wanted{
+      drawn_molecule_, opened_, answer_, agreement_, display_.complex_colour == ColourBy::element,
+      requested_mesh_};
+  mesh_worker_.submit(
+      [this, wanted](const RunContext& context) -> Worker::Delivery {
+        try {
+          return make_drawing(wanted, context);
+        } catch (const std::bad_alloc&) {
+          return [this, opened = wanted.opened] {
+            if (opened == opened_) show_nothing(kNoMemory);
+          };
+        }
+      },
+      [this](const Worker::Failure& failure) {
+        if (!failure.cancelled) show_nothing("Nothing is drawn: " + failure.message);
+      });
+}
+
+// On the worker's thread.
+Worker::Delivery SceneController::make_drawing(const Wanted& wanted, const RunContext& context) {
+  const auto& [drawn, opened, answer, agreement, by_element, mesh] = wanted;
+  const std::size_t balls = opened->prepared->balls->size();
+  const bool known =
+      drawn && drawn->prepared == opened->prepared && drawn->geometry->centres.size() == balls;
+  const DrawingPlan plan = plan_drawing({known ? 0 : balls, answer ? &answer->complex : nullptr,
+                                         agreement ? &agreement->comparison : nullptr, mesh},
+                                        free_memory_());
+  if (!plan.complete() && drawn) return [this] { make_room(); };
+  Drawing drawing;
+  drawing.not_drawn = not_drawn_text(plan);
+  drawing.answer = answer;
+  drawing.molecule = !plan.balls ? undrawn(opened) : known ? drawn : make_drawn(opened, context);
+  const DrawnMolecule& m = *drawing.molecule;
+  if (answer && plan.balls) {
+    drawing.mesh = std::make_shared<const ComplexMesh>(build_mesh(
+        *m.geometry, by_element ? *m.by_element : *m.by_chain, answer->complex, plan.mesh));
+  }
+  if (plan.differences) {
+    drawing.differences = std::make_shared<const DifferenceMesh>(
+        build_difference_mesh(*m.geometry, agreement->comparison));
+  }
+  return [this, drawing] { take(drawing); };
+}
+
+// Tries again without what is on screen; its last picture stays, and tells that it is outdated.
+void SceneController::make_room() {
+  scene_.set_balls(std::make_shared<const BallGeometry>(), {});
+  drawn_molecule_ = nullptr;
+  drawn_answer_ = nullptr;
+  submit();
+}
+
+void SceneController::show_nothing(const std::string& why) {
+  Drawing nothing;
+  nothing.molecule = undrawn(opened_);
+  nothing.answer = answer_;
+  nothing.not_drawn = why;
+  show(std::move(nothing));
 }
 
 void SceneController::take(Drawing drawing) {
   if (drawing.molecule->prepared != prepared_) return;
+  try {
+    show(std::move(drawing));
+  } catch (const std::bad_alloc&) {
+    show_nothing(kNoMemory);
+  }
+}
+
+void SceneController::show(Drawing drawing) {
   const bool new_balls = drawing.molecule != drawn_molecule_;
   drawn_answer_ = std::move(drawing.answer);
+  not_drawn_ = std::move(drawing.not_drawn);
   if (new_balls) {
-    const bool keep_view =
-        drawn_molecule_ && drawn_molecule_->molecule == drawing.molecule->molecule;
+    const bool keep_view = viewed_ == drawing.molecule->molecule;
     drawn_molecule_ = std::move(drawing.molecule);
+    viewed_ = draws_nothing() ? nullptr : drawn_molecule_->molecule;
     scene_.set_balls(drawn_molecule_->geometry, *drawn_molecule_->by_chain);
     if (!keep_view) {
       scene_.reset_view();
@@ -258,6 +323,11 @@ double SceneController::seconds_to_refinement() const {
 
 void SceneController::render(ViewportInfo& viewport, bool interacting, bool patient) {
   viewport.legend = legend_;
+  viewport.not_drawn = not_drawn_;
+  const bool old = viewport.texture != 0 && outdated();
+  if (!old) outdated_since_.reset();
+  if (old && !outdated_since_) outdated_since_ = Clock::now();
+  viewport.outdated = outdated_since_ && Clock::now() - *outdated_since_ >= kOutdatedAfter;
   if (viewport.width < 8 || viewport.height < 8 || !drawn_molecule_) return;
   if (viewport.width != width_ || viewport.height != height_) {
     width_ = viewport.width;
@@ -271,11 +341,15 @@ void SceneController::render(ViewportInfo& viewport, bool interacting, bool pati
   const RenderQuality target = patient                 ? RenderQuality::fine
                                : refine_now && !change ? quality_.at_rest()
                                                        : quality_.moving();
-  quality_.note(target, scene_.render(width_, height_, target));
+  try {
+    quality_.note(target, scene_.render(width_, height_, target));
+  } catch (const std::bad_alloc&) {
+    return show_nothing(kNoMemory);
+  }
   drawn_ = target;
   refine_ = quality_.at_rest() > target;
   viewport.texture = scene_.texture();
-  viewport.angstrom_per_pixel = scene_.angstrom_per_pixel();
+  viewport.angstrom_per_pixel = draws_nothing() ? 0 : scene_.angstrom_per_pixel();
 }
 
 std::optional<std::size_t> SceneController::pick(int x, int y) const {
@@ -289,16 +363,33 @@ PictureTexts SceneController::texts() const {
   const OpenedMolecule& opened = *drawn_molecule_->opened;
   const Provenance balls =
       provenance(*opened.molecule, opened.options.balls, opened.prepared->report);
-  if (drawn_answer_) {
-    return picture_texts(
-        result_header(kProgram, balls, drawn_answer_->request, drawn_answer_->complex));
-  }
   ComplexHeader header{{"program", program_text(kProgram)}};
-  header.insert(header.end(), balls.begin(), balls.end());
-  return picture_texts(header);
+  if (drawn_answer_) {
+    header = result_header(kProgram, balls, drawn_answer_->request, drawn_answer_->complex);
+  } else {
+    header.insert(header.end(), balls.begin(), balls.end());
+  }
+  PictureTexts texts = picture_texts(header);
+  if (!not_drawn_.empty()) texts.emplace_back("Warning", not_drawn_);
+  return texts;
+}
+
+// Of the molecule wanted, and newer than what is on screen.
+bool SceneController::outdated() const {
+  if (!drawn_molecule_) return opened_ != nullptr;
+  return drawn_molecule_->prepared != prepared_ || (answer_ && drawn_answer_ != answer_);
+}
+
+bool SceneController::draws_nothing() const {
+  return drawn_molecule_ && drawn_molecule_->geometry->centres.empty() && !not_drawn_.empty();
 }
 
 void SceneController::save_picture(const ScreenshotRequest& request) {
+  if (draws_nothing()) throw std::runtime_error(not_drawn_);
+  if (outdated() && !drawn_molecule_) {
+    throw std::runtime_error("The picture is being made; save it when it is there.");
+  }
+  require_room(request.width, request.height, free_memory_());
   write_png(scene_.grab(request.width, request.height, request.transparent), request.path, texts());
   dirty_ = true;
 }

@@ -1,6 +1,6 @@
 // Keeps the scene in step with the session's answers and the display controls. Geometry and meshes
 // are filled on a worker; the last picture stays until they are there, and pictures are drawn only
-// when something changed.
+// when something changed. What does not fit into memory is not drawn, and is told.
 #pragma once
 
 #include <chrono>
@@ -11,6 +11,7 @@
 #include "app/session/session.hpp"
 #include "core/run/worker.hpp"
 #include "ui/panels/view_state.hpp"
+#include "ui/scene/drawing_memory.hpp"
 #include "ui/scene/frame_grab.hpp"
 #include "ui/scene/quality.hpp"
 #include "ui/scene/scene.hpp"
@@ -28,8 +29,10 @@ struct DrawnMolecule {
 
 class SceneController {
  public:
+  // Bytes that are free for drawing, if that is known; asked from any thread.
+  using FreeMemory = std::function<std::optional<std::uint64_t>()>;
   // An OpenGL context must be current; `wake` as in Worker.
-  explicit SceneController(std::function<void()> wake);
+  SceneController(std::function<void()> wake, FreeMemory free_memory);
 
   // Other balls of the same molecule (another selection, model or radius) appear with their answer,
   // or with show_without_answer(); those of another molecule as soon as possible.
@@ -55,7 +58,8 @@ class SceneController {
   void render(ViewportInfo& viewport, bool interacting, bool patient);
   // The ball under a pixel of the picture, when balls are shown.
   std::optional<std::size_t> pick(int x, int y) const;
-  // What is on screen, which may still be older than what was set; null before the first.
+  // What is on screen, which may still be older than what was set; null before the first, and
+  // while it makes room for the next.
   const DrawnMolecule* drawn() const { return drawn_molecule_.get(); }
   void save_picture(const ScreenshotRequest& request);
   // Where what is on screen comes from, to go into pictures of it; empty when nothing is.
@@ -67,15 +71,32 @@ class SceneController {
   void update_colours();
   void update_radii();
   void submit();
+  bool outdated() const;
+  bool draws_nothing() const;  // for want of memory
   struct Drawing {
     std::shared_ptr<const DrawnMolecule> molecule;
     std::shared_ptr<const Answer> answer;
     std::shared_ptr<const ComplexMesh> mesh;
     std::shared_ptr<const DifferenceMesh> differences;
+    std::string not_drawn;  // what is missing and why; empty: nothing
   };
+  // What a job of the worker needs.
+  struct Wanted {
+    std::shared_ptr<const DrawnMolecule> drawn;
+    std::shared_ptr<const OpenedMolecule> opened;
+    std::shared_ptr<const Answer> answer;
+    std::shared_ptr<const Agreement> agreement;
+    bool by_element = false;
+    MeshOptions mesh;
+  };
+  Worker::Delivery make_drawing(const Wanted& wanted, const RunContext& context);
+  void make_room();
   void take(Drawing drawing);
+  void show(Drawing drawing);
+  void show_nothing(const std::string& why);
   MeshOptions mesh_options() const;
 
+  const FreeMemory free_memory_;
   Scene scene_;
   QualityChooser quality_;
   // Wanted on screen.
@@ -87,6 +108,9 @@ class SceneController {
   // On screen.
   std::shared_ptr<const DrawnMolecule> drawn_molecule_;
   std::shared_ptr<const Answer> drawn_answer_;
+  std::shared_ptr<const Molecule> viewed_;  // that the camera was set for
+  std::string not_drawn_;
+  std::optional<Clock::time_point> outdated_since_;
   std::vector<float> radii_;  // Å, as drawn
   std::optional<ColourLegend> legend_;
   DisplayControls display_;

@@ -7,10 +7,10 @@
 #include <cmath>
 #include <utility>
 
+#include "app/session/system_memory.hpp"
 #include "app/viewer/molecule_info.hpp"
 #include "app/viewer/resources.hpp"
 #include "app/viewer/state_bridge.hpp"
-#include "app/viewer/system_memory.hpp"
 #include "ui/panels/format.hpp"
 #include "ui/panels/window_layout.hpp"
 #include "ui/scene/frame_grab.hpp"
@@ -31,12 +31,17 @@ constexpr std::size_t kMostBallsToCompareUnasked = 200000;
 // the hand moves, but not for longer than this.
 constexpr std::chrono::milliseconds kModelGrace{300};
 
+SceneController::FreeMemory free_memory(std::optional<std::uint64_t> megabytes) {
+  return
+      [megabytes] { return megabytes ? std::optional(*megabytes * 1000000) : available_bytes(); };
+}
+
 }  // namespace
 
 Viewer::Viewer(Host& host, const ViewerOptions& options, Session::Services services)
     : host_(host),
       frame_(host, options.light ? Theme::light : Theme::dark),
-      scene_([&host] { host.wake(); }),
+      scene_([&host] { host.wake(); }, free_memory(options.drawing_memory_mb)),
       machine_(std::async(std::launch::async,
                           [&host] {
                             const MachineInfo& machine = machine_info();
@@ -77,7 +82,9 @@ void Viewer::open(const std::filesystem::path& path) {
   session_.open(path);
 }
 
-bool Viewer::busy() const { return working() || benchmark_.busy(); }
+bool Viewer::busy() const {
+  return working() || benchmark_.busy();
+}
 
 bool Viewer::working() const {
   const SessionActivity a = session_.activity();
@@ -155,7 +162,7 @@ void Viewer::take_session() {
   if (changes.any()) {
     frames_due_ = kSettlingFrames;
     state_.memory_bytes = resident_bytes();
-    state_.free_bytes = available_bytes();
+    state_.free_bytes = available_bytes().value_or(0);
   }
   update_badge();
 }

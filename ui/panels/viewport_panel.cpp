@@ -18,6 +18,9 @@ void picture(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
       reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(ctx.state.viewport.texture));
   if (ctx.state.viewport.texture != 0 && ctx.state.molecule.loaded) {
     draw->AddImage(texture, corner, end, {0, 1}, {1, 0});
+    if (ctx.state.viewport.outdated) {
+      draw->AddRectFilled(corner, end, to_u32(ctx.palette.scene, 0.6f));
+    }
   } else {
     draw->AddRectFilled(corner, end, to_u32(ctx.palette.scene));
   }
@@ -191,6 +194,33 @@ void nothing_left(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
   end_overlay();
 }
 
+// Below the caption.
+void outdated_note(PanelContext& ctx, ImVec2 corner) {
+  if (!ctx.state.viewport.outdated) return;
+  const float below = ctx.px(18) + ImGui::GetTextLineHeight();
+  ImGui::SetCursorScreenPos({corner.x + ctx.px(16), corner.y + below});
+  ImGui::TextColored(to_imgui(ctx.palette.warning), "Previous picture; the new one is being made.");
+  record(ctx, "view.outdated");
+}
+
+void not_drawn_note(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
+  const ViewportInfo& v = ctx.state.viewport;
+  if (v.not_drawn.empty() || !ctx.state.molecule.loaded || v.outdated) return;
+  // Between the legend and the scale bar, or above them.
+  const float between = size.x - ctx.px(440);
+  const bool above = between < ctx.px(300), empty = !(v.angstrom_per_pixel > 0);
+  const float width = above ? size.x - ctx.px(56) : std::min(between, ctx.px(640));
+  const float y = empty ? size.y / 2 : size.y - ctx.px(above ? 76 : 14);
+  begin_overlay(ctx, "##not_drawn", {corner.x + size.x / 2, corner.y + y},
+                {0.5f, empty ? 0.5f : 1.0f});
+  ImGui::PushTextWrapPos(width);
+  ImGui::TextColored(to_imgui(ctx.palette.warning), "%s", v.not_drawn.c_str());
+  ImGui::TextUnformatted("All numbers and files are complete.");
+  ImGui::PopTextWrapPos();
+  record(ctx, "view.not_drawn");
+  end_overlay();
+}
+
 }  // namespace
 
 std::string caption_text(const ViewState& s) {
@@ -216,10 +246,12 @@ void draw_viewport(PanelContext& ctx) {
     scale_bar(ctx, corner, size);
     legend(ctx, corner, size);
     caption(ctx, corner, size);
+    outdated_note(ctx, corner);
   }
   progress(ctx, corner, size);
   empty_state(ctx, corner, size);
   nothing_left(ctx, corner, size);
+  not_drawn_note(ctx, corner, size);
 }
 
 }  // namespace alphascope

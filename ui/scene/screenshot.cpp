@@ -3,13 +3,14 @@
 
 #include <stdexcept>
 
+#include "ui/scene/drawing_memory.hpp"
 #include "ui/window/egl_context.hpp"
 
 namespace alphascope {
 
-void render_screenshot(const BallSet& balls, const AlphaComplex& complex,
-                       const std::vector<Rgb8>& colours, const ScreenshotOptions& options,
-                       const std::filesystem::path& path) {
+std::string render_screenshot(const BallSet& balls, const AlphaComplex& complex,
+                              const std::vector<Rgb8>& colours, const ScreenshotOptions& options,
+                              const std::filesystem::path& path) {
   constexpr int kLeast = 16, kMost = 16384;
   if (options.width < kLeast || options.width > kMost || options.height < kLeast ||
       options.height > kMost) {
@@ -17,18 +18,28 @@ void render_screenshot(const BallSet& balls, const AlphaComplex& complex,
                                 std::to_string(options.height) +
                                 " is out of range; use 16 to 16384 pixels each way");
   }
+  require_room(options.width, options.height, options.free_bytes);
+  MeshOptions wanted = options.mesh;
+  wanted.translucent = options.style.complex_opacity < 1;
+  const std::uint64_t picture = picture_bytes(options.width, options.height);
+  std::optional<std::uint64_t> free = options.free_bytes;
+  if (free) *free -= picture;
+  const DrawingPlan plan = plan_drawing({balls.size(), &complex, nullptr, wanted}, free);
+  const std::string not_drawn = not_drawn_text(plan);
+  if (!plan.balls) throw std::runtime_error(not_drawn);
+  PictureTexts texts = options.texts;
+  if (!not_drawn.empty()) texts.emplace_back("Warning", not_drawn);
   const auto geometry = std::make_shared<const BallGeometry>(balls);
-  MeshOptions mesh_options = options.mesh;
-  mesh_options.translucent = options.style.complex_opacity < 1;
   const auto mesh =
-      std::make_shared<const ComplexMesh>(build_mesh(*geometry, colours, complex, mesh_options));
+      std::make_shared<const ComplexMesh>(build_mesh(*geometry, colours, complex, plan.mesh));
   EglContext context;
   Scene scene;
   scene.set_style(options.style);
   scene.set_balls(geometry, colours);
   scene.set_ball_radii(drawn_radii(*geometry, options.balls));
   scene.set_mesh(mesh);
-  write_png(scene.grab(options.width, options.height, options.transparent), path, options.texts);
+  write_png(scene.grab(options.width, options.height, options.transparent), path, texts);
+  return not_drawn;
 }
 
 }  // namespace alphascope

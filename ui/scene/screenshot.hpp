@@ -1,7 +1,10 @@
 // A picture of a complex without a window or a display, for the command line and for figures.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "core/complex/alpha_complex.hpp"
@@ -16,15 +19,18 @@ struct ScreenshotOptions {
   SceneStyle style;
   BallStyle balls;
   MeshOptions mesh;
-  PictureTexts texts;  // into the file
+  PictureTexts texts;                       // into the file
+  std::optional<std::uint64_t> free_bytes;  // of memory; none: unknown
 };
 
 // Draws `complex` with its `balls` (radii before any solvent; one colour each) in the default view.
-// Needs no display: makes its own OpenGL context on this thread.
+// Needs no display: makes its own OpenGL context on this thread. Returns what is not drawn for want
+// of memory, and what to do, as a sentence that the file holds, too; empty: nothing is missing.
 // Throws std::invalid_argument for sizes out of range or input that does not belong together,
-// std::runtime_error when OpenGL is missing or the file cannot be written.
-void render_screenshot(const BallSet& balls, const AlphaComplex& complex,
-                       const std::vector<Rgb8>& colours, const ScreenshotOptions& options,
-                       const std::filesystem::path& path);
+// std::runtime_error when OpenGL is missing, the file cannot be written, or there is no memory for
+// any picture.
+std::string render_screenshot(const BallSet& balls, const AlphaComplex& complex,
+                              const std::vector<Rgb8>& colours, const ScreenshotOptions& options,
+                              const std::filesystem::path& path);
 
 }  // namespace alphascope

@@ -1,0 +1,21 @@
+// How much memory the program has and may still have.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+
+namespace alphascope {
+
+struct SystemFiles {
+  std::filesystem::path memory = "/proc/meminfo", groups = "/proc/self/cgroup";
+  std::filesystem::path group_root = "/sys/fs/cgroup";
+};
+
+std::uint64_t resident_bytes();  // of this process; 0 where /proc is missing
+
+// Without swapping, and within the limits set for this process (ulimit -v) and its control group
+// (containers, systemd; version 2); nothing where none of them can be read.
+std::optional<std::uint64_t> available_bytes(const SystemFiles& files = {});
+
+}  // namespace alphascope

@@ -115,7 +115,9 @@ void SceneController::set_agreement(std::shared_ptr<const Agreement> agreement) 
 
 void SceneController::show_without_answer() {
   if (!prepared_ || answer_) return;
-  if (!waiting_ && drawn_molecule_ && drawn_molecule_->prepared == prepared_) return;
+  // Asked every frame: what is on its way must not be begun again.
+  const bool there = drawn_molecule_ && drawn_molecule_->prepared == prepared_;
+  if (!waiting_ && (there || mesh_worker_.activity().busy)) return;
   waiting_ = false;
   submit();
 }

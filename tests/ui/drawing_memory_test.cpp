@@ -268,6 +268,25 @@ TEST_F(SceneMemory, SaysWhenAWorkerRunsOutOfIt) {
   EXPECT_EQ(scene_.drawn()->geometry->centres.size(), 327u);
 }
 
+TEST_F(SceneMemory, IsNotAskedAgainWhileAPictureIsMade) {
+  std::atomic<int> asked = 0;
+  std::atomic<bool> held = true;
+  free_ = [&]() -> std::optional<std::uint64_t> {
+    ++asked;
+    while (held) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    return std::nullopt;
+  };
+  viewport_.width = viewport_.height = 100;
+  scene_.set_molecule(
+      std::make_shared<const OpenedMolecule>(open_molecule(testing::crambin(), {}, RunContext{})));
+  while (asked == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  for (int frame = 0; frame < 5; ++frame) scene_.show_without_answer();
+  held = false;
+  finish();
+  EXPECT_EQ(asked, 1);
+  EXPECT_NE(scene_.drawn(), nullptr);
+}
+
 // Other balls of the same molecule may have no room beside the old ones.
 TEST_F(SceneMemory, MakesRoomBeforeItLeavesAnythingOut) {
   open();

@@ -215,7 +215,7 @@ void not_drawn_note(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
                 {0.5f, empty ? 0.5f : 1.0f});
   ImGui::PushTextWrapPos(width);
   ImGui::TextColored(to_imgui(ctx.palette.warning), "%s", v.not_drawn.c_str());
-  ImGui::TextUnformatted("All numbers and files are complete.");
+  ImGui::TextUnformatted("All numbers and exports are complete.");
   ImGui::PopTextWrapPos();
   record(ctx, "view.not_drawn");
   end_overlay();

@@ -56,6 +56,15 @@ struct DualEdgeOutput {
   BlockStatistics* statistics;
 };
 
+// What a kernel does: all simplices, or tetrahedra alone; kernel III, or kernel II; are neighbours
+// without a facet left out (of long lists it pays)?
+template <bool kWhole_, bool kExact_, bool kCull_>
+struct KernelKind {
+  static constexpr bool kWhole = kWhole_, kExact = kExact_, kCull = kCull_;
+  // Without, every edge of a ball to a later one counts as possible.
+  static constexpr bool kEdges = kWhole || kCull;
+};
+
 struct DualEdgeProblem {
   Problem common;
   BlockRoom capacity;
@@ -64,8 +73,6 @@ struct DualEdgeProblem {
   int words;           // of a row of bits: (capacity.list + 31) / 32
   float radius_scale;  // scale²: square lattice units to scaled ones
   bool small_lattice;  // Int128 suffices for exact predicates
-  int first_cuts;      // of a triangle's cuts, before it is looked at as a survivor
-  bool cull_facets;    // long lists: drop edges ij whose disc a single ball covers
   const int4* balls;   // in the order of the BallSet
 };
 
@@ -84,8 +91,9 @@ struct DualEdgeMemory {
   std::uint32_t* index;
   std::uint32_t* rows;  // words of bits for each later neighbour j: who meets j as well
   uint2* kept;          // triangles found: their number, and pack_face()
-  // p.words of bits for each ball: which later neighbours j can have edge ij in K_alpha.
-  std::uint32_t* possible;
+  // p.words of bits for each ball: which neighbours j can have edge ij in K_alpha, and whose planes
+  // are nearest (culled lists only).
+  std::uint32_t *possible, *near;
   // One bit a triangle: found; with one tetrahedron to write or more; with two. Then, for each
   // word, what is found in the words before.
   std::uint32_t *found_bits, *one_bits, *two_bits, *triangles_before, *tetrahedra_before;
@@ -93,18 +101,28 @@ struct DualEdgeMemory {
   std::uint16_t* work;  // triangles in order of work
   // Whose row it is, and kUnattachedRow.
   std::uint8_t* row_ball;
-  // Before the lists are ordered, in the place of triangles and work: what half a warp met.
+  // Before the lists are ordered, in the place of triangles and work: what half a warp met, and of
+  // that, those whose planes are nearest.
+  float4* coverers;
+  float* coverer_lengths;
   std::uint32_t *found, *found_index;
 };
 
 constexpr int kRowBall = 63, kUnattachedRow = 64;
 static_assert(kMaxBallsPerBlock < kRowBall);
 
-constexpr std::size_t kHalves = kBlockThreads / kSearchLanes;
+// Balls that are tried as coverers of discs: those whose planes are nearest.
+constexpr int kCoverers = 16;
 
+__host__ __device__ inline std::size_t half_warp_words(const DualEdgeProblem& p) {
+  // Capacities of a search are multiples of 4. Four more: see order_list().
+  return 2 * static_cast<std::size_t>(p.capacity.search) + 4 + 5 * kCoverers;
+}
 __host__ __device__ inline std::size_t triangle_words(const DualEdgeProblem& p) {
   const std::size_t triangles = (3 * static_cast<std::size_t>(p.capacity.triangles) + 1) / 2;
-  const std::size_t lists = 2 * kHalves * p.capacity.list;
+  // Half warps take balls in pairs.
+  const int halves = kBlockThreads / kSearchLanes, pairs = (p.common.balls_per_block + 1) / 2;
+  const std::size_t lists = (2 * pairs < halves ? 2 * pairs : halves) * half_warp_words(p);
   return triangles > lists ? triangles : lists;
 }
 __host__ __device__ inline std::size_t bit_words(const DualEdgeProblem& p) {
@@ -113,8 +131,8 @@ __host__ __device__ inline std::size_t bit_words(const DualEdgeProblem& p) {
 __host__ __device__ inline std::size_t block_memory_bytes(const DualEdgeProblem& p) {
   return static_cast<std::size_t>(p.capacity.entries) * 24 +
          static_cast<std::size_t>(p.capacity.kept) * 8 + bit_words(p) * 20 +
-         static_cast<std::size_t>(p.common.balls_per_block) * p.words * 4 +
-         static_cast<std::size_t>(p.capacity.rows) * (4 * p.words + 1) + triangle_words(p) * 4 + 16;
+         static_cast<std::size_t>(p.common.balls_per_block) * p.words * 8 +
+         static_cast<std::size_t>(p.capacity.rows) * (4 * p.words + 1) + triangle_words(p) * 4 + 32;
 }
 __device__ inline DualEdgeMemory carve(unsigned char* shared, const DualEdgeProblem& p) {
   DualEdgeMemory m;
@@ -129,11 +147,17 @@ __device__ inline DualEdgeMemory carve(unsigned char* shared, const DualEdgeProb
   m.triangles_before = m.two_bits + bits;
   m.tetrahedra_before = m.triangles_before + bits;
   m.possible = m.tetrahedra_before + bits;
-  m.rows = m.possible + static_cast<std::size_t>(p.common.balls_per_block) * p.words;
-  m.triangles = m.rows + static_cast<std::size_t>(p.capacity.rows) * p.words;
+  m.near = m.possible + static_cast<std::size_t>(p.common.balls_per_block) * p.words;
+  m.rows = m.near + static_cast<std::size_t>(p.common.balls_per_block) * p.words;
+  const std::size_t rows_end = m.rows - reinterpret_cast<std::uint32_t*>(shared) +
+                               static_cast<std::size_t>(p.capacity.rows) * p.words;
+  m.triangles = reinterpret_cast<std::uint32_t*>(shared) + (rows_end + 3) / 4 * 4;
   m.work = reinterpret_cast<std::uint16_t*>(m.triangles + p.capacity.triangles);
-  m.found = m.triangles + threadIdx.x / kSearchLanes * 2 * p.capacity.list;
-  m.found_index = m.found + p.capacity.list;
+  std::uint32_t* half = m.triangles + threadIdx.x / kSearchLanes * half_warp_words(p);
+  m.coverers = reinterpret_cast<float4*>(half);
+  m.coverer_lengths = reinterpret_cast<float*>(half + 4 * kCoverers);
+  m.found = half + 5 * kCoverers;
+  m.found_index = m.found + p.capacity.search;
   m.row_ball = reinterpret_cast<std::uint8_t*>(m.triangles + triangle_words(p));
   return m;
 }
@@ -198,31 +222,6 @@ __device__ inline void note_largest(std::uint32_t* largest, int value) {
 }
 __device__ inline void add(std::uint64_t* sum, std::uint64_t value) {
   atomicAdd(reinterpret_cast<unsigned long long*>(sum), static_cast<unsigned long long>(value));
-}
-
-// Writes one ball's list ordered by index, relative to the ball. Half a warp; true where a lane met
-// a ball whose power at the centre is no larger.
-__device__ inline bool order_list(const Problem& p, const SortedBalls& sorted,
-                                  const DualEdgeMemory& m, const int4& centre, int n, int entry0) {
-  const std::int64_t wi = static_cast<std::int64_t>(centre.w) * centre.w;
-  bool attached = false;
-  for (int a = threadIdx.x & (kSearchLanes - 1); a < n; a += kSearchLanes) {
-    const std::uint32_t t = m.found[a], index = m.found_index[a];
-    const int4 q = sorted.ball[t];
-    const float reach = sorted.near[t].w * p.scale;
-    int rank = 0;
-    for (int o = 0; o < n; ++o) rank += m.found_index[o] < index;
-    const std::int64_t x = q.x - centre.x, y = q.y - centre.y, z = q.z - centre.z;
-    const std::int64_t c = x * x + y * y + z * z + wi - static_cast<std::int64_t>(q.w) * q.w;
-    const int entry = entry0 + rank;
-    m.vectors[entry] =
-        make_float4(static_cast<float>(x) * p.scale, static_cast<float>(y) * p.scale,
-                    static_cast<float>(z) * p.scale, static_cast<float>(c) * p.scale * p.scale);
-    m.reach[entry] = reach;
-    m.index[entry] = index;
-    attached = attached || c <= 0;
-  }
-  return attached;
 }
 
 // A triangle's parts, unpacked.

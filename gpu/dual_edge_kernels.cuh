@@ -6,6 +6,8 @@
 // and facet_disc.hpp.
 #pragma once
 
+#include "core/complex/dual_edge_probe.hpp"
+#include "gpu/dual_edge_lists.cuh"
 #include "gpu/dual_edge_output.cuh"
 #include "gpu/dual_edge_rows.cuh"
 #include "gpu/launch.cuh"
@@ -23,82 +25,6 @@ __device__ __noinline__ TriangleFace decided_face(const DualEdgeProblem& p,
   const auto in = neighbours.of(p);
   return p.small_lattice ? exact_face<Int128>(in, t, p.words)
                          : exact_face<WideInt<4>>(in, t, p.words);
-}
-
-// Kernel I of the block's balls, half a warp each: their ordered lists. Balls without room are
-// marked.
-template <bool kExact>
-__device__ inline void find_lists(const DualEdgeProblem& p, const SortedBalls& sorted,
-                                  const DualEdgeOutput& out, const DualEdgeMemory& m, BlockBalls& s,
-                                  std::uint32_t first, int balls) {
-  const int lane = threadIdx.x & (kSearchLanes - 1), half = threadIdx.x & kSearchLanes;
-  if (threadIdx.x == 0)
-    s.entries = s.rows = s.next_triangle = s.next_work = s.survivors = s.kept = 0;
-  if (threadIdx.x < kLengths) s.lengths[threadIdx.x] = 0;
-  for (int w = threadIdx.x; w < balls * p.words; w += kBlockThreads) m.possible[w] = 0;
-  __syncthreads();
-  for (int pair = threadIdx.x >> 5; 2 * pair < balls; pair += kBlockThreads / 32) {
-    // Of an odd last pair, the second half repeats the first's reads in vain.
-    const bool active = half == 0 || 2 * pair + 1 < balls;
-    const int b = 2 * pair + (half != 0 && active);
-    const std::uint32_t slot = first + b, index = sorted.index[slot];
-    const int4 centre = sorted.ball[slot];
-    const int all = search_neighbours(p.common, sorted, slot, active,
-                                      s.surroundings[threadIdx.x / kSearchLanes], m.found);
-    const int n = all <= p.common.list_capacity ? all : 0;
-    int later = 0;
-    for (int a = lane; a < n; a += kSearchLanes) {
-      const std::uint32_t other = sorted.index[m.found[a]];
-      m.found_index[a] = other;
-      later += other > index;
-    }
-    for (int step = kSearchLanes / 2; step > 0; step /= 2)
-      later += __shfl_xor_sync(~0u, later, step);
-    __syncwarp();  // order_list reads what other lanes found
-    int entry0 = 0, row0 = 0;
-    if (lane == 0 && active) {
-      entry0 = atomicAdd(&s.entries, n);
-      row0 = atomicAdd(&s.rows, later);
-    }
-    entry0 = __shfl_sync(~0u, entry0, half);
-    row0 = __shfl_sync(~0u, row0, half);
-    const int row_room = static_cast<int>(p.capacity.rows);
-    const bool room =
-        n == all && entry0 + n <= static_cast<int>(p.capacity.entries) && row0 + later <= row_room;
-    if (active) {
-      // Rows of a ball without room still count: they are nobody's.
-      for (int a = lane; a < later && row0 + a < row_room; a += kSearchLanes) {
-        m.row_ball[row0 + a] = static_cast<std::uint8_t>(room ? b : kMaxBallsPerBlock);
-      }
-    }
-    const bool lane_attached = active && room && order_list(p.common, sorted, m, centre, n, entry0);
-    const bool attached = (__ballot_sync(~0u, lane_attached) >> half & 0xffffu) != 0;
-    if (active && lane == 0) {
-      const double square =
-          static_cast<double>(static_cast<std::int64_t>(centre.w) * centre.w) + p.common.alpha;
-      s.radius_square[b] = static_cast<float>(square) * p.radius_scale;
-      s.ball[b] = centre;
-      s.index[b] = index;
-      s.list[b] = room ? n : 0;
-      s.later[b] = room ? later : 0;
-      s.entry0[b] = entry0;
-      s.row0[b] = row0;
-      s.attached[b] = attached;
-      s.first_triangle[b] = INT_MAX;
-      s.end_triangle[b] = 0;
-      s.exact[b] = room ? 0 : 2;
-      if (kExact || all > p.common.list_capacity) note_largest(&out.statistics->longest_list, all);
-      if (!kExact && blockIdx.x % kSampled == 0) {
-        add(&out.statistics->balls, 1);
-        add(&out.statistics->entries, all);
-        add(&out.statistics->entry_squares, static_cast<std::uint64_t>(all) * all);
-      }
-    }
-    __syncwarp();
-  }
-  __syncthreads();
-  if (threadIdx.x == 0) s.rows = min(s.rows, static_cast<int>(p.capacity.rows));
-  __syncthreads();
 }
 
 // Counting sort of triangles by how many cuts they have, the longest first, so that the lanes of a
@@ -124,13 +50,13 @@ __device__ inline void sort_by_length(const DualEdgeMemory& m, BlockBalls& s, in
 // The list of triangles of three balls that meet, whose edges ij and ik are possible and which, of
 // tetrahedra alone, have a fourth: of each ball, in lexicographic order. Balls without room for
 // theirs are marked. Returns the length of the list.
-template <bool kWhole, bool kExact>
+template <class Kind>
 __device__ inline int list_triangles(const DualEdgeProblem& p, const DualEdgeOutput& out,
                                      const DualEdgeMemory& m, BlockBalls& s, int words) {
   const int rows = s.rows, capacity = static_cast<int>(p.capacity.triangles);
   const auto later_bits = [&](int row, int w, int j, int b) {
     const std::uint32_t bits = m.rows[row * words + w] & bits_after(j, w);
-    return looks_at_edges<kWhole>(p) ? bits & m.possible[b * words + w] : bits;
+    return Kind::kEdges ? bits & m.possible[b * words + w] : bits;
   };
   if (threadIdx.x == 0) s.triangles = capacity;
   int all = 0;
@@ -156,8 +82,8 @@ __device__ inline int list_triangles(const DualEdgeProblem& p, const DualEdgeOut
       }
     }
   }
-  if (threadIdx.x == 0 && kExact) note_largest(&out.statistics->most_triangles, all);
-  if (threadIdx.x == 0 && !kExact && blockIdx.x % kSampled == 0)
+  if (threadIdx.x == 0 && Kind::kExact) note_largest(&out.statistics->most_triangles, all);
+  if (threadIdx.x == 0 && !Kind::kExact && blockIdx.x % kSampled == 0)
     add(&out.statistics->triangles, all);
   __syncthreads();
   all = min(all, s.triangles);
@@ -171,7 +97,7 @@ __device__ inline int list_triangles(const DualEdgeProblem& p, const DualEdgeOut
       packed = m.triangles[t];
       const Triangle triangle(m, s, words, packed);
       const ScaledNeighbours vector{m.vectors + triangle.entry0};
-      keep = (kWhole || triangle.has_fourth(words)) &&
+      keep = (Kind::kWhole || triangle.has_fourth(words)) &&
              !DualEdge<float>::certainly_outside(vector(triangle.j), vector(triangle.k),
                                                  s.radius_square[triangle.ball]);
     }
@@ -215,7 +141,7 @@ __device__ inline void keep(const DualEdgeProblem& p, const DualEdgeMemory& m, B
   if (tetrahedra > 1) atomicOr(&m.two_bits[t >> 5], bit);
 }
 
-template <bool kWhole>
+template <class Kind>
 __device__ inline void note_face(const DualEdgeProblem& p, const DualEdgeMemory& m, BlockBalls& s,
                                  const Triangle& t, int number, const TriangleFace& face) {
   if (face.in == Decision::unknown) {
@@ -223,29 +149,53 @@ __device__ inline void note_face(const DualEdgeProblem& p, const DualEdgeMemory&
     return;
   }
   const int tetrahedra = (face.high > t.k) + (face.low > t.k);
-  if (face.in == Decision::in && (kWhole || tetrahedra > 0))
+  if (face.in == Decision::in && (Kind::kWhole || tetrahedra > 0))
     keep(p, m, s, t.ball, number, tetrahedra, face);
 }
 
-// The answer of a run for tetrahedra alone.
-__device__ inline TriangleFace as_face(const TriangleEnds& ends) {
-  return {ends.known ? Decision::in : Decision::unknown, ends.high, ends.low,
-          TriangleFace::Attached::no};
+// Kernel II of one triangle.
+template <class Kind, class Rows>
+__device__ inline TriangleFace found_face(const DualEdgeMemory& m, const BlockBalls& s,
+                                          const Triangle& t, const Rows& rows, int words) {
+  const float square = s.radius_square[t.ball];
+  const ScaledNeighbours vectors{m.vectors + t.entry0};
+  if constexpr (Kind::kWhole) {
+    return filtered_face<float>(rows, words, square, vectors);
+  } else {
+    const TriangleEnds ends = filtered_ends<float>(rows, words, square, vectors);
+    return {ends.known ? Decision::in : Decision::unknown, ends.high, ends.low,
+            TriangleFace::Attached::no};
+  }
 }
 
-// The first few cuts of every triangle: those that survive them are listed. They take about as long
+// Do the cuts by these neighbours certainly leave nothing?
+template <class Cutters>
+__device__ inline bool probed_away(const DualEdge<float>& edge, int words, const Cutters& cutters,
+                                   const ScaledNeighbours& vector) {
+  // Of balls that meet: |d| is at most 1 and a few roundings, and so is c less a quarter.
+  DualEdgeProbe<float> probe(edge, 1.75f, 2);
+  for (int w = 0; w < words; ++w) {
+    for (std::uint32_t bits = cutters(w); bits != 0; bits &= bits - 1) {
+      if (probe.clip(vector(w * 32 + lowest_bit(bits)))) return true;
+    }
+  }
+  return false;
+}
+
+// The likeliest cuts of every triangle: those that survive them are listed. They take about as long
 // as each other, whereas lanes that are finished early would wait for them.
-__device__ inline void first_cuts(const DualEdgeProblem& p, const DualEdgeMemory& m, BlockBalls& s,
-                                  int triangles, int words) {
+__device__ inline void first_cuts(const DualEdgeMemory& m, BlockBalls& s, int triangles,
+                                  int words) {
   for (int t = 0; take(&s.next_triangle, triangles, t);) {
     if (t < triangles) {
       const Triangle triangle(m, s, words, m.triangles[t]);
       const ScaledNeighbours vector{m.vectors + triangle.entry0};
+      const std::uint32_t* near = m.near + triangle.ball * words;
       DualEdge<float> edge;
-      const bool survives =
-          edge.start(vector(triangle.j), vector(triangle.k), s.radius_square[triangle.ball]) &&
-          !clips_away(edge, triangle, words, p.first_cuts, vector);
-      if (survives) m.work[atomicAdd(&s.survivors, 1)] = static_cast<std::uint16_t>(t);
+      if (edge.start(vector(triangle.j), vector(triangle.k), s.radius_square[triangle.ball]) &&
+          !probed_away(
+              edge, words, [&](int w) { return triangle.common(w) & near[w]; }, vector))
+        m.work[atomicAdd(&s.survivors, 1)] = static_cast<std::uint16_t>(t);
     }
     __syncwarp();
   }
@@ -253,12 +203,12 @@ __device__ inline void first_cuts(const DualEdgeProblem& p, const DualEdgeMemory
 }
 
 // Kernel II of the block's triangles.
-template <bool kWhole>
+template <class Kind>
 __device__ inline void find_faces(const DualEdgeProblem& p, const DualEdgeMemory& m, BlockBalls& s,
                                   int triangles, int words) {
   int count = triangles;
-  if (p.first_cuts > 0) {
-    first_cuts(p, m, s, triangles, words);
+  if constexpr (Kind::kCull) {
+    first_cuts(m, s, triangles, words);
     count = s.survivors;
   } else {
     sort_by_length(m, s, triangles, words);
@@ -267,14 +217,13 @@ __device__ inline void find_faces(const DualEdgeProblem& p, const DualEdgeMemory
     if (at < count) {
       const int t = m.work[at];
       const Triangle triangle(m, s, words, m.triangles[t]);
-      const float square = s.radius_square[triangle.ball];
-      const ScaledNeighbours vectors{m.vectors + triangle.entry0};
-      if constexpr (kWhole) {
-        note_face<true>(p, m, s, triangle, t,
-                        filtered_face<float>(triangle, words, square, vectors));
+      if constexpr (Kind::kCull) {
+        const std::uint32_t* near = m.near + triangle.ball * words;
+        note_face<Kind>(p, m, s, triangle, t,
+                        found_face<Kind>(m, s, triangle, NearFirstRows{triangle, near}, words));
       } else {
-        note_face<false>(p, m, s, triangle, t,
-                         as_face(filtered_ends<float>(triangle, words, square, vectors)));
+        note_face<Kind>(p, m, s, triangle, t,
+                        found_face<Kind>(m, s, triangle, TriangleRows{triangle}, words));
       }
     }
     __syncwarp();
@@ -283,13 +232,13 @@ __device__ inline void find_faces(const DualEdgeProblem& p, const DualEdgeMemory
 }
 
 // Kernel III of the block's triangles.
-template <bool kWhole>
+template <class Kind>
 __device__ inline void find_faces_exactly(const DualEdgeProblem& p, const DualEdgeMemory& m,
                                           BlockBalls& s, int triangles, int words) {
   for (int t = threadIdx.x; t < triangles; t += kBlockThreads) {
     const Triangle triangle(m, s, words, m.triangles[t]);
-    note_face<kWhole>(p, m, s, triangle, t,
-                      decided_face(p, exact_neighbours(p, m, s, triangle.ball), triangle));
+    note_face<Kind>(p, m, s, triangle, t,
+                    decided_face(p, exact_neighbours(p, m, s, triangle.ball), triangle));
   }
   __syncthreads();
 }
@@ -306,24 +255,24 @@ __device__ inline void write_vertex_states(const DualEdgeProblem& p, const DualE
 
 // Balls [first, first + balls) of the sorted order. Every thread of the block calls it. kWords:
 // words of a row, or 0 for any number.
-template <bool kWhole, bool kExact, int kWords>
+template <class Kind, int kWords>
 __device__ void process_balls(const DualEdgeProblem& p, const SortedBalls& sorted,
                               const DualEdgeOutput& out, const DualEdgeMemory& m, BlockBalls& s,
                               std::uint32_t first, int balls) {
   const int words = kWords > 0 ? kWords : p.words;
-  find_lists<kExact>(p, sorted, out, m, s, first, balls);
-  make_rows<kWhole, kExact>(p, m, s, words);
-  const int triangles = list_triangles<kWhole, kExact>(p, out, m, s, words);
-  if constexpr (kExact) {
-    find_faces_exactly<kWhole>(p, m, s, triangles, words);
+  find_lists<Kind>(p, sorted, out, m, s, first, balls);
+  make_rows<Kind>(p, m, s, words);
+  const int triangles = list_triangles<Kind>(p, out, m, s, words);
+  if constexpr (Kind::kExact) {
+    find_faces_exactly<Kind>(p, m, s, triangles, words);
   } else {
-    find_faces<kWhole>(p, m, s, triangles, words);
+    find_faces<Kind>(p, m, s, triangles, words);
   }
-  if constexpr (kWhole) write_vertex_states(p, out, s, balls);
-  write_simplices<kWhole, kExact>(p, out, m, s, first, balls, triangles, words);
+  if constexpr (Kind::kWhole) write_vertex_states(p, out, s, balls);
+  write_simplices<Kind>(p, out, m, s, first, balls, triangles, words);
 }
 
-template <bool kWhole, int kWords>
+template <bool kWhole, bool kCull, int kWords>
 __global__ void __launch_bounds__(kBlockThreads)
     dual_edges_filtered(DualEdgeProblem p, SortedBalls sorted, DualEdgeOutput out) {
   __shared__ BlockBalls s;
@@ -333,7 +282,7 @@ __global__ void __launch_bounds__(kBlockThreads)
   if (first >= alive) return;
   const int balls =
       static_cast<int>(min(static_cast<std::uint32_t>(p.common.balls_per_block), alive - first));
-  process_balls<kWhole, false, kWords>(p, sorted, out, m, s, first, balls);
+  process_balls<KernelKind<kWhole, false, kCull>, kWords>(p, sorted, out, m, s, first, balls);
 }
 
 // One ball at a time; p.common.balls_per_block is 1.
@@ -345,7 +294,7 @@ __global__ void __launch_bounds__(kBlockThreads)
   const std::uint32_t count = *out.exact_count;
   if (out.statistics->deferred > p.deferred_limit) return;
   for (std::uint32_t n = blockIdx.x; n < count; n += gridDim.x) {
-    process_balls<kWhole, true, 0>(p, sorted, out, m, s, out.exact_list[n], 1);
+    process_balls<KernelKind<kWhole, true, true>, 0>(p, sorted, out, m, s, out.exact_list[n], 1);
     __syncthreads();
   }
 }

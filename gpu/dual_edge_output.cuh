@@ -20,14 +20,14 @@ __device__ inline std::uint32_t tetrahedra_before(const DualEdgeMemory& m, int t
 }
 
 // Sums the bits of the words before each. Every thread takes part.
-template <bool kWhole>
+template <class Kind>
 __device__ inline void sum_found(const DualEdgeMemory& m, BlockBalls& s, int triangles) {
   const int words = (triangles >> 5) + 1;
   int faces = 0, ends = 0;
   for (int w0 = 0; w0 < words; w0 += kBlockThreads) {
     const int w = w0 + static_cast<int>(threadIdx.x);
     int round = 0;
-    if constexpr (kWhole) {
+    if constexpr (Kind::kWhole) {
       const int before = block_scan(w < words ? __popc(m.found_bits[w]) : 0, s.scan, &round);
       if (w < words) m.triangles_before[w] = faces + before;
       faces += round;
@@ -54,7 +54,7 @@ __device__ inline std::uint32_t claim(int own, int row0, int balls, std::uint32_
 }
 
 // Where the simplices of each ball go; balls for kernel III are listed instead. One warp.
-template <bool kWhole, bool kExact>
+template <class Kind>
 __device__ inline void claim_places(const DualEdgeOutput& out, const DualEdgeMemory& m,
                                     BlockBalls& s, std::uint32_t first, int balls) {
   const int b = static_cast<int>(threadIdx.x);
@@ -72,7 +72,7 @@ __device__ inline void claim_places(const DualEdgeOutput& out, const DualEdgeMem
   };
   claimed([](const DualEdgeMemory& from, int t) { return tetrahedra_before(from, t); },
           out.tetrahedra, s.tetrahedron_at[b & (kMaxBallsPerBlock - 1)]);
-  if constexpr (kWhole) {
+  if constexpr (Kind::kWhole) {
     claimed([](const DualEdgeMemory& from, int t) { return triangles_before(from, t); },
             out.triangles, s.triangle_at[b & (kMaxBallsPerBlock - 1)]);
     const int edges = mine ? s.later[b] : 0;
@@ -83,11 +83,11 @@ __device__ inline void claim_places(const DualEdgeOutput& out, const DualEdgeMem
       s.edge_at[b] = start - row0;
     }
   }
-  if (!kExact && b < balls && s.exact[b]) {  // all of this ball is done again
+  if (!Kind::kExact && b < balls && s.exact[b]) {  // all of this ball is done again
     out.exact_list[atomicAdd(out.exact_count, 1u)] = first + b;
     if (s.exact[b] == 2) atomicAdd(&out.statistics->deferred, 1u);
   }
-  if (kExact && b == 0) note_largest(&out.statistics->most_kept, s.kept);
+  if (Kind::kExact && b == 0) note_largest(&out.statistics->most_kept, s.kept);
 }
 
 __device__ inline void write_edges(const EdgeCandidates& out, const DualEdgeMemory& m,
@@ -124,14 +124,14 @@ __device__ inline std::uint32_t attached_ball(const TriangleFace& f, const std::
 }
 
 // Writes the simplices of all balls but those for kernel III, and where each ball's are.
-template <bool kWhole, bool kExact>
+template <class Kind>
 __device__ inline void write_simplices(const DualEdgeProblem& p, const DualEdgeOutput& out,
                                        const DualEdgeMemory& m, BlockBalls& s, std::uint32_t first,
                                        int balls, int triangles, int words) {
-  sum_found<kWhole>(m, s, triangles);
-  if (threadIdx.x < 32) claim_places<kWhole, kExact>(out, m, s, first, balls);
+  sum_found<Kind>(m, s, triangles);
+  if (threadIdx.x < 32) claim_places<Kind>(out, m, s, first, balls);
   __syncthreads();
-  if constexpr (kWhole) write_edges(out.edges, m, s);
+  if constexpr (Kind::kWhole) write_edges(out.edges, m, s);
   const int kept = min(s.kept, static_cast<int>(p.capacity.kept));
   for (int a = threadIdx.x; a < kept; a += kBlockThreads) {
     const int number = static_cast<int>(m.kept[a].x);
@@ -140,7 +140,7 @@ __device__ inline void write_simplices(const DualEdgeProblem& p, const DualEdgeO
     const TriangleFace face = unpack_face(m.kept[a].y);
     const std::uint32_t* index = m.index + t.entry0;
     const uint3 ijk = make_uint3(s.index[t.ball], index[t.j], index[t.k]);
-    if constexpr (kWhole) {
+    if constexpr (Kind::kWhole) {
       const int first_later = s.list[t.ball] - s.later[t.ball];
       write_triangle(out.triangles, s.triangle_at[t.ball] + triangles_before(m, number), ijk,
                      pack_info(t.j - first_later, t.k - first_later, face.cofaces()),

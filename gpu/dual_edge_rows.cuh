@@ -20,13 +20,7 @@ __device__ __noinline__ Decision edge_within_slowly(const DualEdgeProblem& p,
   return decide_edge<Decider>(n.of(p), j, nullptr);
 }
 
-// Without, every edge counts as possible.
-template <bool kWhole>
-__device__ inline bool looks_at_edges(const DualEdgeProblem& p) {
-  return kWhole || p.cull_facets;
-}
-
-template <bool kWhole, bool kExact>
+template <class Kind>
 class RowMaker {
  public:
   // All of one row's: of neighbour j of ball b.
@@ -45,17 +39,19 @@ class RowMaker {
   // Fills the row; it stays empty when ij is not in K_alpha: then j is in no triangle of ball i,
   // but still cuts those of others.
   __device__ void make() {
-    meet();
-    if (!looks_at_edges<kWhole>(p_)) return;
-    if (look_at_edge()) {
-      atomicOr(&m_.possible[b_ * words_ + (j_ >> 5)], 1u << (j_ & 31));
-      return;
+    std::uint32_t* possible = &m_.possible[b_ * words_ + (j_ >> 5)];
+    const std::uint32_t bit = 1u << (j_ & 31);
+    const bool dead = Kind::kEdges && !(*possible & bit);
+    if (!dead) meet();
+    const bool absent = Kind::kWhole && !dead && !look_at_edge();
+    if (absent) atomicAnd(possible, ~bit);
+    if (dead || absent) {
+      for (int w = 0; w < words_; ++w) row_[w] = 0;
     }
-    for (int w = 0; w < words_; ++w) row_[w] = 0;
   }
 
  private:
-  using Decider = std::conditional_t<kExact, ExactDecider, FilteredDecider>;
+  using Decider = std::conditional_t<Kind::kExact, ExactDecider, FilteredDecider>;
 
   // Which neighbours meet j.
   __device__ void meet() {
@@ -78,22 +74,16 @@ class RowMaker {
 
   // False when the edge is not in K_alpha. Of a whole complex: attached or not.
   __device__ bool look_at_edge() {
-    const float4 vj = m_.vectors[entry0_ + j_];
-    const FacetDisc<float> disc({vj.x, vj.y, vj.z, vj.w}, s_.radius_square[b_]);
+    const ScaledNeighbours vectors{m_.vectors + entry0_};
+    const FacetDisc<float> disc(vectors(j_), s_.radius_square[b_]);
     if (disc.certainly_empty()) return false;
-    bool attached = false;
     for (int w = 0; w < words_; ++w) {
       for (std::uint32_t bits = row_[w]; bits != 0; bits &= bits - 1) {
-        const int k = w * 32 + __ffs(static_cast<int>(bits)) - 1;
-        const auto cut = disc.cut_by(ScaledNeighbours{m_.vectors + entry0_}(k));
-        if (p_.cull_facets && cut.covers) return false;
-        if (kWhole && !attached && cuts_centre(cut.centre, k)) {
-          attached = true;
-          if (!p_.cull_facets) return true;
-        }
+        const int k = w * 32 + lowest_bit(bits);
+        if (cuts_centre(disc.centre_cut_by(vectors(k)), k)) return true;
       }
     }
-    return !kWhole || attached || within_alone(disc.centre_within());
+    return within_alone(disc.centre_within());
   }
 
   __device__ bool cuts_centre(Decision d, int k) {
@@ -123,12 +113,12 @@ class RowMaker {
 };
 
 // The rows of all the block's balls. Every thread takes part.
-template <bool kWhole, bool kExact>
+template <class Kind>
 __device__ inline void make_rows(const DualEdgeProblem& p, const DualEdgeMemory& m, BlockBalls& s,
                                  int words) {
   for (int row = threadIdx.x; row < s.rows; row += kBlockThreads) {
     const int b = m.row_ball[row];
-    if (b < kMaxBallsPerBlock) RowMaker<kWhole, kExact>(p, m, s, words, row, b).make();
+    if (b < kMaxBallsPerBlock) RowMaker<Kind>(p, m, s, words, row, b).make();
   }
   __syncthreads();
 }

@@ -52,11 +52,10 @@ class Run {
  private:
   bool blocks_fit(const Need& need) const {
     const std::size_t shared =
-        std::max(block_memory_bytes(
-                     make_problem(s_, plan_, need.block, need.balls_per_block, need.mean_list)),
-                 block_memory_bytes(make_problem(s_, plan_, need.ball, 1, need.mean_list)));
+        std::max(block_memory_bytes(make_problem(s_, plan_, need.block, need.balls_per_block)),
+                 block_memory_bytes(make_problem(s_, plan_, need.ball, 1)));
     return shared + sizeof(BlockBalls) <= static_cast<std::size_t>(s_.shared_limit) &&
-           need.ball.list < kMaxList && need.ball.triangles < kMaxTriangles &&
+           need.ball.search < kMaxList && need.ball.triangles < kMaxTriangles &&
            need.block.triangles < kMaxTriangles && need.block.rows < kMaxRows;
   }
 
@@ -118,20 +117,21 @@ class Run {
 
   template <bool kWhole>
   void dual_edges(const Need& need, const SortedBalls& sorted, const DualEdgeOutput& out) {
-    const DualEdgeProblem p =
-        make_problem(s_, plan_, need.block, need.balls_per_block, need.mean_list);
+    const DualEdgeProblem p = make_problem(s_, plan_, need.block, need.balls_per_block);
     const auto grid =
         static_cast<unsigned>((s_.n + need.balls_per_block - 1) / need.balls_per_block);
     // Two and three words at compile time are slower than any number at run time: unrolled, lanes
     // in different words do not run together.
-    if (p.words == 1) {
-      start(dual_edges_filtered<kWhole, 1>, grid, p, sorted, out);
+    if (is_culled(need.mean_found)) {
+      start(dual_edges_filtered<kWhole, true, 0>, grid, p, sorted, out);
+    } else if (p.words == 1) {
+      start(dual_edges_filtered<kWhole, false, 1>, grid, p, sorted, out);
     } else {
-      start(dual_edges_filtered<kWhole, 0>, grid, p, sorted, out);
+      start(dual_edges_filtered<kWhole, false, 0>, grid, p, sorted, out);
     }
     timer_.mark(stage::kCandidatesAndFiltered);
     start(dual_edges_exact<kWhole>, static_cast<unsigned>(2 * s_.multiprocessors),
-          make_problem(s_, plan_, need.ball, 1, need.mean_list), sorted, out);
+          make_problem(s_, plan_, need.ball, 1), sorted, out);
     timer_.mark(stage::kExactValidity);
   }
 
@@ -172,7 +172,8 @@ class Run {
         values{2u * kValueBlocks * s_.multiprocessors, kValueThreads, s_.stream};
     launch(pair_counts, per_ball, balls, out.tetrahedra.count, out.triangles.count, s_.pairs.get());
     s_.scan(s_.pairs.get(), s_.places.get(), s_.n + 1);
-    launch(place_faces, values, out, s_.balls.get(), s_.places.get(), ordered, &s_.counters()->hash[0]);
+    launch(place_faces, values, out, s_.balls.get(), s_.places.get(), ordered,
+           &s_.counters()->hash[0]);
     launch(finish_edges, values, s_.balls.get(), out.edges, vertices);
     launch(pair_edges_and_vertices, per_edge, balls, out.edges, vertices, s_.pairs.get());
     s_.scan(s_.pairs.get(), s_.places.get(), s_.n + 1);
@@ -191,18 +192,25 @@ class Run {
     next.counted = true;
     next.counts = {{high_of(got.edges_and_vertices), low_of(got.edges_and_vertices), got.triangles,
                     got.tetrahedra}};
-    next.candidates = got.edges;
+    // A little more: which balls kernel III culls, though kernel II would not, varies from run to
+    // run.
+    next.candidates = got.edges + got.edges / 64;
     if (met.balls == 0) return next;
-    const double balls = static_cast<double>(met.balls),
-                 list = static_cast<double>(met.entries) / balls;
-    const double deviation =
-        std::sqrt(std::max(0.0, static_cast<double>(met.entry_squares) / balls - list * list));
-    next.mean_list = list;
+    const auto spread = [&](std::uint64_t sum, std::uint64_t squares) {
+      const double balls = static_cast<double>(met.balls), mean = static_cast<double>(sum) / balls;
+      const double variance = static_cast<double>(squares) / balls - mean * mean;
+      return Means::Spread{mean, std::sqrt(std::max(0.0, variance))};
+    };
+    const Means::Spread found = spread(met.found, met.found_squares);
+    Means::Spread list = spread(met.entries, met.entry_squares);
+    next.mean_found = found.mean;
+    // Lists that will not be culled are as long as what is found.
+    if (!is_culled(found.mean)) list = found;
     // Balls without room count no triangles; half of their neighbours' pairs are a fair start.
-    const double seen = static_cast<double>(met.triangles) / balls;
+    const double seen = static_cast<double>(met.triangles) / static_cast<double>(met.balls);
     const bool unseen = met.deferred > deferred_limit(need);
     const auto kept = static_cast<double>(whole_ ? got.triangles : got.tetrahedra);
-    const Means means{list, deviation, unseen ? std::max(seen, list * list / 8) : seen,
+    const Means means{found, list, unseen ? std::max(seen, list.mean * list.mean / 8) : seen,
                       unseen ? (whole_ ? 15 : 6.5) : kept / static_cast<double>(s_.n)};
     choose_room(s_, next, means);
     if (met.deferred > std::max<std::size_t>(32, s_.n / 2000)) widen(next, means, unseen);
@@ -219,14 +227,15 @@ class Run {
   }
 
   std::uint32_t deferred_limit(const Need& need) const {
-    return make_problem(s_, plan_, need.block, need.balls_per_block, need.mean_list).deferred_limit;
+    return make_problem(s_, plan_, need.block, need.balls_per_block).deferred_limit;
   }
 
   bool was_enough(const Need& need, const Need& next) const {
     const BlockStatistics& met = s_.host_counters.get()->blocks;
-    return met.longest_list <= need.ball.list && met.most_triangles <= need.ball.triangles &&
-           met.most_kept <= need.ball.kept && met.deferred <= deferred_limit(need) &&
-           need.counts.cover(next.counts) && (!whole_ || next.candidates <= need.candidates);
+    return met.most_found <= need.ball.search && met.longest_list <= need.ball.list &&
+           met.most_triangles <= need.ball.triangles && met.most_kept <= need.ball.kept &&
+           met.deferred <= deferred_limit(need) && need.counts.cover(next.counts) &&
+           (!whole_ || s_.host_counters.get()->edges <= need.candidates);
   }
 
   // What the next attempt gets. Edges and vertices were not counted if the rest did not fit.
@@ -234,11 +243,15 @@ class Run {
     const BlockStatistics& met = s_.host_counters.get()->blocks;
     const auto more = [](auto value) { return value + value / 8; };
     const std::uint32_t list = std::max(need.ball.list, whole_words(met.longest_list));
-    next.ball = {list, list, list, std::max(need.ball.triangles, more(met.most_triangles)),
+    next.ball = {std::max(need.ball.search, whole_words(met.most_found)),
+                 list,
+                 list,
+                 list,
+                 std::max(need.ball.triangles, more(met.most_triangles)),
                  std::max(need.ball.kept, more(met.most_kept))};
     next.counted = false;
     for (int d = 0; d < 4; ++d) next.counts[d] = std::max(need.counts[d], more(next.counts[d]));
-    next.candidates = std::max(need.candidates, more(next.candidates));
+    next.candidates = std::max(need.candidates, next.candidates);
     return next;
   }
 

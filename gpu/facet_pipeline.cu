@@ -46,7 +46,7 @@ std::optional<Problem> FacetPipeline::State::plan(double alpha, bool whole) {
   State& s = *this;
   const double largest = static_cast<double>(s.max_radius) * s.max_radius + alpha;
   const double cutoff = 2 * std::sqrt(largest);
-  if (!(cutoff < kMaxCutoff)) return std::nullopt;
+  if (!(cutoff < kMaxCutoff) || s.n > kMaxBalls) return std::nullopt;
   Problem p{};
   p.ball_count = static_cast<int>(s.n);
   p.alpha = alpha;

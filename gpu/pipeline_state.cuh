@@ -27,7 +27,8 @@ inline unsigned blocks_for(std::size_t items) {
 // exact in single precision and within the double brackets.
 inline constexpr double kMaxCutoff = 16.7e6;
 
-inline constexpr int kMaxList = 4095;  // 12 bits of a packed triangle
+inline constexpr std::size_t kMaxBalls = std::size_t{1} << 30;  // two bits of a slot are marks
+inline constexpr int kMaxList = 4095;                           // 12 bits of a packed triangle
 
 // Counters of one run, together so that one copy brings them back.
 struct Counters {
@@ -130,7 +131,7 @@ struct FacetPipeline::State {
     BlockRoom block, ball;   // of kernel II's blocks, and of kernel III's, which take one ball
     SimplexCounts counts;    // of the result
     std::size_t candidates;  // edges
-    double mean_list;        // neighbours of a ball
+    double mean_found;       // balls that meet a ball
     double margin;           // over the mean room
     bool counted;            // by a run of this very alpha
   };

@@ -24,12 +24,13 @@ struct Problem {
   float scale;        // power of two: scaled = lattice * scale
   std::int64_t ghost_reach;  // power of two above every sqrt(w + alpha), lattice units
   int balls_per_block;
-  int list_capacity;  // neighbours of a ball that fit the block's memory
+  int search_capacity;  // balls that a search may find: they fit the block's memory
 };
 
 // What a block's shared memory has room for.
 struct BlockRoom {
-  std::uint32_t list;       // neighbours of one ball
+  std::uint32_t search;     // balls that meet one ball
+  std::uint32_t list;       // of those, left in its list
   std::uint32_t entries;    // neighbours of all the block's balls
   std::uint32_t rows;       // those of higher index than their ball
   std::uint32_t triangles;  // of three balls that meet
@@ -39,8 +40,8 @@ struct BlockRoom {
 // What a run of blocks met. Sums over every `kSampled`-th block, from which the room of the next
 // run follows; maxima over all.
 struct BlockStatistics {
-  std::uint64_t balls, entries, entry_squares, triangles;
-  std::uint32_t longest_list;               // of one ball
+  std::uint64_t balls, found, found_squares, entries, entry_squares, triangles;
+  std::uint32_t most_found, longest_list;   // of one ball
   std::uint32_t most_triangles, most_kept;  // of one ball that kernel III looked at
   std::uint32_t deferred;                   // balls that found no room and went to kernel III
 };
@@ -115,7 +116,7 @@ __device__ inline int search_neighbours(const Problem& p, const SortedBalls& bal
     }
     const unsigned hits = __ballot_sync(~0u, hit) >> half & 0xffffu;
     const int at = count + __popc(hits & ((1u << lane) - 1));
-    if (hit && at < p.list_capacity) found[at] = t;
+    if (hit && at < p.search_capacity) found[at] = t;
     count += __popc(hits);
   }
   __syncwarp();

@@ -13,16 +13,15 @@ using Need = State::Need;
 // Shared memory of a block: so that six share a multiprocessor with as much as Ampere's and
 // Hopper's server parts have, four on others. 33 KB for long lists and 30 for short ones were the
 // fastest of what was tried on an H200; nothing was tried on others.
-inline std::size_t block_bytes(const State& s, double mean_list) {
+inline std::size_t block_bytes(const State& s, double mean_found) {
   const std::size_t all = s.shared_per_multiprocessor, blocks = all >= 160 * 1024 ? 6 : 4;
   // What is static, what CUDA keeps for itself (1 KB), and rounding.
   const std::size_t share = all / blocks - sizeof(BlockBalls) - 2 * 1024;
-  return mean_list >= 20 ? share : std::min<std::size_t>(share, 30 * 1024);
+  return mean_found >= 20 ? share : std::min<std::size_t>(share, 30 * 1024);
 }
-// Mean number of neighbours from which on covered discs are looked for. A whole complex looks at
-// every disc anyway.
-inline double long_list(bool whole) {
-  return whole ? 20 : 26;
+// Are covered discs looked for? From so many balls found for each on average.
+inline bool is_culled(double mean_found) {
+  return mean_found >= 20;
 }
 
 inline std::uint32_t whole_words(double list) {
@@ -32,9 +31,14 @@ inline std::uint32_t whole_words(double list) {
 // Of room_for().
 inline constexpr double kLeastMore = 1, kMostMore = 3;
 
-// What sampled blocks say about a ball's neighbours and triangles; `kept` as in BlockRoom.
+// What sampled blocks say about a ball: the balls that meet it, those in its list, triangles, and
+// `kept` as in BlockRoom.
 struct Means {
-  double list, deviation, triangles, kept;
+  struct Spread {
+    double mean, deviation;
+  };
+  Spread found, list;
+  double triangles, kept;
 };
 
 // Room for blocks of so many balls: for lists `margin` times three standard deviations above the
@@ -42,12 +46,17 @@ struct Means {
 // varies more than sums of independent balls would; triangles vary like squares of lists. Balls
 // that find no room go to kernel III.
 inline BlockRoom room_for(int balls, const Means& means, double margin, double more) {
-  const double spread = 3 * margin * means.deviation;
-  const double varied = more * spread / std::max(1.0, means.list) / std::sqrt(balls);
-  const double lists = balls * means.list * (1.1 + varied),
+  const auto most = [&](const Means::Spread& of) {
+    return whole_words(
+        std::min(of.mean + 3 * margin * of.deviation, static_cast<double>(kMaxList - 1)));
+  };
+  const double list = means.list.mean, spread = 3 * margin * means.list.deviation;
+  const double varied = more * spread / std::max(1.0, list) / std::sqrt(balls);
+  const double lists = balls * list * (1.1 + varied),
                triangles = balls * means.triangles * (1.1 + 2 * varied);
-  const double list = std::min(means.list + spread, static_cast<double>(kMaxList - 1));
-  return {whole_words(list), static_cast<std::uint32_t>(lists) + 32,
+  return {most(means.found),
+          most(means.list),
+          static_cast<std::uint32_t>(lists) + 32,
           static_cast<std::uint32_t>(lists / 2) + 32,
           std::min<std::uint32_t>(static_cast<std::uint32_t>(triangles) + 64, kMaxTriangles - 1),
           static_cast<std::uint32_t>(balls * means.kept * (1.1 + 2 * varied)) + 16};
@@ -69,7 +78,7 @@ inline std::size_t fair_share(const State& s) {
 // The largest run of balls whose block stays within its share of shared memory, of which it then
 // takes all that helps.
 inline void choose_room(const State& s, Need& need, const Means& means) {
-  const std::size_t limit = block_bytes(s, means.list), fair = fair_share(s);
+  const std::size_t limit = block_bytes(s, means.found.mean), fair = fair_share(s);
   const auto room = [&](double more) {
     return room_for(need.balls_per_block, means, need.margin, more);
   };
@@ -103,9 +112,9 @@ inline Need first_need(const State& s, double alpha, bool whole) {
     return need;
   }
   // A molecule at small alpha; the run says what it really needs.
-  Need need{alpha,   whole, 1, {},   {64, 64, 64, 1024, 64}, {{s.n, 5 * s.n, 6 * s.n, s.n}},
+  Need need{alpha,   whole, 1, {},   {64, 64, 64, 64, 1024, 64}, {{s.n, 5 * s.n, 6 * s.n, s.n}},
             8 * s.n, 12,    1, false};
-  choose_room(s, need, {need.mean_list, 3, 14, whole ? 5.0 : 1.5});
+  choose_room(s, need, {{need.mean_found, 3}, {need.mean_found, 3}, 14, whole ? 5.0 : 1.5});
   return need;
 }
 
@@ -120,19 +129,17 @@ inline void remember(State& s, const Need& need) {
 }
 
 inline DualEdgeProblem make_problem(const State& s, const Problem& plan, const BlockRoom& room,
-                                    int balls_per_block, double mean_list) {
+                                    int balls_per_block) {
   DualEdgeProblem p{};
   p.common = plan;
   p.common.balls_per_block = balls_per_block;
   p.capacity = room;
-  p.common.list_capacity = static_cast<int>(room.list);
+  p.common.search_capacity = static_cast<int>(room.search);
   p.words = static_cast<int>((room.list + 31) / 32);
   p.radius_scale = p.common.scale * p.common.scale;
   const double grown = std::sqrt(static_cast<double>(s.max_radius) * s.max_radius + plan.alpha);
   const double offset = 2 * (grown + plan.reach_slack) * 1.001 + 2;  // bounds every |d_x|
   p.small_lattice = offset < static_cast<double>(kSmallOffset) && s.max_radius < kSmallOffset;
-  p.cull_facets = mean_list >= long_list(plan.whole);
-  p.first_cuts = p.cull_facets ? 8 : 0;
   p.balls = s.balls.get();
   p.deferred_limit = static_cast<std::uint32_t>(std::max<std::size_t>(256, s.n / 200));
   return p;

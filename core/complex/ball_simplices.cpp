@@ -6,13 +6,6 @@
 #include <cstdlib>
 
 namespace alphascope {
-namespace {
-
-// From so many neighbours on it pays to look for discs that a single ball covers. Only the time
-// depends on it.
-constexpr std::size_t kLongList = 20;
-
-}  // namespace
 
 void BallSimplices::load(std::uint32_t slot, std::span<const std::uint32_t> list) {
   i_ = grid_.ball[slot];
@@ -20,18 +13,40 @@ void BallSimplices::load(std::uint32_t slot, std::span<const std::uint32_t> list
   radius_square_ = static_cast<double>(weight_) + alpha_;
   // A whole number above the radius of the disc, whatever the rounding of sqrt.
   ghost_reach_ = static_cast<std::int64_t>(std::sqrt(radius_square_) * (1 + 1e-12)) + 2;
-  const std::size_t n = list.size();
-  neighbours_.vectors.resize(n);
-  neighbours_.balls.resize(n);
-  doubles_.resize(n);
+  slots_.assign(list.begin(), list.end());
+  dead_.assign(list.size(), 0);
+  lift(slot);
+  filter_ = largest_offset_ < kBracketLimit;
+  culled_ = filter_ && list.size() >= kLongList;
+  if (culled_) cull();
+  const std::size_t n = slots_.size();
   dx_.resize(n);
   dy_.resize(n);
   dz_.resize(n);
   reach_.resize(n);
+  for (std::size_t k = 0; k < n; ++k) {
+    const LiftedInt& v = neighbours_.vectors[k];
+    dx_[k] = static_cast<float>(v.x);
+    dy_[k] = static_cast<float>(v.y);
+    dz_[k] = static_cast<float>(v.z);
+    reach_[k] = grid_.reach[slots_[k]];
+  }
+  words_ = static_cast<int>((n + 31) / 32);
+  first_ =
+      static_cast<int>(std::upper_bound(neighbours_.balls.begin(), neighbours_.balls.end(), i_) -
+                       neighbours_.balls.begin());
+}
+
+void BallSimplices::lift(std::uint32_t slot) {
+  const std::size_t n = slots_.size();
+  neighbours_.vectors.resize(n);
+  neighbours_.balls.resize(n);
+  doubles_.resize(n);
   largest_power_ = 4 * ghost_reach_;
   largest_offset_ = 1;
+  attached_ = false;
   for (std::size_t k = 0; k < n; ++k) {
-    const std::uint32_t s = list[k];
+    const std::uint32_t s = slots_[k];
     const std::int64_t x = std::int64_t{grid_.x[s]} - grid_.x[slot],
                        y = std::int64_t{grid_.y[s]} - grid_.y[slot],
                        z = std::int64_t{grid_.z[s]} - grid_.z[slot];
@@ -39,18 +54,57 @@ void BallSimplices::load(std::uint32_t slot, std::span<const std::uint32_t> list
     neighbours_.vectors[k] = {x, y, z, c};
     neighbours_.balls[k] = grid_.ball[s];
     doubles_[k] = lifted_as<double>(neighbours_.vectors[k]);
-    dx_[k] = static_cast<float>(x);
-    dy_[k] = static_cast<float>(y);
-    dz_[k] = static_cast<float>(z);
-    reach_[k] = grid_.reach[s];
     largest_offset_ = std::max({largest_offset_, std::abs(x), std::abs(y), std::abs(z)});
     largest_power_ = std::max(largest_power_, std::abs(c));
+    attached_ = attached_ || c <= 0;
   }
-  filter_ = largest_offset_ < kBracketLimit;
-  words_ = static_cast<int>((n + 31) / 32);
-  first_ =
-      static_cast<int>(std::upper_bound(neighbours_.balls.begin(), neighbours_.balls.end(), i_) -
-                       neighbours_.balls.begin());
+}
+
+// The neighbours whose planes are nearest to p_i.
+void BallSimplices::find_nearest() {
+  planes_.clear();
+  for (std::size_t k = 0; k < doubles_.size(); ++k) {
+    const LiftedVector<double>& v = doubles_[k];
+    planes_.emplace_back(v.c / std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z), k);
+  }
+  const auto end = planes_.begin() + static_cast<std::ptrdiff_t>(kCoverers);
+  std::nth_element(planes_.begin(), end - 1, planes_.end());
+  std::sort(planes_.begin(), end);
+  coverers_.clear();
+  is_near_.assign(doubles_.size(), 0);
+  for (auto p = planes_.begin(); p != end; ++p) {
+    coverers_.push_back(FacetDisc<double>::coverer(doubles_[p->second]));
+    is_near_[p->second] = 1;
+  }
+}
+
+void BallSimplices::keep(std::size_t from, std::size_t to) {
+  slots_[to] = slots_[from];
+  dead_[to] = dead_[from];
+  is_near_[to] = is_near_[from];
+  neighbours_.vectors[to] = neighbours_.vectors[from];
+  neighbours_.balls[to] = neighbours_.balls[from];
+  doubles_[to] = doubles_[from];
+}
+
+// Leaves out the neighbours whose discs are covered; where that is not certainly right, they only
+// count as dead. See facet_disc.hpp.
+void BallSimplices::cull() {
+  find_nearest();
+  std::size_t kept = 0;
+  for (std::size_t j = 0; j < slots_.size(); ++j) {
+    const FacetDisc<double> disc(doubles_[j], radius_square_);
+    const auto covers = [&](const auto& m) { return disc.covered_by(m); };
+    dead_[j] = disc.certainly_empty() || std::any_of(coverers_.begin(), coverers_.end(), covers);
+    if (dead_[j] != 0 && !attached_) continue;
+    keep(j, kept++);
+  }
+  slots_.resize(kept);
+  neighbours_.vectors.resize(kept);
+  neighbours_.balls.resize(kept);
+  doubles_.resize(kept);
+  near_.assign((kept + 31) / 32, 0);
+  for (std::size_t k = 0; k < kept; ++k) near_[k / 32] |= std::uint32_t{is_near_[k] != 0} << k % 32;
 }
 
 // Only balls that meet the grown ball j as well as ball i can cut their facet where pi <= alpha.
@@ -69,25 +123,17 @@ void BallSimplices::collect_common(int j) {
   common_.resize(count);
 }
 
-// Which neighbours meet j as well as i (they stay in common_); none, and j marked, when edge ij is
-// certainly not in K_alpha.
+// Which neighbours meet j as well as i; they stay in common_.
 void BallSimplices::fill_row(int j) {
   collect_common(j);
   std::uint32_t* bits = row(j);
   std::fill_n(bits, words_, 0u);
   for (const int k : common_) bits[k >> 5] |= 1u << (k & 31);
-  if (!filter_ || doubles_.size() < kLongList) return;
-  const FacetDisc<double> disc(vector(j), radius_square_);
-  if (disc.certainly_empty() || std::any_of(common_.begin(), common_.end(),
-                                            [&](int k) { return disc.cut_by(vector(k)).covers; })) {
-    std::fill_n(bits, words_, 0u);
-    dead_[static_cast<std::size_t>(j - first_)] = 1;
-  }
 }
 
 bool BallSimplices::edge_is_attached(int j, const FacetDisc<double>& disc) {
   return std::any_of(common_.begin(), common_.end(), [&](int m) {
-    Decision d = filter_ ? disc.cut_by(vector(m)).centre : Decision::unknown;
+    Decision d = filter_ ? disc.centre_cut_by(vector(m)) : Decision::unknown;
     if (d == Decision::unknown) d = edge_attached_to<ExactDecider>(surroundings(), j, m);
     return d == Decision::in;
   });
@@ -97,7 +143,7 @@ void BallSimplices::add_edge(int j, BlockOutput& out) {
   float value = HUGE_VALF;
   if (!edge_is_attached(j, FacetDisc<double>(vector(j), radius_square_)) &&
       decide_edge<ExactDecider>(surroundings(), j, &value) == Decision::out) {
-    dead_[static_cast<std::size_t>(j - first_)] = 1;
+    dead_[static_cast<std::size_t>(j)] = 1;
     return;
   }
   edge_[static_cast<std::size_t>(j - first_)] = out.edges.size();
@@ -124,11 +170,18 @@ TriangleFace BallSimplices::exactly(const TriangleRows& rows) {
   return face;
 }
 
-void BallSimplices::triangle(const TriangleRows& t, BlockOutput& out) {
+template <class Body>
+auto BallSimplices::filtered(const NearFirstRows& rows, const Body& body) const {
+  const auto vectors = [&](int k) -> const LiftedVector<double>& { return vector(k); };
+  return culled_ ? body(rows, vectors) : body(static_cast<const TriangleRows&>(rows), vectors);
+}
+
+void BallSimplices::triangle(const NearFirstRows& t, BlockOutput& out) {
   TriangleFace face = TriangleFace::undecided();
   if (filter_) {
-    face = filtered_face<double>(t, words_, radius_square_,
-                                 [&](int k) -> const LiftedVector<double>& { return vector(k); });
+    face = filtered(t, [&](const auto& rows, const auto& vectors) {
+      return filtered_face<double>(rows, words_, radius_square_, vectors);
+    });
   }
   if (face.in == Decision::unknown) face = exactly(t);
   if (face.in == Decision::out) return;
@@ -148,11 +201,12 @@ void BallSimplices::triangle(const TriangleRows& t, BlockOutput& out) {
   }
 }
 
-void BallSimplices::tetrahedra(const TriangleRows& t, BlockOutput& out) {
+void BallSimplices::tetrahedra(const NearFirstRows& t, BlockOutput& out) {
   TriangleEnds ends{-1, -1, false};
   if (filter_) {
-    ends = filtered_ends<double>(t, words_, radius_square_,
-                                 [&](int k) -> const LiftedVector<double>& { return vector(k); });
+    ends = filtered(t, [&](const auto& rows, const auto& vectors) {
+      return filtered_ends<double>(rows, words_, radius_square_, vectors);
+    });
   }
   if (!ends.known) ends = later_ends(exactly(t), t.k);
   for (const int l : {std::min(ends.low, ends.high), std::max(ends.low, ends.high)}) {
@@ -165,8 +219,9 @@ void BallSimplices::tetrahedra(const TriangleRows& t, BlockOutput& out) {
 void BallSimplices::triangles_of(int j, BlockOutput& out) {
   const TriangleRows ij{j, j, row(j), row(j)};
   for (int k = ij.next_common(j, words_); k >= 0; k = ij.next_common(k, words_)) {
-    const TriangleRows t{j, k, row(j), row(k)};
-    if (whole_ ? dead_[static_cast<std::size_t>(k - first_)] != 0 : !t.has_fourth(words_)) continue;
+    if (dead_[static_cast<std::size_t>(k)] != 0) continue;
+    const NearFirstRows t{{j, k, row(j), row(k)}, near_.data()};
+    if (!whole_ && !t.has_fourth(words_)) continue;
     ++dual_edges_;
     whole_ ? triangle(t, out) : tetrahedra(t, out);
   }
@@ -176,25 +231,24 @@ VertexState BallSimplices::vertex_state() const {
   if (-static_cast<double>(weight_) > alpha_) return VertexState::absent;
   // With equality the centre lies on the boundary of its power cell, or the cell is empty after
   // perturbation: then the nearest edge has the same value, or there is none.
-  const bool attached = std::any_of(neighbours_.vectors.begin(), neighbours_.vectors.end(),
-                                    [](const LiftedInt& v) { return v.c <= 0; });
-  return attached ? VertexState::attached : VertexState::unattached;
+  return attached_ ? VertexState::attached : VertexState::unattached;
 }
 
 VertexState BallSimplices::process(std::uint32_t slot, std::span<const std::uint32_t> list,
                                    BlockOutput& out) {
   load(slot, list);
-  const int n = static_cast<int>(list.size()), later = n - first_;
+  const int n = static_cast<int>(slots_.size()), later = n - first_;
   if (!whole_ && later < 3) return VertexState::absent;  // not asked for
+  const auto alive = [&](int j) { return dead_[static_cast<std::size_t>(j)] == 0; };
   rows_.resize(static_cast<std::size_t>(later) * static_cast<std::size_t>(words_));
-  dead_.assign(static_cast<std::size_t>(later), 0);
   edge_.resize(static_cast<std::size_t>(later));
   for (int j = first_; j < n; ++j) {
+    if (!alive(j)) continue;
     fill_row(j);
-    if (whole_ && dead_[static_cast<std::size_t>(j - first_)] == 0) add_edge(j, out);
+    if (whole_) add_edge(j, out);
   }
   for (int j = first_; j < n; ++j) {
-    if (dead_[static_cast<std::size_t>(j - first_)] == 0) triangles_of(j, out);
+    if (alive(j)) triangles_of(j, out);
   }
   return whole_ ? vertex_state() : VertexState::absent;
 }

@@ -71,13 +71,20 @@ class BallSimplices {
   };
 
   void load(std::uint32_t slot, std::span<const std::uint32_t> list);
+  void lift(std::uint32_t slot);
+  void find_nearest();
+  void cull();
+  void keep(std::size_t from, std::size_t to);
   void collect_common(int j);
   void fill_row(int j);
   bool edge_is_attached(int j, const FacetDisc<double>& disc);
   void add_edge(int j, BlockOutput& out);
   void triangles_of(int j, BlockOutput& out);
-  void triangle(const TriangleRows& rows, BlockOutput& out);
-  void tetrahedra(const TriangleRows& rows, BlockOutput& out);
+  void triangle(const NearFirstRows& rows, BlockOutput& out);
+  void tetrahedra(const NearFirstRows& rows, BlockOutput& out);
+  // Kernel II: `body` is filtered_face or filtered_ends.
+  template <class Body>
+  auto filtered(const NearFirstRows& rows, const Body& body) const;
   TriangleFace exactly(const TriangleRows& rows);
   void note_coface(int j, float value, bool interior, BlockOutput& out);
   VertexState vertex_state() const;
@@ -90,6 +97,10 @@ class BallSimplices {
   }
   const LiftedVector<double>& vector(int k) const { return doubles_[static_cast<std::size_t>(k)]; }
 
+  // From so many neighbours on it pays to look for discs that a single ball covers, and so many
+  // balls, those whose planes are nearest, are tried. Only the time depends on them.
+  static constexpr std::size_t kLongList = 20, kCoverers = 16;
+
   const BallSet& balls_;
   const UniformGrid& grid_;
   const double alpha_;
@@ -98,19 +109,27 @@ class BallSimplices {
   // Of the current ball.
   BallIndex i_ = 0;
   std::int64_t weight_ = 0, ghost_reach_ = 0;
-  std::int64_t largest_offset_ = 0;  // max |d_x| over the neighbours
-  std::int64_t largest_power_ = 0;   // max |c| over the neighbours and ghosts
-  double radius_square_ = 0;         // w + alpha
-  bool filter_ = false;              // double precision is certified
-  int first_ = 0;                    // slot of the first later neighbour
-  int words_ = 0;                    // of a row of bits
+  std::int64_t largest_offset_ = 0;   // max |d_x| over the neighbours
+  std::int64_t largest_power_ = 0;    // max |c| over the neighbours and ghosts
+  double radius_square_ = 0;          // w + alpha
+  bool filter_ = false;               // double precision is certified
+  int first_ = 0;                     // slot of the first later neighbour
+  int words_ = 0;                     // of a row of bits
+  bool attached_ = false;             // p_i is not certainly within the power cell of i
+  bool culled_ = false;               // only neighbours that may have a facet are left
+  std::vector<std::uint32_t> slots_;  // of the neighbours
   Neighbours neighbours_;
   std::vector<float> dx_, dy_, dz_, reach_;
   std::vector<LiftedVector<double>> doubles_;  // the vectors once more
   std::vector<int> common_;                    // slots of the balls that meet i and the current j
   std::vector<std::uint32_t> rows_;            // of the later neighbours: who meets them
-  std::vector<char> dead_;                     // later neighbours j: edge ij is not in K_alpha
-  std::vector<std::uint32_t> edge_;            // their edges in the block's output
+  std::vector<char> dead_;                     // neighbours j: edge ij is not in K_alpha
+  // Of a culled list: those whose planes are nearest.
+  std::vector<std::pair<double, std::size_t>> planes_;
+  std::vector<FacetDisc<double>::Coverer> coverers_;
+  std::vector<char> is_near_;
+  std::vector<std::uint32_t> near_;  // the same as a row of bits
+  std::vector<std::uint32_t> edge_;  // their edges in the block's output
 
   std::size_t dual_edges_ = 0, exact_dual_edges_ = 0;
   double exact_milliseconds_ = 0;

@@ -114,20 +114,28 @@ class DualEdge {
                (n_square + n_error * (2 * n_sum + 3 * n_error));
   }
 
+  // The same without errors.
+  struct LineCut {
+    Real slope, offset;
+  };
+  ALPHASCOPE_INLINE LineCut line_cut(const LiftedVector<Real>& m) const {
+    return {
+        multiply_add(m.x, n_.x, multiply_add(m.y, n_.y, m.z * n_.z)),
+        multiply_add(-m.x, foot_.x,
+                     multiply_add(-m.y, foot_.y, multiply_add(-m.z, foot_.z, Real(0.5) * m.c)))};
+  }
   // How ball m cuts the line: where s (d_m·n) = c_m / 2 - d_m·foot, each within its error.
   struct Cut {
     Real slope, offset, slope_error, offset_error;
   };
   ALPHASCOPE_INLINE Cut cut_by(const LiftedVector<Real>& m) const {
     const Real length = magnitude(m.x) + magnitude(m.y) + magnitude(m.z);
-    return {multiply_add(m.x, n_.x, multiply_add(m.y, n_.y, m.z * n_.z)),
-            multiply_add(-m.x, foot_.x,
-                         multiply_add(-m.y, foot_.y, multiply_add(-m.z, foot_.z, Real(0.5) * m.c))),
-            length * slope_error_,
+    const LineCut cut = line_cut(m);
+    return {cut.slope, cut.offset, length * slope_error_,
             multiply_add(Real(2.6) * kU, magnitude(m.c), length * offset_error_)};
   }
 
-  // Within the disc, does it certainly take nothing, or certainly all?
+  // Of what is left, does it certainly take nothing, or certainly all?
   enum class Takes { nothing, all, some };
   ALPHASCOPE_INLINE Takes takes(const Cut& cut) const {
     const Real farthest =
@@ -162,6 +170,9 @@ class DualEdge {
     } else {
       low_ = {t, error, id};
     }
+    // What is left; both ends were at reach_, and may be before the foot.
+    const Real high_reach = high_.t + high_.error, low_reach = low_.t + low_.error;
+    reach_ = Real(1.000003) * (high_reach > low_reach ? high_reach : low_reach);
     return high_.t + low_.t < -(high_.error + low_.error);
   }
 
@@ -172,6 +183,13 @@ class DualEdge {
   ALPHASCOPE_INLINE bool certainly_there() const {
     return high_.cutter < 0 || low_.cutter < 0 || high_.t + low_.t > high_.error + low_.error;
   }
+
+  // Of its line_cut(): errors of slope and offset, per |x| + |y| + |z| of a vector; the offset errs
+  // by 2.6 u |c| as well.
+  ALPHASCOPE_INLINE Real slope_error() const { return slope_error_; }
+  ALPHASCOPE_INLINE Real offset_error() const { return offset_error_; }
+  // What is left has |s| <= reach().
+  ALPHASCOPE_INLINE Real reach() const { return reach_; }
 
   ALPHASCOPE_INLINE const End& high() const { return high_; }
   ALPHASCOPE_INLINE const End& low() const { return low_; }

@@ -49,6 +49,12 @@ struct TriangleRows {
   }
 };
 
+// The same with the bits of those neighbours whose planes are nearest: they cut first, and little
+// is left to do for the rest.
+struct NearFirstRows : TriangleRows {
+  const std::uint32_t* near;
+};
+
 // The last vertices of a triangle's tetrahedra in K_alpha, -1 for none; not `known`: undecided.
 struct TriangleEnds {
   int high, low;
@@ -70,14 +76,15 @@ struct TriangleFace {
   ALPHASCOPE_INLINE int cofaces() const { return (high >= 0) + (low >= 0); }
 };
 
-// Clips by at most `limit` common neighbours; true when nothing is left. `lifted(m)`: the vector of
-// neighbour m in the units of Real. (One loop over the bits of all words costs a GPU 2 % more.)
-template <class Real, class Lifted>
-ALPHASCOPE_INLINE bool clips_away(DualEdge<Real>& edge, const TriangleRows& t, int words, int limit,
+// Clips by the neighbours whose bits `cutters(word)` gives; true when nothing is left. `lifted(m)`:
+// the vector of neighbour m in the units of Real. (One loop over the bits of all words costs a GPU
+// 2 % more.)
+template <class Real, class Cutters, class Lifted>
+ALPHASCOPE_INLINE bool clips_away(DualEdge<Real>& edge, int words, const Cutters& cutters,
                                   const Lifted& lifted) {
   using Takes = typename DualEdge<Real>::Takes;
-  for (int w = 0; w < words && limit > 0; ++w) {
-    for (std::uint32_t bits = t.common(w); bits != 0 && limit > 0; bits &= bits - 1, --limit) {
+  for (int w = 0; w < words; ++w) {
+    for (std::uint32_t bits = cutters(w); bits != 0; bits &= bits - 1) {
       const int m = w * 32 + lowest_bit(bits);
       const auto cut = edge.cut_by(lifted(m));
       const Takes takes = edge.takes(cut);
@@ -87,17 +94,31 @@ ALPHASCOPE_INLINE bool clips_away(DualEdge<Real>& edge, const TriangleRows& t, i
   return false;
 }
 
-// The dual edge of a triangle after all its cuts; false when nothing is left.
 template <class Real, class Lifted>
-ALPHASCOPE_INLINE bool clipped_edge(DualEdge<Real>& edge, const TriangleRows& t, int words,
+ALPHASCOPE_INLINE bool clips_away(DualEdge<Real>& edge, const TriangleRows& t, int words,
+                                  const Lifted& lifted) {
+  return clips_away(
+      edge, words, [&](int w) { return t.common(w); }, lifted);
+}
+template <class Real, class Lifted>
+ALPHASCOPE_INLINE bool clips_away(DualEdge<Real>& edge, const NearFirstRows& t, int words,
+                                  const Lifted& lifted) {
+  return clips_away(
+             edge, words, [&](int w) { return t.common(w) & t.near[w]; }, lifted) ||
+         clips_away(
+             edge, words, [&](int w) { return t.common(w) & ~t.near[w]; }, lifted);
+}
+
+// The dual edge of a triangle after all its cuts; false when nothing is left.
+template <class Real, class Rows, class Lifted>
+ALPHASCOPE_INLINE bool clipped_edge(DualEdge<Real>& edge, const Rows& t, int words,
                                     Real radius_square, const Lifted& lifted) {
-  return edge.start(lifted(t.j), lifted(t.k), radius_square) &&
-         !clips_away(edge, t, words, 32 * words, lifted);
+  return edge.start(lifted(t.j), lifted(t.k), radius_square) && !clips_away(edge, t, words, lifted);
 }
 
 // Kernel II of one triangle, tetrahedra only: those whose last vertex comes after k.
-template <class Real, class Lifted>
-ALPHASCOPE_INLINE TriangleEnds filtered_ends(const TriangleRows& t, int words, Real radius_square,
+template <class Real, class Rows, class Lifted>
+ALPHASCOPE_INLINE TriangleEnds filtered_ends(const Rows& t, int words, Real radius_square,
                                              const Lifted& lifted) {
   DualEdge<Real> edge;
   if (!clipped_edge(edge, t, words, radius_square, lifted)) return {-1, -1, true};
@@ -139,8 +160,8 @@ ALPHASCOPE_INLINE TriangleFace decided_face(const FaceDecisions& d, int high, in
 }
 
 // Kernel II of one triangle.
-template <class Real, class Lifted>
-ALPHASCOPE_INLINE TriangleFace filtered_face(const TriangleRows& t, int words, Real radius_square,
+template <class Real, class Rows, class Lifted>
+ALPHASCOPE_INLINE TriangleFace filtered_face(const Rows& t, int words, Real radius_square,
                                              const Lifted& lifted) {
   DualEdge<Real> edge;
   if (!clipped_edge(edge, t, words, radius_square, lifted)) return TriangleFace::absent();

@@ -8,6 +8,7 @@
 #include <random>
 #include <set>
 
+#include "core/complex/dual_edge_probe.hpp"
 #include "core/complex/facet_disc.hpp"
 #include "core/complex/triangle_faces.hpp"
 
@@ -177,6 +178,33 @@ TEST_P(DualEdges, DoublePrecisionIsNeverWrong) {
   EXPECT_GT(count.attached, 20u);
 }
 
+// What the probe drops is no simplex; and it drops about as much as all that clip() knows.
+TEST_P(DualEdges, ProbedAwayTrianglesAreNone) {
+  std::mt19937 random(3);
+  // As the vectors of balls that meet are scaled.
+  const float scale = std::ldexp(1.0f, -std::ilogb(2.0f * static_cast<float>(GetParam())));
+  std::size_t dropped = 0, clipped = 0, wrong = 0;
+  for (int round = 0; round < 40000; ++round) {
+    const Neighbours n = random_neighbours(random, GetParam());
+    const double alpha = alpha_of(n, round, random);
+    if (!sensible(alpha)) continue;
+    const auto lifted = [&](int m) { return scaled(n.lifted(m), scale); };
+    const float square = static_cast<float>(static_cast<double>(weight()) + alpha) * scale * scale;
+    DualEdge<float> edge;
+    if (!edge.start(lifted(0), lifted(1), square)) continue;
+    DualEdgeProbe<float> probe(edge, 1.75f, 2);
+    bool gone = false;
+    for (int m = 2; m < kCount; ++m) gone = probe.clip(lifted(m)) || gone;
+    clipped += clips_away(edge, kTriangle, 1, lifted);
+    if (!gone) continue;
+    ++dropped;
+    wrong += Definition(around(n, alpha), n).face().in == Decision::in;
+  }
+  EXPECT_EQ(wrong, 0u);
+  EXPECT_GT(clipped, 1000u);
+  EXPECT_GT(10 * dropped, GetParam() >= 3000 ? 9 * clipped : 2 * clipped);
+}
+
 TEST_P(DualEdges, ExactFacesAreThoseOfTheDefinition) {
   std::mt19937 random(7);
   std::size_t found = 0;
@@ -200,7 +228,7 @@ TEST_P(DualEdges, CutCentresOfDiscsAreCut) {
   for (int round = 0; round < 40000; ++round) {
     const Neighbours n = random_neighbours(random, GetParam());
     const FacetDisc<float> disc(scaled(n.lifted(0), scale), 1.0f);
-    const Decision ours = disc.cut_by(scaled(n.lifted(1), scale)).centre;
+    const Decision ours = disc.centre_cut_by(scaled(n.lifted(1), scale));
     const int exact = edge_foot_cut_exact(n.lifted(0), n.lifted(1));
     if (ours == Decision::in) {
       EXPECT_EQ(exact, 1);
@@ -231,7 +259,8 @@ TEST_P(DualEdges, CoveredDiscsAreCovered) {
       EXPECT_GT(depth, square);
       continue;
     }
-    if (!disc.cut_by(scaled(n.lifted(1), scale)).covers || depth > square) continue;
+    if (!disc.covered_by(FacetDisc<float>::coverer(scaled(n.lifted(1), scale))) || depth > square)
+      continue;
     ++covered;
     // Farthest along -d_m in the plane: the point that m cuts off last.
     const double share = dot(m, j) / length;

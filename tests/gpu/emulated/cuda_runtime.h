@@ -143,6 +143,12 @@ T atomicMin(T* to, std::type_identity_t<T> value) {
   return old;
 }
 template <class T>
+T atomicAnd(T* to, std::type_identity_t<T> value) {
+  const T old = *to;
+  *to = old & value;
+  return old;
+}
+template <class T>
 T atomicOr(T* to, std::type_identity_t<T> value) {
   const T old = *to;
   *to = old | value;

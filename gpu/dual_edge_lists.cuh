@@ -1,0 +1,283 @@
+// Kernel I: the ordered lists of a block's balls' neighbours. From long lists, the neighbours are
+// left out that have no facet (facet_disc.hpp says which and why).
+#pragma once
+
+#include <cfloat>
+#include <climits>
+
+#include "gpu/dual_edge_rows.cuh"
+
+namespace alphascope::gpu {
+
+// Marks of a slot in a list that is being made.
+constexpr std::uint32_t kNearBit = 1u << 31, kDeadBit = 1u << 30, kSlotBits = kDeadBit - 1;
+
+template <class Kind>
+__device__ inline std::uint32_t slot_of(std::uint32_t found) {
+  return Kind::kCull ? found & kSlotBits : found;
+}
+
+__device__ inline int lane_of_half() {
+  return threadIdx.x & (kSearchLanes - 1);
+}
+// The votes of the lanes of this half warp.
+__device__ inline unsigned half_ballot(bool vote) {
+  return __ballot_sync(~0u, vote) >> (threadIdx.x & kSearchLanes) & 0xffffu;
+}
+
+// The scaled vector of ball q seen from `centre`. `*inside`: the centre has less power to its own
+// ball.
+__device__ inline LiftedVector<float> scaled_vector(const Problem& p, const int4& centre,
+                                                    const int4& q, bool* inside) {
+  const std::int64_t x = q.x - centre.x, y = q.y - centre.y, z = q.z - centre.z;
+  const std::int64_t wi = static_cast<std::int64_t>(centre.w) * centre.w;
+  const std::int64_t c = x * x + y * y + z * z + wi - static_cast<std::int64_t>(q.w) * q.w;
+  *inside = c > 0;
+  return {static_cast<float>(x) * p.scale, static_cast<float>(y) * p.scale,
+          static_cast<float>(z) * p.scale, static_cast<float>(c) * p.scale * p.scale};
+}
+
+// Leaves out of the `n` balls that half a warp found those without a facet. Both halves of a warp
+// call it, each for its ball.
+class Culler {
+ public:
+  __device__ Culler(const Problem& p, const SortedBalls& sorted, const DualEdgeMemory& m,
+                    const int4& centre, float radius_square, int n)
+      : p_(p),
+        sorted_(sorted),
+        m_(m),
+        centre_(centre),
+        radius_square_(radius_square),
+        n_(n),
+        // As many rounds as the longer list of the two takes.
+        end_(max(n, __shfl_xor_sync(~0u, n, kSearchLanes))) {}
+
+  // Returns how many are left; marks those whose planes are nearest, and those that are dead but
+  // still needed.
+  __device__ int cull() {
+    const bool attached = measure();
+    const float nearest = threshold();
+    const int coverers = list_coverers(nearest);
+    return leave_out(coverers, attached);
+  }
+
+ private:
+  __device__ LiftedVector<float> vector(int a, bool* inside) const {
+    return scaled_vector(p_, centre_, sorted_.ball[m_.found[a] & kSlotBits], inside);
+  }
+  __device__ float& key(int a) const { return reinterpret_cast<float*>(m_.found_index)[a]; }
+
+  // Keys: twice the distances of the planes. True when the ball's centre is not within its cell.
+  __device__ bool measure() const {
+    bool all_inside = true;
+    for (int a = lane_of_half(); a < n_; a += kSearchLanes) {
+      bool inside = false;
+      const LiftedVector<float> v = vector(a, &inside);
+      key(a) = v.c * rough_reciprocal(rough_square_root(fmaf(v.x, v.x, fmaf(v.y, v.y, v.z * v.z))));
+      all_inside = all_inside && inside;
+    }
+    __syncwarp();
+    return half_ballot(!all_inside) != 0;
+  }
+
+  // A key that at most kCoverers keys do not exceed, and if it can be found in a few halvings, not
+  // many fewer. Any would do.
+  __device__ float threshold() const {
+    float enough = n_ <= kCoverers ? FLT_MAX : -FLT_MAX, low = 0,
+          high = 2 * rough_square_root(fmaxf(radius_square_, 1e-30f));
+    bool found = n_ <= kCoverers;
+    for (int step = 0; step < 8 && __any_sync(~0u, !found); ++step) {
+      const float middle = 0.5f * (low + high);
+      int count = 0;
+      for (int a = lane_of_half(); a - lane_of_half() < end_; a += kSearchLanes)
+        count += __popc(half_ballot(a < n_ && key(a) <= middle));
+      if (found) continue;
+      (count <= kCoverers ? low : high) = middle;
+      if (count <= kCoverers) enough = middle;
+      found = count <= kCoverers && count >= kCoverers - 3;
+    }
+    return enough;
+  }
+
+  __device__ int list_coverers(float nearest) const {
+    int count = 0;
+    for (int a = lane_of_half(); a - lane_of_half() < end_; a += kSearchLanes) {
+      const bool near = a < n_ && key(a) <= nearest;
+      const unsigned all = half_ballot(near);
+      if (near) {
+        bool inside = false;
+        const auto m = FacetDisc<float>::coverer(vector(a, &inside));
+        const int at = count + __popc(all & ((1u << lane_of_half()) - 1));
+        m_.coverers[at] = make_float4(m.d.x, m.d.y, m.d.z, m.d.c);
+        m_.coverer_lengths[at] = m.length;
+        m_.found[a] |= kNearBit;
+      }
+      count += __popc(all);
+    }
+    __syncwarp();
+    return count;
+  }
+
+  __device__ bool has_no_facet(const LiftedVector<float>& v, int coverers) const {
+    const FacetDisc<float> disc(v, radius_square_);
+    if (disc.certainly_empty()) return true;
+    for (int r = 0; r < coverers; ++r) {
+      const float4 d = m_.coverers[r];
+      if (disc.covered_by({{d.x, d.y, d.z, d.w}, m_.coverer_lengths[r]})) return true;
+    }
+    return false;
+  }
+
+  // In place: what a round writes has been read.
+  __device__ int leave_out(int coverers, bool attached) const {
+    int left = 0;
+    for (int a = lane_of_half(); a - lane_of_half() < end_; a += kSearchLanes) {
+      std::uint32_t slot = 0;
+      bool dead = true;
+      if (a < n_) {
+        bool inside = false;
+        slot = m_.found[a];
+        dead = has_no_facet(vector(a, &inside), coverers);
+        if (dead) slot |= kDeadBit;
+      }
+      const bool stays = a < n_ && (attached || !dead);
+      const unsigned all = half_ballot(stays);
+      if (stays) m_.found[left + __popc(all & ((1u << lane_of_half()) - 1))] = slot;
+      left += __popc(all);
+      __syncwarp();
+    }
+    return left;
+  }
+
+  const Problem& p_;
+  const SortedBalls& sorted_;
+  const DualEdgeMemory& m_;
+  const int4 centre_;
+  const float radius_square_;
+  const int n_, end_;
+};
+
+// Writes ball b's list ordered by index, relative to the ball; after the indices found, there are
+// three above all. Half a warp; true where a lane met a
+// ball whose power at the centre is no larger.
+template <class Kind>
+__device__ inline bool order_list(const DualEdgeProblem& p, const SortedBalls& sorted,
+                                  const DualEdgeMemory& m, const int4& centre, int n, int entry0,
+                                  int b) {
+  bool attached = false;
+  for (int a = lane_of_half(); a < n; a += kSearchLanes) {
+    const std::uint32_t found = m.found[a], t = slot_of<Kind>(found), index = m.found_index[a];
+    const float reach = sorted.near[t].w * p.common.scale;
+    int rank = 0;
+    for (int o = 0; o < n; o += 4) {
+      const uint4 others = *reinterpret_cast<const uint4*>(m.found_index + o);
+      rank += (others.x < index) + (others.y < index) + (others.z < index) + (others.w < index);
+    }
+    bool inside = false;
+    const LiftedVector<float> v = scaled_vector(p.common, centre, sorted.ball[t], &inside);
+    const int entry = entry0 + rank, word = b * p.words + (rank >> 5);
+    m.vectors[entry] = make_float4(v.x, v.y, v.z, v.c);
+    m.reach[entry] = reach;
+    m.index[entry] = index;
+    if (Kind::kEdges && !(Kind::kCull && (found & kDeadBit)))
+      atomicOr(&m.possible[word], 1u << (rank & 31));
+    if (Kind::kCull && (found & kNearBit)) atomicOr(&m.near[word], 1u << (rank & 31));
+    attached = attached || !inside;
+  }
+  return attached;
+}
+
+// What blocks met, for the room of the next run.
+template <class Kind>
+__device__ inline void note_list(const DualEdgeProblem& p, BlockStatistics& met, int found,
+                                 int left) {
+  const bool fits = found <= p.common.search_capacity;
+  if (Kind::kExact || !fits) note_largest(&met.most_found, found);
+  if (Kind::kExact || left > static_cast<int>(p.capacity.list))
+    note_largest(&met.longest_list, left);
+  if (Kind::kExact || blockIdx.x % kSampled != 0) return;
+  if (!fits) left = found;  // at most
+  add(&met.balls, 1);
+  add(&met.found, found);
+  add(&met.found_squares, static_cast<std::uint64_t>(found) * found);
+  add(&met.entries, left);
+  add(&met.entry_squares, static_cast<std::uint64_t>(left) * left);
+}
+
+// Kernel I of the block's balls, half a warp each: their ordered lists. Balls without room are
+// marked.
+template <class Kind>
+__device__ inline void find_lists(const DualEdgeProblem& p, const SortedBalls& sorted,
+                                  const DualEdgeOutput& out, const DualEdgeMemory& m, BlockBalls& s,
+                                  std::uint32_t first, int balls) {
+  const int lane = lane_of_half(), half = threadIdx.x & kSearchLanes;
+  if (threadIdx.x == 0)
+    s.entries = s.rows = s.next_triangle = s.next_work = s.survivors = s.kept = 0;
+  if (threadIdx.x < kLengths) s.lengths[threadIdx.x] = 0;
+  for (int w = threadIdx.x; w < balls * p.words; w += kBlockThreads) m.possible[w] = m.near[w] = 0;
+  __syncthreads();
+  for (int pair = threadIdx.x >> 5; 2 * pair < balls; pair += kBlockThreads / 32) {
+    // Of an odd last pair, the second half repeats the first's reads in vain.
+    const bool active = half == 0 || 2 * pair + 1 < balls;
+    const int b = 2 * pair + (half != 0 && active);
+    const std::uint32_t slot = first + b, index = sorted.index[slot];
+    const int4 centre = sorted.ball[slot];
+    const int all = search_neighbours(p.common, sorted, slot, active,
+                                      s.surroundings[threadIdx.x / kSearchLanes], m.found);
+    const double square =
+        static_cast<double>(static_cast<std::int64_t>(centre.w) * centre.w) + p.common.alpha;
+    const float radius_square = static_cast<float>(square) * p.radius_scale;
+    int n = all <= p.common.search_capacity ? all : 0;
+    if constexpr (Kind::kCull) n = Culler(p.common, sorted, m, centre, radius_square, n).cull();
+    int later = 0;
+    for (int a = lane; a < n; a += kSearchLanes) {
+      const std::uint32_t other = sorted.index[slot_of<Kind>(m.found[a])];
+      m.found_index[a] = other;
+      later += other > index;
+    }
+    if (lane < 3) m.found_index[n + lane] = ~0u;  // order_list takes four at a time
+    for (int step = kSearchLanes / 2; step > 0; step /= 2)
+      later += __shfl_xor_sync(~0u, later, step);
+    __syncwarp();  // order_list reads what other lanes found
+    int entry0 = 0, row0 = 0;
+    if (lane == 0 && active) {
+      entry0 = atomicAdd(&s.entries, n);
+      row0 = atomicAdd(&s.rows, later);
+    }
+    entry0 = __shfl_sync(~0u, entry0, half);
+    row0 = __shfl_sync(~0u, row0, half);
+    const int row_room = static_cast<int>(p.capacity.rows);
+    const bool room = all <= p.common.search_capacity && n <= static_cast<int>(p.capacity.list) &&
+                      entry0 + n <= static_cast<int>(p.capacity.entries) &&
+                      row0 + later <= row_room;
+    if (active) {
+      // Rows of a ball without room still count: they are nobody's.
+      for (int a = lane; a < later && row0 + a < row_room; a += kSearchLanes) {
+        m.row_ball[row0 + a] = static_cast<std::uint8_t>(room ? b : kMaxBallsPerBlock);
+      }
+    }
+    const bool lane_attached =
+        active && room && order_list<Kind>(p, sorted, m, centre, n, entry0, b);
+    const bool attached = half_ballot(lane_attached) != 0;
+    if (active && lane == 0) {
+      s.radius_square[b] = radius_square;
+      s.ball[b] = centre;
+      s.index[b] = index;
+      s.list[b] = room ? n : 0;
+      s.later[b] = room ? later : 0;
+      s.entry0[b] = entry0;
+      s.row0[b] = row0;
+      s.attached[b] = attached;
+      s.first_triangle[b] = INT_MAX;
+      s.end_triangle[b] = 0;
+      s.exact[b] = room ? 0 : 2;
+      note_list<Kind>(p, *out.statistics, all, n);
+    }
+    __syncwarp();
+  }
+  __syncthreads();
+  if (threadIdx.x == 0) s.rows = min(s.rows, static_cast<int>(p.capacity.rows));
+  __syncthreads();
+}
+
+}  // namespace alphascope::gpu

@@ -15,12 +15,12 @@
 namespace alphascope {
 namespace {
 
-// Microseconds of one thread per ball: a fit to 1K4C (16,068 balls, alpha 0 to 5 and
-// solvent 1.4: 5.7 to 36 neighbours a ball) on one core of an AMD EPYC. Only the choice of a route
+// Microseconds of one thread per ball: a fit to 1K4C (16,068 balls, alpha 0 to 14 and
+// solvent 1.4: 5.8 to 88 neighbours a ball) on one core of an AMD EPYC. Only the choice of a route
 // depends on it, never a result.
 double facet_cost(const NeighbourMoments& m, bool tetrahedra_only) {
-  return tetrahedra_only ? 0.1 + 0.04 * m.mean + 0.006 * m.mean_square
-                         : 0.1 + 0.15 * m.mean + 0.0067 * m.mean_square;
+  return tetrahedra_only ? 0.1 + 0.085 * m.mean + 0.0034 * m.mean_square
+                         : 0.1 + 0.2 * m.mean + 0.0025 * m.mean_square;
 }
 constexpr std::size_t kCostSamples = 256;
 // The same for the triangulation and, for a whole complex, its alpha values.

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numeric>
 #include <stdexcept>
@@ -172,6 +173,35 @@ TEST_P(Properties, StaysUsableWhenCancelled) {
   EXPECT_GT(complex.tetrahedra.size(), 0u);
   EXPECT_TRUE(compare(complex, make_cgal_engine(balls, {1})->compute({100000}, {})).identical());
   EXPECT_GT(complex.timings.stages.size(), 0u);
+}
+
+// Long lists, of which most neighbours are left out; of balls whose centre a larger one has within
+// its cell, none are. Centres are dense, so that many tie.
+TEST_P(Properties, LongListsEqualCgal) {
+  Random random(2024);
+  int compared = 0;
+  for (const int large : {7, 12}) {
+    const int count = std::min(400, GetParam().most_balls);
+    const int extent = static_cast<int>(3 * std::cbrt(count));
+    BallSet balls = testing::random_balls(random, count, extent, 4, 7);
+    for (std::size_t b = 0; b < balls.size(); b += 9) balls.radii[b] = large;
+    const auto shared = std::make_shared<const BallSet>(balls);
+    const auto reference = make_cgal_engine(shared, {1});
+    for (const double alpha : {25.0, 60.0, 150.0}) {
+      // The limit is about the tuple engines.
+      if (GetParam().name.starts_with("tuples") && !GetParam().affords(balls, alpha)) continue;
+      const UniformGrid grid =
+          make_uniform_grid(balls, balls.lattice.alpha_on_lattice(alpha), coincident_hidden(balls));
+      EXPECT_GT(sample_neighbours(grid, 400).mean, 20);
+      ++compared;
+      const AlphaComplex ours = GetParam().make(shared)->compute({alpha}, {}),
+                         theirs = reference->compute({alpha}, {});
+      EXPECT_TRUE(compare(ours, theirs).identical()) << "radius " << large << ", alpha " << alpha;
+      AlphaComplex alone = GetParam().make(shared)->compute({alpha, true}, {});
+      EXPECT_EQ(alone.tetrahedra.simplices, theirs.tetrahedra.simplices);
+    }
+  }
+  EXPECT_GT(compared, 1);
 }
 
 TEST_P(Properties, MoleculeMeetsTheDefinition) {

@@ -231,14 +231,18 @@ __device__ inline void find_faces(const DualEdgeProblem& p, const DualEdgeMemory
   __syncthreads();
 }
 
-// Kernel III of the block's triangles.
+// Kernel III of the block's triangles: single precision once more, which spares most of them, and
+// the rest for certain.
 template <class Kind>
 __device__ inline void find_faces_exactly(const DualEdgeProblem& p, const DualEdgeMemory& m,
                                           BlockBalls& s, int triangles, int words) {
   for (int t = threadIdx.x; t < triangles; t += kBlockThreads) {
     const Triangle triangle(m, s, words, m.triangles[t]);
-    note_face<Kind>(p, m, s, triangle, t,
-                    decided_face(p, exact_neighbours(p, m, s, triangle.ball), triangle));
+    const std::uint32_t* near = m.near + triangle.ball * words;
+    TriangleFace face = found_face<Kind>(m, s, triangle, NearFirstRows{triangle, near}, words);
+    if (face.in == Decision::unknown)
+      face = decided_face(p, exact_neighbours(p, m, s, triangle.ball), triangle);
+    note_face<Kind>(p, m, s, triangle, t, face);
   }
   __syncthreads();
 }

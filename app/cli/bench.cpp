@@ -8,10 +8,10 @@
 #include <iostream>
 
 #include "app/cli/commands.hpp"
+#include "app/cli/csv_output.hpp"
 #include "app/cli/report_json.hpp"
 #include "app/cli/terminal.hpp"
 #include "app/cli/text.hpp"
-#include "app/cli/csv_output.hpp"
 
 namespace alphascope::cli {
 namespace {

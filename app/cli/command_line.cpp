@@ -45,9 +45,10 @@ const CLI::Validator kFinite(
     "NUMBER");
 
 void add_input(CLI::App& command, InputOptions& input) {
-  command.add_option("--radii", input.radii,
-                     "Radii: auto, file (the file's own), bondi, protor, alvarez, amber, naccess, "
-                     "rasmol; or a file with a table of your own")
+  command
+      .add_option("--radii", input.radii,
+                  "Radii: auto, file (the file's own), bondi, protor, alvarez, amber, naccess, "
+                  "rasmol; or a file with a table of your own")
       ->type_name("SET");
   command
       .add_option("--model", input.model,
@@ -63,8 +64,9 @@ void add_input(CLI::App& command, InputOptions& input) {
   command.add_option("--without-chain", input.without_chains, "All but these chains")
       ->delimiter(',')
       ->type_name("ID");
-  command.add_option("--select", input.select,
-                     "Only what this picks, such as \"chain A and not resn HEM\"")
+  command
+      .add_option("--select", input.select,
+                  "Only what this picks, such as \"chain A and not resn HEM\"")
       ->type_name("EXPRESSION");
   command.add_option("--assembly", input.assembly, "Expand a biological assembly; info lists them")
       ->type_name("ID");
@@ -100,16 +102,20 @@ void add_alphas(CLI::App& command, std::vector<double>& alphas) {
 void add_tuples(CLI::App& command, SessionRequest& request) {
   constexpr const char* kGroup = "Options of --engine tuples-cpu and tuples-gpu (same result)";
   TupleOptions& tuples = request.tuples;
-  command.add_option_function<std::string>(
-             "--tuple-grid",
-             [&tuples](const std::string& id) {
-               tuples.grid = id == "100" ? TupleGridKind::thesis : TupleGridKind::automatic;
-             },
-             "Cells: auto, or 100 for 100 x 100 x 100")
+  command
+      .add_option_function<std::string>(
+          "--tuple-grid",
+          [&tuples](const std::string& id) {
+            tuples.grid = id == "100" ? TupleGridKind::thesis : TupleGridKind::automatic;
+          },
+          "Cells: auto, or 100 for 100 x 100 x 100")
       ->check(CLI::IsMember({"auto", "100"}))
       ->group(kGroup);
   const auto off = [&](const char* name, bool& value, const char* help) {
-    command.add_flag_callback(name, [&value] { value = false; }, help)->group(kGroup);
+    command
+        .add_flag_callback(
+            name, [&value] { value = false; }, help)
+        ->group(kGroup);
   };
   off("--no-edge-optimisation", tuples.edge_optimisation,
       "Enumerate tuples of balls that do not all meet, too");
@@ -121,8 +127,8 @@ void add_tuples(CLI::App& command, SessionRequest& request) {
       ->check(CLI::Range(1, 8))
       ->type_name("N")
       ->group(kGroup);
-  command.add_option("--tuples-per-batch", tuples.tuples_per_batch,
-                     "Tuples held at once, 0 to choose")
+  command
+      .add_option("--tuples-per-batch", tuples.tuples_per_batch, "Tuples held at once, 0 to choose")
       ->check(CLI::Range(0, 100'000'000))
       ->type_name("N")
       ->group(kGroup);
@@ -134,14 +140,15 @@ void add_tuples(CLI::App& command, SessionRequest& request) {
 }
 
 void add_engine(CLI::App& command, SessionRequest& request, bool threads) {
-  command.add_option("--solvent", request.solvent_radius_angstrom, "Solvent radius in Å, from 0 up")
+  command
+      .add_option("--solvent", request.solvent_radius_angstrom, "Solvent radius in Å, from 0 up")
       ->check(kFinite)
       ->check(CLI::Range(0.0, 100.0))
       ->type_name("S");
-  command.add_option_function<std::string>(
-             "--engine",
-             [&request](const std::string& id) { request.engine = *engine_from_id(id); },
-             "auto takes the GPU when there is one; the result is the same")
+  command
+      .add_option_function<std::string>(
+          "--engine", [&request](const std::string& id) { request.engine = *engine_from_id(id); },
+          "auto takes the GPU when there is one; the result is the same")
       ->check(CLI::IsMember({"auto", "cpu", "cgal", "gpu", "tuples-cpu", "tuples-gpu"}));
   if (threads) {
     command.add_option("--threads", request.threads, "CPU threads; 0 for all")
@@ -166,10 +173,13 @@ void add_compute(CLI::App& app, ComputeOptions& options, Command& chosen) {
   add_file(command, options.input);
   add_alpha(command, options.request);
   add_engine(command, options.request, true);
-  command.add_option("--json", options.json,
-                     "Counts, hash, times and provenance as JSON, - for standard output")
+  command
+      .add_option("--json", options.json,
+                  "Counts, hash, times and provenance as JSON, - for standard output")
       ->type_name("OUT");
-  command.add_option("--csv", options.csv, "Counts and provenance as CSV, one row for each model; - for standard output")
+  command
+      .add_option("--csv", options.csv,
+                  "Counts and provenance as CSV, one row for each model; - for standard output")
       ->type_name("OUT");
   command.add_option("--out", options.out, "All simplices with their alpha values, as text")
       ->type_name("COMPLEX");
@@ -197,22 +207,27 @@ void add_verify(CLI::App& app, VerifyOptions& options, Command& chosen) {
 // What only --suite thesis has.
 void add_thesis_suite(CLI::App& command, BenchOptions& options) {
   constexpr const char* kGroup = "The thesis' table and figures";
-  command.add_option("--suite", options.suite,
-                     "thesis: all engines, stages, ablations and figures of the thesis' chapter 4")
+  command
+      .add_option("--suite", options.suite,
+                  "thesis: all engines, stages, ablations and figures of the thesis' chapter 4")
       ->check(CLI::IsMember({"thesis"}))
       ->group(kGroup);
-  command.add_option("--engines", options.engines, "Those of the suite; all that can run if left out")
+  command
+      .add_option("--engines", options.engines, "Those of the suite; all that can run if left out")
       ->delimiter(',')
       ->check(CLI::IsMember({"cpu", "gpu", "tuples-cpu", "tuples-gpu"}))
       ->type_name("ID,...")
       ->group(kGroup);
-  command.add_option("--seconds", options.seconds_per_row,
-                     "Most time for a row; what needs longer for one run is left out")
+  command
+      .add_option("--seconds", options.seconds_per_row,
+                  "Most time for a row; what needs longer for one run is left out")
       ->check(CLI::Range(0.1, 86400.0))
       ->type_name("S")
       ->group(kGroup);
-  command.add_flag_callback("--no-ablation", [&options] { options.ablation = false; },
-                            "Without the rows that switch optimisations off")
+  command
+      .add_flag_callback(
+          "--no-ablation", [&options] { options.ablation = false; },
+          "Without the rows that switch optimisations off")
       ->group(kGroup);
   command.add_option("--json", options.json, "The table as JSON, - for standard output")
       ->type_name("OUT")
@@ -227,8 +242,9 @@ void add_bench(CLI::App& app, BenchOptions& options, Command& chosen) {
       "bench", "Time our engine and CGAL in one process, cold and warm; medians");
   command.add_option("FILE", options.files, "Molecules")->required();
   add_input(command, options.input);
-  command.add_option("--alpha", options.alphas,
-                     "Alphas in Å², such as -1,0,1.4; the suite takes 0,1.4,3 if left out")
+  command
+      .add_option("--alpha", options.alphas,
+                  "Alphas in Å², such as -1,0,1.4; the suite takes 0,1.4,3 if left out")
       ->delimiter(',')
       ->check(kFinite)
       ->type_name("A,B,...");
@@ -252,7 +268,9 @@ void add_screenshot(CLI::App& app, ScreenshotCommandOptions& options, Command& c
   add_alpha(command, options.request);
   add_engine(command, options.request, true);
   command.add_option("--size", options.size, "In pixels")->type_name("WxH");
-  command.add_option("-o,--output", options.out, "Picture to write")->required()->type_name("OUT.png");
+  command.add_option("-o,--output", options.out, "Picture to write")
+      ->required()
+      ->type_name("OUT.png");
   command.add_flag("--transparent", options.transparent, "No background");
   command.add_flag("--light", options.light, "Light background");
   command.add_flag("--no-balls", options.no_balls, "Without the balls");

@@ -13,7 +13,9 @@ namespace {
 // A pointer, since a signal handler may touch no object under construction.
 const CancelToken* interrupted = nullptr;
 
-extern "C" void on_interrupt(int) { interrupted->cancel(); }  // a lock-free atomic store
+extern "C" void on_interrupt(int) {
+  interrupted->cancel();
+}  // a lock-free atomic store
 
 class ProgressLine {
  public:
@@ -71,6 +73,8 @@ const RunContext& run_context() {
   return context;
 }
 
-void clear_progress() { progress_line().clear(); }
+void clear_progress() {
+  progress_line().clear();
+}
 
 }  // namespace alphascope::cli

@@ -26,8 +26,7 @@ EngineCache::Entry& EngineCache::find_or_make(const std::shared_ptr<const BallSe
 
   std::shared_ptr<const BallSet> grown = balls;
   if (request.solvent_radius_angstrom != 0) {
-    grown =
-        std::make_shared<const BallSet>(with_solvent(*balls, request.solvent_radius_angstrom));
+    grown = std::make_shared<const BallSet>(with_solvent(*balls, request.solvent_radius_angstrom));
   }
   MadeEngine made = factory_(request.engine, grown, {request.threads, request.tuples});
   entries_.push_front({balls, std::move(grown), request.solvent_radius_angstrom, request.engine,
@@ -48,8 +47,7 @@ EngineCache::Result EngineCache::answer(Entry& entry, const SessionRequest& requ
 }
 
 EngineCache::Result EngineCache::compute(const std::shared_ptr<const BallSet>& balls,
-                                         const SessionRequest& request,
-                                         const RunContext& context) {
+                                         const SessionRequest& request, const RunContext& context) {
   context.cancel.throw_if_cancelled();
   Entry& entry = find_or_make(balls, request);
   const bool may_fall_back = entry.made.uses_gpu && request.engine == EngineChoice::automatic;

@@ -16,7 +16,7 @@ struct SessionRequest {
   double solvent_radius_angstrom = 0;
   bool tetrahedra_only = false;
   EngineChoice engine = EngineChoice::automatic;
-  int threads = 0;  // 0: as many as the machine has
+  int threads = 0;           // 0: as many as the machine has
   TupleOptions tuples = {};  // of the tuple engines only
   friend bool operator==(const SessionRequest&, const SessionRequest&) = default;
 };

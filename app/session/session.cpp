@@ -66,8 +66,7 @@ void Session::submit_open(const std::filesystem::path& path) {
 }
 
 void Session::submit_reopen() {
-  const bool same_file_limit =
-      options_.read.max_bytes == state_.opened->options.read.max_bytes;
+  const bool same_file_limit = options_.read.max_bytes == state_.opened->options.read.max_bytes;
   if (!same_file_limit) {
     open(state_.molecule->source);
     return;
@@ -141,9 +140,9 @@ void Session::submit_compute(Engines which) {
        engines = engines_](const RunContext& context) {
         if (which == Engines::anew) engines->clear();
         EngineCache::Result result = engines->compute(prepared->balls, request, context);
-        auto answer = std::make_shared<const Answer>(Answer{request, prepared, std::move(result.balls),
-                                                      std::move(result.complex),
-                                                      std::move(result.note), result.cold});
+        auto answer = std::make_shared<const Answer>(
+            Answer{request, prepared, std::move(result.balls), std::move(result.complex),
+                   std::move(result.note), result.cold});
         return [this, answer] { take_answer(answer); };
       },
       failure_of(Source::computing, "Computing the complex failed: "));
@@ -185,10 +184,10 @@ void Session::submit_comparison() {
   const SessionRequest request = reference_request(comparison_threads_);
   const bool anew = std::exchange(reference_anew_, false);
   comparer_.submit(
-      [this, anew, request, ours = state_.ours, references = references_](const RunContext& context) {
+      [this, anew, request, ours = state_.ours,
+       references = references_](const RunContext& context) {
         if (anew) references->clear();
-        EngineCache::Result result =
-            references->compute(ours->prepared->balls, request, context);
+        EngineCache::Result result = references->compute(ours->prepared->balls, request, context);
         context.cancel.throw_if_cancelled();
         context.report("comparison", 0);
         auto agreement = std::make_shared<Agreement>();
@@ -268,8 +267,8 @@ SessionChanges Session::poll() {
 }
 
 SessionActivity Session::activity() const {
-  SessionActivity a{opener_.activity(), computer_.activity(), comparer_.activity(), {},
-                    opening_path_};
+  SessionActivity a{
+      opener_.activity(), computer_.activity(), comparer_.activity(), {}, opening_path_};
   if (timing_parallel_) std::swap(a.comparing, a.timing);
   return a;
 }

@@ -44,7 +44,7 @@ struct SessionState {
   ColdAndWarm our_timings, reference_timings;  // of the present balls, solvent radius and engine
   // CGAL with all threads; not of machines without enough threads. Follows an agreement.
   ColdAndWarm parallel_timings;
-  std::string last_error;                      // empty once the same thing has succeeded
+  std::string last_error;  // empty once the same thing has succeeded
 
   // `ours` answers the latest request.
   bool up_to_date() const { return ours && ours->request == request; }
@@ -52,7 +52,7 @@ struct SessionState {
 
 struct SessionActivity {
   Worker::Activity opening, computing, comparing;
-  Worker::Activity timing;  // of CGAL with all threads, after a comparison
+  Worker::Activity timing;             // of CGAL with all threads, after a comparison
   std::filesystem::path opening_path;  // while opening.busy
 };
 
@@ -97,12 +97,14 @@ class Session {
   // Latest wins. Does nothing when `request` is the present one and already answered or on its way.
   void set_request(const SessionRequest& request);
   void cancel_computing() { computer_.cancel(); }
-  // Answers the present request once more, set-up included, as if the molecule had just been opened;
-  // so does CGAL when it is next asked to compare. For the cold times of engines that were kept.
+  // Answers the present request once more, set-up included, as if the molecule had just been
+  // opened; so does CGAL when it is next asked to compare. For the cold times of engines that were
+  // kept.
   void compute_anew();
 
-  // Compares with CGAL's triangulation, on a thread of its own: the present answer, or the next when
-  // one is on its way. `threads` for CGAL: 1 is its sequential triangulation, 0 all of the machine.
+  // Compares with CGAL's triangulation, on a thread of its own: the present answer, or the next
+  // when one is on its way. `threads` for CGAL: 1 is its sequential triangulation, 0 all of the
+  // machine.
   void request_comparison(int threads = 1);
   void cancel_comparison();
 
@@ -136,7 +138,7 @@ class Session {
   Source error_source_ = Source::none;
   std::filesystem::path opening_path_;  // empty when none is on its way
   bool comparison_wanted_ = false;
-  bool reference_anew_ = false;  // of the next comparison
+  bool reference_anew_ = false;   // of the next comparison
   bool timing_parallel_ = false;  // is what the comparer does
   int comparison_threads_ = 1;
   // Each is touched by the jobs of one worker only.

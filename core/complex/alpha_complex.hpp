@@ -40,7 +40,7 @@ struct EngineInfo {
   std::string name;    // "facet engine", "CGAL triangulation"
   std::string device;  // "CPU, 2 threads", "NVIDIA H200"
   std::string route;   // "dual edge clipping", "regular triangulation, then threshold", "threshold
-                      // of cached filtration"
+                       // of cached filtration"
   std::vector<EngineCounter> counters = {};  // empty where nothing is counted
 };
 

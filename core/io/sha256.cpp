@@ -26,8 +26,7 @@ void Sha256::compress(const unsigned char* block) {
            std::uint32_t{block[4 * t + 2]} << 8 | block[4 * t + 3];
   }
   for (int t = 16; t < 64; ++t) {
-    const std::uint32_t s0 =
-        std::rotr(W[t - 15], 7) ^ std::rotr(W[t - 15], 18) ^ (W[t - 15] >> 3);
+    const std::uint32_t s0 = std::rotr(W[t - 15], 7) ^ std::rotr(W[t - 15], 18) ^ (W[t - 15] >> 3);
     const std::uint32_t s1 = std::rotr(W[t - 2], 17) ^ std::rotr(W[t - 2], 19) ^ (W[t - 2] >> 10);
     W[t] = s1 + W[t - 7] + s0 + W[t - 16];
   }

@@ -55,9 +55,12 @@ class Text {
 
 const char* class_letter(SimplexClass c) {
   switch (c) {
-    case SimplexClass::singular: return "s";
-    case SimplexClass::regular: return "r";
-    case SimplexClass::interior: return "i";
+    case SimplexClass::singular:
+      return "s";
+    case SimplexClass::regular:
+      return "r";
+    case SimplexClass::interior:
+      return "i";
   }
   return "?";
 }

@@ -17,7 +17,8 @@ inline constexpr std::string_view kCandidates = "kernel I (candidates)";
 inline constexpr std::string_view kPrefixSum = "prefix sum";
 inline constexpr std::string_view kFilteredValidity = "kernel II (filtered validity)";
 // One launch on the GPU: a block finds its neighbours and clips their facets.
-inline constexpr std::string_view kCandidatesAndFiltered = "kernels I+II (candidates, filtered validity)";
+inline constexpr std::string_view kCandidatesAndFiltered =
+    "kernels I+II (candidates, filtered validity)";
 inline constexpr std::string_view kExactValidity = "kernel III (exact validity)";
 inline constexpr std::string_view kDeviceToHost = "device→host";
 inline constexpr std::string_view kTriangulation = "regular triangulation";
@@ -54,7 +55,8 @@ class StageTimer {
     times_.stages.push_back({std::string(label), milliseconds(lap_, now), setup});
     lap_ = now;
   }
-  // As lap(), for two interleaved stages: `milliseconds_of_second` of the time belong to the second.
+  // As lap(), for two interleaved stages: `milliseconds_of_second` of the time belong to the
+  // second.
   void lap_split(std::string_view first, std::string_view second, double milliseconds_of_second) {
     const Clock::time_point now = Clock::now();
     const double both = milliseconds(lap_, now);

@@ -140,7 +140,8 @@ void Worker::hand_over(Request& request, Delivery& delivery, std::optional<Failu
   if (!failure) {
     if (delivery) arrived_.push_back(std::move(delivery));
   } else if (request.on_failure) {
-    arrived_.push_back([tell = std::move(request.on_failure), f = *std::move(failure)] { tell(f); });
+    arrived_.push_back(
+        [tell = std::move(request.on_failure), f = *std::move(failure)] { tell(f); });
   }
 }
 

@@ -15,7 +15,8 @@
 
 namespace alphascope {
 
-// submit(), cancel() and poll() belong to one thread, the main thread; jobs run on the worker's own.
+// submit(), cancel() and poll() belong to one thread, the main thread; jobs run on the worker's
+// own.
 class Worker {
  public:
   // What a finished job leaves to be done on the main thread, inside poll().

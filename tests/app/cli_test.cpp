@@ -65,7 +65,7 @@ TEST_F(Cli, BadInputIsCode3AndNamesFileAndLine) {
   EXPECT_TRUE(contains(outcome.err, "bad.xyzr, line 2")) << outcome.err;
   const fs::path pixels = write("noise.pdb", std::string("\x89PNG\r\n\x1a\n\0\0", 10));
   for (const std::string& file : {std::string("/nonexistent/x.pdb"), folder_.string(),
-                                 write("empty.pdb", "").string(), pixels.string()}) {
+                                  write("empty.pdb", "").string(), pixels.string()}) {
     for (const char* command : {"info", "compute --alpha 1", "verify --alpha 1"}) {
       const Outcome failed = run(std::string(command) + " '" + file + "'");
       EXPECT_EQ(failed.code, 3) << command << " " << file << "\n" << failed.err;
@@ -135,9 +135,10 @@ TEST_F(Cli, TheTupleEngineHasSwitchesAndCountsItsTuples) {
   const std::string file = "'" ALPHASCOPE_SOURCE_DIR "/resources/molecules/1crn.pdb' --alpha 1.4";
   const json expected = compute_json(file + " --engine cpu");
   const json plain = compute_json(file + " --engine tuples-cpu");
-  const json bare = compute_json(
-      file + " --engine tuples-cpu --no-edge-optimisation --no-alpha-optimisation "
-             "--tuple-grid 100 --tuples-per-batch 5000");
+  const json bare =
+      compute_json(file +
+                   " --engine tuples-cpu --no-edge-optimisation --no-alpha-optimisation "
+                   "--tuple-grid 100 --tuples-per-batch 5000");
   EXPECT_EQ(plain["hash"], expected["hash"]);
   EXPECT_EQ(bare["hash"], expected["hash"]);
   EXPECT_FALSE(expected["engine"].contains("counters"));
@@ -164,7 +165,8 @@ TEST_F(Cli, TheTupleEngineOnTheGpuWorksOrSaysWhyNot) {
 
 TEST_F(Cli, TheComplexFileHoldsWhatItSays) {
   const fs::path out = folder_ / "cube.alpha";
-  const Outcome outcome = run("compute '" + cube_.string() + "' --alpha 1 --out '" + out.string() + "'");
+  const Outcome outcome =
+      run("compute '" + cube_.string() + "' --alpha 1 --out '" + out.string() + "'");
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   std::ifstream file(out);
   std::string line, last;
@@ -215,7 +217,8 @@ TEST_F(Cli, OutputsReplaceWholeFilesAndLeaveNothingBehind) {
 }
 
 TEST_F(Cli, VerifySaysIdentical) {
-  const Outcome outcome = run("verify '" + cube_.string() + "' --alpha -1,0,0.75,1,100 --definition");
+  const Outcome outcome =
+      run("verify '" + cube_.string() + "' --alpha -1,0,0.75,1,100 --definition");
   EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;
   EXPECT_TRUE(contains(outcome.out, "identical to CGAL"));
   EXPECT_TRUE(contains(outcome.out, "vertices: 8 of 8"));

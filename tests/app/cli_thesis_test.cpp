@@ -39,8 +39,8 @@ TEST_F(Cli, ThesisSuiteWritesTheSameNumbersAsCsvAndJsonAndItsFigures) {
     EXPECT_EQ(rows[n].at("sha256").size(), 64u);
     EXPECT_NE(rows[n].at("cpu"), "");
   }
-  const Outcome printed = run("bench '" + cube_.string() +
-                              "' --suite thesis --alpha 0 --runs 1 --engines cpu --csv -");
+  const Outcome printed =
+      run("bench '" + cube_.string() + "' --suite thesis --alpha 0 --runs 1 --engines cpu --csv -");
   EXPECT_EQ(csv_rows(printed.out).size(), 2u) << "the table and nothing else";
   int figures = 0;
   for (const auto& entry : fs::directory_iterator(charts)) {

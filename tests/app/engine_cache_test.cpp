@@ -102,9 +102,9 @@ TEST(EngineCache, ABadSolventRadiusLeavesItUsable) {
 }
 
 TEST(EngineChoice, IdsGoBothWays) {
-  for (EngineChoice choice : {EngineChoice::automatic, EngineChoice::cpu, EngineChoice::cgal,
-                              EngineChoice::gpu, EngineChoice::tuples_cpu,
-                              EngineChoice::tuples_gpu}) {
+  for (EngineChoice choice :
+       {EngineChoice::automatic, EngineChoice::cpu, EngineChoice::cgal, EngineChoice::gpu,
+        EngineChoice::tuples_cpu, EngineChoice::tuples_gpu}) {
     EXPECT_EQ(engine_from_id(engine_id(choice)), choice);
   }
   EXPECT_EQ(engine_from_id("warp"), std::nullopt);

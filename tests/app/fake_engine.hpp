@@ -1,5 +1,5 @@
-// A test double for the engines: answers with one vertex a ball, waits when told to, and counts what
-// it is asked. It stands in for time and failure, never for geometry.
+// A test double for the engines: answers with one vertex a ball, waits when told to, and counts
+// what it is asked. It stands in for time and failure, never for geometry.
 #pragma once
 
 #include <atomic>
@@ -16,11 +16,11 @@ namespace alphascope::test {
 
 struct FakeEngineLog {
   std::atomic<int> made{0}, started{0}, finished{0}, cancelled{0};
-  std::atomic<bool> hold{false};         // computations wait, and notice their cancel token
-  std::atomic<bool> fail_gpu{false};     // computations of a "gpu" engine throw
-  std::atomic<bool> fail_next{false};    // the next computation throws
+  std::atomic<bool> hold{false};          // computations wait, and notice their cancel token
+  std::atomic<bool> fail_gpu{false};      // computations of a "gpu" engine throw
+  std::atomic<bool> fail_next{false};     // the next computation throws
   std::atomic<bool> set_up_again{false};  // answers after the first have set-up stages, too
-  std::atomic<int> steps{1};             // of 50 µs each
+  std::atomic<int> steps{1};              // of 50 µs each
 };
 
 class FakeEngine : public Engine {
@@ -67,8 +67,7 @@ inline EngineFactory fake_factory(FakeEngineLog& log, bool gpu = false) {
                      const EngineSettings&) {
     ++log.made;
     MadeEngine made;
-    made.uses_gpu =
-        gpu && (choice == EngineChoice::automatic || choice == EngineChoice::gpu);
+    made.uses_gpu = gpu && (choice == EngineChoice::automatic || choice == EngineChoice::gpu);
     made.engine = std::make_unique<FakeEngine>(std::move(balls), log, made.uses_gpu);
     return made;
   };

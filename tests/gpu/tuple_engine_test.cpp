@@ -4,7 +4,6 @@
 
 #include <gtest/gtest.h>
 
-
 #include "core/complex/tuple_engine.hpp"
 #include "gpu/gpu_engine.hpp"
 #include "tests/support/expect_same.hpp"

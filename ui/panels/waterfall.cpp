@@ -27,7 +27,8 @@ void add_lines(std::vector<Line>& lines, const EngineTimings& timings, const Tim
                const Colour& bar, const Colour& setup_bar) {
   const std::string task =
       "  α " + short_number_text(run.alpha, 3) + (run.tetrahedra_only ? ", tetrahedra only" : "");
-  lines.push_back({timings.engine + ", " + timings.device + task, 0, run.wall_milliseconds, bar, true});
+  lines.push_back(
+      {timings.engine + ", " + timings.device + task, 0, run.wall_milliseconds, bar, true});
   double start = 0;
   for (const StageBar& stage : run.stages) {
     lines.push_back({stage.label, start, stage.milliseconds, stage.setup ? setup_bar : bar, false});

@@ -65,7 +65,8 @@ TEST(Decimal, ConvertsToUnitsExactlyOrRoundsOnce) {
 }
 
 TEST(Decimal, BecomesTheNearestDouble) {
-  for (const char* text : {"12.345", "-0.1", "1e22", "123456789.123456", "1e-18", "0.3", "2.5e-7"}) {
+  for (const char* text :
+       {"12.345", "-0.1", "1e22", "123456789.123456", "1e-18", "0.3", "2.5e-7"}) {
     EXPECT_EQ(parsed(text).to_double(), std::strtod(text, nullptr)) << text;
   }
   EXPECT_NEAR(parsed("1e-30").to_double(), 1e-30, 1e-45);

@@ -78,9 +78,8 @@ TEST(Worker, DropsTheUnstartedAndCancelsTheRunning) {
     return [&] { delivered.push_back(2); };
   });
   // The first may have ended already; then the second may have run, in order.
-  worker.submit([&](const RunContext&) -> Worker::Delivery {
-    return [&] { delivered.push_back(3); };
-  });
+  worker.submit(
+      [&](const RunContext&) -> Worker::Delivery { return [&] { delivered.push_back(3); }; });
   poll_until_idle(worker);
   ASSERT_FALSE(delivered.empty());
   EXPECT_EQ(delivered.back(), 3);
@@ -128,8 +127,9 @@ TEST(Worker, ExceptionsArriveAsMessages) {
     EXPECT_FALSE(failure.cancelled);
     messages.push_back(failure.message);
   };
-  worker.submit([](const RunContext&) -> Worker::Delivery { throw std::runtime_error("no such line"); },
-                note);
+  worker.submit(
+      [](const RunContext&) -> Worker::Delivery { throw std::runtime_error("no such line"); },
+      note);
   poll_until_idle(worker);
   worker.submit([](const RunContext&) -> Worker::Delivery { throw std::bad_alloc(); }, note);
   poll_until_idle(worker);
@@ -170,8 +170,9 @@ TEST(Worker, CancelOfAWaitingRequestAlsoSilencesTheRunningOne) {
       },
       [&](const Worker::Failure&) { ++told_first; });
   gate.wait_entered();
-  worker.submit([&](const RunContext&) -> Worker::Delivery { return [&] { ++delivered; }; },
-                [&](const Worker::Failure& failure) { told_second += failure.cancelled ? 1 : 100; });
+  worker.submit(
+      [&](const RunContext&) -> Worker::Delivery { return [&] { ++delivered; }; },
+      [&](const Worker::Failure& failure) { told_second += failure.cancelled ? 1 : 100; });
   worker.cancel();
   gate.open();
   poll_until_idle(worker);

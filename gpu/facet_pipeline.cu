@@ -18,18 +18,7 @@ FacetPipeline::FacetPipeline(const BallSet& balls) : state_(std::make_unique<Sta
   check(cudaDeviceGetAttribute(&s.multiprocessors, cudaDevAttrMultiProcessorCount, device),
         "asking for its processors");
   check(cudaStreamCreateWithFlags(&s.stream, cudaStreamNonBlocking), "creating a stream");
-  const std::vector<bool> hidden = coincident_hidden(balls);
-  s.host_balls.reserve(std::max<std::size_t>(s.n, 1));
-  s.low = s.high = s.n == 0 ? LatticePoint{} : balls.centres[0];
-  s.max_radius = s.n == 0 ? 1 : balls.radii[0];
-  for (BallIndex i = 0; i < s.n; ++i) {
-    const LatticePoint& c = balls.centres[i];
-    const bool dead = !hidden.empty() && hidden[i];
-    s.host_balls.get()[i] = make_int4(c.x, c.y, c.z, dead ? -1 : balls.radii[i]);
-    s.low = {std::min(s.low.x, c.x), std::min(s.low.y, c.y), std::min(s.low.z, c.z)};
-    s.high = {std::max(s.high.x, c.x), std::max(s.high.y, c.y), std::max(s.high.z, c.z)};
-    s.max_radius = std::max(s.max_radius, balls.radii[i]);
-  }
+  s.load(balls);
   s.host_counters.reserve(1);
   s.balls.reserve(s.n);
   s.sorted.reserve(s.n);
@@ -38,6 +27,47 @@ FacetPipeline::FacetPipeline(const BallSet& balls) : state_(std::make_unique<Sta
   s.near.reserve(s.n);
   s.cell.reserve(s.n);
   s.exact_list.reserve(s.n);
+}
+
+void FacetPipeline::State::load(const BallSet& set) {
+  const std::vector<bool> hidden = coincident_hidden(set);
+  const auto ball = [&](BallIndex i) {
+    const LatticePoint& c = set.centres[i];
+    const bool dead = !hidden.empty() && hidden[i];
+    return make_int4(c.x, c.y, c.z, dead ? -1 : set.radii[i]);
+  };
+  low = high = n == 0 ? LatticePoint{} : set.centres[0];
+  max_radius = n == 0 ? 1 : set.radii[0];
+  RadiusTable table;
+  std::vector<std::uint32_t> radius_numbers(n);
+  for (BallIndex i = 0; i < n; ++i) {
+    const LatticePoint& c = set.centres[i];
+    low = {std::min(low.x, c.x), std::min(low.y, c.y), std::min(low.z, c.z)};
+    high = {std::max(high.x, c.x), std::max(high.y, c.y), std::max(high.z, c.z)};
+    max_radius = std::max(max_radius, set.radii[i]);
+    radius_numbers[i] = table.number_of(ball(i).w);
+  }
+  packing = choose_packing(make_int4(low.x, low.y, low.z, 0), make_int4(high.x, high.y, high.z, 0),
+                           table.radii.size());
+  if (!packing) {
+    host_balls.reserve(std::max<std::size_t>(n, 1));
+    for (BallIndex i = 0; i < n; ++i) host_balls.get()[i] = ball(i);
+    return;
+  }
+  word_count = n + (table.radii.size() + 1) / 2;
+  host_words.reserve(std::max<std::size_t>(word_count, 1));
+  words.reserve(word_count);
+  for (BallIndex i = 0; i < n; ++i) host_words.get()[i] = packing->pack(ball(i), radius_numbers[i]);
+  std::copy(table.radii.begin(), table.radii.end(),
+            reinterpret_cast<std::int32_t*>(host_words.get() + n));
+}
+
+void FacetPipeline::State::send_balls() {
+  check(packing ? cudaMemcpyAsync(words.get(), host_words.get(), word_count * 8,
+                                  cudaMemcpyHostToDevice, stream)
+                : cudaMemcpyAsync(balls.get(), host_balls.get(), n * sizeof(int4),
+                                  cudaMemcpyHostToDevice, stream),
+        "copying the balls");
 }
 
 FacetPipeline::~FacetPipeline() = default;
@@ -81,15 +111,17 @@ std::optional<Problem> FacetPipeline::State::plan(double alpha, bool whole) {
 }
 
 SortedBalls FacetPipeline::State::sort_into_cells(const Problem& p, EventTimer& timer) {
-  check(cudaMemcpyAsync(balls.get(), host_balls.get(), n * sizeof(int4), cudaMemcpyHostToDevice,
-                        stream),
-        "copying the balls");
+  send_balls();
   timer.mark(stage::kHostToDevice);
   // One fill: the counters, the cells' and the balls' counts.
   fill(zeroed.get(), 0, (kCounterWords + p.cell_count + 1 + (p.whole ? kZeroedArrays : 1) * n) * 4);
   std::uint32_t* cell_count = zeroed.get() + kCounterWords;
   const LaunchShape per_ball{blocks_for(n), kThreads, stream};
-  launch(gpu::assign_cells, per_ball, p, balls.get(), cell_count, cell_and_rank.get());
+  ReceivedBalls received{};
+  if (packing) {
+    received = {words.get(), reinterpret_cast<const std::int32_t*>(words.get() + n), *packing};
+  }
+  launch(gpu::assign_cells, per_ball, p, received, balls.get(), cell_count, cell_and_rank.get());
   scan(cell_count, cell_start.get(), p.cell_count + 1);
   launch(gpu::sort_into_cells, per_ball, p, balls.get(), cell_and_rank.get(), cell_start.get(),
          sorted.get(), index.get(), near.get(), cell.get());

@@ -1,6 +1,7 @@
 // Counting sort of the balls into the cells of the grid.
 #pragma once
 
+#include "gpu/ball_wire.hpp"
 #include "gpu/problem.cuh"
 
 namespace alphascope::gpu {
@@ -9,10 +10,19 @@ __device__ inline int grid_cell(int coordinate, int lower, int width) {
   return (coordinate - lower) / width + 1;
 }
 
-__global__ void assign_cells(Problem p, const int4* balls, std::uint32_t* cell_count,
-                             uint2* cell_and_rank) {
+// What came over the wire: `words` and radii to be unpacked, or null: the balls themselves.
+struct ReceivedBalls {
+  const std::uint64_t* words;
+  const std::int32_t* radii;
+  BallPacking packing;
+};
+
+__global__ void assign_cells(Problem p, ReceivedBalls received, int4* balls,
+                             std::uint32_t* cell_count, uint2* cell_and_rank) {
   const int i = blockIdx.x * blockDim.x + threadIdx.x;
   if (i >= p.ball_count) return;
+  if (received.words != nullptr)
+    balls[i] = received.packing.unpack(received.words[i], received.radii);
   const int4 b = balls[i];
   const double square = static_cast<double>(static_cast<std::int64_t>(b.w) * b.w) + p.alpha;
   std::uint32_t cell = p.cell_count - 1;  // the dead: hidden (negative radius) or empty at alpha

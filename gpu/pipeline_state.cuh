@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "gpu/ball_wire.hpp"
 #include "gpu/device_buffer.cuh"
 #include "gpu/facet_pipeline.hpp"
 #include "gpu/launch.cuh"
@@ -139,7 +140,12 @@ struct FacetPipeline::State {
   // Of the device: shared memory of a block and of a multiprocessor, bytes.
   int shared_limit = 0, shared_per_multiprocessor = 0, multiprocessors = 1;
 
+  // The balls as they are sent, packed (then the radii follow the words) or not.
   PinnedBuffer<int4> host_balls;
+  PinnedBuffer<std::uint64_t> host_words;
+  DeviceBuffer<std::uint64_t> words;
+  std::optional<BallPacking> packing;
+  std::size_t word_count = 0;
   PinnedBuffer<Counters> host_counters;
   DeviceBuffer<int4> balls, sorted;
   DeviceBuffer<uint2> cell_and_rank;
@@ -174,6 +180,8 @@ struct FacetPipeline::State {
   // The grid for this alpha, with its buffers; nothing when differences would not be exact.
   std::optional<Problem> plan(double alpha, bool whole);
   SortedBalls sort_into_cells(const Problem& p, EventTimer& timer);
+  void load(const BallSet& balls);
+  void send_balls();
   // Words of `zeroed` that come after the counters and the cells: arrays of n.
   static constexpr int kZeroedArrays = 6;
   std::uint32_t* zeroed_array(const Problem& p, int number) {

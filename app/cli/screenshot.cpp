@@ -60,9 +60,7 @@ ExitCode run_screenshot(const ScreenshotCommandOptions& options) {
       engines.compute(input.prepared().balls, options.request, context);
   const std::vector<std::uint32_t>& atoms = input.prepared().atom_of_ball;
   picture.texts = picture_texts(complex_header(input, options.request, result.complex));
-  picture.free_bytes = options.drawing_memory_mb
-                           ? std::optional(*options.drawing_memory_mb * 1000000)
-                           : available_bytes();
+  picture.free_bytes = available_or(options.drawing_memory_mb);
   const std::string not_drawn =
       render_screenshot(*input.prepared().balls, result.complex,
                         options.colours == "chain" ? colours_by_chain(input.molecule(), atoms)

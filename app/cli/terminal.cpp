@@ -14,8 +14,8 @@ namespace {
 const CancelToken* interrupted = nullptr;
 
 extern "C" void on_interrupt(int) {
-  interrupted->cancel();
-}  // a lock-free atomic store
+  interrupted->cancel();  // a lock-free atomic store
+}
 
 class ProgressLine {
  public:

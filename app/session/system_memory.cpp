@@ -89,4 +89,8 @@ std::optional<std::uint64_t> available_bytes(const SystemFiles& files) {
   return lesser(machine, lesser(left_of_address_space(), left_of_control_group(files)));
 }
 
+std::optional<std::uint64_t> available_or(std::optional<std::uint64_t> megabytes) {
+  return megabytes ? std::optional(*megabytes * 1000000) : available_bytes();
+}
+
 }  // namespace alphascope

@@ -18,4 +18,7 @@ std::uint64_t resident_bytes();  // of this process; 0 where /proc is missing
 // (containers, systemd; version 2); nothing where none of them can be read.
 std::optional<std::uint64_t> available_bytes(const SystemFiles& files = {});
 
+// Of the option --drawing-memory: so many megabytes (10^6 bytes), or what is available.
+std::optional<std::uint64_t> available_or(std::optional<std::uint64_t> megabytes);
+
 }  // namespace alphascope

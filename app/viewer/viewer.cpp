@@ -31,17 +31,13 @@ constexpr std::size_t kMostBallsToCompareUnasked = 200000;
 // the hand moves, but not for longer than this.
 constexpr std::chrono::milliseconds kModelGrace{300};
 
-SceneController::FreeMemory free_memory(std::optional<std::uint64_t> megabytes) {
-  return
-      [megabytes] { return megabytes ? std::optional(*megabytes * 1000000) : available_bytes(); };
-}
-
 }  // namespace
 
 Viewer::Viewer(Host& host, const ViewerOptions& options, Session::Services services)
     : host_(host),
       frame_(host, options.light ? Theme::light : Theme::dark),
-      scene_([&host] { host.wake(); }, free_memory(options.drawing_memory_mb)),
+      scene_([&host] { host.wake(); },
+             [mb = options.drawing_memory_mb] { return available_or(mb); }),
       machine_(std::async(std::launch::async,
                           [&host] {
                             const MachineInfo& machine = machine_info();

@@ -1,6 +1,7 @@
 // Whether cuts certainly leave nothing of a dual edge: half the work of DualEdge::clip(), which
 // also finds out what its ends are. Most triangles of three balls that meet are no simplices; this
-// tells them apart. One template body for all executors; legend of dual_edge.hpp.
+// tells them apart. Host and device, though only the CUDA executor calls it: the CPU clips at once.
+// Legend of dual_edge.hpp.
 #pragma once
 
 #include "core/complex/dual_edge.hpp"

@@ -208,6 +208,9 @@ class WindowMemory : public testing::ViewerTest {
 TEST_F(WindowMemory, ShowsTheNumbersAndTheReasonWhenNothingCanBeDrawn) {
   open_with(100);
   EXPECT_EQ(not_drawn().find(kNothingDrawn), 0u) << not_drawn();
+  // Not even an empty picture fits: a smaller molecule would not help.
+  EXPECT_NE(not_drawn().find("Close other programs."), std::string::npos) << not_drawn();
+  EXPECT_EQ(not_drawn().find("chains"), std::string::npos) << not_drawn();
   EXPECT_EQ(viewer_->state().result.hash, hash_text(expected(0).hash));
   EXPECT_TRUE(viewer_->widgets().contains("view.not_drawn"));
   run("click alpha.preset.1.4\nwait-idle\nmove view\nwheel 2\n");

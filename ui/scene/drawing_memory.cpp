@@ -59,8 +59,15 @@ std::string size_text(std::uint64_t bytes) {
 }
 
 std::string budget_text(std::uint64_t free_bytes) {
+  if (drawing_budget(free_bytes) == 0)
+    return "the " + size_text(free_bytes) + " that are free are kept for the program itself";
   return "drawing may take " + size_text(drawing_budget(free_bytes)) + " of the " +
          size_text(free_bytes) + " that are free";
+}
+
+std::string remedy(const DrawingPlan& plan) {
+  if (drawing_budget(plan.free_bytes) == 0) return "Close other programs.";
+  return (plan.balls ? "Switch off other layers, or choose" : "Choose") + std::string(kShowLess);
 }
 
 // "edges", "triangles and edges", "tetrahedra, triangles and edges"
@@ -194,8 +201,7 @@ std::string not_drawn_text(const DrawingPlan& plan) {
   const std::string what =
       plan.balls ? "Not drawn for lack of memory: " + listed(plan.left_out) + "." : kNothingDrawn;
   return what + " The whole picture takes about " + size_text(plan.wanted_bytes) + "; " +
-         budget_text(plan.free_bytes) + ". " +
-         (plan.balls ? "Switch off other layers, or choose" : "Choose") + kShowLess;
+         budget_text(plan.free_bytes) + ". " + remedy(plan);
 }
 
 }  // namespace alphascope

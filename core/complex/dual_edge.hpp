@@ -41,10 +41,7 @@ ALPHASCOPE_INLINE double multiply_add(double a, double b, double c) {
 
 template <class Vector>
 ALPHASCOPE_INLINE auto largest_coordinate(const Vector& v) {
-  using Real = decltype(v.x + v.x);
-  const Real x = v.x < 0 ? -v.x : v.x, y = v.y < 0 ? -v.y : v.y, z = v.z < 0 ? -v.z : v.z;
-  const Real xy = x > y ? x : y;
-  return xy > z ? xy : z;
+  return larger(larger(magnitude(v.x), magnitude(v.y)), magnitude(v.z));
 }
 
 template <class Real>
@@ -172,7 +169,7 @@ class DualEdge {
     }
     // What is left; both ends were at reach_, and may be before the foot.
     const Real high_reach = high_.t + high_.error, low_reach = low_.t + low_.error;
-    reach_ = Real(1.000003) * (high_reach > low_reach ? high_reach : low_reach);
+    reach_ = Real(1.000003) * larger(high_reach, low_reach);
     return high_.t + low_.t < -(high_.error + low_.error);
   }
 
@@ -219,7 +216,6 @@ class DualEdge {
 
  private:
   static constexpr Real kU = Rounding<Real>::u;
-  ALPHASCOPE_INLINE static Real magnitude(Real v) { return v < 0 ? -v : v; }
 
   Vector3<Real> n_, foot_;
   Real q_;  // |n|²

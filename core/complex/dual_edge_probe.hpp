@@ -22,13 +22,13 @@ class DualEdgeProbe {
   // True when nothing is left, now or before.
   ALPHASCOPE_INLINE bool clip(const LiftedVector<Real>& m) {
     const auto [slope, offset] = edge_.line_cut(m);
-    const Real steepness = slope < 0 ? -slope : slope;
+    const Real steepness = magnitude(slope);
     // The end is at most (offset + its error) / (steepness -+ its error), of which the quotient of
     // what is computed errs by less than 8 u. A cut that is not steep enough is left out.
     const Real most = offset + offset_error_;
     const Real least_steep = most < 0 ? steepness + slope_error_ : steepness - slope_error_;
     const Real quotient = most * rough_reciprocal(least_steep);
-    const Real end = multiply_add(quotient < 0 ? -quotient : quotient, 10 * kU, quotient);
+    const Real end = multiply_add(magnitude(quotient), 10 * kU, quotient);
     const Real enough = 8 * slope_error_;
     if (slope > enough && end < high_) high_ = end;
     if (slope < -enough && end < low_) low_ = end;

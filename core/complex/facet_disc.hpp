@@ -66,7 +66,6 @@ class FacetDisc {
 
  private:
   static constexpr Real kMargin = 16 * Rounding<Real>::u;
-  ALPHASCOPE_INLINE static Real magnitude(Real v) { return v < 0 ? -v : v; }
 
   LiftedVector<Real> j_;
   Real inverse_, depth_, own_error_;

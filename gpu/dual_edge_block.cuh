@@ -2,6 +2,8 @@
 // balls' neighbours, and the rows of bits that say which of them meet.
 #pragma once
 
+#include <algorithm>
+
 #include "core/complex/facet_disc.hpp"
 #include "core/complex/triangle_faces.hpp"
 #include "gpu/problem.cuh"
@@ -10,7 +12,7 @@ namespace alphascope::gpu {
 
 // The edges that may be in K_alpha, of each ball to its later neighbours, ascending.
 struct EdgeCandidates {
-  std::uint32_t *begin, *end;  // the balls
+  std::uint32_t* end;  // the later ball
   // ordered_bits of the least value of a coface in K_alpha, kNoValue for none.
   std::uint32_t* least;
   std::uint32_t* flags;  // kUnattached, and what those cofaces say
@@ -67,17 +69,27 @@ struct KernelKind {
 
 struct DualEdgeProblem {
   Problem common;
+  std::uint32_t begin, end;  // the balls of this launch
   BlockRoom capacity;
   std::uint32_t
-      deferred_limit;  // beyond so many kernel III leaves the run to be repeated with more room
-  int words;           // of a row of bits: (capacity.list + 31) / 32
-  float radius_scale;  // scale²: square lattice units to scaled ones
-  bool small_lattice;  // Int128 suffices for exact predicates
-  const int4* balls;   // in the order of the BallSet
+      deferred_limit;   // beyond so many kernel III leaves the run to be repeated with more room
+  int words;            // of a row of bits: (capacity.list + 31) / 32
+  float radius_scale;   // scale²: square lattice units to scaled ones
+  bool small_lattice;   // Int128 suffices for exact predicates
+  bool cull;            // as KernelKind::kCull
+  bool narrow;          // 32 bits hold every c of neighbours
+  const int4* balls;    // in the order of the BallSet
+  struct BlockLayout {  // words from the start of a block's memory, see DualEdgeMemory
+    std::uint32_t kept, index, found_bits, one_bits, two_bits, triangles_before, tetrahedra_before,
+        possible, near, rows, triangles, half_warp, reach, listed, probed, row_ball;
+    std::size_t bytes;
+  } layout;
 };
 
 constexpr int kMaxRows = 1 << 13, kMaxTriangles = 1 << 16;
-constexpr int kSampled = 64;  // every so many blocks count for the statistics
+__device__ inline bool is_sampled(const DualEdgeProblem& p) {
+  return blockIdx.x % p.common.sampled == 0;
+}
 
 // Packs a triangle of the block: row of j, neighbour k, ball.
 __device__ inline std::uint32_t pack_triangle(int row, int k, int ball) {
@@ -87,7 +99,6 @@ __device__ inline std::uint32_t pack_triangle(int row, int k, int ball) {
 
 struct DualEdgeMemory {
   float4* vectors;  // entries: scaled d and c, ascending by index
-  float* reach;
   std::uint32_t* index;
   std::uint32_t* rows;  // words of bits for each later neighbour j: who meets j as well
   uint2* kept;          // triangles found: their number, and pack_face()
@@ -98,11 +109,14 @@ struct DualEdgeMemory {
   // word, what is found in the words before.
   std::uint32_t *found_bits, *one_bits, *two_bits, *triangles_before, *tetrahedra_before;
   std::uint32_t* triangles;
-  std::uint16_t* work;  // triangles in order of work
+  std::uint16_t* listed;  // triangles that are worth a look
+  std::uint16_t* probed;  // triangles that were not probed away
+  std::uint8_t* length;   // see sort_candidates(); in the place of kept and probed
   // Whose row it is, and kUnattachedRow.
   std::uint8_t* row_ball;
-  // Before the lists are ordered, in the place of triangles and work: what half a warp met, and of
-  // that, those whose planes are nearest.
+  // Before there are triangles, in their place. Of entries: how far they reach. Of half a warp:
+  // what it met, and of that, those whose planes are nearest.
+  float* reach;
   float4* coverers;
   float* coverer_lengths;
   std::uint32_t *found, *found_index;
@@ -114,51 +128,74 @@ static_assert(kMaxBallsPerBlock < kRowBall);
 // Balls that are tried as coverers of discs: those whose planes are nearest.
 constexpr int kCoverers = 16;
 
-__host__ __device__ inline std::size_t half_warp_words(const DualEdgeProblem& p) {
+inline std::uint32_t half_warp_words(const DualEdgeProblem& p) {
   // Capacities of a search are multiples of 4. Four more: see order_list().
-  return 2 * static_cast<std::size_t>(p.capacity.search) + 4 + 5 * kCoverers;
+  return 2 * p.capacity.search + 4 + (p.cull ? 5 * kCoverers : 0);
 }
-__host__ __device__ inline std::size_t triangle_words(const DualEdgeProblem& p) {
-  const std::size_t triangles = (3 * static_cast<std::size_t>(p.capacity.triangles) + 1) / 2;
+inline std::uint32_t half_warps_words(const DualEdgeProblem& p) {
   // Half warps take balls in pairs.
   const int halves = kBlockThreads / kSearchLanes, pairs = (p.common.balls_per_block + 1) / 2;
-  const std::size_t lists = (2 * pairs < halves ? 2 * pairs : halves) * half_warp_words(p);
-  return triangles > lists ? triangles : lists;
+  return static_cast<std::uint32_t>(std::min(2 * pairs, halves)) * half_warp_words(p);
 }
-__host__ __device__ inline std::size_t bit_words(const DualEdgeProblem& p) {
-  return (static_cast<std::size_t>(p.capacity.triangles) + 31) / 32 + 1;
-}
-__host__ __device__ inline std::size_t block_memory_bytes(const DualEdgeProblem& p) {
-  return static_cast<std::size_t>(p.capacity.entries) * 24 +
-         static_cast<std::size_t>(p.capacity.kept) * 8 + bit_words(p) * 20 +
-         static_cast<std::size_t>(p.common.balls_per_block) * p.words * 8 +
-         static_cast<std::size_t>(p.capacity.rows) * (4 * p.words + 1) + triangle_words(p) * 4 + 32;
+// Of what needs more bytes than 32 bits can count, only the number of bytes is right.
+inline void lay_out(DualEdgeProblem& p) {
+  DualEdgeProblem::BlockLayout& at = p.layout;
+  std::size_t words = 4 * std::size_t{p.capacity.entries};
+  const auto take = [&](std::size_t size) {
+    const auto begin = static_cast<std::uint32_t>(words);
+    words += size;
+    return begin;
+  };
+  const std::uint32_t bits = (p.capacity.triangles + 31) / 32 + 1,
+                      list_bits = static_cast<std::uint32_t>(p.common.balls_per_block * p.words);
+  const std::size_t lengths = p.cull ? 0 : (std::size_t{p.capacity.triangles} + 3) / 4;
+  at.kept = take(std::max(2 * std::size_t{p.capacity.kept} + (p.capacity.probed + 1) / 2, lengths));
+  at.probed = at.kept + 2 * p.capacity.kept;
+  at.index = take(p.capacity.entries);
+  at.found_bits = take(bits);
+  at.one_bits = take(bits);
+  at.two_bits = take(bits);
+  at.triangles_before = take(bits);
+  at.tetrahedra_before = take(bits);
+  at.possible = take(list_bits);
+  at.near = take(list_bits);
+  at.rows = take(p.capacity.rows * static_cast<std::size_t>(p.words));
+  words = (words + 3) / 4 * 4;
+  at.half_warp = half_warp_words(p);
+  const std::uint32_t lists = half_warps_words(p);
+  at.triangles =
+      take(std::max(std::size_t{p.capacity.triangles}, lists + std::size_t{p.capacity.entries}));
+  at.reach = at.triangles + lists;
+  at.listed = take((p.capacity.listed + 1) / 2);
+  at.row_ball = take((p.capacity.rows + 3) / 4);
+  at.bytes = 4 * words;
 }
 __device__ inline DualEdgeMemory carve(unsigned char* shared, const DualEdgeProblem& p) {
+  const DualEdgeProblem::BlockLayout& at = p.layout;
+  std::uint32_t* words = reinterpret_cast<std::uint32_t*>(shared);
   DualEdgeMemory m;
-  const std::size_t bits = bit_words(p);
   m.vectors = reinterpret_cast<float4*>(shared);
-  m.kept = reinterpret_cast<uint2*>(m.vectors + p.capacity.entries);
-  m.reach = reinterpret_cast<float*>(m.kept + p.capacity.kept);
-  m.index = reinterpret_cast<std::uint32_t*>(m.reach + p.capacity.entries);
-  m.found_bits = m.index + p.capacity.entries;
-  m.one_bits = m.found_bits + bits;
-  m.two_bits = m.one_bits + bits;
-  m.triangles_before = m.two_bits + bits;
-  m.tetrahedra_before = m.triangles_before + bits;
-  m.possible = m.tetrahedra_before + bits;
-  m.near = m.possible + static_cast<std::size_t>(p.common.balls_per_block) * p.words;
-  m.rows = m.near + static_cast<std::size_t>(p.common.balls_per_block) * p.words;
-  const std::size_t rows_end = m.rows - reinterpret_cast<std::uint32_t*>(shared) +
-                               static_cast<std::size_t>(p.capacity.rows) * p.words;
-  m.triangles = reinterpret_cast<std::uint32_t*>(shared) + (rows_end + 3) / 4 * 4;
-  m.work = reinterpret_cast<std::uint16_t*>(m.triangles + p.capacity.triangles);
-  std::uint32_t* half = m.triangles + threadIdx.x / kSearchLanes * half_warp_words(p);
-  m.coverers = reinterpret_cast<float4*>(half);
-  m.coverer_lengths = reinterpret_cast<float*>(half + 4 * kCoverers);
-  m.found = half + 5 * kCoverers;
+  m.kept = reinterpret_cast<uint2*>(words + at.kept);
+  m.reach = reinterpret_cast<float*>(words + at.reach);
+  m.index = words + at.index;
+  m.found_bits = words + at.found_bits;
+  m.one_bits = words + at.one_bits;
+  m.two_bits = words + at.two_bits;
+  m.triangles_before = words + at.triangles_before;
+  m.tetrahedra_before = words + at.tetrahedra_before;
+  m.possible = words + at.possible;
+  m.near = words + at.near;
+  m.rows = words + at.rows;
+  m.triangles = words + at.triangles;
+  m.listed = reinterpret_cast<std::uint16_t*>(words + at.listed);
+  m.probed = reinterpret_cast<std::uint16_t*>(words + at.probed);
+  m.length = reinterpret_cast<std::uint8_t*>(words + at.kept);
+  m.found = m.triangles + threadIdx.x / kSearchLanes * at.half_warp;
   m.found_index = m.found + p.capacity.search;
-  m.row_ball = reinterpret_cast<std::uint8_t*>(m.triangles + triangle_words(p));
+  // Only of culled lists.
+  m.coverers = reinterpret_cast<float4*>(m.found_index + p.capacity.search + 4);
+  m.coverer_lengths = reinterpret_cast<float*>(m.coverers + kCoverers);
+  m.row_ball = reinterpret_cast<std::uint8_t*>(words + at.row_ball);
   return m;
 }
 
@@ -178,12 +215,14 @@ struct BlockBalls {
   // for edges. Modulo 2^32.
   std::uint32_t triangle_at[kMaxBallsPerBlock], tetrahedron_at[kMaxBallsPerBlock],
       edge_at[kMaxBallsPerBlock];
-  bool attached[kMaxBallsPerBlock];  // the ball's centre lies outside its power cell
+  // 0: absent at any alpha; 1: the ball's centre lies outside its power cell (attached); 2: within.
+  std::uint8_t state[kMaxBallsPerBlock];
   int scan[kBlockThreads / 32];
   Surroundings surroundings[kBlockThreads / kSearchLanes];
-  int lengths[kLengths];  // triangles of so many cuts; then where they begin
+  Measured all_found, all_lists;  // as BlockStatistics' found and list
+  int lengths[kLengths];  // triangles of so many cuts, the longest first; then where they begin
   int entries, rows, triangles;
-  int next_triangle, next_work, survivors, kept;
+  int listed, next_listed, probed, next_work, kept;
 };
 
 // Sum over the lanes before this one.
@@ -222,6 +261,17 @@ __device__ inline void note_largest(std::uint32_t* largest, int value) {
 }
 __device__ inline void add(std::uint64_t* sum, std::uint64_t value) {
   atomicAdd(reinterpret_cast<unsigned long long*>(sum), static_cast<unsigned long long>(value));
+}
+// In the block's memory by lanes of several warps, or for all blocks by one thread of each.
+__device__ inline void measure(Measured& of, int value) {
+  add(&of.number, 1);
+  add(&of.sum, value);
+  add(&of.squares, static_cast<std::uint64_t>(value) * value);
+}
+__device__ inline void add_measured(Measured& to, const Measured& of) {
+  add(&to.number, of.number);
+  add(&to.sum, of.sum);
+  add(&to.squares, of.squares);
 }
 
 // A triangle's parts, unpacked.

@@ -27,29 +27,8 @@ __device__ __noinline__ TriangleFace decided_face(const DualEdgeProblem& p,
                          : exact_face<WideInt<4>>(in, t, p.words);
 }
 
-// Counting sort of triangles by how many cuts they have, the longest first, so that the lanes of a
-// warp take about as long.
-__device__ inline void sort_by_length(const DualEdgeMemory& m, BlockBalls& s, int count,
-                                      int words) {
-  const auto length = [&](int t) {
-    const Triangle triangle(m, s, words, m.triangles[t]);
-    int cuts = 0;
-    for (int w = 0; w < words; ++w) cuts += __popc(triangle.common(w));
-    return kLengths - 1 - min(cuts, kLengths - 1);
-  };
-  for (int t = threadIdx.x; t < count; t += kBlockThreads) atomicAdd(&s.lengths[length(t)], 1);
-  __syncthreads();
-  if (threadIdx.x < kLengths) s.lengths[threadIdx.x] = warp_scan(s.lengths[threadIdx.x]);
-  __syncthreads();
-  for (int t = threadIdx.x; t < count; t += kBlockThreads) {
-    m.work[atomicAdd(&s.lengths[length(t)], 1)] = static_cast<std::uint16_t>(t);
-  }
-  __syncthreads();
-}
-
-// The list of triangles of three balls that meet, whose edges ij and ik are possible and which, of
-// tetrahedra alone, have a fourth: of each ball, in lexicographic order. Balls without room for
-// theirs are marked. Returns the length of the list.
+// The list of triangles of three balls that meet, whose edges ij and ik are possible: of each ball,
+// in lexicographic order. Balls without room for theirs are marked. Returns the length of the list.
 template <class Kind>
 __device__ inline int list_triangles(const DualEdgeProblem& p, const DualEdgeOutput& out,
                                      const DualEdgeMemory& m, BlockBalls& s, int words) {
@@ -70,8 +49,10 @@ __device__ inline int list_triangles(const DualEdgeProblem& p, const DualEdgeOut
     }
     int at = all + block_scan(count, s.scan, &round);
     all += round;
-    if (count == 0) continue;
-    if (at + count > capacity) {
+    if (b == kMaxBallsPerBlock) continue;
+    if (row == s.row0[b]) s.first_triangle[b] = at;
+    if (row + 1 == s.row0[b] + s.later[b]) s.end_triangle[b] = at + count;
+    if (count != 0 && at + count > capacity) {
       s.exact[b] = 2;
       atomicMin(&s.triangles, at);
       continue;
@@ -83,39 +64,88 @@ __device__ inline int list_triangles(const DualEdgeProblem& p, const DualEdgeOut
     }
   }
   if (threadIdx.x == 0 && Kind::kExact) note_largest(&out.statistics->most_triangles, all);
-  if (threadIdx.x == 0 && !Kind::kExact && blockIdx.x % kSampled == 0)
-    add(&out.statistics->triangles, all);
+  if (threadIdx.x == 0 && !Kind::kExact && is_sampled(p)) measure(out.statistics->triangles, all);
   __syncthreads();
   all = min(all, s.triangles);
-  // Compaction in place: what a round writes has been read.
-  int kept = 0;
-  for (int t0 = 0; t0 < all; t0 += kBlockThreads) {
-    const int t = t0 + static_cast<int>(threadIdx.x);
-    std::uint32_t packed = 0;
-    bool keep = false;
-    if (t < all) {
-      packed = m.triangles[t];
-      const Triangle triangle(m, s, words, packed);
-      const ScaledNeighbours vector{m.vectors + triangle.entry0};
-      keep = (Kind::kWhole || triangle.has_fourth(words)) &&
-             !DualEdge<float>::certainly_outside(vector(triangle.j), vector(triangle.k),
-                                                 s.radius_square[triangle.ball]);
-    }
-    int round = 0;
-    const int at = kept + block_scan(keep, s.scan, &round);
-    kept += round;
-    if (keep) m.triangles[at] = packed;
-  }
-  __syncthreads();
-  for (int t = threadIdx.x; t < kept; t += kBlockThreads) {
-    const std::uint32_t b = m.triangles[t] >> 25;
-    if (t == 0 || m.triangles[t - 1] >> 25 != b) s.first_triangle[b] = t;
-    if (t + 1 == kept || m.triangles[t + 1] >> 25 != b) s.end_triangle[b] = t + 1;
-  }
-  for (int w = threadIdx.x; w <= kept >> 5; w += kBlockThreads)
+  for (int w = threadIdx.x; w <= all >> 5; w += kBlockThreads)
     m.found_bits[w] = m.one_bits[w] = m.two_bits[w] = 0;
+  return all;
+}
+
+// Is the triangle worth a look: can its line be within alpha and, for tetrahedra alone, is there a
+// fourth ball?
+template <class Kind>
+__device__ inline bool is_candidate(const DualEdgeMemory& m, const BlockBalls& s,
+                                    const Triangle& triangle, int words) {
+  const ScaledNeighbours vector{m.vectors + triangle.entry0};
+  return (Kind::kWhole || triangle.has_fourth(words)) &&
+         !DualEdge<float>::certainly_outside(vector(triangle.j), vector(triangle.k),
+                                             s.radius_square[triangle.ball]);
+}
+
+// Puts triangle t, of ball b, on the list of those to look at.
+__device__ inline void enlist(const DualEdgeProblem& p, const DualEdgeMemory& m, BlockBalls& s,
+                              int place, int t, int b) {
+  if (place < static_cast<int>(p.capacity.listed)) {
+    m.listed[place] = static_cast<std::uint16_t>(t);
+  } else {
+    s.exact[b] = 2;
+  }
+}
+
+// The candidates, in any order. Every thread takes part; returns how many are listed.
+template <class Kind>
+__device__ inline int list_candidates(const DualEdgeProblem& p, const DualEdgeMemory& m,
+                                      BlockBalls& s, int triangles, int words) {
+  const int lane = threadIdx.x & 31;
+  for (int t0 = threadIdx.x - lane; t0 < triangles; t0 += kBlockThreads) {
+    const int t = t0 + lane;
+    int ball = 0;
+    bool keep = false;
+    if (t < triangles) {
+      const Triangle triangle(m, s, words, m.triangles[t]);
+      ball = triangle.ball;
+      keep = is_candidate<Kind>(m, s, triangle, words);
+    }
+    const unsigned votes = __ballot_sync(~0u, keep);
+    int base = 0;
+    if (lane == 0) base = atomicAdd(&s.listed, __popc(votes));
+    base = __shfl_sync(~0u, base, 0);
+    if (keep) enlist(p, m, s, base + __popc(votes & ((1u << lane) - 1)), t, ball);
+  }
   __syncthreads();
-  return kept;
+  return min(s.listed, static_cast<int>(p.capacity.listed));
+}
+
+// The same, in the order of how many cuts they have (a counting sort), the longest first, so that
+// the lanes of a warp take about as long.
+template <class Kind>
+__device__ inline int sort_candidates(const DualEdgeProblem& p, const DualEdgeMemory& m,
+                                      BlockBalls& s, int triangles, int words) {
+  for (int t = threadIdx.x; t < triangles; t += kBlockThreads) {
+    const Triangle triangle(m, s, words, m.triangles[t]);
+    int length = kLengths;  // none
+    if (is_candidate<Kind>(m, s, triangle, words)) {
+      int cuts = 0;
+      for (int w = 0; w < words; ++w) cuts += __popc(triangle.common(w));
+      length = kLengths - 1 - min(cuts, kLengths - 1);
+      atomicAdd(&s.lengths[length], 1);
+    }
+    m.length[t] = static_cast<std::uint8_t>(length);
+  }
+  __syncthreads();
+  if (threadIdx.x < kLengths) {
+    const int own = s.lengths[threadIdx.x], before = warp_scan(own);
+    s.lengths[threadIdx.x] = before;
+    if (threadIdx.x == kLengths - 1) s.listed = before + own;
+  }
+  __syncthreads();
+  for (int t = threadIdx.x; t < triangles; t += kBlockThreads) {
+    if (m.length[t] < kLengths)
+      enlist(p, m, s, atomicAdd(&s.lengths[m.length[t]], 1), t, m.triangles[t] >> 25);
+  }
+  __syncthreads();
+  return min(s.listed, static_cast<int>(p.capacity.listed));
 }
 
 // A warp's next 32 numbers below `end`, or false.
@@ -182,53 +212,68 @@ __device__ inline bool probed_away(const DualEdge<float>& edge, int words, const
   return false;
 }
 
-// The likeliest cuts of every triangle: those that survive them are listed. They take about as long
-// as each other, whereas lanes that are finished early would wait for them.
-__device__ inline void first_cuts(const DualEdgeMemory& m, BlockBalls& s, int triangles,
-                                  int words) {
-  for (int t = 0; take(&s.next_triangle, triangles, t);) {
-    if (t < triangles) {
+// Most triangles have no dual edge. Of culled lists, those are told apart first of which the
+// likeliest cuts alone, without their ends, certainly leave nothing: that takes about as long for
+// all lanes of a warp, and those that are left fill other warps. Returns how many are left.
+__device__ inline int probe_triangles(const DualEdgeProblem& p, const DualEdgeMemory& m,
+                                      BlockBalls& s, int listed, int words) {
+  for (int at = 0; take(&s.next_listed, listed, at);) {
+    if (at < listed) {
+      const int t = m.listed[at];
       const Triangle triangle(m, s, words, m.triangles[t]);
       const ScaledNeighbours vector{m.vectors + triangle.entry0};
       const std::uint32_t* near = m.near + triangle.ball * words;
       DualEdge<float> edge;
       if (edge.start(vector(triangle.j), vector(triangle.k), s.radius_square[triangle.ball]) &&
           !probed_away(
-              edge, words, [&](int w) { return triangle.common(w) & near[w]; }, vector))
-        m.work[atomicAdd(&s.survivors, 1)] = static_cast<std::uint16_t>(t);
-    }
-    __syncwarp();
-  }
-  __syncthreads();
-}
-
-// Kernel II of the block's triangles.
-template <class Kind>
-__device__ inline void find_faces(const DualEdgeProblem& p, const DualEdgeMemory& m, BlockBalls& s,
-                                  int triangles, int words) {
-  int count = triangles;
-  if constexpr (Kind::kCull) {
-    first_cuts(m, s, triangles, words);
-    count = s.survivors;
-  } else {
-    sort_by_length(m, s, triangles, words);
-  }
-  for (int at = 0; take(&s.next_work, count, at);) {
-    if (at < count) {
-      const int t = m.work[at];
-      const Triangle triangle(m, s, words, m.triangles[t]);
-      if constexpr (Kind::kCull) {
-        const std::uint32_t* near = m.near + triangle.ball * words;
-        note_face<Kind>(p, m, s, triangle, t,
-                        found_face<Kind>(m, s, triangle, NearFirstRows{triangle, near}, words));
-      } else {
-        note_face<Kind>(p, m, s, triangle, t,
-                        found_face<Kind>(m, s, triangle, TriangleRows{triangle}, words));
+              edge, words, [&](int w) { return triangle.common(w) & near[w]; }, vector)) {
+        const int place = atomicAdd(&s.probed, 1);
+        if (place < static_cast<int>(p.capacity.probed)) {
+          m.probed[place] = static_cast<std::uint16_t>(t);
+        } else {
+          s.exact[triangle.ball] = 2;
+        }
       }
     }
     __syncwarp();
   }
   __syncthreads();
+  return min(s.probed, static_cast<int>(p.capacity.probed));
+}
+
+// Kernel II of the block's triangles.
+template <class Kind>
+__device__ inline void find_faces(const DualEdgeProblem& p, const DualEdgeOutput& out,
+                                  const DualEdgeMemory& m, BlockBalls& s, int triangles,
+                                  int words) {
+  int count = 0;
+  const std::uint16_t* left = m.listed;
+  if constexpr (Kind::kCull) {
+    count = probe_triangles(p, m, s, list_candidates<Kind>(p, m, s, triangles, words), words);
+    left = m.probed;
+  } else {
+    count = sort_candidates<Kind>(p, m, s, triangles, words);
+  }
+  for (int at = 0; take(&s.next_work, count, at);) {
+    if (at < count) {
+      const int t = left[at];
+      const Triangle triangle(m, s, words, m.triangles[t]);
+      if constexpr (Kind::kCull) {
+        const NearFirstRows rows{triangle, m.near + triangle.ball * words};
+        note_face<Kind>(p, m, s, triangle, t, found_face<Kind>(m, s, triangle, rows, words));
+      } else {
+        const TriangleRows& rows = triangle;
+        note_face<Kind>(p, m, s, triangle, t, found_face<Kind>(m, s, triangle, rows, words));
+      }
+    }
+    __syncwarp();
+  }
+  __syncthreads();
+  if (threadIdx.x == 0 && is_sampled(p)) {
+    measure(out.statistics->listed, s.listed);
+    if (Kind::kCull) measure(out.statistics->probed, s.probed);
+    measure(out.statistics->kept, s.kept);
+  }
 }
 
 // Kernel III of the block's triangles: single precision once more, which spares most of them, and
@@ -236,8 +281,10 @@ __device__ inline void find_faces(const DualEdgeProblem& p, const DualEdgeMemory
 template <class Kind>
 __device__ inline void find_faces_exactly(const DualEdgeProblem& p, const DualEdgeMemory& m,
                                           BlockBalls& s, int triangles, int words) {
+  __syncthreads();
   for (int t = threadIdx.x; t < triangles; t += kBlockThreads) {
     const Triangle triangle(m, s, words, m.triangles[t]);
+    if (!is_candidate<Kind>(m, s, triangle, words)) continue;
     const std::uint32_t* near = m.near + triangle.ball * words;
     TriangleFace face = found_face<Kind>(m, s, triangle, NearFirstRows{triangle, near}, words);
     if (face.in == Decision::unknown)
@@ -254,10 +301,10 @@ __device__ inline void write_vertex_states(const DualEdgeProblem& p, const DualE
   if (b >= balls || s.exact[b]) return;
   const double weight = static_cast<double>(static_cast<std::int64_t>(s.ball[b].w) * s.ball[b].w);
   // Equality counts as attached (see BallSimplices::vertex_state).
-  out.vertex_state[s.index[b]] = -weight > p.common.alpha ? 0 : s.attached[b] ? 1 : 2;
+  out.vertex_state[s.index[b]] = -weight > p.common.alpha ? 0 : s.state[b];
 }
 
-// Balls [first, first + balls) of the sorted order. Every thread of the block calls it. kWords:
+// Balls [first, first + balls) of the BallSet. Every thread of the block calls it. kWords:
 // words of a row, or 0 for any number.
 template <class Kind, int kWords>
 __device__ void process_balls(const DualEdgeProblem& p, const SortedBalls& sorted,
@@ -270,7 +317,7 @@ __device__ void process_balls(const DualEdgeProblem& p, const SortedBalls& sorte
   if constexpr (Kind::kExact) {
     find_faces_exactly<Kind>(p, m, s, triangles, words);
   } else {
-    find_faces<Kind>(p, m, s, triangles, words);
+    find_faces<Kind>(p, out, m, s, triangles, words);
   }
   if constexpr (Kind::kWhole) write_vertex_states(p, out, s, balls);
   write_simplices<Kind>(p, out, m, s, first, balls, triangles, words);
@@ -281,11 +328,9 @@ __global__ void __launch_bounds__(kBlockThreads)
     dual_edges_filtered(DualEdgeProblem p, SortedBalls sorted, DualEdgeOutput out) {
   __shared__ BlockBalls s;
   const DualEdgeMemory m = carve(dynamic_shared_memory(), p);
-  const std::uint32_t alive = *sorted.alive;
-  const std::uint32_t first = blockIdx.x * static_cast<std::uint32_t>(p.common.balls_per_block);
-  if (first >= alive) return;
+  const std::uint32_t first = p.begin + blockIdx.x * p.common.balls_per_block;
   const int balls =
-      static_cast<int>(min(static_cast<std::uint32_t>(p.common.balls_per_block), alive - first));
+      static_cast<int>(min(static_cast<std::uint32_t>(p.common.balls_per_block), p.end - first));
   process_balls<KernelKind<kWhole, false, kCull>, kWords>(p, sorted, out, m, s, first, balls);
 }
 

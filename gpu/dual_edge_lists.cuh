@@ -25,23 +25,39 @@ __device__ inline unsigned half_ballot(bool vote) {
   return __ballot_sync(~0u, vote) >> (threadIdx.x & kSearchLanes) & 0xffffu;
 }
 
+__device__ inline std::int64_t square(int a) {
+  return static_cast<std::int64_t>(a) * a;
+}
+
 // The scaled vector of ball q seen from `centre`. `*inside`: the centre has less power to its own
-// ball.
-__device__ inline LiftedVector<float> scaled_vector(const Problem& p, const int4& centre,
+// ball. Differences of neighbours have 25 bits at most, so do floats; c is rounded once.
+__device__ inline LiftedVector<float> scaled_vector(const DualEdgeProblem& p, const int4& centre,
                                                     const int4& q, bool* inside) {
-  const std::int64_t x = q.x - centre.x, y = q.y - centre.y, z = q.z - centre.z;
-  const std::int64_t wi = static_cast<std::int64_t>(centre.w) * centre.w;
-  const std::int64_t c = x * x + y * y + z * z + wi - static_cast<std::int64_t>(q.w) * q.w;
-  *inside = c > 0;
-  return {static_cast<float>(x) * p.scale, static_cast<float>(y) * p.scale,
-          static_cast<float>(z) * p.scale, static_cast<float>(c) * p.scale * p.scale};
+  const auto difference = [](int a, int b) {
+    return static_cast<int>(static_cast<unsigned>(a) - static_cast<unsigned>(b));
+  };
+  const int x = difference(q.x, centre.x), y = difference(q.y, centre.y),
+            z = difference(q.z, centre.z);
+  float c = 0;
+  if (p.narrow) {
+    const int narrow = x * x + y * y + z * z + (centre.w * centre.w - q.w * q.w);
+    *inside = narrow > 0;
+    c = static_cast<float>(narrow);
+  } else {
+    const std::int64_t wide = square(x) + square(y) + square(z) + square(centre.w) - square(q.w);
+    *inside = wide > 0;
+    c = static_cast<float>(wide);
+  }
+  const float scale = p.common.scale;
+  return {static_cast<float>(x) * scale, static_cast<float>(y) * scale,
+          static_cast<float>(z) * scale, c * p.radius_scale};
 }
 
 // Leaves out of the `n` balls that half a warp found those without a facet. Both halves of a warp
 // call it, each for its ball.
 class Culler {
  public:
-  __device__ Culler(const Problem& p, const SortedBalls& sorted, const DualEdgeMemory& m,
+  __device__ Culler(const DualEdgeProblem& p, const SortedBalls& sorted, const DualEdgeMemory& m,
                     const int4& centre, float radius_square, int n)
       : p_(p),
         sorted_(sorted),
@@ -149,7 +165,7 @@ class Culler {
     return left;
   }
 
-  const Problem& p_;
+  const DualEdgeProblem& p_;
   const SortedBalls& sorted_;
   const DualEdgeMemory& m_;
   const int4 centre_;
@@ -174,7 +190,7 @@ __device__ inline bool order_list(const DualEdgeProblem& p, const SortedBalls& s
       rank += (others.x < index) + (others.y < index) + (others.z < index) + (others.w < index);
     }
     bool inside = false;
-    const LiftedVector<float> v = scaled_vector(p.common, centre, sorted.ball[t], &inside);
+    const LiftedVector<float> v = scaled_vector(p, centre, sorted.ball[t], &inside);
     const int entry = entry0 + rank, word = b * p.words + (rank >> 5);
     m.vectors[entry] = make_float4(v.x, v.y, v.z, v.c);
     m.reach[entry] = reach;
@@ -187,21 +203,24 @@ __device__ inline bool order_list(const DualEdgeProblem& p, const SortedBalls& s
   return attached;
 }
 
-// What blocks met, for the room of the next run.
+// What a ball met, for the room of the next run.
 template <class Kind>
-__device__ inline void note_list(const DualEdgeProblem& p, BlockStatistics& met, int found,
-                                 int left) {
+__device__ inline void note_list(const DualEdgeProblem& p, BlockStatistics& met, BlockBalls& s,
+                                 int found, int left) {
   const bool fits = found <= p.common.search_capacity;
   if (Kind::kExact || !fits) note_largest(&met.most_found, found);
   if (Kind::kExact || left > static_cast<int>(p.capacity.list))
     note_largest(&met.longest_list, left);
-  if (Kind::kExact || blockIdx.x % kSampled != 0) return;
-  if (!fits) left = found;  // at most
-  add(&met.balls, 1);
-  add(&met.found, found);
-  add(&met.found_squares, static_cast<std::uint64_t>(found) * found);
-  add(&met.entries, left);
-  add(&met.entry_squares, static_cast<std::uint64_t>(left) * left);
+  if (Kind::kExact || !is_sampled(p)) return;
+  measure(s.all_found, found);
+  if (fits) measure(s.all_lists, left);
+}
+// And all of a sampled block. One thread.
+__device__ inline void note_lists(BlockStatistics& met, const BlockBalls& s) {
+  add_measured(met.found, s.all_found);
+  add_measured(met.list, s.all_lists);
+  measure(met.entries, s.entries);
+  measure(met.rows, s.rows);
 }
 
 // Kernel I of the block's balls, half a warp each: their ordered lists. Balls without room are
@@ -211,8 +230,10 @@ __device__ inline void find_lists(const DualEdgeProblem& p, const SortedBalls& s
                                   const DualEdgeOutput& out, const DualEdgeMemory& m, BlockBalls& s,
                                   std::uint32_t first, int balls) {
   const int lane = lane_of_half(), half = threadIdx.x & kSearchLanes;
-  if (threadIdx.x == 0)
-    s.entries = s.rows = s.next_triangle = s.next_work = s.survivors = s.kept = 0;
+  if (threadIdx.x == 0) {
+    s.all_found = s.all_lists = {};
+    s.entries = s.rows = s.listed = s.next_listed = s.probed = s.next_work = s.kept = 0;
+  }
   if (threadIdx.x < kLengths) s.lengths[threadIdx.x] = 0;
   for (int w = threadIdx.x; w < balls * p.words; w += kBlockThreads) m.possible[w] = m.near[w] = 0;
   __syncthreads();
@@ -220,25 +241,24 @@ __device__ inline void find_lists(const DualEdgeProblem& p, const SortedBalls& s
     // Of an odd last pair, the second half repeats the first's reads in vain.
     const bool active = half == 0 || 2 * pair + 1 < balls;
     const int b = 2 * pair + (half != 0 && active);
-    const std::uint32_t slot = first + b, index = sorted.index[slot];
-    const int4 centre = sorted.ball[slot];
-    const int all = search_neighbours(p.common, sorted, slot, active,
+    const std::uint32_t index = first + b;
+    const BallHome home = sorted.home[index];
+    const int4 centre = p.balls[index];
+    const int all = search_neighbours(p.common, sorted, home, active && home.alive,
                                       s.surroundings[threadIdx.x / kSearchLanes], m.found);
     const double square =
         static_cast<double>(static_cast<std::int64_t>(centre.w) * centre.w) + p.common.alpha;
     const float radius_square = static_cast<float>(square) * p.radius_scale;
     int n = all <= p.common.search_capacity ? all : 0;
-    if constexpr (Kind::kCull) n = Culler(p.common, sorted, m, centre, radius_square, n).cull();
+    if constexpr (Kind::kCull) n = Culler(p, sorted, m, centre, radius_square, n).cull();
     int later = 0;
-    for (int a = lane; a < n; a += kSearchLanes) {
-      const std::uint32_t other = sorted.index[slot_of<Kind>(m.found[a])];
-      m.found_index[a] = other;
-      later += other > index;
+    for (int a = lane; __any_sync(~0u, a < n); a += kSearchLanes) {
+      const std::uint32_t other = a < n ? sorted.index[slot_of<Kind>(m.found[a])] : 0;
+      if (a < n) m.found_index[a] = other;
+      later += __popc(half_ballot(other > index));
     }
     if (lane < 3) m.found_index[n + lane] = ~0u;  // order_list takes four at a time
-    for (int step = kSearchLanes / 2; step > 0; step /= 2)
-      later += __shfl_xor_sync(~0u, later, step);
-    __syncwarp();  // order_list reads what other lanes found
+    __syncwarp();                                 // and reads what other lanes found
     int entry0 = 0, row0 = 0;
     if (lane == 0 && active) {
       entry0 = atomicAdd(&s.entries, n);
@@ -267,16 +287,19 @@ __device__ inline void find_lists(const DualEdgeProblem& p, const SortedBalls& s
       s.later[b] = room ? later : 0;
       s.entry0[b] = entry0;
       s.row0[b] = row0;
-      s.attached[b] = attached;
+      s.state[b] = !home.alive ? 0 : attached ? 1 : 2;
       s.first_triangle[b] = INT_MAX;
       s.end_triangle[b] = 0;
       s.exact[b] = room ? 0 : 2;
-      note_list<Kind>(p, *out.statistics, all, n);
+      if (home.alive) note_list<Kind>(p, *out.statistics, s, all, n);
     }
     __syncwarp();
   }
   __syncthreads();
-  if (threadIdx.x == 0) s.rows = min(s.rows, static_cast<int>(p.capacity.rows));
+  if (threadIdx.x == 0) {
+    if (!Kind::kExact && is_sampled(p)) note_lists(*out.statistics, s);
+    s.rows = min(s.rows, static_cast<int>(p.capacity.rows));
+  }
   __syncthreads();
 }
 

@@ -19,39 +19,34 @@ __device__ inline std::uint32_t tetrahedra_before(const DualEdgeMemory& m, int t
          __popc(m.two_bits[t >> 5] & below);
 }
 
-// Sums the bits of the words before each. Every thread takes part.
-template <class Kind>
-__device__ inline void sum_found(const DualEdgeMemory& m, BlockBalls& s, int triangles) {
+// Sums `bits(w)` over the words before each of those of `triangles`. One warp.
+template <class Bits>
+__device__ inline void sum_before(int triangles, std::uint32_t* before, const Bits& bits) {
   const int words = (triangles >> 5) + 1;
-  int faces = 0, ends = 0;
-  for (int w0 = 0; w0 < words; w0 += kBlockThreads) {
-    const int w = w0 + static_cast<int>(threadIdx.x);
-    int round = 0;
-    if constexpr (Kind::kWhole) {
-      const int before = block_scan(w < words ? __popc(m.found_bits[w]) : 0, s.scan, &round);
-      if (w < words) m.triangles_before[w] = faces + before;
-      faces += round;
-    }
-    const int before =
-        block_scan(w < words ? __popc(m.one_bits[w]) + __popc(m.two_bits[w]) : 0, s.scan, &round);
-    if (w < words) m.tetrahedra_before[w] = ends + before;
-    ends += round;
+  int sum = 0;
+  for (int w0 = 0; w0 < words; w0 += 32) {
+    const int w = w0 + static_cast<int>(threadIdx.x & 31);
+    const int own = w < words ? bits(w) : 0, scanned = warp_scan(own);
+    if (w < words) before[w] = sum + scanned;
+    sum += __shfl_sync(~0u, scanned + own, 31);
   }
-  __syncthreads();
 }
 
-// Room for so many simplices of each lane's ball, in the order of rows: where they begin. One warp.
-__device__ inline std::uint32_t claim(int own, int row0, int balls, std::uint32_t* cursor) {
-  std::uint32_t before = 0, all = 0;
-  for (int o = 0; o < balls; ++o) {
-    const int other = __shfl_sync(~0u, own, o);
-    if (__shfl_sync(~0u, row0, o) < row0) before += other;
-    all += other;
+// Room for so many simplices of each lane's ball: where they begin. One warp; `lane`: which one
+// asks for all, so that several requests are on their way at once.
+class Claim {
+ public:
+  __device__ Claim(int own, std::uint32_t* cursor, int lane)
+      : before_(warp_scan(own)), lane_(lane), base_(0) {
+    const int all = __shfl_sync(~0u, before_ + own, 31);
+    if (static_cast<int>(threadIdx.x & 31) == lane && all != 0) base_ = atomicAdd(cursor, all);
   }
-  std::uint32_t base = 0;
-  if (threadIdx.x == 0 && all != 0) base = atomicAdd(cursor, all);
-  return __shfl_sync(~0u, base, 0) + before;
-}
+  __device__ std::uint32_t start() const { return __shfl_sync(~0u, base_, lane_) + before_; }
+
+ private:
+  int before_, lane_;
+  std::uint32_t base_;
+};
 
 // Where the simplices of each ball go; balls for kernel III are listed instead. One warp.
 template <class Kind>
@@ -59,29 +54,33 @@ __device__ inline void claim_places(const DualEdgeOutput& out, const DualEdgeMem
                                     BlockBalls& s, std::uint32_t first, int balls) {
   const int b = static_cast<int>(threadIdx.x);
   const bool mine = b < balls && !s.exact[b];
-  const int row0 = b < balls ? s.row0[b] : 0;
-  const bool any = mine && s.first_triangle[b] < s.end_triangle[b];
-  const auto claimed = [&](auto before, const auto& to, std::uint32_t& at) {
-    const std::uint32_t begin = any ? before(m, s.first_triangle[b]) : 0,
-                        own = any ? before(m, s.end_triangle[b]) - begin : 0;
-    const std::uint32_t start = claim(static_cast<int>(own), row0, balls, to.cursor);
-    if (!mine) return;
-    to.start[s.index[b]] = start;
-    to.count[s.index[b]] = own;
-    at = start - begin;
-  };
-  claimed([](const DualEdgeMemory& from, int t) { return tetrahedra_before(from, t); },
-          out.tetrahedra, s.tetrahedron_at[b & (kMaxBallsPerBlock - 1)]);
+  const int begin = mine ? s.first_triangle[b] : 0, end = mine ? s.end_triangle[b] : 0;
+  const std::uint32_t index = mine ? s.index[b] : 0;
+  const bool any = begin < end;
+  const std::uint32_t tetrahedron0 = any ? tetrahedra_before(m, begin) : 0,
+                      tetrahedra = any ? tetrahedra_before(m, end) - tetrahedron0 : 0;
+  const Claim tetrahedron(static_cast<int>(tetrahedra), out.tetrahedra.cursor, 0);
   if constexpr (Kind::kWhole) {
-    claimed([](const DualEdgeMemory& from, int t) { return triangles_before(from, t); },
-            out.triangles, s.triangle_at[b & (kMaxBallsPerBlock - 1)]);
+    const std::uint32_t triangle0 = any ? triangles_before(m, begin) : 0,
+                        triangles = any ? triangles_before(m, end) - triangle0 : 0;
     const int edges = mine ? s.later[b] : 0;
-    const std::uint32_t start = claim(edges, row0, balls, out.edges.cursor);
+    const Claim triangle(static_cast<int>(triangles), out.triangles.cursor, 1);
+    const Claim edge(edges, out.edges.cursor, 2);
+    const std::uint32_t triangle_start = triangle.start(), edge_start = edge.start();
     if (mine) {
-      out.edges.start[s.index[b]] = start;
-      out.edges.count[s.index[b]] = edges;
-      s.edge_at[b] = start - row0;
+      out.triangles.start[index] = triangle_start;
+      out.triangles.count[index] = triangles;
+      s.triangle_at[b] = triangle_start - triangle0;
+      out.edges.start[index] = edge_start;
+      out.edges.count[index] = edges;
+      s.edge_at[b] = edge_start - s.row0[b];
     }
+  }
+  const std::uint32_t start = tetrahedron.start();
+  if (mine) {
+    out.tetrahedra.start[index] = start;
+    out.tetrahedra.count[index] = tetrahedra;
+    s.tetrahedron_at[b] = start - tetrahedron0;
   }
   if (!Kind::kExact && b < balls && s.exact[b]) {  // all of this ball is done again
     out.exact_list[atomicAdd(out.exact_count, 1u)] = first + b;
@@ -98,7 +97,6 @@ __device__ inline void write_edges(const EdgeCandidates& out, const DualEdgeMemo
     const std::uint32_t to = s.edge_at[b] + row;
     if (to >= out.capacity) continue;
     const int j = s.list[b] - s.later[b] + row - s.row0[b];
-    out.begin[to] = s.index[b];
     out.end[to] = m.index[s.entry0[b] + j];
     out.least[to] = kNoValue;
     out.flags[to] = owner & kUnattachedRow ? kUnattached : 0;
@@ -128,8 +126,14 @@ template <class Kind>
 __device__ inline void write_simplices(const DualEdgeProblem& p, const DualEdgeOutput& out,
                                        const DualEdgeMemory& m, BlockBalls& s, std::uint32_t first,
                                        int balls, int triangles, int words) {
-  sum_found<Kind>(m, s, triangles);
-  if (threadIdx.x < 32) claim_places<Kind>(out, m, s, first, balls);
+  if (threadIdx.x < 32) {
+    if constexpr (Kind::kWhole)
+      sum_before(triangles, m.triangles_before, [&](int w) { return __popc(m.found_bits[w]); });
+    sum_before(triangles, m.tetrahedra_before,
+               [&](int w) { return __popc(m.one_bits[w]) + __popc(m.two_bits[w]); });
+    __syncwarp();
+    claim_places<Kind>(out, m, s, first, balls);
+  }
   __syncthreads();
   if constexpr (Kind::kWhole) write_edges(out.edges, m, s);
   const int kept = min(s.kept, static_cast<int>(p.capacity.kept));

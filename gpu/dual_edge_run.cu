@@ -1,8 +1,8 @@
 // A run of the facet engine on the device: dual edges, then the result in lexicographic order. A
 // run that finds too little room is repeated with what it needed.
 #include "gpu/dual_edge_kernels.cuh"
-#include "gpu/gather_kernels.cuh"
-#include "gpu/pipeline_state.cuh"
+#include "gpu/ordering.cuh"
+#include "gpu/result_copy.cuh"
 #include "gpu/room.cuh"
 
 namespace alphascope::gpu {
@@ -12,7 +12,18 @@ namespace {
 class Run {
  public:
   Run(State& state, const Problem& plan, StageTimes* times)
-      : s_(state), plan_(plan), whole_(plan.whole), timer_(state.stream, times) {}
+      : s_(state),
+        q_(state.queues),
+        plan_(plan),
+        whole_(plan.whole),
+        result_(state, plan.whole),
+        timer_(state.queues.main, times) {}
+  // Whatever happened, the next run finds the device idle and the buffers its own.
+  ~Run() {
+    if (busy_) q_.wait(chunks_ > 1);
+  }
+  Run(const Run&) = delete;
+  Run& operator=(const Run&) = delete;
 
   PipelineResult compute(const CancelToken& cancel) {
     Need need = first_need(s_, plan_.alpha, whole_);
@@ -20,15 +31,13 @@ class Run {
       cancel.throw_if_cancelled();
       if (!blocks_fit(need)) break;
       const ResultLayout layout(need.counts, whole_);
+      chunks_ = std::min(chunk_count(s_, need, layout.bytes), blocks(need));
       reserve(need, layout);
       timer_.restart();
+      busy_ = true;
       enqueue(need, layout);
-      // Of a known alpha, the result comes along at once.
-      if (need.counted) {
-        copy(layout);
-        timer_.mark(stage::kDeviceToHost);
-      }
-      check(cudaStreamSynchronize(s_.stream), "computing dual edges");
+      const bool copied = copy_chunks(need, layout, cancel);
+      check(q_.wait(chunks_ > 1), "computing dual edges");
       const Need next = next_need(need);
       if (!was_enough(need, next)) {
         need = grown(need, next);
@@ -36,13 +45,14 @@ class Run {
       }
       remember(s_, next);
       const ResultLayout found(next.counts, whole_);
-      if (!need.counted) {
-        copy(layout, found);
-        timer_.mark(stage::kDeviceToHost);
-        check(cudaStreamSynchronize(s_.stream), "copying the result");
+      if (!copied) {
+        result_.found(layout, found, q_.main);
+        timer_.mark(stage::kDeviceToHost, q_.main);
+        check(cudaStreamSynchronize(q_.main), "copying the result");
       }
+      busy_ = false;
       timer_.report();
-      return result(need.counted ? layout : found, next.counts);
+      return result_.result(copied ? layout : found, next.counts);
     }
     PipelineResult none;
     none.fits = false;
@@ -50,10 +60,21 @@ class Run {
   }
 
  private:
+  int blocks(const Need& need) const {
+    return static_cast<int>((s_.n + need.balls_per_block - 1) / need.balls_per_block);
+  }
+
+  // Of kernel II, and of kernel III.
+  DualEdgeProblem block_problem(const Need& need) const {
+    return make_problem(s_, plan_, need.block, need.balls_per_block, need.cull);
+  }
+  DualEdgeProblem ball_problem(const Need& need) const {
+    return make_problem(s_, plan_, need.ball, 1, true);
+  }
+
   bool blocks_fit(const Need& need) const {
     const std::size_t shared =
-        std::max(block_memory_bytes(make_problem(s_, plan_, need.block, need.balls_per_block)),
-                 block_memory_bytes(make_problem(s_, plan_, need.ball, 1)));
+        std::max(block_problem(need).layout.bytes, ball_problem(need).layout.bytes);
     return shared + sizeof(BlockBalls) <= static_cast<std::size_t>(s_.shared_limit) &&
            need.ball.search < kMaxList && need.ball.triangles < kMaxTriangles &&
            need.block.triangles < kMaxTriangles && need.block.rows < kMaxRows;
@@ -70,13 +91,14 @@ class Run {
       s_.triangles.info.reserve(triangles);
       s_.triangles.attached_to.reserve(triangles);
       s_.triangles.start.reserve(s_.n);
-      s_.edges.begin.reserve(edges);
       s_.edges.end.reserve(edges);
       s_.edges.least.reserve(edges);
       s_.edges.flags.reserve(edges);
       s_.edges.start.reserve(s_.n);
       s_.pairs.reserve(s_.n + 1);
       s_.places.reserve(s_.n + 1);
+      s_.edges_found.reserve(s_.n);
+      if (chunks_ > 1) s_.pending.reserve(triangles);
     }
     const std::size_t room = s_.result.capacity();
     s_.result.reserve(layout.bytes);
@@ -94,93 +116,121 @@ class Run {
             {s_.triangles.vertices.get(), s_.triangles.info.get(), s_.triangles.attached_to.get(),
              capacity(s_.triangles.attached_to), &c->triangles, s_.triangles.start.get(),
              s_.zeroed_array(plan_, 1)},
-            {s_.edges.begin.get(), s_.edges.end.get(), s_.edges.least.get(), s_.edges.flags.get(),
+            {s_.edges.end.get(), s_.edges.least.get(), s_.edges.flags.get(),
              capacity(s_.edges.flags), &c->edges, s_.edges.start.get(), s_.zeroed_array(plan_, 2)},
             s_.zeroed_array(plan_, 4),
-            s_.exact_list.get(),
-            &c->exact_count,
+            nullptr,
+            nullptr,
             &c->blocks};
+  }
+
+  Part part(int number, const Need& need, DualEdgeOutput out) {
+    const auto begin = [&](int c) {  // of a whole block
+      const std::size_t block = static_cast<std::size_t>(blocks(need)) * c / chunks_;
+      return static_cast<std::uint32_t>(std::min(s_.n, block * need.balls_per_block));
+    };
+    Counters* counters = s_.counters();
+    out.exact_list = s_.exact_list.get() + begin(number);
+    out.exact_count = &counters->exact_count[number];
+    return {{begin(number), begin(number + 1), &counters->totals[number]}, out};
   }
 
   template <class Kernel>
   void start(Kernel kernel, unsigned grid, const DualEdgeProblem& problem,
-             const SortedBalls& sorted, const DualEdgeOutput& out) {
-    const std::size_t bytes = block_memory_bytes(problem);
+             const SortedBalls& sorted, const DualEdgeOutput& out, cudaStream_t stream) {
+    const std::size_t bytes = problem.layout.bytes;
     if (bytes > 40 * 1024) {
       check(cudaFuncSetAttribute(kernel, cudaFuncAttributeMaxDynamicSharedMemorySize,
                                  static_cast<int>(bytes)),
             "preparing a kernel");
     }
-    launch(kernel, {grid, kBlockThreads, s_.stream, bytes}, problem, sorted, out);
+    launch(kernel, {grid, kBlockThreads, stream, bytes}, problem, sorted, out);
     check(cudaGetLastError(), "starting a kernel");
   }
 
   template <bool kWhole>
-  void dual_edges(const Need& need, const SortedBalls& sorted, const DualEdgeOutput& out) {
-    const DualEdgeProblem p = make_problem(s_, plan_, need.block, need.balls_per_block);
-    const auto grid =
-        static_cast<unsigned>((s_.n + need.balls_per_block - 1) / need.balls_per_block);
+  void filter(const Need& need, const SortedBalls& sorted, const Part& part, cudaStream_t stream) {
+    DualEdgeProblem p = block_problem(need);
+    p.begin = part.chunk.begin;
+    p.end = part.chunk.end;
+    const unsigned grid = (p.end - p.begin + need.balls_per_block - 1) / need.balls_per_block;
     // Two and three words at compile time are slower than any number at run time: unrolled, lanes
     // in different words do not run together.
-    if (is_culled(need.mean_found)) {
-      start(dual_edges_filtered<kWhole, true, 0>, grid, p, sorted, out);
+    if (p.cull) {
+      start(dual_edges_filtered<kWhole, true, 0>, grid, p, sorted, part.out, stream);
     } else if (p.words == 1) {
-      start(dual_edges_filtered<kWhole, false, 1>, grid, p, sorted, out);
+      start(dual_edges_filtered<kWhole, false, 1>, grid, p, sorted, part.out, stream);
     } else {
-      start(dual_edges_filtered<kWhole, false, 0>, grid, p, sorted, out);
+      start(dual_edges_filtered<kWhole, false, 0>, grid, p, sorted, part.out, stream);
     }
-    timer_.mark(stage::kCandidatesAndFiltered);
-    start(dual_edges_exact<kWhole>, static_cast<unsigned>(2 * s_.multiprocessors),
-          make_problem(s_, plan_, need.ball, 1), sorted, out);
-    timer_.mark(stage::kExactValidity);
   }
 
+  // Everything but the copies of several chunks.
   void enqueue(const Need& need, const ResultLayout& layout) {
     const SortedBalls sorted = s_.sort_into_cells(plan_, timer_);
     const DualEdgeOutput out = output();
-    OrderedResult ordered{};
-    for (int d = 0; d < 4; ++d) {
-      const ResultLayout::Section& at = layout.dimension[d];
-      unsigned char* memory = s_.result.get();
-      ordered.dimension[d] = {reinterpret_cast<std::uint32_t*>(memory + at.vertices),
-                              reinterpret_cast<float*>(memory + at.value),
-                              memory + at.simplex_class,
-                              static_cast<std::uint32_t>(layout.room[d])};
+    if (chunks_ > 1) {
+      check(cudaEventRecord(q_.sorted, q_.main), "recording an event");
+      check(cudaStreamWaitEvent(q_.other, q_.sorted, 0), "waiting for an event");
     }
-    if (whole_) {
-      dual_edges<true>(need, sorted, out);
-      gather(out, ordered);
-    } else {
-      dual_edges<false>(need, sorted, out);
-      s_.scan(out.tetrahedra.count, s_.offset.get(), s_.n);
-      launch(place_tetrahedra, {4u * s_.multiprocessors, kThreads, s_.stream}, out.tetrahedra,
-             s_.offset.get(), ordered.dimension[3], &s_.counters()->hash[3]);
+    for (int c = 0; c < chunks_; ++c) {
+      const cudaStream_t stream = q_.filtering(c);
+      const Part of = part(c, need, out);
+      whole_ ? filter<true>(need, sorted, of, stream) : filter<false>(need, sorted, of, stream);
+      if (chunks_ > 1) check(cudaEventRecord(q_.filtered[c], stream), "recording an event");
+      if (c == chunks_ - 1) timer_.mark(stage::kCandidatesAndFiltered, stream);
     }
-    check(cudaGetLastError(), "ordering the simplices");
-    check(cudaMemcpyAsync(s_.host_counters.get(), s_.counters(), sizeof(Counters),
-                          cudaMemcpyDeviceToHost, s_.stream),
-          "copying the counts");
-    timer_.mark(stage::kPrefixSum);
+    for (int c = 0; c < chunks_; ++c) order(need, sorted, part(c, need, out), layout, c);
   }
 
-  void gather(const DualEdgeOutput& out, const OrderedResult& ordered) {
-    const int balls = plan_.ball_count;
-    const VertexStates vertices{out.vertex_state, s_.zeroed_array(plan_, 3),
-                                s_.zeroed_array(plan_, 5)};
-    const LaunchShape per_ball{blocks_for(s_.n + 1), kThreads, s_.stream},
-        per_edge{blocks_for((s_.n + 1) * kEdgeLanes), kThreads, s_.stream},
-        values{2u * kValueBlocks * s_.multiprocessors, kValueThreads, s_.stream};
-    launch(pair_counts, per_ball, balls, out.tetrahedra.count, out.triangles.count, s_.pairs.get());
-    s_.scan(s_.pairs.get(), s_.places.get(), s_.n + 1);
-    launch(place_faces, values, out, s_.balls.get(), s_.places.get(), ordered,
-           &s_.counters()->hash[0]);
-    launch(finish_edges, values, s_.balls.get(), out.edges, vertices);
-    launch(pair_edges_and_vertices, per_edge, balls, out.edges, vertices, s_.pairs.get());
-    s_.scan(s_.pairs.get(), s_.places.get(), s_.n + 1);
-    // Not more blocks than needed at once: each adds to the one hash.
-    const LaunchShape some{std::min(per_edge.blocks, 8u * s_.multiprocessors), kThreads, s_.stream};
-    launch(place_edges_and_vertices, some, balls, s_.balls.get(), out.edges, vertices,
-           s_.places.get(), ordered, &s_.counters()->edges_and_vertices, &s_.counters()->hash[0]);
+  cudaStream_t ordering() const { return chunks_ > 1 ? q_.ordering : q_.main; }
+
+  // Kernel III of a chunk, and its simplices into their order.
+  void order(const Need& need, const SortedBalls& sorted, const Part& part,
+             const ResultLayout& layout, int number) {
+    const cudaStream_t stream = ordering();
+    const bool last = number == chunks_ - 1;
+    if (chunks_ > 1)
+      check(cudaStreamWaitEvent(stream, q_.filtered[number], 0), "waiting for an event");
+    const auto blocks = static_cast<unsigned>(2 * s_.multiprocessors);
+    const auto exact = whole_ ? dual_edges_exact<true> : dual_edges_exact<false>;
+    start(exact, blocks, ball_problem(need), sorted, part.out, stream);
+    if (last) timer_.mark(stage::kExactValidity, stream);
+    Ordering(s_, plan_, layout, stream).enqueue(part);
+    check(cudaGetLastError(), "ordering the simplices");
+    const Counters* from = s_.counters();
+    Counters* to = s_.host_counters.get();
+    check(last ? cudaMemcpyAsync(to, from, sizeof(Counters), cudaMemcpyDeviceToHost, stream)
+               : cudaMemcpyAsync(&to->totals[number + 1], &from->totals[number + 1], sizeof(Totals),
+                                 cudaMemcpyDeviceToHost, stream),
+          "copying the counts");
+    if (chunks_ > 1) check(cudaEventRecord(q_.ordered[number], stream), "recording an event");
+    if (last) timer_.mark(stage::kPrefixSum, stream);
+  }
+
+  // Sends the simplices of each chunk on their way as soon as they are there and it is known how
+  // many. False when that will be known later: then nothing is copied yet.
+  bool copy_chunks(const Need& need, const ResultLayout& layout, const CancelToken& cancel) {
+    const bool known = need.counted && need.totals.size() == static_cast<std::size_t>(chunks_);
+    if (chunks_ == 1 && known) {
+      result_.all(layout, q_.main);
+      timer_.mark(stage::kDeviceToHost, q_.main);
+    }
+    if (chunks_ == 1) return known;
+    s_.host_result.reserve(layout.bytes);
+    Totals before{};
+    for (int c = 0; c < chunks_; ++c) {
+      if (!known) {
+        check(cudaEventSynchronize(q_.ordered[c]), "computing dual edges");
+        cancel.throw_if_cancelled();
+      }
+      const Totals after = known ? need.totals[c] : s_.host_counters.get()->totals[c + 1];
+      check(cudaStreamWaitEvent(q_.copying, q_.ordered[c], 0), "waiting for an event");
+      if (!result_.added(layout, before, after, q_.copying)) break;  // the run will be repeated
+      before = after;
+    }
+    timer_.mark(stage::kDeviceToHost, q_.copying);
+    return true;
   }
 
   // The next run's room: of this alpha, or of this very run once more.
@@ -190,44 +240,35 @@ class Run {
     Need next = need;
     next.alpha = plan_.alpha;
     next.counted = true;
-    next.counts = {{high_of(got.edges_and_vertices), low_of(got.edges_and_vertices), got.triangles,
-                    got.tetrahedra}};
+    next.totals.assign(got.totals + 1, got.totals + 1 + chunks_);
+    // Edges and vertices were not counted if the rest did not fit.
+    const Totals& all = next.totals.back();
+    next.counts = {{all.of[0], all.of[1], got.triangles, got.tetrahedra}};
     // A little more: which balls kernel III culls, though kernel II would not, varies from run to
     // run.
     next.candidates = got.edges + got.edges / 64;
-    if (met.balls == 0) return next;
-    const auto spread = [&](std::uint64_t sum, std::uint64_t squares) {
-      const double balls = static_cast<double>(met.balls), mean = static_cast<double>(sum) / balls;
-      const double variance = static_cast<double>(squares) / balls - mean * mean;
-      return Means::Spread{mean, std::sqrt(std::max(0.0, variance))};
-    };
-    const Means::Spread found = spread(met.found, met.found_squares);
-    Means::Spread list = spread(met.entries, met.entry_squares);
-    next.mean_found = found.mean;
-    // Lists that will not be culled are as long as what is found.
-    if (!is_culled(found.mean)) list = found;
-    // Balls without room count no triangles; half of their neighbours' pairs are a fair start.
-    const double seen = static_cast<double>(met.triangles) / static_cast<double>(met.balls);
-    const bool unseen = met.deferred > deferred_limit(need);
-    const auto kept = static_cast<double>(whole_ ? got.triangles : got.tetrahedra);
-    const Means means{found, list, unseen ? std::max(seen, list.mean * list.mean / 8) : seen,
-                      unseen ? (whole_ ? 15 : 6.5) : kept / static_cast<double>(s_.n)};
-    choose_room(s_, next, means);
-    if (met.deferred > std::max<std::size_t>(32, s_.n / 2000)) widen(next, means, unseen);
+    if (met.found.number == 0) return next;
+    const Demand::Spread found = spread_of(met.found);
+    const bool cull = is_culled(found.mean, need.cull), few = met.deferred <= deferred_limit(need);
+    if (cull != need.cull) {
+      choose_room(s_, next, guessed(found, cull, whole_));
+      return next;
+    }
+    Demand demand = measured(met, need.balls_per_block, cull);
+    if (!few) {  // there was no room to see all
+      next.margin = 1.3 * need.margin;
+      demand = larger(guessed(found, cull, whole_), demand);
+    } else if (need.alpha != plan_.alpha) {
+      next.margin = kFirstMargin;
+    } else if (met.deferred > std::max<std::size_t>(32, s_.n / 2000)) {
+      next.margin = std::max(need.margin, std::min(1.1 * need.margin, 2.0));
+    }
+    choose_room(s_, next, demand);
     return next;
   }
 
-  // More room for the next run's balls, if that does not cost balls a block (what is left to kernel
-  // III is cheaper) or must be.
-  void widen(Need& need, const Means& means, bool must) const {
-    Need wide = need;
-    wide.margin *= 1.2;
-    choose_room(s_, wide, means);
-    if (must || wide.balls_per_block == need.balls_per_block) need = wide;
-  }
-
   std::uint32_t deferred_limit(const Need& need) const {
-    return make_problem(s_, plan_, need.block, need.balls_per_block).deferred_limit;
+    return block_problem(need).deferred_limit;
   }
 
   bool was_enough(const Need& need, const Need& next) const {
@@ -238,7 +279,7 @@ class Run {
            (!whole_ || s_.host_counters.get()->edges <= need.candidates);
   }
 
-  // What the next attempt gets. Edges and vertices were not counted if the rest did not fit.
+  // What the next attempt gets.
   Need grown(const Need& need, Need next) const {
     const BlockStatistics& met = s_.host_counters.get()->blocks;
     const auto more = [](auto value) { return value + value / 8; };
@@ -248,6 +289,8 @@ class Run {
                  list,
                  list,
                  std::max(need.ball.triangles, more(met.most_triangles)),
+                 0,
+                 0,
                  std::max(need.ball.kept, more(met.most_kept))};
     next.counted = false;
     for (int d = 0; d < 4; ++d) next.counts[d] = std::max(need.counts[d], more(next.counts[d]));
@@ -255,68 +298,13 @@ class Run {
     return next;
   }
 
-  // All of the result's memory.
-  void copy(const ResultLayout& layout) {
-    s_.host_result.reserve(layout.bytes);
-    check(cudaMemcpyAsync(s_.host_result.get(), s_.result.get(), layout.bytes,
-                          cudaMemcpyDeviceToHost, s_.stream),
-          "copying the result");
-  }
-  // Only what was found, to where it fits exactly.
-  void copy(const ResultLayout& from, const ResultLayout& to) {
-    s_.host_result.reserve(to.bytes);
-    const auto bring = [&](std::size_t begin, std::size_t place, std::size_t bytes) {
-      if (bytes == 0) return;
-      check(cudaMemcpyAsync(s_.host_result.get() + place, s_.result.get() + begin, bytes,
-                            cudaMemcpyDeviceToHost, s_.stream),
-            "copying the result");
-    };
-    for (int d = whole_ ? 0 : 3; d < 4; ++d) {
-      const ResultLayout::Section &source = from.dimension[d], &target = to.dimension[d];
-      const std::size_t count = to.room[d];
-      bring(source.vertices, target.vertices, count * 4 * static_cast<std::size_t>(d + 1));
-      if (!whole_) continue;
-      bring(source.value, target.value, count * 4);
-      if (d < 3) bring(source.simplex_class, target.simplex_class, count);
-    }
-  }
-
-  template <int N>
-  HostSimplices<N> simplices(const ResultLayout& layout, const SimplexCounts& counts) const {
-    static_assert(sizeof(std::array<BallIndex, N>) == N * sizeof(std::uint32_t));
-    const ResultLayout::Section& at = layout.dimension[N - 1];
-    const unsigned char* memory = s_.host_result.get();
-    HostSimplices<N> list;
-    list.simplices = {reinterpret_cast<const std::array<BallIndex, N>*>(memory + at.vertices),
-                      counts[N - 1]};
-    if (!whole_) return list;
-    list.values = {reinterpret_cast<const float*>(memory + at.value), counts[N - 1]};
-    if (N < 4) {
-      list.classes = {reinterpret_cast<const SimplexClass*>(memory + at.simplex_class),
-                      counts[N - 1]};
-    }
-    return list;
-  }
-
-  PipelineResult result(const ResultLayout& layout, const SimplexCounts& counts) const {
-    PipelineResult result;
-    result.exact_balls = s_.host_counters.get()->exact_count;
-    for (int d = 0; d < 4; ++d) {
-      result.hash.sum[d] = s_.host_counters.get()->hash[d];
-      result.hash.count[d] = whole_ || d == 3 ? counts[d] : 0;
-    }
-    if (whole_) {
-      result.vertices = simplices<1>(layout, counts);
-      result.edges = simplices<2>(layout, counts);
-      result.triangles = simplices<3>(layout, counts);
-    }
-    result.tetrahedra = simplices<4>(layout, counts);
-    return result;
-  }
-
   State& s_;
+  const Queues& q_;
   const Problem plan_;
   const bool whole_;
+  int chunks_ = 1;
+  bool busy_ = false;
+  ResultCopy result_;
   EventTimer timer_;
 };
 

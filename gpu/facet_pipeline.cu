@@ -17,7 +17,7 @@ FacetPipeline::FacetPipeline(const BallSet& balls) : state_(std::make_unique<Sta
         "asking for its shared memory");
   check(cudaDeviceGetAttribute(&s.multiprocessors, cudaDevAttrMultiProcessorCount, device),
         "asking for its processors");
-  check(cudaStreamCreateWithFlags(&s.stream, cudaStreamNonBlocking), "creating a stream");
+  s.queues.create();
   s.load(balls);
   s.host_counters.reserve(1);
   s.balls.reserve(s.n);
@@ -25,8 +25,48 @@ FacetPipeline::FacetPipeline(const BallSet& balls) : state_(std::make_unique<Sta
   s.cell_and_rank.reserve(s.n);
   s.index.reserve(s.n);
   s.near.reserve(s.n);
-  s.cell.reserve(s.n);
+  s.home.reserve(s.n);
   s.exact_list.reserve(s.n);
+}
+
+void Queues::create() {
+  int least = 0, greatest = 0;
+  check(cudaDeviceGetStreamPriorityRange(&least, &greatest), "asking for priorities");
+  const auto stream = [](cudaStream_t& s, int priority) {
+    check(cudaStreamCreateWithPriority(&s, cudaStreamNonBlocking, priority), "creating a stream");
+  };
+  stream(main, least);
+  stream(other, least);
+  stream(ordering, greatest);
+  stream(copying, greatest);
+  const auto event = [](cudaEvent_t& e) {
+    check(cudaEventCreateWithFlags(&e, cudaEventDisableTiming), "creating an event");
+  };
+  event(sorted);
+  for (cudaEvent_t& e : filtered) event(e);
+  for (cudaEvent_t& e : ordered) event(e);
+}
+
+Queues::~Queues() {
+  for (cudaStream_t s : {main, other, ordering, copying}) {
+    if (s != nullptr) cudaStreamDestroy(s);
+  }
+  const auto destroy = [](cudaEvent_t e) {
+    if (e != nullptr) cudaEventDestroy(e);
+  };
+  destroy(sorted);
+  for (cudaEvent_t e : filtered) destroy(e);
+  for (cudaEvent_t e : ordered) destroy(e);
+}
+
+cudaError_t Queues::wait(bool all) const {
+  cudaError_t status = cudaStreamSynchronize(main);
+  for (cudaStream_t s : {other, ordering, copying}) {
+    if (!all) break;
+    const cudaError_t own = cudaStreamSynchronize(s);
+    if (status == cudaSuccess) status = own;
+  }
+  return status;
 }
 
 void FacetPipeline::State::load(const BallSet& set) {
@@ -64,9 +104,9 @@ void FacetPipeline::State::load(const BallSet& set) {
 
 void FacetPipeline::State::send_balls() {
   check(packing ? cudaMemcpyAsync(words.get(), host_words.get(), word_count * 8,
-                                  cudaMemcpyHostToDevice, stream)
+                                  cudaMemcpyHostToDevice, queues.main)
                 : cudaMemcpyAsync(balls.get(), host_balls.get(), n * sizeof(int4),
-                                  cudaMemcpyHostToDevice, stream),
+                                  cudaMemcpyHostToDevice, queues.main),
         "copying the balls");
 }
 
@@ -100,6 +140,9 @@ std::optional<Problem> FacetPipeline::State::plan(double alpha, bool whole) {
     width = std::ceil(width * 1.25);
   }
   p.cell_width = static_cast<int>(std::min(width, 2147483647.0));
+  // Two parts more: parts of balls are rounded down, and sums of floats err a little.
+  p.fraction = static_cast<float>(kCellParts / static_cast<double>(p.cell_width));
+  p.reach_max = static_cast<float>((cutoff / 2 * (1 + 1e-4) + p.reach_slack) * p.fraction + 2);
   p.nx = static_cast<int>(cells(s.low.x, s.high.x));
   p.ny = static_cast<int>(cells(s.low.y, s.high.y));
   p.nz = static_cast<int>(cells(s.low.z, s.high.z));
@@ -112,23 +155,24 @@ std::optional<Problem> FacetPipeline::State::plan(double alpha, bool whole) {
 
 SortedBalls FacetPipeline::State::sort_into_cells(const Problem& p, EventTimer& timer) {
   send_balls();
-  timer.mark(stage::kHostToDevice);
+  timer.mark(stage::kHostToDevice, queues.main);
   // One fill: the counters, the cells' and the balls' counts.
-  fill(zeroed.get(), 0, (kCounterWords + p.cell_count + 1 + (p.whole ? kZeroedArrays : 1) * n) * 4);
+  // Prefix sums read, but do not use, the number after the last.
+  fill(zeroed.get(), 0,
+       (kCounterWords + p.cell_count + 1 + (p.whole ? kZeroedArrays * n : n + 1)) * 4);
   std::uint32_t* cell_count = zeroed.get() + kCounterWords;
-  const LaunchShape per_ball{blocks_for(n), kThreads, stream};
+  const LaunchShape per_ball{blocks_for(n), kThreads, queues.main};
   ReceivedBalls received{};
   if (packing) {
     received = {words.get(), reinterpret_cast<const std::int32_t*>(words.get() + n), *packing};
   }
   launch(gpu::assign_cells, per_ball, p, received, balls.get(), cell_count, cell_and_rank.get());
-  scan(cell_count, cell_start.get(), p.cell_count + 1);
+  scan(cell_count, cell_start.get(), p.cell_count + 1, queues.main);
   launch(gpu::sort_into_cells, per_ball, p, balls.get(), cell_and_rank.get(), cell_start.get(),
-         sorted.get(), index.get(), near.get(), cell.get());
+         SortedBuffers{sorted.get(), index.get(), near.get(), home.get()});
   check(cudaGetLastError(), "sorting the balls");
-  timer.mark(stage::kGrid);
-  return {sorted.get(), index.get(),      near.get(),
-          cell.get(),   cell_start.get(), cell_start.get() + (p.cell_count - 1)};
+  timer.mark(stage::kGrid, queues.main);
+  return {sorted.get(), index.get(), near.get(), cell_start.get(), home.get()};
 }
 
 }  // namespace alphascope::gpu

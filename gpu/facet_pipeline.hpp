@@ -2,6 +2,7 @@
 // pinned host memory. The engine face, fallbacks and device probing are gpu_engine.cu's business.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -43,6 +44,9 @@ class FacetPipeline {
                      StageTimes* times);
 
   struct State;  // for the pipeline's own sources
+
+  // For tests: in how many chunks every run goes through the balls; 0: as is quickest.
+  static inline std::atomic<int> forced_chunks{0};
 
  private:
   std::unique_ptr<State> state_;

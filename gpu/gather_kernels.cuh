@@ -31,11 +31,42 @@ __host__ __device__ inline std::uint32_t high_of(std::uint64_t pair) {
   return static_cast<std::uint32_t>(pair >> 32);
 }
 
-__global__ void pair_counts(int balls, const std::uint32_t* tetrahedra,
+// Of the chunk's balls, and 0 after them.
+__global__ void pair_counts(Chunk chunk, const std::uint32_t* tetrahedra,
                             const std::uint32_t* triangles, std::uint64_t* pairs) {
-  const int i = blockIdx.x * blockDim.x + threadIdx.x;
-  if (i <= balls) pairs[i] = i == balls ? 0 : pair_of(tetrahedra[i], triangles[i]);
+  const std::uint32_t i = chunk.begin + blockIdx.x * blockDim.x + threadIdx.x;
+  if (i <= chunk.end) pairs[i] = i == chunk.end ? 0 : pair_of(tetrahedra[i], triangles[i]);
 }
+
+// The simplices of one dimension of a group of balls, laid end to end.
+constexpr int kGroupBalls = 256;
+struct GroupItems {
+  std::uint32_t start[kGroupBalls];       // of each ball's, as blocks wrote them
+  std::uint32_t before[kGroupBalls + 1];  // those of balls before in the group
+  std::uint32_t place;                    // of the group's first one in the result
+
+  // Every thread calls it. `places(i)`: simplices of the chunk's balls before i.
+  template <class Places>
+  __device__ void load(std::uint32_t first, int balls, const std::uint32_t* starts,
+                       const Places& places, std::uint32_t before_chunk) {
+    const std::uint32_t at = places(first);
+    for (int b = threadIdx.x; b <= balls; b += blockDim.x) {
+      before[b] = places(first + b) - at;
+      if (b < balls) start[b] = starts[first + b];
+    }
+    if (threadIdx.x == 0) place = before_chunk + at;
+  }
+  __device__ std::uint32_t count(int balls) const { return before[balls]; }
+  // Where the t-th was written.
+  __device__ std::uint32_t source(std::uint32_t t, int balls) const {
+    int low = 0, high = balls;
+    while (low + 1 < high) {
+      const int middle = (low + high) / 2;
+      (before[middle] <= t ? low : high) = middle;
+    }
+    return start[low] + (t - before[low]);
+  }
+};
 
 // Of kernels that find values. Double precision waits for its operands: more warps at once pay,
 // even at the price of registers that spill.
@@ -103,29 +134,45 @@ __device__ inline void tell_last(const EdgeCandidates& edges, std::uint32_t j, s
   tell(edges, low, value, flags);
 }
 
-// Adds up what all lanes of a warp have, in one place.
-__device__ inline void add_of_warp(std::uint64_t own, std::uint64_t* sum) {
+// Adds up what all threads of a block have. Every thread calls it.
+__device__ inline void add_of_block(std::uint64_t own, std::uint64_t* sum) {
+  __shared__ std::uint64_t all;
+  if (threadIdx.x == 0) all = 0;
+  __syncthreads();
   for (int step = 16; step > 0; step /= 2) own += __shfl_xor_sync(~0u, own, step);
-  if ((threadIdx.x & 31) == 0 && own != 0)
-    atomicAdd(reinterpret_cast<unsigned long long*>(sum), static_cast<unsigned long long>(own));
+  if ((threadIdx.x & 31) == 0) add(&all, own);
+  __syncthreads();
+  if (threadIdx.x == 0 && all != 0) add(sum, all);
+  __syncthreads();
 }
 
-// Triangle t: its value, which its edges learn, and its place; returns its hash.
+// Triangles whose edge jk belongs to a ball of a later chunk, which learns of them in its turn:
+// their places in the result.
+struct PendingTriangles {
+  std::uint32_t* places;
+  std::uint32_t* count;
+};
+
+// Triangle `t`: its value, which its edges learn, and its place; returns its hash.
 __device__ inline std::uint64_t place_triangle(const DualEdgeOutput& from, std::uint32_t t,
-                                               const int4* ball, const std::uint64_t* places,
+                                               const int4* ball, const Chunk& chunk,
+                                               const PendingTriangles& pending, std::uint32_t at,
                                                const OrderedSimplices& out) {
   const std::uint32_t* v = from.triangles.vertices + 3 * static_cast<std::size_t>(t);
   const std::uint32_t i = v[0], j = v[1], k = v[2], info = from.triangles.info[t];
   const std::uint32_t l = from.triangles.attached_to[t];
+  if (at >= out.capacity) return 0;
   const float value = l == kNoBall ? ortho_radius<3>(ball, make_uint4(i, j, k, 0))
                                    : ortho_radius<4>(ball, make_uint4(i, j, k, l));
   const std::uint32_t bits = ordered_bits(value), cofaces = info >> 24,
                       flags = coface_flags(cofaces == 2), own = from.edges.start[i];
   tell(from.edges, own + (info & 4095), bits, flags);
   tell(from.edges, own + (info >> 12 & 4095), bits, flags);
-  tell_last(from.edges, j, k, bits, flags);
-  const std::uint32_t at = high_of(places[i]) + (t - from.triangles.start[i]);
-  if (at >= out.capacity) return 0;
+  if (j < chunk.end) {
+    tell_last(from.edges, j, k, bits, flags);
+  } else {
+    pending.places[atomicAdd(pending.count, 1u)] = at;
+  }
   std::uint32_t* place = out.vertices + 3 * static_cast<std::size_t>(at);
   place[0] = i;
   place[1] = j;
@@ -140,49 +187,96 @@ __device__ inline std::uint64_t hash_of(const uint4& tetrahedron) {
   return simplex_hash<4>(v);
 }
 
-// Triangles and tetrahedra; `places`: per ball, those of balls before it.
-__global__ void __launch_bounds__(kValueThreads, kValueBlocks)
-    place_faces(DualEdgeOutput from, const int4* ball, const std::uint64_t* places,
-                OrderedResult to, std::uint64_t* hash) {
-  const std::uint32_t triangles = *from.triangles.cursor, tetrahedra = *from.tetrahedra.cursor;
-  // The run will be repeated with room for all.
-  if (triangles > from.triangles.capacity || tetrahedra > from.tetrahedra.capacity ||
-      *from.edges.cursor > from.edges.capacity)
-    return;
-  const std::uint32_t step = gridDim.x * blockDim.x;
-  std::uint64_t triangle_hash = 0, tetrahedron_hash = 0;
-  for (std::uint32_t t = blockIdx.x * blockDim.x + threadIdx.x; t < triangles; t += step)
-    triangle_hash += place_triangle(from, t, ball, places, to.dimension[2]);
-  for (std::uint32_t t = blockIdx.x * blockDim.x + threadIdx.x; t < tetrahedra; t += step) {
-    const uint4 v = from.tetrahedra.vertices[t];
-    const std::uint32_t at = low_of(places[v.x]) + (t - from.tetrahedra.start[v.x]);
-    const OrderedSimplices& out = to.dimension[3];
-    if (at >= out.capacity) continue;
-    reinterpret_cast<uint4*>(out.vertices)[at] = v;
-    out.value[at] = ortho_radius<4>(ball, v);
-    tetrahedron_hash += hash_of(v);
-  }
-  __syncwarp();
-  add_of_warp(triangle_hash, &hash[2]);
-  add_of_warp(tetrahedron_hash, &hash[3]);
+// Is there no room for all that was found? Then the run will be repeated with more.
+__device__ inline bool is_overfull(const DualEdgeOutput& from) {
+  return *from.triangles.cursor > from.triangles.capacity ||
+         *from.tetrahedra.cursor > from.tetrahedra.capacity ||
+         *from.edges.cursor > from.edges.capacity;
 }
 
-// Tetrahedra alone, without values.
-__global__ void place_tetrahedra(FoundTetrahedra from, const std::uint32_t* places,
-                                 OrderedSimplices to, std::uint64_t* hash) {
-  const std::uint32_t count = *from.cursor;
-  if (count > from.capacity) return;  // the run will be repeated with room for all
-  std::uint64_t sum = 0;
-  for (std::uint32_t t = blockIdx.x * blockDim.x + threadIdx.x; t < count;
-       t += gridDim.x * blockDim.x) {
-    const uint4 v = from.vertices[t];
-    const std::uint32_t at = places[v.x] + (t - from.start[v.x]);
-    if (at >= to.capacity) continue;
-    reinterpret_cast<uint4*>(to.vertices)[at] = v;
-    sum += hash_of(v);
+// Calls visit(first ball, balls) for groups of the chunk's balls, block after block.
+template <class Visit>
+__device__ inline void for_groups(const Chunk& chunk, int group, const Visit& visit) {
+  for (std::uint32_t first = chunk.begin + blockIdx.x * group; first < chunk.end;
+       first += gridDim.x * group) {
+    visit(first, static_cast<int>(min(static_cast<std::uint32_t>(group), chunk.end - first)));
+    __syncthreads();
   }
-  __syncwarp();
-  add_of_warp(sum, hash);
+}
+
+// The chunk's triangles and tetrahedra; `places`: as pair_counts() laid them out, summed.
+__global__ void __launch_bounds__(kValueThreads, kValueBlocks)
+    place_faces(Chunk chunk, int group, DualEdgeOutput from, const int4* ball,
+                const std::uint64_t* places, PendingTriangles pending, OrderedResult to,
+                std::uint64_t* hash) {
+  __shared__ GroupItems triangles, tetrahedra;
+  if (is_overfull(from)) return;
+  const Totals before = *chunk.before;
+  std::uint64_t triangle_hash = 0, tetrahedron_hash = 0;
+  for_groups(chunk, group, [&](std::uint32_t first, int balls) {
+    triangles.load(
+        first, balls, from.triangles.start, [&](std::uint32_t i) { return high_of(places[i]); },
+        before.of[2]);
+    tetrahedra.load(
+        first, balls, from.tetrahedra.start, [&](std::uint32_t i) { return low_of(places[i]); },
+        before.of[3]);
+    __syncthreads();
+    for (std::uint32_t t = threadIdx.x; t < triangles.count(balls); t += blockDim.x)
+      triangle_hash += place_triangle(from, triangles.source(t, balls), ball, chunk, pending,
+                                      triangles.place + t, to.dimension[2]);
+    for (std::uint32_t t = threadIdx.x; t < tetrahedra.count(balls); t += blockDim.x) {
+      const uint4 v = from.tetrahedra.vertices[tetrahedra.source(t, balls)];
+      const std::uint32_t at = tetrahedra.place + t;
+      const OrderedSimplices& out = to.dimension[3];
+      if (at >= out.capacity) continue;
+      reinterpret_cast<uint4*>(out.vertices)[at] = v;
+      out.value[at] = ortho_radius<4>(ball, v);
+      tetrahedron_hash += hash_of(v);
+    }
+  });
+  add_of_block(triangle_hash, &hash[2]);
+  add_of_block(tetrahedron_hash, &hash[3]);
+  if (blockIdx.x != 0 || threadIdx.x != 0) return;
+  chunk.before[1].of[2] = before.of[2] + high_of(places[chunk.end]);
+  chunk.before[1].of[3] = before.of[3] + low_of(places[chunk.end]);
+}
+
+// The chunk's tetrahedra alone, without values.
+__global__ void place_tetrahedra(Chunk chunk, int group, FoundTetrahedra from,
+                                 const std::uint32_t* places, OrderedSimplices to,
+                                 std::uint64_t* hash) {
+  __shared__ GroupItems tetrahedra;
+  if (*from.cursor > from.capacity) return;
+  const std::uint32_t before = chunk.before->of[3];
+  std::uint64_t sum = 0;
+  for_groups(chunk, group, [&](std::uint32_t first, int balls) {
+    tetrahedra.load(
+        first, balls, from.start, [&](std::uint32_t i) { return places[i]; }, before);
+    __syncthreads();
+    for (std::uint32_t t = threadIdx.x; t < tetrahedra.count(balls); t += blockDim.x) {
+      const uint4 v = from.vertices[tetrahedra.source(t, balls)];
+      const std::uint32_t at = tetrahedra.place + t;
+      if (at >= to.capacity) continue;
+      reinterpret_cast<uint4*>(to.vertices)[at] = v;
+      sum += hash_of(v);
+    }
+  });
+  add_of_block(sum, hash);
+  if (blockIdx.x == 0 && threadIdx.x == 0) chunk.before[1].of[3] = before + places[chunk.end];
+}
+
+// What the triangles of earlier chunks say about edges of this one.
+__global__ void tell_pending(Chunk chunk, DualEdgeOutput from, PendingTriangles pending,
+                             OrderedSimplices triangles) {
+  if (is_overfull(from)) return;
+  const std::uint32_t count = *pending.count, step = gridDim.x * blockDim.x;
+  for (std::uint32_t a = blockIdx.x * blockDim.x + threadIdx.x; a < count; a += step) {
+    const std::uint32_t at = pending.places[a];
+    const std::uint32_t* v = triangles.vertices + 3 * static_cast<std::size_t>(at);
+    if (v[1] < chunk.begin || v[1] >= chunk.end) continue;
+    tell_last(from.edges, v[1], v[2], ordered_bits(triangles.value[at]),
+              coface_flags(triangles.simplex_class[at] == 2));
+  }
 }
 
 // What vertices learn from edges.
@@ -198,29 +292,6 @@ __device__ inline bool edge_is_there(std::uint32_t flags) {
 }
 __device__ inline bool vertex_is_there(const VertexStates& v, std::uint32_t i) {
   return v.state[i] == 2 || (v.state[i] == 1 && (v.flags[i] & kHasCoface));
-}
-
-// The values of unattached edges; and vertices learn from all edges in K_alpha.
-__global__ void __launch_bounds__(kValueThreads, kValueBlocks)
-    finish_edges(const int4* ball, EdgeCandidates edges, VertexStates vertices) {
-  const std::uint32_t count = *edges.cursor, step = gridDim.x * blockDim.x;
-  if (count > edges.capacity) return;
-  for (std::uint32_t e = blockIdx.x * blockDim.x + threadIdx.x; e < count; e += step) {
-    const std::uint32_t flags = edges.flags[e];
-    if (!edge_is_there(flags)) continue;
-    const std::uint32_t ends[2] = {edges.begin[e], edges.end[e]};
-    std::uint32_t least = edges.least[e];
-    if (flags & kUnattached) {
-      least = ordered_bits(ortho_radius<2>(ball, make_uint4(ends[0], ends[1], 0, 0)));
-      edges.least[e] = least;
-    }
-    const std::uint32_t flag = coface_flags(class_of(flags) == 2);
-    for (const std::uint32_t v : ends) {
-      if ((vertices.flags[v] & flag) != flag) atomicOr(&vertices.flags[v], flag);
-      if (vertices.state[v] == 1 && vertices.greatest[v] < ~least)
-        atomicMax(&vertices.greatest[v], ~least);
-    }
-  }
 }
 
 // Lanes that look at one ball's edges.
@@ -244,14 +315,55 @@ __device__ inline std::uint32_t for_edges(const EdgeCandidates& edges, std::uint
   return found;
 }
 
-// Counts the edges in K_alpha of each ball, and the ball itself if it is a vertex.
-__global__ void pair_edges_and_vertices(int balls, EdgeCandidates edges, VertexStates vertices,
-                                        std::uint64_t* pairs) {
-  if (*edges.cursor > edges.capacity) return;
-  const int i = static_cast<int>((blockIdx.x * blockDim.x + threadIdx.x) / kEdgeLanes);
-  const std::uint32_t found = for_edges(edges, i, i < balls, [](std::uint32_t, std::uint32_t) {});
-  if (i > balls || threadIdx.x % kEdgeLanes != 0) return;
-  pairs[i] = i == balls ? 0 : pair_of(found, vertex_is_there(vertices, i));
+// Calls visit(ball, is there one?) for the chunk's balls, kEdgeLanes each.
+template <class Visit>
+__device__ inline void for_balls(const Chunk& chunk, const Visit& visit) {
+  const std::uint32_t step = gridDim.x * blockDim.x / kEdgeLanes;
+  for (std::uint32_t i = chunk.begin + (blockIdx.x * blockDim.x + threadIdx.x) / kEdgeLanes;
+       __any_sync(~0u, i < chunk.end); i += step)
+    visit(i, i < chunk.end);
+}
+
+// An edge of K_alpha to ball `end`: its value, if it is not attached; and its ends learn from it.
+__device__ inline void finish_edge(const int4* ball, const EdgeCandidates& edges,
+                                   const VertexStates& vertices, const Chunk& chunk,
+                                   std::uint32_t begin, std::uint32_t e) {
+  const std::uint32_t flags = edges.flags[e], ends[2] = {begin, edges.end[e]};
+  std::uint32_t least = edges.least[e];
+  if (flags & kUnattached) {
+    least = ordered_bits(ortho_radius<2>(ball, make_uint4(ends[0], ends[1], 0, 0)));
+    edges.least[e] = least;
+  }
+  const std::uint32_t flag = coface_flags(class_of(flags) == 2);
+  for (const std::uint32_t v : ends) {
+    if ((vertices.flags[v] & flag) != flag) atomicOr(&vertices.flags[v], flag);
+    // Of a later chunk, the state is not known yet.
+    if ((v >= chunk.end || vertices.state[v] == 1) && vertices.greatest[v] < ~least)
+      atomicMax(&vertices.greatest[v], ~least);
+  }
+}
+
+// The edges of the chunk's balls. `found`: how many each ball has in K_alpha.
+__global__ void __launch_bounds__(kValueThreads, kValueBlocks)
+    finish_edges(Chunk chunk, DualEdgeOutput from, const int4* ball, VertexStates vertices,
+                 std::uint32_t* found) {
+  if (is_overfull(from)) return;
+  for_balls(chunk, [&](std::uint32_t i, bool active) {
+    const std::uint32_t count =
+        for_edges(from.edges, i, active, [&](std::uint32_t e, std::uint32_t) {
+          finish_edge(ball, from.edges, vertices, chunk, i, e);
+        });
+    if (active && threadIdx.x % kEdgeLanes == 0) found[i] = count;
+  });
+}
+
+// Per ball, its edges and itself if it is a vertex; 0 after the chunk's.
+__global__ void pair_edges_and_vertices(Chunk chunk, DualEdgeOutput from, VertexStates vertices,
+                                        const std::uint32_t* found, std::uint64_t* pairs) {
+  if (is_overfull(from)) return;
+  const std::uint32_t i = chunk.begin + blockIdx.x * blockDim.x + threadIdx.x;
+  if (i > chunk.end) return;
+  pairs[i] = i == chunk.end ? 0 : pair_of(found[i], vertex_is_there(vertices, i));
 }
 
 // Writes vertex i; returns its hash.
@@ -267,20 +379,18 @@ __device__ inline std::uint64_t place_vertex(std::uint32_t i, const int4* ball,
   return simplex_hash<1>(&i);
 }
 
-// Writes edges and vertices; `places`: per ball, those of balls before it.
-__global__ void place_edges_and_vertices(int balls, const int4* ball, EdgeCandidates edges,
+// Writes the chunk's edges and vertices; `places`: as pair_edges_and_vertices() laid them out,
+// summed.
+__global__ void place_edges_and_vertices(Chunk chunk, DualEdgeOutput from, const int4* ball,
                                          VertexStates vertices, const std::uint64_t* places,
-                                         OrderedResult to, std::uint64_t* total,
-                                         std::uint64_t* hash) {
-  if (*edges.cursor > edges.capacity) return;
-  if (blockIdx.x == 0 && threadIdx.x == 0) *total = places[balls];
-  const auto end = static_cast<std::uint32_t>(balls);
-  const std::uint32_t step = gridDim.x * blockDim.x / kEdgeLanes;
+                                         OrderedResult to, std::uint64_t* hash) {
+  if (is_overfull(from)) return;
+  const Totals before = *chunk.before;
+  const EdgeCandidates& edges = from.edges;
   std::uint64_t edge_hash = 0, vertex_hash = 0;
-  for (std::uint32_t i = (blockIdx.x * blockDim.x + threadIdx.x) / kEdgeLanes;
-       __any_sync(~0u, i < end); i += step) {
-    const std::uint32_t first = i < end ? low_of(places[i]) : 0;
-    for_edges(edges, i, i < end, [&](std::uint32_t e, std::uint32_t number) {
+  for_balls(chunk, [&](std::uint32_t i, bool active) {
+    const std::uint32_t first = active ? before.of[1] + low_of(places[i]) : 0;
+    for_edges(edges, i, active, [&](std::uint32_t e, std::uint32_t number) {
       const std::uint32_t at = first + number, v[2] = {i, edges.end[e]};
       const OrderedSimplices& out = to.dimension[1];
       if (at >= out.capacity) return;
@@ -289,12 +399,16 @@ __global__ void place_edges_and_vertices(int balls, const int4* ball, EdgeCandid
       out.simplex_class[at] = class_of(edges.flags[e]);
       edge_hash += simplex_hash<2>(v);
     });
-    if (i < end && threadIdx.x % kEdgeLanes == 0 && vertex_is_there(vertices, i))
-      vertex_hash += place_vertex(i, ball, vertices, high_of(places[i]), to.dimension[0]);
+    if (active && threadIdx.x % kEdgeLanes == 0 && vertex_is_there(vertices, i))
+      vertex_hash +=
+          place_vertex(i, ball, vertices, before.of[0] + high_of(places[i]), to.dimension[0]);
     __syncwarp();
-  }
-  add_of_warp(vertex_hash, &hash[0]);
-  add_of_warp(edge_hash, &hash[1]);
+  });
+  add_of_block(vertex_hash, &hash[0]);
+  add_of_block(edge_hash, &hash[1]);
+  if (blockIdx.x != 0 || threadIdx.x != 0) return;
+  chunk.before[1].of[0] = before.of[0] + high_of(places[chunk.end]);
+  chunk.before[1].of[1] = before.of[1] + low_of(places[chunk.end]);
 }
 
 }  // namespace alphascope::gpu

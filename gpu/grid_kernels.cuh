@@ -35,17 +35,35 @@ __global__ void assign_cells(Problem p, ReceivedBalls received, int4* balls,
   cell_and_rank[i] = make_uint2(cell, atomicAdd(&cell_count[cell], 1u));
 }
 
+// BallHome::part, which needs no more than what it promises: quick.
+__device__ inline std::uint32_t part_of_cell(const Problem& p, const int4& b) {
+  const auto part = [&](int coordinate, int lower) {
+    const float within = static_cast<float>((coordinate - lower) % p.cell_width);
+    return static_cast<std::uint32_t>(min(static_cast<int>(within * p.fraction), kCellParts - 1));
+  };
+  return part(b.x, p.origin.x) | part(b.y, p.origin.y) << 10 | part(b.z, p.origin.z) << 20;
+}
+
+// What sort_into_cells() writes; as SortedBalls.
+struct SortedBuffers {
+  int4* ball;
+  std::uint32_t* index;
+  float4* near;
+  BallHome* home;
+};
+
 __global__ void sort_into_cells(Problem p, const int4* balls, const uint2* cell_and_rank,
-                                const std::uint32_t* cell_start, int4* sorted, std::uint32_t* index,
-                                float4* near, std::uint32_t* cell) {
+                                const std::uint32_t* cell_start, SortedBuffers to) {
   const int i = blockIdx.x * blockDim.x + threadIdx.x;
   if (i >= p.ball_count) return;
   const int4 b = balls[i];
   const uint2 c = cell_and_rank[i];
   const std::uint32_t slot = cell_start[c.x] + c.y;
-  sorted[slot] = b;
-  index[slot] = i;
-  cell[slot] = c.x;
+  to.ball[slot] = b;
+  to.index[slot] = i;
+  const auto dead = static_cast<std::uint32_t>(p.cell_count - 1);
+  to.home[i] = c.x == dead ? BallHome{slot, static_cast<std::uint32_t>((p.ny + 1) * p.nz + 1), 0, 0}
+                           : BallHome{slot, c.x, part_of_cell(p, b), 1};
   const float square =
       static_cast<float>(static_cast<double>(static_cast<std::int64_t>(b.w) * b.w) + p.alpha);
   // 2^-16 is far above the roundings of the test of two balls.
@@ -53,8 +71,8 @@ __global__ void sort_into_cells(Problem p, const int4* balls, const uint2* cell_
   const auto from_origin = [](int at, int origin) {
     return static_cast<float>(static_cast<std::int64_t>(at) - origin);
   };
-  near[slot] = make_float4(from_origin(b.x, p.origin.x), from_origin(b.y, p.origin.y),
-                           from_origin(b.z, p.origin.z), reach);
+  to.near[slot] = make_float4(from_origin(b.x, p.origin.x), from_origin(b.y, p.origin.y),
+                              from_origin(b.z, p.origin.z), reach);
 }
 
 }  // namespace alphascope::gpu

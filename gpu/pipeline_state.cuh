@@ -33,11 +33,12 @@ inline constexpr int kMaxList = 4095;                           // 12 bits of a 
 
 // Counters of one run, together so that one copy brings them back.
 struct Counters {
-  std::uint32_t edges, triangles, tetrahedra;  // found; edges: candidates
-  std::uint32_t exact_count;
-  std::uint64_t edges_and_vertices;  // of a whole result (pair_of)
-  std::uint64_t hash[4];             // HashSums::sum
+  std::uint64_t hash[4];  // HashSums::sum
   BlockStatistics blocks;
+  std::uint32_t edges, triangles, tetrahedra;  // found; edges: candidates
+  std::uint32_t pending;                       // PendingTriangles
+  std::uint32_t exact_count[kMaxChunks];       // balls for kernel III
+  Totals totals[kMaxChunks + 1];               // before each chunk, and of all
 };
 
 inline constexpr std::size_t kCounterWords = sizeof(Counters) / 4;
@@ -92,10 +93,11 @@ class EventTimer {
     if (times_ == nullptr) return;
     for (const cudaEvent_t& e : events_) cudaEventDestroy(e);
   }
-  void mark(std::string_view label) {
+  // What a stage takes beyond the end of the one before.
+  void mark(std::string_view label, cudaStream_t stream) {
     if (times_ == nullptr) return;
     labels_.push_back(label);
-    check(cudaEventRecord(events_[labels_.size()], stream_), "recording an event");
+    check(cudaEventRecord(events_[labels_.size()], stream), "recording an event");
   }
   // After the stream has finished.
   void report() {
@@ -118,9 +120,29 @@ class EventTimer {
   std::vector<std::string_view> labels_;
 };
 
+// Where the work of a run is queued. Those after the first are for runs in several chunks, and so
+// are the events.
+struct Queues {
+  cudaStream_t main = nullptr;   // balls in, the grid, kernel II of every other chunk
+  cudaStream_t other = nullptr;  // kernel II of the chunks between
+  // Kernel III and the order of simplices, which go before what is left of kernel II.
+  cudaStream_t ordering = nullptr;
+  cudaStream_t copying = nullptr;  // simplices out
+  cudaEvent_t sorted = nullptr, filtered[kMaxChunks] = {}, ordered[kMaxChunks] = {};
+
+  Queues() = default;
+  Queues(const Queues&) = delete;
+  Queues& operator=(const Queues&) = delete;
+  ~Queues();
+  void create();
+  // Kernel II of a chunk.
+  cudaStream_t filtering(int chunk) const { return chunk % 2 == 0 ? main : other; }
+  cudaError_t wait(bool all) const;  // until what is queued is done: in `main`, or in all
+};
+
 // The buffers of one set of balls, kept from run to run, and what earlier runs needed.
 struct FacetPipeline::State {
-  cudaStream_t stream = nullptr;
+  Queues queues;
   std::size_t n = 0;
   LatticePoint low, high;
   std::int32_t max_radius = 0;
@@ -129,12 +151,13 @@ struct FacetPipeline::State {
     double alpha;
     bool whole;
     int balls_per_block;
-    BlockRoom block, ball;   // of kernel II's blocks, and of kernel III's, which take one ball
-    SimplexCounts counts;    // of the result
-    std::size_t candidates;  // edges
-    double mean_found;       // balls that meet a ball
-    double margin;           // over the mean room
-    bool counted;            // by a run of this very alpha
+    BlockRoom block, ball;       // of kernel II's blocks, and of kernel III's, which take one ball
+    SimplexCounts counts;        // of the result
+    std::size_t candidates;      // edges
+    bool cull;                   // KernelKind::kCull of kernel II
+    double margin;               // of room_for()
+    bool counted;                // by a run of this very alpha
+    std::vector<Totals> totals;  // then, after each of its chunks
   };
   std::vector<Need> needs;
   // Of the device: shared memory of a block and of a multiprocessor, bytes.
@@ -152,8 +175,9 @@ struct FacetPipeline::State {
   // Cleared at once at the start of a run: Counters, then the cells' counts, the balls' of
   // tetrahedra, triangles and edge candidates, and what is known of vertices (VertexStates).
   DeviceBuffer<std::uint32_t> zeroed;
-  DeviceBuffer<std::uint32_t> index, cell, cell_start, exact_list;
+  DeviceBuffer<std::uint32_t> index, cell_start, exact_list;
   DeviceBuffer<float4> near;
+  DeviceBuffer<BallHome> home;
   DeviceBuffer<unsigned char> scratch;
   // As blocks write them (dual_edge_block.cuh).
   struct {
@@ -164,18 +188,14 @@ struct FacetPipeline::State {
     DeviceBuffer<std::uint32_t> vertices, info, attached_to, start;
   } triangles;
   struct {
-    DeviceBuffer<std::uint32_t> begin, end, least, flags, start;
+    DeviceBuffer<std::uint32_t> end, least, flags, start;
   } edges;
-  DeviceBuffer<std::uint32_t> offset;
+  DeviceBuffer<std::uint32_t> offset, pending, edges_found;
   DeviceBuffer<std::uint64_t> pairs, places;
   DeviceBuffer<unsigned char> result;
   PinnedBuffer<unsigned char> host_result;
 
   Counters* counters() { return reinterpret_cast<Counters*>(zeroed.get()); }
-
-  ~State() {
-    if (stream != nullptr) cudaStreamDestroy(stream);
-  }
 
   // The grid for this alpha, with its buffers; nothing when differences would not be exact.
   std::optional<Problem> plan(double alpha, bool whole);
@@ -190,7 +210,7 @@ struct FacetPipeline::State {
 
   // Sums of the numbers before each.
   template <class Number>
-  void scan(const Number* in, Number* out, std::size_t count) {
+  void scan(const Number* in, Number* out, std::size_t count, cudaStream_t stream) {
     std::size_t bytes = 0;
     check(cub::DeviceScan::ExclusiveSum(nullptr, bytes, in, out, static_cast<int>(count), stream),
           "sizing a prefix sum");
@@ -200,7 +220,7 @@ struct FacetPipeline::State {
           "a prefix sum");
   }
   void fill(void* data, int byte, std::size_t bytes) {
-    check(cudaMemsetAsync(data, byte, bytes, stream), "clearing device memory");
+    check(cudaMemsetAsync(data, byte, bytes, queues.main), "clearing device memory");
   }
 };
 

@@ -19,12 +19,30 @@ struct Problem {
   int cell_width, nx, ny, nz;  // cells, with a border of empty ones
   int cell_count;              // with one more for the dead
   float reach_slack;  // lattice units: what rounding the coordinates can take from a distance
+  float fraction;     // lattice units to kCellParts-ths of a cell
+  float reach_max;    // no BallHome's ball reaches farther, in those parts
   double alpha;       // square lattice units
   bool whole;         // all simplices with values, not tetrahedra alone
   float scale;        // power of two: scaled = lattice * scale
   std::int64_t ghost_reach;  // power of two above every sqrt(w + alpha), lattice units
   int balls_per_block;
+  int sampled;          // every so many blocks count for BlockStatistics
   int search_capacity;  // balls that a search may find: they fit the block's memory
+};
+
+// A request goes through its balls in chunks, so that the simplices of one are on their way to the
+// host while the next is worked on. For how many there is memory.
+inline constexpr int kMaxChunks = 16;
+
+// Simplices of each dimension.
+struct Totals {
+  std::uint32_t of[4];
+};
+
+// Balls [begin, end) of the BallSet.
+struct Chunk {
+  std::uint32_t begin, end;
+  Totals* before;  // of all balls before; those up to the end of the chunk come next
 };
 
 // What a block's shared memory has room for.
@@ -34,45 +52,72 @@ struct BlockRoom {
   std::uint32_t entries;    // neighbours of all the block's balls
   std::uint32_t rows;       // those of higher index than their ball
   std::uint32_t triangles;  // of three balls that meet
+  std::uint32_t listed;     // of those, worth a look
+  std::uint32_t probed;     // of those, not probed away
   std::uint32_t kept;       // of those, in K_alpha; of tetrahedra alone, with one in K_alpha
 };
 
-// What a run of blocks met. Sums over every `kSampled`-th block, from which the room of the next
-// run follows; maxima over all.
+// Of so many values: their sum, and that of their squares.
+struct Measured {
+  std::uint64_t number, sum, squares;
+};
+
+// What a run of blocks met, from which the room of the next run follows.
 struct BlockStatistics {
-  std::uint64_t balls, found, found_squares, entries, entry_squares, triangles;
+  // Of every so many blocks (Problem::sampled). Of a ball: balls that meet it, and those left in
+  // its list; of a block: what there should have been room for, see BlockRoom.
+  Measured found, list, entries, rows, triangles, listed, probed, kept;
   std::uint32_t most_found, longest_list;   // of one ball
   std::uint32_t most_triangles, most_kept;  // of one ball that kernel III looked at
   std::uint32_t deferred;                   // balls that found no room and went to kernel III
 };
 
-// Balls in cell order.
+// Where in the grid a ball is: its slot in cell order and its cell. And where in the cell: in
+// kCellParts-ths of its width, 10 bits each of x, y and z, rounded down (by a hundredth part at
+// most wrong).
+inline constexpr int kCellParts = 1024;
+struct alignas(16) BallHome {
+  std::uint32_t slot, cell, part;  // dead: some cell
+  std::uint32_t alive;             // 0 or 1
+  __host__ __device__ int part_of(int axis) const {
+    return static_cast<int>(part >> (10 * axis)) & (kCellParts - 1);
+  }
+};
+
+// Balls in cell order, the dead ones last.
 struct SortedBalls {
   const int4* ball;            // x, y, z, radius
   const std::uint32_t* index;  // in the BallSet
   // x, y, z from the grid's origin (nearest floats) and sqrt(w + alpha), rounded up so far that
   // grown balls that meet are found to meet in single precision; lattice units.
   const float4* near;
-  const std::uint32_t* cell;
   const std::uint32_t* cell_start;
-  const std::uint32_t* alive;  // one number: balls before the dead ones
+  const BallHome* home;  // in the order of the BallSet
 };
 
 // Lanes that look for the neighbours of one ball.
 inline constexpr int kSearchLanes = 16;
 
-// The balls of the 27 cells around a ball, numbered 0, 1, ...: nine rows of three cells, each a run
-// of slots. For half a warp, which keeps it in shared memory of its own.
+// The balls of the cells around a ball that it can reach, numbered 0, 1, ...: nine rows of up to
+// three cells, each a run of slots. For half a warp, which keeps it in shared memory of its own.
 struct Surroundings {
   std::uint32_t end[9];   // the numbers before the end of each row
   std::uint32_t base[9];  // slot less number, in each row
 
-  // All lanes of a warp call it.
-  __device__ void load(const Problem& p, const SortedBalls& balls, std::uint32_t slot) {
+  // All lanes of a warp call it; `reach`: of the ball, lattice units.
+  __device__ void load(const Problem& p, const SortedBalls& balls, const BallHome& home,
+                       float reach) {
     const int lane = threadIdx.x & (kSearchLanes - 1), r = lane < 9 ? lane : 8;
-    const std::uint32_t* row =
-        balls.cell_start + balls.cell[slot] + ((r / 3 - 1) * p.ny + r % 3 - 1) * p.nz;
-    const std::uint32_t begin = row[-1], length = row[2] - begin;
+    const int to_x = r / 3 - 1, to_y = r % 3 - 1, z = home.part_of(2);
+    // Parts between the ball and the row, and the cells before and after in it.
+    const int x = away(home.part_of(0), to_x), y = away(home.part_of(1), to_y);
+    const int before = x * x + y * y, first = away(z, -1), last = away(z, 1);
+    const float most = fmaf(reach, p.fraction, p.reach_max), square = most * most;
+    const auto reaches = [&](int parts) { return static_cast<float>(parts) <= square; };
+    const std::uint32_t* row = balls.cell_start + home.cell + (to_x * p.ny + to_y) * p.nz;
+    const std::uint32_t begin = row[reaches(before + first * first) ? -1 : 0];
+    const std::uint32_t length =
+        reaches(before) ? row[reaches(before + last * last) ? 2 : 1] - begin : 0;
     std::uint32_t sum = length;
 #pragma unroll
     for (int step = 1; step < 9; step *= 2) {
@@ -92,17 +137,24 @@ struct Surroundings {
     r += r < 8 && number >= end[r] ? 1 : 0;
     return base[r] + number;
   }
+
+ private:
+  // How far at least the next cell in a direction is, for a ball in this part of its own.
+  static __device__ int away(int part, int direction) {
+    return direction == 0 ? 0 : direction < 0 ? part : kCellParts - 1 - part;
+  }
 };
 
 // Kernel I for two balls of one warp, half a warp each: lists the balls that theirs meets in
 // `found`, in no order. Returns the number of all, also of those that do not fit; 0 when not
 // `active`.
 __device__ inline int search_neighbours(const Problem& p, const SortedBalls& balls,
-                                        std::uint32_t slot, bool active, Surroundings& around,
+                                        const BallHome& home, bool active, Surroundings& around,
                                         std::uint32_t* found) {
   const int lane = threadIdx.x & (kSearchLanes - 1), half = threadIdx.x & kSearchLanes;
+  const std::uint32_t slot = home.slot;
   const float4 b = balls.near[slot];
-  around.load(p, balls, slot);
+  around.load(p, balls, home, b.w);
   const std::uint32_t all = active ? around.end[8] : 0;
   int count = 0;
   for (std::uint32_t number = lane; __any_sync(~0u, number < all); number += kSearchLanes) {

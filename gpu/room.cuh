@@ -10,87 +10,153 @@ namespace alphascope::gpu {
 using State = FacetPipeline::State;
 using Need = State::Need;
 
-// Shared memory of a block: so that six share a multiprocessor with as much as Ampere's and
-// Hopper's server parts have, four on others. 33 KB for long lists and 30 for short ones were the
-// fastest of what was tried on an H200; nothing was tried on others.
-inline std::size_t block_bytes(const State& s, double mean_found) {
-  const std::size_t all = s.shared_per_multiprocessor, blocks = all >= 160 * 1024 ? 6 : 4;
-  // What is static, what CUDA keeps for itself (1 KB), and rounding.
-  const std::size_t share = all / blocks - sizeof(BlockBalls) - 2 * 1024;
-  return mean_found >= 20 ? share : std::min<std::size_t>(share, 30 * 1024);
-}
-// Are covered discs looked for? From so many balls found for each on average.
-inline bool is_culled(double mean_found) {
-  return mean_found >= 20;
-}
-
 inline std::uint32_t whole_words(double list) {
   return static_cast<std::uint32_t>(std::ceil(std::max(1.0, list) / 32)) * 32;
 }
 
-// Of room_for().
-inline constexpr double kLeastMore = 1, kMostMore = 3;
+// Are covered discs looked for? From so many balls found for each on average; what was culled once
+// stays so near the limit.
+inline bool is_culled(double mean_found, bool was_culled) {
+  return mean_found >= (was_culled ? 18 : 20);
+}
 
-// What sampled blocks say about a ball: the balls that meet it, those in its list, triangles, and
-// `kept` as in BlockRoom.
-struct Means {
+// What blocks of `balls` balls need room for, see BlockStatistics.
+struct Demand {
   struct Spread {
     double mean, deviation;
   };
-  Spread found, list;
-  double triangles, kept;
+  int balls;
+  bool cull;
+  Spread found, list, entries, rows, triangles, listed, probed, kept;
 };
 
-// Room for blocks of so many balls: for lists `margin` times three standard deviations above the
-// mean, for their sums `more` times that. Neighbours have similar surroundings, so a block's sum
-// varies more than sums of independent balls would; triangles vary like squares of lists. Balls
-// that find no room go to kernel III.
-inline BlockRoom room_for(int balls, const Means& means, double margin, double more) {
-  const auto most = [&](const Means::Spread& of) {
-    return whole_words(
-        std::min(of.mean + 3 * margin * of.deviation, static_cast<double>(kMaxList - 1)));
+inline Demand::Spread spread_of(const Measured& of) {
+  if (of.number == 0) return {0, 0};
+  const double number = static_cast<double>(of.number), mean = static_cast<double>(of.sum) / number;
+  const double variance = static_cast<double>(of.squares) / number - mean * mean;
+  return {mean, std::sqrt(std::max(0.0, variance))};
+}
+inline Demand measured(const BlockStatistics& met, int balls, bool cull) {
+  return {balls,
+          cull,
+          spread_of(met.found),
+          spread_of(met.list),
+          spread_of(met.entries),
+          spread_of(met.rows),
+          spread_of(met.triangles),
+          spread_of(met.listed),
+          spread_of(met.probed),
+          spread_of(met.kept)};
+}
+// From the balls found alone, where there was no room to see more. A fair start: culled lists of
+// molecules are 10 and a third of what was found; pairs in a list that meet, a quarter.
+inline Demand guessed(const Demand::Spread& found, bool cull, bool whole) {
+  const double list = cull ? std::min(found.mean, 10 + 0.35 * found.mean) : found.mean;
+  const int balls = kMaxBallsPerBlock;
+  const auto of_block = [&](double mean, double deviation) {
+    return Demand::Spread{balls * mean, balls * mean * deviation};
   };
-  const double list = means.list.mean, spread = 3 * margin * means.list.deviation;
-  const double varied = more * spread / std::max(1.0, list) / std::sqrt(balls);
-  const double lists = balls * list * (1.1 + varied),
-               triangles = balls * means.triangles * (1.1 + 2 * varied);
-  return {most(means.found),
-          most(means.list),
-          static_cast<std::uint32_t>(lists) + 32,
-          static_cast<std::uint32_t>(lists / 2) + 32,
-          std::min<std::uint32_t>(static_cast<std::uint32_t>(triangles) + 64, kMaxTriangles - 1),
-          static_cast<std::uint32_t>(balls * means.kept * (1.1 + 2 * varied)) + 16};
+  const double triangles = list * list / 8;
+  return {balls,
+          cull,
+          found,
+          {list, 0.3 * list},
+          of_block(list, 0.15),
+          of_block(list / 2, 0.2),
+          of_block(triangles, 0.3),
+          of_block(triangles / 2, 0.3),
+          of_block(triangles / 3, 0.3),
+          of_block(whole ? 15 : 6.5, 0.3)};
+}
+inline Demand larger(Demand a, const Demand& b) {
+  const auto more = [](Demand::Spread& x, const Demand::Spread& y) {
+    if (x.mean + 3 * x.deviation < y.mean + 3 * y.deviation) x = y;
+  };
+  const double balls = static_cast<double>(a.balls) / b.balls;
+  const auto scaled = [&](const Demand::Spread& of) {
+    return Demand::Spread{of.mean * balls, of.deviation * balls};
+  };
+  more(a.list, b.list);
+  more(a.entries, scaled(b.entries));
+  more(a.rows, scaled(b.rows));
+  more(a.triangles, scaled(b.triangles));
+  more(a.listed, scaled(b.listed));
+  more(a.probed, scaled(b.probed));
+  more(a.kept, scaled(b.kept));
+  return a;
 }
 
-inline std::size_t bytes_of(const BlockRoom& room, int balls) {
+inline constexpr double kFirstMargin = 1.3;
+
+// Room for blocks of so many balls: `margin` times three standard deviations above the mean. Sums
+// of fewer balls vary by the root of how many, of more by all of it: neighbours have similar
+// surroundings. Balls that find no room go to kernel III.
+inline BlockRoom room_for(int balls, const Demand& demand, double margin) {
+  const double ratio = static_cast<double>(balls) / demand.balls;
+  const auto most = [&](const Demand::Spread& of, double deviations) {
+    return std::min(of.mean + deviations * margin * of.deviation, kMaxList - 3.0);
+  };
+  const auto sum = [&](const Demand::Spread& of) {
+    const double room =
+        of.mean * ratio + 3 * margin * of.deviation * std::max(ratio, std::sqrt(ratio));
+    return static_cast<std::uint32_t>(std::min(room, 1e9)) + 16;
+  };
+  return {static_cast<std::uint32_t>(most(demand.found, 4) / 4 + 1) * 4,
+          whole_words(most(demand.list, 3)),
+          sum(demand.entries),
+          sum(demand.rows),
+          std::min<std::uint32_t>(sum(demand.triangles), kMaxTriangles - 1),
+          sum({demand.listed.mean, 1.5 * demand.listed.deviation}),
+          demand.cull ? sum(demand.probed) : 0,
+          sum(demand.kept)};
+}
+
+inline std::size_t bytes_of(const BlockRoom& room, int balls, bool cull) {
   DualEdgeProblem p{};
+  p.cull = cull;
   p.common.balls_per_block = balls;
   p.capacity = room;
   p.words = static_cast<int>(room.list / 32);
-  return block_memory_bytes(p);
+  lay_out(p);
+  return p.layout.bytes;
+}
+
+// How well blocks of so many balls and bytes use a multiprocessor: the more work in a block, the
+// less its barriers cost; the more warps, the less latencies. Fitted to times on an H200.
+inline double use_of(const State& s, int balls, const Demand::Spread& found, std::size_t bytes) {
+  constexpr double kEnough = 8, kBarriers = 65;
+  // CUDA keeps 1 KB a block for itself.
+  const double shared = static_cast<double>(bytes + sizeof(BlockBalls) + 1024),
+               blocks = std::min(kEnough, std::floor(s.shared_per_multiprocessor / shared)),
+               warps = blocks * kBlockThreads / 32;
+  return balls / (balls + kBarriers / std::max(1.0, found.mean)) * warps / (warps + 16);
 }
 
 // Balls a block when there are not enough to fill the machine.
 inline std::size_t fair_share(const State& s) {
-  return s.n / (static_cast<std::size_t>(s.multiprocessors) * 7);
+  return std::max<std::size_t>(s.n / (static_cast<std::size_t>(s.multiprocessors) * 7), 4);
 }
 
-// The largest run of balls whose block stays within its share of shared memory, of which it then
-// takes all that helps.
-inline void choose_room(const State& s, Need& need, const Means& means) {
-  const std::size_t limit = block_bytes(s, means.found.mean), fair = fair_share(s);
-  const auto room = [&](double more) {
-    return room_for(need.balls_per_block, means, need.margin, more);
-  };
-  need.balls_per_block = kMaxBallsPerBlock;
-  while (need.balls_per_block > 1 &&
-         (bytes_of(room(kLeastMore), need.balls_per_block) > limit ||
-          static_cast<std::size_t>(need.balls_per_block) > std::max<std::size_t>(fair, 4)))
-    need.balls_per_block /= 2;
-  need.block = room(kLeastMore);
-  for (double more = kLeastMore + 0.1; more <= kMostMore; more += 0.1) {
-    if (bytes_of(room(more), need.balls_per_block) > limit) break;
-    need.block = room(more);
+// Sets how many balls a block takes, and its room. What is hardly better is not worth a change.
+inline void choose_room(const State& s, Need& need, const Demand& demand) {
+  need.cull = demand.cull;
+  const int current = need.balls_per_block;
+  double best = -1;
+  // Eight half warps search at once; fewer balls only where there are few, or no room for eight.
+  for (const int balls : {32, 24, 16, 8, 4, 2, 1}) {
+    if (balls > 1 && static_cast<std::size_t>(balls) > fair_share(s)) continue;
+    if (balls < 8 && best > 0) break;
+    const BlockRoom room = room_for(balls, demand, need.margin);
+    const std::size_t bytes = bytes_of(room, balls, demand.cull);
+    const bool fits = bytes + sizeof(BlockBalls) <= static_cast<std::size_t>(s.shared_limit) &&
+                      room.rows < kMaxRows;
+    const double use = !fits              ? -0.5
+                       : balls == current ? 1.03 * use_of(s, balls, demand.found, bytes)
+                                          : use_of(s, balls, demand.found, bytes);
+    if (use <= best) continue;
+    best = use;
+    need.balls_per_block = balls;
+    need.block = room;
   }
 }
 
@@ -112,10 +178,31 @@ inline Need first_need(const State& s, double alpha, bool whole) {
     return need;
   }
   // A molecule at small alpha; the run says what it really needs.
-  Need need{alpha,   whole, 1, {},   {64, 64, 64, 64, 1024, 64}, {{s.n, 5 * s.n, 6 * s.n, s.n}},
-            8 * s.n, 12,    1, false};
-  choose_room(s, need, {{need.mean_found, 3}, {need.mean_found, 3}, 14, whole ? 5.0 : 1.5});
+  Need need{};
+  need.alpha = alpha;
+  need.whole = whole;
+  need.ball = {64, 64, 64, 64, 1024, 0, 0, 64};
+  need.counts = {{s.n, 5 * s.n, 6 * s.n, s.n}};
+  need.candidates = 8 * s.n;
+  need.margin = kFirstMargin;
+  choose_room(s, need, guessed({12, 3}, false, whole));
   return need;
+}
+
+// Of chunk_count(): tetrahedra alone, and whole.
+inline constexpr double kChunkBytes = 0.6e6, kWholeChunkBytes = 2.5e6, kLeastChunk = 4096;
+
+// In how many chunks to go through the balls. Each costs some 10 microseconds of queueing and
+// waiting, of a whole complex 50; all but the last one's copy is hidden behind work. The first run
+// of a set takes all at once: how many simplices there will be is a guess, too much memory to pin.
+inline int chunk_count(const State& s, const Need& need, std::size_t bytes) {
+  const int forced = FacetPipeline::forced_chunks;
+  if (forced > 0) return std::min(forced, kMaxChunks);
+  if (need.totals.empty()) return 1;
+  const double best =
+      std::sqrt(static_cast<double>(bytes) / (need.whole ? kWholeChunkBytes : kChunkBytes));
+  const double most = static_cast<double>(s.n) / kLeastChunk;
+  return std::clamp(static_cast<int>(std::min(best, most)), 1, kMaxChunks);
 }
 
 inline void remember(State& s, const Need& need) {
@@ -129,19 +216,24 @@ inline void remember(State& s, const Need& need) {
 }
 
 inline DualEdgeProblem make_problem(const State& s, const Problem& plan, const BlockRoom& room,
-                                    int balls_per_block) {
+                                    int balls_per_block, bool cull) {
   DualEdgeProblem p{};
+  p.cull = cull;
   p.common = plan;
   p.common.balls_per_block = balls_per_block;
   p.capacity = room;
   p.common.search_capacity = static_cast<int>(room.search);
+  // Some hundred blocks at least.
+  p.common.sampled = std::clamp(static_cast<int>(s.n / balls_per_block / 128), 1, 64);
   p.words = static_cast<int>((room.list + 31) / 32);
   p.radius_scale = p.common.scale * p.common.scale;
   const double grown = std::sqrt(static_cast<double>(s.max_radius) * s.max_radius + plan.alpha);
   const double offset = 2 * (grown + plan.reach_slack) * 1.001 + 2;  // bounds every |d_x|
   p.small_lattice = offset < static_cast<double>(kSmallOffset) && s.max_radius < kSmallOffset;
+  p.narrow = offset < 32768 && s.max_radius < 32768;  // |d|² < 2^30, weights too
   p.balls = s.balls.get();
   p.deferred_limit = static_cast<std::uint32_t>(std::max<std::size_t>(256, s.n / 200));
+  lay_out(p);
   return p;
 }
 

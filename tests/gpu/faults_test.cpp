@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "gpu/facet_pipeline.hpp"
 #include "gpu/gpu_engine.hpp"
 #include "tests/support/random_balls.hpp"
 
@@ -12,16 +13,26 @@ namespace {
 
 using gpu::Faults;
 
-class GpuFaults : public ::testing::TestWithParam<bool> {
+struct Given {
+  const char* name;
+  bool tetrahedra_only;
+  int chunks;
+};
+
+class GpuFaults : public ::testing::TestWithParam<Given> {
  protected:
   void SetUp() override {
     if (!gpu_device().usable) GTEST_SKIP() << gpu_device().why_not;
+    gpu::FacetPipeline::forced_chunks = GetParam().chunks;
     testing::Random random(31);
     balls_ = std::make_shared<const BallSet>(testing::large_hard_sets(random).front().balls);
   }
-  void TearDown() override { Faults::none(); }
+  void TearDown() override {
+    Faults::none();
+    gpu::FacetPipeline::forced_chunks = 0;
+  }
 
-  AlphaRequest request() const { return {0.5, GetParam()}; }
+  AlphaRequest request() const { return {0.5, GetParam().tetrahedra_only}; }
   std::uint64_t expected_hash() const {
     return make_cpu_engine(balls_)->compute(request(), {}).hash;
   }
@@ -31,9 +42,11 @@ class GpuFaults : public ::testing::TestWithParam<bool> {
 
   std::shared_ptr<const BallSet> balls_;
 };
-INSTANTIATE_TEST_SUITE_P(Requests, GpuFaults, ::testing::Bool(), [](const auto& given) {
-  return given.param ? "TetrahedraOnly" : "Whole";
-});
+INSTANTIATE_TEST_SUITE_P(Requests, GpuFaults,
+                         ::testing::Values(Given{"TetrahedraOnly", true, 1},
+                                           Given{"Whole", false, 1},
+                                           Given{"WholeInChunks", false, 3}),
+                         [](const auto& given) { return given.param.name; });
 
 TEST_P(GpuFaults, ARefusedReservationIsAnsweredInSlabs) {
   const std::uint64_t expected = expected_hash();

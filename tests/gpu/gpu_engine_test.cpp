@@ -6,6 +6,7 @@
 
 #include <cstdlib>
 
+#include "gpu/facet_pipeline.hpp"
 #include "tests/support/expect_same.hpp"
 #include "tests/support/random_balls.hpp"
 
@@ -38,6 +39,38 @@ TEST(Gpu, EqualsTheCpuOnHardSets) {
     const double unit = set.name == "random" ? 1e4 : 1;
     for (const double alpha : {-1.0, 0.0, 0.25, 0.5, 1.0, 3.0, 40.0})
       expect_same_on_gpu(balls, alpha * unit);
+  }
+}
+
+// A run in several chunks tells edges and vertices of later chunks what it found, and knows from
+// the third run of an alpha on how much each chunk will find.
+class GpuChunks : public ::testing::TestWithParam<int> {
+ protected:
+  void SetUp() override {
+    if (!gpu_device().usable) GTEST_SKIP() << gpu_device().why_not;
+    gpu::FacetPipeline::forced_chunks = GetParam();
+  }
+  void TearDown() override { gpu::FacetPipeline::forced_chunks = 0; }
+};
+INSTANTIATE_TEST_SUITE_P(Numbers, GpuChunks, ::testing::Values(2, 5, 16));
+
+TEST_P(GpuChunks, EqualTheCpuRunAfterRun) {
+  Random random(7);
+  for (const NamedBalls& set : testing::large_hard_sets(random)) {
+    SCOPED_TRACE(set.name);
+    const auto balls = std::make_shared<const BallSet>(set.balls);
+    const double unit = set.name == "random" ? 1e4 : 1;
+    const auto gpu = make_gpu_engine(balls, {}, nullptr), cpu = make_cpu_engine(balls);
+    ASSERT_TRUE(gpu);
+    for (const double alpha : {0.25, 3.0, 0.25, 0.25}) {
+      for (const bool tetrahedra_only : {true, false}) {
+        SCOPED_TRACE("alpha " + std::to_string(alpha * unit));
+        const AlphaRequest request{alpha * unit, tetrahedra_only};
+        const AlphaComplex found = gpu->compute(request, {}), expected = cpu->compute(request, {});
+        expect_same(found, expected);
+        EXPECT_EQ(found.hash, expected.hash);
+      }
+    }
   }
 }
 

@@ -1,0 +1,100 @@
+// The way of a result back to the host: where its arrays lie there, and what is copied when.
+#pragma once
+
+#include "gpu/pipeline_state.cuh"
+
+namespace alphascope::gpu {
+
+class ResultCopy {
+ public:
+  ResultCopy(FacetPipeline::State& state, bool whole) : s_(state), whole_(whole) {}
+
+  // All of the result's memory, where it was found by itself how much that is.
+  void all(const ResultLayout& layout, cudaStream_t stream) {
+    s_.host_result.reserve(layout.bytes);
+    bring(0, 0, layout.bytes, stream);
+  }
+  // Only what was found, to where it fits exactly.
+  void found(const ResultLayout& from, const ResultLayout& to, cudaStream_t stream) {
+    s_.host_result.reserve(to.bytes);
+    part(from, to, {{0, 0, 0, 0}}, totals_of(to.room), stream);
+  }
+  // What a chunk adds, to its place. False when it does not fit or was not counted.
+  bool added(const ResultLayout& layout, const Totals& before, const Totals& after,
+             cudaStream_t stream) {
+    for (int d = first_dimension(); d < 4; ++d) {
+      if (after.of[d] < before.of[d] || after.of[d] > layout.room[d]) return false;
+    }
+    part(layout, layout, before, after, stream);
+    return true;
+  }
+
+  PipelineResult result(const ResultLayout& layout, const SimplexCounts& counts) const {
+    PipelineResult result;
+    const Counters& got = *s_.host_counters.get();
+    for (const std::uint32_t balls : got.exact_count) result.exact_balls += balls;
+    for (int d = 0; d < 4; ++d) {
+      result.hash.sum[d] = got.hash[d];
+      result.hash.count[d] = whole_ || d == 3 ? counts[d] : 0;
+    }
+    if (whole_) {
+      result.vertices = simplices<1>(layout, counts);
+      result.edges = simplices<2>(layout, counts);
+      result.triangles = simplices<3>(layout, counts);
+    }
+    result.tetrahedra = simplices<4>(layout, counts);
+    return result;
+  }
+
+ private:
+  int first_dimension() const { return whole_ ? 0 : 3; }
+  static Totals totals_of(const SimplexCounts& counts) {
+    Totals totals{};
+    for (int d = 0; d < 4; ++d) totals.of[d] = static_cast<std::uint32_t>(counts[d]);
+    return totals;
+  }
+
+  void bring(std::size_t begin, std::size_t place, std::size_t bytes, cudaStream_t stream) {
+    if (bytes == 0) return;
+    check(cudaMemcpyAsync(s_.host_result.get() + place, s_.result.get() + begin, bytes,
+                          cudaMemcpyDeviceToHost, stream),
+          "copying the result");
+  }
+  // Simplices [before, after) of every dimension.
+  void part(const ResultLayout& from, const ResultLayout& to, const Totals& before,
+            const Totals& after, cudaStream_t stream) {
+    for (int d = first_dimension(); d < 4; ++d) {
+      const ResultLayout::Section &source = from.dimension[d], &target = to.dimension[d];
+      const std::size_t begin = before.of[d], count = after.of[d] - begin;
+      const auto array = [&](std::size_t at, std::size_t place, std::size_t size) {
+        bring(at + begin * size, place + begin * size, count * size, stream);
+      };
+      array(source.vertices, target.vertices, 4 * static_cast<std::size_t>(d + 1));
+      if (!whole_) continue;
+      array(source.value, target.value, 4);
+      if (d < 3) array(source.simplex_class, target.simplex_class, 1);
+    }
+  }
+
+  template <int N>
+  HostSimplices<N> simplices(const ResultLayout& layout, const SimplexCounts& counts) const {
+    static_assert(sizeof(std::array<BallIndex, N>) == N * sizeof(std::uint32_t));
+    const ResultLayout::Section& at = layout.dimension[N - 1];
+    const unsigned char* memory = s_.host_result.get();
+    HostSimplices<N> list;
+    list.simplices = {reinterpret_cast<const std::array<BallIndex, N>*>(memory + at.vertices),
+                      counts[N - 1]};
+    if (!whole_) return list;
+    list.values = {reinterpret_cast<const float*>(memory + at.value), counts[N - 1]};
+    if (N < 4) {
+      list.classes = {reinterpret_cast<const SimplexClass*>(memory + at.simplex_class),
+                      counts[N - 1]};
+    }
+    return list;
+  }
+
+  FacetPipeline::State& s_;
+  const bool whole_;
+};
+
+}  // namespace alphascope::gpu

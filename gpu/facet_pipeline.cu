@@ -70,40 +70,30 @@ cudaError_t Queues::wait(bool all) const {
 }
 
 void FacetPipeline::State::load(const BallSet& set) {
-  const std::vector<bool> hidden = coincident_hidden(set);
-  const auto ball = [&](BallIndex i) {
-    const LatticePoint& c = set.centres[i];
-    const bool dead = !hidden.empty() && hidden[i];
-    return make_int4(c.x, c.y, c.z, dead ? -1 : set.radii[i]);
-  };
   low = high = n == 0 ? LatticePoint{} : set.centres[0];
   max_radius = n == 0 ? 1 : set.radii[0];
-  RadiusTable table;
-  std::vector<std::uint32_t> radius_numbers(n);
   for (BallIndex i = 0; i < n; ++i) {
     const LatticePoint& c = set.centres[i];
     low = {std::min(low.x, c.x), std::min(low.y, c.y), std::min(low.z, c.z)};
     high = {std::max(high.x, c.x), std::max(high.y, c.y), std::max(high.z, c.z)};
     max_radius = std::max(max_radius, set.radii[i]);
-    radius_numbers[i] = table.number_of(ball(i).w);
   }
-  packing = choose_packing(make_int4(low.x, low.y, low.z, 0), make_int4(high.x, high.y, high.z, 0),
-                           table.radii.size());
-  if (!packing) {
-    host_balls.reserve(std::max<std::size_t>(n, 1));
-    for (BallIndex i = 0; i < n; ++i) host_balls.get()[i] = ball(i);
+  const std::vector<bool> hidden = coincident_hidden(set);
+  const ShownBalls shown{set, hidden};
+  const BallPacker packer(shown);
+  if (packer.pays()) {
+    packing = packer.layout();
+    host_packed.reserve(packing->words);
+    packed.reserve(packing->words);
+    packer.pack(host_packed.get());
     return;
   }
-  word_count = n + (table.radii.size() + 1) / 2;
-  host_words.reserve(std::max<std::size_t>(word_count, 1));
-  words.reserve(word_count);
-  for (BallIndex i = 0; i < n; ++i) host_words.get()[i] = packing->pack(ball(i), radius_numbers[i]);
-  std::copy(table.radii.begin(), table.radii.end(),
-            reinterpret_cast<std::int32_t*>(host_words.get() + n));
+  host_balls.reserve(std::max<std::size_t>(n, 1));
+  for (BallIndex i = 0; i < n; ++i) host_balls.get()[i] = shown[i];
 }
 
 void FacetPipeline::State::send_balls() {
-  check(packing ? cudaMemcpyAsync(words.get(), host_words.get(), word_count * 8,
+  check(packing ? cudaMemcpyAsync(packed.get(), host_packed.get(), packing->words * 4,
                                   cudaMemcpyHostToDevice, queues.main)
                 : cudaMemcpyAsync(balls.get(), host_balls.get(), n * sizeof(int4),
                                   cudaMemcpyHostToDevice, queues.main),
@@ -162,10 +152,7 @@ SortedBalls FacetPipeline::State::sort_into_cells(const Problem& p, EventTimer& 
        (kCounterWords + p.cell_count + 1 + (p.whole ? kZeroedArrays * n : n + 1)) * 4);
   std::uint32_t* cell_count = zeroed.get() + kCounterWords;
   const LaunchShape per_ball{blocks_for(n), kThreads, queues.main};
-  ReceivedBalls received{};
-  if (packing) {
-    received = {words.get(), reinterpret_cast<const std::int32_t*>(words.get() + n), *packing};
-  }
+  const PackedBalls received{packed.get(), packing.value_or(WireLayout{})};
   launch(gpu::assign_cells, per_ball, p, received, balls.get(), cell_count, cell_and_rank.get());
   scan(cell_count, cell_start.get(), p.cell_count + 1, queues.main);
   launch(gpu::sort_into_cells, per_ball, p, balls.get(), cell_and_rank.get(), cell_start.get(),

@@ -1,7 +1,7 @@
 // Counting sort of the balls into the cells of the grid.
 #pragma once
 
-#include "gpu/ball_wire.hpp"
+#include "gpu/ball_wire.cuh"
 #include "gpu/problem.cuh"
 
 namespace alphascope::gpu {
@@ -10,20 +10,13 @@ __device__ inline int grid_cell(int coordinate, int lower, int width) {
   return (coordinate - lower) / width + 1;
 }
 
-// What came over the wire: `words` and radii to be unpacked, or null: the balls themselves.
-struct ReceivedBalls {
-  const std::uint64_t* words;
-  const std::int32_t* radii;
-  BallPacking packing;
-};
-
-__global__ void assign_cells(Problem p, ReceivedBalls received, int4* balls,
-                             std::uint32_t* cell_count, uint2* cell_and_rank) {
+// The balls came packed, or as they are.
+__global__ void assign_cells(Problem p, PackedBalls packed, int4* balls, std::uint32_t* cell_count,
+                             uint2* cell_and_rank) {
   const int i = blockIdx.x * blockDim.x + threadIdx.x;
   if (i >= p.ball_count) return;
-  if (received.words != nullptr)
-    balls[i] = received.packing.unpack(received.words[i], received.radii);
-  const int4 b = balls[i];
+  const int4 b = packed.data != nullptr ? packed[i] : balls[i];
+  if (packed.data != nullptr) balls[i] = b;
   const double square = static_cast<double>(static_cast<std::int64_t>(b.w) * b.w) + p.alpha;
   std::uint32_t cell = p.cell_count - 1;  // the dead: hidden (negative radius) or empty at alpha
   if (b.w > 0 && square >= 0) {

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "gpu/ball_wire.hpp"
+#include "gpu/ball_wire.cuh"
 #include "gpu/device_buffer.cuh"
 #include "gpu/facet_pipeline.hpp"
 #include "gpu/launch.cuh"
@@ -163,12 +163,11 @@ struct FacetPipeline::State {
   // Of the device: shared memory of a block and of a multiprocessor, bytes.
   int shared_limit = 0, shared_per_multiprocessor = 0, multiprocessors = 1;
 
-  // The balls as they are sent, packed (then the radii follow the words) or not.
+  // The balls as they are sent: packed where that is smaller, else as they are.
   PinnedBuffer<int4> host_balls;
-  PinnedBuffer<std::uint64_t> host_words;
-  DeviceBuffer<std::uint64_t> words;
-  std::optional<BallPacking> packing;
-  std::size_t word_count = 0;
+  PinnedBuffer<std::uint32_t> host_packed;
+  DeviceBuffer<std::uint32_t> packed;
+  std::optional<WireLayout> packing;
   PinnedBuffer<Counters> host_counters;
   DeviceBuffer<int4> balls, sorted;
   DeviceBuffer<uint2> cell_and_rank;

@@ -9,12 +9,12 @@
 
 namespace alphascope::gpu {
 
-// Marks of a slot in a list that is being made.
-constexpr std::uint32_t kNearBit = 1u << 31, kDeadBit = 1u << 30, kSlotBits = kDeadBit - 1;
+// Marks of an index in a list that is being made.
+constexpr std::uint32_t kNearBit = 1u << 31, kDeadBit = 1u << 30, kIndexBits = kDeadBit - 1;
 
 template <class Kind>
-__device__ inline std::uint32_t slot_of(std::uint32_t found) {
-  return Kind::kCull ? found & kSlotBits : found;
+__device__ inline std::uint32_t index_of(std::uint32_t found) {
+  return Kind::kCull ? found & kIndexBits : found;
 }
 
 __device__ inline int lane_of_half() {
@@ -57,10 +57,9 @@ __device__ inline LiftedVector<float> scaled_vector(const DualEdgeProblem& p, co
 // call it, each for its ball.
 class Culler {
  public:
-  __device__ Culler(const DualEdgeProblem& p, const SortedBalls& sorted, const DualEdgeMemory& m,
-                    const int4& centre, float radius_square, int n)
+  __device__ Culler(const DualEdgeProblem& p, const DualEdgeMemory& m, const int4& centre,
+                    float radius_square, int n)
       : p_(p),
-        sorted_(sorted),
         m_(m),
         centre_(centre),
         radius_square_(radius_square),
@@ -79,7 +78,7 @@ class Culler {
 
  private:
   __device__ LiftedVector<float> vector(int a, bool* inside) const {
-    return scaled_vector(p_, centre_, sorted_.ball[m_.found[a] & kSlotBits], inside);
+    return scaled_vector(p_, centre_, p_.balls[m_.found[a] & kIndexBits], inside);
   }
   __device__ float& key(int a) const { return reinterpret_cast<float*>(m_.found_index)[a]; }
 
@@ -148,17 +147,17 @@ class Culler {
   __device__ int leave_out(int coverers, bool attached) const {
     int left = 0;
     for (int a = lane_of_half(); a - lane_of_half() < end_; a += kSearchLanes) {
-      std::uint32_t slot = 0;
+      std::uint32_t marked = 0;
       bool dead = true;
       if (a < n_) {
         bool inside = false;
-        slot = m_.found[a];
+        marked = m_.found[a];
         dead = has_no_facet(vector(a, &inside), coverers);
-        if (dead) slot |= kDeadBit;
+        if (dead) marked |= kDeadBit;
       }
       const bool stays = a < n_ && (attached || !dead);
       const unsigned all = half_ballot(stays);
-      if (stays) m_.found[left + __popc(all & ((1u << lane_of_half()) - 1))] = slot;
+      if (stays) m_.found[left + __popc(all & ((1u << lane_of_half()) - 1))] = marked;
       left += __popc(all);
       __syncwarp();
     }
@@ -166,7 +165,6 @@ class Culler {
   }
 
   const DualEdgeProblem& p_;
-  const SortedBalls& sorted_;
   const DualEdgeMemory& m_;
   const int4 centre_;
   const float radius_square_;
@@ -182,15 +180,15 @@ __device__ inline bool order_list(const DualEdgeProblem& p, const SortedBalls& s
                                   int b) {
   bool attached = false;
   for (int a = lane_of_half(); a < n; a += kSearchLanes) {
-    const std::uint32_t found = m.found[a], t = slot_of<Kind>(found), index = m.found_index[a];
-    const float reach = sorted.near[t].w * p.common.scale;
+    const std::uint32_t found = m.found[a], index = m.found_index[a];
+    const float reach = sorted.home[index].reach * p.common.scale;
     int rank = 0;
     for (int o = 0; o < n; o += 4) {
       const uint4 others = *reinterpret_cast<const uint4*>(m.found_index + o);
       rank += (others.x < index) + (others.y < index) + (others.z < index) + (others.w < index);
     }
     bool inside = false;
-    const LiftedVector<float> v = scaled_vector(p, centre, sorted.ball[t], &inside);
+    const LiftedVector<float> v = scaled_vector(p, centre, p.balls[index], &inside);
     const int entry = entry0 + rank, word = b * p.words + (rank >> 5);
     m.vectors[entry] = make_float4(v.x, v.y, v.z, v.c);
     m.reach[entry] = reach;
@@ -207,10 +205,11 @@ __device__ inline bool order_list(const DualEdgeProblem& p, const SortedBalls& s
 template <class Kind>
 __device__ inline void note_list(const DualEdgeProblem& p, BlockStatistics& met, BlockBalls& s,
                                  int found, int left) {
-  const bool fits = found <= p.common.search_capacity;
+  const bool fits = found <= p.common.search_capacity,
+             too_long = !fits || left > static_cast<int>(p.capacity.list);
   if (Kind::kExact || !fits) note_largest(&met.most_found, found);
-  if (Kind::kExact || left > static_cast<int>(p.capacity.list))
-    note_largest(&met.longest_list, left);
+  if (Kind::kExact || too_long) note_largest(&met.longest_list, left);
+  if (!Kind::kExact && too_long) atomicAdd(&met.too_long, 1u);
   if (Kind::kExact || !is_sampled(p)) return;
   measure(s.all_found, found);
   if (fits) measure(s.all_lists, left);
@@ -244,16 +243,16 @@ __device__ inline void find_lists(const DualEdgeProblem& p, const SortedBalls& s
     const std::uint32_t index = first + b;
     const BallHome home = sorted.home[index];
     const int4 centre = p.balls[index];
-    const int all = search_neighbours(p.common, sorted, home, active && home.alive,
+    const int all = search_neighbours(p.common, sorted, home, active && home.reach >= 0,
                                       s.surroundings[threadIdx.x / kSearchLanes], m.found);
     const double square =
         static_cast<double>(static_cast<std::int64_t>(centre.w) * centre.w) + p.common.alpha;
     const float radius_square = static_cast<float>(square) * p.radius_scale;
     int n = all <= p.common.search_capacity ? all : 0;
-    if constexpr (Kind::kCull) n = Culler(p, sorted, m, centre, radius_square, n).cull();
+    if constexpr (Kind::kCull) n = Culler(p, m, centre, radius_square, n).cull();
     int later = 0;
     for (int a = lane; __any_sync(~0u, a < n); a += kSearchLanes) {
-      const std::uint32_t other = a < n ? sorted.index[slot_of<Kind>(m.found[a])] : 0;
+      const std::uint32_t other = a < n ? index_of<Kind>(m.found[a]) : 0;
       if (a < n) m.found_index[a] = other;
       later += __popc(half_ballot(other > index));
     }
@@ -287,11 +286,11 @@ __device__ inline void find_lists(const DualEdgeProblem& p, const SortedBalls& s
       s.later[b] = room ? later : 0;
       s.entry0[b] = entry0;
       s.row0[b] = row0;
-      s.state[b] = !home.alive ? 0 : attached ? 1 : 2;
+      s.state[b] = home.reach < 0 ? 0 : attached ? 1 : 2;
       s.first_triangle[b] = INT_MAX;
       s.end_triangle[b] = 0;
       s.exact[b] = room ? 0 : 2;
-      if (home.alive) note_list<Kind>(p, *out.statistics, s, all, n);
+      if (home.reach >= 0) note_list<Kind>(p, *out.statistics, s, all, n);
     }
     __syncwarp();
   }

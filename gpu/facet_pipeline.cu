@@ -21,7 +21,6 @@ FacetPipeline::FacetPipeline(const BallSet& balls) : state_(std::make_unique<Sta
   s.load(balls);
   s.host_counters.reserve(1);
   s.balls.reserve(s.n);
-  s.sorted.reserve(s.n);
   s.cell_and_rank.reserve(s.n);
   s.index.reserve(s.n);
   s.near.reserve(s.n);
@@ -156,10 +155,10 @@ SortedBalls FacetPipeline::State::sort_into_cells(const Problem& p, EventTimer& 
   launch(gpu::assign_cells, per_ball, p, received, balls.get(), cell_count, cell_and_rank.get());
   scan(cell_count, cell_start.get(), p.cell_count + 1, queues.main);
   launch(gpu::sort_into_cells, per_ball, p, balls.get(), cell_and_rank.get(), cell_start.get(),
-         SortedBuffers{sorted.get(), index.get(), near.get(), home.get()});
+         SortedBuffers{index.get(), near.get(), home.get()});
   check(cudaGetLastError(), "sorting the balls");
   timer.mark(stage::kGrid, queues.main);
-  return {sorted.get(), index.get(), near.get(), cell_start.get(), home.get()};
+  return {index.get(), near.get(), cell_start.get(), home.get()};
 }
 
 }  // namespace alphascope::gpu

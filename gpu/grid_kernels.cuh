@@ -39,7 +39,6 @@ __device__ inline std::uint32_t part_of_cell(const Problem& p, const int4& b) {
 
 // What sort_into_cells() writes; as SortedBalls.
 struct SortedBuffers {
-  int4* ball;
   std::uint32_t* index;
   float4* near;
   BallHome* home;
@@ -52,15 +51,15 @@ __global__ void sort_into_cells(Problem p, const int4* balls, const uint2* cell_
   const int4 b = balls[i];
   const uint2 c = cell_and_rank[i];
   const std::uint32_t slot = cell_start[c.x] + c.y;
-  to.ball[slot] = b;
   to.index[slot] = i;
-  const auto dead = static_cast<std::uint32_t>(p.cell_count - 1);
-  to.home[i] = c.x == dead ? BallHome{slot, static_cast<std::uint32_t>((p.ny + 1) * p.nz + 1), 0, 0}
-                           : BallHome{slot, c.x, part_of_cell(p, b), 1};
   const float square =
       static_cast<float>(static_cast<double>(static_cast<std::int64_t>(b.w) * b.w) + p.alpha);
   // 2^-16 is far above the roundings of the test of two balls.
   const float reach = sqrtf(fmaxf(square, 0.0f)) * (1.0f + 1.0f / 65536) + p.reach_slack;
+  const auto dead = static_cast<std::uint32_t>(p.cell_count - 1);
+  to.home[i] = c.x == dead
+                   ? BallHome{slot, static_cast<std::uint32_t>((p.ny + 1) * p.nz + 1), 0, -1}
+                   : BallHome{slot, c.x, part_of_cell(p, b), reach};
   const auto from_origin = [](int at, int origin) {
     return static_cast<float>(static_cast<std::int64_t>(at) - origin);
   };

@@ -169,7 +169,7 @@ struct FacetPipeline::State {
   DeviceBuffer<std::uint32_t> packed;
   std::optional<WireLayout> packing;
   PinnedBuffer<Counters> host_counters;
-  DeviceBuffer<int4> balls, sorted;
+  DeviceBuffer<int4> balls;
   DeviceBuffer<uint2> cell_and_rank;
   // Cleared at once at the start of a run: Counters, then the cells' counts, the balls' of
   // tetrahedra, triangles and edge candidates, and what is known of vertices (VertexStates).

@@ -70,6 +70,7 @@ struct BlockStatistics {
   std::uint32_t most_found, longest_list;   // of one ball
   std::uint32_t most_triangles, most_kept;  // of one ball that kernel III looked at
   std::uint32_t deferred;                   // balls that found no room and went to kernel III
+  std::uint32_t too_long;                   // of those, by their list alone
 };
 
 // Where in the grid a ball is: its slot in cell order and its cell. And where in the cell: in
@@ -78,7 +79,7 @@ struct BlockStatistics {
 inline constexpr int kCellParts = 1024;
 struct alignas(16) BallHome {
   std::uint32_t slot, cell, part;  // dead: some cell
-  std::uint32_t alive;             // 0 or 1
+  float reach;                     // as SortedBalls::near's; below 0: dead
   __host__ __device__ int part_of(int axis) const {
     return static_cast<int>(part >> (10 * axis)) & (kCellParts - 1);
   }
@@ -86,7 +87,6 @@ struct alignas(16) BallHome {
 
 // Balls in cell order, the dead ones last.
 struct SortedBalls {
-  const int4* ball;            // x, y, z, radius
   const std::uint32_t* index;  // in the BallSet
   // x, y, z from the grid's origin (nearest floats) and sqrt(w + alpha), rounded up so far that
   // grown balls that meet are found to meet in single precision; lattice units.
@@ -145,8 +145,8 @@ struct Surroundings {
   }
 };
 
-// Kernel I for two balls of one warp, half a warp each: lists the balls that theirs meets in
-// `found`, in no order. Returns the number of all, also of those that do not fit; 0 when not
+// Kernel I for two balls of one warp, half a warp each: lists the indices of the balls that theirs
+// meets in `found`, in no order. Returns the number of all, also of those that do not fit; 0 when not
 // `active`.
 __device__ inline int search_neighbours(const Problem& p, const SortedBalls& balls,
                                         const BallHome& home, bool active, Surroundings& around,
@@ -168,7 +168,7 @@ __device__ inline int search_neighbours(const Problem& p, const SortedBalls& bal
     }
     const unsigned hits = __ballot_sync(~0u, hit) >> half & 0xffffu;
     const int at = count + __popc(hits & ((1u << lane) - 1));
-    if (hit && at < p.search_capacity) found[at] = t;
+    if (hit && at < p.search_capacity) found[at] = balls.index[t];
     count += __popc(hits);
   }
   __syncwarp();

@@ -86,7 +86,7 @@ inline Demand larger(Demand a, const Demand& b) {
   return a;
 }
 
-inline constexpr double kFirstMargin = 1.3;
+inline constexpr double kFirstMargin = 1.2;
 
 // Room for blocks of so many balls: `margin` times three standard deviations above the mean. Sums
 // of fewer balls vary by the root of how many, of more by all of it: neighbours have similar
@@ -121,20 +121,18 @@ inline std::size_t bytes_of(const BlockRoom& room, int balls, bool cull) {
   return p.layout.bytes;
 }
 
-// How well blocks of so many balls and bytes use a multiprocessor: the more work in a block, the
-// less its barriers cost; the more warps, the less latencies. Fitted to times on an H200.
+// How well blocks of so many balls and bytes use the device: the more work in a block, the less its
+// barriers cost; the more warps, the less latencies; the more blocks, the less the last ones.
+// Fitted to times on an H200.
 inline double use_of(const State& s, int balls, const Demand::Spread& found, std::size_t bytes) {
   constexpr double kEnough = 8, kBarriers = 65;
   // CUDA keeps 1 KB a block for itself.
   const double shared = static_cast<double>(bytes + sizeof(BlockBalls) + 1024),
-               blocks = std::min(kEnough, std::floor(s.shared_per_multiprocessor / shared)),
+               blocks = std::clamp(std::floor(s.shared_per_multiprocessor / shared), 1.0, kEnough),
                warps = blocks * kBlockThreads / 32;
-  return balls / (balls + kBarriers / std::max(1.0, found.mean)) * warps / (warps + 16);
-}
-
-// Balls a block when there are not enough to fill the machine.
-inline std::size_t fair_share(const State& s) {
-  return std::max<std::size_t>(s.n / (static_cast<std::size_t>(s.multiprocessors) * 7), 4);
+  const double rounds = static_cast<double>(s.n) / balls / (blocks * s.multiprocessors);
+  return balls / (balls + kBarriers / std::max(1.0, found.mean)) * warps / (warps + 16) * rounds /
+         (rounds + 0.5);
 }
 
 // Sets how many balls a block takes, and its room. What is hardly better is not worth a change.
@@ -142,9 +140,8 @@ inline void choose_room(const State& s, Need& need, const Demand& demand) {
   need.cull = demand.cull;
   const int current = need.balls_per_block;
   double best = -1;
-  // Eight half warps search at once; fewer balls only where there are few, or no room for eight.
+  // Eight half warps search at once; fewer balls only where there is no room for eight.
   for (const int balls : {32, 24, 16, 8, 4, 2, 1}) {
-    if (balls > 1 && static_cast<std::size_t>(balls) > fair_share(s)) continue;
     if (balls < 8 && best > 0) break;
     const BlockRoom room = room_for(balls, demand, need.margin);
     const std::size_t bytes = bytes_of(room, balls, demand.cull);

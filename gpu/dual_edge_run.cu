@@ -126,9 +126,8 @@ class Run {
 
   Part part(int number, const Need& need, DualEdgeOutput out) {
     const auto begin = [&](int c) {  // of a whole block; nothing hides the last chunk: half of one
-      const std::size_t block =
-          static_cast<std::size_t>(blocks(need)) * std::min(2 * c, 2 * chunks_ - 1) /
-          (2 * chunks_ - 1);
+      const std::size_t block = static_cast<std::size_t>(blocks(need)) *
+                                std::min(2 * c, 2 * chunks_ - 1) / (2 * chunks_ - 1);
       return static_cast<std::uint32_t>(std::min(s_.n, block * need.balls_per_block));
     };
     Counters* counters = s_.counters();
@@ -260,8 +259,6 @@ class Run {
     if (!few) {  // there was no room to see all
       next.margin = 1.3 * need.margin;
       demand = larger(guessed(found, cull, whole_), demand);
-    } else if (need.alpha != plan_.alpha) {
-      next.margin = kFirstMargin;
     } else if (met.deferred - met.too_long > std::max<std::size_t>(32, s_.n / 2000)) {
       next.margin = std::max(need.margin, std::min(1.1 * need.margin, 2.0));
     }

@@ -146,8 +146,8 @@ struct Surroundings {
 };
 
 // Kernel I for two balls of one warp, half a warp each: lists the indices of the balls that theirs
-// meets in `found`, in no order. Returns the number of all, also of those that do not fit; 0 when not
-// `active`.
+// meets in `found`, in no order. Returns the number of all, also of those that do not fit; 0 when
+// not `active`.
 __device__ inline int search_neighbours(const Problem& p, const SortedBalls& balls,
                                         const BallHome& home, bool active, Surroundings& around,
                                         std::uint32_t* found) {

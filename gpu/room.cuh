@@ -86,8 +86,6 @@ inline Demand larger(Demand a, const Demand& b) {
   return a;
 }
 
-inline constexpr double kFirstMargin = 1.2;
-
 // Room for blocks of so many balls: `margin` times three standard deviations above the mean. Sums
 // of fewer balls vary by the root of how many, of more by all of it: neighbours have similar
 // surroundings. Balls that find no room go to kernel III.
@@ -101,12 +99,15 @@ inline BlockRoom room_for(int balls, const Demand& demand, double margin) {
         of.mean * ratio + 3 * margin * of.deviation * std::max(ratio, std::sqrt(ratio));
     return static_cast<std::uint32_t>(std::min(room, 1e9)) + 16;
   };
-  return {static_cast<std::uint32_t>(most(demand.found, 4) / 4 + 1) * 4,
+  const std::uint32_t triangles = std::min<std::uint32_t>(sum(demand.triangles), kMaxTriangles - 1);
+  // A multiple of 4. No list is longer: see kMaxList.
+  const auto search = std::min(static_cast<int>(most(demand.found, 4) / 4 + 1), kMaxList / 4) * 4;
+  return {static_cast<std::uint32_t>(search),
           whole_words(most(demand.list, 3)),
           sum(demand.entries),
           sum(demand.rows),
-          std::min<std::uint32_t>(sum(demand.triangles), kMaxTriangles - 1),
-          sum({demand.listed.mean, 1.5 * demand.listed.deviation}),
+          triangles,
+          std::min(sum({demand.listed.mean, 1.5 * demand.listed.deviation}), triangles),
           demand.cull ? sum(demand.probed) : 0,
           sum(demand.kept)};
 }
@@ -181,24 +182,23 @@ inline Need first_need(const State& s, double alpha, bool whole) {
   need.ball = {64, 64, 64, 64, 1024, 0, 0, 64};
   need.counts = {{s.n, 5 * s.n, 6 * s.n, s.n}};
   need.candidates = 8 * s.n;
-  need.margin = kFirstMargin;
+  need.margin = 1;
   choose_room(s, need, guessed({12, 3}, false, whole));
   return need;
 }
 
-// Of chunk_count(): tetrahedra alone, and whole.
-inline constexpr double kChunkBytes = 0.6e6, kWholeChunkBytes = 2.5e6, kLeastChunk = 4096;
-
-// In how many chunks to go through the balls. Each costs some 10 microseconds of queueing and
-// waiting, of a whole complex 50; all but the last one's copy is hidden behind work. The first run
-// of a set takes all at once: how many simplices there will be is a guess, too much memory to pin.
+// In how many chunks to go through the balls: each costs queueing and waiting, but all copies are
+// hidden behind work except the last one's. Fitted to times on an H200. The first run of a set
+// takes all at once: how many simplices there will be is a guess, too much memory to pin.
 inline int chunk_count(const State& s, const Need& need, std::size_t bytes) {
   const int forced = FacetPipeline::forced_chunks;
   if (forced > 0) return std::min(forced, kMaxChunks);
   if (need.totals.empty()) return 1;
-  const double best =
-      std::sqrt(static_cast<double>(bytes) / (need.whole ? kWholeChunkBytes : kChunkBytes));
-  const double most = static_cast<double>(s.n) / kLeastChunk;
+  const double megabytes = static_cast<double>(bytes) / 1e6;
+  const double best = need.whole ? std::sqrt(megabytes / 2.5)
+                                 : std::max(std::sqrt(megabytes / 0.6), (megabytes - 3) / 1.85);
+  constexpr double kLeastBalls = 4096;
+  const double most = static_cast<double>(s.n) / kLeastBalls;
   return std::clamp(static_cast<int>(std::min(best, most)), 1, kMaxChunks);
 }
 
@@ -229,7 +229,7 @@ inline DualEdgeProblem make_problem(const State& s, const Problem& plan, const B
   p.small_lattice = offset < static_cast<double>(kSmallOffset) && s.max_radius < kSmallOffset;
   p.narrow = offset < 32768 && s.max_radius < 32768;  // |d|² < 2^30, weights too
   p.balls = s.balls.get();
-  p.deferred_limit = static_cast<std::uint32_t>(std::max<std::size_t>(256, s.n / 200));
+  p.deferred_limit = static_cast<std::uint32_t>(std::max<std::size_t>(256, s.n / 100));
   lay_out(p);
   return p;
 }

@@ -222,13 +222,102 @@ __device__ inline void note_lists(BlockStatistics& met, const BlockBalls& s) {
   measure(met.rows, s.rows);
 }
 
+// Where the list of half a warp's ball goes.
+struct ListPlace {
+  int entry0, row0;
+  bool room;
+};
+
+// Of `all` balls found, `n` are in the list, `later` of them of higher index. Both halves of a warp
+// call it.
+__device__ inline ListPlace place_list(const DualEdgeProblem& p, BlockBalls& s, bool active,
+                                       int all, int n, int later) {
+  const int half = threadIdx.x & kSearchLanes;
+  int entry0 = 0, row0 = 0;
+  if (lane_of_half() == 0 && active) {
+    entry0 = atomicAdd(&s.entries, n);
+    row0 = atomicAdd(&s.rows, later);
+  }
+  entry0 = __shfl_sync(~0u, entry0, half);
+  row0 = __shfl_sync(~0u, row0, half);
+  return {entry0, row0,
+          all <= p.common.search_capacity && n <= static_cast<int>(p.capacity.list) &&
+              entry0 + n <= static_cast<int>(p.capacity.entries) &&
+              row0 + later <= static_cast<int>(p.capacity.rows)};
+}
+
+// Whose rows they are. Those of a ball without room still count: they are nobody's.
+__device__ inline void mark_rows(const DualEdgeProblem& p, const DualEdgeMemory& m,
+                                 const ListPlace& place, int later, int b) {
+  const int owner = place.room ? b : kMaxBallsPerBlock;
+  const int end = min(place.row0 + later, static_cast<int>(p.capacity.rows));
+  for (int row = place.row0 + lane_of_half(); row < end; row += kSearchLanes)
+    m.row_ball[row] = static_cast<std::uint8_t>(owner);
+}
+
+// Copies the indices found to where they are ordered from; returns how many are above the ball's.
+template <class Kind>
+__device__ inline int count_later(const DualEdgeMemory& m, int n, std::uint32_t index) {
+  int later = 0;
+  for (int a = lane_of_half(); __any_sync(~0u, a < n); a += kSearchLanes) {
+    const std::uint32_t other = a < n ? index_of<Kind>(m.found[a]) : 0;
+    if (a < n) m.found_index[a] = other;
+    later += __popc(half_ballot(other > index));
+  }
+  if (lane_of_half() < 3) m.found_index[n + lane_of_half()] = ~0u;  // order_list takes four at once
+  __syncwarp();  // and reads what other lanes found
+  return later;
+}
+
+// What the block keeps of a ball whose list is made. One lane.
+__device__ inline void keep_ball(BlockBalls& s, int b, const ListPlace& place, int n, int later) {
+  s.list[b] = place.room ? n : 0;
+  s.later[b] = place.room ? later : 0;
+  s.entry0[b] = place.entry0;
+  s.row0[b] = place.row0;
+  s.first_triangle[b] = INT_MAX;
+  s.end_triangle[b] = 0;
+  s.exact[b] = place.room ? 0 : 2;
+}
+
+// The list of ball b of the block, half a warp's; not `active`: it has none. Both halves of a warp
+// call it.
+template <class Kind>
+__device__ inline void find_list(const DualEdgeProblem& p, const SortedBalls& sorted,
+                                 const DualEdgeOutput& out, const DualEdgeMemory& m, BlockBalls& s,
+                                 std::uint32_t index, int b, bool active) {
+  const BallHome home = sorted.home[index];
+  const int4 centre = p.balls[index];
+  const bool alive = home.reach >= 0;
+  const int all = search_neighbours(p.common, sorted, home, active && alive,
+                                    s.surroundings[threadIdx.x / kSearchLanes], m.found);
+  const float radius_square =
+      static_cast<float>(static_cast<double>(square(centre.w)) + p.common.alpha) * p.radius_scale;
+  int n = all <= p.common.search_capacity ? all : 0;
+  if constexpr (Kind::kCull) n = Culler(p, m, centre, radius_square, n).cull();
+  const int later = count_later<Kind>(m, n, index);
+  const ListPlace place = place_list(p, s, active, all, n, later);
+  if (active) mark_rows(p, m, place, later, b);
+  const bool lane_attached =
+      active && place.room && order_list<Kind>(p, sorted, m, centre, n, place.entry0, b);
+  const bool attached = half_ballot(lane_attached) != 0;
+  if (active && lane_of_half() == 0) {
+    s.radius_square[b] = radius_square;
+    s.ball[b] = centre;
+    s.index[b] = index;
+    s.state[b] = !alive ? 0 : attached ? 1 : 2;
+    keep_ball(s, b, place, n, later);
+    if (alive) note_list<Kind>(p, *out.statistics, s, all, n);
+  }
+  __syncwarp();
+}
+
 // Kernel I of the block's balls, half a warp each: their ordered lists. Balls without room are
 // marked.
 template <class Kind>
 __device__ inline void find_lists(const DualEdgeProblem& p, const SortedBalls& sorted,
                                   const DualEdgeOutput& out, const DualEdgeMemory& m, BlockBalls& s,
                                   std::uint32_t first, int balls) {
-  const int lane = lane_of_half(), half = threadIdx.x & kSearchLanes;
   if (threadIdx.x == 0) {
     s.all_found = s.all_lists = {};
     s.entries = s.rows = s.listed = s.next_listed = s.probed = s.next_work = s.kept = 0;
@@ -236,63 +325,12 @@ __device__ inline void find_lists(const DualEdgeProblem& p, const SortedBalls& s
   if (threadIdx.x < kLengths) s.lengths[threadIdx.x] = 0;
   for (int w = threadIdx.x; w < balls * p.words; w += kBlockThreads) m.possible[w] = m.near[w] = 0;
   __syncthreads();
+  const int half = (threadIdx.x & kSearchLanes) != 0 ? 1 : 0;
   for (int pair = threadIdx.x >> 5; 2 * pair < balls; pair += kBlockThreads / 32) {
     // Of an odd last pair, the second half repeats the first's reads in vain.
-    const bool active = half == 0 || 2 * pair + 1 < balls;
-    const int b = 2 * pair + (half != 0 && active);
-    const std::uint32_t index = first + b;
-    const BallHome home = sorted.home[index];
-    const int4 centre = p.balls[index];
-    const int all = search_neighbours(p.common, sorted, home, active && home.reach >= 0,
-                                      s.surroundings[threadIdx.x / kSearchLanes], m.found);
-    const double square =
-        static_cast<double>(static_cast<std::int64_t>(centre.w) * centre.w) + p.common.alpha;
-    const float radius_square = static_cast<float>(square) * p.radius_scale;
-    int n = all <= p.common.search_capacity ? all : 0;
-    if constexpr (Kind::kCull) n = Culler(p, m, centre, radius_square, n).cull();
-    int later = 0;
-    for (int a = lane; __any_sync(~0u, a < n); a += kSearchLanes) {
-      const std::uint32_t other = a < n ? index_of<Kind>(m.found[a]) : 0;
-      if (a < n) m.found_index[a] = other;
-      later += __popc(half_ballot(other > index));
-    }
-    if (lane < 3) m.found_index[n + lane] = ~0u;  // order_list takes four at a time
-    __syncwarp();                                 // and reads what other lanes found
-    int entry0 = 0, row0 = 0;
-    if (lane == 0 && active) {
-      entry0 = atomicAdd(&s.entries, n);
-      row0 = atomicAdd(&s.rows, later);
-    }
-    entry0 = __shfl_sync(~0u, entry0, half);
-    row0 = __shfl_sync(~0u, row0, half);
-    const int row_room = static_cast<int>(p.capacity.rows);
-    const bool room = all <= p.common.search_capacity && n <= static_cast<int>(p.capacity.list) &&
-                      entry0 + n <= static_cast<int>(p.capacity.entries) &&
-                      row0 + later <= row_room;
-    if (active) {
-      // Rows of a ball without room still count: they are nobody's.
-      for (int a = lane; a < later && row0 + a < row_room; a += kSearchLanes) {
-        m.row_ball[row0 + a] = static_cast<std::uint8_t>(room ? b : kMaxBallsPerBlock);
-      }
-    }
-    const bool lane_attached =
-        active && room && order_list<Kind>(p, sorted, m, centre, n, entry0, b);
-    const bool attached = half_ballot(lane_attached) != 0;
-    if (active && lane == 0) {
-      s.radius_square[b] = radius_square;
-      s.ball[b] = centre;
-      s.index[b] = index;
-      s.list[b] = room ? n : 0;
-      s.later[b] = room ? later : 0;
-      s.entry0[b] = entry0;
-      s.row0[b] = row0;
-      s.state[b] = home.reach < 0 ? 0 : attached ? 1 : 2;
-      s.first_triangle[b] = INT_MAX;
-      s.end_triangle[b] = 0;
-      s.exact[b] = room ? 0 : 2;
-      if (home.reach >= 0) note_list<Kind>(p, *out.statistics, s, all, n);
-    }
-    __syncwarp();
+    const bool active = 2 * pair + half < balls;
+    const int b = 2 * pair + (active ? half : 0);
+    find_list<Kind>(p, sorted, out, m, s, first + b, b, active);
   }
   __syncthreads();
   if (threadIdx.x == 0) {

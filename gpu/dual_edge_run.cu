@@ -20,7 +20,7 @@ class Run {
         timer_(state.queues.main, times) {}
   // Whatever happened, the next run finds the device idle and the buffers its own.
   ~Run() {
-    if (busy_) q_.wait(chunks_ > 1);
+    if (busy_) q_.wait(true);
   }
   Run(const Run&) = delete;
   Run& operator=(const Run&) = delete;

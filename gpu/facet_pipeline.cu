@@ -42,6 +42,8 @@ void Queues::create() {
     check(cudaEventCreateWithFlags(&e, cudaEventDisableTiming), "creating an event");
   };
   event(sorted);
+  event(assigned);
+  for (cudaEvent_t& e : arrived) event(e);
   for (cudaEvent_t& e : filtered) event(e);
   for (cudaEvent_t& e : ordered) event(e);
 }
@@ -54,6 +56,8 @@ Queues::~Queues() {
     if (e != nullptr) cudaEventDestroy(e);
   };
   destroy(sorted);
+  destroy(assigned);
+  for (cudaEvent_t e : arrived) destroy(e);
   for (cudaEvent_t e : filtered) destroy(e);
   for (cudaEvent_t e : ordered) destroy(e);
 }
@@ -89,14 +93,6 @@ void FacetPipeline::State::load(const BallSet& set) {
   }
   host_balls.reserve(std::max<std::size_t>(n, 1));
   for (BallIndex i = 0; i < n; ++i) host_balls.get()[i] = shown[i];
-}
-
-void FacetPipeline::State::send_balls() {
-  check(packing ? cudaMemcpyAsync(packed.get(), host_packed.get(), packing->words * 4,
-                                  cudaMemcpyHostToDevice, queues.main)
-                : cudaMemcpyAsync(balls.get(), host_balls.get(), n * sizeof(int4),
-                                  cudaMemcpyHostToDevice, queues.main),
-        "copying the balls");
 }
 
 FacetPipeline::~FacetPipeline() = default;
@@ -142,17 +138,64 @@ std::optional<Problem> FacetPipeline::State::plan(double alpha, bool whole) {
   return p;
 }
 
-SortedBalls FacetPipeline::State::sort_into_cells(const Problem& p, EventTimer& timer) {
-  send_balls();
-  timer.mark(stage::kHostToDevice, queues.main);
+int FacetPipeline::State::pieces() const {
+  constexpr std::size_t kLarge = std::size_t{1} << 17;
+  if (!packing) return 1;
+  const std::size_t starts = (n + kWireStart - 1) / kWireStart;
+  const bool several = forced_chunks > 1 || n >= kLarge;
+  return static_cast<int>(std::min<std::size_t>(several ? kMaxPieces : 1, starts));
+}
+
+void FacetPipeline::State::send_piece(const Problem& p, int piece, int all, cudaStream_t stream,
+                                      EventTimer& timer) {
+  // Pieces of whole starts of packed balls, see ball_wire.cuh.
+  const std::size_t starts = (n + kWireStart - 1) / kWireStart;
+  const auto start = [&](int k) { return starts * k / all; };
+  const auto ball = [&](int k) { return std::min(n, start(k) * kWireStart); };
+  if (packing) {
+    const std::uint32_t* words = host_packed.get();
+    const auto word = [&](int k) -> std::size_t {
+      return k == 0 ? 0 : k == all ? packing->words : words[packing->starts + start(k)];
+    };
+    check(cudaMemcpyAsync(packed.get() + word(piece), words + word(piece),
+                          (word(piece + 1) - word(piece)) * 4, cudaMemcpyHostToDevice, queues.main),
+          "copying the balls");
+  } else {
+    check(cudaMemcpyAsync(balls.get(), host_balls.get(), n * sizeof(int4), cudaMemcpyHostToDevice,
+                          queues.main),
+          "copying the balls");
+  }
+  if (piece + 1 == all) timer.mark(stage::kHostToDevice, queues.main);
+  if (stream != queues.main) {
+    check(cudaEventRecord(queues.arrived[piece], queues.main), "recording an event");
+    check(cudaStreamWaitEvent(stream, queues.arrived[piece], 0), "waiting for an event");
+  }
+  const auto begin = static_cast<std::uint32_t>(ball(piece)),
+             end = static_cast<std::uint32_t>(ball(piece + 1));
+  launch(gpu::assign_cells, {blocks_for(end - begin), kThreads, stream}, p, begin, end,
+         PackedBalls{packed.get(), packing.value_or(WireLayout{})}, balls.get(),
+         zeroed.get() + kCounterWords, cell_and_rank.get());
+}
+
+void FacetPipeline::State::receive_balls(const Problem& p, EventTimer& timer) {
+  const int all = pieces();
+  // Of several, one is put into its cells while the next arrives.
+  const cudaStream_t stream = all > 1 ? queues.other : queues.main;
   // One fill: the counters, the cells' and the balls' counts.
   // Prefix sums read, but do not use, the number after the last.
-  fill(zeroed.get(), 0,
-       (kCounterWords + p.cell_count + 1 + (p.whole ? kZeroedArrays * n : n + 1)) * 4);
+  const std::size_t counts = p.whole ? kZeroedArrays * n : n + 1;
+  check(cudaMemsetAsync(zeroed.get(), 0, (kCounterWords + p.cell_count + 1 + counts) * 4, stream),
+        "clearing device memory");
+  for (int piece = 0; piece < all; ++piece) send_piece(p, piece, all, stream, timer);
+  if (stream == queues.main) return;
+  check(cudaEventRecord(queues.assigned, stream), "recording an event");
+  check(cudaStreamWaitEvent(queues.main, queues.assigned, 0), "waiting for an event");
+}
+
+SortedBalls FacetPipeline::State::sort_into_cells(const Problem& p, EventTimer& timer) {
+  receive_balls(p, timer);
   std::uint32_t* cell_count = zeroed.get() + kCounterWords;
   const LaunchShape per_ball{blocks_for(n), kThreads, queues.main};
-  const PackedBalls received{packed.get(), packing.value_or(WireLayout{})};
-  launch(gpu::assign_cells, per_ball, p, received, balls.get(), cell_count, cell_and_rank.get());
   scan(cell_count, cell_start.get(), p.cell_count + 1, queues.main);
   launch(gpu::sort_into_cells, per_ball, p, balls.get(), cell_and_rank.get(), cell_start.get(),
          SortedBuffers{index.get(), near.get(), home.get()});

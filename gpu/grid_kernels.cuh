@@ -10,11 +10,11 @@ __device__ inline int grid_cell(int coordinate, int lower, int width) {
   return (coordinate - lower) / width + 1;
 }
 
-// The balls came packed, or as they are.
-__global__ void assign_cells(Problem p, PackedBalls packed, int4* balls, std::uint32_t* cell_count,
-                             uint2* cell_and_rank) {
-  const int i = blockIdx.x * blockDim.x + threadIdx.x;
-  if (i >= p.ball_count) return;
+// Balls [begin, end). They came packed, or as they are.
+__global__ void assign_cells(Problem p, std::uint32_t begin, std::uint32_t end, PackedBalls packed,
+                             int4* balls, std::uint32_t* cell_count, uint2* cell_and_rank) {
+  const std::uint32_t i = begin + blockIdx.x * blockDim.x + threadIdx.x;
+  if (i >= end) return;
   const int4 b = packed.data != nullptr ? packed[i] : balls[i];
   if (packed.data != nullptr) balls[i] = b;
   const double square = static_cast<double>(static_cast<std::int64_t>(b.w) * b.w) + p.alpha;

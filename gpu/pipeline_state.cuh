@@ -120,15 +120,19 @@ class EventTimer {
   std::vector<std::string_view> labels_;
 };
 
+// In which large sets of balls arrive.
+inline constexpr int kMaxPieces = 2;
+
 // Where the work of a run is queued. Those after the first are for runs in several chunks, and so
 // are the events.
 struct Queues {
   cudaStream_t main = nullptr;   // balls in, the grid, kernel II of every other chunk
-  cudaStream_t other = nullptr;  // kernel II of the chunks between
+  cudaStream_t other = nullptr;  // kernel II of the chunks between; before, pieces that arrived
   // Kernel III and the order of simplices, which go before what is left of kernel II.
   cudaStream_t ordering = nullptr;
   cudaStream_t copying = nullptr;  // simplices out
-  cudaEvent_t sorted = nullptr, filtered[kMaxChunks] = {}, ordered[kMaxChunks] = {};
+  cudaEvent_t arrived[kMaxPieces] = {}, assigned = nullptr, sorted = nullptr;
+  cudaEvent_t filtered[kMaxChunks] = {}, ordered[kMaxChunks] = {};
 
   Queues() = default;
   Queues(const Queues&) = delete;
@@ -200,7 +204,10 @@ struct FacetPipeline::State {
   std::optional<Problem> plan(double alpha, bool whole);
   SortedBalls sort_into_cells(const Problem& p, EventTimer& timer);
   void load(const BallSet& balls);
-  void send_balls();
+  // Balls come in one piece or several, and are put into their cells.
+  int pieces() const;
+  void send_piece(const Problem& p, int piece, int all, cudaStream_t stream, EventTimer& timer);
+  void receive_balls(const Problem& p, EventTimer& timer);
   // Words of `zeroed` that come after the counters and the cells: arrays of n.
   static constexpr int kZeroedArrays = 6;
   std::uint32_t* zeroed_array(const Problem& p, int number) {

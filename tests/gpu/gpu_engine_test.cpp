@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <random>
 
 #include "gpu/facet_pipeline.hpp"
 #include "tests/support/expect_same.hpp"
@@ -72,6 +73,27 @@ TEST_P(GpuChunks, EqualTheCpuRunAfterRun) {
       }
     }
   }
+}
+
+// Large sets are sent in pieces of some thousand balls.
+TEST(GpuPieces, EqualTheCpu) {
+  if (!gpu_device().usable) GTEST_SKIP() << gpu_device().why_not;
+  std::mt19937 random(8);
+  std::uniform_int_distribution<int> at(0, 40000), radius(900, 1500);
+  BallSet set;
+  for (int b = 0; b < 13000; ++b) {
+    set.centres.push_back({at(random), at(random), at(random)});
+    set.radii.push_back(radius(random));
+  }
+  const auto balls = std::make_shared<const BallSet>(set);
+  gpu::FacetPipeline::forced_chunks = 3;
+  const auto gpu = make_gpu_engine(balls, {}, nullptr), cpu = make_cpu_engine(balls);
+  ASSERT_TRUE(gpu);
+  const AlphaRequest request{0, false};
+  const AlphaComplex found = gpu->compute(request, {}), expected = cpu->compute(request, {});
+  gpu::FacetPipeline::forced_chunks = 0;
+  expect_same(found, expected);
+  EXPECT_GT(found.tetrahedra.size(), 50u);
 }
 
 TEST(Gpu, EqualsItselfFromRunToRun) {

@@ -31,7 +31,8 @@ class Run {
       cancel.throw_if_cancelled();
       if (!blocks_fit(need)) break;
       const ResultLayout layout(need.counts, whole_);
-      chunks_ = std::min(chunk_count(s_, need, layout.bytes), blocks(need));
+      chunks_ = static_cast<int>(
+          std::min<std::size_t>(chunk_count(s_, need, layout.bytes), most_chunks()));
       reserve(need, layout);
       timer_.restart();
       busy_ = true;
@@ -60,10 +61,6 @@ class Run {
   }
 
  private:
-  int blocks(const Need& need) const {
-    return static_cast<int>((s_.n + need.balls_per_block - 1) / need.balls_per_block);
-  }
-
   // Of kernel II, and of kernel III.
   DualEdgeProblem block_problem(const Need& need) const {
     return make_problem(s_, plan_, need.block, need.balls_per_block, need.cull);
@@ -124,16 +121,21 @@ class Run {
             &c->blocks};
   }
 
-  Part part(int number, const Need& need, DualEdgeOutput out) {
-    const auto begin = [&](int c) {  // of a whole block; nothing hides the last chunk: half of one
-      const std::size_t block = static_cast<std::size_t>(blocks(need)) *
-                                std::min(2 * c, 2 * chunks_ - 1) / (2 * chunks_ - 1);
-      return static_cast<std::uint32_t>(std::min(s_.n, block * need.balls_per_block));
-    };
+  // Where a chunk begins: the same for all sizes of blocks, so that what an earlier run counted
+  // holds. Nothing hides the last chunk, which is half as long.
+  std::uint32_t chunk_begin(int number) const {
+    const std::size_t halves = static_cast<std::size_t>(std::min(2 * number, 2 * chunks_ - 1));
+    const std::size_t unit = most_chunks() * halves / static_cast<std::size_t>(2 * chunks_ - 1);
+    return static_cast<std::uint32_t>(std::min(s_.n, unit * kMaxBallsPerBlock));
+  }
+  std::size_t most_chunks() const { return (s_.n + kMaxBallsPerBlock - 1) / kMaxBallsPerBlock; }
+
+  Part part(int number, DualEdgeOutput out) {
     Counters* counters = s_.counters();
-    out.exact_list = s_.exact_list.get() + begin(number);
+    const std::uint32_t begin = chunk_begin(number);
+    out.exact_list = s_.exact_list.get() + begin;
     out.exact_count = &counters->exact_count[number];
-    return {{begin(number), begin(number + 1), &counters->totals[number]}, out};
+    return {{begin, chunk_begin(number + 1), &counters->totals[number]}, out};
   }
 
   template <class Kernel>
@@ -176,12 +178,12 @@ class Run {
     }
     for (int c = 0; c < chunks_; ++c) {
       const cudaStream_t stream = q_.filtering(c);
-      const Part of = part(c, need, out);
+      const Part of = part(c, out);
       whole_ ? filter<true>(need, sorted, of, stream) : filter<false>(need, sorted, of, stream);
       if (chunks_ > 1) check(cudaEventRecord(q_.filtered[c], stream), "recording an event");
       if (c == chunks_ - 1) timer_.mark(stage::kCandidatesAndFiltered, stream);
     }
-    for (int c = 0; c < chunks_; ++c) order(need, sorted, part(c, need, out), layout, c);
+    for (int c = 0; c < chunks_; ++c) order(need, sorted, part(c, out), layout, c);
   }
 
   cudaStream_t ordering() const { return chunks_ > 1 ? q_.ordering : q_.main; }
@@ -209,10 +211,15 @@ class Run {
     if (last) timer_.mark(stage::kPrefixSum, stream);
   }
 
+  // Is it known how many simplices each chunk will find?
+  bool is_known(const Need& need) const {
+    return need.counted && need.totals.size() == static_cast<std::size_t>(chunks_);
+  }
+
   // Sends the simplices of each chunk on their way as soon as they are there and it is known how
   // many. False when that will be known later: then nothing is copied yet.
   bool copy_chunks(const Need& need, const ResultLayout& layout, const CancelToken& cancel) {
-    const bool known = need.counted && need.totals.size() == static_cast<std::size_t>(chunks_);
+    const bool known = is_known(need);
     if (chunks_ == 1 && known) {
       result_.all(layout, q_.main);
       timer_.mark(stage::kDeviceToHost, q_.main);
@@ -275,7 +282,17 @@ class Run {
     return met.most_found <= need.ball.search && met.longest_list <= need.ball.list &&
            met.most_triangles <= need.ball.triangles && met.most_kept <= need.ball.kept &&
            met.deferred <= deferred_limit(need) && need.counts.cover(next.counts) &&
+           copied_right(need, next) &&
            (!whole_ || s_.host_counters.get()->edges <= need.candidates);
+  }
+
+  // Did each chunk find as much as was copied of it?
+  bool copied_right(const Need& need, const Need& next) const {
+    if (chunks_ == 1 || !is_known(need)) return true;
+    return std::equal(need.totals.begin(), need.totals.end(), next.totals.begin(),
+                      [](const Totals& a, const Totals& b) {
+                        return std::equal(std::begin(a.of), std::end(a.of), std::begin(b.of));
+                      });
   }
 
   // What the next attempt gets.

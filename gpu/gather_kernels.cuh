@@ -46,14 +46,16 @@ struct GroupItems {
   std::uint32_t before[kGroupBalls + 1];  // those of balls before in the group
   std::uint32_t place;                    // of the group's first one in the result
 
-  // Every thread calls it. `places(i)`: simplices of the chunk's balls before i.
+  // Every thread calls it. `places(i)`: simplices of the chunk's balls before i. Nobody may have
+  // said where those of a ball start that has none.
   template <class Places>
   __device__ void load(std::uint32_t first, int balls, const std::uint32_t* starts,
                        const Places& places, std::uint32_t before_chunk) {
     const std::uint32_t at = places(first);
     for (int b = threadIdx.x; b <= balls; b += blockDim.x) {
-      before[b] = places(first + b) - at;
-      if (b < balls) start[b] = starts[first + b];
+      const std::uint32_t own = places(first + b);
+      before[b] = own - at;
+      if (b < balls) start[b] = places(first + b + 1) > own ? starts[first + b] : 0;
     }
     if (threadIdx.x == 0) place = before_chunk + at;
   }

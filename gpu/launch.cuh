@@ -21,8 +21,10 @@ void launch(void (*kernel)(Parameters...), const LaunchShape& shape,
 #ifdef __CUDACC__
   kernel<<<shape.blocks, shape.threads, shape.shared_bytes, shape.stream>>>(arguments...);
 #else
-  emulated::run_grid(shape.blocks, shape.threads, shape.shared_bytes,
-                     [&] { kernel(arguments...); });
+  emulated::enqueue(shape.stream, [=] {
+    emulated::run_grid(shape.blocks, shape.threads, shape.shared_bytes,
+                       [&] { kernel(arguments...); });
+  });
 #endif
 }
 

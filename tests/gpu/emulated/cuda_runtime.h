@@ -1,5 +1,7 @@
 // A stand-in for CUDA's runtime: device code as plain C++, "device memory" as the host's, and grids
-// that run on the CPU, block after block, every thread of a block as a fiber. So the kernels and all
+// that run on the CPU, block after block, every thread of a block as a fiber. Streams are queues
+// whose work is put off until somebody waits for it, and then done in an awkward order: what was
+// queued in the stream created last goes first, as soon as events let it. So the kernels and all
 // that starts them are tested on machines without a GPU, also under AddressSanitizer. It is no
 // substitute for a device: blocks do not run at the same time, and warps not in lockstep between
 // their collective operations.
@@ -58,12 +60,19 @@ inline float4 make_float4(float x, float y, float z, float w) {
 
 extern uint3 threadIdx, blockIdx, blockDim, gridDim;
 
+struct EmulatedStream;
+struct EmulatedEvent;
+
 namespace emulated {
 
 // Runs the body once per thread of the grid.
 void run_grid(unsigned blocks, unsigned threads, std::size_t shared_bytes,
               const std::function<void()>& body);
 unsigned char* shared_memory();
+
+// Queued work: see EmulatedStream.
+void enqueue(EmulatedStream* stream, std::function<void()> work);
+void finish_all();
 
 // Until all threads of the block, or of the warp, are there.
 void wait_for_block();
@@ -193,8 +202,6 @@ enum cudaDeviceAttr {
 enum cudaFuncAttribute { cudaFuncAttributeMaxDynamicSharedMemorySize };
 enum { cudaStreamNonBlocking, cudaEventDisableTiming };
 #define CUDART_VERSION 12000
-struct EmulatedStream;
-struct EmulatedEvent;
 using cudaStream_t = EmulatedStream*;
 using cudaEvent_t = EmulatedEvent*;
 struct cudaDeviceProp {
@@ -248,7 +255,9 @@ template <class T>
 cudaError_t cudaMallocHost(T** data, std::size_t bytes) {
   return cudaMalloc(data, bytes);
 }
+// As on a device, all work is done before memory goes.
 inline cudaError_t cudaFree(void* data) {
+  emulated::finish_all();
   std::free(data);
   return cudaSuccess;
 }
@@ -256,49 +265,37 @@ inline cudaError_t cudaFreeHost(void* data) {
   return cudaFree(data);
 }
 inline cudaError_t cudaMemcpy(void* to, const void* from, std::size_t bytes, cudaMemcpyKind) {
+  emulated::finish_all();
   if (bytes > 0) std::memcpy(to, from, bytes);
   return cudaSuccess;
 }
-inline cudaError_t cudaMemcpyAsync(void* to, const void* from, std::size_t bytes,
-                                   cudaMemcpyKind kind, cudaStream_t) {
-  return cudaMemcpy(to, from, bytes, kind);
+inline cudaError_t cudaMemcpyAsync(void* to, const void* from, std::size_t bytes, cudaMemcpyKind,
+                                   cudaStream_t stream) {
+  emulated::enqueue(stream, [=] {
+    if (bytes > 0) std::memcpy(to, from, bytes);
+  });
+  return cudaSuccess;
 }
-inline cudaError_t cudaMemsetAsync(void* to, int byte, std::size_t bytes, cudaStream_t) {
-  if (bytes > 0) std::memset(to, byte, bytes);
+inline cudaError_t cudaMemsetAsync(void* to, int byte, std::size_t bytes, cudaStream_t stream) {
+  emulated::enqueue(stream, [=] {
+    if (bytes > 0) std::memset(to, byte, bytes);
+  });
   return cudaSuccess;
 }
 inline cudaError_t cudaDeviceGetStreamPriorityRange(int* least, int* greatest) {
   *least = *greatest = 0;
   return cudaSuccess;
 }
-inline cudaError_t cudaStreamCreateWithPriority(cudaStream_t* stream, unsigned, int) {
-  *stream = nullptr;
-  return cudaSuccess;
-}
-inline cudaError_t cudaStreamWaitEvent(cudaStream_t, cudaEvent_t, unsigned) {
-  return cudaSuccess;
-}
-inline cudaError_t cudaStreamDestroy(cudaStream_t) {
-  return cudaSuccess;
-}
-inline cudaError_t cudaStreamSynchronize(cudaStream_t) {
-  return cudaSuccess;
-}
-inline cudaError_t cudaEventCreate(cudaEvent_t* event) {
-  *event = nullptr;
-  return cudaSuccess;
-}
+cudaError_t cudaStreamCreateWithPriority(cudaStream_t* stream, unsigned flags, int priority);
+cudaError_t cudaStreamDestroy(cudaStream_t stream);
+cudaError_t cudaStreamSynchronize(cudaStream_t stream);
+cudaError_t cudaStreamWaitEvent(cudaStream_t stream, cudaEvent_t event, unsigned flags);
+cudaError_t cudaEventCreate(cudaEvent_t* event);
+cudaError_t cudaEventRecord(cudaEvent_t event, cudaStream_t stream);
+cudaError_t cudaEventSynchronize(cudaEvent_t event);
+cudaError_t cudaEventDestroy(cudaEvent_t event);
 inline cudaError_t cudaEventCreateWithFlags(cudaEvent_t* event, unsigned) {
   return cudaEventCreate(event);
-}
-inline cudaError_t cudaEventSynchronize(cudaEvent_t) {
-  return cudaSuccess;
-}
-inline cudaError_t cudaEventDestroy(cudaEvent_t) {
-  return cudaSuccess;
-}
-inline cudaError_t cudaEventRecord(cudaEvent_t, cudaStream_t) {
-  return cudaSuccess;
 }
 inline cudaError_t cudaEventElapsedTime(float* milliseconds, cudaEvent_t, cudaEvent_t) {
   *milliseconds = 0;

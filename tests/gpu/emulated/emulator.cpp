@@ -3,7 +3,9 @@
 
 #include <boost/context/fiber.hpp>
 #include <boost/context/pooled_fixedsize_stack.hpp>
+#include <deque>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 uint3 threadIdx, blockIdx, blockDim, gridDim;
@@ -115,3 +117,101 @@ const std::uint64_t* exchange(std::uint64_t own) {
 }
 
 }  // namespace emulated
+
+// ---- streams -----------------------------------------------------------------------------------
+
+// How often it was recorded, and how many of those recordings have been reached.
+struct EmulatedEvent {
+  unsigned recorded = 0, reached = 0;
+};
+
+struct EmulatedStream {
+  struct Task {
+    std::function<void()> work;
+    EmulatedEvent* after;  // or null
+    unsigned recording;    // of it
+    bool is_ready() const { return after == nullptr || after->reached >= recording; }
+  };
+  std::deque<Task> tasks;
+};
+
+namespace emulated {
+namespace {
+
+std::vector<EmulatedStream*> streams;
+
+// Does one task. False when there is none that could be done.
+bool step() {
+  for (auto s = streams.rbegin(); s != streams.rend(); ++s) {
+    if ((*s)->tasks.empty() || !(*s)->tasks.front().is_ready()) continue;
+    const std::function<void()> work = std::move((*s)->tasks.front().work);
+    (*s)->tasks.pop_front();
+    if (work) work();
+    return true;
+  }
+  return false;
+}
+template <class Done>
+void step_until(const Done& done) {
+  while (!done()) {
+    if (!step()) throw std::logic_error("streams wait for events that are never reached");
+  }
+}
+
+}  // namespace
+
+void finish_all() {
+  step_until([] {
+    return std::all_of(streams.begin(), streams.end(),
+                       [](const EmulatedStream* s) { return s->tasks.empty(); });
+  });
+}
+void enqueue(EmulatedStream* stream, std::function<void()> work) {
+  if (stream != nullptr) {
+    stream->tasks.push_back({std::move(work), nullptr, 0});
+    return;
+  }
+  finish_all();
+  work();
+}
+
+}  // namespace emulated
+
+cudaError_t cudaStreamCreateWithPriority(cudaStream_t* stream, unsigned, int) {
+  *stream = new EmulatedStream;
+  emulated::streams.push_back(*stream);
+  return cudaSuccess;
+}
+cudaError_t cudaStreamDestroy(cudaStream_t stream) {
+  cudaStreamSynchronize(stream);
+  std::erase(emulated::streams, stream);
+  delete stream;
+  return cudaSuccess;
+}
+cudaError_t cudaStreamSynchronize(cudaStream_t stream) {
+  emulated::step_until([&] { return stream->tasks.empty(); });
+  return cudaSuccess;
+}
+// Of its latest recording, as it is now.
+cudaError_t cudaStreamWaitEvent(cudaStream_t stream, cudaEvent_t event, unsigned) {
+  stream->tasks.push_back({nullptr, event, event->recorded});
+  return cudaSuccess;
+}
+cudaError_t cudaEventCreate(cudaEvent_t* event) {
+  *event = new EmulatedEvent;
+  return cudaSuccess;
+}
+cudaError_t cudaEventRecord(cudaEvent_t event, cudaStream_t stream) {
+  const unsigned recording = ++event->recorded;
+  emulated::enqueue(stream, [=] { event->reached = recording; });
+  return cudaSuccess;
+}
+cudaError_t cudaEventSynchronize(cudaEvent_t event) {
+  emulated::step_until([&] { return event->reached >= event->recorded; });
+  return cudaSuccess;
+}
+cudaError_t cudaEventDestroy(cudaEvent_t event) {
+  emulated::finish_all();
+  delete event;
+  return cudaSuccess;
+}

@@ -8,15 +8,17 @@ namespace cub {
 struct DeviceScan {
   template <class In, class Out>
   static cudaError_t ExclusiveSum(void* scratch, std::size_t& bytes, In in, Out out, int count,
-                                  cudaStream_t) {
+                                  cudaStream_t stream) {
     bytes = 1;
     if (scratch == nullptr) return cudaSuccess;
-    std::remove_cvref_t<decltype(*out)> sum = 0;
-    for (int i = 0; i < count; ++i) {
-      const auto own = in[i];
-      out[i] = sum;
-      sum += own;
-    }
+    emulated::enqueue(stream, [=] {
+      std::remove_cvref_t<decltype(*out)> sum = 0;
+      for (int i = 0; i < count; ++i) {
+        const auto own = in[i];
+        out[i] = sum;
+        sum += own;
+      }
+    });
     return cudaSuccess;
   }
 };

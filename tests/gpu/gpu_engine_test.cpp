@@ -75,26 +75,6 @@ TEST_P(GpuChunks, EqualTheCpuRunAfterRun) {
   }
 }
 
-// What an earlier run of an alpha found in each chunk is where the next one's copies go, whatever
-// that one's blocks are like: of long lists, they are smaller than is guessed at first.
-TEST_P(GpuChunks, EqualTheCpuWhenBlocksChange) {
-  Random random(9);
-  std::uniform_int_distribution<int> at(0, 9000), radius(900, 1100);
-  BallSet set;
-  for (int b = 0; b < 3000; ++b) {
-    set.centres.push_back({at(random), at(random), at(random)});
-    set.radii.push_back(radius(random));
-  }
-  const auto balls = std::make_shared<const BallSet>(set);
-  const auto gpu = make_gpu_engine(balls, {}, nullptr), cpu = make_cpu_engine(balls);
-  ASSERT_TRUE(gpu);
-  const AlphaComplex expected = cpu->compute({0.1, false}, {});
-  for (int run = 0; run < 4; ++run) {
-    SCOPED_TRACE(run);
-    expect_same(gpu->compute({0.1, false}, {}), expected);
-  }
-}
-
 // Large sets are sent in pieces of some thousand balls.
 TEST(GpuPieces, EqualTheCpu) {
   if (!gpu_device().usable) GTEST_SKIP() << gpu_device().why_not;

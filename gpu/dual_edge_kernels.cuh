@@ -341,7 +341,8 @@ __global__ void __launch_bounds__(kBlockThreads)
   __shared__ BlockBalls s;
   const DualEdgeMemory m = carve(dynamic_shared_memory(), p);
   const std::uint32_t count = *out.exact_count;
-  if (out.statistics->deferred > p.deferred_limit) return;
+  // Kernel II of the next chunk may add to them: the block's threads have to agree.
+  if (__syncthreads_or(out.statistics->deferred > p.deferred_limit)) return;
   for (std::uint32_t n = blockIdx.x; n < count; n += gridDim.x) {
     process_balls<KernelKind<kWhole, true, true>, 0>(p, sorted, out, m, s, out.exact_list[n], 1);
     __syncthreads();

@@ -145,11 +145,13 @@ __device__ inline std::uint64_t hash_of(const uint4& tetrahedron) {
   return simplex_hash<4>(v);
 }
 
-// Is there no room for all that was found? Then the run will be repeated with more.
+// Is there no room for all that was found? Then the run will be repeated with more. Kernel II of
+// later chunks may be at work, so threads of a block could see different numbers: every thread
+// calls it, and they agree.
 __device__ inline bool is_overfull(const DualEdgeOutput& from) {
-  return *from.triangles.cursor > from.triangles.capacity ||
-         *from.tetrahedra.cursor > from.tetrahedra.capacity ||
-         *from.edges.cursor > from.edges.capacity;
+  return __syncthreads_or(*from.triangles.cursor > from.triangles.capacity ||
+                          *from.tetrahedra.cursor > from.tetrahedra.capacity ||
+                          *from.edges.cursor > from.edges.capacity) != 0;
 }
 
 // Calls visit(first ball, balls) for groups of the chunk's balls, block after block.
@@ -204,7 +206,7 @@ __global__ void place_tetrahedra(Chunk chunk, int group, FoundTetrahedra from,
                                  const std::uint32_t* places, OrderedSimplices to,
                                  std::uint64_t* hash) {
   __shared__ GroupItems tetrahedra;
-  if (*from.cursor > from.capacity) return;
+  if (__syncthreads_or(*from.cursor > from.capacity)) return;  // as is_overfull()
   const std::uint32_t before = chunk.before->of[3];
   std::uint64_t sum = 0;
   for_groups(chunk, group, [&](std::uint32_t first, int balls) {

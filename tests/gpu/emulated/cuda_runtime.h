@@ -106,6 +106,16 @@ T shuffle(T own, int from) {
 inline void __syncthreads() {
   emulated::wait_for_block();
 }
+inline int __syncthreads_or(int own) {
+  static int any;
+  if (threadIdx.x == 0) any = 0;
+  __syncthreads();
+  if (own) any = 1;
+  __syncthreads();
+  const int result = any;
+  __syncthreads();
+  return result;
+}
 inline void __syncwarp() {
   emulated::wait_for_warp();
 }

@@ -139,32 +139,38 @@ namespace emulated {
 namespace {
 
 std::vector<EmulatedStream*> streams;
+bool newest_first = true;
 
 // Does one task. False when there is none that could be done.
 bool step() {
-  for (auto s = streams.rbegin(); s != streams.rend(); ++s) {
-    if ((*s)->tasks.empty() || !(*s)->tasks.front().is_ready()) continue;
-    const std::function<void()> work = std::move((*s)->tasks.front().work);
-    (*s)->tasks.pop_front();
+  for (std::size_t n = 0; n < streams.size(); ++n) {
+    auto& tasks = streams[newest_first ? streams.size() - 1 - n : n]->tasks;
+    if (tasks.empty() || !tasks.front().is_ready()) continue;
+    const std::function<void()> work = std::move(tasks.front().work);
+    tasks.pop_front();
     if (work) work();
     return true;
   }
   return false;
 }
+bool is_idle() {
+  return std::all_of(streams.begin(), streams.end(),
+                     [](const EmulatedStream* s) { return s->tasks.empty(); });
+}
 template <class Done>
 void step_until(const Done& done) {
+  const bool was_idle = is_idle();
   while (!done()) {
     if (!step()) throw std::logic_error("streams wait for events that are never reached");
   }
+  // The next run goes the other way.
+  if (!was_idle && is_idle()) newest_first = !newest_first;
 }
 
 }  // namespace
 
 void finish_all() {
-  step_until([] {
-    return std::all_of(streams.begin(), streams.end(),
-                       [](const EmulatedStream* s) { return s->tasks.empty(); });
-  });
+  step_until(is_idle);
 }
 void enqueue(EmulatedStream* stream, std::function<void()> work) {
   if (stream != nullptr) {

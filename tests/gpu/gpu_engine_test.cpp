@@ -87,12 +87,14 @@ TEST(GpuPieces, EqualTheCpu) {
   }
   const auto balls = std::make_shared<const BallSet>(set);
   gpu::FacetPipeline::forced_chunks = 3;
-  const auto gpu = make_gpu_engine(balls, {}, nullptr), cpu = make_cpu_engine(balls);
-  ASSERT_TRUE(gpu);
   const AlphaRequest request{0, false};
-  const AlphaComplex expected = cpu->compute(request, {});
+  const AlphaComplex expected = make_cpu_engine(balls)->compute(request, {});
   EXPECT_GT(expected.tetrahedra.size(), 50u);
-  for (int run = 0; run < 3; ++run) expect_same(gpu->compute(request, {}), expected);
+  for (int run = 0; run < 6; ++run) {  // the first of each counts: later ones send the same
+    const auto gpu = make_gpu_engine(balls, {}, nullptr);
+    ASSERT_TRUE(gpu);
+    expect_same(gpu->compute(request, {}), expected);
+  }
   gpu::FacetPipeline::forced_chunks = 0;
 }
 

@@ -1,8 +1,8 @@
 // A stand-in for CUDA's runtime: device code as plain C++, "device memory" as the host's, and grids
 // that run on the CPU, block after block, every thread of a block as a fiber. Streams are queues
 // whose work is put off until somebody waits for it, and then done in an awkward order: what is in
-// the newest stream goes first, as soon as events let it, and when all was done once, what is in the
-// oldest. So the kernels and all that starts them are tested on machines without a GPU, also under
+// the newest stream goes first, as soon as events let it, or what is in the oldest, by turns without
+// a pattern. So the kernels and all that starts them are tested on machines without a GPU, also under
 // AddressSanitizer. It is no substitute for a device: blocks do not run at the same time, and warps
 // not in lockstep between their collective operations.
 #pragma once

@@ -4,6 +4,7 @@
 #include <boost/context/fiber.hpp>
 #include <boost/context/pooled_fixedsize_stack.hpp>
 #include <deque>
+#include <random>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -140,6 +141,7 @@ namespace {
 
 std::vector<EmulatedStream*> streams;
 bool newest_first = true;
+std::minstd_rand order_of_runs;  // drawn anew whenever all is done
 
 // Does one task. False when there is none that could be done.
 bool step() {
@@ -163,8 +165,7 @@ void step_until(const Done& done) {
   while (!done()) {
     if (!step()) throw std::logic_error("streams wait for events that are never reached");
   }
-  // The next run goes the other way.
-  if (!was_idle && is_idle()) newest_first = !newest_first;
+  if (!was_idle && is_idle()) newest_first = (order_of_runs() >> 16 & 1) != 0;
 }
 
 }  // namespace

@@ -38,28 +38,17 @@ void Queues::create() {
   stream(other, least);
   stream(ordering, greatest);
   stream(copying, greatest);
-  const auto event = [](cudaEvent_t& e) {
-    check(cudaEventCreateWithFlags(&e, cudaEventDisableTiming), "creating an event");
-  };
-  event(sorted);
-  event(assigned);
-  for (cudaEvent_t& e : arrived) event(e);
-  for (cudaEvent_t& e : filtered) event(e);
-  for (cudaEvent_t& e : ordered) event(e);
+  assigned.create(cudaEventDisableTiming);
+  sorted.create(cudaEventDisableTiming);
+  for (Event& e : arrived) e.create(cudaEventDisableTiming);
+  for (Event& e : filtered) e.create(cudaEventDisableTiming);
+  for (Event& e : ordered) e.create(cudaEventDisableTiming);
 }
 
 Queues::~Queues() {
   for (cudaStream_t s : {main, other, ordering, copying}) {
     if (s != nullptr) cudaStreamDestroy(s);
   }
-  const auto destroy = [](cudaEvent_t e) {
-    if (e != nullptr) cudaEventDestroy(e);
-  };
-  destroy(sorted);
-  destroy(assigned);
-  for (cudaEvent_t e : arrived) destroy(e);
-  for (cudaEvent_t e : filtered) destroy(e);
-  for (cudaEvent_t e : ordered) destroy(e);
 }
 
 cudaError_t Queues::wait(bool all) const {

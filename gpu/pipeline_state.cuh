@@ -82,16 +82,29 @@ struct ResultLayout {
   }
 };
 
+class Event {
+ public:
+  Event() = default;
+  Event(const Event&) = delete;
+  Event& operator=(const Event&) = delete;
+  ~Event() {
+    if (event_ != nullptr) cudaEventDestroy(event_);
+  }
+  void create(unsigned flags) {
+    check(cudaEventCreateWithFlags(&event_, flags), "creating an event");
+  }
+  operator cudaEvent_t() const { return event_; }
+
+ private:
+  cudaEvent_t event_ = nullptr;
+};
+
 class EventTimer {
  public:
   EventTimer(cudaStream_t stream, StageTimes* times) : stream_(stream), times_(times) {
     if (times_ == nullptr) return;
-    for (cudaEvent_t& e : events_) check(cudaEventCreate(&e), "creating an event");
+    for (Event& e : events_) e.create(cudaEventDefault);
     check(cudaEventRecord(events_[0], stream_), "recording an event");
-  }
-  ~EventTimer() {
-    if (times_ == nullptr) return;
-    for (const cudaEvent_t& e : events_) cudaEventDestroy(e);
   }
   // What a stage takes beyond the end of the one before.
   void mark(std::string_view label, cudaStream_t stream) {
@@ -116,7 +129,7 @@ class EventTimer {
  private:
   cudaStream_t stream_;
   StageTimes* times_;
-  cudaEvent_t events_[16] = {};
+  Event events_[16];
   std::vector<std::string_view> labels_;
 };
 
@@ -131,8 +144,7 @@ struct Queues {
   // Kernel III and the order of simplices, which go before what is left of kernel II.
   cudaStream_t ordering = nullptr;
   cudaStream_t copying = nullptr;  // simplices out
-  cudaEvent_t arrived[kMaxPieces] = {}, assigned = nullptr, sorted = nullptr;
-  cudaEvent_t filtered[kMaxChunks] = {}, ordered[kMaxChunks] = {};
+  Event arrived[kMaxPieces], assigned, sorted, filtered[kMaxChunks], ordered[kMaxChunks];
 
   Queues() = default;
   Queues(const Queues&) = delete;

@@ -210,7 +210,7 @@ enum cudaDeviceAttr {
   cudaDevAttrMultiProcessorCount
 };
 enum cudaFuncAttribute { cudaFuncAttributeMaxDynamicSharedMemorySize };
-enum { cudaStreamNonBlocking, cudaEventDisableTiming };
+enum { cudaStreamNonBlocking, cudaEventDefault, cudaEventDisableTiming };
 #define CUDART_VERSION 12000
 using cudaStream_t = EmulatedStream*;
 using cudaEvent_t = EmulatedEvent*;

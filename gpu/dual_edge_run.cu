@@ -257,7 +257,7 @@ class Run {
     next.candidates = got.edges + got.edges / 64;
     if (met.found.number == 0) return next;
     const Demand::Spread found = spread_of(met.found);
-    const bool cull = is_culled(found.mean, need.cull), few = met.deferred <= deferred_limit(need);
+    const bool cull = is_culled(found.mean, need.cull), few = met.deferred <= deferred_limit(s_);
     if (cull != need.cull) {
       choose_room(s_, next, guessed(found, cull, whole_));
       return next;
@@ -273,15 +273,11 @@ class Run {
     return next;
   }
 
-  std::uint32_t deferred_limit(const Need& need) const {
-    return block_problem(need).deferred_limit;
-  }
-
   bool was_enough(const Need& need, const Need& next) const {
     const BlockStatistics& met = s_.host_counters.get()->blocks;
     return met.most_found <= need.ball.search && met.longest_list <= need.ball.list &&
            met.most_triangles <= need.ball.triangles && met.most_kept <= need.ball.kept &&
-           met.deferred <= deferred_limit(need) && need.counts.cover(next.counts) &&
+           met.deferred <= deferred_limit(s_) && need.counts.cover(next.counts) &&
            copied_right(need, next) &&
            (!whole_ || s_.host_counters.get()->edges <= need.candidates);
   }

@@ -212,6 +212,11 @@ inline void remember(State& s, const Need& need) {
   all.push_back(need);
 }
 
+// As DualEdgeProblem.
+inline std::uint32_t deferred_limit(const State& s) {
+  return static_cast<std::uint32_t>(std::max<std::size_t>(256, s.n / 100));
+}
+
 inline DualEdgeProblem make_problem(const State& s, const Problem& plan, const BlockRoom& room,
                                     int balls_per_block, bool cull) {
   DualEdgeProblem p{};
@@ -229,7 +234,7 @@ inline DualEdgeProblem make_problem(const State& s, const Problem& plan, const B
   p.small_lattice = offset < static_cast<double>(kSmallOffset) && s.max_radius < kSmallOffset;
   p.narrow = offset < 32768 && s.max_radius < 32768;  // |d|² < 2^30, weights too
   p.balls = s.balls.get();
-  p.deferred_limit = static_cast<std::uint32_t>(std::max<std::size_t>(256, s.n / 100));
+  p.deferred_limit = deferred_limit(s);
   lay_out(p);
   return p;
 }

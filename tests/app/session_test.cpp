@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "tests/app/fake_engine.hpp"
+#include "tests/support/dimer.hpp"
 
 namespace alphascope {
 namespace {
@@ -405,17 +406,10 @@ TEST_F(SessionTest, OptionsChangeTheOpenMoleculeAndFailuresKeepIt) {
 }
 
 TEST_F(SessionTest, AnAssemblyIsExpandedFromTheDepositedAtomsAndTakenBack) {
-  const std::filesystem::path dimer =
-      write("dimer.pdb",
-            "REMARK 350 BIOMOLECULE: 1\n"
-            "REMARK 350 APPLY THE FOLLOWING TO CHAINS: A\n"
-            "REMARK 350   BIOMT1   1  1.000000  0.000000  0.000000        0.00000\n"
-            "REMARK 350   BIOMT2   1  0.000000  1.000000  0.000000        0.00000\n"
-            "REMARK 350   BIOMT3   1  0.000000  0.000000  1.000000        0.00000\n"
-            "REMARK 350   BIOMT1   2 -1.000000  0.000000  0.000000        0.00000\n"
-            "REMARK 350   BIOMT2   2  0.000000 -1.000000  0.000000        0.00000\n"
-            "REMARK 350   BIOMT3   2  0.000000  0.000000  1.000000        0.00000\n"
-            "ATOM      1  N   MET A   1       1.000   2.000   3.000  1.00  9.67           N  \n");
+  const std::filesystem::path dimer = write(
+      "dimer.pdb",
+      std::string(testing::kDimerRemark) +
+          "ATOM      1  N   MET A   1       1.000   2.000   3.000  1.00  9.67           N  \n");
   const auto session = make();
   session->open(dimer);
   settle(*session);

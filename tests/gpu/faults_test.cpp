@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <ostream>
+
 #include "gpu/facet_pipeline.hpp"
 #include "gpu/gpu_engine.hpp"
 #include "tests/support/random_balls.hpp"
@@ -18,6 +20,9 @@ struct Given {
   bool tetrahedra_only;
   int chunks;
 };
+void PrintTo(const Given& given, std::ostream* out) {
+  *out << given.name;
+}
 
 class GpuFaults : public ::testing::TestWithParam<Given> {
  protected:

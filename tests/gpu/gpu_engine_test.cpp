@@ -37,7 +37,7 @@ TEST(Gpu, EqualsTheCpuOnHardSets) {
   for (const NamedBalls& set : testing::large_hard_sets(random)) {
     SCOPED_TRACE(set.name);
     const auto balls = std::make_shared<const BallSet>(set.balls);
-    const double unit = set.name == "random" ? 1e4 : 1;
+    const double unit = set.alpha_unit();
     for (const double alpha : {-1.0, 0.0, 0.25, 0.5, 1.0, 3.0, 40.0})
       expect_same_on_gpu(balls, alpha * unit);
   }
@@ -60,7 +60,7 @@ TEST_P(GpuChunks, EqualTheCpuRunAfterRun) {
   for (const NamedBalls& set : testing::large_hard_sets(random)) {
     SCOPED_TRACE(set.name);
     const auto balls = std::make_shared<const BallSet>(set.balls);
-    const double unit = set.name == "random" ? 1e4 : 1;
+    const double unit = set.alpha_unit();
     const auto gpu = make_gpu_engine(balls, {}, nullptr), cpu = make_cpu_engine(balls);
     ASSERT_TRUE(gpu);
     for (const double alpha : {0.25, 3.0, 0.25, 0.25}) {

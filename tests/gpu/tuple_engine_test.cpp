@@ -35,7 +35,7 @@ TEST(GpuTuples, EqualTheCpuOnHardSetsWhateverTheSwitches) {
   for (const NamedBalls& set : testing::large_hard_sets(random, 35)) {
     SCOPED_TRACE(set.name);
     const auto balls = std::make_shared<const BallSet>(set.balls);
-    const double unit = set.name == "random" ? 1e4 : 1;
+    const double unit = set.alpha_unit();
     for (const TupleOptions& options : some_switches()) {
       std::string why_not;
       const auto gpu = make_gpu_tuple_engine(balls, options, &why_not);

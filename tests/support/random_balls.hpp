@@ -16,6 +16,9 @@ using Random = std::mt19937_64;
 struct NamedBalls {
   std::string name;
   BallSet balls;
+
+  // Å²: an alpha of some such units is neither nothing nor everything to the set.
+  double alpha_unit() const { return name == "random" ? 1e4 : 1; }
 };
 
 int random_int(Random& random, int low, int high);  // inclusive

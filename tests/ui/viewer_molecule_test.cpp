@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "core/molecule/assembly.hpp"
+#include "tests/support/dimer.hpp"
 #include "tests/ui/viewer_fixture.hpp"
 
 namespace alphascope {
@@ -106,18 +107,11 @@ TEST_F(ViewerMoleculeTest, ATableOfRadiiIsUsedAndABadOneTakenBack) {
 }
 
 TEST_F(ViewerMoleculeTest, AnAssemblyIsExpandedAndComesBack) {
-  const fs::path path =
-      write("dimer.pdb",
-            "REMARK 350 BIOMOLECULE: 1\n"
-            "REMARK 350 APPLY THE FOLLOWING TO CHAINS: A\n"
-            "REMARK 350   BIOMT1   1  1.000000  0.000000  0.000000        0.00000\n"
-            "REMARK 350   BIOMT2   1  0.000000  1.000000  0.000000        0.00000\n"
-            "REMARK 350   BIOMT3   1  0.000000  0.000000  1.000000        0.00000\n"
-            "REMARK 350   BIOMT1   2 -1.000000  0.000000  0.000000        0.00000\n"
-            "REMARK 350   BIOMT2   2  0.000000 -1.000000  0.000000        0.00000\n"
-            "REMARK 350   BIOMT3   2  0.000000  0.000000  1.000000        0.00000\n"
-            "ATOM      1  N   MET A   1       1.000   1.000   3.000  1.00  9.67           N  \n"
-            "ATOM      2  CA  MET A   1       1.000   1.500   4.000  1.00  9.67           C  \n");
+  const fs::path path = write(
+      "dimer.pdb",
+      std::string(testing::kDimerRemark) +
+          "ATOM      1  N   MET A   1       1.000   1.000   3.000  1.00  9.67           N  \n"
+          "ATOM      2  CA  MET A   1       1.000   1.500   4.000  1.00  9.67           C  \n");
   open_file(path);
   ASSERT_EQ(molecule().assemblies.size(), 1u);
   EXPECT_EQ(molecule().assemblies[0].copies, 2u);

@@ -51,7 +51,7 @@ void expect_hard_sets_agree(const EngineFactory& factory, std::uint64_t seed, in
       const auto balls = std::make_shared<const BallSet>(without_coincident(set.balls));
       const auto engine = factory.make(balls);
       const bool huge = set.name == "extremes of the lattice";
-      const double unit = huge ? 1e15 : set.name == "random" ? 1e4 : 1;
+      const double unit = huge ? 1e15 : set.alpha_unit();
       for (const double alpha :
            {-4.0, -1.0, 0.0, 0.25, 0.5, 0.75, 1.0, 1.25, 2.0, 3.0, 7.0, 40.0}) {
         expect_equals_alpha_shape(*balls, *engine, alpha * unit);

@@ -25,7 +25,7 @@ TEST(Slabs, GiveTheWholeComplex) {
   for (const NamedBalls& set : testing::large_hard_sets(random)) {
     SCOPED_TRACE(set.name);
     const auto balls = std::make_shared<const BallSet>(set.balls);
-    const double unit = set.name == "random" ? 1e4 : 1;
+    const double unit = set.alpha_unit();
     for (const double alpha : {-1.0, 0.0, 0.5, 3.0}) {
       for (const bool tetrahedra_only : {false, true}) {
         const AlphaRequest request{alpha * unit, tetrahedra_only};

@@ -37,7 +37,8 @@ class Run {
       timer_.restart();
       busy_ = true;
       enqueue(need, layout);
-      const bool copied = copy_chunks(need, layout, cancel);
+      const bool sent = is_known(need) || send_counted(layout, cancel);
+      if (sent) timer_.mark(stage::kDeviceToHost, chunks_ > 1 ? q_.copying : q_.main);
       check(q_.wait(chunks_ > 1), "computing dual edges");
       const Need next = next_need(need);
       if (!was_enough(need, next)) {
@@ -46,14 +47,14 @@ class Run {
       }
       remember(s_, next);
       const ResultLayout found(next.counts, whole_);
-      if (!copied) {
+      if (!sent) {
         result_.found(layout, found, q_.main);
         timer_.mark(stage::kDeviceToHost, q_.main);
         check(cudaStreamSynchronize(q_.main), "copying the result");
       }
       busy_ = false;
       timer_.report();
-      return result_.result(copied ? layout : found, next.counts);
+      return result_.result(sent ? layout : found, next.counts);
     }
     PipelineResult none;
     none.fits = false;
@@ -92,7 +93,6 @@ class Run {
       s_.edges.least.reserve(edges);
       s_.edges.flags.reserve(edges);
       s_.edges.start.reserve(s_.n);
-      s_.pairs.reserve(s_.n + 1);
       s_.places.reserve(s_.n + 1);
       s_.edges_found.reserve(s_.n);
       if (chunks_ > 1) s_.pending.reserve(triangles);
@@ -168,37 +168,45 @@ class Run {
     }
   }
 
-  // Everything but the copies of several chunks.
+  // Everything but the copies of simplices of which it is not yet known how many there are.
   void enqueue(const Need& need, const ResultLayout& layout) {
     const SortedBalls sorted = s_.sort_into_cells(plan_, timer_);
     const DualEdgeOutput out = output();
     if (chunks_ > 1) {
-      check(cudaEventRecord(q_.sorted, q_.main), "recording an event");
-      check(cudaStreamWaitEvent(q_.other, q_.sorted, 0), "waiting for an event");
+      q_.sorted.record(q_.main);
+      q_.sorted.hold_up(q_.other);
     }
     for (int c = 0; c < chunks_; ++c) {
       const cudaStream_t stream = q_.filtering(c);
       const Part of = part(c, out);
       whole_ ? filter<true>(need, sorted, of, stream) : filter<false>(need, sorted, of, stream);
-      if (chunks_ > 1) check(cudaEventRecord(q_.filtered[c], stream), "recording an event");
+      if (chunks_ > 1) q_.filtered[c].record(stream);
       if (c == chunks_ - 1) timer_.mark(stage::kCandidatesAndFiltered, stream);
     }
-    for (int c = 0; c < chunks_; ++c) order(need, sorted, part(c, out), layout, c);
+    const bool known = is_known(need);
+    if (known) s_.host_result.reserve(layout.bytes);
+    for (int c = 0; c < chunks_; ++c) {
+      order(need, sorted, part(c, out), layout, c);
+      if (known && chunks_ > 1) send(layout, need.totals.data(), c);
+    }
+    if (known && chunks_ == 1) result_.all(layout, q_.main);
   }
-
-  cudaStream_t ordering() const { return chunks_ > 1 ? q_.ordering : q_.main; }
 
   // Kernel III of a chunk, and its simplices into their order.
   void order(const Need& need, const SortedBalls& sorted, const Part& part,
              const ResultLayout& layout, int number) {
-    const cudaStream_t stream = ordering();
-    const bool last = number == chunks_ - 1;
-    if (chunks_ > 1)
-      check(cudaStreamWaitEvent(stream, q_.filtered[number], 0), "waiting for an event");
+    const bool several = chunks_ > 1, last = number == chunks_ - 1;
+    const cudaStream_t deciding = several ? q_.deciding : q_.main,
+                       stream = several ? q_.ordering : q_.main;
+    if (several) q_.filtered[number].hold_up(deciding);
     const auto blocks = static_cast<unsigned>(2 * s_.multiprocessors);
     const auto exact = whole_ ? dual_edges_exact<true> : dual_edges_exact<false>;
-    start(exact, blocks, ball_problem(need), sorted, part.out, stream);
-    if (last) timer_.mark(stage::kExactValidity, stream);
+    start(exact, blocks, ball_problem(need), sorted, part.out, deciding);
+    if (last) timer_.mark(stage::kExactValidity, deciding);
+    if (several) {
+      q_.decided[number].record(deciding);
+      q_.decided[number].hold_up(stream);
+    }
     Ordering(s_, plan_, layout, stream).enqueue(part);
     check(cudaGetLastError(), "ordering the simplices");
     const Counters* from = s_.counters();
@@ -207,7 +215,7 @@ class Run {
                : cudaMemcpyAsync(&to->totals[number + 1], &from->totals[number + 1], sizeof(Totals),
                                  cudaMemcpyDeviceToHost, stream),
           "copying the counts");
-    if (chunks_ > 1) check(cudaEventRecord(q_.ordered[number], stream), "recording an event");
+    if (several) q_.ordered[number].record(stream);
     if (last) timer_.mark(stage::kPrefixSum, stream);
   }
 
@@ -216,28 +224,23 @@ class Run {
     return need.counted && need.totals.size() == static_cast<std::size_t>(chunks_);
   }
 
-  // Sends the simplices of each chunk on their way as soon as they are there and it is known how
-  // many. False when that will be known later: then nothing is copied yet.
-  bool copy_chunks(const Need& need, const ResultLayout& layout, const CancelToken& cancel) {
-    const bool known = is_known(need);
-    if (chunks_ == 1 && known) {
-      result_.all(layout, q_.main);
-      timer_.mark(stage::kDeviceToHost, q_.main);
-    }
-    if (chunks_ == 1) return known;
+  // Sends what one of several chunks adds on its way, as soon as it is there. `after`: how many
+  // simplices there are with each chunk. False when there is no room: the run will be repeated.
+  bool send(const ResultLayout& layout, const Totals* after, int number) {
+    q_.ordered[number].hold_up(q_.copying);
+    return result_.added(layout, number == 0 ? Totals{} : after[number - 1], after[number],
+                         q_.copying);
+  }
+  // The same of all chunks, as each is counted. False of a single one, when nothing is sent yet.
+  bool send_counted(const ResultLayout& layout, const CancelToken& cancel) {
+    if (chunks_ == 1) return false;
     s_.host_result.reserve(layout.bytes);
-    Totals before{};
-    for (int c = 0; c < chunks_; ++c) {
-      if (!known) {
-        check(cudaEventSynchronize(q_.ordered[c]), "computing dual edges");
-        cancel.throw_if_cancelled();
-      }
-      const Totals after = known ? need.totals[c] : s_.host_counters.get()->totals[c + 1];
-      check(cudaStreamWaitEvent(q_.copying, q_.ordered[c], 0), "waiting for an event");
-      if (!result_.added(layout, before, after, q_.copying)) break;  // the run will be repeated
-      before = after;
+    bool room = true;
+    for (int c = 0; c < chunks_ && room; ++c) {
+      check(cudaEventSynchronize(q_.ordered[c]), "computing dual edges");
+      cancel.throw_if_cancelled();
+      room = send(layout, s_.host_counters.get()->totals + 1, c);
     }
-    timer_.mark(stage::kDeviceToHost, q_.copying);
     return true;
   }
 
@@ -311,7 +314,7 @@ class Run {
   }
 
   State& s_;
-  const Queues& q_;
+  Queues& q_;
   const Problem plan_;
   const bool whole_;
   int chunks_ = 1;

@@ -36,24 +36,26 @@ void Queues::create() {
   };
   stream(main, least);
   stream(other, least);
+  stream(deciding, greatest);
   stream(ordering, greatest);
   stream(copying, greatest);
   assigned.create(cudaEventDisableTiming);
   sorted.create(cudaEventDisableTiming);
   for (Event& e : arrived) e.create(cudaEventDisableTiming);
   for (Event& e : filtered) e.create(cudaEventDisableTiming);
+  for (Event& e : decided) e.create(cudaEventDisableTiming);
   for (Event& e : ordered) e.create(cudaEventDisableTiming);
 }
 
 Queues::~Queues() {
-  for (cudaStream_t s : {main, other, ordering, copying}) {
+  for (cudaStream_t s : {main, other, deciding, ordering, copying}) {
     if (s != nullptr) cudaStreamDestroy(s);
   }
 }
 
 cudaError_t Queues::wait(bool all) const {
   cudaError_t status = cudaStreamSynchronize(main);
-  for (cudaStream_t s : {other, ordering, copying}) {
+  for (cudaStream_t s : {other, deciding, ordering, copying}) {
     if (!all) break;
     const cudaError_t own = cudaStreamSynchronize(s);
     if (status == cudaSuccess) status = own;
@@ -156,8 +158,8 @@ void FacetPipeline::State::send_piece(const Problem& p, int piece, int all, cuda
   }
   if (piece + 1 == all) timer.mark(stage::kHostToDevice, queues.main);
   if (stream != queues.main) {
-    check(cudaEventRecord(queues.arrived[piece], queues.main), "recording an event");
-    check(cudaStreamWaitEvent(stream, queues.arrived[piece], 0), "waiting for an event");
+    queues.arrived[piece].record(queues.main);
+    queues.arrived[piece].hold_up(stream);
   }
   const auto begin = static_cast<std::uint32_t>(ball(piece)),
              end = static_cast<std::uint32_t>(ball(piece + 1));
@@ -177,8 +179,8 @@ void FacetPipeline::State::receive_balls(const Problem& p, EventTimer& timer) {
         "clearing device memory");
   for (int piece = 0; piece < all; ++piece) send_piece(p, piece, all, stream, timer);
   if (stream == queues.main) return;
-  check(cudaEventRecord(queues.assigned, stream), "recording an event");
-  check(cudaStreamWaitEvent(queues.main, queues.assigned, 0), "waiting for an event");
+  queues.assigned.record(stream);
+  queues.assigned.hold_up(queues.main);
 }
 
 SortedBalls FacetPipeline::State::sort_into_cells(const Problem& p, EventTimer& timer) {

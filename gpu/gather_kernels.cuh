@@ -32,12 +32,15 @@ __host__ __device__ inline std::uint32_t high_of(std::uint64_t pair) {
   return static_cast<std::uint32_t>(pair >> 32);
 }
 
-// Of the chunk's balls, and 0 after them.
-__global__ void pair_counts(Chunk chunk, const std::uint32_t* tetrahedra,
-                            const std::uint32_t* triangles, std::uint64_t* pairs) {
-  const std::uint32_t i = chunk.begin + blockIdx.x * blockDim.x + threadIdx.x;
-  if (i <= chunk.end) pairs[i] = i == chunk.end ? 0 : pair_of(tetrahedra[i], triangles[i]);
-}
+// Tetrahedra and triangles of a ball; 0 after the chunk's.
+struct FaceCounts {
+  const std::uint32_t *tetrahedra, *triangles;
+  std::uint32_t chunk_end;
+
+  __device__ std::uint64_t operator()(std::uint32_t i) const {
+    return i == chunk_end ? 0 : pair_of(tetrahedra[i], triangles[i]);
+  }
+};
 
 // The simplices of one dimension of a group of balls, laid end to end.
 constexpr int kGroupBalls = 256;
@@ -145,13 +148,16 @@ __device__ inline std::uint64_t hash_of(const uint4& tetrahedron) {
   return simplex_hash<4>(v);
 }
 
-// Is there no room for all that was found? Then the run will be repeated with more. Kernel II of
-// later chunks may be at work, so threads of a block could see different numbers: every thread
-// calls it, and they agree.
+// Is there no room for all that was found? Then the run will be repeated with more.
+__device__ inline bool seems_overfull(const DualEdgeOutput& from) {
+  return *from.triangles.cursor > from.triangles.capacity ||
+         *from.tetrahedra.cursor > from.tetrahedra.capacity ||
+         *from.edges.cursor > from.edges.capacity;
+}
+// Kernel II of later chunks may be at work, so threads of a block could see different numbers:
+// every thread calls it, and they agree.
 __device__ inline bool is_overfull(const DualEdgeOutput& from) {
-  return __syncthreads_or(*from.triangles.cursor > from.triangles.capacity ||
-                          *from.tetrahedra.cursor > from.tetrahedra.capacity ||
-                          *from.edges.cursor > from.edges.capacity) != 0;
+  return __syncthreads_or(seems_overfull(from)) != 0;
 }
 
 // Calls visit(first ball, balls) for groups of the chunk's balls, block after block.
@@ -164,7 +170,7 @@ __device__ inline void for_groups(const Chunk& chunk, int group, const Visit& vi
   }
 }
 
-// The chunk's triangles and tetrahedra; `places`: as pair_counts() laid them out, summed.
+// The chunk's triangles and tetrahedra; `places`: sums of FaceCounts.
 __global__ void __launch_bounds__(kValueThreads, kValueBlocks)
     place_faces(Chunk chunk, int group, DualEdgeOutput from, const int4* ball,
                 const std::uint64_t* places, PendingTriangles pending, OrderedResult to,
@@ -317,14 +323,19 @@ __global__ void __launch_bounds__(kValueThreads, kValueBlocks)
   });
 }
 
-// Per ball, its edges and itself if it is a vertex; 0 after the chunk's.
-__global__ void pair_edges_and_vertices(Chunk chunk, DualEdgeOutput from, VertexStates vertices,
-                                        const std::uint32_t* found, std::uint64_t* pairs) {
-  if (is_overfull(from)) return;
-  const std::uint32_t i = chunk.begin + blockIdx.x * blockDim.x + threadIdx.x;
-  if (i > chunk.end) return;
-  pairs[i] = i == chunk.end ? 0 : pair_of(found[i], vertex_is_there(vertices, i));
-}
+// A ball's edges, and itself if it is a vertex; 0 after the chunk's. Nobody has counted them if
+// there is no room.
+struct EdgeAndVertexCounts {
+  DualEdgeOutput from;
+  VertexStates vertices;
+  const std::uint32_t* found;  // as finish_edges() writes it
+  std::uint32_t chunk_end;
+
+  __device__ std::uint64_t operator()(std::uint32_t i) const {
+    return i == chunk_end || seems_overfull(from) ? 0
+                                                  : pair_of(found[i], vertex_is_there(vertices, i));
+  }
+};
 
 // Writes vertex i; returns its hash.
 __device__ inline std::uint64_t place_vertex(std::uint32_t i, const int4* ball,
@@ -339,8 +350,7 @@ __device__ inline std::uint64_t place_vertex(std::uint32_t i, const int4* ball,
   return simplex_hash<1>(&i);
 }
 
-// Writes the chunk's edges and vertices; `places`: as pair_edges_and_vertices() laid them out,
-// summed.
+// Writes the chunk's edges and vertices; `places`: sums of EdgeAndVertexCounts.
 __global__ void place_edges_and_vertices(Chunk chunk, DualEdgeOutput from, const int4* ball,
                                          VertexStates vertices, const std::uint64_t* places,
                                          OrderedResult to, std::uint64_t* hash) {

@@ -1,6 +1,9 @@
 // Starts what brings the simplices of a chunk of balls into their order (gather_kernels.cuh).
 #pragma once
 
+#include <thrust/iterator/counting_iterator.h>
+#include <thrust/iterator/transform_iterator.h>
+
 #include "gpu/gather_kernels.cuh"
 #include "gpu/pipeline_state.cuh"
 
@@ -59,33 +62,34 @@ class Ordering {
   void order_all(const Part& part) {
     const Chunk& chunk = part.chunk;
     const DualEdgeOutput& out = part.out;
-    const std::size_t balls = chunk.end - chunk.begin;
     const VertexStates vertices{out.vertex_state, s_.zeroed_array(plan_, 3),
                                 s_.zeroed_array(plan_, 5)};
     const PendingTriangles pending{s_.pending.get(), &s_.counters()->pending};
-    const LaunchShape per_ball{blocks_for(balls + 1), kThreads, stream_};
     const unsigned most = 2u * kValueBlocks;
     // Not more blocks than needed at once: each adds to the one hash.
     const LaunchShape per_edge{
-        std::clamp(blocks_for(balls * kEdgeLanes), 1u, 8u * s_.multiprocessors), kThreads, stream_};
+        std::clamp(blocks_for(std::size_t{chunk.end - chunk.begin} * kEdgeLanes), 1u,
+                   8u * s_.multiprocessors),
+        kThreads, stream_};
     LaunchShape values = per_edge;
     values.threads = kValueThreads;
-    const auto sum = [&] {
-      s_.scan(s_.pairs.get() + chunk.begin, s_.places.get() + chunk.begin, balls + 1, stream_);
-    };
-    launch(pair_counts, per_ball, chunk, out.tetrahedra.count, out.triangles.count, s_.pairs.get());
-    sum();
+    sum(chunk, FaceCounts{out.tetrahedra.count, out.triangles.count, chunk.end});
     launch(place_faces, groups(chunk, most), chunk, group(), out, s_.balls.get(), s_.places.get(),
            pending, ordered_, &s_.counters()->hash[0]);
     if (chunk.begin > 0)
       launch(tell_pending, {4u * s_.multiprocessors, kThreads, stream_}, chunk, out, pending,
              ordered_.dimension[2]);
     launch(finish_edges, values, chunk, out, s_.balls.get(), vertices, s_.edges_found.get());
-    launch(pair_edges_and_vertices, per_ball, chunk, out, vertices, s_.edges_found.get(),
-           s_.pairs.get());
-    sum();
+    sum(chunk, EdgeAndVertexCounts{out, vertices, s_.edges_found.get(), chunk.end});
     launch(place_edges_and_vertices, per_edge, chunk, out, s_.balls.get(), vertices,
            s_.places.get(), ordered_, &s_.counters()->hash[0]);
+  }
+
+  // For each of the chunk's balls, and after them: the sum of the pairs of those before.
+  template <class Pairs>
+  void sum(const Chunk& chunk, const Pairs& pairs) {
+    s_.scan(thrust::make_transform_iterator(thrust::make_counting_iterator(chunk.begin), pairs),
+            s_.places.get() + chunk.begin, chunk.end - chunk.begin + 1, stream_);
   }
 
   FacetPipeline::State& s_;

@@ -94,6 +94,11 @@ class Event {
     check(cudaEventCreateWithFlags(&event_, flags), "creating an event");
   }
   operator cudaEvent_t() const { return event_; }
+  void record(cudaStream_t stream) { check(cudaEventRecord(event_, stream), "recording an event"); }
+  // What is queued from now on waits for the event as last recorded.
+  void hold_up(cudaStream_t stream) const {
+    check(cudaStreamWaitEvent(stream, event_, 0), "waiting for an event");
+  }
 
  private:
   cudaEvent_t event_ = nullptr;
@@ -104,13 +109,13 @@ class EventTimer {
   EventTimer(cudaStream_t stream, StageTimes* times) : stream_(stream), times_(times) {
     if (times_ == nullptr) return;
     for (Event& e : events_) e.create(cudaEventDefault);
-    check(cudaEventRecord(events_[0], stream_), "recording an event");
+    events_[0].record(stream_);
   }
   // What a stage takes beyond the end of the one before.
   void mark(std::string_view label, cudaStream_t stream) {
     if (times_ == nullptr) return;
     labels_.push_back(label);
-    check(cudaEventRecord(events_[labels_.size()], stream), "recording an event");
+    events_[labels_.size()].record(stream);
   }
   // After the stream has finished.
   void report() {
@@ -123,7 +128,7 @@ class EventTimer {
   }
   void restart() {
     labels_.clear();
-    if (times_ != nullptr) check(cudaEventRecord(events_[0], stream_), "recording an event");
+    if (times_ != nullptr) events_[0].record(stream_);
   }
 
  private:
@@ -142,9 +147,10 @@ struct Queues {
   cudaStream_t main = nullptr;   // balls in, the grid, kernel II of every other chunk
   cudaStream_t other = nullptr;  // kernel II of the chunks between; before, pieces that arrived
   // Kernel III and the order of simplices, which go before what is left of kernel II.
-  cudaStream_t ordering = nullptr;
+  cudaStream_t deciding = nullptr, ordering = nullptr;
   cudaStream_t copying = nullptr;  // simplices out
-  Event arrived[kMaxPieces], assigned, sorted, filtered[kMaxChunks], ordered[kMaxChunks];
+  Event arrived[kMaxPieces], assigned, sorted;
+  Event filtered[kMaxChunks], decided[kMaxChunks], ordered[kMaxChunks];
 
   Queues() = default;
   Queues(const Queues&) = delete;
@@ -206,7 +212,7 @@ struct FacetPipeline::State {
     DeviceBuffer<std::uint32_t> end, least, flags, start;
   } edges;
   DeviceBuffer<std::uint32_t> offset, pending, edges_found;
-  DeviceBuffer<std::uint64_t> pairs, places;
+  DeviceBuffer<std::uint64_t> places;
   DeviceBuffer<unsigned char> result;
   PinnedBuffer<unsigned char> host_result;
 
@@ -227,8 +233,8 @@ struct FacetPipeline::State {
   }
 
   // Sums of the numbers before each.
-  template <class Number>
-  void scan(const Number* in, Number* out, std::size_t count, cudaStream_t stream) {
+  template <class Numbers, class Number>
+  void scan(Numbers in, Number* out, std::size_t count, cudaStream_t stream) {
     std::size_t bytes = 0;
     check(cub::DeviceScan::ExclusiveSum(nullptr, bytes, in, out, static_cast<int>(count), stream),
           "sizing a prefix sum");

@@ -1,0 +1,16 @@
+// A stand-in for Thrust's (see cuda_runtime.h).
+#pragma once
+
+namespace thrust {
+
+template <class Number>
+struct counting_iterator {
+  Number first;
+  Number operator[](int i) const { return first + static_cast<Number>(i); }
+};
+template <class Number>
+counting_iterator<Number> make_counting_iterator(Number first) {
+  return {first};
+}
+
+}  // namespace thrust

@@ -1,0 +1,17 @@
+// A stand-in for Thrust's (see cuda_runtime.h).
+#pragma once
+
+namespace thrust {
+
+template <class Iterator, class Function>
+struct transform_iterator {
+  Iterator from;
+  Function function;
+  auto operator[](int i) const { return function(from[i]); }
+};
+template <class Iterator, class Function>
+transform_iterator<Iterator, Function> make_transform_iterator(Iterator from, Function function) {
+  return {from, function};
+}
+
+}  // namespace thrust

@@ -14,9 +14,9 @@ namespace alphascope {
 namespace {
 
 constexpr std::uint64_t kMostCopies = 1'000'000;
-// An Atom, and in the set of balls a centre, a radius, the atom's index and a slot of the search
+// An Atom, and in the set of balls a centre, a radius, the atom's index and a place in the search
 // for coincident centres.
-constexpr std::uint64_t kBytesPerAtom = sizeof(Atom) + sizeof(LatticePoint) + 4 + 4 + 16;
+constexpr std::uint64_t kBytesPerAtom = sizeof(Atom) + sizeof(LatticePoint) + 4 + 4 + 5;
 
 using Rows = std::array<std::array<double, 4>, 3>;
 

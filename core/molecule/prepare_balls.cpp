@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <unordered_map>
 
+#include "core/geometry/coincident.hpp"
 #include "core/molecule/altlocs.hpp"
 #include "core/molecule/selection_expression.hpp"
 
@@ -299,28 +300,6 @@ RadiiSet resolve(const BallOptions& options, const Molecule& molecule, AtomRange
   return suits_protor(molecule, range) ? RadiiSet::protor : RadiiSet::bondi;
 }
 
-std::size_t count_coincident(const std::vector<LatticePoint>& points) {
-  std::size_t capacity = 16;
-  while (capacity < 2 * points.size()) capacity *= 2;
-  constexpr std::uint32_t kFree = std::numeric_limits<std::uint32_t>::max();
-  std::vector<std::uint32_t> table(capacity, kFree);
-  std::size_t coincident = 0;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const LatticePoint& p = points[i];
-    std::uint64_t hash = static_cast<std::uint32_t>(p.x) * 0x9E3779B97F4A7C15u;
-    hash = (hash ^ (hash >> 29) ^ static_cast<std::uint32_t>(p.y)) * 0xBF58476D1CE4E5B9u;
-    hash = (hash ^ (hash >> 32) ^ static_cast<std::uint32_t>(p.z)) * 0x94D049BB133111EBu;
-    std::size_t slot = (hash ^ (hash >> 31)) & (capacity - 1);
-    while (table[slot] != kFree && points[table[slot]] != p) slot = (slot + 1) & (capacity - 1);
-    if (table[slot] == kFree) {
-      table[slot] = static_cast<std::uint32_t>(i);
-    } else {
-      ++coincident;
-    }
-  }
-  return coincident;
-}
-
 }  // namespace
 
 PreparedBalls prepare_balls(const Molecule& molecule, const BallOptions& options,
@@ -365,7 +344,9 @@ PreparedBalls prepare_balls(const Molecule& molecule, const BallOptions& options
   dropped.finish();
   report.sizes = sizes.sizes();
   report.used = balls->size();
-  report.coincident_centres = count_coincident(balls->centres);
+  const std::vector<bool> hidden = coincident_hidden(*balls);
+  report.coincident_centres =
+      static_cast<std::size_t>(std::count(hidden.begin(), hidden.end(), true));
   result.balls = std::move(balls);
   return result;
 }

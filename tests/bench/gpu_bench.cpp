@@ -7,46 +7,19 @@
 #include <cmath>
 #include <cstdio>
 #include <cstring>
-#include <fstream>
 #include <random>
+#include <sstream>
 #include <string>
 #include <vector>
 
 #include "core/complex/engine.hpp"
 #include "gpu/facet_pipeline.hpp"
 #include "gpu/gpu_engine.hpp"
+#include "tests/bench/read_balls.hpp"
 
 using namespace alphascope;
 
 namespace {
-
-BallSet read_balls(const std::string& path) {
-  std::ifstream in(path, std::ios::binary);
-  std::int32_t head[3];
-  in.read(reinterpret_cast<char*>(head), sizeof head);
-  std::vector<std::int32_t> base(4 * static_cast<std::size_t>(head[1]));
-  in.read(reinterpret_cast<char*>(base.data()), static_cast<std::streamsize>(base.size() * 4));
-  std::vector<double> ops(12 * static_cast<std::size_t>(head[2]));
-  in.read(reinterpret_cast<char*>(ops.data()), static_cast<std::streamsize>(ops.size() * 8));
-  if (ops.empty()) ops = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
-  BallSet balls;
-  balls.lattice.digits = head[0];
-  const double unit = std::pow(10.0, head[0]);
-  for (std::size_t o = 0; o < ops.size(); o += 12) {
-    for (std::size_t a = 0; a < base.size(); a += 4) {
-      double q[3];
-      for (int r = 0; r < 3; ++r) {
-        q[r] = ops[o + 4 * r + 3] * unit;
-        for (int k = 0; k < 3; ++k) q[r] += ops[o + 4 * r + k] * base[a + k];
-      }
-      balls.centres.push_back({static_cast<int>(std::lround(q[0])),
-                               static_cast<int>(std::lround(q[1])),
-                               static_cast<int>(std::lround(q[2]))});
-      balls.radii.push_back(base[a + 3]);
-    }
-  }
-  return balls;
-}
 
 template <int N>
 bool same(const SimplexList<N>& a, const SimplexList<N>& b) {
@@ -168,44 +141,68 @@ void time_one(const std::string& name, const BallSet& balls, double solvent, dou
   }
 }
 
+// The folder of the inputs.
+struct Data {
+  std::string folder;
+  BallSet balls(const std::string& name) const {
+    return bench::read_balls(folder + "/" + name + ".balls");
+  }
+};
+
+void check_all(const Data& data) {
+  random_checks();
+  std::printf("random: %d differences\n", failures);
+  for (const char* name : {"1grm", "1k4c", "1aon", "2buk"}) {
+    const BallSet balls = data.balls(name);
+    check(name, balls, 0, {-1, 0, 0.5, 1.4, 3, 10});
+    check(name, balls, 1.4, {0, 1.4});
+  }
+  std::printf("checks: %d differences\n", failures);
+}
+
+void time_all(const Data& data) {
+  for (const char* name : {"1k4c", "1aon", "3j6r"}) {
+    const BallSet balls = data.balls(name);
+    for (const double alpha : {0.0, 1.4, 3.0, 10.0}) time_one(name, balls, 0, alpha);
+    time_one(name, balls, 1.4, 0);
+  }
+}
+
+void time_huge(const Data& data) {
+  const BallSet balls = data.balls("1m4x");
+  for (const double alpha : {0.0, 1.4}) time_one("1m4x", balls, 0, alpha);
+}
+
+// NAME:ALPHA or NAME:ALPHA:SOLVENT
+void time_row(const Data& data, const std::string& row) {
+  std::istringstream parts(row);
+  std::string name, alpha, solvent = "0";
+  std::getline(parts, name, ':');
+  std::getline(parts, alpha, ':');
+  std::getline(parts, solvent);
+  time_one(name, data.balls(name), std::stod(solvent), std::stod(alpha));
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
-  const std::string data = argc > 1 ? argv[1] : ".";
-  const std::string what = argc > 2 ? argv[2] : "check,time";
-  with_cgal = what.find("cgal") != std::string::npos;
-  with_whole = what.find("only") == std::string::npos;
+  const Data data{argc > 1 ? argv[1] : "."};
+  std::vector<std::string> words;
+  std::istringstream list(argc > 2 ? argv[2] : "check,time");
+  for (std::string word; std::getline(list, word, ',');) words.push_back(word);
+  const auto asked = [&](const char* word) {
+    return std::find(words.begin(), words.end(), word) != words.end();
+  };
+  with_cgal = asked("cgal");
+  with_whole = !asked("only");
   const auto& d = gpu_device();
   std::printf("device: %s usable %d %s %s\n", d.name.c_str(), d.usable, d.driver.c_str(),
               d.why_not.c_str());
-  if (what.find("check") != std::string::npos) {
-    random_checks();
-    std::printf("random: %d differences\n", failures);
-    for (const char* name : {"1grm", "1k4c", "1aon", "2buk"}) {
-      const BallSet balls = read_balls(data + "/" + name + ".balls");
-      check(name, balls, 0, {-1, 0, 0.5, 1.4, 3, 10});
-      check(name, balls, 1.4, {0, 1.4});
-    }
-    std::printf("checks: %d differences\n", failures);
-  }
-  if (what.find("time") != std::string::npos) {
-    for (const char* name : {"1k4c", "1aon", "3j6r"}) {
-      const BallSet balls = read_balls(data + "/" + name + ".balls");
-      for (const double alpha : {0.0, 1.4, 3.0, 10.0}) time_one(name, balls, 0, alpha);
-      time_one(name, balls, 1.4, 0);
-    }
-  }
-  if (what.rfind("one:", 0) == 0) {  // one:NAME:ALPHA or one:NAME:ALPHA:SOLVENT
-    const std::string row = what.substr(4, what.find(',') - 4);
-    const std::size_t first = row.find(':'), second = row.find(':', first + 1);
-    const std::string name = row.substr(0, first);
-    const double solvent = second == std::string::npos ? 0 : std::stod(row.substr(second + 1));
-    time_one(name, read_balls(data + "/" + name + ".balls"), solvent,
-             std::stod(row.substr(first + 1)));
-  }
-  if (what.find("huge") != std::string::npos) {
-    const BallSet balls = read_balls(data + "/1m4x.balls");
-    for (const double alpha : {0.0, 1.4}) time_one("1m4x", balls, 0, alpha);
+  if (asked("check")) check_all(data);
+  if (asked("time")) time_all(data);
+  if (asked("huge")) time_huge(data);
+  for (const std::string& word : words) {
+    if (word.starts_with("one:")) time_row(data, word.substr(4));
   }
   return failures == 0 ? 0 : 1;
 }

@@ -83,11 +83,11 @@ __device__ inline bool is_candidate(const DualEdgeMemory& m, const BlockBalls& s
                                              s.radius_square[triangle.ball]);
 }
 
-// Puts triangle t, of ball b, on the list of those to look at.
-__device__ inline void enlist(const DualEdgeProblem& p, const DualEdgeMemory& m, BlockBalls& s,
-                              int place, int t, int b) {
-  if (place < static_cast<int>(p.capacity.listed)) {
-    m.listed[place] = static_cast<std::uint16_t>(t);
+// Puts triangle t, of ball b, on a list; the ball goes to kernel III where that has no room.
+__device__ inline void enlist(std::uint16_t* list, std::uint32_t room, BlockBalls& s, int place,
+                              int t, int b) {
+  if (place < static_cast<int>(room)) {
+    list[place] = static_cast<std::uint16_t>(t);
   } else {
     s.exact[b] = 2;
   }
@@ -111,7 +111,8 @@ __device__ inline int list_candidates(const DualEdgeProblem& p, const DualEdgeMe
     int base = 0;
     if (lane == 0) base = atomicAdd(&s.listed, __popc(votes));
     base = __shfl_sync(~0u, base, 0);
-    if (keep) enlist(p, m, s, base + __popc(votes & ((1u << lane) - 1)), t, ball);
+    const int place = base + __popc(votes & ((1u << lane) - 1));
+    if (keep) enlist(m.listed, p.capacity.listed, s, place, t, ball);
   }
   __syncthreads();
   return min(s.listed, static_cast<int>(p.capacity.listed));
@@ -141,8 +142,9 @@ __device__ inline int sort_candidates(const DualEdgeProblem& p, const DualEdgeMe
   }
   __syncthreads();
   for (int t = threadIdx.x; t < triangles; t += kBlockThreads) {
-    if (m.length[t] < kLengths)
-      enlist(p, m, s, atomicAdd(&s.lengths[m.length[t]], 1), t, m.triangles[t] >> 25);
+    if (m.length[t] >= kLengths) continue;
+    const int place = atomicAdd(&s.lengths[m.length[t]], 1);
+    enlist(m.listed, p.capacity.listed, s, place, t, m.triangles[t] >> 25);
   }
   __syncthreads();
   return min(s.listed, static_cast<int>(p.capacity.listed));
@@ -171,6 +173,16 @@ __device__ inline void keep(const DualEdgeProblem& p, const DualEdgeMemory& m, B
   if (tetrahedra > 1) atomicOr(&m.two_bits[t >> 5], bit);
 }
 
+// The rows to clip a triangle's dual edge by.
+template <class Kind>
+__device__ inline auto rows_of(const DualEdgeMemory& m, const Triangle& t, int words) {
+  if constexpr (Kind::kCull) {
+    return NearFirstRows{t, m.near + t.ball * words};
+  } else {
+    return TriangleRows{t};
+  }
+}
+
 template <class Kind>
 __device__ inline void note_face(const DualEdgeProblem& p, const DualEdgeMemory& m, BlockBalls& s,
                                  const Triangle& t, int number, const TriangleFace& face) {
@@ -184,9 +196,10 @@ __device__ inline void note_face(const DualEdgeProblem& p, const DualEdgeMemory&
 }
 
 // Kernel II of one triangle.
-template <class Kind, class Rows>
+template <class Kind>
 __device__ inline TriangleFace found_face(const DualEdgeMemory& m, const BlockBalls& s,
-                                          const Triangle& t, const Rows& rows, int words) {
+                                          const Triangle& t, int words) {
+  const auto rows = rows_of<Kind>(m, t, words);
   const float square = s.radius_square[t.ball];
   const ScaledNeighbours vectors{m.vectors + t.entry0};
   if constexpr (Kind::kWhole) {
@@ -226,14 +239,8 @@ __device__ inline int probe_triangles(const DualEdgeProblem& p, const DualEdgeMe
       DualEdge<float> edge;
       if (edge.start(vector(triangle.j), vector(triangle.k), s.radius_square[triangle.ball]) &&
           !probed_away(
-              edge, words, [&](int w) { return triangle.common(w) & near[w]; }, vector)) {
-        const int place = atomicAdd(&s.probed, 1);
-        if (place < static_cast<int>(p.capacity.probed)) {
-          m.probed[place] = static_cast<std::uint16_t>(t);
-        } else {
-          s.exact[triangle.ball] = 2;
-        }
-      }
+              edge, words, [&](int w) { return triangle.common(w) & near[w]; }, vector))
+        enlist(m.probed, p.capacity.probed, s, atomicAdd(&s.probed, 1), t, triangle.ball);
     }
     __syncwarp();
   }
@@ -258,13 +265,7 @@ __device__ inline void find_faces(const DualEdgeProblem& p, const DualEdgeOutput
     if (at < count) {
       const int t = left[at];
       const Triangle triangle(m, s, words, m.triangles[t]);
-      if constexpr (Kind::kCull) {
-        const NearFirstRows rows{triangle, m.near + triangle.ball * words};
-        note_face<Kind>(p, m, s, triangle, t, found_face<Kind>(m, s, triangle, rows, words));
-      } else {
-        const TriangleRows& rows = triangle;
-        note_face<Kind>(p, m, s, triangle, t, found_face<Kind>(m, s, triangle, rows, words));
-      }
+      note_face<Kind>(p, m, s, triangle, t, found_face<Kind>(m, s, triangle, words));
     }
     __syncwarp();
   }
@@ -285,8 +286,7 @@ __device__ inline void find_faces_exactly(const DualEdgeProblem& p, const DualEd
   for (int t = threadIdx.x; t < triangles; t += kBlockThreads) {
     const Triangle triangle(m, s, words, m.triangles[t]);
     if (!is_candidate<Kind>(m, s, triangle, words)) continue;
-    const std::uint32_t* near = m.near + triangle.ball * words;
-    TriangleFace face = found_face<Kind>(m, s, triangle, NearFirstRows{triangle, near}, words);
+    TriangleFace face = found_face<Kind>(m, s, triangle, words);
     if (face.in == Decision::unknown)
       face = decided_face(p, exact_neighbours(p, m, s, triangle.ball), triangle);
     note_face<Kind>(p, m, s, triangle, t, face);

@@ -54,18 +54,6 @@ std::shared_ptr<const DrawnMolecule> undrawn(std::shared_ptr<const OpenedMolecul
   return drawn;
 }
 
-ColourLegend legend_of(const AlphaScale& scale) {
-  constexpr int kStops = 33;  // the map's nine colours, and three between each two
-  ColourLegend legend;
-  for (int i = 0; i < kStops; ++i) {
-    const double share = static_cast<double>(i) / (kStops - 1);
-    const Rgb8 c = scale.colour_at(share);
-    legend.stops.push_back(
-        {{c.r / 255.0f, c.g / 255.0f, c.b / 255.0f, 1.0f}, scale.alpha_at(share)});
-  }
-  return legend;
-}
-
 ComplexColouring colouring(ColourBy colour) {
   switch (colour) {
     case ColourBy::single:
@@ -278,7 +266,7 @@ void SceneController::show(Drawing drawing) {
     update_colours();
   }
   if (new_balls || display_.grown_balls) update_radii();
-  legend_ = drawing.mesh && drawing.mesh->scale ? std::optional(legend_of(*drawing.mesh->scale))
+  legend_ = drawing.mesh && drawing.mesh->scale ? std::optional(drawing.mesh->scale->legend())
                                                 : std::nullopt;
   scene_.set_mesh(std::move(drawing.mesh));
   scene_.set_differences(std::move(drawing.differences));

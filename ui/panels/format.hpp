@@ -4,14 +4,13 @@
 #include <cstddef>
 #include <string>
 
+#include "ui/number_text.hpp"
+
 namespace alphascope {
 
 std::string with_separators(long long value);        // "58,674"
 std::string milliseconds_text(double milliseconds);  // "0.042 ms", "12.3 ms", "1.24 s"
 std::string bytes_text(std::size_t bytes);           // "340 MB"
 std::string ratio_text(double ratio);                // "3.2×", "0.8×"
-std::string number_text(double value, int decimals);
-// "1.4", "0", "-0.25": as few decimals as say the value, at most `decimals`.
-std::string short_number_text(double value, int decimals);
 
 }  // namespace alphascope

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "ui/panels/radius_edits.hpp"
-#include "ui/theme.hpp"
+#include "ui/picture_marks.hpp"
 
 namespace alphascope {
 
@@ -131,15 +131,6 @@ struct PointerEvent {
   int button = 0;    // 0 left, 1 right, 2 middle
   double wheel = 0;
   bool control = false, shift = false;
-};
-
-// What colours by alpha value mean.
-struct ColourLegend {
-  struct Stop {
-    Colour colour;
-    double alpha = 0;  // Å²
-  };
-  std::vector<Stop> stops;  // evenly along the colour map, smallest alpha first
 };
 
 struct ViewportInfo {

@@ -65,52 +65,51 @@ void mouse(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
   if (hovered && io.MouseWheel != 0) event(PointerEvent::Kind::wheel, 0, io.MouseWheel);
 }
 
-// A round length that spans 80 to 200 pixels.
-void scale_bar(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
-  const double per_pixel = ctx.state.viewport.angstrom_per_pixel;
-  if (!(per_pixel > 0)) return;
-  const double wanted = per_pixel * ctx.px(130);
-  double length = std::pow(10.0, std::floor(std::log10(wanted)));
-  if (length * 5 <= wanted) length *= 5;
-  if (length * 2 <= wanted) length *= 2;
-  const float pixels = static_cast<float>(length / per_pixel);
-  const ImVec2 end{corner.x + size.x - ctx.px(20), corner.y + size.y - ctx.px(18)};
-  ImDrawList* draw = ImGui::GetWindowDrawList();
-  const ImU32 colour = to_u32(ctx.palette.text_muted);
-  draw->AddLine({end.x - pixels, end.y}, end, colour, ctx.px(2));
-  for (const float x : {end.x - pixels, end.x}) {
-    draw->AddLine({x, end.y - ctx.px(4)}, {x, end.y + ctx.px(4)}, colour, ctx.px(2));
-  }
-  const std::string text = short_number_text(length, 3) + " Å";
-  const ImVec2 extent = ImGui::CalcTextSize(text.c_str());
-  draw->AddText({end.x - pixels / 2 - extent.x / 2, end.y - ctx.px(7) - extent.y}, colour,
-                text.c_str());
+ImVec2 at(ImVec2 corner, float x, float y) {
+  return {corner.x + x, corner.y + y};
 }
 
-// A bar of colours with the alpha values at its ends and middle.
+void mark_text(ImVec2 corner, const MarkText& text, ImU32 ink) {
+  ImGui::GetWindowDrawList()->AddText(at(corner, text.x, text.y), ink, text.text.c_str());
+}
+
+MarkType mark_type(const PanelContext& ctx) {
+  return {ctx.scale, ImGui::GetTextLineHeight(),
+          [](const std::string& text) { return ImGui::CalcTextSize(text.c_str()).x; }};
+}
+
+void scale_bar(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
+  const auto layout =
+      lay_out_scale_bar(ctx.state.viewport.angstrom_per_pixel, size.x, size.y, mark_type(ctx));
+  if (!layout) return;
+  const ImU32 ink = to_u32(ctx.palette.text_muted);
+  for (const MarkBox& line : layout->lines) {
+    ImGui::GetWindowDrawList()->AddRectFilled(at(corner, line.x0, line.y0),
+                                              at(corner, line.x1, line.y1), ink);
+  }
+  mark_text(corner, layout->text, ink);
+}
+
 void legend(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
   const auto& legend = ctx.state.viewport.legend;
-  if (!legend || legend->stops.size() < 2 || size.x < ctx.px(420)) return;
+  const auto layout =
+      legend ? lay_out_legend(*legend, size.x, size.y, mark_type(ctx)) : std::nullopt;
+  if (!layout) return;
   const auto& stops = legend->stops;
-  const float width = ctx.px(180), height = ctx.px(10), line = ImGui::GetTextLineHeight();
-  const ImVec2 bar{corner.x + ctx.px(20), corner.y + size.y - ctx.px(20) - line - height};
-  ImDrawList* draw = ImGui::GetWindowDrawList();
-  const ImU32 ink = to_u32(ctx.palette.text_muted);
-  draw->AddText({bar.x, bar.y - ctx.px(4) - line}, ink, "alpha value (Å²)");
-  const float step = width / static_cast<float>(stops.size() - 1);
+  const MarkBox& bar = layout->bar;
+  const float step = (bar.x1 - bar.x0) / static_cast<float>(stops.size() - 1);
   for (std::size_t i = 0; i + 1 < stops.size(); ++i) {
-    const float x = bar.x + step * static_cast<float>(i);
+    const float x = bar.x0 + step * static_cast<float>(i);
     const ImU32 left = to_u32(stops[i].colour), right = to_u32(stops[i + 1].colour);
-    draw->AddRectFilledMultiColor({x, bar.y}, {x + step, bar.y + height}, left, right, right, left);
+    ImGui::GetWindowDrawList()->AddRectFilledMultiColor(
+        at(corner, x, bar.y0), at(corner, x + step, bar.y1), left, right, right, left);
   }
-  for (const float share : {0.0f, 0.5f, 1.0f}) {
-    const double alpha = stops[static_cast<std::size_t>(share * (stops.size() - 1))].alpha;
-    const std::string text = short_number_text(alpha, 2);
-    const float shift = share * ImGui::CalcTextSize(text.c_str()).x;
-    draw->AddText({bar.x + share * width - shift, bar.y + height + ctx.px(3)}, ink, text.c_str());
+  for (const MarkText& text : layout->texts) {
+    mark_text(corner, text, to_u32(ctx.palette.text_muted));
   }
-  ctx.rects["view.legend"] = {bar.x, bar.y - ctx.px(4) - line, bar.x + width,
-                              bar.y + height + ctx.px(3) + line, true};
+  const MarkBox whole = layout->whole();
+  ctx.rects["view.legend"] = {corner.x + whole.x0, corner.y + whole.y0, corner.x + whole.x1,
+                              corner.y + whole.y1, true};
 }
 
 void caption(PanelContext& ctx, ImVec2 corner, ImVec2 size) {

@@ -46,4 +46,15 @@ double AlphaScale::alpha_at(double share) const {
   return lattice_.square_angstrom(low + share * share * (high - low));
 }
 
+ColourLegend AlphaScale::legend() const {
+  constexpr int kStops = 33;  // the map's nine colours, and three between each two
+  ColourLegend legend;
+  for (int i = 0; i < kStops; ++i) {
+    const double share = static_cast<double>(i) / (kStops - 1);
+    const Rgb8 c = colour_at(share);
+    legend.stops.push_back({{c.r / 255.0f, c.g / 255.0f, c.b / 255.0f, 1.0f}, alpha_at(share)});
+  }
+  return legend;
+}
+
 }  // namespace alphascope

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/complex/alpha_complex.hpp"
+#include "ui/picture_marks.hpp"
 #include "ui/scene/ball_geometry.hpp"
 
 namespace alphascope {
@@ -17,6 +18,7 @@ class AlphaScale {
   Rgb8 colour(float alpha_value) const;  // square lattice units
   Rgb8 colour_at(double share) const;    // along the colour map, 0 to 1
   double alpha_at(double share) const;   // Å², of that colour
+  ColourLegend legend() const;
 
  private:
   // The square root spreads the crowded small values.

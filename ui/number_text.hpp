@@ -1,0 +1,12 @@
+// Numbers with a point, as window and pictures write them. Pure text.
+#pragma once
+
+#include <string>
+
+namespace alphascope {
+
+std::string number_text(double value, int decimals);
+// "1.4", "0", "-0.25": as few decimals as say the value, at most `decimals`.
+std::string short_number_text(double value, int decimals);
+
+}  // namespace alphascope

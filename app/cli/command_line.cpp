@@ -281,6 +281,12 @@ void add_screenshot(CLI::App& app, ScreenshotCommandOptions& options, Command& c
   command.add_option("--colours", options.colours, "Colour balls by element or chain")
       ->check(CLI::IsMember({"element", "chain"}));
   command
+      .add_option("--simplex-colours", options.simplex_colours,
+                  "Colour simplices as their balls are, or by alpha value, with a legend")
+      ->check(CLI::IsMember({"balls", "alpha"}));
+  command.add_flag("--no-legend", options.no_legend, "Without the legend of the alpha values");
+  command.add_flag("--scale-bar", options.scale_bar, "With a bar of a round length in Å");
+  command
       .add_option("--drawing-memory", options.drawing_memory_mb,
                   "Draw as if so much memory were free; otherwise what the system says")
       ->check(CLI::Range(std::uint64_t{0}, std::uint64_t{1} << 40))

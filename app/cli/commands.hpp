@@ -83,7 +83,8 @@ struct ScreenshotCommandOptions {
   std::filesystem::path out;
   bool transparent = false, light = false, no_balls = false, grown = false, boundary = false;
   double shrink = 0;
-  std::string colours = "element";
+  std::string colours = "element", simplex_colours = "balls";
+  bool no_legend = false, scale_bar = false;
   std::optional<std::uint64_t> drawing_memory_mb;  // taken as free; none: what is
 };
 

@@ -34,6 +34,8 @@ ScreenshotOptions picture_options(const ScreenshotCommandOptions& options) {
   ScreenshotOptions picture;
   set_size(options.size, picture);
   picture.transparent = options.transparent;
+  picture.legend = !options.no_legend;
+  picture.scale_bar = options.scale_bar;
   picture.style.theme = options.light ? Theme::light : Theme::dark;
   picture.style.balls = !options.no_balls;
   if (options.grown) {
@@ -43,6 +45,7 @@ ScreenshotOptions picture_options(const ScreenshotCommandOptions& options) {
   picture.balls.alpha = options.request.alpha_angstrom2;
   picture.balls.solvent_radius = options.request.solvent_radius_angstrom;
   picture.mesh.shrink = options.shrink;
+  if (options.simplex_colours == "alpha") picture.mesh.colouring = ComplexColouring::alpha;
   picture.mesh.boundary = options.boundary;
   picture.mesh.tetrahedra = !options.boundary;
   picture.mesh.triangles = picture.mesh.edges = !options.request.tetrahedra_only;

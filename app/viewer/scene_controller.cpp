@@ -9,6 +9,7 @@
 
 #include "app/session/result_header.hpp"
 #include "ui/scene/ball_colours.hpp"
+#include "ui/scene/draw_marks.hpp"
 
 namespace alphascope {
 namespace {
@@ -374,14 +375,20 @@ bool SceneController::draws_nothing() const {
   return drawn_molecule_ && drawn_molecule_->geometry->centres.empty() && !not_drawn_.empty();
 }
 
-void SceneController::save_picture(const ScreenshotRequest& request) {
+std::string SceneController::save_picture(const ScreenshotRequest& request) {
   if (draws_nothing()) throw std::runtime_error(not_drawn_);
   if (outdated() && !drawn_molecule_) {
     throw std::runtime_error("The picture is being made; save it when it is there.");
   }
   require_room(request.width, request.height, free_memory_());
-  write_png(scene_.grab(request.width, request.height, request.transparent), request.path, texts());
+  Image image = scene_.grab(request.width, request.height, request.transparent);
   dirty_ = true;
+  PictureMarks marks;
+  if (request.legend) marks.legend = legend_;
+  if (request.scale_bar) marks.angstrom_per_pixel = scene_.angstrom_per_pixel();
+  const std::string left_out = draw_marks(image, marks, mark_ink(theme_, request.transparent));
+  write_png(image, request.path, texts());
+  return left_out;
 }
 
 }  // namespace alphascope

@@ -61,7 +61,8 @@ class SceneController {
   // What is on screen, which may still be older than what was set; null before the first, and
   // while it makes room for the next.
   const DrawnMolecule* drawn() const { return drawn_molecule_.get(); }
-  void save_picture(const ScreenshotRequest& request);
+  // Returns a sentence when the picture lacks a mark for being too small; else empty.
+  std::string save_picture(const ScreenshotRequest& request);
   // Where what is on screen comes from, to go into pictures of it; empty when nothing is.
   PictureTexts texts() const;
 

@@ -248,8 +248,9 @@ void Viewer::take_requests() {
   if (r.quit) quit_ = true;
   if (r.screenshot) {
     try {
-      scene_.save_picture(*r.screenshot);
+      const std::string left_out = scene_.save_picture(*r.screenshot);
       state_.notice = "Saved " + r.screenshot->path.string();
+      if (!left_out.empty()) state_.notice += ". " + left_out;
     } catch (const std::exception& error) {
       state_.error = error.what();
     }

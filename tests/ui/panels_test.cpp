@@ -216,6 +216,25 @@ TEST(PanelsTest, SavingSaysWhatItReplacesAndWhichFolderIsMissing) {
   EXPECT_EQ(p.state.requests.screenshot->path, folder / "figure 1.png");
 }
 
+TEST(PanelsTest, SavingOffersALegendWhereThereIsOne) {
+  Panels p({1280, 800, 1});
+  p.state = loaded_state();
+  const auto saved_with = [&](std::initializer_list<const char*> clicks) {
+    p.state.memory.show_save = true;
+    p.frame(3);
+    for (const char* name : clicks) p.click(name);
+    p.click("save.ok");
+    return *p.state.requests.screenshot;
+  };
+  p.click("view");
+  EXPECT_TRUE(saved_with({"save.legend"}).legend) << "without one there is nothing to switch off";
+  EXPECT_FALSE(saved_with({}).scale_bar);
+  EXPECT_TRUE(saved_with({"save.scale_bar"}).scale_bar);
+  p.state.viewport.legend = ColourLegend{{{{}, 0}, {{}, 1}}};
+  EXPECT_FALSE(saved_with({"save.legend"}).legend);
+  EXPECT_TRUE(saved_with({"save.legend"}).legend) << "the choice was kept";
+}
+
 class PanelsAtEverySize : public ::testing::TestWithParam<Size> {};
 
 TEST_P(PanelsAtEverySize, NothingLeavesTheWindow) {

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "app/viewer/state_bridge.hpp"
-#include "tests/support/png_chunks.hpp"
+#include "tests/ui/png_pixels.hpp"
 #include "tests/ui/viewer_fixture.hpp"
 
 namespace alphascope {
@@ -157,6 +157,62 @@ TEST_F(ViewerTest, SavesAPictureOfTheChosenSize) {
       ScreenshotRequest{"/no/such/folder/picture.png", 320, 240, false};
   run("frames 2\n");
   EXPECT_NE(viewer_->state().error.find("/no/such/folder"), std::string::npos);
+}
+
+// Rows of a picture of 960 x 600 pixels in which every colour of the legend is in its place.
+int rows_with_legend(const Image& image, const ColourLegend& legend) {
+  int rows = 0;
+  for (int y = 0; y < image.height; ++y) {
+    bool all = true;
+    for (std::size_t i = 1; i + 1 < legend.stops.size(); ++i) {
+      const std::size_t x = 20 + 180 * i / (legend.stops.size() - 1);
+      const std::uint8_t* p = &image.rgba[4 * (std::size_t(y) * image.width + x)];
+      const Colour& c = legend.stops[i].colour;
+      all = all && std::abs(p[0] - c.r * 255) < 6 && std::abs(p[1] - c.g * 255) < 6 &&
+            std::abs(p[2] - c.b * 255) < 6;
+    }
+    rows += all;
+  }
+  return rows;
+}
+
+TEST_F(ViewerTest, PicturesHaveTheWindowsLegendUnlessOneSwitchesItOff) {
+  open_crambin();
+  run("click alpha.preset.3\nclick engine.tetrahedra_only\nclick display.complex_colour\n"
+      "click display.complex_colour.3\nwait-idle\n");
+  const ColourLegend legend = *viewer_->state().viewport.legend;
+  const auto saved = [&](bool with_legend) {
+    viewer_->state().requests.screenshot =
+        ScreenshotRequest{folder_ / "picture.png", 960, 600, false, with_legend, false};
+    run("frames 2\n");
+    return testing::pixels_of(folder_ / "picture.png");
+  };
+  const auto drawn = [&](const std::string& options) {
+    const std::string command = std::string(ALPHASCOPE_CLI) + " screenshot " + crambin().string() +
+                                " --alpha 3 --tetrahedra-only --simplex-colours alpha " + options +
+                                " --size 960x600 -o " + (folder_ / "cli.png").string() +
+                                " > /dev/null 2>&1";
+    EXPECT_EQ(std::system(command.c_str()), 0) << command;
+    return testing::pixels_of(folder_ / "cli.png");
+  };
+  const Image window = saved(true), command_line = drawn("");
+  EXPECT_EQ(rows_with_legend(window, legend), 10);
+  EXPECT_EQ(rows_with_legend(saved(false), legend), 0);
+  EXPECT_EQ(rows_with_legend(drawn("--no-legend"), legend), 0);
+  for (int y = 520; y < 600; ++y) {  // numbers and all
+    const auto row = [y](const Image& image) { return image.rgba.begin() + 4L * y * image.width; };
+    EXPECT_TRUE(std::equal(row(window), row(window) + 4 * 220, row(command_line))) << "row " << y;
+  }
+}
+
+TEST_F(ViewerTest, PicturesTooSmallForALegendSaySo) {
+  open_crambin();
+  run("click display.complex_colour\nclick display.complex_colour.3\nwait-idle\n");
+  viewer_->state().requests.screenshot =
+      ScreenshotRequest{folder_ / "picture.png", 200, 150, false};
+  run("frames 2\n");
+  EXPECT_NE(viewer_->state().notice.find("The picture has no legend"), std::string::npos)
+      << viewer_->state().notice;
 }
 
 TEST_F(ViewerTest, PicturesSayWhereTheyComeFrom) {

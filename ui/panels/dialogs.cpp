@@ -243,6 +243,24 @@ void save_target(PanelContext& ctx) {
   ImGui::PopFont();
 }
 
+// What is drawn over the molecule.
+void save_marks(PanelContext& ctx) {
+  PanelMemory& m = ctx.state.memory;
+  const bool has_legend = ctx.state.viewport.legend.has_value();
+  row_label(ctx, "With");
+  ImGui::BeginDisabled(!has_legend);
+  bool legend = has_legend && m.save_legend;
+  if (checkbox(ctx, "save.legend", "Colour legend", legend)) m.save_legend = legend;
+  ImGui::EndDisabled();
+  tooltip(ctx, has_legend ? "What the colours say: alpha values in Å²."
+                          : "There is one when the complex is coloured by alpha value.");
+  ImGui::SameLine(0, ctx.px(18));
+  checkbox(ctx, "save.scale_bar", "Scale bar", m.save_scale_bar);
+  tooltip(ctx,
+          "A round length in Å. The view is in perspective: it holds at the depth of the point "
+          "that the view turns about.");
+}
+
 void save_picture(PanelContext& ctx) {
   ViewState& s = ctx.state;
   PanelMemory& m = s.memory;
@@ -257,6 +275,7 @@ void save_picture(PanelContext& ctx) {
   save_size(ctx);
   row_label(ctx, "");
   checkbox(ctx, "save.transparent", "Transparent background", m.save_transparent);
+  save_marks(ctx);
   ImGui::PushFont(ctx.fonts.small);
   row_label(ctx, "");
   muted_text(ctx, "File, selection, radii, alpha and hash are written into the picture.");
@@ -270,7 +289,8 @@ void save_picture(PanelContext& ctx) {
   ImGui::BeginDisabled(m.save_path.empty());
   if (button(ctx, "save.ok", "Save", {ctx.px(100), 0}, ButtonKind::primary) ||
       (entered && !m.save_path.empty())) {
-    s.requests.screenshot = {picture_path(m), m.save_width, m.save_height, m.save_transparent};
+    s.requests.screenshot = {picture_path(m),    m.save_width,  m.save_height,
+                             m.save_transparent, m.save_legend, m.save_scale_bar};
     m.show_save = false;
   }
   ImGui::EndDisabled();

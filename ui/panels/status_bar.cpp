@@ -65,6 +65,7 @@ void draw_status_bar(PanelContext& ctx) {
   if (!s.notice.empty() && room > width + ctx.px(80)) {
     ImGui::TextUnformatted(fitted_text(s.notice, room - width - ctx.px(24)).c_str());
     record(ctx, "status.notice");
+    tooltip(ctx, s.notice.c_str());
     ImGui::SameLine();
   }
   ImGui::SetCursorPosX(end - width);

@@ -19,6 +19,7 @@ struct ScreenshotRequest {
   std::filesystem::path path;
   int width = 1920, height = 1080;
   bool transparent = false;
+  bool legend = true, scale_bar = false;  // legend: where colours mean alpha values
 };
 
 // What the user asked for in this frame; the program takes and clears them.
@@ -63,7 +64,7 @@ struct PanelMemory {
   BrowserPurpose browser_purpose = BrowserPurpose::molecule;
   std::string save_path;
   int save_width = 1920, save_height = 1080;
-  bool save_transparent = false;
+  bool save_transparent = false, save_legend = true, save_scale_bar = false;
   bool timings_cold = true;     // which of the two runs the waterfall shows
   bool timings_pinned = false;  // the user has chosen which
   float bottom_height = 0;      // pixels; 0: default

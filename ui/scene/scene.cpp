@@ -387,6 +387,7 @@ Image Scene::grab(int width, int height, bool transparent) {
     renderer->SetUseDepthPeeling(true);  // VTK's other transparency writes wrong alpha
   }
   renderer->SetBackgroundAlpha(transparent ? 0 : 1);
+  impl_->picture_height = height;
   impl_->draw(width * impl_->samples, height * impl_->samples);
   impl_->window->GetState()->ResetFramebufferBindings();
   Image image = read_framebuffer(impl_->window->GetDisplayFramebuffer()->GetFBOIndex(),

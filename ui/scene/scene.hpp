@@ -57,7 +57,7 @@ class Scene {
   double render(int width, int height, RenderQuality quality);
   // OpenGL name of the last picture; its first row is the bottom, its alpha reads as one.
   unsigned texture() const;
-  // Å that one pixel of the last picture spans at the camera's focal point.
+  // Å that one pixel of the last picture, rendered or grabbed, spans at the camera's focal point.
   double angstrom_per_pixel() const;
 
   // The line of sight through a pixel of the last picture, counted from its top left.

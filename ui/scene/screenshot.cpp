@@ -3,6 +3,7 @@
 
 #include <stdexcept>
 
+#include "ui/scene/draw_marks.hpp"
 #include "ui/scene/drawing_memory.hpp"
 #include "ui/window/egl_context.hpp"
 
@@ -38,8 +39,14 @@ std::string render_screenshot(const BallSet& balls, const AlphaComplex& complex,
   scene.set_balls(geometry, colours);
   scene.set_ball_radii(drawn_radii(*geometry, options.balls));
   scene.set_mesh(mesh);
-  write_png(scene.grab(options.width, options.height, options.transparent), path, texts);
-  return not_drawn;
+  Image image = scene.grab(options.width, options.height, options.transparent);
+  PictureMarks marks;
+  if (options.legend && mesh->scale) marks.legend = mesh->scale->legend();
+  if (options.scale_bar) marks.angstrom_per_pixel = scene.angstrom_per_pixel();
+  const std::string left_out =
+      draw_marks(image, marks, mark_ink(options.style.theme, options.transparent));
+  write_png(image, path, texts);
+  return not_drawn + (not_drawn.empty() || left_out.empty() ? "" : " ") + left_out;
 }
 
 }  // namespace alphascope

@@ -16,6 +16,8 @@ namespace alphascope {
 struct ScreenshotOptions {
   int width = 1280, height = 800;  // pixels, 16 to 16384
   bool transparent = false;        // no background
+  bool legend = true;              // where colours are of alpha values
+  bool scale_bar = false;
   SceneStyle style;
   BallStyle balls;
   MeshOptions mesh;
@@ -25,7 +27,8 @@ struct ScreenshotOptions {
 
 // Draws `complex` with its `balls` (radii before any solvent; one colour each) in the default view.
 // Needs no display: makes its own OpenGL context on this thread. Returns what is not drawn for want
-// of memory, and what to do, as a sentence that the file holds, too; empty: nothing is missing.
+// of memory, and what to do, in sentences that the file holds, too, and which mark the picture is
+// too small for; empty: nothing is missing.
 // Throws std::invalid_argument for sizes out of range or input that does not belong together,
 // std::runtime_error when OpenGL is missing, the file cannot be written, or there is no memory for
 // any picture.

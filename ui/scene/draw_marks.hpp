@@ -1,0 +1,32 @@
+// Legend and scale bar in a saved picture, in its own pixels: not a stretched copy of the window's.
+// The text is VTK's; the rest is boxes, filled here, so that a legend's colours are exactly those
+// of the scale, whatever light and transparency the scene is drawn with.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "ui/picture_marks.hpp"
+#include "ui/scene/scene.hpp"
+
+namespace alphascope {
+
+struct PictureMarks {
+  std::optional<ColourLegend> legend;
+  std::optional<double> angstrom_per_pixel;  // none: no scale bar
+};
+
+// Marks and a rim around them that keeps them readable over anything.
+struct MarkInk {
+  Colour mark, rim;
+};
+// Without a background the picture may be put on any; most are paper.
+MarkInk mark_ink(Theme theme, bool transparent);
+
+// Pixels of a picture for one of the window at scale 1: marks grow with the picture.
+float mark_unit(int width, int height);
+
+// Returns a sentence when the picture is too small for what was asked for; empty: all is drawn.
+std::string draw_marks(Image& image, const PictureMarks& marks, const MarkInk& ink);
+
+}  // namespace alphascope

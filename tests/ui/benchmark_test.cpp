@@ -45,6 +45,29 @@ TEST(BenchmarkPage, OpensFromTheMenuAndAsksToRunCancelAndExport) {
   EXPECT_FALSE(panels.state.memory.show_benchmark);
 }
 
+TEST(BenchmarkPage, NotesFitBesideTheNumbersAtEverySize) {
+  for (const Size size : {Size{1100, 700, 1}, {1280, 800, 1}, {1920, 1080, 1}, {1280, 800, 2}}) {
+    Panels panels(size);
+    BenchmarkInfo& b = panels.state.benchmark;
+    b.columns = {
+        "alpha (Å²)",     "engine",          "memcpy (ms)", "kernel I (ms)", "prefix sum (ms)",
+        "kernel II (ms)", "kernel III (ms)", "other (ms)",  "cold (ms)",     "warm (ms)",
+        "speed-up",       "tetrahedra",      "of full (%)", "same as CGAL",  "note"};
+    std::vector<std::string> row(b.columns.size(), "0.0858");
+    row[1] = "tuples-cpu, without alpha optimisation";
+    row.back() = "NVIDIA GeForce RTX 4090; kernel I is I + II in one launch";
+    b.rows = {row, row};
+    b.differs = {false, false};
+    panels.state.memory.show_benchmark = true;
+    panels.frame(5);  // columns take their widths from the frame before
+    ASSERT_TRUE(panels.rects.contains("benchmark.note.1"));
+    const WidgetRect note = panels.rects["benchmark.note.1"], all = panels.rects["benchmark.table"];
+    EXPECT_LE(note.x1, all.x1) << size.width << " at " << size.scale;
+    EXPECT_GT(note.x1 - note.x0, 60 * size.scale);
+    EXPECT_GT(all.y1, note.y1);
+  }
+}
+
 TEST_F(ViewerTest, TheBenchmarkMeasuresTheOpenMoleculeAndExportsIt) {
   viewer_->open(crambin());
   run("wait-idle\nclick menu.tools\nclick menu.benchmark\n");

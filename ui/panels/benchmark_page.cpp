@@ -170,20 +170,50 @@ void run_row(PanelContext& ctx) {
                                     : "Open a molecule first.");
 }
 
-void table_rows(PanelContext& ctx) {
+// The last word of a name, most often its unit, goes below the others: numbers need less room.
+std::string header_text(std::string name) {
+  const std::size_t blank = name.rfind(' ');
+  if (blank != std::string::npos) name[blank] = '\n';
+  return name;
+}
+
+// What the other columns leave to the last one, the notes: sentences, which may be broken.
+float note_width(PanelContext& ctx, float table_width) {
+  const BenchmarkInfo& b = ctx.state.benchmark;
+  const ImGuiStyle& style = ImGui::GetStyle();
+  constexpr float kBorder = 1;
+  float left = table_width - style.ScrollbarSize;
+  for (std::size_t c = 0; c < b.columns.size(); ++c) {
+    left -= 2 * style.CellPadding.x + kBorder;
+    if (c + 1 == b.columns.size()) break;
+    float widest = ImGui::CalcTextSize(header_text(b.columns[c]).c_str()).x;
+    for (const auto& row : b.rows) {
+      widest = std::max(widest, ImGui::CalcTextSize(row[c].c_str()).x);
+    }
+    left -= widest;
+  }
+  return std::max(left, ctx.px(90));
+}
+
+void table_row(PanelContext& ctx, std::size_t r, float notes) {
+  const BenchmarkInfo& b = ctx.state.benchmark;
+  ImGui::TableNextRow();
+  if (b.differs[r]) ImGui::PushStyleColor(ImGuiCol_Text, to_imgui(ctx.palette.error));
+  for (const std::string& text : b.rows[r]) {
+    ImGui::TableNextColumn();
+    const bool note = &text == &b.rows[r].back();
+    ImGui::TextUnformatted((note ? broken_lines(text, notes) : text).c_str());
+    if (note) record(ctx, ("benchmark.note." + std::to_string(r)).c_str());
+  }
+  if (b.differs[r]) ImGui::PopStyleColor();
+}
+
+void table_rows(PanelContext& ctx, float notes) {
   const BenchmarkInfo& b = ctx.state.benchmark;
   ImGui::TableSetupScrollFreeze(1, 1);
-  for (const std::string& name : b.columns) ImGui::TableSetupColumn(name.c_str());
+  for (const std::string& name : b.columns) ImGui::TableSetupColumn(header_text(name).c_str());
   ImGui::TableHeadersRow();
-  for (std::size_t r = 0; r < b.rows.size(); ++r) {
-    ImGui::TableNextRow();
-    for (const std::string& text : b.rows[r]) {
-      ImGui::TableNextColumn();
-      if (b.differs[r]) ImGui::PushStyleColor(ImGuiCol_Text, to_imgui(ctx.palette.error));
-      ImGui::TextUnformatted(text.c_str());
-      if (b.differs[r]) ImGui::PopStyleColor();
-    }
-  }
+  for (std::size_t r = 0; r < b.rows.size(); ++r) table_row(ctx, r, notes);
   ImGui::EndTable();
 }
 
@@ -202,8 +232,9 @@ void table(PanelContext& ctx, float height) {
     return;
   }
   ImGui::PushStyleColor(ImGuiCol_TableRowBgAlt, to_imgui(ctx.palette.field, 0.45f));
+  const float notes = note_width(ctx, ImGui::GetContentRegionAvail().x);
   const bool open = ImGui::BeginTable("rows", columns, kFlags, {0, height});
-  if (open) table_rows(ctx);
+  if (open) table_rows(ctx, notes);
   ImGui::PopStyleColor();
   record(ctx, "benchmark.table");
 }

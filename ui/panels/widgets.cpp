@@ -164,8 +164,7 @@ void muted_wrapped(PanelContext& ctx, const std::string& text) {
   ImGui::PopStyleColor();
 }
 
-void wrapped_text(const std::string& text) {
-  const float width = ImGui::GetContentRegionAvail().x;
+std::string broken_lines(const std::string& text, float width) {
   std::string lines = text;
   std::size_t line = 0, last_blank = std::string::npos;
   for (std::size_t i = 0; i <= lines.size(); ++i) {
@@ -181,6 +180,11 @@ void wrapped_text(const std::string& text) {
       last_blank = std::string::npos;
     }
   }
+  return lines;
+}
+
+void wrapped_text(const std::string& text) {
+  const std::string lines = broken_lines(text, ImGui::GetContentRegionAvail().x);
   ImGui::PushTextWrapPos(0);  // for words that are wider than a line
   ImGui::TextUnformatted(lines.c_str());
   ImGui::PopTextWrapPos();

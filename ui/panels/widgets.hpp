@@ -67,8 +67,10 @@ void muted_text(PanelContext& ctx, const std::string& text);  // one line
 void muted_wrapped(PanelContext& ctx, const std::string& text);
 void strong_text(PanelContext& ctx, const std::string& text);
 
-// In the width that is left; lines break at blanks only, never inside "1,224 atoms".
-void wrapped_text(const std::string& text);
+// Lines of at most `width` pixels; they break at blanks only, never inside "1,224 atoms", so that a
+// word wider than that is a line.
+std::string broken_lines(const std::string& text, float width);
+void wrapped_text(const std::string& text);  // in the width that is left
 
 // `text` cut to `width` pixels with "…" in the middle where it does not fit.
 std::string fitted_text(const std::string& text, float width);

@@ -235,6 +235,36 @@ TEST(PanelsTest, SavingOffersALegendWhereThereIsOne) {
   EXPECT_TRUE(saved_with({"save.legend"}).legend) << "the choice was kept";
 }
 
+TEST(PanelsTest, SectionsOutOfSightAreOneClickAway) {
+  Panels tall({1920, 1080, 1});
+  tall.state = loaded_state();
+  tall.frame(3);
+  EXPECT_TRUE(tall.rects["engine"].visible);
+  EXPECT_FALSE(tall.rects.contains("sections.engine")) << "all is in sight";
+}
+
+TEST(PanelsTest, SectionsOutOfSightOpenAtTheTop) {
+  Panels p({1100, 500, 1});
+  p.state = loaded_state();
+  for (int i = 0; i < 12; ++i) p.state.molecule.summary += "\nanother line";
+  p.frame(3);
+  for (const char* name : {"engine", "display", "molecule"}) {
+    const std::string button = std::string("sections.") + name;
+    ASSERT_TRUE(p.rects.contains(button)) << name;
+    EXPECT_FALSE(p.rects[name].visible) << name;
+    p.click(button);
+    p.frame(2);
+    EXPECT_TRUE(p.rects[name].visible) << name;
+    EXPECT_GE(p.rects[name].y0, p.rects[button].y1) << name;
+  }
+  EXPECT_LT(p.rects["molecule"].y0, p.rects["sections.molecule"].y1 + 30);
+  p.click("molecule", 0.05f);  // folded
+  ASSERT_FALSE(p.rects.contains("molecule.open"));
+  p.click("sections.molecule");
+  p.frame(2);
+  EXPECT_TRUE(p.rects.contains("molecule.open"));
+}
+
 class PanelsAtEverySize : public ::testing::TestWithParam<Size> {};
 
 TEST_P(PanelsAtEverySize, NothingLeavesTheWindow) {

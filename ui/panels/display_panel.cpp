@@ -63,7 +63,7 @@ void complex(PanelContext& ctx) {
   }
   ImGui::EndDisabled();
   if (only_tetrahedra && (d.triangles || d.edges)) {
-    muted_wrapped(ctx, "Not computed: switch off “Tetrahedra only” above.");
+    muted_wrapped(ctx, "Not computed: switch off “Tetrahedra only” under Engine.");
   }
   row_label(ctx, "Opacity");
   percent_slider(ctx, "display.complex_opacity", d.complex_opacity, 0.05f, 1.0f);

@@ -80,6 +80,8 @@ struct PanelMemory {
   std::string radius_typed;
   std::string radius_error;        // why what was typed is no radius
   std::string reveal;              // a widget to be scrolled into sight, for scripts
+  std::string go_to_section;       // of the left side: to be opened and scrolled to its top
+  bool sections_overflow = false;  // the left side is longer than the window
   double mouse_still_seconds = 0;  // since the mouse moved or a button was down
 };
 

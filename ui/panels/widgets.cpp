@@ -135,10 +135,16 @@ bool section(PanelContext& ctx, const char* name, const char* title) {
   ImGui::PushStyleColor(ImGuiCol_Header, to_imgui(ctx.palette.panel_raised));
   ImGui::PushStyleColor(ImGuiCol_HeaderHovered, to_imgui(ctx.palette.field));
   ImGui::PushStyleColor(ImGuiCol_HeaderActive, to_imgui(ctx.palette.field));
+  const bool wanted = ctx.state.memory.go_to_section == name;
+  if (wanted) ImGui::SetNextItemOpen(true);
   const bool open = ImGui::CollapsingHeader(title, ImGuiTreeNodeFlags_DefaultOpen);
   ImGui::PopStyleColor(3);
   ImGui::PopFont();
   record(ctx, name);
+  if (wanted) {
+    ImGui::SetScrollHereY(0);
+    ctx.state.memory.go_to_section.clear();
+  }
   return open;
 }
 

@@ -3,6 +3,7 @@
 #include "ui/panels/window_layout.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "ui/panels/panels.hpp"
 
@@ -30,16 +31,49 @@ void hairline(PanelContext& ctx, ImVec2 from, ImVec2 to) {
   draw->PopClipRect();
 }
 
-void left_panel(PanelContext& ctx, float top, float height) {
+struct Section {
+  const char* name;
+  const char* title;
+  void (*draw)(PanelContext& ctx);
+};
+
+constexpr Section kSections[] = {{"molecule", "Molecule", draw_molecule_panel},
+                                 {"alpha", "Alpha", draw_alpha_panel},
+                                 {"display", "Display", draw_display_panel},
+                                 {"engine", "Engine", draw_engine_panel}};
+
+// Names all sections where they do not fit, and says where those are that scrolling hides.
+void section_buttons(PanelContext& ctx, const WidgetRects& last) {
+  const float gap = ctx.px(4), count = static_cast<float>(std::size(kSections));
+  const float width = (ctx.px(kLeftWidth) - ctx.px(35) - (count - 1) * gap) / count;
+  ImGui::PushFont(ctx.fonts.small);
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {ctx.px(2), ctx.px(2)});
+  for (const Section& s : kSections) {
+    const auto header = last.find(s.name);
+    const bool hidden = header != last.end() && !header->second.visible;
+    const bool above = hidden && header->second.y0 < ImGui::GetCursorScreenPos().y;
+    const std::string label = s.title + std::string(!hidden ? "" : above ? " ↑" : " ↓");
+    const std::string name = std::string("sections.") + s.name;
+    if (&s != kSections) ImGui::SameLine(0, gap);
+    if (button(ctx, name.c_str(), label.c_str(), {width, 0})) {
+      ctx.state.memory.go_to_section = s.name;
+    }
+  }
+  ImGui::PopStyleVar();
+  ImGui::PopFont();
+}
+
+void left_panel(PanelContext& ctx, const WidgetRects& last, float top, float height) {
   begin("##left", 0, top, ctx.px(kLeftWidth), height);
+  bool& overflow = ctx.state.memory.sections_overflow;
+  const float room = ImGui::GetContentRegionAvail().y;
+  if (overflow) section_buttons(ctx, last);
   // The scroll bar may appear at any time; what is beside it must not jump.
   ImGui::BeginChild("sections", {0, 0}, false);
   ImGui::PushItemWidth(-1);
-  draw_molecule_panel(ctx);
-  draw_alpha_panel(ctx);
-  draw_engine_panel(ctx);
-  draw_display_panel(ctx);
+  for (const Section& s : kSections) s.draw(ctx);
   ImGui::PopItemWidth();
+  overflow = ImGui::GetCursorPosY() > room;  // whether or not the buttons are there
   ImGui::EndChild();
   hairline(ctx, {ctx.px(kLeftWidth) - 1, top}, {ctx.px(kLeftWidth) - 1, top + height});
   ImGui::End();
@@ -97,7 +131,7 @@ void note_mouse(PanelMemory& memory) {
 }  // namespace
 
 void draw_window(ViewState& state, WidgetRects& rects, const PanelFonts& fonts, float scale) {
-  rects.clear();
+  const WidgetRects last = std::exchange(rects, {});
   PanelContext ctx{state, rects, fonts, palette(state.theme), scale};
   note_mouse(state.memory);
   draw_menu_bar(ctx);
@@ -107,7 +141,7 @@ void draw_window(ViewState& state, WidgetRects& rects, const PanelFonts& fonts, 
   const float middle = std::max(0.0f, display.y - top - status_height);
   const float bottom = bottom_height(ctx, middle);
   const float right = std::max(1.0f, display.x - left);
-  left_panel(ctx, top, middle);
+  left_panel(ctx, last, top, middle);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
   begin("##view", left, top, right, middle - bottom, ImGuiWindowFlags_NoScrollWithMouse);
   ImGui::PopStyleVar();

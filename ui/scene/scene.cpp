@@ -157,6 +157,10 @@ struct Scene::Impl {
     }
   }
 
+  // Of what draws soft shadows and exact transparency, whose textures are as large as the last
+  // picture that had them; the next picture makes again what it needs.
+  void release_buffers() { renderer->ReleaseGraphicsResources(window); }
+
   bool anything_translucent() const {
     return (style.balls && style.ball_opacity < 1) || style.complex_opacity < 1;
   }
@@ -287,7 +291,13 @@ void Scene::set_differences(std::shared_ptr<const DifferenceMesh> differences) {
 }
 
 void Scene::set_style(const SceneStyle& style) {
+  const bool had_occlusion = impl_->style.ambient_occlusion;
+  const bool had_peels = impl_->anything_translucent();
   impl_->style = style;
+  if ((had_occlusion && !style.ambient_occlusion) ||
+      (had_peels && !impl_->anything_translucent())) {
+    impl_->release_buffers();
+  }
   impl_->apply_style();
 }
 
@@ -389,11 +399,13 @@ Image Scene::grab(int width, int height, bool transparent) {
   renderer->SetBackgroundAlpha(transparent ? 0 : 1);
   impl_->picture_height = height;
   impl_->draw(width * impl_->samples, height * impl_->samples);
+  // Before anything else takes memory: these may be many times the view's.
+  impl_->release_buffers();
+  renderer->SetBackgroundAlpha(0);
+  impl_->apply_style();
   impl_->window->GetState()->ResetFramebufferBindings();
   Image image = read_framebuffer(impl_->window->GetDisplayFramebuffer()->GetFBOIndex(),
                                  width * impl_->samples, height * impl_->samples);
-  renderer->SetBackgroundAlpha(0);
-  impl_->apply_style();
   for (std::size_t i = 0; i < image.rgba.size(); i += 4) {
     std::uint8_t* p = &image.rgba[i];
     if (!transparent) p[3] = 255;

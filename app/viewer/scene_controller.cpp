@@ -381,8 +381,8 @@ std::string SceneController::save_picture(const ScreenshotRequest& request) {
     throw std::runtime_error("The picture is being made; save it when it is there.");
   }
   require_room(request.width, request.height, free_memory_());
+  dirty_ = true;  // the view's texture is drawn over, even if the file cannot be written then
   Image image = scene_.grab(request.width, request.height, request.transparent);
-  dirty_ = true;
   PictureMarks marks;
   if (request.legend) marks.legend = legend_;
   if (request.scale_bar) marks.angstrom_per_pixel = scene_.angstrom_per_pixel();

@@ -1,4 +1,5 @@
 // The whole window in process, without a display: open, slide, look at the pixels.
+#include <GL/gl.h>
 #include <gtest/gtest.h>
 
 #include "app/viewer/state_bridge.hpp"
@@ -213,6 +214,24 @@ TEST_F(ViewerTest, PicturesTooSmallForALegendSaySo) {
   run("frames 2\n");
   EXPECT_NE(viewer_->state().notice.find("The picture has no legend"), std::string::npos)
       << viewer_->state().notice;
+}
+
+TEST_F(ViewerTest, APictureThatCannotBeWrittenLeavesTheViewAsItWas) {
+  open_crambin();
+  shot("before.png");
+  const auto texture_width = [this] {
+    GLint width = 0;
+    glBindTexture(GL_TEXTURE_2D, viewer_->state().viewport.texture);
+    glGetTexLevelParameteriv(GL_TEXTURE_2D, 0, GL_TEXTURE_WIDTH, &width);
+    glBindTexture(GL_TEXTURE_2D, 0);
+    return width;
+  };
+  const int before = texture_width();
+  viewer_->state().requests.screenshot =
+      ScreenshotRequest{"/no/such/folder/picture.png", 320, 240, false};
+  run("frames 2\nclick error.ok\nwait-idle\n");
+  shot("after.png");
+  EXPECT_EQ(texture_width(), before) << "it shows what was to be saved";
 }
 
 TEST_F(ViewerTest, PicturesSayWhereTheyComeFrom) {

@@ -1,6 +1,7 @@
 // See the header.
 #include "app/session/system_memory.hpp"
 
+#include <malloc.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -81,6 +82,15 @@ Bytes left_of_control_group(const SystemFiles& system) {
 
 std::uint64_t resident_bytes() {
   return pages(true);
+}
+
+std::uint64_t allocated_bytes() {
+  const struct mallinfo2 heap = mallinfo2();
+  return heap.uordblks + heap.hblkhd;
+}
+
+void give_back_freed_memory() {
+  malloc_trim(0);
 }
 
 std::optional<std::uint64_t> available_bytes(const SystemFiles& files) {

@@ -103,6 +103,7 @@ void Viewer::take_molecule() {
   compared_ = nullptr;
   // Another selection of the same molecule leaves the last result on screen until its own is there.
   if (!new_molecule) return;
+  memory_to_give_back_ = true;  // the last one's
   state_.result = {};
   colour_by_what_differs(*s.molecule);
   if (!new_file) return;
@@ -132,7 +133,10 @@ void Viewer::take_machine() {
 
 void Viewer::take_session() {
   take_machine();
-  if (benchmark_.busy() && benchmark_.poll(state_.benchmark)) frames_due_ = kSettlingFrames;
+  if (benchmark_.busy() && benchmark_.poll(state_.benchmark)) {
+    frames_due_ = kSettlingFrames;
+    memory_to_give_back_ |= !benchmark_.busy();
+  }
   const SessionChanges changes = session_.poll();
   const SessionState& s = session_.state();
   if (changes.molecule && s.opened) take_molecule();
@@ -161,6 +165,16 @@ void Viewer::take_session() {
     state_.free_bytes = available_bytes().value_or(0);
   }
   update_badge();
+}
+
+// Not while something is computed, which takes it again.
+void Viewer::give_back_memory_when_due() {
+  if (!memory_to_give_back_ || busy() || interacting()) return;
+  memory_to_give_back_ = false;
+  give_back_freed_memory();
+  state_.memory_bytes = resident_bytes();
+  state_.free_bytes = available_bytes().value_or(0);
+  frames_due_ = kSettlingFrames;
 }
 
 // Chains say nothing when there is only one; then elements do. A choice of the user's stays.
@@ -255,6 +269,7 @@ void Viewer::take_requests() {
       state_.error = error.what();
     }
     frames_due_ = kSettlingFrames;
+    memory_to_give_back_ = true;
   }
 }
 
@@ -356,6 +371,7 @@ void Viewer::draw(ScriptedInput* input, bool patient,
   frame_.end([&](unsigned framebuffer) {
     if (before_swap) before_swap(framebuffer);
   });
+  give_back_memory_when_due();
 }
 
 void Viewer::step(ScriptedInput* input) {

@@ -64,6 +64,7 @@ class Viewer {
   bool compares_by_itself() const;
   void compare_when_due();
   void describe_under_mouse();
+  void give_back_memory_when_due();
   void play();
   void play_models();
   bool interacting() const;
@@ -89,6 +90,7 @@ class Viewer {
   int frames_due_ = 3;
   bool quit_ = false;
   bool patient_ = false;
+  bool memory_to_give_back_ = false;  // something large was freed
   std::future<MachineInfo> machine_;  // looking for a GPU can take a second
   Benchmark benchmark_;
   Session session_;  // last: its threads wake the host

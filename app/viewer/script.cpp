@@ -7,6 +7,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "app/session/system_memory.hpp"
 #include "app/viewer/viewer.hpp"
 #include "ui/panels/keys.hpp"
 
@@ -199,6 +200,13 @@ class ScriptRunner {
     out_ << rest(arguments) << ": " << since.count() << " ms\n";
   }
 
+  void memory(std::istream& arguments) {
+    const auto megabytes = [](std::uint64_t bytes) { return static_cast<double>(bytes) / 1e6; };
+    const std::string text = rest(arguments);
+    out_ << text << ": " << megabytes(resident_bytes()) << " MB resident, "
+         << megabytes(allocated_bytes()) << " MB in use" << std::endl;
+  }
+
   Viewer& viewer_;
   std::ostream& out_;
   std::chrono::steady_clock::time_point last_time_ = std::chrono::steady_clock::now();
@@ -221,7 +229,8 @@ const std::map<std::string, ScriptRunner::Command> ScriptRunner::kCommands{
     {"size", &ScriptRunner::size},
     {"shot", &ScriptRunner::shot},
     {"print", &ScriptRunner::print},
-    {"time", &ScriptRunner::time}};
+    {"time", &ScriptRunner::time},
+    {"memory", &ScriptRunner::memory}};
 
 }  // namespace
 

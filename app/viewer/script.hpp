@@ -15,6 +15,7 @@
 //   shot FILE           picture of the whole window as PNG
 //   print               counts and hash of the result to standard output
 //   time TEXT           milliseconds since the last `time` to standard output
+//   memory TEXT         megabytes (10^6 bytes) resident, and of the heap in use, to standard output
 //   when CONDITION      what follows, up to `end`, only if the molecule has any: dropped (atoms),
 //                       guessed (radii, or set by hand), chains, models (more than one), assemblies
 //   quit

@@ -21,10 +21,8 @@ void launch(void (*kernel)(Parameters...), const LaunchShape& shape,
 #ifdef __CUDACC__
   kernel<<<shape.blocks, shape.threads, shape.shared_bytes, shape.stream>>>(arguments...);
 #else
-  emulated::enqueue(shape.stream, [=] {
-    emulated::run_grid(shape.blocks, shape.threads, shape.shared_bytes,
-                       [&] { kernel(arguments...); });
-  });
+  emulated::launch(shape.blocks, shape.threads, shape.shared_bytes, shape.stream,
+                   [=] { kernel(arguments...); });
 #endif
 }
 

@@ -1,10 +1,11 @@
 // A stand-in for CUDA's runtime: device code as plain C++, "device memory" as the host's, and grids
 // that run on the CPU, block after block, every thread of a block as a fiber. Streams are queues
 // whose work is put off until somebody waits for it, and then done in an awkward order: what is in
-// the newest stream goes first, as soon as events let it, or what is in the oldest, by turns without
-// a pattern. So the kernels and all that starts them are tested on machines without a GPU, also under
-// AddressSanitizer. It is no substitute for a device: blocks do not run at the same time, and warps
-// not in lockstep between their collective operations.
+// the newest stream goes first, as soon as events let it, or what is in the oldest, or whatever the
+// lot falls on, by turns without a pattern. So the kernels and all that starts them are tested on
+// machines without a GPU, also under AddressSanitizer; what of the device was never given back
+// fails the program. It is no substitute for a device: blocks do not run at the same time, warps
+// not in lockstep between their collective operations, and kernels can read the host's memory.
 #pragma once
 
 #include <algorithm>
@@ -65,14 +66,13 @@ struct EmulatedEvent;
 
 namespace emulated {
 
-// Runs the body once per thread of the grid.
-void run_grid(unsigned blocks, unsigned threads, std::size_t shared_bytes,
-              const std::function<void()>& body);
+// Queues a grid whose every thread runs the body; see cudaGetLastError().
+void launch(unsigned blocks, unsigned threads, std::size_t shared_bytes, EmulatedStream* stream,
+            std::function<void()> body);
 unsigned char* shared_memory();
 
 // Queued work: see EmulatedStream.
 void enqueue(EmulatedStream* stream, std::function<void()> work);
-void finish_all();
 
 // Until all threads of the block, or of the warp, are there.
 void wait_for_block();
@@ -199,7 +199,11 @@ constexpr std::common_type_t<A, B> max(A a, B b) {
 
 enum cudaError_t {
   cudaSuccess,
+  cudaErrorInvalidValue,
   cudaErrorMemoryAllocation,
+  cudaErrorInvalidConfiguration,
+  cudaErrorInvalidResourceHandle,
+  cudaErrorNotReady,
   cudaErrorDevicesUnavailable,
   cudaErrorInsufficientDriver
 };
@@ -220,9 +224,8 @@ struct cudaDeviceProp {
   int major, minor;
 };
 
-inline cudaError_t cudaGetLastError() {
-  return cudaSuccess;
-}
+// Of launches: all else says itself what is wrong.
+cudaError_t cudaGetLastError();
 inline const char* cudaGetErrorString(cudaError_t) {
   return "an emulated error";
 }
@@ -244,7 +247,7 @@ inline cudaError_t cudaGetDeviceProperties(cudaDeviceProp* p, int) {
 }
 // As a laptop's: what little shared memory makes rare is met, too.
 inline cudaError_t cudaDeviceGetAttribute(int* value, cudaDeviceAttr attribute, int) {
-  *value = attribute == cudaDevAttrMultiProcessorCount               ? 2
+  *value = attribute == cudaDevAttrMultiProcessorCount                ? 2
            : attribute == cudaDevAttrMaxSharedMemoryPerMultiprocessor ? 100 * 1024
                                                                       : 99 * 1024;
   return cudaSuccess;
@@ -253,38 +256,36 @@ template <class Kernel>
 cudaError_t cudaFuncSetAttribute(Kernel, cudaFuncAttribute, int) {
   return cudaSuccess;
 }
+
+namespace emulated {
+
 // Filled with what is no sensible value of anything, as a device's memory may be.
+enum class MemoryKind { device, pinned };
+cudaError_t allocate(void** data, std::size_t bytes, MemoryKind kind);
+// As on a device, all work is done before memory goes.
+cudaError_t release(void* data, MemoryKind kind);
+
+}  // namespace emulated
+
 template <class T>
 cudaError_t cudaMalloc(T** data, std::size_t bytes) {
-  *data = static_cast<T*>(std::aligned_alloc(256, (bytes + 255) / 256 * 256));
-  if (*data == nullptr && bytes > 0) return cudaErrorMemoryAllocation;
-  if (*data != nullptr) std::memset(static_cast<void*>(*data), 0xa5, bytes);
-  return cudaSuccess;
+  return emulated::allocate(reinterpret_cast<void**>(data), bytes, emulated::MemoryKind::device);
 }
 template <class T>
 cudaError_t cudaMallocHost(T** data, std::size_t bytes) {
-  return cudaMalloc(data, bytes);
+  return emulated::allocate(reinterpret_cast<void**>(data), bytes, emulated::MemoryKind::pinned);
 }
-// As on a device, all work is done before memory goes.
 inline cudaError_t cudaFree(void* data) {
-  emulated::finish_all();
-  std::free(data);
-  return cudaSuccess;
+  return emulated::release(data, emulated::MemoryKind::device);
 }
 inline cudaError_t cudaFreeHost(void* data) {
-  return cudaFree(data);
+  return emulated::release(data, emulated::MemoryKind::pinned);
 }
-inline cudaError_t cudaMemcpy(void* to, const void* from, std::size_t bytes, cudaMemcpyKind) {
-  emulated::finish_all();
-  if (bytes > 0) std::memcpy(to, from, bytes);
-  return cudaSuccess;
-}
-inline cudaError_t cudaMemcpyAsync(void* to, const void* from, std::size_t bytes, cudaMemcpyKind,
-                                   cudaStream_t stream) {
-  emulated::enqueue(stream, [=] {
-    if (bytes > 0) std::memcpy(to, from, bytes);
-  });
-  return cudaSuccess;
+// Put off whatever memory it is: a device may hurry with pageable memory, but need not.
+cudaError_t cudaMemcpyAsync(void* to, const void* from, std::size_t bytes, cudaMemcpyKind kind,
+                            cudaStream_t stream);
+inline cudaError_t cudaMemcpy(void* to, const void* from, std::size_t bytes, cudaMemcpyKind kind) {
+  return cudaMemcpyAsync(to, from, bytes, kind, nullptr);
 }
 inline cudaError_t cudaMemsetAsync(void* to, int byte, std::size_t bytes, cudaStream_t stream) {
   emulated::enqueue(stream, [=] {
@@ -297,17 +298,18 @@ inline cudaError_t cudaDeviceGetStreamPriorityRange(int* least, int* greatest) {
   return cudaSuccess;
 }
 cudaError_t cudaStreamCreateWithPriority(cudaStream_t* stream, unsigned flags, int priority);
+inline cudaError_t cudaStreamCreateWithFlags(cudaStream_t* stream, unsigned flags) {
+  return cudaStreamCreateWithPriority(stream, flags, 0);
+}
+// Waits for nothing: what is in the stream is done all the same.
 cudaError_t cudaStreamDestroy(cudaStream_t stream);
 cudaError_t cudaStreamSynchronize(cudaStream_t stream);
 cudaError_t cudaStreamWaitEvent(cudaStream_t stream, cudaEvent_t event, unsigned flags);
-cudaError_t cudaEventCreate(cudaEvent_t* event);
+cudaError_t cudaEventCreateWithFlags(cudaEvent_t* event, unsigned flags);
+inline cudaError_t cudaEventCreate(cudaEvent_t* event) {
+  return cudaEventCreateWithFlags(event, cudaEventDefault);
+}
 cudaError_t cudaEventRecord(cudaEvent_t event, cudaStream_t stream);
 cudaError_t cudaEventSynchronize(cudaEvent_t event);
+cudaError_t cudaEventElapsedTime(float* milliseconds, cudaEvent_t start, cudaEvent_t end);
 cudaError_t cudaEventDestroy(cudaEvent_t event);
-inline cudaError_t cudaEventCreateWithFlags(cudaEvent_t* event, unsigned) {
-  return cudaEventCreate(event);
-}
-inline cudaError_t cudaEventElapsedTime(float* milliseconds, cudaEvent_t, cudaEvent_t) {
-  *milliseconds = 0;
-  return cudaSuccess;
-}

@@ -3,7 +3,12 @@
 
 #include <boost/context/fiber.hpp>
 #include <boost/context/pooled_fixedsize_stack.hpp>
+#include <chrono>
+#include <cstdio>
 #include <deque>
+#include <exception>
+#include <map>
+#include <memory>
 #include <random>
 #include <stdexcept>
 #include <utility>
@@ -39,7 +44,11 @@ class Block {
     for (unsigned t = 0; t < threads; ++t) {
       fibers_[t] = context::fiber(std::allocator_arg, stacks_, [&](context::fiber&& main) {
         main_ = std::move(main);
-        body();
+        try {
+          body();
+        } catch (const std::exception&) {
+          failure_ = std::current_exception();
+        }
         ++finished_;
         progress_ = true;
         return std::move(main_);
@@ -47,6 +56,7 @@ class Block {
     }
     finished_ = 0;
     while (finished_ < threads) {
+      if (failure_) std::rethrow_exception(std::exchange(failure_, nullptr));
       progress_ = false;
       for (unsigned t = 0; t < threads; ++t) {
         if (!fibers_[t]) continue;
@@ -55,6 +65,7 @@ class Block {
       }
       if (!progress_) throw std::logic_error("threads of a block wait for each other in vain");
     }
+    if (failure_) std::rethrow_exception(std::exchange(failure_, nullptr));
   }
 
   void wait(Barrier& barrier) {
@@ -78,6 +89,7 @@ class Block {
   context::fiber main_;  // what runs the fibers; theirs to resume
   unsigned finished_ = 0;
   bool progress_ = false;
+  std::exception_ptr failure_;
   Barrier block_;
   std::vector<Warp> warps_;
 };
@@ -85,12 +97,9 @@ class Block {
 Block the_block;
 std::vector<std::uint64_t> memory;
 
-}  // namespace
+cudaError_t last_error = cudaSuccess;
 
-unsigned char* shared_memory() {
-  return reinterpret_cast<unsigned char*>(memory.data());
-}
-
+// Runs the body once per thread of the grid.
 void run_grid(unsigned blocks, unsigned threads, std::size_t shared_bytes,
               const std::function<void()>& body) {
   memory.assign(shared_bytes / 8 + 2, 0xa5a5a5a5a5a5a5a5u);
@@ -100,6 +109,21 @@ void run_grid(unsigned blocks, unsigned threads, std::size_t shared_bytes,
     blockIdx = {b, 0, 0};
     the_block.run(threads, body);
   }
+}
+
+}  // namespace
+
+unsigned char* shared_memory() {
+  return reinterpret_cast<unsigned char*>(memory.data());
+}
+
+void launch(unsigned blocks, unsigned threads, std::size_t shared_bytes, EmulatedStream* stream,
+            std::function<void()> body) {
+  if (blocks == 0 || threads == 0 || threads > 1024) {
+    last_error = cudaErrorInvalidConfiguration;
+    return;
+  }
+  enqueue(stream, [=, own = std::move(body)] { run_grid(blocks, threads, shared_bytes, own); });
 }
 
 void wait_for_block() {
@@ -121,32 +145,50 @@ const std::uint64_t* exchange(std::uint64_t own) {
 
 // ---- streams -----------------------------------------------------------------------------------
 
-// How often it was recorded, and how many of those recordings have been reached.
+using Clock = std::chrono::steady_clock;
+
 struct EmulatedEvent {
-  unsigned recorded = 0, reached = 0;
+  // How many there were, how many of them have been reached, and when the last one was. They
+  // outlive the event where work that is put off needs them.
+  struct Recordings {
+    unsigned made = 0, reached = 0;
+    Clock::time_point when;
+    bool are_reached() const { return reached >= made; }
+  };
+  std::shared_ptr<Recordings> recordings = std::make_shared<Recordings>();
+  bool is_timed = true;
 };
 
 struct EmulatedStream {
   struct Task {
     std::function<void()> work;
-    EmulatedEvent* after;  // or null
-    unsigned recording;    // of it
+    std::shared_ptr<const EmulatedEvent::Recordings> after;  // or null
+    unsigned recording;                                      // of it
     bool is_ready() const { return after == nullptr || after->reached >= recording; }
   };
   std::deque<Task> tasks;
+  bool is_destroyed = false;
 };
 
 namespace emulated {
 namespace {
 
-std::vector<EmulatedStream*> streams;
-bool newest_first = true;
-std::minstd_rand order_of_runs;  // drawn anew whenever all is done
+std::vector<std::unique_ptr<EmulatedStream>> streams;
+int events = 0;
+enum class Order { newest_first, oldest_first, by_lot } order = Order::newest_first;
+std::minstd_rand lots;  // for an order whenever all is done
+
+std::size_t drawn(std::size_t most) {
+  return (lots() >> 8) % most;
+}
 
 // Does one task. False when there is none that could be done.
 bool step() {
-  for (std::size_t n = 0; n < streams.size(); ++n) {
-    auto& tasks = streams[newest_first ? streams.size() - 1 - n : n]->tasks;
+  const std::size_t count = streams.size();
+  const std::size_t first = order == Order::by_lot && count > 0 ? drawn(count) : 0;
+  for (std::size_t n = 0; n < count; ++n) {
+    auto& tasks =
+        streams[order == Order::newest_first ? count - 1 - n : (first + n) % count]->tasks;
     if (tasks.empty() || !tasks.front().is_ready()) continue;
     const std::function<void()> work = std::move(tasks.front().work);
     tasks.pop_front();
@@ -157,7 +199,10 @@ bool step() {
 }
 bool is_idle() {
   return std::all_of(streams.begin(), streams.end(),
-                     [](const EmulatedStream* s) { return s->tasks.empty(); });
+                     [](const auto& s) { return s->tasks.empty(); });
+}
+void drop_destroyed() {
+  std::erase_if(streams, [](const auto& s) { return s->is_destroyed && s->tasks.empty(); });
 }
 template <class Done>
 void step_until(const Done& done) {
@@ -165,14 +210,15 @@ void step_until(const Done& done) {
   while (!done()) {
     if (!step()) throw std::logic_error("streams wait for events that are never reached");
   }
-  if (!was_idle && is_idle()) newest_first = (order_of_runs() >> 16 & 1) != 0;
+  if (!was_idle && is_idle()) order = static_cast<Order>(drawn(3));
+  drop_destroyed();
+}
+void finish_all() {
+  step_until(is_idle);
 }
 
 }  // namespace
 
-void finish_all() {
-  step_until(is_idle);
-}
 void enqueue(EmulatedStream* stream, std::function<void()> work) {
   if (stream != nullptr) {
     stream->tasks.push_back({std::move(work), nullptr, 0});
@@ -184,15 +230,17 @@ void enqueue(EmulatedStream* stream, std::function<void()> work) {
 
 }  // namespace emulated
 
+cudaError_t cudaGetLastError() {
+  return std::exchange(emulated::last_error, cudaSuccess);
+}
+
 cudaError_t cudaStreamCreateWithPriority(cudaStream_t* stream, unsigned, int) {
-  *stream = new EmulatedStream;
-  emulated::streams.push_back(*stream);
+  *stream = emulated::streams.emplace_back(std::make_unique<EmulatedStream>()).get();
   return cudaSuccess;
 }
 cudaError_t cudaStreamDestroy(cudaStream_t stream) {
-  cudaStreamSynchronize(stream);
-  std::erase(emulated::streams, stream);
-  delete stream;
+  stream->is_destroyed = true;
+  emulated::drop_destroyed();
   return cudaSuccess;
 }
 cudaError_t cudaStreamSynchronize(cudaStream_t stream) {
@@ -201,24 +249,110 @@ cudaError_t cudaStreamSynchronize(cudaStream_t stream) {
 }
 // Of its latest recording, as it is now.
 cudaError_t cudaStreamWaitEvent(cudaStream_t stream, cudaEvent_t event, unsigned) {
-  stream->tasks.push_back({nullptr, event, event->recorded});
+  stream->tasks.push_back({nullptr, event->recordings, event->recordings->made});
   return cudaSuccess;
 }
-cudaError_t cudaEventCreate(cudaEvent_t* event) {
+cudaError_t cudaEventCreateWithFlags(cudaEvent_t* event, unsigned flags) {
   *event = new EmulatedEvent;
+  ++emulated::events;
+  (*event)->is_timed = flags != cudaEventDisableTiming;
   return cudaSuccess;
 }
 cudaError_t cudaEventRecord(cudaEvent_t event, cudaStream_t stream) {
-  const unsigned recording = ++event->recorded;
-  emulated::enqueue(stream, [=] { event->reached = recording; });
+  const unsigned recording = ++event->recordings->made;
+  emulated::enqueue(stream, [recording, of = event->recordings] {
+    of->reached = recording;
+    of->when = Clock::now();
+  });
   return cudaSuccess;
 }
 cudaError_t cudaEventSynchronize(cudaEvent_t event) {
-  emulated::step_until([&] { return event->reached >= event->recorded; });
+  emulated::step_until([&] { return event->recordings->are_reached(); });
+  return cudaSuccess;
+}
+cudaError_t cudaEventElapsedTime(float* milliseconds, cudaEvent_t start, cudaEvent_t end) {
+  for (const EmulatedEvent* e : {start, end}) {
+    if (!e->is_timed || e->recordings->made == 0) return cudaErrorInvalidResourceHandle;
+    if (!e->recordings->are_reached()) return cudaErrorNotReady;
+  }
+  const auto between = end->recordings->when - start->recordings->when;
+  *milliseconds = std::chrono::duration<float, std::milli>(between).count();
   return cudaSuccess;
 }
 cudaError_t cudaEventDestroy(cudaEvent_t event) {
-  emulated::finish_all();
   delete event;
+  --emulated::events;
   return cudaSuccess;
 }
+
+// ---- memory ------------------------------------------------------------------------------------
+
+namespace emulated {
+namespace {
+
+struct Allocation {
+  std::size_t bytes;
+  MemoryKind kind;
+};
+std::map<std::uintptr_t, Allocation> allocations;
+
+bool is_on_device(const void* data, std::size_t bytes) {
+  const auto begin = reinterpret_cast<std::uintptr_t>(data);
+  const auto after = allocations.upper_bound(begin);
+  if (after == allocations.begin()) return false;
+  const auto& [start, allocation] = *std::prev(after);
+  return allocation.kind == MemoryKind::device && begin - start + bytes <= allocation.bytes;
+}
+
+}  // namespace
+
+cudaError_t allocate(void** data, std::size_t bytes, MemoryKind kind) {
+  *data = nullptr;
+  if (bytes == 0) return cudaSuccess;
+  if (posix_memalign(data, 256, bytes) != 0) return cudaErrorMemoryAllocation;
+  std::memset(*data, 0xa5, bytes);
+  allocations[reinterpret_cast<std::uintptr_t>(*data)] = {bytes, kind};
+  return cudaSuccess;
+}
+cudaError_t release(void* data, MemoryKind kind) {
+  if (data == nullptr) return cudaSuccess;
+  const auto found = allocations.find(reinterpret_cast<std::uintptr_t>(data));
+  if (found == allocations.end() || found->second.kind != kind) return cudaErrorInvalidValue;
+  finish_all();
+  allocations.erase(found);
+  std::free(data);
+  return cudaSuccess;
+}
+
+}  // namespace emulated
+
+cudaError_t cudaMemcpyAsync(void* to, const void* from, std::size_t bytes, cudaMemcpyKind kind,
+                            cudaStream_t stream) {
+  if (bytes == 0) return cudaSuccess;
+  const bool to_device = kind == cudaMemcpyHostToDevice;
+  if (emulated::is_on_device(to, bytes) != to_device) return cudaErrorInvalidValue;
+  if (emulated::is_on_device(from, bytes) == to_device) return cudaErrorInvalidValue;
+  emulated::enqueue(stream, [=] { std::memcpy(to, from, bytes); });
+  return cudaSuccess;
+}
+
+// ---- the end -----------------------------------------------------------------------------------
+
+namespace emulated {
+namespace {
+
+// Ends the program with an error when something of the device was never given back.
+const struct Leaks {
+  ~Leaks() {
+    const char* left = !allocations.empty() ? "memory"
+                       : !streams.empty()   ? "a stream"
+                       : events > 0         ? "an event"
+                                            : nullptr;
+    if (left == nullptr) return;
+    std::fprintf(stderr, "%s of the emulated device was never given back\n", left);
+    std::_Exit(EXIT_FAILURE);
+  }
+} leaks;
+
+}  // namespace
+}  // namespace emulated

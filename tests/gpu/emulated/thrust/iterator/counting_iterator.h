@@ -1,12 +1,14 @@
 // A stand-in for Thrust's (see cuda_runtime.h).
 #pragma once
 
+#include <cstdint>
+
 namespace thrust {
 
 template <class Number>
 struct counting_iterator {
   Number first;
-  Number operator[](int i) const { return first + static_cast<Number>(i); }
+  Number operator[](std::uint64_t i) const { return first + static_cast<Number>(i); }
 };
 template <class Number>
 counting_iterator<Number> make_counting_iterator(Number first) {

@@ -1,13 +1,15 @@
 // A stand-in for Thrust's (see cuda_runtime.h).
 #pragma once
 
+#include <cstdint>
+
 namespace thrust {
 
 template <class Iterator, class Function>
 struct transform_iterator {
   Iterator from;
   Function function;
-  auto operator[](int i) const { return function(from[i]); }
+  auto operator[](std::uint64_t i) const { return function(from[i]); }
 };
 template <class Iterator, class Function>
 transform_iterator<Iterator, Function> make_transform_iterator(Iterator from, Function function) {

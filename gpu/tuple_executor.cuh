@@ -17,6 +17,7 @@
 
 #include "core/complex/tuple_pipeline.hpp"
 #include "gpu/device_buffer.cuh"
+#include "gpu/launch.cuh"
 #include "gpu/tuple_kernels.cuh"
 
 namespace alphascope::gpu {
@@ -109,7 +110,8 @@ class CudaTupleExecutor {
     if (count == 0) return;
     const auto blocks =
         std::min<std::uint64_t>((count + kTupleThreads - 1) / kTupleThreads, 1 << 20);
-    run_for_each<<<static_cast<unsigned>(blocks), kTupleThreads, 0, stream(lane)>>>(body, count);
+    launch(run_for_each<Body>, {static_cast<unsigned>(blocks), kTupleThreads, stream(lane)}, body,
+           count);
     check(cudaGetLastError(), "starting a kernel");
   }
   template <class Body>
@@ -117,7 +119,8 @@ class CudaTupleExecutor {
     if (most == 0) return;
     const auto blocks =
         std::min<std::uint64_t>((most + kTupleThreads - 1) / kTupleThreads, 8 * multiprocessors_);
-    run_for_each_of<<<static_cast<unsigned>(blocks), kTupleThreads, 0, stream(lane)>>>(body, count);
+    launch(run_for_each_of<Body>, {static_cast<unsigned>(blocks), kTupleThreads, stream(lane)},
+           body, count);
     check(cudaGetLastError(), "starting a kernel");
   }
   template <class Value>

@@ -10,27 +10,27 @@
 
 namespace alphascope::gpu {
 
+// On the device only: not where nvcc compiles for the host.
+template <class T>
+ALPHASCOPE_INLINE T texel(cudaTextureObject_t texture, std::uint32_t at) {
+#if defined(__CUDACC__) && !defined(__CUDA_ARCH__)
+  static_cast<void>(texture);
+  static_cast<void>(at);
+  return {};
+#else
+  return tex1Dfetch<T>(texture, static_cast<int>(at));
+#endif
+}
+
 // Balls through texture objects over linear memory.
 struct TextureReader {
   cudaTextureObject_t records, reaches;
 
   ALPHASCOPE_INLINE BallRecord ball(std::uint32_t slot) const {
-#ifdef __CUDA_ARCH__
-    const int4 t = tex1Dfetch<int4>(records, static_cast<int>(slot));
+    const int4 t = texel<int4>(records, slot);
     return {t.x, t.y, t.z, t.w};
-#else
-    static_cast<void>(slot);
-    return {};  // textures are read on the device only
-#endif
   }
-  ALPHASCOPE_INLINE float reach(std::uint32_t slot) const {
-#ifdef __CUDA_ARCH__
-    return tex1Dfetch<float>(reaches, static_cast<int>(slot));
-#else
-    static_cast<void>(slot);
-    return 0;
-#endif
-  }
+  ALPHASCOPE_INLINE float reach(std::uint32_t slot) const { return texel<float>(reaches, slot); }
 };
 
 // A power of two in which the 200 or so registers of kernel III fit any device.

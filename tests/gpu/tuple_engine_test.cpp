@@ -60,6 +60,51 @@ TEST(GpuTuples, EqualTheCpuOnHardSetsWhateverTheSwitches) {
   }
 }
 
+// Small batches that take turns on the streams, in buffers that are used again and grow.
+TEST(GpuTuples, EqualTheCpuInManyBatches) {
+  if (!gpu_device().usable) GTEST_SKIP() << gpu_device().why_not;
+  Random random(43);
+  for (const NamedBalls& set : testing::large_hard_sets(random, 12)) {
+    SCOPED_TRACE(set.name);
+    const auto balls = std::make_shared<const BallSet>(set.balls);
+    const double unit = set.alpha_unit();
+    const auto cpu = make_cpu_engine(balls, {0, false});
+    for (const int streams : {1, 2, 5}) {
+      for (const bool pinned : {true, false}) {
+        TupleOptions options;
+        options.streams = streams;
+        options.pinned = pinned;
+        options.texture = pinned == (streams > 1);
+        options.edge_optimisation = false;
+        options.tuples_per_batch = 40;
+        const auto gpu = make_gpu_tuple_engine(balls, options, nullptr);
+        ASSERT_TRUE(gpu);
+        for (const double alpha : {-2.0, 3.0, 0.5, 40.0}) {
+          const AlphaRequest request{alpha * unit};
+          expect_same(gpu->compute(request, {}), cpu->compute(request, {}));
+          if (::testing::Test::HasFailure()) return;
+        }
+      }
+    }
+  }
+}
+
+// Far apart, so that floats hold nothing: every tuple goes to kernel III, and they are more than
+// the threads that a device of two multiprocessors, as the emulated one, has for them.
+TEST(GpuTuples, EqualTheCpuWhereIntegersDecideAll) {
+  if (!gpu_device().usable) GTEST_SKIP() << gpu_device().why_not;
+  Random random(44);
+  const auto balls =
+      std::make_shared<const BallSet>(testing::random_balls(random, 22, 1 << 28, 1, 1 << 24));
+  const auto engine = make_gpu_tuple_engine(balls, {}, nullptr);
+  ASSERT_TRUE(engine);
+  const AlphaComplex found = engine->compute({1e30}, {});
+  expect_same(found, make_cpu_engine(balls)->compute({1e30}, {}));
+  const EngineCounter& undecided = found.engine.counters.at(5);
+  EXPECT_EQ(undecided.name, "4-tuples into kernel III");
+  EXPECT_GT(undecided.value, 5000u);
+}
+
 TEST(GpuTuples, StayUsableWhenCancelled) {
   if (!gpu_device().usable) GTEST_SKIP() << gpu_device().why_not;
   Random random(42);

@@ -87,8 +87,16 @@ inline std::vector<EngineFactory> engines() {
 #elif defined(ALPHASCOPE_TEST_EMULATED_GPU)
 // And a third time for its kernels on the CPU (tests/gpu/emulated), which is slow.
 inline std::vector<EngineFactory> engines() {
+  // On several streams, in batches that small sets need, too.
+  TupleOptions batches;
+  batches.streams = 3;
+  batches.tuples_per_batch = 700;
+  const auto tuples = [batches](auto balls) {
+    return make_gpu_tuple_engine(std::move(balls), batches, nullptr);
+  };
   return {{"emulated_gpu",
-           [](auto balls) { return make_gpu_engine(std::move(balls), {}, nullptr); }, 150, 1e5}};
+           [](auto balls) { return make_gpu_engine(std::move(balls), {}, nullptr); }, 150, 1e5},
+          {"emulated_gpu_tuples", tuples, 30, 1e6}};
 }
 #else
 inline std::vector<EngineFactory> engines() {

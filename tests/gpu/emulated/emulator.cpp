@@ -336,6 +336,34 @@ cudaError_t cudaMemcpyAsync(void* to, const void* from, std::size_t bytes, cudaM
   return cudaSuccess;
 }
 
+// ---- textures ----------------------------------------------------------------------------------
+
+namespace emulated {
+
+// By object; those that were destroyed, and the first one, have no elements.
+std::vector<Texture> textures(1);
+
+}  // namespace emulated
+
+cudaError_t cudaCreateTextureObject(cudaTextureObject_t* object, const cudaResourceDesc* resource,
+                                    const cudaTextureDesc* texture, const cudaResourceViewDesc*) {
+  const auto& linear = resource->res.linear;
+  const auto element =
+      static_cast<std::size_t>(linear.desc.x + linear.desc.y + linear.desc.z + linear.desc.w) / 8;
+  if (resource->resType != cudaResourceTypeLinear || linear.sizeInBytes < element ||
+      texture->readMode != cudaReadModeElementType ||
+      !emulated::is_on_device(linear.devPtr, linear.sizeInBytes)) {
+    return cudaErrorInvalidValue;
+  }
+  *object = emulated::textures.size();
+  emulated::textures.push_back({linear.devPtr, linear.sizeInBytes / element, linear.desc});
+  return cudaSuccess;
+}
+cudaError_t cudaDestroyTextureObject(cudaTextureObject_t object) {
+  emulated::textures.at(object) = {};
+  return cudaSuccess;
+}
+
 // ---- the end -----------------------------------------------------------------------------------
 
 namespace emulated {
@@ -344,10 +372,12 @@ namespace {
 // Ends the program with an error when something of the device was never given back.
 const struct Leaks {
   ~Leaks() {
-    const char* left = !allocations.empty() ? "memory"
-                       : !streams.empty()   ? "a stream"
-                       : events > 0         ? "an event"
-                                            : nullptr;
+    const auto is_there = [](const Texture& t) { return t.count > 0; };
+    const char* left = !allocations.empty()                                      ? "memory"
+                       : !streams.empty()                                        ? "a stream"
+                       : events > 0                                              ? "an event"
+                       : std::any_of(textures.begin(), textures.end(), is_there) ? "a texture"
+                                                                                 : nullptr;
     if (left == nullptr) return;
     std::fprintf(stderr, "%s of the emulated device was never given back\n", left);
     std::_Exit(EXIT_FAILURE);

@@ -6,6 +6,7 @@
 #include <new>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "gpu/faults.hpp"
 
@@ -68,6 +69,11 @@ class PinnedBuffer {
     capacity_ = count;
   }
   T* get() const { return data_; }
+  // The caller's from now on, for cudaFreeHost().
+  T* release() {
+    capacity_ = 0;
+    return std::exchange(data_, nullptr);
+  }
 
  private:
   T* data_ = nullptr;

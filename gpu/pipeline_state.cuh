@@ -13,6 +13,7 @@
 #include "gpu/ball_wire.cuh"
 #include "gpu/device_buffer.cuh"
 #include "gpu/facet_pipeline.hpp"
+#include "gpu/handles.cuh"
 #include "gpu/launch.cuh"
 #include "gpu/problem.cuh"
 
@@ -80,28 +81,6 @@ struct ResultLayout {
       dimension[d].simplex_class = take(whole && d < 3 ? count : 0);
     }
   }
-};
-
-class Event {
- public:
-  Event() = default;
-  Event(const Event&) = delete;
-  Event& operator=(const Event&) = delete;
-  ~Event() {
-    if (event_ != nullptr) cudaEventDestroy(event_);
-  }
-  void create(unsigned flags) {
-    check(cudaEventCreateWithFlags(&event_, flags), "creating an event");
-  }
-  operator cudaEvent_t() const { return event_; }
-  void record(cudaStream_t stream) { check(cudaEventRecord(event_, stream), "recording an event"); }
-  // What is queued from now on waits for the event as last recorded.
-  void hold_up(cudaStream_t stream) const {
-    check(cudaStreamWaitEvent(stream, event_, 0), "waiting for an event");
-  }
-
- private:
-  cudaEvent_t event_ = nullptr;
 };
 
 class EventTimer {

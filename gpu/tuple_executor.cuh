@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "core/complex/tuple_pipeline.hpp"
-#include "gpu/device_buffer.cuh"
+#include "gpu/handles.cuh"
 #include "gpu/launch.cuh"
 #include "gpu/tuple_kernels.cuh"
 
@@ -25,9 +25,9 @@ namespace alphascope::gpu {
 // Page-locked host memory, for the arrays of the grid.
 class PinnedMemory : public std::pmr::memory_resource {
   void* do_allocate(std::size_t bytes, std::size_t) override {
-    void* data = nullptr;
-    check(cudaMallocHost(&data, std::max<std::size_t>(bytes, 1)), "reserving pinned host memory");
-    return data;
+    PinnedBuffer<char> memory;
+    memory.reserve(std::max<std::size_t>(bytes, 1));
+    return memory.release();
   }
   void do_deallocate(void* data, std::size_t, std::size_t) override { cudaFreeHost(data); }
   bool do_is_equal(const std::pmr::memory_resource& other) const noexcept override {
@@ -94,7 +94,6 @@ class CudaTupleExecutor {
   static constexpr bool kOnGpu = true;
 
   explicit CudaTupleExecutor(const TupleOptions& options);
-  ~CudaTupleExecutor();
   CudaTupleExecutor(const CudaTupleExecutor&) = delete;
   CudaTupleExecutor& operator=(const CudaTupleExecutor&) = delete;
 
@@ -147,11 +146,12 @@ class CudaTupleExecutor {
   }
   template <class T>
   T read(int lane, const T* from) {
-    T value;
-    check(cudaMemcpyAsync(&value, from, sizeof(T), cudaMemcpyDeviceToHost, stream(lane)),
+    // Memory that outlives the copy, whatever is thrown here.
+    T* value = static_cast<T*>(lanes_[static_cast<std::size_t>(lane)].value->reserve(sizeof(T)));
+    check(cudaMemcpyAsync(value, from, sizeof(T), cudaMemcpyDeviceToHost, stream(lane)),
           "copying a count");
     check(cudaStreamSynchronize(stream(lane)), "running the tuple kernels");
-    return value;
+    return *value;
   }
   template <class T>
   void fetch(int lane, const T* from, std::uint64_t count, std::vector<T>& to) {
@@ -178,11 +178,12 @@ class CudaTupleExecutor {
     std::vector<std::unique_ptr<StagingBuffer>> staging;
     std::vector<std::function<void()>> pending;
     DeviceBuffer<unsigned char> scratch;
+    std::unique_ptr<StagingBuffer> value;
   };
   struct Interval {
     int lane;
     std::string_view stage;
-    cudaEvent_t start, end;
+    Event start, end;
   };
 
   cudaStream_t stream(int lane) const {
@@ -201,9 +202,11 @@ class CudaTupleExecutor {
   }
   template <class T>
   void copy_in(const std::pmr::vector<T>& from, DeviceBuffer<T>& to);
-  cudaEvent_t event();
+  void copy_all_in(const TupleGrid& grid);
+  Event event();
   void add_time(std::string_view stage, double milliseconds);
   void collect_intervals();
+  void give_back_intervals();
 
   // A batch of this many tuples fills the largest device, and takes about 100 MB for each stream.
   static constexpr std::uint64_t kTuplesPerBatch = std::uint64_t{1} << 21;
@@ -213,7 +216,7 @@ class CudaTupleExecutor {
   const std::uint64_t capacity_;
   std::uint64_t multiprocessors_ = 1;
   PinnedMemory pinned_memory_;
-  std::vector<cudaStream_t> streams_;
+  std::vector<Stream> streams_;
   std::vector<Lane> lanes_;
   DeviceBuffer<BallRecord> records_;
   DeviceBuffer<float> reach_;
@@ -221,7 +224,7 @@ class CudaTupleExecutor {
   DeviceBuffer<std::uint64_t> total_;
   TextureObject record_texture_, reach_texture_;
   std::vector<Interval> intervals_;
-  std::vector<cudaEvent_t> free_events_;
+  std::vector<Event> free_events_;
   StageTimes times_;
 };
 
@@ -229,28 +232,15 @@ template <class R>
 CudaTupleExecutor<R>::CudaTupleExecutor(const TupleOptions& options)
     : options_(options),
       capacity_(options.tuples_per_batch > 0 ? options.tuples_per_batch : kTuplesPerBatch),
+      streams_(options.streams > 1 ? workers() + 1 : 1),
       lanes_(workers() + 1) {
   int device = 0, count = 0;
   check(cudaGetDevice(&device), "asking for the device");
   check(cudaDeviceGetAttribute(&count, cudaDevAttrMultiProcessorCount, device),
         "asking for its processors");
   multiprocessors_ = static_cast<std::uint64_t>(count);
-  streams_.resize(options.streams > 1 ? lanes_.size() : 1, nullptr);
-  for (cudaStream_t& s : streams_) {
-    check(cudaStreamCreateWithFlags(&s, cudaStreamNonBlocking), "creating a stream");
-  }
-}
-
-template <class R>
-CudaTupleExecutor<R>::~CudaTupleExecutor() {
-  for (const Interval& i : intervals_) {
-    cudaEventDestroy(i.start);
-    if (i.end != nullptr) cudaEventDestroy(i.end);
-  }
-  for (const cudaEvent_t e : free_events_) cudaEventDestroy(e);
-  for (const cudaStream_t s : streams_) {
-    if (s != nullptr) cudaStreamDestroy(s);
-  }
+  for (Stream& s : streams_) s.create();
+  for (Lane& l : lanes_) l.value = std::make_unique<StagingBuffer>(options.pinned);
 }
 
 // In one piece a stream, so that with several streams the copies are under way side by side.
@@ -268,15 +258,25 @@ void CudaTupleExecutor<R>::copy_in(const std::pmr::vector<T>& from, DeviceBuffer
   }
 }
 
+template <class R>
+void CudaTupleExecutor<R>::copy_all_in(const TupleGrid& grid) {
+  try {
+    copy_in(grid.records, records_);
+    copy_in(grid.reach, reach_);
+    copy_in(grid.ball, ball_);
+    copy_in(grid.cell_start, cell_start_);
+    for (const Stream& s : streams_) check(cudaStreamSynchronize(s), "copying the balls");
+  } catch (...) {  // the grid may be gone before the copies under way are done
+    for (const Stream& s : streams_) cudaStreamSynchronize(s);
+    throw;
+  }
+}
+
 // Timed by the host: the driver's staging of pageable memory happens there.
 template <class R>
 TupleUpload<R> CudaTupleExecutor<R>::upload(const TupleGrid& grid) {
   const Clock::time_point start = Clock::now();
-  copy_in(grid.records, records_);
-  copy_in(grid.reach, reach_);
-  copy_in(grid.ball, ball_);
-  copy_in(grid.cell_start, cell_start_);
-  for (const cudaStream_t s : streams_) check(cudaStreamSynchronize(s), "copying the balls");
+  copy_all_in(grid);
   TupleUpload<R> result{{}, cell_start_.get(), ball_.get()};
   if constexpr (std::is_same_v<R, TextureReader>) {
     result.read = {record_texture_.bind(records_.get(), grid.records.size()),
@@ -305,39 +305,35 @@ void CudaTupleExecutor<R>::wait(int lane) {
 
 template <class R>
 void CudaTupleExecutor<R>::reset() {
-  for (const cudaStream_t s : streams_) check(cudaStreamSynchronize(s), "ending earlier work");
+  for (const Stream& s : streams_) check(cudaStreamSynchronize(s), "ending earlier work");
   for (Lane& l : lanes_) l.pending.clear();
-  for (const Interval& i : intervals_) {
-    free_events_.push_back(i.start);
-    if (i.end != nullptr) free_events_.push_back(i.end);
-  }
-  intervals_.clear();
+  give_back_intervals();
   times_ = {};
 }
 
 template <class R>
-cudaEvent_t CudaTupleExecutor<R>::event() {
+Event CudaTupleExecutor<R>::event() {
+  Event e;
   if (free_events_.empty()) {
-    cudaEvent_t e = nullptr;
-    check(cudaEventCreate(&e), "creating an event");
-    return e;
+    e.create(cudaEventDefault);
+  } else {
+    e = std::move(free_events_.back());
+    free_events_.pop_back();
   }
-  const cudaEvent_t e = free_events_.back();
-  free_events_.pop_back();
   return e;
 }
 
 template <class R>
 void CudaTupleExecutor<R>::begin(int lane, std::string_view stage) {
-  intervals_.push_back({lane, stage, event(), nullptr});
-  check(cudaEventRecord(intervals_.back().start, stream(lane)), "recording an event");
+  intervals_.push_back({lane, stage, event(), {}});
+  intervals_.back().start.record(stream(lane));
 }
 
 template <class R>
 void CudaTupleExecutor<R>::end(int lane) {
   Interval& i = intervals_.back();  // begin() and end() come in pairs
   i.end = event();
-  check(cudaEventRecord(i.end, stream(lane)), "recording an event");
+  i.end.record(stream(lane));
 }
 
 template <class R>
@@ -359,8 +355,15 @@ void CudaTupleExecutor<R>::collect_intervals() {
     float milliseconds = 0;
     check(cudaEventElapsedTime(&milliseconds, i.start, i.end), "reading an event");
     add_time(i.stage, milliseconds);
-    free_events_.push_back(i.start);
-    free_events_.push_back(i.end);
+  }
+  give_back_intervals();
+}
+
+template <class R>
+void CudaTupleExecutor<R>::give_back_intervals() {
+  for (Interval& i : intervals_) {
+    free_events_.push_back(std::move(i.start));
+    if (i.end != nullptr) free_events_.push_back(std::move(i.end));
   }
   intervals_.clear();
 }

@@ -1,0 +1,107 @@
+// The tuple engine on a device that is full or lost at any moment: it says so, and computes again
+// once there is room or the device is back.
+#include <gtest/gtest.h>
+
+#include <ostream>
+
+#include "core/complex/engine.hpp"
+#include "gpu/faults.hpp"
+#include "gpu/gpu_engine.hpp"
+#include "gpu/tuple_engine.hpp"
+#include "tests/support/random_balls.hpp"
+
+namespace alphascope {
+namespace {
+
+using gpu::Faults;
+
+struct Switches {
+  const char* name;
+  TupleOptions options;
+};
+void PrintTo(const Switches& switches, std::ostream* out) {
+  *out << switches.name;
+}
+
+class GpuTupleFaults : public ::testing::TestWithParam<Switches> {
+ protected:
+  void SetUp() override {
+    if (!gpu_device().usable) GTEST_SKIP() << gpu_device().why_not;
+    testing::Random random(45);
+    balls_ = std::make_shared<const BallSet>(testing::random_balls(random, 24, 1000, 100, 300));
+    expected_ = make_cpu_engine(balls_)->compute(kLater, {}).hash;
+  }
+  void TearDown() override { Faults::none(); }
+
+  std::unique_ptr<Engine> make(std::string* why_not = nullptr) const {
+    return make_gpu_tuple_engine(balls_, GetParam().options, why_not);
+  }
+
+  // At the first alpha half of the balls are empty: the second asks for more of everything.
+  static constexpr AlphaRequest kFirst{-40000}, kLater{100000};
+  std::shared_ptr<const BallSet> balls_;
+  std::uint64_t expected_ = 0;
+};
+INSTANTIATE_TEST_SUITE_P(
+    Switches, GpuTupleFaults,
+    ::testing::Values(Switches{"AllOn", {}},
+                      Switches{"Batches", {.streams = 3, .tuples_per_batch = 90}},
+                      Switches{"AllOff",
+                               {TupleGridKind::automatic, false, false, false, 1, false}}),
+    [](const auto& given) { return given.param.name; });
+
+TEST_P(GpuTupleFaults, ARefusedReservationIsSaid) {
+  int refused = 0;
+  for (int n = 0;; ++n) {
+    const auto dropped = make(), kept = make();
+    ASSERT_TRUE(dropped && kept);
+    bool met = false;
+    for (const auto* engine : {&dropped, &kept}) {
+      Faults::refuse_reservation = n;
+      try {
+        (*engine)->compute(kFirst, {});
+        EXPECT_EQ(Faults::met, 0) << "nothing was said of reservation " << n;
+      } catch (const std::bad_alloc&) {
+        EXPECT_GT(Faults::met, 0);
+      }
+      met = Faults::met > 0;
+      Faults::none();
+    }
+    EXPECT_EQ(kept->compute(kLater, {}).hash, expected_) << "after reservation " << n;
+    if (!met) break;
+    ++refused;
+  }
+  EXPECT_GT(refused, 20);
+}
+
+TEST_P(GpuTupleFaults, ALostDeviceIsSaid) {
+  int lost = 0;
+  for (int n = 0;; ++n) {
+    Faults::lose_device = n;
+    std::string why_not;
+    const auto engine = make(&why_not);
+    EXPECT_EQ(engine == nullptr, Faults::met > 0) << "call " << n;
+    if (engine) {
+      try {
+        engine->compute(kFirst, {});
+        EXPECT_EQ(Faults::met, 0) << "nothing was said of call " << n;
+      } catch (const std::runtime_error& error) {
+        EXPECT_NE(std::string(error.what()).find("the GPU failed while"), std::string::npos)
+            << error.what();
+      }
+    } else {
+      EXPECT_NE(why_not.find("cannot be used"), std::string::npos) << why_not;
+    }
+    const bool met = Faults::met > 0;
+    Faults::none();
+    if (engine) {
+      EXPECT_EQ(engine->compute(kLater, {}).hash, expected_) << "after call " << n;
+    }
+    if (!met) break;
+    ++lost;
+  }
+  EXPECT_GT(lost, 50);
+}
+
+}  // namespace
+}  // namespace alphascope

@@ -8,7 +8,7 @@ namespace alphascope {
 
 struct WidgetRect {
   float x0 = 0, y0 = 0, x1 = 0, y1 = 0;
-  bool visible = true;  // not scrolled out of sight
+  bool visible = true;  // its middle is not scrolled out of sight
 };
 
 using WidgetRects = std::map<std::string, WidgetRect>;

@@ -19,7 +19,11 @@ ImU32 to_u32(const Colour& c, float alpha) {
 
 void record(PanelContext& ctx, const char* name) {
   const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
-  ctx.rects[name] = {low.x, low.y, high.x, high.y, ImGui::IsItemVisible()};
+  const ImDrawList* drawn = ImGui::GetWindowDrawList();
+  const float middle = (low.y + high.y) / 2;
+  const bool visible = ImGui::IsItemVisible() && middle >= drawn->GetClipRectMin().y &&
+                       middle <= drawn->GetClipRectMax().y;
+  ctx.rects[name] = {low.x, low.y, high.x, high.y, visible};
   if (ctx.state.memory.reveal == name) {
     ImGui::SetScrollHereY();
     ctx.state.memory.reveal.clear();

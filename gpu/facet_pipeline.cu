@@ -31,14 +31,11 @@ FacetPipeline::FacetPipeline(const BallSet& balls) : state_(std::make_unique<Sta
 void Queues::create() {
   int least = 0, greatest = 0;
   check(cudaDeviceGetStreamPriorityRange(&least, &greatest), "asking for priorities");
-  const auto stream = [](cudaStream_t& s, int priority) {
-    check(cudaStreamCreateWithPriority(&s, cudaStreamNonBlocking, priority), "creating a stream");
-  };
-  stream(main, least);
-  stream(other, least);
-  stream(deciding, greatest);
-  stream(ordering, greatest);
-  stream(copying, greatest);
+  main.create(least);
+  other.create(least);
+  deciding.create(greatest);
+  ordering.create(greatest);
+  copying.create(greatest);
   assigned.create(cudaEventDisableTiming);
   sorted.create(cudaEventDisableTiming);
   for (Event& e : arrived) e.create(cudaEventDisableTiming);
@@ -47,17 +44,11 @@ void Queues::create() {
   for (Event& e : ordered) e.create(cudaEventDisableTiming);
 }
 
-Queues::~Queues() {
-  for (cudaStream_t s : {main, other, deciding, ordering, copying}) {
-    if (s != nullptr) cudaStreamDestroy(s);
-  }
-}
-
 cudaError_t Queues::wait(bool all) const {
   cudaError_t status = cudaStreamSynchronize(main);
-  for (cudaStream_t s : {other, deciding, ordering, copying}) {
+  for (const Stream* s : {&other, &deciding, &ordering, &copying}) {
     if (!all) break;
-    const cudaError_t own = cudaStreamSynchronize(s);
+    const cudaError_t own = cudaStreamSynchronize(*s);
     if (status == cudaSuccess) status = own;
   }
   return status;

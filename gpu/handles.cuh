@@ -42,8 +42,9 @@ class Stream {
   ~Stream() {
     if (stream_ != nullptr) cudaStreamDestroy(stream_);
   }
-  void create() {
-    check(cudaStreamCreateWithFlags(&stream_, cudaStreamNonBlocking), "creating a stream");
+  void create(int priority = 0) {
+    check(cudaStreamCreateWithPriority(&stream_, cudaStreamNonBlocking, priority),
+          "creating a stream");
   }
   operator cudaStream_t() const { return stream_; }
 

@@ -123,18 +123,14 @@ inline constexpr int kMaxPieces = 2;
 // Where the work of a run is queued. Those after the first are for runs in several chunks, and so
 // are the events.
 struct Queues {
-  cudaStream_t main = nullptr;   // balls in, the grid, kernel II of every other chunk
-  cudaStream_t other = nullptr;  // kernel II of the chunks between; before, pieces that arrived
+  Stream main;   // balls in, the grid, kernel II of every other chunk
+  Stream other;  // kernel II of the chunks between; before, pieces that arrived
   // Kernel III and the order of simplices, which go before what is left of kernel II.
-  cudaStream_t deciding = nullptr, ordering = nullptr;
-  cudaStream_t copying = nullptr;  // simplices out
+  Stream deciding, ordering;
+  Stream copying;  // simplices out
   Event arrived[kMaxPieces], assigned, sorted;
   Event filtered[kMaxChunks], decided[kMaxChunks], ordered[kMaxChunks];
 
-  Queues() = default;
-  Queues(const Queues&) = delete;
-  Queues& operator=(const Queues&) = delete;
-  ~Queues();
   void create();
   // Kernel II of a chunk.
   cudaStream_t filtering(int chunk) const { return chunk % 2 == 0 ? main : other; }

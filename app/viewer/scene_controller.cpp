@@ -382,13 +382,10 @@ std::string SceneController::save_picture(const ScreenshotRequest& request) {
   }
   require_room(request.width, request.height, free_memory_());
   dirty_ = true;  // the view's texture is drawn over, even if the file cannot be written then
-  Image image = scene_.grab(request.width, request.height, request.transparent);
-  PictureMarks marks;
-  if (request.legend) marks.legend = legend_;
-  if (request.scale_bar) marks.angstrom_per_pixel = scene_.angstrom_per_pixel();
-  const std::string left_out = draw_marks(image, marks, mark_ink(theme_, request.transparent));
-  write_png(image, request.path, texts());
-  return left_out;
+  return write_picture(scene_,
+                       {request.width, request.height, request.transparent, theme_,
+                        request.legend ? legend_ : std::nullopt, request.scale_bar},
+                       request.path, texts());
 }
 
 }  // namespace alphascope

@@ -161,10 +161,14 @@ void Viewer::take_session() {
   }
   if (changes.any()) {
     frames_due_ = kSettlingFrames;
-    state_.memory_bytes = resident_bytes();
-    state_.free_bytes = available_bytes().value_or(0);
+    read_memory();
   }
   update_badge();
+}
+
+void Viewer::read_memory() {
+  state_.memory_bytes = resident_bytes();
+  state_.free_bytes = available_bytes().value_or(0);
 }
 
 // Not while something is computed, which takes it again.
@@ -172,8 +176,7 @@ void Viewer::give_back_memory_when_due() {
   if (!memory_to_give_back_ || busy() || interacting()) return;
   memory_to_give_back_ = false;
   give_back_freed_memory();
-  state_.memory_bytes = resident_bytes();
-  state_.free_bytes = available_bytes().value_or(0);
+  read_memory();
   frames_due_ = kSettlingFrames;
 }
 

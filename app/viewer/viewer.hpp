@@ -64,6 +64,7 @@ class Viewer {
   bool compares_by_itself() const;
   void compare_when_due();
   void describe_under_mouse();
+  void read_memory();
   void give_back_memory_when_due();
   void play();
   void play_models();

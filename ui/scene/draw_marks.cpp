@@ -224,4 +224,14 @@ std::string draw_marks(Image& image, const PictureMarks& marks, const MarkInk& i
   return placed.left_out;
 }
 
+std::string write_picture(Scene& scene, const MarkedPicture& picture,
+                          const std::filesystem::path& path, const PictureTexts& texts) {
+  Image image = scene.grab(picture.width, picture.height, picture.transparent);
+  PictureMarks marks{picture.legend, {}};
+  if (picture.scale_bar) marks.angstrom_per_pixel = scene.angstrom_per_pixel();
+  std::string left_out = draw_marks(image, marks, mark_ink(picture.theme, picture.transparent));
+  write_png(image, path, texts);
+  return left_out;
+}
+
 }  // namespace alphascope

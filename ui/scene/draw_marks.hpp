@@ -3,10 +3,12 @@
 // of the scale, whatever light and transparency the scene is drawn with.
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <string>
 
 #include "ui/picture_marks.hpp"
+#include "ui/scene/frame_grab.hpp"
 #include "ui/scene/scene.hpp"
 
 namespace alphascope {
@@ -28,5 +30,17 @@ float mark_unit(int width, int height);
 
 // Returns a sentence when the picture is too small for what was asked for; empty: all is drawn.
 std::string draw_marks(Image& image, const PictureMarks& marks, const MarkInk& ink);
+
+struct MarkedPicture {
+  int width = 0, height = 0;  // pixels
+  bool transparent = false;
+  Theme theme = Theme::dark;
+  std::optional<ColourLegend> legend;
+  bool scale_bar = false;
+};
+// Writes the scene with its marks to a file; returns and throws as draw_marks(), Scene::grab() and
+// write_png() do.
+std::string write_picture(Scene& scene, const MarkedPicture& picture,
+                          const std::filesystem::path& path, const PictureTexts& texts);
 
 }  // namespace alphascope

@@ -39,13 +39,12 @@ std::string render_screenshot(const BallSet& balls, const AlphaComplex& complex,
   scene.set_balls(geometry, colours);
   scene.set_ball_radii(drawn_radii(*geometry, options.balls));
   scene.set_mesh(mesh);
-  Image image = scene.grab(options.width, options.height, options.transparent);
-  PictureMarks marks;
-  if (options.legend && mesh->scale) marks.legend = mesh->scale->legend();
-  if (options.scale_bar) marks.angstrom_per_pixel = scene.angstrom_per_pixel();
-  const std::string left_out =
-      draw_marks(image, marks, mark_ink(options.style.theme, options.transparent));
-  write_png(image, path, texts);
+  const auto legend =
+      options.legend && mesh->scale ? std::optional(mesh->scale->legend()) : std::nullopt;
+  const std::string left_out = write_picture(scene,
+                                             {options.width, options.height, options.transparent,
+                                              options.style.theme, legend, options.scale_bar},
+                                             path, texts);
   return not_drawn + (not_drawn.empty() || left_out.empty() ? "" : " ") + left_out;
 }
 

@@ -17,7 +17,7 @@
 // For large leaves that many places of a kernel call: inlined everywhere, they make the compiler
 // slow.
 #ifdef __CUDACC__
-#define ALPHASCOPE_DEVICE_CALL __host__ __device__ __noinline__
+#define ALPHASCOPE_DEVICE_CALL inline __host__ __device__ __noinline__
 #else
 #define ALPHASCOPE_DEVICE_CALL inline
 #endif

@@ -127,42 +127,46 @@ ALPHASCOPE_HOST_DEVICE inline Bracket tetrahedron_rho(const LiftedVector<double>
                      2 * r + r * r + 2 * kUnitRoundoff, weight);
 }
 
-// The exact ortho-radius as a fraction: rho = numerator / denominator, denominator > 0.
-// Widths: |N_a| < 2^126, P < 2^254, D < 2^93, 4 D² w < 2^248: 320 bits hold everything; 8 limbs
-// leave room for the shifts of the comparisons.
+// The exact ortho-radius as a fraction: rho = numerator / denominator, denominator > 0. All of them
+// fit: of an edge, c² < 2^126 and 4 |d|² < 2^64; of a triangle, |n| < 2^61 in every direction,
+// 4 n² < 2^126, |v| < 2^94; of a tetrahedron, |N| < 2^126, P < 2^254, |D| < 2^93; w < 2^52.
 struct ExactRho {
-  WideInt<8> numerator, denominator;
+  WideInt<4> numerator, denominator;
 };
 
-ALPHASCOPE_HOST_DEVICE inline ExactRho exact_rho(const WideInt<8>& p, const WideInt<8>& q,
+ALPHASCOPE_HOST_DEVICE inline ExactRho exact_rho(const WideInt<4>& p, const WideInt<4>& q,
                                                  std::int64_t weight) {
-  return {p - q * WideInt<8>(weight), q};
+  return {p - q.times(weight), q};
+}
+ALPHASCOPE_HOST_DEVICE inline WideInt<4> square_of(const Vector3<Int128>& v) {
+  return square_of(v.x) + square_of(v.y) + square_of(v.z);
 }
 ALPHASCOPE_HOST_DEVICE inline ExactRho exact_vertex_rho(std::int64_t weight) {
-  return exact_rho(WideInt<8>(0), WideInt<8>(1), weight);
+  return exact_rho(WideInt<4>(0), WideInt<4>(1), weight);
 }
 ALPHASCOPE_HOST_DEVICE inline ExactRho exact_edge_rho(const LiftedInt& j, std::int64_t weight) {
-  const auto v = lifted_as<WideInt<8>>(j);
-  return exact_rho(v.c * v.c, WideInt<8>(4) * dot(v, v), weight);
+  return exact_rho(square_of(Int128{j.c}), WideInt<4>(dot(j, j)).times(4), weight);
 }
 ALPHASCOPE_HOST_DEVICE inline ExactRho exact_triangle_rho(const LiftedInt& j, const LiftedInt& k,
                                                           std::int64_t weight) {
-  const auto a = lifted_as<WideInt<8>>(j), b = lifted_as<WideInt<8>>(k);
-  const auto n = cross(a, b);
-  const Vector3<WideInt<8>> v{a.c * b.x - b.c * a.x, a.c * b.y - b.c * a.y, a.c * b.z - b.c * a.z};
-  return exact_rho(dot(v, v), WideInt<8>(4) * dot(n, n), weight);
+  const Vector3<std::int64_t> n = cross(j, k);
+  const auto combined = [&](std::int64_t a, std::int64_t b) {
+    return Int128{j.c} * b - Int128{k.c} * a;
+  };
+  return exact_rho(square_of({combined(j.x, k.x), combined(j.y, k.y), combined(j.z, k.z)}),
+                   square_of({2 * Int128{n.x}, 2 * Int128{n.y}, 2 * Int128{n.z}}), weight);
 }
 ALPHASCOPE_HOST_DEVICE inline ExactRho exact_tetrahedron_rho(const LiftedInt& j, const LiftedInt& k,
                                                              const LiftedInt& l,
                                                              std::int64_t weight) {
-  const auto a = lifted_as<WideInt<8>>(j), b = lifted_as<WideInt<8>>(k),
-             e = lifted_as<WideInt<8>>(l);
-  const auto be = cross(b, e), ea = cross(e, a), ab = cross(a, b);
-  const WideInt<8> d = dot(a, be);
-  const Vector3<WideInt<8>> n{a.c * be.x + b.c * ea.x + e.c * ab.x,
-                              a.c * be.y + b.c * ea.y + e.c * ab.y,
-                              a.c * be.z + b.c * ea.z + e.c * ab.z};
-  return exact_rho(dot(n, n), WideInt<8>(4) * d * d, weight);
+  const Vector3<std::int64_t> kl = cross(k, l), lj = cross(l, j), jk = cross(j, k);
+  const Int128 d = Int128{j.x} * kl.x + Int128{j.y} * kl.y + Int128{j.z} * kl.z;
+  const auto combined = [&](std::int64_t a, std::int64_t b, std::int64_t c) {
+    return Int128{j.c} * a + Int128{k.c} * b + Int128{l.c} * c;
+  };
+  return exact_rho(square_of({combined(kl.x, lj.x, jk.x), combined(kl.y, lj.y, jk.y),
+                              combined(kl.z, lj.z, jk.z)}),
+                   square_of(2 * d), weight);
 }
 
 // Sign of rho - value, where value is any finite double that is a multiple of 2^-160.
@@ -188,22 +192,20 @@ ALPHASCOPE_HOST_DEVICE inline bool round_bracket(const Bracket& rho, float* roun
 // ---- definitions of the two exact functions ----
 
 ALPHASCOPE_HOST_DEVICE inline int compare_exact(const ExactRho& rho, double value) {
-  // |rho| < 2^254: a larger value decides by its sign alone.
+  // |rho| < 2^255: a larger value decides by its sign alone.
   if (value > 1e90) return -1;
   if (value < -1e90) return 1;
   int exponent = 0;
   const double fraction = frexp(value, &exponent);  // value = fraction · 2^exponent
   const std::int64_t mantissa = static_cast<std::int64_t>(ldexp(fraction, 53));
   exponent -= 53;
-  WideInt<8> left = rho.numerator;
-  WideInt<8> right = rho.denominator * WideInt<8>(mantissa);
-  if (mantissa == 0) return left.sign();
+  if (mantissa == 0) return rho.numerator.sign();
   std::int64_t odd = mantissa;
   while ((odd & 1) == 0) {
     odd /= 2;
     ++exponent;
   }
-  right = rho.denominator * WideInt<8>(odd);
+  WideInt<8> left(rho.numerator), right = WideInt<8>(rho.denominator).times(odd);
   if (exponent >= 0) {
     right = right.shifted_left(exponent);
   } else {

@@ -73,6 +73,20 @@ struct WideInt {
     return product;
   }
 
+  // Modulo 2^(64 kLimbs), too.
+  ALPHASCOPE_DEVICE_CALL WideInt times(std::int64_t factor) const {
+    WideInt product;
+    const std::uint64_t magnitude =
+        factor < 0 ? std::uint64_t{0} - static_cast<std::uint64_t>(factor) : factor;
+    UInt128 carry = 0;
+    for (int i = 0; i < kLimbs; ++i) {
+      carry += static_cast<UInt128>(limb[i]) * magnitude;
+      product.limb[i] = static_cast<std::uint64_t>(carry);
+      carry >>= 64;
+    }
+    return factor < 0 ? -product : product;
+  }
+
   ALPHASCOPE_DEVICE_CALL WideInt shifted_left(int bits) const {
     WideInt result(0);
     const int limbs = bits / 64, rest = bits % 64;
@@ -96,6 +110,21 @@ struct WideInt {
     return value * scale;
   }
 };
+
+// value², where |value| < 2^127.
+ALPHASCOPE_DEVICE_CALL WideInt<4> square_of(Int128 value) {
+  const UInt128 magnitude = value < 0 ? -static_cast<UInt128>(value) : static_cast<UInt128>(value);
+  const UInt128 low = static_cast<std::uint64_t>(magnitude), high = magnitude >> 64;
+  const UInt128 lows = low * low, mixed = 2 * low * high, highs = high * high;
+  WideInt<4> square;
+  square.limb[0] = static_cast<std::uint64_t>(lows);
+  UInt128 sum = (lows >> 64) + static_cast<std::uint64_t>(mixed);
+  square.limb[1] = static_cast<std::uint64_t>(sum);
+  sum = (sum >> 64) + (mixed >> 64) + static_cast<std::uint64_t>(highs);
+  square.limb[2] = static_cast<std::uint64_t>(sum);
+  square.limb[3] = static_cast<std::uint64_t>((sum >> 64) + (highs >> 64));
+  return square;
+}
 
 ALPHASCOPE_HOST_DEVICE inline int sign_of(Int128 value) {
   return (value > 0) - (value < 0);

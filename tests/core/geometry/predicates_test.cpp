@@ -213,6 +213,21 @@ WideInt<8> random_wide(Random& random, int limbs) {
   return random_int(random, 0, 1) ? value : -value;
 }
 
+mpz_class as_integer(Int128 value) {
+  const auto low = static_cast<std::uint64_t>(value);
+  return (mpz_class(std::to_string(static_cast<std::int64_t>(value >> 64))) << 64) +
+         mpz_class(std::to_string(low));
+}
+
+// Of up to 127 bits and a sign, often at their ends.
+Int128 random_int128(Random& random) {
+  const WideInt<8> wide = random_wide(random, 2);
+  const auto magnitude =
+      static_cast<Int128>(static_cast<UInt128>(wide.limb[1] >> 1) << 64 | wide.limb[0]) >>
+      random_int(random, 0, 126);
+  return random_int(random, 0, 1) ? magnitude : -magnitude;
+}
+
 TEST(WideInt, CountsLikeGmp) {
   Random random(4);
   for (int n = 0; n < 20000; ++n) {
@@ -222,6 +237,10 @@ TEST(WideInt, CountsLikeGmp) {
     ASSERT_EQ(as_integer(a + b), x + y);
     ASSERT_EQ(as_integer(a - b), x - y);
     ASSERT_EQ(as_integer(a * b), x * y);
+    const auto factor = static_cast<std::int64_t>(random());
+    ASSERT_EQ(as_integer(a.times(factor)), x * mpz_class(std::to_string(factor)));
+    const Int128 root = random_int128(random);
+    ASSERT_EQ(as_integer(WideInt<8>(square_of(root))), as_integer(root) * as_integer(root));
     ASSERT_EQ(a.sign(), sgn(x));
     const int bits = random_int(random, 0, 250);
     ASSERT_EQ(as_integer(a.shifted_left(bits)), x << bits);

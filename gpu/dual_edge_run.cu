@@ -8,6 +8,9 @@
 namespace alphascope::gpu {
 namespace {
 
+// Does nothing, while a kernel of another queue that waits for the same begins.
+__global__ void let_pass() {}
+
 // One request.
 class Run {
  public:
@@ -122,10 +125,14 @@ class Run {
   }
 
   // Where a chunk begins: the same for all sizes of blocks, so that what an earlier run counted
-  // holds. Nothing hides the last chunk, which is half as long.
+  // holds. Nothing hides the last chunk, which is half as long; and of a whole complex in many, the
+  // first: it is bound by the way back, which should soon have something to carry.
   std::uint32_t chunk_begin(int number) const {
-    const std::size_t halves = static_cast<std::size_t>(std::min(2 * number, 2 * chunks_ - 1));
-    const std::size_t unit = most_chunks() * halves / static_cast<std::size_t>(2 * chunks_ - 1);
+    const int early = whole_ && chunks_ > 4 ? 1 : 0;
+    const auto halves = [&](int k) -> std::size_t {
+      return static_cast<std::size_t>(k == 0 ? 0 : std::min(2 * k, 2 * chunks_ - 1) - early);
+    };
+    const std::size_t unit = most_chunks() * halves(number) / halves(chunks_);
     return static_cast<std::uint32_t>(std::min(s_.n, unit * kMaxBallsPerBlock));
   }
   std::size_t most_chunks() const { return (s_.n + kMaxBallsPerBlock - 1) / kMaxBallsPerBlock; }
@@ -175,6 +182,7 @@ class Run {
     if (chunks_ > 1) {
       q_.sorted.record(q_.main);
       q_.sorted.hold_up(q_.other);
+      launch(let_pass, {1, 32, q_.other});
     }
     for (int c = 0; c < chunks_; ++c) {
       const cudaStream_t stream = q_.filtering(c);
@@ -188,8 +196,9 @@ class Run {
     for (int c = 0; c < chunks_; ++c) {
       order(need, sorted, part(c, out), layout, c);
       if (known && chunks_ > 1) send(layout, need.totals.data(), c);
+      if (!known || c == chunks_ - 1) fetch_counts(c);
     }
-    if (known && chunks_ == 1) result_.all(layout, q_.main);
+    if (known && chunks_ == 1) send_all(layout);
   }
 
   // Kernel III of a chunk, and its simplices into their order.
@@ -207,16 +216,29 @@ class Run {
       q_.decided[number].record(deciding);
       q_.decided[number].hold_up(stream);
     }
-    Ordering(s_, plan_, layout, stream).enqueue(part);
-    check(cudaGetLastError(), "ordering the simplices");
-    const Counters* from = s_.counters();
-    Counters* to = s_.host_counters.get();
-    check(last ? cudaMemcpyAsync(to, from, sizeof(Counters), cudaMemcpyDeviceToHost, stream)
-               : cudaMemcpyAsync(&to->totals[number + 1], &from->totals[number + 1], sizeof(Totals),
-                                 cudaMemcpyDeviceToHost, stream),
-          "copying the counts");
+    Ordering ordering(s_, plan_, layout, stream);
+    ordering.order_faces(part);
+    if (several || whole_) q_.faces_ordered[number].record(stream);
+    if (whole_) ordering.order_edges_and_vertices(part);
     if (several) q_.ordered[number].record(stream);
     if (last) timer_.mark(stage::kPrefixSum, stream);
+  }
+
+  // How many simplices there are with a chunk; of the last one, all counts. Copies wait for others
+  // of their direction, so those of several chunks have a queue of their own: the order of the next
+  // chunk must not wait for the simplices of the one before.
+  void fetch_counts(int number) {
+    const bool several = chunks_ > 1;
+    const cudaStream_t stream = several ? q_.counting : q_.main;
+    if (several) q_.ordered[number].hold_up(stream);
+    const Counters* from = s_.counters();
+    Counters* to = s_.host_counters.get();
+    check(number == chunks_ - 1
+              ? cudaMemcpyAsync(to, from, sizeof(Counters), cudaMemcpyDeviceToHost, stream)
+              : cudaMemcpyAsync(&to->totals[number + 1], &from->totals[number + 1], sizeof(Totals),
+                                cudaMemcpyDeviceToHost, stream),
+          "copying the counts");
+    if (several) q_.counted[number].record(stream);
   }
 
   // Is it known how many simplices each chunk will find?
@@ -227,9 +249,24 @@ class Run {
   // Sends what one of several chunks adds on its way, as soon as it is there. `after`: how many
   // simplices there are with each chunk. False when there is no room: the run will be repeated.
   bool send(const ResultLayout& layout, const Totals* after, int number) {
+    const Totals none{}, &before = number == 0 ? none : after[number - 1];
+    if (!ResultCopy::has_place(layout, before, after[number])) return false;
+    q_.faces_ordered[number].hold_up(q_.copying);
+    result_.added_faces(layout, before, after[number], q_.copying);
+    if (!whole_) return true;
     q_.ordered[number].hold_up(q_.copying);
-    return result_.added(layout, number == 0 ? Totals{} : after[number - 1], after[number],
-                         q_.copying);
+    result_.added_edges_and_vertices(layout, before, after[number], q_.copying);
+    return true;
+  }
+  // Of a single chunk; its faces, while its edges are ordered.
+  void send_all(const ResultLayout& layout) {
+    const cudaStream_t stream = whole_ ? cudaStream_t{q_.copying} : q_.main;
+    if (whole_) q_.faces_ordered[0].hold_up(stream);
+    result_.all_faces(layout, stream);
+    if (!whole_) return;
+    q_.faces_sent.record(stream);
+    result_.all_edges_and_vertices(layout, q_.main);
+    q_.faces_sent.hold_up(q_.main);
   }
   // The same of all chunks, as each is counted. False of a single one, when nothing is sent yet.
   bool send_counted(const ResultLayout& layout, const CancelToken& cancel) {
@@ -237,7 +274,7 @@ class Run {
     s_.host_result.reserve(layout.bytes);
     bool room = true;
     for (int c = 0; c < chunks_ && room; ++c) {
-      check(cudaEventSynchronize(q_.ordered[c]), "computing dual edges");
+      check(cudaEventSynchronize(q_.counted[c]), "computing dual edges");
       cancel.throw_if_cancelled();
       room = send(layout, s_.host_counters.get()->totals + 1, c);
     }

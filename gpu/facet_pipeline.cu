@@ -35,18 +35,18 @@ void Queues::create() {
   other.create(least);
   deciding.create(greatest);
   ordering.create(greatest);
+  counting.create(greatest);
   copying.create(greatest);
-  assigned.create(cudaEventDisableTiming);
-  sorted.create(cudaEventDisableTiming);
+  for (Event* e : {&assigned, &sorted, &faces_sent}) e->create(cudaEventDisableTiming);
   for (Event& e : arrived) e.create(cudaEventDisableTiming);
-  for (Event& e : filtered) e.create(cudaEventDisableTiming);
-  for (Event& e : decided) e.create(cudaEventDisableTiming);
-  for (Event& e : ordered) e.create(cudaEventDisableTiming);
+  for (auto* of_chunks : {&filtered, &decided, &faces_ordered, &ordered, &counted}) {
+    for (Event& e : *of_chunks) e.create(cudaEventDisableTiming);
+  }
 }
 
 cudaError_t Queues::wait(bool all) const {
   cudaError_t status = cudaStreamSynchronize(main);
-  for (const Stream* s : {&other, &deciding, &ordering, &copying}) {
+  for (const Stream* s : {&other, &deciding, &ordering, &counting, &copying}) {
     if (!all) break;
     const cudaError_t own = cudaStreamSynchronize(*s);
     if (status == cudaSuccess) status = own;

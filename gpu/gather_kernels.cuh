@@ -74,26 +74,37 @@ struct GroupItems {
   }
 };
 
-// Tells an edge the value and class of a triangle.
-__device__ inline void tell(const EdgeCandidates& edges, std::uint32_t e, std::uint32_t value,
-                            std::uint32_t flags) {
-  const std::uint32_t known = edges.flags[e];
-  if (!(known & kUnattached)) atomicMin(&edges.least[e], value);
-  if ((known & flags) != flags) atomicOr(&edges.flags[e], flags);
-}
-// Tells edge jk, which is among the candidates of j in ascending order; unless ball j found no room
-// at all, and the run will be repeated.
-__device__ inline void tell_last(const EdgeCandidates& edges, std::uint32_t j, std::uint32_t k,
-                                 std::uint32_t value, std::uint32_t flags) {
+constexpr std::uint32_t kNoEdge = ~0u;
+
+// Where edge jk is among the candidates of j, which are in ascending order. None if ball j found no
+// room at all, and the run will be repeated.
+__device__ inline std::uint32_t find_edge(const EdgeCandidates& edges, std::uint32_t j,
+                                          std::uint32_t k) {
   const std::uint32_t count = edges.count[j];
-  if (count == 0) return;
+  if (count == 0) return kNoEdge;
   std::uint32_t low = edges.start[j], high = low + count;
   while (low + 1 < high) {
     const std::uint32_t middle = (low + high) / 2;
     (edges.end[middle] <= k ? low : high) = middle;
   }
-  tell(edges, low, value, flags);
+  return low;
 }
+
+// An edge of a triangle. What it knows is read when it is found and not only when it is told more,
+// so that the reads of several are on their way at once.
+struct ToldEdge {
+  std::uint32_t edge, known;
+
+  __device__ ToldEdge(const EdgeCandidates& edges, std::uint32_t e)
+      : edge(e), known(e != kNoEdge ? edges.flags[e] : 0) {}
+  // The value and class of the triangle.
+  __device__ void tell(const EdgeCandidates& edges, std::uint32_t value,
+                       std::uint32_t flags) const {
+    if (edge == kNoEdge) return;
+    if (!(known & kUnattached)) atomicMin(&edges.least[edge], value);
+    if ((known & flags) != flags) atomicOr(&edges.flags[edge], flags);
+  }
+};
 
 // Adds up what all threads of a block have. Every thread calls it.
 __device__ inline void add_of_block(std::uint64_t own, std::uint64_t* sum) {
@@ -123,24 +134,27 @@ __device__ inline std::uint64_t place_triangle(const DualEdgeOutput& from, std::
   const std::uint32_t i = v[0], j = v[1], k = v[2], info = from.triangles.info[t];
   const std::uint32_t l = from.triangles.attached_to[t];
   if (at >= out.capacity) return 0;
-  const float value = l == kNoBall ? ortho_radius<3>(ball, make_uint4(i, j, k, 0))
-                                   : ortho_radius<4>(ball, make_uint4(i, j, k, l));
+  // It waits for memory most of the time: all that can be read is, before anything is done with it.
+  const bool attached = l != kNoBall, pends = j >= chunk.end;
+  const SimplexBalls balls = simplex_balls<4>(ball, make_uint4(i, j, k, attached ? l : j));
+  const std::uint32_t own = from.edges.start[i];
+  const ToldEdge ij(from.edges, own + (info & 4095)), ik(from.edges, own + (info >> 12 & 4095)),
+      jk(from.edges, pends ? kNoEdge : find_edge(from.edges, j, k));
+  const float value = attached ? ortho_radius<4>(balls) : ortho_radius<3>(balls);
   const std::uint32_t bits = ordered_bits(value), cofaces = info >> 24,
-                      flags = coface_flags(cofaces == 2), own = from.edges.start[i];
-  tell(from.edges, own + (info & 4095), bits, flags);
-  tell(from.edges, own + (info >> 12 & 4095), bits, flags);
-  if (j < chunk.end) {
-    tell_last(from.edges, j, k, bits, flags);
-  } else {
-    pending.places[atomicAdd(pending.count, 1u)] = at;
-  }
+                      flags = coface_flags(cofaces == 2);
+  ij.tell(from.edges, bits, flags);
+  ik.tell(from.edges, bits, flags);
+  jk.tell(from.edges, bits, flags);
+  if (pends) pending.places[atomicAdd(pending.count, 1u)] = at;
   std::uint32_t* place = out.vertices + 3 * static_cast<std::size_t>(at);
   place[0] = i;
   place[1] = j;
   place[2] = k;
   out.value[at] = value;
   out.simplex_class[at] = static_cast<std::uint8_t>(cofaces);
-  return simplex_hash<3>(v);
+  const std::uint32_t vertices[3] = {i, j, k};
+  return simplex_hash<3>(vertices);
 }
 
 __device__ inline std::uint64_t hash_of(const uint4& tetrahedron) {
@@ -196,7 +210,7 @@ __global__ void __launch_bounds__(kValueThreads, kValueBlocks)
       const OrderedSimplices& out = to.dimension[3];
       if (at >= out.capacity) continue;
       reinterpret_cast<uint4*>(out.vertices)[at] = v;
-      out.value[at] = ortho_radius<4>(ball, v);
+      out.value[at] = ortho_radius<4>(simplex_balls<4>(ball, v));
       tetrahedron_hash += hash_of(v);
     }
   });
@@ -240,7 +254,8 @@ __global__ void tell_pending(Chunk chunk, DualEdgeOutput from, PendingTriangles 
     const std::uint32_t at = pending.places[a];
     const std::uint32_t* v = triangles.vertices + 3 * static_cast<std::size_t>(at);
     if (v[1] < chunk.begin || v[1] >= chunk.end) continue;
-    tell_last(from.edges, v[1], v[2], ordered_bits(triangles.value[at]),
+    ToldEdge(from.edges, find_edge(from.edges, v[1], v[2]))
+        .tell(from.edges, ordered_bits(triangles.value[at]),
               coface_flags(triangles.simplex_class[at] == 2));
   }
 }
@@ -265,12 +280,13 @@ constexpr int kEdgeLanes = 8;
 
 // Calls visit(candidate, those before it that are in K_alpha) for the edges of one ball that are in
 // K_alpha, in turns of kEdgeLanes. Every lane of the warp calls it; returns how many there are.
+// Where those of a ball begin that found no room, in a run that will be repeated, nobody has said.
 template <class Visit>
 __device__ inline std::uint32_t for_edges(const EdgeCandidates& edges, std::uint32_t ball,
                                           bool active, const Visit& visit) {
   const int lane = threadIdx.x & (kEdgeLanes - 1), group = threadIdx.x & 31 & ~(kEdgeLanes - 1);
-  const std::uint32_t begin = active ? edges.start[ball] : 0,
-                      end = active ? begin + edges.count[ball] : 0;
+  const std::uint32_t count = active ? edges.count[ball] : 0,
+                      begin = count != 0 ? edges.start[ball] : 0, end = begin + count;
   std::uint32_t found = 0;
   for (std::uint32_t e = begin + lane; __any_sync(~0u, e < end); e += kEdgeLanes) {
     const bool there = e < end && edge_is_there(edges.flags[e]);
@@ -290,23 +306,53 @@ __device__ inline void for_balls(const Chunk& chunk, const Visit& visit) {
     visit(i, i < chunk.end);
 }
 
-// An edge of K_alpha to ball `end`: its value, if it is not attached; and its ends learn from it.
-__device__ inline void finish_edge(const int4* ball, const EdgeCandidates& edges,
-                                   const VertexStates& vertices, const Chunk& chunk,
-                                   std::uint32_t begin, std::uint32_t e) {
-  const std::uint32_t flags = edges.flags[e], ends[2] = {begin, edges.end[e]};
+// What edges of K_alpha tell a vertex: as VertexStates.
+struct EdgeNews {
+  std::uint32_t flags = 0, greatest = 0;
+
+  __device__ void add(const EdgeNews& more) {
+    flags |= more.flags;
+    greatest = max(greatest, more.greatest);
+  }
+  // What all of a ball's lanes have. Every lane of the warp calls it.
+  __device__ void add_lanes() {
+    for (int step = 1; step < kEdgeLanes; step *= 2)
+      add({__shfl_xor_sync(~0u, flags, step), __shfl_xor_sync(~0u, greatest, step)});
+  }
+};
+
+// A vertex; what it knows is read when it is met, as ToldEdge.
+struct ToldVertex {
+  std::uint32_t vertex, known, state, greatest;
+
+  __device__ ToldVertex(const VertexStates& vertices, const Chunk& chunk, std::uint32_t v)
+      : vertex(v),
+        known(vertices.flags[v]),
+        // Of a later chunk, the state is not known yet.
+        state(v >= chunk.end ? 1 : vertices.state[v]),
+        greatest(vertices.greatest[v]) {}
+  __device__ void tell(const VertexStates& vertices, const EdgeNews& news) const {
+    if ((known & news.flags) != news.flags) atomicOr(&vertices.flags[vertex], news.flags);
+    if (state == 1 && greatest < news.greatest)
+      atomicMax(&vertices.greatest[vertex], news.greatest);
+  }
+};
+
+// An edge of K_alpha: its value, if it is not attached, which its end learns. Returns what its
+// beginning is to learn.
+__device__ inline EdgeNews finish_edge(const int4* ball, const EdgeCandidates& edges,
+                                       const VertexStates& vertices, const Chunk& chunk,
+                                       std::uint32_t begin, std::uint32_t e) {
+  const std::uint32_t flags = edges.flags[e], end = edges.end[e];
   std::uint32_t least = edges.least[e];
+  const ToldVertex told(vertices, chunk, end);
   if (flags & kUnattached) {
-    least = ordered_bits(ortho_radius<2>(ball, make_uint4(ends[0], ends[1], 0, 0)));
+    least = ordered_bits(ortho_radius<2>(simplex_balls<2>(ball, make_uint4(begin, end, 0, 0))));
     edges.least[e] = least;
   }
-  const std::uint32_t flag = coface_flags(class_of(flags) == 2);
-  for (const std::uint32_t v : ends) {
-    if ((vertices.flags[v] & flag) != flag) atomicOr(&vertices.flags[v], flag);
-    // Of a later chunk, the state is not known yet.
-    if ((v >= chunk.end || vertices.state[v] == 1) && vertices.greatest[v] < ~least)
-      atomicMax(&vertices.greatest[v], ~least);
-  }
+  const EdgeNews news{coface_flags(class_of(flags) == 2), ~least};
+  told.tell(vertices, news);
+  return news;
 }
 
 // The edges of the chunk's balls. `found`: how many each ball has in K_alpha.
@@ -315,11 +361,15 @@ __global__ void __launch_bounds__(kValueThreads, kValueBlocks)
                  std::uint32_t* found) {
   if (is_overfull(from)) return;
   for_balls(chunk, [&](std::uint32_t i, bool active) {
+    EdgeNews news;
     const std::uint32_t count =
         for_edges(from.edges, i, active, [&](std::uint32_t e, std::uint32_t) {
-          finish_edge(ball, from.edges, vertices, chunk, i, e);
+          news.add(finish_edge(ball, from.edges, vertices, chunk, i, e));
         });
-    if (active && threadIdx.x % kEdgeLanes == 0) found[i] = count;
+    news.add_lanes();
+    if (!active || threadIdx.x % kEdgeLanes != 0) return;
+    if (count != 0) ToldVertex(vertices, chunk, i).tell(vertices, news);
+    found[i] = count;
   });
 }
 

@@ -120,16 +120,18 @@ class EventTimer {
 // In which large sets of balls arrive.
 inline constexpr int kMaxPieces = 2;
 
-// Where the work of a run is queued. Those after the first are for runs in several chunks, and so
-// are the events.
+// Where the work of a run is queued. Those after the first, and the events, are for runs in several
+// chunks, but where it says so.
 struct Queues {
   Stream main;   // balls in, the grid, kernel II of every other chunk
   Stream other;  // kernel II of the chunks between; before, pieces that arrived
   // Kernel III and the order of simplices, which go before what is left of kernel II.
   Stream deciding, ordering;
-  Stream copying;  // simplices out
-  Event arrived[kMaxPieces], assigned, sorted;
-  Event filtered[kMaxChunks], decided[kMaxChunks], ordered[kMaxChunks];
+  Stream counting;  // how many simplices there are
+  Stream copying;   // the simplices out; of a run in one chunk, triangles and tetrahedra
+  Event arrived[kMaxPieces], assigned, sorted, faces_sent;
+  Event filtered[kMaxChunks], decided[kMaxChunks], faces_ordered[kMaxChunks], ordered[kMaxChunks],
+      counted[kMaxChunks];
 
   void create();
   // Kernel II of a chunk.

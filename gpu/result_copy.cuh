@@ -9,24 +9,34 @@ class ResultCopy {
  public:
   ResultCopy(FacetPipeline::State& state, bool whole) : s_(state), whole_(whole) {}
 
-  // All of the result's memory, where it was found by itself how much that is.
-  void all(const ResultLayout& layout, cudaStream_t stream) {
-    s_.host_result.reserve(layout.bytes);
-    bring(0, 0, layout.bytes, stream);
+  // The parts of the result's memory, where it was found by itself how much that is.
+  void all_faces(const ResultLayout& layout, cudaStream_t stream) {
+    const std::size_t begin = layout.dimension[2].vertices;
+    bring(begin, begin, layout.bytes - begin, stream);
+  }
+  void all_edges_and_vertices(const ResultLayout& layout, cudaStream_t stream) {
+    bring(0, 0, layout.dimension[2].vertices, stream);
   }
   // Only what was found, to where it fits exactly.
   void found(const ResultLayout& from, const ResultLayout& to, cudaStream_t stream) {
     s_.host_result.reserve(to.bytes);
-    part(from, to, {{0, 0, 0, 0}}, totals_of(to.room), stream);
+    part(from, to, {{0, 0, 0, 0}}, totals_of(to.room), {0, 4}, stream);
   }
-  // What a chunk adds, to its place. False when it does not fit or was not counted.
-  bool added(const ResultLayout& layout, const Totals& before, const Totals& after,
-             cudaStream_t stream) {
-    for (int d = first_dimension(); d < 4; ++d) {
-      if (after.of[d] < before.of[d] || after.of[d] > layout.room[d]) return false;
+  // Does what a chunk adds have its place, as it was counted?
+  static bool has_place(const ResultLayout& layout, const Totals& before, const Totals& after) {
+    for (int d = 0; d < 4; ++d) {
+      const std::size_t room = layout.room[d];
+      if (after.of[d] < before.of[d] || after.of[d] > room) return false;
     }
-    part(layout, layout, before, after, stream);
     return true;
+  }
+  void added_faces(const ResultLayout& layout, const Totals& before, const Totals& after,
+                   cudaStream_t stream) {
+    part(layout, layout, before, after, {2, 4}, stream);
+  }
+  void added_edges_and_vertices(const ResultLayout& layout, const Totals& before,
+                                const Totals& after, cudaStream_t stream) {
+    part(layout, layout, before, after, {0, 2}, stream);
   }
 
   PipelineResult result(const ResultLayout& layout, const SimplexCounts& counts) const {
@@ -47,7 +57,9 @@ class ResultCopy {
   }
 
  private:
-  int first_dimension() const { return whole_ ? 0 : 3; }
+  struct Dimensions {
+    int begin, end;
+  };
   static Totals totals_of(const SimplexCounts& counts) {
     Totals totals{};
     for (int d = 0; d < 4; ++d) totals.of[d] = static_cast<std::uint32_t>(counts[d]);
@@ -60,10 +72,10 @@ class ResultCopy {
                           cudaMemcpyDeviceToHost, stream),
           "copying the result");
   }
-  // Simplices [before, after) of every dimension.
+  // Simplices [before, after) of every dimension of these.
   void part(const ResultLayout& from, const ResultLayout& to, const Totals& before,
-            const Totals& after, cudaStream_t stream) {
-    for (int d = first_dimension(); d < 4; ++d) {
+            const Totals& after, const Dimensions& dimensions, cudaStream_t stream) {
+    for (int d = whole_ ? dimensions.begin : 3; d < dimensions.end; ++d) {
       const ResultLayout::Section &source = from.dimension[d], &target = to.dimension[d];
       const std::size_t begin = before.of[d], count = after.of[d] - begin;
       const auto array = [&](std::size_t at, std::size_t place, std::size_t size) {

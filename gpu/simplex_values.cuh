@@ -37,11 +37,13 @@ __device__ __noinline__ float exact_value(const SimplexBalls& balls, int vertice
   value_of<ExactDecider>(balls, vertices, &value);
   return value;
 }
+template <int kVertices>
+__device__ inline SimplexBalls simplex_balls(const int4* ball, const uint4& v) {
+  return {ball[v.x], {ball[v.y], ball[kVertices > 2 ? v.z : v.y], ball[kVertices > 3 ? v.w : v.y]}};
+}
 // The ortho-radius of a simplex of K_alpha, square lattice units, the nearest float.
 template <int kVertices>
-__device__ inline float ortho_radius(const int4* ball, const uint4& v) {
-  const SimplexBalls balls{
-      ball[v.x], {ball[v.y], ball[kVertices > 2 ? v.z : v.y], ball[kVertices > 3 ? v.w : v.y]}};
+__device__ inline float ortho_radius(const SimplexBalls& balls) {
   float value = 0;
   if (value_of<FilteredDecider>(balls, kVertices, &value) == Decision::in) return value;
   return exact_value(balls, kVertices);

@@ -5,8 +5,8 @@
 
 namespace alphascope::gpu {
 
-// Fills the four lists of simplices. They are copied at the same time: most of it is the system
-// handing out pages. Throws std::bad_alloc.
+// Fills the four lists of simplices, by all threads: most of it is the system handing out pages.
+// Throws std::bad_alloc.
 void copy_result(const PipelineResult& from, AlphaComplex& to);
 
 }  // namespace alphascope::gpu

@@ -154,7 +154,7 @@ class CudaTupleExecutor {
     return *value;
   }
   template <class T>
-  void fetch(int lane, const T* from, std::uint64_t count, std::vector<T>& to) {
+  void fetch(int lane, const T* from, std::uint64_t count, ResultArray<T>& to) {
     Lane& l = lanes_[static_cast<std::size_t>(lane)];
     if (l.pending.size() == l.staging.size())
       l.staging.emplace_back(std::make_unique<StagingBuffer>(options_.pinned));

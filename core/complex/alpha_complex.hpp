@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "core/complex/simplices.hpp"
 #include "core/geometry/ball_set.hpp"
 #include "core/run/stage_timer.hpp"
 
@@ -20,11 +21,11 @@ enum class SimplexClass : std::uint8_t { singular, regular, interior };
 // the vertices of each simplex ascend. The three arrays have equal length.
 template <int N>
 struct SimplexList {
-  std::vector<std::array<BallIndex, N>> simplices;
+  Simplices<N> simplices;
   // Square lattice units: the exact alpha value rounded to the nearest float. Rounding is monotone,
   // so a face never has a larger value than its coface.
-  std::vector<float> alpha_values;
-  std::vector<SimplexClass> classes;
+  ResultArray<float> alpha_values;
+  ResultArray<SimplexClass> classes;
 
   std::size_t size() const { return simplices.size(); }
 };

@@ -20,7 +20,7 @@ namespace {
 // CGAL's own route to the tetrahedra of K_alpha: all cells with ortho-radius <= alpha.
 void filter_tetrahedra(const BallSet& balls, const RegularTriangulation& rt,
                        AlphaComplex& complex) {
-  const std::vector<std::array<BallIndex, 4>>& cells = rt.tetrahedra;
+  const Simplices<4>& cells = rt.tetrahedra;
   std::vector<char> in(cells.size());
   using Range = tbb::blocked_range<std::size_t>;
   tbb::parallel_for(Range(0, cells.size(), 1024), [&](const Range& range) {

@@ -5,6 +5,7 @@
 #include <array>
 #include <vector>
 
+#include "core/complex/simplices.hpp"
 #include "core/geometry/ball_set.hpp"
 #include "core/run/cancel_token.hpp"
 
@@ -12,12 +13,12 @@ namespace alphascope {
 
 // The maximal simplices; each one's vertices ascend, the simplices come in no particular order.
 struct RegularTriangulation {
-  int dimension = -1;  // of the affine hull of the centres: -1 (no ball) to 3
-  std::vector<std::array<BallIndex, 4>> tetrahedra;  // only in dimension 3
-  std::vector<std::array<BallIndex, 3>> triangles;   // only in dimension 2
-  std::vector<std::array<BallIndex, 2>> edges;       // only in dimension 1
-  std::vector<BallIndex> vertices;                   // ascending, any dimension
-  std::vector<BallIndex> hidden;                     // ascending: the balls that are no vertex
+  int dimension = -1;               // of the affine hull of the centres: -1 (no ball) to 3
+  Simplices<4> tetrahedra;          // only in dimension 3
+  Simplices<3> triangles;           // only in dimension 2
+  Simplices<2> edges;               // only in dimension 1
+  std::vector<BallIndex> vertices;  // ascending, any dimension
+  std::vector<BallIndex> hidden;    // ascending: the balls that are no vertex
 };
 
 // Equal powers are decided by CGAL's symbolic perturbation; of coincident centres the largest ball,

@@ -10,7 +10,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "core/geometry/ball_set.hpp"
+#include "core/complex/simplices.hpp"
 
 namespace alphascope {
 
@@ -21,14 +21,14 @@ class FaceGroups {
   static_assert(N >= 1 && N <= 3, "two vertices fit into a record's number");
 
  public:
-  explicit FaceGroups(const std::vector<std::array<BallIndex, N + 1>>& cofaces) {
+  explicit FaceGroups(const Simplices<N + 1>& cofaces) {
     bucket_by_first_vertex(cofaces);
     sort_buckets();
     mark_faces();
   }
 
   std::size_t size() const { return faces_.size(); }
-  const std::vector<std::array<BallIndex, N>>& faces() const { return faces_; }
+  const Simplices<N>& faces() const { return faces_; }
 
   // Calls visit(index of a coface) for each coface of this face.
   template <class Visit>
@@ -53,7 +53,7 @@ class FaceGroups {
     }
   };
 
-  void bucket_by_first_vertex(const std::vector<std::array<BallIndex, N + 1>>& cofaces) {
+  void bucket_by_first_vertex(const Simplices<N + 1>& cofaces) {
     BallIndex end = 0;
     for (const auto& c : cofaces) end = std::max(end, c[N] + 1);
     bucket_.assign(std::size_t{end} + 1, 0);
@@ -124,13 +124,13 @@ class FaceGroups {
 
   std::vector<std::uint32_t> bucket_;  // first record of each first vertex
   std::vector<Record> records_;
-  std::vector<std::array<BallIndex, N>> faces_;
+  Simplices<N> faces_;
   std::vector<std::uint32_t> first_record_;
 };
 
 // Puts simplices into lexicographic order; their first vertices are below `vertex_end`.
 template <int N>
-void sort_simplices(std::vector<std::array<BallIndex, N>>& simplices, std::size_t vertex_end) {
+void sort_simplices(Simplices<N>& simplices, std::size_t vertex_end) {
   std::vector<std::uint32_t> bucket(vertex_end + 1, 0);
   for (const auto& s : simplices) ++bucket[s[0]];
   std::uint32_t sum = 0;
@@ -139,7 +139,7 @@ void sort_simplices(std::vector<std::array<BallIndex, N>>& simplices, std::size_
     b = sum;
     sum += count;
   }
-  std::vector<std::array<BallIndex, N>> sorted(simplices.size());
+  Simplices<N> sorted(simplices.size());
   std::vector<std::uint32_t> next(bucket.begin(), bucket.end() - 1);
   for (const auto& s : simplices) sorted[next[s[0]]++] = s;
   tbb::parallel_for(std::size_t{0}, vertex_end, [&](std::size_t v) {

@@ -15,7 +15,7 @@ namespace {
 // The simplices of one dimension whose alpha value rounds to the same float as alpha.
 template <int N>
 struct Ties {
-  std::vector<std::array<BallIndex, N>> simplices;  // in lexicographic order
+  Simplices<N> simplices;  // in lexicographic order
   std::vector<char> in_complex;
 
   bool any(bool in) const { return std::count(in_complex.begin(), in_complex.end(), in) > 0; }

@@ -53,8 +53,7 @@ float alpha_value(const BallSet& balls, const std::array<BallIndex, N>& face,
 
 // Position in the list of each group's face; the faces are a subsequence of the list.
 template <int N>
-std::vector<std::uint32_t> positions_in(const std::vector<std::array<BallIndex, N>>& list,
-                                        const FaceGroups<N>& groups) {
+std::vector<std::uint32_t> positions_in(const Simplices<N>& list, const FaceGroups<N>& groups) {
   std::vector<std::uint32_t> position(groups.size());
   std::uint32_t at = 0;
   for (std::size_t g = 0; g < groups.size(); ++g) {
@@ -90,7 +89,7 @@ ClassLevels class_levels(std::size_t count, const std::vector<std::uint32_t>& po
   return levels;
 }
 
-void set_classes(const ClassLevels& levels, std::vector<SimplexClass>& classes) {
+void set_classes(const ClassLevels& levels, ResultArray<SimplexClass>& classes) {
   classes.resize(levels.regular_from.size());
   for (std::size_t n = 0; n < classes.size(); ++n) {
     classes[n] = !std::isnan(levels.interior_from[n])  ? SimplexClass::interior
@@ -101,8 +100,7 @@ void set_classes(const ClassLevels& levels, std::vector<SimplexClass>& classes) 
 
 // One dimension of a triangulation: faces of the next higher one, or maximal simplices themselves.
 template <int N>
-ClassLevels build_dimension(const BallSet& balls, const CancelToken& cancel,
-                            std::vector<std::array<BallIndex, N>> maximal,
+ClassLevels build_dimension(const BallSet& balls, const CancelToken& cancel, Simplices<N> maximal,
                             const SimplexList<N + 1>& cofaces, const ClassLevels* coface_levels,
                             SimplexList<N>& list) {
   FaceGroups<N> groups(cofaces.simplices);
@@ -163,7 +161,7 @@ Filtration::Filtration(std::shared_ptr<const BallSet> balls, RegularTriangulatio
   context.report(stage::kClassification, 0.6);
   levels_.edges = build_dimension<2>(*balls_, cancel, std::move(rt.edges), top->triangles,
                                      &levels_.triangles, top->edges);
-  std::vector<std::array<BallIndex, 1>> vertices(rt.vertices.size());
+  Simplices<1> vertices(rt.vertices.size());
   for (std::size_t n = 0; n < vertices.size(); ++n) vertices[n] = {rt.vertices[n]};
   levels_.vertices = build_dimension<1>(*balls_, cancel, std::move(vertices), top->edges,
                                         &levels_.edges, top->vertices);

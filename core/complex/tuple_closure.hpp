@@ -14,8 +14,8 @@ namespace alphascope {
 // only tetrahedra are asked for.
 template <int N>
 struct OwnSimplices {
-  std::vector<std::array<BallIndex, N>> simplices;
-  std::vector<float> values;
+  Simplices<N> simplices;
+  ResultArray<float> values;
 };
 
 struct OwnSimplicesByDimension {

@@ -85,7 +85,7 @@ class CpuExecutor {
     return *from;
   }
   template <class T>
-  void fetch(int, const T* from, std::uint64_t count, std::vector<T>& to) const {
+  void fetch(int, const T* from, std::uint64_t count, ResultArray<T>& to) const {
     to.insert(to.end(), from, from + count);
   }
   void wait(int) const {}

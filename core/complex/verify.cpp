@@ -214,7 +214,7 @@ void check_classes(const SimplexList<N>& list, const SimplexList<N>& expected, F
 
 double largest_value(const AlphaComplex& complex) {
   float largest = -std::numeric_limits<float>::max();
-  const auto add = [&](const std::vector<float>& values) {
+  const auto add = [&](const ResultArray<float>& values) {
     for (const float v : values) largest = std::max(largest, v);
   };
   add(complex.vertices.alpha_values);

@@ -17,7 +17,7 @@ CgalReference fixed_alpha_shape(const BallSet& balls, double alpha_on_lattice);
 // The regular triangulation by one range insertion, then the cells of ortho-radius <= alpha.
 // In no particular order; vertices of each ascend.
 struct CgalCells {
-  std::vector<std::array<BallIndex, 4>> tetrahedra;
+  Simplices<4> tetrahedra;
   double triangulation_milliseconds = 0, filter_milliseconds = 0;
 };
 CgalCells regular_cells(const BallSet& balls, double alpha_on_lattice, bool parallel);

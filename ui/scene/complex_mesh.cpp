@@ -65,7 +65,7 @@ class MeshBuilder {
     soup.rgb.reserve(3 * points);
   }
 
-  static float alpha_value(const std::vector<float>& values, std::size_t i) {
+  static float alpha_value(const ResultArray<float>& values, std::size_t i) {
     return i < values.size() ? values[i] : 0.0f;
   }
 
@@ -124,8 +124,7 @@ struct Face {
 
 // Faces that occur once, in lexicographic order: a counting sort by the smallest vertex leaves only
 // a few dozen faces to each comparison sort.
-std::vector<Face> single_faces(const std::vector<std::array<BallIndex, 4>>& tetrahedra,
-                               std::size_t ball_count) {
+std::vector<Face> single_faces(const Simplices<4>& tetrahedra, std::size_t ball_count) {
   std::vector<std::uint32_t> start(ball_count + 1, 0);
   for (const auto& t : tetrahedra) {
     start[t[0] + 1] += 3;
@@ -168,7 +167,7 @@ double orientation(const Point& p0, const Point& p1, const Point& p2, const Poin
 }
 
 std::array<BallIndex, 3> outward(const BallGeometry& balls, const Face& face,
-                                 const std::vector<std::array<BallIndex, 4>>& tetrahedra) {
+                                 const Simplices<4>& tetrahedra) {
   auto v = face.vertices;
   const BallIndex opposite = tetrahedra[face.origin / 4][face.origin % 4];
   if (orientation(balls.centres[v[0]], balls.centres[v[1]], balls.centres[v[2]],
@@ -208,9 +207,8 @@ ComplexMesh build_mesh(const BallGeometry& balls, const std::vector<Rgb8>& colou
   return MeshBuilder(balls, colours, complex, options).build();
 }
 
-std::vector<std::array<BallIndex, 3>> boundary_faces(
-    const BallGeometry& balls, const std::vector<std::array<BallIndex, 4>>& tetrahedra) {
-  std::vector<std::array<BallIndex, 3>> result;
+Simplices<3> boundary_faces(const BallGeometry& balls, const Simplices<4>& tetrahedra) {
+  Simplices<3> result;
   for (const Face& face : single_faces(tetrahedra, balls.centres.size())) {
     result.push_back(outward(balls, face, tetrahedra));
   }

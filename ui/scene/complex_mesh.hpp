@@ -60,7 +60,6 @@ ComplexMesh build_mesh(const BallGeometry& balls, const std::vector<Rgb8>& colou
 
 // Faces that occur in exactly one of the tetrahedra; corners ordered so that the normal points away
 // from the tetrahedron.
-std::vector<std::array<BallIndex, 3>> boundary_faces(
-    const BallGeometry& balls, const std::vector<std::array<BallIndex, 4>>& tetrahedra);
+Simplices<3> boundary_faces(const BallGeometry& balls, const Simplices<4>& tetrahedra);
 
 }  // namespace alphascope

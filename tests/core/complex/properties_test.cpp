@@ -39,7 +39,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // The list with every vertex v replaced by names[v], in order again.
 template <int N>
 SimplexList<N> renamed(const SimplexList<N>& list, const std::vector<BallIndex>& names) {
-  std::vector<std::array<BallIndex, N>> simplices = list.simplices;
+  Simplices<N> simplices = list.simplices;
   for (auto& s : simplices) {
     for (BallIndex& v : s) v = names[v];
     std::sort(s.begin(), s.end());

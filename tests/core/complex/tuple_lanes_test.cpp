@@ -77,7 +77,7 @@ class LateExecutor {
     return *from;
   }
   template <class T>
-  void fetch(int lane, const T* from, std::uint64_t count, std::vector<T>& to) {
+  void fetch(int lane, const T* from, std::uint64_t count, ResultArray<T>& to) {
     later(lane, [=, &to] { to.insert(to.end(), from, from + count); });
   }
   void wait(int lane) { run(lane); }

@@ -3,6 +3,7 @@
 
 #include <cuda_runtime.h>
 
+#include <algorithm>
 #include <new>
 #include <stdexcept>
 #include <string>
@@ -26,6 +27,30 @@ inline void check(cudaError_t status, const char* what) {
                     cudaGetErrorString(status));
 }
 
+// What buffers that grow once more take beyond what is asked for, bytes: as alpha goes up, nearly
+// every run needs a little more, and reserving takes longer than the run. Twice as much, of large
+// ones a quarter more.
+inline std::size_t spare_bytes(std::size_t bytes) {
+  constexpr std::size_t kLarge = std::size_t{1} << 26;
+  return std::min(bytes, std::max(bytes / 4, kLarge));
+}
+
+// Calls reserve(bytes) for that much and to spare, or for that much if there is not more, or at
+// the first time. Returns how much it was.
+template <class Reserve>
+std::size_t reserve_to_spare(std::size_t bytes, bool first, const char* what,
+                             const Reserve& reserve) {
+  if (Faults::refuses()) throw std::bad_alloc();
+  const std::size_t more = first ? bytes : bytes + spare_bytes(bytes);
+  if (reserve(more) == cudaSuccess) {
+    check(cudaSuccess, what);
+    return more;
+  }
+  cudaGetLastError();  // the second attempt tells
+  check(reserve(bytes), what);
+  return bytes;
+}
+
 // Uninitialised device memory; growing loses the content.
 template <class T>
 class DeviceBuffer {
@@ -36,12 +61,13 @@ class DeviceBuffer {
   ~DeviceBuffer() { cudaFree(data_); }
   void reserve(std::size_t count) {
     if (count <= capacity_) return;
+    const bool first = capacity_ == 0;
     cudaFree(data_);
     data_ = nullptr;
     capacity_ = 0;
-    if (Faults::refuses()) throw std::bad_alloc();
-    check(cudaMalloc(&data_, count * sizeof(T)), "reserving device memory");
-    capacity_ = count;
+    capacity_ = reserve_to_spare(count * sizeof(T), first, "reserving device memory",
+                                 [&](std::size_t bytes) { return cudaMalloc(&data_, bytes); }) /
+                sizeof(T);
   }
   T* get() const { return data_; }
   std::size_t capacity() const { return capacity_; }
@@ -61,12 +87,13 @@ class PinnedBuffer {
   ~PinnedBuffer() { cudaFreeHost(data_); }
   void reserve(std::size_t count) {
     if (count <= capacity_) return;
+    const bool first = capacity_ == 0;
     cudaFreeHost(data_);
     data_ = nullptr;
     capacity_ = 0;
-    if (Faults::refuses()) throw std::bad_alloc();
-    check(cudaMallocHost(&data_, count * sizeof(T)), "reserving pinned host memory");
-    capacity_ = count;
+    capacity_ = reserve_to_spare(count * sizeof(T), first, "reserving pinned host memory",
+                                 [&](std::size_t bytes) { return cudaMallocHost(&data_, bytes); }) /
+                sizeof(T);
   }
   T* get() const { return data_; }
   // The caller's from now on, for cudaFreeHost().

@@ -30,7 +30,13 @@ class Run {
 
   PipelineResult compute(const CancelToken& cancel) {
     Need need = first_need(s_, plan_.alpha, whole_);
-    for (int attempt = 0; attempt < 12; ++attempt) {
+    if (need.alpha < plan_.alpha) {
+      add_headroom(need);
+      Need roomy = need;
+      roomy.ball = with_headroom(need.ball, need.longest);
+      if (blocks_fit(roomy)) need = roomy;
+    }
+    for (int attempt = 1; attempt <= 12; ++attempt) {
       cancel.throw_if_cancelled();
       if (!blocks_fit(need)) break;
       const ResultLayout layout(need.counts, whole_);
@@ -57,7 +63,9 @@ class Run {
       }
       busy_ = false;
       timer_.report();
-      return result_.result(sent ? layout : found, next.counts);
+      PipelineResult result = result_.result(sent ? layout : found, next.counts);
+      result.attempts = attempt;
+      return result;
     }
     PipelineResult none;
     none.fits = false;
@@ -128,7 +136,8 @@ class Run {
   // holds. Nothing hides the last chunk, which is half as long; and of a whole complex in many, the
   // first: it is bound by the way back, which should soon have something to carry.
   std::uint32_t chunk_begin(int number) const {
-    const int early = whole_ && chunks_ > 4 ? 1 : 0;
+    const bool many = chunks_ > 4 && most_chunks() >= 2 * static_cast<std::size_t>(chunks_);
+    const int early = whole_ && many ? 1 : 0;
     const auto halves = [&](int k) -> std::size_t {
       return static_cast<std::size_t>(k == 0 ? 0 : std::min(2 * k, 2 * chunks_ - 1) - early);
     };
@@ -289,6 +298,8 @@ class Run {
     next.alpha = plan_.alpha;
     next.counted = true;
     next.totals.assign(got.totals + 1, got.totals + 1 + chunks_);
+    next.longest = {met.most_found, met.longest_list, 0, 0, met.most_triangles, 0, 0,
+                    met.most_kept};
     // Edges and vertices were not counted if the rest did not fit.
     const Totals& all = next.totals.back();
     next.counts = {{all.of[0], all.of[1], got.triangles, got.tetrahedra}};
@@ -335,15 +346,8 @@ class Run {
   Need grown(const Need& need, Need next) const {
     const BlockStatistics& met = s_.host_counters.get()->blocks;
     const auto more = [](auto value) { return value + value / 8; };
-    const std::uint32_t list = std::max(need.ball.list, whole_words(met.longest_list));
-    next.ball = {std::max(need.ball.search, whole_words(met.most_found)),
-                 list,
-                 list,
-                 list,
-                 std::max(need.ball.triangles, more(met.most_triangles)),
-                 0,
-                 0,
-                 std::max(need.ball.kept, more(met.most_kept))};
+    next.ball = enough_for(need.ball, met.most_found, met.longest_list, more(met.most_triangles),
+                           more(met.most_kept));
     next.counted = false;
     for (int d = 0; d < 4; ++d) next.counts[d] = std::max(need.counts[d], more(next.counts[d]));
     next.candidates = std::max(need.candidates, next.candidates);

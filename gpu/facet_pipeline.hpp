@@ -29,6 +29,7 @@ struct PipelineResult {
   HostSimplices<4> tetrahedra;
   HashSums hash;
   std::uint32_t exact_balls = 0;  // balls that went through kernel III
+  int attempts = 1;               // until there was room for all that was found
   bool fits = true;               // false: this request is beyond the kernels' limits
 };
 

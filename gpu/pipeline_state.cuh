@@ -151,6 +151,7 @@ struct FacetPipeline::State {
     bool whole;
     int balls_per_block;
     BlockRoom block, ball;       // of kernel II's blocks, and of kernel III's, which take one ball
+    BlockRoom longest;           // what kernel III would have needed room for, where it is known
     SimplexCounts counts;        // of the result
     std::size_t candidates;      // edges
     bool cull;                   // KernelKind::kCull of kernel II

@@ -136,6 +136,14 @@ inline double use_of(const State& s, int balls, const Demand::Spread& found, std
          (rounds + 0.5);
 }
 
+// Room of kernel III for a ball that has so many of each.
+inline BlockRoom enough_for(const BlockRoom& room, std::uint32_t found, std::uint32_t list,
+                            std::uint32_t triangles, std::uint32_t kept) {
+  const std::uint32_t words = std::max(room.list, whole_words(list));
+  return {std::max(room.search, whole_words(found)), words, words, words,
+          std::max(room.triangles, triangles),       0,     0,     std::max(room.kept, kept)};
+}
+
 // Sets how many balls a block takes, and its room. What is hardly better is not worth a change.
 inline void choose_room(const State& s, Need& need, const Demand& demand) {
   need.cull = demand.cull;
@@ -156,6 +164,19 @@ inline void choose_room(const State& s, Need& need, const Demand& demand) {
     need.balls_per_block = balls;
     need.block = room;
   }
+}
+
+// Of the need of an alpha below, for one that is not much above: room for more simplices, and for
+// longer lists in kernel III.
+inline void add_headroom(Need& need) {
+  const auto more = [](std::size_t value) { return value + value / 4 + 64; };
+  for (std::size_t& count : need.counts.of) count = more(count);
+  need.candidates = more(need.candidates);
+}
+inline BlockRoom with_headroom(const BlockRoom& ball, const BlockRoom& longest) {
+  const auto more = [](std::uint32_t value) { return value + value / 4 + 8; };
+  return enough_for(ball, more(longest.search), more(longest.list), more(longest.triangles),
+                    more(longest.kept));
 }
 
 // The need of this alpha, or of the nearest one above: less alpha never needs more.

@@ -1,8 +1,8 @@
 // Checks and times the CUDA engine on a machine with a GPU: equality with the CPU engine first,
 // byte for byte, then medians. alphascope_gpu_bench DATA WORDS, WORDS any of check, time, huge,
-// cgal (beside time), only (no whole complex), or one:NAME:ALPHA[:SOLVENT]; chunks:N before it: in
-// so many chunks. Inputs are .balls files (make_balls.py), so that the program needs nothing but
-// the CUDA driver and libtbb.
+// cgal (beside time), only (no whole complex), drag:NAME or one:NAME:ALPHA[:SOLVENT]; chunks:N
+// before it: in so many chunks. Inputs are .balls files (make_balls.py), so that the program needs
+// nothing but the CUDA driver and libtbb.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -17,6 +17,7 @@
 #include "gpu/facet_pipeline.hpp"
 #include "gpu/gpu_engine.hpp"
 #include "tests/bench/read_balls.hpp"
+#include "tests/support/device_engine.hpp"
 
 using namespace alphascope;
 
@@ -41,7 +42,7 @@ void check(const std::string& name, const BallSet& balls, double solvent,
            const std::vector<double>& alphas) {
   auto grown = std::make_shared<BallSet>(with_solvent(balls, solvent));
   std::string why;
-  auto gpu = make_gpu_engine(grown, {}, &why);
+  auto gpu = testing::make_device_engine(grown, &why);
   if (!gpu) {
     std::printf("no gpu engine: %s\n", why.c_str());
     std::exit(2);
@@ -103,7 +104,7 @@ double time_cgal(const std::shared_ptr<const BallSet>& balls, double alpha, int 
 // Milliseconds until the program has the result in arrays of its own, while it shows the one
 // before: median.
 double time_engine(const BallSet& balls, double alpha, bool only, int runs) {
-  const auto engine = make_gpu_engine(std::make_shared<const BallSet>(balls), {}, nullptr);
+  const auto engine = testing::make_device_engine(std::make_shared<const BallSet>(balls));
   AlphaComplex shown;
   std::vector<double> t;
   for (int i = 0; i < runs + 3; ++i) {
@@ -113,6 +114,29 @@ double time_engine(const BallSet& balls, double alpha, bool only, int runs) {
   }
   std::sort(t.begin(), t.end());
   return t[t.size() / 2];
+}
+
+// The slider: alpha from 0 to 10 Å² in a hundred moves, each to where it has not been yet.
+void time_drag(const std::string& name, const BallSet& balls) {
+  for (const bool only : {true, false}) {
+    const auto engine = testing::make_device_engine(std::make_shared<const BallSet>(balls));
+    AlphaComplex shown = engine->compute({0, only}, {});
+    const double first = shown.timings.wall_milliseconds;
+    std::vector<double> t;
+    for (int move = 1; move <= 100; ++move) {
+      const auto start = std::chrono::steady_clock::now();
+      shown = engine->compute({move * 0.1, only}, {});
+      t.push_back(
+          std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
+              .count());
+    }
+    std::sort(t.begin(), t.end());
+    std::printf(
+        "DRAG %-6s %-5s first %.3f ms, median of the others %.3f, the ten slowest from %.3f to "
+        "%.3f\n",
+        name.c_str(), only ? "tets" : "whole", first, t[t.size() / 2], t[t.size() - 10], t.back());
+    std::fflush(stdout);
+  }
 }
 
 void time_one(const std::string& name, const BallSet& balls, double solvent, double alpha) {
@@ -219,6 +243,7 @@ int main(int argc, char** argv) {
   if (asked("huge")) time_huge(data);
   for (const std::string& word : words) {
     if (word.starts_with("chunks:")) gpu::FacetPipeline::forced_chunks = std::stoi(word.substr(7));
+    if (word.starts_with("drag:")) time_drag(word.substr(5), data.balls(word.substr(5)));
     if (word.starts_with("one:")) time_row(data, word.substr(4));
   }
   return failures == 0 ? 0 : 1;

@@ -8,6 +8,7 @@
 #include <random>
 
 #include "gpu/facet_pipeline.hpp"
+#include "tests/support/device_engine.hpp"
 #include "tests/support/expect_same.hpp"
 #include "tests/support/random_balls.hpp"
 
@@ -20,7 +21,7 @@ using testing::Random;
 
 void expect_same_on_gpu(const std::shared_ptr<const BallSet>& balls, double alpha_angstrom2) {
   std::string why_not;
-  const auto gpu = make_gpu_engine(balls, {}, &why_not);
+  const auto gpu = testing::make_device_engine(balls, &why_not);
   ASSERT_TRUE(gpu) << why_not;
   const auto cpu = make_cpu_engine(balls);
   for (const bool tetrahedra_only : {true, false}) {
@@ -61,7 +62,7 @@ TEST_P(GpuChunks, EqualTheCpuRunAfterRun) {
     SCOPED_TRACE(set.name);
     const auto balls = std::make_shared<const BallSet>(set.balls);
     const double unit = set.alpha_unit();
-    const auto gpu = make_gpu_engine(balls, {}, nullptr), cpu = make_cpu_engine(balls);
+    const auto gpu = testing::make_device_engine(balls), cpu = make_cpu_engine(balls);
     ASSERT_TRUE(gpu);
     for (const double alpha : {0.25, 3.0, 0.25, 0.25}) {
       for (const bool tetrahedra_only : {true, false}) {
@@ -91,11 +92,30 @@ TEST(GpuPieces, EqualTheCpu) {
   const AlphaComplex expected = make_cpu_engine(balls)->compute(request, {});
   EXPECT_GT(expected.tetrahedra.size(), 50u);
   for (int run = 0; run < 6; ++run) {  // the first of each counts: later ones send the same
-    const auto gpu = make_gpu_engine(balls, {}, nullptr);
+    const auto gpu = testing::make_device_engine(balls);
     ASSERT_TRUE(gpu);
     expect_same(gpu->compute(request, {}), expected);
   }
   gpu::FacetPipeline::forced_chunks = 0;
+}
+
+// Nearly every alpha of a slider is a new one, and a little larger than those before.
+TEST(Gpu, RunsOnceWhenAlphaRisesALittle) {
+  if (!gpu_device().usable) GTEST_SKIP() << gpu_device().why_not;
+  Random random(9);
+  const BallSet balls = testing::random_balls(random, 2000, 12000, 500, 900);
+  gpu::FacetPipeline pipeline(balls);
+  for (const bool tetrahedra_only : {true, false}) {
+    std::size_t before = 0;
+    for (int move = 0; move <= 12; ++move) {
+      const double alpha = 2e5 + 2e4 * move;
+      const gpu::PipelineResult result = pipeline.run(alpha, tetrahedra_only, {}, nullptr);
+      ASSERT_TRUE(result.fits);
+      EXPECT_GT(result.tetrahedra.simplices.size(), before);
+      before = result.tetrahedra.simplices.size();
+      if (move > 0) EXPECT_EQ(result.attempts, 1) << "alpha " << alpha;
+    }
+  }
 }
 
 TEST(Gpu, EqualsItselfFromRunToRun) {
@@ -103,7 +123,7 @@ TEST(Gpu, EqualsItselfFromRunToRun) {
   Random random(6);
   const auto sets = testing::large_hard_sets(random);
   const auto balls = std::make_shared<const BallSet>(sets.front().balls);
-  const auto engine = make_gpu_engine(balls, {}, nullptr);
+  const auto engine = testing::make_device_engine(balls);
   ASSERT_TRUE(engine);
   const AlphaComplex first = engine->compute({0.5, false}, {});
   for (int run = 0; run < 20; ++run)

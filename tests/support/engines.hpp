@@ -16,8 +16,8 @@
 #include "tests/support/facet_only_engine.hpp"
 
 #if defined(ALPHASCOPE_TEST_GPU_ENGINES) || defined(ALPHASCOPE_TEST_EMULATED_GPU)
-#include "gpu/gpu_engine.hpp"
 #include "gpu/tuple_engine.hpp"
+#include "tests/support/device_engine.hpp"
 #endif
 
 namespace alphascope::testing {
@@ -80,7 +80,7 @@ inline std::vector<EngineFactory> engines() {
   const auto tuples = [](auto balls) {
     return make_gpu_tuple_engine(std::move(balls), {}, nullptr);
   };
-  return {{"gpu", [](auto balls) { return make_gpu_engine(std::move(balls), {}, nullptr); }, 1000,
+  return {{"gpu", [](auto balls) { return make_device_engine(std::move(balls)); }, 1000,
            std::numeric_limits<double>::infinity(), why_not},
           {"gpu_tuples", tuples, 35, 3e6, why_not}};
 }
@@ -94,9 +94,9 @@ inline std::vector<EngineFactory> engines() {
   const auto tuples = [batches](auto balls) {
     return make_gpu_tuple_engine(std::move(balls), batches, nullptr);
   };
-  return {{"emulated_gpu",
-           [](auto balls) { return make_gpu_engine(std::move(balls), {}, nullptr); }, 150, 1e5},
-          {"emulated_gpu_tuples", tuples, 30, 1e6}};
+  return {
+      {"emulated_gpu", [](auto balls) { return make_device_engine(std::move(balls)); }, 150, 1e5},
+      {"emulated_gpu_tuples", tuples, 30, 1e6}};
 }
 #else
 inline std::vector<EngineFactory> engines() {

@@ -1,0 +1,40 @@
+// The GPU engine without its safety net.
+#pragma once
+
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "gpu/gpu_engine.hpp"
+
+namespace alphascope::testing {
+
+// Where the device fails, the GPU engine has the CPU compute the same result, and no comparison
+// sees it. This one throws then. What is beyond the kernels' limits is the CPU's business.
+class DeviceEngine : public Engine {
+ public:
+  explicit DeviceEngine(std::unique_ptr<Engine> engine) : engine_(std::move(engine)) {}
+
+  AlphaComplex compute(const AlphaRequest& request, const RunContext& context) override {
+    AlphaComplex complex = engine_->compute(request, context);
+    const std::string& route = complex.engine.route;
+    if (route.find("on the CPU") != std::string::npos &&
+        route.find("limits") == std::string::npos) {
+      throw std::runtime_error("the device gave up: " + route);
+    }
+    return complex;
+  }
+
+ private:
+  std::unique_ptr<Engine> engine_;
+};
+
+// Null, with the reason, where there is no device.
+inline std::unique_ptr<Engine> make_device_engine(std::shared_ptr<const BallSet> balls,
+                                                  std::string* why_not = nullptr) {
+  std::unique_ptr<Engine> engine = make_gpu_engine(std::move(balls), {}, why_not);
+  return engine ? std::make_unique<DeviceEngine>(std::move(engine)) : nullptr;
+}
+
+}  // namespace alphascope::testing

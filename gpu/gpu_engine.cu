@@ -160,6 +160,10 @@ class GpuEngine : public Engine {
     complex.timings.wall_milliseconds = whole.wall_milliseconds;
     complex.engine = {"facet engine", gpu_device().name, "dual edge clipping"};
     complex.engine.counters.push_back({"balls through kernel III", result.exact_balls});
+    if (result.attempts > 1) {
+      complex.engine.counters.push_back(
+          {"runs for want of room", static_cast<std::uint64_t>(result.attempts)});
+    }
     return complex;
   }
 

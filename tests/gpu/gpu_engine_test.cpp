@@ -103,17 +103,21 @@ TEST(GpuPieces, EqualTheCpu) {
 TEST(Gpu, RunsOnceWhenAlphaRisesALittle) {
   if (!gpu_device().usable) GTEST_SKIP() << gpu_device().why_not;
   Random random(9);
-  const BallSet balls = testing::random_balls(random, 2000, 12000, 500, 900);
-  gpu::FacetPipeline pipeline(balls);
+  const auto balls =
+      std::make_shared<const BallSet>(testing::random_balls(random, 2000, 12000, 500, 900));
+  const auto gpu = testing::make_device_engine(balls);
+  ASSERT_TRUE(gpu);
   for (const bool tetrahedra_only : {true, false}) {
     std::size_t before = 0;
     for (int move = 0; move <= 12; ++move) {
-      const double alpha = 2e5 + 2e4 * move;
-      const gpu::PipelineResult result = pipeline.run(alpha, tetrahedra_only, {}, nullptr);
-      ASSERT_TRUE(result.fits);
-      EXPECT_GT(result.tetrahedra.simplices.size(), before);
-      before = result.tetrahedra.simplices.size();
-      if (move > 0) EXPECT_EQ(result.attempts, 1) << "alpha " << alpha;
+      const double alpha = balls->lattice.square_angstrom(2e5 + 2e4 * move);
+      const AlphaComplex complex = gpu->compute({alpha, tetrahedra_only}, {});
+      EXPECT_GT(complex.tetrahedra.size(), before);
+      before = complex.tetrahedra.size();
+      if (move == 0) continue;
+      for (const EngineCounter& counter : complex.engine.counters) {
+        EXPECT_NE(counter.name, "runs for want of room") << counter.value << ", move " << move;
+      }
     }
   }
 }

@@ -85,8 +85,9 @@ class PinnedBuffer {
   PinnedBuffer(const PinnedBuffer&) = delete;
   PinnedBuffer& operator=(const PinnedBuffer&) = delete;
   ~PinnedBuffer() { cudaFreeHost(data_); }
-  void reserve(std::size_t count) {
-    if (count <= capacity_) return;
+  // Returns whether it grew.
+  bool reserve(std::size_t count) {
+    if (count <= capacity_) return false;
     const bool first = capacity_ == 0;
     cudaFreeHost(data_);
     data_ = nullptr;
@@ -94,6 +95,7 @@ class PinnedBuffer {
     capacity_ = reserve_to_spare(count * sizeof(T), first, "reserving pinned host memory",
                                  [&](std::size_t bytes) { return cudaMallocHost(&data_, bytes); }) /
                 sizeof(T);
+    return true;
   }
   T* get() const { return data_; }
   // The caller's from now on, for cudaFreeHost().

@@ -57,6 +57,7 @@ class Run {
       remember(s_, next);
       const ResultLayout found(next.counts, whole_);
       if (!sent) {
+        if (s_.host_result.reserve(found.bytes)) timer_.mark(stage::kMakingRoom, q_.main);
         result_.found(layout, found, q_.main);
         timer_.mark(stage::kDeviceToHost, q_.main);
         check(cudaStreamSynchronize(q_.main), "copying the result");

@@ -5,6 +5,7 @@
 #include <cub/device/device_scan.cuh>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <optional>
 #include <string_view>
@@ -99,20 +100,29 @@ class EventTimer {
   // After the stream has finished.
   void report() {
     if (times_ == nullptr) return;
+    constexpr double kWorthSaying = 0.1;
+    if (before_ > kWorthSaying)
+      times_->stages.push_back({std::string(stage::kMakingRoom), before_, false});
     for (std::size_t s = 0; s < labels_.size(); ++s) {
       float milliseconds = 0;
       check(cudaEventElapsedTime(&milliseconds, events_[s], events_[s + 1]), "reading an event");
       times_->stages.push_back({std::string(labels_[s]), milliseconds, false});
     }
   }
+  // What was before made room.
   void restart() {
     labels_.clear();
-    if (times_ != nullptr) events_[0].record(stream_);
+    if (times_ == nullptr) return;
+    before_ = std::chrono::duration<double, std::milli>(Clock::now() - start_).count();
+    events_[0].record(stream_);
   }
 
  private:
+  using Clock = std::chrono::steady_clock;
   cudaStream_t stream_;
   StageTimes* times_;
+  const Clock::time_point start_ = Clock::now();
+  double before_ = 0;  // milliseconds
   Event events_[16];
   std::vector<std::string_view> labels_;
 };

@@ -17,9 +17,8 @@ class ResultCopy {
   void all_edges_and_vertices(const ResultLayout& layout, cudaStream_t stream) {
     bring(0, 0, layout.dimension[2].vertices, stream);
   }
-  // Only what was found, to where it fits exactly.
+  // Only what was found, to where it fits exactly, and for which there is room.
   void found(const ResultLayout& from, const ResultLayout& to, cudaStream_t stream) {
-    s_.host_result.reserve(to.bytes);
     part(from, to, {{0, 0, 0, 0}}, totals_of(to.room), {0, 4}, stream);
   }
   // Does what a chunk adds have its place, as it was counted?

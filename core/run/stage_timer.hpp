@@ -21,6 +21,8 @@ inline constexpr std::string_view kCandidatesAndFiltered =
     "kernels I+II (candidates, filtered validity)";
 inline constexpr std::string_view kExactValidity = "kernel III (exact validity)";
 inline constexpr std::string_view kDeviceToHost = "device→host";
+// Memory that had to be reserved, and runs that found too little of it.
+inline constexpr std::string_view kMakingRoom = "making room";
 inline constexpr std::string_view kTriangulation = "regular triangulation";
 inline constexpr std::string_view kClassification = "classification";
 inline constexpr std::string_view kThreshold = "threshold";

@@ -21,7 +21,6 @@ FacetPipeline::FacetPipeline(const BallSet& balls) : state_(std::make_unique<Sta
   s.load(balls);
   s.host_counters.reserve(1);
   s.balls.reserve(s.n);
-  s.cell_and_rank.reserve(s.n);
   s.index.reserve(s.n);
   s.near.reserve(s.n);
   s.home.reserve(s.n);
@@ -128,16 +127,21 @@ int FacetPipeline::State::pieces() const {
   return static_cast<int>(std::min<std::size_t>(several ? kMaxPieces : 1, starts));
 }
 
-void FacetPipeline::State::send_piece(const Problem& p, int piece, int all, cudaStream_t stream,
-                                      EventTimer& timer) {
-  // Pieces of whole starts of packed balls, see ball_wire.cuh.
+// Of whole starts of packed balls, see ball_wire.cuh. The last piece is small: nothing hides its
+// way into the cells.
+std::size_t FacetPipeline::State::piece_begin(int piece, int all) const {
   const std::size_t starts = (n + kWireStart - 1) / kWireStart;
-  const auto start = [&](int k) { return starts * k / all; };
-  const auto ball = [&](int k) { return std::min(n, start(k) * kWireStart); };
+  return piece == 0     ? 0
+         : piece == all ? starts
+         : piece == 1   ? (starts + 1) / 2
+                        : starts - (starts + 7) / 8;
+}
+
+void FacetPipeline::State::send_piece(int piece, int all) {
   if (packing) {
     const std::uint32_t* words = host_packed.get();
     const auto word = [&](int k) -> std::size_t {
-      return k == 0 ? 0 : k == all ? packing->words : words[packing->starts + start(k)];
+      return k == 0 ? 0 : k == all ? packing->words : words[packing->starts + piece_begin(k, all)];
     };
     check(cudaMemcpyAsync(packed.get() + word(piece), words + word(piece),
                           (word(piece + 1) - word(piece)) * 4, cudaMemcpyHostToDevice, queues.main),
@@ -147,31 +151,42 @@ void FacetPipeline::State::send_piece(const Problem& p, int piece, int all, cuda
                           queues.main),
           "copying the balls");
   }
-  if (piece + 1 == all) timer.mark(stage::kHostToDevice, queues.main);
-  if (stream != queues.main) {
-    queues.arrived[piece].record(queues.main);
-    queues.arrived[piece].hold_up(stream);
-  }
-  const auto begin = static_cast<std::uint32_t>(ball(piece)),
-             end = static_cast<std::uint32_t>(ball(piece + 1));
+}
+
+void FacetPipeline::State::assign_piece(const Problem& p, int piece, int all, cudaStream_t stream) {
+  const auto ball = [&](int k) {
+    return static_cast<std::uint32_t>(std::min(n, piece_begin(k, all) * kWireStart));
+  };
+  const std::uint32_t begin = ball(piece), end = ball(piece + 1);
+  if (begin == end) return;
   launch(gpu::assign_cells, {blocks_for(end - begin), kThreads, stream}, p, begin, end,
          PackedBalls{packed.get(), packing.value_or(WireLayout{})}, balls.get(),
-         zeroed.get() + kCounterWords, cell_and_rank.get());
+         zeroed.get() + kCounterWords, home.get());
 }
 
 void FacetPipeline::State::receive_balls(const Problem& p, EventTimer& timer) {
-  const int all = pieces();
+  const int all = pieces(), last = all - 1;
   // Of several, one is put into its cells while the next arrives.
-  const cudaStream_t stream = all > 1 ? queues.other : queues.main;
+  const cudaStream_t before_last = all > 1 ? queues.other : queues.main;
   // One fill: the counters, the cells' and the balls' counts.
   // Prefix sums read, but do not use, the number after the last.
   const std::size_t counts = p.whole ? kZeroedArrays * n : n + 1;
-  check(cudaMemsetAsync(zeroed.get(), 0, (kCounterWords + p.cell_count + 1 + counts) * 4, stream),
+  check(cudaMemsetAsync(zeroed.get(), 0, (kCounterWords + p.cell_count + 1 + counts) * 4,
+                        before_last),
         "clearing device memory");
-  for (int piece = 0; piece < all; ++piece) send_piece(p, piece, all, stream, timer);
-  if (stream == queues.main) return;
-  queues.assigned.record(stream);
-  queues.assigned.hold_up(queues.main);
+  for (int piece = 0; piece < last; ++piece) {
+    send_piece(piece, all);
+    queues.arrived[piece].record(queues.main);
+    queues.arrived[piece].hold_up(before_last);
+    assign_piece(p, piece, all, before_last);
+  }
+  send_piece(last, all);
+  timer.mark(stage::kHostToDevice, queues.main);
+  if (all > 1) {
+    queues.assigned.record(before_last);
+    queues.assigned.hold_up(queues.main);
+  }
+  assign_piece(p, last, all, queues.main);
 }
 
 SortedBalls FacetPipeline::State::sort_into_cells(const Problem& p, EventTimer& timer) {
@@ -179,7 +194,7 @@ SortedBalls FacetPipeline::State::sort_into_cells(const Problem& p, EventTimer& 
   std::uint32_t* cell_count = zeroed.get() + kCounterWords;
   const LaunchShape per_ball{blocks_for(n), kThreads, queues.main};
   scan(cell_count, cell_start.get(), p.cell_count + 1, queues.main);
-  launch(gpu::sort_into_cells, per_ball, p, balls.get(), cell_and_rank.get(), cell_start.get(),
+  launch(gpu::sort_into_cells, per_ball, p, balls.get(), cell_start.get(),
          SortedBuffers{index.get(), near.get(), home.get()});
   check(cudaGetLastError(), "sorting the balls");
   timer.mark(stage::kGrid, queues.main);

@@ -128,7 +128,7 @@ class EventTimer {
 };
 
 // In which large sets of balls arrive.
-inline constexpr int kMaxPieces = 2;
+inline constexpr int kMaxPieces = 3;
 
 // Where the work of a run is queued. Those after the first, and the events, are for runs in several
 // chunks, but where it says so.
@@ -180,7 +180,6 @@ struct FacetPipeline::State {
   std::optional<WireLayout> packing;
   PinnedBuffer<Counters> host_counters;
   DeviceBuffer<int4> balls;
-  DeviceBuffer<uint2> cell_and_rank;
   // Cleared at once at the start of a run: Counters, then the cells' counts, the balls' of
   // tetrahedra, triangles and edge candidates, and what is known of vertices (VertexStates).
   DeviceBuffer<std::uint32_t> zeroed;
@@ -212,7 +211,9 @@ struct FacetPipeline::State {
   void load(const BallSet& balls);
   // Balls come in one piece or several, and are put into their cells.
   int pieces() const;
-  void send_piece(const Problem& p, int piece, int all, cudaStream_t stream, EventTimer& timer);
+  std::size_t piece_begin(int piece, int all) const;  // in kWireStart balls
+  void send_piece(int piece, int all);
+  void assign_piece(const Problem& p, int piece, int all, cudaStream_t stream);
   void receive_balls(const Problem& p, EventTimer& timer);
   // Words of `zeroed` that come after the counters and the cells: arrays of n.
   static constexpr int kZeroedArrays = 6;

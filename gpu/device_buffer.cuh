@@ -98,6 +98,7 @@ class PinnedBuffer {
     return true;
   }
   T* get() const { return data_; }
+  std::size_t capacity() const { return capacity_; }
   // The caller's from now on, for cudaFreeHost().
   T* release() {
     capacity_ = 0;

@@ -47,7 +47,10 @@ class Run {
       busy_ = true;
       enqueue(need, layout);
       const bool sent = is_known(need) || send_counted(layout, cancel);
-      if (sent) timer_.mark(stage::kDeviceToHost, chunks_ > 1 ? q_.copying : q_.main);
+      if (sent) {
+        timer_.mark(stage::kDeviceToHost, chunks_ > 1 ? q_.copying : q_.main);
+        result_.say_interior(layout);
+      }
       check(q_.wait(chunks_ > 1), "computing dual edges");
       const Need next = next_need(need);
       if (!was_enough(need, next)) {
@@ -57,9 +60,10 @@ class Run {
       remember(s_, next);
       const ResultLayout found(next.counts, whole_);
       if (!sent) {
-        if (s_.host_result.reserve(found.bytes)) timer_.mark(stage::kMakingRoom, q_.main);
+        if (result_.make_room(found)) timer_.mark(stage::kMakingRoom, q_.main);
         result_.found(layout, found, q_.main);
         timer_.mark(stage::kDeviceToHost, q_.main);
+        result_.say_interior(found);
         check(cudaStreamSynchronize(q_.main), "copying the result");
       }
       busy_ = false;
@@ -202,7 +206,7 @@ class Run {
       if (c == chunks_ - 1) timer_.mark(stage::kCandidatesAndFiltered, stream);
     }
     const bool known = is_known(need);
-    if (known) s_.host_result.reserve(layout.bytes);
+    if (known) result_.make_room(layout);
     for (int c = 0; c < chunks_; ++c) {
       order(need, sorted, part(c, out), layout, c);
       if (known && chunks_ > 1) send(layout, need.totals.data(), c);
@@ -281,7 +285,7 @@ class Run {
   // The same of all chunks, as each is counted. False of a single one, when nothing is sent yet.
   bool send_counted(const ResultLayout& layout, const CancelToken& cancel) {
     if (chunks_ == 1) return false;
-    s_.host_result.reserve(layout.bytes);
+    result_.make_room(layout);
     bool room = true;
     for (int c = 0; c < chunks_ && room; ++c) {
       check(cudaEventSynchronize(q_.counted[c]), "computing dual edges");

@@ -13,16 +13,16 @@
 
 namespace alphascope::gpu {
 
-// Valid until the next run. Lexicographic order; values and classes are
-// empty for tetrahedra only, classes for tetrahedra.
+// Lexicographic order; values and classes are empty for tetrahedra only.
 template <int N>
 struct HostSimplices {
-  std::span<const std::array<BallIndex, N>> simplices;
-  std::span<const float> values;
-  std::span<const SimplexClass> classes;
+  std::span<std::array<BallIndex, N>> simplices;
+  std::span<float> values;
+  std::span<SimplexClass> classes;
 };
 
 struct PipelineResult {
+  std::shared_ptr<void> memory;  // of the simplices, which are there as long as this is
   HostSimplices<1> vertices;
   HostSimplices<2> edges;
   HostSimplices<3> triangles;

@@ -9,7 +9,6 @@
 #include "gpu/device_buffer.cuh"
 #include "gpu/facet_pipeline.hpp"
 #include "gpu/launch.cuh"
-#include "gpu/result_arrays.hpp"
 
 namespace alphascope {
 namespace {
@@ -73,6 +72,15 @@ GpuDevice probe_device() {
                 " cannot be used: " + error.what() + "." + kFallback;
   }
   return d;
+}
+
+// A result stays in the pinned memory that it arrived in.
+template <int N>
+void keep(const gpu::PipelineResult& result, const gpu::HostSimplices<N>& from,
+          SimplexList<N>& to) {
+  to.simplices = in_place(result.memory, from.simplices);
+  to.alpha_values = in_place(result.memory, from.values);
+  to.classes = in_place(result.memory, from.classes);
 }
 
 // More slabs than this and the halos are most of the work.
@@ -150,13 +158,12 @@ class GpuEngine : public Engine {
     const gpu::PipelineResult result = pipeline.run(
         complex.alpha_on_lattice, request.tetrahedra_only, context.cancel, &complex.timings);
     if (!result.fits) return std::nullopt;
-    StageTimes host;
-    StageTimer host_timer(host);
-    gpu::copy_result(result, complex);
+    keep(result, result.vertices, complex.vertices);
+    keep(result, result.edges, complex.edges);
+    keep(result, result.triangles, complex.triangles);
+    keep(result, result.tetrahedra, complex.tetrahedra);
     complex.hash = result.hash.combined(request.tetrahedra_only);
-    host_timer.lap("result arrays");
     wall.finish();
-    complex.timings.stages.push_back(host.stages.front());
     complex.timings.wall_milliseconds = whole.wall_milliseconds;
     complex.engine = {"facet engine", gpu_device().name, "dual edge clipping"};
     complex.engine.counters.push_back({"balls through kernel III", result.exact_balls});

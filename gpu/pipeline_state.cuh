@@ -17,6 +17,7 @@
 #include "gpu/handles.cuh"
 #include "gpu/launch.cuh"
 #include "gpu/problem.cuh"
+#include "gpu/result_memory.cuh"
 
 namespace alphascope::gpu {
 
@@ -59,14 +60,15 @@ struct SimplexCounts {
 };
 
 // Where the arrays of a result lie in one piece of memory, the same on the device and on the host,
-// so that one copy brings all.
+// so that one copy brings all. Tetrahedra of K_alpha are interior: the device needn't say so, and
+// only the host has room for that, at the end.
 struct ResultLayout {
   struct Section {
     std::size_t vertices, value, simplex_class;  // bytes from the start
   };
   Section dimension[4];
   SimplexCounts room;
-  std::size_t bytes = 0;
+  std::size_t bytes = 0, host_bytes = 0;
 
   ResultLayout(const SimplexCounts& counts, bool whole) : room(counts) {
     const auto take = [&](std::size_t size) {
@@ -78,9 +80,10 @@ struct ResultLayout {
       const std::size_t count = whole || d == 3 ? counts[d] : 0;
       dimension[d].vertices = take(count * 4 * (d + 1));
       dimension[d].value = take(whole ? count * 4 : 0);
-      // Tetrahedra of K_alpha are interior.
-      dimension[d].simplex_class = take(whole && d < 3 ? count : 0);
+      if (d < 3) dimension[d].simplex_class = take(whole ? count : 0);
     }
+    dimension[3].simplex_class = bytes;
+    host_bytes = bytes + (whole ? counts[3] : 0);
   }
 };
 
@@ -201,7 +204,7 @@ struct FacetPipeline::State {
   DeviceBuffer<std::uint32_t> offset, pending, edges_found;
   DeviceBuffer<std::uint64_t> places;
   DeviceBuffer<unsigned char> result;
-  PinnedBuffer<unsigned char> host_result;
+  std::shared_ptr<ResultMemory> results = std::make_shared<ResultMemory>();
 
   Counters* counters() { return reinterpret_cast<Counters*>(zeroed.get()); }
 

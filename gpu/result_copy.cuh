@@ -1,6 +1,8 @@
 // The way of a result back to the host: where its arrays lie there, and what is copied when.
 #pragma once
 
+#include <cstring>
+
 #include "gpu/pipeline_state.cuh"
 
 namespace alphascope::gpu {
@@ -8,6 +10,22 @@ namespace alphascope::gpu {
 class ResultCopy {
  public:
   ResultCopy(FacetPipeline::State& state, bool whole) : s_(state), whole_(whole) {}
+
+  // Memory on the host; whether the system was asked for it.
+  bool make_room(const ResultLayout& layout) {
+    if (layout.host_bytes <= room_) return false;
+    memory_.reset();
+    room_ = 0;
+    auto [memory, grew] = s_.results->take(layout.host_bytes);
+    memory_ = std::move(memory);
+    room_ = layout.host_bytes;
+    return grew;
+  }
+  // What needs no copy; meanwhile the others may be on their way.
+  void say_interior(const ResultLayout& layout) {
+    std::memset(memory_.get() + layout.dimension[3].simplex_class,
+                static_cast<int>(SimplexClass::interior), layout.host_bytes - layout.bytes);
+  }
 
   // The parts of the result's memory, where it was found by itself how much that is.
   void all_faces(const ResultLayout& layout, cudaStream_t stream) {
@@ -40,6 +58,7 @@ class ResultCopy {
 
   PipelineResult result(const ResultLayout& layout, const SimplexCounts& counts) const {
     PipelineResult result;
+    result.memory = memory_;
     const Counters& got = *s_.host_counters.get();
     for (const std::uint32_t balls : got.exact_count) result.exact_balls += balls;
     for (int d = 0; d < 4; ++d) {
@@ -67,7 +86,7 @@ class ResultCopy {
 
   void bring(std::size_t begin, std::size_t place, std::size_t bytes, cudaStream_t stream) {
     if (bytes == 0) return;
-    check(cudaMemcpyAsync(s_.host_result.get() + place, s_.result.get() + begin, bytes,
+    check(cudaMemcpyAsync(memory_.get() + place, s_.result.get() + begin, bytes,
                           cudaMemcpyDeviceToHost, stream),
           "copying the result");
   }
@@ -91,21 +110,20 @@ class ResultCopy {
   HostSimplices<N> simplices(const ResultLayout& layout, const SimplexCounts& counts) const {
     static_assert(sizeof(std::array<BallIndex, N>) == N * sizeof(std::uint32_t));
     const ResultLayout::Section& at = layout.dimension[N - 1];
-    const unsigned char* memory = s_.host_result.get();
+    unsigned char* memory = memory_.get();
     HostSimplices<N> list;
-    list.simplices = {reinterpret_cast<const std::array<BallIndex, N>*>(memory + at.vertices),
+    list.simplices = {reinterpret_cast<std::array<BallIndex, N>*>(memory + at.vertices),
                       counts[N - 1]};
     if (!whole_) return list;
-    list.values = {reinterpret_cast<const float*>(memory + at.value), counts[N - 1]};
-    if (N < 4) {
-      list.classes = {reinterpret_cast<const SimplexClass*>(memory + at.simplex_class),
-                      counts[N - 1]};
-    }
+    list.values = {reinterpret_cast<float*>(memory + at.value), counts[N - 1]};
+    list.classes = {reinterpret_cast<SimplexClass*>(memory + at.simplex_class), counts[N - 1]};
     return list;
   }
 
   FacetPipeline::State& s_;
   const bool whole_;
+  std::shared_ptr<unsigned char> memory_;
+  std::size_t room_ = 0;  // bytes there
 };
 
 }  // namespace alphascope::gpu

@@ -134,6 +134,32 @@ TEST(Gpu, EqualsItselfFromRunToRun) {
     expect_same(engine->compute({0.5, false}, {}).tetrahedra, first.tetrahedra);
 }
 
+// A result stays in the memory that it arrived in, which later ones get when it is let go of.
+TEST(Gpu, ResultsStayAsTheyAre) {
+  if (!gpu_device().usable) GTEST_SKIP() << gpu_device().why_not;
+  Random random(10);
+  const auto balls =
+      std::make_shared<const BallSet>(testing::random_balls(random, 600, 8000, 500, 900));
+  auto gpu = testing::make_device_engine(balls);
+  ASSERT_TRUE(gpu);
+  const auto cpu = make_cpu_engine(balls);
+  const auto request = [&](int number) {
+    return AlphaRequest{balls->lattice.square_angstrom(1e5 * (number % 3)), number % 2 == 0};
+  };
+  std::vector<AlphaComplex> kept;
+  for (int number = 0; number < 12; ++number) {
+    kept.push_back(gpu->compute(request(number), {}));
+    gpu->compute(request(number + 1), {});  // let go of at once
+  }
+  kept.push_back(kept.front());
+  kept.front() = {};
+  gpu.reset();
+  for (int number = 1; number <= 12; ++number) {
+    SCOPED_TRACE(number);
+    expect_same(kept[number], cpu->compute(request(number % 12), {}));
+  }
+}
+
 // Run by ctest with a stand-in for the driver's library that claims to be old (old_driver.c).
 TEST(Gpu, SaysThatADriverIsTooOld) {
   if (std::getenv("ALPHASCOPE_EXPECT_OLD_DRIVER") == nullptr)

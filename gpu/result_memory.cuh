@@ -1,0 +1,66 @@
+// Pinned memory that results arrive in and stay in: to copy one into arrays of its own would take
+// about as long as its way back. When nothing is left of a result, a later one gets its memory.
+#pragma once
+
+#include <algorithm>
+#include <memory>
+#include <mutex>
+#include <vector>
+
+#include "gpu/device_buffer.cuh"
+
+namespace alphascope::gpu {
+
+// Results may outlive the pipeline and be let go of by any thread.
+class ResultMemory : public std::enable_shared_from_this<ResultMemory> {
+ public:
+  ResultMemory() { idle_.reserve(kMostIdle + 1); }
+
+  struct Taken {
+    std::shared_ptr<unsigned char> memory;
+    bool grew;  // whether the system was asked for memory, which takes longer than most runs
+  };
+  // At least so many bytes, the caller's until all copies of the pointer are gone. Throws
+  // std::bad_alloc, DeviceError.
+  Taken take(std::size_t bytes) {
+    std::unique_ptr<Buffer> buffer = idle(bytes);
+    const bool grew = buffer->reserve(bytes);
+    return {
+        {buffer->get(), [pool = shared_from_this(), lent = buffer.release()](
+                            unsigned char*) { pool->give_back(std::unique_ptr<Buffer>(lent)); }},
+        grew};
+  }
+
+ private:
+  using Buffer = PinnedBuffer<unsigned char>;
+  // The result that is shown and the next one take turns; a third may be kept for comparison.
+  static constexpr std::size_t kMostIdle = 2;
+
+  // The smallest one that has room; else the largest, which is to grow; else a new one.
+  std::unique_ptr<Buffer> idle(std::size_t bytes) {
+    const std::lock_guard lock(mutex_);
+    if (idle_.empty()) return std::make_unique<Buffer>();
+    const auto order = [&](const auto& a, const auto& b) {
+      const bool enough = a->capacity() >= bytes, other_enough = b->capacity() >= bytes;
+      if (enough != other_enough) return enough;
+      return enough ? a->capacity() < b->capacity() : a->capacity() > b->capacity();
+    };
+    const auto best = std::min_element(idle_.begin(), idle_.end(), order);
+    std::unique_ptr<Buffer> buffer = std::move(*best);
+    idle_.erase(best);
+    return buffer;
+  }
+  void give_back(std::unique_ptr<Buffer> buffer) {
+    const std::lock_guard lock(mutex_);
+    idle_.push_back(std::move(buffer));
+    if (idle_.size() <= kMostIdle) return;
+    idle_.erase(std::min_element(idle_.begin(), idle_.end(), [](const auto& a, const auto& b) {
+      return a->capacity() < b->capacity();
+    }));
+  }
+
+  std::mutex mutex_;
+  std::vector<std::unique_ptr<Buffer>> idle_;
+};
+
+}  // namespace alphascope::gpu

@@ -1,0 +1,95 @@
+// Arrays of results: ordinary ones, and those that begin where their content already is.
+#include "core/complex/simplices.hpp"
+
+#include <gtest/gtest.h>
+
+#include <numeric>
+
+namespace alphascope {
+namespace {
+
+class InPlace : public ::testing::Test {
+ protected:
+  InPlace() {
+    std::iota(memory_->begin(), memory_->end(), 0.0f);
+    array_ = in_place<float>(memory_, *memory_);
+  }
+  bool is_kept() const { return memory_.use_count() > 1; }
+  static std::vector<float> numbers(const ResultArray<float>& array) {
+    return {array.begin(), array.end()};
+  }
+
+  std::shared_ptr<std::vector<float>> memory_ = std::make_shared<std::vector<float>>(100);
+  ResultArray<float> array_;
+};
+
+TEST_F(InPlace, HasTheContentWithoutACopy) {
+  EXPECT_EQ(array_.data(), memory_->data());
+  EXPECT_EQ(numbers(array_), *memory_);
+}
+
+TEST_F(InPlace, KeepsTheMemoryUntilItIsGone) {
+  EXPECT_TRUE(is_kept());
+  array_ = ResultArray<float>();
+  EXPECT_FALSE(is_kept());
+}
+
+TEST_F(InPlace, CopiesHaveMemoryOfTheirOwn) {
+  ResultArray<float> copy = array_;
+  const ResultArray<float> assigned = [&] {
+    ResultArray<float> to(3);
+    to = array_;
+    return to;
+  }();
+  EXPECT_NE(copy.data(), array_.data());
+  array_ = ResultArray<float>();
+  EXPECT_FALSE(is_kept());
+  std::fill(memory_->begin(), memory_->end(), -1.0f);
+  EXPECT_EQ(copy, assigned);
+  EXPECT_EQ(copy[99], 99.0f);
+}
+
+TEST_F(InPlace, MovesAlong) {
+  ResultArray<float> moved = std::move(array_);
+  array_ = ResultArray<float>(5, 7.0f);
+  EXPECT_EQ(moved.data(), memory_->data());
+  std::swap(moved, array_);
+  EXPECT_EQ(array_.data(), memory_->data());
+  EXPECT_EQ(moved.size(), 5u);
+  array_ = std::move(moved);
+  EXPECT_EQ(array_[4], 7.0f);
+  moved = ResultArray<float>();
+  EXPECT_FALSE(is_kept());
+}
+
+TEST_F(InPlace, OutgrowsTheMemory) {
+  array_.push_back(100);
+  EXPECT_FALSE(is_kept());
+  EXPECT_EQ(array_.size(), 101u);
+  EXPECT_EQ(array_[100], 100.0f);
+  EXPECT_EQ(array_[99], 99.0f);
+}
+
+TEST_F(InPlace, ShrinksIntoMemoryOfItsOwn) {
+  array_.resize(10);
+  EXPECT_TRUE(is_kept());
+  array_.shrink_to_fit();
+  EXPECT_NE(array_.data(), memory_->data());
+  EXPECT_EQ(array_.size(), 10u);
+  EXPECT_EQ(array_[9], 9.0f);
+}
+
+TEST_F(InPlace, NothingNeedsNoMemory) {
+  array_ = in_place<float>(memory_, {});
+  EXPECT_TRUE(array_.empty());
+  array_.push_back(1);
+  EXPECT_EQ(array_[0], 1.0f);
+}
+
+TEST(ResultArrays, AreEqualByTheirContent) {
+  const auto memory = std::make_shared<std::vector<float>>(3, 1.0f);
+  EXPECT_EQ(in_place<float>(memory, *memory), ResultArray<float>(3, 1.0f));
+}
+
+}  // namespace
+}  // namespace alphascope

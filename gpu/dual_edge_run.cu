@@ -138,16 +138,25 @@ class Run {
   }
 
   // Where a chunk begins: the same for all sizes of blocks, so that what an earlier run counted
-  // holds. Nothing hides the last chunk, which is half as long; and of a whole complex in many, the
-  // first: it is bound by the way back, which should soon have something to carry.
+  // holds. Nothing hides the last chunk, so it is short, and of tetrahedra alone, the one before,
+  // which must be on its way by then. Of a whole complex in many, so is the first: it is bound by
+  // the way back, which should soon have something to carry.
   std::uint32_t chunk_begin(int number) const {
-    const bool many = chunks_ > 4 && most_chunks() >= 2 * static_cast<std::size_t>(chunks_);
-    const int early = whole_ && many ? 1 : 0;
-    const auto halves = [&](int k) -> std::size_t {
-      return static_cast<std::size_t>(k == 0 ? 0 : std::min(2 * k, 2 * chunks_ - 1) - early);
+    const std::size_t balls = most_chunks() * quarters_before(number) / quarters_before(chunks_);
+    return static_cast<std::uint32_t>(std::min(s_.n, balls * kMaxBallsPerBlock));
+  }
+  // The length of the chunks before, full ones being 4. None of them may be empty.
+  std::size_t quarters_before(int number) const {
+    const bool uneven = most_chunks() >= 4 * static_cast<std::size_t>(chunks_);
+    const auto quarters = [&](int chunk) -> std::size_t {
+      const int after = chunks_ - 1 - chunk;
+      if (!uneven) return 4;
+      if (whole_) return after == 0 || (chunk == 0 && chunks_ > 4) ? 2 : 4;
+      return after == 0 ? 1 : after == 1 ? 2 : 4;
     };
-    const std::size_t unit = most_chunks() * halves(number) / halves(chunks_);
-    return static_cast<std::uint32_t>(std::min(s_.n, unit * kMaxBallsPerBlock));
+    std::size_t sum = 0;
+    for (int chunk = 0; chunk < number; ++chunk) sum += quarters(chunk);
+    return sum;
   }
   std::size_t most_chunks() const { return (s_.n + kMaxBallsPerBlock - 1) / kMaxBallsPerBlock; }
 

@@ -217,7 +217,7 @@ inline int chunk_count(const State& s, const Need& need, std::size_t bytes) {
   if (need.totals.empty()) return 1;
   const double megabytes = static_cast<double>(bytes) / 1e6;
   const double best = need.whole ? std::sqrt(megabytes / 2.5)
-                                 : std::max(std::sqrt(megabytes / 0.6), (megabytes - 3) / 1.85);
+                                 : std::max(std::sqrt(megabytes / 0.55), (megabytes - 3) / 1.85);
   constexpr double kLeastBalls = 4096;
   const double most = static_cast<double>(s.n) / kLeastBalls;
   return std::clamp(static_cast<int>(std::min(best, most)), 1, kMaxChunks);

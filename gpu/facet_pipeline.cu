@@ -127,14 +127,11 @@ int FacetPipeline::State::pieces() const {
   return static_cast<int>(std::min<std::size_t>(several ? kMaxPieces : 1, starts));
 }
 
-// Of whole starts of packed balls, see ball_wire.cuh. The last piece is small: nothing hides its
-// way into the cells.
+// Of whole starts of packed balls, see ball_wire.cuh. The last piece is the smaller one: nothing
+// hides its way into the cells.
 std::size_t FacetPipeline::State::piece_begin(int piece, int all) const {
   const std::size_t starts = (n + kWireStart - 1) / kWireStart;
-  return piece == 0     ? 0
-         : piece == all ? starts
-         : piece == 1   ? (starts + 1) / 2
-                        : starts - (starts + 7) / 8;
+  return piece == 0 ? 0 : piece == all ? starts : starts - (starts + 3) / 4;
 }
 
 void FacetPipeline::State::send_piece(int piece, int all) {
@@ -158,7 +155,6 @@ void FacetPipeline::State::assign_piece(const Problem& p, int piece, int all, cu
     return static_cast<std::uint32_t>(std::min(n, piece_begin(k, all) * kWireStart));
   };
   const std::uint32_t begin = ball(piece), end = ball(piece + 1);
-  if (begin == end) return;
   launch(gpu::assign_cells, {blocks_for(end - begin), kThreads, stream}, p, begin, end,
          PackedBalls{packed.get(), packing.value_or(WireLayout{})}, balls.get(),
          zeroed.get() + kCounterWords, home.get());

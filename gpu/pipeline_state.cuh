@@ -131,7 +131,7 @@ class EventTimer {
 };
 
 // In which large sets of balls arrive.
-inline constexpr int kMaxPieces = 3;
+inline constexpr int kMaxPieces = 2;
 
 // Where the work of a run is queued. Those after the first, and the events, are for runs in several
 // chunks, but where it says so.

@@ -9,6 +9,9 @@
 
 namespace alphascope::gpu {
 
+// Balls in a list that kernel III does not cull: it takes longer than it saves.
+constexpr int kShortList = 32;
+
 // Marks of an index in a list that is being made.
 constexpr std::uint32_t kNearBit = 1u << 31, kDeadBit = 1u << 30, kIndexBits = kDeadBit - 1;
 
@@ -294,7 +297,10 @@ __device__ inline void find_list(const DualEdgeProblem& p, const SortedBalls& so
   const float radius_square =
       static_cast<float>(static_cast<double>(square(centre.w)) + p.common.alpha) * p.radius_scale;
   int n = all <= p.common.search_capacity ? all : 0;
-  if constexpr (Kind::kCull) n = Culler(p, m, centre, radius_square, n).cull();
+  if constexpr (Kind::kCull) {
+    if (!Kind::kExact || __any_sync(~0u, n > kShortList))
+      n = Culler(p, m, centre, radius_square, n).cull();
+  }
   const int later = count_later<Kind>(m, n, index);
   const ListPlace place = place_list(p, s, active, all, n, later);
   if (active) mark_rows(p, m, place, later, b);

@@ -23,8 +23,10 @@ class ResultCopy {
   }
   // What needs no copy; meanwhile the others may be on their way.
   void say_interior(const ResultLayout& layout) {
+    const std::size_t tetrahedra = layout.host_bytes - layout.bytes;
+    if (tetrahedra == 0) return;
     std::memset(memory_.get() + layout.dimension[3].simplex_class,
-                static_cast<int>(SimplexClass::interior), layout.host_bytes - layout.bytes);
+                static_cast<int>(SimplexClass::interior), tetrahedra);
   }
 
   // The parts of the result's memory, where it was found by itself how much that is.

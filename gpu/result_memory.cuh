@@ -25,10 +25,11 @@ class ResultMemory : public std::enable_shared_from_this<ResultMemory> {
   Taken take(std::size_t bytes) {
     std::unique_ptr<Buffer> buffer = idle(bytes);
     const bool grew = buffer->reserve(bytes);
-    return {
-        {buffer->get(), [pool = shared_from_this(), lent = buffer.release()](
-                            unsigned char*) { pool->give_back(std::unique_ptr<Buffer>(lent)); }},
-        grew};
+    Buffer* const lent = buffer.release();
+    const auto back = [pool = shared_from_this(), lent](unsigned char*) {
+      pool->give_back(std::unique_ptr<Buffer>(lent));
+    };
+    return {{lent->get(), back}, grew};
   }
 
  private:
@@ -51,12 +52,15 @@ class ResultMemory : public std::enable_shared_from_this<ResultMemory> {
     return buffer;
   }
   void give_back(std::unique_ptr<Buffer> buffer) {
+    std::unique_ptr<Buffer> surplus;  // whose memory takes long to free: not under the lock
     const std::lock_guard lock(mutex_);
     idle_.push_back(std::move(buffer));
     if (idle_.size() <= kMostIdle) return;
-    idle_.erase(std::min_element(idle_.begin(), idle_.end(), [](const auto& a, const auto& b) {
-      return a->capacity() < b->capacity();
-    }));
+    const auto smallest = std::min_element(
+        idle_.begin(), idle_.end(),
+        [](const auto& a, const auto& b) { return a->capacity() < b->capacity(); });
+    surplus = std::move(*smallest);
+    idle_.erase(smallest);
   }
 
   std::mutex mutex_;

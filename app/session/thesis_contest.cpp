@@ -98,8 +98,10 @@ class Contest {
     AlphaRequest at = rules_.request;
     Clock::time_point start = Clock::now();
     const MadeEngine made = factory_(c.choice, rules_.balls, c.settings);
-    const AlphaComplex complex = made.engine->compute(at, quiet);
+    AlphaComplex complex = made.engine->compute(at, quiet);
     const double cold = milliseconds_since(start);
+    const std::size_t tetrahedra = complex.tetrahedra.size();
+    let_go(complex);
     at.alpha_angstrom2 -= kSliderStep;
     start = Clock::now();
     made.engine->compute(at, quiet);
@@ -109,8 +111,16 @@ class Contest {
     c.warm.push_back(warm);
     c.cold_stages.push_back(complex.timings.stages);
     c.engine = complex.engine;
-    c.tetrahedra = complex.tetrahedra.size();
+    c.tetrahedra = tetrahedra;
     c.hash = complex.hash;
+  }
+
+  // An engine may keep the memory of a result for a later one, as it does while a slider moves.
+  static void let_go(AlphaComplex& complex) {
+    complex.vertices = {};
+    complex.edges = {};
+    complex.triangles = {};
+    complex.tetrahedra = {};
   }
 
   static void fail(Contestant& c, const std::string& why) {

@@ -7,9 +7,9 @@
 #include <new>
 #include <stdexcept>
 #include <string>
-#include <utility>
 
 #include "gpu/faults.hpp"
+#include "gpu/page_locked.hpp"
 
 namespace alphascope::gpu {
 
@@ -81,32 +81,22 @@ class DeviceBuffer {
 template <class T>
 class PinnedBuffer {
  public:
-  PinnedBuffer() = default;
-  PinnedBuffer(const PinnedBuffer&) = delete;
-  PinnedBuffer& operator=(const PinnedBuffer&) = delete;
-  ~PinnedBuffer() { cudaFreeHost(data_); }
   // Returns whether it grew.
   bool reserve(std::size_t count) {
     if (count <= capacity_) return false;
     const bool first = capacity_ == 0;
-    cudaFreeHost(data_);
-    data_ = nullptr;
+    memory_.free();
     capacity_ = 0;
     capacity_ = reserve_to_spare(count * sizeof(T), first, "reserving pinned host memory",
-                                 [&](std::size_t bytes) { return cudaMallocHost(&data_, bytes); }) /
+                                 [&](std::size_t bytes) { return memory_.allocate(bytes); }) /
                 sizeof(T);
     return true;
   }
-  T* get() const { return data_; }
+  T* get() const { return static_cast<T*>(memory_.get()); }
   std::size_t capacity() const { return capacity_; }
-  // The caller's from now on, for cudaFreeHost().
-  T* release() {
-    capacity_ = 0;
-    return std::exchange(data_, nullptr);
-  }
 
  private:
-  T* data_ = nullptr;
+  PageLocked memory_;
   std::size_t capacity_ = 0;
 };
 

@@ -11,6 +11,8 @@ struct Faults {
   // Counted down to 0 by what they are about; below 0: off.
   static inline std::atomic<int> refuse_reservation{-1}, lose_device{-1};
   static inline std::atomic<int> met{0};  // faults so far
+  // No fault, but what otherwise needs large sets: pages of our own for any pinned memory.
+  static inline std::atomic<bool> pins_little{false};
 
   static void none() {
     refuse_reservation = lose_device = -1;

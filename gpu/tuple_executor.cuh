@@ -11,6 +11,8 @@
 #include <chrono>
 #include <cstring>
 #include <functional>
+#include <map>
+#include <memory>
 #include <memory_resource>
 #include <type_traits>
 #include <vector>
@@ -25,14 +27,18 @@ namespace alphascope::gpu {
 // Page-locked host memory, for the arrays of the grid.
 class PinnedMemory : public std::pmr::memory_resource {
   void* do_allocate(std::size_t bytes, std::size_t) override {
-    PinnedBuffer<char> memory;
-    memory.reserve(std::max<std::size_t>(bytes, 1));
-    return memory.release();
+    auto buffer = std::make_unique<PinnedBuffer<char>>();
+    buffer->reserve(std::max<std::size_t>(bytes, 1));
+    void* const data = buffer->get();
+    buffers_[data] = std::move(buffer);
+    return data;
   }
-  void do_deallocate(void* data, std::size_t, std::size_t) override { cudaFreeHost(data); }
+  void do_deallocate(void* data, std::size_t, std::size_t) override { buffers_.erase(data); }
   bool do_is_equal(const std::pmr::memory_resource& other) const noexcept override {
     return this == &other;
   }
+
+  std::map<void*, std::unique_ptr<PinnedBuffer<char>>> buffers_;
 };
 
 // Pinned or pageable bytes that grow and are kept.

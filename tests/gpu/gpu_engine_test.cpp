@@ -8,6 +8,7 @@
 #include <random>
 
 #include "gpu/facet_pipeline.hpp"
+#include "gpu/faults.hpp"
 #include "tests/support/device_engine.hpp"
 #include "tests/support/expect_same.hpp"
 #include "tests/support/random_balls.hpp"
@@ -134,9 +135,21 @@ TEST(Gpu, EqualsItselfFromRunToRun) {
     expect_same(engine->compute({0.5, false}, {}).tetrahedra, first.tetrahedra);
 }
 
-// A result stays in the memory that it arrived in, which later ones get when it is let go of.
-TEST(Gpu, ResultsStayAsTheyAre) {
-  if (!gpu_device().usable) GTEST_SKIP() << gpu_device().why_not;
+// A result stays in the memory that it arrived in, which later ones get when it is let go of. It
+// comes from CUDA or, as much of it would, from us.
+class GpuResults : public ::testing::TestWithParam<bool> {
+ protected:
+  void SetUp() override {
+    if (!gpu_device().usable) GTEST_SKIP() << gpu_device().why_not;
+    gpu::Faults::pins_little = GetParam();
+  }
+  void TearDown() override { gpu::Faults::pins_little = false; }
+};
+INSTANTIATE_TEST_SUITE_P(Memory, GpuResults, ::testing::Bool(), [](const auto& of) {
+  return std::string(of.param ? "OfPagesOfOurOwn" : "OfCuda");
+});
+
+TEST_P(GpuResults, StayAsTheyAre) {
   Random random(10);
   const auto balls =
       std::make_shared<const BallSet>(testing::random_balls(random, 600, 8000, 500, 900));

@@ -260,7 +260,7 @@ cudaError_t cudaFuncSetAttribute(Kernel, cudaFuncAttribute, int) {
 namespace emulated {
 
 // Filled with what is no sensible value of anything, as a device's memory may be.
-enum class MemoryKind { device, pinned };
+enum class MemoryKind { device, pinned, registered };
 cudaError_t allocate(void** data, std::size_t bytes, MemoryKind kind);
 // As on a device, all work is done before memory goes.
 cudaError_t release(void* data, MemoryKind kind);
@@ -275,6 +275,11 @@ template <class T>
 cudaError_t cudaMallocHost(T** data, std::size_t bytes) {
   return emulated::allocate(reinterpret_cast<void**>(data), bytes, emulated::MemoryKind::pinned);
 }
+// Refused every other time, as on systems that cannot.
+enum { cudaHostRegisterDefault };
+cudaError_t cudaHostRegister(void* data, std::size_t bytes, unsigned flags);
+cudaError_t cudaHostUnregister(void* data);
+cudaError_t cudaDeviceSynchronize();
 inline cudaError_t cudaFree(void* data) {
   return emulated::release(data, emulated::MemoryKind::device);
 }

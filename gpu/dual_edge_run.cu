@@ -60,7 +60,7 @@ class Run {
       remember(s_, next);
       const ResultLayout found(next.counts, whole_);
       if (!sent) {
-        if (result_.make_room(found)) timer_.mark(stage::kMakingRoom, q_.main);
+        make_room(found);
         result_.found(layout, found, q_.main);
         timer_.mark(stage::kDeviceToHost, q_.main);
         result_.say_interior(found);
@@ -215,7 +215,7 @@ class Run {
       if (c == chunks_ - 1) timer_.mark(stage::kCandidatesAndFiltered, stream);
     }
     const bool known = is_known(need);
-    if (known) result_.make_room(layout);
+    if (known) make_room(layout);
     for (int c = 0; c < chunks_; ++c) {
       order(need, sorted, part(c, out), layout, c);
       if (known && chunks_ > 1) send(layout, need.totals.data(), c);
@@ -264,6 +264,12 @@ class Run {
     if (several) q_.counted[number].record(stream);
   }
 
+  // For the result on the host; the device may be at work meanwhile.
+  void make_room(const ResultLayout& layout) {
+    if (result_.make_room(layout))
+      timer_.mark(stage::kMakingRoom, chunks_ > 1 ? q_.copying : q_.main);
+  }
+
   // Is it known how many simplices each chunk will find?
   bool is_known(const Need& need) const {
     return need.counted && need.totals.size() == static_cast<std::size_t>(chunks_);
@@ -294,7 +300,7 @@ class Run {
   // The same of all chunks, as each is counted. False of a single one, when nothing is sent yet.
   bool send_counted(const ResultLayout& layout, const CancelToken& cancel) {
     if (chunks_ == 1) return false;
-    result_.make_room(layout);
+    make_room(layout);
     bool room = true;
     for (int c = 0; c < chunks_ && room; ++c) {
       check(cudaEventSynchronize(q_.counted[c]), "computing dual edges");

@@ -106,10 +106,14 @@ class EventTimer {
     constexpr double kWorthSaying = 0.1;
     if (before_ > kWorthSaying)
       times_->stages.push_back({std::string(stage::kMakingRoom), before_, false});
+    float end = 0;
     for (std::size_t s = 0; s < labels_.size(); ++s) {
-      float milliseconds = 0;
-      check(cudaEventElapsedTime(&milliseconds, events_[s], events_[s + 1]), "reading an event");
-      times_->stages.push_back({std::string(labels_[s]), milliseconds, false});
+      float at = 0;
+      check(cudaEventElapsedTime(&at, events_[0], events_[s + 1]), "reading an event");
+      const float beyond = std::max(at - end, 0.0f);
+      end += beyond;
+      if (beyond > 0 || labels_[s] != stage::kMakingRoom)
+        times_->stages.push_back({std::string(labels_[s]), beyond, false});
     }
   }
   // What was before made room.

@@ -173,6 +173,27 @@ TEST_P(GpuResults, StayAsTheyAre) {
   }
 }
 
+// The first run reserves memory for its result while nothing else goes on; no stage ends before it
+// begins.
+TEST_P(GpuResults, SayWhatTheirMemoryTook) {
+  Random random(11);
+  const auto balls =
+      std::make_shared<const BallSet>(testing::random_balls(random, 600, 8000, 500, 900));
+  const auto gpu = testing::make_device_engine(balls);
+  ASSERT_TRUE(gpu);
+  for (int run = 0; run < 3; ++run) {
+    const AlphaComplex complex = gpu->compute({balls->lattice.square_angstrom(1e5), false}, {});
+    int reserved = 0;
+    for (const StageTime& stage : complex.timings.stages) {
+      EXPECT_GE(stage.milliseconds, 0) << stage.label;
+      if (stage.label == stage::kMakingRoom) ++reserved;
+    }
+    if (run == 0) {
+      EXPECT_GT(reserved, 0);
+    }
+  }
+}
+
 // Run by ctest with a stand-in for the driver's library that claims to be old (old_driver.c).
 TEST(Gpu, SaysThatADriverIsTooOld) {
   if (std::getenv("ALPHASCOPE_EXPECT_OLD_DRIVER") == nullptr)

@@ -76,7 +76,9 @@ void FacetPipeline::State::load(const BallSet& set) {
   for (BallIndex i = 0; i < n; ++i) host_balls.get()[i] = shown[i];
 }
 
-FacetPipeline::~FacetPipeline() = default;
+FacetPipeline::~FacetPipeline() {
+  state_->results->close();
+}
 
 std::optional<Problem> FacetPipeline::State::plan(double alpha, bool whole) {
   State& s = *this;

@@ -11,7 +11,9 @@
 
 namespace alphascope::gpu {
 
-// Results may outlive the pipeline and be let go of by any thread.
+// Results may outlive the pipeline and be let go of by any thread. That thread, which may be the
+// one that draws, never frees memory: it waits for the device. What nobody will use is freed when
+// memory is next asked for, by whatever pipeline.
 class ResultMemory : public std::enable_shared_from_this<ResultMemory> {
  public:
   ResultMemory() { idle_.reserve(kMostIdle + 1); }
@@ -23,6 +25,7 @@ class ResultMemory : public std::enable_shared_from_this<ResultMemory> {
   // At least so many bytes, the caller's until all copies of the pointer are gone. Throws
   // std::bad_alloc, DeviceError.
   Taken take(std::size_t bytes) {
+    unused().free();
     std::unique_ptr<Buffer> buffer = idle(bytes);
     const bool grew = buffer->reserve(bytes);
     Buffer* const lent = buffer.release();
@@ -31,9 +34,40 @@ class ResultMemory : public std::enable_shared_from_this<ResultMemory> {
     };
     return {{lent->get(), back}, grew};
   }
+  // No more will be asked for.
+  void close() {
+    const std::lock_guard lock(mutex_);
+    closed_ = true;
+    idle_.clear();
+  }
 
  private:
   using Buffer = PinnedBuffer<unsigned char>;
+  // Of all pipelines.
+  class Unused {
+   public:
+    void add(std::unique_ptr<Buffer> buffer) {
+      const std::lock_guard lock(mutex_);
+      try {
+        buffers_.push_back(std::move(buffer));
+      } catch (const std::bad_alloc&) {
+        buffer.reset();  // so it has to be now
+      }
+    }
+    void free() {
+      std::vector<std::unique_ptr<Buffer>> buffers;
+      const std::lock_guard lock(mutex_);
+      buffers.swap(buffers_);
+    }
+
+   private:
+    std::mutex mutex_;
+    std::vector<std::unique_ptr<Buffer>> buffers_;
+  };
+  static Unused& unused() {
+    static Unused all;
+    return all;
+  }
   // The result that is shown and the next one take turns; a third may be kept for comparison.
   static constexpr std::size_t kMostIdle = 2;
 
@@ -52,18 +86,19 @@ class ResultMemory : public std::enable_shared_from_this<ResultMemory> {
     return buffer;
   }
   void give_back(std::unique_ptr<Buffer> buffer) {
-    std::unique_ptr<Buffer> surplus;  // whose memory takes long to free: not under the lock
     const std::lock_guard lock(mutex_);
+    if (closed_) return unused().add(std::move(buffer));
     idle_.push_back(std::move(buffer));
     if (idle_.size() <= kMostIdle) return;
     const auto smallest = std::min_element(
         idle_.begin(), idle_.end(),
         [](const auto& a, const auto& b) { return a->capacity() < b->capacity(); });
-    surplus = std::move(*smallest);
+    unused().add(std::move(*smallest));
     idle_.erase(smallest);
   }
 
   std::mutex mutex_;
+  bool closed_ = false;
   std::vector<std::unique_ptr<Buffer>> idle_;
 };
 

@@ -132,6 +132,7 @@ int FacetPipeline::State::pieces() const {
 // Of whole starts of packed balls, see ball_wire.cuh. The last piece is the smaller one: nothing
 // hides its way into the cells.
 std::size_t FacetPipeline::State::piece_begin(int piece, int all) const {
+  static_assert(kMaxPieces == 2);
   const std::size_t starts = (n + kWireStart - 1) / kWireStart;
   return piece == 0 ? 0 : piece == all ? starts : starts - (starts + 3) / 4;
 }

@@ -36,9 +36,10 @@ class ResultMemory : public std::enable_shared_from_this<ResultMemory> {
   }
   // No more will be asked for.
   void close() {
+    std::vector<std::unique_ptr<Buffer>> idle;  // freed after the lock
     const std::lock_guard lock(mutex_);
     closed_ = true;
-    idle_.clear();
+    idle.swap(idle_);
   }
 
  private:
@@ -55,7 +56,7 @@ class ResultMemory : public std::enable_shared_from_this<ResultMemory> {
       }
     }
     void free() {
-      std::vector<std::unique_ptr<Buffer>> buffers;
+      std::vector<std::unique_ptr<Buffer>> buffers;  // as in close()
       const std::lock_guard lock(mutex_);
       buffers.swap(buffers_);
     }

@@ -2,21 +2,21 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
-say() { printf '\n== %s\n' "$*"; }
+say() { printf '\n== %s [%d:%02d]\n' "$*" $((SECONDS / 60)) $((SECONDS % 60)); }
 die() { printf 'error: %s\n' "$*" >&2; exit 1; }
 
-# install_packages [fuzzing]: installs what scripts/packages.txt names and is not there yet; touches
-# nothing when all is. The section "fuzzing", a second compiler, only when asked for.
+# install_packages [tests]: installs what scripts/packages.txt names and is not there yet; touches
+# nothing when all is. The section "tests" only when asked for.
 install_packages() {
   local wanted missing=() package
   if ! command -v apt-get >/dev/null; then
     say "This is no Debian system: install by hand what scripts/packages.txt names, if you have not."
     return
   fi
-  if [ "${1:-}" = fuzzing ]; then
+  if [ "${1:-}" = tests ]; then
     wanted=$(grep -v '^#' scripts/packages.txt)
   else
-    wanted=$(sed '/^# fuzzing/,/^# /{/^[^#]/d}' scripts/packages.txt | grep -v '^#')
+    wanted=$(sed '/^# tests/,/^# /{/^[^#]/d}' scripts/packages.txt | grep -v '^#')
   fi
   for package in $wanted; do
     dpkg-query -W -f='${Status}' "$package" 2>/dev/null | grep -q 'ok installed' ||

@@ -9,7 +9,10 @@
 #include <stdexcept>
 
 #include "core/complex/compare.hpp"
+#include "core/complex/cpu_dual_edges.hpp"
 #include "core/complex/verify.hpp"
+#include "core/geometry/coincident.hpp"
+#include "core/geometry/uniform_grid.hpp"
 #include "tests/support/engines.hpp"
 #include "tests/support/molecules.hpp"
 #include "tests/support/random_balls.hpp"

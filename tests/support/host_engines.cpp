@@ -1,0 +1,41 @@
+// The engines of the host: on one thread, and on as many as switch their parallel code on.
+#include <string>
+#include <utility>
+
+#include "core/complex/tuple_engine.hpp"
+#include "tests/support/engines.hpp"
+#include "tests/support/facet_only_engine.hpp"
+
+namespace alphascope::testing {
+
+std::vector<EngineFactory> engines() {
+  std::vector<EngineFactory> engines;
+  for (const int threads : {1, 4}) {
+    engines.push_back({"cgal_" + std::to_string(threads), [threads](auto balls) {
+                         return make_cgal_engine(std::move(balls), {threads});
+                       }});
+  }
+  for (const int threads : {1, 2}) {
+    engines.push_back({"cpu_" + std::to_string(threads), [threads](auto balls) {
+                         return make_cpu_engine(std::move(balls), {threads});
+                       }});
+    engines.push_back({"facets_" + std::to_string(threads), [threads](auto balls) {
+                         return std::make_unique<FacetOnlyEngine>(std::move(balls), threads);
+                       }});
+  }
+  // The work grows with the cube of the neighbours.
+  TupleOptions batches;
+  batches.tuples_per_batch = 700;  // so that small sets need many
+  for (const auto& [name, options] :
+       {std::pair("tuples_1", TupleOptions{}), {"tuples_2", batches}}) {
+    const int threads = options == batches ? 2 : 1;
+    engines.push_back({name,
+                       [threads, options](auto balls) {
+                         return make_tuple_engine(std::move(balls), {threads}, options);
+                       },
+                       35, 3e6});
+  }
+  return engines;
+}
+
+}  // namespace alphascope::testing

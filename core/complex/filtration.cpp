@@ -2,11 +2,19 @@
 // to it: those simplices, the ties, are decided exactly.
 #include "core/complex/filtration.hpp"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_reduce.h>
+
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <limits>
+#include <numeric>
 #include <stdexcept>
 
 #include "core/complex/face_groups.hpp"
+#include "core/complex/simplex_hash.hpp"
 #include "core/geometry/exact_alpha.hpp"
 
 namespace alphascope {
@@ -34,11 +42,20 @@ struct AllTies {
 
 template <int N>
 void collect_ties(const SimplexList<N>& list, float limit, Ties<N>& ties) {
-  const auto count = std::count(list.alpha_values.begin(), list.alpha_values.end(), limit);
+  using Range = tbb::blocked_range<std::size_t>;
+  const float* values = list.alpha_values.data();
+  const auto count = tbb::parallel_reduce(
+      Range(0, list.size(), 1 << 15), std::size_t{0},
+      [&](const Range& r, std::size_t before) {
+        unsigned equal = 0;
+        for (std::size_t n = r.begin(); n != r.end(); ++n) equal += values[n] == limit;
+        return before + equal;
+      },
+      std::plus<>());
   if (count == 0) return;
-  ties.simplices.reserve(static_cast<std::size_t>(count));
+  ties.simplices.reserve(count);
   for (std::size_t n = 0; n < list.size(); ++n) {
-    if (list.alpha_values[n] == limit) ties.simplices.push_back(list.simplices[n]);
+    if (values[n] == limit) ties.simplices.push_back(list.simplices[n]);
   }
 }
 
@@ -88,12 +105,10 @@ AllTies decide_ties(const Filtration& filtration, double alpha, float limit, boo
   return ties;
 }
 
+// Where ties are decided differently: one simplex after another, and no classes.
 template <int N>
-void select(const SimplexList<N>& from, float limit, const Ties<N>& ties, SimplexList<N>& to) {
-  const std::size_t below = static_cast<std::size_t>(std::count_if(
-      from.alpha_values.begin(), from.alpha_values.end(), [&](float v) { return v < limit; }));
-  to.simplices.reserve(below + ties.simplices.size());
-  to.alpha_values.reserve(below + ties.simplices.size());
+void select_one_by_one(const SimplexList<N>& from, float limit, const Ties<N>& ties,
+                       SimplexList<N>& to) {
   std::size_t tie = 0;
   for (std::size_t n = 0; n < from.size(); ++n) {
     const float value = from.alpha_values[n];
@@ -104,19 +119,122 @@ void select(const SimplexList<N>& from, float limit, const Ties<N>& ties, Simple
   }
 }
 
-// Classes from the levels, where all ties are decided alike: a level equal to the limit is passed
-// iff the ties are in. Visits the simplices as select() did.
-template <int N>
-void select_classes(const SimplexList<N>& from, const ClassLevels& levels, float limit,
-                    bool ties_in, SimplexList<N>& to) {
-  to.classes.reserve(to.size());
-  const auto passed = [&](float level) { return level < limit || (ties_in && level == limit); };
-  for (std::size_t n = 0; n < from.size(); ++n) {
-    if (!passed(from.alpha_values[n])) continue;
-    to.classes.push_back(passed(levels.interior_from[n])  ? SimplexClass::interior
-                         : passed(levels.regular_from[n]) ? SimplexClass::regular
-                                                          : SimplexClass::singular);
+void select_one_by_one(const AlphaComplex& top, float limit, const AllTies& ties,
+                       AlphaComplex& complex) {
+  select_one_by_one(top.tetrahedra, limit, ties.tetrahedra, complex.tetrahedra);
+  if (!complex.tetrahedra_only) {
+    select_one_by_one(top.triangles, limit, ties.triangles, complex.triangles);
+    select_one_by_one(top.edges, limit, ties.edges, complex.edges);
+    select_one_by_one(top.vertices, limit, ties.vertices, complex.vertices);
+    classify(complex);
+  } else {
+    complex.tetrahedra.alpha_values.clear();
   }
+  complex.hash = complex_hash(complex);
+}
+
+// From here on all ties are decided alike, so that a bound decides: what is <= bound passes. NaN, a
+// level that is never reached, does not.
+float bound_of(float limit, bool ties_in) {
+  return ties_in ? limit : std::nextafter(limit, -std::numeric_limits<float>::infinity());
+}
+
+SimplexClass class_at(const ClassLevels& levels, std::size_t n, float bound) {
+  static_assert(static_cast<int>(SimplexClass::singular) == 0 &&
+                static_cast<int>(SimplexClass::regular) == 1 &&
+                static_cast<int>(SimplexClass::interior) == 2);
+  // Without a branch, which would be guessed wrong half of the time.
+  const int regular = levels.regular_from[n] <= bound;
+  return static_cast<SimplexClass>(regular + (regular & (levels.interior_from[n] <= bound)));
+}
+
+// One dimension of what passes a bound, copied by all threads.
+template <int N>
+class Selection {
+ public:
+  // `levels`: null for tetrahedra, which are interior.
+  Selection(const SimplexList<N>& from, const ClassLevels* levels, float bound)
+      : from_(from), levels_(levels), bound_(bound) {}
+
+  // Fills `to`, with values and classes if asked for, and returns the sum of its hash terms.
+  std::uint64_t copy_to(SimplexList<N>& to, bool with_values) const {
+    const std::vector<std::size_t> place = places();
+    to.simplices.resize(place.back());
+    to.alpha_values.resize(with_values ? place.back() : 0);
+    to.classes.resize(with_values ? place.back() : 0);
+    using Range = tbb::blocked_range<std::size_t>;
+    return tbb::parallel_reduce(
+        Range(0, place.size() - 1, 1), std::uint64_t{0},
+        [&](const Range& blocks, std::uint64_t sum) {
+          for (std::size_t b = blocks.begin(); b != blocks.end(); ++b) {
+            sum += copy_block(b, place[b], place[b + 1], with_values, to);
+          }
+          return sum;
+        },
+        std::plus<>());
+  }
+
+ private:
+  // The copy of a block stays in the nearest cache while it is hashed.
+  static constexpr std::size_t kBlock = 4096;
+
+  // Where what passes of each block begins in the result; then the size of the result.
+  std::vector<std::size_t> places() const {
+    const std::size_t size = from_.size(), blocks = (size + kBlock - 1) / kBlock;
+    std::vector<std::size_t> place(blocks + 1, 0);
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, blocks, 8), [&](const auto& range) {
+      for (std::size_t b = range.begin(); b != range.end(); ++b) {
+        const float* value = from_.alpha_values.data();
+        unsigned count = 0;
+        for (std::size_t n = b * kBlock; n < std::min(size, (b + 1) * kBlock); ++n) {
+          count += value[n] <= bound_;
+        }
+        place[b + 1] = count;
+      }
+    });
+    std::partial_sum(place.begin(), place.end(), place.begin());
+    return place;
+  }
+
+  std::uint64_t copy_block(std::size_t block, std::size_t begin, std::size_t end, bool with_values,
+                           SimplexList<N>& to) const {
+    // What does not pass is overwritten by what passes next, up to `end`: there another block's
+    // begin.
+    std::size_t at = begin;
+    for (std::size_t n = block * kBlock; at < end; ++n) {
+      to.simplices[at] = from_.simplices[n];
+      if (with_values) {
+        to.alpha_values[at] = from_.alpha_values[n];
+        to.classes[at] =
+            levels_ == nullptr ? SimplexClass::interior : class_at(*levels_, n, bound_);
+      }
+      at += from_.alpha_values[n] <= bound_;
+    }
+    std::uint64_t sum = 0;
+    for (std::size_t s = begin; s < end; ++s) sum += simplex_hash<N>(to.simplices[s].data());
+    return sum;
+  }
+
+  const SimplexList<N>& from_;
+  const ClassLevels* const levels_;
+  const float bound_;
+};
+
+void select(const Filtration& filtration, float bound, AlphaComplex& complex) {
+  const AlphaComplex& top = filtration.top();
+  const ClassLevelsByDimension& levels = filtration.levels();
+  HashSums sums;
+  const auto copy = [&](const auto& from, const ClassLevels* from_levels, auto& to, int dimension) {
+    sums.sum[dimension] = Selection(from, from_levels, bound).copy_to(to, !complex.tetrahedra_only);
+    sums.count[dimension] = to.size();
+  };
+  copy(top.tetrahedra, nullptr, complex.tetrahedra, 3);
+  if (!complex.tetrahedra_only) {
+    copy(top.triangles, &levels.triangles, complex.triangles, 2);
+    copy(top.edges, &levels.edges, complex.edges, 1);
+    copy(top.vertices, &levels.vertices, complex.vertices, 0);
+  }
+  complex.hash = sums.combined(complex.tetrahedra_only);
 }
 
 }  // namespace
@@ -130,38 +248,17 @@ AlphaComplex threshold(const Filtration& filtration, double alpha, bool tetrahed
   complex.lattice = top.lattice;
   complex.alpha_on_lattice = alpha;
   complex.tetrahedra_only = tetrahedra_only;
-  if (alpha == filtration.alpha_max_on_lattice()) {
-    complex.tetrahedra = top.tetrahedra;
-    if (!tetrahedra_only) {
-      complex.triangles = top.triangles;
-      complex.edges = top.edges;
-      complex.vertices = top.vertices;
-    }
+  if (alpha == filtration.alpha_max_on_lattice()) {  // all of it, whatever ties there are
+    select(filtration, std::numeric_limits<float>::infinity(), complex);
+    return complex;
+  }
+  const float limit = static_cast<float>(alpha);
+  const AllTies ties = decide_ties(filtration, alpha, limit, tetrahedra_only);
+  if (ties.any(true) && ties.any(false)) {
+    select_one_by_one(top, limit, ties, complex);
   } else {
-    const float limit = static_cast<float>(alpha);
-    const AllTies ties = decide_ties(filtration, alpha, limit, tetrahedra_only);
-    select(top.tetrahedra, limit, ties.tetrahedra, complex.tetrahedra);
-    if (!tetrahedra_only) {
-      select(top.triangles, limit, ties.triangles, complex.triangles);
-      select(top.edges, limit, ties.edges, complex.edges);
-      select(top.vertices, limit, ties.vertices, complex.vertices);
-      if (ties.any(true) && ties.any(false)) {
-        classify(complex);
-      } else {
-        const bool in = ties.any(true);
-        const ClassLevelsByDimension& levels = filtration.levels();
-        complex.tetrahedra.classes.assign(complex.tetrahedra.size(), SimplexClass::interior);
-        select_classes(top.triangles, levels.triangles, limit, in, complex.triangles);
-        select_classes(top.edges, levels.edges, limit, in, complex.edges);
-        select_classes(top.vertices, levels.vertices, limit, in, complex.vertices);
-      }
-    }
+    select(filtration, bound_of(limit, ties.any(true)), complex);
   }
-  if (tetrahedra_only) {
-    complex.tetrahedra.alpha_values.clear();
-    complex.tetrahedra.classes.clear();
-  }
-  complex.hash = complex_hash(complex);
   return complex;
 }
 

@@ -62,10 +62,12 @@ class RowMaker {
       std::uint32_t bits = 0;
       const int end = min(n, w * 32 + 32);
       for (int k = w * 32; k < end; ++k) {
+        // Both are whole numbers of lattice units below 2^24, exact, and their differences rounded
+        // once.
         const float4 v = m_.vectors[entry0_ + k];
-        const float x = v.x - vj.x, y = v.y - vj.y, z = v.z - vj.z,
-                    sum = m_.reach[entry0_ + k] + reach;
-        if (fmaf(x, x, fmaf(y, y, z * z)) <= sum * sum) bits |= 1u << (k & 31);
+        if (grown_balls_may_meet(v.x - vj.x, v.y - vj.y, v.z - vj.z, reach,
+                                 m_.reach[entry0_ + k]))
+          bits |= 1u << (k & 31);
       }
       if (j_ >> 5 == w) bits &= ~(1u << (j_ & 31));
       row_[w] = bits;

@@ -34,7 +34,9 @@ __global__ void assign_cells(Problem p, std::uint32_t begin, std::uint32_t end, 
   // The dead: hidden (negative radius) or empty at alpha.
   const bool dead = b.w <= 0 || square < 0;
   const std::uint32_t cell = dead ? p.cell_count - 1 : (x.cell * p.ny + y.cell) * p.nz + z.cell;
-  // 2^-16 is far above the roundings of the test of two balls.
+  // grown_balls_may_meet() asks for a margin above ten roundings, here 2^-16 less three. Where
+  // coordinates from the origin are not exact, both of a difference err by half of reach_slack in
+  // each coordinate, their distance by no more than sqrt(3) of it, and two reaches have two.
   const float reach =
       sqrtf(fmaxf(static_cast<float>(square), 0.0f)) * (1.0f + 1.0f / 65536) + p.reach_slack;
   home[i] = {atomicAdd(&cell_count[cell], 1u), cell, x.part | y.part << 10 | z.part << 20, reach};

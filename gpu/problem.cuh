@@ -6,6 +6,8 @@
 
 #include <cstdint>
 
+#include "core/geometry/grown_balls.hpp"
+
 namespace alphascope::gpu {
 
 inline constexpr int kBlockThreads = 128;
@@ -88,8 +90,8 @@ struct alignas(16) BallHome {
 // Balls in cell order, the dead ones last.
 struct SortedBalls {
   const std::uint32_t* index;  // in the BallSet
-  // x, y, z from the grid's origin (nearest floats) and sqrt(w + alpha), rounded up so far that
-  // grown balls that meet are found to meet in single precision; lattice units.
+  // x, y, z from the grid's origin (nearest floats) and how far the ball reaches, from above by
+  // more than grown_balls.hpp asks for: see assign_cells(). Lattice units.
   const float4* near;
   const std::uint32_t* cell_start;
   const BallHome* home;  // in the order of the BallSet
@@ -163,8 +165,7 @@ __device__ inline int search_neighbours(const Problem& p, const SortedBalls& bal
     if (number < all) {
       t = around.slot(number);
       const float4 o = balls.near[t];
-      const float x = o.x - b.x, y = o.y - b.y, z = o.z - b.z, sum = o.w + b.w;
-      hit = fmaf(x, x, fmaf(y, y, z * z)) <= sum * sum && t != slot;
+      hit = grown_balls_may_meet(o.x - b.x, o.y - b.y, o.z - b.z, b.w, o.w) && t != slot;
     }
     const unsigned hits = __ballot_sync(~0u, hit) >> half & 0xffffu;
     const int at = count + __popc(hits & ((1u << lane) - 1));

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "core/geometry/grown_balls.hpp"
+
 namespace alphascope {
 
 void BallSimplices::load(std::uint32_t slot, std::span<const std::uint32_t> list) {
@@ -20,18 +22,19 @@ void BallSimplices::load(std::uint32_t slot, std::span<const std::uint32_t> list
   culled_ = filter_ && list.size() >= kLongList;
   if (culled_) cull();
   const std::size_t n = slots_.size();
-  dx_.resize(n);
-  dy_.resize(n);
-  dz_.resize(n);
+  x_.resize(n);
+  y_.resize(n);
+  z_.resize(n);
   reach_.resize(n);
   for (std::size_t k = 0; k < n; ++k) {
-    const LiftedInt& v = neighbours_.vectors[k];
-    dx_[k] = static_cast<float>(v.x);
-    dy_[k] = static_cast<float>(v.y);
-    dz_[k] = static_cast<float>(v.z);
-    reach_[k] = grid_.reach[slots_[k]];
+    const std::uint32_t s = slots_[k];
+    x_[k] = grid_.x[s];
+    y_[k] = grid_.y[s];
+    z_[k] = grid_.z[s];
+    reach_[k] = grid_.reach[s];
   }
   words_ = static_cast<int>((n + 31) / 32);
+  meets_.assign(static_cast<std::size_t>(words_) * 32, 0);
   first_ =
       static_cast<int>(std::upper_bound(neighbours_.balls.begin(), neighbours_.balls.end(), i_) -
                        neighbours_.balls.begin());
@@ -107,36 +110,33 @@ void BallSimplices::cull() {
   for (std::size_t k = 0; k < kept; ++k) near_[k / 32] |= std::uint32_t{is_near_[k] != 0} << k % 32;
 }
 
-// Only balls that meet the grown ball j as well as ball i can cut their facet where pi <= alpha.
-void BallSimplices::collect_common(int j) {
-  constexpr float kMargin = 1.0f + 1.0f / (1 << 18);
-  const auto a = static_cast<std::size_t>(j);
-  const float x = dx_[a], y = dy_[a], z = dz_[a], reach = reach_[a];
-  const std::size_t n = neighbours_.balls.size();
-  common_.resize(n);
-  std::size_t count = 0;
-  for (std::size_t k = 0; k < n; ++k) {
-    const float ex = dx_[k] - x, ey = dy_[k] - y, ez = dz_[k] - z, sum = reach_[k] + reach;
-    common_[count] = static_cast<int>(k);
-    count += (ex * ex + ey * ey + ez * ez <= sum * sum * kMargin) & (k != a);
-  }
-  common_.resize(count);
-}
-
-// Which neighbours meet j as well as i; they stay in common_.
+// Which neighbours meet j as well as i: only they can cut the facet of i and j where pi <= alpha.
 void BallSimplices::fill_row(int j) {
-  collect_common(j);
+  const auto a = static_cast<std::size_t>(j);
+  const std::size_t n = neighbours_.balls.size();
+  const std::int32_t x = x_[a], y = y_[a], z = z_[a];
+  const float reach = reach_[a];
+  // Compilers vectorise these two loops, and not one that writes bits.
+  for (std::size_t k = 0; k < n; ++k)
+    meets_[k] = grown_balls_may_meet(x_[k] - x, y_[k] - y, z_[k] - z, reach, reach_[k]);
+  meets_[a] = 0;
   std::uint32_t* bits = row(j);
-  std::fill_n(bits, words_, 0u);
-  for (const int k : common_) bits[k >> 5] |= 1u << (k & 31);
+  for (int w = 0; w < words_; ++w) {
+    const std::uint8_t* meets = meets_.data() + 32 * static_cast<std::ptrdiff_t>(w);
+    std::uint32_t word = 0;
+    for (int b = 0; b < 32; ++b) word |= std::uint32_t{meets[b]} << b;
+    bits[w] = word;
+  }
 }
 
 bool BallSimplices::edge_is_attached(int j, const FacetDisc<double>& disc) {
-  return std::any_of(common_.begin(), common_.end(), [&](int m) {
+  const TriangleRows common{j, j, row(j), row(j)};
+  for (int m = common.next_common(-1, words_); m >= 0; m = common.next_common(m, words_)) {
     Decision d = filter_ ? disc.centre_cut_by(vector(m)) : Decision::unknown;
     if (d == Decision::unknown) d = edge_attached_to<ExactDecider>(surroundings(), j, m);
-    return d == Decision::in;
-  });
+    if (d == Decision::in) return true;
+  }
+  return false;
 }
 
 void BallSimplices::add_edge(int j, BlockOutput& out) {

@@ -75,7 +75,6 @@ class BallSimplices {
   void find_nearest();
   void cull();
   void keep(std::size_t from, std::size_t to);
-  void collect_common(int j);
   void fill_row(int j);
   bool edge_is_attached(int j, const FacetDisc<double>& disc);
   void add_edge(int j, BlockOutput& out);
@@ -119,9 +118,10 @@ class BallSimplices {
   bool culled_ = false;               // only neighbours that may have a facet are left
   std::vector<std::uint32_t> slots_;  // of the neighbours
   Neighbours neighbours_;
-  std::vector<float> dx_, dy_, dz_, reach_;
+  std::vector<std::int32_t> x_, y_, z_;        // their centres, lattice units
+  std::vector<float> reach_;                   // as UniformGrid::reach
+  std::vector<std::uint8_t> meets_;            // who meets the current j; whole words of a row
   std::vector<LiftedVector<double>> doubles_;  // the vectors once more
-  std::vector<int> common_;                    // slots of the balls that meet i and the current j
   std::vector<std::uint32_t> rows_;            // of the later neighbours: who meets them
   std::vector<char> dead_;                     // neighbours j: edge ij is not in K_alpha
   // Of a culled list: those whose planes are nearest.

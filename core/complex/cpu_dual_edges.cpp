@@ -10,6 +10,7 @@
 
 #include "core/complex/ball_simplices.hpp"
 #include "core/complex/gather_faces.hpp"
+#include "core/geometry/grown_balls.hpp"
 
 namespace alphascope {
 namespace {
@@ -24,11 +25,9 @@ struct NeighbourBlock {
   std::vector<std::uint32_t> end;  // per ball of the block: end of its list
 };
 
-// All slots whose grown ball may meet that of `slot`: a superset, by a margin far above the
-// rounding of float. Ascending by ball index.
+// All slots whose grown ball may meet that of `slot`, ascending by ball index.
 void find_neighbours(const UniformGrid& grid, std::uint32_t slot, std::vector<std::uint32_t>& found,
                      std::vector<std::uint32_t>& row_hits) {
-  constexpr float kMargin = 1.0f + 1.0f / (1 << 18);
   const std::int32_t x = grid.x[slot], y = grid.y[slot], z = grid.z[slot];
   const float reach = grid.reach[slot];
   const int cx = std::min(grid.cell_of(x, grid.origin.x), grid.nx - 1);
@@ -43,11 +42,9 @@ void find_neighbours(const UniformGrid& grid, std::uint32_t slot, std::vector<st
       if (row_hits.size() < end - begin) row_hits.resize(2 * (end - begin));
       std::uint32_t hits = 0;
       for (std::uint32_t t = begin; t < end; ++t) {
-        const float dx = static_cast<float>(grid.x[t] - x), dy = static_cast<float>(grid.y[t] - y),
-                    dz = static_cast<float>(grid.z[t] - z);
-        const float sum = grid.reach[t] + reach;
         row_hits[hits] = t;
-        hits += dx * dx + dy * dy + dz * dz <= sum * sum * kMargin;
+        hits += grown_balls_may_meet(grid.x[t] - x, grid.y[t] - y, grid.z[t] - z, reach,
+                                     grid.reach[t]);
       }
       found.insert(found.end(), row_hits.begin(), row_hits.begin() + hits);
     }

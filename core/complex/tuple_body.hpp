@@ -77,7 +77,7 @@ struct MarkPairs {
   std::uint32_t* marks;
   ALPHASCOPE_HOST_DEVICE void operator()(std::uint64_t at) const {
     const std::uint32_t i = owners[at], j = lists.slots[at];
-    marks[at] = j > i && (!scene.edge_optimisation || grown_balls_meet(scene, i, j)) ? 1 : 0;
+    marks[at] = j > i && (!scene.edge_optimisation || grown_balls_may_meet(scene, i, j)) ? 1 : 0;
   }
 };
 
@@ -136,7 +136,7 @@ ALPHASCOPE_INLINE std::uint32_t for_extensions(const TupleScene<Reader>& scene,
     if (scene.edge_optimisation) {
       bool meet = true;
       for (int n = 0; n < N && meet; ++n) {
-        meet = grown_balls_meet(scene, base.slot(lists, n), lists.slots[at]);
+        meet = grown_balls_may_meet(scene, base.slot(lists, n), lists.slots[at]);
       }
       if (!meet) continue;
     }

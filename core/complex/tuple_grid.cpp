@@ -97,8 +97,7 @@ void make_tuple_grid(const BallSet& balls, double alpha, const std::vector<bool>
   if (records.empty()) return;
 
   const auto reach = [&](std::int32_t radius) {
-    const double square = static_cast<double>(std::int64_t{radius} * radius) + alpha;
-    return std::nextafter(static_cast<float>(std::sqrt(square)), HUGE_VALF);
+    return grown_reach(static_cast<double>(std::int64_t{radius} * radius) + alpha);
   };
   grid.largest_reach = reach(grid.largest_radius);
   const Extent extent = extent_of(records);

@@ -20,7 +20,7 @@ struct TupleGrid {
       : records(memory), reach(memory), ball(memory), cell_start(memory) {}
 
   std::pmr::vector<BallRecord> records;
-  std::pmr::vector<float> reach;     // sqrt(weight + alpha), rounded up
+  std::pmr::vector<float> reach;     // per slot: grown_reach()
   std::pmr::vector<BallIndex> ball;  // index in the BallSet
   std::pmr::vector<std::uint32_t> cell_start;
   TupleGridView view{};     // its cell_start is left to the executor

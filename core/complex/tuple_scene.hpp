@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "core/geometry/host_device.hpp"
+#include "core/geometry/grown_balls.hpp"
 #include "core/geometry/orthosphere.hpp"
 
 namespace alphascope {
@@ -21,7 +21,7 @@ struct PlainReader {
   const BallRecord* records;
   const float* reaches;
   ALPHASCOPE_INLINE BallRecord ball(std::uint32_t slot) const { return records[slot]; }
-  // sqrt(weight + alpha), rounded up: the grown radius.
+  // As grown_reach().
   ALPHASCOPE_INLINE float reach(std::uint32_t slot) const { return reaches[slot]; }
 };
 
@@ -51,13 +51,11 @@ struct TupleScene {
   bool int128_holds;      // see ExactCentre
 };
 
-// Wider than the rounding of float in the tests below.
-inline constexpr float kTupleMargin = 1.0f + 1.0f / (1 << 18);
-
 // Half the side of the cube in which the neighbours of a ball are, r + r_max of the grown radii: a
-// ball outside cannot meet it. A whole number, as differences are, which are below 2^30.
+// ball outside cannot meet it (grown_balls.hpp: the sum is above the distance). A whole number, as
+// differences are, which are below 2^30.
 ALPHASCOPE_INLINE std::int32_t cube_half_side(float reach, float largest_reach) {
-  const float side = (reach + largest_reach) * kTupleMargin;
+  const float side = reach + largest_reach;
   return side < 1.0e9f ? static_cast<std::int32_t>(side) : std::int32_t{1} << 30;
 }
 
@@ -84,15 +82,12 @@ ALPHASCOPE_INLINE void for_cube(const TupleScene<Reader>& scene, std::uint32_t s
   }
 }
 
-// Do two grown balls meet? Never false when they do.
 template <class Reader>
-ALPHASCOPE_INLINE bool grown_balls_meet(const TupleScene<Reader>& scene, std::uint32_t a,
+ALPHASCOPE_INLINE bool grown_balls_may_meet(const TupleScene<Reader>& scene, std::uint32_t a,
                                         std::uint32_t b) {
   const BallRecord p = scene.read.ball(a), q = scene.read.ball(b);
-  const float x = static_cast<float>(q.x - p.x), y = static_cast<float>(q.y - p.y),
-              z = static_cast<float>(q.z - p.z);
-  const float sum = scene.read.reach(a) + scene.read.reach(b);
-  return x * x + y * y + z * z <= sum * sum * kTupleMargin;
+  return grown_balls_may_meet(q.x - p.x, q.y - p.y, q.z - p.z, scene.read.reach(a),
+                              scene.read.reach(b));
 }
 
 // Neighbours of the balls of one batch, ascending by slot, back to back.

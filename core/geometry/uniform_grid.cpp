@@ -4,10 +4,15 @@
 #include <cmath>
 #include <limits>
 
+#include "core/geometry/grown_balls.hpp"
+
 namespace alphascope {
 namespace {
 
-// Wider than 2 max reach by more than the float rounding of the distance test.
+// Of a cell's width over the distance at which the two largest balls touch. Two that pass the test
+// of grown_balls.hpp are nearer than 1 + 2^-18 + 10 u of that, below 1 + 4.5e-6; and as a
+// coordinate is below 2^30 cells, cell_of()'s division errs by less than 2^-22 of one, 2.4e-7. So
+// they are in the same or in neighbouring cells.
 constexpr double kReachMargin = 1.0 + 1e-5;
 
 // Memory for cells stays proportional to the balls, however sparse they are.
@@ -113,8 +118,7 @@ UniformGrid make_uniform_grid(const BallSet& balls, double alpha_on_lattice,
     grid.x[slot] = balls.centres[i].x;
     grid.y[slot] = balls.centres[i].y;
     grid.z[slot] = balls.centres[i].z;
-    const double reach = std::sqrt(static_cast<double>(balls.weight(i)) + alpha_on_lattice);
-    grid.reach[slot] = std::nextafter(static_cast<float>(reach), HUGE_VALF);
+    grid.reach[slot] = grown_reach(static_cast<double>(balls.weight(i)) + alpha_on_lattice);
   }
   return grid;
 }

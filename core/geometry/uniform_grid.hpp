@@ -9,13 +9,13 @@
 namespace alphascope {
 
 // The balls that are not empty at alpha (weight + alpha >= 0), in cell order; `slot` below is a
-// position in this order. Cells are at least as wide as the widest reach between two balls, so all
+// position in this order. Cells are wider than any two balls reach that may meet, so all
 // neighbours of a ball are in the 27 cells around it; cells of one (x, y) column are contiguous.
 struct UniformGrid {
   std::vector<std::uint32_t> cell_start;  // per cell, first slot; one more entry than cells
   std::vector<BallIndex> ball;            // per slot
   std::vector<std::int32_t> x, y, z;      // per slot: centre, lattice units
-  std::vector<float> reach;               // per slot: sqrt(weight + alpha), rounded up
+  std::vector<float> reach;               // per slot: grown_reach()
   LatticePoint origin;                    // lower corner of cell (0, 0, 0)
   double cell_width = 1;                  // lattice units
   int nx = 0, ny = 0, nz = 0;

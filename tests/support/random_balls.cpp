@@ -1,6 +1,8 @@
 #include "tests/support/random_balls.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <functional>
 
 namespace alphascope::testing {
@@ -104,7 +106,122 @@ BallSet extremes(Random& random, int count) {
   return balls;
 }
 
+using Direction = std::array<double, 3>;
+
+// Of length 1; every other one along an axis or of another rational direction, so that distances
+// can be whole.
+Direction random_direction(Random& random) {
+  static constexpr int kWhole[][3] = {{1, 0, 0}, {3, 4, 0}, {2, 3, 6}, {1, 2, 2}, {4, 4, 7}};
+  Direction d;
+  double length = 0;
+  do {
+    const auto& whole = kWhole[random_int(random, 0, 4)];
+    const bool rational = random_int(random, 0, 1) != 0;
+    length = 0;
+    for (int a = 0; a < 3; ++a) {
+      d[a] = rational ? whole[a] * (2 * random_int(random, 0, 1) - 1)
+                      : random_int(random, -1000000, 1000000);
+      length += d[a] * d[a];
+    }
+  } while (length == 0);
+  for (double& x : d) x /= std::sqrt(length);
+  std::shuffle(d.begin(), d.end(), random);
+  return d;
+}
+
+int on_the_lattice(double coordinate) {
+  const double bound = kMaxLatticeCoordinate;
+  return static_cast<int>(std::round(std::clamp(coordinate, -bound, bound)));
+}
+
+void add_ball_beside(BallSet& balls, const LatticePoint& p, const Direction& d, double distance,
+                     int radius) {
+  add_ball(balls, on_the_lattice(p.x + distance * d[0]), on_the_lattice(p.y + distance * d[1]),
+           on_the_lattice(p.z + distance * d[2]), radius);
+}
+
+// As likely of any order of magnitude.
+int random_radius(Random& random, int high) {
+  const double share = random_int(random, 0, 1 << 20) / static_cast<double>(1 << 20);
+  return std::clamp(static_cast<int>(std::exp(share * std::log(high))), 1, high);
+}
+
+// Anywhere, in a corner of the lattice, or in the middle.
+LatticePoint random_place(Random& random) {
+  const int kind = random_int(random, 0, 2), c = kMaxLatticeCoordinate;
+  const auto coordinate = [&] {
+    return kind == 0 ? random_int(random, -c, c) : kind == 1 ? (random() & 1 ? c : -c) : 0;
+  };
+  const int x = coordinate(), y = coordinate(), z = coordinate();
+  return {x, y, z};
+}
+
 }  // namespace
+
+BallSet grazing_balls(Random& random, int count, int digits, int largest) {
+  BallSet balls;
+  balls.lattice.digits = digits;
+  if (count == 0) return balls;
+  const LatticePoint first = random_place(random);
+  add_ball(balls, first.x, first.y, first.z, largest);
+  while (static_cast<int>(balls.size()) < count) {
+    const auto last = static_cast<int>(balls.size()) - 1;
+    const auto to = static_cast<std::size_t>(random_int(random, 0, last));
+    const int radius = random_radius(random, largest);
+    add_ball_beside(balls, balls.centres[to], random_direction(random),
+                    double(balls.radii[to]) + radius + random_int(random, -1, 1), radius);
+  }
+  return balls;
+}
+
+BallSet balls_at_a_rim(Random& random, int count, int digits, int large) {
+  BallSet balls;
+  balls.lattice.digits = digits;
+  if (count == 0) return balls;
+  const LatticePoint middle = random_place(random);
+  add_ball(balls, middle.x, middle.y, middle.z, large);
+  const Direction out = random_direction(random);
+  const int most = random_radius(random, large);
+  int before = 0;  // a small one; the first of them is at the rim
+  while (static_cast<int>(balls.size()) < count) {
+    const int radius = std::max(1, most - random_radius(random, most) / 2);
+    const auto last = static_cast<std::size_t>(before);
+    if (before == 0 || random_int(random, 0, 3) == 0) {
+      add_ball_beside(balls, middle, out, double(large) + random_int(random, -1, 1) * radius / 2,
+                      radius);
+    } else {
+      Direction along = random_direction(random);
+      const double outward = along[0] * out[0] + along[1] * out[1] + along[2] * out[2];
+      double length = 0;
+      for (int a = 0; a < 3; ++a) {
+        along[a] -= outward * out[a];
+        length += along[a] * along[a];
+      }
+      if (length < 1e-6) continue;
+      for (double& x : along) x /= std::sqrt(length);
+      add_ball_beside(balls, balls.centres[last], along,
+                      double(balls.radii[last]) + radius + random_int(random, -1, 1), radius);
+    }
+    before = static_cast<int>(balls.size()) - 1;
+  }
+  return balls;
+}
+
+std::vector<NamedBalls> sets_at_the_bounds(Random& random, int most) {
+  std::vector<NamedBalls> sets;
+  for (int digits = kMinLatticeDigits; digits <= 6; ++digits) {
+    const auto add = [&](const std::string& name, BallSet balls) {
+      const double radius = balls.radii.empty() ? 1 : balls.radii[0];
+      const double unit = balls.lattice.square_angstrom(radius * radius / 8);
+      sets.push_back({name + ", " + std::to_string(digits) + " digits", std::move(balls), unit});
+    };
+    const int large = digits == 6 ? kMaxLatticeRadius : random_int(random, 1 << 22, 1 << 26) - 1;
+    add("grazing", grazing_balls(random, most, digits, large));
+    add("grazing, small", grazing_balls(random, most, digits, 1 << random_int(random, 1, 20)));
+    add("at a rim", balls_at_a_rim(random, most, digits, large));
+  }
+  return sets;
+}
 
 int random_int(Random& random, int low, int high) {
   return static_cast<int>(
@@ -140,7 +257,7 @@ std::vector<NamedBalls> small_hard_sets(Random& random, int most) {
   std::vector<NamedBalls> sets;
   const auto add = [&](const std::string& name, BallSet balls) {
     truncate(balls, random, most);
-    sets.push_back({name, std::move(balls)});
+    sets.push_back({name, std::move(balls), 1});
   };
   for (int n = 0; n <= 5; ++n) {
     add(std::to_string(n) + " balls", random_balls(random, n, 6, 1, 4));
@@ -174,31 +291,36 @@ std::vector<NamedBalls> small_hard_sets(Random& random, int most) {
   }
   add("regular tetrahedron", tetrahedron);
   add("extremes of the lattice", extremes(random, most));
+  for (NamedBalls& set : sets_at_the_bounds(random, most)) sets.push_back(std::move(set));
   return sets;
 }
 
 std::vector<NamedBalls> large_hard_sets(Random& random, int most) {
   std::vector<NamedBalls> sets;
+  const auto add = [&](const std::string& name, BallSet balls) {
+    sets.push_back({name, std::move(balls), name == "random" ? 1e4 : 1});
+  };
   const auto one = [] { return 1; };
   const auto mixed = [&] { return random_int(random, 1, 4); };
   for (const auto& [name, kind] : {std::pair("cubic", 0), {"body-centred", 1}, {"FCC", 2}}) {
-    sets.push_back({std::string(name) + " lattice", lattice_balls(3, 1, kind, one)});
-    sets.push_back({std::string(name) + " lattice, mixed radii", lattice_balls(3, 2, kind, mixed)});
+    add(std::string(name) + " lattice", lattice_balls(3, 1, kind, one));
+    add(std::string(name) + " lattice, mixed radii", lattice_balls(3, 2, kind, mixed));
   }
-  sets.push_back({"random", random_balls(random, 300, 1000, 100, 300)});
-  sets.push_back({"random, coarse", random_balls(random, 300, 6, 1, 4)});
-  sets.push_back({"random, dense", random_balls(random, 200, 3, 1, 3)});
-  sets.push_back({"equal centres", equal_centres(random, 300, 6)});
-  sets.push_back({"hidden", random_balls(random, 300, 12, 1, 14)});
-  sets.push_back({"collinear", on_flat(random, 60, 1, 40, 5)});
-  sets.push_back({"coplanar", on_flat(random, 150, 2, 6, 4)});
-  sets.push_back({"coplanar, equal radii", on_flat(random, 150, 2, 6, 2)});
+  add("random", random_balls(random, 300, 1000, 100, 300));
+  add("random, coarse", random_balls(random, 300, 6, 1, 4));
+  add("random, dense", random_balls(random, 200, 3, 1, 3));
+  add("equal centres", equal_centres(random, 300, 6));
+  add("hidden", random_balls(random, 300, 12, 1, 14));
+  add("collinear", on_flat(random, 60, 1, 40, 5));
+  add("coplanar", on_flat(random, 150, 2, 6, 4));
+  add("coplanar, equal radii", on_flat(random, 150, 2, 6, 2));
   BallSet shells = empty_set();
   for (const auto& o : {std::array{5, 0, 0}, {4, 3, 0}, {7, 1, 0}, {5, 4, 3}, {6, 5, 8}}) {
     add_orbit(shells, o[0], o[1], o[2], 3);
   }
-  sets.push_back({"cospherical shells", shells});
-  sets.push_back({"extremes of the lattice", extremes(random, 120)});
+  add("cospherical shells", shells);
+  add("extremes of the lattice", extremes(random, 120));
+  for (NamedBalls& set : sets_at_the_bounds(random, 100)) sets.push_back(std::move(set));
   for (NamedBalls& set : sets) truncate(set.balls, random, most);  // shuffles
   return sets;
 }

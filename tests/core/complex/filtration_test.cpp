@@ -60,13 +60,14 @@ TEST(Filtration, OfAComplexAnswersEverySmallerAlpha) {
     const auto engine = make_cgal_engine(balls, {1});
     const auto top = std::make_shared<AlphaComplex>(engine->compute({7}, {}));
     const Filtration filtration(balls, top);
-    EXPECT_EQ(filtration.alpha_max_on_lattice(), 7);
+    const auto units = [&](double alpha) { return balls->lattice.alpha_on_lattice(alpha); };
+    EXPECT_EQ(filtration.alpha_max_on_lattice(), units(7));
     for (const double alpha : {-2.0, 0.0, 0.5, 1.0, 2.0, 3.5, 5.0, 7.0}) {
-      EXPECT_TRUE(
-          compare(threshold(filtration, alpha, false), engine->compute({alpha}, {})).identical())
+      EXPECT_TRUE(compare(threshold(filtration, units(alpha), false), engine->compute({alpha}, {}))
+                      .identical())
           << set.name << ", alpha " << alpha;
     }
-    EXPECT_THROW(threshold(filtration, 7.5, false), std::invalid_argument);
+    EXPECT_THROW(threshold(filtration, units(7.5), false), std::invalid_argument);
     EXPECT_THROW(threshold(filtration, std::nan(""), false), std::invalid_argument);
   }
 }

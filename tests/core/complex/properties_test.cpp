@@ -120,7 +120,10 @@ TEST_P(Properties, SymmetriesOfTheLatticeDoNotMatter) {
 TEST_P(Properties, TranslationsDoNotMatter) {
   Random random(7);
   for (const NamedBalls& set : hard_sets(random)) {
-    if (set.name == "extremes of the lattice") continue;
+    const auto far = [](const LatticePoint& p) {
+      return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) > 800000;
+    };
+    if (std::any_of(set.balls.centres.begin(), set.balls.centres.end(), far)) continue;
     BallSet image = set.balls;
     for (LatticePoint& p : image.centres) p = {p.x + 536000000, p.y - 77, p.z - 536000000};
     EXPECT_TRUE(compare(complex_of(image, 3), complex_of(set.balls, 3)).identical()) << set.name;

@@ -46,14 +46,16 @@ ALPHASCOPE_HOST_DEVICE auto dot(const A& a, const B& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
-// The exact value lies within `error` of `value`; an infinite error means "not known".
+// The exact value lies between the doubles value - error and value + error, their own rounding
+// included; an infinite error means "not known".
 struct Bracket {
   double value;
   double error;
 };
 
-// Below this bound on |d_x| the double-precision brackets hold: cross products of two d are exact
-// (|d|² < 2^52) and so is c as a double.
+// Below this bound on |d_x| the double-precision brackets hold: |d|² < 3 · 2^50 and the coordinates
+// of the cross product of two d, below 2^51, are exact as doubles, and so is c: weights are below
+// 2^52, so |c| < 7 · 2^50.
 inline constexpr std::int64_t kBracketLimit = std::int64_t{1} << 25;
 
 inline constexpr double kUnitRoundoff = 1.1102230246251565e-16;  // 2^-53
@@ -68,18 +70,24 @@ ALPHASCOPE_HOST_DEVICE inline Bracket rho_bracket(double p, double p_error, doub
                                                   double q_relative_error, double weight) {
   const double quotient = p / q;
   const double value = quotient - weight;
-  // 1.01 covers the second-order terms and the roundings of these sums themselves.
+  // value is rounded, and so will be value -+ error. 1.01 covers the second-order terms and the
+  // roundings of these sums themselves.
   const double error = 1.01 * (p_error / q * (1 + q_relative_error) +
                                quotient * (q_relative_error + 2 * kUnitRoundoff) +
-                               kUnitRoundoff * (value < 0 ? -value : value));
+                               2 * kUnitRoundoff * (value < 0 ? -value : value));
   return {value, error};
 }
 
 // rho of an edge: |x| = c / (2|d|). g = |d|² is exact. Equal weights give c = g and rho = g / 4 - w
-// without any rounding: worth its own line, since those often lie just between two floats.
+// without any rounding below 2^51: worth its own line, since those often lie just between two
+// floats. From there to 2^52, which it does not reach, doubles are halves, and rho may be a quarter
+// off.
 ALPHASCOPE_HOST_DEVICE inline Bracket edge_rho(const LiftedVector<double>& j, double weight) {
   const double g = dot(j, j);
-  if (j.c == g) return {0.25 * g - weight, 0};
+  if (j.c == g) {
+    const double value = 0.25 * g - weight;
+    return {value, std::fabs(value) < 2251799813685248.0 ? 0 : 0.5};
+  }
   const double p = j.c * j.c;
   return rho_bracket(p, kUnitRoundoff * p, 4 * g, 0, weight);
 }
@@ -216,7 +224,7 @@ ALPHASCOPE_HOST_DEVICE inline int compare_exact(const ExactRho& rho, double valu
 
 ALPHASCOPE_HOST_DEVICE inline float round_exact(const ExactRho& rho) {
   if (rho.numerator.sign() == 0) return 0.0f;
-  const double approximate = rho.numerator.nearest_double() / rho.denominator.nearest_double();
+  const double approximate = rho.numerator.near_double() / rho.denominator.near_double();
   // Twice the relative error of the quotient; far smaller than half a float's spacing.
   const double slack = 16 * kUnitRoundoff * std::fabs(approximate);
   const float low = static_cast<float>(approximate - slack);

@@ -1,5 +1,5 @@
 // Fixed-width signed integers beyond 64 bits, for exact predicates on host and device. Only what
-// predicates need: sums, products, signs, shifts, and the nearest double. Overflow wraps; the
+// predicates need: sums, products, signs, shifts, and a near double. Overflow wraps; the
 // widths are proven sufficient where they are chosen (orthosphere.hpp, exact_dual_edge.hpp).
 #pragma once
 
@@ -98,7 +98,7 @@ struct WideInt {
   }
 
   // Within one part in 2^51 of the value; the sign is right.
-  ALPHASCOPE_HOST_DEVICE double nearest_double() const {
+  ALPHASCOPE_HOST_DEVICE double near_double() const {
     const bool negative = limb[kLimbs - 1] >> 63;
     const WideInt magnitude = negative ? -*this : *this;
     int top = kLimbs - 1;

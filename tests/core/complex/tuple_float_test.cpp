@@ -88,8 +88,8 @@ void check_tuples(int spread, int scale, int shake, double least_share) {
 
     // Alphas at and around the ortho-radius.
     const std::int64_t weight = std::int64_t{b[0].radius} * b[0].radius;
-    const double rho = exact_rho_of(v, weight).numerator.nearest_double() /
-                       exact_rho_of(v, weight).denominator.nearest_double();
+    const double rho = exact_rho_of(v, weight).numerator.near_double() /
+                       exact_rho_of(v, weight).denominator.near_double();
     for (const double factor : {0.9, 0.999999, 1.0, 1.000001, 1.1}) {
       const float alpha = static_cast<float>(rho * factor);
       const int exact = compare_exact(exact_rho_of(v, weight), alpha) <= 0 ? 1 : -1;

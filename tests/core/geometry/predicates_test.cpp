@@ -244,7 +244,7 @@ TEST(WideInt, CountsLikeGmp) {
     ASSERT_EQ(a.sign(), sgn(x));
     const int bits = random_int(random, 0, 250);
     ASSERT_EQ(as_integer(a.shifted_left(bits)), x << bits);
-    const Rational error = abs(Rational(a.nearest_double()) - Rational(x));
+    const Rational error = abs(Rational(a.near_double()) - Rational(x));
     ASSERT_LE(error * Rational(mpz_class(1) << 51), abs(Rational(x)));
   }
 }

@@ -19,6 +19,7 @@ struct EdgeCandidates {
   std::uint32_t capacity;
   std::uint32_t* cursor;
   std::uint32_t *start, *count;  // per ball
+  std::uint32_t* missing;        // how often one was looked for in vain
 };
 
 // Tetrahedra of K_alpha in the order in which blocks finished.

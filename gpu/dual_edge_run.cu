@@ -1,5 +1,8 @@
 // A run of the facet engine on the device: dual edges, then the result in lexicographic order. A
 // run that finds too little room is repeated with what it needed.
+#include <string>
+
+#include "core/run/internal_error.hpp"
 #include "gpu/dual_edge_kernels.cuh"
 #include "gpu/ordering.cuh"
 #include "gpu/result_copy.cuh"
@@ -57,6 +60,7 @@ class Run {
         need = grown(need, next);
         continue;
       }
+      expect_all_edges();
       remember(s_, next);
       const ResultLayout found(next.counts, whole_);
       if (!sent) {
@@ -130,7 +134,8 @@ class Run {
              capacity(s_.triangles.attached_to), &c->triangles, s_.triangles.start.get(),
              s_.zeroed_array(plan_, 1)},
             {s_.edges.end.get(), s_.edges.least.get(), s_.edges.flags.get(),
-             capacity(s_.edges.flags), &c->edges, s_.edges.start.get(), s_.zeroed_array(plan_, 2)},
+             capacity(s_.edges.flags), &c->edges, s_.edges.start.get(), s_.zeroed_array(plan_, 2),
+             &c->missing_edges},
             s_.zeroed_array(plan_, 4),
             nullptr,
             nullptr,
@@ -351,6 +356,14 @@ class Run {
            met.deferred <= deferred_limit(s_) && need.counts.cover(next.counts) &&
            copied_right(need, next) &&
            (!whole_ || s_.host_counters.get()->edges <= need.candidates);
+  }
+
+  // Of a run that had room for everything.
+  void expect_all_edges() const {
+    const std::uint32_t missing = s_.host_counters.get()->missing_edges;
+    if (missing == 0) return;
+    throw InternalError("The GPU found " + std::to_string(missing) +
+                        " triangles of the complex without one of their edges.");
   }
 
   // Did each chunk find as much as was copied of it?

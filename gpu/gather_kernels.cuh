@@ -76,18 +76,22 @@ struct GroupItems {
 
 constexpr std::uint32_t kNoEdge = ~0u;
 
-// Where edge jk is among the candidates of j, which are in ascending order. None if ball j found no
-// room at all, and the run will be repeated.
+// Where edge jk of a triangle in K_alpha is among the candidates of j, which are in ascending order.
+// None, and it is counted as missing, if ball j found no room: then the run will be repeated. Of
+// one that is not, all are there.
 __device__ inline std::uint32_t find_edge(const EdgeCandidates& edges, std::uint32_t j,
                                           std::uint32_t k) {
   const std::uint32_t count = edges.count[j];
-  if (count == 0) return kNoEdge;
-  std::uint32_t low = edges.start[j], high = low + count;
-  while (low + 1 < high) {
-    const std::uint32_t middle = (low + high) / 2;
-    (edges.end[middle] <= k ? low : high) = middle;
+  if (count != 0) {
+    std::uint32_t low = edges.start[j], high = low + count;
+    while (low + 1 < high) {
+      const std::uint32_t middle = (low + high) / 2;
+      (edges.end[middle] <= k ? low : high) = middle;
+    }
+    if (edges.end[low] == k) return low;
   }
-  return low;
+  atomicAdd(edges.missing, 1u);
+  return kNoEdge;
 }
 
 // An edge of a triangle. What it knows is read when it is found and not only when it is told more,

@@ -40,6 +40,7 @@ struct Counters {
   BlockStatistics blocks;
   std::uint32_t edges, triangles, tetrahedra;  // found; edges: candidates
   std::uint32_t pending;                       // PendingTriangles
+  std::uint32_t missing_edges;                 // EdgeCandidates::missing
   std::uint32_t exact_count[kMaxChunks];       // balls for kernel III
   Totals totals[kMaxChunks + 1];               // before each chunk, and of all
 };

@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <string>
+
+#include "core/run/internal_error.hpp"
 
 namespace alphascope {
 namespace {
@@ -32,6 +35,21 @@ void add_flags(std::uint8_t& shared, std::uint8_t flags) {
     all.fetch_or(flags, std::memory_order_relaxed);
 }
 
+// Where edge jk of triangle ijk is among those of ball j. It must be there: what keeps a triangle
+// and what drops an edge are both certain.
+std::size_t find_edge(const EdgeRange& of_j, const std::array<BallIndex, 3>& triangle) {
+  const std::array edge{triangle[1], triangle[2]};
+  if (of_j.edges != nullptr) {
+    const auto all = of_j.edges->simplices.begin();
+    const auto end = all + of_j.end, at = std::lower_bound(all + of_j.begin, end, edge);
+    if (at != end && *at == edge) return static_cast<std::size_t>(at - all);
+  }
+  throw InternalError("triangle " + std::to_string(triangle[0]) + " " +
+                      std::to_string(triangle[1]) + " " + std::to_string(triangle[2]) +
+                      " is in the complex without its edge " + std::to_string(edge[0]) + " " +
+                      std::to_string(edge[1]) + ".");
+}
+
 // Unattached, or attached to a triangle of K_alpha.
 bool is_present(const SimplexBuffer<2>& edges, std::uint32_t e) {
   return edges.values[e] < HUGE_VALF;
@@ -41,11 +59,9 @@ bool is_present(const SimplexBuffer<2>& edges, std::uint32_t e) {
 
 void gather_edges(const std::vector<EdgeRange>& ranges, AlphaComplex& complex) {
   tbb::parallel_for(std::size_t{0}, complex.triangles.size(), [&](std::size_t t) {
-    const auto [i, j, k] = complex.triangles.simplices[t];
-    const EdgeRange& r = ranges[j];
-    const auto first = r.edges->simplices.begin();
-    const auto at = std::lower_bound(first + r.begin, first + r.end, std::array{j, k}) - first;
-    const auto e = static_cast<std::size_t>(at);
+    const std::array<BallIndex, 3>& triangle = complex.triangles.simplices[t];
+    const EdgeRange& r = ranges[triangle[1]];
+    const std::size_t e = find_edge(r, triangle);
     lower(r.edges->values[e], complex.triangles.alpha_values[t]);
     add_flags(r.edges->states[e], flags_of(complex.triangles.classes[t]));
   });

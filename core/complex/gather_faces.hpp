@@ -19,7 +19,8 @@ struct EdgeRange {
 
 // Fills the edges of `complex` from its triangles and the blocks' edges; `ranges` is per ball. What
 // the first two edges of a triangle learn from it is known already (BlockOutput): this is about the
-// third, which is another ball's. Runs in the calling task arena.
+// third, which is another ball's. Runs in the calling task arena. Throws InternalError when it is
+// not there.
 void gather_edges(const std::vector<EdgeRange>& ranges, AlphaComplex& complex);
 
 // Fills the vertices from the edges; `states` is per ball.

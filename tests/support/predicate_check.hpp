@@ -1,0 +1,38 @@
+// Every predicate and every filter before it, against GMP's integers and rationals, on five balls
+// at a time. For suites, and for the program that does so a hundred million times.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+
+namespace alphascope::testing {
+
+class PredicateCheck {
+ public:
+  // Of one predicate. Undecided: a filter did not know.
+  struct Count {
+    std::uint64_t calls = 0, undecided = 0, ties = 0, wrong = 0;
+  };
+
+  explicit PredicateCheck(std::uint64_t seed) : seed_(seed) {}
+
+  // All predicates on the five balls of this number, which follow from it and the seed alone.
+  void check(std::uint64_t number);
+
+  std::uint64_t calls() const;
+  std::uint64_t wrong() const;
+  const std::map<std::string, Count>& counts() const { return counts_; }
+  // The first wrong one: which, the number of its balls, and they; empty if there is none.
+  const std::string& failure() const { return failure_; }
+  void add(const PredicateCheck& other);
+
+ private:
+  class Case;
+
+  std::uint64_t seed_;
+  std::map<std::string, Count> counts_;
+  std::string failure_;
+};
+
+}  // namespace alphascope::testing

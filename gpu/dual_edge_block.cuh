@@ -316,10 +316,7 @@ struct ExactNeighbours {
   int4 centre;
   __device__ LiftedInt lifted(int k) const {
     const int4 b = balls[indices[k]];
-    const std::int64_t x = b.x - centre.x, y = b.y - centre.y, z = b.z - centre.z;
-    const std::int64_t w = static_cast<std::int64_t>(b.w) * b.w,
-                       wi = static_cast<std::int64_t>(centre.w) * centre.w;
-    return {x, y, z, x * x + y * y + z * z + wi - w};
+    return lifted_vector(centre, centre.w, b, b.w);
   }
   __device__ std::int64_t weight() const { return static_cast<std::int64_t>(centre.w) * centre.w; }
   __device__ Neighbourhood<ExactNeighbours> of(const DualEdgeProblem& p) const {

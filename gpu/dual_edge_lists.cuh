@@ -47,9 +47,9 @@ __device__ inline LiftedVector<float> scaled_vector(const DualEdgeProblem& p, co
     *inside = narrow > 0;
     c = static_cast<float>(narrow);
   } else {
-    const std::int64_t wide = square(x) + square(y) + square(z) + square(centre.w) - square(q.w);
-    *inside = wide > 0;
-    c = static_cast<float>(wide);
+    const LiftedInt wide = lifted_vector(centre, centre.w, q, q.w);
+    *inside = wide.c > 0;
+    c = static_cast<float>(wide.c);
   }
   const float scale = p.common.scale;
   return {static_cast<float>(x) * scale, static_cast<float>(y) * scale,

@@ -17,7 +17,7 @@ __device__ __noinline__ Decision edge_attached_slowly(const DualEdgeProblem& p,
 template <class Decider>
 __device__ __noinline__ Decision edge_within_slowly(const DualEdgeProblem& p,
                                                     const ExactNeighbours& n, int j) {
-  return decide_edge<Decider>(n.of(p), j, nullptr);
+  return decide_simplex<Decider>(n.of(p), nullptr, j);
 }
 
 template <class Kind>

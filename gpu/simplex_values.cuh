@@ -16,10 +16,7 @@ struct SimplexBalls {
   int4 centre, other[3];
 
   __device__ LiftedInt lifted(int k) const {
-    const std::int64_t x = other[k].x - centre.x, y = other[k].y - centre.y,
-                       z = other[k].z - centre.z;
-    const std::int64_t w = static_cast<std::int64_t>(other[k].w) * other[k].w;
-    return {x, y, z, x * x + y * y + z * z + weight() - w};
+    return lifted_vector(centre, centre.w, other[k], other[k].w);
   }
   __device__ std::int64_t weight() const { return static_cast<std::int64_t>(centre.w) * centre.w; }
 };
@@ -27,9 +24,9 @@ struct SimplexBalls {
 template <class Decider>
 __device__ inline Decision value_of(const SimplexBalls& balls, int vertices, float* value) {
   const Neighbourhood<SimplexBalls> in{balls, balls.weight(), HUGE_VAL, 0, true};
-  return vertices == 2   ? decide_edge<Decider>(in, 0, value)
-         : vertices == 3 ? decide_triangle<Decider>(in, 0, 1, value)
-                         : decide_tetrahedron<Decider>(in, 0, 1, 2, value);
+  return vertices == 2   ? decide_simplex<Decider>(in, value, 0)
+         : vertices == 3 ? decide_simplex<Decider>(in, value, 0, 1)
+                         : decide_simplex<Decider>(in, value, 0, 1, 2);
 }
 // Where double precision does not tell which float is nearest: about one simplex in a million.
 __device__ __noinline__ float exact_value(const SimplexBalls& balls, int vertices) {

@@ -42,6 +42,8 @@ void BallSimplices::load(std::uint32_t slot, std::span<const std::uint32_t> list
 
 void BallSimplices::lift(std::uint32_t slot) {
   const std::size_t n = slots_.size();
+  const LatticePoint centre{grid_.x[slot], grid_.y[slot], grid_.z[slot]};
+  const std::int32_t radius = balls_.radii[i_];
   neighbours_.vectors.resize(n);
   neighbours_.balls.resize(n);
   doubles_.resize(n);
@@ -50,16 +52,15 @@ void BallSimplices::lift(std::uint32_t slot) {
   attached_ = false;
   for (std::size_t k = 0; k < n; ++k) {
     const std::uint32_t s = slots_[k];
-    const std::int64_t x = std::int64_t{grid_.x[s]} - grid_.x[slot],
-                       y = std::int64_t{grid_.y[s]} - grid_.y[slot],
-                       z = std::int64_t{grid_.z[s]} - grid_.z[slot];
-    const std::int64_t c = x * x + y * y + z * z + weight_ - balls_.weight(grid_.ball[s]);
-    neighbours_.vectors[k] = {x, y, z, c};
+    const LiftedInt v =
+        lifted_vector(centre, radius, LatticePoint{grid_.x[s], grid_.y[s], grid_.z[s]},
+                      balls_.radii[grid_.ball[s]]);
+    neighbours_.vectors[k] = v;
     neighbours_.balls[k] = grid_.ball[s];
-    doubles_[k] = lifted_as<double>(neighbours_.vectors[k]);
-    largest_offset_ = std::max({largest_offset_, std::abs(x), std::abs(y), std::abs(z)});
-    largest_power_ = std::max(largest_power_, std::abs(c));
-    attached_ = attached_ || c <= 0;
+    doubles_[k] = lifted_as<double>(v);
+    largest_offset_ = std::max({largest_offset_, std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+    largest_power_ = std::max(largest_power_, std::abs(v.c));
+    attached_ = attached_ || v.c <= 0;
   }
 }
 
@@ -142,7 +143,7 @@ bool BallSimplices::edge_is_attached(int j, const FacetDisc<double>& disc) {
 void BallSimplices::add_edge(int j, BlockOutput& out) {
   float value = HUGE_VALF;
   if (!edge_is_attached(j, FacetDisc<double>(vector(j), radius_square_)) &&
-      decide_edge<ExactDecider>(surroundings(), j, &value) == Decision::out) {
+      decide_simplex<ExactDecider>(surroundings(), &value, j) == Decision::out) {
     dead_[static_cast<std::size_t>(j)] = 1;
     return;
   }
@@ -195,7 +196,7 @@ void BallSimplices::triangle(const NearFirstRows& t, BlockOutput& out) {
   note_coface(t.k, value, face.cofaces() == 2, out);
   for (const int l : {std::min(face.low, face.high), std::max(face.low, face.high)}) {
     if (l <= t.k) continue;
-    decide_tetrahedron<ExactDecider>(surroundings(), t.j, t.k, l, &value);
+    decide_simplex<ExactDecider>(surroundings(), &value, t.j, t.k, l);
     out.tetrahedra.simplices.push_back({ijk[0], ijk[1], ijk[2], neighbours_.ball(l)});
     out.tetrahedra.values.push_back(value);
   }

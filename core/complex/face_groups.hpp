@@ -14,6 +14,14 @@
 
 namespace alphascope {
 
+// The vertex of a coface that a face of it lacks.
+template <int N>
+BallIndex apex(const std::array<BallIndex, N + 1>& coface, const std::array<BallIndex, N>& face) {
+  int n = 0;
+  while (n < N && coface[n] == face[n]) ++n;
+  return coface[n];
+}
+
 // The distinct faces with N vertices of a list of simplices with N + 1, in lexicographic order,
 // each with the indices of its cofaces in that list, ascending.
 template <int N>

@@ -28,13 +28,6 @@ void parallel_ranges(std::size_t count, const CancelToken& cancel, const Body& b
   cancel.throw_if_cancelled();
 }
 
-template <int N>
-BallIndex apex(const std::array<BallIndex, N + 1>& coface, const std::array<BallIndex, N>& face) {
-  int n = 0;
-  while (n < N && coface[n] == face[n]) ++n;
-  return coface[n];
-}
-
 // Own ortho-radius unless a coface's apex is in conflict with the orthosphere: then the least of
 // the cofaces. That only neighbours in the triangulation need to be asked holds for ties as well.
 template <int N>

@@ -22,18 +22,18 @@ struct FilteredDecider {
   static constexpr bool kExact = false;
 };
 
-// Is rho <= alpha? And its nearest float, when it is and `rounded` is not null. `exact` is called
-// on demand.
-template <class Decider, class Exact>
-ALPHASCOPE_INLINE Decision decide_rho(const Bracket& rho, double alpha, float* rounded,
-                                      const Exact& exact) {
+// Is rho <= alpha? And its nearest float, when it is and `rounded` is not null.
+template <class Decider, int N>
+ALPHASCOPE_INLINE Decision decide_rho(const LiftedSimplex<N>& s, bool brackets_hold, double alpha,
+                                      float* rounded) {
+  const Bracket rho = rho_bracket(s, brackets_hold);
   const int side = compare_bracket(rho, alpha);
   if (side > 0) return Decision::out;
   if (side < 0 && (rounded == nullptr || round_bracket(rho, rounded))) return Decision::in;
   if constexpr (!Decider::kExact) {
     return Decision::unknown;
   } else {
-    const ExactRho value = exact();
+    const ExactRho value = exact_rho(s);
     if (side == 0 && compare_exact(value, alpha) > 0) return Decision::out;
     if (rounded != nullptr) *rounded = round_exact(value);
     return Decision::in;
@@ -50,37 +50,12 @@ struct Neighbourhood {
   bool brackets_hold;            // all slots are within kBracketLimit
 };
 
-template <class Decider, class Neighbours>
-ALPHASCOPE_INLINE Decision decide_edge(const Neighbourhood<Neighbours>& in, int j, float* rounded) {
-  const LiftedInt vj = in.neighbours.lifted(j);
-  const Bracket rho = in.brackets_hold
-                          ? edge_rho(lifted_as<double>(vj), static_cast<double>(in.weight))
-                          : Bracket{0, HUGE_VAL};
-  return decide_rho<Decider>(rho, in.alpha, rounded, [&] { return exact_edge_rho(vj, in.weight); });
-}
-
-template <class Decider, class Neighbours>
-ALPHASCOPE_INLINE Decision decide_triangle(const Neighbourhood<Neighbours>& in, int j, int k,
-                                           float* rounded) {
-  const LiftedInt vj = in.neighbours.lifted(j), vk = in.neighbours.lifted(k);
-  const Bracket rho = in.brackets_hold ? triangle_rho(lifted_as<double>(vj), lifted_as<double>(vk),
-                                                      static_cast<double>(in.weight))
-                                       : Bracket{0, HUGE_VAL};
-  return decide_rho<Decider>(rho, in.alpha, rounded,
-                             [&] { return exact_triangle_rho(vj, vk, in.weight); });
-}
-
-template <class Decider, class Neighbours>
-ALPHASCOPE_INLINE Decision decide_tetrahedron(const Neighbourhood<Neighbours>& in, int j, int k,
-                                              int l, float* rounded) {
-  const LiftedInt vj = in.neighbours.lifted(j), vk = in.neighbours.lifted(k),
-                  vl = in.neighbours.lifted(l);
-  const Bracket rho = in.brackets_hold
-                          ? tetrahedron_rho(lifted_as<double>(vj), lifted_as<double>(vk),
-                                            lifted_as<double>(vl), static_cast<double>(in.weight))
-                          : Bracket{0, HUGE_VAL};
-  return decide_rho<Decider>(rho, in.alpha, rounded,
-                             [&] { return exact_tetrahedron_rho(vj, vk, vl, in.weight); });
+// The same of ball i and one to three neighbours.
+template <class Decider, class Neighbours, class... Slots>
+ALPHASCOPE_INLINE Decision decide_simplex(const Neighbourhood<Neighbours>& in, float* rounded,
+                                          Slots... slots) {
+  const LiftedSimplex<1 + sizeof...(Slots)> s{{in.neighbours.lifted(slots)...}, in.weight};
+  return decide_rho<Decider>(s, in.brackets_hold, in.alpha, rounded);
 }
 
 // Does ball m cut off the orthocentre of edge ij? Then ij is attached: in K_alpha if a triangle of

@@ -185,14 +185,13 @@ ALPHASCOPE_HOST_DEVICE TriangleFace exact_face(const Neighbourhood<Neighbours>& 
           in, t.j, t.k, [&](int m) { return t.next_common(m, words); }, high, low))
     return TriangleFace::absent();
   const auto within = [&](const EndBall& e) {
-    return e.slot < 0 ? Decision::out
-                      : decide_tetrahedron<ExactDecider>(in, t.j, t.k, e.slot, nullptr);
+    return e.slot < 0 ? Decision::out : decide_simplex<ExactDecider>(in, nullptr, t.j, t.k, e.slot);
   };
   const auto cuts = [&](const EndBall& e) {
     return e.slot < 0 ? Decision::out : triangle_cut_by<ExactDecider>(in, t.j, t.k, e.lifted);
   };
   return decided_face({within(high), within(low), cuts(high), cuts(low),
-                       decide_triangle<ExactDecider>(in, t.j, t.k, nullptr)},
+                       decide_simplex<ExactDecider>(in, nullptr, t.j, t.k)},
                       high.slot, low.slot);
 }
 // Of a decided triangle.
@@ -205,9 +204,9 @@ template <class Decider, class Neighbours>
 ALPHASCOPE_INLINE Decision triangle_value(const Neighbourhood<Neighbours>& in, int j, int k,
                                           const TriangleFace& face, float* value) {
   using Attached = TriangleFace::Attached;
-  if (face.attached == Attached::no) return decide_triangle<Decider>(in, j, k, value);
-  return decide_tetrahedron<Decider>(in, j, k,
-                                     face.attached == Attached::high ? face.high : face.low, value);
+  if (face.attached == Attached::no) return decide_simplex<Decider>(in, value, j, k);
+  return decide_simplex<Decider>(in, value, j, k,
+                                 face.attached == Attached::high ? face.high : face.low);
 }
 
 }  // namespace alphascope

@@ -261,10 +261,21 @@ struct FillBand {
 };
 
 template <int N, class Reader>
-ALPHASCOPE_INLINE void lift_tuple(const TupleScene<Reader>& scene, const NeighbourLists& lists,
-                                  const BallTuple<N>& tuple, LiftedInt (&v)[N - 1]) {
+ALPHASCOPE_INLINE LiftedSimplex<N> lifted_tuple(const TupleScene<Reader>& scene,
+                                                const NeighbourLists& lists,
+                                                const BallTuple<N>& tuple) {
   const BallRecord i = scene.read.ball(tuple.first);
-  for (int n = 0; n < N - 1; ++n) v[n] = lifted_from(i, scene.read.ball(tuple.slot(lists, n + 1)));
+  LiftedSimplex<N> s;
+  s.weight = std::int64_t{i.radius} * i.radius;
+  for (int n = 0; n < N - 1; ++n)
+    s.v[n] = lifted_from(i, scene.read.ball(tuple.slot(lists, n + 1)));
+  return s;
+}
+// Is rho <= alpha, and its nearest float when `rounded` is not null. Double precision brackets
+// decide nearly always; wide integers the rest.
+template <int N>
+ALPHASCOPE_INLINE bool rho_within(const LiftedSimplex<N>& s, double alpha, float* rounded) {
+  return decide_rho<ExactDecider>(s, within_bracket_limit(s), alpha, rounded) == Decision::in;
 }
 
 // The tuples in the band, again: filtered where that is certain, integers where it is not.
@@ -288,12 +299,9 @@ struct DecideTuples {
   template <class Integer>
   ALPHASCOPE_HOST_DEVICE bool decide(const BallTuple<N>& tuple) const {
     const BallRecord i = scene.read.ball(tuple.first);
-    LiftedInt v[N - 1];
-    lift_tuple<N>(scene, lists, tuple, v);
-    const ExactCentre<N - 1, Integer> exact(v);
-    if (!exact.regular()) return false;
-    const std::int64_t weight = std::int64_t{i.radius} * i.radius;
-    if (!rho_within(v, weight, scene.alpha, nullptr)) return false;
+    const LiftedSimplex<N> simplex = lifted_tuple<N>(scene, lists, tuple);
+    const ExactCentre<N - 1, Integer> exact(simplex.v);
+    if (!exact.regular() || !rho_within(simplex, scene.alpha, nullptr)) return false;
     FloatCentre centre{0, 0, 0, HUGE_VALF};
     if (scene.float_holds) centre = centre_of<N>(scene, lists, tuple);
     const FloatConflict filter(centre);
@@ -330,14 +338,7 @@ struct EmitSimplices {
       to[b] = ball;
     }
     if (values == nullptr) return;
-    const std::int64_t radius = scene.read.ball(tuple.first).radius;
-    if constexpr (N == 1) {
-      values[sums[n]] = static_cast<float>(-static_cast<double>(radius * radius));
-    } else {
-      LiftedInt v[N - 1];
-      lift_tuple<N>(scene, lists, tuple, v);
-      rho_within(v, radius * radius, scene.alpha, values + sums[n]);
-    }
+    rho_within(lifted_tuple<N>(scene, lists, tuple), scene.alpha, values + sums[n]);
   }
 };
 

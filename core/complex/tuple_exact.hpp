@@ -23,39 +23,6 @@ namespace alphascope {
 // What ball m does to a simplex: `defers` leaves it to the larger simplices around it.
 enum class Conflict : signed char { none, defers, destroys };
 
-ALPHASCOPE_HOST_DEVICE inline Bracket rho_bracket_of(const LiftedInt (&v)[1], double weight) {
-  return edge_rho(lifted_as<double>(v[0]), weight);
-}
-ALPHASCOPE_HOST_DEVICE inline Bracket rho_bracket_of(const LiftedInt (&v)[2], double weight) {
-  return triangle_rho(lifted_as<double>(v[0]), lifted_as<double>(v[1]), weight);
-}
-ALPHASCOPE_HOST_DEVICE inline Bracket rho_bracket_of(const LiftedInt (&v)[3], double weight) {
-  return tetrahedron_rho(lifted_as<double>(v[0]), lifted_as<double>(v[1]), lifted_as<double>(v[2]),
-                         weight);
-}
-ALPHASCOPE_HOST_DEVICE inline ExactRho exact_rho_of(const LiftedInt (&v)[1], std::int64_t weight) {
-  return exact_edge_rho(v[0], weight);
-}
-ALPHASCOPE_HOST_DEVICE inline ExactRho exact_rho_of(const LiftedInt (&v)[2], std::int64_t weight) {
-  return exact_triangle_rho(v[0], v[1], weight);
-}
-ALPHASCOPE_HOST_DEVICE inline ExactRho exact_rho_of(const LiftedInt (&v)[3], std::int64_t weight) {
-  return exact_tetrahedron_rho(v[0], v[1], v[2], weight);
-}
-
-// Is rho of an affinely independent simplex <= alpha, and its nearest float when `rounded` is not
-// null. Double precision brackets decide nearly always; wide integers the rest.
-template <int K>
-ALPHASCOPE_HOST_DEVICE bool rho_within(const LiftedInt (&v)[K], std::int64_t weight, double alpha,
-                                       float* rounded) {
-  bool brackets_hold = true;
-  for (int n = 0; n < K; ++n) brackets_hold = brackets_hold && within_bracket_limit(v[n]);
-  const Bracket rho =
-      brackets_hold ? rho_bracket_of(v, static_cast<double>(weight)) : Bracket{0, HUGE_VAL};
-  return decide_rho<ExactDecider>(rho, alpha, rounded, [&] { return exact_rho_of(v, weight); }) ==
-         Decision::in;
-}
-
 // The larger of two centres in lexicographic order decides a tie; see above.
 struct HullTie {
   LiftedInt last;

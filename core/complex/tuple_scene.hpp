@@ -84,7 +84,7 @@ ALPHASCOPE_INLINE void for_cube(const TupleScene<Reader>& scene, std::uint32_t s
 
 template <class Reader>
 ALPHASCOPE_INLINE bool grown_balls_may_meet(const TupleScene<Reader>& scene, std::uint32_t a,
-                                        std::uint32_t b) {
+                                            std::uint32_t b) {
   const BallRecord p = scene.read.ball(a), q = scene.read.ball(b);
   return grown_balls_may_meet(q.x - p.x, q.y - p.y, q.z - p.z, scene.read.reach(a),
                               scene.read.reach(b));
@@ -118,10 +118,7 @@ struct BallTuple {
 
 // Ball m as seen from ball i.
 ALPHASCOPE_INLINE LiftedInt lifted_from(const BallRecord& i, const BallRecord& m) {
-  const std::int64_t x = m.x - i.x, y = m.y - i.y, z = m.z - i.z;
-  return {x, y, z,
-          x * x + y * y + z * z +
-              (std::int64_t{i.radius} - m.radius) * (std::int64_t{i.radius} + m.radius)};
+  return lifted_vector(i, i.radius, m, m.radius);
 }
 
 }  // namespace alphascope

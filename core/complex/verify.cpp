@@ -181,11 +181,9 @@ void check_faces(const BallSet& balls, const NearBalls& near, const SimplexList<
     if (group_of[n] != ~std::uint32_t{0}) {
       groups.for_cofaces(group_of[n], [&](std::uint32_t c) {
         least = std::min(least, cofaces.alpha_values[c]);
-        const auto& coface = cofaces.simplices[c];
-        int v = 0;
-        while (v < N && coface[v] == s[v]) ++v;
         attached_to_coface =
-            attached_to_coface || conflict_with_smallest_orthosphere(balls, s, coface[v]) < 0;
+            attached_to_coface ||
+            conflict_with_smallest_orthosphere(balls, s, apex<N>(cofaces.simplices[c], s)) < 0;
       });
     }
     findings.check<N>(value <= least, s, "alpha value above that of a coface");

@@ -5,47 +5,31 @@
 namespace alphascope {
 namespace {
 
-struct LiftedSimplex {
-  int others;  // balls beside the first
-  LiftedInt v[3];
-  std::int64_t weight;
-};
-
-LiftedSimplex lift(const BallSet& balls, std::span<const BallIndex> simplex) {
-  LiftedSimplex s{static_cast<int>(simplex.size()) - 1, {}, balls.weight(simplex[0])};
-  for (int n = 0; n < s.others; ++n) s.v[n] = lifted_vector(balls, simplex[0], simplex[n + 1]);
+template <int N>
+LiftedSimplex<N> lift(const BallSet& balls, std::span<const BallIndex> simplex) {
+  LiftedSimplex<N> s{};
+  s.weight = balls.weight(simplex[0]);
+  for (int n = 0; n < N - 1; ++n) s.v[n] = lifted_vector(balls, simplex[0], simplex[n + 1]);
   return s;
 }
 
-Bracket bracket(const LiftedSimplex& s) {
-  for (int n = 0; n < s.others; ++n) {
-    if (!within_bracket_limit(s.v[n])) return {0, HUGE_VAL};
-  }
-  const double weight = static_cast<double>(s.weight);
-  LiftedVector<double> v[3];
-  for (int n = 0; n < s.others; ++n) v[n] = lifted_as<double>(s.v[n]);
-  switch (s.others) {
-    case 0:
-      return {-weight, 0};
-    case 1:
-      return edge_rho(v[0], weight);
-    case 2:
-      return triangle_rho(v[0], v[1], weight);
-    default:
-      return tetrahedron_rho(v[0], v[1], v[2], weight);
-  }
+// body(bracket, exact), where exact() is rho as a fraction.
+template <int N, class Body>
+auto with_rho_of(const BallSet& balls, std::span<const BallIndex> simplex, const Body& body) {
+  const LiftedSimplex<N> s = lift<N>(balls, simplex);
+  return body(rho_bracket(s, within_bracket_limit(s)), [&] { return exact_rho(s); });
 }
-
-ExactRho exact(const LiftedSimplex& s) {
-  switch (s.others) {
-    case 0:
-      return exact_vertex_rho(s.weight);
+template <class Body>
+auto with_rho(const BallSet& balls, std::span<const BallIndex> simplex, const Body& body) {
+  switch (simplex.size()) {
     case 1:
-      return exact_edge_rho(s.v[0], s.weight);
+      return with_rho_of<1>(balls, simplex, body);
     case 2:
-      return exact_triangle_rho(s.v[0], s.v[1], s.weight);
+      return with_rho_of<2>(balls, simplex, body);
+    case 3:
+      return with_rho_of<3>(balls, simplex, body);
     default:
-      return exact_tetrahedron_rho(s.v[0], s.v[1], s.v[2], s.weight);
+      return with_rho_of<4>(balls, simplex, body);
   }
 }
 
@@ -53,15 +37,17 @@ ExactRho exact(const LiftedSimplex& s) {
 
 int compare_ortho_radius(const BallSet& balls, std::span<const BallIndex> simplex,
                          double alpha_on_lattice) {
-  const LiftedSimplex s = lift(balls, simplex);
-  const int side = compare_bracket(bracket(s), alpha_on_lattice);
-  return side != 0 ? side : compare_exact(exact(s), alpha_on_lattice);
+  return with_rho(balls, simplex, [&](const Bracket& rho, const auto& exact) {
+    const int side = compare_bracket(rho, alpha_on_lattice);
+    return side != 0 ? side : compare_exact(exact(), alpha_on_lattice);
+  });
 }
 
 float ortho_radius_rounded(const BallSet& balls, std::span<const BallIndex> simplex) {
-  const LiftedSimplex s = lift(balls, simplex);
-  float rounded = 0;
-  return round_bracket(bracket(s), &rounded) ? rounded : round_exact(exact(s));
+  return with_rho(balls, simplex, [&](const Bracket& rho, const auto& exact) {
+    float rounded = 0;
+    return round_bracket(rho, &rounded) ? rounded : round_exact(exact());
+  });
 }
 
 int conflict_with_smallest_orthosphere(const BallSet& balls, std::span<const BallIndex> simplex,

@@ -11,11 +11,7 @@ namespace alphascope {
 
 // Ball k as seen from ball i.
 inline LiftedInt lifted_vector(const BallSet& balls, BallIndex i, BallIndex k) {
-  const LatticePoint& p = balls.centres[i];
-  const LatticePoint& q = balls.centres[k];
-  const std::int64_t x = std::int64_t{q.x} - p.x, y = std::int64_t{q.y} - p.y,
-                     z = std::int64_t{q.z} - p.z;
-  return {x, y, z, x * x + y * y + z * z + balls.weight(i) - balls.weight(k)};
+  return lifted_vector(balls.centres[i], balls.radii[i], balls.centres[k], balls.radii[k]);
 }
 
 // A simplex is 1 to 4 distinct, affinely independent balls, in any order. rho is its ortho-radius,

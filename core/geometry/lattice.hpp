@@ -8,7 +8,7 @@
 
 namespace alphascope {
 
-// Bounds that keep every exact predicate inside its fixed integer width (see predicates.hpp):
+// Bounds that keep every exact predicate inside its fixed integer width (see exact_rho.hpp):
 // coordinate differences fit 31 bits, weights are exact as doubles, power differences fit int64.
 inline constexpr std::int32_t kMaxLatticeCoordinate = (1 << 29) - 1;
 inline constexpr std::int32_t kMaxLatticeRadius = (1 << 26) - 1;

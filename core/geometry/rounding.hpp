@@ -3,6 +3,8 @@
 
 namespace alphascope {
 
+inline constexpr double kUnitRoundoff = 1.1102230246251565e-16;  // 2^-53
+
 // u with a margin of 3 %, which covers the roundings of the bounds themselves. d are exact; c are
 // the nearest numbers.
 template <class Real>

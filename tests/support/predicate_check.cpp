@@ -203,7 +203,11 @@ class PredicateCheck::Case {
     if (std::isinf(alpha)) return;
     const bool in = rho <= Rational(alpha);
     filter("centre_within", centre_within(centre, balls_.radii[0], alpha), in ? 1 : -1);
-    note("rho_within", rho_within(v, weight_, alpha, nullptr) == in, false, false);
+    LiftedSimplex<K + 1> simplex{{}, weight_};
+    std::copy(v, v + K, simplex.v);
+    note("decide_rho",
+         (decide_rho<ExactDecider>(simplex, in_double_, alpha, nullptr) == Decision::in) == in,
+         false, false);
   }
 
   void edge(int j) {

@@ -88,11 +88,14 @@ void check_tuples(int spread, int scale, int shake, double least_share) {
 
     // Alphas at and around the ortho-radius.
     const std::int64_t weight = std::int64_t{b[0].radius} * b[0].radius;
-    const double rho = exact_rho_of(v, weight).numerator.near_double() /
-                       exact_rho_of(v, weight).denominator.near_double();
+    LiftedSimplex<K + 1> simplex{{}, weight};
+    std::copy(v, v + K, simplex.v);
+    const ExactRho exact_rho_of_it = exact_rho(simplex);
+    const double rho =
+        exact_rho_of_it.numerator.near_double() / exact_rho_of_it.denominator.near_double();
     for (const double factor : {0.9, 0.999999, 1.0, 1.000001, 1.1}) {
       const float alpha = static_cast<float>(rho * factor);
-      const int exact = compare_exact(exact_rho_of(v, weight), alpha) <= 0 ? 1 : -1;
+      const int exact = compare_exact(exact_rho_of_it, alpha) <= 0 ? 1 : -1;
       sizes.add(static_cast<int>(centre_within(c, b[0].radius, alpha)), exact);
     }
   }

@@ -8,7 +8,9 @@
 #include "core/geometry/exact_alpha.hpp"
 #include "core/geometry/foot_predicate.hpp"
 #include "core/geometry/perturbation.hpp"
-#include "tests/support/random_balls.hpp"
+#include "tests/support/five_balls.hpp"
+#include "tests/support/oracle_check.hpp"
+#include "tests/support/predicate_check.hpp"
 #include "tests/support/rational_oracle.hpp"
 
 namespace alphascope {
@@ -21,43 +23,6 @@ using testing::Rational;
 
 int sign_of_rational(const Rational& value) {
   return sgn(value);
-}
-
-constexpr int kKinds = 7;
-
-int clamped(double value, int limit) {
-  return static_cast<int>(std::max<double>(-limit, std::min<double>(limit, std::round(value))));
-}
-
-// Five balls with distinct centres.
-BallSet five_balls(Random& random, int kind) {
-  const int extents[kKinds] = {2, 7000, 70000, 1 << 25, kMaxLatticeCoordinate, 5000, 5000};
-  const int radii[kKinds] = {3, 2000, 20000, 1 << 25, kMaxLatticeRadius, 2000, 1};
-  const int extent = extents[kind];
-  BallSet balls;
-  do {
-    balls = testing::random_balls(random, 5, extent, 1, radii[kind]);
-    auto& c = balls.centres;
-    if (kind == 5) {  // the last two within a unit of the plane of the first three
-      for (int n = 3; n < 5; ++n) {
-        const int s = random_int(random, -2, 2), t = random_int(random, -2, 2);
-        const auto at = [&](int a, int b, int o) {
-          return o + s * (a - o) + t * (b - o) + random_int(random, -1, 1);
-        };
-        c[n] = {at(c[1].x, c[2].x, c[0].x), at(c[1].y, c[2].y, c[0].y), at(c[1].z, c[2].z, c[0].z)};
-      }
-    } else if (kind == 6) {  // within about a unit of one sphere, with equal or nearly equal radii
-      for (LatticePoint& p : c) {
-        const double length = std::sqrt(double(p.x) * p.x + double(p.y) * p.y + double(p.z) * p.z);
-        const double scale = length > 0 ? 3000 / length : 0;
-        p = {clamped(p.x * scale, extent), clamped(p.y * scale, extent),
-             clamped(p.z * scale, extent)};
-      }
-    }
-    std::vector<LatticePoint> sorted = c;
-    std::sort(sorted.begin(), sorted.end());
-    if (std::adjacent_find(sorted.begin(), sorted.end()) == sorted.end()) return balls;
-  } while (true);
 }
 
 bool independent(const BallSet& balls, int count) {
@@ -103,7 +68,8 @@ void check_ortho_radius(const BallSet& balls, int count, Random& random, Seen& s
   const double near = sphere.rho.get_d();
   for (const double alpha : {near, std::nextafter(near, 1e300), std::nextafter(near, -1e300),
                              near + random_int(random, -9, 9), double(float(near)), 0.0}) {
-    if (std::fabs(alpha) < 1e-30 && alpha != 0) continue;  // no alpha on the lattice is that small
+    // No alpha on the lattice is so small; a rational is finite.
+    if ((std::fabs(alpha) < 1e-30 && alpha != 0) || std::isinf(alpha)) continue;
     const int expected = sign_of_rational(sphere.rho - Rational(alpha));
     ASSERT_EQ(compare_ortho_radius(balls, simplex, alpha), expected) << "alpha " << alpha;
     seen.ties += expected == 0;
@@ -149,28 +115,19 @@ void check_orthocentre(const BallSet& balls, Seen& seen) {
   ASSERT_EQ(perturbed_cut(j, l, false, k, false, m), cut);
 }
 
-std::string list_balls(const BallSet& balls) {
-  std::string text;
-  for (std::size_t i = 0; i < balls.size(); ++i) {
-    const LatticePoint& p = balls.centres[i];
-    text += "\n  " + std::to_string(p.x) + " " + std::to_string(p.y) + " " + std::to_string(p.z) +
-            " " + std::to_string(balls.radii[i]);
-  }
-  return text;
-}
-
 void check_predicates(std::uint64_t seed, int cases_per_kind) {
   Random random(seed);
-  for (int kind = 0; kind < kKinds; ++kind) {
+  for (int kind = 0; kind < testing::kFiveBallKinds; ++kind) {
     Seen radii, filters, corners;
     for (int n = 0; n < cases_per_kind; ++n) {
-      const BallSet balls = five_balls(random, kind);
+      const BallSet balls = testing::five_balls(random, kind);
       const int count = 1 + n % 4;
       if (independent(balls, count)) check_ortho_radius(balls, count, random, radii);
       check_filters(balls, filters);
       if (independent(balls, 4)) check_orthocentre(balls, corners);
       if (::testing::Test::HasFatalFailure()) {
-        ADD_FAILURE() << "kind " << kind << ", count " << count << list_balls(balls);
+        ADD_FAILURE() << testing::kind_of_five(kind) << ", count " << count
+                      << testing::list_balls(balls);
         return;
       }
     }
@@ -187,7 +144,29 @@ void check_predicates(std::uint64_t seed, int cases_per_kind) {
 }
 
 TEST(Predicates, AgreeWithRationals) {
-  check_predicates(1, 8000);
+  check_predicates(1, 4000);
+}
+
+// Filters too, up to the bounds for which each is proven.
+TEST(Predicates, AgreeWithGmp) {
+  testing::PredicateCheck check(5);
+  for (std::uint64_t n = 0; n < 16 * 500; ++n) check.check(n);
+  EXPECT_EQ(check.wrong(), 0u) << check.failure();
+  for (const auto& [name, count] : check.counts()) {
+    EXPECT_GT(count.calls - count.undecided, count.calls / 10) << name;
+    EXPECT_GT(count.calls, 1000u) << name;
+  }
+}
+
+// A quarter of a unit that no double of this size has decides which float is nearest.
+TEST(Predicates, QuartersAbove2To51AreKept) {
+  BallSet balls;
+  balls.lattice.digits = 6;
+  testing::add_ball(balls, 0, 0, 0, 67108863);
+  testing::add_ball(balls, 2, 1, 0, 67108863);
+  const BallIndex edge[2] = {0, 1};
+  EXPECT_EQ(ortho_radius_rounded(balls, edge),
+            testing::nearest_float(testing::orthosphere(balls, edge).rho));
 }
 
 TEST(Predicates, AgreeWithRationalsLong) {

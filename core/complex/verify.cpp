@@ -1,21 +1,19 @@
-// The checks of verify.hpp, each in its own function. Conflicts use the exact predicates against
-// every near ball; neighbourhood in the complex is never trusted for them.
+// The checks of verify.hpp, each in its own function. Conflicts are looked for among every near
+// ball, in integers; neighbourhood in the complex is never trusted for them. What is missing is
+// verify_missing.cpp's.
 #include "core/complex/verify.hpp"
-
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <limits>
 #include <mutex>
+#include <optional>
 
 #include "core/complex/face_groups.hpp"
 #include "core/complex/filtration.hpp"
-#include "core/geometry/coincident.hpp"
-#include "core/geometry/exact_alpha.hpp"
-#include "core/geometry/uniform_grid.hpp"
+#include "core/complex/verify_missing.hpp"
+#include "core/complex/verify_run.hpp"
+#include "core/complex/verify_surroundings.hpp"
 
 namespace alphascope {
 namespace {
@@ -40,6 +38,7 @@ class Findings {
     ++result_.failures;
     result_.messages.push_back(what);
   }
+  bool good() const { return result_.failures == 0; }
   Verification take() {
     result_.checks = checks_;
     return std::move(result_);
@@ -50,76 +49,6 @@ class Findings {
   std::atomic<std::size_t> checks_ = 0;
   Verification result_;
 };
-
-// A ball in conflict with the orthosphere of a simplex of ortho-radius <= alpha reaches, grown by
-// alpha, into each grown ball of it: so it is in the grid cells around the simplex's first ball.
-class NearBalls {
- public:
-  NearBalls(const BallSet& balls, double alpha)
-      : balls_(balls), grid_(make_uniform_grid(balls, alpha, coincident_hidden(balls))) {}
-
-  template <class Conflict>
-  bool any(BallIndex i, const Conflict& conflict) const {
-    const LatticePoint& p = balls_.centres[i];
-    const int cx = grid_.cell_of(p.x, grid_.origin.x), cy = grid_.cell_of(p.y, grid_.origin.y),
-              cz = grid_.cell_of(p.z, grid_.origin.z);
-    const int z0 = std::max(cz - 1, 0), z1 = std::min(cz + 1, grid_.nz - 1);
-    if (z1 < z0) return false;  // a hidden ball may lie outside the grid
-    for (int x = std::max(cx - 1, 0); x <= std::min(cx + 1, grid_.nx - 1); ++x) {
-      for (int y = std::max(cy - 1, 0); y <= std::min(cy + 1, grid_.ny - 1); ++y) {
-        const std::size_t row = (static_cast<std::size_t>(x) * grid_.ny + y) * grid_.nz;
-        for (auto s = grid_.cell_start[row + z0]; s < grid_.cell_start[row + z1 + 1]; ++s) {
-          if (conflict(grid_.ball[s])) return true;
-        }
-      }
-    }
-    return false;
-  }
-
- private:
-  const BallSet& balls_;
-  UniformGrid grid_;
-};
-
-template <int N>
-bool contains(const std::array<BallIndex, N>& simplex, BallIndex m) {
-  return std::find(simplex.begin(), simplex.end(), m) != simplex.end();
-}
-
-// Is pi_m < rho at the orthocentre x of a tetrahedron? With 2 x D = n as in orthosphere.hpp:
-// (2 d_m·x - c_m) D² > 0, that is (d_m·n - c_m D) D > 0. Widths: 31 + 127 bits, and 63 + 94.
-class TetrahedronConflict {
- public:
-  using Wide = WideInt<4>;
-  TetrahedronConflict(const BallSet& balls, const std::array<BallIndex, 4>& s)
-      : balls_(balls), first_(s[0]) {
-    const auto j = lifted_as<Wide>(lifted_vector(balls, s[0], s[1])),
-               k = lifted_as<Wide>(lifted_vector(balls, s[0], s[2])),
-               l = lifted_as<Wide>(lifted_vector(balls, s[0], s[3]));
-    const auto kl = cross(k, l), lj = cross(l, j), jk = cross(j, k);
-    determinant_ = dot(j, kl);
-    n_ = {j.c * kl.x + k.c * lj.x + l.c * jk.x, j.c * kl.y + k.c * lj.y + l.c * jk.y,
-          j.c * kl.z + k.c * lj.z + l.c * jk.z};
-  }
-  bool flat() const { return determinant_.sign() == 0; }
-  bool operator()(BallIndex m) const {
-    const auto v = lifted_as<Wide>(lifted_vector(balls_, first_, m));
-    return (dot(v, n_) - v.c * determinant_).sign() * determinant_.sign() > 0;
-  }
-
- private:
-  const BallSet& balls_;
-  BallIndex first_;
-  Wide determinant_;
-  Vector3<Wide> n_;
-};
-
-template <class Body>
-void for_all(std::size_t count, const Body& body) {
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 256), [&](const auto& range) {
-    for (std::size_t n = range.begin(); n != range.end(); ++n) body(n);
-  });
-}
 
 // False when the list cannot be indexed safely by the other checks.
 template <int N>
@@ -142,64 +71,74 @@ bool check_list(const BallSet& balls, const SimplexList<N>& list, bool with_valu
   return sound;
 }
 
-void check_tetrahedra(const BallSet& balls, const NearBalls& near, const SimplexList<4>& list,
-                      double alpha, Findings& findings) {
-  for_all(list.size(), [&](std::size_t n) {
-    const auto& s = list.simplices[n];
-    const TetrahedronConflict conflict(balls, s);
-    findings.check<4>(!conflict.flat(), s, "flat tetrahedron");
-    if (conflict.flat()) return;
-    findings.check<4>(
-        list.alpha_values.empty() || list.alpha_values[n] == ortho_radius_rounded(balls, s), s,
-        "alpha value is not the ortho-radius");
-    const bool within = compare_ortho_radius(balls, s, alpha) <= 0;
-    findings.check<4>(within, s, "ortho-radius above alpha");
-    if (!within) return;  // and then far balls might be in conflict, too
-    findings.check<4>(
-        !near.any(s[0], [&](BallIndex m) { return !contains<4>(s, m) && conflict(m); }), s,
-        "a ball is in conflict with its orthosphere");
+// The least alpha value of the cofaces that a simplex has in the complex, if any.
+using LeastOfCofaces = std::optional<float>;
+
+// A simplex by itself: what its alpha value must be, and that it is in the triangulation. A ball in
+// conflict has, at the orthocentre, less power than rho <= alpha: it may touch all balls of the
+// simplex.
+template <int N>
+void check_simplex(const VerifyBalls& balls, const std::array<BallIndex, N>& s, const float* value,
+                   const LeastOfCofaces& least, Findings& findings) {
+  const bool hidden = std::any_of(s.begin(), s.end(), [&](BallIndex v) { return balls.hidden(v); });
+  findings.check<N>(!hidden, s, "a ball is hidden by another one with the same centre");
+  const Orthosphere<N> sphere(balls.balls(), s);
+  findings.check<N>(!sphere.flat(), s, "its balls are affinely dependent");
+  if (hidden || sphere.flat()) return;
+  const ExactRho rho = sphere.rho();
+  const bool within = compare_exact(rho, balls.alpha()) <= 0;
+  findings.check<N>(within, s, "ortho-radius above alpha");
+  if (!within) return;  // and then far balls might be in conflict, too
+  thread_local Surroundings around;
+  around.look_around<N>(balls, s);
+  if (around.conflict<N>(sphere, s)) {
+    findings.check<N>(least.has_value(), s, "a ball is in conflict with its orthosphere");
+    if (!least) return;
+    findings.check<N>(value == nullptr || *value == *least, s,
+                      "attached, but its alpha value is not the least of its cofaces'");
+    return;
+  }
+  findings.check<N>(value == nullptr || *value == round_exact(rho), s,
+                    "unattached, but its alpha value is not the ortho-radius");
+  if (least) return;  // which shows that it is there
+  findings.check<N>(in_triangulation<N>(balls.balls(), s, around.ties()), s,
+                    "a tie with another ball is broken wrongly");
+}
+
+// Simplices that need not be faces of larger ones.
+template <int N>
+void check_top(const VerifyBalls& balls, const SimplexList<N>& list, const RunContext& context,
+               Findings& findings) {
+  verify_all(list.size(), context, [&](std::size_t n) {
+    check_simplex<N>(balls, list.simplices[n],
+                     list.alpha_values.empty() ? nullptr : &list.alpha_values[n], std::nullopt,
+                     findings);
   });
 }
 
 template <int N>
-void check_faces(const BallSet& balls, const NearBalls& near, const SimplexList<N>& list,
-                 const SimplexList<N + 1>& cofaces, double alpha, Findings& findings) {
+void check_faces(const VerifyBalls& balls, const SimplexList<N>& list,
+                 const SimplexList<N + 1>& cofaces, const RunContext& context, Findings& findings) {
+  std::vector<LeastOfCofaces> least(list.size());
   const FaceGroups<N> groups(cofaces.simplices);
-  std::vector<std::uint32_t> group_of(list.size(), ~std::uint32_t{0});
-  for (std::uint32_t g = 0; g < groups.size(); ++g) {
+  context.cancel.throw_if_cancelled();
+  for (std::size_t g = 0; g < groups.size(); ++g) {
     const auto& face = groups.faces()[g];
     const auto at = std::lower_bound(list.simplices.begin(), list.simplices.end(), face);
     const bool there = at != list.simplices.end() && *at == face;
     findings.check<N>(there, face, "face of a simplex of the complex, but not in it");
-    if (there) group_of[static_cast<std::size_t>(at - list.simplices.begin())] = g;
-  }
-  for_all(list.size(), [&](std::size_t n) {
-    const auto& s = list.simplices[n];
-    const float value = list.alpha_values[n];
-    float least = std::numeric_limits<float>::infinity();
-    bool attached_to_coface = false;
-    if (group_of[n] != ~std::uint32_t{0}) {
-      groups.for_cofaces(group_of[n], [&](std::uint32_t c) {
-        least = std::min(least, cofaces.alpha_values[c]);
-        attached_to_coface =
-            attached_to_coface ||
-            conflict_with_smallest_orthosphere(balls, s, apex<N>(cofaces.simplices[c], s)) < 0;
-      });
-    }
-    findings.check<N>(value <= least, s, "alpha value above that of a coface");
-    if (attached_to_coface) {
-      findings.check<N>(value == least, s, "attached, but alpha value not that of a coface");
-      return;
-    }
-    findings.check<N>(value == ortho_radius_rounded(balls, s), s,
-                      "unattached, but alpha value not the ortho-radius");
-    const bool within = compare_ortho_radius(balls, s, alpha) <= 0;
-    findings.check<N>(within, s, "ortho-radius above alpha");
-    if (!within) return;
-    const bool conflict = near.any(s[0], [&](BallIndex m) {
-      return !contains<N>(s, m) && conflict_with_smallest_orthosphere(balls, s, m) < 0;
+    if (!there) continue;
+    LeastOfCofaces& value = least[static_cast<std::size_t>(at - list.simplices.begin())];
+    groups.for_cofaces(g, [&](auto coface) {
+      const float of_coface = cofaces.alpha_values[coface];
+      value = std::min(value.value_or(of_coface), of_coface);
     });
-    findings.check<N>(!conflict, s, "a ball is in conflict, but the apex of no coface");
+  }
+  verify_all(list.size(), context, [&](std::size_t n) {
+    const auto& s = list.simplices[n];
+    findings.check<N>(!least[n] || list.alpha_values[n] <= *least[n], s,
+                      "alpha value above that of a coface");
+    check_simplex<N>(balls, s, &list.alpha_values[n], least[n], findings);
   });
 }
 
@@ -210,16 +149,40 @@ void check_classes(const SimplexList<N>& list, const SimplexList<N>& expected, F
   }
 }
 
-double largest_value(const AlphaComplex& complex) {
-  float largest = -std::numeric_limits<float>::max();
-  const auto add = [&](const ResultArray<float>& values) {
-    for (const float v : values) largest = std::max(largest, v);
-  };
-  add(complex.vertices.alpha_values);
-  add(complex.edges.alpha_values);
-  add(complex.triangles.alpha_values);
-  add(complex.tetrahedra.alpha_values);
-  return std::nextafter(largest, std::numeric_limits<float>::max());
+template <int N>
+void report_missing(const Simplices<N>& missing, Findings& findings) {
+  for (const auto& s : missing) {
+    findings.check<N>(false, s, "missing: its orthosphere is empty and not above alpha");
+  }
+}
+
+// The tetrahedra, with their faces and classes.
+AlphaComplex closure(const AlphaComplex& tetrahedra_only) {
+  AlphaComplex whole;
+  whole.tetrahedra.simplices = tetrahedra_only.tetrahedra.simplices;
+  whole.triangles.simplices = FaceGroups<3>(whole.tetrahedra.simplices).faces();
+  whole.edges.simplices = FaceGroups<2>(whole.triangles.simplices).faces();
+  whole.vertices.simplices = FaceGroups<1>(whole.edges.simplices).faces();
+  classify(whole);
+  return whole;
+}
+
+// Of a complex that is sound but perhaps not all.
+void check_complete(const VerifyBalls& balls, const AlphaComplex& complex,
+                    const RunContext& context, Findings& findings) {
+  AlphaComplex expected = complex.tetrahedra_only ? closure(complex) : complex;
+  if (!complex.tetrahedra_only) {
+    classify(expected);
+    check_classes(complex.tetrahedra, expected.tetrahedra, findings);
+    check_classes(complex.triangles, expected.triangles, findings);
+    check_classes(complex.edges, expected.edges, findings);
+    check_classes(complex.vertices, expected.vertices, findings);
+  }
+  const MissingSimplices missing = find_missing(balls, expected, complex.tetrahedra_only, context);
+  report_missing<1>(missing.vertices, findings);
+  report_missing<2>(missing.edges, findings);
+  report_missing<3>(missing.triangles, findings);
+  report_missing<4>(missing.tetrahedra, findings);
 }
 
 template <int N>
@@ -230,35 +193,26 @@ bool is_sublist(const SimplexList<N>& smaller, const SimplexList<N>& larger) {
 
 }  // namespace
 
-Verification verify(const BallSet& balls, const AlphaComplex& complex) {
+Verification verify(const BallSet& given, const AlphaComplex& complex, const RunContext& context) {
   Findings findings;
   const bool whole = !complex.tetrahedra_only;
-  const double alpha = complex.alpha_on_lattice;
-  bool sound = check_list(balls, complex.tetrahedra, whole, "tetrahedra", findings);
-  sound = check_list(balls, complex.triangles, whole, "triangles", findings) && sound;
-  sound = check_list(balls, complex.edges, whole, "edges", findings) && sound;
-  sound = check_list(balls, complex.vertices, whole, "vertices", findings) && sound;
-  if (!sound) return findings.take();
+  bool sound = check_list(given, complex.tetrahedra, whole, "tetrahedra", findings);
+  sound = check_list(given, complex.triangles, whole, "triangles", findings) && sound;
+  sound = check_list(given, complex.edges, whole, "edges", findings) && sound;
+  sound = check_list(given, complex.vertices, whole, "vertices", findings) && sound;
+  if (std::isnan(complex.alpha_on_lattice)) findings.fail("alpha is not a number");
+  if (!findings.good()) return findings.take();
 
-  const NearBalls near(balls, std::min(alpha, largest_value(complex)));
-  check_tetrahedra(balls, near, complex.tetrahedra, alpha, findings);
-  if (complex.tetrahedra_only) return findings.take();
-  check_faces<3>(balls, near, complex.triangles, complex.tetrahedra, alpha, findings);
-  check_faces<2>(balls, near, complex.edges, complex.triangles, alpha, findings);
-  check_faces<1>(balls, near, complex.vertices, complex.edges, alpha, findings);
-
-  Verification so_far = findings.take();
-  if (!so_far.ok()) return so_far;  // classes of a complex that is not closed mean nothing
-  Findings of_classes;
-  AlphaComplex expected = complex;
-  classify(expected);
-  check_classes(complex.tetrahedra, expected.tetrahedra, of_classes);
-  check_classes(complex.triangles, expected.triangles, of_classes);
-  check_classes(complex.edges, expected.edges, of_classes);
-  check_classes(complex.vertices, expected.vertices, of_classes);
-  Verification classes = of_classes.take();
-  classes.checks += so_far.checks;
-  return classes;
+  const VerifyBalls balls(given, complex.alpha_on_lattice);
+  check_top<4>(balls, complex.tetrahedra, context, findings);
+  if (whole) {
+    check_faces<3>(balls, complex.triangles, complex.tetrahedra, context, findings);
+    check_faces<2>(balls, complex.edges, complex.triangles, context, findings);
+    check_faces<1>(balls, complex.vertices, complex.edges, context, findings);
+  }
+  // What may be skipped in the search for missing simplices is known of a sound complex only.
+  if (findings.good()) check_complete(balls, complex, context, findings);
+  return findings.take();
 }
 
 bool is_subcomplex(const AlphaComplex& smaller, const AlphaComplex& larger) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/complex/alpha_complex.hpp"
+#include "core/run/cancel_token.hpp"
 
 namespace alphascope {
 
@@ -16,19 +17,23 @@ struct Verification {
   bool ok() const { return failures == 0; }
 };
 
-// What must hold of K_alpha of these balls, exactly:
+// Proves that a complex is K_alpha of these balls, or says what is wrong. Independent of every
+// engine and of all floating-point filters: near balls, conflicts, ties, ortho-radii and alpha
+// values are found in integers. What is checked:
 //  - lists are sorted, free of duplicates, made of existing balls; sizes of the arrays agree;
 //  - closure: every face of a simplex is there, with no larger alpha value;
-//  - the simplex whose ortho-radius is the alpha value has one of at most alpha;
-//  - a tetrahedron's alpha value is its ortho-radius, and no ball is in conflict with its
-//  orthosphere;
-//    a face's is its own ortho-radius, and then no ball is in conflict, or that of a coface, and
-//    then the coface's apex is;
-//  - the classes follow from the simplices.
-// It does not show completeness: that needs every other simplex. Conflicts are looked for among all
-// balls near enough, in the caller's task arena. Of a tetrahedra-only complex the last three points
-// are checked for the tetrahedra alone.
-Verification verify(const BallSet& balls, const AlphaComplex& complex);
+//  - each simplex is in the regular triangulation, ties broken as CGAL does, and has an
+//  ortho-radius
+//    of at most alpha; a face in conflict with some ball has the least value of its cofaces, all
+//    others their own ortho-radius;
+//  - the classes follow from the simplices;
+//  - nothing is missing (verify_missing.cpp says why that is known): this is looked at only when
+//    all of the above holds.
+// Of a tetrahedra-only complex, values and classes are not looked at, and only tetrahedra can be
+// missing. The time grows with the number of simplices times that of near balls, so it is long for
+// a large alpha, when all balls are near. Works in the caller's task arena. Throws Cancelled.
+Verification verify(const BallSet& balls, const AlphaComplex& complex,
+                    const RunContext& context = {});
 
 // True when every simplex of `smaller` is one of `larger`: K grows with alpha.
 bool is_subcomplex(const AlphaComplex& smaller, const AlphaComplex& larger);

@@ -27,6 +27,8 @@ inline constexpr std::string_view kTriangulation = "regular triangulation";
 inline constexpr std::string_view kClassification = "classification";
 inline constexpr std::string_view kThreshold = "threshold";
 inline constexpr std::string_view kHash = "hash and cache";
+// Not an engine's: verify() at work.
+inline constexpr std::string_view kDefinition = "checking the definition";
 }  // namespace stage
 
 struct StageTime {

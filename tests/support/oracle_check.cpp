@@ -72,19 +72,28 @@ std::string difference(const AlphaComplex& found, const AlphaComplex& expected) 
   return found.hash == hash ? "" : "only the hash differs";
 }
 
+namespace {
+
+// Also what the verifier says of it.
+std::string difference_or_doubt(const BallSet& balls, const AlphaComplex& found,
+                                const AlphaComplex& expected) {
+  const std::string what = difference(found, expected);
+  if (!what.empty()) return what;
+  const Verification verification = verify(balls, found);
+  return verification.ok() ? "" : "the verifier says " + verification.messages.at(0);
+}
+
+}  // namespace
+
 std::string difference_from_oracle(Engine& engine, const NamedBalls& set,
                                    const RationalOracle& oracle, std::span<const double> alphas,
                                    OracleCounts& counts) {
   for (const double alpha : alphas) {
     const AlphaComplex expected = oracle.complex(set.balls.lattice.alpha_on_lattice(alpha));
     const AlphaComplex found = engine.compute({alpha}, {});
-    std::string what = difference(found, expected);
+    std::string what = difference_or_doubt(set.balls, found, expected);
     if (what.empty()) {
-      const Verification verification = verify(set.balls, found);
-      if (!verification.ok()) what = "the verifier says " + verification.messages.at(0);
-    }
-    if (what.empty()) {
-      what = difference(engine.compute({alpha, true}, {}), expected);
+      what = difference_or_doubt(set.balls, engine.compute({alpha, true}, {}), expected);
       if (!what.empty()) what = "tetrahedra alone: " + what;
     }
     if (!what.empty()) return in_context(what, set, alpha);

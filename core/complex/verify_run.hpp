@@ -1,0 +1,33 @@
+// How the verifier's loops run: in parallel, with progress, and cancelled within some simplices.
+#pragma once
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cstddef>
+
+#include "core/run/cancel_token.hpp"
+#include "core/run/stage_timer.hpp"
+
+namespace alphascope {
+
+// body(n) for every n below count, in the caller's task arena. Throws Cancelled.
+template <class Body>
+void verify_all(std::size_t count, const RunContext& context, const Body& body) {
+  constexpr std::size_t kGrain = 64, kReports = 50;
+  const std::size_t piece = std::max(kGrain * 64, count / kReports + 1);
+  for (std::size_t begin = 0; begin < count; begin += piece) {
+    context.report(stage::kDefinition, static_cast<double>(begin) / static_cast<double>(count));
+    const std::size_t end = std::min(count, begin + piece);
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(begin, end, kGrain), [&](const auto& range) {
+      for (std::size_t n = range.begin(); n != range.end(); ++n) {
+        if (context.cancel.cancelled()) return;
+        body(n);
+      }
+    });
+    context.cancel.throw_if_cancelled();
+  }
+}
+
+}  // namespace alphascope

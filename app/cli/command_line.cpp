@@ -196,7 +196,7 @@ void add_verify(CLI::App& app, VerifyOptions& options, Command& chosen) {
       ->check(CLI::Range(0, 1024))
       ->type_name("N");
   command.add_flag("--definition", options.definition,
-                   "Also check every simplex against the definition, without CGAL");
+                   "Also prove from the definition, without CGAL, that all is right and nothing missing");
   command.add_option("--show", options.shown, "Differences printed for each kind of simplex")
       ->type_name("N");
   command.add_option("--json", options.json, "The comparison as JSON, - for standard output")

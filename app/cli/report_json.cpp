@@ -115,7 +115,9 @@ Json comparison_json(const Comparison& comparison) {
                 {"missing", difference.missing},
                 {"extra", difference.extra}};
   };
-  Json json{{"identical", comparison.identical()}, {"tetrahedra_only", comparison.tetrahedra_only}};
+  Json json{{"identical", comparison.identical()},
+            {"tetrahedra_only", comparison.tetrahedra_only},
+            {"both_rest_on_cgal", comparison.both_rest_on_cgal}};
   if (!comparison.tetrahedra_only) {
     json["vertices"] = set(comparison.vertices);
     json["edges"] = set(comparison.edges);

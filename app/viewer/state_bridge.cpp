@@ -119,6 +119,9 @@ BadgeInfo describe_agreement(const SessionState& state, bool comparing) {
   if (!c.identical()) {
     return {BadgeInfo::State::different, "differs from CGAL: " + differences(c)};
   }
+  if (c.both_rest_on_cgal) {
+    return {BadgeInfo::State::identical, "identical, but both rest on CGAL's triangulation"};
+  }
   const std::string number = count(c.tetrahedra.common);
   return {BadgeInfo::State::identical,
           "identical to CGAL: " + number + " of " + number + " tetrahedra"};

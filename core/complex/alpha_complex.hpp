@@ -40,9 +40,11 @@ struct EngineCounter {
 struct EngineInfo {
   std::string name;    // "facet engine", "CGAL triangulation"
   std::string device;  // "CPU, 2 threads", "NVIDIA H200"
-  std::string route;   // "dual edge clipping", "regular triangulation, then threshold", "threshold
-                       // of cached filtration"
+  std::string route;   // what this run did: "dual edge clipping", "regular triangulation, then
+                       // threshold", "threshold of cached filtration"
   std::vector<EngineCounter> counters = {};  // empty where nothing is counted
+  // It came from CGAL's triangulation, so to be equal to CGAL's says nothing.
+  bool rests_on_cgal = false;
 };
 
 struct AlphaComplex {

@@ -47,6 +47,7 @@ class CgalEngine : public Engine {
     AlphaComplex complex;
     StageTimes times;
     StageTimer timer(times);
+    const std::string route = next_route(request.tetrahedra_only);
     arena_.execute([&] {
       if (!filtration_) prepare(request.tetrahedra_only, context, timer);
       context.report(stage::kThreshold, 0);
@@ -57,13 +58,23 @@ class CgalEngine : public Engine {
     });
     timer.finish();
     complex.timings = std::move(times);
-    complex.engine = {
-        "CGAL triangulation", device(),
-        filtration_ ? "threshold of cached filtration" : "regular triangulation, then threshold"};
+    complex.engine = {"CGAL triangulation", device(), route};
+    complex.engine.rests_on_cgal = true;
     return complex;
   }
 
  private:
+  // What compute() is about to do.
+  std::string next_route(bool tetrahedra_only) const {
+    if (filtration_) return "threshold of cached filtration";
+    if (tetrahedra_only) {
+      return triangulation_ ? "threshold of cached triangulation"
+                            : "regular triangulation, then threshold";
+    }
+    return triangulation_ ? "filtration of cached triangulation, then threshold"
+                          : "regular triangulation, filtration, then threshold";
+  }
+
   // The filtration is built by the first request for a whole complex; it then replaces the
   // triangulation.
   void prepare(bool tetrahedra_only, const RunContext& context, StageTimer& timer) {

@@ -43,6 +43,7 @@ Comparison compare(const AlphaComplex& candidate, const AlphaComplex& reference)
   Comparison comparison;
   const bool whole = !candidate.tetrahedra_only && !reference.tetrahedra_only;
   comparison.tetrahedra_only = !whole;
+  comparison.both_rest_on_cgal = candidate.engine.rests_on_cgal && reference.engine.rests_on_cgal;
   merge(candidate.tetrahedra, reference.tetrahedra, whole, comparison.tetrahedra, comparison);
   if (whole) {
     merge(candidate.triangles, reference.triangles, whole, comparison.triangles, comparison);

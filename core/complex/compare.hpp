@@ -16,6 +16,8 @@ struct SetDifference {
 struct Comparison {
   bool tetrahedra_only =
       false;  // true when either side has only tetrahedra: the rest is not compared
+  // Both came from CGAL's triangulation: that they are identical says nothing of it.
+  bool both_rest_on_cgal = false;
   SetDifference<1> vertices;
   SetDifference<2> edges;
   SetDifference<3> triangles;

@@ -10,7 +10,9 @@
 #include <type_traits>
 #include <vector>
 
+#include "core/complex/count_limits.hpp"
 #include "core/complex/simplices.hpp"
+#include "core/run/cancel_token.hpp"
 
 namespace alphascope {
 
@@ -29,10 +31,16 @@ class FaceGroups {
   static_assert(N >= 1 && N <= 3, "two vertices fit into a record's number");
 
  public:
-  explicit FaceGroups(const Simplices<N + 1>& cofaces) {
+  // Throws Cancelled, with no more than one pass over the simplices after the token was, and
+  // std::length_error for too many simplices.
+  explicit FaceGroups(const Simplices<N + 1>& cofaces, const CancelToken& cancel = {}) {
+    require_face_records(cofaces.size(), N + 1);
     bucket_by_first_vertex(cofaces);
-    sort_buckets();
+    cancel.throw_if_cancelled();
+    sort_buckets(cancel);
+    cancel.throw_if_cancelled();
     mark_faces();
+    cancel.throw_if_cancelled();
   }
 
   std::size_t size() const { return faces_.size(); }
@@ -91,9 +99,10 @@ class FaceGroups {
     }
   }
 
-  void sort_buckets() {
+  void sort_buckets(const CancelToken& cancel) {
     if constexpr (N > 1) {  // vertices: the records of a bucket are in order already
       tbb::parallel_for(std::size_t{0}, bucket_.size() - 1, [&](std::size_t v) {
+        if (cancel.cancelled()) return;
         std::sort(records_.begin() + bucket_[v], records_.begin() + bucket_[v + 1]);
       });
     }
@@ -136,9 +145,12 @@ class FaceGroups {
   std::vector<std::uint32_t> first_record_;
 };
 
-// Puts simplices into lexicographic order; their first vertices are below `vertex_end`.
+// Puts simplices into lexicographic order; their first vertices are below `vertex_end`. Throws
+// Cancelled (then they are as they were), std::length_error for too many.
 template <int N>
-void sort_simplices(Simplices<N>& simplices, std::size_t vertex_end) {
+void sort_simplices(Simplices<N>& simplices, std::size_t vertex_end,
+                    const CancelToken& cancel = {}) {
+  require_face_records(simplices.size(), 1);
   std::vector<std::uint32_t> bucket(vertex_end + 1, 0);
   for (const auto& s : simplices) ++bucket[s[0]];
   std::uint32_t sum = 0;
@@ -151,8 +163,10 @@ void sort_simplices(Simplices<N>& simplices, std::size_t vertex_end) {
   std::vector<std::uint32_t> next(bucket.begin(), bucket.end() - 1);
   for (const auto& s : simplices) sorted[next[s[0]]++] = s;
   tbb::parallel_for(std::size_t{0}, vertex_end, [&](std::size_t v) {
+    if (cancel.cancelled()) return;
     std::sort(sorted.begin() + bucket[v], sorted.begin() + bucket[v + 1]);
   });
+  cancel.throw_if_cancelled();
   simplices.swap(sorted);
 }
 

@@ -62,15 +62,17 @@ class FacetEngine : public Engine {
                       StageTimer& timer) {
     const bool tetrahedra_only = request.tetrahedra_only;
     if (triangulation_) return triangulated(request, context, timer);
-    if (top_ && alpha <= top_->alpha_on_lattice) {
+    const bool make_filtration = top_ && alpha <= top_->alpha_on_lattice;
+    if (make_filtration) {
       context.report(stage::kClassification, 0);
-      filtration_.emplace(balls_, std::move(top_));
+      filtration_.emplace(balls_, top_, context);
       top_.reset();
       timer.lap(stage::kClassification, true);
     }
     if (filtration_ && alpha <= filtration_->alpha_max_on_lattice()) {
       AlphaComplex complex = threshold(*filtration_, alpha, tetrahedra_only);
-      complex.engine.route = "threshold of cached filtration";
+      complex.engine.route = make_filtration ? "filtration of cached complex, then threshold"
+                                             : "threshold of cached filtration";
       timer.lap(stage::kThreshold);
       return complex;
     }

@@ -29,8 +29,9 @@ class Filtration {
              const RunContext& context);
 
   // Of a whole complex (not tetrahedra-only: std::invalid_argument) of these balls, computed by any
-  // engine: holds up to its alpha. Shares the complex instead of copying it.
-  Filtration(std::shared_ptr<const BallSet> balls, std::shared_ptr<const AlphaComplex> top);
+  // engine: holds up to its alpha. Shares the complex instead of copying it. Throws Cancelled.
+  Filtration(std::shared_ptr<const BallSet> balls, std::shared_ptr<const AlphaComplex> top,
+             const RunContext& context = {});
 
   // Largest alpha answered, square lattice units.
   double alpha_max_on_lattice() const { return top_->alpha_on_lattice; }

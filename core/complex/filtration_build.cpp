@@ -46,10 +46,12 @@ float alpha_value(const BallSet& balls, const std::array<BallIndex, N>& face,
 
 // Position in the list of each group's face; the faces are a subsequence of the list.
 template <int N>
-std::vector<std::uint32_t> positions_in(const Simplices<N>& list, const FaceGroups<N>& groups) {
+std::vector<std::uint32_t> positions_in(const Simplices<N>& list, const FaceGroups<N>& groups,
+                                        const CancelToken& cancel) {
   std::vector<std::uint32_t> position(groups.size());
   std::uint32_t at = 0;
   for (std::size_t g = 0; g < groups.size(); ++g) {
+    if (g % 65536 == 0) cancel.throw_if_cancelled();
     while (at < list.size() && list[at] != groups.faces()[g]) ++at;
     if (at == list.size()) {
       throw std::invalid_argument("a complex lacks faces of its simplices; recompute it");
@@ -61,13 +63,15 @@ std::vector<std::uint32_t> positions_in(const Simplices<N>& list, const FaceGrou
 
 // The interior_from of cofaces; of tetrahedra (levels == nullptr) their alpha values.
 template <int N>
-ClassLevels class_levels(std::size_t count, const std::vector<std::uint32_t>& position,
+ClassLevels class_levels(const CancelToken& cancel, const SimplexList<N>& list,
                          const FaceGroups<N>& groups, const SimplexList<N + 1>& cofaces,
                          const ClassLevels* coface_levels) {
+  const std::vector<std::uint32_t> position = positions_in<N>(list.simplices, groups, cancel);
+  const std::size_t count = list.size();
   ClassLevels levels;
   levels.regular_from.assign(count, kNever);
   levels.interior_from.assign(count, kNever);
-  parallel_ranges(groups.size(), {}, [&](std::size_t g) {
+  parallel_ranges(groups.size(), cancel, [&](std::size_t g) {
     float regular = std::numeric_limits<float>::infinity();
     float interior = -std::numeric_limits<float>::infinity();
     groups.for_cofaces(g, [&](std::uint32_t c) {
@@ -96,11 +100,10 @@ template <int N>
 ClassLevels build_dimension(const BallSet& balls, const CancelToken& cancel, Simplices<N> maximal,
                             const SimplexList<N + 1>& cofaces, const ClassLevels* coface_levels,
                             SimplexList<N>& list) {
-  FaceGroups<N> groups(cofaces.simplices);
-  cancel.throw_if_cancelled();
+  FaceGroups<N> groups(cofaces.simplices, cancel);
   if (maximal.empty()) maximal = groups.faces();
   list.simplices = std::move(maximal);
-  const std::vector<std::uint32_t> position = positions_in<N>(list.simplices, groups);
+  const std::vector<std::uint32_t> position = positions_in<N>(list.simplices, groups, cancel);
   list.alpha_values.resize(list.size());
   if (groups.size() != list.size()) {  // a single vertex, or no simplex of higher dimension
     for (std::size_t n = 0; n < list.size(); ++n) {
@@ -111,7 +114,7 @@ ClassLevels build_dimension(const BallSet& balls, const CancelToken& cancel, Sim
     const std::uint32_t at = position[g];
     list.alpha_values[at] = alpha_value<N>(balls, list.simplices[at], groups, g, cofaces);
   });
-  ClassLevels levels = class_levels<N>(list.size(), position, groups, cofaces, coface_levels);
+  ClassLevels levels = class_levels<N>(cancel, list, groups, cofaces, coface_levels);
   set_classes(levels, list.classes);
   return levels;
 }
@@ -137,9 +140,9 @@ Filtration::Filtration(std::shared_ptr<const BallSet> balls, RegularTriangulatio
   top->alpha_on_lattice = std::numeric_limits<double>::infinity();
 
   context.report(stage::kClassification, 0);
-  sort_simplices<4>(rt.tetrahedra, balls_->size());
-  sort_simplices<3>(rt.triangles, balls_->size());
-  sort_simplices<2>(rt.edges, balls_->size());
+  sort_simplices<4>(rt.tetrahedra, balls_->size(), cancel);
+  sort_simplices<3>(rt.triangles, balls_->size(), cancel);
+  sort_simplices<2>(rt.edges, balls_->size(), cancel);
   SimplexList<4>& tetrahedra = top->tetrahedra;
   tetrahedra.simplices = std::move(rt.tetrahedra);
   tetrahedra.alpha_values.resize(tetrahedra.size());
@@ -162,22 +165,24 @@ Filtration::Filtration(std::shared_ptr<const BallSet> balls, RegularTriangulatio
 }
 
 Filtration::Filtration(std::shared_ptr<const BallSet> balls,
-                       std::shared_ptr<const AlphaComplex> top)
+                       std::shared_ptr<const AlphaComplex> top, const RunContext& context)
     : balls_(std::move(balls)), top_(std::move(top)) {
   if (top_->tetrahedra_only) {
     throw std::invalid_argument("a filtration needs a whole complex, not only its tetrahedra");
   }
-  const FaceGroups<3> triangles(top_->tetrahedra.simplices);
+  const CancelToken& cancel = context.cancel;
+  context.report(stage::kClassification, 0);
   levels_.triangles =
-      class_levels<3>(top_->triangles.size(), positions_in<3>(top_->triangles.simplices, triangles),
-                      triangles, top_->tetrahedra, nullptr);
-  const FaceGroups<2> edges(top_->triangles.simplices);
-  levels_.edges = class_levels<2>(top_->edges.size(), positions_in<2>(top_->edges.simplices, edges),
-                                  edges, top_->triangles, &levels_.triangles);
-  const FaceGroups<1> vertices(top_->edges.simplices);
+      class_levels<3>(cancel, top_->triangles, FaceGroups<3>(top_->tetrahedra.simplices, cancel),
+                      top_->tetrahedra, nullptr);
+  context.report(stage::kClassification, 0.4);
+  levels_.edges =
+      class_levels<2>(cancel, top_->edges, FaceGroups<2>(top_->triangles.simplices, cancel),
+                      top_->triangles, &levels_.triangles);
+  context.report(stage::kClassification, 0.8);
   levels_.vertices =
-      class_levels<1>(top_->vertices.size(), positions_in<1>(top_->vertices.simplices, vertices),
-                      vertices, top_->edges, &levels_.edges);
+      class_levels<1>(cancel, top_->vertices, FaceGroups<1>(top_->edges.simplices, cancel),
+                      top_->edges, &levels_.edges);
 }
 
 std::size_t Filtration::level_bytes() const {
@@ -191,11 +196,11 @@ std::size_t Filtration::top_bytes() const {
 
 void classify(AlphaComplex& complex) {
   const FaceGroups<3> triangles(complex.tetrahedra.simplices);
-  const auto triangle_at = positions_in<3>(complex.triangles.simplices, triangles);
+  const auto triangle_at = positions_in<3>(complex.triangles.simplices, triangles, {});
   const FaceGroups<2> edges(complex.triangles.simplices);
-  const auto edge_at = positions_in<2>(complex.edges.simplices, edges);
+  const auto edge_at = positions_in<2>(complex.edges.simplices, edges, {});
   const FaceGroups<1> vertices(complex.edges.simplices);
-  const auto vertex_at = positions_in<1>(complex.vertices.simplices, vertices);
+  const auto vertex_at = positions_in<1>(complex.vertices.simplices, vertices, {});
 
   const auto all_interior = [](const auto& groups, std::size_t g, const auto& classes) {
     bool all = true;

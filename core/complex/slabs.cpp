@@ -145,7 +145,9 @@ AlphaComplex compute_in_slabs(const BallSet& balls, const AlphaRequest& request,
     triangles.append(complex.triangles, part);
     tetrahedra.append(complex.tetrahedra, part);
     add_times(parts, complex.timings);
+    const bool rests_on_cgal = result.engine.rests_on_cgal || complex.engine.rests_on_cgal;
     result.engine = complex.engine;
+    result.engine.rests_on_cgal = rests_on_cgal;
   }
   result.vertices = vertices.ordered(balls.size());
   result.edges = edges.ordered(balls.size());

@@ -13,8 +13,8 @@ using ComputePart = std::function<AlphaComplex(std::shared_ptr<const BallSet> pa
 
 // Cuts the set across its longest side into `slabs` (>= 1) of about as many balls, each with a halo
 // of all balls that may meet one of its own at this alpha, and keeps of each part the simplices
-// whose lowest vertex is its own. Timings are sums; `engine` is that of the last part. Throws
-// Cancelled and what `compute` throws.
+// whose lowest vertex is its own. Timings are sums; `engine` is that of the last part, and rests on
+// CGAL if that of any part does. Throws Cancelled and what `compute` throws.
 AlphaComplex compute_in_slabs(const BallSet& balls, const AlphaRequest& request, std::size_t slabs,
                               const RunContext& context, const ComputePart& compute);
 

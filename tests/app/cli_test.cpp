@@ -228,6 +228,35 @@ TEST_F(Cli, VerifySaysIdentical) {
   EXPECT_EQ(json::parse(as_json.out)["identical"], true);
 }
 
+TEST_F(Cli, VerifyProvesTheDefinitionOfTetrahedraAlone) {
+  const Outcome outcome =
+      run("verify '" + cube_.string() + "' --alpha 0.75,1 --definition --tetrahedra-only");
+  EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;
+  EXPECT_TRUE(contains(outcome.out, "definition: "));
+  EXPECT_TRUE(contains(outcome.out, ", 0 false"));
+}
+
+// Beyond the range of the engine's own route.
+TEST_F(Cli, VerifyDoesNotCompareCgalWithItself) {
+  const std::string large = "verify '" + cube_.string() + "' --alpha 1e12";
+  for (const std::string& only : {std::string(), std::string(" --tetrahedra-only")}) {
+    const Outcome outcome = run(large + only);
+    EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;
+    EXPECT_FALSE(contains(outcome.out, "identical to CGAL")) << outcome.out;
+    EXPECT_TRUE(contains(outcome.out,
+                         "both rest on CGAL's triangulation; checked against the definition "
+                         "instead"))
+        << outcome.out;
+    EXPECT_TRUE(contains(outcome.out, "definition: ")) << outcome.out;
+    EXPECT_TRUE(contains(outcome.out, ", 0 false")) << outcome.out;
+  }
+  const json results = json::parse(run(large + ",0 --json -").out)["results"];
+  EXPECT_EQ(results[0]["comparison"]["both_rest_on_cgal"], true);
+  EXPECT_EQ(results[0]["definition"]["failures"], 0);
+  EXPECT_EQ(results[0]["ours"]["engine"]["route"],
+            "regular triangulation, filtration, then threshold");
+}
+
 TEST_F(Cli, BenchWritesTableAndCsv) {
   const fs::path csv = folder_ / "times.csv";
   const Outcome outcome = run("bench '" + cube_.string() + "' --alpha 0,1 --threads 1,2 --runs 2 " +

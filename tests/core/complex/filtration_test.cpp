@@ -5,11 +5,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <stdexcept>
 
 #include "core/complex/compare.hpp"
 #include "core/complex/engine.hpp"
+#include "core/complex/face_groups.hpp"
 #include "tests/support/random_balls.hpp"
 #include "tests/support/rational_oracle.hpp"
 
@@ -111,6 +113,69 @@ TEST(Filtration, ClassesFollowFromTheSimplices) {
   }
 }
 
+// Cancelled before, or at any report of progress: the making ends before the next one.
+TEST(Filtration, ItsMakingCanBeCancelled) {
+  Random random(26);
+  const auto balls =
+      std::make_shared<const BallSet>(testing::random_balls(random, 2000, 3000, 100, 300));
+  const auto top = std::make_shared<const AlphaComplex>(make_cpu_engine(balls)->compute({1e4}, {}));
+  const RegularTriangulation triangulation = triangulate(*balls, 1, {});
+  const auto of_complex = [&](const RunContext& context) { Filtration(balls, top, context); };
+  const auto of_triangulation = [&](const RunContext& context) {
+    Filtration(balls, triangulation, context);
+  };
+  for (const auto& make : {std::function<void(const RunContext&)>(of_complex),
+                           std::function<void(const RunContext&)>(of_triangulation)}) {
+    int reports = 0;
+    RunContext counting;
+    counting.progress = [&](std::string_view, double) { ++reports; };
+    make(counting);
+    EXPECT_GE(reports, 3);
+    for (int last = 1; last <= reports; ++last) {
+      int seen = 0;
+      RunContext context;
+      context.progress = [&](std::string_view, double) {
+        if (++seen == last) context.cancel.cancel();
+      };
+      EXPECT_THROW(make(context), Cancelled) << "at report " << last;
+      EXPECT_EQ(seen, last) << "went on for another part";
+    }
+  }
+}
+
+TEST(Filtration, FacesAreNotSortedForOneWhoCancelled) {
+  Random random(27);
+  const BallSet balls = testing::random_balls(random, 500, 1000, 50, 200);
+  RegularTriangulation triangulation = triangulate(balls, 1, {});
+  const Simplices<4> before = triangulation.tetrahedra;
+  CancelToken cancel;
+  cancel.cancel();
+  EXPECT_THROW(FaceGroups<3>(triangulation.tetrahedra, cancel), Cancelled);
+  EXPECT_THROW(sort_simplices<4>(triangulation.tetrahedra, balls.size(), cancel), Cancelled);
+  EXPECT_EQ(triangulation.tetrahedra, before);
+}
+
+// A cancelled engine is as good as new.
+TEST(CpuEngine, CanBeCancelledWhileMakingAFiltration) {
+  Random random(28);
+  const auto balls =
+      std::make_shared<const BallSet>(testing::random_balls(random, 2000, 3000, 100, 300));
+  const auto engine = make_cpu_engine(balls, {1});
+  engine->compute({1e4}, {});
+  for (const int last : {1, 2, 3}) {
+    int seen = 0;
+    RunContext context;
+    context.progress = [&](std::string_view stage, double) {
+      EXPECT_EQ(stage, stage::kClassification);
+      if (++seen == last) context.cancel.cancel();
+    };
+    EXPECT_THROW(engine->compute({9e3}, context), Cancelled) << last;
+  }
+  const AlphaComplex found = engine->compute({9e3}, {});
+  EXPECT_EQ(found.engine.route, "filtration of cached complex, then threshold");
+  EXPECT_EQ(found.hash, make_cgal_engine(balls, {1})->compute({9e3}, {}).hash);
+}
+
 // Setup is paid once: later alphas are thresholds and say so.
 TEST(CgalEngine, TimesSetupApart) {
   Random random(24);
@@ -122,8 +187,10 @@ TEST(CgalEngine, TimesSetupApart) {
   EXPECT_EQ(only.timings.stages[0].label, stage::kTriangulation);
   EXPECT_TRUE(only.timings.stages[0].setup);
   EXPECT_FALSE(only.timings.stages[1].setup);
+  EXPECT_EQ(engine->compute({90, true}, {}).engine.route, "threshold of cached triangulation");
 
   const AlphaComplex whole = engine->compute({100}, {});
+  EXPECT_EQ(whole.engine.route, "filtration of cached triangulation, then threshold");
   ASSERT_EQ(whole.timings.stages.size(), 2u);
   EXPECT_EQ(whole.timings.stages[0].label, stage::kClassification);
   EXPECT_TRUE(whole.timings.stages[0].setup);
@@ -133,6 +200,34 @@ TEST(CgalEngine, TimesSetupApart) {
   ASSERT_EQ(later.timings.stages.size(), 1u);
   EXPECT_EQ(later.timings.setup_milliseconds(), 0);
   EXPECT_GE(later.timings.wall_milliseconds, later.timings.stages[0].milliseconds);
+}
+
+// What came from CGAL's triangulation says so, by whatever engine.
+TEST(Engines, SayWhatThisRunDid) {
+  Random random(25);
+  const auto balls =
+      std::make_shared<const BallSet>(testing::random_balls(random, 300, 1000, 50, 100));
+  const AlphaComplex whole = make_cgal_engine(balls, {1})->compute({100}, {});
+  EXPECT_EQ(whole.engine.route, "regular triangulation, filtration, then threshold");
+  EXPECT_TRUE(whole.engine.rests_on_cgal);
+
+  const auto engine = make_cpu_engine(balls, {1});
+  const AlphaComplex clipped = engine->compute({100}, {});
+  EXPECT_EQ(clipped.engine.route, "dual edge clipping");
+  EXPECT_FALSE(clipped.engine.rests_on_cgal);
+  EXPECT_FALSE(compare(clipped, whole).both_rest_on_cgal);
+  const AlphaComplex smaller = engine->compute({50}, {});
+  EXPECT_EQ(smaller.engine.route, "filtration of cached complex, then threshold");
+  EXPECT_FALSE(smaller.engine.rests_on_cgal);
+  EXPECT_EQ(engine->compute({40}, {}).engine.route, "threshold of cached filtration");
+
+  const AlphaComplex triangulated = engine->compute({1e300}, {});
+  EXPECT_EQ(triangulated.engine.route, "regular triangulation, filtration, then threshold");
+  EXPECT_TRUE(compare(triangulated, whole).both_rest_on_cgal);
+  const AlphaComplex later = engine->compute({100}, {});
+  EXPECT_EQ(later.engine.route, "threshold of cached filtration");
+  EXPECT_TRUE(compare(later, whole).identical());
+  EXPECT_TRUE(compare(later, whole).both_rest_on_cgal);
 }
 
 // The parallel triangulation is the sequential one, hidden and coincident balls included.

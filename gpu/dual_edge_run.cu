@@ -98,7 +98,15 @@ class Run {
            need.block.triangles < kMaxTriangles && need.block.rows < kMaxRows;
   }
 
+  // Throws std::bad_alloc: in slabs, there are fewer simplices in a run.
+  static void require_countable(const Need& need) {
+    const std::size_t counts[] = {need.counts[0], need.counts[1], need.counts[2], need.counts[3],
+                                  need.candidates};
+    if (!are_countable(counts)) throw std::bad_alloc();
+  }
+
   void reserve(const Need& need, const ResultLayout& layout) {
+    require_countable(need);
     s_.tetrahedra.vertices.reserve(std::max<std::size_t>(need.counts[3], 1024));
     s_.tetrahedra.start.reserve(s_.n);
     s_.offset.reserve(s_.n + 1);
@@ -330,7 +338,7 @@ class Run {
     next.counts = {{all.of[0], all.of[1], got.triangles, got.tetrahedra}};
     // A little more: which balls kernel III culls, though kernel II would not, varies from run to
     // run.
-    next.candidates = got.edges + got.edges / 64;
+    next.candidates = std::size_t{got.edges} + got.edges / 64;
     if (met.found.number == 0) return next;
     const Demand::Spread found = spread_of(met.found);
     const bool cull = is_culled(found.mean, need.cull), few = met.deferred <= deferred_limit(s_);

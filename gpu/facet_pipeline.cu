@@ -80,6 +80,11 @@ FacetPipeline::~FacetPipeline() {
   state_->results->close();
 }
 
+void FacetPipeline::rest() {
+  state_->results->rest();
+  ResultMemory::free_unused();
+}
+
 std::optional<Problem> FacetPipeline::State::plan(double alpha, bool whole) {
   State& s = *this;
   const double largest = static_cast<double>(s.max_radius) * s.max_radius + alpha;

@@ -2,7 +2,9 @@
 // pinned host memory. The engine face, fallbacks and device probing are gpu_engine.cu's business.
 #pragma once
 
+#include <algorithm>
 #include <atomic>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -12,6 +14,15 @@
 #include "core/run/cancel_token.hpp"
 
 namespace alphascope::gpu {
+
+// What 32-bit numbers of the kernels reach: up to eight cells of the grid for each ball and some
+// more; of one run, simplices of each dimension, three words for each triangle.
+inline constexpr std::size_t kMaxBalls = (std::size_t{1} << 28) - 128;
+inline constexpr std::size_t kMaxSimplices = std::size_t{1} << 30;
+inline bool are_countable(std::span<const std::size_t> counts) {
+  return std::all_of(counts.begin(), counts.end(),
+                     [](std::size_t count) { return count <= kMaxSimplices; });
+}
 
 // Lexicographic order; values and classes are empty for tetrahedra only.
 template <int N>
@@ -43,6 +54,10 @@ class FacetPipeline {
   // Throws Cancelled, std::bad_alloc, DeviceError.
   PipelineResult run(double alpha_on_lattice, bool tetrahedra_only, const CancelToken& cancel,
                      StageTimes* times);
+
+  // Gives back the pinned memory that is kept for later results, until the next run. Waits for the
+  // device.
+  void rest();
 
   struct State;  // for the pipeline's own sources
 

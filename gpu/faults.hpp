@@ -4,6 +4,7 @@
 #pragma once
 
 #include <atomic>
+#include <cstddef>
 
 namespace alphascope::gpu {
 
@@ -13,6 +14,8 @@ struct Faults {
   static inline std::atomic<int> met{0};  // faults so far
   // No fault, but what otherwise needs large sets: pages of our own for any pinned memory.
   static inline std::atomic<bool> pins_little{false};
+  // Bytes of pinned memory that there are now.
+  static inline std::atomic<std::size_t> pinned_bytes{0};
 
   static void none() {
     refuse_reservation = lose_device = -1;

@@ -9,6 +9,7 @@
 #include "gpu/device_buffer.cuh"
 #include "gpu/facet_pipeline.hpp"
 #include "gpu/launch.cuh"
+#include "gpu/result_memory.cuh"
 
 namespace alphascope {
 namespace {
@@ -103,26 +104,46 @@ class GpuEngine : public Engine {
     } catch (const std::bad_alloc&) {
       why_cpu = "the GPU's memory is full";
     }
+    rest();
     if (!cpu_) cpu_ = make_cpu_engine(balls_, options_);
     AlphaComplex complex = cpu_->compute(request, context);
     complex.engine.route += " (on the CPU: " + why_cpu + ")";
     return complex;
   }
 
+  void rest() override {
+    if (pipeline_) pipeline_->rest();
+  }
+
  private:
   // The set at once, or in as few slabs as the device's memory allows. Nothing when the request is
   // beyond the kernels' limits.
   std::optional<AlphaComplex> on_device(const AlphaRequest& request, const RunContext& context) {
+    if (may_need_fewer_slabs(request)) slabs_ /= 2;
     for (;;) {
       try {
-        if (slabs_ == 1) return whole_set(request, context);
-        return in_slabs(request, context);
+        std::optional<AlphaComplex> complex =
+            slabs_ == 1 ? whole_set(request, context) : in_slabs(request, context);
+        ++answers_in_slabs_;
+        return complex;
       } catch (const std::bad_alloc&) {
         pipeline_.reset();
         if (slabs_ >= kMostSlabs || slabs_ > balls_->size()) throw;
         slabs_ *= 2;
+        refused_ = request;
+        answers_in_slabs_ = 0;
       }
     }
+  }
+
+  // A request that is smaller than the one that half as many slabs had no room for; or any, once in
+  // a while, since others may have had the device's memory.
+  bool may_need_fewer_slabs(const AlphaRequest& request) const {
+    constexpr int kAnswersBeforeTrial = 8;
+    if (slabs_ == 1) return false;
+    return request.alpha_angstrom2 < refused_.alpha_angstrom2 ||
+           (request.tetrahedra_only && !refused_.tetrahedra_only) ||
+           answers_in_slabs_ >= kAnswersBeforeTrial;
   }
 
   std::optional<AlphaComplex> whole_set(const AlphaRequest& request, const RunContext& context) {
@@ -177,6 +198,8 @@ class GpuEngine : public Engine {
   std::shared_ptr<const BallSet> balls_;
   EngineOptions options_;
   std::size_t slabs_ = 1;
+  AlphaRequest refused_;      // the last that half as many slabs had no room for
+  int answers_in_slabs_ = 0;  // since then
   std::unique_ptr<gpu::FacetPipeline> pipeline_;
   std::unique_ptr<Engine> cpu_;
 };
@@ -186,6 +209,14 @@ class GpuEngine : public Engine {
 const GpuDevice& gpu_device() {
   static const GpuDevice device = probe_device();
   return device;
+}
+
+bool is_gpu_memory_unused() {
+  return gpu::ResultMemory::is_any_unused();
+}
+
+void free_unused_gpu_memory() {
+  gpu::ResultMemory::free_unused();
 }
 
 std::unique_ptr<Engine> make_gpu_engine(std::shared_ptr<const BallSet> balls, EngineOptions options,

@@ -25,6 +25,12 @@ struct GpuDevice {
 // Looks for a device and runs a small kernel on it; the answer is kept. Never throws.
 const GpuDevice& gpu_device();
 
+// Pinned memory of results of GPU engines that nobody will use any more: is there any? Quick, from
+// any thread.
+bool is_gpu_memory_unused();
+// Frees it. Waits for the device: not for the thread that draws.
+void free_unused_gpu_memory();
+
 // Null when the device cannot be used: *why_not then says why. The engine falls back to the CPU's
 // for single requests that do not fit the device (its AlphaComplex says so in engine.route).
 std::unique_ptr<Engine> make_gpu_engine(std::shared_ptr<const BallSet> balls, EngineOptions options,

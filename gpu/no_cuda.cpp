@@ -14,6 +14,11 @@ const GpuDevice& gpu_device() {
   return device;
 }
 
+bool is_gpu_memory_unused() {
+  return false;
+}
+void free_unused_gpu_memory() {}
+
 std::unique_ptr<Engine> make_gpu_engine(std::shared_ptr<const BallSet>, EngineOptions,
                                         std::string* why_not) {
   if (why_not != nullptr) *why_not = gpu_device().why_not;

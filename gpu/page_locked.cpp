@@ -34,6 +34,14 @@ unsigned char* new_pages(std::size_t bytes, std::size_t page) {
 cudaError_t PageLocked::allocate(std::size_t bytes) {
   free();
   if (bytes == 0) return cudaSuccess;
+  const cudaError_t status = reserve(bytes);
+  if (status != cudaSuccess) return status;
+  bytes_ = bytes;
+  Faults::pinned_bytes += bytes;
+  return cudaSuccess;
+}
+
+cudaError_t PageLocked::reserve(std::size_t bytes) {
   const auto page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
   const std::size_t whole = (bytes + page - 1) / page * page;
   const bool much = bytes >= kLargePage || Faults::pins_little;
@@ -58,7 +66,8 @@ void PageLocked::free() {
     cudaFreeHost(data_);
   }
   data_ = nullptr;
-  own_bytes_ = 0;
+  Faults::pinned_bytes -= bytes_;
+  own_bytes_ = bytes_ = 0;
 }
 
 }  // namespace alphascope::gpu

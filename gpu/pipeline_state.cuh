@@ -31,8 +31,8 @@ inline unsigned blocks_for(std::size_t items) {
 // exact in single precision and within the double brackets.
 inline constexpr double kMaxCutoff = 16.7e6;
 
-inline constexpr std::size_t kMaxBalls = std::size_t{1} << 30;  // two bits of a slot are marks
-inline constexpr int kMaxList = 4095;                           // 12 bits of a packed triangle
+inline constexpr int kMaxList = 4095;  // 12 bits of a packed triangle
+static_assert(kMaxBalls < std::size_t{1} << 30, "two bits of a slot are marks");
 
 // Counters of one run, together so that one copy brings them back.
 struct Counters {

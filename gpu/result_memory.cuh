@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <atomic>
 #include <memory>
 #include <mutex>
 #include <vector>
@@ -13,7 +14,7 @@ namespace alphascope::gpu {
 
 // Results may outlive the pipeline and be let go of by any thread. That thread, which may be the
 // one that draws, never frees memory: it waits for the device. What nobody will use is freed when
-// memory is next asked for, by whatever pipeline.
+// memory is next asked for, by whatever pipeline, or by free_unused().
 class ResultMemory : public std::enable_shared_from_this<ResultMemory> {
  public:
   ResultMemory() { idle_.reserve(kMostIdle + 1); }
@@ -26,7 +27,7 @@ class ResultMemory : public std::enable_shared_from_this<ResultMemory> {
   // std::bad_alloc, DeviceError.
   Taken take(std::size_t bytes) {
     unused().free();
-    std::unique_ptr<Buffer> buffer = idle(bytes);
+    std::unique_ptr<Buffer> buffer = idle(bytes);  // ends a rest
     const bool grew = buffer->reserve(bytes);
     Buffer* const lent = buffer.release();
     const auto back = [pool = shared_from_this(), lent](unsigned char*) {
@@ -36,11 +37,24 @@ class ResultMemory : public std::enable_shared_from_this<ResultMemory> {
   }
   // No more will be asked for.
   void close() {
-    std::vector<std::unique_ptr<Buffer>> idle;  // freed after the lock
+    rest();
     const std::lock_guard lock(mutex_);
     closed_ = true;
-    idle.swap(idle_);
   }
+  // No more will be asked for soon: nothing is kept until the next take(), neither what is idle nor
+  // what is given back meanwhile. Waits for the device.
+  void rest() {
+    std::vector<std::unique_ptr<Buffer>> idle;  // freed after the lock
+    const std::lock_guard lock(mutex_);
+    resting_ = true;
+    idle.swap(idle_);
+    idle_.reserve(kMostIdle + 1);
+  }
+
+  // Is there memory, of any pipeline, that nobody will use?
+  static bool is_any_unused() { return unused().any(); }
+  // Frees it. Waits for the device.
+  static void free_unused() { unused().free(); }
 
  private:
   using Buffer = PinnedBuffer<unsigned char>;
@@ -51,6 +65,7 @@ class ResultMemory : public std::enable_shared_from_this<ResultMemory> {
       const std::lock_guard lock(mutex_);
       try {
         buffers_.push_back(std::move(buffer));
+        any_ = true;
       } catch (const std::bad_alloc&) {
         buffer.reset();  // so it has to be now
       }
@@ -59,11 +74,14 @@ class ResultMemory : public std::enable_shared_from_this<ResultMemory> {
       std::vector<std::unique_ptr<Buffer>> buffers;  // as in close()
       const std::lock_guard lock(mutex_);
       buffers.swap(buffers_);
+      any_ = false;
     }
+    bool any() const { return any_; }
 
    private:
     std::mutex mutex_;
     std::vector<std::unique_ptr<Buffer>> buffers_;
+    std::atomic<bool> any_{false};
   };
   static Unused& unused() {
     static Unused all;
@@ -75,6 +93,7 @@ class ResultMemory : public std::enable_shared_from_this<ResultMemory> {
   // The smallest one that has room; else the largest, which is to grow; else a new one.
   std::unique_ptr<Buffer> idle(std::size_t bytes) {
     const std::lock_guard lock(mutex_);
+    resting_ = false;
     if (idle_.empty()) return std::make_unique<Buffer>();
     const auto order = [&](const auto& a, const auto& b) {
       const bool enough = a->capacity() >= bytes, other_enough = b->capacity() >= bytes;
@@ -88,7 +107,7 @@ class ResultMemory : public std::enable_shared_from_this<ResultMemory> {
   }
   void give_back(std::unique_ptr<Buffer> buffer) {
     const std::lock_guard lock(mutex_);
-    if (closed_) return unused().add(std::move(buffer));
+    if (closed_ || resting_) return unused().add(std::move(buffer));
     idle_.push_back(std::move(buffer));
     if (idle_.size() <= kMostIdle) return;
     const auto smallest = std::min_element(
@@ -99,7 +118,7 @@ class ResultMemory : public std::enable_shared_from_this<ResultMemory> {
   }
 
   std::mutex mutex_;
-  bool closed_ = false;
+  bool closed_ = false, resting_ = false;
   std::vector<std::unique_ptr<Buffer>> idle_;
 };
 

@@ -50,6 +50,10 @@ EngineCache::Result EngineCache::compute(const std::shared_ptr<const BallSet>& b
                                          const SessionRequest& request, const RunContext& context) {
   context.cancel.throw_if_cancelled();
   Entry& entry = find_or_make(balls, request);
+  // What another engine keeps for its next results would be idle, and is much on a GPU.
+  for (Entry& other : entries_) {
+    if (&other != &entry) other.made.engine->rest();
+  }
   const bool may_fall_back = entry.made.uses_gpu && request.engine == EngineChoice::automatic;
   try {
     return answer(entry, request, context);

@@ -68,6 +68,20 @@ std::optional<EngineChoice> engine_from_id(std::string_view id) {
   return std::nullopt;
 }
 
+bool is_engine_memory_unused() {
+#ifdef ALPHASCOPE_HAS_GPU
+  return is_gpu_memory_unused();
+#else
+  return false;
+#endif
+}
+
+void free_unused_engine_memory() {
+#ifdef ALPHASCOPE_HAS_GPU
+  free_unused_gpu_memory();
+#endif
+}
+
 MadeEngine make_engine(EngineChoice choice, std::shared_ptr<const BallSet> balls,
                        const EngineSettings& settings) {
   const int threads = settings.threads;

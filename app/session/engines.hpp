@@ -46,4 +46,10 @@ using EngineFactory = std::function<MadeEngine(
 MadeEngine make_engine(EngineChoice choice, std::shared_ptr<const BallSet> balls,
                        const EngineSettings& settings);
 
+// Memory of results that no engine will use any more, after the last of them is gone: is there any?
+// Quick, from any thread.
+bool is_engine_memory_unused();
+// Frees it. Takes time: not for the main thread.
+void free_unused_engine_memory();
+
 }  // namespace alphascope

@@ -27,8 +27,12 @@ AlphaComplex without_simplices(AlphaComplex complex) {
 }  // namespace
 
 Session::Services Session::program_services() {
-  return {&make_engine, &alphascope::open_molecule, &alphascope::reopen_molecule,
-          static_cast<int>(std::thread::hardware_concurrency())};
+  return {&make_engine,
+          &alphascope::open_molecule,
+          &alphascope::reopen_molecule,
+          static_cast<int>(std::thread::hardware_concurrency()),
+          &is_engine_memory_unused,
+          &free_unused_engine_memory};
 }
 
 Session::Session(std::function<void()> wake, Services services)
@@ -263,6 +267,10 @@ SessionChanges Session::poll() {
   opener_.poll();
   computer_.poll();
   comparer_.poll();
+  // Results that the main thread let go of, which it must not wait for.
+  if (services_.is_memory_unused && services_.is_memory_unused()) {
+    computer_.when_idle(services_.free_unused_memory);
+  }
   return std::exchange(changes_, {});
 }
 

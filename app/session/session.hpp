@@ -77,6 +77,9 @@ class Session {
     Reopener reopen_molecule;
     // Of the parallel CGAL that is timed after a comparison; fewer than three: it is not.
     int cgal_threads = 0;
+    // As is_engine_memory_unused() and free_unused_engine_memory(); may be empty.
+    std::function<bool()> is_memory_unused = {};
+    std::function<void()> free_unused_memory = {};
   };
   static Services program_services();
 

@@ -23,6 +23,10 @@ class Engine {
   // memory is short (the engine stays usable); std::invalid_argument for a NaN alpha.
   // Not to be called from two threads at once.
   virtual AlphaComplex compute(const AlphaRequest& request, const RunContext& context) = 0;
+
+  // Another engine is asked from now on: gives back what this one keeps for its next results alone.
+  // May wait for a device; compute() may be called again at any time. By compute()'s rules.
+  virtual void rest() {}
 };
 
 // threads = 0: as many as the machine has.
@@ -32,6 +36,8 @@ struct EngineOptions {
   // again.
   bool cache = true;
 };
+
+// Each of these throws std::length_error for more balls than can be handled (count_limits.hpp).
 
 // Facet clipping for small alpha; hands over to CGAL's triangulation where that is faster, and
 // answers from a cached filtration when it holds one. (core/complex/facet_engine.cpp)

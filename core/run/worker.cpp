@@ -52,6 +52,14 @@ void Worker::submit(Job job, FailureHandler on_failure) {
   work_.notify_one();
 }
 
+void Worker::when_idle(std::function<void()> task) {
+  {
+    const std::lock_guard lock(mutex_);
+    idle_task_.swap(task);
+  }
+  work_.notify_one();
+}
+
 void Worker::cancel() {
   std::optional<Request> dropped;
   const std::lock_guard lock(mutex_);
@@ -97,8 +105,14 @@ void Worker::run() {
     Request request;
     {
       std::unique_lock lock(mutex_);
-      work_.wait(lock, [this] { return stop_ || waiting_; });
+      work_.wait(lock, [this] { return stop_ || waiting_ || idle_task_; });
       if (stop_) return;
+      if (!waiting_) {
+        const std::function<void()> task = std::exchange(idle_task_, {});
+        lock.unlock();
+        task();
+        continue;
+      }
       request = std::move(*waiting_);
       waiting_.reset();
       running_ = request.cancel;

@@ -51,6 +51,10 @@ class Worker {
   // Replaces a job that has not started yet, and cancels the running one (see `grace`).
   void submit(Job job, FailureHandler on_failure = {});
 
+  // Has the worker's thread call `task` when no job waits or runs; instead of an earlier one that
+  // it has not called. It is no job: it shows no activity, delivers nothing and must not throw.
+  void when_idle(std::function<void()> task);
+
   // Drops the waiting job and cancels the running one; the latest submitted one, if it had not
   // finished, fails with `cancelled`.
   void cancel();
@@ -85,6 +89,7 @@ class Worker {
   mutable std::mutex mutex_;
   std::condition_variable work_;
   std::optional<Request> waiting_;
+  std::function<void()> idle_task_;
   std::optional<CancelToken> running_;
   Clock::time_point started_;
   Ending ending_ = Ending::deliver;  // of the running job

@@ -45,6 +45,20 @@ TEST(EngineCache, GrowsTheBallsAndKeepsTwoSettings) {
   EXPECT_EQ(log.made, 4);
 }
 
+TEST(EngineCache, LetsTheEnginesThatAreNotAskedRest) {
+  FakeEngineLog log;
+  EngineCache cache(fake_factory(log));
+  const auto balls = few_balls(4);
+  SessionRequest request;
+  request.engine = EngineChoice::gpu;
+  cache.compute(balls, request, {});
+  cache.compute(balls, request, {});
+  EXPECT_EQ(log.rested, 0);
+  request.engine = EngineChoice::cpu;
+  cache.compute(balls, request, {});
+  EXPECT_EQ(log.rested, 1);
+}
+
 TEST(EngineCache, TellsEnginesApartByTheirSwitches) {
   FakeEngineLog log;
   EngineCache cache(fake_factory(log));

@@ -15,6 +15,7 @@
 namespace alphascope::test {
 
 struct FakeEngineLog {
+  std::atomic<int> rested{0};
   std::atomic<int> made{0}, started{0}, finished{0}, cancelled{0};
   std::atomic<bool> hold{false};          // computations wait, and notice their cancel token
   std::atomic<bool> fail_gpu{false};      // computations of a "gpu" engine throw
@@ -54,6 +55,7 @@ class FakeEngine : public Engine {
     ++log_.finished;
     return complex;
   }
+  void rest() override { ++log_.rested; }
 
  private:
   std::shared_ptr<const BallSet> balls_;

@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 #include <stdlib.h>
 
+#include <atomic>
 #include <fstream>
+#include <thread>
 
 #include "tests/app/fake_engine.hpp"
 #include "tests/support/dimer.hpp"
@@ -523,6 +525,28 @@ TEST_F(SessionTest, ATableOfRadiiIsReadInTheBackground) {
   EXPECT_NE(session->state().last_error.find("bad.txt, line 1"), std::string::npos)
       << session->state().last_error;
   EXPECT_EQ(session->open_options().radii_table.filename(), "radii.txt");
+}
+
+TEST_F(SessionTest, UnusedMemoryIsFreedByAnotherThread) {
+  std::atomic<bool> unused{false};
+  std::atomic<int> freed{0};
+  std::thread::id thread;
+  Session::Services services = Session::program_services();
+  services.make_engine = fake_factory(log_);
+  services.is_memory_unused = [&] { return unused.load(); };
+  services.free_unused_memory = [&] {
+    thread = std::this_thread::get_id();
+    unused = false;
+    ++freed;
+  };
+  Session session({}, services);
+  session.open(good_);
+  settle(session);
+  EXPECT_EQ(freed, 0);
+  unused = true;
+  ASSERT_TRUE(poll_until(session, [&] { return freed > 0; }));
+  EXPECT_NE(thread, std::this_thread::get_id());
+  EXPECT_FALSE(session.activity().computing.busy);
 }
 
 TEST_F(SessionTest, DestructionDuringWorkJoins) {

@@ -73,6 +73,41 @@ TEST_P(GpuFaults, ARefusedReservationIsAnsweredInSlabs) {
   EXPECT_GT(refused, 10);
 }
 
+TEST_P(GpuFaults, ASmallerRequestReturnsToFewerSlabs) {
+  const auto in_slabs = [](const AlphaComplex& complex) {
+    return complex.engine.route.find("slabs") != std::string::npos;
+  };
+  const auto cpu = make_cpu_engine(balls_);
+  const auto engine = make_gpu_engine(balls_, {}, nullptr);
+  ASSERT_TRUE(engine);
+  Faults::none();
+  Faults::refuse_reservation = 3;
+  EXPECT_TRUE(in_slabs(engine->compute(request(), {})));
+  Faults::none();
+  EXPECT_TRUE(in_slabs(engine->compute(request(), {}))) << "nothing says that there is room now";
+  const AlphaRequest smaller{0.25, GetParam().tetrahedra_only};
+  const AlphaComplex found = engine->compute(smaller, {});
+  EXPECT_FALSE(in_slabs(found)) << found.engine.route;
+  EXPECT_EQ(found.hash, cpu->compute(smaller, {}).hash);
+}
+
+// Others may have had the device's memory.
+TEST_P(GpuFaults, FewerSlabsAreTriedOnceInAWhile) {
+  const auto engine = make_gpu_engine(balls_, {}, nullptr);
+  ASSERT_TRUE(engine);
+  const std::uint64_t expected = expected_hash();
+  Faults::none();
+  Faults::refuse_reservation = 3;
+  int in_slabs = 0;
+  for (int answer = 0; answer < 12; ++answer) {
+    const AlphaComplex found = engine->compute(request(), {});
+    Faults::none();
+    EXPECT_EQ(found.hash, expected) << answer;
+    in_slabs += found.engine.route.find("slabs") != std::string::npos;
+  }
+  EXPECT_EQ(in_slabs, 8);
+}
+
 TEST_P(GpuFaults, ALostDeviceIsAnsweredByTheCpu) {
   const std::uint64_t expected = expected_hash();
   int lost = 0;

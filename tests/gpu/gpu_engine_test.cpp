@@ -173,6 +173,49 @@ TEST_P(GpuResults, StayAsTheyAre) {
   }
 }
 
+// Nothing pinned is left of an engine that rests but what results are in that somebody has; and
+// those go when he lets go of them, but not on his thread.
+TEST_P(GpuResults, GiveTheirMemoryBackWhenTheEngineRests) {
+  Random random(12);
+  const auto balls =
+      std::make_shared<const BallSet>(testing::random_balls(random, 600, 8000, 500, 900));
+  const AlphaRequest request{balls->lattice.square_angstrom(1e5), false};
+  free_unused_gpu_memory();
+  const std::size_t before = gpu::Faults::pinned_bytes.load();
+  auto engine = testing::make_device_engine(balls);
+  ASSERT_TRUE(engine);
+  AlphaComplex shown = engine->compute(request, {});
+  const std::uint64_t hash = shown.hash;
+  engine->compute(request, {});  // let go of at once: idle
+  const std::size_t at_work = gpu::Faults::pinned_bytes.load();
+  engine->rest();
+  const std::size_t resting = gpu::Faults::pinned_bytes.load();
+  EXPECT_LT(resting, at_work);
+  EXPECT_FALSE(is_gpu_memory_unused());
+  shown = {};
+  EXPECT_TRUE(is_gpu_memory_unused());
+  EXPECT_EQ(gpu::Faults::pinned_bytes.load(), resting) << "freed by the thread that let go";
+  free_unused_gpu_memory();
+  EXPECT_FALSE(is_gpu_memory_unused());
+  EXPECT_LT(gpu::Faults::pinned_bytes.load(), resting);
+
+  shown = engine->compute(request, {});
+  EXPECT_EQ(shown.hash, hash);
+  engine.reset();
+  shown = {};
+  free_unused_gpu_memory();
+  EXPECT_EQ(gpu::Faults::pinned_bytes.load(), before);
+}
+
+TEST(GpuLimits, AreWhat32BitsReach) {
+  EXPECT_LT(8 * gpu::kMaxBalls + 513, std::size_t{1} << 31) << "cells are counted in int";
+  EXPECT_LT(3 * gpu::kMaxSimplices, std::size_t{1} << 32) << "words of triangles";
+  const std::size_t counts[] = {0, gpu::kMaxSimplices};
+  EXPECT_TRUE(gpu::are_countable(counts));
+  const std::size_t more[] = {gpu::kMaxSimplices + 1, 0};
+  EXPECT_FALSE(gpu::are_countable(more));
+}
+
 // The first run reserves memory for its result while nothing else goes on; no stage ends before it
 // begins.
 TEST_P(GpuResults, SayWhatTheirMemoryTook) {

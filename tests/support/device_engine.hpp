@@ -25,6 +25,7 @@ class DeviceEngine : public Engine {
     }
     return complex;
   }
+  void rest() override { engine_->rest(); }
 
  private:
   std::unique_ptr<Engine> engine_;

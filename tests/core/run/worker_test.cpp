@@ -8,6 +8,8 @@
 #include <future>
 #include <new>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 namespace alphascope {
 namespace {
@@ -59,6 +61,36 @@ TEST(Worker, DeliversOnThePollingThread) {
   EXPECT_EQ(delivery_thread, std::this_thread::get_id());
   EXPECT_NE(job_thread, std::this_thread::get_id());
   EXPECT_NE(job_thread, std::thread::id());
+}
+
+TEST(Worker, CallsATaskOnItsThreadWhenNoJobWaits) {
+  Worker worker;
+  Gate gate;
+  std::vector<std::string> order;
+  std::atomic<int> calls{0};
+  std::thread::id task_thread;
+  worker.submit([&](const RunContext& context) -> Worker::Delivery {
+    gate.wait_open(context);
+    order.push_back("job");
+    return {};
+  });
+  gate.wait_entered();
+  worker.when_idle([&] { order.push_back("replaced"); });
+  worker.when_idle([&] {
+    order.push_back("task");
+    task_thread = std::this_thread::get_id();
+    ++calls;
+  });
+  gate.open();
+  while (calls == 0) std::this_thread::yield();
+  EXPECT_EQ(order, (std::vector<std::string>{"job", "task"}));
+  EXPECT_NE(task_thread, std::this_thread::get_id());
+  EXPECT_FALSE(worker.activity().busy);
+
+  worker.when_idle([&] { ++calls; });  // of a worker that does nothing
+  while (calls == 1) std::this_thread::yield();
+  poll_until_idle(worker);
+  EXPECT_EQ(calls, 2);
 }
 
 TEST(Worker, DropsTheUnstartedAndCancelsTheRunning) {

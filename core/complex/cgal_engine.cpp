@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "core/complex/cgal_triangulation.hpp"
+#include "core/complex/count_limits.hpp"
 #include "core/complex/engine.hpp"
 #include "core/complex/face_groups.hpp"
 #include "core/complex/filtration.hpp"
@@ -114,6 +115,7 @@ class CgalEngine : public Engine {
 
 std::unique_ptr<Engine> make_cgal_engine(std::shared_ptr<const BallSet> balls,
                                          EngineOptions options) {
+  require_balls(balls->size());
   return std::make_unique<CgalEngine>(std::move(balls), options);
 }
 

@@ -21,6 +21,16 @@ inline void require_at_most(std::uint64_t count, std::uint64_t most, const char*
                           ". Choose a smaller alpha, or a part of the molecule.");
 }
 
+// Balls of one set: the grids have up to four cells for each and some more, and two bits of a
+// number are marks.
+inline constexpr std::uint64_t kMostBalls = (std::uint64_t{1} << 30) - 1024;
+inline void require_balls(std::uint64_t balls) {
+  if (balls <= kMostBalls) return;
+  throw std::length_error("too many balls: " + std::to_string(balls) +
+                          ", and this program can handle " + std::to_string(kMostBalls) +
+                          ". Choose a part of the molecule.");
+}
+
 // Indices and sums of all faces of a list of simplices, `faces` of each (face_groups.hpp).
 inline void require_face_records(std::uint64_t simplices, int faces) {
   require_at_most(simplices, kMostIndices / static_cast<std::uint64_t>(faces), "simplices");

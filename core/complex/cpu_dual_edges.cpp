@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "core/complex/ball_simplices.hpp"
+#include "core/complex/count_limits.hpp"
 #include "core/complex/gather_faces.hpp"
 #include "core/geometry/grown_balls.hpp"
 
@@ -110,6 +111,11 @@ DualEdgeStatistics compute_by_dual_edges(const BallSet& balls, const UniformGrid
   };
   const bool whole = !complex.tetrahedra_only;
 
+  // Numbers within a block are of 32 bits.
+  const auto require_block = [](std::size_t count) {
+    require_at_most(count, kMostIndices, "neighbours or simplices of some balls");
+  };
+
   // Kernel I: neighbours.
   std::vector<NeighbourBlock> neighbours(block_count);
   tbb::enumerable_thread_specific<std::vector<std::uint32_t>> row_hits;
@@ -120,6 +126,7 @@ DualEdgeStatistics compute_by_dual_edges(const BallSet& balls, const UniformGrid
     for (std::size_t slot = begin; slot < end; ++slot) {
       find_neighbours(grid, static_cast<std::uint32_t>(slot), neighbours[b].slots,
                       row_hits.local());
+      require_block(neighbours[b].slots.size());
       neighbours[b].end.push_back(static_cast<std::uint32_t>(neighbours[b].slots.size()));
     }
   });
@@ -149,6 +156,10 @@ DualEdgeStatistics compute_by_dual_edges(const BallSet& balls, const UniformGrid
           worker.process(static_cast<std::uint32_t>(slot),
                          {neighbours[b].slots.data() + list_begin, list_end - list_begin}, out);
       if (whole) states[grid.ball[slot]] = state;
+      for (const std::size_t count : {out.edges.simplices.size(), out.triangles.simplices.size(),
+                                      out.tetrahedra.simplices.size()}) {
+        require_block(count);
+      }
       range.edge[1] = out.edges.size();
       range.triangle[1] = out.triangles.size();
       range.tetrahedron[1] = out.tetrahedra.size();

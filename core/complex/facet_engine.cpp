@@ -7,6 +7,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "core/complex/count_limits.hpp"
 #include "core/complex/cpu_dual_edges.hpp"
 #include "core/complex/engine.hpp"
 #include "core/complex/filtration.hpp"
@@ -154,6 +155,7 @@ class FacetEngine : public Engine {
 
 std::unique_ptr<Engine> make_cpu_engine(std::shared_ptr<const BallSet> balls,
                                         EngineOptions options) {
+  require_balls(balls->size());
   return std::make_unique<FacetEngine>(std::move(balls), options);
 }
 

@@ -48,6 +48,7 @@ float alpha_value(const BallSet& balls, const std::array<BallIndex, N>& face,
 template <int N>
 std::vector<std::uint32_t> positions_in(const Simplices<N>& list, const FaceGroups<N>& groups,
                                         const CancelToken& cancel) {
+  require_at_most(list.size(), kMostIndices, "simplices");
   std::vector<std::uint32_t> position(groups.size());
   std::uint32_t at = 0;
   for (std::size_t g = 0; g < groups.size(); ++g) {

@@ -21,6 +21,7 @@ void sort_own(OwnSimplices<N>& own, std::size_t ball_count) {
     sort_simplices<N>(own.simplices, ball_count);
     return;
   }
+  require_face_records(own.simplices.size(), 1);
   std::vector<std::uint32_t> bucket(ball_count + 1, 0);
   for (const auto& s : own.simplices) ++bucket[s[0] + 1];
   for (std::size_t b = 1; b < bucket.size(); ++b) bucket[b] += bucket[b - 1];

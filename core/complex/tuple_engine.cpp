@@ -7,6 +7,7 @@
 
 #include <chrono>
 
+#include "core/complex/count_limits.hpp"
 #include "core/complex/tuple_compute.hpp"
 
 namespace alphascope {
@@ -176,6 +177,7 @@ std::string tuple_route(const TupleOptions& options, bool on_gpu) {
 
 std::unique_ptr<Engine> make_tuple_engine(std::shared_ptr<const BallSet> balls,
                                           EngineOptions options, TupleOptions tuples) {
+  require_balls(balls->size());
   return std::make_unique<TupleEngine>(std::move(balls), options, tuples);
 }
 

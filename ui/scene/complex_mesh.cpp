@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "core/complex/count_limits.hpp"
+
 namespace alphascope {
 namespace {
 
@@ -125,6 +127,7 @@ struct Face {
 // Faces that occur once, in lexicographic order: a counting sort by the smallest vertex leaves only
 // a few dozen faces to each comparison sort.
 std::vector<Face> single_faces(const Simplices<4>& tetrahedra, std::size_t ball_count) {
+  require_face_records(tetrahedra.size(), 4);
   std::vector<std::uint32_t> start(ball_count + 1, 0);
   for (const auto& t : tetrahedra) {
     start[t[0] + 1] += 3;

@@ -24,6 +24,12 @@ TEST(CountLimits, AreTheLastCountsThatFit) {
   EXPECT_NE(said.find("Choose a smaller alpha"), std::string::npos) << said;
 }
 
+TEST(CountLimits, CellsOfAGridAreNumberedIn32Bits) {
+  EXPECT_NO_THROW(require_balls(kMostBalls));
+  EXPECT_THROW(require_balls(kMostBalls + 1), std::length_error);
+  EXPECT_LE(4 * kMostBalls + 64, kMostIndices);
+}
+
 TEST(CountLimits, FacesOfTetrahedraAreNumberedIn32Bits) {
   constexpr std::uint64_t kMost = (std::uint64_t{1} << 30) - 1;  // 4 faces each
   EXPECT_NO_THROW(require_face_records(kMost, 4));

@@ -9,6 +9,7 @@
 
 #include "app/cli/commands.hpp"
 #include "app/cli/terminal.hpp"
+#include "app/cli/text.hpp"
 #include "app/session/version.hpp"
 #include "core/io/atomic_file.hpp"
 
@@ -39,6 +40,17 @@ const CLI::Validator kFinite(
       double value = 0;
       if (!CLI::detail::lexical_cast(text, value) || !std::isfinite(value)) {
         return "\"" + text + "\" is not a finite number";
+      }
+      return std::string();
+    },
+    "NUMBER");
+
+const CLI::Validator kAlpha(
+    [](std::string& text) {
+      double value = 0;
+      if (!CLI::detail::lexical_cast(text, value) || !is_alpha(value)) {
+        return "\"" + text + "\" is not a number from -" + number_text(kMaxAlphaAngstrom2) +
+               " to " + number_text(kMaxAlphaAngstrom2);
       }
       return std::string();
     },
@@ -84,9 +96,9 @@ void add_file(CLI::App& command, InputOptions& input) {
 }
 
 void add_alpha(CLI::App& command, SessionRequest& request) {
-  command.add_option("--alpha", request.alpha_angstrom2, "Alpha in Å², any real number")
+  command.add_option("--alpha", request.alpha_angstrom2, "Alpha in Å², negative too")
       ->required()
-      ->check(kFinite)
+      ->check(kAlpha)
       ->type_name("A");
 }
 
@@ -94,7 +106,7 @@ void add_alphas(CLI::App& command, std::vector<double>& alphas) {
   command.add_option("--alpha", alphas, "Alphas in Å², such as -1,0,1.4")
       ->required()
       ->delimiter(',')
-      ->check(kFinite)
+      ->check(kAlpha)
       ->type_name("A,B,...");
 }
 
@@ -246,7 +258,7 @@ void add_bench(CLI::App& app, BenchOptions& options, Command& chosen) {
       .add_option("--alpha", options.alphas,
                   "Alphas in Å², such as -1,0,1.4; the suite takes 0,1.4,3 if left out")
       ->delimiter(',')
-      ->check(kFinite)
+      ->check(kAlpha)
       ->type_name("A,B,...");
   add_engine(command, options.request, false);
   command.add_option("--threads", options.threads, "CPU threads for both, such as 1,2; 0 for all")

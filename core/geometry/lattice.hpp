@@ -13,6 +13,16 @@ namespace alphascope {
 inline constexpr std::int32_t kMaxLatticeCoordinate = (1 << 29) - 1;
 inline constexpr std::int32_t kMaxLatticeRadius = (1 << 26) - 1;
 
+// Alpha lies between -kMaxAlphaAngstrom2 and this, in Å²: a sphere of 10^12 Å. On the finest
+// lattice (six digits) it is 10^36 square units, so alpha values fit single precision (3.4 · 10^38)
+// and no file says "inf". The engines themselves compute with any alpha, infinity included.
+inline constexpr double kMaxAlphaAngstrom2 = 1e24;
+
+// Also false for NaN.
+inline bool is_alpha(double angstrom2) {
+  return std::fabs(angstrom2) <= kMaxAlphaAngstrom2;
+}
+
 // Files with fewer digits still get this lattice, so that typed solvent radii are on it.
 inline constexpr int kMinLatticeDigits = 3;
 

@@ -4,14 +4,14 @@
 // for a slightly different alpha, as a slider does.
 #include <algorithm>
 #include <chrono>
-#include <cstdio>
 #include <iostream>
 
 #include "app/cli/commands.hpp"
-#include "app/cli/csv_output.hpp"
+#include "app/cli/outputs.hpp"
 #include "app/cli/report_json.hpp"
 #include "app/cli/terminal.hpp"
 #include "app/cli/text.hpp"
+#include "core/io/csv.hpp"
 
 namespace alphascope::cli {
 namespace {
@@ -87,22 +87,25 @@ Row measure(const Input& input, const std::shared_ptr<const BallSet>& balls,
 void print_header(const BenchOptions& options) {
   std::cout << "medians of " << options.runs << " runs, cold = new engine, warm = alpha moved by "
             << number_text(kSliderStep) << " Å²; ratio = CGAL cold / ours cold"
-            << (options.request.tetrahedra_only ? "; tetrahedra only" : "") << std::endl;
-  std::printf("%-18s %9s %7s %7s %3s %10s %11s %11s %7s %11s %11s  %s\n", "file", "balls", "alpha",
-              "solvent", "thr", "tetrahedra", "cold ms", "CGAL cold", "ratio", "warm ms",
-              "CGAL warm", "engine");
+            << (options.request.tetrahedra_only ? "; tetrahedra only" : "") << "\n";
+  std::cout << format_text("%-18s %9s %7s %7s %3s %10s %11s %11s %7s %11s %11s  %s\n", "file",
+                           "balls", "alpha", "solvent", "thr", "tetrahedra", "cold ms", "CGAL cold",
+                           "ratio", "warm ms", "CGAL warm", "engine")
+            << std::flush;
 }
 
 void print_row(const Row& row) {
   const double cold = median(row.ours.cold), cgal = median(row.cgal.cold);
-  std::printf("%-18s %9s %7s %7s %3d %10s %11.2f %11.2f %7.2f %11.2f %11.2f  %s, %s%s\n",
-              row.file.c_str(), grouped(row.balls).c_str(),
-              number_text(row.request.alpha_angstrom2).c_str(),
-              number_text(row.request.solvent_radius_angstrom).c_str(), row.request.threads,
-              grouped(row.ours.tetrahedra).c_str(), cold, cgal, cgal / cold, median(row.ours.warm),
-              median(row.cgal.warm), row.ours.complex.engine.name.c_str(),
-              row.ours.complex.engine.route.c_str(), row.same() ? "" : "  DIFFERS FROM CGAL");
-  std::fflush(stdout);
+  std::cout << format_text(
+                   "%-18s %9s %7s %7s %3d %10s %11.2f %11.2f %7.2f %11.2f %11.2f  %s, %s%s\n",
+                   row.file.c_str(), grouped(row.balls).c_str(),
+                   number_text(row.request.alpha_angstrom2).c_str(),
+                   number_text(row.request.solvent_radius_angstrom).c_str(), row.request.threads,
+                   grouped(row.ours.tetrahedra).c_str(), cold, cgal, cgal / cold,
+                   median(row.ours.warm), median(row.cgal.warm),
+                   row.ours.complex.engine.name.c_str(), row.ours.complex.engine.route.c_str(),
+                   row.same() ? "" : "  DIFFERS FROM CGAL")
+            << std::flush;
 }
 
 CsvRow csv_row(const Row& row) {
@@ -147,10 +150,12 @@ ExitCode run_bench(const BenchOptions& options) {
   const RunContext& context = run_context();
   RunContext quiet;  // no progress reports while the clock runs
   quiet.cancel = context.cancel;
+  require_readable({options.files.begin(), options.files.end()});
+  Outputs outputs(files_read(options));
+  AtomicFile* const csv = outputs.add("--csv", options.csv);
   std::vector<Row> rows;
   bool same = true;
-  const bool print = options.csv != "-";
-  if (print) print_header(options);
+  print_header(options);
   for (const std::filesystem::path& file : options.files) {
     InputOptions input_options = options.input;
     input_options.file = file;
@@ -168,16 +173,17 @@ ExitCode run_bench(const BenchOptions& options) {
           request.threads = threads;
           rows.push_back(measure(input, balls, request, options.runs, quiet));
           same &= rows.back().same();
-          if (print) print_row(rows.back());
+          print_row(rows.back());
         }
       }
     });
   }
-  if (!options.csv.empty()) {
+  if (csv) {
     std::vector<CsvRow> table;
     for (const Row& row : rows) table.push_back(csv_row(row));
-    put_csv(table, options.csv);
+    csv->write(csv_text(table));
   }
+  outputs.commit();
   return same ? ExitCode::ok : ExitCode::differs;
 }
 

@@ -32,7 +32,8 @@ Lengths are in Å. Alpha is in Å²: a ball of radius r grows to sqrt(r² + alph
 shrinks it. The solvent radius is added to every radius first (1.4 for water).
 
 Exit codes: 0 done; 1 differs from CGAL (verify, bench); 2 wrong usage; 3 a file cannot be read;
-4 computing failed; 5 an output cannot be written; 130 cancelled (Ctrl-C).
+4 computing failed; 5 an output cannot be written; 130 cancelled (Ctrl-C; 143 by SIGTERM,
+129 by SIGHUP); 141 nobody reads the pipe any more.
 )";
 
 const CLI::Validator kFinite(
@@ -317,7 +318,8 @@ int run(const Command& command) {
   try {
     return static_cast<int>(command());
   } catch (const Cancelled&) {
-    return fail(ExitCode::cancelled, "cancelled; nothing was written.");
+    fail(ExitCode::cancelled, "cancelled; nothing was written.");
+    return cancelled_status();
   } catch (const UsageError& e) {
     return fail(ExitCode::usage, e.what());
   } catch (const ReadError& e) {

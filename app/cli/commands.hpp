@@ -20,7 +20,7 @@ enum class ExitCode : int {
   unreadable_input = 3,   // a file cannot be read or understood
   computing_failed = 4,   // engine unavailable, out of memory, internal error
   unwritable_output = 5,  // an output file cannot be written
-  cancelled = 130,        // Ctrl-C, as shells expect (128 + SIGINT)
+  cancelled = 130,        // Ctrl-C, as shells expect (128 + SIGINT); other signals likewise
 };
 
 // A sensible-looking command line that asks for what cannot be.

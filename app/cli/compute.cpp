@@ -1,14 +1,13 @@
 // alphascope-cli compute: one complex, or one for each model, its numbers, and its simplices in a
 // file.
-#include <cstdio>
 #include <iostream>
-#include <optional>
 
 #include "app/cli/commands.hpp"
-#include "app/cli/csv_output.hpp"
+#include "app/cli/outputs.hpp"
 #include "app/cli/report_json.hpp"
 #include "app/cli/terminal.hpp"
 #include "app/cli/text.hpp"
+#include "core/io/csv.hpp"
 
 namespace alphascope::cli {
 namespace {
@@ -50,7 +49,6 @@ void print_one(const Input& input, const SessionRequest& request,
             << number_text(request.solvent_radius_angstrom) << " Å\n"
             << complex_text(result.complex);
   if (!result.note.empty()) std::cout << "note        " << result.note << "\n";
-  std::cout << std::flush;
 }
 
 // One line a model, under a heading at the first.
@@ -61,21 +59,24 @@ void print_line(const Input& input, const SessionRequest& request,
     std::cout << input_text(input) << "sha256      " << input.molecule().sha256 << "\n"
               << "alpha       " << number_text(request.alpha_angstrom2) << " Å², solvent radius "
               << number_text(request.solvent_radius_angstrom) << " Å\n";
-    std::printf("%6s %9s %9s %9s %9s %10s %7s  %-16s %s\n", "model", "balls", "vertices", "edges",
-                "triangles", "tetrahedra", "Euler", "hash", "time");
+    std::cout << format_text("%6s %9s %9s %9s %9s %10s %7s  %-16s %s\n", "model", "balls",
+                             "vertices", "edges", "triangles", "tetrahedra", "Euler", "hash",
+                             "time");
   }
   const auto count = [&](const auto& list) {
     return complex.tetrahedra_only ? std::string("-") : grouped(list.size());
   };
-  std::printf(
-      "%6s %9s %9s %9s %9s %10s %7s  %-16s %s\n", model_text(input.balls.model).c_str(),
-      grouped(input.prepared().balls->size()).c_str(), count(complex.vertices).c_str(),
-      count(complex.edges).c_str(), count(complex.triangles).c_str(),
-      grouped(complex.tetrahedra.size()).c_str(),
-      complex.tetrahedra_only ? "-" : std::to_string(complex.euler_characteristic()).c_str(),
-      hash_text(complex.hash).c_str(),
-      milliseconds_text(complex.timings.wall_milliseconds).c_str());
-  std::fflush(stdout);
+  std::cout << format_text(
+                   "%6s %9s %9s %9s %9s %10s %7s  %-16s %s\n",
+                   model_text(input.balls.model).c_str(),
+                   grouped(input.prepared().balls->size()).c_str(), count(complex.vertices).c_str(),
+                   count(complex.edges).c_str(), count(complex.triangles).c_str(),
+                   grouped(complex.tetrahedra.size()).c_str(),
+                   complex.tetrahedra_only ? "-"
+                                           : std::to_string(complex.euler_characteristic()).c_str(),
+                   hash_text(complex.hash).c_str(),
+                   milliseconds_text(complex.timings.wall_milliseconds).c_str())
+            << std::flush;
 }
 
 Json result_json(const Input& input, const SessionRequest& request,
@@ -92,31 +93,32 @@ ExitCode run_compute(const ComputeOptions& options) {
   const RunContext& context = run_context();
   const SessionRequest& request = options.request;
   const bool each = each_model(options.input);
-  std::optional<AtomicFile> out;
+  require_readable({options.input.file});
+  Outputs outputs(files_read(options.input));
+  AtomicFile* const out = outputs.add("--out", options.out);
+  AtomicFile* const csv = outputs.add("--csv", options.csv);
+  AtomicFile* const json = outputs.add("--json", options.json);
   EngineCache engines(&make_engine);
   Json results = Json::array();
   std::vector<CsvRow> rows;
   for_each_model(options.input, context, [&](const Input& input) {
-    // Opened first: that it cannot be written should not show only after hours of computing.
-    if (!out && !options.out.empty()) out.emplace(options.out);
     const EngineCache::Result result = engines.compute(input.prepared().balls, request, context);
     if (out) {
-      write_complex_text(*result.balls, result.complex,
-                         complex_header(input, request, result.complex), *out, context);
+      write_complex_text(*result.balls, result.complex, complex_header(input, request, result),
+                         *out, context);
     }
     clear_progress();
-    if (options.json != "-" && options.csv != "-")
-      (each ? print_line : print_one)(input, request, result);
-    if (!options.json.empty()) results.push_back(result_json(input, request, result));
-    if (!options.csv.empty()) rows.push_back(csv_row(input, request, result.complex));
+    (each ? print_line : print_one)(input, request, result);
+    if (json) results.push_back(result_json(input, request, result));
+    if (csv) rows.push_back(csv_row(input, request, result.complex));
   });
-  if (out) out->commit();
-  if (!options.csv.empty()) put_csv(rows, options.csv);
-  if (!options.json.empty()) {
-    Json json = each ? Json{{"models", std::move(results)}} : std::move(results[0]);
-    json["program"] = program_json();
-    write_json(json, options.json);
+  if (csv) csv->write(csv_text(rows));
+  if (json) {
+    Json whole = each ? Json{{"models", std::move(results)}} : std::move(results[0]);
+    whole["program"] = program_json();
+    json->write(json_text(whole));
   }
+  outputs.commit();
   return ExitCode::ok;
 }
 

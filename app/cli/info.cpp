@@ -6,6 +6,7 @@
 #include <map>
 
 #include "app/cli/commands.hpp"
+#include "app/cli/outputs.hpp"
 #include "app/cli/report_json.hpp"
 #include "app/cli/terminal.hpp"
 #include "app/cli/text.hpp"
@@ -117,25 +118,29 @@ void print(const Input& input) {
 
 ExitCode run_info(const InfoOptions& options) {
   const bool each = each_model(options.input);
+  require_readable({options.input.file});
+  Outputs outputs(files_read(options.input));
+  AtomicFile* const file = outputs.add("--json", options.json);
   Json models = Json::array();
   for_each_model(options.input, run_context(), [&](const Input& input) {
     clear_progress();
-    if (options.json != "-" && (!each || input.balls.model == 0)) print(input);
-    if (options.json != "-" && each) {
+    if (!each || input.balls.model == 0) print(input);
+    if (each) {
       std::cout << "model " << model_text(input.balls.model) << ": "
                 << summary(input.prepared().report) << "\n";
     }
     models.push_back(
         {{"input", input_json(input)}, {"radii_in_use", radii_json(*input.prepared().balls)}});
   });
-  if (options.json.empty()) return ExitCode::ok;
+  if (!file) return ExitCode::ok;
   Json json{{"program", program_json()}};
   if (each) {
     json["models"] = std::move(models);
   } else {
     json.update(models[0]);
   }
-  write_json(json, options.json);
+  file->write(json_text(json));
+  outputs.commit();
   return ExitCode::ok;
 }
 

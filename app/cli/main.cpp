@@ -1,6 +1,8 @@
 // alphascope-cli: the exact alpha complex of a molecule, without a window.
 #include "app/cli/command_line.hpp"
+#include "app/cli/terminal.hpp"
 
 int main(int argc, char** argv) {
-  return alphascope::cli::run_command_line(argc, argv);
+  alphascope::cli::set_up_standard_streams();
+  return alphascope::cli::finish_standard_output(alphascope::cli::run_command_line(argc, argv));
 }

@@ -1,7 +1,5 @@
 #include "app/cli/report_json.hpp"
 
-#include <iostream>
-
 #include "app/cli/text.hpp"
 #include "app/session/result_header.hpp"
 #include "app/session/version.hpp"
@@ -130,21 +128,17 @@ Json comparison_json(const Comparison& comparison) {
 }
 
 ComplexHeader complex_header(const Input& input, const SessionRequest& request,
-                             const AlphaComplex& complex) {
-  return result_header("alphascope-cli", input.provenance(), request, complex);
+                             const EngineCache::Result& result) {
+  ComplexHeader header =
+      result_header("alphascope-cli", input.provenance(), request, result.complex);
+  for (const std::string& note : input.molecule().notes) header.emplace_back("note", note);
+  if (!result.note.empty()) header.emplace_back("note", result.note);
+  return header;
 }
 
-void write_json(const Json& json, const std::string& path) {
+std::string json_text(const Json& json) {
   // File names need not be UTF-8; replacing what is not keeps the output readable.
-  const std::string text = json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
-  if (path == "-") {
-    std::cout << text << std::flush;
-    if (!std::cout) throw WriteError("Cannot write to standard output.");
-    return;
-  }
-  AtomicFile file(path);
-  file.write(text);
-  file.commit();
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace alphascope::cli

@@ -21,10 +21,11 @@ Json request_json(const SessionRequest& request, const Lattice& lattice);
 Json complex_json(const AlphaComplex& complex, const std::string& engine_note);
 Json comparison_json(const Comparison& comparison);
 
+// With every note of the readers and of the engine.
 ComplexHeader complex_header(const Input& input, const SessionRequest& request,
-                             const AlphaComplex& complex);
+                             const EngineCache::Result& result);
 
-// To a file, whole or not at all; "-" is standard output. Throws WriteError.
-void write_json(const Json& json, const std::string& path);
+// Indented, and a line of its own at the end. A number that is none (NaN, infinite) is null.
+std::string json_text(const Json& json);
 
 }  // namespace alphascope::cli

@@ -1,20 +1,101 @@
 #include "app/cli/terminal.hpp"
 
+#include <fcntl.h>
 #include <unistd.h>
 
+#include <atomic>
+#include <cerrno>
 #include <chrono>
 #include <csignal>
 #include <cstdio>
+#include <cstring>
+#include <iostream>
 #include <mutex>
+#include <string_view>
+
+#include "app/cli/commands.hpp"
+#include "core/io/atomic_file.hpp"
 
 namespace alphascope::cli {
 namespace {
 
+// std::cout's way to a descriptor, which knows why writing failed.
+class DescriptorBuffer : public std::streambuf {
+ public:
+  explicit DescriptorBuffer(int descriptor) : descriptor_(descriptor) { text_.reserve(kBytes); }
+  int error() const { return error_; }  // errno of the first failure; 0: none
+
+ protected:
+  int_type overflow(int_type c) override {
+    const char byte = traits_type::to_char_type(c);
+    if (traits_type::eq_int_type(c, traits_type::eof())) return traits_type::not_eof(c);
+    return xsputn(&byte, 1) == 1 ? c : traits_type::eof();
+  }
+  std::streamsize xsputn(const char* text, std::streamsize size) override {
+    text_.append(text, static_cast<std::size_t>(size));
+    return text_.size() < kBytes || sync() == 0 ? size : 0;
+  }
+  int sync() override {
+    std::string_view rest = text_;
+    while (!rest.empty() && error_ == 0) {
+      const ssize_t written = ::write(descriptor_, rest.data(), rest.size());
+      if (written >= 0) {
+        rest.remove_prefix(static_cast<std::size_t>(written));
+      } else if (errno != EINTR) {
+        error_ = errno;
+      }
+    }
+    text_.clear();
+    return error_ == 0 ? 0 : -1;
+  }
+
+ private:
+  static constexpr std::size_t kBytes = 1 << 16;
+  int descriptor_, error_ = 0;
+  std::string text_;
+};
+
+// Never destroyed: std::cout is written out after all that is static.
+DescriptorBuffer& standard_output() {
+  static auto& buffer = *new DescriptorBuffer(STDOUT_FILENO);
+  return buffer;
+}
+DescriptorBuffer& standard_error() {
+  static auto& buffer = *new DescriptorBuffer(STDERR_FILENO);
+  return buffer;
+}
+
 // A pointer, since a signal handler may touch no object under construction.
 const CancelToken* interrupted = nullptr;
+std::atomic<int> cancelling_signal{0};
 
-extern "C" void on_interrupt(int) {
-  interrupted->cancel();  // a lock-free atomic store
+void die_of(int signal) {
+  remove_temporary_files();
+  std::signal(signal, SIG_DFL);
+  std::raise(signal);  // delivered when the handler returns
+}
+
+extern "C" void on_cancel(int signal) {
+  int none = 0;
+  if (cancelling_signal.compare_exchange_strong(none, signal)) {
+    interrupted->cancel();  // a lock-free atomic store
+  } else {
+    die_of(signal);
+  }
+}
+
+extern "C" void on_end(int signal) {
+  die_of(signal);
+}
+
+void handle(int signal, void (*handler)(int)) {
+  struct sigaction action {};
+  // nohup and shells ignore signals for programs that are to outlive them.
+  if (::sigaction(signal, nullptr, &action) != 0 || action.sa_handler == SIG_IGN) return;
+  action = {};
+  action.sa_handler = handler;
+  action.sa_flags = 0;  // a read that waits for input ends, too
+  ::sigaction(signal, &action, nullptr);
 }
 
 class ProgressLine {
@@ -59,18 +140,47 @@ RunContext make_context() {
 
 }  // namespace
 
+void set_up_standard_streams() {
+  for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    if (::fcntl(descriptor, F_GETFD) >= 0 || errno != EBADF) continue;
+    // Open the other way round: reading from it, or writing to it, fails as before. The lowest
+    // number that is free is this one.
+    static_cast<void>(::open("/dev/null", descriptor == STDIN_FILENO ? O_WRONLY : O_RDONLY));
+  }
+  std::cout.rdbuf(&standard_output());
+}
+
+void summary_to_standard_error() {
+  std::cout.flush();
+  std::cout.rdbuf(&standard_error());
+}
+
+int finish_standard_output(int status) {
+  standard_error().pubsync();
+  standard_output().pubsync();
+  const int error = standard_output().error();
+  if (error == 0) return status;
+  constexpr int kClosedPipe = 128 + SIGPIPE;
+  if (error == EPIPE) return status != 0 ? status : kClosedPipe;
+  std::fprintf(stderr, "alphascope-cli: Cannot write standard output: %s.\n",
+               error == EBADF ? "it is closed" : std::strerror(error));
+  return status != 0 ? status : static_cast<int>(ExitCode::unwritable_output);
+}
+
 const RunContext& run_context() {
   static const RunContext context = [] {
     static RunContext made = make_context();
     interrupted = &made.cancel;
-    struct sigaction action {};
-    action.sa_handler = on_interrupt;
-    action.sa_flags = static_cast<int>(SA_RESETHAND);  // the second signal has its default effect
-    ::sigaction(SIGINT, &action, nullptr);
-    ::sigaction(SIGTERM, &action, nullptr);
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) handle(signal, on_cancel);
+    for (const int signal : {SIGPIPE, SIGQUIT, SIGXCPU}) handle(signal, on_end);
+    std::signal(SIGXFSZ, SIG_IGN);  // writing beyond the limit of the shell fails with a message
     return made;
   }();
   return context;
+}
+
+int cancelled_status() {
+  return 128 + cancelling_signal.load();
 }
 
 void clear_progress() {

@@ -1,13 +1,31 @@
-// The terminal's side of long work: Ctrl-C cancels, progress shows on one line of standard error.
+// The terminal's side of long work: signals cancel, progress shows on one line of standard error,
+// and what standard output loses is noticed.
 #pragma once
 
 #include "core/run/cancel_token.hpp"
 
 namespace alphascope::cli {
 
-// The context for the program's one piece of work. The first Ctrl-C (or SIGTERM) cancels it, the
-// next kills the program. Progress is shown only when standard error is a terminal.
+// First of all, before a file is opened: gives descriptors 0, 1 and 2 that are closed something
+// that only fails, so that no file becomes standard output; from here on std::cout remembers the
+// first error of writing.
+void set_up_standard_streams();
+
+// Summaries written to std::cout go to standard error from here on: a result takes standard output.
+void summary_to_standard_error();
+
+// Writes out std::cout. Returns the exit status of a process whose work ended with `status`: 0
+// becomes another one, with a message, when standard output lost something. A pipe that was closed
+// at its other end gives no message and 141, which is what the shell shows for SIGPIPE.
+int finish_standard_output(int status);
+
+// The context for the program's one piece of work. The first SIGINT (Ctrl-C), SIGTERM or SIGHUP
+// cancels it, the next kills the program; a signal that was ignored at the start stays so. Whatever
+// signal kills it, no temporary file stays. Progress shows only when standard error is a terminal.
 const RunContext& run_context();
+
+// 128 + the signal that cancelled the work: the exit status that shells expect.
+int cancelled_status();
 
 // Removes the progress line, before other text is printed.
 void clear_progress();

@@ -1,5 +1,6 @@
 #include "app/cli/text.hpp"
 
+#include <cstdarg>
 #include <cstdio>
 
 #include "app/session/result_header.hpp"
@@ -14,6 +15,17 @@ std::string grouped(std::uint64_t number) {
 
 std::string number_text(double number) {
   return shortest_number(number);
+}
+
+std::string format_text(const char* format, ...) {
+  std::va_list arguments, again;
+  va_start(arguments, format);
+  va_copy(again, arguments);
+  std::string text(static_cast<std::size_t>(std::vsnprintf(nullptr, 0, format, again)), ' ');
+  va_end(again);
+  std::vsnprintf(text.data(), text.size() + 1, format, arguments);
+  va_end(arguments);
+  return text;
 }
 
 std::string milliseconds_text(double milliseconds) {

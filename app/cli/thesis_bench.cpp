@@ -4,7 +4,7 @@
 #include <iostream>
 
 #include "app/cli/commands.hpp"
-#include "app/cli/csv_output.hpp"
+#include "app/cli/outputs.hpp"
 #include "app/cli/report_json.hpp"
 #include "app/cli/terminal.hpp"
 #include "app/cli/text.hpp"
@@ -24,9 +24,6 @@ ThesisOptions to_suite(const BenchOptions& options) {
   }
   if (options.threads.size() != 1) {
     throw UsageError("--suite thesis takes one number of --threads");
-  }
-  if (options.json == "-" && options.csv == "-") {
-    throw UsageError("Only one of --json and --csv can be -");
   }
   ThesisOptions suite;
   suite.alphas = options.alphas;
@@ -69,10 +66,12 @@ std::string column(const std::optional<double>& milliseconds) {
 }
 
 void print_header() {
-  std::printf("\n%-14s %8s %7s  %-18s %9s %9s %9s %9s %9s %9s %10s %10s %8s %10s %7s  %s\n",
-              "molecule", "balls", "alpha", "engine", "memcpy", "kernel1", "prefixsum", "kernel2",
-              "kernel3", "other", "cold ms", "warm ms", "speed-up", "tetrahedra", "of full",
-              "note");
+  std::cout << format_text(
+                   "\n%-14s %8s %7s  %-18s %9s %9s %9s %9s %9s %9s %10s %10s %8s %10s %7s  %s\n",
+                   "molecule", "balls", "alpha", "engine", "memcpy", "kernel1", "prefixsum",
+                   "kernel2", "kernel3", "other", "cold ms", "warm ms", "speed-up", "tetrahedra",
+                   "of full", "note")
+            << std::flush;
 }
 
 std::string note_of(const ThesisRow& row) {
@@ -99,17 +98,18 @@ void print_row(const ThesisRow& row) {
   };
   const auto ratio = row.speed_up();
   const auto share = row.share_of_full();
-  std::printf("%-14s %8s %7s  %-18s %9s %9s %9s %9s %9s %9s %10s %10s %8s %10s %7s  %s\n",
-              row.molecule.c_str(), grouped(row.balls).c_str(),
-              number_text(row.alpha_angstrom2).c_str(), engine_text(row).c_str(),
-              column(row.stages.memcpy).c_str(), column(row.stages.kernel1).c_str(),
-              column(row.stages.prefix_sum).c_str(), column(row.stages.kernel2).c_str(),
-              column(row.stages.kernel3).c_str(), column(row.stages.other).c_str(),
-              ms(row.cold_milliseconds).c_str(), ms(row.warm_milliseconds).c_str(),
-              ratio ? (chart_number(*ratio) + "x").c_str() : "-",
-              ok ? grouped(row.tetrahedra).c_str() : "-",
-              share ? (chart_number(100 * *share) + "%").c_str() : "-", note_of(row).c_str());
-  std::fflush(stdout);
+  std::cout << format_text(
+                   "%-14s %8s %7s  %-18s %9s %9s %9s %9s %9s %9s %10s %10s %8s %10s %7s  %s\n",
+                   row.molecule.c_str(), grouped(row.balls).c_str(),
+                   number_text(row.alpha_angstrom2).c_str(), engine_text(row).c_str(),
+                   column(row.stages.memcpy).c_str(), column(row.stages.kernel1).c_str(),
+                   column(row.stages.prefix_sum).c_str(), column(row.stages.kernel2).c_str(),
+                   column(row.stages.kernel3).c_str(), column(row.stages.other).c_str(),
+                   ms(row.cold_milliseconds).c_str(), ms(row.warm_milliseconds).c_str(),
+                   ratio ? (chart_number(*ratio) + "x").c_str() : "-",
+                   ok ? grouped(row.tetrahedra).c_str() : "-",
+                   share ? (chart_number(100 * *share) + "%").c_str() : "-", note_of(row).c_str())
+            << std::flush;
 }
 
 void print_break_even(const ThesisReport& report) {
@@ -147,17 +147,10 @@ Json to_json(const ThesisReport& report) {
           {"rows", rows}};
 }
 
-// Then nothing else may be printed there.
-bool stdout_is_data(const BenchOptions& options) {
-  return options.json == "-" || options.csv == "-";
-}
-
-void write_outputs(const ThesisReport& report, const BenchOptions& options) {
-  if (!options.csv.empty()) put_csv(to_csv(thesis_table(report)), options.csv);
-  if (!options.json.empty()) write_json(to_json(report), options.json);
-  if (options.charts.empty()) return;
-  for (const auto& path : write_charts(thesis_charts(report), options.charts)) {
-    if (!stdout_is_data(options)) std::cout << "wrote " << path.string() << "\n";
+void write_charts_of(const ThesisReport& report, const std::string& folder) {
+  if (folder.empty()) return;
+  for (const auto& path : write_charts(thesis_charts(report), folder)) {
+    std::cout << "wrote " << path.string() << "\n";
   }
 }
 
@@ -166,23 +159,28 @@ void write_outputs(const ThesisReport& report, const BenchOptions& options) {
 ExitCode run_thesis_bench(const BenchOptions& options) {
   const RunContext& context = run_context();
   const ThesisOptions suite = to_suite(options);
+  require_readable({options.files.begin(), options.files.end()});
+  Outputs outputs(files_read(options));
+  AtomicFile* const csv = outputs.add("--csv", options.csv);
+  AtomicFile* const json = outputs.add("--json", options.json);
+  if (!options.charts.empty()) make_output_folder(options.charts);
   const std::vector<ThesisMolecule> molecules = read_all(options, context);
   clear_progress();
-  const bool table = !stdout_is_data(options);
-  if (table) {
-    const MachineInfo& machine = machine_info();
-    std::cout << machine_text(machine) << "\n"
-              << (machine.gpu_usable ? "" : machine.gpu_why_not + "\n") << "medians of up to "
-              << suite.repeats << " runs after one that is not counted; times in ms, alpha in Å²; "
-              << "tetrahedra only; speed-up = CGAL's cold time with one thread / cold time; "
-              << "* = an optimisation switched off" << std::endl;
-    print_header();
-  }
-  const ThesisReport report = run_thesis_suite(molecules, suite, make_engine, context,
-                                               table ? RowListener(print_row) : RowListener());
+  const MachineInfo& machine = machine_info();
+  std::cout << machine_text(machine) << "\n"
+            << (machine.gpu_usable ? "" : machine.gpu_why_not + "\n") << "medians of up to "
+            << suite.repeats << " runs after one that is not counted; times in ms, alpha in Å²; "
+            << "tetrahedra only; speed-up = CGAL's cold time with one thread / cold time; "
+            << "* = an optimisation switched off\n";
+  print_header();
+  const ThesisReport report =
+      run_thesis_suite(molecules, suite, make_engine, context, RowListener(print_row));
   clear_progress();
-  if (table) print_break_even(report);
-  write_outputs(report, options);
+  print_break_even(report);
+  if (csv) csv->write(csv_text(to_csv(thesis_table(report))));
+  if (json) json->write(json_text(to_json(report)));
+  outputs.commit();
+  write_charts_of(report, options.charts);
   return report.all_same() ? ExitCode::ok : ExitCode::differs;
 }
 

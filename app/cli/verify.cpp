@@ -6,6 +6,7 @@
 #include <iostream>
 
 #include "app/cli/commands.hpp"
+#include "app/cli/outputs.hpp"
 #include "app/cli/report_json.hpp"
 #include "app/cli/terminal.hpp"
 #include "app/cli/text.hpp"
@@ -108,7 +109,10 @@ ExitCode run_verify(const VerifyOptions& options) {
     throw UsageError("verify compares with CGAL, so --engine cgal would compare CGAL with itself.");
   }
   const RunContext& context = run_context();
-  std::ostream out(options.json == "-" ? nullptr : std::cout.rdbuf());  // null: prints nothing
+  require_readable({options.input.file});
+  Outputs outputs(files_read(options.input));
+  AtomicFile* const file = outputs.add("--json", options.json);
+  std::ostream& out = std::cout;
   Json results = Json::array(), first_input;
   bool all_good = true;
   for_each_model(options.input, context, [&](const Input& input) {
@@ -126,12 +130,12 @@ ExitCode run_verify(const VerifyOptions& options) {
       out << std::flush;
     }
   });
-  if (!options.json.empty()) {
-    write_json({{"identical", all_good},
-                {"results", results},
-                {"input", first_input},
-                {"program", program_json()}},
-               options.json);
+  if (file) {
+    file->write(json_text({{"identical", all_good},
+                           {"results", results},
+                           {"input", first_input},
+                           {"program", program_json()}}));
+    outputs.commit();
   }
   return all_good ? ExitCode::ok : ExitCode::differs;
 }

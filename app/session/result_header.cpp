@@ -29,6 +29,7 @@ ComplexHeader result_header(std::string_view program, const Provenance& balls,
   header.insert(header.end(), balls.begin(), balls.end());
   const ComplexHeader rest{
       {"alpha_angstrom2", shortest_number(request.alpha_angstrom2)},
+      {"alpha_used_square_lattice_units", shortest_number(complex.alpha_on_lattice)},
       {"solvent_radius_angstrom", shortest_number(request.solvent_radius_angstrom)},
       {"tetrahedra_only", complex.tetrahedra_only ? "1" : "0"},
       {"engine",

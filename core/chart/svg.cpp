@@ -1,7 +1,6 @@
 #include "core/chart/svg.hpp"
 
 #include <cstdio>
-#include <system_error>
 
 #include "core/chart/layout.hpp"
 #include "core/io/atomic_file.hpp"
@@ -117,11 +116,7 @@ std::string chart_svg(const Chart& chart, float width) {
 
 std::vector<std::filesystem::path> write_charts(const std::vector<Chart>& charts,
                                                 const std::filesystem::path& folder) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) {
-    throw WriteError("Cannot make the folder " + folder.string() + ": " + error.message() + ".");
-  }
+  make_output_folder(folder);
   std::vector<std::filesystem::path> paths;
   for (const Chart& chart : charts) {
     paths.push_back(folder / (chart.id + ".svg"));

@@ -1,0 +1,128 @@
+#include "app/cli/outputs.hpp"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <optional>
+
+#include "app/cli/terminal.hpp"
+
+namespace alphascope::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_dash(const fs::path& path) {
+  return path == "-";
+}
+
+// An ordinary file, whatever its names are.
+struct FileIdentity {
+  dev_t device;
+  ino_t number;
+  friend bool operator==(const FileIdentity&, const FileIdentity&) = default;
+};
+
+std::optional<FileIdentity> identity(const struct stat& status) {
+  if (!S_ISREG(status.st_mode)) return std::nullopt;
+  return FileIdentity{status.st_dev, status.st_ino};
+}
+
+std::optional<FileIdentity> identity(const fs::path& path) {
+  struct stat status {};
+  return ::stat(path.c_str(), &status) == 0 ? identity(status) : std::nullopt;
+}
+
+std::optional<FileIdentity> identity(int descriptor) {
+  struct stat status {};
+  return ::fstat(descriptor, &status) == 0 ? identity(status) : std::nullopt;
+}
+
+// Also of files that are not there yet: then the same name in the same folder.
+bool same_file(const fs::path& a, const fs::path& b) {
+  const auto first = identity(a), second = identity(b);
+  if (first || second) return first == second;
+  std::error_code ignored;
+  return !a.empty() && a.filename() == b.filename() &&
+         fs::equivalent(fs::absolute(a, ignored).parent_path(),
+                        fs::absolute(b, ignored).parent_path(), ignored);
+}
+
+}  // namespace
+
+std::vector<fs::path> files_read(const InputOptions& input) {
+  return {input.file, input.radii};  // a radii set's name is no file, which does no harm
+}
+
+std::vector<fs::path> files_read(const BenchOptions& options) {
+  std::vector<fs::path> files(options.files.begin(), options.files.end());
+  files.push_back(options.input.radii);
+  return files;
+}
+
+void require_readable(const std::vector<fs::path>& files) {
+  for (const fs::path& file : files) {
+    if (is_dash(file)) continue;
+    struct stat status {};
+    if (::stat(file.c_str(), &status) != 0) {
+      throw ReadError(file, 0, "there is no such file", "Check the name and the folder");
+    }
+    if (S_ISDIR(status.st_mode)) {
+      throw ReadError(file, 0, "this is a folder, not a file", "Choose a file inside it");
+    }
+    if (::access(file.c_str(), R_OK) != 0) {
+      throw ReadError(file, 0, "the file cannot be opened", "Check that you may read it");
+    }
+  }
+}
+
+AtomicFile* Outputs::add(const char* option, const std::string& path) {
+  if (path.empty()) return nullptr;
+  if (is_dash(path)) {
+    if (on_standard_output_ != nullptr) {
+      throw UsageError(std::string("Only one of ") + on_standard_output_ + " and " + option +
+                       " can be -, which is standard output.");
+    }
+    on_standard_output_ = option;
+    outputs_.emplace_back(option);
+    summary_to_standard_error();
+  } else {
+    refuse_clash(option, path);
+    outputs_.emplace_back(option, fs::path(path));
+    // Links may lead two names to one file that is not there yet.
+    for (const Output& other : outputs_) {
+      if (&other != &outputs_.back() &&
+          same_file(other.file.replaced(), outputs_.back().file.replaced())) {
+        throw UsageError(std::string(other.option) + " and " + option + " both name " + path +
+                         ". Give each a file of its own.");
+      }
+    }
+  }
+  return &outputs_.back().file;
+}
+
+void Outputs::refuse_clash(const char* option, const fs::path& path) const {
+  const auto output = identity(path);
+  if (!output) return;
+  const std::string what = std::string(option) + " " + path.string();
+  for (const fs::path& input : inputs_) {
+    if (output == (is_dash(input) ? identity(STDIN_FILENO) : identity(input))) {
+      throw UsageError(what + " would replace " + input.string() +
+                       ", which is read. Give the output another name.");
+    }
+  }
+  for (const int descriptor : {STDOUT_FILENO, STDERR_FILENO}) {
+    if (output == identity(descriptor)) {
+      throw UsageError(what + " is also where standard " +
+                       (descriptor == STDOUT_FILENO ? "output" : "error") +
+                       " goes. Give the output another name, or - for standard output.");
+    }
+  }
+}
+
+void Outputs::commit() {
+  for (Output& output : outputs_) output.file.commit();
+}
+
+}  // namespace alphascope::cli

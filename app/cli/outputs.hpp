@@ -1,0 +1,50 @@
+// The files that a command writes, or standard output in their place, opened before it computes:
+// that one cannot be written should not show only after hours.
+#pragma once
+
+#include <filesystem>
+#include <list>
+#include <string>
+#include <vector>
+
+#include "app/cli/commands.hpp"
+#include "core/io/atomic_file.hpp"
+
+namespace alphascope::cli {
+
+// Every file that `input` reads; "-" is standard input.
+std::vector<std::filesystem::path> files_read(const InputOptions& input);
+std::vector<std::filesystem::path> files_read(const BenchOptions& options);
+
+// Throws ReadError for the first that is missing or may not be read. For commands that take many
+// molecules and would otherwise notice only after work on those before it.
+void require_readable(const std::vector<std::filesystem::path>& files);
+
+class Outputs {
+ public:
+  // `inputs`: what no output may replace.
+  explicit Outputs(std::vector<std::filesystem::path> inputs) : inputs_(std::move(inputs)) {}
+
+  // Opens what `option` names: null for "", standard output for "-"; the summary then goes to
+  // standard error. Throws UsageError for a file that is also an input, another output, or where
+  // standard output goes, and for a second "-"; WriteError for what cannot be opened.
+  AtomicFile* add(const char* option, const std::string& path);
+
+  // Gives every file its name. Throws WriteError.
+  void commit();
+
+ private:
+  struct Output {
+    Output(const char* name, const std::filesystem::path& path) : option(name), file(path) {}
+    explicit Output(const char* name) : option(name), file(1, "standard output") {}
+    const char* option;
+    AtomicFile file;
+  };
+  void refuse_clash(const char* option, const std::filesystem::path& path) const;
+
+  std::vector<std::filesystem::path> inputs_;
+  std::list<Output> outputs_;
+  const char* on_standard_output_ = nullptr;  // the option that took it
+};
+
+}  // namespace alphascope::cli

@@ -1,0 +1,136 @@
+// Files that appear whole: what becomes of links, modes, and of what stood there before.
+#include "core/io/atomic_file.hpp"
+
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <fstream>
+#include <sstream>
+#include <string>
+
+namespace alphascope {
+namespace {
+
+namespace fs = std::filesystem;
+
+class AtomicFileTest : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    std::string pattern = (fs::path(::testing::TempDir()) / "alphascope_file_XXXXXX").string();
+    folder_ = ::mkdtemp(pattern.data());
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  static void put(const fs::path& path, const std::string& text) {
+    AtomicFile file(path);
+    file.write(text);
+    file.commit();
+  }
+  static std::string contents(const fs::path& path) {
+    std::ostringstream text;
+    text << std::ifstream(path).rdbuf();
+    return text.str();
+  }
+  static mode_t mode(const fs::path& path) {
+    struct stat status {};
+    EXPECT_EQ(::stat(path.c_str(), &status), 0);
+    return status.st_mode & 07777;
+  }
+  std::size_t files() const {
+    return std::distance(fs::directory_iterator(folder_), fs::directory_iterator());
+  }
+
+  fs::path folder_;
+};
+
+TEST_F(AtomicFileTest, ANewFileHasTheModeThatTheMaskLeaves) {
+  const mode_t mask = ::umask(027);
+  put(folder_ / "new", "text");
+  ::umask(mask);
+  EXPECT_EQ(mode(folder_ / "new"), 0640u);
+  EXPECT_EQ(contents(folder_ / "new"), "text");
+}
+
+TEST_F(AtomicFileTest, AReplacedFileKeepsItsMode) {
+  for (const mode_t kept : {0600, 0664, 0755}) {
+    put(folder_ / "old", "before");
+    ASSERT_EQ(::chmod((folder_ / "old").c_str(), kept), 0);
+    put(folder_ / "old", "after");
+    EXPECT_EQ(mode(folder_ / "old"), kept);
+    EXPECT_EQ(contents(folder_ / "old"), "after");
+  }
+}
+
+TEST_F(AtomicFileTest, AReadOnlyFileIsNotReplaced) {
+  if (::geteuid() == 0) GTEST_SKIP() << "root may write everything";
+  put(folder_ / "old", "before");
+  ASSERT_EQ(::chmod((folder_ / "old").c_str(), 0444), 0);
+  EXPECT_THROW(put(folder_ / "old", "after"), WriteError);
+  EXPECT_EQ(contents(folder_ / "old"), "before");
+}
+
+TEST_F(AtomicFileTest, ALinkIsFollowedToWhatIsThereAndToWhatIsNot) {
+  fs::create_directory(folder_ / "sub");
+  fs::create_symlink("sub/target", folder_ / "relative");
+  fs::create_symlink(folder_ / "relative", folder_ / "chain");
+  for (const char* text : {"first", "second"}) {
+    put(folder_ / "chain", text);
+    EXPECT_TRUE(fs::is_symlink(folder_ / "chain"));
+    EXPECT_TRUE(fs::is_symlink(folder_ / "relative"));
+    EXPECT_EQ(contents(folder_ / "sub" / "target"), text);
+  }
+  fs::create_symlink("loop", folder_ / "loop");
+  EXPECT_THROW(put(folder_ / "loop", "text"), WriteError);
+  fs::create_symlink("nowhere/target", folder_ / "lost");
+  EXPECT_THROW(put(folder_ / "lost", "text"), WriteError);
+}
+
+TEST_F(AtomicFileTest, WhatIsNotCommittedLeavesTheOldFileAndNothingElse) {
+  put(folder_ / "file", "before");
+  {
+    AtomicFile file(folder_ / "file");
+    file.write("half");
+    EXPECT_EQ(files(), 2u);
+  }
+  EXPECT_EQ(contents(folder_ / "file"), "before");
+  EXPECT_EQ(files(), 1u);
+}
+
+TEST_F(AtomicFileTest, ASignalHandlerCanRemoveTheTemporaryFiles) {
+  AtomicFile one(folder_ / "one"), two(folder_ / "two");
+  EXPECT_EQ(files(), 2u);
+  remove_temporary_files();
+  EXPECT_EQ(files(), 0u);
+}
+
+TEST_F(AtomicFileTest, ANameMayBeAsLongAsTheSystemAllows) {
+  const fs::path path = folder_ / std::string(255, 'x');
+  put(path, "text");
+  EXPECT_EQ(contents(path), "text");
+}
+
+TEST_F(AtomicFileTest, APipeAndADescriptorAreWrittenDirectly) {
+  int ends[2];
+  ASSERT_EQ(::pipe(ends), 0);
+  put("/proc/self/fd/" + std::to_string(ends[1]), "by name ");
+  {
+    AtomicFile file(ends[1], "the pipe");
+    file.write("by number");
+    file.commit();
+  }
+  ::close(ends[1]);
+  char text[32] = {};
+  EXPECT_EQ(::read(ends[0], text, sizeof text), 17);
+  EXPECT_STREQ(text, "by name by number");
+  try {
+    AtomicFile backwards(ends[0], "the pipe");
+    ADD_FAILURE() << "opened the end for reading";
+  } catch (const WriteError& error) {
+    EXPECT_STREQ(error.what(), "Cannot write the pipe: it is closed.");
+  }
+  ::close(ends[0]);
+}
+
+}  // namespace
+}  // namespace alphascope

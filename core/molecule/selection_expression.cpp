@@ -6,7 +6,7 @@
 namespace alphascope {
 namespace {
 
-constexpr int kDeepestNesting = 200;
+constexpr int kDeepestNesting = 200;  // each takes three frames of the parser, some 2 kB of stack
 
 char lower(char c) {
   return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
@@ -89,7 +89,8 @@ std::vector<Token> tokens_of(std::string_view text) {
 
 }  // namespace
 
-// Recursive descent: or, and, not, primary.
+// Recursive descent (or, and, not, primary) that writes the program; only parentheses and "not" are
+// recursive.
 class SelectionParser {
  public:
   using Kind = SelectionExpression::Kind;
@@ -116,44 +117,46 @@ class SelectionParser {
   const Token& peek() const { return tokens_[at_]; }
   const Token& next() { return tokens_[at_ < tokens_.size() - 1 ? at_++ : at_]; }
 
-  std::size_t parse_or() {
-    std::size_t left = parse_and();
-    while (peek().kind == Token::Kind::op_or) {
+  // A chain of one operator: each side but the last is followed by a jump to the end.
+  void parse_chain(Token::Kind op, Kind jump, void (SelectionParser::*side)()) {
+    std::vector<std::size_t> jumps;
+    (this->*side)();
+    while (peek().kind == op) {
       next();
-      left = add_operator(Kind::disjunction, left, parse_and());
+      jumps.push_back(nodes_.size());
+      add_node(jump);
+      (this->*side)();
     }
-    return left;
+    for (const std::size_t j : jumps) nodes_[j].target = nodes_.size();
+  }
+  void parse_or() {
+    parse_chain(Token::Kind::op_or, Kind::jump_if_true, &SelectionParser::parse_and);
+  }
+  void parse_and() {
+    parse_chain(Token::Kind::op_and, Kind::jump_if_false, &SelectionParser::parse_not);
   }
 
-  std::size_t parse_and() {
-    std::size_t left = parse_not();
-    while (peek().kind == Token::Kind::op_and) {
-      next();
-      left = add_operator(Kind::conjunction, left, parse_not());
+  void parse_not() {
+    if (++depth_ > kDeepestNesting) {
+      fail(peek(), "more than " + std::to_string(kDeepestNesting) +
+                       " parentheses or \"not\" are nested here; use fewer");
     }
-    return left;
-  }
-
-  std::size_t parse_not() {
-    if (++depth_ > kDeepestNesting) fail(peek(), "the expression is nested too deeply");
-    std::size_t node;
     if (peek().kind == Token::Kind::op_not) {
       next();
-      const std::size_t operand = parse_not();
-      node = add_operator(Kind::negation, operand, operand);
+      parse_not();
+      add_node(Kind::negation);
     } else if (peek().kind == Token::Kind::open) {
       const Token open = next();
-      node = parse_or();
+      parse_or();
       if (peek().kind != Token::Kind::close) fail(open, "this ( has no closing )");
       next();
     } else {
-      node = parse_primary();
+      parse_primary();
     }
     --depth_;
-    return node;
   }
 
-  std::size_t parse_primary() {
+  void parse_primary() {
     static constexpr struct {
       std::string_view word;
       Kind kind;
@@ -189,7 +192,6 @@ class SelectionParser {
     node.kind = word->kind;
     if (!word->operand.empty()) parse_operands(node, token, word->operand);
     nodes_.push_back(std::move(node));
-    return nodes_.size() - 1;
   }
 
   void parse_operands(Node& node, const Token& word, std::string_view expected) {
@@ -239,13 +241,9 @@ class SelectionParser {
     return range;
   }
 
-  std::size_t add_operator(Kind kind, std::size_t left, std::size_t right) {
-    Node node;
-    node.kind = kind;
-    node.left = left;
-    node.right = right;
-    nodes_.push_back(std::move(node));
-    return nodes_.size() - 1;
+  void add_node(Kind kind) {
+    nodes_.emplace_back();
+    nodes_.back().kind = kind;
   }
 
   [[noreturn]] static void fail(const Token& token, const std::string& reason) {
@@ -264,7 +262,9 @@ struct SelectionExpression::Bound::Node {
   std::vector<ResidueRange> ranges;
   std::vector<bool> elements;
   std::vector<char> letters;
-  std::size_t left, right;
+  std::size_t target;
+
+  bool holds(const Atom& atom) const;  // of a test
 };
 
 SelectionExpression SelectionExpression::parse(std::string_view text) {
@@ -276,7 +276,7 @@ SelectionExpression SelectionExpression::parse(std::string_view text) {
 SelectionExpression::Bound SelectionExpression::bind(const Molecule& molecule) const {
   std::vector<Bound::Node> nodes;
   for (const Node& node : nodes_) {
-    Bound::Node b{node.kind, {}, node.ranges, {}, {}, node.left, node.right};
+    Bound::Node b{node.kind, {}, node.ranges, {}, {}, node.target};
     if (node.kind == Kind::altloc) {
       for (const std::string& name : node.names) b.letters.push_back(name.empty() ? ' ' : name[0]);
     } else if (!node.names.empty()) {
@@ -299,26 +299,36 @@ SelectionExpression::Bound SelectionExpression::bind(const Molecule& molecule) c
 }
 
 bool SelectionExpression::Bound::operator()(const Atom& atom) const {
-  return evaluate(nodes_->size() - 1, atom);
+  bool value = true;
+  for (std::size_t at = 0; at < nodes_->size();) {
+    const Node& node = (*nodes_)[at++];
+    if (node.kind == Kind::negation) {
+      value = !value;
+    } else if (node.kind == Kind::jump_if_false || node.kind == Kind::jump_if_true) {
+      if (value == (node.kind == Kind::jump_if_true)) at = node.target;
+    } else {
+      value = node.holds(atom);
+    }
+  }
+  return value;
 }
 
-bool SelectionExpression::Bound::evaluate(std::size_t index, const Atom& atom) const {
-  const Node& node = (*nodes_)[index];
-  switch (node.kind) {
+bool SelectionExpression::Bound::Node::holds(const Atom& atom) const {
+  switch (kind) {
     case Kind::all:
       return true;
     case Kind::none:
       return false;
     case Kind::chain:
-      return node.names[atom.chain];
+      return names[atom.chain];
     case Kind::residue_name:
-      return node.names[atom.residue_name];
+      return names[atom.residue_name];
     case Kind::atom_name:
-      return node.names[atom.name];
+      return names[atom.name];
     case Kind::element:
-      return node.elements[atom.element];
+      return elements[atom.element];
     case Kind::altloc:
-      return std::find(node.letters.begin(), node.letters.end(), atom.altloc) != node.letters.end();
+      return std::find(letters.begin(), letters.end(), atom.altloc) != letters.end();
     case Kind::polymer:
       return atom.kind == AtomKind::polymer;
     case Kind::water:
@@ -331,16 +341,13 @@ bool SelectionExpression::Bound::evaluate(std::size_t index, const Atom& atom) c
       return atom.element == kHydrogen;
     case Kind::hetero:
       return atom.hetero;
-    case Kind::negation:
-      return !evaluate(node.left, atom);
-    case Kind::conjunction:
-      return evaluate(node.left, atom) && evaluate(node.right, atom);
-    case Kind::disjunction:
-      return evaluate(node.left, atom) || evaluate(node.right, atom);
     case Kind::residue_number:
+    case Kind::negation:
+    case Kind::jump_if_false:
+    case Kind::jump_if_true:
       break;
   }
-  return std::any_of(node.ranges.begin(), node.ranges.end(), [&](const ResidueRange& range) {
+  return std::any_of(ranges.begin(), ranges.end(), [&](const ResidueRange& range) {
     return atom.residue_number >= range.first && atom.residue_number <= range.last &&
            (range.insertion_code == ' ' || range.insertion_code == atom.insertion_code);
   });

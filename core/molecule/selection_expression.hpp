@@ -44,9 +44,7 @@ class SelectionExpression {
    private:
     friend class SelectionExpression;
     struct Node;
-    // Operands before their operator, the root last.
     std::shared_ptr<const std::vector<Node>> nodes_;
-    bool evaluate(std::size_t node, const Atom& atom) const;
   };
   Bound bind(const Molecule& molecule) const;
 
@@ -67,9 +65,9 @@ class SelectionExpression {
     ion,
     hydrogen,
     hetero,
-    negation,
-    conjunction,
-    disjunction
+    negation,       // of the value so far
+    jump_if_false,  // behind the left side of "and": to the end of the chain
+    jump_if_true    // behind the left side of "or"
   };
   struct ResidueRange {
     std::int32_t first, last;
@@ -80,8 +78,10 @@ class SelectionExpression {
     std::vector<std::string> names;
     std::vector<ResidueRange> ranges;
     std::vector<Element> elements;
-    std::size_t left = 0, right = 0;  // operands
+    std::size_t target = 0;  // of a jump: the node to go on with
   };
+  // A program with one value, run from the first node to the last: tests set it, negation turns it,
+  // jumps skip what cannot change it any more. So no expression, however long, needs a deep stack.
   std::vector<Node> nodes_;
 };
 

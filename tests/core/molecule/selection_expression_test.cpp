@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <bitset>
+#include <iterator>
+#include <random>
+
 #include "core/molecule/prepare_balls.hpp"
 #include "tests/core/io/temporary_file.hpp"
 
@@ -62,6 +66,83 @@ TEST(Selection, PicksWhatItSays) {
                {"chain A or chain B and element Zn", "124"},
                {"(chain A or chain B) && element Zn", "4"}};
   for (const auto& c : cases) EXPECT_EQ(picked(c.expression), c.atoms) << c.expression;
+}
+
+// An expression at random, and the atoms it picks by set operations.
+struct RandomExpression {
+  std::mt19937 random;
+
+  using Atoms = std::bitset<7>;
+  struct Part {
+    std::string text;
+    Atoms atoms;
+  };
+  int any(int count) { return std::uniform_int_distribution<int>(0, count - 1)(random); }
+
+  Part test() {
+    static const struct {
+      const char *text, *atoms;
+    } kTests[] = {{"chain A", "12"},  {"hetero", "456"},        {"element C", "235"},
+                  {"resi 1A", "2"},   {"polymer", "1237"},      {"resn MET,LIG", "125"},
+                  {"name C5'", "3"},  {"resi 12-13,16", "347"}, {"none", ""},
+                  {"all", "1234567"}, {"hydrogen", "7"},        {"water", "6"}};
+    const auto& chosen = kTests[any(std::size(kTests))];
+    Part part{chosen.text, {}};
+    for (const char* atom = chosen.atoms; *atom != 0; ++atom) part.atoms.set(*atom - '1');
+    return part;
+  }
+  Part factor(int depth) {
+    const int kind = depth == 0 ? 0 : any(4);
+    if (kind <= 1) return test();
+    const Part inner = kind == 2 ? factor(depth - 1) : sum(depth - 1);
+    return kind == 2 ? Part{"not " + inner.text, ~inner.atoms}
+                     : Part{"(" + inner.text + ")", inner.atoms};
+  }
+  Part product(int depth) {
+    Part part = factor(depth);
+    for (int more = any(3); more > 0; --more) {
+      const Part next = factor(depth);
+      part = {part.text + " and " + next.text, part.atoms & next.atoms};
+    }
+    return part;
+  }
+  Part sum(int depth) {
+    Part part = product(depth);
+    for (int more = any(3); more > 0; --more) {
+      const Part next = product(depth);
+      part = {part.text + " or " + next.text, part.atoms | next.atoms};
+    }
+    return part;
+  }
+};
+
+TEST(Selection, AndOrNotAreIntersectionUnionAndComplement) {
+  RandomExpression make{std::mt19937(1)};
+  for (int n = 0; n < 3000; ++n) {
+    const auto [expression, atoms] = make.sum(4);
+    std::string expected;
+    for (std::size_t i = 0; i < atoms.size(); ++i) {
+      if (atoms[i]) expected += static_cast<char>('1' + i);
+    }
+    ASSERT_EQ(picked(expression), expected) << expression;
+  }
+}
+
+TEST(Selection, NestingHasALimitThatIsSaid) {
+  const auto nested = [](std::size_t depth) {
+    return std::string(depth, '(') + "water" + std::string(depth, ')');
+  };
+  EXPECT_EQ(picked(nested(199)), "6");
+  EXPECT_EQ(picked(std::string(198, '!') + "water"), "6");
+  for (const std::string& deep : {nested(25000), std::string(25000, '!') + "water"}) {
+    try {
+      SelectionExpression::parse(deep);
+      ADD_FAILURE() << "parsed";
+    } catch (const SelectionError& error) {
+      EXPECT_EQ(error.column(), 201u);
+      EXPECT_NE(std::string(error.what()).find("more than 200"), std::string::npos) << error.what();
+    }
+  }
 }
 
 TEST(Selection, ErrorsPointAtTheColumn) {

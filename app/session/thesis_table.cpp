@@ -139,7 +139,9 @@ void add_machine(ThesisTableRow& cells, const ThesisReport& report) {
 struct ToText {
   std::string operator()(std::monostate) const { return {}; }
   std::string operator()(const std::string& s) const { return s; }
-  std::string operator()(double number) const { return shortest(number); }
+  std::string operator()(double number) const {
+    return std::isfinite(number) ? shortest(number) : "";
+  }
   std::string operator()(std::uint64_t number) const { return std::to_string(number); }
   std::string operator()(bool yes) const { return yes ? "1" : "0"; }
 };

@@ -10,6 +10,7 @@
 
 #include "core/complex/cgal_triangulation.hpp"
 #include "core/complex/count_limits.hpp"
+#include "core/complex/cpu_threads.hpp"
 #include "core/complex/engine.hpp"
 #include "core/complex/face_groups.hpp"
 #include "core/complex/filtration.hpp"
@@ -59,7 +60,7 @@ class CgalEngine : public Engine {
     });
     timer.finish();
     complex.timings = std::move(times);
-    complex.engine = {"CGAL triangulation", device(), route};
+    complex.engine = {"CGAL triangulation", cpu_text(arena_), route};
     complex.engine.rests_on_cgal = true;
     return complex;
   }
@@ -98,11 +99,6 @@ class CgalEngine : public Engine {
     filter_tetrahedra(*balls_, *triangulation_, complex);
     complex.hash = complex_hash(complex);
     return complex;
-  }
-
-  std::string device() const {
-    const int threads = arena_.max_concurrency();
-    return "CPU, " + std::to_string(threads) + (threads == 1 ? " thread" : " threads");
   }
 
   std::shared_ptr<const BallSet> balls_;

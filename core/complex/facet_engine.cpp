@@ -9,6 +9,7 @@
 
 #include "core/complex/count_limits.hpp"
 #include "core/complex/cpu_dual_edges.hpp"
+#include "core/complex/cpu_threads.hpp"
 #include "core/complex/engine.hpp"
 #include "core/complex/filtration.hpp"
 #include "core/geometry/coincident.hpp"
@@ -51,10 +52,8 @@ class FacetEngine : public Engine {
       timer.finish();
     });
     complex.timings = std::move(times);
-    const int threads = arena_.max_concurrency();
     complex.engine.name = "facet engine";
-    complex.engine.device =
-        "CPU, " + std::to_string(threads) + (threads == 1 ? " thread" : " threads");
+    complex.engine.device = cpu_text(arena_);
     return complex;
   }
 
@@ -88,7 +87,7 @@ class FacetEngine : public Engine {
     const double search_cost = grid.search_cost();
     const bool local = search_cost < 2000.0 * static_cast<double>(grid.size()) + 1e6 &&
                        2 * largest_reach(grid) < kMaxFacetReach;
-    const int threads = arena_.max_concurrency();
+    const int threads = threads_used(arena_);
     const bool clip =
         local && facet_cost(sample_neighbours(grid, kCostSamples), tetrahedra_only) / threads <
                      triangulation_cost(tetrahedra_only) / triangulation_speed_up(threads);

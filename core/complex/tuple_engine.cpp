@@ -8,6 +8,7 @@
 #include <chrono>
 
 #include "core/complex/count_limits.hpp"
+#include "core/complex/cpu_threads.hpp"
 #include "core/complex/tuple_compute.hpp"
 
 namespace alphascope {
@@ -133,10 +134,8 @@ class TupleEngine : public Engine {
     AlphaComplex complex;
     executor_.set_cancel(context.cancel);
     arena_.execute([&] { complex = computer_.compute(request, context); });
-    const int threads = arena_.max_concurrency();
     complex.engine.name = "tuple engine";
-    complex.engine.device =
-        "CPU, " + std::to_string(threads) + (threads == 1 ? " thread" : " threads");
+    complex.engine.device = cpu_text(arena_);
     return complex;
   }
 

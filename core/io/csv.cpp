@@ -1,5 +1,6 @@
 #include "core/io/csv.hpp"
 
+#include <cmath>
 #include <cstdio>
 
 #include "core/io/atomic_file.hpp"
@@ -18,6 +19,7 @@ std::string field(const std::string& text) {
 }  // namespace
 
 std::string csv_milliseconds(double milliseconds) {
+  if (!std::isfinite(milliseconds)) return "";
   char text[48];
   std::snprintf(text, sizeof text, "%.4f", milliseconds);
   return text;

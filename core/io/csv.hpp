@@ -11,7 +11,7 @@ namespace alphascope {
 // A row as column names and values; all rows of a table have the same names.
 using CsvRow = std::vector<std::pair<std::string, std::string>>;
 
-// "15.8843": to a tenth of a microsecond.
+// "15.8843": to a tenth of a microsecond; empty for what is no number (NaN, infinite).
 std::string csv_milliseconds(double milliseconds);
 
 // A line with the names, then one line a row.

@@ -290,6 +290,76 @@ TEST_F(CliOutputs, EverythingIsCheckedBeforeAnythingIsMeasured) {
   }
 }
 
+// The first code block of docs/output-files.md, its remarks left out; "..." stands for lines that
+// are not shown.
+TEST_F(CliOutputs, TheExampleOfTheDocumentationIsWhatTheProgramWrites) {
+  fs::copy(ALPHASCOPE_SOURCE_DIR "/resources/molecules/1crn.pdb", folder_ / "1crn.pdb");
+  ASSERT_EQ(shell("cli compute 1crn.pdb --alpha 1.4 --out 1crn.alpha >out"), 0);
+  std::istringstream written(text("1crn.alpha"));
+  std::ifstream document(ALPHASCOPE_SOURCE_DIR "/docs/output-files.md");
+  std::string line, found;
+  bool skip = false;
+  int compared = 0;
+  while (std::getline(document, line)) {
+    if (!line.starts_with("    ")) {
+      if (compared > 0 && !line.empty()) break;
+      continue;
+    }
+    std::string expected = line.substr(4);
+    expected.erase(std::min(expected.find("  "), expected.size()));
+    if (expected == "...") {
+      skip = true;
+      continue;
+    }
+    // Version and commit are this build's.
+    const bool program = expected.starts_with("program ");
+    if (program) expected = "program alphascope-cli ";
+    bool same = false;
+    do {
+      if (!std::getline(written, found)) break;
+      same = program ? found.starts_with(expected) : found == expected;
+    } while (skip && !same);
+    ASSERT_TRUE(same) << "documented: " << expected << "\nwritten:    " << found;
+    skip = false;
+    ++compared;
+  }
+  EXPECT_EQ(compared, 17);
+  EXPECT_FALSE(std::getline(written, found)) << "after the documented end: " << found;
+}
+
+TEST_F(CliOutputs, TheThreadsThatAreSaidAreThoseThatAreUsed) {
+  const std::string file = "'" ALPHASCOPE_SOURCE_DIR "/resources/molecules/1crn.pdb' --alpha 1 ";
+  for (const char* engine : {"cpu", "cgal", "tuples-cpu"}) {
+    const std::string chosen = file + "--engine " + engine + " --threads ";
+    EXPECT_EQ(compute_json(chosen + "1")["engine"]["device"], "CPU, 1 thread");
+    // More than there are is the same as all.
+    const json all = compute_json(chosen + "0"), more = compute_json(chosen + "1024");
+    EXPECT_EQ(more["engine"]["device"], all["engine"]["device"]);
+    EXPECT_EQ(more["request"]["threads"], 1024);
+    EXPECT_EQ(more["hash"], all["hash"]);
+  }
+}
+
+TEST_F(CliOutputs, ASelectionOfAnyLengthNeedsNoDeepStack) {
+  std::string any = "water", all = "all", deep;
+  for (int n = 1; n < 25000; ++n) {
+    any += "|ion";
+    all += "&all";
+    deep += "(";
+  }
+  write("any", any + "|all");
+  write("all", all);
+  write("deep", deep + "all");
+  for (const char* file : {"any", "all"}) {
+    EXPECT_EQ(shell("ulimit -s 1024; cli info cube.xyzr --select \"$(cat " + std::string(file) +
+                    ")\" >out 2>err"),
+              0);
+    EXPECT_TRUE(contains(text("out"), "used 8 of 8 atoms")) << text("out");
+  }
+  EXPECT_EQ(shell("ulimit -s 1024; cli info cube.xyzr --select \"$(cat deep)\" >out 2>err"), 2);
+  EXPECT_TRUE(contains(text("err"), "more than 200 parentheses")) << text("err").substr(0, 300);
+}
+
 TEST_F(CliOutputs, AFullDiskLeavesTheOldFile) {
   write("old", "the old one");
   // The limit of the shell stands for the disk: writing fails beyond it, and a signal says so.

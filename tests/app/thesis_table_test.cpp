@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "app/session/thesis_charts.hpp"
@@ -13,6 +14,11 @@ namespace alphascope {
 namespace {
 
 using Kind = ThesisRow::Kind;
+
+TEST(ThesisCells, WhatIsNoNumberIsAnEmptyField) {
+  const auto rows = to_csv({{{"nan", std::nan("")}, {"infinite", HUGE_VAL}, {"number", 1.5}}});
+  EXPECT_EQ(csv_text(rows), "nan,infinite,number\n,,1.5\n");
+}
 
 ThesisRow row(Kind kind, EngineChoice choice, double alpha, double cold) {
   ThesisRow r;

@@ -1,8 +1,13 @@
 // alphascope-cli screenshot: a picture of a complex, without a display.
 #include <charconv>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
 #include <iostream>
+#include <sstream>
 
 #include "app/cli/commands.hpp"
+#include "app/cli/outputs.hpp"
 #include "app/cli/report_json.hpp"
 #include "app/cli/terminal.hpp"
 #include "app/cli/text.hpp"
@@ -52,23 +57,60 @@ ScreenshotOptions picture_options(const ScreenshotCommandOptions& options) {
   return picture;
 }
 
+// A folder that is there as long as this object.
+class TemporaryFolder {
+ public:
+  TemporaryFolder() {
+    std::string pattern = (std::filesystem::temp_directory_path() / "alphascope-XXXXXX").string();
+    if (::mkdtemp(pattern.data()) == nullptr) {
+      throw WriteError("Cannot make the folder " + pattern + ": " + std::strerror(errno) + ".");
+    }
+    path_ = pattern;
+  }
+  ~TemporaryFolder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+  }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+std::string bytes_of(const std::filesystem::path& path) {
+  std::ostringstream bytes;
+  bytes << std::ifstream(path, std::ios::binary).rdbuf();
+  return std::move(bytes).str();
+}
+
 }  // namespace
 
 ExitCode run_screenshot(const ScreenshotCommandOptions& options) {
   ScreenshotOptions picture = picture_options(options);
   const RunContext& context = run_context();
+  require_readable({options.input.file});
+  Outputs outputs(files_read(options.input));
+  AtomicFile* const file = outputs.add("--output", options.out.string());
+  if (file == nullptr) throw UsageError("--output needs the name of a file, or -.");
   const Input input = open_one_model(options.input, "A picture shows one model.", context);
   EngineCache engines(&make_engine);
   const EngineCache::Result result =
       engines.compute(input.prepared().balls, options.request, context);
   const std::vector<std::uint32_t>& atoms = input.prepared().atom_of_ball;
-  picture.texts = picture_texts(complex_header(input, options.request, result.complex));
+  picture.texts = picture_texts(complex_header(input, options.request, result));
   picture.free_bytes = available_or(options.drawing_memory_mb);
+  // The renderer writes to a path.
+  const TemporaryFolder folder;
+  const std::filesystem::path drawn = folder.path() / "picture.png";
   const std::string not_drawn =
       render_screenshot(*input.prepared().balls, result.complex,
                         options.colours == "chain" ? colours_by_chain(input.molecule(), atoms)
                                                    : colours_by_element(input.molecule(), atoms),
-                        picture, options.out);
+                        picture, drawn, context);
+  file->write(bytes_of(drawn));
+  outputs.commit();
   clear_progress();
   if (!not_drawn.empty()) std::cerr << "alphascope-cli: " << not_drawn << "\n";
   std::cout << input_text(input) << complex_text(result.complex) << "picture     "

@@ -44,6 +44,7 @@ class CliOutputs : public Cli {
     ::dup2(pipe, STDOUT_FILENO);
     ::dup2(::open((folder_ / "err").c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666), STDERR_FILENO);
     if (::chdir(folder_.c_str()) != 0) ::_exit(98);
+    ::alarm(300);  // a program that heeds no signal ends all the same
     std::vector<char*> argv{const_cast<char*>(ALPHASCOPE_CLI)};
     for (std::string& argument : arguments) argv.push_back(argument.data());
     argv.push_back(nullptr);
@@ -358,6 +359,23 @@ TEST_F(CliOutputs, ASelectionOfAnyLengthNeedsNoDeepStack) {
   }
   EXPECT_EQ(shell("ulimit -s 1024; cli info cube.xyzr --select \"$(cat deep)\" >out 2>err"), 2);
   EXPECT_TRUE(contains(text("err"), "more than 200 parentheses")) << text("err").substr(0, 300);
+}
+
+TEST_F(CliOutputs, APictureIsAnOutputLikeAnyOther) {
+  const std::string screenshot = "cli screenshot cube.xyzr --alpha 1 --size 64x64 2>err >out -o ";
+  if (shell(screenshot + "cube.png") != 0) GTEST_SKIP() << "no renderer here: " << text("err");
+  const std::string picture = text("cube.png");
+  EXPECT_TRUE(picture.starts_with("\x89PNG"));
+  EXPECT_EQ(shell(screenshot + "-"), 0);
+  EXPECT_TRUE(text("out") == picture) << "the same bytes";
+  EXPECT_TRUE(contains(text("err"), "hash        ")) << text("err");
+  EXPECT_FALSE(fs::exists(folder_ / "-"));
+  const std::string cube = text("cube.xyzr");
+  EXPECT_EQ(shell(screenshot + "cube.xyzr"), 2);
+  EXPECT_TRUE(contains(text("err"), "would replace cube.xyzr")) << text("err");
+  EXPECT_EQ(text("cube.xyzr"), cube);
+  EXPECT_EQ(shell(screenshot + "nodir/cube.png"), 5);
+  EXPECT_EQ(files(), "cube.png cube.xyzr err out");
 }
 
 TEST_F(CliOutputs, AFullDiskLeavesTheOldFile) {

@@ -7,6 +7,8 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <string>
+#include <vector>
 
 #include "tests/ui/molecule_fixture.hpp"
 #include "ui/scene/frame_grab.hpp"
@@ -202,6 +204,33 @@ TEST(Screenshot, WritesAPngWithoutADisplay) {
   EXPECT_EQ(std::string(head + 1, 3), "PNG");
   EXPECT_EQ(static_cast<unsigned char>(head[18]) * 256 + static_cast<unsigned char>(head[19]), 400);
   std::filesystem::remove(path);
+}
+
+TEST(Screenshot, CanBeCancelledAtEachStepAndThenWritesNothing) {
+  const auto balls = rod();
+  const auto path = std::filesystem::temp_directory_path() / "alphascope_cancelled_test.png";
+  const AlphaComplex complex = complex_of(balls, 0);
+  std::vector<std::string> steps;
+  RunContext all;
+  all.progress = [&](std::string_view stage, double) { steps.emplace_back(stage); };
+  ScreenshotOptions options;
+  options.width = options.height = 64;
+  render_screenshot(*balls, complex, two_colours(balls->size()), options, path, all);
+  ASSERT_TRUE(std::filesystem::remove(path));
+  ASSERT_GE(steps.size(), 5u);
+  for (std::size_t cancelled_at = 1; cancelled_at < steps.size(); ++cancelled_at) {
+    RunContext context;
+    std::size_t step = 0;
+    context.progress = [&](std::string_view, double) {
+      if (++step == cancelled_at) context.cancel.cancel();
+    };
+    EXPECT_THROW(
+        render_screenshot(*balls, complex, two_colours(balls->size()), options, path, context),
+        Cancelled)
+        << cancelled_at;
+    EXPECT_EQ(step, cancelled_at) << "no further step";
+    EXPECT_FALSE(std::filesystem::exists(path));
+  }
 }
 
 TEST(Screenshot, RefusesSizesAndFoldersThatCannotBe) {

@@ -11,7 +11,11 @@ namespace alphascope {
 
 std::string render_screenshot(const BallSet& balls, const AlphaComplex& complex,
                               const std::vector<Rgb8>& colours, const ScreenshotOptions& options,
-                              const std::filesystem::path& path) {
+                              const std::filesystem::path& path, const RunContext& context) {
+  const auto begin = [&context](const char* step, double share) {
+    context.cancel.throw_if_cancelled();
+    context.report(step, share);
+  };
   constexpr int kLeast = 16, kMost = 16384;
   if (options.width < kLeast || options.width > kMost || options.height < kLeast ||
       options.height > kMost) {
@@ -25,20 +29,25 @@ std::string render_screenshot(const BallSet& balls, const AlphaComplex& complex,
   const std::uint64_t picture = picture_bytes(options.width, options.height);
   std::optional<std::uint64_t> free = options.free_bytes;
   if (free) *free -= picture;
+  begin("preparing the picture", 0);
   const DrawingPlan plan = plan_drawing({balls.size(), &complex, nullptr, wanted}, free);
   const std::string not_drawn = not_drawn_text(plan);
   if (!plan.balls) throw std::runtime_error(not_drawn);
   PictureTexts texts = options.texts;
   if (!not_drawn.empty()) texts.emplace_back("Warning", not_drawn);
+  begin("preparing the picture", 0.1);
   const auto geometry = std::make_shared<const BallGeometry>(balls);
+  begin("preparing the picture", 0.2);
   const auto mesh =
       std::make_shared<const ComplexMesh>(build_mesh(*geometry, colours, complex, plan.mesh));
-  EglContext context;
+  begin("drawing", 0.5);
+  EglContext egl;
   Scene scene;
   scene.set_style(options.style);
   scene.set_balls(geometry, colours);
   scene.set_ball_radii(drawn_radii(*geometry, options.balls));
   scene.set_mesh(mesh);
+  begin("drawing", 0.7);
   const auto legend =
       options.legend && mesh->scale ? std::optional(mesh->scale->legend()) : std::nullopt;
   const std::string left_out = write_picture(scene,

@@ -9,6 +9,7 @@
 
 #include "core/complex/alpha_complex.hpp"
 #include "core/geometry/ball_set.hpp"
+#include "core/run/cancel_token.hpp"
 #include "ui/scene/frame_grab.hpp"
 
 namespace alphascope {
@@ -31,9 +32,9 @@ struct ScreenshotOptions {
 // too small for; empty: nothing is missing.
 // Throws std::invalid_argument for sizes out of range or input that does not belong together,
 // std::runtime_error when OpenGL is missing, the file cannot be written, or there is no memory for
-// any picture.
+// any picture; Cancelled between its steps, and then writes nothing.
 std::string render_screenshot(const BallSet& balls, const AlphaComplex& complex,
                               const std::vector<Rgb8>& colours, const ScreenshotOptions& options,
-                              const std::filesystem::path& path);
+                              const std::filesystem::path& path, const RunContext& context = {});
 
 }  // namespace alphascope

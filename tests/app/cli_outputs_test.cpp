@@ -33,14 +33,14 @@ class CliOutputs : public Cli {
     return all;
   }
 
-  // Starts the program with its standard output into `pipe`. `pipe_signal`: what becomes of
-  // SIGPIPE.
-  pid_t start(std::vector<std::string> arguments, int pipe, void (*pipe_signal)(int)) const {
+  // Starts the program with its standard output into `pipe` and one signal ignored, 0 for none.
+  pid_t start(std::vector<std::string> arguments, int pipe, int ignored) const {
     const pid_t child = ::fork();
     if (child != 0) return child;
     // The tests' own parent may ignore signals, as a shell does in the background.
-    for (const int reset : {SIGINT, SIGTERM, SIGHUP, SIGQUIT}) std::signal(reset, SIG_DFL);
-    std::signal(SIGPIPE, pipe_signal);
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE}) {
+      std::signal(signal, signal == ignored ? SIG_IGN : SIG_DFL);
+    }
     ::dup2(pipe, STDOUT_FILENO);
     ::dup2(::open((folder_ / "err").c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666), STDERR_FILENO);
     if (::chdir(folder_.c_str()) != 0) ::_exit(98);
@@ -57,30 +57,29 @@ class CliOutputs : public Cli {
     return WIFEXITED(status) ? WEXITSTATUS(status) : 1000 + WTERMSIG(status);
   }
 
-  // Reads standard output until `wait_for` is there, then sends `signal` `times` times. The exit
-  // code, or 1000 + the signal that killed the program.
-  int code_after(const std::vector<std::string>& arguments, const std::string& wait_for, int signal,
-                 int times = 1) const {
+  // Reads standard output until `wait_for` is there, then sends the signals. The exit code, or
+  // 1000 + the signal that killed the program.
+  int code_after(const std::vector<std::string>& arguments, const std::string& wait_for,
+                 const std::vector<int>& signals, int ignored = 0) const {
     int ends[2];
     EXPECT_EQ(::pipe2(ends, O_CLOEXEC), 0);
-    const pid_t child = start(arguments, ends[1], SIG_DFL);
+    const pid_t child = start(arguments, ends[1], ignored);
     ::close(ends[1]);
     std::string seen;
     char byte;
     while (!contains(seen, wait_for) && ::read(ends[0], &byte, 1) == 1) seen += byte;
     EXPECT_TRUE(contains(seen, wait_for)) << seen;
-    for (int n = 0; n < times; ++n) ::kill(child, signal);
+    for (const int signal : signals) ::kill(child, signal);
     const int code = code_of(child);
     ::close(ends[0]);
     return code;
   }
   // Nobody reads the program's standard output.
-  int code_without_reader(const std::vector<std::string>& arguments,
-                          void (*pipe_signal)(int)) const {
+  int code_without_reader(const std::vector<std::string>& arguments, int ignored = 0) const {
     int ends[2];
     EXPECT_EQ(::pipe2(ends, O_CLOEXEC), 0);
     ::close(ends[0]);
-    const int code = code_of(start(arguments, ends[1], pipe_signal));
+    const int code = code_of(start(arguments, ends[1], ignored));
     ::close(ends[1]);
     return code;
   }
@@ -124,7 +123,7 @@ TEST_F(CliOutputs, NoOutputSaysInfAtTheLargestAlpha) {
 
 TEST_F(CliOutputs, ACancellingSignalIsTheExitCodeAndNothingIsWritten) {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
-    EXPECT_EQ(code_after(endless_bench(), "engine\n", signal), 128 + signal);
+    EXPECT_EQ(code_after(endless_bench(), "engine\n", {signal}), 128 + signal);
     EXPECT_EQ(files(), "cube.xyzr err");
     EXPECT_EQ(text("err"), "alphascope-cli: cancelled; nothing was written.\n");
   }
@@ -133,25 +132,30 @@ TEST_F(CliOutputs, ACancellingSignalIsTheExitCodeAndNothingIsWritten) {
 TEST_F(CliOutputs, ASecondSignalKillsAndNothingIsLeftBehind) {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT}) {
     // The first may have been answered before the second comes.
-    const int code = code_after(endless_bench(), "engine\n", signal, 2);
+    const int code = code_after(endless_bench(), "engine\n", {signal, signal});
     EXPECT_TRUE(code == 1000 + signal || code == 128 + signal) << code;
     EXPECT_EQ(files(), "cube.xyzr err");
   }
 }
 
+TEST_F(CliOutputs, ASignalThatWasIgnoredAtTheStartStaysIgnored) {
+  EXPECT_EQ(code_after(endless_bench(), "engine\n", {SIGHUP, SIGTERM}, SIGHUP), 128 + SIGTERM);
+  EXPECT_EQ(code_after(endless_bench(), "engine\n", {SIGINT, SIGHUP}, SIGINT), 128 + SIGHUP);
+}
+
 TEST_F(CliOutputs, AClosedPipeIsQuietNotZeroAndLeavesNothingBehind) {
   const std::vector<std::string> bench{"bench",  "cube.xyzr", "--alpha", "0",
                                        "--runs", "1",         "--csv",   "t.csv"};
-  EXPECT_EQ(code_without_reader(bench, SIG_DFL), 1000 + SIGPIPE) << "a shell shows 141";
+  EXPECT_EQ(code_without_reader(bench), 1000 + SIGPIPE) << "a shell shows 141";
   EXPECT_EQ(text("err"), "");
   EXPECT_EQ(files(), "cube.xyzr err");
   // Where the signal is ignored, what was computed is not lost.
-  EXPECT_EQ(code_without_reader(bench, SIG_IGN), 128 + SIGPIPE);
+  EXPECT_EQ(code_without_reader(bench, SIGPIPE), 128 + SIGPIPE);
   EXPECT_EQ(text("err"), "");
   EXPECT_EQ(files(), "cube.xyzr err t.csv");
   // The summary comes last, so that `| head` costs no result.
   const std::vector<std::string> compute{"compute", "cube.xyzr", "--alpha", "0", "--out", "whole"};
-  EXPECT_EQ(code_without_reader(compute, SIG_DFL), 1000 + SIGPIPE);
+  EXPECT_EQ(code_without_reader(compute), 1000 + SIGPIPE);
   EXPECT_EQ(files(), "cube.xyzr err t.csv whole");
 }
 

@@ -62,6 +62,19 @@ TEST_F(AtomicFileTest, AReplacedFileKeepsItsMode) {
   }
 }
 
+TEST_F(AtomicFileTest, RootKeepsOwnerAndGroup) {
+  if (::geteuid() != 0) GTEST_SKIP() << "only root gives a file away";
+  put(folder_ / "old", "before");
+  ASSERT_EQ(::chown((folder_ / "old").c_str(), 12345, 23456), 0);
+  ASSERT_EQ(::chmod((folder_ / "old").c_str(), 0640), 0);
+  put(folder_ / "old", "after");
+  struct stat status {};
+  ASSERT_EQ(::stat((folder_ / "old").c_str(), &status), 0);
+  EXPECT_EQ(status.st_uid, 12345u);
+  EXPECT_EQ(status.st_gid, 23456u);
+  EXPECT_EQ(status.st_mode & 07777, 0640u);
+}
+
 TEST_F(AtomicFileTest, AReadOnlyFileIsNotReplaced) {
   if (::geteuid() == 0) GTEST_SKIP() << "root may write everything";
   put(folder_ / "old", "before");

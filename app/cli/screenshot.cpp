@@ -1,9 +1,11 @@
 // alphascope-cli screenshot: a picture of a complex, without a display.
+#include <sys/mman.h>
+#include <unistd.h>
+
 #include <charconv>
-#include <cstdlib>
-#include <cstring>
 #include <fstream>
 #include <iostream>
+#include <new>
 #include <sstream>
 
 #include "app/cli/commands.hpp"
@@ -57,33 +59,25 @@ ScreenshotOptions picture_options(const ScreenshotCommandOptions& options) {
   return picture;
 }
 
-// A folder that is there as long as this object.
-class TemporaryFolder {
+// A file in memory that has a path as long as this object is there.
+class MemoryFile {
  public:
-  TemporaryFolder() {
-    std::string pattern = (std::filesystem::temp_directory_path() / "alphascope-XXXXXX").string();
-    if (::mkdtemp(pattern.data()) == nullptr) {
-      throw WriteError("Cannot make the folder " + pattern + ": " + std::strerror(errno) + ".");
-    }
-    path_ = pattern;
+  MemoryFile() : descriptor_(::memfd_create("picture", MFD_CLOEXEC)) {
+    if (descriptor_ < 0) throw std::bad_alloc();
   }
-  ~TemporaryFolder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
+  ~MemoryFile() { ::close(descriptor_); }
+  MemoryFile(const MemoryFile&) = delete;
+  MemoryFile& operator=(const MemoryFile&) = delete;
+  std::string path() const { return "/proc/self/fd/" + std::to_string(descriptor_); }
+  std::string bytes() const {
+    std::ostringstream bytes;
+    bytes << std::ifstream(path(), std::ios::binary).rdbuf();
+    return std::move(bytes).str();
   }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  const std::filesystem::path& path() const { return path_; }
 
  private:
-  std::filesystem::path path_;
+  int descriptor_;
 };
-
-std::string bytes_of(const std::filesystem::path& path) {
-  std::ostringstream bytes;
-  bytes << std::ifstream(path, std::ios::binary).rdbuf();
-  return std::move(bytes).str();
-}
 
 }  // namespace
 
@@ -101,15 +95,13 @@ ExitCode run_screenshot(const ScreenshotCommandOptions& options) {
   const std::vector<std::uint32_t>& atoms = input.prepared().atom_of_ball;
   picture.texts = picture_texts(complex_header(input, options.request, result));
   picture.free_bytes = available_or(options.drawing_memory_mb);
-  // The renderer writes to a path.
-  const TemporaryFolder folder;
-  const std::filesystem::path drawn = folder.path() / "picture.png";
+  const MemoryFile drawn;  // the renderer writes to a path, which standard output has none of
   const std::string not_drawn =
       render_screenshot(*input.prepared().balls, result.complex,
                         options.colours == "chain" ? colours_by_chain(input.molecule(), atoms)
                                                    : colours_by_element(input.molecule(), atoms),
-                        picture, drawn, context);
-  file->write(bytes_of(drawn));
+                        picture, drawn.path(), context);
+  file->write(drawn.bytes());
   outputs.commit();
   clear_progress();
   if (!not_drawn.empty()) std::cerr << "alphascope-cli: " << not_drawn << "\n";

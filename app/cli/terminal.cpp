@@ -68,6 +68,7 @@ DescriptorBuffer& standard_error() {
 // A pointer, since a signal handler may touch no object under construction.
 const CancelToken* interrupted = nullptr;
 std::atomic<int> cancelling_signal{0};
+constexpr unsigned kMostSeconds = 2;  // from cancelling to the end, whatever is going on
 
 void die_of(int signal) {
   remove_temporary_files();
@@ -79,9 +80,19 @@ extern "C" void on_cancel(int signal) {
   int none = 0;
   if (cancelling_signal.compare_exchange_strong(none, signal)) {
     interrupted->cancel();  // a lock-free atomic store
+    ::alarm(kMostSeconds);
   } else {
     die_of(signal);
   }
+}
+
+// Some work asks no token for long: OpenGL drawing a picture, or opening a pipe without a reader.
+extern "C" void on_deadline(int signal) {
+  if (cancelling_signal.load() == 0) return die_of(signal);
+  remove_temporary_files();
+  constexpr std::string_view kMessage = "alphascope-cli: cancelled.\n";
+  static_cast<void>(!::write(STDERR_FILENO, kMessage.data(), kMessage.size()));
+  ::_exit(cancelled_status());
 }
 
 extern "C" void on_end(int signal) {
@@ -173,6 +184,7 @@ const RunContext& run_context() {
     interrupted = &made.cancel;
     for (const int signal : {SIGINT, SIGTERM, SIGHUP}) handle(signal, on_cancel);
     for (const int signal : {SIGPIPE, SIGQUIT, SIGXCPU}) handle(signal, on_end);
+    std::signal(SIGALRM, on_deadline);
     std::signal(SIGXFSZ, SIG_IGN);  // writing beyond the limit of the shell fails with a message
     return made;
   }();

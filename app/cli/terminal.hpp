@@ -20,7 +20,8 @@ void summary_to_standard_error();
 int finish_standard_output(int status);
 
 // The context for the program's one piece of work. The first SIGINT (Ctrl-C), SIGTERM or SIGHUP
-// cancels it, the next kills the program; a signal that was ignored at the start stays so. Whatever
+// cancels it, and where the work does not notice, the program ends 2 s later; the next signal kills
+// it. A signal that was ignored at the start stays so. Whatever
 // signal kills it, no temporary file stays. Progress shows only when standard error is a terminal.
 const RunContext& run_context();
 

@@ -66,8 +66,11 @@ AtomicFile::AtomicFile(const fs::path& path) : name_(path.string()) {
   if (exists && S_ISDIR(status.st_mode)) {
     throw WriteError("Cannot write " + name_ + ": it is a folder. Give a file name.");
   }
-  if (exists && !S_ISREG(status.st_mode)) {
-    descriptor_ = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
+  // No new file can take the place of one that has no name (any more).
+  if (exists && (!S_ISREG(status.st_mode) || status.st_nlink == 0)) {
+    do {  // a pipe waits for its reader
+      descriptor_ = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
+    } while (descriptor_ < 0 && errno == EINTR);
     if (descriptor_ < 0) fail("open");
     return;
   }

@@ -16,7 +16,8 @@ struct WriteError : std::runtime_error {
 // Text goes to a temporary file in the same folder that commit() renames; without commit() nothing
 // is left behind and an older file of that name stays. A link is followed, also to a file that is
 // not there yet. A file that is replaced keeps its mode, and its owner and group where the system
-// allows it. Something that is there and no ordinary file (/dev/null, a pipe) is written directly.
+// allows it. Something that is there and no ordinary file (/dev/null, a pipe), or has no name in
+// any folder (memory), is written directly.
 class AtomicFile {
  public:
   explicit AtomicFile(const std::filesystem::path& path);  // throws WriteError

@@ -138,6 +138,18 @@ TEST_F(CliOutputs, ASecondSignalKillsAndNothingIsLeftBehind) {
   }
 }
 
+TEST_F(CliOutputs, ACancelledProgramEndsSoonWhateverItIsDoing) {
+  // Opening a pipe waits for its reader and asks nobody.
+  ASSERT_EQ(::mkfifo((folder_ / "pipe").c_str(), 0666), 0);
+  const pid_t child = start(
+      {"compute", "cube.xyzr", "--alpha", "1", "--csv", "t", "--json", "pipe"}, STDOUT_FILENO, 0);
+  while (!contains(files(), ".tmp")) ::usleep(1000);
+  ::kill(child, SIGINT);
+  EXPECT_EQ(code_of(child), 128 + SIGINT);
+  EXPECT_EQ(files(), "cube.xyzr err pipe");
+  EXPECT_EQ(text("err"), "alphascope-cli: cancelled.\n");
+}
+
 TEST_F(CliOutputs, ASignalThatWasIgnoredAtTheStartStaysIgnored) {
   EXPECT_EQ(code_after(endless_bench(), "engine\n", {SIGHUP, SIGTERM}, SIGHUP), 128 + SIGTERM);
   EXPECT_EQ(code_after(endless_bench(), "engine\n", {SIGINT, SIGHUP}, SIGINT), 128 + SIGHUP);

@@ -2,6 +2,7 @@
 #include "core/io/atomic_file.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/mman.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -121,6 +122,14 @@ TEST_F(AtomicFileTest, ANameMayBeAsLongAsTheSystemAllows) {
   const fs::path path = folder_ / std::string(255, 'x');
   put(path, "text");
   EXPECT_EQ(contents(path), "text");
+}
+
+TEST_F(AtomicFileTest, AFileWithoutANameIsWrittenDirectly) {
+  const int descriptor = ::memfd_create("memory", 0);
+  const std::string path = "/proc/self/fd/" + std::to_string(descriptor);
+  put(path, "text");
+  EXPECT_EQ(contents(path), "text");
+  ::close(descriptor);
 }
 
 TEST_F(AtomicFileTest, APipeAndADescriptorAreWrittenDirectly) {

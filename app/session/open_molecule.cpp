@@ -33,6 +33,7 @@ void expand(OpenedMolecule& opened, const OpenOptions& options, const RunContext
 OpenOptions for_another_file(const OpenOptions& options) {
   OpenOptions result = options;
   const BallOptions defaults;
+  result.read = ReadOptions{.max_bytes = options.read.max_bytes};
   result.assembly.clear();
   result.balls.model = defaults.model;
   result.balls.chains = defaults.chains;

@@ -19,7 +19,7 @@ struct OpenOptions {
   // Read when the radii of a user's table are asked for and `balls` holds none.
   std::filesystem::path radii_table;
   friend bool operator==(const OpenOptions& a, const OpenOptions& b) {
-    return a.read.max_bytes == b.read.max_bytes && a.assembly == b.assembly && a.balls == b.balls &&
+    return a.read == b.read && a.assembly == b.assembly && a.balls == b.balls &&
            a.radii_table == b.radii_table;
   }
 };

@@ -25,16 +25,22 @@ std::string csv_milliseconds(double milliseconds) {
   return text;
 }
 
+std::string csv_names(const CsvRow& row) {
+  std::string line;
+  for (std::size_t k = 0; k < row.size(); ++k) line += (k ? "," : "") + field(row[k].first);
+  return line + "\n";
+}
+
+std::string csv_values(const CsvRow& row) {
+  std::string line;
+  for (std::size_t k = 0; k < row.size(); ++k) line += (k ? "," : "") + field(row[k].second);
+  return line + "\n";
+}
+
 std::string csv_text(const std::vector<CsvRow>& rows) {
   std::string text;
-  if (rows.empty()) return text;
-  for (const auto& [name, value] : rows.front()) text += (text.empty() ? "" : ",") + field(name);
-  text += "\n";
-  for (const CsvRow& row : rows) {
-    std::string line;
-    for (std::size_t k = 0; k < row.size(); ++k) line += (k ? "," : "") + field(row[k].second);
-    text += line + "\n";
-  }
+  if (!rows.empty()) text = csv_names(rows.front());
+  for (const CsvRow& row : rows) text += csv_values(row);
   return text;
 }
 

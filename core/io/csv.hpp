@@ -14,6 +14,10 @@ using CsvRow = std::vector<std::pair<std::string, std::string>>;
 // "15.8843": to a tenth of a microsecond; empty for what is no number (NaN, infinite).
 std::string csv_milliseconds(double milliseconds);
 
+// The line with a row's names, and that with its values; ended.
+std::string csv_names(const CsvRow& row);
+std::string csv_values(const CsvRow& row);
+
 // A line with the names, then one line a row.
 std::string csv_text(const std::vector<CsvRow>& rows);
 

@@ -54,12 +54,14 @@ Molecule read_format(FileFormat format, const ReaderInput& input) {
 
 Molecule read_molecule(const std::filesystem::path& path, const ReadOptions& options,
                        const RunContext& context) {
-  const LoadedText loaded = load_text(path, options.max_bytes, context);
+  const LoadedText loaded = load_text(path, options.max_bytes, context, options.descriptor);
   // Hashing takes about as long as parsing, so that large files are hashed beside it.
   const bool large = loaded.text.size() > kHashInThreadFrom && !loaded.compressed;
   std::future<std::string> hash = std::async(large ? std::launch::async : std::launch::deferred,
                                              [&loaded] { return file_hash(loaded); });
-  Molecule molecule = read_format(sniff_format(path, loaded.text), {path, loaded.text, context});
+  const FileFormat format =
+      options.format == FileFormat::unknown ? sniff_format(path, loaded.text) : options.format;
+  Molecule molecule = read_format(format, {path, loaded.text, context});
   molecule.sha256 = hash.get();
   // PDB columns tell where a cut goes through a number; elsewhere nothing does.
   if (molecule.format != "PDB" && loaded.text.back() != '\n') {

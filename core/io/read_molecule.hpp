@@ -3,8 +3,10 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 
 #include "core/io/read_error.hpp"
+#include "core/io/sniff_format.hpp"
 #include "core/molecule/molecule.hpp"
 #include "core/run/cancel_token.hpp"
 
@@ -13,6 +15,11 @@ namespace alphascope {
 struct ReadOptions {
   // Most text to accept, after unpacking (bytes): a small gzip file can unpack to terabytes.
   std::uint64_t max_bytes = std::uint64_t{4} << 30;
+  FileFormat format = FileFormat::unknown;  // unknown: told by content and name
+  // Read to its end instead of opening the path, which then only names the molecule: for standard
+  // input. Stays open.
+  std::optional<int> descriptor = {};
+  friend bool operator==(const ReadOptions&, const ReadOptions&) = default;
 };
 
 // Formats: PDB, mmCIF, PQR, XYZ (plain, extended, Tinker), XYZR and tables of balls, CRD (x y z r

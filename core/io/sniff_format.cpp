@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "core/io/decimal.hpp"
 #include "core/io/line_reader.hpp"
@@ -137,6 +138,18 @@ FileFormat sniff_content(std::string_view text, std::string_view extension) {
 }
 
 }  // namespace
+
+std::optional<FileFormat> format_from_id(std::string_view id) {
+  constexpr std::pair<std::string_view, FileFormat> kIds[] = {
+      {"pdb", FileFormat::pdb},           {"mmcif", FileFormat::mmcif},
+      {"pqr", FileFormat::pqr},           {"xyz", FileFormat::xyz},
+      {"tinker", FileFormat::tinker_xyz}, {"xyzr", FileFormat::ball_table},
+      {"charmm", FileFormat::charmm_card}};
+  for (const auto& [name, format] : kIds) {
+    if (name == id) return format;
+  }
+  return std::nullopt;
+}
 
 FileFormat sniff_format(const std::filesystem::path& path, std::string_view text) {
   if (look_at(text).certain) return FileFormat::unknown;

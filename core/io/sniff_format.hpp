@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string_view>
 
 namespace alphascope {
@@ -16,6 +17,9 @@ enum class FileFormat : unsigned char {
   ball_table,
   charmm_card
 };
+
+// "pdb", "mmcif", "pqr", "xyz", "tinker", "xyzr" (all tables of balls), "charmm".
+std::optional<FileFormat> format_from_id(std::string_view id);
 
 // unknown for what is certainly something else (core/io/lookalike.hpp), whatever its name.
 FileFormat sniff_format(const std::filesystem::path& path, std::string_view text);

@@ -59,6 +59,27 @@ void refuse_what_is_no_file(const std::filesystem::path& path, const struct stat
   refuse_errno(path, "the file cannot be opened", "Check that you may read it");
 }
 
+// `expected` bytes, which may turn out to be more or fewer.
+TextBuffer read_to_end(const std::filesystem::path& path, int descriptor, std::uint64_t expected,
+                       std::uint64_t max_bytes, const RunContext& context) {
+  LineLengths lengths(path);
+  TextBuffer bytes;
+  bytes.reserve(expected + 1);  // one more, to meet the end within it
+  for (;;) {
+    context.cancel.throw_if_cancelled();
+    // By half as much again, should it grow meanwhile or come through a pipe.
+    if (bytes.size() == bytes.capacity()) bytes.reserve(bytes.size() + bytes.size() / 2 + kChunk);
+    const std::size_t room = std::min(kChunk, bytes.capacity() - bytes.size());
+    const ssize_t got = ::read(descriptor, bytes.data() + bytes.size(), room);
+    if (got < 0 && errno == EINTR) continue;
+    if (got < 0) refuse_errno(path, "reading stopped", "Check the disk or the network drive");
+    if (got == 0) return bytes;
+    bytes.set_size(bytes.size() + static_cast<std::size_t>(got));
+    if (bytes.size() > max_bytes) refuse_text_beyond(path, max_bytes);
+    if (!bytes.view().starts_with("\x1f\x8b")) lengths.look_at(bytes.view());
+  }
+}
+
 TextBuffer read_bytes(const std::filesystem::path& path, std::uint64_t max_bytes,
                       const RunContext& context) {
   // Looked at before it is opened, which may do something to a device; and again afterwards, should
@@ -71,31 +92,17 @@ TextBuffer read_bytes(const std::filesystem::path& path, std::uint64_t max_bytes
   refuse_what_is_no_file(path, status);
   const std::uint64_t size = static_cast<std::uint64_t>(status.st_size);
   if (size > max_bytes) refuse_text_beyond(path, max_bytes);
-  LineLengths lengths(path);
-  TextBuffer bytes;
-  bytes.reserve(size + 1);  // one more, to meet the end within it
-  for (;;) {
-    context.cancel.throw_if_cancelled();
-    if (bytes.size() == bytes.capacity())
-      bytes.reserve(bytes.size() + kChunk);  // it grew meanwhile
-    const std::size_t room = std::min(kChunk, bytes.capacity() - bytes.size());
-    const ssize_t got = ::read(file.number(), bytes.data() + bytes.size(), room);
-    if (got < 0 && errno == EINTR) continue;
-    if (got < 0) refuse_errno(path, "reading stopped", "Check the disk or the network drive");
-    if (got == 0) return bytes;
-    bytes.set_size(bytes.size() + static_cast<std::size_t>(got));
-    if (bytes.size() > max_bytes) refuse_text_beyond(path, max_bytes);
-    if (!bytes.view().starts_with("\x1f\x8b")) lengths.look_at(bytes.view());
-  }
+  return read_to_end(path, file.number(), size, max_bytes, context);
 }
 
 }  // namespace
 
 LoadedText load_text(const std::filesystem::path& path, std::uint64_t max_bytes,
-                     const RunContext& context) {
+                     const RunContext& context, std::optional<int> descriptor) {
   max_bytes = std::min<std::uint64_t>(max_bytes, std::numeric_limits<std::int64_t>::max() / 4);
   LoadedText loaded;
-  loaded.buffer = read_bytes(path, max_bytes, context);
+  loaded.buffer = descriptor ? read_to_end(path, *descriptor, 0, max_bytes, context)
+                             : read_bytes(path, max_bytes, context);
   loaded.file_bytes = loaded.buffer.size();
   if (loaded.buffer.view().starts_with("\x1f\x8b")) {
     loaded.compressed = true;

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -23,9 +24,10 @@ struct LoadedText {
 
 // Throws ReadError for a missing file, a directory, a pipe or device (which could block for ever),
 // a file without permission, damaged gzip data, a line longer than kLongestLine, more than
-// max_bytes of text, or gzip data that unpack to more than any molecule would.
+// max_bytes of text, or gzip data that unpack to more than any molecule would. With a descriptor,
+// that is read to its end, whatever it is, and the path only names it.
 LoadedText load_text(const std::filesystem::path& path, std::uint64_t max_bytes,
-                     const RunContext& context);
+                     const RunContext& context, std::optional<int> descriptor = {});
 
 // SHA-256 of the file's bytes, from what was loaded.
 std::string file_hash(const LoadedText& loaded);

@@ -156,7 +156,7 @@ ExitCode run_bench(const BenchOptions& options) {
   std::vector<Row> rows;
   bool same = true;
   print_header(options);
-  for (const std::filesystem::path& file : options.files) {
+  for (const std::string& file : options.files) {
     InputOptions input_options = options.input;
     input_options.file = file;
     for_each_model(input_options, context, [&](const Input& input) {

@@ -16,7 +16,7 @@ namespace alphascope::cli {
 enum class ExitCode : int {
   ok = 0,
   differs = 1,            // verify and bench: not the same as CGAL
-  usage = 2,              // the command line makes no sense
+  usage = 2,              // invalid usage
   unreadable_input = 3,   // a file cannot be read or understood
   computing_failed = 4,   // engine unavailable, out of memory, internal error
   unwritable_output = 5,  // an output file cannot be written
@@ -28,10 +28,15 @@ struct UsageError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+// How much is said besides results and errors. quiet: nothing. verbose: also progress as lines, and
+// with each result its stages, the time for opening and the memory used.
+enum class Verbosity { quiet, normal, verbose };
+
 struct InputOptions {
-  std::filesystem::path file;
-  std::string radii = "auto";  // id of a radii set, or a file with a table of radii
-  std::string model = "1";     // counted from 1; "all": each by itself; "joined": all as one
+  std::filesystem::path file;   // "-" for standard input
+  std::string format = "auto";  // or an id of a format, as format_from_id() takes it
+  std::string radii = "auto";   // id of a radii set, or a file with a table of radii
+  std::string model = "1";      // counted from 1; "all": each by itself; "joined": all as one
   std::string hydrogens = "auto", altlocs = "best";
   bool waters = false, dummies = false, no_ligands = false, no_ions = false, no_polymers = false;
   std::vector<std::string> chains, without_chains;
@@ -39,12 +44,24 @@ struct InputOptions {
   std::string assembly;  // id, empty = as deposited
 };
 
+// The files of a command that takes many.
+struct InputFiles {
+  std::vector<std::string> named;
+  std::string list;             // file with more names, "-" for standard input, empty for none
+  bool null_separated = false;  // names in the list end with a NUL byte, not with the line
+  // Then results are a table and go on after an error.
+  bool many() const { return named.size() > 1 || !list.empty(); }
+};
+
 struct InfoOptions {
+  InputFiles files;
   InputOptions input;
-  std::string json;  // file, "-" for standard output, empty for none; so everywhere
+  // File, "-" for standard output, empty for none; so everywhere.
+  std::string json, csv;
 };
 
 struct ComputeOptions {
+  InputFiles files;
   InputOptions input;
   SessionRequest request;
   std::string json, csv, out;
@@ -56,13 +73,13 @@ struct VerifyOptions {
   std::vector<double> alphas;  // Å²
   int cgal_threads = 1;
   bool definition = false;  // also check the definition of the complex, without CGAL
-  std::size_t shown = 10;   // differences printed per kind of simplex
+  int shown = 10;           // differences printed per kind of simplex
   std::string json;
 };
 
 struct BenchOptions {
   InputOptions input;
-  std::vector<std::filesystem::path> files;
+  std::vector<std::string> files;
   SessionRequest request;
   std::vector<double> alphas;  // Å²
   std::vector<int> threads{1};
@@ -86,6 +103,7 @@ struct ScreenshotCommandOptions {
   std::string colours = "element", simplex_colours = "balls";
   bool no_legend = false, scale_bar = false;
   std::optional<std::uint64_t> drawing_memory_mb;  // taken as free; none: what is
+  std::vector<std::string> arguments;              // as given, for the program that draws
 };
 
 ExitCode run_info(const InfoOptions& options);

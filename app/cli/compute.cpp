@@ -1,13 +1,18 @@
-// alphascope-cli compute: one complex, or one for each model, its numbers, and its simplices in a
-// file.
+// alphascope-cli compute: the complex of each file, or of each of its models: its numbers, and its
+// simplices in a file.
 #include <iostream>
+#include <optional>
 
 #include "app/cli/commands.hpp"
+#include "app/cli/failure.hpp"
+#include "app/cli/many_files.hpp"
 #include "app/cli/outputs.hpp"
 #include "app/cli/report_json.hpp"
+#include "app/cli/result_files.hpp"
+#include "app/cli/table.hpp"
 #include "app/cli/terminal.hpp"
 #include "app/cli/text.hpp"
-#include "core/io/csv.hpp"
+#include "app/session/system_memory.hpp"
 
 namespace alphascope::cli {
 namespace {
@@ -42,42 +47,92 @@ CsvRow csv_row(const Input& input, const SessionRequest& request, const AlphaCom
   return row;
 }
 
+std::string request_text(const SessionRequest& request) {
+  return "alpha       " + number_text(request.alpha_angstrom2) + " Å², solvent radius " +
+         number_text(request.solvent_radius_angstrom) + " Å\n";
+}
+
+// What --verbose adds to a result.
+std::string effort_text(const Input& input) {
+  return "opened in   " + milliseconds_text(input.open_milliseconds) + "\nmemory      " +
+         grouped(resident_bytes() / 1'000'000) + " MB in use by the program\n";
+}
+
+// Not written out before the files are whole, so that `| head` costs none of them.
 void print_one(const Input& input, const SessionRequest& request,
                const EngineCache::Result& result) {
   std::cout << input_text(input) << "sha256      " << input.molecule().sha256 << "\n"
-            << "alpha       " << number_text(request.alpha_angstrom2) << " Å², solvent radius "
-            << number_text(request.solvent_radius_angstrom) << " Å\n"
-            << complex_text(result.complex);
-  if (!result.note.empty()) std::cout << "note        " << result.note << "\n";
+            << request_text(request) << complex_text(result.complex, verbosity());
+  if (!result.note.empty() && verbosity() != Verbosity::quiet) {
+    std::cout << "note        " << result.note << "\n";
+  }
+  if (verbosity() == Verbosity::verbose) std::cout << effort_text(input);
 }
 
-// One line a model, under a heading at the first.
-void print_line(const Input& input, const SessionRequest& request,
-                const EngineCache::Result& result) {
-  const AlphaComplex& complex = result.complex;
-  if (input.balls.model == 0) {
-    std::cout << input_text(input) << "sha256      " << input.molecule().sha256 << "\n"
-              << "alpha       " << number_text(request.alpha_angstrom2) << " Å², solvent radius "
-              << number_text(request.solvent_radius_angstrom) << " Å\n";
-    std::cout << format_text("%6s %9s %9s %9s %9s %10s %7s  %-16s %s\n", "model", "balls",
-                             "vertices", "edges", "triangles", "tetrahedra", "Euler", "hash",
-                             "time");
+// One line a result, under a heading at the first.
+class ResultTable {
+ public:
+  // `files`: as they were named; one only: its name stands above the table, not in it.
+  ResultTable(const std::vector<std::string>& files, bool many, bool models)
+      : many_(many), models_(models), table_(columns(files, many, models)) {}
+
+  void print(const std::string& file, const Input& input, const SessionRequest& request,
+             const EngineCache::Result& result) {
+    if (!begun_) print_heading(input, request, result.note);
+    begun_ = true;
+    // One file has its notes above the table.
+    if (many_ && verbosity() != Verbosity::quiet) {
+      for (const std::string& note : input_notes(input)) print_error(file + ": note: " + note);
+    }
+    std::cout << table_.line(cells(file, input, result.complex));
+    if (verbosity() == Verbosity::verbose) {
+      std::cout << effort_text(input) << stages_text(result.complex);
+    }
+    std::cout << std::flush;
   }
-  const auto count = [&](const auto& list) {
-    return complex.tetrahedra_only ? std::string("-") : grouped(list.size());
-  };
-  std::cout << format_text(
-                   "%6s %9s %9s %9s %9s %10s %7s  %-16s %s\n",
-                   model_text(input.balls.model).c_str(),
-                   grouped(input.prepared().balls->size()).c_str(), count(complex.vertices).c_str(),
-                   count(complex.edges).c_str(), count(complex.triangles).c_str(),
-                   grouped(complex.tetrahedra.size()).c_str(),
-                   complex.tetrahedra_only ? "-"
-                                           : std::to_string(complex.euler_characteristic()).c_str(),
-                   hash_text(complex.hash).c_str(),
-                   milliseconds_text(complex.timings.wall_milliseconds).c_str())
-            << std::flush;
-}
+
+ private:
+  static std::vector<TableColumn> columns(const std::vector<std::string>& files, bool many,
+                                          bool models) {
+    std::vector<TableColumn> columns;
+    if (many) columns.push_back({"file", widest(files), true});
+    if (models) columns.push_back({"model", 6});
+    for (const char* count : {"balls", "vertices", "edges", "triangles", "tetrahedra"}) {
+      columns.push_back({count, 9});
+    }
+    columns.push_back({"Euler", 7});
+    columns.push_back({"hash", 16, true});
+    columns.push_back({"time", 8});
+    return columns;
+  }
+
+  void print_heading(const Input& input, const SessionRequest& request, const std::string& note) {
+    if (!many_) std::cout << input_text(input) << "sha256      " << input.molecule().sha256 << "\n";
+    std::cout << request_text(request);
+    if (many_ && !note.empty() && verbosity() != Verbosity::quiet) print_error(note);
+    std::cout << table_.heading();
+  }
+
+  std::vector<std::string> cells(const std::string& file, const Input& input,
+                                 const AlphaComplex& complex) const {
+    const auto count = [&](const auto& list) {
+      return complex.tetrahedra_only ? std::string("-") : grouped(list.size());
+    };
+    std::vector<std::string> cells;
+    if (many_) cells.push_back(file);
+    if (models_) cells.push_back(model_text(input.balls.model));
+    cells.insert(
+        cells.end(),
+        {grouped(input.prepared().balls->size()), count(complex.vertices), count(complex.edges),
+         count(complex.triangles), grouped(complex.tetrahedra.size()),
+         complex.tetrahedra_only ? "-" : std::to_string(complex.euler_characteristic()),
+         hash_text(complex.hash), milliseconds_text(complex.timings.wall_milliseconds)});
+    return cells;
+  }
+
+  bool many_, models_, begun_ = false;
+  Table table_;
+};
 
 Json result_json(const Input& input, const SessionRequest& request,
                  const EngineCache::Result& result) {
@@ -92,34 +147,39 @@ Json result_json(const Input& input, const SessionRequest& request,
 ExitCode run_compute(const ComputeOptions& options) {
   const RunContext& context = run_context();
   const SessionRequest& request = options.request;
-  const bool each = each_model(options.input);
-  require_readable({options.input.file});
-  Outputs outputs(files_read(options.input));
+  const bool many = options.files.many(), each = each_model(options.input);
+  const OpenOptions open = open_options(options.input, context);
+  const std::vector<std::string> files = file_names(options.files);
+  if (!many) require_readable({files.front()});
+  Outputs outputs(files_read(files, options.files.list, options.input));
   AtomicFile* const out = outputs.add("--out", options.out);
-  AtomicFile* const csv = outputs.add("--csv", options.csv);
-  AtomicFile* const json = outputs.add("--json", options.json);
+  CsvResults csv(outputs.add("--csv", options.csv));
+  JsonResults json(outputs.add("--json", options.json), many ? "results" : each ? "models" : "");
+  ResultTable table(files, many, each);
+  // Beside a result on standard output the summary is a note.
+  const bool print = verbosity() != Verbosity::quiet || !outputs.take_standard_output();
   EngineCache engines(&make_engine);
-  Json results = Json::array();
-  std::vector<CsvRow> rows;
-  for_each_model(options.input, context, [&](const Input& input) {
+  const auto use = [&](const std::string& file, const Input& input) {
     const EngineCache::Result result = engines.compute(input.prepared().balls, request, context);
     if (out) {
       write_complex_text(*result.balls, result.complex, complex_header(input, request, result),
                          *out, context);
     }
     clear_progress();
-    (each ? print_line : print_one)(input, request, result);
-    if (json) results.push_back(result_json(input, request, result));
-    if (csv) rows.push_back(csv_row(input, request, result.complex));
+    if (print && (many || each)) table.print(file, input, request, result);
+    if (print && !many && !each) print_one(input, request, result);
+    if (json.wanted()) json.add(result_json(input, request, result));
+    if (csv.wanted()) csv.add(csv_row(input, request, result.complex));
+  };
+  const FilesOutcome outcome = for_each_file(files, many, [&](const std::string& file) {
+    for_each_model(file, options.input, open, context,
+                   [&](const Input& input) { use(file, input); });
   });
-  if (csv) csv->write(csv_text(rows));
-  if (json) {
-    Json whole = each ? Json{{"models", std::move(results)}} : std::move(results[0]);
-    whole["program"] = program_json();
-    json->write(json_text(whole));
-  }
+  Json further = failures_json(outcome, many);
+  further["program"] = program_json();
+  json.finish(further);
   outputs.commit();
-  return ExitCode::ok;
+  return outcome.code;
 }
 
 }  // namespace alphascope::cli

@@ -1,13 +1,16 @@
-// alphascope-cli info: what is in a file, and what would be used of it.
+// alphascope-cli info: what is in files, and what would be used of them.
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <iostream>
 #include <map>
 
 #include "app/cli/commands.hpp"
+#include "app/cli/failure.hpp"
+#include "app/cli/many_files.hpp"
 #include "app/cli/outputs.hpp"
 #include "app/cli/report_json.hpp"
+#include "app/cli/result_files.hpp"
+#include "app/cli/table.hpp"
 #include "app/cli/terminal.hpp"
 #include "app/cli/text.hpp"
 #include "core/molecule/assembly.hpp"
@@ -114,34 +117,87 @@ void print(const Input& input) {
   std::cout << "opened in   " << milliseconds_text(input.open_milliseconds) << "\n";
 }
 
+Table info_table(const std::vector<std::string>& files, bool models) {
+  std::vector<TableColumn> columns{{"file", widest(files), true}, {"format", 6, true}};
+  columns.push_back({models ? "model" : "models", 6});
+  for (const char* count : {"atoms", "balls", "guessed"}) columns.push_back({count, 9});
+  columns.push_back({"radii", 0, true});
+  return Table(columns);
+}
+
+// A line of the table: `models` when each model has one.
+std::string table_line(const Table& table, const std::string& file, const Input& input,
+                       bool models) {
+  const Molecule& molecule = input.molecule();
+  const SelectionReport& report = input.prepared().report;
+  return table.line({file, molecule.format,
+                     models ? model_text(input.balls.model) : grouped(molecule.models.size()),
+                     grouped(report.total), grouped(report.used), grouped(report.guessed_atoms),
+                     report.radii_name});
+}
+
+CsvRow csv_row(const Input& input) {
+  const Molecule& molecule = input.molecule();
+  const SelectionReport& report = input.prepared().report;
+  CsvRow row{{"file", molecule.source.string()},
+             {"model", model_text(input.balls.model)},
+             {"models", std::to_string(molecule.models.size())},
+             {"atoms", std::to_string(report.total)},
+             {"balls", std::to_string(input.prepared().balls->size())},
+             {"guessed_atoms", std::to_string(report.guessed_atoms)},
+             {"coincident_centres", std::to_string(report.coincident_centres)},
+             {"title", molecule.title}};
+  for (auto& [key, value] : input.provenance()) {
+    if (key != "model" && key != "file") row.emplace_back(key, std::move(value));
+  }
+  row.emplace_back("program", program_text());
+  return row;
+}
+
 }  // namespace
 
 ExitCode run_info(const InfoOptions& options) {
-  const bool each = each_model(options.input);
-  require_readable({options.input.file});
-  Outputs outputs(files_read(options.input));
-  AtomicFile* const file = outputs.add("--json", options.json);
-  Json models = Json::array();
-  for_each_model(options.input, run_context(), [&](const Input& input) {
+  const RunContext& context = run_context();
+  const bool many = options.files.many(), each = each_model(options.input);
+  const OpenOptions open = open_options(options.input, context);
+  const std::vector<std::string> files = file_names(options.files);
+  if (!many) require_readable({files.front()});
+  Outputs outputs(files_read(files, options.files.list, options.input));
+  CsvResults csv(outputs.add("--csv", options.csv));
+  JsonResults json(outputs.add("--json", options.json), many ? "results" : each ? "models" : "");
+  // Beside a result on standard output the summary is a note.
+  const bool shown = verbosity() != Verbosity::quiet || !outputs.take_standard_output();
+  const Table table = info_table(files, each);
+  if (shown && many) std::cout << table.heading();
+  const auto use = [&](const std::string& file, const Input& input) {
     clear_progress();
-    if (!each || input.balls.model == 0) print(input);
-    if (each) {
-      std::cout << "model " << model_text(input.balls.model) << ": "
-                << summary(input.prepared().report) << "\n";
+    if (shown && many) {
+      if (verbosity() != Verbosity::quiet) {
+        for (const std::string& note : input_notes(input)) print_error(file + ": note: " + note);
+      }
+      std::cout << table_line(table, file, input, each) << std::flush;
+    } else if (shown) {
+      if (!each || input.balls.model == 0) print(input);
+      if (each) {
+        std::cout << "model " << model_text(input.balls.model) << ": "
+                  << summary(input.prepared().report) << "\n";
+      }
     }
-    models.push_back(
-        {{"input", input_json(input)}, {"radii_in_use", radii_json(*input.prepared().balls)}});
+    if (json.wanted()) {
+      json.add(
+          {{"input", input_json(input)}, {"radii_in_use", radii_json(*input.prepared().balls)}});
+    }
+    if (csv.wanted()) csv.add(csv_row(input));
+  };
+  const FilesOutcome outcome = for_each_file(files, many, [&](const std::string& file) {
+    for_each_model(file, options.input, open, context,
+                   [&](const Input& input) { use(file, input); });
   });
-  if (!file) return ExitCode::ok;
-  Json json{{"program", program_json()}};
-  if (each) {
-    json["models"] = std::move(models);
-  } else {
-    json.update(models[0]);
-  }
-  file->write(json_text(json));
+  Json further = failures_json(outcome, many);
+  further["program"] = program_json();
+  json.finish(further);
   outputs.commit();
-  return ExitCode::ok;
+  return outcome.code;
 }
 
 }  // namespace alphascope::cli

@@ -1,9 +1,13 @@
 #include "app/cli/input.hpp"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <charconv>
 #include <chrono>
 
+#include "app/cli/terminal.hpp"
+#include "app/options/did_you_mean.hpp"
 #include "core/io/user_radii.hpp"
 #include "core/molecule/selection_expression.hpp"
 
@@ -18,12 +22,14 @@ void set_radii(const std::string& radii, BallOptions& balls, const RunContext& c
     balls.user_radii = read_user_radii(radii, context);
     return;
   }
-  std::string known = "auto";
+  std::vector<std::string> ids{"auto"};
   for (const RadiiSetInfo& set : all_radii_sets()) {
-    if (set.set != RadiiSet::user && set.id != "auto") known += ", " + std::string(set.id);
+    if (set.set != RadiiSet::user && set.id != "auto") ids.emplace_back(set.id);
   }
-  throw UsageError("There is no radii set \"" + radii +
-                   "\", nor a file of that name. Known sets: " + known +
+  std::string known;
+  for (const std::string& id : ids) known += (known.empty() ? "" : ", ") + id;
+  throw UsageError("There is no radii set \"" + radii + "\", nor a file of that name." +
+                   did_you_mean(radii, ids) + " Known sets: " + known +
                    "; or give a file with a table of radii.");
 }
 
@@ -39,26 +45,6 @@ int model_index(const std::string& text) {
         text + "\".");
   }
   return number - 1;
-}
-
-OpenOptions open_options(const InputOptions& options, const RunContext& context) {
-  OpenOptions open;
-  set_radii(options.radii, open.balls, context);
-  open.balls.model = model_index(options.model);
-  open.balls.hydrogens = options.hydrogens == "keep"   ? HydrogenRule::keep
-                         : options.hydrogens == "drop" ? HydrogenRule::drop
-                                                       : HydrogenRule::automatic;
-  open.balls.altlocs = options.altlocs == "all" ? AltlocRule::all : AltlocRule::best;
-  open.balls.waters = options.waters;
-  open.balls.dummies = options.dummies;
-  open.balls.ligands = !options.no_ligands;
-  open.balls.ions = !options.no_ions;
-  open.balls.polymers = !options.no_polymers;
-  open.balls.chains = options.chains;
-  open.balls.without_chains = options.without_chains;
-  open.balls.selection = options.select;
-  open.assembly = options.assembly;
-  return open;
 }
 
 template <class Work>
@@ -87,28 +73,60 @@ void require_chains(const std::vector<std::string>& asked, const MoleculeContent
   }
 }
 
-Input open_input(const InputOptions& options, const RunContext& context) {
+Input open_input(const std::filesystem::path& file, const InputOptions& options,
+                 const OpenOptions& open, const RunContext& context) {
   Input input;
-  const OpenOptions open = open_options(options, context);
   input.balls = open.balls;
+  const bool standard_input = file == "-";
+  const std::filesystem::path name = standard_input ? "stdin" : file;
   try {
-    input.open_milliseconds =
-        timed([&] { input.opened = open_molecule(options.file, open, context); });
+    input.open_milliseconds = timed([&] {
+      OpenOptions this_one = open;
+      if (standard_input) this_one.read.descriptor = STDIN_FILENO;
+      input.opened = open_molecule(name, this_one, context);
+    });
     require_chains(options.chains, *input.opened.contents);
     require_chains(options.without_chains, *input.opened.contents);
   } catch (const SelectionError& error) {
     throw UsageError("--select \"" + options.select + "\", " + error.what() + ".");
   } catch (const std::invalid_argument& error) {
-    throw UsageError(options.file.string() + ": " + error.what() + ".");
+    throw UsageError(name.string() + ": " + error.what() + ".");
   }
   return input;
 }
 
 }  // namespace
 
+OpenOptions open_options(const InputOptions& options, const RunContext& context) {
+  OpenOptions open;
+  open.read.format = format_from_id(options.format).value_or(FileFormat::unknown);  // of auto
+  set_radii(options.radii, open.balls, context);
+  open.balls.model = model_index(options.model);
+  open.balls.hydrogens = options.hydrogens == "keep"   ? HydrogenRule::keep
+                         : options.hydrogens == "drop" ? HydrogenRule::drop
+                                                       : HydrogenRule::automatic;
+  open.balls.altlocs = options.altlocs == "all" ? AltlocRule::all : AltlocRule::best;
+  open.balls.waters = options.waters;
+  open.balls.dummies = options.dummies;
+  open.balls.ligands = !options.no_ligands;
+  open.balls.ions = !options.no_ions;
+  open.balls.polymers = !options.no_polymers;
+  open.balls.chains = options.chains;
+  open.balls.without_chains = options.without_chains;
+  open.balls.selection = options.select;
+  open.assembly = options.assembly;
+  return open;
+}
+
 void for_each_model(const InputOptions& options, const RunContext& context,
                     const std::function<void(const Input&)>& use) {
-  Input input = open_input(options, context);
+  for_each_model(options.file, options, open_options(options, context), context, use);
+}
+
+void for_each_model(const std::filesystem::path& file, const InputOptions& options,
+                    const OpenOptions& open, const RunContext& context,
+                    const std::function<void(const Input&)>& use) {
+  Input input = open_input(file, options, open, context);
   use(input);
   if (!each_model(options)) return;
   const int models = static_cast<int>(input.molecule().models.size());
@@ -128,7 +146,15 @@ Input open_one_model(const InputOptions& options, const char* why_one, const Run
     throw UsageError(std::string(why_one) +
                      " Give the number of a model, or joined for all of them as one.");
   }
-  return open_input(options, context);
+  return open_input(options.file, options, open_options(options, context), context);
+}
+
+std::vector<std::string> input_notes(const Input& input) {
+  std::vector<std::string> notes = input.molecule().notes;
+  if (input.prepared().balls->size() == 0) {
+    notes.push_back("no atom is left, so every complex is empty; see --help for what is kept");
+  }
+  return notes;
 }
 
 std::string input_text(const Input& input) {
@@ -140,10 +166,8 @@ std::string input_text(const Input& input) {
     text += "  model " + model_text(input.balls.model) + " of " +
             std::to_string(input.molecule().models.size()) + "\n";
   }
-  for (const std::string& note : input.molecule().notes) text += "  note: " + note + "\n";
-  if (input.prepared().balls->size() == 0) {
-    text += "  note: no atom is left, so every complex is empty; see --help for what is kept\n";
-  }
+  if (verbosity() == Verbosity::quiet) return text;
+  for (const std::string& note : input_notes(input)) text += "  note: " + note + "\n";
   return text;
 }
 

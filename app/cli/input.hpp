@@ -22,8 +22,17 @@ struct Input {
   }
 };
 
+// What the options say to open_molecule(), with a table of radii read: for files opened one after
+// another. Throws UsageError for an option that says nothing known, ReadError for the table.
+OpenOptions open_options(const InputOptions& options, const RunContext& context);
+
 // Reads the file once and calls `use` with the model asked for, or with --model all with each in
-// turn. Throws UsageError for an option that says nothing known, and what open_molecule() throws.
+// turn. Throws UsageError for an option that the molecule cannot satisfy, and what open_molecule()
+// throws.
+void for_each_model(const std::filesystem::path& file, const InputOptions& options,
+                    const OpenOptions& open, const RunContext& context,
+                    const std::function<void(const Input&)>& use);
+// The same of options.file.
 void for_each_model(const InputOptions& options, const RunContext& context,
                     const std::function<void(const Input&)>& use);
 
@@ -34,7 +43,11 @@ inline bool each_model(const InputOptions& options) {
   return options.model == "all";
 }
 
-// "FILE: used … of … atoms; …", with the reader's notes on lines of their own; ended.
+// Sentences about what had to be assumed: the reader's notes, and that no atom is left.
+std::vector<std::string> input_notes(const Input& input);
+
+// "FILE: used … of … atoms; …", with the notes on lines of their own unless the program is to be
+// quiet; ended.
 std::string input_text(const Input& input);
 
 }  // namespace alphascope::cli

@@ -55,10 +55,16 @@ std::vector<fs::path> files_read(const InputOptions& input) {
   return {input.file, input.radii};  // a radii set's name is no file, which does no harm
 }
 
+std::vector<fs::path> files_read(const std::vector<std::string>& files, const std::string& list,
+                                 const InputOptions& input) {
+  std::vector<fs::path> read(files.begin(), files.end());
+  read.push_back(list);
+  read.push_back(input.radii);
+  return read;
+}
+
 std::vector<fs::path> files_read(const BenchOptions& options) {
-  std::vector<fs::path> files(options.files.begin(), options.files.end());
-  files.push_back(options.input.radii);
-  return files;
+  return files_read(options.files, {}, options.input);
 }
 
 void require_readable(const std::vector<fs::path>& files) {

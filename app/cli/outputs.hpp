@@ -15,6 +15,9 @@ namespace alphascope::cli {
 // Every file that `input` reads; "-" is standard input.
 std::vector<std::filesystem::path> files_read(const InputOptions& input);
 std::vector<std::filesystem::path> files_read(const BenchOptions& options);
+// `list`: where some of their names come from; may be empty.
+std::vector<std::filesystem::path> files_read(const std::vector<std::string>& files,
+                                              const std::string& list, const InputOptions& input);
 
 // Throws ReadError for the first that is missing or may not be read. For commands that take many
 // molecules and would otherwise notice only after work on those before it.
@@ -29,6 +32,9 @@ class Outputs {
   // standard error. Throws UsageError for a file that is also an input, another output, or where
   // standard output goes, and for a second "-"; WriteError for what cannot be opened.
   AtomicFile* add(const char* option, const std::string& path);
+
+  // Whether one of them is standard output.
+  bool take_standard_output() const { return on_standard_output_ != nullptr; }
 
   // Gives every file its name. Throws WriteError.
   void commit();

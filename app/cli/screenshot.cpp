@@ -1,4 +1,5 @@
-// alphascope-cli screenshot: a picture of a complex, without a display.
+// alphascope-cli screenshot: a picture of a complex, without a display. Part of the program that
+// start_screenshot.cpp starts.
 #include <sys/mman.h>
 #include <unistd.h>
 
@@ -14,16 +15,12 @@
 #include "app/cli/terminal.hpp"
 #include "app/cli/text.hpp"
 
-#ifdef ALPHASCOPE_HAS_SCENE
 #include "app/session/result_header.hpp"
 #include "app/session/system_memory.hpp"
 #include "ui/scene/ball_colours.hpp"
 #include "ui/scene/screenshot.hpp"
-#endif
 
 namespace alphascope::cli {
-
-#ifdef ALPHASCOPE_HAS_SCENE
 namespace {
 
 // "1920x1080"; the bounds are render_screenshot's.
@@ -105,19 +102,9 @@ ExitCode run_screenshot(const ScreenshotCommandOptions& options) {
   outputs.commit();
   clear_progress();
   if (!not_drawn.empty()) std::cerr << "alphascope-cli: " << not_drawn << "\n";
-  std::cout << input_text(input) << complex_text(result.complex) << "picture     "
+  std::cout << input_text(input) << complex_text(result.complex, verbosity()) << "picture     "
             << options.out.string() << ", " << picture.width << " x " << picture.height << "\n";
   return ExitCode::ok;
 }
-
-#else
-
-ExitCode run_screenshot(const ScreenshotCommandOptions&) {
-  throw UsageError(
-      "This alphascope-cli was built without its renderer (ALPHASCOPE_BUILD_VIEWER=OFF), so it "
-      "draws no pictures. Build it with the viewer to use screenshot.");
-}
-
-#endif
 
 }  // namespace alphascope::cli

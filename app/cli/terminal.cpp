@@ -10,10 +10,11 @@
 #include <cstdio>
 #include <cstring>
 #include <iostream>
+#include <memory>
 #include <mutex>
+#include <string>
 #include <string_view>
 
-#include "app/cli/commands.hpp"
 #include "core/io/atomic_file.hpp"
 
 namespace alphascope::cli {
@@ -64,6 +65,8 @@ DescriptorBuffer& standard_error() {
   static auto& buffer = *new DescriptorBuffer(STDERR_FILENO);
   return buffer;
 }
+
+Verbosity chosen_verbosity = Verbosity::normal;
 
 // A pointer, since a signal handler may touch no object under construction.
 const CancelToken* interrupted = nullptr;
@@ -139,9 +142,29 @@ ProgressLine& progress_line() {
   return line;
 }
 
+// Says when another stage begins.
+class StageLog {
+ public:
+  void show(std::string_view stage) {
+    const std::lock_guard lock(mutex_);
+    if (stage == last_) return;
+    last_ = stage;
+    std::fprintf(stderr, "alphascope-cli: %s\n", last_.c_str());
+  }
+
+ private:
+  std::mutex mutex_;
+  std::string last_;
+};
+
 RunContext make_context() {
   RunContext context;
-  if (::isatty(STDERR_FILENO) == 1) {
+  if (chosen_verbosity == Verbosity::quiet) return context;
+  if (chosen_verbosity == Verbosity::verbose) {
+    context.progress = [log = std::make_shared<StageLog>()](std::string_view stage, double) {
+      log->show(stage);
+    };
+  } else if (::isatty(STDERR_FILENO) == 1) {
     context.progress = [](std::string_view stage, double share) {
       progress_line().show(stage, share);
     };
@@ -176,6 +199,14 @@ int finish_standard_output(int status) {
   std::fprintf(stderr, "alphascope-cli: Cannot write standard output: %s.\n",
                error == EBADF ? "it is closed" : std::strerror(error));
   return status != 0 ? status : static_cast<int>(ExitCode::unwritable_output);
+}
+
+void set_verbosity(Verbosity verbosity) {
+  chosen_verbosity = verbosity;
+}
+
+Verbosity verbosity() {
+  return chosen_verbosity;
 }
 
 const RunContext& run_context() {

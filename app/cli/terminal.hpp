@@ -2,6 +2,7 @@
 // and what standard output loses is noticed.
 #pragma once
 
+#include "app/cli/commands.hpp"
 #include "core/run/cancel_token.hpp"
 
 namespace alphascope::cli {
@@ -19,10 +20,15 @@ void summary_to_standard_error();
 // at its other end gives no message and 141, which is what the shell shows for SIGPIPE.
 int finish_standard_output(int status);
 
+// How much is said; to be set before the rest is called. Normal unless set.
+void set_verbosity(Verbosity verbosity);
+Verbosity verbosity();
+
 // The context for the program's one piece of work. The first SIGINT (Ctrl-C), SIGTERM or SIGHUP
 // cancels it, and where the work does not notice, the program ends 2 s later; the next signal kills
-// it. A signal that was ignored at the start stays so. Whatever
-// signal kills it, no temporary file stays. Progress shows only when standard error is a terminal.
+// it. A signal that was ignored at the start stays so. Whatever signal kills it, no temporary file
+// stays. Progress shows when standard error is a terminal, unless the program is to be quiet; when
+// it is to be verbose, each stage is a line instead, terminal or not.
 const RunContext& run_context();
 
 // 128 + the signal that cancelled the work: the exit status that shells expect.

@@ -38,7 +38,16 @@ std::string milliseconds_text(double milliseconds) {
   return buffer;
 }
 
-std::string complex_text(const AlphaComplex& complex) {
+std::string stages_text(const AlphaComplex& complex) {
+  std::string text;
+  for (const StageTime& stage : complex.timings.stages) {
+    text += "            " + milliseconds_text(stage.milliseconds) + "  " + stage.label +
+            (stage.setup ? " (once per molecule)" : "") + "\n";
+  }
+  return text;
+}
+
+std::string complex_text(const AlphaComplex& complex, Verbosity verbosity) {
   std::string text;
   if (!complex.tetrahedra_only) {
     text += "vertices    " + grouped(complex.vertices.size()) + "\n";
@@ -52,15 +61,12 @@ std::string complex_text(const AlphaComplex& complex) {
   text += "hash        " + hash_text(complex.hash) + "\n";
   text += "engine      " + complex.engine.name + ", " + complex.engine.device + " (" +
           complex.engine.route + ")\n";
+  if (verbosity == Verbosity::quiet) return text;
   for (const EngineCounter& counter : complex.engine.counters) {
     text += "            " + grouped(counter.value) + " " + counter.name + "\n";
   }
   text += "time        " + milliseconds_text(complex.timings.wall_milliseconds) + "\n";
-  for (const StageTime& stage : complex.timings.stages) {
-    text += "            " + milliseconds_text(stage.milliseconds) + "  " + stage.label +
-            (stage.setup ? " (once per molecule)" : "") + "\n";
-  }
-  return text;
+  return text + stages_text(complex);
 }
 
 }  // namespace alphascope::cli

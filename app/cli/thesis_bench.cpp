@@ -40,7 +40,7 @@ ThesisOptions to_suite(const BenchOptions& options) {
 
 std::vector<ThesisMolecule> read_all(const BenchOptions& options, const RunContext& context) {
   std::vector<ThesisMolecule> molecules;
-  for (const std::filesystem::path& file : options.files) {
+  for (const std::string& file : options.files) {
     InputOptions one = options.input;
     one.file = file;
     for_each_model(one, context, [&](const Input& input) {

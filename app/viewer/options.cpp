@@ -1,74 +1,115 @@
-// CLI11 does the parsing; what it would print is handed to main().
+// The table of the window's options; parsing is app/options'.
 #include "app/viewer/options.hpp"
 
-#include <CLI/CLI.hpp>
-#include <cmath>
 #include <sstream>
+#include <stdexcept>
+
+#include "app/options/option_values.hpp"
+#include "app/options/parse_arguments.hpp"
+#include "core/geometry/lattice.hpp"
 
 namespace alphascope {
 namespace {
 
 constexpr int kLeastSize = 640, kMostSize = 8192;
 
-// "1280x800" to width and height; an error text otherwise.
-std::string parse_size(const std::string& text, int& width, int& height) {
+// "1280x800" to width and height. Throws std::invalid_argument.
+void set_size(const std::string& text, int& width, int& height) {
   char x = 0;
   std::istringstream stream(text);
   if (stream >> width >> x >> height && (x == 'x' || x == 'X') && stream.peek() == EOF &&
       std::min(width, height) >= 480 && width >= kLeastSize &&
       std::max(width, height) <= kMostSize) {
-    return {};
+    return;
   }
-  return "'" + text + "' is no size; write WIDTHxHEIGHT from 640x480 to 8192x8192, as 1280x800";
+  throw std::invalid_argument("\"" + text +
+                              "\" is not a valid size; write WIDTHxHEIGHT from 640x480 to "
+                              "8192x8192, such as 1280x800");
+}
+
+template <class Target>
+Option path_or_none(OptionText text, Target& target) {
+  Option option{
+      .names = std::move(text.names), .value = std::move(text.value), .text = std::move(text.text)};
+  option.set = [&target](const std::string& path) { target = path; };
+  return option;
+}
+
+Option size_option(ViewerOptions& options) {
+  Option size{.names = "--size",
+              .value = "WxH",
+              .text = "Width and height of the window in pixels, at scale 1",
+              .fallback = std::to_string(options.width) + "x" + std::to_string(options.height)};
+  size.set = [&options](const std::string& text) { set_size(text, options.width, options.height); };
+  return size;
+}
+
+Option script_option(ViewerOptions& options) {
+  Option script = path_or_none(
+      {"--script", "FILE", "Drive the window by the commands in this file"}, options.script);
+  script.set = [&options](const std::string& path) {
+    if (!std::filesystem::exists(path)) throw std::invalid_argument("there is no file " + path);
+    options.script = path;
+  };
+  return script;
+}
+
+Option drawing_memory_option(ViewerOptions& options) {
+  Option memory{.names = "--drawing-memory",
+                .value = "MB",
+                .text = "Assume this much free memory for drawing, in MB",
+                .fallback = "what the system says"};
+  memory.set = [&options](const std::string& value) {
+    options.drawing_memory_mb =
+        static_cast<std::uint64_t>(whole_number_in(value, {0, 2'000'000'000, "MB"}));
+  };
+  return memory;
+}
+
+OptionProgram table(ViewerOptions& o) {
+  OptionProgram program;
+  program.name = "alphascope";
+  program.text = "The exact alpha complex of a molecule, live, in a window";
+  program.version = ALPHASCOPE_VERSION;
+  program.usage_exit_code = 1;
+  program.options = {
+      path_or_none({"FILE", "FILE", "Molecule: PDB, mmCIF, XYZR, PQR, XYZ or CRD, also as .gz"},
+                   o.file),
+      number_option({"--alpha", "A", "Alpha in Å², negative too"}, o.alpha, {-kMaxAlphaAngstrom2, kMaxAlphaAngstrom2, "Å²"}),
+      number_option({"--solvent", "S", "Solvent radius in Å, 1.4 for water"}, o.solvent,
+                    {0, 100, "Å"}),
+      with_default(number_option({"--scale", "X", "Size of fonts and controls, 1 for 100 %"},
+                                 o.scale, {0.5, 4}),
+                   "as the display says"),
+      size_option(o),
+      flag_option("--light", "Light theme", o.light),
+      flag_option("--tetrahedra-only", "Compute only tetrahedra", o.tetrahedra_only),
+      flag_option("--no-compare", "Do not compare with CGAL after each change", o.compare, false),
+      drawing_memory_option(o),
+      script_option(o),
+      path_or_none(
+          {"--shot", "OUT.png", "Write a picture of the window and exit; needs no display"},
+          o.shot)};
+  program.notes = {
+      {"Examples",
+       {"alphascope 4hhb.pdb.gz --alpha 1.4",
+        "alphascope 4hhb.pdb.gz --solvent 1.4 --shot picture.png   (needs no display)"}},
+      {"Exit codes", {"0 done; 1 invalid usage; 2 no display; 3 could not do what was asked."}}};
+  add_standard_options(program);
+  return program;
 }
 
 }  // namespace
 
 ParsedOptions parse_options(int argc, const char* const* argv) {
   ParsedOptions parsed;
-  ViewerOptions& o = parsed.options;
-  CLI::App app{"Alphascope: the exact alpha complex of a molecule, live.", "alphascope"};
-  app.set_version_flag("--version", std::string("alphascope ") + ALPHASCOPE_VERSION);
-  app.footer(
-      "Examples:\n"
-      "  alphascope 4hhb.pdb.gz --alpha 1.4\n"
-      "  alphascope 4hhb.pdb.gz --solvent 1.4 --shot picture.png   (needs no display)\n"
-      "Exit codes: 0 done, 1 bad arguments, 2 no display, 3 could not do what was asked.");
-  std::string size;
-  bool no_compare = false;
-  app.add_option("FILE", o.file, "Molecule to open: PDB, mmCIF, XYZR, PQR, XYZ, CRD; plain or .gz");
-  const auto finite = [](const std::string& text) {
-    char* end = nullptr;
-    const double value = std::strtod(text.c_str(), &end);
-    return end != text.c_str() && *end == '\0' && std::isfinite(value)
-               ? std::string()
-               : "'" + text + "' is not a finite number";
-  };
-  app.add_option("--alpha", o.alpha, "Alpha (Å²)")->check(finite);
-  app.add_option("--solvent", o.solvent, "Solvent radius (Å), 1.4 for water")
-      ->check(CLI::Range(0.0, 100.0));
-  app.add_option("--scale", o.scale, "Size of fonts and controls, 1 = 100 %")
-      ->check(CLI::Range(0.5, 4.0));
-  app.add_option("--size", size, "Window size, WIDTHxHEIGHT at scale 1")
-      ->check([&o](const std::string& text) { return parse_size(text, o.width, o.height); });
-  app.add_flag("--light", o.light, "Light theme");
-  app.add_flag("--tetrahedra-only", o.tetrahedra_only, "Compute tetrahedra only");
-  app.add_flag("--no-compare", no_compare, "Do not compare with CGAL by itself");
-  app.add_option("--drawing-memory", o.drawing_memory_mb,
-                 "Draw as if so much memory were free (MB); otherwise what the system says")
-      ->check(CLI::Range(std::uint64_t{0}, std::uint64_t{1} << 40));
-  app.add_option("--script", o.script, "Drive the window by the commands in this file")
-      ->check(CLI::ExistingFile);
-  app.add_option("--shot", o.shot, "Write a picture of the window and exit; needs no display");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    std::ostringstream out, err;
-    const int code = app.exit(error, out, err);
-    parsed.exit_code = code == 0 ? 0 : 1;
-    parsed.text = out.str() + err.str();
+  ViewerOptions options;
+  const ParsedArguments arguments = parse_arguments(table(options), argc, argv);
+  parsed.options = options;
+  if (arguments.ended) {
+    parsed.exit_code = arguments.exit_code;
+    parsed.text = arguments.text;
   }
-  o.compare = !no_compare;
   return parsed;
 }
 

@@ -1,0 +1,359 @@
+#include "app/cli/command_table.hpp"
+
+#include <stdexcept>
+
+#include "app/options/option_values.hpp"
+#include "app/session/version.hpp"
+#include "core/geometry/lattice.hpp"
+#include "core/molecule/radii_set.hpp"
+
+namespace alphascope::cli {
+namespace {
+
+const NumberRange kAlphaRange{-kMaxAlphaAngstrom2, kMaxAlphaAngstrom2, "Å²"};
+const NumberRange kSolventRange{0, 100, "Å"};
+const NumberRange kThreadRange{0, 1024};
+
+using Options = std::vector<Option>;
+
+void append(Options& options, Options more) {
+  for (Option& option : more) options.push_back(std::move(option));
+}
+
+std::string radii_choices() {
+  std::string text = "auto";
+  for (const RadiiSetInfo& set : all_radii_sets()) {
+    if (set.set != RadiiSet::user && set.id != "auto") text += "|" + std::string(set.id);
+  }
+  return text + "|FILE";
+}
+
+// -q and -v.
+Options verbosity(Verbosity& verbosity) {
+  Option quiet{.names = "-q,--quiet",
+               .text = "Print results and errors only: no notes, no progress"};
+  quiet.set = [&verbosity](const std::string&) { verbosity = Verbosity::quiet; };
+  Option verbose{.names = "-v,--verbose",
+                 .text =
+                     "Also print progress as lines on standard error, and with each result the "
+                     "time for opening and the memory used"};
+  verbose.set = [&verbosity](const std::string&) { verbosity = Verbosity::verbose; };
+  return {quiet, verbose};
+}
+
+Options input(InputOptions& input) {
+  const auto off = [](const char* name, const char* text, bool& value) {
+    return flag_option(name, text, value);
+  };
+  return {
+      choice_option({"--format", "auto|pdb|mmcif|pqr|xyz|tinker|xyzr|charmm",
+                     "Format of the file; auto tells it by content and name"},
+                    input.format),
+      text_option({"--radii", radii_choices(),
+                   "Radii: a set, the file's own (file), or a FILE with a table of your own"},
+                  input.radii),
+      text_option({"--model", "N|all|joined",
+                   "Model, counted from 1; all takes each by itself, joined takes all as one"},
+                  input.model),
+      choice_option({"--hydrogens", "auto|keep|drop",
+                     "Hydrogens; auto drops them when the radii set counts them with heavy atoms"},
+                    input.hydrogens),
+      choice_option(
+          {"--altlocs", "best|all", "Alternative locations: the best of each residue, or all"},
+          input.altlocs),
+      texts_option({"--chain", "ID", "Keep only these chains, such as A,B"}, input.chains),
+      texts_option({"--without-chain", "ID", "Drop these chains"}, input.without_chains),
+      text_option({"--select", "EXPRESSION",
+                   "Keep only what this picks, such as \"chain A and not resn HEM\""},
+                  input.select),
+      text_option({"--assembly", "ID", "Expand a biological assembly; info lists them"},
+                  input.assembly),
+      flag_option("--waters", "Keep waters (dropped by default)", input.waters),
+      flag_option("--dummies",
+                  "Keep dummy atoms, such as OPM's membrane planes (dropped by default)",
+                  input.dummies),
+      off("--no-polymers", "Drop proteins and nucleic acids (kept by default)", input.no_polymers),
+      off("--no-ligands", "Drop ligands (kept by default)", input.no_ligands),
+      off("--no-ions", "Drop ions (kept by default)", input.no_ions),
+  };
+}
+
+constexpr const char* kFileText =
+    "Molecule: PDB, mmCIF, XYZR, PQR, XYZ or CRD, also packed as .gz; - for standard input";
+
+Option one_file(InputOptions& input) {
+  return required(path_option({"FILE", "FILE", kFileText}, input.file));
+}
+
+Options many_files(InputFiles& files) {
+  Option named = texts_option({"FILE", "FILE", kFileText}, files.named);
+  return {named,
+          text_option({"--files-from", "LIST",
+                       "Read names of files from LIST, one a line; - for standard input"},
+                      files.list),
+          flag_option("--null", "Names in LIST end with a NUL byte, as find -print0 writes them",
+                      files.null_separated)};
+}
+
+// Throws std::invalid_argument.
+void require_files(const InputFiles& files) {
+  if (files.named.empty() && files.list.empty()) {
+    throw std::invalid_argument("name a FILE, or a list of files with --files-from");
+  }
+  if (files.null_separated && files.list.empty()) {
+    throw std::invalid_argument("--null needs --files-from");
+  }
+}
+
+Option alpha(SessionRequest& request) {
+  return required(number_option({"--alpha", "A", "Alpha in Å², negative too"},
+                                request.alpha_angstrom2, kAlphaRange));
+}
+
+Option alphas(std::vector<double>& alphas, const char* text) {
+  return numbers_option({"--alpha", "A", text}, alphas, kAlphaRange);
+}
+
+Option output(const char* name, const char* text, std::string& path) {
+  return text_option({name, "OUT", text}, path);
+}
+
+// The switches of the tuple engines; refused with another engine, where they would do nothing.
+Options tuples(SessionRequest& request) {
+  TupleOptions& tuples = request.tuples;
+  Option grid{.names = "--tuple-grid",
+              .value = "auto|100",
+              .text = "Cells: suited to the molecule (auto), or 100 x 100 x 100",
+              .fallback = "auto"};
+  grid.set = [&tuples, choices = grid.choices()](const std::string& id) {
+    require_choice(id, choices);
+    tuples.grid = id == "100" ? TupleGridKind::thesis : TupleGridKind::automatic;
+  };
+  const auto off = [](const char* name, const char* text, bool& value) {
+    return flag_option(name, text, value, false);
+  };
+  Options options{
+      grid,
+      off("--no-edge-optimisation", "Enumerate tuples of balls that do not all meet, too",
+          tuples.edge_optimisation),
+      off("--no-alpha-optimisation", "Send tuples of ortho-radius above alpha to kernel II, too",
+          tuples.alpha_optimisation),
+      off("--pageable", "GPU: pageable host memory instead of pinned", tuples.pinned),
+      off("--no-texture", "GPU: read balls from plain memory, not through textures",
+          tuples.texture),
+      with_default(whole_number_option({"--streams", "N", "GPU: streams side by side, 1 for none"},
+                                       tuples.streams, {1, 8}),
+                   std::to_string(tuples.streams)),
+      with_default(whole_number_option({"--tuples-per-batch", "N", "Tuples held at once"},
+                                       tuples.tuples_per_batch, {0, 100'000'000}),
+                   "0 = chosen")};
+  for (Option& option : options) {
+    option.group = "Options of --engine tuples-cpu and tuples-gpu (same result)";
+  }
+  return options;
+}
+
+// Throws std::invalid_argument.
+void require_tuple_engine(const SessionRequest& request) {
+  if (is_tuple_engine(request.engine) || request.tuples == TupleOptions{}) return;
+  throw std::invalid_argument(
+      "the options of the tuple engines need --engine tuples-cpu or tuples-gpu");
+}
+
+Options engine(SessionRequest& request, bool threads) {
+  Option engine{.names = "--engine",
+                .value = "auto|cpu|cgal|gpu|tuples-cpu|tuples-gpu",
+                .text = "Engine, with the same result; auto takes the GPU when there is one",
+                .fallback = "auto"};
+  engine.set = [&request, choices = engine.choices()](const std::string& id) {
+    require_choice(id, choices);
+    request.engine = *engine_from_id(id);
+  };
+  Options options{number_option({"--solvent", "S", "Solvent radius in Å, added to every radius"},
+                                request.solvent_radius_angstrom, kSolventRange),
+                  engine};
+  if (threads) {
+    options.push_back(with_default(
+        whole_number_option({"--threads", "N", "CPU threads"}, request.threads, kThreadRange),
+        "0 = all"));
+  }
+  options.push_back(
+      flag_option("--tetrahedra-only",
+                  "Compute only tetrahedra, without vertices, edges, triangles and classes",
+                  request.tetrahedra_only));
+  append(options, tuples(request));
+  return options;
+}
+
+OptionCommand info(InfoOptions& options) {
+  OptionCommand command{"info", "Tell what is in files and what is used of them", {}};
+  command.options = many_files(options.files);
+  append(command.options, input(options.input));
+  command.options.push_back(
+      output("--json", "The same as JSON; - for standard output", options.json));
+  command.options.push_back(
+      output("--csv", "One row for each file and model; - for standard output", options.csv));
+  command.check = [&options] { require_files(options.files); };
+  return command;
+}
+
+OptionCommand compute(ComputeOptions& options) {
+  OptionCommand command{"compute", "Compute the alpha complex of each file", {}};
+  command.options = many_files(options.files);
+  command.options.push_back(alpha(options.request));
+  append(command.options, engine(options.request, true));
+  append(command.options, input(options.input));
+  append(command.options,
+         {output("--json", "Counts, hash, times and provenance as JSON; - for standard output",
+                 options.json),
+          output("--csv",
+                 "Counts and provenance, one row for each file and model; - for standard output",
+                 options.csv),
+          output("--out", "All simplices with their alpha values, as text", options.out)});
+  command.check = [&options] {
+    require_files(options.files);
+    require_tuple_engine(options.request);
+  };
+  return command;
+}
+
+OptionCommand verify(VerifyOptions& options) {
+  OptionCommand command{
+      "verify", "Compare with CGAL as sets of simplices; exit code 0 only if identical", {}};
+  command.options = {one_file(options.input),
+                     required(alphas(options.alphas, "Alphas in Å², such as -1,0,1.4"))};
+  append(command.options, engine(options.request, true));
+  append(command.options,
+         {with_default(whole_number_option({"--cgal-threads", "N", "Threads for CGAL, 0 for all"},
+                                           options.cgal_threads, kThreadRange),
+                       "1"),
+          flag_option(
+              "--definition",
+              "Also prove from the definition, without CGAL, that all is right and nothing missing",
+              options.definition),
+          whole_number_option({"--show", "N", "Differences printed for each kind of simplex"},
+                              options.shown, {0, 1'000'000'000}),
+          output("--json", "The comparison as JSON; - for standard output", options.json)});
+  append(command.options, input(options.input));
+  command.check = [&options] { require_tuple_engine(options.request); };
+  return command;
+}
+
+// What only --suite thesis has.
+Options thesis_suite(BenchOptions& options) {
+  Options suite{
+      choice_option({"--suite", "thesis",
+                     "All engines, stages, ablations and figures of the thesis' chapter 4"},
+                    options.suite),
+      with_default(choices_option({"--engines", "cpu|gpu|tuples-cpu|tuples-gpu",
+                                   "Engines of the suite, such as cpu,gpu"},
+                                  options.engines),
+                   "all that can run here"),
+      number_option(
+          {"--seconds", "S", "Most time for a row; what needs longer for one run is left out"},
+          options.seconds_per_row, {0.1, 86400, "s"}),
+      flag_option("--no-ablation", "Without the rows that switch optimisations off",
+                  options.ablation, false),
+      output("--json", "The table as JSON; - for standard output", options.json),
+      text_option({"--charts", "DIR", "The figures as SVG, into this folder"}, options.charts)};
+  for (Option& option : suite) option.group = "The thesis' table and figures";
+  return suite;
+}
+
+OptionCommand bench(BenchOptions& options) {
+  OptionCommand command{
+      "bench", "Time our engine and CGAL in one process, cold and warm; medians", {}};
+  Option files = required(texts_option({"FILE", "FILE", kFileText}, options.files));
+  command.options = {files, with_default(alphas(options.alphas, "Alphas in Å², such as -1,0,1.4"),
+                                         "with --suite: 0,1.4,3 Å²")};
+  append(command.options, engine(options.request, false));
+  append(command.options,
+         {whole_numbers_option({"--threads", "N", "CPU threads for both, such as 1,2; 0 for all"},
+                               options.threads, kThreadRange),
+          whole_number_option({"--runs", "N", "Runs of each"}, options.runs, {1, 1000}),
+          output("--csv", "The table as CSV; - for standard output", options.csv)});
+  append(command.options, input(options.input));
+  append(command.options, thesis_suite(options));
+  command.check = [&options] { require_tuple_engine(options.request); };
+  return command;
+}
+
+Option drawing_memory(std::optional<std::uint64_t>& megabytes) {
+  Option option{.names = "--drawing-memory",
+                .value = "MB",
+                .text = "Assume this much free memory for drawing, in MB",
+                .fallback = "what the system says"};
+  option.set = [&megabytes](const std::string& value) {
+    megabytes = static_cast<std::uint64_t>(whole_number_in(value, {0, 2'000'000'000, "MB"}));
+  };
+  return option;
+}
+
+OptionCommand screenshot(ScreenshotCommandOptions& options) {
+  OptionCommand command{"screenshot", "Draw the complex; needs no display", {}};
+  command.options = {
+      one_file(options.input),
+      alpha(options.request),
+      required(path_option({"-o,--output", "OUT.png", "Picture to write"}, options.out)),
+      text_option({"--size", "WxH", "Width and height in pixels"}, options.size),
+      flag_option("--transparent", "No background", options.transparent),
+      flag_option("--light", "Light background", options.light),
+      flag_option("--no-balls", "Without the balls", options.no_balls),
+      flag_option("--grown", "Balls as large as alpha and solvent make them", options.grown),
+      flag_option("--boundary", "Only the boundary of the tetrahedra", options.boundary),
+      number_option({"--shrink", "X", "Draw tetrahedra apart, from 0 to 0.9 of their size"},
+                    options.shrink, {0, 0.9}),
+      choice_option({"--colours", "element|chain", "Colour of the balls"}, options.colours),
+      choice_option({"--simplex-colours", "balls|alpha",
+                     "Colour of the simplices: their balls', or by alpha value, with a legend"},
+                    options.simplex_colours),
+      flag_option("--no-legend", "Without the legend of the alpha values", options.no_legend),
+      flag_option("--scale-bar", "With a bar of a round length in Å", options.scale_bar),
+      drawing_memory(options.drawing_memory_mb)};
+  append(command.options, engine(options.request, true));
+  append(command.options, input(options.input));
+  command.check = [&options] { require_tuple_engine(options.request); };
+  return command;
+}
+
+std::vector<OptionNotes> notes() {
+  return {
+      {"Examples",
+       {"alphascope-cli info 1crn.pdb",
+        "alphascope-cli compute 1crn.pdb --alpha 0 --solvent 1.4 --json 1crn.json",
+        "alphascope-cli compute 1k4c.crd.gz --alpha 1.4 --out 1k4c.alpha",
+        "alphascope-cli compute 1d3z.cif.gz --model all --alpha 0 --solvent 1.4 --csv models.csv",
+        "alphascope-cli compute pdb/*.pdb.gz --alpha 0 --solvent 1.4 --csv all.csv",
+        "find pdb -name '*.cif.gz' | alphascope-cli info --files-from - --csv -",
+        "zcat 1crn.pdb.gz | alphascope-cli compute - --alpha 1.4",
+        "alphascope-cli verify 1crn.pdb --alpha -1,0,1.4,10",
+        "alphascope-cli bench 1k4c.crd.gz --alpha 0,1.4,3 --tetrahedra-only --csv times.csv",
+        "alphascope-cli screenshot 1crn.pdb --alpha 1.4 --size 1920x1080 -o 1crn.png"}},
+      {"Units",
+       {"Lengths are in Å. Alpha is in Å²: a ball of radius r grows to sqrt(r² + alpha); negative",
+        "alpha shrinks it. The solvent radius is added to every radius first (1.4 for water)."}},
+      {"Exit codes",
+       {"0 done; 1 differs from CGAL (verify, bench); 2 invalid usage; 3 a file cannot be read;",
+        "4 computing failed; 5 an output cannot be written; 130 cancelled (Ctrl-C). With several",
+        "files the code is that of the first file that failed."}}};
+}
+
+}  // namespace
+
+OptionProgram command_table(CommandOptions& options) {
+  OptionProgram program;
+  program.name = "alphascope-cli";
+  program.text = "The exact alpha complex of molecules, equal to CGAL's simplex by simplex";
+  program.version = std::string(program_version()) + " (" + std::string(program_commit()) + ")";
+  program.commands = {info(options.info), compute(options.compute), verify(options.verify),
+                      bench(options.bench), screenshot(options.screenshot)};
+  for (OptionCommand& command : program.commands) {
+    append(command.options, verbosity(options.verbosity));
+  }
+  program.notes = notes();
+  program.usage_exit_code = static_cast<int>(ExitCode::usage);
+  add_standard_options(program);
+  return program;
+}
+
+}  // namespace alphascope::cli

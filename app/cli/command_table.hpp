@@ -1,0 +1,21 @@
+// The options of every command, and the variables that they set.
+#pragma once
+
+#include "app/cli/commands.hpp"
+#include "app/options/option_table.hpp"
+
+namespace alphascope::cli {
+
+struct CommandOptions {
+  Verbosity verbosity = Verbosity::normal;
+  InfoOptions info;
+  ComputeOptions compute;
+  VerifyOptions verify;
+  BenchOptions bench;
+  ScreenshotCommandOptions screenshot;
+};
+
+// The table sets `options`, which must outlive it.
+OptionProgram command_table(CommandOptions& options);
+
+}  // namespace alphascope::cli

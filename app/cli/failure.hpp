@@ -1,0 +1,23 @@
+// Exceptions as what a command line says of them: a message and an exit code.
+#pragma once
+
+#include <string>
+
+#include "app/cli/commands.hpp"
+
+namespace alphascope::cli {
+
+struct Failure {
+  ExitCode code;
+  std::string message;  // sentences
+  // Whether another file may go well: not when the user cancelled or an output cannot be written.
+  bool of_this_file;
+};
+
+// Of the exception being handled: to be called in a catch block.
+Failure current_failure();
+
+// "alphascope-cli: MESSAGE" on standard error, after what standard output has waiting.
+void print_error(const std::string& message);
+
+}  // namespace alphascope::cli

@@ -1,0 +1,52 @@
+// alphascope-cli screenshot, as everybody starts it: goes over to alphascope-cli-draw, which is the
+// same command line with the renderer. Its 60 libraries are loaded for pictures only.
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+
+#include "app/cli/commands.hpp"
+
+namespace alphascope::cli {
+
+#ifdef ALPHASCOPE_DRAWING_FOLDER
+namespace {
+
+constexpr const char* kDrawingProgram = "alphascope-cli-draw";
+
+// Beside this program, as it is built, or where it is installed.
+std::vector<std::filesystem::path> candidates() {
+  const std::filesystem::path folder =
+      std::filesystem::read_symlink("/proc/self/exe").parent_path();
+  return {folder / kDrawingProgram,
+          (folder / ALPHASCOPE_DRAWING_FOLDER / kDrawingProgram).lexically_normal()};
+}
+
+}  // namespace
+
+ExitCode run_screenshot(const ScreenshotCommandOptions& options) {
+  std::vector<char*> arguments;
+  for (const std::string& argument : options.arguments) {
+    arguments.push_back(const_cast<char*>(argument.c_str()));  // execv's type; it changes nothing
+  }
+  arguments.push_back(nullptr);
+  std::string tried;
+  for (const std::filesystem::path& program : candidates()) {
+    ::execv(program.c_str(), arguments.data());  // returns only when it fails
+    tried += (tried.empty() ? "" : " nor ") + program.string() + " (" + std::strerror(errno) + ")";
+  }
+  throw std::runtime_error("The program that draws cannot be started: neither " + tried +
+                           ". Install alphascope-cli anew, with all of its files.");
+}
+
+#else
+
+ExitCode run_screenshot(const ScreenshotCommandOptions&) {
+  throw UsageError(
+      "This alphascope-cli was built without its renderer (ALPHASCOPE_BUILD_VIEWER=OFF), so it "
+      "draws no pictures. Build it with the viewer to use screenshot.");
+}
+
+#endif
+
+}  // namespace alphascope::cli

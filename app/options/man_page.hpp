@@ -1,0 +1,13 @@
+// The manual page, from the table of options.
+#pragma once
+
+#include <string>
+
+#include "app/options/option_table.hpp"
+
+namespace alphascope {
+
+// In the language of man(7), as UTF-8.
+std::string man_page(const OptionProgram& program);
+
+}  // namespace alphascope

@@ -1,0 +1,76 @@
+#include "app/options/option_table.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <sstream>
+
+namespace alphascope {
+namespace {
+
+std::vector<std::string> split(const std::string& text, char separator) {
+  std::vector<std::string> parts;
+  std::istringstream stream(text);
+  for (std::string part; std::getline(stream, part, separator);) parts.push_back(part);
+  return parts;
+}
+
+bool is_placeholder(const std::string& word) {
+  return std::isupper(static_cast<unsigned char>(word.front())) != 0;
+}
+
+}  // namespace
+
+std::vector<std::string> Option::all_names() const {
+  return split(names, ',');
+}
+
+std::string Option::shown_name() const {
+  return all_names().back();
+}
+
+std::vector<std::string> Option::choices() const {
+  std::vector<std::string> words = split(value, '|');
+  std::erase_if(words, is_placeholder);
+  return words;
+}
+
+bool Option::takes_file() const {
+  for (const std::string& word : split(value, '|')) {
+    for (const char* kind : {"FILE", "OUT", "LIST", "DIR"}) {
+      if (word.starts_with(kind)) return true;
+    }
+  }
+  return false;
+}
+
+std::string Option::shown_value() const {
+  return value + (list && !is_argument() ? ",..." : "");
+}
+
+const OptionCommand* OptionProgram::find(const std::string& command) const {
+  const auto named = [&](const OptionCommand& c) { return c.name == command; };
+  const auto found = std::find_if(commands.begin(), commands.end(), named);
+  return found == commands.end() ? nullptr : &*found;
+}
+
+std::vector<std::string> OptionProgram::command_names() const {
+  std::vector<std::string> names;
+  for (const OptionCommand& command : commands) names.push_back(command.name);
+  return names;
+}
+
+void add_standard_options(OptionProgram& program) {
+  const Option help{.names = "-h,--help", .text = "Print this help", .answer = Answer::help};
+  for (OptionCommand& command : program.commands) command.options.push_back(help);
+  program.options.push_back(help);
+  program.options.push_back(
+      {.names = "--version", .text = "Print name, version and commit", .answer = Answer::version});
+  program.options.push_back(
+      {.names = "--man-page", .text = "Print the manual page", .answer = Answer::man_page});
+  program.options.push_back({.names = "--completion",
+                             .value = "bash|zsh|fish",
+                             .text = "Print a script that completes commands and options",
+                             .answer = Answer::completion});
+}
+
+}  // namespace alphascope

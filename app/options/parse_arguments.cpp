@@ -1,0 +1,194 @@
+#include "app/options/parse_arguments.hpp"
+
+#include <CLI/CLI.hpp>
+#include <stdexcept>
+
+#include "app/options/completion.hpp"
+#include "app/options/did_you_mean.hpp"
+#include "app/options/help_text.hpp"
+#include "app/options/man_page.hpp"
+#include "app/options/option_values.hpp"
+
+namespace alphascope {
+namespace {
+
+// Thrown while parsing: --help and the like were asked for.
+struct Answered {
+  std::string text;
+};
+
+std::string answer(const OptionProgram& program, const OptionCommand* command, const Option& option,
+                   const std::string& value) {
+  switch (option.answer) {
+    case Answer::help:
+      return help_text(program, command);
+    case Answer::version:
+      return program.name + " " + program.version + "\n";
+    case Answer::man_page:
+      return man_page(program);
+    case Answer::completion:
+      require_choice(value, option.choices());
+      return completion_script(program, value);
+    case Answer::none:
+      break;
+  }
+  return {};
+}
+
+std::vector<std::string> values_of(const Option& option, const std::string& given) {
+  if (!option.list || option.is_argument()) return {given};
+  std::vector<std::string> values;
+  std::size_t begin = 0;
+  for (std::size_t comma; (comma = given.find(',', begin)) != given.npos; begin = comma + 1) {
+    values.push_back(given.substr(begin, comma - begin));
+  }
+  values.push_back(given.substr(begin));
+  return values;
+}
+
+void give(const OptionProgram& program, const OptionCommand* command, const Option& option,
+          const std::string& given) {
+  if (option.answer != Answer::none) throw Answered{answer(program, command, option, given)};
+  for (const std::string& value : values_of(option, given)) {
+    try {
+      option.set(value);
+    } catch (const std::invalid_argument& error) {
+      throw CLI::ValidationError(option.shown_name(), error.what());
+    }
+  }
+}
+
+void add(CLI::App& app, const OptionProgram& program, const OptionCommand* command,
+         const Option& option) {
+  if (option.is_flag()) {
+    app.add_flag_callback(option.names, [&, command] { give(program, command, option, ""); })
+        ->disable_flag_override();  // --waters=no would keep them
+    return;
+  }
+  CLI::Option* const added =
+      app.add_option(option.names, CLI::callback_t([&, command](const CLI::results_t& results) {
+                       for (const std::string& text : results) give(program, command, option, text);
+                       return true;
+                     }));
+  // An option never takes more than one word: else "--chain A FILE" would swallow the file.
+  if (option.list) added->expected(1, CLI::detail::expected_max_vector_size);
+  added->allow_extra_args(option.list && option.is_argument())->required(option.required);
+  if (option.list) added->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
+
+const Option* find(const std::vector<Option>& options, const std::string& name) {
+  for (const Option& option : options) {
+    for (const std::string& known : option.all_names()) {
+      if (known == name) return &option;
+    }
+  }
+  return nullptr;
+}
+
+std::vector<std::string> dashed_names(const std::vector<Option>& options) {
+  std::vector<std::string> names;
+  for (const Option& option : options) {
+    if (option.is_argument()) continue;
+    for (const std::string& name : option.all_names()) names.push_back(name);
+  }
+  return names;
+}
+
+// A mistyped command or option explains every other complaint of the parser. Empty: there is none.
+std::string unknown_word(const OptionProgram& program, const std::vector<std::string>& words) {
+  const OptionCommand* command = nullptr;
+  const std::vector<Option>* options = &program.options;
+  for (std::size_t k = 0; k < words.size() && words[k] != "--"; ++k) {
+    const std::string name = words[k].substr(0, words[k].find('='));
+    if (name.size() < 2 || name.front() != '-') {
+      if (command != nullptr || program.commands.empty()) continue;
+      command = program.find(name);
+      if (command == nullptr) {
+        return "there is no command \"" + name + "\"." +
+               did_you_mean(name, program.command_names());
+      }
+      options = &command->options;
+      continue;
+    }
+    if (name.starts_with("--") || find(*options, name.substr(0, 2)) == nullptr) {
+      const Option* const found = find(*options, name);
+      if (found == nullptr) {
+        return "there is no option " + name + "." + did_you_mean(name, dashed_names(*options));
+      }
+      if (!found->is_flag() && name.size() == words[k].size()) ++k;
+    } else if (name.size() == 2 && !find(*options, name)->is_flag()) {
+      ++k;
+    }
+  }
+  return {};
+}
+
+// CLI11's complaints in our words.
+std::string in_words(const OptionProgram& program, const OptionCommand* command,
+                     const CLI::ParseError& error) {
+  const std::string said = error.what(), name = said.substr(0, said.find(':'));
+  if (command == nullptr && !program.commands.empty()) {
+    std::string known;
+    for (const std::string& c : program.command_names()) known += (known.empty() ? "" : ", ") + c;
+    return "name a command: " + known;
+  }
+  if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) {
+    return "too many arguments" + said.substr(std::min(said.find(": "), said.size()));
+  }
+  if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) == nullptr) return said;
+  if (said.ends_with("disallowed flag override")) {
+    return "--" + said.substr(0, said.find(' ')) + " takes no value";
+  }
+  return name + (said.ends_with("missing") ? " needs a value" : " can be given only once");
+}
+
+ParsedArguments failure(const OptionProgram& program, const OptionCommand* command,
+                        std::string reason) {
+  if (reason.back() != '.' && reason.back() != '?') reason += '.';
+  return {command, true, program.usage_exit_code,
+          program.name + ": " + reason + "\nUsage: " + usage_line(program, command) + "\nSee " +
+              program.name + (command ? " " + command->name : "") + " --help\n"};
+}
+
+const OptionCommand* named_command(const OptionProgram& program,
+                                   const std::vector<std::string>& words) {
+  for (const std::string& word : words) {
+    if (const OptionCommand* const found = program.find(word)) return found;
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+ParsedArguments parse_arguments(const OptionProgram& program, int argc, const char* const* argv) {
+  CLI::App app;
+  app.set_help_flag();
+  for (const Option& option : program.options) add(app, program, nullptr, option);
+  ParsedArguments parsed;
+  for (const OptionCommand& command : program.commands) {
+    CLI::App* const sub = app.add_subcommand(command.name);
+    sub->set_help_flag();
+    for (const Option& option : command.options) add(*sub, program, &command, option);
+    sub->callback([&] {
+      parsed.command = &command;
+      if (command.check) command.check();
+    });
+  }
+  if (!program.commands.empty()) app.require_subcommand(1);
+  const std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
+  try {
+    app.parse(argc, argv);
+  } catch (const Answered& answered) {
+    parsed.ended = true;
+    parsed.text = answered.text;
+  } catch (const CLI::ParseError& error) {
+    const std::string unknown = unknown_word(program, words);
+    const OptionCommand* const command = named_command(program, words);
+    return failure(program, command, unknown.empty() ? in_words(program, command, error) : unknown);
+  } catch (const std::invalid_argument& error) {
+    return failure(program, named_command(program, words), error.what());
+  }
+  return parsed;
+}
+
+}  // namespace alphascope

@@ -9,6 +9,8 @@ namespace {
 constexpr std::size_t kWidth = 100;      // columns of a line
 constexpr std::size_t kTextColumn = 32;  // where the explanations begin
 
+constexpr char kUnbroken = '\x1F';  // stands for a blank at which no line is broken
+
 // Characters of UTF-8, which are columns here.
 std::size_t columns(const std::string& text) {
   return static_cast<std::size_t>(
@@ -34,14 +36,18 @@ std::string entry(const std::string& left, const std::string& explanation) {
     line += (blank ? "" : " ") + word;
     blank = false;
   }
-  return text + line + "\n";
+  text += line + "\n";
+  std::replace(text.begin(), text.end(), kUnbroken, ' ');
+  return text;
 }
 
 std::string explanation(const Option& option) {
   std::string text = option.text;
   if (option.required && !option.is_argument()) text += " (required)";
-  if (!option.fallback.empty()) text += " (default: " + option.fallback + ")";
-  return text;
+  if (option.fallback.empty()) return text;
+  std::string fallback = "(default: " + option.fallback + ")";
+  std::replace(fallback.begin(), fallback.end(), ' ', kUnbroken);
+  return text + " " + fallback;
 }
 
 std::string left_column(const Option& option) {

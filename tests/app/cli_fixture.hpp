@@ -82,10 +82,12 @@ class Cli : public ::testing::Test {
     return folder_ / name;
   }
 
-  Outcome run(const std::string& arguments) const {
+  // `input`: what standard input is.
+  Outcome run(const std::string& arguments, const fs::path& input = "/dev/null") const {
     const fs::path out = folder_ / "stdout", err = folder_ / "stderr";
     const std::string command = std::string("'" ALPHASCOPE_CLI "' ") + arguments + " >'" +
-                                out.string() + "' 2>'" + err.string() + "' </dev/null";
+                                out.string() + "' 2>'" + err.string() + "' <'" + input.string() +
+                                "'";
     const int status = std::system(command.c_str());
     Outcome outcome;
     outcome.code = WIFEXITED(status) ? WEXITSTATUS(status) : 1000 + WTERMSIG(status);

@@ -139,22 +139,23 @@ std::string zsh(const OptionProgram& program) {
   if (program.commands.empty()) {
     text += "  _arguments -s" + zsh_arguments(program.options, "    ") + "\n";
   } else {
-    text += "  local -a commands\n  commands=(\n";
+    text += "  local -a known\n  known=(\n";
     for (const OptionCommand& command : program.commands) {
       text += "    '" + command.name + ":" + plain(command.text) + "'\n";
     }
-    text +=
-        "  )\n  if (( CURRENT == 2 )); then\n    _describe command commands\n    _arguments -s" +
-        zsh_arguments(program.options, "      ") +
-        "\n    return\n  fi\n  local command=$words[2]\n  shift words\n  (( CURRENT-- ))\n"
-        "  case $command in\n";
+    text += "  )\n  if (( CURRENT == 2 )); then\n    _describe command known\n    _arguments -s" +
+            zsh_arguments(program.options, "      ") +
+            "\n    return\n  fi\n  local command=$words[2]\n  shift words\n  (( CURRENT-- ))\n"
+            "  case $command in\n";
     for (const OptionCommand& command : program.commands) {
       text += "    " + command.name + ") _arguments -s" + zsh_arguments(command.options, "      ") +
               " ;;\n";
     }
     text += "  esac\n";
   }
-  return text + "}\ncompdef " + function + " " + program.name + "\n";
+  // Loaded from a folder of completions, the file is the function; sourced, it is not.
+  return text + "}\nif [ \"$funcstack[1]\" = \"_" + program.name + "\" ]; then\n  " + function +
+         " \"$@\"\nelse\n  compdef " + function + " " + program.name + "\nfi\n";
 }
 
 std::string fish_options(const OptionProgram& program, const std::string& when,

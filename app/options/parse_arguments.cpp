@@ -1,6 +1,7 @@
 #include "app/options/parse_arguments.hpp"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <stdexcept>
 
 #include "app/options/completion.hpp"
@@ -11,6 +12,9 @@
 
 namespace alphascope {
 namespace {
+
+// Begins the words behind "--", which CLI11 would not give to a list that has begun before it.
+constexpr char kBehindDashes = '\x01';
 
 // Thrown while parsing: --help and the like were asked for.
 struct Answered {
@@ -36,7 +40,8 @@ std::string answer(const OptionProgram& program, const OptionCommand* command, c
 }
 
 std::vector<std::string> values_of(const Option& option, const std::string& given) {
-  if (!option.list || option.is_argument()) return {given};
+  if (option.is_argument()) return {given.substr(given.starts_with(kBehindDashes) ? 1 : 0)};
+  if (!option.list) return {given};
   std::vector<std::string> values;
   std::size_t begin = 0;
   for (std::size_t comma; (comma = given.find(',', begin)) != given.npos; begin = comma + 1) {
@@ -123,6 +128,23 @@ std::string unknown_word(const OptionProgram& program, const std::vector<std::st
   return {};
 }
 
+// As CLI11 takes them: the last one first.
+std::vector<std::string> words_for_cli11(const std::vector<std::string>& words) {
+  std::vector<std::string> marked;
+  bool behind = false;
+  for (const std::string& word : words) {
+    if (behind) {
+      marked.push_back(kBehindDashes + word);
+    } else if (word == "--") {
+      behind = true;
+    } else {
+      marked.push_back(word);
+    }
+  }
+  std::reverse(marked.begin(), marked.end());
+  return marked;
+}
+
 // CLI11's complaints in our words.
 std::string in_words(const OptionProgram& program, const OptionCommand* command,
                      const CLI::ParseError& error) {
@@ -133,7 +155,9 @@ std::string in_words(const OptionProgram& program, const OptionCommand* command,
     return "name a command: " + known;
   }
   if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) {
-    return "too many arguments" + said.substr(std::min(said.find(": "), said.size()));
+    std::string text = "too many arguments" + said.substr(std::min(said.find(": "), said.size()));
+    std::erase(text, kBehindDashes);
+    return text;
   }
   if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) == nullptr) return said;
   if (said.ends_with("disallowed flag override")) {
@@ -177,7 +201,7 @@ ParsedArguments parse_arguments(const OptionProgram& program, int argc, const ch
   if (!program.commands.empty()) app.require_subcommand(1);
   const std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
   try {
-    app.parse(argc, argv);
+    app.parse(words_for_cli11(words));
   } catch (const Answered& answered) {
     parsed.ended = true;
     parsed.text = answered.text;

@@ -1,0 +1,138 @@
+// The table of options: values, proposals, and that parsing does what the table says.
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "app/options/completion.hpp"
+#include "app/options/did_you_mean.hpp"
+#include "app/options/help_text.hpp"
+#include "app/options/man_page.hpp"
+#include "app/options/option_values.hpp"
+#include "app/options/parse_arguments.hpp"
+
+namespace alphascope {
+namespace {
+
+TEST(DidYouMean, ProposesTheNearestAndNothingFar) {
+  const std::vector<std::string> words{"--alpha", "--altlocs", "--solvent", "--tetrahedra-only"};
+  EXPECT_EQ(did_you_mean("--aplha", words), " Did you mean \"--alpha\"?");
+  EXPECT_EQ(did_you_mean("--ALPHA", words), " Did you mean \"--alpha\"?");
+  EXPECT_EQ(did_you_mean("--tetra", words), " Did you mean \"--tetrahedra-only\"?");
+  EXPECT_EQ(did_you_mean("--frobnicate", words), "");
+  EXPECT_EQ(did_you_mean("-x", {"-q", "-v"}), "") << "any two such are near each other";
+  EXPECT_EQ(did_you_mean("", words), "");
+  EXPECT_EQ(did_you_mean(std::string(100'000, 'a'), words), "") << "and is not slow";
+}
+
+struct Values {
+  bool light = false, balls = true;
+  double alpha = 0.5;
+  int threads = 0;
+  std::string engine = "auto", note;
+  std::vector<std::string> chains;
+  std::vector<int> counts{1};
+  std::vector<std::string> files;
+};
+
+OptionProgram table(Values& v) {
+  OptionProgram program;
+  program.name = "prog";
+  program.text = "Does it";
+  program.version = "1";
+  OptionCommand run;
+  run.name = "run";
+  run.text = "Runs";
+  run.options = {texts_option({"FILE", "FILE", "Input"}, v.files),
+                 flag_option("-l,--light", "Light", v.light),
+                 flag_option("--no-balls", "None", v.balls, false),
+                 number_option({"-a,--alpha", "A", "Alpha"}, v.alpha, {-10, 10, "Å²"}),
+                 whole_number_option({"--threads", "N", "Threads"}, v.threads, {0, 8}),
+                 choice_option({"--engine", "auto|cpu", "Engine"}, v.engine),
+                 text_option({"--note", "TEXT", "It's a \"note\": [100 %] -x"}, v.note),
+                 texts_option({"--chain", "ID", "Chains"}, v.chains),
+                 whole_numbers_option({"--counts", "N", "Counts"}, v.counts, {0, 100})};
+  run.check = [&v] {
+    if (v.note == "forbidden") throw std::invalid_argument("--note is forbidden");
+  };
+  program.commands = {run};
+  add_standard_options(program);
+  return program;
+}
+
+ParsedArguments parse(const OptionProgram& program, std::vector<const char*> words) {
+  words.insert(words.begin(), "prog");
+  return parse_arguments(program, static_cast<int>(words.size()), words.data());
+}
+
+TEST(Options, AreSetInEveryOrdinaryWayOfWritingThem) {
+  Values v;
+  const OptionProgram program = table(v);
+  const ParsedArguments parsed =
+      parse(program, {"run", "a", "-la-2.5", "--chain", "A,B", "b", "--chain=C", "--counts", "3,4",
+                      "--no-balls", "--note", "-x --y", "--engine", "cpu", "--", "--c"});
+  ASSERT_FALSE(parsed.ended) << parsed.text;
+  EXPECT_EQ(parsed.command->name, "run");
+  EXPECT_TRUE(v.light);
+  EXPECT_FALSE(v.balls);
+  EXPECT_EQ(v.alpha, -2.5);
+  EXPECT_EQ(v.chains, (std::vector<std::string>{"A", "B", "C"}));
+  EXPECT_EQ(v.counts, (std::vector<int>{3, 4})) << "instead of the default";
+  EXPECT_EQ(v.note, "-x --y");
+  EXPECT_EQ(v.engine, "cpu");
+  EXPECT_EQ(v.files, (std::vector<std::string>{"a", "b", "--c"}));
+}
+
+TEST(Options, RefuseWhatIsNoValue) {
+  for (const std::vector<const char*>& words :
+       std::vector<std::vector<const char*>>{{"run", "--alpha", "nan"},
+                                             {"run", "--alpha", "inf"},
+                                             {"run", "--alpha", "1e400"},
+                                             {"run", "--alpha", "10.1"},
+                                             {"run", "--alpha", "1 "},
+                                             {"run", "--alpha", ""},
+                                             {"run", "--alpha", "0x10"},
+                                             {"run", "--threads", "1e0"},
+                                             {"run", "--threads", "99999999999"},
+                                             {"run", "--engine", "gpu"},
+                                             {"run", "--counts", "1,,2"},
+                                             {"run", "--note", "forbidden"},
+                                             {"run", "-z"},
+                                             {"walk"},
+                                             {}}) {
+    Values v;
+    const OptionProgram program = table(v);
+    const ParsedArguments parsed = parse(program, words);
+    ASSERT_TRUE(parsed.ended) << (words.empty() ? "nothing" : words.back());
+    EXPECT_EQ(parsed.exit_code, 2);
+    EXPECT_TRUE(parsed.text.starts_with("prog: ")) << parsed.text;
+    EXPECT_NE(parsed.text.find("\nUsage: prog "), parsed.text.npos) << parsed.text;
+  }
+}
+
+TEST(Options, AnswersEndTheProgramWithoutAnError) {
+  Values v;
+  const OptionProgram program = table(v);
+  EXPECT_EQ(parse(program, {"--version"}).text, "prog 1\n");
+  EXPECT_EQ(parse(program, {"--help"}).text, help_text(program, nullptr));
+  EXPECT_EQ(parse(program, {"run", "-h"}).text, help_text(program, &program.commands[0]));
+  EXPECT_EQ(parse(program, {"--man-page"}).text, man_page(program));
+  EXPECT_EQ(parse(program, {"--completion", "fish"}).text, completion_script(program, "fish"));
+  const ParsedArguments wrong = parse(program, {"--completion", "bsah"});
+  EXPECT_EQ(wrong.exit_code, 2);
+  EXPECT_NE(wrong.text.find("Did you mean \"bash\"?"), wrong.text.npos) << wrong.text;
+}
+
+TEST(Options, TextIsEscapedForManualAndShells) {
+  Values v;
+  const OptionProgram program = table(v);
+  const std::string page = man_page(program);
+  EXPECT_NE(page.find("It\\(aqs a \"note\": [100 %] \\-x"), page.npos) << page;
+  // Quotes, colons and brackets would end what they stand in.
+  for (const char* shell : {"zsh", "fish"}) {
+    const std::string script = completion_script(program, shell);
+    EXPECT_NE(script.find("It s a |note|"), script.npos) << script;
+  }
+}
+
+}  // namespace
+}  // namespace alphascope

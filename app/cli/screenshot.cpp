@@ -14,7 +14,6 @@
 #include "app/cli/report_json.hpp"
 #include "app/cli/terminal.hpp"
 #include "app/cli/text.hpp"
-
 #include "app/session/result_header.hpp"
 #include "app/session/system_memory.hpp"
 #include "ui/scene/ball_colours.hpp"

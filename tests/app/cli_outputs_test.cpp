@@ -344,19 +344,6 @@ TEST_F(CliOutputs, TheExampleOfTheDocumentationIsWhatTheProgramWrites) {
   EXPECT_FALSE(std::getline(written, found)) << "after the documented end: " << found;
 }
 
-TEST_F(CliOutputs, TheThreadsThatAreSaidAreThoseThatAreUsed) {
-  const std::string file = "'" ALPHASCOPE_SOURCE_DIR "/resources/molecules/1crn.pdb' --alpha 1 ";
-  for (const char* engine : {"cpu", "cgal", "tuples-cpu"}) {
-    const std::string chosen = file + "--engine " + engine + " --threads ";
-    EXPECT_EQ(compute_json(chosen + "1")["engine"]["device"], "CPU, 1 thread");
-    // More than there are is the same as all.
-    const json all = compute_json(chosen + "0"), more = compute_json(chosen + "1024");
-    EXPECT_EQ(more["engine"]["device"], all["engine"]["device"]);
-    EXPECT_EQ(more["request"]["threads"], 1024);
-    EXPECT_EQ(more["hash"], all["hash"]);
-  }
-}
-
 TEST_F(CliOutputs, ASelectionOfAnyLengthNeedsNoDeepStack) {
   std::string any = "water", all = "all", deep;
   for (int n = 1; n < 25000; ++n) {

@@ -127,6 +127,19 @@ TEST_F(Cli, TheHashIsTheSameOnEveryEngineAndThreadCount) {
   EXPECT_TRUE(tetrahedra["counts"]["edges"].is_null()) << "unknown is not zero";
 }
 
+TEST_F(Cli, TheThreadsThatAreSaidAreThoseThatAreUsed) {
+  const std::string file = "'" ALPHASCOPE_SOURCE_DIR "/resources/molecules/1crn.pdb' --alpha 1 ";
+  for (const char* engine : {"cpu", "cgal", "tuples-cpu"}) {
+    const std::string chosen = file + "--engine " + engine + " --threads ";
+    EXPECT_EQ(compute_json(chosen + "1")["engine"]["device"], "CPU, 1 thread");
+    // More than there are is the same as all.
+    const json all = compute_json(chosen + "0"), more = compute_json(chosen + "1024");
+    EXPECT_EQ(more["engine"]["device"], all["engine"]["device"]);
+    EXPECT_EQ(more["request"]["threads"], 1024);
+    EXPECT_EQ(more["hash"], all["hash"]);
+  }
+}
+
 TEST_F(Cli, TheTupleEngineHasSwitchesAndCountsItsTuples) {
   const std::string file = "'" ALPHASCOPE_SOURCE_DIR "/resources/molecules/1crn.pdb' --alpha 1.4";
   const json expected = compute_json(file + " --engine cpu");

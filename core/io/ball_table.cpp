@@ -120,9 +120,10 @@ class BallTableReader {
     }
   }
 
+  // The kind stays as it is: each ball of a table is meant.
   void take_name(Atom& atom, std::string_view name) {
     atom.name = builder_.molecule().names.intern(name);
-    atom.element = element_from_atom_name(name, true);
+    guesser_.identify(atom, std::nullopt, NamePlace::free, builder_.molecule().names);
   }
 
   // "# serial chain resSeq resName name …" as Voronota writes, or a single name.
@@ -132,13 +133,23 @@ class BallTableReader {
     if (fields.size() == 1 && !is_number(fields[0])) {
       take_name(atom, fields[0]);
     } else if (fields.size() == 2 && !is_number(fields[1])) {  // XYZRN: "1 name_res_number"
-      take_name(atom, fields[1].substr(0, fields[1].find('_')));
+      take_joined_name(atom, fields[1]);
     } else if (fields.size() >= 5) {
       atom.chain = atom.label_chain = builder_.molecule().names.intern(fields[1]);
       std::from_chars(fields[2].data(), fields[2].data() + fields[2].size(), atom.residue_number);
       atom.residue_name = builder_.molecule().names.intern(fields[3]);
       take_name(atom, fields[4]);
     }
+  }
+
+  // "CA_GLY_12".
+  void take_joined_name(Atom& atom, std::string_view text) {
+    const std::size_t end = text.find('_');
+    if (end != std::string_view::npos) {
+      const std::string_view rest = text.substr(end + 1);
+      atom.residue_name = builder_.molecule().names.intern(rest.substr(0, rest.find('_')));
+    }
+    take_name(atom, text.substr(0, end));
   }
 
   Decimal take_number(std::string_view& data, char what) {
@@ -164,6 +175,7 @@ class BallTableReader {
   const ReaderInput& input_;
   LineReader lines_;
   MoleculeBuilder builder_;
+  AtomGuesser guesser_;
   bool first_line_ = true, layout_known_ = false, counted_ = false;
   std::size_t count_ = 0;
   std::size_t labels_ = 0;  // fields before x

@@ -58,6 +58,7 @@ class CardReader {
              "Correct the count or remove the surplus lines");
       }
     }
+    guesser_.add_note(builder_.molecule(), "because CHARMM cards hold none");
     return builder_.finish();
   }
 
@@ -87,33 +88,15 @@ class CardReader {
       position[k] =
           number(field_of(line, {layout.x.first + k * layout.x.width, layout.x.width}), "xyz"[k]);
     }
-    const std::string_view name = field_of(line, layout.atom_name);
-    atom.name = names.intern(name);
+    atom.name = names.intern(field_of(line, layout.atom_name));
     atom.residue_name = names.intern(field_of(line, layout.residue_name));
     atom.chain = atom.label_chain = names.intern(field_of(line, layout.segment));
     const std::string_view id = field_of(line, layout.residue_id);
     const auto [end, error] =
         std::from_chars(id.data(), id.data() + id.size(), atom.residue_number);
     if (error == std::errc() && end + 1 == id.data() + id.size()) atom.insertion_code = *end;
-    const ResidueFamily family = families_.of(atom.residue_name, names);
-    atom.kind = atom_kind(family, false);
-    // Ions apart, CHARMM's atom names begin with a one-letter element.
-    atom.element = element_from_atom_name(name, family != ResidueFamily::ion);
-    if (family == ResidueFamily::ion) atom.element = ion_element(name, atom.element);
+    atom.kind = atom_kind(guesser_.identify(atom, std::nullopt, NamePlace::free, names), false);
     builder_.add(atom, position);
-  }
-
-  // CHARMM's own names of ions, which begin like another element.
-  static Element ion_element(std::string_view name, Element fallback) {
-    constexpr struct {
-      std::string_view name;
-      Element element;
-    } kIonNames[] = {{"SOD", 11}, {"POT", 19}, {"CLA", 17}, {"CAL", 20}, {"CES", 55},
-                     {"LIT", 3},  {"RUB", 37}, {"BAR", 56}, {"CAD", 48}};
-    for (const auto& ion : kIonNames) {
-      if (ion.name == name) return ion.element;
-    }
-    return fallback;
   }
 
   Decimal number(std::string_view text, char what) const {
@@ -135,7 +118,7 @@ class CardReader {
   const ReaderInput& input_;
   LineReader lines_;
   MoleculeBuilder builder_;
-  ResidueFamilies families_;
+  AtomGuesser guesser_;
   bool wide_ = false;
   std::size_t count_ = 0, count_line_ = 0;
 };

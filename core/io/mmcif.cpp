@@ -134,6 +134,7 @@ class MmcifReader : public CifHandler {
       builder_.molecule().notes.push_back(
           "Only the first data block with atoms is read; further blocks with atoms are ignored");
     }
+    guesser_.add_note(builder_.molecule(), "because the column type_symbol holds none");
     assemblies_.finish(builder_.molecule());
     return builder_.finish();
   }
@@ -197,15 +198,13 @@ class MmcifReader : public CifHandler {
     atom.residue_number = integer(kAuthSeq, integer(kLabelSeq, 0));
     atom.occupancy = real(kOccupancy, 1);
     atom.b_factor = real(kBFactor, 0);
-    const ResidueFamily family = families_.of(atom.residue_name, names);
+    // A symbol that is no element (X) stays unknown.
+    std::optional<Element> stated;
+    if (!value(kSymbol).empty()) stated = element_from_symbol(value(kSymbol));
+    const ResidueFamily family = guesser_.identify(atom, stated, NamePlace::free, names);
     const bool in_polymer = !value(kLabelSeq).empty();
     atom.kind = atom_kind(family, atom.hetero && !in_polymer);
     if (in_polymer && atom.kind == AtomKind::ligand) atom.kind = AtomKind::polymer;
-    atom.element = element_from_symbol(value(kSymbol));
-    if (atom.element == kUnknownElement && value(kSymbol).empty()) {
-      atom.element =
-          element_from_atom_name(names.text(atom.name), family == ResidueFamily::biopolymer);
-    }
     builder_.add(atom, position);
   }
 
@@ -268,7 +267,7 @@ class MmcifReader : public CifHandler {
 
   const ReaderInput& input_;
   MoleculeBuilder builder_;
-  ResidueFamilies families_;
+  AtomGuesser guesser_;
   MmcifAssemblyTables assemblies_;
   std::vector<std::string> tags_, single_tags_;
   std::vector<CifValue> row_, single_row_;

@@ -3,6 +3,7 @@
 // hands out binary doubles without line numbers, refuses old files with an identifier in columns
 // 73-80, and reads wrong numbers where a five-digit residue number pushes the columns right.
 #include <charconv>
+#include <optional>
 #include <unordered_set>
 
 #include "core/io/atom_names.hpp"
@@ -88,11 +89,7 @@ class PdbReader {
       take(line);
     }
     Molecule& molecule = builder_.molecule();
-    if (guessed_elements_ > 0) {
-      molecule.notes.push_back(
-          "Elements guessed from atom names, because columns 77-78 hold none: " +
-          std::to_string(guessed_elements_) + " of " + std::to_string(builder_.size()) + " atoms");
-    }
+    guesser_.add_note(molecule, "because columns 77-78 hold none");
     if (shifted_lines_ > 0) {
       molecule.notes.push_back(
           "Lines read with their columns shifted right by a residue number of five or more "
@@ -160,12 +157,11 @@ class PdbReader {
     atom.hetero = line[0] == 'H';
     std::array<Decimal, 3> position;
     const std::size_t shift = take_position(line, position);
-    take_names(line, shift, atom);
     // Behind the coordinates everything is optional.
     const std::string_view rest = line.size() > shift ? line.substr(shift) : std::string_view();
+    take_names(line, rest, shift, atom);
     atom.occupancy = to_float(columns(rest, 55, 60), 1);
     atom.b_factor = to_float(columns(rest, 61, 66), 0);
-    take_element(line, rest, atom);
     builder_.add(atom, position);
   }
 
@@ -226,12 +222,14 @@ class PdbReader {
          "PDB columns are fixed; write the file again with a program that keeps them");
   }
 
-  void take_names(std::string_view line, std::size_t shift, Atom& atom) {
+  // rest: the line from `shift` on, with everything behind the coordinates in its columns.
+  void take_names(std::string_view line, std::string_view rest, std::size_t shift, Atom& atom) {
     NameTable& names = builder_.molecule().names;
     const bool six_digits = !atom.hetero && is_digit(line[5]);
     atom.serial =
         six_digits ? parse_serial(columns(line, 6, 11), 6) : parse_serial(columns(line, 7, 11), 5);
-    atom.name = names.intern(trimmed(columns(line, 13, 16)));
+    const std::string_view name = columns(line, 13, 16);
+    atom.name = names.intern(trimmed(name));
     atom.altloc = column(line, 17);
     take_residue_and_chain(line, atom);
     const std::string_view number = columns(line, 23, 26 + shift);
@@ -242,8 +240,9 @@ class PdbReader {
     } else {
       atom.insertion_code = column(line, 27 + shift);
     }
-    const ResidueFamily family = family_of(atom.residue_name);
-    atom.kind = atom_kind(family, atom.hetero);
+    const Element symbol = element_from_symbol(trimmed(columns(rest, 77, 78)));
+    const auto stated = symbol == kUnknownElement ? std::nullopt : std::optional(symbol);
+    atom.kind = atom_kind(guesser_.identify(atom, stated, place_of(name), names), atom.hetero);
     if (atom.kind == AtomKind::ligand && !modified_.empty() &&
         modified_.contains(residue_key(names.text(atom.chain), number,
                                        std::string_view(&atom.insertion_code, 1)))) {
@@ -271,27 +270,6 @@ class PdbReader {
     atom.chain = atom.label_chain = names.intern(chain);
   }
 
-  void take_element(std::string_view line, std::string_view rest, Atom& atom) {
-    atom.element = element_from_symbol(trimmed(columns(rest, 77, 78)));
-    if (atom.element != kUnknownElement) return;
-    const std::string_view field = columns(line, 13, 16);
-    const ResidueFamily family = family_of(atom.residue_name);
-    const bool biopolymer =
-        // Left-justified names of programs that do not know the rule below.
-        (!atom.hetero && (family == ResidueFamily::unknown || family == ResidueFamily::ligand) &&
-         has_position_letter(field)) ||
-        family == ResidueFamily::biopolymer || family == ResidueFamily::water ||
-        // " CA " and "HE21": columns 13-14 are the symbol, right-justified, unless all are used.
-        (!field.empty() && is_blank(field[0])) ||
-        (field.size() == 4 && field[0] == 'H' && !is_blank(field[3]));
-    atom.element = element_from_atom_name(trimmed(field), biopolymer);
-    ++guessed_elements_;
-  }
-
-  ResidueFamily family_of(NameId residue) {
-    return families_.of(residue, builder_.molecule().names);
-  }
-
   static char column(std::string_view line, std::size_t number) {
     return line.size() >= number ? line[number - 1] : ' ';
   }
@@ -303,12 +281,12 @@ class PdbReader {
   const ReaderInput& input_;
   LineReader lines_;
   MoleculeBuilder builder_;
-  ResidueFamilies families_;
+  AtomGuesser guesser_;
   PdbAssemblyRecords assemblies_;
   std::unordered_set<std::string> modified_;  // residues that MODRES names
   int model_count_ = 0;
   bool between_models_ = false;
-  std::size_t guessed_elements_ = 0, shifted_lines_ = 0;
+  std::size_t shifted_lines_ = 0;
 };
 
 }  // namespace

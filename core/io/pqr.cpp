@@ -39,6 +39,7 @@ class PqrReader {
         between_models_ = true;
       }
     }
+    guesser_.add_note(builder_.molecule(), "because PQR files hold none");
     return builder_.finish();
   }
 
@@ -55,13 +56,9 @@ class PqrReader {
       take_columns(line, tag, atom, position, radius);
     }
     if (radius.mantissa < 0) fail("the radius is negative", "Radii are in Å and at least 0");
-    const ResidueFamily family = families_.of(atom.residue_name, builder_.molecule().names);
+    const ResidueFamily family =
+        guesser_.identify(atom, std::nullopt, NamePlace::free, builder_.molecule().names);
     atom.kind = atom_kind(family, atom.hetero);
-    atom.element = element_from_atom_name(
-        builder_.molecule().text(atom.name),
-        family == ResidueFamily::biopolymer || family == ResidueFamily::water ||
-            ((family == ResidueFamily::unknown || family == ResidueFamily::ligand) &&
-             has_position_letter(builder_.molecule().text(atom.name))));
     builder_.add(atom, position, radius);
   }
 
@@ -157,7 +154,7 @@ class PqrReader {
   const ReaderInput& input_;
   LineReader lines_;
   MoleculeBuilder builder_;
-  ResidueFamilies families_;
+  AtomGuesser guesser_;
   std::array<std::string_view, kMostFields> fields_;
   std::string_view line_;
   int models_ = 0;

@@ -25,7 +25,8 @@ bool parse_count(std::string_view text, std::size_t& count) {
   return error == std::errc() && end == text.data() + text.size();
 }
 
-// "C", "CL", "C12", "6": a symbol, perhaps numbered, or an atomic number.
+// "C", "CL", "C12", "6": a symbol, perhaps numbered, or an atomic number; kUnknownElement for an
+// atom's name or a placeholder.
 Element element_of(std::string_view symbol) {
   std::size_t number = 0;
   if (parse_count(symbol, number)) {
@@ -69,6 +70,7 @@ class XyzReader {
         take_atom(line);
       }
     }
+    guesser_.add_note(builder_.molecule(), "because they stand in place of symbols");
     return builder_.finish();
   }
 
@@ -170,15 +172,26 @@ class XyzReader {
     atom.source_line = static_cast<std::uint32_t>(lines_.number());
     atom.serial = static_cast<std::int32_t>(builder_.size() + 1);
     atom.name = builder_.molecule().names.intern(symbol);
-    atom.element = tinker_ ? tinker_element(symbol) : element_of(symbol);
+    take_element(atom, symbol);
     if (!radius) return builder_.add(atom, position);
     if (radius->mantissa < 0) fail("the radius is negative", "Radii are in Å and at least 0");
     builder_.add(atom, position, *radius);
   }
 
-  // Tinker has force field names such as CA, HN and OW there; ions are written with a sign.
-  static Element tinker_element(std::string_view name) {
-    return element_from_atom_name(name, has_position_letter(name) || name == "HN" || name == "OW");
+  // Tinker has force field names there, such as CA, HN, OW and Na+; so have some XYZ files.
+  void take_element(Atom& atom, std::string_view symbol) {
+    const NameTable& names = builder_.molecule().names;
+    if (!tinker_) {
+      const Element element = element_of(symbol);
+      // "Du", "X", "Bq": placeholders begin with no letter of these.
+      constexpr std::string_view kOfNames = "CHNOPS";
+      const bool name = element == kUnknownElement && kOfNames.find(symbol[0]) != kOfNames.npos;
+      if (!name) {
+        guesser_.identify(atom, element, NamePlace::free, names);
+        return;
+      }
+    }
+    guesser_.identify(atom, std::nullopt, NamePlace::free, names);
   }
 
   Decimal number(std::string_view text, char what) const {
@@ -198,6 +211,7 @@ class XyzReader {
   const ReaderInput& input_;
   LineReader lines_;
   MoleculeBuilder builder_;
+  AtomGuesser guesser_;
   XyzLayout layout_;
   bool tinker_;
   std::size_t count_ = 0, count_line_ = 0;

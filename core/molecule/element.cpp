@@ -54,4 +54,8 @@ bool is_metal(Element z) {
          within(87, 116);
 }
 
+bool is_halogen(Element z) {
+  return z == 9 || z == 17 || z == 35 || z == 53;
+}
+
 }  // namespace alphascope

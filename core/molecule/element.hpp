@@ -21,5 +21,7 @@ Element element_from_symbol(std::string_view symbol);
 
 // Metals, metalloids excluded: what forms cations and is alone in its residue.
 bool is_metal(Element element);
+// F, Cl, Br and I: what forms halide ions.
+bool is_halogen(Element element);
 
 }  // namespace alphascope

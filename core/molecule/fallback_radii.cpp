@@ -41,10 +41,6 @@ constexpr ElementTable kIonic = make_element_table(kIonicEntries);
 // What crystallographic programs give to elements without a van der Waals radius.
 constexpr int kOtherMilliangstrom = 2000;
 
-bool is_halogen(Element element) {
-  return element == 9 || element == 17 || element == 35 || element == 53;
-}
-
 bool is_van_der_waals(RadiiSet set) {
   return set == RadiiSet::bondi || set == RadiiSet::alvarez;
 }

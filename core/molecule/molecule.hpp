@@ -36,7 +36,8 @@ struct Atom {
   AtomKind kind = AtomKind::polymer;
   char altloc = ' ';
   char insertion_code = ' ';
-  bool hetero = false;  // HETATM in the file
+  bool hetero = false;           // HETATM in the file
+  bool element_guessed = false;  // from its names, which leave a choice
 };
 
 // Atoms [begin, end) of Molecule::atoms form one model.

@@ -188,15 +188,22 @@ class RadiusSource {
       return 0;
     }
     const AssignedRadius assigned = lookup_.radius(atom);
-    if (assigned.guessed) {
+    if (assigned.guessed || atom.element_guessed) {
       ++report_.guessed_atoms;
-      note(report_.guessed, guess_index_, atom, assigned.microangstrom / 1e6, assigned.source);
+      note(report_.guessed, guess_index_, atom, assigned.microangstrom / 1e6,
+           source_of_guess(assigned, atom));
     }
     return on_lattice(assigned.microangstrom);
   }
 
  private:
   using Index = std::unordered_map<std::uint64_t, std::size_t>;
+
+  static std::string source_of_guess(const AssignedRadius& assigned, const Atom& atom) {
+    std::string text(assigned.source);
+    if (!atom.element_guessed || atom.element == kUnknownElement) return text;
+    return text + (text.empty() ? "" : "; ") + "element guessed from the atom's name";
+  }
 
   // Names are numbered from 0 without gaps, far below 2^28 even in the largest files.
   static std::uint64_t key(NameId residue, NameId name, Element element) {

@@ -2,11 +2,13 @@
 //   XYZR       x y z r [name…]; blank lines and lines starting with # are skipped
 //   CRD        the same after a line with the number of balls (ParallelAC), or without (AlphaMol)
 //   labelled   chain [residue-number [atom-name]] x y z r (Voronota)
+//   numbered   number x y z r [name…]
 #include <array>
 #include <charconv>
 #include <vector>
 
 #include "core/io/atom_names.hpp"
+#include "core/io/ball_columns.hpp"
 #include "core/io/line_reader.hpp"
 #include "core/io/molecule_builder.hpp"
 #include "core/io/readers.hpp"
@@ -15,17 +17,6 @@ namespace alphascope {
 namespace {
 
 constexpr std::size_t kProgressLines = 65536;
-
-bool is_number(std::string_view text) {
-  Decimal value;
-  return parse_decimal(text, value) != DecimalStatus::malformed;
-}
-
-std::vector<std::string_view> fields_of(std::string_view line) {
-  std::vector<std::string_view> fields;
-  for (std::string_view f = next_field(line); !f.empty(); f = next_field(line)) fields.push_back(f);
-  return fields;
-}
 
 class BallTableReader {
  public:
@@ -48,10 +39,26 @@ class BallTableReader {
                std::to_string(builder_.size()) + " follow",
            "The file is incomplete or the count is wrong; fetch it again or correct the count");
     }
+    add_notes();
     return builder_.finish();
   }
 
  private:
+  void add_notes() {
+    std::vector<std::string>& notes = builder_.molecule().notes;
+    if (columns_.numbered) {
+      notes.push_back(
+          "Five numbers a line: the first is taken for the number of the ball, since it cannot be "
+          "x "
+          "beside the others; x y z r follow");
+    }
+    if (surplus_lines_ > 0) {
+      notes.push_back("Numbers behind the radius are passed over: in " +
+                      std::to_string(surplus_lines_) + " of " + std::to_string(builder_.size()) +
+                      " lines, first in line " + std::to_string(first_surplus_line_));
+    }
+  }
+
   bool take_count(std::string_view data) {
     const auto [end, error] = std::from_chars(data.data(), data.data() + data.size(), count_);
     counted_ = error == std::errc() && end == data.data() + data.size();
@@ -63,29 +70,11 @@ class BallTableReader {
     return true;
   }
 
-  // The first ball tells where the labels are.
-  void take_layout(std::string_view data) {
-    const std::vector<std::string_view> fields = fields_of(data.substr(0, data.find('#')));
-    const std::size_t n = fields.size();
-    const auto numbers_from = [&](std::size_t first) {
-      for (std::size_t k = first; k < first + 4; ++k) {
-        if (k >= n || !is_number(fields[k])) return false;
-      }
-      return true;
-    };
-    if (numbers_from(0)) {
-      labels_ = 0;
-    } else if (n > 4 && !is_number(fields[0]) && numbers_from(n - 4)) {
-      labels_ = n - 4;
-    } else {
-      fail(lines_.number(), "expected four numbers \"x y z r\", found \"" + shortened(data) + "\"",
-           "Each line holds the centre and the radius of one ball, in Å");
-    }
-    layout_known_ = true;
-  }
-
   void take_ball(std::string_view data) {
-    if (!layout_known_) take_layout(data);
+    if (!columns_known_) {
+      columns_ = find_ball_columns(input_.source, data, lines_);
+      columns_known_ = true;
+    }
     if (counted_ && builder_.size() == count_) {
       fail(lines_.number(),
            "more balls than the " + std::to_string(count_) + " that the first line announces",
@@ -94,7 +83,11 @@ class BallTableReader {
     Atom atom;
     atom.source_line = static_cast<std::uint32_t>(lines_.number());
     atom.serial = static_cast<std::int32_t>(builder_.size() + 1);
-    take_labels(data, atom);
+    if (columns_.numbered) {
+      take_number_of_ball(data, atom);
+    } else if (columns_.labels > 0) {
+      take_labels(data, atom);
+    }
     std::array<Decimal, 3> position;
     for (int k = 0; k < 3; ++k) position[k] = take_number(data, "xyz"[k]);
     const Decimal radius = take_number(data, 'r');
@@ -102,13 +95,35 @@ class BallTableReader {
       fail(lines_.number(), "the radius is negative", "Radii are in Å and at least 0");
     }
     const std::string_view comment = trimmed(data);
-    if (labels_ == 0 && !comment.empty()) take_comment(atom, comment);
+    const bool labelled = columns_.labels > 0 && !columns_.numbered;
+    if (!labelled && !comment.empty()) take_comment(atom, comment);
     builder_.add(atom, position, radius);
+  }
+
+  void take_number_of_ball(std::string_view& data, Atom& atom) {
+    const std::string_view text = next_field(data);
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), atom.serial);
+    const bool fits = error == std::errc() && end == text.data() + text.size() &&
+                      (builder_.size() == 0 || atom.serial == last_number_ + 1);
+    if (!fits) {
+      fail(lines_.number(),
+           "expected the number of the next ball in the first column, found \"" + shortened(text) +
+               "\"",
+           "The lines before are \"number x y z r\"; remove the numbers from all lines");
+    }
+    last_number_ = atom.serial;
   }
 
   // "chain", "chain residue-number", "chain residue-number atom-name"; more are passed over.
   void take_labels(std::string_view& data, Atom& atom) {
-    for (std::size_t k = 0; k < labels_; ++k) {
+    const std::size_t fields = ball_fields(data).size();
+    if (fields != columns_.labels + 4) {
+      fail(lines_.number(),
+           "the line has " + std::to_string(fields) + " fields, the first ball's has " +
+               std::to_string(columns_.labels + 4),
+           "Every line needs the same labels before x y z r; put # before what follows the radius");
+    }
+    for (std::size_t k = 0; k < columns_.labels; ++k) {
       const std::string_view label = next_field(data);
       if (k == 0) {
         atom.chain = atom.label_chain = builder_.molecule().names.intern(label);
@@ -128,17 +143,20 @@ class BallTableReader {
 
   // "# serial chain resSeq resName name …" as Voronota writes, or a single name.
   void take_comment(Atom& atom, std::string_view comment) {
-    if (comment.front() == '#') comment.remove_prefix(1);
-    const std::vector<std::string_view> fields = fields_of(comment);
+    const bool marked = comment.front() == '#';
+    if (marked) comment.remove_prefix(1);
+    const std::vector<std::string_view> fields = ball_fields(comment);
     if (fields.size() == 1 && !is_number(fields[0])) {
       take_name(atom, fields[0]);
     } else if (fields.size() == 2 && !is_number(fields[1])) {  // XYZRN: "1 name_res_number"
       take_joined_name(atom, fields[1]);
-    } else if (fields.size() >= 5) {
+    } else if (fields.size() >= 5 && (marked || !is_number(fields[3]))) {
       atom.chain = atom.label_chain = builder_.molecule().names.intern(fields[1]);
       std::from_chars(fields[2].data(), fields[2].data() + fields[2].size(), atom.residue_number);
       atom.residue_name = builder_.molecule().names.intern(fields[3]);
       take_name(atom, fields[4]);
+    } else if (!marked && is_number(fields[0])) {
+      if (surplus_lines_++ == 0) first_surplus_line_ = lines_.number();
     }
   }
 
@@ -176,9 +194,11 @@ class BallTableReader {
   LineReader lines_;
   MoleculeBuilder builder_;
   AtomGuesser guesser_;
-  bool first_line_ = true, layout_known_ = false, counted_ = false;
+  BallColumns columns_;
+  bool first_line_ = true, columns_known_ = false, counted_ = false;
   std::size_t count_ = 0;
-  std::size_t labels_ = 0;  // fields before x
+  std::int32_t last_number_ = 0;                            // of a numbered ball
+  std::size_t surplus_lines_ = 0, first_surplus_line_ = 0;  // with numbers behind the radius
 };
 
 }  // namespace

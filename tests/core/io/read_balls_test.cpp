@@ -43,6 +43,63 @@ TEST(ReadBallTable, KnowsBothCrdDialectsAndLabels) {
   EXPECT_EQ(labelled.text(labelled.atoms[1].name), "ZN");
 }
 
+TEST(ReadBallTable, RecognisesTheNumbersOfTheBallsAndSaysSo) {
+  for (const char* text : {"1 10.0 20.0 30.0 1.5\n2 11.5 -20.0 30.0 1.7 CA\n",
+                           "0 10.0 20.0 30.0 1.5\n1 11.5 -20.0 30.0 1.7 CA\n",
+                           "2\n1 10 20 -30 1.5\n2 11.5 -20 30 1.7 CA\n"}) {
+    SCOPED_TRACE(text);
+    const Molecule m = read_text("a.xyzr", text);
+    ASSERT_EQ(m.atoms.size(), 2u);
+    EXPECT_EQ(m.atoms[0].position.x, 10000);
+    EXPECT_EQ(m.atoms[0].file_radius, 1500);
+    EXPECT_EQ(m.atoms[1].position, (LatticePoint{11500, -20000, 30000}));
+    EXPECT_EQ(m.atoms[1].file_radius, 1700);
+    EXPECT_EQ(m.text(m.atoms[1].name), "CA");
+    ASSERT_EQ(m.notes.size(), 1u);
+    EXPECT_NE(m.notes[0].find("number of the ball"), std::string::npos);
+  }
+  const std::string many = "1 10.0 20.0 30.0 1.5\n2 11.5 20.0 30.0 1.7\n";
+  EXPECT_EQ(refusal("a.xyzr", many + "3 1.5 2.5 3.5\n").line(), 1u);
+  EXPECT_EQ(refusal("a.xyzr", many + "3 1.5 2.5 3.5 x\n").line(), 1u);
+}
+
+TEST(ReadBallTable, RefusesFiveNumbersOfTwoReadings) {
+  for (const char* text :
+       {"1 10.0 20.0 30.0 1.5\n", "1 0 0 1 7\n2 0 0 1 7\n",
+        "5 1.0 2.0 3.0 1.5\n9 1.5 2.0 3.0 1.5\n", "1 10.0 20.0 30.0 1 CA\n2 10.0 20.0 31.0 1 CB\n",
+        "1\n\n1 10.0 20.0 30.0 1.5\n"}) {
+    SCOPED_TRACE(text);
+    const ReadError error = refusal("a.crd", text);
+    EXPECT_NE(error.reason().find("five numbers"), std::string::npos) << error.what();
+    EXPECT_FALSE(error.remedy().empty());
+  }
+}
+
+TEST(ReadBallTable, NumbersBehindTheRadiusAreSaid) {
+  const Molecule m = read_text("a.xyzr", "0.5 1 2 1.5 7\n1 1 2 1.5\n-1 1 2 1.7 7.5 8\n");
+  ASSERT_EQ(m.atoms.size(), 3u);
+  EXPECT_EQ(m.atoms[2].file_radius, 1700);
+  ASSERT_EQ(m.notes.size(), 1u);
+  EXPECT_NE(m.notes[0].find("in 2 of 3 lines, first in line 1"), std::string::npos) << m.notes[0];
+  // MSMS' flag and name, names and marked comments are no surplus.
+  const Molecule named =
+      read_text("a.xyzr", "1 2 3 1.7 1 CA_ALA_12\n2 2 3 1.7 1 CD_CD_13\n3 1.0 2.0 1.5 1 C_LIG_2\n");
+  EXPECT_TRUE(named.notes.empty());
+  EXPECT_EQ(named.atoms[0].position.x, 1000);
+  EXPECT_EQ(named.atoms[0].element, 6);
+  EXPECT_EQ(named.atoms[1].element, 48);
+  EXPECT_TRUE(read_text("a.xyzr", "1 2 3 1.7 # 4 5\n").notes.empty());
+}
+
+TEST(ReadBallTable, LabelsAreTheSameInEveryLine) {
+  const ReadError more = refusal("a.xyzr", "A 1 2 3 1.5\nB 12 1 2 3 1.5\n");
+  EXPECT_EQ(more.line(), 2u);
+  EXPECT_EQ(more.reason(), "the line has 6 fields, the first ball's has 5");
+  EXPECT_EQ(refusal("a.xyzr", "A 1.5 2.5 3.5 1.5 7\n").line(), 1u);
+  EXPECT_EQ(refusal("a.xyzr", "A 1 2 3 1.5 7 8\n").line(), 1u);
+  EXPECT_EQ(read_text("a.xyzr", "A -1 CA 1 2 3 1.5 # 7\n").atoms[0].residue_number, -1);
+}
+
 TEST(ReadBallTable, NamesLineAndRemedyOfWhatIsWrong) {
   EXPECT_STREQ(refusal("a.xyzr", "1 2 3 1.5\n1 2 3 -0.5\n").reason().c_str(),
                "the radius is negative");

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "core/io/atom_names.hpp"  // for shortened
 #include "core/io/read_error.hpp"
 #include "core/io/text_limits.hpp"
 
@@ -35,6 +36,26 @@ class Inflater {
                   short_file ? "the gzip data end too early: the file is truncated"
                              : "the gzip data are damaged",
                   "Fetch or copy the file again");
+}
+
+// `tail` follows the last member.
+void refuse_rest(const std::filesystem::path& path, std::string_view packed,
+                 std::string_view tail) {
+  if (tail.find_first_not_of('\0') == std::string_view::npos) return;
+  constexpr std::size_t kShown = 40;
+  const std::string_view start = tail.substr(0, kShown);
+  const bool text = std::all_of(start.begin(), start.end(), [](char c) {
+    return (c >= ' ' && c <= '~') || c == '\t' || c == '\n' || c == '\r';
+  });
+  const std::size_t line = start.find_first_not_of("\r\n");
+  const std::string_view words =
+      line == start.npos ? "" : start.substr(line, start.find_first_of("\r\n", line) - line);
+  throw ReadError(path, 0,
+                  "the gzip data end at byte " + std::to_string(packed.size() - tail.size()) +
+                      " of " + std::to_string(packed.size()) + ", and " +
+                      (text ? "text follows: \"" + shortened(words) + "\"" : "other data follow"),
+                  "If a file was appended without packing it, unpack the first part and append to "
+                  "that; else fetch the file again");
 }
 
 void refuse_bomb(const std::filesystem::path& path, std::uint64_t unpacked, std::uint64_t packed) {
@@ -72,7 +93,11 @@ TextBuffer unpack_gzip(const std::filesystem::path& path, std::string_view packe
     lengths.look_at(text.view());
     refuse_bomb(path, text.size(), packed.size());
     if (code == Z_STREAM_END) {
-      if (!packed.substr(used).starts_with("\x1f\x8b")) break;
+      const std::string_view tail = packed.substr(used);
+      if (!tail.starts_with("\x1f\x8b") && tail != "\x1f") {
+        refuse_rest(path, packed, tail);
+        break;
+      }
       inflateReset(&stream);
     } else if (code != Z_OK) {
       refuse_gzip(path, code);

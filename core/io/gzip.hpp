@@ -10,8 +10,9 @@
 
 namespace alphascope {
 
-// All members of a gzip file, one after another, as gunzip does; what follows the last is ignored.
-// `path` is for messages. Throws ReadError for data that are damaged or end too early, a line
+// All members of a gzip file, one after another, as gunzip does; zero bytes that pad the file are
+// no data. `path` is for messages. Throws ReadError for data that are damaged or end too early, for
+// anything else behind the last member (a text that was appended would be lost), a line
 // longer than kLongestLine, more than max_bytes, or more than any molecule would unpack to; and
 // Cancelled.
 TextBuffer unpack_gzip(const std::filesystem::path& path, std::string_view packed,

@@ -125,6 +125,25 @@ TEST(HostileInput, GzipTruncatedDamagedAndEndless) {
   EXPECT_NE(refusal("a.pdb.gz", bomb, small).reason().find("limit of 1 MiB"), std::string::npos);
 }
 
+TEST(HostileInput, WhatFollowsGzipDataIsNeverLost) {
+  const std::string packed = gzip("1 2 3 1.5\n");
+  EXPECT_EQ(read_text("a.xyzr.gz", packed + std::string(600, '\0')).atoms.size(), 1u) << "padding";
+  EXPECT_EQ(read_text("a.xyzr.gz", packed + packed + std::string(1, '\0')).atoms.size(), 2u);
+  const ReadError text = refusal("a.xyzr.gz", packed + "4 5 6 1.5\n");
+  EXPECT_NE(text.reason().find("byte " + std::to_string(packed.size())), std::string::npos);
+  EXPECT_NE(text.reason().find("\"4 5 6 1.5\""), std::string::npos) << text.what();
+  EXPECT_NE(text.remedy().find("append"), std::string::npos);
+  for (const std::string& rest : {std::string("\x01\x02"), std::string(9, '\0') + "x",
+                                  std::string(1, '\0') + packed, std::string("\x8b\x1f")}) {
+    EXPECT_NE(refusal("a.xyzr.gz", packed + rest).reason().find("other data follow"),
+              std::string::npos);
+  }
+  for (const std::size_t length : {1, 2, 9}) {
+    EXPECT_EQ(refusal("a.xyzr.gz", packed + packed.substr(0, length)).reason(),
+              "the gzip data end too early: the file is truncated");
+  }
+}
+
 TEST(HostileInput, PipesAndForbiddenFilesAreNamed) {
   const TemporaryFile file("a.pdb", "x");
   const std::filesystem::path pipe = file.path().parent_path() / "pipe.pdb";

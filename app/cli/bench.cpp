@@ -11,6 +11,7 @@
 #include "app/cli/report_json.hpp"
 #include "app/cli/terminal.hpp"
 #include "app/cli/text.hpp"
+#include "app/session/rounding_note.hpp"
 #include "core/io/csv.hpp"
 
 namespace alphascope::cli {
@@ -171,6 +172,8 @@ ExitCode run_bench(const BenchOptions& options) {
           SessionRequest request = options.request;
           request.alpha_angstrom2 = alpha;
           request.threads = threads;
+          const std::string rounding = rounding_note(request, balls->lattice);
+          if (!rounding.empty()) std::cout << "note: " << rounding << "\n";
           rows.push_back(measure(input, balls, request, options.runs, quiet));
           same &= rows.back().same();
           print_row(rows.back());

@@ -12,6 +12,7 @@
 #include "app/cli/table.hpp"
 #include "app/cli/terminal.hpp"
 #include "app/cli/text.hpp"
+#include "app/session/rounding_note.hpp"
 #include "app/session/system_memory.hpp"
 
 namespace alphascope::cli {
@@ -28,6 +29,8 @@ CsvRow csv_row(const Input& input, const SessionRequest& request, const AlphaCom
              {"balls", std::to_string(input.prepared().balls->size())},
              {"alpha_angstrom2", number_text(request.alpha_angstrom2)},
              {"solvent_radius_angstrom", number_text(request.solvent_radius_angstrom)},
+             {"solvent_rounding_angstrom",
+              number_text(solvent_rounding_angstrom(request, complex.lattice))},
              {"tetrahedra_only", complex.tetrahedra_only ? "1" : "0"},
              {"vertices", count_text(complex, complex.vertices)},
              {"edges", count_text(complex, complex.edges)},
@@ -41,6 +44,8 @@ CsvRow csv_row(const Input& input, const SessionRequest& request, const AlphaCom
              {"route", complex.engine.route},
              {"wall_ms", csv_milliseconds(complex.timings.wall_milliseconds)}};
   for (auto& [key, value] : input.provenance()) {
+    // A solvent radius may have put the balls on a finer lattice.
+    if (key == "lattice_unit_angstrom") value = lattice_unit_text(complex.lattice);
     if (key != "model") row.emplace_back(key, std::move(value));
   }
   row.emplace_back("program", program_text());

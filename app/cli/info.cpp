@@ -81,6 +81,18 @@ std::string rounding_text(double angstrom) {
   return number_text(std::ceil(angstrom / unit) / std::round(1 / unit));
 }
 
+std::string lattice_rounding_text(const Molecule& molecule, const SelectionReport& report) {
+  std::string text;
+  if (molecule.rounding_angstrom > 0) {
+    text = "coordinates rounded by up to " + rounding_text(molecule.rounding_angstrom) + " Å";
+  }
+  if (report.radius_rounding_angstrom > 0) {
+    text += (text.empty() ? "" : ", ") +
+            ("radii rounded by up to " + rounding_text(report.radius_rounding_angstrom)) + " Å";
+  }
+  return text.empty() ? "nothing was rounded" : text;
+}
+
 void print(const Input& input) {
   const Molecule& molecule = input.molecule();
   const BallSet& balls = *input.prepared().balls;
@@ -98,10 +110,7 @@ void print(const Input& input) {
   std::cout << "\n";
   print_guesses(report.guessed);
   std::cout << "lattice     " << number_text(balls.lattice.unit_angstrom()) << " Å; "
-            << (molecule.rounding_angstrom > 0
-                    ? "coordinates rounded by up to " + rounding_text(molecule.rounding_angstrom) +
-                          " Å\n"
-                    : std::string("nothing was rounded\n"));
+            << lattice_rounding_text(molecule, report) << "\n";
   if (report.coincident_centres > 0) {
     std::cout << "coincident  " << grouped(report.coincident_centres)
               << " balls share their centre with an earlier one\n";

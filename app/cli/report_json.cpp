@@ -62,6 +62,9 @@ Json request_json(const SessionRequest& request, const Lattice& lattice) {
   Json json{{"alpha_angstrom2", request.alpha_angstrom2},
             {"alpha_used_square_lattice_units", on_lattice},
             {"solvent_radius_angstrom", request.solvent_radius_angstrom},
+            {"solvent_radius_used_angstrom",
+             solvent_on_lattice(lattice, request.solvent_radius_angstrom)},
+            {"lattice_unit_angstrom", lattice.unit_angstrom()},
             {"tetrahedra_only", request.tetrahedra_only},
             {"engine", engine_id(request.engine)},
             {"threads", request.threads}};

@@ -10,6 +10,7 @@
 #include "app/cli/report_json.hpp"
 #include "app/cli/terminal.hpp"
 #include "app/cli/text.hpp"
+#include "app/session/rounding_note.hpp"
 
 namespace alphascope::cli {
 namespace {
@@ -92,6 +93,8 @@ bool verify_one(const Input& input, const SessionRequest& request, const VerifyO
       << number_text(request.solvent_radius_angstrom) << " Å: " << verdict(comparison) << " ("
       << mine.complex.engine.name << ", " << mine.complex.engine.route << "; hash "
       << hash_text(mine.complex.hash) << ")\n";
+  const std::string rounding = rounding_note(request, mine.balls->lattice);
+  if (!rounding.empty()) out << "  note: " << rounding << "\n";
   print_comparison(out, comparison, input, options.shown);
   json = {{"request", request_json(request, mine.balls->lattice)},
           {"comparison", comparison_json(comparison)},

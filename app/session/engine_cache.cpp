@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "app/session/rounding_note.hpp"
+
 namespace alphascope {
 
 EngineCache::Entry& EngineCache::find_or_make(const std::shared_ptr<const BallSet>& balls,
@@ -43,7 +45,10 @@ EngineCache::Result EngineCache::answer(Entry& entry, const SessionRequest& requ
   const bool set_up =
       std::any_of(stages.begin(), stages.end(), [](const StageTime& s) { return s.setup; });
   const bool first = !std::exchange(entry.answered, true);
-  return {std::move(complex), entry.grown, entry.made.note, first && set_up};
+  std::string note = entry.made.note;
+  const std::string rounding = rounding_note(request, entry.grown->lattice);
+  if (!rounding.empty()) note += (note.empty() ? "" : " ") + rounding;
+  return {std::move(complex), entry.grown, std::move(note), first && set_up};
 }
 
 EngineCache::Result EngineCache::compute(const std::shared_ptr<const BallSet>& balls,

@@ -29,8 +29,8 @@ class EngineCache {
   struct Result {
     AlphaComplex complex;
     std::shared_ptr<const BallSet> balls;  // with the solvent radius: what the engine saw
-    std::string note;                      // about the choice of engine; may be empty
-    bool cold = false;                     // the engine's first answer, and it had to set up
+    std::string note;   // about the choice of engine and rounding on the lattice; may be empty
+    bool cold = false;  // the engine's first answer, and it had to set up
   };
 
   // `balls` without solvent radius. An automatic choice of the GPU that fails while computing is

@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "app/session/rounding_note.hpp"
 #include "app/session/version.hpp"
 
 namespace alphascope {
@@ -27,10 +28,16 @@ ComplexHeader result_header(std::string_view program, const Provenance& balls,
                             const SessionRequest& request, const AlphaComplex& complex) {
   ComplexHeader header{{"program", program_text(program)}};
   header.insert(header.end(), balls.begin(), balls.end());
+  // A solvent radius may have put the balls on a finer lattice.
+  for (auto& [key, value] : header) {
+    if (key == "lattice_unit_angstrom") value = lattice_unit_text(complex.lattice);
+  }
   const ComplexHeader rest{
       {"alpha_angstrom2", shortest_number(request.alpha_angstrom2)},
       {"alpha_used_square_lattice_units", shortest_number(complex.alpha_on_lattice)},
       {"solvent_radius_angstrom", shortest_number(request.solvent_radius_angstrom)},
+      {"solvent_rounding_angstrom",
+       shortest_number(solvent_rounding_angstrom(request, complex.lattice))},
       {"tetrahedra_only", complex.tetrahedra_only ? "1" : "0"},
       {"engine",
        complex.engine.name + ", " + complex.engine.device + " (" + complex.engine.route + ")"},

@@ -144,7 +144,7 @@ void describe_provenance(MoleculeInfo& info, const OpenedMolecule& opened) {
     rows.emplace_back("By hand", o.atoms + ": " + short_number_text(o.radius_angstrom, 6) + " Å (" +
                                      count(o.count) + ")");
   }
-  rows.emplace_back("Lattice unit", short_number_text(m.lattice.unit_angstrom(), 9) + " Å");
+  rows.emplace_back("Lattice unit", short_number_text(report.lattice.unit_angstrom(), 9) + " Å");
   rows.emplace_back("Rounding", rounding_text(opened));
 }
 

@@ -22,8 +22,20 @@ struct BallSet {
   std::int64_t weight(BallIndex i) const { return std::int64_t{radii[i]} * radii[i]; }
 };
 
-// The same balls with every radius grown by the solvent radius (Å, >= 0, rounded to the lattice).
-// Throws std::invalid_argument when a grown radius leaves the lattice's bounds.
+// The digits of the finest lattice, up to `wanted` digits, that holds these balls when their radii
+// grow by `growth_angstrom`; never fewer than they have.
+int finest_digits(const BallSet& balls, int wanted, double growth_angstrom);
+
+// The same balls in units of 10^-digits Å, with digits >= those they have and within the bounds.
+BallSet on_finer_lattice(const BallSet& balls, int digits);
+
+// The same balls with every radius grown by the solvent radius (Å, >= 0), on a finer lattice where
+// theirs does not hold that radius. Where the bounds leave no room for one, it is rounded to
+// `solvent_on_lattice` of the result's lattice. Throws std::invalid_argument when a grown radius
+// leaves the lattice's bounds.
 BallSet with_solvent(const BallSet& balls, double solvent_radius_angstrom);
+inline double solvent_on_lattice(const Lattice& lattice, double solvent_radius_angstrom) {
+  return lattice.angstrom(lattice.nearest_units(solvent_radius_angstrom));
+}
 
 }  // namespace alphascope

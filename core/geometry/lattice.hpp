@@ -26,6 +26,10 @@ inline bool is_alpha(double angstrom2) {
 // Files with fewer digits still get this lattice, so that typed solvent radii are on it.
 inline constexpr int kMinLatticeDigits = 3;
 
+// Files with more digits have them from a program, not from a measurement; this leaves room for
+// radii up to 67 Å, which the solvent radius and the radii sets need.
+inline constexpr int kMaxLatticeDigits = 6;
+
 struct LatticePoint {
   std::int32_t x = 0, y = 0, z = 0;
   friend auto operator<=>(const LatticePoint&, const LatticePoint&) = default;
@@ -40,6 +44,16 @@ struct Lattice {
   double angstrom(double units) const { return units / units_per_angstrom(); }
   double square_angstrom(double square_units) const {
     return square_units / std::pow(10.0, 2 * digits);
+  }
+
+  // The multiple of the unit that is nearest to a length (Å), as a whole number.
+  double nearest_units(double length_angstrom) const {
+    return std::round(length_angstrom * units_per_angstrom());
+  }
+  // Whether a decimal length, such as 1.4, is a multiple of the unit. Both sides are the double
+  // nearest to one decimal number when it is.
+  bool holds(double length_angstrom) const {
+    return angstrom(nearest_units(length_angstrom)) == length_angstrom;
   }
 
   // alpha (Å²) in square lattice units, rounded to a multiple of 2^-20 of one: the exact alpha that

@@ -9,10 +9,6 @@ namespace {
 
 constexpr Decimal kNoRadius{-1, 0};
 
-// Leaves room for radii up to 67 Å, which the solvent radius and the radii sets need; files with
-// more digits than six have them from a program, not from a measurement.
-constexpr int kMostDigits = 6;
-
 std::string text_of(const Decimal& value) {
   char text[40];
   std::snprintf(text, sizeof text, "%.10g", value.to_double());
@@ -82,7 +78,7 @@ int MoleculeBuilder::choose_digits() const {
     return largest_coordinate * units <= kMaxLatticeCoordinate &&
            largest_radius * units <= kMaxLatticeRadius;
   };
-  digits = std::min(digits, kMostDigits);
+  digits = std::min(digits, kMaxLatticeDigits);
   while (digits > 0 && !fits(digits)) --digits;
   return digits;
 }

@@ -66,6 +66,7 @@ class UserRadiiReader {
     if (units <= 0 || units > kLargestRadius) {
       fail("the radius " + shortened(text) + " Å is not above 0 and at most 60");
     }
+    if (rounding > 0) fail("the radius " + shortened(text) + " Å has more than six decimals");
     return static_cast<std::int32_t>(units);
   }
 

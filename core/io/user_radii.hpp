@@ -16,7 +16,7 @@ namespace alphascope {
 //   *   CB 1.88    atom CB of any other residue
 //   C      1.70    the element
 // Text after # and blank lines are skipped. Throws ReadError for anything else, for a radius that
-// is not above 0 and at most 60 Å, and for an entry that is given twice.
+// is not above 0 and at most 60 Å or has more digits, and for an entry that is given twice.
 std::shared_ptr<const UserRadii> read_user_radii(const std::filesystem::path& path,
                                                  const RunContext& context = {});
 

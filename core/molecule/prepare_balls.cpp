@@ -1,7 +1,7 @@
 #include "core/molecule/prepare_balls.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <cstdlib>
 #include <limits>
 #include <map>
 #include <optional>
@@ -16,6 +16,9 @@ namespace alphascope {
 namespace {
 
 constexpr std::size_t kAtomsBetweenReports = 1 << 16;
+
+// Radii are given in 10^-6 Å.
+constexpr int kGivenDigits = 6;
 
 struct AtomRange {
   std::size_t begin, end;
@@ -159,6 +162,49 @@ class DropCounter {
   std::map<std::pair<DropReason, NameId>, std::size_t> by_residue_;
 };
 
+// A given radius (10^-6 Å) in units of the lattice, rounded where it has more digits.
+struct LatticeRadius {
+  std::int32_t units;
+  double rounding_angstrom;
+};
+
+LatticeRadius on_lattice(std::int32_t microangstrom, const Lattice& lattice) {
+  std::int64_t step = 1;  // 10^-6 Å in a unit
+  for (int digits = lattice.digits; digits < kGivenDigits; ++digits) step *= 10;
+  // A lattice of whole ångströms must not make a ball vanish.
+  const std::int64_t units =
+      std::clamp<std::int64_t>((microangstrom + step / 2) / step, 1, kMaxLatticeRadius);
+  const auto change = static_cast<double>(std::llabs(units * step - microangstrom));
+  return {static_cast<std::int32_t>(units), change * 1e-6};
+}
+
+// A ball whose given radius the lattice of the file does not hold.
+struct RoundedBall {
+  BallIndex ball;
+  std::int32_t microangstrom;
+};
+
+// Puts the balls on a finer lattice that holds all given radii, or on the finest that the bounds
+// leave room for, and counts the radii that are rounded even there.
+void fit_lattice(BallSet& balls, const std::vector<RoundedBall>& rounded, SelectionReport& report) {
+  int wanted = balls.lattice.digits;
+  for (const RoundedBall& r : rounded) {
+    while (wanted < kMaxLatticeDigits &&
+           on_lattice(r.microangstrom, Lattice{wanted}).rounding_angstrom > 0) {
+      ++wanted;
+    }
+  }
+  const int digits = finest_digits(balls, wanted, 0);
+  if (digits > balls.lattice.digits) balls = on_finer_lattice(balls, digits);
+  for (const RoundedBall& r : rounded) {
+    const LatticeRadius radius = on_lattice(r.microangstrom, balls.lattice);
+    balls.radii[r.ball] = radius.units;
+    report.rounded_radii += radius.rounding_angstrom > 0;
+    report.radius_rounding_angstrom =
+        std::max(report.radius_rounding_angstrom, radius.rounding_angstrom);
+  }
+}
+
 // Radii in lattice units, with the lists of the guessed, overridden and missing ones.
 class RadiusSource {
  public:
@@ -167,18 +213,21 @@ class RadiusSource {
         set_(report.radii),
         lookup_(molecule, report.radii, options.user_radii),
         report_(report) {
-    scale_ = molecule.lattice.units_per_angstrom() / 1e6;
     for (const RadiusOverride& o : options.overrides) add_override(o);
   }
 
+  // The given radius (10^-6 Å) that the last answer of radius() is rounded from; 0 if it is not.
+  std::int32_t rounded_from() const { return rounded_from_; }
+
   // 0 when the atom has no ball; `missing` then says why.
   std::int32_t radius(const Atom& atom, DropReason& missing) {
+    rounded_from_ = 0;
     if (!overrides_.empty()) {
       const auto found = overrides_.find(key(atom));
       if (found != overrides_.end()) {
         ++report_.overridden_atoms;
         note(report_.overridden, override_index_, atom, found->second / 1e6, "set by hand");
-        return on_lattice(found->second);
+        return units_of(found->second);
       }
     }
     if (set_ == RadiiSet::file) {
@@ -193,7 +242,7 @@ class RadiusSource {
       note(report_.guessed, guess_index_, atom, assigned.microangstrom / 1e6,
            source_of_guess(assigned, atom));
     }
-    return on_lattice(assigned.microangstrom);
+    return units_of(assigned.microangstrom);
   }
 
  private:
@@ -220,13 +269,10 @@ class RadiusSource {
     overrides_[key(residue, name, o.element)] = o.microangstrom;
   }
 
-  std::int32_t on_lattice(std::int32_t microangstrom) {
-    const double exact = microangstrom * scale_;
-    // A lattice of whole ångströms must not make a ball vanish.
-    const double units = std::clamp(std::round(exact), 1.0, double{kMaxLatticeRadius});
-    report_.radius_rounding_angstrom = std::max(
-        report_.radius_rounding_angstrom, molecule_.lattice.angstrom(std::fabs(units - exact)));
-    return static_cast<std::int32_t>(units);
+  std::int32_t units_of(std::int32_t microangstrom) {
+    const LatticeRadius radius = on_lattice(microangstrom, molecule_.lattice);
+    if (radius.rounding_angstrom > 0) rounded_from_ = microangstrom;
+    return radius.units;
   }
 
   void note(std::vector<GuessedRadius>& list, Index& index, const Atom& atom, double angstrom,
@@ -248,8 +294,8 @@ class RadiusSource {
   RadiiSet set_;
   RadiiLookup lookup_;
   SelectionReport& report_;
-  double scale_ = 1;  // lattice units per 10^-6 Å
   std::unordered_map<std::uint64_t, std::int32_t> overrides_;
+  std::int32_t rounded_from_ = 0;
   Index guess_index_, override_index_, unsized_index_;
 };
 
@@ -326,7 +372,7 @@ PreparedBalls prepare_balls(const Molecule& molecule, const BallOptions& options
   const AtomFilter filter(molecule, options, range, drop_hydrogens);
   DropCounter dropped(molecule, report);
   RadiusSource radii(molecule, options, report);
-  SizeCounter sizes;
+  std::vector<RoundedBall> rounded;
   auto balls = std::make_shared<BallSet>();
   balls->lattice = molecule.lattice;
   for (std::size_t i = range.begin; i < range.end; ++i) {
@@ -344,11 +390,19 @@ PreparedBalls prepare_balls(const Molecule& molecule, const BallOptions& options
       continue;
     }
     balls->centres.push_back(atom.position);
+    if (radii.rounded_from() > 0) {
+      rounded.push_back({static_cast<BallIndex>(balls->size() - 1), radii.rounded_from()});
+    }
     balls->radii.push_back(radius);
-    sizes.add(atom.element, radius);
     result.atom_of_ball.push_back(static_cast<std::uint32_t>(i));
   }
   dropped.finish();
+  fit_lattice(*balls, rounded, report);
+  report.lattice = balls->lattice;
+  SizeCounter sizes;
+  for (std::size_t k = 0; k < balls->size(); ++k) {
+    sizes.add(molecule.atoms[result.atom_of_ball[k]].element, balls->radii[k]);
+  }
   report.sizes = sizes.sizes();
   report.used = balls->size();
   const std::vector<bool> hidden = coincident_hidden(*balls);

@@ -113,9 +113,13 @@ struct SelectionReport {
   std::size_t guessed_atoms = 0;
   std::vector<GuessedRadius> overridden;  // by BallOptions::overrides
   std::size_t overridden_atoms = 0;
-  std::vector<GuessedRadius> unsized;   // dropped for the lack of a radius; theirs is 0 here
-  std::vector<BallSize> sizes;          // of the balls, most frequent first
-  double radius_rounding_angstrom = 0;  // largest change made to a radius by a coarse lattice
+  std::vector<GuessedRadius> unsized;  // dropped for the lack of a radius; theirs is 0 here
+  std::vector<BallSize> sizes;         // of the balls, most frequent first
+  // Radii of sets, tables and edits that the lattice does not hold, and the largest change to one.
+  // The balls are on a finer lattice than the file's where that holds them.
+  std::size_t rounded_radii = 0;
+  double radius_rounding_angstrom = 0;
+  Lattice lattice;  // of the balls
 
   // Balls whose centre is exactly that of an earlier ball. They stay in the set; of balls with one
   // centre only the largest shows.

@@ -6,12 +6,6 @@
 namespace alphascope {
 namespace {
 
-std::string decimal(double number, int digits) {
-  char text[48];
-  std::snprintf(text, sizeof text, "%.*f", digits, number);
-  return text;
-}
-
 std::string short_number(double number) {
   char text[32];
   std::snprintf(text, sizeof text, "%.6g", number);
@@ -31,12 +25,20 @@ std::string radii_text(const BallOptions& options, const SelectionReport& report
     if (!options.user_radii->sha256.empty()) text += " (sha256 " + options.user_radii->sha256 + ")";
   }
   for (const GuessedRadius& given : report.overridden) {
-    text += "; by hand " + given.atoms + " " + short_number(given.radius_angstrom);
+    char radius[32];
+    std::snprintf(radius, sizeof radius, "%.8g", given.radius_angstrom);  // all to 10^-6 Å
+    text += "; by hand " + given.atoms + " " + radius;
   }
   return text;
 }
 
 }  // namespace
+
+std::string lattice_unit_text(const Lattice& lattice) {
+  char text[48];
+  std::snprintf(text, sizeof text, "%.*f", std::max(0, lattice.digits), lattice.unit_angstrom());
+  return text;
+}
 
 std::string model_text(int model) {
   return model == kAllModels ? "joined" : std::to_string(model + 1);
@@ -62,7 +64,6 @@ std::string options_text(const BallOptions& options) {
 
 Provenance provenance(const Molecule& molecule, const BallOptions& options,
                       const SelectionReport& report) {
-  const Lattice& lattice = molecule.lattice;
   return {{"file", molecule.source.string()},
           {"sha256", molecule.sha256},
           {"format", molecule.format},
@@ -72,7 +73,7 @@ Provenance provenance(const Molecule& molecule, const BallOptions& options,
           {"selection_expression", options.selection},
           {"selection", summary(report)},
           {"radii", radii_text(options, report)},
-          {"lattice_unit_angstrom", decimal(lattice.unit_angstrom(), std::max(0, lattice.digits))},
+          {"lattice_unit_angstrom", lattice_unit_text(report.lattice)},
           {"rounding_angstrom", short_number(molecule.rounding_angstrom)},
           {"radius_rounding_angstrom", short_number(report.radius_rounding_angstrom)}};
 }

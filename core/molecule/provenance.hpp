@@ -17,6 +17,9 @@ using Provenance = std::vector<std::pair<std::string, std::string>>;
 Provenance provenance(const Molecule& molecule, const BallOptions& options,
                       const SelectionReport& report);
 
+// "0.001", the unit in Å with all its digits.
+std::string lattice_unit_text(const Lattice& lattice);
+
 // "2", counted from 1 as the command line counts; "joined" for kAllModels.
 std::string model_text(int model);
 

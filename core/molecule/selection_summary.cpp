@@ -1,4 +1,6 @@
 // The one line that tells what was used of a molecule.
+#include <cstdio>
+
 #include "core/molecule/prepare_balls.hpp"
 
 namespace alphascope {
@@ -58,6 +60,12 @@ std::string summary(const SelectionReport& report) {
   if (report.guessed_atoms > 0) text += "; " + with_commas(report.guessed_atoms) + " guessed";
   if (report.overridden_atoms > 0) {
     text += "; " + with_commas(report.overridden_atoms) + " set by hand";
+  }
+  if (report.rounded_radii > 0) {
+    char angstrom[32];
+    std::snprintf(angstrom, sizeof angstrom, "%.2g", report.radius_rounding_angstrom);
+    text += "; " + counted(report.rounded_radii, "radius", "radii") + " rounded by up to " +
+            angstrom + " Å";
   }
   if (report.coincident_centres > 0) {
     text += "; " + counted(report.coincident_centres, "coincident centre", "coincident centres");

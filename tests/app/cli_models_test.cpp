@@ -29,6 +29,23 @@ constexpr const char* kTwoModels =
     "HETATM    3  O   HOH A   3       1.500   1.500   0.000  1.00  9.67           O  \n"
     "ENDMDL\n";
 
+TEST_F(Cli, ASolventRadiusIsExactOrSaidToBeRounded) {
+  const std::string small = "0 0 0 1.5\n3 0 0 1.5\n";
+  const std::string near = write("near.xyzr", small).string();
+  const std::string far = write("far.xyzr", small + "500000000 0 0 2\n").string();
+  // The balls touch at a solvent radius of 0; 0.0004 is not 0.
+  const json fine = compute_json("'" + near + "' --alpha 0 --solvent 0.0004");
+  EXPECT_EQ(fine["request"]["solvent_radius_used_angstrom"], 0.0004);
+  EXPECT_EQ(fine["request"]["lattice_unit_angstrom"], 0.0001);
+  const Outcome coarse = run("compute '" + far + "' --alpha 0 --solvent 1.4");
+  EXPECT_TRUE(contains(coarse.out, "solvent radius of 1.4 Å is rounded to 1 Å")) << coarse.out;
+  const Outcome verified = run("verify '" + far + "' --alpha 0 --solvent 1.4");
+  EXPECT_TRUE(contains(verified.out, "rounded to 1 Å")) << verified.out;
+  const fs::path out = folder_ / "far.alpha";
+  run("compute '" + far + "' --alpha 0 --solvent 1.4 --out '" + out.string() + "'");
+  EXPECT_TRUE(contains(contents(out), "solvent_rounding_angstrom 0.4\n")) << contents(out);
+}
+
 TEST_F(Cli, EachModelGivesAResultOfItsOwn) {
   const std::string file = "'" + write("two.pdb", kTwoModels).string() + "' --alpha 0 ";
   const fs::path csv = folder_ / "m.csv", out = folder_ / "m.alpha", js = folder_ / "m.json";

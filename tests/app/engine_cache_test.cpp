@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "app/session/rounding_note.hpp"
 #include "tests/app/fake_engine.hpp"
 
 namespace alphascope {
@@ -57,6 +58,28 @@ TEST(EngineCache, LetsTheEnginesThatAreNotAskedRest) {
   request.engine = EngineChoice::cpu;
   cache.compute(balls, request, {});
   EXPECT_EQ(log.rested, 1);
+}
+
+TEST(EngineCache, SaysWhatTheLatticeRounds) {
+  FakeEngineLog log;
+  EngineCache cache(fake_factory(log));
+  SessionRequest request = with_solvent_radius(0.0004);
+  request.alpha_angstrom2 = 1.4;
+  const EngineCache::Result finer = cache.compute(few_balls(4), request, {});
+  EXPECT_EQ(finer.balls->lattice.digits, 4);
+  EXPECT_EQ(finer.note, "");
+
+  BallSet far = *few_balls(4);
+  far.lattice.digits = 0;
+  far.centres[0].x = kMaxLatticeCoordinate;
+  request.solvent_radius_angstrom = 1.4;
+  const std::string note = cache.compute(std::make_shared<BallSet>(far), request, {}).note;
+  EXPECT_NE(note.find("solvent radius of 1.4 Å is rounded to 1 Å"), std::string::npos) << note;
+  EXPECT_NE(note.find("Alpha of 1.4 Å² is rounded to 1.3999996"), std::string::npos) << note;
+  EXPECT_EQ(solvent_rounding_angstrom(request, far.lattice), 0.4);
+  request.solvent_radius_angstrom = 2;
+  request.alpha_angstrom2 = 3;
+  EXPECT_EQ(cache.compute(std::make_shared<BallSet>(far), request, {}).note, "");
 }
 
 TEST(EngineCache, TellsEnginesApartByTheirSwitches) {

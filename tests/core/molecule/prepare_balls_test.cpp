@@ -81,11 +81,49 @@ TEST(PrepareBalls, RadiiSetByHandGoBeforeTheSetAndAreCounted) {
   EXPECT_EQ(after.report.overridden[0].count, 2u);
   EXPECT_DOUBLE_EQ(after.report.overridden[0].radius_angstrom, 1.234567);
   EXPECT_EQ(after.report.guessed_atoms, 1u) << "what is set by hand is no guess";
-  EXPECT_EQ(std::count(after.balls->radii.begin(), after.balls->radii.end(), 1235), 2)
-      << "on the lattice of 0.001 Å";
-  EXPECT_NEAR(after.report.radius_rounding_angstrom, 0.000433, 1e-9);
+  EXPECT_EQ(std::count(after.balls->radii.begin(), after.balls->radii.end(), 1234567), 2)
+      << "on a finer lattice than the file's";
+  EXPECT_EQ(after.report.radius_rounding_angstrom, 0);
   EXPECT_NE(summary(after.report).find("; 1 guessed; 2 set by hand"), std::string::npos)
       << summary(after.report);
+}
+
+// Balls at 0 and `far` Å, one of them with the radius of a table.
+PreparedBalls typed_radius(const std::string& far, std::int32_t microangstrom) {
+  BallOptions options = bondi();
+  options.overrides = {{"", "C", 6, microangstrom}};
+  return prepare_balls(read_text("a.xyz", "2\n\nC 0 0 0.5\nN " + far + " 0 0\n"), options);
+}
+
+TEST(PrepareBalls, TypedRadiiGetALatticeThatHoldsThem) {
+  const PreparedBalls four = typed_radius("400", 1234500);
+  EXPECT_EQ(four.balls->lattice.digits, 4);
+  EXPECT_EQ(four.balls->radii, (std::vector<std::int32_t>{12345, 15500}));
+  EXPECT_EQ(four.balls->centres[0], (LatticePoint{0, 0, 5000}));
+  EXPECT_EQ(four.balls->centres[1], (LatticePoint{4000000, 0, 0}));
+  EXPECT_EQ(four.report.rounded_radii, 0u);
+  EXPECT_EQ(four.report.lattice, four.balls->lattice);
+  ASSERT_EQ(four.report.sizes.size(), 2u);
+  EXPECT_EQ(four.report.sizes[0].radius, 12345);
+  // Three digits hold this one, and the lattice stays.
+  const PreparedBalls three = typed_radius("400", 1234000);
+  EXPECT_EQ(three.balls->lattice.digits, 3);
+  EXPECT_EQ(three.balls->radii[0], 1234);
+}
+
+TEST(PrepareBalls, WhatNoLatticeHoldsIsRoundedAndSaid) {
+  // 5,368 Å leave room for five digits, 60,000 Å for three, 536,000,000 Å for none.
+  const PreparedBalls five = typed_radius("5000", 1234567);
+  EXPECT_EQ(five.balls->lattice.digits, 5);
+  EXPECT_EQ(five.balls->radii[0], 123457);
+  EXPECT_EQ(five.report.rounded_radii, 1u);
+  EXPECT_NEAR(five.report.radius_rounding_angstrom, 3e-6, 1e-12);
+  EXPECT_EQ(typed_radius("400000", 1234567).balls->radii[0], 1235);
+  const PreparedBalls whole = typed_radius("500000000", 1234567);
+  EXPECT_EQ(whole.balls->radii, (std::vector<std::int32_t>{1, 2}));
+  EXPECT_EQ(whole.report.rounded_radii, 2u);
+  EXPECT_NE(summary(whole.report).find("; 2 radii rounded by up to 0.45 Å"), std::string::npos)
+      << summary(whole.report);
 }
 
 TEST(PrepareBalls, AnOverrideNeedsResidueNameAndElement) {

@@ -45,7 +45,7 @@ TEST(Provenance, NamesTheTableAndWhatWasSetByHand) {
   options.overrides = {{"", "O", 8, 1234567}};
   const Provenance list = provenance(m, options, prepare_balls(m, options).report);
   const std::map<std::string, std::string> said(list.begin(), list.end());
-  EXPECT_EQ(said.at("radii"), "user table mine.txt (sha256 0123); by hand O 1.23457");
+  EXPECT_EQ(said.at("radii"), "user table mine.txt (sha256 0123); by hand O 1.234567");
 }
 
 TEST(Provenance, OptionsAreTheCommandLines) {

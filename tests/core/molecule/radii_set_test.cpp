@@ -161,8 +161,9 @@ TEST(UserRadii, FirstFittingRuleCounts) {
 }
 
 TEST(UserRadii, RefusesWithTheLine) {
-  for (const char* text : {"C 1.7\nC 1.8\n", "C 1.7\nALA CB 0\n", "C 1.7\nQq 1.0\n", "C 1.7\nC\n",
-                           "C 1.7\nALA CB C 1.9\n", "C 1.7\nN nan\n", "C 1.7\nN 61\n"}) {
+  for (const char* text :
+       {"C 1.7\nC 1.8\n", "C 1.7\nALA CB 0\n", "C 1.7\nQq 1.0\n", "C 1.7\nC\n",
+        "C 1.7\nALA CB C 1.9\n", "C 1.7\nN nan\n", "C 1.7\nN 61\n", "C 1.7\nN 1.5000001\n"}) {
     const TemporaryFile file("r.txt", text);
     try {
       read_user_radii(file.path());

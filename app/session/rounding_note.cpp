@@ -1,0 +1,43 @@
+#include "app/session/rounding_note.hpp"
+
+#include <cmath>
+#include <cstdio>
+
+namespace alphascope {
+namespace {
+
+constexpr double kToldShareOfAlpha = 1e-9;
+
+std::string text_of(double number) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.10g", number);
+  return text;
+}
+
+}  // namespace
+
+double solvent_rounding_angstrom(const SessionRequest& request, const Lattice& lattice) {
+  const double asked = request.solvent_radius_angstrom;
+  if (lattice.holds(asked)) return 0;
+  // Of 1.4 - 1 the decimals are wanted, not the double's.
+  return std::round(std::fabs(solvent_on_lattice(lattice, asked) - asked) * 1e12) / 1e12;
+}
+
+std::string rounding_note(const SessionRequest& request, const Lattice& lattice) {
+  std::string text;
+  const std::string unit = text_of(lattice.unit_angstrom()) + " Å";
+  const double solvent = request.solvent_radius_angstrom, alpha = request.alpha_angstrom2;
+  if (solvent_rounding_angstrom(request, lattice) > 0) {
+    text = "The solvent radius of " + text_of(solvent) + " Å is rounded to " +
+           text_of(solvent_on_lattice(lattice, solvent)) +
+           " Å: the finest lattice for these balls has units of " + unit + ".";
+  }
+  const double used = lattice.square_angstrom(lattice.alpha_on_lattice(alpha));
+  if (std::fabs(used - alpha) > kToldShareOfAlpha * std::fabs(alpha)) {
+    text += (text.empty() ? "" : " ") + ("Alpha of " + text_of(alpha)) + " Å² is rounded to " +
+            text_of(used) + " Å² on the lattice of " + unit + ".";
+  }
+  return text;
+}
+
+}  // namespace alphascope

@@ -70,6 +70,7 @@ class XyzReader {
         take_atom(line);
       }
     }
+    if (!tinker_ && guesser_.guessed() > 0) read_all_as_names();
     guesser_.add_note(builder_.molecule(), "because they stand in place of symbols");
     return builder_.finish();
   }
@@ -192,6 +193,19 @@ class XyzReader {
       }
     }
     guesser_.identify(atom, std::nullopt, NamePlace::free, names);
+  }
+
+  // Beside names such as HB2, "CA", "NE" and "OG" are names too, and no Ca, Ne and Og. "NA" is
+  // left: sodium is more frequent in such files than a nitrogen called so.
+  void read_all_as_names() {
+    Molecule& molecule = builder_.molecule();
+    for (Atom& atom : molecule.atoms) {
+      const std::string_view name = molecule.text(atom.name);
+      const bool symbol = name.size() < 2 || name == "NA" || (name[1] >= 'a' && name[1] <= 'z');
+      if (symbol || atom.element_guessed || atom.element == kUnknownElement) continue;
+      if (guess_element({"", name}) == atom.element) continue;
+      guesser_.identify(atom, std::nullopt, NamePlace::free, molecule.names);
+    }
   }
 
   Decimal number(std::string_view text, char what) const {

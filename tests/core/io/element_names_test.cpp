@@ -178,6 +178,20 @@ TEST(ElementNames, XyzFilesWithNamesForSymbols) {
   EXPECT_FALSE(m.atoms[5].element_guessed);
 }
 
+TEST(ElementNames, XyzSymbolsAreReadAsNamesBesideNames) {
+  const std::string rows = "CA 1 2 3\nNE 2 2 3\nOG 3 2 3\nCl 4 2 3\nNA 5 2 3\n";
+  const Molecule symbols = read_text("a.xyz", "5\n\n" + rows);
+  const Molecule names = read_text("a.xyz", "6\n\n" + rows + "HB2 6 2 3\n");
+  const Element as_symbols[] = {20, 10, 118, 17, 11}, as_names[] = {6, 7, 8, 17, 11};
+  for (std::size_t k = 0; k < 5; ++k) {
+    EXPECT_EQ(symbols.atoms[k].element, as_symbols[k]) << k;
+    EXPECT_EQ(names.atoms[k].element, as_names[k]) << k;
+  }
+  EXPECT_TRUE(symbols.notes.empty());
+  EXPECT_TRUE(names.atoms[0].element_guessed);
+  EXPECT_FALSE(names.atoms[3].element_guessed);
+}
+
 TEST(ElementNames, ChlorideOfASimulationIsChlorine) {
   ALPHASCOPE_NEED_TEST_DATA();
   const Molecule m = read_molecule(test_data("awkward/1tw7x2_h36.pdb.gz"));

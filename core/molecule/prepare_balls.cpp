@@ -1,7 +1,6 @@
 #include "core/molecule/prepare_balls.hpp"
 
 #include <algorithm>
-#include <cstdlib>
 #include <limits>
 #include <map>
 #include <optional>
@@ -10,15 +9,13 @@
 
 #include "core/geometry/coincident.hpp"
 #include "core/molecule/altlocs.hpp"
+#include "core/molecule/given_radius.hpp"
 #include "core/molecule/selection_expression.hpp"
 
 namespace alphascope {
 namespace {
 
 constexpr std::size_t kAtomsBetweenReports = 1 << 16;
-
-// Radii are given in 10^-6 Å.
-constexpr int kGivenDigits = 6;
 
 struct AtomRange {
   std::size_t begin, end;
@@ -161,49 +158,6 @@ class DropCounter {
   SelectionReport& report_;
   std::map<std::pair<DropReason, NameId>, std::size_t> by_residue_;
 };
-
-// A given radius (10^-6 Å) in units of the lattice, rounded where it has more digits.
-struct LatticeRadius {
-  std::int32_t units;
-  double rounding_angstrom;
-};
-
-LatticeRadius on_lattice(std::int32_t microangstrom, const Lattice& lattice) {
-  std::int64_t step = 1;  // 10^-6 Å in a unit
-  for (int digits = lattice.digits; digits < kGivenDigits; ++digits) step *= 10;
-  // A lattice of whole ångströms must not make a ball vanish.
-  const std::int64_t units =
-      std::clamp<std::int64_t>((microangstrom + step / 2) / step, 1, kMaxLatticeRadius);
-  const auto change = static_cast<double>(std::llabs(units * step - microangstrom));
-  return {static_cast<std::int32_t>(units), change * 1e-6};
-}
-
-// A ball whose given radius the lattice of the file does not hold.
-struct RoundedBall {
-  BallIndex ball;
-  std::int32_t microangstrom;
-};
-
-// Puts the balls on a finer lattice that holds all given radii, or on the finest that the bounds
-// leave room for, and counts the radii that are rounded even there.
-void fit_lattice(BallSet& balls, const std::vector<RoundedBall>& rounded, SelectionReport& report) {
-  int wanted = balls.lattice.digits;
-  for (const RoundedBall& r : rounded) {
-    while (wanted < kMaxLatticeDigits &&
-           on_lattice(r.microangstrom, Lattice{wanted}).rounding_angstrom > 0) {
-      ++wanted;
-    }
-  }
-  const int digits = finest_digits(balls, wanted, 0);
-  if (digits > balls.lattice.digits) balls = on_finer_lattice(balls, digits);
-  for (const RoundedBall& r : rounded) {
-    const LatticeRadius radius = on_lattice(r.microangstrom, balls.lattice);
-    balls.radii[r.ball] = radius.units;
-    report.rounded_radii += radius.rounding_angstrom > 0;
-    report.radius_rounding_angstrom =
-        std::max(report.radius_rounding_angstrom, radius.rounding_angstrom);
-  }
-}
 
 // Radii in lattice units, with the lists of the guessed, overridden and missing ones.
 class RadiusSource {
@@ -397,7 +351,9 @@ PreparedBalls prepare_balls(const Molecule& molecule, const BallOptions& options
     result.atom_of_ball.push_back(static_cast<std::uint32_t>(i));
   }
   dropped.finish();
-  fit_lattice(*balls, rounded, report);
+  const RadiusRounding rounding = fit_lattice(*balls, rounded);
+  report.rounded_radii = rounding.balls;
+  report.radius_rounding_angstrom = rounding.largest_angstrom;
   report.lattice = balls->lattice;
   SizeCounter sizes;
   for (std::size_t k = 0; k < balls->size(); ++k) {

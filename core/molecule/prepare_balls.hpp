@@ -101,9 +101,8 @@ struct SelectionReport {
   std::size_t dropped_polymers = 0;
   std::size_t dropped_hydrogens = 0;
   std::size_t dropped_altlocs = 0;
-  std::size_t dropped_zero_radius = 0;  // the file says 0: no ball, by its own account
-  std::size_t dropped_without_radius =
-      0;                              // the file's own radii are asked for and it has none here
+  std::size_t dropped_zero_radius = 0;     // the file says 0: no ball, by its own account
+  std::size_t dropped_without_radius = 0;  // the file's own radii are asked for; none here
   std::vector<DroppedAtoms> dropped;  // the same, by residue name: reasons in order, most first
 
   RadiiSet radii = RadiiSet::bondi;  // never automatic
@@ -113,13 +112,11 @@ struct SelectionReport {
   std::size_t guessed_atoms = 0;
   std::vector<GuessedRadius> overridden;  // by BallOptions::overrides
   std::size_t overridden_atoms = 0;
-  std::vector<GuessedRadius> unsized;  // dropped for the lack of a radius; theirs is 0 here
-  std::vector<BallSize> sizes;         // of the balls, most frequent first
-  // Radii of sets, tables and edits that the lattice does not hold, and the largest change to one.
-  // The balls are on a finer lattice than the file's where that holds them.
-  std::size_t rounded_radii = 0;
-  double radius_rounding_angstrom = 0;
-  Lattice lattice;  // of the balls
+  std::vector<GuessedRadius> unsized;   // dropped for the lack of a radius; theirs is 0 here
+  std::vector<BallSize> sizes;          // of the balls, most frequent first
+  std::size_t rounded_radii = 0;        // of sets, tables and edits, where no lattice holds them
+  double radius_rounding_angstrom = 0;  // the largest change
+  Lattice lattice;                      // of the balls: the file's, or a finer one for such radii
 
   // Balls whose centre is exactly that of an earlier ball. They stay in the set; of balls with one
   // centre only the largest shows.

@@ -48,9 +48,8 @@ class BallTableReader {
     std::vector<std::string>& notes = builder_.molecule().notes;
     if (columns_.numbered) {
       notes.push_back(
-          "Five numbers a line: the first is taken for the number of the ball, since it cannot be "
-          "x "
-          "beside the others; x y z r follow");
+          "Each line begins with the number of the ball, since the first column counts up by one; "
+          "x y z r follow");
     }
     if (surplus_lines_ > 0) {
       notes.push_back("Numbers behind the radius are passed over: in " +

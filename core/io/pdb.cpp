@@ -3,7 +3,9 @@
 // hands out binary doubles without line numbers, refuses old files with an identifier in columns
 // 73-80, and reads wrong numbers where a five-digit residue number pushes the columns right.
 #include <charconv>
+#include <limits>
 #include <optional>
+#include <unordered_map>
 #include <unordered_set>
 
 #include "core/io/atom_names.hpp"
@@ -162,7 +164,19 @@ class PdbReader {
     take_names(line, rest, shift, atom);
     atom.occupancy = to_float(columns(rest, 55, 60), 1);
     atom.b_factor = to_float(columns(rest, 61, 66), 0);
+    atom.segment = segment(trimmed(columns(rest, 73, 76)));
     builder_.add(atom, position);
+  }
+
+  // PDBQT has charges there, and there is no telling what else others write.
+  std::uint16_t segment(std::string_view text) {
+    if (text.empty() || text.find('.') != std::string_view::npos) return 0;
+    if (text == last_segment_text_) return last_segment_;
+    last_segment_text_ = text;
+    const auto next = static_cast<std::uint16_t>(
+        std::min<std::size_t>(segments_.size() + 1, std::numeric_limits<std::uint16_t>::max()));
+    last_segment_ = segments_.try_emplace(std::string(text), next).first->second;
+    return last_segment_;
   }
 
   // Returns by how many columns the coordinates are shifted to the right.
@@ -284,6 +298,9 @@ class PdbReader {
   AtomGuesser guesser_;
   PdbAssemblyRecords assemblies_;
   std::unordered_set<std::string> modified_;  // residues that MODRES names
+  std::unordered_map<std::string, std::uint16_t> segments_;
+  std::string_view last_segment_text_;  // of the text that is read
+  std::uint16_t last_segment_ = 0;
   int model_count_ = 0;
   bool between_models_ = false;
   std::size_t shifted_lines_ = 0;

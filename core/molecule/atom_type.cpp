@@ -39,8 +39,9 @@ constexpr AminoAcid kAminoAcids[] = {
 };
 
 constexpr std::string_view kAliases[][2] = {
-    {"HID", "HIS"}, {"HIE", "HIS"}, {"HIP", "HIS"}, {"HSD", "HIS"}, {"HSE", "HIS"}, {"HSP", "HIS"},
-    {"CYX", "CYS"}, {"CYM", "CYS"}, {"ASH", "ASP"}, {"GLH", "GLU"}, {"LYN", "LYS"}, {"ARN", "ARG"}};
+    {"HID", "HIS"}, {"HIE", "HIS"}, {"HIP", "HIS"},  {"HSD", "HIS"}, {"HSE", "HIS"},
+    {"HSP", "HIS"}, {"CYX", "CYS"}, {"CYM", "CYS"},  {"ASH", "ASP"}, {"GLH", "GLU"},
+    {"LYN", "LYS"}, {"ARN", "ARG"}, {"ASPP", "ASP"}, {"GLUP", "GLU"}};
 
 bool in_list(std::string_view list, std::string_view name) {
   const std::size_t at = list.find(name);
@@ -49,6 +50,9 @@ bool in_list(std::string_view list, std::string_view name) {
 }
 
 const AminoAcid* find_amino_acid(std::string_view residue) {
+  // AMBER's names of residues at the ends of a chain.
+  const bool at_end = residue.size() == 4 && (residue[0] == 'N' || residue[0] == 'C');
+  if (at_end) residue.remove_prefix(1);
   for (const auto& alias : kAliases) {
     if (alias[0] == residue) residue = alias[1];
   }
@@ -75,21 +79,6 @@ AtomType amino_acid_atom(const AminoAcid& residue, std::string_view atom) {
     default:
       return AtomType::none;
   }
-}
-
-// One of ACGIUT for the nucleotides, 0 for everything else.
-char nucleotide(std::string_view residue) {
-  constexpr std::string_view kLong[][2] = {
-      {"ADE", "A"}, {"CYT", "C"}, {"GUA", "G"}, {"THY", "T"}, {"URA", "U"}};
-  for (const auto& name : kLong) {
-    if (name[0] == residue) return name[1][0];
-  }
-  if (residue.size() == 3 && (residue[2] == '3' || residue[2] == '5')) residue.remove_suffix(1);
-  if (residue.size() == 2 && (residue[0] == 'D' || residue[0] == 'R')) residue.remove_prefix(1);
-  if (residue.size() == 2 && (residue[1] == '3' || residue[1] == '5')) residue.remove_suffix(1);
-  return residue.size() == 1 && std::string_view("ACGIUT").find(residue) != std::string_view::npos
-             ? residue[0]
-             : '\0';
 }
 
 AtomType nucleotide_atom(char base, std::string_view atom) {
@@ -120,12 +109,31 @@ AtomType nucleotide_atom(char base, std::string_view atom) {
 
 }  // namespace
 
+std::string_view standard_amino_acid(std::string_view residue) {
+  const AminoAcid* found = find_amino_acid(residue);
+  return found ? found->name : std::string_view();
+}
+
+char nucleotide_base(std::string_view residue) {
+  constexpr std::string_view kLong[][2] = {
+      {"ADE", "A"}, {"CYT", "C"}, {"GUA", "G"}, {"THY", "T"}, {"URA", "U"}};
+  for (const auto& name : kLong) {
+    if (name[0] == residue) return name[1][0];
+  }
+  if (residue.size() == 3 && (residue[2] == '3' || residue[2] == '5')) residue.remove_suffix(1);
+  if (residue.size() == 2 && (residue[0] == 'D' || residue[0] == 'R')) residue.remove_prefix(1);
+  if (residue.size() == 2 && (residue[1] == '3' || residue[1] == '5')) residue.remove_suffix(1);
+  return residue.size() == 1 && std::string_view("ACGIUT").find(residue) != std::string_view::npos
+             ? residue[0]
+             : '\0';
+}
+
 AtomType atom_type(std::string_view residue, std::string_view atom) {
   if (atom.empty()) return AtomType::none;
   if (const AminoAcid* amino_acid = find_amino_acid(residue)) {
     return amino_acid_atom(*amino_acid, atom);
   }
-  if (const char base = nucleotide(residue)) return nucleotide_atom(base, atom);
+  if (const char base = nucleotide_base(residue)) return nucleotide_atom(base, atom);
   if (residue == "HOH" || residue == "WAT") {
     return atom[0] == 'O' ? AtomType::hydroxyl_oxygen : AtomType::none;
   }

@@ -26,6 +26,12 @@ enum class AtomType : std::uint8_t {
   phosphorus,
 };
 
+// "HIS" for HIS, HID, NHIE (an N-terminus of AMBER) …; empty when it is no known amino acid.
+std::string_view standard_amino_acid(std::string_view residue);
+
+// One of ACGIUT for the nucleotides, 0 for everything else.
+char nucleotide_base(std::string_view residue);
+
 // Names without blanks; "O1P", "C5*" and residue names of simulation packages are understood.
 AtomType atom_type(std::string_view residue, std::string_view atom);
 

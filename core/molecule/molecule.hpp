@@ -38,7 +38,17 @@ struct Atom {
   char insertion_code = ' ';
   bool hetero = false;           // HETATM in the file
   bool element_guessed = false;  // from its names, which leave a choice
+  // Of a PDB file's columns 73-76, numbered in order of appearance; 0 where they are blank. Files
+  // of several segments repeat chain and residue number.
+  std::uint16_t segment = 0;
 };
+
+// Whether the file gives two atoms the same chain, segment, residue number and insertion code. It
+// does so for atoms of one residue, and for those of two when it runs out of numbers.
+inline bool same_residue_number(const Atom& a, const Atom& b) {
+  return a.residue_number == b.residue_number && a.chain == b.chain && a.segment == b.segment &&
+         a.insertion_code == b.insertion_code;
+}
 
 // Atoms [begin, end) of Molecule::atoms form one model.
 struct ModelRange {

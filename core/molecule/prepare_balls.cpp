@@ -174,8 +174,9 @@ class RadiusSource {
   std::int32_t rounded_from() const { return rounded_from_; }
 
   // 0 when the atom has no ball; `missing` then says why.
-  std::int32_t radius(const Atom& atom, DropReason& missing) {
+  std::int32_t radius(std::size_t index, DropReason& missing) {
     rounded_from_ = 0;
+    const Atom& atom = molecule_.atoms[index];
     if (!overrides_.empty()) {
       const auto found = overrides_.find(key(atom));
       if (found != overrides_.end()) {
@@ -190,7 +191,7 @@ class RadiusSource {
       note(report_.unsized, unsized_index_, atom, 0, "");
       return 0;
     }
-    const AssignedRadius assigned = lookup_.radius(atom);
+    const AssignedRadius assigned = lookup_.radius(index);
     if (assigned.guessed || atom.element_guessed) {
       ++report_.guessed_atoms;
       note(report_.guessed, guess_index_, atom, assigned.microangstrom / 1e6,
@@ -290,7 +291,7 @@ bool suits_protor(const Molecule& molecule, AtomRange range) {
     const Atom& atom = molecule.atoms[i];
     if (atom.kind != AtomKind::polymer) continue;
     if (atom.element == kHydrogen) return false;
-    typed = typed || !protor.radius(atom).guessed;
+    typed = typed || !protor.radius(i).guessed;
   }
   return typed;
 }
@@ -338,7 +339,7 @@ PreparedBalls prepare_balls(const Molecule& molecule, const BallOptions& options
     const Atom& atom = molecule.atoms[i];
     std::optional<DropReason> reason = filter.reason_to_drop(i);
     DropReason missing{};
-    const std::int32_t radius = reason ? 0 : radii.radius(atom, missing);
+    const std::int32_t radius = reason ? 0 : radii.radius(i, missing);
     if (radius == 0) {
       dropped.add(atom, reason.value_or(missing));
       continue;

@@ -44,8 +44,10 @@ constexpr RadiiSetInfo kSets[] = {
      "8617-8636",
      false},
     {RadiiSet::amber, "amber", "AMBER",
-     "W. D. Cornell et al., J. Am. Chem. Soc. 117 (1995) 5179-5197, and parm99; R* to 0.001 Å; "
-     "hydroxyl hydrogens, 0 in AMBER, as 0.6 Å",
+     "W. D. Cornell et al., J. Am. Chem. Soc. 117 (1995) 5179-5197, and parm99: J. Wang, P. "
+     "Cieplak, "
+     "P. A. Kollman, J. Comput. Chem. 21 (2000) 1049-1074; R* to 0.001 Å; hydrogens of hydroxyls "
+     "and waters, 0 in AMBER, as 0.6 Å",
      false},
     {RadiiSet::naccess, "naccess", "NACCESS",
      "C. Chothia, The nature of the accessible and buried surfaces in proteins, J. Mol. Biol. 105 "
@@ -198,17 +200,42 @@ RadiiLookup::RadiiLookup(const Molecule& molecule, RadiiSet set,
                          std::shared_ptr<const UserRadii> user)
     : molecule_(molecule), set_(set), user_(std::move(user)) {}
 
-AssignedRadius RadiiLookup::radius(const Atom& atom) {
-  // Kind and element vary little for one pair of names, but they may: a ligand called ALA.
-  const std::uint64_t key = (std::uint64_t{atom.residue_name} << 40) ^
-                            (std::uint64_t{atom.name} << 12) ^ (std::uint64_t{atom.element} << 4) ^
-                            static_cast<std::uint64_t>(atom.kind);
-  const auto [entry, inserted] = known_.try_emplace(key);
-  if (inserted) entry->second = find(atom);
+std::size_t RadiiLookup::Hash::operator()(const Key& key) const {
+  const std::uint64_t names = (std::uint64_t{key.residue} << 32) ^ key.name;
+  const std::uint64_t rest = (std::uint64_t{key.form} << 16) ^ (std::uint64_t{key.element} << 8) ^
+                             static_cast<std::uint64_t>(key.kind);
+  return (names * 0x9E3779B97F4A7C15u) ^ (rest * 0xC2B2AE3D27D4EB4Fu);
+}
+
+AssignedRadius RadiiLookup::radius(std::size_t index) {
+  const Atom& atom = molecule_.atoms[index];
+  const AmberForm form = set_ == RadiiSet::amber ? form_around(index) : AmberForm{0};
+  const auto [entry, inserted] =
+      known_.try_emplace({atom.residue_name, atom.name, atom.element, atom.kind, form});
+  if (inserted) entry->second = find(atom, form);
   return entry->second;
 }
 
-AssignedRadius RadiiLookup::find(const Atom& atom) const {
+// A residue's atoms are neighbours in the file.
+AmberForm RadiiLookup::form_around(std::size_t index) {
+  if (index >= residue_begin_ && index < residue_end_) return residue_form_;
+  const std::vector<Atom>& atoms = molecule_.atoms;
+  const auto same = [&](const Atom& a) {
+    return same_residue_number(a, atoms[index]) && a.residue_name == atoms[index].residue_name;
+  };
+  residue_begin_ = index;
+  residue_end_ = index + 1;
+  while (residue_begin_ > 0 && same(atoms[residue_begin_ - 1])) --residue_begin_;
+  while (residue_end_ < atoms.size() && same(atoms[residue_end_])) ++residue_end_;
+  AmberFormFinder finder(molecule_.text(atoms[index].residue_name));
+  for (std::size_t i = residue_begin_; i < residue_end_; ++i) {
+    finder.add(molecule_.text(atoms[i].name));
+  }
+  residue_form_ = finder.form();
+  return residue_form_;
+}
+
+AssignedRadius RadiiLookup::find(const Atom& atom, AmberForm form) const {
   const std::string_view residue = molecule_.text(atom.residue_name);
   const std::string_view name = molecule_.text(atom.name);
   switch (set_) {
@@ -224,8 +251,10 @@ AssignedRadius RadiiLookup::find(const Atom& atom) const {
       return by_type(set_, typed ? atom_type(residue, name) : AtomType::none, atom);
     }
     case RadiiSet::amber: {
-      const int radius = amber_radius_milliangstrom(residue, name, atom.element);
-      return radius > 0 ? of_set(radius) : fallback_radius(set_, atom.element, atom.kind);
+      const AmberRadius amber = amber_radius(residue, name, form, atom.element, atom.kind);
+      if (amber.milliangstrom == 0) return fallback_radius(set_, atom.element, atom.kind);
+      if (amber.typed) return of_set(amber.milliangstrom);
+      return {amber.milliangstrom * 1000, true, kTypicalOfTheSet};
     }
     default: {
       const int radius = bondi_milliangstrom(atom.element);

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <unordered_map>
 
+#include "core/molecule/amber_radii.hpp"
 #include "core/molecule/molecule.hpp"
 
 namespace alphascope {
@@ -65,15 +66,31 @@ class RadiiLookup {
  public:
   // user is needed for RadiiSet::user only. set is neither automatic nor file.
   RadiiLookup(const Molecule& molecule, RadiiSet set, std::shared_ptr<const UserRadii> user);
-  AssignedRadius radius(const Atom& atom);
+  // Of Molecule::atoms[atom]; quickest when asked in the order of the atoms.
+  AssignedRadius radius(std::size_t atom);
 
  private:
-  AssignedRadius find(const Atom& atom) const;
+  // All that a radius depends on. Kind and element vary little for one pair of names, but they may:
+  // a ligand called ALA.
+  struct Key {
+    NameId residue, name;
+    Element element;
+    AtomKind kind;
+    AmberForm form;  // of the residue; 0 but for AMBER
+    friend bool operator==(const Key&, const Key&) = default;
+  };
+  struct Hash {
+    std::size_t operator()(const Key& key) const;
+  };
+  AssignedRadius find(const Atom& atom, AmberForm form) const;
+  AmberForm form_around(std::size_t atom);
 
   const Molecule& molecule_;
   RadiiSet set_;
   std::shared_ptr<const UserRadii> user_;
-  std::unordered_map<std::uint64_t, AssignedRadius> known_;
+  std::unordered_map<Key, AssignedRadius, Hash> known_;
+  std::size_t residue_begin_ = 0, residue_end_ = 0;  // of the residue of residue_form_
+  AmberForm residue_form_ = 0;
 };
 
 }  // namespace alphascope

@@ -19,7 +19,8 @@ AssignedRadius radius(RadiiSet set, const char* residue, const char* name, const
   a.name = m.names.intern(name);
   a.element = element_from_symbol(element);
   a.kind = kind;
-  return RadiiLookup(m, set, user).radius(a);
+  m.atoms = {a};
+  return RadiiLookup(m, set, user).radius(0);
 }
 
 void expect_milli(RadiiSet set, const char* residue, const char* name, const char* element,
@@ -124,7 +125,8 @@ TEST(RadiiSets, EverySetHasANameACitationAndAPositiveRadiusForEveryElement) {
       Molecule m;
       Atom a;
       a.element = static_cast<Element>(z);
-      EXPECT_GT(RadiiLookup(m, info.set, nullptr).radius(a).microangstrom, 440000) << info.id << z;
+      m.atoms = {a};
+      EXPECT_GT(RadiiLookup(m, info.set, nullptr).radius(0).microangstrom, 440000) << info.id << z;
     }
   }
   RadiiSet none{};

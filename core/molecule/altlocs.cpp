@@ -2,20 +2,32 @@
 
 #include <algorithm>
 #include <map>
+#include <span>
 #include <tuple>
 #include <unordered_set>
 
 namespace alphascope {
 namespace {
 
-std::uint64_t residue_key(const Atom& a) {
+// Residue numbers begin anew, at 0 or 1 after 9999 or 99999, where one falls by more than this.
+constexpr std::int32_t kWrapped = 5000;
+// Of those with one number; a file that numbers all its waters 1 has very many.
+constexpr std::size_t kResiduesLookedAt = 8;
+
+// An atom whose residue number some lettered atom has too.
+struct Candidate {
+  std::size_t atom;
+  std::uint32_t round;  // how often the residue numbers have begun anew before it
+};
+
+auto number_tuple(const Atom& a, std::uint32_t round) {
+  return std::tuple(a.chain, a.segment, round, a.residue_number, a.insertion_code);
+}
+
+std::uint64_t number_hash(const Atom& a) {
   std::uint64_t key = static_cast<std::uint32_t>(a.residue_number);
   key = (key << 32) ^ (std::uint64_t{a.chain} << 8) ^ static_cast<unsigned char>(a.insertion_code);
   return key;
-}
-
-auto residue_tuple(const Atom& a) {
-  return std::tuple(a.chain, a.residue_number, a.insertion_code);
 }
 
 // Smaller is better.
@@ -82,32 +94,123 @@ void choose_in_residue(const Atoms& atoms, Indices residue, std::size_t begin,
   }
 }
 
+// Atoms that are of one residue, and what decides whether another is.
+struct Residue {
+  Indices atoms;
+  std::unordered_set<std::uint64_t> locations;  // name and letter
+  std::unordered_set<NameId> names, single;     // of all atoms; of those without a letter
+  std::map<char, NameId> types;                 // the residue name that a letter stands for
+
+  static std::uint64_t location(const Atom& a) {
+    return (std::uint64_t{a.name} << 8) | static_cast<unsigned char>(a.altloc);
+  }
+  void add(const Atoms& all, std::size_t i) {
+    const Atom& a = all[i];
+    atoms.push_back(i);
+    locations.insert(location(a));
+    names.insert(a.name);
+    if (a.altloc == ' ') {
+      single.insert(a.name);
+    } else {
+      types.emplace(a.altloc, a.residue_name);
+    }
+  }
+  bool has_location(const Atom& a) const { return locations.contains(location(a)); }
+
+  // Whether an atom that stands elsewhere may be one more of this residue. If its name is here
+  // under the same letter, or one of the two has no letter, or its letter is another type's, then
+  // it is of another residue with the same number.
+  bool may_have(const Atom& a) const {
+    if (has_location(a)) return false;
+    if (a.altloc == ' ') return !names.contains(a.name);
+    const auto type = types.find(a.altloc);
+    return !single.contains(a.name) && (type == types.end() || type->second == a.residue_name);
+  }
+};
+
+// Atoms that stand together in the file.
+struct Block {
+  Indices atoms;
+  bool lettered = true;  // all of them
+};
+
+std::vector<Block> blocks_of(const Atoms& atoms, std::span<const Candidate> same_number) {
+  std::vector<Block> blocks;
+  Residue last;
+  for (const auto& [i, round] : same_number) {
+    const bool goes_on = !blocks.empty() && last.atoms.back() + 1 == i &&
+                         atoms[last.atoms.back()].residue_name == atoms[i].residue_name &&
+                         !last.has_location(atoms[i]);
+    if (!goes_on) {
+      blocks.emplace_back();
+      last = {};
+    }
+    last.add(atoms, i);
+    blocks.back().atoms.push_back(i);
+    blocks.back().lettered = blocks.back().lettered && atoms[i].altloc != ' ';
+  }
+  return blocks;
+}
+
+// The atoms of one chain, segment, number and insertion code as the residues that they form. Most
+// often that is one, but a file with more residues than numbers uses them again. Alternative
+// locations may stand apart, behind the chain say; then every atom there has its letter.
+std::vector<Residue> residues_of(const Atoms& atoms, std::span<const Candidate> same_number) {
+  std::vector<Residue> residues;
+  for (const Block& block : blocks_of(atoms, same_number)) {
+    Residue* home = nullptr;
+    const std::size_t looked_at = std::min(residues.size(), kResiduesLookedAt);
+    for (std::size_t back = 1; home == nullptr && back <= looked_at; ++back) {
+      Residue& residue = residues[residues.size() - back];
+      const bool next_to_it = residue.atoms.back() + 1 == block.atoms.front();
+      if (!next_to_it && !block.lettered) continue;
+      const bool fits = std::all_of(block.atoms.begin(), block.atoms.end(),
+                                    [&](std::size_t i) { return residue.may_have(atoms[i]); });
+      if (fits) home = &residue;
+    }
+    if (home == nullptr) home = &residues.emplace_back();
+    for (const std::size_t i : block.atoms) home->add(atoms, i);
+  }
+  return residues;
+}
+
+// The candidates of a model, those of one residue number together and in the order of the file.
+std::vector<Candidate> find_candidates(const Atoms& atoms, std::size_t begin, std::size_t end) {
+  std::unordered_set<std::uint64_t> numbers;
+  for (std::size_t i = begin; i < end; ++i) {
+    if (atoms[i].altloc != ' ') numbers.insert(number_hash(atoms[i]));
+  }
+  std::vector<Candidate> candidates;
+  if (numbers.empty()) return candidates;
+  std::uint32_t round = 0;
+  for (std::size_t i = begin; i < end; ++i) {
+    const Atom& atom = atoms[i];
+    if (i > begin && atom.chain == atoms[i - 1].chain && atom.segment == atoms[i - 1].segment &&
+        atom.residue_number < atoms[i - 1].residue_number - kWrapped) {
+      ++round;
+    }
+    if (numbers.contains(number_hash(atom))) candidates.push_back({i, round});
+  }
+  std::stable_sort(
+      candidates.begin(), candidates.end(), [&](const Candidate& a, const Candidate& b) {
+        return number_tuple(atoms[a.atom], a.round) < number_tuple(atoms[b.atom], b.round);
+      });
+  return candidates;
+}
+
 }  // namespace
 
 std::vector<bool> minor_altlocs(const Molecule& molecule, std::size_t begin, std::size_t end) {
   const Atoms& atoms = molecule.atoms;
   std::vector<bool> minor(end - begin, false);
-  std::unordered_set<std::uint64_t> residues;
-  for (std::size_t i = begin; i < end; ++i) {
-    if (atoms[i].altloc != ' ') residues.insert(residue_key(atoms[i]));
-  }
-  if (residues.empty()) return minor;
-  Indices candidates;
-  for (std::size_t i = begin; i < end; ++i) {
-    if (residues.contains(residue_key(atoms[i]))) candidates.push_back(i);
-  }
-  std::stable_sort(candidates.begin(), candidates.end(), [&](std::size_t a, std::size_t b) {
-    return residue_tuple(atoms[a]) < residue_tuple(atoms[b]);
-  });
+  const std::vector<Candidate> candidates = find_candidates(atoms, begin, end);
   for (auto first = candidates.begin(); first != candidates.end();) {
-    auto last = first;
-    bool varies = false;
-    while (last != candidates.end() &&
-           residue_tuple(atoms[*last]) == residue_tuple(atoms[*first])) {
-      varies |= atoms[*last].altloc != ' ';
-      ++last;
+    const auto last = std::find_if(first, candidates.end(), [&](const Candidate& c) {
+      return c.round != first->round || !same_residue_number(atoms[c.atom], atoms[first->atom]);
+    });
+    for (const Residue& residue : residues_of(atoms, {first, last})) {
+      if (!residue.types.empty()) choose_in_residue(atoms, residue.atoms, begin, minor);
     }
-    if (varies) choose_in_residue(atoms, Indices(first, last), begin, minor);
     first = last;
   }
   return minor;

@@ -12,6 +12,9 @@ namespace alphascope {
 // letter is chosen: highest mean occupancy, then lowest mean B factor, then the first letter. An
 // atom that does not have that letter keeps its own best one, unless it belongs to another residue
 // type (microheterogeneity): then it goes with its letter.
+//
+// Residues that share chain and number are told apart by their segment, by numbers that begin anew
+// between them (10,000 waters in four columns), and by an atom that both have.
 std::vector<bool> minor_altlocs(const Molecule& molecule, std::size_t begin, std::size_t end);
 
 }  // namespace alphascope

@@ -150,5 +150,50 @@ TEST(ReadPdb, ReadsTheChaperonin) {
   EXPECT_EQ(m.models.size(), 1u);
 }
 
+std::string water(int number, char altloc, const char* segment) {
+  char line[100];
+  std::snprintf(
+      line, sizeof line, "HETATM%5d  O  %cHOH W%4d    %8.3f%8.3f%8.3f  %4.2f 10.00      %-4s O\n",
+      number % 100000, altloc, number % 10000, number % 100 * 3.0, number / 100 % 100 * 3.0,
+      number / 10000 * 3.0 + (altloc == 'B' ? 1 : 0), altloc == ' ' ? 1.0 : 0.5, segment);
+  return line;
+}
+
+BallOptions with_waters() {
+  BallOptions options;
+  options.waters = true;
+  return options;
+}
+
+TEST(ReadPdb, WatersThatShareAWrappedNumberAreAllKept) {
+  std::string text;
+  for (int number = 1; number <= 25'000; ++number) {
+    if (number % 1000 != 7) {
+      text += water(number, ' ', "");
+    } else if (number < 20'000) {  // a pair of locations in the first two rounds
+      text += water(number, 'A', "") + water(number, 'B', "");
+    } else {  // one letter only
+      text += water(number, 'B', "");
+    }
+  }
+  const PreparedBalls prepared = prepare_balls(read_text("a.pdb", text), with_waters());
+  EXPECT_EQ(prepared.report.used, 25'000u);
+  EXPECT_EQ(prepared.report.dropped_altlocs, 20u);
+  EXPECT_EQ(prepared.report.dropped.size(), 1u);
+  EXPECT_EQ(prepared.report.dropped[0].residue, "HOH");
+}
+
+TEST(ReadPdb, SegmentsTellResiduesOfOneNumberApart) {
+  const std::string text =
+      water(1, 'A', "WT1") + water(1, 'B', "WT1") + water(1, ' ', "WT2") + water(1, 'C', "WT3");
+  EXPECT_EQ(prepare_balls(read_text("a.pdb", text), with_waters()).report.used, 3u);
+  const Molecule m = read_text("a.pdb", text);
+  EXPECT_EQ(m.atoms[0].segment, m.atoms[1].segment);
+  EXPECT_NE(m.atoms[1].segment, m.atoms[2].segment);
+  // PDBQT writes charges into these columns.
+  const std::string charges = water(1, 'A', " 0.1") + water(1, 'B', " 0.2");
+  EXPECT_EQ(prepare_balls(read_text("a.pdb", charges), with_waters()).report.used, 1u);
+}
+
 }  // namespace
 }  // namespace alphascope

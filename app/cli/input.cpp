@@ -73,6 +73,48 @@ void require_chains(const std::vector<std::string>& asked, const MoleculeContent
   }
 }
 
+// The option that would bring back what was dropped for a reason.
+const char* remedy_for(DropReason reason) {
+  switch (reason) {
+    case DropReason::chain:
+      return "Change --chain or --without-chain";
+    case DropReason::selection:
+      return "Change --select";
+    case DropReason::dummy:
+      return "Add --dummies";
+    case DropReason::water:
+      return "Add --waters";
+    case DropReason::ion:
+      return "Leave out --no-ions";
+    case DropReason::ligand:
+      return "Leave out --no-ligands";
+    case DropReason::polymer:
+      return "Leave out --no-polymers";
+    case DropReason::hydrogen:
+      return "Add --hydrogens keep";
+    case DropReason::altloc:
+      return "Add --altlocs all";
+    case DropReason::zero_radius:
+    case DropReason::without_radius:
+      break;
+  }
+  return "Choose a radii set with --radii";
+}
+
+// A complex of no atoms answers a question that nobody asks.
+[[noreturn]] void refuse_without_atoms(const std::filesystem::path& file,
+                                       const SelectionReport& report) {
+  const std::vector<CountedReason> reasons = drop_reasons(report);
+  std::string dropped;
+  for (const CountedReason& r : reasons) dropped += (dropped.empty() ? "" : ", ") + r.text;
+  const auto most =
+      std::max_element(reasons.begin(), reasons.end(),
+                       [](const auto& a, const auto& b) { return a.count < b.count; });
+  throw UsageError(file.string() + ": no atom is left: dropped " + dropped + "." +
+                   (most == reasons.end() ? "" : std::string(" ") + remedy_for(most->reason)) +
+                   ".");
+}
+
 Input open_input(const std::filesystem::path& file, const InputOptions& options,
                  const OpenOptions& open, const RunContext& context) {
   Input input;
@@ -127,6 +169,8 @@ void for_each_model(const std::filesystem::path& file, const InputOptions& optio
                     const OpenOptions& open, const RunContext& context,
                     const std::function<void(const Input&)>& use) {
   Input input = open_input(file, options, open, context);
+  std::size_t used = input.prepared().report.used;
+  if (used == 0 && !each_model(options)) refuse_without_atoms(file, input.prepared().report);
   use(input);
   if (!each_model(options)) return;
   const int models = static_cast<int>(input.molecule().models.size());
@@ -137,8 +181,11 @@ void for_each_model(const std::filesystem::path& file, const InputOptions& optio
       input.opened.prepared =
           std::make_shared<const PreparedBalls>(prepare_balls(input.molecule(), input.balls));
     });
+    used += input.prepared().report.used;
     use(input);
   }
+  // One model may lack what is asked for, but not all of them.
+  if (used == 0) refuse_without_atoms(file, input.prepared().report);
 }
 
 Input open_one_model(const InputOptions& options, const char* why_one, const RunContext& context) {
@@ -146,7 +193,11 @@ Input open_one_model(const InputOptions& options, const char* why_one, const Run
     throw UsageError(std::string(why_one) +
                      " Give the number of a model, or joined for all of them as one.");
   }
-  return open_input(options.file, options, open_options(options, context), context);
+  Input input = open_input(options.file, options, open_options(options, context), context);
+  if (input.prepared().report.used == 0) {
+    refuse_without_atoms(options.file, input.prepared().report);
+  }
+  return input;
 }
 
 std::vector<std::string> input_notes(const Input& input) {

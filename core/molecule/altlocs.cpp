@@ -200,7 +200,8 @@ std::vector<Candidate> find_candidates(const Atoms& atoms, std::size_t begin, st
 
 }  // namespace
 
-std::vector<bool> minor_altlocs(const Molecule& molecule, std::size_t begin, std::size_t end) {
+std::vector<bool> minor_altlocs(const Molecule& molecule, std::size_t begin, std::size_t end,
+                                const std::function<bool(const Atom&)>& compete) {
   const Atoms& atoms = molecule.atoms;
   std::vector<bool> minor(end - begin, false);
   const std::vector<Candidate> candidates = find_candidates(atoms, begin, end);
@@ -208,8 +209,11 @@ std::vector<bool> minor_altlocs(const Molecule& molecule, std::size_t begin, std
     const auto last = std::find_if(first, candidates.end(), [&](const Candidate& c) {
       return c.round != first->round || !same_residue_number(atoms[c.atom], atoms[first->atom]);
     });
-    for (const Residue& residue : residues_of(atoms, {first, last})) {
-      if (!residue.types.empty()) choose_in_residue(atoms, residue.atoms, begin, minor);
+    for (Residue& residue : residues_of(atoms, {first, last})) {
+      if (compete) std::erase_if(residue.atoms, [&](std::size_t i) { return !compete(atoms[i]); });
+      const bool varies = std::any_of(residue.atoms.begin(), residue.atoms.end(),
+                                      [&](std::size_t i) { return atoms[i].altloc != ' '; });
+      if (varies) choose_in_residue(atoms, std::move(residue.atoms), begin, minor);
     }
     first = last;
   }

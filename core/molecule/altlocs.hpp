@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 #include "core/molecule/molecule.hpp"
@@ -15,6 +16,10 @@ namespace alphascope {
 //
 // Residues that share chain and number are told apart by their segment, by numbers that begin anew
 // between them (10,000 waters in four columns), and by an atom that both have.
-std::vector<bool> minor_altlocs(const Molecule& molecule, std::size_t begin, std::size_t end);
+//
+// Only atoms that `compete` says true of take part (none given: all): who asks for the letter B
+// gets it, and who leaves out A gets what is left.
+std::vector<bool> minor_altlocs(const Molecule& molecule, std::size_t begin, std::size_t end,
+                                const std::function<bool(const Atom&)>& compete = {});
 
 }  // namespace alphascope

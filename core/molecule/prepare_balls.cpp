@@ -43,11 +43,12 @@ class AtomFilter {
       selection_ = SelectionExpression::parse(options.selection).bind(molecule);
     }
     choose_chains();
+    const auto picked = [this](const Atom& atom) { return !reason_not_picked(atom); };
     if (options.altlocs == AltlocRule::best && options.model != kAllModels) {
-      minor_ = minor_altlocs(molecule, range.begin, range.end);
+      minor_ = minor_altlocs(molecule, range.begin, range.end, picked);
     } else if (options.altlocs == AltlocRule::best) {
       for (const ModelRange& model : molecule.models) {
-        const std::vector<bool> part = minor_altlocs(molecule, model.begin, model.end);
+        const std::vector<bool> part = minor_altlocs(molecule, model.begin, model.end, picked);
         minor_.insert(minor_.end(), part.begin(), part.end());
       }
     }
@@ -55,8 +56,7 @@ class AtomFilter {
 
   std::optional<DropReason> reason_to_drop(std::size_t i) const {
     const Atom& atom = molecule_.atoms[i];
-    if (!chains_.empty() && !chains_[atom.chain]) return DropReason::chain;
-    if (selection_ && !(*selection_)(atom)) return DropReason::selection;
+    if (const auto reason = reason_not_picked(atom)) return reason;
     switch (atom.kind) {
       case AtomKind::dummy:
         if (!options_.dummies) return DropReason::dummy;
@@ -80,6 +80,12 @@ class AtomFilter {
   }
 
  private:
+  std::optional<DropReason> reason_not_picked(const Atom& atom) const {
+    if (!chains_.empty() && !chains_[atom.chain]) return DropReason::chain;
+    if (selection_ && !(*selection_)(atom)) return DropReason::selection;
+    return std::nullopt;
+  }
+
   void choose_chains() {
     if (options_.chains.empty() && options_.without_chains.empty()) return;
     chains_.assign(molecule_.names.size(), options_.chains.empty());

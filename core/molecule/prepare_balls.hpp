@@ -15,7 +15,8 @@
 namespace alphascope {
 
 enum class AltlocRule : std::uint8_t {
-  best,  // per residue: highest occupancy, then lowest B factor, then first letter
+  best,  // per residue, of the atoms that chains and selection leave: highest occupancy, then
+         // lowest B factor, then first letter
   all,
 };
 // automatic drops them when the radii set is a united-atom one, which counts them already.

@@ -54,6 +54,38 @@ TEST_F(Cli, WrongChoicesNameTheFileAndWhatThereIs) {
   EXPECT_TRUE(contains(run("info '" + cube_.string() + "' --chain A").err, "one without a name"));
 }
 
+TEST_F(Cli, ASelectionOfNothingIsAnError) {
+  const std::string file = ALPHASCOPE_SOURCE_DIR "/resources/molecules/1crn.pdb";
+  const struct {
+    const char *options, *said;
+  } cases[] = {{"--select 'altloc Z'", "atoms not selected. Change --select."},
+               {"--select 'element Zn'", "Change --select."},
+               {"--select none", "1crn.pdb: no atom is left: dropped 327 atoms not selected."},
+               {"--select 'chain A and chain B'", "Change --select."},
+               {"--select 'resi 900'", "Change --select."},
+               {"--without-chain A", "atoms of other chains. Change --chain or --without-chain."},
+               {"--no-polymers", "dropped 327 polymer atoms. Leave out --no-polymers."}};
+  for (const auto& c : cases) {
+    for (const std::string command : {"info", "compute", "verify", "bench"}) {
+      const std::string alpha = command == "info" ? "" : " --alpha 1";
+      const Outcome outcome = run(command + " '" + file + "' " + c.options + alpha);
+      EXPECT_EQ(outcome.code, 2) << command << ' ' << c.options;
+      EXPECT_TRUE(contains(outcome.err, c.said)) << command << ' ' << outcome.err;
+    }
+  }
+  // One model of two may lack it.
+  const std::string atom =
+      "HETATM    1  O   HOH %   1      27.340  24.430   2.614  1.00  9.67           O  \n";
+  std::string a = atom, b = atom;
+  a.replace(a.find('%'), 1, "A");
+  b.replace(b.find('%'), 1, "B");
+  const fs::path two = write("two.pdb", "MODEL        1\n" + a + "ENDMDL\nMODEL        2\n" + b);
+  const std::string all = "info '" + two.string() + "' --waters --model all --select 'chain ";
+  EXPECT_EQ(run(all + "B'").code, 0);
+  EXPECT_EQ(run(all + "C'").code, 2);
+  EXPECT_TRUE(contains(run("info '" + two.string() + "'").err, "dropped 1 water. Add --waters."));
+}
+
 TEST_F(Cli, BadInputIsCode3AndNamesFileAndLine) {
   const fs::path bad = write("bad.xyzr", "0 0 0 1.5\n0 0 banana 1.5\n");
   const Outcome outcome = run("compute '" + bad.string() + "' --alpha 1");

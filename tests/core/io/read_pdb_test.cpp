@@ -195,5 +195,20 @@ TEST(ReadPdb, SegmentsTellResiduesOfOneNumberApart) {
   EXPECT_EQ(prepare_balls(read_text("a.pdb", charges), with_waters()).report.used, 1u);
 }
 
+TEST(ReadPdb, LocationsCompeteAmongWhatIsSelected) {
+  const std::string text = water(1, 'A', "") + water(1, 'B', "") + water(2, ' ', "");
+  BallOptions options = with_waters();
+  EXPECT_EQ(prepare_balls(read_text("a.pdb", text), options).atom_of_ball,
+            (std::vector<std::uint32_t>{0, 2}));
+  options.selection = "altloc B";
+  EXPECT_EQ(prepare_balls(read_text("a.pdb", text), options).atom_of_ball,
+            (std::vector<std::uint32_t>{1}));
+  options.selection = "not altloc A";
+  EXPECT_EQ(prepare_balls(read_text("a.pdb", text), options).atom_of_ball,
+            (std::vector<std::uint32_t>{1, 2}));
+  options.selection = "altloc C";
+  EXPECT_EQ(prepare_balls(read_text("a.pdb", text), options).report.used, 0u);
+}
+
 }  // namespace
 }  // namespace alphascope

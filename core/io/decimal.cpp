@@ -143,4 +143,12 @@ std::int64_t to_units(const Decimal& value, int digits, double& rounding) {
   return value.mantissa < 0 ? -rounded : rounded;
 }
 
+int printed_decimals(std::string_view text) {
+  const std::size_t point = text.find('.');
+  if (point == std::string_view::npos) return 0;
+  std::size_t end = point + 1;
+  while (end < text.size() && text[end] >= '0' && text[end] <= '9') ++end;
+  return static_cast<int>(std::min<std::size_t>(end - point - 1, 18));
+}
+
 }  // namespace alphascope

@@ -25,6 +25,9 @@ enum class DecimalStatus : std::uint8_t {
 // rounding to any lattice still gives what the full text would have given.
 DecimalStatus parse_decimal(std::string_view text, Decimal& value);
 
+// Digits behind the point as they are printed, zeros too: 6 of "1.000000".
+int printed_decimals(std::string_view text);
+
 // The value in units of 10^-digits, rounded half away from zero; saturates at ±2^62.
 // rounding receives |value - result| in units (0 when exact).
 std::int64_t to_units(const Decimal& value, int digits, double& rounding);

@@ -89,7 +89,7 @@ class MmcifReader : public CifHandler {
     if (kind_ == Table::undecided) kind_ = recognise();
     if (kind_ == Table::other) return;
     if (kind_ == Table::assembly) {
-      assemblies_.add(tags_[column_], plain(raw));
+      assemblies_.add(tags_[column_], plain(raw), line);
       column_ = (column_ + 1) % tags_.size();
       return;
     }
@@ -117,7 +117,7 @@ class MmcifReader : public CifHandler {
       single_tags_.push_back(item_);
       single_row_.push_back({raw, line});
     } else if (MmcifAssemblyTables::wants(item_)) {
-      assemblies_.add(item_, plain(raw));
+      assemblies_.add(item_, plain(raw), line);
     }
     fractional_ |= item_.starts_with("_atom_site_fract") || item_ == "_cell_length_a";
   }

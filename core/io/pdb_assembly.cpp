@@ -59,30 +59,37 @@ void PdbAssemblyRecords::take_matrix_row(std::string_view text, std::size_t line
   bool good = in_turn;
   for (std::size_t j = 0; good && j < 4; ++j) {
     Decimal number;
-    good = parse_decimal(next_field(text), number) == DecimalStatus::ok;
+    const std::string_view field = next_field(text);
+    good = parse_decimal(field, number) == DecimalStatus::ok;
     if (good) operator_.rows[static_cast<std::size_t>(rows_)][j] = number.to_double();
+    if (good && j < 3) operator_.digits = std::max(operator_.digits, printed_decimals(field));
   }
   if (!good) {
     if (bad_line_ == 0) bad_line_ = line_number;
     return;
   }
   operator_.id = std::string(id);
+  if (rows_ == 0) operator_.line = line_number;
   if (++rows_ < 3) return;
   rows_ = 0;
   std::vector<std::vector<std::uint32_t>>& factors = current().generators.back().factors;
   if (factors.empty()) factors.emplace_back();
   factors[0].push_back(static_cast<std::uint32_t>(assemblies_.operators.size()));
   assemblies_.operators.push_back(operator_);
+  operator_.digits = 0;
 }
 
 void PdbAssemblyRecords::finish(Molecule& molecule) {
   if (bad_line_ != 0 || rows_ != 0) {
-    molecule.notes.push_back("The assemblies are left out: REMARK 350 is damaged" +
-                             (bad_line_ ? " in line " + std::to_string(bad_line_) : std::string()));
+    refuse_assembly(molecule, "",
+                    "REMARK 350 is damaged" +
+                        (bad_line_ ? " in line " + std::to_string(bad_line_) : std::string()) +
+                        ". Correct it, or fetch the file again");
     return;
   }
   std::erase_if(assemblies_.list, [](const Assembly& a) { return a.generators.empty(); });
   molecule.assemblies = std::move(assemblies_);
+  check_operators(molecule);
 }
 
 }  // namespace alphascope

@@ -213,6 +213,11 @@ Molecule expand_assembly(const Molecule& molecule, std::string_view id, const Ru
     if (assembly.id == id) return Expansion(molecule, assembly, context).run();
     known += (known.empty() ? "" : ", ") + assembly.id;
   }
+  for (const RefusedAssembly& refused : molecule.assemblies.refused) {
+    if (!refused.id.empty() && refused.id != id) continue;
+    throw std::invalid_argument("assembly " + std::string(id) +
+                                " cannot be made: " + refused.reason);
+  }
   throw std::invalid_argument(
       "there is no assembly " + std::string(id) + ": " +
       (known.empty() ? "the file describes none" : "the file has " + known));

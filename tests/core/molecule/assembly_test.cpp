@@ -80,6 +80,95 @@ TEST(Assembly, DamagedRecordsAreNotedAndLeftOut) {
   EXPECT_NE(m.notes[0].find("line 9"), std::string::npos) << m.notes[0];
 }
 
+// kDimer with another matrix for its second operator, whose first row is in line 8.
+std::string dimer_with(const char* row1, const char* row2, const char* row3) {
+  std::string text = kDimer;
+  const char* const rows[] = {row1, row2, row3};
+  for (int k = 0; k < 3; ++k) {
+    const std::string label = "BIOMT" + std::to_string(k + 1) + "   2";
+    const std::size_t at = text.find(label) + label.size();
+    text.replace(at, text.find('\n', at) - at, std::string("  ") + rows[k] + "  0.0");
+  }
+  return text;
+}
+
+std::string why_not(const Molecule& m, const char* id) {
+  try {
+    expand_assembly(m, id);
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Assembly, MatricesThatAreNoRotationAreRefusedWithTheirLine) {
+  const struct {
+    const char *row1, *row2, *row3, *said;
+  } cases[] = {{"1 0 0", "0 1 0", "0 0 0", "is singular"},
+               {"0 0 0", "0 0 0", "0 0 0", "is singular"},
+               {"2 0 0", "0 2 0", "0 0 2", "stretches or shears"},
+               {"1.1 0 0", "0 1.1 0", "0 0 1.1", "stretches or shears"},
+               {"1.01 0 0", "0 1.01 0", "0 0 1.01", "stretches or shears"},
+               {"1 0.10 0", "0 1 0", "0 0 1", "stretches or shears"},
+               {"1 0.002000 0", "0 1 0", "0 0 1", "stretches or shears"},
+               {"1e300 0 0", "0 1e300 0", "0 0 1e300", "stretches or shears"}};
+  for (const auto& c : cases) {
+    const Molecule m = read_text("a.pdb", dimer_with(c.row1, c.row2, c.row3));
+    EXPECT_TRUE(list_assemblies(m).empty()) << c.row1;
+    EXPECT_EQ(m.atoms.size(), 3u) << "the molecule as deposited can be used";
+    const std::string reason = why_not(m, "1");
+    EXPECT_NE(reason.find("operator 2 in line 8"), std::string::npos) << reason;
+    EXPECT_NE(reason.find(c.said), std::string::npos) << reason;
+    EXPECT_NE(reason.find("fetch the file again"), std::string::npos) << reason;
+    ASSERT_EQ(m.notes.size(), 1u);
+    EXPECT_NE(m.notes[0].find("Assembly 1 is left out: its operator 2"), std::string::npos);
+  }
+}
+
+TEST(Assembly, RotationsMayBePrintedWithFewDigits) {
+  const char* const kRows[][3] = {{"0.5 -0.9 0", "0.9 0.5 0", "0 0 1"},
+                                  {"0.50 -0.87 0", "0.87 0.50 0", "0 0 1"},
+                                  {"0.500000 -0.866025 0", "0.866025 0.500000 0", "0 0 1"},
+                                  {"0.500000 -0.866 0", "0.866 0.500000 0", "0 0 1"}};
+  for (const auto& rows : kRows) {
+    const Molecule m = read_text("a.pdb", dimer_with(rows[0], rows[1], rows[2]));
+    EXPECT_EQ(list_assemblies(m).size(), 1u) << rows[0];
+    EXPECT_TRUE(m.notes.empty()) << m.notes[0];
+  }
+}
+
+TEST(Assembly, MirrorsAreMadeAndTold) {
+  const Molecule m = read_text("a.pdb", dimer_with("-1 0 0", "0 -1 0", "0 0 -1"));
+  EXPECT_EQ(expand_assembly(m, "1").atoms[2].position, (LatticePoint{-1000, -2000, -3000}));
+  ASSERT_EQ(m.notes.size(), 1u);
+  EXPECT_NE(m.notes[0].find("operator 2 in line 8 mirrors"), std::string::npos) << m.notes[0];
+}
+
+TEST(Assembly, OnlyAssembliesThatUseAMatrixAreRefusedForIt) {
+  const std::string text =
+      "data_x\nloop_\n_pdbx_struct_assembly_gen.assembly_id\n"
+      "_pdbx_struct_assembly_gen.oper_expression\n_pdbx_struct_assembly_gen.asym_id_list\n"
+      "1 1 A\n2 1,2 A\n3 1,9 A\n"
+      "loop_\n_pdbx_struct_oper_list.id\n"
+      "_pdbx_struct_oper_list.matrix[1][1]\n_pdbx_struct_oper_list.matrix[1][2]\n"
+      "_pdbx_struct_oper_list.matrix[1][3]\n_pdbx_struct_oper_list.vector[1]\n"
+      "_pdbx_struct_oper_list.matrix[2][1]\n_pdbx_struct_oper_list.matrix[2][2]\n"
+      "_pdbx_struct_oper_list.matrix[2][3]\n_pdbx_struct_oper_list.vector[2]\n"
+      "_pdbx_struct_oper_list.matrix[3][1]\n_pdbx_struct_oper_list.matrix[3][2]\n"
+      "_pdbx_struct_oper_list.matrix[3][3]\n_pdbx_struct_oper_list.vector[3]\n"
+      "1 1 0 0 0 0 1 0 0 0 0 1 0\n2 1 0 0 0 0 1 0 0 0 0 3 0\n"
+      "loop_\n_atom_site.id\n_atom_site.type_symbol\n_atom_site.label_asym_id\n"
+      "_atom_site.Cartn_x\n_atom_site.Cartn_y\n_atom_site.Cartn_z\n1 C A 1 2 3\n";
+  const Molecule m = read_text("a.cif", text);
+  ASSERT_EQ(list_assemblies(m).size(), 1u);
+  EXPECT_EQ(why_not(m, "1"), "");
+  EXPECT_NE(why_not(m, "2").find("operator 2 in line 24 is no rotation"), std::string::npos)
+      << why_not(m, "2");
+  EXPECT_NE(why_not(m, "3").find("\"1,9\" in line 8 are not all described"), std::string::npos)
+      << why_not(m, "3");
+  EXPECT_NE(why_not(m, "4").find("there is no assembly 4: the file has 1"), std::string::npos);
+}
+
 TEST(Assembly, ExpandsTheCapsidsToTheirKnownSizes) {
   ALPHASCOPE_NEED_TEST_DATA();
   const struct {

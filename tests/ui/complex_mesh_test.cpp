@@ -158,6 +158,44 @@ TEST(BallGeometry, EmptyAndSingleBallAreHarmless) {
   EXPECT_DOUBLE_EQ(geometry.bounds[0], -1.5);
 }
 
+// Colours of elements and chains are not numbers: between two of them there is none.
+TEST(ComplexMesh, EverySimplexHasOneColourOfItsCorners) {
+  Case c;
+  for (std::size_t i = 0; i < c.colours.size(); ++i) {
+    c.colours[i] = i % 3 == 0 ? testing::kRed : i % 3 == 1 ? testing::kBlue : Rgb8{1, 2, 3};
+  }
+  MeshOptions options;
+  options.boundary = options.triangles = options.edges = true;
+  options.singular_only = false;
+  options.shrink = 0.2;
+  const ComplexMesh mesh = c.mesh(options);
+  const auto colour = [](const CellSoup& soup, std::size_t point) {
+    return Rgb8{soup.rgb[3 * point], soup.rgb[3 * point + 1], soup.rgb[3 * point + 2]};
+  };
+  for (const auto& [soup, corners] : {std::pair{&mesh.tetrahedra, 12},
+                                      {&mesh.boundary, 3},
+                                      {&mesh.triangles, 3},
+                                      {&mesh.edges, 2}}) {
+    ASSERT_GT(soup->points(), 0u);
+    for (std::size_t p = 0; p < soup->points(); ++p) {
+      ASSERT_EQ(colour(*soup, p), colour(*soup, p - p % static_cast<std::size_t>(corners)));
+    }
+  }
+  // Which one: that of most corners, on a tie that of the lowest index among them.
+  for (std::size_t t = 0; t < c.complex.tetrahedra.size(); ++t) {
+    const auto& simplex = c.complex.tetrahedra.simplices[t];
+    int most = 0;
+    Rgb8 wanted{};
+    for (const BallIndex v : simplex) {
+      int same = 0;
+      for (const BallIndex w : simplex) same += c.colours[v] == c.colours[w];
+      if (same > most) wanted = c.colours[v];
+      most = std::max(most, same);
+    }
+    ASSERT_EQ(colour(mesh.tetrahedra, 12 * t), wanted) << t;
+  }
+}
+
 TEST(ComplexMesh, ColoursByAlphaSayWhatTheyMean) {
   const Case c;
   MeshOptions options;

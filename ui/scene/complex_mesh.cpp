@@ -14,6 +14,23 @@ using Point = std::array<float, 3>;
 // The face opposite to each corner of a tetrahedron.
 constexpr int kFaces[4][3] = {{1, 2, 3}, {0, 2, 3}, {0, 1, 3}, {0, 1, 2}};
 
+// On a tie the corner with the lowest index decides: a simplex lists its corners in rising order.
+template <std::size_t N>
+Rgb8 most_frequent_colour(const std::array<BallIndex, N>& simplex,
+                          const std::vector<Rgb8>& colours) {
+  Rgb8 best = colours[simplex[0]];
+  std::ptrdiff_t most = 0;
+  for (const BallIndex v : simplex) {
+    const auto same = std::count_if(simplex.begin(), simplex.end(),
+                                    [&](BallIndex w) { return colours[w] == colours[v]; });
+    if (same > most) {
+      most = same;
+      best = colours[v];
+    }
+  }
+  return best;
+}
+
 class MeshBuilder {
  public:
   MeshBuilder(const BallGeometry& balls, const std::vector<Rgb8>& colours,
@@ -44,10 +61,11 @@ class MeshBuilder {
   }
 
  private:
-  Rgb8 corner_colour(BallIndex v, float alpha_value) const {
+  template <std::size_t N>
+  Rgb8 simplex_colour(const std::array<BallIndex, N>& simplex, float alpha_value) const {
     switch (options_.colouring) {
       case ComplexColouring::balls:
-        return colours_[v];
+        return most_frequent_colour(simplex, colours_);
       case ComplexColouring::alpha:
         return scale_.colour(alpha_value);
       case ComplexColouring::single:
@@ -86,9 +104,9 @@ class MeshBuilder {
       for (Point& corner : p) {
         for (int k = 0; k < 3; ++k) corner[k] += shrink * (centre[k] - corner[k]);
       }
-      const float value = alpha_value(list.alpha_values, t);
+      const Rgb8 colour = simplex_colour(simplex, alpha_value(list.alpha_values, t));
       for (const auto& face : kFaces) {
-        for (const int i : face) add_point(soup, p[i], corner_colour(simplex[i], value));
+        for (const int i : face) add_point(soup, p[i], colour);
       }
     }
   }
@@ -104,10 +122,9 @@ class MeshBuilder {
                           std::count_if(list.classes.begin(), list.classes.end(), drawn)));
     for (std::size_t i = 0; i < list.size(); ++i) {
       if (!drawn(list.classes[i])) continue;
-      const float value = alpha_value(list.alpha_values, i);
-      for (const BallIndex v : list.simplices[i]) {
-        add_point(soup, balls_.centres[v], corner_colour(v, value));
-      }
+      const auto& simplex = list.simplices[i];
+      const Rgb8 colour = simplex_colour(simplex, alpha_value(list.alpha_values, i));
+      for (const BallIndex v : simplex) add_point(soup, balls_.centres[v], colour);
     }
   }
 
@@ -185,9 +202,10 @@ void MeshBuilder::add_boundary(CellSoup& soup) const {
   const std::vector<Face> faces = single_faces(list.simplices, balls_.centres.size());
   reserve(soup, 3 * faces.size());
   for (const Face& face : faces) {
-    const float value = alpha_value(list.alpha_values, face.origin / 4);
+    const std::size_t t = face.origin / 4;  // its tetrahedron, whose colour it has
+    const Rgb8 colour = simplex_colour(list.simplices[t], alpha_value(list.alpha_values, t));
     for (const BallIndex v : outward(balls_, face, list.simplices)) {
-      add_point(soup, balls_.centres[v], corner_colour(v, value));
+      add_point(soup, balls_.centres[v], colour);
     }
   }
 }

@@ -16,8 +16,11 @@ namespace alphascope {
 
 enum class ComplexColouring : std::uint8_t {
   single,  // one colour for each kind of simplex
-  balls,   // every corner in the colour of its ball
-  alpha,   // by alpha value: early simplices dark, late ones bright
+  // Every simplex in the colour that most of its corners have; on a tie, of the corner with the
+  // lowest ball index. A face of a tetrahedron has the tetrahedron's colour. Colours of elements
+  // and chains are names: a blend of two of them would be a third name.
+  balls,
+  alpha,  // by alpha value: early simplices dark, late ones bright
 };
 
 struct MeshOptions {

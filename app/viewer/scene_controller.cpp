@@ -55,6 +55,19 @@ std::shared_ptr<const DrawnMolecule> undrawn(std::shared_ptr<const OpenedMolecul
   return drawn;
 }
 
+std::vector<Rgb8> ball_colours(const DrawnMolecule& molecule, ColourBy colour) {
+  switch (colour) {
+    case ColourBy::element:
+      return *molecule.by_element;
+    case ColourBy::chain:
+      return *molecule.by_chain;
+    case ColourBy::single:
+    case ColourBy::alpha:
+      break;
+  }
+  return std::vector<Rgb8>(molecule.geometry->centres.size(), element_colour(6));
+}
+
 ComplexColouring colouring(ColourBy colour) {
   switch (colour) {
     case ColourBy::single:
@@ -116,13 +129,7 @@ void SceneController::set_display(const DisplayControls& display, Theme theme) {
   const bool new_theme = theme != theme_;
   theme_ = theme;
   if (before == display && !new_theme) return;
-  SceneStyle style;
-  style.balls = display.balls;
-  style.ball_opacity = display.ball_opacity;
-  style.complex_opacity = display.complex_opacity;
-  style.ambient_occlusion = display.ambient_occlusion;
-  style.theme = theme;
-  scene_.set_style(style);
+  scene_.set_style(scene_style());
   if (before.ball_colour != display.ball_colour || new_theme) update_colours();
   if (before.ball_scale != display.ball_scale || before.grown_balls != display.grown_balls) {
     update_radii();
@@ -133,34 +140,36 @@ void SceneController::set_display(const DisplayControls& display, Theme theme) {
   dirty_ = true;
 }
 
+SceneStyle SceneController::scene_style() const {
+  SceneStyle style;
+  style.balls = display_.balls;
+  style.ball_opacity = display_.ball_opacity;
+  style.complex_opacity = display_.complex_opacity;
+  style.ambient_occlusion = display_.ambient_occlusion;
+  style.theme = theme_;
+  return style;
+}
+
 void SceneController::update_colours() {
   if (!drawn_molecule_) return;
-  const DrawnMolecule& d = *drawn_molecule_;
-  switch (display_.ball_colour) {
-    case ColourBy::element:
-      scene_.set_ball_colours(*d.by_element);
-      break;
-    case ColourBy::chain:
-      scene_.set_ball_colours(*d.by_chain);
-      break;
-    case ColourBy::single:
-    case ColourBy::alpha:
-      scene_.set_ball_colours(std::vector<Rgb8>(d.geometry->centres.size(), element_colour(6)));
-      break;
-  }
+  scene_.set_ball_colours(ball_colours(*drawn_molecule_, display_.ball_colour));
   dirty_ = true;
+}
+
+SceneController::BallLook SceneController::ball_look(const Answer* answer) const {
+  BallLook look{display_.ball_colour, {}};
+  look.style.scale = display_.ball_scale;
+  look.style.grown = display_.grown_balls && answer != nullptr;
+  if (look.style.grown) {
+    look.style.alpha = answer->request.alpha_angstrom2;
+    look.style.solvent_radius = answer->request.solvent_radius_angstrom;
+  }
+  return look;
 }
 
 void SceneController::update_radii() {
   if (!drawn_molecule_) return;
-  BallStyle style;
-  style.scale = display_.ball_scale;
-  style.grown = display_.grown_balls && drawn_answer_;
-  if (style.grown) {
-    style.alpha = drawn_answer_->request.alpha_angstrom2;
-    style.solvent_radius = drawn_answer_->request.solvent_radius_angstrom;
-  }
-  radii_ = drawn_radii(*drawn_molecule_->geometry, style);
+  radii_ = drawn_radii(*drawn_molecule_->geometry, ball_look(drawn_answer_.get()).style);
   scene_.set_ball_radii(radii_);
   dirty_ = true;
 }
@@ -182,9 +191,13 @@ MeshOptions SceneController::mesh_options() const {
 void SceneController::submit() {
   requested_mesh_ = mesh_options();
   if (!prepared_ || waiting_) return;  // what is awaited will be made with the new options
-  const Wanted wanted{
-      drawn_molecule_, opened_, answer_, agreement_, display_.complex_colour == ColourBy::element,
-      requested_mesh_};
+  const Wanted wanted{drawn_molecule_,
+                      opened_,
+                      answer_,
+                      agreement_,
+                      display_.complex_colour == ColourBy::element,
+                      ball_look(answer_.get()),
+                      requested_mesh_};
   mesh_worker_.submit(
       [this, wanted](const RunContext& context) -> Worker::Delivery {
         try {
@@ -202,7 +215,7 @@ void SceneController::submit() {
 
 // On the worker's thread.
 Worker::Delivery SceneController::make_drawing(const Wanted& wanted, const RunContext& context) {
-  const auto& [drawn, opened, answer, agreement, by_element, mesh] = wanted;
+  const auto& [drawn, opened, answer, agreement, by_element, look, mesh] = wanted;
   const std::size_t balls = opened->prepared->balls->size();
   const bool known =
       drawn && drawn->prepared == opened->prepared && drawn->geometry->centres.size() == balls;
@@ -215,13 +228,21 @@ Worker::Delivery SceneController::make_drawing(const Wanted& wanted, const RunCo
   drawing.answer = answer;
   drawing.molecule = !plan.balls ? undrawn(opened) : known ? drawn : make_drawn(opened, context);
   const DrawnMolecule& m = *drawing.molecule;
+  drawing.look = look;
+  if (!known || look.style.grown) drawing.radii = drawn_radii(*m.geometry, look.style);
+  if (!known) {
+    drawing.balls = make_ball_data(m.geometry, ball_colours(m, look.colour), drawing.radii);
+  }
   if (answer && plan.balls) {
     drawing.mesh = std::make_shared<const ComplexMesh>(build_mesh(
         *m.geometry, by_element ? *m.by_element : *m.by_chain, answer->complex, plan.mesh));
+    context.cancel.throw_if_cancelled();
+    drawing.mesh_data = make_mesh_data(drawing.mesh);
   }
   if (plan.differences) {
     drawing.differences = std::make_shared<const DifferenceMesh>(
         build_difference_mesh(*m.geometry, agreement->comparison));
+    drawing.difference_data = make_difference_data(drawing.differences);
   }
   return [this, drawing] { take(drawing); };
 }
@@ -231,6 +252,8 @@ void SceneController::make_room() {
   scene_.set_balls(std::make_shared<const BallGeometry>(), {});
   drawn_molecule_ = nullptr;
   drawn_answer_ = nullptr;
+  drawn_mesh_ = nullptr;
+  drawn_differences_ = nullptr;
   submit();
 }
 
@@ -253,25 +276,58 @@ void SceneController::take(Drawing drawing) {
 
 void SceneController::show(Drawing drawing) {
   const bool new_balls = drawing.molecule != drawn_molecule_;
-  drawn_answer_ = std::move(drawing.answer);
-  not_drawn_ = std::move(drawing.not_drawn);
-  if (new_balls) {
-    const bool keep_view = viewed_ == drawing.molecule->molecule;
-    drawn_molecule_ = std::move(drawing.molecule);
-    viewed_ = draws_nothing() ? nullptr : drawn_molecule_->molecule;
-    scene_.set_balls(drawn_molecule_->geometry, *drawn_molecule_->by_chain);
-    if (!keep_view) {
-      scene_.reset_view();
-      quality_.forget();
-    }
-    update_colours();
-  }
-  if (new_balls || display_.grown_balls) update_radii();
+  const bool keep_view = viewed_ == drawing.molecule->molecule;
+  drawn_answer_ = drawing.answer;
+  not_drawn_ = drawing.not_drawn;
+  drawn_molecule_ = drawing.molecule;
+  if (new_balls || display_.grown_balls) show_balls(drawing);
   legend_ = drawing.mesh && drawing.mesh->scale ? std::optional(drawing.mesh->scale->legend())
                                                 : std::nullopt;
-  scene_.set_mesh(std::move(drawing.mesh));
-  scene_.set_differences(std::move(drawing.differences));
+  drawn_mesh_ = std::move(drawing.mesh);
+  drawn_differences_ = std::move(drawing.differences);
+  scene_.set_mesh(std::move(drawing.mesh_data));
+  scene_.set_differences(std::move(drawing.difference_data));
   dirty_ = true;
+  if (!new_balls) return;
+  viewed_ = draws_nothing() ? nullptr : drawn_molecule_->molecule;
+  if (!keep_view) quality_.forget();
+  // Other atoms of the same molecule keep the view, unless it shows none of them.
+  if (!keep_view || view_trouble() != ViewTrouble::none) scene_.reset_view();
+}
+
+// Colours and radii come with the drawing, unless the controls have changed since it was begun.
+void SceneController::show_balls(Drawing& drawing) {
+  const BallLook wanted = ball_look(drawn_answer_.get());
+  const bool look_is_new = drawing.balls && drawing.look.colour != wanted.colour;
+  const std::size_t count = drawn_molecule_->geometry->centres.size();
+  const bool radii_fit = drawing.look.style == wanted.style && drawing.radii.size() == count;
+  const bool with_radii = drawing.balls != nullptr;
+  if (with_radii) {
+    scene_.set_balls(std::move(drawing.balls));
+  } else if (count == 0) {
+    scene_.set_balls(drawn_molecule_->geometry, {});
+  }
+  if (look_is_new) update_colours();
+  if (!radii_fit) return update_radii();
+  radii_ = std::move(drawing.radii);
+  if (!with_radii) scene_.set_ball_radii(radii_);
+}
+
+ViewTrouble SceneController::view_trouble() const {
+  if (!drawn_molecule_ || draws_nothing()) return ViewTrouble::none;
+  const bool complex = drawn_mesh_ && drawn_mesh_->points() > 0;
+  const std::vector<float> not_drawn;
+  if (!complex && !display_.balls) return ViewTrouble::none;  // nothing is switched on
+  switch (view_problem(*drawn_molecule_->geometry, display_.balls ? radii_ : not_drawn,
+                       scene_.sight(), complex)) {
+    case ViewProblem::nothing_in_view:
+      return ViewTrouble::nothing_in_view;
+    case ViewProblem::inside_a_ball:
+      return ViewTrouble::inside_a_ball;
+    case ViewProblem::none:
+      break;
+  }
+  return ViewTrouble::none;
 }
 
 void SceneController::pointer(const PointerEvent& event) {
@@ -315,6 +371,7 @@ double SceneController::seconds_to_refinement() const {
 void SceneController::render(ViewportInfo& viewport, bool interacting, bool patient) {
   viewport.legend = legend_;
   viewport.not_drawn = not_drawn_;
+  viewport.trouble = view_trouble_;
   const bool old = viewport.texture != 0 && outdated();
   if (!old) outdated_since_.reset();
   if (old && !outdated_since_) outdated_since_ = Clock::now();
@@ -327,8 +384,11 @@ void SceneController::render(ViewportInfo& viewport, bool interacting, bool pati
   }
   const bool change = std::exchange(dirty_, false);
   if (change) last_change_ = Clock::now();
+  view_checked_ = view_checked_ && !change;
   const bool refine_now = refine_ && !interacting && seconds_to_refinement() <= 0;
-  if (!change && !refine_now && !(patient && drawn_ != RenderQuality::fine)) return;
+  if (!change && !refine_now && !(patient && drawn_ != RenderQuality::fine)) {
+    return check_view(viewport, interacting);
+  }
   const RenderQuality target = patient                 ? RenderQuality::fine
                                : refine_now && !change ? quality_.at_rest()
                                                        : quality_.moving();
@@ -341,6 +401,13 @@ void SceneController::render(ViewportInfo& viewport, bool interacting, bool pati
   refine_ = quality_.at_rest() > target;
   viewport.texture = scene_.texture();
   viewport.angstrom_per_pixel = draws_nothing() ? 0 : scene_.angstrom_per_pixel();
+  check_view(viewport, interacting);
+}
+
+// Not while the hand is moving the view: it is on its way.
+void SceneController::check_view(ViewportInfo& viewport, bool interacting) {
+  if (interacting || std::exchange(view_checked_, true)) return;
+  viewport.trouble = view_trouble_ = view_trouble();
 }
 
 std::optional<std::size_t> SceneController::pick(int x, int y) const {
@@ -375,17 +442,31 @@ bool SceneController::draws_nothing() const {
   return drawn_molecule_ && drawn_molecule_->geometry->centres.empty() && !not_drawn_.empty();
 }
 
-std::string SceneController::save_picture(const ScreenshotRequest& request) {
+PictureToSave SceneController::picture(const ScreenshotRequest& request) const {
   if (draws_nothing()) throw std::runtime_error(not_drawn_);
-  if (outdated() && !drawn_molecule_) {
-    throw std::runtime_error("The picture is being made; save it when it is there.");
+  if (!drawn_molecule_) {
+    throw std::runtime_error("The picture is still being drawn. Save it when it is ready.");
   }
-  require_room(request.width, request.height, free_memory_());
-  dirty_ = true;  // the view's texture is drawn over, even if the file cannot be written then
-  return write_picture(scene_,
-                       {request.width, request.height, request.transparent, theme_,
-                        request.legend ? legend_ : std::nullopt, request.scale_bar},
-                       request.path, texts());
+  const std::size_t balls = drawn_molecule_->geometry->centres.size();
+  require_room(request.width, request.height, free_memory_(),
+               second_scene_bytes(balls, drawn_mesh_.get()));
+  PictureToSave picture;
+  picture.balls = drawn_molecule_->geometry;
+  picture.colours = ball_colours(*drawn_molecule_, display_.ball_colour);
+  picture.radii = radii_;
+  picture.mesh = drawn_mesh_;
+  picture.differences = drawn_differences_;
+  picture.style = scene_style();
+  picture.viewpoint = scene_.viewpoint();
+  picture.picture = {request.width,
+                     request.height,
+                     request.transparent,
+                     theme_,
+                     request.legend ? legend_ : std::nullopt,
+                     request.scale_bar};
+  picture.texts = texts();
+  picture.path = request.path;
+  return picture;
 }
 
 }  // namespace alphascope

@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "app/session/session.hpp"
+#include "app/viewer/picture_saver.hpp"
 #include "core/run/worker.hpp"
 #include "ui/panels/view_state.hpp"
 #include "ui/scene/drawing_memory.hpp"
@@ -61,8 +62,9 @@ class SceneController {
   // What is on screen, which may still be older than what was set; null before the first, and
   // while it makes room for the next.
   const DrawnMolecule* drawn() const { return drawn_molecule_.get(); }
-  // Returns a sentence when the picture lacks a mark for being too small; else empty.
-  std::string save_picture(const ScreenshotRequest& request);
+  // What is on screen, for PictureSaver. Throws std::runtime_error when nothing is, or when there
+  // is no memory for the picture.
+  PictureToSave picture(const ScreenshotRequest& request) const;
   // Where what is on screen comes from, to go into pictures of it; empty when nothing is.
   PictureTexts texts() const;
 
@@ -74,11 +76,20 @@ class SceneController {
   void submit();
   bool outdated() const;
   bool draws_nothing() const;  // for want of memory
+  struct BallLook {
+    ColourBy colour = ColourBy::chain;
+    BallStyle style;
+  };
   struct Drawing {
     std::shared_ptr<const DrawnMolecule> molecule;
     std::shared_ptr<const Answer> answer;
+    std::shared_ptr<BallData> balls;  // of another molecule than on screen; null: the same
+    BallLook look;                    // of the balls, and their radii where they are new
+    std::vector<float> radii;
     std::shared_ptr<const ComplexMesh> mesh;
+    std::shared_ptr<MeshData> mesh_data;
     std::shared_ptr<const DifferenceMesh> differences;
+    std::shared_ptr<DifferenceData> difference_data;
     std::string not_drawn;  // what is missing and why; empty: nothing
   };
   // What a job of the worker needs.
@@ -88,13 +99,19 @@ class SceneController {
     std::shared_ptr<const Answer> answer;
     std::shared_ptr<const Agreement> agreement;
     bool by_element = false;
+    BallLook look;
     MeshOptions mesh;
   };
   Worker::Delivery make_drawing(const Wanted& wanted, const RunContext& context);
   void make_room();
   void take(Drawing drawing);
   void show(Drawing drawing);
+  void show_balls(Drawing& drawing);
   void show_nothing(const std::string& why);
+  BallLook ball_look(const Answer* answer) const;  // as the controls have it
+  SceneStyle scene_style() const;
+  ViewTrouble view_trouble() const;
+  void check_view(ViewportInfo& viewport, bool interacting);
   MeshOptions mesh_options() const;
 
   const FreeMemory free_memory_;
@@ -113,11 +130,15 @@ class SceneController {
   std::string not_drawn_;
   std::optional<Clock::time_point> outdated_since_;
   std::vector<float> radii_;  // Å, as drawn
+  std::shared_ptr<const ComplexMesh> drawn_mesh_;
+  std::shared_ptr<const DifferenceMesh> drawn_differences_;
   std::optional<ColourLegend> legend_;
   DisplayControls display_;
   Theme theme_ = Theme::dark;
   MeshOptions requested_mesh_;
   bool dirty_ = true;
+  bool view_checked_ = false;  // since the last picture
+  ViewTrouble view_trouble_ = ViewTrouble::none;
   bool refine_ = false;  // the picture on screen could be finer
   RenderQuality drawn_ = RenderQuality::draft;
   Clock::time_point last_change_ = Clock::now();

@@ -38,6 +38,8 @@ Viewer::Viewer(Host& host, const ViewerOptions& options, Session::Services servi
       frame_(host, options.light ? Theme::light : Theme::dark),
       scene_([&host] { host.wake(); },
              [mb = options.drawing_memory_mb] { return available_or(mb); }),
+      saver_(host, [&host] { host.wake(); }),
+      folder_reader_([&host] { host.wake(); }),
       machine_(std::async(std::launch::async,
                           [&host] {
                             const MachineInfo& machine = machine_info();
@@ -74,8 +76,17 @@ void Viewer::fill_constants() {
 
 void Viewer::open(const std::filesystem::path& path) {
   state_.notice.clear();
+  state_.drop_note.clear();
   state_.memory.browser_folder = path.parent_path();
   session_.open(path);
+}
+
+void Viewer::open_dropped(const std::vector<std::filesystem::path>& files) {
+  const DroppedFiles dropped = choose_dropped(files);
+  if (!dropped.opened) return;
+  open(*dropped.opened);
+  state_.drop_note = dropped.note;
+  frames_due_ = kSettlingFrames;
 }
 
 bool Viewer::busy() const {
@@ -85,7 +96,8 @@ bool Viewer::busy() const {
 bool Viewer::working() const {
   const SessionActivity a = session_.activity();
   return state_.selection != sent_selection_ || a.opening.busy || a.computing.busy ||
-         a.comparing.busy || a.timing.busy || !state_.gpu.known || scene_.busy();
+         a.comparing.busy || a.timing.busy || !state_.gpu.known || scene_.busy() || saver_.busy() ||
+         folder_reader_.busy();
 }
 
 bool Viewer::settled() const {
@@ -133,6 +145,8 @@ void Viewer::take_machine() {
 
 void Viewer::take_session() {
   take_machine();
+  take_saved();
+  state_.listing = folder_reader_.listing(wanted_listing(state_.memory));
   if (benchmark_.busy() && benchmark_.poll(state_.benchmark)) {
     frames_due_ = kSettlingFrames;
     memory_to_give_back_ |= !benchmark_.busy();
@@ -263,17 +277,28 @@ void Viewer::take_requests() {
   if (r.export_benchmark) benchmark_.save(state_.benchmark_controls, state_.benchmark);
   if (r.reset_view) scene_.reset_view();
   if (r.quit) quit_ = true;
-  if (r.screenshot) {
-    try {
-      const std::string left_out = scene_.save_picture(*r.screenshot);
-      state_.notice = "Saved " + r.screenshot->path.string();
-      if (!left_out.empty()) state_.notice += ". " + left_out;
-    } catch (const std::exception& error) {
-      state_.error = error.what();
-    }
-    frames_due_ = kSettlingFrames;
-    memory_to_give_back_ = true;
+  if (r.screenshot) save_picture(*r.screenshot);
+  if (r.cancel_save || (r.cancel && !state_.busy.active)) saver_.cancel();
+}
+
+void Viewer::save_picture(const ScreenshotRequest& request) {
+  try {
+    saver_.start(scene_.picture(request));
+    state_.notice.clear();
+  } catch (const std::exception& error) {
+    state_.error = error.what();
   }
+  frames_due_ = kSettlingFrames;
+}
+
+void Viewer::take_saved() {
+  const PictureSaver::Outcome outcome = saver_.poll();
+  if (!outcome.notice.empty()) state_.notice = outcome.notice;
+  if (!outcome.error.empty()) state_.error = outcome.error;
+  saver_.describe(state_.saving);
+  if (!outcome.any()) return;
+  frames_due_ = kSettlingFrames;
+  memory_to_give_back_ = true;
 }
 
 void Viewer::send_controls() {
@@ -419,7 +444,7 @@ void Viewer::run() {
       frames_due_ = std::max(frames_due_, 1);
       tooltip_due_.reset();
     }
-    for (const auto& file : host_.take_dropped_files()) open(file);
+    open_dropped(host_.take_dropped_files());
     take_session();
     compare_when_due();
     scene_.poll();

@@ -10,8 +10,10 @@
 #include "app/session/machine.hpp"
 #include "app/session/session.hpp"
 #include "app/viewer/benchmark.hpp"
+#include "app/viewer/folder_reader.hpp"
 #include "app/viewer/model_playback.hpp"
 #include "app/viewer/options.hpp"
+#include "app/viewer/picture_saver.hpp"
 #include "app/viewer/scene_controller.hpp"
 #include "ui/panels/view_state.hpp"
 #include "ui/panels/widget_rects.hpp"
@@ -37,6 +39,8 @@ class Viewer {
   void shoot(const std::filesystem::path& path, ScriptedInput* input);
 
   void open(const std::filesystem::path& path);
+  // One of them; what becomes of the others is told.
+  void open_dropped(const std::vector<std::filesystem::path>& files);
   bool quit_requested() const { return quit_; }
 
   ViewState& state() { return state_; }
@@ -55,6 +59,8 @@ class Viewer {
   void take_molecule();
   void take_answer();
   void take_requests();  // what the panels asked for
+  void save_picture(const ScreenshotRequest& request);
+  void take_saved();
   void send_controls();  // changed controls to session and scene
   void send_selection();
   bool settled() const;  // the latest request is answered
@@ -92,6 +98,8 @@ class Viewer {
   bool quit_ = false;
   bool patient_ = false;
   bool memory_to_give_back_ = false;  // something large was freed
+  PictureSaver saver_;
+  FolderReader folder_reader_;
   std::future<MachineInfo> machine_;  // looking for a GPU can take a second
   Benchmark benchmark_;
   Session session_;  // last: its threads wake the host

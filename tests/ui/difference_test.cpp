@@ -71,7 +71,7 @@ class DifferenceInTheWindow : public testing::ViewerTest {
   std::string picture() {
     viewer_->state().requests.screenshot =
         ScreenshotRequest{folder_ / "picture.png", 480, 320, false};
-    run("frames 2\n");
+    run("wait-idle\n");
     return bytes("picture.png");
   }
 };
@@ -118,8 +118,8 @@ TEST(DifferencesInTheScene, NothingHidesThem) {
   c.edges.missing = {{5, 6}};  // deep inside of the rod
   c.tetrahedra.missing = {{100, 101, 104, 117}};
   EXPECT_EQ(magenta_pixels(scene.grab(640, 400, false)), 0u);
-  scene.set_differences(
-      std::make_shared<const DifferenceMesh>(build_difference_mesh(*geometry, c)));
+  scene.set_differences(make_difference_data(
+      std::make_shared<const DifferenceMesh>(build_difference_mesh(*geometry, c))));
   EXPECT_GT(magenta_pixels(scene.grab(640, 400, false)), 100u);
   EXPECT_GT(magenta_pixels(scene.grab(640, 400, true)), 100u) << "also without background";
   scene.set_differences(nullptr);

@@ -66,8 +66,8 @@ class SceneMemoryTest : public Measured<::testing::Test> {
     const auto geometry = std::make_shared<const BallGeometry>(*balls);
     const auto colours = testing::two_colours(balls->size());
     scene_.set_balls(geometry, colours);
-    scene_.set_mesh(std::make_shared<const ComplexMesh>(
-        build_mesh(*geometry, colours, testing::complex_of(balls, 2), {})));
+    scene_.set_mesh(make_mesh_data(std::make_shared<const ComplexMesh>(
+        build_mesh(*geometry, colours, testing::complex_of(balls, 2), {}))));
   }
 
   // Twice, since the driver keeps what the last picture drew with until the next.

@@ -231,10 +231,12 @@ TEST_F(MoleculePanel, AUserTableIsChosenInTheFileDialog) {
   p.frame(3);
   EXPECT_EQ(selection().radii_set, 0) << "not before there is a file";
   ASSERT_TRUE(p.rects.contains("browser.path"));
-  p.type("browser.path", "/tmp/my-radii.txt");
+  const std::string table =
+      std::string(ALPHASCOPE_SOURCE_DIR) + "/resources/molecules/1crn.pdb";  // a file that is there
+  p.type("browser.path", table);
   p.frame(2);
   EXPECT_EQ(selection().radii_set, 3);
-  EXPECT_EQ(selection().radii_table, "/tmp/my-radii.txt");
+  EXPECT_EQ(selection().radii_table, table);
   EXPECT_FALSE(p.state.requests.open) << "it is no molecule";
 }
 

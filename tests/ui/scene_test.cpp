@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "tests/ui/molecule_fixture.hpp"
+#include "tests/ui/texture_pixels.hpp"
 #include "ui/scene/frame_grab.hpp"
 #include "ui/scene/screenshot.hpp"
 #include "ui/window/egl_context.hpp"
@@ -68,8 +69,8 @@ class SceneTest : public ::testing::Test {
     show(alpha, options);
   }
   void show(double alpha, const MeshOptions& options = {}) {
-    scene.set_mesh(std::make_shared<const ComplexMesh>(
-        build_mesh(*geometry, two_colours(balls->size()), complex_of(balls, alpha), options)));
+    scene.set_mesh(make_mesh_data(std::make_shared<const ComplexMesh>(
+        build_mesh(*geometry, two_colours(balls->size()), complex_of(balls, alpha), options))));
   }
 
   EglContext context;
@@ -109,13 +110,36 @@ TEST_F(SceneTest, AnotherAlphaGivesAnotherPicture) {
   EXPECT_EQ(differing_pixels(before, scene.grab(320, 200, false)), 0);
 }
 
+// One tetrahedron has two faces behind a pixel at most, of which one may be seen from behind: each
+// lets 70 % of what is behind it through.
 TEST_F(SceneTest, TranslucentTetrahedraLetTheBackgroundThrough) {
   MeshOptions options;
   options.translucent = true;
-  load(0, options);
-  scene.set_style({.balls = false, .complex_opacity = 0.3});
-  const PictureCounts counts = count_colours(scene.grab(320, 200, false), Theme::dark);
-  EXPECT_GT(counts.drawn(), 1000);
+  AlphaComplex one = complex_of(balls, 0);
+  one.tetrahedra.simplices.resize(1);
+  scene.set_balls(geometry, two_colours(balls->size()));
+  scene.set_mesh(make_mesh_data(std::make_shared<const ComplexMesh>(
+      build_mesh(*geometry, two_colours(balls->size()), one, options))));
+  for (const Theme theme : {Theme::dark, Theme::light}) {
+    const auto picture = [&](double opacity) {
+      scene.set_style({.balls = false, .complex_opacity = opacity, .theme = theme});
+      return scene.grab(640, 400, false);
+    };
+    const Image opaque = picture(1), translucent = picture(0.3);
+    const double background = 255 * palette(theme).scene.b;
+    double seen_opaque = 0, seen_translucent = 0;  // how far blue, which red has least of, is off
+    int pixels = 0;
+    for (std::size_t i = 0; i < opaque.rgba.size(); i += 4) {
+      const double off = std::abs(opaque.rgba[i + 2] - background);
+      if (off < 10) continue;
+      ++pixels;
+      seen_opaque += off;
+      seen_translucent += std::abs(translucent.rgba[i + 2] - background);
+    }
+    EXPECT_GT(pixels, 20);
+    EXPECT_LT(seen_translucent, 0.7 * seen_opaque);
+    EXPECT_GT(seen_translucent, 0.15 * seen_opaque);
+  }
 }
 
 TEST_F(SceneTest, RendersIntoATextureAtEveryQualityAndSize) {
@@ -123,10 +147,59 @@ TEST_F(SceneTest, RendersIntoATextureAtEveryQualityAndSize) {
   for (const RenderQuality quality :
        {RenderQuality::draft, RenderQuality::medium, RenderQuality::fine}) {
     for (const int width : {8, 333, 640}) {
+      scene.reset_view();
       EXPECT_GT(scene.render(width, 201, quality), 0.0);
-      EXPECT_NE(scene.texture(), 0u);
+      const Image picture = testing::texture_pixels(scene.texture());
+      const int samples = quality == RenderQuality::fine ? 2 : 1;
+      ASSERT_EQ(picture.width, width * samples);
+      ASSERT_EQ(picture.height, 201 * samples);
+      const PictureCounts counts = count_colours(picture, Theme::dark);
+      EXPECT_GT(counts.background, 0);
+      // The rod lies along the longer side of a picture; in a narrow one it is small.
+      EXPECT_GT(counts.drawn(), width == 8 ? 8 : 4000 * samples * samples) << width;
     }
   }
+}
+
+TEST_F(SceneTest, ANarrowerPictureCutsNothingOff) {
+  const auto touches_a_side = [](const Image& image) {
+    int marked = 0;
+    const Colour& c = palette(Theme::dark).scene;
+    for (int y = 0; y < image.height; ++y) {
+      for (const int x : {0, image.width - 1}) {
+        const std::uint8_t* p = &image.rgba[4 * (std::size_t(y) * image.width + x)];
+        marked += std::abs(p[0] - 255 * c.r) > 12 || std::abs(p[2] - 255 * c.b) > 12;
+      }
+    }
+    return marked > 0;
+  };
+  load(0);
+  scene.render(640, 320, RenderQuality::draft);
+  const double usual = scene.angstrom_per_pixel();
+  for (const int width : {320, 160, 80}) {
+    const Image narrow = scene.grab(width, 320, false);
+    EXPECT_FALSE(touches_a_side(narrow)) << width;
+    EXPECT_GT(count_colours(narrow, Theme::dark).drawn(), 100) << width;
+  }
+  scene.render(640, 320, RenderQuality::draft);
+  EXPECT_DOUBLE_EQ(scene.angstrom_per_pixel(), usual) << "wide again, it is as it was";
+}
+
+TEST_F(SceneTest, AViewpointMovesToAnotherScene) {
+  load(0);
+  scene.render(320, 200, RenderQuality::draft);
+  scene.pointer_move(100, 100, false, false);
+  scene.pointer_button(PointerButton::left, true);
+  scene.pointer_move(180, 150, false, false);
+  scene.pointer_button(PointerButton::left, false);
+  const Image turned = scene.grab(320, 200, false);
+  Scene other;
+  other.set_balls(geometry, two_colours(balls->size()));
+  other.set_mesh(make_mesh_data(std::make_shared<const ComplexMesh>(
+      build_mesh(*geometry, two_colours(balls->size()), complex_of(balls, 0), {}))));
+  EXPECT_GT(differing_pixels(turned, other.grab(320, 200, false)), 500);
+  other.set_viewpoint(scene.viewpoint());
+  EXPECT_EQ(differing_pixels(turned, other.grab(320, 200, false)), 0);
 }
 
 TEST_F(SceneTest, DraggingTurnsAndResetRestores) {

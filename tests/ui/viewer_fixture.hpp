@@ -13,6 +13,7 @@
 #include "app/viewer/options.hpp"
 #include "app/viewer/script.hpp"
 #include "app/viewer/viewer.hpp"
+#include "tests/ui/texture_pixels.hpp"
 #include "ui/scene/frame_grab.hpp"
 
 namespace alphascope::testing {
@@ -51,6 +52,12 @@ class ViewerTest : public ::testing::Test {
   std::uintmax_t shot(const std::string& name) {
     run("move status.device\nshot " + (folder_ / name).string() + "\n");
     return fs::file_size(folder_ / name);
+  }
+  // What the scene shows, as fine as it gets, without what the window lays over it.
+  Image picture() {
+    run("wait-idle\n");
+    shot("picture_taken.png");
+    return texture_pixels(static_cast<unsigned>(viewer_->state().viewport.texture));
   }
   std::string bytes(const std::string& name) {
     std::ifstream file(folder_ / name, std::ios::binary);

@@ -14,6 +14,17 @@ using testing::crambin;
 using testing::texts_of;
 using testing::ViewerTest;
 
+int differing_pixels(const Image& a, const Image& b) {
+  EXPECT_EQ(a.rgba.size(), b.rgba.size());
+  int count = 0;
+  for (std::size_t i = 0; i + 3 < std::min(a.rgba.size(), b.rgba.size()); i += 4) {
+    int difference = 0;
+    for (int c = 0; c < 3; ++c) difference += std::abs(a.rgba[i + c] - b.rgba[i + c]);
+    count += difference > 30;
+  }
+  return count;
+}
+
 TEST_F(ViewerTest, OpensAndShowsTheComplex) {
   const auto empty = shot("empty.png");
   open_crambin();
@@ -24,14 +35,24 @@ TEST_F(ViewerTest, OpensAndShowsTheComplex) {
   EXPECT_GT(shot("open.png"), empty + 10000);
 }
 
+TEST_F(ViewerTest, OfTwoDroppedFilesBothAreTold) {
+  viewer_->open_dropped({folder_ / "notes.txt", crambin()});
+  run("wait-idle\nframes 3\n");
+  EXPECT_EQ(viewer_->state().molecule.name, "1crn.pdb");
+  EXPECT_NE(viewer_->state().drop_note.find("Not opened: notes.txt"), std::string::npos);
+  run("click view.dropped.ok\n");
+  EXPECT_TRUE(viewer_->state().drop_note.empty());
+}
+
 TEST_F(ViewerTest, SlidingChangesComplexAndPicture) {
   open_crambin();
-  shot("before.png");
+  const Image before = picture();
   run("click alpha.preset.3\nwait-idle\n");
   EXPECT_DOUBLE_EQ(viewer_->state().result.alpha, 3);
   EXPECT_EQ(viewer_->state().result.hash, hash_text(expected(3).hash));
-  shot("after.png");
-  EXPECT_NE(bytes("before.png"), bytes("after.png"));
+  EXPECT_GT(differing_pixels(before, picture()), 5000);
+  run("click alpha.preset.0\nwait-idle\n");
+  EXPECT_EQ(differing_pixels(before, picture()), 0);
 }
 
 TEST_F(ViewerTest, SliderStormEndsAtTheLastAlpha) {
@@ -111,22 +132,42 @@ TEST_F(ViewerTest, EveryDisplaySwitchDraws) {
   open_crambin();
   run("click alpha.preset.1.4\nwait-idle\n");
   DisplayControls& d = viewer_->state().display;
-  shot("0.png");
-  const std::vector<std::pair<const char*, std::function<void()>>> switches{
-      {"balls", [&] { d.balls = false; }},
-      {"shrink", [&] { d.shrink = 0.3f; }},
-      {"edges", [&] { d.edges = true, d.singular_only = false; }},
-      {"colour", [&] { d.complex_colour = ColourBy::alpha; }},
-      {"opacity", [&] { d.complex_opacity = 0.4f; }},
-      {"light", [&] { viewer_->state().theme = Theme::light; }}};
-  std::string last = bytes("0.png");
-  for (const auto& [name, change] : switches) {
-    change();
-    run("wait-idle\n");
-    shot("1.png");
-    EXPECT_NE(bytes("1.png"), last) << name << " changed nothing";
-    last = bytes("1.png");
+  const DisplayControls usual = d;
+  struct Switch {
+    const char* name;
+    std::function<void(DisplayControls&)> before, change;
+  };
+  const auto nothing = [](DisplayControls&) {};
+  const auto no_tetrahedra = [](DisplayControls& c) { c.tetrahedra = false; };
+  const auto edges = [](DisplayControls& c) { c.tetrahedra = c.balls = false, c.edges = true; };
+  const std::vector<Switch> switches{
+      {"balls", nothing, [](auto& c) { c.balls = false; }},
+      {"ball size", nothing, [](auto& c) { c.ball_scale = 0.6f; }},
+      {"grown", nothing, [](auto& c) { c.grown_balls = true; }},
+      {"ball opacity", nothing, [](auto& c) { c.ball_opacity = 0.3f; }},
+      {"ball colour", nothing, [](auto& c) { c.ball_colour = ColourBy::single; }},
+      {"tetrahedra", nothing, [](auto& c) { c.tetrahedra = false; }},
+      {"shrink", nothing, [](auto& c) { c.shrink = 0.3f; }},
+      {"boundary", no_tetrahedra, [](auto& c) { c.boundary = true; }},
+      {"triangles", no_tetrahedra, [](auto& c) { c.triangles = true; }},
+      {"edges", no_tetrahedra, [](auto& c) { c.edges = true; }},
+      {"singular only", edges, [](auto& c) { c.singular_only = false; }},
+      {"opacity", nothing, [](auto& c) { c.complex_opacity = 0.4f; }},
+      {"colour", nothing, [](auto& c) { c.complex_colour = ColourBy::alpha; }},
+      {"soft shadows", nothing, [](auto& c) { c.ambient_occlusion = false; }}};
+  for (const auto& [name, before, change] : switches) {
+    d = usual;
+    before(d);
+    const Image without = picture();
+    change(d);
+    EXPECT_GT(differing_pixels(without, picture()), 200) << name << " changed nothing";
   }
+  d = usual;
+  const Image dark = picture();
+  viewer_->state().theme = Theme::light;
+  const Image light = picture();
+  EXPECT_LT(dark.rgba[0], 60);
+  EXPECT_GT(light.rgba[0], 200);
 }
 
 TEST_F(ViewerTest, ColoursByAlphaHaveALegend) {
@@ -151,13 +192,105 @@ TEST_F(ViewerTest, ColoursByAlphaHaveALegend) {
 TEST_F(ViewerTest, SavesAPictureOfTheChosenSize) {
   open_crambin();
   viewer_->state().requests.screenshot = ScreenshotRequest{folder_ / "picture.png", 320, 240, true};
-  run("frames 2\n");
+  run("wait-idle\n");
   EXPECT_TRUE(viewer_->state().error.empty()) << viewer_->state().error;
-  EXPECT_GT(fs::file_size(folder_ / "picture.png"), 2000u);
+  EXPECT_EQ(viewer_->state().notice, "Saved " + (folder_ / "picture.png").string());
+  EXPECT_EQ(testing::pixels_of(folder_ / "picture.png").width, 320);
   viewer_->state().requests.screenshot =
       ScreenshotRequest{"/no/such/folder/picture.png", 320, 240, false};
-  run("frames 2\n");
+  run("wait-idle\n");
   EXPECT_NE(viewer_->state().error.find("/no/such/folder"), std::string::npos);
+}
+
+// The same view, drawn by the window's own scene and by the one in the background.
+TEST_F(ViewerTest, ASavedPictureIsWhatTheViewShows) {
+  open_crambin();
+  run("click alpha.preset.3\nmove view 0.3 0.4\ndown\nmove view 0.6 0.5\nup\n");
+  viewer_->state().display.ball_colour = ColourBy::single;
+  viewer_->state().display.grown_balls = true;
+  const Image shown = picture();  // two samples a pixel each way, the bottom row first
+  const ViewportInfo& v = viewer_->state().viewport;
+  viewer_->state().requests.screenshot =
+      ScreenshotRequest{folder_ / "picture.png", v.width, v.height, false, false};
+  run("wait-idle\n");
+  Image saved = testing::pixels_of(folder_ / "picture.png"), small = downsample(shown, 2);
+  ASSERT_EQ(saved.width, small.width);
+  const std::size_t row = 4 * static_cast<std::size_t>(small.width);
+  std::vector<std::uint8_t> upright;
+  for (int y = small.height - 1; y >= 0; --y) {
+    const auto start = small.rgba.begin() + static_cast<long>(y * row);
+    upright.insert(upright.end(), start, start + static_cast<long>(row));
+  }
+  small.rgba = upright;
+  EXPECT_LT(differing_pixels(saved, small), 50);
+}
+
+TEST_F(ViewerTest, TheWindowGoesOnWhileAPictureIsSaved) {
+  open_crambin();
+  const auto save = [this] {
+    viewer_->state().requests.screenshot =
+        ScreenshotRequest{folder_ / "picture.png", 3000, 2000, false};
+    run("frames 1\n");
+  };
+  save();
+  ASSERT_TRUE(viewer_->state().saving.active);
+  EXPECT_NE(viewer_->state().saving.what.find("Saving picture.png"), std::string::npos);
+  run("frames 3\n");
+  EXPECT_TRUE(viewer_->widgets().contains("view.cancel_save"));
+  save();  // one at a time
+  EXPECT_NE(viewer_->state().error.find("still being saved"), std::string::npos)
+      << viewer_->state().error;
+  viewer_->state().error.clear();
+  run("wait-idle\n");
+  EXPECT_FALSE(viewer_->state().saving.active);
+  EXPECT_TRUE(fs::exists(folder_ / "picture.png"));
+}
+
+TEST_F(ViewerTest, ACancelledPictureLeavesTheOldFile) {
+  open_crambin();
+  std::ofstream(folder_ / "picture.png") << "older";
+  viewer_->state().requests.screenshot =
+      ScreenshotRequest{folder_ / "picture.png", 3000, 2000, false};
+  run("frames 3\nclick view.cancel_save\nframes 2\n");
+  EXPECT_FALSE(viewer_->state().saving.active) << "at once";
+  EXPECT_NE(viewer_->state().notice.find("was not written"), std::string::npos);
+  EXPECT_EQ(bytes("picture.png"), "older");
+  // The next one waits for the last to end.
+  viewer_->state().requests.screenshot = ScreenshotRequest{folder_ / "other.png", 100, 100, false};
+  run("wait-idle\n");
+  EXPECT_TRUE(viewer_->state().error.empty()) << viewer_->state().error;
+  EXPECT_TRUE(fs::exists(folder_ / "other.png"));
+  EXPECT_EQ(bytes("picture.png"), "older");
+}
+
+TEST_F(ViewerTest, AViewOfNothingSaysSoAndHasAWayBack) {
+  open_crambin();
+  viewer_->state().display.ball_scale = 1;
+  viewer_->state().display.grown_balls = true;
+  run("click alpha.preset.10\nwait-idle\n");
+  for (int i = 0; i < 20 && viewer_->state().viewport.trouble == ViewTrouble::none; ++i) {
+    run("move view 0.5 0.5\nwheel 10\n");
+  }
+  EXPECT_EQ(viewer_->state().viewport.trouble, ViewTrouble::inside_a_ball);
+  run("frames 3\nclick view.show_all\nframes 3\n");
+  EXPECT_EQ(viewer_->state().viewport.trouble, ViewTrouble::none);
+  EXPECT_FALSE(viewer_->widgets().contains("view.trouble"));
+}
+
+// The view turns about the middle of the balls, where another selection may have one.
+TEST_F(ViewerTest, ASelectionAroundTheCameraIsFitted) {
+  open_crambin();
+  viewer_->state().display.ball_scale = 0.05f;
+  run("move view 0.5 0.5\nframes 3\nwheel 10\nwheel 10\nwheel 10\nwheel 10\nwait-idle\n");
+  ASSERT_EQ(viewer_->state().viewport.trouble, ViewTrouble::none);
+  const double close = viewer_->state().viewport.angstrom_per_pixel;
+  run("click molecule.expression\ntype resi 1-40\nkey enter\nwait-idle\n");
+  EXPECT_DOUBLE_EQ(viewer_->state().viewport.angstrom_per_pixel, close) << "nothing in the way";
+  viewer_->state().display.ball_scale = 1;
+  run("click molecule.expression\nkey ctrl+a\ntype resi 7 and name CA\nkey enter\nwait-idle\n");
+  EXPECT_EQ(viewer_->state().molecule.balls, 1u);
+  EXPECT_GT(viewer_->state().viewport.angstrom_per_pixel, close);
+  EXPECT_EQ(viewer_->state().viewport.trouble, ViewTrouble::none);
 }
 
 // Rows of a picture of 960 x 600 pixels in which every colour of the legend is in its place.
@@ -185,7 +318,7 @@ TEST_F(ViewerTest, PicturesHaveTheWindowsLegendUnlessOneSwitchesItOff) {
   const auto saved = [&](bool with_legend) {
     viewer_->state().requests.screenshot =
         ScreenshotRequest{folder_ / "picture.png", 960, 600, false, with_legend, false};
-    run("frames 2\n");
+    run("wait-idle\n");
     return testing::pixels_of(folder_ / "picture.png");
   };
   const auto drawn = [&](const std::string& options) {
@@ -211,7 +344,7 @@ TEST_F(ViewerTest, PicturesTooSmallForALegendSaySo) {
   run("click display.complex_colour\nclick display.complex_colour.3\nwait-idle\n");
   viewer_->state().requests.screenshot =
       ScreenshotRequest{folder_ / "picture.png", 200, 150, false};
-  run("frames 2\n");
+  run("wait-idle\n");
   EXPECT_NE(viewer_->state().notice.find("The picture has no legend"), std::string::npos)
       << viewer_->state().notice;
 }
@@ -229,7 +362,7 @@ TEST_F(ViewerTest, APictureThatCannotBeWrittenLeavesTheViewAsItWas) {
   const int before = texture_width();
   viewer_->state().requests.screenshot =
       ScreenshotRequest{"/no/such/folder/picture.png", 320, 240, false};
-  run("frames 2\nclick error.ok\nwait-idle\n");
+  run("wait-idle\nframes 2\nclick error.ok\nwait-idle\n");
   shot("after.png");
   EXPECT_EQ(texture_width(), before) << "it shows what was to be saved";
 }
@@ -240,7 +373,7 @@ TEST_F(ViewerTest, PicturesSayWhereTheyComeFrom) {
   open_crambin();
   run("click alpha.preset.1.4\nclick alpha.water\nwait-idle\n");
   viewer_->state().requests.screenshot = ScreenshotRequest{folder_ / "picture.png", 320, 240, true};
-  run("frames 2\n");
+  run("wait-idle\n");
   ASSERT_TRUE(viewer_->state().error.empty()) << viewer_->state().error;
   const auto texts = texts_of(bytes("picture.png"));
   const auto text = [&texts](const std::string& key) {

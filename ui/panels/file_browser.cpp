@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <utility>
 
 #include "ui/panels/folder_listing.hpp"
 #include "ui/panels/format.hpp"
@@ -20,6 +21,9 @@ bool for_table(const PanelMemory& m) {
   return m.browser_purpose == BrowserPurpose::radii_table;
 }
 
+constexpr int kListKeys[] = {key::kHome, key::kEnd,      key::kDown,
+                             key::kUp,   key::kPageDown, key::kPageUp};
+
 const char* title(const PanelMemory& m) {
   return for_table(m) ? "Open a table of radii" : "Open a molecule";
 }
@@ -34,9 +38,29 @@ void enter(PanelMemory& m, const fs::path& folder) {
   }
   m.browser_typed = m.browser_folder.string();
   m.browser_selected.clear();
+  m.browser_error.clear();
+  m.browser_jump.clear();
 }
 
+// The folder that one comes from is chosen, so that Enter leads back.
+void enter_above(PanelMemory& m) {
+  const fs::path from = m.browser_folder;
+  enter(m, from.parent_path());
+  if (m.browser_folder == from) return;
+  m.browser_selected = from;
+  m.browser_scroll = true;
+}
+
+void select(PanelMemory& m, const FolderEntry& entry) {
+  m.browser_selected = entry.path;
+  m.browser_typed = entry.path.string();
+  m.browser_error.clear();
+}
+
+// The dialog stays when the file cannot be opened, and says why.
 void open(ViewState& s, const fs::path& file) {
+  s.memory.browser_error = why_not_openable(file);
+  if (!s.memory.browser_error.empty()) return;
   if (for_table(s.memory)) {
     s.selection.radii_table = file.string();
     for (std::size_t i = 0; i < s.radii_sets.size(); ++i) {
@@ -50,25 +74,30 @@ void open(ViewState& s, const fs::path& file) {
   ImGui::CloseCurrentPopup();
 }
 
-// A typed path: a folder is entered, anything else is opened (the reader explains what is wrong).
+// A folder is entered, anything else is opened.
+void accept(ViewState& s, const fs::path& path) {
+  std::error_code error;
+  if (fs::is_directory(path, error)) {
+    enter(s.memory, path);
+  } else {
+    open(s, path);
+  }
+}
+
 void accept_typed(ViewState& s) {
   std::string text = s.memory.browser_typed;
-  if (text.starts_with("~/")) {
+  if (text == "~" || text.starts_with("~/")) {
     if (const char* home = std::getenv("HOME")) text = home + text.substr(1);
   }
   if (text.empty()) return;
-  std::error_code error;
-  if (fs::is_directory(text, error)) {
-    enter(s.memory, text);
-  } else {
-    open(s, text);
-  }
+  const fs::path path(text);
+  accept(s, path.is_relative() ? s.memory.browser_folder / path : path);
 }
 
 void path_row(PanelContext& ctx) {
   PanelMemory& m = ctx.state.memory;
-  if (button(ctx, "browser.up", "Up")) enter(m, m.browser_folder.parent_path());
-  tooltip(ctx, "The folder above");
+  if (button(ctx, "browser.up", "Up")) enter_above(m);
+  tooltip(ctx, "The folder above (Backspace)");
   ImGui::SameLine();
   if (button(ctx, "browser.home", "Home")) {
     if (const char* home = std::getenv("HOME")) enter(m, home);
@@ -79,6 +108,7 @@ void path_row(PanelContext& ctx) {
     accept_typed(ctx.state);
   }
   record(ctx, "browser.path");
+  if (ImGui::IsItemEdited()) m.browser_error.clear();
 }
 
 void entry_row(PanelContext& ctx, const FolderEntry& entry) {
@@ -91,40 +121,152 @@ void entry_row(PanelContext& ctx, const FolderEntry& entry) {
                             ImGuiSelectableFlags_AllowDoubleClick |
                             ImGuiSelectableFlags_DontClosePopups)) {
     if (entry.folder) {
-      enter(s.memory, entry.path);
+      enter(s.memory, fs::path(entry.path));
     } else {
-      s.memory.browser_selected = entry.path;
-      s.memory.browser_typed = entry.path.string();
+      select(s.memory, entry);
       if (ImGui::IsMouseDoubleClicked(0)) open(s, entry.path);
     }
   }
   record(ctx, ("browser.entry." + entry.name).c_str());
   ImGui::TableNextColumn();
-  if (!entry.folder) muted_text(ctx, bytes_text(entry.bytes));
+  if (!entry.folder) muted_text(ctx, file_size_text(entry.bytes));
+}
+
+std::size_t selected_index(const PanelMemory& m, const FolderListing& list) {
+  const auto found =
+      std::find_if(list.entries.begin(), list.entries.end(),
+                   [&m](const FolderEntry& e) { return e.path == m.browser_selected; });
+  return static_cast<std::size_t>(found - list.entries.begin());
+}
+
+// Where the arrow keys and their like lead; the present entry when none is pressed.
+std::size_t key_target(std::size_t now, std::size_t count, std::size_t page) {
+  const auto pressed = [](int code) { return ImGui::IsKeyPressed(code); };
+  const std::size_t last = count - 1;
+  const bool none = now == count;
+  if (pressed(key::kHome)) return 0;
+  if (pressed(key::kEnd)) return last;
+  if (pressed(key::kDown)) return none ? 0 : std::min(now + 1, last);
+  if (pressed(key::kUp)) return none ? last : now - std::min<std::size_t>(now, 1);
+  if (pressed(key::kPageDown)) return none ? 0 : std::min(now + page, last);
+  if (pressed(key::kPageUp)) return none ? 0 : now - std::min(now, page);
+  return now;
+}
+
+// Letters typed in quick succession make up the beginning of a name.
+std::size_t jump_target(PanelMemory& m, const FolderListing& list, std::size_t now) {
+  constexpr double kPauseSeconds = 1;
+  const ImGuiIO& io = ImGui::GetIO();
+  if (io.InputQueueCharacters.empty() || io.KeyCtrl) return now;
+  if (ImGui::GetTime() - m.browser_jump_seconds > kPauseSeconds) m.browser_jump.clear();
+  for (const ImWchar c : io.InputQueueCharacters) {
+    if (c > 32 && c < 127) m.browser_jump += static_cast<char>(c);
+  }
+  m.browser_jump_seconds = ImGui::GetTime();
+  if (m.browser_jump.empty()) return now;
+  // The same letter again leads on to the next name.
+  const bool on = m.browser_jump.size() == 1 && now < list.entries.size();
+  const std::size_t found = find_entry(list, m.browser_jump, on ? now + 1 : 0);
+  return found < list.entries.size() ? found : now;
+}
+
+// While nothing is being typed. Returns true when the folder is another one now.
+bool keyboard(PanelContext& ctx, const FolderListing& list, std::size_t page) {
+  PanelMemory& m = ctx.state.memory;
+  if (ImGui::IsAnyItemActive()) return false;
+  if (ImGui::IsKeyPressed(key::kBackspace)) {
+    enter_above(m);
+    return true;
+  }
+  if (list.entries.empty()) return false;
+  const bool enter_pressed =
+      ImGui::IsKeyPressed(key::kEnter, false) || ImGui::IsKeyPressed(key::kKeypadEnter, false);
+  const bool any = !ImGui::GetIO().InputQueueCharacters.empty() || enter_pressed ||
+                   std::any_of(std::begin(kListKeys), std::end(kListKeys),
+                               [](int code) { return ImGui::IsKeyPressed(code); });
+  if (!any) return false;
+  const std::size_t count = list.entries.size(), now = selected_index(m, list);
+  if (enter_pressed && now < count) {
+    accept(ctx.state, fs::path(list.entries[now].path));
+    return true;
+  }
+  const std::size_t target = jump_target(m, list, key_target(now, count, page));
+  if (target == now || target >= count) return false;
+  select(m, list.entries[target]);
+  m.browser_scroll = true;
+  return false;
+}
+
+// The chosen entry, when a key has chosen it.
+void scroll_to_selected(PanelMemory& m, const FolderListing& list, float row) {
+  if (!std::exchange(m.browser_scroll, false)) return;
+  const std::size_t index = selected_index(m, list);
+  if (index == list.entries.size()) return;
+  const float top = static_cast<float>(index) * row, height = ImGui::GetWindowHeight();
+  if (top < ImGui::GetScrollY()) ImGui::SetScrollY(top);
+  if (top + 2 * row > ImGui::GetScrollY() + height) ImGui::SetScrollY(top + 2 * row - height);
+}
+
+// Only the rows in sight: a folder can have many thousands.
+void entries(PanelContext& ctx, const std::shared_ptr<const FolderListing>& list) {
+  const float row = ImGui::GetTextLineHeight() + 2 * ImGui::GetStyle().CellPadding.y;
+  const float page = std::max(1.0f, ImGui::GetWindowHeight() / row - 2);
+  if (keyboard(ctx, *list, static_cast<std::size_t>(page))) return;
+  scroll_to_selected(ctx.state.memory, *list, row);
+  if (!ImGui::BeginTable("list", 2, ImGuiTableFlags_None)) return;
+  ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthStretch);
+  ImGui::TableSetupColumn("size", ImGuiTableColumnFlags_WidthFixed, ctx.px(80));
+  ImGuiListClipper clipper;
+  clipper.Begin(static_cast<int>(list->entries.size()), row);
+  while (clipper.Step()) {
+    for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
+      entry_row(ctx, list->entries[static_cast<std::size_t>(i)]);
+    }
+  }
+  ImGui::EndTable();
+}
+
+std::string nothing_listed(const FolderListing& list) {
+  if (!list.error.empty()) return list.error;
+  if (list.hidden_by_filter == 0) return "This folder is empty.";
+  return "No molecules here; " + with_separators(static_cast<long long>(list.hidden_by_filter)) +
+         " other files are not shown.";
 }
 
 void listing(PanelContext& ctx, float height) {
-  PanelMemory& m = ctx.state.memory;
-  // Read again in every frame in which the dialog is redrawn: cheap, and never out of date.
-  const FolderListing list = list_folder(m.browser_folder, m.browser_all_files || for_table(m));
+  const PanelMemory& m = ctx.state.memory;
+  const auto list = ctx.state.listing;  // kept for this frame
   ImGui::PushStyleColor(ImGuiCol_ChildBg, to_imgui(ctx.palette.panel));
-  ImGui::BeginChild("entries", {0, height}, true);
-  if (!list.error.empty()) {
-    ImGui::TextUnformatted(list.error.c_str());
-  } else if (list.entries.empty()) {
-    muted_wrapped(ctx, list.hidden_by_filter == 0
-                           ? "This folder is empty."
-                           : "No molecules here; " +
-                                 with_separators(static_cast<long long>(list.hidden_by_filter)) +
-                                 " other files are not shown.");
-  } else if (ImGui::BeginTable("list", 2, ImGuiTableFlags_None)) {
-    ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthStretch);
-    ImGui::TableSetupColumn("size", ImGuiTableColumnFlags_WidthFixed, ctx.px(80));
-    for (const FolderEntry& entry : list.entries) entry_row(ctx, entry);
-    ImGui::EndTable();
+  // Each folder has a scroll position of its own.
+  ImGui::BeginChild(("entries" + m.browser_folder.string()).c_str(), {0, height}, true);
+  if (!list || list->query != wanted_listing(m)) {
+    muted_text(ctx, "Reading this folder…");
+    record(ctx, "browser.reading");
+  } else if (!list->error.empty() || list->entries.empty()) {
+    muted_wrapped(ctx, nothing_listed(*list));
+    if (list->error.empty()) keyboard(ctx, *list, 1);
+  } else {
+    entries(ctx, list);
   }
   ImGui::EndChild();
   ImGui::PopStyleColor();
+}
+
+// What is wrong with the path, else what the keys do: always one line, so that nothing moves.
+void message_row(PanelContext& ctx) {
+  const PanelMemory& m = ctx.state.memory;
+  const float width = ImGui::GetContentRegionAvail().x;
+  ImGui::PushFont(ctx.fonts.small);
+  if (m.browser_error.empty()) {
+    muted_text(ctx, "Arrow keys: choose.  Enter: open.  Letters: jump to a name.");
+  } else {
+    ImGui::PushStyleColor(ImGuiCol_Text, to_imgui(ctx.palette.error));
+    ImGui::TextUnformatted(fitted_text(m.browser_error, width).c_str());
+    ImGui::PopStyleColor();
+    record(ctx, "browser.error");
+    tooltip(ctx, m.browser_error.c_str());
+  }
+  ImGui::PopFont();
 }
 
 void buttons(PanelContext& ctx) {
@@ -134,6 +276,9 @@ void buttons(PanelContext& ctx) {
     muted_text(ctx, "Lines such as: C 1.70   ALA CB 1.88   * CB 1.88");
   } else {
     checkbox(ctx, "browser.all", "All files", s.memory.browser_all_files);
+    ImGui::SameLine(0, ctx.px(18));
+    checkbox(ctx, "browser.hidden", "Hidden ones", s.memory.browser_hidden_ones);
+    tooltip(ctx, "Files and folders whose names start with a dot.");
   }
   const float width = ctx.px(96);
   ImGui::SameLine(ImGui::GetWindowWidth() - 2 * width - ctx.px(20));
@@ -149,6 +294,11 @@ void buttons(PanelContext& ctx) {
 }
 
 }  // namespace
+
+std::optional<FolderQuery> wanted_listing(const PanelMemory& m) {
+  if (!m.show_browser || m.browser_folder.empty()) return std::nullopt;
+  return FolderQuery{m.browser_folder, m.browser_all_files || for_table(m), m.browser_hidden_ones};
+}
 
 void draw_file_browser(PanelContext& ctx) {
   PanelMemory& m = ctx.state.memory;
@@ -167,8 +317,9 @@ void draw_file_browser(PanelContext& ctx) {
     return;
   }
   path_row(ctx);
-  const float bottom = ImGui::GetFrameHeightWithSpacing() + ctx.px(4);
-  listing(ctx, ImGui::GetContentRegionAvail().y - bottom);
+  const float bottom = ImGui::GetFrameHeightWithSpacing() + ImGui::GetTextLineHeightWithSpacing();
+  listing(ctx, ImGui::GetContentRegionAvail().y - bottom - ctx.px(4));
+  message_row(ctx);
   buttons(ctx);
   ImGui::EndPopup();
 }

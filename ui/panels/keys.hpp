@@ -8,6 +8,7 @@ inline constexpr int kA = 65, kB = 66, kC = 67, kE = 69, kL = 76, kO = 79, kQ = 
 inline constexpr int kS = 83, kT = 84;
 inline constexpr int kEscape = 256, kEnter = 257, kTab = 258, kBackspace = 259, kDelete = 261;
 inline constexpr int kRight = 262, kLeft = 263, kDown = 264, kUp = 265, kHome = 268, kEnd = 269;
+inline constexpr int kPageUp = 266, kPageDown = 267;
 inline constexpr int kF1 = 290;
 inline constexpr int kKeypadEnter = 335;
 

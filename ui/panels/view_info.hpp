@@ -133,12 +133,16 @@ struct PointerEvent {
   bool control = false, shift = false;
 };
 
+// What makes a view useless although there is something to see.
+enum class ViewTrouble : std::uint8_t { none, nothing_in_view, inside_a_ball };
+
 struct ViewportInfo {
   std::uint64_t texture = 0;  // OpenGL name of the picture; 0: none yet
   double angstrom_per_pixel = 0;
   std::optional<ColourLegend> legend;
   std::string not_drawn;  // what the picture lacks for want of memory, and what to do
   bool outdated = false;  // it is of other settings than those chosen; the new one is being made
+  ViewTrouble trouble = ViewTrouble::none;
   // Written by the panels: how large the picture should be (pixels) and what the mouse did on it.
   int width = 0, height = 0;
   std::vector<PointerEvent> events;

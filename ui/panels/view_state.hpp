@@ -4,12 +4,14 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "ui/panels/benchmark_info.hpp"
 #include "ui/panels/controls.hpp"
+#include "ui/panels/folder_listing.hpp"
 #include "ui/panels/view_info.hpp"
 #include "ui/theme.hpp"
 
@@ -27,7 +29,7 @@ struct Requests {
   std::optional<std::filesystem::path> open;
   std::optional<std::size_t> open_sample;  // index into ViewState::samples
   std::optional<ScreenshotRequest> screenshot;
-  bool compare = false, cancel = false, cancel_compare = false;
+  bool compare = false, cancel = false, cancel_compare = false, cancel_save = false;
   bool compute_anew = false;  // set-up included, for its cold time
   bool reset_view = false, quit = false;
   bool run_benchmark = false, cancel_benchmark = false, export_benchmark = false;
@@ -53,6 +55,10 @@ inline constexpr double kTooltipDelaySeconds = 0.4;
 
 enum class BrowserPurpose : std::uint8_t { molecule, radii_table };
 
+struct PanelMemory;
+// What the file dialog wants to have listed; nothing while it is closed.
+std::optional<FolderQuery> wanted_listing(const PanelMemory& memory);
+
 // What the panels remember between frames.
 struct PanelMemory {
   bool show_cheat_sheet = false, show_about = false, show_browser = false, show_save = false;
@@ -60,7 +66,11 @@ struct PanelMemory {
   std::filesystem::path browser_folder;  // empty: choose a sensible one
   std::string browser_typed;
   std::filesystem::path browser_selected;
-  bool browser_all_files = false;
+  bool browser_all_files = false, browser_hidden_ones = false;
+  std::string browser_error;        // why what was typed cannot be opened
+  std::string browser_jump;         // what was typed to jump to a name, and when the last letter
+  double browser_jump_seconds = 0;  // of it came (ImGui's time)
+  bool browser_scroll = false;      // the chosen entry is to be scrolled into sight
   BrowserPurpose browser_purpose = BrowserPurpose::molecule;
   std::string save_path;
   int save_width = 1920, save_height = 1080;
@@ -98,7 +108,10 @@ struct ViewState {
   BadgeInfo badge;
   BenchmarkControls benchmark_controls;
   BenchmarkInfo benchmark;
-  BusyInfo busy;
+  // Of the folder in the file dialog, or of the one before while that is being read; null: none
+  // yet.
+  std::shared_ptr<const FolderListing> listing;
+  BusyInfo busy, saving;  // saving: a picture, which holds nothing up
   ViewportInfo viewport;
   std::string device_text;  // "CPU · 2 threads"
   GpuInfo gpu;
@@ -107,7 +120,9 @@ struct ViewState {
   std::size_t memory_bytes = 0;  // of the whole program
   std::uint64_t free_bytes = 0;  // that the machine could still give; 0: unknown
   ExpressionError expression_error;
-  std::string error;   // shown as a dialog until dismissed
+  std::string error;  // shown as a dialog until dismissed
+  // Lines that say which of several dropped files is open; until dismissed, or another is opened.
+  std::string drop_note;
   std::string notice;  // one line in the status bar, "saved /tmp/a.png"
   std::vector<SampleMolecule> samples;
   std::vector<RadiiSetEntry> radii_sets;

@@ -154,6 +154,47 @@ void progress(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
   end_overlay();
 }
 
+// Below the place of the line above, which may come and go.
+void saving(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
+  const BusyInfo& b = ctx.state.saving;
+  if (!b.active) return;
+  const float row = ImGui::GetFrameHeightWithSpacing() + 2 * ImGui::GetStyle().WindowPadding.y;
+  begin_overlay(ctx, "##saving",
+                {corner.x + size.x - ctx.px(14), corner.y + ctx.px(24) + 1.7f * row}, {1, 0});
+  const std::string text = b.what + ", " + number_text(b.seconds, 1) + " s";
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted(fitted_text(text, ctx.px(300)).c_str());
+  record(ctx, "view.saving");
+  ImGui::SameLine();
+  if (button(ctx, "view.cancel_save", "Cancel")) ctx.state.requests.cancel_save = true;
+  tooltip(ctx, "No file is written; one that is there stays as it is.");
+  end_overlay();
+}
+
+// A view that shows nothing looks like a broken picture.
+void trouble(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
+  const ViewportInfo& v = ctx.state.viewport;
+  if (v.trouble == ViewTrouble::none || !ctx.state.molecule.loaded || v.outdated) return;
+  begin_overlay(ctx, "##trouble", {corner.x + size.x / 2, corner.y + ctx.px(44)}, {0.5f, 0});
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted(v.trouble == ViewTrouble::inside_a_ball ? "The camera is inside a ball."
+                                                                 : "The molecule is out of view.");
+  record(ctx, "view.trouble");
+  ImGui::SameLine();
+  if (button(ctx, "view.show_all", "Show all (R)")) ctx.state.requests.reset_view = true;
+  end_overlay();
+}
+
+void drop_note(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
+  std::string& note = ctx.state.drop_note;
+  if (note.empty()) return;
+  begin_overlay(ctx, "##dropped", {corner.x + ctx.px(14), corner.y + size.y - ctx.px(14)}, {0, 1});
+  ImGui::TextUnformatted(note.c_str());
+  record(ctx, "view.dropped");
+  if (button(ctx, "view.dropped.ok", "OK", {ctx.px(80), 0})) note.clear();
+  end_overlay();
+}
+
 void empty_state(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
   ViewState& s = ctx.state;
   if (s.molecule.loaded || s.busy.active) return;
@@ -248,6 +289,9 @@ void draw_viewport(PanelContext& ctx) {
     outdated_note(ctx, corner);
   }
   progress(ctx, corner, size);
+  saving(ctx, corner, size);
+  trouble(ctx, corner, size);
+  drop_note(ctx, corner, size);
   empty_state(ctx, corner, size);
   nothing_left(ctx, corner, size);
   not_drawn_note(ctx, corner, size);

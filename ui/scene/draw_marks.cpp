@@ -225,12 +225,17 @@ std::string draw_marks(Image& image, const PictureMarks& marks, const MarkInk& i
 }
 
 std::string write_picture(Scene& scene, const MarkedPicture& picture,
-                          const std::filesystem::path& path, const PictureTexts& texts) {
+                          const std::filesystem::path& path, const PictureTexts& texts,
+                          const RunContext& context) {
+  context.cancel.throw_if_cancelled();
+  context.report("drawing", 0);
   Image image = scene.grab(picture.width, picture.height, picture.transparent);
   PictureMarks marks{picture.legend, {}};
   if (picture.scale_bar) marks.angstrom_per_pixel = scene.angstrom_per_pixel();
   std::string left_out = draw_marks(image, marks, mark_ink(picture.theme, picture.transparent));
-  write_png(image, path, texts);
+  context.cancel.throw_if_cancelled();
+  context.report("writing the file", 0);
+  write_png(image, path, texts, context.cancel);
   return left_out;
 }
 

@@ -39,8 +39,9 @@ struct MarkedPicture {
   bool scale_bar = false;
 };
 // Writes the scene with its marks to a file; returns and throws as draw_marks(), Scene::grab() and
-// write_png() do.
+// write_png() do. Says what it is doing, and can be cancelled between its steps.
 std::string write_picture(Scene& scene, const MarkedPicture& picture,
-                          const std::filesystem::path& path, const PictureTexts& texts);
+                          const std::filesystem::path& path, const PictureTexts& texts,
+                          const RunContext& context = {});
 
 }  // namespace alphascope

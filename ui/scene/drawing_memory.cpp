@@ -174,8 +174,17 @@ std::uint64_t picture_bytes(int width, int height) {
   return kPicturePixel * static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height);
 }
 
-void require_room(int width, int height, std::optional<std::uint64_t> free_bytes) {
-  const std::uint64_t bytes = picture_bytes(width, height);
+std::uint64_t second_scene_bytes(std::size_t balls, const ComplexMesh* mesh) {
+  std::uint64_t bytes = kBall * balls;
+  if (mesh == nullptr) return bytes;
+  const std::uint64_t lines = mesh->edges.points();
+  return bytes + (kTrianglePoint - kSoupPoint) * (mesh->points() - lines) +
+         (kLinePoint - kSoupPoint) * lines;
+}
+
+void require_room(int width, int height, std::optional<std::uint64_t> free_bytes,
+                  std::uint64_t more_bytes) {
+  const std::uint64_t bytes = picture_bytes(width, height) + more_bytes;
   if (!free_bytes || bytes <= drawing_budget(*free_bytes)) return;
   throw std::runtime_error("There is too little memory for a picture of " + std::to_string(width) +
                            " x " + std::to_string(height) + " pixels. It takes about " +

@@ -27,9 +27,13 @@ std::uint64_t drawing_bytes(const DrawingTask& task);
 std::uint64_t drawing_budget(std::uint64_t free_bytes);
 
 // Of a picture for a file itself, with ambient occlusion and four samples a pixel. The second
-// throws std::runtime_error where that does not fit.
+// throws std::runtime_error where that and `more_bytes` do not fit.
 std::uint64_t picture_bytes(int width, int height);
-void require_room(int width, int height, std::optional<std::uint64_t> free_bytes);
+void require_room(int width, int height, std::optional<std::uint64_t> free_bytes,
+                  std::uint64_t more_bytes = 0);
+
+// Of VTK's and OpenGL's arrays for what has its plain arrays already: another scene shows it, too.
+std::uint64_t second_scene_bytes(std::size_t balls, const ComplexMesh* mesh);
 
 struct DrawingPlan {
   MeshOptions mesh;  // of what is drawn

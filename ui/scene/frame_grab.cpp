@@ -60,7 +60,8 @@ Image downsample(const Image& image, int factor) {
   return result;
 }
 
-void write_png(const Image& image, const std::filesystem::path& path, const PictureTexts& texts) {
+void write_png(const Image& image, const std::filesystem::path& path, const PictureTexts& texts,
+               const CancelToken& cancel) {
   if (image.width <= 0 || image.height <= 0) throw std::invalid_argument("empty image");
   bool opaque = true;
   for (std::size_t i = 3; i < image.rgba.size(); i += 4) opaque = opaque && image.rgba[i] == 255;
@@ -83,8 +84,10 @@ void write_png(const Image& image, const std::filesystem::path& path, const Pict
   if (bytes == nullptr) throw std::runtime_error("the picture could not be made into a PNG file");
   const std::string_view png(reinterpret_cast<const char*>(bytes->GetPointer(0)),
                              static_cast<std::size_t>(bytes->GetNumberOfValues()));
+  cancel.throw_if_cancelled();
   AtomicFile file(path);
   file.write(with_png_text(png, texts));
+  cancel.throw_if_cancelled();
   file.commit();
 }
 

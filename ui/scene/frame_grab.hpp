@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/run/cancel_token.hpp"
 #include "ui/scene/scene.hpp"
 
 namespace alphascope {
@@ -20,8 +21,8 @@ Image downsample(const Image& image, int factor);
 using PictureTexts = std::vector<std::pair<std::string, std::string>>;
 
 // The file appears whole or not at all. Throws WriteError naming the path when it cannot be
-// written.
+// written, and Cancelled, which leaves an older file as it is.
 void write_png(const Image& image, const std::filesystem::path& path,
-               const PictureTexts& texts = {});
+               const PictureTexts& texts = {}, const CancelToken& cancel = {});
 
 }  // namespace alphascope

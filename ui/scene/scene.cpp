@@ -31,55 +31,15 @@
 #include <utility>
 
 #include "ui/scene/frame_grab.hpp"
+#include "ui/scene/mesh_actor.hpp"
 #include "ui/scene/vtk_arrays.hpp"
 
 namespace alphascope {
 namespace {
 
-constexpr double kViewAngleDegrees = 25;  // less than VTK's 30: molecules distort less
 // Exact transparency of this many layers; more cost time and show no difference.
 constexpr int kPeels = 6;
 constexpr int kFineSamples = 2;  // each way
-// Units of depth by which differences are moved to the front: more than any molecule is deep.
-constexpr double kToTheFront = -1e6;
-
-struct MeshActor {
-  vtkNew<vtkPolyDataMapper> mapper;
-  vtkNew<vtkActor> actor;
-
-  MeshActor() {
-    mapper->SetColorModeToDirectScalars();
-    mapper->SetScalarModeToUsePointData();
-    actor->SetMapper(mapper);
-    actor->VisibilityOff();
-    vtkProperty* property = actor->GetProperty();
-    property->SetInterpolationToFlat();
-    property->SetAmbient(0.18);
-    property->SetDiffuse(0.82);
-    property->SetSpecular(0.12);
-    property->SetSpecularPower(20);
-  }
-  void show(const CellSoup& soup, int corners, vtkWindow* window) {
-    if (soup.points() == 0) {
-      hide(window);
-      return;
-    }
-    mapper->SetInputData(soup_to_vtk(soup, corners));
-    actor->VisibilityOn();
-  }
-  void hide(vtkWindow* window) {
-    mapper->SetInputData(nullptr);
-    mapper->ReleaseGraphicsResources(window);  // else its buffers stay until it draws again
-    actor->VisibilityOff();
-  }
-  void always_in_front() {
-    mapper->SetResolveCoincidentTopologyToPolygonOffset();
-    mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(0, kToTheFront);
-    mapper->SetRelativeCoincidentTopologyLineOffsetParameters(0, kToTheFront);
-    actor->GetProperty()->LightingOff();
-  }
-};
-
 }  // namespace
 
 struct Scene::Impl {
@@ -89,12 +49,13 @@ struct Scene::Impl {
   vtkNew<vtkInteractorStyleTrackballCamera> trackball;
   vtkNew<vtkOpenGLSphereMapper> ball_mapper;
   vtkNew<vtkActor> ball_actor;
-  vtkSmartPointer<vtkPolyData> ball_data;
   MeshActor tetrahedra, boundary, triangles, edges, differing_faces, differing_edges;
+  std::shared_ptr<BallData> ball_data;
   std::shared_ptr<const BallGeometry> balls;
-  std::shared_ptr<const ComplexMesh> mesh;  // VTK reads its arrays in place
-  std::shared_ptr<const DifferenceMesh> differences;
+  std::shared_ptr<MeshData> mesh;
+  std::shared_ptr<DifferenceData> differences;
   SceneStyle style;
+  double least_aspect = 0, aspect = 0;  // as in Viewpoint, and of the last picture
   int picture_height = 1;
   int samples = 1;             // each way, of the last picture
   bool reset_pending = false;  // the fit needs the size of the next picture
@@ -117,7 +78,7 @@ struct Scene::Impl {
       m->always_in_front();
       renderer->AddActor(m->actor);
     }
-    renderer->GetActiveCamera()->SetViewAngle(kViewAngleDegrees);
+    set_view_angle();
   }
 
   void set_up_window() {
@@ -195,6 +156,7 @@ struct Scene::Impl {
     if (window->GetSize()[0] != width || window->GetSize()[1] != height) {
       window->SetSize(width, height);
     }
+    follow_aspect(static_cast<double>(width) / height);
     if (balls && std::exchange(reset_pending, false)) reset_camera();
     const float width_scale = static_cast<float>(samples);
     edges.actor->GetProperty()->SetLineWidth(1.5f * width_scale);
@@ -203,35 +165,47 @@ struct Scene::Impl {
     window->Render();
   }
 
+  // What a wide picture shows stays in sight when it becomes narrow.
+  void follow_aspect(double now) {
+    const bool shown_at_usual_angle = least_aspect <= aspect;
+    if (now < aspect && shown_at_usual_angle && balls && !reset_pending) {
+      least_aspect = alphascope::least_aspect(*balls, sight(), aspect);
+    }
+    aspect = now;
+    set_view_angle();
+  }
+
+  void set_view_angle() {
+    const double half = std::atan(tangent_up(aspect, least_aspect));
+    renderer->GetActiveCamera()->SetViewAngle(2 * half * 180 / M_PI);
+  }
+
   void reset_camera() {
     if (!balls) return;
     vtkCamera* camera = renderer->GetActiveCamera();
     const auto& towards = balls->axes[2];
     const auto& up = balls->axes[1];
     camera->SetFocalPoint(0, 0, 0);
-    const double distance = fitting_distance();
+    const double distance = fitting_distance(*balls, aspect);
     camera->SetPosition(distance * towards[0], distance * towards[1], distance * towards[2]);
     camera->SetViewUp(up[0], up[1], up[2]);
+    least_aspect = 0;
+    set_view_angle();
   }
 
-  // From here the outline of the balls just fits into the picture with a small margin.
-  double fitting_distance() const {
-    const double half = kViewAngleDegrees * M_PI / 360;
-    const int* size = window->GetSize();
-    const double aspect = size[1] > 0 ? double(size[0]) / size[1] : 1.6;
-    const double tangent_up = std::tan(half), tangent_right = tangent_up * aspect;
-    double distance = 1;
-    for (std::size_t i = 0; i < balls->centres.size(); ++i) {
-      double along[3];
-      for (int a = 0; a < 3; ++a) {
-        along[a] = 0;
-        for (int k = 0; k < 3; ++k) along[a] += balls->axes[a][k] * balls->centres[i][k];
-      }
-      const double reach = std::max((std::fabs(along[0]) + balls->radii[i]) / tangent_right,
-                                    (std::fabs(along[1]) + balls->radii[i]) / tangent_up);
-      distance = std::max(distance, reach + along[2]);
-    }
-    return 1.08 * distance;
+  Sight sight() const {
+    vtkCamera* camera = renderer->GetActiveCamera();
+    Sight s;
+    camera->GetPosition(s.position.data());
+    camera->GetDirectionOfProjection(s.forward.data());
+    camera->GetViewUp(s.up.data());
+    vtkMath::Cross(s.forward.data(), s.up.data(), s.right.data());
+    vtkMath::Normalize(s.right.data());
+    // The camera's own need not be at a right angle.
+    vtkMath::Cross(s.right.data(), s.forward.data(), s.up.data());
+    s.tangent_up = tangent_up(aspect, least_aspect);
+    s.tangent_right = s.tangent_up * aspect;
+    return s;
   }
 };
 
@@ -242,51 +216,45 @@ Scene::Scene() : impl_(std::make_unique<Impl>()) {
 
 Scene::~Scene() = default;
 
-void Scene::set_balls(std::shared_ptr<const BallGeometry> balls, const std::vector<Rgb8>& colours) {
-  if (!balls || balls->centres.size() != colours.size()) {
-    throw std::invalid_argument("every ball needs one colour");
-  }
+void Scene::set_balls(std::shared_ptr<BallData> balls) {
   set_mesh(nullptr);
   set_differences(nullptr);
-  impl_->balls = std::move(balls);
-  impl_->ball_data = balls_to_vtk(*impl_->balls);
-  set_radii(impl_->ball_data, drawn_radii(*impl_->balls, {}));
-  set_colours(impl_->ball_data, colours);
-  impl_->ball_mapper->SetInputData(impl_->ball_data);
+  impl_->balls = balls->balls;
+  impl_->ball_mapper->SetInputData(balls->points);
   impl_->ball_mapper->ReleaseGraphicsResources(impl_->window);
+  impl_->ball_data = std::move(balls);
   impl_->apply_style();
 }
 
+void Scene::set_balls(std::shared_ptr<const BallGeometry> balls, const std::vector<Rgb8>& colours) {
+  if (!balls) throw std::invalid_argument("there are no balls to draw");
+  const std::vector<float> radii = drawn_radii(*balls, {});
+  set_balls(make_ball_data(std::move(balls), colours, radii));
+}
+
 void Scene::set_ball_radii(const std::vector<float>& radii) {
-  if (impl_->ball_data) set_radii(impl_->ball_data, radii);
+  if (impl_->ball_data) set_radii(impl_->ball_data->points, radii);
 }
 
 void Scene::set_ball_colours(const std::vector<Rgb8>& colours) {
-  if (impl_->ball_data) set_colours(impl_->ball_data, colours);
+  if (impl_->ball_data) set_colours(impl_->ball_data->points, colours);
 }
 
-void Scene::set_mesh(std::shared_ptr<const ComplexMesh> mesh) {
-  if (mesh) {
-    impl_->tetrahedra.show(mesh->tetrahedra, 3, impl_->window);
-    impl_->boundary.show(mesh->boundary, 3, impl_->window);
-    impl_->triangles.show(mesh->triangles, 3, impl_->window);
-    impl_->edges.show(mesh->edges, 2, impl_->window);
-  } else {
-    for (MeshActor* m : {&impl_->tetrahedra, &impl_->boundary, &impl_->triangles, &impl_->edges}) {
-      m->hide(impl_->window);
-    }
-  }
+void Scene::set_mesh(std::shared_ptr<MeshData> mesh) {
+  const MeshData nothing;
+  const MeshData& shown = mesh ? *mesh : nothing;
+  impl_->tetrahedra.show(shown.tetrahedra, impl_->window);
+  impl_->boundary.show(shown.boundary, impl_->window);
+  impl_->triangles.show(shown.triangles, impl_->window);
+  impl_->edges.show(shown.edges, impl_->window);
   impl_->mesh = std::move(mesh);  // only now may the old arrays go
 }
 
-void Scene::set_differences(std::shared_ptr<const DifferenceMesh> differences) {
-  if (differences) {
-    impl_->differing_faces.show(differences->faces, 3, impl_->window);
-    impl_->differing_edges.show(differences->edges, 2, impl_->window);
-  } else {
-    impl_->differing_faces.hide(impl_->window);
-    impl_->differing_edges.hide(impl_->window);
-  }
+void Scene::set_differences(std::shared_ptr<DifferenceData> differences) {
+  const DifferenceData nothing;
+  const DifferenceData& shown = differences ? *differences : nothing;
+  impl_->differing_faces.show(shown.faces, impl_->window);
+  impl_->differing_edges.show(shown.edges, impl_->window);
   impl_->differences = std::move(differences);
 }
 
@@ -303,6 +271,26 @@ void Scene::set_style(const SceneStyle& style) {
 
 void Scene::reset_view() {
   impl_->reset_pending = true;
+}
+
+Viewpoint Scene::viewpoint() const {
+  vtkCamera* camera = impl_->renderer->GetActiveCamera();
+  Viewpoint v;
+  camera->GetPosition(v.position.data());
+  camera->GetFocalPoint(v.focal_point.data());
+  camera->GetViewUp(v.up.data());
+  v.least_aspect = impl_->least_aspect;
+  return v;
+}
+
+void Scene::set_viewpoint(const Viewpoint& v) {
+  vtkCamera* camera = impl_->renderer->GetActiveCamera();
+  camera->SetPosition(v.position.data());
+  camera->SetFocalPoint(v.focal_point.data());
+  camera->SetViewUp(v.up.data());
+  impl_->least_aspect = v.least_aspect;
+  impl_->reset_pending = false;
+  impl_->set_view_angle();
 }
 
 double Scene::render(int width, int height, RenderQuality quality) {
@@ -328,28 +316,24 @@ unsigned Scene::texture() const {
 }
 
 double Scene::angstrom_per_pixel() const {
-  const vtkCamera* camera = impl_->renderer->GetActiveCamera();
-  const double distance = const_cast<vtkCamera*>(camera)->GetDistance();
-  return 2 * distance * std::tan(kViewAngleDegrees * M_PI / 360) / impl_->picture_height;
+  const double distance = impl_->renderer->GetActiveCamera()->GetDistance();
+  return 2 * distance * impl_->sight().tangent_up / impl_->picture_height;
+}
+
+Sight Scene::sight() const {
+  return impl_->sight();
 }
 
 Ray Scene::ray(double x, double y) const {
-  vtkCamera* camera = impl_->renderer->GetActiveCamera();
   const int* size = impl_->window->GetSize();
   const double width = double(size[0]) / impl_->samples, height = double(size[1]) / impl_->samples;
-  const double tangent = std::tan(kViewAngleDegrees * M_PI / 360);
+  const Sight sight = impl_->sight();
+  const double across = (2 * (x + 0.5) / width - 1) * sight.tangent_right;
+  const double upwards = (1 - 2 * (y + 0.5) / height) * sight.tangent_up;
   Ray ray;
-  double forward[3], up[3], right[3];
-  camera->GetPosition(ray.start.data());
-  camera->GetDirectionOfProjection(forward);
-  camera->GetViewUp(up);
-  vtkMath::Cross(forward, up, right);
-  vtkMath::Normalize(right);
-  vtkMath::Cross(right, forward, up);  // the camera's own need not be at a right angle
-  const double across = (2 * (x + 0.5) / width - 1) * tangent * width / height;
-  const double upwards = (1 - 2 * (y + 0.5) / height) * tangent;
+  ray.start = sight.position;
   for (int k = 0; k < 3; ++k) {
-    ray.direction[k] = forward[k] + across * right[k] + upwards * up[k];
+    ray.direction[k] = sight.forward[k] + across * sight.right[k] + upwards * sight.up[k];
   }
   return ray;
 }

@@ -8,8 +8,10 @@
 
 #include "ui/scene/ball_geometry.hpp"
 #include "ui/scene/ball_pick.hpp"
+#include "ui/scene/camera.hpp"
 #include "ui/scene/complex_mesh.hpp"
 #include "ui/scene/difference_mesh.hpp"
+#include "ui/scene/scene_data.hpp"
 #include "ui/theme.hpp"
 
 namespace alphascope {
@@ -43,15 +45,19 @@ class Scene {
   Scene(const Scene&) = delete;
   Scene& operator=(const Scene&) = delete;
 
-  // Other balls; removes the mesh of the last ones and keeps the camera. One colour a ball.
-  void set_balls(std::shared_ptr<const BallGeometry> balls, const std::vector<Rgb8>& colours);
+  // Other balls; removes the mesh of the last ones and keeps the camera.
+  void set_balls(std::shared_ptr<BallData> balls);
   void set_ball_radii(const std::vector<float>& radii);  // Å, as drawn
   void set_ball_colours(const std::vector<Rgb8>& colours);
-  void set_mesh(std::shared_ptr<const ComplexMesh> mesh);  // null: none
+  void set_mesh(std::shared_ptr<MeshData> mesh);  // null: none
   // Drawn over everything else, so that nothing hides what is wrong; null: none.
-  void set_differences(std::shared_ptr<const DifferenceMesh> differences);
+  void set_differences(std::shared_ptr<DifferenceData> differences);
+  // The same, with balls' own radii and data that are made on the way.
+  void set_balls(std::shared_ptr<const BallGeometry> balls, const std::vector<Rgb8>& colours);
   void set_style(const SceneStyle& style);
   void reset_view();
+  Viewpoint viewpoint() const;
+  void set_viewpoint(const Viewpoint& viewpoint);
 
   // Draws into the texture, width x height pixels (at least 8 x 8); returns milliseconds taken.
   double render(int width, int height, RenderQuality quality);
@@ -60,6 +66,7 @@ class Scene {
   // Å that one pixel of the last picture, rendered or grabbed, spans at the camera's focal point.
   double angstrom_per_pixel() const;
 
+  Sight sight() const;  // of the last picture
   // The line of sight through a pixel of the last picture, counted from its top left.
   Ray ray(double x, double y) const;
 

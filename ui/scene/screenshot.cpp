@@ -46,14 +46,14 @@ std::string render_screenshot(const BallSet& balls, const AlphaComplex& complex,
   scene.set_style(options.style);
   scene.set_balls(geometry, colours);
   scene.set_ball_radii(drawn_radii(*geometry, options.balls));
-  scene.set_mesh(mesh);
+  scene.set_mesh(make_mesh_data(mesh));
   begin("drawing", 0.7);
   const auto legend =
       options.legend && mesh->scale ? std::optional(mesh->scale->legend()) : std::nullopt;
   const std::string left_out = write_picture(scene,
                                              {options.width, options.height, options.transparent,
                                               options.style.theme, legend, options.scale_bar},
-                                             path, texts);
+                                             path, texts, context);
   return not_drawn + (not_drawn.empty() || left_out.empty() ? "" : " ") + left_out;
 }
 

@@ -12,6 +12,8 @@
 
 #include <algorithm>
 #include <numeric>
+#include <stdexcept>
+#include <utility>
 
 namespace alphascope {
 namespace {
@@ -22,9 +24,8 @@ vtkSmartPointer<vtkCellArray> consecutive_cells(vtkIdType points, int corners) {
   vtkNew<vtkTypeInt32Array> offsets, connectivity;
   offsets->SetNumberOfValues(cells + 1);
   connectivity->SetNumberOfValues(points);
-  for (vtkIdType i = 0; i <= cells; ++i) {
-    offsets->SetValue(i, static_cast<vtkTypeInt32>(i * corners));
-  }
+  vtkTypeInt32* starts = offsets->GetPointer(0);
+  for (vtkIdType i = 0; i <= cells; ++i) starts[i] = static_cast<vtkTypeInt32>(i * corners);
   std::iota(connectivity->GetPointer(0), connectivity->GetPointer(0) + points, 0);
   auto result = vtkSmartPointer<vtkCellArray>::New();
   result->SetData(offsets, connectivity);
@@ -51,9 +52,11 @@ void set_colours(vtkPolyData* data, const std::vector<Rgb8>& colours) {
   vtkNew<vtkUnsignedCharArray> array;
   array->SetNumberOfComponents(3);
   array->SetNumberOfTuples(static_cast<vtkIdType>(colours.size()));
-  for (std::size_t i = 0; i < colours.size(); ++i) {
-    const unsigned char rgb[3] = {colours[i].r, colours[i].g, colours[i].b};
-    array->SetTypedTuple(static_cast<vtkIdType>(i), rgb);
+  unsigned char* target = array->GetPointer(0);
+  for (const Rgb8& c : colours) {
+    *target++ = c.r;
+    *target++ = c.g;
+    *target++ = c.b;
   }
   data->GetPointData()->SetScalars(array);
   data->Modified();
@@ -69,6 +72,7 @@ void set_radii(vtkPolyData* data, const std::vector<float>& radii) {
 }
 
 vtkSmartPointer<vtkPolyData> soup_to_vtk(const CellSoup& soup, int corners) {
+  if (soup.points() == 0) return nullptr;
   // VTK's setter takes a mutable pointer, but a mapper only reads; 1 = the memory is not VTK's.
   vtkNew<vtkFloatArray> coordinates;
   coordinates->SetNumberOfComponents(3);
@@ -89,6 +93,42 @@ vtkSmartPointer<vtkPolyData> soup_to_vtk(const CellSoup& soup, int corners) {
     data->SetPolys(cells);
   }
   data->GetPointData()->SetScalars(colours);
+  data->ComputeCellsBounds();  // kept by VTK; else the thread that draws does it
+  return data;
+}
+
+std::shared_ptr<BallData> make_ball_data(std::shared_ptr<const BallGeometry> balls,
+                                         const std::vector<Rgb8>& colours,
+                                         const std::vector<float>& radii) {
+  if (!balls || balls->centres.size() != colours.size() || balls->centres.size() != radii.size()) {
+    throw std::invalid_argument("every ball needs one colour and one radius");
+  }
+  auto data = std::make_shared<BallData>();
+  data->points = balls_to_vtk(*balls);
+  set_colours(data->points, colours);
+  set_radii(data->points, radii);
+  data->points->ComputeCellsBounds();
+  data->balls = std::move(balls);
+  return data;
+}
+
+std::shared_ptr<MeshData> make_mesh_data(std::shared_ptr<const ComplexMesh> mesh) {
+  if (!mesh) return nullptr;
+  auto data = std::make_shared<MeshData>();
+  data->tetrahedra = soup_to_vtk(mesh->tetrahedra, 3);
+  data->boundary = soup_to_vtk(mesh->boundary, 3);
+  data->triangles = soup_to_vtk(mesh->triangles, 3);
+  data->edges = soup_to_vtk(mesh->edges, 2);
+  data->mesh = std::move(mesh);
+  return data;
+}
+
+std::shared_ptr<DifferenceData> make_difference_data(std::shared_ptr<const DifferenceMesh> mesh) {
+  if (!mesh) return nullptr;
+  auto data = std::make_shared<DifferenceData>();
+  data->faces = soup_to_vtk(mesh->faces, 3);
+  data->edges = soup_to_vtk(mesh->edges, 2);
+  data->mesh = std::move(mesh);
   return data;
 }
 

@@ -8,8 +8,26 @@
 
 #include "ui/scene/ball_geometry.hpp"
 #include "ui/scene/complex_mesh.hpp"
+#include "ui/scene/difference_mesh.hpp"
+#include "ui/scene/scene_data.hpp"
 
 namespace alphascope {
+
+struct BallData {
+  std::shared_ptr<const BallGeometry> balls;
+  vtkSmartPointer<vtkPolyData> points;
+};
+
+// VTK reads the arrays of the mesh in place; null where there is nothing to draw.
+struct MeshData {
+  std::shared_ptr<const ComplexMesh> mesh;
+  vtkSmartPointer<vtkPolyData> tetrahedra, boundary, triangles, edges;
+};
+
+struct DifferenceData {
+  std::shared_ptr<const DifferenceMesh> mesh;
+  vtkSmartPointer<vtkPolyData> faces, edges;
+};
 
 // One vertex cell a ball: vtkOpenGLSphereMapper takes its bounds from cells and shows nothing
 // without. Point arrays: colours (scalars) and "radius".
@@ -18,6 +36,7 @@ void set_colours(vtkPolyData* data, const std::vector<Rgb8>& colours);
 void set_radii(vtkPolyData* data, const std::vector<float>& radii);
 
 // Points and colours stay those of `soup`, which must outlive the result; `corners` points a cell.
+// Null for a soup without points.
 vtkSmartPointer<vtkPolyData> soup_to_vtk(const CellSoup& soup, int corners);
 
 inline constexpr const char* kRadiusArray = "radius";

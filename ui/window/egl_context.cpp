@@ -61,7 +61,7 @@ EglContext::EglContext() : handles_(std::make_unique<Handles>()) {
 }
 
 EglContext::~EglContext() {
-  eglMakeCurrent(handles_->display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+  if (eglGetCurrentContext() == handles_->context) release();
   eglDestroyContext(handles_->display, handles_->context);
   // The display stays: EGL shares it among all contexts of the process.
 }
@@ -70,6 +70,10 @@ void EglContext::make_current() {
   if (!eglMakeCurrent(handles_->display, EGL_NO_SURFACE, EGL_NO_SURFACE, handles_->context)) {
     fail("eglMakeCurrent");
   }
+}
+
+void EglContext::release() {
+  eglMakeCurrent(handles_->display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
 }
 
 }  // namespace alphascope

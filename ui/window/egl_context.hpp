@@ -16,6 +16,7 @@ class EglContext {
   EglContext& operator=(const EglContext&) = delete;
 
   void make_current();
+  void release();  // by the thread that it is current on
 
  private:
   struct Handles;

@@ -15,6 +15,16 @@
 namespace alphascope {
 namespace {
 
+class EglBackgroundContext final : public BackgroundContext {
+ public:
+  EglBackgroundContext() { context_.release(); }
+  void make_current() override { context_.make_current(); }
+  void release() override { context_.release(); }
+
+ private:
+  EglContext context_;
+};
+
 class EglHost final : public Host {
  public:
   explicit EglHost(const HostOptions& options)
@@ -65,6 +75,13 @@ class EglHost final : public Host {
   }
 
   std::vector<std::filesystem::path> take_dropped_files() override { return {}; }
+
+  void make_current() override { context_.make_current(); }
+  std::unique_ptr<BackgroundContext> make_background_context() override {
+    auto context = std::make_unique<EglBackgroundContext>();
+    make_current();  // a new context is current at first
+    return context;
+  }
 
   void start_imgui() override {}
   void stop_imgui() override {}

@@ -22,7 +22,8 @@ static_assert(key::kA == GLFW_KEY_A && key::kT == GLFW_KEY_T && key::kF1 == GLFW
               key::kDelete == GLFW_KEY_DELETE && key::kRight == GLFW_KEY_RIGHT &&
               key::kLeft == GLFW_KEY_LEFT && key::kUp == GLFW_KEY_UP &&
               key::kDown == GLFW_KEY_DOWN && key::kHome == GLFW_KEY_HOME &&
-              key::kEnd == GLFW_KEY_END && key::kKeypadEnter == GLFW_KEY_KP_ENTER);
+              key::kEnd == GLFW_KEY_END && key::kPageUp == GLFW_KEY_PAGE_UP &&
+              key::kPageDown == GLFW_KEY_PAGE_DOWN && key::kKeypadEnter == GLFW_KEY_KP_ENTER);
 
 constexpr int kLeastWidth = 900, kLeastHeight = 600;  // at scale 1
 
@@ -44,6 +45,25 @@ float monitor_scale() {
   if (monitor != nullptr) glfwGetMonitorContentScale(monitor, &x, &y);
   return std::max({1.0f, x, y});
 }
+
+class GlfwBackgroundContext final : public BackgroundContext {
+ public:
+  GlfwBackgroundContext() {
+    glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);  // the other hints stay those of the window
+    window_ = glfwCreateWindow(16, 16, "Alphascope", nullptr, nullptr);
+    glfwWindowHint(GLFW_VISIBLE, GLFW_TRUE);
+    if (window_ == nullptr) {
+      throw std::runtime_error("OpenGL gave no second context to draw the picture in (" +
+                               last_glfw_error() + "). Close other programs and try again.");
+    }
+  }
+  ~GlfwBackgroundContext() override { glfwDestroyWindow(window_); }
+  void make_current() override { glfwMakeContextCurrent(window_); }
+  void release() override { glfwMakeContextCurrent(nullptr); }
+
+ private:
+  GLFWwindow* window_ = nullptr;
+};
 
 class GlfwHost final : public Host {
  public:
@@ -113,6 +133,11 @@ class GlfwHost final : public Host {
 
   std::vector<std::filesystem::path> take_dropped_files() override {
     return std::exchange(dropped_, {});
+  }
+
+  void make_current() override { glfwMakeContextCurrent(window_); }
+  std::unique_ptr<BackgroundContext> make_background_context() override {
+    return std::make_unique<GlfwBackgroundContext>();
   }
 
   void start_imgui() override { ImGui_ImplGlfw_InitForOpenGL(window_, true); }

@@ -20,6 +20,15 @@ struct HostSize {
   float scale = 1;            // of fonts and controls
 };
 
+// An OpenGL context beside the host's, for another thread to draw in. Made and destroyed on the
+// main thread; current on one thread at a time, on none at first.
+class BackgroundContext {
+ public:
+  virtual ~BackgroundContext() = default;
+  virtual void make_current() = 0;
+  virtual void release() = 0;  // by the thread that it is current on
+};
+
 class Host {
  public:
   virtual ~Host() = default;
@@ -35,6 +44,11 @@ class Host {
   // Ends a wait_events(). The only function that other threads may call.
   virtual void wake() = 0;
   virtual std::vector<std::filesystem::path> take_dropped_files() = 0;
+
+  // The context that the host's pictures are drawn in, on the main thread.
+  virtual void make_current() = 0;
+  // Throws std::runtime_error when the driver has no more.
+  virtual std::unique_ptr<BackgroundContext> make_background_context() = 0;
 
   // ImGui's side: connect to the current context, feed size, time and input before each frame.
   virtual void start_imgui() = 0;

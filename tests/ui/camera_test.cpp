@@ -1,0 +1,73 @@
+// What a view shows, from numbers alone.
+#include "ui/scene/camera.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace alphascope {
+namespace {
+
+BallGeometry two_balls() {  // 20 Å apart
+  BallGeometry g;
+  g.centres = {{-10, 0, 0}, {10, 0, 0}};
+  g.radii = {2, 2};
+  return g;
+}
+
+Sight from(double x, double y, double z) {  // looking along -z
+  Sight s;
+  s.position = {x, y, z};
+  s.tangent_right = s.tangent_up = 0.2;
+  return s;
+}
+
+const std::vector<float> kRadii{2, 2}, kNotDrawn;
+
+TEST(ViewProblem, NoneWhereABallIsInView) {
+  EXPECT_EQ(view_problem(two_balls(), kRadii, from(0, 0, 80), false), ViewProblem::none);
+  EXPECT_EQ(view_problem(two_balls(), kRadii, from(10, 0, 5), false), ViewProblem::none);
+}
+
+TEST(ViewProblem, InsideABall) {
+  EXPECT_EQ(view_problem(two_balls(), kRadii, from(10, 0, 1.9), false), ViewProblem::inside_a_ball);
+  EXPECT_EQ(view_problem(two_balls(), kNotDrawn, from(10, 0, 1.9), true), ViewProblem::none);
+  EXPECT_EQ(view_problem({}, {}, from(0, 0, 0), false), ViewProblem::none);
+}
+
+TEST(ViewProblem, NothingInView) {
+  for (const auto& s :
+       {from(0, 0, -5), from(0, 300, 80), from(0, -300, 80), from(300, 0, 80), from(-300, 0, 80)}) {
+    EXPECT_EQ(view_problem(two_balls(), kRadii, s, false), ViewProblem::nothing_in_view);
+    EXPECT_EQ(view_problem(two_balls(), kNotDrawn, s, true), ViewProblem::nothing_in_view);
+  }
+  // Between the balls: an edge from one to the other is in view, if there is one.
+  EXPECT_EQ(view_problem(two_balls(), kRadii, from(0, 0, 10), false), ViewProblem::nothing_in_view);
+  EXPECT_EQ(view_problem(two_balls(), kRadii, from(0, 0, 10), true), ViewProblem::none);
+}
+
+TEST(ViewProblem, EmptyBallsAreNotSeen) {
+  EXPECT_EQ(view_problem(two_balls(), {0, 0}, from(0, 0, 80), false), ViewProblem::nothing_in_view);
+}
+
+TEST(ViewAngle, GrowsOnlyWhereThePictureIsTooNarrow) {
+  const double usual = tangent_up(1, 0);
+  EXPECT_DOUBLE_EQ(tangent_up(2, 1.5), usual);
+  EXPECT_DOUBLE_EQ(tangent_up(1.5, 1.5), usual);
+  // The sides stay where they were.
+  EXPECT_DOUBLE_EQ(tangent_up(0.5, 1.5) * 0.5, usual * 1.5);
+}
+
+TEST(ViewAngle, LeastAspectIsThatOfWhatIsInThePicture) {
+  const BallGeometry balls = two_balls();
+  Sight s = from(0, 0, 100);
+  s.tangent_up = tangent_up(2, 0);
+  s.tangent_right = 2 * s.tangent_up;
+  const double aspect = least_aspect(balls, s, 2);
+  EXPECT_NEAR(aspect, 0.12 / s.tangent_up, 0.03 * aspect);  // 12 Å to a side, 100 Å away
+  s.position[2] = 20;
+  EXPECT_DOUBLE_EQ(least_aspect(balls, s, 2), 2) << "cut off already: what is seen stays";
+}
+
+}  // namespace
+}  // namespace alphascope

@@ -1,0 +1,25 @@
+// What the scene has drawn into its texture. Needs the OpenGL context that it was drawn in.
+#pragma once
+
+#include <GL/gl.h>
+
+#include "ui/scene/scene.hpp"
+
+namespace alphascope::testing {
+
+// In the order of OpenGL: the bottom row first.
+inline Image texture_pixels(unsigned texture) {
+  Image image;
+  glBindTexture(GL_TEXTURE_2D, texture);
+  glGetTexLevelParameteriv(GL_TEXTURE_2D, 0, GL_TEXTURE_WIDTH, &image.width);
+  glGetTexLevelParameteriv(GL_TEXTURE_2D, 0, GL_TEXTURE_HEIGHT, &image.height);
+  image.rgba.resize(4 * static_cast<std::size_t>(image.width) *
+                    static_cast<std::size_t>(image.height));
+  glPixelStorei(GL_PACK_ALIGNMENT, 1);
+  glGetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_UNSIGNED_BYTE, image.rgba.data());
+  glBindTexture(GL_TEXTURE_2D, 0);
+  for (std::size_t i = 3; i < image.rgba.size(); i += 4) image.rgba[i] = 255;  // as it is read
+  return image;
+}
+
+}  // namespace alphascope::testing

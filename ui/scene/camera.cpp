@@ -1,0 +1,96 @@
+// See the header.
+#include "ui/scene/camera.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace alphascope {
+namespace {
+
+constexpr double kViewAngleDegrees = 25;  // less than VTK's 30: molecules distort less
+constexpr double kMargin = 1.08;
+using Vector = std::array<double, 3>;
+
+double usual_tangent() {
+  return std::tan(kViewAngleDegrees * M_PI / 360);
+}
+
+// A point as the viewer has it: to the right, upwards, away.
+Vector seen_from(const Sight& sight, const std::array<float, 3>& point) {
+  Vector seen{};
+  for (int k = 0; k < 3; ++k) {
+    const double offset = point[k] - sight.position[k];
+    seen[0] += offset * sight.right[k];
+    seen[1] += offset * sight.up[k];
+    seen[2] += offset * sight.forward[k];
+  }
+  return seen;
+}
+
+// Å by which a ball is outside of each side of the pyramid (left, right, bottom, top, behind);
+// negative: it reaches inside.
+std::array<double, 5> outside_of(const Sight& sight, const Vector& seen, double radius) {
+  const double across = std::hypot(1.0, sight.tangent_right);
+  const double upwards = std::hypot(1.0, sight.tangent_up);
+  const double right = seen[2] * sight.tangent_right, up = seen[2] * sight.tangent_up;
+  return {(-seen[0] - right) / across - radius, (seen[0] - right) / across - radius,
+          (-seen[1] - up) / upwards - radius, (seen[1] - up) / upwards - radius, -seen[2] - radius};
+}
+
+}  // namespace
+
+double tangent_up(double aspect, double least_aspect) {
+  return usual_tangent() * std::max(1.0, aspect > 0 ? least_aspect / aspect : 1.0);
+}
+
+double fitting_distance(const BallGeometry& balls, double aspect) {
+  const double up = usual_tangent(), right = up * aspect;
+  double distance = 1;
+  for (std::size_t i = 0; i < balls.centres.size(); ++i) {
+    double along[3] = {0, 0, 0};
+    for (int a = 0; a < 3; ++a) {
+      for (int k = 0; k < 3; ++k) along[a] += balls.axes[a][k] * balls.centres[i][k];
+    }
+    const double reach = std::max((std::fabs(along[0]) + balls.radii[i]) / right,
+                                  (std::fabs(along[1]) + balls.radii[i]) / up);
+    distance = std::max(distance, reach + along[2]);
+  }
+  return kMargin * distance;
+}
+
+double least_aspect(const BallGeometry& balls, const Sight& sight, double aspect) {
+  double widest = 0;
+  for (std::size_t i = 0; i < balls.centres.size(); ++i) {
+    const Vector seen = seen_from(sight, balls.centres[i]);
+    if (seen[2] <= 0) return aspect;  // the camera is among the balls
+    widest = std::max(widest, (std::fabs(seen[0]) + balls.radii[i]) / seen[2]);
+  }
+  return std::min(aspect, 1.02 * widest / usual_tangent());
+}
+
+ViewProblem view_problem(const BallGeometry& balls, const std::vector<float>& radii,
+                         const Sight& sight, bool complex) {
+  if (balls.centres.empty()) return ViewProblem::none;  // there is nothing that a view could show
+  const bool drawn = radii.size() == balls.centres.size();
+  bool any_in_view = false;
+  std::array<bool, 5> all_outside{true, true, true, true, true};
+  for (std::size_t i = 0; i < balls.centres.size(); ++i) {
+    const Vector seen = seen_from(sight, balls.centres[i]);
+    const double radius = drawn ? radii[i] : 0;
+    if (std::hypot(seen[0], seen[1], seen[2]) < radius) return ViewProblem::inside_a_ball;
+    bool outside = drawn && radius <= 0;  // an empty ball is not drawn
+    const auto sides = outside_of(sight, seen, radius);
+    for (std::size_t s = 0; s < sides.size(); ++s) {
+      outside = outside || sides[s] > 0;
+      all_outside[s] = all_outside[s] && sides[s] > 0;
+    }
+    any_in_view = any_in_view || !outside;
+  }
+  // Beyond one side of the pyramid are all centres, and with them all simplices.
+  const bool all_beyond_a_side =
+      std::any_of(all_outside.begin(), all_outside.end(), [](bool b) { return b; });
+  const bool nothing = complex ? all_beyond_a_side : drawn && !any_in_view;
+  return nothing ? ViewProblem::nothing_in_view : ViewProblem::none;
+}
+
+}  // namespace alphascope

@@ -1,0 +1,44 @@
+// What a view sees, as plain numbers: its angles, the distance that shows all balls, and whether it
+// shows anything. No VTK.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "ui/scene/ball_geometry.hpp"
+
+namespace alphascope {
+
+// Where the camera stands (Å, relative to BallGeometry::origin).
+struct Viewpoint {
+  std::array<double, 3> position{0, 0, 1}, focal_point{}, up{0, 1, 0};
+  // Width over height of the narrowest picture that shows at the usual angle all that this view
+  // should show. A narrower picture takes a larger angle instead of cutting off its sides.
+  double least_aspect = 0;
+};
+
+// The pyramid that a picture shows: unit vectors from its apex, and the tangents of half its
+// angles.
+struct Sight {
+  std::array<double, 3> position{}, forward{0, 0, -1}, right{1, 0, 0}, up{0, 1, 0};
+  double tangent_right = 1, tangent_up = 1;
+};
+
+// Tangent of half the angle from the bottom to the top of a picture of this aspect.
+double tangent_up(double aspect, double least_aspect);
+
+// From here, looking along -axes[2], the outline of the balls just fits, with a small margin.
+double fitting_distance(const BallGeometry& balls, double aspect);
+
+// Viewpoint::least_aspect for the part of the balls that a picture of `aspect` shows.
+double least_aspect(const BallGeometry& balls, const Sight& sight, double aspect);
+
+enum class ViewProblem : std::uint8_t { none, nothing_in_view, inside_a_ball };
+
+// `radii`: Å, as drawn; empty when balls are not drawn. `complex`: simplices are drawn, too. They
+// can be in view when no ball is; then only what surely sees none of them is a problem.
+ViewProblem view_problem(const BallGeometry& balls, const std::vector<float>& radii,
+                         const Sight& sight, bool complex);
+
+}  // namespace alphascope

@@ -1,0 +1,53 @@
+// An actor for triangles or lines with colours of their own, and what all of them look like.
+#pragma once
+
+#include <vtkActor.h>
+#include <vtkNew.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+#include <vtkWindow.h>
+
+namespace alphascope {
+
+// Units of depth by which differences are moved to the front: more than any molecule is deep.
+inline constexpr double kToTheFront = -1e6;
+
+struct MeshActor {
+  vtkNew<vtkPolyDataMapper> mapper;
+  vtkNew<vtkActor> actor;
+
+  MeshActor() {
+    mapper->SetColorModeToDirectScalars();
+    mapper->SetScalarModeToUsePointData();
+    actor->SetMapper(mapper);
+    actor->VisibilityOff();
+    vtkProperty* property = actor->GetProperty();
+    property->SetInterpolationToFlat();
+    property->SetAmbient(0.18);
+    property->SetDiffuse(0.82);
+    property->SetSpecular(0.12);
+    property->SetSpecularPower(20);
+  }
+  void show(vtkPolyData* data, vtkWindow* window) {  // null: nothing
+    if (data == nullptr) {
+      hide(window);
+      return;
+    }
+    mapper->SetInputData(data);
+    actor->VisibilityOn();
+  }
+  void hide(vtkWindow* window) {
+    mapper->SetInputData(nullptr);
+    mapper->ReleaseGraphicsResources(window);  // else its buffers stay until it draws again
+    actor->VisibilityOff();
+  }
+  void always_in_front() {
+    mapper->SetResolveCoincidentTopologyToPolygonOffset();
+    mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(0, kToTheFront);
+    mapper->SetRelativeCoincidentTopologyLineOffsetParameters(0, kToTheFront);
+    actor->GetProperty()->LightingOff();
+  }
+};
+
+}  // namespace alphascope

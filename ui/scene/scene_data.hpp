@@ -1,0 +1,27 @@
+// What the scene shows, in VTK's arrays. Any thread may make them, which takes a while for a large
+// complex; from set_balls(), set_mesh() or set_differences() on they belong to the scene alone. The
+// arrays themselves are behind this header: no VTK here.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "ui/scene/ball_geometry.hpp"
+#include "ui/scene/complex_mesh.hpp"
+#include "ui/scene/difference_mesh.hpp"
+
+namespace alphascope {
+
+struct BallData;
+struct MeshData;
+struct DifferenceData;
+
+// One colour and one radius (Å, as drawn) a ball, else std::invalid_argument.
+std::shared_ptr<BallData> make_ball_data(std::shared_ptr<const BallGeometry> balls,
+                                         const std::vector<Rgb8>& colours,
+                                         const std::vector<float>& radii);
+// Null for null.
+std::shared_ptr<MeshData> make_mesh_data(std::shared_ptr<const ComplexMesh> mesh);
+std::shared_ptr<DifferenceData> make_difference_data(std::shared_ptr<const DifferenceMesh> mesh);
+
+}  // namespace alphascope

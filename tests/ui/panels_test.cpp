@@ -1,5 +1,6 @@
 // The panels around the view: alpha, timings, dialogs, shortcuts.
 #include <cmath>
+#include <functional>
 
 #include "tests/ui/panels_fixture.hpp"
 #include "ui/panels/panels.hpp"
@@ -292,6 +293,47 @@ TEST_P(PanelsAtEverySize, NothingLeavesTheWindow) {
 INSTANTIATE_TEST_SUITE_P(Sizes, PanelsAtEverySize,
                          ::testing::Values(Size{1100, 700, 1}, Size{1280, 800, 1},
                                            Size{1920, 1080, 1}, Size{1280, 800, 2}));
+
+// What comes and goes with a choice has its room, so that nothing below it moves.
+TEST(PanelsStay, WhereTheyAreWhateverIsSaid) {
+  Panels p({1280, 1400, 1});
+  p.state = loaded_state();
+  p.frame(3);
+  const auto places = [&p] {
+    std::vector<float> y;
+    for (const char* name : {"molecule.polymers", "alpha", "alpha.slider", "display", "engine"}) {
+      EXPECT_TRUE(p.rects.contains(name)) << name;
+      y.push_back(p.rects[name].y0);
+    }
+    return y;
+  };
+  const std::vector<float> usual = places();
+  const std::vector<std::pair<const char*, std::function<void(ViewState&)>>> changes{
+      {"dropped",
+       [](auto& s) {
+         s.molecule.dropped = {{"221 waters", "HOH 221"}};
+       }},
+      {"no notes", [](auto& s) { s.molecule.notes.clear(); }},
+      {"guessed", [](auto& s) { s.molecule.radius_rows.resize(1); }},
+      {"summary", [](auto& s) { s.molecule.summary = "used 4,558 of 4,558 atoms"; }},
+      {"error",
+       [](auto& s) {
+         s.expression_error = {"column 8: this ) has no opening (", 8};
+       }},
+      {"typed", [](auto& s) { s.memory.expression_typed = "chain A"; }},
+      {"no balls", [](auto& s) { s.display.balls = false; }},
+      {"no tetrahedra", [](auto& s) { s.display.tetrahedra = false; }},
+      {"edges", [](auto& s) { s.display.edges = true; }},
+      {"tetrahedra only", [](auto& s) { s.display.edges = s.result.tetrahedra_only = true; }}};
+  for (const auto& [name, change] : changes) {
+    const ViewState before = p.state;
+    change(p.state);
+    p.frame(2);
+    EXPECT_EQ(places(), usual) << name;
+    p.state = before;
+    p.frame(2);
+  }
+}
 
 }  // namespace
 }  // namespace alphascope

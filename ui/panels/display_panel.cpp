@@ -25,7 +25,8 @@ void colour_row(PanelContext& ctx, const char* name, const char* label, ColourBy
 void balls(PanelContext& ctx) {
   DisplayControls& d = ctx.state.display;
   checkbox(ctx, "display.balls", "Balls", d.balls);
-  if (!d.balls) return;
+  // Rows that do not apply stay, greyed: what is below must not move.
+  ImGui::BeginDisabled(!d.balls);
   ImGui::Indent();
   row_label(ctx, "Size");
   percent_slider(ctx, "display.ball_scale", d.ball_scale, 0.05f, 1.0f);
@@ -37,34 +38,40 @@ void balls(PanelContext& ctx) {
   percent_slider(ctx, "display.ball_opacity", d.ball_opacity, 0.05f, 1.0f);
   colour_row(ctx, "display.ball_colour", "Colour by", d.ball_colour, false);
   ImGui::Unindent();
+  ImGui::EndDisabled();
 }
 
 void complex(PanelContext& ctx) {
   DisplayControls& d = ctx.state.display;
   const bool only_tetrahedra = ctx.state.result.present && ctx.state.result.tetrahedra_only;
   checkbox(ctx, "display.tetrahedra", "Tetrahedra", d.tetrahedra);
-  if (d.tetrahedra) {
-    ImGui::Indent();
-    row_label(ctx, "Shrink");
-    percent_slider(ctx, "display.shrink", d.shrink, 0.0f, 0.9f);
-    ImGui::Unindent();
-  }
+  ImGui::BeginDisabled(!d.tetrahedra);
+  ImGui::Indent();
+  row_label(ctx, "Shrink");
+  percent_slider(ctx, "display.shrink", d.shrink, 0.0f, 0.9f);
+  ImGui::Unindent();
+  ImGui::EndDisabled();
   checkbox(ctx, "display.boundary", "Boundary surface", d.boundary);
   tooltip(ctx, "Faces that belong to exactly one tetrahedron.");
   ImGui::BeginDisabled(only_tetrahedra);
   checkbox(ctx, "display.triangles", "Triangles", d.triangles);
   ImGui::SameLine(0, ctx.px(18));
   checkbox(ctx, "display.edges", "Edges", d.edges);
-  if (d.triangles || d.edges) {
-    ImGui::Indent();
+  ImGui::Indent();
+  const bool applies = d.triangles || d.edges;
+  ImGui::BeginDisabled(!applies);
+  // In the place of the switch, which says nothing then.
+  if (only_tetrahedra && applies) {
+    ImGui::AlignTextToFramePadding();
+    muted_text(ctx, "Not computed: see “Tetrahedra only”.");
+    record(ctx, "display.not_computed");
+  } else {
     checkbox(ctx, "display.singular_only", "Singular ones only", d.singular_only);
     tooltip(ctx, "Singular: face of no larger simplex of the complex.");
-    ImGui::Unindent();
   }
   ImGui::EndDisabled();
-  if (only_tetrahedra && (d.triangles || d.edges)) {
-    muted_wrapped(ctx, "Not computed: switch off “Tetrahedra only” under Engine.");
-  }
+  ImGui::Unindent();
+  ImGui::EndDisabled();
   row_label(ctx, "Opacity");
   percent_slider(ctx, "display.complex_opacity", d.complex_opacity, 0.05f, 1.0f);
   colour_row(ctx, "display.complex_colour", "Colour by", d.complex_colour, true);

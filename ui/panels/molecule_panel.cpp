@@ -33,7 +33,7 @@ void open_buttons(PanelContext& ctx) {
 
 void dropped(PanelContext& ctx) {
   const MoleculeInfo& m = ctx.state.molecule;
-  if (m.dropped.empty()) return;
+  if (m.dropped.empty()) return nothing_to_disclose(ctx, "No atom was dropped.");
   const std::string title = with_separators(static_cast<long long>(m.dropped_atoms)) +
                             (m.dropped_atoms == 1 ? " atom was dropped" : " atoms were dropped");
   if (!disclosure(ctx, "molecule.dropped", title, ctx.palette.text_muted)) return;
@@ -49,7 +49,7 @@ void dropped(PanelContext& ctx) {
 
 void notes(PanelContext& ctx) {
   const auto& list = ctx.state.molecule.notes;
-  if (list.empty()) return;
+  if (list.empty()) return nothing_to_disclose(ctx, "No notes on this molecule.");
   const std::string title =
       list.size() == 1
           ? "1 note on this molecule"
@@ -79,10 +79,13 @@ void draw_molecule_panel(PanelContext& ctx) {
     muted_text(ctx, fitted_text(m.title, width));
     tooltip(ctx, m.title.c_str());
   }
+  constexpr int kSummaryLines = 2;  // of most molecules, whatever is selected
+  const float top = ImGui::GetCursorPosY();
   ImGui::BeginGroup();
   wrapped_text(m.summary);
   ImGui::EndGroup();
   record(ctx, "molecule.summary");
+  reserve_lines(top, kSummaryLines);
   dropped(ctx);
   notes(ctx);
   draw_source_rows(ctx);

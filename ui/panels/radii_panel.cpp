@@ -56,18 +56,17 @@ void set_row(PanelContext& ctx) {
   }
   const bool open = ImGui::BeginCombo("##radii", preview.c_str(), ImGuiComboFlags_HeightLarge);
   record(ctx, "molecule.radii");
+  const bool own = chosen.kind == RadiiSetEntry::Kind::user_table;
   if (!open) {
-    tooltip(ctx, s.molecule.radii_citation.empty() ? chosen.citation.c_str()
-                                                   : s.molecule.radii_citation.c_str());
+    const std::string& source =
+        s.molecule.radii_citation.empty() ? chosen.citation : s.molecule.radii_citation;
+    tooltip(ctx, own ? (s.selection.radii_table + "\nChoose it again for another table.").c_str()
+                     : source.c_str());
   } else {
     close_on_escape();
     for (std::size_t i = 0; i < s.radii_sets.size(); ++i) set_entry(ctx, i);
     ImGui::EndCombo();
   }
-  if (chosen.kind != RadiiSetEntry::Kind::user_table || s.selection.radii_table.empty()) return;
-  row_label(ctx, "");
-  if (button(ctx, "molecule.radii.table", "Another table…")) open_table_browser(s);
-  tooltip(ctx, s.selection.radii_table.c_str());
 }
 
 // --- the list
@@ -176,7 +175,7 @@ void radius_list(PanelContext& ctx) {
   ViewState& s = ctx.state;
   const auto& rows = s.molecule.radius_rows;
   const bool edited = !s.selection.radius_edits.list().empty();
-  if (rows.empty() && !edited) return;
+  if (rows.empty() && !edited) return nothing_to_disclose(ctx, "Radii: all from the radii set");
   const bool warn = std::any_of(rows.begin(), rows.end(),
                                 [](const RadiusRow& row) { return row.kind != Kind::by_hand; });
   if (!disclosure(ctx, "molecule.radius_list", title(rows),
@@ -187,15 +186,19 @@ void radius_list(PanelContext& ctx) {
   ImGui::PushFont(ctx.fonts.small);
   muted_wrapped(ctx, "The radii set has no value for these; type a better one.");
   if (!rows.empty()) radius_table(ctx);
+  const float top = ImGui::GetCursorPosY();
   if (!s.memory.radius_error.empty()) {
     ImGui::PushStyleColor(ImGuiCol_Text, to_imgui(ctx.palette.error));
     wrapped_text(s.memory.radius_error);
     ImGui::PopStyleColor();
     record(ctx, "radius.error");
   }
-  if (edited && button(ctx, "radius.reset_all", "Reset all set by hand")) {
+  reserve_lines(top, 2);
+  ImGui::BeginDisabled(!edited);
+  if (button(ctx, "radius.reset_all", "Reset all set by hand")) {
     s.selection.radius_edits.reset_all();
   }
+  ImGui::EndDisabled();
   ImGui::PopFont();
   ImGui::Indent();
   ImGui::TreePop();

@@ -189,6 +189,24 @@ void mark_column(PanelContext& ctx, const std::string& text, std::size_t column)
                                             to_u32(ctx.palette.error));
 }
 
+// Has its room even when there is nothing to say.
+void expression_message(PanelContext& ctx, bool pending) {
+  const std::string& error = ctx.state.expression_error.text;
+  ImGui::PushFont(ctx.fonts.small);
+  const float top = ImGui::GetCursorPosY();
+  if (!error.empty()) {
+    ImGui::PushStyleColor(ImGuiCol_Text, to_imgui(ctx.palette.error));
+    ImGui::TextUnformatted(fitted_text(error, ImGui::GetContentRegionAvail().x).c_str());
+    ImGui::PopStyleColor();
+    record(ctx, "molecule.expression.error");
+    tooltip(ctx, error.c_str());
+  } else if (pending) {
+    muted_text(ctx, "Enter applies it.");
+  }
+  reserve_lines(top, 1);
+  ImGui::PopFont();
+}
+
 void expression(PanelContext& ctx) {
   ViewState& s = ctx.state;
   PanelMemory& m = s.memory;
@@ -211,17 +229,7 @@ void expression(PanelContext& ctx) {
   ImGui::SameLine(0, ctx.px(4));
   button(ctx, "molecule.expression.help", "?", {-1, 0}, ButtonKind::quiet);
   tooltip(ctx, kExpressionHelp);
-  if (!s.expression_error.text.empty()) {
-    ImGui::PushStyleColor(ImGuiCol_Text, to_imgui(ctx.palette.error));
-    wrapped_text(s.expression_error.text);
-    ImGui::PopStyleColor();
-    record(ctx, "molecule.expression.error");
-  } else if (pending) {
-    ImGui::PushFont(ctx.fonts.small);
-    row_label(ctx, "");
-    muted_text(ctx, "Enter applies it.");
-    ImGui::PopFont();
-  }
+  expression_message(ctx, pending);
 }
 
 }  // namespace

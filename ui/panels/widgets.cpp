@@ -127,6 +127,19 @@ bool disclosure(PanelContext& ctx, const char* name, const std::string& title,
   return open;
 }
 
+void nothing_to_disclose(PanelContext& ctx, const char* text) {
+  const float indent = ImGui::GetTreeNodeToLabelSpacing();
+  ImGui::Indent(indent);
+  muted_text(ctx, text);
+  ImGui::Unindent(indent);
+}
+
+void reserve_lines(float top, int lines) {
+  const float bottom = top + static_cast<float>(lines) * ImGui::GetTextLineHeight() +
+                       ImGui::GetStyle().ItemSpacing.y;
+  if (ImGui::GetCursorPosY() < bottom) ImGui::SetCursorPosY(bottom);
+}
+
 void close_on_escape() {
   if (ImGui::IsKeyPressed(key::kEscape, false) && !ImGui::GetIO().WantTextInput) {
     ImGui::CloseCurrentPopup();

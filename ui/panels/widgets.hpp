@@ -56,6 +56,13 @@ bool percent_slider(PanelContext& ctx, const char* name, float& value, float low
 bool disclosure(PanelContext& ctx, const char* name, const std::string& title,
                 const Colour& colour);
 
+// A line in the place of a disclosure() that has nothing to list: what is below must not move when
+// it comes and goes.
+void nothing_to_disclose(PanelContext& ctx, const char* text);
+
+// Keeps room for so many lines from `top` (a cursor position) on, however few were drawn.
+void reserve_lines(float top, int lines);
+
 // Between BeginPopup, BeginMenu or BeginCombo and their end: Escape closes what is open.
 void close_on_escape();
 

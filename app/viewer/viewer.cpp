@@ -20,7 +20,8 @@ namespace {
 
 // ImGui needs a frame or two after the last input until everything has settled (hover, popups).
 constexpr int kSettlingFrames = 3;
-// Tooltips appear when the mouse rests, which is no event: one more frame is drawn for them.
+// Tooltips appear when the mouse rests, which is no event: frames are drawn for them. ImGui hides a
+// tooltip in its first frame, in which it measures it.
 constexpr std::chrono::milliseconds kTooltipFrameAfter{450};
 static_assert(kTooltipFrameAfter.count() > 1000 * kTooltipDelaySeconds);
 constexpr double kPlayUntil = 10, kPlayStep = 0.05;          // Å²
@@ -394,8 +395,11 @@ void Viewer::draw(ScriptedInput* input, bool patient,
   play_models();
   send_controls();
   scene_.poll();
-  // After the panels, so that the picture has this frame's size; ImGui draws it afterwards.
-  scene_.render(state_.viewport, interacting(), patient);
+  // After the panels, so that the picture has this frame's size; ImGui draws it afterwards. Not
+  // while input waits for its frame: a slow picture each would make the window follow late.
+  if (input != nullptr || !host_.input().waiting()) {
+    scene_.render(state_.viewport, interacting(), patient);
+  }
   frame_.end([&](unsigned framebuffer) {
     if (before_swap) before_swap(framebuffer);
   });
@@ -437,11 +441,12 @@ double Viewer::idle_seconds() const {
 
 void Viewer::run() {
   while (!quit_ && !host_.close_requested()) {
-    if (host_.wait_events(idle_seconds())) {
+    const bool behind = host_.input().waiting();
+    if (host_.wait_events(behind ? 0 : idle_seconds()) || behind) {
       frames_due_ = kSettlingFrames;
       tooltip_due_ = Clock::now() + kTooltipFrameAfter;
     } else if (tooltip_due_ && Clock::now() >= *tooltip_due_) {
-      frames_due_ = std::max(frames_due_, 1);
+      frames_due_ = kSettlingFrames;
       tooltip_due_.reset();
     }
     open_dropped(host_.take_dropped_files());

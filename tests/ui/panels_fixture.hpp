@@ -33,13 +33,16 @@ class Panels {
 
   void frame(int count = 1) {
     for (int i = 0; i < count; ++i) {
-      ImGuiIO& io = ImGui::GetIO();
-      io.DisplaySize = {size_.width * size_.scale, size_.height * size_.scale};
-      io.DeltaTime = 1.0f / 60;
-      ImGui::NewFrame();
-      draw_window(state, rects, fonts_, size_.scale);
-      ImGui::Render();
+      ImGui::GetIO().DeltaTime = 1.0f / 60;
+      window_frame();
     }
+  }
+  // A frame whose input and time are set already.
+  void window_frame() {
+    ImGui::GetIO().DisplaySize = {size_.width * size_.scale, size_.height * size_.scale};
+    ImGui::NewFrame();
+    draw_window(state, rects, fonts_, size_.scale);
+    ImGui::Render();
   }
   void point_at(const std::string& name, float fx = 0.5f, float fy = 0.5f) {
     ASSERT_TRUE(rects.contains(name)) << name;

@@ -1,4 +1,5 @@
-// A window that nobody sees: a framebuffer in an EGL context. Input comes from scripts only.
+// A window that nobody sees: a framebuffer in an EGL context. Input comes from scripts, or from who
+// fills its queue.
 #define GL_GLEXT_PROTOTYPES
 #include <GL/gl.h>
 #include <GL/glext.h>
@@ -88,7 +89,8 @@ class EglHost final : public Host {
   void feed_imgui() override {
     ImGuiIO& io = ImGui::GetIO();
     io.DisplaySize = {static_cast<float>(width_), static_cast<float>(height_)};
-    io.DeltaTime = 1.0f / 60;
+    const auto now = std::chrono::steady_clock::now().time_since_epoch();
+    input_.feed(std::chrono::duration<double>(now).count());
   }
 
   unsigned bind_framebuffer() override {

@@ -1,10 +1,10 @@
 // A real window through GLFW, with its OpenGL context. VTK's GLEW wants GLX, GLFW's default on X11.
 #define GLFW_INCLUDE_GLCOREARB
 #include <GLFW/glfw3.h>
-#include <backends/imgui_impl_glfw.h>
 #include <imgui.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <stdexcept>
@@ -22,8 +22,16 @@ static_assert(key::kA == GLFW_KEY_A && key::kT == GLFW_KEY_T && key::kF1 == GLFW
               key::kDelete == GLFW_KEY_DELETE && key::kRight == GLFW_KEY_RIGHT &&
               key::kLeft == GLFW_KEY_LEFT && key::kUp == GLFW_KEY_UP &&
               key::kDown == GLFW_KEY_DOWN && key::kHome == GLFW_KEY_HOME &&
-              key::kEnd == GLFW_KEY_END && key::kPageUp == GLFW_KEY_PAGE_UP &&
-              key::kPageDown == GLFW_KEY_PAGE_DOWN && key::kKeypadEnter == GLFW_KEY_KP_ENTER);
+              key::kEnd == GLFW_KEY_END && key::kKeypadEnter == GLFW_KEY_KP_ENTER &&
+              key::kInsert == GLFW_KEY_INSERT && key::kPageUp == GLFW_KEY_PAGE_UP &&
+              key::kPageDown == GLFW_KEY_PAGE_DOWN && key::kSpace == GLFW_KEY_SPACE &&
+              key::kV == GLFW_KEY_V && key::kZ == GLFW_KEY_Z && key::kFirstKeypad == GLFW_KEY_KP_0);
+static_assert(key::kLeftShift == GLFW_KEY_LEFT_SHIFT &&
+              key::kLeftControl == GLFW_KEY_LEFT_CONTROL && key::kLeftAlt == GLFW_KEY_LEFT_ALT &&
+              key::kLeftSuper == GLFW_KEY_LEFT_SUPER && key::kRightShift == GLFW_KEY_RIGHT_SHIFT &&
+              key::kRightAlt == GLFW_KEY_RIGHT_ALT &&
+              key::kRightControl == GLFW_KEY_RIGHT_CONTROL &&
+              key::kRightSuper == GLFW_KEY_RIGHT_SUPER);
 
 constexpr int kLeastWidth = 900, kLeastHeight = 600;  // at scale 1
 
@@ -38,6 +46,12 @@ std::string last_glfw_error() {
                            "). Start the program in a graphical session, or use --shot OUT.png "
                            "to draw into a file without a display.");
 }
+
+// ImGui's cursors in its order; GLFW 3.3 has no diagonal ones.
+constexpr std::array kCursors{GLFW_ARROW_CURSOR,   GLFW_IBEAM_CURSOR,   GLFW_ARROW_CURSOR,
+                              GLFW_VRESIZE_CURSOR, GLFW_HRESIZE_CURSOR, GLFW_ARROW_CURSOR,
+                              GLFW_ARROW_CURSOR,   GLFW_HAND_CURSOR,    GLFW_ARROW_CURSOR};
+static_assert(kCursors.size() == ImGuiMouseCursor_COUNT);
 
 float monitor_scale() {
   GLFWmonitor* monitor = glfwGetPrimaryMonitor();
@@ -86,19 +100,24 @@ class GlfwHost final : public Host {
         throw;
       }
     }
-    glfwSetWindowSizeLimits(window_, pixels(kLeastWidth, scale), pixels(kLeastHeight, scale),
-                            GLFW_DONT_CARE, GLFW_DONT_CARE);
+    glfwSetWindowUserPointer(window_, this);
+    if (const float dense = density(); dense > 1) {  // a desktop that counts in points
+      resize(pixels(options.width, scale), pixels(options.height, scale));
+    }
+    limit_size();
     glfwMakeContextCurrent(window_);
     glfwSwapInterval(1);
-    glfwSetWindowUserPointer(window_, this);
     glfwSetDropCallback(window_, [](GLFWwindow* w, int count, const char** paths) {
-      auto* self = static_cast<GlfwHost*>(glfwGetWindowUserPointer(w));
-      for (int i = 0; i < count; ++i) self->dropped_.emplace_back(paths[i]);
+      for (int i = 0; i < count; ++i) of(w).dropped_.emplace_back(paths[i]);
     });
-    note_events();
+    note_window_events();
+    queue_input();
   }
 
   ~GlfwHost() override {
+    for (GLFWcursor* cursor : cursors_) {
+      if (cursor != nullptr) glfwDestroyCursor(cursor);
+    }
     glfwDestroyWindow(window_);
     glfwTerminate();
   }
@@ -106,13 +125,14 @@ class GlfwHost final : public Host {
   HostSize size() const override {
     HostSize size;
     glfwGetFramebufferSize(window_, &size.width, &size.height);
-    float x = 1, y = 1;
-    glfwGetWindowContentScale(window_, &x, &y);
-    size.scale = fixed_scale_ > 0 ? fixed_scale_ : std::max({1.0f, x, y});
+    size.scale = scale();
     return size;
   }
 
-  void resize(int width, int height) override { glfwSetWindowSize(window_, width, height); }
+  void resize(int width, int height) override {
+    const float dense = density();
+    glfwSetWindowSize(window_, pixels(width, 1 / dense), pixels(height, 1 / dense));
+  }
   bool close_requested() const override { return glfwWindowShouldClose(window_); }
   void set_title(const std::string& title) override { glfwSetWindowTitle(window_, title.c_str()); }
 
@@ -123,7 +143,7 @@ class GlfwHost final : public Host {
     } else {
       glfwWaitEventsTimeout(timeout_seconds);
     }
-    return woken_.exchange(false) || something_ || !dropped_.empty();
+    return woken_.exchange(false) || something_ || input_.waiting() || !dropped_.empty();
   }
 
   void wake() override {
@@ -140,9 +160,34 @@ class GlfwHost final : public Host {
     return std::make_unique<GlfwBackgroundContext>();
   }
 
-  void start_imgui() override { ImGui_ImplGlfw_InitForOpenGL(window_, true); }
-  void stop_imgui() override { ImGui_ImplGlfw_Shutdown(); }
-  void feed_imgui() override { ImGui_ImplGlfw_NewFrame(); }
+  void start_imgui() override {
+    ImGuiIO& io = ImGui::GetIO();
+    io.BackendPlatformName = "alphascope_glfw";
+    io.BackendFlags |= ImGuiBackendFlags_HasMouseCursors;
+    io.ClipboardUserData = window_;
+    io.SetClipboardTextFn = [](void* window, const char* text) {
+      glfwSetClipboardString(static_cast<GLFWwindow*>(window), text);
+    };
+    io.GetClipboardTextFn = [](void* window) {
+      return glfwGetClipboardString(static_cast<GLFWwindow*>(window));
+    };
+    for (std::size_t i = 0; i < cursors_.size(); ++i) {
+      cursors_[i] = glfwCreateStandardCursor(kCursors[i]);
+    }
+  }
+
+  void stop_imgui() override {}
+
+  void feed_imgui() override {
+    ImGuiIO& io = ImGui::GetIO();
+    const HostSize now = size();
+    io.DisplaySize = {static_cast<float>(now.width), static_cast<float>(now.height)};
+    input_.feed(glfwGetTime());
+    const int wanted = std::clamp<int>(ImGui::GetMouseCursor(), 0, ImGuiMouseCursor_COUNT - 1);
+    if (wanted == cursor_) return;
+    cursor_ = wanted;
+    glfwSetCursor(window_, cursors_[static_cast<std::size_t>(wanted)]);
+  }
 
   unsigned bind_framebuffer() override { return 0; }
   void swap() override { glfwSwapBuffers(window_); }
@@ -152,26 +197,83 @@ class GlfwHost final : public Host {
     return static_cast<int>(std::lround(static_cast<float>(at_scale_1) * scale));
   }
 
-  static void note(GLFWwindow* window) {
-    static_cast<GlfwHost*>(glfwGetWindowUserPointer(window))->something_ = true;
+  static GlfwHost& of(GLFWwindow* window) {
+    return *static_cast<GlfwHost*>(glfwGetWindowUserPointer(window));
+  }
+  static void note(GLFWwindow* window) { of(window).something_ = true; }
+  static void push(GLFWwindow* window, InputEvent event) {
+    event.seconds = glfwGetTime();
+    of(window).input_.push(event);
   }
 
-  // Before ImGui installs its callbacks: it calls these first.
-  void note_events() {
+  // Of fonts and controls; the monitor that the window is on decides.
+  float scale() const {
+    if (fixed_scale_ > 0) return fixed_scale_;
+    float x = 1, y = 1;
+    glfwGetWindowContentScale(window_, &x, &y);
+    return std::max({1.0f, x, y});
+  }
+
+  // Pixels to one unit of GLFW's sizes and positions. 1 on X11.
+  float density() const {
+    int points = 0, width = 0;
+    glfwGetWindowSize(window_, &points, nullptr);
+    glfwGetFramebufferSize(window_, &width, nullptr);
+    return points > 0 && width > 0 ? static_cast<float>(width) / static_cast<float>(points) : 1;
+  }
+
+  void limit_size() {
+    density_ = density();
+    const float points = scale() / density_;
+    glfwSetWindowSizeLimits(window_, pixels(kLeastWidth, points), pixels(kLeastHeight, points),
+                            GLFW_DONT_CARE, GLFW_DONT_CARE);
+  }
+
+  void note_window_events() {
     glfwSetWindowRefreshCallback(window_, [](GLFWwindow* w) { note(w); });
-    glfwSetFramebufferSizeCallback(window_, [](GLFWwindow* w, int, int) { note(w); });
-    glfwSetWindowContentScaleCallback(window_, [](GLFWwindow* w, float, float) { note(w); });
-    glfwSetWindowFocusCallback(window_, [](GLFWwindow* w, int) { note(w); });
-    glfwSetCursorEnterCallback(window_, [](GLFWwindow* w, int) { note(w); });
-    glfwSetCursorPosCallback(window_, [](GLFWwindow* w, double, double) { note(w); });
-    glfwSetMouseButtonCallback(window_, [](GLFWwindow* w, int, int, int) { note(w); });
-    glfwSetScrollCallback(window_, [](GLFWwindow* w, double, double) { note(w); });
-    glfwSetKeyCallback(window_, [](GLFWwindow* w, int, int, int, int) { note(w); });
-    glfwSetCharCallback(window_, [](GLFWwindow* w, unsigned) { note(w); });
+    glfwSetFramebufferSizeCallback(window_, [](GLFWwindow* w, int, int) {
+      of(w).density_ = of(w).density();
+      note(w);
+    });
+    glfwSetWindowContentScaleCallback(window_, [](GLFWwindow* w, float, float) {
+      of(w).limit_size();
+      note(w);
+    });
+  }
+
+  void queue_input() {
+    glfwSetWindowFocusCallback(window_, [](GLFWwindow* w, int focused) {
+      push(w, {.kind = InputEvent::Kind::focus, .down = focused != 0});
+    });
+    glfwSetCursorEnterCallback(window_, [](GLFWwindow* w, int entered) {
+      if (entered == 0) push(w, {.kind = InputEvent::Kind::leave});
+    });
+    glfwSetCursorPosCallback(window_, [](GLFWwindow* w, double x, double y) {
+      const float dense = of(w).density_;
+      push(w, {.x = static_cast<float>(x) * dense, .y = static_cast<float>(y) * dense});
+    });
+    glfwSetMouseButtonCallback(window_, [](GLFWwindow* w, int button, int action, int) {
+      push(w, {.kind = InputEvent::Kind::button, .code = button, .down = action == GLFW_PRESS});
+    });
+    glfwSetScrollCallback(window_, [](GLFWwindow* w, double x, double y) {
+      push(w, {.kind = InputEvent::Kind::wheel,
+               .x = static_cast<float>(x),
+               .y = static_cast<float>(y)});
+    });
+    glfwSetKeyCallback(window_, [](GLFWwindow* w, int key, int, int action, int) {
+      if (action == GLFW_REPEAT) return;  // ImGui repeats by itself
+      push(w, {.kind = InputEvent::Kind::key, .code = key, .down = action == GLFW_PRESS});
+    });
+    glfwSetCharCallback(window_, [](GLFWwindow* w, unsigned character) {
+      push(w, {.kind = InputEvent::Kind::text, .character = character});
+    });
   }
 
   GLFWwindow* window_ = nullptr;
   float fixed_scale_;
+  float density_ = 1;
+  std::array<GLFWcursor*, ImGuiMouseCursor_COUNT> cursors_{};
+  int cursor_ = 0;
   bool something_ = false;
   std::atomic<bool> woken_ = false;
   std::vector<std::filesystem::path> dropped_;

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "ui/window/input_queue.hpp"
+
 namespace alphascope {
 
 struct HostOptions {
@@ -44,6 +46,8 @@ class Host {
   // Ends a wait_events(). The only function that other threads may call.
   virtual void wake() = 0;
   virtual std::vector<std::filesystem::path> take_dropped_files() = 0;
+  // What the mouse and the keyboard did and no frame has been told yet.
+  InputQueue& input() { return input_; }
 
   // The context that the host's pictures are drawn in, on the main thread.
   virtual void make_current() = 0;
@@ -58,6 +62,9 @@ class Host {
   // Binds the framebuffer that the frame is drawn into; its OpenGL name.
   virtual unsigned bind_framebuffer() = 0;
   virtual void swap() = 0;
+
+ protected:
+  InputQueue input_;
 };
 
 // Throws std::runtime_error with a sentence for people when there is no display.

@@ -7,9 +7,24 @@
 #include <backends/imgui_impl_opengl3.h>
 #include <imgui.h>
 
+#include <algorithm>
+#include <cfloat>
+#include <iterator>
+
 #include "ui/panels/keys.hpp"
 
 namespace alphascope {
+namespace {
+
+// In ImGui's order, from ImGuiKey_Tab on.
+constexpr int kKeys[] = {key::kTab,         key::kLeft,      key::kRight, key::kUp,    key::kDown,
+                         key::kPageUp,      key::kPageDown,  key::kHome,  key::kEnd,   key::kInsert,
+                         key::kDelete,      key::kBackspace, key::kSpace, key::kEnter, key::kEscape,
+                         key::kKeypadEnter, key::kA,         key::kC,     key::kV,     key::kX,
+                         key::kY,           key::kZ};
+static_assert(std::size(kKeys) == ImGuiKey_COUNT && ImGuiKey_Tab == 0);
+
+}  // namespace
 
 ImGuiFrame::ImGuiFrame(Host& host, Theme theme) : host_(host), theme_(theme) {
   IMGUI_CHECKVERSION();
@@ -17,6 +32,8 @@ ImGuiFrame::ImGuiFrame(Host& host, Theme theme) : host_(host), theme_(theme) {
   ImGuiIO& io = ImGui::GetIO();
   io.IniFilename = nullptr;  // panels have fixed places
   io.LogFilename = nullptr;
+  std::copy(std::begin(kKeys), std::end(kKeys), io.KeyMap);
+  io.MousePos = {-FLT_MAX, -FLT_MAX};
   host_.start_imgui();
   ImGui_ImplOpenGL3_Init("#version 150");
   load(theme, host_.size().scale);
@@ -58,12 +75,6 @@ bool ImGuiFrame::begin(Theme theme, ScriptedInput* scripted) {
 
 void ImGuiFrame::apply_scripted(ScriptedInput& input) const {
   ImGuiIO& io = ImGui::GetIO();
-  io.KeyMap[ImGuiKey_Escape] = key::kEscape;
-  io.KeyMap[ImGuiKey_Enter] = key::kEnter;
-  io.KeyMap[ImGuiKey_Tab] = key::kTab;
-  io.KeyMap[ImGuiKey_Backspace] = key::kBackspace;
-  io.KeyMap[ImGuiKey_Delete] = key::kDelete;
-  io.KeyMap[ImGuiKey_A] = key::kA;
   io.MousePos = {input.x, input.y};
   for (int b = 0; b < 3; ++b) io.MouseDown[b] = input.down[static_cast<std::size_t>(b)];
   io.MouseWheel = input.wheel;

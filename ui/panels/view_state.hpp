@@ -93,6 +93,7 @@ struct PanelMemory {
   std::string go_to_section;       // of the left side: to be opened and scrolled to its top
   bool sections_overflow = false;  // the left side is longer than the window
   double mouse_still_seconds = 0;  // since the mouse moved or a button was down
+  float mouse_x = 0, mouse_y = 0;  // pixels, in the last frame
 };
 
 struct ViewState {

@@ -124,7 +124,11 @@ void status(PanelContext& ctx, float y, float width, float height) {
 
 void note_mouse(PanelMemory& memory) {
   const ImGuiIO& io = ImGui::GetIO();
-  const bool busy = io.MouseDelta.x != 0 || io.MouseDelta.y != 0 || ImGui::IsAnyMouseDown();
+  // Not MouseDelta, which is zero where the mouse enters the window.
+  const bool moved = io.MousePos.x != memory.mouse_x || io.MousePos.y != memory.mouse_y;
+  const bool busy = moved || ImGui::IsAnyMouseDown();
+  memory.mouse_x = io.MousePos.x;
+  memory.mouse_y = io.MousePos.y;
   memory.mouse_still_seconds = busy ? 0 : memory.mouse_still_seconds + io.DeltaTime;
 }
 

@@ -2,8 +2,6 @@
 #include "app/viewer/benchmark.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <cstdlib>
 #include <stdexcept>
 
 #include "app/session/thesis_charts.hpp"
@@ -11,6 +9,7 @@
 #include "core/chart/layout.hpp"
 #include "core/chart/svg.hpp"
 #include "core/molecule/provenance.hpp"
+#include "ui/number_input.hpp"
 #include "ui/panels/format.hpp"
 
 namespace alphascope {
@@ -102,14 +101,14 @@ std::vector<double> parse_alphas(const std::string& text) {
   for (std::size_t k = 0; k < text.size();) {
     const std::size_t start = text.find_first_not_of(" ,;", k);
     if (start == std::string::npos) break;
-    k = std::min(text.find_first_of(" ,;", start), text.size());
-    const std::string word = text.substr(start, k - start);
-    char* end = nullptr;
-    const double alpha = std::strtod(word.c_str(), &end);
-    if (*end != '\0' || !std::isfinite(alpha)) {
-      throw std::invalid_argument("\"" + word + "\" is no alpha; write numbers such as 0, 1.4, 3");
+    k = std::min(text.find_first_of(" ;", start), text.size());
+    std::string word = text.substr(start, k - start);
+    while (word.ends_with(',')) word.pop_back();  // others are decimal commas
+    const NumberInput input = read_number(word, kAlphaRule);
+    if (!input.value) {
+      throw std::invalid_argument(input.error + " Write a blank between numbers: 0, 1.4, 3");
     }
-    alphas.push_back(alpha);
+    alphas.push_back(*input.value);
   }
   if (alphas.empty()) throw std::invalid_argument("Write at least one alpha, such as 0, 1.4, 3");
   return alphas;

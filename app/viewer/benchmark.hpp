@@ -11,7 +11,8 @@
 
 namespace alphascope {
 
-// "0, 1.4, 3" as numbers. Throws std::invalid_argument that says what is none.
+// "0, 1.4, 3" as numbers: blanks or semicolons between them. Throws std::invalid_argument that says
+// what is none.
 std::vector<double> parse_alphas(const std::string& text);
 
 class Benchmark {

@@ -6,7 +6,7 @@
 
 #include "app/options/option_values.hpp"
 #include "app/options/parse_arguments.hpp"
-#include "core/geometry/lattice.hpp"
+#include "ui/number_input.hpp"
 
 namespace alphascope {
 namespace {
@@ -66,6 +66,17 @@ Option drawing_memory_option(ViewerOptions& options) {
   return memory;
 }
 
+// Read as the window's fields are.
+Option typed_number_option(OptionText text, double& target, const NumberRule& rule) {
+  Option option = number_option(std::move(text), target, {rule.least, rule.most, rule.unit});
+  option.set = [&target, rule](const std::string& value) {
+    const NumberInput input = read_number(value, rule);
+    if (!input.value) throw std::invalid_argument(input.error);
+    target = *input.value;
+  };
+  return option;
+}
+
 OptionProgram table(ViewerOptions& o) {
   OptionProgram program;
   program.name = "alphascope";
@@ -75,11 +86,11 @@ OptionProgram table(ViewerOptions& o) {
   program.options = {
       path_or_none({"FILE", "FILE", "Molecule: PDB, mmCIF, XYZR, PQR, XYZ or CRD, also as .gz"},
                    o.file),
-      number_option({"--alpha", "A", "Alpha in Å², negative too"}, o.alpha, {-kMaxAlphaAngstrom2, kMaxAlphaAngstrom2, "Å²"}),
-      number_option({"--solvent", "S", "Solvent radius in Å, 1.4 for water"}, o.solvent,
-                    {0, 100, "Å"}),
-      with_default(number_option({"--scale", "X", "Size of fonts and controls, 1 for 100 %"},
-                                 o.scale, {0.5, 4}),
+      typed_number_option({"--alpha", "A", "Alpha in Å², negative too"}, o.alpha, kAlphaRule),
+      typed_number_option({"--solvent", "S", "Solvent radius in Å, 1.4 for water"}, o.solvent,
+                          kSolventRule),
+      with_default(typed_number_option({"--scale", "X", "Size of fonts and controls, 1 for 100 %"},
+                                       o.scale, kControlScaleRule),
                    "as the display says"),
       size_option(o),
       flag_option("--light", "Light theme", o.light),

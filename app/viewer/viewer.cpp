@@ -351,12 +351,12 @@ void Viewer::describe_under_mouse() {
 void Viewer::play() {
   bool& playing = state_.memory.playing;
   if (!playing || !session_.state().up_to_date() || scene_.busy()) return;
-  double& alpha = state_.compute.alpha;
+  const double alpha = state_.compute.alpha;
   if (alpha >= kPlayUntil) {
     playing = false;
     return;
   }
-  alpha = std::round((alpha + kPlayStep) * 1000) / 1000;
+  state_.compute.set_alpha(std::round((alpha + kPlayStep) * 1000) / 1000);
   frames_due_ = kSettlingFrames;
 }
 

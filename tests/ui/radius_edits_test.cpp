@@ -7,20 +7,6 @@ namespace {
 
 const AtomGroup kIron{"HEM", "FE", "Fe"};
 
-TEST(RadiusEdits, ParsesWhatPeopleType) {
-  EXPECT_EQ(RadiusEdits::parse("1.75"), 1.75);
-  EXPECT_EQ(RadiusEdits::parse(" 1,75 "), 1.75);
-  EXPECT_EQ(RadiusEdits::parse("1.75 Å"), 1.75);
-  EXPECT_EQ(RadiusEdits::parse("2"), 2.0);
-}
-
-TEST(RadiusEdits, RefusesWhatIsNoRadius) {
-  for (const char* bad : {"", " ", "0", "-1", "0.0001", "61", "nan", "inf", "1e9", "abc", "1.7x",
-                          "1.7 1.8", "1.7.1"}) {
-    EXPECT_FALSE(RadiusEdits::parse(bad)) << bad;
-  }
-}
-
 TEST(RadiusEdits, OneRadiusForEachGroup) {
   RadiusEdits edits;
   EXPECT_TRUE(edits.set(kIron, 1.5));

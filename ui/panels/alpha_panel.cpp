@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "ui/panels/format.hpp"
+#include "ui/panels/number_field.hpp"
 #include "ui/panels/panels.hpp"
 
 namespace alphascope {
@@ -12,8 +13,7 @@ namespace {
 constexpr double kSliderLow = -3, kSliderHigh = 10;  // Å²; typed values may lie outside
 constexpr double kSliderStep = 0.01;
 constexpr double kPresets[] = {0, 1.4, 3, 10};
-constexpr double kWater = 1.4;          // Å, radius of a water molecule
-constexpr double kLargestSolvent = 20;  // Å
+constexpr double kWater = 1.4;  // Å, radius of a water molecule
 
 void draw_ticks(PanelContext& ctx, double low, double high) {
   ImDrawList* draw = ImGui::GetWindowDrawList();
@@ -41,12 +41,12 @@ void slider(PanelContext& ctx) {
   tooltip(ctx, playing ? "Stop here" : "Let alpha grow by itself, up to 10 Å²");
   ImGui::SameLine(0, ctx.px(6));
   ImGui::SetNextItemWidth(-1);
-  if (ImGui::SliderScalar("##alpha", ImGuiDataType_Double, &value, &low, &high, "")) {
-    alpha = std::round(value / kSliderStep) * kSliderStep;
+  const bool typing = ctx.state.memory.number.name == "alpha.slider";
+  if (number_slider(ctx, "alpha.slider", value, low, high, kAlphaRule)) {
+    alpha = typing ? value : std::round(value / kSliderStep) * kSliderStep;
     if (alpha == 0) alpha = 0;  // no minus zero in the text
     playing = false;
   }
-  record(ctx, "alpha.slider");
   tooltip(
       ctx,
       "Alpha in Å². Every radius r becomes sqrt(r² + α).\nCtrl + click to type; arrow keys step "
@@ -60,13 +60,7 @@ void typed_and_presets(PanelContext& ctx) {
   ImGui::TextUnformatted("α");
   ImGui::SameLine();
   ImGui::SetNextItemWidth(ctx.px(78));
-  double typed = alpha;
-  if (ImGui::InputDouble("##typed", &typed, 0, 0, "%.6g", ImGuiInputTextFlags_EnterReturnsTrue) &&
-      std::isfinite(typed)) {
-    alpha = typed;
-  }
-  if (ImGui::IsItemDeactivatedAfterEdit() && std::isfinite(typed)) alpha = typed;
-  record(ctx, "alpha.typed");
+  if (number_field(ctx, "alpha.typed", alpha, kAlphaRule)) ctx.state.memory.playing = false;
   ImGui::SameLine(0, ctx.px(4));
   ImGui::TextUnformatted("Å²");
   const float left = ImGui::GetItemRectMax().x - ImGui::GetWindowPos().x + ctx.px(10);
@@ -83,8 +77,11 @@ void solvent(PanelContext& ctx) {
   double& radius = ctx.state.compute.solvent;
   row_label(ctx, "Solvent radius");
   double value = radius;
-  if (value_slider(ctx, "alpha.solvent", value, 0, 5, number_text(radius, 2) + " Å", 56)) {
-    radius = std::clamp(std::round(value * 100) / 100, 0.0, kLargestSolvent);
+  const double high = std::max(5.0, radius);
+  const bool typing = ctx.state.memory.number.name == "alpha.solvent";
+  if (value_slider(ctx, "alpha.solvent", value, 0, high, kSolventRule,
+                   short_number_text(radius, 3) + " Å", 56)) {
+    radius = typing ? std::round(value * 1000) / 1000 : std::round(value * 100) / 100;
   }
   tooltip(
       ctx,

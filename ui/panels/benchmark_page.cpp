@@ -10,6 +10,7 @@
 #include "core/chart/layout.hpp"
 #include "ui/panels/format.hpp"
 #include "ui/panels/keys.hpp"
+#include "ui/panels/number_field.hpp"
 #include "ui/panels/panels.hpp"
 
 namespace alphascope {
@@ -114,16 +115,13 @@ void engine_box(PanelContext& ctx, const EngineBox& box) {
   ImGui::SameLine(0, ctx.px(16));
 }
 
-void number_field(PanelContext& ctx, const char* name, const char* label, int& value, int most) {
+void labelled_number(PanelContext& ctx, const char* name, const char* label, int& value,
+                     const NumberRule& rule) {
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted(label);
   ImGui::SameLine(0, ctx.px(6));
   ImGui::SetNextItemWidth(ctx.px(56));
-  ImGui::PushID(name);
-  ImGui::InputInt("##value", &value, 0);
-  ImGui::PopID();
-  record(ctx, name);
-  value = std::clamp(value, 1, most);
+  number_field(ctx, name, value, rule);
   ImGui::SameLine(0, ctx.px(16));
 }
 
@@ -135,8 +133,9 @@ void controls(PanelContext& ctx) {
   ImGui::InputText("##alphas", &c.alphas);
   record(ctx, "benchmark.alphas");
   ImGui::SameLine(0, ctx.px(16));
-  number_field(ctx, "benchmark.runs", "runs", c.runs, 1000);
-  number_field(ctx, "benchmark.seconds", "seconds a row, at most", c.seconds_per_row, 86400);
+  labelled_number(ctx, "benchmark.runs", "runs", c.runs, kRunsRule);
+  labelled_number(ctx, "benchmark.seconds", "seconds a row, at most", c.seconds_per_row,
+                  kRowSecondsRule);
   tooltip(ctx, "A row that cannot finish one run in this time is left out; nothing is estimated.");
   ImGui::NewLine();
   row_label(ctx, "Engines");

@@ -1,10 +1,12 @@
 // What the user can set: plain data that the panels change and the program reads.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <vector>
 
+#include "ui/number_input.hpp"
 #include "ui/panels/radius_edits.hpp"
 
 namespace alphascope {
@@ -31,6 +33,11 @@ struct ComputeControls {
   bool tetrahedra_only = false;
   TupleControls tuples;  // of the tuple engines only
   friend bool operator==(const ComputeControls&, const ComputeControls&) = default;
+
+  // For what counts it up and down: stops at the bounds.
+  void set_alpha(double angstrom2) {
+    alpha = std::clamp(angstrom2, kAlphaRule.least, kAlphaRule.most);
+  }
 };
 
 // Which atoms become balls, and how large; a change needs new balls.

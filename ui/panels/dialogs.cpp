@@ -7,6 +7,7 @@
 
 #include "ui/panels/format.hpp"
 #include "ui/panels/keys.hpp"
+#include "ui/panels/number_field.hpp"
 #include "ui/panels/panels.hpp"
 
 namespace alphascope {
@@ -187,21 +188,16 @@ void size_preset(PanelContext& ctx, const char* name, const char* label, int wid
 
 void save_size(PanelContext& ctx) {
   PanelMemory& m = ctx.state.memory;
-  constexpr int kLeast = 16, kMost = 16384;
   row_label(ctx, "Size");
   ImGui::SetNextItemWidth(ctx.px(80));
-  ImGui::InputInt("##width", &m.save_width, 0);
-  record(ctx, "save.width");
+  number_field(ctx, "save.width", m.save_width, kPictureSizeRule);
   ImGui::SameLine(0, ctx.px(6));
   ImGui::TextUnformatted("×");
   ImGui::SameLine(0, ctx.px(6));
   ImGui::SetNextItemWidth(ctx.px(80));
-  ImGui::InputInt("##height", &m.save_height, 0);
-  record(ctx, "save.height");
+  number_field(ctx, "save.height", m.save_height, kPictureSizeRule);
   ImGui::SameLine(0, ctx.px(6));
   ImGui::TextUnformatted("pixels");
-  m.save_width = std::clamp(m.save_width, kLeast, kMost);
-  m.save_height = std::clamp(m.save_height, kLeast, kMost);
   row_label(ctx, "");
   size_preset(ctx, "save.as_view", "as the view", ctx.state.viewport.width,
               ctx.state.viewport.height);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "ui/number_input.hpp"
 #include "ui/panels/format.hpp"
 #include "ui/panels/panels.hpp"
 
@@ -88,14 +89,9 @@ std::string title(const std::vector<RadiusRow>& rows) {
 
 void apply(ViewState& s, const RadiusRow& row, const std::string& text) {
   PanelMemory& m = s.memory;
-  if (const auto radius = RadiusEdits::parse(text)) {
-    m.radius_error.clear();
-    s.selection.radius_edits.set(row.atoms, *radius);
-    return;
-  }
-  m.radius_error = "“" + text + "” is no radius: write a number from " +
-                   short_number_text(RadiusEdits::kSmallest, 3) + " to " +
-                   short_number_text(RadiusEdits::kLargest, 0) + " (Å).";
+  const NumberInput input = read_number(text, kBallRadiusRule);
+  m.radius_error = input.error;
+  if (input.value) s.selection.radius_edits.set(row.atoms, *input.value);
 }
 
 void radius_field(PanelContext& ctx, const RadiusRow& row, int index) {

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <locale>
-#include <sstream>
+
+#include "ui/number_input.hpp"
 
 namespace alphascope {
 namespace {
@@ -13,21 +13,8 @@ constexpr double kPerAngstrom = 1e6;  // radii are kept to 10^-6 Å, as in table
 
 }  // namespace
 
-std::optional<double> RadiusEdits::parse(const std::string& text) {
-  std::string plain = text;
-  std::replace(plain.begin(), plain.end(), ',', '.');
-  if (const auto unit = plain.find("Å"); unit != std::string::npos) plain.erase(unit);
-  std::istringstream stream(plain);
-  stream.imbue(std::locale::classic());
-  double radius = 0;
-  if (!(stream >> radius)) return std::nullopt;
-  stream >> std::ws;
-  if (!stream.eof()) return std::nullopt;
-  return radius >= kSmallest && radius <= kLargest ? std::optional(radius) : std::nullopt;
-}
-
 bool RadiusEdits::set(const AtomGroup& atoms, double radius) {
-  if (!(radius >= kSmallest && radius <= kLargest)) return false;
+  if (!(radius >= kBallRadiusRule.least && radius <= kBallRadiusRule.most)) return false;
   radius = std::round(radius * kPerAngstrom) / kPerAngstrom;
   const auto found = std::find_if(list_.begin(), list_.end(),
                                   [&](const RadiusEdit& edit) { return edit.atoms == atoms; });

@@ -1,7 +1,6 @@
 // Radii that the user typed in place of guessed or missing ones. Plain data and rules, no ImGui.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,18 +14,13 @@ struct AtomGroup {
 
 struct RadiusEdit {
   AtomGroup atoms;
-  double radius = 0;  // Å, within the bounds below
+  double radius = 0;  // Å, within kBallRadiusRule
   friend bool operator==(const RadiusEdit&, const RadiusEdit&) = default;
 };
 
 class RadiusEdits {
  public:
-  static constexpr double kSmallest = 0.001, kLargest = 60;  // Å
-
-  // Å, or nothing when the text is no number within the bounds. "1.75", "1,75 " and "1.75 Å" are.
-  static std::optional<double> parse(const std::string& text);
-
-  // Rounded to 10^-6 Å. Outside of the bounds nothing changes and false is returned.
+  // Rounded to 10^-6 Å. Outside of kBallRadiusRule nothing changes and false is returned.
   bool set(const AtomGroup& atoms, double radius);
   void reset(const AtomGroup& atoms);
   void reset_all() { list_.clear(); }

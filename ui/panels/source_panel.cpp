@@ -1,7 +1,9 @@
 // Which copies of the file's atoms are looked at: the biological assembly, and the model.
 #include <algorithm>
+#include <cmath>
 
 #include "ui/panels/format.hpp"
+#include "ui/panels/number_field.hpp"
 #include "ui/panels/panels.hpp"
 
 namespace alphascope {
@@ -9,7 +11,6 @@ namespace {
 
 // Larger assemblies take seconds to minutes and gigabytes; they are asked about first.
 constexpr std::uint64_t kAskFromAtoms = 300'000;
-constexpr float kSlowest = 0.5f, kFastest = 30;  // models per second
 
 std::string number(std::uint64_t n) {
   return with_separators(static_cast<long long>(n));
@@ -101,11 +102,13 @@ void model_slider(PanelContext& ctx) {
   const float text_width = ImGui::CalcTextSize((all + " of " + all).c_str()).x;
   const float left_for_slider = ImGui::GetContentRegionAvail().x - text_width - ctx.px(8);
   ImGui::SetNextItemWidth(std::max(left_for_slider, ctx.px(40)));
-  if (ImGui::SliderInt("##model", &shown, 1, count, "", ImGuiSliderFlags_AlwaysClamp)) {
+  const NumberRule rule{"The model", 1, static_cast<double>(count), "", true};
+  double value = shown;
+  if (number_slider(ctx, "molecule.model", value, 1, count, rule)) {
+    shown = static_cast<int>(std::lround(value));
     model = shown - 1;
     s.memory.playing_models = false;
   }
-  record(ctx, "molecule.model");
   if (!every) model_tooltip(ctx, model);
   const std::string text =
       every ? "all " + all : number(static_cast<std::uint64_t>(shown)) + " of " + all;
@@ -113,6 +116,21 @@ void model_slider(PanelContext& ctx) {
   ImGui::SameLine(right - ImGui::CalcTextSize(text.c_str()).x);
   ImGui::TextUnformatted(text.c_str());
   record(ctx, "molecule.model.text");
+}
+
+// Models per second.
+void speed_drag(PanelContext& ctx) {
+  float& speed = ctx.state.memory.models_per_second;
+  double value = speed;
+  bool changed = false;
+  if (typed_instead(ctx, "molecule.speed", value, kModelSpeedRule, changed)) {
+    if (changed) speed = static_cast<float>(value);
+    return;
+  }
+  ImGui::DragFloat("##speed", &speed, 0.1f, static_cast<float>(kModelSpeedRule.least),
+                   static_cast<float>(kModelSpeedRule.most), "%.1f / s",
+                   ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput);
+  record(ctx, "molecule.speed");
 }
 
 void model_rows(PanelContext& ctx) {
@@ -130,9 +148,7 @@ void model_rows(PanelContext& ctx) {
   tooltip(ctx, "The atoms of all models together, as one molecule.");
   ImGui::SameLine(0, ctx.px(8));
   ImGui::SetNextItemWidth(-1);
-  ImGui::DragFloat("##speed", &s.memory.models_per_second, 0.1f, kSlowest, kFastest, "%.1f / s",
-                   ImGuiSliderFlags_AlwaysClamp);
-  record(ctx, "molecule.speed");
+  speed_drag(ctx);
   tooltip(ctx,
           "Models per second while playing, at most: each waits for its complex. Drag, or Ctrl + "
           "click to type.");

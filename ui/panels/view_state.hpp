@@ -59,6 +59,13 @@ struct PanelMemory;
 // What the file dialog wants to have listed; nothing while it is closed.
 std::optional<FolderQuery> wanted_listing(const PanelMemory& memory);
 
+// The number that is being typed, or was and is none.
+struct NumberTyping {
+  std::string name;  // of the field; empty: none
+  std::string text, error;
+  bool focus = false;  // to be given to the field
+};
+
 // What the panels remember between frames.
 struct PanelMemory {
   bool show_cheat_sheet = false, show_about = false, show_browser = false, show_save = false;
@@ -78,6 +85,7 @@ struct PanelMemory {
   bool timings_cold = true;     // which of the two runs the waterfall shows
   bool timings_pinned = false;  // the user has chosen which
   float bottom_height = 0;      // pixels; 0: default
+  NumberTyping number;
   bool dragging_view = false;
   bool playing = false;         // alpha grows by itself, one step a finished result
   bool playing_models = false;  // models follow one another as frames

@@ -6,6 +6,7 @@
 
 #include "ui/panels/format.hpp"
 #include "ui/panels/keys.hpp"
+#include "ui/panels/number_field.hpp"
 
 namespace alphascope {
 
@@ -97,13 +98,10 @@ void row_label(PanelContext& ctx, const char* label, float reserve) {
 }
 
 bool value_slider(PanelContext& ctx, const char* name, double& value, double low, double high,
-                  const std::string& text, float reserve) {
+                  const NumberRule& rule, const std::string& text, float reserve) {
   const float text_width = ctx.px(48);
-  ImGui::PushID(name);
   ImGui::SetNextItemWidth(-ctx.px(reserve) - text_width);
-  const bool changed = ImGui::SliderScalar("##v", ImGuiDataType_Double, &value, &low, &high, "");
-  ImGui::PopID();
-  record(ctx, name);
+  const bool changed = number_slider(ctx, name, value, low, high, rule);
   const float right = ImGui::GetItemRectMax().x - ImGui::GetWindowPos().x + text_width;
   ImGui::SameLine(right - ImGui::CalcTextSize(text.c_str()).x);
   ImGui::TextUnformatted(text.c_str());
@@ -111,9 +109,11 @@ bool value_slider(PanelContext& ctx, const char* name, double& value, double low
 }
 
 bool percent_slider(PanelContext& ctx, const char* name, float& value, float low, float high) {
-  double percent = value * 100;
+  double percent = std::round(value * 100);
   const std::string text = number_text(percent, 0) + " %";
-  if (!value_slider(ctx, name, percent, low * 100, high * 100, text)) return false;
+  const double least = std::round(low * 100), most = std::round(high * 100);
+  const NumberRule rule{"The value", least, most, "%"};
+  if (!value_slider(ctx, name, percent, least, most, rule, text)) return false;
   value = std::clamp(static_cast<float>(std::round(percent) / 100), low, high);
   return true;
 }

@@ -12,6 +12,8 @@
 
 namespace alphascope {
 
+struct NumberRule;
+
 struct PanelContext {
   ViewState& state;
   WidgetRects& rects;
@@ -45,9 +47,9 @@ bool choice(PanelContext& ctx, const char* name, std::initializer_list<const cha
 void row_label(PanelContext& ctx, const char* label, float reserve = 0);
 
 // A slider with its value as `text` at its right; takes the remaining width less `reserve` pixels
-// at scale 1. Ctrl + click to type.
+// at scale 1. Ctrl + click to type, within the rule.
 bool value_slider(PanelContext& ctx, const char* name, double& value, double low, double high,
-                  const std::string& text, float reserve = 0);
+                  const NumberRule& rule, const std::string& text, float reserve = 0);
 
 // Slider over 0..1 shown in percent.
 bool percent_slider(PanelContext& ctx, const char* name, float& value, float low, float high);

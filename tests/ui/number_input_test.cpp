@@ -1,0 +1,167 @@
+// What people type as numbers: nothing is dropped, nothing leaves the bounds, in the window and on
+// the command line.
+#include "ui/number_input.hpp"
+
+#include <gtest/gtest.h>
+
+#include "app/viewer/options.hpp"
+#include "tests/ui/panels_fixture.hpp"
+
+namespace alphascope {
+namespace {
+
+using testing::loaded_state;
+using testing::Panels;
+
+TEST(NumberInput, ReadsWhatPeopleType) {
+  const std::pair<const char*, double> good[] = {
+      {"1.4", 1.4}, {"1,4", 1.4}, {" 1.4 Å ", 1.4}, {"1.4 A", 1.4}, {"1.4Å", 1.4},
+      {"+2", 2},    {"2e1", 20},  {".5", 0.5},      {"5.", 5},      {"1e-400", 0},
+  };
+  for (const auto& [text, value] : good) {
+    const NumberInput input = read_number(text, kSolventRule);
+    ASSERT_TRUE(input.value) << text << ": " << input.error;
+    EXPECT_DOUBLE_EQ(*input.value, value) << text;
+  }
+  EXPECT_EQ(read_number("−3,5 Å²", kAlphaRule).value, -3.5);
+  EXPECT_EQ(read_number("-3.5 A^2", kAlphaRule).value, -3.5);
+}
+
+TEST(NumberInput, RefusesTheRestAndSaysWhatToDo) {
+  for (const char* bad : {"", " ", "abc", "nan", "inf", "-inf", "1e", "e5", "1.4.2", "1,234.5",
+                          "1 4", "1.4x", "0x10", "1.4 nm", "--1", "+-1", "1..", ",", "."}) {
+    const NumberInput input = read_number(bad, kSolventRule);
+    EXPECT_FALSE(input.value) << bad;
+    EXPECT_NE(input.error.find("Write"), std::string::npos) << input.error;
+  }
+  EXPECT_FALSE(read_number("1.4 A", kAlphaRule).value) << "alpha is a square";
+  for (const char* beyond : {"-0.1", "101", "1e308", "1e999", "-1e999"}) {
+    EXPECT_EQ(read_number(beyond, kSolventRule).error,
+              "The solvent radius must lie between 0 and 100 Å.");
+  }
+  EXPECT_FALSE(read_number("19.5", kPictureSizeRule).value);
+  EXPECT_FALSE(read_number("1,920", kPictureSizeRule).value) << "not 1, not 1920";
+}
+
+TEST(NumberInput, AlphaHasTheBoundsOfTheProgram) {
+  EXPECT_EQ(read_number(exact_text(kMaxAlphaAngstrom2), kAlphaRule).value, kMaxAlphaAngstrom2);
+  for (const char* beyond : {"1e308", "-1e308", "1e25", "1e999"}) {
+    EXPECT_FALSE(read_number(beyond, kAlphaRule).value) << beyond;
+  }
+}
+
+TEST(NumberInput, TextsAreReadBackAsTheSameNumber) {
+  for (const double value : {1.4, -0.1, 1.2345678901234567, 1e24, 0.0, 1e-7}) {
+    EXPECT_EQ(read_number(exact_text(value), kAlphaRule).value, value);
+  }
+}
+
+TEST(NumberInput, TheCommandLineReadsTheSame) {
+  const auto parse = [](std::initializer_list<const char*> arguments) {
+    std::vector<const char*> argv{"alphascope"};
+    argv.insert(argv.end(), arguments);
+    return parse_options(static_cast<int>(argv.size()), argv.data());
+  };
+  EXPECT_DOUBLE_EQ(parse({"--alpha", "1,4"}).options.alpha, 1.4);
+  EXPECT_DOUBLE_EQ(parse({"--alpha=-1e24"}).options.alpha, -1e24);
+  for (const char* bad : {"--alpha=1e308", "--alpha=nan", "--alpha=1.4x", "--alpha=", "--scale=9",
+                          "--solvent=-1", "--solvent=1e3"}) {
+    const ParsedOptions parsed = parse({bad});
+    ASSERT_TRUE(parsed.exit_code) << bad;
+    EXPECT_NE(*parsed.exit_code, 0) << bad;
+    EXPECT_FALSE(parsed.text.empty());
+  }
+}
+
+// --- the fields
+
+class NumberFields : public ::testing::Test {
+ protected:
+  NumberFields() {
+    p.state = loaded_state();
+    p.frame(3);
+  }
+  void control_click(const std::string& name) {
+    p.point_at(name);
+    ImGui::GetIO().KeyCtrl = true;
+    p.press(true);
+    p.press(false);
+    ImGui::GetIO().KeyCtrl = false;
+    p.frame(2);
+  }
+  void enter(const std::string& text) {
+    ImGui::GetIO().AddInputCharactersUTF8(text.c_str());
+    p.frame(2);
+    p.tap(key::kEnter);
+    p.frame(2);
+  }
+  Panels p{{1280, 800, 1}};
+};
+
+TEST_F(NumberFields, ADecimalCommaIsOne) {
+  p.type("alpha.typed", "1,4");
+  EXPECT_DOUBLE_EQ(p.state.compute.alpha, 1.4);
+}
+
+TEST_F(NumberFields, WhatIsNoNumberChangesNothingAndIsExplained) {
+  p.state.compute.alpha = 3;
+  for (const char* bad : {"1e308", "abc", "1.4.2", "nan", "1e", " "}) {
+    p.type("alpha.typed", bad);
+    p.frame(2);
+    EXPECT_DOUBLE_EQ(p.state.compute.alpha, 3) << bad;
+    EXPECT_TRUE(p.rects.contains("alpha.typed.error")) << bad;
+  }
+  // It stays to be mended.
+  p.type("alpha.typed", "2.5x");
+  p.click("alpha.typed");
+  ImGui::GetIO().KeyCtrl = false;
+  EXPECT_EQ(p.state.memory.number.text, "2.5x");
+  p.tap(key::kEscape);
+  p.click("view");
+  p.frame(2);
+  EXPECT_FALSE(p.rects.contains("alpha.typed.error"));
+  EXPECT_DOUBLE_EQ(p.state.compute.alpha, 3);
+}
+
+TEST_F(NumberFields, SlidersAreTypedIntoWithTheSameBounds) {
+  control_click("alpha.slider");
+  enter("1,25");
+  EXPECT_DOUBLE_EQ(p.state.compute.alpha, 1.25);
+  control_click("alpha.slider");
+  enter("1e307");
+  EXPECT_DOUBLE_EQ(p.state.compute.alpha, 1.25);
+  EXPECT_TRUE(p.rects.contains("alpha.slider.error"));
+  p.click("view");
+  control_click("alpha.slider");
+  enter("1e24");
+  EXPECT_DOUBLE_EQ(p.state.compute.alpha, 1e24);
+  p.frame(3);
+  p.tap(key::kRight);
+  EXPECT_LE(p.state.compute.alpha, kMaxAlphaAngstrom2);
+  control_click("alpha.solvent");
+  enter("1,375");
+  EXPECT_DOUBLE_EQ(p.state.compute.solvent, 1.375);
+  control_click("alpha.solvent");
+  enter("1e9");
+  EXPECT_DOUBLE_EQ(p.state.compute.solvent, 1.375);
+}
+
+TEST_F(NumberFields, SliderClicksWithoutControlStillSlide) {
+  p.click("alpha.slider", 0.9f);
+  EXPECT_GT(p.state.compute.alpha, 7);
+  EXPECT_TRUE(p.state.memory.number.name.empty());
+}
+
+TEST_F(NumberFields, PictureSizesAreWholeAndBounded) {
+  p.state.memory.show_save = true;
+  p.frame(3);
+  p.type("save.width", "800");
+  EXPECT_EQ(p.state.memory.save_width, 800);
+  for (const char* bad : {"0", "99999", "1,920", "12.5", "1e308"}) {
+    p.type("save.width", bad);
+    EXPECT_EQ(p.state.memory.save_width, 800) << bad;
+  }
+}
+
+}  // namespace
+}  // namespace alphascope

@@ -1,0 +1,100 @@
+// See the header.
+#include "ui/number_input.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <string_view>
+#include <vector>
+
+namespace alphascope {
+namespace {
+
+bool is_digit(char c) {
+  return c >= '0' && c <= '9';
+}
+
+void trim(std::string& text) {
+  const auto blank = [](char c) { return c == ' ' || c == '\t'; };
+  while (!text.empty() && blank(text.back())) text.pop_back();
+  text.erase(text.begin(), std::find_if_not(text.begin(), text.end(), blank));
+}
+
+// How the unit is written on keyboards without its letters.
+std::vector<std::string_view> spellings(std::string_view unit) {
+  if (unit == "Å") return {unit, "A"};
+  if (unit == "Å²") return {unit, "Å2", "Å^2", "A²", "A2", "A^2"};
+  return {unit};
+}
+
+void drop_unit(std::string& text, const NumberRule& rule) {
+  for (const std::string_view unit : spellings(rule.unit)) {
+    if (unit.empty() || !text.ends_with(unit)) continue;
+    text.resize(text.size() - unit.size());
+    trim(text);
+    return;
+  }
+}
+
+// Digits with at most one decimal mark, then perhaps an exponent. from_chars knows "inf" too.
+std::optional<double> number_in(std::string text) {
+  if (text.starts_with('+') && !text.starts_with("+-")) text.erase(0, 1);
+  std::replace(text.begin(), text.end(), ',', '.');
+  const bool digits = std::any_of(text.begin(), text.end(), is_digit);
+  const bool known = text.find_first_not_of("0123456789.eE+-") == std::string::npos;
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (!digits || !known || end != text.data() + text.size()) return std::nullopt;
+  // Too large or too small for a double: beyond every bound, or nothing.
+  if (error == std::errc::result_out_of_range) {
+    return text.find("e-") == std::string::npos && text.find("E-") == std::string::npos
+               ? std::optional(text.front() == '-' ? -HUGE_VAL : HUGE_VAL)
+               : std::optional(0.0);
+  }
+  return error == std::errc() ? std::optional(value) : std::nullopt;
+}
+
+std::string with_unit(const std::string& number, const NumberRule& rule) {
+  return rule.unit[0] == '\0' ? number : number + " " + rule.unit;
+}
+
+std::string range_error(const NumberRule& rule) {
+  return std::string(rule.name) + " must lie between " + exact_text(rule.least) + " and " +
+         with_unit(exact_text(rule.most), rule) + ".";
+}
+
+std::string syntax_error(const std::string& typed, const NumberRule& rule) {
+  const auto marks =
+      std::count_if(typed.begin(), typed.end(), [](char c) { return c == ',' || c == '.'; });
+  const std::string quoted = "“" + typed + "” ";
+  if (marks > 1) return quoted + "has more than one decimal mark. Write a number such as 1234.5.";
+  const char* example = rule.whole ? "20" : "1.4";
+  const std::string unit = rule.unit[0] == '\0' ? "" : std::string(", in ") + rule.unit;
+  return quoted + "is not a number. Write a number such as " + example + unit + ".";
+}
+
+}  // namespace
+
+NumberInput read_number(const std::string& typed, const NumberRule& rule) {
+  std::string text = typed;
+  trim(text);
+  if (text.empty()) return {{}, "Write a number. " + range_error(rule)};
+  constexpr std::string_view kMinus = "−";
+  if (text.starts_with(kMinus)) text.replace(0, kMinus.size(), "-");
+  drop_unit(text, rule);
+  const auto value = number_in(text);
+  if (!value) return {{}, syntax_error(typed, rule)};
+  if (!(*value >= rule.least && *value <= rule.most)) return {{}, range_error(rule)};
+  if (rule.whole && *value != std::round(*value)) {
+    return {{}, "“" + typed + "” is not a whole number. Write digits only, such as 20."};
+  }
+  return {*value == 0 ? 0 : *value, {}};  // no minus zero
+}
+
+std::string exact_text(double value) {
+  char text[32];
+  const auto result = std::to_chars(text, text + sizeof text, value);
+  return {text, result.ptr};
+}
+
+}  // namespace alphascope

@@ -1,0 +1,40 @@
+// Numbers that people type, in the window and after the program's name: one reader, one place for
+// the bounds. Pure text.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "core/geometry/lattice.hpp"
+
+namespace alphascope {
+
+struct NumberRule {
+  const char* name;  // begins a sentence: "Alpha"
+  double least, most;
+  const char* unit = "";  // may be typed after the number: "Å", "Å²", "%"
+  bool whole = false;
+};
+
+inline constexpr NumberRule kAlphaRule{"Alpha", -kMaxAlphaAngstrom2, kMaxAlphaAngstrom2, "Å²"};
+inline constexpr NumberRule kSolventRule{"The solvent radius", 0, 100, "Å"};
+inline constexpr NumberRule kBallRadiusRule{"A radius", 0.001, 60, "Å"};
+inline constexpr NumberRule kPictureSizeRule{"Width and height", 16, 16384, "", true};
+inline constexpr NumberRule kControlScaleRule{"The scale", 0.5, 4};
+inline constexpr NumberRule kModelSpeedRule{"The speed", 0.5, 30, "/ s"};
+inline constexpr NumberRule kRunsRule{"The number of runs", 1, 1000, "", true};
+inline constexpr NumberRule kRowSecondsRule{"The time for a row", 1, 86400, "s", true};
+
+struct NumberInput {
+  std::optional<double> value;  // within the rule
+  std::string error;            // a sentence with the remedy; empty when there is a value
+};
+
+// "1.4", "1,4" (a decimal comma), "-2e3", " 1.4 Å ", "−3". Whatever else is refused: nothing that
+// was typed is dropped.
+NumberInput read_number(const std::string& text, const NumberRule& rule);
+
+// As few digits as give the same number when read again: "1.4", "1e+24".
+std::string exact_text(double value);
+
+}  // namespace alphascope

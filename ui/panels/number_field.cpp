@@ -1,0 +1,112 @@
+// See the header.
+#include "ui/panels/number_field.hpp"
+
+// Needs imgui.h first.
+#include <imgui_stdlib.h>
+
+#include <cmath>
+#include <utility>
+
+namespace alphascope {
+namespace {
+
+// Over what is below, so that nothing moves.
+void reason(PanelContext& ctx, const char* name, const std::string& text) {
+  const WidgetRect field = ctx.rects[name];
+  constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_Tooltip | ImGuiWindowFlags_NoInputs |
+                                      ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove |
+                                      ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoSavedSettings |
+                                      ImGuiWindowFlags_AlwaysAutoResize;
+  ImGui::SetNextWindowPos({field.x0, field.y1 + ctx.px(3)});
+  ImGui::Begin("##number_reason", nullptr, kFlags);
+  ImGui::PushStyleColor(ImGuiCol_Text, to_imgui(ctx.palette.error));
+  ImGui::PushTextWrapPos(ctx.px(280));
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopTextWrapPos();
+  ImGui::PopStyleColor();
+  record(ctx, (std::string(name) + ".error").c_str());
+  ImGui::End();
+}
+
+// True when the typing is over and the text was changed.
+bool type(PanelContext& ctx, const char* name, const std::string& shown, std::string& text) {
+  NumberTyping& typing = ctx.state.memory.number;
+  const bool mine = typing.name == name, wrong = mine && !typing.error.empty();
+  text = mine ? typing.text : shown;
+  if (mine && std::exchange(typing.focus, false)) ImGui::SetKeyboardFocusHere();
+  if (wrong) {
+    ImGui::PushStyleColor(ImGuiCol_Border, to_imgui(ctx.palette.error));
+    ImGui::PushStyleVar(ImGuiStyleVar_FrameBorderSize, ctx.px(1));
+  }
+  ImGui::PushID(name);
+  ImGui::InputText("##number", &text, ImGuiInputTextFlags_AutoSelectAll);
+  ImGui::PopID();
+  if (wrong) {
+    ImGui::PopStyleVar();
+    ImGui::PopStyleColor();
+  }
+  record(ctx, name);
+  if (ImGui::IsItemActivated()) {
+    typing.error.clear();
+    if (typing.name != name) typing = {name, shown, {}};
+  }
+  if (typing.name == name) typing.text = text;
+  return ImGui::IsItemDeactivated();
+}
+
+}  // namespace
+
+bool number_field(PanelContext& ctx, const char* name, double& value, const NumberRule& rule) {
+  NumberTyping& typing = ctx.state.memory.number;
+  const std::string shown = exact_text(value);
+  std::string text;
+  const bool over = type(ctx, name, shown, text);
+  if (typing.name != name) return false;
+  bool changed = false;
+  if (over) {
+    const NumberInput input = read_number(text, rule);
+    changed = input.value && *input.value != value;
+    if (changed) value = *input.value;
+    typing.error = text == shown ? "" : input.error;
+    if (typing.error.empty()) typing = {};
+  } else if (!typing.error.empty() && !ImGui::IsItemHovered() && ImGui::IsMouseClicked(0)) {
+    typing = {};  // given up
+  }
+  if (!typing.error.empty()) reason(ctx, name, typing.error);
+  return changed;
+}
+
+bool number_field(PanelContext& ctx, const char* name, int& value, const NumberRule& rule) {
+  double number = value;
+  if (!number_field(ctx, name, number, rule)) return false;
+  value = static_cast<int>(std::lround(number));
+  return true;
+}
+
+bool typed_instead(PanelContext& ctx, const char* name, double& value, const NumberRule& rule,
+                   bool& changed) {
+  NumberTyping& typing = ctx.state.memory.number;
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const ImVec2 end{corner.x + ImGui::CalcItemWidth(), corner.y + ImGui::GetFrameHeight()};
+  if (ImGui::GetIO().KeyCtrl && ImGui::IsMouseClicked(0) && ImGui::IsWindowHovered() &&
+      ImGui::IsMouseHoveringRect(corner, end) && typing.name != name) {
+    typing = {name, exact_text(value), {}, true};
+  }
+  if (typing.name != name) return false;
+  changed = number_field(ctx, name, value, rule);
+  return true;
+}
+
+bool number_slider(PanelContext& ctx, const char* name, double& value, double low, double high,
+                   const NumberRule& rule) {
+  bool changed = false;
+  if (typed_instead(ctx, name, value, rule, changed)) return changed;
+  ImGui::PushID(name);
+  changed = ImGui::SliderScalar("##slider", ImGuiDataType_Double, &value, &low, &high, "",
+                                ImGuiSliderFlags_NoInput);
+  ImGui::PopID();
+  record(ctx, name);
+  return changed;
+}
+
+}  // namespace alphascope

@@ -16,6 +16,23 @@ bool same_engine(const SessionRequest& a, const SessionRequest& b) {
          a.threads == b.threads && a.tuples == b.tuples;
 }
 
+std::string memory_remedy(SessionState::Source source) {
+  switch (source) {
+    case SessionState::Source::computing:
+      return "There is not enough memory for this complex. Use a smaller alpha or solvent radius, "
+             "compute tetrahedra only, keep fewer atoms, or close other programs.";
+    case SessionState::Source::comparing:
+      return "There is not enough memory to compare with CGAL. Use a smaller alpha, compute "
+             "tetrahedra only, or close other programs.";
+    case SessionState::Source::none:
+    case SessionState::Source::opening:
+    case SessionState::Source::changing:
+      break;
+  }
+  return "There is not enough memory for so many atoms. Choose no assembly or a smaller one, one "
+         "model, or fewer chains, or close other programs.";
+}
+
 AlphaComplex without_simplices(AlphaComplex complex) {
   complex.vertices = {};
   complex.edges = {};
@@ -81,7 +98,7 @@ void Session::submit_reopen() {
         auto opened = std::make_shared<const OpenedMolecule>(reopen(*before, options, context));
         return [this, opened] { take_opened(opened); };
       },
-      failure_of(Source::opening, ""));
+      failure_of(Source::changing, ""));
 }
 
 void Session::take_opened(std::shared_ptr<const OpenedMolecule> opened) {
@@ -248,17 +265,19 @@ void Session::forget_reference_timings() {
 
 Worker::FailureHandler Session::failure_of(Source source, std::string prefix) {
   return [this, source, prefix = std::move(prefix)](const Worker::Failure& failure) {
-    if (source == Source::opening) opening_failed();
+    if (source == Source::opening || source == Source::changing) opening_failed();
     if (failure.cancelled) return;
-    state_.last_error = prefix + failure.message;
-    error_source_ = source;
+    state_.last_error = failure.out_of_memory ? memory_remedy(source) : prefix + failure.message;
+    state_.error_source = source;
     changes_.error = true;
   };
 }
 
 void Session::succeeded(Source source) {
-  if (error_source_ != source) return;
-  error_source_ = Source::none;
+  const bool same = state_.error_source == source ||
+                    (source == Source::opening && state_.error_source == Source::changing);
+  if (!same) return;
+  state_.error_source = Source::none;
   state_.last_error.clear();
   changes_.error = true;
 }

@@ -44,7 +44,10 @@ struct SessionState {
   ColdAndWarm our_timings, reference_timings;  // of the present balls, solvent radius and engine
   // CGAL with all threads; not of machines without enough threads. Follows an agreement.
   ColdAndWarm parallel_timings;
-  std::string last_error;  // empty once the same thing has succeeded
+  // Of what failed last; the text is empty once the same thing has succeeded.
+  enum class Source { none, opening, changing, computing, comparing };  // changing: what is open
+  std::string last_error;
+  Source error_source = Source::none;
 
   // `ours` answers the latest request.
   bool up_to_date() const { return ours && ours->request == request; }
@@ -130,7 +133,7 @@ class Session {
   void take_opened(std::shared_ptr<const OpenedMolecule> opened);
   void take_answer(std::shared_ptr<const Answer> answer);
   void take_agreement(std::shared_ptr<const Agreement> agreement);
-  enum class Source { none, opening, computing, comparing };
+  using Source = SessionState::Source;
   Worker::FailureHandler failure_of(Source source, std::string prefix);
   void succeeded(Source source);
 
@@ -138,7 +141,6 @@ class Session {
   OpenOptions options_;
   SessionState state_;
   SessionChanges changes_;
-  Source error_source_ = Source::none;
   std::filesystem::path opening_path_;  // empty when none is on its way
   bool comparison_wanted_ = false;
   bool reference_anew_ = false;   // of the next comparison

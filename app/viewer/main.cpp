@@ -28,7 +28,10 @@ int drive(alphascope::Viewer& viewer, const alphascope::ViewerOptions& options) 
     alphascope::ScriptedInput no_input;
     viewer.shoot(*options.shot, &no_input);
   }
-  if (!viewer.state().error.empty()) throw std::runtime_error(viewer.state().error);
+  const alphascope::ViewState& state = viewer.state();
+  for (const std::string& error : {state.error, state.compute_error}) {
+    if (!error.empty()) throw std::runtime_error(error);
+  }
   return 0;
 }
 

@@ -76,6 +76,12 @@ void Viewer::fill_constants() {
 }
 
 void Viewer::open(const std::filesystem::path& path) {
+  if (benchmark_.busy()) {  // it is of the open molecule, and would measure the reading too
+    state_.tell("A benchmark is running",
+                path.filename().string() +
+                    " was not opened. Cancel the benchmark or wait for its end, then open it.");
+    return;
+  }
   state_.notice.clear();
   state_.drop_note.clear();
   state_.memory.browser_folder = path.parent_path();
@@ -86,7 +92,7 @@ void Viewer::open_dropped(const std::vector<std::filesystem::path>& files) {
   const DroppedFiles dropped = choose_dropped(files);
   if (!dropped.opened) return;
   open(*dropped.opened);
-  state_.drop_note = dropped.note;
+  if (!benchmark_.busy()) state_.drop_note = dropped.note;
   frames_due_ = kSettlingFrames;
 }
 
@@ -166,13 +172,14 @@ void Viewer::take_session() {
     state_.cgal = describe_timings(s.reference_timings);
     state_.cgal_parallel = describe_timings(s.parallel_timings);
   }
+  SelectionControls before = state_.selection;
   if (changes.options) {  // what was asked for failed or was cancelled
     state_.selection = sent_selection_ = to_controls(session_.open_options(), radii_sets_);
     state_.memory.playing_models = false;
   }
-  if (changes.error && !s.last_error.empty()) {
-    state_.error = s.last_error;
-    state_.memory.playing = state_.memory.playing_models = false;
+  if (changes.error) {
+    before.model = state_.selection.model;
+    take_error(changes.options && before == state_.selection);
   }
   if (changes.any()) {
     frames_due_ = kSettlingFrames;
@@ -211,6 +218,11 @@ void Viewer::update_badge() {
   const bool comparing = session_.activity().comparing.busy;
   if (!comparing) comparing_since_.reset();
   if (comparing && !comparing_since_) comparing_since_ = Clock::now();
+  const SessionState& s = session_.state();
+  if (state_.badge.state == BadgeInfo::State::not_compared &&
+      s.error_source == SessionState::Source::comparing) {
+    state_.badge = {BadgeInfo::State::failed, s.last_error};
+  }
   if (comparing) {
     state_.badge.seconds = std::chrono::duration<double>(Clock::now() - *comparing_since_).count();
   }
@@ -287,7 +299,7 @@ void Viewer::save_picture(const ScreenshotRequest& request) {
     saver_.start(scene_.picture(request));
     state_.notice.clear();
   } catch (const std::exception& error) {
-    state_.error = error.what();
+    state_.tell("The picture cannot be saved", error.what());
   }
   frames_due_ = kSettlingFrames;
 }
@@ -295,7 +307,7 @@ void Viewer::save_picture(const ScreenshotRequest& request) {
 void Viewer::take_saved() {
   const PictureSaver::Outcome outcome = saver_.poll();
   if (!outcome.notice.empty()) state_.notice = outcome.notice;
-  if (!outcome.error.empty()) state_.error = outcome.error;
+  if (!outcome.error.empty()) state_.tell("The picture cannot be saved", outcome.error);
   saver_.describe(state_.saving);
   if (!outcome.any()) return;
   frames_due_ = kSettlingFrames;
@@ -386,19 +398,21 @@ bool Viewer::interacting() const {
 void Viewer::draw(ScriptedInput* input, bool patient,
                   const std::function<void(unsigned)>& before_swap) {
   update_busy();
-  describe_under_mouse();
+  guarded([this] { describe_under_mouse(); });
   if (!frame_.begin(state_.theme, input)) return;
   draw_window(state_, rects_, frame_.fonts(), frame_.scale());
   for (const PointerEvent& event : state_.viewport.events) scene_.pointer(event);
-  take_requests();
-  play();
-  play_models();
-  send_controls();
-  scene_.poll();
+  guarded([this] {
+    take_requests();
+    play();
+    play_models();
+    send_controls();
+    scene_.poll();
+  });
   // After the panels, so that the picture has this frame's size; ImGui draws it afterwards. Not
   // while input waits for its frame: a slow picture each would make the window follow late.
   if (input != nullptr || !host_.input().waiting()) {
-    scene_.render(state_.viewport, interacting(), patient);
+    guarded([&] { scene_.render(state_.viewport, interacting(), patient); });
   }
   frame_.end([&](unsigned framebuffer) {
     if (before_swap) before_swap(framebuffer);
@@ -408,8 +422,10 @@ void Viewer::draw(ScriptedInput* input, bool patient,
 
 void Viewer::step(ScriptedInput* input) {
   host_.wait_events(0);
-  take_session();
-  compare_when_due();
+  guarded([this] {
+    take_session();
+    compare_when_due();
+  });
   draw(input, patient_);
 }
 
@@ -449,10 +465,12 @@ void Viewer::run() {
       frames_due_ = kSettlingFrames;
       tooltip_due_.reset();
     }
-    open_dropped(host_.take_dropped_files());
-    take_session();
-    compare_when_due();
-    scene_.poll();
+    guarded([this] {
+      open_dropped(host_.take_dropped_files());
+      take_session();
+      compare_when_due();
+      scene_.poll();
+    });
     const bool playing = state_.memory.playing || state_.memory.playing_models;
     const bool due = frames_due_ > 0 || playing || working() || scene_.wants_frame() ||
                      state_.selection != sent_selection_;

@@ -52,6 +52,9 @@ class Viewer {
   using Clock = std::chrono::steady_clock;
 
   void fill_constants();
+  // Runs what may throw on the main thread; what it throws is shown, and the program goes on.
+  void guarded(const std::function<void()>& what);
+  void take_error(bool only_the_model_changed);
   void take_session();  // results and failures into the state
   // As busy(), but for a benchmark: frames drawn meanwhile would be in its times.
   bool working() const;

@@ -8,16 +8,18 @@ namespace alphascope {
 
 namespace {
 
-// A job's exception as a sentence for its user.
-std::string message_of(const std::exception_ptr& exception) {
+// The exception at hand, for its user.
+Worker::Failure present_failure() {
   try {
-    std::rethrow_exception(exception);
+    throw;
+  } catch (const Cancelled&) {
+    return {"cancelled", true};
   } catch (const std::bad_alloc&) {
-    return "not enough memory for this computation";
+    return {"not enough memory for this computation", false, true};
   } catch (const std::exception& e) {
-    return e.what();
+    return {e.what()};
   } catch (...) {
-    return "an unknown error";
+    return {"an unknown error"};
   }
 }
 
@@ -131,10 +133,8 @@ void Worker::run_job(Request request) {
   std::optional<Failure> failure;
   try {
     delivery = request.job(context);
-  } catch (const Cancelled&) {
-    failure = Failure{"cancelled", true};
   } catch (...) {
-    failure = Failure{message_of(std::current_exception()), false};
+    failure = present_failure();
   }
   request.job = {};  // what it captured may be large, and must not outlive the hand-over
   hand_over(request, delivery, std::move(failure));
@@ -152,7 +152,15 @@ void Worker::hand_over(Request& request, Delivery& delivery, std::optional<Failu
     return;  // superseded: nobody waits for this request
   }
   if (!failure) {
-    if (delivery) arrived_.push_back(std::move(delivery));
+    if (!delivery) return;
+    arrived_.push_back([deliver = std::move(delivery), tell = std::move(request.on_failure)] {
+      try {
+        deliver();
+      } catch (...) {
+        if (!tell) throw;
+        tell(present_failure());
+      }
+    });
   } else if (request.on_failure) {
     arrived_.push_back(
         [tell = std::move(request.on_failure), f = *std::move(failure)] { tell(f); });

@@ -27,6 +27,7 @@ class Worker {
   struct Failure {
     std::string message;
     bool cancelled = false;  // by cancel(), not by a newer request (that is silent)
+    bool out_of_memory = false;
   };
   // Runs on the main thread, inside poll().
   using FailureHandler = std::function<void(const Failure&)>;
@@ -60,7 +61,8 @@ class Worker {
   void cancel();
 
   // Runs what has arrived on the calling thread; returns how many jobs that were. An exception from
-  // a delivery passes through; the deliveries after it stay for the next poll.
+  // a delivery goes to its job's failure handler, as the job's own would. Without a handler, or
+  // from it, it passes through; the deliveries after it stay for the next poll.
   std::size_t poll();
 
   Activity activity() const;

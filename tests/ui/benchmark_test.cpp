@@ -100,7 +100,7 @@ TEST_F(ViewerTest, ACancelledBenchmarkKeepsWhatItHasAndABadAlphaIsTold) {
   c.alphas = "zero";
   run("click benchmark.run\nframes 2\n");
   const BenchmarkInfo& b = viewer_->state().benchmark;
-  EXPECT_NE(b.error.find("\"zero\""), std::string::npos);
+  EXPECT_NE(b.error.find("“zero”"), std::string::npos);
   c.alphas = "0, 1";
   c.runs = 1000;
   run("click benchmark.run\nframes 2\n");

@@ -8,8 +8,8 @@
 #include <cmath>
 
 #include "core/chart/layout.hpp"
+#include "ui/panels/dialog_stack.hpp"
 #include "ui/panels/format.hpp"
-#include "ui/panels/keys.hpp"
 #include "ui/panels/number_field.hpp"
 #include "ui/panels/panels.hpp"
 
@@ -149,11 +149,14 @@ void run_row(PanelContext& ctx) {
   ViewState& s = ctx.state;
   BenchmarkInfo& b = s.benchmark;
   row_label(ctx, "");
+  // Never where Run was: a second click there must not cancel.
+  ImGui::BeginDisabled(!b.running);
+  if (button(ctx, "benchmark.cancel", "Cancel", {ctx.px(100), 0})) {
+    s.requests.cancel_benchmark = true;
+  }
+  ImGui::EndDisabled();
+  ImGui::SameLine();
   if (b.running) {
-    if (button(ctx, "benchmark.cancel", "Cancel", {ctx.px(100), 0})) {
-      s.requests.cancel_benchmark = true;
-    }
-    ImGui::SameLine(0, ctx.px(12));
     ImGui::ProgressBar(static_cast<float>(b.share), {ctx.px(160), 0});
     ImGui::SameLine(0, ctx.px(12));
     muted_text(ctx, b.progress);
@@ -281,13 +284,9 @@ void export_row(PanelContext& ctx) {
   ImGui::SameLine(ImGui::GetContentRegionMax().x - ctx.px(100));
   ImGui::BeginDisabled(s.benchmark.running);
   const bool closed = button(ctx, "benchmark.close", "Close", {ctx.px(100), 0}) ||
-                      (!s.benchmark.running && !ImGui::GetIO().WantTextInput &&
-                       ImGui::IsKeyPressed(key::kEscape, false));
+                      (!s.benchmark.running && escape_pressed(ctx));
   ImGui::EndDisabled();
-  if (closed) {
-    s.memory.show_benchmark = false;
-    ImGui::CloseCurrentPopup();
-  }
+  if (closed) s.memory.show_benchmark = false;
 }
 
 void message(PanelContext& ctx) {
@@ -303,21 +302,14 @@ void message(PanelContext& ctx) {
 
 void draw_benchmark_page(PanelContext& ctx) {
   constexpr const char* kTitle = "Benchmark: the thesis' table and figures";
-  ViewState& s = ctx.state;
-  if (!s.memory.show_benchmark) return;
-  if (!ImGui::IsPopupOpen(kTitle)) ImGui::OpenPopup(kTitle);
   const ImVec2 display = ImGui::GetIO().DisplaySize;
-  ImGui::SetNextWindowPos({display.x / 2, display.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
-  ImGui::SetNextWindowSize({display.x * 0.92f, display.y * 0.9f});
-  constexpr ImGuiWindowFlags kFlags =
-      ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings;
-  if (!ImGui::BeginPopupModal(kTitle, nullptr, kFlags)) return;
+  if (!begin_dialog(ctx, kTitle, {display.x * 0.92f, display.y * 0.9f})) return;
   controls(ctx);
   run_row(ctx);
   message(ctx);
   results(ctx, ImGui::GetContentRegionAvail().y - ImGui::GetFrameHeightWithSpacing() - ctx.px(6));
   export_row(ctx);
-  ImGui::EndPopup();
+  end_dialog(ctx);
 }
 
 }  // namespace alphascope

@@ -3,60 +3,21 @@
 #include <imgui_stdlib.h>
 
 #include <algorithm>
-#include <cstdio>
+#include <tuple>
 
+#include "ui/panels/dialog_stack.hpp"
 #include "ui/panels/format.hpp"
-#include "ui/panels/keys.hpp"
 #include "ui/panels/number_field.hpp"
 #include "ui/panels/panels.hpp"
 
 namespace alphascope {
 namespace {
 
-constexpr ImGuiWindowFlags kModalFlags = ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
-                                         ImGuiWindowFlags_NoSavedSettings |
-                                         ImGuiWindowFlags_AlwaysAutoResize;
+constexpr float kWidth = 440;  // pixels at scale 1, of most dialogs
 
 // Peak memory of the whole window with an assembly's complex at alpha 0 on the CPU engine, per
 // atom: 890 bytes for 1M4X' assembly 4 (1.6 million atoms), 1,190 for 3J6R's (1.0 million).
 constexpr std::uint64_t kBytesPerAtomShown = 1200;
-
-bool begin_modal(PanelContext& ctx, const char* title, bool wanted) {
-  if (wanted && !ImGui::IsPopupOpen(title)) ImGui::OpenPopup(title);
-  if (!wanted) return false;
-  const ImVec2 display = ImGui::GetIO().DisplaySize;
-  ImGui::SetNextWindowPos({display.x / 2, display.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
-  (void)ctx;
-  return ImGui::BeginPopupModal(title, nullptr, kModalFlags);
-}
-
-bool dismissed_by_key() {
-  return ImGui::IsKeyPressed(key::kEscape, false) || ImGui::IsKeyPressed(key::kEnter, false) ||
-         ImGui::IsKeyPressed(key::kKeypadEnter, false);
-}
-
-void error_dialog(PanelContext& ctx) {
-  std::string& error = ctx.state.error;
-  if (!begin_modal(ctx, "That did not work", !error.empty())) return;
-  ImGui::Dummy({ctx.px(420), 0});
-  ImGui::PushTextWrapPos(ctx.px(440));
-  ImGui::TextUnformatted(error.c_str());
-  ImGui::PopTextWrapPos();
-  if (ctx.state.molecule.loaded) {
-    ImGui::Spacing();
-    muted_text(ctx, "The molecule that was open before still is.");
-  }
-  ImGui::Dummy({0, ctx.px(6)});
-  if (button(ctx, "error.copy", "Copy text", {ctx.px(100), 0})) {
-    ImGui::SetClipboardText(error.c_str());
-  }
-  ImGui::SameLine(ctx.px(440) - ctx.px(90));
-  if (button(ctx, "error.ok", "OK", {ctx.px(100), 0}, ButtonKind::primary) || dismissed_by_key()) {
-    error.clear();
-    ImGui::CloseCurrentPopup();
-  }
-  ImGui::EndPopup();
-}
 
 void shortcut_rows(PanelContext& ctx, const char* title,
                    std::initializer_list<std::pair<const char*, const char*>> rows) {
@@ -75,9 +36,11 @@ void shortcut_rows(PanelContext& ctx, const char* title,
   ImGui::Dummy({0, ctx.px(4)});
 }
 
-void cheat_sheet(PanelContext& ctx) {
+}  // namespace
+
+void draw_cheat_sheet(PanelContext& ctx) {
   bool& show = ctx.state.memory.show_cheat_sheet;
-  if (!begin_modal(ctx, "Mouse and keyboard", show)) return;
+  if (!begin_dialog(ctx, "Mouse and keyboard")) return;
   shortcut_rows(ctx, "View",
                 {{"drag", "turn"},
                  {"middle drag, shift + drag", "shift"},
@@ -97,17 +60,14 @@ void cheat_sheet(PanelContext& ctx) {
                  {"Ctrl + S", "save a picture"},
                  {"Ctrl + Q", "quit"},
                  {"F1", "this page"}});
-  if (button(ctx, "cheat_sheet.close", "Close", {ctx.px(100), 0}, ButtonKind::primary) ||
-      dismissed_by_key()) {
-    show = false;
-  }
-  if (!show) ImGui::CloseCurrentPopup();
-  ImGui::EndPopup();
+  ImGui::NewLine();
+  if (close_button(ctx, ctx.px(468), {"cheat_sheet.close", "Close"})) show = false;
+  end_dialog(ctx);
 }
 
-void about(PanelContext& ctx) {
+void draw_about(PanelContext& ctx) {
   bool& show = ctx.state.memory.show_about;
-  if (!begin_modal(ctx, "About Alphascope", show)) return;
+  if (!begin_dialog(ctx, "About Alphascope")) return;
   ImGui::PushFont(ctx.fonts.large);
   ImGui::TextUnformatted(("Alphascope " + ctx.state.version).c_str());
   ImGui::PopFont();
@@ -119,14 +79,13 @@ void about(PanelContext& ctx) {
   ImGui::Spacing();
   muted_text(ctx, "Free software under the GNU GPL, version 3 or later.");
   muted_text(ctx, "Built on CGAL, VTK, Dear ImGui, GLFW, oneTBB and gemmi.");
-  ImGui::Dummy({ctx.px(440), ctx.px(6)});
-  if (button(ctx, "about.close", "Close", {ctx.px(100), 0}, ButtonKind::primary) ||
-      dismissed_by_key()) {
-    show = false;
-    ImGui::CloseCurrentPopup();
-  }
-  ImGui::EndPopup();
+  ImGui::Dummy({ctx.px(kWidth), ctx.px(6)});
+  ImGui::NewLine();
+  if (close_button(ctx, ctx.px(kWidth), {"about.close", "Close"})) show = false;
+  end_dialog(ctx);
 }
+
+namespace {
 
 void assembly_facts(PanelContext& ctx, const AssemblyRow& a) {
   const auto number = [](std::uint64_t n) { return with_separators(static_cast<long long>(n)); };
@@ -150,33 +109,32 @@ void assembly_facts(PanelContext& ctx, const AssemblyRow& a) {
   record(ctx, "assembly.too_large");
 }
 
-void confirm_assembly(PanelContext& ctx) {
+}  // namespace
+
+void draw_confirm_assembly(PanelContext& ctx) {
   ViewState& s = ctx.state;
   std::string& id = s.memory.confirm_assembly;
   const auto& list = s.molecule.assemblies;
   const auto found =
       std::find_if(list.begin(), list.end(), [&](const AssemblyRow& a) { return a.id == id; });
   if (found == list.end()) id.clear();
-  if (!begin_modal(ctx, "Expand a large assembly?", !id.empty())) return;
-  ImGui::Dummy({ctx.px(440), 0});
-  assembly_facts(ctx, *found);
+  if (!begin_dialog(ctx, "Expand a large assembly?")) return;
+  ImGui::Dummy({ctx.px(kWidth), 0});
+  if (found != list.end()) assembly_facts(ctx, *found);
   ImGui::Dummy({0, ctx.px(6)});
   muted_wrapped(ctx,
                 "Expanding and computing can be cancelled; until the copies are made, the present "
                 "molecule stays.");
   ImGui::Dummy({0, ctx.px(6)});
-  const bool expand =
-      button(ctx, "assembly.expand", "Expand", {ctx.px(100), 0}, ButtonKind::primary);
-  ImGui::SameLine();
-  const bool cancel = button(ctx, "assembly.cancel", "Cancel", {ctx.px(100), 0}) ||
-                      ImGui::IsKeyPressed(key::kEscape, false);
-  if (expand) s.selection.assembly = id;
-  if (expand || cancel) {
-    id.clear();
-    ImGui::CloseCurrentPopup();
-  }
-  ImGui::EndPopup();
+  ImGui::NewLine();
+  const DialogAnswer answer = dialog_buttons(ctx, ctx.px(kWidth), {"assembly.cancel", "Cancel"},
+                                             {"assembly.expand", "Expand"});
+  if (answer == DialogAnswer::confirm) s.selection.assembly = id;
+  if (answer != DialogAnswer::none) id.clear();
+  end_dialog(ctx);
 }
+
+namespace {
 
 void size_preset(PanelContext& ctx, const char* name, const char* label, int width, int height) {
   if (button(ctx, name, label)) {
@@ -257,11 +215,13 @@ void save_marks(PanelContext& ctx) {
           "that the view turns about.");
 }
 
-void save_picture(PanelContext& ctx) {
+}  // namespace
+
+void draw_save_picture(PanelContext& ctx) {
   ViewState& s = ctx.state;
   PanelMemory& m = s.memory;
-  if (m.show_save && m.save_path.empty()) m.save_path = "alphascope.png";
-  if (!begin_modal(ctx, "Save a picture", m.show_save)) return;
+  if (m.save_path.empty()) m.save_path = "alphascope.png";
+  if (!begin_dialog(ctx, "Save a picture")) return;
   row_label(ctx, "File");
   ImGui::SetNextItemWidth(ctx.px(340));
   const bool entered =
@@ -277,31 +237,44 @@ void save_picture(PanelContext& ctx) {
   muted_text(ctx, "File, selection, radii, alpha and hash are written into the picture.");
   ImGui::PopFont();
   ImGui::Dummy({0, ctx.px(6)});
-  if (button(ctx, "save.cancel", "Cancel", {ctx.px(100), 0}) ||
-      ImGui::IsKeyPressed(key::kEscape, false)) {
-    m.show_save = false;
-  }
-  ImGui::SameLine(ctx.px(364));
-  ImGui::BeginDisabled(m.save_path.empty());
-  if (button(ctx, "save.ok", "Save", {ctx.px(100), 0}, ButtonKind::primary) ||
-      (entered && !m.save_path.empty())) {
+  ImGui::NewLine();
+  const DialogAnswer answer = dialog_buttons(ctx, ctx.px(kWidth + 24), {"save.cancel", "Cancel"},
+                                             {"save.ok", "Save"}, !m.save_path.empty());
+  if (answer == DialogAnswer::confirm || (entered && !m.save_path.empty())) {
     s.requests.screenshot = {picture_path(m),    m.save_width,  m.save_height,
                              m.save_transparent, m.save_legend, m.save_scale_bar};
     m.show_save = false;
   }
-  ImGui::EndDisabled();
-  if (!m.show_save) ImGui::CloseCurrentPopup();
-  ImGui::EndPopup();
+  if (answer == DialogAnswer::cancel) m.show_save = false;
+  end_dialog(ctx);
 }
 
-}  // namespace
-
-void draw_dialogs(PanelContext& ctx) {
-  cheat_sheet(ctx);
-  about(ctx);
-  save_picture(ctx);
-  confirm_assembly(ctx);
-  error_dialog(ctx);
+void draw_error(PanelContext& ctx) {
+  ViewState& s = ctx.state;
+  const std::string title =
+      (s.error_title.empty() ? "That did not work" : s.error_title) + "###error";
+  if (!begin_dialog(ctx, title.c_str())) return;
+  ImGui::Dummy({ctx.px(kWidth), 0});
+  ImGui::PushTextWrapPos(ctx.px(kWidth));
+  ImGui::TextUnformatted(s.error.c_str());
+  ImGui::PopTextWrapPos();
+  if (s.molecule.loaded) {
+    ImGui::Spacing();
+    muted_text(ctx, "The molecule that was open is still open.");
+  }
+  ImGui::Dummy({0, ctx.px(6)});
+  if (button(ctx, "error.copy", "Copy text", {ctx.px(100), 0})) {
+    ImGui::SetClipboardText(s.error.c_str());
+  }
+  if (close_button(ctx, ctx.px(kWidth), {"error.ok", "OK"})) {
+    s.error_title.clear();
+    s.error.clear();
+    if (!s.more_errors.empty()) {
+      std::tie(s.error_title, s.error) = s.more_errors.front();
+      s.more_errors.pop_front();
+    }
+  }
+  end_dialog(ctx);
 }
 
 }  // namespace alphascope

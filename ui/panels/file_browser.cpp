@@ -7,9 +7,9 @@
 #include <cstdlib>
 #include <utility>
 
+#include "ui/panels/dialog_stack.hpp"
 #include "ui/panels/folder_listing.hpp"
 #include "ui/panels/format.hpp"
-#include "ui/panels/keys.hpp"
 #include "ui/panels/panels.hpp"
 
 namespace alphascope {
@@ -71,7 +71,6 @@ void open(ViewState& s, const fs::path& file) {
     s.requests.open = file;
   }
   s.memory.show_browser = false;
-  ImGui::CloseCurrentPopup();
 }
 
 // A folder is entered, anything else is opened.
@@ -280,17 +279,12 @@ void buttons(PanelContext& ctx) {
     checkbox(ctx, "browser.hidden", "Hidden ones", s.memory.browser_hidden_ones);
     tooltip(ctx, "Files and folders whose names start with a dot.");
   }
-  const float width = ctx.px(96);
-  ImGui::SameLine(ImGui::GetWindowWidth() - 2 * width - ctx.px(20));
-  if (button(ctx, "browser.cancel", "Cancel", {width, 0}) ||
-      ImGui::IsKeyPressed(key::kEscape, false)) {
-    s.memory.show_browser = false;
-    ImGui::CloseCurrentPopup();
-  }
-  ImGui::SameLine();
-  ImGui::BeginDisabled(s.memory.browser_typed.empty());
-  if (button(ctx, "browser.open", "Open", {width, 0}, ButtonKind::primary)) accept_typed(s);
-  ImGui::EndDisabled();
+  const float width = ImGui::GetWindowWidth() - 2 * ImGui::GetStyle().WindowPadding.x;
+  const DialogAnswer answer =
+      dialog_buttons(ctx, width, {"browser.cancel", "Cancel"}, {"browser.open", "Open"},
+                     !s.memory.browser_typed.empty());
+  if (answer == DialogAnswer::cancel) s.memory.show_browser = false;
+  if (answer == DialogAnswer::confirm) accept_typed(s);
 }
 
 }  // namespace
@@ -302,26 +296,19 @@ std::optional<FolderQuery> wanted_listing(const PanelMemory& m) {
 
 void draw_file_browser(PanelContext& ctx) {
   PanelMemory& m = ctx.state.memory;
-  if (!m.show_browser) return;
   if (!ImGui::IsPopupOpen(title(m))) {
     enter(m, m.browser_folder.empty() ? sensible_start_folder() : m.browser_folder);
-    ImGui::OpenPopup(title(m));
   }
   const ImVec2 display = ImGui::GetIO().DisplaySize;
-  ImGui::SetNextWindowPos({display.x / 2, display.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
-  ImGui::SetNextWindowSize(
-      {std::min(ctx.px(640), display.x * 0.9f), std::min(ctx.px(480), display.y * 0.85f)});
-  if (!ImGui::BeginPopupModal(
-          title(m), nullptr,
-          ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings)) {
-    return;
-  }
+  const ImVec2 size{std::min(ctx.px(640), display.x * 0.9f),
+                    std::min(ctx.px(480), display.y * 0.85f)};
+  if (!begin_dialog(ctx, title(m), size)) return;
   path_row(ctx);
   const float bottom = ImGui::GetFrameHeightWithSpacing() + ImGui::GetTextLineHeightWithSpacing();
   listing(ctx, ImGui::GetContentRegionAvail().y - bottom - ctx.px(4));
   message_row(ctx);
   buttons(ctx);
-  ImGui::EndPopup();
+  end_dialog(ctx);
 }
 
 }  // namespace alphascope

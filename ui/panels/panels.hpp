@@ -13,9 +13,6 @@ void draw_display_panel(PanelContext& ctx);
 void draw_timings_panel(PanelContext& ctx);
 void draw_status_bar(PanelContext& ctx);
 void draw_viewport(PanelContext& ctx);
-void draw_file_browser(PanelContext& ctx);
-void draw_dialogs(PanelContext& ctx);
-void draw_benchmark_page(PanelContext& ctx);
 
 // Parts of the molecule panel: where the atoms come from, which are used, how large they are.
 void draw_source_rows(PanelContext& ctx);  // assembly and models

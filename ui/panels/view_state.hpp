@@ -3,10 +3,13 @@
 #pragma once
 
 #include <cstddef>
+#include <deque>
 #include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 #include "ui/panels/benchmark_info.hpp"
@@ -86,6 +89,7 @@ struct PanelMemory {
   bool timings_pinned = false;  // the user has chosen which
   float bottom_height = 0;      // pixels; 0: default
   NumberTyping number;
+  std::vector<std::size_t> dialogs;  // that are open, by dialog_stack.cpp; the last is on top
   bool dragging_view = false;
   bool playing = false;         // alpha grows by itself, one step a finished result
   bool playing_models = false;  // models follow one another as frames
@@ -129,7 +133,9 @@ struct ViewState {
   std::size_t memory_bytes = 0;  // of the whole program
   std::uint64_t free_bytes = 0;  // that the machine could still give; 0: unknown
   ExpressionError expression_error;
-  std::string error;  // shown as a dialog until dismissed
+  std::string error_title, error;                               // shown as a dialog until dismissed
+  std::deque<std::pair<std::string, std::string>> more_errors;  // titles and texts that come next
+  std::string compute_error;  // why the present alpha has no complex; one line over the view
   // Lines that say which of several dropped files is open; until dismissed, or another is opened.
   std::string drop_note;
   std::string notice;  // one line in the status bar, "saved /tmp/a.png"
@@ -138,6 +144,17 @@ struct ViewState {
 
   Requests requests;
   PanelMemory memory;
+
+  // Shows an error, after those that are not dismissed yet. For what the user asked for once; what
+  // follows a slider must not open a dialog at each step.
+  void tell(const std::string& title, const std::string& text) {
+    const std::pair<std::string, std::string> news{title, text};
+    if (error.empty()) {
+      std::tie(error_title, error) = news;
+    } else if (error != text && (more_errors.empty() || more_errors.back() != news)) {
+      more_errors.push_back(news);
+    }
+  }
 };
 
 }  // namespace alphascope

@@ -243,6 +243,17 @@ void outdated_note(PanelContext& ctx, ImVec2 corner) {
   record(ctx, "view.outdated");
 }
 
+// In the same place; a newer computation is under way when there is a picture of an older one.
+void compute_error_note(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
+  const ViewState& s = ctx.state;
+  if (s.compute_error.empty() || s.busy.active || s.viewport.outdated) return;
+  ImGui::SetCursorScreenPos(
+      {corner.x + ctx.px(16), corner.y + ctx.px(18) + ImGui::GetTextLineHeight()});
+  const std::string text = broken_lines(s.compute_error, size.x - ctx.px(32));
+  ImGui::TextColored(to_imgui(ctx.palette.error), "%s", text.c_str());
+  record(ctx, "view.compute_error");
+}
+
 void not_drawn_note(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
   const ViewportInfo& v = ctx.state.viewport;
   if (v.not_drawn.empty() || !ctx.state.molecule.loaded || v.outdated) return;
@@ -287,6 +298,7 @@ void draw_viewport(PanelContext& ctx) {
     legend(ctx, corner, size);
     caption(ctx, corner, size);
     outdated_note(ctx, corner);
+    compute_error_note(ctx, corner, size);
   }
   progress(ctx, corner, size);
   saving(ctx, corner, size);

@@ -20,6 +20,7 @@ struct PanelContext {
   const PanelFonts& fonts;
   const Palette& palette;
   float scale = 1;
+  std::size_t dialog = 0;  // that is being drawn: index into PanelMemory::dialogs
 
   float px(float pixels_at_scale_1) const { return pixels_at_scale_1 * scale; }
 };

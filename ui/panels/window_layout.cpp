@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "ui/panels/dialog_stack.hpp"
 #include "ui/panels/panels.hpp"
 
 namespace alphascope {
@@ -153,8 +154,6 @@ void draw_window(ViewState& state, WidgetRects& rects, const PanelFonts& fonts, 
   ImGui::End();
   timings(ctx, left, top + middle - bottom, right, bottom);
   status(ctx, display.y - status_height, display.x, status_height);
-  draw_file_browser(ctx);
-  draw_benchmark_page(ctx);
   draw_dialogs(ctx);
 }
 

@@ -173,6 +173,30 @@ TEST(Worker, ExceptionsArriveAsMessages) {
   EXPECT_FALSE(messages[2].empty());
 }
 
+TEST(Worker, ExceptionsOfADeliveryGoToItsFailureHandler) {
+  Worker worker;
+  std::vector<Worker::Failure> failures;
+  const auto note = [&](const Worker::Failure& failure) { failures.push_back(failure); };
+  const auto deliver_until = [&](std::size_t count) {
+    while (failures.size() < count) {
+      worker.poll();
+      std::this_thread::yield();
+    }
+  };
+  worker.submit(
+      [](const RunContext&) -> Worker::Delivery {
+        return [] { throw std::runtime_error("no such widget"); };
+      },
+      note);
+  deliver_until(1);
+  EXPECT_EQ(failures[0].message, "no such widget");
+  worker.submit(
+      [](const RunContext&) -> Worker::Delivery { return [] { throw std::bad_alloc(); }; }, note);
+  deliver_until(2);
+  EXPECT_TRUE(failures[1].out_of_memory);
+  EXPECT_FALSE(failures[0].out_of_memory);
+}
+
 TEST(Worker, CancelTellsTheLatestRequestEvenIfTheJobFinishesAnyway) {
   Worker worker;
   Gate gate;

@@ -1,0 +1,172 @@
+// Dialogs above one another, and where errors are told.
+#include <gtest/gtest.h>
+
+#include <new>
+
+#include "tests/ui/panels_fixture.hpp"
+#include "tests/ui/viewer_fixture.hpp"
+
+namespace alphascope {
+namespace {
+
+using testing::loaded_state;
+using testing::Panels;
+
+class DialogsTest : public ::testing::Test {
+ protected:
+  DialogsTest() {
+    p.state = loaded_state();
+    p.frame(2);
+  }
+  // Not one of several dialogs replaces another from frame to frame.
+  void expect_steady(std::initializer_list<const char*> widgets) {
+    for (int i = 0; i < 6; ++i) {
+      p.frame();
+      for (const char* name : widgets) EXPECT_TRUE(p.rects.contains(name)) << name;
+    }
+  }
+  Panels p{{1280, 800, 1}};
+};
+
+TEST_F(DialogsTest, TheCheatSheetOpensAboveTheBenchmarkPage) {
+  p.state.memory.show_benchmark = true;
+  p.frame(3);
+  p.tap(key::kF1);
+  p.frame(3);
+  expect_steady({"benchmark.run", "cheat_sheet.close"});
+  p.tap(key::kEscape);
+  p.frame(2);
+  EXPECT_FALSE(p.state.memory.show_cheat_sheet);
+  EXPECT_TRUE(p.state.memory.show_benchmark) << "Escape is for the dialog on top";
+  p.tap(key::kF1);
+  p.frame(3);
+  p.click("cheat_sheet.close");
+  p.click("benchmark.close");
+  EXPECT_FALSE(p.state.memory.show_benchmark);
+  p.click("alpha.preset.3");
+  EXPECT_DOUBLE_EQ(p.state.compute.alpha, 3) << "the mouse is the window's again";
+}
+
+TEST_F(DialogsTest, AnErrorOpensAboveTheFileBrowserWhichStays) {
+  p.state.memory.show_browser = true;
+  p.state.memory.browser_folder = "/";
+  p.frame(3);
+  p.state.memory.browser_typed = "/tmp/what I typed";
+  p.state.tell("The file cannot be opened", "x.pdb, line 3: no number.");
+  p.frame(3);
+  expect_steady({"browser.cancel", "error.ok"});
+  p.click("error.ok");
+  p.frame(2);
+  EXPECT_TRUE(p.state.error.empty());
+  EXPECT_EQ(p.state.memory.browser_typed, "/tmp/what I typed");
+  p.click("browser.cancel");
+  EXPECT_FALSE(p.state.memory.show_browser);
+  p.click("alpha.preset.3");
+  EXPECT_DOUBLE_EQ(p.state.compute.alpha, 3);
+}
+
+TEST_F(DialogsTest, EveryErrorIsToldOneAfterTheOther) {
+  for (const char* text : {"first", "second", "second", "third"}) p.state.tell("title", text);
+  for (const char* text : {"first", "second", "third"}) {
+    p.frame(3);
+    EXPECT_EQ(p.state.error, text);
+    p.click("error.ok");
+  }
+  p.frame(3);
+  EXPECT_TRUE(p.state.error.empty());
+  EXPECT_FALSE(p.rects.contains("error.ok"));
+}
+
+TEST_F(DialogsTest, AKeyThatClosesADialogLeavesTheMouseToTheWindow) {
+  p.tap(key::kF1);
+  p.frame(3);
+  p.tap(key::kF1);
+  p.frame(3);
+  EXPECT_FALSE(p.rects.contains("cheat_sheet.close"));
+  p.click("alpha.preset.3");
+  EXPECT_DOUBLE_EQ(p.state.compute.alpha, 3);
+}
+
+TEST_F(DialogsTest, CancelIsAtTheLeftOfWhatIsDone) {
+  p.state.molecule.assemblies = {{"1", "", 60, 1000000, 1}};
+  const auto at_left = [&](const char* cancel, const char* confirm) {
+    p.frame(4);
+    const WidgetRect c = p.rects.at(cancel), ok = p.rects.at(confirm);
+    EXPECT_LT(c.x1, ok.x0) << cancel;
+    EXPECT_FLOAT_EQ(c.y0, ok.y0) << cancel;
+  };
+  p.state.memory.show_save = true;
+  at_left("save.cancel", "save.ok");
+  p.state.memory.show_browser = true;
+  at_left("browser.cancel", "browser.open");
+  p.state.memory.confirm_assembly = "1";
+  at_left("assembly.cancel", "assembly.expand");
+  p.state.memory.show_benchmark = true;
+  at_left("benchmark.cancel", "benchmark.run");
+}
+
+// --- the program behind them
+
+class ErrorsTest : public testing::ViewerTest {
+ protected:
+  ErrorsTest() {
+    ViewerOptions options;
+    options.compare = false;
+    Session::Services services = Session::program_services();
+    services.make_engine = [this, make = services.make_engine](auto&&... arguments) {
+      if (no_memory_) throw std::bad_alloc();
+      return make(arguments...);
+    };
+    viewer_.reset();  // the fixture's; there is one ImGui
+    viewer_ = std::make_unique<Viewer>(*host_, options, services);
+    open_crambin();
+  }
+  bool no_memory_ = false;
+};
+
+TEST_F(ErrorsTest, AStepThatFailsIsALineAndNotADialog) {
+  no_memory_ = true;
+  run("click alpha.water\nwait-idle\nframes 3\n");
+  const ViewState& s = viewer_->state();
+  EXPECT_TRUE(s.error.empty()) << s.error;
+  EXPECT_NE(s.compute_error.find("etrahedra only"), std::string::npos) << s.compute_error;
+  EXPECT_TRUE(viewer_->widgets().contains("view.compute_error"));
+  no_memory_ = false;
+  run("click alpha.water\nwait-idle\nframes 3\n");
+  EXPECT_TRUE(s.compute_error.empty());
+  EXPECT_TRUE(s.result.present);
+}
+
+TEST_F(ErrorsTest, AFailedComparisonIsToldByTheBadge) {
+  no_memory_ = true;
+  run("click timings.compare\nwait-idle\nframes 3\n");
+  const ViewState& s = viewer_->state();
+  EXPECT_TRUE(s.error.empty()) << s.error;
+  EXPECT_EQ(s.badge.state, BadgeInfo::State::failed);
+  EXPECT_NE(s.badge.text.find("not enough memory"), std::string::npos) << s.badge.text;
+  no_memory_ = false;
+  run("click timings.compare\nwait-idle\nframes 3\n");
+  EXPECT_EQ(s.badge.state, BadgeInfo::State::identical);
+}
+
+TEST_F(ErrorsTest, AnExceptionOnTheMainThreadIsShownAndTheProgramGoesOn) {
+  viewer_->state().selection.radii_set = 99;  // there is no such set
+  run("wait-idle\nframes 3\n");
+  EXPECT_FALSE(viewer_->state().error.empty());
+  run("click error.ok\nclick alpha.preset.3\nwait-idle\n");
+  EXPECT_DOUBLE_EQ(viewer_->state().result.alpha, 3);
+}
+
+TEST_F(ErrorsTest, NothingIsOpenedWhileABenchmarkRuns) {
+  ViewState& s = viewer_->state();
+  run("click menu.tools\nclick menu.benchmark\nclick benchmark.run\n");
+  run("open " +
+      (testing::fs::path(ALPHASCOPE_SOURCE_DIR) / "resources/molecules/4hhb.pdb.gz").string() +
+      "\nframes 2\n");
+  EXPECT_NE(s.error.find("4hhb.pdb.gz was not opened"), std::string::npos) << s.error;
+  run("click error.ok\nclick benchmark.cancel\nwait-idle\n");
+  EXPECT_EQ(s.molecule.name, "1crn.pdb");
+}
+
+}  // namespace
+}  // namespace alphascope

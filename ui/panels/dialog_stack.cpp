@@ -1,0 +1,108 @@
+// See the header.
+#include "ui/panels/dialog_stack.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "ui/panels/keys.hpp"
+
+namespace alphascope {
+namespace {
+
+struct Entry {
+  bool (*wanted)(const ViewState& state);
+  void (*draw)(PanelContext& ctx);
+};
+
+// By DialogKind.
+constexpr std::array kDialogs{
+    Entry{[](const ViewState& s) { return s.memory.show_benchmark; }, draw_benchmark_page},
+    Entry{[](const ViewState& s) { return s.memory.show_browser; }, draw_file_browser},
+    Entry{[](const ViewState& s) { return s.memory.show_save; }, draw_save_picture},
+    Entry{[](const ViewState& s) { return !s.memory.confirm_assembly.empty(); },
+          draw_confirm_assembly},
+    Entry{[](const ViewState& s) { return s.memory.show_cheat_sheet; }, draw_cheat_sheet},
+    Entry{[](const ViewState& s) { return s.memory.show_about; }, draw_about},
+    Entry{[](const ViewState& s) { return !s.error.empty(); }, draw_error}};
+
+bool wanted(const ViewState& state, std::size_t kind) {
+  return kDialogs[kind].wanted(state);
+}
+
+bool on_top(const PanelContext& ctx) {
+  return ctx.dialog + 1 == ctx.state.memory.dialogs.size();
+}
+
+void draw_level(PanelContext& ctx) {
+  const auto& open = ctx.state.memory.dialogs;
+  if (ctx.dialog < open.size()) kDialogs[open[ctx.dialog]].draw(ctx);
+}
+
+}  // namespace
+
+bool begin_dialog(PanelContext& ctx, const char* title, ImVec2 size) {
+  if (!ImGui::IsPopupOpen(title)) ImGui::OpenPopup(title);
+  const ImVec2 display = ImGui::GetIO().DisplaySize;
+  ImGui::SetNextWindowPos({display.x / 2, display.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
+  ImGuiWindowFlags flags =
+      ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings;
+  if (size.x > 0) {
+    ImGui::SetNextWindowSize(size);
+  } else {
+    flags |= ImGuiWindowFlags_AlwaysAutoResize;
+  }
+  (void)ctx;
+  return ImGui::BeginPopupModal(title, nullptr, flags);
+}
+
+void end_dialog(PanelContext& ctx) {
+  if (!wanted(ctx.state, ctx.state.memory.dialogs[ctx.dialog])) {
+    ImGui::CloseCurrentPopup();  // and those above it, which open again in the next frame
+  } else {
+    ++ctx.dialog;
+    draw_level(ctx);
+    --ctx.dialog;
+  }
+  ImGui::EndPopup();
+}
+
+bool escape_pressed(const PanelContext& ctx) {
+  return on_top(ctx) && !ImGui::GetIO().WantTextInput && ImGui::IsKeyPressed(key::kEscape, false);
+}
+
+bool enter_pressed(const PanelContext& ctx) {
+  return on_top(ctx) && !ImGui::GetIO().WantTextInput &&
+         (ImGui::IsKeyPressed(key::kEnter, false) || ImGui::IsKeyPressed(key::kKeypadEnter, false));
+}
+
+DialogAnswer dialog_buttons(PanelContext& ctx, float width, DialogButton cancel,
+                            DialogButton confirm, bool can_confirm) {
+  const float each = ctx.px(100), gap = ImGui::GetStyle().ItemSpacing.x;
+  ImGui::SameLine(ImGui::GetStyle().WindowPadding.x + width - 2 * each - gap);
+  const bool no = button(ctx, cancel.name, cancel.label, {each, 0}) || escape_pressed(ctx);
+  ImGui::SameLine();
+  ImGui::BeginDisabled(!can_confirm);
+  const bool yes = button(ctx, confirm.name, confirm.label, {each, 0}, ButtonKind::primary);
+  ImGui::EndDisabled();
+  return yes ? DialogAnswer::confirm : no ? DialogAnswer::cancel : DialogAnswer::none;
+}
+
+bool close_button(PanelContext& ctx, float width, DialogButton close) {
+  const float each = ctx.px(100);
+  ImGui::SameLine(ImGui::GetStyle().WindowPadding.x + width - each);
+  return button(ctx, close.name, close.label, {each, 0}, ButtonKind::primary) ||
+         escape_pressed(ctx) || enter_pressed(ctx);
+}
+
+void draw_dialogs(PanelContext& ctx) {
+  auto& open = ctx.state.memory.dialogs;
+  for (std::size_t kind = 0; kind < kDialogs.size(); ++kind) {
+    const bool there = std::find(open.begin(), open.end(), kind) != open.end();
+    if (!there && wanted(ctx.state, kind)) open.push_back(kind);
+  }
+  ctx.dialog = 0;
+  draw_level(ctx);
+  std::erase_if(open, [&](std::size_t kind) { return !wanted(ctx.state, kind); });
+}
+
+}  // namespace alphascope

@@ -1,0 +1,41 @@
+// The one owner of the dialogs: which are open, and which is above which. ImGui replaces a modal
+// window by the next that is opened beside it; here each is opened inside the one below.
+#pragma once
+
+#include "ui/panels/widgets.hpp"
+
+namespace alphascope {
+
+// Between begin_dialog() and end_dialog(): the dialog's contents. False: draw nothing, and do not
+// end it. `size` in pixels; {0, 0} fits the contents.
+bool begin_dialog(PanelContext& ctx, const char* title, ImVec2 size = {0, 0});
+void end_dialog(PanelContext& ctx);  // closes it when the state no longer wants it
+
+// Keys belong to the topmost dialog. Not while text is typed: Escape takes that back first.
+bool escape_pressed(const PanelContext& ctx);
+bool enter_pressed(const PanelContext& ctx);
+
+// At the right end of a line that is `width` pixels wide: what does nothing at the left, what does
+// something at the right, in every dialog.
+enum class DialogAnswer : std::uint8_t { none, cancel, confirm };
+struct DialogButton {
+  const char* name;
+  const char* label;
+};
+DialogAnswer dialog_buttons(PanelContext& ctx, float width, DialogButton cancel,
+                            DialogButton confirm, bool can_confirm = true);
+bool close_button(PanelContext& ctx, float width, DialogButton close);
+
+// All dialogs that are wanted; what was wanted last is on top.
+void draw_dialogs(PanelContext& ctx);
+
+// The dialogs themselves.
+void draw_benchmark_page(PanelContext& ctx);
+void draw_file_browser(PanelContext& ctx);
+void draw_save_picture(PanelContext& ctx);
+void draw_confirm_assembly(PanelContext& ctx);
+void draw_cheat_sheet(PanelContext& ctx);
+void draw_about(PanelContext& ctx);
+void draw_error(PanelContext& ctx);
+
+}  // namespace alphascope

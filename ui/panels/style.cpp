@@ -5,6 +5,9 @@
 #include <imgui_freetype.h>
 
 #include <cmath>
+#include <span>
+
+#include "ui/panels/inter_font.hpp"
 
 namespace alphascope {
 namespace {
@@ -20,23 +23,27 @@ constexpr ImWchar kGlyphRanges[] = {0x20,   0xff,   0x370,  0x3ff,  0x2010, 0x20
 
 constexpr float kBodySize = 14, kSmallSize = 12.5f, kLargeSize = 22;
 
-ImFont* add_font(const std::optional<std::filesystem::path>& file, float pixels) {
-  ImFontAtlas* atlas = ImGui::GetIO().Fonts;
+ImFontConfig font_config() {
   ImFontConfig config;
   config.OversampleH = config.OversampleV = 1;
   config.PixelSnapH = true;
-  if (!file) {
-    config.SizePixels = pixels;
-    return atlas->AddFontDefault(&config);
-  }
-  return atlas->AddFontFromFileTTF(file->c_str(), pixels, &config, kGlyphRanges);
+  return config;
 }
 
-std::optional<std::filesystem::path> first_found(std::initializer_list<const char*> names) {
-  for (const char* name : names) {
-    if (auto path = find_font(name)) return path;
-  }
-  return std::nullopt;
+ImFont* add_font(std::span<const unsigned char> file, float pixels) {
+  ImFontConfig config = font_config();
+  config.FontDataOwnedByAtlas = false;  // so the atlas only reads it
+  void* data = const_cast<unsigned char*>(file.data());
+  return ImGui::GetIO().Fonts->AddFontFromMemoryTTF(data, static_cast<int>(file.size()), pixels,
+                                                    &config, kGlyphRanges);
+}
+
+ImFont* add_mono(const std::filesystem::path& installed, float pixels) {
+  const auto file = installed / "truetype/dejavu/DejaVuSansMono.ttf";
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(file, ignored)) return add_font(inter_regular(), pixels);
+  const ImFontConfig config = font_config();
+  return ImGui::GetIO().Fonts->AddFontFromFileTTF(file.c_str(), pixels, &config, kGlyphRanges);
 }
 
 void set_sizes(ImGuiStyle& style) {
@@ -102,31 +109,17 @@ void apply_style(Theme theme, float scale) {
   c[ImGuiCol_ModalWindowDimBg] = ImVec4(0, 0, 0, theme == Theme::dark ? 0.5f : 0.3f);
 }
 
-std::optional<std::filesystem::path> find_font(const char* relative_path,
-                                               const std::filesystem::path& root) {
-  std::error_code ignored;
-  const auto path = root / relative_path;
-  if (std::filesystem::is_regular_file(path, ignored)) return path;
-  return std::nullopt;
-}
-
-PanelFonts load_fonts(float scale) {
+PanelFonts load_fonts(float scale, const std::filesystem::path& installed) {
   ImFontAtlas* atlas = ImGui::GetIO().Fonts;
   atlas->Clear();
   atlas->FontBuilderIO = ImGuiFreeType::GetBuilderForFreeType();
   atlas->FontBuilderFlags = ImGuiFreeTypeBuilderFlags_LightHinting;
-  const auto regular =
-      first_found({"opentype/inter/Inter-Regular.otf", "truetype/dejavu/DejaVuSans.ttf"});
-  const auto strong =
-      first_found({"opentype/inter/Inter-SemiBold.otf", "truetype/dejavu/DejaVuSans-Bold.ttf",
-                   "truetype/dejavu/DejaVuSans.ttf"});
-  const auto mono = first_found({"truetype/dejavu/DejaVuSansMono.ttf"});
   PanelFonts fonts;
-  fonts.regular = add_font(regular, std::round(kBodySize * scale));
-  fonts.strong = add_font(strong, std::round(kBodySize * scale));
-  fonts.small = add_font(regular, std::round(kSmallSize * scale));
-  fonts.large = add_font(strong, std::round(kLargeSize * scale));
-  fonts.mono = add_font(mono, std::round(kSmallSize * scale));
+  fonts.regular = add_font(inter_regular(), std::round(kBodySize * scale));
+  fonts.strong = add_font(inter_semibold(), std::round(kBodySize * scale));
+  fonts.small = add_font(inter_regular(), std::round(kSmallSize * scale));
+  fonts.large = add_font(inter_semibold(), std::round(kLargeSize * scale));
+  fonts.mono = add_mono(installed, std::round(kSmallSize * scale));
   atlas->Build();
   return fonts;
 }

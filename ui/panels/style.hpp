@@ -2,7 +2,6 @@
 #pragma once
 
 #include <filesystem>
-#include <optional>
 
 #include "ui/theme.hpp"
 
@@ -21,12 +20,9 @@ struct PanelFonts {
 // Sets colours and, for a display of `scale` (1 = 96 dpi), spacing of the current ImGui context.
 void apply_style(Theme theme, float scale);
 
-// Fills the font atlas of the current context with Inter or, where it is not installed, DejaVu, or
-// ImGui's built-in font; the atlas is built. Call between frames only.
-PanelFonts load_fonts(float scale);
-
-// The folder of installed fonts can be replaced, to test machines without any.
-std::optional<std::filesystem::path> find_font(
-    const char* relative_path, const std::filesystem::path& root = "/usr/share/fonts");
+// Fills the font atlas of the current context with Inter, which the program brings along, and for
+// hashes with DejaVu's monospaced font where it is installed; the atlas is built. Call between
+// frames only.
+PanelFonts load_fonts(float scale, const std::filesystem::path& installed = "/usr/share/fonts");
 
 }  // namespace alphascope

@@ -11,6 +11,9 @@ struct MeasuredRun {
   StageTimes times;
   double alpha_angstrom2 = 0;  // what was computed
   bool tetrahedra_only = false;
+  // The engine made anew what it answers later alphas from; such a run is not to be compared with
+  // one that only looked there.
+  bool rebuilt = false;
 };
 
 // Cold: the first answer of an engine, set-up included. Warm: the latest of the later ones, as the

@@ -17,7 +17,7 @@ namespace {
 constexpr double kRefineAfterSeconds = 0.25;
 constexpr double kNever = 1e9;
 // Newer pictures that arrive sooner than this follow the hand; saying so would flicker.
-constexpr std::chrono::milliseconds kOutdatedAfter{500};
+constexpr std::chrono::milliseconds kOutdatedAfter{300};
 const std::string kNoMemory = std::string(kNothingDrawn) + " Choose" + kShowLess;
 
 std::shared_ptr<const std::vector<Rgb8>> shared(std::vector<Rgb8> colours) {
@@ -276,6 +276,7 @@ void SceneController::take(Drawing drawing) {
 
 void SceneController::show(Drawing drawing) {
   const bool new_balls = drawing.molecule != drawn_molecule_;
+  outdated_since_.reset();  // the next that is awaited may take its time as well
   const bool keep_view = viewed_ == drawing.molecule->molecule;
   drawn_answer_ = drawing.answer;
   not_drawn_ = drawing.not_drawn;
@@ -372,7 +373,7 @@ void SceneController::render(ViewportInfo& viewport, bool interacting, bool pati
   viewport.legend = legend_;
   viewport.not_drawn = not_drawn_;
   viewport.trouble = view_trouble_;
-  const bool old = viewport.texture != 0 && outdated();
+  const bool old = viewport.texture != 0 && (pending_ || outdated());
   if (!old) outdated_since_.reset();
   if (old && !outdated_since_) outdated_since_ = Clock::now();
   viewport.outdated = outdated_since_ && Clock::now() - *outdated_since_ >= kOutdatedAfter;

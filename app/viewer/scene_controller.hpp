@@ -47,6 +47,9 @@ class SceneController {
   void pointer(const PointerEvent& event);
   void reset_view();
 
+  // A newer answer, or other balls, are being computed: the picture will be another.
+  void set_pending(bool pending) { pending_ = pending; }
+
   void poll();  // takes finished meshes
   // Something is still on its way to the screen: a mesh, or a finer picture.
   bool busy() const { return mesh_worker_.activity().busy; }
@@ -128,6 +131,7 @@ class SceneController {
   std::shared_ptr<const Answer> drawn_answer_;
   std::shared_ptr<const Molecule> viewed_;  // that the camera was set for
   std::string not_drawn_;
+  bool pending_ = false;
   std::optional<Clock::time_point> outdated_since_;
   std::vector<float> radii_;  // Å, as drawn
   std::shared_ptr<const ComplexMesh> drawn_mesh_;

@@ -26,8 +26,6 @@ constexpr std::chrono::milliseconds kTooltipFrameAfter{450};
 static_assert(kTooltipFrameAfter.count() > 1000 * kTooltipDelaySeconds);
 constexpr double kPlayUntil = 10, kPlayStep = 0.05;          // Å²
 constexpr double kBusyInterval = 0.05, kIdleInterval = 1.0;  // seconds
-// Comparing by itself is switched off beyond: CGAL would keep the second half of the cores busy.
-constexpr std::size_t kMostBallsToCompareUnasked = 200000;
 // A model asked for by the slider lets the one before it be finished, so that pictures flow while
 // the hand moves, but not for longer than this.
 constexpr std::chrono::milliseconds kModelGrace{300};
@@ -411,6 +409,9 @@ void Viewer::draw(ScriptedInput* input, bool patient,
   });
   // After the panels, so that the picture has this frame's size; ImGui draws it afterwards. Not
   // while input waits for its frame: a slow picture each would make the window follow late.
+  const SessionActivity a = session_.activity();
+  scene_.set_pending((a.computing.busy && !session_.state().up_to_date()) ||
+                     (a.opening.busy && a.opening_path.empty()));
   if (input != nullptr || !host_.input().waiting()) {
     guarded([&] { scene_.render(state_.viewport, interacting(), patient); });
   }

@@ -14,6 +14,9 @@ struct AlphaRequest {
   bool tetrahedra_only = false;  // the thesis' sub-complex
 };
 
+// EngineInfo::route of the engine that keeps each whole complex for the smaller alphas to come.
+inline constexpr const char* kClippingRoute = "dual edge clipping";
+
 class Engine {
  public:
   virtual ~Engine() = default;

@@ -104,7 +104,7 @@ class FacetEngine : public Engine {
     complex.tetrahedra_only = tetrahedra_only;
     compute_by_dual_edges(*balls_, grid, context, timer, complex);
     complex.hash = complex_hash(complex);
-    complex.engine.route = "dual edge clipping";
+    complex.engine.route = kClippingRoute;
     if (options_.cache && !tetrahedra_only) keep(complex);
     timer.lap(stage::kHash);
     return complex;

@@ -127,6 +127,57 @@ TEST(PanelsTest, LongWorkShowsProgressAndCancel) {
   EXPECT_TRUE(p.state.requests.cancel);
 }
 
+TEST(PanelsTest, WorkOfUnknownLengthHasNoBarThatLooksLikeAShare) {
+  Panels p({1280, 800, 1});
+  p.state = loaded_state();
+  p.state.busy = {true, "Computing", -1, 1.3};
+  p.frame(2);
+  EXPECT_TRUE(p.rects.contains("view.busy_bar"));
+  p.state.busy.share = 0.4;
+  p.frame(2);
+  EXPECT_FALSE(p.rects.contains("view.busy_bar"));
+}
+
+// A run that makes its cache anew is slower than one that looks there, whoever does it.
+TEST(PanelsTest, SpeedsOfDifferentWorkAreNotCompared) {
+  Panels p({1280, 800, 1});
+  p.state = loaded_state();
+  p.state.ours->warm = p.state.cgal->warm = p.state.ours->cold;
+  p.frame(3);
+  EXPECT_TRUE(p.rects.contains("timings.speed"));
+  p.state.ours->warm->rebuilt = true;
+  p.frame(3);
+  EXPECT_FALSE(p.rects.contains("timings.speed"));
+}
+
+TEST(PanelsTest, TheTimingsStayAsHighOnAnotherMonitor) {
+  for (const float scale : {1.0f, 2.0f}) {
+    Panels p({1280, 800, scale});
+    p.state = loaded_state();
+    p.state.memory.bottom_height = 150;
+    p.frame(2);
+    EXPECT_FLOAT_EQ(p.rects["layout.splitter"].y0, (800 - 27 - 150) * scale) << scale;
+    p.point_at("layout.splitter");
+    p.press(true);
+    ImGui::GetIO().MousePos.y -= 40 * scale;
+    p.frame(2);
+    p.press(false);
+    EXPECT_NEAR(p.state.memory.bottom_height, 190, 0.01) << scale;
+  }
+}
+
+TEST(PanelsTest, TheLettersAreThereWithoutAnyInstalledFont) {
+  ImGui::CreateContext();
+  const PanelFonts fonts = load_fonts(1, "/nonexistent");
+  for (const ImFont* font : {fonts.regular, fonts.strong, fonts.small, fonts.large, fonts.mono}) {
+    for (const ImWchar letter : {0x3b1, 0x3c7, 0xc5, 0xb2, 0xb7, 0xd7, 0x2192, 0x2190, 0x2191,
+                                 0x2193, 0x2212, 0x2026, 0x201c, 0x201d, 0x2013, 0x2260, 0x2713}) {
+      EXPECT_NE(font->FindGlyphNoFallback(letter), nullptr) << std::hex << int{letter};
+    }
+  }
+  ImGui::DestroyContext();
+}
+
 TEST(PanelsTest, MissingTimesSayWhyAndHowToGetThem) {
   ViewState s;
   ASSERT_EQ(missing_times(s, true).size(), 1u);

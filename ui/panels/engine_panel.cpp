@@ -119,6 +119,25 @@ void tuple_switches(PanelContext& ctx) {
   }
 }
 
+void auto_compare(PanelContext& ctx) {
+  ViewState& s = ctx.state;
+  const bool possible = s.molecule.balls <= kMostBallsToCompareUnasked;
+  bool on = s.auto_compare && possible;
+  ImGui::BeginDisabled(!possible);
+  if (checkbox(ctx, "engine.auto_compare", "Compare with CGAL every time", on)) s.auto_compare = on;
+  ImGui::EndDisabled();
+  const std::string most =
+      with_separators(static_cast<long long>(kMostBallsToCompareUnasked)) + " balls";
+  const std::string help =
+      possible
+          ? "After each change CGAL computes the same complex in the background, and both are "
+            "compared simplex by simplex."
+          : "This molecule has more than " + most +
+                ": CGAL would take too long to follow each change. “Compare” in the timings, or "
+                "the key C, compares once.";
+  tooltip(ctx, help.c_str());
+}
+
 }  // namespace
 
 void draw_engine_panel(PanelContext& ctx) {
@@ -131,11 +150,7 @@ void draw_engine_panel(PanelContext& ctx) {
   tooltip(ctx,
           "Computes the tetrahedra of the complex without its triangles, edges and vertices: the "
           "thesis' sub-complex.");
-  checkbox(ctx, "engine.auto_compare", "Compare with CGAL every time", s.auto_compare);
-  tooltip(
-      ctx,
-      "After each change CGAL computes the same complex in the background, and both are compared "
-      "simplex by simplex.");
+  auto_compare(ctx);
 }
 
 }  // namespace alphascope

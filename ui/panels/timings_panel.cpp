@@ -74,7 +74,7 @@ void speed(PanelContext& ctx) {
   const bool cold = s.memory.timings_cold;
   const auto& ours = cold ? s.ours->cold : s.ours->warm;
   const auto& cgal = cold ? s.cgal->cold : s.cgal->warm;
-  if (!ours || !cgal || ours->wall_milliseconds <= 0 || !ours->same_task(*cgal)) return;
+  if (!ours || !cgal || ours->wall_milliseconds <= 0 || !ours->comparable(*cgal)) return;
   const double ratio = cgal->wall_milliseconds / ours->wall_milliseconds;
   ImGui::SameLine();
   // Warm, CGAL has its whole triangulation already and only filters it.
@@ -134,7 +134,7 @@ void title(PanelContext& ctx) {
 
 std::string speed_part(const char* label, const std::optional<TimedRun>& ours,
                        const std::optional<TimedRun>& cgal) {
-  if (!ours || !cgal || ours->wall_milliseconds <= 0 || !ours->same_task(*cgal)) return {};
+  if (!ours || !cgal || ours->wall_milliseconds <= 0 || !ours->comparable(*cgal)) return {};
   return std::string(label) + " " + ratio_text(cgal->wall_milliseconds / ours->wall_milliseconds);
 }
 

@@ -90,8 +90,10 @@ struct TimedRun {
   // What was computed; times of different tasks are not to be compared.
   double alpha = 0;  // Å²
   bool tetrahedra_only = false;
-  bool same_task(const TimedRun& other) const {
-    return alpha == other.alpha && tetrahedra_only == other.tetrahedra_only;
+  bool rebuilt = false;  // made anew what later alphas are answered from
+  bool comparable(const TimedRun& other) const {
+    return alpha == other.alpha && tetrahedra_only == other.tetrahedra_only &&
+           rebuilt == other.rebuilt;
   }
 };
 

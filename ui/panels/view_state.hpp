@@ -55,6 +55,8 @@ struct SampleMolecule {
 };
 
 inline constexpr double kTooltipDelaySeconds = 0.4;
+// Comparing by itself is switched off beyond: CGAL would keep the second half of the cores busy.
+inline constexpr std::size_t kMostBallsToCompareUnasked = 200000;
 
 enum class BrowserPurpose : std::uint8_t { molecule, radii_table };
 
@@ -87,7 +89,7 @@ struct PanelMemory {
   bool save_transparent = false, save_legend = true, save_scale_bar = false;
   bool timings_cold = true;     // which of the two runs the waterfall shows
   bool timings_pinned = false;  // the user has chosen which
-  float bottom_height = 0;      // pixels; 0: default
+  float bottom_height = 0;      // pixels at scale 1; 0: default
   NumberTyping number;
   std::vector<std::size_t> dialogs;  // that are open, by dialog_stack.cpp; the last is on top
   bool dragging_view = false;

@@ -137,6 +137,28 @@ void end_overlay() {
   ImGui::PopStyleVar(2);
 }
 
+// For work whose share is not known: a piece that goes to and fro, which no one takes for a share.
+void busy_bar(PanelContext& ctx, float width, double seconds) {
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const float height = ImGui::GetFrameHeight(), piece = width / 5;
+  constexpr double kPeriod = 2;  // seconds, to and fro
+  const double phase = std::fmod(seconds, kPeriod) / kPeriod;
+  const float at = static_cast<float>(1 - std::fabs(2 * phase - 1)) * (width - piece);
+  const float rounding = ImGui::GetStyle().FrameRounding;
+  ImDrawList* draw = ImGui::GetWindowDrawList();
+  draw->AddRectFilled(corner, {corner.x + width, corner.y + height}, to_u32(ctx.palette.field),
+                      rounding);
+  draw->AddRectFilled({corner.x + at, corner.y + ctx.px(2)},
+                      {corner.x + at + piece, corner.y + height - ctx.px(2)},
+                      to_u32(ctx.palette.accent, 0.55f), rounding);
+  const std::string text = number_text(seconds, 1) + " s";
+  const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+  draw->AddText({corner.x + (width - size.x) / 2, corner.y + (height - size.y) / 2},
+                to_u32(ctx.palette.text), text.c_str());
+  ImGui::Dummy({width, height});
+  record(ctx, "view.busy_bar");
+}
+
 // Only for what takes long enough to be read; short work would flicker.
 void progress(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
   const BusyInfo& b = ctx.state.busy;
@@ -144,11 +166,12 @@ void progress(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
   if (!b.active || b.seconds < kShowAfterSeconds) return;
   begin_overlay(ctx, "##progress", {corner.x + size.x - ctx.px(14), corner.y + ctx.px(12)}, {1, 0});
   ImGui::TextUnformatted(fitted_text(b.what, ctx.px(300)).c_str());
-  const float share = b.share >= 0 ? static_cast<float>(b.share)
-                                   : static_cast<float>(std::fmod(b.seconds, 1.6) / 1.6);
-  const std::string text =
-      b.share >= 0 ? number_text(b.share * 100, 0) + " %" : number_text(b.seconds, 1) + " s";
-  ImGui::ProgressBar(share, {ctx.px(220), 0}, text.c_str());
+  if (b.share >= 0) {
+    const std::string text = number_text(b.share * 100, 0) + " %";
+    ImGui::ProgressBar(static_cast<float>(b.share), {ctx.px(220), 0}, text.c_str());
+  } else {
+    busy_bar(ctx, ctx.px(220), b.seconds);
+  }
   ImGui::SameLine();
   if (button(ctx, "view.cancel", "Cancel")) ctx.state.requests.cancel = true;
   end_overlay();

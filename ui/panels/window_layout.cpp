@@ -82,10 +82,10 @@ void left_panel(PanelContext& ctx, const WidgetRects& last, float top, float hei
 
 float bottom_height(PanelContext& ctx, float available) {
   float& height = ctx.state.memory.bottom_height;
-  if (height <= 0) height = ctx.px(kBottomHeight);
-  height = std::clamp(height, ctx.px(kLeastBottom),
-                      std::max(ctx.px(kLeastBottom), available - ctx.px(kLeastView)));
-  return height;
+  if (height <= 0) height = kBottomHeight;
+  height =
+      std::clamp(height, kLeastBottom, std::max(kLeastBottom, available / ctx.scale - kLeastView));
+  return ctx.px(height);
 }
 
 void splitter(PanelContext& ctx, float x, float y, float width) {
@@ -93,7 +93,7 @@ void splitter(PanelContext& ctx, float x, float y, float width) {
   ImGui::InvisibleButton("##splitter", {width, ctx.px(6)});
   record(ctx, "layout.splitter");
   const bool active = ImGui::IsItemActive();
-  if (active) ctx.state.memory.bottom_height -= ImGui::GetIO().MouseDelta.y;
+  if (active) ctx.state.memory.bottom_height -= ImGui::GetIO().MouseDelta.y / ctx.scale;
   if (active || ImGui::IsItemHovered()) {
     ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeNS);
     ImGui::GetWindowDrawList()->AddLine({x, y}, {x + width, y}, to_u32(ctx.palette.accent),

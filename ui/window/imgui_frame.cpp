@@ -50,6 +50,10 @@ void ImGuiFrame::load(Theme theme, float scale) {
   theme_ = theme;
   if (scale == scale_) return;
   scale_ = scale;
+  ImGuiIO& io = ImGui::GetIO();
+  const ImGuiIO defaults;
+  io.MouseDoubleClickMaxDist = defaults.MouseDoubleClickMaxDist * scale;
+  io.MouseDragThreshold = defaults.MouseDragThreshold * scale;
   fonts_ = load_fonts(scale);
   ImGui_ImplOpenGL3_DestroyFontsTexture();
   ImGui_ImplOpenGL3_CreateFontsTexture();

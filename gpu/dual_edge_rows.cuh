@@ -65,8 +65,7 @@ class RowMaker {
         // Both are whole numbers of lattice units below 2^24, exact, and their differences rounded
         // once.
         const float4 v = m_.vectors[entry0_ + k];
-        if (grown_balls_may_meet(v.x - vj.x, v.y - vj.y, v.z - vj.z, reach,
-                                 m_.reach[entry0_ + k]))
+        if (grown_balls_may_meet(v.x - vj.x, v.y - vj.y, v.z - vj.z, reach, m_.reach[entry0_ + k]))
           bits |= 1u << (k & 31);
       }
       if (j_ >> 5 == w) bits &= ~(1u << (j_ & 31));

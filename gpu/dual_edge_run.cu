@@ -136,18 +136,18 @@ class Run {
     const auto capacity = [](const auto& buffer) {
       return static_cast<std::uint32_t>(buffer.capacity());
     };
-    return {{s_.tetrahedra.vertices.get(), capacity(s_.tetrahedra.vertices), &c->tetrahedra,
-             s_.tetrahedra.start.get(), s_.zeroed_array(plan_, 0)},
-            {s_.triangles.vertices.get(), s_.triangles.info.get(), s_.triangles.attached_to.get(),
-             capacity(s_.triangles.attached_to), &c->triangles, s_.triangles.start.get(),
-             s_.zeroed_array(plan_, 1)},
-            {s_.edges.end.get(), s_.edges.least.get(), s_.edges.flags.get(),
-             capacity(s_.edges.flags), &c->edges, s_.edges.start.get(), s_.zeroed_array(plan_, 2),
-             &c->missing_edges},
-            s_.zeroed_array(plan_, 4),
-            nullptr,
-            nullptr,
-            &c->blocks};
+    return {
+        {s_.tetrahedra.vertices.get(), capacity(s_.tetrahedra.vertices), &c->tetrahedra,
+         s_.tetrahedra.start.get(), s_.zeroed_array(plan_, 0)},
+        {s_.triangles.vertices.get(), s_.triangles.info.get(), s_.triangles.attached_to.get(),
+         capacity(s_.triangles.attached_to), &c->triangles, s_.triangles.start.get(),
+         s_.zeroed_array(plan_, 1)},
+        {s_.edges.end.get(), s_.edges.least.get(), s_.edges.flags.get(), capacity(s_.edges.flags),
+         &c->edges, s_.edges.start.get(), s_.zeroed_array(plan_, 2), &c->missing_edges},
+        s_.zeroed_array(plan_, 4),
+        nullptr,
+        nullptr,
+        &c->blocks};
   }
 
   // Where a chunk begins: the same for all sizes of blocks, so that what an earlier run counted

@@ -76,9 +76,9 @@ struct GroupItems {
 
 constexpr std::uint32_t kNoEdge = ~0u;
 
-// Where edge jk of a triangle in K_alpha is among the candidates of j, which are in ascending order.
-// None, and it is counted as missing, if ball j found no room: then the run will be repeated. Of
-// one that is not, all are there.
+// Where edge jk of a triangle in K_alpha is among the candidates of j, which are in ascending
+// order. None, and it is counted as missing, if ball j found no room: then the run will be
+// repeated. Of one that is not, all are there.
 __device__ inline std::uint32_t find_edge(const EdgeCandidates& edges, std::uint32_t j,
                                           std::uint32_t k) {
   const std::uint32_t count = edges.count[j];

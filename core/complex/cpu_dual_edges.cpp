@@ -44,8 +44,8 @@ void find_neighbours(const UniformGrid& grid, std::uint32_t slot, std::vector<st
       std::uint32_t hits = 0;
       for (std::uint32_t t = begin; t < end; ++t) {
         row_hits[hits] = t;
-        hits += grown_balls_may_meet(grid.x[t] - x, grid.y[t] - y, grid.z[t] - z, reach,
-                                     grid.reach[t]);
+        hits +=
+            grown_balls_may_meet(grid.x[t] - x, grid.y[t] - y, grid.z[t] - z, reach, grid.reach[t]);
       }
       found.insert(found.end(), row_hits.begin(), row_hits.begin() + hits);
     }

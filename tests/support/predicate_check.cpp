@@ -8,65 +8,13 @@
 #include "core/complex/tuple_float.hpp"
 #include "core/geometry/exact_alpha.hpp"
 #include "core/geometry/grown_balls.hpp"
+#include "tests/support/big_centre.hpp"
 #include "tests/support/five_balls.hpp"
 #include "tests/support/oracle_check.hpp"
 #include "tests/support/rational_oracle.hpp"
 
 namespace alphascope::testing {
 namespace {
-
-using Integer = mpz_class;
-
-struct BigVector {
-  Integer x, y, z, c;
-};
-
-BigVector lifted(const BallSet& balls, BallIndex i, BallIndex k) {
-  const LatticePoint &p = balls.centres[i], &q = balls.centres[k];
-  BigVector v{Integer(q.x) - p.x, Integer(q.y) - p.y, Integer(q.z) - p.z, 0};
-  v.c = v.x * v.x + v.y * v.y + v.z * v.z + Integer(balls.radii[i]) * balls.radii[i] -
-        Integer(balls.radii[k]) * balls.radii[k];
-  return v;
-}
-BigVector cross_of(const BigVector& a, const BigVector& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x, 0};
-}
-Integer dot_of(const BigVector& a, const BigVector& b) {
-  return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-// a·f + b·g, coordinate by coordinate.
-BigVector sum_of(const BigVector& a, const Integer& f, const BigVector& b, const Integer& g) {
-  return {a.x * f + b.x * g, a.y * f + b.y * g, a.z * f + b.z * g, 0};
-}
-
-// An orthocentre 2 x = centre / scale, scale > 0, of the flat's dimension; scale 0: there is none.
-struct BigCentre {
-  BigVector centre;
-  Integer scale;
-
-  explicit BigCentre(const BigVector& j) : centre(sum_of(j, j.c, j, 0)), scale(dot_of(j, j)) {}
-  BigCentre(const BigVector& j, const BigVector& k) {
-    const BigVector n = cross_of(j, k);
-    centre = cross_of(sum_of(k, j.c, j, -k.c), n);
-    scale = dot_of(n, n);
-  }
-  BigCentre(const BigVector& j, const BigVector& k, const BigVector& l) {
-    const BigVector kl = cross_of(k, l);
-    centre = sum_of(sum_of(kl, j.c, cross_of(l, j), k.c), 1, cross_of(j, k), l.c);
-    scale = dot_of(j, kl);
-    if (sgn(scale) >= 0) return;
-    centre = sum_of(centre, -1, centre, 0);
-    scale = -scale;
-  }
-  // Sign of 2 d_m·x - c_m.
-  int cut_by(const BigVector& m) const { return sgn(dot_of(m, centre) - m.c * scale); }
-  // |x|² - w.
-  Rational rho(const Integer& weight) const {
-    Rational value(dot_of(centre, centre), 4 * scale * scale);
-    value.canonicalize();
-    return value - weight;
-  }
-};
 
 LiftedVector<float> scaled(const LiftedInt& v, float scale) {
   return {static_cast<float>(v.x) * scale, static_cast<float>(v.y) * scale,
@@ -96,7 +44,7 @@ class PredicateCheck::Case {
         weight_(balls_.weight(0)) {
     for (BallIndex n = 0; n < 4; ++n) {
       v_[n] = lifted_vector(balls_, 0, n + 1);
-      big_[n] = lifted(balls_, 0, n + 1);
+      big_[n] = big_vector(balls_, 0, n + 1);
       record_[n + 1] = record(n + 1);
     }
     record_[0] = record(0);
@@ -327,7 +275,7 @@ class PredicateCheck::Case {
   // |d|² - a - b is not positive, or its square at most 4 a b.
   void meeting(BallIndex a, BallIndex b) {
     const LatticePoint &p = balls_.centres[a], &q = balls_.centres[b];
-    const BigVector d = lifted(balls_, a, b);
+    const BigVector d = big_vector(balls_, a, b);
     const double distance = std::sqrt(Integer(dot_of(d, d)).get_d());
     // Equal power at the touching point: half the distance for equal radii.
     const double grown = distance * distance / 4 - static_cast<double>(balls_.weight(a));

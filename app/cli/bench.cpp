@@ -173,7 +173,7 @@ ExitCode run_bench(const BenchOptions& options) {
           request.alpha_angstrom2 = alpha;
           request.threads = threads;
           const std::string rounding = rounding_note(request, balls->lattice);
-          if (!rounding.empty()) std::cout << "note: " << rounding << "\n";
+          if (!rounding.empty()) print_error(file + ": note: " + rounding);
           rows.push_back(measure(input, balls, request, options.runs, quiet));
           same &= rows.back().same();
           print_row(rows.back());

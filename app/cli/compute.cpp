@@ -83,7 +83,12 @@ class ResultTable {
 
   void print(const std::string& file, const Input& input, const SessionRequest& request,
              const EngineCache::Result& result) {
-    if (!begun_) print_heading(input, request, result.note);
+    const std::string rounding = rounding_note(request, result.complex.lattice);
+    if (!begun_) {
+      print_heading(input, request, result.note);
+    } else if (!rounding.empty() && verbosity() != Verbosity::quiet) {
+      print_error(file + ": note: " + rounding);
+    }
     begun_ = true;
     // One file has its notes above the table.
     if (many_ && verbosity() != Verbosity::quiet) {

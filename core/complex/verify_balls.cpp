@@ -5,6 +5,7 @@
 #include "core/complex/verify_balls.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <utility>
 
@@ -37,10 +38,15 @@ std::int64_t width_for(Int128 a) {
   return width;
 }
 
+std::uint64_t next_number() {
+  static std::atomic<std::uint64_t> last{0};
+  return ++last;
+}
+
 }  // namespace
 
 VerifyBalls::VerifyBalls(const BallSet& balls, double alpha)
-    : balls_(balls), alpha_(alpha), hidden_(coincident_hidden(balls)) {
+    : balls_(balls), number_(next_number()), alpha_(alpha), hidden_(coincident_hidden(balls)) {
   all_touch_ = alpha >= kBeyondDistances;
   all_empty_ = alpha <= -kBeyondWeights;
   if (!all_touch_ && !all_empty_) {

@@ -2,6 +2,7 @@
 // many, never too few. It shares nothing with the engines' grid, whose faults it is to find.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "core/geometry/ball_set.hpp"
@@ -13,9 +14,13 @@ class VerifyBalls {
  public:
   // alpha: square lattice units, any double but NaN. Refers to `balls`.
   VerifyBalls(const BallSet& balls, double alpha);
+  VerifyBalls(const VerifyBalls&) = delete;
+  VerifyBalls& operator=(const VerifyBalls&) = delete;
 
   const BallSet& balls() const { return balls_; }
   double alpha() const { return alpha_; }
+  // Of all objects of this class, another one for each; never 0.
+  std::uint64_t number() const { return number_; }
 
   // Is it hidden by a ball with the same centre? Then it is in no simplex.
   bool hidden(BallIndex i) const { return !hidden_.empty() && hidden_[i]; }
@@ -38,6 +43,7 @@ class VerifyBalls {
   Place place_of(BallIndex i) const;
 
   const BallSet& balls_;
+  const std::uint64_t number_;
   double alpha_;
   std::vector<bool> hidden_;
   bool all_touch_ = false, all_empty_ = false;  // alpha is beyond all distances or weights

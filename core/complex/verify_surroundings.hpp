@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
+#include <iterator>
 #include <vector>
 
 #include "core/complex/verify_balls.hpp"
@@ -16,11 +18,17 @@ class Surroundings {
   // Finds all other balls that may touch every ball of a simplex.
   template <int N>
   void look_around(const VerifyBalls& balls, const std::array<BallIndex, N>& simplex) {
-    balls.around(simplex[0], near_);
-    std::erase_if(near_, [&](BallIndex m) {
-      return std::any_of(simplex.begin() + 1, simplex.end(),
-                         [&](BallIndex v) { return v == m || !balls.may_touch(v, m); });
-    });
+    if (balls_ != balls.number() || first_ != simplex[0]) {  // lists are sorted: seldom
+      balls.around(simplex[0], around_first_);
+      balls_ = balls.number();
+      first_ = simplex[0];
+    }
+    near_.clear();
+    std::copy_if(around_first_.begin(), around_first_.end(), std::back_inserter(near_),
+                 [&](BallIndex m) {
+                   return std::all_of(simplex.begin() + 1, simplex.end(),
+                                      [&](BallIndex v) { return v != m && balls.may_touch(v, m); });
+                 });
   }
   const std::vector<BallIndex>& near() const { return near_; }
   const std::vector<BallIndex>& ties() const { return ties_; }
@@ -46,6 +54,9 @@ class Surroundings {
   }
 
  private:
+  std::uint64_t balls_ = 0;  // number of those that the next two are of
+  BallIndex first_ = 0;
+  std::vector<BallIndex> around_first_;
   std::vector<BallIndex> near_, ties_;
   std::size_t culprit_ = 0;
 };

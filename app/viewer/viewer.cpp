@@ -82,7 +82,10 @@ void Viewer::open(const std::filesystem::path& path) {
   }
   state_.notice.clear();
   state_.drop_note.clear();
-  state_.memory.browser_folder = path.parent_path();
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path.parent_path(), ignored)) {
+    state_.memory.browser_folder = path.parent_path();
+  }
   session_.open(path);
 }
 
@@ -209,60 +212,6 @@ void Viewer::colour_by_what_differs(const Molecule& molecule) {
                   [&](const Atom& a) { return a.chain == molecule.atoms.front().chain; });
   automatic_colour_ = one_chain ? ColourBy::element : ColourBy::chain;
   d.ball_colour = d.complex_colour = automatic_colour_;
-}
-
-void Viewer::update_badge() {
-  state_.badge = describe_agreement(session_.state(), session_.activity().comparing.busy);
-  const bool comparing = session_.activity().comparing.busy;
-  if (!comparing) comparing_since_.reset();
-  if (comparing && !comparing_since_) comparing_since_ = Clock::now();
-  const SessionState& s = session_.state();
-  if (state_.badge.state == BadgeInfo::State::not_compared &&
-      s.error_source == SessionState::Source::comparing) {
-    state_.badge = {BadgeInfo::State::failed, s.last_error};
-  }
-  if (comparing) {
-    state_.badge.seconds = std::chrono::duration<double>(Clock::now() - *comparing_since_).count();
-  }
-  if (state_.badge.state == BadgeInfo::State::not_compared && compares_by_itself() &&
-      compared_ != session_.state().ours) {
-    state_.badge = {BadgeInfo::State::comparing, "to be compared with CGAL…"};
-  }
-}
-
-void Viewer::update_busy() {
-  const SessionActivity a = session_.activity();
-  BusyInfo busy;
-  const auto take = [&busy](const Worker::Activity& activity, const std::string& what) {
-    if (busy.active || !activity.busy) return;
-    busy.active = true;
-    busy.what = what + (activity.stage.empty() ? "" : ": " + activity.stage);
-    busy.share = activity.share > 0 ? activity.share : -1;
-  };
-  take(a.opening, a.opening_path.empty() ? state_.molecule.name
-                                         : "Opening " + a.opening_path.filename().string());
-  take(a.computing, "Computing");
-  // A comparison in the background is the badge's business; it holds nothing up.
-  if (busy.active) {
-    if (!busy_since_) busy_since_ = Clock::now();
-    busy.seconds = std::chrono::duration<double>(Clock::now() - *busy_since_).count();
-  } else {
-    busy_since_.reset();
-  }
-  state_.busy = busy;
-}
-
-bool Viewer::compares_by_itself() const {
-  const auto& ours = session_.state().ours;
-  return state_.auto_compare && ours && ours->request.engine != EngineChoice::cgal &&
-         state_.molecule.balls <= kMostBallsToCompareUnasked;
-}
-
-void Viewer::compare_when_due() {
-  const auto& s = session_.state();
-  if (!compares_by_itself() || !s.up_to_date() || compared_ == s.ours || interacting()) return;
-  compared_ = s.ours;
-  session_.request_comparison();
 }
 
 void Viewer::take_requests() {

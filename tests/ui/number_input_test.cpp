@@ -6,6 +6,7 @@
 
 #include "app/viewer/options.hpp"
 #include "tests/ui/panels_fixture.hpp"
+#include "ui/number_text.hpp"
 
 namespace alphascope {
 namespace {
@@ -54,6 +55,12 @@ TEST(NumberInput, TextsAreReadBackAsTheSameNumber) {
   for (const double value : {1.4, -0.1, 1.2345678901234567, 1e24, 0.0, 1e-7}) {
     EXPECT_EQ(read_number(exact_text(value), kAlphaRule).value, value);
   }
+}
+
+TEST(NumberInput, LargeNumbersAreShownShort) {
+  EXPECT_EQ(short_number_text(1e24, 3), "1e+24");
+  EXPECT_EQ(number_text(1.25e12, 2), "1.25e+12");
+  EXPECT_EQ(short_number_text(999999999, 2), "999999999");
 }
 
 TEST(NumberInput, TheCommandLineReadsTheSame) {

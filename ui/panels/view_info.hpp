@@ -83,7 +83,6 @@ struct StageBar {
   double milliseconds = 0;
   bool setup = false;  // paid once a molecule
 };
-
 struct TimedRun {
   std::vector<StageBar> stages;
   double wall_milliseconds = 0;
@@ -91,9 +90,8 @@ struct TimedRun {
   double alpha = 0;  // Å²
   bool tetrahedra_only = false;
   bool rebuilt = false;  // made anew what later alphas are answered from
-  bool comparable(const TimedRun& other) const {
-    return alpha == other.alpha && tetrahedra_only == other.tetrahedra_only &&
-           rebuilt == other.rebuilt;
+  bool comparable(const TimedRun& o) const {
+    return alpha == o.alpha && tetrahedra_only == o.tetrahedra_only && rebuilt == o.rebuilt;
   }
 };
 

@@ -1,0 +1,108 @@
+// What the window says of what goes on and of what went wrong: what the user asked for once gets a
+// dialog; what follows a slider or goes on in the background gets a line where one looks.
+#include <new>
+
+#include "app/viewer/state_bridge.hpp"
+#include "app/viewer/viewer.hpp"
+
+namespace alphascope {
+namespace {
+
+constexpr int kFramesForNews = 3;  // until a dialog stands
+
+}  // namespace
+
+void Viewer::guarded(const std::function<void()>& what) {
+  try {
+    what();
+    return;
+  } catch (const std::bad_alloc&) {
+    state_.tell(
+        "There is not enough memory",
+        "The last step could not be done. Use a smaller alpha, compute tetrahedra only, keep "
+        "fewer atoms, or close other programs.");
+  } catch (const std::exception& error) {
+    state_.tell("The last step could not be done", error.what());
+  }
+  frames_due_ = kFramesForNews;
+}
+
+void Viewer::take_error(bool only_the_model_changed) {
+  using Source = SessionState::Source;
+  const SessionState& s = session_.state();
+  state_.compute_error = s.error_source == Source::computing ? s.last_error : "";
+  if (s.last_error.empty()) return;
+  state_.memory.playing = state_.memory.playing_models = false;
+  switch (s.error_source) {
+    case Source::opening:
+      state_.tell("The file cannot be opened", s.last_error);
+      break;
+    case Source::changing:
+      if (only_the_model_changed) {
+        state_.notice = s.last_error;
+      } else {
+        state_.tell("The selection cannot be changed", s.last_error);
+      }
+      break;
+    case Source::none:
+    case Source::computing:
+    case Source::comparing:  // the badge says so
+      break;
+  }
+}
+
+void Viewer::update_badge() {
+  state_.badge = describe_agreement(session_.state(), session_.activity().comparing.busy);
+  const bool comparing = session_.activity().comparing.busy;
+  if (!comparing) comparing_since_.reset();
+  if (comparing && !comparing_since_) comparing_since_ = Clock::now();
+  const SessionState& s = session_.state();
+  if (state_.badge.state == BadgeInfo::State::not_compared &&
+      s.error_source == SessionState::Source::comparing) {
+    state_.badge = {BadgeInfo::State::failed, s.last_error};
+  }
+  if (comparing) {
+    state_.badge.seconds = std::chrono::duration<double>(Clock::now() - *comparing_since_).count();
+  }
+  if (state_.badge.state == BadgeInfo::State::not_compared && compares_by_itself() &&
+      compared_ != session_.state().ours) {
+    state_.badge = {BadgeInfo::State::comparing, "to be compared with CGAL…"};
+  }
+}
+
+void Viewer::update_busy() {
+  const SessionActivity a = session_.activity();
+  BusyInfo busy;
+  const auto take = [&busy](const Worker::Activity& activity, const std::string& what) {
+    if (busy.active || !activity.busy) return;
+    busy.active = true;
+    busy.what = what + (activity.stage.empty() ? "" : ": " + activity.stage);
+    busy.share = activity.share > 0 ? activity.share : -1;
+  };
+  take(a.opening, a.opening_path.empty() ? state_.molecule.name
+                                         : "Opening " + a.opening_path.filename().string());
+  take(a.computing, "Computing");
+  // A comparison in the background is the badge's business; it holds nothing up.
+  if (busy.active) {
+    if (!busy_since_) busy_since_ = Clock::now();
+    busy.seconds = std::chrono::duration<double>(Clock::now() - *busy_since_).count();
+  } else {
+    busy_since_.reset();
+  }
+  state_.busy = busy;
+}
+
+bool Viewer::compares_by_itself() const {
+  const auto& ours = session_.state().ours;
+  return state_.auto_compare && ours && ours->request.engine != EngineChoice::cgal &&
+         state_.molecule.balls <= kMostBallsToCompareUnasked;
+}
+
+void Viewer::compare_when_due() {
+  const auto& s = session_.state();
+  if (!compares_by_itself() || !s.up_to_date() || compared_ == s.ours || interacting()) return;
+  compared_ = s.ours;
+  session_.request_comparison();
+}
+
+}  // namespace alphascope

@@ -7,6 +7,7 @@
 #include <iostream>
 
 #include "app/cli/commands.hpp"
+#include "app/cli/failure.hpp"
 #include "app/cli/outputs.hpp"
 #include "app/cli/report_json.hpp"
 #include "app/cli/terminal.hpp"

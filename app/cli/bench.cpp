@@ -14,6 +14,7 @@
 #include "app/cli/text.hpp"
 #include "app/session/rounding_note.hpp"
 #include "core/io/csv.hpp"
+#include "core/molecule/printable.hpp"
 
 namespace alphascope::cli {
 namespace {
@@ -70,7 +71,7 @@ struct Row {
 
 Row measure(const Input& input, const std::shared_ptr<const BallSet>& balls,
             const SessionRequest& request, int runs, const RunContext& context) {
-  Row row{input.molecule().source.filename().string(),
+  Row row{printable(input.molecule().source.filename().string()),
           balls->size(),
           request,
           {},

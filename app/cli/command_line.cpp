@@ -2,11 +2,13 @@
 #include "app/cli/command_line.hpp"
 
 #include <iostream>
+#include <sstream>
 
 #include "app/cli/command_table.hpp"
 #include "app/cli/failure.hpp"
 #include "app/cli/terminal.hpp"
 #include "app/options/parse_arguments.hpp"
+#include "core/molecule/printable.hpp"
 
 namespace alphascope::cli {
 namespace {
@@ -27,7 +29,12 @@ int run_command_line(int argc, const char* const* argv) {
   const OptionProgram program = command_table(options);
   const ParsedArguments parsed = parse_arguments(program, argc, argv);
   if (parsed.ended) {
-    (parsed.exit_code == 0 ? std::cout : std::cerr) << parsed.text << std::flush;
+    if (parsed.exit_code == 0) {
+      std::cout << parsed.text << std::flush;
+    } else {  // some lines, which may quote what was typed
+      std::istringstream lines(parsed.text);
+      for (std::string line; std::getline(lines, line);) std::cerr << printable(line) << '\n';
+    }
     return parsed.exit_code;
   }
   try {

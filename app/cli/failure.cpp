@@ -6,6 +6,7 @@
 
 #include "app/cli/terminal.hpp"
 #include "core/io/atomic_file.hpp"
+#include "core/molecule/printable.hpp"
 
 namespace alphascope::cli {
 
@@ -36,7 +37,7 @@ Failure current_failure() {
 void print_error(const std::string& message) {
   clear_progress();
   std::cout.flush();
-  std::cerr << "alphascope-cli: " << message << std::endl;
+  std::cerr << "alphascope-cli: " << printable(message) << std::endl;
 }
 
 }  // namespace alphascope::cli

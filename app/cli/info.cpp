@@ -14,6 +14,7 @@
 #include "app/cli/terminal.hpp"
 #include "app/cli/text.hpp"
 #include "core/molecule/assembly.hpp"
+#include "core/molecule/printable.hpp"
 
 namespace alphascope::cli {
 namespace {
@@ -148,7 +149,7 @@ std::string table_line(const Table& table, const std::string& file, const Input&
 CsvRow csv_row(const Input& input) {
   const Molecule& molecule = input.molecule();
   const SelectionReport& report = input.prepared().report;
-  CsvRow row{{"file", molecule.source.string()},
+  CsvRow row{{"file", printable(molecule.source.string())},
              {"model", model_text(input.balls.model)},
              {"models", std::to_string(molecule.models.size())},
              {"atoms", std::to_string(report.total)},

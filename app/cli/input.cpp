@@ -9,6 +9,7 @@
 #include "app/cli/terminal.hpp"
 #include "app/options/did_you_mean.hpp"
 #include "core/io/user_radii.hpp"
+#include "core/molecule/printable.hpp"
 #include "core/molecule/selection_expression.hpp"
 
 namespace alphascope::cli {
@@ -209,8 +210,8 @@ std::vector<std::string> input_notes(const Input& input) {
 }
 
 std::string input_text(const Input& input) {
-  std::string text =
-      input.molecule().source.filename().string() + ": " + summary(input.prepared().report) + "\n";
+  std::string text = printable(input.molecule().source.filename().string()) + ": " +
+                     summary(input.prepared().report) + "\n";
   if (input.balls.model == kAllModels && input.molecule().models.size() > 1) {
     text += "  all " + std::to_string(input.molecule().models.size()) + " models as one\n";
   } else if (input.molecule().models.size() > 1) {

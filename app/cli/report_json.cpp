@@ -3,6 +3,7 @@
 #include "app/cli/text.hpp"
 #include "app/session/result_header.hpp"
 #include "app/session/version.hpp"
+#include "core/molecule/printable.hpp"
 
 namespace alphascope::cli {
 
@@ -141,7 +142,7 @@ ComplexHeader complex_header(const Input& input, const SessionRequest& request,
 
 std::string json_text(const Json& json) {
   // File names need not be UTF-8; replacing what is not keeps the output readable.
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return printable_json(json.dump(2, ' ', false, Json::error_handler_t::replace)) + "\n";
 }
 
 }  // namespace alphascope::cli

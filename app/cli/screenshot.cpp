@@ -16,6 +16,7 @@
 #include "app/cli/text.hpp"
 #include "app/session/result_header.hpp"
 #include "app/session/system_memory.hpp"
+#include "core/molecule/printable.hpp"
 #include "ui/scene/ball_colours.hpp"
 #include "ui/scene/screenshot.hpp"
 
@@ -102,7 +103,8 @@ ExitCode run_screenshot(const ScreenshotCommandOptions& options) {
   clear_progress();
   if (!not_drawn.empty()) std::cerr << "alphascope-cli: " << not_drawn << "\n";
   std::cout << input_text(input) << complex_text(result.complex, verbosity()) << "picture     "
-            << options.out.string() << ", " << picture.width << " x " << picture.height << "\n";
+            << printable(options.out.string()) << ", " << picture.width << " x " << picture.height
+            << "\n";
   return ExitCode::ok;
 }
 

@@ -12,6 +12,7 @@
 #include "app/session/thesis_table.hpp"
 #include "core/chart/layout.hpp"
 #include "core/chart/svg.hpp"
+#include "core/molecule/printable.hpp"
 
 namespace alphascope::cli {
 namespace {
@@ -49,7 +50,7 @@ std::vector<ThesisMolecule> read_all(const BenchOptions& options, const RunConte
         balls = std::make_shared<const BallSet>(
             with_solvent(*balls, options.request.solvent_radius_angstrom));
       }
-      std::string name = input.molecule().source.filename().string();
+      std::string name = printable(input.molecule().source.filename().string());
       name.erase(std::min(name.find('.'), name.size()));
       if (each_model(options.input)) name += ", model " + model_text(input.balls.model);
       molecules.push_back({name, balls, input.provenance()});
@@ -150,7 +151,7 @@ Json to_json(const ThesisReport& report) {
 void write_charts_of(const ThesisReport& report, const std::string& folder) {
   if (folder.empty()) return;
   for (const auto& path : write_charts(thesis_charts(report), folder)) {
-    std::cout << "wrote " << path.string() << "\n";
+    std::cout << "wrote " << printable(path.string()) << "\n";
   }
 }
 

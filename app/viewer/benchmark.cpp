@@ -8,6 +8,7 @@
 #include "app/session/thesis_table.hpp"
 #include "core/chart/layout.hpp"
 #include "core/chart/svg.hpp"
+#include "core/molecule/printable.hpp"
 #include "core/molecule/provenance.hpp"
 #include "ui/number_input.hpp"
 #include "ui/panels/format.hpp"
@@ -88,7 +89,7 @@ ThesisMolecule to_molecule(const SessionState& session) {
   const double solvent = session.request.solvent_radius_angstrom;
   std::shared_ptr<const BallSet> balls = session.prepared->balls;
   if (solvent != 0) balls = std::make_shared<const BallSet>(with_solvent(*balls, solvent));
-  std::string name = opened.molecule->source.filename().string();
+  std::string name = printable(opened.molecule->source.filename().string());
   name.erase(std::min(name.find('.'), name.size()));
   return {name, balls,
           provenance(*opened.molecule, opened.options.balls, session.prepared->report)};

@@ -10,6 +10,7 @@
 #include "app/viewer/options.hpp"
 #include "app/viewer/script.hpp"
 #include "app/viewer/viewer.hpp"
+#include "core/molecule/printable.hpp"
 
 namespace {
 
@@ -61,7 +62,7 @@ int main(int argc, char** argv) {
     host = scripted ? alphascope::make_egl_host(host_options)
                     : alphascope::make_glfw_host(host_options);
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "alphascope: %s\n", error.what());
+    std::fprintf(stderr, "alphascope: %s\n", alphascope::printable(error.what()).c_str());
     return kNoDisplay;
   }
   try {
@@ -73,7 +74,7 @@ int main(int argc, char** argv) {
     std::fputs("alphascope: there is not enough memory for the window.\n", stderr);
     return kFailed;
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "alphascope: %s\n", error.what());
+    std::fprintf(stderr, "alphascope: %s\n", alphascope::printable(error.what()).c_str());
     return kFailed;
   }
 }

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <tuple>
 
+#include "core/molecule/printable.hpp"
 #include "core/molecule/selection_expression.hpp"
 #include "ui/panels/format.hpp"
 
@@ -131,7 +132,7 @@ void describe_provenance(MoleculeInfo& info, const OpenedMolecule& opened) {
   info.radii_name = report.radii_name;
   info.radii_citation = report.radii_citation;
   auto& rows = info.provenance;
-  rows = {{"File", m.source.string()}, {"Format", m.format}, {"SHA-256", m.sha256}};
+  rows = {{"File", printable(m.source.string())}, {"Format", m.format}, {"SHA-256", m.sha256}};
   rows.emplace_back("Assembly", assembly_text(opened));
   if (m.models.size() > 1) rows.emplace_back("Model", model_text(opened));
   rows.emplace_back("Selection", summary(report));
@@ -181,8 +182,8 @@ MoleculeInfo describe_molecule(const OpenedMolecule& opened) {
   const SelectionReport& report = opened.prepared->report;
   MoleculeInfo info;
   info.loaded = true;
-  info.name = molecule.source.filename().string();
-  info.folder = molecule.source.parent_path().string();
+  info.name = printable(molecule.source.filename().string());
+  info.folder = printable(molecule.source.parent_path().string());
   info.title = molecule.title;
   info.format = molecule.format;
   info.summary = summary(report);

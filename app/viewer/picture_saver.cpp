@@ -1,6 +1,7 @@
 // See the header. VTK keeps nothing that two scenes share while they draw, as long as each scene is
 // made on the main thread: there GLEW, which VTK calls OpenGL through, is set up.
 #include "app/viewer/picture_saver.hpp"
+#include "core/molecule/printable.hpp"
 
 #include <atomic>
 #include <exception>
@@ -94,7 +95,7 @@ void PictureSaver::begin() {
         *written = true;
         return [this, picture, left_out] {
           studio_.reset();
-          outcome_.notice = "Saved " + picture->path.string();
+          outcome_.notice = "Saved " + printable(picture->path.string());
           if (!left_out.empty()) outcome_.notice += ". " + left_out;
           saving_.reset();
         };
@@ -102,7 +103,7 @@ void PictureSaver::begin() {
       [this, written, path = picture->path](const Worker::Failure& failure) {
         studio_.reset();
         if (failure.cancelled) {  // which was told already, unless it came too late
-          if (*written) outcome_.notice = "Saved " + path.string();
+          if (*written) outcome_.notice = "Saved " + printable(path.string());
           return;
         }
         const bool names_it = failure.message.find(path.string()) != std::string::npos;

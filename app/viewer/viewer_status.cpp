@@ -4,6 +4,7 @@
 
 #include "app/viewer/state_bridge.hpp"
 #include "app/viewer/viewer.hpp"
+#include "core/molecule/printable.hpp"
 
 namespace alphascope {
 namespace {
@@ -79,8 +80,9 @@ void Viewer::update_busy() {
     busy.what = what + (activity.stage.empty() ? "" : ": " + activity.stage);
     busy.share = activity.share > 0 ? activity.share : -1;
   };
-  take(a.opening, a.opening_path.empty() ? state_.molecule.name
-                                         : "Opening " + a.opening_path.filename().string());
+  take(a.opening, a.opening_path.empty()
+                      ? state_.molecule.name
+                      : "Opening " + printable(a.opening_path.filename().string()));
   take(a.computing, "Computing");
   // A comparison in the background is the badge's business; it holds nothing up.
   if (busy.active) {

@@ -5,6 +5,7 @@
 
 #include "core/io/ion_names.hpp"
 #include "core/io/line_reader.hpp"
+#include "core/molecule/printable.hpp"
 
 namespace alphascope {
 namespace {
@@ -183,18 +184,15 @@ void AtomGuesser::add_note(Molecule& molecule, std::string_view where_missing) c
 std::string shortened(std::string_view text) {
   constexpr std::size_t kLongest = 60;
   std::string result(text.substr(0, kLongest));
-  for (char& c : result) {
-    if (static_cast<unsigned char>(c) < ' ' || c == '\x7f') c = c == '\t' ? ' ' : '?';
-  }
   if (text.size() > kLongest) {
     // Do not cut a UTF-8 character in half.
     while (!result.empty() && (static_cast<unsigned char>(result.back()) & 0xC0) == 0x80) {
       result.pop_back();
     }
     if (!result.empty() && static_cast<unsigned char>(result.back()) >= 0xC0) result.pop_back();
-    result += "…";
+    return printable(result) + "…";
   }
-  return result;
+  return printable(result);
 }
 
 }  // namespace alphascope

@@ -6,11 +6,13 @@
 #include <string>
 #include <string_view>
 
+#include "core/molecule/printable.hpp"
+
 namespace alphascope {
 
-// what() is the complete sentence, naming the path.
+// what() is the complete sentence, naming the path, printable.
 struct WriteError : std::runtime_error {
-  using std::runtime_error::runtime_error;
+  explicit WriteError(std::string_view sentence) : std::runtime_error(printable(sentence)) {}
 };
 
 // Text goes to a temporary file in the same folder that commit() renames; without commit() nothing

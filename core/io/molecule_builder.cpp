@@ -4,6 +4,8 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "core/molecule/printable.hpp"
+
 namespace alphascope {
 namespace {
 
@@ -60,7 +62,22 @@ Molecule MoleculeBuilder::finish() {
   }
   if (!radii_.empty()) radii_.resize(size(), kNoRadius);
   place(choose_digits());
+  make_texts_printable();
   return std::move(molecule_);
+}
+
+// Names are so already.
+void MoleculeBuilder::make_texts_printable() {
+  molecule_.title = printable(molecule_.title);
+  for (std::string& note : molecule_.notes) note = printable(note);
+  for (Assembly& assembly : molecule_.assemblies.list) {
+    assembly.id = printable(assembly.id);
+    assembly.details = printable(assembly.details);
+  }
+  for (RefusedAssembly& refused : molecule_.assemblies.refused) {
+    refused.id = printable(refused.id);
+    refused.reason = printable(refused.reason);
+  }
 }
 
 int MoleculeBuilder::choose_digits() const {

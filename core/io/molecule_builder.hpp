@@ -25,6 +25,8 @@ class MoleculeBuilder {
 
   void add(const Atom& atom, const std::array<Decimal, 3>& position) {
     molecule_.atoms.push_back(atom);
+    make_visible(molecule_.atoms.back().altloc);
+    make_visible(molecule_.atoms.back().insertion_code);
     for (const Decimal& c : position) note_coordinate(c);
     positions_.push_back(position);
   }
@@ -36,10 +38,15 @@ class MoleculeBuilder {
   // Lattice digits: as many as some value of the file uses (trailing zeros do not count), at least
   // kMinLatticeDigits, at most what the largest coordinate and radius leave room for; with fewer
   // than the file uses, values are rounded once and the largest change is recorded.
+  // Title, notes and assemblies become printable.
   // Throws ReadError when there are no atoms or a value is beyond the lattice of whole ångströms.
   Molecule finish();
 
  private:
+  static void make_visible(char& letter) {
+    if (letter < ' ' || letter > '~') letter = '?';
+  }
+  void make_texts_printable();
   void note_coordinate(const Decimal& value) {
     if (value.digits > most_digits_) most_digits_ = value.digits;
   }

@@ -6,9 +6,11 @@
 #include <stdexcept>
 #include <string>
 
+#include "core/molecule/printable.hpp"
+
 namespace alphascope {
 
-// what() is the complete sentence: "FILE, line N: reason. Remedy."
+// what() is the complete sentence, printable: "FILE, line N: reason. Remedy."
 class ReadError : public std::runtime_error {
  public:
   // line counts from 1; 0 when the fault belongs to no line. reason and remedy without full stop.
@@ -16,7 +18,7 @@ class ReadError : public std::runtime_error {
       : std::runtime_error(sentence(file, line, reason, remedy)),
         file_(std::move(file)),
         line_(line),
-        reason_(std::move(reason)),
+        reason_(printable(reason)),
         remedy_(std::move(remedy)) {}
 
   const std::filesystem::path& file() const { return file_; }
@@ -31,7 +33,7 @@ class ReadError : public std::runtime_error {
     if (line > 0) text += ", line " + std::to_string(line);
     text += ": " + reason + ".";
     if (!remedy.empty()) text += " " + remedy + ".";
-    return text;
+    return printable(text);
   }
 
   std::filesystem::path file_;

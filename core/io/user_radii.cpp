@@ -4,6 +4,7 @@
 #include "core/io/decimal.hpp"
 #include "core/io/line_reader.hpp"
 #include "core/io/text_file.hpp"
+#include "core/molecule/printable.hpp"
 
 namespace alphascope {
 namespace {
@@ -26,7 +27,7 @@ class UserRadiiReader {
       throw ReadError(path_, 0, "the table holds no radii",
                       "Write lines such as \"C 1.70\" or \"ALA CB 1.88\"");
     }
-    radii_.source = path_.filename().string();
+    radii_.source = printable(path_.filename().string());
     return std::move(radii_);
   }
 

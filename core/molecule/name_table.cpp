@@ -2,6 +2,8 @@
 
 #include <cstring>
 
+#include "core/molecule/printable.hpp"
+
 namespace alphascope {
 
 NameId NameTable::intern(std::string_view text) {
@@ -15,14 +17,14 @@ NameId NameTable::intern(std::string_view text) {
     if (slot->key == key) return slot->id;
   }
   const auto [entry, inserted] =
-      ids_.try_emplace(std::string(text), static_cast<NameId>(texts_.size()));
-  if (inserted) texts_.emplace_back(text);
+      ids_.try_emplace(printable(text), static_cast<NameId>(texts_.size()));
+  if (inserted) texts_.push_back(entry->first);
   if (slot) *slot = {key, entry->second};
   return entry->second;
 }
 
 NameId NameTable::find(std::string_view text) const {
-  const auto entry = ids_.find(std::string(text));
+  const auto entry = ids_.find(printable(text));
   return entry == ids_.end() ? 0 : entry->second;
 }
 

@@ -17,6 +17,7 @@ class NameTable {
  public:
   NameTable() : texts_{""}, ids_{{"", 0}} {}  // id 0 is the empty name
 
+  // What a name has of characters that cannot be shown is kept as printable() has it.
   NameId intern(std::string_view text);
 
   // Valid as long as the table; ids come from intern() of the same table or of a copy's original.

@@ -1,4 +1,5 @@
 #include "core/molecule/provenance.hpp"
+#include "core/molecule/printable.hpp"
 
 #include <algorithm>
 #include <cstdio>
@@ -64,18 +65,20 @@ std::string options_text(const BallOptions& options) {
 
 Provenance provenance(const Molecule& molecule, const BallOptions& options,
                       const SelectionReport& report) {
-  return {{"file", molecule.source.string()},
-          {"sha256", molecule.sha256},
-          {"format", molecule.format},
-          {"model", model_text(options.model)},
-          {"assembly", molecule.assembly_id},
-          {"options", options_text(options)},
-          {"selection_expression", options.selection},
-          {"selection", summary(report)},
-          {"radii", radii_text(options, report)},
-          {"lattice_unit_angstrom", lattice_unit_text(report.lattice)},
-          {"rounding_angstrom", short_number(molecule.rounding_angstrom)},
-          {"radius_rounding_angstrom", short_number(report.radius_rounding_angstrom)}};
+  Provenance entries{{"file", molecule.source.string()},
+                     {"sha256", molecule.sha256},
+                     {"format", molecule.format},
+                     {"model", model_text(options.model)},
+                     {"assembly", molecule.assembly_id},
+                     {"options", options_text(options)},
+                     {"selection_expression", options.selection},
+                     {"selection", summary(report)},
+                     {"radii", radii_text(options, report)},
+                     {"lattice_unit_angstrom", lattice_unit_text(report.lattice)},
+                     {"rounding_angstrom", short_number(molecule.rounding_angstrom)},
+                     {"radius_rounding_angstrom", short_number(report.radius_rounding_angstrom)}};
+  for (auto& [key, value] : entries) value = printable(value);
+  return entries;
 }
 
 }  // namespace alphascope

@@ -12,7 +12,8 @@ namespace alphascope {
 
 // Key and value, in this order: file, sha256, format, model, assembly, options,
 // selection_expression, selection, radii, lattice_unit_angstrom, rounding_angstrom,
-// radius_rounding_angstrom. Every key is always there; what does not apply is empty.
+// radius_rounding_angstrom. Every key is always there; what does not apply is empty. Values are
+// printable, also the name of a file that is not.
 using Provenance = std::vector<std::pair<std::string, std::string>>;
 Provenance provenance(const Molecule& molecule, const BallOptions& options,
                       const SelectionReport& report);

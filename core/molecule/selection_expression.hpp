@@ -16,14 +16,15 @@
 #include <vector>
 
 #include "core/molecule/molecule.hpp"
+#include "core/molecule/printable.hpp"
 
 namespace alphascope {
 
-// what() is the complete sentence: "column 7: expected … after \"chain\"".
+// what() is the complete sentence, printable: "column 7: expected … after \"chain\"".
 class SelectionError : public std::invalid_argument {
  public:
   SelectionError(std::size_t column, const std::string& reason)
-      : std::invalid_argument("column " + std::to_string(column) + ": " + reason),
+      : std::invalid_argument("column " + std::to_string(column) + ": " + printable(reason)),
         column_(column) {}
   std::size_t column() const { return column_; }  // in the expression, from 1
 

@@ -86,6 +86,45 @@ TEST_F(Cli, ASelectionOfNothingIsAnError) {
   EXPECT_TRUE(contains(run("info '" + two.string() + "'").err, "dropped 1 water. Add --waters."));
 }
 
+// Nothing in it moves a cursor, rings, or turns the direction of writing round.
+void expect_shown_safely(const std::string& text, const std::string& what) {
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    EXPECT_TRUE((byte >= 0x20 && byte != 0x7f) || c == '\n') << what << ": byte " << int{byte};
+  }
+  for (const char* hidden : {"\u009b", "\u202e", "\xff", "\u2028"}) {
+    EXPECT_FALSE(text.find(hidden) != std::string::npos) << what << ": " << text;
+  }
+}
+
+TEST_F(Cli, WhatFilesAndTheirNamesHoldCannotCommandATerminal) {
+  const std::string evil = "\x1b[31m\x1b]0;x\a\u009b\u202e\u2028";
+  const fs::path file = write(
+      "a\x1b\a\n\u009b\u202e.pdb",
+      "TITLE     " + evil + "\xff\rb\n" +
+          "HETATM    1  C\x1b\x9b\x07L\xffG \x1b   1      27.340  24.430   2.614  1.00  9.67\n"
+          "HETATM    2 ZN\x1b  L\xffG B   1      29.340  24.430   2.614  1.00  9.67\n");
+  const std::string quoted = "'" + file.string() + "' ";
+  const std::string out = "'" + (folder_ / "out").string() + "'";
+  for (const std::string& arguments :
+       {"info " + quoted, "info " + quoted + "--json -", "compute " + quoted + "--alpha 1",
+        "compute " + quoted + "--alpha 1 --json -", "compute " + quoted + "--alpha 1 --csv -",
+        "compute " + quoted + "--alpha 1 --out " + out, "bench " + quoted + "--alpha 1 --runs 1",
+        "verify " + quoted + "--alpha 1", "info " + quoted + "--chain '" + evil + "'",
+        "info " + quoted + "--select 'name " + evil + "('", "info " + quoted + "--model '\x1b'",
+        "info " + quoted + "--radii '" + evil + "'", "info " + quoted + "--assembly '" + evil + "'",
+        "info '" + file.string() + "\x1b'", "compute " + quoted + "--alpha '" + evil + "'",
+        "compute " + quoted + "--alpha 1 --json '" + evil + "/x'"}) {
+    const Outcome outcome = run(arguments);
+    expect_shown_safely(outcome.out, arguments);
+    expect_shown_safely(outcome.err, arguments);
+  }
+  expect_shown_safely(contents(folder_ / "out"), "--out");
+  const json report = json::parse(run("info " + quoted + "--json -").out);
+  EXPECT_EQ(report["input"]["file"], file.string()) << "JSON says the same in escapes";
+  EXPECT_TRUE(contains(run("info " + quoted).out, "title       \\x1B[31m"));
+}
+
 TEST_F(Cli, BadInputIsCode3AndNamesFileAndLine) {
   const fs::path bad = write("bad.xyzr", "0 0 0 1.5\n0 0 banana 1.5\n");
   const Outcome outcome = run("compute '" + bad.string() + "' --alpha 1");

@@ -97,6 +97,8 @@ std::string_view amino_acid(std::string_view residue) {
 constexpr std::string_view kOnNitrogen[] = {"H",   "HN",  "H1",  "H2",  "H3",  "HT1",
                                             "HT2", "HT3", "HN1", "HN2", "HN3", "HNT"};
 
+constexpr std::string_view kBackbone[] = {"N", "CA", "C", "O"};
+
 bool is_terminal_name(std::string_view residue, char end) {
   return residue.size() == 4 && residue[0] == end && !standard_amino_acid(residue).empty();
 }
@@ -165,8 +167,12 @@ AmberRadius hydrogen(std::string_view residue, std::string_view atom, AmberForm 
     if (is_terminal_name(residue, 'N')) form |= kAmberNTerminus;
     return amino_acid_hydrogen(known, name, form);
   }
-  const char base = nucleotide_base(residue);
-  return base ? nucleotide_hydrogen(base, name, form) : kUntypedHydrogen;
+  if (const char base = nucleotide_base(residue)) return nucleotide_hydrogen(base, name, form);
+  // A modified residue: its side chain has no types, but what all amino acids have is as in them.
+  const std::string_view n = name;
+  const bool alpha = n.starts_with("HA") && n.size() <= 3;
+  if ((form & kAmberPeptide) && (n == "H" || n == "HN" || alpha)) return typed(alpha ? kH1 : kH);
+  return kUntypedHydrogen;
 }
 
 int amino_acid_oxygen(std::string_view residue, std::string_view atom, AmberForm form) {
@@ -196,7 +202,8 @@ int nucleotide_oxygen(std::string_view residue, std::string_view atom, AmberForm
 AmberRadius oxygen(std::string_view residue, std::string_view atom, AmberForm form) {
   if (!amino_acid(residue).empty()) return typed(amino_acid_oxygen(residue, atom, form));
   if (nucleotide_base(residue)) return typed(nucleotide_oxygen(residue, Canonical(atom), form));
-  return {kO, is_cap(residue)};
+  const bool peptide = (form & kAmberPeptide) && (atom == "O" || atom == "OXT");
+  return {kO, is_cap(residue) || peptide};
 }
 
 }  // namespace
@@ -205,7 +212,12 @@ AmberFormFinder::AmberFormFinder(std::string_view residue)
     : amino_acid_(amino_acid(residue)), base_(nucleotide_base(residue)) {}
 
 void AmberFormFinder::add(std::string_view atom) {
-  if (amino_acid_.empty() && base_ == 0) return;
+  if (amino_acid_.empty() && base_ == 0) {
+    for (std::size_t k = 0; k < std::size(kBackbone); ++k) {
+      if (atom == kBackbone[k]) in_backbone_ |= 1u << k;
+    }
+    return;
+  }
   const Canonical name(atom);
   const std::string_view n = name;
   if (base_ != 0) {
@@ -230,6 +242,7 @@ void AmberFormFinder::add(std::string_view atom) {
 
 AmberForm AmberFormFinder::form() const {
   AmberForm form = found_;
+  if (std::popcount(in_backbone_) == std::size(kBackbone)) form |= kAmberPeptide;
   if ((form & kAmberRibose) && second_on_c2_ && !on_o2_) form |= kAmberCharmmRibose;
   const bool imino = amino_acid_ == "PRO" || amino_acid_ == "HYP";
   if (std::popcount(on_nitrogen_) >= (imino ? 2 : 3) && !(form & kAmberMethylamide))
@@ -241,7 +254,10 @@ AmberRadius amber_radius(std::string_view residue, std::string_view atom, AmberF
                          Element element, AtomKind kind) {
   if (kind == AtomKind::water && element == kHydrogen) return typed(kHO);
   if (kind == AtomKind::water && element == 8) return typed(kOW);
-  if (kind == AtomKind::ligand) residue = {};  // whatever its name, it is no residue of AMBER's
+  if (kind == AtomKind::ligand) {  // whatever its name, it is no residue of AMBER's
+    residue = {};
+    form = 0;
+  }
   if (element == kHydrogen) return hydrogen(residue, atom, form);
   if (element == 8) return oxygen(residue, atom, form);
   if (kind == AtomKind::ion) {

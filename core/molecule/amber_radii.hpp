@@ -22,6 +22,7 @@ enum AmberFormBit : std::uint16_t {
   kAmberHydroxylOxt = 64,  // OXT
   kAmberHydroxylO5 = 128,  // O5'
   kAmberHydroxylO3 = 256,  // O3'
+  kAmberPeptide = 512,     // of no known name, but with N, CA, C and O
 };
 using AmberForm = std::uint16_t;
 
@@ -36,7 +37,7 @@ class AmberFormFinder {
   std::string_view amino_acid_;
   char base_;
   AmberForm found_ = 0;
-  std::uint32_t on_nitrogen_ = 0;  // one bit a name, so that alternative locations count once
+  std::uint32_t on_nitrogen_ = 0, in_backbone_ = 0;  // a bit for each name: locations count once
   bool second_on_c2_ = false, on_o2_ = false;
 };
 

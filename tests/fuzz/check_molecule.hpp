@@ -6,6 +6,7 @@
 
 #include "core/io/read_error.hpp"
 #include "core/molecule/prepare_balls.hpp"
+#include "core/molecule/printable.hpp"
 
 namespace alphascope::fuzz {
 
@@ -29,11 +30,17 @@ inline void check(const Molecule& m) {
     require(a.name < m.names.size() && a.residue_name < m.names.size() &&
             a.chain < m.names.size() && a.label_chain < m.names.size());
   }
+  require(is_printable(m.title));
+  for (NameId id = 0; id < m.names.size(); ++id) require(is_printable(m.text(id)));
+  for (const std::string& note : m.notes) require(is_printable(note));
   BallOptions all;
   all.model = kAllModels;
-  const PreparedBalls prepared = prepare_balls(m, all);
-  for (const std::int32_t radius : prepared.balls->radii) {
-    require(radius > 0 && radius <= kMaxLatticeRadius);
+  for (const RadiiSet set : {RadiiSet::automatic, RadiiSet::amber}) {
+    all.radii = set;
+    const PreparedBalls prepared = prepare_balls(m, all);
+    for (const std::int32_t radius : prepared.balls->radii) {
+      require(radius > 0 && radius <= kMaxLatticeRadius);
+    }
   }
 }
 
@@ -48,7 +55,7 @@ void check_reading(Read read) {
     }
   } catch (const ReadError& error) {
     require(!error.reason().empty() && !error.remedy().empty());
-    require(error.reason().size() < 1000);
+    require(error.reason().size() < 1000 && is_printable(error.what()));
   } catch (const std::invalid_argument&) {
     // An assembly that leaves the lattice.
   }

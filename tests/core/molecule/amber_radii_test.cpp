@@ -318,6 +318,32 @@ TEST(AmberRadii, WatersOfEveryNameAreTip3p) {
   }
 }
 
+TEST(AmberRadii, TheBackboneOfAModifiedResidueIsThatOfAll) {
+  for (const char* name : {"SME", "XYZ"}) {
+    expect_types(name, atoms_of("N:N H:H CA:CT HA:H1 C:C O:O CB:CT"));
+  }
+  Molecule m;
+  for (const auto& [atom, element] : {std::pair{"N", "N"},
+                                      {"CA", "C"},
+                                      {"C", "C"},
+                                      {"O", "O"},
+                                      {"H", "H"},
+                                      {"HB2", "H"},
+                                      {"OE", "O"}}) {
+    Atom a;
+    a.residue_name = m.names.intern("SME");
+    a.name = m.names.intern(atom);
+    a.element = element_from_symbol(element);
+    m.atoms.push_back(a);
+  }
+  RadiiLookup lookup(m, RadiiSet::amber, nullptr);
+  EXPECT_EQ(lookup.radius(4).microangstrom, 600000);
+  EXPECT_TRUE(lookup.radius(5).guessed);
+  EXPECT_TRUE(lookup.radius(6).guessed);
+  for (Atom& a : m.atoms) a.kind = AtomKind::ligand;
+  EXPECT_TRUE(RadiiLookup(m, RadiiSet::amber, nullptr).radius(4).guessed);
+}
+
 TEST(AmberRadii, WhatIsNotTypedIsSaidToBeGuessed) {
   EXPECT_FALSE(radius("LIG", "C1", "C", AtomKind::ligand).guessed) << "every carbon has one radius";
   EXPECT_TRUE(radius("LIG", "O1", "O", AtomKind::ligand).guessed);

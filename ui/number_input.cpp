@@ -58,9 +58,9 @@ std::string with_unit(const std::string& number, const NumberRule& rule) {
   return rule.unit[0] == '\0' ? number : number + " " + rule.unit;
 }
 
-std::string range_error(const NumberRule& rule) {
+std::string range_text(const NumberRule& rule) {
   return std::string(rule.name) + " must lie between " + exact_text(rule.least) + " and " +
-         with_unit(exact_text(rule.most), rule) + ".";
+         with_unit(exact_text(rule.most), rule);
 }
 
 std::string syntax_error(const std::string& typed, const NumberRule& rule) {
@@ -78,13 +78,15 @@ std::string syntax_error(const std::string& typed, const NumberRule& rule) {
 NumberInput read_number(const std::string& typed, const NumberRule& rule) {
   std::string text = typed;
   trim(text);
-  if (text.empty()) return {{}, "Write a number. " + range_error(rule)};
+  if (text.empty()) return {{}, "Write a number. " + range_text(rule) + "."};
   constexpr std::string_view kMinus = "−";
   if (text.starts_with(kMinus)) text.replace(0, kMinus.size(), "-");
   drop_unit(text, rule);
   const auto value = number_in(text);
   if (!value) return {{}, syntax_error(typed, rule)};
-  if (!(*value >= rule.least && *value <= rule.most)) return {{}, range_error(rule)};
+  if (!(*value >= rule.least && *value <= rule.most)) {
+    return {{}, range_text(rule) + "; “" + typed + "” does not."};
+  }
   if (rule.whole && *value != std::round(*value)) {
     return {{}, "“" + typed + "” is not a whole number. Write digits only, such as 20."};
   }

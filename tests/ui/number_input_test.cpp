@@ -37,8 +37,9 @@ TEST(NumberInput, RefusesTheRestAndSaysWhatToDo) {
   }
   EXPECT_FALSE(read_number("1.4 A", kAlphaRule).value) << "alpha is a square";
   for (const char* beyond : {"-0.1", "101", "1e308", "1e999", "-1e999"}) {
-    EXPECT_EQ(read_number(beyond, kSolventRule).error,
-              "The solvent radius must lie between 0 and 100 Å.");
+    EXPECT_EQ(
+        read_number(beyond, kSolventRule).error,
+        std::string("The solvent radius must lie between 0 and 100 Å; “") + beyond + "” does not.");
   }
   EXPECT_FALSE(read_number("19.5", kPictureSizeRule).value);
   EXPECT_FALSE(read_number("1,920", kPictureSizeRule).value) << "not 1, not 1920";

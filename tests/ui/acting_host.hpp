@@ -72,6 +72,10 @@ class ActingHost final : public Host {
     return std::exchange(dropped, {});
   }
   std::vector<std::filesystem::path> dropped;
+  void make_current() override { inner_->make_current(); }
+  std::unique_ptr<BackgroundContext> make_background_context() override {
+    return inner_->make_background_context();
+  }
   void start_imgui() override {}
   void stop_imgui() override {}
   void feed_imgui() override {

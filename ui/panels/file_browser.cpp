@@ -10,6 +10,7 @@
 #include "ui/panels/dialog_stack.hpp"
 #include "ui/panels/folder_listing.hpp"
 #include "ui/panels/format.hpp"
+#include "ui/panels/keys.hpp"
 #include "ui/panels/panels.hpp"
 
 namespace alphascope {

@@ -9,7 +9,6 @@ inline constexpr int kS = 83, kT = 84, kV = 86, kX = 88, kY = 89, kZ = 90, kSpac
 inline constexpr int kEscape = 256, kEnter = 257, kTab = 258, kBackspace = 259;
 inline constexpr int kInsert = 260, kDelete = 261, kPageUp = 266, kPageDown = 267;
 inline constexpr int kRight = 262, kLeft = 263, kDown = 264, kUp = 265, kHome = 268, kEnd = 269;
-inline constexpr int kPageUp = 266, kPageDown = 267;
 inline constexpr int kF1 = 290;
 inline constexpr int kFirstKeypad = 320, kKeypadEnter = 335;
 inline constexpr int kLeftShift = 340, kLeftControl = 341, kLeftAlt = 342, kLeftSuper = 343;

@@ -133,11 +133,8 @@ Json comparison_json(const Comparison& comparison) {
 
 ComplexHeader complex_header(const Input& input, const SessionRequest& request,
                              const EngineCache::Result& result) {
-  ComplexHeader header =
-      result_header("alphascope-cli", input.provenance(), request, result.complex);
-  for (const std::string& note : input.molecule().notes) header.emplace_back("note", note);
-  if (!result.note.empty()) header.emplace_back("note", result.note);
-  return header;
+  return result_header("alphascope-cli", input.provenance(), input.molecule().notes,
+                       {request, result.complex, result.note});
 }
 
 std::string json_text(const Json& json) {

@@ -25,7 +25,9 @@ std::string program_text(std::string_view program) {
 }
 
 ComplexHeader result_header(std::string_view program, const Provenance& balls,
-                            const SessionRequest& request, const AlphaComplex& complex) {
+                            const std::vector<std::string>& notes, const AnswerOf& answer) {
+  const SessionRequest& request = answer.request;
+  const AlphaComplex& complex = answer.complex;
   ComplexHeader header{{"program", program_text(program)}};
   header.insert(header.end(), balls.begin(), balls.end());
   // A solvent radius may have put the balls on a finer lattice.
@@ -43,6 +45,8 @@ ComplexHeader result_header(std::string_view program, const Provenance& balls,
        complex.engine.name + ", " + complex.engine.device + " (" + complex.engine.route + ")"},
       {"hash", hash_text(complex.hash)}};
   header.insert(header.end(), rest.begin(), rest.end());
+  for (const std::string& note : notes) header.emplace_back("note", note);
+  if (!answer.engine_note.empty()) header.emplace_back("note", answer.engine_note);
   return header;
 }
 

@@ -424,7 +424,9 @@ PictureTexts SceneController::texts() const {
       provenance(*opened.molecule, opened.options.balls, opened.prepared->report);
   ComplexHeader header{{"program", program_text(kProgram)}};
   if (drawn_answer_) {
-    header = result_header(kProgram, balls, drawn_answer_->request, drawn_answer_->complex);
+    header =
+        result_header(kProgram, balls, opened.molecule->notes,
+                      {drawn_answer_->request, drawn_answer_->complex, drawn_answer_->engine_note});
   } else {
     header.insert(header.end(), balls.begin(), balls.end());
   }

@@ -50,7 +50,9 @@ void set_row(PanelContext& ctx) {
   ViewState& s = ctx.state;
   if (s.radii_sets.empty()) return;
   row_label(ctx, "Radii");
-  const RadiiSetEntry& chosen = s.radii_sets[static_cast<std::size_t>(s.selection.radii_set)];
+  const auto wanted = static_cast<std::size_t>(s.selection.radii_set);
+  // A set that there is not is refused where it is used; until then, nothing is read of it.
+  const RadiiSetEntry& chosen = s.radii_sets[std::min(wanted, s.radii_sets.size() - 1)];
   std::string preview = chosen.name;
   if (s.selection.radii_set == 0 && !s.molecule.radii_name.empty()) {
     preview += ": " + s.molecule.radii_name;

@@ -114,7 +114,7 @@ void tuple_switches(PanelContext& ctx) {
     ImGui::BeginDisabled(!applies);
     checkbox(ctx, s.name, s.label, c.tuples.*s.value);
     ImGui::EndDisabled();
-    const std::string help = applies ? s.help : std::string(s.help) + "\nSays nothing on the CPU.";
+    const std::string help = applies ? s.help : std::string(s.help) + "\nHas no effect on the CPU.";
     tooltip(ctx, help.c_str());
   }
 }

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <regex>
 #include <vector>
@@ -94,14 +95,22 @@ TEST(MemoryTest, FreedMemoryIsGivenBack) {
 }
 
 // The first round fills what is kept on purpose: shaders, glyphs, engines of the last settings.
-// What is lost is lost in every round; the driver keeps a texture more or less in one and not in
-// the next.
+// What is lost is lost in every round; a driver keeps a texture more or less in one and not in the
+// next, and a picture saved in the background may still hold its memory when a round ends. So one
+// round of several that leaves nothing behind is enough.
 TEST_F(WindowMemoryTest, RoundsLeaveNothingBehind) {
   constexpr double kMostMegabytes = 0.1;
+  constexpr int kMostRounds = 6;
   run("size 900 600\n");
-  const double first = after_a_round(), second = after_a_round(), third = after_a_round();
-  EXPECT_LT(std::min(second - first, third - second), kMostMegabytes)
-      << first << ", " << second << ", " << third << " MB";
+  std::string all;
+  double before = after_a_round(), least = HUGE_VAL;
+  for (int n = 1; n < kMostRounds && least >= kMostMegabytes; ++n) {
+    const double now = after_a_round();
+    least = std::min(least, now - before);
+    all += std::to_string(before) + " -> " + std::to_string(now) + " MB; ";
+    before = now;
+  }
+  EXPECT_LT(least, kMostMegabytes) << all;
 }
 
 TEST_F(SceneMemoryTest, APictureForAFileLeavesNoBuffersBehind) {

@@ -144,13 +144,14 @@ void draw_engine_panel(PanelContext& ctx) {
   if (!section(ctx, "engine", "Engine")) return;
   ViewState& s = ctx.state;
   engine_choice(ctx);
-  device(ctx);
-  tuple_switches(ctx);
   checkbox(ctx, "engine.tetrahedra_only", "Tetrahedra only (faster)", s.compute.tetrahedra_only);
   tooltip(ctx,
           "Computes the tetrahedra of the complex without its triangles, edges and vertices: the "
           "thesis' sub-complex.");
   auto_compare(ctx);
+  // Last what comes and goes: nothing that one clicks is below it.
+  tuple_switches(ctx);
+  device(ctx);
 }
 
 }  // namespace alphascope

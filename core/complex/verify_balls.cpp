@@ -31,6 +31,7 @@ Int128 fixed(std::int64_t square_units) {
 // no farther apart than that, so their cells differ by at most 1. Beyond 2^31 all is one cell.
 std::int64_t width_for(Int128 a) {
   constexpr std::int64_t kAll = std::int64_t{1} << 31;
+  if (a <= 0) return 1;  // no ball is left, or only points
   const double guess = 2 * std::sqrt(std::ldexp(static_cast<double>(a), -20));
   if (guess >= static_cast<double>(kAll)) return kAll;
   std::int64_t width = std::max(std::int64_t{1}, static_cast<std::int64_t>(guess));

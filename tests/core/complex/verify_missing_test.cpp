@@ -255,6 +255,16 @@ TEST(Missing, RightComplexesOfMoleculesPass) {
   }
 }
 
+// Where no ball is left, there is nothing to search among.
+TEST(Missing, NothingIsMissingWhereAllBallsAreEmpty) {
+  Random random(41);
+  const BallSet balls = testing::random_balls(random, 9, 10, 2, 5);
+  for (const double alpha : {-25.0, -26.0, -1e9}) {  // the largest radius is 5 at most
+    const AlphaComplex complex = complex_at(balls, alpha);
+    EXPECT_TRUE(verify(balls, complex).ok()) << alpha;
+  }
+}
+
 TEST(Missing, TheSearchCanBeCancelledAndTellsHowFarItIs) {
   const auto balls = testing::sample_balls("1crn.pdb", 1.4);
   const AlphaComplex complex = complex_at(*balls, 5);

@@ -40,6 +40,17 @@ namespace {
 // Exact transparency of this many layers; more cost time and show no difference.
 constexpr int kPeels = 6;
 constexpr int kFineSamples = 2;  // each way
+
+// VTK draws nothing, and says so nowhere, when one of its buffers cannot be had. The largest, which
+// ambient occlusion takes, has four floats a pixel; Mesa's software driver also limits the bytes.
+bool drawable(int width, int height) {
+  constexpr int kMost = 16384;
+  if (std::max(width, height) > kMost) return false;
+  glTexImage2D(GL_PROXY_TEXTURE_2D, 0, GL_RGBA32F, width, height, 0, GL_RGBA, GL_FLOAT, nullptr);
+  GLint possible = 0;
+  glGetTexLevelParameteriv(GL_PROXY_TEXTURE_2D, 0, GL_TEXTURE_WIDTH, &possible);
+  return possible == width;
+}
 }  // namespace
 
 struct Scene::Impl {
@@ -370,9 +381,12 @@ void Scene::wheel(double steps) {
 }
 
 Image Scene::grab(int width, int height, bool transparent) {
-  GLint largest = 0;
-  glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
-  const bool oversample = kFineSamples * std::max(width, height) <= std::min(largest, 16384);
+  const bool oversample = drawable(kFineSamples * width, kFineSamples * height);
+  if (!oversample && !drawable(width, height)) {
+    throw std::runtime_error("OpenGL on this machine cannot draw a picture of " +
+                             std::to_string(width) + " x " + std::to_string(height) +
+                             " pixels. Choose a smaller size.");
+  }
   // Ambient occlusion darkens towards the background, which a transparent picture has none of.
   impl_->apply_quality(oversample ? RenderQuality::fine : RenderQuality::medium, !transparent);
   vtkRenderer* renderer = impl_->renderer;

@@ -134,7 +134,7 @@ void controls(PanelContext& ctx) {
   record(ctx, "benchmark.alphas");
   ImGui::SameLine(0, ctx.px(16));
   labelled_number(ctx, "benchmark.runs", "runs", c.runs, kRunsRule);
-  labelled_number(ctx, "benchmark.seconds", "seconds a row, at most", c.seconds_per_row,
+  labelled_number(ctx, "benchmark.seconds", "seconds per row, at most", c.seconds_per_row,
                   kRowSecondsRule);
   tooltip(ctx, "A row that cannot finish one run in this time is left out; nothing is estimated.");
   ImGui::NewLine();

@@ -46,15 +46,15 @@ void draw_cheat_sheet(PanelContext& ctx) {
   if (!begin_dialog(ctx, "Mouse and keyboard")) return;
   shortcut_rows(ctx, "View",
                 {{"drag", "turn"},
-                 {"middle drag, shift + drag", "shift"},
+                 {"middle drag, Shift + drag", "pan"},
                  {"wheel, right drag", "zoom"},
-                 {"rest on a ball", "its name, place and radii"},
+                 {"hover over a ball", "show its name, position and radii"},
                  {"R", "reset the view"},
-                 {"B, T, E", "balls, tetrahedra, edges on and off"},
-                 {"Ctrl + L", "light or dark"}});
+                 {"B, T, E", "show or hide balls, tetrahedra, edges"},
+                 {"Ctrl + L", "switch between light and dark"}});
   shortcut_rows(ctx, "Alpha",
-                {{"← →", "alpha − and + 0.1 Å²"},
-                 {"shift + ← →", "alpha − and + 1 Å²"},
+                {{"← →", "change alpha by 0.1 Å²"},
+                 {"Shift + ← →", "change alpha by 1 Å²"},
                  {"Ctrl + click on a slider", "type the value"},
                  {"C", "compare with CGAL"},
                  {"Esc", "close a menu; stop playing; cancel"}});
@@ -81,7 +81,7 @@ void draw_about(PanelContext& ctx) {
   ImGui::PopTextWrapPos();
   ImGui::Spacing();
   muted_text(ctx, "Free software under the GNU GPL, version 3 or later.");
-  muted_text(ctx, "Built on CGAL, VTK, Dear ImGui, GLFW, oneTBB and gemmi. Letters: Inter.");
+  muted_text(ctx, "Built on CGAL, VTK, Dear ImGui, GLFW, oneTBB and gemmi. Font: Inter.");
   ImGui::Dummy({ctx.px(kWidth), ctx.px(6)});
   ImGui::NewLine();
   if (close_button(ctx, ctx.px(kWidth), {"about.close", "Close"})) show = false;
@@ -128,9 +128,8 @@ void draw_confirm_assembly(PanelContext& ctx) {
   ImGui::Dummy({ctx.px(kWidth), 0});
   if (found != list.end()) assembly_facts(ctx, *found);
   ImGui::Dummy({0, ctx.px(6)});
-  muted_wrapped(ctx,
-                "Expanding and computing can be cancelled; until the copies are made, the present "
-                "molecule stays.");
+  muted_wrapped(
+      ctx, "You can cancel at any time. The present molecule stays until the copies are made.");
   ImGui::Dummy({0, ctx.px(6)});
   ImGui::NewLine();
   const DialogAnswer answer = dialog_buttons(ctx, ctx.px(kWidth), {"assembly.cancel", "Cancel"},
@@ -187,13 +186,14 @@ void save_target(PanelContext& ctx) {
   ImGui::PushFont(ctx.fonts.small);
   if (std::filesystem::is_regular_file(path, ignored)) {
     ImGui::PushStyleColor(ImGuiCol_Text, to_imgui(ctx.palette.warning));
-    ImGui::TextUnformatted("This file is there already and will be replaced.");
+    ImGui::TextUnformatted("This file already exists and will be replaced.");
     ImGui::PopStyleColor();
     record(ctx, "save.replaces");
   } else if (!std::filesystem::is_directory(path.parent_path(), ignored)) {
     ImGui::PushStyleColor(ImGuiCol_Text, to_imgui(ctx.palette.error));
     ImGui::TextUnformatted(
-        fitted_text("There is no folder " + path.parent_path().string(), ctx.px(340)).c_str());
+        fitted_text("There is no folder " + path.parent_path().string() + ".", ctx.px(340))
+            .c_str());
     ImGui::PopStyleColor();
     record(ctx, "save.no_folder");
   } else {
@@ -240,7 +240,7 @@ void draw_save_picture(PanelContext& ctx) {
   save_marks(ctx);
   ImGui::PushFont(ctx.fonts.small);
   row_label(ctx, "");
-  muted_text(ctx, "File, selection, radii, alpha and hash are written into the picture.");
+  muted_text(ctx, "The PNG file also records file, selection, radii, alpha and hash.");
   ImGui::PopFont();
   ImGui::Dummy({0, ctx.px(6)});
   ImGui::NewLine();
@@ -261,12 +261,12 @@ void draw_error(PanelContext& ctx) {
       (s.error_title.empty() ? "That did not work" : s.error_title) + "###error";
   if (!begin_dialog(ctx, title.c_str())) return;
   ImGui::Dummy({ctx.px(kWidth), 0});
-  ImGui::PushTextWrapPos(ctx.px(kWidth));
-  ImGui::TextUnformatted(s.error.c_str());
+  ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + ctx.px(kWidth));  // for long paths
+  ImGui::TextUnformatted(broken_lines(s.error, ctx.px(kWidth)).c_str());
   ImGui::PopTextWrapPos();
   if (s.molecule.loaded) {
     ImGui::Spacing();
-    muted_text(ctx, "The molecule that was open is still open.");
+    muted_text(ctx, "The previous molecule is still open.");
   }
   ImGui::Dummy({0, ctx.px(6)});
   if (button(ctx, "error.copy", "Copy text", {ctx.px(100), 0})) {

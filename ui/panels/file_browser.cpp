@@ -277,7 +277,7 @@ void buttons(PanelContext& ctx) {
   } else {
     checkbox(ctx, "browser.all", "All files", s.memory.browser_all_files);
     ImGui::SameLine(0, ctx.px(18));
-    checkbox(ctx, "browser.hidden", "Hidden ones", s.memory.browser_hidden_ones);
+    checkbox(ctx, "browser.hidden", "Hidden files", s.memory.browser_hidden_ones);
     tooltip(ctx, "Files and folders whose names start with a dot.");
   }
   const float width = ImGui::GetWindowWidth() - 2 * ImGui::GetStyle().WindowPadding.x;

@@ -20,8 +20,8 @@ void reason(PanelContext& ctx, const char* name, const std::string& text) {
   ImGui::SetNextWindowPos({field.x0, field.y1 + ctx.px(3)});
   ImGui::Begin("##number_reason", nullptr, kFlags);
   ImGui::PushStyleColor(ImGuiCol_Text, to_imgui(ctx.palette.error));
-  ImGui::PushTextWrapPos(ctx.px(280));
-  ImGui::TextUnformatted(text.c_str());
+  ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + ctx.px(280));  // for what has no blanks
+  ImGui::TextUnformatted(broken_lines(text, ctx.px(280)).c_str());
   ImGui::PopTextWrapPos();
   ImGui::PopStyleColor();
   record(ctx, (std::string(name) + ".error").c_str());

@@ -52,7 +52,7 @@ void draw_provenance(PanelContext& ctx) {
   }
   if (button(ctx, "provenance.copy", "Copy all of it")) {
     ImGui::SetClipboardText(as_text(m).c_str());
-    ctx.state.notice = "Copied where the numbers come from.";
+    ctx.state.notice = "Provenance copied.";
   }
   ImGui::PopFont();
   ImGui::Indent();

@@ -140,7 +140,7 @@ void radius_line(PanelContext& ctx, const RadiusRow& row, int index) {
     if (button(ctx, id.c_str(), "×", {-1, 0}, ButtonKind::quiet)) {
       s.selection.radius_edits.reset(row.atoms);
     }
-    tooltip(ctx, "Set by hand. Back to what the radii set says.");
+    tooltip(ctx, "Set by hand. Reset to the radii set's value.");
   }
   ImGui::PopID();
 }

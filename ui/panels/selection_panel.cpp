@@ -61,9 +61,9 @@ void hydrogens_and_altlocs(PanelContext& ctx) {
   ImGui::BeginGroup();
   choice(ctx, "molecule.altlocs", {"best", "all"}, altlocs, ImGui::GetContentRegionAvail().x);
   ImGui::EndGroup();
-  tooltip(ctx, ("Alternative locations of one atom. best: of each residue the letter of highest "
-                "occupancy, then lowest B factor.\n" +
-                number(k.altlocs) + " atoms have a letter, all models.")
+  tooltip(ctx, ("Alternative locations of one atom. best: in each residue, the location with the "
+                "highest occupancy, then the lowest B factor.\n" +
+                number(k.altlocs) + " atoms with alternative locations, all models.")
                    .c_str());
   c.altlocs = static_cast<AltlocOption>(altlocs);
 }

@@ -22,8 +22,8 @@ std::string atoms_text(const ViewState& s, std::uint64_t atoms) {
   return number(atoms) + " atoms" + (models > 1 ? " in " + number(models) + " models" : "");
 }
 
-std::string copies_text(const ViewState& s, const AssemblyRow& a) {
-  return number(a.copies) + (a.copies == 1 ? " copy, " : " copies, ") + atoms_text(s, a.atoms);
+std::string copies_text(const AssemblyRow& a) {
+  return number(a.copies) + (a.copies == 1 ? " copy" : " copies");
 }
 
 void choose(ViewState& s, const AssemblyRow& a) {
@@ -43,8 +43,8 @@ void assembly_entries(PanelContext& ctx) {
   }
   record(ctx, "molecule.assembly.deposited");
   for (const AssemblyRow& a : s.molecule.assemblies) {
-    const std::string text = a.id + ": " + copies_text(s, a) + ", about " +
-                             bytes_text(static_cast<std::size_t>(a.bytes));
+    const std::string text = a.id + ": " + copies_text(a) + ", " + atoms_text(s, a.atoms) +
+                             ", about " + bytes_text(static_cast<std::size_t>(a.bytes));
     if (ImGui::Selectable(text.c_str(), s.selection.assembly == a.id)) choose(s, a);
     record(ctx, ("molecule.assembly." + a.id).c_str());
     if (!a.details.empty()) tooltip(ctx, a.details.c_str());
@@ -59,7 +59,7 @@ void assembly_row(PanelContext& ctx) {
   const auto chosen = std::find_if(
       list.begin(), list.end(), [&](const AssemblyRow& a) { return a.id == s.selection.assembly; });
   const std::string preview =
-      chosen == list.end() ? "as deposited" : chosen->id + ": " + copies_text(s, *chosen);
+      chosen == list.end() ? "as deposited" : chosen->id + ": " + copies_text(*chosen);
   const bool open = ImGui::BeginCombo("##assembly", preview.c_str());
   record(ctx, "molecule.assembly");
   if (!open) {

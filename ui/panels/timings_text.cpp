@@ -22,14 +22,14 @@ std::vector<std::string> missing_times(const ViewState& state, bool cold) {
   std::vector<std::string> lines;
   if (cold && lacks_cold(state.ours)) {
     lines.push_back(state.ours->engine +
-                    ": no cold time, since the engine was kept from before and set nothing up.");
+                    ": no cold time: the engine was reused, so there was no set-up.");
   }
   if (!cold && !state.ours->warm) {
     lines.push_back(state.ours->engine +
                     ": no warm time yet. Move alpha once more with the same molecule.");
   }
   if (cold && lacks_cold(state.cgal)) {
-    lines.push_back("CGAL: no cold time, since its triangulation was kept from before.");
+    lines.push_back("CGAL: no cold time: its triangulation was reused.");
   }
   if (!cold && state.cgal && !state.cgal->warm) {
     lines.push_back("CGAL: no warm time yet. It is taken when another alpha is compared.");

@@ -240,8 +240,8 @@ void empty_state(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
     tooltip(ctx, s.samples[i].detail.c_str());
   }
   ImGui::Dummy({0, ctx.px(6)});
-  muted_text(ctx, "Then move alpha: the exact alpha complex follows,");
-  muted_text(ctx, "and CGAL can be asked to agree simplex by simplex.");
+  muted_text(ctx, "Then move alpha: the exact alpha complex is recomputed");
+  muted_text(ctx, "and compared with CGAL simplex by simplex.");
   muted_text(ctx, "F1 shows the mouse and keyboard.");
   ImGui::Dummy({0, ctx.px(2)});
   end_overlay();
@@ -262,7 +262,8 @@ void outdated_note(PanelContext& ctx, ImVec2 corner) {
   if (!ctx.state.viewport.outdated) return;
   const float below = ctx.px(18) + ImGui::GetTextLineHeight();
   ImGui::SetCursorScreenPos({corner.x + ctx.px(16), corner.y + below});
-  ImGui::TextColored(to_imgui(ctx.palette.warning), "Previous picture; the new one is being made.");
+  ImGui::TextColored(to_imgui(ctx.palette.warning),
+                     "This is the previous picture; the new one is not ready.");
   record(ctx, "view.outdated");
 }
 

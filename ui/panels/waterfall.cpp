@@ -10,6 +10,10 @@
 namespace alphascope {
 namespace {
 
+// Width of the names, in pixels at scale 1; wide with headings that end in "tetrahedra only". Not
+// as the text needs it: the chart would jump while alpha moves.
+constexpr float kGutter = 250, kWideGutter = 350;
+
 struct Line {
   std::string label;
   double start = 0, length = 0;  // milliseconds
@@ -48,11 +52,11 @@ double tick_step(double range, int most) {
 
 class Waterfall {
  public:
-  Waterfall(PanelContext& ctx, double range, std::size_t lines)
+  Waterfall(PanelContext& ctx, double range, std::size_t lines, float gutter)
       : ctx_(ctx), draw_(ImGui::GetWindowDrawList()), range_(std::max(range, 1e-6)) {
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const float width = ImGui::GetContentRegionAvail().x;
-    gutter_ = corner.x + std::min(ctx.px(250), 0.36f * width);
+    gutter_ = corner.x + std::min(ctx.px(gutter), 0.36f * width);
     left_ = corner.x;
     right_ = corner.x + width - ctx.px(86);  // room for the last duration
     top_ = corner.y;
@@ -138,20 +142,24 @@ void draw_waterfall(PanelContext& ctx, float height) {
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
   std::vector<Line> lines;
   double range = 0;
+  bool only_tetrahedra = false;
   if (const TimedRun* run = shown_run(s.ours, s.memory.timings_cold)) {
     add_lines(lines, *s.ours, *run, p.bar_ours, p.bar_ours_setup);
     range = std::max(range, run->wall_milliseconds);
+    only_tetrahedra |= run->tetrahedra_only;
   }
   if (const TimedRun* run = shown_run(s.cgal, s.memory.timings_cold)) {
     add_lines(lines, *s.cgal, *run, p.bar_cgal, p.bar_cgal_setup);
     range = std::max(range, run->wall_milliseconds);
+    only_tetrahedra |= run->tetrahedra_only;
   }
   if (const TimedRun* run = shown_run(s.cgal_parallel, s.memory.timings_cold)) {
     add_lines(lines, *s.cgal_parallel, *run, p.bar_cgal, p.bar_cgal_setup);
     range = std::max(range, run->wall_milliseconds);
+    only_tetrahedra |= run->tetrahedra_only;
   }
   if (!lines.empty()) {
-    Waterfall chart(ctx, range, lines.size());
+    Waterfall chart(ctx, range, lines.size(), only_tetrahedra ? kWideGutter : kGutter);
     chart.axis();
     for (std::size_t i = 0; i < lines.size(); ++i) chart.line(lines[i], static_cast<int>(i));
   }

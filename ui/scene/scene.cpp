@@ -68,8 +68,9 @@ struct Scene::Impl {
   SceneStyle style;
   double least_aspect = 0, aspect = 0;  // as in Viewpoint, and of the last picture
   int picture_height = 1;
-  int samples = 1;             // each way, of the last picture
-  bool reset_pending = false;  // the fit needs the size of the next picture
+  int samples = 1;                   // each way, of the last picture
+  int pointer_x = 0, pointer_y = 0;  // pixels of the view
+  bool reset_pending = false;        // the fit needs the size of the next picture
 
   Impl() {
     set_up_window();
@@ -353,7 +354,11 @@ void Scene::pointer_move(int x, int y, bool control, bool shift) {
   const int s = impl_->samples;
   const int* size = impl_->window->GetSize();
   impl_->interactor->SetSize(size[0], size[1]);
+  // VTK turns by the difference to the last position, which a picture of other samples had.
+  impl_->interactor->SetEventInformationFlipY(impl_->pointer_x * s, impl_->pointer_y * s);
   impl_->interactor->SetEventInformationFlipY(x * s, y * s, control, shift);
+  impl_->pointer_x = x;
+  impl_->pointer_y = y;
   impl_->interactor->InvokeEvent(vtkCommand::MouseMoveEvent);
 }
 

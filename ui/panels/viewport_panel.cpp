@@ -165,10 +165,11 @@ void progress(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
   constexpr double kShowAfterSeconds = 0.25;
   if (!b.active || b.seconds < kShowAfterSeconds) return;
   begin_overlay(ctx, "##progress", {corner.x + size.x - ctx.px(14), corner.y + ctx.px(12)}, {1, 0});
-  ImGui::TextUnformatted(fitted_text(b.what, ctx.px(300)).c_str());
+  ImGui::TextUnformatted(fitted_text(b.what, ctx.px(250)).c_str());
   if (b.share >= 0) {
-    const std::string text = number_text(b.share * 100, 0) + " %";
-    ImGui::ProgressBar(static_cast<float>(b.share), {ctx.px(220), 0}, text.c_str());
+    ImGui::SameLine();  // on the bar's colour it would be hard to read
+    ImGui::TextUnformatted((number_text(b.share * 100, 0) + " %").c_str());
+    ImGui::ProgressBar(static_cast<float>(b.share), {ctx.px(220), 0}, "");
   } else {
     busy_bar(ctx, ctx.px(220), b.seconds);
   }

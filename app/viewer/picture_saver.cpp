@@ -95,6 +95,7 @@ void PictureSaver::begin() {
         *written = true;
         return [this, picture, left_out] {
           studio_.reset();
+          outcome_.ended = true;
           outcome_.notice = "Saved " + printable(picture->path.string());
           if (!left_out.empty()) outcome_.notice += ". " + left_out;
           saving_.reset();
@@ -102,6 +103,7 @@ void PictureSaver::begin() {
       },
       [this, written, path = picture->path](const Worker::Failure& failure) {
         studio_.reset();
+        outcome_.ended = true;
         if (failure.cancelled) {  // which was told already, unless it came too late
           if (*written) outcome_.notice = "Saved " + printable(path.string());
           return;

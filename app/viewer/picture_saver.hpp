@@ -49,7 +49,8 @@ class PictureSaver {
   struct Outcome {
     std::string notice;  // a picture was saved, or was not because of cancel()
     std::string error;   // why it could not be saved
-    bool any() const { return !notice.empty() || !error.empty(); }
+    bool ended = false;  // a drawing did, also a cancelled one: its memory is free
+    bool any() const { return ended || !notice.empty() || !error.empty(); }
   };
   Outcome poll();
   // Fills `info` for the line of progress.

@@ -82,8 +82,10 @@ void Viewer::open(const std::filesystem::path& path) {
   }
   state_.notice.clear();
   state_.drop_note.clear();
+  drop_note_when_open_.clear();
   std::error_code ignored;
-  if (std::filesystem::is_directory(path.parent_path(), ignored)) {
+  // The file dialog stays where it is while it is open.
+  if (!state_.memory.show_browser && std::filesystem::is_directory(path.parent_path(), ignored)) {
     state_.memory.browser_folder = path.parent_path();
   }
   session_.open(path);
@@ -93,7 +95,7 @@ void Viewer::open_dropped(const std::vector<std::filesystem::path>& files) {
   const DroppedFiles dropped = choose_dropped(files);
   if (!dropped.opened) return;
   open(*dropped.opened);
-  if (!benchmark_.busy()) state_.drop_note = dropped.note;
+  if (!benchmark_.busy()) drop_note_when_open_ = dropped.note;
   frames_due_ = kSettlingFrames;
 }
 
@@ -128,6 +130,7 @@ void Viewer::take_molecule() {
   colour_by_what_differs(*s.molecule);
   if (!new_file) return;
   shown_file_ = s.opened->deposited;
+  state_.drop_note = std::exchange(drop_note_when_open_, {});
   host_.set_title(state_.molecule.name + " – Alphascope");
   state_.memory.playing_models = state_.memory.timings_pinned = false;
   state_.selection = sent_selection_ = to_controls(session_.open_options(), radii_sets_);

@@ -54,6 +54,7 @@ class Viewer {
   void fill_constants();
   // Runs what may throw on the main thread; what it throws is shown, and the program goes on.
   void guarded(const std::function<void()>& what);
+  std::string not_opened_either();
   void take_error(bool only_the_model_changed);
   void take_session();  // results and failures into the state
   // As busy(), but for a benchmark: frames drawn meanwhile would be in its times.
@@ -92,6 +93,7 @@ class Viewer {
   ComputeControls sent_compute_;
   SelectionControls sent_selection_;
   std::shared_ptr<const Molecule> shown_file_;  // as deposited
+  std::string drop_note_when_open_;             // of the file that is being read
   std::shared_ptr<const Answer> compared_;      // the last answer for which a comparison was asked
   std::optional<Clock::time_point> busy_since_, comparing_since_, tooltip_due_;
   Clock::time_point selection_sent_at_{};

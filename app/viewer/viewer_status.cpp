@@ -1,6 +1,7 @@
 // What the window says of what goes on and of what went wrong: what the user asked for once gets a
 // dialog; what follows a slider or goes on in the background gets a line where one looks.
 #include <new>
+#include <utility>
 
 #include "app/viewer/state_bridge.hpp"
 #include "app/viewer/viewer.hpp"
@@ -28,6 +29,12 @@ void Viewer::guarded(const std::function<void()>& what) {
   frames_due_ = kFramesForNews;
 }
 
+// Of several dropped files: the note without the one that is open.
+std::string Viewer::not_opened_either() {
+  const std::string note = std::exchange(drop_note_when_open_, {});
+  return note.empty() ? "" : "\n\n" + note.substr(note.find('\n') + 1);
+}
+
 void Viewer::take_error(bool only_the_model_changed) {
   using Source = SessionState::Source;
   const SessionState& s = session_.state();
@@ -36,7 +43,7 @@ void Viewer::take_error(bool only_the_model_changed) {
   state_.memory.playing = state_.memory.playing_models = false;
   switch (s.error_source) {
     case Source::opening:
-      state_.tell("The file cannot be opened", s.last_error);
+      state_.tell("The file cannot be opened", s.last_error + not_opened_either());
       break;
     case Source::changing:
       if (only_the_model_changed) {

@@ -66,6 +66,20 @@ TEST_F(FileBrowser, ArrowKeysChooseAndEnterOpens) {
   EXPECT_FALSE(memory().show_browser);
 }
 
+TEST_F(FileBrowser, KeysAreNotForItWhileADialogIsAbove) {
+  p.tap(key::kDown);
+  p.tap(key::kDown);
+  p.tap(key::kF1);
+  p.frame(3);
+  p.tap(key::kDown);
+  p.tap(key::kEnter);
+  p.frame(2);
+  EXPECT_FALSE(memory().show_cheat_sheet);
+  EXPECT_EQ(selected(), "m100.pdb");
+  EXPECT_FALSE(p.state.requests.open);
+  EXPECT_TRUE(memory().show_browser);
+}
+
 TEST_F(FileBrowser, HomeEndAndPagesScrollWhatTheyChooseIntoSight) {
   p.tap(key::kEnd);
   EXPECT_EQ(selected(), "zebra.pdb");

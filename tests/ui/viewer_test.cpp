@@ -44,6 +44,24 @@ TEST_F(ViewerTest, OfTwoDroppedFilesBothAreTold) {
   EXPECT_TRUE(viewer_->state().drop_note.empty());
 }
 
+TEST_F(ViewerTest, ADroppedFileThatCannotBeReadIsNotToldAsOpened) {
+  open_crambin();
+  std::ofstream(folder_ / "empty.pdb") << "HEADER\n";
+  viewer_->open_dropped({folder_ / "empty.pdb", folder_ / "other.pdb"});
+  run("wait-idle\nframes 3\n");
+  EXPECT_EQ(viewer_->state().molecule.name, "1crn.pdb");
+  EXPECT_TRUE(viewer_->state().drop_note.empty());
+  EXPECT_NE(viewer_->state().error.find("Not opened: other.pdb"), std::string::npos);
+}
+
+TEST_F(ViewerTest, ADroppedFileLeavesTheOpenFileDialogInItsFolder) {
+  viewer_->state().memory.browser_folder = folder_;
+  viewer_->state().memory.show_browser = true;
+  viewer_->open_dropped({crambin()});
+  run("wait-idle\n");
+  EXPECT_EQ(viewer_->state().memory.browser_folder, folder_);
+}
+
 TEST_F(ViewerTest, SlidingChangesComplexAndPicture) {
   open_crambin();
   const Image before = picture();

@@ -29,10 +29,6 @@ bool wanted(const ViewState& state, std::size_t kind) {
   return kDialogs[kind].wanted(state);
 }
 
-bool on_top(const PanelContext& ctx) {
-  return ctx.dialog + 1 == ctx.state.memory.dialogs.size();
-}
-
 void draw_level(PanelContext& ctx) {
   const auto& open = ctx.state.memory.dialogs;
   if (ctx.dialog < open.size()) kDialogs[open[ctx.dialog]].draw(ctx);
@@ -64,6 +60,10 @@ void end_dialog(PanelContext& ctx) {
     --ctx.dialog;
   }
   ImGui::EndPopup();
+}
+
+bool on_top(const PanelContext& ctx) {
+  return ctx.dialog + 1 == ctx.state.memory.dialogs.size();
 }
 
 bool escape_pressed(const PanelContext& ctx) {

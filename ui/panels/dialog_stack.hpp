@@ -11,7 +11,9 @@ namespace alphascope {
 bool begin_dialog(PanelContext& ctx, const char* title, ImVec2 size = {0, 0});
 void end_dialog(PanelContext& ctx);  // closes it when the state no longer wants it
 
-// Keys belong to the topmost dialog. Not while text is typed: Escape takes that back first.
+// Keys belong to the topmost dialog.
+bool on_top(const PanelContext& ctx);
+// Not while text is typed: Escape takes that back first.
 bool escape_pressed(const PanelContext& ctx);
 bool enter_pressed(const PanelContext& ctx);
 

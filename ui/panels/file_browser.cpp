@@ -170,10 +170,11 @@ std::size_t jump_target(PanelMemory& m, const FolderListing& list, std::size_t n
   return found < list.entries.size() ? found : now;
 }
 
-// While nothing is being typed. Returns true when the folder is another one now.
+// While nothing is being typed and no dialog is above. Returns true when the folder is another one
+// now.
 bool keyboard(PanelContext& ctx, const FolderListing& list, std::size_t page) {
   PanelMemory& m = ctx.state.memory;
-  if (ImGui::IsAnyItemActive()) return false;
+  if (!on_top(ctx) || ImGui::IsAnyItemActive()) return false;
   if (ImGui::IsKeyPressed(key::kBackspace)) {
     enter_above(m);
     return true;

@@ -10,15 +10,6 @@ std::string joined(const Words& words, const char* between) {
   return text;
 }
 
-std::vector<std::string> dashed_names(const std::vector<Option>& options) {
-  std::vector<std::string> names;
-  for (const Option& option : options) {
-    if (option.is_argument()) continue;
-    for (const std::string& name : option.all_names()) names.push_back(name);
-  }
-  return names;
-}
-
 bool takes_files(const std::vector<Option>& options) {
   for (const Option& option : options) {
     if (option.is_argument()) return true;

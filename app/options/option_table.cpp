@@ -73,4 +73,13 @@ void add_standard_options(OptionProgram& program) {
                              .answer = Answer::completion});
 }
 
+std::vector<std::string> dashed_names(const std::vector<Option>& options) {
+  std::vector<std::string> names;
+  for (const Option& option : options) {
+    if (option.is_argument()) continue;
+    for (const std::string& name : option.all_names()) names.push_back(name);
+  }
+  return names;
+}
+
 }  // namespace alphascope

@@ -62,4 +62,7 @@ struct OptionProgram {
 // Adds --help, --version, --man-page and --completion, the first to each command as well.
 void add_standard_options(OptionProgram& program);
 
+// Every name of those that are no arguments: "-q", "--quiet".
+std::vector<std::string> dashed_names(const std::vector<Option>& options);
+
 }  // namespace alphascope

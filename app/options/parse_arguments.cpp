@@ -90,15 +90,6 @@ const Option* find(const std::vector<Option>& options, const std::string& name) 
   return nullptr;
 }
 
-std::vector<std::string> dashed_names(const std::vector<Option>& options) {
-  std::vector<std::string> names;
-  for (const Option& option : options) {
-    if (option.is_argument()) continue;
-    for (const std::string& name : option.all_names()) names.push_back(name);
-  }
-  return names;
-}
-
 // A mistyped command or option explains every other complaint of the parser. Empty: there is none.
 std::string unknown_word(const OptionProgram& program, const std::vector<std::string>& words) {
   const OptionCommand* command = nullptr;

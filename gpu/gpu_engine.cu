@@ -5,11 +5,11 @@
 #include <optional>
 #include <stdexcept>
 
-#include "core/complex/slabs.hpp"
-#include "gpu/device_buffer.cuh"
-#include "gpu/facet_pipeline.hpp"
-#include "gpu/launch.cuh"
-#include "gpu/result_memory.cuh"
+#include "core/engine/slabs.hpp"
+#include "gpu/dual_edge/facet_pipeline.hpp"
+#include "gpu/memory/device_buffer.cuh"
+#include "gpu/memory/launch.cuh"
+#include "gpu/memory/result_memory.cuh"
 
 namespace alphascope {
 namespace {

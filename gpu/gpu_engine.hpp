@@ -7,7 +7,7 @@
 #include <span>
 #include <string>
 
-#include "core/complex/engine.hpp"
+#include "core/engine/engine.hpp"
 
 namespace alphascope {
 

@@ -1,6 +1,6 @@
 // alphascope-cli verify: is our complex CGAL's, simplex by simplex? And where it is made from
 // CGAL's triangulation, is it what the definition says?
-#include "core/complex/verify.hpp"
+#include "core/verify/verify.hpp"
 
 #include <algorithm>
 #include <iostream>

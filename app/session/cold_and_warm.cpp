@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "core/complex/engine.hpp"
+#include "core/engine/engine.hpp"
 
 namespace alphascope {
 

@@ -4,10 +4,10 @@
 #include <stdexcept>
 #include <utility>
 
-#include "core/complex/tuple_engine.hpp"
+#include "core/tuples/tuple_engine.hpp"
 #ifdef ALPHASCOPE_HAS_GPU
 #include "gpu/gpu_engine.hpp"
-#include "gpu/tuple_engine.hpp"
+#include "gpu/tuples/tuple_engine.hpp"
 #endif
 
 namespace alphascope {

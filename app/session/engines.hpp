@@ -7,8 +7,8 @@
 #include <string>
 #include <string_view>
 
-#include "core/complex/engine.hpp"
-#include "core/complex/tuple_options.hpp"
+#include "core/engine/engine.hpp"
+#include "core/tuples/tuple_options.hpp"
 
 namespace alphascope {
 

@@ -230,7 +230,7 @@ void Session::take_agreement(std::shared_ptr<const Agreement> agreement) {
   state_.agreement = std::move(agreement);
   changes_.agreement = true;
   succeeded(Source::comparing);
-  // CGAL's parallel code starts at three threads (core/complex/engine.hpp).
+  // CGAL's parallel code starts at three threads (core/engine/engine.hpp).
   if (services_.cgal_threads >= 3 && state_.up_to_date()) submit_parallel_timing();
 }
 

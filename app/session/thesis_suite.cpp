@@ -131,7 +131,7 @@ class Suite {
     using Kind = ThesisRow::Kind;
     std::vector<Entrant> field{{Kind::cgal, EngineChoice::cgal, 1, "one thread", {}, {}}};
     const int threads = options_.threads > 0 ? options_.threads : report_.machine.threads;
-    // CGAL's parallel code starts at three threads (core/complex/engine.hpp).
+    // CGAL's parallel code starts at three threads (core/engine/engine.hpp).
     if (threads >= 3) {
       field.push_back({Kind::cgal, EngineChoice::cgal, threads, "parallel", {}, {}});
     }

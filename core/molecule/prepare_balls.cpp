@@ -7,10 +7,10 @@
 #include <stdexcept>
 #include <unordered_map>
 
-#include "core/geometry/coincident.hpp"
 #include "core/molecule/altlocs.hpp"
 #include "core/molecule/given_radius.hpp"
 #include "core/molecule/selection_expression.hpp"
+#include "core/neighbours/coincident.hpp"
 
 namespace alphascope {
 namespace {

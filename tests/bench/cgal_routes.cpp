@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "core/complex/engine.hpp"
+#include "core/engine/engine.hpp"
 #include "tests/support/cgal_reference.hpp"
 #include "tests/support/molecules.hpp"
 

@@ -13,8 +13,8 @@
 #include <string>
 #include <vector>
 
-#include "core/complex/engine.hpp"
-#include "gpu/facet_pipeline.hpp"
+#include "core/engine/engine.hpp"
+#include "gpu/dual_edge/facet_pipeline.hpp"
 #include "gpu/gpu_engine.hpp"
 #include "tests/bench/read_balls.hpp"
 #include "tests/support/device_engine.hpp"

@@ -11,10 +11,10 @@
 #include <string>
 #include <vector>
 
-#include "core/complex/engine.hpp"
-#include "core/complex/tuple_engine.hpp"
+#include "core/engine/engine.hpp"
+#include "core/tuples/tuple_engine.hpp"
 #include "gpu/gpu_engine.hpp"
-#include "gpu/tuple_engine.hpp"
+#include "gpu/tuples/tuple_engine.hpp"
 #include "tests/bench/read_balls.hpp"
 
 using namespace alphascope;

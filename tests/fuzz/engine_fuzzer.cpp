@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "core/complex/compare.hpp"
-#include "core/complex/verify.hpp"
+#include "core/verify/verify.hpp"
 #include "tests/support/facet_only_engine.hpp"
 
 namespace {

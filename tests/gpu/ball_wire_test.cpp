@@ -1,4 +1,4 @@
-#include "gpu/ball_wire.cuh"
+#include "gpu/dual_edge/ball_wire.cuh"
 
 #include <gtest/gtest.h>
 

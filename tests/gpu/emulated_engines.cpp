@@ -1,5 +1,5 @@
 // The engines of the emulated device, which is slow, for the suites that every engine must pass.
-#include "gpu/tuple_engine.hpp"
+#include "gpu/tuples/tuple_engine.hpp"
 #include "tests/support/device_engine.hpp"
 #include "tests/support/engines.hpp"
 

@@ -1,12 +1,12 @@
 // A device that is full or lost at any moment: the answer is the same, it is said where it came
 // from, and the engine is as good as new afterwards.
-#include "gpu/faults.hpp"
+#include "gpu/memory/faults.hpp"
 
 #include <gtest/gtest.h>
 
 #include <ostream>
 
-#include "gpu/facet_pipeline.hpp"
+#include "gpu/dual_edge/facet_pipeline.hpp"
 #include "gpu/gpu_engine.hpp"
 #include "tests/support/random_balls.hpp"
 

@@ -7,8 +7,8 @@
 #include <cstdlib>
 #include <random>
 
-#include "gpu/facet_pipeline.hpp"
-#include "gpu/faults.hpp"
+#include "gpu/dual_edge/facet_pipeline.hpp"
+#include "gpu/memory/faults.hpp"
 #include "tests/support/device_engine.hpp"
 #include "tests/support/expect_same.hpp"
 #include "tests/support/random_balls.hpp"

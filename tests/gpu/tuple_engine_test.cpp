@@ -1,10 +1,10 @@
 // The tuple engine on the GPU: byte for byte the CPU's facet engine, whatever the switches, and
 // what is said without a device.
-#include "gpu/tuple_engine.hpp"
+#include "gpu/tuples/tuple_engine.hpp"
 
 #include <gtest/gtest.h>
 
-#include "core/complex/tuple_engine.hpp"
+#include "core/tuples/tuple_engine.hpp"
 #include "gpu/gpu_engine.hpp"
 #include "tests/support/expect_same.hpp"
 #include "tests/support/random_balls.hpp"

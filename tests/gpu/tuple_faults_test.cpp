@@ -4,10 +4,10 @@
 
 #include <ostream>
 
-#include "core/complex/engine.hpp"
-#include "gpu/faults.hpp"
+#include "core/engine/engine.hpp"
 #include "gpu/gpu_engine.hpp"
-#include "gpu/tuple_engine.hpp"
+#include "gpu/memory/faults.hpp"
+#include "gpu/tuples/tuple_engine.hpp"
 #include "tests/support/random_balls.hpp"
 
 namespace alphascope {

@@ -8,7 +8,7 @@ namespace alphascope::testing {
 
 using Integer = mpz_class;
 
-// As core/geometry/lifted.hpp.
+// As core/predicates/lifted.hpp.
 struct BigVector {
   Integer x, y, z, c;
 };

@@ -1,8 +1,8 @@
 #include "tests/support/engines.hpp"
 
-#include "core/complex/cpu_dual_edges.hpp"
-#include "core/geometry/coincident.hpp"
-#include "core/geometry/uniform_grid.hpp"
+#include "core/dual_edge/cpu_dual_edges.hpp"
+#include "core/neighbours/coincident.hpp"
+#include "core/neighbours/uniform_grid.hpp"
 
 namespace alphascope::testing {
 

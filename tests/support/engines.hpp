@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "core/complex/engine.hpp"
+#include "core/engine/engine.hpp"
 
 namespace alphascope::testing {
 

@@ -7,9 +7,9 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "core/complex/cpu_dual_edges.hpp"
-#include "core/complex/engine.hpp"
-#include "core/geometry/coincident.hpp"
+#include "core/dual_edge/cpu_dual_edges.hpp"
+#include "core/engine/engine.hpp"
+#include "core/neighbours/coincident.hpp"
 
 namespace alphascope::testing {
 

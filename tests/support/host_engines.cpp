@@ -2,7 +2,7 @@
 #include <string>
 #include <utility>
 
-#include "core/complex/tuple_engine.hpp"
+#include "core/tuples/tuple_engine.hpp"
 #include "tests/support/engines.hpp"
 #include "tests/support/facet_only_engine.hpp"
 

@@ -6,7 +6,7 @@
 #include <set>
 
 #include "core/complex/compare.hpp"
-#include "core/complex/verify.hpp"
+#include "core/verify/verify.hpp"
 
 namespace alphascope::testing {
 namespace {

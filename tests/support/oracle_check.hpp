@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/complex/engine.hpp"
+#include "core/engine/engine.hpp"
 #include "tests/support/random_balls.hpp"
 #include "tests/support/rational_oracle.hpp"
 

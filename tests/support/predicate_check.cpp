@@ -2,12 +2,12 @@
 
 #include <cmath>
 
-#include "core/complex/facet_disc.hpp"
-#include "core/complex/triangle_faces.hpp"
-#include "core/complex/tuple_exact.hpp"
-#include "core/complex/tuple_float.hpp"
-#include "core/geometry/exact_alpha.hpp"
-#include "core/geometry/grown_balls.hpp"
+#include "core/dual_edge/facet_disc.hpp"
+#include "core/dual_edge/triangle_faces.hpp"
+#include "core/predicates/exact_alpha.hpp"
+#include "core/predicates/grown_balls.hpp"
+#include "core/tuples/tuple_exact.hpp"
+#include "core/tuples/tuple_float.hpp"
 #include "tests/support/big_centre.hpp"
 #include "tests/support/five_balls.hpp"
 #include "tests/support/oracle_check.hpp"

@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "core/complex/engine.hpp"
+#include "core/engine/engine.hpp"
 #include "ui/scene/ball_geometry.hpp"
 
 namespace alphascope::testing {

@@ -1,0 +1,257 @@
+#include "core/dual_edge/ball_simplices.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdlib>
+
+#include "core/predicates/grown_balls.hpp"
+
+namespace alphascope {
+
+void BallSimplices::load(std::uint32_t slot, std::span<const std::uint32_t> list) {
+  i_ = grid_.ball[slot];
+  weight_ = balls_.weight(i_);
+  radius_square_ = static_cast<double>(weight_) + alpha_;
+  // A whole number above the radius of the disc, whatever the rounding of sqrt.
+  ghost_reach_ = static_cast<std::int64_t>(std::sqrt(radius_square_) * (1 + 1e-12)) + 2;
+  slots_.assign(list.begin(), list.end());
+  dead_.assign(list.size(), 0);
+  lift(slot);
+  filter_ = largest_offset_ < kBracketLimit;
+  culled_ = filter_ && list.size() >= kLongList;
+  if (culled_) cull();
+  const std::size_t n = slots_.size();
+  x_.resize(n);
+  y_.resize(n);
+  z_.resize(n);
+  reach_.resize(n);
+  for (std::size_t k = 0; k < n; ++k) {
+    const std::uint32_t s = slots_[k];
+    x_[k] = grid_.x[s];
+    y_[k] = grid_.y[s];
+    z_[k] = grid_.z[s];
+    reach_[k] = grid_.reach[s];
+  }
+  words_ = static_cast<int>((n + 31) / 32);
+  meets_.assign(static_cast<std::size_t>(words_) * 32, 0);
+  first_ =
+      static_cast<int>(std::upper_bound(neighbours_.balls.begin(), neighbours_.balls.end(), i_) -
+                       neighbours_.balls.begin());
+}
+
+void BallSimplices::lift(std::uint32_t slot) {
+  const std::size_t n = slots_.size();
+  const LatticePoint centre{grid_.x[slot], grid_.y[slot], grid_.z[slot]};
+  const std::int32_t radius = balls_.radii[i_];
+  neighbours_.vectors.resize(n);
+  neighbours_.balls.resize(n);
+  doubles_.resize(n);
+  largest_power_ = 4 * ghost_reach_;
+  largest_offset_ = 1;
+  attached_ = false;
+  for (std::size_t k = 0; k < n; ++k) {
+    const std::uint32_t s = slots_[k];
+    const LiftedInt v =
+        lifted_vector(centre, radius, LatticePoint{grid_.x[s], grid_.y[s], grid_.z[s]},
+                      balls_.radii[grid_.ball[s]]);
+    neighbours_.vectors[k] = v;
+    neighbours_.balls[k] = grid_.ball[s];
+    doubles_[k] = lifted_as<double>(v);
+    largest_offset_ = std::max({largest_offset_, std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+    largest_power_ = std::max(largest_power_, std::abs(v.c));
+    attached_ = attached_ || v.c <= 0;
+  }
+}
+
+// The neighbours whose planes are nearest to p_i.
+void BallSimplices::find_nearest() {
+  planes_.clear();
+  for (std::size_t k = 0; k < doubles_.size(); ++k) {
+    const LiftedVector<double>& v = doubles_[k];
+    planes_.emplace_back(v.c / std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z), k);
+  }
+  const auto end = planes_.begin() + static_cast<std::ptrdiff_t>(kCoverers);
+  std::nth_element(planes_.begin(), end - 1, planes_.end());
+  std::sort(planes_.begin(), end);
+  coverers_.clear();
+  is_near_.assign(doubles_.size(), 0);
+  for (auto p = planes_.begin(); p != end; ++p) {
+    coverers_.push_back(FacetDisc<double>::coverer(doubles_[p->second]));
+    is_near_[p->second] = 1;
+  }
+}
+
+void BallSimplices::keep(std::size_t from, std::size_t to) {
+  slots_[to] = slots_[from];
+  dead_[to] = dead_[from];
+  is_near_[to] = is_near_[from];
+  neighbours_.vectors[to] = neighbours_.vectors[from];
+  neighbours_.balls[to] = neighbours_.balls[from];
+  doubles_[to] = doubles_[from];
+}
+
+// Leaves out the neighbours whose discs are covered; where that is not certainly right, they only
+// count as dead. See facet_disc.hpp.
+void BallSimplices::cull() {
+  find_nearest();
+  std::size_t kept = 0;
+  for (std::size_t j = 0; j < slots_.size(); ++j) {
+    const FacetDisc<double> disc(doubles_[j], radius_square_);
+    const auto covers = [&](const auto& m) { return disc.covered_by(m); };
+    dead_[j] = disc.certainly_empty() || std::any_of(coverers_.begin(), coverers_.end(), covers);
+    if (dead_[j] != 0 && !attached_) continue;
+    keep(j, kept++);
+  }
+  slots_.resize(kept);
+  neighbours_.vectors.resize(kept);
+  neighbours_.balls.resize(kept);
+  doubles_.resize(kept);
+  near_.assign((kept + 31) / 32, 0);
+  for (std::size_t k = 0; k < kept; ++k) near_[k / 32] |= std::uint32_t{is_near_[k] != 0} << k % 32;
+}
+
+// Which neighbours meet j as well as i: only they can cut the facet of i and j where pi <= alpha.
+void BallSimplices::fill_row(int j) {
+  const auto a = static_cast<std::size_t>(j);
+  const std::size_t n = neighbours_.balls.size();
+  const std::int32_t x = x_[a], y = y_[a], z = z_[a];
+  const float reach = reach_[a];
+  // Compilers vectorise these two loops, and not one that writes bits.
+  for (std::size_t k = 0; k < n; ++k)
+    meets_[k] = grown_balls_may_meet(x_[k] - x, y_[k] - y, z_[k] - z, reach, reach_[k]);
+  meets_[a] = 0;
+  std::uint32_t* bits = row(j);
+  for (int w = 0; w < words_; ++w) {
+    const std::uint8_t* meets = meets_.data() + 32 * static_cast<std::ptrdiff_t>(w);
+    std::uint32_t word = 0;
+    for (int b = 0; b < 32; ++b) word |= std::uint32_t{meets[b]} << b;
+    bits[w] = word;
+  }
+}
+
+bool BallSimplices::edge_is_attached(int j, const FacetDisc<double>& disc) {
+  const TriangleRows common{j, j, row(j), row(j)};
+  for (int m = common.next_common(-1, words_); m >= 0; m = common.next_common(m, words_)) {
+    Decision d = filter_ ? disc.centre_cut_by(vector(m)) : Decision::unknown;
+    if (d == Decision::unknown) d = edge_attached_to<ExactDecider>(surroundings(), j, m);
+    if (d == Decision::in) return true;
+  }
+  return false;
+}
+
+void BallSimplices::add_edge(int j, BlockOutput& out) {
+  float value = HUGE_VALF;
+  if (!edge_is_attached(j, FacetDisc<double>(vector(j), radius_square_)) &&
+      decide_simplex<ExactDecider>(surroundings(), &value, j) == Decision::out) {
+    dead_[static_cast<std::size_t>(j)] = 1;
+    return;
+  }
+  edge_[static_cast<std::size_t>(j - first_)] = out.edges.size();
+  out.edges.simplices.push_back({i_, neighbours_.ball(j)});
+  out.edges.values.push_back(value);
+  out.edges.states.push_back(0);
+}
+
+void BallSimplices::note_coface(int j, float value, bool interior, BlockOutput& out) {
+  const std::uint32_t e = edge_[static_cast<std::size_t>(j - first_)];
+  out.edges.values[e] = std::min(out.edges.values[e], value);
+  out.edges.states[e] = static_cast<std::uint8_t>(out.edges.states[e] | kHasCoface |
+                                                  (interior ? 0 : kHasBoundaryCoface));
+}
+
+TriangleFace BallSimplices::exactly(const TriangleRows& rows) {
+  const auto start = std::chrono::steady_clock::now();
+  ++exact_dual_edges_;
+  const bool small = largest_offset_ < kSmallOffset && largest_power_ < kSmallPower;
+  const TriangleFace face = small ? exact_face<Int128>(surroundings(), rows, words_)
+                                  : exact_face<WideInt<4>>(surroundings(), rows, words_);
+  exact_milliseconds_ +=
+      std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  return face;
+}
+
+template <class Body>
+auto BallSimplices::filtered(const NearFirstRows& rows, const Body& body) const {
+  const auto vectors = [&](int k) -> const LiftedVector<double>& { return vector(k); };
+  return culled_ ? body(rows, vectors) : body(static_cast<const TriangleRows&>(rows), vectors);
+}
+
+void BallSimplices::triangle(const NearFirstRows& t, BlockOutput& out) {
+  TriangleFace face = TriangleFace::undecided();
+  if (filter_) {
+    face = filtered(t, [&](const auto& rows, const auto& vectors) {
+      return filtered_face<double>(rows, words_, radius_square_, vectors);
+    });
+  }
+  if (face.in == Decision::unknown) face = exactly(t);
+  if (face.in == Decision::out) return;
+  const std::array<BallIndex, 3> ijk{i_, neighbours_.ball(t.j), neighbours_.ball(t.k)};
+  float value = 0;
+  triangle_value<ExactDecider>(surroundings(), t.j, t.k, face, &value);
+  out.triangles.simplices.push_back(ijk);
+  out.triangles.values.push_back(value);
+  out.triangles.states.push_back(static_cast<std::uint8_t>(face.cofaces()));
+  note_coface(t.j, value, face.cofaces() == 2, out);
+  note_coface(t.k, value, face.cofaces() == 2, out);
+  for (const int l : {std::min(face.low, face.high), std::max(face.low, face.high)}) {
+    if (l <= t.k) continue;
+    decide_simplex<ExactDecider>(surroundings(), &value, t.j, t.k, l);
+    out.tetrahedra.simplices.push_back({ijk[0], ijk[1], ijk[2], neighbours_.ball(l)});
+    out.tetrahedra.values.push_back(value);
+  }
+}
+
+void BallSimplices::tetrahedra(const NearFirstRows& t, BlockOutput& out) {
+  TriangleEnds ends{-1, -1, false};
+  if (filter_) {
+    ends = filtered(t, [&](const auto& rows, const auto& vectors) {
+      return filtered_ends<double>(rows, words_, radius_square_, vectors);
+    });
+  }
+  if (!ends.known) ends = later_ends(exactly(t), t.k);
+  for (const int l : {std::min(ends.low, ends.high), std::max(ends.low, ends.high)}) {
+    if (l < 0) continue;
+    out.tetrahedra.simplices.push_back(
+        {i_, neighbours_.ball(t.j), neighbours_.ball(t.k), neighbours_.ball(l)});
+  }
+}
+
+void BallSimplices::triangles_of(int j, BlockOutput& out) {
+  const TriangleRows ij{j, j, row(j), row(j)};
+  for (int k = ij.next_common(j, words_); k >= 0; k = ij.next_common(k, words_)) {
+    if (dead_[static_cast<std::size_t>(k)] != 0) continue;
+    const NearFirstRows t{{j, k, row(j), row(k)}, near_.data()};
+    if (!whole_ && !t.has_fourth(words_)) continue;
+    ++dual_edges_;
+    whole_ ? triangle(t, out) : tetrahedra(t, out);
+  }
+}
+
+VertexState BallSimplices::vertex_state() const {
+  if (-static_cast<double>(weight_) > alpha_) return VertexState::absent;
+  // With equality the centre lies on the boundary of its power cell, or the cell is empty after
+  // perturbation: then the nearest edge has the same value, or there is none.
+  return attached_ ? VertexState::attached : VertexState::unattached;
+}
+
+VertexState BallSimplices::process(std::uint32_t slot, std::span<const std::uint32_t> list,
+                                   BlockOutput& out) {
+  load(slot, list);
+  const int n = static_cast<int>(slots_.size()), later = n - first_;
+  if (!whole_ && later < 3) return VertexState::absent;  // not asked for
+  const auto alive = [&](int j) { return dead_[static_cast<std::size_t>(j)] == 0; };
+  rows_.resize(static_cast<std::size_t>(later) * static_cast<std::size_t>(words_));
+  edge_.resize(static_cast<std::size_t>(later));
+  for (int j = first_; j < n; ++j) {
+    if (!alive(j)) continue;
+    fill_row(j);
+    if (whole_) add_edge(j, out);
+  }
+  for (int j = first_; j < n; ++j) {
+    if (alive(j)) triangles_of(j, out);
+  }
+  return whole_ ? vertex_state() : VertexState::absent;
+}
+
+}  // namespace alphascope

@@ -1,0 +1,138 @@
+// All simplices, or only the tetrahedra, of one ball on the CPU: filtered first, exact where the
+// filter cannot decide. Owns the scratch memory of one thread. The kernel bodies are
+// dual_edge.hpp, facet_disc.hpp and triangle_faces.hpp.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/dual_edge/facet_disc.hpp"
+#include "core/dual_edge/triangle_faces.hpp"
+#include "core/geometry/ball_set.hpp"
+#include "core/neighbours/uniform_grid.hpp"
+
+namespace alphascope {
+
+// Is ball i a vertex of K_alpha? unattached: yes, with value -w. attached: if it has an edge in
+// K_alpha. absent: no.
+enum class VertexState : std::uint8_t { absent, attached, unattached };
+
+// What the cofaces of a face in K_alpha say about it; the numbers are flags.
+enum Cofaces : std::uint8_t {
+  kHasCoface = 1,
+  kHasBoundaryCoface = 2,  // one that is not interior
+};
+
+// Simplices of one dimension as the kernels report them.
+template <int N>
+struct SimplexBuffer {
+  std::vector<std::array<BallIndex, N>> simplices;
+  std::vector<float> values;         // empty when only tetrahedra are asked for
+  std::vector<std::uint8_t> states;  // edges: Cofaces; triangles: class; tetrahedra: empty
+  std::uint32_t size() const { return static_cast<std::uint32_t>(simplices.size()); }
+  // All blocks wait for the last: what their vectors reserved beyond their content adds up.
+  void shrink() {
+    simplices.shrink_to_fit();
+    values.shrink_to_fit();
+    states.shrink_to_fit();
+  }
+};
+
+struct BlockOutput {
+  // Every edge that may be in K_alpha, with the least value known: its own if it is unattached, of
+  // its triangles if it is one of their first two edges; HUGE_VALF when none is known.
+  SimplexBuffer<2> edges;
+  SimplexBuffer<3> triangles;
+  SimplexBuffer<4> tetrahedra;
+};
+
+class BallSimplices {
+ public:
+  BallSimplices(const BallSet& balls, const UniformGrid& grid, double alpha_on_lattice, bool whole)
+      : balls_(balls), grid_(grid), alpha_(alpha_on_lattice), whole_(whole) {}
+
+  // Appends the simplices whose lowest vertex is the ball in `slot`, in lexicographic order.
+  // `list` holds the slots of its neighbours, ascending by ball index.
+  VertexState process(std::uint32_t slot, std::span<const std::uint32_t> list, BlockOutput& out);
+
+  std::size_t dual_edges() const { return dual_edges_; }
+  std::size_t exact_dual_edges() const { return exact_dual_edges_; }
+  double exact_milliseconds() const { return exact_milliseconds_; }
+
+ private:
+  // The neighbours of ball i by slot in its list.
+  struct Neighbours {
+    std::vector<LiftedInt> vectors;
+    std::vector<BallIndex> balls;
+    const LiftedInt& lifted(int k) const { return vectors[static_cast<std::size_t>(k)]; }
+    BallIndex ball(int k) const { return balls[static_cast<std::size_t>(k)]; }
+  };
+
+  void load(std::uint32_t slot, std::span<const std::uint32_t> list);
+  void lift(std::uint32_t slot);
+  void find_nearest();
+  void cull();
+  void keep(std::size_t from, std::size_t to);
+  void fill_row(int j);
+  bool edge_is_attached(int j, const FacetDisc<double>& disc);
+  void add_edge(int j, BlockOutput& out);
+  void triangles_of(int j, BlockOutput& out);
+  void triangle(const NearFirstRows& rows, BlockOutput& out);
+  void tetrahedra(const NearFirstRows& rows, BlockOutput& out);
+  // Kernel II: `body` is filtered_face or filtered_ends.
+  template <class Body>
+  auto filtered(const NearFirstRows& rows, const Body& body) const;
+  TriangleFace exactly(const TriangleRows& rows);
+  void note_coface(int j, float value, bool interior, BlockOutput& out);
+  VertexState vertex_state() const;
+
+  Neighbourhood<Neighbours> surroundings() const {
+    return {neighbours_, weight_, alpha_, ghost_reach_, filter_};
+  }
+  std::uint32_t* row(int j) {
+    return rows_.data() + static_cast<std::ptrdiff_t>(j - first_) * words_;
+  }
+  const LiftedVector<double>& vector(int k) const { return doubles_[static_cast<std::size_t>(k)]; }
+
+  // From so many neighbours on it pays to look for discs that a single ball covers, and so many
+  // balls, those whose planes are nearest, are tried. Only the time depends on them.
+  static constexpr std::size_t kLongList = 20, kCoverers = 16;
+
+  const BallSet& balls_;
+  const UniformGrid& grid_;
+  const double alpha_;
+  const bool whole_;
+
+  // Of the current ball.
+  BallIndex i_ = 0;
+  std::int64_t weight_ = 0, ghost_reach_ = 0;
+  std::int64_t largest_offset_ = 0;   // max |d_x| over the neighbours
+  std::int64_t largest_power_ = 0;    // max |c| over the neighbours and ghosts
+  double radius_square_ = 0;          // w + alpha
+  bool filter_ = false;               // double precision is certified
+  int first_ = 0;                     // slot of the first later neighbour
+  int words_ = 0;                     // of a row of bits
+  bool attached_ = false;             // p_i is not certainly within the power cell of i
+  bool culled_ = false;               // only neighbours that may have a facet are left
+  std::vector<std::uint32_t> slots_;  // of the neighbours
+  Neighbours neighbours_;
+  std::vector<std::int32_t> x_, y_, z_;        // their centres, lattice units
+  std::vector<float> reach_;                   // as UniformGrid::reach
+  std::vector<std::uint8_t> meets_;            // who meets the current j; whole words of a row
+  std::vector<LiftedVector<double>> doubles_;  // the vectors once more
+  std::vector<std::uint32_t> rows_;            // of the later neighbours: who meets them
+  std::vector<char> dead_;                     // neighbours j: edge ij is not in K_alpha
+  // Of a culled list: those whose planes are nearest.
+  std::vector<std::pair<double, std::size_t>> planes_;
+  std::vector<FacetDisc<double>::Coverer> coverers_;
+  std::vector<char> is_near_;
+  std::vector<std::uint32_t> near_;  // the same as a row of bits
+  std::vector<std::uint32_t> edge_;  // their edges in the block's output
+
+  std::size_t dual_edges_ = 0, exact_dual_edges_ = 0;
+  double exact_milliseconds_ = 0;
+};
+
+}  // namespace alphascope

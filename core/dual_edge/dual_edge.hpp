@@ -1,0 +1,230 @@
+// The dual edge of a triangle ijk: the part of the line { x : pi_i = pi_j = pi_k } that the
+// bisectors of i with its other neighbours leave. Its ends are the orthocentres of the tetrahedra
+// ijkl. One template body for single precision (the GPU's hot path: laptop GPUs have almost no
+// double precision) and double (the CPU, and what single precision leaves open); every decision is
+// certified or `unknown`, and then exact_dual_edge.hpp decides.
+//
+// Legend (origin p_i; lifted vectors (d, c) as in orthosphere.hpp; u: unit roundoff):
+//   line     x(s) = foot + s n,  n = d_j × d_k,  foot = g × n / (2 |n|²),  g = c_j d_k - c_k d_j
+//   ball m   cuts off 2 d_m·x > c_m, which is s (d_m·n) > c_m / 2 - d_m·foot
+//   N, F, P, G  largest coordinates of n, foot, g × n, g
+// Only the part with pi_i <= alpha matters: |x|² <= w_i + alpha.
+//
+// Source: Masood, Ray, Natarajan, Comput. Geom. 90 (2020), compute the alpha complex per simplex;
+// clipping the dual edge, one interval instead of a polygon or of one test per 4-tuple and ball, is
+// ours.
+#pragma once
+
+#include "core/predicates/rough_math.hpp"
+#include "core/predicates/rounding.hpp"
+#include "core/predicates/simplex_decisions.hpp"
+
+namespace alphascope {
+
+// a b - c d within 2 u of its value. Single precision: W. Kahan's, see C.-P. Jeannerod et al.,
+// Math. Comp. 82 (2013). Double: exact for the d, which are whole numbers below 2^25.
+ALPHASCOPE_INLINE float difference_of_products(float a, float b, float c, float d) {
+  const float product = c * d;
+  return fmaf(a, b, -product) + fmaf(-c, d, product);
+}
+ALPHASCOPE_INLINE double difference_of_products(double a, double b, double c, double d) {
+  return a * b - c * d;
+}
+
+// Explicit fma where it is one instruction; the bounds hold either way.
+ALPHASCOPE_INLINE float multiply_add(float a, float b, float c) {
+  return fmaf(a, b, c);
+}
+ALPHASCOPE_INLINE double multiply_add(double a, double b, double c) {
+  return a * b + c;
+}
+
+template <class Vector>
+ALPHASCOPE_INLINE auto largest_coordinate(const Vector& v) {
+  return larger(larger(magnitude(v.x), magnitude(v.y)), magnitude(v.z));
+}
+
+template <class Real>
+class DualEdge {
+ public:
+  // Where ball `cutter` ends the edge: t = ±s within `error`. cutter -1: the boundary of the disc,
+  // or somewhat beyond.
+  struct End {
+    Real t, error;
+    int cutter;
+  };
+
+  // False when no point of the line has pi_i <= alpha, or the three centres are collinear (then ijk
+  // is no simplex). `radius_square` is the nearest number to w_i + alpha.
+  ALPHASCOPE_INLINE bool start(const LiftedVector<Real>& j, const LiftedVector<Real>& k,
+                               Real radius_square) {
+    n_ = {difference_of_products(j.y, k.z, j.z, k.y), difference_of_products(j.z, k.x, j.x, k.z),
+          difference_of_products(j.x, k.y, j.y, k.x)};
+    q_ = multiply_add(n_.x, n_.x, multiply_add(n_.y, n_.y, n_.z * n_.z));
+    if (!(q_ > 0)) return false;
+    const Vector3<Real> g{j.c * k.x - k.c * j.x, j.c * k.y - k.c * j.y, j.c * k.z - k.c * j.z};
+    const Vector3<Real> p{g.y * n_.z - g.z * n_.y, g.z * n_.x - g.x * n_.z,
+                          g.x * n_.y - g.y * n_.x};
+    const Real r = Real(0.5) * rough_reciprocal(q_);
+    foot_ = {p.x * r, p.y * r, p.z * r};
+    // Each product of g errs by 2 u (one from c), its difference by u; n errs by 2 u, each product
+    // of p by u, its difference by u; 1/|n|² by 12 u.
+    const Real n = largest_coordinate(n_), f = largest_coordinate(foot_),
+               size = largest_coordinate(g);
+    const Real products =
+        magnitude(j.c) * largest_coordinate(k) + magnitude(k.c) * largest_coordinate(j);
+    const Real g_error = kU * (2 * products + size);
+    foot_error_ = Real(1.01) * r * n * (2 * g_error + Real(6.1) * kU * size) + 15 * kU * f;
+    slope_error_ = Real(5.1) * kU * n;
+    offset_error_ = foot_error_ + Real(5.1) * kU * f;
+    foot_square_ =
+        multiply_add(foot_.x, foot_.x, multiply_add(foot_.y, foot_.y, foot_.z * foot_.z));
+    square_error_ =
+        foot_error_ * (6 * f + 3 * foot_error_) + kU * (5 * foot_square_ + 3 * radius_square);
+    const Real room = radius_square - foot_square_ + square_error_;
+    if (room < 0) return false;
+    const Real tiny = Real(1e-30);
+    // Above the radius of the disc on the line: q errs by 8 u, and a few roundings.
+    reach_ = rough_square_root((room <= tiny ? tiny : room) * 2 * r) * Real(1.000003);
+    high_ = low_ = {reach_, 0, -1};
+    unsure_ = false;
+    return true;
+  }
+
+  // A cheaper start() that says less: true only when no point of the line has pi_i <= alpha.
+  ALPHASCOPE_INLINE static bool certainly_outside(const LiftedVector<Real>& j,
+                                                  const LiftedVector<Real>& k, Real radius_square) {
+    const Vector3<Real> n{j.y * k.z - j.z * k.y, j.z * k.x - j.x * k.z, j.x * k.y - j.y * k.x};
+    const Vector3<Real> g{j.c * k.x - k.c * j.x, j.c * k.y - k.c * j.y, j.c * k.z - k.c * j.z};
+    const Real jj = largest_coordinate(j), kk = largest_coordinate(k);
+    // Plain products here: each coordinate of n errs by 3 u of its two products' bound, each of g
+    // by 4 u.
+    const Real n_error = 6 * kU * jj * kk,
+               g_error = 4 * kU * (magnitude(j.c) * kk + magnitude(k.c) * jj);
+    const Real n_square = multiply_add(n.x, n.x, multiply_add(n.y, n.y, n.z * n.z));
+    const Real g_square = multiply_add(g.x, g.x, multiply_add(g.y, g.y, g.z * g.z));
+    const Real n_sum = magnitude(n.x) + magnitude(n.y) + magnitude(n.z);
+    const Real g_sum = magnitude(g.x) + magnitude(g.y) + magnitude(g.z);
+    // |foot|² = |g|² / (4 |n|²).
+    return g_square * (1 - 8 * kU) - 2 * g_error * g_sum >
+           Real(4) * radius_square * (1 + 8 * kU) *
+               (n_square + n_error * (2 * n_sum + 3 * n_error));
+  }
+
+  // The same without errors.
+  struct LineCut {
+    Real slope, offset;
+  };
+  ALPHASCOPE_INLINE LineCut line_cut(const LiftedVector<Real>& m) const {
+    return {
+        multiply_add(m.x, n_.x, multiply_add(m.y, n_.y, m.z * n_.z)),
+        multiply_add(-m.x, foot_.x,
+                     multiply_add(-m.y, foot_.y, multiply_add(-m.z, foot_.z, Real(0.5) * m.c)))};
+  }
+  // How ball m cuts the line: where s (d_m·n) = c_m / 2 - d_m·foot, each within its error.
+  struct Cut {
+    Real slope, offset, slope_error, offset_error;
+  };
+  ALPHASCOPE_INLINE Cut cut_by(const LiftedVector<Real>& m) const {
+    const Real length = magnitude(m.x) + magnitude(m.y) + magnitude(m.z);
+    const LineCut cut = line_cut(m);
+    return {cut.slope, cut.offset, length * slope_error_,
+            multiply_add(Real(2.6) * kU, magnitude(m.c), length * offset_error_)};
+  }
+
+  // Of what is left, does it certainly take nothing, or certainly all?
+  enum class Takes { nothing, all, some };
+  ALPHASCOPE_INLINE Takes takes(const Cut& cut) const {
+    const Real farthest =
+        multiply_add(magnitude(cut.slope) + cut.slope_error, reach_, cut.offset_error);
+    return cut.offset > farthest    ? Takes::nothing
+           : cut.offset < -farthest ? Takes::all
+                                    : Takes::some;
+  }
+
+  // Cuts by ball `id`; true when nothing is left. A cut that is not understood is left out and
+  // remembered: another one may still take everything.
+  ALPHASCOPE_INLINE bool clip(const Cut& cut, int id) {
+    const Real steepness = magnitude(cut.slope);
+    const Real inverse = rough_reciprocal(steepness);
+    const Real t = cut.offset * inverse;
+    const Real size = magnitude(t);
+    // (a - b t) / (slope - b) for errors a and b, |b| < |slope| / 8.
+    const Real error = multiply_add(
+        6 * kU, size, Real(1.15) * inverse * multiply_add(size, cut.slope_error, cut.offset_error));
+    const bool above = cut.slope > 0;
+    const End old = above ? high_ : low_;
+    const Real gain = old.t - t, doubt = error + old.error;
+    if (!(steepness > 8 * cut.slope_error) || !(magnitude(gain) > doubt || old.cutter < 0)) {
+      unsure_ = true;
+      return false;
+    }
+    // Near the disc's boundary either answer is right: the tetrahedron is judged by within(). What
+    // is not a number must not pass for beyond it.
+    if (old.cutter < 0 ? gain <= -error : gain < 0) return false;
+    if (above) {
+      high_ = {t, error, id};
+    } else {
+      low_ = {t, error, id};
+    }
+    // What is left; both ends were at reach_, and may be before the foot.
+    const Real high_reach = high_.t + high_.error, low_reach = low_.t + low_.error;
+    reach_ = Real(1.000003) * larger(high_reach, low_reach);
+    return high_.t + low_.t < -(high_.error + low_.error);
+  }
+
+  // After all cuts: was every cut understood, so that both ends are the right ones?
+  ALPHASCOPE_INLINE bool ends_certain() const { return !unsure_; }
+  // Is there certainly an edge between them? An end at the disc's boundary does not matter: the
+  // other one is then judged by within().
+  ALPHASCOPE_INLINE bool certainly_there() const {
+    return high_.cutter < 0 || low_.cutter < 0 || high_.t + low_.t > high_.error + low_.error;
+  }
+
+  // Of its line_cut(): errors of slope and offset, per |x| + |y| + |z| of a vector; the offset errs
+  // by 2.6 u |c| as well.
+  ALPHASCOPE_INLINE Real slope_error() const { return slope_error_; }
+  ALPHASCOPE_INLINE Real offset_error() const { return offset_error_; }
+  // What is left has |s| <= reach().
+  ALPHASCOPE_INLINE Real reach() const { return reach_; }
+
+  ALPHASCOPE_INLINE const End& high() const { return high_; }
+  ALPHASCOPE_INLINE const End& low() const { return low_; }
+
+  // Does this end cut off the foot, so that ijk is attached to its tetrahedron?
+  ALPHASCOPE_INLINE static Decision beyond_foot(const End& end) {
+    return end.t > end.error    ? Decision::out
+           : end.t < -end.error ? Decision::in
+                                : Decision::unknown;
+  }
+  // Is rho of the triangle <= alpha?
+  ALPHASCOPE_INLINE Decision foot_within(Real radius_square) const {
+    if (foot_square_ + square_error_ < radius_square) return Decision::in;
+    if (foot_square_ - square_error_ > radius_square) return Decision::out;
+    return Decision::unknown;
+  }
+  // Is rho of the tetrahedron at this end <= alpha?
+  ALPHASCOPE_INLINE Decision within(const End& end, Real radius_square) const {
+    const Real along = end.t * end.t * q_;
+    const Real square = along + foot_square_;
+    const Real error = Real(1.01) * q_ * end.error * (2 * magnitude(end.t) + end.error) +
+                       kU * (13 * along + 4 * square) + square_error_;
+    if (square + error < radius_square) return Decision::in;
+    if (square - error > radius_square) return Decision::out;
+    return Decision::unknown;
+  }
+
+ private:
+  static constexpr Real kU = Rounding<Real>::u;
+
+  Vector3<Real> n_, foot_;
+  Real q_;  // |n|²
+  Real foot_square_, square_error_;
+  Real foot_error_;
+  Real slope_error_, offset_error_;  // per length of d_m
+  Real reach_;
+  bool unsure_;
+  End high_, low_;  // low_.t = -s
+};
+
+}  // namespace alphascope

@@ -1,0 +1,112 @@
+#include "core/dual_edge/gather_faces.hpp"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <string>
+
+#include "core/run/internal_error.hpp"
+
+namespace alphascope {
+namespace {
+
+std::uint8_t flags_of(SimplexClass coface) {
+  return coface == SimplexClass::interior ? kHasCoface : kHasCoface | kHasBoundaryCoface;
+}
+
+SimplexClass class_of(std::uint8_t flags) {
+  return !(flags & kHasCoface)          ? SimplexClass::singular
+         : (flags & kHasBoundaryCoface) ? SimplexClass::regular
+                                        : SimplexClass::interior;
+}
+
+void lower(float& shared, float value) {
+  std::atomic_ref<float> least(shared);
+  float old = least.load(std::memory_order_relaxed);
+  while (value < old && !least.compare_exchange_weak(old, value, std::memory_order_relaxed)) {
+  }
+}
+
+void add_flags(std::uint8_t& shared, std::uint8_t flags) {
+  std::atomic_ref<std::uint8_t> all(shared);
+  if ((all.load(std::memory_order_relaxed) & flags) != flags)
+    all.fetch_or(flags, std::memory_order_relaxed);
+}
+
+// Where edge jk of triangle ijk is among those of ball j. It must be there: what keeps a triangle
+// and what drops an edge are both certain.
+std::size_t find_edge(const EdgeRange& of_j, const std::array<BallIndex, 3>& triangle) {
+  const std::array edge{triangle[1], triangle[2]};
+  if (of_j.edges != nullptr) {
+    const auto all = of_j.edges->simplices.begin();
+    const auto end = all + of_j.end, at = std::lower_bound(all + of_j.begin, end, edge);
+    if (at != end && *at == edge) return static_cast<std::size_t>(at - all);
+  }
+  throw InternalError("triangle " + std::to_string(triangle[0]) + " " +
+                      std::to_string(triangle[1]) + " " + std::to_string(triangle[2]) +
+                      " is in the complex without its edge " + std::to_string(edge[0]) + " " +
+                      std::to_string(edge[1]) + ".");
+}
+
+// Unattached, or attached to a triangle of K_alpha.
+bool is_present(const SimplexBuffer<2>& edges, std::uint32_t e) {
+  return edges.values[e] < HUGE_VALF;
+}
+
+}  // namespace
+
+void gather_edges(const std::vector<EdgeRange>& ranges, AlphaComplex& complex) {
+  tbb::parallel_for(std::size_t{0}, complex.triangles.size(), [&](std::size_t t) {
+    const std::array<BallIndex, 3>& triangle = complex.triangles.simplices[t];
+    const EdgeRange& r = ranges[triangle[1]];
+    const std::size_t e = find_edge(r, triangle);
+    lower(r.edges->values[e], complex.triangles.alpha_values[t]);
+    add_flags(r.edges->states[e], flags_of(complex.triangles.classes[t]));
+  });
+
+  std::vector<std::size_t> place(ranges.size() + 1, 0);
+  tbb::parallel_for(std::size_t{0}, ranges.size(), [&](std::size_t i) {
+    for (std::uint32_t e = ranges[i].begin; e < ranges[i].end; ++e)
+      place[i + 1] += is_present(*ranges[i].edges, e);
+  });
+  for (std::size_t i = 0; i < ranges.size(); ++i) place[i + 1] += place[i];
+  SimplexList<2>& list = complex.edges;
+  list.simplices.resize(place.back());
+  list.alpha_values.resize(place.back());
+  list.classes.resize(place.back());
+  tbb::parallel_for(std::size_t{0}, ranges.size(), [&](std::size_t i) {
+    std::size_t to = place[i];
+    for (std::uint32_t e = ranges[i].begin; e < ranges[i].end; ++e) {
+      const SimplexBuffer<2>& from = *ranges[i].edges;
+      if (!is_present(from, e)) continue;
+      list.simplices[to] = from.simplices[e];
+      list.alpha_values[to] = from.values[e];
+      list.classes[to++] = class_of(from.states[e]);
+    }
+  });
+}
+
+void gather_vertices(const BallSet& balls, const std::vector<VertexState>& states,
+                     AlphaComplex& complex) {
+  std::vector<std::uint8_t> flags(balls.size(), 0);
+  std::vector<float> nearest(balls.size(), HUGE_VALF);
+  for (std::size_t e = 0; e < complex.edges.size(); ++e) {
+    const std::uint8_t own = flags_of(complex.edges.classes[e]);
+    for (const BallIndex v : complex.edges.simplices[e]) {
+      flags[v] = static_cast<std::uint8_t>(flags[v] | own);
+      nearest[v] = std::min(nearest[v], complex.edges.alpha_values[e]);
+    }
+  }
+  for (BallIndex i = 0; i < balls.size(); ++i) {
+    const bool attached = states[i] == VertexState::attached;
+    if (states[i] == VertexState::absent || (attached && !(flags[i] & kHasCoface))) continue;
+    complex.vertices.simplices.push_back({i});
+    complex.vertices.alpha_values.push_back(
+        attached ? nearest[i] : static_cast<float>(-static_cast<double>(balls.weight(i))));
+    complex.vertices.classes.push_back(class_of(flags[i]));
+  }
+}
+
+}  // namespace alphascope

@@ -1,0 +1,55 @@
+// What every engine promises. An engine is made once per set of balls (setup) and then asked for
+// one alpha after another.
+#pragma once
+
+#include <memory>
+
+#include "core/complex/alpha_complex.hpp"
+#include "core/run/cancel_token.hpp"
+
+namespace alphascope {
+
+struct AlphaRequest {
+  double alpha_angstrom2 = 0;    // any real number
+  bool tetrahedra_only = false;  // the thesis' sub-complex
+};
+
+// EngineInfo::route of the engine that keeps each whole complex for the smaller alphas to come.
+inline constexpr const char* kClippingRoute = "dual edge clipping";
+
+class Engine {
+ public:
+  virtual ~Engine() = default;
+
+  // The exact alpha complex, the same on every engine. Setup work done by this call (the first one,
+  // or one that had to rebuild) is marked in the timings. Throws Cancelled; std::bad_alloc when
+  // memory is short (the engine stays usable); std::invalid_argument for a NaN alpha.
+  // Not to be called from two threads at once.
+  virtual AlphaComplex compute(const AlphaRequest& request, const RunContext& context) = 0;
+
+  // Another engine is asked from now on: gives back what this one keeps for its next results alone.
+  // May wait for a device; compute() may be called again at any time. By compute()'s rules.
+  virtual void rest() {}
+};
+
+// threads = 0: as many as the machine has.
+struct EngineOptions {
+  int threads = 0;
+  // Keep the last whole complex, so that a smaller alpha is only a threshold; costs its memory
+  // again.
+  bool cache = true;
+};
+
+// Each of these throws std::length_error for more balls than can be handled (count_limits.hpp).
+
+// Facet clipping for small alpha; hands over to CGAL's triangulation where that is faster, and
+// answers from a cached filtration when it holds one. (core/engines/cpu_engine.cpp)
+std::unique_ptr<Engine> make_cpu_engine(std::shared_ptr<const BallSet> balls,
+                                        EngineOptions options = {});
+
+// CGAL's Regular_triangulation_3 (its parallel code from 3 threads on), then classification.
+// The reference that the other engines are compared with. (core/engines/cgal_engine.cpp)
+std::unique_ptr<Engine> make_cgal_engine(std::shared_ptr<const BallSet> balls,
+                                         EngineOptions options = {});
+
+}  // namespace alphascope

@@ -1,0 +1,32 @@
+// Exact decisions about ortho-radii of simplices of a BallSet: the plain host face of
+// orthosphere.hpp.
+#pragma once
+
+#include <span>
+
+#include "core/geometry/ball_set.hpp"
+#include "core/predicates/orthosphere.hpp"
+
+namespace alphascope {
+
+// Ball k as seen from ball i.
+inline LiftedInt lifted_vector(const BallSet& balls, BallIndex i, BallIndex k) {
+  return lifted_vector(balls.centres[i], balls.radii[i], balls.centres[k], balls.radii[k]);
+}
+
+// A simplex is 1 to 4 distinct, affinely independent balls, in any order. rho is its ortho-radius,
+// square lattice units. Nothing below is approximate.
+
+// Sign of rho - alpha; alpha_on_lattice as Lattice::alpha_on_lattice() gives it (or infinite).
+int compare_ortho_radius(const BallSet& balls, std::span<const BallIndex> simplex,
+                         double alpha_on_lattice);
+
+// The float nearest to rho: the alpha value of an unattached simplex.
+float ortho_radius_rounded(const BallSet& balls, std::span<const BallIndex> simplex);
+
+// Sign of pi_m(x) - rho at the orthocentre x of a simplex of 1 to 3 balls: negative means that m
+// attaches the simplex.
+int conflict_with_smallest_orthosphere(const BallSet& balls, std::span<const BallIndex> simplex,
+                                       BallIndex m);
+
+}  // namespace alphascope

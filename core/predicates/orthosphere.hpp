@@ -1,0 +1,126 @@
+// Ortho-radii of simplices of one to four balls, and what they decide, on the lattice: bracketed in
+// double precision with certified errors here, exactly in wide integers in exact_rho.hpp. Host and
+// device; notation of lifted.hpp. Products below state the bits they need.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+
+#include "core/predicates/exact_rho.hpp"
+#include "core/predicates/lifted.hpp"
+
+namespace alphascope {
+
+// The exact value lies between the doubles value - error and value + error, their own rounding
+// included; an infinite error means "not known".
+struct Bracket {
+  double value;
+  double error;
+};
+
+// Ortho-radius bracket from numerator and denominator brackets: P / Q - w, where P = |2x|² scaled.
+ALPHASCOPE_HOST_DEVICE inline Bracket quotient_less(double p, double p_error, double q,
+                                                    double q_relative_error, double weight) {
+  const double quotient = p / q;
+  const double value = quotient - weight;
+  // value is rounded, and so will be value -+ error. 1.01 covers the second-order terms and the
+  // roundings of these sums themselves.
+  const double error = 1.01 * (p_error / q * (1 + q_relative_error) +
+                               quotient * (q_relative_error + 2 * kUnitRoundoff) +
+                               2 * kUnitRoundoff * (value < 0 ? -value : value));
+  return {value, error};
+}
+
+// rho of an edge: |x| = c / (2|d|). g = |d|² is exact. Equal weights give c = g and rho = g / 4 - w
+// without any rounding below 2^51: worth its own line, since those often lie just between two
+// floats. From there to 2^52, which it does not reach, doubles are halves, and rho may be a quarter
+// off.
+ALPHASCOPE_HOST_DEVICE inline Bracket edge_rho(const LiftedVector<double>& j, double weight) {
+  const double g = dot(j, j);
+  if (j.c == g) {
+    const double value = 0.25 * g - weight;
+    return {value, std::fabs(value) < 2251799813685248.0 ? 0 : 0.5};
+  }
+  const double p = j.c * j.c;
+  return quotient_less(p, kUnitRoundoff * p, 4 * g, 0, weight);
+}
+
+// rho of a triangle: |x|² = |c_j d_k - c_k d_j|² / (4 |d_j × d_k|²).
+ALPHASCOPE_HOST_DEVICE inline Bracket triangle_rho(const LiftedVector<double>& j,
+                                                   const LiftedVector<double>& k, double weight) {
+  const auto n = cross(j, k);
+  const double q = 4 * dot(n, n);
+  if (!(q > 0)) return {0, HUGE_VAL};
+  const double jx = j.c * k.x, jy = j.c * k.y, jz = j.c * k.z;
+  const double kx = k.c * j.x, ky = k.c * j.y, kz = k.c * j.z;
+  const double vx = jx - kx, vy = jy - ky, vz = jz - kz;
+  const double u2 = 2 * kUnitRoundoff;
+  const double ex = u2 * (std::fabs(jx) + std::fabs(kx)), ey = u2 * (std::fabs(jy) + std::fabs(ky)),
+               ez = u2 * (std::fabs(jz) + std::fabs(kz));
+  const double p = vx * vx + vy * vy + vz * vz;
+  const double p_error = ex * (2 * std::fabs(vx) + ex) + ey * (2 * std::fabs(vy) + ey) +
+                         ez * (2 * std::fabs(vz) + ez) + 3 * kUnitRoundoff * p;
+  return quotient_less(p, p_error, q, 4 * kUnitRoundoff, weight);
+}
+
+// rho of a tetrahedron by Cramer's rule: 2x D = c_j d_k×d_l + c_k d_l×d_j + c_l d_j×d_k.
+ALPHASCOPE_HOST_DEVICE inline Bracket tetrahedron_rho(const LiftedVector<double>& j,
+                                                      const LiftedVector<double>& k,
+                                                      const LiftedVector<double>& l,
+                                                      double weight) {
+  const auto kl = cross(k, l), lj = cross(l, j), jk = cross(j, k);
+  const double dx = j.x * kl.x, dy = j.y * kl.y, dz = j.z * kl.z;
+  const double d = std::fabs(dx + dy + dz);
+  const double d_error = 3 * kUnitRoundoff * (std::fabs(dx) + std::fabs(dy) + std::fabs(dz));
+  if (!(d > 2 * d_error)) return {0, HUGE_VAL};
+  double p = 0, p_error = 0;
+  const double cross_kl[3] = {kl.x, kl.y, kl.z}, cross_lj[3] = {lj.x, lj.y, lj.z},
+               cross_jk[3] = {jk.x, jk.y, jk.z};
+  for (int a = 0; a < 3; ++a) {
+    const double t1 = j.c * cross_kl[a], t2 = k.c * cross_lj[a], t3 = l.c * cross_jk[a];
+    const double n = t1 + t2 + t3;
+    const double e = 3 * kUnitRoundoff * (std::fabs(t1) + std::fabs(t2) + std::fabs(t3));
+    p += n * n;
+    p_error += e * (2 * std::fabs(n) + e);
+  }
+  const double r = d_error / (d - d_error);
+  return quotient_less(p, p_error + 3 * kUnitRoundoff * p, 4 * d * d,
+                       2 * r + r * r + 2 * kUnitRoundoff, weight);
+}
+
+// Of a simplex of any dimension within kBracketLimit.
+ALPHASCOPE_HOST_DEVICE inline Bracket rho_bracket(const LiftedSimplex<1>& s) {
+  return {-static_cast<double>(s.weight), 0};
+}
+ALPHASCOPE_HOST_DEVICE inline Bracket rho_bracket(const LiftedSimplex<2>& s) {
+  return edge_rho(lifted_as<double>(s.v[0]), static_cast<double>(s.weight));
+}
+ALPHASCOPE_HOST_DEVICE inline Bracket rho_bracket(const LiftedSimplex<3>& s) {
+  return triangle_rho(lifted_as<double>(s.v[0]), lifted_as<double>(s.v[1]),
+                      static_cast<double>(s.weight));
+}
+ALPHASCOPE_HOST_DEVICE inline Bracket rho_bracket(const LiftedSimplex<4>& s) {
+  return tetrahedron_rho(lifted_as<double>(s.v[0]), lifted_as<double>(s.v[1]),
+                         lifted_as<double>(s.v[2]), static_cast<double>(s.weight));
+}
+// Not known where brackets do not hold.
+template <int N>
+ALPHASCOPE_HOST_DEVICE Bracket rho_bracket(const LiftedSimplex<N>& s, bool brackets_hold) {
+  return brackets_hold ? rho_bracket(s) : Bracket{0, HUGE_VAL};
+}
+
+// Sign of rho - value from the bracket; 0 when the bracket does not decide.
+ALPHASCOPE_HOST_DEVICE inline int compare_bracket(const Bracket& rho, double value) {
+  if (rho.value - rho.error > value) return 1;
+  if (rho.value + rho.error < value) return -1;
+  return 0;
+}
+
+// True when every number within the bracket rounds to the same float, which is then *rounded.
+ALPHASCOPE_HOST_DEVICE inline bool round_bracket(const Bracket& rho, float* rounded) {
+  const float low = static_cast<float>(rho.value - rho.error);
+  *rounded = static_cast<float>(rho.value + rho.error);
+  return low == *rounded;
+}
+
+}  // namespace alphascope

@@ -1,0 +1,69 @@
+// What decides when five balls have equal power at a point: the symbolic perturbation of the
+// weights that CGAL's Regular_triangulation_3::side_of_oriented_power_sphere uses. The balls are
+// ordered lexicographically by centre; a later one has its weight decreased by infinitely more than
+// all earlier ones together. O. Devillers, M. Teillaud, Perturbations for Delaunay and weighted
+// Delaunay 3D triangulations, Comput. Geom. 44 (2011). Host and device.
+#pragma once
+
+#include "core/predicates/orthosphere.hpp"
+
+namespace alphascope {
+
+ALPHASCOPE_HOST_DEVICE inline bool lexicographically_less(const LiftedInt& a, const LiftedInt& b) {
+  if (a.x != b.x) return a.x < b.x;
+  if (a.y != b.y) return a.y < b.y;
+  return a.z < b.z;
+}
+
+// det(a, b, c) of the centres; |d_x| < 2^30, so 93 bits.
+ALPHASCOPE_HOST_DEVICE inline Int128 determinant(const LiftedInt& a, const LiftedInt& b,
+                                                 const LiftedInt& c) {
+  const auto n = cross(a, b);
+  return static_cast<Int128>(n.x) * c.x + static_cast<Int128>(n.y) * c.y +
+         static_cast<Int128>(n.z) * c.z;
+}
+
+// +1 when the perturbed ball m cuts off corner ijkl, where all five powers are equal, else -1.
+// k or l may be a ghost plane: it has no weight, so no perturbation. All lifted from ball i.
+//
+// With weights w_t - e_t, the value 2 d_m·x - c_m at the corner x changes by
+//   e_l det(d_j, d_k, d_m)/D,  e_k det(d_l, d_j, d_m)/D,  e_j det(d_k, d_l, d_m)/D,  -e_m,
+// with D = det(d_j, d_k, d_l), and by e_i times 1 minus the sum of those quotients of real balls.
+// The first nonzero term in the order of the e decides; m's own term always does.
+ALPHASCOPE_HOST_DEVICE inline int perturbed_cut(const LiftedInt& j, const LiftedInt& k,
+                                                bool k_ghost, const LiftedInt& l, bool l_ghost,
+                                                const LiftedInt& m) {
+  const Int128 d = determinant(j, k, l);
+  const Int128 term_j = determinant(k, l, m);
+  const Int128 term_k = k_ghost ? Int128{0} : determinant(l, j, m);
+  const Int128 term_l = l_ghost ? Int128{0} : determinant(j, k, m);
+  struct Term {
+    LiftedInt centre;
+    Int128 coefficient;  // times D, so its sign is relative to D's
+  };
+  Term terms[5] = {
+      {{0, 0, 0, 0}, d - term_j - term_k - term_l}, {j, term_j}, {k, term_k}, {l, term_l}, {m, -d}};
+  for (int a = 1; a < 5; ++a) {  // descending by centre; a ghost's coefficient is 0 wherever it is
+    for (int b = a; b > 0 && lexicographically_less(terms[b - 1].centre, terms[b].centre); --b) {
+      const Term swapped = terms[b];
+      terms[b] = terms[b - 1];
+      terms[b - 1] = swapped;
+    }
+  }
+  for (const Term& term : terms) {
+    const int sign = sign_of(term.coefficient);
+    if (sign != 0) return sign * sign_of(d);
+  }
+  return -1;  // not reached: D is not 0 at a corner
+}
+
+// The same for ball m that is collinear with i and j and has their power all over their radical
+// plane: it cuts off edge ij if it lies between them. Of three collinear balls the last in the
+// order is an outer one, so the middle one always stays in sight.
+ALPHASCOPE_HOST_DEVICE inline bool lies_between(const LiftedInt& j, const LiftedInt& m) {
+  const std::int64_t b = j.x != 0 ? j.x : j.y != 0 ? j.y : j.z;
+  const std::int64_t a = j.x != 0 ? m.x : j.y != 0 ? m.y : m.z;
+  return b > 0 ? 0 < a && a < b : b < a && a < 0;
+}
+
+}  // namespace alphascope

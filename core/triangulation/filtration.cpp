@@ -1,0 +1,265 @@
+// Thresholding a filtration. The float of an alpha value decides except where alpha itself rounds
+// to it: those simplices, the ties, are decided exactly.
+#include "core/triangulation/filtration.hpp"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_reduce.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <numeric>
+#include <stdexcept>
+
+#include "core/complex/face_groups.hpp"
+#include "core/complex/simplex_hash.hpp"
+#include "core/predicates/exact_alpha.hpp"
+
+namespace alphascope {
+namespace {
+
+// The simplices of one dimension whose alpha value rounds to the same float as alpha.
+template <int N>
+struct Ties {
+  Simplices<N> simplices;  // in lexicographic order
+  std::vector<char> in_complex;
+
+  bool any(bool in) const { return std::count(in_complex.begin(), in_complex.end(), in) > 0; }
+};
+
+struct AllTies {
+  Ties<1> vertices;
+  Ties<2> edges;
+  Ties<3> triangles;
+  Ties<4> tetrahedra;
+
+  bool any(bool in) const {
+    return vertices.any(in) || edges.any(in) || triangles.any(in) || tetrahedra.any(in);
+  }
+};
+
+template <int N>
+void collect_ties(const SimplexList<N>& list, float limit, Ties<N>& ties) {
+  using Range = tbb::blocked_range<std::size_t>;
+  const float* values = list.alpha_values.data();
+  const auto count = tbb::parallel_reduce(
+      Range(0, list.size(), 1 << 15), std::size_t{0},
+      [&](const Range& r, std::size_t before) {
+        unsigned equal = 0;
+        for (std::size_t n = r.begin(); n != r.end(); ++n) equal += values[n] == limit;
+        return before + equal;
+      },
+      std::plus<>());
+  if (count == 0) return;
+  ties.simplices.reserve(count);
+  for (std::size_t n = 0; n < list.size(); ++n) {
+    if (values[n] == limit) ties.simplices.push_back(list.simplices[n]);
+  }
+}
+
+void decide_tetrahedra(const BallSet& balls, double alpha, Ties<4>& ties) {
+  for (const auto& s : ties.simplices) {
+    ties.in_complex.push_back(compare_ortho_radius(balls, s, alpha) <= 0);
+  }
+}
+
+// A tied face has only cofaces of the same float or a larger one, and if it is attached, the coface
+// from which it has its value, whose apex is in conflict with it, is a tie itself. So the ties of
+// the next dimension are all that needs to be looked at.
+template <int N>
+void decide_faces(const BallSet& balls, double alpha, const Ties<N + 1>& cofaces, Ties<N>& ties) {
+  const FaceGroups<N> groups(cofaces.simplices);
+  std::size_t g = 0;
+  for (const auto& face : ties.simplices) {
+    bool attached = false, coface_in = false;
+    while (g < groups.size() && groups.faces()[g] < face) ++g;
+    if (g < groups.size() && groups.faces()[g] == face) {
+      groups.for_cofaces(g, [&](std::uint32_t c) {
+        const auto& coface = cofaces.simplices[c];
+        coface_in = coface_in || cofaces.in_complex[c];
+        int n = 0;
+        while (n < N && coface[n] == face[n]) ++n;
+        attached = attached || conflict_with_smallest_orthosphere(balls, face, coface[n]) < 0;
+      });
+    }
+    ties.in_complex.push_back(coface_in ||
+                              (!attached && compare_ortho_radius(balls, face, alpha) <= 0));
+  }
+}
+
+AllTies decide_ties(const Filtration& filtration, double alpha, float limit, bool tetrahedra_only) {
+  const AlphaComplex& top = filtration.top();
+  const BallSet& balls = filtration.balls();
+  AllTies ties;
+  collect_ties(top.tetrahedra, limit, ties.tetrahedra);
+  decide_tetrahedra(balls, alpha, ties.tetrahedra);
+  if (tetrahedra_only) return ties;
+  collect_ties(top.triangles, limit, ties.triangles);
+  decide_faces<3>(balls, alpha, ties.tetrahedra, ties.triangles);
+  collect_ties(top.edges, limit, ties.edges);
+  decide_faces<2>(balls, alpha, ties.triangles, ties.edges);
+  collect_ties(top.vertices, limit, ties.vertices);
+  decide_faces<1>(balls, alpha, ties.edges, ties.vertices);
+  return ties;
+}
+
+// Where ties are decided differently: one simplex after another, and no classes.
+template <int N>
+void select_one_by_one(const SimplexList<N>& from, float limit, const Ties<N>& ties,
+                       SimplexList<N>& to) {
+  std::size_t tie = 0;
+  for (std::size_t n = 0; n < from.size(); ++n) {
+    const float value = from.alpha_values[n];
+    if (value < limit || (value == limit && ties.in_complex[tie++])) {
+      to.simplices.push_back(from.simplices[n]);
+      to.alpha_values.push_back(value);
+    }
+  }
+}
+
+void select_one_by_one(const AlphaComplex& top, float limit, const AllTies& ties,
+                       AlphaComplex& complex) {
+  select_one_by_one(top.tetrahedra, limit, ties.tetrahedra, complex.tetrahedra);
+  if (!complex.tetrahedra_only) {
+    select_one_by_one(top.triangles, limit, ties.triangles, complex.triangles);
+    select_one_by_one(top.edges, limit, ties.edges, complex.edges);
+    select_one_by_one(top.vertices, limit, ties.vertices, complex.vertices);
+    classify(complex);
+  } else {
+    complex.tetrahedra.alpha_values.clear();
+  }
+  complex.hash = complex_hash(complex);
+}
+
+// From here on all ties are decided alike, so that a bound decides: what is <= bound passes. NaN, a
+// level that is never reached, does not.
+float bound_of(float limit, bool ties_in) {
+  return ties_in ? limit : std::nextafter(limit, -std::numeric_limits<float>::infinity());
+}
+
+SimplexClass class_at(const ClassLevels& levels, std::size_t n, float bound) {
+  static_assert(static_cast<int>(SimplexClass::singular) == 0 &&
+                static_cast<int>(SimplexClass::regular) == 1 &&
+                static_cast<int>(SimplexClass::interior) == 2);
+  // Without a branch, which would be guessed wrong half of the time.
+  const int regular = levels.regular_from[n] <= bound;
+  return static_cast<SimplexClass>(regular + (regular & (levels.interior_from[n] <= bound)));
+}
+
+// One dimension of what passes a bound, copied by all threads.
+template <int N>
+class Selection {
+ public:
+  // `levels`: null for tetrahedra, which are interior.
+  Selection(const SimplexList<N>& from, const ClassLevels* levels, float bound)
+      : from_(from), levels_(levels), bound_(bound) {}
+
+  // Fills `to`, with values and classes if asked for, and returns the sum of its hash terms.
+  std::uint64_t copy_to(SimplexList<N>& to, bool with_values) const {
+    const std::vector<std::size_t> place = places();
+    to.simplices.resize(place.back());
+    to.alpha_values.resize(with_values ? place.back() : 0);
+    to.classes.resize(with_values ? place.back() : 0);
+    using Range = tbb::blocked_range<std::size_t>;
+    return tbb::parallel_reduce(
+        Range(0, place.size() - 1, 1), std::uint64_t{0},
+        [&](const Range& blocks, std::uint64_t sum) {
+          for (std::size_t b = blocks.begin(); b != blocks.end(); ++b) {
+            sum += copy_block(b, place[b], place[b + 1], with_values, to);
+          }
+          return sum;
+        },
+        std::plus<>());
+  }
+
+ private:
+  // The copy of a block stays in the nearest cache while it is hashed.
+  static constexpr std::size_t kBlock = 4096;
+
+  // Where what passes of each block begins in the result; then the size of the result.
+  std::vector<std::size_t> places() const {
+    const std::size_t size = from_.size(), blocks = (size + kBlock - 1) / kBlock;
+    std::vector<std::size_t> place(blocks + 1, 0);
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, blocks, 8), [&](const auto& range) {
+      for (std::size_t b = range.begin(); b != range.end(); ++b) {
+        const float* value = from_.alpha_values.data();
+        unsigned count = 0;
+        for (std::size_t n = b * kBlock; n < std::min(size, (b + 1) * kBlock); ++n) {
+          count += value[n] <= bound_;
+        }
+        place[b + 1] = count;
+      }
+    });
+    std::partial_sum(place.begin(), place.end(), place.begin());
+    return place;
+  }
+
+  std::uint64_t copy_block(std::size_t block, std::size_t begin, std::size_t end, bool with_values,
+                           SimplexList<N>& to) const {
+    // What does not pass is overwritten by what passes next, up to `end`: there another block's
+    // begin.
+    std::size_t at = begin;
+    for (std::size_t n = block * kBlock; at < end; ++n) {
+      to.simplices[at] = from_.simplices[n];
+      if (with_values) {
+        to.alpha_values[at] = from_.alpha_values[n];
+        to.classes[at] =
+            levels_ == nullptr ? SimplexClass::interior : class_at(*levels_, n, bound_);
+      }
+      at += from_.alpha_values[n] <= bound_;
+    }
+    std::uint64_t sum = 0;
+    for (std::size_t s = begin; s < end; ++s) sum += simplex_hash<N>(to.simplices[s].data());
+    return sum;
+  }
+
+  const SimplexList<N>& from_;
+  const ClassLevels* const levels_;
+  const float bound_;
+};
+
+void select(const Filtration& filtration, float bound, AlphaComplex& complex) {
+  const AlphaComplex& top = filtration.top();
+  const ClassLevelsByDimension& levels = filtration.levels();
+  HashSums sums;
+  const auto copy = [&](const auto& from, const ClassLevels* from_levels, auto& to, int dimension) {
+    sums.sum[dimension] = Selection(from, from_levels, bound).copy_to(to, !complex.tetrahedra_only);
+    sums.count[dimension] = to.size();
+  };
+  copy(top.tetrahedra, nullptr, complex.tetrahedra, 3);
+  if (!complex.tetrahedra_only) {
+    copy(top.triangles, &levels.triangles, complex.triangles, 2);
+    copy(top.edges, &levels.edges, complex.edges, 1);
+    copy(top.vertices, &levels.vertices, complex.vertices, 0);
+  }
+  complex.hash = sums.combined(complex.tetrahedra_only);
+}
+
+}  // namespace
+
+AlphaComplex threshold(const Filtration& filtration, double alpha, bool tetrahedra_only) {
+  const AlphaComplex& top = filtration.top();
+  if (!(alpha <= filtration.alpha_max_on_lattice())) {
+    throw std::invalid_argument("alpha is larger than the filtration's alpha_max");
+  }
+  AlphaComplex complex;
+  complex.lattice = top.lattice;
+  complex.alpha_on_lattice = alpha;
+  complex.tetrahedra_only = tetrahedra_only;
+  if (alpha == filtration.alpha_max_on_lattice()) {  // all of it, whatever ties there are
+    select(filtration, std::numeric_limits<float>::infinity(), complex);
+    return complex;
+  }
+  const float limit = static_cast<float>(alpha);
+  const AllTies ties = decide_ties(filtration, alpha, limit, tetrahedra_only);
+  if (ties.any(true) && ties.any(false)) {
+    select_one_by_one(top, limit, ties, complex);
+  } else {
+    select(filtration, bound_of(limit, ties.any(true)), complex);
+  }
+  return complex;
+}
+
+}  // namespace alphascope

@@ -1,0 +1,61 @@
+// The filtration of alpha complexes up to some alpha_max: computed once, after which the complex at
+// any smaller alpha is a threshold. Triangulating and clipping are not done here.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "core/complex/alpha_complex.hpp"
+#include "core/triangulation/cgal_triangulation.hpp"
+
+namespace alphascope {
+
+// For each simplex of one dimension, the alphas (square lattice units, rounded like the alpha
+// values of which they are copies) from which on it is regular and interior. NaN when never, so
+// that every comparison fails; an alpha value beyond all floats is infinite.
+struct ClassLevels {
+  std::vector<float> regular_from, interior_from;
+};
+
+struct ClassLevelsByDimension {
+  ClassLevels vertices, edges, triangles;  // tetrahedra are always interior
+};
+
+class Filtration {
+ public:
+  // Of a whole regular triangulation of these balls: holds for every alpha; top() has no hash.
+  // Works in the caller's task arena. Throws Cancelled.
+  Filtration(std::shared_ptr<const BallSet> balls, RegularTriangulation triangulation,
+             const RunContext& context);
+
+  // Of a whole complex (not tetrahedra-only: std::invalid_argument) of these balls, computed by any
+  // engine: holds up to its alpha. Shares the complex instead of copying it. Throws Cancelled.
+  Filtration(std::shared_ptr<const BallSet> balls, std::shared_ptr<const AlphaComplex> top,
+             const RunContext& context = {});
+
+  // Largest alpha answered, square lattice units.
+  double alpha_max_on_lattice() const { return top_->alpha_on_lattice; }
+  // The complex at alpha_max: all simplices with their alpha values.
+  const AlphaComplex& top() const { return *top_; }
+  const ClassLevelsByDimension& levels() const { return levels_; }
+  const BallSet& balls() const { return *balls_; }
+
+  // Memory held beside top(), and by top() itself.
+  std::size_t level_bytes() const;
+  std::size_t top_bytes() const;
+
+ private:
+  std::shared_ptr<const BallSet> balls_;
+  std::shared_ptr<const AlphaComplex> top_;
+  ClassLevelsByDimension levels_;
+};
+
+// K_alpha for alpha_on_lattice <= filtration.alpha_max_on_lattice() (else std::invalid_argument),
+// exactly: where alpha rounds to the very float of an alpha value, integers decide. The hash is
+// set, engine and timings are left to the caller.
+AlphaComplex threshold(const Filtration& filtration, double alpha_on_lattice, bool tetrahedra_only);
+
+// Sets the classes of a whole complex from its simplices alone, whatever they were before.
+void classify(AlphaComplex& complex);
+
+}  // namespace alphascope

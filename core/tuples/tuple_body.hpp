@@ -1,0 +1,345 @@
+// The kernels of the tuple engine, each the work of one item: neighbours, tuples (kernel I),
+// filtered validity (kernel II), exact validity (kernel III), and the writing of what is valid. One
+// body for the CPU and the CUDA executor; in what order they run is tuple_pipeline.hpp. Source: N.
+// P. Ranjanikar's thesis, sections 3.2.4 to 3.2.7. Departures: tuples are counted, then written,
+// instead of written into the largest space there could be; and simplices of lower dimension are
+// tested as the tetrahedra are, which gives the whole complex.
+#pragma once
+
+#include "core/tuples/tuple_exact.hpp"
+#include "core/tuples/tuple_float.hpp"
+
+namespace alphascope {
+
+// ---- prefix sums and batches ----
+
+struct ReadCount {
+  const std::uint32_t* counts;
+  ALPHASCOPE_HOST_DEVICE std::uint32_t operator()(std::uint64_t n) const { return counts[n]; }
+};
+
+// Items from one to before `item`, and what they add up to.
+struct BatchEnd {
+  std::uint64_t item, sum;
+};
+
+// The longest batch of items from `first` on whose sum is at most `capacity`; never empty.
+struct FindBatch {
+  const std::uint64_t* sums;  // count + 1
+  std::uint64_t count, first, capacity;
+  BatchEnd* result;
+  ALPHASCOPE_HOST_DEVICE void operator()(std::uint64_t) const {
+    std::uint64_t good = first + 1, bad = count + 1;
+    while (bad - good > 1) {
+      const std::uint64_t middle = good + (bad - good) / 2;
+      (sums[middle] - sums[first] <= capacity ? good : bad) = middle;
+    }
+    *result = {good, sums[good] - sums[first]};
+  }
+};
+
+// ---- kernel I: neighbours, and tuples of them ----
+
+template <class Reader>
+struct CountNeighbours {
+  TupleScene<Reader> scene;
+  std::uint32_t* counts;
+  ALPHASCOPE_HOST_DEVICE void operator()(std::uint64_t slot) const {
+    std::uint32_t count = 0;
+    for_cube(scene, static_cast<std::uint32_t>(slot), [&](std::uint32_t) { ++count; });
+    counts[slot] = count;
+  }
+};
+
+template <class Reader>
+struct FillNeighbours {
+  TupleScene<Reader> scene;
+  NeighbourLists lists;
+  std::uint32_t first_slot;
+  std::uint32_t* slots;
+  std::uint32_t* owners;  // per place in the lists: whose list it is
+  ALPHASCOPE_HOST_DEVICE void operator()(std::uint64_t n) const {
+    const std::uint32_t slot = first_slot + static_cast<std::uint32_t>(n);
+    std::uint32_t at = lists.begin(slot);
+    for_cube(scene, slot, [&](std::uint32_t t) {
+      slots[at] = t;
+      owners[at++] = slot;
+    });
+  }
+};
+
+// For every place in the lists: 1 where a pair is to be made.
+template <class Reader>
+struct MarkPairs {
+  TupleScene<Reader> scene;
+  NeighbourLists lists;
+  const std::uint32_t* owners;
+  std::uint32_t* marks;
+  ALPHASCOPE_HOST_DEVICE void operator()(std::uint64_t at) const {
+    const std::uint32_t i = owners[at], j = lists.slots[at];
+    marks[at] = j > i && (!scene.edge_optimisation || grown_balls_may_meet(scene, i, j)) ? 1 : 0;
+  }
+};
+
+struct FillPairs {
+  const std::uint32_t* owners;
+  const std::uint64_t* sums;
+  BallTuple<2>* pairs;
+  ALPHASCOPE_HOST_DEVICE void operator()(std::uint64_t at) const {
+    if (sums[at] == sums[at + 1]) return;
+    pairs[sums[at]] = {owners[at], {static_cast<std::uint32_t>(at)}};
+  }
+};
+
+struct FillSingles {
+  std::uint32_t first_slot;
+  BallTuple<1>* singles;
+  ALPHASCOPE_HOST_DEVICE void operator()(std::uint64_t n) const {
+    singles[n] = {first_slot + static_cast<std::uint32_t>(n), {0}};
+  }
+};
+
+template <int N, class Reader>
+ALPHASCOPE_INLINE FloatCentre centre_of(const TupleScene<Reader>& scene,
+                                        const NeighbourLists& lists, const BallTuple<N>& tuple) {
+  const BallRecord i = scene.read.ball(tuple.first);
+  FloatLifted v[N - 1];
+  for (int n = 0; n < N - 1; ++n) v[n] = float_lifted(i, scene.read.ball(tuple.slot(lists, n + 1)));
+  if constexpr (N == 2) {
+    return float_centre(v[0]);
+  } else if constexpr (N == 3) {
+    return float_centre(v[0], v[1]);
+  } else {
+    return float_centre(v[0], v[1], v[2]);
+  }
+}
+
+template <class Reader>
+ALPHASCOPE_INLINE Decision within_alpha(const TupleScene<Reader>& scene, std::uint32_t first,
+                                        const FloatCentre& centre) {
+  if (scene.alpha_covers_all) return Decision::in;
+  return centre_within(centre, scene.read.ball(first).radius, scene.alpha_float);
+}
+
+// Calls visit(tuple) for every tuple that has one more, later neighbour than this one; counts those
+// that the edge optimisation leaves. The alpha optimisation drops 4-tuples with rho > alpha.
+template <int N, class Reader, class Visit>
+ALPHASCOPE_INLINE std::uint32_t for_extensions(const TupleScene<Reader>& scene,
+                                               const NeighbourLists& lists,
+                                               const BallTuple<N>& base, const Visit& visit) {
+  std::uint32_t considered = 0;
+  BallTuple<N + 1> tuple;
+  tuple.first = base.first;
+  for (int n = 0; n < N - 1; ++n) tuple.at[n] = base.at[n];
+  const std::uint32_t end = lists.end(base.first);
+  for (std::uint32_t at = base.at[N - 2] + 1; at < end; ++at) {
+    if (scene.edge_optimisation) {
+      bool meet = true;
+      for (int n = 0; n < N && meet; ++n) {
+        meet = grown_balls_may_meet(scene, base.slot(lists, n), lists.slots[at]);
+      }
+      if (!meet) continue;
+    }
+    ++considered;
+    tuple.at[N - 1] = at;
+    if constexpr (N == 3) {
+      if (scene.alpha_optimisation && scene.float_holds &&
+          within_alpha(scene, tuple.first, centre_of<4>(scene, lists, tuple)) == Decision::out) {
+        continue;
+      }
+    }
+    visit(tuple);
+  }
+  return considered;
+}
+
+template <int N, class Reader>
+struct CountExtensions {
+  TupleScene<Reader> scene;
+  NeighbourLists lists;
+  const BallTuple<N>* bases;
+  std::uint32_t* counts;
+  std::uint32_t* considered;
+  ALPHASCOPE_HOST_DEVICE void operator()(std::uint64_t b) const {
+    std::uint32_t count = 0;
+    considered[b] =
+        for_extensions<N>(scene, lists, bases[b], [&](const BallTuple<N + 1>&) { ++count; });
+    counts[b] = count;
+  }
+};
+
+// The same order again: the tuples of bases from `first` on go to their places behind sums[first].
+template <int N, class Reader>
+struct FillExtensions {
+  TupleScene<Reader> scene;
+  NeighbourLists lists;
+  const BallTuple<N>* bases;
+  const std::uint64_t* sums;
+  std::uint64_t first;
+  BallTuple<N + 1>* tuples;
+  ALPHASCOPE_HOST_DEVICE void operator()(std::uint64_t n) const {
+    BallTuple<N + 1>* to = tuples + (sums[first + n] - sums[first]);
+    if (sums[first + n] == sums[first + n + 1]) return;
+    for_extensions<N>(scene, lists, bases[first + n],
+                      [&](const BallTuple<N + 1>& tuple) { *to++ = tuple; });
+  }
+};
+
+// ---- kernels II and III: is the orthosphere empty, and rho <= alpha? ----
+
+enum class Verdict : std::uint8_t { invalid, valid, band };
+
+template <int N>
+ALPHASCOPE_INLINE bool has_place(const BallTuple<N>& tuple, std::uint32_t at) {
+  bool has = false;
+  for (int n = 0; n < N - 1; ++n) has = has || tuple.at[n] == at;
+  return has;
+}
+
+// Only neighbours of the first ball can be in conflict where the power is at most alpha.
+template <int N, class Reader>
+struct FilterTuples {
+  TupleScene<Reader> scene;
+  NeighbourLists lists;
+  const BallTuple<N>* tuples;
+  Verdict* verdicts;
+
+  ALPHASCOPE_HOST_DEVICE void operator()(std::uint64_t n) const {
+    if constexpr (N == 1) {
+      verdicts[n] = vertex(tuples[n].first);
+    } else {
+      verdicts[n] = scene.float_holds ? filtered(tuples[n]) : Verdict::band;
+    }
+  }
+
+ private:
+  // Integers are as fast here. With equality the larger simplices decide (tuple_exact.hpp).
+  ALPHASCOPE_INLINE Verdict vertex(std::uint32_t slot) const {
+    const BallRecord i = scene.read.ball(slot);
+    for (std::uint32_t at = lists.begin(slot); at < lists.end(slot); ++at) {
+      if (lifted_from(i, scene.read.ball(lists.slots[at])).c <= 0) return Verdict::invalid;
+    }
+    return Verdict::valid;
+  }
+  ALPHASCOPE_INLINE Verdict filtered(const BallTuple<N>& tuple) const {
+    const FloatCentre centre = centre_of<N>(scene, lists, tuple);
+    if (!(centre.error < HUGE_VALF)) return Verdict::band;
+    const Decision within = within_alpha(scene, tuple.first, centre);
+    if (scene.alpha_optimisation && within == Decision::out) return Verdict::invalid;
+    const BallRecord i = scene.read.ball(tuple.first);
+    const FloatConflict conflict(centre);
+    bool unsure = within == Decision::unknown;
+    const std::uint32_t end = lists.end(tuple.first);
+    for (std::uint32_t at = lists.begin(tuple.first); at < end; ++at) {
+      const int side = conflict.side(i, scene.read.ball(lists.slots[at]));
+      if (side < 0) continue;
+      if (has_place<N>(tuple, at)) continue;
+      if (side > 0) return Verdict::invalid;
+      unsure = true;
+    }
+    if (within == Decision::out) return Verdict::invalid;
+    return unsure ? Verdict::band : Verdict::valid;
+  }
+};
+
+// The value that is summed up over verdicts.
+struct HasVerdict {
+  const Verdict* verdicts;
+  Verdict wanted;
+  ALPHASCOPE_HOST_DEVICE std::uint32_t operator()(std::uint64_t n) const {
+    return verdicts[n] == wanted ? 1 : 0;
+  }
+};
+
+struct FillBand {
+  const Verdict* verdicts;
+  const std::uint64_t* sums;
+  std::uint32_t* band;
+  ALPHASCOPE_HOST_DEVICE void operator()(std::uint64_t n) const {
+    if (verdicts[n] == Verdict::band) band[sums[n]] = static_cast<std::uint32_t>(n);
+  }
+};
+
+template <int N, class Reader>
+ALPHASCOPE_INLINE LiftedSimplex<N> lifted_tuple(const TupleScene<Reader>& scene,
+                                                const NeighbourLists& lists,
+                                                const BallTuple<N>& tuple) {
+  const BallRecord i = scene.read.ball(tuple.first);
+  LiftedSimplex<N> s;
+  s.weight = std::int64_t{i.radius} * i.radius;
+  for (int n = 0; n < N - 1; ++n)
+    s.v[n] = lifted_from(i, scene.read.ball(tuple.slot(lists, n + 1)));
+  return s;
+}
+// Is rho <= alpha, and its nearest float when `rounded` is not null. Double precision brackets
+// decide nearly always; wide integers the rest.
+template <int N>
+ALPHASCOPE_INLINE bool rho_within(const LiftedSimplex<N>& s, double alpha, float* rounded) {
+  return decide_rho<ExactDecider>(s, within_bracket_limit(s), alpha, rounded) == Decision::in;
+}
+
+// The tuples in the band, again: filtered where that is certain, integers where it is not.
+template <int N, class Reader>
+struct DecideTuples {
+  TupleScene<Reader> scene;
+  NeighbourLists lists;
+  const BallTuple<N>* tuples;
+  const std::uint32_t* band;
+  Verdict* verdicts;
+
+  ALPHASCOPE_HOST_DEVICE void operator()(std::uint64_t b) const {
+    if constexpr (N > 1) {  // vertices are never in the band
+      const bool valid = scene.int128_holds ? decide<Int128>(tuples[band[b]])
+                                            : decide<WideInt<4>>(tuples[band[b]]);
+      verdicts[band[b]] = valid ? Verdict::valid : Verdict::invalid;
+    }
+  }
+
+ private:
+  template <class Integer>
+  ALPHASCOPE_HOST_DEVICE bool decide(const BallTuple<N>& tuple) const {
+    const BallRecord i = scene.read.ball(tuple.first);
+    const LiftedSimplex<N> simplex = lifted_tuple<N>(scene, lists, tuple);
+    const ExactCentre<N - 1, Integer> exact(simplex.v);
+    if (!exact.regular() || !rho_within(simplex, scene.alpha, nullptr)) return false;
+    FloatCentre centre{0, 0, 0, HUGE_VALF};
+    if (scene.float_holds) centre = centre_of<N>(scene, lists, tuple);
+    const FloatConflict filter(centre);
+    const std::uint32_t end = lists.end(tuple.first);
+    for (std::uint32_t at = lists.begin(tuple.first); at < end; ++at) {
+      const BallRecord m = scene.read.ball(lists.slots[at]);
+      const int side = scene.float_holds ? filter.side(i, m) : 0;
+      if (side < 0 || has_place<N>(tuple, at)) continue;
+      if (side > 0 || exact.with(lifted_from(i, m)) != Conflict::none) return false;
+    }
+    return true;
+  }
+};
+
+// Writes the valid simplices to their places: indices of balls, ascending, and the alpha value (the
+// nearest float of rho, square lattice units) unless `values` is null.
+template <int N, class Reader>
+struct EmitSimplices {
+  TupleScene<Reader> scene;
+  NeighbourLists lists;
+  const BallTuple<N>* tuples;
+  const Verdict* verdicts;
+  const std::uint64_t* sums;
+  std::uint32_t* simplices;  // N each
+  float* values;
+  ALPHASCOPE_HOST_DEVICE void operator()(std::uint64_t n) const {
+    if (verdicts[n] != Verdict::valid) return;
+    const BallTuple<N> tuple = tuples[n];
+    std::uint32_t* to = simplices + sums[n] * N;
+    for (int a = 0; a < N; ++a) {  // insertion
+      const std::uint32_t ball = scene.ball[tuple.slot(lists, a)];
+      int b = a;
+      for (; b > 0 && to[b - 1] > ball; --b) to[b] = to[b - 1];
+      to[b] = ball;
+    }
+    if (values == nullptr) return;
+    rho_within(lifted_tuple<N>(scene, lists, tuple), scene.alpha, values + sums[n]);
+  }
+};
+
+}  // namespace alphascope

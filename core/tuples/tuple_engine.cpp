@@ -1,0 +1,183 @@
+// The tuple engine on the CPU: the executor of tuple_pipeline.hpp over oneTBB.
+#include "core/tuples/tuple_engine.hpp"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <chrono>
+
+#include "core/complex/count_limits.hpp"
+#include "core/run/cpu_threads.hpp"
+#include "core/tuples/tuple_compute.hpp"
+
+namespace alphascope {
+namespace {
+
+// One lane, in which every call is done when it returns. Calls come from inside the task arena.
+class CpuExecutor {
+ public:
+  using Reader = PlainReader;
+  static constexpr bool kOnGpu = false;
+  template <class T>
+  class Buffer {
+   public:
+    void reserve(std::uint64_t count) {
+      if (count <= capacity_) return;
+      data_.reset();
+      capacity_ = 0;
+      data_ = std::make_unique_for_overwrite<T[]>(count);
+      capacity_ = count;
+    }
+    T* get() const { return data_.get(); }
+
+   private:
+    std::unique_ptr<T[]> data_;
+    std::uint64_t capacity_ = 0;
+  };
+
+  explicit CpuExecutor(const TupleOptions& options)
+      : capacity_(options.tuples_per_batch > 0 ? options.tuples_per_batch : kTuplesPerBatch) {}
+
+  void set_cancel(const CancelToken& cancel) { cancel_ = cancel; }
+  std::pmr::memory_resource* host_memory() const { return std::pmr::new_delete_resource(); }
+  std::uint64_t capacity() const { return capacity_; }
+  std::size_t workers() const { return 1; }
+  TupleUpload<PlainReader> upload(const TupleGrid& grid) const {
+    return {{grid.records.data(), grid.reach.data()}, grid.cell_start.data(), grid.ball.data()};
+  }
+
+  template <class Body>
+  void for_each(int, std::uint64_t count, const Body& body) const {
+    // A range is the least that is done between two looks at the token.
+    constexpr std::uint64_t kGrain = 64;
+    if (count <= kGrain) {  // not worth waking other threads
+      for (std::uint64_t n = 0; n < count; ++n) body(n);
+      cancel_.throw_if_cancelled();
+      return;
+    }
+    tbb::parallel_for(tbb::blocked_range<std::uint64_t>(0, count, kGrain),
+                      [&](const tbb::blocked_range<std::uint64_t>& range) {
+                        if (cancel_.cancelled()) return;
+                        for (std::uint64_t n = range.begin(); n != range.end(); ++n) body(n);
+                      });
+    cancel_.throw_if_cancelled();
+  }
+  template <class Body>
+  void for_each_of(int lane, const std::uint64_t* count, std::uint64_t, const Body& body) const {
+    for_each(lane, *count, body);
+  }
+  template <class Value>
+  void prefix_sum(int, std::uint64_t count, const Value& value, std::uint64_t* sums) const {
+    std::uint64_t total = 0;
+    for (std::uint64_t n = 0; n < count; ++n) {
+      sums[n] = total;
+      total += value(n);
+    }
+    sums[count] = total;
+  }
+  template <class Value>
+  std::uint64_t sum(int, std::uint64_t count, const Value& value) const {
+    std::uint64_t total = 0;
+    for (std::uint64_t n = 0; n < count; ++n) total += value(n);
+    return total;
+  }
+  template <class T>
+  T read(int, const T* from) const {
+    return *from;
+  }
+  template <class T>
+  void fetch(int, const T* from, std::uint64_t count, ResultArray<T>& to) const {
+    to.insert(to.end(), from, from + count);
+  }
+  void wait(int) const {}
+  void reset() { times_ = {}; }
+
+  void begin(int, std::string_view stage) {
+    stage_ = stage;
+    start_ = Clock::now();
+  }
+  void end(int) {
+    // Nothing leaves a device here.
+    if (stage_ == stage::kDeviceToHost) return;
+    const double ms = std::chrono::duration<double, std::milli>(Clock::now() - start_).count();
+    for (StageTime& s : times_.stages) {
+      if (s.label == stage_) {
+        s.milliseconds += ms;
+        return;
+      }
+    }
+    times_.stages.push_back({std::string(stage_), ms, false});
+  }
+  StageTimes take_times() { return std::move(times_); }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  // A few MB, and about 10 ms of work between two looks at progress.
+  static constexpr std::uint64_t kTuplesPerBatch = std::uint64_t{1} << 18;
+
+  const std::uint64_t capacity_;
+  CancelToken cancel_;
+  std::string_view stage_;
+  Clock::time_point start_;
+  StageTimes times_;
+};
+
+class TupleEngine : public Engine {
+ public:
+  TupleEngine(std::shared_ptr<const BallSet> balls, EngineOptions options, TupleOptions tuples)
+      : executor_(tuples),
+        computer_(std::move(balls), tuples, executor_),
+        arena_(options.threads > 0 ? options.threads : tbb::task_arena::automatic) {}
+
+  AlphaComplex compute(const AlphaRequest& request, const RunContext& context) override {
+    AlphaComplex complex;
+    executor_.set_cancel(context.cancel);
+    arena_.execute([&] { complex = computer_.compute(request, context); });
+    complex.engine.name = "tuple engine";
+    complex.engine.device = cpu_text(arena_);
+    return complex;
+  }
+
+ private:
+  CpuExecutor executor_;
+  TupleComputer<CpuExecutor> computer_;
+  tbb::task_arena arena_;
+};
+
+}  // namespace
+
+std::vector<EngineCounter> tuple_counters(const TupleCounts& c) {
+  return {{"neighbours in cubes", c.neighbours},
+          {"pairs", c.pairs},
+          {"triples", c.triples},
+          {"4-tuples enumerated", c.tuples},
+          {"4-tuples into kernel II", c.kept},
+          {"4-tuples into kernel III", c.band},
+          {"edges and triangles into kernel III", c.lower_band},
+          {"valid 4-tuples", c.valid},
+          {"batches", c.batches}};
+}
+
+std::string tuple_route(const TupleOptions& options, bool on_gpu) {
+  std::string without;
+  const auto add = [&](bool on, const char* name) {
+    if (!on) without += (without.empty() ? ", without " : " and ") + std::string(name);
+  };
+  add(options.edge_optimisation, "edge optimisation");
+  add(options.alpha_optimisation, "alpha optimisation");
+  add(options.pinned || !on_gpu, "pinned memory");
+  add(options.streams > 1 || !on_gpu, "streams");
+  add(options.texture || !on_gpu, "textures");
+  return (options.grid == TupleGridKind::thesis ? "tuples of neighbours, 100 x 100 x 100 grid"
+                                                : "tuples of neighbours") +
+         without;
+}
+
+std::unique_ptr<Engine> make_tuple_engine(std::shared_ptr<const BallSet> balls,
+                                          EngineOptions options, TupleOptions tuples) {
+  require_balls(balls->size());
+  return std::make_unique<TupleEngine>(std::move(balls), options, tuples);
+}
+
+}  // namespace alphascope

@@ -1,0 +1,124 @@
+// What the kernels of the tuple engine read: balls sorted into a grid, the cube of neighbours of a
+// ball, and tuples of neighbours. Host and device; the kernels are tuple_body.hpp.
+// Source: N. P. Ranjanikar's thesis, sections 3.2.2 to 3.2.5.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+
+#include "core/predicates/grown_balls.hpp"
+#include "core/predicates/orthosphere.hpp"
+
+namespace alphascope {
+
+// 16 bytes, so that a ball is one load or one texel. Lattice units.
+struct alignas(16) BallRecord {
+  std::int32_t x, y, z, radius;
+};
+
+// Reads balls from plain memory; the CUDA executor has another reader, from textures.
+struct PlainReader {
+  const BallRecord* records;
+  const float* reaches;
+  ALPHASCOPE_INLINE BallRecord ball(std::uint32_t slot) const { return records[slot]; }
+  // As grown_reach().
+  ALPHASCOPE_INLINE float reach(std::uint32_t slot) const { return reaches[slot]; }
+};
+
+// Cells in the order (x, y, z), z fastest, so that the balls of a range of z are contiguous.
+struct TupleGridView {
+  std::int32_t origin[3], width[3], cells[3];
+  const std::uint32_t* cell_start;  // first slot of each cell, and the end
+
+  // The cells along `axis` that hold coordinates from low to high.
+  ALPHASCOPE_INLINE int cell(int axis, std::int64_t coordinate) const {
+    const std::int64_t c = (coordinate - origin[axis]) / width[axis];
+    return c < 0 ? 0 : c >= cells[axis] ? cells[axis] - 1 : static_cast<int>(c);
+  }
+};
+
+template <class Reader>
+struct TupleScene {
+  Reader read;
+  TupleGridView grid;
+  const std::uint32_t* ball;  // per slot: its index in the BallSet
+  float largest_reach;
+  double alpha;       // square lattice units
+  float alpha_float;  // nearest float
+  bool edge_optimisation, alpha_optimisation;
+  bool alpha_covers_all;  // alpha is above every ortho-radius there can be
+  bool float_holds;       // differences and sums of radii of neighbours are exact in float
+  bool int128_holds;      // see ExactCentre
+};
+
+// Half the side of the cube in which the neighbours of a ball are, r + r_max of the grown radii: a
+// ball outside cannot meet it (grown_balls.hpp: the sum is above the distance). A whole number, as
+// differences are, which are below 2^30.
+ALPHASCOPE_INLINE std::int32_t cube_half_side(float reach, float largest_reach) {
+  const float side = reach + largest_reach;
+  return side < 1.0e9f ? static_cast<std::int32_t>(side) : std::int32_t{1} << 30;
+}
+
+// Calls visit(slot) for all other balls with centres in the cube of `slot`, ascending.
+template <class Reader, class Visit>
+ALPHASCOPE_INLINE void for_cube(const TupleScene<Reader>& scene, std::uint32_t slot,
+                                const Visit& visit) {
+  const TupleGridView& g = scene.grid;
+  const BallRecord b = scene.read.ball(slot);
+  const std::int64_t side = cube_half_side(scene.read.reach(slot), scene.largest_reach);
+  const int x1 = g.cell(0, b.x + side), y0 = g.cell(1, b.y - side), y1 = g.cell(1, b.y + side),
+            z0 = g.cell(2, b.z - side), z1 = g.cell(2, b.z + side);
+  for (int x = g.cell(0, b.x - side); x <= x1; ++x) {
+    for (int y = y0; y <= y1; ++y) {
+      const std::int64_t row = (static_cast<std::int64_t>(x) * g.cells[1] + y) * g.cells[2];
+      const std::uint32_t end = g.cell_start[row + z1 + 1];
+      for (std::uint32_t t = g.cell_start[row + z0]; t < end; ++t) {
+        const BallRecord m = scene.read.ball(t);
+        const bool inside = m.x - b.x <= side && b.x - m.x <= side && m.y - b.y <= side &&
+                            b.y - m.y <= side && m.z - b.z <= side && b.z - m.z <= side;
+        if (inside && t != slot) visit(t);
+      }
+    }
+  }
+}
+
+template <class Reader>
+ALPHASCOPE_INLINE bool grown_balls_may_meet(const TupleScene<Reader>& scene, std::uint32_t a,
+                                            std::uint32_t b) {
+  const BallRecord p = scene.read.ball(a), q = scene.read.ball(b);
+  return grown_balls_may_meet(q.x - p.x, q.y - p.y, q.z - p.z, scene.read.reach(a),
+                              scene.read.reach(b));
+}
+
+// Neighbours of the balls of one batch, ascending by slot, back to back.
+struct NeighbourLists {
+  const std::uint32_t* slots;
+  const std::uint64_t* starts;  // per ball of the whole set
+  std::uint64_t base;           // starts[first ball of the batch]
+
+  ALPHASCOPE_INLINE std::uint32_t begin(std::uint32_t slot) const {
+    return static_cast<std::uint32_t>(starts[slot] - base);
+  }
+  ALPHASCOPE_INLINE std::uint32_t end(std::uint32_t slot) const {
+    return static_cast<std::uint32_t>(starts[slot + 1] - base);
+  }
+};
+
+// N balls: the one of the lowest slot, and the places of the others in its list, ascending. Each
+// unordered tuple is there once.
+template <int N>
+struct BallTuple {
+  std::uint32_t first;
+  std::uint32_t at[N > 1 ? N - 1 : 1];
+
+  ALPHASCOPE_INLINE std::uint32_t slot(const NeighbourLists& lists, int n) const {
+    return n == 0 ? first : lists.slots[at[n - 1]];
+  }
+};
+
+// Ball m as seen from ball i.
+ALPHASCOPE_INLINE LiftedInt lifted_from(const BallRecord& i, const BallRecord& m) {
+  return lifted_vector(i, i.radius, m, m.radius);
+}
+
+}  // namespace alphascope

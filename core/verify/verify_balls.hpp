@@ -1,0 +1,56 @@
+// Which balls could touch a grown ball: the verifier's own search, in integers. It may name too
+// many, never too few. It shares nothing with the engines' grid, whose faults it is to find.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/geometry/ball_set.hpp"
+#include "core/predicates/wide_int.hpp"
+
+namespace alphascope {
+
+class VerifyBalls {
+ public:
+  // alpha: square lattice units, any double but NaN. Refers to `balls`.
+  VerifyBalls(const BallSet& balls, double alpha);
+  VerifyBalls(const VerifyBalls&) = delete;
+  VerifyBalls& operator=(const VerifyBalls&) = delete;
+
+  const BallSet& balls() const { return balls_; }
+  double alpha() const { return alpha_; }
+  // Of all objects of this class, another one for each; never 0.
+  std::uint64_t number() const { return number_; }
+
+  // Is it hidden by a ball with the same centre? Then it is in no simplex.
+  bool hidden(BallIndex i) const { return !hidden_.empty() && hidden_[i]; }
+  // Is weight + alpha < 0, so that the grown ball has no point?
+  bool empty(BallIndex i) const;
+
+  // All other balls that may share a point with i when both are grown, the nearest centre first.
+  // Neither hidden nor empty ones.
+  void around(BallIndex i, std::vector<BallIndex>& found) const;
+
+  // False only when the two grown balls have no common point. Neither may be empty.
+  bool may_touch(BallIndex i, BallIndex m) const;
+
+ private:
+  struct Place {
+    std::int32_t x, y, z;  // cell
+    BallIndex ball;
+    friend auto operator<=>(const Place&, const Place&) = default;
+  };
+  Place place_of(BallIndex i) const;
+
+  const BallSet& balls_;
+  const std::uint64_t number_;
+  double alpha_;
+  std::vector<bool> hidden_;
+  bool all_touch_ = false, all_empty_ = false;  // alpha is beyond all distances or weights
+  Int128 fixed_alpha_ = 0;                      // alpha in units of 2^-20, rounded up
+  LatticePoint low_;
+  std::int64_t cell_width_ = 1;  // lattice units; at least the distance of any two that touch
+  std::vector<Place> places_;    // sorted
+};
+
+}  // namespace alphascope

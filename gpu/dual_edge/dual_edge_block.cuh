@@ -1,0 +1,332 @@
+// One block of the dual edge kernels: its problem and shared memory, the ordered lists of its
+// balls' neighbours, and the rows of bits that say which of them meet.
+#pragma once
+
+#include <algorithm>
+
+#include "core/dual_edge/facet_disc.hpp"
+#include "core/dual_edge/triangle_faces.hpp"
+#include "gpu/dual_edge/problem.cuh"
+
+namespace alphascope::gpu {
+
+// The edges that may be in K_alpha, of each ball to its later neighbours, ascending.
+struct EdgeCandidates {
+  std::uint32_t* end;  // the later ball
+  // ordered_bits of the least value of a coface in K_alpha, kNoValue for none.
+  std::uint32_t* least;
+  std::uint32_t* flags;  // kUnattached, and what those cofaces say
+  std::uint32_t capacity;
+  std::uint32_t* cursor;
+  std::uint32_t *start, *count;  // per ball
+  std::uint32_t* missing;        // how often one was looked for in vain
+};
+
+// Tetrahedra of K_alpha in the order in which blocks finished.
+struct FoundTetrahedra {
+  uint4* vertices;
+  std::uint32_t capacity;
+  std::uint32_t* cursor;         // found (may pass capacity: then nothing counts)
+  std::uint32_t *start, *count;  // per ball, as lowest vertex
+};
+
+// The same of triangles.
+struct FoundTriangles {
+  std::uint32_t* vertices;  // 3 each
+  std::uint32_t* info;      // pack_info
+  std::uint32_t*
+      attached_to;  // the last vertex of the tetrahedron with its value; kNoBall: its own
+  std::uint32_t capacity;
+  std::uint32_t* cursor;
+  std::uint32_t *start, *count;  // per ball
+};
+inline constexpr std::uint32_t kNoBall = ~0u;
+
+// The places of edges ij and ik among the candidates of i, and the number of tetrahedra in K_alpha.
+__device__ inline std::uint32_t pack_info(int edge_j, int edge_k, int cofaces) {
+  return static_cast<std::uint32_t>(edge_j) | static_cast<std::uint32_t>(edge_k) << 12 |
+         static_cast<std::uint32_t>(cofaces) << 24;
+}
+
+struct DualEdgeOutput {
+  FoundTetrahedra tetrahedra;
+  // Of a whole complex only:
+  FoundTriangles triangles;
+  EdgeCandidates edges;
+  std::uint32_t* vertex_state;  // per ball: 0 absent, 1 attached, 2 unattached
+
+  std::uint32_t *exact_list, *exact_count;
+  BlockStatistics* statistics;
+};
+
+// What a kernel does: all simplices, or tetrahedra alone; kernel III, or kernel II; are neighbours
+// without a facet left out (of long lists it pays)?
+template <bool kWhole_, bool kExact_, bool kCull_>
+struct KernelKind {
+  static constexpr bool kWhole = kWhole_, kExact = kExact_, kCull = kCull_;
+  // Without, every edge of a ball to a later one counts as possible.
+  static constexpr bool kEdges = kWhole || kCull;
+};
+
+struct DualEdgeProblem {
+  Problem common;
+  std::uint32_t begin, end;  // the balls of this launch
+  BlockRoom capacity;
+  std::uint32_t
+      deferred_limit;   // beyond so many kernel III leaves the run to be repeated with more room
+  int words;            // of a row of bits: (capacity.list + 31) / 32
+  float radius_scale;   // scale²: square lattice units to scaled ones
+  bool small_lattice;   // Int128 suffices for exact predicates
+  bool cull;            // as KernelKind::kCull
+  bool narrow;          // 32 bits hold every c of neighbours
+  const int4* balls;    // in the order of the BallSet
+  struct BlockLayout {  // words from the start of a block's memory, see DualEdgeMemory
+    std::uint32_t kept, index, found_bits, one_bits, two_bits, triangles_before, tetrahedra_before,
+        possible, near, rows, triangles, half_warp, reach, listed, probed, row_ball;
+    std::size_t bytes;
+  } layout;
+};
+
+constexpr int kMaxRows = 1 << 13, kMaxTriangles = 1 << 16;
+__device__ inline bool is_sampled(const DualEdgeProblem& p) {
+  return blockIdx.x % p.common.sampled == 0;
+}
+
+// Packs a triangle of the block: row of j, neighbour k, ball.
+__device__ inline std::uint32_t pack_triangle(int row, int k, int ball) {
+  return static_cast<std::uint32_t>(row) | static_cast<std::uint32_t>(k) << 13 |
+         static_cast<std::uint32_t>(ball) << 25;
+}
+
+struct DualEdgeMemory {
+  float4* vectors;  // entries: scaled d and c, ascending by index
+  std::uint32_t* index;
+  std::uint32_t* rows;  // words of bits for each later neighbour j: who meets j as well
+  uint2* kept;          // triangles found: their number, and pack_face()
+  // p.words of bits for each ball: which neighbours j can have edge ij in K_alpha, and whose planes
+  // are nearest (culled lists only).
+  std::uint32_t *possible, *near;
+  // One bit a triangle: found; with one tetrahedron to write or more; with two. Then, for each
+  // word, what is found in the words before.
+  std::uint32_t *found_bits, *one_bits, *two_bits, *triangles_before, *tetrahedra_before;
+  std::uint32_t* triangles;
+  std::uint16_t* listed;  // triangles that are worth a look
+  std::uint16_t* probed;  // triangles that were not probed away
+  std::uint8_t* length;   // see sort_candidates(); in the place of kept and probed
+  // Whose row it is, and kUnattachedRow.
+  std::uint8_t* row_ball;
+  // Before there are triangles, in their place. Of entries: how far they reach. Of half a warp:
+  // what it met, and of that, those whose planes are nearest.
+  float* reach;
+  float4* coverers;
+  float* coverer_lengths;
+  std::uint32_t *found, *found_index;
+};
+
+constexpr int kRowBall = 63, kUnattachedRow = 64;
+static_assert(kMaxBallsPerBlock < kRowBall);
+
+// Balls that are tried as coverers of discs: those whose planes are nearest.
+constexpr int kCoverers = 16;
+
+inline std::uint32_t half_warp_words(const DualEdgeProblem& p) {
+  // Capacities of a search are multiples of 4. Four more: see order_list().
+  return 2 * p.capacity.search + 4 + (p.cull ? 5 * kCoverers : 0);
+}
+inline std::uint32_t half_warps_words(const DualEdgeProblem& p) {
+  // Half warps take balls in pairs.
+  const int halves = kBlockThreads / kSearchLanes, pairs = (p.common.balls_per_block + 1) / 2;
+  return static_cast<std::uint32_t>(std::min(2 * pairs, halves)) * half_warp_words(p);
+}
+// Of what needs more bytes than 32 bits can count, only the number of bytes is right.
+inline void lay_out(DualEdgeProblem& p) {
+  DualEdgeProblem::BlockLayout& at = p.layout;
+  std::size_t words = 4 * std::size_t{p.capacity.entries};
+  const auto take = [&](std::size_t size) {
+    const auto begin = static_cast<std::uint32_t>(words);
+    words += size;
+    return begin;
+  };
+  const std::uint32_t bits = (p.capacity.triangles + 31) / 32 + 1,
+                      list_bits = static_cast<std::uint32_t>(p.common.balls_per_block * p.words);
+  const std::size_t lengths = p.cull ? 0 : (std::size_t{p.capacity.triangles} + 3) / 4;
+  at.kept = take(std::max(2 * std::size_t{p.capacity.kept} + (p.capacity.probed + 1) / 2, lengths));
+  at.probed = at.kept + 2 * p.capacity.kept;
+  at.index = take(p.capacity.entries);
+  at.found_bits = take(bits);
+  at.one_bits = take(bits);
+  at.two_bits = take(bits);
+  at.triangles_before = take(bits);
+  at.tetrahedra_before = take(bits);
+  at.possible = take(list_bits);
+  at.near = take(list_bits);
+  at.rows = take(p.capacity.rows * static_cast<std::size_t>(p.words));
+  words = (words + 3) / 4 * 4;
+  at.half_warp = half_warp_words(p);
+  const std::uint32_t lists = half_warps_words(p);
+  at.triangles =
+      take(std::max(std::size_t{p.capacity.triangles}, lists + std::size_t{p.capacity.entries}));
+  at.reach = at.triangles + lists;
+  at.listed = take((p.capacity.listed + 1) / 2);
+  at.row_ball = take((p.capacity.rows + 3) / 4);
+  at.bytes = 4 * words;
+}
+__device__ inline DualEdgeMemory carve(unsigned char* shared, const DualEdgeProblem& p) {
+  const DualEdgeProblem::BlockLayout& at = p.layout;
+  std::uint32_t* words = reinterpret_cast<std::uint32_t*>(shared);
+  DualEdgeMemory m;
+  m.vectors = reinterpret_cast<float4*>(shared);
+  m.kept = reinterpret_cast<uint2*>(words + at.kept);
+  m.reach = reinterpret_cast<float*>(words + at.reach);
+  m.index = words + at.index;
+  m.found_bits = words + at.found_bits;
+  m.one_bits = words + at.one_bits;
+  m.two_bits = words + at.two_bits;
+  m.triangles_before = words + at.triangles_before;
+  m.tetrahedra_before = words + at.tetrahedra_before;
+  m.possible = words + at.possible;
+  m.near = words + at.near;
+  m.rows = words + at.rows;
+  m.triangles = words + at.triangles;
+  m.listed = reinterpret_cast<std::uint16_t*>(words + at.listed);
+  m.probed = reinterpret_cast<std::uint16_t*>(words + at.probed);
+  m.length = reinterpret_cast<std::uint8_t*>(words + at.kept);
+  m.found = m.triangles + threadIdx.x / kSearchLanes * at.half_warp;
+  m.found_index = m.found + p.capacity.search;
+  // Only of culled lists.
+  m.coverers = reinterpret_cast<float4*>(m.found_index + p.capacity.search + 4);
+  m.coverer_lengths = reinterpret_cast<float*>(m.coverers + kCoverers);
+  m.row_ball = reinterpret_cast<std::uint8_t*>(words + at.row_ball);
+  return m;
+}
+
+// Per ball of the block.
+constexpr int kLengths = 32;  // longer ones count as this long
+struct BlockBalls {
+  int4 ball[kMaxBallsPerBlock];
+  std::uint32_t index[kMaxBallsPerBlock];
+  float radius_square[kMaxBallsPerBlock];  // w + alpha, scaled
+  int list[kMaxBallsPerBlock];             // neighbours; none when there is no room for them
+  int later[kMaxBallsPerBlock];            // of them, of higher index
+  int entry0[kMaxBallsPerBlock];           // where they begin
+  int row0[kMaxBallsPerBlock];
+  int exact[kMaxBallsPerBlock];  // 1 undecided, 2 no room: for kernel III
+  int first_triangle[kMaxBallsPerBlock], end_triangle[kMaxBallsPerBlock];
+  // Where simplices go, less their number in the block: of triangles and tetrahedra, less the row
+  // for edges. Modulo 2^32.
+  std::uint32_t triangle_at[kMaxBallsPerBlock], tetrahedron_at[kMaxBallsPerBlock],
+      edge_at[kMaxBallsPerBlock];
+  // 0: absent at any alpha; 1: the ball's centre lies outside its power cell (attached); 2: within.
+  std::uint8_t state[kMaxBallsPerBlock];
+  int scan[kBlockThreads / 32];
+  Surroundings surroundings[kBlockThreads / kSearchLanes];
+  Measured all_found, all_lists;  // as BlockStatistics' found and list
+  int lengths[kLengths];  // triangles of so many cuts, the longest first; then where they begin
+  int entries, rows, triangles;
+  int listed, next_listed, probed, next_work, kept;
+};
+
+// Sum over the lanes before this one.
+__device__ inline int warp_scan(int value) {
+  const int lane = threadIdx.x & 31;
+  int sum = value;
+  for (int step = 1; step < 32; step *= 2) {
+    const int other = __shfl_up_sync(~0u, sum, step);
+    if (lane >= step) sum += other;
+  }
+  return sum - value;
+}
+
+// Sum over the threads before this one, and over all. Every thread takes part.
+__device__ inline int block_scan(int value, int* scratch, int* total) {
+  const int lane = threadIdx.x & 31, warp = threadIdx.x >> 5;
+  const int before = warp_scan(value);
+  __syncthreads();  // an earlier scan's scratch has been read
+  if (lane == 31) scratch[warp] = before + value;
+  __syncthreads();
+  int sum = 0, all = 0;
+  for (int w = 0; w < kBlockThreads / 32; ++w) {
+    const int part = scratch[w];
+    if (w < warp) sum += part;
+    all += part;
+  }
+  *total = all;
+  return sum + before;
+}
+
+// Few blocks meet a new maximum.
+__device__ inline void note_largest(std::uint32_t* largest, int value) {
+  if (*static_cast<volatile std::uint32_t*>(largest) < static_cast<std::uint32_t>(value)) {
+    atomicMax(largest, static_cast<std::uint32_t>(value));
+  }
+}
+__device__ inline void add(std::uint64_t* sum, std::uint64_t value) {
+  atomicAdd(reinterpret_cast<unsigned long long*>(sum), static_cast<unsigned long long>(value));
+}
+// In the block's memory by lanes of several warps, or for all blocks by one thread of each.
+__device__ inline void measure(Measured& of, int value) {
+  add(&of.number, 1);
+  add(&of.sum, value);
+  add(&of.squares, static_cast<std::uint64_t>(value) * value);
+}
+__device__ inline void add_measured(Measured& to, const Measured& of) {
+  add(&to.number, of.number);
+  add(&to.sum, of.sum);
+  add(&to.squares, of.squares);
+}
+
+// A triangle's parts, unpacked.
+struct Triangle : TriangleRows {
+  int ball, entry0;
+
+  __device__ Triangle(const DualEdgeMemory& m, const BlockBalls& s, int words, std::uint32_t packed)
+      : ball(packed >> 25), entry0(s.entry0[ball]) {
+    const int row = packed & (kMaxRows - 1), first_later = s.list[ball] - s.later[ball];
+    k = packed >> 13 & 4095;
+    j = first_later + row - s.row0[ball];
+    row_j = m.rows + row * words;
+    row_k = m.rows + (s.row0[ball] + k - first_later) * words;
+  }
+};
+
+// Two ends of 12 bits + 1, and which of them the triangle is attached to.
+__device__ inline std::uint32_t pack_face(const TriangleFace& f) {
+  return static_cast<std::uint32_t>(f.high + 1) | static_cast<std::uint32_t>(f.low + 1) << 12 |
+         static_cast<std::uint32_t>(f.attached) << 24;
+}
+__device__ inline TriangleFace unpack_face(std::uint32_t packed) {
+  return {Decision::in, static_cast<int>(packed & 4095) - 1,
+          static_cast<int>(packed >> 12 & 4095) - 1,
+          static_cast<TriangleFace::Attached>(packed >> 24)};
+}
+
+// The scaled vectors of one ball's neighbours.
+struct ScaledNeighbours {
+  const float4* vectors;
+  __device__ LiftedVector<float> operator()(int a) const {
+    const float4 v = vectors[a];
+    return {v.x, v.y, v.z, v.w};
+  }
+};
+
+// The neighbours of a ball for the exact templates, straight from the balls.
+struct ExactNeighbours {
+  const std::uint32_t* indices;
+  const int4* balls;
+  int4 centre;
+  __device__ LiftedInt lifted(int k) const {
+    const int4 b = balls[indices[k]];
+    return lifted_vector(centre, centre.w, b, b.w);
+  }
+  __device__ std::int64_t weight() const { return static_cast<std::int64_t>(centre.w) * centre.w; }
+  __device__ Neighbourhood<ExactNeighbours> of(const DualEdgeProblem& p) const {
+    return {*this, weight(), p.common.alpha, p.common.ghost_reach, true};
+  }
+};
+__device__ inline ExactNeighbours exact_neighbours(const DualEdgeProblem& p,
+                                                   const DualEdgeMemory& m, const BlockBalls& s,
+                                                   int b) {
+  return {m.index + s.entry0[b], p.balls, s.ball[b]};
+}
+
+}  // namespace alphascope::gpu

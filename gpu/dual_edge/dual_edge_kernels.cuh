@@ -1,0 +1,352 @@
+// The CUDA executor of the facet engine: one block takes a run of balls through neighbours (kernel
+// I: lists, which neighbours meet, triangles ijk worth a look) and dual edges in single precision
+// with certified errors (kernel II), and writes the simplices whose lowest vertex is one of its
+// balls. A ball with an undecided simplex goes, whole, to the same kernel with double precision and
+// exact integers (kernel III). The bodies per triangle and edge are
+// core/dual_edge/triangle_faces.hpp and facet_disc.hpp.
+#pragma once
+
+#include "core/dual_edge/dual_edge_probe.hpp"
+#include "gpu/dual_edge/dual_edge_lists.cuh"
+#include "gpu/dual_edge/dual_edge_output.cuh"
+#include "gpu/dual_edge/dual_edge_rows.cuh"
+#include "gpu/memory/launch.cuh"
+
+namespace alphascope::gpu {
+
+// Kernel III of one triangle: double precision, then integers. Not inlined: it is rare and large.
+__device__ __noinline__ TriangleFace decided_face(const DualEdgeProblem& p,
+                                                  const ExactNeighbours& neighbours,
+                                                  const TriangleRows& t) {
+  const TriangleFace face =
+      filtered_face<double>(t, p.words, static_cast<double>(neighbours.weight()) + p.common.alpha,
+                            [&](int a) { return lifted_as<double>(neighbours.lifted(a)); });
+  if (face.in != Decision::unknown) return face;
+  const auto in = neighbours.of(p);
+  return p.small_lattice ? exact_face<Int128>(in, t, p.words)
+                         : exact_face<WideInt<4>>(in, t, p.words);
+}
+
+// The list of triangles of three balls that meet, whose edges ij and ik are possible: of each ball,
+// in lexicographic order. Balls without room for theirs are marked. Returns the length of the list.
+template <class Kind>
+__device__ inline int list_triangles(const DualEdgeProblem& p, const DualEdgeOutput& out,
+                                     const DualEdgeMemory& m, BlockBalls& s, int words) {
+  const int rows = s.rows, capacity = static_cast<int>(p.capacity.triangles);
+  const auto later_bits = [&](int row, int w, int j, int b) {
+    const std::uint32_t bits = m.rows[row * words + w] & bits_after(j, w);
+    return Kind::kEdges ? bits & m.possible[b * words + w] : bits;
+  };
+  if (threadIdx.x == 0) s.triangles = capacity;
+  int all = 0;
+  for (int row0 = 0; row0 < rows; row0 += kBlockThreads) {
+    const int row = row0 + static_cast<int>(threadIdx.x);
+    int b = kMaxBallsPerBlock, j = 0, count = 0, round = 0;
+    if (row < rows) b = m.row_ball[row] & kRowBall;
+    if (b < kMaxBallsPerBlock) {
+      j = s.list[b] - s.later[b] + row - s.row0[b];
+      for (int w = j >> 5; w < words; ++w) count += __popc(later_bits(row, w, j, b));
+    }
+    int at = all + block_scan(count, s.scan, &round);
+    all += round;
+    if (b == kMaxBallsPerBlock) continue;
+    if (row == s.row0[b]) s.first_triangle[b] = at;
+    if (row + 1 == s.row0[b] + s.later[b]) s.end_triangle[b] = at + count;
+    if (count != 0 && at + count > capacity) {
+      s.exact[b] = 2;
+      atomicMin(&s.triangles, at);
+      continue;
+    }
+    for (int w = j >> 5; w < words; ++w) {
+      for (std::uint32_t bits = later_bits(row, w, j, b); bits != 0; bits &= bits - 1) {
+        m.triangles[at++] = pack_triangle(row, w * 32 + __ffs(static_cast<int>(bits)) - 1, b);
+      }
+    }
+  }
+  if (threadIdx.x == 0 && Kind::kExact) note_largest(&out.statistics->most_triangles, all);
+  if (threadIdx.x == 0 && !Kind::kExact && is_sampled(p)) measure(out.statistics->triangles, all);
+  __syncthreads();
+  all = min(all, s.triangles);
+  for (int w = threadIdx.x; w <= all >> 5; w += kBlockThreads)
+    m.found_bits[w] = m.one_bits[w] = m.two_bits[w] = 0;
+  return all;
+}
+
+// Is the triangle worth a look: can its line be within alpha and, for tetrahedra alone, is there a
+// fourth ball?
+template <class Kind>
+__device__ inline bool is_candidate(const DualEdgeMemory& m, const BlockBalls& s,
+                                    const Triangle& triangle, int words) {
+  const ScaledNeighbours vector{m.vectors + triangle.entry0};
+  return (Kind::kWhole || triangle.has_fourth(words)) &&
+         !DualEdge<float>::certainly_outside(vector(triangle.j), vector(triangle.k),
+                                             s.radius_square[triangle.ball]);
+}
+
+// Puts triangle t, of ball b, on a list; the ball goes to kernel III where that has no room.
+__device__ inline void enlist(std::uint16_t* list, std::uint32_t room, BlockBalls& s, int place,
+                              int t, int b) {
+  if (place < static_cast<int>(room)) {
+    list[place] = static_cast<std::uint16_t>(t);
+  } else {
+    s.exact[b] = 2;
+  }
+}
+
+// The candidates, in any order. Every thread takes part; returns how many are listed.
+template <class Kind>
+__device__ inline int list_candidates(const DualEdgeProblem& p, const DualEdgeMemory& m,
+                                      BlockBalls& s, int triangles, int words) {
+  const int lane = threadIdx.x & 31;
+  for (int t0 = threadIdx.x - lane; t0 < triangles; t0 += kBlockThreads) {
+    const int t = t0 + lane;
+    int ball = 0;
+    bool keep = false;
+    if (t < triangles) {
+      const Triangle triangle(m, s, words, m.triangles[t]);
+      ball = triangle.ball;
+      keep = is_candidate<Kind>(m, s, triangle, words);
+    }
+    const unsigned votes = __ballot_sync(~0u, keep);
+    int base = 0;
+    if (lane == 0) base = atomicAdd(&s.listed, __popc(votes));
+    base = __shfl_sync(~0u, base, 0);
+    const int place = base + __popc(votes & ((1u << lane) - 1));
+    if (keep) enlist(m.listed, p.capacity.listed, s, place, t, ball);
+  }
+  __syncthreads();
+  return min(s.listed, static_cast<int>(p.capacity.listed));
+}
+
+// The same, in the order of how many cuts they have (a counting sort), the longest first, so that
+// the lanes of a warp take about as long.
+template <class Kind>
+__device__ inline int sort_candidates(const DualEdgeProblem& p, const DualEdgeMemory& m,
+                                      BlockBalls& s, int triangles, int words) {
+  for (int t = threadIdx.x; t < triangles; t += kBlockThreads) {
+    const Triangle triangle(m, s, words, m.triangles[t]);
+    int length = kLengths;  // none
+    if (is_candidate<Kind>(m, s, triangle, words)) {
+      int cuts = 0;
+      for (int w = 0; w < words; ++w) cuts += __popc(triangle.common(w));
+      length = kLengths - 1 - min(cuts, kLengths - 1);
+      atomicAdd(&s.lengths[length], 1);
+    }
+    m.length[t] = static_cast<std::uint8_t>(length);
+  }
+  __syncthreads();
+  if (threadIdx.x < kLengths) {
+    const int own = s.lengths[threadIdx.x], before = warp_scan(own);
+    s.lengths[threadIdx.x] = before;
+    if (threadIdx.x == kLengths - 1) s.listed = before + own;
+  }
+  __syncthreads();
+  for (int t = threadIdx.x; t < triangles; t += kBlockThreads) {
+    if (m.length[t] >= kLengths) continue;
+    const int place = atomicAdd(&s.lengths[m.length[t]], 1);
+    enlist(m.listed, p.capacity.listed, s, place, t, m.triangles[t] >> 25);
+  }
+  __syncthreads();
+  return min(s.listed, static_cast<int>(p.capacity.listed));
+}
+
+// A warp's next 32 numbers below `end`, or false.
+__device__ inline bool take(int* counter, int end, int& mine) {
+  int t = 0;
+  if ((threadIdx.x & 31) == 0) t = atomicAdd(counter, 32);
+  mine = __shfl_sync(~0u, t, 0) + static_cast<int>(threadIdx.x & 31);
+  return __any_sync(~0u, mine < end);
+}
+
+// Keeps a triangle of K_alpha; of tetrahedra alone, one with tetrahedra to write.
+__device__ inline void keep(const DualEdgeProblem& p, const DualEdgeMemory& m, BlockBalls& s, int b,
+                            int t, int tetrahedra, const TriangleFace& face) {
+  const int at = atomicAdd(&s.kept, 1);
+  if (at >= static_cast<int>(p.capacity.kept)) {
+    s.exact[b] = 2;
+    return;
+  }
+  m.kept[at] = make_uint2(t, pack_face(face));
+  const std::uint32_t bit = 1u << (t & 31);
+  if (p.common.whole) atomicOr(&m.found_bits[t >> 5], bit);
+  if (tetrahedra > 0) atomicOr(&m.one_bits[t >> 5], bit);
+  if (tetrahedra > 1) atomicOr(&m.two_bits[t >> 5], bit);
+}
+
+// The rows to clip a triangle's dual edge by.
+template <class Kind>
+__device__ inline auto rows_of(const DualEdgeMemory& m, const Triangle& t, int words) {
+  if constexpr (Kind::kCull) {
+    return NearFirstRows{t, m.near + t.ball * words};
+  } else {
+    return TriangleRows{t};
+  }
+}
+
+template <class Kind>
+__device__ inline void note_face(const DualEdgeProblem& p, const DualEdgeMemory& m, BlockBalls& s,
+                                 const Triangle& t, int number, const TriangleFace& face) {
+  if (face.in == Decision::unknown) {
+    atomicMax(&s.exact[t.ball], 1);
+    return;
+  }
+  const int tetrahedra = (face.high > t.k) + (face.low > t.k);
+  if (face.in == Decision::in && (Kind::kWhole || tetrahedra > 0))
+    keep(p, m, s, t.ball, number, tetrahedra, face);
+}
+
+// Kernel II of one triangle.
+template <class Kind>
+__device__ inline TriangleFace found_face(const DualEdgeMemory& m, const BlockBalls& s,
+                                          const Triangle& t, int words) {
+  const auto rows = rows_of<Kind>(m, t, words);
+  const float square = s.radius_square[t.ball];
+  const ScaledNeighbours vectors{m.vectors + t.entry0};
+  if constexpr (Kind::kWhole) {
+    return filtered_face<float>(rows, words, square, vectors);
+  } else {
+    const TriangleEnds ends = filtered_ends<float>(rows, words, square, vectors);
+    return {ends.known ? Decision::in : Decision::unknown, ends.high, ends.low,
+            TriangleFace::Attached::no};
+  }
+}
+
+// Do the cuts by these neighbours certainly leave nothing?
+template <class Cutters>
+__device__ inline bool probed_away(const DualEdge<float>& edge, int words, const Cutters& cutters,
+                                   const ScaledNeighbours& vector) {
+  // Of balls that meet: |d| is at most 1 and a few roundings, and so is c less a quarter.
+  DualEdgeProbe<float> probe(edge, 1.75f, 2);
+  for (int w = 0; w < words; ++w) {
+    for (std::uint32_t bits = cutters(w); bits != 0; bits &= bits - 1) {
+      if (probe.clip(vector(w * 32 + lowest_bit(bits)))) return true;
+    }
+  }
+  return false;
+}
+
+// Most triangles have no dual edge. Of culled lists, those are told apart first of which the
+// likeliest cuts alone, without their ends, certainly leave nothing: that takes about as long for
+// all lanes of a warp, and those that are left fill other warps. Returns how many are left.
+__device__ inline int probe_triangles(const DualEdgeProblem& p, const DualEdgeMemory& m,
+                                      BlockBalls& s, int listed, int words) {
+  for (int at = 0; take(&s.next_listed, listed, at);) {
+    if (at < listed) {
+      const int t = m.listed[at];
+      const Triangle triangle(m, s, words, m.triangles[t]);
+      const ScaledNeighbours vector{m.vectors + triangle.entry0};
+      const std::uint32_t* near = m.near + triangle.ball * words;
+      DualEdge<float> edge;
+      if (edge.start(vector(triangle.j), vector(triangle.k), s.radius_square[triangle.ball]) &&
+          !probed_away(
+              edge, words, [&](int w) { return triangle.common(w) & near[w]; }, vector))
+        enlist(m.probed, p.capacity.probed, s, atomicAdd(&s.probed, 1), t, triangle.ball);
+    }
+    __syncwarp();
+  }
+  __syncthreads();
+  return min(s.probed, static_cast<int>(p.capacity.probed));
+}
+
+// Kernel II of the block's triangles.
+template <class Kind>
+__device__ inline void find_faces(const DualEdgeProblem& p, const DualEdgeOutput& out,
+                                  const DualEdgeMemory& m, BlockBalls& s, int triangles,
+                                  int words) {
+  int count = 0;
+  const std::uint16_t* left = m.listed;
+  if constexpr (Kind::kCull) {
+    count = probe_triangles(p, m, s, list_candidates<Kind>(p, m, s, triangles, words), words);
+    left = m.probed;
+  } else {
+    count = sort_candidates<Kind>(p, m, s, triangles, words);
+  }
+  for (int at = 0; take(&s.next_work, count, at);) {
+    if (at < count) {
+      const int t = left[at];
+      const Triangle triangle(m, s, words, m.triangles[t]);
+      note_face<Kind>(p, m, s, triangle, t, found_face<Kind>(m, s, triangle, words));
+    }
+    __syncwarp();
+  }
+  __syncthreads();
+  if (threadIdx.x == 0 && is_sampled(p)) {
+    measure(out.statistics->listed, s.listed);
+    if (Kind::kCull) measure(out.statistics->probed, s.probed);
+    measure(out.statistics->kept, s.kept);
+  }
+}
+
+// Kernel III of the block's triangles: single precision once more, which spares most of them, and
+// the rest for certain.
+template <class Kind>
+__device__ inline void find_faces_exactly(const DualEdgeProblem& p, const DualEdgeMemory& m,
+                                          BlockBalls& s, int triangles, int words) {
+  __syncthreads();
+  for (int t = threadIdx.x; t < triangles; t += kBlockThreads) {
+    const Triangle triangle(m, s, words, m.triangles[t]);
+    if (!is_candidate<Kind>(m, s, triangle, words)) continue;
+    TriangleFace face = found_face<Kind>(m, s, triangle, words);
+    if (face.in == Decision::unknown)
+      face = decided_face(p, exact_neighbours(p, m, s, triangle.ball), triangle);
+    note_face<Kind>(p, m, s, triangle, t, face);
+  }
+  __syncthreads();
+}
+
+// Per ball: is it a vertex of K_alpha?
+__device__ inline void write_vertex_states(const DualEdgeProblem& p, const DualEdgeOutput& out,
+                                           const BlockBalls& s, int balls) {
+  const int b = static_cast<int>(threadIdx.x);
+  if (b >= balls || s.exact[b]) return;
+  const double weight = static_cast<double>(static_cast<std::int64_t>(s.ball[b].w) * s.ball[b].w);
+  // Equality counts as attached (see BallSimplices::vertex_state).
+  out.vertex_state[s.index[b]] = -weight > p.common.alpha ? 0 : s.state[b];
+}
+
+// Balls [first, first + balls) of the BallSet. Every thread of the block calls it. kWords:
+// words of a row, or 0 for any number.
+template <class Kind, int kWords>
+__device__ void process_balls(const DualEdgeProblem& p, const SortedBalls& sorted,
+                              const DualEdgeOutput& out, const DualEdgeMemory& m, BlockBalls& s,
+                              std::uint32_t first, int balls) {
+  const int words = kWords > 0 ? kWords : p.words;
+  find_lists<Kind>(p, sorted, out, m, s, first, balls);
+  make_rows<Kind>(p, m, s, words);
+  const int triangles = list_triangles<Kind>(p, out, m, s, words);
+  if constexpr (Kind::kExact) {
+    find_faces_exactly<Kind>(p, m, s, triangles, words);
+  } else {
+    find_faces<Kind>(p, out, m, s, triangles, words);
+  }
+  if constexpr (Kind::kWhole) write_vertex_states(p, out, s, balls);
+  write_simplices<Kind>(p, out, m, s, first, balls, triangles, words);
+}
+
+template <bool kWhole, bool kCull, int kWords>
+__global__ void __launch_bounds__(kBlockThreads)
+    dual_edges_filtered(DualEdgeProblem p, SortedBalls sorted, DualEdgeOutput out) {
+  __shared__ BlockBalls s;
+  const DualEdgeMemory m = carve(dynamic_shared_memory(), p);
+  const std::uint32_t first = p.begin + blockIdx.x * p.common.balls_per_block;
+  const int balls =
+      static_cast<int>(min(static_cast<std::uint32_t>(p.common.balls_per_block), p.end - first));
+  process_balls<KernelKind<kWhole, false, kCull>, kWords>(p, sorted, out, m, s, first, balls);
+}
+
+// One ball at a time; p.common.balls_per_block is 1.
+template <bool kWhole>
+__global__ void __launch_bounds__(kBlockThreads)
+    dual_edges_exact(DualEdgeProblem p, SortedBalls sorted, DualEdgeOutput out) {
+  __shared__ BlockBalls s;
+  const DualEdgeMemory m = carve(dynamic_shared_memory(), p);
+  const std::uint32_t count = *out.exact_count;
+  // Kernel II of the next chunk may add to them: the block's threads have to agree.
+  if (__syncthreads_or(out.statistics->deferred > p.deferred_limit)) return;
+  for (std::uint32_t n = blockIdx.x; n < count; n += gridDim.x) {
+    process_balls<KernelKind<kWhole, true, true>, 0>(p, sorted, out, m, s, out.exact_list[n], 1);
+    __syncthreads();
+  }
+}
+
+}  // namespace alphascope::gpu

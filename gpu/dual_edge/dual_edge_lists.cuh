@@ -1,0 +1,349 @@
+// Kernel I: the ordered lists of a block's balls' neighbours. From long lists, the neighbours are
+// left out that have no facet (facet_disc.hpp says which and why).
+#pragma once
+
+#include <cfloat>
+#include <climits>
+
+#include "gpu/dual_edge/dual_edge_rows.cuh"
+
+namespace alphascope::gpu {
+
+// Balls in a list that kernel III does not cull: it takes longer than it saves.
+constexpr int kShortList = 32;
+
+// Marks of an index in a list that is being made.
+constexpr std::uint32_t kNearBit = 1u << 31, kDeadBit = 1u << 30, kIndexBits = kDeadBit - 1;
+
+template <class Kind>
+__device__ inline std::uint32_t index_of(std::uint32_t found) {
+  return Kind::kCull ? found & kIndexBits : found;
+}
+
+__device__ inline int lane_of_half() {
+  return threadIdx.x & (kSearchLanes - 1);
+}
+// The votes of the lanes of this half warp.
+__device__ inline unsigned half_ballot(bool vote) {
+  return __ballot_sync(~0u, vote) >> (threadIdx.x & kSearchLanes) & 0xffffu;
+}
+
+__device__ inline std::int64_t square(int a) {
+  return static_cast<std::int64_t>(a) * a;
+}
+
+// The scaled vector of ball q seen from `centre`. `*inside`: the centre has less power to its own
+// ball. Differences of neighbours have 25 bits at most, so do floats; c is rounded once.
+__device__ inline LiftedVector<float> scaled_vector(const DualEdgeProblem& p, const int4& centre,
+                                                    const int4& q, bool* inside) {
+  const auto difference = [](int a, int b) {
+    return static_cast<int>(static_cast<unsigned>(a) - static_cast<unsigned>(b));
+  };
+  const int x = difference(q.x, centre.x), y = difference(q.y, centre.y),
+            z = difference(q.z, centre.z);
+  float c = 0;
+  if (p.narrow) {
+    const int narrow = x * x + y * y + z * z + (centre.w * centre.w - q.w * q.w);
+    *inside = narrow > 0;
+    c = static_cast<float>(narrow);
+  } else {
+    const LiftedInt wide = lifted_vector(centre, centre.w, q, q.w);
+    *inside = wide.c > 0;
+    c = static_cast<float>(wide.c);
+  }
+  const float scale = p.common.scale;
+  return {static_cast<float>(x) * scale, static_cast<float>(y) * scale,
+          static_cast<float>(z) * scale, c * p.radius_scale};
+}
+
+// Leaves out of the `n` balls that half a warp found those without a facet. Both halves of a warp
+// call it, each for its ball.
+class Culler {
+ public:
+  __device__ Culler(const DualEdgeProblem& p, const DualEdgeMemory& m, const int4& centre,
+                    float radius_square, int n)
+      : p_(p),
+        m_(m),
+        centre_(centre),
+        radius_square_(radius_square),
+        n_(n),
+        // As many rounds as the longer list of the two takes.
+        end_(max(n, __shfl_xor_sync(~0u, n, kSearchLanes))) {}
+
+  // Returns how many are left; marks those whose planes are nearest, and those that are dead but
+  // still needed.
+  __device__ int cull() {
+    const bool attached = measure();
+    const float nearest = threshold();
+    const int coverers = list_coverers(nearest);
+    return leave_out(coverers, attached);
+  }
+
+ private:
+  __device__ LiftedVector<float> vector(int a, bool* inside) const {
+    return scaled_vector(p_, centre_, p_.balls[m_.found[a] & kIndexBits], inside);
+  }
+  __device__ float& key(int a) const { return reinterpret_cast<float*>(m_.found_index)[a]; }
+
+  // Keys: twice the distances of the planes. True when the ball's centre is not within its cell.
+  __device__ bool measure() const {
+    bool all_inside = true;
+    for (int a = lane_of_half(); a < n_; a += kSearchLanes) {
+      bool inside = false;
+      const LiftedVector<float> v = vector(a, &inside);
+      key(a) = v.c * rough_reciprocal(rough_square_root(fmaf(v.x, v.x, fmaf(v.y, v.y, v.z * v.z))));
+      all_inside = all_inside && inside;
+    }
+    __syncwarp();
+    return half_ballot(!all_inside) != 0;
+  }
+
+  // A key that at most kCoverers keys do not exceed, and if it can be found in a few halvings, not
+  // many fewer. Any would do.
+  __device__ float threshold() const {
+    float enough = n_ <= kCoverers ? FLT_MAX : -FLT_MAX, low = 0,
+          high = 2 * rough_square_root(fmaxf(radius_square_, 1e-30f));
+    bool found = n_ <= kCoverers;
+    for (int step = 0; step < 8 && __any_sync(~0u, !found); ++step) {
+      const float middle = 0.5f * (low + high);
+      int count = 0;
+      for (int a = lane_of_half(); a - lane_of_half() < end_; a += kSearchLanes)
+        count += __popc(half_ballot(a < n_ && key(a) <= middle));
+      if (found) continue;
+      (count <= kCoverers ? low : high) = middle;
+      if (count <= kCoverers) enough = middle;
+      found = count <= kCoverers && count >= kCoverers - 3;
+    }
+    return enough;
+  }
+
+  __device__ int list_coverers(float nearest) const {
+    int count = 0;
+    for (int a = lane_of_half(); a - lane_of_half() < end_; a += kSearchLanes) {
+      const bool near = a < n_ && key(a) <= nearest;
+      const unsigned all = half_ballot(near);
+      if (near) {
+        bool inside = false;
+        const auto m = FacetDisc<float>::coverer(vector(a, &inside));
+        const int at = count + __popc(all & ((1u << lane_of_half()) - 1));
+        m_.coverers[at] = make_float4(m.d.x, m.d.y, m.d.z, m.d.c);
+        m_.coverer_lengths[at] = m.length;
+        m_.found[a] |= kNearBit;
+      }
+      count += __popc(all);
+    }
+    __syncwarp();
+    return count;
+  }
+
+  __device__ bool has_no_facet(const LiftedVector<float>& v, int coverers) const {
+    const FacetDisc<float> disc(v, radius_square_);
+    if (disc.certainly_empty()) return true;
+    for (int r = 0; r < coverers; ++r) {
+      const float4 d = m_.coverers[r];
+      if (disc.covered_by({{d.x, d.y, d.z, d.w}, m_.coverer_lengths[r]})) return true;
+    }
+    return false;
+  }
+
+  // In place: what a round writes has been read.
+  __device__ int leave_out(int coverers, bool attached) const {
+    int left = 0;
+    for (int a = lane_of_half(); a - lane_of_half() < end_; a += kSearchLanes) {
+      std::uint32_t marked = 0;
+      bool dead = true;
+      if (a < n_) {
+        bool inside = false;
+        marked = m_.found[a];
+        dead = has_no_facet(vector(a, &inside), coverers);
+        if (dead) marked |= kDeadBit;
+      }
+      const bool stays = a < n_ && (attached || !dead);
+      const unsigned all = half_ballot(stays);
+      if (stays) m_.found[left + __popc(all & ((1u << lane_of_half()) - 1))] = marked;
+      left += __popc(all);
+      __syncwarp();
+    }
+    return left;
+  }
+
+  const DualEdgeProblem& p_;
+  const DualEdgeMemory& m_;
+  const int4 centre_;
+  const float radius_square_;
+  const int n_, end_;
+};
+
+// Writes ball b's list ordered by index, relative to the ball; after the indices found, there are
+// three above all. Half a warp; true where a lane met a
+// ball whose power at the centre is no larger.
+template <class Kind>
+__device__ inline bool order_list(const DualEdgeProblem& p, const SortedBalls& sorted,
+                                  const DualEdgeMemory& m, const int4& centre, int n, int entry0,
+                                  int b) {
+  bool attached = false;
+  for (int a = lane_of_half(); a < n; a += kSearchLanes) {
+    const std::uint32_t found = m.found[a], index = m.found_index[a];
+    const float reach = sorted.home[index].reach * p.common.scale;
+    int rank = 0;
+    for (int o = 0; o < n; o += 4) {
+      const uint4 others = *reinterpret_cast<const uint4*>(m.found_index + o);
+      rank += (others.x < index) + (others.y < index) + (others.z < index) + (others.w < index);
+    }
+    bool inside = false;
+    const LiftedVector<float> v = scaled_vector(p, centre, p.balls[index], &inside);
+    const int entry = entry0 + rank, word = b * p.words + (rank >> 5);
+    m.vectors[entry] = make_float4(v.x, v.y, v.z, v.c);
+    m.reach[entry] = reach;
+    m.index[entry] = index;
+    if (Kind::kEdges && !(Kind::kCull && (found & kDeadBit)))
+      atomicOr(&m.possible[word], 1u << (rank & 31));
+    if (Kind::kCull && (found & kNearBit)) atomicOr(&m.near[word], 1u << (rank & 31));
+    attached = attached || !inside;
+  }
+  return attached;
+}
+
+// What a ball met, for the room of the next run.
+template <class Kind>
+__device__ inline void note_list(const DualEdgeProblem& p, BlockStatistics& met, BlockBalls& s,
+                                 int found, int left) {
+  const bool fits = found <= p.common.search_capacity,
+             too_long = !fits || left > static_cast<int>(p.capacity.list);
+  if (Kind::kExact || !fits) note_largest(&met.most_found, found);
+  if (Kind::kExact || too_long) note_largest(&met.longest_list, left);
+  if (!Kind::kExact && too_long) atomicAdd(&met.too_long, 1u);
+  if (Kind::kExact || !is_sampled(p)) return;
+  measure(s.all_found, found);
+  if (fits) measure(s.all_lists, left);
+}
+// And all of a sampled block. One thread.
+__device__ inline void note_lists(BlockStatistics& met, const BlockBalls& s) {
+  add_measured(met.found, s.all_found);
+  add_measured(met.list, s.all_lists);
+  measure(met.entries, s.entries);
+  measure(met.rows, s.rows);
+}
+
+// Where the list of half a warp's ball goes.
+struct ListPlace {
+  int entry0, row0;
+  bool room;
+};
+
+// Of `all` balls found, `n` are in the list, `later` of them of higher index. Both halves of a warp
+// call it.
+__device__ inline ListPlace place_list(const DualEdgeProblem& p, BlockBalls& s, bool active,
+                                       int all, int n, int later) {
+  const int half = threadIdx.x & kSearchLanes;
+  int entry0 = 0, row0 = 0;
+  if (lane_of_half() == 0 && active) {
+    entry0 = atomicAdd(&s.entries, n);
+    row0 = atomicAdd(&s.rows, later);
+  }
+  entry0 = __shfl_sync(~0u, entry0, half);
+  row0 = __shfl_sync(~0u, row0, half);
+  return {entry0, row0,
+          all <= p.common.search_capacity && n <= static_cast<int>(p.capacity.list) &&
+              entry0 + n <= static_cast<int>(p.capacity.entries) &&
+              row0 + later <= static_cast<int>(p.capacity.rows)};
+}
+
+// Whose rows they are. Those of a ball without room still count: they are nobody's.
+__device__ inline void mark_rows(const DualEdgeProblem& p, const DualEdgeMemory& m,
+                                 const ListPlace& place, int later, int b) {
+  const int owner = place.room ? b : kMaxBallsPerBlock;
+  const int end = min(place.row0 + later, static_cast<int>(p.capacity.rows));
+  for (int row = place.row0 + lane_of_half(); row < end; row += kSearchLanes)
+    m.row_ball[row] = static_cast<std::uint8_t>(owner);
+}
+
+// Copies the indices found to where they are ordered from; returns how many are above the ball's.
+template <class Kind>
+__device__ inline int count_later(const DualEdgeMemory& m, int n, std::uint32_t index) {
+  int later = 0;
+  for (int a = lane_of_half(); __any_sync(~0u, a < n); a += kSearchLanes) {
+    const std::uint32_t other = a < n ? index_of<Kind>(m.found[a]) : 0;
+    if (a < n) m.found_index[a] = other;
+    later += __popc(half_ballot(other > index));
+  }
+  if (lane_of_half() < 3) m.found_index[n + lane_of_half()] = ~0u;  // order_list takes four at once
+  __syncwarp();  // and reads what other lanes found
+  return later;
+}
+
+// What the block keeps of a ball whose list is made. One lane.
+__device__ inline void keep_ball(BlockBalls& s, int b, const ListPlace& place, int n, int later) {
+  s.list[b] = place.room ? n : 0;
+  s.later[b] = place.room ? later : 0;
+  s.entry0[b] = place.entry0;
+  s.row0[b] = place.row0;
+  s.first_triangle[b] = INT_MAX;
+  s.end_triangle[b] = 0;
+  s.exact[b] = place.room ? 0 : 2;
+}
+
+// The list of ball b of the block, half a warp's; not `active`: it has none. Both halves of a warp
+// call it.
+template <class Kind>
+__device__ inline void find_list(const DualEdgeProblem& p, const SortedBalls& sorted,
+                                 const DualEdgeOutput& out, const DualEdgeMemory& m, BlockBalls& s,
+                                 std::uint32_t index, int b, bool active) {
+  const BallHome home = sorted.home[index];
+  const int4 centre = p.balls[index];
+  const bool alive = home.reach >= 0;
+  const int all = search_neighbours(p.common, sorted, home, active && alive,
+                                    s.surroundings[threadIdx.x / kSearchLanes], m.found);
+  const float radius_square =
+      static_cast<float>(static_cast<double>(square(centre.w)) + p.common.alpha) * p.radius_scale;
+  int n = all <= p.common.search_capacity ? all : 0;
+  if constexpr (Kind::kCull) {
+    if (!Kind::kExact || __any_sync(~0u, n > kShortList))
+      n = Culler(p, m, centre, radius_square, n).cull();
+  }
+  const int later = count_later<Kind>(m, n, index);
+  const ListPlace place = place_list(p, s, active, all, n, later);
+  if (active) mark_rows(p, m, place, later, b);
+  const bool lane_attached =
+      active && place.room && order_list<Kind>(p, sorted, m, centre, n, place.entry0, b);
+  const bool attached = half_ballot(lane_attached) != 0;
+  if (active && lane_of_half() == 0) {
+    s.radius_square[b] = radius_square;
+    s.ball[b] = centre;
+    s.index[b] = index;
+    s.state[b] = !alive ? 0 : attached ? 1 : 2;
+    keep_ball(s, b, place, n, later);
+    if (alive) note_list<Kind>(p, *out.statistics, s, all, n);
+  }
+  __syncwarp();
+}
+
+// Kernel I of the block's balls, half a warp each: their ordered lists. Balls without room are
+// marked.
+template <class Kind>
+__device__ inline void find_lists(const DualEdgeProblem& p, const SortedBalls& sorted,
+                                  const DualEdgeOutput& out, const DualEdgeMemory& m, BlockBalls& s,
+                                  std::uint32_t first, int balls) {
+  if (threadIdx.x == 0) {
+    s.all_found = s.all_lists = {};
+    s.entries = s.rows = s.listed = s.next_listed = s.probed = s.next_work = s.kept = 0;
+  }
+  if (threadIdx.x < kLengths) s.lengths[threadIdx.x] = 0;
+  for (int w = threadIdx.x; w < balls * p.words; w += kBlockThreads) m.possible[w] = m.near[w] = 0;
+  __syncthreads();
+  const int half = (threadIdx.x & kSearchLanes) != 0 ? 1 : 0;
+  for (int pair = threadIdx.x >> 5; 2 * pair < balls; pair += kBlockThreads / 32) {
+    // Of an odd last pair, the second half repeats the first's reads in vain.
+    const bool active = 2 * pair + half < balls;
+    const int b = 2 * pair + (active ? half : 0);
+    find_list<Kind>(p, sorted, out, m, s, first + b, b, active);
+  }
+  __syncthreads();
+  if (threadIdx.x == 0) {
+    if (!Kind::kExact && is_sampled(p)) note_lists(*out.statistics, s);
+    s.rows = min(s.rows, static_cast<int>(p.capacity.rows));
+  }
+  __syncthreads();
+}
+
+}  // namespace alphascope::gpu

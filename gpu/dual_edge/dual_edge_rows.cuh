@@ -1,0 +1,127 @@
+// The later neighbours j of a block's balls: which balls meet both (a row of bits), and whether
+// edge ij can be in K_alpha, attached or not.
+#pragma once
+
+#include "gpu/dual_edge/dual_edge_block.cuh"
+#include "gpu/dual_edge/ordered_bits.cuh"
+
+namespace alphascope::gpu {
+
+// Does ball m cut off the orthocentre of edge ij, where single precision leaves it open? Out of
+// line: it is rare, and its registers are not the loop's.
+template <class Decider>
+__device__ __noinline__ Decision edge_attached_slowly(const DualEdgeProblem& p,
+                                                      const ExactNeighbours& n, int j, int m) {
+  return edge_attached_to<Decider>(n.of(p), j, m);
+}
+template <class Decider>
+__device__ __noinline__ Decision edge_within_slowly(const DualEdgeProblem& p,
+                                                    const ExactNeighbours& n, int j) {
+  return decide_simplex<Decider>(n.of(p), nullptr, j);
+}
+
+template <class Kind>
+class RowMaker {
+ public:
+  // All of one row's: of neighbour j of ball b.
+  __device__ RowMaker(const DualEdgeProblem& p, const DualEdgeMemory& m, BlockBalls& s, int words,
+                      int row, int b)
+      : p_(p),
+        m_(m),
+        s_(s),
+        words_(words),
+        b_(b),
+        row_number_(row),
+        j_(s.list[b] - s.later[b] + row - s.row0[b]),
+        entry0_(s.entry0[b]),
+        row_(m.rows + row * words) {}
+
+  // Fills the row; it stays empty when ij is not in K_alpha: then j is in no triangle of ball i,
+  // but still cuts those of others.
+  __device__ void make() {
+    std::uint32_t* possible = &m_.possible[b_ * words_ + (j_ >> 5)];
+    const std::uint32_t bit = 1u << (j_ & 31);
+    const bool dead = Kind::kEdges && !(*possible & bit);
+    if (!dead) meet();
+    const bool absent = Kind::kWhole && !dead && !look_at_edge();
+    if (absent) atomicAnd(possible, ~bit);
+    if (dead || absent) {
+      for (int w = 0; w < words_; ++w) row_[w] = 0;
+    }
+  }
+
+ private:
+  using Decider = std::conditional_t<Kind::kExact, ExactDecider, FilteredDecider>;
+
+  // Which neighbours meet j.
+  __device__ void meet() {
+    const float4 vj = m_.vectors[entry0_ + j_];
+    const float reach = m_.reach[entry0_ + j_];
+    const int n = s_.list[b_];
+    for (int w = 0; w < words_; ++w) {
+      std::uint32_t bits = 0;
+      const int end = min(n, w * 32 + 32);
+      for (int k = w * 32; k < end; ++k) {
+        // Both are whole numbers of lattice units below 2^24, exact, and their differences rounded
+        // once.
+        const float4 v = m_.vectors[entry0_ + k];
+        if (grown_balls_may_meet(v.x - vj.x, v.y - vj.y, v.z - vj.z, reach, m_.reach[entry0_ + k]))
+          bits |= 1u << (k & 31);
+      }
+      if (j_ >> 5 == w) bits &= ~(1u << (j_ & 31));
+      row_[w] = bits;
+    }
+  }
+
+  // False when the edge is not in K_alpha. Of a whole complex: attached or not.
+  __device__ bool look_at_edge() {
+    const ScaledNeighbours vectors{m_.vectors + entry0_};
+    const FacetDisc<float> disc(vectors(j_), s_.radius_square[b_]);
+    if (disc.certainly_empty()) return false;
+    for (int w = 0; w < words_; ++w) {
+      for (std::uint32_t bits = row_[w]; bits != 0; bits &= bits - 1) {
+        const int k = w * 32 + lowest_bit(bits);
+        if (cuts_centre(disc.centre_cut_by(vectors(k)), k)) return true;
+      }
+    }
+    return within_alone(disc.centre_within());
+  }
+
+  __device__ bool cuts_centre(Decision d, int k) {
+    if (d == Decision::unknown) {
+      d = edge_attached_slowly<Decider>(p_, exact_neighbours(p_, m_, s_, b_), j_, k);
+      if (d == Decision::unknown) atomicMax(&s_.exact[b_], 1);
+    }
+    return d == Decision::in;
+  }
+
+  // Of an unattached edge; false when it is above alpha.
+  __device__ bool within_alone(Decision d) {
+    if (d == Decision::unknown) {
+      d = edge_within_slowly<Decider>(p_, exact_neighbours(p_, m_, s_, b_), j_);
+      if (d == Decision::unknown) atomicMax(&s_.exact[b_], 1);
+    }
+    if (d == Decision::in)
+      m_.row_ball[row_number_] = static_cast<std::uint8_t>(b_ | kUnattachedRow);
+    return d != Decision::out;
+  }
+
+  const DualEdgeProblem& p_;
+  const DualEdgeMemory& m_;
+  BlockBalls& s_;
+  const int words_, b_, row_number_, j_, entry0_;
+  std::uint32_t* row_;
+};
+
+// The rows of all the block's balls. Every thread takes part.
+template <class Kind>
+__device__ inline void make_rows(const DualEdgeProblem& p, const DualEdgeMemory& m, BlockBalls& s,
+                                 int words) {
+  for (int row = threadIdx.x; row < s.rows; row += kBlockThreads) {
+    const int b = m.row_ball[row];
+    if (b < kMaxBallsPerBlock) RowMaker<Kind>(p, m, s, words, row, b).make();
+  }
+  __syncthreads();
+}
+
+}  // namespace alphascope::gpu

@@ -1,0 +1,423 @@
+// A run of the facet engine on the device: dual edges, then the result in lexicographic order. A
+// run that finds too little room is repeated with what it needed.
+#include <string>
+
+#include "core/run/internal_error.hpp"
+#include "gpu/dual_edge/dual_edge_kernels.cuh"
+#include "gpu/dual_edge/ordering.cuh"
+#include "gpu/dual_edge/result_copy.cuh"
+#include "gpu/dual_edge/room.cuh"
+
+namespace alphascope::gpu {
+namespace {
+
+// Does nothing, while a kernel of another queue that waits for the same begins.
+__global__ void let_pass() {}
+
+// One request.
+class Run {
+ public:
+  Run(State& state, const Problem& plan, StageTimes* times)
+      : s_(state),
+        q_(state.queues),
+        plan_(plan),
+        whole_(plan.whole),
+        result_(state, plan.whole),
+        timer_(state.queues.main, times) {}
+  // Whatever happened, the next run finds the device idle and the buffers its own.
+  ~Run() {
+    if (busy_) q_.wait(true);
+  }
+  Run(const Run&) = delete;
+  Run& operator=(const Run&) = delete;
+
+  PipelineResult compute(const CancelToken& cancel) {
+    Need need = first_need(s_, plan_.alpha, whole_);
+    if (need.alpha < plan_.alpha) {
+      add_headroom(need);
+      Need roomy = need;
+      roomy.ball = with_headroom(need.ball, need.longest);
+      if (blocks_fit(roomy)) need = roomy;
+    }
+    for (int attempt = 1; attempt <= 12; ++attempt) {
+      cancel.throw_if_cancelled();
+      if (!blocks_fit(need)) break;
+      const ResultLayout layout(need.counts, whole_);
+      chunks_ = static_cast<int>(
+          std::min<std::size_t>(chunk_count(s_, need, layout.bytes), most_chunks()));
+      reserve(need, layout);
+      timer_.restart();
+      busy_ = true;
+      enqueue(need, layout);
+      const bool sent = is_known(need) || send_counted(layout, cancel);
+      if (sent) {
+        timer_.mark(stage::kDeviceToHost, chunks_ > 1 ? q_.copying : q_.main);
+        result_.say_interior(layout);
+      }
+      check(q_.wait(chunks_ > 1), "computing dual edges");
+      const Need next = next_need(need);
+      if (!was_enough(need, next)) {
+        need = grown(need, next);
+        continue;
+      }
+      expect_all_edges();
+      remember(s_, next);
+      const ResultLayout found(next.counts, whole_);
+      if (!sent) {
+        make_room(found);
+        result_.found(layout, found, q_.main);
+        timer_.mark(stage::kDeviceToHost, q_.main);
+        result_.say_interior(found);
+        check(cudaStreamSynchronize(q_.main), "copying the result");
+      }
+      busy_ = false;
+      timer_.report();
+      PipelineResult result = result_.result(sent ? layout : found, next.counts);
+      result.attempts = attempt;
+      return result;
+    }
+    PipelineResult none;
+    none.fits = false;
+    return none;
+  }
+
+ private:
+  // Of kernel II, and of kernel III.
+  DualEdgeProblem block_problem(const Need& need) const {
+    return make_problem(s_, plan_, need.block, need.balls_per_block, need.cull);
+  }
+  DualEdgeProblem ball_problem(const Need& need) const {
+    return make_problem(s_, plan_, need.ball, 1, true);
+  }
+
+  bool blocks_fit(const Need& need) const {
+    const std::size_t shared =
+        std::max(block_problem(need).layout.bytes, ball_problem(need).layout.bytes);
+    return shared + sizeof(BlockBalls) <= static_cast<std::size_t>(s_.shared_limit) &&
+           need.ball.search < kMaxList && need.ball.triangles < kMaxTriangles &&
+           need.block.triangles < kMaxTriangles && need.block.rows < kMaxRows;
+  }
+
+  // Throws std::bad_alloc: in slabs, there are fewer simplices in a run.
+  static void require_countable(const Need& need) {
+    const std::size_t counts[] = {need.counts[0], need.counts[1], need.counts[2], need.counts[3],
+                                  need.candidates};
+    if (!are_countable(counts)) throw std::bad_alloc();
+  }
+
+  void reserve(const Need& need, const ResultLayout& layout) {
+    require_countable(need);
+    s_.tetrahedra.vertices.reserve(std::max<std::size_t>(need.counts[3], 1024));
+    s_.tetrahedra.start.reserve(s_.n);
+    s_.offset.reserve(s_.n + 1);
+    if (whole_) {
+      const std::size_t triangles = std::max<std::size_t>(need.counts[2], 1024),
+                        edges = std::max<std::size_t>(need.candidates, 1024);
+      s_.triangles.vertices.reserve(3 * triangles);
+      s_.triangles.info.reserve(triangles);
+      s_.triangles.attached_to.reserve(triangles);
+      s_.triangles.start.reserve(s_.n);
+      s_.edges.end.reserve(edges);
+      s_.edges.least.reserve(edges);
+      s_.edges.flags.reserve(edges);
+      s_.edges.start.reserve(s_.n);
+      s_.places.reserve(s_.n + 1);
+      s_.edges_found.reserve(s_.n);
+      if (chunks_ > 1) s_.pending.reserve(triangles);
+    }
+    const std::size_t room = s_.result.capacity();
+    s_.result.reserve(layout.bytes);
+    // What is copied may be more than is found.
+    if (s_.result.capacity() != room) s_.fill(s_.result.get(), 0, s_.result.capacity());
+  }
+
+  DualEdgeOutput output() {
+    Counters* c = s_.counters();
+    const auto capacity = [](const auto& buffer) {
+      return static_cast<std::uint32_t>(buffer.capacity());
+    };
+    return {
+        {s_.tetrahedra.vertices.get(), capacity(s_.tetrahedra.vertices), &c->tetrahedra,
+         s_.tetrahedra.start.get(), s_.zeroed_array(plan_, 0)},
+        {s_.triangles.vertices.get(), s_.triangles.info.get(), s_.triangles.attached_to.get(),
+         capacity(s_.triangles.attached_to), &c->triangles, s_.triangles.start.get(),
+         s_.zeroed_array(plan_, 1)},
+        {s_.edges.end.get(), s_.edges.least.get(), s_.edges.flags.get(), capacity(s_.edges.flags),
+         &c->edges, s_.edges.start.get(), s_.zeroed_array(plan_, 2), &c->missing_edges},
+        s_.zeroed_array(plan_, 4),
+        nullptr,
+        nullptr,
+        &c->blocks};
+  }
+
+  // Where a chunk begins: the same for all sizes of blocks, so that what an earlier run counted
+  // holds. Nothing hides the last chunk, so it is short, and of tetrahedra alone, the one before,
+  // which must be on its way by then. Of a whole complex in many, so is the first: it is bound by
+  // the way back, which should soon have something to carry.
+  std::uint32_t chunk_begin(int number) const {
+    const std::size_t balls = most_chunks() * quarters_before(number) / quarters_before(chunks_);
+    return static_cast<std::uint32_t>(std::min(s_.n, balls * kMaxBallsPerBlock));
+  }
+  // The length of the chunks before, full ones being 4. None of them may be empty.
+  std::size_t quarters_before(int number) const {
+    const bool uneven = most_chunks() >= 4 * static_cast<std::size_t>(chunks_);
+    const auto quarters = [&](int chunk) -> std::size_t {
+      const int after = chunks_ - 1 - chunk;
+      if (!uneven) return 4;
+      if (whole_) return after == 0 || (chunk == 0 && chunks_ > 4) ? 2 : 4;
+      return after == 0 ? 1 : after == 1 ? 2 : 4;
+    };
+    std::size_t sum = 0;
+    for (int chunk = 0; chunk < number; ++chunk) sum += quarters(chunk);
+    return sum;
+  }
+  std::size_t most_chunks() const { return (s_.n + kMaxBallsPerBlock - 1) / kMaxBallsPerBlock; }
+
+  Part part(int number, DualEdgeOutput out) {
+    Counters* counters = s_.counters();
+    const std::uint32_t begin = chunk_begin(number);
+    out.exact_list = s_.exact_list.get() + begin;
+    out.exact_count = &counters->exact_count[number];
+    return {{begin, chunk_begin(number + 1), &counters->totals[number]}, out};
+  }
+
+  template <class Kernel>
+  void start(Kernel kernel, unsigned grid, const DualEdgeProblem& problem,
+             const SortedBalls& sorted, const DualEdgeOutput& out, cudaStream_t stream) {
+    const std::size_t bytes = problem.layout.bytes;
+    if (bytes > 40 * 1024) {
+      check(cudaFuncSetAttribute(kernel, cudaFuncAttributeMaxDynamicSharedMemorySize,
+                                 static_cast<int>(bytes)),
+            "preparing a kernel");
+    }
+    launch(kernel, {grid, kBlockThreads, stream, bytes}, problem, sorted, out);
+    check(cudaGetLastError(), "starting a kernel");
+  }
+
+  template <bool kWhole>
+  void filter(const Need& need, const SortedBalls& sorted, const Part& part, cudaStream_t stream) {
+    DualEdgeProblem p = block_problem(need);
+    p.begin = part.chunk.begin;
+    p.end = part.chunk.end;
+    const unsigned grid = (p.end - p.begin + need.balls_per_block - 1) / need.balls_per_block;
+    // Two and three words at compile time are slower than any number at run time: unrolled, lanes
+    // in different words do not run together.
+    if (p.cull) {
+      start(dual_edges_filtered<kWhole, true, 0>, grid, p, sorted, part.out, stream);
+    } else if (p.words == 1) {
+      start(dual_edges_filtered<kWhole, false, 1>, grid, p, sorted, part.out, stream);
+    } else {
+      start(dual_edges_filtered<kWhole, false, 0>, grid, p, sorted, part.out, stream);
+    }
+  }
+
+  // Everything but the copies of simplices of which it is not yet known how many there are.
+  void enqueue(const Need& need, const ResultLayout& layout) {
+    const SortedBalls sorted = s_.sort_into_cells(plan_, timer_);
+    const DualEdgeOutput out = output();
+    if (chunks_ > 1) {
+      q_.sorted.record(q_.main);
+      q_.sorted.hold_up(q_.other);
+      launch(let_pass, {1, 32, q_.other});
+    }
+    for (int c = 0; c < chunks_; ++c) {
+      const cudaStream_t stream = q_.filtering(c);
+      const Part of = part(c, out);
+      whole_ ? filter<true>(need, sorted, of, stream) : filter<false>(need, sorted, of, stream);
+      if (chunks_ > 1) q_.filtered[c].record(stream);
+      if (c == chunks_ - 1) timer_.mark(stage::kCandidatesAndFiltered, stream);
+    }
+    const bool known = is_known(need);
+    if (known) make_room(layout);
+    for (int c = 0; c < chunks_; ++c) {
+      order(need, sorted, part(c, out), layout, c);
+      if (known && chunks_ > 1) send(layout, need.totals.data(), c);
+      if (!known || c == chunks_ - 1) fetch_counts(c);
+    }
+    if (known && chunks_ == 1) send_all(layout);
+  }
+
+  // Kernel III of a chunk, and its simplices into their order.
+  void order(const Need& need, const SortedBalls& sorted, const Part& part,
+             const ResultLayout& layout, int number) {
+    const bool several = chunks_ > 1, last = number == chunks_ - 1;
+    const cudaStream_t deciding = several ? q_.deciding : q_.main,
+                       stream = several ? q_.ordering : q_.main;
+    if (several) q_.filtered[number].hold_up(deciding);
+    const auto blocks = static_cast<unsigned>(2 * s_.multiprocessors);
+    const auto exact = whole_ ? dual_edges_exact<true> : dual_edges_exact<false>;
+    start(exact, blocks, ball_problem(need), sorted, part.out, deciding);
+    if (last) timer_.mark(stage::kExactValidity, deciding);
+    if (several) {
+      q_.decided[number].record(deciding);
+      q_.decided[number].hold_up(stream);
+    }
+    Ordering ordering(s_, plan_, layout, stream);
+    ordering.order_faces(part);
+    if (several || whole_) q_.faces_ordered[number].record(stream);
+    if (whole_) ordering.order_edges_and_vertices(part);
+    if (several) q_.ordered[number].record(stream);
+    if (last) timer_.mark(stage::kPrefixSum, stream);
+  }
+
+  // How many simplices there are with a chunk; of the last one, all counts. Copies wait for others
+  // of their direction, so those of several chunks have a queue of their own: the order of the next
+  // chunk must not wait for the simplices of the one before.
+  void fetch_counts(int number) {
+    const bool several = chunks_ > 1;
+    const cudaStream_t stream = several ? q_.counting : q_.main;
+    if (several) q_.ordered[number].hold_up(stream);
+    const Counters* from = s_.counters();
+    Counters* to = s_.host_counters.get();
+    check(number == chunks_ - 1
+              ? cudaMemcpyAsync(to, from, sizeof(Counters), cudaMemcpyDeviceToHost, stream)
+              : cudaMemcpyAsync(&to->totals[number + 1], &from->totals[number + 1], sizeof(Totals),
+                                cudaMemcpyDeviceToHost, stream),
+          "copying the counts");
+    if (several) q_.counted[number].record(stream);
+  }
+
+  // For the result on the host; the device may be at work meanwhile.
+  void make_room(const ResultLayout& layout) {
+    if (result_.make_room(layout))
+      timer_.mark(stage::kMakingRoom, chunks_ > 1 ? q_.copying : q_.main);
+  }
+
+  // Is it known how many simplices each chunk will find?
+  bool is_known(const Need& need) const {
+    return need.counted && need.totals.size() == static_cast<std::size_t>(chunks_);
+  }
+
+  // Sends what one of several chunks adds on its way, as soon as it is there. `after`: how many
+  // simplices there are with each chunk. False when there is no room: the run will be repeated.
+  bool send(const ResultLayout& layout, const Totals* after, int number) {
+    const Totals none{}, &before = number == 0 ? none : after[number - 1];
+    if (!ResultCopy::has_place(layout, before, after[number])) return false;
+    q_.faces_ordered[number].hold_up(q_.copying);
+    result_.added_faces(layout, before, after[number], q_.copying);
+    if (!whole_) return true;
+    q_.ordered[number].hold_up(q_.copying);
+    result_.added_edges_and_vertices(layout, before, after[number], q_.copying);
+    return true;
+  }
+  // Of a single chunk; its faces, while its edges are ordered.
+  void send_all(const ResultLayout& layout) {
+    const cudaStream_t stream = whole_ ? cudaStream_t{q_.copying} : q_.main;
+    if (whole_) q_.faces_ordered[0].hold_up(stream);
+    result_.all_faces(layout, stream);
+    if (!whole_) return;
+    q_.faces_sent.record(stream);
+    result_.all_edges_and_vertices(layout, q_.main);
+    q_.faces_sent.hold_up(q_.main);
+  }
+  // The same of all chunks, as each is counted. False of a single one, when nothing is sent yet.
+  bool send_counted(const ResultLayout& layout, const CancelToken& cancel) {
+    if (chunks_ == 1) return false;
+    make_room(layout);
+    bool room = true;
+    for (int c = 0; c < chunks_ && room; ++c) {
+      check(cudaEventSynchronize(q_.counted[c]), "computing dual edges");
+      cancel.throw_if_cancelled();
+      room = send(layout, s_.host_counters.get()->totals + 1, c);
+    }
+    return true;
+  }
+
+  // The next run's room: of this alpha, or of this very run once more.
+  Need next_need(const Need& need) const {
+    const Counters& got = *s_.host_counters.get();
+    const BlockStatistics& met = got.blocks;
+    Need next = need;
+    next.alpha = plan_.alpha;
+    next.counted = true;
+    next.totals.assign(got.totals + 1, got.totals + 1 + chunks_);
+    next.longest = {met.most_found, met.longest_list, 0, 0, met.most_triangles, 0, 0,
+                    met.most_kept};
+    // Edges and vertices were not counted if the rest did not fit.
+    const Totals& all = next.totals.back();
+    next.counts = {{all.of[0], all.of[1], got.triangles, got.tetrahedra}};
+    // A little more: which balls kernel III culls, though kernel II would not, varies from run to
+    // run.
+    next.candidates = std::size_t{got.edges} + got.edges / 64;
+    if (met.found.number == 0) return next;
+    const Demand::Spread found = spread_of(met.found);
+    const bool cull = is_culled(found.mean, need.cull), few = met.deferred <= deferred_limit(s_);
+    if (cull != need.cull) {
+      choose_room(s_, next, guessed(found, cull, whole_));
+      return next;
+    }
+    Demand demand = measured(met, need.balls_per_block, cull);
+    if (!few) {  // there was no room to see all
+      next.margin = 1.3 * need.margin;
+      demand = larger(guessed(found, cull, whole_), demand);
+    } else if (met.deferred - met.too_long > std::max<std::size_t>(32, s_.n / 2000)) {
+      next.margin = std::max(need.margin, std::min(1.1 * need.margin, 2.0));
+    }
+    choose_room(s_, next, demand);
+    return next;
+  }
+
+  bool was_enough(const Need& need, const Need& next) const {
+    const BlockStatistics& met = s_.host_counters.get()->blocks;
+    return met.most_found <= need.ball.search && met.longest_list <= need.ball.list &&
+           met.most_triangles <= need.ball.triangles && met.most_kept <= need.ball.kept &&
+           met.deferred <= deferred_limit(s_) && need.counts.cover(next.counts) &&
+           copied_right(need, next) &&
+           (!whole_ || s_.host_counters.get()->edges <= need.candidates);
+  }
+
+  // Of a run that had room for everything.
+  void expect_all_edges() const {
+    const std::uint32_t missing = s_.host_counters.get()->missing_edges;
+    if (missing == 0) return;
+    throw InternalError("The GPU found " + std::to_string(missing) +
+                        " triangles of the complex without one of their edges.");
+  }
+
+  // Did each chunk find as much as was copied of it?
+  bool copied_right(const Need& need, const Need& next) const {
+    if (chunks_ == 1 || !is_known(need)) return true;
+    return std::equal(need.totals.begin(), need.totals.end(), next.totals.begin(),
+                      [](const Totals& a, const Totals& b) {
+                        return std::equal(std::begin(a.of), std::end(a.of), std::begin(b.of));
+                      });
+  }
+
+  // What the next attempt gets.
+  Need grown(const Need& need, Need next) const {
+    const BlockStatistics& met = s_.host_counters.get()->blocks;
+    const auto more = [](auto value) { return value + value / 8; };
+    next.ball = enough_for(need.ball, met.most_found, met.longest_list, more(met.most_triangles),
+                           more(met.most_kept));
+    next.counted = false;
+    for (int d = 0; d < 4; ++d) next.counts[d] = std::max(need.counts[d], more(next.counts[d]));
+    next.candidates = std::max(need.candidates, next.candidates);
+    return next;
+  }
+
+  State& s_;
+  Queues& q_;
+  const Problem plan_;
+  const bool whole_;
+  int chunks_ = 1;
+  bool busy_ = false;
+  ResultCopy result_;
+  EventTimer timer_;
+};
+
+}  // namespace
+
+PipelineResult FacetPipeline::run(double alpha, bool tetrahedra_only, const CancelToken& cancel,
+                                  StageTimes* times) {
+  State& s = *state_;
+  if (s.n == 0 || static_cast<double>(s.max_radius) * s.max_radius + alpha < 0) return {};
+  const std::optional<Problem> plan = s.plan(alpha, !tetrahedra_only);
+  if (!plan) {
+    PipelineResult none;
+    none.fits = false;
+    return none;
+  }
+  return Run(s, *plan, times).compute(cancel);
+}
+
+}  // namespace alphascope::gpu

@@ -1,0 +1,438 @@
+// From what blocks wrote to the result in lexicographic order: tetrahedra and triangles move to
+// their places, edges learn from triangles, vertices from edges. The CPU's is
+// core/dual_edge/gather_faces.hpp.
+#pragma once
+
+#include "core/complex/simplex_hash.hpp"
+#include "gpu/dual_edge/dual_edge_block.cuh"
+#include "gpu/dual_edge/ordered_bits.cuh"
+#include "gpu/dual_edge/simplex_values.cuh"
+
+namespace alphascope::gpu {
+
+// One dimension of a result, in its order.
+struct OrderedSimplices {
+  std::uint32_t* vertices;
+  float* value;
+  std::uint8_t* simplex_class;
+  std::uint32_t capacity;
+};
+struct OrderedResult {
+  OrderedSimplices dimension[4];
+};
+
+// Two numbers per ball that are summed at once; one more pair makes the last sum the total.
+__device__ inline std::uint64_t pair_of(std::uint32_t low, std::uint32_t high) {
+  return static_cast<std::uint64_t>(high) << 32 | low;
+}
+__host__ __device__ inline std::uint32_t low_of(std::uint64_t pair) {
+  return static_cast<std::uint32_t>(pair);
+}
+__host__ __device__ inline std::uint32_t high_of(std::uint64_t pair) {
+  return static_cast<std::uint32_t>(pair >> 32);
+}
+
+// Tetrahedra and triangles of a ball; 0 after the chunk's.
+struct FaceCounts {
+  const std::uint32_t *tetrahedra, *triangles;
+  std::uint32_t chunk_end;
+
+  __device__ std::uint64_t operator()(std::uint32_t i) const {
+    return i == chunk_end ? 0 : pair_of(tetrahedra[i], triangles[i]);
+  }
+};
+
+// The simplices of one dimension of a group of balls, laid end to end.
+constexpr int kGroupBalls = 256;
+struct GroupItems {
+  std::uint32_t start[kGroupBalls];       // of each ball's, as blocks wrote them
+  std::uint32_t before[kGroupBalls + 1];  // those of balls before in the group
+  std::uint32_t place;                    // of the group's first one in the result
+
+  // Every thread calls it. `places(i)`: simplices of the chunk's balls before i. Nobody may have
+  // said where those of a ball start that has none.
+  template <class Places>
+  __device__ void load(std::uint32_t first, int balls, const std::uint32_t* starts,
+                       const Places& places, std::uint32_t before_chunk) {
+    const std::uint32_t at = places(first);
+    for (int b = threadIdx.x; b <= balls; b += blockDim.x) {
+      const std::uint32_t own = places(first + b);
+      before[b] = own - at;
+      if (b < balls) start[b] = places(first + b + 1) > own ? starts[first + b] : 0;
+    }
+    if (threadIdx.x == 0) place = before_chunk + at;
+  }
+  __device__ std::uint32_t count(int balls) const { return before[balls]; }
+  // Where the t-th was written.
+  __device__ std::uint32_t source(std::uint32_t t, int balls) const {
+    int low = 0, high = balls;
+    while (low + 1 < high) {
+      const int middle = (low + high) / 2;
+      (before[middle] <= t ? low : high) = middle;
+    }
+    return start[low] + (t - before[low]);
+  }
+};
+
+constexpr std::uint32_t kNoEdge = ~0u;
+
+// Where edge jk of a triangle in K_alpha is among the candidates of j, which are in ascending
+// order. None, and it is counted as missing, if ball j found no room: then the run will be
+// repeated. Of one that is not, all are there.
+__device__ inline std::uint32_t find_edge(const EdgeCandidates& edges, std::uint32_t j,
+                                          std::uint32_t k) {
+  const std::uint32_t count = edges.count[j];
+  if (count != 0) {
+    std::uint32_t low = edges.start[j], high = low + count;
+    while (low + 1 < high) {
+      const std::uint32_t middle = (low + high) / 2;
+      (edges.end[middle] <= k ? low : high) = middle;
+    }
+    if (edges.end[low] == k) return low;
+  }
+  atomicAdd(edges.missing, 1u);
+  return kNoEdge;
+}
+
+// An edge of a triangle. What it knows is read when it is found and not only when it is told more,
+// so that the reads of several are on their way at once.
+struct ToldEdge {
+  std::uint32_t edge, known;
+
+  __device__ ToldEdge(const EdgeCandidates& edges, std::uint32_t e)
+      : edge(e), known(e != kNoEdge ? edges.flags[e] : 0) {}
+  // The value and class of the triangle.
+  __device__ void tell(const EdgeCandidates& edges, std::uint32_t value,
+                       std::uint32_t flags) const {
+    if (edge == kNoEdge) return;
+    if (!(known & kUnattached)) atomicMin(&edges.least[edge], value);
+    if ((known & flags) != flags) atomicOr(&edges.flags[edge], flags);
+  }
+};
+
+// Adds up what all threads of a block have. Every thread calls it.
+__device__ inline void add_of_block(std::uint64_t own, std::uint64_t* sum) {
+  __shared__ std::uint64_t all;
+  if (threadIdx.x == 0) all = 0;
+  __syncthreads();
+  for (int step = 16; step > 0; step /= 2) own += __shfl_xor_sync(~0u, own, step);
+  if ((threadIdx.x & 31) == 0) add(&all, own);
+  __syncthreads();
+  if (threadIdx.x == 0 && all != 0) add(sum, all);
+  __syncthreads();
+}
+
+// Triangles whose edge jk belongs to a ball of a later chunk, which learns of them in its turn:
+// their places in the result.
+struct PendingTriangles {
+  std::uint32_t* places;
+  std::uint32_t* count;
+};
+
+// Triangle `t`: its value, which its edges learn, and its place; returns its hash.
+__device__ inline std::uint64_t place_triangle(const DualEdgeOutput& from, std::uint32_t t,
+                                               const int4* ball, const Chunk& chunk,
+                                               const PendingTriangles& pending, std::uint32_t at,
+                                               const OrderedSimplices& out) {
+  const std::uint32_t* v = from.triangles.vertices + 3 * static_cast<std::size_t>(t);
+  const std::uint32_t i = v[0], j = v[1], k = v[2], info = from.triangles.info[t];
+  const std::uint32_t l = from.triangles.attached_to[t];
+  if (at >= out.capacity) return 0;
+  // It waits for memory most of the time: all that can be read is, before anything is done with it.
+  const bool attached = l != kNoBall, pends = j >= chunk.end;
+  const SimplexBalls balls = simplex_balls<4>(ball, make_uint4(i, j, k, attached ? l : j));
+  const std::uint32_t own = from.edges.start[i];
+  const ToldEdge ij(from.edges, own + (info & 4095)), ik(from.edges, own + (info >> 12 & 4095)),
+      jk(from.edges, pends ? kNoEdge : find_edge(from.edges, j, k));
+  const float value = attached ? ortho_radius<4>(balls) : ortho_radius<3>(balls);
+  const std::uint32_t bits = ordered_bits(value), cofaces = info >> 24,
+                      flags = coface_flags(cofaces == 2);
+  ij.tell(from.edges, bits, flags);
+  ik.tell(from.edges, bits, flags);
+  jk.tell(from.edges, bits, flags);
+  if (pends) pending.places[atomicAdd(pending.count, 1u)] = at;
+  std::uint32_t* place = out.vertices + 3 * static_cast<std::size_t>(at);
+  place[0] = i;
+  place[1] = j;
+  place[2] = k;
+  out.value[at] = value;
+  out.simplex_class[at] = static_cast<std::uint8_t>(cofaces);
+  const std::uint32_t vertices[3] = {i, j, k};
+  return simplex_hash<3>(vertices);
+}
+
+__device__ inline std::uint64_t hash_of(const uint4& tetrahedron) {
+  const std::uint32_t v[4] = {tetrahedron.x, tetrahedron.y, tetrahedron.z, tetrahedron.w};
+  return simplex_hash<4>(v);
+}
+
+// Is there no room for all that was found? Then the run will be repeated with more.
+__device__ inline bool seems_overfull(const DualEdgeOutput& from) {
+  return *from.triangles.cursor > from.triangles.capacity ||
+         *from.tetrahedra.cursor > from.tetrahedra.capacity ||
+         *from.edges.cursor > from.edges.capacity;
+}
+// Kernel II of later chunks may be at work, so threads of a block could see different numbers:
+// every thread calls it, and they agree.
+__device__ inline bool is_overfull(const DualEdgeOutput& from) {
+  return __syncthreads_or(seems_overfull(from)) != 0;
+}
+
+// Calls visit(first ball, balls) for groups of the chunk's balls, block after block.
+template <class Visit>
+__device__ inline void for_groups(const Chunk& chunk, int group, const Visit& visit) {
+  for (std::uint32_t first = chunk.begin + blockIdx.x * group; first < chunk.end;
+       first += gridDim.x * group) {
+    visit(first, static_cast<int>(min(static_cast<std::uint32_t>(group), chunk.end - first)));
+    __syncthreads();
+  }
+}
+
+// The chunk's triangles and tetrahedra; `places`: sums of FaceCounts.
+__global__ void __launch_bounds__(kValueThreads, kValueBlocks)
+    place_faces(Chunk chunk, int group, DualEdgeOutput from, const int4* ball,
+                const std::uint64_t* places, PendingTriangles pending, OrderedResult to,
+                std::uint64_t* hash) {
+  __shared__ GroupItems triangles, tetrahedra;
+  if (is_overfull(from)) return;
+  const Totals before = *chunk.before;
+  std::uint64_t triangle_hash = 0, tetrahedron_hash = 0;
+  for_groups(chunk, group, [&](std::uint32_t first, int balls) {
+    triangles.load(
+        first, balls, from.triangles.start, [&](std::uint32_t i) { return high_of(places[i]); },
+        before.of[2]);
+    tetrahedra.load(
+        first, balls, from.tetrahedra.start, [&](std::uint32_t i) { return low_of(places[i]); },
+        before.of[3]);
+    __syncthreads();
+    for (std::uint32_t t = threadIdx.x; t < triangles.count(balls); t += blockDim.x)
+      triangle_hash += place_triangle(from, triangles.source(t, balls), ball, chunk, pending,
+                                      triangles.place + t, to.dimension[2]);
+    for (std::uint32_t t = threadIdx.x; t < tetrahedra.count(balls); t += blockDim.x) {
+      const uint4 v = from.tetrahedra.vertices[tetrahedra.source(t, balls)];
+      const std::uint32_t at = tetrahedra.place + t;
+      const OrderedSimplices& out = to.dimension[3];
+      if (at >= out.capacity) continue;
+      reinterpret_cast<uint4*>(out.vertices)[at] = v;
+      out.value[at] = ortho_radius<4>(simplex_balls<4>(ball, v));
+      tetrahedron_hash += hash_of(v);
+    }
+  });
+  add_of_block(triangle_hash, &hash[2]);
+  add_of_block(tetrahedron_hash, &hash[3]);
+  if (blockIdx.x != 0 || threadIdx.x != 0) return;
+  chunk.before[1].of[2] = before.of[2] + high_of(places[chunk.end]);
+  chunk.before[1].of[3] = before.of[3] + low_of(places[chunk.end]);
+}
+
+// The chunk's tetrahedra alone, without values.
+__global__ void place_tetrahedra(Chunk chunk, int group, FoundTetrahedra from,
+                                 const std::uint32_t* places, OrderedSimplices to,
+                                 std::uint64_t* hash) {
+  __shared__ GroupItems tetrahedra;
+  if (__syncthreads_or(*from.cursor > from.capacity)) return;  // as is_overfull()
+  const std::uint32_t before = chunk.before->of[3];
+  std::uint64_t sum = 0;
+  for_groups(chunk, group, [&](std::uint32_t first, int balls) {
+    tetrahedra.load(
+        first, balls, from.start, [&](std::uint32_t i) { return places[i]; }, before);
+    __syncthreads();
+    for (std::uint32_t t = threadIdx.x; t < tetrahedra.count(balls); t += blockDim.x) {
+      const uint4 v = from.vertices[tetrahedra.source(t, balls)];
+      const std::uint32_t at = tetrahedra.place + t;
+      if (at >= to.capacity) continue;
+      reinterpret_cast<uint4*>(to.vertices)[at] = v;
+      sum += hash_of(v);
+    }
+  });
+  add_of_block(sum, hash);
+  if (blockIdx.x == 0 && threadIdx.x == 0) chunk.before[1].of[3] = before + places[chunk.end];
+}
+
+// What the triangles of earlier chunks say about edges of this one.
+__global__ void tell_pending(Chunk chunk, DualEdgeOutput from, PendingTriangles pending,
+                             OrderedSimplices triangles) {
+  if (is_overfull(from)) return;
+  const std::uint32_t count = *pending.count, step = gridDim.x * blockDim.x;
+  for (std::uint32_t a = blockIdx.x * blockDim.x + threadIdx.x; a < count; a += step) {
+    const std::uint32_t at = pending.places[a];
+    const std::uint32_t* v = triangles.vertices + 3 * static_cast<std::size_t>(at);
+    if (v[1] < chunk.begin || v[1] >= chunk.end) continue;
+    ToldEdge(from.edges, find_edge(from.edges, v[1], v[2]))
+        .tell(from.edges, ordered_bits(triangles.value[at]),
+              coface_flags(triangles.simplex_class[at] == 2));
+  }
+}
+
+// What vertices learn from edges.
+struct VertexStates {
+  std::uint32_t* state;     // as DualEdgeOutput::vertex_state
+  std::uint32_t* flags;     // of the edges in K_alpha
+  std::uint32_t* greatest;  // ~ordered_bits of their least value, so that 0 is none
+};
+
+// Unattached, or attached to a triangle of K_alpha.
+__device__ inline bool edge_is_there(std::uint32_t flags) {
+  return (flags & (kUnattached | kHasCoface)) != 0;
+}
+__device__ inline bool vertex_is_there(const VertexStates& v, std::uint32_t i) {
+  return v.state[i] == 2 || (v.state[i] == 1 && (v.flags[i] & kHasCoface));
+}
+
+// Lanes that look at one ball's edges.
+constexpr int kEdgeLanes = 8;
+
+// Calls visit(candidate, those before it that are in K_alpha) for the edges of one ball that are in
+// K_alpha, in turns of kEdgeLanes. Every lane of the warp calls it; returns how many there are.
+// Where those of a ball begin that found no room, in a run that will be repeated, nobody has said.
+template <class Visit>
+__device__ inline std::uint32_t for_edges(const EdgeCandidates& edges, std::uint32_t ball,
+                                          bool active, const Visit& visit) {
+  const int lane = threadIdx.x & (kEdgeLanes - 1), group = threadIdx.x & 31 & ~(kEdgeLanes - 1);
+  const std::uint32_t count = active ? edges.count[ball] : 0,
+                      begin = count != 0 ? edges.start[ball] : 0, end = begin + count;
+  std::uint32_t found = 0;
+  for (std::uint32_t e = begin + lane; __any_sync(~0u, e < end); e += kEdgeLanes) {
+    const bool there = e < end && edge_is_there(edges.flags[e]);
+    const unsigned all = __ballot_sync(~0u, there) >> group & ((1u << kEdgeLanes) - 1);
+    if (there) visit(e, found + __popc(all & ((1u << lane) - 1)));
+    found += __popc(all);
+  }
+  return found;
+}
+
+// Calls visit(ball, is there one?) for the chunk's balls, kEdgeLanes each.
+template <class Visit>
+__device__ inline void for_balls(const Chunk& chunk, const Visit& visit) {
+  const std::uint32_t step = gridDim.x * blockDim.x / kEdgeLanes;
+  for (std::uint32_t i = chunk.begin + (blockIdx.x * blockDim.x + threadIdx.x) / kEdgeLanes;
+       __any_sync(~0u, i < chunk.end); i += step)
+    visit(i, i < chunk.end);
+}
+
+// What edges of K_alpha tell a vertex: as VertexStates.
+struct EdgeNews {
+  std::uint32_t flags = 0, greatest = 0;
+
+  __device__ void add(const EdgeNews& more) {
+    flags |= more.flags;
+    greatest = max(greatest, more.greatest);
+  }
+  // What all of a ball's lanes have. Every lane of the warp calls it.
+  __device__ void add_lanes() {
+    for (int step = 1; step < kEdgeLanes; step *= 2)
+      add({__shfl_xor_sync(~0u, flags, step), __shfl_xor_sync(~0u, greatest, step)});
+  }
+};
+
+// A vertex; what it knows is read when it is met, as ToldEdge.
+struct ToldVertex {
+  std::uint32_t vertex, known, state, greatest;
+
+  __device__ ToldVertex(const VertexStates& vertices, const Chunk& chunk, std::uint32_t v)
+      : vertex(v),
+        known(vertices.flags[v]),
+        // Of a later chunk, the state is not known yet.
+        state(v >= chunk.end ? 1 : vertices.state[v]),
+        greatest(vertices.greatest[v]) {}
+  __device__ void tell(const VertexStates& vertices, const EdgeNews& news) const {
+    if ((known & news.flags) != news.flags) atomicOr(&vertices.flags[vertex], news.flags);
+    if (state == 1 && greatest < news.greatest)
+      atomicMax(&vertices.greatest[vertex], news.greatest);
+  }
+};
+
+// An edge of K_alpha: its value, if it is not attached, which its end learns. Returns what its
+// beginning is to learn.
+__device__ inline EdgeNews finish_edge(const int4* ball, const EdgeCandidates& edges,
+                                       const VertexStates& vertices, const Chunk& chunk,
+                                       std::uint32_t begin, std::uint32_t e) {
+  const std::uint32_t flags = edges.flags[e], end = edges.end[e];
+  std::uint32_t least = edges.least[e];
+  const ToldVertex told(vertices, chunk, end);
+  if (flags & kUnattached) {
+    least = ordered_bits(ortho_radius<2>(simplex_balls<2>(ball, make_uint4(begin, end, 0, 0))));
+    edges.least[e] = least;
+  }
+  const EdgeNews news{coface_flags(class_of(flags) == 2), ~least};
+  told.tell(vertices, news);
+  return news;
+}
+
+// The edges of the chunk's balls. `found`: how many each ball has in K_alpha.
+__global__ void __launch_bounds__(kValueThreads, kValueBlocks)
+    finish_edges(Chunk chunk, DualEdgeOutput from, const int4* ball, VertexStates vertices,
+                 std::uint32_t* found) {
+  if (is_overfull(from)) return;
+  for_balls(chunk, [&](std::uint32_t i, bool active) {
+    EdgeNews news;
+    const std::uint32_t count =
+        for_edges(from.edges, i, active, [&](std::uint32_t e, std::uint32_t) {
+          news.add(finish_edge(ball, from.edges, vertices, chunk, i, e));
+        });
+    news.add_lanes();
+    if (!active || threadIdx.x % kEdgeLanes != 0) return;
+    if (count != 0) ToldVertex(vertices, chunk, i).tell(vertices, news);
+    found[i] = count;
+  });
+}
+
+// A ball's edges, and itself if it is a vertex; 0 after the chunk's. Nobody has counted them if
+// there is no room.
+struct EdgeAndVertexCounts {
+  DualEdgeOutput from;
+  VertexStates vertices;
+  const std::uint32_t* found;  // as finish_edges() writes it
+  std::uint32_t chunk_end;
+
+  __device__ std::uint64_t operator()(std::uint32_t i) const {
+    return i == chunk_end || seems_overfull(from) ? 0
+                                                  : pair_of(found[i], vertex_is_there(vertices, i));
+  }
+};
+
+// Writes vertex i; returns its hash.
+__device__ inline std::uint64_t place_vertex(std::uint32_t i, const int4* ball,
+                                             const VertexStates& vertices, std::uint32_t at,
+                                             const OrderedSimplices& out) {
+  if (at >= out.capacity) return 0;
+  const double weight = static_cast<double>(static_cast<std::int64_t>(ball[i].w) * ball[i].w);
+  out.vertices[at] = i;
+  out.value[at] = vertices.state[i] == 1 ? from_ordered_bits(~vertices.greatest[i])
+                                         : static_cast<float>(-weight);
+  out.simplex_class[at] = class_of(vertices.flags[i]);
+  return simplex_hash<1>(&i);
+}
+
+// Writes the chunk's edges and vertices; `places`: sums of EdgeAndVertexCounts.
+__global__ void place_edges_and_vertices(Chunk chunk, DualEdgeOutput from, const int4* ball,
+                                         VertexStates vertices, const std::uint64_t* places,
+                                         OrderedResult to, std::uint64_t* hash) {
+  if (is_overfull(from)) return;
+  const Totals before = *chunk.before;
+  const EdgeCandidates& edges = from.edges;
+  std::uint64_t edge_hash = 0, vertex_hash = 0;
+  for_balls(chunk, [&](std::uint32_t i, bool active) {
+    const std::uint32_t first = active ? before.of[1] + low_of(places[i]) : 0;
+    for_edges(edges, i, active, [&](std::uint32_t e, std::uint32_t number) {
+      const std::uint32_t at = first + number, v[2] = {i, edges.end[e]};
+      const OrderedSimplices& out = to.dimension[1];
+      if (at >= out.capacity) return;
+      reinterpret_cast<uint2*>(out.vertices)[at] = make_uint2(v[0], v[1]);
+      out.value[at] = from_ordered_bits(edges.least[e]);
+      out.simplex_class[at] = class_of(edges.flags[e]);
+      edge_hash += simplex_hash<2>(v);
+    });
+    if (active && threadIdx.x % kEdgeLanes == 0 && vertex_is_there(vertices, i))
+      vertex_hash +=
+          place_vertex(i, ball, vertices, before.of[0] + high_of(places[i]), to.dimension[0]);
+    __syncwarp();
+  });
+  add_of_block(vertex_hash, &hash[0]);
+  add_of_block(edge_hash, &hash[1]);
+  if (blockIdx.x != 0 || threadIdx.x != 0) return;
+  chunk.before[1].of[0] = before.of[0] + high_of(places[chunk.end]);
+  chunk.before[1].of[1] = before.of[1] + low_of(places[chunk.end]);
+}
+
+}  // namespace alphascope::gpu

@@ -1,0 +1,263 @@
+// How much shared memory the blocks of a run get for what, and the result for its simplices: from
+// what earlier runs of the same balls met.
+#pragma once
+
+#include "gpu/dual_edge/dual_edge_block.cuh"
+#include "gpu/dual_edge/pipeline_state.cuh"
+
+namespace alphascope::gpu {
+
+using State = FacetPipeline::State;
+using Need = State::Need;
+
+inline std::uint32_t whole_words(double list) {
+  return static_cast<std::uint32_t>(std::ceil(std::max(1.0, list) / 32)) * 32;
+}
+
+// Are covered discs looked for? From so many balls found for each on average; what was culled once
+// stays so near the limit.
+inline bool is_culled(double mean_found, bool was_culled) {
+  return mean_found >= (was_culled ? 18 : 20);
+}
+
+// What blocks of `balls` balls need room for, see BlockStatistics.
+struct Demand {
+  struct Spread {
+    double mean, deviation;
+  };
+  int balls;
+  bool cull;
+  Spread found, list, entries, rows, triangles, listed, probed, kept;
+};
+
+inline Demand::Spread spread_of(const Measured& of) {
+  if (of.number == 0) return {0, 0};
+  const double number = static_cast<double>(of.number), mean = static_cast<double>(of.sum) / number;
+  const double variance = static_cast<double>(of.squares) / number - mean * mean;
+  return {mean, std::sqrt(std::max(0.0, variance))};
+}
+inline Demand measured(const BlockStatistics& met, int balls, bool cull) {
+  return {balls,
+          cull,
+          spread_of(met.found),
+          spread_of(met.list),
+          spread_of(met.entries),
+          spread_of(met.rows),
+          spread_of(met.triangles),
+          spread_of(met.listed),
+          spread_of(met.probed),
+          spread_of(met.kept)};
+}
+// From the balls found alone, where there was no room to see more. A fair start: culled lists of
+// molecules are 10 and a third of what was found; pairs in a list that meet, a quarter.
+inline Demand guessed(const Demand::Spread& found, bool cull, bool whole) {
+  const double list = cull ? std::min(found.mean, 10 + 0.35 * found.mean) : found.mean;
+  const int balls = kMaxBallsPerBlock;
+  const auto of_block = [&](double mean, double deviation) {
+    return Demand::Spread{balls * mean, balls * mean * deviation};
+  };
+  const double triangles = list * list / 8;
+  return {balls,
+          cull,
+          found,
+          {list, 0.3 * list},
+          of_block(list, 0.15),
+          of_block(list / 2, 0.2),
+          of_block(triangles, 0.3),
+          of_block(triangles / 2, 0.3),
+          of_block(triangles / 3, 0.3),
+          of_block(whole ? 15 : 6.5, 0.3)};
+}
+inline Demand larger(Demand a, const Demand& b) {
+  const auto more = [](Demand::Spread& x, const Demand::Spread& y) {
+    if (x.mean + 3 * x.deviation < y.mean + 3 * y.deviation) x = y;
+  };
+  const double balls = static_cast<double>(a.balls) / b.balls;
+  const auto scaled = [&](const Demand::Spread& of) {
+    return Demand::Spread{of.mean * balls, of.deviation * balls};
+  };
+  more(a.list, b.list);
+  more(a.entries, scaled(b.entries));
+  more(a.rows, scaled(b.rows));
+  more(a.triangles, scaled(b.triangles));
+  more(a.listed, scaled(b.listed));
+  more(a.probed, scaled(b.probed));
+  more(a.kept, scaled(b.kept));
+  return a;
+}
+
+// Room for blocks of so many balls: `margin` times three standard deviations above the mean. Sums
+// of fewer balls vary by the root of how many, of more by all of it: neighbours have similar
+// surroundings. Balls that find no room go to kernel III.
+inline BlockRoom room_for(int balls, const Demand& demand, double margin) {
+  const double ratio = static_cast<double>(balls) / demand.balls;
+  const auto most = [&](const Demand::Spread& of, double deviations) {
+    return std::min(of.mean + deviations * margin * of.deviation, kMaxList - 3.0);
+  };
+  const auto sum = [&](const Demand::Spread& of) {
+    const double room =
+        of.mean * ratio + 3 * margin * of.deviation * std::max(ratio, std::sqrt(ratio));
+    return static_cast<std::uint32_t>(std::min(room, 1e9)) + 16;
+  };
+  const std::uint32_t triangles = std::min<std::uint32_t>(sum(demand.triangles), kMaxTriangles - 1);
+  // A multiple of 4. No list is longer: see kMaxList.
+  const auto search = std::min(static_cast<int>(most(demand.found, 4) / 4 + 1), kMaxList / 4) * 4;
+  return {static_cast<std::uint32_t>(search),
+          whole_words(most(demand.list, 3)),
+          sum(demand.entries),
+          sum(demand.rows),
+          triangles,
+          std::min(sum({demand.listed.mean, 1.5 * demand.listed.deviation}), triangles),
+          demand.cull ? sum(demand.probed) : 0,
+          sum(demand.kept)};
+}
+
+inline std::size_t bytes_of(const BlockRoom& room, int balls, bool cull) {
+  DualEdgeProblem p{};
+  p.cull = cull;
+  p.common.balls_per_block = balls;
+  p.capacity = room;
+  p.words = static_cast<int>(room.list / 32);
+  lay_out(p);
+  return p.layout.bytes;
+}
+
+// How well blocks of so many balls and bytes use the device: the more work in a block, the less its
+// barriers cost; the more warps, the less latencies; the more blocks, the less the last ones.
+// Fitted to times on an H200.
+inline double use_of(const State& s, int balls, const Demand::Spread& found, std::size_t bytes) {
+  constexpr double kEnough = 8, kBarriers = 65;
+  // CUDA keeps 1 KB a block for itself.
+  const double shared = static_cast<double>(bytes + sizeof(BlockBalls) + 1024),
+               blocks = std::clamp(std::floor(s.shared_per_multiprocessor / shared), 1.0, kEnough),
+               warps = blocks * kBlockThreads / 32;
+  const double rounds = static_cast<double>(s.n) / balls / (blocks * s.multiprocessors);
+  return balls / (balls + kBarriers / std::max(1.0, found.mean)) * warps / (warps + 16) * rounds /
+         (rounds + 0.5);
+}
+
+// Room of kernel III for a ball that has so many of each.
+inline BlockRoom enough_for(const BlockRoom& room, std::uint32_t found, std::uint32_t list,
+                            std::uint32_t triangles, std::uint32_t kept) {
+  const std::uint32_t words = std::max(room.list, whole_words(list));
+  return {std::max(room.search, whole_words(found)), words, words, words,
+          std::max(room.triangles, triangles),       0,     0,     std::max(room.kept, kept)};
+}
+
+// Sets how many balls a block takes, and its room. What is hardly better is not worth a change.
+inline void choose_room(const State& s, Need& need, const Demand& demand) {
+  need.cull = demand.cull;
+  const int current = need.balls_per_block;
+  double best = -1;
+  // Eight half warps search at once; fewer balls only where there is no room for eight.
+  for (const int balls : {32, 24, 16, 8, 4, 2, 1}) {
+    if (balls < 8 && best > 0) break;
+    const BlockRoom room = room_for(balls, demand, need.margin);
+    const std::size_t bytes = bytes_of(room, balls, demand.cull);
+    const bool fits = bytes + sizeof(BlockBalls) <= static_cast<std::size_t>(s.shared_limit) &&
+                      room.rows < kMaxRows;
+    const double use = !fits              ? -0.5
+                       : balls == current ? 1.03 * use_of(s, balls, demand.found, bytes)
+                                          : use_of(s, balls, demand.found, bytes);
+    if (use <= best) continue;
+    best = use;
+    need.balls_per_block = balls;
+    need.block = room;
+  }
+}
+
+// Of the need of an alpha below, for one that is not much above: room for more simplices, and for
+// longer lists in kernel III.
+inline void add_headroom(Need& need) {
+  const auto more = [](std::size_t value) { return value + value / 4 + 64; };
+  for (std::size_t& count : need.counts.of) count = more(count);
+  need.candidates = more(need.candidates);
+}
+inline BlockRoom with_headroom(const BlockRoom& ball, const BlockRoom& longest) {
+  const auto more = [](std::uint32_t value) { return value + value / 4 + 8; };
+  return enough_for(ball, more(longest.search), more(longest.list), more(longest.triangles),
+                    more(longest.kept));
+}
+
+// The need of this alpha, or of the nearest one above: less alpha never needs more.
+inline Need first_need(const State& s, double alpha, bool whole) {
+  const Need* best = nullptr;
+  const auto better = [&](const Need& n) {
+    if (n.whole != whole) return false;
+    if (best == nullptr) return true;
+    const bool enough = n.alpha >= alpha, best_enough = best->alpha >= alpha;
+    return enough != best_enough ? enough : enough ? n.alpha < best->alpha : n.alpha > best->alpha;
+  };
+  for (const Need& n : s.needs) {
+    if (better(n)) best = &n;
+  }
+  if (best != nullptr) {
+    Need need = *best;
+    need.counted = best->alpha == alpha;
+    return need;
+  }
+  // A molecule at small alpha; the run says what it really needs.
+  Need need{};
+  need.alpha = alpha;
+  need.whole = whole;
+  need.ball = {64, 64, 64, 64, 1024, 0, 0, 64};
+  need.counts = {{s.n, 5 * s.n, 6 * s.n, s.n}};
+  need.candidates = 8 * s.n;
+  need.margin = 1;
+  choose_room(s, need, guessed({12, 3}, false, whole));
+  return need;
+}
+
+// In how many chunks to go through the balls: each costs queueing and waiting, but all copies are
+// hidden behind work except the last one's. Fitted to times on an H200. The first run of a set
+// takes all at once: how many simplices there will be is a guess, too much memory to pin.
+inline int chunk_count(const State& s, const Need& need, std::size_t bytes) {
+  const int forced = FacetPipeline::forced_chunks;
+  if (forced > 0) return std::min(forced, kMaxChunks);
+  if (need.totals.empty()) return 1;
+  const double megabytes = static_cast<double>(bytes) / 1e6;
+  const double best = need.whole ? std::sqrt(megabytes / 2.5)
+                                 : std::max(std::sqrt(megabytes / 0.55), (megabytes - 3) / 1.85);
+  constexpr double kLeastBalls = 4096;
+  const double most = static_cast<double>(s.n) / kLeastBalls;
+  return std::clamp(static_cast<int>(std::min(best, most)), 1, kMaxChunks);
+}
+
+inline void remember(State& s, const Need& need) {
+  auto& all = s.needs;
+  all.erase(
+      std::remove_if(all.begin(), all.end(),
+                     [&](const Need& n) { return n.alpha == need.alpha && n.whole == need.whole; }),
+      all.end());
+  if (all.size() >= 64) all.erase(all.begin());
+  all.push_back(need);
+}
+
+// As DualEdgeProblem.
+inline std::uint32_t deferred_limit(const State& s) {
+  return static_cast<std::uint32_t>(std::max<std::size_t>(256, s.n / 100));
+}
+
+inline DualEdgeProblem make_problem(const State& s, const Problem& plan, const BlockRoom& room,
+                                    int balls_per_block, bool cull) {
+  DualEdgeProblem p{};
+  p.cull = cull;
+  p.common = plan;
+  p.common.balls_per_block = balls_per_block;
+  p.capacity = room;
+  p.common.search_capacity = static_cast<int>(room.search);
+  // Some hundred blocks at least.
+  p.common.sampled = std::clamp(static_cast<int>(s.n / balls_per_block / 128), 1, 64);
+  p.words = static_cast<int>((room.list + 31) / 32);
+  p.radius_scale = p.common.scale * p.common.scale;
+  const double grown = std::sqrt(static_cast<double>(s.max_radius) * s.max_radius + plan.alpha);
+  const double offset = 2 * (grown + plan.reach_slack) * 1.001 + 2;  // bounds every |d_x|
+  p.small_lattice = offset < static_cast<double>(kSmallOffset) && s.max_radius < kSmallOffset;
+  p.narrow = offset < 32768 && s.max_radius < 32768;  // |d|² < 2^30, weights too
+  p.balls = s.balls.get();
+  p.deferred_limit = deferred_limit(s);
+  lay_out(p);
+  return p;
+}
+
+}  // namespace alphascope::gpu

@@ -1,0 +1,103 @@
+// Device and pinned host memory that grows and is kept; errors as exceptions.
+#pragma once
+
+#include <cuda_runtime.h>
+
+#include <algorithm>
+#include <new>
+#include <stdexcept>
+#include <string>
+
+#include "gpu/memory/faults.hpp"
+#include "gpu/memory/page_locked.hpp"
+
+namespace alphascope::gpu {
+
+// A CUDA call failed. Running out of memory is std::bad_alloc instead.
+struct DeviceError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+inline void check(cudaError_t status, const char* what) {
+  if (Faults::lost()) status = cudaErrorDevicesUnavailable;
+  if (status == cudaSuccess) return;
+  cudaGetLastError();  // the error is reported here; do not report it again later
+  if (status == cudaErrorMemoryAllocation) throw std::bad_alloc();
+  throw DeviceError(std::string("the GPU failed while ") + what + ": " +
+                    cudaGetErrorString(status));
+}
+
+// What buffers that grow once more take beyond what is asked for, bytes: as alpha goes up, nearly
+// every run needs a little more, and reserving takes longer than the run. Twice as much, of large
+// ones a quarter more.
+inline std::size_t spare_bytes(std::size_t bytes) {
+  constexpr std::size_t kLarge = std::size_t{1} << 26;
+  return std::min(bytes, std::max(bytes / 4, kLarge));
+}
+
+// Calls reserve(bytes) for that much and to spare, or for that much if there is not more, or at
+// the first time. Returns how much it was.
+template <class Reserve>
+std::size_t reserve_to_spare(std::size_t bytes, bool first, const char* what,
+                             const Reserve& reserve) {
+  if (Faults::refuses()) throw std::bad_alloc();
+  const std::size_t more = first ? bytes : bytes + spare_bytes(bytes);
+  if (reserve(more) == cudaSuccess) {
+    check(cudaSuccess, what);
+    return more;
+  }
+  cudaGetLastError();  // the second attempt tells
+  check(reserve(bytes), what);
+  return bytes;
+}
+
+// Uninitialised device memory; growing loses the content.
+template <class T>
+class DeviceBuffer {
+ public:
+  DeviceBuffer() = default;
+  DeviceBuffer(const DeviceBuffer&) = delete;
+  DeviceBuffer& operator=(const DeviceBuffer&) = delete;
+  ~DeviceBuffer() { cudaFree(data_); }
+  void reserve(std::size_t count) {
+    if (count <= capacity_) return;
+    const bool first = capacity_ == 0;
+    cudaFree(data_);
+    data_ = nullptr;
+    capacity_ = 0;
+    capacity_ = reserve_to_spare(count * sizeof(T), first, "reserving device memory",
+                                 [&](std::size_t bytes) { return cudaMalloc(&data_, bytes); }) /
+                sizeof(T);
+  }
+  T* get() const { return data_; }
+  std::size_t capacity() const { return capacity_; }
+
+ private:
+  T* data_ = nullptr;
+  std::size_t capacity_ = 0;
+};
+
+// Pinned host memory: copies to and from it run at full speed.
+template <class T>
+class PinnedBuffer {
+ public:
+  // Returns whether it grew.
+  bool reserve(std::size_t count) {
+    if (count <= capacity_) return false;
+    const bool first = capacity_ == 0;
+    memory_.free();
+    capacity_ = 0;
+    capacity_ = reserve_to_spare(count * sizeof(T), first, "reserving pinned host memory",
+                                 [&](std::size_t bytes) { return memory_.allocate(bytes); }) /
+                sizeof(T);
+    return true;
+  }
+  T* get() const { return static_cast<T*>(memory_.get()); }
+  std::size_t capacity() const { return capacity_; }
+
+ private:
+  PageLocked memory_;
+  std::size_t capacity_ = 0;
+};
+
+}  // namespace alphascope::gpu

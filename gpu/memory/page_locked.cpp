@@ -1,0 +1,73 @@
+#include "gpu/memory/page_locked.hpp"
+
+#include <sys/mman.h>
+#include <tbb/parallel_for.h>
+#include <unistd.h>
+
+#include <algorithm>
+
+#include "gpu/memory/faults.hpp"
+
+namespace alphascope::gpu {
+namespace {
+
+constexpr std::size_t kLargePage = std::size_t{1} << 21;
+
+// New pages, all of them there; null if there are no more.
+unsigned char* new_pages(std::size_t bytes, std::size_t page) {
+  void* const memory =
+      mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+  if (memory == MAP_FAILED) return nullptr;
+  madvise(memory, bytes, MADV_HUGEPAGE);  // a system without them says so, and has small ones
+  madvise(memory, bytes, MADV_DONTFORK);  // what is pinned would have to be copied
+  unsigned char* const pages = static_cast<unsigned char*>(memory);
+  tbb::parallel_for(std::size_t{0}, (bytes + kLargePage - 1) / kLargePage, [=](std::size_t piece) {
+    const std::size_t end = std::min(bytes, (piece + 1) * kLargePage);
+    for (std::size_t at = piece * kLargePage; at < end; at += page)
+      static_cast<volatile unsigned char*>(pages)[at] = 0;
+  });
+  return pages;
+}
+
+}  // namespace
+
+cudaError_t PageLocked::allocate(std::size_t bytes) {
+  free();
+  if (bytes == 0) return cudaSuccess;
+  const cudaError_t status = reserve(bytes);
+  if (status != cudaSuccess) return status;
+  bytes_ = bytes;
+  Faults::pinned_bytes += bytes;
+  return cudaSuccess;
+}
+
+cudaError_t PageLocked::reserve(std::size_t bytes) {
+  const auto page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+  const std::size_t whole = (bytes + page - 1) / page * page;
+  const bool much = bytes >= kLargePage || Faults::pins_little;
+  if (unsigned char* const pages = much ? new_pages(whole, page) : nullptr) {
+    if (cudaHostRegister(pages, whole, cudaHostRegisterDefault) == cudaSuccess) {
+      data_ = pages;
+      own_bytes_ = whole;
+      return cudaSuccess;
+    }
+    cudaGetLastError();  // not every system can
+    munmap(pages, whole);
+  }
+  return cudaMallocHost(&data_, bytes);
+}
+
+void PageLocked::free() {
+  if (own_bytes_ > 0) {
+    cudaDeviceSynchronize();
+    cudaHostUnregister(data_);
+    munmap(data_, own_bytes_);
+  } else if (data_ != nullptr) {
+    cudaFreeHost(data_);
+  }
+  data_ = nullptr;
+  Faults::pinned_bytes -= bytes_;
+  own_bytes_ = bytes_ = 0;
+}
+
+}  // namespace alphascope::gpu

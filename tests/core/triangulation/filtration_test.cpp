@@ -1,0 +1,249 @@
+// Thresholds of a cached filtration, from the whole triangulation and from a complex at alpha_max.
+#include "core/triangulation/filtration.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <stdexcept>
+
+#include "core/complex/compare.hpp"
+#include "core/complex/face_groups.hpp"
+#include "core/engine/engine.hpp"
+#include "tests/support/random_balls.hpp"
+#include "tests/support/rational_oracle.hpp"
+
+namespace alphascope {
+namespace {
+
+using testing::NamedBalls;
+using testing::Random;
+using testing::RationalOracle;
+
+// A cluster of balls and one so far away that its simplices have values near 6e16 that differ by
+// about 1e9, less than the distance of floats there: thresholds between them separate values of one
+// float.
+TEST(Filtration, SeparatesValuesOfOneFloat) {
+  Random random(20);
+  std::size_t separated = 0;
+  for (int round = 0; round < 120; ++round) {
+    BallSet balls = testing::random_balls(random, 7, 2, 1, 2);
+    testing::add_ball(balls, 500000000 - round, 12, 7, 1);
+    const auto shared = std::make_shared<const BallSet>(balls);
+    const RationalOracle oracle(balls);
+    const Filtration filtration(shared, triangulate(balls, 1, {}), {});
+    std::vector<mpq_class> values;
+    for (const auto& [simplex, value] : oracle.alpha_values()) values.push_back(value);
+    std::sort(values.begin(), values.end());
+    for (std::size_t n = 0; n + 1 < values.size(); ++n) {
+      const double alpha = mpq_class((values[n] + values[n + 1]) / 2).get_d();
+      if (!(values[n] <= mpq_class(alpha) && mpq_class(alpha) < values[n + 1])) continue;
+      separated += testing::nearest_float(values[n]) == testing::nearest_float(values[n + 1]);
+      const AlphaComplex expected = oracle.complex(alpha);
+      const AlphaComplex found = threshold(filtration, alpha, false);
+      ASSERT_TRUE(compare(found, expected).identical());
+      ASSERT_EQ(found.hash, expected.hash);
+      const AlphaComplex only = threshold(filtration, alpha, true);
+      ASSERT_TRUE(compare(only, expected).identical());
+
+      const Filtration bounded(shared, std::make_shared<AlphaComplex>(oracle.complex(alpha + 1)));
+      ASSERT_TRUE(compare(threshold(bounded, alpha, false), expected).identical());
+    }
+  }
+  EXPECT_GT(separated, 100u);
+}
+
+TEST(Filtration, OfAComplexAnswersEverySmallerAlpha) {
+  Random random(21);
+  for (const NamedBalls& set : testing::large_hard_sets(random)) {
+    const auto balls = std::make_shared<const BallSet>(set.balls);
+    const auto engine = make_cgal_engine(balls, {1});
+    const auto top = std::make_shared<AlphaComplex>(engine->compute({7}, {}));
+    const Filtration filtration(balls, top);
+    const auto units = [&](double alpha) { return balls->lattice.alpha_on_lattice(alpha); };
+    EXPECT_EQ(filtration.alpha_max_on_lattice(), units(7));
+    for (const double alpha : {-2.0, 0.0, 0.5, 1.0, 2.0, 3.5, 5.0, 7.0}) {
+      EXPECT_TRUE(compare(threshold(filtration, units(alpha), false), engine->compute({alpha}, {}))
+                      .identical())
+          << set.name << ", alpha " << alpha;
+    }
+    EXPECT_THROW(threshold(filtration, units(7.5), false), std::invalid_argument);
+    EXPECT_THROW(threshold(filtration, std::nan(""), false), std::invalid_argument);
+  }
+}
+
+TEST(Filtration, NeedsAWholeComplex) {
+  const auto balls = std::make_shared<const BallSet>();
+  const auto only = std::make_shared<AlphaComplex>();
+  only->tetrahedra_only = true;
+  EXPECT_THROW(Filtration(balls, only), std::invalid_argument);
+}
+
+// Orthospheres larger than any float: the values are infinite, alpha decides exactly.
+TEST(Filtration, KeepsValuesBeyondAllFloatsApart) {
+  BallSet balls;
+  balls.lattice.digits = 0;
+  const int far = kMaxLatticeCoordinate;
+  testing::add_ball(balls, -far, -far, 0, 1);
+  testing::add_ball(balls, far, -far + 1, 0, 1);
+  testing::add_ball(balls, -far + 1, far, 0, 1);
+  testing::add_ball(balls, far, far, 1, 1);
+  testing::add_ball(balls, far - 7, far - 9, 0, 1);
+  const RationalOracle oracle(balls);
+  const Filtration filtration(std::make_shared<const BallSet>(balls), triangulate(balls, 1, {}),
+                              {});
+  for (const double alpha :
+       {1e17, 1e20, 1e30, 1e40, 1e60, std::numeric_limits<double>::infinity()}) {
+    EXPECT_TRUE(compare(threshold(filtration, alpha, false), oracle.complex(alpha)).identical())
+        << alpha;
+  }
+}
+
+TEST(Filtration, ClassesFollowFromTheSimplices) {
+  Random random(22);
+  for (const NamedBalls& set : testing::large_hard_sets(random)) {
+    AlphaComplex complex =
+        make_cgal_engine(std::make_shared<const BallSet>(set.balls), {1})->compute({2}, {});
+    const AlphaComplex before = complex;
+    std::fill(complex.edges.classes.begin(), complex.edges.classes.end(), SimplexClass::singular);
+    classify(complex);
+    EXPECT_TRUE(compare(complex, before).identical()) << set.name;
+  }
+}
+
+// Cancelled before, or at any report of progress: the making ends before the next one.
+TEST(Filtration, ItsMakingCanBeCancelled) {
+  Random random(26);
+  const auto balls =
+      std::make_shared<const BallSet>(testing::random_balls(random, 2000, 3000, 100, 300));
+  const auto top = std::make_shared<const AlphaComplex>(make_cpu_engine(balls)->compute({1e4}, {}));
+  const RegularTriangulation triangulation = triangulate(*balls, 1, {});
+  const auto of_complex = [&](const RunContext& context) { Filtration(balls, top, context); };
+  const auto of_triangulation = [&](const RunContext& context) {
+    Filtration(balls, triangulation, context);
+  };
+  for (const auto& make : {std::function<void(const RunContext&)>(of_complex),
+                           std::function<void(const RunContext&)>(of_triangulation)}) {
+    int reports = 0;
+    RunContext counting;
+    counting.progress = [&](std::string_view, double) { ++reports; };
+    make(counting);
+    EXPECT_GE(reports, 3);
+    for (int last = 1; last <= reports; ++last) {
+      int seen = 0;
+      RunContext context;
+      context.progress = [&](std::string_view, double) {
+        if (++seen == last) context.cancel.cancel();
+      };
+      EXPECT_THROW(make(context), Cancelled) << "at report " << last;
+      EXPECT_EQ(seen, last) << "went on for another part";
+    }
+  }
+}
+
+TEST(Filtration, FacesAreNotSortedForOneWhoCancelled) {
+  Random random(27);
+  const BallSet balls = testing::random_balls(random, 500, 1000, 50, 200);
+  RegularTriangulation triangulation = triangulate(balls, 1, {});
+  const Simplices<4> before = triangulation.tetrahedra;
+  CancelToken cancel;
+  cancel.cancel();
+  EXPECT_THROW(FaceGroups<3>(triangulation.tetrahedra, cancel), Cancelled);
+  EXPECT_THROW(sort_simplices<4>(triangulation.tetrahedra, balls.size(), cancel), Cancelled);
+  EXPECT_EQ(triangulation.tetrahedra, before);
+}
+
+// A cancelled engine is as good as new.
+TEST(CpuEngine, CanBeCancelledWhileMakingAFiltration) {
+  Random random(28);
+  const auto balls =
+      std::make_shared<const BallSet>(testing::random_balls(random, 2000, 3000, 100, 300));
+  const auto engine = make_cpu_engine(balls, {1});
+  engine->compute({1e4}, {});
+  for (const int last : {1, 2, 3}) {
+    int seen = 0;
+    RunContext context;
+    context.progress = [&](std::string_view stage, double) {
+      EXPECT_EQ(stage, stage::kClassification);
+      if (++seen == last) context.cancel.cancel();
+    };
+    EXPECT_THROW(engine->compute({9e3}, context), Cancelled) << last;
+  }
+  const AlphaComplex found = engine->compute({9e3}, {});
+  EXPECT_EQ(found.engine.route, "filtration of cached complex, then threshold");
+  EXPECT_EQ(found.hash, make_cgal_engine(balls, {1})->compute({9e3}, {}).hash);
+}
+
+// Setup is paid once: later alphas are thresholds and say so.
+TEST(CgalEngine, TimesSetupApart) {
+  Random random(24);
+  const auto engine = make_cgal_engine(
+      std::make_shared<const BallSet>(testing::random_balls(random, 500, 1000, 50, 200)), {1});
+  const AlphaComplex only = engine->compute({100, true}, {});
+  EXPECT_EQ(only.engine.route, "regular triangulation, then threshold");
+  ASSERT_EQ(only.timings.stages.size(), 2u);
+  EXPECT_EQ(only.timings.stages[0].label, stage::kTriangulation);
+  EXPECT_TRUE(only.timings.stages[0].setup);
+  EXPECT_FALSE(only.timings.stages[1].setup);
+  EXPECT_EQ(engine->compute({90, true}, {}).engine.route, "threshold of cached triangulation");
+
+  const AlphaComplex whole = engine->compute({100}, {});
+  EXPECT_EQ(whole.engine.route, "filtration of cached triangulation, then threshold");
+  ASSERT_EQ(whole.timings.stages.size(), 2u);
+  EXPECT_EQ(whole.timings.stages[0].label, stage::kClassification);
+  EXPECT_TRUE(whole.timings.stages[0].setup);
+
+  const AlphaComplex later = engine->compute({50}, {});
+  EXPECT_EQ(later.engine.route, "threshold of cached filtration");
+  ASSERT_EQ(later.timings.stages.size(), 1u);
+  EXPECT_EQ(later.timings.setup_milliseconds(), 0);
+  EXPECT_GE(later.timings.wall_milliseconds, later.timings.stages[0].milliseconds);
+}
+
+// What came from CGAL's triangulation says so, by whatever engine.
+TEST(Engines, SayWhatThisRunDid) {
+  Random random(25);
+  const auto balls =
+      std::make_shared<const BallSet>(testing::random_balls(random, 300, 1000, 50, 100));
+  const AlphaComplex whole = make_cgal_engine(balls, {1})->compute({100}, {});
+  EXPECT_EQ(whole.engine.route, "regular triangulation, filtration, then threshold");
+  EXPECT_TRUE(whole.engine.rests_on_cgal);
+
+  const auto engine = make_cpu_engine(balls, {1});
+  const AlphaComplex clipped = engine->compute({100}, {});
+  EXPECT_EQ(clipped.engine.route, "dual edge clipping");
+  EXPECT_FALSE(clipped.engine.rests_on_cgal);
+  EXPECT_FALSE(compare(clipped, whole).both_rest_on_cgal);
+  const AlphaComplex smaller = engine->compute({50}, {});
+  EXPECT_EQ(smaller.engine.route, "filtration of cached complex, then threshold");
+  EXPECT_FALSE(smaller.engine.rests_on_cgal);
+  EXPECT_EQ(engine->compute({40}, {}).engine.route, "threshold of cached filtration");
+
+  const AlphaComplex triangulated = engine->compute({1e300}, {});
+  EXPECT_EQ(triangulated.engine.route, "regular triangulation, filtration, then threshold");
+  EXPECT_TRUE(compare(triangulated, whole).both_rest_on_cgal);
+  const AlphaComplex later = engine->compute({100}, {});
+  EXPECT_EQ(later.engine.route, "threshold of cached filtration");
+  EXPECT_TRUE(compare(later, whole).identical());
+  EXPECT_TRUE(compare(later, whole).both_rest_on_cgal);
+}
+
+// The parallel triangulation is the sequential one, hidden and coincident balls included.
+TEST(Triangulation, DoesNotDependOnThreads) {
+  Random random(23);
+  for (const int high_radius : {30, 900}) {
+    const BallSet balls = testing::random_balls(random, 20000, 500, 1, high_radius);
+    RegularTriangulation a = triangulate(balls, 1, {}), b = triangulate(balls, 4, {});
+    std::sort(a.tetrahedra.begin(), a.tetrahedra.end());
+    std::sort(b.tetrahedra.begin(), b.tetrahedra.end());
+    EXPECT_GT(a.hidden.size(), high_radius == 900 ? 10000u : 0u);
+    EXPECT_EQ(a.tetrahedra, b.tetrahedra);
+    EXPECT_EQ(a.vertices, b.vertices);
+    EXPECT_EQ(a.hidden, b.hidden);
+  }
+}
+
+}  // namespace
+}  // namespace alphascope

@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "core/engine/slabs.hpp"
-#include "gpu/dual_edge/facet_pipeline.hpp"
+#include "gpu/dual_edge/dual_edge_pipeline.hpp"
 #include "gpu/memory/device_buffer.cuh"
 #include "gpu/memory/launch.cuh"
 #include "gpu/memory/result_memory.cuh"
@@ -147,7 +147,7 @@ class GpuEngine : public Engine {
   }
 
   std::optional<AlphaComplex> whole_set(const AlphaRequest& request, const RunContext& context) {
-    if (!pipeline_) pipeline_ = std::make_unique<gpu::FacetPipeline>(*balls_);
+    if (!pipeline_) pipeline_ = std::make_unique<gpu::DualEdgePipeline>(*balls_);
     return run(*pipeline_, *balls_, request, context);
   }
 
@@ -156,7 +156,7 @@ class GpuEngine : public Engine {
     try {
       AlphaComplex complex = compute_in_slabs(
           *balls_, request, slabs_, context, [&](std::shared_ptr<const BallSet> part) {
-            gpu::FacetPipeline pipeline(*part);
+            gpu::DualEdgePipeline pipeline(*part);
             std::optional<AlphaComplex> result = run(pipeline, *part, request, context);
             if (!result) throw BeyondLimits{};
             return *std::move(result);
@@ -168,7 +168,7 @@ class GpuEngine : public Engine {
     }
   }
 
-  std::optional<AlphaComplex> run(gpu::FacetPipeline& pipeline, const BallSet& balls,
+  std::optional<AlphaComplex> run(gpu::DualEdgePipeline& pipeline, const BallSet& balls,
                                   const AlphaRequest& request, const RunContext& context) {
     AlphaComplex complex;
     complex.lattice = balls.lattice;
@@ -186,7 +186,7 @@ class GpuEngine : public Engine {
     complex.hash = result.hash.combined(request.tetrahedra_only);
     wall.finish();
     complex.timings.wall_milliseconds = whole.wall_milliseconds;
-    complex.engine = {"facet engine", gpu_device().name, "dual edge clipping"};
+    complex.engine = {"dual-edge engine", gpu_device().name, "dual edge clipping"};
     complex.engine.counters.push_back({"balls through kernel III", result.exact_balls});
     if (result.attempts > 1) {
       complex.engine.counters.push_back(
@@ -200,7 +200,7 @@ class GpuEngine : public Engine {
   std::size_t slabs_ = 1;
   AlphaRequest refused_;      // the last that half as many slabs had no room for
   int answers_in_slabs_ = 0;  // since then
-  std::unique_ptr<gpu::FacetPipeline> pipeline_;
+  std::unique_ptr<gpu::DualEdgePipeline> pipeline_;
   std::unique_ptr<Engine> cpu_;
 };
 

@@ -1,5 +1,5 @@
-// The facet engine on a CUDA device. Plain C++: the program builds and runs without CUDA, and then
-// learns here why there is no device.
+// The dual-edge engine on a CUDA device. Plain C++: the program builds and runs without CUDA, and
+// then learns here why there is no device.
 #pragma once
 
 #include <cstdint>

@@ -42,7 +42,7 @@ double timed(Work work) {
 // The step between two places of a slider that a hand can still tell apart.
 constexpr double kSliderStep = 0.001;  // Å²
 
-void run_once(const std::shared_ptr<const BallSet>& balls, const SessionRequest& request,
+void run_once(const std::shared_ptr<const BallSet>& balls, const Request& request,
               const RunContext& context, Series& series) {
   MadeEngine made;
   AlphaComplex complex;
@@ -63,21 +63,21 @@ void run_once(const std::shared_ptr<const BallSet>& balls, const SessionRequest&
 struct Row {
   std::string file;
   std::size_t balls = 0;
-  SessionRequest request;
+  Request request;
   Series ours, cgal;
   Provenance provenance;
   bool same() const { return ours.complex.hash == cgal.complex.hash; }
 };
 
-Row measure(const Input& input, const std::shared_ptr<const BallSet>& balls,
-            const SessionRequest& request, int runs, const RunContext& context) {
+Row measure(const Input& input, const std::shared_ptr<const BallSet>& balls, const Request& request,
+            int runs, const RunContext& context) {
   Row row{printable(input.molecule().source.filename().string()),
           balls->size(),
           request,
           {},
           {},
           input.provenance()};
-  SessionRequest cgal = request;
+  Request cgal = request;
   cgal.engine = EngineChoice::cgal;
   for (int run = 0; run < runs; ++run) {
     // In turns, so that a machine that slows down meanwhile slows both.
@@ -115,7 +115,7 @@ CsvRow csv_row(const Row& row) {
   const auto least = [](const std::vector<double>& v) {
     return *std::min_element(v.begin(), v.end());
   };
-  const SessionRequest& r = row.request;
+  const Request& r = row.request;
   CsvRow csv{{"file", row.file},
              {"balls", std::to_string(row.balls)},
              {"alpha_angstrom2", number_text(r.alpha_angstrom2)},
@@ -171,7 +171,7 @@ ExitCode run_bench(const BenchOptions& options) {
       }
       for (const int threads : options.threads) {
         for (const double alpha : options.alphas) {
-          SessionRequest request = options.request;
+          Request request = options.request;
           request.alpha_angstrom2 = alpha;
           request.threads = threads;
           const std::string rounding = rounding_note(request, balls->lattice);

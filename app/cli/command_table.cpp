@@ -105,7 +105,7 @@ void require_files(const InputFiles& files) {
   }
 }
 
-Option alpha(SessionRequest& request) {
+Option alpha(Request& request) {
   return required(number_option({"--alpha", "A", "Alpha in Å², negative too"},
                                 request.alpha_angstrom2, kAlphaRange));
 }
@@ -119,7 +119,7 @@ Option output(const char* name, const char* text, std::string& path) {
 }
 
 // The switches of the tuple engines; refused with another engine, where they would do nothing.
-Options tuples(SessionRequest& request) {
+Options tuples(Request& request) {
   TupleOptions& tuples = request.tuples;
   Option grid{.names = "--tuple-grid",
               .value = "auto|100",
@@ -154,13 +154,13 @@ Options tuples(SessionRequest& request) {
 }
 
 // Throws std::invalid_argument.
-void require_tuple_engine(const SessionRequest& request) {
+void require_tuple_engine(const Request& request) {
   if (is_tuple_engine(request.engine) || request.tuples == TupleOptions{}) return;
   throw std::invalid_argument(
       "the options of the tuple engines need --engine tuples-cpu or tuples-gpu");
 }
 
-Options engine(SessionRequest& request, bool threads) {
+Options engine(Request& request, bool threads) {
   Option engine{.names = "--engine",
                 .value = "auto|cpu|cgal|gpu|tuples-cpu|tuples-gpu",
                 .text = "Engine, with the same result; auto takes the GPU when there is one",

@@ -63,13 +63,13 @@ struct InfoOptions {
 struct ComputeOptions {
   InputFiles files;
   InputOptions input;
-  SessionRequest request;
+  Request request;
   std::string json, csv, out;
 };
 
 struct VerifyOptions {
   InputOptions input;
-  SessionRequest request;
+  Request request;
   std::vector<double> alphas;  // Å²
   int cgal_threads = 1;
   bool definition = false;  // also check the definition of the complex, without CGAL
@@ -80,7 +80,7 @@ struct VerifyOptions {
 struct BenchOptions {
   InputOptions input;
   std::vector<std::string> files;
-  SessionRequest request;
+  Request request;
   std::vector<double> alphas;  // Å²
   std::vector<int> threads{1};
   int runs = 5;
@@ -95,7 +95,7 @@ struct BenchOptions {
 
 struct ScreenshotCommandOptions {
   InputOptions input;
-  SessionRequest request;
+  Request request;
   std::string size = "1280x800";
   std::filesystem::path out;
   bool transparent = false, light = false, no_balls = false, grown = false, boundary = false;

@@ -24,7 +24,7 @@ std::string count_text(const AlphaComplex& complex, const List& list) {
   return complex.tetrahedra_only ? "" : std::to_string(list.size());
 }
 
-CsvRow csv_row(const Input& input, const SessionRequest& request, const AlphaComplex& complex) {
+CsvRow csv_row(const Input& input, const Request& request, const AlphaComplex& complex) {
   CsvRow row{{"model", model_text(input.balls.model)},
              {"balls", std::to_string(input.prepared().balls->size())},
              {"alpha_angstrom2", number_text(request.alpha_angstrom2)},
@@ -52,7 +52,7 @@ CsvRow csv_row(const Input& input, const SessionRequest& request, const AlphaCom
   return row;
 }
 
-std::string request_text(const SessionRequest& request) {
+std::string request_text(const Request& request) {
   return "alpha       " + number_text(request.alpha_angstrom2) + " Å², solvent radius " +
          number_text(request.solvent_radius_angstrom) + " Å\n";
 }
@@ -64,8 +64,7 @@ std::string effort_text(const Input& input) {
 }
 
 // Not written out before the files are whole, so that `| head` costs none of them.
-void print_one(const Input& input, const SessionRequest& request,
-               const EngineCache::Result& result) {
+void print_one(const Input& input, const Request& request, const EngineCache::Result& result) {
   std::cout << input_text(input) << "sha256      " << input.molecule().sha256 << "\n"
             << request_text(request) << complex_text(result.complex, verbosity());
   if (!result.note.empty() && verbosity() != Verbosity::quiet) {
@@ -81,7 +80,7 @@ class ResultTable {
   ResultTable(const std::vector<std::string>& files, bool many, bool models)
       : many_(many), models_(models), table_(columns(files, many, models)) {}
 
-  void print(const std::string& file, const Input& input, const SessionRequest& request,
+  void print(const std::string& file, const Input& input, const Request& request,
              const EngineCache::Result& result) {
     const std::string rounding = rounding_note(request, result.complex.lattice);
     if (!begun_) {
@@ -116,7 +115,7 @@ class ResultTable {
     return columns;
   }
 
-  void print_heading(const Input& input, const SessionRequest& request, const std::string& note) {
+  void print_heading(const Input& input, const Request& request, const std::string& note) {
     if (!many_) std::cout << input_text(input) << "sha256      " << input.molecule().sha256 << "\n";
     std::cout << request_text(request);
     if (many_ && !note.empty() && verbosity() != Verbosity::quiet) print_error(note);
@@ -144,8 +143,7 @@ class ResultTable {
   Table table_;
 };
 
-Json result_json(const Input& input, const SessionRequest& request,
-                 const EngineCache::Result& result) {
+Json result_json(const Input& input, const Request& request, const EngineCache::Result& result) {
   Json json = complex_json(result.complex, result.note);
   json["request"] = request_json(request, result.balls->lattice);
   json["input"] = input_json(input);
@@ -156,7 +154,7 @@ Json result_json(const Input& input, const SessionRequest& request,
 
 ExitCode run_compute(const ComputeOptions& options) {
   const RunContext& context = run_context();
-  const SessionRequest& request = options.request;
+  const Request& request = options.request;
   const bool many = options.files.many(), each = each_model(options.input);
   const OpenOptions open = open_options(options.input, context);
   const std::vector<std::string> files = file_names(options.files);

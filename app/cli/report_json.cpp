@@ -58,7 +58,7 @@ Json input_json(const Input& input) {
   return json;
 }
 
-Json request_json(const SessionRequest& request, const Lattice& lattice) {
+Json request_json(const Request& request, const Lattice& lattice) {
   const double on_lattice = lattice.alpha_on_lattice(request.alpha_angstrom2);
   Json json{{"alpha_angstrom2", request.alpha_angstrom2},
             {"alpha_used_square_lattice_units", on_lattice},
@@ -131,7 +131,7 @@ Json comparison_json(const Comparison& comparison) {
   return json;
 }
 
-ComplexHeader complex_header(const Input& input, const SessionRequest& request,
+ComplexHeader complex_header(const Input& input, const Request& request,
                              const EngineCache::Result& result) {
   return result_header("alphascope-cli", input.provenance(), input.molecule().notes,
                        {request, result.complex, result.note});

@@ -79,11 +79,11 @@ const char* verdict(const Comparison& comparison) {
 }
 
 // One alpha: computes both, prints, fills `json`; true when nothing is wrong.
-bool verify_one(const Input& input, const SessionRequest& request, const VerifyOptions& options,
+bool verify_one(const Input& input, const Request& request, const VerifyOptions& options,
                 EngineCache& ours, EngineCache& reference, std::ostream& out, Json& json) {
   const RunContext& context = run_context();
   const EngineCache::Result mine = ours.compute(input.prepared().balls, request, context);
-  SessionRequest cgal = request;
+  Request cgal = request;
   cgal.engine = EngineChoice::cgal;
   cgal.threads = options.cgal_threads;
   const EngineCache::Result theirs = reference.compute(input.prepared().balls, cgal, context);
@@ -124,7 +124,7 @@ ExitCode run_verify(const VerifyOptions& options) {
     if (first_input.is_null()) first_input = input_json(input);
     EngineCache ours(&make_engine), reference(&make_engine);
     for (const double alpha : options.alphas) {
-      SessionRequest request = options.request;
+      Request request = options.request;
       request.alpha_angstrom2 = alpha;
       Json json;
       all_good &= verify_one(input, request, options, ours, reference, out, json);

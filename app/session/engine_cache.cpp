@@ -10,7 +10,7 @@
 namespace alphascope {
 
 EngineCache::Entry& EngineCache::find_or_make(const std::shared_ptr<const BallSet>& balls,
-                                              const SessionRequest& request) {
+                                              const Request& request) {
   const auto fits = [&](const Entry& entry) {
     return entry.base == balls &&
            entry.solvent_radius_angstrom == request.solvent_radius_angstrom &&
@@ -37,7 +37,7 @@ EngineCache::Entry& EngineCache::find_or_make(const std::shared_ptr<const BallSe
 }
 
 // A first answer without set-up stages follows one that was cancelled after them: it is not cold.
-EngineCache::Result EngineCache::answer(Entry& entry, const SessionRequest& request,
+EngineCache::Result EngineCache::answer(Entry& entry, const Request& request,
                                         const RunContext& context) {
   AlphaComplex complex =
       entry.made.engine->compute({request.alpha_angstrom2, request.tetrahedra_only}, context);
@@ -52,7 +52,7 @@ EngineCache::Result EngineCache::answer(Entry& entry, const SessionRequest& requ
 }
 
 EngineCache::Result EngineCache::compute(const std::shared_ptr<const BallSet>& balls,
-                                         const SessionRequest& request, const RunContext& context) {
+                                         const Request& request, const RunContext& context) {
   context.cancel.throw_if_cancelled();
   Entry& entry = find_or_make(balls, request);
   // What another engine keeps for its next results would be idle, and is much on a GPU.

@@ -7,19 +7,9 @@
 #include <string>
 
 #include "app/session/engines.hpp"
+#include "core/document/request.hpp"
 
 namespace alphascope {
-
-// What one recompute is about. Lengths in Å, alpha in Å².
-struct SessionRequest {
-  double alpha_angstrom2 = 0;
-  double solvent_radius_angstrom = 0;
-  bool tetrahedra_only = false;
-  EngineChoice engine = EngineChoice::automatic;
-  int threads = 0;           // 0: as many as the machine has
-  TupleOptions tuples = {};  // of the tuple engines only
-  friend bool operator==(const SessionRequest&, const SessionRequest&) = default;
-};
 
 // Belongs to one thread at a time.
 class EngineCache {
@@ -36,7 +26,7 @@ class EngineCache {
   // `balls` without solvent radius. An automatic choice of the GPU that fails while computing is
   // answered by the CPU, with a note. Throws what make_engine(), with_solvent() and
   // Engine::compute() throw.
-  Result compute(const std::shared_ptr<const BallSet>& balls, const SessionRequest& request,
+  Result compute(const std::shared_ptr<const BallSet>& balls, const Request& request,
                  const RunContext& context);
 
   void clear() { entries_.clear(); }
@@ -55,8 +45,8 @@ class EngineCache {
     bool answered = false;  // by `made`
   };
 
-  static Result answer(Entry& entry, const SessionRequest& request, const RunContext& context);
-  Entry& find_or_make(const std::shared_ptr<const BallSet>& balls, const SessionRequest& request);
+  static Result answer(Entry& entry, const Request& request, const RunContext& context);
+  Entry& find_or_make(const std::shared_ptr<const BallSet>& balls, const Request& request);
 
   EngineFactory factory_;
   std::list<Entry> entries_;  // the last used one first

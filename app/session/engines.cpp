@@ -1,6 +1,5 @@
 #include "app/session/engines.hpp"
 
-#include <array>
 #include <stdexcept>
 #include <utility>
 
@@ -12,15 +11,6 @@
 
 namespace alphascope {
 namespace {
-
-constexpr std::array<std::pair<EngineChoice, std::string_view>, 6> kIds{{
-    {EngineChoice::automatic, "auto"},
-    {EngineChoice::cpu, "cpu"},
-    {EngineChoice::cgal, "cgal"},
-    {EngineChoice::gpu, "gpu"},
-    {EngineChoice::tuples_cpu, "tuples-cpu"},
-    {EngineChoice::tuples_gpu, "tuples-gpu"},
-}};
 
 std::unique_ptr<Engine> try_gpu(const std::shared_ptr<const BallSet>& balls, int threads,
                                 std::string& why_not) {
@@ -53,20 +43,6 @@ MadeEngine make_tuples_on_gpu(std::shared_ptr<const BallSet> balls, const TupleO
 }
 
 }  // namespace
-
-std::string_view engine_id(EngineChoice choice) {
-  for (const auto& [value, id] : kIds) {
-    if (value == choice) return id;
-  }
-  return "auto";
-}
-
-std::optional<EngineChoice> engine_from_id(std::string_view id) {
-  for (const auto& [value, name] : kIds) {
-    if (name == id) return value;
-  }
-  return std::nullopt;
-}
 
 bool is_engine_memory_unused() {
 #ifdef ALPHASCOPE_HAS_GPU

@@ -3,25 +3,13 @@
 
 #include <functional>
 #include <memory>
-#include <optional>
 #include <string>
-#include <string_view>
 
 #include "core/engine/engine.hpp"
+#include "core/engine/engine_choice.hpp"
 #include "core/tuples/tuple_options.hpp"
 
 namespace alphascope {
-
-// automatic: the GPU when it can be used, else the CPU. The tuple engines are the thesis' pipeline.
-enum class EngineChoice { automatic, cpu, cgal, gpu, tuples_cpu, tuples_gpu };
-
-// "auto", "cpu", "cgal", "gpu", "tuples-cpu", "tuples-gpu"
-std::string_view engine_id(EngineChoice choice);
-std::optional<EngineChoice> engine_from_id(std::string_view id);
-
-inline bool is_tuple_engine(EngineChoice choice) {
-  return choice == EngineChoice::tuples_cpu || choice == EngineChoice::tuples_gpu;
-}
 
 // The chosen engine cannot work here; what() says why and what to choose instead.
 struct EngineUnavailable : std::runtime_error {

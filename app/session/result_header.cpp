@@ -26,7 +26,7 @@ std::string program_text(std::string_view program) {
 
 ComplexHeader result_header(std::string_view program, const Provenance& balls,
                             const std::vector<std::string>& notes, const AnswerOf& answer) {
-  const SessionRequest& request = answer.request;
+  const Request& request = answer.request;
   const AlphaComplex& complex = answer.complex;
   ComplexHeader header{{"program", program_text(program)}};
   header.insert(header.end(), balls.begin(), balls.end());

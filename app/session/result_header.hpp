@@ -18,7 +18,7 @@ std::string program_text(std::string_view program);
 
 // What an engine answered, and what is to be known of it.
 struct AnswerOf {
-  const SessionRequest& request;
+  const Request& request;
   const AlphaComplex& complex;
   const std::string& engine_note;  // may be empty
 };

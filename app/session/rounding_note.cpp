@@ -16,14 +16,14 @@ std::string text_of(double number) {
 
 }  // namespace
 
-double solvent_rounding_angstrom(const SessionRequest& request, const Lattice& lattice) {
+double solvent_rounding_angstrom(const Request& request, const Lattice& lattice) {
   const double asked = request.solvent_radius_angstrom;
   if (lattice.holds(asked)) return 0;
   // Of 1.4 - 1 the decimals are wanted, not the double's.
   return std::round(std::fabs(solvent_on_lattice(lattice, asked) - asked) * 1e12) / 1e12;
 }
 
-std::string rounding_note(const SessionRequest& request, const Lattice& lattice) {
+std::string rounding_note(const Request& request, const Lattice& lattice) {
   std::string text;
   const std::string unit = text_of(lattice.unit_angstrom()) + " Å";
   const double solvent = request.solvent_radius_angstrom, alpha = request.alpha_angstrom2;

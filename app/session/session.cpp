@@ -11,7 +11,7 @@ namespace {
 // flow while the hand moves; longer ones give way to the newest request.
 constexpr std::chrono::milliseconds kSliderGrace{150};
 
-bool same_engine(const SessionRequest& a, const SessionRequest& b) {
+bool same_engine(const Request& a, const Request& b) {
   return a.solvent_radius_angstrom == b.solvent_radius_angstrom && a.engine == b.engine &&
          a.threads == b.threads && a.tuples == b.tuples;
 }
@@ -136,7 +136,7 @@ void Session::opening_failed() {
   }
 }
 
-void Session::set_request(const SessionRequest& request) {
+void Session::set_request(const Request& request) {
   if (request == state_.request && (state_.up_to_date() || computer_.activity().busy)) return;
   if (!same_engine(request, state_.request)) state_.our_timings = {};
   if (request.solvent_radius_angstrom != state_.request.solvent_radius_angstrom) {
@@ -192,8 +192,8 @@ void Session::cancel_comparison() {
 }
 
 // Without the tuple engine's switches: they are nothing to CGAL, whose triangulation is kept.
-SessionRequest Session::reference_request(int threads) const {
-  SessionRequest request = state_.ours->request;
+Request Session::reference_request(int threads) const {
+  Request request = state_.ours->request;
   request.engine = EngineChoice::cgal;
   request.threads = threads;
   request.tuples = {};
@@ -202,7 +202,7 @@ SessionRequest Session::reference_request(int threads) const {
 
 void Session::submit_comparison() {
   comparison_wanted_ = timing_parallel_ = false;
-  const SessionRequest request = reference_request(comparison_threads_);
+  const Request request = reference_request(comparison_threads_);
   const bool anew = std::exchange(reference_anew_, false);
   comparer_.submit(
       [this, anew, request, ours = state_.ours,
@@ -236,7 +236,7 @@ void Session::take_agreement(std::shared_ptr<const Agreement> agreement) {
 
 void Session::submit_parallel_timing() {
   timing_parallel_ = true;
-  const SessionRequest request = reference_request(services_.cgal_threads);
+  const Request request = reference_request(services_.cgal_threads);
   comparer_.submit(
       [this, request, ours = state_.ours, references = references_](const RunContext& context) {
         EngineCache::Result result = references->compute(ours->prepared->balls, request, context);

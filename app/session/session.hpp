@@ -17,7 +17,7 @@ namespace alphascope {
 
 // One computed complex; immutable once handed over.
 struct Answer {
-  SessionRequest request;
+  Request request;
   std::shared_ptr<const PreparedBalls> prepared;
   std::shared_ptr<const BallSet> balls;  // with the solvent radius: what the engine saw
   AlphaComplex complex;
@@ -38,7 +38,7 @@ struct SessionState {
   std::shared_ptr<const OpenedMolecule> opened;  // what the next two are parts of
   std::shared_ptr<const Molecule> molecule;
   std::shared_ptr<const PreparedBalls> prepared;  // radii before any solvent radius
-  SessionRequest request;                         // the latest asked for
+  Request request;                                // the latest asked for
   std::shared_ptr<const Answer> ours;
   std::shared_ptr<const Agreement> agreement;  // of `ours` when agreement->ours == ours
   ColdAndWarm our_timings, reference_timings;  // of the present balls, solvent radius and engine
@@ -101,7 +101,7 @@ class Session {
   void cancel_opening() { opener_.cancel(); }
 
   // Latest wins. Does nothing when `request` is the present one and already answered or on its way.
-  void set_request(const SessionRequest& request);
+  void set_request(const Request& request);
   void cancel_computing() { computer_.cancel(); }
   // Answers the present request once more, set-up included, as if the molecule had just been
   // opened; so does CGAL when it is next asked to compare. For the cold times of engines that were
@@ -125,7 +125,7 @@ class Session {
   void opening_failed();
   enum class Engines { kept, anew };
   void submit_compute(Engines which = Engines::kept);
-  SessionRequest reference_request(int threads) const;
+  Request reference_request(int threads) const;
   void submit_comparison();
   void submit_parallel_timing();
   void take_parallel_timing(const Answer& ours, const EngineCache::Result& times);

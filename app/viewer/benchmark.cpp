@@ -71,11 +71,7 @@ ThesisOptions to_options(const BenchmarkControls& c, double solvent) {
   ThesisOptions options;
   options.alphas = parse_alphas(c.alphas);
   for (const EngineChoice choice : thesis_engines(machine_info())) {
-    const bool wanted = choice == EngineChoice::tuples_gpu   ? c.tuples_gpu
-                        : choice == EngineChoice::gpu        ? c.gpu
-                        : choice == EngineChoice::tuples_cpu ? c.tuples_cpu
-                                                             : c.cpu;
-    if (wanted) options.engines.push_back(choice);
+    if (c.engines.contains(choice)) options.engines.push_back(choice);
   }
   options.solvent_radius_angstrom = solvent;
   options.repeats = c.runs;

@@ -203,15 +203,14 @@ MoleculeInfo describe_molecule(const OpenedMolecule& opened) {
   return info;
 }
 
-std::vector<GrownRadius> grown_radii(const PreparedBalls& prepared,
-                                     const ComputeControls& controls) {
+std::vector<GrownRadius> grown_radii(const PreparedBalls& prepared, const Request& controls) {
   std::vector<GrownRadius> result;
   for (const BallSize& size : prepared.report.sizes) {
     GrownRadius row;
     if (size.element != kUnknownElement) row.element = element_symbol(size.element);
     row.radius = prepared.balls->lattice.angstrom(size.radius);
-    const double with_solvent = row.radius + controls.solvent;
-    row.grown = std::sqrt(std::max(0.0, with_solvent * with_solvent + controls.alpha));
+    const double with_solvent = row.radius + controls.solvent_radius_angstrom;
+    row.grown = std::sqrt(std::max(0.0, with_solvent * with_solvent + controls.alpha_angstrom2));
     result.push_back(std::move(row));
   }
   return result;

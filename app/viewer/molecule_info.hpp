@@ -12,8 +12,7 @@ namespace alphascope {
 MoleculeInfo describe_molecule(const OpenedMolecule& opened);
 
 // Elements with their radii, grown by the solvent radius (Å) and alpha (Å²), most frequent first.
-std::vector<GrownRadius> grown_radii(const PreparedBalls& prepared,
-                                     const ComputeControls& controls);
+std::vector<GrownRadius> grown_radii(const PreparedBalls& prepared, const Request& controls);
 
 // The sets that the window offers, in the order of ViewState::radii_sets.
 std::vector<RadiiSet> offered_radii_sets();

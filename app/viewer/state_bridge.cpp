@@ -47,31 +47,17 @@ std::string differences(const Comparison& c) {
   return text;
 }
 
-// Of other engines the switches are none of the request: it must not change with them.
-TupleOptions to_tuple_options(const ComputeControls& controls) {
-  if (!is_tuple_engine(controls.engine)) return {};
-  const TupleControls& c = controls.tuples;
-  TupleOptions t;
-  t.grid = c.suited_grid ? TupleGridKind::automatic : TupleGridKind::thesis;
-  t.edge_optimisation = c.edge_optimisation;
-  t.alpha_optimisation = c.alpha_optimisation;
-  if (controls.engine == EngineOption::tuples_cpu) return t;
-  t.pinned = c.pinned;
-  t.texture = c.texture;
-  if (!c.streams) t.streams = 1;
-  return t;
-}
-
 }  // namespace
 
 std::string describe_ball(const Molecule& molecule, const PreparedBalls& prepared,
-                          const ComputeControls& controls, std::size_t ball) {
+                          const Request& controls, std::size_t ball) {
   const BallSet& balls = *prepared.balls;
   const Lattice& lattice = balls.lattice;
   const LatticePoint& c = balls.centres[ball];
   const double radius = lattice.angstrom(balls.radii[ball]),
-               with_solvent = radius + controls.solvent;
-  const double grown = std::sqrt(std::max(0.0, with_solvent * with_solvent + controls.alpha));
+               with_solvent = radius + controls.solvent_radius_angstrom;
+  const double grown =
+      std::sqrt(std::max(0.0, with_solvent * with_solvent + controls.alpha_angstrom2));
   const int digits = std::clamp(lattice.digits, 0, 4);
   const auto coordinate = [&](std::int32_t x) {
     return short_number_text(lattice.angstrom(x), digits);
@@ -136,35 +122,6 @@ GpuInfo describe_gpu(const MachineInfo& machine) {
           machine.gpu_capability,
           machine.gpu_memory_bytes,
           machine.gpu_why_not};
-}
-
-SessionRequest to_request(const ComputeControls& controls) {
-  SessionRequest request;
-  request.alpha_angstrom2 = controls.alpha;
-  request.solvent_radius_angstrom = controls.solvent;
-  request.tetrahedra_only = controls.tetrahedra_only;
-  request.tuples = to_tuple_options(controls);
-  switch (controls.engine) {
-    case EngineOption::automatic:
-      request.engine = EngineChoice::automatic;
-      break;
-    case EngineOption::gpu:
-      request.engine = EngineChoice::gpu;
-      break;
-    case EngineOption::cpu:
-      request.engine = EngineChoice::cpu;
-      break;
-    case EngineOption::tuples_gpu:
-      request.engine = EngineChoice::tuples_gpu;
-      break;
-    case EngineOption::tuples_cpu:
-      request.engine = EngineChoice::tuples_cpu;
-      break;
-    case EngineOption::cgal:
-      request.engine = EngineChoice::cgal;
-      break;
-  }
-  return request;
 }
 
 }  // namespace alphascope

@@ -9,12 +9,11 @@ namespace alphascope {
 
 // Name, place and radii of one ball, in lines.
 std::string describe_ball(const Molecule& molecule, const PreparedBalls& prepared,
-                          const ComputeControls& controls, std::size_t ball);
+                          const Request& controls, std::size_t ball);
 
 ResultInfo describe_answer(const Answer& answer);
 std::optional<EngineTimings> describe_timings(const ColdAndWarm& timings);  // nothing for no run
 BadgeInfo describe_agreement(const SessionState& state, bool comparing);
 
 GpuInfo describe_gpu(const MachineInfo& machine);
-SessionRequest to_request(const ComputeControls& controls);
 }  // namespace alphascope

@@ -49,12 +49,12 @@ Viewer::Viewer(Host& host, const ViewerOptions& options, Session::Services servi
       session_([&host] { host.wake(); }, std::move(services)) {
   fill_constants();
   state_.theme = options.light ? Theme::light : Theme::dark;
-  state_.compute.alpha = options.alpha;
-  state_.compute.solvent = options.solvent;
+  state_.compute.alpha_angstrom2 = options.alpha;
+  state_.compute.solvent_radius_angstrom = options.solvent;
   state_.compute.tetrahedra_only = options.tetrahedra_only;
   state_.auto_compare = options.compare;
   sent_compute_ = state_.compute;
-  session_.set_request(to_request(state_.compute));
+  session_.set_request(canonical(state_.compute));
   session_.set_open_options(to_open_options(state_.selection, radii_sets_));
   scene_.set_display(state_.display, state_.theme);
   if (options.file) open(*options.file);
@@ -267,7 +267,7 @@ void Viewer::take_saved() {
 void Viewer::send_controls() {
   if (state_.compute != sent_compute_) {
     sent_compute_ = state_.compute;
-    session_.set_request(to_request(state_.compute));
+    session_.set_request(canonical(state_.compute));
     const SessionState& s = session_.state();
     if (s.prepared) state_.molecule.radii = grown_radii(*s.prepared, state_.compute);
     frames_due_ = kSettlingFrames;
@@ -313,12 +313,12 @@ void Viewer::describe_under_mouse() {
 void Viewer::play() {
   bool& playing = state_.memory.playing;
   if (!playing || !session_.state().up_to_date() || scene_.busy()) return;
-  const double alpha = state_.compute.alpha;
+  const double alpha = state_.compute.alpha_angstrom2;
   if (alpha >= kPlayUntil) {
     playing = false;
     return;
   }
-  state_.compute.set_alpha(std::round((alpha + kPlayStep) * 1000) / 1000);
+  set_alpha(state_.compute, std::round((alpha + kPlayStep) * 1000) / 1000);
   frames_due_ = kSettlingFrames;
 }
 

@@ -90,7 +90,7 @@ class Viewer {
   SceneController scene_;
   std::vector<RadiiSet> radii_sets_;
   std::vector<std::filesystem::path> sample_paths_;
-  ComputeControls sent_compute_;
+  Request sent_compute_;
   SelectionControls sent_selection_;
   std::shared_ptr<const Molecule> shown_file_;  // as deposited
   std::string drop_note_when_open_;             // of the file that is being read

@@ -38,7 +38,7 @@ struct EngineCounter {
 
 // Which engine made the result, for display and provenance.
 struct EngineInfo {
-  std::string name;    // "facet engine", "CGAL triangulation"
+  std::string name;    // "dual-edge engine", "CGAL triangulation"
   std::string device;  // "CPU, 2 threads", "NVIDIA H200"
   std::string route;   // what this run did: "dual edge clipping", "regular triangulation, then
                        // threshold", "threshold of cached filtration"

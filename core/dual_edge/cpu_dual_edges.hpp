@@ -1,5 +1,6 @@
-// The kernels of the facet engine on the CPU (oneTBB): from balls to K_alpha in the stages of the
-// stage table. Choosing between this and other routes is facet_engine.cpp's business.
+// The kernels of the dual-edge engine on the CPU (oneTBB): from balls to K_alpha in the stages of
+// the stage table. Choosing between this and other routes is core/engines/cpu_engine.cpp's
+// business.
 #pragma once
 
 #include <vector>

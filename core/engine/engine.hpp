@@ -42,7 +42,7 @@ struct EngineOptions {
 
 // Each of these throws std::length_error for more balls than can be handled (count_limits.hpp).
 
-// Facet clipping for small alpha; hands over to CGAL's triangulation where that is faster, and
+// Dual edge clipping for small alpha; hands over to CGAL's triangulation where that is faster, and
 // answers from a cached filtration when it holds one. (core/engines/cpu_engine.cpp)
 std::unique_ptr<Engine> make_cpu_engine(std::shared_ptr<const BallSet> balls,
                                         EngineOptions options = {});

@@ -20,7 +20,7 @@ namespace {
 // Microseconds of one thread per ball: a fit to 1K4C (16,068 balls, alpha 0 to 14 and
 // solvent 1.4: 5.8 to 88 neighbours a ball) on one core of an AMD EPYC. Only the choice of a route
 // depends on it, never a result.
-double facet_cost(const NeighbourMoments& m, bool tetrahedra_only) {
+double clipping_cost(const NeighbourMoments& m, bool tetrahedra_only) {
   return tetrahedra_only ? 0.1 + 0.085 * m.mean + 0.0034 * m.mean_square
                          : 0.1 + 0.2 * m.mean + 0.0025 * m.mean_square;
 }
@@ -29,14 +29,14 @@ constexpr std::size_t kCostSamples = 256;
 double triangulation_cost(bool tetrahedra_only) {
   return tetrahedra_only ? 3.7 : 8.2;
 }
-// Facets scale with the threads; the triangulation does so less.
+// Clipping scales with the threads; the triangulation does so less.
 double triangulation_speed_up(int threads) {
   return std::pow(threads, 0.75);
 }
 
-class FacetEngine : public Engine {
+class CpuEngine : public Engine {
  public:
-  FacetEngine(std::shared_ptr<const BallSet> balls, EngineOptions options)
+  CpuEngine(std::shared_ptr<const BallSet> balls, EngineOptions options)
       : balls_(std::move(balls)),
         options_(options),
         arena_(options.threads > 0 ? options.threads : tbb::task_arena::automatic) {}
@@ -52,7 +52,7 @@ class FacetEngine : public Engine {
       timer.finish();
     });
     complex.timings = std::move(times);
-    complex.engine.name = "facet engine";
+    complex.engine.name = "dual-edge engine";
     complex.engine.device = cpu_text(arena_);
     return complex;
   }
@@ -86,10 +86,10 @@ class FacetEngine : public Engine {
     // A search of everything against everything is never worth it, whatever a sample says.
     const double search_cost = grid.search_cost();
     const bool local = search_cost < 2000.0 * static_cast<double>(grid.size()) + 1e6 &&
-                       2 * largest_reach(grid) < kMaxFacetReach;
+                       2 * largest_reach(grid) < kMaxClippingReach;
     const int threads = threads_used(arena_);
     const bool clip =
-        local && facet_cost(sample_neighbours(grid, kCostSamples), tetrahedra_only) / threads <
+        local && clipping_cost(sample_neighbours(grid, kCostSamples), tetrahedra_only) / threads <
                      triangulation_cost(tetrahedra_only) / triangulation_speed_up(threads);
     timer.lap(stage::kGrid);
     return clip ? clipped(grid, alpha, tetrahedra_only, context, timer)
@@ -132,8 +132,9 @@ class FacetEngine : public Engine {
     return complex;
   }
 
-  // Beyond this reach (lattice units) differences of neighbours may leave the facet kernels' range.
-  static constexpr double kMaxFacetReach = 1 << 29;
+  // Beyond this reach (lattice units) differences of neighbours may leave the clipping kernels'
+  // range.
+  static constexpr double kMaxClippingReach = 1 << 29;
   static double largest_reach(const UniformGrid& grid) {
     double largest = 0;
     for (const float reach : grid.reach) largest = std::max(largest, static_cast<double>(reach));
@@ -155,7 +156,7 @@ class FacetEngine : public Engine {
 std::unique_ptr<Engine> make_cpu_engine(std::shared_ptr<const BallSet> balls,
                                         EngineOptions options) {
   require_balls(balls->size());
-  return std::make_unique<FacetEngine>(std::move(balls), options);
+  return std::make_unique<CpuEngine>(std::move(balls), options);
 }
 
 }  // namespace alphascope

@@ -1,8 +1,8 @@
-// The CUDA executor of the facet engine: one block takes a run of balls through neighbours (kernel
-// I: lists, which neighbours meet, triangles ijk worth a look) and dual edges in single precision
-// with certified errors (kernel II), and writes the simplices whose lowest vertex is one of its
-// balls. A ball with an undecided simplex goes, whole, to the same kernel with double precision and
-// exact integers (kernel III). The bodies per triangle and edge are
+// The CUDA executor of the dual-edge engine: one block takes a run of balls through neighbours
+// (kernel I: lists, which neighbours meet, triangles ijk worth a look) and dual edges in single
+// precision with certified errors (kernel II), and writes the simplices whose lowest vertex is one
+// of its balls. A ball with an undecided simplex goes, whole, to the same kernel with double
+// precision and exact integers (kernel III). The bodies per triangle and edge are
 // core/dual_edge/triangle_faces.hpp and facet_disc.hpp.
 #pragma once
 

@@ -1,5 +1,5 @@
-// A run of the facet engine on the device: dual edges, then the result in lexicographic order. A
-// run that finds too little room is repeated with what it needed.
+// A run of the dual-edge engine on the device: dual edges, then the result in lexicographic order.
+// A run that finds too little room is repeated with what it needed.
 #include <string>
 
 #include "core/run/internal_error.hpp"
@@ -407,8 +407,8 @@ class Run {
 
 }  // namespace
 
-PipelineResult FacetPipeline::run(double alpha, bool tetrahedra_only, const CancelToken& cancel,
-                                  StageTimes* times) {
+PipelineResult DualEdgePipeline::run(double alpha, bool tetrahedra_only, const CancelToken& cancel,
+                                     StageTimes* times) {
   State& s = *state_;
   if (s.n == 0 || static_cast<double>(s.max_radius) * s.max_radius + alpha < 0) return {};
   const std::optional<Problem> plan = s.plan(alpha, !tetrahedra_only);

@@ -17,7 +17,7 @@ struct Part {
 
 class Ordering {
  public:
-  Ordering(FacetPipeline::State& state, const Problem& plan, const ResultLayout& layout,
+  Ordering(DualEdgePipeline::State& state, const Problem& plan, const ResultLayout& layout,
            cudaStream_t stream)
       : s_(state), plan_(plan), stream_(stream), ordered_(ordered(layout)) {}
 
@@ -101,7 +101,7 @@ class Ordering {
             s_.places.get() + chunk.begin, chunk.end - chunk.begin + 1, stream_);
   }
 
-  FacetPipeline::State& s_;
+  DualEdgePipeline::State& s_;
   const Problem& plan_;
   const cudaStream_t stream_;
   const OrderedResult ordered_;

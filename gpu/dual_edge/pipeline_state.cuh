@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "gpu/dual_edge/ball_wire.cuh"
-#include "gpu/dual_edge/facet_pipeline.hpp"
+#include "gpu/dual_edge/dual_edge_pipeline.hpp"
 #include "gpu/dual_edge/problem.cuh"
 #include "gpu/memory/device_buffer.cuh"
 #include "gpu/memory/handles.cuh"
@@ -158,7 +158,7 @@ struct Queues {
 };
 
 // The buffers of one set of balls, kept from run to run, and what earlier runs needed.
-struct FacetPipeline::State {
+struct DualEdgePipeline::State {
   Queues queues;
   std::size_t n = 0;
   LatticePoint low, high;

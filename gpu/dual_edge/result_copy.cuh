@@ -9,7 +9,7 @@ namespace alphascope::gpu {
 
 class ResultCopy {
  public:
-  ResultCopy(FacetPipeline::State& state, bool whole) : s_(state), whole_(whole) {}
+  ResultCopy(DualEdgePipeline::State& state, bool whole) : s_(state), whole_(whole) {}
 
   // Memory on the host; whether the system was asked for it.
   bool make_room(const ResultLayout& layout) {
@@ -122,7 +122,7 @@ class ResultCopy {
     return list;
   }
 
-  FacetPipeline::State& s_;
+  DualEdgePipeline::State& s_;
   const bool whole_;
   std::shared_ptr<unsigned char> memory_;
   std::size_t room_ = 0;  // bytes there

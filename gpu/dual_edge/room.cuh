@@ -7,7 +7,7 @@
 
 namespace alphascope::gpu {
 
-using State = FacetPipeline::State;
+using State = DualEdgePipeline::State;
 using Need = State::Need;
 
 inline std::uint32_t whole_words(double list) {
@@ -212,7 +212,7 @@ inline Need first_need(const State& s, double alpha, bool whole) {
 // hidden behind work except the last one's. Fitted to times on an H200. The first run of a set
 // takes all at once: how many simplices there will be is a guess, too much memory to pin.
 inline int chunk_count(const State& s, const Need& need, std::size_t bytes) {
-  const int forced = FacetPipeline::forced_chunks;
+  const int forced = DualEdgePipeline::forced_chunks;
   if (forced > 0) return std::min(forced, kMaxChunks);
   if (need.totals.empty()) return 1;
   const double megabytes = static_cast<double>(bytes) / 1e6;

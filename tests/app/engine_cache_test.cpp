@@ -13,8 +13,8 @@ using test::fake_factory;
 using test::FakeEngineLog;
 using test::few_balls;
 
-SessionRequest with_solvent_radius(double solvent) {
-  SessionRequest request;
+Request with_solvent_radius(double solvent) {
+  Request request;
   request.solvent_radius_angstrom = solvent;
   return request;
 }
@@ -23,7 +23,7 @@ TEST(EngineCache, KeepsTheEngineWhileOnlyAlphaMoves) {
   FakeEngineLog log;
   EngineCache cache(fake_factory(log));
   const auto balls = few_balls(4);
-  SessionRequest request;
+  Request request;
   for (double alpha : {0.0, 1.0, 2.0}) {
     request.alpha_angstrom2 = alpha;
     EXPECT_DOUBLE_EQ(cache.compute(balls, request, {}).complex.alpha_angstrom2(), alpha);
@@ -50,7 +50,7 @@ TEST(EngineCache, LetsTheEnginesThatAreNotAskedRest) {
   FakeEngineLog log;
   EngineCache cache(fake_factory(log));
   const auto balls = few_balls(4);
-  SessionRequest request;
+  Request request;
   request.engine = EngineChoice::gpu;
   cache.compute(balls, request, {});
   cache.compute(balls, request, {});
@@ -63,7 +63,7 @@ TEST(EngineCache, LetsTheEnginesThatAreNotAskedRest) {
 TEST(EngineCache, SaysWhatTheLatticeRounds) {
   FakeEngineLog log;
   EngineCache cache(fake_factory(log));
-  SessionRequest request = with_solvent_radius(0.0004);
+  Request request = with_solvent_radius(0.0004);
   request.alpha_angstrom2 = 1.4;
   const EngineCache::Result finer = cache.compute(few_balls(4), request, {});
   EXPECT_EQ(finer.balls->lattice.digits, 4);
@@ -86,7 +86,7 @@ TEST(EngineCache, TellsEnginesApartByTheirSwitches) {
   FakeEngineLog log;
   EngineCache cache(fake_factory(log));
   const auto balls = few_balls(4);
-  SessionRequest request;
+  Request request;
   request.engine = EngineChoice::tuples_cpu;
   cache.compute(balls, request, {});
   cache.compute(balls, request, {});
@@ -125,7 +125,7 @@ TEST(EngineCache, AFailingGpuIsAnErrorWhenItWasAskedFor) {
   FakeEngineLog log;
   log.fail_gpu = true;
   EngineCache cache(fake_factory(log, true));
-  SessionRequest request;
+  Request request;
   request.engine = EngineChoice::gpu;
   EXPECT_THROW(cache.compute(few_balls(4), request, {}), std::runtime_error);
 }

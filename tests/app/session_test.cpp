@@ -70,8 +70,8 @@ class SessionTest : public ::testing::Test {
     return true;
   }
 
-  static SessionRequest alpha(double value) {
-    SessionRequest request;
+  static Request alpha(double value) {
+    Request request;
     request.alpha_angstrom2 = value;
     return request;
   }
@@ -106,7 +106,7 @@ TEST_F(SessionTest, ColdAndWarmTimesAreKeptApart) {
   settle(*session);
   EXPECT_TRUE(session->state().our_timings.cold);
   EXPECT_TRUE(session->state().our_timings.warm);
-  SessionRequest grown = alpha(2);
+  Request grown = alpha(2);
   grown.solvent_radius_angstrom = 1.4;
   session->set_request(grown);
   settle(*session);
@@ -133,8 +133,8 @@ TEST_F(SessionTest, ComputingAnewGivesTheColdTimeOfAnEngineThatWasKept) {
   settle(*session);
   session->request_comparison();
   settle(*session);
-  const SessionRequest first = session->state().request;
-  SessionRequest other = first;
+  const Request first = session->state().request;
+  Request other = first;
   other.engine = EngineChoice::cpu;
   session->set_request(other);
   settle(*session);
@@ -178,7 +178,7 @@ TEST_F(SessionTest, SwitchesOfTheTupleEngineLeaveCgalsTriangulation) {
   Session session({}, services);
   session.open(good_);
   settle(session);
-  SessionRequest request = alpha(0);
+  Request request = alpha(0);
   request.engine = EngineChoice::tuples_cpu;
   for (const bool edge_optimisation : {true, false}) {
     request.tuples.edge_optimisation = edge_optimisation;
@@ -268,7 +268,7 @@ TEST_F(SessionTest, AFailedComputationIsReportedAndKeepsTheLastAnswer) {
   settle(*session);
   EXPECT_EQ(session->state().ours, before);
   EXPECT_NE(session->state().last_error.find("broken on purpose"), std::string::npos);
-  SessionRequest negative = alpha(3);
+  Request negative = alpha(3);
   negative.solvent_radius_angstrom = -1;
   session->set_request(negative);
   settle(*session);
@@ -337,7 +337,7 @@ TEST_F(SessionTest, CgalIsTimedWithAllThreadsToo) {
              session.state().parallel_timings.cold.has_value() == parallel;
     }));
     EXPECT_EQ(threads, parallel ? (std::vector<int>{1, 4}) : std::vector<int>{1});
-    SessionRequest other = alpha(0);
+    Request other = alpha(0);
     other.solvent_radius_angstrom = 1.4;
     session.set_request(other);
     EXPECT_FALSE(session.state().parallel_timings.cold) << "of other balls";
@@ -348,7 +348,7 @@ TEST_F(SessionTest, CgalIsTimedWithAllThreadsToo) {
 TEST_F(SessionTest, AnotherSwitchOfTheTupleEngineForgetsItsTimes) {
   const auto session = make();
   session->open(good_);
-  SessionRequest request = alpha(0);
+  Request request = alpha(0);
   request.engine = EngineChoice::tuples_cpu;
   session->set_request(request);
   settle(*session);

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "core/engine/engine.hpp"
-#include "gpu/dual_edge/facet_pipeline.hpp"
+#include "gpu/dual_edge/dual_edge_pipeline.hpp"
 #include "gpu/gpu_engine.hpp"
 #include "tests/bench/read_balls.hpp"
 #include "tests/support/device_engine.hpp"
@@ -147,7 +147,7 @@ void time_one(const std::string& name, const BallSet& balls, double solvent, dou
                 name.c_str(), grown.size(), solvent, alpha, time_cgal(shared, alpha, 1),
                 time_cgal(shared, alpha, 16));
   }
-  gpu::FacetPipeline pipeline(grown);
+  gpu::DualEdgePipeline pipeline(grown);
   const double a = grown.lattice.alpha_on_lattice(alpha);
   for (const bool only : {true, false}) {
     if (!only && !with_whole) continue;
@@ -242,7 +242,8 @@ int main(int argc, char** argv) {
   if (asked("time")) time_all(data);
   if (asked("huge")) time_huge(data);
   for (const std::string& word : words) {
-    if (word.starts_with("chunks:")) gpu::FacetPipeline::forced_chunks = std::stoi(word.substr(7));
+    if (word.starts_with("chunks:"))
+      gpu::DualEdgePipeline::forced_chunks = std::stoi(word.substr(7));
     if (word.starts_with("drag:")) time_drag(word.substr(5), data.balls(word.substr(5)));
     if (word.starts_with("one:")) time_row(data, word.substr(4));
   }

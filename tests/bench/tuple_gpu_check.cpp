@@ -1,9 +1,9 @@
 // Checks and times the tuple engine on a machine with a GPU. Usage:
 //   alphascope_tuple_gpu_check [FILE.balls|FILE.xyzr]...
-// First random and degenerate sets, then each file: every combination of switches against the facet
-// engine of the CPU, byte for byte; the counters against the tuple engine of the CPU; repeated runs
-// against each other. Then, for each file, times of the stages for every switch. Exit code 1 when
-// anything differs, 2 without a device.
+// First random and degenerate sets, then each file: every combination of switches against the
+// dual-edge engine of the CPU, byte for byte; the counters against the tuple engine of the CPU;
+// repeated runs against each other. Then, for each file, times of the stages for every switch. Exit
+// code 1 when anything differs, 2 without a device.
 #include <algorithm>
 #include <cstdio>
 #include <cstring>
@@ -81,13 +81,13 @@ std::unique_ptr<Engine> gpu_engine(const Balls& balls, const TupleOptions& optio
 
 void check(const std::string& name, const Balls& balls, const std::vector<double>& alphas,
            const std::vector<TupleOptions>& switches) {
-  const auto facets = make_cpu_engine(balls, {0, false});
+  const auto dual_edges = make_cpu_engine(balls, {0, false});
   std::vector<AlphaRequest> requests;
   std::vector<AlphaComplex> expected;
   for (const double alpha : alphas) {
     for (const bool only : {false, true}) {
       requests.push_back({alpha, only});
-      expected.push_back(facets->compute(requests.back(), {}));
+      expected.push_back(dual_edges->compute(requests.back(), {}));
     }
   }
   for (const TupleOptions& o : switches) {

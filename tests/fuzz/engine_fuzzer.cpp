@@ -12,7 +12,7 @@
 
 #include "core/complex/compare.hpp"
 #include "core/verify/verify.hpp"
-#include "tests/support/facet_only_engine.hpp"
+#include "tests/support/dual_edge_only_engine.hpp"
 
 namespace {
 
@@ -64,15 +64,15 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const auto balls = std::make_shared<const BallSet>(input.balls);
   const auto reference = make_cgal_engine(balls, {1});
   const auto cpu = make_cpu_engine(balls, {1});
-  testing::FacetOnlyEngine facets(balls, 1);
+  testing::DualEdgeOnlyEngine dual_edges(balls, 1);
   for (const double alpha : input.alphas) {
     const AlphaComplex expected = reference->compute({alpha}, {});
-    require(compare(facets.compute({alpha}, {}), expected).identical(), "facets differ", input,
-            alpha);
+    require(compare(dual_edges.compute({alpha}, {}), expected).identical(), "dual edges differ",
+            input, alpha);
     require(compare(cpu->compute({alpha}, {}), expected).identical(), "CPU engine differs", input,
             alpha);
-    require(compare(facets.compute({alpha, true}, {}), expected).identical(),
-            "tetrahedra of facets differ", input, alpha);
+    require(compare(dual_edges.compute({alpha, true}, {}), expected).identical(),
+            "tetrahedra of dual edges differ", input, alpha);
     require(verify(input.balls, expected).ok(), "definition not met", input, alpha);
   }
   return 0;

@@ -6,7 +6,7 @@
 
 #include <ostream>
 
-#include "gpu/dual_edge/facet_pipeline.hpp"
+#include "gpu/dual_edge/dual_edge_pipeline.hpp"
 #include "gpu/gpu_engine.hpp"
 #include "tests/support/random_balls.hpp"
 
@@ -28,13 +28,13 @@ class GpuFaults : public ::testing::TestWithParam<Given> {
  protected:
   void SetUp() override {
     if (!gpu_device().usable) GTEST_SKIP() << gpu_device().why_not;
-    gpu::FacetPipeline::forced_chunks = GetParam().chunks;
+    gpu::DualEdgePipeline::forced_chunks = GetParam().chunks;
     testing::Random random(31);
     balls_ = std::make_shared<const BallSet>(testing::large_hard_sets(random).front().balls);
   }
   void TearDown() override {
     Faults::none();
-    gpu::FacetPipeline::forced_chunks = 0;
+    gpu::DualEdgePipeline::forced_chunks = 0;
   }
 
   AlphaRequest request() const { return {0.5, GetParam().tetrahedra_only}; }

@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <random>
 
-#include "gpu/dual_edge/facet_pipeline.hpp"
+#include "gpu/dual_edge/dual_edge_pipeline.hpp"
 #include "gpu/memory/faults.hpp"
 #include "tests/support/device_engine.hpp"
 #include "tests/support/expect_same.hpp"
@@ -51,9 +51,9 @@ class GpuChunks : public ::testing::TestWithParam<int> {
  protected:
   void SetUp() override {
     if (!gpu_device().usable) GTEST_SKIP() << gpu_device().why_not;
-    gpu::FacetPipeline::forced_chunks = GetParam();
+    gpu::DualEdgePipeline::forced_chunks = GetParam();
   }
-  void TearDown() override { gpu::FacetPipeline::forced_chunks = 0; }
+  void TearDown() override { gpu::DualEdgePipeline::forced_chunks = 0; }
 };
 INSTANTIATE_TEST_SUITE_P(Numbers, GpuChunks, ::testing::Values(2, 5, 16));
 
@@ -88,7 +88,7 @@ TEST(GpuPieces, EqualTheCpu) {
     set.radii.push_back(radius(random));
   }
   const auto balls = std::make_shared<const BallSet>(set);
-  gpu::FacetPipeline::forced_chunks = 3;
+  gpu::DualEdgePipeline::forced_chunks = 3;
   const AlphaRequest request{0, false};
   const AlphaComplex expected = make_cpu_engine(balls)->compute(request, {});
   EXPECT_GT(expected.tetrahedra.size(), 50u);
@@ -97,7 +97,7 @@ TEST(GpuPieces, EqualTheCpu) {
     ASSERT_TRUE(gpu);
     expect_same(gpu->compute(request, {}), expected);
   }
-  gpu::FacetPipeline::forced_chunks = 0;
+  gpu::DualEdgePipeline::forced_chunks = 0;
 }
 
 // Nearly every alpha of a slider is a new one, and a little larger than those before.

@@ -1,4 +1,4 @@
-// The tuple engine on the GPU: byte for byte the CPU's facet engine, whatever the switches, and
+// The tuple engine on the GPU: byte for byte the CPU's dual-edge engine, whatever the switches, and
 // what is said without a device.
 #include "gpu/tuples/tuple_engine.hpp"
 

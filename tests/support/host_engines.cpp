@@ -3,8 +3,8 @@
 #include <utility>
 
 #include "core/tuples/tuple_engine.hpp"
+#include "tests/support/dual_edge_only_engine.hpp"
 #include "tests/support/engines.hpp"
-#include "tests/support/facet_only_engine.hpp"
 
 namespace alphascope::testing {
 
@@ -19,8 +19,8 @@ std::vector<EngineFactory> engines() {
     engines.push_back({"cpu_" + std::to_string(threads), [threads](auto balls) {
                          return make_cpu_engine(std::move(balls), {threads});
                        }});
-    engines.push_back({"facets_" + std::to_string(threads), [threads](auto balls) {
-                         return std::make_unique<FacetOnlyEngine>(std::move(balls), threads);
+    engines.push_back({"dual_edges_" + std::to_string(threads), [threads](auto balls) {
+                         return std::make_unique<DualEdgeOnlyEngine>(std::move(balls), threads);
                        }});
   }
   // The work grows with the cube of the neighbours.

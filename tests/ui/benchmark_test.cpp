@@ -80,7 +80,7 @@ TEST_F(ViewerTest, TheBenchmarkMeasuresTheOpenMoleculeAndExportsIt) {
   EXPECT_EQ(b.error, "");
   EXPECT_TRUE(b.complete);
   EXPECT_FALSE(b.running);
-  ASSERT_GE(b.rows.size(), 6u) << "CGAL, tuples, facets, three ablations";
+  ASSERT_GE(b.rows.size(), 6u) << "CGAL, tuples, dual edges, three ablations";
   for (const auto& row : b.rows) EXPECT_EQ(row.size(), b.columns.size());
   for (const bool differs : b.differs) EXPECT_FALSE(differs);
   EXPECT_GE(b.charts.size(), 5u);

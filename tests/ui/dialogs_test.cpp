@@ -44,7 +44,7 @@ TEST_F(DialogsTest, TheCheatSheetOpensAboveTheBenchmarkPage) {
   p.click("benchmark.close");
   EXPECT_FALSE(p.state.memory.show_benchmark);
   p.click("alpha.preset.3");
-  EXPECT_DOUBLE_EQ(p.state.compute.alpha, 3) << "the mouse is the window's again";
+  EXPECT_DOUBLE_EQ(p.state.compute.alpha_angstrom2, 3) << "the mouse is the window's again";
 }
 
 TEST_F(DialogsTest, AnErrorOpensAboveTheFileBrowserWhichStays) {
@@ -62,7 +62,7 @@ TEST_F(DialogsTest, AnErrorOpensAboveTheFileBrowserWhichStays) {
   p.click("browser.cancel");
   EXPECT_FALSE(p.state.memory.show_browser);
   p.click("alpha.preset.3");
-  EXPECT_DOUBLE_EQ(p.state.compute.alpha, 3);
+  EXPECT_DOUBLE_EQ(p.state.compute.alpha_angstrom2, 3);
 }
 
 TEST_F(DialogsTest, EveryErrorIsToldOneAfterTheOther) {
@@ -84,7 +84,7 @@ TEST_F(DialogsTest, AKeyThatClosesADialogLeavesTheMouseToTheWindow) {
   p.frame(3);
   EXPECT_FALSE(p.rects.contains("cheat_sheet.close"));
   p.click("alpha.preset.3");
-  EXPECT_DOUBLE_EQ(p.state.compute.alpha, 3);
+  EXPECT_DOUBLE_EQ(p.state.compute.alpha_angstrom2, 3);
 }
 
 TEST_F(DialogsTest, CancelIsAtTheLeftOfWhatIsDone) {

@@ -18,15 +18,15 @@ TEST(EnginePanel, WithoutAGpuItsEnginesCannotBeChosen) {
   panels.state = loaded_state();
   panels.state.gpu = {true, false, "", "", "", 0, "There is no NVIDIA driver."};
   panels.frame(2);
-  for (const char* entry : {"engine.GPU", "engine.tuples-gpu"}) {
+  for (const char* entry : {"engine.gpu", "engine.tuples-gpu"}) {
     panels.click("engine.choice");
     panels.click(entry);
-    EXPECT_EQ(panels.state.compute.engine, EngineOption::automatic) << entry;
+    EXPECT_EQ(panels.state.compute.engine, EngineChoice::automatic) << entry;
     panels.tap(key::kEscape);
   }
   panels.click("engine.choice");
   panels.click("engine.tuples-cpu");
-  EXPECT_EQ(panels.state.compute.engine, EngineOption::tuples_cpu);
+  EXPECT_EQ(panels.state.compute.engine, EngineChoice::tuples_cpu);
 }
 
 TEST(EnginePanel, WithAGpuTheyCan) {
@@ -36,7 +36,7 @@ TEST(EnginePanel, WithAGpuTheyCan) {
   panels.frame(2);
   panels.click("engine.choice");
   panels.click("engine.tuples-gpu");
-  EXPECT_EQ(panels.state.compute.engine, EngineOption::tuples_gpu);
+  EXPECT_EQ(panels.state.compute.engine, EngineChoice::tuples_gpu);
 }
 
 TEST(EnginePanel, TheSwitchesBelongToTheTupleEngines) {
@@ -44,31 +44,31 @@ TEST(EnginePanel, TheSwitchesBelongToTheTupleEngines) {
   panels.state = loaded_state();
   panels.frame(2);
   EXPECT_FALSE(panels.rects.contains("tuples.edge"));
-  panels.state.compute.engine = EngineOption::tuples_cpu;
+  panels.state.compute.engine = EngineChoice::tuples_cpu;
   panels.frame(2);
   panels.click("tuples.edge", 0.05f);
   EXPECT_FALSE(panels.state.compute.tuples.edge_optimisation);
   panels.click("tuples.texture", 0.05f);
   EXPECT_TRUE(panels.state.compute.tuples.texture) << "says nothing on the CPU";
-  panels.state.compute.engine = EngineOption::tuples_gpu;
+  panels.state.compute.engine = EngineChoice::tuples_gpu;
   panels.frame(2);
   panels.click("tuples.texture", 0.05f);
   EXPECT_FALSE(panels.state.compute.tuples.texture);
 }
 
 TEST(EnginePanel, EachSwitchArrivesInTheRequest) {
-  ComputeControls c;
-  c.engine = EngineOption::tuples_gpu;
-  EXPECT_EQ(to_request(c).tuples, TupleOptions{});
-  EXPECT_EQ(to_request(c).engine, EngineChoice::tuples_gpu);
-  c.tuples = {false, false, false, false, false, false};
+  Request c;
+  c.engine = EngineChoice::tuples_gpu;
+  EXPECT_EQ(canonical(c).tuples, TupleOptions{});
+  EXPECT_EQ(canonical(c).engine, EngineChoice::tuples_gpu);
+  c.tuples = {TupleGridKind::thesis, false, false, false, 1, false, 0};
   const TupleOptions all_off{TupleGridKind::thesis, false, false, false, 1, false, 0};
-  EXPECT_EQ(to_request(c).tuples, all_off);
-  c.engine = EngineOption::cpu;
-  EXPECT_EQ(to_request(c).tuples, TupleOptions{}) << "another engine has no such switches";
-  c.engine = EngineOption::tuples_cpu;
-  EXPECT_FALSE(to_request(c).tuples.edge_optimisation);
-  EXPECT_TRUE(to_request(c).tuples.pinned) << "of the GPU only";
+  EXPECT_EQ(canonical(c).tuples, all_off);
+  c.engine = EngineChoice::cpu;
+  EXPECT_EQ(canonical(c).tuples, TupleOptions{}) << "another engine has no such switches";
+  c.engine = EngineChoice::tuples_cpu;
+  EXPECT_FALSE(canonical(c).tuples.edge_optimisation);
+  EXPECT_TRUE(canonical(c).tuples.pinned) << "of the GPU only";
 }
 
 TEST(EnginePanel, TheMachineBecomesPlainData) {

@@ -64,7 +64,7 @@ TEST(InputQueue, FiveTapsBetweenTwoFramesAreFiveSteps) {
     taps.push_back(released(key::kRight));
   }
   p.play(taps);
-  EXPECT_DOUBLE_EQ(p.state.compute.alpha, 0.5);
+  EXPECT_DOUBLE_EQ(p.state.compute.alpha_angstrom2, 0.5);
 }
 
 TEST(InputQueue, AKeyBeforeControlIsNoShortcutWithIt) {
@@ -81,14 +81,14 @@ TEST(InputQueue, AKeyBeforeControlIsNoShortcutWithIt) {
 TEST(InputQueue, AClickCountsWhereItWasThoughTheMouseWentOn) {
   QueuedPanels p;
   p.play({p.at("alpha.preset.3"), button(true), button(false), p.at("view")});
-  EXPECT_DOUBLE_EQ(p.state.compute.alpha, 3);
+  EXPECT_DOUBLE_EQ(p.state.compute.alpha_angstrom2, 3);
 }
 
 TEST(InputQueue, ASliderIsWhereItWasLetGo) {
   QueuedPanels p;
   p.play({p.at("alpha.slider", 0.3f), button(true), p.at("alpha.slider", 0.8f), button(false),
           p.at("view")});
-  EXPECT_NEAR(p.state.compute.alpha, -3 + 0.8 * 13, 0.4);
+  EXPECT_NEAR(p.state.compute.alpha_angstrom2, -3 + 0.8 * 13, 0.4);
 }
 
 TEST(InputQueue, CharactersAndKeysKeepTheirOrder) {
@@ -100,7 +100,7 @@ TEST(InputQueue, CharactersAndKeysKeepTheirOrder) {
           pressed(key::kBackspace), released(key::kBackspace), pressed('.'), typed('.'),
           pressed('5'), typed('5'), released('.'), released('5'), pressed(key::kEnter),
           released(key::kEnter)});
-  EXPECT_DOUBLE_EQ(p.state.compute.alpha, 1.5);
+  EXPECT_DOUBLE_EQ(p.state.compute.alpha_angstrom2, 1.5);
 }
 
 TEST(InputQueue, MovesAndWheelStepsOfAFrameAreOne) {
@@ -186,7 +186,7 @@ TEST_F(ActingTest, FastKeysArriveAtAWindowWithSlowFrames) {
   for (int i = 0; i < 5; ++i) acts.push_back({0.1 + 0.02 * i, [this] { host_.tap(key::kRight); }});
   host_.play(acts, 1);
   viewer_->run();
-  EXPECT_DOUBLE_EQ(viewer_->state().compute.alpha, 0.5);
+  EXPECT_DOUBLE_EQ(viewer_->state().compute.alpha_angstrom2, 0.5);
 }
 
 }  // namespace

@@ -98,8 +98,8 @@ TEST(MoleculeInfo, SaysWhenNothingIsLeft) {
 
 TEST(MoleculeInfo, GrownRadiiFollowTheSizesInUse) {
   const OpenedMolecule opened = open_text(kTwoModels, some_options());
-  ComputeControls controls;
-  controls.alpha = 1.4;
+  Request controls;
+  controls.alpha_angstrom2 = 1.4;
   const auto radii = grown_radii(*opened.prepared, controls);
   ASSERT_EQ(radii.size(), 2u);
   for (const GrownRadius& r : radii) {

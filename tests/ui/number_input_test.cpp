@@ -108,15 +108,15 @@ class NumberFields : public ::testing::Test {
 
 TEST_F(NumberFields, ADecimalCommaIsOne) {
   p.type("alpha.typed", "1,4");
-  EXPECT_DOUBLE_EQ(p.state.compute.alpha, 1.4);
+  EXPECT_DOUBLE_EQ(p.state.compute.alpha_angstrom2, 1.4);
 }
 
 TEST_F(NumberFields, WhatIsNoNumberChangesNothingAndIsExplained) {
-  p.state.compute.alpha = 3;
+  p.state.compute.alpha_angstrom2 = 3;
   for (const char* bad : {"1e308", "abc", "1.4.2", "nan", "1e", " "}) {
     p.type("alpha.typed", bad);
     p.frame(2);
-    EXPECT_DOUBLE_EQ(p.state.compute.alpha, 3) << bad;
+    EXPECT_DOUBLE_EQ(p.state.compute.alpha_angstrom2, 3) << bad;
     EXPECT_TRUE(p.rects.contains("alpha.typed.error")) << bad;
   }
   // It stays to be mended.
@@ -128,35 +128,35 @@ TEST_F(NumberFields, WhatIsNoNumberChangesNothingAndIsExplained) {
   p.click("view");
   p.frame(2);
   EXPECT_FALSE(p.rects.contains("alpha.typed.error"));
-  EXPECT_DOUBLE_EQ(p.state.compute.alpha, 3);
+  EXPECT_DOUBLE_EQ(p.state.compute.alpha_angstrom2, 3);
 }
 
 TEST_F(NumberFields, SlidersAreTypedIntoWithTheSameBounds) {
   control_click("alpha.slider");
   enter("1,25");
-  EXPECT_DOUBLE_EQ(p.state.compute.alpha, 1.25);
+  EXPECT_DOUBLE_EQ(p.state.compute.alpha_angstrom2, 1.25);
   control_click("alpha.slider");
   enter("1e307");
-  EXPECT_DOUBLE_EQ(p.state.compute.alpha, 1.25);
+  EXPECT_DOUBLE_EQ(p.state.compute.alpha_angstrom2, 1.25);
   EXPECT_TRUE(p.rects.contains("alpha.slider.error"));
   p.click("view");
   control_click("alpha.slider");
   enter("1e24");
-  EXPECT_DOUBLE_EQ(p.state.compute.alpha, 1e24);
+  EXPECT_DOUBLE_EQ(p.state.compute.alpha_angstrom2, 1e24);
   p.frame(3);
   p.tap(key::kRight);
-  EXPECT_LE(p.state.compute.alpha, kMaxAlphaAngstrom2);
+  EXPECT_LE(p.state.compute.alpha_angstrom2, kMaxAlphaAngstrom2);
   control_click("alpha.solvent");
   enter("1,375");
-  EXPECT_DOUBLE_EQ(p.state.compute.solvent, 1.375);
+  EXPECT_DOUBLE_EQ(p.state.compute.solvent_radius_angstrom, 1.375);
   control_click("alpha.solvent");
   enter("1e9");
-  EXPECT_DOUBLE_EQ(p.state.compute.solvent, 1.375);
+  EXPECT_DOUBLE_EQ(p.state.compute.solvent_radius_angstrom, 1.375);
 }
 
 TEST_F(NumberFields, SliderClicksWithoutControlStillSlide) {
   p.click("alpha.slider", 0.9f);
-  EXPECT_GT(p.state.compute.alpha, 7);
+  EXPECT_GT(p.state.compute.alpha_angstrom2, 7);
   EXPECT_TRUE(p.state.memory.number.name.empty());
 }
 

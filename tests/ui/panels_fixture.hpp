@@ -99,7 +99,7 @@ inline ViewState loaded_state() {
   s.result.present = true;
   s.result.tetrahedra = 8090;
   s.result.hash = "f619dc636b8b16e6";
-  s.ours = EngineTimings{"facet engine",
+  s.ours = EngineTimings{"dual-edge engine",
                          "CPU, 2 threads",
                          TimedRun{{{"grid", 0.1, true}, {"kernel II", 20, false}}, 20.2},
                          {}};

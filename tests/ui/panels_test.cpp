@@ -29,12 +29,12 @@ TEST(PanelsTest, PresetsAndSliderChangeAlpha) {
   p.state = loaded_state();
   p.frame(2);
   p.click("alpha.preset.1.4");
-  EXPECT_DOUBLE_EQ(p.state.compute.alpha, 1.4);
+  EXPECT_DOUBLE_EQ(p.state.compute.alpha_angstrom2, 1.4);
   p.point_at("alpha.slider", 0.2f);
   p.press(true);
-  const double low = p.state.compute.alpha;
+  const double low = p.state.compute.alpha_angstrom2;
   p.point_at("alpha.slider", 0.8f);
-  const double high = p.state.compute.alpha;
+  const double high = p.state.compute.alpha_angstrom2;
   p.press(false);
   EXPECT_LT(low, 0.5);
   EXPECT_GT(high, 6);
@@ -52,7 +52,7 @@ TEST(PanelsTest, AlphaCanBeTyped) {
   ImGui::GetIO().AddInputCharactersUTF8("-2.25");
   p.frame(2);
   p.tap(key::kEnter);
-  EXPECT_DOUBLE_EQ(p.state.compute.alpha, -2.25);
+  EXPECT_DOUBLE_EQ(p.state.compute.alpha_angstrom2, -2.25);
 }
 
 TEST(PanelsTest, WaterButtonTogglesTheSolvent) {
@@ -60,9 +60,9 @@ TEST(PanelsTest, WaterButtonTogglesTheSolvent) {
   p.state = loaded_state();
   p.frame(2);
   p.click("alpha.water");
-  EXPECT_DOUBLE_EQ(p.state.compute.solvent, 1.4);
+  EXPECT_DOUBLE_EQ(p.state.compute.solvent_radius_angstrom, 1.4);
   p.click("alpha.water");
-  EXPECT_DOUBLE_EQ(p.state.compute.solvent, 0);
+  EXPECT_DOUBLE_EQ(p.state.compute.solvent_radius_angstrom, 0);
 }
 
 TEST(PanelsTest, DraggingTheSliderNeverTurnsTheView) {

@@ -81,8 +81,8 @@ TEST_F(ViewerTest, SliderStormEndsAtTheLastAlpha) {
   }
   run("move alpha.slider 0.1 0.5\ndown\n" + moves + "move alpha.slider 0.45 0.5\nup\nwait-idle\n");
   const ViewState& s = viewer_->state();
-  EXPECT_DOUBLE_EQ(s.result.alpha, s.compute.alpha);
-  EXPECT_EQ(s.result.hash, hash_text(expected(s.compute.alpha).hash));
+  EXPECT_DOUBLE_EQ(s.result.alpha, s.compute.alpha_angstrom2);
+  EXPECT_EQ(s.result.hash, hash_text(expected(s.compute.alpha_angstrom2).hash));
   EXPECT_TRUE(s.error.empty()) << s.error;
 }
 
@@ -91,9 +91,9 @@ TEST_F(ViewerTest, PlayingLetsAlphaGrowUntilStopped) {
   run("click alpha.play\nframes 60\nclick alpha.play\nwait-idle\n");
   const ViewState& s = viewer_->state();
   EXPECT_FALSE(s.memory.playing);
-  EXPECT_GT(s.compute.alpha, 0.04);
-  EXPECT_DOUBLE_EQ(s.result.alpha, s.compute.alpha);
-  EXPECT_EQ(s.result.hash, hash_text(expected(s.compute.alpha).hash));
+  EXPECT_GT(s.compute.alpha_angstrom2, 0.04);
+  EXPECT_DOUBLE_EQ(s.result.alpha, s.compute.alpha_angstrom2);
+  EXPECT_EQ(s.result.hash, hash_text(expected(s.compute.alpha_angstrom2).hash));
 }
 
 TEST_F(ViewerTest, SolventAndTetrahedraOnly) {
@@ -121,7 +121,7 @@ TEST_F(ViewerTest, ComparingGivesTheBadge) {
 TEST_F(ViewerTest, AColdTimeIsMeasuredWhenAskedFor) {
   open_crambin();
   ViewState& s = viewer_->state();
-  for (const auto engine : {EngineOption::cgal, EngineOption::automatic}) {
+  for (const auto engine : {EngineChoice::cgal, EngineChoice::automatic}) {
     s.compute.engine = engine;
     run("frames 1\nwait-idle\n");
   }

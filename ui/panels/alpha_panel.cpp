@@ -28,7 +28,7 @@ void draw_ticks(PanelContext& ctx, double low, double high) {
 }
 
 void slider(PanelContext& ctx) {
-  double& alpha = ctx.state.compute.alpha;
+  double& alpha = ctx.state.compute.alpha_angstrom2;
   const double low = std::min(kSliderLow, alpha), high = std::max(kSliderHigh, alpha);
   double value = alpha;
   bool& playing = ctx.state.memory.playing;
@@ -55,7 +55,7 @@ void slider(PanelContext& ctx) {
 }
 
 void typed_and_presets(PanelContext& ctx) {
-  double& alpha = ctx.state.compute.alpha;
+  double& alpha = ctx.state.compute.alpha_angstrom2;
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted("α");
   ImGui::SameLine();
@@ -74,7 +74,7 @@ void typed_and_presets(PanelContext& ctx) {
 }
 
 void solvent(PanelContext& ctx) {
-  double& radius = ctx.state.compute.solvent;
+  double& radius = ctx.state.compute.solvent_radius_angstrom;
   row_label(ctx, "Solvent radius");
   double value = radius;
   const double high = std::max(5.0, radius);

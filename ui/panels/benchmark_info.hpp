@@ -2,16 +2,20 @@
 // it.
 #pragma once
 
+#include <set>
 #include <string>
 #include <vector>
 
 #include "core/chart/chart.hpp"
+#include "core/engine/engine_choice.hpp"
 
 namespace alphascope {
 
 struct BenchmarkControls {
   std::string alphas = "0, 1.4, 3";  // Å², as typed
-  bool tuples_gpu = true, gpu = true, tuples_cpu = true, cpu = true;
+  // Of those that can run here; CGAL is always measured.
+  std::set<EngineChoice> engines{EngineChoice::tuples_gpu, EngineChoice::gpu,
+                                 EngineChoice::tuples_cpu, EngineChoice::cpu};
   bool ablation = true;
   int runs = 5, seconds_per_row = 10;
   std::string folder = "alphascope-benchmark";  // to export into

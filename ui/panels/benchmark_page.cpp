@@ -85,34 +85,26 @@ void draw_chart(PanelContext& ctx, const Chart& chart) {
   if (!tip.empty()) ImGui::SetTooltip("%s", tip.c_str());
 }
 
-struct EngineBox {
-  const char* name;  // of the widget
-  const char* label;
-  const char* id;  // in table, figures and files
-  bool BenchmarkControls::*value;
-  bool gpu;
-};
+constexpr EngineChoice kEngineBoxes[] = {EngineChoice::tuples_gpu, EngineChoice::gpu,
+                                         EngineChoice::tuples_cpu, EngineChoice::cpu};
 
-constexpr EngineBox kEngineBoxes[] = {
-    {"benchmark.tuples_gpu", "thesis' tuples, GPU", "tuples-gpu", &BenchmarkControls::tuples_gpu,
-     true},
-    {"benchmark.gpu", "GPU", "gpu", &BenchmarkControls::gpu, true},
-    {"benchmark.tuples_cpu", "thesis' tuples, CPU", "tuples-cpu", &BenchmarkControls::tuples_cpu,
-     false},
-    {"benchmark.cpu", "CPU", "cpu", &BenchmarkControls::cpu, false},
-};
-
-void engine_box(PanelContext& ctx, const EngineBox& box) {
-  const bool usable = !box.gpu || ctx.state.gpu.usable;
-  bool& value = ctx.state.benchmark_controls.*box.value;
+void engine_box(PanelContext& ctx, EngineChoice choice) {
+  const bool usable = !needs_gpu(choice) || ctx.state.gpu.usable;
+  std::set<EngineChoice>& wanted = ctx.state.benchmark_controls.engines;
+  const std::string id(engine_id(choice));
   ImGui::BeginDisabled(!usable);
-  bool shown = value && usable;
-  if (checkbox(ctx, box.name, box.label, shown)) value = shown;
+  bool shown = wanted.contains(choice) && usable;
+  if (checkbox(ctx, ("benchmark." + id).c_str(), engine_title(choice).data(), shown)) {
+    if (shown) {
+      wanted.insert(choice);
+    } else {
+      wanted.erase(choice);
+    }
+  }
   ImGui::EndDisabled();
   const std::string help =
-      usable ? std::string("“") + box.id + "” in table, figures and files." : ctx.state.gpu.why_not;
+      usable ? "“" + id + "” in table, figures and files." : ctx.state.gpu.why_not;
   tooltip(ctx, help.c_str());
-  ImGui::SameLine(0, ctx.px(16));
 }
 
 void labelled_number(PanelContext& ctx, const char* name, const char* label, int& value,
@@ -139,7 +131,10 @@ void controls(PanelContext& ctx) {
   tooltip(ctx, "A row that cannot finish one run in this time is left out; nothing is estimated.");
   ImGui::NewLine();
   row_label(ctx, "Engines");
-  for (const EngineBox& box : kEngineBoxes) engine_box(ctx, box);
+  for (const EngineChoice choice : kEngineBoxes) {
+    engine_box(ctx, choice);
+    ImGui::SameLine(0, ctx.px(16));
+  }
   checkbox(ctx, "benchmark.ablation", "each optimisation off in turn", c.ablation);
   tooltip(ctx, "Of the thesis' tuples, at the smallest alpha.");
   ImGui::EndDisabled();

@@ -6,39 +6,18 @@
 #include <string>
 #include <vector>
 
+#include "core/document/request.hpp"
 #include "ui/number_input.hpp"
 #include "ui/panels/radius_edits.hpp"
 
 namespace alphascope {
 
-enum class EngineOption : std::uint8_t { automatic, gpu, cpu, tuples_gpu, tuples_cpu, cgal };
-inline bool is_tuple_engine(EngineOption e) {
-  return e == EngineOption::tuples_gpu || e == EngineOption::tuples_cpu;
-}
 enum class ColourBy : std::uint8_t { element, chain, single, alpha };  // alpha: simplices only
 
-// Optimisations of the thesis' tuple engine; none changes the result.
-struct TupleControls {
-  bool suited_grid = true;  // else 100 x 100 x 100 cells
-  bool edge_optimisation = true, alpha_optimisation = true;
-  bool pinned = true, streams = true, texture = true;  // of the GPU
-  friend bool operator==(const TupleControls&, const TupleControls&) = default;
-};
-
-// A change of these needs a new computation.
-struct ComputeControls {
-  double alpha = 0;    // Å²
-  double solvent = 0;  // Å
-  EngineOption engine = EngineOption::automatic;
-  bool tetrahedra_only = false;
-  TupleControls tuples;  // of the tuple engines only
-  friend bool operator==(const ComputeControls&, const ComputeControls&) = default;
-
-  // For what counts it up and down: stops at the bounds.
-  void set_alpha(double angstrom2) {
-    alpha = std::clamp(angstrom2, kAlphaRule.least, kAlphaRule.most);
-  }
-};
+// For what counts alpha up and down: stops at the bounds.
+inline void set_alpha(Request& request, double angstrom2) {
+  request.alpha_angstrom2 = std::clamp(angstrom2, kAlphaRule.least, kAlphaRule.most);
+}
 
 // Which atoms become balls, and how large; a change needs new balls.
 enum class HydrogenOption : std::uint8_t { automatic, keep, drop };

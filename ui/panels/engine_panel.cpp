@@ -8,57 +8,55 @@
 namespace alphascope {
 namespace {
 
-struct EngineEntry {
-  EngineOption option;
-  bool needs_gpu;
-  const char* name;  // of the widget
-  const char* label;
-  const char* help;
-};
-
-constexpr EngineEntry kEngines[] = {
-    {EngineOption::automatic, false, "engine.Automatic", "Automatic",
-     "The GPU when it can be used, else the CPU."},
-    {EngineOption::gpu, true, "engine.GPU", "GPU", "The facet engine on the graphics processor."},
-    {EngineOption::cpu, false, "engine.CPU", "CPU", "The facet engine on all cores."},
-    {EngineOption::tuples_gpu, true, "engine.tuples-gpu", "Thesis' tuples, GPU",
-     "The thesis' own pipeline on the graphics processor: all 4-tuples of neighbours are made, "
-     "then tested. Slow at large alpha; Esc cancels."},
-    {EngineOption::tuples_cpu, false, "engine.tuples-cpu", "Thesis' tuples, CPU",
-     "The thesis' own pipeline on all cores: all 4-tuples of neighbours are made, then tested. "
-     "Slow at large alpha; Esc cancels."},
-    {EngineOption::cgal, false, "engine.CGAL", "CGAL",
-     "CGAL's regular triangulation of all balls, then alpha: the reference that the other engines "
-     "are compared with."},
-};
+const char* help_of(EngineChoice choice) {
+  switch (choice) {
+    case EngineChoice::automatic:
+      return "The dual-edge engine: on the GPU when it can be used, else on the CPU.";
+    case EngineChoice::gpu:
+      return "Clips dual edges on the graphics processor.";
+    case EngineChoice::cpu:
+      return "Clips dual edges on all cores; goes over to CGAL's triangulation where that is "
+             "faster.";
+    case EngineChoice::tuples_gpu:
+      return "The thesis' own pipeline on the graphics processor: all 4-tuples of neighbours are "
+             "made, then tested. Slow at large alpha; Esc cancels.";
+    case EngineChoice::tuples_cpu:
+      return "The thesis' own pipeline on all cores: all 4-tuples of neighbours are made, then "
+             "tested. Slow at large alpha; Esc cancels.";
+    case EngineChoice::cgal:
+      break;
+  }
+  return "CGAL's regular triangulation of all balls, then alpha: the reference that the other "
+         "engines are compared with.";
+}
 
 const char* why_no_gpu(const GpuInfo& gpu) {
   return gpu.known ? gpu.why_not.c_str() : "Looking for a graphics processor…";
 }
 
-void engine_entry(PanelContext& ctx, const EngineEntry& e) {
+void engine_entry(PanelContext& ctx, EngineChoice choice) {
   ViewState& s = ctx.state;
-  const bool usable = !e.needs_gpu || s.gpu.usable;
+  const bool usable = !needs_gpu(choice) || s.gpu.usable;
   ImGui::BeginDisabled(!usable);
-  if (ImGui::Selectable(e.label, e.option == s.compute.engine)) s.compute.engine = e.option;
+  if (ImGui::Selectable(engine_title(choice).data(), choice == s.compute.engine)) {
+    s.compute.engine = choice;
+  }
   ImGui::EndDisabled();
-  record(ctx, e.name);
-  tooltip(ctx, usable ? e.help : why_no_gpu(s.gpu));
+  record(ctx, ("engine." + std::string(engine_id(choice))).c_str());
+  tooltip(ctx, usable ? help_of(choice) : why_no_gpu(s.gpu));
 }
 
 void engine_choice(PanelContext& ctx) {
-  const auto chosen =
-      std::find_if(std::begin(kEngines), std::end(kEngines),
-                   [&](const EngineEntry& e) { return e.option == ctx.state.compute.engine; });
+  const EngineChoice chosen = ctx.state.compute.engine;
   row_label(ctx, "Engine");
-  const bool open = ImGui::BeginCombo("##engine", chosen->label);
+  const bool open = ImGui::BeginCombo("##engine", engine_title(chosen).data());
   record(ctx, "engine.choice");
   if (!open) {
-    tooltip(ctx, chosen->help);
+    tooltip(ctx, help_of(chosen));
     return;
   }
   close_on_escape();
-  for (const EngineEntry& e : kEngines) engine_entry(ctx, e);
+  for (const EngineChoice choice : kEngineChoices) engine_entry(ctx, choice);
   ImGui::EndCombo();
 }
 
@@ -85,34 +83,55 @@ void device(PanelContext& ctx) {
 struct Switch {
   const char* name;
   const char* label;
-  bool TupleControls::*value;
   bool of_gpu;
+  bool (*is_on)(const TupleOptions&);
+  void (*turn)(TupleOptions&, bool on);
   const char* help;
 };
 
+template <bool TupleOptions::*kValue>
+constexpr Switch plain(const char* name, const char* label, bool of_gpu, const char* help) {
+  return {name,
+          label,
+          of_gpu,
+          [](const TupleOptions& t) { return t.*kValue; },
+          [](TupleOptions& t, bool on) { t.*kValue = on; },
+          help};
+}
+
 constexpr Switch kSwitches[] = {
-    {"tuples.grid", "Grid suited to the molecule", &TupleControls::suited_grid, false,
+    {"tuples.grid", "Grid suited to the molecule", false,
+     [](const TupleOptions& t) { return t.grid == TupleGridKind::automatic; },
+     [](TupleOptions& t, bool on) {
+       t.grid = on ? TupleGridKind::automatic : TupleGridKind::thesis;
+     },
      "Off: the thesis' 100 × 100 × 100 cells, whatever the molecule's size."},
-    {"tuples.edge", "Edge optimisation", &TupleControls::edge_optimisation, false,
-     "Only tuples whose six pairs of grown balls all meet. Off: every 4-tuple of neighbours."},
-    {"tuples.alpha", "Alpha optimisation", &TupleControls::alpha_optimisation, false,
-     "Drops tuples with an ortho-radius above alpha before kernel II."},
-    {"tuples.pinned", "Pinned memory", &TupleControls::pinned, true,
-     "Page-locked host memory, which the GPU copies from and to directly."},
-    {"tuples.streams", "Streams", &TupleControls::streams, true,
+    plain<&TupleOptions::edge_optimisation>(
+        "tuples.edge", "Edge optimisation", false,
+        "Only tuples whose six pairs of grown balls all meet. Off: every 4-tuple of neighbours."),
+    plain<&TupleOptions::alpha_optimisation>(
+        "tuples.alpha", "Alpha optimisation", false,
+        "Drops tuples with an ortho-radius above alpha before kernel II."),
+    plain<&TupleOptions::pinned>(
+        "tuples.pinned", "Pinned memory", true,
+        "Page-locked host memory, which the GPU copies from and to directly."),
+    {"tuples.streams", "Streams", true, [](const TupleOptions& t) { return t.streams > 1; },
+     [](TupleOptions& t, bool on) { t.streams = on ? TupleOptions().streams : 1; },
      "Two batches of tuples side by side, so that copies and kernels overlap."},
-    {"tuples.texture", "Textures", &TupleControls::texture, true,
-     "Kernels read balls through the texture cache instead of plain memory."},
+    plain<&TupleOptions::texture>(
+        "tuples.texture", "Textures", true,
+        "Kernels read balls through the texture cache instead of plain memory."),
 };
 
 void tuple_switches(PanelContext& ctx) {
-  ComputeControls& c = ctx.state.compute;
-  if (!is_tuple_engine(c.engine)) return;
+  Request& request = ctx.state.compute;
+  if (!is_tuple_engine(request.engine)) return;
   muted_text(ctx, "The thesis' optimisations (same result)");
   for (const Switch& s : kSwitches) {
-    const bool applies = !s.of_gpu || c.engine == EngineOption::tuples_gpu;
+    const bool applies = !s.of_gpu || request.engine == EngineChoice::tuples_gpu;
+    bool on = s.is_on(request.tuples);
     ImGui::BeginDisabled(!applies);
-    checkbox(ctx, s.name, s.label, c.tuples.*s.value);
+    if (checkbox(ctx, s.name, s.label, on)) s.turn(request.tuples, on);
     ImGui::EndDisabled();
     const std::string help = applies ? s.help : std::string(s.help) + "\nHas no effect on the CPU.";
     tooltip(ctx, help.c_str());

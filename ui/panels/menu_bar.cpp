@@ -85,7 +85,7 @@ void help_menu(PanelContext& ctx) {
 }
 
 void step_alpha(ViewState& s, double step) {
-  s.compute.set_alpha(std::round((s.compute.alpha + step) * 1000) / 1000);
+  set_alpha(s.compute, std::round((s.compute.alpha_angstrom2 + step) * 1000) / 1000);
 }
 
 // The step at hand still finishes when something plays: a picture without its complex helps nobody.

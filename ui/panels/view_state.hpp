@@ -111,7 +111,7 @@ struct PanelMemory {
 };
 
 struct ViewState {
-  ComputeControls compute;
+  Request compute;
   SelectionControls selection;
   DisplayControls display;
   Theme theme = Theme::dark;

@@ -9,8 +9,8 @@
 #include <map>
 
 #include "core/tuples/tuple_scene.hpp"
+#include "tests/support/dual_edge_only_engine.hpp"
 #include "tests/support/expect_same.hpp"
-#include "tests/support/facet_only_engine.hpp"
 #include "tests/support/molecules.hpp"
 #include "tests/support/random_balls.hpp"
 
@@ -46,12 +46,12 @@ std::map<std::string, std::uint64_t> counters(const AlphaComplex& complex) {
 
 void expect_switches_change_nothing(const std::shared_ptr<const BallSet>& balls,
                                     const std::vector<double>& alphas) {
-  testing::FacetOnlyEngine facets(balls, 1);
+  testing::DualEdgeOnlyEngine dual_edges(balls, 1);
   std::vector<std::unique_ptr<Engine>> engines;
   for (const TupleOptions& o : all_switches()) engines.push_back(make_tuple_engine(balls, {2}, o));
   for (const double alpha : alphas) {
     for (const bool only : {false, true}) {
-      const AlphaComplex expected = facets.compute({alpha, only}, {});
+      const AlphaComplex expected = dual_edges.compute({alpha, only}, {});
       for (std::size_t e = 0; e < engines.size(); ++e) {
         SCOPED_TRACE("alpha " + std::to_string(alpha) + ", switches " + std::to_string(e));
         expect_same(engines[e]->compute({alpha, only}, {}), expected);

@@ -1,4 +1,4 @@
-// Runs the facet kernels for one set of balls, alpha after alpha, and leaves the simplices in
+// Runs the clipping kernels for one set of balls, alpha after alpha, and leaves the simplices in
 // pinned host memory. The engine face, fallbacks and device probing are gpu_engine.cu's business.
 #pragma once
 
@@ -44,11 +44,11 @@ struct PipelineResult {
   bool fits = true;               // false: this request is beyond the kernels' limits
 };
 
-class FacetPipeline {
+class DualEdgePipeline {
  public:
   // Copies the balls to pinned memory. Throws std::bad_alloc, DeviceError.
-  explicit FacetPipeline(const BallSet& balls);
-  ~FacetPipeline();
+  explicit DualEdgePipeline(const BallSet& balls);
+  ~DualEdgePipeline();
 
   // Stages are timed with CUDA events when `times` is given (a few microseconds each).
   // Throws Cancelled, std::bad_alloc, DeviceError.

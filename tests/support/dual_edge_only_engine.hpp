@@ -1,4 +1,4 @@
-// Facet clipping at every alpha, where the CPU engine would have chosen a faster route.
+// Dual edge clipping at every alpha, where the CPU engine would have chosen a faster route.
 #pragma once
 
 #include <tbb/task_arena.h>
@@ -13,9 +13,9 @@
 
 namespace alphascope::testing {
 
-class FacetOnlyEngine : public Engine {
+class DualEdgeOnlyEngine : public Engine {
  public:
-  FacetOnlyEngine(std::shared_ptr<const BallSet> balls, int threads)
+  DualEdgeOnlyEngine(std::shared_ptr<const BallSet> balls, int threads)
       : balls_(std::move(balls)), arena_(threads) {}
 
   AlphaComplex compute(const AlphaRequest& request, const RunContext& context) override {
@@ -26,7 +26,7 @@ class FacetOnlyEngine : public Engine {
     complex.tetrahedra_only = request.tetrahedra_only;
     const UniformGrid grid =
         make_uniform_grid(*balls_, complex.alpha_on_lattice, coincident_hidden(*balls_));
-    // The facet kernels' range; beyond it only the triangulation answers.
+    // The clipping kernels' range; beyond it only the triangulation answers.
     const auto widest = std::max_element(grid.reach.begin(), grid.reach.end());
     if (widest != grid.reach.end() && 2 * double{*widest} >= (1 << 29)) {
       return make_cgal_engine(balls_, {1})->compute(request, context);

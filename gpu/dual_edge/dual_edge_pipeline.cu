@@ -5,7 +5,7 @@
 
 namespace alphascope::gpu {
 
-FacetPipeline::FacetPipeline(const BallSet& balls) : state_(std::make_unique<State>()) {
+DualEdgePipeline::DualEdgePipeline(const BallSet& balls) : state_(std::make_unique<State>()) {
   State& s = *state_;
   s.n = balls.size();
   int device = 0;
@@ -53,7 +53,7 @@ cudaError_t Queues::wait(bool all) const {
   return status;
 }
 
-void FacetPipeline::State::load(const BallSet& set) {
+void DualEdgePipeline::State::load(const BallSet& set) {
   low = high = n == 0 ? LatticePoint{} : set.centres[0];
   max_radius = n == 0 ? 1 : set.radii[0];
   for (BallIndex i = 0; i < n; ++i) {
@@ -76,16 +76,16 @@ void FacetPipeline::State::load(const BallSet& set) {
   for (BallIndex i = 0; i < n; ++i) host_balls.get()[i] = shown[i];
 }
 
-FacetPipeline::~FacetPipeline() {
+DualEdgePipeline::~DualEdgePipeline() {
   state_->results->close();
 }
 
-void FacetPipeline::rest() {
+void DualEdgePipeline::rest() {
   state_->results->rest();
   ResultMemory::free_unused();
 }
 
-std::optional<Problem> FacetPipeline::State::plan(double alpha, bool whole) {
+std::optional<Problem> DualEdgePipeline::State::plan(double alpha, bool whole) {
   State& s = *this;
   const double largest = static_cast<double>(s.max_radius) * s.max_radius + alpha;
   const double cutoff = 2 * std::sqrt(largest);
@@ -126,7 +126,7 @@ std::optional<Problem> FacetPipeline::State::plan(double alpha, bool whole) {
   return p;
 }
 
-int FacetPipeline::State::pieces() const {
+int DualEdgePipeline::State::pieces() const {
   constexpr std::size_t kLarge = std::size_t{1} << 17;
   if (!packing) return 1;
   const std::size_t starts = (n + kWireStart - 1) / kWireStart;
@@ -136,13 +136,13 @@ int FacetPipeline::State::pieces() const {
 
 // Of whole starts of packed balls, see ball_wire.cuh. The last piece is the smaller one: nothing
 // hides its way into the cells.
-std::size_t FacetPipeline::State::piece_begin(int piece, int all) const {
+std::size_t DualEdgePipeline::State::piece_begin(int piece, int all) const {
   static_assert(kMaxPieces == 2);
   const std::size_t starts = (n + kWireStart - 1) / kWireStart;
   return piece == 0 ? 0 : piece == all ? starts : starts - (starts + 3) / 4;
 }
 
-void FacetPipeline::State::send_piece(int piece, int all) {
+void DualEdgePipeline::State::send_piece(int piece, int all) {
   if (packing) {
     const std::uint32_t* words = host_packed.get();
     const auto word = [&](int k) -> std::size_t {
@@ -158,7 +158,8 @@ void FacetPipeline::State::send_piece(int piece, int all) {
   }
 }
 
-void FacetPipeline::State::assign_piece(const Problem& p, int piece, int all, cudaStream_t stream) {
+void DualEdgePipeline::State::assign_piece(const Problem& p, int piece, int all,
+                                           cudaStream_t stream) {
   const auto ball = [&](int k) {
     return static_cast<std::uint32_t>(std::min(n, piece_begin(k, all) * kWireStart));
   };
@@ -168,7 +169,7 @@ void FacetPipeline::State::assign_piece(const Problem& p, int piece, int all, cu
          zeroed.get() + kCounterWords, home.get());
 }
 
-void FacetPipeline::State::receive_balls(const Problem& p, EventTimer& timer) {
+void DualEdgePipeline::State::receive_balls(const Problem& p, EventTimer& timer) {
   const int all = pieces(), last = all - 1;
   // Of several, one is put into its cells while the next arrives.
   const cudaStream_t before_last = all > 1 ? queues.other : queues.main;
@@ -193,7 +194,7 @@ void FacetPipeline::State::receive_balls(const Problem& p, EventTimer& timer) {
   assign_piece(p, last, all, queues.main);
 }
 
-SortedBalls FacetPipeline::State::sort_into_cells(const Problem& p, EventTimer& timer) {
+SortedBalls DualEdgePipeline::State::sort_into_cells(const Problem& p, EventTimer& timer) {
   receive_balls(p, timer);
   std::uint32_t* cell_count = zeroed.get() + kCounterWords;
   const LaunchShape per_ball{blocks_for(n), kThreads, queues.main};

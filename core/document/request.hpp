@@ -19,17 +19,6 @@ struct Request {
 };
 
 // Without what its engine does not look at, so that equal work is an equal request.
-inline Request canonical(Request request) {
-  const TupleOptions asked = request.tuples;
-  request.tuples = {};
-  if (!is_tuple_engine(request.engine)) return request;
-  request.tuples = asked;
-  if (request.engine == EngineChoice::tuples_gpu) return request;
-  const TupleOptions defaults;
-  request.tuples.pinned = defaults.pinned;
-  request.tuples.texture = defaults.texture;
-  request.tuples.streams = defaults.streams;
-  return request;
-}
+Request canonical(Request request);
 
 }  // namespace alphascope

@@ -30,19 +30,6 @@ void expand(OpenedMolecule& opened, const OpenOptions& options, const RunContext
 
 }  // namespace
 
-OpenOptions for_another_file(const OpenOptions& options) {
-  OpenOptions result = options;
-  const BallOptions defaults;
-  result.read = ReadOptions{.max_bytes = options.read.max_bytes};
-  result.assembly.clear();
-  result.balls.model = defaults.model;
-  result.balls.chains = defaults.chains;
-  result.balls.without_chains = defaults.without_chains;
-  result.balls.selection = defaults.selection;
-  result.balls.overrides = defaults.overrides;
-  return result;
-}
-
 OpenedMolecule open_molecule(const std::filesystem::path& path, const OpenOptions& options,
                              const RunContext& context) {
   OpenedMolecule opened;

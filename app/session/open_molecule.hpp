@@ -3,29 +3,14 @@
 
 #include <filesystem>
 #include <memory>
-#include <string>
 #include <vector>
 
-#include "core/io/read_molecule.hpp"
+#include "core/document/open_options.hpp"
+#include "core/molecule/assembly.hpp"
 #include "core/molecule/contents.hpp"
 #include "core/molecule/prepare_balls.hpp"
 
 namespace alphascope {
-
-struct OpenOptions {
-  ReadOptions read;
-  std::string assembly;  // id of the biological assembly to expand; empty = as deposited
-  BallOptions balls;
-  // Read when the radii of a user's table are asked for and `balls` holds none.
-  std::filesystem::path radii_table;
-  friend bool operator==(const OpenOptions& a, const OpenOptions& b) {
-    return a.read == b.read && a.assembly == b.assembly && a.balls == b.balls &&
-           a.radii_table == b.radii_table;
-  }
-};
-
-// Without what was chosen for one file: assembly, model, chains, expression and radii set by hand.
-OpenOptions for_another_file(const OpenOptions& options);
 
 struct OpenedMolecule {
   std::shared_ptr<const Molecule> molecule;          // with the assembly's copies

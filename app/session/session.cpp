@@ -10,6 +10,7 @@ namespace {
 // Slider moves come every few milliseconds. Recomputes shorter than this finish, so that pictures
 // flow while the hand moves; longer ones give way to the newest request.
 constexpr std::chrono::milliseconds kSliderGrace{150};
+constexpr std::chrono::milliseconds kAlways = std::chrono::hours(24);
 
 bool same_engine(const Request& a, const Request& b) {
   return a.solvent_radius_angstrom == b.solvent_radius_angstrom && a.engine == b.engine &&
@@ -146,6 +147,10 @@ void Session::set_request(const Request& request) {
   if (timing_parallel_) comparer_.cancel();
   state_.request = request;
   if (state_.prepared) submit_compute();
+}
+
+void Session::let_finish(bool dragging) {
+  computer_.set_grace(dragging ? kAlways : kSliderGrace);
 }
 
 void Session::compute_anew() {

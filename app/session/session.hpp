@@ -103,6 +103,9 @@ class Session {
   // Latest wins. Does nothing when `request` is the present one and already answered or on its way.
   void set_request(const Request& request);
   void cancel_computing() { computer_.cancel(); }
+  // While a slider is dragged, a computation that has begun finishes although a newer request
+  // waits: else a slow one would show nothing until the hand rests. At rest it soon gives way.
+  void let_finish(bool dragging);
   // Answers the present request once more, set-up included, as if the molecule had just been
   // opened; so does CGAL when it is next asked to compare. For the cold times of engines that were
   // kept.

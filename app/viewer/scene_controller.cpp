@@ -18,6 +18,9 @@ constexpr double kRefineAfterSeconds = 0.25;
 constexpr double kNever = 1e9;
 // Newer pictures that arrive sooner than this follow the hand; saying so would flicker.
 constexpr std::chrono::milliseconds kOutdatedAfter{300};
+// A mesh that is newer than the one on screen is worth finishing: else a slow one would never be
+// seen while the slider is dragged. What it is of no more is cancelled by set_molecule().
+constexpr std::chrono::milliseconds kFinishes = std::chrono::hours(24);
 const std::string kNoMemory = std::string(kNothingDrawn) + " Choose" + kShowLess;
 
 std::shared_ptr<const std::vector<Rgb8>> shared(std::vector<Rgb8> colours) {
@@ -84,7 +87,7 @@ ComplexColouring colouring(ColourBy colour) {
 }  // namespace
 
 SceneController::SceneController(std::function<void()> wake, FreeMemory free_memory)
-    : free_memory_(std::move(free_memory)), mesh_worker_(std::move(wake)) {}
+    : free_memory_(std::move(free_memory)), mesh_worker_(std::move(wake), kFinishes) {}
 
 std::shared_ptr<const Molecule> SceneController::molecule() const {
   return opened_ ? opened_->molecule : nullptr;
@@ -359,8 +362,10 @@ void SceneController::reset_view() {
   dirty_ = true;
 }
 
-void SceneController::poll() {
+bool SceneController::poll() {
+  const std::shared_ptr<const Answer> before = drawn_answer_;
   mesh_worker_.poll();
+  return before != drawn_answer_;
 }
 
 double SceneController::seconds_to_refinement() const {
@@ -369,10 +374,13 @@ double SceneController::seconds_to_refinement() const {
   return std::max(0.0, kRefineAfterSeconds - since.count());
 }
 
-void SceneController::render(ViewportInfo& viewport, bool interacting, bool patient) {
+void SceneController::describe(ViewportInfo& viewport) const {
   viewport.legend = legend_;
   viewport.not_drawn = not_drawn_;
   viewport.trouble = view_trouble_;
+}
+
+void SceneController::render(ViewportInfo& viewport, bool interacting, bool patient) {
   const bool old = viewport.texture != 0 && (pending_ || outdated());
   if (!old) outdated_since_.reset();
   if (old && !outdated_since_) outdated_since_ = Clock::now();

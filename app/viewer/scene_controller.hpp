@@ -50,7 +50,11 @@ class SceneController {
   // A newer answer, or other balls, are being computed: the picture will be another.
   void set_pending(bool pending) { pending_ = pending; }
 
-  void poll();  // takes finished meshes
+  // Takes finished meshes. True: another complex is shown from the next render() on, which must not
+  // be left out, or what is said of the complex would be ahead of the picture.
+  bool poll();
+  // What belongs to the picture and is drawn by the panels; before them.
+  void describe(ViewportInfo& viewport) const;
   // Something is still on its way to the screen: a mesh, or a finer picture.
   bool busy() const { return mesh_worker_.activity().busy; }
   bool wants_frame() const { return dirty_ || refine_; }
@@ -65,6 +69,8 @@ class SceneController {
   // What is on screen, which may still be older than what was set; null before the first, and
   // while it makes room for the next.
   const DrawnMolecule* drawn() const { return drawn_molecule_.get(); }
+  // Whose complex is on screen, and may still be older than what was set; null: none.
+  const std::shared_ptr<const Answer>& drawn_answer() const { return drawn_answer_; }
   // What is on screen, for PictureSaver. Throws std::runtime_error when nothing is, or when there
   // is no memory for the picture.
   PictureToSave picture(const ScreenshotRequest& request) const;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/molecule/printable.hpp"
 #include "ui/panels/format.hpp"
 
 namespace alphascope {
@@ -68,10 +69,12 @@ std::string describe_ball(const Molecule& molecule, const PreparedBalls& prepare
          short_number_text(radius, 3) + " Å, grown " + number_text(grown, 2) + " Å";
 }
 
-ResultInfo describe_answer(const Answer& answer) {
+ResultInfo describe_answer(const Answer& answer, const Molecule& molecule) {
   const AlphaComplex& c = answer.complex;
   ResultInfo r;
   r.present = true;
+  r.molecule = printable(molecule.source.filename().string());
+  r.balls = answer.balls->size();
   r.alpha = answer.request.alpha_angstrom2;
   r.solvent = answer.request.solvent_radius_angstrom;
   r.tetrahedra_only = c.tetrahedra_only;
@@ -87,6 +90,11 @@ ResultInfo describe_answer(const Answer& answer) {
   return r;
 }
 
+std::string pending_text(const Answer& answer) {
+  return "α " + short_number_text(answer.request.alpha_angstrom2, 3) +
+         " Å²: " + count(answer.complex.tetrahedra.size()) + " tetrahedra · drawing";
+}
+
 std::optional<EngineTimings> describe_timings(const ColdAndWarm& timings) {
   if (!timings.cold && !timings.warm) return std::nullopt;
   EngineTimings shown;
@@ -97,9 +105,9 @@ std::optional<EngineTimings> describe_timings(const ColdAndWarm& timings) {
   return shown;
 }
 
-BadgeInfo describe_agreement(const SessionState& state, bool comparing) {
+BadgeInfo describe_agreement(const SessionState& state, const Answer* shown, bool comparing) {
   if (comparing) return {BadgeInfo::State::comparing, "comparing with CGAL…"};
-  if (!state.agreement || state.agreement->ours != state.ours) {
+  if (!state.agreement || state.agreement->ours.get() != shown) {
     return {BadgeInfo::State::not_compared, "not compared with CGAL"};
   }
   const Comparison& c = state.agreement->comparison;

@@ -57,6 +57,7 @@ Viewer::Viewer(Host& host, const ViewerOptions& options, Session::Services servi
   session_.set_request(canonical(state_.compute));
   session_.set_open_options(to_open_options(state_.selection, radii_sets_));
   scene_.set_display(state_.display, state_.theme);
+  editor_.restart(settings());
   if (options.file) open(*options.file);
 }
 
@@ -126,7 +127,6 @@ void Viewer::take_molecule() {
   // Another selection of the same molecule leaves the last result on screen until its own is there.
   if (!new_molecule) return;
   memory_to_give_back_ = true;  // the last one's
-  state_.result = {};
   colour_by_what_differs(*s.molecule);
   if (!new_file) return;
   shown_file_ = s.opened->deposited;
@@ -136,14 +136,26 @@ void Viewer::take_molecule() {
   state_.selection = sent_selection_ = to_controls(session_.open_options(), radii_sets_);
   state_.expression_error = {};
   state_.memory.expression_typed = state_.memory.expression_shown = state_.selection.expression;
+  editor_.restart(settings());
 }
 
 void Viewer::take_answer() {
   const SessionState& s = session_.state();
   scene_.set_answer(s.ours);
-  state_.result = describe_answer(*s.ours);
   state_.device_text = s.ours->complex.engine.name + " on " + s.ours->complex.engine.device;
   state_.engine_note = s.ours->engine_note;
+}
+
+void Viewer::take_shown() {
+  must_render_ |= scene_.poll();
+  scene_.describe(state_.viewport);
+  if (shown_ != scene_.drawn_answer()) {
+    shown_ = scene_.drawn_answer();
+    state_.result = shown_ ? describe_answer(*shown_, *scene_.drawn()->molecule) : ResultInfo{};
+    frames_due_ = kSettlingFrames;
+  }
+  const auto& ours = session_.state().ours;
+  state_.pending = ours && ours != shown_ ? pending_text(*ours) : "";
 }
 
 void Viewer::take_machine() {
@@ -168,7 +180,6 @@ void Viewer::take_session() {
   if (changes.answer && s.ours) take_answer();
   if (s.prepared && !s.ours && !session_.activity().computing.busy) {
     scene_.show_without_answer();  // cancelled or failed
-    state_.result = {};
   }
   if (changes.agreement && s.agreement) scene_.set_agreement(s.agreement);
   if (s.ours) {  // else the next answer is on its way
@@ -180,6 +191,7 @@ void Viewer::take_session() {
   if (changes.options) {  // what was asked for failed or was cancelled
     state_.selection = sent_selection_ = to_controls(session_.open_options(), radii_sets_);
     state_.memory.playing_models = false;
+    editor_.amend(settings());
   }
   if (changes.error) {
     before.model = state_.selection.model;
@@ -238,6 +250,8 @@ void Viewer::take_requests() {
   }
   if (r.cancel_benchmark) benchmark_.cancel();
   if (r.export_benchmark) benchmark_.save(state_.benchmark_controls, state_.benchmark);
+  if (r.undo) undo();
+  if (r.redo) redo();
   if (r.reset_view) scene_.reset_view();
   if (r.quit) quit_ = true;
   if (r.screenshot) save_picture(*r.screenshot);
@@ -274,6 +288,7 @@ void Viewer::send_controls() {
   }
   send_selection();
   scene_.set_display(state_.display, state_.theme);
+  note_changes();
 }
 
 void Viewer::send_selection() {
@@ -350,6 +365,8 @@ void Viewer::draw(ScriptedInput* input, bool patient,
   update_busy();
   guarded([this] { describe_under_mouse(); });
   if (!frame_.begin(state_.theme, input)) return;
+  session_.let_finish(interacting());
+  gesture_ = gestures_.in_this_frame();
   draw_window(state_, rects_, frame_.fonts(), frame_.scale());
   for (const PointerEvent& event : state_.viewport.events) scene_.pointer(event);
   guarded([this] {
@@ -357,14 +374,14 @@ void Viewer::draw(ScriptedInput* input, bool patient,
     play();
     play_models();
     send_controls();
-    scene_.poll();
   });
   // After the panels, so that the picture has this frame's size; ImGui draws it afterwards. Not
   // while input waits for its frame: a slow picture each would make the window follow late.
   const SessionActivity a = session_.activity();
   scene_.set_pending((a.computing.busy && !session_.state().up_to_date()) ||
                      (a.opening.busy && a.opening_path.empty()));
-  if (input != nullptr || !host_.input().waiting()) {
+  if (input != nullptr || must_render_ || !host_.input().waiting()) {
+    must_render_ = false;
     guarded([&] { scene_.render(state_.viewport, interacting(), patient); });
   }
   frame_.end([&](unsigned framebuffer) {
@@ -377,6 +394,7 @@ void Viewer::step(ScriptedInput* input) {
   host_.wait_events(0);
   guarded([this] {
     take_session();
+    take_shown();
     compare_when_due();
   });
   draw(input, patient_);
@@ -421,8 +439,8 @@ void Viewer::run() {
     guarded([this] {
       open_dropped(host_.take_dropped_files());
       take_session();
+      take_shown();
       compare_when_due();
-      scene_.poll();
     });
     const bool playing = state_.memory.playing || state_.memory.playing_models;
     const bool due = frames_due_ > 0 || playing || working() || scene_.wants_frame() ||

@@ -11,10 +11,12 @@
 #include "app/session/session.hpp"
 #include "app/viewer/benchmark.hpp"
 #include "app/viewer/folder_reader.hpp"
+#include "app/viewer/gestures.hpp"
 #include "app/viewer/model_playback.hpp"
 #include "app/viewer/options.hpp"
 #include "app/viewer/picture_saver.hpp"
 #include "app/viewer/scene_controller.hpp"
+#include "core/document/editor.hpp"
 #include "ui/panels/view_state.hpp"
 #include "ui/panels/widget_rects.hpp"
 #include "ui/window/host.hpp"
@@ -43,6 +45,10 @@ class Viewer {
   void open_dropped(const std::vector<std::filesystem::path>& files);
   bool quit_requested() const { return quit_; }
 
+  // Of what was set: molecule options, alpha, solvent radius, engine, display.
+  void undo();
+  void redo();
+
   ViewState& state() { return state_; }
   const WidgetRects& widgets() const { return rects_; }
   Session& session() { return session_; }
@@ -62,12 +68,16 @@ class Viewer {
   void take_machine();
   void take_molecule();
   void take_answer();
+  void take_shown();     // what is said of the picture changes with it
   void take_requests();  // what the panels asked for
   void save_picture(const ScreenshotRequest& request);
   void take_saved();
   void send_controls();  // changed controls to session and scene
   void send_selection();
-  bool settled() const;  // the latest request is answered
+  Settings settings() const;  // as the controls have them
+  void note_changes();        // into the history
+  void show_settings();       // the history's, in the controls
+  bool settled() const;       // the latest request is answered
   void update_busy();
   void update_badge();
   void colour_by_what_differs(const Molecule& molecule);
@@ -94,14 +104,19 @@ class Viewer {
   SelectionControls sent_selection_;
   std::shared_ptr<const Molecule> shown_file_;  // as deposited
   std::string drop_note_when_open_;             // of the file that is being read
+  std::shared_ptr<const Answer> shown_;         // whose complex is on screen
   std::shared_ptr<const Answer> compared_;      // the last answer for which a comparison was asked
   std::optional<Clock::time_point> busy_since_, comparing_since_, tooltip_due_;
   Clock::time_point selection_sent_at_{};
   ModelPlayback model_playback_;
+  Editor editor_;
+  Gestures gestures_;
+  Gesture gesture_ = 0;  // of this frame
   ColourBy automatic_colour_ = ColourBy::chain;
   int frames_due_ = 3;
   bool quit_ = false;
   bool patient_ = false;
+  bool must_render_ = false;          // the picture of what state_.result says
   bool memory_to_give_back_ = false;  // something large was freed
   PictureSaver saver_;
   FolderReader folder_reader_;

@@ -60,7 +60,8 @@ void Viewer::take_error(bool only_the_model_changed) {
 }
 
 void Viewer::update_badge() {
-  state_.badge = describe_agreement(session_.state(), session_.activity().comparing.busy);
+  state_.badge =
+      describe_agreement(session_.state(), shown_.get(), session_.activity().comparing.busy);
   const bool comparing = session_.activity().comparing.busy;
   if (!comparing) comparing_since_.reset();
   if (comparing && !comparing_since_) comparing_since_ = Clock::now();

@@ -1,5 +1,5 @@
-// What one complex is asked for with: alpha, solvent radius and engine. Which atoms are balls is not
-// said here.
+// What one complex is asked for with: alpha, solvent radius and engine. Which atoms are balls is
+// not said here.
 #pragma once
 
 #include "core/engine/engine_choice.hpp"

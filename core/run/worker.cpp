@@ -39,6 +39,12 @@ Worker::~Worker() {
   thread_.join();
 }
 
+void Worker::set_grace(std::chrono::milliseconds grace) {
+  const std::lock_guard lock(mutex_);
+  grace_ = grace;
+  cancel_superseded_when_due();
+}
+
 void Worker::submit(Job job, FailureHandler on_failure) {
   Request request{std::move(job), std::move(on_failure), {}};
   {

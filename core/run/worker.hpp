@@ -49,6 +49,8 @@ class Worker {
   Worker(const Worker&) = delete;
   Worker& operator=(const Worker&) = delete;
 
+  void set_grace(std::chrono::milliseconds grace);
+
   // Replaces a job that has not started yet, and cancels the running one (see `grace`).
   void submit(Job job, FailureHandler on_failure = {});
 
@@ -86,9 +88,9 @@ class Worker {
   void cancel_superseded_when_due();  // needs mutex_
 
   const std::function<void()> wake_;
-  const std::chrono::milliseconds grace_;
 
   mutable std::mutex mutex_;
+  std::chrono::milliseconds grace_;
   std::condition_variable work_;
   std::optional<Request> waiting_;
   std::function<void()> idle_task_;

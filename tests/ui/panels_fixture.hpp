@@ -97,6 +97,8 @@ inline ViewState loaded_state() {
   s.molecule.balls = 4558;
   s.molecule.radii = {{"C", 1.7, 2.07}, {"N", 1.55, 1.95}};
   s.result.present = true;
+  s.result.molecule = "4hhb.pdb.gz";
+  s.result.balls = 4558;
   s.result.tetrahedra = 8090;
   s.result.hash = "f619dc636b8b16e6";
   s.ours = EngineTimings{"dual-edge engine",

@@ -486,7 +486,7 @@ TEST(StateBridge, SaysWhatDiffers) {
   SessionState state;
   state.ours = agreement->ours;
   state.agreement = agreement;
-  const BadgeInfo badge = describe_agreement(state, false);
+  const BadgeInfo badge = describe_agreement(state, state.ours.get(), false);
   EXPECT_EQ(badge.state, BadgeInfo::State::different);
   EXPECT_EQ(badge.text,
             "differs from CGAL: tetrahedra: 1 missing, 0 extra; edges: 0 missing, 2 extra");

@@ -6,13 +6,12 @@
 #include <string>
 #include <vector>
 
+#include "core/document/display.hpp"
 #include "core/document/request.hpp"
 #include "ui/number_input.hpp"
 #include "ui/panels/radius_edits.hpp"
 
 namespace alphascope {
-
-enum class ColourBy : std::uint8_t { element, chain, single, alpha };  // alpha: simplices only
 
 // For what counts alpha up and down: stops at the bounds.
 inline void set_alpha(Request& request, double angstrom2) {
@@ -36,19 +35,6 @@ struct SelectionControls {
   std::string expression;
   RadiusEdits radius_edits;
   friend bool operator==(const SelectionControls&, const SelectionControls&) = default;
-};
-
-// A change of these only needs a new picture.
-struct DisplayControls {
-  bool balls = true, tetrahedra = true, boundary = false, triangles = false, edges = false;
-  bool singular_only = true;  // triangles and edges that are faces of nothing larger
-  bool grown_balls = false;   // sqrt((radius + solvent)² + alpha) instead of the radius
-  float ball_scale = 0.3f;    // times the radius
-  float ball_opacity = 1, complex_opacity = 1;
-  float shrink = 0;  // of tetrahedra, 0 to 0.9
-  ColourBy ball_colour = ColourBy::chain, complex_colour = ColourBy::chain;
-  bool ambient_occlusion = true;
-  friend bool operator==(const DisplayControls&, const DisplayControls&) = default;
 };
 
 }  // namespace alphascope

@@ -69,8 +69,11 @@ struct MoleculeInfo {
   std::vector<std::pair<std::string, std::string>> provenance;
 };
 
+// The complex on screen.
 struct ResultInfo {
   bool present = false;
+  std::string molecule;  // "4hhb.pdb.gz"
+  std::size_t balls = 0;
   double alpha = 0, solvent = 0;  // of this result; the controls may be ahead
   bool tetrahedra_only = false;
   std::size_t vertices = 0, edges = 0, triangles = 0, tetrahedra = 0;

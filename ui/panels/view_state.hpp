@@ -35,6 +35,7 @@ struct Requests {
   bool compare = false, cancel = false, cancel_compare = false, cancel_save = false;
   bool compute_anew = false;  // set-up included, for its cold time
   bool reset_view = false, quit = false;
+  bool undo = false, redo = false;
   bool run_benchmark = false, cancel_benchmark = false, export_benchmark = false;
 };
 
@@ -118,7 +119,8 @@ struct ViewState {
   bool auto_compare = false;
 
   MoleculeInfo molecule;
-  ResultInfo result;
+  ResultInfo result;    // on screen
+  std::string pending;  // what is computed and still being drawn; empty: nothing
   std::optional<EngineTimings> ours, cgal, cgal_parallel;  // the last: with all threads
   BadgeInfo badge;
   BenchmarkControls benchmark_controls;
@@ -140,7 +142,8 @@ struct ViewState {
   std::string compute_error;  // why the present alpha has no complex; one line over the view
   // Lines that say which of several dropped files is open; until dismissed, or another is opened.
   std::string drop_note;
-  std::string notice;  // one line in the status bar, "saved /tmp/a.png"
+  std::string notice;                // one line in the status bar, "saved /tmp/a.png"
+  std::string undo_text, redo_text;  // what would change, "alpha"; empty: nothing
   std::vector<SampleMolecule> samples;
   std::vector<RadiiSetEntry> radii_sets;
 

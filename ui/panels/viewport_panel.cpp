@@ -114,10 +114,14 @@ void legend(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
 
 void caption(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
   if (!ctx.state.result.present) return;
-  const std::string text = caption_text(ctx.state);
+  const std::string text = caption_text(ctx.state.result);
   ImDrawList* draw = ImGui::GetWindowDrawList();
   draw->AddText({corner.x + ctx.px(16), corner.y + ctx.px(14)}, to_u32(ctx.palette.text_muted),
                 fitted_text(text, size.x - ctx.px(260)).c_str());
+  if (ctx.state.pending.empty()) return;
+  draw->AddText(
+      {corner.x + ctx.px(16), corner.y + ctx.px(14) + ImGui::GetTextLineHeightWithSpacing()},
+      to_u32(ctx.palette.text_muted), fitted_text(ctx.state.pending, size.x - ctx.px(260)).c_str());
 }
 
 void begin_overlay(PanelContext& ctx, const char* id, ImVec2 position, ImVec2 pivot) {
@@ -299,11 +303,10 @@ void not_drawn_note(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
 
 }  // namespace
 
-std::string caption_text(const ViewState& s) {
-  const ResultInfo& r = s.result;
-  std::string text = s.molecule.name + "   α = " + short_number_text(r.alpha, 3) + " Å²";
+std::string caption_text(const ResultInfo& r) {
+  std::string text = r.molecule + "   α = " + short_number_text(r.alpha, 3) + " Å²";
   if (r.solvent > 0) text += "   solvent " + short_number_text(r.solvent, 2) + " Å";
-  if (r.tetrahedra > 0 || s.molecule.balls == 0) return text;
+  if (r.tetrahedra > 0 || r.balls == 0) return text;
   return text + (r.tetrahedra_only || r.vertices > 0 ? "   no tetrahedra at this alpha"
                                                      : "   no ball is left at this alpha");
 }

@@ -1,0 +1,27 @@
+// See the header.
+#include "app/viewer/gestures.hpp"
+
+#include <imgui.h>
+
+#include <algorithm>
+
+namespace alphascope {
+
+Gesture Gestures::in_this_frame() {
+  const ImGuiIO& io = ImGui::GetIO();
+  bool pressed = false, held = false;
+  for (int button = 0; button < ImGuiMouseButton_COUNT; ++button) {
+    pressed |= ImGui::IsMouseClicked(button);
+    held |= io.MouseDown[button];
+  }
+  for (int key = 0; key < IM_ARRAYSIZE(io.KeysDown); ++key) {
+    pressed |= ImGui::IsKeyPressed(key, false);
+    held |= io.KeysDown[key];
+  }
+  if (pressed) ++count_;
+  constexpr int kFramesAfterRelease = 2;
+  frames_left_ = pressed || held ? kFramesAfterRelease : std::max(0, frames_left_ - 1);
+  return frames_left_ > 0 ? count_ : 0;
+}
+
+}  // namespace alphascope

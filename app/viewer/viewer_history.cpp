@@ -1,0 +1,41 @@
+// Undo and redo: the panels' controls as settings, and back.
+#include "app/viewer/molecule_info.hpp"
+#include "app/viewer/viewer.hpp"
+
+namespace alphascope {
+
+Settings Viewer::settings() const {
+  return {to_open_options(state_.selection, radii_sets_), state_.compute, state_.display};
+}
+
+// Once a frame, when what was typed has been checked.
+void Viewer::note_changes() {
+  const bool playing = state_.memory.playing || state_.memory.playing_models;
+  if (playing) {
+    editor_.amend(settings());
+  } else {
+    editor_.set(settings(), gesture_);
+  }
+  state_.undo_text = editor_.undo_text();
+  state_.redo_text = editor_.redo_text();
+}
+
+void Viewer::show_settings() {
+  const Settings& s = editor_.now();
+  state_.selection = to_controls(s.open, radii_sets_);
+  state_.compute = s.request;
+  state_.display = s.display;
+  state_.memory.playing = state_.memory.playing_models = false;
+  state_.memory.number = {};  // what was being typed is not what is undone
+  state_.expression_error = {};
+}
+
+void Viewer::undo() {
+  if (editor_.undo()) show_settings();
+}
+
+void Viewer::redo() {
+  if (editor_.redo()) show_settings();
+}
+
+}  // namespace alphascope

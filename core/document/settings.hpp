@@ -1,0 +1,24 @@
+// Everything that a user sets for the open file, as plain values: what undo goes back to, and what a
+// session file has to hold. Windows and dialogs are not here.
+#pragma once
+
+#include <string>
+
+#include "core/document/display.hpp"
+#include "core/document/open_options.hpp"
+#include "core/document/request.hpp"
+
+namespace alphascope {
+
+struct Settings {
+  OpenOptions open;
+  Request request;
+  DisplayControls display;
+  friend bool operator==(const Settings&, const Settings&) = default;
+};
+
+// What differs, for "Undo …": "alpha", "radii", "display"; several are "alpha and display". Empty
+// when nothing does.
+std::string difference_text(const Settings& a, const Settings& b);
+
+}  // namespace alphascope

@@ -1,0 +1,155 @@
+// Undo and redo in the whole window: hash and picture come back, a drag is one entry, playback none.
+#include <cmath>
+
+#include "tests/ui/viewer_fixture.hpp"
+
+namespace alphascope::testing {
+namespace {
+
+class HistoryTest : public ViewerTest {
+ protected:
+  std::string hash() {
+    run("wait-idle\n");
+    return viewer_->state().result.hash;
+  }
+  void undo() {
+    viewer_->undo();
+    run("wait-idle\n");
+  }
+  void redo() {
+    viewer_->redo();
+    run("wait-idle\n");
+  }
+};
+
+TEST_F(HistoryTest, UndoRestoresHashAndPicture) {
+  open_crambin();
+  run("click alpha.preset.1.4\nwait-idle\n");
+  const std::string before = hash();
+  const Image picture_before = picture();
+  run("click alpha.preset.3\nwait-idle\n");
+  const std::string after = hash();
+  ASSERT_NE(before, after);
+  EXPECT_EQ(viewer_->state().undo_text, "alpha");
+  undo();
+  EXPECT_EQ(hash(), before);
+  EXPECT_EQ(viewer_->state().compute.alpha_angstrom2, 1.4);
+  EXPECT_EQ(picture().rgba, picture_before.rgba);
+  redo();
+  EXPECT_EQ(hash(), after);
+  EXPECT_NE(picture().rgba, picture_before.rgba);
+}
+
+TEST_F(HistoryTest, ADragIsOneEntryAndTwoDragsAreTwo) {
+  open_crambin();
+  run("move alpha.slider 0.3\ndown\nmove alpha.slider 0.5\nmove alpha.slider 0.6\nup\n");
+  const double first = viewer_->state().compute.alpha_angstrom2;
+  run("move alpha.slider 0.6\ndown\nmove alpha.slider 0.7\nmove alpha.slider 0.9\nup\n");
+  EXPECT_GT(viewer_->state().compute.alpha_angstrom2, first);
+  undo();
+  EXPECT_EQ(viewer_->state().compute.alpha_angstrom2, first);
+  undo();
+  EXPECT_EQ(viewer_->state().compute.alpha_angstrom2, 0);
+  EXPECT_EQ(viewer_->state().undo_text, "");
+}
+
+TEST_F(HistoryTest, EachTapIsAnEntry) {
+  open_crambin();
+  run("key right\nkey right\nwait-idle\n");
+  EXPECT_DOUBLE_EQ(viewer_->state().compute.alpha_angstrom2, 0.2);
+  undo();
+  EXPECT_DOUBLE_EQ(viewer_->state().compute.alpha_angstrom2, 0.1);
+}
+
+TEST_F(HistoryTest, PlaybackLeavesNoEntry) {
+  open_crambin();
+  run("click alpha.preset.1.4\nwait-idle\nclick alpha.play\nframes 30\n");
+  run("click alpha.play\nwait-idle\n");
+  EXPECT_GT(viewer_->state().compute.alpha_angstrom2, 1.4);
+  undo();
+  EXPECT_EQ(viewer_->state().compute.alpha_angstrom2, 0);
+}
+
+TEST_F(HistoryTest, AtomsAndDisplayComeBack) {
+  open_crambin();
+  const std::size_t all = viewer_->state().molecule.balls;
+  viewer_->state().selection.expression = "resi 1-20";
+  run("frames 1\nwait-idle\n");
+  const std::size_t some = viewer_->state().molecule.balls;
+  ASSERT_LT(some, all);
+  viewer_->state().display.balls = false;
+  run("frames 1\n");
+  EXPECT_EQ(viewer_->state().undo_text, "display");
+  undo();
+  EXPECT_TRUE(viewer_->state().display.balls);
+  EXPECT_EQ(viewer_->state().undo_text, "choice of atoms");
+  undo();
+  EXPECT_EQ(viewer_->state().molecule.balls, all);
+  EXPECT_EQ(viewer_->state().selection.expression, "");
+  redo();
+  EXPECT_EQ(viewer_->state().molecule.balls, some);
+}
+
+TEST_F(HistoryTest, ARefusedChangeLeavesNoEntry) {
+  open_crambin();
+  run("click alpha.preset.3\nwait-idle\n");
+  viewer_->state().selection.radii_table = (folder_ / "there is none").string();
+  const auto& sets = viewer_->state().radii_sets;
+  for (std::size_t i = 0; i < sets.size(); ++i) {
+    if (sets[i].kind == RadiiSetEntry::Kind::user_table) {
+      viewer_->state().selection.radii_set = static_cast<int>(i);
+    }
+  }
+  run("frames 1\nwait-idle\nclick error.ok\n");
+  EXPECT_EQ(viewer_->state().undo_text, "alpha");
+}
+
+TEST_F(HistoryTest, AnotherFileStartsAnew) {
+  open_crambin();
+  run("click alpha.preset.3\nwait-idle\n");
+  ASSERT_EQ(viewer_->state().undo_text, "alpha");
+  const fs::path other = folder_ / "other.pdb";
+  fs::copy_file(crambin(), other);
+  run("open " + other.string() + "\nwait-idle\n");
+  EXPECT_EQ(viewer_->state().undo_text, "");
+  viewer_->undo();
+  EXPECT_EQ(viewer_->state().compute.alpha_angstrom2, 3);
+}
+
+// Slow meshes: what is said of the complex is always of the picture that is shown with it.
+TEST_F(HistoryTest, NumbersAndPictureChangeTogether) {
+  open_crambin();
+  DisplayControls& display = viewer_->state().display;
+  display.balls = false;
+  display.ambient_occlusion = false;
+  display.complex_colour = ColourBy::single;
+  run("wait-idle\n");
+  const auto covered = [](const Image& image) {
+    std::size_t count = 0;
+    for (std::size_t i = 4; i < image.rgba.size(); i += 4) {
+      count += !std::equal(&image.rgba[i], &image.rgba[i] + 3, image.rgba.data());
+    }
+    return static_cast<double>(count);
+  };
+  const auto on_screen = [&] {
+    return texture_pixels(static_cast<unsigned>(viewer_->state().viewport.texture));
+  };
+  std::vector<std::pair<double, double>> seen;  // alpha as said, pixels covered
+  constexpr int kSteps = 200;
+  for (int i = 1; i <= kSteps; ++i) {
+    viewer_->state().compute.alpha_angstrom2 = 5.0 * i / kSteps;
+    run("frames 1\n");
+    seen.emplace_back(viewer_->state().result.alpha, covered(on_screen()));
+  }
+  std::size_t checked = 0;
+  for (std::size_t i = 0; i < seen.size(); i += 10, ++checked) {
+    viewer_->state().compute.alpha_angstrom2 = seen[i].first;
+    run("wait-idle\n");
+    const double expected = covered(on_screen());
+    EXPECT_NEAR(seen[i].second, expected, 0.01 * expected + 20) << "alpha " << seen[i].first;
+  }
+  EXPECT_EQ(checked, 20u);
+}
+
+}  // namespace
+}  // namespace alphascope::testing

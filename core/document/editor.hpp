@@ -1,5 +1,5 @@
-// The settings in force and their history. Undo is by snapshots: a setting that is new costs nothing
-// here. Main thread only.
+// The settings in force and their history. Undo is by snapshots: a setting that is new costs
+// nothing here. Main thread only.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,5 @@
-// Everything that a user sets for the open file, as plain values: what undo goes back to, and what a
-// session file has to hold. Windows and dialogs are not here.
+// Everything that a user sets for the open file, as plain values: what undo goes back to, and what
+// a session file has to hold. Windows and dialogs are not here.
 #pragma once
 
 #include <string>

@@ -9,7 +9,6 @@
 #include <stdexcept>
 
 #include "core/complex/count_limits.hpp"
-#include "core/complex/face_groups.hpp"
 #include "core/engine/engine.hpp"
 #include "core/predicates/exact_alpha.hpp"
 #include "core/run/cpu_threads.hpp"
@@ -20,9 +19,9 @@ namespace alphascope {
 namespace {
 
 // CGAL's own route to the tetrahedra of K_alpha: all cells with ortho-radius <= alpha.
-void filter_tetrahedra(const BallSet& balls, const RegularTriangulation& rt,
+void filter_tetrahedra(const BallSet& balls, const Triangulation& triangulation,
                        AlphaComplex& complex) {
-  const Simplices<4>& cells = rt.tetrahedra;
+  const Simplices<4>& cells = triangulation.tetrahedra;
   std::vector<char> in(cells.size());
   using Range = tbb::blocked_range<std::size_t>;
   tbb::parallel_for(Range(0, cells.size(), 1024), [&](const Range& range) {
@@ -34,7 +33,6 @@ void filter_tetrahedra(const BallSet& balls, const RegularTriangulation& rt,
   for (std::size_t c = 0; c < cells.size(); ++c) {
     if (in[c]) list.simplices.push_back(cells[c]);
   }
-  sort_simplices<4>(list.simplices, balls.size());
 }
 
 class CgalEngine : public Engine {
@@ -81,11 +79,10 @@ class CgalEngine : public Engine {
   // triangulation.
   void prepare(bool tetrahedra_only, const RunContext& context, StageTimer& timer) {
     if (!triangulation_) {
-      triangulation_ = triangulate(*balls_, arena_.max_concurrency(), context);
+      triangulation_ = make_triangulation(*balls_, arena_.max_concurrency(), context);
       timer.lap(stage::kTriangulation, true);
     }
     if (tetrahedra_only) return;
-    // A copy, so that a cancelled or failed build leaves the engine usable.
     filtration_.emplace(balls_, *triangulation_, context);
     triangulation_.reset();
     timer.lap(stage::kClassification, true);
@@ -103,7 +100,7 @@ class CgalEngine : public Engine {
 
   std::shared_ptr<const BallSet> balls_;
   tbb::task_arena arena_;
-  std::optional<RegularTriangulation> triangulation_;
+  std::optional<Triangulation> triangulation_;
   std::optional<Filtration> filtration_;
 };
 

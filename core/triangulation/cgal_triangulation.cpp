@@ -7,15 +7,22 @@
 #include <CGAL/Regular_triangulation_cell_base_3.h>
 #include <CGAL/Regular_triangulation_vertex_base_3.h>
 #include <CGAL/Spatial_sort_traits_adapter_3.h>
+#include <CGAL/Triangulation_cell_base_with_info_3.h>
 #include <CGAL/Triangulation_vertex_base_with_info_3.h>
 #include <CGAL/spatial_sort.h>
 
-#include <algorithm>
-#include <optional>
-#include <utility>
+#include <tbb/parallel_for.h>
 
+#include <algorithm>
+#include <cstdint>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "core/complex/count_limits.hpp"
 #include "core/neighbours/coincident.hpp"
 #include "core/run/stage_timer.hpp"
+#include "core/triangulation/order_tetrahedra.hpp"
 
 namespace alphascope {
 namespace {
@@ -35,12 +42,13 @@ struct NoPoints {
   const_iterator begin() const { return nullptr; }
   const_iterator end() const { return nullptr; }
 };
-using CellBase =
-    CGAL::Regular_triangulation_cell_base_3<Kernel, CGAL::Triangulation_cell_base_3<Kernel>,
-                                            CGAL::Discard_hidden_points, NoPoints>;
+// The number of a cell among the finite ones.
+using NumberedCell = CGAL::Triangulation_cell_base_with_info_3<std::uint32_t, Kernel>;
+using CellBase = CGAL::Regular_triangulation_cell_base_3<Kernel, NumberedCell,
+                                                         CGAL::Discard_hidden_points, NoPoints>;
 
 template <class Concurrency>
-using Triangulation = CGAL::Regular_triangulation_3<
+using CgalTriangulation = CGAL::Regular_triangulation_3<
     Kernel, CGAL::Triangulation_data_structure_3<VertexBase, CellBase, Concurrency>>;
 
 using InputPoint = std::pair<WeightedPoint, BallIndex>;
@@ -69,18 +77,18 @@ std::vector<InputPoint> visible_input(const BallSet& balls) {
 
 // Spatial sorting, then one point after the other from the cell of the last one: what CGAL's own
 // range insertion does, with a look at the cancel token in between.
-void insert_all(Triangulation<CGAL::Sequential_tag>& rt, std::vector<InputPoint>& points,
+void insert_all(CgalTriangulation<CGAL::Sequential_tag>& rt, std::vector<InputPoint>& points,
                 const RunContext& context) {
   using Traits = CGAL::Spatial_sort_traits_adapter_3<Kernel, CentreOf>;
   CGAL::spatial_sort(points.begin(), points.end(), Traits(CentreOf()));
-  Triangulation<CGAL::Sequential_tag>::Cell_handle hint;
+  CgalTriangulation<CGAL::Sequential_tag>::Cell_handle hint;
   for (std::size_t n = 0; n < points.size(); ++n) {
     if (n % 2048 == 0) {
       context.cancel.throw_if_cancelled();
       context.report(stage::kTriangulation,
                      static_cast<double>(n) / static_cast<double>(points.size()));
     }
-    Triangulation<CGAL::Sequential_tag>::Locate_type type;
+    CgalTriangulation<CGAL::Sequential_tag>::Locate_type type;
     int i, j;
     const auto cell = rt.locate(points[n].first, type, i, j, hint);
     const auto vertex = rt.insert(points[n].first, type, cell, i, j);
@@ -91,7 +99,7 @@ void insert_all(Triangulation<CGAL::Sequential_tag>& rt, std::vector<InputPoint>
 
 // CGAL's parallel range insertion cannot be interrupted, so it gets one chunk after another. The
 // sort's coarse levels come first, hence every chunk but the last ones spreads over all space.
-void insert_all(Triangulation<CGAL::Parallel_tag>& rt, std::vector<InputPoint>& points,
+void insert_all(CgalTriangulation<CGAL::Parallel_tag>& rt, std::vector<InputPoint>& points,
                 const RunContext& context) {
   constexpr std::size_t kChunk = 131072;
   using Traits = CGAL::Spatial_sort_traits_adapter_3<Kernel, CentreOf>;
@@ -116,63 +124,107 @@ std::array<BallIndex, N> ascending_vertices(const Cell& cell) {
   return simplex;
 }
 
+// CGAL's corners of a cell, by ascending ball.
+template <class Cell>
+std::array<int, 4> ascending_corners(const Cell& cell) {
+  std::array<int, 4> corners{0, 1, 2, 3};
+  std::sort(corners.begin(), corners.end(),
+            [&](int a, int b) { return cell->vertex(a)->info() < cell->vertex(b)->info(); });
+  return corners;
+}
+
+// Numbers the cells as they come, then asks each for the numbers of its neighbours.
 template <class Rt>
-RegularTriangulation copy_out(const Rt& rt, std::size_t ball_count) {
-  RegularTriangulation out;
-  out.dimension = rt.dimension();
-  if (out.dimension == 3) {
-    out.tetrahedra.reserve(rt.tds().number_of_cells());
-    for (auto c = rt.finite_cells_begin(); c != rt.finite_cells_end(); ++c) {
-      out.tetrahedra.push_back(ascending_vertices<4>(c));
+UnorderedTetrahedra copy_tetrahedra(Rt& rt, const CancelToken& cancel) {
+  std::vector<typename Rt::Cell_handle> cells;
+  cells.reserve(rt.tds().number_of_cells());
+  for (auto c = rt.all_cells_begin(); c != rt.all_cells_end(); ++c) {
+    const bool finite = !rt.is_infinite(c);
+    c->info() = finite ? static_cast<std::uint32_t>(cells.size()) : UnorderedTetrahedra::kOutside;
+    if (finite) cells.push_back(c);
+  }
+  cancel.throw_if_cancelled();
+  UnorderedTetrahedra result;
+  result.tetrahedra.resize(cells.size());
+  result.neighbours.resize(cells.size());
+  tbb::parallel_for(std::size_t{0}, cells.size(), [&](std::size_t t) {
+    const auto corners = ascending_corners(cells[t]);
+    for (std::size_t k = 0; k < 4; ++k) {
+      result.tetrahedra[t][k] = cells[t]->vertex(corners[k])->info();
+      result.neighbours[t][k] = cells[t]->neighbor(corners[k])->info();
     }
-  } else if (out.dimension == 2) {
+  });
+  return result;
+}
+
+// What is not of dimension 3 alone.
+template <class Rt>
+Triangulation copy_flat(const Rt& rt, std::size_t ball_count) {
+  Triangulation out;
+  out.dimension = rt.dimension();
+  if (out.dimension == 2) {
     for (auto f = rt.finite_facets_begin(); f != rt.finite_facets_end(); ++f) {
       out.triangles.push_back(ascending_vertices<3>(f->first));
     }
+    std::sort(out.triangles.begin(), out.triangles.end());
   } else if (out.dimension == 1) {
     for (auto e = rt.finite_edges_begin(); e != rt.finite_edges_end(); ++e) {
       out.edges.push_back(ascending_vertices<2>(e->first));
     }
+    std::sort(out.edges.begin(), out.edges.end());
   }
   std::vector<bool> visible(ball_count, false);
   for (auto v = rt.finite_vertices_begin(); v != rt.finite_vertices_end(); ++v) {
     visible[v->info()] = true;
   }
   out.vertices.reserve(rt.number_of_vertices());
+  out.hidden.reserve(ball_count - rt.number_of_vertices());
   for (BallIndex i = 0; i < ball_count; ++i) {
     (visible[i] ? out.vertices : out.hidden).push_back(i);
   }
   return out;
 }
 
-RegularTriangulation triangulate_parallel(std::vector<InputPoint>& points, std::size_t ball_count,
-                                          const RunContext& context) {
+// CGAL's triangulation is let go before its copy is put in order: it is the larger one.
+template <class Rt>
+Triangulation finish(const BallSet& balls, std::unique_ptr<Rt> rt, const RunContext& context) {
+  context.cancel.throw_if_cancelled();
+  Triangulation result = copy_flat(*rt, balls.size());
+  if (result.dimension < 3) return result;
+  const UnorderedTetrahedra tetrahedra = copy_tetrahedra(*rt, context.cancel);
+  rt.reset();
+  set_tetrahedra(balls, tetrahedra, context.cancel, result);
+  return result;
+}
+
+Triangulation triangulate_parallel(const BallSet& balls, std::vector<InputPoint>& points,
+                                   const RunContext& context) {
   // 30, 50 and 100 cells per axis measured alike up to 217k balls.
   constexpr int kLockCellsPerAxis = 50;
+  using Rt = CgalTriangulation<CGAL::Parallel_tag>;
   CGAL::Bbox_3 box;
   for (const InputPoint& p : points) box += p.first.bbox();
-  Triangulation<CGAL::Parallel_tag>::Lock_data_structure locks(box, kLockCellsPerAxis);
-  Triangulation<CGAL::Parallel_tag> rt(&locks);
-  insert_all(rt, points, context);
-  context.cancel.throw_if_cancelled();
-  return copy_out(rt, ball_count);
+  Rt::Lock_data_structure locks(box, kLockCellsPerAxis);
+  auto rt = std::make_unique<Rt>(&locks);
+  insert_all(*rt, points, context);
+  return finish(balls, std::move(rt), context);
 }
 
 }  // namespace
 
-RegularTriangulation triangulate(const BallSet& balls, int threads, const RunContext& context) {
+Triangulation make_triangulation(const BallSet& balls, int threads, const RunContext& context) {
+  require_balls(balls.size());
   std::vector<InputPoint> points = visible_input(balls);
   // CGAL's locks make its parallel code 1.4 times as slow on one thread, and its spinning makes it
   // lose on two as soon as anything else runs on the machine; its first 100 points are sequential.
   constexpr std::size_t kWorthBalls = 4096;
   constexpr int kWorthThreads = 3;
   if (threads >= kWorthThreads && points.size() >= kWorthBalls) {
-    return triangulate_parallel(points, balls.size(), context);
+    return triangulate_parallel(balls, points, context);
   }
-  Triangulation<CGAL::Sequential_tag> rt;
-  insert_all(rt, points, context);
-  context.cancel.throw_if_cancelled();
-  return copy_out(rt, balls.size());
+  auto rt = std::make_unique<CgalTriangulation<CGAL::Sequential_tag>>();
+  insert_all(*rt, points, context);
+  return finish(balls, std::move(rt), context);
 }
 
 }  // namespace alphascope

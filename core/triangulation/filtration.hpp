@@ -6,7 +6,8 @@
 #include <vector>
 
 #include "core/complex/alpha_complex.hpp"
-#include "core/triangulation/cgal_triangulation.hpp"
+#include "core/complex/triangulation.hpp"
+#include "core/run/cancel_token.hpp"
 
 namespace alphascope {
 
@@ -23,10 +24,10 @@ struct ClassLevelsByDimension {
 
 class Filtration {
  public:
-  // Of a whole regular triangulation of these balls: holds for every alpha; top() has no hash.
+  // Of the triangulation of these balls: holds for every alpha; top() has no hash.
   // Works in the caller's task arena. Throws Cancelled.
-  Filtration(std::shared_ptr<const BallSet> balls, RegularTriangulation triangulation,
-             const RunContext& context);
+  Filtration(std::shared_ptr<const BallSet> balls, const Triangulation& triangulation,
+             const RunContext& context = {});
 
   // Of a whole complex (not tetrahedra-only: std::invalid_argument) of these balls, computed by any
   // engine: holds up to its alpha. Shares the complex instead of copying it. Throws Cancelled.

@@ -132,7 +132,7 @@ std::size_t bytes(const SimplexList<N>& list) {
 
 }  // namespace
 
-Filtration::Filtration(std::shared_ptr<const BallSet> balls, RegularTriangulation rt,
+Filtration::Filtration(std::shared_ptr<const BallSet> balls, const Triangulation& triangulation,
                        const RunContext& context)
     : balls_(std::move(balls)) {
   const auto top = std::make_shared<AlphaComplex>();
@@ -141,11 +141,8 @@ Filtration::Filtration(std::shared_ptr<const BallSet> balls, RegularTriangulatio
   top->alpha_on_lattice = std::numeric_limits<double>::infinity();
 
   context.report(stage::kClassification, 0);
-  sort_simplices<4>(rt.tetrahedra, balls_->size(), cancel);
-  sort_simplices<3>(rt.triangles, balls_->size(), cancel);
-  sort_simplices<2>(rt.edges, balls_->size(), cancel);
   SimplexList<4>& tetrahedra = top->tetrahedra;
-  tetrahedra.simplices = std::move(rt.tetrahedra);
+  tetrahedra.simplices = triangulation.tetrahedra;
   tetrahedra.alpha_values.resize(tetrahedra.size());
   tetrahedra.classes.assign(tetrahedra.size(), SimplexClass::interior);
   parallel_ranges(tetrahedra.size(), cancel, [&](std::size_t n) {
@@ -153,13 +150,13 @@ Filtration::Filtration(std::shared_ptr<const BallSet> balls, RegularTriangulatio
   });
 
   context.report(stage::kClassification, 0.2);
-  levels_.triangles = build_dimension<3>(*balls_, cancel, std::move(rt.triangles), tetrahedra,
+  levels_.triangles = build_dimension<3>(*balls_, cancel, triangulation.triangles, tetrahedra,
                                          nullptr, top->triangles);
   context.report(stage::kClassification, 0.6);
-  levels_.edges = build_dimension<2>(*balls_, cancel, std::move(rt.edges), top->triangles,
+  levels_.edges = build_dimension<2>(*balls_, cancel, triangulation.edges, top->triangles,
                                      &levels_.triangles, top->edges);
-  Simplices<1> vertices(rt.vertices.size());
-  for (std::size_t n = 0; n < vertices.size(); ++n) vertices[n] = {rt.vertices[n]};
+  Simplices<1> vertices(triangulation.vertices.size());
+  for (std::size_t n = 0; n < vertices.size(); ++n) vertices[n] = {triangulation.vertices[n]};
   levels_.vertices = build_dimension<1>(*balls_, cancel, std::move(vertices), top->edges,
                                         &levels_.edges, top->vertices);
   top_ = top;

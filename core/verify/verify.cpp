@@ -4,51 +4,18 @@
 #include "core/verify/verify.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <mutex>
 #include <optional>
 
 #include "core/complex/face_groups.hpp"
 #include "core/triangulation/filtration.hpp"
+#include "core/verify/findings.hpp"
 #include "core/verify/verify_missing.hpp"
 #include "core/verify/verify_run.hpp"
 #include "core/verify/verify_surroundings.hpp"
 
 namespace alphascope {
 namespace {
-
-constexpr std::size_t kMaxMessages = 20;
-
-class Findings {
- public:
-  template <int N>
-  void check(bool good, const std::array<BallIndex, N>& simplex, const char* what) {
-    ++checks_;
-    if (good) return;
-    const std::lock_guard lock(mutex_);
-    ++result_.failures;
-    if (result_.messages.size() >= kMaxMessages) return;
-    std::string name;
-    for (const BallIndex v : simplex) name += (name.empty() ? "" : " ") + std::to_string(v);
-    result_.messages.push_back("simplex {" + name + "}: " + what);
-  }
-  void fail(const std::string& what) {
-    ++checks_;
-    ++result_.failures;
-    result_.messages.push_back(what);
-  }
-  bool good() const { return result_.failures == 0; }
-  Verification take() {
-    result_.checks = checks_;
-    return std::move(result_);
-  }
-
- private:
-  std::mutex mutex_;
-  std::atomic<std::size_t> checks_ = 0;
-  Verification result_;
-};
 
 // False when the list cannot be indexed safely by the other checks.
 template <int N>
@@ -59,16 +26,7 @@ bool check_list(const BallSet& balls, const SimplexList<N>& list, bool with_valu
     findings.fail(std::string(name) + ": alpha values or classes are not one per simplex");
     return false;
   }
-  bool sound = true;
-  for (std::size_t n = 0; n < list.size(); ++n) {
-    const auto& s = list.simplices[n];
-    const bool ascending =
-        std::adjacent_find(s.begin(), s.end(), std::greater_equal<>()) == s.end();
-    const bool good = s[N - 1] < balls.size() && ascending && (n == 0 || list.simplices[n - 1] < s);
-    findings.check<N>(good, s, "vertices or list out of order, or no such ball");
-    sound = sound && good;
-  }
-  return sound;
+  return check_order<N>(balls, list.simplices, findings);
 }
 
 // The least alpha value of the cofaces that a simplex has in the complex, if any.

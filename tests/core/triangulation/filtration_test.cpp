@@ -12,6 +12,7 @@
 #include "core/complex/compare.hpp"
 #include "core/complex/face_groups.hpp"
 #include "core/engine/engine.hpp"
+#include "core/triangulation/cgal_triangulation.hpp"
 #include "tests/support/random_balls.hpp"
 #include "tests/support/rational_oracle.hpp"
 
@@ -33,7 +34,7 @@ TEST(Filtration, SeparatesValuesOfOneFloat) {
     testing::add_ball(balls, 500000000 - round, 12, 7, 1);
     const auto shared = std::make_shared<const BallSet>(balls);
     const RationalOracle oracle(balls);
-    const Filtration filtration(shared, triangulate(balls, 1, {}), {});
+    const Filtration filtration(shared, make_triangulation(balls, 1, {}), {});
     std::vector<mpq_class> values;
     for (const auto& [simplex, value] : oracle.alpha_values()) values.push_back(value);
     std::sort(values.begin(), values.end());
@@ -92,8 +93,8 @@ TEST(Filtration, KeepsValuesBeyondAllFloatsApart) {
   testing::add_ball(balls, far, far, 1, 1);
   testing::add_ball(balls, far - 7, far - 9, 0, 1);
   const RationalOracle oracle(balls);
-  const Filtration filtration(std::make_shared<const BallSet>(balls), triangulate(balls, 1, {}),
-                              {});
+  const Filtration filtration(std::make_shared<const BallSet>(balls),
+                              make_triangulation(balls, 1, {}), {});
   for (const double alpha :
        {1e17, 1e20, 1e30, 1e40, 1e60, std::numeric_limits<double>::infinity()}) {
     EXPECT_TRUE(compare(threshold(filtration, alpha, false), oracle.complex(alpha)).identical())
@@ -119,7 +120,7 @@ TEST(Filtration, ItsMakingCanBeCancelled) {
   const auto balls =
       std::make_shared<const BallSet>(testing::random_balls(random, 2000, 3000, 100, 300));
   const auto top = std::make_shared<const AlphaComplex>(make_cpu_engine(balls)->compute({1e4}, {}));
-  const RegularTriangulation triangulation = triangulate(*balls, 1, {});
+  const Triangulation triangulation = make_triangulation(*balls, 1, {});
   const auto of_complex = [&](const RunContext& context) { Filtration(balls, top, context); };
   const auto of_triangulation = [&](const RunContext& context) {
     Filtration(balls, triangulation, context);
@@ -146,7 +147,7 @@ TEST(Filtration, ItsMakingCanBeCancelled) {
 TEST(Filtration, FacesAreNotSortedForOneWhoCancelled) {
   Random random(27);
   const BallSet balls = testing::random_balls(random, 500, 1000, 50, 200);
-  RegularTriangulation triangulation = triangulate(balls, 1, {});
+  Triangulation triangulation = make_triangulation(balls, 1, {});
   const Simplices<4> before = triangulation.tetrahedra;
   CancelToken cancel;
   cancel.cancel();
@@ -228,21 +229,6 @@ TEST(Engines, SayWhatThisRunDid) {
   EXPECT_EQ(later.engine.route, "threshold of cached filtration");
   EXPECT_TRUE(compare(later, whole).identical());
   EXPECT_TRUE(compare(later, whole).both_rest_on_cgal);
-}
-
-// The parallel triangulation is the sequential one, hidden and coincident balls included.
-TEST(Triangulation, DoesNotDependOnThreads) {
-  Random random(23);
-  for (const int high_radius : {30, 900}) {
-    const BallSet balls = testing::random_balls(random, 20000, 500, 1, high_radius);
-    RegularTriangulation a = triangulate(balls, 1, {}), b = triangulate(balls, 4, {});
-    std::sort(a.tetrahedra.begin(), a.tetrahedra.end());
-    std::sort(b.tetrahedra.begin(), b.tetrahedra.end());
-    EXPECT_GT(a.hidden.size(), high_radius == 900 ? 10000u : 0u);
-    EXPECT_EQ(a.tetrahedra, b.tetrahedra);
-    EXPECT_EQ(a.vertices, b.vertices);
-    EXPECT_EQ(a.hidden, b.hidden);
-  }
 }
 
 }  // namespace

@@ -1,0 +1,22 @@
+// From a maker's tetrahedra, in whatever order it found them, to the one order of a Triangulation.
+#pragma once
+
+#include "core/complex/triangulation.hpp"
+#include "core/run/cancel_token.hpp"
+
+namespace alphascope {
+
+struct UnorderedTetrahedra {
+  static constexpr std::uint32_t kOutside = ~std::uint32_t{0};
+
+  Simplices<4> tetrahedra;  // the balls of each ascend
+  // [t][k]: index of the tetrahedron across the face opposite ball k of t, or kOutside.
+  ResultArray<std::array<std::uint32_t, 4>> neighbours;
+};
+
+// Fills tetrahedra, neighbours and hull of `result`. Works in the caller's task arena. Throws
+// Cancelled, and std::length_error for more tetrahedra than a Neighbour can name.
+void set_tetrahedra(const BallSet& balls, const UnorderedTetrahedra& unordered,
+                    const CancelToken& cancel, Triangulation& result);
+
+}  // namespace alphascope

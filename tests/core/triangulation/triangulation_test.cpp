@@ -1,0 +1,149 @@
+// The triangulation of hard sets of balls: proved from the definition, and equal to what rationals
+// and CGAL used directly find.
+#include "core/complex/triangulation.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "core/neighbours/coincident.hpp"
+#include "core/triangulation/cgal_triangulation.hpp"
+#include "core/verify/verify_triangulation.hpp"
+#include "tests/support/cgal_reference.hpp"
+#include "tests/support/random_balls.hpp"
+#include "tests/support/rational_oracle.hpp"
+
+namespace alphascope {
+namespace {
+
+using testing::NamedBalls;
+using testing::Random;
+using testing::RationalOracle;
+
+std::string proved(const BallSet& balls, const Triangulation& triangulation) {
+  const Verification verification = verify_triangulation(balls, triangulation);
+  return verification.ok() ? "" : verification.messages.at(0);
+}
+
+TEST(Triangulation, OfHardSetsIsProved) {
+  Random random(31);
+  std::array<int, 5> sets_of_dimension{};
+  for (int round = 0; round < 4; ++round) {
+    std::vector<NamedBalls> sets = testing::large_hard_sets(random);
+    for (NamedBalls& set : testing::small_hard_sets(random, 12)) sets.push_back(std::move(set));
+    for (const NamedBalls& set : sets) {
+      const Triangulation triangulation = make_triangulation(set.balls, 1);
+      ASSERT_EQ(proved(set.balls, triangulation), "") << set.name;
+      ++sets_of_dimension[static_cast<std::size_t>(triangulation.dimension + 1)];
+    }
+  }
+  for (const int sets : sets_of_dimension) EXPECT_GT(sets, 0);
+}
+
+// All simplices of N balls that the rationals find.
+template <int N>
+Simplices<N> of_size(const RationalOracle& oracle) {
+  Simplices<N> found;
+  for (const auto& [simplex, value] : oracle.alpha_values()) {
+    if (simplex.size() != N) continue;
+    std::array<BallIndex, N> s{};
+    std::copy(simplex.begin(), simplex.end(), s.begin());
+    found.push_back(s);
+  }
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+TEST(Triangulation, OfSmallHardSetsEqualsTheDefinitionInRationals) {
+  Random random(32);
+  std::size_t simplices = 0;
+  for (int round = 0; round < 4; ++round) {
+    for (const NamedBalls& set : testing::small_hard_sets(random, 9)) {
+      const RationalOracle oracle(set.balls);
+      const Triangulation found = make_triangulation(set.balls, 1);
+      Simplices<1> vertices;
+      for (const BallIndex v : found.vertices) vertices.push_back({v});
+      EXPECT_EQ(vertices, of_size<1>(oracle)) << set.name;
+      EXPECT_EQ(found.tetrahedra, of_size<4>(oracle)) << set.name;
+      const bool plane = found.dimension == 2, line = found.dimension == 1;
+      EXPECT_EQ(found.triangles, plane ? of_size<3>(oracle) : Simplices<3>{}) << set.name;
+      EXPECT_EQ(found.edges, line ? of_size<2>(oracle) : Simplices<2>{}) << set.name;
+      simplices += found.tetrahedra.size() + found.triangles.size() + found.edges.size();
+    }
+  }
+  EXPECT_GT(simplices, 1000u);
+}
+
+TEST(Triangulation, OfLargeHardSetsEqualsThatOfCgalUsedDirectly) {
+  Random random(33);
+  std::size_t compared = 0;
+  for (const NamedBalls& set : testing::large_hard_sets(random)) {
+    if (!coincident_hidden(set.balls).empty()) continue;  // which of equals is CGAL's own choice
+    const Triangulation found = make_triangulation(set.balls, 1);
+    if (found.dimension != 3) continue;
+    const double all = std::numeric_limits<double>::infinity();
+    Simplices<4> expected = testing::regular_cells(set.balls, all, false).tetrahedra;
+    std::sort(expected.begin(), expected.end());
+    EXPECT_EQ(found.tetrahedra, expected) << set.name;
+    compared += expected.size();
+  }
+  EXPECT_GT(compared, 3000u);
+}
+
+// Hidden and coincident balls included.
+TEST(Triangulation, DoesNotDependOnThreads) {
+  Random random(23);
+  for (const int high_radius : {30, 900}) {
+    const BallSet balls = testing::random_balls(random, 20000, 500, 1, high_radius);
+    const Triangulation one = make_triangulation(balls, 1);
+    EXPECT_GT(one.hidden.size(), high_radius == 900 ? 10000u : 0u);
+    EXPECT_TRUE(one == make_triangulation(balls, 4));
+    EXPECT_EQ(proved(balls, one), "");
+  }
+}
+
+TEST(Triangulation, ItsHullLooksOutward) {
+  BallSet balls;
+  balls.lattice.digits = 0;
+  for (const auto& p : {LatticePoint{0, 0, 0}, {9, 0, 0}, {0, 9, 0}, {0, 0, 9}, {1, 1, 1}}) {
+    testing::add_ball(balls, p.x, p.y, p.z, 1);
+  }
+  const Triangulation t = make_triangulation(balls, 1);
+  ASSERT_EQ(t.tetrahedra.size(), 4u);
+  const std::array<BallIndex, 4> first{0, 1, 2, 4};
+  EXPECT_EQ(t.tetrahedra[0], first);
+  // Seen from below, x to the right and y up is clockwise: so it goes 0 2 1.
+  const HullFacet below{{0, 2, 1}, 0};
+  EXPECT_EQ(t.hull.at(0), below);
+  EXPECT_EQ(t.neighbours[0][3], Neighbour::hull_facet(0));
+  EXPECT_EQ(t.neighbours[0][0], Neighbour::tetrahedron(3));  // of 1 2 3 4
+}
+
+// At any report of progress the making ends; it goes on for no more than a part.
+TEST(Triangulation, ItsMakingCanBeCancelled) {
+  Random random(34);
+  const BallSet balls = testing::random_balls(random, 6000, 3000, 100, 300);
+  for (const int threads : {1, 4}) {
+    int reports = 0;
+    RunContext counting;
+    counting.progress = [&](std::string_view, double) { ++reports; };
+    make_triangulation(balls, threads, counting);
+    EXPECT_GE(reports, 1);
+    for (int last = 1; last <= reports; ++last) {
+      int seen = 0;
+      RunContext context;
+      context.progress = [&](std::string_view, double) {
+        if (++seen == last) context.cancel.cancel();
+      };
+      EXPECT_THROW(make_triangulation(balls, threads, context), Cancelled) << "report " << last;
+      EXPECT_EQ(seen, last);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace alphascope

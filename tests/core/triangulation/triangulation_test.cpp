@@ -7,13 +7,17 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "core/neighbours/coincident.hpp"
 #include "core/triangulation/cgal_triangulation.hpp"
+#include "core/triangulation/filtration.hpp"
+#include "core/triangulation/memory_need.hpp"
 #include "core/verify/verify_triangulation.hpp"
 #include "tests/support/cgal_reference.hpp"
+#include "tests/support/molecules.hpp"
 #include "tests/support/random_balls.hpp"
 #include "tests/support/rational_oracle.hpp"
 
@@ -143,6 +147,31 @@ TEST(Triangulation, ItsMakingCanBeCancelled) {
       EXPECT_EQ(seen, last);
     }
   }
+}
+
+// The store decides by these numbers what it builds.
+TEST(MemoryNeed, OfAFiltrationIsWhatItHolds) {
+  Random random(35);
+  for (const NamedBalls& set : testing::large_hard_sets(random)) {
+    const auto balls = std::make_shared<const BallSet>(set.balls);
+    const Triangulation triangulation = make_triangulation(*balls, 1);
+    const Filtration filtration(balls, triangulation);
+    const MemoryNeed need = filtration_memory(triangulation);
+    EXPECT_EQ(need.held, filtration.top_bytes() + filtration.level_bytes()) << set.name;
+    EXPECT_GT(need.peak, need.held) << set.name;
+  }
+}
+
+TEST(MemoryNeed, OfAMoleculeIsEstimatedFromItsBalls) {
+  const auto balls = testing::sample_balls("1crn.pdb", 1.4);
+  const Triangulation triangulation = make_triangulation(*balls, 1);
+  const auto expect_near = [](std::uint64_t estimate, std::uint64_t right) {
+    EXPECT_GT(estimate, right);
+    EXPECT_LT(static_cast<double>(estimate), 1.5 * static_cast<double>(right));
+  };
+  expect_near(triangulation_memory(balls->size()).held, bytes_of(triangulation));
+  expect_near(filtration_memory(balls->size()).held, filtration_memory(triangulation).held);
+  expect_near(filtration_memory(balls->size()).peak, filtration_memory(triangulation).peak);
 }
 
 }  // namespace

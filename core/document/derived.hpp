@@ -1,0 +1,14 @@
+// The derived results that everything else hangs on.
+#pragma once
+
+#include "core/document/store.hpp"
+
+namespace alphascope {
+
+// Of all balls, CGAL's, on one thread.
+const Definition<Triangulation>& whole_triangulation();
+
+// All simplices with their alpha values: any alpha is a threshold of it. Needs the triangulation.
+const Definition<Filtration>& whole_filtration();
+
+}  // namespace alphascope

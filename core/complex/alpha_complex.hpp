@@ -7,15 +7,12 @@
 #include <string>
 #include <vector>
 
+#include "core/complex/face_class.hpp"
 #include "core/complex/simplices.hpp"
 #include "core/geometry/ball_set.hpp"
 #include "core/run/stage_timer.hpp"
 
 namespace alphascope {
-
-// Where a simplex lies in K_alpha: singular = face of no other simplex of K_alpha; regular = on the
-// boundary of K_alpha and face of another; interior = its whole neighbourhood is filled.
-enum class SimplexClass : std::uint8_t { singular, regular, interior };
 
 // Simplices of one dimension (N = number of vertices), in lexicographic order of their vertices;
 // the vertices of each simplex ascend. The three arrays have equal length.

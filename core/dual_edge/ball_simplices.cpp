@@ -142,22 +142,21 @@ bool BallSimplices::edge_is_attached(int j, const FacetDisc<double>& disc) {
 
 void BallSimplices::add_edge(int j, BlockOutput& out) {
   float value = HUGE_VALF;
-  if (!edge_is_attached(j, FacetDisc<double>(vector(j), radius_square_)) &&
-      decide_simplex<ExactDecider>(surroundings(), &value, j) == Decision::out) {
+  const bool attached = edge_is_attached(j, FacetDisc<double>(vector(j), radius_square_));
+  if (!attached && decide_simplex<ExactDecider>(surroundings(), &value, j) == Decision::out) {
     dead_[static_cast<std::size_t>(j)] = 1;
     return;
   }
   edge_[static_cast<std::size_t>(j - first_)] = out.edges.size();
   out.edges.simplices.push_back({i_, neighbours_.ball(j)});
   out.edges.values.push_back(value);
-  out.edges.states.push_back(0);
+  out.edges.states.push_back(attached ? 0 : kUnattached);
 }
 
-void BallSimplices::note_coface(int j, float value, bool interior, BlockOutput& out) {
+void BallSimplices::note_coface(int j, float value, SimplexClass coface, BlockOutput& out) {
   const std::uint32_t e = edge_[static_cast<std::size_t>(j - first_)];
   out.edges.values[e] = std::min(out.edges.values[e], value);
-  out.edges.states[e] = static_cast<std::uint8_t>(out.edges.states[e] | kHasCoface |
-                                                  (interior ? 0 : kHasBoundaryCoface));
+  out.edges.states[e] = static_cast<std::uint8_t>(out.edges.states[e] | coface_flags(coface));
 }
 
 TriangleFace BallSimplices::exactly(const TriangleRows& rows) {
@@ -191,9 +190,10 @@ void BallSimplices::triangle(const NearFirstRows& t, BlockOutput& out) {
   triangle_value<ExactDecider>(surroundings(), t.j, t.k, face, &value);
   out.triangles.simplices.push_back(ijk);
   out.triangles.values.push_back(value);
-  out.triangles.states.push_back(static_cast<std::uint8_t>(face.cofaces()));
-  note_coface(t.j, value, face.cofaces() == 2, out);
-  note_coface(t.k, value, face.cofaces() == 2, out);
+  const SimplexClass own = triangle_class(face.cofaces());
+  out.triangles.states.push_back(static_cast<std::uint8_t>(own));
+  note_coface(t.j, value, own, out);
+  note_coface(t.k, value, own, out);
   for (const int l : {std::min(face.low, face.high), std::max(face.low, face.high)}) {
     if (l <= t.k) continue;
     decide_simplex<ExactDecider>(surroundings(), &value, t.j, t.k, l);

@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "core/complex/face_class.hpp"
 #include "core/dual_edge/facet_disc.hpp"
 #include "core/dual_edge/triangle_faces.hpp"
 #include "core/geometry/ball_set.hpp"
@@ -19,18 +20,12 @@ namespace alphascope {
 // K_alpha. absent: no.
 enum class VertexState : std::uint8_t { absent, attached, unattached };
 
-// What the cofaces of a face in K_alpha say about it; the numbers are flags.
-enum Cofaces : std::uint8_t {
-  kHasCoface = 1,
-  kHasBoundaryCoface = 2,  // one that is not interior
-};
-
 // Simplices of one dimension as the kernels report them.
 template <int N>
 struct SimplexBuffer {
   std::vector<std::array<BallIndex, N>> simplices;
   std::vector<float> values;         // empty when only tetrahedra are asked for
-  std::vector<std::uint8_t> states;  // edges: Cofaces; triangles: class; tetrahedra: empty
+  std::vector<std::uint8_t> states;  // edges: flags; triangles: class; tetrahedra: empty
   std::uint32_t size() const { return static_cast<std::uint32_t>(simplices.size()); }
   // All blocks wait for the last: what their vectors reserved beyond their content adds up.
   void shrink() {
@@ -85,7 +80,7 @@ class BallSimplices {
   template <class Body>
   auto filtered(const NearFirstRows& rows, const Body& body) const;
   TriangleFace exactly(const TriangleRows& rows);
-  void note_coface(int j, float value, bool interior, BlockOutput& out);
+  void note_coface(int j, float value, SimplexClass coface, BlockOutput& out);
   VertexState vertex_state() const;
 
   Neighbourhood<Neighbours> surroundings() const {

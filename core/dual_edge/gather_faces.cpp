@@ -12,16 +12,6 @@
 namespace alphascope {
 namespace {
 
-std::uint8_t flags_of(SimplexClass coface) {
-  return coface == SimplexClass::interior ? kHasCoface : kHasCoface | kHasBoundaryCoface;
-}
-
-SimplexClass class_of(std::uint8_t flags) {
-  return !(flags & kHasCoface)          ? SimplexClass::singular
-         : (flags & kHasBoundaryCoface) ? SimplexClass::regular
-                                        : SimplexClass::interior;
-}
-
 void lower(float& shared, float value) {
   std::atomic_ref<float> least(shared);
   float old = least.load(std::memory_order_relaxed);
@@ -29,10 +19,10 @@ void lower(float& shared, float value) {
   }
 }
 
-void add_flags(std::uint8_t& shared, std::uint8_t flags) {
+void add_flags(std::uint8_t& shared, std::uint32_t flags) {
   std::atomic_ref<std::uint8_t> all(shared);
   if ((all.load(std::memory_order_relaxed) & flags) != flags)
-    all.fetch_or(flags, std::memory_order_relaxed);
+    all.fetch_or(static_cast<std::uint8_t>(flags), std::memory_order_relaxed);
 }
 
 // Where edge jk of triangle ijk is among those of ball j. It must be there: what keeps a triangle
@@ -50,11 +40,6 @@ std::size_t find_edge(const EdgeRange& of_j, const std::array<BallIndex, 3>& tri
                       std::to_string(edge[1]) + ".");
 }
 
-// Unattached, or attached to a triangle of K_alpha.
-bool is_present(const SimplexBuffer<2>& edges, std::uint32_t e) {
-  return edges.values[e] < HUGE_VALF;
-}
-
 }  // namespace
 
 void gather_edges(const std::vector<EdgeRange>& ranges, AlphaComplex& complex) {
@@ -63,13 +48,13 @@ void gather_edges(const std::vector<EdgeRange>& ranges, AlphaComplex& complex) {
     const EdgeRange& r = ranges[triangle[1]];
     const std::size_t e = find_edge(r, triangle);
     lower(r.edges->values[e], complex.triangles.alpha_values[t]);
-    add_flags(r.edges->states[e], flags_of(complex.triangles.classes[t]));
+    add_flags(r.edges->states[e], coface_flags(complex.triangles.classes[t]));
   });
 
   std::vector<std::size_t> place(ranges.size() + 1, 0);
   tbb::parallel_for(std::size_t{0}, ranges.size(), [&](std::size_t i) {
     for (std::uint32_t e = ranges[i].begin; e < ranges[i].end; ++e)
-      place[i + 1] += is_present(*ranges[i].edges, e);
+      place[i + 1] += is_in_complex(ranges[i].edges->states[e]);
   });
   for (std::size_t i = 0; i < ranges.size(); ++i) place[i + 1] += place[i];
   SimplexList<2>& list = complex.edges;
@@ -80,10 +65,10 @@ void gather_edges(const std::vector<EdgeRange>& ranges, AlphaComplex& complex) {
     std::size_t to = place[i];
     for (std::uint32_t e = ranges[i].begin; e < ranges[i].end; ++e) {
       const SimplexBuffer<2>& from = *ranges[i].edges;
-      if (!is_present(from, e)) continue;
+      if (!is_in_complex(from.states[e])) continue;
       list.simplices[to] = from.simplices[e];
       list.alpha_values[to] = from.values[e];
-      list.classes[to++] = class_of(from.states[e]);
+      list.classes[to++] = face_class(from.states[e]);
     }
   });
 }
@@ -93,19 +78,19 @@ void gather_vertices(const BallSet& balls, const std::vector<VertexState>& state
   std::vector<std::uint8_t> flags(balls.size(), 0);
   std::vector<float> nearest(balls.size(), HUGE_VALF);
   for (std::size_t e = 0; e < complex.edges.size(); ++e) {
-    const std::uint8_t own = flags_of(complex.edges.classes[e]);
+    const std::uint32_t own = coface_flags(complex.edges.classes[e]);
     for (const BallIndex v : complex.edges.simplices[e]) {
       flags[v] = static_cast<std::uint8_t>(flags[v] | own);
       nearest[v] = std::min(nearest[v], complex.edges.alpha_values[e]);
     }
   }
   for (BallIndex i = 0; i < balls.size(); ++i) {
-    const bool attached = states[i] == VertexState::attached;
-    if (states[i] == VertexState::absent || (attached && !(flags[i] & kHasCoface))) continue;
+    const std::uint32_t all = flags[i] | (states[i] == VertexState::unattached ? kUnattached : 0);
+    if (!is_in_complex(all)) continue;
+    const auto own = [&] { return static_cast<float>(-static_cast<double>(balls.weight(i))); };
     complex.vertices.simplices.push_back({i});
-    complex.vertices.alpha_values.push_back(
-        attached ? nearest[i] : static_cast<float>(-static_cast<double>(balls.weight(i))));
-    complex.vertices.classes.push_back(class_of(flags[i]));
+    complex.vertices.alpha_values.push_back(face_value(all, nearest[i], own));
+    complex.vertices.classes.push_back(face_class(all));
   }
 }
 

@@ -139,13 +139,8 @@ float bound_of(float limit, bool ties_in) {
   return ties_in ? limit : std::nextafter(limit, -std::numeric_limits<float>::infinity());
 }
 
-SimplexClass class_at(const ClassLevels& levels, std::size_t n, float bound) {
-  static_assert(static_cast<int>(SimplexClass::singular) == 0 &&
-                static_cast<int>(SimplexClass::regular) == 1 &&
-                static_cast<int>(SimplexClass::interior) == 2);
-  // Without a branch, which would be guessed wrong half of the time.
-  const int regular = levels.regular_from[n] <= bound;
-  return static_cast<SimplexClass>(regular + (regular & (levels.interior_from[n] <= bound)));
+FaceLevels levels_of(const ClassLevels& levels, std::size_t n) {
+  return {levels.regular_from[n], levels.interior_from[n]};
 }
 
 // One dimension of what passes a bound, copied by all threads.
@@ -206,7 +201,7 @@ class Selection {
       if (with_values) {
         to.alpha_values[at] = from_.alpha_values[n];
         to.classes[at] =
-            levels_ == nullptr ? SimplexClass::interior : class_at(*levels_, n, bound_);
+            levels_ == nullptr ? SimplexClass::interior : class_at(levels_of(*levels_, n), bound_);
       }
       at += from_.alpha_values[n] <= bound_;
     }

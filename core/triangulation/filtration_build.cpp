@@ -15,8 +15,6 @@
 namespace alphascope {
 namespace {
 
-constexpr float kNever = std::numeric_limits<float>::quiet_NaN();
-
 template <class Body>
 void parallel_ranges(std::size_t count, const CancelToken& cancel, const Body& body) {
   constexpr std::size_t kGrain = 512;
@@ -41,7 +39,8 @@ float alpha_value(const BallSet& balls, const std::array<BallIndex, N>& face,
     attached = attached || conflict_with_smallest_orthosphere(
                                balls, face, apex<N>(cofaces.simplices[c], face)) < 0;
   });
-  return attached ? least : ortho_radius_rounded(balls, face);
+  return face_value(attached ? 0 : kUnattached, least,
+                    [&] { return ortho_radius_rounded(balls, face); });
 }
 
 // Position in the list of each group's face; the faces are a subsequence of the list.
@@ -73,26 +72,23 @@ ClassLevels class_levels(const CancelToken& cancel, const SimplexList<N>& list,
   levels.regular_from.assign(count, kNever);
   levels.interior_from.assign(count, kNever);
   parallel_ranges(groups.size(), cancel, [&](std::size_t g) {
-    float regular = std::numeric_limits<float>::infinity();
-    float interior = -std::numeric_limits<float>::infinity();
+    FaceLevels face;
     groups.for_cofaces(g, [&](std::uint32_t c) {
       const float value = cofaces.alpha_values[c];
-      const float filled = coface_levels ? coface_levels->interior_from[c] : value;
-      regular = std::min(regular, value);
-      interior = std::isnan(filled) || std::isnan(interior) ? kNever : std::max(interior, filled);
+      face.add(value, coface_levels ? coface_levels->interior_from[c] : value);
     });
-    levels.regular_from[position[g]] = regular;
-    levels.interior_from[position[g]] = N == 3 && groups.coface_count(g) != 2 ? kNever : interior;
+    if (N == 3 && groups.coface_count(g) != 2) face.lie_on_hull();
+    levels.regular_from[position[g]] = face.regular_from;
+    levels.interior_from[position[g]] = face.interior_from;
   });
   return levels;
 }
 
 void set_classes(const ClassLevels& levels, ResultArray<SimplexClass>& classes) {
   classes.resize(levels.regular_from.size());
+  constexpr float kAll = std::numeric_limits<float>::infinity();
   for (std::size_t n = 0; n < classes.size(); ++n) {
-    classes[n] = !std::isnan(levels.interior_from[n])  ? SimplexClass::interior
-                 : !std::isnan(levels.regular_from[n]) ? SimplexClass::regular
-                                                       : SimplexClass::singular;
+    classes[n] = class_at({levels.regular_from[n], levels.interior_from[n]}, kAll);
   }
 }
 
@@ -118,6 +114,18 @@ ClassLevels build_dimension(const BallSet& balls, const CancelToken& cancel, Sim
   ClassLevels levels = class_levels<N>(cancel, list, groups, cofaces, coface_levels);
   set_classes(levels, list.classes);
   return levels;
+}
+
+template <int N>
+void classify_faces(const SimplexList<N + 1>& cofaces, SimplexList<N>& list) {
+  const FaceGroups<N> groups(cofaces.simplices);
+  const std::vector<std::uint32_t> position = positions_in<N>(list.simplices, groups, {});
+  list.classes.assign(list.size(), face_class(0));
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    std::uint32_t flags = N == 3 ? triangle_flags(groups.coface_count(g)) : 0;
+    groups.for_cofaces(g, [&](std::uint32_t c) { flags |= coface_flags(cofaces.classes[c]); });
+    list.classes[position[g]] = face_class(flags);
+  }
 }
 
 std::size_t bytes(const ClassLevels& levels) {
@@ -193,33 +201,10 @@ std::size_t Filtration::top_bytes() const {
 }
 
 void classify(AlphaComplex& complex) {
-  const FaceGroups<3> triangles(complex.tetrahedra.simplices);
-  const auto triangle_at = positions_in<3>(complex.triangles.simplices, triangles, {});
-  const FaceGroups<2> edges(complex.triangles.simplices);
-  const auto edge_at = positions_in<2>(complex.edges.simplices, edges, {});
-  const FaceGroups<1> vertices(complex.edges.simplices);
-  const auto vertex_at = positions_in<1>(complex.vertices.simplices, vertices, {});
-
-  const auto all_interior = [](const auto& groups, std::size_t g, const auto& classes) {
-    bool all = true;
-    groups.for_cofaces(g,
-                       [&](std::uint32_t c) { all = all && classes[c] == SimplexClass::interior; });
-    return all ? SimplexClass::interior : SimplexClass::regular;
-  };
   complex.tetrahedra.classes.assign(complex.tetrahedra.size(), SimplexClass::interior);
-  complex.triangles.classes.assign(complex.triangles.size(), SimplexClass::singular);
-  complex.edges.classes.assign(complex.edges.size(), SimplexClass::singular);
-  complex.vertices.classes.assign(complex.vertices.size(), SimplexClass::singular);
-  for (std::size_t g = 0; g < triangles.size(); ++g) {
-    complex.triangles.classes[triangle_at[g]] =
-        triangles.coface_count(g) == 2 ? SimplexClass::interior : SimplexClass::regular;
-  }
-  for (std::size_t g = 0; g < edges.size(); ++g) {
-    complex.edges.classes[edge_at[g]] = all_interior(edges, g, complex.triangles.classes);
-  }
-  for (std::size_t g = 0; g < vertices.size(); ++g) {
-    complex.vertices.classes[vertex_at[g]] = all_interior(vertices, g, complex.edges.classes);
-  }
+  classify_faces<3>(complex.tetrahedra, complex.triangles);
+  classify_faces<2>(complex.triangles, complex.edges);
+  classify_faces<1>(complex.edges, complex.vertices);
 }
 
 }  // namespace alphascope

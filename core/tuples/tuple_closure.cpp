@@ -55,18 +55,17 @@ void close(OwnSimplices<N> own, const SimplexList<N + 1>& cofaces, std::size_t b
     const bool is_face =
         g < groups.size() && (o == own.simplices.size() || groups.faces()[g] <= own.simplices[o]);
     float least = HUGE_VALF;
-    bool surrounded = N != 3 || (is_face && groups.coface_count(g) == 2);
+    std::uint32_t flags = is_own ? kUnattached : 0;
     if (is_face) {
+      if (N == 3) flags |= triangle_flags(groups.coface_count(g));
       groups.for_cofaces(g, [&](std::uint32_t c) {
         least = std::min(least, cofaces.alpha_values[c]);
-        surrounded = surrounded && cofaces.classes[c] == SimplexClass::interior;
+        flags |= coface_flags(cofaces.classes[c]);
       });
     }
     list.simplices.push_back(is_own ? own.simplices[o] : groups.faces()[g]);
-    list.alpha_values.push_back(is_own ? own.values[o] : least);
-    list.classes.push_back(!is_face     ? SimplexClass::singular
-                           : surrounded ? SimplexClass::interior
-                                        : SimplexClass::regular);
+    list.alpha_values.push_back(face_value(flags, least, [&] { return own.values[o]; }));
+    list.classes.push_back(face_class(flags));
     o += is_own;
     g += is_face;
   }

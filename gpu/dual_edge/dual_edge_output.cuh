@@ -3,6 +3,7 @@
 
 #include <climits>
 
+#include "core/complex/face_class.hpp"
 #include "gpu/dual_edge/dual_edge_block.cuh"
 #include "gpu/dual_edge/ordered_bits.cuh"
 

@@ -3,6 +3,7 @@
 // core/dual_edge/gather_faces.hpp.
 #pragma once
 
+#include "core/complex/face_class.hpp"
 #include "core/complex/simplex_hash.hpp"
 #include "gpu/dual_edge/dual_edge_block.cuh"
 #include "gpu/dual_edge/ordered_bits.cuh"
@@ -145,8 +146,8 @@ __device__ inline std::uint64_t place_triangle(const DualEdgeOutput& from, std::
   const ToldEdge ij(from.edges, own + (info & 4095)), ik(from.edges, own + (info >> 12 & 4095)),
       jk(from.edges, pends ? kNoEdge : find_edge(from.edges, j, k));
   const float value = attached ? ortho_radius<4>(balls) : ortho_radius<3>(balls);
-  const std::uint32_t bits = ordered_bits(value), cofaces = info >> 24,
-                      flags = coface_flags(cofaces == 2);
+  const SimplexClass own_class = triangle_class(static_cast<int>(info >> 24));
+  const std::uint32_t bits = ordered_bits(value), flags = coface_flags(own_class);
   ij.tell(from.edges, bits, flags);
   ik.tell(from.edges, bits, flags);
   jk.tell(from.edges, bits, flags);
@@ -156,7 +157,7 @@ __device__ inline std::uint64_t place_triangle(const DualEdgeOutput& from, std::
   place[1] = j;
   place[2] = k;
   out.value[at] = value;
-  out.simplex_class[at] = static_cast<std::uint8_t>(cofaces);
+  out.simplex_class[at] = static_cast<std::uint8_t>(own_class);
   const std::uint32_t vertices[3] = {i, j, k};
   return simplex_hash<3>(vertices);
 }
@@ -260,7 +261,7 @@ __global__ void tell_pending(Chunk chunk, DualEdgeOutput from, PendingTriangles 
     if (v[1] < chunk.begin || v[1] >= chunk.end) continue;
     ToldEdge(from.edges, find_edge(from.edges, v[1], v[2]))
         .tell(from.edges, ordered_bits(triangles.value[at]),
-              coface_flags(triangles.simplex_class[at] == 2));
+              coface_flags(static_cast<SimplexClass>(triangles.simplex_class[at])));
   }
 }
 
@@ -271,12 +272,9 @@ struct VertexStates {
   std::uint32_t* greatest;  // ~ordered_bits of their least value, so that 0 is none
 };
 
-// Unattached, or attached to a triangle of K_alpha.
-__device__ inline bool edge_is_there(std::uint32_t flags) {
-  return (flags & (kUnattached | kHasCoface)) != 0;
-}
-__device__ inline bool vertex_is_there(const VertexStates& v, std::uint32_t i) {
-  return v.state[i] == 2 || (v.state[i] == 1 && (v.flags[i] & kHasCoface));
+// As of an edge.
+__device__ inline std::uint32_t vertex_flags(const VertexStates& v, std::uint32_t i) {
+  return v.flags[i] | (v.state[i] == 2 ? kUnattached : 0);
 }
 
 // Lanes that look at one ball's edges.
@@ -293,7 +291,7 @@ __device__ inline std::uint32_t for_edges(const EdgeCandidates& edges, std::uint
                       begin = count != 0 ? edges.start[ball] : 0, end = begin + count;
   std::uint32_t found = 0;
   for (std::uint32_t e = begin + lane; __any_sync(~0u, e < end); e += kEdgeLanes) {
-    const bool there = e < end && edge_is_there(edges.flags[e]);
+    const bool there = e < end && is_in_complex(edges.flags[e]);
     const unsigned all = __ballot_sync(~0u, there) >> group & ((1u << kEdgeLanes) - 1);
     if (there) visit(e, found + __popc(all & ((1u << lane) - 1)));
     found += __popc(all);
@@ -354,7 +352,7 @@ __device__ inline EdgeNews finish_edge(const int4* ball, const EdgeCandidates& e
     least = ordered_bits(ortho_radius<2>(simplex_balls<2>(ball, make_uint4(begin, end, 0, 0))));
     edges.least[e] = least;
   }
-  const EdgeNews news{coface_flags(class_of(flags) == 2), ~least};
+  const EdgeNews news{coface_flags(face_class(flags)), ~least};
   told.tell(vertices, news);
   return news;
 }
@@ -386,8 +384,9 @@ struct EdgeAndVertexCounts {
   std::uint32_t chunk_end;
 
   __device__ std::uint64_t operator()(std::uint32_t i) const {
-    return i == chunk_end || seems_overfull(from) ? 0
-                                                  : pair_of(found[i], vertex_is_there(vertices, i));
+    return i == chunk_end || seems_overfull(from)
+               ? 0
+               : pair_of(found[i], is_in_complex(vertex_flags(vertices, i)));
   }
 };
 
@@ -397,10 +396,11 @@ __device__ inline std::uint64_t place_vertex(std::uint32_t i, const int4* ball,
                                              const OrderedSimplices& out) {
   if (at >= out.capacity) return 0;
   const double weight = static_cast<double>(static_cast<std::int64_t>(ball[i].w) * ball[i].w);
+  const std::uint32_t flags = vertex_flags(vertices, i);
   out.vertices[at] = i;
-  out.value[at] = vertices.state[i] == 1 ? from_ordered_bits(~vertices.greatest[i])
-                                         : static_cast<float>(-weight);
-  out.simplex_class[at] = class_of(vertices.flags[i]);
+  out.value[at] = face_value(flags, from_ordered_bits(~vertices.greatest[i]),
+                             [&] { return static_cast<float>(-weight); });
+  out.simplex_class[at] = static_cast<std::uint8_t>(face_class(flags));
   return simplex_hash<1>(&i);
 }
 
@@ -420,10 +420,10 @@ __global__ void place_edges_and_vertices(Chunk chunk, DualEdgeOutput from, const
       if (at >= out.capacity) return;
       reinterpret_cast<uint2*>(out.vertices)[at] = make_uint2(v[0], v[1]);
       out.value[at] = from_ordered_bits(edges.least[e]);
-      out.simplex_class[at] = class_of(edges.flags[e]);
+      out.simplex_class[at] = static_cast<std::uint8_t>(face_class(edges.flags[e]));
       edge_hash += simplex_hash<2>(v);
     });
-    if (active && threadIdx.x % kEdgeLanes == 0 && vertex_is_there(vertices, i))
+    if (active && threadIdx.x % kEdgeLanes == 0 && is_in_complex(vertex_flags(vertices, i)))
       vertex_hash +=
           place_vertex(i, ball, vertices, before.of[0] + high_of(places[i]), to.dimension[0]);
     __syncwarp();

@@ -57,13 +57,24 @@ ALPHASCOPE_HOST_DEVICE inline int perturbed_cut(const LiftedInt& j, const Lifted
   return -1;  // not reached: D is not 0 at a corner
 }
 
-// The same for ball m that is collinear with i and j and has their power all over their radical
-// plane: it cuts off edge ij if it lies between them. Of three collinear balls the last in the
-// order is an outer one, so the middle one always stays in sight.
-ALPHASCOPE_HOST_DEVICE inline bool lies_between(const LiftedInt& j, const LiftedInt& m) {
+// Where ball m is that has the same power as i and j at the foot of edge ij (edge_foot_cut() is 0).
+enum class EdgeTie : signed char {
+  // Not on the line ij: either ij is no edge of the perturbed triangulation, or it has a triangle
+  // with the same orthosphere.
+  beside,
+  // On the line, and so of their power all over their radical plane. Between them it cuts off the
+  // edge, outside it does not: of three collinear balls the last in the order is an outer one, so
+  // the middle one always stays in sight.
+  between,
+  outside
+};
+ALPHASCOPE_HOST_DEVICE inline EdgeTie edge_tie(const LiftedInt& j, const LiftedInt& m) {
+  const auto n = cross(j, m);
+  if (n.x != 0 || n.y != 0 || n.z != 0) return EdgeTie::beside;
   const std::int64_t b = j.x != 0 ? j.x : j.y != 0 ? j.y : j.z;
   const std::int64_t a = j.x != 0 ? m.x : j.y != 0 ? m.y : m.z;
-  return b > 0 ? 0 < a && a < b : b < a && a < 0;
+  const bool between = b > 0 ? 0 < a && a < b : b < a && a < 0;
+  return between ? EdgeTie::between : EdgeTie::outside;
 }
 
 }  // namespace alphascope

@@ -59,9 +59,8 @@ ALPHASCOPE_INLINE Decision decide_simplex(const Neighbourhood<Neighbours>& in, f
 }
 
 // Does ball m cut off the orthocentre of edge ij? Then ij is attached: in K_alpha if a triangle of
-// it is, with the least of their values. A tie with a ball beside the line ij counts as a cut:
-// either ij is no edge of the perturbed triangulation, or it has a triangle with the same
-// orthosphere.
+// it is, with the least of their values. A tie with a ball beside the line ij counts as a cut
+// (EdgeTie).
 template <class Decider, class Neighbours>
 ALPHASCOPE_INLINE Decision edge_attached_to(const Neighbourhood<Neighbours>& in, int j, int m) {
   const LiftedInt vj = in.neighbours.lifted(j), vm = in.neighbours.lifted(m);
@@ -70,11 +69,7 @@ ALPHASCOPE_INLINE Decision edge_attached_to(const Neighbourhood<Neighbours>& in,
   if (side == 0) {
     if constexpr (!Decider::kExact) return Decision::unknown;
     side = edge_foot_cut_exact(vj, vm);
-    if (side == 0) {
-      const auto n = cross(vj, vm);
-      const bool beside = n.x != 0 || n.y != 0 || n.z != 0;
-      side = beside || lies_between(vj, vm) ? 1 : -1;
-    }
+    if (side == 0) side = edge_tie(vj, vm) == EdgeTie::outside ? -1 : 1;
   }
   return side > 0 ? Decision::in : Decision::out;
 }

@@ -48,9 +48,10 @@ struct ExactCentre<1, Integer> {
   ALPHASCOPE_HOST_DEVICE Conflict with(const LiftedInt& m) const {
     const int side = edge_foot_cut(j, m);
     if (side != 0) return side > 0 ? Conflict::destroys : Conflict::none;
-    const auto n = cross(j, m);
-    if (n.x != 0 || n.y != 0 || n.z != 0) return Conflict::defers;
-    return lies_between(j, m) ? Conflict::destroys : Conflict::none;
+    const EdgeTie tie = edge_tie(j, m);
+    return tie == EdgeTie::beside    ? Conflict::defers
+           : tie == EdgeTie::between ? Conflict::destroys
+                                     : Conflict::none;
   }
 };
 

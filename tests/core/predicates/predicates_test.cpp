@@ -169,6 +169,23 @@ TEST(Predicates, QuartersAbove2To51AreKept) {
             testing::nearest_float(testing::orthosphere(balls, edge).rho));
 }
 
+// Of balls i at the origin, j and m; in every direction along the line.
+TEST(Predicates, ATieAtAnEdgesFootIsBesideBetweenOrOutside) {
+  const std::int64_t lines[][3] = {{2, 0, 0}, {0, -2, 0}, {0, 0, 2}, {-2, 4, -6}, {0, 2, -2}};
+  for (const auto& d : lines) {
+    const auto at = [&](std::int64_t halves) {
+      return LiftedInt{d[0] / 2 * halves, d[1] / 2 * halves, d[2] / 2 * halves, 0};
+    };
+    const LiftedInt j = at(2);
+    EXPECT_EQ(edge_tie(j, at(1)), EdgeTie::between);
+    EXPECT_EQ(edge_tie(j, at(-1)), EdgeTie::outside);
+    EXPECT_EQ(edge_tie(j, at(3)), EdgeTie::outside);
+    LiftedInt m = at(1);
+    (d[0] == 0 ? m.x : m.z) += 1;
+    EXPECT_EQ(edge_tie(j, m), EdgeTie::beside);
+  }
+}
+
 TEST(Predicates, AgreeWithRationalsLong) {
   check_predicates(2, 600000);
 }

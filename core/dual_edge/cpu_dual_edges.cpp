@@ -31,9 +31,7 @@ void find_neighbours(const UniformGrid& grid, std::uint32_t slot, std::vector<st
                      std::vector<std::uint32_t>& row_hits) {
   const std::int32_t x = grid.x[slot], y = grid.y[slot], z = grid.z[slot];
   const float reach = grid.reach[slot];
-  const int cx = std::min(grid.cell_of(x, grid.origin.x), grid.nx - 1);
-  const int cy = std::min(grid.cell_of(y, grid.origin.y), grid.ny - 1);
-  const int cz = std::min(grid.cell_of(z, grid.origin.z), grid.nz - 1);
+  const auto [cx, cy, cz] = grid.cell_at({x, y, z});
   const int z0 = std::max(cz - 1, 0), z1 = std::min(cz + 1, grid.nz - 1);
   const std::size_t first = found.size();
   for (int ax = std::max(cx - 1, 0); ax <= std::min(cx + 1, grid.nx - 1); ++ax) {
@@ -55,9 +53,26 @@ void find_neighbours(const UniformGrid& grid, std::uint32_t slot, std::vector<st
             [&](std::uint32_t a, std::uint32_t b) { return grid.ball[a] < grid.ball[b]; });
 }
 
+// How many simplices a block's output has, or where some of them are.
+struct BlockPlace {
+  std::uint32_t edge, triangle, tetrahedron;
+};
+
+// Numbers within a block are of 32 bits.
+void require_block(std::size_t count) {
+  require_at_most(count, kMostIndices, "neighbours or simplices of some balls");
+}
+
+BlockPlace end_of(const BlockOutput& out) {
+  require_block(out.edges.simplices.size());
+  require_block(out.triangles.simplices.size());
+  require_block(out.tetrahedra.simplices.size());
+  return {out.edges.size(), out.triangles.size(), out.tetrahedra.size()};
+}
+
 // Where the simplices of one ball (as lowest vertex) start and end in its block's output.
 struct BallRange {
-  std::uint32_t edge[2], triangle[2], tetrahedron[2];
+  BlockPlace begin, end;
 };
 
 // Copies one dimension from block outputs to its place in the result; `position` is per ball.
@@ -79,6 +94,170 @@ void resize(SimplexList<N>& list, std::size_t size, bool with_values) {
   list.alpha_values.resize(with_values ? size : 0);
   // Tetrahedra have no coface: all of K_alpha's are interior.
   list.classes.assign(with_values ? size : 0, SimplexClass::interior);
+}
+
+// One run over all balls, kernel after kernel. Blocks of balls are done side by side.
+class DualEdgeRun {
+ public:
+  DualEdgeRun(const BallSet& balls, const UniformGrid& grid, const RunContext& context,
+              AlphaComplex& complex)
+      : balls_(balls),
+        grid_(grid),
+        context_(context),
+        complex_(complex),
+        whole_(!complex.tetrahedra_only),
+        block_count_((grid.size() + kBallsPerBlock - 1) / kBallsPerBlock),
+        neighbours_(block_count_),
+        outputs_(block_count_),
+        ranges_(grid.size()),
+        states_(whole_ ? balls.size() : 0, VertexState::absent),
+        workers_([this] {
+          return std::make_unique<BallSimplices>(balls_, grid_, complex_.alpha_on_lattice, whole_);
+        }) {}
+
+  // Kernel I: neighbours.
+  void find_candidates();
+  // Kernels II and III: dual edges; the exact ones are redone where they stand, and timed.
+  void clip_dual_edges();
+  // Copies the simplices to their places in the result; their faces learn from them.
+  void order();
+
+  DualEdgeStatistics statistics() const;
+  // Of a thread, on average.
+  double exact_milliseconds() const;
+
+ private:
+  // Calls body(block, its first slot, the end of its slots). Throws Cancelled.
+  template <class Body>
+  void for_blocks(const Body& body) {
+    tbb::parallel_for(std::size_t{0}, block_count_, [&](std::size_t b) {
+      if (context_.cancel.cancelled()) return;
+      body(b, b * kBallsPerBlock, std::min(grid_.size(), (b + 1) * kBallsPerBlock));
+    });
+    context_.cancel.throw_if_cancelled();
+  }
+  void clip_block(std::size_t block, std::size_t begin, std::size_t end);
+  void report_block();
+  std::vector<EdgeRange> edge_ranges();
+
+  const BallSet& balls_;
+  const UniformGrid& grid_;
+  const RunContext& context_;
+  AlphaComplex& complex_;
+  const bool whole_;
+  const std::size_t block_count_;
+  std::vector<NeighbourBlock> neighbours_;
+  std::vector<BlockOutput> outputs_;
+  std::vector<BallRange> ranges_;    // per slot
+  std::vector<VertexState> states_;  // per ball
+  tbb::enumerable_thread_specific<std::unique_ptr<BallSimplices>> workers_;
+  std::atomic<std::size_t> blocks_done_{0};
+};
+
+void DualEdgeRun::find_candidates() {
+  tbb::enumerable_thread_specific<std::vector<std::uint32_t>> row_hits;
+  for_blocks([&](std::size_t b, std::size_t begin, std::size_t end) {
+    NeighbourBlock& found = neighbours_[b];
+    for (std::size_t slot = begin; slot < end; ++slot) {
+      find_neighbours(grid_, static_cast<std::uint32_t>(slot), found.slots, row_hits.local());
+      require_block(found.slots.size());
+      found.end.push_back(static_cast<std::uint32_t>(found.slots.size()));
+    }
+  });
+}
+
+void DualEdgeRun::clip_dual_edges() {
+  for_blocks([&](std::size_t b, std::size_t begin, std::size_t end) {
+    clip_block(b, begin, end);
+    report_block();
+  });
+}
+
+void DualEdgeRun::clip_block(std::size_t block, std::size_t begin, std::size_t end) {
+  BallSimplices& worker = *workers_.local();
+  const NeighbourBlock& lists = neighbours_[block];
+  BlockOutput& out = outputs_[block];
+  std::uint32_t list_begin = 0;
+  for (std::size_t slot = begin; slot < end; ++slot) {
+    const std::uint32_t list_end = lists.end[slot - begin];
+    ranges_[slot].begin = end_of(out);
+    const VertexState state =
+        worker.process(static_cast<std::uint32_t>(slot),
+                       {lists.slots.data() + list_begin, list_end - list_begin}, out);
+    if (whole_) states_[grid_.ball[slot]] = state;
+    ranges_[slot].end = end_of(out);
+    list_begin = list_end;
+  }
+  neighbours_[block] = {};
+  out.edges.shrink();
+  out.triangles.shrink();
+  out.tetrahedra.shrink();
+}
+
+void DualEdgeRun::report_block() {
+  const std::size_t done = blocks_done_.fetch_add(1, std::memory_order_relaxed) + 1;
+  if (done % 64 != 0) return;
+  context_.report(stage::kFilteredValidity,
+                  static_cast<double>(done) / static_cast<double>(block_count_));
+}
+
+DualEdgeStatistics DualEdgeRun::statistics() const {
+  DualEdgeStatistics all;
+  for (const auto& worker : workers_) {
+    all.dual_edges += worker->dual_edges();
+    all.exact += worker->exact_dual_edges();
+  }
+  return all;
+}
+
+double DualEdgeRun::exact_milliseconds() const {
+  double all = 0;
+  for (const auto& worker : workers_) all += worker->exact_milliseconds();
+  return workers_.empty() ? 0 : all / static_cast<double>(workers_.size());
+}
+
+// A prefix sum over the balls in the order of their indices gives every simplex its place, in
+// lexicographic order.
+void DualEdgeRun::order() {
+  struct Place {
+    std::size_t triangle = 0, tetrahedron = 0;
+  };
+  std::vector<Place> places(balls_.size() + 1);
+  for (std::size_t slot = 0; slot < grid_.size(); ++slot) {
+    const auto& [begin, end] = ranges_[slot];
+    places[grid_.ball[slot] + 1] = {end.triangle - begin.triangle,
+                                    end.tetrahedron - begin.tetrahedron};
+  }
+  for (std::size_t i = 0; i < balls_.size(); ++i) {
+    places[i + 1].triangle += places[i].triangle;
+    places[i + 1].tetrahedron += places[i].tetrahedron;
+  }
+  resize(complex_.triangles, places.back().triangle, whole_);
+  resize(complex_.tetrahedra, places.back().tetrahedron, whole_);
+  for_blocks([&](std::size_t b, std::size_t first, std::size_t last) {
+    BlockOutput& out = outputs_[b];
+    for (std::size_t slot = first; slot < last; ++slot) {
+      const auto& [begin, end] = ranges_[slot];
+      const Place& to = places[grid_.ball[slot]];
+      place(out.triangles, begin.triangle, end.triangle, to.triangle, complex_.triangles);
+      place(out.tetrahedra, begin.tetrahedron, end.tetrahedron, to.tetrahedron,
+            complex_.tetrahedra);
+    }
+    out.triangles = {};
+    out.tetrahedra = {};
+  });
+  if (!whole_) return;
+  gather_edges(edge_ranges(), complex_);
+  gather_vertices(balls_, states_, complex_);
+}
+
+std::vector<EdgeRange> DualEdgeRun::edge_ranges() {
+  std::vector<EdgeRange> ranges(balls_.size());
+  for (std::size_t slot = 0; slot < grid_.size(); ++slot) {
+    const auto& [begin, end] = ranges_[slot];
+    ranges[grid_.ball[slot]] = {&outputs_[slot / kBallsPerBlock].edges, begin.edge, end.edge};
+  }
+  return ranges;
 }
 
 }  // namespace
@@ -105,126 +284,14 @@ NeighbourMoments sample_neighbours(const UniformGrid& grid, std::size_t samples)
 DualEdgeStatistics compute_by_dual_edges(const BallSet& balls, const UniformGrid& grid,
                                          const RunContext& context, StageTimer& timer,
                                          AlphaComplex& complex) {
-  const std::size_t block_count = (grid.size() + kBallsPerBlock - 1) / kBallsPerBlock;
-  const auto block_slots = [&](std::size_t b) {
-    return std::pair{b * kBallsPerBlock, std::min(grid.size(), (b + 1) * kBallsPerBlock)};
-  };
-  const bool whole = !complex.tetrahedra_only;
-
-  // Numbers within a block are of 32 bits.
-  const auto require_block = [](std::size_t count) {
-    require_at_most(count, kMostIndices, "neighbours or simplices of some balls");
-  };
-
-  // Kernel I: neighbours.
-  std::vector<NeighbourBlock> neighbours(block_count);
-  tbb::enumerable_thread_specific<std::vector<std::uint32_t>> row_hits;
-  std::atomic<std::size_t> blocks_done{0};
-  tbb::parallel_for(std::size_t{0}, block_count, [&](std::size_t b) {
-    if (context.cancel.cancelled()) return;
-    const auto [begin, end] = block_slots(b);
-    for (std::size_t slot = begin; slot < end; ++slot) {
-      find_neighbours(grid, static_cast<std::uint32_t>(slot), neighbours[b].slots,
-                      row_hits.local());
-      require_block(neighbours[b].slots.size());
-      neighbours[b].end.push_back(static_cast<std::uint32_t>(neighbours[b].slots.size()));
-    }
-  });
-  context.cancel.throw_if_cancelled();
+  DualEdgeRun run(balls, grid, context, complex);
+  run.find_candidates();
   timer.lap(stage::kCandidates);
-
-  // Kernels II and III: dual edges; the exact ones are redone where they stand, and timed.
-  std::vector<BlockOutput> outputs(block_count);
-  std::vector<BallRange> ranges(grid.size());
-  std::vector<VertexState> states(whole ? balls.size() : 0, VertexState::absent);
-  tbb::enumerable_thread_specific<std::unique_ptr<BallSimplices>> workers([&] {
-    return std::make_unique<BallSimplices>(balls, grid, complex.alpha_on_lattice, whole);
-  });
-  tbb::parallel_for(std::size_t{0}, block_count, [&](std::size_t b) {
-    if (context.cancel.cancelled()) return;
-    BallSimplices& worker = *workers.local();
-    BlockOutput& out = outputs[b];
-    const auto [begin, end] = block_slots(b);
-    std::uint32_t list_begin = 0;
-    for (std::size_t slot = begin; slot < end; ++slot) {
-      const std::uint32_t list_end = neighbours[b].end[slot - begin];
-      BallRange& range = ranges[slot];
-      range.edge[0] = out.edges.size();
-      range.triangle[0] = out.triangles.size();
-      range.tetrahedron[0] = out.tetrahedra.size();
-      const VertexState state =
-          worker.process(static_cast<std::uint32_t>(slot),
-                         {neighbours[b].slots.data() + list_begin, list_end - list_begin}, out);
-      if (whole) states[grid.ball[slot]] = state;
-      for (const std::size_t count : {out.edges.simplices.size(), out.triangles.simplices.size(),
-                                      out.tetrahedra.simplices.size()}) {
-        require_block(count);
-      }
-      range.edge[1] = out.edges.size();
-      range.triangle[1] = out.triangles.size();
-      range.tetrahedron[1] = out.tetrahedra.size();
-      list_begin = list_end;
-    }
-    neighbours[b] = {};
-    out.edges.shrink();
-    out.triangles.shrink();
-    out.tetrahedra.shrink();
-    const std::size_t done = blocks_done.fetch_add(1, std::memory_order_relaxed) + 1;
-    if (done % 64 == 0)
-      context.report(stage::kFilteredValidity,
-                     static_cast<double>(done) / static_cast<double>(block_count));
-  });
-  context.cancel.throw_if_cancelled();
-  DualEdgeStatistics statistics;
-  double exact_milliseconds = 0;
-  std::size_t worker_count = 0;
-  for (const auto& worker : workers) {
-    statistics.dual_edges += worker->dual_edges();
-    statistics.exact += worker->exact_dual_edges();
-    exact_milliseconds += worker->exact_milliseconds();
-    ++worker_count;
-  }
-  timer.lap_split(stage::kFilteredValidity, stage::kExactValidity,
-                  worker_count == 0 ? 0 : exact_milliseconds / static_cast<double>(worker_count));
-
-  // Prefix sum over the balls in index order gives every simplex its place: lexicographic order.
-  struct Place {
-    std::size_t triangle = 0, tetrahedron = 0;
-  };
-  std::vector<Place> places(balls.size() + 1);
-  std::vector<EdgeRange> edges(whole ? balls.size() : 0);
-  for (std::size_t slot = 0; slot < grid.size(); ++slot) {
-    const BallRange& r = ranges[slot];
-    Place& p = places[grid.ball[slot] + 1];
-    p.triangle = r.triangle[1] - r.triangle[0];
-    p.tetrahedron = r.tetrahedron[1] - r.tetrahedron[0];
-    if (whole)
-      edges[grid.ball[slot]] = {&outputs[slot / kBallsPerBlock].edges, r.edge[0], r.edge[1]};
-  }
-  for (std::size_t i = 0; i < balls.size(); ++i) {
-    places[i + 1].triangle += places[i].triangle;
-    places[i + 1].tetrahedron += places[i].tetrahedron;
-  }
-  resize(complex.triangles, places.back().triangle, whole);
-  resize(complex.tetrahedra, places.back().tetrahedron, whole);
-  tbb::parallel_for(std::size_t{0}, block_count, [&](std::size_t b) {
-    const auto [begin, end] = block_slots(b);
-    for (std::size_t slot = begin; slot < end; ++slot) {
-      const BallRange& r = ranges[slot];
-      const Place& to = places[grid.ball[slot]];
-      place(outputs[b].triangles, r.triangle[0], r.triangle[1], to.triangle, complex.triangles);
-      place(outputs[b].tetrahedra, r.tetrahedron[0], r.tetrahedron[1], to.tetrahedron,
-            complex.tetrahedra);
-    }
-    outputs[b].triangles = {};
-    outputs[b].tetrahedra = {};
-  });
-  if (whole) {
-    gather_edges(edges, complex);
-    gather_vertices(balls, states, complex);
-  }
+  run.clip_dual_edges();
+  timer.lap_split(stage::kFilteredValidity, stage::kExactValidity, run.exact_milliseconds());
+  run.order();
   timer.lap(stage::kPrefixSum);
-  return statistics;
+  return run.statistics();
 }
 
 }  // namespace alphascope

@@ -11,7 +11,7 @@ namespace {
 
 // Of a cell's width over the distance at which the two largest balls touch. Two that pass the test
 // of grown_balls.hpp are nearer than 1 + 2^-18 + 10 u of that, below 1 + 4.5e-6; and as a
-// coordinate is below 2^30 cells, cell_of()'s division errs by less than 2^-22 of one, 2.4e-7. So
+// coordinate is below 2^30 cells, cell_at()'s division errs by less than 2^-22 of one, 2.4e-7. So
 // they are in the same or in neighbouring cells.
 constexpr double kReachMargin = 1.0 + 1e-5;
 
@@ -33,6 +33,63 @@ struct Box {
 
 double cells_along(std::int32_t low, std::int32_t high, double width) {
   return std::floor((static_cast<double>(high) - low) / width) + 1;
+}
+
+// The balls that the grid is for.
+struct AliveBalls {
+  std::vector<BallIndex> indices;
+  Box box;                      // of their centres
+  double max_reach_square = 0;  // of the largest of the grown balls
+};
+
+AliveBalls find_alive(const BallSet& balls, double alpha_on_lattice,
+                      const std::vector<bool>& hidden) {
+  AliveBalls alive;
+  alive.indices.reserve(balls.size());
+  for (BallIndex i = 0; i < balls.size(); ++i) {
+    const double square = static_cast<double>(balls.weight(i)) + alpha_on_lattice;
+    if (square < 0 || (!hidden.empty() && hidden[i])) continue;
+    alive.indices.push_back(i);
+    alive.box.add(balls.centres[i]);
+    alive.max_reach_square = std::max(alive.max_reach_square, square);
+  }
+  return alive;
+}
+
+// Chooses the cells.
+void set_cells(const AliveBalls& alive, UniformGrid& grid) {
+  const auto& [low, high] = alive.box;
+  double width = std::max(1.0, 2 * std::sqrt(alive.max_reach_square) * kReachMargin);
+  const auto cells = [&] {
+    return cells_along(low.x, high.x, width) * cells_along(low.y, high.y, width) *
+           cells_along(low.z, high.z, width);
+  };
+  const double most = kMaxCellsPerBall * static_cast<double>(alive.indices.size()) + 64;
+  while (cells() > most) width *= 1.25;
+  grid.origin = low;
+  grid.cell_width = width;
+  grid.nx = static_cast<int>(cells_along(low.x, high.x, width));
+  grid.ny = static_cast<int>(cells_along(low.y, high.y, width));
+  grid.nz = static_cast<int>(cells_along(low.z, high.z, width));
+}
+
+// Fills cell_start; returns the slot of each ball. Counting sort by cell.
+std::vector<std::uint32_t> sort_into_cells(const BallSet& balls,
+                                           const std::vector<BallIndex>& indices,
+                                           UniformGrid& grid) {
+  const std::size_t cell_count = static_cast<std::size_t>(grid.nx) * grid.ny * grid.nz;
+  grid.cell_start.assign(cell_count + 1, 0);
+  std::vector<std::uint32_t> cell(indices.size());
+  for (std::size_t a = 0; a < indices.size(); ++a) {
+    const UniformGrid::Cell c = grid.cell_at(balls.centres[indices[a]]);
+    const std::size_t row = static_cast<std::size_t>(c.x) * grid.ny + c.y;
+    cell[a] = static_cast<std::uint32_t>(row * grid.nz + c.z);
+    ++grid.cell_start[cell[a] + 1];
+  }
+  for (std::size_t c = 0; c < cell_count; ++c) grid.cell_start[c + 1] += grid.cell_start[c];
+  std::vector<std::uint32_t> next(grid.cell_start.begin(), grid.cell_start.end() - 1);
+  for (std::uint32_t& c : cell) c = next[c]++;
+  return cell;
 }
 
 }  // namespace
@@ -63,57 +120,23 @@ double UniformGrid::search_cost() const {
 
 UniformGrid make_uniform_grid(const BallSet& balls, double alpha_on_lattice,
                               const std::vector<bool>& hidden) {
+  const AliveBalls alive = find_alive(balls, alpha_on_lattice, hidden);
+  const std::size_t count = alive.indices.size();
   UniformGrid grid;
-  Box box;
-  std::vector<BallIndex> alive;
-  alive.reserve(balls.size());
-  double max_reach_square = 0;
-  for (BallIndex i = 0; i < balls.size(); ++i) {
-    const double square = static_cast<double>(balls.weight(i)) + alpha_on_lattice;
-    if (square < 0 || (!hidden.empty() && hidden[i])) continue;
-    alive.push_back(i);
-    box.add(balls.centres[i]);
-    max_reach_square = std::max(max_reach_square, square);
-  }
-  if (alive.empty()) {
+  if (count == 0) {
     grid.cell_start = {0};
     return grid;
   }
-
-  double width = std::max(1.0, 2 * std::sqrt(max_reach_square) * kReachMargin);
-  const auto cells = [&] {
-    return cells_along(box.low.x, box.high.x, width) * cells_along(box.low.y, box.high.y, width) *
-           cells_along(box.low.z, box.high.z, width);
-  };
-  while (cells() > kMaxCellsPerBall * static_cast<double>(alive.size()) + 64) width *= 1.25;
-  grid.origin = box.low;
-  grid.cell_width = width;
-  grid.nx = static_cast<int>(cells_along(box.low.x, box.high.x, width));
-  grid.ny = static_cast<int>(cells_along(box.low.y, box.high.y, width));
-  grid.nz = static_cast<int>(cells_along(box.low.z, box.high.z, width));
-
-  // Counting sort by cell.
-  const std::size_t cell_count = static_cast<std::size_t>(grid.nx) * grid.ny * grid.nz;
-  grid.cell_start.assign(cell_count + 1, 0);
-  std::vector<std::uint32_t> cell(alive.size());
-  for (std::size_t a = 0; a < alive.size(); ++a) {
-    const LatticePoint& p = balls.centres[alive[a]];
-    const std::size_t cx = std::min(grid.cell_of(p.x, box.low.x), grid.nx - 1);
-    const std::size_t cy = std::min(grid.cell_of(p.y, box.low.y), grid.ny - 1);
-    const std::size_t cz = std::min(grid.cell_of(p.z, box.low.z), grid.nz - 1);
-    cell[a] = static_cast<std::uint32_t>((cx * grid.ny + cy) * grid.nz + cz);
-    ++grid.cell_start[cell[a] + 1];
-  }
-  for (std::size_t c = 0; c < cell_count; ++c) grid.cell_start[c + 1] += grid.cell_start[c];
-  std::vector<std::uint32_t> next(grid.cell_start.begin(), grid.cell_start.end() - 1);
-  grid.ball.resize(alive.size());
-  grid.x.resize(alive.size());
-  grid.y.resize(alive.size());
-  grid.z.resize(alive.size());
-  grid.reach.resize(alive.size());
-  for (std::size_t a = 0; a < alive.size(); ++a) {
-    const std::uint32_t slot = next[cell[a]]++;
-    const BallIndex i = alive[a];
+  set_cells(alive, grid);
+  const std::vector<std::uint32_t> slots = sort_into_cells(balls, alive.indices, grid);
+  grid.ball.resize(count);
+  grid.x.resize(count);
+  grid.y.resize(count);
+  grid.z.resize(count);
+  grid.reach.resize(count);
+  for (std::size_t a = 0; a < count; ++a) {
+    const std::uint32_t slot = slots[a];
+    const BallIndex i = alive.indices[a];
     grid.ball[slot] = i;
     grid.x[slot] = balls.centres[i].x;
     grid.y[slot] = balls.centres[i].y;

@@ -1,6 +1,7 @@
 // Balls sorted into cubic cells, for neighbour search. Knows nothing of complexes.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -21,11 +22,21 @@ struct UniformGrid {
   int nx = 0, ny = 0, nz = 0;
 
   std::size_t size() const { return ball.size(); }
-  int cell_of(std::int32_t coordinate, std::int32_t lower) const {
-    return static_cast<int>((static_cast<double>(coordinate) - lower) / cell_width);
+  // Of a point within the box of all centres.
+  struct Cell {
+    int x, y, z;
+  };
+  Cell cell_at(const LatticePoint& p) const {
+    return {std::min(cell_of(p.x, origin.x), nx - 1), std::min(cell_of(p.y, origin.y), ny - 1),
+            std::min(cell_of(p.z, origin.z), nz - 1)};
   }
   // Number of (ball, candidate) distance tests that a search of all balls makes.
   double search_cost() const;
+
+ private:
+  int cell_of(std::int32_t coordinate, std::int32_t lower) const {
+    return static_cast<int>((static_cast<double>(coordinate) - lower) / cell_width);
+  }
 };
 
 // `hidden` marks balls to leave out (coincident with a larger one); may be empty.

@@ -10,7 +10,9 @@ std::vector<fs::path> resource_folders() {
   std::vector<fs::path> folders;
   std::error_code error;
   const fs::path self = fs::read_symlink("/proc/self/exe", error);
-  if (!error) folders.push_back(self.parent_path().parent_path() / "share/alphascope");
+  if (!error) {
+    folders.push_back((self.parent_path() / ALPHASCOPE_INSTALLED_RESOURCES).lexically_normal());
+  }
   folders.emplace_back(ALPHASCOPE_RESOURCES);
   return folders;
 }

@@ -1,5 +1,5 @@
-// The scene on a software OpenGL context: pictures hold what they should. No golden images; they
-// differ from driver to driver.
+// The scene on a software OpenGL context: pictures hold what they should. What they look like as a
+// whole is baseline_test.cpp's.
 #include "ui/scene/scene.hpp"
 
 #include <gtest/gtest.h>
@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "tests/ui/molecule_fixture.hpp"
+#include "tests/ui/picture_difference.hpp"
 #include "tests/ui/texture_pixels.hpp"
 #include "ui/scene/frame_grab.hpp"
 #include "ui/scene/screenshot.hpp"
@@ -20,6 +21,7 @@ namespace alphascope {
 namespace {
 
 using testing::complex_of;
+using testing::differing_pixels;
 using testing::rod;
 using testing::two_colours;
 
@@ -50,16 +52,6 @@ PictureCounts count_colours(const Image& image, Theme theme) {
     }
   }
   return counts;
-}
-
-int differing_pixels(const Image& a, const Image& b) {
-  int count = 0;
-  for (std::size_t i = 0; i + 3 < std::min(a.rgba.size(), b.rgba.size()); i += 4) {
-    int difference = 0;
-    for (int c = 0; c < 3; ++c) difference += std::abs(a.rgba[i + c] - b.rgba[i + c]);
-    count += difference > 30;
-  }
-  return count;
 }
 
 class SceneTest : public ::testing::Test {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "app/viewer/state_bridge.hpp"
+#include "tests/ui/picture_difference.hpp"
 #include "tests/ui/png_pixels.hpp"
 #include "tests/ui/viewer_fixture.hpp"
 
@@ -11,19 +12,9 @@ namespace {
 
 namespace fs = std::filesystem;
 using testing::crambin;
+using testing::differing_pixels;
 using testing::texts_of;
 using testing::ViewerTest;
-
-int differing_pixels(const Image& a, const Image& b) {
-  EXPECT_EQ(a.rgba.size(), b.rgba.size());
-  int count = 0;
-  for (std::size_t i = 0; i + 3 < std::min(a.rgba.size(), b.rgba.size()); i += 4) {
-    int difference = 0;
-    for (int c = 0; c < 3; ++c) difference += std::abs(a.rgba[i + c] - b.rgba[i + c]);
-    count += difference > 30;
-  }
-  return count;
-}
 
 TEST_F(ViewerTest, OpensAndShowsTheComplex) {
   const auto empty = shot("empty.png");

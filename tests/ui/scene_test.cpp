@@ -256,6 +256,44 @@ TEST_F(SceneTest, TransparentPictureHasClearBackgroundAndOpaqueBalls) {
   EXPECT_GT(opaque, 1000);
 }
 
+// Whoever quits waits for what is being drawn; and the four pictures are not the same one.
+TEST_F(SceneTest, APictureCanBeCancelledBetweenItsQuarters) {
+  load(0);
+  std::vector<double> shares;
+  RunContext run;
+  run.progress = [&](std::string_view, double share) { shares.push_back(share); };
+  const Image whole = scene.grab(320, 200, false, run);
+  EXPECT_EQ(shares, (std::vector<double>{0, 0.25, 0.5, 0.75}));
+  shares.clear();
+  run.progress = [&](std::string_view, double share) {
+    shares.push_back(share);
+    if (share > 0) run.cancel.cancel();
+  };
+  EXPECT_THROW(scene.grab(320, 200, true, run), Cancelled);
+  EXPECT_EQ(shares.size(), 2u);
+  EXPECT_EQ(differing_pixels(whole, scene.grab(320, 200, false)), 0) << "as if nothing had been";
+}
+
+// A picture of single samples has two colours at an edge; the mean of four has more.
+TEST_F(SceneTest, EdgesOfAPictureAreSmooth) {
+  load(0);
+  scene.set_style({.ball_opacity = 1, .ambient_occlusion = false});
+  const Image image = scene.grab(320, 200, true);
+  int between = 0;
+  for (std::size_t i = 3; i < image.rgba.size(); i += 4) {
+    between += image.rgba[i] > 0 && image.rgba[i] < 255;
+  }
+  EXPECT_GT(between, 100);
+}
+
+TEST(PictureMean, IsWeightedByAlpha) {
+  PictureMean mean;
+  mean.add({1, 1, {100, 50, 0, 255}});
+  mean.add({1, 1, {0, 0, 0, 0}});
+  EXPECT_EQ(mean.mean().rgba, (std::vector<std::uint8_t>{100, 50, 0, 128}));
+  EXPECT_THROW(mean.add({2, 1, std::vector<std::uint8_t>(8)}), std::invalid_argument);
+}
+
 TEST(Screenshot, WritesAPngWithoutADisplay) {
   const auto balls = rod();
   const auto path = std::filesystem::temp_directory_path() / "alphascope_screenshot_test.png";

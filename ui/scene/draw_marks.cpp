@@ -228,8 +228,7 @@ std::string write_picture(Scene& scene, const MarkedPicture& picture,
                           const std::filesystem::path& path, const PictureTexts& texts,
                           const RunContext& context) {
   context.cancel.throw_if_cancelled();
-  context.report("drawing", 0);
-  Image image = scene.grab(picture.width, picture.height, picture.transparent);
+  Image image = scene.grab(picture.width, picture.height, picture.transparent, context);
   PictureMarks marks{picture.legend, {}};
   if (picture.scale_bar) marks.angstrom_per_pixel = scene.angstrom_per_pixel();
   std::string left_out = draw_marks(image, marks, mark_ink(picture.theme, picture.transparent));

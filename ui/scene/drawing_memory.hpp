@@ -26,7 +26,7 @@ std::uint64_t drawing_bytes(const DrawingTask& task);
 // Of what is free, the rest being for the window and for computing the next complex meanwhile.
 std::uint64_t drawing_budget(std::uint64_t free_bytes);
 
-// Of a picture for a file itself, with ambient occlusion and four samples a pixel. The second
+// Of a picture for a file itself, with ambient occlusion. The second
 // throws std::runtime_error where that and `more_bytes` do not fit.
 std::uint64_t picture_bytes(int width, int height);
 void require_room(int width, int height, std::optional<std::uint64_t> free_bytes,

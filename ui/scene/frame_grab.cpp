@@ -1,4 +1,4 @@
-// Reading back, box filter and PNG through VTK's writer.
+// Reading back, means of pictures and PNG through VTK's writer.
 #include "ui/scene/frame_grab.hpp"
 
 #define GL_GLEXT_PROTOTYPES
@@ -36,28 +36,32 @@ Image read_framebuffer(unsigned framebuffer, int width, int height) {
   return image;
 }
 
-Image downsample(const Image& image, int factor) {
-  if (factor <= 1) return image;
-  Image result{image.width / factor, image.height / factor, {}};
-  result.rgba.resize(std::size_t(result.width) * result.height * 4);
-  for (int y = 0; y < result.height; ++y) {
-    for (int x = 0; x < result.width; ++x) {
-      unsigned sum[4] = {0, 0, 0, 0};
-      for (int k = 0; k < factor * factor; ++k) {
-        const std::size_t source =
-            (std::size_t(y * factor + k / factor) * image.width + x * factor + k % factor) * 4;
-        const unsigned alpha = image.rgba[source + 3];
-        for (int c = 0; c < 3; ++c) sum[c] += image.rgba[source + c] * alpha;
-        sum[3] += alpha;
-      }
-      std::uint8_t* target = &result.rgba[(std::size_t(y) * result.width + x) * 4];
-      for (int c = 0; c < 3; ++c) {
-        target[c] = sum[3] == 0 ? 0 : static_cast<std::uint8_t>((sum[c] + sum[3] / 2) / sum[3]);
-      }
-      target[3] = static_cast<std::uint8_t>(sum[3] / unsigned(factor * factor));
-    }
+void PictureMean::add(const Image& premultiplied) {
+  if (count_++ == 0) {
+    width_ = premultiplied.width;
+    height_ = premultiplied.height;
+    sums_.assign(premultiplied.rgba.size(), 0);
   }
-  return result;
+  if (premultiplied.width != width_ || premultiplied.height != height_) {
+    throw std::invalid_argument("pictures of different sizes have no mean");
+  }
+  for (std::size_t i = 0; i < sums_.size(); ++i) {
+    sums_[i] = static_cast<std::uint16_t>(sums_[i] + premultiplied.rgba[i]);
+  }
+}
+
+Image PictureMean::mean() const {
+  Image image{width_, height_, std::vector<std::uint8_t>(sums_.size())};
+  for (std::size_t i = 0; i < sums_.size(); i += 4) {
+    const unsigned alpha = sums_[i + 3];
+    if (alpha == 0) continue;
+    for (std::size_t c = i; c < i + 3; ++c) {
+      image.rgba[c] =
+          static_cast<std::uint8_t>(std::min(255u, (255u * sums_[c] + alpha / 2) / alpha));
+    }
+    image.rgba[i + 3] = static_cast<std::uint8_t>((alpha + count_ / 2) / count_);
+  }
+  return image;
 }
 
 void write_png(const Image& image, const std::filesystem::path& path, const PictureTexts& texts,

@@ -41,6 +41,11 @@ namespace {
 constexpr int kPeels = 6;
 constexpr int kFineSamples = 2;  // each way
 
+// Of sample `k` of kFineSamples in a row: pixels from the middle of its pixel.
+double sample_place(int k) {
+  return (k + 0.5) / kFineSamples - 0.5;
+}
+
 // VTK draws nothing, and says so nowhere, when one of its buffers cannot be had. The largest, which
 // ambient occlusion takes, has four floats a pixel; Mesa's software driver also limits the bytes.
 bool drawable(int width, int height) {
@@ -186,6 +191,35 @@ struct Scene::Impl {
     aspect = now;
     set_view_angle();
   }
+
+  // To the right and up, in shares of the picture's width and height.
+  void shift(double right, double up) {
+    renderer->GetActiveCamera()->SetWindowCenter(2 * right, 2 * up);
+  }
+
+  // What only a picture for a file has; ends with this.
+  class ForOnePicture {
+   public:
+    ForOnePicture(Impl& scene, bool transparent) : scene_(scene) {
+      // Ambient occlusion darkens towards the background, which a transparent picture has none of.
+      scene.apply_quality(RenderQuality::medium, !transparent);
+      if (transparent) {
+        scene.renderer->SetBackground(0, 0, 0);
+        scene.renderer->SetUseDepthPeeling(true);  // VTK's other transparency writes wrong alpha
+      }
+      scene.renderer->SetBackgroundAlpha(transparent ? 0 : 1);
+    }
+    ~ForOnePicture() {
+      scene_.shift(0, 0);
+      scene_.renderer->SetBackgroundAlpha(0);
+      scene_.apply_style();
+    }
+    ForOnePicture(const ForOnePicture&) = delete;
+    ForOnePicture& operator=(const ForOnePicture&) = delete;
+
+   private:
+    Impl& scene_;
+  };
 
   void set_view_angle() {
     const double half = std::atan(tangent_up(aspect, least_aspect));
@@ -385,39 +419,31 @@ void Scene::wheel(double steps) {
   for (int i = 0; i < count && steps != 0; ++i) impl_->interactor->InvokeEvent(event);
 }
 
-Image Scene::grab(int width, int height, bool transparent) {
-  const bool oversample = drawable(kFineSamples * width, kFineSamples * height);
-  if (!oversample && !drawable(width, height)) {
+// Four pictures, each a quarter of a pixel off, instead of one of four times the pixels: the same
+// points are looked at, with a quarter of the memory, and between two of them it can be cancelled.
+Image Scene::grab(int width, int height, bool transparent, const RunContext& context) {
+  if (!drawable(width, height)) {
     throw std::runtime_error("OpenGL on this machine cannot draw a picture of " +
                              std::to_string(width) + " x " + std::to_string(height) +
                              " pixels. Choose a smaller size.");
   }
-  // Ambient occlusion darkens towards the background, which a transparent picture has none of.
-  impl_->apply_quality(oversample ? RenderQuality::fine : RenderQuality::medium, !transparent);
-  vtkRenderer* renderer = impl_->renderer;
-  if (transparent) {
-    renderer->SetBackground(0, 0, 0);
-    renderer->SetUseDepthPeeling(true);  // VTK's other transparency writes wrong alpha
-  }
-  renderer->SetBackgroundAlpha(transparent ? 0 : 1);
+  const Impl::ForOnePicture settings(*impl_, transparent);
   impl_->picture_height = height;
-  impl_->draw(width * impl_->samples, height * impl_->samples);
+  PictureMean mean;
+  for (int k = 0; k < kFineSamples * kFineSamples; ++k) {
+    context.cancel.throw_if_cancelled();
+    context.report("drawing", double(k) / (kFineSamples * kFineSamples));
+    impl_->shift(sample_place(k % kFineSamples) / width, sample_place(k / kFineSamples) / height);
+    impl_->draw(width, height);
+    impl_->window->GetState()->ResetFramebufferBindings();
+    Image image =
+        read_framebuffer(impl_->window->GetDisplayFramebuffer()->GetFBOIndex(), width, height);
+    for (std::size_t i = 3; !transparent && i < image.rgba.size(); i += 4) image.rgba[i] = 255;
+    mean.add(image);
+  }
   // Before anything else takes memory: these may be many times the view's.
   impl_->release_buffers();
-  renderer->SetBackgroundAlpha(0);
-  impl_->apply_style();
-  impl_->window->GetState()->ResetFramebufferBindings();
-  Image image = read_framebuffer(impl_->window->GetDisplayFramebuffer()->GetFBOIndex(),
-                                 width * impl_->samples, height * impl_->samples);
-  for (std::size_t i = 0; i < image.rgba.size(); i += 4) {
-    std::uint8_t* p = &image.rgba[i];
-    if (!transparent) p[3] = 255;
-    if (p[3] == 0 || p[3] == 255) continue;
-    for (int c = 0; c < 3; ++c) {  // VTK's colours are premultiplied
-      p[c] = static_cast<std::uint8_t>(std::min(255, p[c] * 255 / p[3]));
-    }
-  }
-  return downsample(image, impl_->samples);
+  return mean.mean();
 }
 
 }  // namespace alphascope

@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/run/cancel_token.hpp"
 #include "ui/scene/ball_geometry.hpp"
 #include "ui/scene/ball_pick.hpp"
 #include "ui/scene/camera.hpp"
@@ -77,8 +78,9 @@ class Scene {
   void wheel(double steps);  // positive: closer
 
   // A picture of any size in fine quality with the present camera; the texture is redrawn by the
-  // next render(). `transparent` leaves the background out.
-  Image grab(int width, int height, bool transparent);
+  // next render(). `transparent` leaves the background out. Tells its share and can be cancelled
+  // after each quarter; then throws Cancelled.
+  Image grab(int width, int height, bool transparent, const RunContext& context = {});
 
  private:
   struct Impl;

@@ -1,12 +1,14 @@
 // See the header. VTK keeps nothing that two scenes share while they draw, as long as each scene is
 // made on the main thread: there GLEW, which VTK calls OpenGL through, is set up.
 #include "app/viewer/picture_saver.hpp"
-#include "core/molecule/printable.hpp"
 
 #include <atomic>
 #include <exception>
 #include <stdexcept>
 #include <utility>
+
+#include "core/molecule/printable.hpp"
+#include "ui/window/quiet_context.hpp"
 
 namespace alphascope {
 
@@ -91,6 +93,7 @@ void PictureSaver::begin() {
   const auto written = std::make_shared<std::atomic<bool>>(false);
   worker_.submit(
       [this, picture, written, studio = studio_.get()](const RunContext& c) -> Worker::Delivery {
+        give_way_to_others();
         const std::string left_out = studio->draw(*picture, c);
         *written = true;
         return [this, picture, left_out] {

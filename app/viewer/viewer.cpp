@@ -449,6 +449,7 @@ void Viewer::run() {
     frames_due_ = std::max(0, frames_due_ - 1);
     draw(nullptr, false);
   }
+  host_.hide();
 }
 
 }  // namespace alphascope

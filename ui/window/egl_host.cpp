@@ -57,6 +57,7 @@ class EglHost final : public Host {
   }
 
   bool close_requested() const override { return false; }
+  void hide() override {}
   void set_title(const std::string&) override {}
 
   bool wait_events(double timeout_seconds) override {

@@ -12,6 +12,7 @@
 
 #include "ui/panels/keys.hpp"
 #include "ui/window/host.hpp"
+#include "ui/window/quiet_context.hpp"
 
 namespace alphascope {
 namespace {
@@ -79,6 +80,19 @@ class GlfwBackgroundContext final : public BackgroundContext {
   GLFWwindow* window_ = nullptr;
 };
 
+// EGL makes no context current where one of GLX's is.
+class QuietContextBesideGlx final : public BackgroundContext {
+ public:
+  void make_current() override {
+    glfwMakeContextCurrent(nullptr);
+    context_->make_current();
+  }
+  void release() override { context_->release(); }
+
+ private:
+  std::unique_ptr<BackgroundContext> context_ = make_quiet_context();
+};
+
 class GlfwHost final : public Host {
  public:
   explicit GlfwHost(const HostOptions& options) : fixed_scale_(static_cast<float>(options.scale)) {
@@ -134,6 +148,10 @@ class GlfwHost final : public Host {
     glfwSetWindowSize(window_, pixels(width, 1 / dense), pixels(height, 1 / dense));
   }
   bool close_requested() const override { return glfwWindowShouldClose(window_); }
+  void hide() override {
+    glfwHideWindow(window_);
+    glfwPollEvents();  // sends it off
+  }
   void set_title(const std::string& title) override { glfwSetWindowTitle(window_, title.c_str()); }
 
   bool wait_events(double timeout_seconds) override {
@@ -157,6 +175,7 @@ class GlfwHost final : public Host {
 
   void make_current() override { glfwMakeContextCurrent(window_); }
   std::unique_ptr<BackgroundContext> make_background_context() override {
+    if (draws_in_software()) return std::make_unique<QuietContextBesideGlx>();
     return std::make_unique<GlfwBackgroundContext>();
   }
 

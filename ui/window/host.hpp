@@ -39,6 +39,8 @@ class Host {
   // Asks for another size, in pixels.
   virtual void resize(int width, int height) = 0;
   virtual bool close_requested() const = 0;
+  // For the end of the program, which may wait for work that cannot be interrupted.
+  virtual void hide() = 0;
   virtual void set_title(const std::string& title) = 0;
   // Waits for input, wake() or the timeout, then takes in what arrived; 0 only takes in. Returns
   // whether there may have been something.

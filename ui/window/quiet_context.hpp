@@ -1,0 +1,24 @@
+// An OpenGL context in software for work in the background of a window: with threads of its own,
+// which give way to the window's.
+#pragma once
+
+#include <memory>
+
+#include "ui/window/host.hpp"
+
+namespace alphascope {
+
+// Lets this thread, and the threads that it starts from now on, run only when nobody else wants the
+// processor, more or less. Cannot be undone.
+void give_way_to_others();
+
+// Mesa's software driver has one pool of threads for each display, and one context's picture waits
+// until the other's is done. This context is of a display of its own, and so is its pool. Another
+// context that is current on this thread stays current. Throws std::runtime_error when there is no
+// EGL.
+std::unique_ptr<BackgroundContext> make_quiet_context();
+
+// The current context draws in software.
+bool draws_in_software();
+
+}  // namespace alphascope

@@ -282,6 +282,7 @@ void Viewer::send_controls() {
   if (state_.compute != sent_compute_) {
     sent_compute_ = state_.compute;
     session_.set_request(canonical(state_.compute));
+    state_.compute_error.clear();  // of another alpha; it may be told again
     const SessionState& s = session_.state();
     if (s.prepared) state_.molecule.radii = grown_radii(*s.prepared, state_.compute);
     frames_due_ = kSettlingFrames;

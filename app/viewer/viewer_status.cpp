@@ -12,6 +12,11 @@ namespace {
 
 constexpr int kFramesForNews = 3;  // until a dialog stands
 
+// What is left when something else could not be had.
+std::string still(const ViewState& state, const char* what) {
+  return state.molecule.loaded ? std::string("\n\n") + what : "";
+}
+
 }  // namespace
 
 void Viewer::guarded(const std::function<void()>& what) {
@@ -43,13 +48,16 @@ void Viewer::take_error(bool only_the_model_changed) {
   state_.memory.playing = state_.memory.playing_models = false;
   switch (s.error_source) {
     case Source::opening:
-      state_.tell("The file cannot be opened", s.last_error + not_opened_either());
+      state_.tell("The file cannot be opened",
+                  s.last_error + not_opened_either() +
+                      still(state_, "The previous molecule is still open."));
       break;
     case Source::changing:
       if (only_the_model_changed) {
         state_.notice = s.last_error;
       } else {
-        state_.tell("The selection cannot be changed", s.last_error);
+        state_.tell("The selection cannot be changed",
+                    s.last_error + still(state_, "The previous selection is still in use."));
       }
       break;
     case Source::none:

@@ -105,6 +105,32 @@ TEST_F(DialogsTest, CancelIsAtTheLeftOfWhatIsDone) {
   at_left("benchmark.cancel", "benchmark.run");
 }
 
+TEST_F(DialogsTest, APictureIsSavedOnlyWhereThereIsAFolder) {
+  p.state.memory.show_save = true;
+  p.state.memory.save_path = "/no/such/folder/picture.png";
+  p.frame(3);
+  ASSERT_TRUE(p.rects.contains("save.no_folder"));
+  p.click("save.ok");
+  EXPECT_FALSE(p.state.requests.screenshot);
+  EXPECT_TRUE(p.state.memory.show_save);
+  p.state.memory.save_path = "/tmp/picture.png";
+  p.frame(3);
+  p.click("save.ok");
+  EXPECT_FALSE(p.state.memory.show_save);
+}
+
+// What could not be computed has no numbers.
+TEST_F(DialogsTest, NumbersAreCompleteOnlyWhereTheyWereComputed) {
+  p.state.viewport.not_drawn = "Not drawn for lack of memory: edges.";
+  p.state.result.present = true;
+  p.frame(3);
+  EXPECT_TRUE(p.rects.contains("view.numbers_complete"));
+  p.state.compute_error = "There is not enough memory for this alpha.";
+  p.frame(3);
+  EXPECT_TRUE(p.rects.contains("view.not_drawn"));
+  EXPECT_FALSE(p.rects.contains("view.numbers_complete"));
+}
+
 // --- the program behind them
 
 class ErrorsTest : public testing::ViewerTest {
@@ -135,6 +161,27 @@ TEST_F(ErrorsTest, AStepThatFailsIsALineAndNotADialog) {
   run("click alpha.water\nwait-idle\nframes 3\n");
   EXPECT_TRUE(s.compute_error.empty());
   EXPECT_TRUE(s.result.present);
+}
+
+// The error of one alpha says nothing of the next, which may be cancelled or take long.
+TEST_F(ErrorsTest, TheErrorGoesWithItsAlpha) {
+  no_memory_ = true;
+  run("click alpha.preset.3\nwait-idle\nframes 3\n");
+  ASSERT_FALSE(viewer_->state().compute_error.empty());
+  viewer_->state().compute.set_alpha(10);
+  run("frames 1\n");
+  EXPECT_TRUE(viewer_->state().compute_error.empty()) << viewer_->state().compute_error;
+}
+
+TEST_F(ErrorsTest, OnlyAFailedOpeningSpeaksOfThePreviousMolecule) {
+  const ViewState& s = viewer_->state();
+  run("open /no/such/file.pdb\nwait-idle\n");
+  EXPECT_NE(s.error.find("The previous molecule is still open."), std::string::npos) << s.error;
+  run("click error.ok\nframes 2\n");
+  viewer_->state().requests.screenshot = ScreenshotRequest{"/no/such/folder/p.png", 64, 64, false};
+  run("wait-idle\n");
+  EXPECT_NE(s.error.find("/no/such/folder"), std::string::npos) << s.error;
+  EXPECT_EQ(s.error.find("still open"), std::string::npos) << s.error;
 }
 
 TEST_F(ErrorsTest, AFailedComparisonIsToldByTheBadge) {

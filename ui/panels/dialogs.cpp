@@ -179,9 +179,11 @@ std::filesystem::path picture_path(const PanelMemory& m) {
 }
 
 // Where it will be, whatever folder the program was started in, and what becomes of what is there.
-void save_target(PanelContext& ctx) {
+// False where there is no folder for it.
+bool save_target(PanelContext& ctx) {
   std::error_code ignored;
   const std::filesystem::path path = picture_path(ctx.state.memory);
+  const bool has_folder = std::filesystem::is_directory(path.parent_path(), ignored);
   row_label(ctx, "");
   ImGui::PushFont(ctx.fonts.small);
   if (std::filesystem::is_regular_file(path, ignored)) {
@@ -189,7 +191,7 @@ void save_target(PanelContext& ctx) {
     ImGui::TextUnformatted("This file already exists and will be replaced.");
     ImGui::PopStyleColor();
     record(ctx, "save.replaces");
-  } else if (!std::filesystem::is_directory(path.parent_path(), ignored)) {
+  } else if (!has_folder) {
     ImGui::PushStyleColor(ImGuiCol_Text, to_imgui(ctx.palette.error));
     ImGui::TextUnformatted(
         fitted_text("There is no folder " + path.parent_path().string() + ".", ctx.px(340))
@@ -201,6 +203,7 @@ void save_target(PanelContext& ctx) {
     tooltip(ctx, path.string().c_str());
   }
   ImGui::PopFont();
+  return has_folder;
 }
 
 // What is drawn over the molecule.
@@ -233,7 +236,7 @@ void draw_save_picture(PanelContext& ctx) {
   const bool entered =
       ImGui::InputText("##path", &m.save_path, ImGuiInputTextFlags_EnterReturnsTrue);
   record(ctx, "save.path");
-  save_target(ctx);
+  const bool can_save = save_target(ctx) && !m.save_path.empty();
   save_size(ctx);
   row_label(ctx, "");
   checkbox(ctx, "save.transparent", "Transparent background", m.save_transparent);
@@ -245,8 +248,8 @@ void draw_save_picture(PanelContext& ctx) {
   ImGui::Dummy({0, ctx.px(6)});
   ImGui::NewLine();
   const DialogAnswer answer = dialog_buttons(ctx, ctx.px(kWidth + 24), {"save.cancel", "Cancel"},
-                                             {"save.ok", "Save"}, !m.save_path.empty());
-  if (answer == DialogAnswer::confirm || (entered && !m.save_path.empty())) {
+                                             {"save.ok", "Save"}, can_save);
+  if (answer == DialogAnswer::confirm || (entered && can_save)) {
     s.requests.screenshot = {picture_path(m),    m.save_width,  m.save_height,
                              m.save_transparent, m.save_legend, m.save_scale_bar};
     m.show_save = false;
@@ -264,10 +267,6 @@ void draw_error(PanelContext& ctx) {
   ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + ctx.px(kWidth));  // for long paths
   ImGui::TextUnformatted(broken_lines(s.error, ctx.px(kWidth)).c_str());
   ImGui::PopTextWrapPos();
-  if (s.molecule.loaded) {
-    ImGui::Spacing();
-    muted_text(ctx, "The previous molecule is still open.");
-  }
   ImGui::Dummy({0, ctx.px(6)});
   if (button(ctx, "error.copy", "Copy text", {ctx.px(100), 0})) {
     ImGui::SetClipboardText(s.error.c_str());

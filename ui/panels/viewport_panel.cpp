@@ -295,7 +295,11 @@ void not_drawn_note(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
                 {0.5f, empty ? 0.5f : 1.0f});
   ImGui::PushTextWrapPos(width);
   ImGui::TextColored(to_imgui(ctx.palette.warning), "%s", v.not_drawn.c_str());
-  ImGui::TextUnformatted("All numbers and exports are complete.");
+  const ViewState& s = ctx.state;
+  if (s.result.present && s.compute_error.empty()) {
+    ImGui::TextUnformatted("All numbers and exports are complete.");
+    record(ctx, "view.numbers_complete");
+  }
   ImGui::PopTextWrapPos();
   record(ctx, "view.not_drawn");
   end_overlay();

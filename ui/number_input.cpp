@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "core/chart/readable_number.hpp"
+
 namespace alphascope {
 namespace {
 
@@ -25,6 +27,20 @@ std::vector<std::string_view> spellings(std::string_view unit) {
   if (unit == "Å") return {unit, "A"};
   if (unit == "Å²") return {unit, "Å2", "Å^2", "A²", "A2", "A^2"};
   return {unit};
+}
+
+// "Å" where a square is wanted, and the other way round: what is meant is not to be guessed.
+std::string unit_error(const std::string& typed, const std::string& text, const NumberRule& rule) {
+  const std::string_view unit = rule.unit;
+  const bool area = unit == "Å²";
+  if (!area && unit != "Å") return {};
+  for (const std::string_view other : spellings(area ? "Å" : "Å²")) {
+    if (!text.ends_with(other)) continue;
+    return "“" + typed + "” has another unit. " + rule.name +
+           (area ? " is an area, in Å²" : " is a length, in Å") + ". Write a number such as 1.4 " +
+           std::string(unit) + ".";
+  }
+  return {};
 }
 
 void drop_unit(std::string& text, const NumberRule& rule) {
@@ -59,8 +75,8 @@ std::string with_unit(const std::string& number, const NumberRule& rule) {
 }
 
 std::string range_text(const NumberRule& rule) {
-  return std::string(rule.name) + " must lie between " + exact_text(rule.least) + " and " +
-         with_unit(exact_text(rule.most), rule);
+  return std::string(rule.name) + " must lie between " + readable_number(exact_text(rule.least)) +
+         " and " + with_unit(readable_number(exact_text(rule.most)), rule);
 }
 
 std::string syntax_error(const std::string& typed, const NumberRule& rule) {
@@ -83,6 +99,9 @@ NumberInput read_number(const std::string& typed, const NumberRule& rule) {
   if (text.starts_with(kMinus)) text.replace(0, kMinus.size(), "-");
   drop_unit(text, rule);
   const auto value = number_in(text);
+  if (const std::string wrong = unit_error(typed, text, rule); !value && !wrong.empty()) {
+    return {{}, wrong};
+  }
   if (!value) return {{}, syntax_error(typed, rule)};
   if (!(*value >= rule.least && *value <= rule.most)) {
     return {{}, range_text(rule) + "; “" + typed + "” does not."};

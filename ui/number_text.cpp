@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "core/chart/readable_number.hpp"
+
 namespace alphascope {
 
 std::string number_text(double value, int decimals) {
@@ -14,15 +16,17 @@ std::string number_text(double value, int decimals) {
   } else {
     std::snprintf(text, sizeof text, "%.4g", value);
   }
-  return text;
+  return readable_number(text);
 }
 
 std::string short_number_text(double value, int decimals) {
   std::string text = number_text(value, decimals);
-  if (text.find('.') == std::string::npos || text.find('e') != std::string::npos) return text;
+  const bool plain =
+      text.find_first_not_of("0123456789.", text.starts_with("−") ? 3 : 0) == std::string::npos;
+  if (text.find('.') == std::string::npos || !plain) return text;
   while (text.back() == '0') text.pop_back();
   if (text.back() == '.') text.pop_back();
-  return text == "-0" ? "0" : text;
+  return text == "−0" ? "0" : text;
 }
 
 }  // namespace alphascope

@@ -5,9 +5,9 @@
 
 namespace alphascope {
 
-// From 10^9 up: "1e+24".
+// "−0.25"; from 10⁹ up with a power of ten: "10²⁴".
 std::string number_text(double value, int decimals);
-// "1.4", "0", "-0.25": as few decimals as say the value, at most `decimals`.
+// "1.4", "0", "−0.25": as few decimals as say the value, at most `decimals`.
 std::string short_number_text(double value, int decimals);
 
 }  // namespace alphascope

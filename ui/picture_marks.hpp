@@ -37,7 +37,9 @@ struct MarkType {
   std::function<float(const std::string&)> text_width;
 };
 
-inline constexpr const char* kLegendTitle = "alpha value (Å²)";
+// The colours follow the square root: the middle is a quarter of the way from the least alpha
+// value.
+inline constexpr const char* kLegendTitle = "alpha value (Å²), square-root scale";
 // At the bottom left: quantity and unit above a bar of the colours, and below it the alpha values
 // of its ends and middle.
 struct LegendLayout {

@@ -11,6 +11,7 @@
 #include "app/session/thesis_charts.hpp"
 #include "app/session/thesis_table.hpp"
 #include "core/chart/layout.hpp"
+#include "core/chart/readable_number.hpp"
 #include "core/chart/svg.hpp"
 #include "core/molecule/printable.hpp"
 

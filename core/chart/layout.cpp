@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+
+#include "core/chart/readable_number.hpp"
 
 namespace alphascope {
 namespace {
@@ -374,24 +375,6 @@ ChartColour chart_colour(std::size_t n) {
                                                    {213, 94, 0},    {86, 180, 233}, {204, 121, 167},
                                                    {148, 148, 148}, {190, 170, 50}};
   return kColours[n % kChartColours];
-}
-
-std::string chart_number(double value) {
-  char text[32];
-  const double size = std::fabs(value);
-  if (size != 0 && (size >= 1e6 || size < 1e-4)) {
-    std::snprintf(text, sizeof text, "%.2e", value);
-    return text;
-  }
-  const int decimals =
-      size == 0 ? 0 : std::clamp(2 - static_cast<int>(std::floor(std::log10(size))), 0, 6);
-  std::snprintf(text, sizeof text, "%.*f", decimals, value);
-  std::string s = text;
-  if (s.find('.') != std::string::npos) {
-    while (s.back() == '0') s.pop_back();
-    if (s.back() == '.') s.pop_back();
-  }
-  return s;
 }
 
 ChartDrawing lay_out(const Chart& chart, float width, const ChartType& type) {

@@ -52,7 +52,4 @@ struct ChartType {
 // The height follows from the chart.
 ChartDrawing lay_out(const Chart& chart, float width, const ChartType& type);
 
-// "12.3", "0.042": three digits.
-std::string chart_number(double value);
-
 }  // namespace alphascope

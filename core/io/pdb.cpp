@@ -18,6 +18,9 @@ namespace alphascope {
 namespace {
 
 constexpr std::size_t kProgressLines = 65536;
+constexpr const char* kKeepColumns =
+    "In a PDB file each value has its own columns; write the file again with a program that keeps "
+    "to them, or as mmCIF";
 
 // Columns first..last of a line (from 1); shorter or empty where the line ends early.
 std::string_view columns(std::string_view line, std::size_t first, std::size_t last) {
@@ -230,10 +233,11 @@ class PdbReader {
       fail("expected " + name + " in " + place + ", found \"" + shortened(field) + "\"",
            status == DecimalStatus::not_finite
                ? "Coordinates must be finite; remove this atom or compute it again"
-               : "PDB columns are fixed; write the file again with a program that keeps them");
+               : kKeepColumns);
     }
-    fail("the columns of this line do not line up",
-         "PDB columns are fixed; write the file again with a program that keeps them");
+    fail("the occupancy in columns 55-60 is no number: \"" + shortened(columns(line, 55, 60)) +
+             "\", so the coordinates before it may be cut apart",
+         kKeepColumns);
   }
 
   // rest: the line from `shift` on, with everything behind the coordinates in its columns.

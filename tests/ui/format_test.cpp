@@ -31,7 +31,7 @@ TEST(Format, TimesHaveThreeDigitsAndAUnit) {
 TEST(Format, NumbersAreAsShortAsTheirValue) {
   EXPECT_EQ(short_number_text(1.4, 3), "1.4");
   EXPECT_EQ(short_number_text(10, 3), "10");
-  EXPECT_EQ(short_number_text(-0.25, 3), "-0.25");
+  EXPECT_EQ(short_number_text(-0.25, 3), "−0.25");
   EXPECT_EQ(short_number_text(-0.0001, 3), "0");
   EXPECT_EQ(short_number_text(100, 0), "100");
 }
@@ -39,7 +39,10 @@ TEST(Format, NumbersAreAsShortAsTheirValue) {
 TEST(Format, RatiosAndBytes) {
   EXPECT_EQ(ratio_text(3.21), "3.2×");
   EXPECT_EQ(ratio_text(412), "412×");
+  EXPECT_EQ(ratio_text(5568.4), "5,568×");
+  EXPECT_EQ(ratio_text(0.824), "0.82×");
   EXPECT_EQ(ratio_text(0.02), "0.02×");
+  EXPECT_EQ(ratio_text(0.0049), "< 0.01×");
   EXPECT_EQ(ratio_text(std::numeric_limits<double>::infinity()), "–");
   EXPECT_EQ(bytes_text(340'000'000), "340 MB");
   EXPECT_EQ(bytes_text(2'470'000'000), "2.47 GB");

@@ -35,7 +35,13 @@ TEST(NumberInput, RefusesTheRestAndSaysWhatToDo) {
     EXPECT_FALSE(input.value) << bad;
     EXPECT_NE(input.error.find("Write"), std::string::npos) << input.error;
   }
-  EXPECT_FALSE(read_number("1.4 A", kAlphaRule).value) << "alpha is a square";
+  for (const char* length : {"1.4 A", "1.4Å"}) {
+    EXPECT_EQ(read_number(length, kAlphaRule).error,
+              std::string("“") + length +
+                  "” has another unit. Alpha is an area, in Å². Write a number such as 1.4 Å².");
+  }
+  EXPECT_NE(read_number("1.4 Å²", kSolventRule).error.find("is a length, in Å."),
+            std::string::npos);
   for (const char* beyond : {"-0.1", "101", "1e308", "1e999", "-1e999"}) {
     EXPECT_EQ(
         read_number(beyond, kSolventRule).error,
@@ -48,7 +54,8 @@ TEST(NumberInput, RefusesTheRestAndSaysWhatToDo) {
 TEST(NumberInput, AlphaHasTheBoundsOfTheProgram) {
   EXPECT_EQ(read_number(exact_text(kMaxAlphaAngstrom2), kAlphaRule).value, kMaxAlphaAngstrom2);
   for (const char* beyond : {"1e308", "-1e308", "1e25", "1e999"}) {
-    EXPECT_FALSE(read_number(beyond, kAlphaRule).value) << beyond;
+    EXPECT_EQ(read_number(beyond, kAlphaRule).error,
+              std::string("Alpha must lie between −10²⁴ and 10²⁴ Å²; “") + beyond + "” does not.");
   }
 }
 
@@ -59,8 +66,8 @@ TEST(NumberInput, TextsAreReadBackAsTheSameNumber) {
 }
 
 TEST(NumberInput, LargeNumbersAreShownShort) {
-  EXPECT_EQ(short_number_text(1e24, 3), "1e+24");
-  EXPECT_EQ(number_text(1.25e12, 2), "1.25e+12");
+  EXPECT_EQ(short_number_text(1e24, 3), "10²⁴");
+  EXPECT_EQ(number_text(1.25e12, 2), "1.25·10¹²");
   EXPECT_EQ(short_number_text(999999999, 2), "999999999");
 }
 

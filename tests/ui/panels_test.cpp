@@ -219,7 +219,7 @@ TEST(PanelsTest, ColdTimesThatAreMissingCanBeMeasured) {
 TEST(PanelsTest, TheCaptionSaysWhyNothingIsThere) {
   ViewState s = loaded_state();
   s.result.alpha = -8;
-  EXPECT_EQ(caption_text(s.result), "4hhb.pdb.gz   α = -8 Å²");
+  EXPECT_EQ(caption_text(s.result), "4hhb.pdb.gz   α = −8 Å²");
   s.result.tetrahedra = 0;
   EXPECT_NE(caption_text(s.result).find("no ball is left at this alpha"), std::string::npos);
   s.result.vertices = 3;

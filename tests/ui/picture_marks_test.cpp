@@ -99,9 +99,9 @@ TEST(PictureMarks, TheLegendSaysQuantityUnitAndTheEndsOfItsScale) {
   const auto layout = lay_out_legend(legend_from(-3.25, 1.4), 960, 500, type_of(1));
   ASSERT_TRUE(layout);
   ASSERT_EQ(layout->texts.size(), 4u);
-  EXPECT_EQ(layout->texts[0].text, "alpha value (Å²)");
-  EXPECT_EQ(layout->texts[1].text, "-3.25");
-  EXPECT_EQ(layout->texts[2].text, "-0.92");
+  EXPECT_EQ(layout->texts[0].text, "alpha value (Å²), square-root scale");
+  EXPECT_EQ(layout->texts[1].text, "−3.25");
+  EXPECT_EQ(layout->texts[2].text, "−0.92");
   EXPECT_EQ(layout->texts[3].text, "1.4");
   EXPECT_FLOAT_EQ(layout->texts[1].x, layout->bar.x0);
   EXPECT_FLOAT_EQ(layout->texts[3].x + 7 * 3, layout->bar.x1);

@@ -35,7 +35,9 @@ std::string bytes_text(std::size_t bytes) {
 
 std::string ratio_text(double ratio) {
   if (!(ratio > 0) || std::isinf(ratio)) return "–";
-  return number_text(ratio, ratio >= 100 ? 0 : ratio >= 0.1 ? 1 : 2) + "×";
+  if (ratio >= 99.95) return with_separators(std::llround(ratio)) + "×";
+  if (ratio >= 0.995) return number_text(ratio, 1) + "×";
+  return ratio < 0.005 ? "< 0.01×" : number_text(ratio, 2) + "×";
 }
 
 }  // namespace alphascope

@@ -11,6 +11,6 @@ namespace alphascope {
 std::string with_separators(long long value);        // "58,674"
 std::string milliseconds_text(double milliseconds);  // "0.042 ms", "12.3 ms", "1.24 s"
 std::string bytes_text(std::size_t bytes);           // "340 MB"
-std::string ratio_text(double ratio);                // "3.2×", "0.8×"
+std::string ratio_text(double ratio);                // "5,568×", "3.2×", "0.82×", "< 0.01×"
 
 }  // namespace alphascope

@@ -28,7 +28,7 @@ void toggle_theme(ViewState& s) {
 void file_menu(PanelContext& ctx) {
   ViewState& s = ctx.state;
   if (!begin_menu(ctx, "menu.file", "File")) return;
-  if (menu_item(ctx, "menu.open", "Open…", "Ctrl+O")) open_browser(s);
+  if (menu_item(ctx, "menu.open", "Open…", "Ctrl + O")) open_browser(s);
   if (ImGui::BeginMenu("Sample molecule", !s.samples.empty())) {
     for (std::size_t i = 0; i < s.samples.size(); ++i) {
       if (ImGui::MenuItem(s.samples[i].name.c_str(), s.samples[i].detail.c_str())) {
@@ -38,11 +38,11 @@ void file_menu(PanelContext& ctx) {
     ImGui::EndMenu();
   }
   ImGui::Separator();
-  if (menu_item(ctx, "menu.screenshot", "Save picture…", "Ctrl+S", false, s.molecule.loaded)) {
+  if (menu_item(ctx, "menu.screenshot", "Save picture…", "Ctrl + S", false, s.molecule.loaded)) {
     s.memory.show_save = true;
   }
   ImGui::Separator();
-  if (menu_item(ctx, "menu.quit", "Quit", "Ctrl+Q")) s.requests.quit = true;
+  if (menu_item(ctx, "menu.quit", "Quit", "Ctrl + Q")) s.requests.quit = true;
   ImGui::EndMenu();
 }
 
@@ -60,7 +60,7 @@ void view_menu(PanelContext& ctx) {
   }
   if (menu_item(ctx, "menu.edges", "Edges", "E", d.edges)) d.edges = !d.edges;
   ImGui::Separator();
-  if (menu_item(ctx, "menu.theme", "Light theme", "Ctrl+L", s.theme == Theme::light)) {
+  if (menu_item(ctx, "menu.theme", "Light theme", "Ctrl + L", s.theme == Theme::light)) {
     toggle_theme(s);
   }
   ImGui::EndMenu();

@@ -50,7 +50,7 @@ void draw_provenance(PanelContext& ctx) {
       wrapped_text(value);
     }
   }
-  if (button(ctx, "provenance.copy", "Copy all of it")) {
+  if (button(ctx, "provenance.copy", "Copy these rows")) {
     ImGui::SetClipboardText(as_text(m).c_str());
     ctx.state.notice = "Provenance copied.";
   }

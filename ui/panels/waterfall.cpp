@@ -2,7 +2,9 @@
 // engine above CGAL, on one time axis.
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
+#include "core/chart/readable_number.hpp"
 #include "ui/panels/format.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/panels/timings_text.hpp"
@@ -75,7 +77,9 @@ class Waterfall {
     for (int i = 0; i * step <= range_ * (1 + 1e-9); ++i) {
       const float tick = std::round(x(i * step));
       draw_->AddLine({tick, top_ + row_}, {tick, bottom_}, to_u32(ctx_.palette.border), 1);
-      const std::string text = number_text(i * step, decimals) + (i == 0 ? " ms" : "");
+      char printed[32];
+      std::snprintf(printed, sizeof printed, "%.*f", decimals, i * step);
+      const std::string text = separated_number(printed) + (i == 0 ? " ms" : "");
       draw_->AddText({tick, top_}, to_u32(ctx_.palette.text_muted), text.c_str());
     }
   }

@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "core/chart/layout.hpp"
+#include "core/chart/readable_number.hpp"
 #include "core/chart/svg.hpp"
 #include "core/io/atomic_file.hpp"
 #include "tests/support/well_formed_xml.hpp"
@@ -75,7 +76,7 @@ TEST(Chart, NegativeBarsGoToTheLeft) {
   Chart chart = bars();
   chart.series = {{"a", {-3.0, 6.0}}};
   const ChartDrawing d = lay_out(chart, 600, kType);
-  const ChartBox &down = box(d, "one, a: -3"), &up = box(d, "two, a: 6");
+  const ChartBox &down = box(d, "one, a: −3"), &up = box(d, "two, a: 6");
   EXPECT_NEAR(down.x + down.width, up.x, 0.01);
   EXPECT_NEAR(up.width, 2 * down.width, 0.01);
 }
@@ -132,9 +133,12 @@ TEST(Chart, AnEmptyOneSaysSo) {
 TEST(Chart, NumbersHaveThreeDigits) {
   EXPECT_EQ(chart_number(0), "0");
   EXPECT_EQ(chart_number(12.345), "12.3");
-  EXPECT_EQ(chart_number(1234.5), "1234");
+  EXPECT_EQ(chart_number(1234.5), "1,234");
+  EXPECT_EQ(chart_number(12345678), "12,345,678");
+  EXPECT_EQ(chart_number(-1.5e-5), "−1.5·10⁻⁵");
+  EXPECT_EQ(chart_number(1e24), "10²⁴");
   EXPECT_EQ(chart_number(0.04567), "0.0457");
-  EXPECT_EQ(chart_number(-2.5), "-2.5");
+  EXPECT_EQ(chart_number(-2.5), "−2.5");
 }
 
 TEST(ChartSvg, IsWellFormedAndEscapes) {

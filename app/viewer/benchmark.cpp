@@ -9,9 +9,9 @@
 #include "core/chart/layout.hpp"
 #include "core/chart/readable_number.hpp"
 #include "core/chart/svg.hpp"
+#include "core/document/number_input.hpp"
 #include "core/molecule/printable.hpp"
 #include "core/molecule/provenance.hpp"
-#include "ui/number_input.hpp"
 #include "ui/panels/format.hpp"
 
 namespace alphascope {

@@ -6,7 +6,7 @@
 
 #include "app/options/option_values.hpp"
 #include "app/options/parse_arguments.hpp"
-#include "ui/number_input.hpp"
+#include "core/document/number_input.hpp"
 
 namespace alphascope {
 namespace {

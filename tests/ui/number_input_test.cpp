@@ -1,6 +1,6 @@
 // What people type as numbers: nothing is dropped, nothing leaves the bounds, in the window and on
 // the command line.
-#include "ui/number_input.hpp"
+#include "core/document/number_input.hpp"
 
 #include <gtest/gtest.h>
 

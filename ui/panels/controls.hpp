@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "core/document/display.hpp"
+#include "core/document/number_input.hpp"
 #include "core/document/request.hpp"
-#include "ui/number_input.hpp"
 #include "ui/panels/radius_edits.hpp"
 
 namespace alphascope {

@@ -2,7 +2,7 @@
 // become 14, and know no bounds.
 #pragma once
 
-#include "ui/number_input.hpp"
+#include "core/document/number_input.hpp"
 #include "ui/panels/widgets.hpp"
 
 namespace alphascope {

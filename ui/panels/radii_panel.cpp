@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "ui/number_input.hpp"
+#include "core/document/number_input.hpp"
 #include "ui/panels/format.hpp"
 #include "ui/panels/panels.hpp"
 

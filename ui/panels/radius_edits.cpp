@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/number_input.hpp"
+#include "core/document/number_input.hpp"
 
 namespace alphascope {
 namespace {

@@ -1,5 +1,5 @@
 // See the header.
-#include "ui/number_input.hpp"
+#include "core/document/number_input.hpp"
 
 #include <algorithm>
 #include <charconv>

@@ -6,6 +6,7 @@
 
 #include "app/options/option_values.hpp"
 #include "app/options/parse_arguments.hpp"
+#include "app/viewer/script.hpp"
 #include "core/document/number_input.hpp"
 
 namespace alphascope {
@@ -98,6 +99,7 @@ OptionProgram table(ViewerOptions& o) {
       flag_option("--no-compare", "Do not compare with CGAL after each change", o.compare, false),
       drawing_memory_option(o),
       script_option(o),
+      flag_option("--script-help", "List the commands of scripts and exit", o.script_help),
       path_or_none(
           {"--shot", "OUT.png", "Write a picture of the window and exit; needs no display"},
           o.shot)};
@@ -120,6 +122,9 @@ ParsedOptions parse_options(int argc, const char* const* argv) {
   if (arguments.ended) {
     parsed.exit_code = arguments.exit_code;
     parsed.text = arguments.text;
+  } else if (options.script_help) {
+    parsed.exit_code = 0;
+    parsed.text = script_help();
   }
   return parsed;
 }

@@ -18,6 +18,7 @@ struct ViewerOptions {
   bool tetrahedra_only = false;
   bool compare = true;
   std::optional<std::filesystem::path> script, shot;
+  bool script_help = false;                        // print what scripts may contain, and end
   std::optional<std::uint64_t> drawing_memory_mb;  // taken as free; none: what is
 };
 

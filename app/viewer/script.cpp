@@ -3,37 +3,54 @@
 
 #include <chrono>
 #include <fstream>
-#include <map>
 #include <sstream>
 #include <stdexcept>
 
+#include "app/options/did_you_mean.hpp"
 #include "app/session/system_memory.hpp"
+#include "app/viewer/commands.hpp"
+#include "app/viewer/resources.hpp"
 #include "app/viewer/viewer.hpp"
 #include "ui/panels/keys.hpp"
 
 namespace alphascope {
 namespace {
 
+using Kind = Parameter::Kind;
 constexpr std::chrono::seconds kLongestWait{300};
 
 class ScriptRunner {
  public:
-  ScriptRunner(Viewer& viewer, std::ostream& out) : viewer_(viewer), out_(out) { frames(3); }
+  // What only a script does: mouse, keys, waiting, pictures of the window.
+  struct Verb {
+    CommandSpec spec;  // without run
+    void (ScriptRunner::*act)(const Arguments& arguments);
+  };
+  static std::vector<Verb> all_verbs();
+
+  ScriptRunner(Viewer& viewer, std::ostream& out) : viewer_(viewer), out_(out) {
+    for (Verb& verb : all_verbs()) {
+      verb.spec.run = [this, act = verb.act](const Arguments& arguments) {
+        (this->*act)(arguments);
+        return Outcome();
+      };
+      verbs_.add(std::move(verb.spec));
+    }
+    frames(3);
+  }
 
   // Returns false for `quit`.
   bool run(const std::string& line) {
-    std::istringstream arguments(line);
-    std::string command;
-    arguments >> command;
-    if (command.empty() || command.front() == '#') return true;
-    if (command == "when") return when(rest(arguments));
-    if (command == "end") return end();
-    if (skipping_) return true;
-    if (command == "quit") return false;
-    const auto it = kCommands.find(command);
-    if (it == kCommands.end()) throw std::runtime_error("unknown command '" + command + "'");
-    (this->*it->second)(arguments);
-    return !viewer_.quit_requested();
+    const std::string id = first_word(line);
+    if (id.empty() || id.front() == '#') return true;
+    if (skipping_ && id != "when" && id != "end") return true;
+    const bool verb = verbs_.find(id) != nullptr;
+    const Commands& list = verb ? verbs_ : viewer_.commands();
+    if (list.find(id) == nullptr) throw std::runtime_error(unknown(id));
+    const Outcome outcome = list.run_line(line);
+    if (!outcome.done()) throw std::runtime_error(outcome.why);
+    if (!verb) frames(1);
+    return !quit_ && !viewer_.quit_requested();
   }
 
   // Throws when a `when` has no `end`.
@@ -42,8 +59,18 @@ class ScriptRunner {
   }
 
  private:
-  using Command = void (ScriptRunner::*)(std::istream&);
-  static const std::map<std::string, Command> kCommands;
+  static std::string first_word(const std::string& line) {
+    std::string word;
+    std::istringstream(line) >> word;
+    return word;
+  }
+  std::string unknown(const std::string& id) const {
+    std::vector<std::string> known;
+    for (const Commands* list : {&verbs_, &viewer_.commands()}) {
+      for (const CommandSpec& spec : list->all()) known.push_back(spec.id);
+    }
+    return "unknown command '" + id + "'." + did_you_mean(id, known);
+  }
 
   void frames(int count) {
     for (int i = 0; i < count; ++i) viewer_.step(&input_);
@@ -52,29 +79,22 @@ class ScriptRunner {
   // Asks the molecule and not the widgets: one that should be there and is not stays an error.
   bool holds(const std::string& condition) const {
     const MoleculeInfo& m = viewer_.state().molecule;
-    const std::map<std::string, bool> conditions{{"dropped", !m.dropped.empty()},
-                                                 {"guessed", !m.radius_rows.empty()},
-                                                 {"chains", m.chains.size() > 1},
-                                                 {"models", m.models.size() > 1},
-                                                 {"assemblies", !m.assemblies.empty()}};
-    const auto found = conditions.find(condition);
-    if (found == conditions.end()) {
-      throw std::runtime_error("unknown condition '" + condition +
-                               "'; known are dropped, guessed, chains, models, assemblies");
-    }
-    return found->second;
+    return (condition == "dropped" && !m.dropped.empty()) ||
+           (condition == "guessed" && !m.radius_rows.empty()) ||
+           (condition == "chains" && m.chains.size() > 1) ||
+           (condition == "models" && m.models.size() > 1) ||
+           (condition == "assemblies" && !m.assemblies.empty());
   }
-  bool when(const std::string& condition) {
+  void when(const Arguments& arguments) {
     if (inside_when_) throw std::runtime_error("'when' inside of 'when'");
     inside_when_ = true;
-    skipping_ = !holds(condition);
-    return true;
+    skipping_ = !holds(arguments.text("condition"));
   }
-  bool end() {
+  void end(const Arguments&) {
     if (!inside_when_) throw std::runtime_error("'end' without 'when'");
     inside_when_ = skipping_ = false;
-    return true;
   }
+  void quit(const Arguments&) { quit_ = true; }
 
   // "radius.*" is the first in the alphabet whose name starts with "radius.".
   WidgetRects::const_iterator find(const std::string& name) const {
@@ -85,18 +105,10 @@ class ScriptRunner {
     return it != all.end() && it->first.starts_with(start) ? it : all.end();
   }
 
-  static std::string rest(std::istream& arguments) {
-    std::string text;
-    std::getline(arguments >> std::ws, text);
-    if (text.empty()) throw std::runtime_error("something is missing after the command");
-    return text;
-  }
-
-  void move(std::istream& arguments) {
-    std::string name;
-    float fx = 0.5f, fy = 0.5f;
-    if (!(arguments >> name)) throw std::runtime_error("name a widget to move to");
-    arguments >> fx >> fy;
+  void move(const Arguments& arguments) {
+    const std::string name = arguments.text("name");
+    const auto fx = static_cast<float>(arguments.number("x", 0.5));
+    const auto fy = static_cast<float>(arguments.number("y", 0.5));
     auto it = find(name);
     if (it != viewer_.widgets().end() && !it->second.visible) {
       viewer_.state().memory.reveal = it->first;
@@ -110,53 +122,45 @@ class ScriptRunner {
     input_.y = it->second.y0 + fy * (it->second.y1 - it->second.y0);
     frames(2);  // hovering must be settled before a press
   }
-  void down(std::istream&) {
+  void down(const Arguments&) {
     input_.down[0] = true;
     frames(2);
   }
-  void up(std::istream&) {
+  void up(const Arguments&) {
     input_.down[0] = false;
     frames(2);
   }
-  void click(std::istream& arguments) {
+  void click(const Arguments& arguments) {
     move(arguments);
     down(arguments);
     up(arguments);
   }
-  void double_click(std::istream& arguments) {
+  void double_click(const Arguments& arguments) {
     click(arguments);
     down(arguments);
     up(arguments);
   }
-  void wheel(std::istream& arguments) {
-    if (!(arguments >> input_.wheel)) throw std::runtime_error("wheel needs a number of steps");
+  void wheel(const Arguments& arguments) {
+    input_.wheel = static_cast<float>(arguments.number("steps"));
     frames(2);
   }
-  void type(std::istream& arguments) {
-    input_.text = rest(arguments);
+  void type(const Arguments& arguments) {
+    input_.text = arguments.text("text");
     frames(2);
   }
-  void key(std::istream& arguments) {
-    std::string name = rest(arguments);
-    input_.control = name.starts_with("ctrl+");
-    if (input_.control) name.erase(0, 5);
-    const int code = key_code(name);
-    input_.keys[code] = true;
+  void key(const Arguments& arguments) {
+    const std::string name = arguments.text("keys");
+    const auto chord = key::read_chord(name);
+    if (!chord) throw std::runtime_error("unknown key '" + name + "'");
+    input_.control = chord->control;
+    input_.shift = chord->shift;
+    input_.keys[chord->code] = true;
     frames(2);
-    input_.keys[code] = false;
-    input_.control = false;
+    input_.keys[chord->code] = false;
+    input_.control = input_.shift = false;
     frames(2);
   }
-  static int key_code(const std::string& name) {
-    static const std::map<std::string, int> kKeys{
-        {"enter", key::kEnter}, {"escape", key::kEscape}, {"backspace", key::kBackspace},
-        {"f1", key::kF1},       {"left", key::kLeft},     {"right", key::kRight},
-        {"tab", key::kTab},     {"delete", key::kDelete}};
-    if (const auto it = kKeys.find(name); it != kKeys.end()) return it->second;
-    if (name.size() == 1 && name[0] >= 'a' && name[0] <= 'z') return name[0] - 'a' + key::kA;
-    throw std::runtime_error("unknown key '" + name + "'");
-  }
-  void wait_idle(std::istream&) {
+  void wait_idle(const Arguments&) {
     const auto deadline = std::chrono::steady_clock::now() + kLongestWait;
     // One job's result can start the next when it is taken in, so a quiet moment is not yet the
     // end.
@@ -168,71 +172,174 @@ class ScriptRunner {
       frames(1);
     }
   }
-  void pass_frames(std::istream& arguments) {
-    int count = 1;
-    arguments >> count;
-    frames(count);
+  void pass_frames(const Arguments& arguments) {
+    frames(static_cast<int>(arguments.number("count", 1)));
   }
-  void open(std::istream& arguments) {
-    viewer_.open(rest(arguments));
+  void open(const Arguments& arguments) {
+    viewer_.open(arguments.text("path"));
     frames(1);
   }
-  void size(std::istream& arguments) {
-    int width = 0, height = 0;
-    if (!(arguments >> width >> height) || width < 64 || height < 64) {
-      throw std::runtime_error("size needs a width and a height in pixels");
-    }
-    viewer_.host().resize(width, height);
+  void size(const Arguments& arguments) {
+    viewer_.host().resize(static_cast<int>(arguments.number("width")),
+                          static_cast<int>(arguments.number("height")));
     frames(3);
   }
-  void shot(std::istream& arguments) { viewer_.shoot(rest(arguments), &input_); }
-  void print(std::istream&) {
+  void shot(const Arguments& arguments) { viewer_.shoot(arguments.text("path"), &input_); }
+  void print(const Arguments&) {
     const ResultInfo& r = viewer_.state().result;
     out_ << "alpha " << r.alpha << " solvent " << r.solvent << " vertices " << r.vertices
          << " edges " << r.edges << " triangles " << r.triangles << " tetrahedra " << r.tetrahedra
          << " hash " << r.hash << " badge " << viewer_.state().badge.text << '\n';
   }
 
-  void time(std::istream& arguments) {
+  void time(const Arguments& arguments) {
     const auto now = std::chrono::steady_clock::now();
     const std::chrono::duration<double, std::milli> since = now - last_time_;
     last_time_ = now;
-    out_ << rest(arguments) << ": " << since.count() << " ms\n";
+    out_ << arguments.text("text") << ": " << since.count() << " ms\n";
   }
 
-  void memory(std::istream& arguments) {
+  void memory(const Arguments& arguments) {
     const auto megabytes = [](std::uint64_t bytes) { return static_cast<double>(bytes) / 1e6; };
-    const std::string text = rest(arguments);
+    const std::string text = arguments.text("text");
     out_ << text << ": " << megabytes(resident_bytes()) << " MB resident, "
          << megabytes(allocated_bytes()) << " MB in use" << std::endl;
   }
 
   Viewer& viewer_;
   std::ostream& out_;
+  Commands verbs_;
   std::chrono::steady_clock::time_point last_time_ = std::chrono::steady_clock::now();
   ScriptedInput input_;
-  bool inside_when_ = false, skipping_ = false;
+  bool inside_when_ = false, skipping_ = false, quit_ = false;
 };
 
-const std::map<std::string, ScriptRunner::Command> ScriptRunner::kCommands{
-    {"move", &ScriptRunner::move},
-    {"down", &ScriptRunner::down},
-    {"up", &ScriptRunner::up},
-    {"click", &ScriptRunner::click},
-    {"double-click", &ScriptRunner::double_click},
-    {"wheel", &ScriptRunner::wheel},
-    {"type", &ScriptRunner::type},
-    {"key", &ScriptRunner::key},
-    {"wait-idle", &ScriptRunner::wait_idle},
-    {"frames", &ScriptRunner::pass_frames},
-    {"open", &ScriptRunner::open},
-    {"size", &ScriptRunner::size},
-    {"shot", &ScriptRunner::shot},
-    {"print", &ScriptRunner::print},
-    {"time", &ScriptRunner::time},
-    {"memory", &ScriptRunner::memory}};
+constexpr NumberRule kPlaceRule{"A place in a widget", -100, 100};
+constexpr NumberRule kWheelRule{"The number of steps", -1000, 1000};
+constexpr NumberRule kFramesRule{"The number of frames", 0, 1e6, "", true};
+constexpr NumberRule kWindowRule{"Width and height of the window", 64, 16384, "pixels", true};
+
+Parameter number(const char* name, const NumberRule& rule, bool optional = false) {
+  return {.name = name, .kind = Kind::number, .optional = optional, .rule = rule};
+}
+
+std::vector<Parameter> widget() {
+  return {{.name = "name", .example = "alpha.slider"},
+          number("x", kPlaceRule, true),
+          number("y", kPlaceRule, true)};
+}
+
+std::vector<Parameter> one(Parameter parameter) {
+  return {std::move(parameter)};
+}
+
+std::vector<Choice> conditions() {
+  return {{"dropped", "Atoms were left out"},
+          {"guessed", "Radii were guessed, or set by hand"},
+          {"chains", "More than one chain"},
+          {"models", "More than one model"},
+          {"assemblies", "There are assemblies"}};
+}
+
+CommandSpec verb(const char* id, const char* help, std::vector<Parameter> parameters = {}) {
+  return {.id = id, .title = id, .help = help, .parameters = std::move(parameters)};
+}
+
+std::vector<ScriptRunner::Verb> ScriptRunner::all_verbs() {
+  using S = ScriptRunner;
+  const Parameter text{.name = "text", .example = "opened"};
+  const Parameter picture{.name = "path", .kind = Kind::path, .example = "window.png"};
+  const Parameter file{.name = "path", .kind = Kind::path, .example = "1crn.pdb"};
+  const Parameter keys{.name = "keys", .example = "ctrl+o"};
+  Parameter condition{.name = "condition", .kind = Kind::choice};
+  condition.choices = conditions;
+  return {
+      {verb("move",
+            "Moves the mouse to a widget, scrolled into sight; x and y from 0 to 1 inside it, else "
+            "its middle. A name that ends in * is the first that starts so",
+            widget()),
+       &S::move},
+      {verb("down", "Presses the left mouse button"), &S::down},
+      {verb("up", "Lets the left mouse button go"), &S::up},
+      {verb("click", "As move, down and up", widget()), &S::click},
+      {verb("double-click", "As click, twice", widget()), &S::double_click},
+      {verb("wheel", "Turns the wheel over what the mouse is on", one(number("steps", kWheelRule))),
+       &S::wheel},
+      {verb("type", "Types into the field that has the keyboard", one(text)), &S::type},
+      {verb("key", "Presses a key: enter, esc, up, f1, ctrl+o, ctrl+shift+z, …", one(keys)),
+       &S::key},
+      {verb("wait-idle", "Waits until nothing is read, computed, compared or drawn any more"),
+       &S::wait_idle},
+      {verb("frames", "Lets frames pass", one(number("count", kFramesRule, true))),
+       &S::pass_frames},
+      {verb("open", "Opens a file as if it was dropped on the window", one(file)), &S::open},
+      {verb("size", "Changes the size of the window, in pixels",
+            {number("width", kWindowRule), number("height", kWindowRule)}),
+       &S::size},
+      {verb("shot", "Writes a picture of the whole window as a PNG file", one(picture)), &S::shot},
+      {verb("print", "Writes counts and hash of the result to standard output"), &S::print},
+      {verb("time", "Writes the milliseconds since the last time, behind the text", one(text)),
+       &S::time},
+      {verb("memory",
+            "Writes the megabytes (10^6 bytes) that are resident, and of the heap in use, behind "
+            "the text",
+            one(text)),
+       &S::memory},
+      {verb("when",
+            "Leaves out what follows, up to end, unless the molecule has any of these: atoms left "
+            "out, radii guessed or set by hand, more than one chain or model, assemblies",
+            one(std::move(condition))),
+       &S::when},
+      {verb("end", "Ends a when"), &S::end},
+      {verb("quit", "Ends the script"), &S::quit}};
+}
+
+constexpr std::size_t kHelpWidth = 100, kHelpIndent = 6;
+
+// Indented, broken at blanks.
+void print_wrapped(std::ostream& out, const std::string& text) {
+  std::istringstream words(text);
+  std::string word;
+  std::size_t column = 0;
+  while (words >> word) {
+    if (column == 0 || column + 1 + word.size() > kHelpWidth) {
+      out << (column == 0 ? "" : "\n") << std::string(kHelpIndent, ' ') << word;
+      column = kHelpIndent + word.size();
+    } else {
+      out << ' ' << word;
+      column += 1 + word.size();
+    }
+  }
+  out << '\n';
+}
+
+void print_help(std::ostream& out, const CommandSpec& spec) {
+  const std::string keys = spec.shortcuts_text();
+  out << "  " << spec.usage() << (keys.empty() ? "" : "   (" + keys + ")") << '\n';
+  print_wrapped(out, spec.help + ".");
+  for (const Parameter& p : spec.parameters) {
+    const std::string unit = p.unit();
+    if (p.help.empty() || p.help == spec.help) continue;
+    print_wrapped(out, p.name + ": " + p.help + (unit.empty() ? "." : ", in " + unit + "."));
+  }
+}
 
 }  // namespace
+
+std::string script_help() {
+  std::ostringstream out;
+  out << "Scripts for alphascope --script FILE: one command a line. Empty lines and lines that "
+         "start\nwith # are skipped. Quote a path that contains blanks, unless it ends the line.\n"
+         "\nCommands of the window, which are also in its menus and in the list of Ctrl+P:\n";
+  ViewState state;
+  for (const SampleFile& sample : sample_files()) state.samples.push_back({sample.name, ""});
+  Commands commands;
+  add_program_commands(commands, state);
+  for (const CommandSpec& spec : commands.all()) print_help(out, spec);
+  out << "\nMouse, keys, waiting and pictures of the window:\n";
+  for (const ScriptRunner::Verb& verb : ScriptRunner::all_verbs()) print_help(out, verb.spec);
+  return out.str();
+}
 
 void run_script(Viewer& viewer, std::istream& script, const std::string& name, std::ostream& out) {
   ScriptRunner runner(viewer, out);

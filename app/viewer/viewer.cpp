@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "app/session/system_memory.hpp"
+#include "app/viewer/commands.hpp"
 #include "app/viewer/molecule_info.hpp"
 #include "app/viewer/resources.hpp"
 #include "app/viewer/state_bridge.hpp"
@@ -24,7 +25,7 @@ constexpr int kSettlingFrames = 3;
 // tooltip in its first frame, in which it measures it.
 constexpr std::chrono::milliseconds kTooltipFrameAfter{450};
 static_assert(kTooltipFrameAfter.count() > 1000 * kTooltipDelaySeconds);
-constexpr double kPlayUntil = 10, kPlayStep = 0.05;          // Å²
+constexpr double kPlayStep = 0.05;                           // Å²
 constexpr double kBusyInterval = 0.05, kIdleInterval = 1.0;  // seconds
 // A model asked for by the slider lets the one before it be finished, so that pictures flow while
 // the hand moves, but not for longer than this.
@@ -47,6 +48,7 @@ Viewer::Viewer(Host& host, const ViewerOptions& options, Session::Services servi
                           })),
       benchmark_([&host] { host.wake(); }, services.make_engine),
       session_([&host] { host.wake(); }, std::move(services)) {
+  add_program_commands(commands_, state_);
   fill_constants();
   state_.theme = options.light ? Theme::light : Theme::dark;
   state_.compute.alpha_angstrom2 = options.alpha;
@@ -330,7 +332,7 @@ void Viewer::play() {
   bool& playing = state_.memory.playing;
   if (!playing || !session_.state().up_to_date() || scene_.busy()) return;
   const double alpha = state_.compute.alpha_angstrom2;
-  if (alpha >= kPlayUntil) {
+  if (alpha >= kPlayUntilAngstrom2) {
     playing = false;
     return;
   }
@@ -368,7 +370,7 @@ void Viewer::draw(ScriptedInput* input, bool patient,
   if (!frame_.begin(state_.theme, input)) return;
   session_.let_finish(interacting());
   gesture_ = gestures_.in_this_frame();
-  draw_window(state_, rects_, frame_.fonts(), frame_.scale());
+  draw_window(state_, rects_, commands_, frame_.fonts(), frame_.scale());
   for (const PointerEvent& event : state_.viewport.events) scene_.pointer(event);
   guarded([this] {
     take_requests();

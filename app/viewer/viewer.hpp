@@ -16,6 +16,7 @@
 #include "app/viewer/options.hpp"
 #include "app/viewer/picture_saver.hpp"
 #include "app/viewer/scene_controller.hpp"
+#include "core/document/commands.hpp"
 #include "core/document/editor.hpp"
 #include "ui/panels/view_state.hpp"
 #include "ui/panels/widget_rects.hpp"
@@ -50,6 +51,7 @@ class Viewer {
   void redo();
 
   ViewState& state() { return state_; }
+  const Commands& commands() const { return commands_; }
   const WidgetRects& widgets() const { return rects_; }
   Session& session() { return session_; }
   Host& host() { return host_; }
@@ -95,6 +97,7 @@ class Viewer {
 
   Host& host_;
   ViewState state_;
+  Commands commands_;  // on state_
   WidgetRects rects_;
   ImGuiFrame frame_;
   SceneController scene_;

@@ -66,6 +66,16 @@ std::string what_is_needed(const Parameter& p) {
          (unit.empty() ? "" : " in " + unit);
 }
 
+// "on|off"; the name of the parameter where that would be long.
+std::string choice_usage(const Parameter& p) {
+  constexpr std::size_t kMostShown = 6;
+  const std::vector<Choice> choices = p.choices();
+  if (choices.empty() || choices.size() > kMostShown) return upper(p.name);
+  std::string text;
+  for (const Choice& choice : choices) text += (text.empty() ? "" : "|") + choice.id;
+  return text;
+}
+
 // "alpha.set needs a number in Å², such as alpha.set 1.4".
 std::string lacks(const CommandSpec& spec, const Parameter& p) {
   std::string text = spec.id + " needs " + what_is_needed(p);
@@ -105,6 +115,9 @@ void check(const CommandSpec& spec) {
   if (spec.id.empty() || spec.id.find_first_of(" \t\"'") != std::string::npos) bad("has no id");
   if (spec.title.empty() || spec.help.empty()) bad("has no title or no help");
   if (!spec.run) bad("does nothing");
+  if (!spec.menu.empty() && std::find(kMenus.begin(), kMenus.end(), spec.menu) == kMenus.end()) {
+    bad("is in a menu that does not exist");
+  }
   bool optional = false;
   for (const Parameter& p : spec.parameters) {
     if (p.kind == Kind::number && !p.rule) bad("has a number without bounds");
@@ -136,8 +149,10 @@ const Parameter* CommandSpec::first_required() const {
 std::string CommandSpec::usage() const {
   std::string text = id;
   for (const Parameter& p : parameters) {
-    const bool flag = p.kind == Parameter::Kind::flag;
-    const std::string name = flag ? p.name : upper(p.name);
+    const bool flag = p.kind == Kind::flag;
+    const std::string name = flag                     ? p.name
+                             : p.kind == Kind::choice ? choice_usage(p)
+                                                      : upper(p.name);
     text += flag || p.optional ? " [" + name + "]" : " " + name;
   }
   return text;

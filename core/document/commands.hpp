@@ -3,6 +3,7 @@
 // No GUI type.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -15,8 +16,12 @@
 
 namespace alphascope {
 
+// The menus, from left to right; one without commands is not shown.
+inline constexpr std::array<std::string_view, 5> kMenus{"File", "Edit", "View", "Tools", "Help"};
+
 struct Choice {
-  std::string id, title;  // "cpu" as it is typed, "Dual-edge engine, CPU" for people
+  std::string id, title;    // "cpu" as it is typed, "Dual-edge engine, CPU" for people
+  std::string detail = {};  // shown beside the title
 };
 
 struct Parameter {
@@ -72,7 +77,7 @@ struct CommandSpec {
   std::string help;   // a sentence without full stop
   std::vector<Shortcut> shortcuts = {};
   bool works_everywhere = false;  // its shortcuts work while text is typed and above dialogs
-  std::string menu = {};          // "View"; empty: in no menu
+  std::string menu = {};          // one of kMenus; empty: in no menu
   bool line_above = false;        // in the menu
   std::vector<Parameter> parameters = {};
   std::function<std::string()> why_not = {};  // a sentence; empty result or none: it can run

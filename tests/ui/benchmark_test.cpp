@@ -21,8 +21,8 @@ TEST(BenchmarkPage, OpensFromTheMenuAndAsksToRunCancelAndExport) {
   panels.state = loaded_state();
   panels.state.gpu = {true, false, "", "", "", 0, "There is no NVIDIA driver."};
   panels.frame(2);
-  panels.click("menu.tools");
-  panels.click("menu.benchmark");
+  panels.click("menu.Tools");
+  panels.click("menu.benchmark.open");
   panels.frame(2);
   ASSERT_TRUE(panels.rects.contains("benchmark.run"));
   panels.click("benchmark.run");
@@ -70,7 +70,7 @@ TEST(BenchmarkPage, NotesFitBesideTheNumbersAtEverySize) {
 
 TEST_F(ViewerTest, TheBenchmarkMeasuresTheOpenMoleculeAndExportsIt) {
   viewer_->open(crambin());
-  run("wait-idle\nclick menu.tools\nclick menu.benchmark\n");
+  run("wait-idle\nclick menu.Tools\nclick menu.benchmark.open\n");
   BenchmarkControls& c = viewer_->state().benchmark_controls;
   c.alphas = "0";
   c.runs = 1;
@@ -95,7 +95,7 @@ TEST_F(ViewerTest, TheBenchmarkMeasuresTheOpenMoleculeAndExportsIt) {
 
 TEST_F(ViewerTest, ACancelledBenchmarkKeepsWhatItHasAndABadAlphaIsTold) {
   viewer_->open(crambin());
-  run("wait-idle\nclick menu.tools\nclick menu.benchmark\n");
+  run("wait-idle\nclick menu.Tools\nclick menu.benchmark.open\n");
   BenchmarkControls& c = viewer_->state().benchmark_controls;
   c.alphas = "zero";
   run("click benchmark.run\nframes 2\n");

@@ -206,7 +206,7 @@ TEST_F(ErrorsTest, AnExceptionOnTheMainThreadIsShownAndTheProgramGoesOn) {
 
 TEST_F(ErrorsTest, NothingIsOpenedWhileABenchmarkRuns) {
   ViewState& s = viewer_->state();
-  run("click menu.tools\nclick menu.benchmark\nclick benchmark.run\n");
+  run("click menu.Tools\nclick menu.benchmark.open\nclick benchmark.run\n");
   run("open " +
       (testing::fs::path(ALPHASCOPE_SOURCE_DIR) / "resources/molecules/4hhb.pdb.gz").string() +
       "\nframes 2\n");

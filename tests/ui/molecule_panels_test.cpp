@@ -253,7 +253,7 @@ TEST(MenuTest, EscapeClosesMenusAndLists) {
   Panels p({1280, 800, 1});
   p.state = molecule_state();
   p.frame(2);
-  for (const auto& [opener, item] : {std::pair{"menu.file", "menu.open"},
+  for (const auto& [opener, item] : {std::pair{"menu.File", "menu.file.open"},
                                      {"molecule.radii", "molecule.radii.2"},
                                      {"molecule.sample", "molecule.sample.0"},
                                      {"molecule.assembly", "molecule.assembly.1"}}) {

@@ -6,6 +6,7 @@
 
 #include <string>
 
+#include "app/viewer/commands.hpp"
 #include "ui/panels/keys.hpp"
 #include "ui/panels/style.hpp"
 #include "ui/panels/window_layout.hpp"
@@ -25,6 +26,7 @@ class Panels {
     io.KeyMap[ImGuiKey_Backspace] = key::kBackspace;
     io.KeyMap[ImGuiKey_A] = key::kA;
     io.KeyMap[ImGuiKey_Escape] = key::kEscape;
+    add_program_commands(commands, state);
     apply_style(Theme::dark, size.scale);
     fonts_ = load_fonts(size.scale);
     frame(3);
@@ -41,7 +43,7 @@ class Panels {
   void window_frame() {
     ImGui::GetIO().DisplaySize = {size_.width * size_.scale, size_.height * size_.scale};
     ImGui::NewFrame();
-    draw_window(state, rects, fonts_, size_.scale);
+    draw_window(state, rects, commands, fonts_, size_.scale);
     ImGui::Render();
   }
   void point_at(const std::string& name, float fx = 0.5f, float fy = 0.5f) {
@@ -77,6 +79,7 @@ class Panels {
   }
 
   ViewState state;
+  Commands commands;
   WidgetRects rects;
 
  private:

@@ -34,8 +34,7 @@ void slider(PanelContext& ctx) {
   bool& playing = ctx.state.memory.playing;
   ImGui::BeginDisabled(!ctx.state.result.present);
   if (button(ctx, "alpha.play", playing ? "Stop" : "Play", {ctx.px(44), 0})) {
-    playing = !playing;
-    if (playing && alpha >= kSliderHigh) alpha = 0;
+    ctx.commands.run("alpha.play");
   }
   ImGui::EndDisabled();
   tooltip(ctx, playing ? "Stop here" : "Let alpha grow by itself, up to 10 Å²");
@@ -47,10 +46,9 @@ void slider(PanelContext& ctx) {
     if (alpha == 0) alpha = 0;  // no minus zero in the text
     playing = false;
   }
-  tooltip(
-      ctx,
-      "Alpha in Å². Every radius r becomes sqrt(r² + α).\nCtrl + click to type; arrow keys step "
-      "by 0.1, with shift by 1.");
+  tooltip(ctx,
+          "Alpha in Å². Every radius r becomes sqrt(r² + α).\nCtrl+click to type; arrow keys step "
+          "by 0.1, with shift by 1.");
   draw_ticks(ctx, low, high);
 }
 
@@ -85,7 +83,7 @@ void solvent(PanelContext& ctx) {
   }
   tooltip(
       ctx,
-      "Solvent radius in Å: every radius grows by it before anything else.\nCtrl + click to type.");
+      "Solvent radius in Å: every radius grows by it before anything else.\nCtrl+click to type.");
   ImGui::SameLine(0, ctx.px(6));
   const bool water = radius == kWater;
   if (button(ctx, "alpha.water", water ? "none" : "water", {-1, 0})) {

@@ -23,6 +23,7 @@ constexpr std::array kDialogs{
           draw_confirm_assembly},
     Entry{[](const ViewState& s) { return s.memory.show_cheat_sheet; }, draw_cheat_sheet},
     Entry{[](const ViewState& s) { return s.memory.show_about; }, draw_about},
+    Entry{[](const ViewState& s) { return s.memory.palette.show; }, draw_command_palette},
     Entry{[](const ViewState& s) { return !s.error.empty(); }, draw_error}};
 
 bool wanted(const ViewState& state, std::size_t kind) {
@@ -36,10 +37,12 @@ void draw_level(PanelContext& ctx) {
 
 }  // namespace
 
-bool begin_dialog(PanelContext& ctx, const char* title, ImVec2 size) {
+bool begin_dialog(PanelContext& ctx, const char* title, ImVec2 size, DialogPlace place) {
   if (!ImGui::IsPopupOpen(title)) ImGui::OpenPopup(title);
   const ImVec2 display = ImGui::GetIO().DisplaySize;
-  ImGui::SetNextWindowPos({display.x / 2, display.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
+  const bool top = place == DialogPlace::top;
+  ImGui::SetNextWindowPos({display.x / 2, top ? 2 * ImGui::GetFrameHeight() : display.y / 2},
+                          ImGuiCond_Always, {0.5f, top ? 0 : 0.5f});
   ImGuiWindowFlags flags =
       ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings;
   if (size.x > 0) {
@@ -47,6 +50,7 @@ bool begin_dialog(PanelContext& ctx, const char* title, ImVec2 size) {
   } else {
     flags |= ImGuiWindowFlags_AlwaysAutoResize;
   }
+  if (top) flags |= ImGuiWindowFlags_NoTitleBar;
   (void)ctx;
   return ImGui::BeginPopupModal(title, nullptr, flags);
 }

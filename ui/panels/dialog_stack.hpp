@@ -8,7 +8,10 @@ namespace alphascope {
 
 // Between begin_dialog() and end_dialog(): the dialog's contents. False: draw nothing, and do not
 // end it. `size` in pixels; {0, 0} fits the contents.
-bool begin_dialog(PanelContext& ctx, const char* title, ImVec2 size = {0, 0});
+// At the top: without a title bar.
+enum class DialogPlace : std::uint8_t { centre, top };
+bool begin_dialog(PanelContext& ctx, const char* title, ImVec2 size = {0, 0},
+                  DialogPlace place = DialogPlace::centre);
 void end_dialog(PanelContext& ctx);  // closes it when the state no longer wants it
 
 // Keys belong to the topmost dialog.
@@ -38,6 +41,7 @@ void draw_save_picture(PanelContext& ctx);
 void draw_confirm_assembly(PanelContext& ctx);
 void draw_cheat_sheet(PanelContext& ctx);
 void draw_about(PanelContext& ctx);
+void draw_command_palette(PanelContext& ctx);
 void draw_error(PanelContext& ctx);
 
 }  // namespace alphascope

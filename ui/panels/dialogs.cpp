@@ -1,4 +1,4 @@
-// Error, cheat sheet, about, and saving a picture.
+// Error, about, and saving a picture.
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
@@ -9,6 +9,7 @@
 #include "ui/panels/format.hpp"
 #include "ui/panels/number_field.hpp"
 #include "ui/panels/panels.hpp"
+#include "ui/panels/picture_path.hpp"
 
 namespace alphascope {
 namespace {
@@ -22,51 +23,7 @@ constexpr float kWidth = 440;  // pixels at scale 1, of most dialogs
 constexpr std::uint64_t kBytesOfTheWindow = 130'000'000;
 constexpr std::uint64_t kLeastBytesPerAtom = 1230, kMostBytesPerAtom = 2600;
 
-void shortcut_rows(PanelContext& ctx, const char* title,
-                   std::initializer_list<std::pair<const char*, const char*>> rows) {
-  strong_text(ctx, title);
-  if (!ImGui::BeginTable(title, 2)) return;
-  ImGui::TableSetupColumn("keys", ImGuiTableColumnFlags_WidthFixed, ctx.px(190));
-  ImGui::TableSetupColumn("what", ImGuiTableColumnFlags_WidthFixed, ctx.px(270));
-  for (const auto& [keys, what] : rows) {
-    ImGui::TableNextRow();
-    ImGui::TableNextColumn();
-    ImGui::TextUnformatted(keys);
-    ImGui::TableNextColumn();
-    muted_text(ctx, what);
-  }
-  ImGui::EndTable();
-  ImGui::Dummy({0, ctx.px(4)});
-}
-
 }  // namespace
-
-void draw_cheat_sheet(PanelContext& ctx) {
-  bool& show = ctx.state.memory.show_cheat_sheet;
-  if (!begin_dialog(ctx, "Mouse and keyboard")) return;
-  shortcut_rows(ctx, "View",
-                {{"drag", "turn"},
-                 {"middle drag, Shift + drag", "pan"},
-                 {"wheel, right drag", "zoom"},
-                 {"hover over a ball", "show its name, position and radii"},
-                 {"R", "reset the view"},
-                 {"B, T, E", "show or hide balls, tetrahedra, edges"},
-                 {"Ctrl + L", "switch between light and dark"}});
-  shortcut_rows(ctx, "Alpha",
-                {{"← →", "change alpha by 0.1 Å²"},
-                 {"Shift + ← →", "change alpha by 1 Å²"},
-                 {"Ctrl + click on a slider", "type the value"},
-                 {"C", "compare with CGAL"},
-                 {"Esc", "close a menu; stop playing; cancel"}});
-  shortcut_rows(ctx, "File",
-                {{"Ctrl + O, or drop a file", "open a molecule"},
-                 {"Ctrl + S", "save a picture"},
-                 {"Ctrl + Q", "quit"},
-                 {"F1", "this page"}});
-  ImGui::NewLine();
-  if (close_button(ctx, ctx.px(468), {"cheat_sheet.close", "Close"})) show = false;
-  end_dialog(ctx);
-}
 
 void draw_about(PanelContext& ctx) {
   bool& show = ctx.state.memory.show_about;
@@ -169,20 +126,11 @@ void save_size(PanelContext& ctx) {
   ImGui::NewLine();
 }
 
-// Pictures are PNG files whatever one calls them.
-std::filesystem::path picture_path(const PanelMemory& m) {
-  std::error_code ignored;
-  std::filesystem::path path = std::filesystem::absolute(m.save_path, ignored).lexically_normal();
-  const std::string extension = path.extension().string();
-  if (extension != ".png" && extension != ".PNG") path += ".png";
-  return path;
-}
-
 // Where it will be, whatever folder the program was started in, and what becomes of what is there.
 // False where there is no folder for it.
 bool save_target(PanelContext& ctx) {
   std::error_code ignored;
-  const std::filesystem::path path = picture_path(ctx.state.memory);
+  const std::filesystem::path path = picture_path(ctx.state.memory.save_path);
   const bool has_folder = std::filesystem::is_directory(path.parent_path(), ignored);
   row_label(ctx, "");
   ImGui::PushFont(ctx.fonts.small);
@@ -250,8 +198,8 @@ void draw_save_picture(PanelContext& ctx) {
   const DialogAnswer answer = dialog_buttons(ctx, ctx.px(kWidth + 24), {"save.cancel", "Cancel"},
                                              {"save.ok", "Save"}, can_save);
   if (answer == DialogAnswer::confirm || (entered && can_save)) {
-    s.requests.screenshot = {picture_path(m),    m.save_width,  m.save_height,
-                             m.save_transparent, m.save_legend, m.save_scale_bar};
+    s.requests.screenshot = {picture_path(m.save_path), m.save_width,  m.save_height,
+                             m.save_transparent,        m.save_legend, m.save_scale_bar};
     m.show_save = false;
   }
   if (answer == DialogAnswer::cancel) m.show_save = false;

@@ -2,9 +2,14 @@
 // them): GLFW's, checked where GLFW is included.
 #pragma once
 
+#include <optional>
+#include <string_view>
+
 namespace alphascope::key {
 
+inline constexpr int k0 = 48;
 inline constexpr int kA = 65, kB = 66, kC = 67, kE = 69, kL = 76, kO = 79, kQ = 81, kR = 82;
+inline constexpr int kP = 80;
 inline constexpr int kS = 83, kT = 84, kV = 86, kX = 88, kY = 89, kZ = 90, kSpace = 32;
 inline constexpr int kEscape = 256, kEnter = 257, kTab = 258, kBackspace = 259;
 inline constexpr int kInsert = 260, kDelete = 261, kPageUp = 266, kPageDown = 267;
@@ -14,5 +19,20 @@ inline constexpr int kFirstKeypad = 320, kKeypadEnter = 335;
 inline constexpr int kLeftShift = 340, kLeftControl = 341, kLeftAlt = 342, kLeftSuper = 343;
 inline constexpr int kRightShift = 344, kRightControl = 345, kRightAlt = 346, kRightSuper = 347;
 inline constexpr int kFirstModifier = kLeftShift, kLastModifier = kRightSuper;
+
+// Keys that are pressed together.
+struct Chord {
+  int code = 0;
+  bool control = false, shift = false;
+
+  bool arrow() const { return code >= kRight && code <= kUp; }
+};
+
+// "Ctrl+Shift+Z", "esc", "PageUp", "F1", "7": upper and lower case count as equal. Nothing where
+// there is no such key.
+std::optional<Chord> read_chord(std::string_view text);
+
+// This frame, by ImGui. Arrow keys repeat while they are held.
+bool pressed(const Chord& chord);
 
 }  // namespace alphascope::key

@@ -1,131 +1,85 @@
-// The menu bar and the keyboard shortcuts that mirror it.
-#include <cmath>
-
+// The menu bar and the keyboard shortcuts, both made from the list of commands.
 #include "ui/panels/keys.hpp"
 #include "ui/panels/panels.hpp"
 
 namespace alphascope {
 namespace {
 
-bool menu_item(PanelContext& ctx, const char* name, const char* label, const char* shortcut,
-               bool checked = false, bool enabled = true) {
-  const bool clicked = ImGui::MenuItem(label, shortcut, checked, enabled);
-  record(ctx, name);
-  return clicked;
+// A refusal is no news: the menu greys what cannot run.
+void run(PanelContext& ctx, const CommandSpec& spec, const std::vector<std::string>& words = {}) {
+  const Outcome outcome = ctx.commands.run(spec.id, words);
+  if (outcome.state == Outcome::State::failed) {
+    ctx.state.tell("“" + spec.title + "” did not work", outcome.why);
+  }
 }
 
-bool begin_menu(PanelContext& ctx, const char* name, const char* label) {
-  const bool open = ImGui::BeginMenu(label);
-  record(ctx, name);
-  if (open) close_on_escape();
-  return open;
-}
-
-void toggle_theme(ViewState& s) {
-  s.theme = s.theme == Theme::dark ? Theme::light : Theme::dark;
-}
-
-void file_menu(PanelContext& ctx) {
-  ViewState& s = ctx.state;
-  if (!begin_menu(ctx, "menu.file", "File")) return;
-  if (menu_item(ctx, "menu.open", "Open…", "Ctrl + O")) open_browser(s);
-  if (ImGui::BeginMenu("Sample molecule", !s.samples.empty())) {
-    for (std::size_t i = 0; i < s.samples.size(); ++i) {
-      if (ImGui::MenuItem(s.samples[i].name.c_str(), s.samples[i].detail.c_str())) {
-        s.requests.open_sample = i;
-      }
-    }
-    ImGui::EndMenu();
-  }
-  ImGui::Separator();
-  if (menu_item(ctx, "menu.screenshot", "Save picture…", "Ctrl + S", false, s.molecule.loaded)) {
-    s.memory.show_save = true;
-  }
-  ImGui::Separator();
-  if (menu_item(ctx, "menu.quit", "Quit", "Ctrl + Q")) s.requests.quit = true;
-  ImGui::EndMenu();
-}
-
-void view_menu(PanelContext& ctx) {
-  ViewState& s = ctx.state;
-  DisplayControls& d = s.display;
-  if (!begin_menu(ctx, "menu.view", "View")) return;
-  if (menu_item(ctx, "menu.reset", "Reset view", "R", false, s.molecule.loaded)) {
-    s.requests.reset_view = true;
-  }
-  ImGui::Separator();
-  if (menu_item(ctx, "menu.balls", "Balls", "B", d.balls)) d.balls = !d.balls;
-  if (menu_item(ctx, "menu.tetrahedra", "Tetrahedra", "T", d.tetrahedra)) {
-    d.tetrahedra = !d.tetrahedra;
-  }
-  if (menu_item(ctx, "menu.edges", "Edges", "E", d.edges)) d.edges = !d.edges;
-  ImGui::Separator();
-  if (menu_item(ctx, "menu.theme", "Light theme", "Ctrl + L", s.theme == Theme::light)) {
-    toggle_theme(s);
+void choice_menu(PanelContext& ctx, const CommandSpec& spec, const Parameter& parameter,
+                 bool enabled) {
+  const std::vector<Choice> choices = parameter.choices();
+  const std::string name = "menu." + spec.id;
+  const bool open = ImGui::BeginMenu(spec.title.c_str(), enabled && !choices.empty());
+  record(ctx, name.c_str());
+  if (!open) return;
+  for (const Choice& choice : choices) {
+    const bool clicked = ImGui::MenuItem(choice.title.c_str(), choice.detail.c_str());
+    record(ctx, (name + "." + choice.id).c_str());
+    if (clicked) run(ctx, spec, {choice.id});
   }
   ImGui::EndMenu();
 }
 
-void tools_menu(PanelContext& ctx) {
-  if (!begin_menu(ctx, "menu.tools", "Tools")) return;
-  if (menu_item(ctx, "menu.benchmark", "Benchmark…", nullptr, false, ctx.state.molecule.loaded)) {
-    ctx.state.memory.playing = ctx.state.memory.playing_models = false;
-    ctx.state.memory.show_benchmark = true;
-  }
-  ImGui::EndMenu();
-}
-
-void help_menu(PanelContext& ctx) {
-  if (!begin_menu(ctx, "menu.help", "Help")) return;
-  if (menu_item(ctx, "menu.cheat_sheet", "Mouse and keyboard", "F1")) {
-    ctx.state.memory.show_cheat_sheet = true;
-  }
-  if (menu_item(ctx, "menu.about", "About Alphascope", nullptr)) ctx.state.memory.show_about = true;
-  ImGui::EndMenu();
-}
-
-void step_alpha(ViewState& s, double step) {
-  set_alpha(s.compute, std::round((s.compute.alpha_angstrom2 + step) * 1000) / 1000);
-}
-
-// The step at hand still finishes when something plays: a picture without its complex helps nobody.
-void stop(ViewState& s) {
-  const bool playing = s.memory.playing || s.memory.playing_models;
-  s.memory.playing = s.memory.playing_models = false;
-  if (!playing && s.busy.active) s.requests.cancel = true;
-}
-
-void shortcuts(ViewState& s) {
-  const ImGuiIO& io = ImGui::GetIO();
-  if (ImGui::IsKeyPressed(key::kF1, false)) s.memory.show_cheat_sheet = !s.memory.show_cheat_sheet;
-  if (io.WantTextInput || ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup)) return;
-  if (io.KeyCtrl) {
-    if (ImGui::IsKeyPressed(key::kO, false)) open_browser(s);
-    if (ImGui::IsKeyPressed(key::kS, false) && s.molecule.loaded) s.memory.show_save = true;
-    if (ImGui::IsKeyPressed(key::kL, false)) toggle_theme(s);
-    if (ImGui::IsKeyPressed(key::kQ, false)) s.requests.quit = true;
+void menu_item(PanelContext& ctx, const CommandSpec& spec) {
+  const std::string reason = spec.reason_against(), keys = spec.shortcuts_text();
+  const Parameter* const needed = spec.first_required();
+  if (needed && needed->kind == Parameter::Kind::choice && spec.parameters.size() == 1) {
+    choice_menu(ctx, spec, *needed, reason.empty());
     return;
   }
-  if (ImGui::IsKeyPressed(key::kEscape, false)) stop(s);
-  if (ImGui::IsKeyPressed(key::kR, false)) s.requests.reset_view = true;
-  if (ImGui::IsKeyPressed(key::kC, false) && s.result.present) s.requests.compare = true;
-  if (ImGui::IsKeyPressed(key::kB, false)) s.display.balls = !s.display.balls;
-  if (ImGui::IsKeyPressed(key::kT, false)) s.display.tetrahedra = !s.display.tetrahedra;
-  if (ImGui::IsKeyPressed(key::kE, false)) s.display.edges = !s.display.edges;
-  const double step = io.KeyShift ? 1.0 : 0.1;
-  if (ImGui::IsKeyPressed(key::kRight)) step_alpha(s, step);
-  if (ImGui::IsKeyPressed(key::kLeft)) step_alpha(s, -step);
+  const bool checked = spec.checked && spec.checked();
+  const bool clicked = ImGui::MenuItem(spec.title.c_str(), keys.c_str(), checked, reason.empty());
+  record(ctx, ("menu." + spec.id).c_str());
+  tooltip(ctx, (reason.empty() ? spec.help + "." : reason).c_str());
+  if (clicked && needed) ctx.state.memory.palette = {.show = true, .asking = spec.id};
+  if (clicked && !needed) run(ctx, spec);
+}
+
+void menu(PanelContext& ctx, std::string_view title) {
+  std::vector<const CommandSpec*> specs;
+  for (const CommandSpec& spec : ctx.commands.all()) {
+    if (spec.menu == title) specs.push_back(&spec);
+  }
+  if (specs.empty()) return;
+  const std::string label(title);
+  const bool open = ImGui::BeginMenu(label.c_str());
+  record(ctx, ("menu." + label).c_str());
+  if (!open) return;
+  close_on_escape();
+  for (const CommandSpec* spec : specs) {
+    if (spec->line_above && spec != specs.front()) ImGui::Separator();
+    menu_item(ctx, *spec);
+  }
+  ImGui::EndMenu();
+}
+
+void shortcuts(PanelContext& ctx) {
+  const bool taken =
+      ImGui::GetIO().WantTextInput || ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
+  for (const CommandSpec& spec : ctx.commands.all()) {
+    if (taken && !spec.works_everywhere) continue;
+    for (const Shortcut& shortcut : spec.shortcuts) {
+      const auto chord = key::read_chord(shortcut.keys);
+      if (!chord || !key::pressed(*chord)) continue;
+      run(ctx, spec, Commands::parse_words(spec, shortcut.arguments).words);
+    }
+  }
 }
 
 }  // namespace
 
 void draw_menu_bar(PanelContext& ctx) {
-  shortcuts(ctx.state);
+  shortcuts(ctx);
   if (!ImGui::BeginMainMenuBar()) return;
-  file_menu(ctx);
-  view_menu(ctx);
-  tools_menu(ctx);
-  help_menu(ctx);
+  for (const std::string_view title : kMenus) menu(ctx, title);
   ImGui::EndMainMenuBar();
 }
 

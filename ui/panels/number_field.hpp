@@ -13,7 +13,7 @@ namespace alphascope {
 bool number_field(PanelContext& ctx, const char* name, double& value, const NumberRule& rule);
 bool number_field(PanelContext& ctx, const char* name, int& value, const NumberRule& rule);
 
-// A slider or a drag that becomes a field upon Ctrl + click. Call before it: true while it is a
+// A slider or a drag that becomes a field upon Ctrl+click. Call before it: true while it is a
 // field, which is then drawn in its place; `changed` tells whether the value changed.
 bool typed_instead(PanelContext& ctx, const char* name, double& value, const NumberRule& rule,
                    bool& changed);

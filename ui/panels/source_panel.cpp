@@ -87,7 +87,7 @@ void model_tooltip(PanelContext& ctx, int model) {
   const auto index =
       std::clamp<std::size_t>(static_cast<std::size_t>(model), 0, numbers.size() - 1);
   tooltip(ctx, ("Model number " + std::to_string(numbers[index]) +
-                " in the file. Alpha stays when the model changes. Ctrl + click to type.")
+                " in the file. Alpha stays when the model changes. Ctrl+click to type.")
                    .c_str());
 }
 
@@ -149,9 +149,10 @@ void model_rows(PanelContext& ctx) {
   ImGui::SameLine(0, ctx.px(8));
   ImGui::SetNextItemWidth(-1);
   speed_drag(ctx);
-  tooltip(ctx,
-          "Models per second while playing, at most: each waits for its complex. Drag, or Ctrl + "
-          "click to type.");
+  tooltip(
+      ctx,
+      "Models per second while playing, at most: each waits for its complex. Drag, or Ctrl+click "
+      "to type.");
 }
 
 }  // namespace

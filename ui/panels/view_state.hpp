@@ -15,6 +15,7 @@
 #include "ui/panels/benchmark_info.hpp"
 #include "ui/panels/controls.hpp"
 #include "ui/panels/folder_listing.hpp"
+#include "ui/panels/palette_memory.hpp"
 #include "ui/panels/view_info.hpp"
 #include "ui/theme.hpp"
 
@@ -92,6 +93,7 @@ struct PanelMemory {
   bool timings_pinned = false;  // the user has chosen which
   float bottom_height = 0;      // pixels at scale 1; 0: default
   NumberTyping number;
+  PaletteMemory palette;
   std::vector<std::size_t> dialogs;  // that are open, by dialog_stack.cpp; the last is on top
   bool dragging_view = false;
   bool playing = false;         // alpha grows by itself, one step a finished result

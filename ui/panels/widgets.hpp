@@ -6,6 +6,7 @@
 
 #include <string>
 
+#include "core/document/commands.hpp"
 #include "ui/panels/style.hpp"
 #include "ui/panels/view_state.hpp"
 #include "ui/panels/widget_rects.hpp"
@@ -17,6 +18,7 @@ struct NumberRule;
 struct PanelContext {
   ViewState& state;
   WidgetRects& rects;
+  const Commands& commands;
   const PanelFonts& fonts;
   const Palette& palette;
   float scale = 1;
@@ -48,7 +50,7 @@ bool choice(PanelContext& ctx, const char* name, std::initializer_list<const cha
 void row_label(PanelContext& ctx, const char* label, float reserve = 0);
 
 // A slider with its value as `text` at its right; takes the remaining width less `reserve` pixels
-// at scale 1. Ctrl + click to type, within the rule.
+// at scale 1. Ctrl+click to type, within the rule.
 bool value_slider(PanelContext& ctx, const char* name, double& value, double low, double high,
                   const NumberRule& rule, const std::string& text, float reserve = 0);
 

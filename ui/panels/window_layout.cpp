@@ -135,9 +135,10 @@ void note_mouse(PanelMemory& memory) {
 
 }  // namespace
 
-void draw_window(ViewState& state, WidgetRects& rects, const PanelFonts& fonts, float scale) {
+void draw_window(ViewState& state, WidgetRects& rects, const Commands& commands,
+                 const PanelFonts& fonts, float scale) {
   const WidgetRects last = std::exchange(rects, {});
-  PanelContext ctx{state, rects, fonts, palette(state.theme), scale};
+  PanelContext ctx{state, rects, commands, fonts, palette(state.theme), scale};
   note_mouse(state.memory);
   draw_menu_bar(ctx);
   const ImVec2 display = ImGui::GetIO().DisplaySize;

@@ -1,0 +1,27 @@
+// What the sources that register commands share.
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "core/document/commands.hpp"
+#include "ui/panels/view_state.hpp"
+
+namespace alphascope {
+
+// Why a command cannot run without these; empty: it can.
+std::function<std::string()> without_molecule(const ViewState& s);
+std::function<std::string()> without_result(const ViewState& s);
+
+// The parameter of a command that switches something, and what it makes of the value: without
+// argument it is turned over.
+Parameter on_or_off();
+Outcome set_switch(const Arguments& arguments, bool& value);
+
+// Something that is on or off: a line with a tick in the menu.
+CommandSpec with_switch(CommandSpec spec, bool& value);
+
+// Alpha, solvent, molecule, engine, comparison, benchmark.
+void add_compute_commands(Commands& commands, ViewState& s);
+
+}  // namespace alphascope

@@ -1,0 +1,269 @@
+// See the header. A new command is one more add() here or in compute_commands.cpp; nothing else
+// knows of it.
+#include "app/viewer/commands.hpp"
+
+#include <filesystem>
+#include <utility>
+
+#include "app/viewer/command_parts.hpp"
+#include "core/molecule/printable.hpp"
+#include "ui/panels/picture_path.hpp"
+#include "ui/panels/widgets.hpp"
+
+namespace alphascope {
+
+std::function<std::string()> without_molecule(const ViewState& s) {
+  return [&s] { return s.molecule.loaded ? "" : "No molecule is open."; };
+}
+
+std::function<std::string()> without_result(const ViewState& s) {
+  return [&s] { return s.result.present ? "" : "There is no complex yet."; };
+}
+
+Outcome set_switch(const Arguments& arguments, bool& value) {
+  const std::string wanted = arguments.text("state");
+  value = wanted.empty() ? !value : wanted == "on";
+  return {};
+}
+
+Parameter on_or_off() {
+  Parameter p{
+      .name = "state", .kind = Parameter::Kind::choice, .help = "On or off", .optional = true};
+  p.choices = [] { return std::vector<Choice>{{"on", "On"}, {"off", "Off"}}; };
+  return p;
+}
+
+CommandSpec with_switch(CommandSpec spec, bool& value) {
+  spec.parameters = {on_or_off()};
+  spec.checked = [&value] { return value; };
+  spec.run = [&value](const Arguments& arguments) { return set_switch(arguments, value); };
+  return spec;
+}
+
+namespace {
+
+using Kind = Parameter::Kind;
+
+// --- File
+
+Outcome open_file(const Arguments& arguments, ViewState& s) {
+  if (!arguments.has("path")) {
+    open_browser(s);
+    return {};
+  }
+  const std::filesystem::path path = arguments.text("path");
+  std::error_code ignored;
+  if (!std::filesystem::exists(path, ignored)) {
+    return Outcome::refused("There is no file " + printable(path.string()) + ".");
+  }
+  s.requests.open = path;
+  return {};
+}
+
+std::vector<Choice> samples(const ViewState& s) {
+  std::vector<Choice> choices;
+  for (const SampleMolecule& sample : s.samples) {
+    choices.push_back({sample.name, sample.name, sample.detail});
+  }
+  return choices;
+}
+
+Outcome open_sample(const Arguments& arguments, ViewState& s) {
+  const std::vector<Choice> known = samples(s);
+  for (std::size_t i = 0; i < known.size(); ++i) {
+    if (known[i].id == arguments.text("sample")) s.requests.open_sample = i;
+  }
+  return {};
+}
+
+// Without a path the dialog asks for all of it.
+Outcome save_picture(const Arguments& arguments, ViewState& s) {
+  PanelMemory& m = s.memory;
+  if (!arguments.has("path")) {
+    m.show_save = true;
+    return {};
+  }
+  s.requests.screenshot = {picture_path(arguments.text("path")),
+                           static_cast<int>(arguments.number("width", m.save_width)),
+                           static_cast<int>(arguments.number("height", m.save_height)),
+                           arguments.has("transparent") || m.save_transparent,
+                           m.save_legend,
+                           m.save_scale_bar};
+  return {};
+}
+
+Parameter pixels(const char* name, const char* help) {
+  return {
+      .name = name, .kind = Kind::number, .help = help, .optional = true, .rule = kPictureSizeRule};
+}
+
+void add_file_commands(Commands& commands, ViewState& s) {
+  commands.add({.id = "file.open",
+                .title = "Open…",
+                .help = "Opens a molecule: PDB, mmCIF, XYZR, PQR, XYZ or CRD, also as .gz",
+                .shortcuts = {{"Ctrl+O"}},
+                .menu = "File",
+                .parameters = {{.name = "path",
+                                .kind = Kind::path,
+                                .help = "The file; without it a dialog opens",
+                                .optional = true}},
+                .run = [&s](const Arguments& arguments) { return open_file(arguments, s); }});
+  commands.add({.id = "file.sample",
+                .title = "Sample molecule",
+                .help = "Opens a molecule that comes with the program",
+                .menu = "File",
+                .parameters = {{.name = "sample",
+                                .kind = Kind::choice,
+                                .help = "Which molecule",
+                                .choices = [&s] { return samples(s); }}},
+                .run = [&s](const Arguments& arguments) { return open_sample(arguments, s); }});
+  commands.add(
+      {.id = "file.save_picture",
+       .title = "Save picture…",
+       .help = "Writes the view as a PNG file",
+       .shortcuts = {{"Ctrl+S"}},
+       .menu = "File",
+       .line_above = true,
+       .parameters = {{.name = "path",
+                       .kind = Kind::path,
+                       .help = "The PNG file; without it a dialog opens",
+                       .optional = true},
+                      pixels("width", "Width in pixels; without it as in the dialog"),
+                      pixels("height", "Height in pixels; without it as in the dialog"),
+                      {.name = "transparent", .kind = Kind::flag, .help = "Without background"}},
+       .why_not = without_molecule(s),
+       .run = [&s](const Arguments& arguments) { return save_picture(arguments, s); }});
+  commands.add({.id = "file.quit",
+                .title = "Quit",
+                .help = "Ends the program",
+                .shortcuts = {{"Ctrl+Q"}},
+                .menu = "File",
+                .line_above = true,
+                .run = [&s](const Arguments&) {
+                  s.requests.quit = true;
+                  return Outcome();
+                }});
+}
+
+// --- View
+
+void add_view_commands(Commands& commands, ViewState& s) {
+  DisplayControls& d = s.display;
+  const auto only_tetrahedra = [&s] {
+    const bool only = s.result.present && s.result.tetrahedra_only;
+    return only ? "Not computed: see “Tetrahedra only”." : "";
+  };
+  commands.add({.id = "view.reset",
+                .title = "Reset view",
+                .help = "Shows the whole molecule",
+                .shortcuts = {{"R"}},
+                .menu = "View",
+                .why_not = without_molecule(s),
+                .run = [&s](const Arguments&) {
+                  s.requests.reset_view = true;
+                  return Outcome();
+                }});
+  commands.add(with_switch({.id = "view.balls",
+                            .title = "Balls",
+                            .help = "Shows or hides the atoms as balls",
+                            .shortcuts = {{"B"}},
+                            .menu = "View",
+                            .line_above = true},
+                           d.balls));
+  commands.add(with_switch({.id = "view.grown_balls",
+                            .title = "Grown balls",
+                            .help = "Draws balls with the radii that solvent and alpha give them"},
+                           d.grown_balls));
+  commands.add(with_switch({.id = "view.tetrahedra",
+                            .title = "Tetrahedra",
+                            .help = "Shows or hides the tetrahedra of the complex",
+                            .shortcuts = {{"T"}},
+                            .menu = "View"},
+                           d.tetrahedra));
+  commands.add(with_switch({.id = "view.boundary",
+                            .title = "Boundary surface",
+                            .help = "Shows or hides faces that belong to exactly one tetrahedron",
+                            .menu = "View"},
+                           d.boundary));
+  commands.add(with_switch({.id = "view.triangles",
+                            .title = "Triangles",
+                            .help = "Shows or hides triangles of the complex",
+                            .menu = "View",
+                            .why_not = only_tetrahedra},
+                           d.triangles));
+  commands.add(with_switch({.id = "view.edges",
+                            .title = "Edges",
+                            .help = "Shows or hides edges of the complex",
+                            .shortcuts = {{"E"}},
+                            .menu = "View",
+                            .why_not = only_tetrahedra},
+                           d.edges));
+  commands.add(with_switch({.id = "view.singular_only",
+                            .title = "Singular ones only",
+                            .help = "Triangles and edges that are faces of no larger simplex",
+                            .why_not = only_tetrahedra},
+                           d.singular_only));
+  commands.add(with_switch({.id = "view.shadows",
+                            .title = "Soft shadows at rest",
+                            .help = "Darkens crevices, which shows depth"},
+                           d.ambient_occlusion));
+  CommandSpec theme{.id = "view.light_theme",
+                    .title = "Light theme",
+                    .help = "Switches between a light and a dark window",
+                    .shortcuts = {{"Ctrl+L"}},
+                    .menu = "View",
+                    .line_above = true,
+                    .parameters = {on_or_off()}};
+  theme.checked = [&s] { return s.theme == Theme::light; };
+  theme.run = [&s](const Arguments& arguments) {
+    bool light = s.theme == Theme::light;
+    const Outcome outcome = set_switch(arguments, light);
+    s.theme = light ? Theme::light : Theme::dark;
+    return outcome;
+  };
+  commands.add(std::move(theme));
+}
+
+// --- Help
+
+void add_help_commands(Commands& commands, ViewState& s) {
+  commands.add({.id = "help.commands",
+                .title = "Find a command…",
+                .help = "Lists everything that the program can do",
+                .shortcuts = {{"Ctrl+P"}},
+                .menu = "Help",
+                .run = [&s](const Arguments&) {
+                  s.memory.palette = {.show = true};
+                  return Outcome();
+                }});
+  commands.add({.id = "help.keys",
+                .title = "Mouse and keyboard",
+                .help = "Shows or hides what mouse and keys do",
+                .shortcuts = {{"F1"}},
+                .works_everywhere = true,
+                .menu = "Help",
+                .run = [&s](const Arguments&) {
+                  s.memory.show_cheat_sheet = !s.memory.show_cheat_sheet;
+                  return Outcome();
+                }});
+  commands.add({.id = "help.about",
+                .title = "About Alphascope",
+                .help = "Version, licence and what the program is built on",
+                .menu = "Help",
+                .line_above = true,
+                .run = [&s](const Arguments&) {
+                  s.memory.show_about = true;
+                  return Outcome();
+                }});
+}
+
+}  // namespace
+
+void add_program_commands(Commands& commands, ViewState& state) {
+  add_file_commands(commands, state);
+  add_view_commands(commands, state);
+  add_compute_commands(commands, state);
+  add_help_commands(commands, state);
+}
+
+}  // namespace alphascope

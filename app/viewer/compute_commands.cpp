@@ -1,0 +1,218 @@
+// What changes the complex, and what is measured and compared.
+#include <cmath>
+
+#include "app/viewer/command_parts.hpp"
+
+namespace alphascope {
+namespace {
+
+using Kind = Parameter::Kind;
+
+// --- Alpha and solvent
+
+// Counting up and down must not leave 0.30000000000000004.
+double rounded(double angstrom2) {
+  return std::round(angstrom2 * 1000) / 1000;
+}
+
+void toggle_playing(ViewState& s) {
+  bool& playing = s.memory.playing;
+  playing = !playing;
+  if (playing && s.compute.alpha_angstrom2 >= kPlayUntilAngstrom2) s.compute.alpha_angstrom2 = 0;
+}
+
+void add_alpha_commands(Commands& commands, ViewState& s) {
+  commands.add({.id = "alpha.set",
+                .title = "Set alpha…",
+                .help = "Every radius r becomes sqrt(r² + alpha)",
+                .menu = "Tools",
+                .parameters = {{.name = "alpha",
+                                .kind = Kind::number,
+                                .help = "Alpha",
+                                .example = "1.4",
+                                .rule = kAlphaRule}},
+                .run = [&s](const Arguments& arguments) {
+                  set_alpha(s.compute, arguments.number("alpha"));
+                  s.memory.playing = false;
+                  return Outcome();
+                }});
+  commands.add(
+      {.id = "alpha.step",
+       .title = "Change alpha by",
+       .help = "Adds to alpha; less than 0 takes away",
+       .shortcuts =
+           {{"Right", "0.1"}, {"Left", "-0.1"}, {"Shift+Right", "1"}, {"Shift+Left", "-1"}},
+       .parameters = {{.name = "step",
+                       .kind = Kind::number,
+                       .help = "What is added to alpha",
+                       .example = "0.1",
+                       .rule = kAlphaRule}},
+       .run = [&s](const Arguments& arguments) {
+         set_alpha(s.compute, rounded(s.compute.alpha_angstrom2 + arguments.number("step")));
+         return Outcome();
+       }});
+  commands.add({.id = "alpha.play",
+                .title = "Play alpha",
+                .help = "Lets alpha grow by itself up to 10 Å², or stops that",
+                .menu = "Tools",
+                .why_not = without_result(s),
+                .checked = [&s] { return s.memory.playing; },
+                .run =
+                    [&s](const Arguments&) {
+                      toggle_playing(s);
+                      return Outcome();
+                    }});
+  commands.add({.id = "solvent.set",
+                .title = "Set solvent radius…",
+                .help = "Every radius grows by it before anything else; 1.4 Å for water",
+                .menu = "Tools",
+                .parameters = {{.name = "radius",
+                                .kind = Kind::number,
+                                .help = "Solvent radius",
+                                .example = "1.4",
+                                .rule = kSolventRule}},
+                .run = [&s](const Arguments& arguments) {
+                  s.compute.solvent_radius_angstrom = arguments.number("radius");
+                  return Outcome();
+                }});
+}
+
+// --- Molecule
+
+void add_molecule_commands(Commands& commands, ViewState& s) {
+  SelectionControls& c = s.selection;
+  const auto part = [&](const char* id, const char* title, bool& value) {
+    commands.add(with_switch({.id = id,
+                              .title = title,
+                              .help = "Takes these atoms as balls, or leaves them out",
+                              .why_not = without_molecule(s)},
+                             value));
+  };
+  part("molecule.polymers", "Use polymers", c.polymers);
+  part("molecule.ligands", "Use ligands", c.ligands);
+  part("molecule.ions", "Use ions", c.ions);
+  part("molecule.waters", "Use waters", c.waters);
+  commands.add({.id = "models.play",
+                .title = "Play models",
+                .help = "Shows the models of the file one after the other, or stops that",
+                .why_not =
+                    [&s] {
+                      return s.molecule.models.size() > 1
+                                 ? ""
+                                 : "The open file has not more than one model.";
+                    },
+                .checked = [&s] { return s.memory.playing_models; },
+                .run =
+                    [&s](const Arguments&) {
+                      s.memory.playing_models = !s.memory.playing_models;
+                      return Outcome();
+                    }});
+}
+
+// --- Engine, comparison, benchmark
+
+std::vector<Choice> engines() {
+  std::vector<Choice> choices;
+  for (const EngineChoice choice : kEngineChoices) {
+    choices.push_back({std::string(engine_id(choice)), std::string(engine_title(choice))});
+  }
+  return choices;
+}
+
+Outcome set_engine(const Arguments& arguments, ViewState& s) {
+  const auto engine = engine_from_id(arguments.text("engine"));
+  if (!engine) return Outcome::refused("There is no such engine.");
+  if (needs_gpu(*engine) && !s.gpu.usable) {
+    return Outcome::refused(s.gpu.known ? s.gpu.why_not
+                                        : "Still looking for a graphics processor: try again.");
+  }
+  s.compute.engine = *engine;
+  return {};
+}
+
+// The step at hand still finishes when something plays: a picture without its complex helps nobody.
+Outcome stop(ViewState& s) {
+  const bool playing = s.memory.playing || s.memory.playing_models;
+  s.memory.playing = s.memory.playing_models = false;
+  if (playing) return {};
+  (s.busy.active ? s.requests.cancel : s.requests.cancel_save) = true;
+  return {};
+}
+
+std::string nothing_to_stop(const ViewState& s) {
+  const bool something =
+      s.memory.playing || s.memory.playing_models || s.busy.active || s.saving.active;
+  return something ? "" : "Nothing plays, and nothing is read, computed or saved.";
+}
+
+void add_engine_commands(Commands& commands, ViewState& s) {
+  commands.add(
+      {.id = "engine.set",
+       .title = "Choose engine",
+       .help = "What computes the complex",
+       .parameters =
+           {{.name = "engine", .kind = Kind::choice, .help = "The engine", .choices = engines}},
+       .run = [&s](const Arguments& arguments) { return set_engine(arguments, s); }});
+  commands.add(with_switch({.id = "engine.tetrahedra_only",
+                            .title = "Tetrahedra only",
+                            .help = "Computes no triangles, edges and vertices, which is faster"},
+                           s.compute.tetrahedra_only));
+  commands.add(with_switch(
+      {.id = "engine.auto_compare",
+       .title = "Compare with CGAL every time",
+       .help = "Lets CGAL compute the same complex after each change, and compares both",
+       .why_not =
+           [&s] {
+             const bool possible = s.molecule.balls <= kMostBallsToCompareUnasked;
+             return possible ? "" : "The molecule is too large for CGAL to follow each change.";
+           }},
+      s.auto_compare));
+  commands.add({.id = "compute.compare",
+                .title = "Compare with CGAL",
+                .help = "Computes the same complex with CGAL and compares simplex by simplex",
+                .shortcuts = {{"C"}},
+                .menu = "Tools",
+                .line_above = true,
+                .why_not = without_result(s),
+                .run = [&s](const Arguments&) {
+                  s.requests.compare = true;
+                  return Outcome();
+                }});
+  commands.add({.id = "compute.anew",
+                .title = "Measure cold times",
+                .help = "Computes the same complex again, the engine's set-up included",
+                .menu = "Tools",
+                .why_not = without_result(s),
+                .run = [&s](const Arguments&) {
+                  s.requests.compute_anew = true;
+                  return Outcome();
+                }});
+  commands.add({.id = "compute.stop",
+                .title = "Stop or cancel",
+                .help = "Stops playing; else cancels what is read, computed or saved",
+                .shortcuts = {{"Esc"}},
+                .menu = "Tools",
+                .why_not = [&s] { return nothing_to_stop(s); },
+                .run = [&s](const Arguments&) { return stop(s); }});
+  commands.add({.id = "benchmark.open",
+                .title = "Benchmark…",
+                .help = "Measures the engines with the open molecule",
+                .menu = "Tools",
+                .line_above = true,
+                .why_not = without_molecule(s),
+                .run = [&s](const Arguments&) {
+                  s.memory.playing = s.memory.playing_models = false;
+                  s.memory.show_benchmark = true;
+                  return Outcome();
+                }});
+}
+
+}  // namespace
+
+void add_compute_commands(Commands& commands, ViewState& s) {
+  add_alpha_commands(commands, s);
+  add_molecule_commands(commands, s);
+  add_engine_commands(commands, s);
+}
+
+}  // namespace alphascope

@@ -15,7 +15,7 @@ namespace alphascope {
 namespace {
 
 constexpr double kRefineAfterSeconds = 0.25;
-constexpr double kNever = 1e9;
+constexpr double kNotDue = 1e9;
 // Newer pictures that arrive sooner than this follow the hand; saying so would flicker.
 constexpr std::chrono::milliseconds kOutdatedAfter{300};
 // A mesh that is newer than the one on screen is worth finishing: else a slow one would never be
@@ -369,7 +369,7 @@ bool SceneController::poll() {
 }
 
 double SceneController::seconds_to_refinement() const {
-  if (!refine_) return kNever;
+  if (!refine_) return kNotDue;
   const std::chrono::duration<double> since = Clock::now() - last_change_;
   return std::max(0.0, kRefineAfterSeconds - since.count());
 }

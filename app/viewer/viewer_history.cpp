@@ -31,11 +31,17 @@ void Viewer::show_settings() {
 }
 
 void Viewer::undo() {
-  if (editor_.undo()) show_settings();
+  const std::string what = editor_.undo_text();
+  if (!editor_.undo()) return;
+  show_settings();
+  state_.notice = "Undone: " + what;
 }
 
 void Viewer::redo() {
-  if (editor_.redo()) show_settings();
+  const std::string what = editor_.redo_text();
+  if (!editor_.redo()) return;
+  show_settings();
+  state_.notice = "Redone: " + what;
 }
 
 }  // namespace alphascope

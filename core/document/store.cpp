@@ -121,9 +121,7 @@ void Store::begin_next() {
 // Lets go of what nobody asks for when that makes the room.
 bool Store::has_room(Entry& wanted) {
   const std::uint64_t budget = budget_();
-  const auto fits = [&] {
-    return held_bytes() - wanted.held + wanted.need.peak <= budget;
-  };
+  const auto fits = [&] { return held_bytes() - wanted.held + wanted.need.peak <= budget; };
   while (!fits()) {
     Entry* oldest = nullptr;
     for (Entry& e : entries_) {
@@ -139,7 +137,7 @@ bool Store::has_room(Entry& wanted) {
   wanted.state = DerivedState::no_room;
   wanted.make = nullptr;
   wanted.why = "It needs about " + gigabytes(wanted.need.peak) + " of memory, and " +
-          gigabytes(budget > held ? budget - held : 0) + " may be used for it.";
+               gigabytes(budget > held ? budget - held : 0) + " may be used for it.";
   return false;
 }
 

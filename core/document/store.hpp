@@ -19,7 +19,15 @@ namespace alphascope {
 // Of what a result is made of: equal keys, equal results. 0: these inputs do not suffice.
 using Key = std::uint64_t;
 
-enum class DerivedState : std::uint8_t { none, waiting, running, ready, failed, no_room, cancelled };
+enum class DerivedState : std::uint8_t {
+  none,
+  waiting,
+  running,
+  ready,
+  failed,
+  no_room,
+  cancelled
+};
 
 enum class Priority : std::uint8_t { background, visible };  // visible: somebody looks at it
 

@@ -168,7 +168,7 @@ TEST_F(ErrorsTest, TheErrorGoesWithItsAlpha) {
   no_memory_ = true;
   run("click alpha.preset.3\nwait-idle\nframes 3\n");
   ASSERT_FALSE(viewer_->state().compute_error.empty());
-  viewer_->state().compute.set_alpha(10);
+  set_alpha(viewer_->state().compute, 10);
   run("frames 1\n");
   EXPECT_TRUE(viewer_->state().compute_error.empty()) << viewer_->state().compute_error;
 }

@@ -13,14 +13,8 @@ class HistoryTest : public ViewerTest {
     run("wait-idle\n");
     return viewer_->state().result.hash;
   }
-  void undo() {
-    viewer_->undo();
-    run("wait-idle\n");
-  }
-  void redo() {
-    viewer_->redo();
-    run("wait-idle\n");
-  }
+  void undo() { run("edit.undo\nwait-idle\n"); }
+  void redo() { run("edit.redo\nwait-idle\n"); }
 };
 
 TEST_F(HistoryTest, UndoRestoresHashAndPicture) {
@@ -54,12 +48,14 @@ TEST_F(HistoryTest, ADragIsOneEntryAndTwoDragsAreTwo) {
   EXPECT_EQ(viewer_->state().undo_text, "");
 }
 
-TEST_F(HistoryTest, EachTapIsAnEntry) {
+TEST_F(HistoryTest, EachTapIsAnEntryAndKeysUndo) {
   open_crambin();
   run("key right\nkey right\nwait-idle\n");
   EXPECT_DOUBLE_EQ(viewer_->state().compute.alpha_angstrom2, 0.2);
-  undo();
+  run("key ctrl+z\n");
   EXPECT_DOUBLE_EQ(viewer_->state().compute.alpha_angstrom2, 0.1);
+  run("key ctrl+y\nwait-idle\n");
+  EXPECT_DOUBLE_EQ(viewer_->state().compute.alpha_angstrom2, 0.2);
 }
 
 TEST_F(HistoryTest, PlaybackLeavesNoEntry) {
@@ -113,6 +109,7 @@ TEST_F(HistoryTest, AnotherFileStartsAnew) {
   fs::copy_file(crambin(), other);
   run("open " + other.string() + "\nwait-idle\n");
   EXPECT_EQ(viewer_->state().undo_text, "");
+  EXPECT_FALSE(viewer_->commands().run("edit.undo").done());
   viewer_->undo();
   EXPECT_EQ(viewer_->state().compute.alpha_angstrom2, 3);
 }

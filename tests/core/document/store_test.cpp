@@ -27,7 +27,9 @@ struct StoreTest : ::testing::Test {
     return {id,
             id,
             [](const Inputs& in) { return in.balls_key; },
-            [bytes](const Inputs&) { return MemoryNeed{bytes, bytes}; },
+            [bytes](const Inputs&) {
+              return MemoryNeed{bytes, bytes};
+            },
             [this](const Inputs& in, const RunContext& context) {
               ++made;
               while (hold) {

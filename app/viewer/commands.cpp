@@ -99,8 +99,8 @@ Parameter pixels(const char* name, const char* help) {
 
 void add_file_commands(Commands& commands, ViewState& s) {
   commands.add({.id = "file.open",
-                .title = "Open…",
-                .help = "Opens a molecule: PDB, mmCIF, XYZR, PQR, XYZ or CRD, also as .gz",
+                .title = "Open molecule…",
+                .help = "Reads a file: PDB, mmCIF, XYZR, PQR, XYZ or CRD, also as .gz",
                 .shortcuts = {{"Ctrl+O"}},
                 .menu = "File",
                 .parameters = {{.name = "path",

@@ -41,7 +41,7 @@ void add_alpha_commands(Commands& commands, ViewState& s) {
        .title = "Change alpha by",
        .help = "Adds to alpha; less than 0 takes away",
        .shortcuts =
-           {{"Right", "0.1"}, {"Left", "-0.1"}, {"Shift+Right", "1"}, {"Shift+Left", "-1"}},
+           {{"Right", "0.1"}, {"Left", "−0.1"}, {"Shift+Right", "1"}, {"Shift+Left", "−1"}},
        .parameters = {{.name = "step",
                        .kind = Kind::number,
                        .help = "What is added to alpha",

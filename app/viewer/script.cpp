@@ -319,7 +319,7 @@ void print_help(std::ostream& out, const CommandSpec& spec) {
   print_wrapped(out, spec.help + ".");
   for (const Parameter& p : spec.parameters) {
     const std::string unit = p.unit();
-    if (p.help.empty() || p.help == spec.help) continue;
+    if (p.help.empty() || spec.is_switch()) continue;
     print_wrapped(out, p.name + ": " + p.help + (unit.empty() ? "." : ", in " + unit + "."));
   }
 }

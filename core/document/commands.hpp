@@ -84,6 +84,8 @@ struct CommandSpec {
   std::function<bool()> checked = {};         // of a switch: whether it is on
   std::function<Outcome(const Arguments&)> run = {};
 
+  // Can be set to on and off.
+  bool is_switch() const { return checked && !parameters.empty(); }
   std::string reason_against() const { return why_not ? why_not() : std::string(); }
   // The first that must be given; null: none.
   const Parameter* first_required() const;

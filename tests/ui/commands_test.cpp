@@ -140,6 +140,16 @@ TEST_F(CommandsInPanels, ANewCommandIsOneRegistration) {
   EXPECT_EQ(count, 4);
 }
 
+TEST_F(CommandsInPanels, AFailureIsTold) {
+  p.commands.add({.id = "test.fail",
+                  .title = "Fail",
+                  .help = "Always",
+                  .shortcuts = {{"Ctrl+Shift+K"}},
+                  .run = [](const Arguments&) { return Outcome::failed("The disk is full."); }});
+  chord(key::kA + 'K' - 'A', true);
+  EXPECT_EQ(p.state.error, "The disk is full.");
+}
+
 TEST_F(CommandsInPanels, AMenuWithoutCommandsIsNotThere) {
   EXPECT_FALSE(p.rects.contains("menu.Edit"));
   float right = 0;
@@ -155,6 +165,7 @@ TEST_F(CommandsInPanels, WhatCannotRunIsGreyedAndSaysWhy) {
   p.click("menu.View");
   p.click("menu.view.reset");
   EXPECT_FALSE(p.state.requests.reset_view);
+  EXPECT_TRUE(p.rects.contains("menu.view.reset")) << "a greyed entry leaves the menu open";
   p.tap(key::kEscape);
   p.tap(key::kR);
   EXPECT_FALSE(p.state.requests.reset_view);

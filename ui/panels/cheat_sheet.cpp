@@ -46,7 +46,7 @@ std::string without_dots(std::string title) {
 
 void command_rows(PanelContext& ctx, const CommandSpec& spec) {
   const std::string title = without_dots(spec.title), keys = spec.shortcuts_text();
-  if (!keys.empty()) row(ctx, keys, title);
+  if (!keys.empty()) row(ctx, keys, title + (spec.is_switch() ? " on or off" : ""));
   for (const Shortcut& shortcut : spec.shortcuts) {
     if (shortcut.arguments.empty()) continue;
     const std::string unit = spec.parameters.empty() ? "" : spec.parameters[0].unit();

@@ -17,7 +17,7 @@ constexpr std::size_t kMostRows = 10;
 
 struct Row {
   std::string name;              // of the widget
-  std::string title, arguments;  // the latter as typed
+  std::string title, arguments;  // the latter as typed; of a switch: how it is now
   std::string help, keys;
   bool enabled = true;
 };
@@ -132,13 +132,18 @@ void submit(PanelContext& ctx, const CommandSpec& spec, const CommandLine& line)
   }
 }
 
+std::string shown_arguments(const CommandMatch& m) {
+  if (!m.arguments.empty() || !m.command->is_switch()) return m.arguments;
+  return m.command->checked() ? "is on" : "is off";
+}
+
 void search(PanelContext& ctx) {
   const bool entered = field(ctx, "Name of a command, such as reset, or alpha 3.2");
   const std::vector<CommandMatch> matches = search_commands(ctx.commands, memory(ctx).typed);
   std::vector<Row> rows;
   for (const CommandMatch& m : matches) {
     const std::string reason = m.command->reason_against();
-    rows.push_back({"palette." + m.command->id, m.command->title, m.arguments,
+    rows.push_back({"palette." + m.command->id, m.command->title, shown_arguments(m),
                     reason.empty() ? m.command->help : reason, m.command->shortcuts_text(),
                     reason.empty()});
   }

@@ -130,7 +130,7 @@ class GpuEngine : public Engine {
         pipeline_.reset();
         if (slabs_ >= kMostSlabs || slabs_ > balls_->size()) throw;
         slabs_ *= 2;
-        refused_ = request;
+        refused_ = {request.alpha_angstrom2, request.tetrahedra_only};  // not what was lent
         answers_in_slabs_ = 0;
       }
     }

@@ -9,13 +9,29 @@
 
 namespace alphascope {
 
+class Filtration;
+struct Triangulation;
+
+// What has been made of all of an engine's balls already, by whomever. Either may be null.
+struct Lent {
+  std::shared_ptr<const Triangulation> triangulation;
+  // Of the very BallSet that the engine has, and made of its triangulation: every alpha is a
+  // threshold of it.
+  std::shared_ptr<const Filtration> filtration;
+};
+
 struct AlphaRequest {
   double alpha_angstrom2 = 0;    // any real number
   bool tetrahedra_only = false;  // the thesis' sub-complex
+  // An engine may answer from this, and keeps no part of it. Engines that are there to compute
+  // (on the GPU, tuples) do not look at it.
+  Lent lent = {};
 };
 
 // EngineInfo::route of the engine that keeps each whole complex for the smaller alphas to come.
 inline constexpr const char* kClippingRoute = "dual edge clipping";
+// And of one that was lent a filtration, and did nothing else.
+inline constexpr const char* kThresholdRoute = "threshold of the whole filtration";
 
 class Engine {
  public:
@@ -23,13 +39,18 @@ class Engine {
 
   // The exact alpha complex, the same on every engine. Setup work done by this call (the first one,
   // or one that had to rebuild) is marked in the timings. Throws Cancelled; std::bad_alloc when
-  // memory is short (the engine stays usable); std::invalid_argument for a NaN alpha.
+  // memory is short (the engine stays usable); std::invalid_argument for a NaN alpha
+  // and for what was lent of other balls.
   // Not to be called from two threads at once.
   virtual AlphaComplex compute(const AlphaRequest& request, const RunContext& context) = 0;
 
   // Another engine is asked from now on: gives back what this one keeps for its next results alone.
   // May wait for a device; compute() may be called again at any time. By compute()'s rules.
   virtual void rest() {}
+
+  // Hands over what it has made of all balls on the way to its results, and no longer keeps it:
+  // lent again, later answers are as fast as before. Nothing when it made nothing such.
+  virtual Lent take() { return {}; }
 };
 
 // threads = 0: as many as the machine has.

@@ -5,11 +5,14 @@
 #include <tbb/task_arena.h>
 
 #include <cmath>
+#include <memory>
 #include <optional>
 #include <stdexcept>
+#include <utility>
 
 #include "core/complex/count_limits.hpp"
 #include "core/engine/engine.hpp"
+#include "core/engines/lent.hpp"
 #include "core/predicates/exact_alpha.hpp"
 #include "core/run/cpu_threads.hpp"
 #include "core/triangulation/cgal_triangulation.hpp"
@@ -43,65 +46,93 @@ class CgalEngine : public Engine {
 
   AlphaComplex compute(const AlphaRequest& request, const RunContext& context) override {
     if (std::isnan(request.alpha_angstrom2)) throw std::invalid_argument("alpha is not a number");
-    const double alpha = balls_->lattice.alpha_on_lattice(request.alpha_angstrom2);
+    require_lent_of(*balls_, request.lent);
     AlphaComplex complex;
     StageTimes times;
-    StageTimer timer(times);
-    const std::string route = next_route(request.tetrahedra_only);
     arena_.execute([&] {
-      if (!filtration_) prepare(request.tetrahedra_only, context, timer);
-      context.report(stage::kThreshold, 0);
-      context.cancel.throw_if_cancelled();
-      complex = filtration_ ? threshold(*filtration_, alpha, request.tetrahedra_only)
-                            : filtered_tetrahedra(alpha);
-      timer.lap(stage::kThreshold);
+      StageTimer timer(times);
+      std::optional<AlphaComplex> answer = threshold_of_lent(*balls_, request, context, timer);
+      complex = answer ? *std::move(answer) : own_answer(request, context, timer);
+      timer.finish();
     });
-    timer.finish();
+    drop_what_was_lent(request.lent);
     complex.timings = std::move(times);
-    complex.engine = {"CGAL triangulation", cpu_text(arena_), route};
+    complex.engine.name = "CGAL triangulation";
+    complex.engine.device = cpu_text(arena_);
     complex.engine.rests_on_cgal = true;
     return complex;
   }
 
- private:
-  // What compute() is about to do.
-  std::string next_route(bool tetrahedra_only) const {
-    if (filtration_) return "threshold of cached filtration";
-    if (tetrahedra_only) {
-      return triangulation_ ? "threshold of cached triangulation"
-                            : "regular triangulation, then threshold";
-    }
-    return triangulation_ ? "filtration of cached triangulation, then threshold"
-                          : "regular triangulation, filtration, then threshold";
+  Lent take() override {
+    return {std::exchange(triangulation_, nullptr), std::exchange(filtration_, nullptr)};
   }
 
-  // The filtration is built by the first request for a whole complex; it then replaces the
-  // triangulation.
-  void prepare(bool tetrahedra_only, const RunContext& context, StageTimer& timer) {
+ private:
+  AlphaComplex own_answer(const AlphaRequest& request, const RunContext& context,
+                          StageTimer& timer) {
+    const double alpha = balls_->lattice.alpha_on_lattice(request.alpha_angstrom2);
+    const std::string route = next_route(request);
+    std::shared_ptr<const Triangulation> triangulation;
+    if (!filtration_) triangulation = lent_or_made(request.lent, context, timer);
+    if (!filtration_ && !request.tetrahedra_only) {
+      filtration_ = std::make_shared<const Filtration>(balls_, *triangulation, context);
+      triangulation_.reset();  // the filtration replaces it
+      timer.lap(stage::kClassification, true);
+    }
+    context.report(stage::kThreshold, 0);
+    context.cancel.throw_if_cancelled();
+    AlphaComplex complex = filtration_ ? threshold(*filtration_, alpha, request.tetrahedra_only)
+                                       : filtered_tetrahedra(*triangulation, alpha);
+    complex.engine.route = route;
+    timer.lap(stage::kThreshold);
+    return complex;
+  }
+
+  // What own_answer() is about to do.
+  std::string next_route(const AlphaRequest& request) const {
+    if (filtration_) return "threshold of cached filtration";
+    const std::string source = request.lent.triangulation ? "the whole triangulation"
+                               : triangulation_           ? "cached triangulation"
+                                                          : "";
+    if (request.tetrahedra_only) {
+      return source.empty() ? "regular triangulation, then threshold" : "threshold of " + source;
+    }
+    return source.empty() ? "regular triangulation, filtration, then threshold"
+                          : "filtration of " + source + ", then threshold";
+  }
+
+  std::shared_ptr<const Triangulation> lent_or_made(const Lent& lent, const RunContext& context,
+                                                    StageTimer& timer) {
+    if (lent.triangulation) return lent.triangulation;
     if (!triangulation_) {
-      triangulation_ = make_triangulation(*balls_, arena_.max_concurrency(), context);
+      triangulation_ = std::make_shared<const Triangulation>(
+          make_triangulation(*balls_, arena_.max_concurrency(), context));
       timer.lap(stage::kTriangulation, true);
     }
-    if (tetrahedra_only) return;
-    filtration_.emplace(balls_, *triangulation_, context);
-    triangulation_.reset();
-    timer.lap(stage::kClassification, true);
+    return triangulation_;
   }
 
-  AlphaComplex filtered_tetrahedra(double alpha) const {
+  // Somebody else keeps the same.
+  void drop_what_was_lent(const Lent& lent) {
+    if (lent.triangulation || lent.filtration) triangulation_.reset();
+    if (lent.filtration) filtration_.reset();
+  }
+
+  AlphaComplex filtered_tetrahedra(const Triangulation& triangulation, double alpha) const {
     AlphaComplex complex;
     complex.lattice = balls_->lattice;
     complex.alpha_on_lattice = alpha;
     complex.tetrahedra_only = true;
-    filter_tetrahedra(*balls_, *triangulation_, complex);
+    filter_tetrahedra(*balls_, triangulation, complex);
     complex.hash = complex_hash(complex);
     return complex;
   }
 
   std::shared_ptr<const BallSet> balls_;
   tbb::task_arena arena_;
-  std::optional<Triangulation> triangulation_;
-  std::optional<Filtration> filtration_;
+  // Each only while it is needed and nobody lends it.
+  std::shared_ptr<const Triangulation> triangulation_;
+  std::shared_ptr<const Filtration> filtration_;
 };
 
 }  // namespace

@@ -243,6 +243,7 @@ AlphaComplex threshold(const Filtration& filtration, double alpha, bool tetrahed
   complex.lattice = top.lattice;
   complex.alpha_on_lattice = alpha;
   complex.tetrahedra_only = tetrahedra_only;
+  complex.engine.rests_on_cgal = top.engine.rests_on_cgal;
   if (alpha == filtration.alpha_max_on_lattice()) {  // all of it, whatever ties there are
     select(filtration, std::numeric_limits<float>::infinity(), complex);
     return complex;

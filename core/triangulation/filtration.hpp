@@ -53,7 +53,7 @@ class Filtration {
 
 // K_alpha for alpha_on_lattice <= filtration.alpha_max_on_lattice() (else std::invalid_argument),
 // exactly: where alpha rounds to the very float of an alpha value, integers decide. The hash is
-// set, engine and timings are left to the caller.
+// set, and whether it rests on CGAL; the rest of engine and timings is left to the caller.
 AlphaComplex threshold(const Filtration& filtration, double alpha_on_lattice, bool tetrahedra_only);
 
 // Sets the classes of a whole complex from its simplices alone, whatever they were before.

@@ -147,6 +147,7 @@ Filtration::Filtration(std::shared_ptr<const BallSet> balls, const Triangulation
   const CancelToken& cancel = context.cancel;
   top->lattice = balls_->lattice;
   top->alpha_on_lattice = std::numeric_limits<double>::infinity();
+  top->engine.rests_on_cgal = true;  // as every triangulation does that there is
 
   context.report(stage::kClassification, 0);
   SimplexList<4>& tetrahedra = top->tetrahedra;

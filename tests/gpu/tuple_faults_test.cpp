@@ -38,7 +38,7 @@ class GpuTupleFaults : public ::testing::TestWithParam<Switches> {
   }
 
   // At the first alpha half of the balls are empty: the second asks for more of everything.
-  static constexpr AlphaRequest kFirst{-40000}, kLater{100000};
+  static inline const AlphaRequest kFirst{-40000}, kLater{100000};
   std::shared_ptr<const BallSet> balls_;
   std::uint64_t expected_ = 0;
 };

@@ -12,6 +12,8 @@
 #include "core/dual_edge/cpu_dual_edges.hpp"
 #include "core/neighbours/coincident.hpp"
 #include "core/neighbours/uniform_grid.hpp"
+#include "core/triangulation/cgal_triangulation.hpp"
+#include "core/triangulation/filtration.hpp"
 #include "core/verify/verify.hpp"
 #include "tests/support/engines.hpp"
 #include "tests/support/molecules.hpp"
@@ -208,6 +210,26 @@ TEST_P(Properties, LongListsEqualCgal) {
     }
   }
   EXPECT_GT(compared, 1);
+}
+
+// With or without what somebody else has made of the same balls.
+TEST_P(Properties, DoesNotDependOnWhatIsLent) {
+  Random random(53);
+  for (const NamedBalls& set : hard_sets(random)) {
+    const auto balls = std::make_shared<const BallSet>(set.balls);
+    const auto triangulation = std::make_shared<const Triangulation>(make_triangulation(*balls, 1));
+    const Lent lent{triangulation, std::make_shared<const Filtration>(balls, *triangulation)};
+    const double alpha = 2 * set.alpha_unit();
+    if (!GetParam().affords(*balls, alpha)) continue;
+    const auto engine = GetParam().make(balls);
+    for (const bool only : {false, true}) {
+      const AlphaComplex alone = engine->compute({alpha, only}, {});
+      EXPECT_TRUE(compare(engine->compute({alpha, only, lent}, {}), alone).identical()) << set.name;
+      EXPECT_TRUE(
+          compare(engine->compute({alpha, only, {triangulation, nullptr}}, {}), alone).identical())
+          << set.name;
+    }
+  }
 }
 
 TEST_P(Properties, MoleculeMeetsTheDefinition) {

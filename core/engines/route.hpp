@@ -1,0 +1,20 @@
+// Which way the CPU engine goes to a complex that it cannot threshold: the one place that knows
+// what the ways cost.
+#pragma once
+
+#include "core/neighbours/uniform_grid.hpp"
+
+namespace alphascope {
+
+enum class Route { clip_dual_edges, triangulate };
+
+struct RouteQuestion {
+  int threads = 1;
+  bool tetrahedra_only = false;
+  bool has_triangulation = false;  // so that only what comes after it is to be paid
+};
+
+// Only the time depends on the choice, never the result. Works in the caller's task arena.
+Route choose_route(const UniformGrid& grid, const RouteQuestion& question);
+
+}  // namespace alphascope

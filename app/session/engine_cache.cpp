@@ -10,7 +10,7 @@
 namespace alphascope {
 
 EngineCache::Entry& EngineCache::find_or_make(const std::shared_ptr<const BallSet>& balls,
-                                              const Request& request) {
+                                              const Request& request, const EngineLoan& loan) {
   const auto fits = [&](const Entry& entry) {
     return entry.base == balls &&
            entry.solvent_radius_angstrom == request.solvent_radius_angstrom &&
@@ -27,7 +27,9 @@ EngineCache::Entry& EngineCache::find_or_make(const std::shared_ptr<const BallSe
   while (entries_.size() >= kEntries) entries_.pop_back();
 
   std::shared_ptr<const BallSet> grown = balls;
-  if (request.solvent_radius_angstrom != 0) {
+  if (loan.base == balls && loan.solvent_radius_angstrom == request.solvent_radius_angstrom) {
+    grown = loan.balls;
+  } else if (request.solvent_radius_angstrom != 0) {
     grown = std::make_shared<const BallSet>(with_solvent(*balls, request.solvent_radius_angstrom));
   }
   MadeEngine made = factory_(request.engine, grown, {request.threads, request.tuples});
@@ -38,9 +40,10 @@ EngineCache::Entry& EngineCache::find_or_make(const std::shared_ptr<const BallSe
 
 // A first answer without set-up stages follows one that was cancelled after them: it is not cold.
 EngineCache::Result EngineCache::answer(Entry& entry, const Request& request,
-                                        const RunContext& context) {
+                                        const RunContext& context, const EngineLoan& loan) {
+  const Lent lent = entry.grown == loan.balls ? loan.lent : Lent{};
   AlphaComplex complex =
-      entry.made.engine->compute({request.alpha_angstrom2, request.tetrahedra_only}, context);
+      entry.made.engine->compute({request.alpha_angstrom2, request.tetrahedra_only, lent}, context);
   const auto& stages = complex.timings.stages;
   const bool set_up =
       std::any_of(stages.begin(), stages.end(), [](const StageTime& s) { return s.setup; });
@@ -52,16 +55,17 @@ EngineCache::Result EngineCache::answer(Entry& entry, const Request& request,
 }
 
 EngineCache::Result EngineCache::compute(const std::shared_ptr<const BallSet>& balls,
-                                         const Request& request, const RunContext& context) {
+                                         const Request& request, const RunContext& context,
+                                         const EngineLoan& loan) {
   context.cancel.throw_if_cancelled();
-  Entry& entry = find_or_make(balls, request);
+  Entry& entry = find_or_make(balls, request, loan);
   // What another engine keeps for its next results would be idle, and is much on a GPU.
   for (Entry& other : entries_) {
     if (&other != &entry) other.made.engine->rest();
   }
   const bool may_fall_back = entry.made.uses_gpu && request.engine == EngineChoice::automatic;
   try {
-    return answer(entry, request, context);
+    return answer(entry, request, context, loan);
   } catch (const Cancelled&) {
     throw;
   } catch (const std::invalid_argument&) {
@@ -74,7 +78,7 @@ EngineCache::Result EngineCache::compute(const std::shared_ptr<const BallSet>& b
     entry.made.note = note;
     entry.answered = false;
   }
-  return answer(entry, request, context);
+  return answer(entry, request, context, loan);
 }
 
 }  // namespace alphascope

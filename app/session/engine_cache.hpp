@@ -11,6 +11,14 @@
 
 namespace alphascope {
 
+// What was made of all balls of one answer, for the answers to come: with its balls.
+struct EngineLoan {
+  std::shared_ptr<const BallSet> base;  // without solvent radius
+  double solvent_radius_angstrom = 0;
+  std::shared_ptr<const BallSet> balls;  // with the solvent radius
+  Lent lent;
+};
+
 // Belongs to one thread at a time.
 class EngineCache {
  public:
@@ -23,11 +31,11 @@ class EngineCache {
     bool cold = false;  // the engine's first answer, and it had to set up
   };
 
-  // `balls` without solvent radius. An automatic choice of the GPU that fails while computing is
-  // answered by the CPU, with a note. Throws what make_engine(), with_solvent() and
-  // Engine::compute() throw.
+  // `balls` without solvent radius. A loan of other balls is not looked at. An automatic choice of
+  // the GPU that fails while computing is answered by the CPU, with a note. Throws what
+  // make_engine(), with_solvent() and Engine::compute() throw.
   Result compute(const std::shared_ptr<const BallSet>& balls, const Request& request,
-                 const RunContext& context);
+                 const RunContext& context, const EngineLoan& loan = {});
 
   void clear() { entries_.clear(); }
 
@@ -45,8 +53,10 @@ class EngineCache {
     bool answered = false;  // by `made`
   };
 
-  static Result answer(Entry& entry, const Request& request, const RunContext& context);
-  Entry& find_or_make(const std::shared_ptr<const BallSet>& balls, const Request& request);
+  static Result answer(Entry& entry, const Request& request, const RunContext& context,
+                       const EngineLoan& loan);
+  Entry& find_or_make(const std::shared_ptr<const BallSet>& balls, const Request& request,
+                      const EngineLoan& loan);
 
   EngineFactory factory_;
   std::list<Entry> entries_;  // the last used one first

@@ -153,6 +153,14 @@ void Session::let_finish(bool dragging) {
   computer_.set_grace(dragging ? kAlways : kSliderGrace);
 }
 
+void Session::lend(const Answer& answer, const Lent& lent) {
+  if (!lent.triangulation && !lent.filtration) {
+    loan_ = {};
+    return;
+  }
+  loan_ = {answer.prepared->balls, answer.request.solvent_radius_angstrom, answer.balls, lent};
+}
+
 void Session::compute_anew() {
   if (!state_.prepared) return;
   reference_anew_ = true;
@@ -162,10 +170,10 @@ void Session::compute_anew() {
 
 void Session::submit_compute(Engines which) {
   computer_.submit(
-      [this, which, request = state_.request, prepared = state_.prepared,
-       engines = engines_](const RunContext& context) {
+      [this, which, request = state_.request, prepared = state_.prepared, engines = engines_,
+       loan = which == Engines::anew ? EngineLoan{} : loan_](const RunContext& context) {
         if (which == Engines::anew) engines->clear();
-        EngineCache::Result result = engines->compute(prepared->balls, request, context);
+        EngineCache::Result result = engines->compute(prepared->balls, request, context, loan);
         auto answer = std::make_shared<const Answer>(
             Answer{request, prepared, std::move(result.balls), std::move(result.complex),
                    std::move(result.note), result.cold});

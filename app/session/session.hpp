@@ -106,6 +106,10 @@ class Session {
   // While a slider is dragged, a computation that has begun finishes although a newer request
   // waits: else a slow one would show nothing until the hand rests. At rest it soon gives way.
   void let_finish(bool dragging);
+  // What has been made of all balls of `answer`, from which engines on the CPU answer from now on;
+  // nothing takes it back. The comparison with CGAL does not use it.
+  void lend(const Answer& answer, const Lent& lent);
+
   // Answers the present request once more, set-up included, as if the molecule had just been
   // opened; so does CGAL when it is next asked to compare. For the cold times of engines that were
   // kept.
@@ -149,6 +153,7 @@ class Session {
   bool reference_anew_ = false;   // of the next comparison
   bool timing_parallel_ = false;  // is what the comparer does
   int comparison_threads_ = 1;
+  EngineLoan loan_;
   // Each is touched by the jobs of one worker only.
   std::shared_ptr<EngineCache> engines_, references_;
 

@@ -12,12 +12,18 @@
 #include "app/viewer/molecule_info.hpp"
 #include "app/viewer/resources.hpp"
 #include "app/viewer/state_bridge.hpp"
+#include "core/document/derived.hpp"
 #include "ui/panels/format.hpp"
 #include "ui/panels/window_layout.hpp"
 #include "ui/scene/frame_grab.hpp"
 
 namespace alphascope {
 namespace {
+
+// Half of what there is, with what the results already hold; the rest is for complexes and meshes.
+std::uint64_t derived_budget(std::uint64_t held) {
+  return (available_bytes().value_or(0) + held) / 2;
+}
 
 // ImGui needs a frame or two after the last input until everything has settled (hover, popups).
 constexpr int kSettlingFrames = 3;
@@ -47,6 +53,7 @@ Viewer::Viewer(Host& host, const ViewerOptions& options, Session::Services servi
                             return machine;
                           })),
       benchmark_([&host] { host.wake(); }, services.make_engine),
+      store_([&host] { host.wake(); }, [this] { return derived_budget(store_.held_bytes()); }),
       session_([&host] { host.wake(); }, std::move(services)) {
   add_program_commands(commands_, state_);
   fill_constants();
@@ -103,7 +110,7 @@ void Viewer::open_dropped(const std::vector<std::filesystem::path>& files) {
 }
 
 bool Viewer::busy() const {
-  return working() || benchmark_.busy();
+  return working() || benchmark_.busy() || store_.busy();
 }
 
 bool Viewer::working() const {
@@ -158,6 +165,26 @@ void Viewer::take_shown() {
   }
   const auto& ours = session_.state().ours;
   state_.pending = ours && ours != shown_ ? pending_text(*ours) : "";
+}
+
+// The whole filtration, so that on the CPU every later alpha is a threshold of it. Not before the
+// first picture is there.
+void Viewer::want_derived() {
+  const auto& ours = session_.state().ours;
+  if (!ours) {
+    inputs_ = {};
+  } else if (inputs_.balls != ours->balls) {
+    inputs_ = {};
+    inputs_.balls = ours->balls;
+    inputs_.balls_key = ++balls_seen_;
+  }
+  if (inputs_.balls && (shown_ == ours || inputs_.triangulation)) {
+    inputs_.alpha_angstrom2 = shown_ ? shown_->request.alpha_angstrom2 : 0;
+    inputs_.triangulation = store_.want(whole_triangulation(), inputs_, Priority::background).value;
+    inputs_.filtration = store_.want(whole_filtration(), inputs_, Priority::background).value;
+    session_.lend(*ours, {inputs_.triangulation, inputs_.filtration});
+  }
+  if (store_.poll()) frames_due_ = kSettlingFrames;
 }
 
 void Viewer::take_machine() {
@@ -398,6 +425,7 @@ void Viewer::step(ScriptedInput* input) {
   guarded([this] {
     take_session();
     take_shown();
+    want_derived();
     compare_when_due();
   });
   draw(input, patient_);
@@ -443,6 +471,7 @@ void Viewer::run() {
       open_dropped(host_.take_dropped_files());
       take_session();
       take_shown();
+      want_derived();
       compare_when_due();
     });
     const bool playing = state_.memory.playing || state_.memory.playing_models;

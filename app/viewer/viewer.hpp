@@ -18,6 +18,7 @@
 #include "app/viewer/scene_controller.hpp"
 #include "core/document/commands.hpp"
 #include "core/document/editor.hpp"
+#include "core/document/store.hpp"
 #include "ui/panels/view_state.hpp"
 #include "ui/panels/widget_rects.hpp"
 #include "ui/window/host.hpp"
@@ -70,6 +71,7 @@ class Viewer {
   void take_machine();
   void take_molecule();
   void take_answer();
+  void want_derived();   // what follows from all balls, in the background
   void take_shown();     // what is said of the picture changes with it
   void take_requests();  // what the panels asked for
   void save_picture(const ScreenshotRequest& request);
@@ -125,6 +127,9 @@ class Viewer {
   FolderReader folder_reader_;
   std::future<MachineInfo> machine_;  // looking for a GPU can take a second
   Benchmark benchmark_;
+  Inputs inputs_;  // of derived results
+  std::uint64_t balls_seen_ = 0;
+  Store store_;
   Session session_;  // last: its threads wake the host
 };
 

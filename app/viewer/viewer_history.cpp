@@ -4,8 +4,9 @@
 
 namespace alphascope {
 
+// The molecule's options as they were sent: what the controls hold may be refused.
 Settings Viewer::settings() const {
-  return {to_open_options(state_.selection, radii_sets_), state_.compute, state_.display};
+  return {session_.open_options(), state_.compute, state_.display};
 }
 
 // Once a frame, when what was typed has been checked.

@@ -1,6 +1,8 @@
 // What the window says of what goes on and of what went wrong: what the user asked for once gets a
 // dialog; what follows a slider or goes on in the background gets a line where one looks.
+#include <cmath>
 #include <new>
+#include <string>
 #include <utility>
 
 #include "app/viewer/state_bridge.hpp"
@@ -11,6 +13,33 @@ namespace alphascope {
 namespace {
 
 constexpr int kFramesForNews = 3;  // until a dialog stands
+
+// "Filtration of all simplices 45 %", or why it is not made.
+BackgroundInfo background_text(const std::vector<JobInfo>& jobs) {
+  BackgroundInfo info;
+  for (const JobInfo& job : jobs) {
+    const bool running = job.state == DerivedState::running;
+    const bool failed = job.state == DerivedState::failed || job.state == DerivedState::no_room;
+    if (running) {
+      info.text = job.title;
+      if (job.share > 0) info.text += " " + std::to_string(std::lround(job.share * 100)) + " %";
+    } else if (failed && info.text.empty()) {
+      info.text = "without: " + job.title;
+    }
+    if (!running && !failed) continue;
+    if (!info.detail.empty()) info.detail += "\n";
+    info.detail +=
+        job.title + ": " +
+        (running ? "is made in the background" + (job.stage.empty() ? "" : ", " + job.stage) + "."
+                 : "is not made. " + job.why);
+  }
+  if (!info.detail.empty()) {
+    info.detail +=
+        "\nWith it, every alpha on the CPU is only a threshold; without it each one is "
+        "computed.";
+  }
+  return info;
+}
 
 // What is left when something else could not be had.
 std::string still(const ViewState& state, const char* what) {
@@ -108,6 +137,7 @@ void Viewer::update_busy() {
     busy_since_.reset();
   }
   state_.busy = busy;
+  state_.background = background_text(store_.jobs());
 }
 
 bool Viewer::compares_by_itself() const {

@@ -58,6 +58,7 @@ void draw_status_bar(PanelContext& ctx) {
   }
   const std::string memory = bytes_text(s.memory_bytes) + " memory";
   std::string right = s.device_text.empty() ? memory : s.device_text + "  ·  " + memory;
+  if (!s.background.text.empty()) right = s.background.text + "  ·  " + right;
   const float end = ImGui::GetWindowWidth() - ctx.px(12);
   const float room = end - ImGui::GetCursorPosX();
   if (ImGui::CalcTextSize(right.c_str()).x > room) right = memory;
@@ -71,6 +72,7 @@ void draw_status_bar(PanelContext& ctx) {
   ImGui::SetCursorPosX(end - width);
   muted_text(ctx, right);
   record(ctx, "status.device");
+  if (!s.background.detail.empty()) tooltip(ctx, s.background.detail.c_str());
   ImGui::PopFont();
 }
 

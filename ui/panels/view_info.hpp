@@ -127,6 +127,11 @@ struct BusyInfo {
   double seconds = 0;
 };
 
+// What is made while the user goes on working.
+struct BackgroundInfo {
+  std::string text, detail;  // one line; what it means. Empty: nothing goes on
+};
+
 struct PointerEvent {
   enum class Kind : std::uint8_t { move, press, release, wheel, double_click };
   Kind kind = Kind::move;

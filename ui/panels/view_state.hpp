@@ -131,6 +131,7 @@ struct ViewState {
   // yet.
   std::shared_ptr<const FolderListing> listing;
   BusyInfo busy, saving;  // saving: a picture, which holds nothing up
+  BackgroundInfo background;
   ViewportInfo viewport;
   std::string device_text;  // "CPU · 2 threads"
   GpuInfo gpu;

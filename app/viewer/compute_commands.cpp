@@ -99,7 +99,7 @@ void add_molecule_commands(Commands& commands, ViewState& s) {
                     [&s] {
                       return s.molecule.models.size() > 1
                                  ? ""
-                                 : "The open file has not more than one model.";
+                                 : "No molecule with several models is open.";
                     },
                 .checked = [&s] { return s.memory.playing_models; },
                 .run =

@@ -62,6 +62,9 @@ inline std::vector<std::map<std::string, std::string>> csv_rows(const std::strin
   return rows;
 }
 
+// Whether the program was built with its renderer. It needs neither display nor GPU.
+inline constexpr bool kDrawsPictures = ALPHASCOPE_DRAWS_PICTURES != 0;
+
 class Cli : public ::testing::Test {
  protected:
   void SetUp() override {

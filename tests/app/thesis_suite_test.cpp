@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <thread>
 
@@ -15,12 +16,18 @@ namespace {
 
 using Kind = ThesisRow::Kind;
 
-// Sleeps for as long as it is told, looking at its token; its stages and hash are known.
+// Sleeps for as long as it is told, looking at its token; its stages and hash are known. Counts in
+// `started`, where there is one, how often it was asked.
 class SleepingEngine : public Engine {
  public:
-  SleepingEngine(double milliseconds, std::uint64_t hash, std::size_t tetrahedra)
-      : milliseconds_(milliseconds), hash_(hash), tetrahedra_(tetrahedra) {}
+  SleepingEngine(double milliseconds, std::uint64_t hash, std::size_t tetrahedra,
+                 std::atomic<int>* started = nullptr)
+      : milliseconds_(milliseconds), hash_(hash), tetrahedra_(tetrahedra), started_(started) {}
   AlphaComplex compute(const AlphaRequest&, const RunContext& context) override {
+    if (started_ != nullptr) {
+      ++*started_;
+      started_->notify_all();
+    }
     const auto end =
         std::chrono::steady_clock::now() + std::chrono::duration<double, std::milli>(milliseconds_);
     while (std::chrono::steady_clock::now() < end) {
@@ -46,12 +53,14 @@ class SleepingEngine : public Engine {
   double milliseconds_;
   std::uint64_t hash_;
   std::size_t tetrahedra_;
+  std::atomic<int>* started_;
 };
 
 struct Speeds {
   double cgal = 40, cpu = 10, tuples = 10;  // ms
   double without_edges = 10;
   std::uint64_t cpu_hash = 1;
+  std::atomic<int>* cpu_started = nullptr;
 };
 
 EngineFactory sleeping_factory(Speeds s) {
@@ -60,8 +69,9 @@ EngineFactory sleeping_factory(Speeds s) {
     double ms = choice == EngineChoice::cgal ? s.cgal : s.cpu;
     if (is_tuple_engine(choice))
       ms = settings.tuples.edge_optimisation ? s.tuples : s.without_edges;
-    made.engine =
-        std::make_unique<SleepingEngine>(ms, choice == EngineChoice::cpu ? s.cpu_hash : 1, 20);
+    const bool cpu = choice == EngineChoice::cpu;
+    made.engine = std::make_unique<SleepingEngine>(ms, cpu ? s.cpu_hash : 1, 20,
+                                                   cpu ? s.cpu_started : nullptr);
     return made;
   };
 }
@@ -204,13 +214,17 @@ TEST(ThesisSuite, CancellingEndsItSoonAndProgressIsTold) {
   speeds.cpu = 60000;
   ThesisOptions options = quick_options();
   options.seconds_per_row = 50;
-  std::thread killer([cancel = context.cancel] {
-    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+  std::atomic<int> started = 0;
+  speeds.cpu_started = &started;
+  std::thread killer([cancel = context.cancel, &started] {
+    started.wait(0);  // in the middle of a computation of a minute
     cancel.cancel();
   });
   const auto start = std::chrono::steady_clock::now();
   EXPECT_THROW(run_thesis_suite(one_molecule(), options, sleeping_factory(speeds), context),
                Cancelled);
+  EXPECT_GT(started.exchange(1), 0);
+  started.notify_all();  // the killer waits for it in any case
   killer.join();
   EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10));
   ASSERT_FALSE(told.empty());

@@ -2,6 +2,7 @@
 // to be looked at when it changes. ALPHASCOPE_RENEW_BASELINES=1 in the environment writes them
 // anew. On failure the picture and where it differs are in tests/ui/pictures of the build folder.
 #include <gtest/gtest.h>
+#include <unistd.h>
 #include <zlib.h>
 
 #include <cstdlib>
@@ -81,7 +82,8 @@ std::shared_ptr<const BallSet> molecule() {
 
 Image drawn(const Subject& subject) {
   const auto balls = molecule();
-  const fs::path path = fs::temp_directory_path() / ("alphascope_" + subject.name + ".png");
+  const fs::path path = fs::temp_directory_path() /
+                        ("alphascope_" + std::to_string(getpid()) + "_" + subject.name + ".png");
   render_screenshot(*balls, testing::complex_of(balls, subject.alpha),
                     testing::two_colours(balls->size()), subject.options, path);
   Image image = testing::pixels_of(path);

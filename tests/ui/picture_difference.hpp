@@ -23,6 +23,13 @@ inline int differing_pixels(const Image& a, const Image& b) {
   return count;
 }
 
+// Pixels that are not of the colour of the picture's corner: what is drawn on a background.
+inline int drawn_pixels(const Image& image) {
+  Image background = image;
+  for (std::size_t i = 4; i < image.rgba.size(); ++i) background.rgba[i] = image.rgba[i % 4];
+  return differing_pixels(image, background);
+}
+
 // Two drivers differ by the rounding of an edge: a pixel here, a little shade there.
 struct PictureDifference {
   double share = 0;  // of pixels that are like no mixture of the other picture's nine around them

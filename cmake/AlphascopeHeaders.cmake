@@ -1,15 +1,32 @@
-# check_headers: compiles every header of a folder alone, so that none leans on what was included
-# before it. Built on request only.
+# check_headers: every header compiles alone, so that none leans on what was included before it. A
+# header that is the first include of a source is compiled alone there; here are the others. Built on
+# request only, right after configuring, as the list of sources' first includes is made then.
 add_custom_target(check_headers)
+
+file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/app/*.cpp
+  ${PROJECT_SOURCE_DIR}/core/*.cpp ${PROJECT_SOURCE_DIR}/ui/*.cpp)
+set(ALPHASCOPE_FIRST_INCLUDES)
+foreach(source IN LISTS sources)
+  file(STRINGS ${source} include LIMIT_COUNT 1 REGEX "^#include")
+  if(include MATCHES "\"(.+)\"")
+    list(APPEND ALPHASCOPE_FIRST_INCLUDES ${CMAKE_MATCH_1})
+  endif()
+endforeach()
 
 # Compiles FOLDER/*.hpp as sources of TARGET would be.
 function(alphascope_check_headers target folder)
   file(GLOB headers CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/${folder}/*.hpp)
   set(sources)
   foreach(header IN LISTS headers)
+    file(STRINGS ${PROJECT_SOURCE_DIR}/${header} once REGEX "^#pragma once$")
+    if(NOT once)
+      message(FATAL_ERROR "${header} has no #pragma once, so it cannot be included twice")
+    endif()
+    if(header IN_LIST ALPHASCOPE_FIRST_INCLUDES)
+      continue()
+    endif()
     set(source ${PROJECT_BINARY_DIR}/headers/${header}.cpp)
-    # Twice: the second inclusion must do nothing.
-    file(CONFIGURE OUTPUT ${source} CONTENT "#include \"${header}\"\n#include \"${header}\"\n")
+    file(CONFIGURE OUTPUT ${source} CONTENT "#include \"${header}\"\n")
     list(APPEND sources ${source})
   endforeach()
   if(NOT sources)

@@ -47,17 +47,22 @@ jobs() {
   echo $((cores < gibibytes ? cores : gibibytes))
 }
 
-# build PRESET [TARGET...]: configures when needed, then builds.
+# build PRESET [TARGET...]: configures, then builds.
 build() {
   local preset=$1
   shift
   if command -v ccache >/dev/null; then
     export CMAKE_C_COMPILER_LAUNCHER=ccache CMAKE_CXX_COMPILER_LAUNCHER=ccache
+    # Without these ccache keeps nothing that was compiled with a precompiled header.
+    local lenient
+    lenient=$(ccache --get-config sloppiness)
+    export CCACHE_SLOPPINESS=${lenient:+$lenient,}pch_defines,time_macros
   fi
-  if [ ! -f "build/$preset/build.ninja" ]; then
-    say "Configuring build/$preset"
-    cmake --preset "$preset" -Wno-dev
-  fi
+  say "Configuring build/$preset"
+  mkdir -p "build/$preset"
+  cmake --preset "$preset" -Wno-dev >"build/$preset/configured" ||
+    { cat "build/$preset/configured"; die "build/$preset could not be configured"; }
+  grep '^-- CUDA engine' "build/$preset/configured" || true
   say "Building build/$preset ${*:+($*)}"
   local targets=()
   [ $# -eq 0 ] || targets=(--target "$@")

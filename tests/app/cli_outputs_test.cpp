@@ -87,10 +87,8 @@ class CliOutputs : public Cli {
 
 // Enough work to be still running whenever the signal comes.
 std::vector<std::string> endless_bench() {
-  return {"bench",   ALPHASCOPE_SOURCE_DIR "/resources/molecules/4hhb.pdb.gz",
-          "--alpha", "10",
-          "--runs",  "1000",
-          "--csv",   "times.csv"};
+  const char* const haemoglobin = ALPHASCOPE_SOURCE_DIR "/resources/molecules/4hhb.pdb.gz";
+  return {"bench", haemoglobin, "--alpha", "10", "--runs", "1000", "--csv", "times.csv"};
 }
 
 TEST_F(CliOutputs, NoOutputSaysInfAtTheLargestAlpha) {

@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "app/session/thesis_table.hpp"
+#include "core/chart/readable_number.hpp"
 
 namespace alphascope {
 namespace {
@@ -45,13 +46,17 @@ class Figures {
                     std::to_string(options_.repeats) + " runs or fewer, " +
                     (options_.tetrahedra_only ? "tetrahedra only" : "whole complex") +
                     ", solvent radius " + short_text(options_.solvent_radius_angstrom) + " Å.";
+    if (!report_.complete) {
+      chart.caption += " Incomplete: the run was cancelled before all was measured.";
+    }
     charts_.push_back(std::move(chart));
     return charts_.back();
   }
 
   void name_molecules(Chart& chart) const {
     for (const ThesisMolecule& m : report_.molecules) {
-      chart.categories.push_back(m.name + " (" + std::to_string(m.balls->size()) + ")");
+      chart.categories.push_back(m.name + " (" + separated_number(std::to_string(m.balls->size())) +
+                                 ")");
     }
   }
 

@@ -306,10 +306,8 @@ bool ThesisReport::all_same() const {
                       [](const ThesisRow& row) { return row.same_as_cgal == false; });
 }
 
-ThesisReport run_thesis_suite(const std::vector<ThesisMolecule>& molecules,
-                              const ThesisOptions& options, const EngineFactory& factory,
-                              const RunContext& context, const RowListener& listener) {
-  check(molecules, options);
+ThesisReport thesis_report(const std::vector<ThesisMolecule>& molecules,
+                           const ThesisOptions& options) {
   ThesisReport report;
   report.options = options;
   std::vector<double>& alphas = report.options.alphas;
@@ -319,6 +317,14 @@ ThesisReport run_thesis_suite(const std::vector<ThesisMolecule>& molecules,
   report.program =
       "Alphascope " + std::string(program_version()) + " (" + std::string(program_commit()) + ")";
   report.molecules = molecules;
+  return report;
+}
+
+ThesisReport run_thesis_suite(const std::vector<ThesisMolecule>& molecules,
+                              const ThesisOptions& options, const EngineFactory& factory,
+                              const RunContext& context, const RowListener& listener) {
+  check(molecules, options);
+  ThesisReport report = thesis_report(molecules, options);
   Suite(report, factory, context, listener).run();
   return report;
 }

@@ -90,6 +90,7 @@ struct ThesisReport {
   std::vector<ThesisMolecule> molecules;
   std::vector<ThesisRow> rows;
   std::vector<BreakEven> break_even;
+  bool complete = true;  // false: cancelled, and what followed these rows was not measured
 
   // No measured row differs from CGAL.
   bool all_same() const;
@@ -97,6 +98,10 @@ struct ThesisReport {
 
 // Called on the measuring thread, as each row is complete.
 using RowListener = std::function<void(const ThesisRow&)>;
+
+// Everything but the rows: what is measured, where and by what.
+ThesisReport thesis_report(const std::vector<ThesisMolecule>& molecules,
+                           const ThesisOptions& options);
 
 // `factory` makes all engines, CGAL's too. Progress: what is measured, and the share of the whole.
 // Throws Cancelled; std::invalid_argument for options that ask for nothing. An engine that fails

@@ -74,7 +74,8 @@ void add_task(ThesisTableRow& cells, const ThesisReport& report, const ThesisRow
                              {"engine", std::string(engine_id(row.choice))},
                              {"variant", row.variant},
                              {"threads", static_cast<std::uint64_t>(threads)},
-                             {"skipped", row.skipped}});
+                             {"skipped", row.skipped},
+                             {"run_complete", report.complete}});
 }
 
 void add_times(ThesisTableRow& cells, const ThesisRow& row) {

@@ -121,8 +121,10 @@ void Benchmark::start(const SessionState& session, const BenchmarkControls& cont
     const ThesisOptions options = to_options(controls, session.request.solvent_radius_angstrom);
     const ThesisMolecule molecule = to_molecule(session);
     report_ = nullptr;
+    partial_ = std::make_shared<ThesisReport>(thesis_report({molecule}, options));
+    partial_->complete = false;
     failure_.clear();
-    finished_ = false;
+    finished_ = cancelled_ = false;
     arrived_ = std::make_shared<Arrived>();
     worker_.submit(
         [this, options, molecule, arrived = arrived_](const RunContext& context) {
@@ -138,8 +140,8 @@ void Benchmark::start(const SessionState& session, const BenchmarkControls& cont
           };
         },
         [this](const Worker::Failure& failure) {
-          failure_ =
-              failure.cancelled ? "Cancelled; what was measured so far is shown." : failure.message;
+          cancelled_ = failure.cancelled;
+          if (!cancelled_) failure_ = failure.message;
           finished_ = true;
         });
     running_ = info.running = true;
@@ -155,7 +157,10 @@ bool Benchmark::poll(BenchmarkInfo& info) {
   {
     const std::lock_guard lock(arrived_->mutex);
     changed |= !arrived_->rows.empty();
-    for (const ThesisRow& row : arrived_->rows) show(row, info);
+    for (const ThesisRow& row : arrived_->rows) {
+      show(row, info);
+      partial_->rows.push_back(row);
+    }
     arrived_->rows.clear();
   }
   const Worker::Activity activity = worker_.activity();
@@ -163,14 +168,25 @@ bool Benchmark::poll(BenchmarkInfo& info) {
   info.running = !finished_;
   info.progress = activity.stage;
   info.share = activity.share;
-  if (!finished_) return changed;
+  if (finished_) finish(info);
+  return changed;
+}
+
+// Rows that were measured before the end are as good as others, and can be exported, too.
+void Benchmark::finish(BenchmarkInfo& info) {
   running_ = false;
   info.error = failure_;
-  if (!report_) return true;
+  info.complete = report_ != nullptr;
+  if (!report_ && !partial_->rows.empty()) report_ = partial_;
+  partial_ = nullptr;
+  if (cancelled_) {
+    info.cancelled = report_ ? "Cancelled. These rows were measured before; they can be exported."
+                             : "Cancelled before the first row was measured.";
+  }
+  info.can_export = report_ != nullptr;
+  if (!report_) return;
   info.charts = thesis_charts(*report_);
   info.lines = lines(*report_);
-  info.complete = true;
-  return true;
 }
 
 void Benchmark::save(const BenchmarkControls& controls, BenchmarkInfo& info) const {
@@ -182,7 +198,8 @@ void Benchmark::save(const BenchmarkControls& controls, BenchmarkInfo& info) con
     const auto figures = write_charts(thesis_charts(*report_), folder);
     write_csv(to_csv(thesis_table(*report_)), folder / "thesis.csv");
     info.exported = "Wrote thesis.csv and " + std::to_string(figures.size()) + " figures to " +
-                    std::filesystem::absolute(folder).string();
+                    std::filesystem::absolute(folder).string() +
+                    (report_->complete ? "" : ". They say that the run is incomplete.");
   } catch (const std::exception& e) {
     info.error = e.what();
   }

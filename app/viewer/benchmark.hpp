@@ -36,10 +36,14 @@ class Benchmark {
     std::mutex mutex;
     std::vector<ThesisRow> rows;
   };
+  void finish(BenchmarkInfo& info);
 
   EngineFactory factory_;
   std::shared_ptr<Arrived> arrived_;
-  std::shared_ptr<const ThesisReport> report_;  // the last complete one
+  // The last one; while it is measured, its rows so far.
+  std::shared_ptr<const ThesisReport> report_;
+  std::shared_ptr<ThesisReport> partial_;
+  bool cancelled_ = false;
   std::string failure_;
   bool running_ = false, finished_ = false;
   Worker worker_;  // last: joined first

@@ -96,6 +96,19 @@ TEST(ThesisTable, AMeasuredRowHasItsNumbersMachineAndProvenance) {
   EXPECT_EQ(cells["threads"], "2") << "0 is told as what it means";
 }
 
+TEST(ThesisTable, ACancelledRunSaysThatItIsIncomplete) {
+  ThesisReport report = known_report();
+  EXPECT_EQ(csv_row(report, 0)["run_complete"], "1");
+  for (const Chart& c : thesis_charts(report)) {
+    EXPECT_EQ(c.caption.find("Incomplete"), std::string::npos) << c.id;
+  }
+  report.complete = false;
+  EXPECT_EQ(csv_row(report, 0)["run_complete"], "0");
+  for (const Chart& c : thesis_charts(report)) {
+    EXPECT_NE(c.caption.find("Incomplete"), std::string::npos) << c.id;
+  }
+}
+
 TEST(ThesisTable, ASkippedRowHasItsReasonAndNoNumber) {
   auto cells = csv_row(known_report(), 3);
   EXPECT_EQ(cells["skipped"], "over 20 s");

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <thread>
+
 #include "tests/ui/panels_fixture.hpp"
 #include "tests/ui/viewer_fixture.hpp"
 
@@ -37,7 +40,7 @@ TEST(BenchmarkPage, OpensFromTheMenuAndAsksToRunCancelAndExport) {
   panels.click("benchmark.cancel");
   EXPECT_TRUE(panels.state.requests.cancel_benchmark);
   panels.state.benchmark.running = false;
-  panels.state.benchmark.complete = true;
+  panels.state.benchmark.can_export = true;
   panels.frame(2);
   panels.click("benchmark.export");
   EXPECT_TRUE(panels.state.requests.export_benchmark);
@@ -108,7 +111,32 @@ TEST_F(ViewerTest, ACancelledBenchmarkKeepsWhatItHasAndABadAlphaIsTold) {
   run("click benchmark.cancel\nwait-idle\n");
   EXPECT_FALSE(b.running);
   EXPECT_FALSE(b.complete);
-  EXPECT_NE(b.error.find("Cancelled"), std::string::npos);
+  EXPECT_EQ(b.error, "") << "to cancel is no error";
+  EXPECT_NE(b.cancelled.find("Cancelled"), std::string::npos);
+}
+
+TEST_F(ViewerTest, WhatACancelledBenchmarkMeasuredCanBeExported) {
+  viewer_->open(crambin());
+  run("wait-idle\nclick menu.Tools\nclick menu.benchmark.open\n");
+  BenchmarkControls& c = viewer_->state().benchmark_controls;
+  c.alphas = "0, 1, 2, 3, 4, 5, 6, 7, 8, 9";
+  c.runs = 20;
+  c.folder = (folder_ / "out").string();
+  const BenchmarkInfo& b = viewer_->state().benchmark;
+  run("click benchmark.run\n");
+  for (int i = 0; i < 2000 && b.rows.empty(); ++i) {
+    run("frames 1\n");
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  run("click benchmark.cancel\nwait-idle\n");
+  ASSERT_FALSE(b.rows.empty());
+  EXPECT_FALSE(b.complete);
+  run("click benchmark.export\nframes 2\n");
+  EXPECT_EQ(b.error, "");
+  EXPECT_NE(b.exported.find("incomplete"), std::string::npos) << b.exported;
+  const std::string csv = bytes("out/thesis.csv");
+  EXPECT_NE(csv.find("run_complete"), std::string::npos);
+  EXPECT_NE(csv.find(",,0,"), std::string::npos) << csv;
 }
 
 }  // namespace

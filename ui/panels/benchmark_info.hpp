@@ -31,9 +31,11 @@ struct BenchmarkInfo {
   std::vector<bool> differs;                   // the row's result is another than CGAL's
   std::vector<std::string> lines;              // machine; where CGAL overtakes
   std::vector<Chart> charts;
-  bool complete = false;  // can be exported
-  std::string error;      // why it ended early, or could not be exported
-  std::string exported;   // where to
+  bool complete = false;    // every row is there
+  bool can_export = false;  // some are
+  std::string cancelled;    // what became of a cancelled run
+  std::string error;        // why it failed, or could not be exported
+  std::string exported;     // where to
 };
 
 }  // namespace alphascope

@@ -245,7 +245,7 @@ void table_page(PanelContext& ctx) {
 
 void chart_page(PanelContext& ctx) {
   const BenchmarkInfo& b = ctx.state.benchmark;
-  if (b.charts.empty()) muted_text(ctx, "Charts appear when a run is complete.");
+  if (b.charts.empty()) muted_text(ctx, "Charts appear at the end of a run.");
   for (const Chart& chart : b.charts) draw_chart(ctx, chart);
 }
 
@@ -265,7 +265,7 @@ void results(PanelContext& ctx, float height) {
 
 void export_row(PanelContext& ctx) {
   ViewState& s = ctx.state;
-  ImGui::BeginDisabled(!s.benchmark.complete || s.benchmark_controls.folder.empty());
+  ImGui::BeginDisabled(!s.benchmark.can_export || s.benchmark_controls.folder.empty());
   if (button(ctx, "benchmark.export", "Export CSV and SVG", {ctx.px(170), 0})) {
     s.requests.export_benchmark = true;
   }
@@ -286,10 +286,13 @@ void export_row(PanelContext& ctx) {
 
 void message(PanelContext& ctx) {
   const BenchmarkInfo& b = ctx.state.benchmark;
-  const bool bad = !b.error.empty();
-  ImGui::PushStyleColor(ImGuiCol_Text, to_imgui(bad ? ctx.palette.error : ctx.palette.success));
-  ImGui::TextUnformatted(bad ? b.error.c_str() : b.exported.c_str());
-  ImGui::PopStyleColor();
+  const std::string& text = !b.error.empty()      ? b.error
+                            : !b.exported.empty() ? b.exported
+                                                  : b.cancelled;
+  const Colour& colour = !b.error.empty()      ? ctx.palette.error
+                         : !b.exported.empty() ? ctx.palette.success
+                                               : ctx.palette.text_muted;
+  ImGui::TextColored(to_imgui(colour), "%s", text.c_str());
   record(ctx, "benchmark.message");
 }
 

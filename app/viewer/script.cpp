@@ -2,6 +2,7 @@
 #include "app/viewer/script.hpp"
 
 #include <chrono>
+#include <cmath>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
@@ -185,6 +186,11 @@ class ScriptRunner {
     frames(3);
   }
   void shot(const Arguments& arguments) { viewer_.shoot(arguments.text("path"), &input_); }
+  void where(const Arguments& arguments) {
+    move(arguments);
+    out_ << arguments.text("name") << ' ' << std::lround(input_.x) << ' ' << std::lround(input_.y)
+         << '\n';
+  }
   void print(const Arguments&) {
     const ResultInfo& r = viewer_.state().result;
     out_ << "alpha " << r.alpha << " solvent " << r.solvent << " vertices " << r.vertices
@@ -277,6 +283,11 @@ std::vector<ScriptRunner::Verb> ScriptRunner::all_verbs() {
             {number("width", kWindowRule), number("height", kWindowRule)}),
        &S::size},
       {verb("shot", "Writes a picture of the whole window as a PNG file", one(picture)), &S::shot},
+      {verb("where",
+            "As move; then writes the name and where the mouse is, in pixels from the top left of "
+            "the window",
+            widget()),
+       &S::where},
       {verb("print", "Writes counts and hash of the result to standard output"), &S::print},
       {verb("time", "Writes the milliseconds since the last time, behind the text", one(text)),
        &S::time},

@@ -208,6 +208,8 @@ std::vector<GrownRadius> grown_radii(const PreparedBalls& prepared, const Reques
   for (const BallSize& size : prepared.report.sizes) {
     GrownRadius row;
     if (size.element != kUnknownElement) row.element = element_symbol(size.element);
+    row.balls = size.count;
+    row.atoms = printable(size.atoms);
     row.radius = prepared.balls->lattice.angstrom(size.radius);
     const double with_solvent = row.radius + controls.solvent_radius_angstrom;
     row.grown = std::sqrt(std::max(0.0, with_solvent * with_solvent + controls.alpha_angstrom2));
@@ -232,6 +234,11 @@ std::vector<RadiiSetEntry> radii_set_entries(const std::vector<RadiiSet>& radii_
           "The file's own radii when it has any; else ProtOr for proteins and nucleic acids "
           "without "
           "hydrogens; else Bondi.";
+    } else if (set == RadiiSet::amber) {
+      entry.citation =
+          "The radius at which AMBER's force fields have their least van der Waals energy with the "
+          "same atom: one for each type of atom, hydrogens too.\n" +
+          entry.citation;
     } else if (set == RadiiSet::file) {
       entry.kind = RadiiSetEntry::Kind::from_file;
     } else if (set == RadiiSet::user) {

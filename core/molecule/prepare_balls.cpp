@@ -263,20 +263,27 @@ class RadiusSource {
 // Balls by element and radius.
 class SizeCounter {
  public:
-  void add(Element element, std::int32_t radius) {
-    const std::uint64_t key = (std::uint64_t{element} << 32) | static_cast<std::uint32_t>(radius);
+  void add(const Atom& atom, std::int32_t radius) {
+    const std::uint64_t key =
+        (std::uint64_t{atom.element} << 32) | static_cast<std::uint32_t>(radius);
     // Neighbours in a file often are of one size.
     if (key != last_key_ || last_ == nullptr) {
       last_ = &counts_[key];
       last_key_ = key;
     }
-    ++*last_;
+    ++last_->count;
+    // One more than is told, to see whether there are more.
+    std::vector<NameId>& names = last_->names;
+    if (names.size() > kNamesTold) return;
+    if (std::find(names.begin(), names.end(), atom.name) == names.end()) {
+      names.push_back(atom.name);
+    }
   }
-  std::vector<BallSize> sizes() const {
+  std::vector<BallSize> sizes(const NameTable& table) const {
     std::vector<BallSize> list;
-    for (const auto& [key, count] : counts_) {
-      list.push_back(
-          {static_cast<Element>(key >> 32), static_cast<std::int32_t>(key & 0xffffffffu), count});
+    for (const auto& [key, counted] : counts_) {
+      list.push_back({static_cast<Element>(key >> 32), static_cast<std::int32_t>(key & 0xffffffffu),
+                      counted.count, names_text(counted.names, table)});
     }
     std::stable_sort(list.begin(), list.end(),
                      [](const BallSize& a, const BallSize& b) { return a.count > b.count; });
@@ -284,9 +291,24 @@ class SizeCounter {
   }
 
  private:
-  std::map<std::uint64_t, std::size_t> counts_;  // its elements stay where they are
+  static constexpr std::size_t kNamesTold = 6;
+  struct Counted {
+    std::size_t count = 0;
+    std::vector<NameId> names;
+  };
+
+  static std::string names_text(const std::vector<NameId>& names, const NameTable& table) {
+    std::string text;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      const std::string_view name = i < kNamesTold ? table.text(names[i]) : "…";
+      if (!name.empty()) text += (text.empty() ? "" : ", ") + std::string(name);
+    }
+    return text;
+  }
+
+  std::map<std::uint64_t, Counted> counts_;  // its elements stay where they are
   std::uint64_t last_key_ = 0;
-  std::size_t* last_ = nullptr;
+  Counted* last_ = nullptr;
 };
 
 // ProtOr is meant for proteins and nucleic acids without hydrogens, and says nothing of others.
@@ -364,9 +386,9 @@ PreparedBalls prepare_balls(const Molecule& molecule, const BallOptions& options
   report.lattice = balls->lattice;
   SizeCounter sizes;
   for (std::size_t k = 0; k < balls->size(); ++k) {
-    sizes.add(molecule.atoms[result.atom_of_ball[k]].element, balls->radii[k]);
+    sizes.add(molecule.atoms[result.atom_of_ball[k]], balls->radii[k]);
   }
-  report.sizes = sizes.sizes();
+  report.sizes = sizes.sizes(molecule.names);
   report.used = balls->size();
   const std::vector<bool> hidden = coincident_hidden(*balls);
   report.coincident_centres =

@@ -86,6 +86,7 @@ struct BallSize {
   Element element = kUnknownElement;
   std::int32_t radius = 0;
   std::size_t count = 0;
+  std::string atoms;  // names of some: "CA, CB, CG, …"; empty where the file has none
 };
 
 // Each atom left out is counted once, under the first of the reasons that applies.

@@ -216,6 +216,20 @@ TEST(PanelsTest, ColdTimesThatAreMissingCanBeMeasured) {
   EXPECT_FALSE(p.rects.contains("timings.compute_anew"));
 }
 
+TEST(PanelsTest, AMissingSpeedHasItsReason) {
+  ViewState s = loaded_state();
+  EXPECT_TRUE(missing_times(s, true).empty());
+  s.cgal->cold->alpha = 1.4;
+  ASSERT_EQ(missing_times(s, true).size(), 1u);
+  EXPECT_NE(missing_times(s, true)[0].find("of alpha 0 and 1.4 Å²"), std::string::npos);
+  s.cgal->cold->alpha = 0;
+  s.ours->cold->tetrahedra_only = true;
+  EXPECT_NE(missing_times(s, true)[0].find("tetrahedra only"), std::string::npos);
+  s.ours->cold->tetrahedra_only = false;
+  s.cgal->cold->rebuilt = true;
+  EXPECT_NE(missing_times(s, true)[0].find("No speed-up: CGAL built"), std::string::npos);
+}
+
 TEST(PanelsTest, TheCaptionSaysWhyNothingIsThere) {
   ViewState s = loaded_state();
   s.result.alpha = -8;

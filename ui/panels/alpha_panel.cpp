@@ -92,6 +92,16 @@ void solvent(PanelContext& ctx) {
   tooltip(ctx, water ? "No solvent: 0 Å" : "Water: 1.4 Å");
 }
 
+std::string grown_text(const GrownRadius& r) {
+  return number_text(r.radius, 2) + " → " + (r.grown > 0 ? number_text(r.grown, 2) : "empty");
+}
+
+// Which atoms: an element may have several radii.
+std::string balls_text(const GrownRadius& r) {
+  return with_separators(static_cast<long long>(r.balls)) + (r.balls == 1 ? " ball" : " balls") +
+         (r.atoms.empty() ? "" : ": " + r.atoms);
+}
+
 // "C 1.70 → 2.07", two columns.
 void grown_radii(PanelContext& ctx) {
   const auto& radii = ctx.state.molecule.radii;
@@ -105,14 +115,16 @@ void grown_radii(PanelContext& ctx) {
     const GrownRadius& r = radii[i];
     strong_text(ctx, r.element.empty() ? "r" : r.element);
     ImGui::SameLine(start + (i % 2 == 1 ? half : 0) + ctx.px(28));
-    ImGui::Text("%.2f → %s", r.radius, r.grown > 0 ? number_text(r.grown, 2).c_str() : "empty");
+    ImGui::TextUnformatted(grown_text(r).c_str());
+    record(ctx, ("alpha.radius." + std::to_string(i)).c_str());
+    tooltip(ctx, balls_text(r).c_str());
   }
   if (radii.size() <= kShown) return;
   muted_text(ctx, "and " + std::to_string(radii.size() - kShown) + " more");
   std::string rest;
   for (std::size_t i = kShown; i < radii.size(); ++i) {
-    rest += (i == kShown ? "" : "\n") + radii[i].element + " " + number_text(radii[i].radius, 2) +
-            " → " + number_text(radii[i].grown, 2);
+    rest += (i == kShown ? "" : "\n") + radii[i].element + " " + grown_text(radii[i]) + "; " +
+            balls_text(radii[i]);
   }
   tooltip(ctx, rest.c_str());
 }

@@ -16,13 +16,6 @@ namespace {
 
 constexpr float kWidth = 440;  // pixels at scale 1, of most dialogs
 
-// Peak memory of the whole window with an assembly's complex on the CPU engine, for 3J6R's (1.03
-// million atoms) beyond the 130 MB of an empty window: 1,230 bytes an atom at alpha 0, 1,800 at 1.4
-// Å², 2,370 with a solvent radius of 1.4 Å after them. It depends on alpha, so both ends are told,
-// the upper with a tenth more.
-constexpr std::uint64_t kBytesOfTheWindow = 130'000'000;
-constexpr std::uint64_t kLeastBytesPerAtom = 1230, kMostBytesPerAtom = 2600;
-
 }  // namespace
 
 void draw_about(PanelContext& ctx) {
@@ -55,8 +48,7 @@ void assembly_facts(PanelContext& ctx, const AssemblyRow& a) {
     ImGui::SameLine(ctx.px(250));
     ImGui::TextUnformatted(value.c_str());
   };
-  const std::uint64_t least = kBytesOfTheWindow + a.atoms * kLeastBytesPerAtom;
-  const std::uint64_t most = kBytesOfTheWindow + a.atoms * kMostBytesPerAtom;
+  const auto [least, most] = assembly_memory(a.atoms);
   const std::uint64_t free = ctx.state.free_bytes;
   fact("Assembly", a.id + (a.details.empty() ? "" : " (" + a.details + ")"));
   fact("Copies", number(a.copies));

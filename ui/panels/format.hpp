@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 
 #include "ui/number_text.hpp"
@@ -11,6 +12,11 @@ namespace alphascope {
 std::string with_separators(long long value);        // "58,674"
 std::string milliseconds_text(double milliseconds);  // "0.042 ms", "12.3 ms", "1.24 s"
 std::string bytes_text(std::size_t bytes);           // "340 MB"
-std::string ratio_text(double ratio);                // "5,568×", "3.2×", "0.82×", "< 0.01×"
+// What the whole window takes with an assembly's complex: at alpha 0, and at most.
+struct MemoryRange {
+  std::uint64_t least = 0, most = 0;  // bytes
+};
+MemoryRange assembly_memory(std::uint64_t atoms);
+std::string ratio_text(double ratio);  // "5,568×", "3.2×", "0.82×", "< 0.01×"
 
 }  // namespace alphascope

@@ -26,6 +26,12 @@ std::string copies_text(const AssemblyRow& a) {
   return number(a.copies) + (a.copies == 1 ? " copy" : " copies");
 }
 
+// Of everything, not of the atoms alone.
+std::string memory_text(std::uint64_t atoms) {
+  const auto [least, most] = assembly_memory(atoms);
+  return bytes_text(least) + " to " + bytes_text(most) + " of memory";
+}
+
 void choose(ViewState& s, const AssemblyRow& a) {
   if (s.selection.assembly == a.id) return;
   if (a.atoms >= kAskFromAtoms) {
@@ -43,8 +49,8 @@ void assembly_entries(PanelContext& ctx) {
   }
   record(ctx, "molecule.assembly.deposited");
   for (const AssemblyRow& a : s.molecule.assemblies) {
-    const std::string text = a.id + ": " + copies_text(a) + ", " + atoms_text(s, a.atoms) +
-                             ", about " + bytes_text(static_cast<std::size_t>(a.bytes));
+    const std::string text =
+        a.id + ": " + copies_text(a) + ", " + atoms_text(s, a.atoms) + ", " + memory_text(a.atoms);
     if (ImGui::Selectable(text.c_str(), s.selection.assembly == a.id)) choose(s, a);
     record(ctx, ("molecule.assembly." + a.id).c_str());
     if (!a.details.empty()) tooltip(ctx, a.details.c_str());

@@ -10,6 +10,23 @@ bool lacks_cold(const std::optional<EngineTimings>& timings) {
   return timings && !timings->cold;
 }
 
+// Both were timed, but at different tasks.
+std::string incomparable(const ViewState& state, bool cold) {
+  if (!state.ours || !state.cgal) return {};
+  const auto& ours = cold ? state.ours->cold : state.ours->warm;
+  const auto& cgal = cold ? state.cgal->cold : state.cgal->warm;
+  if (!ours || !cgal || ours->comparable(*cgal)) return {};
+  if (ours->alpha != cgal->alpha) {
+    return "No speed-up: the times are of alpha " + short_number_text(ours->alpha, 3) + " and " +
+           short_number_text(cgal->alpha, 3) + " Å².";
+  }
+  if (ours->tetrahedra_only != cgal->tetrahedra_only) {
+    return "No speed-up: one of the times is of tetrahedra only.";
+  }
+  return "No speed-up: " + (ours->rebuilt ? state.ours->engine : std::string("CGAL")) +
+         " built what later alphas are answered from in this run, the other only used it.";
+}
+
 }  // namespace
 
 std::vector<std::string> missing_times(const ViewState& state, bool cold) {
@@ -34,6 +51,7 @@ std::vector<std::string> missing_times(const ViewState& state, bool cold) {
   if (!cold && state.cgal && !state.cgal->warm) {
     lines.push_back("CGAL: no warm time yet. It is taken when another alpha is compared.");
   }
+  if (const std::string why = incomparable(state, cold); !why.empty()) lines.push_back(why);
   return lines;
 }
 

@@ -14,6 +14,8 @@ namespace alphascope {
 struct GrownRadius {
   std::string element;           // "C"; empty when the file does not say
   double radius = 0, grown = 0;  // Å; grown is 0 where the ball is empty
+  std::size_t balls = 0;         // of this element and radius
+  std::string atoms = {};        // names of some: "CA, CB, …"; may be empty
 };
 
 // What was left out for one reason: "221 waters", "HOH 221".

@@ -77,6 +77,10 @@ TEST(ReadPdb, RefusesBrokenColumnsWithTheLine) {
       refusal("a.pdb", good + "ATOM      2  CA  MET A   1      27.340  24.x30   2.614\n");
   EXPECT_EQ(bad.line(), 2u);
   EXPECT_EQ(bad.reason(), "expected y in columns 39-46, found \"  24.x30\"");
+  const ReadError shifted = refusal(
+      "a.pdb", good + "ATOM      2  CA  MET A   12      27.340  24.430   2.614  oops  9.67\n");
+  EXPECT_EQ(shifted.reason().find("the occupancy in columns 55-60 is no number: \"  oops\""), 0u)
+      << shifted.reason();
   const ReadError cut = refusal("a.pdb", good + "ATOM      2  CA  MET A   1      27.340\n");
   EXPECT_EQ(cut.reason(), "y is missing: columns 39-46 are empty");
   const ReadError end = refusal("a.pdb", good + good.substr(0, 52));

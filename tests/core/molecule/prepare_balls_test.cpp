@@ -165,6 +165,13 @@ TEST(PrepareBalls, SizesCountEveryBall) {
   EXPECT_EQ(sum, prepared.balls->size());
   EXPECT_GE(sizes.front().count, sizes.back().count);
   EXPECT_EQ(sizes.size(), 4u);  // N, C, Fe, unknown
+  const auto names = [&](const char* element) {
+    const auto found = std::find_if(sizes.begin(), sizes.end(), [&](const BallSize& s) {
+      return s.element == element_from_symbol(element);
+    });
+    return found == sizes.end() ? "none" : found->atoms;
+  };
+  EXPECT_EQ(names("Fe"), "FE");
 }
 
 TEST(PrepareBalls, NoticesThatItIsCancelled) {

@@ -236,8 +236,8 @@ std::vector<RadiiSetEntry> radii_set_entries(const std::vector<RadiiSet>& radii_
           "hydrogens; else Bondi.";
     } else if (set == RadiiSet::amber) {
       entry.citation =
-          "The radius at which AMBER's force fields have their least van der Waals energy with the "
-          "same atom: one for each type of atom, hydrogens too.\n" +
+          "Half the distance at which two atoms of one type have their least van der Waals energy "
+          "in AMBER's force fields; hydrogens too.\n" +
           entry.citation;
     } else if (set == RadiiSet::file) {
       entry.kind = RadiiSetEntry::Kind::from_file;

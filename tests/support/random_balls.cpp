@@ -107,25 +107,40 @@ BallSet extremes(Random& random, int count) {
 }
 
 using Direction = std::array<double, 3>;
+using Point3 = std::array<double, 3>;
 
-// Of length 1; every other one along an axis or of another rational direction, so that distances
-// can be whole.
+// A vector of whole numbers and whole length, of any signs and order.
+struct WholeDirection {
+  std::array<int, 3> vector;
+  int length;
+
+  Direction unit() const {
+    const double l = length;
+    return {vector[0] / l, vector[1] / l, vector[2] / l};
+  }
+};
+WholeDirection whole_direction(Random& random) {
+  static constexpr WholeDirection kAll[] = {
+      {{1, 0, 0}, 1}, {{3, 4, 0}, 5}, {{2, 3, 6}, 7}, {{1, 2, 2}, 3}, {{4, 4, 7}, 9}};
+  WholeDirection d = kAll[random_int(random, 0, 4)];
+  for (int& x : d.vector) x *= 2 * random_int(random, 0, 1) - 1;
+  std::shuffle(d.vector.begin(), d.vector.end(), random);
+  return d;
+}
+
+// Of length 1; every other one of a whole length before, so that distances can be whole.
 Direction random_direction(Random& random) {
-  static constexpr int kWhole[][3] = {{1, 0, 0}, {3, 4, 0}, {2, 3, 6}, {1, 2, 2}, {4, 4, 7}};
+  if (random_int(random, 0, 1) != 0) return whole_direction(random).unit();
   Direction d;
   double length = 0;
   do {
-    const auto& whole = kWhole[random_int(random, 0, 4)];
-    const bool rational = random_int(random, 0, 1) != 0;
     length = 0;
-    for (int a = 0; a < 3; ++a) {
-      d[a] = rational ? whole[a] * (2 * random_int(random, 0, 1) - 1)
-                      : random_int(random, -1000000, 1000000);
-      length += d[a] * d[a];
+    for (double& x : d) {
+      x = random_int(random, -1000000, 1000000);
+      length += x * x;
     }
   } while (length == 0);
   for (double& x : d) x /= std::sqrt(length);
-  std::shuffle(d.begin(), d.end(), random);
   return d;
 }
 
@@ -156,6 +171,42 @@ LatticePoint random_place(Random& random) {
   return {x, y, z};
 }
 
+// In that direction on the sphere of the first ball, or in a mirrored one if that is off the
+// lattice.
+Point3 on_the_rim(const LatticePoint& middle, int radius, Direction d) {
+  Point3 point{double(middle.x), double(middle.y), double(middle.z)};
+  for (int a = 0; a < 3; ++a) {
+    if (std::abs(point[a] + radius * d[a]) > kMaxLatticeCoordinate) d[a] = -d[a];
+    point[a] += radius * d[a];
+  }
+  return point;
+}
+
+// Where the spheres of the first ball and of the last meet: a random point of that circle. If they
+// do not meet, the point of the first nearest to the last.
+Point3 grazing_point(Random& random, const BallSet& balls) {
+  const LatticePoint &c = balls.centres.front(), &p = balls.centres.back();
+  const double large = balls.radii.front(), radius = balls.radii.back();
+  Direction out{double(p.x) - c.x, double(p.y) - c.y, double(p.z) - c.z};
+  const double distance = std::sqrt(out[0] * out[0] + out[1] * out[1] + out[2] * out[2]);
+  if (distance == 0) return on_the_rim(c, balls.radii.front(), random_direction(random));
+  for (double& x : out) x /= distance;
+  Direction across = random_direction(random);
+  const double outward = across[0] * out[0] + across[1] * out[1] + across[2] * out[2];
+  double length = 0;
+  for (int a = 0; a < 3; ++a) {
+    across[a] -= outward * out[a];
+    length += across[a] * across[a];
+  }
+  // Along `out` and across it, from the first centre.
+  const double along =
+      std::min(large, (distance * distance + large * large - radius * radius) / (2 * distance));
+  const double side = std::sqrt((large - along) * (large + along) / std::max(length, 1e-6));
+  Point3 point{double(c.x), double(c.y), double(c.z)};
+  for (int a = 0; a < 3; ++a) point[a] += along * out[a] + side * across[a];
+  return point;
+}
+
 }  // namespace
 
 BallSet grazing_balls(Random& random, int count, int digits, int largest) {
@@ -180,30 +231,27 @@ BallSet balls_at_a_rim(Random& random, int count, int digits, int large) {
   if (count == 0) return balls;
   const LatticePoint middle = random_place(random);
   add_ball(balls, middle.x, middle.y, middle.z, large);
-  const Direction out = random_direction(random);
-  const int most = random_radius(random, large);
-  int before = 0;  // a small one; the first of them is at the rim
+  // Above a 256th of `large` the margins of a single-precision test outweigh what it rounds off.
+  const int most = random_radius(random, std::max(1, large / 256));
+  Point3 contact = on_the_rim(middle, large, random_direction(random));
   while (static_cast<int>(balls.size()) < count) {
+    const WholeDirection along = whole_direction(random);
     const int radius = std::max(1, most - random_radius(random, most) / 2);
-    const auto last = static_cast<std::size_t>(before);
-    if (before == 0 || random_int(random, 0, 3) == 0) {
-      add_ball_beside(balls, middle, out, double(large) + random_int(random, -1, 1) * radius / 2,
-                      radius);
-    } else {
-      Direction along = random_direction(random);
-      const double outward = along[0] * out[0] + along[1] * out[1] + along[2] * out[2];
-      double length = 0;
-      for (int a = 0; a < 3; ++a) {
-        along[a] -= outward * out[a];
-        length += along[a] * along[a];
-      }
-      if (length < 1e-6) continue;
-      for (double& x : along) x /= std::sqrt(length);
-      add_ball_beside(balls, balls.centres[last], along,
-                      double(balls.radii[last]) + radius + random_int(random, -1, 1), radius);
-    }
-    before = static_cast<int>(balls.size()) - 1;
+    int other = std::max(1, most - random_radius(random, most) / 2);
+    // The centres are whole, and so is their distance, when the sum of the radii is a multiple.
+    other += (along.length - (radius + other) % along.length) % along.length;
+    other = std::min(other, kMaxLatticeRadius);
+    const Direction d = along.unit();
+    add_ball(balls, on_the_lattice(contact[0] - radius * d[0]),
+             on_the_lattice(contact[1] - radius * d[1]), on_the_lattice(contact[2] - radius * d[2]),
+             radius);
+    const int miss = random_int(random, 0, 1) * random_int(random, -1, 1);
+    add_ball_beside(balls, balls.centres.back(), d, double(radius) + other + miss, other);
+    contact = random_int(random, 0, 1) != 0 ? grazing_point(random, balls)
+                                            : on_the_rim(middle, large, random_direction(random));
   }
+  balls.centres.resize(static_cast<std::size_t>(count));
+  balls.radii.resize(static_cast<std::size_t>(count));
   return balls;
 }
 

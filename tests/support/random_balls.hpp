@@ -34,8 +34,10 @@ void add_ball(BallSet& balls, int x, int y, int z, int radius);
 // `largest`. Centres beyond the lattice are brought back to its bounds.
 BallSet grazing_balls(Random& random, int count, int digits, int largest);
 
-// A ball of radius `large`, and at its rim small ones that touch each other and it, but for a unit
-// or so: nearly equal differences of coordinates that are much larger than they.
+// A ball of radius `large`, and pairs of small ones that touch each other in a point of its sphere,
+// two in three exactly, the others but for a unit; their centres are in it and outside. Every other
+// pair's point is on the sphere of the ball before, too. So differences of coordinates are nearly
+// equal and much larger than the small balls, and whether a pair meets decides about simplices.
 BallSet balls_at_a_rim(Random& random, int count, int digits, int large);
 
 // The two above up to the bounds of the lattice, on lattices of 3 to 6 digits.

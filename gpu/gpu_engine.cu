@@ -89,8 +89,8 @@ constexpr std::size_t kMostSlabs = 256;
 
 class GpuEngine : public Engine {
  public:
-  GpuEngine(std::shared_ptr<const BallSet> balls, EngineOptions options)
-      : balls_(std::move(balls)), options_(options) {}
+  GpuEngine(std::shared_ptr<const BallSet> balls, EngineOptions options, GpuOptions gpu_options)
+      : balls_(std::move(balls)), options_(options), gpu_options_(gpu_options) {}
 
   AlphaComplex compute(const AlphaRequest& request, const RunContext& context) override {
     if (std::isnan(request.alpha_angstrom2)) throw std::invalid_argument("alpha is not a number");
@@ -147,7 +147,8 @@ class GpuEngine : public Engine {
   }
 
   std::optional<AlphaComplex> whole_set(const AlphaRequest& request, const RunContext& context) {
-    if (!pipeline_) pipeline_ = std::make_unique<gpu::DualEdgePipeline>(*balls_);
+    if (!pipeline_)
+      pipeline_ = std::make_unique<gpu::DualEdgePipeline>(*balls_, gpu_options_.chunks);
     return run(*pipeline_, *balls_, request, context);
   }
 
@@ -156,7 +157,7 @@ class GpuEngine : public Engine {
     try {
       AlphaComplex complex = compute_in_slabs(
           *balls_, request, slabs_, context, [&](std::shared_ptr<const BallSet> part) {
-            gpu::DualEdgePipeline pipeline(*part);
+            gpu::DualEdgePipeline pipeline(*part, gpu_options_.chunks);
             std::optional<AlphaComplex> result = run(pipeline, *part, request, context);
             if (!result) throw BeyondLimits{};
             return *std::move(result);
@@ -197,6 +198,7 @@ class GpuEngine : public Engine {
 
   std::shared_ptr<const BallSet> balls_;
   EngineOptions options_;
+  GpuOptions gpu_options_;
   std::size_t slabs_ = 1;
   AlphaRequest refused_;      // the last that half as many slabs had no room for
   int answers_in_slabs_ = 0;  // since then
@@ -220,12 +222,12 @@ void free_unused_gpu_memory() {
 }
 
 std::unique_ptr<Engine> make_gpu_engine(std::shared_ptr<const BallSet> balls, EngineOptions options,
-                                        std::string* why_not) {
+                                        std::string* why_not, GpuOptions gpu_options) {
   const GpuDevice& device = gpu_device();
   std::string reason = device.why_not;
   if (device.usable) {
     try {
-      return std::make_unique<GpuEngine>(std::move(balls), options);
+      return std::make_unique<GpuEngine>(std::move(balls), options, gpu_options);
     } catch (const std::exception& error) {
       reason = device.name + " cannot take this molecule: " + error.what() +
                ". The CPU engine gives the same results.";

@@ -31,9 +31,15 @@ bool is_gpu_memory_unused();
 // Frees it. Waits for the device: not for the thread that draws.
 void free_unused_gpu_memory();
 
+// How the device's engine goes about it. Results do not depend on it.
+struct GpuOptions {
+  // In how many chunks a run goes through the balls, 1 to 16; 0: as is quickest.
+  int chunks = 0;
+};
+
 // Null when the device cannot be used: *why_not then says why. The engine falls back to the CPU's
 // for single requests that do not fit the device (its AlphaComplex says so in engine.route).
 std::unique_ptr<Engine> make_gpu_engine(std::shared_ptr<const BallSet> balls, EngineOptions options,
-                                        std::string* why_not);
+                                        std::string* why_not, GpuOptions gpu_options = {});
 
 }  // namespace alphascope

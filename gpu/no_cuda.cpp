@@ -20,7 +20,7 @@ bool is_gpu_memory_unused() {
 void free_unused_gpu_memory() {}
 
 std::unique_ptr<Engine> make_gpu_engine(std::shared_ptr<const BallSet>, EngineOptions,
-                                        std::string* why_not) {
+                                        std::string* why_not, GpuOptions) {
   if (why_not != nullptr) *why_not = gpu_device().why_not;
   return nullptr;
 }

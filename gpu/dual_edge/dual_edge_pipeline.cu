@@ -5,8 +5,10 @@
 
 namespace alphascope::gpu {
 
-DualEdgePipeline::DualEdgePipeline(const BallSet& balls) : state_(std::make_unique<State>()) {
+DualEdgePipeline::DualEdgePipeline(const BallSet& balls, int chunks)
+    : state_(std::make_unique<State>()) {
   State& s = *state_;
+  s.chunks = chunks;
   s.n = balls.size();
   int device = 0;
   check(cudaGetDevice(&device), "asking for the device");
@@ -130,7 +132,7 @@ int DualEdgePipeline::State::pieces() const {
   constexpr std::size_t kLarge = std::size_t{1} << 17;
   if (!packing) return 1;
   const std::size_t starts = (n + kWireStart - 1) / kWireStart;
-  const bool several = forced_chunks > 1 || n >= kLarge;
+  const bool several = chunks > 1 || n >= kLarge;
   return static_cast<int>(std::min<std::size_t>(several ? kMaxPieces : 1, starts));
 }
 

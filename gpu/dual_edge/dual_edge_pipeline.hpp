@@ -3,7 +3,6 @@
 #pragma once
 
 #include <algorithm>
-#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -46,8 +45,9 @@ struct PipelineResult {
 
 class DualEdgePipeline {
  public:
-  // Copies the balls to pinned memory. Throws std::bad_alloc, DeviceError.
-  explicit DualEdgePipeline(const BallSet& balls);
+  // Copies the balls to pinned memory. `chunks`: in how many every run goes through the balls, at
+  // most kMaxChunks; 0: as is quickest. Throws std::bad_alloc, DeviceError.
+  explicit DualEdgePipeline(const BallSet& balls, int chunks = 0);
   ~DualEdgePipeline();
 
   // Stages are timed with CUDA events when `times` is given (a few microseconds each).
@@ -60,9 +60,6 @@ class DualEdgePipeline {
   void rest();
 
   struct State;  // for the pipeline's own sources
-
-  // For tests: in how many chunks every run goes through the balls; 0: as is quickest.
-  static inline std::atomic<int> forced_chunks{0};
 
  private:
   std::unique_ptr<State> state_;

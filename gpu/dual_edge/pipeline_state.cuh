@@ -161,6 +161,7 @@ struct Queues {
 struct DualEdgePipeline::State {
   Queues queues;
   std::size_t n = 0;
+  int chunks = 0;  // as DualEdgePipeline's constructor was told
   LatticePoint low, high;
   std::int32_t max_radius = 0;
   // What earlier runs needed, by alpha.

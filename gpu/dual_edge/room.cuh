@@ -212,8 +212,7 @@ inline Need first_need(const State& s, double alpha, bool whole) {
 // hidden behind work except the last one's. Fitted to times on an H200. The first run of a set
 // takes all at once: how many simplices there will be is a guess, too much memory to pin.
 inline int chunk_count(const State& s, const Need& need, std::size_t bytes) {
-  const int forced = DualEdgePipeline::forced_chunks;
-  if (forced > 0) return std::min(forced, kMaxChunks);
+  if (s.chunks > 0) return std::min(s.chunks, kMaxChunks);
   if (need.totals.empty()) return 1;
   const double megabytes = static_cast<double>(bytes) / 1e6;
   const double best = need.whole ? std::sqrt(megabytes / 2.5)

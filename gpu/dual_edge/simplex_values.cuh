@@ -29,7 +29,7 @@ __device__ inline Decision value_of(const SimplexBalls& balls, int vertices, flo
                          : decide_simplex<Decider>(in, value, 0, 1, 2);
 }
 // Where double precision does not tell which float is nearest: about one simplex in a million.
-__device__ __noinline__ float exact_value(const SimplexBalls& balls, int vertices) {
+__device__ inline __noinline__ float exact_value(const SimplexBalls& balls, int vertices) {
   float value = 0;
   value_of<ExactDecider>(balls, vertices, &value);
   return value;

@@ -8,7 +8,6 @@
 #include <stdexcept>
 #include <string>
 
-#include "gpu/memory/faults.hpp"
 #include "gpu/memory/page_locked.hpp"
 
 namespace alphascope::gpu {
@@ -19,7 +18,6 @@ struct DeviceError : std::runtime_error {
 };
 
 inline void check(cudaError_t status, const char* what) {
-  if (Faults::lost()) status = cudaErrorDevicesUnavailable;
   if (status == cudaSuccess) return;
   cudaGetLastError();  // the error is reported here; do not report it again later
   if (status == cudaErrorMemoryAllocation) throw std::bad_alloc();
@@ -40,12 +38,8 @@ inline std::size_t spare_bytes(std::size_t bytes) {
 template <class Reserve>
 std::size_t reserve_to_spare(std::size_t bytes, bool first, const char* what,
                              const Reserve& reserve) {
-  if (Faults::refuses()) throw std::bad_alloc();
   const std::size_t more = first ? bytes : bytes + spare_bytes(bytes);
-  if (reserve(more) == cudaSuccess) {
-    check(cudaSuccess, what);
-    return more;
-  }
+  if (reserve(more) == cudaSuccess) return more;
   cudaGetLastError();  // the second attempt tells
   check(reserve(bytes), what);
   return bytes;

@@ -6,8 +6,6 @@
 
 #include <algorithm>
 
-#include "gpu/memory/faults.hpp"
-
 namespace alphascope::gpu {
 namespace {
 
@@ -34,18 +32,9 @@ unsigned char* new_pages(std::size_t bytes, std::size_t page) {
 cudaError_t PageLocked::allocate(std::size_t bytes) {
   free();
   if (bytes == 0) return cudaSuccess;
-  const cudaError_t status = reserve(bytes);
-  if (status != cudaSuccess) return status;
-  bytes_ = bytes;
-  Faults::pinned_bytes += bytes;
-  return cudaSuccess;
-}
-
-cudaError_t PageLocked::reserve(std::size_t bytes) {
   const auto page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
   const std::size_t whole = (bytes + page - 1) / page * page;
-  const bool much = bytes >= kLargePage || Faults::pins_little;
-  if (unsigned char* const pages = much ? new_pages(whole, page) : nullptr) {
+  if (unsigned char* const pages = bytes < kLargePage ? nullptr : new_pages(whole, page)) {
     if (cudaHostRegister(pages, whole, cudaHostRegisterDefault) == cudaSuccess) {
       data_ = pages;
       own_bytes_ = whole;
@@ -66,8 +55,7 @@ void PageLocked::free() {
     cudaFreeHost(data_);
   }
   data_ = nullptr;
-  Faults::pinned_bytes -= bytes_;
-  own_bytes_ = bytes_ = 0;
+  own_bytes_ = 0;
 }
 
 }  // namespace alphascope::gpu

@@ -25,10 +25,7 @@ class PageLocked {
   void* get() const { return data_; }
 
  private:
-  cudaError_t reserve(std::size_t bytes);
-
   void* data_ = nullptr;
-  std::size_t bytes_ = 0;      // as told to Faults::pinned_bytes
   std::size_t own_bytes_ = 0;  // of pages of our own; 0: cudaMallocHost()'s
 };
 

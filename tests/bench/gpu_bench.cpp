@@ -37,12 +37,13 @@ bool same(const AlphaComplex& a, const AlphaComplex& b) {
 
 int failures = 0;
 bool with_cgal = false, with_whole = true;
+int chunks = 0;  // as GpuOptions::chunks
 
 void check(const std::string& name, const BallSet& balls, double solvent,
            const std::vector<double>& alphas) {
   auto grown = std::make_shared<BallSet>(with_solvent(balls, solvent));
   std::string why;
-  auto gpu = testing::make_device_engine(grown, &why);
+  auto gpu = testing::make_device_engine(grown, &why, {chunks});
   if (!gpu) {
     std::printf("no gpu engine: %s\n", why.c_str());
     std::exit(2);
@@ -104,7 +105,8 @@ double time_cgal(const std::shared_ptr<const BallSet>& balls, double alpha, int 
 // Milliseconds until the program has the result in arrays of its own, while it shows the one
 // before: median.
 double time_engine(const BallSet& balls, double alpha, bool only, int runs) {
-  const auto engine = testing::make_device_engine(std::make_shared<const BallSet>(balls));
+  const auto engine =
+      testing::make_device_engine(std::make_shared<const BallSet>(balls), nullptr, {chunks});
   AlphaComplex shown;
   std::vector<double> t;
   for (int i = 0; i < runs + 3; ++i) {
@@ -119,7 +121,8 @@ double time_engine(const BallSet& balls, double alpha, bool only, int runs) {
 // The slider: alpha from 0 to 10 Å² in a hundred moves, each to where it has not been yet.
 void time_drag(const std::string& name, const BallSet& balls) {
   for (const bool only : {true, false}) {
-    const auto engine = testing::make_device_engine(std::make_shared<const BallSet>(balls));
+    const auto engine =
+        testing::make_device_engine(std::make_shared<const BallSet>(balls), nullptr, {chunks});
     AlphaComplex shown = engine->compute({0, only}, {});
     const double first = shown.timings.wall_milliseconds;
     std::vector<double> t;
@@ -147,7 +150,7 @@ void time_one(const std::string& name, const BallSet& balls, double solvent, dou
                 name.c_str(), grown.size(), solvent, alpha, time_cgal(shared, alpha, 1),
                 time_cgal(shared, alpha, 16));
   }
-  gpu::DualEdgePipeline pipeline(grown);
+  gpu::DualEdgePipeline pipeline(grown, chunks);
   const double a = grown.lattice.alpha_on_lattice(alpha);
   for (const bool only : {true, false}) {
     if (!only && !with_whole) continue;
@@ -242,8 +245,7 @@ int main(int argc, char** argv) {
   if (asked("time")) time_all(data);
   if (asked("huge")) time_huge(data);
   for (const std::string& word : words) {
-    if (word.starts_with("chunks:"))
-      gpu::DualEdgePipeline::forced_chunks = std::stoi(word.substr(7));
+    if (word.starts_with("chunks:")) chunks = std::stoi(word.substr(7));
     if (word.starts_with("drag:")) time_drag(word.substr(5), data.balls(word.substr(5)));
     if (word.starts_with("one:")) time_row(data, word.substr(4));
   }

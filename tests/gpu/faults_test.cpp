@@ -1,19 +1,19 @@
-// A device that is full or lost at any moment: the answer is the same, it is said where it came
-// from, and the engine is as good as new afterwards.
-#include "gpu/memory/faults.hpp"
-
+// A device that is full or lost at any moment, on the emulated one: the answer is the same, it is
+// said where it came from, and the engine is as good as new afterwards. And what is said when the
+// device finds what must not be.
 #include <gtest/gtest.h>
 
 #include <ostream>
 
-#include "gpu/dual_edge/dual_edge_pipeline.hpp"
+#include "core/run/internal_error.hpp"
+#include "gpu/dual_edge/gather_kernels.cuh"
+#include "gpu/dual_edge/pipeline_state.cuh"
 #include "gpu/gpu_engine.hpp"
+#include "tests/gpu/emulated/device.h"
 #include "tests/support/random_balls.hpp"
 
 namespace alphascope {
 namespace {
-
-using gpu::Faults;
 
 struct Given {
   const char* name;
@@ -27,14 +27,13 @@ void PrintTo(const Given& given, std::ostream* out) {
 class GpuFaults : public ::testing::TestWithParam<Given> {
  protected:
   void SetUp() override {
-    if (!gpu_device().usable) GTEST_SKIP() << gpu_device().why_not;
-    gpu::DualEdgePipeline::forced_chunks = GetParam().chunks;
+    ASSERT_TRUE(gpu_device().usable) << gpu_device().why_not;
     testing::Random random(31);
     balls_ = std::make_shared<const BallSet>(testing::large_hard_sets(random).front().balls);
   }
-  void TearDown() override {
-    Faults::none();
-    gpu::DualEdgePipeline::forced_chunks = 0;
+  void TearDown() override { emulated::be_sound(); }
+  std::unique_ptr<Engine> make() const {
+    return make_gpu_engine(balls_, {}, nullptr, {GetParam().chunks});
   }
 
   AlphaRequest request() const { return {0.5, GetParam().tetrahedra_only}; }
@@ -57,13 +56,12 @@ TEST_P(GpuFaults, ARefusedReservationIsAnsweredInSlabs) {
   const std::uint64_t expected = expected_hash();
   int refused = 0;
   for (int n = 0;; ++n) {
-    const auto engine = make_gpu_engine(balls_, {}, nullptr);
+    const auto engine = make();
     ASSERT_TRUE(engine);
-    Faults::none();
-    Faults::refuse_reservation = n;
+    emulated::be_full_at(n);
     const AlphaComplex found = engine->compute(request(), {});
-    const bool met = Faults::met > 0;
-    Faults::none();
+    const bool met = emulated::faults_met() > 0;
+    emulated::be_sound();
     EXPECT_EQ(found.hash, expected) << "reservation " << n << ", " << found.engine.route;
     if (!met) break;
     ++refused;
@@ -78,12 +76,11 @@ TEST_P(GpuFaults, ASmallerRequestReturnsToFewerSlabs) {
     return complex.engine.route.find("slabs") != std::string::npos;
   };
   const auto cpu = make_cpu_engine(balls_);
-  const auto engine = make_gpu_engine(balls_, {}, nullptr);
+  const auto engine = make();
   ASSERT_TRUE(engine);
-  Faults::none();
-  Faults::refuse_reservation = 3;
+  emulated::be_full_at(3);
   EXPECT_TRUE(in_slabs(engine->compute(request(), {})));
-  Faults::none();
+  emulated::be_sound();
   EXPECT_TRUE(in_slabs(engine->compute(request(), {}))) << "nothing says that there is room now";
   const AlphaRequest smaller{0.25, GetParam().tetrahedra_only};
   const AlphaComplex found = engine->compute(smaller, {});
@@ -93,15 +90,14 @@ TEST_P(GpuFaults, ASmallerRequestReturnsToFewerSlabs) {
 
 // Others may have had the device's memory.
 TEST_P(GpuFaults, FewerSlabsAreTriedOnceInAWhile) {
-  const auto engine = make_gpu_engine(balls_, {}, nullptr);
+  const auto engine = make();
   ASSERT_TRUE(engine);
   const std::uint64_t expected = expected_hash();
-  Faults::none();
-  Faults::refuse_reservation = 3;
+  emulated::be_full_at(3);
   int in_slabs = 0;
   for (int answer = 0; answer < 12; ++answer) {
     const AlphaComplex found = engine->compute(request(), {});
-    Faults::none();
+    emulated::be_sound();
     EXPECT_EQ(found.hash, expected) << answer;
     in_slabs += found.engine.route.find("slabs") != std::string::npos;
   }
@@ -112,13 +108,12 @@ TEST_P(GpuFaults, ALostDeviceIsAnsweredByTheCpu) {
   const std::uint64_t expected = expected_hash();
   int lost = 0;
   for (int n = 0;; ++n) {
-    const auto engine = make_gpu_engine(balls_, {}, nullptr);
+    const auto engine = make();
     ASSERT_TRUE(engine);
-    Faults::none();
-    Faults::lose_device = n;
+    emulated::be_lost_at(n);
     const AlphaComplex found = engine->compute(request(), {});
-    const bool met = Faults::met > 0;
-    Faults::none();
+    const bool met = emulated::faults_met() > 0;
+    emulated::be_sound();
     EXPECT_EQ(found.hash, expected) << "call " << n;
     if (!met) break;
     ++lost;
@@ -128,6 +123,52 @@ TEST_P(GpuFaults, ALostDeviceIsAnsweredByTheCpu) {
     EXPECT_FALSE(on_cpu(again)) << again.engine.route;
   }
   EXPECT_GT(lost, 10);
+}
+
+// Every triangle of the complex has its edges among those that the device found. Should one not,
+// which no set of balls makes happen, that is said, and no complex without it goes out.
+TEST_P(GpuFaults, AMissingEdgeIsSaid) {
+  const auto engine = make();
+  ASSERT_TRUE(engine);
+  const std::uint64_t expected = expected_hash();
+  int changed = 0;
+  emulated::change_copies_to_host([&](void* data, std::size_t bytes) {
+    if (bytes != sizeof(gpu::Counters)) return;
+    static_cast<gpu::Counters*>(data)->missing_edges = 2;
+    ++changed;
+  });
+  try {
+    engine->compute(request(), {});
+    ADD_FAILURE() << "nothing was said";
+  } catch (const InternalError& error) {
+    EXPECT_NE(std::string(error.what()).find("found 2 triangles of the complex without one of"),
+              std::string::npos)
+        << error.what();
+  }
+  EXPECT_GT(changed, 0);
+  emulated::be_sound();
+  EXPECT_EQ(engine->compute(request(), {}).hash, expected) << "afterwards";
+}
+
+// The search that counts them.
+TEST(GpuFindEdge, CountsWhatIsNotThere) {
+  std::uint32_t end[] = {9, 9, 3, 5, 8, 9}, start[] = {0, 2, 0}, count[] = {0, 3, 0}, missing = 0;
+  gpu::EdgeCandidates edges{};
+  edges.end = end;
+  edges.start = start;
+  edges.count = count;
+  edges.missing = &missing;
+  EXPECT_EQ(gpu::find_edge(edges, 1, 3), 2u);
+  EXPECT_EQ(gpu::find_edge(edges, 1, 5), 3u);
+  EXPECT_EQ(gpu::find_edge(edges, 1, 8), 4u);
+  EXPECT_EQ(missing, 0u);
+  std::uint32_t in_vain = 0;
+  for (const std::uint32_t k : {2u, 4u, 6u, 9u}) {
+    EXPECT_EQ(gpu::find_edge(edges, 1, k), gpu::kNoEdge) << k;
+    EXPECT_EQ(missing, ++in_vain);
+  }
+  EXPECT_EQ(gpu::find_edge(edges, 0, 9), gpu::kNoEdge) << "ball 0 has no edges";
+  EXPECT_EQ(missing, ++in_vain);
 }
 
 }  // namespace

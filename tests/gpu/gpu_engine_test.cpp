@@ -8,7 +8,6 @@
 #include <random>
 
 #include "gpu/dual_edge/dual_edge_pipeline.hpp"
-#include "gpu/memory/faults.hpp"
 #include "tests/support/device_engine.hpp"
 #include "tests/support/expect_same.hpp"
 #include "tests/support/random_balls.hpp"
@@ -51,9 +50,7 @@ class GpuChunks : public ::testing::TestWithParam<int> {
  protected:
   void SetUp() override {
     if (!gpu_device().usable) GTEST_SKIP() << gpu_device().why_not;
-    gpu::DualEdgePipeline::forced_chunks = GetParam();
   }
-  void TearDown() override { gpu::DualEdgePipeline::forced_chunks = 0; }
 };
 INSTANTIATE_TEST_SUITE_P(Numbers, GpuChunks, ::testing::Values(2, 5, 16));
 
@@ -63,7 +60,8 @@ TEST_P(GpuChunks, EqualTheCpuRunAfterRun) {
     SCOPED_TRACE(set.name);
     const auto balls = std::make_shared<const BallSet>(set.balls);
     const double unit = set.alpha_unit();
-    const auto gpu = testing::make_device_engine(balls), cpu = make_cpu_engine(balls);
+    const auto gpu = testing::make_device_engine(balls, nullptr, {GetParam()}),
+               cpu = make_cpu_engine(balls);
     ASSERT_TRUE(gpu);
     for (const double alpha : {0.25, 3.0, 0.25, 0.25}) {
       for (const bool tetrahedra_only : {true, false}) {
@@ -88,16 +86,14 @@ TEST(GpuPieces, EqualTheCpu) {
     set.radii.push_back(radius(random));
   }
   const auto balls = std::make_shared<const BallSet>(set);
-  gpu::DualEdgePipeline::forced_chunks = 3;
   const AlphaRequest request{0, false};
   const AlphaComplex expected = make_cpu_engine(balls)->compute(request, {});
   EXPECT_GT(expected.tetrahedra.size(), 50u);
   for (int run = 0; run < 6; ++run) {  // the first of each counts: later ones send the same
-    const auto gpu = testing::make_device_engine(balls);
+    const auto gpu = testing::make_device_engine(balls, nullptr, {3});
     ASSERT_TRUE(gpu);
     expect_same(gpu->compute(request, {}), expected);
   }
-  gpu::DualEdgePipeline::forced_chunks = 0;
 }
 
 // Nearly every alpha of a slider is a new one, and a little larger than those before.
@@ -135,21 +131,9 @@ TEST(Gpu, EqualsItselfFromRunToRun) {
     expect_same(engine->compute({0.5, false}, {}).tetrahedra, first.tetrahedra);
 }
 
-// A result stays in the memory that it arrived in, which later ones get when it is let go of. It
-// comes from CUDA or, as much of it would, from us.
-class GpuResults : public ::testing::TestWithParam<bool> {
- protected:
-  void SetUp() override {
-    if (!gpu_device().usable) GTEST_SKIP() << gpu_device().why_not;
-    gpu::Faults::pins_little = GetParam();
-  }
-  void TearDown() override { gpu::Faults::pins_little = false; }
-};
-INSTANTIATE_TEST_SUITE_P(Memory, GpuResults, ::testing::Bool(), [](const auto& of) {
-  return std::string(of.param ? "OfPagesOfOurOwn" : "OfCuda");
-});
-
-TEST_P(GpuResults, StayAsTheyAre) {
+// A result stays in the memory that it arrived in, which later ones get when it is let go of.
+TEST(GpuResults, StayAsTheyAre) {
+  if (!gpu_device().usable) GTEST_SKIP() << gpu_device().why_not;
   Random random(10);
   const auto balls =
       std::make_shared<const BallSet>(testing::random_balls(random, 600, 8000, 500, 900));
@@ -173,40 +157,6 @@ TEST_P(GpuResults, StayAsTheyAre) {
   }
 }
 
-// Nothing pinned is left of an engine that rests but what results are in that somebody has; and
-// those go when he lets go of them, but not on his thread.
-TEST_P(GpuResults, GiveTheirMemoryBackWhenTheEngineRests) {
-  Random random(12);
-  const auto balls =
-      std::make_shared<const BallSet>(testing::random_balls(random, 600, 8000, 500, 900));
-  const AlphaRequest request{balls->lattice.square_angstrom(1e5), false};
-  free_unused_gpu_memory();
-  const std::size_t before = gpu::Faults::pinned_bytes.load();
-  auto engine = testing::make_device_engine(balls);
-  ASSERT_TRUE(engine);
-  AlphaComplex shown = engine->compute(request, {});
-  const std::uint64_t hash = shown.hash;
-  engine->compute(request, {});  // let go of at once: idle
-  const std::size_t at_work = gpu::Faults::pinned_bytes.load();
-  engine->rest();
-  const std::size_t resting = gpu::Faults::pinned_bytes.load();
-  EXPECT_LT(resting, at_work);
-  EXPECT_FALSE(is_gpu_memory_unused());
-  shown = {};
-  EXPECT_TRUE(is_gpu_memory_unused());
-  EXPECT_EQ(gpu::Faults::pinned_bytes.load(), resting) << "freed by the thread that let go";
-  free_unused_gpu_memory();
-  EXPECT_FALSE(is_gpu_memory_unused());
-  EXPECT_LT(gpu::Faults::pinned_bytes.load(), resting);
-
-  shown = engine->compute(request, {});
-  EXPECT_EQ(shown.hash, hash);
-  engine.reset();
-  shown = {};
-  free_unused_gpu_memory();
-  EXPECT_EQ(gpu::Faults::pinned_bytes.load(), before);
-}
-
 TEST(GpuLimits, AreWhat32BitsReach) {
   EXPECT_LT(8 * gpu::kMaxBalls + 513, std::size_t{1} << 31) << "cells are counted in int";
   EXPECT_LT(3 * gpu::kMaxSimplices, std::size_t{1} << 32) << "words of triangles";
@@ -218,7 +168,8 @@ TEST(GpuLimits, AreWhat32BitsReach) {
 
 // The first run reserves memory for its result while nothing else goes on; no stage ends before it
 // begins.
-TEST_P(GpuResults, SayWhatTheirMemoryTook) {
+TEST(GpuResults, SayWhatTheirMemoryTook) {
+  if (!gpu_device().usable) GTEST_SKIP() << gpu_device().why_not;
   Random random(11);
   const auto balls =
       std::make_shared<const BallSet>(testing::random_balls(random, 600, 8000, 500, 900));

@@ -1,19 +1,17 @@
-// The tuple engine on a device that is full or lost at any moment: it says so, and computes again
-// once there is room or the device is back.
+// The tuple engine on a device that is full or lost at any moment, on the emulated one: it says so,
+// and computes again once there is room or the device is back.
 #include <gtest/gtest.h>
 
 #include <ostream>
 
 #include "core/engine/engine.hpp"
 #include "gpu/gpu_engine.hpp"
-#include "gpu/memory/faults.hpp"
 #include "gpu/tuples/tuple_engine.hpp"
+#include "tests/gpu/emulated/device.h"
 #include "tests/support/random_balls.hpp"
 
 namespace alphascope {
 namespace {
-
-using gpu::Faults;
 
 struct Switches {
   const char* name;
@@ -26,12 +24,12 @@ void PrintTo(const Switches& switches, std::ostream* out) {
 class GpuTupleFaults : public ::testing::TestWithParam<Switches> {
  protected:
   void SetUp() override {
-    if (!gpu_device().usable) GTEST_SKIP() << gpu_device().why_not;
+    ASSERT_TRUE(gpu_device().usable) << gpu_device().why_not;
     testing::Random random(45);
     balls_ = std::make_shared<const BallSet>(testing::random_balls(random, 24, 1000, 100, 300));
     expected_ = make_cpu_engine(balls_)->compute(kLater, {}).hash;
   }
-  void TearDown() override { Faults::none(); }
+  void TearDown() override { emulated::be_sound(); }
 
   std::unique_ptr<Engine> make(std::string* why_not = nullptr) const {
     return make_gpu_tuple_engine(balls_, GetParam().options, why_not);
@@ -57,15 +55,15 @@ TEST_P(GpuTupleFaults, ARefusedReservationIsSaid) {
     ASSERT_TRUE(dropped && kept);
     bool met = false;
     for (const auto* engine : {&dropped, &kept}) {
-      Faults::refuse_reservation = n;
+      emulated::be_full_at(n);
       try {
         (*engine)->compute(kFirst, {});
-        EXPECT_EQ(Faults::met, 0) << "nothing was said of reservation " << n;
+        EXPECT_EQ(emulated::faults_met(), 0) << "nothing was said of reservation " << n;
       } catch (const std::bad_alloc&) {
-        EXPECT_GT(Faults::met, 0);
+        EXPECT_GT(emulated::faults_met(), 0);
       }
-      met = Faults::met > 0;
-      Faults::none();
+      met = emulated::faults_met() > 0;
+      emulated::be_sound();
     }
     EXPECT_EQ(kept->compute(kLater, {}).hash, expected_) << "after reservation " << n;
     if (!met) break;
@@ -77,14 +75,14 @@ TEST_P(GpuTupleFaults, ARefusedReservationIsSaid) {
 TEST_P(GpuTupleFaults, ALostDeviceIsSaid) {
   int lost = 0;
   for (int n = 0;; ++n) {
-    Faults::lose_device = n;
+    emulated::be_lost_at(n);
     std::string why_not;
     const auto engine = make(&why_not);
-    EXPECT_EQ(engine == nullptr, Faults::met > 0) << "call " << n;
+    EXPECT_EQ(engine == nullptr, emulated::faults_met() > 0) << "call " << n;
     if (engine) {
       try {
         engine->compute(kFirst, {});
-        EXPECT_EQ(Faults::met, 0) << "nothing was said of call " << n;
+        EXPECT_EQ(emulated::faults_met(), 0) << "nothing was said of call " << n;
       } catch (const std::runtime_error& error) {
         EXPECT_NE(std::string(error.what()).find("the GPU failed while"), std::string::npos)
             << error.what();
@@ -92,8 +90,8 @@ TEST_P(GpuTupleFaults, ALostDeviceIsSaid) {
     } else {
       EXPECT_NE(why_not.find("cannot be used"), std::string::npos) << why_not;
     }
-    const bool met = Faults::met > 0;
-    Faults::none();
+    const bool met = emulated::faults_met() > 0;
+    emulated::be_sound();
     if (engine) {
       EXPECT_EQ(engine->compute(kLater, {}).hash, expected_) << "after call " << n;
     }

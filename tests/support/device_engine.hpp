@@ -33,8 +33,9 @@ class DeviceEngine : public Engine {
 
 // Null, with the reason, where there is no device.
 inline std::unique_ptr<Engine> make_device_engine(std::shared_ptr<const BallSet> balls,
-                                                  std::string* why_not = nullptr) {
-  std::unique_ptr<Engine> engine = make_gpu_engine(std::move(balls), {}, why_not);
+                                                  std::string* why_not = nullptr,
+                                                  GpuOptions options = {}) {
+  std::unique_ptr<Engine> engine = make_gpu_engine(std::move(balls), {}, why_not, options);
   return engine ? std::make_unique<DeviceEngine>(std::move(engine)) : nullptr;
 }
 

@@ -1,4 +1,6 @@
 // Grids on the CPU: see cuda_runtime.h.
+#include "tests/gpu/emulated/device.h"
+
 #include <cuda_runtime.h>
 
 #include <boost/context/fiber.hpp>
@@ -99,6 +101,21 @@ std::vector<std::uint64_t> memory;
 
 cudaError_t last_error = cudaSuccess;
 
+// What tests have said will fail, and when: counted down, below 0 never.
+struct Faults {
+  int allocations_until_full = -1, calls_until_lost = -1, met = 0;
+  bool is_full = false;
+
+  // Of an attempt to reserve memory.
+  bool refuses() {
+    if (is_full) return true;
+    if (allocations_until_full < 0 || allocations_until_full-- != 0) return false;
+    ++met;
+    return is_full = true;
+  }
+} faults;
+ToHost to_host;
+
 // Runs the body once per thread of the grid.
 void run_grid(unsigned blocks, unsigned threads, std::size_t shared_bytes,
               const std::function<void()>& body) {
@@ -113,6 +130,35 @@ void run_grid(unsigned blocks, unsigned threads, std::size_t shared_bytes,
 
 }  // namespace
 
+cudaError_t status() {
+  faults.is_full = false;
+  if (faults.calls_until_lost < 0) return cudaSuccess;
+  if (faults.calls_until_lost > 0) {
+    --faults.calls_until_lost;
+    return cudaSuccess;
+  }
+  ++faults.met;
+  return cudaErrorDevicesUnavailable;
+}
+void be_full_at(int reservation) {
+  faults = {};
+  faults.allocations_until_full = reservation;
+}
+void be_lost_at(int call) {
+  faults = {};
+  faults.calls_until_lost = call;
+}
+int faults_met() {
+  return faults.met;
+}
+void be_sound() {
+  faults = {};
+  to_host = nullptr;
+}
+void change_copies_to_host(ToHost change) {
+  to_host = std::move(change);
+}
+
 unsigned char* shared_memory() {
   return reinterpret_cast<unsigned char*>(memory.data());
 }
@@ -121,6 +167,10 @@ void launch(unsigned blocks, unsigned threads, std::size_t shared_bytes, Emulate
             std::function<void()> body) {
   if (blocks == 0 || threads == 0 || threads > 1024) {
     last_error = cudaErrorInvalidConfiguration;
+    return;
+  }
+  if (const cudaError_t now = status()) {
+    last_error = now;
     return;
   }
   enqueue(stream, [=, own = std::move(body)] { run_grid(blocks, threads, shared_bytes, own); });
@@ -235,30 +285,36 @@ cudaError_t cudaGetLastError() {
 }
 
 cudaError_t cudaStreamCreateWithPriority(cudaStream_t* stream, unsigned, int) {
+  if (const cudaError_t status = emulated::status()) return status;
   *stream = emulated::streams.emplace_back(std::make_unique<EmulatedStream>()).get();
   return cudaSuccess;
 }
 cudaError_t cudaStreamDestroy(cudaStream_t stream) {
+  emulated::faults.is_full = false;
   stream->is_destroyed = true;
   emulated::drop_destroyed();
   return cudaSuccess;
 }
 cudaError_t cudaStreamSynchronize(cudaStream_t stream) {
+  if (const cudaError_t status = emulated::status()) return status;
   emulated::step_until([&] { return stream->tasks.empty(); });
   return cudaSuccess;
 }
 // Of its latest recording, as it is now.
 cudaError_t cudaStreamWaitEvent(cudaStream_t stream, cudaEvent_t event, unsigned) {
+  if (const cudaError_t status = emulated::status()) return status;
   stream->tasks.push_back({nullptr, event->recordings, event->recordings->made});
   return cudaSuccess;
 }
 cudaError_t cudaEventCreateWithFlags(cudaEvent_t* event, unsigned flags) {
+  if (const cudaError_t status = emulated::status()) return status;
   *event = new EmulatedEvent;
   ++emulated::events;
   (*event)->is_timed = flags != cudaEventDisableTiming;
   return cudaSuccess;
 }
 cudaError_t cudaEventRecord(cudaEvent_t event, cudaStream_t stream) {
+  if (const cudaError_t status = emulated::status()) return status;
   const unsigned recording = ++event->recordings->made;
   emulated::enqueue(stream, [recording, of = event->recordings] {
     of->reached = recording;
@@ -267,10 +323,12 @@ cudaError_t cudaEventRecord(cudaEvent_t event, cudaStream_t stream) {
   return cudaSuccess;
 }
 cudaError_t cudaEventSynchronize(cudaEvent_t event) {
+  if (const cudaError_t status = emulated::status()) return status;
   emulated::step_until([&] { return event->recordings->are_reached(); });
   return cudaSuccess;
 }
 cudaError_t cudaEventElapsedTime(float* milliseconds, cudaEvent_t start, cudaEvent_t end) {
+  if (const cudaError_t status = emulated::status()) return status;
   for (const EmulatedEvent* e : {start, end}) {
     if (!e->is_timed || e->recordings->made == 0) return cudaErrorInvalidResourceHandle;
     if (!e->recordings->are_reached()) return cudaErrorNotReady;
@@ -309,12 +367,15 @@ bool is_on_device(const void* data, std::size_t bytes) {
 cudaError_t allocate(void** data, std::size_t bytes, MemoryKind kind) {
   *data = nullptr;
   if (bytes == 0) return cudaSuccess;
+  if (faults.refuses()) return cudaErrorMemoryAllocation;
+  if (const cudaError_t now = status()) return now;
   if (posix_memalign(data, 256, bytes) != 0) return cudaErrorMemoryAllocation;
   std::memset(*data, 0xa5, bytes);
   allocations[reinterpret_cast<std::uintptr_t>(*data)] = {bytes, kind};
   return cudaSuccess;
 }
 cudaError_t release(void* data, MemoryKind kind) {
+  faults.is_full = false;
   if (data == nullptr) return cudaSuccess;
   const auto found = allocations.find(reinterpret_cast<std::uintptr_t>(data));
   if (found == allocations.end() || found->second.kind != kind) return cudaErrorInvalidValue;
@@ -324,12 +385,25 @@ cudaError_t release(void* data, MemoryKind kind) {
   return cudaSuccess;
 }
 
+std::size_t pinned_bytes() {
+  std::size_t sum = 0;
+  for (const auto& [at, of] : allocations) sum += of.kind == MemoryKind::device ? 0 : of.bytes;
+  return sum;
+}
+std::size_t registered_bytes() {
+  std::size_t sum = 0;
+  for (const auto& [at, of] : allocations) sum += of.kind == MemoryKind::registered ? of.bytes : 0;
+  return sum;
+}
+
 }  // namespace emulated
 
 cudaError_t cudaHostRegister(void* data, std::size_t bytes, unsigned) {
   static bool refused = false;
   refused = !refused;
   if (refused) return emulated::last_error = cudaErrorInvalidValue;
+  if (emulated::faults.refuses()) return emulated::last_error = cudaErrorMemoryAllocation;
+  if (const cudaError_t status = emulated::status()) return emulated::last_error = status;
   std::memset(data, 0xa5, bytes);
   emulated::allocations[reinterpret_cast<std::uintptr_t>(data)] = {
       bytes, emulated::MemoryKind::registered};
@@ -345,11 +419,15 @@ cudaError_t cudaDeviceSynchronize() {
 
 cudaError_t cudaMemcpyAsync(void* to, const void* from, std::size_t bytes, cudaMemcpyKind kind,
                             cudaStream_t stream) {
+  if (const cudaError_t status = emulated::status()) return status;
   if (bytes == 0) return cudaSuccess;
   const bool to_device = kind == cudaMemcpyHostToDevice;
   if (emulated::is_on_device(to, bytes) != to_device) return cudaErrorInvalidValue;
   if (emulated::is_on_device(from, bytes) == to_device) return cudaErrorInvalidValue;
-  emulated::enqueue(stream, [=] { std::memcpy(to, from, bytes); });
+  emulated::enqueue(stream, [=] {
+    std::memcpy(to, from, bytes);
+    if (!to_device && emulated::to_host) emulated::to_host(to, bytes);
+  });
   return cudaSuccess;
 }
 
@@ -364,6 +442,7 @@ std::vector<Texture> textures(1);
 
 cudaError_t cudaCreateTextureObject(cudaTextureObject_t* object, const cudaResourceDesc* resource,
                                     const cudaTextureDesc* texture, const cudaResourceViewDesc*) {
+  if (const cudaError_t status = emulated::status()) return status;
   const auto& linear = resource->res.linear;
   const auto element =
       static_cast<std::size_t>(linear.desc.x + linear.desc.y + linear.desc.z + linear.desc.w) / 8;

@@ -1,0 +1,101 @@
+// Pinned memory on the emulated device, which knows how much there is: of results, and of pages
+// that are the program's own.
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+#include "gpu/gpu_engine.hpp"
+#include "gpu/memory/page_locked.hpp"
+#include "gpu/memory/result_memory.cuh"
+#include "tests/gpu/emulated/device.h"
+#include "tests/support/device_engine.hpp"
+#include "tests/support/random_balls.hpp"
+
+namespace alphascope {
+namespace {
+
+using testing::Random;
+
+constexpr std::size_t kLittle = 4096, kMuch = 5 << 20;  // bytes
+
+// Nothing pinned is left of an engine that rests but what results are in that somebody has; and
+// those go when he lets go of them, but not on his thread.
+TEST(PinnedMemory, IsGivenBackWhenTheEngineRests) {
+  Random random(12);
+  const auto balls =
+      std::make_shared<const BallSet>(testing::random_balls(random, 600, 8000, 500, 900));
+  const AlphaRequest request{balls->lattice.square_angstrom(1e5), false};
+  free_unused_gpu_memory();
+  const std::size_t before = emulated::pinned_bytes();
+  auto engine = testing::make_device_engine(balls);
+  ASSERT_TRUE(engine);
+  AlphaComplex shown = engine->compute(request, {});
+  const std::uint64_t hash = shown.hash;
+  engine->compute(request, {});  // let go of at once: idle
+  const std::size_t at_work = emulated::pinned_bytes();
+  engine->rest();
+  const std::size_t resting = emulated::pinned_bytes();
+  EXPECT_LT(resting, at_work);
+  EXPECT_FALSE(is_gpu_memory_unused());
+  shown = {};
+  EXPECT_TRUE(is_gpu_memory_unused());
+  EXPECT_EQ(emulated::pinned_bytes(), resting) << "freed by the thread that let go";
+  free_unused_gpu_memory();
+  EXPECT_FALSE(is_gpu_memory_unused());
+  EXPECT_LT(emulated::pinned_bytes(), resting);
+
+  shown = engine->compute(request, {});
+  EXPECT_EQ(shown.hash, hash);
+  engine.reset();
+  shown = {};
+  free_unused_gpu_memory();
+  EXPECT_EQ(emulated::pinned_bytes(), before);
+}
+
+// The emulated device refuses to register pages every other time, as systems do that cannot.
+TEST(PinnedMemory, OfMuchIsPagesOfOurOwnWhereTheyCanBeRegistered) {
+  const std::size_t before = emulated::pinned_bytes(), own_before = emulated::registered_bytes();
+  int own = 0;
+  gpu::PageLocked memory;
+  for (int time = 0; time < 4; ++time) {
+    ASSERT_EQ(memory.allocate(kMuch + 1), cudaSuccess);
+    std::memset(memory.get(), time, kMuch + 1);
+    EXPECT_GT(emulated::pinned_bytes() - before, kMuch);
+    const std::size_t registered = emulated::registered_bytes() - own_before;
+    EXPECT_TRUE(registered == 0 || (registered > kMuch && registered % 4096 == 0)) << registered;
+    own += registered > 0;
+  }
+  EXPECT_EQ(own, 2);
+  ASSERT_EQ(memory.allocate(kLittle), cudaSuccess);
+  EXPECT_EQ(emulated::registered_bytes(), own_before);
+  EXPECT_EQ(emulated::pinned_bytes() - before, kLittle);
+  memory.free();
+  EXPECT_EQ(emulated::pinned_bytes(), before);
+}
+
+// The same with pages of our own and with CUDA's: one is taken, kept, let go of and taken again.
+TEST(PinnedMemory, OfLargeResultsIsTakenAgain) {
+  gpu::ResultMemory::free_unused();
+  const std::size_t before = emulated::pinned_bytes();
+  for (int time = 0; time < 4; ++time) {
+    const auto pool = std::make_shared<gpu::ResultMemory>();
+    const unsigned char* first = nullptr;
+    {
+      const gpu::ResultMemory::Taken taken = pool->take(kMuch), other = pool->take(kMuch);
+      EXPECT_TRUE(taken.grew && other.grew);
+      std::memset(taken.memory.get(), 1, kMuch);
+      std::memset(other.memory.get(), 2, kMuch);
+      first = taken.memory.get();
+      EXPECT_EQ(first[kMuch - 1], 1);
+      EXPECT_GE(emulated::pinned_bytes() - before, 2 * kMuch);
+    }
+    const gpu::ResultMemory::Taken again = pool->take(kMuch - kLittle);
+    EXPECT_FALSE(again.grew);
+    pool->close();
+  }
+  gpu::ResultMemory::free_unused();
+  EXPECT_EQ(emulated::pinned_bytes(), before);
+}
+
+}  // namespace
+}  // namespace alphascope

@@ -1,0 +1,13 @@
+// How the emulated device runs a grid: at once, and to its end.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+
+namespace emulated {
+
+// Runs the body once per thread of the grid.
+void run_grid(unsigned blocks, unsigned threads, std::size_t shared_bytes,
+              const std::function<void()>& body);
+
+}  // namespace emulated

@@ -83,11 +83,15 @@ __device__ inline bool is_candidate(const DualEdgeMemory& m, const BlockBalls& s
                                              s.radius_square[triangle.ball]);
 }
 
+// A list of triangles by number, and how many it has room for.
+struct TriangleList {
+  std::uint16_t* numbers;
+  std::uint32_t room;
+};
 // Puts triangle t, of ball b, on a list; the ball goes to kernel III where that has no room.
-__device__ inline void enlist(std::uint16_t* list, std::uint32_t room, BlockBalls& s, int place,
-                              int t, int b) {
-  if (place < static_cast<int>(room)) {
-    list[place] = static_cast<std::uint16_t>(t);
+__device__ inline void enlist(const TriangleList& list, BlockBalls& s, int place, int t, int b) {
+  if (place < static_cast<int>(list.room)) {
+    list.numbers[place] = static_cast<std::uint16_t>(t);
   } else {
     s.exact[b] = 2;
   }
@@ -112,7 +116,7 @@ __device__ inline int list_candidates(const DualEdgeProblem& p, const DualEdgeMe
     if (lane == 0) base = atomicAdd(&s.listed, __popc(votes));
     base = __shfl_sync(~0u, base, 0);
     const int place = base + __popc(votes & ((1u << lane) - 1));
-    if (keep) enlist(m.listed, p.capacity.listed, s, place, t, ball);
+    if (keep) enlist({m.listed, p.capacity.listed}, s, place, t, ball);
   }
   __syncthreads();
   return min(s.listed, static_cast<int>(p.capacity.listed));
@@ -144,7 +148,7 @@ __device__ inline int sort_candidates(const DualEdgeProblem& p, const DualEdgeMe
   for (int t = threadIdx.x; t < triangles; t += kBlockThreads) {
     if (m.length[t] >= kLengths) continue;
     const int place = atomicAdd(&s.lengths[m.length[t]], 1);
-    enlist(m.listed, p.capacity.listed, s, place, t, m.triangles[t] >> 25);
+    enlist({m.listed, p.capacity.listed}, s, place, t, m.triangles[t] >> 25);
   }
   __syncthreads();
   return min(s.listed, static_cast<int>(p.capacity.listed));
@@ -240,7 +244,7 @@ __device__ inline int probe_triangles(const DualEdgeProblem& p, const DualEdgeMe
       if (edge.start(vector(triangle.j), vector(triangle.k), s.radius_square[triangle.ball]) &&
           !probed_away(
               edge, words, [&](int w) { return triangle.common(w) & near[w]; }, vector))
-        enlist(m.probed, p.capacity.probed, s, atomicAdd(&s.probed, 1), t, triangle.ball);
+        enlist({m.probed, p.capacity.probed}, s, atomicAdd(&s.probed, 1), t, triangle.ball);
     }
     __syncwarp();
   }

@@ -16,10 +16,17 @@ struct OrderedSimplices {
   std::uint32_t* vertices;
   float* value;
   std::uint8_t* simplex_class;
+  std::uint64_t* hash;  // HashSums::sum, which each simplex is added to
   std::uint32_t capacity;
 };
 struct OrderedResult {
   OrderedSimplices dimension[4];
+  const int4* ball;  // by index
+};
+
+// A chunk of which each block of threads takes groups of so many balls.
+struct GroupedChunk : Chunk {
+  int group;
 };
 
 // Two numbers per ball that are summed at once; one more pair makes the last sum the total.
@@ -130,18 +137,24 @@ struct PendingTriangles {
   std::uint32_t* count;
 };
 
-// Triangle `t`: its value, which its edges learn, and its place; returns its hash.
-__device__ inline std::uint64_t place_triangle(const DualEdgeOutput& from, std::uint32_t t,
-                                               const int4* ball, const Chunk& chunk,
-                                               const PendingTriangles& pending, std::uint32_t at,
-                                               const OrderedSimplices& out) {
+// From where a simplex was written to its place in the result.
+struct Move {
+  std::uint32_t from, to;
+};
+
+// A triangle: its value, which its edges learn, and its place; returns its hash.
+__device__ inline std::uint64_t place_triangle(const DualEdgeOutput& from, const Move& move,
+                                               const Chunk& chunk, const PendingTriangles& pending,
+                                               const OrderedResult& to) {
+  const std::uint32_t t = move.from, at = move.to;
+  const OrderedSimplices& out = to.dimension[2];
   const std::uint32_t* v = from.triangles.vertices + 3 * static_cast<std::size_t>(t);
   const std::uint32_t i = v[0], j = v[1], k = v[2], info = from.triangles.info[t];
   const std::uint32_t l = from.triangles.attached_to[t];
   if (at >= out.capacity) return 0;
   // It waits for memory most of the time: all that can be read is, before anything is done with it.
   const bool attached = l != kNoBall, pends = j >= chunk.end;
-  const SimplexBalls balls = simplex_balls<4>(ball, make_uint4(i, j, k, attached ? l : j));
+  const SimplexBalls balls = simplex_balls<4>(to.ball, make_uint4(i, j, k, attached ? l : j));
   const std::uint32_t own = from.edges.start[i];
   const ToldEdge ij(from.edges, own + (info & 4095)), ik(from.edges, own + (info >> 12 & 4095)),
       jk(from.edges, pends ? kNoEdge : find_edge(from.edges, j, k));
@@ -181,7 +194,8 @@ __device__ inline bool is_overfull(const DualEdgeOutput& from) {
 
 // Calls visit(first ball, balls) for groups of the chunk's balls, block after block.
 template <class Visit>
-__device__ inline void for_groups(const Chunk& chunk, int group, const Visit& visit) {
+__device__ inline void for_groups(const GroupedChunk& chunk, const Visit& visit) {
+  const int group = chunk.group;
   for (std::uint32_t first = chunk.begin + blockIdx.x * group; first < chunk.end;
        first += gridDim.x * group) {
     visit(first, static_cast<int>(min(static_cast<std::uint32_t>(group), chunk.end - first)));
@@ -191,14 +205,13 @@ __device__ inline void for_groups(const Chunk& chunk, int group, const Visit& vi
 
 // The chunk's triangles and tetrahedra; `places`: sums of FaceCounts.
 __global__ void __launch_bounds__(kValueThreads, kValueBlocks)
-    place_faces(Chunk chunk, int group, DualEdgeOutput from, const int4* ball,
-                const std::uint64_t* places, PendingTriangles pending, OrderedResult to,
-                std::uint64_t* hash) {
+    place_faces(GroupedChunk chunk, DualEdgeOutput from, const std::uint64_t* places,
+                PendingTriangles pending, OrderedResult to) {
   __shared__ GroupItems triangles, tetrahedra;
   if (is_overfull(from)) return;
   const Totals before = *chunk.before;
   std::uint64_t triangle_hash = 0, tetrahedron_hash = 0;
-  for_groups(chunk, group, [&](std::uint32_t first, int balls) {
+  for_groups(chunk, [&](std::uint32_t first, int balls) {
     triangles.load(
         first, balls, from.triangles.start, [&](std::uint32_t i) { return high_of(places[i]); },
         before.of[2]);
@@ -207,34 +220,33 @@ __global__ void __launch_bounds__(kValueThreads, kValueBlocks)
         before.of[3]);
     __syncthreads();
     for (std::uint32_t t = threadIdx.x; t < triangles.count(balls); t += blockDim.x)
-      triangle_hash += place_triangle(from, triangles.source(t, balls), ball, chunk, pending,
-                                      triangles.place + t, to.dimension[2]);
+      triangle_hash += place_triangle(from, {triangles.source(t, balls), triangles.place + t},
+                                      chunk, pending, to);
     for (std::uint32_t t = threadIdx.x; t < tetrahedra.count(balls); t += blockDim.x) {
       const uint4 v = from.tetrahedra.vertices[tetrahedra.source(t, balls)];
       const std::uint32_t at = tetrahedra.place + t;
       const OrderedSimplices& out = to.dimension[3];
       if (at >= out.capacity) continue;
       reinterpret_cast<uint4*>(out.vertices)[at] = v;
-      out.value[at] = ortho_radius<4>(simplex_balls<4>(ball, v));
+      out.value[at] = ortho_radius<4>(simplex_balls<4>(to.ball, v));
       tetrahedron_hash += hash_of(v);
     }
   });
-  add_of_block(triangle_hash, &hash[2]);
-  add_of_block(tetrahedron_hash, &hash[3]);
+  add_of_block(triangle_hash, to.dimension[2].hash);
+  add_of_block(tetrahedron_hash, to.dimension[3].hash);
   if (blockIdx.x != 0 || threadIdx.x != 0) return;
   chunk.before[1].of[2] = before.of[2] + high_of(places[chunk.end]);
   chunk.before[1].of[3] = before.of[3] + low_of(places[chunk.end]);
 }
 
 // The chunk's tetrahedra alone, without values.
-__global__ void place_tetrahedra(Chunk chunk, int group, FoundTetrahedra from,
-                                 const std::uint32_t* places, OrderedSimplices to,
-                                 std::uint64_t* hash) {
+__global__ void place_tetrahedra(GroupedChunk chunk, FoundTetrahedra from,
+                                 const std::uint32_t* places, OrderedSimplices to) {
   __shared__ GroupItems tetrahedra;
   if (__syncthreads_or(*from.cursor > from.capacity)) return;  // as is_overfull()
   const std::uint32_t before = chunk.before->of[3];
   std::uint64_t sum = 0;
-  for_groups(chunk, group, [&](std::uint32_t first, int balls) {
+  for_groups(chunk, [&](std::uint32_t first, int balls) {
     tetrahedra.load(
         first, balls, from.start, [&](std::uint32_t i) { return places[i]; }, before);
     __syncthreads();
@@ -246,7 +258,7 @@ __global__ void place_tetrahedra(Chunk chunk, int group, FoundTetrahedra from,
       sum += hash_of(v);
     }
   });
-  add_of_block(sum, hash);
+  add_of_block(sum, to.hash);
   if (blockIdx.x == 0 && threadIdx.x == 0) chunk.before[1].of[3] = before + places[chunk.end];
 }
 
@@ -340,11 +352,16 @@ struct ToldVertex {
   }
 };
 
+// An edge by its lower ball and its place among the candidates.
+struct OwnEdge {
+  std::uint32_t begin, candidate;
+};
 // An edge of K_alpha: its value, if it is not attached, which its end learns. Returns what its
 // beginning is to learn.
 __device__ inline EdgeNews finish_edge(const int4* ball, const EdgeCandidates& edges,
                                        const VertexStates& vertices, const Chunk& chunk,
-                                       std::uint32_t begin, std::uint32_t e) {
+                                       const OwnEdge& edge) {
+  const std::uint32_t begin = edge.begin, e = edge.candidate;
   const std::uint32_t flags = edges.flags[e], end = edges.end[e];
   std::uint32_t least = edges.least[e];
   const ToldVertex told(vertices, chunk, end);
@@ -366,7 +383,7 @@ __global__ void __launch_bounds__(kValueThreads, kValueBlocks)
     EdgeNews news;
     const std::uint32_t count =
         for_edges(from.edges, i, active, [&](std::uint32_t e, std::uint32_t) {
-          news.add(finish_edge(ball, from.edges, vertices, chunk, i, e));
+          news.add(finish_edge(ball, from.edges, vertices, chunk, {i, e}));
         });
     news.add_lanes();
     if (!active || threadIdx.x % kEdgeLanes != 0) return;
@@ -391,10 +408,11 @@ struct EdgeAndVertexCounts {
 };
 
 // Writes vertex i; returns its hash.
-__device__ inline std::uint64_t place_vertex(std::uint32_t i, const int4* ball,
-                                             const VertexStates& vertices, std::uint32_t at,
-                                             const OrderedSimplices& out) {
+__device__ inline std::uint64_t place_vertex(std::uint32_t i, const VertexStates& vertices,
+                                             std::uint32_t at, const OrderedResult& to) {
+  const OrderedSimplices& out = to.dimension[0];
   if (at >= out.capacity) return 0;
+  const int4* ball = to.ball;
   const double weight = static_cast<double>(static_cast<std::int64_t>(ball[i].w) * ball[i].w);
   const std::uint32_t flags = vertex_flags(vertices, i);
   out.vertices[at] = i;
@@ -405,9 +423,8 @@ __device__ inline std::uint64_t place_vertex(std::uint32_t i, const int4* ball,
 }
 
 // Writes the chunk's edges and vertices; `places`: sums of EdgeAndVertexCounts.
-__global__ void place_edges_and_vertices(Chunk chunk, DualEdgeOutput from, const int4* ball,
-                                         VertexStates vertices, const std::uint64_t* places,
-                                         OrderedResult to, std::uint64_t* hash) {
+__global__ void place_edges_and_vertices(Chunk chunk, DualEdgeOutput from, VertexStates vertices,
+                                         const std::uint64_t* places, OrderedResult to) {
   if (is_overfull(from)) return;
   const Totals before = *chunk.before;
   const EdgeCandidates& edges = from.edges;
@@ -424,12 +441,11 @@ __global__ void place_edges_and_vertices(Chunk chunk, DualEdgeOutput from, const
       edge_hash += simplex_hash<2>(v);
     });
     if (active && threadIdx.x % kEdgeLanes == 0 && is_in_complex(vertex_flags(vertices, i)))
-      vertex_hash +=
-          place_vertex(i, ball, vertices, before.of[0] + high_of(places[i]), to.dimension[0]);
+      vertex_hash += place_vertex(i, vertices, before.of[0] + high_of(places[i]), to);
     __syncwarp();
   });
-  add_of_block(vertex_hash, &hash[0]);
-  add_of_block(edge_hash, &hash[1]);
+  add_of_block(vertex_hash, to.dimension[0].hash);
+  add_of_block(edge_hash, to.dimension[1].hash);
   if (blockIdx.x != 0 || threadIdx.x != 0) return;
   chunk.before[1].of[0] = before.of[0] + high_of(places[chunk.end]);
   chunk.before[1].of[1] = before.of[1] + low_of(places[chunk.end]);

@@ -38,20 +38,21 @@ class Ordering {
     launch(finish_edges, lanes(chunk, kValueThreads, kValueBlocks), chunk, out, s_.balls.get(),
            vertices, s_.edges_found.get());
     sum(chunk, EdgeAndVertexCounts{out, vertices, s_.edges_found.get(), chunk.end});
-    launch(place_edges_and_vertices, lanes(chunk, kThreads, 8), chunk, out, s_.balls.get(),
-           vertices, s_.places.get(), ordered_, &s_.counters()->hash[0]);
+    launch(place_edges_and_vertices, lanes(chunk, kThreads, 8), chunk, out, vertices,
+           s_.places.get(), ordered_);
     check(cudaGetLastError(), "ordering the simplices");
   }
 
  private:
   OrderedResult ordered(const ResultLayout& layout) const {
     OrderedResult ordered{};
+    ordered.ball = s_.balls.get();
     for (int d = 0; d < 4; ++d) {
       const ResultLayout::Section& at = layout.dimension[d];
       unsigned char* memory = s_.result.get();
       ordered.dimension[d] = {reinterpret_cast<std::uint32_t*>(memory + at.vertices),
                               reinterpret_cast<float*>(memory + at.value),
-                              memory + at.simplex_class,
+                              memory + at.simplex_class, &s_.counters()->hash[d],
                               static_cast<std::uint32_t>(layout.room[d])};
     }
     return ordered;
@@ -64,6 +65,7 @@ class Ordering {
         (chunk.end - chunk.begin) / (8 * static_cast<std::size_t>(s_.multiprocessors));
     return static_cast<int>(std::clamp<std::size_t>(share, 16, kGroupBalls));
   }
+  GroupedChunk grouped(const Chunk& chunk) const { return {chunk, group(chunk)}; }
   LaunchShape groups(const Chunk& chunk, unsigned most) const {
     const unsigned balls = chunk.end - chunk.begin, each = static_cast<unsigned>(group(chunk));
     return {std::clamp((balls + each - 1) / each, 1u, most * s_.multiprocessors), kValueThreads,
@@ -81,16 +83,16 @@ class Ordering {
     const Chunk& chunk = part.chunk;
     s_.scan(part.out.tetrahedra.count + chunk.begin, s_.offset.get() + chunk.begin,
             chunk.end - chunk.begin + 1, stream_);
-    launch(place_tetrahedra, groups(chunk, 8), chunk, group(chunk), part.out.tetrahedra,
-           s_.offset.get(), ordered_.dimension[3], &s_.counters()->hash[3]);
+    launch(place_tetrahedra, groups(chunk, 8), grouped(chunk), part.out.tetrahedra, s_.offset.get(),
+           ordered_.dimension[3]);
   }
 
   void place_all_faces(const Part& part) {
     const Chunk& chunk = part.chunk;
     const DualEdgeOutput& out = part.out;
     sum(chunk, FaceCounts{out.tetrahedra.count, out.triangles.count, chunk.end});
-    launch(place_faces, groups(chunk, 2 * kValueBlocks), chunk, group(chunk), out, s_.balls.get(),
-           s_.places.get(), pending(), ordered_, &s_.counters()->hash[0]);
+    launch(place_faces, groups(chunk, 2 * kValueBlocks), grouped(chunk), out, s_.places.get(),
+           pending(), ordered_);
   }
   PendingTriangles pending() const { return {s_.pending.get(), &s_.counters()->pending}; }
 

@@ -146,7 +146,7 @@ TEST_F(CommandsTest, WhatIsWrongIsSaid) {
   EXPECT_EQ(why("alpha.set one"),
             "alpha.set: “one” is not a number. Write a number such as 1.4, in Å².");
   EXPECT_EQ(why("alpha.set 101"),
-            "alpha.set: Alpha must lie between -10 and 100 Å²; “101” does not.");
+            "alpha.set: Alpha must lie between −10 and 100 Å²; “101” does not.");
   EXPECT_EQ(why("alpha.sett 1"), "There is no command \"alpha.sett\".");
   EXPECT_EQ(why("view.reset now"),
             "view.reset takes no arguments: \"now\" is too much. Write view.reset.");

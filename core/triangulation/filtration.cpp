@@ -148,8 +148,9 @@ template <int N>
 class Selection {
  public:
   // `levels`: null for tetrahedra, which are interior.
-  Selection(const SimplexList<N>& from, const ClassLevels* levels, float bound)
-      : from_(from), levels_(levels), bound_(bound) {}
+  Selection(const SimplexList<N>& from, const ClassLevels* levels, const HashSteps& steps,
+            float bound)
+      : from_(from), levels_(levels), hashed_(steps.last_within(bound)), bound_(bound) {}
 
   // Fills `to`, with values and classes if asked for, and returns the sum of its hash terms.
   std::uint64_t copy_to(SimplexList<N>& to, bool with_values) const {
@@ -158,7 +159,7 @@ class Selection {
     to.alpha_values.resize(with_values ? place.back() : 0);
     to.classes.resize(with_values ? place.back() : 0);
     using Range = tbb::blocked_range<std::size_t>;
-    return tbb::parallel_reduce(
+    const std::uint64_t rest = tbb::parallel_reduce(
         Range(0, place.size() - 1, 1), std::uint64_t{0},
         [&](const Range& blocks, std::uint64_t sum) {
           for (std::size_t b = blocks.begin(); b != blocks.end(); ++b) {
@@ -167,10 +168,10 @@ class Selection {
           return sum;
         },
         std::plus<>());
+    return hashed_.sum + rest;
   }
 
  private:
-  // The copy of a block stays in the nearest cache while it is hashed.
   static constexpr std::size_t kBlock = 4096;
 
   // Where what passes of each block begins in the result; then the size of the result.
@@ -195,39 +196,51 @@ class Selection {
                            SimplexList<N>& to) const {
     // What does not pass is overwritten by what passes next, up to `end`: there another block's
     // begin.
-    std::size_t at = begin;
+    // No branch: each would be guessed wrong half of the time.
+    std::uint32_t to_hash[kBlock];
+    std::size_t at = begin, count = 0;
     for (std::size_t n = block * kBlock; at < end; ++n) {
+      const float value = from_.alpha_values[n];
       to.simplices[at] = from_.simplices[n];
       if (with_values) {
-        to.alpha_values[at] = from_.alpha_values[n];
+        to.alpha_values[at] = value;
         to.classes[at] =
             levels_ == nullptr ? SimplexClass::interior : class_at(levels_of(*levels_, n), bound_);
       }
-      at += from_.alpha_values[n] <= bound_;
+      const std::size_t passes = value <= bound_;
+      to_hash[count] = static_cast<std::uint32_t>(at);
+      count += passes & static_cast<std::size_t>(value > hashed_.alpha_value);
+      at += passes;
     }
     std::uint64_t sum = 0;
-    for (std::size_t s = begin; s < end; ++s) sum += simplex_hash<N>(to.simplices[s].data());
+    for (std::size_t h = 0; h < count; ++h) {
+      sum += simplex_hash<N>(to.simplices[to_hash[h]].data());
+    }
     return sum;
   }
 
   const SimplexList<N>& from_;
   const ClassLevels* const levels_;
+  const HashSteps::Step hashed_;  // the hash terms up to this value are known
   const float bound_;
 };
 
 void select(const Filtration& filtration, float bound, AlphaComplex& complex) {
   const AlphaComplex& top = filtration.top();
   const ClassLevelsByDimension& levels = filtration.levels();
+  const HashStepsByDimension& steps = filtration.hash_steps();
   HashSums sums;
-  const auto copy = [&](const auto& from, const ClassLevels* from_levels, auto& to, int dimension) {
-    sums.sum[dimension] = Selection(from, from_levels, bound).copy_to(to, !complex.tetrahedra_only);
+  const auto copy = [&](const auto& from, const ClassLevels* from_levels, const HashSteps& hashes,
+                        auto& to, int dimension) {
+    sums.sum[dimension] =
+        Selection(from, from_levels, hashes, bound).copy_to(to, !complex.tetrahedra_only);
     sums.count[dimension] = to.size();
   };
-  copy(top.tetrahedra, nullptr, complex.tetrahedra, 3);
+  copy(top.tetrahedra, nullptr, steps.tetrahedra, complex.tetrahedra, 3);
   if (!complex.tetrahedra_only) {
-    copy(top.triangles, &levels.triangles, complex.triangles, 2);
-    copy(top.edges, &levels.edges, complex.edges, 1);
-    copy(top.vertices, &levels.vertices, complex.vertices, 0);
+    copy(top.triangles, &levels.triangles, steps.triangles, complex.triangles, 2);
+    copy(top.edges, &levels.edges, steps.edges, complex.edges, 1);
+    copy(top.vertices, &levels.vertices, steps.vertices, complex.vertices, 0);
   }
   complex.hash = sums.combined(complex.tetrahedra_only);
 }

@@ -8,6 +8,7 @@
 #include "core/complex/alpha_complex.hpp"
 #include "core/complex/triangulation.hpp"
 #include "core/run/cancel_token.hpp"
+#include "core/triangulation/hash_steps.hpp"
 
 namespace alphascope {
 
@@ -39,6 +40,7 @@ class Filtration {
   // The complex at alpha_max: all simplices with their alpha values.
   const AlphaComplex& top() const { return *top_; }
   const ClassLevelsByDimension& levels() const { return levels_; }
+  const HashStepsByDimension& hash_steps() const { return hash_steps_; }
   const BallSet& balls() const { return *balls_; }
 
   // Memory held beside top(), and by top() itself.
@@ -49,6 +51,7 @@ class Filtration {
   std::shared_ptr<const BallSet> balls_;
   std::shared_ptr<const AlphaComplex> top_;
   ClassLevelsByDimension levels_;
+  HashStepsByDimension hash_steps_;
 };
 
 // K_alpha for alpha_on_lattice <= filtration.alpha_max_on_lattice() (else std::invalid_argument),

@@ -168,6 +168,7 @@ Filtration::Filtration(std::shared_ptr<const BallSet> balls, const Triangulation
   for (std::size_t n = 0; n < vertices.size(); ++n) vertices[n] = {triangulation.vertices[n]};
   levels_.vertices = build_dimension<1>(*balls_, cancel, std::move(vertices), top->edges,
                                         &levels_.edges, top->vertices);
+  hash_steps_ = HashStepsByDimension(*top, cancel);
   top_ = top;
 }
 
@@ -190,6 +191,7 @@ Filtration::Filtration(std::shared_ptr<const BallSet> balls,
   levels_.vertices =
       class_levels<1>(cancel, top_->vertices, FaceGroups<1>(top_->edges.simplices, cancel),
                       top_->edges, &levels_.edges);
+  hash_steps_ = HashStepsByDimension(*top_, cancel);
 }
 
 std::size_t Filtration::level_bytes() const {

@@ -3,6 +3,7 @@
 //
 //   alphascope_filtration_bench FILE.balls|FILE.xyzr [THREADS [MOVES [verify]]]
 #include <malloc.h>
+#include <sys/resource.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
@@ -11,6 +12,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <ctime>
 #include <exception>
 #include <memory>
 #include <new>
@@ -100,23 +102,35 @@ void print_spread(const char* what, std::vector<double>& times) {
               at(0.25), at(0.5), at(0.75), at(1));
 }
 
+// Pages that the system had to hand out so far.
+long page_faults() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return usage.ru_minflt;
+}
+
 // Random alphas below `high` (Å²), each result freed before the next move.
 void measure_moves(const Filtration& filtration, double high, int moves) {
   std::mt19937_64 random(1);
   std::uniform_real_distribution<double> alphas(0, high);
-  std::vector<double> times;
+  std::vector<double> times, of_processors;
   std::size_t simplices = 0;
+  const long faults = page_faults();
   for (int n = 0; n < moves; ++n) {
     const double alpha = filtration.balls().lattice.alpha_on_lattice(alphas(random));
+    const std::clock_t worked = std::clock();
     const Clock::time_point start = Clock::now();
     const AlphaComplex complex = threshold(filtration, alpha, false);
     times.push_back(std::chrono::duration<double, std::milli>(Clock::now() - start).count());
+    of_processors.push_back(1e3 * static_cast<double>(std::clock() - worked) / CLOCKS_PER_SEC);
     simplices += complex.tetrahedra.size();
   }
   char what[64];
   std::snprintf(what, sizeof what, "moves below %g Å²", high);
   print_spread(what, times);
-  std::printf("%28s tetrahedra on average %zu\n", "", simplices / static_cast<std::size_t>(moves));
+  print_spread("  time of processors", of_processors);
+  std::printf("%28s per move: %zu tetrahedra, %ld new pages\n", "",
+              simplices / static_cast<std::size_t>(moves), (page_faults() - faults) / moves);
 }
 
 }  // namespace

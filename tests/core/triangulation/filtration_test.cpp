@@ -8,6 +8,7 @@
 #include <functional>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 #include "core/complex/compare.hpp"
 #include "core/complex/face_groups.hpp"
@@ -54,6 +55,33 @@ TEST(Filtration, SeparatesValuesOfOneFloat) {
     }
   }
   EXPECT_GT(separated, 100u);
+}
+
+// Most of the hash is known before: of small and large sets, at, between and beyond alpha values.
+TEST(Filtration, TheHashIsThatOfTheSimplices) {
+  Random random(29);
+  std::vector<NamedBalls> sets = testing::large_hard_sets(random);
+  sets.push_back({"many", testing::random_balls(random, 3000, 3000, 100, 300)});
+  std::size_t different = 0;
+  for (const NamedBalls& set : sets) {
+    const auto balls = std::make_shared<const BallSet>(set.balls);
+    const Filtration filtration(balls, make_triangulation(*balls, 1));
+    std::vector<double> alphas{-1e300, 1e300, std::numeric_limits<double>::infinity()};
+    const auto& values = filtration.top().triangles.alpha_values;
+    for (std::size_t n = 0; n < values.size(); n += values.size() / 40 + 1) {
+      alphas.push_back(values[n]);
+      alphas.push_back(std::nextafter(values[n], -1e30f));
+    }
+    std::uint64_t last = 0;
+    for (const double alpha : alphas) {
+      for (const bool only : {false, true}) {
+        const AlphaComplex complex = threshold(filtration, alpha, only);
+        ASSERT_EQ(complex.hash, complex_hash(complex)) << set.name << ", alpha " << alpha;
+        different += complex.hash != std::exchange(last, complex.hash);
+      }
+    }
+  }
+  EXPECT_GT(different, 1000u);
 }
 
 TEST(Filtration, OfAComplexAnswersEverySmallerAlpha) {

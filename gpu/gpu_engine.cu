@@ -1,11 +1,11 @@
-// The CUDA engine's face: finds and proves the device, runs the pipeline, falls back to the CPU.
+// The CUDA engine's face: finds and proves the device, and runs the pipeline as an executor of
+// core/engines/short_of_memory.hpp.
 #include "gpu/gpu_engine.hpp"
 
-#include <cmath>
 #include <optional>
-#include <stdexcept>
+#include <utility>
 
-#include "core/engine/slabs.hpp"
+#include "core/engines/short_of_memory.hpp"
 #include "gpu/dual_edge/dual_edge_pipeline.hpp"
 #include "gpu/memory/device_buffer.cuh"
 #include "gpu/memory/launch.cuh"
@@ -84,100 +84,20 @@ void keep(const gpu::PipelineResult& result, const gpu::HostSimplices<N>& from,
   to.classes = in_place(result.memory, from.classes);
 }
 
-// More slabs than this and the halos are most of the work.
-constexpr std::size_t kMostSlabs = 256;
-
-class GpuEngine : public Engine {
+class GpuExecutor : public Executor {
  public:
-  GpuEngine(std::shared_ptr<const BallSet> balls, EngineOptions options, GpuOptions gpu_options)
-      : balls_(std::move(balls)), options_(options), gpu_options_(gpu_options) {}
+  GpuExecutor(std::shared_ptr<const BallSet> balls, GpuOptions options)
+      : balls_(std::move(balls)), pipeline_(*balls_, options.chunks) {}
 
-  AlphaComplex compute(const AlphaRequest& request, const RunContext& context) override {
-    if (std::isnan(request.alpha_angstrom2)) throw std::invalid_argument("alpha is not a number");
-    std::string why_cpu = "beyond the GPU kernels' limits";
-    try {
-      if (std::optional<AlphaComplex> complex = on_device(request, context))
-        return *std::move(complex);
-    } catch (const gpu::DeviceError& error) {
-      pipeline_.reset();  // whatever it still holds is of no use
-      why_cpu = error.what();
-    } catch (const std::bad_alloc&) {
-      why_cpu = "the GPU's memory is full";
-    }
-    rest();
-    if (!cpu_) cpu_ = make_cpu_engine(balls_, options_);
-    AlphaComplex complex = cpu_->compute(request, context);
-    complex.engine.route += " (on the CPU: " + why_cpu + ")";
-    return complex;
-  }
-
-  void rest() override {
-    if (pipeline_) pipeline_->rest();
-  }
-
- private:
-  // The set at once, or in as few slabs as the device's memory allows. Nothing when the request is
-  // beyond the kernels' limits.
-  std::optional<AlphaComplex> on_device(const AlphaRequest& request, const RunContext& context) {
-    if (may_need_fewer_slabs(request)) slabs_ /= 2;
-    for (;;) {
-      try {
-        std::optional<AlphaComplex> complex =
-            slabs_ == 1 ? whole_set(request, context) : in_slabs(request, context);
-        ++answers_in_slabs_;
-        return complex;
-      } catch (const std::bad_alloc&) {
-        pipeline_.reset();
-        if (slabs_ >= kMostSlabs || slabs_ > balls_->size()) throw;
-        slabs_ *= 2;
-        refused_ = {request.alpha_angstrom2, request.tetrahedra_only};  // not what was lent
-        answers_in_slabs_ = 0;
-      }
-    }
-  }
-
-  // A request that is smaller than the one that half as many slabs had no room for; or any, once in
-  // a while, since others may have had the device's memory.
-  bool may_need_fewer_slabs(const AlphaRequest& request) const {
-    constexpr int kAnswersBeforeTrial = 8;
-    if (slabs_ == 1) return false;
-    return request.alpha_angstrom2 < refused_.alpha_angstrom2 ||
-           (request.tetrahedra_only && !refused_.tetrahedra_only) ||
-           answers_in_slabs_ >= kAnswersBeforeTrial;
-  }
-
-  std::optional<AlphaComplex> whole_set(const AlphaRequest& request, const RunContext& context) {
-    if (!pipeline_)
-      pipeline_ = std::make_unique<gpu::DualEdgePipeline>(*balls_, gpu_options_.chunks);
-    return run(*pipeline_, *balls_, request, context);
-  }
-
-  std::optional<AlphaComplex> in_slabs(const AlphaRequest& request, const RunContext& context) {
-    struct BeyondLimits {};
-    try {
-      AlphaComplex complex = compute_in_slabs(
-          *balls_, request, slabs_, context, [&](std::shared_ptr<const BallSet> part) {
-            gpu::DualEdgePipeline pipeline(*part, gpu_options_.chunks);
-            std::optional<AlphaComplex> result = run(pipeline, *part, request, context);
-            if (!result) throw BeyondLimits{};
-            return *std::move(result);
-          });
-      complex.engine.route += ", in " + std::to_string(slabs_) + " slabs";
-      return complex;
-    } catch (const BeyondLimits&) {
-      return std::nullopt;
-    }
-  }
-
-  std::optional<AlphaComplex> run(gpu::DualEdgePipeline& pipeline, const BallSet& balls,
-                                  const AlphaRequest& request, const RunContext& context) {
+  std::optional<AlphaComplex> compute(const AlphaRequest& request,
+                                      const RunContext& context) override {
     AlphaComplex complex;
-    complex.lattice = balls.lattice;
-    complex.alpha_on_lattice = balls.lattice.alpha_on_lattice(request.alpha_angstrom2);
+    complex.lattice = balls_->lattice;
+    complex.alpha_on_lattice = balls_->lattice.alpha_on_lattice(request.alpha_angstrom2);
     complex.tetrahedra_only = request.tetrahedra_only;
     StageTimes whole;
     StageTimer wall(whole);
-    const gpu::PipelineResult result = pipeline.run(
+    const gpu::PipelineResult result = pipeline_.run(
         complex.alpha_on_lattice, request.tetrahedra_only, context.cancel, &complex.timings);
     if (!result.fits) return std::nullopt;
     keep(result, result.vertices, complex.vertices);
@@ -196,14 +116,11 @@ class GpuEngine : public Engine {
     return complex;
   }
 
+  void rest() override { pipeline_.rest(); }
+
+ private:
   std::shared_ptr<const BallSet> balls_;
-  EngineOptions options_;
-  GpuOptions gpu_options_;
-  std::size_t slabs_ = 1;
-  AlphaRequest refused_;      // the last that half as many slabs had no room for
-  int answers_in_slabs_ = 0;  // since then
-  std::unique_ptr<gpu::DualEdgePipeline> pipeline_;
-  std::unique_ptr<Engine> cpu_;
+  gpu::DualEdgePipeline pipeline_;
 };
 
 }  // namespace
@@ -227,7 +144,10 @@ std::unique_ptr<Engine> make_gpu_engine(std::shared_ptr<const BallSet> balls, En
   std::string reason = device.why_not;
   if (device.usable) {
     try {
-      return std::make_unique<GpuEngine>(std::move(balls), options, gpu_options);
+      return make_engine_of_executors(std::move(balls), options,
+                                      [gpu_options](std::shared_ptr<const BallSet> of) {
+                                        return std::make_unique<GpuExecutor>(std::move(of), gpu_options);
+                                      });
     } catch (const std::exception& error) {
       reason = device.name + " cannot take this molecule: " + error.what() +
                ". The CPU engine gives the same results.";

@@ -5,16 +5,16 @@
 
 #include <algorithm>
 #include <new>
-#include <stdexcept>
 #include <string>
 
+#include "core/engine/executor_failed.hpp"
 #include "gpu/memory/page_locked.hpp"
 
 namespace alphascope::gpu {
 
 // A CUDA call failed. Running out of memory is std::bad_alloc instead.
-struct DeviceError : std::runtime_error {
-  using std::runtime_error::runtime_error;
+struct DeviceError : ExecutorFailed {
+  using ExecutorFailed::ExecutorFailed;
 };
 
 inline void check(cudaError_t status, const char* what) {

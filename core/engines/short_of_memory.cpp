@@ -1,0 +1,145 @@
+#include "core/engines/short_of_memory.hpp"
+
+#include <cmath>
+#include <new>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "core/engine/slabs.hpp"
+
+namespace alphascope {
+namespace {
+
+// How many slabs the next request is cut into.
+class SlabCount {
+ public:
+  explicit SlabCount(std::size_t balls) : balls_(balls) {}
+
+  std::size_t operator()() const { return slabs_; }
+
+  void begin(const AlphaRequest& request) {
+    if (slabs_ > 1 && may_need_fewer(request)) slabs_ /= 2;
+  }
+  void answered() { ++answers_; }
+  // False when more slabs are of no use: their halos would be most of the work.
+  bool refused(const AlphaRequest& request) {
+    constexpr std::size_t kMostSlabs = 256;
+    if (slabs_ >= kMostSlabs || slabs_ > balls_) return false;
+    slabs_ *= 2;
+    refused_alpha_ = request.alpha_angstrom2;
+    refused_tetrahedra_only_ = request.tetrahedra_only;
+    answers_ = 0;
+    return true;
+  }
+
+ private:
+  // A request that is smaller than the one that half as many slabs had no room for; or any, once in
+  // a while.
+  bool may_need_fewer(const AlphaRequest& request) const {
+    constexpr int kAnswersBeforeTrial = 8;
+    return request.alpha_angstrom2 < refused_alpha_ ||
+           (request.tetrahedra_only && !refused_tetrahedra_only_) ||
+           answers_ >= kAnswersBeforeTrial;
+  }
+
+  const std::size_t balls_;
+  std::size_t slabs_ = 1;
+  double refused_alpha_ = 0;  // Å²; of the last that half as many slabs had no room for
+  bool refused_tetrahedra_only_ = false;
+  int answers_ = 0;  // since then
+};
+
+class EngineOfExecutors : public Engine {
+ public:
+  EngineOfExecutors(std::shared_ptr<const BallSet> balls, EngineOptions options, MakeExecutor make)
+      : balls_(std::move(balls)),
+        options_(options),
+        make_(std::move(make)),
+        slabs_(balls_->size()) {}
+
+  AlphaComplex compute(const AlphaRequest& request, const RunContext& context) override {
+    if (std::isnan(request.alpha_angstrom2)) throw std::invalid_argument("alpha is not a number");
+    std::string why_cpu = "beyond the GPU kernels' limits";
+    try {
+      if (std::optional<AlphaComplex> complex = by_executors(request, context)) {
+        return *std::move(complex);
+      }
+    } catch (const ExecutorFailed& error) {
+      whole_.reset();  // whatever it still holds is of no use
+      why_cpu = error.what();
+    } catch (const std::bad_alloc&) {
+      why_cpu = "the GPU's memory is full";
+    }
+    return by_cpu(request, context, why_cpu);
+  }
+
+  void rest() override {
+    if (whole_) whole_->rest();
+  }
+
+  Lent take() override { return cpu_ ? cpu_->take() : Lent{}; }
+
+ private:
+  // The set at once, or in as few slabs as the memory allows.
+  std::optional<AlphaComplex> by_executors(const AlphaRequest& request, const RunContext& context) {
+    slabs_.begin(request);
+    for (;;) {
+      try {
+        std::optional<AlphaComplex> complex =
+            slabs_() == 1 ? whole_set(request, context) : in_slabs(request, context);
+        slabs_.answered();
+        return complex;
+      } catch (const std::bad_alloc&) {
+        whole_.reset();
+        if (!slabs_.refused(request)) throw;
+      }
+    }
+  }
+
+  std::optional<AlphaComplex> whole_set(const AlphaRequest& request, const RunContext& context) {
+    if (!whole_) whole_ = make_(balls_);
+    return whole_->compute(request, context);
+  }
+
+  std::optional<AlphaComplex> in_slabs(const AlphaRequest& request, const RunContext& context) {
+    struct BeyondLimits {};
+    try {
+      AlphaComplex complex = compute_in_slabs(
+          *balls_, request, slabs_(), context, [&](std::shared_ptr<const BallSet> part) {
+            std::optional<AlphaComplex> result = make_(std::move(part))->compute(request, context);
+            if (!result) throw BeyondLimits{};
+            return *std::move(result);
+          });
+      complex.engine.route += ", in " + std::to_string(slabs_()) + " slabs";
+      return complex;
+    } catch (const BeyondLimits&) {
+      return std::nullopt;
+    }
+  }
+
+  AlphaComplex by_cpu(const AlphaRequest& request, const RunContext& context,
+                      const std::string& why) {
+    rest();
+    if (!cpu_) cpu_ = make_cpu_engine(balls_, options_);
+    AlphaComplex complex = cpu_->compute(request, context);
+    complex.engine.route += " (on the CPU: " + why + ")";
+    return complex;
+  }
+
+  std::shared_ptr<const BallSet> balls_;
+  const EngineOptions options_;
+  const MakeExecutor make_;
+  SlabCount slabs_;
+  std::unique_ptr<Executor> whole_;
+  std::unique_ptr<Engine> cpu_;
+};
+
+}  // namespace
+
+std::unique_ptr<Engine> make_engine_of_executors(std::shared_ptr<const BallSet> balls,
+                                                 EngineOptions options, MakeExecutor make) {
+  return std::make_unique<EngineOfExecutors>(std::move(balls), options, std::move(make));
+}
+
+}  // namespace alphascope

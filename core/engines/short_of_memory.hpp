@@ -1,0 +1,38 @@
+// What is done when an executor's memory is short, or it fails: the one owner of that decision.
+// First the set is cut into ever more slabs, then the CPU engine computes. An executor knows
+// nothing of it: it computes what it is given, or says that it cannot.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include "core/engine/engine.hpp"
+#include "core/engine/executor_failed.hpp"
+
+namespace alphascope {
+
+// Computes on a device with a memory of its own. Made for one set of balls.
+class Executor {
+ public:
+  virtual ~Executor() = default;
+  // K_alpha, with its route and timings; nothing when that is beyond the executor's limits, however
+  // much memory there were. Throws std::bad_alloc when memory is short and ExecutorFailed; after
+  // either, this object is not asked again. Throws Cancelled.
+  virtual std::optional<AlphaComplex> compute(const AlphaRequest& request,
+                                              const RunContext& context) = 0;
+  // As Engine::rest().
+  virtual void rest() {}
+};
+
+// For the whole set or a part of it. Throws as Executor::compute() does.
+using MakeExecutor = std::function<std::unique_ptr<Executor>(std::shared_ptr<const BallSet> balls)>;
+
+// An engine that answers every request, whatever its executors can do. It remembers how many slabs
+// were needed, and tries fewer for smaller requests and once in a while, since others may have had
+// the memory. The route says what was done: "..., in 4 slabs", "... (on the CPU: the GPU's memory
+// is full)".
+std::unique_ptr<Engine> make_engine_of_executors(std::shared_ptr<const BallSet> balls,
+                                                 EngineOptions options, MakeExecutor make);
+
+}  // namespace alphascope

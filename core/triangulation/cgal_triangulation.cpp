@@ -124,12 +124,26 @@ std::array<BallIndex, N> ascending_vertices(const Cell& cell) {
   return simplex;
 }
 
-// CGAL's corners of a cell, by ascending ball.
+// A corner's ball, and the number of the cell across the face opposite to it.
+using Corner = std::pair<BallIndex, std::uint32_t>;
+
 template <class Cell>
-std::array<int, 4> ascending_corners(const Cell& cell) {
-  std::array<int, 4> corners{0, 1, 2, 3};
-  std::sort(corners.begin(), corners.end(),
-            [&](int a, int b) { return cell->vertex(a)->info() < cell->vertex(b)->info(); });
+std::array<Corner, 4> ascending_corners(const Cell& cell) {
+  std::array<Corner, 4> corners;
+  for (int k = 0; k < 4; ++k) {
+    corners[static_cast<std::size_t>(k)] = {cell->vertex(k)->info(), cell->neighbor(k)->info()};
+  }
+  const auto order = [&](std::size_t a, std::size_t b) {
+    const auto [low, high] = std::minmax(corners[a], corners[b]);
+    const Corner lower = low, higher = high;
+    corners[a] = lower;
+    corners[b] = higher;
+  };
+  order(0, 1);
+  order(2, 3);
+  order(0, 2);
+  order(1, 3);
+  order(1, 2);
   return corners;
 }
 
@@ -150,8 +164,8 @@ UnorderedTetrahedra copy_tetrahedra(Rt& rt, const CancelToken& cancel) {
   tbb::parallel_for(std::size_t{0}, cells.size(), [&](std::size_t t) {
     const auto corners = ascending_corners(cells[t]);
     for (std::size_t k = 0; k < 4; ++k) {
-      result.tetrahedra[t][k] = cells[t]->vertex(corners[k])->info();
-      result.neighbours[t][k] = cells[t]->neighbor(corners[k])->info();
+      result.tetrahedra[t][k] = corners[k].first;
+      result.neighbours[t][k] = corners[k].second;
     }
   });
   return result;

@@ -114,6 +114,13 @@ TEST_F(DamagedTriangulation, InAListIsNoticed) {
   expect_noticed("counterclockwise",
                  [](Triangulation& t) { std::swap(t.hull[2].balls[1], t.hull[2].balls[2]); });
   expect_noticed("another tetrahedron's", [](Triangulation& t) { ++t.hull[2].tetrahedron; });
+  expect_noticed("not a facet", [](Triangulation& t) { t.hull[2].balls[1] = 4000000000u; });
+  expect_noticed("a neighbour is wrong", [](Triangulation& t) {
+    t.neighbours[7][0] = Neighbour::tetrahedron(Neighbour::kMostIndex);
+  });
+  expect_noticed("a neighbour is wrong", [](Triangulation& t) {
+    t.neighbours[t.hull[0].tetrahedron].fill(Neighbour::hull_facet(Neighbour::kMostIndex));
+  });
   expect_noticed("out of order there", [](Triangulation& t) { std::swap(t.hull[2], t.hull[3]); });
 }
 

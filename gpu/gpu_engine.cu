@@ -144,10 +144,10 @@ std::unique_ptr<Engine> make_gpu_engine(std::shared_ptr<const BallSet> balls, En
   std::string reason = device.why_not;
   if (device.usable) {
     try {
-      return make_engine_of_executors(std::move(balls), options,
-                                      [gpu_options](std::shared_ptr<const BallSet> of) {
-                                        return std::make_unique<GpuExecutor>(std::move(of), gpu_options);
-                                      });
+      return make_engine_of_executors(
+          std::move(balls), options, [gpu_options](std::shared_ptr<const BallSet> of) {
+            return std::make_unique<GpuExecutor>(std::move(of), gpu_options);
+          });
     } catch (const std::exception& error) {
       reason = device.name + " cannot take this molecule: " + error.what() +
                ". The CPU engine gives the same results.";

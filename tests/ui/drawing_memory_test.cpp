@@ -244,6 +244,7 @@ class SceneMemory : public ::testing::Test {
     for (int quiet = 0; quiet < 4; quiet = scene_.busy() ? 0 : quiet + 1) {
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
       scene_.poll();
+      scene_.describe(viewport_);
       scene_.render(viewport_, true, false);
     }
   }

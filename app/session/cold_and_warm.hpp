@@ -14,6 +14,7 @@ struct MeasuredRun {
   // The engine made anew what it answers later alphas from; such a run is not to be compared with
   // one that only looked there.
   bool rebuilt = false;
+  bool rests_on_cgal = false;  // as EngineInfo has it
 };
 
 // Cold: the first answer of an engine, set-up included. Warm: the latest of the later ones, as the

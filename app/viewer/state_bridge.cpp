@@ -19,6 +19,7 @@ TimedRun to_run(const MeasuredRun& measured) {
   run.alpha = measured.alpha_angstrom2;
   run.tetrahedra_only = measured.tetrahedra_only;
   run.rebuilt = measured.rebuilt;
+  run.rests_on_cgal = measured.rests_on_cgal;
   run.wall_milliseconds = measured.times.wall_milliseconds;
   for (const StageTime& s : measured.times.stages)
     run.stages.push_back({s.label, s.milliseconds, s.setup});

@@ -148,6 +148,10 @@ TEST(PanelsTest, SpeedsOfDifferentWorkAreNotCompared) {
   p.state.ours->warm->rebuilt = true;
   p.frame(3);
   EXPECT_FALSE(p.rects.contains("timings.speed"));
+  p.state.ours->warm->rebuilt = false;
+  p.state.ours->warm->rests_on_cgal = p.state.cgal->warm->rests_on_cgal = true;
+  p.frame(3);
+  EXPECT_FALSE(p.rects.contains("timings.speed")) << "the same threshold twice";
 }
 
 TEST(PanelsTest, TheTimingsStayAsHighOnAnotherMonitor) {
@@ -228,6 +232,9 @@ TEST(PanelsTest, AMissingSpeedHasItsReason) {
   s.ours->cold->tetrahedra_only = false;
   s.cgal->cold->rebuilt = true;
   EXPECT_NE(missing_times(s, true)[0].find("No speed-up: CGAL built"), std::string::npos);
+  s.cgal->cold->rebuilt = false;
+  s.ours->cold->rests_on_cgal = s.cgal->cold->rests_on_cgal = true;
+  EXPECT_NE(missing_times(s, true)[0].find("both are a threshold"), std::string::npos);
 }
 
 TEST(PanelsTest, TheCaptionSaysWhyNothingIsThere) {

@@ -58,7 +58,7 @@ AliveBalls find_alive(const BallSet& balls, double alpha_on_lattice,
 
 // Chooses the cells.
 void set_cells(const AliveBalls& alive, UniformGrid& grid) {
-  const auto& [low, high] = alive.box;
+  const LatticePoint low = alive.box.low, high = alive.box.high;
   double width = std::max(1.0, 2 * std::sqrt(alive.max_reach_square) * kReachMargin);
   const auto cells = [&] {
     return cells_along(low.x, high.x, width) * cells_along(low.y, high.y, width) *

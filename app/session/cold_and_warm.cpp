@@ -20,9 +20,9 @@ bool rebuilt(const AlphaComplex& complex) {
 void ColdAndWarm::note(const AlphaComplex& complex, bool was_cold) {
   if (engine.name != complex.engine.name || engine.device != complex.engine.device) *this = {};
   engine = complex.engine;
-  (was_cold ? cold : warm) = MeasuredRun{complex.timings, complex.alpha_angstrom2(),
-                                         complex.tetrahedra_only, rebuilt(complex),
-                                         complex.engine.rests_on_cgal};
+  (was_cold ? cold : warm) =
+      MeasuredRun{complex.timings, complex.alpha_angstrom2(), complex.tetrahedra_only,
+                  rebuilt(complex), complex.engine.rests_on_cgal};
 }
 
 }  // namespace alphascope

@@ -24,7 +24,8 @@ std::string incomparable(const ViewState& state, bool cold) {
     return "No speed-up: one of the times is of tetrahedra only.";
   }
   if (ours->same_threshold(*cgal)) {
-    return "No speed-up: both are a threshold of CGAL's triangulation. “Cold” compares the engines.";
+    return "No speed-up: both are a threshold of CGAL's triangulation. “Cold” compares the "
+           "engines.";
   }
   return "No speed-up: " + (ours->rebuilt ? state.ours->engine : std::string("CGAL")) +
          " built what later alphas are answered from in this run, the other only used it.";

@@ -42,6 +42,7 @@ class TupleComputer {
       timer.lap(stage::kCoincident, true);
     }
     context.report(stage::kGrid, 0);
+    executor_.reset();  // a run that threw may still be copying from the grid
     make_tuple_grid(*balls_, complex.alpha_on_lattice, *hidden_, options_.grid, grid_);
     timer.lap(stage::kGrid);
     TupleFindings found =

@@ -252,6 +252,7 @@ Worker::Delivery SceneController::make_drawing(const Wanted& wanted, const RunCo
 
 // Tries again without what is on screen; its last picture stays, and tells that it is outdated.
 void SceneController::make_room() {
+  drawn_layers_.clear();
   scene_.set_balls(std::make_shared<const BallGeometry>(), {});
   drawn_molecule_ = nullptr;
   drawn_answer_ = nullptr;
@@ -284,6 +285,7 @@ void SceneController::show(Drawing drawing) {
   drawn_answer_ = drawing.answer;
   not_drawn_ = drawing.not_drawn;
   drawn_molecule_ = drawing.molecule;
+  if (new_balls) drawn_layers_.clear();  // they go with the balls
   if (new_balls || display_.grown_balls) show_balls(drawing);
   legend_ = drawing.mesh && drawing.mesh->scale ? std::optional(drawing.mesh->scale->legend())
                                                 : std::nullopt;
@@ -332,6 +334,23 @@ ViewTrouble SceneController::view_trouble() const {
       break;
   }
   return ViewTrouble::none;
+}
+
+void SceneController::set_layers(const Layers& layers) {
+  Layers fitting;
+  std::vector<std::pair<std::string, std::uint64_t>> keys;
+  for (const auto& layer : layers) {
+    if (!drawn_answer_ || layer->balls != drawn_answer_->balls) continue;
+    fitting.push_back(layer);
+    keys.emplace_back(layer->id, layer->key);
+  }
+  if (draws_nothing()) fitting.clear(), keys.clear();
+  if (keys == drawn_layers_) return;
+  drawn_layers_ = keys;
+  dirty_ = true;
+  if (fitting.empty()) return scene_.set_layers(nullptr);
+  scene_.set_layers(make_difference_data(std::make_shared<const DifferenceMesh>(
+      build_layer_mesh(*drawn_molecule_->geometry, fitting))));
 }
 
 void SceneController::pointer(const PointerEvent& event) {

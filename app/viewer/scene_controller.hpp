@@ -11,6 +11,7 @@
 #include "app/session/session.hpp"
 #include "app/viewer/picture_saver.hpp"
 #include "core/run/worker.hpp"
+#include "ui/layer.hpp"
 #include "ui/panels/view_state.hpp"
 #include "ui/scene/drawing_memory.hpp"
 #include "ui/scene/frame_grab.hpp"
@@ -44,6 +45,8 @@ class SceneController {
   // Draws what differs from the reference, if anything does.
   void set_agreement(std::shared_ptr<const Agreement> agreement);
   void set_display(const DisplayControls& display, Theme theme);
+  // Marks of the panels; those of other balls than the complex on screen are left out.
+  void set_layers(const Layers& layers);
   void pointer(const PointerEvent& event);
   void reset_view();
 
@@ -135,7 +138,8 @@ class SceneController {
   // On screen.
   std::shared_ptr<const DrawnMolecule> drawn_molecule_;
   std::shared_ptr<const Answer> drawn_answer_;
-  std::shared_ptr<const Molecule> viewed_;  // that the camera was set for
+  std::vector<std::pair<std::string, std::uint64_t>> drawn_layers_;  // ids and keys
+  std::shared_ptr<const Molecule> viewed_;                           // that the camera was set for
   std::string not_drawn_;
   bool pending_ = false;
   std::optional<Clock::time_point> outdated_since_;

@@ -397,7 +397,8 @@ void Viewer::draw(ScriptedInput* input, bool patient,
   if (!frame_.begin(state_.theme, input)) return;
   session_.let_finish(interacting());
   gesture_ = gestures_.in_this_frame();
-  draw_window(state_, rects_, commands_, frame_.fonts(), frame_.scale());
+  draw_window({state_, rects_, commands_, store_, inputs_}, frame_.fonts(), frame_.scale());
+  guarded([this] { scene_.set_layers(state_.layers); });
   for (const PointerEvent& event : state_.viewport.events) scene_.pointer(event);
   guarded([this] {
     take_requests();
@@ -475,8 +476,8 @@ void Viewer::run() {
       compare_when_due();
     });
     const bool playing = state_.memory.playing || state_.memory.playing_models;
-    const bool due = frames_due_ > 0 || playing || working() || scene_.wants_frame() ||
-                     state_.selection != sent_selection_;
+    const bool due = frames_due_ > 0 || playing || working() || store_.busy() ||
+                     scene_.wants_frame() || state_.selection != sent_selection_;
     if (!due) continue;
     frames_due_ = std::max(0, frames_due_ - 1);
     draw(nullptr, false);

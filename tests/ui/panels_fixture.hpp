@@ -7,6 +7,7 @@
 #include <string>
 
 #include "app/viewer/commands.hpp"
+#include "core/document/store.hpp"
 #include "ui/panels/keys.hpp"
 #include "ui/panels/style.hpp"
 #include "ui/panels/window_layout.hpp"
@@ -43,7 +44,7 @@ class Panels {
   void window_frame() {
     ImGui::GetIO().DisplaySize = {size_.width * size_.scale, size_.height * size_.scale};
     ImGui::NewFrame();
-    draw_window(state, rects, commands, fonts_, size_.scale);
+    draw_window({state, rects, commands, store, inputs}, fonts_, size_.scale);
     ImGui::Render();
   }
   void point_at(const std::string& name, float fx = 0.5f, float fy = 0.5f) {
@@ -81,6 +82,8 @@ class Panels {
   ViewState state;
   Commands commands;
   WidgetRects rects;
+  Store store{{}, [] { return std::uint64_t{1} << 30; }};
+  Inputs inputs;
 
  private:
   Size size_;

@@ -1,4 +1,5 @@
-// The parts of the window. Each draws from the state and writes controls and requests into it.
+// The parts of the window that are not in panel_list.hpp. Each draws from the state and writes
+// controls and requests into it.
 #pragma once
 
 #include "ui/panels/widgets.hpp"
@@ -6,11 +7,6 @@
 namespace alphascope {
 
 void draw_menu_bar(PanelContext& ctx);
-void draw_molecule_panel(PanelContext& ctx);
-void draw_alpha_panel(PanelContext& ctx);
-void draw_engine_panel(PanelContext& ctx);
-void draw_display_panel(PanelContext& ctx);
-void draw_timings_panel(PanelContext& ctx);
 void draw_status_bar(PanelContext& ctx);
 void draw_viewport(PanelContext& ctx);
 

@@ -113,9 +113,6 @@ void compare_button(PanelContext& ctx) {
 }
 
 void title(PanelContext& ctx) {
-  ImGui::AlignTextToFramePadding();
-  strong_text(ctx, "Timings");
-  ImGui::SameLine(0, ctx.px(14));
   PanelMemory& m = ctx.state.memory;
   // Until the user chooses: the first computation, then what the slider does. Never an empty chart;
   // a choice without times is explained (missing_times()).

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <deque>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -12,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "ui/layer.hpp"
 #include "ui/panels/benchmark_info.hpp"
 #include "ui/panels/controls.hpp"
 #include "ui/panels/folder_listing.hpp"
@@ -89,9 +91,11 @@ struct PanelMemory {
   std::string save_path;
   int save_width = 1920, save_height = 1080;
   bool save_transparent = false, save_legend = true, save_scale_bar = false;
-  bool timings_cold = true;     // which of the two runs the waterfall shows
-  bool timings_pinned = false;  // the user has chosen which
-  float bottom_height = 0;      // pixels at scale 1; 0: default
+  bool timings_cold = true;              // which of the two runs the waterfall shows
+  bool timings_pinned = false;           // the user has chosen which
+  std::map<std::string, bool> switches;  // of single panels, by the name of the widget
+  std::string bottom_panel;              // id of the page below the view; empty: the first
+  float bottom_height = 0;               // pixels at scale 1; 0: default
   NumberTyping number;
   PaletteMemory palette;
   std::vector<std::size_t> dialogs;  // that are open, by dialog_stack.cpp; the last is on top
@@ -132,6 +136,7 @@ struct ViewState {
   std::shared_ptr<const FolderListing> listing;
   BusyInfo busy, saving;  // saving: a picture, which holds nothing up
   BackgroundInfo background;
+  Layers layers;  // that the panels want drawn; filled anew in each frame
   ViewportInfo viewport;
   std::string device_text;  // "CPU · 2 threads"
   GpuInfo gpu;

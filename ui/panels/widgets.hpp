@@ -13,12 +13,16 @@
 
 namespace alphascope {
 
+class Store;
+struct Inputs;
 struct NumberRule;
 
 struct PanelContext {
   ViewState& state;
   WidgetRects& rects;
   const Commands& commands;
+  Store& store;          // of derived results: ask it in each frame
+  const Inputs& inputs;  // what they are made of now
   const PanelFonts& fonts;
   const Palette& palette;
   float scale = 1;

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <utility>
+#include <vector>
 
 #include "ui/panels/dialog_stack.hpp"
+#include "ui/panels/panel_list.hpp"
 #include "ui/panels/panels.hpp"
 
 namespace alphascope {
@@ -32,32 +34,30 @@ void hairline(PanelContext& ctx, ImVec2 from, ImVec2 to) {
   draw->PopClipRect();
 }
 
-struct Section {
-  const char* name;
-  const char* title;
-  void (*draw)(PanelContext& ctx);
-};
-
-constexpr Section kSections[] = {{"molecule", "Molecule", draw_molecule_panel},
-                                 {"alpha", "Alpha", draw_alpha_panel},
-                                 {"display", "Display", draw_display_panel},
-                                 {"engine", "Engine", draw_engine_panel}};
+std::vector<PanelSpec> panels_at(Place place) {
+  std::vector<PanelSpec> found;
+  for (const PanelSpec& p : panels()) {
+    if (p.place == place) found.push_back(p);
+  }
+  return found;
+}
 
 // Names all sections where they do not fit, and says where those are that scrolling hides.
 void section_buttons(PanelContext& ctx, const WidgetRects& last) {
-  const float gap = ctx.px(4), count = static_cast<float>(std::size(kSections));
+  const std::vector<PanelSpec> sections = panels_at(Place::left);
+  const float gap = ctx.px(4), count = static_cast<float>(sections.size());
   const float width = (ctx.px(kLeftWidth) - ctx.px(35) - (count - 1) * gap) / count;
   ImGui::PushFont(ctx.fonts.small);
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {ctx.px(2), ctx.px(2)});
-  for (const Section& s : kSections) {
-    const auto header = last.find(s.name);
+  for (const PanelSpec& s : sections) {
+    const auto header = last.find(s.id);
     const bool hidden = header != last.end() && !header->second.visible;
     const bool above = hidden && header->second.y0 < ImGui::GetCursorScreenPos().y;
     const std::string label = s.title + std::string(!hidden ? "" : above ? " ↑" : " ↓");
-    const std::string name = std::string("sections.") + s.name;
-    if (&s != kSections) ImGui::SameLine(0, gap);
+    const std::string name = std::string("sections.") + s.id;
+    if (&s != &sections.front()) ImGui::SameLine(0, gap);
     if (button(ctx, name.c_str(), label.c_str(), {width, 0})) {
-      ctx.state.memory.go_to_section = s.name;
+      ctx.state.memory.go_to_section = s.id;
     }
   }
   ImGui::PopStyleVar();
@@ -72,7 +72,7 @@ void left_panel(PanelContext& ctx, const WidgetRects& last, float top, float hei
   // The scroll bar may appear at any time; what is beside it must not jump.
   ImGui::BeginChild("sections", {0, 0}, false);
   ImGui::PushItemWidth(-1);
-  for (const Section& s : kSections) s.draw(ctx);
+  for (const PanelSpec& s : panels_at(Place::left)) s.draw(ctx);
   ImGui::PopItemWidth();
   overflow = ImGui::GetCursorPosY() > room;  // whether or not the buttons are there
   ImGui::EndChild();
@@ -101,13 +101,39 @@ void splitter(PanelContext& ctx, float x, float y, float width) {
   }
 }
 
-void timings(PanelContext& ctx, float x, float y, float width, float height) {
+// The pages below the view by name, when there are several; the page goes on in the same line.
+const PanelSpec* bottom_tabs(PanelContext& ctx, const std::vector<PanelSpec>& pages) {
+  std::string& shown = ctx.state.memory.bottom_panel;
+  const auto found =
+      std::find_if(pages.begin(), pages.end(), [&](const PanelSpec& p) { return p.id == shown; });
+  const PanelSpec* page = found == pages.end() ? &pages.front() : &*found;
+  if (pages.size() == 1) {
+    ImGui::AlignTextToFramePadding();
+    strong_text(ctx, page->title);
+  }
+  for (const PanelSpec& p : pages) {
+    if (pages.size() == 1) break;
+    if (&p != &pages.front()) ImGui::SameLine(0, ctx.px(2));
+    const bool on = &p == page;
+    if (on) ImGui::PushFont(ctx.fonts.strong);
+    const std::string name = std::string("bottom.") + p.id;
+    if (button(ctx, name.c_str(), p.title, {0, 0}, on ? ButtonKind::normal : ButtonKind::quiet)) {
+      shown = p.id;
+    }
+    if (on) ImGui::PopFont();
+  }
+  ImGui::SameLine(0, ctx.px(14));
+  return page;
+}
+
+void bottom_panel(PanelContext& ctx, float x, float y, float width, float height) {
   begin("##timings", x, y, width, height);
   splitter(ctx, x, y, width);
   hairline(ctx, {x, y}, {x + width, y});
   ImGui::SetCursorScreenPos({x + ImGui::GetStyle().WindowPadding.x, y + ctx.px(8)});
   ImGui::BeginChild("content", {0, 0}, false, ImGuiWindowFlags_NoScrollbar);
-  draw_timings_panel(ctx);
+  const std::vector<PanelSpec> pages = panels_at(Place::bottom);
+  bottom_tabs(ctx, pages)->draw(ctx);
   ImGui::EndChild();
   ImGui::End();
 }
@@ -135,10 +161,12 @@ void note_mouse(PanelMemory& memory) {
 
 }  // namespace
 
-void draw_window(ViewState& state, WidgetRects& rects, const Commands& commands,
-                 const PanelFonts& fonts, float scale) {
-  const WidgetRects last = std::exchange(rects, {});
-  PanelContext ctx{state, rects, commands, fonts, palette(state.theme), scale};
+void draw_window(const WindowParts& parts, const PanelFonts& fonts, float scale) {
+  ViewState& state = parts.state;
+  const WidgetRects last = std::exchange(parts.rects, {});
+  PanelContext ctx{state,        parts.rects, parts.commands,       parts.store,
+                   parts.inputs, fonts,       palette(state.theme), scale};
+  state.layers.clear();
   note_mouse(state.memory);
   draw_menu_bar(ctx);
   const ImVec2 display = ImGui::GetIO().DisplaySize;
@@ -153,7 +181,7 @@ void draw_window(ViewState& state, WidgetRects& rects, const Commands& commands,
   ImGui::PopStyleVar();
   draw_viewport(ctx);
   ImGui::End();
-  timings(ctx, left, top + middle - bottom, right, bottom);
+  bottom_panel(ctx, left, top + middle - bottom, right, bottom);
   status(ctx, display.y - status_height, display.x, status_height);
   draw_dialogs(ctx);
 }

@@ -8,8 +8,19 @@
 
 namespace alphascope {
 
-// Between ImGui's NewFrame and Render. `rects` is cleared and filled. The commands act on `state`.
-void draw_window(ViewState& state, WidgetRects& rects, const Commands& commands,
-                 const PanelFonts& fonts, float scale);
+class Store;
+struct Inputs;
+
+// All that the panels see and change.
+struct WindowParts {
+  ViewState& state;
+  WidgetRects& rects;  // cleared and filled
+  const Commands& commands;
+  Store& store;          // of derived results
+  const Inputs& inputs;  // that they are made of
+};
+
+// Between ImGui's NewFrame and Render.
+void draw_window(const WindowParts& parts, const PanelFonts& fonts, float scale);
 
 }  // namespace alphascope

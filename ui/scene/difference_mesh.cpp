@@ -1,6 +1,7 @@
 // See the header.
 #include "ui/scene/difference_mesh.hpp"
 
+#include <cmath>
 #include <stdexcept>
 
 namespace alphascope {
@@ -16,8 +17,12 @@ class DifferenceBuilder {
 
   template <int N>
   void add(const SetDifference<N>& difference) {
-    for (const auto& simplex : difference.missing) add_simplex(simplex, kMissingColour);
-    for (const auto& simplex : difference.extra) add_simplex(simplex, kExtraColour);
+    add(difference.missing, kMissingColour);
+    add(difference.extra, kExtraColour);
+  }
+  template <class Simplices>
+  void add(const Simplices& simplices, const Rgb8& colour) {
+    for (const auto& simplex : simplices) add_simplex(simplex, colour);
   }
 
   DifferenceMesh mesh;
@@ -76,6 +81,19 @@ DifferenceMesh build_difference_mesh(const BallGeometry& balls, const Comparison
   builder.add(comparison.triangles);
   builder.add(comparison.edges);
   builder.add(comparison.vertices);
+  return std::move(builder.mesh);
+}
+
+DifferenceMesh build_layer_mesh(const BallGeometry& balls, const Layers& layers) {
+  DifferenceBuilder builder(balls);
+  const auto byte = [](float x) { return static_cast<std::uint8_t>(std::lround(x * 255)); };
+  for (const auto& layer : layers) {
+    const Rgb8 colour{byte(layer->colour.r), byte(layer->colour.g), byte(layer->colour.b)};
+    builder.add(layer->vertices, colour);
+    builder.add(layer->edges, colour);
+    builder.add(layer->triangles, colour);
+    builder.add(layer->tetrahedra, colour);
+  }
   return std::move(builder.mesh);
 }
 

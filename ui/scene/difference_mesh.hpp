@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/complex/compare.hpp"
+#include "ui/layer.hpp"
 #include "ui/scene/complex_mesh.hpp"
 
 namespace alphascope {
@@ -17,7 +18,9 @@ struct DifferenceMesh {
   bool empty() const { return faces.points() == 0 && edges.points() == 0; }
 };
 
-// Throws std::invalid_argument when a simplex has a vertex beyond the balls.
+// Both throw std::invalid_argument when a simplex has a vertex beyond the balls.
 DifferenceMesh build_difference_mesh(const BallGeometry& balls, const Comparison& comparison);
+// The same of a panel's layers, each in its own colour.
+DifferenceMesh build_layer_mesh(const BallGeometry& balls, const Layers& layers);
 
 }  // namespace alphascope

@@ -65,11 +65,12 @@ struct Scene::Impl {
   vtkNew<vtkInteractorStyleTrackballCamera> trackball;
   vtkNew<vtkOpenGLSphereMapper> ball_mapper;
   vtkNew<vtkActor> ball_actor;
-  MeshActor tetrahedra, boundary, triangles, edges, differing_faces, differing_edges;
+  MeshActor tetrahedra, boundary, triangles, edges, differing_faces, differing_edges, layer_faces,
+      layer_edges;
   std::shared_ptr<BallData> ball_data;
   std::shared_ptr<const BallGeometry> balls;
   std::shared_ptr<MeshData> mesh;
-  std::shared_ptr<DifferenceData> differences;
+  std::shared_ptr<DifferenceData> differences, layers;
   SceneStyle style;
   double least_aspect = 0, aspect = 0;  // as in Viewpoint, and of the last picture
   int picture_height = 1;
@@ -91,7 +92,7 @@ struct Scene::Impl {
     edges.actor->GetProperty()->LightingOff();
     renderer->AddActor(ball_actor);
     for (MeshActor* m : {&tetrahedra, &boundary, &triangles, &edges}) renderer->AddActor(m->actor);
-    for (MeshActor* m : {&differing_faces, &differing_edges}) {
+    for (MeshActor* m : {&layer_faces, &layer_edges, &differing_faces, &differing_edges}) {
       m->always_in_front();
       renderer->AddActor(m->actor);
     }
@@ -178,6 +179,7 @@ struct Scene::Impl {
     const float width_scale = static_cast<float>(samples);
     edges.actor->GetProperty()->SetLineWidth(1.5f * width_scale);
     differing_edges.actor->GetProperty()->SetLineWidth(3.5f * width_scale);
+    layer_edges.actor->GetProperty()->SetLineWidth(2.5f * width_scale);
     renderer->ResetCameraClippingRange();
     window->Render();
   }
@@ -265,6 +267,7 @@ Scene::~Scene() = default;
 void Scene::set_balls(std::shared_ptr<BallData> balls) {
   set_mesh(nullptr);
   set_differences(nullptr);
+  set_layers(nullptr);
   impl_->balls = balls->balls;
   impl_->ball_mapper->SetInputData(balls->points);
   impl_->ball_mapper->ReleaseGraphicsResources(impl_->window);
@@ -302,6 +305,14 @@ void Scene::set_differences(std::shared_ptr<DifferenceData> differences) {
   impl_->differing_faces.show(shown.faces, impl_->window);
   impl_->differing_edges.show(shown.edges, impl_->window);
   impl_->differences = std::move(differences);
+}
+
+void Scene::set_layers(std::shared_ptr<DifferenceData> layers) {
+  const DifferenceData nothing;
+  const DifferenceData& shown = layers ? *layers : nothing;
+  impl_->layer_faces.show(shown.faces, impl_->window);
+  impl_->layer_edges.show(shown.edges, impl_->window);
+  impl_->layers = std::move(layers);
 }
 
 void Scene::set_style(const SceneStyle& style) {

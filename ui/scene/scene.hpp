@@ -53,7 +53,9 @@ class Scene {
   void set_mesh(std::shared_ptr<MeshData> mesh);  // null: none
   // Drawn over everything else, so that nothing hides what is wrong; null: none.
   void set_differences(std::shared_ptr<DifferenceData> differences);
-  // The same, with balls' own radii and data that are made on the way.
+  // What panels have marked; drawn as the differences are.
+  void set_layers(std::shared_ptr<DifferenceData> layers);
+  // As the first, with balls' own radii and data that are made on the way.
   void set_balls(std::shared_ptr<const BallGeometry> balls, const std::vector<Rgb8>& colours);
   void set_style(const SceneStyle& style);
   void reset_view();

@@ -1,0 +1,32 @@
+// Simplices that a panel wants marked in the view, over everything else. Plain data: panels fill
+// it, the scene draws it.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/complex/simplices.hpp"
+#include "core/geometry/ball_set.hpp"
+#include "ui/theme.hpp"
+
+namespace alphascope {
+
+struct Layer {
+  std::string id;                        // of the panel's: "signature.appearing"
+  std::uint64_t key = 0;                 // another one for other simplices
+  std::shared_ptr<const BallSet> balls;  // that the indices are of; drawn with their complex only
+  Simplices<1> vertices;                 // drawn as small octahedra
+  Simplices<2> edges;
+  Simplices<3> triangles;
+  Simplices<4> tetrahedra;
+  Colour colour;
+
+  // Meshes of layers are made between two frames, so they are small.
+  static constexpr std::size_t kMostSimplices = 20000;
+};
+
+using Layers = std::vector<std::shared_ptr<const Layer>>;
+
+}  // namespace alphascope

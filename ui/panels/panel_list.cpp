@@ -1,0 +1,29 @@
+// See the header.
+#include "ui/panels/panel_list.hpp"
+
+namespace alphascope {
+
+// Each is defined in the source of its name, and called from here only.
+void draw_molecule_panel(PanelContext& ctx);
+void draw_alpha_panel(PanelContext& ctx);
+void draw_display_panel(PanelContext& ctx);
+void draw_engine_panel(PanelContext& ctx);
+void draw_timings_panel(PanelContext& ctx);
+
+namespace {
+
+constexpr PanelSpec kPanels[] = {
+    {"molecule", "Molecule", Place::left, draw_molecule_panel},
+    {"alpha", "Alpha", Place::left, draw_alpha_panel},
+    {"display", "Display", Place::left, draw_display_panel},
+    {"engine", "Engine", Place::left, draw_engine_panel},
+    {"timings", "Timings", Place::bottom, draw_timings_panel},
+};
+
+}  // namespace
+
+std::span<const PanelSpec> panels() {
+  return kPanels;
+}
+
+}  // namespace alphascope

@@ -28,11 +28,17 @@ void collect(const List& list, float low, float high, Simplices& to) {
   }
 }
 
+// Of the balls and the alpha of the complex on screen; 0 as long as there is no filtration.
+Key appearing_key(const Inputs& in) {
+  const Key key = std::bit_cast<std::uint64_t>(in.alpha_angstrom2) ^ in.balls_key;
+  return in.filtration ? std::max<Key>(key, 1) : Key{0};
+}
+
 std::shared_ptr<const Layer> make_appearing(const Inputs& in, const RunContext& context) {
   const AlphaComplex& all = in.filtration->top();
   auto layer = std::make_shared<Layer>();
   layer->id = "signature.appearing";
-  layer->key = std::bit_cast<std::uint64_t>(in.alpha_angstrom2) ^ in.balls_key;
+  layer->key = appearing_key(in);
   layer->balls = in.balls;
   const auto bound = [&](double alpha) {
     return static_cast<float>(all.lattice.alpha_on_lattice(alpha));
@@ -51,11 +57,7 @@ std::shared_ptr<const Layer> make_appearing(const Inputs& in, const RunContext& 
 
 const Definition<Layer>& appearing() {
   static const Definition<Layer> definition{
-      "signature.appearing", "What appears at this alpha",
-      [](const Inputs& in) {
-        const Key key = std::bit_cast<std::uint64_t>(in.alpha_angstrom2) ^ in.balls_key;
-        return in.filtration ? std::max<Key>(key, 1) : Key{0};
-      },
+      "signature.appearing", "What appears at this alpha", appearing_key,
       [](const Inputs&) {
         constexpr std::uint64_t kMost = Layer::kMostSimplices * 10 * sizeof(BallIndex);
         return MemoryNeed{kMost, kMost};
@@ -71,9 +73,9 @@ void mark_what_appears(PanelContext& ctx) {
           "Marks in the view the simplices whose alpha value is within 0.02 Å² of the present "
           "alpha, at most 20,000 of each dimension.");
   if (!on) return;
-  if (const auto layer = ctx.store.want(appearing(), ctx.inputs).value) {
-    ctx.state.layers.push_back(layer);
-  }
+  // Never those of another alpha than the picture's.
+  const Derived<Layer> layer = ctx.store.want(appearing(), ctx.inputs);
+  if (layer.ready()) ctx.state.layers.push_back(layer.value);
 }
 
 // --- the curves

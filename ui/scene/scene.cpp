@@ -58,6 +58,22 @@ bool drawable(int width, int height) {
 }
 }  // namespace
 
+// Faces and lines that are drawn over everything else.
+struct MarkActors {
+  MeshActor faces, edges;
+  std::shared_ptr<DifferenceData> data;
+
+  MarkActors() {
+    faces.always_in_front();
+    edges.always_in_front();
+  }
+  void show(std::shared_ptr<DifferenceData> marks, vtkWindow* window) {
+    faces.show(marks ? marks->faces : nullptr, window);
+    edges.show(marks ? marks->edges : nullptr, window);
+    data = std::move(marks);  // only now may the old arrays go
+  }
+};
+
 struct Scene::Impl {
   vtkNew<vtkGenericOpenGLRenderWindow> window;
   vtkNew<vtkRenderer> renderer;
@@ -65,12 +81,11 @@ struct Scene::Impl {
   vtkNew<vtkInteractorStyleTrackballCamera> trackball;
   vtkNew<vtkOpenGLSphereMapper> ball_mapper;
   vtkNew<vtkActor> ball_actor;
-  MeshActor tetrahedra, boundary, triangles, edges, differing_faces, differing_edges, layer_faces,
-      layer_edges;
+  MeshActor tetrahedra, boundary, triangles, edges;
+  MarkActors layers, differences;
   std::shared_ptr<BallData> ball_data;
   std::shared_ptr<const BallGeometry> balls;
   std::shared_ptr<MeshData> mesh;
-  std::shared_ptr<DifferenceData> differences, layers;
   SceneStyle style;
   double least_aspect = 0, aspect = 0;  // as in Viewpoint, and of the last picture
   int picture_height = 1;
@@ -92,9 +107,9 @@ struct Scene::Impl {
     edges.actor->GetProperty()->LightingOff();
     renderer->AddActor(ball_actor);
     for (MeshActor* m : {&tetrahedra, &boundary, &triangles, &edges}) renderer->AddActor(m->actor);
-    for (MeshActor* m : {&layer_faces, &layer_edges, &differing_faces, &differing_edges}) {
-      m->always_in_front();
-      renderer->AddActor(m->actor);
+    for (MarkActors* marks : {&layers, &differences}) {
+      renderer->AddActor(marks->faces.actor);
+      renderer->AddActor(marks->edges.actor);
     }
     set_view_angle();
   }
@@ -178,8 +193,8 @@ struct Scene::Impl {
     if (balls && std::exchange(reset_pending, false)) reset_camera();
     const float width_scale = static_cast<float>(samples);
     edges.actor->GetProperty()->SetLineWidth(1.5f * width_scale);
-    differing_edges.actor->GetProperty()->SetLineWidth(3.5f * width_scale);
-    layer_edges.actor->GetProperty()->SetLineWidth(2.5f * width_scale);
+    differences.edges.actor->GetProperty()->SetLineWidth(3.5f * width_scale);
+    layers.edges.actor->GetProperty()->SetLineWidth(2.5f * width_scale);
     renderer->ResetCameraClippingRange();
     window->Render();
   }
@@ -300,19 +315,11 @@ void Scene::set_mesh(std::shared_ptr<MeshData> mesh) {
 }
 
 void Scene::set_differences(std::shared_ptr<DifferenceData> differences) {
-  const DifferenceData nothing;
-  const DifferenceData& shown = differences ? *differences : nothing;
-  impl_->differing_faces.show(shown.faces, impl_->window);
-  impl_->differing_edges.show(shown.edges, impl_->window);
-  impl_->differences = std::move(differences);
+  impl_->differences.show(std::move(differences), impl_->window);
 }
 
 void Scene::set_layers(std::shared_ptr<DifferenceData> layers) {
-  const DifferenceData nothing;
-  const DifferenceData& shown = layers ? *layers : nothing;
-  impl_->layer_faces.show(shown.faces, impl_->window);
-  impl_->layer_edges.show(shown.edges, impl_->window);
-  impl_->layers = std::move(layers);
+  impl_->layers.show(std::move(layers), impl_->window);
 }
 
 void Scene::set_style(const SceneStyle& style) {

@@ -128,6 +128,14 @@ char nucleotide_base(std::string_view residue) {
              : '\0';
 }
 
+bool is_carboxylate_oxygen(std::string_view residue, std::string_view atom) {
+  const std::string_view name = standard_amino_acid(residue);
+  if (name.empty()) return false;
+  if (atom == "OXT" || atom == "OT2") return true;
+  return (name == "ASP" && (atom == "OD1" || atom == "OD2")) ||
+         (name == "GLU" && (atom == "OE1" || atom == "OE2"));
+}
+
 AtomType atom_type(std::string_view residue, std::string_view atom) {
   if (atom.empty()) return AtomType::none;
   if (const AminoAcid* amino_acid = find_amino_acid(residue)) {

@@ -35,4 +35,8 @@ char nucleotide_base(std::string_view residue);
 // Names without blanks; "O1P", "C5*" and residue names of simulation packages are understood.
 AtomType atom_type(std::string_view residue, std::string_view atom);
 
+// Of aspartate, glutamate, and the second one at the end of a chain (OXT). The first one there is
+// called O, as in every other residue.
+bool is_carboxylate_oxygen(std::string_view residue, std::string_view atom);
+
 }  // namespace alphascope

@@ -39,6 +39,10 @@ constexpr RadiiSetInfo kSets[] = {
      "J. Tsai, R. Taylor, C. Chothia, M. Gerstein, The packing density in proteins, J. Mol. Biol. "
      "290 (1999) 253-266; nucleic acids as in FreeSASA",
      true},
+    {RadiiSet::castp, "castp", "CASTp",
+     "ProtOr, with 1.40 Å for the oxygens of carboxyl groups: the radii behind the output of CASTp "
+     "(W. Tian et al., CASTp 3.0, Nucleic Acids Res. 46 (2018) W363-W367) for 1HIV",
+     true},
     {RadiiSet::alvarez, "alvarez", "Alvarez",
      "S. Alvarez, A cartography of the van der Waals territories, Dalton Trans. 42 (2013) "
      "8617-8636",
@@ -155,6 +159,9 @@ AssignedRadius by_element(const ElementTable& table, RadiiSet set, const Atom& a
   return known ? of_set(table[atom.element]) : fallback_radius(set, atom.element, atom.kind);
 }
 
+// Of CASTp; the others are ProtOr's.
+constexpr int kCarboxylateOxygen = 1400;
+
 AssignedRadius by_type(RadiiSet set, AtomType type, const Atom& atom) {
   const int typed = set == RadiiSet::naccess ? naccess(type) : protor(type);
   if (typed > 0) return of_set(typed);
@@ -246,8 +253,12 @@ AssignedRadius RadiiLookup::find(const Atom& atom, AmberForm form) const {
     case RadiiSet::user:
       return by_user(*user_, residue, name, atom);
     case RadiiSet::protor:
+    case RadiiSet::castp:
     case RadiiSet::naccess: {
       const bool typed = atom.element != kHydrogen && atom.kind != AtomKind::ligand;
+      if (set_ == RadiiSet::castp && typed && is_carboxylate_oxygen(residue, name)) {
+        return of_set(kCarboxylateOxygen);
+      }
       return by_type(set_, typed ? atom_type(residue, name) : AtomType::none, atom);
     }
     case RadiiSet::amber: {

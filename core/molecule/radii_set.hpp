@@ -21,6 +21,7 @@ enum class RadiiSet : std::uint8_t {
   file,
   bondi,
   protor,
+  castp,
   alvarez,
   amber,
   naccess,

@@ -57,6 +57,16 @@ TEST(RadiiSets, ValuesOfThePapers) {
   expect_milli(p, "U", "O4", "O", 1420);
   expect_milli(p, "C", "P", "P", 1800);
   expect_milli(p, "HOH", "O", "O", 1460);
+  const RadiiSet c = RadiiSet::castp;
+  expect_milli(c, "ALA", "CA", "C", 1880);
+  expect_milli(c, "ALA", "O", "O", 1420);
+  expect_milli(c, "ALA", "OXT", "O", 1400);
+  expect_milli(c, "ASP", "OD1", "O", 1400);
+  expect_milli(c, "GLU", "OE2", "O", 1400);
+  expect_milli(c, "ASN", "OD1", "O", 1420);
+  expect_milli(c, "GLN", "OE1", "O", 1420);
+  expect_milli(c, "THR", "OG1", "O", 1460);
+  expect_milli(c, "C", "P", "P", 1800);
   const RadiiSet n = RadiiSet::naccess;
   expect_milli(n, "LYS", "NZ", "N", 1500);
   expect_milli(n, "LYS", "CE", "C", 1870);
@@ -84,7 +94,7 @@ TEST(RadiiSets, WhatASetLacksIsMarkedGuessedWithItsSource) {
 }
 
 TEST(RadiiSets, MetalsAreIonsWhereTheSetIsMadeForBiomolecules) {
-  for (const RadiiSet set : {RadiiSet::protor, RadiiSet::naccess, RadiiSet::rasmol}) {
+  for (const RadiiSet set : {RadiiSet::protor, RadiiSet::castp, RadiiSet::naccess, RadiiSet::rasmol}) {
     const AssignedRadius iron = radius(set, "HEM", "FE", "Fe", AtomKind::ligand);
     EXPECT_EQ(iron.microangstrom, 610000);
     EXPECT_TRUE(iron.guessed);

@@ -1,23 +1,10 @@
-// VTK objects behind the scene. vtkGenericOpenGLRenderWindow draws into framebuffers of its own in
+// The scene's functions. vtkGenericOpenGLRenderWindow draws into framebuffers of its own in
 // whatever context is current; nothing here knows where that comes from.
 #include "ui/scene/scene.hpp"
 
-#include <vtkActor.h>
 #include <vtkCamera.h>
-#include <vtkGenericOpenGLRenderWindow.h>
-#include <vtkGenericRenderWindowInteractor.h>
-#include <vtkInteractorStyleTrackballCamera.h>
-#include <vtkLight.h>
-#include <vtkMath.h>
-#include <vtkNew.h>
-#include <vtkObject.h>
 #include <vtkOpenGLFramebufferObject.h>
-#include <vtkOpenGLRenderer.h>
-#include <vtkOpenGLSphereMapper.h>
 #include <vtkOpenGLState.h>
-#include <vtkPolyDataMapper.h>
-#include <vtkProperty.h>
-#include <vtkRenderer.h>
 #include <vtkTextureObject.h>
 
 #define GL_GLEXT_PROTOTYPES
@@ -31,15 +18,11 @@
 #include <utility>
 
 #include "ui/scene/frame_grab.hpp"
-#include "ui/scene/mesh_actor.hpp"
+#include "ui/scene/scene_impl.hpp"
 #include "ui/scene/vtk_arrays.hpp"
 
 namespace alphascope {
 namespace {
-
-// Exact transparency of this many layers; more cost time and show no difference.
-constexpr int kPeels = 6;
-constexpr int kFineSamples = 2;  // each way
 
 // Of sample `k` of kFineSamples in a row: pixels from the middle of its pixel.
 double sample_place(int k) {
@@ -57,220 +40,6 @@ bool drawable(int width, int height) {
   return possible == width;
 }
 }  // namespace
-
-// Faces and lines that are drawn over everything else.
-struct MarkActors {
-  MeshActor faces, edges;
-  std::shared_ptr<DifferenceData> data;
-
-  MarkActors() {
-    faces.always_in_front();
-    edges.always_in_front();
-  }
-  void show(std::shared_ptr<DifferenceData> marks, vtkWindow* window) {
-    faces.show(marks ? marks->faces : nullptr, window);
-    edges.show(marks ? marks->edges : nullptr, window);
-    data = std::move(marks);  // only now may the old arrays go
-  }
-};
-
-struct Scene::Impl {
-  vtkNew<vtkGenericOpenGLRenderWindow> window;
-  vtkNew<vtkRenderer> renderer;
-  vtkNew<vtkGenericRenderWindowInteractor> interactor;
-  vtkNew<vtkInteractorStyleTrackballCamera> trackball;
-  vtkNew<vtkOpenGLSphereMapper> ball_mapper;
-  vtkNew<vtkActor> ball_actor;
-  MeshActor tetrahedra, boundary, triangles, edges;
-  MarkActors layers, differences;
-  std::shared_ptr<BallData> ball_data;
-  std::shared_ptr<const BallGeometry> balls;
-  std::shared_ptr<MeshData> mesh;
-  SceneStyle style;
-  double least_aspect = 0, aspect = 0;  // as in Viewpoint, and of the last picture
-  int picture_height = 1;
-  int samples = 1;                   // each way, of the last picture
-  int pointer_x = 0, pointer_y = 0;  // pixels of the view
-  bool reset_pending = false;        // the fit needs the size of the next picture
-
-  Impl() {
-    set_up_window();
-    set_up_lights();
-    ball_mapper->SetScaleArray(kRadiusArray);
-    ball_mapper->SetColorModeToDirectScalars();
-    ball_actor->SetMapper(ball_mapper);
-    ball_actor->VisibilityOff();
-    ball_actor->GetProperty()->SetAmbient(0.18);
-    ball_actor->GetProperty()->SetDiffuse(0.82);
-    ball_actor->GetProperty()->SetSpecular(0.25);
-    ball_actor->GetProperty()->SetSpecularPower(40);
-    edges.actor->GetProperty()->LightingOff();
-    renderer->AddActor(ball_actor);
-    for (MeshActor* m : {&tetrahedra, &boundary, &triangles, &edges}) renderer->AddActor(m->actor);
-    for (MarkActors* marks : {&layers, &differences}) {
-      renderer->AddActor(marks->faces.actor);
-      renderer->AddActor(marks->edges.actor);
-    }
-    set_view_angle();
-  }
-
-  void set_up_window() {
-    // Debian's VTK carries the GLX build of GLEW, which complains about an EGL context although
-    // every function is found; there is no other way to hush it.
-    vtkObject::GlobalWarningDisplayOff();
-    window->SetOwnContext(false);
-    window->SetMapped(true);
-    window->SetIsCurrent(true);
-    window->SetSupportsOpenGL(1);
-    window->SetIsDirect(1);
-    window->SetReadyForRendering(true);
-    window->SetFrameBlitModeToNoBlit();
-    window->SetMultiSamples(0);  // VTK 9.1: samples lose translucent geometry when peeling
-    window->SetAlphaBitPlanes(1);
-    window->SetSize(64, 64);
-    window->AddRenderer(renderer);
-    window->InitializeFromCurrentContext();
-    interactor->SetRenderWindow(window);
-    interactor->SetInteractorStyle(trackball);
-    interactor->EnableRenderOff();  // we decide when to draw
-    interactor->Initialize();
-    trackball->SetMouseWheelMotionFactor(0.7);
-  }
-
-  // A key light over the left shoulder and a weak one from below right, both with the camera.
-  void set_up_lights() {
-    renderer->AutomaticLightCreationOff();
-    const double lights[2][4] = {{-0.5, 0.7, 1.0, 0.85}, {0.8, -0.5, 0.8, 0.35}};
-    for (const auto& l : lights) {
-      vtkNew<vtkLight> light;
-      light->SetLightTypeToCameraLight();
-      light->SetPosition(l[0], l[1], l[2]);
-      light->SetFocalPoint(0, 0, 0);
-      light->SetIntensity(l[3]);
-      renderer->AddLight(light);
-    }
-  }
-
-  // Of what draws soft shadows and exact transparency, whose textures are as large as the last
-  // picture that had them; the next picture makes again what it needs.
-  void release_buffers() { renderer->ReleaseGraphicsResources(window); }
-
-  bool anything_translucent() const {
-    return (style.balls && style.ball_opacity < 1) || style.complex_opacity < 1;
-  }
-
-  void apply_style() {
-    const Colour& background = palette(style.theme).scene;
-    renderer->SetBackground(background.r, background.g, background.b);
-    ball_actor->SetVisibility(style.balls && balls && !balls->centres.empty());
-    ball_actor->GetProperty()->SetOpacity(style.ball_opacity);
-    for (MeshActor* m : {&tetrahedra, &boundary, &triangles, &edges}) {
-      m->actor->GetProperty()->SetOpacity(style.complex_opacity);
-    }
-  }
-
-  void apply_quality(RenderQuality quality, bool occlusion_allowed = true) {
-    const bool fine = quality != RenderQuality::draft;
-    renderer->SetUseDepthPeeling(fine && anything_translucent());
-    renderer->SetMaximumNumberOfPeels(kPeels);
-    renderer->SetOcclusionRatio(0);
-    const bool occlusion = fine && style.ambient_occlusion && occlusion_allowed && balls;
-    renderer->SetUseSSAO(occlusion);
-    if (occlusion) {
-      renderer->SetSSAORadius(6);  // Å: about two atoms
-      renderer->SetSSAOBias(0.2);
-      renderer->SetSSAOKernelSize(64);
-      renderer->SetSSAOBlur(true);
-    }
-    samples = quality == RenderQuality::fine ? kFineSamples : 1;
-  }
-
-  void draw(int width, int height) {
-    if (window->GetSize()[0] != width || window->GetSize()[1] != height) {
-      window->SetSize(width, height);
-    }
-    follow_aspect(static_cast<double>(width) / height);
-    if (balls && std::exchange(reset_pending, false)) reset_camera();
-    const float width_scale = static_cast<float>(samples);
-    edges.actor->GetProperty()->SetLineWidth(1.5f * width_scale);
-    differences.edges.actor->GetProperty()->SetLineWidth(3.5f * width_scale);
-    layers.edges.actor->GetProperty()->SetLineWidth(2.5f * width_scale);
-    renderer->ResetCameraClippingRange();
-    window->Render();
-  }
-
-  // What a wide picture shows stays in sight when it becomes narrow.
-  void follow_aspect(double now) {
-    const bool shown_at_usual_angle = least_aspect <= aspect;
-    if (now < aspect && shown_at_usual_angle && balls && !reset_pending) {
-      least_aspect = alphascope::least_aspect(*balls, sight(), aspect);
-    }
-    aspect = now;
-    set_view_angle();
-  }
-
-  // To the right and up, in shares of the picture's width and height.
-  void shift(double right, double up) {
-    renderer->GetActiveCamera()->SetWindowCenter(2 * right, 2 * up);
-  }
-
-  // What only a picture for a file has; ends with this.
-  class ForOnePicture {
-   public:
-    ForOnePicture(Impl& scene, bool transparent) : scene_(scene) {
-      // Ambient occlusion darkens towards the background, which a transparent picture has none of.
-      scene.apply_quality(RenderQuality::medium, !transparent);
-      if (transparent) {
-        scene.renderer->SetBackground(0, 0, 0);
-        scene.renderer->SetUseDepthPeeling(true);  // VTK's other transparency writes wrong alpha
-      }
-      scene.renderer->SetBackgroundAlpha(transparent ? 0 : 1);
-    }
-    ~ForOnePicture() {
-      scene_.shift(0, 0);
-      scene_.renderer->SetBackgroundAlpha(0);
-      scene_.apply_style();
-    }
-    ForOnePicture(const ForOnePicture&) = delete;
-    ForOnePicture& operator=(const ForOnePicture&) = delete;
-
-   private:
-    Impl& scene_;
-  };
-
-  void set_view_angle() {
-    const double half = std::atan(tangent_up(aspect, least_aspect));
-    renderer->GetActiveCamera()->SetViewAngle(2 * half * 180 / M_PI);
-  }
-
-  void reset_camera() {
-    if (!balls) return;
-    vtkCamera* camera = renderer->GetActiveCamera();
-    const auto& towards = balls->axes[2];
-    const auto& up = balls->axes[1];
-    camera->SetFocalPoint(0, 0, 0);
-    const double distance = fitting_distance(*balls, aspect);
-    camera->SetPosition(distance * towards[0], distance * towards[1], distance * towards[2]);
-    camera->SetViewUp(up[0], up[1], up[2]);
-    least_aspect = 0;
-    set_view_angle();
-  }
-
-  Sight sight() const {
-    vtkCamera* camera = renderer->GetActiveCamera();
-    Sight s;
-    camera->GetPosition(s.position.data());
-    camera->GetDirectionOfProjection(s.forward.data());
-    camera->GetViewUp(s.up.data());
-    vtkMath::Cross(s.forward.data(), s.up.data(), s.right.data());
-    vtkMath::Normalize(s.right.data());
-    // The camera's own need not be at a right angle.
-    vtkMath::Cross(s.right.data(), s.forward.data(), s.up.data());
-    s.tangent_up = tangent_up(aspect, least_aspect);
-    s.tangent_right = s.tangent_up * aspect;
-    return s;
-  }
-};
 
 Scene::Scene() : impl_(std::make_unique<Impl>()) {
   impl_->apply_style();

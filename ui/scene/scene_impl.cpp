@@ -1,0 +1,203 @@
+// How the scene's VTK objects are set up and follow its settings.
+#include "ui/scene/scene_impl.hpp"
+
+#include <vtkCamera.h>
+#include <vtkLight.h>
+#include <vtkMath.h>
+#include <vtkObject.h>
+#include <vtkProperty.h>
+
+#include <cmath>
+#include <utility>
+
+#include "ui/scene/vtk_arrays.hpp"
+
+namespace alphascope {
+namespace {
+
+// Exact transparency of this many layers; more cost time and show no difference.
+constexpr int kPeels = 6;
+}  // namespace
+
+MarkActors::MarkActors() {
+  faces.always_in_front();
+  edges.always_in_front();
+}
+
+void MarkActors::show(std::shared_ptr<DifferenceData> marks, vtkWindow* window) {
+  faces.show(marks ? marks->faces : nullptr, window);
+  edges.show(marks ? marks->edges : nullptr, window);
+  data = std::move(marks);  // only now may the old arrays go
+}
+
+Scene::Impl::Impl() {
+  set_up_window();
+  set_up_lights();
+  set_up_balls();
+  edges.actor->GetProperty()->LightingOff();
+  renderer->AddActor(ball_actor);
+  for (MeshActor* m : {&tetrahedra, &boundary, &triangles, &edges}) renderer->AddActor(m->actor);
+  for (MarkActors* marks : {&layers, &differences}) {
+    renderer->AddActor(marks->faces.actor);
+    renderer->AddActor(marks->edges.actor);
+  }
+  set_view_angle();
+}
+
+void Scene::Impl::set_up_window() {
+  // Debian's VTK carries the GLX build of GLEW, which complains about an EGL context although
+  // every function is found; there is no other way to hush it.
+  vtkObject::GlobalWarningDisplayOff();
+  window->SetOwnContext(false);
+  window->SetMapped(true);
+  window->SetIsCurrent(true);
+  window->SetSupportsOpenGL(1);
+  window->SetIsDirect(1);
+  window->SetReadyForRendering(true);
+  window->SetFrameBlitModeToNoBlit();
+  window->SetMultiSamples(0);  // VTK 9.1: samples lose translucent geometry when peeling
+  window->SetAlphaBitPlanes(1);
+  window->SetSize(64, 64);
+  window->AddRenderer(renderer);
+  window->InitializeFromCurrentContext();
+  interactor->SetRenderWindow(window);
+  interactor->SetInteractorStyle(trackball);
+  interactor->EnableRenderOff();  // we decide when to draw
+  interactor->Initialize();
+  trackball->SetMouseWheelMotionFactor(0.7);
+}
+
+// A key light over the left shoulder and a weak one from below right, both with the camera.
+void Scene::Impl::set_up_lights() {
+  renderer->AutomaticLightCreationOff();
+  const double lights[2][4] = {{-0.5, 0.7, 1.0, 0.85}, {0.8, -0.5, 0.8, 0.35}};
+  for (const auto& l : lights) {
+    vtkNew<vtkLight> light;
+    light->SetLightTypeToCameraLight();
+    light->SetPosition(l[0], l[1], l[2]);
+    light->SetFocalPoint(0, 0, 0);
+    light->SetIntensity(l[3]);
+    renderer->AddLight(light);
+  }
+}
+
+void Scene::Impl::set_up_balls() {
+  ball_mapper->SetScaleArray(kRadiusArray);
+  ball_mapper->SetColorModeToDirectScalars();
+  ball_actor->SetMapper(ball_mapper);
+  ball_actor->VisibilityOff();
+  vtkProperty* property = ball_actor->GetProperty();
+  property->SetAmbient(0.18);
+  property->SetDiffuse(0.82);
+  property->SetSpecular(0.25);
+  property->SetSpecularPower(40);
+}
+
+bool Scene::Impl::anything_translucent() const {
+  return (style.balls && style.ball_opacity < 1) || style.complex_opacity < 1;
+}
+
+void Scene::Impl::apply_style() {
+  const Colour& background = palette(style.theme).scene;
+  renderer->SetBackground(background.r, background.g, background.b);
+  ball_actor->SetVisibility(style.balls && balls && !balls->centres.empty());
+  ball_actor->GetProperty()->SetOpacity(style.ball_opacity);
+  for (MeshActor* m : {&tetrahedra, &boundary, &triangles, &edges}) {
+    m->actor->GetProperty()->SetOpacity(style.complex_opacity);
+  }
+}
+
+void Scene::Impl::apply_quality(RenderQuality quality, bool occlusion_allowed) {
+  const bool fine = quality != RenderQuality::draft;
+  renderer->SetUseDepthPeeling(fine && anything_translucent());
+  renderer->SetMaximumNumberOfPeels(kPeels);
+  renderer->SetOcclusionRatio(0);
+  const bool occlusion = fine && style.ambient_occlusion && occlusion_allowed && balls;
+  renderer->SetUseSSAO(occlusion);
+  if (occlusion) {
+    renderer->SetSSAORadius(6);  // Å: about two atoms
+    renderer->SetSSAOBias(0.2);
+    renderer->SetSSAOKernelSize(64);
+    renderer->SetSSAOBlur(true);
+  }
+  samples = quality == RenderQuality::fine ? kFineSamples : 1;
+}
+
+void Scene::Impl::draw(int width, int height) {
+  if (window->GetSize()[0] != width || window->GetSize()[1] != height) {
+    window->SetSize(width, height);
+  }
+  follow_aspect(static_cast<double>(width) / height);
+  if (balls && std::exchange(reset_pending, false)) reset_camera();
+  const float width_scale = static_cast<float>(samples);
+  edges.actor->GetProperty()->SetLineWidth(1.5f * width_scale);
+  differences.edges.actor->GetProperty()->SetLineWidth(3.5f * width_scale);
+  layers.edges.actor->GetProperty()->SetLineWidth(2.5f * width_scale);
+  renderer->ResetCameraClippingRange();
+  window->Render();
+}
+
+// What a wide picture shows stays in sight when it becomes narrow.
+void Scene::Impl::follow_aspect(double now) {
+  const bool shown_at_usual_angle = least_aspect <= aspect;
+  if (now < aspect && shown_at_usual_angle && balls && !reset_pending) {
+    least_aspect = alphascope::least_aspect(*balls, sight(), aspect);
+  }
+  aspect = now;
+  set_view_angle();
+}
+
+void Scene::Impl::shift(double right, double up) {
+  renderer->GetActiveCamera()->SetWindowCenter(2 * right, 2 * up);
+}
+
+void Scene::Impl::set_view_angle() {
+  const double half = std::atan(tangent_up(aspect, least_aspect));
+  renderer->GetActiveCamera()->SetViewAngle(2 * half * 180 / M_PI);
+}
+
+void Scene::Impl::reset_camera() {
+  if (!balls) return;
+  vtkCamera* camera = renderer->GetActiveCamera();
+  const auto& towards = balls->axes[2];
+  const auto& up = balls->axes[1];
+  camera->SetFocalPoint(0, 0, 0);
+  const double distance = fitting_distance(*balls, aspect);
+  camera->SetPosition(distance * towards[0], distance * towards[1], distance * towards[2]);
+  camera->SetViewUp(up[0], up[1], up[2]);
+  least_aspect = 0;
+  set_view_angle();
+}
+
+Sight Scene::Impl::sight() const {
+  vtkCamera* camera = renderer->GetActiveCamera();
+  Sight s;
+  camera->GetPosition(s.position.data());
+  camera->GetDirectionOfProjection(s.forward.data());
+  camera->GetViewUp(s.up.data());
+  vtkMath::Cross(s.forward.data(), s.up.data(), s.right.data());
+  vtkMath::Normalize(s.right.data());
+  // The camera's own need not be at a right angle.
+  vtkMath::Cross(s.right.data(), s.forward.data(), s.up.data());
+  s.tangent_up = tangent_up(aspect, least_aspect);
+  s.tangent_right = s.tangent_up * aspect;
+  return s;
+}
+
+Scene::Impl::ForOnePicture::ForOnePicture(Impl& scene, bool transparent) : scene_(scene) {
+  // Ambient occlusion darkens towards the background, which a transparent picture has none of.
+  scene.apply_quality(RenderQuality::medium, !transparent);
+  if (transparent) {
+    scene.renderer->SetBackground(0, 0, 0);
+    scene.renderer->SetUseDepthPeeling(true);  // VTK's other transparency writes wrong alpha
+  }
+  scene.renderer->SetBackgroundAlpha(transparent ? 0 : 1);
+}
+
+Scene::Impl::ForOnePicture::~ForOnePicture() {
+  scene_.shift(0, 0);
+  scene_.renderer->SetBackgroundAlpha(0);
+  scene_.apply_style();
+}
+
+}  // namespace alphascope

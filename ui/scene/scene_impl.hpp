@@ -1,0 +1,83 @@
+// The VTK objects behind a Scene, and how its settings become theirs. For the sources of Scene
+// only.
+#pragma once
+
+#include <vtkActor.h>
+#include <vtkGenericOpenGLRenderWindow.h>
+#include <vtkGenericRenderWindowInteractor.h>
+#include <vtkInteractorStyleTrackballCamera.h>
+#include <vtkNew.h>
+#include <vtkOpenGLSphereMapper.h>
+#include <vtkRenderer.h>
+
+#include <memory>
+
+#include "ui/scene/mesh_actor.hpp"
+#include "ui/scene/scene.hpp"
+
+namespace alphascope {
+
+constexpr int kFineSamples = 2;  // of a fine picture, each way
+
+// Faces and lines that are drawn over everything else.
+struct MarkActors {
+  MeshActor faces, edges;
+  std::shared_ptr<DifferenceData> data;
+
+  MarkActors();
+  void show(std::shared_ptr<DifferenceData> marks, vtkWindow* window);
+};
+
+struct Scene::Impl {
+  vtkNew<vtkGenericOpenGLRenderWindow> window;
+  vtkNew<vtkRenderer> renderer;
+  vtkNew<vtkGenericRenderWindowInteractor> interactor;
+  vtkNew<vtkInteractorStyleTrackballCamera> trackball;
+  vtkNew<vtkOpenGLSphereMapper> ball_mapper;
+  vtkNew<vtkActor> ball_actor;
+  MeshActor tetrahedra, boundary, triangles, edges;
+  MarkActors layers, differences;
+  std::shared_ptr<BallData> ball_data;
+  std::shared_ptr<const BallGeometry> balls;
+  std::shared_ptr<MeshData> mesh;
+  SceneStyle style;
+  double least_aspect = 0, aspect = 0;  // as in Viewpoint, and of the last picture
+  int picture_height = 1;
+  int samples = 1;                   // each way, of the last picture
+  int pointer_x = 0, pointer_y = 0;  // pixels of the view
+  bool reset_pending = false;        // the fit needs the size of the next picture
+
+  Impl();
+  // Of what draws soft shadows and exact transparency, whose textures are as large as the last
+  // picture that had them; the next picture makes again what it needs.
+  void release_buffers() { renderer->ReleaseGraphicsResources(window); }
+  bool anything_translucent() const;
+  void apply_style();
+  void apply_quality(RenderQuality quality, bool occlusion_allowed = true);
+  void draw(int width, int height);
+  // To the right and up, in shares of the picture's width and height.
+  void shift(double right, double up);
+  void set_view_angle();
+  Sight sight() const;
+
+  // What only a picture for a file has; ends with this.
+  class ForOnePicture {
+   public:
+    ForOnePicture(Impl& scene, bool transparent);
+    ~ForOnePicture();
+    ForOnePicture(const ForOnePicture&) = delete;
+    ForOnePicture& operator=(const ForOnePicture&) = delete;
+
+   private:
+    Impl& scene_;
+  };
+
+ private:
+  void set_up_window();
+  void set_up_lights();
+  void set_up_balls();
+  void follow_aspect(double now);
+  void reset_camera();
+};
+
+}  // namespace alphascope

@@ -6,6 +6,7 @@
 
 #include "core/document/display.hpp"
 #include "core/document/open_options.hpp"
+#include "core/document/reference.hpp"
 #include "core/document/request.hpp"
 
 namespace alphascope {
@@ -14,6 +15,7 @@ struct Settings {
   OpenOptions open;
   Request request;
   DisplayControls display;
+  RefSet selection;  // what is selected in the picture
   friend bool operator==(const Settings&, const Settings&) = default;
 };
 

@@ -133,10 +133,14 @@ class Expansion {
   void add_generator(const AssemblyGenerator& generator, const ModelRange& model) {
     const std::vector<std::size_t> atoms = atoms_of(source_, generator, model);
     const std::uint64_t copies = copies_of(generator);
+    const std::size_t begin = result_.atoms.size();
     for (std::uint64_t k = 0; k < copies; ++k) {
       context_.cancel.throw_if_cancelled();
       context_.report("expanding assembly", static_cast<double>(result_.atoms.size()) / total_);
       add_copy(atoms, operator_at(source_.assemblies, generator, k));
+    }
+    if (result_.atoms.size() > begin) {
+      result_.copied.push_back({begin, static_cast<std::size_t>(copies), atoms});
     }
   }
 

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -57,6 +58,13 @@ struct ModelRange {
   std::size_t size() const { return end - begin; }
 };
 
+// Of an assembly, and of one model: atoms of the file that were copied together. Copy k of
+// `source[j]` is Molecule::atoms[begin + k * source.size() + j].
+struct CopiedAtoms {
+  std::size_t begin = 0, copies = 0;
+  std::vector<std::size_t> source;  // indices into the deposited molecule's atoms, ascending
+};
+
 struct Molecule {
   std::filesystem::path source;
   std::string format;  // "PDB", "mmCIF", "XYZR", "CRD"…
@@ -67,15 +75,26 @@ struct Molecule {
   std::vector<Atom> atoms;         // models one after another
   std::vector<ModelRange> models;  // at least one, none of them empty
   NameTable names;
-  std::vector<std::string> notes;  // sentences: what the reader had to assume
-  Assemblies assemblies;           // that the file describes
-  std::string assembly_id;         // of expand_assembly(); empty = as deposited
-  std::string sha256;              // of the file as it lies on disk, in hexadecimal digits
+  std::vector<std::string> notes;   // sentences: what the reader had to assume
+  Assemblies assemblies;            // that the file describes
+  std::string assembly_id;          // of expand_assembly(); empty = as deposited
+  std::vector<CopiedAtoms> copied;  // by expand_assembly(), in the order of `atoms`; else empty
+  std::string sha256;               // of the file as it lies on disk, in hexadecimal digits
 
   std::string_view text(NameId id) const { return names.text(id); }
 };
 
 // "CA GLY 12A, chain B": how an atom is named to people.
 std::string atom_label(const Molecule& molecule, std::size_t atom);
+
+// Which atom of the file an atom is a copy of, and which copy: 0 for the first, and for every atom
+// of a molecule as deposited. Copies of one atom are counted in the order of the assembly's
+// generators, as in the names of their chains: the chain of copy 1 is called "A-2".
+struct AtomSource {
+  std::size_t deposited = 0, copy = 0;
+};
+AtomSource atom_source(const Molecule& molecule, std::size_t atom);
+// The other way round; nothing when this assembly has no such copy, or the file no such atom.
+std::optional<std::size_t> find_atom(const Molecule& molecule, const AtomSource& source);
 
 }  // namespace alphascope

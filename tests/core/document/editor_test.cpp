@@ -117,6 +117,9 @@ TEST(Editor, SaysWhatWouldChange) {
   s.open.balls.overrides.push_back({"HEM", "FE", 26, 1'000'000});
   EXPECT_EQ(difference_text(plain, s), "radii");
   s = plain;
+  s.selection = RefSet({AtomRef{3, 0}});
+  EXPECT_EQ(difference_text(plain, s), "selection");
+  s = plain;
   s.request.tuples.streams = 1;
   EXPECT_EQ(difference_text(plain, s), "engine");
 }

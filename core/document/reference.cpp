@@ -1,0 +1,102 @@
+// See the header. Balls come in the order of their atoms, so an atom's ball is found by bisection.
+#include "core/document/reference.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/molecule/atom_address.hpp"
+
+namespace alphascope {
+
+RefSet::RefSet(std::vector<Ref> refs) {
+  std::sort(refs.begin(), refs.end());
+  refs.erase(std::unique(refs.begin(), refs.end()), refs.end());
+  if (!refs.empty()) items_ = std::make_shared<const std::vector<Ref>>(std::move(refs));
+}
+
+const std::vector<Ref>& RefSet::items() const {
+  static const std::vector<Ref> none;
+  return items_ ? *items_ : none;
+}
+
+bool RefSet::contains(const Ref& ref) const {
+  return std::binary_search(items().begin(), items().end(), ref);
+}
+
+RefSet RefSet::with(const std::vector<Ref>& refs) const {
+  std::vector<Ref> all = items();
+  all.insert(all.end(), refs.begin(), refs.end());
+  return RefSet(std::move(all));
+}
+
+RefSet RefSet::toggled(const Ref& ref) const {
+  if (!contains(ref)) return with({ref});
+  std::vector<Ref> others = items();
+  others.erase(std::lower_bound(others.begin(), others.end(), ref));
+  return RefSet(std::move(others));
+}
+
+BallReferences::BallReferences(std::shared_ptr<const Molecule> molecule,
+                               std::shared_ptr<const PreparedBalls> prepared)
+    : molecule_(std::move(molecule)), prepared_(std::move(prepared)) {}
+
+AtomRef BallReferences::atom(BallIndex ball) const {
+  const AtomSource source = atom_source(*molecule_, prepared_->atom_of_ball.at(ball));
+  return {static_cast<std::uint32_t>(source.deposited), static_cast<std::uint32_t>(source.copy)};
+}
+
+Ref BallReferences::reference(std::span<const BallIndex> balls) const {
+  if (balls.size() == 1) return atom(balls.front());
+  SimplexRef simplex;
+  for (const BallIndex ball : balls) simplex.push_back(atom(ball));
+  std::sort(simplex.begin(), simplex.end());
+  return simplex;
+}
+
+std::optional<BallIndex> BallReferences::ball(const AtomRef& ref) const {
+  const auto atom = find_atom(*molecule_, {ref.atom, ref.copy});
+  if (!atom) return std::nullopt;
+  const std::vector<std::uint32_t>& atoms = prepared_->atom_of_ball;
+  const auto at = std::lower_bound(atoms.begin(), atoms.end(), *atom);
+  if (at == atoms.end() || *at != *atom) return std::nullopt;
+  return static_cast<BallIndex>(at - atoms.begin());
+}
+
+std::optional<std::vector<BallIndex>> BallReferences::balls(const Ref& ref) const {
+  std::vector<BallIndex> found;
+  const auto add = [&](const AtomRef& atom) {
+    const auto index = ball(atom);
+    if (index) found.push_back(*index);
+    return index.has_value();
+  };
+  if (const AtomRef* atom = std::get_if<AtomRef>(&ref)) {
+    if (!add(*atom)) return std::nullopt;
+  } else {
+    for (const AtomRef& corner : std::get<SimplexRef>(ref)) {
+      if (!add(corner)) return std::nullopt;
+    }
+  }
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+NamedAtoms named_atoms(const BallReferences& references, std::string_view text) {
+  const auto is_named = atoms_named(references.molecule(), text);
+  const std::vector<std::uint32_t>& atoms = references.prepared().atom_of_ball;
+  NamedAtoms named;
+  std::size_t ball = 0;
+  for (std::size_t i = 0; i < references.molecule().atoms.size(); ++i) {
+    const bool is_ball = ball < atoms.size() && atoms[ball] == i;
+    if (is_named(i)) {
+      if (is_ball) {
+        named.balls.emplace_back(references.atom(static_cast<BallIndex>(ball)));
+      } else {
+        ++named.others;
+      }
+    }
+    ball += is_ball;
+  }
+  return named;
+}
+
+}  // namespace alphascope

@@ -1,0 +1,88 @@
+// Atoms and simplices by a name that stays good when other atoms are used as balls. An index of a
+// ball does not: it is another atom's as soon as hydrogens, alternative locations or the assembly
+// change. So what outlives one set of balls (selection, history, session files) holds references
+// only.
+#pragma once
+
+#include <compare>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "core/geometry/ball_set.hpp"
+#include "core/molecule/prepare_balls.hpp"
+
+namespace alphascope {
+
+// An atom of the file, and which of its copies in the assembly (AtomSource).
+struct AtomRef {
+  std::uint32_t atom = 0, copy = 0;
+  friend auto operator<=>(const AtomRef&, const AtomRef&) = default;
+};
+
+using SimplexRef = std::vector<AtomRef>;  // 1 to 4, ascending
+using Ref = std::variant<AtomRef, SimplexRef>;
+
+// A set of references. Every entry of the history has one, so copies share their content.
+class RefSet {
+ public:
+  RefSet() = default;
+  explicit RefSet(std::vector<Ref> refs);  // in any order
+
+  const std::vector<Ref>& items() const;  // ascending, each once
+  std::size_t size() const { return items().size(); }
+  bool empty() const { return items().empty(); }
+  bool contains(const Ref& ref) const;
+  RefSet with(const std::vector<Ref>& refs) const;
+  RefSet toggled(const Ref& ref) const;  // without it when it is there, else with it
+
+  friend bool operator==(const RefSet& a, const RefSet& b) {
+    return a.items_ == b.items_ || a.items() == b.items();
+  }
+
+ private:
+  std::shared_ptr<const std::vector<Ref>> items_;  // null: none
+};
+
+struct Selection {
+  RefSet items;
+  std::optional<Ref> hovered;  // under the mouse; not in the history
+  // More would make marks and history slow.
+  static constexpr std::size_t kMostItems = 20000;
+};
+
+// From the balls of one molecule under one set of options to references and back.
+class BallReferences {
+ public:
+  BallReferences(std::shared_ptr<const Molecule> molecule,
+                 std::shared_ptr<const PreparedBalls> prepared);
+
+  AtomRef atom(BallIndex ball) const;
+  // Of a simplex; one ball is an AtomRef.
+  Ref reference(std::span<const BallIndex> balls) const;
+
+  // Nothing when the atom is no ball under these options.
+  std::optional<BallIndex> ball(const AtomRef& ref) const;
+  // All balls of a reference, ascending; nothing when one of them is missing.
+  std::optional<std::vector<BallIndex>> balls(const Ref& ref) const;
+
+  const Molecule& molecule() const { return *molecule_; }
+  const PreparedBalls& prepared() const { return *prepared_; }
+
+ private:
+  std::shared_ptr<const Molecule> molecule_;
+  std::shared_ptr<const PreparedBalls> prepared_;
+};
+
+struct NamedAtoms {
+  std::vector<Ref> balls;  // of the atoms that are balls
+  std::size_t others = 0;  // atoms that match and are none
+};
+// What an address or an expression names (core/molecule/atom_address.hpp). Throws SelectionError.
+NamedAtoms named_atoms(const BallReferences& references, std::string_view text);
+
+}  // namespace alphascope

@@ -1,13 +1,16 @@
 // Checks and times the CUDA engine on a machine with a GPU: equality with the CPU engine first,
 // byte for byte, then medians. alphascope_gpu_bench DATA WORDS, WORDS any of check, time, huge,
-// cgal (beside time), only (no whole complex), drag:NAME or one:NAME:ALPHA[:SOLVENT]; chunks:N
-// before it: in so many chunks. Inputs are .balls files (make_balls.py), so that the program needs
-// nothing but the CUDA driver and libtbb.
+// cgal (beside time), only (no whole complex), drag:NAME, samples:NAME, hashes:NAME or
+// one:NAME:ALPHA[:SOLVENT]; chunks:N before it: in so many chunks. device_compare reads samples and
+// hashes. Inputs are .balls files (make_balls.py), so that the program needs nothing but the CUDA
+// driver and libtbb.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstring>
+#include <functional>
+#include <memory>
 #include <random>
 #include <sstream>
 #include <string>
@@ -184,6 +187,84 @@ void time_one(const std::string& name, const BallSet& balls, double solvent, dou
   }
 }
 
+double milliseconds_of(const std::function<void()>& what) {
+  const auto start = std::chrono::steady_clock::now();
+  what();
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
+      .count();
+}
+
+void print_samples(const std::string& row, const char* what, const std::vector<double>& times) {
+  std::printf("SAMPLE %s %s", row.c_str(), what);
+  for (const double t : times) std::printf(" %.4f", t);
+  std::printf("\n");
+}
+
+constexpr double kSampledAlphas[] = {0, 1.4, 10};
+std::string row_of(const std::string& name, double alpha, bool only) {
+  std::ostringstream row;
+  row << name << ' ' << alpha << ' ' << (only ? "tets" : "whole");
+  return row.str();
+}
+void print_hash(const std::string& row, std::uint64_t hash) {
+  std::printf("HASH %s %016llx\n", row.c_str(), static_cast<unsigned long long>(hash));
+}
+
+// The hashes that samples() must have, from the CPU engine.
+void hashes(const std::string& name, const BallSet& balls) {
+  const auto engine = make_cpu_engine(std::make_shared<const BallSet>(balls), {});
+  for (const double alpha : kSampledAlphas) {
+    for (const bool only : {true, false}) {
+      print_hash(row_of(name, alpha, only), engine->compute({alpha, only}, {}).hash);
+    }
+  }
+}
+
+// Every single time (ms), for builds that are timed by turns: of taking the balls, of a set's first
+// run and of the same run again; then of 40 moves of the slider from 0 to 10 Å². And how often the
+// first run was tried until there was room.
+void samples(const std::string& name, const BallSet& balls) {
+  constexpr int kFirst = 5, kAgain = 6, kWarmUp = 3, kMoves = 40;
+  for (const double alpha : kSampledAlphas) {
+    const double a = balls.lattice.alpha_on_lattice(alpha);
+    for (const bool only : {true, false}) {
+      const std::string row = row_of(name, alpha, only);
+      std::vector<double> load, first, again;
+      gpu::PipelineResult result;
+      for (int i = 0; i <= kFirst; ++i) {  // the very first is not counted
+        std::unique_ptr<gpu::DualEdgePipeline> pipeline;
+        result = {};
+        const double loading = milliseconds_of(
+            [&] { pipeline = std::make_unique<gpu::DualEdgePipeline>(balls, chunks); });
+        const auto run = [&] { result = pipeline->run(a, only, {}, nullptr); };
+        const double running = milliseconds_of(run);
+        if (i > 0) load.push_back(loading), first.push_back(running);
+        if (i == kFirst) {
+          print_hash(row, result.hash.combined(only));
+          std::printf("ATTEMPTS %s %d\n", row.c_str(), result.attempts);
+          for (int w = 0; w < kWarmUp; ++w) run();
+          for (int r = 0; r < kAgain; ++r) again.push_back(milliseconds_of(run));
+          print_hash(row, result.hash.combined(only));
+        }
+      }
+      print_samples(row, "load", load);
+      print_samples(row, "first", first);
+      print_samples(row, "again", again);
+    }
+  }
+  for (const bool only : {true, false}) {
+    gpu::DualEdgePipeline pipeline(balls, chunks);
+    gpu::PipelineResult result = pipeline.run(0, only, {}, nullptr);
+    std::vector<double> moves;
+    for (int move = 1; move <= kMoves; ++move) {
+      const double a = balls.lattice.alpha_on_lattice(10.0 * move / kMoves);
+      moves.push_back(milliseconds_of([&] { result = pipeline.run(a, only, {}, nullptr); }));
+    }
+    print_samples(name + (only ? " 0-10 tets" : " 0-10 whole"), "moved", moves);
+  }
+  std::fflush(stdout);
+}
+
 // The folder of the inputs.
 struct Data {
   std::string folder;
@@ -247,6 +328,8 @@ int main(int argc, char** argv) {
   for (const std::string& word : words) {
     if (word.starts_with("chunks:")) chunks = std::stoi(word.substr(7));
     if (word.starts_with("drag:")) time_drag(word.substr(5), data.balls(word.substr(5)));
+    if (word.starts_with("samples:")) samples(word.substr(8), data.balls(word.substr(8)));
+    if (word.starts_with("hashes:")) hashes(word.substr(7), data.balls(word.substr(7)));
     if (word.starts_with("one:")) time_row(data, word.substr(4));
   }
   return failures == 0 ? 0 : 1;

@@ -15,6 +15,7 @@ namespace alphascope {
 // all is of the half on one side of their plane. Edge m is the one opposite ball m.
 struct BallTriple {
   double half_chord;     // distance of a common point from the plane
+  double reach[3];       // distance of the points' middle from edge m, positive towards ball m
   double half_angle[3];  // of the circle of edge m, inside ball m; 0 to pi
   // Of the part of sphere m, and of ball m, that is beyond both radical planes: half of A_m;.. and
   // of V_m;.. The union of three such balls loses them where it would count them twice.
@@ -51,16 +52,16 @@ ALPHASCOPE_INLINE BallTriple ball_triple(const GrownBall (&ball)[3], const BallP
                              static_cast<double>(dot(c, c) - bc)};
   const double normal = sqrt(at.square_normal);
   BallTriple of;
-  double reach[3], square = 0, disc = 0;
+  double square = 0, disc = 0;
   for (int m = 0; m < 3; ++m) {
-    reach[m] = at.foot[m] * normal / pair[m].distance;  // from the edge to the foot, towards ball m
+    of.reach[m] = at.foot[m] * normal / pair[m].distance;
     if (m == 0 || pair[m].square_disc < disc) {
       disc = pair[m].square_disc;
-      square = disc - reach[m] * reach[m];
+      square = disc - of.reach[m] * of.reach[m];
     }
   }
   of.half_chord = square > 0 ? sqrt(square) : 0;
-  for (int m = 0; m < 3; ++m) of.half_angle[m] = atan2(of.half_chord, reach[m]);
+  for (int m = 0; m < 3; ++m) of.half_angle[m] = atan2(of.half_chord, of.reach[m]);
   const double chord_normal = of.half_chord * normal;
   for (int m = 0; m < 3; ++m) {
     const int j = m == 0 ? 1 : 0, k = m == 2 ? 1 : 2;  // the others; edge k joins m and j
@@ -71,8 +72,8 @@ ALPHASCOPE_INLINE BallTriple ball_triple(const GrownBall (&ball)[3], const BallP
                                  {pair[k].distance, pair[j].distance},
                                  product[m]};
     of.area[m] = triple_corner_area(corner, chord_normal);
-    const double segment_j = pair[k].square_disc * of.half_angle[k] - reach[k] * of.half_chord;
-    const double segment_k = pair[j].square_disc * of.half_angle[j] - reach[j] * of.half_chord;
+    const double segment_j = pair[k].square_disc * of.half_angle[k] - of.reach[k] * of.half_chord;
+    const double segment_k = pair[j].square_disc * of.half_angle[j] - of.reach[j] * of.half_chord;
     of.volume[m] =
         (ball[m].grown_radius * of.area[m] - 0.5 * (hj * segment_j + hk * segment_k)) / 3;
   }

@@ -72,6 +72,7 @@ ALPHASCOPE_INLINE TriangleCoordinates triangle_coordinates(const LiftedInt& b, c
 struct TetrahedronCoordinates {
   double centre[4];           // barycentric coordinates of the orthocentre
   double six_volumes;         // >= 0
+  double outward;             // 1 if the normals point out, -1 if in
   Vector3<double> normal[4];  // of the face opposite each ball; twice its area; all in or all out
 };
 ALPHASCOPE_INLINE TetrahedronCoordinates tetrahedron_coordinates(const LiftedInt& b,
@@ -108,6 +109,7 @@ ALPHASCOPE_INLINE TetrahedronCoordinates tetrahedron_coordinates(const LiftedInt
   of.centre[3] = dot(point, of.normal[3]) * scale;
   of.centre[0] = 1 - of.centre[1] - of.centre[2] - of.centre[3];
   of.six_volumes = fabs(volume);
+  of.outward = volume < 0 ? 1 : -1;
   return of;
 }
 

@@ -1,0 +1,46 @@
+// Finding an edge or triangle in the sorted lists of a complex.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "core/complex/simplices.hpp"
+
+namespace alphascope {
+
+// Where the edges of each lower ball begin.
+class EdgeRows {
+ public:
+  EdgeRows() = default;
+  EdgeRows(std::size_t balls, const Simplices<2>& edges) : first_(balls + 1, 0) {
+    std::size_t ball = 0;
+    for (std::size_t e = 0; e < edges.size(); ++e) {
+      for (; ball <= edges[e][0]; ++ball) first_[ball] = static_cast<std::uint32_t>(e);
+    }
+    for (; ball <= balls; ++ball) first_[ball] = static_cast<std::uint32_t>(edges.size());
+  }
+  // The index of edge ij, i < j, which is there.
+  std::size_t find(const Simplices<2>& edges, BallIndex i, BallIndex j) const {
+    std::size_t low = first_[i], high = first_[i + 1];
+    while (high - low > 8) {
+      const std::size_t middle = (low + high) / 2;
+      (edges[middle][1] <= j ? low : high) = middle;
+    }
+    while (edges[low][1] < j) ++low;
+    return low;
+  }
+
+ private:
+  std::vector<std::uint32_t> first_;
+};
+
+// The index of a triangle that is there.
+inline std::size_t find_triangle(const Simplices<3>& triangles,
+                                 const std::array<BallIndex, 3>& balls) {
+  return static_cast<std::size_t>(std::lower_bound(triangles.begin(), triangles.end(), balls) -
+                                  triangles.begin());
+}
+
+}  // namespace alphascope

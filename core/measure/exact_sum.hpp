@@ -1,0 +1,47 @@
+// Sums that do not depend on the order of what is added, nor on who adds it.
+#pragma once
+
+#include <math.h>
+
+#include <cstdint>
+
+#include "core/geometry/host_device.hpp"
+
+namespace alphascope {
+
+// A sum as an integer multiple of a power of two: integers add up exactly, in any order and with
+// carries beyond 64 bits forgotten, as long as the whole sum fits. What is added is at most 2^61
+// units, which scale_for() sees to; it is cut off to a unit, 2^-58 of the bound.
+using FixedSum = std::uint64_t;
+
+// Units per 1 for terms of magnitude <= bound. bound > 0, normal.
+ALPHASCOPE_INLINE double fixed_scale(double bound) {
+  int exponent;
+  frexp(bound, &exponent);  // bound <= 2^exponent
+  return ldexp(1.0, 61 - exponent);
+}
+ALPHASCOPE_INLINE FixedSum fixed_term(double x, double scale) {
+  constexpr double kMost = 4.611686018427387904e18;  // 2^62: no term that is not a mistake
+  double units = x * scale;
+  units = units < kMost ? units : kMost;
+  units = units > -kMost ? units : -kMost;
+  return static_cast<FixedSum>(static_cast<std::int64_t>(units));
+}
+ALPHASCOPE_INLINE double fixed_value(FixedSum sum, double scale) {
+  return static_cast<double>(static_cast<std::int64_t>(sum)) / scale;
+}
+
+// A. Neumaier, "Rundungsfehleranalyse einiger Verfahren zur Summation endlicher Summen" (1974): the
+// error of the sum hardly grows with the number of terms. Depends on their order.
+struct NeumaierSum {
+  double sum = 0, lost = 0;
+
+  ALPHASCOPE_INLINE void add(double x) {
+    const double next = sum + x;
+    lost += fabs(sum) >= fabs(x) ? (sum - next) + x : (x - next) + sum;
+    sum = next;
+  }
+  ALPHASCOPE_INLINE double value() const { return sum + lost; }
+};
+
+}  // namespace alphascope

@@ -1,0 +1,102 @@
+// What each simplex of an alpha complex adds to the area and volume of its balls. Angle-weighted
+// inclusion-exclusion (H. Edelsbrunner, "The union of balls and its dual shape", 1995), summed over
+// the simplices that have an open side; what is filled on all sides adds no angle, by its class and
+// not by a sum of angles that should cancel. Host and device.
+//
+// A_i = R_i² pi (4 - 2 edges + tetrahedra) + sum over edges of R_i h_ij X_ij + sum over triangles
+// of their corners on open sides, where X is the angle at an edge that no tetrahedron fills.
+// 3 V_i = R_i A_i + sum over j of h_ij D_ij, where D is the area of the wall between i and j. A
+// sink is told V_i - R_i A_i / 3. It has ball(i), area(i, x) and volume(i, x); where kDerivatives
+// holds, also the three of simplex_derivatives.hpp.
+#pragma once
+
+#include "core/complex/face_class.hpp"
+#include "core/geometry/ball_set.hpp"
+#include "core/measure/ball_geometry.hpp"
+#include "core/measure/ball_tetrahedron.hpp"
+#include "core/measure/ball_triple.hpp"
+#include "core/measure/simplex_derivatives.hpp"
+
+namespace alphascope {
+
+template <class Sink>
+ALPHASCOPE_INLINE void vertex_terms(BallIndex i, Sink& sink) {
+  sink.area(i, 4 * kPi * sink.ball(i).square_radius);
+}
+
+// `end_is_open[n]`: ball n of the edge is not interior.
+template <class Sink>
+ALPHASCOPE_INLINE void edge_terms(const BallIndex (&i)[2], const bool (&end_is_open)[2],
+                                  bool is_open, Sink& sink) {
+  const GrownBall ball[2] = {sink.ball(i[0]), sink.ball(i[1])};
+  for (int n = 0; n < 2; ++n) {
+    if (end_is_open[n]) sink.area(i[n], -2 * kPi * ball[n].square_radius);
+  }
+  if (!is_open) return;
+  const BallPair pair = ball_pair(ball[0], ball[1]);
+  for (int n = 0; n < 2; ++n) {
+    sink.area(i[n], 2 * kPi * ball[n].grown_radius * pair.height[n]);
+    sink.volume(i[n], kPi / 3 * pair.height[n] * pair.square_disc);
+  }
+  if constexpr (Sink::kDerivatives) {
+    const PairMotion motion = pair_motion(ball[0], ball[1], pair);
+    add_arc_and_wall(i, motion, 2 * kPi, kPi * pair.square_disc, sink);
+  }
+}
+
+// Of a triangle with one or two open sides.
+template <class Sink>
+ALPHASCOPE_INLINE void triangle_terms(const BallIndex (&i)[3], int open_sides, Sink& sink) {
+  const GrownBall ball[3] = {sink.ball(i[0]), sink.ball(i[1]), sink.ball(i[2])};
+  const BallPair pair[3] = {ball_pair(ball[1], ball[2]), ball_pair(ball[0], ball[2]),
+                            ball_pair(ball[0], ball[1])};
+  const BallTriple triple = ball_triple(ball, pair);
+  for (int m = 0; m < 3; ++m) {
+    sink.area(i[m], open_sides * triple.area[m]);
+    sink.volume(i[m], open_sides * (triple.volume[m] - ball[m].grown_radius * triple.area[m] / 3));
+  }
+  if constexpr (Sink::kDerivatives) {
+    triangle_derivatives(i, ball, pair, triple, open_sides, sink);
+  }
+}
+
+// What is open of a tetrahedron, as bits: balls that are not interior, edges that are not (both by
+// their numbers), and faces (by the opposite ball) that have no tetrahedron behind them.
+struct OpenFaces {
+  std::uint32_t balls, edges, faces;
+};
+template <class Sink>
+ALPHASCOPE_INLINE void tetrahedron_terms(const BallIndex (&i)[4], const OpenFaces& open,
+                                         Sink& sink) {
+  constexpr int kEnds[6][2] = {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}};
+  const GrownBall ball[4] = {sink.ball(i[0]), sink.ball(i[1]), sink.ball(i[2]), sink.ball(i[3])};
+  const BallTetrahedron t = ball_tetrahedron(ball);
+  double volume[4];
+  orthoscheme_shares(t, volume);
+  double area[4] = {};
+  for (int n = 0; n < 4; ++n) {
+    if (open.balls >> n & 1) area[n] = kPi * ball[n].square_radius;
+  }
+  for (int e = 0; e < 6; ++e) {
+    if (!(open.edges >> e & 1)) continue;
+    const int a = kEnds[e][0], b = kEnds[e][1];
+    const double angle = dihedral_at(t, e);
+    const BallPair pair = ball_pair(ball[a], ball[b]);
+    area[a] -= ball[a].grown_radius * pair.height[0] * angle;
+    area[b] -= ball[b].grown_radius * pair.height[1] * angle;
+    volume[a] -= pair.height[0] * pair.square_disc * angle / 6;
+    volume[b] -= pair.height[1] * pair.square_disc * angle / 6;
+    if constexpr (Sink::kDerivatives) {
+      const PairMotion motion = pair_motion(ball[a], ball[b], pair);
+      const BallIndex ends[2] = {i[a], i[b]};
+      add_arc_and_wall(ends, motion, -angle, -0.5 * pair.square_disc * angle, sink);
+    }
+  }
+  for (int n = 0; n < 4; ++n) {
+    if (open.balls >> n & 1) sink.area(i[n], area[n]);
+    sink.volume(i[n], volume[n]);
+  }
+  if constexpr (Sink::kDerivatives) tetrahedron_derivatives(i, ball, t, open.faces, sink);
+}
+
+}  // namespace alphascope

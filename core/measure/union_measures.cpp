@@ -1,0 +1,339 @@
+#include "core/measure/union_measures.hpp"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <stdexcept>
+
+#include "core/measure/edge_rows.hpp"
+#include "core/measure/exact_sum.hpp"
+#include "core/measure/simplex_terms.hpp"
+
+namespace alphascope {
+namespace {
+
+// Bounds of one term, in units of R², R³ and R: no angle is above 2 pi, no length above 2 R.
+constexpr double kAreaBound = 64, kVolumeBound = 32, kLengthBound = 128, kWallBound = 32;
+// Simplices that a thread takes at a time, and balls whose sum is one term of the total.
+constexpr std::size_t kPart = 2048, kBlock = 4096;
+// What all private sums of threads may take, bytes.
+constexpr std::size_t kMostPrivate = std::size_t{1} << 30;
+
+struct Values {
+  static constexpr bool kDerivatives = false;
+  static constexpr int kCount = 2;
+};
+struct ValuesAndDerivatives {
+  static constexpr bool kDerivatives = true;
+  static constexpr int kCount = 9;
+};
+
+struct Scales {
+  double area, volume, length, wall;
+};
+Scales scales_of(const GrownBall& ball) {
+  const double r = ball.grown_radius;
+  if (!(r > 0)) return {0, 0, 0, 0};
+  return {fixed_scale(kAreaBound * r * r), fixed_scale(kVolumeBound * r * r * r),
+          fixed_scale(kLengthBound * r), fixed_scale(kWallBound * r * r)};
+}
+
+struct Scene {
+  std::vector<GrownBall> balls;
+  std::vector<Scales> scales;
+  std::vector<std::uint8_t> open;  // 1: in the complex, and not interior
+  EdgeRows rows;
+};
+
+// The sums of one thread.
+template <class What>
+class PrivateSums {
+ public:
+  static constexpr bool kDerivatives = What::kDerivatives;
+  using Sums = std::array<FixedSum, What::kCount>;
+  explicit PrivateSums(const Scene& scene) : scene_(scene), sums_(scene.balls.size(), Sums{}) {}
+
+  const GrownBall& ball(BallIndex i) const { return scene_.balls[i]; }
+  const Sums& sums(BallIndex i) const { return sums_[i]; }
+  void area(BallIndex i, double x) { sums_[i][0] += fixed_term(x, scene_.scales[i].area); }
+  void volume(BallIndex i, double x) { sums_[i][1] += fixed_term(x, scene_.scales[i].volume); }
+  void area_slope(BallIndex i, double x) { sums_[i][2] += fixed_term(x, scene_.scales[i].length); }
+  void area_gradient(BallIndex i, const Vector3<double>& v) {
+    add(3, i, v, scene_.scales[i].length);
+  }
+  void volume_gradient(BallIndex i, const Vector3<double>& v) {
+    add(6, i, v, scene_.scales[i].wall);
+  }
+
+ private:
+  void add(std::size_t first, BallIndex i, const Vector3<double>& v, double scale) {
+    sums_[i][first] += fixed_term(v.x, scale);
+    sums_[i][first + 1] += fixed_term(v.y, scale);
+    sums_[i][first + 2] += fixed_term(v.z, scale);
+  }
+  const Scene& scene_;
+  std::vector<Sums> sums_;
+};
+
+bool is_open(SimplexClass c) {
+  return c != SimplexClass::interior;
+}
+
+Scene make_scene(const BallSet& balls, const AlphaComplex& complex) {
+  Scene scene;
+  scene.balls.resize(balls.size());
+  scene.scales.resize(balls.size());
+  scene.open.assign(balls.size(), 0);
+  tbb::parallel_for(
+      tbb::blocked_range<std::size_t>(0, balls.size(), kBlock), [&](const auto& part) {
+        for (std::size_t i = part.begin(); i < part.end(); ++i) {
+          scene.balls[i] = grown_ball(balls.centres[i], balls.radii[i], complex.alpha_on_lattice);
+          scene.scales[i] = scales_of(scene.balls[i]);
+        }
+      });
+  for (std::size_t v = 0; v < complex.vertices.size(); ++v) {
+    scene.open[complex.vertices.simplices[v][0]] = is_open(complex.vertices.classes[v]) ? 1 : 0;
+  }
+  scene.rows = EdgeRows(balls.size(), complex.edges.simplices);
+  return scene;
+}
+
+template <class Sink>
+void add_vertex(const AlphaComplex& complex, const Scene& scene, std::size_t v, Sink& sink) {
+  const BallIndex i = complex.vertices.simplices[v][0];
+  if (scene.open[i]) vertex_terms(i, sink);
+}
+template <class Sink>
+void add_edge(const AlphaComplex& complex, const Scene& scene, std::size_t e, Sink& sink) {
+  const auto& [i, j] = complex.edges.simplices[e];
+  const bool ends[2] = {scene.open[i] != 0, scene.open[j] != 0};
+  if (ends[0] || ends[1]) edge_terms({i, j}, ends, is_open(complex.edges.classes[e]), sink);
+}
+template <class Sink>
+void add_triangle(const AlphaComplex& complex, const Scene&, std::size_t f, Sink& sink) {
+  const auto& [i, j, k] = complex.triangles.simplices[f];
+  // The number of tetrahedra at a triangle is its class.
+  const int open_sides = 2 - static_cast<int>(complex.triangles.classes[f]);
+  if (open_sides > 0) triangle_terms({i, j, k}, open_sides, sink);
+}
+// Those with nothing behind them, by the opposite ball.
+std::uint32_t open_faces(const SimplexList<3>& triangles, const BallIndex (&i)[4]) {
+  std::uint32_t open = 0;
+  for (std::uint32_t m = 0; m < 4; ++m) {
+    const std::size_t face = find_triangle(
+        triangles.simplices, {i[m == 0 ? 1 : 0], i[m <= 1 ? 2 : 1], i[m == 3 ? 2 : 3]});
+    open |= std::uint32_t{is_open(triangles.classes[face])} << m;
+  }
+  return open;
+}
+template <class Sink>
+void add_tetrahedron(const AlphaComplex& complex, const Scene& scene, std::size_t t, Sink& sink) {
+  const auto& [i, j, k, l] = complex.tetrahedra.simplices[t];
+  const BallIndex ball[4] = {i, j, k, l};
+  OpenFaces open = {};
+  for (int n = 0; n < 4; ++n) open.balls |= std::uint32_t{scene.open[ball[n]]} << n;
+  for (int e = 0, a = 0; a < 4; ++a) {
+    for (int b = a + 1; b < 4; ++b, ++e) {
+      if (!(open.balls >> a & open.balls >> b & 1)) continue;
+      const std::size_t edge = scene.rows.find(complex.edges.simplices, ball[a], ball[b]);
+      open.edges |= std::uint32_t{is_open(complex.edges.classes[edge])} << e;
+    }
+  }
+  if constexpr (Sink::kDerivatives) {
+    if (open.edges != 0) open.faces = open_faces(complex.triangles, ball);
+  }
+  tetrahedron_terms(ball, open, sink);
+}
+
+// Parts of all four lists, taken by whoever is free.
+class Parts {
+ public:
+  explicit Parts(const AlphaComplex& complex)
+      : sizes_{complex.tetrahedra.size(), complex.triangles.size(), complex.edges.size(),
+               complex.vertices.size()} {}
+  // visit(list, begin, end); the lists by falling dimension, those that take longest first.
+  template <class Visit>
+  void take(const Visit& visit) {
+    for (std::size_t list = 0; list < 4; ++list) {
+      for (;;) {
+        const std::size_t begin = next_[list].fetch_add(kPart, std::memory_order_relaxed);
+        if (begin >= sizes_[list]) break;
+        visit(list, begin, std::min(begin + kPart, sizes_[list]));
+      }
+    }
+  }
+
+ private:
+  std::array<std::size_t, 4> sizes_;
+  std::array<std::atomic<std::size_t>, 4> next_ = {};
+};
+
+template <class Sink>
+void add_part(const AlphaComplex& complex, const Scene& scene, std::size_t list, std::size_t begin,
+              std::size_t end, Sink& sink) {
+  const auto each = [&](auto add) {
+    for (std::size_t s = begin; s < end; ++s) add(complex, scene, s, sink);
+  };
+  switch (list) {
+    case 0:
+      return each([](auto&... all) { add_tetrahedron(all...); });
+    case 1:
+      return each([](auto&... all) { add_triangle(all...); });
+    case 2:
+      return each([](auto&... all) { add_edge(all...); });
+    default:
+      return each([](auto&... all) { add_vertex(all...); });
+  }
+}
+
+template <class What>
+std::vector<PrivateSums<What>> sum_simplices(const AlphaComplex& complex, const Scene& scene,
+                                             const RunContext& context) {
+  const std::size_t bytes = std::max<std::size_t>(1, scene.balls.size()) * 8 * What::kCount;
+  const std::size_t workers = std::min<std::size_t>(tbb::this_task_arena::max_concurrency(),
+                                                    std::max<std::size_t>(1, kMostPrivate / bytes));
+  std::vector<PrivateSums<What>> sums;
+  sums.reserve(workers);
+  for (std::size_t w = 0; w < workers; ++w) sums.emplace_back(scene);
+  Parts parts(complex);
+  tbb::parallel_for(std::size_t{0}, workers, [&](std::size_t w) {
+    parts.take([&](std::size_t list, std::size_t begin, std::size_t end) {
+      context.cancel.throw_if_cancelled();
+      add_part(complex, scene, list, begin, end, sums[w]);
+    });
+  });
+  return sums;
+}
+
+template <class What>
+class Results {
+ public:
+  Results(const AlphaComplex& complex, const Scene& scene,
+          const std::vector<PrivateSums<What>>& sums)
+      : lattice_(complex.lattice), scene_(scene), sums_(sums) {}
+
+  void fill(const BallSet& balls, UnionMeasures& measures, UnionDerivatives* derivatives) const {
+    const std::size_t n = scene_.balls.size();
+    measures.ball_area_angstrom2.resize(n);
+    measures.ball_volume_angstrom3.resize(n);
+    if (derivatives != nullptr) {
+      derivatives->area_by_centre_angstrom.resize(n);
+      derivatives->volume_by_centre_angstrom2.resize(n);
+      derivatives->area_by_radius_angstrom.resize(n);
+      derivatives->volume_by_radius_angstrom2.resize(n);
+    }
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n, kBlock), [&](const auto& part) {
+      for (std::size_t i = part.begin(); i < part.end(); ++i) {
+        const Ball ball = ball_results(static_cast<BallIndex>(i));
+        measures.ball_area_angstrom2[i] = lattice_.square_angstrom(ball.area);
+        measures.ball_volume_angstrom3[i] =
+            lattice_.angstrom(lattice_.square_angstrom(ball.volume));
+        if constexpr (What::kDerivatives) {
+          fill_derivatives(i, balls.radii[i], ball.area, *derivatives);
+        }
+      }
+    });
+  }
+
+ private:
+  struct Ball {
+    double area, volume;  // lattice units
+  };
+  double value(BallIndex i, std::size_t n, double scale) const {
+    if (scale == 0) return 0;
+    FixedSum sum = 0;
+    for (const auto& part : sums_) sum += part.sums(i)[n];
+    return fixed_value(sum, scale);
+  }
+  // Nothing is below zero but by rounding.
+  Ball ball_results(BallIndex i) const {
+    const double radius = scene_.balls[i].grown_radius;
+    const Scales& scales = scene_.scales[i];
+    const double area = scene_.open[i] ? std::max(0.0, value(i, 0, scales.area)) : 0;
+    return {area, std::max(0.0, radius * area / 3 + value(i, 1, scales.volume))};
+  }
+  void fill_derivatives(std::size_t i, double radius, double area, UnionDerivatives& to) const {
+    const auto ball = static_cast<BallIndex>(i);
+    const Scales& scales = scene_.scales[i];
+    const auto gradient = [&](std::size_t first, double scale) {
+      return Gradient{value(ball, first, scale), value(ball, first + 1, scale),
+                      value(ball, first + 2, scale)};
+    };
+    const Gradient a = gradient(3, scales.length), v = gradient(6, scales.wall);
+    to.area_by_centre_angstrom[i] = {lattice_.angstrom(a.x), lattice_.angstrom(a.y),
+                                     lattice_.angstrom(a.z)};
+    to.volume_by_centre_angstrom2[i] = {lattice_.square_angstrom(v.x),
+                                        lattice_.square_angstrom(v.y),
+                                        lattice_.square_angstrom(v.z)};
+    // d sqrt(r² + alpha) / dr = r / R.
+    const double grown = scene_.balls[i].grown_radius;
+    const double slope = grown > 0 ? radius / grown : 0;
+    const double by_grown = grown > 0 ? 2 * area / grown + value(ball, 2, scales.length) : 0;
+    to.area_by_radius_angstrom[i] = lattice_.angstrom(by_grown * slope);
+    to.volume_by_radius_angstrom2[i] = lattice_.square_angstrom(area * slope);
+  }
+
+  const Lattice& lattice_;
+  const Scene& scene_;
+  const std::vector<PrivateSums<What>>& sums_;
+};
+
+// In blocks of fixed length, so that threads can share them.
+double total(const std::vector<double>& values) {
+  const std::size_t blocks = (values.size() + kBlock - 1) / kBlock;
+  std::vector<NeumaierSum> sums(blocks);
+  tbb::parallel_for(std::size_t{0}, blocks, [&](std::size_t b) {
+    const std::size_t end = std::min(values.size(), (b + 1) * kBlock);
+    for (std::size_t i = b * kBlock; i < end; ++i) sums[b].add(values[i]);
+  });
+  NeumaierSum all;
+  for (const NeumaierSum& sum : sums) {
+    all.add(sum.sum);
+    all.add(sum.lost);
+  }
+  return all.value();
+}
+
+template <class What>
+void measure(const BallSet& balls, const AlphaComplex& complex, UnionDerivatives* derivatives,
+             const RunContext& context, UnionMeasures& measures) {
+  const Scene scene = make_scene(balls, complex);
+  const auto sums = sum_simplices<What>(complex, scene, context);
+  Results<What>(complex, scene, sums).fill(balls, measures, derivatives);
+  measures.area_angstrom2 = total(measures.ball_area_angstrom2);
+  measures.volume_angstrom3 = total(measures.ball_volume_angstrom3);
+}
+
+void require_same_balls(const BallSet& balls, const AlphaComplex& complex) {
+  if (complex.tetrahedra_only) {
+    throw std::invalid_argument("a complex of tetrahedra alone has no area; compute the whole one");
+  }
+  const bool fits =
+      complex.vertices.size() == 0 || complex.vertices.simplices.back()[0] < balls.size();
+  if (!fits || complex.lattice != balls.lattice) {
+    throw std::invalid_argument("the complex to be measured is of other balls");
+  }
+}
+
+}  // namespace
+
+UnionMeasures measure_union(const BallSet& balls, const AlphaComplex& complex,
+                            const MeasureOptions& options, const RunContext& context) {
+  require_same_balls(balls, complex);
+  UnionMeasures measures;
+  tbb::task_arena arena(options.threads > 0 ? options.threads : tbb::task_arena::automatic);
+  arena.execute([&] {
+    if (options.derivatives == nullptr) {
+      measure<Values>(balls, complex, nullptr, context, measures);
+    } else {
+      measure<ValuesAndDerivatives>(balls, complex, options.derivatives, context, measures);
+    }
+  });
+  return measures;
+}
+
+}  // namespace alphascope

@@ -43,6 +43,11 @@ int compare_ortho_radius(const BallSet& balls, std::span<const BallIndex> simple
   });
 }
 
+int compare_ortho_radii(const BallSet& balls, std::span<const BallIndex, 4> a,
+                        std::span<const BallIndex, 4> b) {
+  return compare_exact(exact_rho(lift<4>(balls, a)), exact_rho(lift<4>(balls, b)));
+}
+
 float ortho_radius_rounded(const BallSet& balls, std::span<const BallIndex> simplex) {
   return with_rho(balls, simplex, [&](const Bracket& rho, const auto& exact) {
     float rounded = 0;

@@ -21,6 +21,10 @@ inline LiftedInt lifted_vector(const BallSet& balls, BallIndex i, BallIndex k) {
 int compare_ortho_radius(const BallSet& balls, std::span<const BallIndex> simplex,
                          double alpha_on_lattice);
 
+// Sign of rho(a) - rho(b) of two tetrahedra.
+int compare_ortho_radii(const BallSet& balls, std::span<const BallIndex, 4> a,
+                        std::span<const BallIndex, 4> b);
+
 // The float nearest to rho: the alpha value of an unattached simplex.
 float ortho_radius_rounded(const BallSet& balls, std::span<const BallIndex> simplex);
 

@@ -69,6 +69,12 @@ ALPHASCOPE_HOST_DEVICE inline ExactRho exact_rho(const LiftedSimplex<4>& s) {
 // Sign of rho - value, where value is any finite double that is a multiple of 2^-160.
 ALPHASCOPE_HOST_DEVICE int compare_exact(const ExactRho& rho, double value);
 
+// Sign of a - b. Bits: 255 + 188.
+ALPHASCOPE_HOST_DEVICE inline int compare_exact(const ExactRho& a, const ExactRho& b) {
+  using Wide = WideInt<8>;
+  return (Wide(a.numerator) * Wide(b.denominator) - Wide(b.numerator) * Wide(a.denominator)).sign();
+}
+
 // The float nearest to rho, halves to even; infinite beyond the largest float.
 ALPHASCOPE_HOST_DEVICE float round_exact(const ExactRho& rho);
 

@@ -63,29 +63,60 @@ ALPHASCOPE_HOST_DEVICE inline Bracket triangle_rho(const LiftedVector<double>& j
   return quotient_less(p, p_error, q, 4 * kUnitRoundoff, weight);
 }
 
-// rho of a tetrahedron by Cramer's rule: 2x D = c_j d_k×d_l + c_k d_l×d_j + c_l d_j×d_k.
+// The orthocentre x of a tetrahedron by Cramer's rule: 2x D = c_j d_k×d_l + c_k d_l×d_j + c_l
+// d_j×d_k.
+struct TetrahedronCentre {
+  Vector3<double> kl, lj, jk;       // the cross products: exact
+  Vector3<double> numerator, size;  // 2x D, and the sum of its terms' absolute values
+  double determinant, size_of_determinant;
+
+  // Every term of the numerator and of D carries at most 3 roundings.
+  ALPHASCOPE_HOST_DEVICE static double error(double size_of_terms) {
+    return 3 * kUnitRoundoff * size_of_terms;
+  }
+};
+ALPHASCOPE_HOST_DEVICE inline TetrahedronCentre tetrahedron_centre(const LiftedVector<double>& j,
+                                                                   const LiftedVector<double>& k,
+                                                                   const LiftedVector<double>& l) {
+  TetrahedronCentre c{cross(k, l), cross(l, j), cross(j, k), {}, {}, 0, 0};
+  const double dx = j.x * c.kl.x, dy = j.y * c.kl.y, dz = j.z * c.kl.z;
+  c.determinant = dx + dy + dz;
+  c.size_of_determinant = std::fabs(dx) + std::fabs(dy) + std::fabs(dz);
+  const auto combine = [&](double kl, double lj, double jk, double& sum, double& size) {
+    const double t1 = j.c * kl, t2 = k.c * lj, t3 = l.c * jk;
+    sum = t1 + t2 + t3;
+    size = std::fabs(t1) + std::fabs(t2) + std::fabs(t3);
+  };
+  combine(c.kl.x, c.lj.x, c.jk.x, c.numerator.x, c.size.x);
+  combine(c.kl.y, c.lj.y, c.jk.y, c.numerator.y, c.size.y);
+  combine(c.kl.z, c.lj.z, c.jk.z, c.numerator.z, c.size.z);
+  return c;
+}
+
+// rho of a tetrahedron.
+ALPHASCOPE_HOST_DEVICE inline Bracket tetrahedron_rho(const TetrahedronCentre& centre,
+                                                      double weight) {
+  const double d = std::fabs(centre.determinant);
+  const double d_error = TetrahedronCentre::error(centre.size_of_determinant);
+  if (!(d > 2 * d_error)) return {0, HUGE_VAL};
+  double p = 0, p_error = 0;
+  const auto add = [&](double n, double size) {
+    const double e = TetrahedronCentre::error(size);
+    p += n * n;
+    p_error += e * (2 * std::fabs(n) + e);
+  };
+  add(centre.numerator.x, centre.size.x);
+  add(centre.numerator.y, centre.size.y);
+  add(centre.numerator.z, centre.size.z);
+  const double r = d_error / (d - d_error);
+  return quotient_less(p, p_error + 3 * kUnitRoundoff * p, 4 * d * d,
+                       2 * r + r * r + 2 * kUnitRoundoff, weight);
+}
 ALPHASCOPE_HOST_DEVICE inline Bracket tetrahedron_rho(const LiftedVector<double>& j,
                                                       const LiftedVector<double>& k,
                                                       const LiftedVector<double>& l,
                                                       double weight) {
-  const auto kl = cross(k, l), lj = cross(l, j), jk = cross(j, k);
-  const double dx = j.x * kl.x, dy = j.y * kl.y, dz = j.z * kl.z;
-  const double d = std::fabs(dx + dy + dz);
-  const double d_error = 3 * kUnitRoundoff * (std::fabs(dx) + std::fabs(dy) + std::fabs(dz));
-  if (!(d > 2 * d_error)) return {0, HUGE_VAL};
-  double p = 0, p_error = 0;
-  const double cross_kl[3] = {kl.x, kl.y, kl.z}, cross_lj[3] = {lj.x, lj.y, lj.z},
-               cross_jk[3] = {jk.x, jk.y, jk.z};
-  for (int a = 0; a < 3; ++a) {
-    const double t1 = j.c * cross_kl[a], t2 = k.c * cross_lj[a], t3 = l.c * cross_jk[a];
-    const double n = t1 + t2 + t3;
-    const double e = 3 * kUnitRoundoff * (std::fabs(t1) + std::fabs(t2) + std::fabs(t3));
-    p += n * n;
-    p_error += e * (2 * std::fabs(n) + e);
-  }
-  const double r = d_error / (d - d_error);
-  return quotient_less(p, p_error + 3 * kUnitRoundoff * p, 4 * d * d,
-                       2 * r + r * r + 2 * kUnitRoundoff, weight);
+  return tetrahedron_rho(tetrahedron_centre(j, k, l), weight);
 }
 
 // Of a simplex of any dimension within kBracketLimit.

@@ -23,6 +23,30 @@ ALPHASCOPE_HOST_DEVICE inline Int128 determinant(const LiftedInt& a, const Lifte
          static_cast<Int128>(n.z) * c.z;
 }
 
+// What a weight decreased by an infinitesimal does to a number that is 0 without it, up to a
+// positive factor common to all terms.
+struct PerturbationTerm {
+  LiftedInt centre;
+  Int128 coefficient;
+};
+
+// The sign of the sum: that of the first nonzero term by falling order of the centres. Sorts them.
+template <int kTerms>
+ALPHASCOPE_HOST_DEVICE int sign_of_perturbation(PerturbationTerm (&terms)[kTerms]) {
+  for (int a = 1; a < kTerms; ++a) {
+    for (int b = a; b > 0 && lexicographically_less(terms[b - 1].centre, terms[b].centre); --b) {
+      const PerturbationTerm swapped = terms[b];
+      terms[b] = terms[b - 1];
+      terms[b - 1] = swapped;
+    }
+  }
+  for (const PerturbationTerm& term : terms) {
+    const int sign = sign_of(term.coefficient);
+    if (sign != 0) return sign;
+  }
+  return 0;
+}
+
 // +1 when the perturbed ball m cuts off corner ijkl, where all five powers are equal, else -1.
 // k or l may be a ghost plane: it has no weight, so no perturbation. All lifted from ball i.
 //
@@ -37,24 +61,30 @@ ALPHASCOPE_HOST_DEVICE inline int perturbed_cut(const LiftedInt& j, const Lifted
   const Int128 term_j = determinant(k, l, m);
   const Int128 term_k = k_ghost ? Int128{0} : determinant(l, j, m);
   const Int128 term_l = l_ghost ? Int128{0} : determinant(j, k, m);
-  struct Term {
-    LiftedInt centre;
-    Int128 coefficient;  // times D, so its sign is relative to D's
-  };
-  Term terms[5] = {
+  // Times D, so signs are relative to D's; a ghost's coefficient is 0 wherever it is.
+  PerturbationTerm terms[5] = {
       {{0, 0, 0, 0}, d - term_j - term_k - term_l}, {j, term_j}, {k, term_k}, {l, term_l}, {m, -d}};
-  for (int a = 1; a < 5; ++a) {  // descending by centre; a ghost's coefficient is 0 wherever it is
-    for (int b = a; b > 0 && lexicographically_less(terms[b - 1].centre, terms[b].centre); --b) {
-      const Term swapped = terms[b];
-      terms[b] = terms[b - 1];
-      terms[b - 1] = swapped;
-    }
-  }
-  for (const Term& term : terms) {
-    const int sign = sign_of(term.coefficient);
-    if (sign != 0) return sign * sign_of(d);
-  }
-  return -1;  // not reached: D is not 0 at a corner
+  return sign_of_perturbation(terms) * sign_of(d);  // not 0: D is not 0 at a corner
+}
+
+// Is ball m, perturbed, strictly inside the smallest orthosphere of triangle ijk, where it touches
+// it (triangle_foot_cut() is 0)? All lifted from ball i.
+//
+// With weights w_t - e_t, the power of m less that of the orthosphere changes by e_m, and by -e_t
+// times the barycentric coordinate of t at m's foot on the plane of ijk. Those of j and k are
+// (d_m × d_k)·n / n² and (d_j × d_m)·n / n² with n = d_j × d_k; bits: 3-term sums of 61 + 61.
+ALPHASCOPE_HOST_DEVICE inline bool perturbed_triangle_foot_cut(const LiftedInt& j,
+                                                               const LiftedInt& k,
+                                                               const LiftedInt& m) {
+  const auto n = cross(j, k);
+  const auto along_n = [&](const Vector3<std::int64_t>& v) {
+    return static_cast<Int128>(v.x) * n.x + static_cast<Int128>(v.y) * n.y +
+           static_cast<Int128>(v.z) * n.z;
+  };
+  const Int128 whole = along_n(n), term_j = along_n(cross(m, k)), term_k = along_n(cross(j, m));
+  PerturbationTerm terms[4] = {
+      {{0, 0, 0, 0}, whole - term_j - term_k}, {j, term_j}, {k, term_k}, {m, -whole}};
+  return sign_of_perturbation(terms) > 0;
 }
 
 // Where ball m is that has the same power as i and j at the foot of edge ij (edge_foot_cut() is 0).

@@ -15,95 +15,10 @@
 
 #include "core/complex/face_groups.hpp"
 #include "core/complex/simplex_hash.hpp"
-#include "core/predicates/exact_alpha.hpp"
+#include "core/triangulation/ties.hpp"
 
 namespace alphascope {
 namespace {
-
-// The simplices of one dimension whose alpha value rounds to the same float as alpha.
-template <int N>
-struct Ties {
-  Simplices<N> simplices;  // in lexicographic order
-  std::vector<char> in_complex;
-
-  bool any(bool in) const { return std::count(in_complex.begin(), in_complex.end(), in) > 0; }
-};
-
-struct AllTies {
-  Ties<1> vertices;
-  Ties<2> edges;
-  Ties<3> triangles;
-  Ties<4> tetrahedra;
-
-  bool any(bool in) const {
-    return vertices.any(in) || edges.any(in) || triangles.any(in) || tetrahedra.any(in);
-  }
-};
-
-template <int N>
-void collect_ties(const SimplexList<N>& list, float limit, Ties<N>& ties) {
-  using Range = tbb::blocked_range<std::size_t>;
-  const float* values = list.alpha_values.data();
-  const auto count = tbb::parallel_reduce(
-      Range(0, list.size(), 1 << 15), std::size_t{0},
-      [&](const Range& r, std::size_t before) {
-        unsigned equal = 0;
-        for (std::size_t n = r.begin(); n != r.end(); ++n) equal += values[n] == limit;
-        return before + equal;
-      },
-      std::plus<>());
-  if (count == 0) return;
-  ties.simplices.reserve(count);
-  for (std::size_t n = 0; n < list.size(); ++n) {
-    if (values[n] == limit) ties.simplices.push_back(list.simplices[n]);
-  }
-}
-
-void decide_tetrahedra(const BallSet& balls, double alpha, Ties<4>& ties) {
-  for (const auto& s : ties.simplices) {
-    ties.in_complex.push_back(compare_ortho_radius(balls, s, alpha) <= 0);
-  }
-}
-
-// A tied face has only cofaces of the same float or a larger one, and if it is attached, the coface
-// from which it has its value, whose apex is in conflict with it, is a tie itself. So the ties of
-// the next dimension are all that needs to be looked at.
-template <int N>
-void decide_faces(const BallSet& balls, double alpha, const Ties<N + 1>& cofaces, Ties<N>& ties) {
-  const FaceGroups<N> groups(cofaces.simplices);
-  std::size_t g = 0;
-  for (const auto& face : ties.simplices) {
-    bool attached = false, coface_in = false;
-    while (g < groups.size() && groups.faces()[g] < face) ++g;
-    if (g < groups.size() && groups.faces()[g] == face) {
-      groups.for_cofaces(g, [&](std::uint32_t c) {
-        const auto& coface = cofaces.simplices[c];
-        coface_in = coface_in || cofaces.in_complex[c];
-        int n = 0;
-        while (n < N && coface[n] == face[n]) ++n;
-        attached = attached || conflict_with_smallest_orthosphere(balls, face, coface[n]) < 0;
-      });
-    }
-    ties.in_complex.push_back(coface_in ||
-                              (!attached && compare_ortho_radius(balls, face, alpha) <= 0));
-  }
-}
-
-AllTies decide_ties(const Filtration& filtration, double alpha, float limit, bool tetrahedra_only) {
-  const AlphaComplex& top = filtration.top();
-  const BallSet& balls = filtration.balls();
-  AllTies ties;
-  collect_ties(top.tetrahedra, limit, ties.tetrahedra);
-  decide_tetrahedra(balls, alpha, ties.tetrahedra);
-  if (tetrahedra_only) return ties;
-  collect_ties(top.triangles, limit, ties.triangles);
-  decide_faces<3>(balls, alpha, ties.tetrahedra, ties.triangles);
-  collect_ties(top.edges, limit, ties.edges);
-  decide_faces<2>(balls, alpha, ties.triangles, ties.edges);
-  collect_ties(top.vertices, limit, ties.vertices);
-  decide_faces<1>(balls, alpha, ties.edges, ties.vertices);
-  return ties;
-}
 
 // Where ties are decided differently: one simplex after another, and no classes.
 template <int N>
@@ -262,7 +177,7 @@ AlphaComplex threshold(const Filtration& filtration, double alpha, bool tetrahed
     return complex;
   }
   const float limit = static_cast<float>(alpha);
-  const AllTies ties = decide_ties(filtration, alpha, limit, tetrahedra_only);
+  const AllTies ties = decide_ties(filtration, alpha, tetrahedra_only);
   if (ties.any(true) && ties.any(false)) {
     select_one_by_one(top, limit, ties, complex);
   } else {

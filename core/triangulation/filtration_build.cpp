@@ -1,8 +1,5 @@
 // Building a filtration: alpha values of all simplices of a triangulation, and the levels at which
 // their classes change.
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -11,20 +8,10 @@
 #include "core/complex/face_groups.hpp"
 #include "core/predicates/exact_alpha.hpp"
 #include "core/triangulation/filtration.hpp"
+#include "core/triangulation/parallel_ranges.hpp"
 
 namespace alphascope {
 namespace {
-
-template <class Body>
-void parallel_ranges(std::size_t count, const CancelToken& cancel, const Body& body) {
-  constexpr std::size_t kGrain = 512;
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, kGrain),
-                    [&](const tbb::blocked_range<std::size_t>& range) {
-                      if (cancel.cancelled()) return;
-                      for (std::size_t n = range.begin(); n != range.end(); ++n) body(n);
-                    });
-  cancel.throw_if_cancelled();
-}
 
 // Own ortho-radius unless a coface's apex is in conflict with the orthosphere: then the least of
 // the cofaces. That only neighbours in the triangulation need to be asked holds for ties as well.

@@ -1,0 +1,175 @@
+#include "core/cavity/cavities.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/cavity/mouths.hpp"
+#include "core/cavity/union_find.hpp"
+#include "core/predicates/exact_alpha.hpp"
+#include "core/run/internal_error.hpp"
+#include "core/triangulation/parallel_ranges.hpp"
+
+namespace alphascope {
+namespace {
+
+class CavityFinder {
+ public:
+  CavityFinder(const CavityGround& ground, const Membership& membership, OutsideRule rule,
+               const CancelToken& cancel)
+      : ground_(ground),
+        in_(membership),
+        incidence_(ground.incidence),
+        rule_(rule),
+        cancel_(cancel),
+        tetrahedra_(ground.triangulation->tetrahedra.size()) {}
+
+  Cavities find() {
+    label_tetrahedra();
+    list_tetrahedra();
+    list_atoms();
+    const std::vector<std::vector<std::uint32_t>> opening = openings();
+    set_mouths(ground_, in_, opening, result_.cavities);
+    for (Cavity& cavity : result_.cavities) look_for_sinks(cavity);
+    set_betti_numbers();
+    return std::move(result_);
+  }
+
+ private:
+  bool is_inside(std::size_t t) const {
+    const std::uint8_t marks = ground_.flow.marks[t];
+    return !in_.tetrahedra[t] &&
+           (rule_ == OutsideRule::castp ? (marks & Flow::kReachesSink) != 0
+                                        : (marks & Flow::kReachesInfinity) == 0);
+  }
+
+  // Each inside tetrahedron gets the least one that it is joined to, then that one's number.
+  void label_tetrahedra() {
+    UnionFind sets(tetrahedra_);
+    parallel_ranges(incidence_.triangles.size(), cancel_, [&](std::size_t f) {
+      const auto [a, b] = incidence_.tetrahedra_of_triangle[f];
+      if (!in_.triangles[f] && b != Incidence::kOutside && is_inside(a) && is_inside(b)) {
+        sets.unite(a, b);
+      }
+    });
+    auto& labels = result_.cavity_of_tetrahedron;
+    labels.resize(tetrahedra_);
+    parallel_ranges(tetrahedra_, cancel_, [&](std::size_t t) {
+      labels[t] = is_inside(t) ? sets.root(static_cast<std::uint32_t>(t)) : Cavities::kNone;
+    });
+  }
+
+  void list_tetrahedra() {
+    auto& labels = result_.cavity_of_tetrahedron;
+    for (std::uint32_t t = 0; t < tetrahedra_; ++t) {
+      if (labels[t] == Cavities::kNone) continue;
+      if (labels[t] == t) {
+        labels[t] = static_cast<std::uint32_t>(result_.cavities.size());
+        result_.cavities.emplace_back();
+      } else {
+        labels[t] = labels[labels[t]];
+      }
+      result_.cavities[labels[t]].tetrahedra.push_back(t);
+    }
+  }
+
+  void list_atoms() {
+    std::vector<std::uint32_t> last_cavity(ground_.balls->size(), Cavities::kNone);
+    for (std::uint32_t c = 0; c < result_.cavities.size(); ++c) {
+      Cavity& cavity = result_.cavities[c];
+      for (const std::uint32_t t : cavity.tetrahedra) {
+        for (const BallIndex v : ground_.triangulation->tetrahedra[t]) {
+          if (std::exchange(last_cavity[v], c) != c && in_.vertices[v]) cavity.atoms.push_back(v);
+        }
+      }
+      std::sort(cavity.atoms.begin(), cavity.atoms.end());
+    }
+  }
+
+  // The triangles not in K_alpha that lie between a cavity and what is no part of it.
+  std::vector<std::vector<std::uint32_t>> openings() const {
+    std::vector<std::vector<std::uint32_t>> opening(result_.cavities.size());
+    for (std::uint32_t f = 0; f < incidence_.triangles.size(); ++f) {
+      if (in_.triangles[f]) continue;
+      const auto [a, b] = incidence_.tetrahedra_of_triangle[f];
+      const std::uint32_t of_a = result_.cavity_of_tetrahedron[a],
+                          of_b = b == Incidence::kOutside ? Cavities::kNone
+                                                          : result_.cavity_of_tetrahedron[b];
+      if (of_a == of_b) continue;
+      opening[of_a != Cavities::kNone ? of_a : of_b].push_back(f);
+      require_outside(of_a != Cavities::kNone ? b : a);
+    }
+    return opening;
+  }
+  // Beyond a mouth there is a way to infinity; so what has a mouth is no void.
+  void require_outside(std::uint32_t t) const {
+    if (t == Incidence::kOutside) return;
+    if (!in_.tetrahedra[t] && (ground_.flow.marks[t] & Flow::kReachesInfinity)) return;
+    throw InternalError("A pocket opens to where no way leads out.");
+  }
+
+  void look_for_sinks(Cavity& cavity) const {
+    for (const std::uint32_t t : cavity.tetrahedra) {
+      // What flows to infinity leaves by a mouth; so what has none is a void.
+      if (cavity.is_void() && (ground_.flow.marks[t] & Flow::kReachesInfinity)) {
+        throw InternalError("A cavity without mouths has a way out.");
+      }
+      if (!ground_.flow.is_sink(t)) continue;
+      if (cavity.sinks++ == 0 || is_deeper(t, cavity.deepest_sink)) cavity.deepest_sink = t;
+    }
+    if (cavity.sinks == 0) throw InternalError("A cavity has no sink.");
+  }
+  bool is_deeper(std::uint32_t t, std::uint32_t than) const {
+    const float a = ground_.flow.alpha_values[t], b = ground_.flow.alpha_values[than];
+    if (a != b) return a > b;
+    const auto& tetrahedra = ground_.triangulation->tetrahedra;
+    return compare_ortho_radii(*ground_.balls, tetrahedra[t], tetrahedra[than]) > 0;
+  }
+
+  void set_betti_numbers() {
+    result_.simplices = in_.counts();
+    UnionFind sets(in_.vertices.size());
+    parallel_ranges(in_.edges.size(), cancel_, [&](std::size_t e) {
+      if (in_.edges[e]) sets.unite(incidence_.edges[e][0], incidence_.edges[e][1]);
+    });
+    for (std::uint32_t v = 0; v < in_.vertices.size(); ++v) {
+      result_.components += in_.vertices[v] && sets.root(v) == v;
+    }
+    for (const Cavity& cavity : result_.cavities) result_.voids += cavity.is_void();
+    const auto& n = result_.simplices;
+    const auto euler = static_cast<long long>(n[0] + n[2]) - static_cast<long long>(n[1] + n[3]);
+    result_.tunnels = result_.components + result_.voids - euler;
+    if (result_.tunnels < 0) throw InternalError("There are fewer voids than there must be.");
+  }
+
+  const CavityGround& ground_;
+  const Membership& in_;
+  const Incidence& incidence_;
+  const OutsideRule rule_;
+  const CancelToken& cancel_;
+  const std::size_t tetrahedra_;
+  Cavities result_;
+};
+
+}  // namespace
+
+std::size_t Cavity::mouth_triangles() const {
+  std::size_t count = 0;
+  for (const Mouth& mouth : mouths) count += mouth.triangles.size();
+  return count;
+}
+
+CavityGround make_cavity_ground(std::shared_ptr<const BallSet> balls,
+                                std::shared_ptr<const Triangulation> triangulation, FlowTies ties,
+                                const RunContext& context) {
+  Incidence incidence = make_incidence(*triangulation, context.cancel);
+  Flow flow = make_flow(*balls, *triangulation, ties, context.cancel);
+  return {std::move(balls), std::move(triangulation), std::move(incidence), std::move(flow)};
+}
+
+Cavities find_cavities(const CavityGround& ground, const Membership& membership, OutsideRule rule,
+                       const CancelToken& cancel) {
+  if (ground.triangulation->dimension < 3) return {};
+  return CavityFinder(ground, membership, rule, cancel).find();
+}
+
+}  // namespace alphascope

@@ -1,0 +1,15 @@
+// The mouths of cavities, from the triangles through which they open.
+#pragma once
+
+#include <vector>
+
+#include "core/cavity/cavities.hpp"
+
+namespace alphascope {
+
+// `opening[c]`: the triangles of cavity c, ascending; their groups are its mouths.
+void set_mouths(const CavityGround& ground, const Membership& membership,
+                const std::vector<std::vector<std::uint32_t>>& opening,
+                std::vector<Cavity>& cavities);
+
+}  // namespace alphascope

@@ -1,0 +1,49 @@
+// Disjoint sets that many threads unite at once, without locks. The root of a set is its least
+// member, whoever was first.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <utility>
+
+#include "core/complex/simplices.hpp"
+#include "core/triangulation/parallel_ranges.hpp"
+
+namespace alphascope {
+
+class UnionFind {
+ public:
+  // Each item alone.
+  explicit UnionFind(std::size_t items) : parent_(items) {
+    parallel_ranges(items, {}, [&](std::size_t n) { parent_[n] = static_cast<std::uint32_t>(n); });
+  }
+
+  void unite(std::uint32_t a, std::uint32_t b) {
+    for (;;) {
+      a = root(a);
+      b = root(b);
+      if (a == b) return;
+      if (a > b) std::swap(a, b);
+      std::uint32_t expected = b;
+      if (parent(b).compare_exchange_strong(expected, a, std::memory_order_relaxed)) return;
+    }
+  }
+
+  // A parent is never larger than its child, and only ever replaced by one of its own ancestors.
+  std::uint32_t root(std::uint32_t n) {
+    for (;;) {
+      const std::uint32_t up = parent(n).load(std::memory_order_relaxed);
+      if (up == n) return n;
+      const std::uint32_t above = parent(up).load(std::memory_order_relaxed);
+      if (above != up) parent(n).store(above, std::memory_order_relaxed);
+      n = above;
+    }
+  }
+
+ private:
+  std::atomic_ref<std::uint32_t> parent(std::uint32_t n) { return std::atomic_ref(parent_[n]); }
+
+  ResultArray<std::uint32_t> parent_;
+};
+
+}  // namespace alphascope

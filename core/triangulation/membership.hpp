@@ -1,0 +1,33 @@
+// Which simplices of a triangulation are in K_alpha, and nothing else of them: exactly, as
+// threshold() decides it.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "core/triangulation/filtration.hpp"
+#include "core/triangulation/flow.hpp"
+#include "core/triangulation/incidence.hpp"
+
+namespace alphascope {
+
+// 1 for what is in K_alpha, 0 for what is not. Indices are those of the triangulation's tetrahedra,
+// of its Incidence and, for vertices, of the balls.
+struct Membership {
+  using Marks = ResultArray<std::uint8_t>;
+  Marks tetrahedra, triangles, edges, vertices;
+
+  std::array<std::size_t, 4> counts() const;  // by dimension
+  friend bool operator==(const Membership&, const Membership&) = default;
+};
+
+// From the filtration of a whole triangulation of dimension 3, else std::invalid_argument.
+Membership membership(const Filtration& filtration, double alpha_on_lattice);
+
+// From a triangulation of dimension 3 at one alpha, without a filtration: only what no coface
+// decides is computed. Works in the caller's task arena. Throws Cancelled.
+Membership membership(const BallSet& balls, const Triangulation& triangulation,
+                      const Incidence& incidence, const Flow& flow, double alpha_on_lattice,
+                      const CancelToken& cancel = {});
+
+}  // namespace alphascope

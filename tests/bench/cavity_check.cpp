@@ -1,0 +1,135 @@
+// Cavities beside the tables of an independent program, and what each step of ours costs.
+//
+//   alphascope_cavity_check FOLDER [THREADS [INPUT [REPETITIONS]]]
+//   alphascope_cavity_check FILE.balls SOLVENT_Å [THREADS [REPETITIONS]]
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "core/cavity/cavities.hpp"
+#include "core/triangulation/cgal_triangulation.hpp"
+#include "core/triangulation/filtration.hpp"
+#include "tests/bench/read_balls.hpp"
+#include "tests/support/cavity_reference.hpp"
+
+namespace {
+
+using namespace alphascope;
+
+// The median and the least time of each step.
+class Steps {
+ public:
+  template <class Make>
+  auto time(const std::string& step, const Make& make) {
+    using Clock = std::chrono::steady_clock;
+    const Clock::time_point start = Clock::now();
+    auto made = make();
+    auto& times = times_[step];
+    if (times.empty()) order_.push_back(step);
+    times.push_back(std::chrono::duration<double, std::milli>(Clock::now() - start).count());
+    return made;
+  }
+  void print() {
+    for (const std::string& step : order_) {
+      auto& times = times_[step];
+      std::sort(times.begin(), times.end());
+      std::printf("    %-28s %8.2f ms, least %8.2f\n", step.c_str(), times[times.size() / 2],
+                  times[0]);
+    }
+  }
+
+ private:
+  std::map<std::string, std::vector<double>> times_;
+  std::vector<std::string> order_;
+};
+
+struct Answer {
+  CavityGround ground;
+  Cavities cavities;
+};
+
+Answer compute(const std::shared_ptr<const BallSet>& balls, int threads, Steps& steps) {
+  const auto triangulation = std::make_shared<const Triangulation>(
+      steps.time("triangulation", [&] { return make_triangulation(*balls, threads); }));
+  CavityGround ground{balls, triangulation, {}, {}};
+  ground.incidence = steps.time("incidence", [&] { return make_incidence(*triangulation); });
+  ground.flow =
+      steps.time("flow", [&] { return make_flow(*balls, *triangulation, FlowTies::perturbed); });
+  if (triangulation->dimension < 3) return {ground, {}};
+  const Membership in = steps.time("membership", [&] {
+    return membership(*balls, *triangulation, ground.incidence, ground.flow, 0);
+  });
+  Cavities cavities = steps.time("cavities", [&] { return find_cavities(ground, in); });
+  return {std::move(ground), std::move(cavities)};
+}
+
+void compute_all(const std::shared_ptr<const BallSet>& balls, int threads, int repetitions) {
+  Steps steps;
+  for (int n = 0; n < repetitions; ++n) {
+    const Answer answer =
+        steps.time("from balls to the table", [&] { return compute(balls, threads, steps); });
+    if (n > 0) continue;
+    std::size_t voids = 0;
+    for (const Cavity& cavity : answer.cavities.cavities) voids += cavity.is_void();
+    std::printf("  %zu balls, %zu tetrahedra, %zu voids, %zu pockets\n", balls->size(),
+                answer.ground.triangulation->tetrahedra.size(), voids,
+                answer.cavities.cavities.size() - voids);
+  }
+  steps.print();
+}
+
+int check(const std::string& folder, int threads, const std::string& only, int repetitions) {
+  const testing::CavityReference reference(folder);
+  int wrong = 0, runs = 0;
+  for (const testing::TableRow& run : reference.runs()) {
+    if (!only.empty() && run.at("input") != only) continue;
+    const auto balls = reference.balls(run);
+    Steps steps;
+    const Answer answer = compute(balls, threads, steps);
+    const auto differences = reference.differences(run, answer.ground, answer.cavities);
+    for (const std::string& difference : differences) std::printf("%s\n", difference.c_str());
+    ++runs;
+    wrong += !differences.empty();
+    if (repetitions == 0) continue;
+    std::printf("%s, solvent %s\n", run.at("input").c_str(), run.at("solvent").c_str());
+    compute_all(balls, threads, repetitions);
+  }
+  std::printf("%d runs, %d differ\n", runs, wrong);
+  return wrong == 0 ? 0 : 1;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) try {
+  if (argc < 2) {
+    std::fprintf(stderr,
+                 "usage: %s FOLDER [THREADS [INPUT [REPETITIONS]]]\n"
+                 "       %s FILE.balls SOLVENT [THREADS [REPETITIONS]]\n",
+                 argv[0], argv[0]);
+    return 2;
+  }
+  const auto number = [&](int n, int otherwise) {
+    return argc > n ? std::atoi(argv[n]) : otherwise;
+  };
+  if (std::filesystem::is_directory(argv[1])) {
+    const int threads = number(2, 1);
+    return tbb::task_arena(threads).execute(
+        [&] { return check(argv[1], threads, argc > 3 ? argv[3] : "", number(4, 0)); });
+  }
+  const auto balls = std::make_shared<const BallSet>(
+      with_solvent(bench::read_balls(argv[1]), argc > 2 ? std::atof(argv[2]) : 0));
+  const int threads = number(3, 1);
+  tbb::task_arena(threads).execute([&] { compute_all(balls, threads, number(4, 5)); });
+  return 0;
+} catch (const std::exception& error) {
+  std::fprintf(stderr, "%s\n", error.what());
+  return 1;
+}

@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "core/cavity/cavities.hpp"
+#include "core/cavity/cavity_measures.hpp"
 #include "core/triangulation/cgal_triangulation.hpp"
 #include "core/triangulation/filtration.hpp"
 #include "tests/bench/read_balls.hpp"
@@ -54,24 +54,38 @@ class Steps {
 struct Answer {
   CavityGround ground;
   Cavities cavities;
+  std::vector<CavityMeasures> measures;
 };
 
-Answer compute(const std::shared_ptr<const BallSet>& balls, int threads, Steps& steps) {
+struct Balls {
+  std::shared_ptr<const BallSet> balls;
+  double solvent;  // by which they are grown, lattice units
+};
+Balls grown(std::shared_ptr<const BallSet> balls, double solvent_angstrom) {
+  const double solvent = balls->lattice.nearest_units(solvent_angstrom);
+  return {std::move(balls), solvent};
+}
+
+Answer compute(const Balls& given, int threads, Steps& steps) {
   const auto triangulation = std::make_shared<const Triangulation>(
-      steps.time("triangulation", [&] { return make_triangulation(*balls, threads); }));
+      steps.time("triangulation", [&] { return make_triangulation(*given.balls, threads); }));
+  const auto& balls = given.balls;
   CavityGround ground{balls, triangulation, {}, {}};
   ground.incidence = steps.time("incidence", [&] { return make_incidence(*triangulation); });
   ground.flow =
       steps.time("flow", [&] { return make_flow(*balls, *triangulation, FlowTies::perturbed); });
-  if (triangulation->dimension < 3) return {ground, {}};
+  if (triangulation->dimension < 3) return {std::move(ground), {}, {}};
   const Membership in = steps.time("membership", [&] {
     return membership(*balls, *triangulation, ground.incidence, ground.flow, 0);
   });
   Cavities cavities = steps.time("cavities", [&] { return find_cavities(ground, in); });
-  return {std::move(ground), std::move(cavities)};
+  auto measures = steps.time("measures", [&] {
+    return measure_cavities(ground, in, cavities, {0, given.solvent});
+  });
+  return {std::move(ground), std::move(cavities), std::move(measures)};
 }
 
-void compute_all(const std::shared_ptr<const BallSet>& balls, int threads, int repetitions) {
+void compute_all(const Balls& balls, int threads, int repetitions) {
   Steps steps;
   for (int n = 0; n < repetitions; ++n) {
     const Answer answer =
@@ -79,7 +93,7 @@ void compute_all(const std::shared_ptr<const BallSet>& balls, int threads, int r
     if (n > 0) continue;
     std::size_t voids = 0;
     for (const Cavity& cavity : answer.cavities.cavities) voids += cavity.is_void();
-    std::printf("  %zu balls, %zu tetrahedra, %zu voids, %zu pockets\n", balls->size(),
+    std::printf("  %zu balls, %zu tetrahedra, %zu voids, %zu pockets\n", balls.balls->size(),
                 answer.ground.triangulation->tetrahedra.size(), voids,
                 answer.cavities.cavities.size() - voids);
   }
@@ -91,10 +105,11 @@ int check(const std::string& folder, int threads, const std::string& only, int r
   int wrong = 0, runs = 0;
   for (const testing::TableRow& run : reference.runs()) {
     if (!only.empty() && run.at("input") != only) continue;
-    const auto balls = reference.balls(run);
+    const Balls balls = grown(reference.balls(run), std::stod(run.at("solvent")));
     Steps steps;
     const Answer answer = compute(balls, threads, steps);
-    const auto differences = reference.differences(run, answer.ground, answer.cavities);
+    const auto differences =
+        reference.differences(run, answer.ground, answer.cavities, answer.measures);
     for (const std::string& difference : differences) std::printf("%s\n", difference.c_str());
     ++runs;
     wrong += !differences.empty();
@@ -124,8 +139,9 @@ int main(int argc, char** argv) try {
     return tbb::task_arena(threads).execute(
         [&] { return check(argv[1], threads, argc > 3 ? argv[3] : "", number(4, 0)); });
   }
-  const auto balls = std::make_shared<const BallSet>(
-      with_solvent(bench::read_balls(argv[1]), argc > 2 ? std::atof(argv[2]) : 0));
+  const double solvent = argc > 2 ? std::atof(argv[2]) : 0;
+  const Balls balls = grown(
+      std::make_shared<const BallSet>(with_solvent(bench::read_balls(argv[1]), solvent)), solvent);
   const int threads = number(3, 1);
   tbb::task_arena(threads).execute([&] { compute_all(balls, threads, number(4, 5)); });
   return 0;

@@ -1,6 +1,8 @@
 #include "tests/support/cavity_reference.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdio>
 #include <sstream>
 
 #include "core/io/text_file.hpp"
@@ -52,6 +54,19 @@ class Differences {
     if (std::to_string(found) == expected->second) return;
     say(column + " is " + std::to_string(found) + ", expected " + expected->second);
   }
+  // |found - expected| <= 1e-9 + `relative` times `scale`.
+  void number(const TableRow& row, const std::string& column, double found, double relative,
+              double scale) {
+    const double expected = std::stod(row.at(column));
+    const double off = std::fabs(found - expected), most = 1e-9 + relative * std::fabs(scale);
+    if (off <= most) return;
+    char text[160];
+    std::snprintf(text, sizeof text,
+                  "%s of %s %s (%s tetrahedra) is %.15g, off by %.3g, at most %.3g", column.c_str(),
+                  row.at("kind").c_str(), row.at("id").c_str(), row.at("tets").c_str(), found, off,
+                  most);
+    say(text);
+  }
   void say(const std::string& what) { list_.push_back(of_ + ": " + what); }
   std::vector<std::string>& list() { return list_; }
 
@@ -59,6 +74,25 @@ class Differences {
   std::string of_;
   std::vector<std::string> list_;
 };
+
+void compare_measures(const TableRow& row, const CavityMeasures& found, Differences& differences) {
+  const double tetrahedra = found.volume_of_tetrahedra_angstrom3;
+  const auto to_the_last_digit = [&](const char* column, double number) {
+    differences.number(row, column, number, 1e-12, tetrahedra);
+  };
+  to_the_last_digit("vol_tets", found.volume_of_tetrahedra_angstrom3);
+  to_the_last_digit("vol_sa", found.volume_sa_angstrom3);
+  to_the_last_digit("area_sa", found.area_sa_angstrom2);
+  const auto to_nine_digits = [&](const char* column, double number) {
+    differences.number(row, column, number, 1e-12, tetrahedra + 6e3 * std::fabs(number));
+  };
+  to_nine_digits("vol_ms", found.volume_ms_angstrom3);
+  to_nine_digits("area_ms", found.area_ms_steiner_angstrom2);
+  to_nine_digits("arc_len", found.arc_length_angstrom);
+  to_nine_digits("mouth_area", found.all_mouths().area_angstrom2);
+  to_nine_digits("mouth_len", found.all_mouths().length_angstrom);
+  differences.count(row, "corners", found.corners);
+}
 
 }  // namespace
 
@@ -100,9 +134,9 @@ std::shared_ptr<const BallSet> CavityReference::balls(const TableRow& run) const
   return std::make_shared<BallSet>(with_solvent(balls, std::stod(run.at("solvent"))));
 }
 
-std::vector<std::string> CavityReference::differences(const TableRow& run,
-                                                      const CavityGround& ground,
-                                                      const Cavities& found) const {
+std::vector<std::string> CavityReference::differences(
+    const TableRow& run, const CavityGround& ground, const Cavities& found,
+    const std::vector<CavityMeasures>& measures) const {
   Differences differences(key_of(run));
   const Triangulation& triangulation = *ground.triangulation;
   differences.count(run, "dimension", static_cast<std::size_t>(triangulation.dimension));
@@ -133,7 +167,8 @@ std::vector<std::string> CavityReference::differences(const TableRow& run,
   if (known_here == cavities_.end()) return differences.list();
   std::vector<const KnownCavity*> left;
   for (const KnownCavity& known : known_here->second) left.push_back(&known);
-  for (const Cavity& cavity : found.cavities) {
+  for (std::size_t c = 0; c < found.cavities.size(); ++c) {
+    const Cavity& cavity = found.cavities[c];
     // Cavities of the same atoms are told apart by what they are made of.
     const auto same = std::find_if(left.begin(), left.end(), [&](const KnownCavity* known) {
       return known->atoms == cavity.atoms &&
@@ -146,12 +181,18 @@ std::vector<std::string> CavityReference::differences(const TableRow& run,
       continue;
     }
     const TableRow& row = (*same)->row;
-    left.erase(same);
     if ((row.at("kind") == "void") != cavity.is_void()) differences.say("kind of " + row.at("id"));
     differences.count(row, "sinks", cavity.sinks);
     differences.count(row, "mouths", cavity.mouths.size());
     differences.count(row, "mouth_triangles", cavity.mouth_triangles());
     differences.count(row, "n_atoms", cavity.atoms.size());
+    compare_measures(row, measures.at(c), differences);
+    if (measures[c].lining != (*same)->lining) {
+      differences.say("lining of " + row.at("id") + ": " +
+                      std::to_string(measures[c].lining.size()) + " atoms, expected " +
+                      std::to_string((*same)->lining.size()));
+    }
+    left.erase(same);
   }
   if (!left.empty()) differences.say(std::to_string(left.size()) + " cavities are missing");
   return differences.list();

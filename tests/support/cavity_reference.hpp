@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "core/cavity/cavities.hpp"
+#include "core/cavity/cavity_measures.hpp"
 
 namespace alphascope::testing {
 
@@ -28,7 +28,8 @@ class CavityReference {
 
   // What differs from the row and from the cavities' tables, in words; empty if nothing does.
   std::vector<std::string> differences(const TableRow& run, const CavityGround& ground,
-                                       const Cavities& found) const;
+                                       const Cavities& found,
+                                       const std::vector<CavityMeasures>& measures) const;
 
  private:
   struct KnownCavity {

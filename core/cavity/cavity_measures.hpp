@@ -1,0 +1,55 @@
+// Areas and volumes of cavities as CASTp defines them (T. A. Binkowski et al., Nucleic Acids Res.
+// 31, 2003): of the region of probe centres, and of the region that the probe reaches.
+#pragma once
+
+#include <vector>
+
+#include "core/cavity/cavities.hpp"
+
+namespace alphascope {
+
+struct MouthMeasures {
+  double area_angstrom2 = 0;   // of its triangles, outside the balls
+  double length_angstrom = 0;  // of the rim of that
+};
+
+// SA: the region of the probe's centre, outside all grown balls; by angle-weighted
+// inclusion-exclusion over the simplices of K_alpha in each tetrahedron (H. Edelsbrunner, M.
+// Facello, P. Fu, J. Liang, Measuring proteins and voids in proteins, HICSS 1995). Exact for voids.
+// Of a pocket it is not the volume of the tetrahedra outside the balls where a ball pokes through a
+// mouth; it can even be negative, which is not hidden.
+// MS: that region with everything within the solvent radius of it, as offsets of its patches, arcs
+// and corners; what offsets share counts twice. Around an arc of a radius below the solvent radius
+// the offset meets itself; CASTp's area counts that part as positive, Steiner's formula as
+// negative.
+struct CavityMeasures {
+  double volume_sa_angstrom3 = 0, area_sa_angstrom2 = 0;
+  double volume_ms_angstrom3 = 0, area_ms_angstrom2 = 0;
+  double area_ms_steiner_angstrom2 = 0;
+  double volume_of_tetrahedra_angstrom3 = 0;
+  double arc_length_angstrom = 0;     // where two balls meet
+  std::size_t corners = 0;            // where three balls meet
+  std::vector<MouthMeasures> mouths;  // as Cavity::mouths
+  // Atoms of whose spheres a part lies in the tetrahedra; ascending.
+  std::vector<BallIndex> lining;
+
+  MouthMeasures all_mouths() const;
+};
+
+// What the membership was made of: balls grown by the solvent radius, then by alpha.
+struct CavityScale {
+  double alpha_on_lattice = 0;    // square lattice units
+  double solvent_on_lattice = 0;  // lattice units
+};
+
+// One for each of cavities.cavities. Works in the caller's task arena; the same bits for any number
+// of threads. Throws Cancelled.
+std::vector<CavityMeasures> measure_cavities(const CavityGround& ground,
+                                             const Membership& membership, const Cavities& cavities,
+                                             const CavityScale& scale,
+                                             const CancelToken& cancel = {});
+
+// Indices of cavities by falling SA volume, as CASTp numbers them; equal ones by their place.
+std::vector<std::uint32_t> by_falling_volume(const std::vector<CavityMeasures>& measures);
+
+}  // namespace alphascope

@@ -4,6 +4,7 @@
 
 #include "app/options/option_values.hpp"
 #include "app/session/version.hpp"
+#include "core/document/cavity_preset.hpp"
 #include "core/geometry/lattice.hpp"
 #include "core/molecule/radii_set.hpp"
 
@@ -41,7 +42,8 @@ Options verbosity(Verbosity& verbosity) {
   return {quiet, verbose};
 }
 
-Options input(InputOptions& input) {
+// What is read, without the two kinds of atoms that commands treat differently.
+Options input_but_ligands(InputOptions& input) {
   const auto off = [](const char* name, const char* text, bool& value) {
     return flag_option(name, text, value);
   };
@@ -73,9 +75,15 @@ Options input(InputOptions& input) {
                   "Keep dummy atoms, such as OPM's membrane planes (dropped by default)",
                   input.dummies),
       off("--no-polymers", "Drop proteins and nucleic acids (kept by default)", input.no_polymers),
-      off("--no-ligands", "Drop ligands (kept by default)", input.no_ligands),
-      off("--no-ions", "Drop ions (kept by default)", input.no_ions),
   };
+}
+
+Options input(InputOptions& input) {
+  Options options = input_but_ligands(input);
+  options.push_back(
+      flag_option("--no-ligands", "Drop ligands (kept by default)", input.no_ligands));
+  options.push_back(flag_option("--no-ions", "Drop ions (kept by default)", input.no_ions));
+  return options;
 }
 
 constexpr const char* kFileText =
@@ -217,6 +225,58 @@ OptionCommand compute(ComputeOptions& options) {
   return command;
 }
 
+OptionCommand cavities(CavitiesOptions& options) {
+  OptionCommand command{
+      "cavities", "Find voids and pockets with their volumes, areas, mouths and residues", {}};
+  Request& request = options.request;
+  request.solvent_radius_angstrom = kCavitySolventAngstrom;
+  command.options = many_files(options.files);
+  append(command.options,
+         {with_default(number_option({"--solvent", "S", "Solvent radius in Å, as CASTp's probe"},
+                                     request.solvent_radius_angstrom, kSolventRange),
+                       "1.4"),
+          with_default(number_option({"--alpha", "A", "Alpha in Å², negative too"},
+                                     request.alpha_angstrom2, kAlphaRange),
+                       "0"),
+          with_default(
+              whole_number_option({"--threads", "N", "CPU threads"}, request.threads, kThreadRange),
+              "0 = all")});
+  Option rule{.names = "--rule",
+              .value = "castp|pocket",
+              .text = "What is outside where the flow goes both ways: castp keeps it in a pocket",
+              .fallback = "castp"};
+  rule.set = [&options, choices = rule.choices()](const std::string& id) {
+    require_choice(id, choices);
+    options.rule = id == "pocket" ? OutsideRule::pocket : OutsideRule::castp;
+  };
+  Option ties{.names = "--ties",
+              .value = "perturbed|strict",
+              .text = "Orthocentres in the plane of a face: perturbed, or do not flow (strict)",
+              .fallback = "perturbed"};
+  ties.set = [&options, choices = ties.choices()](const std::string& id) {
+    require_choice(id, choices);
+    options.ties = id == "strict" ? FlowTies::strict : FlowTies::perturbed;
+  };
+  append(command.options,
+         {rule, ties,
+          with_default(whole_number_option({"--show", "N", "Cavities printed, the largest first"},
+                                           options.shown, {0, 1'000'000'000}),
+                       "20"),
+          output("--json", "All numbers, mouths and residues as JSON; - for standard output",
+                 options.json),
+          output("--csv", "One row for each cavity; - for standard output", options.csv)});
+  Options input = input_but_ligands(options.input);
+  for (Option& option : input) {
+    if (option.names == "--radii") option.fallback = "the file's own, else castp";
+  }
+  append(command.options, input);
+  append(command.options,
+         {flag_option("--ligands", "Ligands are part of the body, too", options.ligands),
+          flag_option("--ions", "Ions are part of the body, too", options.ions)});
+  command.check = [&options] { require_files(options.files); };
+  return command;
+}
+
 OptionCommand verify(VerifyOptions& options) {
   OptionCommand command{
       "verify", "Compare with CGAL as sets of simplices; exit code 0 only if identical", {}};
@@ -326,6 +386,7 @@ std::vector<OptionNotes> notes() {
         "alphascope-cli compute pdb/*.pdb.gz --alpha 0 --solvent 1.4 --csv all.csv",
         "find pdb -name '*.cif.gz' | alphascope-cli info --files-from - --csv -",
         "zcat 1crn.pdb.gz | alphascope-cli compute - --alpha 1.4",
+        "alphascope-cli cavities 4hhb.pdb.gz --csv cavities.csv",
         "alphascope-cli verify 1crn.pdb --alpha -1,0,1.4,10",
         "alphascope-cli bench 1k4c.crd.gz --alpha 0,1.4,3 --tetrahedra-only --csv times.csv",
         "alphascope-cli screenshot 1crn.pdb --alpha 1.4 --size 1920x1080 -o 1crn.png"}},
@@ -345,8 +406,9 @@ OptionProgram command_table(CommandOptions& options) {
   program.name = "alphascope-cli";
   program.text = "The exact alpha complex of molecules, equal to CGAL's simplex by simplex";
   program.version = std::string(program_version()) + " (" + std::string(program_commit()) + ")";
-  program.commands = {info(options.info), compute(options.compute), verify(options.verify),
-                      bench(options.bench), screenshot(options.screenshot)};
+  program.commands = {info(options.info),         compute(options.compute),
+                      cavities(options.cavities), verify(options.verify),
+                      bench(options.bench),       screenshot(options.screenshot)};
   for (OptionCommand& command : program.commands) {
     append(command.options, verbosity(options.verbosity));
   }

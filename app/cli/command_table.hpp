@@ -10,6 +10,7 @@ struct CommandOptions {
   Verbosity verbosity = Verbosity::normal;
   InfoOptions info;
   ComputeOptions compute;
+  CavitiesOptions cavities;
   VerifyOptions verify;
   BenchOptions bench;
   ScreenshotCommandOptions screenshot;

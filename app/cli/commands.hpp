@@ -9,6 +9,7 @@
 
 #include "app/session/engine_cache.hpp"
 #include "app/session/open_molecule.hpp"
+#include "core/cavity/cavities.hpp"
 
 namespace alphascope::cli {
 
@@ -67,6 +68,17 @@ struct ComputeOptions {
   std::string json, csv, out;
 };
 
+struct CavitiesOptions {
+  InputFiles files;
+  InputOptions input;
+  Request request;                     // alpha, solvent radius and threads; no engine is asked
+  bool ligands = false, ions = false;  // in the body
+  OutsideRule rule = OutsideRule::castp;
+  FlowTies ties = FlowTies::perturbed;
+  int shown = 20;  // rows printed
+  std::string json, csv;
+};
+
 struct VerifyOptions {
   InputOptions input;
   Request request;
@@ -108,6 +120,7 @@ struct ScreenshotCommandOptions {
 
 ExitCode run_info(const InfoOptions& options);
 ExitCode run_compute(const ComputeOptions& options);
+ExitCode run_cavities(const CavitiesOptions& options);
 ExitCode run_verify(const VerifyOptions& options);
 ExitCode run_bench(const BenchOptions& options);
 ExitCode run_thesis_bench(const BenchOptions& options);

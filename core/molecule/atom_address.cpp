@@ -125,7 +125,7 @@ class AddressReader {
 
 }  // namespace
 
-std::string atom_address(const Molecule& molecule, std::size_t index) {
+std::string residue_address(const Molecule& molecule, std::size_t index) {
   const Atom& atom = molecule.atoms[index];
   const bool in_residue = atom.residue_name != 0 || atom.residue_number != 0;
   if (!in_residue && atom.chain == 0) {
@@ -137,6 +137,13 @@ std::string atom_address(const Molecule& molecule, std::size_t index) {
     text += (atom.residue_name == 0 ? "" : " ") + std::to_string(atom.residue_number);
     if (atom.insertion_code != ' ') text += atom.insertion_code;
   }
+  return text;
+}
+
+std::string atom_address(const Molecule& molecule, std::size_t index) {
+  const Atom& atom = molecule.atoms[index];
+  std::string text = residue_address(molecule, index);
+  if (text.front() == '#') return text;
   text += ":" + std::string(molecule.text(atom.name));
   if (atom.altloc != ' ') text += std::string(":") + atom.altloc;
   return text;

@@ -27,7 +27,9 @@ inline constexpr std::string_view kTriangulation = "regular triangulation";
 inline constexpr std::string_view kClassification = "classification";
 inline constexpr std::string_view kThreshold = "threshold";
 inline constexpr std::string_view kHash = "hash and cache";
-// Not an engine's: verify() at work.
+// Not an engine's.
+inline constexpr std::string_view kFlow = "flow of the triangulation";
+inline constexpr std::string_view kCavities = "cavities";
 inline constexpr std::string_view kDefinition = "checking the definition";
 }  // namespace stage
 

@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-
 namespace alphascope {
 namespace {
 
@@ -60,7 +59,10 @@ TEST(CavityPreset, EveryOtherChoiceIsNamed) {
   one([](BallOptions& b) { b.chains = {"A"}; }, "not all chains");
   one([](BallOptions& b) { b.without_chains = {"A"}; }, "not all chains");
   one([](BallOptions& b) { b.selection = "chain A"; }, "a selection of atoms");
-  one([](BallOptions& b) { b.overrides.push_back({"", "", 6, 1'700'000}); },
+  one(
+      [](BallOptions& b) {
+        b.overrides.push_back({"", "", 6, 1'700'000});
+      },
       "radii changed by hand");
   request.solvent_radius_angstrom = 1.2;
   request.alpha_angstrom2 = -0.5;

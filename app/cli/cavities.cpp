@@ -1,0 +1,316 @@
+// alphascope-cli cavities: voids and pockets of each file, or of each of its models, as CASTp finds
+// them, with their areas, volumes, mouths and lining residues.
+#include <tbb/task_arena.h>
+
+#include <iostream>
+#include <memory>
+
+#include "app/cli/commands.hpp"
+#include "app/cli/many_files.hpp"
+#include "app/cli/outputs.hpp"
+#include "app/cli/report_json.hpp"
+#include "app/cli/result_files.hpp"
+#include "app/cli/table.hpp"
+#include "app/cli/terminal.hpp"
+#include "app/cli/text.hpp"
+#include "app/session/rounding_note.hpp"
+#include "core/cavity/cavity_table.hpp"
+#include "core/document/cavity_names.hpp"
+#include "core/document/cavity_preset.hpp"
+#include "core/run/cpu_threads.hpp"
+#include "core/run/stage_timer.hpp"
+#include "core/triangulation/cgal_triangulation.hpp"
+
+namespace alphascope::cli {
+namespace {
+
+struct Answer {
+  CavityTable table;
+  StageTimes times;
+  std::vector<std::string> differences;  // from what CASTp takes
+  std::string device;                    // "CPU, 2 threads"
+};
+
+Answer find(const Input& input, const CavitiesOptions& options, const RunContext& context) {
+  const Request& request = options.request;
+  Answer answer;
+  answer.differences = differences_from_castp(input.balls, input.prepared().report.radii, request);
+  if (options.rule == OutsideRule::pocket)
+    answer.differences.push_back("Pocket's rule of what is outside");
+  if (options.ties == FlowTies::strict) answer.differences.push_back("ties do not flow");
+  const auto balls = std::make_shared<const BallSet>(
+      with_solvent(*input.prepared().balls, request.solvent_radius_angstrom));
+  tbb::task_arena arena(request.threads > 0 ? request.threads : tbb::task_arena::automatic);
+  answer.device = cpu_text(arena);
+  arena.execute([&] {
+    StageTimer timer(answer.times);
+    const auto triangulation = std::make_shared<const Triangulation>(
+        make_triangulation(*balls, arena.max_concurrency(), context));
+    timer.lap(stage::kTriangulation, true);
+    const auto ground = std::make_shared<const CavityGround>(
+        make_cavity_ground(balls, triangulation, options.ties, context));
+    timer.lap(stage::kFlow, true);
+    answer.table = make_cavity_table(
+        ground, {request.alpha_angstrom2, request.solvent_radius_angstrom, options.rule}, context);
+    timer.lap(stage::kCavities);
+    timer.finish();
+  });
+  return answer;
+}
+
+const char* kind_text(const CavityTable& table, std::size_t row) {
+  return table.cavity(row).is_void() ? "void" : "pocket";
+}
+
+std::string comparable_text(const Answer& answer) {
+  if (answer.differences.empty()) return "comparable with CASTp";
+  std::string text = "not comparable with CASTp: ";
+  for (std::size_t k = 0; k < answer.differences.size(); ++k) {
+    text += (k ? "; " : "") + answer.differences[k];
+  }
+  return text;
+}
+
+std::string addresses(const std::vector<LiningResidue>& residues) {
+  std::string text;
+  for (const LiningResidue& residue : residues)
+    text += (text.empty() ? "" : "; ") + residue.address;
+  return text;
+}
+
+// --- as text
+
+std::string totals_text(const CavityTable& table) {
+  const auto kind = [&](bool voids, std::size_t number) {
+    return grouped(number) + ", SA volume " +
+           format_text("%.3f", table.volume_sa_angstrom3(voids)) + " Å³, SA area " +
+           format_text("%.3f", table.area_sa_angstrom2(voids)) + " Å²\n";
+  };
+  return "voids       " + kind(true, table.voids) + "pockets     " + kind(false, table.pockets) +
+         "mouths      " + grouped(table.mouths) + "\n";
+}
+
+// What a reader must know of the numbers.
+std::vector<std::string> notes_of(const CavitiesOptions& options, const Answer& answer) {
+  std::vector<std::string> notes;
+  const CavityTable& table = answer.table;
+  const std::string rounding = rounding_note(options.request, table.ground->balls->lattice);
+  if (!rounding.empty()) notes.push_back(rounding);
+  if (table.ground->triangulation->dimension < 3) {
+    notes.push_back("the centres lie in one plane, so there are no cavities");
+  }
+  if (table.found.components > 1) {
+    notes.push_back("the body has " + grouped(static_cast<std::uint64_t>(table.found.components)) +
+                    " separate parts: spaces between them count as pockets");
+  }
+  return notes;
+}
+
+Table cavity_columns() {
+  return Table({{"#", 4},
+                {"kind", 6, true},
+                {"SA vol Å³", 11},
+                {"SA area Å²", 11},
+                {"MS vol Å³", 11},
+                {"MS area Å²", 11},
+                {"mouths", 6},
+                {"mouth Å²", 9},
+                {"residues", 8},
+                {"name (atoms of the deepest sink)", 0, true}});
+}
+
+void print_rows(const CavityTable& table, const CavityNames& names, std::size_t shown) {
+  const Table columns = cavity_columns();
+  if (table.size() == 0) return;
+  std::cout << columns.heading();
+  const auto number = [](double value) { return format_text("%.3f", value); };
+  for (std::size_t row = 0; row < std::min(shown, table.size()); ++row) {
+    const CavityMeasures& m = table.measure(row);
+    std::cout << columns.line(
+        {std::to_string(row + 1), kind_text(table, row), number(m.volume_sa_angstrom3),
+         number(m.area_sa_angstrom2), number(m.volume_ms_angstrom3), number(m.area_ms_angstrom2),
+         std::to_string(m.mouths.size()), number(m.all_mouths().area_angstrom2),
+         std::to_string(names.lining(table, row).size()), names.name(table, row)});
+  }
+  if (table.size() > shown) {
+    std::cout << "… and " << grouped(table.size() - shown)
+              << " smaller ones; --show sets how many are printed\n";
+  }
+}
+
+void print(const Input& input, const CavitiesOptions& options, const Answer& answer,
+           const CavityNames& names) {
+  const Request& request = options.request;
+  const bool quiet = verbosity() == Verbosity::quiet;
+  std::cout << input_text(input) << "sha256      " << input.molecule().sha256 << "\n"
+            << "alpha       " << number_text(request.alpha_angstrom2) << " Å², solvent radius "
+            << number_text(request.solvent_radius_angstrom) << " Å\n"
+            << "choices     " << comparable_text(answer) << "\n"
+            << totals_text(answer.table);
+  if (!quiet) {
+    for (const std::string& note : notes_of(options, answer))
+      std::cout << "note        " << note << "\n";
+    std::cout << "time        " << milliseconds_text(answer.times.wall_milliseconds) << " ("
+              << answer.device << ")\n";
+    for (const StageTime& s : answer.times.stages) {
+      std::cout << "            " << s.label << " " << milliseconds_text(s.milliseconds) << "\n";
+    }
+  }
+  print_rows(answer.table, names, static_cast<std::size_t>(options.shown));
+  std::cout << std::flush;
+}
+
+// --- as CSV and JSON
+
+// All digits that a double has: the table is for programs.
+std::string exact(double value) {
+  return format_text("%.17g", value);
+}
+
+CsvRow csv_row(const Input& input, const CavitiesOptions& options, const Answer& answer,
+               const CavityNames& names, std::size_t row) {
+  const CavityTable& table = answer.table;
+  const Cavity& cavity = table.cavity(row);
+  const CavityMeasures& m = table.measure(row);
+  const MouthMeasures mouths = m.all_mouths();
+  CsvRow cells{{"model", model_text(input.balls.model)},
+               {"rank", std::to_string(row + 1)},
+               {"kind", kind_text(table, row)},
+               {"name", names.name(table, row)},
+               {"volume_sa_angstrom3", exact(m.volume_sa_angstrom3)},
+               {"area_sa_angstrom2", exact(m.area_sa_angstrom2)},
+               {"volume_ms_angstrom3", exact(m.volume_ms_angstrom3)},
+               {"area_ms_angstrom2", exact(m.area_ms_angstrom2)},
+               {"area_ms_steiner_angstrom2", exact(m.area_ms_steiner_angstrom2)},
+               {"volume_of_tetrahedra_angstrom3", exact(m.volume_of_tetrahedra_angstrom3)},
+               {"mouths", std::to_string(m.mouths.size())},
+               {"mouth_triangles", std::to_string(cavity.mouth_triangles())},
+               {"mouth_area_angstrom2", exact(mouths.area_angstrom2)},
+               {"mouth_length_angstrom", exact(mouths.length_angstrom)},
+               {"arc_length_angstrom", exact(m.arc_length_angstrom)},
+               {"corners", std::to_string(m.corners)},
+               {"tetrahedra", std::to_string(cavity.tetrahedra.size())},
+               {"sinks", std::to_string(cavity.sinks)},
+               {"atoms", std::to_string(cavity.atoms.size())},
+               {"lining_atoms", std::to_string(m.lining.size())},
+               {"lining_residues", addresses(names.lining(table, row))},
+               {"alpha_angstrom2", number_text(options.request.alpha_angstrom2)},
+               {"solvent_radius_angstrom", number_text(options.request.solvent_radius_angstrom)},
+               {"choices", comparable_text(answer)}};
+  for (auto& [key, value] : input.provenance()) {
+    if (key != "model") cells.emplace_back(key, std::move(value));
+  }
+  cells.emplace_back("program", program_text());
+  return cells;
+}
+
+Json mouths_json(const Cavity& cavity, const CavityMeasures& m) {
+  Json mouths = Json::array();
+  for (std::size_t k = 0; k < m.mouths.size(); ++k) {
+    mouths.push_back({{"triangles", cavity.mouths[k].triangles.size()},
+                      {"area_angstrom2", m.mouths[k].area_angstrom2},
+                      {"length_angstrom", m.mouths[k].length_angstrom}});
+  }
+  return mouths;
+}
+
+Json cavity_json(const CavityTable& table, const CavityNames& names, std::size_t row) {
+  const Cavity& cavity = table.cavity(row);
+  const CavityMeasures& m = table.measure(row);
+  Json residues = Json::array();
+  for (const LiningResidue& residue : names.lining(table, row)) {
+    residues.push_back({{"residue", residue.address}, {"atoms", residue.balls}});
+  }
+  return {{"rank", row + 1},
+          {"kind", kind_text(table, row)},
+          {"name", names.name(table, row)},
+          {"sink_atoms", table.sink(row)},
+          {"volume_sa_angstrom3", m.volume_sa_angstrom3},
+          {"area_sa_angstrom2", m.area_sa_angstrom2},
+          {"volume_ms_angstrom3", m.volume_ms_angstrom3},
+          {"area_ms_angstrom2", m.area_ms_angstrom2},
+          {"area_ms_steiner_angstrom2", m.area_ms_steiner_angstrom2},
+          {"volume_of_tetrahedra_angstrom3", m.volume_of_tetrahedra_angstrom3},
+          {"mouths", mouths_json(cavity, m)},
+          {"arc_length_angstrom", m.arc_length_angstrom},
+          {"corners", m.corners},
+          {"tetrahedra", cavity.tetrahedra.size()},
+          {"sinks", cavity.sinks},
+          {"atoms", cavity.atoms},
+          {"lining_residues", residues}};
+}
+
+Json result_json(const Input& input, const CavitiesOptions& options, const Answer& answer,
+                 const CavityNames& names) {
+  const CavityTable& table = answer.table;
+  Json cavities = Json::array(), stages = Json::array();
+  for (std::size_t row = 0; row < table.size(); ++row) {
+    cavities.push_back(cavity_json(table, names, row));
+  }
+  for (const StageTime& s : answer.times.stages) {
+    stages.push_back({{"stage", s.label}, {"ms", s.milliseconds}, {"setup", s.setup}});
+  }
+  Json request = request_json(options.request, table.ground->balls->lattice);
+  for (const char* unused : {"tetrahedra_only", "engine"}) request.erase(unused);
+  return {
+      {"comparable_with_castp", answer.differences.empty()},
+      {"differences_from_castp", answer.differences},
+      {"counts",
+       {{"voids", table.voids},
+        {"pockets", table.pockets},
+        {"mouths", table.mouths},
+        {"components", table.found.components},
+        {"tunnels", table.found.tunnels}}},
+      {"cavities", cavities},
+      {"notes", notes_of(options, answer)},
+      {"timings_ms",
+       {{"wall", answer.times.wall_milliseconds}, {"device", answer.device}, {"stages", stages}}},
+      {"request", request},
+      {"input", input_json(input)}};
+}
+
+// The preset's choice where none was made; radii of a file go before those of CASTp.
+Input with_preset_radii(const Input& input, const CavitiesOptions& options) {
+  if (options.input.radii != "auto" || input.molecule().has_file_radii) return input;
+  Input chosen = input;
+  chosen.balls.radii = RadiiSet::castp;
+  chosen.opened.prepared =
+      std::make_shared<const PreparedBalls>(prepare_balls(input.molecule(), chosen.balls));
+  return chosen;
+}
+
+}  // namespace
+
+ExitCode run_cavities(const CavitiesOptions& options) {
+  const RunContext& context = run_context();
+  const bool many = options.files.many(), each = each_model(options.input);
+  OpenOptions open = open_options(options.input, context);
+  open.balls.ligands = options.ligands;
+  open.balls.ions = options.ions;
+  const std::vector<std::string> files = file_names(options.files);
+  if (!many) require_readable({files.front()});
+  Outputs outputs(files_read(files, options.files.list, options.input));
+  CsvResults csv(outputs.add("--csv", options.csv));
+  JsonResults json(outputs.add("--json", options.json), many ? "results" : each ? "models" : "");
+  const bool shown = verbosity() != Verbosity::quiet || !outputs.take_standard_output();
+  const FilesOutcome outcome = for_each_file(files, many, [&](const std::string& file) {
+    for_each_model(file, options.input, open, context, [&](const Input& as_opened) {
+      const Input input = with_preset_radii(as_opened, options);
+      const Answer answer = find(input, options, context);
+      const CavityNames names(input.opened.molecule, input.opened.prepared);
+      clear_progress();
+      if (shown) print(input, options, answer, names);
+      if (json.wanted()) json.add(result_json(input, options, answer, names));
+      for (std::size_t row = 0; csv.wanted() && row < answer.table.size(); ++row) {
+        csv.add(csv_row(input, options, answer, names, row));
+      }
+    });
+  });
+  Json further = failures_json(outcome, many);
+  further["program"] = program_json();
+  json.finish(further);
+  outputs.commit();
+  return outcome.code;
+}
+
+}  // namespace alphascope::cli

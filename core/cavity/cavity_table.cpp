@@ -1,0 +1,59 @@
+// See the header.
+#include "core/cavity/cavity_table.hpp"
+
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "core/run/stage_timer.hpp"
+
+namespace alphascope {
+namespace {
+
+template <class Value>
+double sum_over(const CavityTable& table, bool of_voids, const Value& value) {
+  double sum = 0;
+  for (std::size_t row = 0; row < table.size(); ++row) {
+    if (table.cavity(row).is_void() == of_voids) sum += value(table.measure(row));
+  }
+  return sum;
+}
+
+}  // namespace
+
+double CavityTable::volume_sa_angstrom3(bool of_voids) const {
+  return sum_over(*this, of_voids, [](const CavityMeasures& m) { return m.volume_sa_angstrom3; });
+}
+
+double CavityTable::area_sa_angstrom2(bool of_voids) const {
+  return sum_over(*this, of_voids, [](const CavityMeasures& m) { return m.area_sa_angstrom2; });
+}
+
+CavityTable make_cavity_table(std::shared_ptr<const CavityGround> ground,
+                              const CavityQuestion& question, const RunContext& context) {
+  if (std::isnan(question.alpha_angstrom2)) throw std::invalid_argument("alpha is not a number");
+  CavityTable table;
+  table.ground = std::move(ground);
+  table.question = question;
+  const CavityGround& of = *table.ground;
+  if (of.triangulation->dimension < 3) return table;
+  const Lattice& lattice = of.balls->lattice;
+  const double alpha = lattice.alpha_on_lattice(question.alpha_angstrom2);
+  context.report(stage::kCavities, 0);
+  const Membership in =
+      membership(*of.balls, *of.triangulation, of.incidence, of.flow, alpha, context.cancel);
+  context.report(stage::kCavities, 0.4);
+  table.found = find_cavities(of, in, question.rule, context.cancel);
+  context.report(stage::kCavities, 0.6);
+  table.measures = measure_cavities(
+      of, in, table.found, {alpha, lattice.nearest_units(question.solvent_radius_angstrom)},
+      context.cancel);
+  table.order = by_falling_volume(table.measures);
+  for (const Cavity& cavity : table.found.cavities) {
+    ++(cavity.is_void() ? table.voids : table.pockets);
+    table.mouths += cavity.mouths.size();
+  }
+  return table;
+}
+
+}  // namespace alphascope

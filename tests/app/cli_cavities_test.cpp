@@ -1,0 +1,98 @@
+// alphascope-cli cavities. The numbers of each cavity are compared with tables in
+// tests/core/cavity; here, that a file leads to them and that the choices are told.
+#include "tests/app/cli_fixture.hpp"
+
+namespace alphascope::testing {
+namespace {
+
+const char* const kHaemoglobin = ALPHASCOPE_SOURCE_DIR "/resources/molecules/4hhb.pdb.gz";
+
+class CliCavities : public Cli {
+ protected:
+  json cavities(const std::string& arguments) {
+    const Outcome found = run("cavities -q --json - " + arguments);
+    EXPECT_EQ(found.code, 0) << found.err;
+    return json::parse(found.out);
+  }
+};
+
+// Counts and sums of an independent program for the same radii.
+TEST_F(CliCavities, OfAPdbFileAreThoseOfTheReference) {
+  const json found = cavities(std::string(kHaemoglobin) + " --radii bondi");
+  EXPECT_EQ(found["counts"]["voids"], 63);
+  EXPECT_EQ(found["counts"]["pockets"], 42);
+  EXPECT_EQ(found["counts"]["mouths"], 51);
+  EXPECT_EQ(found["cavities"].size(), 105u);
+  double voids = 0, all = 0;
+  for (const json& cavity : found["cavities"]) {
+    const double volume = cavity["volume_sa_angstrom3"];
+    all += volume;
+    if (cavity["kind"] == "void") voids += volume;
+    EXPECT_EQ(cavity["kind"] == "void", cavity["mouths"].empty());
+    EXPECT_FALSE(cavity["lining_residues"].empty());
+  }
+  EXPECT_NEAR(voids, 45.28306451, 1e-8);
+  EXPECT_NEAR(all, 5600.897645, 1e-6);
+  EXPECT_EQ(found["comparable_with_castp"], false);
+  EXPECT_EQ(found["differences_from_castp"], json::array({"radii Bondi"}));
+}
+
+// A haem pocket is called by the atoms around its deepest point, and a haem in it fills it.
+TEST_F(CliCavities, ThePresetLeavesLigandsOutOfTheBody) {
+  const json empty = cavities(kHaemoglobin);
+  EXPECT_EQ(empty["comparable_with_castp"], true);
+  EXPECT_EQ(empty["request"]["solvent_radius_angstrom"], 1.4);
+  const auto at_proximal_histidine = [](const json& found) {
+    double volume = 0;
+    for (const json& cavity : found["cavities"]) {
+      for (const json& residue : cavity["lining_residues"]) {
+        if (residue["residue"] == "A:HIS 87") volume += cavity["volume_sa_angstrom3"].get<double>();
+      }
+    }
+    return volume;
+  };
+  EXPECT_GT(at_proximal_histidine(empty), 150);
+  const json filled = cavities(std::string(kHaemoglobin) + " --ligands");
+  EXPECT_EQ(filled["comparable_with_castp"], false);
+  EXPECT_LT(at_proximal_histidine(filled), 20);
+  const Outcome text = run("cavities --ligands " + std::string(kHaemoglobin));
+  EXPECT_TRUE(contains(text.out, "not comparable with CASTp: ligands are in the body")) << text.out;
+}
+
+TEST_F(CliCavities, ARowOfTheCsvIsACavity) {
+  const Outcome found = run("cavities -q --csv - " + std::string(kHaemoglobin));
+  const auto rows = csv_rows(found.out);
+  const json same = cavities(kHaemoglobin);
+  ASSERT_EQ(rows.size(), same["cavities"].size());
+  for (std::size_t row = 0; row < rows.size(); ++row) {
+    EXPECT_EQ(rows[row].at("rank"), std::to_string(row + 1));
+    EXPECT_EQ(rows[row].at("name"), same["cavities"][row]["name"]);
+    EXPECT_EQ(std::stod(rows[row].at("volume_sa_angstrom3")),
+              same["cavities"][row]["volume_sa_angstrom3"]);
+    EXPECT_EQ(rows[row].at("choices"), "comparable with CASTp");
+  }
+}
+
+TEST_F(CliCavities, OfFewBallsThereAreNone) {
+  const std::string flat = write("flat.xyzr", "0 0 0 1\n3 0 0 1\n0 3 0 1\n").string();
+  const Outcome found = run("cavities '" + flat + "'");
+  EXPECT_EQ(found.code, 0) << found.err;
+  EXPECT_TRUE(contains(found.out, "lie in one plane")) << found.out;
+  EXPECT_TRUE(contains(found.out, "radii from the file")) << found.out;
+  const Outcome wrong = run("cavities --rule nonsense '" + flat + "'");
+  EXPECT_EQ(wrong.code, 2);
+  EXPECT_TRUE(contains(wrong.err, "castp")) << wrong.err;
+}
+
+// Two bodies far apart: the space between them is a pocket by the definition, which must be said.
+TEST_F(CliCavities, SeparateBodiesAreNamed) {
+  const std::string apart = write("apart.xyzr",
+                                  "0 0 0 2\n2 0 0 2\n0 2 0 2\n0 0 2 2\n"
+                                  "40 0 0 2\n42 0 0 2\n40 2 0 2\n40 0 2 2\n")
+                                .string();
+  const Outcome found = run("cavities '" + apart + "'");
+  EXPECT_TRUE(contains(found.out, "2 separate parts")) << found.out;
+}
+
+}  // namespace
+}  // namespace alphascope::testing

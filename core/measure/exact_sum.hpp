@@ -10,15 +10,18 @@
 namespace alphascope {
 
 // A sum as an integer multiple of a power of two: integers add up exactly, in any order and with
-// carries beyond 64 bits forgotten, as long as the whole sum fits. What is added is at most 2^61
-// units, which scale_for() sees to; it is cut off to a unit, 2^-58 of the bound.
+// carries beyond 64 bits forgotten, as long as the whole sum fits. A term is cut off to a unit.
 using FixedSum = std::uint64_t;
 
-// Units per 1 for terms of magnitude <= bound. bound > 0, normal.
-ALPHASCOPE_INLINE double fixed_scale(double bound) {
+// Least e with x <= 2^e; x > 0.
+ALPHASCOPE_INLINE int bits_above(double x) {
   int exponent;
-  frexp(bound, &exponent);  // bound <= 2^exponent
-  return ldexp(1.0, 61 - exponent);
+  frexp(x, &exponent);
+  return exponent;
+}
+// Units per 1 for terms of magnitude up to 2^bits: 2^61 units.
+ALPHASCOPE_INLINE double fixed_scale(int bits) {
+  return ldexp(1.0, 61 - bits);
 }
 ALPHASCOPE_INLINE FixedSum fixed_term(double x, double scale) {
   constexpr double kMost = 4.611686018427387904e18;  // 2^62: no term that is not a mistake

@@ -16,8 +16,8 @@
 namespace alphascope {
 namespace {
 
-// Bounds of one term, in units of R², R³ and R: no angle is above 2 pi, no length above 2 R.
-constexpr double kAreaBound = 64, kVolumeBound = 32, kLengthBound = 128, kWallBound = 32;
+// One term is below 2^these, in units of R², R³ and R: no angle is above 2 pi, no length above 2 R.
+constexpr int kAreaBits = 6, kVolumeBits = 5, kLengthBits = 7, kWallBits = 5;
 // Simplices that a thread takes at a time, and balls whose sum is one term of the total.
 constexpr std::size_t kPart = 2048, kBlock = 4096;
 // What all private sums of threads may take, bytes.
@@ -36,10 +36,10 @@ struct Scales {
   double area, volume, length, wall;
 };
 Scales scales_of(const GrownBall& ball) {
-  const double r = ball.grown_radius;
-  if (!(r > 0)) return {0, 0, 0, 0};
-  return {fixed_scale(kAreaBound * r * r), fixed_scale(kVolumeBound * r * r * r),
-          fixed_scale(kLengthBound * r), fixed_scale(kWallBound * r * r)};
+  if (!(ball.grown_radius > 0)) return {0, 0, 0, 0};
+  const int bits = bits_above(ball.grown_radius);
+  return {fixed_scale(2 * bits + kAreaBits), fixed_scale(3 * bits + kVolumeBits),
+          fixed_scale(bits + kLengthBits), fixed_scale(2 * bits + kWallBits)};
 }
 
 struct Scene {
@@ -214,7 +214,7 @@ class Results {
  public:
   Results(const AlphaComplex& complex, const Scene& scene,
           const std::vector<PrivateSums<What>>& sums)
-      : lattice_(complex.lattice), scene_(scene), sums_(sums) {}
+      : unit_(complex.lattice.unit_angstrom()), scene_(scene), sums_(sums) {}
 
   void fill(const BallSet& balls, UnionMeasures& measures, UnionDerivatives* derivatives) const {
     const std::size_t n = scene_.balls.size();
@@ -229,9 +229,8 @@ class Results {
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n, kBlock), [&](const auto& part) {
       for (std::size_t i = part.begin(); i < part.end(); ++i) {
         const Ball ball = ball_results(static_cast<BallIndex>(i));
-        measures.ball_area_angstrom2[i] = lattice_.square_angstrom(ball.area);
-        measures.ball_volume_angstrom3[i] =
-            lattice_.angstrom(lattice_.square_angstrom(ball.volume));
+        measures.ball_area_angstrom2[i] = ball.area * unit_ * unit_;
+        measures.ball_volume_angstrom3[i] = ball.volume * unit_ * unit_ * unit_;
         if constexpr (What::kDerivatives) {
           fill_derivatives(i, balls.radii[i], ball.area, *derivatives);
         }
@@ -264,20 +263,18 @@ class Results {
                       value(ball, first + 2, scale)};
     };
     const Gradient a = gradient(3, scales.length), v = gradient(6, scales.wall);
-    to.area_by_centre_angstrom[i] = {lattice_.angstrom(a.x), lattice_.angstrom(a.y),
-                                     lattice_.angstrom(a.z)};
-    to.volume_by_centre_angstrom2[i] = {lattice_.square_angstrom(v.x),
-                                        lattice_.square_angstrom(v.y),
-                                        lattice_.square_angstrom(v.z)};
+    to.area_by_centre_angstrom[i] = {a.x * unit_, a.y * unit_, a.z * unit_};
+    to.volume_by_centre_angstrom2[i] = {v.x * unit_ * unit_, v.y * unit_ * unit_,
+                                        v.z * unit_ * unit_};
     // d sqrt(r² + alpha) / dr = r / R.
     const double grown = scene_.balls[i].grown_radius;
     const double slope = grown > 0 ? radius / grown : 0;
     const double by_grown = grown > 0 ? 2 * area / grown + value(ball, 2, scales.length) : 0;
-    to.area_by_radius_angstrom[i] = lattice_.angstrom(by_grown * slope);
-    to.volume_by_radius_angstrom2[i] = lattice_.square_angstrom(area * slope);
+    to.area_by_radius_angstrom[i] = by_grown * slope * unit_;
+    to.volume_by_radius_angstrom2[i] = area * slope * unit_ * unit_;
   }
 
-  const Lattice& lattice_;
+  const double unit_;  // Å
   const Scene& scene_;
   const std::vector<PrivateSums<What>>& sums_;
 };

@@ -2,27 +2,39 @@
 // not part of the repository: reference.tsv, traps.tsv, inputs/, traps/ and NAME_sSOLVENT.tsv.gz.
 //
 //   alphascope_measure_check tables FOLDER
+//   alphascope_measure_check clipped FOLDER [NAME]
 //   alphascope_measure_check time FILE.xyzr[.gz] SOLVENT [THREADS [REPEATS]]
 #include <zlib.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <fstream>
+#include <ctime>
+#include <map>
 #include <memory>
 #include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "core/cavity/cavities.hpp"
 #include "core/engine/engine.hpp"
+#include "core/measure/clipped.hpp"
 #include "core/measure/union_measures.hpp"
+#include "core/triangulation/cgal_triangulation.hpp"
+#include "core/triangulation/membership.hpp"
 
 namespace {
 
 using namespace alphascope;
+
+using Clock = std::chrono::steady_clock;
+double since(Clock::time_point begin) {
+  return std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
+}
 
 std::vector<std::string> lines_of(const std::string& path) {
   gzFile file = gzopen(path.c_str(), "rb");
@@ -149,9 +161,80 @@ int tables(const std::string& folder) {
   return bad == 0 ? 0 : 1;
 }
 
-using Clock = std::chrono::steady_clock;
-double since(Clock::time_point begin) {
-  return std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
+// The tetrahedra of all cavities at alpha 0, and which cavity each is of.
+struct InCavities {
+  std::shared_ptr<const Triangulation> triangulation;
+  std::size_t count = 0;
+  std::vector<std::uint32_t> tetrahedra, cavity;
+};
+InCavities in_cavities(const std::shared_ptr<const BallSet>& balls) {
+  InCavities in;
+  in.triangulation = std::make_shared<const Triangulation>(make_triangulation(*balls, 0));
+  if (in.triangulation->dimension < 3) return in;
+  const CavityGround ground = make_cavity_ground(balls, in.triangulation);
+  const Membership members =
+      membership(*balls, *in.triangulation, ground.incidence, ground.flow, 0.0);
+  const Cavities cavities = find_cavities(ground, members);
+  in.count = cavities.cavities.size();
+  for (std::uint32_t c = 0; c < cavities.cavities.size(); ++c) {
+    for (const std::uint32_t t : cavities.cavities[c].tetrahedra) {
+      in.tetrahedra.push_back(t);
+      in.cavity.push_back(c);
+    }
+  }
+  return in;
+}
+
+// Rows of cavities.tsv are found by the volume of their tetrahedra.
+int compare_clipped(const std::string& folder, const std::string& only) {
+  std::vector<std::string> names;
+  std::map<std::string, std::vector<std::vector<std::string>>> rows;
+  const auto lines = lines_of(folder + "/cavities.tsv");
+  const auto header = words_of(lines[0]);
+  const std::size_t whole = column(header, "vol_tets"), volume = column(header, "vol_clipped"),
+                    area = column(header, "area_clipped");
+  for (std::size_t l = 1; l < lines.size(); ++l) {
+    const auto words = words_of(lines[l]);
+    if (words[1] != "1.4" || (!only.empty() && words[0] != only)) continue;
+    if (!rows.contains(words[0])) names.push_back(words[0]);
+    rows[words[0]].push_back(words);
+  }
+  int bad = 0;
+  for (const std::string& name : names) {
+    const auto balls = grown(folder + "/inputs/" + name + ".xyzr.gz", 1.4);
+    const InCavities in = in_cavities(balls);
+    const auto begin = Clock::now();
+    const std::clock_t ticks = std::clock();
+    const ClippedTetrahedra clipped =
+        clipped_outside(*in.triangulation, *balls, 0.0, in.tetrahedra);
+    std::printf("%s: %zu cavities, %zu tetrahedra, %.1f ms (all threads: %.1f)\n", name.c_str(),
+                in.count, in.tetrahedra.size(), since(begin),
+                1e3 * static_cast<double>(std::clock() - ticks) / CLOCKS_PER_SEC);
+    const auto sums = [&](const std::vector<double>& values) {
+      return sums_by_group(values, in.cavity, in.count);
+    };
+    const auto volumes = sums(clipped.volume_angstrom3), areas = sums(clipped.area_angstrom2),
+               free_volumes = sums(clipped.free_volume_angstrom3);
+    if (in.count != rows[name].size()) {
+      std::printf("DIFFERS %s: %zu cavities for %zu\n", name.c_str(), in.count, rows[name].size());
+      ++bad;
+    }
+    Worst worst;
+    for (const auto& row : rows[name]) {
+      const double tets = std::stod(row[whole]);
+      std::size_t best = 0;  // of equal ones, that of the nearest clipped volume
+      double least = HUGE_VAL;
+      for (std::size_t c = 0; c < in.count; ++c) {
+        const double off = std::fabs(volumes[c] - tets) +
+                           1e-3 * std::fabs(free_volumes[c] - std::stod(row[volume]));
+        if (off < least) least = off, best = c;
+      }
+      worst.compare(name + " " + row[2], areas[best], std::stod(row[area]), free_volumes[best],
+                    std::stod(row[volume]), 1e-12 * tets);
+    }
+    bad += worst.report(name.c_str());
+  }
+  return bad == 0 ? 0 : 1;
 }
 
 int time_file(const std::string& path, double solvent, int threads, int repeats) {
@@ -162,17 +245,21 @@ int time_file(const std::string& path, double solvent, int threads, int repeats)
               complex.tetrahedra.size(), since(begin));
   for (const bool with_derivatives : {false, true}) {
     UnionDerivatives derivatives;
-    std::vector<double> times;
+    std::vector<double> times, processor;
     UnionMeasures of;
     for (int r = 0; r < repeats; ++r) {
       const auto start = Clock::now();
+      const std::clock_t ticks = std::clock();
       of = measure_union(*balls, complex, {threads, with_derivatives ? &derivatives : nullptr});
       times.push_back(since(start));
+      processor.push_back(1e3 * static_cast<double>(std::clock() - ticks) / CLOCKS_PER_SEC);
     }
     std::sort(times.begin(), times.end());
-    std::printf("%s: least %.2f, median %.2f ms; area %.9f A2, volume %.9f A3\n",
-                with_derivatives ? "with derivatives" : "measures", times.front(),
-                times[times.size() / 2], of.area_angstrom2, of.volume_angstrom3);
+    std::sort(processor.begin(), processor.end());
+    std::printf(
+        "%s: least %.2f, median %.2f ms (all threads: %.2f, %.2f); area %.9f A2, volume %.9f A3\n",
+        with_derivatives ? "with derivatives" : "measures", times.front(), times[times.size() / 2],
+        processor.front(), processor[times.size() / 2], of.area_angstrom2, of.volume_angstrom3);
   }
   return 0;
 }
@@ -183,6 +270,9 @@ int main(int argc, char** argv) {
   const std::vector<std::string> words(argv + 1, argv + argc);
   try {
     if (words.size() == 2 && words[0] == "tables") return tables(words[1]);
+    if (words.size() >= 2 && words[0] == "clipped") {
+      return compare_clipped(words[1], words.size() > 2 ? words[2] : "");
+    }
     if (words.size() >= 3 && words[0] == "time") {
       return time_file(words[1], std::stod(words[2]), words.size() > 3 ? std::stoi(words[3]) : 0,
                        words.size() > 4 ? std::stoi(words[4]) : 20);

@@ -1,0 +1,70 @@
+// The neighbours of balls in a triangulation, looked up as they are asked for.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <span>
+#include <unordered_map>
+#include <vector>
+
+#include "core/complex/triangulation.hpp"
+
+namespace alphascope {
+
+// One tetrahedron of each ball.
+inline std::vector<std::uint32_t> tetrahedron_of_balls(const Triangulation& triangulation,
+                                                       std::size_t balls) {
+  std::vector<std::uint32_t> of(balls, 0);
+  for (std::size_t t = 0; t < triangulation.tetrahedra.size(); ++t) {
+    for (const BallIndex i : triangulation.tetrahedra[t]) of[i] = static_cast<std::uint32_t>(t);
+  }
+  return of;
+}
+
+// For one thread. Keeps what it has found.
+class BallStars {
+ public:
+  BallStars(const Triangulation& triangulation, const std::vector<std::uint32_t>& tetrahedron_of)
+      : triangulation_(triangulation), tetrahedron_of_(tetrahedron_of) {}
+
+  // Ascending. Valid until the next call.
+  std::span<const BallIndex> neighbours(BallIndex i) {
+    const auto [at, is_new] = range_of_.try_emplace(i);
+    if (is_new) at->second = walk(i);
+    return {found_.data() + at->second.first, at->second.count};
+  }
+
+ private:
+  struct Range {
+    std::size_t first, count;
+  };
+  Range walk(BallIndex i) {
+    const std::size_t first = found_.size();
+    star_.assign(1, tetrahedron_of_[i]);
+    for (std::size_t n = 0; n < star_.size(); ++n) {
+      const std::uint32_t t = star_[n];
+      for (int k = 0; k < 4; ++k) {
+        const BallIndex ball = triangulation_.tetrahedra[t][k];
+        if (ball == i) continue;
+        found_.push_back(ball);
+        const Neighbour across = triangulation_.neighbours[t][k];
+        if (!across.is_hull() &&
+            std::find(star_.begin(), star_.end(), across.index()) == star_.end()) {
+          star_.push_back(across.index());
+        }
+      }
+    }
+    const auto begin = found_.begin() + static_cast<std::ptrdiff_t>(first);
+    std::sort(begin, found_.end());
+    found_.erase(std::unique(begin, found_.end()), found_.end());
+    return {first, found_.size() - first};
+  }
+
+  const Triangulation& triangulation_;
+  const std::vector<std::uint32_t>& tetrahedron_of_;
+  std::unordered_map<BallIndex, Range> range_of_;
+  std::vector<BallIndex> found_;
+  std::vector<std::uint32_t> star_;
+};
+
+}  // namespace alphascope

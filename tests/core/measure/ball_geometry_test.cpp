@@ -8,7 +8,7 @@
 
 #include "core/measure/ball_tetrahedron.hpp"
 #include "core/measure/ball_triple.hpp"
-#include "tests/support/random_balls.hpp"
+#include "tests/core/measure/measured_sets.hpp"
 
 namespace alphascope {
 namespace {
@@ -55,7 +55,8 @@ Corner corner_of(const GrownBall& m, const GrownBall& j, const GrownBall& k) {
   const Quad c = (dot(v, v) + rr - Quad(k.radius) * k.radius) / 2;
   const Point foot = (1 / dot(n, n)) * cross(b * v - c * u, n);
   const Quad square = rr - dot(foot, foot);
-  if (square < 0) return {0, 0, false};
+  // Where one point is all that they share, its angle means nothing.
+  if (square < rr * 1e-24) return {0, 0, false};
   const Quad chord = sqrt(square);
   const Point p = foot + (chord / length(n)) * n;
   const auto arc = [&](const Point& axis, const Quad& lift, const Point& other) {
@@ -72,7 +73,7 @@ Corner corner_of(const GrownBall& m, const GrownBall& j, const GrownBall& k) {
   const auto bend = [&](const Point& axis) {  // along the sphere at p, towards the axis
     return axis - (dot(axis, p) / rr) * p;
   };
-  const Quad turn = square == 0 ? Quad(0) : angle(bend(u), bend(v));  // pi less the angle inside
+  const Quad turn = angle(bend(u), bend(v));  // pi less the angle inside
   Quad area = pi - at_j[0] * at_j[1] / radius - at_k[0] * at_k[1] / radius - turn;
   area *= rr;
   return {area, (radius * area - (at_j[1] * at_j[2] + at_k[1] * at_k[2]) / 2) / 3, true};
@@ -86,9 +87,7 @@ void expect_triple(const GrownBall (&ball)[3]) {
   const BallTriple triple = ball_triple(ball, pair);
   for (int m = 0; m < 3; ++m) {
     const Corner corner = corner_of(ball[m], ball[(m + 1) % 3], ball[(m + 2) % 3]);
-    // A point in common, as those have that are in a complex; where it is the only one, the angle
-    // of the corner means nothing in either.
-    if (!corner.meets || corner.area < -1e-20) continue;
+    if (!corner.meets) continue;
     const double r = ball[m].grown_radius;
     double largest = r;
     for (const GrownBall& other : ball) largest = std::max(largest, other.grown_radius);
@@ -121,6 +120,16 @@ TEST(BallTriple, OfTangentAndNearlyTangentBallsIsThatOf113Bits) {
       b = grown_ball({small.x * factor, small.y * factor, small.z * factor},
                      small.radius * factor + off, 0);
     }
+    expect_triple(ball);
+  }
+}
+
+TEST(BallTriple, OfBallsThatTouchOnTheThirdIsThatOf113Bits) {
+  Random random(6);
+  for (int n = 0; n < 2000; ++n) {
+    const BallSet set = testing::balls_through_a_point(random, 3, 10000);
+    GrownBall ball[3];
+    for (BallIndex m = 0; m < 3; ++m) ball[m] = grown_ball(set.centres[m], set.radii[m], 0);
     expect_triple(ball);
   }
 }

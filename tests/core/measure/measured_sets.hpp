@@ -53,4 +53,23 @@ inline UnionMeasures measured(const BallSet& balls, double alpha_angstrom2 = 0,
   return measure_union(balls, complex_of(balls, alpha_angstrom2), options);
 }
 
+// Spheres through the origin, or a unit of `factor` off it; many touch each other there.
+inline BallSet balls_through_a_point(Random& random, int count, int factor) {
+  static constexpr int kVectors[8][4] = {{1, 2, 2, 3},  {2, 3, 6, 7},  {1, 4, 8, 9}, {4, 4, 7, 9},
+                                         {2, 6, 9, 11}, {6, 6, 7, 11}, {0, 3, 4, 5}, {0, 0, 1, 1}};
+  BallSet balls;
+  balls.lattice.digits = 3;
+  const int* v = kVectors[0];
+  for (int n = 0; n < count; ++n) {
+    // Every other ball in the direction of the one before.
+    if (n % 2 == 0) v = kVectors[random_int(random, 0, 7)];
+    const int by = factor * random_int(random, 1, 6) * (random_int(random, 0, 2) == 0 ? -1 : 1);
+    const int turn = n / 2 % 3;
+    const int off = factor > 1 ? random_int(random, -1, 1) : 0;
+    add_ball(balls, by * v[turn], by * v[(turn + 1) % 3], by * v[(turn + 2) % 3],
+             std::abs(by) * v[3] + off);
+  }
+  return balls;
+}
+
 }  // namespace alphascope::testing

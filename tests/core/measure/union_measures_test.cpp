@@ -173,6 +173,30 @@ TEST(UnionMeasures, DoNotDependOnTheOrderOfBalls) {
   }
 }
 
+// Balls that touch a large one from inside add nothing to it.
+TEST(UnionMeasures, OfBallsThatTouchFromInsideAreThoseOfTheLargeOne) {
+  const BallSet balls = angstrom_balls({{0, 0, 0, 50},
+                                        {15, 20, 0, 25},
+                                        {0, 15, 20, 25},
+                                        {20, 0, -15, 25},
+                                        {-24, 32, 0, 10},
+                                        {9, 0, 12, 35},
+                                        {0, -12, -9, 35}});
+  const UnionMeasures of = measured(balls);
+  EXPECT_NEAR(of.area_angstrom2, sphere_area(50), 1e-14 * sphere_area(50));
+  EXPECT_NEAR(of.volume_angstrom3, ball_volume(50), 1e-14 * ball_volume(50));
+  Random random(10);
+  for (int n = 0; n < 100; ++n) {
+    for (const int factor : {1, 10000}) {
+      const BallSet set = testing::balls_through_a_point(random, 9, factor);
+      std::vector<BallIndex> order = {4, 8, 2, 7, 5, 0, 1, 6, 3};
+      const UnionMeasures a = measured(set), b = measured(testing::permuted(set, order));
+      EXPECT_NEAR(a.area_angstrom2, b.area_angstrom2, 1e-13 * a.area_angstrom2) << n;
+      EXPECT_NEAR(a.volume_angstrom3, b.volume_angstrom3, 1e-13 * a.volume_angstrom3) << n;
+    }
+  }
+}
+
 // No ball has more than its sphere and ball, nor less than nothing, and the union has not more
 // surface than the isoperimetric inequality says it must have.
 TEST(UnionMeasures, StayWithinBoundsOnHardSets) {

@@ -1,0 +1,133 @@
+// Numbers of cavities: what must not change them, and sets whose numbers are known by hand.
+#include "core/cavity/cavity_measures.hpp"
+
+#include <gtest/gtest.h>
+#include <tbb/task_arena.h>
+
+#include <cmath>
+#include <cstring>
+#include <memory>
+#include <vector>
+
+#include "core/triangulation/cgal_triangulation.hpp"
+#include "tests/support/molecules.hpp"
+#include "tests/support/random_balls.hpp"
+
+namespace alphascope {
+namespace {
+
+using testing::Random;
+
+struct Measured {
+  Cavities cavities;
+  std::vector<CavityMeasures> measures;
+};
+Measured measure(const BallSet& balls, double alpha, double solvent_angstrom) {
+  const auto shared = std::make_shared<const BallSet>(balls);
+  const CavityGround ground = make_cavity_ground(
+      shared, std::make_shared<const Triangulation>(make_triangulation(balls, 1)));
+  const Membership in =
+      membership(balls, *ground.triangulation, ground.incidence, ground.flow, alpha);
+  Measured found{find_cavities(ground, in), {}};
+  found.measures = measure_cavities(ground, in, found.cavities,
+                                    {alpha, balls.lattice.nearest_units(solvent_angstrom)});
+  return found;
+}
+
+bool same_bits(double a, double b) {
+  return std::memcmp(&a, &b, sizeof a) == 0;
+}
+
+TEST(CavityMeasures, AreTheSameBitsForAnyNumberOfThreads) {
+  const auto balls = testing::sample_balls("4hhb.pdb.gz", 1.4);
+  const auto with = [&](int threads) {
+    return tbb::task_arena(threads).execute([&] { return measure(*balls, 0, 1.4).measures; });
+  };
+  const auto alone = with(1);
+  ASSERT_GT(alone.size(), 50u);
+  for (const int threads : {2, 3, 8}) {
+    const auto other = with(threads);
+    ASSERT_EQ(other.size(), alone.size());
+    for (std::size_t c = 0; c < alone.size(); ++c) {
+      EXPECT_TRUE(same_bits(other[c].volume_sa_angstrom3, alone[c].volume_sa_angstrom3));
+      EXPECT_TRUE(same_bits(other[c].area_sa_angstrom2, alone[c].area_sa_angstrom2));
+      EXPECT_TRUE(same_bits(other[c].volume_ms_angstrom3, alone[c].volume_ms_angstrom3));
+      EXPECT_TRUE(same_bits(other[c].area_ms_angstrom2, alone[c].area_ms_angstrom2));
+      EXPECT_EQ(other[c].lining, alone[c].lining);
+    }
+  }
+}
+
+// Equal balls of radius 5 grown by alpha = 9 · 9 - 5 · 5 are balls of radius 9.
+TEST(CavityMeasures, GrowingByAlphaIsGrowingEqualBalls) {
+  Random random(111);
+  std::size_t cavities = 0;
+  for (int round = 0; round < 30; ++round) {
+    BallSet balls = testing::random_balls(random, 200, 60, 5, 5), large = balls;
+    large.radii.assign(large.size(), 9);
+    const Measured a = measure(balls, 56, 0), b = measure(large, 0, 0);
+    ASSERT_EQ(a.cavities, b.cavities);
+    for (std::size_t c = 0; c < a.measures.size(); ++c) {
+      EXPECT_NEAR(a.measures[c].volume_sa_angstrom3, b.measures[c].volume_sa_angstrom3, 1e-8);
+      EXPECT_NEAR(a.measures[c].area_sa_angstrom2, b.measures[c].area_sa_angstrom2, 1e-8);
+      EXPECT_EQ(a.measures[c].lining, b.measures[c].lining);
+      ++cavities;
+    }
+  }
+  EXPECT_GT(cavities, 50u);
+}
+
+// A cube of side 2 with balls of radius 1 at its corners: all edges are tangent, all faces open.
+// What is left of it is 8 - 4/3 pi, and a face of it 4 - pi.
+TEST(CavityMeasures, OfACubeOfTangentBalls) {
+  BallSet cube;
+  for (int n = 0; n < 8; ++n) testing::add_ball(cube, n & 2, n / 2 & 2, 2 * (n & 1), 1);
+  cube.lattice.digits = 0;
+  const Measured found = measure(cube, 0, 0);
+  ASSERT_EQ(found.measures.size(), 1u);
+  const CavityMeasures& m = found.measures[0];
+  const double pi = std::acos(-1.0);
+  EXPECT_EQ(found.cavities.cavities[0].mouths.size(), 6u);
+  EXPECT_NEAR(m.volume_of_tetrahedra_angstrom3, 8, 1e-14);
+  EXPECT_NEAR(m.volume_sa_angstrom3, 8 - 4 * pi / 3, 1e-14);
+  EXPECT_NEAR(m.area_sa_angstrom2, 4 * pi, 1e-14);
+  ASSERT_EQ(m.mouths.size(), 6u);
+  for (const MouthMeasures& mouth : m.mouths) {
+    EXPECT_NEAR(mouth.area_angstrom2, 4 - pi, 1e-14);
+    EXPECT_NEAR(mouth.length_angstrom, 2 * pi, 1e-14);
+  }
+  EXPECT_EQ(m.corners, 0u);
+  EXPECT_NEAR(m.arc_length_angstrom, 0, 1e-14);
+  EXPECT_EQ(m.lining.size(), 8u);
+}
+
+// Volumes by counting points: of voids, where the sum is exact.
+TEST(CavityMeasures, OfAVoidAreWhatPointsSay) {
+  BallSet cube;
+  for (int n = 0; n < 8; ++n) testing::add_ball(cube, 20 * (n & 1), 10 * (n & 2), 5 * (n & 4), 16);
+  cube.lattice.digits = 0;
+  const Measured found = measure(cube, 0, 0);
+  ASSERT_EQ(found.measures.size(), 1u);
+  ASSERT_TRUE(found.cavities.cavities[0].is_void());
+  // One eighth of the cube, on a lattice of 1/16, at the middles of its cells.
+  std::size_t free = 0;
+  for (double x = 0.5; x < 160; ++x) {
+    for (double y = 0.5; y < 160; ++y) {
+      for (double z = 0.5; z < 160; ++z) free += x * x + y * y + z * z > 256 * 256;
+    }
+  }
+  EXPECT_NEAR(found.measures[0].volume_sa_angstrom3, static_cast<double>(free) / 512, 0.2);
+  EXPECT_GT(found.measures[0].volume_sa_angstrom3, 5);
+}
+
+TEST(CavityMeasures, OrderIsByFallingVolume) {
+  std::vector<CavityMeasures> measures(4);
+  measures[0].volume_sa_angstrom3 = 1;
+  measures[1].volume_sa_angstrom3 = 3;
+  measures[2].volume_sa_angstrom3 = -1;
+  measures[3].volume_sa_angstrom3 = 3;
+  EXPECT_EQ(by_falling_volume(measures), (std::vector<std::uint32_t>{1, 3, 0, 2}));
+}
+
+}  // namespace
+}  // namespace alphascope

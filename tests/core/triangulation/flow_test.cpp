@@ -1,0 +1,103 @@
+// Through which faces tetrahedra flow out, and where to, against rationals.
+#include "core/triangulation/flow.hpp"
+
+#include <gtest/gtest.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "core/predicates/exact_alpha.hpp"
+#include "core/triangulation/cgal_triangulation.hpp"
+#include "tests/support/five_balls.hpp"
+#include "tests/support/rational_cavities.hpp"
+
+namespace alphascope {
+namespace {
+
+using testing::Random;
+
+// Four balls at a time, up to the bounds of the lattice: filter, integers and perturbation.
+TEST(FlowPredicate, IsThatOfRationals) {
+  Random random(81);
+  std::size_t decided = 0, ties = 0, tied_in = 0;
+  for (int n = 0; n < 30000; ++n) {
+    // Every third of few small numbers: they tie.
+    const BallSet balls = n % 3 == 0 ? testing::random_balls(random, 4, 2, 1, 2)
+                                     : testing::five_balls(random, n % testing::kFiveBallKinds);
+    const auto seen = [&](BallIndex i, BallIndex k) { return lifted_vector(balls, i, k); };
+    const LiftedInt j = seen(0, 1), k = seen(0, 2), l = seen(0, 3);
+    if (determinant(j, k, l) == 0) continue;
+    signed char beyond[4] = {0, 0, 0, 0};
+    if (within_bracket_limit(j) && within_bracket_limit(k) && within_bracket_limit(l)) {
+      flow_sides_filtered(
+          tetrahedron_centre(lifted_as<double>(j), lifted_as<double>(k), lifted_as<double>(l)),
+          beyond);
+    }
+    for (BallIndex m = 0; m < 4; ++m) {
+      const BallIndex abc[3] = {m == 0 ? 1u : 0u, m < 2 ? 2u : 1u, m < 3 ? 3u : 2u};
+      const int side = testing::inside_smallest_orthosphere(balls, abc, m);
+      const LiftedInt b = seen(abc[0], abc[1]), c = seen(abc[0], abc[2]), d = seen(abc[0], m);
+      ASSERT_EQ(flow_side_exact(b, c, d), side) << n;
+      ASSERT_TRUE(beyond[m] == 0 || beyond[m] == side) << n;
+      decided += beyond[m] != 0;
+      if (side != 0) continue;
+      ++ties;
+      const bool in = testing::inside_perturbed_orthosphere(balls, abc, m) > 0;
+      tied_in += in;
+      ASSERT_EQ(tied_flow(b, c, d, FlowTies::perturbed), in) << n;
+      ASSERT_FALSE(tied_flow(b, c, d, FlowTies::strict));
+    }
+  }
+  EXPECT_GT(decided, 20000u);
+  EXPECT_GT(ties, 500u);
+  EXPECT_GT(tied_in, 100u);
+  EXPECT_GT(ties, tied_in + 100);
+}
+
+TEST(Flow, NeverFallsAndEndsSomewhere) {
+  Random random(82);
+  std::vector<testing::NamedBalls> sets = testing::large_hard_sets(random);
+  sets.push_back({"many", testing::random_balls(random, 2000, 2000, 20, 200)});
+  std::size_t both = 0, ties = 0;
+  for (const testing::NamedBalls& set : sets) {
+    const Triangulation triangulation = make_triangulation(set.balls, 1);
+    if (triangulation.dimension < 3) continue;
+    const Flow flow = make_flow(set.balls, triangulation, FlowTies::perturbed);
+    ties += flow.ties;
+    for (std::size_t t = 0; t < flow.marks.size(); ++t) {
+      ASSERT_EQ(flow.alpha_values[t], ortho_radius_rounded(set.balls, triangulation.tetrahedra[t]));
+      std::uint8_t reached = flow.is_sink(t) ? Flow::kReachesSink : 0;
+      for (std::size_t k = 0; k < 4; ++k) {
+        if (!flow.through(t, k)) continue;
+        const Neighbour across = triangulation.neighbours[t][k];
+        if (across.is_hull()) {
+          reached |= Flow::kReachesInfinity;
+        } else {
+          ASSERT_GE(flow.alpha_values[across.index()], flow.alpha_values[t]);
+          reached |= flow.marks[across.index()] & ~Flow::kFaces;
+        }
+      }
+      ASSERT_EQ(flow.marks[t] & ~Flow::kFaces, reached) << set.name;
+      ASSERT_NE(reached, 0);
+      both += reached == (Flow::kReachesSink | Flow::kReachesInfinity);
+    }
+  }
+  EXPECT_GT(both, 50u);
+  EXPECT_GT(ties, 100u);
+}
+
+TEST(Flow, IsTheSameForAnyNumberOfThreads) {
+  Random random(83);
+  const BallSet balls = testing::random_balls(random, 5000, 3000, 20, 200);
+  const Triangulation triangulation = make_triangulation(balls, 1);
+  const auto marks = [&](int threads) {
+    return tbb::task_arena(threads).execute(
+        [&] { return make_flow(balls, triangulation, FlowTies::perturbed).marks; });
+  };
+  const auto alone = marks(1);
+  for (const int threads : {2, 3, 8}) EXPECT_EQ(marks(threads), alone);
+}
+
+}  // namespace
+}  // namespace alphascope

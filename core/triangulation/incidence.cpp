@@ -60,6 +60,30 @@ TriangleRecord triangle_record(const std::array<BallIndex, 4>& balls, std::uint3
   return {second << 32 | third, tetrahedron, corner};
 }
 
+// Collects balls in place, each once; few of them come many times.
+class DistinctBalls {
+ public:
+  using Place = ResultArray<BallIndex>::iterator;
+  explicit DistinctBalls(Place begin) : begin_(begin), end_(begin) {}
+
+  // What lies at `begin` and has been added may be overwritten.
+  void add(BallIndex ball) {
+    // A look at each is faster than sorting, unless there are very many.
+    constexpr std::ptrdiff_t kWorthALook = 48;
+    if (end_ - begin_ < kWorthALook && std::find(begin_, end_, ball) != end_) return;
+    *end_++ = ball;
+  }
+  // How many there are, in order.
+  std::uint32_t sort() {
+    std::sort(begin_, end_);
+    return static_cast<std::uint32_t>(std::unique(begin_, end_) - begin_);
+  }
+
+ private:
+  const Place begin_;
+  Place end_;
+};
+
 class IncidenceMaker {
  public:
   IncidenceMaker(const Triangulation& triangulation, const CancelToken& cancel)
@@ -133,17 +157,15 @@ class IncidenceMaker {
     });
     Buckets edges(balls_);
     for_balls([&](std::size_t v) {
-      const auto begin = end_of.begin() + ends.begin(v);
-      auto end = begin + (ends.end(v) - ends.begin(v)) -
-                 2 * (triangles_by_ball_.end(v) - triangles_by_ball_.begin(v));
-      for (std::uint32_t f = triangles_by_ball_.begin(v); f < triangles_by_ball_.end(v); ++f) {
-        // Triangles ascend: what is equal to the one before is there already.
-        if (end == begin || end[-1] != triangles[f][1]) *end++ = triangles[f][1];
-        *end++ = triangles[f][2];
+      DistinctBalls distinct(end_of.begin() + ends.begin(v));
+      const std::uint32_t first = triangles_by_ball_.begin(v), last = triangles_by_ball_.end(v);
+      const std::uint32_t told = ends.end(v) - ends.begin(v) - 2 * (last - first);
+      for (std::uint32_t n = 0; n < told; ++n) distinct.add(end_of[ends.begin(v) + n]);
+      for (std::uint32_t f = first; f < last; ++f) {
+        distinct.add(triangles[f][1]);
+        distinct.add(triangles[f][2]);
       }
-      std::sort(begin, end);
-      edges.count(static_cast<BallIndex>(v),
-                  static_cast<std::uint32_t>(std::unique(begin, end) - begin));
+      edges.count(static_cast<BallIndex>(v), distinct.sort());
     });
     edges.end_counting();
     result_.edges.resize(edges.things());
@@ -157,11 +179,15 @@ class IncidenceMaker {
   }
 
   void set_edges_of_triangles(const Buckets& edges) {
+    // The edge ab, at or after `from`, where edges of a are.
     const auto edge = [&](BallIndex a, BallIndex b, std::uint32_t from) {
-      const auto at =
-          std::lower_bound(result_.edges.begin() + from, result_.edges.begin() + edges.end(a), b,
-                           [](const auto& e, BallIndex ball) { return e[1] < ball; });
-      return static_cast<std::uint32_t>(at - result_.edges.begin());
+      const auto begin = result_.edges.begin() + from, end = result_.edges.begin() + edges.end(a);
+      const auto before = [b](const std::array<BallIndex, 2>& e) { return e[1] < b; };
+      // Of few, counting is faster: no branch is guessed wrong.
+      constexpr std::ptrdiff_t kFew = 24;
+      const auto skipped = end - begin <= kFew ? std::count_if(begin, end, before)
+                                               : std::partition_point(begin, end, before) - begin;
+      return from + static_cast<std::uint32_t>(skipped);
     };
     result_.edges_of_triangle.resize(result_.triangles.size());
     parallel_ranges(result_.triangles.size(), cancel_, [&](std::size_t f) {

@@ -2,6 +2,7 @@
 // 31, 2003): of the region of probe centres, and of the region that the probe reaches.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "core/cavity/cavities.hpp"
@@ -48,6 +49,17 @@ std::vector<CavityMeasures> measure_cavities(const CavityGround& ground,
                                              const Membership& membership, const Cavities& cavities,
                                              const CavityScale& scale,
                                              const CancelToken& cancel = {});
+
+// What of the tetrahedra of a cavity is exactly outside all balls. Takes about 20 microseconds a
+// tetrahedron.
+struct ClippedMeasures {
+  double volume_sa_angstrom3 = 0, area_sa_angstrom2 = 0;
+};
+
+// Of cavities.cavities[n] for each n of `which`, in that order. As measure_cavities().
+std::vector<ClippedMeasures> clip_cavities(const CavityGround& ground, const Cavities& cavities,
+                                           std::span<const std::uint32_t> which,
+                                           double alpha_on_lattice, const RunContext& context = {});
 
 // Indices of cavities by falling SA volume, as CASTp numbers them; equal ones by their place.
 std::vector<std::uint32_t> by_falling_volume(const std::vector<CavityMeasures>& measures);

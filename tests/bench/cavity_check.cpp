@@ -12,6 +12,7 @@
 #include <exception>
 #include <filesystem>
 #include <map>
+#include <numeric>
 #include <string>
 #include <vector>
 
@@ -69,10 +70,11 @@ struct Answer {
 struct Balls {
   std::shared_ptr<const BallSet> balls;
   double solvent;  // by which they are grown, lattice units
+  bool clip = false;
 };
 Balls grown(std::shared_ptr<const BallSet> balls, double solvent_angstrom) {
   const double solvent = balls->lattice.nearest_units(solvent_angstrom);
-  return {std::move(balls), solvent};
+  return {std::move(balls), solvent, false};
 }
 
 Answer compute(const Balls& given, int threads, Steps& steps) {
@@ -91,6 +93,11 @@ Answer compute(const Balls& given, int threads, Steps& steps) {
   auto measures = steps.time("measures", [&] {
     return measure_cavities(ground, in, cavities, {0, given.solvent});
   });
+  std::vector<std::uint32_t> all(measures.size());
+  std::iota(all.begin(), all.end(), 0u);
+  if (given.clip) {
+    steps.time("exact volumes", [&] { return clip_cavities(ground, cavities, all, 0); });
+  }
   return {std::move(ground), std::move(cavities), std::move(measures)};
 }
 
@@ -106,6 +113,9 @@ void compute_all(const Balls& balls, int threads, int repetitions) {
                 answer.ground.triangulation->tetrahedra.size(), voids,
                 answer.cavities.cavities.size() - voids);
   }
+  Balls clipped = balls;
+  clipped.clip = true;
+  compute(clipped, threads, steps);
   steps.print();
 }
 

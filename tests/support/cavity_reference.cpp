@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <numeric>
 #include <sstream>
 
 #include "core/io/text_file.hpp"
@@ -75,7 +76,8 @@ class Differences {
   std::vector<std::string> list_;
 };
 
-void compare_measures(const TableRow& row, const CavityMeasures& found, Differences& differences) {
+void compare_measures(const TableRow& row, const CavityMeasures& found,
+                      const ClippedMeasures& clipped, Differences& differences) {
   const double tetrahedra = found.volume_of_tetrahedra_angstrom3;
   const auto to_the_last_digit = [&](const char* column, double number) {
     differences.number(row, column, number, 1e-12, tetrahedra);
@@ -83,6 +85,8 @@ void compare_measures(const TableRow& row, const CavityMeasures& found, Differen
   to_the_last_digit("vol_tets", found.volume_of_tetrahedra_angstrom3);
   to_the_last_digit("vol_sa", found.volume_sa_angstrom3);
   to_the_last_digit("area_sa", found.area_sa_angstrom2);
+  to_the_last_digit("vol_clipped", clipped.volume_sa_angstrom3);
+  to_the_last_digit("area_clipped", clipped.area_sa_angstrom2);
   const auto to_nine_digits = [&](const char* column, double number) {
     differences.number(row, column, number, 1e-12, tetrahedra + 6e3 * std::fabs(number));
   };
@@ -165,6 +169,9 @@ std::vector<std::string> CavityReference::differences(
 
   const auto known_here = cavities_.find(key_of(run));
   if (known_here == cavities_.end()) return differences.list();
+  std::vector<std::uint32_t> all(found.cavities.size());
+  std::iota(all.begin(), all.end(), 0u);
+  const std::vector<ClippedMeasures> clipped = clip_cavities(ground, found, all, 0);
   std::vector<const KnownCavity*> left;
   for (const KnownCavity& known : known_here->second) left.push_back(&known);
   for (std::size_t c = 0; c < found.cavities.size(); ++c) {
@@ -186,7 +193,7 @@ std::vector<std::string> CavityReference::differences(
     differences.count(row, "mouths", cavity.mouths.size());
     differences.count(row, "mouth_triangles", cavity.mouth_triangles());
     differences.count(row, "n_atoms", cavity.atoms.size());
-    compare_measures(row, measures.at(c), differences);
+    compare_measures(row, measures.at(c), clipped[c], differences);
     if (measures[c].lining != (*same)->lining) {
       differences.say("lining of " + row.at("id") + ": " +
                       std::to_string(measures[c].lining.size()) + " atoms, expected " +

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/triangulation/cgal_triangulation.hpp"
+#include "core/triangulation/filtration.hpp"
 #include "tests/support/molecules.hpp"
 #include "tests/support/random_balls.hpp"
 
@@ -118,6 +119,45 @@ TEST(CavityMeasures, OfAVoidAreWhatPointsSay) {
   }
   EXPECT_NEAR(found.measures[0].volume_sa_angstrom3, static_cast<double>(free) / 512, 0.2);
   EXPECT_GT(found.measures[0].volume_sa_angstrom3, 5);
+}
+
+// Tangent, flat, hidden, at the bounds of the lattice: at alphas where simplices come, too.
+TEST(CavityMeasures, AreNumbersForHardSets) {
+  Random random(112);
+  std::vector<testing::NamedBalls> sets = testing::large_hard_sets(random, 300);
+  for (testing::NamedBalls& set : testing::small_hard_sets(random, 12)) sets.push_back(set);
+  std::size_t cavities = 0, touching = 0;
+  for (const testing::NamedBalls& set : sets) {
+    const auto balls = std::make_shared<const BallSet>(set.balls);
+    const CavityGround ground = make_cavity_ground(
+        balls, std::make_shared<const Triangulation>(make_triangulation(*balls, 1)));
+    if (ground.triangulation->dimension < 3) continue;
+    std::vector<double> alphas{0, set.alpha_unit()};
+    const Filtration filtration(balls, *ground.triangulation);
+    const auto& values = filtration.top().triangles.alpha_values;
+    for (std::size_t n = 0; n < values.size(); n += values.size() / 8 + 1) {
+      alphas.push_back(values[n]);
+    }
+    for (const double alpha : alphas) {
+      const Membership in = membership(filtration, alpha);
+      for (const OutsideRule rule : {OutsideRule::castp, OutsideRule::pocket}) {
+        const Cavities found = find_cavities(ground, in, rule);
+        const auto measures = measure_cavities(ground, in, found, {alpha, 1});
+        for (const CavityMeasures& m : measures) {
+          ASSERT_TRUE(std::isfinite(m.volume_sa_angstrom3)) << set.name;
+          ASSERT_TRUE(std::isfinite(m.volume_ms_angstrom3)) << set.name;
+          ASSERT_TRUE(std::isfinite(m.area_ms_angstrom2)) << set.name;
+          ASSERT_TRUE(std::isfinite(m.arc_length_angstrom)) << set.name;
+          ASSERT_TRUE(std::isfinite(m.all_mouths().area_angstrom2)) << set.name;
+          ASSERT_LE(m.volume_sa_angstrom3, m.volume_of_tetrahedra_angstrom3 * (1 + 1e-9));
+          touching += m.arc_length_angstrom == 0;
+          ++cavities;
+        }
+      }
+    }
+  }
+  EXPECT_GT(cavities, 1000u);
+  EXPECT_GT(touching, 10u);
 }
 
 TEST(CavityMeasures, OrderIsByFallingVolume) {

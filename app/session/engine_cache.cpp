@@ -1,8 +1,6 @@
 #include "app/session/engine_cache.hpp"
 
 #include <algorithm>
-#include <exception>
-#include <stdexcept>
 #include <utility>
 
 #include "app/session/rounding_note.hpp"
@@ -12,10 +10,7 @@ namespace alphascope {
 EngineCache::Entry& EngineCache::find_or_make(const std::shared_ptr<const BallSet>& balls,
                                               const Request& request, const EngineLoan& loan) {
   const auto fits = [&](const Entry& entry) {
-    return entry.base == balls &&
-           entry.solvent_radius_angstrom == request.solvent_radius_angstrom &&
-           entry.choice == request.engine && entry.threads == request.threads &&
-           entry.tuples == request.tuples;
+    return entry.base == balls && same_setup(entry.request, request);
   };
   const auto found = std::find_if(entries_.begin(), entries_.end(), fits);
   if (found != entries_.end()) {
@@ -33,8 +28,7 @@ EngineCache::Entry& EngineCache::find_or_make(const std::shared_ptr<const BallSe
     grown = std::make_shared<const BallSet>(with_solvent(*balls, request.solvent_radius_angstrom));
   }
   MadeEngine made = factory_(request.engine, grown, {request.threads, request.tuples});
-  entries_.push_front({balls, std::move(grown), request.solvent_radius_angstrom, request.engine,
-                       request.threads, request.tuples, std::move(made)});
+  entries_.push_front({balls, std::move(grown), request, std::move(made)});
   return entries_.front();
 }
 
@@ -62,21 +56,6 @@ EngineCache::Result EngineCache::compute(const std::shared_ptr<const BallSet>& b
   // What another engine keeps for its next results would be idle, and is much on a GPU.
   for (Entry& other : entries_) {
     if (&other != &entry) other.made.engine->rest();
-  }
-  const bool may_fall_back = entry.made.uses_gpu && request.engine == EngineChoice::automatic;
-  try {
-    return answer(entry, request, context, loan);
-  } catch (const Cancelled&) {
-    throw;
-  } catch (const std::invalid_argument&) {
-    throw;  // the request's fault, not the device's
-  } catch (const std::exception& e) {
-    if (!may_fall_back) throw;
-    const std::string note = std::string("The GPU failed (") + e.what() +
-                             "); the CPU engine went on and gives the same results.";
-    entry.made = factory_(EngineChoice::cpu, entry.grown, {request.threads, {}});
-    entry.made.note = note;
-    entry.answered = false;
   }
   return answer(entry, request, context, loan);
 }

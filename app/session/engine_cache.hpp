@@ -31,9 +31,9 @@ class EngineCache {
     bool cold = false;  // the engine's first answer, and it had to set up
   };
 
-  // `balls` without solvent radius. A loan of other balls is not looked at. An automatic choice of
-  // the GPU that fails while computing is answered by the CPU, with a note. Throws what
-  // make_engine(), with_solvent() and Engine::compute() throw.
+  // `balls` without solvent radius. A loan of other balls is not looked at. What is done when
+  // a GPU fails is not decided here but in the engine (core/engines/short_of_memory.hpp). Throws
+  // what make_engine(), with_solvent() and Engine::compute() throw.
   Result compute(const std::shared_ptr<const BallSet>& balls, const Request& request,
                  const RunContext& context, const EngineLoan& loan = {});
 
@@ -45,10 +45,7 @@ class EngineCache {
 
   struct Entry {
     std::shared_ptr<const BallSet> base, grown;
-    double solvent_radius_angstrom;
-    EngineChoice choice;
-    int threads;
-    TupleOptions tuples;
+    Request request;  // the first; others are answered that have the same set-up
     MadeEngine made;
     bool answered = false;  // by `made`
   };

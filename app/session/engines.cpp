@@ -38,7 +38,6 @@ MadeEngine make_tuples_on_gpu(std::shared_ptr<const BallSet> balls, const TupleO
     throw EngineUnavailable("The tuple engine cannot be used on the GPU. " + why_not +
                             " Choose the engine \"tuples-cpu\" instead.");
   }
-  made.uses_gpu = true;
   return made;
 }
 
@@ -76,10 +75,7 @@ MadeEngine make_engine(EngineChoice choice, std::shared_ptr<const BallSet> balls
   if (choice != EngineChoice::cpu) {
     std::string why_not;
     made.engine = try_gpu(balls, threads, why_not);
-    if (made.engine) {
-      made.uses_gpu = true;
-      return made;
-    }
+    if (made.engine) return made;
     if (choice == EngineChoice::gpu) {
       throw EngineUnavailable("The GPU engine cannot be used. " + why_not +
                               " Choose the engine \"cpu\" or \"auto\" instead.");

@@ -18,7 +18,6 @@ struct EngineUnavailable : std::runtime_error {
 
 struct MadeEngine {
   std::unique_ptr<Engine> engine;
-  bool uses_gpu = false;
   std::string note;  // why `automatic` did not take the GPU; empty when it did or was not asked
 };
 

@@ -12,11 +12,6 @@ namespace {
 constexpr std::chrono::milliseconds kSliderGrace{150};
 constexpr std::chrono::milliseconds kAlways = std::chrono::hours(24);
 
-bool same_engine(const Request& a, const Request& b) {
-  return a.solvent_radius_angstrom == b.solvent_radius_angstrom && a.engine == b.engine &&
-         a.threads == b.threads && a.tuples == b.tuples;
-}
-
 std::string memory_remedy(SessionState::Source source) {
   switch (source) {
     case SessionState::Source::computing:
@@ -139,7 +134,7 @@ void Session::opening_failed() {
 
 void Session::set_request(const Request& request) {
   if (request == state_.request && (state_.up_to_date() || computer_.activity().busy)) return;
-  if (!same_engine(request, state_.request)) state_.our_timings = {};
+  if (!same_setup(request, state_.request)) state_.our_timings = {};
   if (request.solvent_radius_angstrom != state_.request.solvent_radius_angstrom) {
     forget_reference_timings();
   }
@@ -184,7 +179,7 @@ void Session::submit_compute(Engines which) {
 
 void Session::take_answer(std::shared_ptr<const Answer> answer) {
   if (answer->prepared != state_.prepared) return;  // of the molecule before
-  if (same_engine(answer->request, state_.request)) {
+  if (same_setup(answer->request, state_.request)) {
     state_.our_timings.note(answer->complex, answer->cold);
   }
   state_.ours = std::move(answer);

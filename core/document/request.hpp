@@ -18,6 +18,16 @@ struct Request {
   friend bool operator==(const Request&, const Request&) = default;
 };
 
+// Whether one engine answers both when the balls are the same.
+inline bool same_engine(const Request& a, const Request& b) {
+  return a.engine == b.engine && a.threads == b.threads && a.tuples == b.tuples;
+}
+
+// Also the solvent radius: whether set-up for one is set-up for the other.
+inline bool same_setup(const Request& a, const Request& b) {
+  return a.solvent_radius_angstrom == b.solvent_radius_angstrom && same_engine(a, b);
+}
+
 // Without what its engine does not look at, so that equal work is an equal request.
 Request canonical(Request request);
 

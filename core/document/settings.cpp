@@ -22,10 +22,6 @@ bool same_atoms(OpenOptions a, const OpenOptions& b) {
   return a == b;
 }
 
-bool same_engine(const Request& a, const Request& b) {
-  return a.engine == b.engine && a.threads == b.threads && a.tuples == b.tuples;
-}
-
 }  // namespace
 
 std::string difference_text(const Settings& a, const Settings& b) {

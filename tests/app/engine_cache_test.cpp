@@ -1,9 +1,10 @@
-// Which engines are kept, and what happens when a GPU fails.
+// Which engines are kept, and what happens when one fails.
 #include "app/session/engine_cache.hpp"
 
 #include <gtest/gtest.h>
 
 #include "app/session/rounding_note.hpp"
+#include "core/engines/short_of_memory.hpp"
 #include "tests/app/fake_engine.hpp"
 
 namespace alphascope {
@@ -108,26 +109,43 @@ TEST(EngineCache, FreesTheEnginesOfAnotherMolecule) {
   EXPECT_TRUE(watch.expired());
 }
 
-TEST(EngineCache, AFailingGpuIsReplacedWhenTheChoiceWasAutomatic) {
-  FakeEngineLog log;
-  log.fail_gpu = true;
-  EngineCache cache(fake_factory(log, true));
+// Who goes on when a device fails is decided once, in the engine
+// (core/engines/short_of_memory.hpp).
+TEST(EngineCache, AFailingDeviceIsTheEnginesBusinessWhateverTheChoice) {
+  struct LostDevice : Executor {
+    std::optional<AlphaComplex> compute(const AlphaRequest&, const RunContext&) override {
+      throw ExecutorFailed("the device is lost");
+    }
+  };
+  int made = 0;
+  EngineCache cache([&](EngineChoice, std::shared_ptr<const BallSet> balls, const EngineSettings&) {
+    ++made;
+    return MadeEngine{make_engine_of_executors(std::move(balls), {1},
+                                               [](auto) { return std::make_unique<LostDevice>(); }),
+                      ""};
+  });
   const auto balls = few_balls(4);
-  const EngineCache::Result result = cache.compute(balls, {}, {});
-  EXPECT_EQ(result.complex.vertices.size(), 4u);
-  EXPECT_NE(result.note.find("device lost"), std::string::npos) << result.note;
-  const int made = log.made;
-  EXPECT_FALSE(cache.compute(balls, {}, {}).note.empty());
-  EXPECT_EQ(log.made, made) << "the failed device is not tried again";
+  for (const EngineChoice choice : {EngineChoice::automatic, EngineChoice::gpu}) {
+    Request request;
+    request.engine = choice;
+    for (int again = 0; again < 2; ++again) {
+      const EngineCache::Result result = cache.compute(balls, request, {});
+      EXPECT_EQ(result.complex.vertices.size(), 4u);
+      const std::string& route = result.complex.engine.route;
+      EXPECT_NE(route.find("(on the CPU: the device is lost)"), std::string::npos) << route;
+    }
+  }
+  EXPECT_EQ(made, 2) << "one engine a choice, which stays";
 }
 
-TEST(EngineCache, AFailingGpuIsAnErrorWhenItWasAskedFor) {
+TEST(EngineCache, WhatAnEngineThrowsIsAnErrorAndLeavesItUsable) {
   FakeEngineLog log;
-  log.fail_gpu = true;
-  EngineCache cache(fake_factory(log, true));
-  Request request;
-  request.engine = EngineChoice::gpu;
-  EXPECT_THROW(cache.compute(few_balls(4), request, {}), std::runtime_error);
+  EngineCache cache(fake_factory(log));
+  const auto balls = few_balls(4);
+  log.fail_next = true;
+  EXPECT_THROW(cache.compute(balls, {}, {}), std::runtime_error);
+  EXPECT_EQ(cache.compute(balls, {}, {}).complex.vertices.size(), 4u);
+  EXPECT_EQ(log.made, 1) << "no other engine was put in its place";
 }
 
 TEST(EngineCache, ABadSolventRadiusLeavesItUsable) {

@@ -18,7 +18,6 @@ struct FakeEngineLog {
   std::atomic<int> rested{0};
   std::atomic<int> made{0}, started{0}, finished{0}, cancelled{0};
   std::atomic<bool> hold{false};          // computations wait, and notice their cancel token
-  std::atomic<bool> fail_gpu{false};      // computations of a "gpu" engine throw
   std::atomic<bool> fail_next{false};     // the next computation throws
   std::atomic<bool> set_up_again{false};  // answers after the first have set-up stages, too
   std::atomic<int> steps{1};              // of 50 µs each
@@ -26,8 +25,8 @@ struct FakeEngineLog {
 
 class FakeEngine : public Engine {
  public:
-  FakeEngine(std::shared_ptr<const BallSet> balls, FakeEngineLog& log, bool gpu)
-      : balls_(std::move(balls)), log_(log), gpu_(gpu) {}
+  FakeEngine(std::shared_ptr<const BallSet> balls, FakeEngineLog& log)
+      : balls_(std::move(balls)), log_(log) {}
 
   AlphaComplex compute(const AlphaRequest& request, const RunContext& context) override {
     ++log_.started;
@@ -39,7 +38,6 @@ class FakeEngine : public Engine {
       }
       std::this_thread::sleep_for(std::chrono::microseconds(50));
     }
-    if (gpu_ && log_.fail_gpu) throw std::runtime_error("device lost");
     if (log_.fail_next.exchange(false)) throw std::runtime_error("broken on purpose");
     AlphaComplex complex;
     complex.lattice = balls_->lattice;
@@ -60,17 +58,15 @@ class FakeEngine : public Engine {
  private:
   std::shared_ptr<const BallSet> balls_;
   FakeEngineLog& log_;
-  bool gpu_, first_ = true;
+  bool first_ = true;
 };
 
-// `gpu` says whether automatic and gpu give a "gpu" engine. The log must outlive the engines.
-inline EngineFactory fake_factory(FakeEngineLog& log, bool gpu = false) {
-  return [&log, gpu](EngineChoice choice, std::shared_ptr<const BallSet> balls,
-                     const EngineSettings&) {
+// The log must outlive the engines.
+inline EngineFactory fake_factory(FakeEngineLog& log) {
+  return [&log](EngineChoice, std::shared_ptr<const BallSet> balls, const EngineSettings&) {
     ++log.made;
     MadeEngine made;
-    made.uses_gpu = gpu && (choice == EngineChoice::automatic || choice == EngineChoice::gpu);
-    made.engine = std::make_unique<FakeEngine>(std::move(balls), log, made.uses_gpu);
+    made.engine = std::make_unique<FakeEngine>(std::move(balls), log);
     return made;
   };
 }

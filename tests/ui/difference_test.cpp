@@ -60,7 +60,7 @@ class DifferenceInTheWindow : public testing::ViewerTest {
     services.make_engine = [erring](EngineChoice choice, std::shared_ptr<const BallSet> balls,
                                     const EngineSettings& settings) {
       if (!erring || choice == EngineChoice::cgal) return make_engine(choice, balls, settings);
-      return MadeEngine{std::make_unique<ErringEngine>(balls), false, ""};
+      return MadeEngine{std::make_unique<ErringEngine>(balls), ""};
     };
     ViewerOptions options;
     options.compare = false;

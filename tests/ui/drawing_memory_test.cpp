@@ -336,7 +336,7 @@ TEST_F(WindowMemory, TellsAPictureThatIsOutdated) {
   Session::Services services = Session::program_services();
   services.make_engine = [&held](EngineChoice, std::shared_ptr<const BallSet> balls,
                                  const EngineSettings&) {
-    return MadeEngine{std::make_unique<HeldEngine>(std::move(balls), held), false, ""};
+    return MadeEngine{std::make_unique<HeldEngine>(std::move(balls), held), ""};
   };
   ViewerOptions options;
   options.compare = false;

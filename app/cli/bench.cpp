@@ -31,14 +31,6 @@ struct Series {
   std::size_t tetrahedra = 0;
 };
 
-template <class Work>
-double timed(Work work) {
-  const auto start = std::chrono::steady_clock::now();
-  work();
-  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
-      .count();
-}
-
 // The step between two places of a slider that a hand can still tell apart.
 constexpr double kSliderStep = 0.001;  // Å²
 
@@ -185,6 +177,7 @@ ExitCode run_bench(const BenchOptions& options) {
   }
   if (csv) {
     std::vector<CsvRow> table;
+    table.reserve(rows.size());
     for (const Row& row : rows) table.push_back(csv_row(row));
     csv->write(csv_text(table));
   }

@@ -183,9 +183,7 @@ ExitCode run_compute(const ComputeOptions& options) {
     for_each_model(file, options.input, open, context,
                    [&](const Input& input) { use(file, input); });
   });
-  Json further = failures_json(outcome, many);
-  further["program"] = program_json();
-  json.finish(further);
+  json.finish(further_json(outcome, many));
   outputs.commit();
   return outcome.code;
 }

@@ -7,6 +7,7 @@
 #include <chrono>
 
 #include "app/cli/terminal.hpp"
+#include "app/cli/text.hpp"
 #include "app/options/did_you_mean.hpp"
 #include "core/io/user_radii.hpp"
 #include "core/molecule/printable.hpp"
@@ -46,14 +47,6 @@ int model_index(const std::string& text) {
         text + "\".");
   }
   return number - 1;
-}
-
-template <class Work>
-double timed(Work work) {
-  const auto start = std::chrono::steady_clock::now();
-  work();
-  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
-      .count();
 }
 
 // "B" for a file with chains A and C would be an empty set of balls: rather a slip of the pen.

@@ -33,13 +33,16 @@ void JsonResults::add(Json result) {
   begun_ = true;
 }
 
-Json failures_json(const FilesOutcome& outcome, bool many) {
-  if (!many) return Json::object();
-  Json failed = Json::array();
-  for (const auto& [file, message] : outcome.failed) {
-    failed.push_back({{"file", file}, {"error", message}});
+Json further_json(const FilesOutcome& outcome, bool many) {
+  Json further = Json::object();
+  if (many) {
+    Json& failed = further["failed"] = Json::array();
+    for (const auto& [file, message] : outcome.failed) {
+      failed.push_back({{"file", file}, {"error", message}});
+    }
   }
-  return {{"failed", std::move(failed)}};
+  further["program"] = program_json();
+  return further;
 }
 
 void JsonResults::finish(const Json& further) {

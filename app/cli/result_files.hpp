@@ -39,7 +39,7 @@ class JsonResults {
   bool begun_ = false;
 };
 
-// Of many files {"failed": [{"file", "error"}]}; of one nothing.
-Json failures_json(const FilesOutcome& outcome, bool many);
+// The further keys of compute and info: of many files "failed", [{"file", "error"}]; "program".
+Json further_json(const FilesOutcome& outcome, bool many);
 
 }  // namespace alphascope::cli

@@ -7,12 +7,6 @@
 
 namespace alphascope::cli {
 
-std::string grouped(std::uint64_t number) {
-  std::string text = std::to_string(number);
-  for (std::size_t k = text.size(); k > 3; k -= 3) text.insert(k - 3, ",");
-  return text;
-}
-
 std::string number_text(double number) {
   return shortest_number(number);
 }

@@ -1,18 +1,27 @@
 // Numbers and results as people read them.
 #pragma once
 
-#include <cstdint>
+#include <chrono>
 #include <string>
 
 #include "app/cli/commands.hpp"
 #include "core/complex/alpha_complex.hpp"
+#include "core/molecule/grouped_number.hpp"
 
 namespace alphascope::cli {
 
-std::string grouped(std::uint64_t number);  // "16,445"
-std::string number_text(double number);     // shortest: "1.4", "-0.5"
+std::string number_text(double number);  // shortest: "1.4", "-0.5"
 std::string format_text(const char* format, ...) __attribute__((format(printf, 1, 2)));
 std::string milliseconds_text(double milliseconds);  // "0.42 ms", "1.53 s"
+
+// How long it takes, in milliseconds.
+template <class Work>
+double timed(Work work) {
+  const auto start = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
+      .count();
+}
 
 // Several lines, each ended: counts, Euler characteristic, hash, engine; unless quiet, what the
 // engine counted, and times.

@@ -139,7 +139,8 @@ std::vector<std::string> words_for_cli11(const std::vector<std::string>& words) 
 // CLI11's complaints in our words.
 std::string in_words(const OptionProgram& program, const OptionCommand* command,
                      const CLI::ParseError& error) {
-  const std::string said = error.what(), name = said.substr(0, said.find(':'));
+  std::string said = error.what();
+  const std::string name = said.substr(0, said.find(':'));
   if (command == nullptr && !program.commands.empty()) {
     std::string known;
     for (const std::string& c : program.command_names()) known += (known.empty() ? "" : ", ") + c;

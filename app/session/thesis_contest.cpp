@@ -165,6 +165,7 @@ std::vector<StageTime> Contestant::stage_medians() const {
                                   [&](const StageTime& m) { return m.label == stage.label; });
     if (seen) continue;
     std::vector<double> all;
+    all.reserve(cold_stages.size());
     for (const auto& run : cold_stages) all.push_back(milliseconds_of(run, stage.label));
     medians.push_back({stage.label, median(std::move(all)), stage.setup});
   }
@@ -176,6 +177,7 @@ void run_contest(std::vector<Contestant>& contestants, const ContestRules& rules
   Contest contest(rules, factory, cancel);
   std::vector<double> spent(contestants.size(), 0);
   std::vector<char> live;
+  live.reserve(contestants.size());
   for (const Contestant& c : contestants) live.push_back(c.skipped.empty());
   // In turns, so that a machine that slows down meanwhile slows all.
   for (int round = 0; round <= rules.repeats; ++round) {

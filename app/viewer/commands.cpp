@@ -244,7 +244,7 @@ void add_view_commands(Commands& commands, ViewState& s) {
   theme.checked = [&s] { return s.theme == Theme::light; };
   theme.run = [&s](const Arguments& arguments) {
     bool light = s.theme == Theme::light;
-    const Outcome outcome = set_switch(arguments, light);
+    Outcome outcome = set_switch(arguments, light);
     s.theme = light ? Theme::light : Theme::dark;
     return outcome;
   };

@@ -113,6 +113,7 @@ void add_molecule_commands(Commands& commands, ViewState& s) {
 
 std::vector<Choice> engines() {
   std::vector<Choice> choices;
+  choices.reserve(kEngineChoices.size());
   for (const EngineChoice choice : kEngineChoices) {
     choices.push_back({std::string(engine_id(choice)), std::string(engine_title(choice))});
   }

@@ -70,7 +70,12 @@ Range range_of(const std::vector<double>& values, bool ratios, int ticks) {
 std::vector<double> ticks_of(const Range& range, int most) {
   std::vector<double> ticks;
   if (range.logarithmic) {
-    for (double t = range.low; t <= range.high * 1.001; t *= 10) ticks.push_back(t);
+    const long decades = std::lround(std::log10(range.high / range.low));
+    double tick = range.low;
+    for (long n = 0; n <= decades; ++n) {
+      ticks.push_back(tick);
+      tick *= 10;
+    }
     return ticks;
   }
   const double step = nice_step(range.high - range.low, most);
@@ -242,10 +247,11 @@ class Layout {
     return chart_.categories[category] + ", " + series.name + ": " + chart_number(value);
   }
 
-  void grouped(const Range& range, std::size_t c, float top, float bar) {
+  void grouped(const Range& range, std::size_t c, float first_top, float bar) {
     const float start = value_x(range, base(range));
-    for (std::size_t s = 0; s < chart_.series.size(); ++s, top += bar) {
+    for (std::size_t s = 0; s < chart_.series.size(); ++s) {
       const ChartSeries& series = chart_.series[s];
+      const float top = first_top + static_cast<float>(s) * bar;
       const float middle = top + bar / 2;
       const std::string note = c < series.notes.size() ? series.notes[c] : std::string();
       if (c >= series.values.size() || !series.values[c]) {

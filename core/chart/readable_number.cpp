@@ -6,6 +6,8 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "core/molecule/grouped_number.hpp"
+
 namespace alphascope {
 namespace {
 
@@ -31,7 +33,8 @@ std::string readable_number(const std::string& printed) {
   const bool negative = printed.starts_with('-');
   std::string digits = printed.substr(negative ? 1 : 0);
   if (const std::size_t e = digits.find_first_of("eE"); e != std::string::npos) {
-    const std::string power = power_of_ten(std::atoi(digits.c_str() + e + 1));
+    const std::string power =
+        power_of_ten(static_cast<int>(std::strtol(&digits[e + 1], nullptr, 10)));
     const std::string factor = without_zeros(digits.substr(0, e));
     digits = factor == "1" ? power : factor + "·" + power;
   }
@@ -42,12 +45,8 @@ std::string separated_number(const std::string& printed) {
   const bool negative = printed.starts_with('-');
   const std::size_t first = negative ? 1 : 0;
   const std::size_t end = std::min(printed.find_first_not_of("0123456789", first), printed.size());
-  std::string text = printed;
-  for (std::size_t i = end; i > first + 3;) {
-    i -= 3;
-    text.insert(i, ",");
-  }
-  return readable_number(text);
+  return readable_number(printed.substr(0, first) +
+                         grouped_digits(printed.substr(first, end - first)) + printed.substr(end));
 }
 
 std::string chart_number(double value) {

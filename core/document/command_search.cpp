@@ -6,6 +6,8 @@
 #include <optional>
 #include <sstream>
 
+#include "core/molecule/letter_case.hpp"
+
 namespace alphascope {
 namespace {
 
@@ -13,12 +15,6 @@ namespace {
 constexpr int kIdItself = 0, kWordOfTitle = 1, kStartInTitle = 2, kStartInId = 3, kInside = 4,
               kStartInHelp = 6, kInOrder = 8;
 constexpr int kWithArguments = 1;
-
-std::string lower(std::string_view text) {
-  std::string result(text);
-  for (char& c : result) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return result;
-}
 
 bool part_of_word(char c) {
   return std::isalnum(static_cast<unsigned char>(c)) || static_cast<unsigned char>(c) >= 0x80;
@@ -46,8 +42,8 @@ bool in_order(std::string_view text, std::string_view letters) {
 }
 
 std::optional<int> cost(const CommandSpec& spec, const std::string& word) {
-  const std::string id = lower(spec.id);
-  std::string title = lower(spec.title);
+  const std::string id = lower_case(spec.id);
+  std::string title = lower_case(spec.title);
   if (title.ends_with("…")) title.resize(title.size() - std::string_view("…").size());
   if (word == id) return kIdItself;
   const Found in_title = find_word(title, word), in_id = find_word(id, word);
@@ -55,7 +51,7 @@ std::optional<int> cost(const CommandSpec& spec, const std::string& word) {
   if (in_title == Found::at_start) return kStartInTitle;
   if (in_id >= Found::at_start) return kStartInId;
   if (in_title == Found::inside || in_id == Found::inside) return kInside;
-  if (find_word(lower(spec.help), word) >= Found::at_start) return kStartInHelp;
+  if (find_word(lower_case(spec.help), word) >= Found::at_start) return kStartInHelp;
   // One letter is in order in nearly everything.
   if (word.size() > 1 && (in_order(title, word) || in_order(id, word))) return kInOrder;
   return std::nullopt;
@@ -70,7 +66,7 @@ std::vector<Word> words_of(std::string_view typed) {
   std::vector<Word> words;
   for (std::size_t at = typed.find_first_not_of(' '); at != std::string_view::npos;) {
     const std::size_t end = std::min(typed.find(' ', at), typed.size());
-    words.push_back({lower(typed.substr(at, end - at)), at});
+    words.push_back({lower_case(typed.substr(at, end - at)), at});
     at = typed.find_first_not_of(' ', end);
   }
   return words;
@@ -102,7 +98,7 @@ std::optional<Scored> match(const CommandSpec& spec, std::string_view typed,
   int sum = 0;
   for (std::size_t i = 0; i < words.size(); ++i) {
     const std::string_view rest = typed.substr(words[i].begin);
-    const bool named = i > 0 && words[0].text == lower(spec.id);
+    const bool named = i > 0 && words[0].text == lower_case(spec.id);
     if (named) return Scored{{&spec, std::string(rest)}, kIdItself};
     const auto word = cost(spec, words[i].text);
     const bool number = looks_like_a_number(words[i].text);
@@ -126,6 +122,7 @@ std::vector<CommandMatch> search_commands(const Commands& commands, std::string_
   std::stable_sort(found.begin(), found.end(),
                    [](const Scored& a, const Scored& b) { return a.cost < b.cost; });
   std::vector<CommandMatch> matches;
+  matches.reserve(found.size());
   for (Scored& s : found) matches.push_back(std::move(s.match));
   return matches;
 }

@@ -2,19 +2,15 @@
 #include "core/document/commands.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <new>
 #include <stdexcept>
+
+#include "core/molecule/letter_case.hpp"
 
 namespace alphascope {
 namespace {
 
 using Kind = Parameter::Kind;
-
-std::string upper(std::string text) {
-  for (char& c : text) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
-  return text;
-}
 
 std::string_view trimmed(std::string_view text) {
   constexpr const char* kBlanks = " \t\r\n";
@@ -70,7 +66,7 @@ std::string what_is_needed(const Parameter& p) {
 std::string choice_usage(const Parameter& p) {
   constexpr std::size_t kMostShown = 6;
   const std::vector<Choice> choices = p.choices();
-  if (choices.empty() || choices.size() > kMostShown) return upper(p.name);
+  if (choices.empty() || choices.size() > kMostShown) return upper_case(p.name);
   std::string text;
   for (const Choice& choice : choices) text += (text.empty() ? "" : "|") + choice.id;
   return text;
@@ -137,7 +133,8 @@ double Arguments::number(std::string_view name, double otherwise) const {
 
 std::string Arguments::text(std::string_view name, std::string otherwise) const {
   const auto it = values_.find(name);
-  return it == values_.end() ? std::move(otherwise) : it->second.text;
+  if (it == values_.end()) return otherwise;
+  return it->second.text;
 }
 
 const Parameter* CommandSpec::first_required() const {
@@ -152,7 +149,7 @@ std::string CommandSpec::usage() const {
     const bool flag = p.kind == Kind::flag;
     const std::string name = flag                     ? p.name
                              : p.kind == Kind::choice ? choice_usage(p)
-                                                      : upper(p.name);
+                                                      : upper_case(p.name);
     text += flag || p.optional ? " [" + name + "]" : " " + name;
   }
   return text;
@@ -170,7 +167,9 @@ void Commands::add(CommandSpec spec) {
   check(spec);
   if (find(spec.id)) throw std::logic_error("the command \"" + spec.id + "\" is there twice");
   for (auto s = spec.shortcuts.begin(); s != spec.shortcuts.end(); ++s) {
-    const auto same = [keys = upper(s->keys)](const Shortcut& t) { return upper(t.keys) == keys; };
+    const auto same = [keys = upper_case(s->keys)](const Shortcut& t) {
+      return upper_case(t.keys) == keys;
+    };
     bool taken = std::any_of(spec.shortcuts.begin(), s, same);
     for (const CommandSpec& other : specs_) {
       taken |= std::any_of(other.shortcuts.begin(), other.shortcuts.end(), same);

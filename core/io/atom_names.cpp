@@ -5,6 +5,7 @@
 
 #include "core/io/ion_names.hpp"
 #include "core/io/line_reader.hpp"
+#include "core/molecule/letter_case.hpp"
 #include "core/molecule/printable.hpp"
 
 namespace alphascope {

@@ -4,6 +4,8 @@
 #include <iterator>
 #include <string>
 
+#include "core/molecule/letter_case.hpp"
+
 namespace alphascope {
 namespace {
 
@@ -40,12 +42,6 @@ Element ion_of_name(std::string_view name) {
 }
 
 }  // namespace
-
-std::string upper_case(std::string_view text) {
-  std::string result(text);
-  for (char& c : result) c = c >= 'a' && c <= 'z' ? static_cast<char>(c - 32) : c;
-  return result;
-}
 
 Element ion_of_residue(std::string_view residue_name) {
   return ion_of_name(residue_name);

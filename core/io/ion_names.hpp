@@ -1,5 +1,5 @@
 // Names of ions, which are alone in their residue: those of the chemical component dictionary and
-// of CHARMM, AMBER, GROMACS and CNS.
+// of CHARMM, AMBER, GROMACS and CNS. In any case: AMBER writes "Na+" and GROMACS "NA+".
 #pragma once
 
 #include <string>
@@ -8,9 +8,6 @@
 #include "core/molecule/element.hpp"
 
 namespace alphascope {
-
-// Names are compared in capitals: AMBER writes "Na+" and GROMACS "NA+".
-std::string upper_case(std::string_view text);
 
 // What a residue name says of the ion in it: "SOD", "NA+", "ZN2" and "3CO" are Na, Na, Zn and Co;
 // kUnknownElement for a name that is no ion's. Other residues have such names too (CLA is chloride

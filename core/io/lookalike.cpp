@@ -9,7 +9,7 @@
 namespace alphascope {
 namespace {
 
-using std::string_view_literals::operator""sv;
+using namespace std::string_view_literals;
 
 constexpr std::size_t kHead = 4096;  // bytes looked at
 
@@ -134,7 +134,7 @@ Lookalike look_at(std::string_view text) {
     return {"MMTF", std::string(kFetchText), true};
   }
   if (binary) return {"a binary file", "", false};
-  const Lookalike known = look_at_lines(text);
+  Lookalike known = look_at_lines(text);
   if (known.certain) return known;
 
   LineReader lines(text);

@@ -10,6 +10,7 @@
 #include "core/io/mmcif_assembly.hpp"
 #include "core/io/molecule_builder.hpp"
 #include "core/io/readers.hpp"
+#include "core/molecule/letter_case.hpp"
 
 namespace alphascope {
 namespace {
@@ -49,12 +50,6 @@ constexpr std::array<std::string_view, kColumnCount> kColumnTags = {
     "cartn_z",           "occupancy",    "b_iso_or_equiv",
     "pdbx_pdb_model_num"};
 
-std::string lower(std::string_view text) {
-  std::string result(text);
-  for (char& c : result) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
-  return result;
-}
-
 // The text of a value without its quotes; empty for the unknown "?" and the inapplicable ".".
 std::string_view plain(std::string_view raw) {
   if (raw.size() == 1 && (raw[0] == '?' || raw[0] == '.')) return {};
@@ -83,7 +78,7 @@ class MmcifReader : public CifHandler {
     column_ = 0;
     kind_ = Table::undecided;
   }
-  void loop_tag(std::string_view tag) override { tags_.emplace_back(lower(tag)); }
+  void loop_tag(std::string_view tag) override { tags_.emplace_back(lower_case(tag)); }
 
   void loop_value(std::string_view raw, std::size_t line) override {
     if (kind_ == Table::undecided) kind_ = recognise();
@@ -108,7 +103,7 @@ class MmcifReader : public CifHandler {
     }
   }
 
-  void item_tag(std::string_view tag) override { item_ = lower(tag); }
+  void item_tag(std::string_view tag) override { item_ = lower_case(tag); }
 
   void item_value(std::string_view raw, std::size_t line) override {
     if (item_ == "_struct.title" && builder_.molecule().title.empty()) {

@@ -7,6 +7,7 @@
 #include "core/io/decimal.hpp"
 #include "core/io/line_reader.hpp"
 #include "core/io/lookalike.hpp"
+#include "core/molecule/letter_case.hpp"
 
 namespace alphascope {
 namespace {
@@ -73,12 +74,8 @@ bool is_tinker_atom(std::string_view kinds) {
 
 std::string extension_without_gz(const std::filesystem::path& path) {
   std::filesystem::path name = path.filename();
-  const auto lower = [](std::string text) {
-    for (char& c : text) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
-    return text;
-  };
-  if (lower(name.extension().string()) == ".gz") name.replace_extension();
-  return lower(name.extension().string());
+  if (lower_case(name.extension().string()) == ".gz") name.replace_extension();
+  return lower_case(name.extension().string());
 }
 
 // What follows a first line that begins with a count: an XYZ file or a table of balls.

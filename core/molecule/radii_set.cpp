@@ -6,6 +6,7 @@
 #include "core/molecule/atom_type.hpp"
 #include "core/molecule/element_table.hpp"
 #include "core/molecule/fallback_radii.hpp"
+#include "core/molecule/letter_case.hpp"
 
 namespace alphascope {
 namespace {
@@ -192,11 +193,7 @@ const RadiiSetInfo& radii_set_info(RadiiSet set) {
 }
 
 bool find_radii_set(std::string_view id, RadiiSet& set) {
-  const auto same = [&](const RadiiSetInfo& info) {
-    return std::equal(info.id.begin(), info.id.end(), id.begin(), id.end(), [](char a, char b) {
-      return a == (b >= 'A' && b <= 'Z' ? static_cast<char>(b + 32) : b);
-    });
-  };
+  const auto same = [id = lower_case(id)](const RadiiSetInfo& info) { return info.id == id; };
   const auto* found = std::find_if(std::begin(kSets), std::end(kSets), same);
   if (found == std::end(kSets)) return false;
   set = found->set;

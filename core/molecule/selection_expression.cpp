@@ -3,18 +3,17 @@
 #include <algorithm>
 #include <charconv>
 
+#include "core/molecule/letter_case.hpp"
+
 namespace alphascope {
 namespace {
 
 constexpr int kDeepestNesting = 200;  // each takes three frames of the parser, some 2 kB of stack
 
-char lower(char c) {
-  return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
-}
-
 bool same_word(std::string_view a, std::string_view b) {
-  return a.size() == b.size() && std::equal(a.begin(), a.end(), b.begin(),
-                                            [](char x, char y) { return lower(x) == lower(y); });
+  return a.size() == b.size() && std::equal(a.begin(), a.end(), b.begin(), [](char x, char y) {
+           return lower_case(x) == lower_case(y);
+         });
 }
 
 // * matches any characters, ? matches one.

@@ -3,17 +3,13 @@
 
 #include "core/molecule/prepare_balls.hpp"
 
+#include "core/molecule/grouped_number.hpp"
+
 namespace alphascope {
 namespace {
 
-std::string with_commas(std::size_t number) {
-  std::string text = std::to_string(number);
-  for (std::size_t k = text.size(); k > 3; k -= 3) text.insert(k - 3, ",");
-  return text;
-}
-
 std::string counted(std::size_t count, const char* one, const char* many) {
-  return with_commas(count) + ' ' + (count == 1 ? one : many);
+  return grouped(count) + ' ' + (count == 1 ? one : many);
 }
 
 }  // namespace
@@ -50,16 +46,16 @@ std::vector<CountedReason> drop_reasons(const SelectionReport& report) {
 
 std::string summary(const SelectionReport& report) {
   std::string text =
-      "used " + with_commas(report.used) + " of " + counted(report.total, "atom", "atoms");
+      "used " + grouped(report.used) + " of " + counted(report.total, "atom", "atoms");
   const char* separator = "; dropped ";
   for (const CountedReason& reason : drop_reasons(report)) {
     text += separator + reason.text;
     separator = ", ";
   }
   text += "; radii " + report.radii_name;
-  if (report.guessed_atoms > 0) text += "; " + with_commas(report.guessed_atoms) + " guessed";
+  if (report.guessed_atoms > 0) text += "; " + grouped(report.guessed_atoms) + " guessed";
   if (report.overridden_atoms > 0) {
-    text += "; " + with_commas(report.overridden_atoms) + " set by hand";
+    text += "; " + grouped(report.overridden_atoms) + " set by hand";
   }
   if (report.rounded_radii > 0) {
     char angstrom[32];

@@ -176,19 +176,19 @@ class TuplePipeline {
          CountExtensions<2, Reader>{scene_, lists_, pairs_.get(), triple_counts_.get(),
                                     considered_.get()});
     add_up(0, pairs, triple_counts_.get(), triple_sums_.get());
-    for (std::uint64_t pair = 0; pair < pairs;) {
-      const BatchEnd pair_end = find_batch(triple_sums_.get(), pairs, pair, exec_.capacity());
+    for (std::uint64_t begin = 0; begin < pairs;) {
+      const BatchEnd pair_end = find_batch(triple_sums_.get(), pairs, begin, exec_.capacity());
       const auto done = [&](std::uint64_t pairs_done) {
         return (static_cast<double>(first) + static_cast<double>(balls) *
                                                  static_cast<double>(pairs_done) /
                                                  static_cast<double>(pairs)) /
                static_cast<double>(ball_count_);
       };
-      progress_ = done(pair);
+      progress_ = done(begin);
       progress_end_ = done(pair_end.item);
-      triple_batch(pair, pair_end);
+      triple_batch(begin, pair_end);
       report(1);
-      pair = pair_end.item;
+      begin = pair_end.item;
     }
     drain();
   }

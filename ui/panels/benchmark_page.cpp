@@ -37,7 +37,9 @@ ImU32 ink_of_series(std::size_t n) {
 void dashed(ImDrawList* draw, ImVec2 from, ImVec2 to, ImU32 colour, float dash) {
   const float dx = to.x - from.x, dy = to.y - from.y;
   const float length = std::max(1.0f, std::sqrt(dx * dx + dy * dy));
-  for (float at = 0; at < length; at += 2 * dash) {
+  const int dashes = static_cast<int>(std::ceil(length / (2 * dash)));
+  for (int n = 0; n < dashes; ++n) {
+    const float at = 2 * dash * static_cast<float>(n);
     const float end = std::min(at + dash, length);
     draw->AddLine({from.x + dx * at / length, from.y + dy * at / length},
                   {from.x + dx * end / length, from.y + dy * end / length}, colour, 1);

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "core/document/command_search.hpp"
+#include "core/molecule/letter_case.hpp"
 #include "ui/panels/dialog_stack.hpp"
 #include "ui/panels/keys.hpp"
 
@@ -155,13 +156,8 @@ void search(PanelContext& ctx) {
   submit(ctx, *m.command, Commands::parse_words(*m.command, m.arguments));
 }
 
-bool contains(std::string text, std::string part) {
-  const auto lower = [](std::string& s) {
-    for (char& c : s) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  };
-  lower(text);
-  lower(part);
-  return text.find(part) != std::string::npos;
+bool contains(const std::string& text, const std::string& part) {
+  return lower_case(text).find(lower_case(part)) != std::string::npos;
 }
 
 std::vector<Row> choice_rows(const Parameter& parameter, const std::string& typed) {

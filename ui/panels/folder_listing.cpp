@@ -4,10 +4,10 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cstdlib>
 #include <utility>
 
+#include "core/molecule/letter_case.hpp"
 #include "ui/number_text.hpp"
 
 namespace alphascope {
@@ -15,16 +15,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string lower(std::string text) {
-  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return text;
-}
-
 }  // namespace
 
 bool looks_like_molecule(const fs::path& path) {
-  std::string extension = lower(path.extension().string());
-  if (extension == ".gz") extension = lower(path.stem().extension().string());
+  std::string extension = lower_case(path.extension().string());
+  if (extension == ".gz") extension = lower_case(path.stem().extension().string());
   static constexpr const char* kKnown[] = {".pdb",  ".ent", ".cif", ".mmcif",
                                            ".xyzr", ".pqr", ".xyz", ".crd"};
   return std::any_of(std::begin(kKnown), std::end(kKnown),
@@ -54,7 +49,7 @@ void sort_entries(std::vector<FolderEntry>& entries) {
   std::vector<std::pair<std::string, std::size_t>> order;
   order.reserve(entries.size());
   for (std::size_t i = 0; i < entries.size(); ++i) {
-    order.emplace_back((entries[i].folder ? '0' : '1') + lower(entries[i].name), i);
+    order.emplace_back((entries[i].folder ? '0' : '1') + lower_case(entries[i].name), i);
   }
   std::sort(order.begin(), order.end());
   std::vector<FolderEntry> sorted;
@@ -84,12 +79,12 @@ FolderListing list_folder(const FolderQuery& query, const CancelToken& cancel) {
 }
 
 std::size_t find_entry(const FolderListing& listing, std::string_view start, std::size_t from) {
-  const std::string wanted = lower(std::string(start));
+  const std::string wanted = lower_case(start);
   const std::size_t count = listing.entries.size();
   for (std::size_t k = 0; k < count; ++k) {
     const std::size_t i = (from + k) % count;
     const std::string& name = listing.entries[i].name;
-    if (lower(name.substr(0, wanted.size())) == wanted) return i;
+    if (lower_case(name.substr(0, wanted.size())) == wanted) return i;
   }
   return count;
 }
@@ -146,7 +141,7 @@ std::string file_size_text(std::uintmax_t bytes) {
 
 fs::path sensible_start_folder() {
   std::error_code error;
-  const fs::path here = fs::current_path(error);
+  fs::path here = fs::current_path(error);
   if (!error) {
     for (fs::directory_iterator it(here, error), end; !error && it != end; it.increment(error)) {
       if (looks_like_molecule(it->path())) return here;

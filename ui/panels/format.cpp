@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "core/molecule/grouped_number.hpp"
+
 namespace alphascope {
 namespace {
 
@@ -16,11 +18,7 @@ constexpr std::uint64_t kLeastBytesPerAtom = 1230, kMostBytesPerAtom = 2600;
 }  // namespace
 
 std::string with_separators(long long value) {
-  std::string digits = std::to_string(value < 0 ? -value : value);
-  for (std::size_t i = digits.size(); i > 3;) {
-    i -= 3;
-    digits.insert(i, ",");
-  }
+  const std::string digits = grouped(static_cast<std::uint64_t>(value < 0 ? -value : value));
   return value < 0 ? "−" + digits : digits;
 }
 

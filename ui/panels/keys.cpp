@@ -4,9 +4,10 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <cctype>
 #include <string>
 #include <utility>
+
+#include "core/molecule/letter_case.hpp"
 
 namespace alphascope::key {
 namespace {
@@ -40,9 +41,7 @@ int code_of(const std::string& name) {
 }  // namespace
 
 std::optional<Chord> read_chord(std::string_view text) {
-  std::string name(text);
-  std::transform(name.begin(), name.end(), name.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  std::string name = lower_case(text);
   Chord chord;
   chord.control = take(name, "ctrl+");
   chord.shift = take(name, "shift+");

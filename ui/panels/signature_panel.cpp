@@ -94,6 +94,9 @@ struct Plot {
   double alpha_at(float pixel) const {
     return low + (high - low) * static_cast<double>((pixel - from.x) / (to.x - from.x));
   }
+  // Of a curve: one every two pixels.
+  int points() const { return to.x < from.x ? 0 : 1 + static_cast<int>((to.x - from.x) / 2); }
+  float x_of_point(int n) const { return from.x + 2 * static_cast<float>(n); }
 };
 
 ImU32 series_colour(std::size_t n) {
@@ -103,9 +106,9 @@ ImU32 series_colour(std::size_t n) {
 
 template <class Value>
 void curve(const Plot& plot, ImU32 colour, float width, const Value& value) {
-  constexpr float kPixelsPerPoint = 2;
   std::vector<ImVec2> points;
-  for (float x = plot.from.x; x <= plot.to.x; x += kPixelsPerPoint) {
+  for (int n = 0; n < plot.points(); ++n) {
+    const float x = plot.x_of_point(n);
     points.push_back({x, plot.y(static_cast<double>(value(plot.alpha_at(x))))});
   }
   ImGui::GetWindowDrawList()->AddPolyline(points.data(), static_cast<int>(points.size()), colour, 0,
@@ -133,8 +136,11 @@ void alpha_axis(PanelContext& ctx, const Plot& plot) {
   const double step = plot.high - plot.low > 40
                           ? std::pow(10, std::floor(std::log10(plot.high - plot.low))) / 2
                           : 2;
-  for (double a = std::ceil(plot.low / step) * step; a <= plot.high; a += step) {
-    const std::string text = short_number_text(a, 2) + (a + step > plot.high ? " Å²" : "");
+  const long first = std::lround(std::ceil(plot.low / step));
+  const long last = std::lround(std::floor(plot.high / step));
+  for (long n = first; n <= last; ++n) {
+    const double a = static_cast<double>(n) * step;
+    const std::string text = short_number_text(a, 2) + (n == last ? " Å²" : "");
     const float width = ImGui::CalcTextSize(text.c_str()).x;
     draw->AddLine({plot.x(a), plot.to.y}, {plot.x(a), plot.to.y + ctx.px(3)},
                   to_u32(ctx.palette.text_muted));
@@ -170,8 +176,9 @@ void set_ranges(const Signature& signature, Plot& counts, Plot& euler) {
   }
   euler.bottom = 0;
   euler.top = 1;
-  for (float x = euler.from.x; x <= euler.to.x; x += 2) {
-    const auto value = static_cast<double>(signature.euler(euler.alpha_at(x)));
+  for (int n = 0; n < euler.points(); ++n) {
+    const double alpha = euler.alpha_at(euler.x_of_point(n));
+    const auto value = static_cast<double>(signature.euler(alpha));
     euler.bottom = std::min(euler.bottom, value);
     euler.top = std::max(euler.top, value);
   }

@@ -8,19 +8,9 @@
 #include <string>
 
 #include "core/engine/engine.hpp"
+#include "core/engine/gpu_device.hpp"
 
 namespace alphascope {
-
-struct GpuDevice {
-  bool usable = false;
-  std::string name;  // "NVIDIA H200"; empty without a device
-  // When not usable: why, what to do, and that the CPU engine gives the same results. Not that it
-  // runs instead, which is for whoever chooses the engine to say.
-  std::string why_not;
-  std::string driver;          // "CUDA driver 13.0"
-  int compute_capability = 0;  // 90 for 9.0
-  std::size_t memory_bytes = 0;
-};
 
 // Looks for a device and runs a small kernel on it; the answer is kept. Never throws.
 const GpuDevice& gpu_device();

@@ -24,7 +24,8 @@ std::string count_text(const AlphaComplex& complex, const List& list) {
   return complex.tetrahedra_only ? "" : std::to_string(list.size());
 }
 
-CsvRow csv_row(const Input& input, const Request& request, const AlphaComplex& complex) {
+CsvRow csv_row(const Input& input, const EngineAnswer& result) {
+  const auto& [request, balls, complex, note, cold] = result;
   CsvRow row{{"model", model_text(input.balls.model)},
              {"balls", std::to_string(input.prepared().balls->size())},
              {"alpha_angstrom2", number_text(request.alpha_angstrom2)},
@@ -64,9 +65,9 @@ std::string effort_text(const Input& input) {
 }
 
 // Not written out before the files are whole, so that `| head` costs none of them.
-void print_one(const Input& input, const Request& request, const EngineCache::Result& result) {
+void print_one(const Input& input, const EngineAnswer& result) {
   std::cout << input_text(input) << "sha256      " << input.molecule().sha256 << "\n"
-            << request_text(request) << complex_text(result.complex, verbosity());
+            << request_text(result.request) << complex_text(result.complex, verbosity());
   if (!result.note.empty() && verbosity() != Verbosity::quiet) {
     std::cout << "note        " << result.note << "\n";
   }
@@ -80,11 +81,10 @@ class ResultTable {
   ResultTable(const std::vector<std::string>& files, bool many, bool models)
       : many_(many), models_(models), table_(columns(files, many, models)) {}
 
-  void print(const std::string& file, const Input& input, const Request& request,
-             const EngineCache::Result& result) {
-    const std::string rounding = rounding_note(request, result.complex.lattice);
+  void print(const std::string& file, const Input& input, const EngineAnswer& result) {
+    const std::string rounding = rounding_note(result.request, result.complex.lattice);
     if (!begun_) {
-      print_heading(input, request, result.note);
+      print_heading(input, result);
     } else if (!rounding.empty() && verbosity() != Verbosity::quiet) {
       print_error(file + ": note: " + rounding);
     }
@@ -115,10 +115,10 @@ class ResultTable {
     return columns;
   }
 
-  void print_heading(const Input& input, const Request& request, const std::string& note) {
+  void print_heading(const Input& input, const EngineAnswer& result) {
     if (!many_) std::cout << input_text(input) << "sha256      " << input.molecule().sha256 << "\n";
-    std::cout << request_text(request);
-    if (many_ && !note.empty() && verbosity() != Verbosity::quiet) print_error(note);
+    std::cout << request_text(result.request);
+    if (many_ && !result.note.empty() && verbosity() != Verbosity::quiet) print_error(result.note);
     std::cout << table_.heading();
   }
 
@@ -143,9 +143,9 @@ class ResultTable {
   Table table_;
 };
 
-Json result_json(const Input& input, const Request& request, const EngineCache::Result& result) {
+Json result_json(const Input& input, const EngineAnswer& result) {
   Json json = complex_json(result.complex, result.note);
-  json["request"] = request_json(request, result.balls->lattice);
+  json["request"] = request_json(result.request, result.balls->lattice);
   json["input"] = input_json(input);
   return json;
 }
@@ -168,16 +168,16 @@ ExitCode run_compute(const ComputeOptions& options) {
   const bool print = verbosity() != Verbosity::quiet || !outputs.take_standard_output();
   EngineCache engines(&make_engine);
   const auto use = [&](const std::string& file, const Input& input) {
-    const EngineCache::Result result = engines.compute(input.prepared().balls, request, context);
+    const EngineAnswer result = engines.compute(input.prepared().balls, request, context);
     if (out) {
-      write_complex_text(*result.balls, result.complex, complex_header(input, request, result),
-                         *out, context);
+      write_complex_text(*result.balls, result.complex, complex_header(input, result), *out,
+                         context);
     }
     clear_progress();
-    if (print && (many || each)) table.print(file, input, request, result);
-    if (print && !many && !each) print_one(input, request, result);
-    if (json.wanted()) json.add(result_json(input, request, result));
-    if (csv.wanted()) csv.add(csv_row(input, request, result.complex));
+    if (print && (many || each)) table.print(file, input, result);
+    if (print && !many && !each) print_one(input, result);
+    if (json.wanted()) json.add(result_json(input, result));
+    if (csv.wanted()) csv.add(csv_row(input, result));
   };
   const FilesOutcome outcome = for_each_file(files, many, [&](const std::string& file) {
     for_each_model(file, options.input, open, context,

@@ -131,10 +131,8 @@ Json comparison_json(const Comparison& comparison) {
   return json;
 }
 
-ComplexHeader complex_header(const Input& input, const Request& request,
-                             const EngineCache::Result& result) {
-  return result_header("alphascope-cli", input.provenance(), input.molecule().notes,
-                       {request, result.complex, result.note});
+ComplexHeader complex_header(const Input& input, const EngineAnswer& answer) {
+  return result_header("alphascope-cli", input.provenance(), input.molecule().notes, answer);
 }
 
 std::string json_text(const Json& json) {

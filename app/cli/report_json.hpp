@@ -22,8 +22,7 @@ Json complex_json(const AlphaComplex& complex, const std::string& engine_note);
 Json comparison_json(const Comparison& comparison);
 
 // With every note of the readers and of the engine.
-ComplexHeader complex_header(const Input& input, const Request& request,
-                             const EngineCache::Result& result);
+ComplexHeader complex_header(const Input& input, const EngineAnswer& answer);
 
 // Indented, and a line of its own at the end. A number that is none (NaN, infinite) is null.
 std::string json_text(const Json& json);

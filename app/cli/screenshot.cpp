@@ -87,10 +87,9 @@ ExitCode run_screenshot(const ScreenshotCommandOptions& options) {
   if (file == nullptr) throw UsageError("--output needs the name of a file, or -.");
   const Input input = open_one_model(options.input, "A picture shows one model.", context);
   EngineCache engines(&make_engine);
-  const EngineCache::Result result =
-      engines.compute(input.prepared().balls, options.request, context);
+  const EngineAnswer result = engines.compute(input.prepared().balls, options.request, context);
   const std::vector<std::uint32_t>& atoms = input.prepared().atom_of_ball;
-  picture.texts = picture_texts(complex_header(input, options.request, result));
+  picture.texts = picture_texts(complex_header(input, result));
   picture.free_bytes = available_or(options.drawing_memory_mb);
   const MemoryFile drawn;  // the renderer writes to a path, which standard output has none of
   const std::string not_drawn =

@@ -170,7 +170,7 @@ ExitCode run_thesis_bench(const BenchOptions& options) {
   clear_progress();
   const MachineInfo& machine = machine_info();
   std::cout << machine_text(machine) << "\n"
-            << (machine.gpu_usable ? "" : machine.gpu_why_not + "\n") << "medians of up to "
+            << (machine.gpu.usable ? "" : machine.gpu.why_not + "\n") << "medians of up to "
             << suite.repeats << " runs after one that is not counted; times in ms, alpha in Å²; "
             << "tetrahedra only; speed-up = CGAL's cold time with one thread / cold time; "
             << "* = an optimisation switched off\n";

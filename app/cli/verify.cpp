@@ -78,15 +78,20 @@ const char* verdict(const Comparison& comparison) {
              : "identical to CGAL";
 }
 
+struct BothEngines {
+  EngineCache ours{&make_engine}, cgal{&make_engine};
+};
+
 // One alpha: computes both, prints, fills `json`; true when nothing is wrong.
 bool verify_one(const Input& input, const Request& request, const VerifyOptions& options,
-                EngineCache& ours, EngineCache& reference, std::ostream& out, Json& json) {
+                BothEngines& engines, Json& json) {
+  std::ostream& out = std::cout;
   const RunContext& context = run_context();
-  const EngineCache::Result mine = ours.compute(input.prepared().balls, request, context);
+  const EngineAnswer mine = engines.ours.compute(input.prepared().balls, request, context);
   Request cgal = request;
   cgal.engine = EngineChoice::cgal;
   cgal.threads = options.cgal_threads;
-  const EngineCache::Result theirs = reference.compute(input.prepared().balls, cgal, context);
+  const EngineAnswer theirs = engines.cgal.compute(input.prepared().balls, cgal, context);
   const Comparison comparison = compare(mine.complex, theirs.complex);
   clear_progress();
   out << "alpha " << number_text(request.alpha_angstrom2) << " Å², solvent radius "
@@ -122,12 +127,12 @@ ExitCode run_verify(const VerifyOptions& options) {
     clear_progress();
     out << input_text(input);
     if (first_input.is_null()) first_input = input_json(input);
-    EngineCache ours(&make_engine), reference(&make_engine);
+    BothEngines engines;
     for (const double alpha : options.alphas) {
       Request request = options.request;
       request.alpha_angstrom2 = alpha;
       Json json;
-      all_good &= verify_one(input, request, options, ours, reference, out, json);
+      all_good &= verify_one(input, request, options, engines, json);
       if (each_model(options.input)) json["input"] = input_json(input);
       results.push_back(std::move(json));
       out << std::flush;

@@ -60,17 +60,20 @@ std::vector<std::string> OptionProgram::command_names() const {
 }
 
 void add_standard_options(OptionProgram& program) {
-  const Option help{.names = "-h,--help", .text = "Print this help", .answer = Answer::help};
+  const Option help{
+      .names = "-h,--help", .text = "Print this help", .answer = InsteadOfRunning::help};
   for (OptionCommand& command : program.commands) command.options.push_back(help);
   program.options.push_back(help);
-  program.options.push_back(
-      {.names = "--version", .text = "Print name, version and commit", .answer = Answer::version});
-  program.options.push_back(
-      {.names = "--man-page", .text = "Print the manual page", .answer = Answer::man_page});
+  program.options.push_back({.names = "--version",
+                             .text = "Print name, version and commit",
+                             .answer = InsteadOfRunning::version});
+  program.options.push_back({.names = "--man-page",
+                             .text = "Print the manual page",
+                             .answer = InsteadOfRunning::man_page});
   program.options.push_back({.names = "--completion",
                              .value = "bash|zsh|fish",
                              .text = "Print a script that completes commands and options",
-                             .answer = Answer::completion});
+                             .answer = InsteadOfRunning::completion});
 }
 
 std::vector<std::string> dashed_names(const std::vector<Option>& options) {

@@ -9,7 +9,7 @@
 namespace alphascope {
 
 // What an option prints instead of letting the program run.
-enum class Answer : unsigned char { none, help, version, man_page, completion };
+enum class InsteadOfRunning : unsigned char { none, help, version, man_page, completion };
 
 struct Option {
   std::string names;  // "-o,--output", short name first; without dashes ("FILE"): an argument
@@ -24,7 +24,7 @@ struct Option {
   std::function<void(const std::string&)> set = {};
   bool required = false;
   bool list = false;  // takes "A,B" and may be given again; of an argument: takes any number
-  Answer answer = Answer::none;
+  InsteadOfRunning answer = InsteadOfRunning::none;
 
   bool is_flag() const { return value.empty(); }
   bool is_argument() const { return names.front() != '-'; }

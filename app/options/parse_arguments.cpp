@@ -24,16 +24,16 @@ struct Answered {
 std::string answer(const OptionProgram& program, const OptionCommand* command, const Option& option,
                    const std::string& value) {
   switch (option.answer) {
-    case Answer::help:
+    case InsteadOfRunning::help:
       return help_text(program, command);
-    case Answer::version:
+    case InsteadOfRunning::version:
       return program.name + " " + program.version + "\n";
-    case Answer::man_page:
+    case InsteadOfRunning::man_page:
       return man_page(program);
-    case Answer::completion:
+    case InsteadOfRunning::completion:
       require_choice(value, option.choices());
       return completion_script(program, value);
-    case Answer::none:
+    case InsteadOfRunning::none:
       break;
   }
   return {};
@@ -53,7 +53,8 @@ std::vector<std::string> values_of(const Option& option, const std::string& give
 
 void give(const OptionProgram& program, const OptionCommand* command, const Option& option,
           const std::string& given) {
-  if (option.answer != Answer::none) throw Answered{answer(program, command, option, given)};
+  if (option.answer != InsteadOfRunning::none)
+    throw Answered{answer(program, command, option, given)};
   for (const std::string& value : values_of(option, given)) {
     try {
       option.set(value);

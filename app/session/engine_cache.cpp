@@ -33,8 +33,8 @@ EngineCache::Entry& EngineCache::find_or_make(const std::shared_ptr<const BallSe
 }
 
 // A first answer without set-up stages follows one that was cancelled after them: it is not cold.
-EngineCache::Result EngineCache::answer(Entry& entry, const Request& request,
-                                        const RunContext& context, const EngineLoan& loan) {
+EngineAnswer EngineCache::answer(Entry& entry, const Request& request, const RunContext& context,
+                                 const EngineLoan& loan) {
   const Lent lent = entry.grown == loan.balls ? loan.lent : Lent{};
   AlphaComplex complex =
       entry.made.engine->compute({request.alpha_angstrom2, request.tetrahedra_only, lent}, context);
@@ -45,12 +45,12 @@ EngineCache::Result EngineCache::answer(Entry& entry, const Request& request,
   std::string note = entry.made.note;
   const std::string rounding = rounding_note(request, entry.grown->lattice);
   if (!rounding.empty()) note += (note.empty() ? "" : " ") + rounding;
-  return {std::move(complex), entry.grown, std::move(note), first && set_up};
+  return {request, entry.grown, std::move(complex), std::move(note), first && set_up};
 }
 
-EngineCache::Result EngineCache::compute(const std::shared_ptr<const BallSet>& balls,
-                                         const Request& request, const RunContext& context,
-                                         const EngineLoan& loan) {
+EngineAnswer EngineCache::compute(const std::shared_ptr<const BallSet>& balls,
+                                  const Request& request, const RunContext& context,
+                                  const EngineLoan& loan) {
   context.cancel.throw_if_cancelled();
   Entry& entry = find_or_make(balls, request, loan);
   // What another engine keeps for its next results would be idle, and is much on a GPU.

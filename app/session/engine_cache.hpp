@@ -7,7 +7,7 @@
 #include <string>
 
 #include "app/session/engines.hpp"
-#include "core/document/request.hpp"
+#include "core/document/answer.hpp"
 
 namespace alphascope {
 
@@ -24,18 +24,11 @@ class EngineCache {
  public:
   explicit EngineCache(EngineFactory factory) : factory_(std::move(factory)) {}
 
-  struct Result {
-    AlphaComplex complex;
-    std::shared_ptr<const BallSet> balls;  // with the solvent radius: what the engine saw
-    std::string note;   // about the choice of engine and rounding on the lattice; may be empty
-    bool cold = false;  // the engine's first answer, and it had to set up
-  };
-
   // `balls` without solvent radius. A loan of other balls is not looked at. What is done when
   // a GPU fails is not decided here but in the engine (core/engines/short_of_memory.hpp). Throws
   // what make_engine(), with_solvent() and Engine::compute() throw.
-  Result compute(const std::shared_ptr<const BallSet>& balls, const Request& request,
-                 const RunContext& context, const EngineLoan& loan = {});
+  EngineAnswer compute(const std::shared_ptr<const BallSet>& balls, const Request& request,
+                       const RunContext& context, const EngineLoan& loan = {});
 
   void clear() { entries_.clear(); }
 
@@ -50,8 +43,8 @@ class EngineCache {
     bool answered = false;  // by `made`
   };
 
-  static Result answer(Entry& entry, const Request& request, const RunContext& context,
-                       const EngineLoan& loan);
+  static EngineAnswer answer(Entry& entry, const Request& request, const RunContext& context,
+                             const EngineLoan& loan);
   Entry& find_or_make(const std::shared_ptr<const BallSet>& balls, const Request& request,
                       const EngineLoan& loan);
 

@@ -22,20 +22,13 @@ std::string cpu_model() {
   return "unknown CPU";
 }
 
-void look_for_gpu(MachineInfo& machine) {
+GpuDevice look_for_gpu() {
 #ifdef ALPHASCOPE_HAS_GPU
-  const GpuDevice& device = gpu_device();
-  machine.gpu_usable = device.usable;
-  machine.gpu = device.name;
-  machine.driver = device.driver;
-  machine.gpu_memory_bytes = device.memory_bytes;
-  machine.gpu_why_not = device.usable ? "" : device.why_not;
-  if (device.compute_capability > 0) {
-    machine.gpu_capability = std::to_string(device.compute_capability / 10) + "." +
-                             std::to_string(device.compute_capability % 10);
-  }
+  return gpu_device();
 #else
-  machine.gpu_why_not = "This build has no GPU engine. The CPU engine gives the same results.";
+  GpuDevice none;
+  none.why_not = "This build has no GPU engine. The CPU engine gives the same results.";
+  return none;
 #endif
 }
 
@@ -46,7 +39,7 @@ const MachineInfo& machine_info() {
     MachineInfo m;
     m.cpu = cpu_model();
     m.threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-    look_for_gpu(m);
+    m.gpu = look_for_gpu();
     return m;
   }();
   return machine;
@@ -55,7 +48,7 @@ const MachineInfo& machine_info() {
 std::string machine_text(const MachineInfo& machine) {
   std::string text = machine.cpu + ", " + std::to_string(machine.threads) +
                      (machine.threads == 1 ? " thread" : " threads");
-  if (machine.gpu_usable) text += "; " + machine.gpu + ", " + machine.driver;
+  if (machine.gpu.usable) text += "; " + machine.gpu.name + ", " + machine.gpu.driver;
   return text;
 }
 

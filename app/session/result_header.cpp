@@ -25,7 +25,7 @@ std::string program_text(std::string_view program) {
 }
 
 ComplexHeader result_header(std::string_view program, const Provenance& balls,
-                            const std::vector<std::string>& notes, const AnswerOf& answer) {
+                            const std::vector<std::string>& notes, const EngineAnswer& answer) {
   const Request& request = answer.request;
   const AlphaComplex& complex = answer.complex;
   ComplexHeader header{{"program", program_text(program)}};
@@ -46,7 +46,7 @@ ComplexHeader result_header(std::string_view program, const Provenance& balls,
       {"hash", hash_text(complex.hash)}};
   header.insert(header.end(), rest.begin(), rest.end());
   for (const std::string& note : notes) header.emplace_back("note", note);
-  if (!answer.engine_note.empty()) header.emplace_back("note", answer.engine_note);
+  if (!answer.note.empty()) header.emplace_back("note", answer.note);
   return header;
 }
 

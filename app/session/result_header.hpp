@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "app/session/engine_cache.hpp"
+#include "core/document/answer.hpp"
 #include "core/io/write_complex.hpp"
 #include "core/molecule/provenance.hpp"
 
@@ -16,17 +16,10 @@ std::string shortest_number(double number);
 // "alphascope-cli 0.1.0 (0123456789ab)".
 std::string program_text(std::string_view program);
 
-// What an engine answered, and what is to be known of it.
-struct AnswerOf {
-  const Request& request;
-  const AlphaComplex& complex;
-  const std::string& engine_note;  // may be empty
-};
-
 // `program`, then `balls`, then what was asked of an engine and what it answered, then the notes of
 // the molecule's reader and the engine's.
 ComplexHeader result_header(std::string_view program, const Provenance& balls,
-                            const std::vector<std::string>& notes, const AnswerOf& answer);
+                            const std::vector<std::string>& notes, const EngineAnswer& answer);
 
 // The same as texts of a picture (docs/output-files.md).
 std::vector<std::pair<std::string, std::string>> picture_texts(const ComplexHeader& header);

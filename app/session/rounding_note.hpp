@@ -3,7 +3,8 @@
 
 #include <string>
 
-#include "app/session/engine_cache.hpp"
+#include "core/document/request.hpp"
+#include "core/geometry/ball_set.hpp"
 
 namespace alphascope {
 

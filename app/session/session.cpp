@@ -165,13 +165,12 @@ void Session::compute_anew() {
 
 void Session::submit_compute(Engines which) {
   computer_.submit(
-      [this, which, request = state_.request, prepared = state_.prepared, engines = engines_,
+      [this, which, request = state_.request, molecule = state_.molecule,
+       prepared = state_.prepared, engines = engines_,
        loan = which == Engines::anew ? EngineLoan{} : loan_](const RunContext& context) {
         if (which == Engines::anew) engines->clear();
-        EngineCache::Result result = engines->compute(prepared->balls, request, context, loan);
         auto answer = std::make_shared<const Answer>(
-            Answer{request, prepared, std::move(result.balls), std::move(result.complex),
-                   std::move(result.note), result.cold});
+            Answer{engines->compute(prepared->balls, request, context, loan), molecule, prepared});
         return [this, answer] { take_answer(answer); };
       },
       failure_of(Source::computing, "Computing the complex failed: "));
@@ -216,7 +215,7 @@ void Session::submit_comparison() {
       [this, anew, request, ours = state_.ours,
        references = references_](const RunContext& context) {
         if (anew) references->clear();
-        EngineCache::Result result = references->compute(ours->prepared->balls, request, context);
+        EngineAnswer result = references->compute(ours->prepared->balls, request, context);
         context.cancel.throw_if_cancelled();
         context.report("comparison", 0);
         auto agreement = std::make_shared<Agreement>();
@@ -247,9 +246,9 @@ void Session::submit_parallel_timing() {
   const Request request = reference_request(services_.cgal_threads);
   comparer_.submit(
       [this, request, ours = state_.ours, references = references_](const RunContext& context) {
-        EngineCache::Result result = references->compute(ours->prepared->balls, request, context);
+        EngineAnswer result = references->compute(ours->prepared->balls, request, context);
         // Only the times are wanted; the lists are as long as those that were compared.
-        auto times = std::make_shared<EngineCache::Result>();
+        auto times = std::make_shared<EngineAnswer>();
         times->cold = result.cold;
         times->complex = without_simplices(std::move(result.complex));
         return [this, ours, times] { take_parallel_timing(*ours, *times); };
@@ -257,7 +256,7 @@ void Session::submit_parallel_timing() {
       failure_of(Source::comparing, "Timing CGAL with all threads failed: "));
 }
 
-void Session::take_parallel_timing(const Answer& ours, const EngineCache::Result& times) {
+void Session::take_parallel_timing(const Answer& ours, const EngineAnswer& times) {
   timing_parallel_ = false;
   if (ours.prepared != state_.prepared ||
       ours.request.solvent_radius_angstrom != state_.request.solvent_radius_angstrom) {

@@ -7,23 +7,13 @@
 #include <memory>
 #include <string>
 
-#include "app/session/cold_and_warm.hpp"
 #include "app/session/engine_cache.hpp"
 #include "app/session/open_molecule.hpp"
 #include "core/complex/compare.hpp"
+#include "core/engine/cold_and_warm.hpp"
 #include "core/run/worker.hpp"
 
 namespace alphascope {
-
-// One computed complex; immutable once handed over.
-struct Answer {
-  Request request;
-  std::shared_ptr<const PreparedBalls> prepared;
-  std::shared_ptr<const BallSet> balls;  // with the solvent radius: what the engine saw
-  AlphaComplex complex;
-  std::string engine_note;  // why another engine than hoped for was used; may be empty
-  bool cold = false;        // as EngineCache::Result
-};
 
 // An answer beside CGAL's; immutable once handed over.
 struct Agreement {
@@ -135,7 +125,7 @@ class Session {
   Request reference_request(int threads) const;
   void submit_comparison();
   void submit_parallel_timing();
-  void take_parallel_timing(const Answer& ours, const EngineCache::Result& times);
+  void take_parallel_timing(const Answer& ours, const EngineAnswer& times);
   void forget_reference_timings();
   void take_opened(std::shared_ptr<const OpenedMolecule> opened);
   void take_answer(std::shared_ptr<const Answer> answer);

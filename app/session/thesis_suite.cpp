@@ -285,7 +285,7 @@ void check(const std::vector<ThesisMolecule>& molecules, const ThesisOptions& op
 
 std::vector<EngineChoice> thesis_engines(const MachineInfo& machine) {
   std::vector<EngineChoice> engines{EngineChoice::tuples_cpu, EngineChoice::cpu};
-  if (machine.gpu_usable) {
+  if (machine.gpu.usable) {
     engines.insert(engines.begin(), {EngineChoice::tuples_gpu, EngineChoice::gpu});
   }
   return engines;

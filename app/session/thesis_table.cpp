@@ -131,10 +131,10 @@ void add_machine(ThesisTableRow& cells, const ThesisReport& report) {
   cells.insert(cells.end(), {{"program", report.program},
                              {"cpu", m.cpu},
                              {"cpu_threads", static_cast<std::uint64_t>(m.threads)},
-                             {"gpu", m.gpu},
-                             {"gpu_driver", m.driver},
-                             {"gpu_compute_capability", m.gpu_capability},
-                             {"gpu_memory_bytes", std::uint64_t{m.gpu_memory_bytes}}});
+                             {"gpu", m.gpu.name},
+                             {"gpu_driver", m.gpu.driver},
+                             {"gpu_compute_capability", m.gpu.capability_text()},
+                             {"gpu_memory_bytes", std::uint64_t{m.gpu.memory_bytes}}});
 }
 
 struct ToText {

@@ -17,7 +17,7 @@ std::function<std::string()> without_molecule(const ViewState& s) {
 }
 
 std::function<std::string()> without_result(const ViewState& s) {
-  return [&s] { return s.result.present ? "" : "There is no complex yet."; };
+  return [&s] { return s.result ? "" : "There is no complex yet."; };
 }
 
 Outcome set_switch(const Arguments& arguments, bool& value) {
@@ -69,9 +69,8 @@ std::vector<Choice> samples(const ViewState& s) {
 }
 
 Outcome open_sample(const Arguments& arguments, ViewState& s) {
-  const std::vector<Choice> known = samples(s);
-  for (std::size_t i = 0; i < known.size(); ++i) {
-    if (known[i].id == arguments.text("sample")) s.requests.open_sample = i;
+  for (const SampleMolecule& sample : s.samples) {
+    if (sample.name == arguments.text("sample")) s.requests.open = sample.path;
   }
   return {};
 }
@@ -83,12 +82,11 @@ Outcome save_picture(const Arguments& arguments, ViewState& s) {
     m.show_save = true;
     return {};
   }
-  s.requests.screenshot = {picture_path(arguments.text("path")),
-                           static_cast<int>(arguments.number("width", m.save_width)),
-                           static_cast<int>(arguments.number("height", m.save_height)),
-                           arguments.has("transparent") || m.save_transparent,
-                           m.save_legend,
-                           m.save_scale_bar};
+  PictureOptions options = m.save;
+  options.width = static_cast<int>(arguments.number("width", options.width));
+  options.height = static_cast<int>(arguments.number("height", options.height));
+  options.transparent |= arguments.has("transparent");
+  s.requests.screenshot = {picture_path(arguments.text("path")), options};
   return {};
 }
 
@@ -177,7 +175,7 @@ void add_edit_commands(Commands& commands, ViewState& s) {
 void add_view_commands(Commands& commands, ViewState& s) {
   DisplayControls& d = s.display;
   const auto only_tetrahedra = [&s] {
-    const bool only = s.result.present && s.result.tetrahedra_only;
+    const bool only = s.result && s.result->complex.tetrahedra_only;
     return only ? "Not computed: see “Tetrahedra only”." : "";
   };
   commands.add({.id = "view.reset",

@@ -80,7 +80,7 @@ void add_alpha_commands(Commands& commands, ViewState& s) {
 // --- Molecule
 
 void add_molecule_commands(Commands& commands, ViewState& s) {
-  SelectionControls& c = s.selection;
+  BallOptions& c = s.open.balls;
   const auto part = [&](const char* id, const char* title, bool& value) {
     commands.add(with_switch({.id = id,
                               .title = title,
@@ -123,9 +123,9 @@ std::vector<Choice> engines() {
 Outcome set_engine(const Arguments& arguments, ViewState& s) {
   const auto engine = engine_from_id(arguments.text("engine"));
   if (!engine) return Outcome::refused("There is no such engine.");
-  if (needs_gpu(*engine) && !s.gpu.usable) {
-    return Outcome::refused(s.gpu.known ? s.gpu.why_not
-                                        : "Still looking for a graphics processor: try again.");
+  if (needs_gpu(*engine) && !has_gpu(s)) {
+    return Outcome::refused(s.gpu ? s.gpu->why_not
+                                  : "Still looking for a graphics processor: try again.");
   }
   s.compute.engine = *engine;
   return {};

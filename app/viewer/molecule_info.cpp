@@ -2,13 +2,12 @@
 #include "app/viewer/molecule_info.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <set>
 #include <string_view>
 #include <tuple>
 
+#include "core/geometry/grown_radius.hpp"
 #include "core/molecule/printable.hpp"
-#include "core/molecule/selection_expression.hpp"
 #include "ui/panels/format.hpp"
 
 namespace alphascope {
@@ -18,10 +17,6 @@ constexpr std::size_t kResiduesListed = 12;  // names per reason for dropping
 
 std::string count(std::size_t n) {
   return with_separators(static_cast<long long>(n));
-}
-
-std::size_t of_kind(const KindCounts& kinds, AtomKind kind) {
-  return kinds[static_cast<std::size_t>(kind)];
 }
 
 // "HOH 221" or "ALA 40, GLY 12, … and 3 more".
@@ -43,53 +38,27 @@ std::string residues_of(const SelectionReport& report, DropReason reason) {
 
 void add_radius_rows(MoleculeInfo& info, const std::vector<GuessedRadius>& list,
                      RadiusRow::Kind kind) {
-  for (const GuessedRadius& g : list) {
-    info.radius_rows.push_back({kind,
-                                {g.residue, g.atom, std::string(element_symbol(g.element))},
-                                g.count,
-                                g.radius_angstrom,
-                                g.source});
-  }
+  for (const GuessedRadius& radius : list) info.radius_rows.push_back({kind, radius});
 }
 
 // Metals and the like first: their guesses are the most doubtful. Kind and radius do not count, so
 // that an edit does not move its row from under the mouse.
 void sort_radius_rows(std::vector<RadiusRow>& rows) {
   const auto key = [](const RadiusRow& row) {
-    static const std::set<std::string> kCommon{"C", "N", "O", "S", "P", "H"};
-    return std::tuple(kCommon.contains(row.atoms.element), std::string_view(row.atoms.residue),
-                      std::string_view(row.atoms.atom), std::string_view(row.atoms.element));
+    static const std::set<std::string_view> kCommon{"C", "N", "O", "S", "P", "H"};
+    const AtomGroup& atoms = row.radius.group;
+    const std::string_view element = element_symbol(atoms.element);
+    return std::tuple(kCommon.contains(element), std::string_view(atoms.residue),
+                      std::string_view(atoms.atom), element);
   };
   std::stable_sort(rows.begin(), rows.end(),
                    [&](const RadiusRow& a, const RadiusRow& b) { return key(a) < key(b); });
 }
 
-std::string kinds_text(const KindCounts& kinds) {
-  static constexpr const char* kNames[] = {"polymer", "water", "ligand", "ion", "dummy"};
-  std::string text;
-  for (std::size_t k = 0; k < kinds.size(); ++k) {
-    if (kinds[k] == 0) continue;
-    text += (text.empty() ? "" : " · ") + std::string(kNames[k]) + " " + count(kinds[k]);
-  }
-  return text;
-}
-
 void describe_contents(MoleculeInfo& info, const OpenedMolecule& opened) {
-  const MoleculeContents& c = *opened.contents;
-  for (const ChainContents& chain : c.chains) {
-    info.chains.push_back({chain.name, kinds_text(chain.kinds), chain.atoms});
-  }
-  info.kinds = {of_kind(c.kinds, AtomKind::polymer),
-                of_kind(c.kinds, AtomKind::water),
-                of_kind(c.kinds, AtomKind::ligand),
-                of_kind(c.kinds, AtomKind::ion),
-                of_kind(c.kinds, AtomKind::dummy),
-                c.hydrogens,
-                c.with_altloc};
+  info.contents = *opened.contents;
   info.deposited_atoms = opened.deposited->atoms.size();
-  for (const AssemblyInfo& a : opened.assemblies) {
-    info.assemblies.push_back({a.id, a.details, a.copies, a.atoms, a.memory_bytes});
-  }
+  info.assemblies = opened.assemblies;
   for (const ModelRange& model : opened.molecule->models) info.models.push_back(model.number);
 }
 
@@ -166,15 +135,6 @@ std::vector<std::string> notes_of(const OpenedMolecule& opened) {
   return notes;
 }
 
-template <class Enum, class Option>
-Enum as(Option option) {
-  return static_cast<Enum>(static_cast<int>(option));
-}
-static_assert(static_cast<int>(HydrogenOption::drop) == static_cast<int>(HydrogenRule::drop));
-static_assert(static_cast<int>(HydrogenOption::keep) == static_cast<int>(HydrogenRule::keep));
-static_assert(static_cast<int>(AltlocOption::all) == static_cast<int>(AltlocRule::all));
-static_assert(kEveryModel == kAllModels);
-
 }  // namespace
 
 MoleculeInfo describe_molecule(const OpenedMolecule& opened) {
@@ -211,100 +171,11 @@ std::vector<GrownRadius> grown_radii(const PreparedBalls& prepared, const Reques
     row.balls = size.count;
     row.atoms = printable(size.atoms);
     row.radius = prepared.balls->lattice.angstrom(size.radius);
-    const double with_solvent = row.radius + controls.solvent_radius_angstrom;
-    row.grown = std::sqrt(std::max(0.0, with_solvent * with_solvent + controls.alpha_angstrom2));
+    row.grown =
+        grown_radius(row.radius, controls.solvent_radius_angstrom, controls.alpha_angstrom2);
     result.push_back(std::move(row));
   }
   return result;
-}
-
-std::vector<RadiiSet> offered_radii_sets() {
-  std::vector<RadiiSet> sets;
-  for (const RadiiSetInfo& info : all_radii_sets()) sets.push_back(info.set);
-  return sets;
-}
-
-std::vector<RadiiSetEntry> radii_set_entries(const std::vector<RadiiSet>& radii_sets) {
-  std::vector<RadiiSetEntry> entries;
-  for (const RadiiSet set : radii_sets) {
-    const RadiiSetInfo& info = radii_set_info(set);
-    RadiiSetEntry entry{std::string(info.name), std::string(info.citation)};
-    if (set == RadiiSet::automatic) {
-      entry.citation =
-          "The file's own radii when it has any; else ProtOr for proteins and nucleic acids "
-          "without "
-          "hydrogens; else Bondi.";
-    } else if (set == RadiiSet::amber) {
-      entry.citation =
-          "Half the distance at which two atoms of one type have their least van der Waals energy "
-          "in AMBER's force fields; hydrogens too.\n" +
-          entry.citation;
-    } else if (set == RadiiSet::file) {
-      entry.kind = RadiiSetEntry::Kind::from_file;
-    } else if (set == RadiiSet::user) {
-      entry.kind = RadiiSetEntry::Kind::user_table;
-    }
-    entries.push_back(std::move(entry));
-  }
-  return entries;
-}
-
-OpenOptions to_open_options(const SelectionControls& controls,
-                            const std::vector<RadiiSet>& radii_sets) {
-  OpenOptions options;
-  BallOptions& b = options.balls;
-  b.polymers = controls.polymers;
-  b.waters = controls.waters;
-  b.ligands = controls.ligands;
-  b.ions = controls.ions;
-  b.dummies = controls.dummies;
-  b.radii = radii_sets.at(static_cast<std::size_t>(controls.radii_set));
-  b.hydrogens = as<HydrogenRule>(controls.hydrogens);
-  b.altlocs = as<AltlocRule>(controls.altlocs);
-  b.model = controls.model;
-  b.without_chains = controls.chains_off;
-  b.selection = controls.expression;
-  for (const RadiusEdit& edit : controls.radius_edits.list()) {
-    b.overrides.push_back({edit.atoms.residue, edit.atoms.atom,
-                           element_from_symbol(edit.atoms.element),
-                           static_cast<std::int32_t>(std::lround(edit.radius * 1e6))});
-  }
-  options.assembly = controls.assembly;
-  if (b.radii == RadiiSet::user) options.radii_table = controls.radii_table;
-  return options;
-}
-
-SelectionControls to_controls(const OpenOptions& options, const std::vector<RadiiSet>& radii_sets) {
-  const BallOptions& b = options.balls;
-  SelectionControls controls;
-  controls.polymers = b.polymers;
-  controls.waters = b.waters;
-  controls.ligands = b.ligands;
-  controls.ions = b.ions;
-  controls.dummies = b.dummies;
-  const auto set = std::find(radii_sets.begin(), radii_sets.end(), b.radii);
-  controls.radii_set = set == radii_sets.end() ? 0 : static_cast<int>(set - radii_sets.begin());
-  controls.radii_table = options.radii_table.string();
-  controls.hydrogens = as<HydrogenOption>(b.hydrogens);
-  controls.altlocs = as<AltlocOption>(b.altlocs);
-  controls.model = b.model;
-  controls.chains_off = b.without_chains;
-  controls.expression = b.selection;
-  controls.assembly = options.assembly;
-  for (const RadiusOverride& o : b.overrides) {
-    controls.radius_edits.set({o.residue, o.atom, std::string(element_symbol(o.element))},
-                              o.microangstrom / 1e6);
-  }
-  return controls;
-}
-
-ExpressionError check_expression(const std::string& expression) {
-  try {
-    SelectionExpression::parse(expression);
-    return {};
-  } catch (const SelectionError& error) {
-    return {error.what(), error.column()};
-  }
 }
 
 }  // namespace alphascope

@@ -19,12 +19,12 @@ std::vector<fs::path> resource_folders() {
 
 }  // namespace
 
-std::vector<SampleFile> sample_files() {
-  static const SampleFile kSamples[] = {
+std::vector<SampleMolecule> sample_files() {
+  static const SampleMolecule kSamples[] = {
       {"crambin", "1CRN: a small protein, 327 atoms", "molecules/1crn.pdb"},
       {"haemoglobin", "4HHB: four chains with haem, 4,779 atoms", "molecules/4hhb.pdb.gz"}};
-  std::vector<SampleFile> found;
-  for (const SampleFile& sample : kSamples) {
+  std::vector<SampleMolecule> found;
+  for (const SampleMolecule& sample : kSamples) {
     for (const fs::path& folder : resource_folders()) {
       std::error_code ignored;
       if (!fs::is_regular_file(folder / sample.path, ignored)) continue;

@@ -1,18 +1,13 @@
 // Files that come with the program.
 #pragma once
 
-#include <filesystem>
-#include <string>
 #include <vector>
+
+#include "ui/panels/view_state.hpp"
 
 namespace alphascope {
 
-struct SampleFile {
-  std::string name, detail;
-  std::filesystem::path path;
-};
-
 // Those that are there; empty when the program was moved without its resources.
-std::vector<SampleFile> sample_files();
+std::vector<SampleMolecule> sample_files();
 
 }  // namespace alphascope

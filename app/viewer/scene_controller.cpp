@@ -298,7 +298,7 @@ void SceneController::show(Drawing drawing) {
   viewed_ = draws_nothing() ? nullptr : drawn_molecule_->molecule;
   if (!keep_view) quality_.forget();
   // Other atoms of the same molecule keep the view, unless it shows none of them.
-  if (!keep_view || view_trouble() != ViewTrouble::none) scene_.reset_view();
+  if (!keep_view || find_view_problem() != ViewProblem::none) scene_.reset_view();
 }
 
 // Colours and radii come with the drawing, unless the controls have changed since it was begun.
@@ -319,21 +319,13 @@ void SceneController::show_balls(Drawing& drawing) {
   if (!with_radii) scene_.set_ball_radii(radii_);
 }
 
-ViewTrouble SceneController::view_trouble() const {
-  if (!drawn_molecule_ || draws_nothing()) return ViewTrouble::none;
+ViewProblem SceneController::find_view_problem() const {
+  if (!drawn_molecule_ || draws_nothing()) return ViewProblem::none;
   const bool complex = drawn_mesh_ && drawn_mesh_->points() > 0;
   const std::vector<float> not_drawn;
-  if (!complex && !display_.balls) return ViewTrouble::none;  // nothing is switched on
-  switch (view_problem(*drawn_molecule_->geometry, display_.balls ? radii_ : not_drawn,
-                       scene_.sight(), complex)) {
-    case ViewProblem::nothing_in_view:
-      return ViewTrouble::nothing_in_view;
-    case ViewProblem::inside_a_ball:
-      return ViewTrouble::inside_a_ball;
-    case ViewProblem::none:
-      break;
-  }
-  return ViewTrouble::none;
+  if (!complex && !display_.balls) return ViewProblem::none;  // nothing is switched on
+  return view_problem(*drawn_molecule_->geometry, display_.balls ? radii_ : not_drawn,
+                      scene_.sight(), complex);
 }
 
 void SceneController::set_layers(const Layers& layers) {
@@ -396,7 +388,7 @@ double SceneController::seconds_to_refinement() const {
 void SceneController::describe(ViewportInfo& viewport) const {
   viewport.legend = legend_;
   viewport.not_drawn = not_drawn_;
-  viewport.trouble = view_trouble_;
+  viewport.problem = view_problem_;
 }
 
 void SceneController::render(ViewportInfo& viewport, bool interacting, bool patient) {
@@ -435,7 +427,7 @@ void SceneController::render(ViewportInfo& viewport, bool interacting, bool pati
 // Not while the hand is moving the view: it is on its way.
 void SceneController::check_view(ViewportInfo& viewport, bool interacting) {
   if (interacting || std::exchange(view_checked_, true)) return;
-  viewport.trouble = view_trouble_ = view_trouble();
+  viewport.problem = view_problem_ = find_view_problem();
 }
 
 std::optional<std::size_t> SceneController::pick(int x, int y) const {
@@ -451,9 +443,7 @@ PictureTexts SceneController::texts() const {
       provenance(*opened.molecule, opened.options.balls, opened.prepared->report);
   ComplexHeader header{{"program", program_text(kProgram)}};
   if (drawn_answer_) {
-    header =
-        result_header(kProgram, balls, opened.molecule->notes,
-                      {drawn_answer_->request, drawn_answer_->complex, drawn_answer_->engine_note});
+    header = result_header(kProgram, balls, opened.molecule->notes, *drawn_answer_);
   } else {
     header.insert(header.end(), balls.begin(), balls.end());
   }
@@ -478,7 +468,7 @@ PictureToSave SceneController::picture(const ScreenshotRequest& request) const {
     throw std::runtime_error("The picture is still being drawn. Save it when it is ready.");
   }
   const std::size_t balls = drawn_molecule_->geometry->centres.size();
-  require_room(request.width, request.height, free_memory_(),
+  require_room(request.options.width, request.options.height, free_memory_(),
                second_scene_bytes(balls, drawn_mesh_.get()));
   PictureToSave picture;
   picture.balls = drawn_molecule_->geometry;
@@ -488,12 +478,12 @@ PictureToSave SceneController::picture(const ScreenshotRequest& request) const {
   picture.differences = drawn_differences_;
   picture.style = scene_style();
   picture.viewpoint = scene_.viewpoint();
-  picture.picture = {request.width,
-                     request.height,
-                     request.transparent,
+  picture.picture = {request.options.width,
+                     request.options.height,
+                     request.options.transparent,
                      theme_,
-                     request.legend ? legend_ : std::nullopt,
-                     request.scale_bar};
+                     request.options.legend ? legend_ : std::nullopt,
+                     request.options.scale_bar};
   picture.texts = texts();
   picture.path = request.path;
   return picture;

@@ -122,7 +122,7 @@ class SceneController {
   void show_nothing(const std::string& why);
   BallLook ball_look(const Answer* answer) const;  // as the controls have it
   SceneStyle scene_style() const;
-  ViewTrouble view_trouble() const;
+  ViewProblem find_view_problem() const;
   void check_view(ViewportInfo& viewport, bool interacting);
   MeshOptions mesh_options() const;
 
@@ -152,7 +152,7 @@ class SceneController {
   MeshOptions requested_mesh_;
   bool dirty_ = true;
   bool view_checked_ = false;  // since the last picture
-  ViewTrouble view_trouble_ = ViewTrouble::none;
+  ViewProblem view_problem_ = ViewProblem::none;
   bool refine_ = false;  // the picture on screen could be finer
   RenderQuality drawn_ = RenderQuality::draft;
   Clock::time_point last_change_ = Clock::now();

@@ -82,7 +82,7 @@ class ScriptRunner {
     const MoleculeInfo& m = viewer_.state().molecule;
     return (condition == "dropped" && !m.dropped.empty()) ||
            (condition == "guessed" && !m.radius_rows.empty()) ||
-           (condition == "chains" && m.chains.size() > 1) ||
+           (condition == "chains" && m.contents.chains.size() > 1) ||
            (condition == "models" && m.models.size() > 1) ||
            (condition == "assemblies" && !m.assemblies.empty());
   }
@@ -192,10 +192,13 @@ class ScriptRunner {
          << '\n';
   }
   void print(const Arguments&) {
-    const ResultInfo& r = viewer_.state().result;
-    out_ << "alpha " << r.alpha << " solvent " << r.solvent << " vertices " << r.vertices
-         << " edges " << r.edges << " triangles " << r.triangles << " tetrahedra " << r.tetrahedra
-         << " hash " << r.hash << " badge " << viewer_.state().badge.text << '\n';
+    const Answer none;
+    const Answer& r = viewer_.state().result ? *viewer_.state().result : none;
+    out_ << "alpha " << r.request.alpha_angstrom2 << " solvent "
+         << r.request.solvent_radius_angstrom << " vertices " << r.complex.vertices.size()
+         << " edges " << r.complex.edges.size() << " triangles " << r.complex.triangles.size()
+         << " tetrahedra " << r.complex.tetrahedra.size() << " hash " << hash_text(r.complex.hash)
+         << " badge " << viewer_.state().badge.text << '\n';
   }
 
   void time(const Arguments& arguments) {
@@ -343,7 +346,8 @@ std::string script_help() {
          "start\nwith # are skipped. Quote a path that contains blanks, unless it ends the line.\n"
          "\nCommands of the window, which are also in its menus and in the list of Ctrl+P:\n";
   ViewState state;
-  for (const SampleFile& sample : sample_files()) state.samples.push_back({sample.name, ""});
+  for (const SampleMolecule& sample : sample_files())
+    state.samples.push_back({sample.name, "", {}});
   Commands commands;
   add_program_commands(commands, state);
   for (const CommandSpec& spec : commands.all()) print_help(out, spec);

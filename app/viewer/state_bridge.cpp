@@ -2,9 +2,8 @@
 #include "app/viewer/state_bridge.hpp"
 
 #include <algorithm>
-#include <cmath>
 
-#include "core/molecule/printable.hpp"
+#include "core/geometry/grown_radius.hpp"
 #include "ui/panels/format.hpp"
 
 namespace alphascope {
@@ -12,18 +11,6 @@ namespace {
 
 std::string count(std::size_t n) {
   return with_separators(static_cast<long long>(n));
-}
-
-TimedRun to_run(const MeasuredRun& measured) {
-  TimedRun run;
-  run.alpha = measured.alpha_angstrom2;
-  run.tetrahedra_only = measured.tetrahedra_only;
-  run.rebuilt = measured.rebuilt;
-  run.rests_on_cgal = measured.rests_on_cgal;
-  run.wall_milliseconds = measured.times.wall_milliseconds;
-  for (const StageTime& s : measured.times.stages)
-    run.stages.push_back({s.label, s.milliseconds, s.setup});
-  return run;
 }
 
 template <int N>
@@ -56,10 +43,9 @@ std::string describe_ball(const Molecule& molecule, const PreparedBalls& prepare
   const BallSet& balls = *prepared.balls;
   const Lattice& lattice = balls.lattice;
   const LatticePoint& c = balls.centres[ball];
-  const double radius = lattice.angstrom(balls.radii[ball]),
-               with_solvent = radius + controls.solvent_radius_angstrom;
+  const double radius = lattice.angstrom(balls.radii[ball]);
   const double grown =
-      std::sqrt(std::max(0.0, with_solvent * with_solvent + controls.alpha_angstrom2));
+      grown_radius(radius, controls.solvent_radius_angstrom, controls.alpha_angstrom2);
   const int digits = std::clamp(lattice.digits, 0, 4);
   const auto coordinate = [&](std::int32_t x) {
     return short_number_text(lattice.angstrom(x), digits);
@@ -70,40 +56,9 @@ std::string describe_ball(const Molecule& molecule, const PreparedBalls& prepare
          short_number_text(radius, 3) + " Å, grown " + number_text(grown, 2) + " Å";
 }
 
-ResultInfo describe_answer(const Answer& answer, const Molecule& molecule) {
-  const AlphaComplex& c = answer.complex;
-  ResultInfo r;
-  r.present = true;
-  r.molecule = printable(molecule.source.filename().string());
-  r.balls = answer.balls->size();
-  r.alpha = answer.request.alpha_angstrom2;
-  r.solvent = answer.request.solvent_radius_angstrom;
-  r.tetrahedra_only = c.tetrahedra_only;
-  r.vertices = c.vertices.size();
-  r.edges = c.edges.size();
-  r.triangles = c.triangles.size();
-  r.tetrahedra = c.tetrahedra.size();
-  r.euler = c.tetrahedra_only ? 0 : c.euler_characteristic();
-  r.hash = hash_text(c.hash);
-  r.engine = c.engine.name;
-  r.device = c.engine.device;
-  r.route = c.engine.route;
-  return r;
-}
-
 std::string pending_text(const Answer& answer) {
   return "α " + short_number_text(answer.request.alpha_angstrom2, 3) +
          " Å²: " + count(answer.complex.tetrahedra.size()) + " tetrahedra · drawing";
-}
-
-std::optional<EngineTimings> describe_timings(const ColdAndWarm& timings) {
-  if (!timings.cold && !timings.warm) return std::nullopt;
-  EngineTimings shown;
-  shown.engine = timings.engine.name;
-  shown.device = timings.engine.device;
-  if (timings.cold) shown.cold = to_run(*timings.cold);
-  if (timings.warm) shown.warm = to_run(*timings.warm);
-  return shown;
 }
 
 BadgeInfo describe_agreement(const SessionState& state, const Answer* shown, bool comparing) {
@@ -121,16 +76,6 @@ BadgeInfo describe_agreement(const SessionState& state, const Answer* shown, boo
   const std::string number = count(c.tetrahedra.common);
   return {BadgeInfo::State::identical,
           "identical to CGAL: " + number + " of " + number + " tetrahedra"};
-}
-
-GpuInfo describe_gpu(const MachineInfo& machine) {
-  return {true,
-          machine.gpu_usable,
-          machine.gpu,
-          machine.driver,
-          machine.gpu_capability,
-          machine.gpu_memory_bytes,
-          machine.gpu_why_not};
 }
 
 }  // namespace alphascope

@@ -1,7 +1,6 @@
 // From what the session holds to what the panels show, and back. Pure functions: no window, no GL.
 #pragma once
 
-#include "app/session/machine.hpp"
 #include "app/session/session.hpp"
 #include "ui/panels/view_state.hpp"
 
@@ -11,13 +10,9 @@ namespace alphascope {
 std::string describe_ball(const Molecule& molecule, const PreparedBalls& prepared,
                           const Request& controls, std::size_t ball);
 
-ResultInfo describe_answer(const Answer& answer, const Molecule& molecule);
 // "α 3.20 Å²: 1,600,404 tetrahedra · drawing": of what is computed and not yet on screen.
 std::string pending_text(const Answer& answer);
-std::optional<EngineTimings> describe_timings(const ColdAndWarm& timings);  // nothing for no run
 // Of the complex on screen.
 BadgeInfo describe_agreement(const SessionState& state, const Answer* shown, bool comparing);
-
-GpuInfo describe_gpu(const MachineInfo& machine);
 
 }  // namespace alphascope

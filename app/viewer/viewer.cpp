@@ -64,7 +64,7 @@ Viewer::Viewer(Host& host, const ViewerOptions& options, Session::Services servi
   state_.auto_compare = options.compare;
   sent_compute_ = state_.compute;
   session_.set_request(canonical(state_.compute));
-  session_.set_open_options(to_open_options(state_.selection, radii_sets_));
+  session_.set_open_options(state_.open);
   scene_.set_display(state_.display, state_.theme);
   editor_.restart(settings());
   if (options.file) open(*options.file);
@@ -75,12 +75,7 @@ Viewer::~Viewer() = default;
 void Viewer::fill_constants() {
   state_.version = ALPHASCOPE_VERSION;
   state_.memory_bytes = resident_bytes();
-  for (const SampleFile& sample : sample_files()) {
-    state_.samples.push_back({sample.name, sample.detail});
-    sample_paths_.push_back(sample.path);
-  }
-  radii_sets_ = offered_radii_sets();
-  state_.radii_sets = radii_set_entries(radii_sets_);
+  state_.samples = sample_files();
 }
 
 void Viewer::open(const std::filesystem::path& path) {
@@ -115,9 +110,8 @@ bool Viewer::busy() const {
 
 bool Viewer::working() const {
   const SessionActivity a = session_.activity();
-  return state_.selection != sent_selection_ || a.opening.busy || a.computing.busy ||
-         a.comparing.busy || a.timing.busy || !state_.gpu.known || scene_.busy() || saver_.busy() ||
-         folder_reader_.busy();
+  return state_.open != sent_open_ || a.opening.busy || a.computing.busy || a.comparing.busy ||
+         a.timing.busy || !state_.gpu || scene_.busy() || saver_.busy() || folder_reader_.busy();
 }
 
 bool Viewer::settled() const {
@@ -142,9 +136,9 @@ void Viewer::take_molecule() {
   state_.drop_note = std::exchange(drop_note_when_open_, {});
   host_.set_title(state_.molecule.name + " – Alphascope");
   state_.memory.playing_models = state_.memory.timings_pinned = false;
-  state_.selection = sent_selection_ = to_controls(session_.open_options(), radii_sets_);
-  state_.expression_error = {};
-  state_.memory.expression_typed = state_.memory.expression_shown = state_.selection.expression;
+  state_.open = sent_open_ = session_.open_options();
+  state_.expression_error.reset();
+  state_.memory.expression_typed = state_.memory.expression_shown = state_.open.balls.selection;
   editor_.restart(settings());
 }
 
@@ -152,19 +146,18 @@ void Viewer::take_answer() {
   const SessionState& s = session_.state();
   scene_.set_answer(s.ours);
   state_.device_text = s.ours->complex.engine.name + " on " + s.ours->complex.engine.device;
-  state_.engine_note = s.ours->engine_note;
+  state_.engine_note = s.ours->note;
 }
 
 void Viewer::take_shown() {
   must_render_ |= scene_.poll();
   scene_.describe(state_.viewport);
-  if (shown_ != scene_.drawn_answer()) {
-    shown_ = scene_.drawn_answer();
-    state_.result = shown_ ? describe_answer(*shown_, *scene_.drawn()->molecule) : ResultInfo{};
+  if (state_.result != scene_.drawn_answer()) {
+    state_.result = scene_.drawn_answer();
     frames_due_ = kSettlingFrames;
   }
   const auto& ours = session_.state().ours;
-  state_.pending = ours && ours != shown_ ? pending_text(*ours) : "";
+  state_.pending = ours && ours != state_.result ? pending_text(*ours) : "";
 }
 
 // The whole filtration, so that on the CPU every later alpha is a threshold of it. Not before the
@@ -178,8 +171,8 @@ void Viewer::want_derived() {
     inputs_.balls = ours->balls;
     inputs_.balls_key = ++balls_seen_;
   }
-  if (inputs_.balls && (shown_ == ours || inputs_.triangulation)) {
-    inputs_.alpha_angstrom2 = shown_ ? shown_->request.alpha_angstrom2 : 0;
+  if (inputs_.balls && (state_.result == ours || inputs_.triangulation)) {
+    inputs_.alpha_angstrom2 = state_.result ? state_.result->request.alpha_angstrom2 : 0;
     inputs_.triangulation = store_.want(whole_triangulation(), inputs_, Priority::background).value;
     inputs_.filtration = store_.want(whole_filtration(), inputs_, Priority::background).value;
     session_.lend(*ours, {inputs_.triangulation, inputs_.filtration});
@@ -188,10 +181,10 @@ void Viewer::want_derived() {
 }
 
 void Viewer::take_machine() {
-  if (state_.gpu.known || machine_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) {
+  if (state_.gpu || machine_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) {
     return;
   }
-  state_.gpu = describe_gpu(machine_.get());
+  state_.gpu = machine_.get().gpu;
   frames_due_ = kSettlingFrames;
 }
 
@@ -212,19 +205,19 @@ void Viewer::take_session() {
   }
   if (changes.agreement && s.agreement) scene_.set_agreement(s.agreement);
   if (s.ours) {  // else the next answer is on its way
-    state_.ours = describe_timings(s.our_timings);
-    state_.cgal = describe_timings(s.reference_timings);
-    state_.cgal_parallel = describe_timings(s.parallel_timings);
+    state_.ours = s.our_timings;
+    state_.cgal = s.reference_timings;
+    state_.cgal_parallel = s.parallel_timings;
   }
-  SelectionControls before = state_.selection;
+  OpenOptions before = state_.open;
   if (changes.options) {  // what was asked for failed or was cancelled
-    state_.selection = sent_selection_ = to_controls(session_.open_options(), radii_sets_);
+    state_.open = sent_open_ = session_.open_options();
     state_.memory.playing_models = false;
     editor_.amend(settings());
   }
   if (changes.error) {
-    before.model = state_.selection.model;
-    take_error(changes.options && before == state_.selection);
+    before.balls.model = state_.open.balls.model;
+    take_error(changes.options && before == state_.open);
   }
   if (changes.any()) {
     frames_due_ = kSettlingFrames;
@@ -261,7 +254,6 @@ void Viewer::colour_by_what_differs(const Molecule& molecule) {
 void Viewer::take_requests() {
   Requests r = std::exchange(state_.requests, {});
   if (r.open) open(*r.open);
-  if (r.open_sample && *r.open_sample < sample_paths_.size()) open(sample_paths_[*r.open_sample]);
   if (r.compare) {
     compared_ = session_.state().ours;
     session_.request_comparison();
@@ -322,25 +314,26 @@ void Viewer::send_controls() {
 }
 
 void Viewer::send_selection() {
-  SelectionControls& wanted = state_.selection;
-  if (wanted.expression != sent_selection_.expression) {
-    state_.expression_error = check_expression(wanted.expression);
-    if (!state_.expression_error.text.empty()) {
-      wanted.expression = sent_selection_.expression;
-      state_.memory.expression_shown = wanted.expression;  // what was typed stays, to be mended
+  OpenOptions& wanted = state_.open;
+  if (wanted.balls.selection != sent_open_.balls.selection) {
+    state_.expression_error = fault_of_selection(wanted.balls.selection);
+    if (state_.expression_error) {
+      wanted.balls.selection = sent_open_.balls.selection;
+      // What was typed stays, to be mended.
+      state_.memory.expression_shown = wanted.balls.selection;
     }
   }
-  if (wanted == sent_selection_) return;
-  SelectionControls only_model = sent_selection_;
-  only_model.model = wanted.model;
+  if (wanted == sent_open_) return;
+  OpenOptions only_model = sent_open_;
+  only_model.balls.model = wanted.balls.model;
   const bool may_wait = wanted == only_model && !settled() && state_.error.empty() &&
                         Clock::now() - selection_sent_at_ < kModelGrace;
   if (may_wait) return;
   // Copies of chains have other names, and copies of models other atoms.
-  if (wanted.assembly != sent_selection_.assembly) wanted.chains_off.clear();
-  sent_selection_ = wanted;
+  if (wanted.assembly != sent_open_.assembly) wanted.balls.without_chains.clear();
+  sent_open_ = wanted;
   selection_sent_at_ = Clock::now();
-  session_.set_open_options(to_open_options(wanted, radii_sets_));
+  session_.set_open_options(wanted);
   frames_due_ = kSettlingFrames;
 }
 
@@ -373,10 +366,9 @@ void Viewer::play_models() {
     model_playback_.stop();
     return;
   }
-  int& model = state_.selection.model;
-  const ModelPlayback::Scene scene{
-      model, static_cast<int>(state_.molecule.models.size()),
-      settled() && !scene_.busy() && state_.selection == sent_selection_};
+  int& model = state_.open.balls.model;
+  const ModelPlayback::Scene scene{model, static_cast<int>(state_.molecule.models.size()),
+                                   settled() && !scene_.busy() && state_.open == sent_open_};
   if (const auto next =
           model_playback_.next(scene, state_.memory.models_per_second, Clock::now())) {
     model = *next;
@@ -477,7 +469,7 @@ void Viewer::run() {
     });
     const bool playing = state_.memory.playing || state_.memory.playing_models;
     const bool due = frames_due_ > 0 || playing || working() || store_.busy() ||
-                     scene_.wants_frame() || state_.selection != sent_selection_;
+                     scene_.wants_frame() || state_.open != sent_open_;
     if (!due) continue;
     frames_due_ = std::max(0, frames_due_ - 1);
     draw(nullptr, false);

@@ -103,13 +103,10 @@ class Viewer {
   WidgetRects rects_;
   ImGuiFrame frame_;
   SceneController scene_;
-  std::vector<RadiiSet> radii_sets_;
-  std::vector<std::filesystem::path> sample_paths_;
   Request sent_compute_;
-  SelectionControls sent_selection_;
+  OpenOptions sent_open_;
   std::shared_ptr<const Molecule> shown_file_;  // as deposited
   std::string drop_note_when_open_;             // of the file that is being read
-  std::shared_ptr<const Answer> shown_;         // whose complex is on screen
   std::shared_ptr<const Answer> compared_;      // the last answer for which a comparison was asked
   std::optional<Clock::time_point> busy_since_, comparing_since_, tooltip_due_;
   Clock::time_point selection_sent_at_{};

@@ -23,12 +23,12 @@ void Viewer::note_changes() {
 
 void Viewer::show_settings() {
   const Settings& s = editor_.now();
-  state_.selection = to_controls(s.open, radii_sets_);
+  state_.open = s.open;
   state_.compute = s.request;
   state_.display = s.display;
   state_.memory.playing = state_.memory.playing_models = false;
   state_.memory.number = {};  // what was being typed is not what is undone
-  state_.expression_error = {};
+  state_.expression_error.reset();
 }
 
 void Viewer::undo() {

@@ -98,7 +98,7 @@ void Viewer::take_error(bool only_the_model_changed) {
 
 void Viewer::update_badge() {
   state_.badge =
-      describe_agreement(session_.state(), shown_.get(), session_.activity().comparing.busy);
+      describe_agreement(session_.state(), state_.result.get(), session_.activity().comparing.busy);
   const bool comparing = session_.activity().comparing.busy;
   if (!comparing) comparing_since_.reset();
   if (comparing && !comparing_since_) comparing_since_ = Clock::now();

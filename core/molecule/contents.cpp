@@ -2,6 +2,8 @@
 
 #include <limits>
 
+#include "core/molecule/grouped_number.hpp"
+
 namespace alphascope {
 
 MoleculeContents contents_of(const Molecule& molecule) {
@@ -22,6 +24,16 @@ MoleculeContents contents_of(const Molecule& molecule) {
     contents.with_altloc += atom.altloc != ' ';
   }
   return contents;
+}
+
+std::string kinds_text(const KindCounts& counts) {
+  static constexpr const char* kNames[] = {"polymer", "water", "ligand", "ion", "dummy"};
+  std::string text;
+  for (std::size_t k = 0; k < counts.size(); ++k) {
+    if (counts[k] == 0) continue;
+    text += (text.empty() ? "" : " · ") + std::string(kNames[k]) + " " + grouped(counts[k]);
+  }
+  return text;
 }
 
 }  // namespace alphascope

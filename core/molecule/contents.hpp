@@ -13,6 +13,13 @@ namespace alphascope {
 // Atoms by kind; the index is an AtomKind.
 using KindCounts = std::array<std::size_t, 5>;
 
+inline std::size_t of_kind(const KindCounts& counts, AtomKind kind) {
+  return counts[static_cast<std::size_t>(kind)];
+}
+
+// "polymer 1,069 · water 60": those of which there are any.
+std::string kinds_text(const KindCounts& counts);
+
 struct ChainContents {
   std::string name;  // the author's; empty where the file gives none
   std::size_t atoms = 0;

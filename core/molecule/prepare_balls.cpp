@@ -224,10 +224,12 @@ class RadiusSource {
   }
 
   void add_override(const RadiusOverride& o) {
-    const NameId residue = molecule_.names.find(o.residue), name = molecule_.names.find(o.atom);
+    const auto& [residue_text, atom_text, element] = o.atoms;
+    const NameId residue = molecule_.names.find(residue_text),
+                 name = molecule_.names.find(atom_text);
     // Names that this molecule does not have must not match its atoms without a name (id 0).
-    if ((residue == 0 && !o.residue.empty()) || (name == 0 && !o.atom.empty())) return;
-    overrides_[key(residue, name, o.element)] = o.microangstrom;
+    if ((residue == 0 && !residue_text.empty()) || (name == 0 && !atom_text.empty())) return;
+    overrides_[key(residue, name, element)] = o.microangstrom;
   }
 
   std::int32_t units_of(std::int32_t microangstrom) {
@@ -240,13 +242,12 @@ class RadiusSource {
             std::string_view source) {
     const auto [entry, inserted] = index.try_emplace(key(atom), list.size());
     if (inserted) {
-      GuessedRadius row{"", 0, angstrom, std::string(source)};
-      row.residue = molecule_.text(atom.residue_name);
-      row.atom = molecule_.text(atom.name);
-      row.element = atom.element;
-      row.atoms = row.atom.empty() ? std::string(element_symbol(atom.element)) : row.atom;
-      if (!row.residue.empty()) row.atoms += " in " + row.residue;
-      list.push_back(std::move(row));
+      AtomGroup group{std::string(molecule_.text(atom.residue_name)),
+                      std::string(molecule_.text(atom.name)), atom.element};
+      std::string text =
+          group.atom.empty() ? std::string(element_symbol(atom.element)) : group.atom;
+      if (!group.residue.empty()) text += " in " + group.residue;
+      list.push_back({std::move(text), 0, angstrom, std::string(source), std::move(group)});
     }
     ++list[entry->second].count;
   }

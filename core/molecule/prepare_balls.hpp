@@ -24,10 +24,16 @@ enum class HydrogenRule : std::uint8_t { automatic, keep, drop };
 
 inline constexpr int kAllModels = -1;
 
-// A radius that a user gave to all atoms of one name, element and residue name.
-struct RadiusOverride {
+// All atoms of one name, element and residue name.
+struct AtomGroup {
   std::string residue, atom;  // as in the file; empty where it gives none
   Element element = kUnknownElement;
+  friend bool operator==(const AtomGroup&, const AtomGroup&) = default;
+};
+
+// A radius that a user gave to them.
+struct RadiusOverride {
+  AtomGroup atoms;
   std::int32_t microangstrom = 0;  // > 0
   friend bool operator==(const RadiusOverride&, const RadiusOverride&) = default;
 };
@@ -50,14 +56,13 @@ struct BallOptions {
   friend bool operator==(const BallOptions&, const BallOptions&) = default;
 };
 
-// A radius that the set did not have, for all atoms of one name, element and residue name.
+// A radius that the set did not have.
 struct GuessedRadius {
   std::string atoms;  // "FE in HEM"
   std::size_t count = 0;
   double radius_angstrom = 0;
-  std::string source = {};              // "ionic radius, Shannon 1976"
-  std::string residue = {}, atom = {};  // as in RadiusOverride
-  Element element = kUnknownElement;
+  std::string source = {};  // "ionic radius, Shannon 1976"
+  AtomGroup group = {};
 };
 
 enum class DropReason : std::uint8_t {

@@ -352,4 +352,13 @@ bool SelectionExpression::Bound::Node::holds(const Atom& atom) const {
   });
 }
 
+std::optional<SelectionError> fault_of_selection(std::string_view text) {
+  try {
+    SelectionExpression::parse(text);
+    return std::nullopt;
+  } catch (const SelectionError& error) {
+    return error;
+  }
+}
+
 }  // namespace alphascope

@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -31,6 +32,9 @@ class SelectionError : public std::invalid_argument {
  private:
   std::size_t column_;
 };
+
+// Why an expression cannot be understood; nothing when it can.
+std::optional<SelectionError> fault_of_selection(std::string_view text);
 
 class SelectionExpression {
  public:

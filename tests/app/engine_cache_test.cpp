@@ -66,7 +66,7 @@ TEST(EngineCache, SaysWhatTheLatticeRounds) {
   EngineCache cache(fake_factory(log));
   Request request = with_solvent_radius(0.0004);
   request.alpha_angstrom2 = 1.4;
-  const EngineCache::Result finer = cache.compute(few_balls(4), request, {});
+  const EngineAnswer finer = cache.compute(few_balls(4), request, {});
   EXPECT_EQ(finer.balls->lattice.digits, 4);
   EXPECT_EQ(finer.note, "");
 
@@ -129,7 +129,7 @@ TEST(EngineCache, AFailingDeviceIsTheEnginesBusinessWhateverTheChoice) {
     Request request;
     request.engine = choice;
     for (int again = 0; again < 2; ++again) {
-      const EngineCache::Result result = cache.compute(balls, request, {});
+      const EngineAnswer result = cache.compute(balls, request, {});
       EXPECT_EQ(result.complex.vertices.size(), 4u);
       const std::string& route = result.complex.engine.route;
       EXPECT_NE(route.find("(on the CPU: the device is lost)"), std::string::npos) << route;

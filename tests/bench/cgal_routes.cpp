@@ -76,11 +76,11 @@ int main(int argc, char** argv) try {
     std::fprintf(stderr, "usage: %s FILE [SOLVENT_Å [REPETITIONS]]\n", argv[0]);
     return 2;
   }
-  const auto balls = testing::molecule_balls(argv[1], argc > 2 ? std::atof(argv[2]) : 0);
+  const auto balls = testing::molecule_balls(argv[1], argc > 2 ? std::strtod(argv[2], nullptr) : 0);
   if (!balls) throw std::runtime_error("set ALPHASCOPE_TEST_DATA to the folder of molecules");
   std::printf("%s, %zu balls\n", argv[1], balls->size());
   Medians medians;
-  const int repetitions = argc > 3 ? std::atoi(argv[3]) : 5;
+  const int repetitions = argc > 3 ? static_cast<int>(std::strtol(argv[3], nullptr, 10)) : 5;
   for (int n = 0; n < repetitions; ++n) measure(balls, medians);
   medians.print();
   return 0;

@@ -141,8 +141,8 @@ int main(int argc, char** argv) try {
     return 2;
   }
   const auto balls = std::make_shared<const BallSet>(bench::read_balls(argv[1]));
-  const int threads = argc > 2 ? std::atoi(argv[2]) : 1,
-            moves = argc > 3 ? std::atoi(argv[3]) : 200;
+  const int threads = argc > 2 ? static_cast<int>(std::strtol(argv[2], nullptr, 10)) : 1,
+            moves = argc > 3 ? static_cast<int>(std::strtol(argv[3], nullptr, 10)) : 200;
   tbb::task_arena arena(threads);
   arena.execute([&] {
     const Triangulation triangulation =

@@ -135,7 +135,7 @@ int main(int argc, char** argv) {
   if (one) {
     same = check.round(std::strtoull(argv[2], nullptr, 10));
   } else {
-    const double most = std::atof(argv[1]);
+    const double most = std::strtod(argv[1], nullptr);
     for (std::uint64_t n = 0; same && seconds() < most; ++n) same = check.round(n);
   }
   check.report(seconds());

@@ -54,7 +54,7 @@ void read_with_gemmi(FileFormat format, std::string_view text) {
     structure = gemmi::read_pdb_from_memory(text.data(), text.size(), "bench");
   } else {
     gemmi::cif::Document document = gemmi::cif::read_memory(text.data(), text.size(), "bench");
-    structure = gemmi::make_structure(std::move(document));
+    structure = gemmi::make_structure(document);
   }
   if (!structure.models.empty()) atoms_seen += structure.models[0].chains.size();
 }
@@ -108,7 +108,8 @@ void measure(const std::filesystem::path& path, int runs) {
 
 int main(int argc, char** argv) {
   int first = 1, runs = 11;
-  if (argc > 1 && std::atoi(argv[1]) > 0) runs = std::atoi(argv[first++]);
+  if (argc > 1 && static_cast<int>(std::strtol(argv[1], nullptr, 10)) > 0)
+    runs = static_cast<int>(std::strtol(argv[first++], nullptr, 10));
   if (first >= argc) {
     std::fprintf(stderr, "usage: %s [RUNS] FILE...\n", argv[0]);
     return 2;

@@ -67,10 +67,13 @@ int main(int argc, char** argv) {
     one.check(std::strtoull(argv[2], nullptr, 10));
     return report(one, 0);
   }
-  const unsigned threads = argc > 3 ? static_cast<unsigned>(std::max(1, std::atoi(argv[3])))
-                                    : std::max(1u, std::thread::hardware_concurrency());
+  const unsigned threads =
+      argc > 3
+          ? static_cast<unsigned>(std::max(1, static_cast<int>(std::strtol(argv[3], nullptr, 10))))
+          : std::max(1u, std::thread::hardware_concurrency());
   const auto start = std::chrono::steady_clock::now();
-  const PredicateCheck all = run(std::atof(argv[1]), std::strtoull(argv[2], nullptr, 10), threads);
+  const PredicateCheck all =
+      run(std::strtod(argv[1], nullptr), std::strtoull(argv[2], nullptr, 10), threads);
   return report(all,
                 std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
 }

@@ -196,8 +196,8 @@ TEST_F(CommandsInPanels, ASubmenuChoosesTheSample) {
   p.click("menu.file.sample");
   p.frame(3);
   p.click("menu.file.sample.crambin");
-  ASSERT_TRUE(p.state.requests.open_sample);
-  EXPECT_EQ(*p.state.requests.open_sample, 0u);
+  ASSERT_TRUE(p.state.requests.open);
+  EXPECT_EQ(*p.state.requests.open, "1crn.pdb");
 }
 
 TEST_F(CommandsInPanels, AMenuEntryThatNeedsANumberAsksForIt) {
@@ -276,8 +276,8 @@ TEST_F(CommandsInPanels, AChoiceIsMadeWithTheArrowKeys) {
   EXPECT_FALSE(is_open());
   open_palette();
   type("choose engine gpu");
-  p.state.gpu.known = true;
-  p.state.gpu.why_not = "No CUDA driver.";
+  p.state.gpu = GpuDevice{};
+  p.state.gpu->why_not = "No CUDA driver.";
   enter();
   EXPECT_EQ(palette().error, "No CUDA driver.");
   EXPECT_EQ(p.state.compute.engine, EngineChoice::tuples_cpu);
@@ -375,9 +375,9 @@ TEST_F(CommandsInProgram, MenuKeyPaletteAndScriptDoTheSame) {
   run("view.edges on\nview.edges on\n");
   EXPECT_TRUE(d.edges);
   run("alpha.set 1.4\nwait-idle\n");
-  EXPECT_EQ(viewer_->state().result.hash, hash_text(expected(1.4).hash));
+  EXPECT_EQ(hash_text(viewer_->state().result->complex.hash), hash_text(expected(1.4).hash));
   run("solvent.set 1.4\nengine.set cgal\nalpha.step -0.4\nwait-idle\n");
-  EXPECT_EQ(viewer_->state().result.hash, hash_text(expected(1, 1.4).hash));
+  EXPECT_EQ(hash_text(viewer_->state().result->complex.hash), hash_text(expected(1, 1.4).hash));
 }
 
 TEST_F(CommandsInProgram, ScriptsOpenAndSave) {

@@ -211,10 +211,10 @@ TEST_F(WindowMemory, ShowsTheNumbersAndTheReasonWhenNothingCanBeDrawn) {
   // Not even an empty picture fits: a smaller molecule would not help.
   EXPECT_NE(not_drawn().find("Close other programs."), std::string::npos) << not_drawn();
   EXPECT_EQ(not_drawn().find("chains"), std::string::npos) << not_drawn();
-  EXPECT_EQ(viewer_->state().result.hash, hash_text(expected(0).hash));
+  EXPECT_EQ(hash_text(viewer_->state().result->complex.hash), hash_text(expected(0).hash));
   EXPECT_TRUE(viewer_->widgets().contains("view.not_drawn"));
   run("click alpha.preset.1.4\nwait-idle\nmove view\nwheel 2\n");
-  EXPECT_EQ(viewer_->state().result.hash, hash_text(expected(1.4).hash));
+  EXPECT_EQ(hash_text(viewer_->state().result->complex.hash), hash_text(expected(1.4).hash));
   viewer_->state().requests.screenshot = ScreenshotRequest{folder_ / "none.png", 64, 64, false};
   run("frames 2\n");
   EXPECT_EQ(viewer_->state().error.find(kNothingDrawn), 0u) << viewer_->state().error;
@@ -344,7 +344,7 @@ TEST_F(WindowMemory, TellsAPictureThatIsOutdated) {
   open_crambin();
   EXPECT_FALSE(viewer_->state().viewport.outdated);
   held = true;
-  viewer_->state().selection.expression = "residue 1-20";
+  viewer_->state().open.balls.selection = "residue 1-20";
   const auto start = std::chrono::steady_clock::now();
   while (!viewer_->state().viewport.outdated &&
          std::chrono::steady_clock::now() - start < std::chrono::seconds(20)) {

@@ -9,14 +9,14 @@ namespace {
 
 constexpr Size kLarge{1280, 1400, 1};
 
-GpuInfo a_gpu() {
-  return {true, true, "NVIDIA H200", "CUDA driver 13.0", "9.0", std::size_t{139} << 30, ""};
+GpuDevice a_gpu() {
+  return {true, "NVIDIA H200", "", "CUDA driver 13.0", 90, std::size_t{139} << 30};
 }
 
 TEST(EnginePanel, WithoutAGpuItsEnginesCannotBeChosen) {
   Panels panels(kLarge);
   panels.state = loaded_state();
-  panels.state.gpu = {true, false, "", "", "", 0, "There is no NVIDIA driver."};
+  panels.state.gpu = GpuDevice{false, "", "There is no NVIDIA driver."};
   panels.frame(2);
   for (const char* entry : {"engine.gpu", "engine.tuples-gpu"}) {
     panels.click("engine.choice");
@@ -71,17 +71,13 @@ TEST(EnginePanel, EachSwitchArrivesInTheRequest) {
   EXPECT_TRUE(canonical(c).tuples.pinned) << "of the GPU only";
 }
 
-TEST(EnginePanel, TheMachineBecomesPlainData) {
-  MachineInfo machine;
-  machine.gpu_usable = true;
-  machine.gpu = "NVIDIA H200";
-  machine.driver = "CUDA driver 13.0";
-  machine.gpu_capability = "9.0";
-  machine.gpu_memory_bytes = 7;
-  const GpuInfo gpu = describe_gpu(machine);
-  EXPECT_TRUE(gpu.known && gpu.usable);
-  EXPECT_EQ(gpu.name + gpu.driver + gpu.capability, "NVIDIA H200CUDA driver 13.09.0");
-  EXPECT_EQ(gpu.memory_bytes, 7u);
+TEST(EnginePanel, TheDeviceTellsItsCapability) {
+  GpuDevice gpu;
+  EXPECT_EQ(gpu.capability_text(), "");
+  gpu.compute_capability = 90;
+  EXPECT_EQ(gpu.capability_text(), "9.0");
+  gpu.compute_capability = 121;
+  EXPECT_EQ(gpu.capability_text(), "12.1");
 }
 
 TEST(EnginePanel, ComparingEveryTimeIsOffForLargeMolecules) {

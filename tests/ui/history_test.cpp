@@ -11,7 +11,7 @@ class HistoryTest : public ViewerTest {
  protected:
   std::string hash() {
     run("wait-idle\n");
-    return viewer_->state().result.hash;
+    return hash_text(viewer_->state().result->complex.hash);
   }
   void undo() { run("edit.undo\nwait-idle\n"); }
   void redo() { run("edit.redo\nwait-idle\n"); }
@@ -70,7 +70,7 @@ TEST_F(HistoryTest, PlaybackLeavesNoEntry) {
 TEST_F(HistoryTest, AtomsAndDisplayComeBack) {
   open_crambin();
   const std::size_t all = viewer_->state().molecule.balls;
-  viewer_->state().selection.expression = "resi 1-20";
+  viewer_->state().open.balls.selection = "resi 1-20";
   run("frames 1\nwait-idle\n");
   const std::size_t some = viewer_->state().molecule.balls;
   ASSERT_LT(some, all);
@@ -82,7 +82,7 @@ TEST_F(HistoryTest, AtomsAndDisplayComeBack) {
   EXPECT_EQ(viewer_->state().undo_text, "choice of atoms");
   undo();
   EXPECT_EQ(viewer_->state().molecule.balls, all);
-  EXPECT_EQ(viewer_->state().selection.expression, "");
+  EXPECT_EQ(viewer_->state().open.balls.selection, "");
   redo();
   EXPECT_EQ(viewer_->state().molecule.balls, some);
 }
@@ -90,13 +90,8 @@ TEST_F(HistoryTest, AtomsAndDisplayComeBack) {
 TEST_F(HistoryTest, ARefusedChangeLeavesNoEntry) {
   open_crambin();
   run("click alpha.preset.3\nwait-idle\n");
-  viewer_->state().selection.radii_table = (folder_ / "there is none").string();
-  const auto& sets = viewer_->state().radii_sets;
-  for (std::size_t i = 0; i < sets.size(); ++i) {
-    if (sets[i].kind == RadiiSetEntry::Kind::user_table) {
-      viewer_->state().selection.radii_set = static_cast<int>(i);
-    }
-  }
+  viewer_->state().open.radii_table = folder_ / "there is none";
+  viewer_->state().open.balls.radii = RadiiSet::user;
   run("frames 1\nwait-idle\nclick error.ok\n");
   EXPECT_EQ(viewer_->state().undo_text, "alpha");
 }
@@ -139,7 +134,7 @@ TEST_F(HistoryTest, NumbersAndPictureChangeTogether) {
     // To and fro in large steps, so that no two neighbours look alike.
     viewer_->state().compute.alpha_angstrom2 = 5 * std::fmod(0.382 * i, 1.0);
     viewer_->step(&input);
-    seen.emplace_back(viewer_->state().result.alpha, covered(on_screen()));
+    seen.emplace_back(viewer_->state().result->request.alpha_angstrom2, covered(on_screen()));
   }
   std::size_t checked = 0;
   for (std::size_t i = 0; i < seen.size(); i += 10, ++checked) {

@@ -125,7 +125,7 @@ class ActingTest : public ::testing::Test {
     viewer_ = std::make_unique<Viewer>(host_, options);
     host_.play({}, 1);
     viewer_->run();
-    while (viewer_->busy() || !viewer_->state().result.present) {
+    while (viewer_->busy() || !viewer_->state().result) {
       host_.play({}, 0.3);
       viewer_->run();
     }

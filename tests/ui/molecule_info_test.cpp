@@ -1,4 +1,4 @@
-// What the panels are told of a molecule, and that their choices survive the way there and back.
+// What the panels are told of a molecule.
 #include "app/viewer/molecule_info.hpp"
 
 #include <gtest/gtest.h>
@@ -45,18 +45,18 @@ OpenOptions some_options() {
 TEST(MoleculeInfo, TellsEverythingThatIsChosenFrom) {
   const MoleculeInfo info = describe_molecule(open_text(kTwoModels, some_options()));
   EXPECT_EQ(info.models, (std::vector<int>{7, 9}));
-  ASSERT_EQ(info.chains.size(), 2u);
-  EXPECT_EQ(info.chains[0].name, "A");
-  EXPECT_EQ(info.chains[0].detail, "polymer 2 · water 2");
-  EXPECT_EQ(info.kinds.waters, 2u);
+  ASSERT_EQ(info.contents.chains.size(), 2u);
+  EXPECT_EQ(info.contents.chains[0].name, "A");
+  EXPECT_EQ(kinds_text(info.contents.chains[0].kinds), "polymer 2 · water 2");
+  EXPECT_EQ(of_kind(info.contents.kinds, AtomKind::water), 2u);
   ASSERT_EQ(info.dropped.size(), 1u);
   EXPECT_EQ(info.dropped[0].text, "1 water");
   EXPECT_EQ(info.dropped[0].detail, "HOH 1");
   EXPECT_EQ(info.dropped_atoms, 1u);
   ASSERT_EQ(info.radius_rows.size(), 1u);
   EXPECT_EQ(info.radius_rows[0].kind, RadiusRow::Kind::by_hand);
-  EXPECT_EQ(info.radius_rows[0].atoms, (AtomGroup{"HEM", "FE", "Fe"}));
-  EXPECT_DOUBLE_EQ(info.radius_rows[0].radius, 1.5);
+  EXPECT_EQ(info.radius_rows[0].radius.group, (AtomGroup{"HEM", "FE", 26}));
+  EXPECT_DOUBLE_EQ(info.radius_rows[0].radius.radius_angstrom, 1.5);
 }
 
 TEST(MoleculeInfo, ProvenanceNamesWhatTheNumbersDependOn) {
@@ -81,11 +81,11 @@ TEST(MoleculeInfo, DoubtfulElementsComeFirstAndEditsDoNotMoveRows) {
       "HETATM    2 ZN   ZZZ B   4       3.266  25.413   8.842  1.00 10.38          ZN  \n";
   const MoleculeInfo before = describe_molecule(open_text(text, options));
   ASSERT_EQ(before.radius_rows.size(), 2u);
-  EXPECT_EQ(before.radius_rows[0].atoms.element, "Zn");
+  EXPECT_EQ(before.radius_rows[0].radius.group.element, element_from_symbol("Zn"));
   options.balls.overrides = {{"AAA", "C1", 6, 1500000}};
   const MoleculeInfo after = describe_molecule(open_text(text, options));
   EXPECT_EQ(after.radius_rows[1].kind, RadiusRow::Kind::by_hand);
-  EXPECT_EQ(after.radius_rows[0].atoms, before.radius_rows[0].atoms);
+  EXPECT_EQ(after.radius_rows[0].radius.group, before.radius_rows[0].radius.group);
 }
 
 TEST(MoleculeInfo, SaysWhenNothingIsLeft) {
@@ -107,42 +107,13 @@ TEST(MoleculeInfo, GrownRadiiFollowTheSizesInUse) {
   }
 }
 
-TEST(SelectionControlsTest, SurviveTheWayToTheSessionAndBack) {
-  const auto sets = offered_radii_sets();
-  SelectionControls c;
-  c.polymers = c.ligands = false;
-  c.waters = c.dummies = true;
-  c.hydrogens = HydrogenOption::drop;
-  c.altlocs = AltlocOption::all;
-  c.radii_set = static_cast<int>(sets.size()) - 1;
-  c.radii_table = "/tmp/radii.txt";
-  c.assembly = "PAU";
-  c.model = kEveryModel;
-  c.chains_off = {"A-2", ""};
-  c.expression = "resi 1-3";
-  c.radius_edits.set({"HEM", "FE", "Fe"}, 1.234567);
-  c.radius_edits.set({"", "Q", "X"}, 2.2);
-  EXPECT_EQ(to_controls(to_open_options(c, sets), sets), c);
-  EXPECT_EQ(to_controls(OpenOptions{}, sets), SelectionControls{}) << "the defaults are the same";
-}
-
-TEST(SelectionControlsTest, EveryRadiiSetIsOfferedWithItsSource) {
-  const auto sets = offered_radii_sets();
-  const auto entries = radii_set_entries(sets);
-  ASSERT_EQ(sets.size(), all_radii_sets().size());
-  for (const RadiiSetEntry& entry : entries) {
-    EXPECT_FALSE(entry.name.empty());
-    EXPECT_FALSE(entry.citation.empty()) << entry.name;
-  }
-  EXPECT_EQ(entries.back().kind, RadiiSetEntry::Kind::user_table);
-}
-
-TEST(SelectionControlsTest, AnExpressionAtFaultNamesItsColumn) {
-  EXPECT_TRUE(check_expression("chain A and not resn HEM").text.empty());
-  EXPECT_TRUE(check_expression("").text.empty());
-  const ExpressionError error = check_expression("chain A)");
-  EXPECT_EQ(error.column, 8u);
-  EXPECT_NE(error.text.find("column 8"), std::string::npos);
+TEST(MoleculeInfo, AnExpressionAtFaultNamesItsColumn) {
+  EXPECT_FALSE(fault_of_selection("chain A and not resn HEM"));
+  EXPECT_FALSE(fault_of_selection(""));
+  const auto fault = fault_of_selection("chain A)");
+  ASSERT_TRUE(fault);
+  EXPECT_EQ(fault->column(), 8u);
+  EXPECT_NE(std::string(fault->what()).find("column 8"), std::string::npos);
 }
 
 }  // namespace

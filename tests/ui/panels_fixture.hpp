@@ -91,6 +91,21 @@ class Panels {
   PanelFonts fonts_;
 };
 
+// Of as many balls and tetrahedra as haemoglobin has, all alike: there are numbers to show.
+inline std::shared_ptr<const Answer> some_answer() {
+  auto answer = std::make_shared<Answer>();
+  auto molecule = std::make_shared<Molecule>();
+  molecule->source = "/data/4hhb.pdb.gz";
+  answer->molecule = molecule;
+  auto balls = std::make_shared<BallSet>();
+  balls->centres.resize(4558);
+  balls->radii.resize(4558, 1700);
+  answer->balls = balls;
+  answer->complex.tetrahedra.simplices.assign(8090, {0, 1, 2, 3});
+  answer->complex.hash = 0xf619dc636b8b16e6;
+  return answer;
+}
+
 inline ViewState loaded_state() {
   ViewState s;
   s.molecule.loaded = true;
@@ -102,20 +117,13 @@ inline ViewState loaded_state() {
   s.molecule.notes = {"a note"};
   s.molecule.balls = 4558;
   s.molecule.radii = {{"C", 1.7, 2.07}, {"N", 1.55, 1.95}};
-  s.result.present = true;
-  s.result.molecule = "4hhb.pdb.gz";
-  s.result.balls = 4558;
-  s.result.tetrahedra = 8090;
-  s.result.hash = "f619dc636b8b16e6";
-  s.ours = EngineTimings{"dual-edge engine",
-                         "CPU, 2 threads",
-                         TimedRun{{{"grid", 0.1, true}, {"kernel II", 20, false}}, 20.2},
-                         {}};
-  s.cgal = EngineTimings{
-      "CGAL triangulation", "CPU", TimedRun{{{"regular triangulation", 60, true}}, 60.5}, {}};
+  s.result = some_answer();
+  const StageTimes ours{{{"grid", 0.1, true}, {"kernel II", 20, false}}, 20.2};
+  s.ours = {{"dual-edge engine", "CPU, 2 threads", ""}, MeasuredRun{ours}, {}};
+  const StageTimes cgal{{{"regular triangulation", 60, true}}, 60.5};
+  s.cgal = {{"CGAL triangulation", "CPU", ""}, MeasuredRun{cgal}, {}};
   s.badge = {BadgeInfo::State::identical, "identical to CGAL: 8,090 of 8,090 tetrahedra"};
-  s.samples = {{"crambin", "1CRN"}};
-  s.radii_sets = {{"automatic", ""}, {"Bondi", "Bondi 1964"}};
+  s.samples = {{"crambin", "1CRN", "1crn.pdb"}};
   return s;
 }
 

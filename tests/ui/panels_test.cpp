@@ -15,12 +15,12 @@ using testing::Size;
 
 TEST(PanelsTest, EmptyWindowOffersToOpenSomething) {
   Panels p({1280, 800, 1});
-  p.state.samples = {{"crambin", "1CRN"}};
+  p.state.samples = {{"crambin", "1CRN", "1crn.pdb"}};
   p.frame(3);
   p.click("empty.sample.0");
   // The request of an earlier frame stays until the program takes it.
-  ASSERT_TRUE(p.state.requests.open_sample.has_value());
-  EXPECT_EQ(*p.state.requests.open_sample, 0u);
+  ASSERT_TRUE(p.state.requests.open);
+  EXPECT_EQ(*p.state.requests.open, "1crn.pdb");
   EXPECT_FALSE(p.rects.contains("timings.badge"));
 }
 
@@ -142,14 +142,14 @@ TEST(PanelsTest, WorkOfUnknownLengthHasNoBarThatLooksLikeAShare) {
 TEST(PanelsTest, SpeedsOfDifferentWorkAreNotCompared) {
   Panels p({1280, 800, 1});
   p.state = loaded_state();
-  p.state.ours->warm = p.state.cgal->warm = p.state.ours->cold;
+  p.state.ours.warm = p.state.cgal.warm = p.state.ours.cold;
   p.frame(3);
   EXPECT_TRUE(p.rects.contains("timings.speed"));
-  p.state.ours->warm->rebuilt = true;
+  p.state.ours.warm->rebuilt = true;
   p.frame(3);
   EXPECT_FALSE(p.rects.contains("timings.speed"));
-  p.state.ours->warm->rebuilt = false;
-  p.state.ours->warm->rests_on_cgal = p.state.cgal->warm->rests_on_cgal = true;
+  p.state.ours.warm->rebuilt = false;
+  p.state.ours.warm->rests_on_cgal = p.state.cgal.warm->rests_on_cgal = true;
   p.frame(3);
   EXPECT_FALSE(p.rects.contains("timings.speed")) << "the same threshold twice";
 }
@@ -195,13 +195,13 @@ TEST(PanelsTest, MissingTimesSayWhyAndHowToGetThem) {
   EXPECT_FALSE(lacks_cold_time(s));
   ASSERT_EQ(missing_times(s, false).size(), 2u);
   EXPECT_NE(missing_times(s, false)[0].find("Move alpha once more"), std::string::npos);
-  s.ours->warm = s.ours->cold;
-  s.cgal->warm.swap(s.cgal->cold);
+  s.ours.warm = s.ours.cold;
+  s.cgal.warm.swap(s.cgal.cold);
   ASSERT_EQ(missing_times(s, true).size(), 1u);
   EXPECT_EQ(missing_times(s, true)[0].find("CGAL: no cold time"), 0u);
   EXPECT_TRUE(lacks_cold_time(s));
   EXPECT_TRUE(missing_times(s, false).empty());
-  EXPECT_EQ(wall_text(s.cgal->cold), "not measured");
+  EXPECT_EQ(wall_text(s.cgal.cold), "not measured");
 }
 
 TEST(PanelsTest, ColdTimesThatAreMissingCanBeMeasured) {
@@ -210,7 +210,7 @@ TEST(PanelsTest, ColdTimesThatAreMissingCanBeMeasured) {
   p.frame(2);
   EXPECT_FALSE(p.rects.contains("timings.missing"));
   EXPECT_FALSE(p.rects.contains("timings.compute_anew"));
-  p.state.ours->warm.swap(p.state.ours->cold);
+  p.state.ours.warm.swap(p.state.ours.cold);
   p.frame(2);
   p.click("timings.run.0");
   EXPECT_TRUE(p.rects.contains("timings.missing"));
@@ -223,31 +223,32 @@ TEST(PanelsTest, ColdTimesThatAreMissingCanBeMeasured) {
 TEST(PanelsTest, AMissingSpeedHasItsReason) {
   ViewState s = loaded_state();
   EXPECT_TRUE(missing_times(s, true).empty());
-  s.cgal->cold->alpha = 1.4;
+  s.cgal.cold->alpha_angstrom2 = 1.4;
   ASSERT_EQ(missing_times(s, true).size(), 1u);
   EXPECT_NE(missing_times(s, true)[0].find("of alpha 0 and 1.4 Å²"), std::string::npos);
-  s.cgal->cold->alpha = 0;
-  s.ours->cold->tetrahedra_only = true;
+  s.cgal.cold->alpha_angstrom2 = 0;
+  s.ours.cold->tetrahedra_only = true;
   EXPECT_NE(missing_times(s, true)[0].find("tetrahedra only"), std::string::npos);
-  s.ours->cold->tetrahedra_only = false;
-  s.cgal->cold->rebuilt = true;
+  s.ours.cold->tetrahedra_only = false;
+  s.cgal.cold->rebuilt = true;
   EXPECT_NE(missing_times(s, true)[0].find("No speed-up: CGAL built"), std::string::npos);
-  s.cgal->cold->rebuilt = false;
-  s.ours->cold->rests_on_cgal = s.cgal->cold->rests_on_cgal = true;
+  s.cgal.cold->rebuilt = false;
+  s.ours.cold->rests_on_cgal = s.cgal.cold->rests_on_cgal = true;
   EXPECT_NE(missing_times(s, true)[0].find("both are a threshold"), std::string::npos);
 }
 
 TEST(PanelsTest, TheCaptionSaysWhyNothingIsThere) {
   ViewState s = loaded_state();
-  s.result.alpha = -8;
-  EXPECT_EQ(caption_text(s.result), "4hhb.pdb.gz   α = −8 Å²");
-  s.result.tetrahedra = 0;
-  EXPECT_NE(caption_text(s.result).find("no ball is left at this alpha"), std::string::npos);
-  s.result.vertices = 3;
-  EXPECT_NE(caption_text(s.result).find("no tetrahedra at this alpha"), std::string::npos);
-  s.result.vertices = 0;
-  s.result.tetrahedra_only = true;  // then vertices are not counted
-  EXPECT_NE(caption_text(s.result).find("no tetrahedra at this alpha"), std::string::npos);
+  Answer result = *s.result;
+  result.request.alpha_angstrom2 = -8;
+  EXPECT_EQ(caption_text(result), "4hhb.pdb.gz   α = −8 Å²");
+  result.complex.tetrahedra = {};
+  EXPECT_NE(caption_text(result).find("no ball is left at this alpha"), std::string::npos);
+  result.complex.vertices.simplices.resize(3);
+  EXPECT_NE(caption_text(result).find("no tetrahedra at this alpha"), std::string::npos);
+  result.complex.vertices = {};
+  result.complex.tetrahedra_only = true;  // then vertices are not counted
+  EXPECT_NE(caption_text(result).find("no tetrahedra at this alpha"), std::string::npos);
 }
 
 TEST(PanelsTest, AChoiceOfTimesStaysAlsoWhenThereAreNone) {
@@ -297,7 +298,7 @@ TEST(PanelsTest, SavingOffersALegendWhereThereIsOne) {
     p.frame(3);
     for (const char* name : clicks) p.click(name);
     p.click("save.ok");
-    return *p.state.requests.screenshot;
+    return p.state.requests.screenshot->options;
   };
   p.click("view");
   EXPECT_TRUE(saved_with({"save.legend"}).legend) << "without one there is nothing to switch off";
@@ -388,15 +389,16 @@ TEST(PanelsStay, WhereTheyAreWhateverIsSaid) {
       {"no notes", [](auto& s) { s.molecule.notes.clear(); }},
       {"guessed", [](auto& s) { s.molecule.radius_rows.resize(1); }},
       {"summary", [](auto& s) { s.molecule.summary = "used 4,558 of 4,558 atoms"; }},
-      {"error",
-       [](auto& s) {
-         s.expression_error = {"column 8: this ) has no opening (", 8};
-       }},
+      {"error", [](auto& s) { s.expression_error.emplace(8, "this ) has no opening ("); }},
       {"typed", [](auto& s) { s.memory.expression_typed = "chain A"; }},
       {"no balls", [](auto& s) { s.display.balls = false; }},
       {"no tetrahedra", [](auto& s) { s.display.tetrahedra = false; }},
       {"edges", [](auto& s) { s.display.edges = true; }},
-      {"tetrahedra only", [](auto& s) { s.display.edges = s.result.tetrahedra_only = true; }}};
+      {"tetrahedra only", [](auto& s) {
+         Answer result = *s.result;
+         s.display.edges = result.complex.tetrahedra_only = true;
+         s.result = std::make_shared<Answer>(result);
+       }}};
   for (const auto& [name, change] : changes) {
     const ViewState before = p.state;
     change(p.state);

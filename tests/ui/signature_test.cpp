@@ -26,7 +26,7 @@ TEST_F(SignatureTest, AClickSetsAlphaAndIsOneEntry) {
   const double alpha = viewer_->state().compute.alpha_angstrom2;
   EXPECT_GT(alpha, 5);
   EXPECT_LT(alpha, 9);
-  EXPECT_EQ(viewer_->state().result.alpha, alpha);
+  EXPECT_EQ(viewer_->state().result->request.alpha_angstrom2, alpha);
   run("edit.undo\nwait-idle\n");
   EXPECT_EQ(viewer_->state().compute.alpha_angstrom2, 0);
   EXPECT_EQ(viewer_->state().undo_text, "");

@@ -34,7 +34,7 @@ class ViewerMoleculeTest : public ViewerTest {
 
   void open_file(const fs::path& path) { run("open " + path.string() + "\nwait-idle\n"); }
   const MoleculeInfo& molecule() { return viewer_->state().molecule; }
-  std::string hash() { return viewer_->state().result.hash; }
+  std::string hash() { return hash_text(viewer_->state().result->complex.hash); }
 
   // Of the same file and options, by the command line's way.
   std::string expected_hash(const fs::path& path, const OpenOptions& options) {
@@ -66,12 +66,12 @@ TEST_F(ViewerMoleculeTest, ABadExpressionChangesNothingAndStaysToBeMended) {
   const std::string before = hash();
   run("click molecule.expression\ntype chain A)\nkey enter\nwait-idle\n");
   const ViewState& s = viewer_->state();
-  EXPECT_EQ(s.expression_error.column, 8u);
+  EXPECT_EQ(s.expression_error.value().column(), 8u);
   EXPECT_EQ(s.memory.expression_typed, "chain A)");
   EXPECT_TRUE(s.error.empty()) << "beside the field, not as a dialog";
   EXPECT_EQ(hash(), before);
   open_file(haemoglobin());
-  EXPECT_TRUE(s.expression_error.text.empty());
+  EXPECT_FALSE(s.expression_error);
   EXPECT_TRUE(s.memory.expression_typed.empty()) << "of the file before";
 }
 
@@ -95,7 +95,7 @@ TEST_F(ViewerMoleculeTest, ATableOfRadiiIsUsedAndABadOneTakenBack) {
   const fs::path good = write("radii.txt", "C 1.9\nN 1.8\nO 1.7\nS 2.0\n");
   const fs::path bad = write("bad.txt", "C much\n");
   const std::string choose =
-      "click molecule.radii\nclick molecule.radii.8\nclick browser.path\n"
+      "click molecule.radii\nclick molecule.radii.user\nclick browser.path\n"
       "key ctrl+a\ntype ";
   run(choose + good.string() + "\nkey enter\nwait-idle\n");
   EXPECT_NE(molecule().summary.find("radii user table"), std::string::npos) << molecule().summary;
@@ -103,7 +103,7 @@ TEST_F(ViewerMoleculeTest, ATableOfRadiiIsUsedAndABadOneTakenBack) {
   run(choose + bad.string() + "\nkey enter\nwait-idle\n");
   EXPECT_NE(viewer_->state().error.find("bad.txt, line 1"), std::string::npos);
   EXPECT_EQ(hash(), with_table);
-  EXPECT_EQ(viewer_->state().selection.radii_table, good.string());
+  EXPECT_EQ(viewer_->state().open.radii_table, good);
 }
 
 TEST_F(ViewerMoleculeTest, AnAssemblyIsExpandedAndComesBack) {
@@ -133,13 +133,13 @@ TEST_F(ViewerMoleculeTest, AModelKeepsAlphaAndGivesItsOwnComplex) {
   open_file(path);
   run("click alpha.preset.1.4\nwait-idle\nclick molecule.model 0.99\nwait-idle\n");
   const ViewState& s = viewer_->state();
-  EXPECT_EQ(s.selection.model, 4);
-  EXPECT_DOUBLE_EQ(s.result.alpha, 1.4);
-  EXPECT_EQ(s.result.hash, hash_text(expected(1.4).hash));
+  EXPECT_EQ(s.open.balls.model, 4);
+  EXPECT_DOUBLE_EQ(s.result->request.alpha_angstrom2, 1.4);
+  EXPECT_EQ(hash_text(s.result->complex.hash), hash_text(expected(1.4).hash));
   EXPECT_EQ(viewer_->session().state().prepared->atom_of_ball.front(), 16u);
   run("click molecule.every_model\nwait-idle\n");
   EXPECT_EQ(s.molecule.balls, 20u);
-  EXPECT_DOUBLE_EQ(s.result.alpha, 1.4);
+  EXPECT_DOUBLE_EQ(s.result->request.alpha_angstrom2, 1.4);
 }
 
 TEST_F(ViewerMoleculeTest, PlayingShowsModelAfterModelEachWithItsComplex) {
@@ -155,7 +155,7 @@ TEST_F(ViewerMoleculeTest, PlayingShowsModelAfterModelEachWithItsComplex) {
     if (!state.ours) continue;
     const int model = static_cast<int>(state.ours->prepared->atom_of_ball.front()) / 4;
     if (seen.empty() || seen.back() != model) seen.push_back(model);
-    EXPECT_TRUE(viewer_->state().result.present) << "never an empty window between two models";
+    EXPECT_TRUE(viewer_->state().result) << "never an empty window between two models";
   }
   ASSERT_EQ(seen.size(), 14u);
   for (std::size_t i = 1; i < seen.size(); ++i) {
@@ -174,7 +174,7 @@ TEST_F(ViewerMoleculeTest, AModelSliderStormEndsAtTheLastModel) {
   }
   run(moves + "move molecule.model 0.5\nup\nwait-idle\n");
   const ViewState& s = viewer_->state();
-  EXPECT_EQ(viewer_->session().state().prepared->atom_of_ball.front(), 4u * s.selection.model);
+  EXPECT_EQ(viewer_->session().state().prepared->atom_of_ball.front(), 4u * s.open.balls.model);
   EXPECT_EQ(hash(), hash_text(expected(0).hash));
   EXPECT_TRUE(s.error.empty()) << s.error;
 }
@@ -183,14 +183,14 @@ TEST_F(ViewerMoleculeTest, AFailedOpenKeepsControlsAndMolecule) {
   open_file(models(5));
   run("click molecule.model 0.99\nwait-idle\n");
   const std::string before = hash();
-  const SelectionControls controls = viewer_->state().selection;
+  const OpenOptions options = viewer_->state().open;
   open_file(write("bad.pdb", "ATOM      1  CA  ALA A   1      nonsense\n"));
   EXPECT_FALSE(viewer_->state().error.empty());
   run("click error.ok\n");
-  EXPECT_EQ(viewer_->state().selection, controls);
+  EXPECT_EQ(viewer_->state().open, options);
   EXPECT_EQ(hash(), before);
   open_crambin();
-  EXPECT_EQ(viewer_->state().selection.model, 0);
+  EXPECT_EQ(viewer_->state().open.balls.model, 0);
   EXPECT_TRUE(viewer_->state().error.empty()) << viewer_->state().error;
 }
 

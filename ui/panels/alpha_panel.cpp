@@ -32,7 +32,7 @@ void slider(PanelContext& ctx) {
   const double low = std::min(kSliderLow, alpha), high = std::max(kSliderHigh, alpha);
   double value = alpha;
   bool& playing = ctx.state.memory.playing;
-  ImGui::BeginDisabled(!ctx.state.result.present);
+  ImGui::BeginDisabled(!ctx.state.result);
   if (button(ctx, "alpha.play", playing ? "Stop" : "Play", {ctx.px(44), 0})) {
     ctx.commands.run("alpha.play");
   }

@@ -11,6 +11,7 @@
 
 namespace alphascope {
 
+// As the user types and ticks it; the program makes the suite's options of it when it starts.
 struct BenchmarkControls {
   std::string alphas = "0, 1.4, 3";  // Å², as typed
   // Of those that can run here; CGAL is always measured.

@@ -91,7 +91,7 @@ constexpr EngineChoice kEngineBoxes[] = {EngineChoice::tuples_gpu, EngineChoice:
                                          EngineChoice::tuples_cpu, EngineChoice::cpu};
 
 void engine_box(PanelContext& ctx, EngineChoice choice) {
-  const bool usable = !needs_gpu(choice) || ctx.state.gpu.usable;
+  const bool usable = !needs_gpu(choice) || has_gpu(ctx.state);
   std::set<EngineChoice>& wanted = ctx.state.benchmark_controls.engines;
   const std::string id(engine_id(choice));
   ImGui::BeginDisabled(!usable);
@@ -104,8 +104,9 @@ void engine_box(PanelContext& ctx, EngineChoice choice) {
     }
   }
   ImGui::EndDisabled();
-  const std::string help =
-      usable ? "“" + id + "” in table, figures and files." : ctx.state.gpu.why_not;
+  const std::string help = usable          ? "“" + id + "” in table, figures and files."
+                           : ctx.state.gpu ? ctx.state.gpu->why_not
+                                           : "";
   tooltip(ctx, help.c_str());
 }
 

@@ -40,7 +40,7 @@ void draw_about(PanelContext& ctx) {
 
 namespace {
 
-void assembly_facts(PanelContext& ctx, const AssemblyRow& a) {
+void assembly_facts(PanelContext& ctx, const AssemblyInfo& a) {
   const auto number = [](std::uint64_t n) { return with_separators(static_cast<long long>(n)); };
   const auto bytes = [](std::uint64_t n) { return bytes_text(static_cast<std::size_t>(n)); };
   const auto fact = [&ctx](const char* what, const std::string& value) {
@@ -53,7 +53,7 @@ void assembly_facts(PanelContext& ctx, const AssemblyRow& a) {
   fact("Assembly", a.id + (a.details.empty() ? "" : " (" + a.details + ")"));
   fact("Copies", number(a.copies));
   fact("Atoms", number(a.atoms));
-  fact("Memory for the atoms", "about " + bytes(a.bytes));
+  fact("Memory for the atoms", "about " + bytes(a.memory_bytes));
   fact("With complex and picture", bytes(least) + " at alpha 0");
   fact("", "to " + bytes(most) + " with solvent");
   if (free > 0) fact("Free on this machine", bytes(free));
@@ -71,7 +71,7 @@ void draw_confirm_assembly(PanelContext& ctx) {
   std::string& id = s.memory.confirm_assembly;
   const auto& list = s.molecule.assemblies;
   const auto found =
-      std::find_if(list.begin(), list.end(), [&](const AssemblyRow& a) { return a.id == id; });
+      std::find_if(list.begin(), list.end(), [&](const AssemblyInfo& a) { return a.id == id; });
   if (found == list.end()) id.clear();
   if (!begin_dialog(ctx, "Expand a large assembly?")) return;
   ImGui::Dummy({ctx.px(kWidth), 0});
@@ -83,7 +83,7 @@ void draw_confirm_assembly(PanelContext& ctx) {
   ImGui::NewLine();
   const DialogAnswer answer = dialog_buttons(ctx, ctx.px(kWidth), {"assembly.cancel", "Cancel"},
                                              {"assembly.expand", "Expand"});
-  if (answer == DialogAnswer::confirm) s.selection.assembly = id;
+  if (answer == DialogAnswer::confirm) s.open.assembly = id;
   if (answer != DialogAnswer::none) id.clear();
   end_dialog(ctx);
 }
@@ -92,8 +92,8 @@ namespace {
 
 void size_preset(PanelContext& ctx, const char* name, const char* label, int width, int height) {
   if (button(ctx, name, label)) {
-    ctx.state.memory.save_width = width;
-    ctx.state.memory.save_height = height;
+    ctx.state.memory.save.width = width;
+    ctx.state.memory.save.height = height;
   }
   ImGui::SameLine(0, ctx.px(4));
 }
@@ -102,12 +102,12 @@ void save_size(PanelContext& ctx) {
   PanelMemory& m = ctx.state.memory;
   row_label(ctx, "Size");
   ImGui::SetNextItemWidth(ctx.px(80));
-  number_field(ctx, "save.width", m.save_width, kPictureSizeRule);
+  number_field(ctx, "save.width", m.save.width, kPictureSizeRule);
   ImGui::SameLine(0, ctx.px(6));
   ImGui::TextUnformatted("×");
   ImGui::SameLine(0, ctx.px(6));
   ImGui::SetNextItemWidth(ctx.px(80));
-  number_field(ctx, "save.height", m.save_height, kPictureSizeRule);
+  number_field(ctx, "save.height", m.save.height, kPictureSizeRule);
   ImGui::SameLine(0, ctx.px(6));
   ImGui::TextUnformatted("pixels");
   row_label(ctx, "");
@@ -152,13 +152,13 @@ void save_marks(PanelContext& ctx) {
   const bool has_legend = ctx.state.viewport.legend.has_value();
   row_label(ctx, "With");
   ImGui::BeginDisabled(!has_legend);
-  bool legend = has_legend && m.save_legend;
-  if (checkbox(ctx, "save.legend", "Colour legend", legend)) m.save_legend = legend;
+  bool legend = has_legend && m.save.legend;
+  if (checkbox(ctx, "save.legend", "Colour legend", legend)) m.save.legend = legend;
   ImGui::EndDisabled();
   tooltip(ctx, has_legend ? "What the colours say: alpha values in Å²."
                           : "There is one when the complex is coloured by alpha value.");
   ImGui::SameLine(0, ctx.px(18));
-  checkbox(ctx, "save.scale_bar", "Scale bar", m.save_scale_bar);
+  checkbox(ctx, "save.scale_bar", "Scale bar", m.save.scale_bar);
   tooltip(ctx,
           "A round length in Å. The view is in perspective: it holds at the depth of the point "
           "that the view turns about.");
@@ -179,7 +179,7 @@ void draw_save_picture(PanelContext& ctx) {
   const bool can_save = save_target(ctx) && !m.save_path.empty();
   save_size(ctx);
   row_label(ctx, "");
-  checkbox(ctx, "save.transparent", "Transparent background", m.save_transparent);
+  checkbox(ctx, "save.transparent", "Transparent background", m.save.transparent);
   save_marks(ctx);
   ImGui::PushFont(ctx.fonts.small);
   row_label(ctx, "");
@@ -190,8 +190,7 @@ void draw_save_picture(PanelContext& ctx) {
   const DialogAnswer answer = dialog_buttons(ctx, ctx.px(kWidth + 24), {"save.cancel", "Cancel"},
                                              {"save.ok", "Save"}, can_save);
   if (answer == DialogAnswer::confirm || (entered && can_save)) {
-    s.requests.screenshot = {picture_path(m.save_path), m.save_width,  m.save_height,
-                             m.save_transparent,        m.save_legend, m.save_scale_bar};
+    s.requests.screenshot = {picture_path(m.save_path), m.save};
     m.show_save = false;
   }
   if (answer == DialogAnswer::cancel) m.show_save = false;

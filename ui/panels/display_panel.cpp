@@ -43,7 +43,7 @@ void balls(PanelContext& ctx) {
 
 void complex(PanelContext& ctx) {
   DisplayControls& d = ctx.state.display;
-  const bool only_tetrahedra = ctx.state.result.present && ctx.state.result.tetrahedra_only;
+  const bool only_tetrahedra = ctx.state.result && ctx.state.result->complex.tetrahedra_only;
   checkbox(ctx, "display.tetrahedra", "Tetrahedra", d.tetrahedra);
   ImGui::BeginDisabled(!d.tetrahedra);
   ImGui::Indent();

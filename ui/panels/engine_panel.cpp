@@ -30,13 +30,13 @@ const char* help_of(EngineChoice choice) {
          "engines are compared with.";
 }
 
-const char* why_no_gpu(const GpuInfo& gpu) {
-  return gpu.known ? gpu.why_not.c_str() : "Looking for a graphics processor…";
+const char* why_no_gpu(const std::optional<GpuDevice>& gpu) {
+  return gpu ? gpu->why_not.c_str() : "Looking for a graphics processor…";
 }
 
 void engine_entry(PanelContext& ctx, EngineChoice choice) {
   ViewState& s = ctx.state;
-  const bool usable = !needs_gpu(choice) || s.gpu.usable;
+  const bool usable = !needs_gpu(choice) || has_gpu(s);
   ImGui::BeginDisabled(!usable);
   if (ImGui::Selectable(engine_title(choice).data(), choice == s.compute.engine)) {
     s.compute.engine = choice;
@@ -61,10 +61,10 @@ void engine_choice(PanelContext& ctx) {
 }
 
 // "NVIDIA H200, 139 GB, CUDA driver 13.0, compute capability 9.0".
-std::string gpu_text(const GpuInfo& gpu) {
-  if (!gpu.usable) return std::string("No GPU in use. ") + why_no_gpu(gpu);
+std::string gpu_text(const GpuDevice& gpu) {
+  if (!gpu.usable) return "No GPU in use. " + gpu.why_not;
   return "GPU: " + gpu.name + ", " + bytes_text(gpu.memory_bytes) + ", " + gpu.driver +
-         ", compute capability " + gpu.capability;
+         ", compute capability " + gpu.capability_text();
 }
 
 void device(PanelContext& ctx) {
@@ -72,9 +72,9 @@ void device(PanelContext& ctx) {
   ImGui::PushFont(ctx.fonts.small);
   if (!s.device_text.empty()) muted_wrapped(ctx, s.device_text);
   record(ctx, "engine.device");
-  muted_wrapped(ctx, s.gpu.known ? gpu_text(s.gpu) : why_no_gpu(s.gpu));
+  muted_wrapped(ctx, s.gpu ? gpu_text(*s.gpu) : why_no_gpu(s.gpu));
   record(ctx, "engine.gpu");
-  if (!s.engine_note.empty() && s.engine_note != s.gpu.why_not) {
+  if (!s.engine_note.empty() && (!s.gpu || s.engine_note != s.gpu->why_not)) {
     muted_wrapped(ctx, s.engine_note);
   }
   ImGui::PopFont();

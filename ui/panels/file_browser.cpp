@@ -63,11 +63,8 @@ void open(ViewState& s, const fs::path& file) {
   s.memory.browser_error = why_not_openable(file);
   if (!s.memory.browser_error.empty()) return;
   if (for_table(s.memory)) {
-    s.selection.radii_table = file.string();
-    for (std::size_t i = 0; i < s.radii_sets.size(); ++i) {
-      const bool table = s.radii_sets[i].kind == RadiiSetEntry::Kind::user_table;
-      if (table) s.selection.radii_set = static_cast<int>(i);
-    }
+    s.open.radii_table = file;
+    s.open.balls.radii = RadiiSet::user;
   } else {
     s.requests.open = file;
   }

@@ -17,7 +17,7 @@ void draw_radii_rows(PanelContext& ctx);
 void draw_provenance(PanelContext& ctx);
 
 // What is in the view, in one line: molecule, alpha, and why there is nothing of the complex.
-std::string caption_text(const ResultInfo& result);
+std::string caption_text(const Answer& answer);
 
 // Stages as bars, one below the other on one time axis, of both engines.
 void draw_waterfall(PanelContext& ctx, float height);

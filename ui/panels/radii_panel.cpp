@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "core/document/number_input.hpp"
+#include "core/document/radius_edits.hpp"
 #include "ui/panels/format.hpp"
 #include "ui/panels/panels.hpp"
 
@@ -23,51 +24,63 @@ void open_table_browser(ViewState& s) {
   s.memory.show_browser = true;
 }
 
-void set_entry(PanelContext& ctx, std::size_t i) {
+// What stands behind a set, for people who choose one.
+std::string source_text(const RadiiSetInfo& info) {
+  if (info.set == RadiiSet::automatic) {
+    return "The file's own radii when it has any; else ProtOr for proteins and nucleic acids "
+           "without hydrogens; else Bondi.";
+  }
+  if (info.set == RadiiSet::amber) {
+    return "Half the distance at which two atoms of one type have their least van der Waals energy "
+           "in AMBER's force fields; hydrogens too.\n" +
+           std::string(info.citation);
+  }
+  return std::string(info.citation);
+}
+
+void set_entry(PanelContext& ctx, const RadiiSetInfo& info) {
   ViewState& s = ctx.state;
-  const RadiiSetEntry& entry = s.radii_sets[i];
-  const bool on = static_cast<int>(i) == s.selection.radii_set;
-  const bool table = entry.kind == RadiiSetEntry::Kind::user_table;
-  const bool usable =
-      entry.kind != RadiiSetEntry::Kind::from_file || s.molecule.has_file_radii || on;
-  const std::string label = table ? entry.name + "…" : entry.name;
+  const bool on = info.set == s.open.balls.radii;
+  const bool table = info.set == RadiiSet::user;
+  const bool usable = info.set != RadiiSet::file || s.molecule.has_file_radii || on;
+  const std::string label = std::string(info.name) + (table ? "…" : "");
   if (ImGui::Selectable(label.c_str(), on, usable ? 0 : ImGuiSelectableFlags_Disabled)) {
     if (table) {
       open_table_browser(s);
     } else {
-      s.selection.radii_set = static_cast<int>(i);
+      s.open.balls.radii = info.set;
     }
   }
-  record(ctx, ("molecule.radii." + std::to_string(i)).c_str());
-  tooltip(ctx, !usable ? "This file has no radii of its own."
-               : table
-                   ? "Your own table, from a file with lines such as\nC 1.70\nALA CB 1.88\n* CB "
-                     "1.88"
-                   : entry.citation.c_str());
+  record(ctx, ("molecule.radii." + std::string(info.id)).c_str());
+  constexpr const char* kOwnTable =
+      "Your own table, from a file with lines such as\nC 1.70\nALA CB 1.88\n* CB 1.88";
+  const std::string help = !usable ? "This file has no radii of its own."
+                           : table ? kOwnTable
+                                   : source_text(info);
+  tooltip(ctx, help.c_str());
 }
 
 void set_row(PanelContext& ctx) {
   ViewState& s = ctx.state;
-  if (s.radii_sets.empty()) return;
   row_label(ctx, "Radii");
-  const auto wanted = static_cast<std::size_t>(s.selection.radii_set);
-  // A set that there is not is refused where it is used; until then, nothing is read of it.
-  const RadiiSetEntry& chosen = s.radii_sets[std::min(wanted, s.radii_sets.size() - 1)];
-  std::string preview = chosen.name;
-  if (s.selection.radii_set == 0 && !s.molecule.radii_name.empty()) {
+  const RadiiSetInfo& chosen = radii_set_info(s.open.balls.radii);
+  std::string preview(chosen.name);
+  if (chosen.set == RadiiSet::automatic && !s.molecule.radii_name.empty()) {
     preview += ": " + s.molecule.radii_name;
   }
   const bool open = ImGui::BeginCombo("##radii", preview.c_str(), ImGuiComboFlags_HeightLarge);
   record(ctx, "molecule.radii");
-  const bool own = chosen.kind == RadiiSetEntry::Kind::user_table;
   if (!open) {
-    const std::string& source =
-        s.molecule.radii_citation.empty() ? chosen.citation : s.molecule.radii_citation;
-    tooltip(ctx, own ? (s.selection.radii_table + "\nChoose it again for another table.").c_str()
-                     : source.c_str());
+    const std::string& citation = s.molecule.radii_citation;
+    const std::string source =
+        chosen.set == RadiiSet::user
+            ? s.open.radii_table.string() + "\nChoose it again for another table."
+        : citation.empty() ? source_text(chosen)
+                           : citation;
+    tooltip(ctx, source.c_str());
   } else {
     close_on_escape();
-    for (std::size_t i = 0; i < s.radii_sets.size(); ++i) set_entry(ctx, i);
+    for (const RadiiSetInfo& info : all_radii_sets()) set_entry(ctx, info);
     ImGui::EndCombo();
   }
 }
@@ -77,7 +90,9 @@ void set_row(PanelContext& ctx) {
 std::string title(const std::vector<RadiusRow>& rows) {
   std::size_t guessed = 0, by_hand = 0, none = 0;
   for (const RadiusRow& row : rows) {
-    (row.kind == Kind::guessed ? guessed : row.kind == Kind::by_hand ? by_hand : none) += row.count;
+    (row.kind == Kind::guessed   ? guessed
+     : row.kind == Kind::by_hand ? by_hand
+                                 : none) += row.radius.count;
   }
   std::string text;
   const auto add = [&text](std::size_t count, const char* what) {
@@ -93,19 +108,21 @@ void apply(ViewState& s, const RadiusRow& row, const std::string& text) {
   PanelMemory& m = s.memory;
   const NumberInput input = read_number(text, kBallRadiusRule);
   m.radius_error = input.error;
-  if (input.value) s.selection.radius_edits.set(row.atoms, *input.value);
+  if (input.value) set_radius(s.open.balls.overrides, row.radius.group, *input.value);
 }
 
 void radius_field(PanelContext& ctx, const RadiusRow& row, int index) {
   ViewState& s = ctx.state;
   PanelMemory& m = s.memory;
-  const std::string shown = row.kind == Kind::none ? "" : short_number_text(row.radius, 6);
+  const std::string shown =
+      row.kind == Kind::none ? "" : short_number_text(row.radius.radius_angstrom, 6);
   std::string text = m.radius_editing == index ? m.radius_typed : shown;
   ImGui::SetNextItemWidth(-1);
   ImGui::InputTextWithHint("##radius", "none", &text, ImGuiInputTextFlags_AutoSelectAll);
-  record(ctx, ("radius." + row.atoms.residue + "." + row.atoms.atom).c_str());
-  if (row.kind == Kind::guessed && !row.source.empty()) {
-    tooltip(ctx, ("Guessed: " + row.source + ".").c_str());
+  const AtomGroup& atoms = row.radius.group;
+  record(ctx, ("radius." + atoms.residue + "." + atoms.atom).c_str());
+  if (row.kind == Kind::guessed && !row.radius.source.empty()) {
+    tooltip(ctx, ("Guessed: " + row.radius.source + ".").c_str());
   }
   if (ImGui::IsItemActivated()) {
     m.radius_editing = index;
@@ -121,24 +138,27 @@ void radius_field(PanelContext& ctx, const RadiusRow& row, int index) {
 
 void radius_line(PanelContext& ctx, const RadiusRow& row, int index) {
   ViewState& s = ctx.state;
-  ImGui::PushID((row.atoms.residue + '\n' + row.atoms.atom + '\n' + row.atoms.element).c_str());
+  const AtomGroup& atoms = row.radius.group;
+  const std::string element(element_symbol(atoms.element));
+  ImGui::PushID((atoms.residue + '\n' + atoms.atom + '\n' + element).c_str());
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
   ImGui::AlignTextToFramePadding();
-  const std::string name = row.atoms.residue + " " + row.atoms.atom;
+  const std::string name = atoms.residue + " " + atoms.atom;
   ImGui::TextUnformatted(name == " " ? "(no name)" : name.c_str());
   ImGui::TableNextColumn();
-  muted_text(ctx, row.atoms.element == "X" ? "?" : row.atoms.element);
-  if (row.atoms.element == "X") tooltip(ctx, "The element is not known.");
+  const bool known = atoms.element != kUnknownElement;
+  muted_text(ctx, known ? element : "?");
+  if (!known) tooltip(ctx, "The element is not known.");
   ImGui::TableNextColumn();
-  muted_text(ctx, number(row.count));
+  muted_text(ctx, number(row.radius.count));
   ImGui::TableNextColumn();
   radius_field(ctx, row, index);
   ImGui::TableNextColumn();
   if (row.kind == Kind::by_hand) {
-    const std::string id = "radius.reset." + row.atoms.residue + "." + row.atoms.atom;
+    const std::string id = "radius.reset." + atoms.residue + "." + atoms.atom;
     if (button(ctx, id.c_str(), "×", {-1, 0}, ButtonKind::quiet)) {
-      s.selection.radius_edits.reset(row.atoms);
+      reset_radius(s.open.balls.overrides, atoms);
     }
     tooltip(ctx, "Set by hand. Reset to the radii set's value.");
   }
@@ -172,7 +192,7 @@ void radius_table(PanelContext& ctx) {
 void radius_list(PanelContext& ctx) {
   ViewState& s = ctx.state;
   const auto& rows = s.molecule.radius_rows;
-  const bool edited = !s.selection.radius_edits.list().empty();
+  const bool edited = !s.open.balls.overrides.empty();
   if (rows.empty() && !edited) return nothing_to_disclose(ctx, "Radii: all from the radii set");
   const bool warn = std::any_of(rows.begin(), rows.end(),
                                 [](const RadiusRow& row) { return row.kind != Kind::by_hand; });
@@ -194,7 +214,7 @@ void radius_list(PanelContext& ctx) {
   reserve_lines(top, 2);
   ImGui::BeginDisabled(!edited);
   if (button(ctx, "radius.reset_all", "Reset all set by hand")) {
-    s.selection.radius_edits.reset_all();
+    s.open.balls.overrides.clear();
   }
   ImGui::EndDisabled();
   ImGui::PopFont();

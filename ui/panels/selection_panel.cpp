@@ -23,29 +23,31 @@ void kind_toggle(PanelContext& ctx, const char* name, const char* label, bool& v
 }
 
 void kinds(PanelContext& ctx) {
-  SelectionControls& c = ctx.state.selection;
-  const KindTotals& k = ctx.state.molecule.kinds;
+  BallOptions& c = ctx.state.open.balls;
+  const KindCounts& k = ctx.state.molecule.contents.kinds;
   row_label(ctx, "Keep");
   const float column = ImGui::GetCursorPosX() + ctx.px(96);
-  kind_toggle(ctx, "molecule.polymers", "Polymers", c.polymers, k.polymers,
+  kind_toggle(ctx, "molecule.polymers", "Polymers", c.polymers, of_kind(k, AtomKind::polymer),
               "Proteins and nucleic acids, with their modified residues.");
   ImGui::SameLine(column);
-  kind_toggle(ctx, "molecule.waters", "Waters", c.waters, k.waters, "HOH, DOD, WAT, SOL, TIP3 …");
+  kind_toggle(ctx, "molecule.waters", "Waters", c.waters, of_kind(k, AtomKind::water),
+              "HOH, DOD, WAT, SOL, TIP3 …");
   row_label(ctx, "");
-  kind_toggle(ctx, "molecule.ligands", "Ligands", c.ligands, k.ligands,
+  kind_toggle(ctx, "molecule.ligands", "Ligands", c.ligands, of_kind(k, AtomKind::ligand),
               "Whatever is neither polymer, water, ion nor dummy.");
   ImGui::SameLine(column);
-  kind_toggle(ctx, "molecule.ions", "Ions", c.ions, k.ions,
+  kind_toggle(ctx, "molecule.ions", "Ions", c.ions, of_kind(k, AtomKind::ion),
               "Metal and halide atoms that are a residue of their own.");
-  if (k.dummies == 0 && !c.dummies) return;
+  const std::size_t dummies = of_kind(k, AtomKind::dummy);
+  if (dummies == 0 && !c.dummies) return;
   row_label(ctx, "");
-  kind_toggle(ctx, "molecule.dummies", "Dummy atoms", c.dummies, k.dummies,
+  kind_toggle(ctx, "molecule.dummies", "Dummy atoms", c.dummies, dummies,
               "Markers without matter (residue DUM), such as membrane planes.");
 }
 
 void hydrogens_and_altlocs(PanelContext& ctx) {
-  SelectionControls& c = ctx.state.selection;
-  const KindTotals& k = ctx.state.molecule.kinds;
+  BallOptions& c = ctx.state.open.balls;
+  const MoleculeContents& k = ctx.state.molecule.contents;
   row_label(ctx, "Hydrogens");
   int hydrogens = static_cast<int>(c.hydrogens);
   ImGui::BeginGroup();
@@ -55,7 +57,7 @@ void hydrogens_and_altlocs(PanelContext& ctx) {
   tooltip(ctx, ("auto drops them when the radii set counts them with their heavy atoms.\n" +
                 number(k.hydrogens) + " in this molecule, all models.")
                    .c_str());
-  c.hydrogens = static_cast<HydrogenOption>(hydrogens);
+  c.hydrogens = static_cast<HydrogenRule>(hydrogens);
   row_label(ctx, "Alternatives");
   int altlocs = static_cast<int>(c.altlocs);
   ImGui::BeginGroup();
@@ -63,42 +65,44 @@ void hydrogens_and_altlocs(PanelContext& ctx) {
   ImGui::EndGroup();
   tooltip(ctx, ("Alternative locations of one atom. best: in each residue, the location with the "
                 "highest occupancy, then the lowest B factor.\n" +
-                number(k.altlocs) + " atoms with alternative locations, all models.")
+                number(k.with_altloc) + " atoms with alternative locations, all models.")
                    .c_str());
-  c.altlocs = static_cast<AltlocOption>(altlocs);
+  c.altlocs = static_cast<AltlocRule>(altlocs);
 }
 
 // --- chains
 
-bool is_off(const SelectionControls& c, const std::string& chain) {
-  return std::find(c.chains_off.begin(), c.chains_off.end(), chain) != c.chains_off.end();
+bool is_off(const BallOptions& c, const std::string& chain) {
+  return std::find(c.without_chains.begin(), c.without_chains.end(), chain) !=
+         c.without_chains.end();
 }
 
-void switch_chain(SelectionControls& c, const std::string& chain, bool on) {
-  std::erase(c.chains_off, chain);
-  if (!on) c.chains_off.push_back(chain);
+void switch_chain(BallOptions& c, const std::string& chain, bool on) {
+  std::erase(c.without_chains, chain);
+  if (!on) c.without_chains.push_back(chain);
 }
 
 void switch_all(ViewState& s, bool on, const std::string& but = {}, bool with_exception = false) {
-  s.selection.chains_off.clear();
-  for (const ChainRow& chain : s.molecule.chains) {
+  s.open.balls.without_chains.clear();
+  for (const ChainContents& chain : s.molecule.contents.chains) {
     const bool exception = with_exception && chain.name == but;
-    if (!on && !exception) s.selection.chains_off.push_back(chain.name);
+    if (!on && !exception) s.open.balls.without_chains.push_back(chain.name);
   }
 }
 
-void chain_line(PanelContext& ctx, const ChainRow& chain, float width) {
+void chain_line(PanelContext& ctx, const ChainContents& chain, float width) {
   ViewState& s = ctx.state;
-  bool on = !is_off(s.selection, chain.name);
+  bool on = !is_off(s.open.balls, chain.name);
   const std::string id = "molecule.chain." + chain.name;
   if (checkbox(ctx, id.c_str(), chain.name.empty() ? "(no name)" : chain.name.c_str(), on)) {
-    switch_chain(s.selection, chain.name, on);
+    switch_chain(s.open.balls, chain.name, on);
   }
-  tooltip(ctx, chain.detail.c_str());
+  const std::string kinds = kinds_text(chain.kinds);
+  tooltip(ctx, kinds.c_str());
   ImGui::SameLine(ctx.px(88));
   ImGui::AlignTextToFramePadding();
   muted_text(ctx, number(chain.atoms) + " atoms");
-  tooltip(ctx, chain.detail.c_str());
+  tooltip(ctx, kinds.c_str());
   ImGui::SameLine(width - ctx.px(52));
   if (button(ctx, ("molecule.only." + chain.name).c_str(), "only", {ctx.px(44), 0},
              ButtonKind::quiet)) {
@@ -110,8 +114,8 @@ void chain_line(PanelContext& ctx, const ChainRow& chain, float width) {
 void chain_lines(PanelContext& ctx) {
   const ViewState& s = ctx.state;
   const std::string& filter = s.memory.chain_filter;
-  std::vector<const ChainRow*> shown;
-  for (const ChainRow& chain : s.molecule.chains) {
+  std::vector<const ChainContents*> shown;
+  for (const ChainContents& chain : s.molecule.contents.chains) {
     if (filter.empty() || chain.name.find(filter) != std::string::npos) shown.push_back(&chain);
   }
   const float row = ImGui::GetFrameHeightWithSpacing();
@@ -135,7 +139,7 @@ void chain_popup(PanelContext& ctx) {
   if (button(ctx, "molecule.chains.all", "All")) switch_all(s, true);
   ImGui::SameLine(0, ctx.px(4));
   if (button(ctx, "molecule.chains.none", "None")) switch_all(s, false);
-  if (s.molecule.chains.size() >= kFilterFrom) {
+  if (s.molecule.contents.chains.size() >= kFilterFrom) {
     ImGui::SameLine(0, ctx.px(8));
     ImGui::SetNextItemWidth(ctx.px(130));
     ImGui::InputTextWithHint("##filter", "name contains…", &s.memory.chain_filter);
@@ -148,10 +152,10 @@ void chain_popup(PanelContext& ctx) {
 
 void chains(PanelContext& ctx) {
   const ViewState& s = ctx.state;
-  const std::size_t all = s.molecule.chains.size();
+  const std::size_t all = s.molecule.contents.chains.size();
   const auto off = static_cast<std::size_t>(
-      std::count_if(s.molecule.chains.begin(), s.molecule.chains.end(),
-                    [&](const ChainRow& chain) { return is_off(s.selection, chain.name); }));
+      std::count_if(s.molecule.contents.chains.begin(), s.molecule.contents.chains.end(),
+                    [&](const ChainContents& chain) { return is_off(s.open.balls, chain.name); }));
   row_label(ctx, "Chains");
   const std::string preview = all == 1 && off == 0 ? "the only one"
                               : off == 0           ? "all " + number(all)
@@ -191,15 +195,15 @@ void mark_column(PanelContext& ctx, const std::string& text, std::size_t column)
 
 // Has its room even when there is nothing to say.
 void expression_message(PanelContext& ctx, bool pending) {
-  const std::string& error = ctx.state.expression_error.text;
+  const auto& fault = ctx.state.expression_error;
   ImGui::PushFont(ctx.fonts.small);
   const float top = ImGui::GetCursorPosY();
-  if (!error.empty()) {
+  if (fault) {
     ImGui::PushStyleColor(ImGuiCol_Text, to_imgui(ctx.palette.error));
-    ImGui::TextUnformatted(fitted_text(error, ImGui::GetContentRegionAvail().x).c_str());
+    ImGui::TextUnformatted(fitted_text(fault->what(), ImGui::GetContentRegionAvail().x).c_str());
     ImGui::PopStyleColor();
     record(ctx, "molecule.expression.error");
-    tooltip(ctx, error.c_str());
+    tooltip(ctx, fault->what());
   } else if (pending) {
     muted_text(ctx, "Enter applies it.");
   }
@@ -210,22 +214,21 @@ void expression_message(PanelContext& ctx, bool pending) {
 void expression(PanelContext& ctx) {
   ViewState& s = ctx.state;
   PanelMemory& m = s.memory;
-  if (s.selection.expression != m.expression_shown) {  // another file, or taken back
-    m.expression_shown = m.expression_typed = s.selection.expression;
+  if (s.open.balls.selection != m.expression_shown) {  // another file, or taken back
+    m.expression_shown = m.expression_typed = s.open.balls.selection;
   }
   row_label(ctx, "Only", 30);
   const bool entered =
       ImGui::InputTextWithHint("##expression", "chain A or ligand", &m.expression_typed,
                                ImGuiInputTextFlags_EnterReturnsTrue);
   record(ctx, "molecule.expression");
-  if (ImGui::IsItemEdited()) s.expression_error = {};
-  const bool pending = m.expression_typed != s.selection.expression;
+  if (ImGui::IsItemEdited()) s.expression_error.reset();
+  const bool pending = m.expression_typed != s.open.balls.selection;
   if (entered) {
-    s.expression_error = {};
-    s.selection.expression = m.expression_shown = m.expression_typed;
+    s.expression_error.reset();
+    s.open.balls.selection = m.expression_shown = m.expression_typed;
   }
-  if (s.expression_error.column > 0)
-    mark_column(ctx, m.expression_typed, s.expression_error.column);
+  if (s.expression_error) mark_column(ctx, m.expression_typed, s.expression_error->column());
   ImGui::SameLine(0, ctx.px(4));
   button(ctx, "molecule.expression.help", "?", {-1, 0}, ButtonKind::quiet);
   tooltip(ctx, kExpressionHelp);

@@ -22,7 +22,7 @@ std::string atoms_text(const ViewState& s, std::uint64_t atoms) {
   return number(atoms) + " atoms" + (models > 1 ? " in " + number(models) + " models" : "");
 }
 
-std::string copies_text(const AssemblyRow& a) {
+std::string copies_text(const AssemblyInfo& a) {
   return number(a.copies) + (a.copies == 1 ? " copy" : " copies");
 }
 
@@ -32,26 +32,26 @@ std::string memory_text(std::uint64_t atoms) {
   return bytes_text(least) + " to " + bytes_text(most) + " of memory";
 }
 
-void choose(ViewState& s, const AssemblyRow& a) {
-  if (s.selection.assembly == a.id) return;
+void choose(ViewState& s, const AssemblyInfo& a) {
+  if (s.open.assembly == a.id) return;
   if (a.atoms >= kAskFromAtoms) {
     s.memory.confirm_assembly = a.id;
   } else {
-    s.selection.assembly = a.id;
+    s.open.assembly = a.id;
   }
 }
 
 void assembly_entries(PanelContext& ctx) {
   ViewState& s = ctx.state;
   const std::string deposited = "as deposited: " + atoms_text(s, s.molecule.deposited_atoms);
-  if (ImGui::Selectable(deposited.c_str(), s.selection.assembly.empty())) {
-    s.selection.assembly.clear();
+  if (ImGui::Selectable(deposited.c_str(), s.open.assembly.empty())) {
+    s.open.assembly.clear();
   }
   record(ctx, "molecule.assembly.deposited");
-  for (const AssemblyRow& a : s.molecule.assemblies) {
+  for (const AssemblyInfo& a : s.molecule.assemblies) {
     const std::string text =
         a.id + ": " + copies_text(a) + ", " + atoms_text(s, a.atoms) + ", " + memory_text(a.atoms);
-    if (ImGui::Selectable(text.c_str(), s.selection.assembly == a.id)) choose(s, a);
+    if (ImGui::Selectable(text.c_str(), s.open.assembly == a.id)) choose(s, a);
     record(ctx, ("molecule.assembly." + a.id).c_str());
     if (!a.details.empty()) tooltip(ctx, a.details.c_str());
   }
@@ -62,8 +62,8 @@ void assembly_row(PanelContext& ctx) {
   const auto& list = s.molecule.assemblies;
   if (list.empty()) return;
   row_label(ctx, "Assembly");
-  const auto chosen = std::find_if(
-      list.begin(), list.end(), [&](const AssemblyRow& a) { return a.id == s.selection.assembly; });
+  const auto chosen = std::find_if(list.begin(), list.end(),
+                                   [&](const AssemblyInfo& a) { return a.id == s.open.assembly; });
   const std::string preview =
       chosen == list.end() ? "as deposited" : chosen->id + ": " + copies_text(*chosen);
   const bool open = ImGui::BeginCombo("##assembly", preview.c_str());
@@ -100,8 +100,8 @@ void model_tooltip(PanelContext& ctx, int model) {
 void model_slider(PanelContext& ctx) {
   ViewState& s = ctx.state;
   const int count = static_cast<int>(s.molecule.models.size());
-  int& model = s.selection.model;
-  const bool every = model == kEveryModel;
+  int& model = s.open.balls.model;
+  const bool every = model == kAllModels;
   int shown = every ? 1 : model + 1;
   // Beside the slider, whose grab would cover it; as wide as the longest, so that nothing jumps.
   const std::string all = number(s.molecule.models.size());
@@ -146,9 +146,9 @@ void model_rows(PanelContext& ctx) {
   play_button(ctx);
   model_slider(ctx);
   row_label(ctx, "");
-  bool every = s.selection.model == kEveryModel;
+  bool every = s.open.balls.model == kAllModels;
   if (checkbox(ctx, "molecule.every_model", "All at once", every)) {
-    s.selection.model = every ? kEveryModel : 0;
+    s.open.balls.model = every ? kAllModels : 0;
     s.memory.playing_models = false;
   }
   tooltip(ctx, "The atoms of all models together, as one molecule.");

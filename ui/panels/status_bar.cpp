@@ -18,30 +18,34 @@ void item(PanelContext& ctx, const char* name, const char* label, const std::str
 }
 
 void counts(PanelContext& ctx) {
-  const ResultInfo& r = ctx.state.result;
+  const AlphaComplex& c = ctx.state.result->complex;
+  const std::string hash = hash_text(c.hash);
   const auto number = [](std::size_t n) { return with_separators(static_cast<long long>(n)); };
-  if (!r.tetrahedra_only) {
-    item(ctx, "status.vertices", "vertices", number(r.vertices), "Balls that are in the complex.");
-    item(ctx, "status.edges", "edges", number(r.edges), "Edges of the complex.");
-    item(ctx, "status.triangles", "triangles", number(r.triangles), "Triangles of the complex.");
+  if (!c.tetrahedra_only) {
+    item(ctx, "status.vertices", "vertices", number(c.vertices.size()),
+         "Balls that are in the complex.");
+    item(ctx, "status.edges", "edges", number(c.edges.size()), "Edges of the complex.");
+    item(ctx, "status.triangles", "triangles", number(c.triangles.size()),
+         "Triangles of the complex.");
   }
-  item(ctx, "status.tetrahedra", "tetrahedra", number(r.tetrahedra), "Tetrahedra of the complex.");
-  if (!r.tetrahedra_only) {
-    item(ctx, "status.euler", "Euler χ", with_separators(r.euler),
+  item(ctx, "status.tetrahedra", "tetrahedra", number(c.tetrahedra.size()),
+       "Tetrahedra of the complex.");
+  if (!c.tetrahedra_only) {
+    item(ctx, "status.euler", "Euler χ", with_separators(c.euler_characteristic()),
          "Vertices − edges + triangles − tetrahedra = components − tunnels + voids.");
   }
   ImGui::BeginGroup();
   muted_text(ctx, "hash");
   ImGui::SameLine(0, ctx.px(5));
   ImGui::PushFont(ctx.fonts.mono);
-  ImGui::TextUnformatted(r.hash.c_str());
+  ImGui::TextUnformatted(hash.c_str());
   ImGui::PopFont();
   ImGui::EndGroup();
   record(ctx, "status.hash");
   tooltip(ctx,
           "Of the set of simplices: equal complexes have equal hashes, on every engine and on the "
           "command line. Click to copy.");
-  if (ImGui::IsItemClicked()) ImGui::SetClipboardText(r.hash.c_str());
+  if (ImGui::IsItemClicked()) ImGui::SetClipboardText(hash.c_str());
   ImGui::SameLine(0, ctx.px(16));
 }
 
@@ -50,7 +54,7 @@ void counts(PanelContext& ctx) {
 void draw_status_bar(PanelContext& ctx) {
   const ViewState& s = ctx.state;
   ImGui::PushFont(ctx.fonts.small);
-  if (s.result.present) {
+  if (s.result) {
     counts(ctx);
   } else {
     muted_text(ctx, "No molecule");

@@ -45,7 +45,7 @@ std::string badge_help(const ViewState& s) {
   const bool different = s.badge.state == BadgeInfo::State::different;
   if (!identical && !different) return {};
   std::string text =
-      s.result.tetrahedra_only
+      s.result && s.result->complex.tetrahedra_only
           ? "\n\nThe tetrahedra of both were compared one by one."
           : "\n\nVertices, edges, triangles and tetrahedra of both were compared one "
             "by one, with their alpha values and classes.";
@@ -70,12 +70,12 @@ void badge(PanelContext& ctx) {
 // How many times faster than CGAL, for the run that is shown.
 void speed(PanelContext& ctx) {
   const ViewState& s = ctx.state;
-  if (!s.ours || !s.cgal) return;
+  if (!s.ours.any() || !s.cgal.any()) return;
   const bool cold = s.memory.timings_cold;
-  const auto& ours = cold ? s.ours->cold : s.ours->warm;
-  const auto& cgal = cold ? s.cgal->cold : s.cgal->warm;
-  if (!ours || !cgal || ours->wall_milliseconds <= 0 || !ours->comparable(*cgal)) return;
-  const double ratio = cgal->wall_milliseconds / ours->wall_milliseconds;
+  const auto& ours = cold ? s.ours.cold : s.ours.warm;
+  const auto& cgal = cold ? s.cgal.cold : s.cgal.warm;
+  if (!ours || !cgal || ours->times.wall_milliseconds <= 0 || !ours->comparable(*cgal)) return;
+  const double ratio = cgal->times.wall_milliseconds / ours->times.wall_milliseconds;
   ImGui::SameLine();
   // Warm, CGAL has its whole triangulation already and only filters it.
   const std::string whom = cold ? "CGAL" : "CGAL's filter";
@@ -95,7 +95,7 @@ void speed(PanelContext& ctx) {
 
 void compare_button(PanelContext& ctx) {
   const ViewState& s = ctx.state;
-  if (!s.result.present) return;
+  if (!s.result) return;
   if (s.badge.state == BadgeInfo::State::comparing) {
     if (s.badge.seconds < kCancelAfterSeconds) return;
     ImGui::SameLine();
@@ -116,7 +116,7 @@ void title(PanelContext& ctx) {
   PanelMemory& m = ctx.state.memory;
   // Until the user chooses: the first computation, then what the slider does. Never an empty chart;
   // a choice without times is explained (missing_times()).
-  const bool warm = ctx.state.ours && ctx.state.ours->warm;
+  const bool warm = ctx.state.ours.warm.has_value();
   if (!m.timings_pinned) m.timings_cold = !warm;
   int run = m.timings_cold ? 0 : 1;
   if (choice(ctx, "timings.run", {"Cold", "Warm"}, run, ctx.px(124))) {
@@ -129,25 +129,26 @@ void title(PanelContext& ctx) {
   ImGui::SameLine(0, ctx.px(14));
 }
 
-std::string speed_part(const char* label, const std::optional<TimedRun>& ours,
-                       const std::optional<TimedRun>& cgal) {
-  if (!ours || !cgal || ours->wall_milliseconds <= 0 || !ours->comparable(*cgal)) return {};
-  return std::string(label) + " " + ratio_text(cgal->wall_milliseconds / ours->wall_milliseconds);
+std::string speed_part(const char* label, const std::optional<MeasuredRun>& ours,
+                       const std::optional<MeasuredRun>& cgal) {
+  if (!ours || !cgal || ours->times.wall_milliseconds <= 0 || !ours->comparable(*cgal)) return {};
+  return std::string(label) + " " +
+         ratio_text(cgal->times.wall_milliseconds / ours->times.wall_milliseconds);
 }
 
 void summary_line(PanelContext& ctx) {
   const ViewState& s = ctx.state;
-  if (!s.ours) return;
+  if (!s.ours.any()) return;
   std::string text =
-      s.ours->engine + ": cold " + wall_text(s.ours->cold) + ", warm " + wall_text(s.ours->warm);
-  if (s.cgal) {
-    text += "   ·   CGAL: cold " + wall_text(s.cgal->cold) + ", warm " + wall_text(s.cgal->warm);
-    if (s.cgal_parallel) {
-      text += "   ·   CGAL on " + s.cgal_parallel->device + ": cold " +
-              wall_text(s.cgal_parallel->cold) + ", warm " + wall_text(s.cgal_parallel->warm);
+      s.ours.engine.name + ": cold " + wall_text(s.ours.cold) + ", warm " + wall_text(s.ours.warm);
+  if (s.cgal.any()) {
+    text += "   ·   CGAL: cold " + wall_text(s.cgal.cold) + ", warm " + wall_text(s.cgal.warm);
+    if (s.cgal_parallel.any()) {
+      text += "   ·   CGAL on " + s.cgal_parallel.engine.device + ": cold " +
+              wall_text(s.cgal_parallel.cold) + ", warm " + wall_text(s.cgal_parallel.warm);
     }
-    const std::string cold = speed_part("cold", s.ours->cold, s.cgal->cold);
-    const std::string warm = speed_part("warm", s.ours->warm, s.cgal->warm);
+    const std::string cold = speed_part("cold", s.ours.cold, s.cgal.cold);
+    const std::string warm = speed_part("warm", s.ours.warm, s.cgal.warm);
     if (!cold.empty() || !warm.empty()) {
       text += "   ·   speed-up " + cold + (cold.empty() || warm.empty() ? "" : ", ") + warm;
     }
@@ -163,7 +164,7 @@ void summary_line(PanelContext& ctx) {
 
 void draw_timings_panel(PanelContext& ctx) {
   title(ctx);
-  if (ctx.state.result.present) {
+  if (ctx.state.result) {
     badge(ctx);
     speed(ctx);
     compare_button(ctx);

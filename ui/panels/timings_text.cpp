@@ -6,19 +6,19 @@
 namespace alphascope {
 namespace {
 
-bool lacks_cold(const std::optional<EngineTimings>& timings) {
-  return timings && !timings->cold;
+bool lacks_cold(const ColdAndWarm& timings) {
+  return timings.any() && !timings.cold;
 }
 
 // Both were timed, but at different tasks.
 std::string incomparable(const ViewState& state, bool cold) {
-  if (!state.ours || !state.cgal) return {};
-  const auto& ours = cold ? state.ours->cold : state.ours->warm;
-  const auto& cgal = cold ? state.cgal->cold : state.cgal->warm;
+  if (!state.ours.any() || !state.cgal.any()) return {};
+  const auto& ours = cold ? state.ours.cold : state.ours.warm;
+  const auto& cgal = cold ? state.cgal.cold : state.cgal.warm;
   if (!ours || !cgal || ours->comparable(*cgal)) return {};
-  if (ours->alpha != cgal->alpha) {
-    return "No speed-up: the times are of alpha " + short_number_text(ours->alpha, 3) + " and " +
-           short_number_text(cgal->alpha, 3) + " Å².";
+  if (ours->alpha_angstrom2 != cgal->alpha_angstrom2) {
+    return "No speed-up: the times are of alpha " + short_number_text(ours->alpha_angstrom2, 3) +
+           " and " + short_number_text(cgal->alpha_angstrom2, 3) + " Å².";
   }
   if (ours->tetrahedra_only != cgal->tetrahedra_only) {
     return "No speed-up: one of the times is of tetrahedra only.";
@@ -27,14 +27,14 @@ std::string incomparable(const ViewState& state, bool cold) {
     return "No speed-up: both are a threshold of CGAL's triangulation. “Cold” compares the "
            "engines.";
   }
-  return "No speed-up: " + (ours->rebuilt ? state.ours->engine : std::string("CGAL")) +
+  return "No speed-up: " + (ours->rebuilt ? state.ours.engine.name : std::string("CGAL")) +
          " built what later alphas are answered from in this run, the other only used it.";
 }
 
 }  // namespace
 
 std::vector<std::string> missing_times(const ViewState& state, bool cold) {
-  if (!state.ours) {
+  if (!state.ours.any()) {
     return {state.busy.active ? "The time of each stage appears here when this is done."
             : state.molecule.loaded
                 ? "Nothing is computed yet: move alpha."
@@ -42,17 +42,17 @@ std::vector<std::string> missing_times(const ViewState& state, bool cold) {
   }
   std::vector<std::string> lines;
   if (cold && lacks_cold(state.ours)) {
-    lines.push_back(state.ours->engine +
+    lines.push_back(state.ours.engine.name +
                     ": no cold time: the engine was reused, so there was no set-up.");
   }
-  if (!cold && !state.ours->warm) {
-    lines.push_back(state.ours->engine +
+  if (!cold && !state.ours.warm) {
+    lines.push_back(state.ours.engine.name +
                     ": no warm time yet. Move alpha once more with the same molecule.");
   }
   if (cold && lacks_cold(state.cgal)) {
     lines.push_back("CGAL: no cold time: its triangulation was reused.");
   }
-  if (!cold && state.cgal && !state.cgal->warm) {
+  if (!cold && state.cgal.any() && !state.cgal.warm) {
     lines.push_back("CGAL: no warm time yet. It is taken when another alpha is compared.");
   }
   if (const std::string why = incomparable(state, cold); !why.empty()) lines.push_back(why);
@@ -63,8 +63,8 @@ bool lacks_cold_time(const ViewState& state) {
   return lacks_cold(state.ours) || lacks_cold(state.cgal);
 }
 
-std::string wall_text(const std::optional<TimedRun>& run) {
-  return run ? milliseconds_text(run->wall_milliseconds) : std::string("not measured");
+std::string wall_text(const std::optional<MeasuredRun>& run) {
+  return run ? milliseconds_text(run->times.wall_milliseconds) : std::string("not measured");
 }
 
 }  // namespace alphascope

@@ -16,6 +16,6 @@ std::vector<std::string> missing_times(const ViewState& state, bool cold);
 bool lacks_cold_time(const ViewState& state);
 
 // "5.10 ms", or that it was not measured.
-std::string wall_text(const std::optional<TimedRun>& run);
+std::string wall_text(const std::optional<MeasuredRun>& run);
 
 }  // namespace alphascope

@@ -13,6 +13,11 @@
 #include <utility>
 #include <vector>
 
+#include "core/document/answer.hpp"
+#include "core/document/open_options.hpp"
+#include "core/engine/cold_and_warm.hpp"
+#include "core/engine/gpu_device.hpp"
+#include "core/molecule/selection_expression.hpp"
 #include "ui/layer.hpp"
 #include "ui/panels/benchmark_info.hpp"
 #include "ui/panels/controls.hpp"
@@ -23,17 +28,20 @@
 
 namespace alphascope {
 
-struct ScreenshotRequest {
-  std::filesystem::path path;
+struct PictureOptions {
   int width = 1920, height = 1080;
   bool transparent = false;
   bool legend = true, scale_bar = false;  // legend: where colours mean alpha values
 };
 
+struct ScreenshotRequest {
+  std::filesystem::path path;
+  PictureOptions options;
+};
+
 // What the user asked for in this frame; the program takes and clears them.
 struct Requests {
   std::optional<std::filesystem::path> open;
-  std::optional<std::size_t> open_sample;  // index into ViewState::samples
   std::optional<ScreenshotRequest> screenshot;
   bool compare = false, cancel = false, cancel_compare = false, cancel_save = false;
   bool compute_anew = false;  // set-up included, for its cold time
@@ -42,20 +50,9 @@ struct Requests {
   bool run_benchmark = false, cancel_benchmark = false, export_benchmark = false;
 };
 
-struct RadiiSetEntry {
-  enum class Kind : std::uint8_t { values, from_file, user_table };
-  std::string name, citation;
-  Kind kind = Kind::values;
-};
-
-// Why the selection expression was not taken; empty text: it was.
-struct ExpressionError {
-  std::string text;
-  std::size_t column = 0;  // in the expression, from 1; 0: unknown
-};
-
 struct SampleMolecule {
   std::string name, detail;  // "Crambin", "1CRN · 327 atoms"
+  std::filesystem::path path;
 };
 
 inline constexpr double kTooltipDelaySeconds = 0.4;
@@ -89,8 +86,7 @@ struct PanelMemory {
   bool browser_scroll = false;      // the chosen entry is to be scrolled into sight
   BrowserPurpose browser_purpose = BrowserPurpose::molecule;
   std::string save_path;
-  int save_width = 1920, save_height = 1080;
-  bool save_transparent = false, save_legend = true, save_scale_bar = false;
+  PictureOptions save;
   bool timings_cold = true;              // which of the two runs the waterfall shows
   bool timings_pinned = false;           // the user has chosen which
   std::map<std::string, bool> switches;  // of single panels, by the name of the widget
@@ -119,15 +115,15 @@ struct PanelMemory {
 
 struct ViewState {
   Request compute;
-  SelectionControls selection;
+  OpenOptions open;
   DisplayControls display;
   Theme theme = Theme::dark;
   bool auto_compare = false;
 
   MoleculeInfo molecule;
-  ResultInfo result;    // on screen
-  std::string pending;  // what is computed and still being drawn; empty: nothing
-  std::optional<EngineTimings> ours, cgal, cgal_parallel;  // the last: with all threads
+  std::shared_ptr<const Answer> result;   // on screen; null: none. The controls may be ahead
+  std::string pending;                    // what is computed and still being drawn; empty: nothing
+  ColdAndWarm ours, cgal, cgal_parallel;  // the last: with all threads
   BadgeInfo badge;
   BenchmarkControls benchmark_controls;
   BenchmarkInfo benchmark;
@@ -138,14 +134,14 @@ struct ViewState {
   BackgroundInfo background;
   Layers layers;  // that the panels want drawn; filled anew in each frame
   ViewportInfo viewport;
-  std::string device_text;  // "CPU · 2 threads"
-  GpuInfo gpu;
-  std::string engine_note;  // why another engine than hoped for was used; may be empty
+  std::string device_text;       // "CPU · 2 threads"
+  std::optional<GpuDevice> gpu;  // nothing: still being looked for
+  std::string engine_note;       // why another engine than hoped for was used; may be empty
   std::string version;
-  std::size_t memory_bytes = 0;  // of the whole program
-  std::uint64_t free_bytes = 0;  // that the machine could still give; 0: unknown
-  ExpressionError expression_error;
-  std::string error_title, error;                               // shown as a dialog until dismissed
+  std::size_t memory_bytes = 0;                    // of the whole program
+  std::uint64_t free_bytes = 0;                    // that the machine could still give; 0: unknown
+  std::optional<SelectionError> expression_error;  // why what was typed was not taken
+  std::string error_title, error;                  // shown as a dialog until dismissed
   std::deque<std::pair<std::string, std::string>> more_errors;  // titles and texts that come next
   std::string compute_error;  // why the present alpha has no complex; one line over the view
   // Lines that say which of several dropped files is open; until dismissed, or another is opened.
@@ -153,7 +149,6 @@ struct ViewState {
   std::string notice;                // one line in the status bar, "saved /tmp/a.png"
   std::string undo_text, redo_text;  // what would change, "alpha"; empty: nothing
   std::vector<SampleMolecule> samples;
-  std::vector<RadiiSetEntry> radii_sets;
 
   Requests requests;
   PanelMemory memory;
@@ -169,5 +164,10 @@ struct ViewState {
     }
   }
 };
+
+// One was found that engines can use.
+inline bool has_gpu(const ViewState& state) {
+  return state.gpu && state.gpu->usable;
+}
 
 }  // namespace alphascope

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/molecule/printable.hpp"
 #include "ui/panels/format.hpp"
 #include "ui/panels/panels.hpp"
 
@@ -113,8 +114,8 @@ void legend(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
 }
 
 void caption(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
-  if (!ctx.state.result.present) return;
-  const std::string text = caption_text(ctx.state.result);
+  if (!ctx.state.result) return;
+  const std::string text = caption_text(*ctx.state.result);
   ImDrawList* draw = ImGui::GetWindowDrawList();
   draw->AddText({corner.x + ctx.px(16), corner.y + ctx.px(14)}, to_u32(ctx.palette.text_muted),
                 fitted_text(text, size.x - ctx.px(260)).c_str());
@@ -200,12 +201,12 @@ void saving(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
 }
 
 // A view that shows nothing looks like a broken picture.
-void trouble(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
+void problem(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
   const ViewportInfo& v = ctx.state.viewport;
-  if (v.trouble == ViewTrouble::none || !ctx.state.molecule.loaded || v.outdated) return;
+  if (v.problem == ViewProblem::none || !ctx.state.molecule.loaded || v.outdated) return;
   begin_overlay(ctx, "##trouble", {corner.x + size.x / 2, corner.y + ctx.px(44)}, {0.5f, 0});
   ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted(v.trouble == ViewTrouble::inside_a_ball ? "The camera is inside a ball."
+  ImGui::TextUnformatted(v.problem == ViewProblem::inside_a_ball ? "The camera is inside a ball."
                                                                  : "The molecule is out of view.");
   record(ctx, "view.trouble");
   ImGui::SameLine();
@@ -241,7 +242,9 @@ void empty_state(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
     ImGui::SameLine();
     const std::string label = "Try " + s.samples[i].name;
     const std::string name = "empty.sample." + std::to_string(i);
-    if (button(ctx, name.c_str(), label.c_str(), {0, ctx.px(34)})) s.requests.open_sample = i;
+    if (button(ctx, name.c_str(), label.c_str(), {0, ctx.px(34)})) {
+      s.requests.open = s.samples[i].path;
+    }
     tooltip(ctx, s.samples[i].detail.c_str());
   }
   ImGui::Dummy({0, ctx.px(6)});
@@ -296,7 +299,7 @@ void not_drawn_note(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
   ImGui::PushTextWrapPos(width);
   ImGui::TextColored(to_imgui(ctx.palette.warning), "%s", v.not_drawn.c_str());
   const ViewState& s = ctx.state;
-  if (s.result.present && s.compute_error.empty()) {
+  if (s.result && s.compute_error.empty()) {
     ImGui::TextUnformatted("All numbers and exports are complete.");
     record(ctx, "view.numbers_complete");
   }
@@ -307,12 +310,16 @@ void not_drawn_note(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
 
 }  // namespace
 
-std::string caption_text(const ResultInfo& r) {
-  std::string text = r.molecule + "   α = " + short_number_text(r.alpha, 3) + " Å²";
-  if (r.solvent > 0) text += "   solvent " + short_number_text(r.solvent, 2) + " Å";
-  if (r.tetrahedra > 0 || r.balls == 0) return text;
-  return text + (r.tetrahedra_only || r.vertices > 0 ? "   no tetrahedra at this alpha"
-                                                     : "   no ball is left at this alpha");
+std::string caption_text(const Answer& answer) {
+  const auto& [alpha, solvent] =
+      std::pair(answer.request.alpha_angstrom2, answer.request.solvent_radius_angstrom);
+  const AlphaComplex& c = answer.complex;
+  std::string text = printable(answer.molecule->source.filename().string()) +
+                     "   α = " + short_number_text(alpha, 3) + " Å²";
+  if (solvent > 0) text += "   solvent " + short_number_text(solvent, 2) + " Å";
+  if (c.tetrahedra.size() > 0 || answer.balls->size() == 0) return text;
+  return text + (c.tetrahedra_only || c.vertices.size() > 0 ? "   no tetrahedra at this alpha"
+                                                            : "   no ball is left at this alpha");
 }
 
 void draw_viewport(PanelContext& ctx) {
@@ -334,7 +341,7 @@ void draw_viewport(PanelContext& ctx) {
   }
   progress(ctx, corner, size);
   saving(ctx, corner, size);
-  trouble(ctx, corner, size);
+  problem(ctx, corner, size);
   drop_note(ctx, corner, size);
   empty_state(ctx, corner, size);
   nothing_left(ctx, corner, size);

@@ -23,20 +23,19 @@ struct Line {
   bool heading = false;
 };
 
-const TimedRun* shown_run(const std::optional<EngineTimings>& timings, bool cold) {
-  if (!timings) return nullptr;
-  const auto& run = cold ? timings->cold : timings->warm;
+const MeasuredRun* shown_run(const ColdAndWarm& timings, bool cold) {
+  const auto& run = cold ? timings.cold : timings.warm;
   return run ? &*run : nullptr;
 }
 
-void add_lines(std::vector<Line>& lines, const EngineTimings& timings, const TimedRun& run,
+void add_lines(std::vector<Line>& lines, const EngineInfo& engine, const MeasuredRun& run,
                const Colour& bar, const Colour& setup_bar) {
-  const std::string task =
-      "  α " + short_number_text(run.alpha, 3) + (run.tetrahedra_only ? ", tetrahedra only" : "");
+  const std::string task = "  α " + short_number_text(run.alpha_angstrom2, 3) +
+                           (run.tetrahedra_only ? ", tetrahedra only" : "");
   lines.push_back(
-      {timings.engine + ", " + timings.device + task, 0, run.wall_milliseconds, bar, true});
+      {engine.name + ", " + engine.device + task, 0, run.times.wall_milliseconds, bar, true});
   double start = 0;
-  for (const StageBar& stage : run.stages) {
+  for (const StageTime& stage : run.times.stages) {
     lines.push_back({stage.label, start, stage.milliseconds, stage.setup ? setup_bar : bar, false});
     start += stage.milliseconds;
   }
@@ -147,19 +146,19 @@ void draw_waterfall(PanelContext& ctx, float height) {
   std::vector<Line> lines;
   double range = 0;
   bool only_tetrahedra = false;
-  if (const TimedRun* run = shown_run(s.ours, s.memory.timings_cold)) {
-    add_lines(lines, *s.ours, *run, p.bar_ours, p.bar_ours_setup);
-    range = std::max(range, run->wall_milliseconds);
+  if (const MeasuredRun* run = shown_run(s.ours, s.memory.timings_cold)) {
+    add_lines(lines, s.ours.engine, *run, p.bar_ours, p.bar_ours_setup);
+    range = std::max(range, run->times.wall_milliseconds);
     only_tetrahedra |= run->tetrahedra_only;
   }
-  if (const TimedRun* run = shown_run(s.cgal, s.memory.timings_cold)) {
-    add_lines(lines, *s.cgal, *run, p.bar_cgal, p.bar_cgal_setup);
-    range = std::max(range, run->wall_milliseconds);
+  if (const MeasuredRun* run = shown_run(s.cgal, s.memory.timings_cold)) {
+    add_lines(lines, s.cgal.engine, *run, p.bar_cgal, p.bar_cgal_setup);
+    range = std::max(range, run->times.wall_milliseconds);
     only_tetrahedra |= run->tetrahedra_only;
   }
-  if (const TimedRun* run = shown_run(s.cgal_parallel, s.memory.timings_cold)) {
-    add_lines(lines, *s.cgal_parallel, *run, p.bar_cgal, p.bar_cgal_setup);
-    range = std::max(range, run->wall_milliseconds);
+  if (const MeasuredRun* run = shown_run(s.cgal_parallel, s.memory.timings_cold)) {
+    add_lines(lines, s.cgal_parallel.engine, *run, p.bar_cgal, p.bar_cgal_setup);
+    range = std::max(range, run->times.wall_milliseconds);
     only_tetrahedra |= run->tetrahedra_only;
   }
   if (!lines.empty()) {

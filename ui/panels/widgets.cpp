@@ -227,7 +227,7 @@ std::string fitted_text(const std::string& text, float width) {
   };
   for (std::size_t keep = text.size(); keep > 4; --keep) {
     const std::size_t head = boundary(keep / 2), tail = boundary(text.size() - keep / 2);
-    const std::string cut = text.substr(0, head) + "…" + text.substr(tail);
+    std::string cut = text.substr(0, head) + "…" + text.substr(tail);
     if (ImGui::CalcTextSize(cut.c_str()).x <= width) return cut;
   }
   return "…";

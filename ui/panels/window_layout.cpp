@@ -20,9 +20,13 @@ constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoDecoration | ImGuiWindowF
 constexpr float kLeftWidth = 320, kBottomHeight = 262, kStatusHeight = 27;
 constexpr float kLeastBottom = 76, kLeastView = 180;
 
-void begin(const char* id, float x, float y, float w, float h, ImGuiWindowFlags extra = 0) {
-  ImGui::SetNextWindowPos({x, y});
-  ImGui::SetNextWindowSize({w, h});
+struct Area {
+  ImVec2 corner, size;
+};
+
+void begin(const char* id, const Area& place, ImGuiWindowFlags extra = 0) {
+  ImGui::SetNextWindowPos(place.corner);
+  ImGui::SetNextWindowSize(place.size);
   ImGui::Begin(id, nullptr, kFixed | extra);
 }
 
@@ -65,7 +69,7 @@ void section_buttons(PanelContext& ctx, const WidgetRects& last) {
 }
 
 void left_panel(PanelContext& ctx, const WidgetRects& last, float top, float height) {
-  begin("##left", 0, top, ctx.px(kLeftWidth), height);
+  begin("##left", {{0, top}, {ctx.px(kLeftWidth), height}});
   bool& overflow = ctx.state.memory.sections_overflow;
   const float room = ImGui::GetContentRegionAvail().y;
   if (overflow) section_buttons(ctx, last);
@@ -126,8 +130,10 @@ const PanelSpec* bottom_tabs(PanelContext& ctx, const std::vector<PanelSpec>& pa
   return page;
 }
 
-void bottom_panel(PanelContext& ctx, float x, float y, float width, float height) {
-  begin("##timings", x, y, width, height);
+void bottom_panel(PanelContext& ctx, const Area& area) {
+  begin("##timings", area);
+  const auto [x, y] = area.corner;
+  const float width = area.size.x;
   splitter(ctx, x, y, width);
   hairline(ctx, {x, y}, {x + width, y});
   ImGui::SetCursorScreenPos({x + ImGui::GetStyle().WindowPadding.x, y + ctx.px(8)});
@@ -141,7 +147,7 @@ void bottom_panel(PanelContext& ctx, float x, float y, float width, float height
 void status(PanelContext& ctx, float y, float width, float height) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ctx.px(12), ctx.px(5)});
   ImGui::PushStyleColor(ImGuiCol_WindowBg, to_imgui(ctx.palette.panel_raised));
-  begin("##status", 0, y, width, height, ImGuiWindowFlags_NoScrollWithMouse);
+  begin("##status", {{0, y}, {width, height}}, ImGuiWindowFlags_NoScrollWithMouse);
   ImGui::PopStyleVar();
   hairline(ctx, {0, y}, {width, y});
   draw_status_bar(ctx);
@@ -174,14 +180,14 @@ void draw_window(const WindowParts& parts, const PanelFonts& fonts, float scale)
   const float status_height = ctx.px(kStatusHeight), left = ctx.px(kLeftWidth);
   const float middle = std::max(0.0f, display.y - top - status_height);
   const float bottom = bottom_height(ctx, middle);
-  const float right = std::max(1.0f, display.x - left);
+  const float width = std::max(1.0f, display.x - left);
   left_panel(ctx, last, top, middle);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
-  begin("##view", left, top, right, middle - bottom, ImGuiWindowFlags_NoScrollWithMouse);
+  begin("##view", {{left, top}, {width, middle - bottom}}, ImGuiWindowFlags_NoScrollWithMouse);
   ImGui::PopStyleVar();
   draw_viewport(ctx);
   ImGui::End();
-  bottom_panel(ctx, left, top + middle - bottom, right, bottom);
+  bottom_panel(ctx, {{left, top + middle - bottom}, {width, bottom}});
   status(ctx, display.y - status_height, display.x, status_height);
   draw_dialogs(ctx);
 }

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/geometry/grown_radius.hpp"
+
 namespace alphascope {
 namespace {
 
@@ -113,8 +115,7 @@ std::vector<float> drawn_radii(const BallGeometry& balls, const BallStyle& style
   for (std::size_t i = 0; i < result.size(); ++i) {
     double radius = balls.radii[i];
     if (style.grown) {
-      radius += style.solvent_radius;
-      radius = std::sqrt(std::max(0.0, radius * radius + style.alpha));
+      radius = grown_radius(radius, style.solvent_radius, style.alpha);
     }
     result[i] = static_cast<float>(radius * style.scale);
   }

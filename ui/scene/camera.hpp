@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "ui/scene/ball_geometry.hpp"
+#include "ui/view_problem.hpp"
 
 namespace alphascope {
 
@@ -33,8 +34,6 @@ double fitting_distance(const BallGeometry& balls, double aspect);
 
 // Viewpoint::least_aspect for the part of the balls that a picture of `aspect` shows.
 double least_aspect(const BallGeometry& balls, const Sight& sight, double aspect);
-
-enum class ViewProblem : std::uint8_t { none, nothing_in_view, inside_a_ball };
 
 // `radii`: Å, as drawn; empty when balls are not drawn. `complex`: simplices are drawn, too. They
 // can be in view when no ball is; then only what surely sees none of them is a problem.

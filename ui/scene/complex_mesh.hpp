@@ -14,6 +14,7 @@
 
 namespace alphascope {
 
+// Not ColourBy: element and chain are one to a mesh, since each ball brings its colour.
 enum class ComplexColouring : std::uint8_t {
   single,  // one colour for each kind of simplex
   // Every simplex in the colour that most of its corners have; on a tie, of the corner with the
@@ -23,6 +24,7 @@ enum class ComplexColouring : std::uint8_t {
   alpha,  // by alpha value: early simplices dark, late ones bright
 };
 
+// Of the display controls, what needs another mesh: a change of the others must not make one.
 struct MeshOptions {
   bool tetrahedra = true;
   bool boundary = false;  // faces that belong to exactly one tetrahedron

@@ -28,7 +28,7 @@ EGLDisplay surfaceless_display() {
   const auto get_platform_display = reinterpret_cast<PFNEGLGETPLATFORMDISPLAYEXTPROC>(
       eglGetProcAddress("eglGetPlatformDisplayEXT"));
   if (get_platform_display == nullptr) fail("eglGetPlatformDisplayEXT");
-  const EGLDisplay display =
+  EGLDisplay display =
       get_platform_display(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
   if (display == EGL_NO_DISPLAY) fail("opening Mesa's surfaceless platform");
   return display;

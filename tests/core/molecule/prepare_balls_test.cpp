@@ -70,9 +70,9 @@ TEST(PrepareBalls, RadiiSetByHandGoBeforeTheSetAndAreCounted) {
   const PreparedBalls before = prepare_balls(molecule(), options);
   EXPECT_EQ(before.report.guessed_atoms, 3u);  // iron is not in Bondi's set
   ASSERT_EQ(before.report.guessed.size(), 2u);
-  EXPECT_EQ(before.report.guessed[0].residue, "HEM");
-  EXPECT_EQ(before.report.guessed[0].atom, "FE");
-  EXPECT_EQ(element_symbol(before.report.guessed[0].element), "Fe");
+  EXPECT_EQ(before.report.guessed[0].group.residue, "HEM");
+  EXPECT_EQ(before.report.guessed[0].group.atom, "FE");
+  EXPECT_EQ(element_symbol(before.report.guessed[0].group.element), "Fe");
 
   options.overrides = {{"HEM", "FE", element_from_symbol("Fe"), 1234567}};
   const PreparedBalls after = prepare_balls(molecule(), options);
@@ -149,7 +149,7 @@ TEST(PrepareBalls, AtomsWithoutRadiusAreListedAndCanGetOne) {
   ASSERT_EQ(before.unsized.size(), 1u);
   EXPECT_EQ(before.unsized[0].atoms, "HN in ALA");
   EXPECT_EQ(before.unsized[0].count, 2u);
-  options.overrides = {{"ALA", "HN", before.unsized[0].element, 600000}};
+  options.overrides = {{"ALA", "HN", before.unsized[0].group.element, 600000}};
   const PreparedBalls after = prepare_balls(m, options);
   EXPECT_EQ(after.balls->size(), 3u);
   EXPECT_TRUE(after.report.unsized.empty());

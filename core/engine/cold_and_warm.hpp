@@ -15,6 +15,16 @@ struct MeasuredRun {
   // one that only looked there.
   bool rebuilt = false;
   bool rests_on_cgal = false;  // as EngineInfo has it
+
+  // Times of different tasks are not to be compared.
+  bool comparable(const MeasuredRun& o) const {
+    return alpha_angstrom2 == o.alpha_angstrom2 && tetrahedra_only == o.tetrahedra_only &&
+           rebuilt == o.rebuilt && !same_threshold(o);
+  }
+  // Both only looked up in what was made of CGAL's triangulation: the same steps twice.
+  bool same_threshold(const MeasuredRun& o) const {
+    return rests_on_cgal && o.rests_on_cgal && !rebuilt && !o.rebuilt;
+  }
 };
 
 // Cold: the first answer of an engine, set-up included. Warm: the latest of the later ones, as the
@@ -23,6 +33,7 @@ struct ColdAndWarm {
   EngineInfo engine;
   std::optional<MeasuredRun> cold, warm;
 
+  bool any() const { return cold || warm; }
   // Forgets what another engine took.
   void note(const AlphaComplex& complex, bool was_cold);
 };

@@ -1,5 +1,5 @@
 // See the header.
-#include "app/session/cold_and_warm.hpp"
+#include "core/engine/cold_and_warm.hpp"
 
 #include <algorithm>
 

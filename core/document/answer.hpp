@@ -1,0 +1,28 @@
+// What an engine answered a request with; immutable once handed over.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "core/complex/alpha_complex.hpp"
+#include "core/document/request.hpp"
+#include "core/geometry/ball_set.hpp"
+#include "core/molecule/prepare_balls.hpp"
+
+namespace alphascope {
+
+struct EngineAnswer {
+  Request request;
+  std::shared_ptr<const BallSet> balls;  // with the solvent radius: what the engine saw
+  AlphaComplex complex;
+  std::string note;   // about the choice of engine and rounding on the lattice; may be empty
+  bool cold = false;  // the engine's first answer, and it had to set up
+};
+
+// Of an open molecule.
+struct Answer : EngineAnswer {
+  std::shared_ptr<const Molecule> molecule;       // with an assembly's copies
+  std::shared_ptr<const PreparedBalls> prepared;  // its balls, without solvent radius
+};
+
+}  // namespace alphascope

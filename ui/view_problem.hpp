@@ -1,0 +1,10 @@
+// What makes a view useless although there is something to see.
+#pragma once
+
+#include <cstdint>
+
+namespace alphascope {
+
+enum class ViewProblem : std::uint8_t { none, nothing_in_view, inside_a_ball };
+
+}  // namespace alphascope

@@ -226,6 +226,17 @@ struct BlockBalls {
   int listed, next_listed, probed, next_work, kept;
 };
 
+// What a block works with, and the balls that are its own: [first, first + balls) of the BallSet.
+struct Block {
+  const DualEdgeProblem& p;
+  const DualEdgeOutput& out;
+  const DualEdgeMemory& m;
+  BlockBalls& s;
+  int words;  // of a row of bits: p.words, if possible known at compile time
+  std::uint32_t first;
+  int balls;
+};
+
 // Sum over the lanes before this one.
 __device__ inline int warp_scan(int value) {
   const int lane = threadIdx.x & 31;
@@ -279,13 +290,19 @@ __device__ inline void add_measured(Measured& to, const Measured& of) {
 struct Triangle : TriangleRows {
   int ball, entry0;
 
-  __device__ Triangle(const DualEdgeMemory& m, const BlockBalls& s, int words, std::uint32_t packed)
-      : ball(packed >> 25), entry0(s.entry0[ball]) {
+  // The triangle of this number.
+  __device__ Triangle(const Block& block, int number)
+      : Triangle(block, block.m.triangles[number]) {}
+
+ private:
+  __device__ Triangle(const Block& block, std::uint32_t packed)
+      : ball(packed >> 25), entry0(block.s.entry0[ball]) {
+    const BlockBalls& s = block.s;
     const int row = packed & (kMaxRows - 1), first_later = s.list[ball] - s.later[ball];
     k = packed >> 13 & 4095;
     j = first_later + row - s.row0[ball];
-    row_j = m.rows + row * words;
-    row_k = m.rows + (s.row0[ball] + k - first_later) * words;
+    row_j = block.m.rows + row * block.words;
+    row_k = block.m.rows + (s.row0[ball] + k - first_later) * block.words;
   }
 };
 
@@ -323,10 +340,8 @@ struct ExactNeighbours {
     return {*this, weight(), p.common.alpha, p.common.ghost_reach, true};
   }
 };
-__device__ inline ExactNeighbours exact_neighbours(const DualEdgeProblem& p,
-                                                   const DualEdgeMemory& m, const BlockBalls& s,
-                                                   int b) {
-  return {m.index + s.entry0[b], p.balls, s.ball[b]};
+__device__ inline ExactNeighbours exact_neighbours(const Block& block, int b) {
+  return {block.m.index + block.s.entry0[b], block.p.balls, block.s.ball[b]};
 }
 
 }  // namespace alphascope::gpu

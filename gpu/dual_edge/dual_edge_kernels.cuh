@@ -30,8 +30,12 @@ __device__ __noinline__ TriangleFace decided_face(const DualEdgeProblem& p,
 // The list of triangles of three balls that meet, whose edges ij and ik are possible: of each ball,
 // in lexicographic order. Balls without room for theirs are marked. Returns the length of the list.
 template <class Kind>
-__device__ inline int list_triangles(const DualEdgeProblem& p, const DualEdgeOutput& out,
-                                     const DualEdgeMemory& m, BlockBalls& s, int words) {
+__device__ inline int list_triangles(const Block& block) {
+  const DualEdgeProblem& p = block.p;
+  const DualEdgeOutput& out = block.out;
+  const DualEdgeMemory& m = block.m;
+  BlockBalls& s = block.s;
+  const int words = block.words;
   const int rows = s.rows, capacity = static_cast<int>(p.capacity.triangles);
   const auto later_bits = [&](int row, int w, int j, int b) {
     const std::uint32_t bits = m.rows[row * words + w] & bits_after(j, w);
@@ -75,12 +79,11 @@ __device__ inline int list_triangles(const DualEdgeProblem& p, const DualEdgeOut
 // Is the triangle worth a look: can its line be within alpha and, for tetrahedra alone, is there a
 // fourth ball?
 template <class Kind>
-__device__ inline bool is_candidate(const DualEdgeMemory& m, const BlockBalls& s,
-                                    const Triangle& triangle, int words) {
-  const ScaledNeighbours vector{m.vectors + triangle.entry0};
-  return (Kind::kWhole || triangle.has_fourth(words)) &&
+__device__ inline bool is_candidate(const Block& block, const Triangle& triangle) {
+  const ScaledNeighbours vector{block.m.vectors + triangle.entry0};
+  return (Kind::kWhole || triangle.has_fourth(block.words)) &&
          !DualEdge<float>::certainly_outside(vector(triangle.j), vector(triangle.k),
-                                             s.radius_square[triangle.ball]);
+                                             block.s.radius_square[triangle.ball]);
 }
 
 // A list of triangles by number, and how many it has room for.
@@ -99,40 +102,43 @@ __device__ inline void enlist(const TriangleList& list, BlockBalls& s, int place
 
 // The candidates, in any order. Every thread takes part; returns how many are listed.
 template <class Kind>
-__device__ inline int list_candidates(const DualEdgeProblem& p, const DualEdgeMemory& m,
-                                      BlockBalls& s, int triangles, int words) {
+__device__ inline int list_candidates(const Block& block, int triangles) {
+  const BlockRoom& room = block.p.capacity;
+  BlockBalls& s = block.s;
   const int lane = threadIdx.x & 31;
   for (int t0 = threadIdx.x - lane; t0 < triangles; t0 += kBlockThreads) {
     const int t = t0 + lane;
     int ball = 0;
     bool keep = false;
     if (t < triangles) {
-      const Triangle triangle(m, s, words, m.triangles[t]);
+      const Triangle triangle(block, t);
       ball = triangle.ball;
-      keep = is_candidate<Kind>(m, s, triangle, words);
+      keep = is_candidate<Kind>(block, triangle);
     }
     const unsigned votes = __ballot_sync(~0u, keep);
     int base = 0;
     if (lane == 0) base = atomicAdd(&s.listed, __popc(votes));
     base = __shfl_sync(~0u, base, 0);
     const int place = base + __popc(votes & ((1u << lane) - 1));
-    if (keep) enlist({m.listed, p.capacity.listed}, s, place, t, ball);
+    if (keep) enlist({block.m.listed, room.listed}, s, place, t, ball);
   }
   __syncthreads();
-  return min(s.listed, static_cast<int>(p.capacity.listed));
+  return min(s.listed, static_cast<int>(room.listed));
 }
 
 // The same, in the order of how many cuts they have (a counting sort), the longest first, so that
 // the lanes of a warp take about as long.
 template <class Kind>
-__device__ inline int sort_candidates(const DualEdgeProblem& p, const DualEdgeMemory& m,
-                                      BlockBalls& s, int triangles, int words) {
+__device__ inline int sort_candidates(const Block& block, int triangles) {
+  const BlockRoom& room = block.p.capacity;
+  const DualEdgeMemory& m = block.m;
+  BlockBalls& s = block.s;
   for (int t = threadIdx.x; t < triangles; t += kBlockThreads) {
-    const Triangle triangle(m, s, words, m.triangles[t]);
+    const Triangle triangle(block, t);
     int length = kLengths;  // none
-    if (is_candidate<Kind>(m, s, triangle, words)) {
+    if (is_candidate<Kind>(block, triangle)) {
       int cuts = 0;
-      for (int w = 0; w < words; ++w) cuts += __popc(triangle.common(w));
+      for (int w = 0; w < block.words; ++w) cuts += __popc(triangle.common(w));
       length = kLengths - 1 - min(cuts, kLengths - 1);
       atomicAdd(&s.lengths[length], 1);
     }
@@ -148,10 +154,10 @@ __device__ inline int sort_candidates(const DualEdgeProblem& p, const DualEdgeMe
   for (int t = threadIdx.x; t < triangles; t += kBlockThreads) {
     if (m.length[t] >= kLengths) continue;
     const int place = atomicAdd(&s.lengths[m.length[t]], 1);
-    enlist({m.listed, p.capacity.listed}, s, place, t, m.triangles[t] >> 25);
+    enlist({m.listed, room.listed}, s, place, t, m.triangles[t] >> 25);
   }
   __syncthreads();
-  return min(s.listed, static_cast<int>(p.capacity.listed));
+  return min(s.listed, static_cast<int>(room.listed));
 }
 
 // A warp's next 32 numbers below `end`, or false.
@@ -163,53 +169,53 @@ __device__ inline bool take(int* counter, int end, int& mine) {
 }
 
 // Keeps a triangle of K_alpha; of tetrahedra alone, one with tetrahedra to write.
-__device__ inline void keep(const DualEdgeProblem& p, const DualEdgeMemory& m, BlockBalls& s, int b,
-                            int t, int tetrahedra, const TriangleFace& face) {
-  const int at = atomicAdd(&s.kept, 1);
-  if (at >= static_cast<int>(p.capacity.kept)) {
-    s.exact[b] = 2;
+__device__ inline void keep(const Block& block, int b, int t, int tetrahedra,
+                            const TriangleFace& face) {
+  const DualEdgeMemory& m = block.m;
+  const int at = atomicAdd(&block.s.kept, 1);
+  if (at >= static_cast<int>(block.p.capacity.kept)) {
+    block.s.exact[b] = 2;
     return;
   }
   m.kept[at] = make_uint2(t, pack_face(face));
   const std::uint32_t bit = 1u << (t & 31);
-  if (p.common.whole) atomicOr(&m.found_bits[t >> 5], bit);
+  if (block.p.common.whole) atomicOr(&m.found_bits[t >> 5], bit);
   if (tetrahedra > 0) atomicOr(&m.one_bits[t >> 5], bit);
   if (tetrahedra > 1) atomicOr(&m.two_bits[t >> 5], bit);
 }
 
 // The rows to clip a triangle's dual edge by.
 template <class Kind>
-__device__ inline auto rows_of(const DualEdgeMemory& m, const Triangle& t, int words) {
+__device__ inline auto rows_of(const Block& block, const Triangle& t) {
   if constexpr (Kind::kCull) {
-    return NearFirstRows{t, m.near + t.ball * words};
+    return NearFirstRows{t, block.m.near + t.ball * block.words};
   } else {
     return TriangleRows{t};
   }
 }
 
 template <class Kind>
-__device__ inline void note_face(const DualEdgeProblem& p, const DualEdgeMemory& m, BlockBalls& s,
-                                 const Triangle& t, int number, const TriangleFace& face) {
+__device__ inline void note_face(const Block& block, const Triangle& t, int number,
+                                 const TriangleFace& face) {
   if (face.in == Decision::unknown) {
-    atomicMax(&s.exact[t.ball], 1);
+    atomicMax(&block.s.exact[t.ball], 1);
     return;
   }
   const int tetrahedra = (face.high > t.k) + (face.low > t.k);
   if (face.in == Decision::in && (Kind::kWhole || tetrahedra > 0))
-    keep(p, m, s, t.ball, number, tetrahedra, face);
+    keep(block, t.ball, number, tetrahedra, face);
 }
 
 // Kernel II of one triangle.
 template <class Kind>
-__device__ inline TriangleFace found_face(const DualEdgeMemory& m, const BlockBalls& s,
-                                          const Triangle& t, int words) {
-  const auto rows = rows_of<Kind>(m, t, words);
-  const float square = s.radius_square[t.ball];
-  const ScaledNeighbours vectors{m.vectors + t.entry0};
+__device__ inline TriangleFace found_face(const Block& block, const Triangle& t) {
+  const auto rows = rows_of<Kind>(block, t);
+  const float square = block.s.radius_square[t.ball];
+  const ScaledNeighbours vectors{block.m.vectors + t.entry0};
   if constexpr (Kind::kWhole) {
-    return filtered_face<float>(rows, words, square, vectors);
+    return filtered_face<float>(rows, block.words, square, vectors);
   } else {
-    const TriangleEnds ends = filtered_ends<float>(rows, words, square, vectors);
+    const TriangleEnds ends = filtered_ends<float>(rows, block.words, square, vectors);
     return {ends.known ? Decision::in : Decision::unknown, ends.high, ends.low,
             TriangleFace::Attached::no};
   }
@@ -232,101 +238,99 @@ __device__ inline bool probed_away(const DualEdge<float>& edge, int words, const
 // Most triangles have no dual edge. Of culled lists, those are told apart first of which the
 // likeliest cuts alone, without their ends, certainly leave nothing: that takes about as long for
 // all lanes of a warp, and those that are left fill other warps. Returns how many are left.
-__device__ inline int probe_triangles(const DualEdgeProblem& p, const DualEdgeMemory& m,
-                                      BlockBalls& s, int listed, int words) {
+__device__ inline int probe_triangles(const Block& block, int listed) {
+  const DualEdgeMemory& m = block.m;
+  BlockBalls& s = block.s;
+  const int words = block.words;
   for (int at = 0; take(&s.next_listed, listed, at);) {
     if (at < listed) {
       const int t = m.listed[at];
-      const Triangle triangle(m, s, words, m.triangles[t]);
+      const Triangle triangle(block, t);
       const ScaledNeighbours vector{m.vectors + triangle.entry0};
       const std::uint32_t* near = m.near + triangle.ball * words;
       DualEdge<float> edge;
       if (edge.start(vector(triangle.j), vector(triangle.k), s.radius_square[triangle.ball]) &&
           !probed_away(
               edge, words, [&](int w) { return triangle.common(w) & near[w]; }, vector))
-        enlist({m.probed, p.capacity.probed}, s, atomicAdd(&s.probed, 1), t, triangle.ball);
+        enlist({m.probed, block.p.capacity.probed}, s, atomicAdd(&s.probed, 1), t, triangle.ball);
     }
     __syncwarp();
   }
   __syncthreads();
-  return min(s.probed, static_cast<int>(p.capacity.probed));
+  return min(s.probed, static_cast<int>(block.p.capacity.probed));
 }
 
 // Kernel II of the block's triangles.
 template <class Kind>
-__device__ inline void find_faces(const DualEdgeProblem& p, const DualEdgeOutput& out,
-                                  const DualEdgeMemory& m, BlockBalls& s, int triangles,
-                                  int words) {
+__device__ inline void find_faces(const Block& block, int triangles) {
+  BlockBalls& s = block.s;
   int count = 0;
-  const std::uint16_t* left = m.listed;
+  const std::uint16_t* left = block.m.listed;
   if constexpr (Kind::kCull) {
-    count = probe_triangles(p, m, s, list_candidates<Kind>(p, m, s, triangles, words), words);
-    left = m.probed;
+    count = probe_triangles(block, list_candidates<Kind>(block, triangles));
+    left = block.m.probed;
   } else {
-    count = sort_candidates<Kind>(p, m, s, triangles, words);
+    count = sort_candidates<Kind>(block, triangles);
   }
   for (int at = 0; take(&s.next_work, count, at);) {
     if (at < count) {
       const int t = left[at];
-      const Triangle triangle(m, s, words, m.triangles[t]);
-      note_face<Kind>(p, m, s, triangle, t, found_face<Kind>(m, s, triangle, words));
+      const Triangle triangle(block, t);
+      note_face<Kind>(block, triangle, t, found_face<Kind>(block, triangle));
     }
     __syncwarp();
   }
   __syncthreads();
-  if (threadIdx.x == 0 && is_sampled(p)) {
-    measure(out.statistics->listed, s.listed);
-    if (Kind::kCull) measure(out.statistics->probed, s.probed);
-    measure(out.statistics->kept, s.kept);
+  if (threadIdx.x == 0 && is_sampled(block.p)) {
+    BlockStatistics& met = *block.out.statistics;
+    measure(met.listed, s.listed);
+    if (Kind::kCull) measure(met.probed, s.probed);
+    measure(met.kept, s.kept);
   }
 }
 
 // Kernel III of the block's triangles: single precision once more, which spares most of them, and
 // the rest for certain.
 template <class Kind>
-__device__ inline void find_faces_exactly(const DualEdgeProblem& p, const DualEdgeMemory& m,
-                                          BlockBalls& s, int triangles, int words) {
+__device__ inline void find_faces_exactly(const Block& block, int triangles) {
   __syncthreads();
   for (int t = threadIdx.x; t < triangles; t += kBlockThreads) {
-    const Triangle triangle(m, s, words, m.triangles[t]);
-    if (!is_candidate<Kind>(m, s, triangle, words)) continue;
-    TriangleFace face = found_face<Kind>(m, s, triangle, words);
+    const Triangle triangle(block, t);
+    if (!is_candidate<Kind>(block, triangle)) continue;
+    TriangleFace face = found_face<Kind>(block, triangle);
     if (face.in == Decision::unknown)
-      face = decided_face(p, exact_neighbours(p, m, s, triangle.ball), triangle);
-    note_face<Kind>(p, m, s, triangle, t, face);
+      face = decided_face(block.p, exact_neighbours(block, triangle.ball), triangle);
+    note_face<Kind>(block, triangle, t, face);
   }
   __syncthreads();
 }
 
 // Per ball: is it a vertex of K_alpha?
-__device__ inline void write_vertex_states(const DualEdgeProblem& p, const DualEdgeOutput& out,
-                                           const BlockBalls& s, int balls) {
+__device__ inline void write_vertex_states(const Block& block) {
+  const BlockBalls& s = block.s;
   const int b = static_cast<int>(threadIdx.x);
-  if (b >= balls || s.exact[b]) return;
+  if (b >= block.balls || s.exact[b]) return;
   const double weight = static_cast<double>(static_cast<std::int64_t>(s.ball[b].w) * s.ball[b].w);
   // Equality counts as attached (see BallSimplices::vertex_state).
-  out.vertex_state[s.index[b]] = -weight > p.common.alpha ? 0 : s.state[b];
+  block.out.vertex_state[s.index[b]] = -weight > block.p.common.alpha ? 0 : s.state[b];
 }
 
-// Balls [first, first + balls) of the BallSet. Every thread of the block calls it. kWords:
-// words of a row, or 0 for any number.
-template <class Kind, int kWords>
-__device__ void process_balls(const DualEdgeProblem& p, const SortedBalls& sorted,
-                              const DualEdgeOutput& out, const DualEdgeMemory& m, BlockBalls& s,
-                              std::uint32_t first, int balls) {
-  const int words = kWords > 0 ? kWords : p.words;
-  find_lists<Kind>(p, sorted, out, m, s, first, balls);
-  make_rows<Kind>(p, m, s, words);
-  const int triangles = list_triangles<Kind>(p, out, m, s, words);
+// The block's balls. Every thread of it calls it.
+template <class Kind>
+__device__ void process_balls(const Block& block, const SortedBalls& sorted) {
+  find_lists<Kind>(block, sorted);
+  make_rows<Kind>(block);
+  const int triangles = list_triangles<Kind>(block);
   if constexpr (Kind::kExact) {
-    find_faces_exactly<Kind>(p, m, s, triangles, words);
+    find_faces_exactly<Kind>(block, triangles);
   } else {
-    find_faces<Kind>(p, out, m, s, triangles, words);
+    find_faces<Kind>(block, triangles);
   }
-  if constexpr (Kind::kWhole) write_vertex_states(p, out, s, balls);
-  write_simplices<Kind>(p, out, m, s, first, balls, triangles, words);
+  if constexpr (Kind::kWhole) write_vertex_states(block);
+  write_simplices<Kind>(block, triangles);
 }
 
+// kWords: words of a row, or 0 for any number.
 template <bool kWhole, bool kCull, int kWords>
 __global__ void __launch_bounds__(kBlockThreads)
     dual_edges_filtered(DualEdgeProblem p, SortedBalls sorted, DualEdgeOutput out) {
@@ -335,7 +339,9 @@ __global__ void __launch_bounds__(kBlockThreads)
   const std::uint32_t first = p.begin + blockIdx.x * p.common.balls_per_block;
   const int balls =
       static_cast<int>(min(static_cast<std::uint32_t>(p.common.balls_per_block), p.end - first));
-  process_balls<KernelKind<kWhole, false, kCull>, kWords>(p, sorted, out, m, s, first, balls);
+  constexpr bool kAny = kWords == 0;
+  process_balls<KernelKind<kWhole, false, kCull>>(
+      {p, out, m, s, kAny ? p.words : kWords, first, balls}, sorted);
 }
 
 // One ball at a time; p.common.balls_per_block is 1.
@@ -348,7 +354,8 @@ __global__ void __launch_bounds__(kBlockThreads)
   // Kernel II of the next chunk may add to them: the block's threads have to agree.
   if (__syncthreads_or(out.statistics->deferred > p.deferred_limit)) return;
   for (std::uint32_t n = blockIdx.x; n < count; n += gridDim.x) {
-    process_balls<KernelKind<kWhole, true, true>, 0>(p, sorted, out, m, s, out.exact_list[n], 1);
+    process_balls<KernelKind<kWhole, true, true>>({p, out, m, s, p.words, out.exact_list[n], 1},
+                                                  sorted);
     __syncthreads();
   }
 }

@@ -174,25 +174,31 @@ class Culler {
   const int n_, end_;
 };
 
-// Writes ball b's list ordered by index, relative to the ball; after the indices found, there are
-// three above all. Half a warp; true where a lane met a
-// ball whose power at the centre is no larger.
+// The list of ball b, `n` balls from entry0 on.
+struct BallList {
+  int b, n, entry0;
+  const int4& centre;
+};
+
+// Writes a list ordered by index, relative to its ball; after the indices found, there are three
+// above all. Half a warp; true where a lane met a ball whose power at the centre is no larger.
 template <class Kind>
-__device__ inline bool order_list(const DualEdgeProblem& p, const SortedBalls& sorted,
-                                  const DualEdgeMemory& m, const int4& centre, int n, int entry0,
-                                  int b) {
+__device__ inline bool order_list(const Block& block, const SortedBalls& sorted,
+                                  const BallList& list) {
+  const DualEdgeProblem& p = block.p;
+  const DualEdgeMemory& m = block.m;
   bool attached = false;
-  for (int a = lane_of_half(); a < n; a += kSearchLanes) {
+  for (int a = lane_of_half(); a < list.n; a += kSearchLanes) {
     const std::uint32_t found = m.found[a], index = m.found_index[a];
     const float reach = sorted.home[index].reach * p.common.scale;
     int rank = 0;
-    for (int o = 0; o < n; o += 4) {
+    for (int o = 0; o < list.n; o += 4) {
       const uint4 others = *reinterpret_cast<const uint4*>(m.found_index + o);
       rank += (others.x < index) + (others.y < index) + (others.z < index) + (others.w < index);
     }
     bool inside = false;
-    const LiftedVector<float> v = scaled_vector(p, centre, p.balls[index], &inside);
-    const int entry = entry0 + rank, word = b * p.words + (rank >> 5);
+    const LiftedVector<float> v = scaled_vector(p, list.centre, p.balls[index], &inside);
+    const int entry = list.entry0 + rank, word = list.b * p.words + (rank >> 5);
     m.vectors[entry] = make_float4(v.x, v.y, v.z, v.c);
     m.reach[entry] = reach;
     m.index[entry] = index;
@@ -204,18 +210,24 @@ __device__ inline bool order_list(const DualEdgeProblem& p, const SortedBalls& s
   return attached;
 }
 
+// How many balls were found for one, are left in its list, and are of those of higher index.
+struct ListCounts {
+  int found, left, later;
+};
+
 // What a ball met, for the room of the next run.
 template <class Kind>
-__device__ inline void note_list(const DualEdgeProblem& p, BlockStatistics& met, BlockBalls& s,
-                                 int found, int left) {
+__device__ inline void note_list(const Block& block, int found, int left) {
+  const DualEdgeProblem& p = block.p;
+  BlockStatistics& met = *block.out.statistics;
   const bool fits = found <= p.common.search_capacity,
              too_long = !fits || left > static_cast<int>(p.capacity.list);
   if (Kind::kExact || !fits) note_largest(&met.most_found, found);
   if (Kind::kExact || too_long) note_largest(&met.longest_list, left);
   if (!Kind::kExact && too_long) atomicAdd(&met.too_long, 1u);
   if (Kind::kExact || !is_sampled(p)) return;
-  measure(s.all_found, found);
-  if (fits) measure(s.all_lists, left);
+  measure(block.s.all_found, found);
+  if (fits) measure(block.s.all_lists, left);
 }
 // And all of a sampled block. One thread.
 __device__ inline void note_lists(BlockStatistics& met, const BlockBalls& s) {
@@ -231,22 +243,22 @@ struct ListPlace {
   bool room;
 };
 
-// Of `all` balls found, `n` are in the list, `later` of them of higher index. Both halves of a warp
-// call it.
+// Both halves of a warp call it.
 __device__ inline ListPlace place_list(const DualEdgeProblem& p, BlockBalls& s, bool active,
-                                       int all, int n, int later) {
+                                       const ListCounts& counts) {
   const int half = threadIdx.x & kSearchLanes;
   int entry0 = 0, row0 = 0;
   if (lane_of_half() == 0 && active) {
-    entry0 = atomicAdd(&s.entries, n);
-    row0 = atomicAdd(&s.rows, later);
+    entry0 = atomicAdd(&s.entries, counts.left);
+    row0 = atomicAdd(&s.rows, counts.later);
   }
   entry0 = __shfl_sync(~0u, entry0, half);
   row0 = __shfl_sync(~0u, row0, half);
   return {entry0, row0,
-          all <= p.common.search_capacity && n <= static_cast<int>(p.capacity.list) &&
-              entry0 + n <= static_cast<int>(p.capacity.entries) &&
-              row0 + later <= static_cast<int>(p.capacity.rows)};
+          counts.found <= p.common.search_capacity &&
+              counts.left <= static_cast<int>(p.capacity.list) &&
+              entry0 + counts.left <= static_cast<int>(p.capacity.entries) &&
+              row0 + counts.later <= static_cast<int>(p.capacity.rows)};
 }
 
 // Whose rows they are. Those of a ball without room still count: they are nobody's.
@@ -273,9 +285,10 @@ __device__ inline int count_later(const DualEdgeMemory& m, int n, std::uint32_t 
 }
 
 // What the block keeps of a ball whose list is made. One lane.
-__device__ inline void keep_ball(BlockBalls& s, int b, const ListPlace& place, int n, int later) {
-  s.list[b] = place.room ? n : 0;
-  s.later[b] = place.room ? later : 0;
+__device__ inline void keep_ball(BlockBalls& s, int b, const ListPlace& place,
+                                 const ListCounts& counts) {
+  s.list[b] = place.room ? counts.left : 0;
+  s.later[b] = place.room ? counts.later : 0;
   s.entry0[b] = place.entry0;
   s.row0[b] = place.row0;
   s.first_triangle[b] = INT_MAX;
@@ -286,14 +299,17 @@ __device__ inline void keep_ball(BlockBalls& s, int b, const ListPlace& place, i
 // The list of ball b of the block, half a warp's; not `active`: it has none. Both halves of a warp
 // call it.
 template <class Kind>
-__device__ inline void find_list(const DualEdgeProblem& p, const SortedBalls& sorted,
-                                 const DualEdgeOutput& out, const DualEdgeMemory& m, BlockBalls& s,
-                                 std::uint32_t index, int b, bool active) {
+__device__ inline void find_list(const Block& block, const SortedBalls& sorted, int b,
+                                 bool active) {
+  const DualEdgeProblem& p = block.p;
+  const DualEdgeMemory& m = block.m;
+  BlockBalls& s = block.s;
+  const std::uint32_t index = block.first + b;
   const BallHome home = sorted.home[index];
   const int4 centre = p.balls[index];
   const bool alive = home.reach >= 0;
   const int all = search_neighbours(p.common, sorted, home, active && alive,
-                                    s.surroundings[threadIdx.x / kSearchLanes], m.found);
+                                    {s.surroundings[threadIdx.x / kSearchLanes], m.found});
   const float radius_square =
       static_cast<float>(static_cast<double>(square(centre.w)) + p.common.alpha) * p.radius_scale;
   int n = all <= p.common.search_capacity ? all : 0;
@@ -301,19 +317,20 @@ __device__ inline void find_list(const DualEdgeProblem& p, const SortedBalls& so
     if (!Kind::kExact || __any_sync(~0u, n > kShortList))
       n = Culler(p, m, centre, radius_square, n).cull();
   }
-  const int later = count_later<Kind>(m, n, index);
-  const ListPlace place = place_list(p, s, active, all, n, later);
-  if (active) mark_rows(p, m, place, later, b);
+  const ListCounts counts{all, n, count_later<Kind>(m, n, index)};
+  const ListPlace place = place_list(p, s, active, counts);
+  if (active) mark_rows(p, m, place, counts.later, b);
   const bool lane_attached =
-      active && place.room && order_list<Kind>(p, sorted, m, centre, n, place.entry0, b);
+      active && place.room &&
+      order_list<Kind>(block, sorted, {b, counts.left, place.entry0, centre});
   const bool attached = half_ballot(lane_attached) != 0;
   if (active && lane_of_half() == 0) {
     s.radius_square[b] = radius_square;
     s.ball[b] = centre;
     s.index[b] = index;
     s.state[b] = !alive ? 0 : attached ? 1 : 2;
-    keep_ball(s, b, place, n, later);
-    if (alive) note_list<Kind>(p, *out.statistics, s, all, n);
+    keep_ball(s, b, place, counts);
+    if (alive) note_list<Kind>(block, counts.found, counts.left);
   }
   __syncwarp();
 }
@@ -321,26 +338,28 @@ __device__ inline void find_list(const DualEdgeProblem& p, const SortedBalls& so
 // Kernel I of the block's balls, half a warp each: their ordered lists. Balls without room are
 // marked.
 template <class Kind>
-__device__ inline void find_lists(const DualEdgeProblem& p, const SortedBalls& sorted,
-                                  const DualEdgeOutput& out, const DualEdgeMemory& m, BlockBalls& s,
-                                  std::uint32_t first, int balls) {
+__device__ inline void find_lists(const Block& block, const SortedBalls& sorted) {
+  const DualEdgeProblem& p = block.p;
+  const DualEdgeMemory& m = block.m;
+  BlockBalls& s = block.s;
   if (threadIdx.x == 0) {
     s.all_found = s.all_lists = {};
     s.entries = s.rows = s.listed = s.next_listed = s.probed = s.next_work = s.kept = 0;
   }
   if (threadIdx.x < kLengths) s.lengths[threadIdx.x] = 0;
-  for (int w = threadIdx.x; w < balls * p.words; w += kBlockThreads) m.possible[w] = m.near[w] = 0;
+  for (int w = threadIdx.x; w < block.balls * p.words; w += kBlockThreads)
+    m.possible[w] = m.near[w] = 0;
   __syncthreads();
   const int half = (threadIdx.x & kSearchLanes) != 0 ? 1 : 0;
-  for (int pair = threadIdx.x >> 5; 2 * pair < balls; pair += kBlockThreads / 32) {
+  for (int pair = threadIdx.x >> 5; 2 * pair < block.balls; pair += kBlockThreads / 32) {
     // Of an odd last pair, the second half repeats the first's reads in vain.
-    const bool active = 2 * pair + half < balls;
+    const bool active = 2 * pair + half < block.balls;
     const int b = 2 * pair + (active ? half : 0);
-    find_list<Kind>(p, sorted, out, m, s, first + b, b, active);
+    find_list<Kind>(block, sorted, b, active);
   }
   __syncthreads();
   if (threadIdx.x == 0) {
-    if (!Kind::kExact && is_sampled(p)) note_lists(*out.statistics, s);
+    if (!Kind::kExact && is_sampled(p)) note_lists(*block.out.statistics, s);
     s.rows = min(s.rows, static_cast<int>(p.capacity.rows));
   }
   __syncthreads();

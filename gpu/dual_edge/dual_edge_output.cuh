@@ -51,10 +51,12 @@ class Claim {
 
 // Where the simplices of each ball go; balls for kernel III are listed instead. One warp.
 template <class Kind>
-__device__ inline void claim_places(const DualEdgeOutput& out, const DualEdgeMemory& m,
-                                    BlockBalls& s, std::uint32_t first, int balls) {
+__device__ inline void claim_places(const Block& block) {
+  const DualEdgeOutput& out = block.out;
+  const DualEdgeMemory& m = block.m;
+  BlockBalls& s = block.s;
   const int b = static_cast<int>(threadIdx.x);
-  const bool mine = b < balls && !s.exact[b];
+  const bool mine = b < block.balls && !s.exact[b];
   const int begin = mine ? s.first_triangle[b] : 0, end = mine ? s.end_triangle[b] : 0;
   const std::uint32_t index = mine ? s.index[b] : 0;
   const bool any = begin < end;
@@ -83,8 +85,8 @@ __device__ inline void claim_places(const DualEdgeOutput& out, const DualEdgeMem
     out.tetrahedra.count[index] = tetrahedra;
     s.tetrahedron_at[b] = start - tetrahedron0;
   }
-  if (!Kind::kExact && b < balls && s.exact[b]) {  // all of this ball is done again
-    out.exact_list[atomicAdd(out.exact_count, 1u)] = first + b;
+  if (!Kind::kExact && b < block.balls && s.exact[b]) {  // all of this ball is done again
+    out.exact_list[atomicAdd(out.exact_count, 1u)] = block.first + b;
     if (s.exact[b] == 2) atomicAdd(&out.statistics->deferred, 1u);
   }
   if (Kind::kExact && b == 0) note_largest(&out.statistics->most_kept, s.kept);
@@ -124,23 +126,24 @@ __device__ inline std::uint32_t attached_ball(const TriangleFace& f, const std::
 
 // Writes the simplices of all balls but those for kernel III, and where each ball's are.
 template <class Kind>
-__device__ inline void write_simplices(const DualEdgeProblem& p, const DualEdgeOutput& out,
-                                       const DualEdgeMemory& m, BlockBalls& s, std::uint32_t first,
-                                       int balls, int triangles, int words) {
+__device__ inline void write_simplices(const Block& block, int triangles) {
+  const DualEdgeOutput& out = block.out;
+  const DualEdgeMemory& m = block.m;
+  const BlockBalls& s = block.s;
   if (threadIdx.x < 32) {
     if constexpr (Kind::kWhole)
       sum_before(triangles, m.triangles_before, [&](int w) { return __popc(m.found_bits[w]); });
     sum_before(triangles, m.tetrahedra_before,
                [&](int w) { return __popc(m.one_bits[w]) + __popc(m.two_bits[w]); });
     __syncwarp();
-    claim_places<Kind>(out, m, s, first, balls);
+    claim_places<Kind>(block);
   }
   __syncthreads();
   if constexpr (Kind::kWhole) write_edges(out.edges, m, s);
-  const int kept = min(s.kept, static_cast<int>(p.capacity.kept));
+  const int kept = min(s.kept, static_cast<int>(block.p.capacity.kept));
   for (int a = threadIdx.x; a < kept; a += kBlockThreads) {
     const int number = static_cast<int>(m.kept[a].x);
-    const Triangle t(m, s, words, m.triangles[number]);
+    const Triangle t(block, number);
     if (s.exact[t.ball]) continue;
     const TriangleFace face = unpack_face(m.kept[a].y);
     const std::uint32_t* index = m.index + t.entry0;

@@ -167,8 +167,8 @@ void DualEdgePipeline::State::assign_piece(const Problem& p, int piece, int all,
   };
   const std::uint32_t begin = ball(piece), end = ball(piece + 1);
   launch(gpu::assign_cells, {blocks_for(end - begin), kThreads, stream}, p, begin, end,
-         PackedBalls{packed.get(), packing.value_or(WireLayout{})}, balls.get(),
-         zeroed.get() + kCounterWords, home.get());
+         PackedBalls{packed.get(), packing.value_or(WireLayout{})},
+         CellBuffers{balls.get(), zeroed.get() + kCounterWords, home.get()});
 }
 
 void DualEdgePipeline::State::receive_balls(const Problem& p, EventTimer& timer) {

@@ -24,17 +24,16 @@ template <class Kind>
 class RowMaker {
  public:
   // All of one row's: of neighbour j of ball b.
-  __device__ RowMaker(const DualEdgeProblem& p, const DualEdgeMemory& m, BlockBalls& s, int words,
-                      int row, int b)
-      : p_(p),
-        m_(m),
-        s_(s),
-        words_(words),
+  __device__ RowMaker(const Block& block, int row, int b)
+      : block_(block),
+        m_(block.m),
+        s_(block.s),
+        words_(block.words),
         b_(b),
         row_number_(row),
-        j_(s.list[b] - s.later[b] + row - s.row0[b]),
-        entry0_(s.entry0[b]),
-        row_(m.rows + row * words) {}
+        j_(s_.list[b] - s_.later[b] + row - s_.row0[b]),
+        entry0_(s_.entry0[b]),
+        row_(m_.rows + row * words_) {}
 
   // Fills the row; it stays empty when ij is not in K_alpha: then j is in no triangle of ball i,
   // but still cuts those of others.
@@ -89,7 +88,7 @@ class RowMaker {
 
   __device__ bool cuts_centre(Decision d, int k) {
     if (d == Decision::unknown) {
-      d = edge_attached_slowly<Decider>(p_, exact_neighbours(p_, m_, s_, b_), j_, k);
+      d = edge_attached_slowly<Decider>(block_.p, exact_neighbours(block_, b_), j_, k);
       if (d == Decision::unknown) atomicMax(&s_.exact[b_], 1);
     }
     return d == Decision::in;
@@ -98,7 +97,7 @@ class RowMaker {
   // Of an unattached edge; false when it is above alpha.
   __device__ bool within_alone(Decision d) {
     if (d == Decision::unknown) {
-      d = edge_within_slowly<Decider>(p_, exact_neighbours(p_, m_, s_, b_), j_);
+      d = edge_within_slowly<Decider>(block_.p, exact_neighbours(block_, b_), j_);
       if (d == Decision::unknown) atomicMax(&s_.exact[b_], 1);
     }
     if (d == Decision::in)
@@ -106,7 +105,7 @@ class RowMaker {
     return d != Decision::out;
   }
 
-  const DualEdgeProblem& p_;
+  const Block& block_;
   const DualEdgeMemory& m_;
   BlockBalls& s_;
   const int words_, b_, row_number_, j_, entry0_;
@@ -115,11 +114,10 @@ class RowMaker {
 
 // The rows of all the block's balls. Every thread takes part.
 template <class Kind>
-__device__ inline void make_rows(const DualEdgeProblem& p, const DualEdgeMemory& m, BlockBalls& s,
-                                 int words) {
-  for (int row = threadIdx.x; row < s.rows; row += kBlockThreads) {
-    const int b = m.row_ball[row];
-    if (b < kMaxBallsPerBlock) RowMaker<Kind>(p, m, s, words, row, b).make();
+__device__ inline void make_rows(const Block& block) {
+  for (int row = threadIdx.x; row < block.s.rows; row += kBlockThreads) {
+    const int b = block.m.row_ball[row];
+    if (b < kMaxBallsPerBlock) RowMaker<Kind>(block, row, b).make();
   }
   __syncthreads();
 }

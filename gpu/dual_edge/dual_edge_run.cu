@@ -181,16 +181,20 @@ class Run {
     return {{begin, chunk_begin(number + 1), &counters->totals[number]}, out};
   }
 
+  struct Blocks {
+    unsigned number;
+    cudaStream_t stream;
+  };
   template <class Kernel>
-  void start(Kernel kernel, unsigned grid, const DualEdgeProblem& problem,
-             const SortedBalls& sorted, const DualEdgeOutput& out, cudaStream_t stream) {
+  void start(Kernel kernel, const Blocks& blocks, const DualEdgeProblem& problem,
+             const SortedBalls& sorted, const DualEdgeOutput& out) {
     const std::size_t bytes = problem.layout.bytes;
     if (bytes > 40 * 1024) {
       check(cudaFuncSetAttribute(kernel, cudaFuncAttributeMaxDynamicSharedMemorySize,
                                  static_cast<int>(bytes)),
             "preparing a kernel");
     }
-    launch(kernel, {grid, kBlockThreads, stream, bytes}, problem, sorted, out);
+    launch(kernel, {blocks.number, kBlockThreads, blocks.stream, bytes}, problem, sorted, out);
     check(cudaGetLastError(), "starting a kernel");
   }
 
@@ -199,15 +203,16 @@ class Run {
     DualEdgeProblem p = block_problem(need);
     p.begin = part.chunk.begin;
     p.end = part.chunk.end;
-    const unsigned grid = (p.end - p.begin + need.balls_per_block - 1) / need.balls_per_block;
+    const Blocks blocks{(p.end - p.begin + need.balls_per_block - 1) / need.balls_per_block,
+                        stream};
     // Two and three words at compile time are slower than any number at run time: unrolled, lanes
     // in different words do not run together.
     if (p.cull) {
-      start(dual_edges_filtered<kWhole, true, 0>, grid, p, sorted, part.out, stream);
+      start(dual_edges_filtered<kWhole, true, 0>, blocks, p, sorted, part.out);
     } else if (p.words == 1) {
-      start(dual_edges_filtered<kWhole, false, 1>, grid, p, sorted, part.out, stream);
+      start(dual_edges_filtered<kWhole, false, 1>, blocks, p, sorted, part.out);
     } else {
-      start(dual_edges_filtered<kWhole, false, 0>, grid, p, sorted, part.out, stream);
+      start(dual_edges_filtered<kWhole, false, 0>, blocks, p, sorted, part.out);
     }
   }
 
@@ -246,7 +251,7 @@ class Run {
     if (several) q_.filtered[number].hold_up(deciding);
     const auto blocks = static_cast<unsigned>(2 * s_.multiprocessors);
     const auto exact = whole_ ? dual_edges_exact<true> : dual_edges_exact<false>;
-    start(exact, blocks, ball_problem(need), sorted, part.out, deciding);
+    start(exact, {blocks, deciding}, ball_problem(need), sorted, part.out);
     if (last) timer_.mark(stage::kExactValidity, deciding);
     if (several) {
       q_.decided[number].record(deciding);

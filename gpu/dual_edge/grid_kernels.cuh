@@ -21,14 +21,21 @@ struct CellOfAxis {
   }
 };
 
-// Balls [begin, end). They came packed, or as they are. Their homes have their rank in the cell
-// instead of their slot, which is not known yet.
+// What assign_cells() writes: the balls unless they came as they are, how many there are in a cell,
+// and their homes, with their rank in the cell instead of their slot, which is not known yet.
+struct CellBuffers {
+  int4* balls;
+  std::uint32_t* count;
+  BallHome* home;
+};
+
+// Balls [begin, end). They came packed, or as they are.
 __global__ void assign_cells(Problem p, std::uint32_t begin, std::uint32_t end, PackedBalls packed,
-                             int4* balls, std::uint32_t* cell_count, BallHome* home) {
+                             CellBuffers to) {
   const std::uint32_t i = begin + blockIdx.x * blockDim.x + threadIdx.x;
   if (i >= end) return;
-  const int4 b = packed.data != nullptr ? packed[i] : balls[i];
-  if (packed.data != nullptr) balls[i] = b;
+  const int4 b = packed.data != nullptr ? packed[i] : to.balls[i];
+  if (packed.data != nullptr) to.balls[i] = b;
   const double square = static_cast<double>(static_cast<std::int64_t>(b.w) * b.w) + p.alpha;
   const CellOfAxis x(p, b.x, p.origin.x), y(p, b.y, p.origin.y), z(p, b.z, p.origin.z);
   // The dead: hidden (negative radius) or empty at alpha.
@@ -39,7 +46,7 @@ __global__ void assign_cells(Problem p, std::uint32_t begin, std::uint32_t end, 
   // each coordinate, their distance by no more than sqrt(3) of it, and two reaches have two.
   const float reach =
       sqrtf(fmaxf(static_cast<float>(square), 0.0f)) * (1.0f + 1.0f / 65536) + p.reach_slack;
-  home[i] = {atomicAdd(&cell_count[cell], 1u), cell, x.part | y.part << 10 | z.part << 20, reach};
+  to.home[i] = {atomicAdd(&to.count[cell], 1u), cell, x.part | y.part << 10 | z.part << 20, reach};
 }
 
 // What sort_into_cells() writes; as SortedBalls.

@@ -147,29 +147,33 @@ struct Surroundings {
   }
 };
 
-// Kernel I for two balls of one warp, half a warp each: lists the indices of the balls that theirs
-// meets in `found`, in no order. Returns the number of all, also of those that do not fit; 0 when
-// not `active`.
+// What a search writes: where it looks, and the indices of the balls that it finds, in no order.
+struct SearchMemory {
+  Surroundings& around;
+  std::uint32_t* found;
+};
+
+// Kernel I for two balls of one warp, half a warp each: lists the balls that theirs meets. Returns
+// the number of all, also of those that do not fit; 0 when not `active`.
 __device__ inline int search_neighbours(const Problem& p, const SortedBalls& balls,
-                                        const BallHome& home, bool active, Surroundings& around,
-                                        std::uint32_t* found) {
+                                        const BallHome& home, bool active, const SearchMemory& to) {
   const int lane = threadIdx.x & (kSearchLanes - 1), half = threadIdx.x & kSearchLanes;
   const std::uint32_t slot = home.slot;
   const float4 b = balls.near[slot];
-  around.load(p, balls, home, b.w);
-  const std::uint32_t all = active ? around.end[8] : 0;
+  to.around.load(p, balls, home, b.w);
+  const std::uint32_t all = active ? to.around.end[8] : 0;
   int count = 0;
   for (std::uint32_t number = lane; __any_sync(~0u, number < all); number += kSearchLanes) {
     std::uint32_t t = slot;
     bool hit = false;
     if (number < all) {
-      t = around.slot(number);
+      t = to.around.slot(number);
       const float4 o = balls.near[t];
       hit = grown_balls_may_meet(o.x - b.x, o.y - b.y, o.z - b.z, b.w, o.w) && t != slot;
     }
     const unsigned hits = __ballot_sync(~0u, hit) >> half & 0xffffu;
     const int at = count + __popc(hits & ((1u << lane) - 1));
-    if (hit && at < p.search_capacity) found[at] = balls.index[t];
+    if (hit && at < p.search_capacity) to.found[at] = balls.index[t];
     count += __popc(hits);
   }
   __syncwarp();

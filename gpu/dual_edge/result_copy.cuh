@@ -39,7 +39,7 @@ class ResultCopy {
   }
   // Only what was found, to where it fits exactly, and for which there is room.
   void found(const ResultLayout& from, const ResultLayout& to, cudaStream_t stream) {
-    part(from, to, {{0, 0, 0, 0}}, totals_of(to.room), {0, 4}, stream);
+    part(from, to, {{{0, 0, 0, 0}}, totals_of(to.room), 0, 4}, stream);
   }
   // Does what a chunk adds have its place, as it was counted?
   static bool has_place(const ResultLayout& layout, const Totals& before, const Totals& after) {
@@ -51,11 +51,11 @@ class ResultCopy {
   }
   void added_faces(const ResultLayout& layout, const Totals& before, const Totals& after,
                    cudaStream_t stream) {
-    part(layout, layout, before, after, {2, 4}, stream);
+    part(layout, layout, {before, after, 2, 4}, stream);
   }
   void added_edges_and_vertices(const ResultLayout& layout, const Totals& before,
                                 const Totals& after, cudaStream_t stream) {
-    part(layout, layout, before, after, {0, 2}, stream);
+    part(layout, layout, {before, after, 0, 2}, stream);
   }
 
   PipelineResult result(const ResultLayout& layout, const SimplexCounts& counts) const {
@@ -77,7 +77,9 @@ class ResultCopy {
   }
 
  private:
-  struct Dimensions {
+  // Simplices [before, after) of each of the dimensions [begin, end).
+  struct Part {
+    Totals before, after;
     int begin, end;
   };
   static Totals totals_of(const SimplexCounts& counts) {
@@ -92,12 +94,11 @@ class ResultCopy {
                           cudaMemcpyDeviceToHost, stream),
           "copying the result");
   }
-  // Simplices [before, after) of every dimension of these.
-  void part(const ResultLayout& from, const ResultLayout& to, const Totals& before,
-            const Totals& after, const Dimensions& dimensions, cudaStream_t stream) {
-    for (int d = whole_ ? dimensions.begin : 3; d < dimensions.end; ++d) {
+  void part(const ResultLayout& from, const ResultLayout& to, const Part& which,
+            cudaStream_t stream) {
+    for (int d = whole_ ? which.begin : 3; d < which.end; ++d) {
       const ResultLayout::Section &source = from.dimension[d], &target = to.dimension[d];
-      const std::size_t begin = before.of[d], count = after.of[d] - begin;
+      const std::size_t begin = which.before.of[d], count = which.after.of[d] - begin;
       const auto array = [&](std::size_t at, std::size_t place, std::size_t size) {
         bring(at + begin * size, place + begin * size, count * size, stream);
       };

@@ -1,0 +1,44 @@
+# A quarter of the time to compile core/, app/ and ui/ went into reading the standard library: with
+# this it is read once. No source may lean on that: the preset asan and the fuzzers compile without.
+# By default not with ccache, which then finds nothing that was compiled in another folder.
+set(by_default ON)
+if(CMAKE_CXX_COMPILER_LAUNCHER MATCHES "ccache")
+  set(by_default OFF)
+endif()
+option(ALPHASCOPE_PRECOMPILE "Read the standard library's headers once" ${by_default})
+
+# Takes the targets of this folder and of those below.
+function(alphascope_precompiled folder)
+  if(NOT ALPHASCOPE_PRECOMPILE OR NOT CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    return()
+  endif()
+  set(quiet)
+  if(CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
+    # "text" + std::string, precompiled, is warned of by mistake in two more ways (AlphascopeFlags.cmake).
+    set(quiet -Wno-array-bounds -Wno-stringop-overflow)
+  endif()
+  if(NOT TARGET alphascope_headers)
+    set(source ${PROJECT_BINARY_DIR}/headers/none.cpp)
+    file(CONFIGURE OUTPUT ${source} CONTENT "")
+    add_library(alphascope_headers OBJECT ${source})
+    target_link_libraries(alphascope_headers PRIVATE alphascope_flags)
+    target_compile_options(alphascope_headers PRIVATE ${quiet})
+    # Not <iostream>: it would be initialised for every source.
+    target_precompile_headers(alphascope_headers PRIVATE <algorithm> <array> <atomic> <charconv> <chrono>
+      <cmath> <condition_variable> <cstdint> <cstdio> <cstring> <filesystem> <functional> <limits> <map>
+      <memory> <mutex> <optional> <set> <span> <sstream> <stdexcept> <string> <string_view> <thread>
+      <unordered_map> <utility> <vector>)
+  endif()
+  get_property(targets DIRECTORY ${folder} PROPERTY BUILDSYSTEM_TARGETS)
+  foreach(target IN LISTS targets)
+    get_target_property(kind ${target} TYPE)
+    if(kind MATCHES "^(EXECUTABLE|STATIC_LIBRARY|OBJECT_LIBRARY)$")
+      target_precompile_headers(${target} REUSE_FROM alphascope_headers)
+      target_compile_options(${target} PRIVATE ${quiet})
+    endif()
+  endforeach()
+  get_property(folders DIRECTORY ${folder} PROPERTY SUBDIRECTORIES)
+  foreach(below IN LISTS folders)
+    alphascope_precompiled(${below})
+  endforeach()
+endfunction()

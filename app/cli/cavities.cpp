@@ -26,6 +26,7 @@ namespace {
 
 struct Answer {
   CavityTable table;
+  std::vector<ClippedMeasures> exact;  // of table.found.cavities
   StageTimes times;
   std::vector<std::string> differences;  // from what CASTp takes
   std::string device;                    // "CPU, 2 threads"
@@ -53,9 +54,15 @@ Answer find(const Input& input, const CavitiesOptions& options, const RunContext
     answer.table = make_cavity_table(
         ground, {request.alpha_angstrom2, request.solvent_radius_angstrom, options.rule}, context);
     timer.lap(stage::kCavities);
+    answer.exact = clip_all(answer.table, context);
+    timer.lap(stage::kExactVolumes);
     timer.finish();
   });
   return answer;
+}
+
+const ClippedMeasures& exact_of(const Answer& answer, std::size_t row) {
+  return answer.exact[answer.table.order[row]];
 }
 
 const char* kind_text(const CavityTable& table, std::size_t row) {
@@ -111,6 +118,8 @@ Table cavity_columns() {
                 {"kind", 6, true},
                 {"SA vol Å³", 11},
                 {"SA area Å²", 11},
+                {"exact Å³", 11},
+                {"", 1, true},
                 {"MS vol Å³", 11},
                 {"MS area Å²", 11},
                 {"mouths", 6},
@@ -119,7 +128,8 @@ Table cavity_columns() {
                 {"name (atoms of the deepest sink)", 0, true}});
 }
 
-void print_rows(const CavityTable& table, const CavityNames& names, std::size_t shown) {
+void print_rows(const Answer& answer, const BallReferences& atoms, std::size_t shown) {
+  const CavityTable& table = answer.table;
   const Table columns = cavity_columns();
   if (table.size() == 0) return;
   std::cout << columns.heading();
@@ -130,16 +140,21 @@ void print_rows(const CavityTable& table, const CavityNames& names, std::size_t 
         {std::to_string(row + 1), kind_text(table, row), number(m.volume_sa_angstrom3),
          number(m.area_sa_angstrom2), number(m.volume_ms_angstrom3), number(m.area_ms_angstrom2),
          std::to_string(m.mouths.size()), number(m.all_mouths().area_angstrom2),
-         std::to_string(names.lining(table, row).size()), names.name(table, row)});
+         std::to_string(lining_residues(atoms, table, row).size()),
+         cavity_name(atoms, table, row)});
   }
   if (table.size() > shown) {
     std::cout << "… and " << grouped(table.size() - shown)
               << " smaller ones; --show sets how many are printed\n";
   }
+  if (verbosity() != Verbosity::quiet && shown > 0) {
+    std::cout << "SA, MS: CASTp's sums. exact: of the tetrahedra outside all balls. * below 1 Å³, "
+                 "or the two differ by more than a tenth\n";
+  }
 }
 
 void print(const Input& input, const CavitiesOptions& options, const Answer& answer,
-           const CavityNames& names) {
+           const BallReferences& atoms) {
   const Request& request = options.request;
   const bool quiet = verbosity() == Verbosity::quiet;
   std::cout << input_text(input) << "sha256      " << input.molecule().sha256 << "\n"
@@ -156,7 +171,7 @@ void print(const Input& input, const CavitiesOptions& options, const Answer& ans
       std::cout << "            " << s.label << " " << milliseconds_text(s.milliseconds) << "\n";
     }
   }
-  print_rows(answer.table, names, static_cast<std::size_t>(options.shown));
+  print_rows(answer, atoms, static_cast<std::size_t>(options.shown));
   std::cout << std::flush;
 }
 
@@ -168,7 +183,7 @@ std::string exact(double value) {
 }
 
 CsvRow csv_row(const Input& input, const CavitiesOptions& options, const Answer& answer,
-               const CavityNames& names, std::size_t row) {
+               const BallReferences& atoms, std::size_t row) {
   const CavityTable& table = answer.table;
   const Cavity& cavity = table.cavity(row);
   const CavityMeasures& m = table.measure(row);
@@ -176,9 +191,12 @@ CsvRow csv_row(const Input& input, const CavitiesOptions& options, const Answer&
   CsvRow cells{{"model", model_text(input.balls.model)},
                {"rank", std::to_string(row + 1)},
                {"kind", kind_text(table, row)},
-               {"name", names.name(table, row)},
+               {"name", cavity_name(atoms, table, row)},
                {"volume_sa_angstrom3", exact(m.volume_sa_angstrom3)},
                {"area_sa_angstrom2", exact(m.area_sa_angstrom2)},
+               {"volume_exact_angstrom3", exact(exact_of(answer, row).volume_sa_angstrom3)},
+               {"area_exact_angstrom2", exact(exact_of(answer, row).area_sa_angstrom2)},
+               {"doubtful", is_doubtful(m, exact_of(answer, row)) ? "1" : "0"},
                {"volume_ms_angstrom3", exact(m.volume_ms_angstrom3)},
                {"area_ms_angstrom2", exact(m.area_ms_angstrom2)},
                {"area_ms_steiner_angstrom2", exact(m.area_ms_steiner_angstrom2)},
@@ -193,7 +211,7 @@ CsvRow csv_row(const Input& input, const CavitiesOptions& options, const Answer&
                {"sinks", std::to_string(cavity.sinks)},
                {"atoms", std::to_string(cavity.atoms.size())},
                {"lining_atoms", std::to_string(m.lining.size())},
-               {"lining_residues", addresses(names.lining(table, row))},
+               {"lining_residues", addresses(lining_residues(atoms, table, row))},
                {"alpha_angstrom2", number_text(options.request.alpha_angstrom2)},
                {"solvent_radius_angstrom", number_text(options.request.solvent_radius_angstrom)},
                {"choices", comparable_text(answer)}};
@@ -214,19 +232,23 @@ Json mouths_json(const Cavity& cavity, const CavityMeasures& m) {
   return mouths;
 }
 
-Json cavity_json(const CavityTable& table, const CavityNames& names, std::size_t row) {
+Json cavity_json(const Answer& answer, const BallReferences& atoms, std::size_t row) {
+  const CavityTable& table = answer.table;
   const Cavity& cavity = table.cavity(row);
   const CavityMeasures& m = table.measure(row);
   Json residues = Json::array();
-  for (const LiningResidue& residue : names.lining(table, row)) {
+  for (const LiningResidue& residue : lining_residues(atoms, table, row)) {
     residues.push_back({{"residue", residue.address}, {"atoms", residue.balls}});
   }
   return {{"rank", row + 1},
           {"kind", kind_text(table, row)},
-          {"name", names.name(table, row)},
+          {"name", cavity_name(atoms, table, row)},
           {"sink_atoms", table.sink(row)},
           {"volume_sa_angstrom3", m.volume_sa_angstrom3},
           {"area_sa_angstrom2", m.area_sa_angstrom2},
+          {"volume_exact_angstrom3", exact_of(answer, row).volume_sa_angstrom3},
+          {"area_exact_angstrom2", exact_of(answer, row).area_sa_angstrom2},
+          {"doubtful", is_doubtful(m, exact_of(answer, row))},
           {"volume_ms_angstrom3", m.volume_ms_angstrom3},
           {"area_ms_angstrom2", m.area_ms_angstrom2},
           {"area_ms_steiner_angstrom2", m.area_ms_steiner_angstrom2},
@@ -241,11 +263,11 @@ Json cavity_json(const CavityTable& table, const CavityNames& names, std::size_t
 }
 
 Json result_json(const Input& input, const CavitiesOptions& options, const Answer& answer,
-                 const CavityNames& names) {
+                 const BallReferences& atoms) {
   const CavityTable& table = answer.table;
   Json cavities = Json::array(), stages = Json::array();
   for (std::size_t row = 0; row < table.size(); ++row) {
-    cavities.push_back(cavity_json(table, names, row));
+    cavities.push_back(cavity_json(answer, atoms, row));
   }
   for (const StageTime& s : answer.times.stages) {
     stages.push_back({{"stage", s.label}, {"ms", s.milliseconds}, {"setup", s.setup}});
@@ -297,18 +319,16 @@ ExitCode run_cavities(const CavitiesOptions& options) {
     for_each_model(file, options.input, open, context, [&](const Input& as_opened) {
       const Input input = with_preset_radii(as_opened, options);
       const Answer answer = find(input, options, context);
-      const CavityNames names(input.opened.molecule, input.opened.prepared);
+      const BallReferences atoms(input.opened.molecule, input.opened.prepared);
       clear_progress();
-      if (shown) print(input, options, answer, names);
-      if (json.wanted()) json.add(result_json(input, options, answer, names));
+      if (shown) print(input, options, answer, atoms);
+      if (json.wanted()) json.add(result_json(input, options, answer, atoms));
       for (std::size_t row = 0; csv.wanted() && row < answer.table.size(); ++row) {
-        csv.add(csv_row(input, options, answer, names, row));
+        csv.add(csv_row(input, options, answer, atoms, row));
       }
     });
   });
-  Json further = failures_json(outcome, many);
-  further["program"] = program_json();
-  json.finish(further);
+  json.finish(further_json(outcome, many));
   outputs.commit();
   return outcome.code;
 }

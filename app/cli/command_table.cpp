@@ -1,5 +1,6 @@
 #include "app/cli/command_table.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "app/options/option_values.hpp"
@@ -277,6 +278,37 @@ OptionCommand cavities(CavitiesOptions& options) {
   return command;
 }
 
+OptionCommand measure(MeasureCommandOptions& options) {
+  OptionCommand command{
+      "measure", "Exact area and volume of the union of balls, also by chain, residue or atom", {}};
+  command.options = many_files(options.files);
+  Option alpha = number_option({"--alpha", "A", "Alpha in Å², negative too"},
+                               options.request.alpha_angstrom2, kAlphaRange);
+  command.options.push_back(with_default(alpha, "0"));
+  append(command.options, engine(options.request, true));
+  std::erase_if(command.options, [](const Option& o) { return o.names == "--tetrahedra-only"; });
+  Option by{.names = "--by",
+            .value = "total|chain|residue|atom",
+            .text = "What a row of the CSV, or a group of the JSON, is",
+            .fallback = "total"};
+  by.set = [&options, choices = by.choices()](const std::string& id) {
+    require_choice(id, choices);
+    const auto at = std::find(choices.begin(), choices.end(), id) - choices.begin();
+    options.by = static_cast<MeasuredBy>(at);
+  };
+  append(command.options,
+         {by,
+          output("--json", "Measures, counts, hash and times as JSON; - for standard output",
+                 options.json),
+          output("--csv", "Measures, one row for each group; - for standard output", options.csv)});
+  append(command.options, input(options.input));
+  command.check = [&options] {
+    require_files(options.files);
+    require_tuple_engine(options.request);
+  };
+  return command;
+}
+
 OptionCommand verify(VerifyOptions& options) {
   OptionCommand command{
       "verify", "Compare with CGAL as sets of simplices; exit code 0 only if identical", {}};
@@ -387,6 +419,7 @@ std::vector<OptionNotes> notes() {
         "find pdb -name '*.cif.gz' | alphascope-cli info --files-from - --csv -",
         "zcat 1crn.pdb.gz | alphascope-cli compute - --alpha 1.4",
         "alphascope-cli cavities 4hhb.pdb.gz --csv cavities.csv",
+        "alphascope-cli measure 4hhb.pdb.gz --solvent 1.4 --by residue --csv areas.csv",
         "alphascope-cli verify 1crn.pdb --alpha -1,0,1.4,10",
         "alphascope-cli bench 1k4c.crd.gz --alpha 0,1.4,3 --tetrahedra-only --csv times.csv",
         "alphascope-cli screenshot 1crn.pdb --alpha 1.4 --size 1920x1080 -o 1crn.png"}},
@@ -406,9 +439,13 @@ OptionProgram command_table(CommandOptions& options) {
   program.name = "alphascope-cli";
   program.text = "The exact alpha complex of molecules, equal to CGAL's simplex by simplex";
   program.version = std::string(program_version()) + " (" + std::string(program_commit()) + ")";
-  program.commands = {info(options.info),         compute(options.compute),
-                      cavities(options.cavities), verify(options.verify),
-                      bench(options.bench),       screenshot(options.screenshot)};
+  program.commands = {info(options.info),
+                      compute(options.compute),
+                      cavities(options.cavities),
+                      measure(options.measure),
+                      verify(options.verify),
+                      bench(options.bench),
+                      screenshot(options.screenshot)};
   for (OptionCommand& command : program.commands) {
     append(command.options, verbosity(options.verbosity));
   }

@@ -79,6 +79,16 @@ struct CavitiesOptions {
   std::string json, csv;
 };
 
+enum class MeasuredBy { total, chain, residue, atom };
+
+struct MeasureCommandOptions {
+  InputFiles files;
+  InputOptions input;
+  Request request;
+  MeasuredBy by = MeasuredBy::total;
+  std::string json, csv;
+};
+
 struct VerifyOptions {
   InputOptions input;
   Request request;
@@ -121,6 +131,7 @@ struct ScreenshotCommandOptions {
 ExitCode run_info(const InfoOptions& options);
 ExitCode run_compute(const ComputeOptions& options);
 ExitCode run_cavities(const CavitiesOptions& options);
+ExitCode run_measure(const MeasureCommandOptions& options);
 ExitCode run_verify(const VerifyOptions& options);
 ExitCode run_bench(const BenchOptions& options);
 ExitCode run_thesis_bench(const BenchOptions& options);

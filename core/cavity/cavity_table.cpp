@@ -2,6 +2,7 @@
 #include "core/cavity/cavity_table.hpp"
 
 #include <cmath>
+#include <numeric>
 #include <stdexcept>
 #include <utility>
 
@@ -27,6 +28,23 @@ double CavityTable::volume_sa_angstrom3(bool of_voids) const {
 
 double CavityTable::area_sa_angstrom2(bool of_voids) const {
   return sum_over(*this, of_voids, [](const CavityMeasures& m) { return m.area_sa_angstrom2; });
+}
+
+std::vector<ClippedMeasures> clip_all(const CavityTable& table, const RunContext& context) {
+  std::vector<std::uint32_t> all(table.found.cavities.size());
+  std::iota(all.begin(), all.end(), 0u);
+  if (all.empty()) return {};
+  const CavityGround& ground = *table.ground;
+  return clip_cavities(ground, table.found, all,
+                       ground.balls->lattice.alpha_on_lattice(table.question.alpha_angstrom2),
+                       context);
+}
+
+bool is_doubtful(const CavityMeasures& measures, const ClippedMeasures& exact) {
+  constexpr double kSmallAngstrom3 = 1, kFar = 0.1;
+  const double difference = std::fabs(measures.volume_sa_angstrom3 - exact.volume_sa_angstrom3);
+  return exact.volume_sa_angstrom3 < kSmallAngstrom3 ||
+         difference > kFar * exact.volume_sa_angstrom3;
 }
 
 CavityTable make_cavity_table(std::shared_ptr<const CavityGround> ground,

@@ -38,6 +38,14 @@ struct CavityTable {
   double area_sa_angstrom2(bool of_voids) const;
 };
 
+// What of a table takes longer, and may follow it: the exact volume and area of every cavity, in
+// the order of found.cavities.
+std::vector<ClippedMeasures> clip_all(const CavityTable& table, const RunContext& context = {});
+
+// Is an SA volume too small to mean anything, or so far from the exact one that the difference must
+// be shown? Below 1 Å³; more than a tenth.
+bool is_doubtful(const CavityMeasures& measures, const ClippedMeasures& exact);
+
 // Of the balls of the ground. Works in the caller's task arena; the same for any number of threads.
 // Throws Cancelled, and std::invalid_argument for an alpha that is no number.
 CavityTable make_cavity_table(std::shared_ptr<const CavityGround> ground,

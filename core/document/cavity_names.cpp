@@ -4,27 +4,46 @@
 #include "core/molecule/atom_address.hpp"
 
 namespace alphascope {
+namespace {
 
-std::string CavityNames::name(const CavityTable& table, std::size_t row) const {
+std::size_t atom_of(const BallReferences& references, BallIndex ball) {
+  return references.prepared().atom_of_ball.at(ball);
+}
+
+// Atoms without any names are residues of their own.
+bool same_residue(const Atom& a, const Atom& b) {
+  const bool named = a.residue_name != 0 || a.residue_number != 0;
+  return named && same_residue_number(a, b) && a.residue_name == b.residue_name;
+}
+
+}  // namespace
+
+std::string cavity_name(const BallReferences& references, const CavityTable& table,
+                        std::size_t row) {
   std::string text;
   for (const BallIndex ball : table.sink(row)) {
-    text += (text.empty() ? "" : " ") + atom_address(*molecule_, prepared_->atom_of_ball.at(ball));
+    text +=
+        (text.empty() ? "" : " ") + atom_address(references.molecule(), atom_of(references, ball));
   }
   return text;
 }
 
-std::vector<LiningResidue> CavityNames::lining(const CavityTable& table, std::size_t row) const {
+SimplexRef cavity_sink(const BallReferences& references, const CavityTable& table,
+                       std::size_t row) {
+  return std::get<SimplexRef>(references.reference(table.sink(row)));
+}
+
+std::vector<LiningResidue> lining_residues(const BallReferences& references,
+                                           const CavityTable& table, std::size_t row) {
+  const Molecule& molecule = references.molecule();
   std::vector<LiningResidue> residues;
   const Atom* last = nullptr;
   for (const BallIndex ball : table.measure(row).lining) {
-    const std::uint32_t index = prepared_->atom_of_ball.at(ball);
-    const Atom& atom = molecule_->atoms[index];
-    // Atoms without any names are residues of their own.
-    const bool named = atom.residue_name != 0 || atom.residue_number != 0;
-    const bool same = named && last && same_residue_number(*last, atom) &&
-                      last->residue_name == atom.residue_name;
-    if (!same) residues.push_back({residue_address(*molecule_, index), {}, {}});
-    residues.back().atoms.push_back(index);
+    const std::size_t index = atom_of(references, ball);
+    const Atom& atom = molecule.atoms[index];
+    if (!last || !same_residue(*last, atom)) {
+      residues.push_back({residue_address(molecule, index), {}});
+    }
     residues.back().balls.push_back(ball);
     last = &atom;
   }

@@ -30,6 +30,7 @@ inline constexpr std::string_view kHash = "hash and cache";
 // Not an engine's.
 inline constexpr std::string_view kFlow = "flow of the triangulation";
 inline constexpr std::string_view kCavities = "cavities";
+inline constexpr std::string_view kExactVolumes = "exact volumes of cavities";
 inline constexpr std::string_view kDefinition = "checking the definition";
 }  // namespace stage
 

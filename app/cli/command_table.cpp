@@ -115,7 +115,7 @@ void require_files(const InputFiles& files) {
 }
 
 Option alpha(Request& request) {
-  return required(number_option({"--alpha", "A", "Alpha in Å², negative too"},
+  return required(number_option({"--alpha", "A", "Alpha in Å²; it may be negative"},
                                 request.alpha_angstrom2, kAlphaRange));
 }
 
@@ -236,7 +236,7 @@ OptionCommand cavities(CavitiesOptions& options) {
          {with_default(number_option({"--solvent", "S", "Solvent radius in Å, as CASTp's probe"},
                                      request.solvent_radius_angstrom, kSolventRange),
                        "1.4"),
-          with_default(number_option({"--alpha", "A", "Alpha in Å², negative too"},
+          with_default(number_option({"--alpha", "A", "Alpha in Å²; it may be negative"},
                                      request.alpha_angstrom2, kAlphaRange),
                        "0"),
           with_default(

@@ -103,7 +103,7 @@ void add_file_commands(Commands& commands, ViewState& s) {
                 .menu = "File",
                 .parameters = {{.name = "path",
                                 .kind = Kind::path,
-                                .help = "The file; without it a dialog opens",
+                                .help = "The file; if left out, a dialog opens",
                                 .optional = true}},
                 .run = [&s](const Arguments& arguments) { return open_file(arguments, s); }});
   commands.add({.id = "file.sample",
@@ -124,10 +124,10 @@ void add_file_commands(Commands& commands, ViewState& s) {
        .line_above = true,
        .parameters = {{.name = "path",
                        .kind = Kind::path,
-                       .help = "The PNG file; without it a dialog opens",
+                       .help = "The PNG file; if left out, a dialog opens",
                        .optional = true},
-                      pixels("width", "Width in pixels; without it as in the dialog"),
-                      pixels("height", "Height in pixels; without it as in the dialog"),
+                      pixels("width", "Width in pixels; if left out, as in the dialog"),
+                      pixels("height", "Height in pixels; if left out, as in the dialog"),
                       {.name = "transparent", .kind = Kind::flag, .help = "Without background"}},
        .why_not = without_molecule(s),
        .run = [&s](const Arguments& arguments) { return save_picture(arguments, s); }});
@@ -159,7 +159,7 @@ void add_edit_commands(Commands& commands, ViewState& s) {
                     }});
   commands.add({.id = "edit.redo",
                 .title = "Redo",
-                .help = "Makes the change again that was undone last",
+                .help = "Makes the last undone change again",
                 .shortcuts = {{"Ctrl+Shift+Z"}, {"Ctrl+Y"}},
                 .menu = "Edit",
                 .why_not = [&s] { return s.redo_text.empty() ? "There is nothing to redo." : ""; },
@@ -176,7 +176,7 @@ void add_view_commands(Commands& commands, ViewState& s) {
   DisplayControls& d = s.display;
   const auto only_tetrahedra = [&s] {
     const bool only = s.result && s.result->complex.tetrahedra_only;
-    return only ? "Not computed: see “Tetrahedra only”." : "";
+    return only ? "Not computed, because “Tetrahedra only” is on." : "";
   };
   commands.add({.id = "view.reset",
                 .title = "Reset view",
@@ -223,14 +223,15 @@ void add_view_commands(Commands& commands, ViewState& s) {
                             .menu = "View",
                             .why_not = only_tetrahedra},
                            d.edges));
-  commands.add(with_switch({.id = "view.singular_only",
-                            .title = "Singular ones only",
-                            .help = "Triangles and edges that are faces of no larger simplex",
-                            .why_not = only_tetrahedra},
-                           d.singular_only));
+  commands.add(
+      with_switch({.id = "view.singular_only",
+                   .title = "Singular ones only",
+                   .help = "Shows only triangles and edges that are not faces of a larger simplex",
+                   .why_not = only_tetrahedra},
+                  d.singular_only));
   commands.add(with_switch({.id = "view.shadows",
                             .title = "Soft shadows at rest",
-                            .help = "Darkens crevices, which shows depth"},
+                            .help = "Darkens crevices while the view is at rest, to show depth"},
                            d.ambient_occlusion));
   CommandSpec theme{.id = "view.light_theme",
                     .title = "Light theme",
@@ -263,7 +264,7 @@ void add_help_commands(Commands& commands, ViewState& s) {
                 }});
   commands.add({.id = "help.keys",
                 .title = "Mouse and keyboard",
-                .help = "Shows or hides what mouse and keys do",
+                .help = "Shows or hides the list of mouse actions and keys",
                 .shortcuts = {{"F1"}},
                 .works_everywhere = true,
                 .menu = "Help",
@@ -273,7 +274,7 @@ void add_help_commands(Commands& commands, ViewState& s) {
                 }});
   commands.add({.id = "help.about",
                 .title = "About Alphascope",
-                .help = "Version, licence and what the program is built on",
+                .help = "Version, licence and the libraries used",
                 .menu = "Help",
                 .line_above = true,
                 .run = [&s](const Arguments&) {

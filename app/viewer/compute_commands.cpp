@@ -39,7 +39,7 @@ void add_alpha_commands(Commands& commands, ViewState& s) {
   commands.add(
       {.id = "alpha.step",
        .title = "Change alpha by",
-       .help = "Adds to alpha; less than 0 takes away",
+       .help = "Adds to alpha; a negative number subtracts",
        .shortcuts =
            {{"Right", "0.1"}, {"Left", "−0.1"}, {"Shift+Right", "1"}, {"Shift+Left", "−1"}},
        .parameters = {{.name = "step",
@@ -53,7 +53,7 @@ void add_alpha_commands(Commands& commands, ViewState& s) {
        }});
   commands.add({.id = "alpha.play",
                 .title = "Play alpha",
-                .help = "Lets alpha grow by itself up to 10 Å², or stops that",
+                .help = "Raises alpha step by step up to 10 Å², or stops",
                 .menu = "Tools",
                 .why_not = without_result(s),
                 .checked = [&s] { return s.memory.playing; },
@@ -62,19 +62,20 @@ void add_alpha_commands(Commands& commands, ViewState& s) {
                       toggle_playing(s);
                       return Outcome();
                     }});
-  commands.add({.id = "solvent.set",
-                .title = "Set solvent radius…",
-                .help = "Every radius grows by it before anything else; 1.4 Å for water",
-                .menu = "Tools",
-                .parameters = {{.name = "radius",
-                                .kind = Kind::number,
-                                .help = "Solvent radius",
-                                .example = "1.4",
-                                .rule = kSolventRule}},
-                .run = [&s](const Arguments& arguments) {
-                  s.compute.solvent_radius_angstrom = arguments.number("radius");
-                  return Outcome();
-                }});
+  commands.add(
+      {.id = "solvent.set",
+       .title = "Set solvent radius…",
+       .help = "Adds this length to every radius, before alpha is applied; 1.4 Å for water",
+       .menu = "Tools",
+       .parameters = {{.name = "radius",
+                       .kind = Kind::number,
+                       .help = "Solvent radius",
+                       .example = "1.4",
+                       .rule = kSolventRule}},
+       .run = [&s](const Arguments& arguments) {
+         s.compute.solvent_radius_angstrom = arguments.number("radius");
+         return Outcome();
+       }});
 }
 
 // --- Molecule
@@ -84,7 +85,7 @@ void add_molecule_commands(Commands& commands, ViewState& s) {
   const auto part = [&](const char* id, const char* title, bool& value) {
     commands.add(with_switch({.id = id,
                               .title = title,
-                              .help = "Takes these atoms as balls, or leaves them out",
+                              .help = "Uses these atoms as balls, or leaves them out",
                               .why_not = without_molecule(s)},
                              value));
   };
@@ -124,8 +125,8 @@ Outcome set_engine(const Arguments& arguments, ViewState& s) {
   const auto engine = engine_from_id(arguments.text("engine"));
   if (!engine) return Outcome::refused("There is no such engine.");
   if (needs_gpu(*engine) && !has_gpu(s)) {
-    return Outcome::refused(s.gpu ? s.gpu->why_not
-                                  : "Still looking for a graphics processor: try again.");
+    return Outcome::refused(
+        s.gpu ? s.gpu->why_not : "Still looking for a graphics processor. Try again in a moment.");
   }
   s.compute.engine = *engine;
   return {};
@@ -143,7 +144,8 @@ Outcome stop(ViewState& s) {
 std::string nothing_to_stop(const ViewState& s) {
   const bool something =
       s.memory.playing || s.memory.playing_models || s.busy.active || s.saving.active;
-  return something ? "" : "Nothing plays, and nothing is read, computed or saved.";
+  return something ? ""
+                   : "There is nothing to stop: nothing is playing, being read, computed or saved.";
 }
 
 void add_engine_commands(Commands& commands, ViewState& s) {
@@ -181,7 +183,7 @@ void add_engine_commands(Commands& commands, ViewState& s) {
                 }});
   commands.add({.id = "compute.anew",
                 .title = "Measure cold times",
-                .help = "Computes the same complex again, the engine's set-up included",
+                .help = "Computes the same complex again, including the engine's set-up",
                 .menu = "Tools",
                 .why_not = without_result(s),
                 .run = [&s](const Arguments&) {
@@ -190,7 +192,7 @@ void add_engine_commands(Commands& commands, ViewState& s) {
                 }});
   commands.add({.id = "compute.stop",
                 .title = "Stop or cancel",
-                .help = "Stops playing; else cancels what is read, computed or saved",
+                .help = "Stops playing; otherwise cancels reading, computing or saving",
                 .shortcuts = {{"Esc"}},
                 .menu = "Tools",
                 .why_not = [&s] { return nothing_to_stop(s); },

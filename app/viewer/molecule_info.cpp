@@ -130,7 +130,7 @@ std::vector<std::string> notes_of(const OpenedMolecule& opened) {
   }
   if (report.coincident_centres > 0) {
     notes.push_back(count(report.coincident_centres) +
-                    " balls share a centre with another; the largest of each counts.");
+                    " balls share a centre with another; at each centre only the largest counts.");
   }
   return notes;
 }

@@ -87,7 +87,7 @@ OptionProgram table(ViewerOptions& o) {
   program.options = {
       path_or_none({"FILE", "FILE", "Molecule: PDB, mmCIF, XYZR, PQR, XYZ or CRD, also as .gz"},
                    o.file),
-      typed_number_option({"--alpha", "A", "Alpha in Å², negative too"}, o.alpha, kAlphaRule),
+      typed_number_option({"--alpha", "A", "Alpha in Å²; it may be negative"}, o.alpha, kAlphaRule),
       typed_number_option({"--solvent", "S", "Solvent radius in Å, 1.4 for water"}, o.solvent,
                           kSolventRule),
       with_default(typed_number_option({"--scale", "X", "Size of fonts and controls, 1 for 100 %"},

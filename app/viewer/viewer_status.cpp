@@ -34,9 +34,7 @@ BackgroundInfo background_text(const std::vector<JobInfo>& jobs) {
                  : "is not made. " + job.why);
   }
   if (!info.detail.empty()) {
-    info.detail +=
-        "\nWith it, every alpha on the CPU is only a threshold; without it each one is "
-        "computed.";
+    info.detail += "\nWith it, the CPU looks every alpha up; without it, each alpha is computed.";
   }
   return info;
 }
@@ -112,7 +110,7 @@ void Viewer::update_badge() {
   }
   if (state_.badge.state == BadgeInfo::State::not_compared && compares_by_itself() &&
       compared_ != session_.state().ours) {
-    state_.badge = {BadgeInfo::State::comparing, "to be compared with CGAL…"};
+    state_.badge = {BadgeInfo::State::comparing, "waiting for the comparison with CGAL…"};
   }
 }
 

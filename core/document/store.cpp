@@ -137,7 +137,7 @@ bool Store::has_room(Entry& wanted) {
   wanted.state = DerivedState::no_room;
   wanted.make = nullptr;
   wanted.why = "It needs about " + gigabytes(wanted.need.peak) + " of memory, and " +
-               gigabytes(budget > held ? budget - held : 0) + " may be used for it.";
+               gigabytes(budget > held ? budget - held : 0) + " is available for it.";
   return false;
 }
 

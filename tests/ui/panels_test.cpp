@@ -189,7 +189,7 @@ TEST(PanelsTest, MissingTimesSayWhyAndHowToGetThem) {
   s.molecule.loaded = true;
   EXPECT_EQ(missing_times(s, true)[0], "Nothing is computed yet: move alpha.");
   s.busy.active = true;
-  EXPECT_NE(missing_times(s, true)[0].find("when this is done"), std::string::npos);
+  EXPECT_NE(missing_times(s, true)[0].find("when the computation is done"), std::string::npos);
   s = loaded_state();  // cold times of both, none warm
   EXPECT_TRUE(missing_times(s, true).empty());
   EXPECT_FALSE(lacks_cold_time(s));

@@ -139,7 +139,9 @@ void controls(PanelContext& ctx) {
     ImGui::SameLine(0, ctx.px(16));
   }
   checkbox(ctx, "benchmark.ablation", "each optimisation off in turn", c.ablation);
-  tooltip(ctx, "Of the thesis' tuples, at the smallest alpha.");
+  tooltip(ctx,
+          "Measures the tuple engines again at the smallest alpha, with one optimisation off at a "
+          "time.");
   ImGui::EndDisabled();
 }
 

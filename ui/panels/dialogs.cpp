@@ -155,13 +155,13 @@ void save_marks(PanelContext& ctx) {
   bool legend = has_legend && m.save.legend;
   if (checkbox(ctx, "save.legend", "Colour legend", legend)) m.save.legend = legend;
   ImGui::EndDisabled();
-  tooltip(ctx, has_legend ? "What the colours say: alpha values in Å²."
-                          : "There is one when the complex is coloured by alpha value.");
+  tooltip(ctx, has_legend ? "Shows which colour stands for which alpha value, in Å²."
+                          : "Available when the complex is coloured by alpha value.");
   ImGui::SameLine(0, ctx.px(18));
   checkbox(ctx, "save.scale_bar", "Scale bar", m.save.scale_bar);
   tooltip(ctx,
-          "A round length in Å. The view is in perspective: it holds at the depth of the point "
-          "that the view turns about.");
+          "A bar of a round length in Å. The view is in perspective, so the length is right at the "
+          "depth of the point that the view turns about.");
 }
 
 }  // namespace

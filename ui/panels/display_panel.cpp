@@ -63,11 +63,11 @@ void complex(PanelContext& ctx) {
   // In the place of the switch, which says nothing then.
   if (only_tetrahedra && applies) {
     ImGui::AlignTextToFramePadding();
-    muted_text(ctx, "Not computed: see “Tetrahedra only”.");
+    muted_text(ctx, "Not computed, because “Tetrahedra only” is on.");
     record(ctx, "display.not_computed");
   } else {
     checkbox(ctx, "display.singular_only", "Singular ones only", d.singular_only);
-    tooltip(ctx, "Singular: face of no larger simplex of the complex.");
+    tooltip(ctx, "Singular: not a face of any larger simplex of the complex.");
   }
   ImGui::EndDisabled();
   ImGui::Unindent();

@@ -15,19 +15,18 @@ const char* help_of(EngineChoice choice) {
     case EngineChoice::gpu:
       return "Clips dual edges on the graphics processor.";
     case EngineChoice::cpu:
-      return "Clips dual edges on all cores; goes over to CGAL's triangulation where that is "
-             "faster.";
+      return "Clips dual edges on all cores; uses CGAL's triangulation where that is faster.";
     case EngineChoice::tuples_gpu:
-      return "The thesis' own pipeline on the graphics processor: all 4-tuples of neighbours are "
-             "made, then tested. Slow at large alpha; Esc cancels.";
+      return "The pipeline of N. P. Ranjanikar's thesis on the graphics processor: it makes all "
+             "4-tuples of neighbours, then tests them. Slow at large alpha; Esc cancels.";
     case EngineChoice::tuples_cpu:
-      return "The thesis' own pipeline on all cores: all 4-tuples of neighbours are made, then "
-             "tested. Slow at large alpha; Esc cancels.";
+      return "The pipeline of N. P. Ranjanikar's thesis on all cores: it makes all 4-tuples of "
+             "neighbours, then tests them. Slow at large alpha; Esc cancels.";
     case EngineChoice::cgal:
       break;
   }
-  return "CGAL's regular triangulation of all balls, then alpha: the reference that the other "
-         "engines are compared with.";
+  return "CGAL's regular triangulation of all balls, then its simplices up to alpha. The other "
+         "engines are compared with this one.";
 }
 
 const char* why_no_gpu(const std::optional<GpuDevice>& gpu) {
@@ -106,9 +105,9 @@ constexpr Switch kSwitches[] = {
        t.grid = on ? TupleGridKind::automatic : TupleGridKind::thesis;
      },
      "Off: the thesis' 100 × 100 × 100 cells, whatever the molecule's size."},
-    plain<&TupleOptions::edge_optimisation>(
-        "tuples.edge", "Edge optimisation", false,
-        "Only tuples whose six pairs of grown balls all meet. Off: every 4-tuple of neighbours."),
+    plain<&TupleOptions::edge_optimisation>("tuples.edge", "Edge optimisation", false,
+                                            "Tests only tuples whose six pairs of grown balls all "
+                                            "meet. Off: every 4-tuple of neighbours."),
     plain<&TupleOptions::alpha_optimisation>(
         "tuples.alpha", "Alpha optimisation", false,
         "Drops tuples with an ortho-radius above alpha before kernel II."),

@@ -19,10 +19,11 @@ void hash_value(PanelContext& ctx, const std::string& hash) {
   ImGui::TextUnformatted((hash.substr(0, kHashDigitsShown) + "…").c_str());
   ImGui::PopFont();
   record(ctx, "provenance.sha256");
-  tooltip(ctx, (hash + "\nOf the file as it lies on disk. Click to copy.").c_str());
+  tooltip(ctx,
+          (hash + "\nSHA-256 of the file on disk (compressed, if it is). Click to copy.").c_str());
   if (ImGui::IsItemClicked()) {
     ImGui::SetClipboardText(hash.c_str());
-    ctx.state.notice = "Copied the SHA-256.";
+    ctx.state.notice = "SHA-256 copied.";
   }
 }
 

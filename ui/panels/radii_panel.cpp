@@ -74,7 +74,7 @@ void set_row(PanelContext& ctx) {
     const std::string& citation = s.molecule.radii_citation;
     const std::string source =
         chosen.set == RadiiSet::user
-            ? s.open.radii_table.string() + "\nChoose it again for another table."
+            ? s.open.radii_table.string() + "\nChoose this again to open another table."
         : citation.empty() ? source_text(chosen)
                            : citation;
     tooltip(ctx, source.c_str());
@@ -202,7 +202,8 @@ void radius_list(PanelContext& ctx) {
   }
   ImGui::Unindent();  // the width is needed
   ImGui::PushFont(ctx.fonts.small);
-  muted_wrapped(ctx, "The radii set has no value for these; type a better one.");
+  muted_wrapped(
+      ctx, "The radii set has no value for these atoms. Type a better radius if you know one.");
   if (!rows.empty()) radius_table(ctx);
   const float top = ImGui::GetCursorPosY();
   if (!s.memory.radius_error.empty()) {
@@ -213,7 +214,7 @@ void radius_list(PanelContext& ctx) {
   }
   reserve_lines(top, 2);
   ImGui::BeginDisabled(!edited);
-  if (button(ctx, "radius.reset_all", "Reset all set by hand")) {
+  if (button(ctx, "radius.reset_all", "Reset all radii set by hand")) {
     s.open.balls.overrides.clear();
   }
   ImGui::EndDisabled();

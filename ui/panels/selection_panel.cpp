@@ -34,7 +34,7 @@ void kinds(PanelContext& ctx) {
               "HOH, DOD, WAT, SOL, TIP3 …");
   row_label(ctx, "");
   kind_toggle(ctx, "molecule.ligands", "Ligands", c.ligands, of_kind(k, AtomKind::ligand),
-              "Whatever is neither polymer, water, ion nor dummy.");
+              "Residues that are not polymer, water, ion or dummy.");
   ImGui::SameLine(column);
   kind_toggle(ctx, "molecule.ions", "Ions", c.ions, of_kind(k, AtomKind::ion),
               "Metal and halide atoms that are a residue of their own.");
@@ -42,7 +42,7 @@ void kinds(PanelContext& ctx) {
   if (dummies == 0 && !c.dummies) return;
   row_label(ctx, "");
   kind_toggle(ctx, "molecule.dummies", "Dummy atoms", c.dummies, dummies,
-              "Markers without matter (residue DUM), such as membrane planes.");
+              "Markers that are no real atoms (residue DUM), such as those of membrane planes.");
 }
 
 void hydrogens_and_altlocs(PanelContext& ctx) {
@@ -54,9 +54,10 @@ void hydrogens_and_altlocs(PanelContext& ctx) {
   choice(ctx, "molecule.hydrogens", {"auto", "keep", "drop"}, hydrogens,
          ImGui::GetContentRegionAvail().x);
   ImGui::EndGroup();
-  tooltip(ctx, ("auto drops them when the radii set counts them with their heavy atoms.\n" +
-                number(k.hydrogens) + " in this molecule, all models.")
-                   .c_str());
+  tooltip(ctx,
+          ("auto drops them when the radii set includes them in the radii of their heavy atoms.\n" +
+           number(k.hydrogens) + " in this molecule, all models.")
+              .c_str());
   c.hydrogens = static_cast<HydrogenRule>(hydrogens);
   row_label(ctx, "Alternatives");
   int altlocs = static_cast<int>(c.altlocs);
@@ -122,7 +123,7 @@ void chain_lines(PanelContext& ctx) {
   const float width = ctx.px(250);
   const float height = row * static_cast<float>(std::clamp<std::size_t>(shown.size(), 1, 10));
   ImGui::BeginChild("chains", {width, height});
-  if (shown.empty()) muted_text(ctx, "No chain has that in its name.");
+  if (shown.empty()) muted_text(ctx, "No chain's name contains this text.");
   ImGuiListClipper clipper;
   clipper.Begin(static_cast<int>(shown.size()), row);
   while (clipper.Step()) {
@@ -171,7 +172,7 @@ void chains(PanelContext& ctx) {
 // --- expression
 
 constexpr const char* kExpressionHelp =
-    "Keeps only the atoms that an expression picks. Enter applies it.\n\n"
+    "Keeps only the atoms that match an expression. Enter applies it.\n\n"
     "chain A,B      resi 10-20,35      resn ALA,G*\n"
     "name CA,C?      element C,Zn      altloc A\n"
     "polymer  water  ligand  ion  hydrogen  hetero\n"

@@ -155,10 +155,9 @@ void model_rows(PanelContext& ctx) {
   ImGui::SameLine(0, ctx.px(8));
   ImGui::SetNextItemWidth(-1);
   speed_drag(ctx);
-  tooltip(
-      ctx,
-      "Models per second while playing, at most: each waits for its complex. Drag, or Ctrl+click "
-      "to type.");
+  tooltip(ctx,
+          "At most so many models per second while playing; each waits for its complex. Drag, or "
+          "Ctrl+click to type.");
 }
 
 }  // namespace

@@ -43,8 +43,8 @@ void counts(PanelContext& ctx) {
   ImGui::EndGroup();
   record(ctx, "status.hash");
   tooltip(ctx,
-          "Of the set of simplices: equal complexes have equal hashes, on every engine and on the "
-          "command line. Click to copy.");
+          "Hash of the set of simplices: equal complexes have equal hashes, on every engine and on "
+          "the command line. Click to copy.");
   if (ImGui::IsItemClicked()) ImGui::SetClipboardText(hash.c_str());
   ImGui::SameLine(0, ctx.px(16));
 }

@@ -51,8 +51,8 @@ std::string badge_help(const ViewState& s) {
             "by one, with their alpha values and classes.";
   if (different) {
     text +=
-        " Drawn over the picture: what only CGAL has in magenta, what only this engine has in "
-        "yellow.";
+        " In the picture, simplices that only CGAL has are magenta; those that only this engine "
+        "has are yellow.";
   }
   return text;
 }
@@ -87,10 +87,10 @@ void speed(PanelContext& ctx) {
   pill(ctx, text, slower ? ctx.palette.warning : ctx.palette.accent,
        slower ? ctx.palette.warning_fill : ctx.palette.field);
   record(ctx, "timings.speed");
-  tooltip(ctx,
-          cold ? "Whole first computation, set-up included, beside CGAL's triangulation and filter "
-                 "(one thread)."
-               : "A later alpha of the same molecule, beside CGAL's filter on its triangulation.");
+  tooltip(ctx, cold ? "The whole first computation, including set-up, compared with CGAL's "
+                      "triangulation and filter (one thread)."
+                    : "A later alpha of the same molecule, compared with CGAL's filter on its "
+                      "triangulation.");
 }
 
 void compare_button(PanelContext& ctx) {
@@ -124,7 +124,7 @@ void title(PanelContext& ctx) {
     m.timings_cold = run == 0;
   }
   tooltip(ctx,
-          "Cold: the first alpha of a molecule, set-up included.\nWarm: a later alpha of the same "
+          "Cold: the first alpha of a molecule, including set-up.\nWarm: a later alpha of the same "
           "molecule, as the slider asks for.");
   ImGui::SameLine(0, ctx.px(14));
 }

@@ -35,7 +35,7 @@ std::string incomparable(const ViewState& state, bool cold) {
 
 std::vector<std::string> missing_times(const ViewState& state, bool cold) {
   if (!state.ours.any()) {
-    return {state.busy.active ? "The time of each stage appears here when this is done."
+    return {state.busy.active ? "The time of each stage appears here when the computation is done."
             : state.molecule.loaded
                 ? "Nothing is computed yet: move alpha."
                 : "Open a molecule: the time of each stage appears here, beside CGAL's."};

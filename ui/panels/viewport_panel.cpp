@@ -196,7 +196,7 @@ void saving(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
   record(ctx, "view.saving");
   ImGui::SameLine();
   if (button(ctx, "view.cancel_save", "Cancel")) ctx.state.requests.cancel_save = true;
-  tooltip(ctx, "No file is written; one that is there stays as it is.");
+  tooltip(ctx, "No file is written; an existing file stays as it is.");
   end_overlay();
 }
 

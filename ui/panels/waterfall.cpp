@@ -131,8 +131,8 @@ void missing(PanelContext& ctx) {
   if (button(ctx, "timings.compute_anew", "Measure cold times")) s.requests.compute_anew = true;
   ImGui::EndDisabled();
   tooltip(ctx,
-          "Computes the same complex again as if the molecule had just been opened, set-up "
-          "included; CGAL triangulates anew when it is next compared with.");
+          "Computes the same complex again as if the molecule had just been opened, including "
+          "set-up. CGAL triangulates again at the next comparison.");
 }
 
 }  // namespace

@@ -50,7 +50,7 @@ Options input_but_ligands(InputOptions& input) {
   };
   return {
       choice_option({"--format", "auto|pdb|mmcif|pqr|xyz|tinker|xyzr|charmm",
-                     "Format of the file; auto tells it by content and name"},
+                     "Format of the file; auto recognises it by content and name"},
                     input.format),
       text_option({"--radii", radii_choices(),
                    "Radii: a set, the file's own (file), or a FILE with a table of your own"},
@@ -59,7 +59,7 @@ Options input_but_ligands(InputOptions& input) {
                    "Model, counted from 1; all takes each by itself, joined takes all as one"},
                   input.model),
       choice_option({"--hydrogens", "auto|keep|drop",
-                     "Hydrogens; auto drops them when the radii set counts them with heavy atoms"},
+                     "Hydrogens; auto drops them when the radii set includes them in heavy atoms"},
                     input.hydrogens),
       choice_option(
           {"--altlocs", "best|all", "Alternative locations: the best of each residue, or all"},
@@ -67,7 +67,7 @@ Options input_but_ligands(InputOptions& input) {
       texts_option({"--chain", "ID", "Keep only these chains, such as A,B"}, input.chains),
       texts_option({"--without-chain", "ID", "Drop these chains"}, input.without_chains),
       text_option({"--select", "EXPRESSION",
-                   "Keep only what this picks, such as \"chain A and not resn HEM\""},
+                   "Keep only atoms that match, such as \"chain A and not resn HEM\""},
                   input.select),
       text_option({"--assembly", "ID", "Expand a biological assembly; info lists them"},
                   input.assembly),
@@ -98,7 +98,7 @@ Options many_files(InputFiles& files) {
   Option named = texts_option({"FILE", "FILE", kFileText}, files.named);
   return {named,
           text_option({"--files-from", "LIST",
-                       "Read names of files from LIST, one a line; - for standard input"},
+                       "Read file names from LIST, one per line; - for standard input"},
                       files.list),
           flag_option("--null", "Names in LIST end with a NUL byte, as find -print0 writes them",
                       files.null_separated)};
@@ -143,15 +143,17 @@ Options tuples(Request& request) {
   };
   Options options{
       grid,
-      off("--no-edge-optimisation", "Enumerate tuples of balls that do not all meet, too",
+      off("--no-edge-optimisation", "Also enumerate tuples of balls that do not all meet",
           tuples.edge_optimisation),
-      off("--no-alpha-optimisation", "Send tuples of ortho-radius above alpha to kernel II, too",
+      off("--no-alpha-optimisation",
+          "Also send tuples with an ortho-radius above alpha to kernel II",
           tuples.alpha_optimisation),
       off("--pageable", "GPU: pageable host memory instead of pinned", tuples.pinned),
       off("--no-texture", "GPU: read balls from plain memory, not through textures",
           tuples.texture),
-      with_default(whole_number_option({"--streams", "N", "GPU: streams side by side, 1 for none"},
-                                       tuples.streams, {1, 8}),
+      with_default(whole_number_option(
+                       {"--streams", "N", "GPU: number of streams that work at the same time"},
+                       tuples.streams, {1, 8}),
                    std::to_string(tuples.streams)),
       with_default(whole_number_option({"--tuples-per-batch", "N", "Tuples held at once"},
                                        tuples.tuples_per_batch, {0, 100'000'000}),
@@ -195,7 +197,7 @@ Options engine(Request& request, bool threads) {
 }
 
 OptionCommand info(InfoOptions& options) {
-  OptionCommand command{"info", "Tell what is in files and what is used of them", {}};
+  OptionCommand command{"info", "Report what files contain and which atoms are used", {}};
   command.options = many_files(options.files);
   append(command.options, input(options.input));
   command.options.push_back(
@@ -319,10 +321,10 @@ OptionCommand verify(VerifyOptions& options) {
          {with_default(whole_number_option({"--cgal-threads", "N", "Threads for CGAL, 0 for all"},
                                            options.cgal_threads, kThreadRange),
                        "1"),
-          flag_option(
-              "--definition",
-              "Also prove from the definition, without CGAL, that all is right and nothing missing",
-              options.definition),
+          flag_option("--definition",
+                      "Also prove from the definition, without CGAL, that every simplex is right "
+                      "and none is missing",
+                      options.definition),
           whole_number_option({"--show", "N", "Differences printed for each kind of simplex"},
                               options.shown, {0, 1'000'000'000}),
           output("--json", "The comparison as JSON; - for standard output", options.json)});
@@ -341,10 +343,10 @@ Options thesis_suite(BenchOptions& options) {
                                    "Engines of the suite, such as cpu,gpu"},
                                   options.engines),
                    "all that can run here"),
-      number_option(
-          {"--seconds", "S", "Most time for a row; what needs longer for one run is left out"},
-          options.seconds_per_row, {0.1, 86400, "s"}),
-      flag_option("--no-ablation", "Without the rows that switch optimisations off",
+      number_option({"--seconds", "S",
+                     "Time limit for a row; rows that need longer for one run are left out"},
+                    options.seconds_per_row, {0.1, 86400, "s"}),
+      flag_option("--no-ablation", "Leave out the rows that switch optimisations off",
                   options.ablation, false),
       output("--json", "The table as JSON; - for standard output", options.json),
       text_option({"--charts", "DIR", "The figures as SVG, into this folder"}, options.charts)};
@@ -391,16 +393,17 @@ OptionCommand screenshot(ScreenshotCommandOptions& options) {
       flag_option("--transparent", "No background", options.transparent),
       flag_option("--light", "Light background", options.light),
       flag_option("--no-balls", "Without the balls", options.no_balls),
-      flag_option("--grown", "Balls as large as alpha and solvent make them", options.grown),
+      flag_option("--grown", "Draw balls with the radii that solvent and alpha give them",
+                  options.grown),
       flag_option("--boundary", "Only the boundary of the tetrahedra", options.boundary),
-      number_option({"--shrink", "X", "Draw tetrahedra apart, from 0 to 0.9 of their size"},
+      number_option({"--shrink", "X", "Shrink each tetrahedron, by 0 to 0.9 of its size"},
                     options.shrink, {0, 0.9}),
       choice_option({"--colours", "element|chain", "Colour of the balls"}, options.colours),
       choice_option({"--simplex-colours", "balls|alpha",
                      "Colour of the simplices: their balls', or by alpha value, with a legend"},
                     options.simplex_colours),
-      flag_option("--no-legend", "Without the legend of the alpha values", options.no_legend),
-      flag_option("--scale-bar", "With a bar of a round length in Å", options.scale_bar),
+      flag_option("--no-legend", "Leave out the legend of the alpha values", options.no_legend),
+      flag_option("--scale-bar", "Add a bar of a round length in Å", options.scale_bar),
       drawing_memory(options.drawing_memory_mb)};
   append(command.options, engine(options.request, true));
   append(command.options, input(options.input));

@@ -36,7 +36,7 @@ ExitCode run_screenshot(const ScreenshotCommandOptions& options) {
     tried += (tried.empty() ? "" : " nor ") + program.string() + " (" + std::strerror(errno) + ")";
   }
   throw std::runtime_error("The program that draws cannot be started: neither " + tried +
-                           ". Install alphascope-cli anew, with all of its files.");
+                           ". Reinstall alphascope-cli with all of its files.");
 }
 
 #else

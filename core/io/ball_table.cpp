@@ -52,9 +52,9 @@ class BallTableReader {
           "x y z r follow");
     }
     if (surplus_lines_ > 0) {
-      notes.push_back("Numbers behind the radius are passed over: in " +
-                      std::to_string(surplus_lines_) + " of " + std::to_string(builder_.size()) +
-                      " lines, first in line " + std::to_string(first_surplus_line_));
+      notes.push_back("Numbers after the radius are ignored: in " + std::to_string(surplus_lines_) +
+                      " of " + std::to_string(builder_.size()) + " lines, first in line " +
+                      std::to_string(first_surplus_line_));
     }
   }
 

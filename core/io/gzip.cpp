@@ -62,7 +62,7 @@ void refuse_bomb(const std::filesystem::path& path, std::uint64_t unpacked, std:
   if (unpacked <= kSuspiciousFrom || unpacked / kMostExpansion <= packed) return;
   throw ReadError(path, 0,
                   "the gzip data unpack to more than " + std::to_string(kMostExpansion) +
-                      " times their size, which coordinates never do",
+                      " times their size, which never happens with coordinates",
                   "If this is a molecule nevertheless, unpack the file and open that");
 }
 

@@ -58,7 +58,7 @@ Molecule MoleculeBuilder::finish() {
   molecule_.models.back().end = size();
   if (molecule_.models.back().size() == 0) molecule_.models.pop_back();
   if (!radii_.empty() && !molecule_.has_file_radii) {
-    molecule_.notes.push_back("Every radius in the file is 0, so that a radii set is used instead");
+    molecule_.notes.push_back("Every radius in the file is 0, so a radii set is used instead");
   }
   if (!radii_.empty()) radii_.resize(size(), kNoRadius);
   place(choose_digits());
@@ -126,11 +126,10 @@ void MoleculeBuilder::place(int digits) {
   molecule_.rounding_angstrom = molecule_.lattice.angstrom(largest_rounding);
   if (largest_rounding > 0) {
     char note[160];
-    std::snprintf(
-        note, sizeof note,
-        "Numbers have more digits than the lattice of %g Å holds: rounded once, by at most "
-        "%.2g Å",
-        molecule_.lattice.unit_angstrom(), molecule_.rounding_angstrom);
+    std::snprintf(note, sizeof note,
+                  "Numbers have more digits than the lattice of %g Å can hold; they are rounded "
+                  "once, by at most %.2g Å",
+                  molecule_.lattice.unit_angstrom(), molecule_.rounding_angstrom);
     molecule_.notes.push_back(note);
   }
 }

@@ -235,7 +235,7 @@ class PdbReader {
                ? "Coordinates must be finite; remove this atom or compute it again"
                : kKeepColumns);
     }
-    fail("the occupancy in columns 55-60 is no number: \"" + shortened(columns(line, 55, 60)) +
+    fail("the occupancy in columns 55-60 is not a number: \"" + shortened(columns(line, 55, 60)) +
              "\", so the coordinates before it may be cut apart",
          kKeepColumns);
   }

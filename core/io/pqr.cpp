@@ -140,7 +140,7 @@ class PqrReader {
   }
 
   [[noreturn]] void fail_shape() const {
-    fail("this is no PQR atom: \"" + shortened(line_) + "\"", kRemedy);
+    fail("this is not a PQR atom: \"" + shortened(line_) + "\"", kRemedy);
   }
 
   [[noreturn]] void fail(std::string reason, std::string remedy) const {

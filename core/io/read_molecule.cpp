@@ -48,7 +48,7 @@ Molecule read_format(FileFormat format, const ReaderInput& input) {
   }
   const Lookalike found = look_at(input.text);
   throw ReadError(input.source, 0,
-                  "this is no molecule file that can be read: it looks like " + found.what,
+                  "this is not a molecule file that can be read: it looks like " + found.what,
                   found.remedy.empty() ? kFormats : found.remedy);
 }
 

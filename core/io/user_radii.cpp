@@ -46,7 +46,7 @@ class UserRadiiReader {
     if (by_element) {
       const Element element = element_from_symbol(fields[0]);
       if (element == kUnknownElement && fields[0] != "X") {
-        fail("\"" + shortened(fields[0]) + "\" is no element");
+        fail("\"" + shortened(fields[0]) + "\" is not an element");
       }
       added = radii_.by_element.emplace(element, radius).second;
     } else {

@@ -27,8 +27,8 @@ std::string named(const SymmetryOperator& o) {
 std::string fault_of(const SymmetryOperator& o) {
   const bool singular = std::fabs(determinant(o.rows)) < kLeastTolerance;
   return "its " + named(o) +
-         (singular ? " is singular: it makes the molecule flat"
-                   : " is no rotation: it stretches or shears the molecule") +
+         (singular ? " is singular: it flattens the molecule"
+                   : " is not a rotation: it stretches or shears the molecule") +
          ". Correct its matrix, or fetch the file again";
 }
 
@@ -95,7 +95,7 @@ void check_operators(Molecule& molecule) {
   for (const std::uint32_t o : mirrors) {
     molecule.notes.push_back(
         "The " + named(assemblies.operators[o]) +
-        " mirrors: copies under it have the other handedness, as in a racemate");
+        " is a reflection: its copies have the opposite handedness, as in a racemate");
   }
 }
 

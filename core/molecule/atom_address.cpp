@@ -88,7 +88,7 @@ class AddressReader {
     std::size_t number = 0;
     const auto read = std::from_chars(digits.data(), digits.data() + digits.size(), number);
     if (read.ec != std::errc() || read.ptr != digits.data() + digits.size() || number == 0) {
-      fail("\"#" + std::string(digits) + "\" is no atom of a file; they are counted from #1");
+      fail("\"#" + std::string(digits) + "\" is not an atom of a file; atoms are counted from #1");
     }
     return number;
   }
@@ -110,7 +110,7 @@ class AddressReader {
     const bool number = is_residue_number(last);
     if (number) add_test("resi " + quoted(last));
     if (!number && blank != std::string_view::npos) {
-      fail("\"" + std::string(last) + "\" is no residue number such as 7, 12A, 10-20 or -5--1");
+      fail("\"" + std::string(last) + "\" is not a residue number such as 7, 12A, 10-20 or -5--1");
     }
     const std::string_view name =
         !number ? residue

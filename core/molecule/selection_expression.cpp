@@ -184,8 +184,8 @@ class SelectionParser {
     });
     if (word == std::end(kWords)) {
       fail(token, "\"" + std::string(token.text) +
-                      "\" is no selection; use chain, resi, resn, name, element, altloc, polymer, "
-                      "water, ligand, ion, hydrogen, hetero, all or none");
+                      "\" is not a selection; use chain, resi, resn, name, element, altloc, "
+                      "polymer, water, ligand, ion, hydrogen, hetero, all or none");
     }
     Node node;
     node.kind = word->kind;
@@ -205,7 +205,7 @@ class SelectionParser {
       } else if (node.kind == Kind::element) {
         const Element element = element_from_symbol(token.text);
         if (element == kUnknownElement && token.text != "X") {
-          fail(token, "\"" + std::string(token.text) + "\" is no element");
+          fail(token, "\"" + std::string(token.text) + "\" is not an element");
         }
         node.elements.push_back(element);
       } else {
@@ -234,7 +234,7 @@ class SelectionParser {
     }
     if (!good)
       fail(token, "\"" + std::string(token.text) +
-                      "\" is no residue number such as 7, 12A, 10-20 or -5--1");
+                      "\" is not a residue number such as 7, 12A, 10-20 or -5--1");
     if (range.last < range.first)
       fail(token, "the range \"" + std::string(token.text) + "\" runs backwards");
     return range;

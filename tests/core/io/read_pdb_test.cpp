@@ -79,7 +79,7 @@ TEST(ReadPdb, RefusesBrokenColumnsWithTheLine) {
   EXPECT_EQ(bad.reason(), "expected y in columns 39-46, found \"  24.x30\"");
   const ReadError shifted = refusal(
       "a.pdb", good + "ATOM      2  CA  MET A   123456270.340  24.430   2.614  oops  9.67\n");
-  EXPECT_EQ(shifted.reason().find("the occupancy in columns 55-60 is no number: \"  oops\""), 0u)
+  EXPECT_EQ(shifted.reason().find("the occupancy in columns 55-60 is not a number: \"  oops\""), 0u)
       << shifted.reason();
   const ReadError cut = refusal("a.pdb", good + "ATOM      2  CA  MET A   1      27.340\n");
   EXPECT_EQ(cut.reason(), "y is missing: columns 39-46 are empty");

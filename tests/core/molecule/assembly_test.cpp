@@ -141,7 +141,8 @@ TEST(Assembly, MirrorsAreMadeAndTold) {
   const Molecule m = read_text("a.pdb", dimer_with("-1 0 0", "0 -1 0", "0 0 -1"));
   EXPECT_EQ(expand_assembly(m, "1").atoms[2].position, (LatticePoint{-1000, -2000, -3000}));
   ASSERT_EQ(m.notes.size(), 1u);
-  EXPECT_NE(m.notes[0].find("operator 2 in line 8 mirrors"), std::string::npos) << m.notes[0];
+  EXPECT_NE(m.notes[0].find("operator 2 in line 8 is a reflection"), std::string::npos)
+      << m.notes[0];
 }
 
 TEST(Assembly, OnlyAssembliesThatUseAMatrixAreRefusedForIt) {
@@ -162,7 +163,7 @@ TEST(Assembly, OnlyAssembliesThatUseAMatrixAreRefusedForIt) {
   const Molecule m = read_text("a.cif", text);
   ASSERT_EQ(list_assemblies(m).size(), 1u);
   EXPECT_EQ(why_not(m, "1"), "");
-  EXPECT_NE(why_not(m, "2").find("operator 2 in line 24 is no rotation"), std::string::npos)
+  EXPECT_NE(why_not(m, "2").find("operator 2 in line 24 is not a rotation"), std::string::npos)
       << why_not(m, "2");
   EXPECT_NE(why_not(m, "3").find("\"1,9\" in line 8 are not all described"), std::string::npos)
       << why_not(m, "3");

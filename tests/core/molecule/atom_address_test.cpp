@@ -74,14 +74,14 @@ TEST(AtomAddress, SaysWhyAndWhere) {
   EXPECT_NE(refusal("A:, 87").find("column 4: \"87\" has no colon; write CHAIN:RESIDUE:ATOM"),
             std::string::npos)
       << refusal("A:, 87");
-  EXPECT_NE(refusal("A:HIS x87:N").find("\"x87\" is no residue number"), std::string::npos);
+  EXPECT_NE(refusal("A:HIS x87:N").find("\"x87\" is not a residue number"), std::string::npos);
   EXPECT_NE(refusal("A:1:B:C:D").find("more than four parts"), std::string::npos);
   EXPECT_NE(refusal("A:,,B:").find("column 4: there is no address here"), std::string::npos)
       << refusal("A:,,B:");
   for (const char* bad : {"#0", "#", "#x", "#1x", "#99999999999999999999999"}) {
-    EXPECT_NE(refusal(bad).find("is no atom of a file"), std::string::npos) << bad;
+    EXPECT_NE(refusal(bad).find("is not an atom of a file"), std::string::npos) << bad;
   }
-  EXPECT_NE(refusal("chian A").find("is no selection"), std::string::npos);
+  EXPECT_NE(refusal("chian A").find("is not a selection"), std::string::npos);
 }
 
 }  // namespace

@@ -153,17 +153,17 @@ TEST(Selection, ErrorsPointAtTheColumn) {
   } cases[] = {{"chain", 6, "expected a chain name after \"chain\""},
                {"chain A and", 12, "the expression ends"},
                {"chain A resn B", 9, "expected \"and\", \"or\" or the end before \"resn\""},
-               {"chian A", 1, "\"chian\" is no selection"},
+               {"chian A", 1, "\"chian\" is not a selection"},
                {"(chain A", 1, "this ( has no closing )"},
                {"chain A)", 8, "this ) has no opening ("},
-               {"resi x", 6, "is no residue number"},
+               {"resi x", 6, "is not a residue number"},
                {"resi 20-10", 6, "runs backwards"},
-               {"resi 1-", 6, "is no residue number"},
-               {"resi 99999999999", 6, "is no residue number"},
-               {"element Q", 9, "is no element"},
+               {"resi 1-", 6, "is not a residue number"},
+               {"resi 99999999999", 6, "is not a residue number"},
+               {"element Q", 9, "is not an element"},
                {"name \"CA", 6, "has no closing"},
                {"chain A,", 9, "expected a chain name"},
-               {"and", 1, "is no selection"}};
+               {"and", 1, "is not a selection"}};
   for (const auto& c : cases) {
     try {
       SelectionExpression::parse(c.expression);

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/cavity/inside.hpp"
 #include "core/cavity/mouths.hpp"
 #include "core/cavity/union_find.hpp"
-#include "core/predicates/exact_alpha.hpp"
 #include "core/run/internal_error.hpp"
 #include "core/triangulation/parallel_ranges.hpp"
 
@@ -36,10 +36,7 @@ class CavityFinder {
 
  private:
   bool is_inside(std::size_t t) const {
-    const std::uint8_t marks = ground_.flow.marks[t];
-    return !in_.tetrahedra[t] &&
-           (rule_ == OutsideRule::castp ? (marks & Flow::kReachesSink) != 0
-                                        : (marks & Flow::kReachesInfinity) == 0);
+    return !in_.tetrahedra[t] && is_inside_if_empty(ground_.flow, t, rule_);
   }
 
   // Each inside tetrahedron gets the least one that it is joined to, then that one's number.
@@ -114,15 +111,10 @@ class CavityFinder {
         throw InternalError("A cavity without mouths has a way out.");
       }
       if (!ground_.flow.is_sink(t)) continue;
-      if (cavity.sinks++ == 0 || is_deeper(t, cavity.deepest_sink)) cavity.deepest_sink = t;
+      if (cavity.sinks++ == 0 || is_deeper_sink(ground_, t, cavity.deepest_sink))
+        cavity.deepest_sink = t;
     }
     if (cavity.sinks == 0) throw InternalError("A cavity has no sink.");
-  }
-  bool is_deeper(std::uint32_t t, std::uint32_t than) const {
-    const float a = ground_.flow.alpha_values[t], b = ground_.flow.alpha_values[than];
-    if (a != b) return a > b;
-    const auto& tetrahedra = ground_.triangulation->tetrahedra;
-    return compare_ortho_radii(*ground_.balls, tetrahedra[t], tetrahedra[than]) > 0;
   }
 
   void set_betti_numbers() {

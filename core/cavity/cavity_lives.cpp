@@ -1,0 +1,128 @@
+#include "core/cavity/cavity_lives.hpp"
+
+#include <tbb/parallel_sort.h>
+
+#include <algorithm>
+#include <limits>
+#include <stdexcept>
+#include <utility>
+
+#include "core/cavity/inside.hpp"
+#include "core/cavity/union_find.hpp"
+#include "core/predicates/exact_alpha.hpp"
+#include "core/triangulation/parallel_ranges.hpp"
+
+namespace alphascope {
+namespace {
+
+// A triangle and the alpha from which on it is in K_alpha.
+struct Gate {
+  float closes;
+  std::uint32_t triangle;
+  // The last to close comes first: that is the order in which a falling alpha opens them.
+  bool operator<(const Gate& other) const {
+    return closes != other.closes ? closes > other.closes : triangle < other.triangle;
+  }
+};
+
+Gate gate(const CavityGround& ground, std::uint32_t f) {
+  float least = std::numeric_limits<float>::infinity();
+  bool attached = false;
+  for (const std::uint32_t t : ground.incidence.tetrahedra_of_triangle[f]) {
+    if (t == Incidence::kOutside) continue;
+    const auto& triangles = ground.incidence.triangles_of_tetrahedron[t];
+    const auto k = static_cast<std::size_t>(std::find(triangles.begin(), triangles.end(), f) -
+                                            triangles.begin());
+    least = std::min(least, ground.flow.alpha_values[t]);
+    attached = attached || ground.flow.through(t, k);
+  }
+  return {attached ? least : ortho_radius_rounded(*ground.balls, ground.incidence.triangles[f]), f};
+}
+
+std::vector<Gate> gates(const CavityGround& ground, const CancelToken& cancel) {
+  std::vector<Gate> all(ground.incidence.triangles.size());
+  parallel_ranges(all.size(), cancel,
+                  [&](std::size_t f) { all[f] = gate(ground, static_cast<std::uint32_t>(f)); });
+  tbb::parallel_sort(all.begin(), all.end());
+  cancel.throw_if_cancelled();
+  return all;
+}
+
+// Sets of tetrahedra that grow while alpha falls, each with its deepest sink. One more item stands
+// for infinity, deeper than all.
+class Basins {
+ public:
+  explicit Basins(const CavityGround& ground)
+      : ground_(ground),
+        infinity_(static_cast<std::uint32_t>(ground.flow.marks.size())),
+        sets_(infinity_ + 1),
+        deepest_(infinity_ + 1, Cavities::kNone) {
+    for (std::uint32_t t = 0; t < infinity_; ++t) {
+      if (ground.flow.is_sink(t)) deepest_[t] = t;
+    }
+    deepest_[infinity_] = infinity_;
+  }
+  std::uint32_t infinity() const { return infinity_; }
+
+  // The sink that is not the deepest of its set any more, or kNone.
+  std::uint32_t join(std::uint32_t a, std::uint32_t b) {
+    a = sets_.root(a);
+    b = sets_.root(b);
+    if (a == b) return Cavities::kNone;
+    auto [kept, lost] = std::pair(deepest_[a], deepest_[b]);
+    if (is_deeper(lost, kept)) std::swap(kept, lost);
+    sets_.unite(a, b);
+    deepest_[std::min(a, b)] = kept;
+    return lost;
+  }
+
+ private:
+  bool is_deeper(std::uint32_t a, std::uint32_t b) const {
+    if (a == Cavities::kNone || b == infinity_) return false;
+    if (b == Cavities::kNone || a == infinity_) return true;
+    return is_deeper_sink(ground_, a, b);
+  }
+
+  const CavityGround& ground_;
+  const std::uint32_t infinity_;
+  UnionFind sets_;
+  std::vector<std::uint32_t> deepest_;  // of each root
+};
+
+}  // namespace
+
+const CavityLife& CavityLives::of(std::uint32_t sink) const {
+  const auto at = std::lower_bound(sinks.begin(), sinks.end(), sink);
+  if (at == sinks.end() || *at != sink) throw std::invalid_argument("no such sink");
+  return lives[static_cast<std::size_t>(at - sinks.begin())];
+}
+
+CavityLives cavity_lives(const CavityGround& ground, OutsideRule rule, const CancelToken& cancel) {
+  if (ground.triangulation->dimension < 3) return {};
+  constexpr float kEver = -std::numeric_limits<float>::infinity();
+  std::vector<CavityLife> of(ground.flow.marks.size(), {kEver, kEver, 0});
+  // Cavities alone, and with all that is outside.
+  Basins inside(ground), space(ground);
+  for (const Gate& gate : gates(ground, cancel)) {
+    const auto [a, beyond] = ground.incidence.tetrahedra_of_triangle[gate.triangle];
+    const bool hull = beyond == Incidence::kOutside;
+    const std::uint32_t closed = space.join(a, hull ? space.infinity() : beyond);
+    if (closed != Cavities::kNone) of[closed].closed = gate.closes;
+    if (hull || !is_inside_if_empty(ground.flow, a, rule) ||
+        !is_inside_if_empty(ground.flow, beyond, rule)) {
+      continue;
+    }
+    const std::uint32_t born = inside.join(a, beyond);
+    if (born != Cavities::kNone) of[born].born = gate.closes;
+  }
+  CavityLives lives;
+  for (std::uint32_t t = 0; t < of.size(); ++t) {
+    if (!ground.flow.is_sink(t)) continue;
+    of[t].gone = ground.flow.alpha_values[t];
+    lives.sinks.push_back(t);
+    lives.lives.push_back(of[t]);
+  }
+  return lives;
+}
+
+}  // namespace alphascope

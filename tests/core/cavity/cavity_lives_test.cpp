@@ -1,0 +1,101 @@
+// Lives of cavities, against the cavities of one alpha after the other.
+#include "core/cavity/cavity_lives.hpp"
+
+#include <gtest/gtest.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <set>
+#include <vector>
+
+#include "core/triangulation/cgal_triangulation.hpp"
+#include "core/triangulation/filtration.hpp"
+#include "tests/support/molecules.hpp"
+#include "tests/support/random_balls.hpp"
+
+namespace alphascope {
+namespace {
+
+using testing::NamedBalls;
+using testing::Random;
+
+CavityGround ground_of(const std::shared_ptr<const BallSet>& balls) {
+  return make_cavity_ground(balls,
+                            std::make_shared<const Triangulation>(make_triangulation(*balls, 1)));
+}
+
+struct Known {
+  std::set<std::uint32_t> cavities, voids;  // by their deepest sinks
+  friend bool operator==(const Known&, const Known&) = default;
+};
+Known found_at(const CavityGround& ground, const Filtration& filtration, double alpha,
+               OutsideRule rule) {
+  Known known;
+  for (const Cavity& cavity : find_cavities(ground, membership(filtration, alpha), rule).cavities) {
+    known.cavities.insert(cavity.deepest_sink);
+    if (cavity.is_void()) known.voids.insert(cavity.deepest_sink);
+  }
+  return known;
+}
+Known alive_at(const CavityLives& lives, double alpha) {
+  Known known;
+  for (std::size_t n = 0; n < lives.sinks.size(); ++n) {
+    const CavityLife& life = lives.lives[n];
+    if (!(life.born <= alpha && alpha < life.gone)) continue;
+    known.cavities.insert(lives.sinks[n]);
+    if (life.closed <= alpha) known.voids.insert(lives.sinks[n]);
+  }
+  return known;
+}
+
+// Between the alpha values of all triangles and tetrahedra of small sets, and some of large ones.
+TEST(CavityLives, SayWhichCavitiesThereAre) {
+  Random random(121);
+  std::vector<NamedBalls> sets = testing::large_hard_sets(random, 200);
+  for (NamedBalls& set : testing::small_hard_sets(random, 12)) sets.push_back(std::move(set));
+  sets.push_back({"many", testing::random_balls(random, 500, 600, 20, 60)});
+  std::size_t voids = 0, pockets = 0;
+  for (const NamedBalls& set : sets) {
+    const auto balls = std::make_shared<const BallSet>(set.balls);
+    const CavityGround ground = ground_of(balls);
+    if (ground.triangulation->dimension < 3) continue;
+    const Filtration filtration(balls, *ground.triangulation);
+    std::vector<float> values(filtration.top().triangles.alpha_values.begin(),
+                              filtration.top().triangles.alpha_values.end());
+    for (const float value : filtration.top().tetrahedra.alpha_values) values.push_back(value);
+    std::sort(values.begin(), values.end());
+    values.erase(std::unique(values.begin(), values.end()), values.end());
+    for (const OutsideRule rule : {OutsideRule::castp, OutsideRule::pocket}) {
+      const CavityLives lives = cavity_lives(ground, rule);
+      for (std::size_t n = 0; n + 1 < values.size(); n += values.size() / 30 + 1) {
+        // Values that are neighbouring floats have nothing between them.
+        const double alpha = (double(values[n]) + double(values[n + 1])) / 2;
+        if (float(alpha) == values[n] || float(alpha) == values[n + 1]) continue;
+        const Known found = found_at(ground, filtration, alpha, rule);
+        ASSERT_EQ(alive_at(lives, alpha), found) << set.name << ", alpha " << alpha;
+        voids += found.voids.size();
+        pockets += found.cavities.size() - found.voids.size();
+      }
+    }
+  }
+  EXPECT_GT(voids, 100u);
+  EXPECT_GT(pockets, 1000u);
+}
+
+TEST(CavityLives, AreTheSameForAnyNumberOfThreads) {
+  const CavityGround ground = ground_of(testing::sample_balls("4hhb.pdb.gz", 1.4));
+  const auto with = [&](int threads) {
+    return tbb::task_arena(threads).execute([&] { return cavity_lives(ground); });
+  };
+  const CavityLives alone = with(1), other = with(3);
+  EXPECT_EQ(other.sinks, alone.sinks);
+  EXPECT_EQ(other.lives, alone.lives);
+  ASSERT_FALSE(alone.sinks.empty());
+  EXPECT_EQ(alone.of(alone.sinks.back()), alone.lives.back());
+  EXPECT_THROW(alone.of(0xffffffff), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace alphascope

@@ -4,11 +4,13 @@
 #include <gtest/gtest.h>
 #include <tbb/task_arena.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <memory>
 #include <vector>
 
+#include "core/cavity/cavity_depth.hpp"
 #include "core/triangulation/cgal_triangulation.hpp"
 #include "core/triangulation/filtration.hpp"
 #include "tests/support/molecules.hpp"
@@ -158,6 +160,51 @@ TEST(CavityMeasures, AreNumbersForHardSets) {
   }
   EXPECT_GT(cavities, 1000u);
   EXPECT_GT(touching, 10u);
+}
+
+// Against points all over the triangles.
+TEST(CavityMeasures, DepthIsTheFarthestAtomsWayToAMouth) {
+  const auto balls = testing::sample_balls("4hhb.pdb.gz", 1.4);
+  const CavityGround ground = make_cavity_ground(
+      balls, std::make_shared<const Triangulation>(make_triangulation(*balls, 1)));
+  const Membership in = membership(*balls, *ground.triangulation, ground.incidence, ground.flow, 0);
+  const Cavities found = find_cavities(ground, in);
+  const auto measures = measure_cavities(ground, in, found, {});
+  const double unit = balls->lattice.unit_angstrom();
+  std::size_t pockets = 0;
+  for (std::size_t c = 0; c < found.cavities.size(); ++c) {
+    const Cavity& cavity = found.cavities[c];
+    const double depth = depth_angstrom(ground, cavity, measures[c].lining);
+    if (cavity.is_void() || cavity.mouth_triangles() > 20) {
+      EXPECT_EQ(depth > 0, !cavity.is_void());
+      continue;
+    }
+    double deepest = 0;
+    for (const BallIndex v : measures[c].lining) {
+      double nearest = 1e300;
+      for (const Mouth& mouth : cavity.mouths) {
+        for (const std::uint32_t f : mouth.triangles) {
+          const auto& [a, b, d] = ground.incidence.triangles[f];
+          constexpr int kSteps = 40;
+          for (int s = 0; s <= kSteps; ++s) {
+            for (int t = 0; s + t <= kSteps; ++t) {
+              const auto off = [&](std::int32_t LatticePoint::*x) {
+                const auto at = [&](BallIndex i) { return double(balls->centres[i].*x); };
+                return (s * at(a) + t * at(b) + (kSteps - s - t) * at(d)) / kSteps - at(v);
+              };
+              nearest = std::min(nearest, std::hypot(off(&LatticePoint::x), off(&LatticePoint::y),
+                                                     off(&LatticePoint::z)));
+            }
+          }
+        }
+      }
+      deepest = std::max(deepest, nearest * unit);
+    }
+    EXPECT_LE(depth, deepest + 1e-9);
+    EXPECT_NEAR(depth, deepest, 0.02);
+    ++pockets;
+  }
+  EXPECT_GT(pockets, 20u);
 }
 
 TEST(CavityMeasures, OrderIsByFallingVolume) {

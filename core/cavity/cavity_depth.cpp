@@ -1,0 +1,112 @@
+#include "core/cavity/cavity_depth.hpp"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_reduce.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "core/predicates/lifted.hpp"
+
+namespace alphascope {
+namespace {
+
+using Vector = Vector3<double>;
+
+Vector difference(const Vector& a, const Vector& b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+
+// Square of the distance of the origin from the segment from a to b.
+double square_from_segment(const Vector& a, const Vector& b) {
+  const Vector along = difference(b, a);
+  const double t = std::clamp(-dot(a, along) / dot(along, along), 0.0, 1.0);
+  const Vector nearest{a.x + t * along.x, a.y + t * along.y, a.z + t * along.z};
+  return dot(nearest, nearest);
+}
+// From the triangle: within it where the foot is, else from its nearest side.
+double square_from_triangle(const Vector& a, const Vector& b, const Vector& c) {
+  const Vector normal = cross(difference(b, a), difference(c, a));
+  const bool within = dot(cross(a, b), normal) >= 0 && dot(cross(b, c), normal) >= 0 &&
+                      dot(cross(c, a), normal) >= 0;
+  if (within) {
+    const double height = dot(a, normal);
+    return height * height / dot(normal, normal);
+  }
+  return std::min(
+      {square_from_segment(a, b), square_from_segment(b, c), square_from_segment(c, a)});
+}
+
+// A triangle, and a ball around it.
+struct Shutter {
+  Vector corner[3], middle;
+  double reach;
+};
+
+class Shutters {
+ public:
+  Shutters(const CavityGround& ground, const Cavity& cavity) {
+    for (const Mouth& mouth : cavity.mouths) {
+      for (const std::uint32_t f : mouth.triangles) {
+        const auto& balls = ground.incidence.triangles[f];
+        add(centre(ground, balls[0]), centre(ground, balls[1]), centre(ground, balls[2]));
+      }
+    }
+  }
+  static Vector centre(const CavityGround& ground, BallIndex i) {
+    const LatticePoint& p = ground.balls->centres[i];
+    return {static_cast<double>(p.x), static_cast<double>(p.y), static_cast<double>(p.z)};
+  }
+
+  double square_distance(const Vector& p) const {
+    double nearest = std::numeric_limits<double>::infinity(), distance = nearest;
+    for (const Shutter& shutter : all_) {
+      const Vector to = difference(shutter.middle, p);
+      const double most = distance + shutter.reach;
+      if (dot(to, to) > most * most) continue;
+      const double square =
+          square_from_triangle(difference(shutter.corner[0], p), difference(shutter.corner[1], p),
+                               difference(shutter.corner[2], p));
+      if (square >= nearest) continue;
+      nearest = square;
+      distance = std::sqrt(square);
+    }
+    return nearest;
+  }
+
+ private:
+  void add(const Vector& a, const Vector& b, const Vector& c) {
+    Shutter shutter{
+        {a, b, c}, {(a.x + b.x + c.x) / 3, (a.y + b.y + c.y) / 3, (a.z + b.z + c.z) / 3}, 0};
+    for (const Vector& corner : shutter.corner) {
+      const Vector from = difference(corner, shutter.middle);
+      shutter.reach = std::max(shutter.reach, 1.000001 * std::sqrt(dot(from, from)));
+    }
+    all_.push_back(shutter);
+  }
+  std::vector<Shutter> all_;
+};
+
+}  // namespace
+
+double depth_angstrom(const CavityGround& ground, const Cavity& cavity,
+                      std::span<const BallIndex> lining, const CancelToken& cancel) {
+  if (cavity.is_void()) return 0;
+  const Shutters shutters(ground, cavity);
+  using Range = tbb::blocked_range<std::size_t>;
+  const double square = tbb::parallel_reduce(
+      Range(0, lining.size(), 16), 0.0,
+      [&](const Range& range, double most) {
+        for (std::size_t n = range.begin(); n != range.end() && !cancel.cancelled(); ++n) {
+          most = std::max(most, shutters.square_distance(Shutters::centre(ground, lining[n])));
+        }
+        return most;
+      },
+      [](double a, double b) { return std::max(a, b); });
+  cancel.throw_if_cancelled();
+  return std::sqrt(square) * ground.balls->lattice.unit_angstrom();
+}
+
+}  // namespace alphascope

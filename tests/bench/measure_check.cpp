@@ -36,6 +36,11 @@ double since(Clock::time_point begin) {
   return std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
 }
 
+// Of the processor, by all threads.
+double milliseconds_of(std::clock_t ticks) {
+  return 1e3 * static_cast<double>(ticks) / CLOCKS_PER_SEC;
+}
+
 std::vector<std::string> lines_of(const std::string& path) {
   gzFile file = gzopen(path.c_str(), "rb");
   if (file == nullptr) throw std::runtime_error(path + ": cannot be read");
@@ -209,7 +214,7 @@ int compare_clipped(const std::string& folder, const std::string& only) {
         clipped_outside(*in.triangulation, *balls, 0.0, in.tetrahedra);
     std::printf("%s: %zu cavities, %zu tetrahedra, %.1f ms (all threads: %.1f)\n", name.c_str(),
                 in.count, in.tetrahedra.size(), since(begin),
-                1e3 * static_cast<double>(std::clock() - ticks) / CLOCKS_PER_SEC);
+                milliseconds_of(std::clock() - ticks));
     const auto sums = [&](const std::vector<double>& values) {
       return sums_by_group(values, in.cavity, in.count);
     };
@@ -240,9 +245,10 @@ int compare_clipped(const std::string& folder, const std::string& only) {
 int time_file(const std::string& path, double solvent, int threads, int repeats) {
   const auto balls = grown(path, solvent);
   const auto begin = Clock::now();
+  const std::clock_t first = std::clock();
   const AlphaComplex complex = make_cpu_engine(balls, {threads})->compute({}, {});
-  std::printf("%zu balls, %zu tetrahedra; complex %.1f ms\n", balls->size(),
-              complex.tetrahedra.size(), since(begin));
+  std::printf("%zu balls, %zu tetrahedra; complex %.1f ms (all threads: %.1f)\n", balls->size(),
+              complex.tetrahedra.size(), since(begin), milliseconds_of(std::clock() - first));
   for (const bool with_derivatives : {false, true}) {
     UnionDerivatives derivatives;
     std::vector<double> times, processor;
@@ -252,7 +258,7 @@ int time_file(const std::string& path, double solvent, int threads, int repeats)
       const std::clock_t ticks = std::clock();
       of = measure_union(*balls, complex, {threads, with_derivatives ? &derivatives : nullptr});
       times.push_back(since(start));
-      processor.push_back(1e3 * static_cast<double>(std::clock() - ticks) / CLOCKS_PER_SEC);
+      processor.push_back(milliseconds_of(std::clock() - ticks));
     }
     std::sort(times.begin(), times.end());
     std::sort(processor.begin(), processor.end());

@@ -1,0 +1,35 @@
+// The line through the middle of a channel: a curve outside all balls is moved up to where, in the
+// planes normal to it, clearance has local maxima.
+#pragma once
+
+#include <vector>
+
+#include "core/cavity/channel.hpp"
+#include "core/cavity/clearance.hpp"
+#include "core/cavity/envelope.hpp"
+
+namespace alphascope {
+
+struct LineStart {
+  std::vector<RealPoint> curve;  // Å; two places or more
+  // Whether an end stays where it is. One that does not is cut off where clearance reaches
+  // `end_radius_angstrom` for the last time.
+  bool first_fixed = true, last_fixed = true;
+  double end_radius_angstrom = 5;
+};
+
+// A place on a curve, cut in two there: nowhere on it is clearance less by more than this (Å).
+inline constexpr double kLeastClearanceError = 2.5e-4;
+struct CutCurve {
+  std::vector<RealPoint> before, after;  // the place is the last of one and the first of the other
+};
+CutCurve cut_at_least_clearance(const Clearance& clearance, const std::vector<RealPoint>& curve);
+
+// What is wider than the end radius and outside the envelope has no middle, and stays where it is.
+// Positions and radii, at most `kSpacingAngstrom` apart; no lengths. Works in the caller's task
+// arena; does not depend on the number of threads. Throws Cancelled.
+inline constexpr double kSpacingAngstrom = 0.1;
+std::vector<ChannelSample> centre_line(const Clearance& clearance, const Envelope& envelope,
+                                       const LineStart& start, const CancelToken& cancel);
+
+}  // namespace alphascope

@@ -1,0 +1,355 @@
+#include "core/cavity/passage.hpp"
+
+#include <tbb/task_group.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "core/cavity/empty_space.hpp"
+#include "core/cavity/equal_clearance.hpp"
+#include "core/run/internal_error.hpp"
+#include "core/run/stage_timer.hpp"
+#include "core/triangulation/cgal_triangulation.hpp"
+
+namespace alphascope {
+namespace {
+
+constexpr int kMostDigits = 4;
+
+// A box around all centres and ends, lattice units.
+struct Surroundings {
+  RealPoint low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};
+  void add(const RealPoint& p) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+  }
+  RealPoint centre() const { return 0.5 * (low + high); }
+  // Balls with their centres in the box that grow until they cover an end have radii of at most the
+  // box's diagonal, and reach to 3/2 of it from the box's centre: less than this.
+  double far_away(const Lattice& lattice) const {
+    return 3 * length(high - low) + 20 * lattice.units_per_angstrom();
+  }
+};
+
+// The corners of an icosahedron: 12 small balls far away. They block nothing, and everything that
+// is near the balls is within their hull, however few or flat the balls are.
+void add_far_balls(const Surroundings& surroundings, BallSet& balls) {
+  constexpr double kGolden = 1.6180339887498949;
+  const double size = surroundings.far_away(balls.lattice) / std::sqrt(1 + kGolden * kGolden);
+  const RealPoint centre = surroundings.centre();
+  for (const double one : {-1.0, 1.0}) {
+    for (const double golden : {-kGolden, kGolden}) {
+      for (const RealPoint& corner :
+           {RealPoint{0, one, golden}, RealPoint{one, golden, 0}, RealPoint{golden, 0, one}}) {
+        balls.centres.push_back(nearest_lattice_point(centre + size * corner));
+        balls.radii.push_back(1);
+      }
+    }
+  }
+}
+
+BallIndex add_point(const LatticePoint& point, BallSet& balls) {
+  balls.centres.push_back(point);
+  balls.radii.push_back(0);
+  return static_cast<BallIndex>(balls.size() - 1);
+}
+
+std::int64_t square_distance(const LatticePoint& a, const LatticePoint& b) {
+  const std::int64_t x = a.x - b.x, y = a.y - b.y, z = a.z - b.z;
+  return x * x + y * y + z * z;
+}
+
+// Touches the plane from behind; `from` is outside it by at most a unit.
+struct Wall {
+  LatticePoint centre;
+  std::int64_t radius;
+};
+Wall wall_behind(const LatticePoint& from, const RealPoint& direction) {
+  Wall wall;
+  wall.centre =
+      nearest_lattice_point(real_point(from) - static_cast<double>(kWallRadius) * direction);
+  const std::int64_t square = square_distance(from, wall.centre);
+  wall.radius = static_cast<std::int64_t>(std::sqrt(static_cast<double>(square))) + 2;
+  while (wall.radius * wall.radius >= square) --wall.radius;
+  return wall;
+}
+
+// Such a ball covers nothing that the wall does not.
+bool is_within(const LatticePoint& centre, std::int64_t radius, const Wall& wall) {
+  const std::int64_t room = wall.radius - radius;
+  return room >= 0 && square_distance(centre, wall.centre) <= room * room;
+}
+
+// The largest g, a multiple of the step, with (radius + g)² < square; radius + g may be negative.
+std::int64_t room_of_one(std::int64_t square, std::int64_t radius, std::int64_t step) {
+  auto root = static_cast<std::int64_t>(std::sqrt(static_cast<double>(square))) + 2;
+  while (root > 0 && root * root >= square) --root;
+  const std::int64_t most = square == 0 ? -radius - 1 : root - radius;
+  return most >= 0 ? most / step * step : -((-most + step - 1) / step) * step;
+}
+
+// What the balls look like when all have grown by one length.
+struct GrownScene {
+  BallSet balls;
+  std::vector<BallIndex> original;  // of the balls that are left; the helping ones follow
+  BallIndex from, to;               // the ends, as balls of radius 0; EmptySpace::kOutside
+  Triangulation triangulation;
+};
+
+class Search {
+ public:
+  Search(const BallSet& balls, const PassageEnds& ends, const RunContext& context)
+      : balls_(balls), ends_(ends), context_(context), step_(passage_step(balls.lattice)) {
+    for (const LatticePoint& p : balls.centres) surroundings_.add(real_point(p));
+    surroundings_.add(real_point(ends.from));
+    if (ends.to) surroundings_.add(real_point(*ends.to));
+    if (ends.direction) wall_ = wall_behind(ends.from, *ends.direction);
+    most_ = growth_room(balls, ends.from);
+    if (ends.to) most_ = std::min(most_, growth_room(balls, *ends.to));
+  }
+
+  Passage run();
+
+ private:
+  // An open answer: the scene, and the widest way through it.
+  struct Open {
+    std::shared_ptr<const GrownScene> scene;
+    EmptySpace::Way way;
+  };
+
+  std::shared_ptr<const GrownScene> grown_scene(std::int64_t growth, bool report) const;
+  std::optional<Open> ask(std::int64_t growth, bool report) const;
+  void ask_all(const std::vector<std::int64_t>& growths);
+  EqualClearance gap_at_wall(const std::array<BallIndex, 2>& two) const;
+  std::vector<PassageGap> gaps_on(const Open& open, const EmptySpace::Way& way) const;
+  std::vector<std::int64_t> next_growths() const;
+  void set_curve(const Open& open, Passage& passage) const;
+
+  const BallSet& balls_;
+  const PassageEnds& ends_;
+  const RunContext& context_;
+  const std::int64_t step_;
+  Surroundings surroundings_;
+  std::optional<Wall> wall_;
+  std::int64_t most_ = 0;  // beyond, an end is covered
+  std::int64_t open_at_ = 0, closed_at_ = 0;
+  static constexpr int kSlowRounds = 2;
+  int slow_rounds_ = 0;  // in a row, that did not halve what is left
+  std::optional<Open> open_;
+  int triangulations_ = 0;
+};
+
+std::shared_ptr<const GrownScene> Search::grown_scene(std::int64_t growth, bool report) const {
+  auto scene = std::make_shared<GrownScene>();
+  scene->balls.lattice = balls_.lattice;
+  for (BallIndex i = 0; i < balls_.size(); ++i) {
+    const std::int64_t radius = balls_.radii[i] + growth;
+    if (radius <= 0 || (wall_ && is_within(balls_.centres[i], radius, *wall_))) continue;
+    scene->balls.centres.push_back(balls_.centres[i]);
+    scene->balls.radii.push_back(static_cast<std::int32_t>(radius));
+    scene->original.push_back(i);
+  }
+  add_far_balls(surroundings_, scene->balls);
+  scene->from = add_point(ends_.from, scene->balls);
+  scene->to = ends_.to ? add_point(*ends_.to, scene->balls) : EmptySpace::kOutside;
+  if (wall_) {
+    scene->balls.centres.push_back(wall_->centre);
+    scene->balls.radii.push_back(static_cast<std::int32_t>(wall_->radius));
+  }
+  RunContext quiet;
+  quiet.cancel = context_.cancel;
+  scene->triangulation = make_triangulation(scene->balls, 1, report ? context_ : quiet);
+  if (scene->triangulation.dimension != 3) {
+    throw InternalError("The helping balls of a passage are flat.");
+  }
+  return scene;
+}
+
+std::optional<Search::Open> Search::ask(std::int64_t growth, bool report) const {
+  Open open{grown_scene(growth, report), {}};
+  const GrownScene& scene = *open.scene;
+  const EmptySpace space(scene.balls, scene.triangulation);
+  std::optional<EmptySpace::Way> way = space.widest_way(scene.from, scene.to, context_.cancel);
+  if (!way) return std::nullopt;
+  open.way = std::move(*way);
+  return open;
+}
+
+// In the order of `growths`, which rise. Only the caller's thread reports.
+void Search::ask_all(const std::vector<std::int64_t>& growths) {
+  std::vector<std::optional<Open>> answers(growths.size());
+  tbb::task_group others;
+  for (std::size_t n = 1; n < growths.size(); ++n) {
+    others.run([&, n] { answers[n] = ask(growths[n], false); });
+  }
+  try {
+    answers[0] = ask(growths[0], true);
+  } catch (...) {
+    others.cancel();
+    others.wait();
+    throw;
+  }
+  others.wait();
+  triangulations_ += static_cast<int>(growths.size());
+  for (std::size_t n = 0; n < growths.size(); ++n) {
+    if (answers[n]) {
+      open_at_ = growths[n];
+      open_ = std::move(answers[n]);
+    } else {
+      closed_at_ = std::min(closed_at_, growths[n]);
+    }
+  }
+}
+
+// In the planes that touch the wall at the place found before: it is all but flat.
+EqualClearance Search::gap_at_wall(const std::array<BallIndex, 2>& two) const {
+  Plane plane{real_point(ends_.from), *ends_.direction};
+  EqualClearance place = equal_clearance_in_plane(balls_, two, plane);
+  const RealPoint centre = real_point(wall_->centre);
+  for (int n = 0; n < 3 && place.found; ++n) {
+    const RealPoint at = balls_.lattice.units_per_angstrom() * place.place_angstrom;
+    plane.normal = unit_vector(at - centre);
+    plane.point = centre + static_cast<double>(wall_->radius) * plane.normal;
+    place = equal_clearance_in_plane(balls_, two, plane);
+  }
+  return place;
+}
+
+// Between three balls, or two and the plane.
+std::vector<PassageGap> Search::gaps_on(const Open& open, const EmptySpace::Way& way) const {
+  const GrownScene& scene = *open.scene;
+  const auto ball_end = static_cast<BallIndex>(scene.original.size());
+  std::vector<PassageGap> gaps;
+  for (const auto& triangle : EmptySpace(scene.balls, scene.triangulation).gaps(way)) {
+    const bool at_wall = wall_ && triangle[2] + 1 == scene.balls.size();
+    if (triangle[1] >= ball_end || (triangle[2] >= ball_end && !at_wall)) continue;
+    const auto ball = [&](std::size_t n) { return scene.original[triangle[n]]; };
+    const EqualClearance place = at_wall ? gap_at_wall({ball(0), ball(1)})
+                                         : equal_clearance(balls_, {ball(0), ball(1), ball(2)});
+    if (place.found) gaps.push_back({place.place_angstrom, place.clearance_angstrom, at_wall});
+  }
+  return gaps;
+}
+
+// Where the narrowest gap of the widest way closes, and a step more: nearly always this is the
+// answer. It need not be, as there may be a wider way by clearance; the middle makes sure that the
+// search ends.
+std::vector<std::int64_t> Search::next_growths() const {
+  std::vector<std::int64_t> growths;
+  const auto add = [&](std::int64_t growth) {
+    if (growth > open_at_ && growth < closed_at_) growths.push_back(growth);
+  };
+  if (open_) {
+    // Power distance orders gaps otherwise than clearance, so all on the way are looked at.
+    double narrowest = static_cast<double>(most_);
+    for (const PassageGap& gap : gaps_on(*open_, open_->way)) {
+      narrowest = std::min(narrowest, gap.clearance_angstrom * balls_.lattice.units_per_angstrom());
+    }
+    const auto guess =
+        static_cast<std::int64_t>(std::floor(narrowest / static_cast<double>(step_))) * step_;
+    add(guess);
+    add(guess + step_);
+  }
+  if (growths.empty() || slow_rounds_ >= kSlowRounds) {
+    const std::int64_t steps = (closed_at_ - open_at_) / step_;
+    add(open_at_ + steps / 2 * step_);
+  }
+  std::sort(growths.begin(), growths.end());
+  growths.erase(std::unique(growths.begin(), growths.end()), growths.end());
+  return growths;
+}
+
+Passage Search::run() {
+  closed_at_ = most_ + step_;
+  const std::int32_t largest = *std::max_element(balls_.radii.begin(), balls_.radii.end());
+  // No ball is left: open.
+  open_at_ = -((largest + step_ - 1) / step_) * step_;
+  if (0 < closed_at_) ask_all({0});
+  while (closed_at_ - open_at_ > step_) {
+    const std::int64_t span = closed_at_ - open_at_;
+    ask_all(next_growths());
+    slow_rounds_ = closed_at_ - open_at_ > span / 2 ? slow_rounds_ + 1 : 0;
+  }
+  if (!open_) ask_all({open_at_});
+  if (!open_) throw InternalError("A passage without balls is closed.");
+  Passage passage;
+  passage.widest = open_at_;
+  passage.ends_decide = open_at_ == most_;
+  passage.triangulations = triangulations_;
+  set_curve(*open_, passage);
+  return passage;
+}
+
+void Search::set_curve(const Open& open, Passage& passage) const {
+  const BallSet& balls = open.scene->balls;
+  const EmptySpace space(balls, open.scene->triangulation);
+  const auto ball_end = static_cast<BallIndex>(open.scene->original.size());
+  // Where the balls have hardly grown, clearances near 0 would make any detour worth its way.
+  constexpr double kLeast = 0.1, kEnough = 10;  // Å
+  const double grown = std::max(static_cast<double>(open_at_), balls.lattice.nearest_units(kLeast));
+  const WayCost cost{grown, std::max(2 * grown, balls.lattice.nearest_units(kEnough)), ball_end};
+  const GrownScene& scene = *open.scene;
+  const auto way = space.cheapest_way(scene.from, scene.to, cost, context_.cancel);
+  if (!way) throw InternalError("An open passage has no way.");
+  passage.gaps = gaps_on(open, *way);
+  std::vector<RealPoint>& places = passage.curve;
+  places.push_back(real_point(ends_.from));
+  for (const std::uint32_t t : *way) places.push_back(space.corner(t));
+  if (ends_.to) places.push_back(real_point(*ends_.to));
+  for (RealPoint& p : places) p = balls.lattice.unit_angstrom() * p;
+}
+
+}  // namespace
+
+std::int64_t passage_step(const Lattice& lattice) {
+  std::int64_t step = 1;
+  for (int digits = 3; digits < lattice.digits; ++digits) step *= 10;
+  return step;
+}
+
+int passage_digits(const BallSet& balls, const std::vector<RealPoint>& ends_angstrom) {
+  const Lattice angstrom{0};
+  Surroundings surroundings;
+  for (const LatticePoint& p : balls.centres) {
+    surroundings.add(balls.lattice.unit_angstrom() * real_point(p));
+  }
+  for (const RealPoint& p : ends_angstrom) {
+    if (!std::isfinite(p.x + p.y + p.z)) {
+      throw std::invalid_argument("an end of the channel is not a finite number");
+    }
+    surroundings.add(p);
+  }
+  const RealPoint centre = surroundings.centre();
+  const double middle = std::max({std::fabs(centre.x), std::fabs(centre.y), std::fabs(centre.z)});
+  constexpr int kLeastDigits = -4;
+  for (int digits = std::min(balls.lattice.digits, kMostDigits); digits >= kLeastDigits; --digits) {
+    const double units = Lattice{digits}.units_per_angstrom();
+    const double far_away = surroundings.far_away(angstrom) * units + 1;
+    if (middle * units + far_away + kWallRadius < kMaxLatticeCoordinate &&
+        far_away < kMaxLatticeRadius) {
+      return digits;
+    }
+  }
+  throw std::invalid_argument("an end of the channel is too far away from the balls");
+}
+
+std::int64_t growth_room(const BallSet& balls, const LatticePoint& point) {
+  const std::int64_t step = passage_step(balls.lattice);
+  std::int64_t room = std::numeric_limits<std::int64_t>::max();
+  for (BallIndex i = 0; i < balls.size(); ++i) {
+    const std::int64_t square = square_distance(point, balls.centres[i]);
+    room = std::min(room, room_of_one(square, balls.radii[i], step));
+  }
+  return room;
+}
+
+Passage widest_passage(const BallSet& balls, const PassageEnds& ends, const RunContext& context) {
+  return Search(balls, ends, context).run();
+}
+
+}  // namespace alphascope

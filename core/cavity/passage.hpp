@@ -1,0 +1,66 @@
+// The widest passage between two places outside a set of balls: how far can all balls grow by one
+// length until the places are cut off from each other? Exact; each answer takes the triangulation
+// of all balls, grown.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "core/geometry/ball_set.hpp"
+#include "core/geometry/real_point.hpp"
+#include "core/run/cancel_token.hpp"
+
+namespace alphascope {
+
+// Lengths in lattice units. `from`, and `to` if there is one, are outside all balls, and differ.
+struct PassageEnds {
+  LatticePoint from;
+  std::optional<LatticePoint> to;  // infinity when there is none
+  // The walk stays on this side of the plane through `from` that is normal to it (unit vector); not
+  // with `to`.
+  std::optional<RealPoint> direction;
+};
+
+struct PassageGap {
+  RealPoint place_angstrom;
+  double clearance_angstrom;
+  bool at_wall;  // between two balls and the plane, not between three balls
+};
+
+struct Passage {
+  // The ends are in one component outside the balls of radii r + widest, not of r + widest + step.
+  // Negative where they are cut off even as they are; a ball that shrinks to nothing is gone.
+  std::int64_t widest = 0;
+  // The ends themselves are covered by balls that grow one step more.
+  bool ends_decide = false;
+  // Outside the balls of r + widest: from `from` to `to`, or to far away (Å).
+  std::vector<RealPoint> curve;
+  // The gaps that the curve goes through, in its order; it is narrowest in one of them, or at an
+  // end.
+  std::vector<PassageGap> gaps;
+  int triangulations = 0;
+};
+
+// `widest` is a multiple of it: 0.001 Å, or the lattice's unit if that is longer.
+std::int64_t passage_step(const Lattice& lattice);
+
+// The wall that keeps a walk on its side of a plane is a ball of this radius (lattice units) that
+// does not grow: at distance x from `from`, it is x² / (2 · this) behind the plane.
+inline constexpr std::int32_t kWallRadius = 30'000'000;
+
+// The finest lattice on which passages can be looked for, of at most 4 digits: around these balls,
+// and ends such as these (Å), there must be room for helping balls, far away.
+// Throws std::invalid_argument when no lattice has room.
+int passage_digits(const BallSet& balls, const std::vector<RealPoint>& ends_angstrom);
+
+// Largest growth, a multiple of the step, that leaves this point outside all balls; negative when
+// it is not outside them as they are.
+std::int64_t growth_room(const BallSet& balls, const LatticePoint& point);
+
+// `balls` on a lattice that passage_digits() allows. Works in the caller's task arena; what it
+// finds does not depend on the number of threads. Throws Cancelled.
+Passage widest_passage(const BallSet& balls, const PassageEnds& ends,
+                       const RunContext& context = {});
+
+}  // namespace alphascope

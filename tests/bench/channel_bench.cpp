@@ -1,0 +1,76 @@
+// One channel: its bottleneck, its profile, and the time it took.
+//
+//   alphascope_channel_bench FILE.balls|FILE.xyzr between X Y Z X Y Z
+//   alphascope_channel_bench FILE.balls|FILE.xyzr out X Y Z
+//   alphascope_channel_bench FILE.balls|FILE.xyzr out_along|through X Y Z  DX DY DZ
+// Environment: THREADS, END_RADIUS (Å), PROFILE=1 (all samples: x y z radius along).
+#include <tbb/global_control.h>
+
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <string>
+
+#include "core/cavity/channel.hpp"
+#include "tests/bench/read_balls.hpp"
+
+namespace {
+
+using namespace alphascope;
+
+ChannelEnds read_ends(int count, char** words) {
+  const std::string kind = words[0];
+  const auto point = [&](int at) {
+    if (at + 3 > count) throw std::runtime_error("too few numbers");
+    return RealPoint{std::atof(words[at]), std::atof(words[at + 1]), std::atof(words[at + 2])};
+  };
+  if (kind == "between") return ChannelEnds::between(point(1), point(4));
+  if (kind == "out") return ChannelEnds::out(point(1));
+  if (kind == "out_along") return ChannelEnds::out_along(point(1), point(4));
+  if (kind == "through") return ChannelEnds::through(point(1), point(4));
+  throw std::runtime_error("unknown kind " + kind);
+}
+
+const char* limit_name(ChannelLimit limit) {
+  return limit == ChannelLimit::end ? "end" : limit == ChannelLimit::plane ? "plane" : "passage";
+}
+
+void print(const Channel& channel, double milliseconds) {
+  const ChannelSample& least = channel.narrowest();
+  std::printf("widest %.4f Å (%s), bottleneck radius %.5f Å at %.3f %.3f %.3f, touching",
+              channel.widest_angstrom, limit_name(channel.limit), least.radius_angstrom,
+              least.position_angstrom.x, least.position_angstrom.y, least.position_angstrom.z);
+  for (const BallIndex ball : channel.touching) std::printf(" %u", ball);
+  std::printf("\nlength %.3f Å, %zu samples, end radius %.3f Å\n", channel.length_angstrom,
+              channel.samples.size(), channel.end_radius_angstrom);
+  std::printf("%d triangulations, %.1f ms\n", channel.triangulations, milliseconds);
+  if (std::getenv("PROFILE") == nullptr) return;
+  for (const ChannelSample& s : channel.samples) {
+    std::printf("%.5f %.5f %.5f %.5f %.5f\n", s.position_angstrom.x, s.position_angstrom.y,
+                s.position_angstrom.z, s.radius_angstrom, s.along_angstrom);
+  }
+}
+
+}  // namespace
+
+int main(int count, char** words) {
+  try {
+    if (count < 3) throw std::runtime_error("which file and which ends?");
+    const char* threads = std::getenv("THREADS");
+    const tbb::global_control limit(
+        tbb::global_control::max_allowed_parallelism,
+        threads != nullptr ? static_cast<std::size_t>(std::atoi(threads)) : 2);
+    const BallSet balls = bench::read_balls(words[1]);
+    ChannelEnds ends = read_ends(count - 2, words + 2);
+    if (const char* radius = std::getenv("END_RADIUS"))
+      ends.end_radius_angstrom = std::atof(radius);
+    const auto begin = std::chrono::steady_clock::now();
+    const Channel channel = find_channel(balls, ends);
+    const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - begin;
+    print(channel, time.count());
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return 1;
+  }
+}

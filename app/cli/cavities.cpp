@@ -291,24 +291,12 @@ Json result_json(const Input& input, const CavitiesOptions& options, const Answe
       {"input", input_json(input)}};
 }
 
-// The preset's choice where none was made; radii of a file go before those of CASTp.
-Input with_preset_radii(const Input& input, const CavitiesOptions& options) {
-  if (options.input.radii != "auto" || input.molecule().has_file_radii) return input;
-  Input chosen = input;
-  chosen.balls.radii = RadiiSet::castp;
-  chosen.opened.prepared =
-      std::make_shared<const PreparedBalls>(prepare_balls(input.molecule(), chosen.balls));
-  return chosen;
-}
-
 }  // namespace
 
 ExitCode run_cavities(const CavitiesOptions& options) {
   const RunContext& context = run_context();
   const bool many = options.files.many(), each = each_model(options.input);
-  OpenOptions open = open_options(options.input, context);
-  open.balls.ligands = options.ligands;
-  open.balls.ions = options.ions;
+  const OpenOptions open = body_options(options.input, options.body, context);
   const std::vector<std::string> files = file_names(options.files);
   if (!many) require_readable({files.front()});
   Outputs outputs(files_read(files, options.files.list, options.input));
@@ -317,7 +305,7 @@ ExitCode run_cavities(const CavitiesOptions& options) {
   const bool shown = verbosity() != Verbosity::quiet || !outputs.take_standard_output();
   const FilesOutcome outcome = for_each_file(files, many, [&](const std::string& file) {
     for_each_model(file, options.input, open, context, [&](const Input& as_opened) {
-      const Input input = with_preset_radii(as_opened, options);
+      const Input input = with_body_radii(as_opened, options.input);
       const Answer answer = find(input, options, context);
       const BallReferences atoms(input.opened.molecule, input.opened.prepared);
       clear_progress();

@@ -17,6 +17,7 @@ ExitCode run(const std::string& command, const CommandOptions& options) {
   if (command == "info") return run_info(options.info);
   if (command == "compute") return run_compute(options.compute);
   if (command == "cavities") return run_cavities(options.cavities);
+  if (command == "channel") return run_channel(options.channel);
   if (command == "measure") return run_measure(options.measure);
   if (command == "verify") return run_verify(options.verify);
   if (command == "bench") return run_bench(options.bench);

@@ -228,6 +228,17 @@ OptionCommand compute(ComputeOptions& options) {
   return command;
 }
 
+// The body whose cavities are looked for.
+Options body(InputOptions& input, BodyOptions& body) {
+  Options options = input_but_ligands(input);
+  for (Option& option : options) {
+    if (option.names == "--radii") option.fallback = "the file's own, else castp";
+  }
+  append(options, {flag_option("--ligands", "Ligands are part of the body, too", body.ligands),
+                   flag_option("--ions", "Ions are part of the body, too", body.ions)});
+  return options;
+}
+
 OptionCommand cavities(CavitiesOptions& options) {
   OptionCommand command{
       "cavities", "Find voids and pockets with their volumes, areas, mouths and residues", {}};
@@ -268,15 +279,46 @@ OptionCommand cavities(CavitiesOptions& options) {
           output("--json", "All numbers, mouths and residues as JSON; - for standard output",
                  options.json),
           output("--csv", "One row for each cavity; - for standard output", options.csv)});
-  Options input = input_but_ligands(options.input);
-  for (Option& option : input) {
-    if (option.names == "--radii") option.fallback = "the file's own, else castp";
-  }
-  append(command.options, input);
-  append(command.options,
-         {flag_option("--ligands", "Ligands are part of the body, too", options.ligands),
-          flag_option("--ions", "Ions are part of the body, too", options.ions)});
+  append(command.options, body(options.input, options.body));
   command.check = [&options] { require_files(options.files); };
+  return command;
+}
+
+// Throws std::invalid_argument.
+void require_three(const char* name, const std::vector<double>& numbers, bool may_be_empty) {
+  if (numbers.size() == 3 || (may_be_empty && numbers.empty())) return;
+  throw std::invalid_argument(std::string(name) + " takes three numbers, such as 1.5,-2,30");
+}
+
+OptionCommand channel(ChannelOptions& options) {
+  OptionCommand command{
+      "channel", "How large a ball passes from a point outwards, and the profile of its way", {}};
+  const NumberRange kPlaceRange{-1e9, 1e9, "Å"};
+  const auto place = [&](const char* name, const char* text, std::vector<double>& target) {
+    return numbers_option({name, "X,Y,Z", text}, target, kPlaceRange);
+  };
+  command.options = {
+      one_file(options.input),
+      required(place("--point", "A point in the channel, in Å", options.point)),
+      place("--along", "Through the point both ways along this direction", options.along),
+      place("--to", "From the point to this one, in Å", options.to),
+      number_option({"--end-radius", "R", "Outwards the line ends where it is so wide, in Å"},
+                    options.end_radius_angstrom, {0, 1000, "Å"}),
+      with_default(
+          whole_number_option({"--threads", "N", "CPU threads"}, options.threads, kThreadRange),
+          "0 = all"),
+      output("--json", "Bottleneck, touching atoms and line as JSON; - for standard output",
+             options.json),
+      output("--csv", "The profile, one row for each sample; - for standard output", options.csv)};
+  append(command.options, body(options.input, options.body));
+  command.check = [&options] {
+    require_three("--point", options.point, false);
+    require_three("--along", options.along, true);
+    require_three("--to", options.to, true);
+    if (!options.along.empty() && !options.to.empty()) {
+      throw std::invalid_argument("--along and --to exclude each other");
+    }
+  };
   return command;
 }
 
@@ -422,6 +464,7 @@ std::vector<OptionNotes> notes() {
         "find pdb -name '*.cif.gz' | alphascope-cli info --files-from - --csv -",
         "zcat 1crn.pdb.gz | alphascope-cli compute - --alpha 1.4",
         "alphascope-cli cavities 4hhb.pdb.gz --csv cavities.csv",
+        "alphascope-cli channel 1grm.pdb --point 0,0,4.2 --along 0,1,0 --csv profile.csv",
         "alphascope-cli measure 4hhb.pdb.gz --solvent 1.4 --by residue --csv areas.csv",
         "alphascope-cli verify 1crn.pdb --alpha -1,0,1.4,10",
         "alphascope-cli bench 1k4c.crd.gz --alpha 0,1.4,3 --tetrahedra-only --csv times.csv",

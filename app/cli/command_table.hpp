@@ -11,6 +11,7 @@ struct CommandOptions {
   InfoOptions info;
   ComputeOptions compute;
   CavitiesOptions cavities;
+  ChannelOptions channel;
   MeasureCommandOptions measure;
   VerifyOptions verify;
   BenchOptions bench;

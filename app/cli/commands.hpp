@@ -79,6 +79,15 @@ struct CavitiesOptions {
   std::string json, csv;
 };
 
+struct ChannelOptions {
+  InputOptions input;
+  BodyOptions body;
+  std::vector<double> point, to, along;  // Å, three numbers each; to and along may be empty
+  double end_radius_angstrom = 5;
+  int threads = 0;
+  std::string json, csv;
+};
+
 enum class MeasuredBy { total, chain, residue, atom };
 
 struct MeasureCommandOptions {
@@ -131,6 +140,7 @@ struct ScreenshotCommandOptions {
 ExitCode run_info(const InfoOptions& options);
 ExitCode run_compute(const ComputeOptions& options);
 ExitCode run_cavities(const CavitiesOptions& options);
+ExitCode run_channel(const ChannelOptions& options);
 ExitCode run_measure(const MeasureCommandOptions& options);
 ExitCode run_verify(const VerifyOptions& options);
 ExitCode run_bench(const BenchOptions& options);

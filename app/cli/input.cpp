@@ -9,6 +9,7 @@
 #include "app/cli/terminal.hpp"
 #include "app/cli/text.hpp"
 #include "app/options/did_you_mean.hpp"
+#include "core/document/cavity_preset.hpp"
 #include "core/io/user_radii.hpp"
 #include "core/molecule/printable.hpp"
 #include "core/molecule/selection_expression.hpp"
@@ -191,6 +192,23 @@ Input open_one_model(const InputOptions& options, const char* why_one, const Run
   if (input.prepared().report.used == 0) {
     refuse_without_atoms(options.file, input.prepared().report);
   }
+  return input;
+}
+
+OpenOptions body_options(const InputOptions& options, const BodyOptions& body,
+                         const RunContext& context) {
+  OpenOptions open = open_options(options, context);
+  open.balls.ligands = body.ligands;
+  open.balls.ions = body.ions;
+  return open;
+}
+
+Input with_body_radii(Input input, const InputOptions& options) {
+  const RadiiSet radii = cavity_body({}, input.molecule().has_file_radii).radii;
+  if (options.radii != "auto" || radii == RadiiSet::file) return input;
+  input.balls.radii = radii;
+  input.opened.prepared =
+      std::make_shared<const PreparedBalls>(prepare_balls(input.molecule(), input.balls));
   return input;
 }
 

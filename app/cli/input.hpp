@@ -39,6 +39,12 @@ void for_each_model(const InputOptions& options, const RunContext& context,
 // For commands that take one model: UsageError, with this reason, for --model all.
 Input open_one_model(const InputOptions& options, const char* why_one, const RunContext& context);
 
+// The same of the body whose cavities are looked for: cavity_body()'s choices where the options
+// make none. What is open already gets its radii by with_body_radii().
+OpenOptions body_options(const InputOptions& options, const BodyOptions& body,
+                         const RunContext& context);
+Input with_body_radii(Input input, const InputOptions& options);
+
 inline bool each_model(const InputOptions& options) {
   return options.model == "all";
 }

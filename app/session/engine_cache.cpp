@@ -27,9 +27,21 @@ EngineCache::Entry& EngineCache::find_or_make(const std::shared_ptr<const BallSe
   } else if (request.solvent_radius_angstrom != 0) {
     grown = std::make_shared<const BallSet>(with_solvent(*balls, request.solvent_radius_angstrom));
   }
-  MadeEngine made = factory_(request.engine, grown, {request.threads, request.tuples});
+  MadeEngine made = factory_(request.engine, grown, engine_settings(request));
   entries_.push_front({balls, std::move(grown), request, std::move(made)});
   return entries_.front();
+}
+
+EngineSettings EngineCache::engine_settings(const Request& request) const {
+  EngineSettings settings{request.threads, request.tuples};
+  if (threads_) settings.shared = threads_->of(request.threads);
+  return settings;
+}
+
+std::uint64_t EngineCache::kept_bytes() const {
+  std::uint64_t bytes = 0;
+  for (const Entry& entry : entries_) bytes += entry.made.engine->kept_bytes();
+  return bytes;
 }
 
 // A first answer without set-up stages follows one that was cancelled after them: it is not cold.
@@ -45,7 +57,7 @@ EngineAnswer EngineCache::answer(Entry& entry, const Request& request, const Run
   std::string note = entry.made.note;
   const std::string rounding = rounding_note(request, entry.grown->lattice);
   if (!rounding.empty()) note += (note.empty() ? "" : " ") + rounding;
-  return {request, entry.grown, std::move(complex), std::move(note), first && set_up};
+  return {request, entry.grown, std::move(complex), std::move(note), first && set_up, kept_bytes()};
 }
 
 EngineAnswer EngineCache::compute(const std::shared_ptr<const BallSet>& balls,

@@ -22,7 +22,9 @@ struct EngineLoan {
 // Belongs to one thread at a time.
 class EngineCache {
  public:
-  explicit EngineCache(EngineFactory factory) : factory_(std::move(factory)) {}
+  // `threads`: whose the engines work on; null: each has its own.
+  explicit EngineCache(EngineFactory factory, std::shared_ptr<SharedThreads> threads = {})
+      : factory_(std::move(factory)), threads_(std::move(threads)) {}
 
   // `balls` without solvent radius. A loan of other balls is not looked at. What is done when
   // a GPU fails is not decided here but in the engine (core/engines/short_of_memory.hpp). Throws
@@ -31,6 +33,7 @@ class EngineCache {
                        const RunContext& context, const EngineLoan& loan = {});
 
   void clear() { entries_.clear(); }
+  std::uint64_t kept_bytes() const;
 
  private:
   // An engine may hold a triangulation of millions of balls, so only the last settings are kept.
@@ -43,12 +46,15 @@ class EngineCache {
     bool answered = false;  // by `made`
   };
 
-  static EngineAnswer answer(Entry& entry, const Request& request, const RunContext& context,
-                             const EngineLoan& loan);
+  EngineAnswer answer(Entry& entry, const Request& request, const RunContext& context,
+                      const EngineLoan& loan);
   Entry& find_or_make(const std::shared_ptr<const BallSet>& balls, const Request& request,
                       const EngineLoan& loan);
 
+  EngineSettings engine_settings(const Request& request) const;
+
   EngineFactory factory_;
+  std::shared_ptr<SharedThreads> threads_;
   std::list<Entry> entries_;  // the last used one first
 };
 

@@ -12,13 +12,20 @@
 namespace alphascope {
 namespace {
 
-std::unique_ptr<Engine> try_gpu(const std::shared_ptr<const BallSet>& balls, int threads,
-                                std::string& why_not) {
+EngineOptions engine_options(const EngineSettings& settings) {
+  EngineOptions options;
+  options.threads = settings.threads;
+  options.shared = settings.shared;
+  return options;
+}
+
+std::unique_ptr<Engine> try_gpu(const std::shared_ptr<const BallSet>& balls,
+                                const EngineOptions& options, std::string& why_not) {
 #ifdef ALPHASCOPE_HAS_GPU
-  return make_gpu_engine(balls, EngineOptions{threads}, &why_not);
+  return make_gpu_engine(balls, options, &why_not);
 #else
   static_cast<void>(balls);
-  static_cast<void>(threads);
+  static_cast<void>(options);
   why_not = "This build has no GPU engine. The CPU engine gives the same results.";
   return nullptr;
 #endif
@@ -59,22 +66,22 @@ void free_unused_engine_memory() {
 
 MadeEngine make_engine(EngineChoice choice, std::shared_ptr<const BallSet> balls,
                        const EngineSettings& settings) {
-  const int threads = settings.threads;
+  const EngineOptions options = engine_options(settings);
   MadeEngine made;
   if (choice == EngineChoice::tuples_cpu) {
-    made.engine = make_tuple_engine(std::move(balls), {threads}, settings.tuples);
+    made.engine = make_tuple_engine(std::move(balls), options, settings.tuples);
     return made;
   }
   if (choice == EngineChoice::tuples_gpu) {
     return make_tuples_on_gpu(std::move(balls), settings.tuples);
   }
   if (choice == EngineChoice::cgal) {
-    made.engine = make_cgal_engine(std::move(balls), {threads});
+    made.engine = make_cgal_engine(std::move(balls), options);
     return made;
   }
   if (choice != EngineChoice::cpu) {
     std::string why_not;
-    made.engine = try_gpu(balls, threads, why_not);
+    made.engine = try_gpu(balls, options, why_not);
     if (made.engine) return made;
     if (choice == EngineChoice::gpu) {
       throw EngineUnavailable("The GPU engine cannot be used. " + why_not +
@@ -82,7 +89,7 @@ MadeEngine make_engine(EngineChoice choice, std::shared_ptr<const BallSet> balls
     }
     made.note = why_not;
   }
-  made.engine = make_cpu_engine(std::move(balls), {threads});
+  made.engine = make_cpu_engine(std::move(balls), options);
   return made;
 }
 

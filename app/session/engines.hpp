@@ -22,8 +22,9 @@ struct MadeEngine {
 };
 
 struct EngineSettings {
-  int threads = 0;      // 0: as many as the machine has
-  TupleOptions tuples;  // of the tuple engines only
+  int threads = 0;                           // 0: as many as the machine has
+  TupleOptions tuples;                       // of the tuple engines only
+  std::shared_ptr<WorkThreads> shared = {};  // as EngineOptions::shared
 };
 
 using EngineFactory = std::function<MadeEngine(

@@ -50,7 +50,7 @@ Session::Services Session::program_services() {
 
 Session::Session(std::function<void()> wake, Services services)
     : services_(std::move(services)),
-      engines_(std::make_shared<EngineCache>(services_.make_engine)),
+      engines_(std::make_shared<EngineCache>(services_.make_engine, threads_)),
       references_(std::make_shared<EngineCache>(services_.make_engine)),
       opener_(wake),
       computer_(wake, kSliderGrace),
@@ -222,6 +222,7 @@ void Session::submit_comparison() {
         agreement->ours = ours;
         agreement->comparison = compare(ours->complex, result.complex);
         agreement->reference_cold = result.cold;
+        agreement->kept_bytes = result.kept_bytes;
         agreement->reference = std::make_shared<const AlphaComplex>(std::move(result.complex));
         return [this, agreement] { take_agreement(agreement); };
       },
@@ -298,6 +299,16 @@ SessionChanges Session::poll() {
     computer_.when_idle(services_.free_unused_memory);
   }
   return std::exchange(changes_, {});
+}
+
+std::uint64_t Session::held_bytes() const {
+  std::uint64_t bytes = 0;
+  if (state_.ours) bytes += bytes_of(state_.ours->complex) + state_.ours->kept_bytes;
+  if (const Agreement* agreement = state_.agreement.get()) {
+    bytes += bytes_of(*agreement->reference) + agreement->kept_bytes;
+    if (agreement->ours != state_.ours) bytes += bytes_of(agreement->ours->complex);
+  }
+  return bytes;
 }
 
 SessionActivity Session::activity() const {

@@ -21,6 +21,7 @@ struct Agreement {
   std::shared_ptr<const AlphaComplex> reference;
   Comparison comparison;
   bool reference_cold = false;
+  std::uint64_t kept_bytes = 0;  // by CGAL's engines
 };
 
 // Pointers are null as long as there is nothing.
@@ -114,6 +115,10 @@ class Session {
   // To be called on the main thread, every frame or when woken.
   SessionChanges poll();
   const SessionState& state() const { return state_; }
+  // Those that the complexes are computed on, for the number of them that is set.
+  std::shared_ptr<WorkThreads> threads() const { return threads_->of(state_.request.threads); }
+  // Complexes and what engines keep for the next ones, as far as it is known.
+  std::uint64_t held_bytes() const;
   SessionActivity activity() const;
 
  private:
@@ -144,6 +149,7 @@ class Session {
   bool timing_parallel_ = false;  // is what the comparer does
   int comparison_threads_ = 1;
   EngineLoan loan_;
+  const std::shared_ptr<SharedThreads> threads_ = std::make_shared<SharedThreads>();
   // Each is touched by the jobs of one worker only.
   std::shared_ptr<EngineCache> engines_, references_;
 

@@ -34,7 +34,19 @@ void add(const SimplexList<N>& list, HashSums& sums) {
       std::plus<>());
 }
 
+template <int N>
+std::uint64_t bytes(const SimplexList<N>& list) {
+  return list.simplices.capacity() * sizeof(list.simplices[0]) +
+         list.alpha_values.capacity() * sizeof(float) +
+         list.classes.capacity() * sizeof(SimplexClass);
+}
+
 }  // namespace
+
+std::uint64_t bytes_of(const AlphaComplex& complex) {
+  return bytes(complex.vertices) + bytes(complex.edges) + bytes(complex.triangles) +
+         bytes(complex.tetrahedra);
+}
 
 std::uint64_t tetrahedra_hash(const AlphaComplex& complex) {
   HashSums sums;

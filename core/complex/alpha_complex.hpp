@@ -65,6 +65,9 @@ struct AlphaComplex {
   }
 };
 
+// What its arrays hold.
+std::uint64_t bytes_of(const AlphaComplex& complex);
+
 // 64-bit hash of the set of simplices present (dimension and vertex indices; not alpha values, not
 // order): equal sets have equal hashes on every engine. A tetrahedra-only complex hashes to another
 // value than the whole one; tetrahedra_hash() is common to both.

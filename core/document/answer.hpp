@@ -17,6 +17,7 @@ struct EngineAnswer {
   AlphaComplex complex;
   std::string note;   // about the choice of engine and rounding on the lattice; may be empty
   bool cold = false;  // the engine's first answer, and it had to set up
+  std::uint64_t kept_bytes = 0;  // by all engines of its cache, for later answers
 };
 
 // Of an open molecule.

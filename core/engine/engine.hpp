@@ -6,6 +6,7 @@
 
 #include "core/complex/alpha_complex.hpp"
 #include "core/run/cancel_token.hpp"
+#include "core/run/work_threads.hpp"
 
 namespace alphascope {
 
@@ -51,6 +52,10 @@ class Engine {
   // Hands over what it has made of all balls on the way to its results, and no longer keeps it:
   // lent again, later answers are as fast as before. Nothing when it made nothing such.
   virtual Lent take() { return {}; }
+
+  // Bytes of the CPU's memory that it keeps for later answers, as far as it can tell. By
+  // compute()'s rules.
+  virtual std::uint64_t kept_bytes() const { return 0; }
 };
 
 // threads = 0: as many as the machine has.
@@ -59,6 +64,12 @@ struct EngineOptions {
   // Keep the last whole complex, so that a smaller alpha is only a threshold; costs its memory
   // again.
   bool cache = true;
+  // To work on, shared with others; null: threads of its own, as many as said above.
+  std::shared_ptr<WorkThreads> shared = {};
+
+  std::shared_ptr<WorkThreads> work_threads() const {
+    return shared ? shared : std::make_shared<WorkThreads>(threads);
+  }
 };
 
 // Each of these throws std::length_error for more balls than can be handled (count_limits.hpp).

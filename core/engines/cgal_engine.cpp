@@ -2,7 +2,6 @@
 // triangulation itself is cgal_triangulation.cpp's, the alpha values filtration.hpp's.
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 
 #include <cmath>
 #include <memory>
@@ -14,9 +13,9 @@
 #include "core/engine/engine.hpp"
 #include "core/engines/lent.hpp"
 #include "core/predicates/exact_alpha.hpp"
-#include "core/run/cpu_threads.hpp"
 #include "core/triangulation/cgal_triangulation.hpp"
 #include "core/triangulation/filtration.hpp"
+#include "core/triangulation/memory_need.hpp"
 
 namespace alphascope {
 namespace {
@@ -41,15 +40,14 @@ void filter_tetrahedra(const BallSet& balls, const Triangulation& triangulation,
 class CgalEngine : public Engine {
  public:
   CgalEngine(std::shared_ptr<const BallSet> balls, EngineOptions options)
-      : balls_(std::move(balls)),
-        arena_(options.threads > 0 ? options.threads : tbb::task_arena::automatic) {}
+      : balls_(std::move(balls)), threads_(options.work_threads()) {}
 
   AlphaComplex compute(const AlphaRequest& request, const RunContext& context) override {
     if (std::isnan(request.alpha_angstrom2)) throw std::invalid_argument("alpha is not a number");
     require_lent_of(*balls_, request.lent);
     AlphaComplex complex;
     StageTimes times;
-    arena_.execute([&] {
+    threads_->run([&] {
       StageTimer timer(times);
       std::optional<AlphaComplex> answer = threshold_of_lent(*balls_, request, context, timer);
       complex = answer ? *std::move(answer) : own_answer(request, context, timer);
@@ -58,13 +56,18 @@ class CgalEngine : public Engine {
     drop_what_was_lent(request.lent);
     complex.timings = std::move(times);
     complex.engine.name = "CGAL triangulation";
-    complex.engine.device = cpu_text(arena_);
+    complex.engine.device = threads_->text();
     complex.engine.rests_on_cgal = true;
     return complex;
   }
 
   Lent take() override {
     return {std::exchange(triangulation_, nullptr), std::exchange(filtration_, nullptr)};
+  }
+
+  std::uint64_t kept_bytes() const override {
+    return (triangulation_ ? bytes_of(*triangulation_) : 0) +
+           (filtration_ ? filtration_->top_bytes() + filtration_->level_bytes() : 0);
   }
 
  private:
@@ -106,7 +109,7 @@ class CgalEngine : public Engine {
     if (lent.triangulation) return lent.triangulation;
     if (!triangulation_) {
       triangulation_ = std::make_shared<const Triangulation>(
-          make_triangulation(*balls_, arena_.max_concurrency(), context));
+          make_triangulation(*balls_, threads_->asked(), context));
       timer.lap(stage::kTriangulation, true);
     }
     return triangulation_;
@@ -129,7 +132,7 @@ class CgalEngine : public Engine {
   }
 
   std::shared_ptr<const BallSet> balls_;
-  tbb::task_arena arena_;
+  std::shared_ptr<WorkThreads> threads_;
   // Each only while it is needed and nobody lends it.
   std::shared_ptr<const Triangulation> triangulation_;
   std::shared_ptr<const Filtration> filtration_;

@@ -1,6 +1,5 @@
 // The CPU engine: dual edges while alpha is small, CGAL's triangulation where that is faster
 // (route.hpp), and a threshold of what it was lent or already knows where it can.
-#include <tbb/task_arena.h>
 
 #include <cmath>
 #include <optional>
@@ -13,7 +12,6 @@
 #include "core/engines/lent.hpp"
 #include "core/engines/route.hpp"
 #include "core/neighbours/coincident.hpp"
-#include "core/run/cpu_threads.hpp"
 
 namespace alphascope {
 namespace {
@@ -23,8 +21,10 @@ class CpuEngine : public Engine {
   CpuEngine(std::shared_ptr<const BallSet> balls, EngineOptions options)
       : balls_(std::move(balls)),
         options_(options),
-        arena_(options.threads > 0 ? options.threads : tbb::task_arena::automatic),
-        kept_(balls_) {}
+        threads_(options.work_threads()),
+        kept_(balls_) {
+    options_.shared = threads_;  // with the triangulation
+  }
 
   AlphaComplex compute(const AlphaRequest& request, const RunContext& context) override {
     if (std::isnan(request.alpha_angstrom2)) throw std::invalid_argument("alpha is not a number");
@@ -32,14 +32,14 @@ class CpuEngine : public Engine {
     const double alpha = balls_->lattice.alpha_on_lattice(request.alpha_angstrom2);
     AlphaComplex complex;
     StageTimes times;
-    arena_.execute([&] {
+    threads_->run([&] {
       StageTimer timer(times);
       complex = answered(alpha, request, context, timer);
       timer.finish();
     });
     complex.timings = std::move(times);
     complex.engine.name = "dual-edge engine";
-    complex.engine.device = cpu_text(arena_);
+    complex.engine.device = threads_->text();
     return complex;
   }
 
@@ -48,6 +48,10 @@ class CpuEngine : public Engine {
     Lent made = triangulation_->take();
     triangulation_.reset();
     return made;
+  }
+
+  std::uint64_t kept_bytes() const override {
+    return kept_.bytes() + (triangulation_ ? triangulation_->kept_bytes() : 0);
   }
 
  private:
@@ -74,8 +78,8 @@ class CpuEngine : public Engine {
     context.report(stage::kGrid, 0);
     if (!std::isfinite(alpha)) return triangulated(request, context, timer);
     const UniformGrid grid = make_uniform_grid(*balls_, alpha, *hidden_);
-    const Route route = choose_route(grid, {threads_used(arena_), request.tetrahedra_only,
-                                            request.lent.triangulation != nullptr});
+    const Route route = choose_route(
+        grid, {threads_->used(), request.tetrahedra_only, request.lent.triangulation != nullptr});
     timer.lap(stage::kGrid);
     return route == Route::clip_dual_edges
                ? clipped(grid, alpha, request.tetrahedra_only, context, timer)
@@ -108,8 +112,8 @@ class CpuEngine : public Engine {
   }
 
   std::shared_ptr<const BallSet> balls_;
-  const EngineOptions options_;
-  tbb::task_arena arena_;
+  EngineOptions options_;
+  std::shared_ptr<WorkThreads> threads_;
   std::optional<std::vector<bool>> hidden_;
   KeptComplex kept_;
   std::unique_ptr<Engine> triangulation_;

@@ -18,6 +18,11 @@ void KeptComplex::forget() {
   filtration_.reset();
 }
 
+std::uint64_t KeptComplex::bytes() const {
+  const std::uint64_t top = top_ ? bytes_of(*top_) : 0;
+  return filtration_ ? filtration_->top_bytes() + filtration_->level_bytes() : top;
+}
+
 std::optional<AlphaComplex> KeptComplex::answer(double alpha, bool tetrahedra_only,
                                                 const RunContext& context, StageTimer& timer) {
   const bool make_filtration = top_ && alpha <= top_->alpha_on_lattice;

@@ -19,6 +19,7 @@ class KeptComplex {
   // short, nothing is kept.
   void keep(const AlphaComplex& complex);
   void forget();
+  std::uint64_t bytes() const;
 
   // K_alpha with its route, if alpha is not above that of the complex. The first answer makes a
   // filtration of it, which is setup. Works in the caller's task arena. Throws Cancelled, and

@@ -79,6 +79,7 @@ class EngineOfExecutors : public Engine {
   }
 
   Lent take() override { return cpu_ ? cpu_->take() : Lent{}; }
+  std::uint64_t kept_bytes() const override { return cpu_ ? cpu_->kept_bytes() : 0; }
 
  private:
   // The set at once, or in as few slabs as the memory allows.

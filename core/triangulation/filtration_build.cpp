@@ -119,12 +119,6 @@ std::size_t bytes(const ClassLevels& levels) {
   return (levels.regular_from.capacity() + levels.interior_from.capacity()) * sizeof(float);
 }
 
-template <int N>
-std::size_t bytes(const SimplexList<N>& list) {
-  return list.simplices.capacity() * sizeof(list.simplices[0]) +
-         list.alpha_values.capacity() * sizeof(float) + list.classes.capacity();
-}
-
 }  // namespace
 
 Filtration::Filtration(std::shared_ptr<const BallSet> balls, const Triangulation& triangulation,
@@ -186,8 +180,7 @@ std::size_t Filtration::level_bytes() const {
 }
 
 std::size_t Filtration::top_bytes() const {
-  return bytes(top_->vertices) + bytes(top_->edges) + bytes(top_->triangles) +
-         bytes(top_->tetrahedra);
+  return bytes_of(*top_);
 }
 
 void classify(AlphaComplex& complex) {

@@ -3,12 +3,10 @@
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 
 #include <chrono>
 
 #include "core/complex/count_limits.hpp"
-#include "core/run/cpu_threads.hpp"
 #include "core/tuples/tuple_compute.hpp"
 
 namespace alphascope {
@@ -128,21 +126,21 @@ class TupleEngine : public Engine {
   TupleEngine(std::shared_ptr<const BallSet> balls, EngineOptions options, TupleOptions tuples)
       : executor_(tuples),
         computer_(std::move(balls), tuples, executor_),
-        arena_(options.threads > 0 ? options.threads : tbb::task_arena::automatic) {}
+        threads_(options.work_threads()) {}
 
   AlphaComplex compute(const AlphaRequest& request, const RunContext& context) override {
     AlphaComplex complex;
     executor_.set_cancel(context.cancel);
-    arena_.execute([&] { complex = computer_.compute(request, context); });
+    threads_->run([&] { complex = computer_.compute(request, context); });
     complex.engine.name = "tuple engine";
-    complex.engine.device = cpu_text(arena_);
+    complex.engine.device = threads_->text();
     return complex;
   }
 
  private:
   CpuExecutor executor_;
   TupleComputer<CpuExecutor> computer_;
-  tbb::task_arena arena_;
+  std::shared_ptr<WorkThreads> threads_;
 };
 
 }  // namespace

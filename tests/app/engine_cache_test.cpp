@@ -47,6 +47,31 @@ TEST(EngineCache, GrowsTheBallsAndKeepsTwoSettings) {
   EXPECT_EQ(log.made, 4);
 }
 
+TEST(EngineCache, EnginesOfOneNumberOfThreadsShareThem) {
+  FakeEngineLog log;
+  std::vector<std::shared_ptr<WorkThreads>> given;
+  const auto shared = std::make_shared<SharedThreads>();
+  const EngineFactory make = fake_factory(log);
+  EngineCache cache(
+      [&](EngineChoice choice, std::shared_ptr<const BallSet> balls, const EngineSettings& s) {
+        given.push_back(s.shared);
+        return make(choice, std::move(balls), s);
+      },
+      shared);
+  const auto balls = few_balls(4);
+  Request request;
+  request.threads = 2;
+  cache.compute(balls, request, {});
+  request.solvent_radius_angstrom = 1;
+  cache.compute(balls, request, {});
+  request.threads = 3;
+  cache.compute(balls, request, {});
+  ASSERT_EQ(given.size(), 3u);
+  EXPECT_EQ(given[0], shared->of(2));
+  EXPECT_EQ(given[1], given[0]);
+  EXPECT_EQ(given[2], shared->of(3));
+}
+
 TEST(EngineCache, LetsTheEnginesThatAreNotAskedRest) {
   FakeEngineLog log;
   EngineCache cache(fake_factory(log));

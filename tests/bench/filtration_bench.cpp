@@ -19,7 +19,6 @@
 #include <random>
 #include <vector>
 
-#include "core/run/cpu_threads.hpp"
 #include "core/triangulation/cgal_triangulation.hpp"
 #include "core/triangulation/filtration.hpp"
 #include "core/triangulation/memory_need.hpp"

@@ -64,6 +64,18 @@ TEST_F(LentEngine, GoesOnAsBeforeWhenNothingIsLentAnyMore) {
   EXPECT_TRUE(compare(again, expected(80)).identical());
 }
 
+TEST_F(LentEngine, SaysWhatItKeeps) {
+  const auto engine = make_cpu_engine(balls_, {1});
+  EXPECT_EQ(engine->kept_bytes(), 0u);
+  const AlphaComplex complex = engine->compute({100}, {});
+  EXPECT_GE(engine->kept_bytes(), bytes_of(complex)) << "a copy of it";
+  engine->compute({90, false, {nullptr, filtration_}}, {});
+  EXPECT_EQ(engine->kept_bytes(), 0u) << "somebody else has it all";
+  const auto cgal = make_cgal_engine(balls_, {1});
+  cgal->compute({100}, {});
+  EXPECT_GE(cgal->kept_bytes(), filtration_->top_bytes());
+}
+
 TEST_F(LentEngine, DoesNotTriangulateAgain) {
   const auto engine = make_cgal_engine(balls_, {1});
   const AlphaComplex only = engine->compute({1e4, true, {triangulation_, nullptr}}, {});

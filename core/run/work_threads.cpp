@@ -1,0 +1,58 @@
+// See the header. A oneTBB arena; oneTBB itself lends it no more threads than the machine has.
+#include "core/run/work_threads.hpp"
+
+#include <tbb/global_control.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+
+namespace alphascope {
+
+struct WorkThreads::Arena {
+  tbb::task_arena arena;
+};
+
+namespace {
+
+int most_threads() {
+  return static_cast<int>(
+      tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
+}
+
+}  // namespace
+
+// With one thread, each of two who share it brings its own and gets no other: else a short job
+// would wait for the whole of a long one.
+WorkThreads::WorkThreads(int count)
+    : arena_(std::make_unique<Arena>()), count_(count > 0 ? count : most_threads()) {
+  if (count_ == 1) {
+    arena_->arena.initialize(2, 2);
+  } else {
+    arena_->arena.initialize(count_);
+  }
+}
+
+WorkThreads::~WorkThreads() = default;
+
+// Isolated: a thread that waits for a part of its own work takes on no other caller's meanwhile.
+void WorkThreads::run(const std::function<void()>& work) {
+  arena_->arena.execute([&] { tbb::this_task_arena::isolate([&] { work(); }); });
+}
+
+int WorkThreads::used() const {
+  return std::min(count_, most_threads());
+}
+
+std::string WorkThreads::text() const {
+  return "CPU, " + std::to_string(used()) + (used() == 1 ? " thread" : " threads");
+}
+
+std::shared_ptr<WorkThreads> SharedThreads::of(int count) {
+  const std::lock_guard lock(mutex_);
+  std::weak_ptr<WorkThreads>& known = by_count_[count];
+  std::shared_ptr<WorkThreads> threads = known.lock();
+  if (!threads) known = threads = std::make_shared<WorkThreads>(count);
+  return threads;
+}
+
+}  // namespace alphascope

@@ -86,8 +86,11 @@ ComplexColouring colouring(ColourBy colour) {
 
 }  // namespace
 
-SceneController::SceneController(std::function<void()> wake, FreeMemory free_memory)
-    : free_memory_(std::move(free_memory)), mesh_worker_(std::move(wake), kFinishes) {}
+SceneController::SceneController(std::function<void()> wake, FreeMemory free_memory,
+                                 MeshMaker make_mesh)
+    : free_memory_(std::move(free_memory)),
+      make_mesh_(std::move(make_mesh)),
+      mesh_worker_(std::move(wake), kFinishes) {}
 
 std::shared_ptr<const Molecule> SceneController::molecule() const {
   return opened_ ? opened_->molecule : nullptr;
@@ -225,6 +228,7 @@ Worker::Delivery SceneController::make_drawing(const Wanted& wanted, const RunCo
   const DrawingPlan plan = plan_drawing({known ? 0 : balls, answer ? &answer->complex : nullptr,
                                          agreement ? &agreement->comparison : nullptr, mesh},
                                         free_memory_());
+  pending_bytes_ = plan.complete() ? plan.wanted_bytes : drawing_budget(plan.free_bytes);
   if (!plan.complete() && drawn) return [this] { make_room(); };
   Drawing drawing;
   drawing.not_drawn = not_drawn_text(plan);
@@ -237,7 +241,7 @@ Worker::Delivery SceneController::make_drawing(const Wanted& wanted, const RunCo
     drawing.balls = make_ball_data(m.geometry, ball_colours(m, look.colour), drawing.radii);
   }
   if (answer && plan.balls) {
-    drawing.mesh = std::make_shared<const ComplexMesh>(build_mesh(
+    drawing.mesh = std::make_shared<const ComplexMesh>(make_mesh_(
         *m.geometry, by_element ? *m.by_element : *m.by_chain, answer->complex, plan.mesh));
     context.cancel.throw_if_cancelled();
     drawing.mesh_data = make_mesh_data(drawing.mesh);
@@ -377,6 +381,12 @@ bool SceneController::poll() {
   const std::shared_ptr<const Answer> before = drawn_answer_;
   mesh_worker_.poll();
   return before != drawn_answer_;
+}
+
+std::uint64_t SceneController::held_bytes() const {
+  const std::uint64_t pending = busy() ? pending_bytes_.load() : 0;
+  if (!drawn_molecule_) return pending;
+  return pending + drawn_bytes(drawn_molecule_->geometry->centres.size(), drawn_mesh_.get());
 }
 
 double SceneController::seconds_to_refinement() const {

@@ -3,6 +3,7 @@
 // when something changed. What does not fit into memory is not drawn, and is told.
 #pragma once
 
+#include <atomic>
 #include <chrono>
 #include <filesystem>
 #include <functional>
@@ -33,8 +34,13 @@ class SceneController {
  public:
   // Bytes that are free for drawing, if that is known; asked from any thread.
   using FreeMemory = std::function<std::optional<std::uint64_t>()>;
+  // build_mesh(); on the worker's thread.
+  using MeshMaker =
+      std::function<ComplexMesh(const BallGeometry& balls, const std::vector<Rgb8>& colours,
+                                const AlphaComplex& complex, const MeshOptions& options)>;
   // An OpenGL context must be current; `wake` as in Worker.
-  SceneController(std::function<void()> wake, FreeMemory free_memory);
+  SceneController(std::function<void()> wake, FreeMemory free_memory,
+                  MeshMaker make_mesh = &build_mesh);
 
   // Other balls of the same molecule (another selection, model or radius) appear with their answer,
   // or with show_without_answer(); those of another molecule as soon as possible.
@@ -61,6 +67,8 @@ class SceneController {
   // Something is still on its way to the screen: a mesh, or a finer picture.
   bool busy() const { return mesh_worker_.activity().busy; }
   bool wants_frame() const { return dirty_ || refine_; }
+  // Of what is drawn and of what is being made, at most; without differences.
+  std::uint64_t held_bytes() const;
   // Seconds until a finer picture is due; a large number when none is.
   double seconds_to_refinement() const;
 
@@ -127,6 +135,7 @@ class SceneController {
   MeshOptions mesh_options() const;
 
   const FreeMemory free_memory_;
+  const MeshMaker make_mesh_;
   Scene scene_;
   QualityChooser quality_;
   // Wanted on screen.
@@ -157,7 +166,8 @@ class SceneController {
   RenderQuality drawn_ = RenderQuality::draft;
   Clock::time_point last_change_ = Clock::now();
   int width_ = 0, height_ = 0;
-  Worker mesh_worker_;  // last: joined before what its jobs use goes
+  std::atomic<std::uint64_t> pending_bytes_ = 0;  // of what the worker makes
+  Worker mesh_worker_;                            // last: joined before what its jobs use goes
 };
 
 }  // namespace alphascope

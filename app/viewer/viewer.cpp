@@ -20,8 +20,9 @@
 namespace alphascope {
 namespace {
 
-// Half of what there is, with what the results already hold; the rest is for complexes and meshes.
-std::uint64_t derived_budget(std::uint64_t held) {
+// Of all large objects: half of what there is, with what they already hold. The rest is for what
+// they take while they are made, and for other programs.
+std::uint64_t large_object_budget(std::uint64_t held) {
   return (available_bytes().value_or(0) + held) / 2;
 }
 
@@ -39,11 +40,12 @@ constexpr std::chrono::milliseconds kModelGrace{300};
 
 }  // namespace
 
-Viewer::Viewer(Host& host, const ViewerOptions& options, Session::Services services)
+Viewer::Viewer(Host& host, const ViewerOptions& options, Session::Services services,
+               SceneController::MeshMaker make_mesh)
     : host_(host),
       frame_(host, options.light ? Theme::light : Theme::dark),
       scene_([&host] { host.wake(); },
-             [mb = options.drawing_memory_mb] { return available_or(mb); }),
+             [mb = options.drawing_memory_mb] { return available_or(mb); }, std::move(make_mesh)),
       saver_(host, [&host] { host.wake(); }),
       folder_reader_([&host] { host.wake(); }),
       machine_(std::async(std::launch::async,
@@ -53,7 +55,8 @@ Viewer::Viewer(Host& host, const ViewerOptions& options, Session::Services servi
                             return machine;
                           })),
       benchmark_([&host] { host.wake(); }, services.make_engine),
-      store_([&host] { host.wake(); }, [this] { return derived_budget(store_.held_bytes()); }),
+      store_([&host] { host.wake(); }, [this] { return large_object_budget(store_.held_bytes()); },
+             [this] { return session_.threads(); }),
       session_([&host] { host.wake(); }, std::move(services)) {
   add_program_commands(commands_, state_);
   fill_constants();
@@ -164,20 +167,36 @@ void Viewer::take_shown() {
 // first picture is there.
 void Viewer::want_derived() {
   const auto& ours = session_.state().ours;
-  if (!ours) {
-    inputs_ = {};
-  } else if (inputs_.balls != ours->balls) {
-    inputs_ = {};
+  const auto& shown = state_.result;
+  if (!ours || ours->balls != inputs_.balls) inputs_ = {};
+  if (ours && ours == shown && !inputs_.balls) {
     inputs_.balls = ours->balls;
     inputs_.balls_key = ++balls_seen_;
   }
-  if (inputs_.balls && (state_.result == ours || inputs_.triangulation)) {
-    inputs_.alpha_angstrom2 = state_.result ? state_.result->request.alpha_angstrom2 : 0;
-    inputs_.triangulation = store_.want(whole_triangulation(), inputs_, Priority::background).value;
-    inputs_.filtration = store_.want(whole_filtration(), inputs_, Priority::background).value;
-    session_.lend(*ours, {inputs_.triangulation, inputs_.filtration});
+  if (inputs_.balls) {
+    inputs_.complex = nullptr;
+    if (shown && shown->balls == inputs_.balls) {
+      inputs_.alpha_angstrom2 = shown->request.alpha_angstrom2;
+      inputs_.complex = {shown, &shown->complex};
+    }
+    const auto filtration = store_.want(whole_filtration(), inputs_, Priority::background).value;
+    const auto triangulation =
+        store_.want(whole_triangulation(), inputs_, Priority::background).value;
+    session_.lend(*ours, {triangulation, filtration});
   }
+  note_large_objects();
   if (store_.poll()) frames_due_ = kSettlingFrames;
+}
+
+// The complex on screen may be another than the session's last.
+void Viewer::note_large_objects() {
+  const SessionState& s = session_.state();
+  const auto& shown = state_.result;
+  std::uint64_t complexes = session_.held_bytes();
+  const bool older = shown && shown != s.ours && !(s.agreement && s.agreement->ours == shown);
+  if (older) complexes += bytes_of(shown->complex);
+  store_.note_held("complexes", complexes);
+  store_.note_held("meshes", scene_.held_bytes());
 }
 
 void Viewer::take_machine() {
@@ -389,6 +408,7 @@ void Viewer::draw(ScriptedInput* input, bool patient,
   if (!frame_.begin(state_.theme, input)) return;
   session_.let_finish(interacting());
   gesture_ = gestures_.in_this_frame();
+  store_.next_frame();
   draw_window({state_, rects_, commands_, store_, inputs_}, frame_.fonts(), frame_.scale());
   guarded([this] { scene_.set_layers(state_.layers); });
   for (const PointerEvent& event : state_.viewport.events) scene_.pointer(event);

@@ -29,7 +29,8 @@ namespace alphascope {
 class Viewer {
  public:
   Viewer(Host& host, const ViewerOptions& options,
-         Session::Services services = Session::program_services());
+         Session::Services services = Session::program_services(),
+         SceneController::MeshMaker make_mesh = &build_mesh);
   ~Viewer();
 
   // Until the user quits. Draws only when something changed.
@@ -71,9 +72,10 @@ class Viewer {
   void take_machine();
   void take_molecule();
   void take_answer();
-  void want_derived();   // what follows from all balls, in the background
-  void take_shown();     // what is said of the picture changes with it
-  void take_requests();  // what the panels asked for
+  void want_derived();        // what follows from all balls, in the background
+  void note_large_objects();  // for the store's budget
+  void take_shown();          // what is said of the picture changes with it
+  void take_requests();       // what the panels asked for
   void save_picture(const ScreenshotRequest& request);
   void take_saved();
   void send_controls();  // changed controls to session and scene

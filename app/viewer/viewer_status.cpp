@@ -7,6 +7,7 @@
 
 #include "app/viewer/state_bridge.hpp"
 #include "app/viewer/viewer.hpp"
+#include "core/document/derived.hpp"
 #include "core/molecule/printable.hpp"
 
 namespace alphascope {
@@ -17,8 +18,10 @@ constexpr int kFramesForNews = 3;  // until a dialog stands
 // "Filtration of all simplices 45 %", or why it is not made.
 BackgroundInfo background_text(const std::vector<JobInfo>& jobs) {
   BackgroundInfo info;
+  bool of_all_simplices = false;
   for (const JobInfo& job : jobs) {
-    const bool running = job.state == DerivedState::running;
+    // What follows the slider is its panel's business, unless it cannot be had.
+    const bool running = job.state == DerivedState::running && job.lane == Lane::background;
     const bool failed = job.state == DerivedState::failed || job.state == DerivedState::no_room;
     if (running) {
       info.text = job.title;
@@ -27,13 +30,14 @@ BackgroundInfo background_text(const std::vector<JobInfo>& jobs) {
       info.text = "without: " + job.title;
     }
     if (!running && !failed) continue;
+    of_all_simplices |= job.id == whole_triangulation().id || job.id == whole_filtration().id;
     if (!info.detail.empty()) info.detail += "\n";
     info.detail +=
         job.title + ": " +
         (running ? "is made in the background" + (job.stage.empty() ? "" : ", " + job.stage) + "."
                  : "is not made. " + job.why);
   }
-  if (!info.detail.empty()) {
+  if (of_all_simplices) {
     info.detail += "\nWith it, the CPU looks every alpha up; without it, each alpha is computed.";
   }
   return info;

@@ -7,27 +7,28 @@ namespace alphascope {
 
 const Definition<Triangulation>& whole_triangulation() {
   static const Definition<Triangulation> definition{
-      "triangulation",
-      "Triangulation of all balls",
-      [](const Inputs& in) { return in.balls_key; },
-      [](const Inputs& in) { return triangulation_memory(in.balls->size()); },
+      {.id = "triangulation",
+       .title = "Triangulation of all balls",
+       .key = key_of_balls,
+       .memory = [](const Inputs& in) { return triangulation_memory(in.balls->size()); },
+       .keep_stale = false},
       [](const Inputs& in, const RunContext& context) {
         return std::make_shared<const Triangulation>(make_triangulation(*in.balls, 1, context));
-      },
-      false};
+      }};
   return definition;
 }
 
 const Definition<Filtration>& whole_filtration() {
   static const Definition<Filtration> definition{
-      "filtration",
-      "Filtration of all simplices",
-      [](const Inputs& in) { return in.triangulation ? in.balls_key : Key{0}; },
-      [](const Inputs& in) { return filtration_memory(*in.triangulation); },
+      {.id = "filtration",
+       .title = "Filtration of all simplices",
+       .made_of = {&whole_triangulation()},
+       .key = key_of_balls,
+       .memory = [](const Inputs& in) { return filtration_memory(in.of(whole_triangulation())); },
+       .keep_stale = false},
       [](const Inputs& in, const RunContext& context) {
-        return std::make_shared<const Filtration>(in.balls, *in.triangulation, context);
-      },
-      false};
+        return std::make_shared<const Filtration>(in.balls, in.of(whole_triangulation()), context);
+      }};
   return definition;
 }
 

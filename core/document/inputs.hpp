@@ -1,22 +1,62 @@
-// What derived results are made of. Each uses a part of it.
+// What derived results are made of, and keys that say of which.
 #pragma once
 
 #include <cstdint>
 #include <memory>
+#include <string_view>
+#include <utility>
+#include <vector>
 
-#include "core/complex/triangulation.hpp"
+#include "core/complex/alpha_complex.hpp"
 #include "core/geometry/ball_set.hpp"
-#include "core/triangulation/filtration.hpp"
 
 namespace alphascope {
+
+template <class T>
+struct Definition;
 
 struct Inputs {
   std::shared_ptr<const BallSet> balls;  // with the solvent radius; null: no molecule
   std::uint64_t balls_key = 0;           // another number for other balls; 0: none
-  // Of these balls; null as long as they are not made.
-  std::shared_ptr<const Triangulation> triangulation;
-  std::shared_ptr<const Filtration> filtration;
-  double alpha_angstrom2 = 0;  // of the complex on screen
+  // Of the complex on screen, and that itself; null: none. Not a number and null for results whose
+  // key is not of alpha.
+  double alpha_angstrom2 = 0;
+  std::shared_ptr<const AlphaComplex> complex;
+
+  // A result that the one which is being made is made of (AnyDefinition::made_of): ready, not null.
+  template <class T>
+  const T& of(const Definition<T>& definition) const {
+    return *share(definition);
+  }
+  // The same, to be kept.
+  template <class T>
+  std::shared_ptr<const T> share(const Definition<T>& definition) const {
+    return std::static_pointer_cast<const T>(find(definition.id));
+  }
+
+  // By id; the store fills it in.
+  std::vector<std::pair<std::string_view, std::shared_ptr<const void>>> made = {};
+
+ private:
+  const std::shared_ptr<const void>& find(std::string_view id) const;
 };
+
+// Of what a result is made of: equal keys, equal results.
+struct Key {
+  std::uint64_t balls = 0;  // Inputs::balls_key; 0: the inputs do not suffice
+  std::uint64_t alpha = 0;  // another number for another alpha; 0: it does not matter
+  std::uint64_t more = 0;   // of what the definition takes beside the inputs
+
+  explicit operator bool() const { return balls != 0; }
+  friend bool operator==(const Key&, const Key&) = default;
+
+  std::uint64_t number() const;  // another one for another key, but for one chance in 2^64
+};
+
+Key key_of_balls(const Inputs& inputs);
+Key key_of_balls_and_alpha(const Inputs& inputs);
+Key key_of_complex(const Inputs& inputs);  // of Inputs::complex, whole or tetrahedra only
+// Of what is made of both.
+Key joined(const Key& a, const Key& b);
 
 }  // namespace alphascope

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <vector>
 
-#include "core/document/store.hpp"
+#include "core/document/derived.hpp"
 
 namespace alphascope {
 
@@ -58,16 +58,21 @@ inline Signature make_signature(const Filtration& filtration, const RunContext& 
 
 inline const Definition<Signature>& whole_signature() {
   static const Definition<Signature> definition{
-      "signature", "Signature",
-      [](const Inputs& in) { return in.filtration ? in.balls_key : Key{0}; },
-      [](const Inputs& in) {
-        const AlphaComplex& all = in.filtration->top();
-        const std::uint64_t bytes = sizeof(float) * (all.vertices.size() + all.edges.size() +
-                                                     all.triangles.size() + all.tetrahedra.size());
-        return MemoryNeed{bytes, bytes};
-      },
+      {.id = "signature",
+       .title = "Signature",
+       .made_of = {&whole_filtration()},
+       .key = key_of_balls,
+       .memory =
+           [](const Inputs& in) {
+             const AlphaComplex& all = in.of(whole_filtration()).top();
+             const std::uint64_t bytes =
+                 sizeof(float) * (all.vertices.size() + all.edges.size() + all.triangles.size() +
+                                  all.tetrahedra.size());
+             return MemoryNeed{bytes, bytes};
+           }},
       [](const Inputs& in, const RunContext& context) {
-        return std::make_shared<const Signature>(make_signature(*in.filtration, context));
+        return std::make_shared<const Signature>(
+            make_signature(in.of(whole_filtration()), context));
       }};
   return definition;
 }

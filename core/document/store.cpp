@@ -1,16 +1,20 @@
 // See the header.
 #include "core/document/store.hpp"
 
-#include <tbb/task_arena.h>
-
 #include <algorithm>
 #include <cstdio>
+#include <limits>
+#include <tuple>
 #include <utility>
 
 #include "core/run/background.hpp"
+#include "core/run/internal_error.hpp"
 
 namespace alphascope {
 namespace {
+
+// Of one result, its last one included: enough for a hand that goes to and fro on the slider.
+constexpr std::size_t kMostValues = 8;
 
 std::string gigabytes(std::uint64_t bytes) {
   char text[32];
@@ -18,44 +22,123 @@ std::string gigabytes(std::uint64_t bytes) {
   return text;
 }
 
+Key key_of(const AnyDefinition& definition, const Inputs& inputs) {
+  Key key = definition.key(inputs);
+  for (const AnyDefinition* source : definition.made_of) {
+    key = joined(key, key_of(*source, inputs));
+  }
+  return key;
+}
+
+bool is_trouble(DerivedState state) {
+  return state == DerivedState::failed || state == DerivedState::no_room ||
+         state == DerivedState::cancelled;
+}
+
 }  // namespace
 
-Store::Store(std::function<void()> wake, std::function<std::uint64_t()> budget)
-    : budget_(std::move(budget)), worker_(std::move(wake)) {}
+Store::Store(std::function<void()> wake, std::function<std::uint64_t()> budget, Threads threads)
+    : budget_(std::move(budget)),
+      threads_(std::move(threads)),
+      background_(wake),
+      interactive_(std::move(wake)) {}
 
-Store::Entry& Store::entry(std::string_view id, std::string_view title) {
-  const auto found =
-      std::find_if(entries_.begin(), entries_.end(), [&](const Entry& e) { return e.id == id; });
+Store::Entry& Store::entry(const AnyDefinition& definition) {
+  const auto found = std::find_if(entries_.begin(), entries_.end(),
+                                  [&](const Entry& e) { return e.id == definition.id; });
   if (found != entries_.end()) return *found;
-  entries_.emplace_back();
-  entries_.back().id = id;
-  entries_.back().title = title;
-  return entries_.back();
+  Entry& e = entries_.emplace_back();
+  e.id = definition.id;
+  e.title = definition.title;
+  e.lane = definition.lane;
+  e.keep_stale = definition.keep_stale;
+  return e;
 }
 
-void Store::drop_value(Entry& e) {
-  e.value = nullptr;
-  e.have = 0;
-  e.held = 0;
+Store::Entry& Store::ask(const AnyDefinition& definition, const Inputs& inputs, Priority priority) {
+  Entry& e = entry(definition);
+  const bool first = std::exchange(e.asked_at, frame_) != frame_;
+  e.priority = first ? priority : std::max(e.priority, priority);
+  set_wanted(e, key_of(definition, inputs));
+  if (!e.wanted || take_held(e)) return e;
+  if (is_trouble(e.state) && !e.lacks) return e;
+  prepare(e, definition, inputs);
+  return e;
 }
 
-void Store::request(Entry& e, Key key, Priority priority, bool keep_stale) {
-  e.asked_at = polls_;
-  e.priority = priority;
-  if (key != e.wanted) {
-    if (running_ == &e) worker_.cancel();
-    e.wanted = key;
-    e.make = nullptr;
-    e.why.clear();
-    e.state = DerivedState::none;
-    if (key != e.have && !keep_stale) drop_value(e);
+void Store::set_wanted(Entry& e, const Key& key) {
+  if (key == e.wanted) return;
+  const bool other_balls = key.balls != e.wanted.balls;
+  if (runs(e) && (other_balls || e.lane == Lane::background)) work(e).worker.cancel();
+  e.wanted = key;
+  e.state = DerivedState::none;
+  e.make = nullptr;
+  e.refused = 0;
+  e.lacks = false;
+  e.why.clear();
+  if (runs(e) && work(e).key == key) e.state = DerivedState::running;  // alpha has come back
+  if (!e.keep_stale) {
+    e.values.clear();
+  } else if (other_balls && !e.values.empty()) {
+    e.values.resize(1);
   }
-  if (key == 0) return;
-  if (key == e.have) {
-    e.state = DerivedState::ready;
-  } else if (e.state == DerivedState::none || e.state == DerivedState::ready) {
-    e.state = DerivedState::waiting;
+}
+
+bool Store::take_held(Entry& e) {
+  const auto found = std::find_if(e.values.begin(), e.values.end(),
+                                  [&](const Value& value) { return value.key == e.wanted; });
+  if (found == e.values.end()) {
+    if (e.state == DerivedState::ready) e.state = DerivedState::none;  // it made room
+    return false;
+  }
+  if (runs(e) && work(e).key != e.wanted) work(e).worker.cancel();
+  e.values.splice(e.values.begin(), e.values, found);
+  found->used_at = frame_;
+  e.state = DerivedState::ready;
+  e.make = nullptr;
+  return true;
+}
+
+// Asks for what the result is made of as long as it is not made, so that it stays.
+void Store::prepare(Entry& e, const AnyDefinition& definition, const Inputs& inputs) {
+  Inputs all = inputs;
+  all.made.clear();
+  if (e.wanted.alpha == 0) {  // a complex is large, and would be held for nothing
+    all.alpha_angstrom2 = std::numeric_limits<double>::quiet_NaN();
+    all.complex = nullptr;
+  }
+  const Entry* lacking = nullptr;
+  for (const AnyDefinition* definition_of_source : definition.made_of) {
+    const Entry& source = ask(*definition_of_source, inputs, e.priority);
+    if (source.state == DerivedState::ready) {
+      all.made.emplace_back(source.id, source.values.front().result);
+    } else if (lacking == nullptr || (is_trouble(source.state) && !is_trouble(lacking->state))) {
+      lacking = &source;
+    }
+  }
+  if (e.state == DerivedState::running) return;
+  e.lacks = lacking != nullptr;
+  e.state = DerivedState::waiting;
+  e.why.clear();
+  if (lacking != nullptr) {
     e.make = nullptr;
+    const bool trouble = is_trouble(lacking->state);
+    if (trouble) e.state = lacking->state;
+    e.why = lacking->lacks ? lacking->why
+                           : lacking->title + (trouble ? ": " + lacking->why : std::string());
+  } else if (!e.make) {
+    try {
+      e.need = definition.memory(all);
+    } catch (const std::exception& error) {
+      e.state = DerivedState::failed;
+      e.why = error.what();
+      return;
+    }
+    // Where memory ran out, the estimate was too low.
+    e.need.peak = std::max({e.need.peak, e.need.held, e.refused / 4 * 5});
+    e.make = [make = definition.make, all = std::move(all)](const RunContext& context) {
+      return make(all, context);
+    };
   }
 }
 
@@ -65,23 +148,29 @@ void Store::cancel(std::string_view id) {
       continue;
     }
     e.state = DerivedState::cancelled;
+    e.lacks = false;
     e.make = nullptr;
-    if (running_ == &e) worker_.cancel();
+    e.why.clear();
+    if (runs(e)) work(e).worker.cancel();
   }
 }
 
 double Store::share(const Entry& e) const {
-  return running_ == &e ? worker_.activity().share : 0;
+  return e.state == DerivedState::running ? work(e).worker.activity().share : 0;
 }
 
 std::uint64_t Store::held_bytes() const {
   std::uint64_t bytes = 0;
-  for (const Entry& e : entries_) bytes += e.held;
+  for (const Entry& e : entries_) {
+    for (const Value& value : e.values) bytes += value.bytes;
+  }
+  for (const auto& [what, held] : others_) bytes += held;
   return bytes;
 }
 
 bool Store::busy() const {
-  return running_ != nullptr || std::any_of(entries_.begin(), entries_.end(), [&](const Entry& e) {
+  return background_.running != nullptr || interactive_.running != nullptr ||
+         std::any_of(entries_.begin(), entries_.end(), [&](const Entry& e) {
            return e.state == DerivedState::waiting && is_asked_for(e);
          });
 }
@@ -90,86 +179,167 @@ std::vector<JobInfo> Store::jobs() const {
   std::vector<JobInfo> jobs;
   for (const Entry& e : entries_) {
     const bool over = e.state == DerivedState::none || e.state == DerivedState::ready;
-    if (over || !is_asked_for(e)) continue;
-    const std::string stage = running_ == &e ? worker_.activity().stage : "";
-    jobs.push_back({e.title, stage, e.state, share(e), e.why});
+    if (over || e.lacks || !is_asked_for(e)) continue;
+    const std::string stage = runs(e) ? work(e).worker.activity().stage : "";
+    jobs.push_back({e.id, e.title, stage, e.lane, e.state, share(e), e.why});
   }
   return jobs;
 }
 
 bool Store::poll() {
-  worker_.poll();
-  ++polls_;
-  if (running_ != nullptr && !is_asked_for(*running_)) worker_.cancel();
-  begin_next();
-  return std::exchange(arrived_, false);
+  for (Work* lane : {&background_, &interactive_}) {
+    lane->worker.poll();
+    if (lane->running != nullptr && !is_asked_for(*lane->running)) lane->worker.cancel();
+  }
+  const bool retried = retry_where_room_is();
+  begin_next(background_);
+  begin_next(interactive_);
+  return std::exchange(arrived_, false) || retried;
 }
 
-// What somebody looks at goes first.
-void Store::begin_next() {
-  while (running_ == nullptr) {
+// What had no room is none again where it would find some, and the next who asks has it made.
+bool Store::retry_where_room_is() {
+  bool any = false;
+  std::uint64_t budget = 0;
+  for (Entry& e : entries_) {
+    if (e.state != DerivedState::no_room || e.lacks || !is_asked_for(e)) continue;
+    if (budget == 0) budget = budget_();  // reads files of the system
+    if (!could_fit(e, budget)) continue;
+    e.state = DerivedState::none;
+    e.why.clear();
+    any = true;
+  }
+  return any;
+}
+
+// What somebody looks at goes first, then what was not begun for longest.
+void Store::begin_next(Work& lane) {
+  while (lane.running == nullptr) {
+    const auto after = [](const Entry& a, const Entry& b) {
+      return std::tuple(b.priority, a.begun_at) > std::tuple(a.priority, b.begun_at);
+    };
     Entry* next = nullptr;
     for (Entry& e : entries_) {
-      if (e.state != DerivedState::waiting || !e.make || !is_asked_for(e)) continue;
-      if (next == nullptr || e.priority > next->priority) next = &e;
+      if (&work(e) != &lane || e.state != DerivedState::waiting || !e.make) continue;
+      if (is_asked_for(e) && (next == nullptr || after(*next, e))) next = &e;
     }
     if (next == nullptr) return;
-    if (has_room(*next)) return begin(*next);
+    if (make_room(*next)) return begin(*next);
+    next->state = DerivedState::no_room;
+    next->make = nullptr;
   }
 }
 
-// Lets go of what nobody asks for when that makes the room.
-bool Store::has_room(Entry& wanted) {
-  const std::uint64_t budget = budget_();
-  const auto fits = [&] { return held_bytes() - wanted.held + wanted.need.peak <= budget; };
-  while (!fits()) {
-    Entry* oldest = nullptr;
-    for (Entry& e : entries_) {
-      if (&e == &wanted || !e.value || is_asked_for(e)) continue;
-      if (oldest == nullptr || e.asked_at < oldest->asked_at) oldest = &e;
+Store::Eviction Store::eviction(const Entry& e, const Value& value, const Entry& wanted) const {
+  const bool handed_out = &value == &e.values.front();
+  if (!handed_out || !is_asked_for(e)) return Eviction::first;
+  if (&e == &wanted) return Eviction::own_stale;
+  return e.priority < wanted.priority ? Eviction::lower_priority : Eviction::never;
+}
+
+bool Store::could_fit(const Entry& wanted, std::uint64_t budget) const {
+  std::uint64_t stays = background_.peak + interactive_.peak + held_bytes();
+  for (const Entry& e : entries_) {
+    for (const Value& value : e.values) {
+      if (eviction(e, value, wanted) != Eviction::never) stays -= value.bytes;
     }
-    if (oldest == nullptr) break;
-    drop_value(*oldest);
-    oldest->state = DerivedState::none;
   }
-  if (fits()) return true;
-  const std::uint64_t held = held_bytes() - wanted.held;
-  wanted.state = DerivedState::no_room;
-  wanted.make = nullptr;
-  wanted.why = "It needs about " + gigabytes(wanted.need.peak) + " of memory, and " +
-               gigabytes(budget > held ? budget - held : 0) + " is available for it.";
-  return false;
+  return stays + wanted.need.peak <= budget;
+}
+
+// Lets go of what is needed least, when that makes the room.
+bool Store::make_room(Entry& wanted) {
+  const std::uint64_t budget = budget_();
+  const auto taken = [&] { return background_.peak + interactive_.peak + held_bytes(); };
+  if (!could_fit(wanted, budget)) {
+    const std::uint64_t now = taken();
+    wanted.why = "It needs about " + gigabytes(wanted.need.peak) + " of memory, and " +
+                 gigabytes(budget > now ? budget - now : 0) + " is available for it.";
+    return false;
+  }
+  while (taken() + wanted.need.peak > budget) {
+    Entry* owner = nullptr;
+    std::list<Value>::iterator least;
+    const auto rank = [&](const Entry& e, const Value& value) {
+      return std::tuple(eviction(e, value, wanted), value.used_at);
+    };
+    for (Entry& e : entries_) {
+      for (auto value = e.values.begin(); value != e.values.end(); ++value) {
+        if (owner != nullptr && rank(*owner, *least) <= rank(e, *value)) continue;
+        owner = &e;
+        least = value;
+      }
+    }
+    owner->values.erase(least);
+  }
+  return true;
 }
 
 void Store::begin(Entry& e) {
-  running_ = &e;
+  Work& lane = work(e);
+  lane.running = &e;
+  lane.key = e.wanted;
+  lane.peak = e.need.peak;
+  e.begun_at = ++begun_;
   e.state = DerivedState::running;
-  worker_.submit(
-      [this, &e, key = e.wanted, make = std::exchange(e.make, nullptr),
+  std::shared_ptr<WorkThreads> threads;
+  if (e.lane == Lane::background) {
+    threads = std::make_shared<WorkThreads>(1);
+  } else {
+    threads = threads_ ? threads_() : std::make_shared<WorkThreads>();
+  }
+  lane.worker.submit(
+      [this, &e, &lane, threads, key = e.wanted, make = std::exchange(e.make, nullptr),
        held = e.need.held](const RunContext& context) -> Worker::Delivery {
-        let_others_go_first();
-        std::shared_ptr<const void> value;
-        tbb::task_arena(1).execute([&] { value = make(context); });
-        return [this, &e, key, held, value] {
-          running_ = nullptr;
-          if (key != e.wanted) return;  // its inputs have changed meanwhile
-          e.value = value;
-          e.have = key;
-          e.held = held;
-          e.state = DerivedState::ready;
-          arrived_ = true;
-        };
+        if (&lane == &background_) let_others_go_first();
+        std::shared_ptr<const void> result;
+        threads->run([&] {
+          context.cancel.throw_if_cancelled();
+          result = make(context);
+        });
+        if (!result) throw InternalError("\"" + e.title + "\" was not made.");
+        return [this, &e, value = Value{key, result, held, 0}] { take(e, value); };
       },
-      [this, &e, key = e.wanted](const Worker::Failure& failure) {
-        running_ = nullptr;
-        if (key != e.wanted || e.state == DerivedState::cancelled) return;
-        if (failure.cancelled) {  // nobody asked for it any more
-          e.state = DerivedState::none;
-          return;
-        }
-        e.state = failure.out_of_memory ? DerivedState::no_room : DerivedState::failed;
-        e.why = failure.out_of_memory ? "There is not enough memory for it." : failure.message;
-      });
+      [this, &e](const Worker::Failure& failure) { take_failure(e, failure); });
+}
+
+// One that alpha has gone on from is newer than what there is, and shown until the next is made.
+void Store::take(Entry& e, Value value) {
+  work(e).running = nullptr;
+  work(e).peak = 0;
+  const bool wanted = value.key == e.wanted;
+  const bool newer = e.lane == Lane::interactive && value.key.balls == e.wanted.balls &&
+                     e.state == DerivedState::waiting;
+  if (!wanted && !newer) return;
+  value.used_at = frame_;
+  std::erase_if(e.values,
+                [&](const Value& v) { return !e.keep_stale || v.key.balls != value.key.balls; });
+  e.values.push_front(std::move(value));
+  if (e.values.size() > kMostValues) e.values.resize(kMostValues);
+  arrived_ = true;
+  if (!wanted) return;
+  e.state = DerivedState::ready;
+  e.make = nullptr;
+}
+
+void Store::take_failure(Entry& e, const Worker::Failure& failure) {
+  Work& lane = work(e);
+  lane.running = nullptr;
+  lane.peak = 0;
+  if (lane.key != e.wanted || e.state != DerivedState::running) return;
+  arrived_ = true;
+  if (failure.cancelled) {  // nobody asked for it any more
+    e.state = DerivedState::none;
+  } else if (failure.out_of_memory) {
+    const std::uint64_t budget = budget_(), held = held_bytes();
+    e.refused = std::max(e.need.peak, budget > held ? budget - held : 0);
+    e.need.peak = e.refused / 4 * 5;
+    e.state = DerivedState::no_room;
+    e.why = "There is not enough memory for it.";
+  } else {
+    e.state = DerivedState::failed;
+    e.why = failure.message;
+  }
 }
 
 }  // namespace alphascope

@@ -1,62 +1,28 @@
-// One owner of everything that follows from balls and is made in the background: triangulation,
-// filtration, charts. Under one budget of memory; what does not fit is not made, and says so.
+// One owner of everything that follows from balls: triangulation, filtration, tables, charts. It
+// has them made, each once a key, under one budget of memory for all large objects of the program;
+// what does not fit is not made, and says so.
 #pragma once
 
 #include <cstdint>
 #include <functional>
 #include <list>
+#include <map>
 #include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "core/document/inputs.hpp"
+#include "core/document/definition.hpp"
+#include "core/run/work_threads.hpp"
 #include "core/run/worker.hpp"
-#include "core/triangulation/memory_need.hpp"
 
 namespace alphascope {
 
-// Of what a result is made of: equal keys, equal results. 0: these inputs do not suffice.
-using Key = std::uint64_t;
-
-enum class DerivedState : std::uint8_t {
-  none,
-  waiting,
-  running,
-  ready,
-  failed,
-  no_room,
-  cancelled
-};
-
 enum class Priority : std::uint8_t { background, visible };  // visible: somebody looks at it
 
-// How a result is made: a plain function of the inputs that its key is made of.
-template <class T>
-struct Definition {
-  std::string_view id;     // "filtration"
-  std::string_view title;  // "Filtration of all simplices": in the list of what goes on
-  std::function<Key(const Inputs&)> key;
-  std::function<MemoryNeed(const Inputs&)> memory;  // bytes, for the budget
-  // On a thread of the store, in an arena of one. Throws Cancelled.
-  std::function<std::shared_ptr<const T>(const Inputs&, const RunContext&)> make;
-  bool keep_stale = true;  // the last one until the next is there, to be drawn greyed
-};
-
-template <class T>
-struct Derived {
-  DerivedState state = DerivedState::none;
-  Key wanted = 0, have = 0;  // of `value`
-  std::shared_ptr<const T> value;
-  double share = 0;  // of the work that is done, while running
-  std::string why;   // failed, no_room: a sentence
-
-  bool ready() const { return state == DerivedState::ready; }
-  bool stale() const { return value && have != wanted; }
-};
-
 struct JobInfo {
-  std::string title, stage;
+  std::string id, title, stage;
+  Lane lane = Lane::background;
   DerivedState state = DerivedState::waiting;
   double share = 0;
   std::string why;
@@ -65,66 +31,101 @@ struct JobInfo {
 // Belongs to one thread, the main thread; nothing here waits.
 class Store {
  public:
-  // `wake` as in Worker. `budget` says how many bytes all results together may hold.
-  Store(std::function<void()> wake, std::function<std::uint64_t()> budget);
+  // Those of the slider, for the interactive lane; asked when a result is begun. Null: its own.
+  using Threads = std::function<std::shared_ptr<WorkThreads>()>;
+  // `wake` as in Worker. `budget` says how many bytes held_bytes() may come to.
+  Store(std::function<void()> wake, std::function<std::uint64_t()> budget, Threads threads = {});
 
-  // What there is now. Has it made when it is not there; to be called again and again, as long as
-  // it is wanted: what nobody has asked for since the last poll but one is not begun, and goes
-  // first when memory is needed.
+  // What there is now. Has it made when it is not there, and first what it is made of; to be called
+  // in each frame in which it is wanted: what was not asked for in this frame or the last is not
+  // begun, and goes first when memory is needed. With other inputs in turn, each call undoes the
+  // last one's wish.
   template <class T>
   Derived<T> want(const Definition<T>& definition, const Inputs& inputs,
                   Priority priority = Priority::visible) {
-    Entry& e = entry(definition.id, definition.title);
-    request(e, definition.key(inputs), priority, definition.keep_stale);
-    if (e.state == DerivedState::waiting && !e.make) {
-      e.need = definition.memory(inputs);
-      e.make = [make = definition.make, inputs](const RunContext& context) {
-        return std::shared_ptr<const void>(make(inputs, context));
-      };
-    }
-    return {e.state, e.wanted, e.have, std::static_pointer_cast<const T>(e.value), share(e), e.why};
+    const Entry& e = ask(definition, inputs, priority);
+    Derived<T> derived{e.state, e.wanted, {}, nullptr, share(e), e.why};
+    if (e.values.empty()) return derived;
+    derived.have = e.values.front().key;
+    derived.value = std::static_pointer_cast<const T>(e.values.front().result);
+    return derived;
   }
 
   // Ends the making of one result; it is not begun again before its inputs change.
   void cancel(std::string_view id);
 
-  // Takes in what is finished and begins what waits; once a frame. True: a result has come.
-  bool poll();
+  // Large objects that others own: so many bytes of the budget are theirs. 0: none any more.
+  void note_held(const std::string& what, std::uint64_t bytes) { others_[what] = bytes; }
 
-  // What goes on, waits, or could not be done.
+  // Takes in what is finished and begins what waits. True: a result has come, or there may be room
+  // for one that had none, and its panel should be drawn.
+  bool poll();
+  void next_frame() { ++frame_; }  // before those who draw it ask
+
+  // What goes on, waits for its turn, or could not be done.
   std::vector<JobInfo> jobs() const;
   bool busy() const;
-  std::uint64_t held_bytes() const;
+  std::uint64_t held_bytes() const;  // by results and by others
 
  private:
+  struct Value {
+    Key key;
+    std::shared_ptr<const void> result;
+    std::uint64_t bytes = 0, used_at = 0;  // used_at: frame
+  };
   struct Entry {
     std::string id, title;
+    Lane lane = Lane::background;
+    bool keep_stale = true;
     DerivedState state = DerivedState::none;
-    Key wanted = 0, have = 0;
-    Priority priority = Priority::background;
-    std::uint64_t asked_at = 0;  // poll
-    MemoryNeed need;             // of what is wanted
-    std::uint64_t held = 0;      // bytes, of `value`
-    std::shared_ptr<const void> value;
+    Key wanted;
+    Priority priority = Priority::background;  // the highest of this frame's
+    std::uint64_t asked_at = 0;                // frame
+    std::uint64_t begun_at = 0;                // count of all that was begun
+    MemoryNeed need;                           // of what is wanted
+    std::uint64_t refused = 0;                 // bytes that were free and did not suffice
+    std::list<Value> values;                   // the first is handed out, the others are older
     std::function<std::shared_ptr<const void>(const RunContext&)> make;
+    bool lacks = false;  // something that it is made of; state and why tell of that
     std::string why;
   };
+  struct Work {  // of one lane
+    explicit Work(std::function<void()> wake) : worker(std::move(wake)) {}
+    Entry* running = nullptr;
+    Key key;  // of what runs
+    std::uint64_t peak = 0;
+    Worker worker;
+  };
 
-  Entry& entry(std::string_view id, std::string_view title);
-  void request(Entry& e, Key key, Priority priority, bool keep_stale);
-  bool is_asked_for(const Entry& e) const { return e.asked_at + 1 >= polls_; }
+  Entry& ask(const AnyDefinition& definition, const Inputs& inputs, Priority priority);
+  Entry& entry(const AnyDefinition& definition);
+  void set_wanted(Entry& e, const Key& key);
+  bool take_held(Entry& e);
+  void prepare(Entry& e, const AnyDefinition& definition, const Inputs& inputs);
+  bool is_asked_for(const Entry& e) const { return e.asked_at + 1 >= frame_; }
+  Work& work(const Entry& e) { return e.lane == Lane::background ? background_ : interactive_; }
+  const Work& work(const Entry& e) const {
+    return e.lane == Lane::background ? background_ : interactive_;
+  }
+  bool runs(const Entry& e) const { return work(e).running == &e; }
   double share(const Entry& e) const;
-  void begin_next();
-  bool has_room(Entry& e);
+  bool retry_where_room_is();
+  void begin_next(Work& lane);
+  enum class Eviction : std::uint8_t { first, own_stale, lower_priority, never };
+  Eviction eviction(const Entry& e, const Value& value, const Entry& wanted) const;
+  bool could_fit(const Entry& wanted, std::uint64_t budget) const;
+  bool make_room(Entry& wanted);
   void begin(Entry& e);
-  static void drop_value(Entry& e);
+  void take(Entry& e, Value value);
+  void take_failure(Entry& e, const Worker::Failure& failure);
 
   const std::function<std::uint64_t()> budget_;
-  std::list<Entry> entries_;  // a reference to one stays good
-  Entry* running_ = nullptr;
-  std::uint64_t polls_ = 1;
+  const Threads threads_;
+  std::map<std::string, std::uint64_t> others_;  // bytes
+  std::list<Entry> entries_;                     // a reference to one stays good
+  std::uint64_t frame_ = 1, begun_ = 0;
   bool arrived_ = false;
-  Worker worker_;  // last: joined before what its jobs use goes
+  Work background_, interactive_;  // last: joined before what their jobs use goes
 };
 
 }  // namespace alphascope

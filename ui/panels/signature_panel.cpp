@@ -1,12 +1,12 @@
 // The signature as curves against alpha, with a cursor that sets alpha, and marks in the view of
 // the simplices that appear there.
-#include <bit>
 #include <cmath>
 #include <string>
 
 #include "core/chart/chart.hpp"
 #include "core/document/derived.hpp"
 #include "core/document/signature.hpp"
+#include "core/document/store.hpp"
 #include "ui/panels/format.hpp"
 #include "ui/panels/panels.hpp"
 
@@ -28,17 +28,11 @@ void collect(const List& list, float low, float high, Simplices& to) {
   }
 }
 
-// Of the balls and the alpha of the complex on screen; 0 as long as there is no filtration.
-Key appearing_key(const Inputs& in) {
-  const Key key = std::bit_cast<std::uint64_t>(in.alpha_angstrom2) ^ in.balls_key;
-  return in.filtration ? std::max<Key>(key, 1) : Key{0};
-}
-
 std::shared_ptr<const Layer> make_appearing(const Inputs& in, const RunContext& context) {
-  const AlphaComplex& all = in.filtration->top();
+  const AlphaComplex& all = in.of(whole_filtration()).top();
   auto layer = std::make_shared<Layer>();
   layer->id = "signature.appearing";
-  layer->key = appearing_key(in);
+  layer->key = key_of_balls_and_alpha(in).number();
   layer->balls = in.balls;
   const auto bound = [&](double alpha) {
     return static_cast<float>(all.lattice.alpha_on_lattice(alpha));
@@ -57,11 +51,16 @@ std::shared_ptr<const Layer> make_appearing(const Inputs& in, const RunContext& 
 
 const Definition<Layer>& appearing() {
   static const Definition<Layer> definition{
-      "signature.appearing", "What appears at this alpha", appearing_key,
-      [](const Inputs&) {
-        constexpr std::uint64_t kMost = Layer::kMostSimplices * 10 * sizeof(BallIndex);
-        return MemoryNeed{kMost, kMost};
-      },
+      {.id = "signature.appearing",
+       .title = "What appears at this alpha",
+       .made_of = {&whole_filtration()},
+       .key = key_of_balls_and_alpha,
+       .memory =
+           [](const Inputs&) {
+             constexpr std::uint64_t kMost = Layer::kMostSimplices * 10 * sizeof(BallIndex);
+             return MemoryNeed{kMost, kMost};
+           },
+       .lane = Lane::interactive},
       make_appearing};
   return definition;
 }
@@ -221,7 +220,9 @@ void plots(PanelContext& ctx, const Signature& signature) {
 // Why there are no curves yet.
 std::string waiting_text(const PanelContext& ctx, const Derived<Signature>& signature) {
   if (!ctx.state.molecule.loaded) return "Open a molecule: its signature appears here.";
-  if (!signature.why.empty()) return "There is no signature. " + signature.why;
+  if (signature.state != DerivedState::waiting && !signature.why.empty()) {
+    return "There is no signature. " + signature.why;
+  }
   if (!ctx.state.background.detail.empty()) return ctx.state.background.detail;
   return "The signature appears here when all simplices are known.";
 }

@@ -182,6 +182,10 @@ std::uint64_t second_scene_bytes(std::size_t balls, const ComplexMesh* mesh) {
          (kLinePoint - kSoupPoint) * lines;
 }
 
+std::uint64_t drawn_bytes(std::size_t balls, const ComplexMesh* mesh) {
+  return second_scene_bytes(balls, mesh) + (mesh != nullptr ? kSoupPoint * mesh->points() : 0);
+}
+
 void require_room(int width, int height, std::optional<std::uint64_t> free_bytes,
                   std::uint64_t more_bytes) {
   const std::uint64_t bytes = picture_bytes(width, height) + more_bytes;

@@ -35,6 +35,9 @@ void require_room(int width, int height, std::optional<std::uint64_t> free_bytes
 // Of VTK's and OpenGL's arrays for what has its plain arrays already: another scene shows it, too.
 std::uint64_t second_scene_bytes(std::size_t balls, const ComplexMesh* mesh);
 
+// Of all arrays of what is drawn.
+std::uint64_t drawn_bytes(std::size_t balls, const ComplexMesh* mesh);
+
 struct DrawingPlan {
   MeshOptions mesh;  // of what is drawn
   bool differences = false;

@@ -1,63 +1,18 @@
 // The store of derived results: made once a key, in the background, under a budget.
-#include "core/document/store.hpp"
+#include "tests/core/document/store_fixture.hpp"
 
-#include <gtest/gtest.h>
-
-#include <atomic>
-#include <chrono>
 #include <mutex>
+#include <new>
 #include <stdexcept>
-#include <thread>
+#include <vector>
 
-#include "core/document/derived.hpp"
-#include "tests/support/five_balls.hpp"
 
 namespace alphascope {
 namespace {
 
 using namespace std::chrono_literals;
 
-struct StoreTest : ::testing::Test {
-  std::atomic<int> made{0};
-  std::atomic<bool> hold{false};  // results are not finished as long as it is set
-  std::uint64_t budget = 1000;
-  Store store{{}, [this] { return budget; }};
-
-  Definition<int> number(std::string_view id, std::uint64_t bytes = 10, bool keep_stale = true) {
-    return {id,
-            id,
-            [](const Inputs& in) { return in.balls_key; },
-            [bytes](const Inputs&) {
-              return MemoryNeed{bytes, bytes};
-            },
-            [this](const Inputs& in, const RunContext& context) {
-              ++made;
-              while (hold) {
-                context.cancel.throw_if_cancelled();
-                std::this_thread::sleep_for(1ms);
-              }
-              return std::make_shared<const int>(static_cast<int>(in.balls_key));
-            },
-            keep_stale};
-  }
-  static Inputs inputs(std::uint64_t key) {
-    Inputs in;
-    in.balls_key = key;
-    return in;
-  }
-  template <class T>
-  Derived<T> settle(const Definition<T>& definition, const Inputs& in) {
-    Derived<T> d;
-    for (int i = 0; i < 5000; ++i) {
-      d = store.want(definition, in);
-      if (d.state != DerivedState::waiting && d.state != DerivedState::running) return d;
-      store.poll();
-      std::this_thread::sleep_for(1ms);
-    }
-    ADD_FAILURE() << "not made in five seconds";
-    return d;
-  }
-};
+using testing::StoreTest;
 
 TEST_F(StoreTest, MakesAResultOncePerKey) {
   const auto n = number("n");
@@ -89,15 +44,12 @@ TEST_F(StoreTest, TheLastResultStaysUntilTheNextIsThereOrGoesAtOnce) {
 TEST_F(StoreTest, AnotherKeyEndsWhatIsMadeOfTheLast) {
   hold = true;
   const auto n = number("n");
-  while (made == 0) {
-    store.want(n, inputs(1));
-    store.poll();
-  }
+  begin(n, inputs(1));
   EXPECT_EQ(store.want(n, inputs(1)).state, DerivedState::running);
   store.want(n, inputs(2));
   for (int i = 0; i < 5000 && made < 2; ++i) {  // the first one gives way although it is held
     store.want(n, inputs(2));
-    store.poll();
+    frame();
     std::this_thread::sleep_for(1ms);
   }
   EXPECT_EQ(made, 2);
@@ -120,23 +72,101 @@ TEST_F(StoreTest, WhatNobodyAsksForMakesRoom) {
   settle(first, inputs(1));
   EXPECT_EQ(store.want(second, inputs(1)).state, DerivedState::waiting);
   store.want(first, inputs(1));
-  store.poll();
+  frame();
   EXPECT_EQ(store.want(second, inputs(1)).state, DerivedState::no_room) << "the first is wanted";
-  for (int i = 0; i < 3; ++i) store.poll();
+  for (int i = 0; i < 3; ++i) frame();
   EXPECT_EQ(settle(second, inputs(2)).state, DerivedState::ready);
   EXPECT_EQ(store.held_bytes(), 600u);
   EXPECT_FALSE(store.want(first, inputs(1)).value);
 }
 
+TEST_F(StoreTest, WhatOthersHoldLeavesLessAndWhatWasTooLargeIsTriedAgain) {
+  const auto n = number("n", 600);
+  store.note_held("complexes", 300);
+  store.note_held("meshes", 200);
+  EXPECT_EQ(store.held_bytes(), 500u);
+  EXPECT_EQ(settle(n, inputs(1)).state, DerivedState::no_room);
+  frame();
+  EXPECT_EQ(settle(n, inputs(1)).state, DerivedState::no_room);
+  store.note_held("meshes", 100);
+  store.next_frame();
+  EXPECT_TRUE(store.poll()) << "the panel must be drawn, to ask again";
+  EXPECT_TRUE(settle(n, inputs(1)).ready());
+  EXPECT_EQ(made, 1);
+}
+
+TEST_F(StoreTest, WhatIsLookedAtTakesTheRoomOfTheBackground) {
+  const auto behind = number("behind", 600), seen = number("seen", 600);
+  for (int i = 0; i < 5000 && !store.want(behind, inputs(1), Priority::background).ready(); ++i) {
+    frame();
+    std::this_thread::sleep_for(kShort);
+  }
+  for (int i = 0; i < 5000 && !store.want(seen, inputs(1)).ready(); ++i) {
+    store.want(behind, inputs(1), Priority::background);
+    frame();
+    std::this_thread::sleep_for(kShort);
+  }
+  for (int i = 0; i < 2; ++i) {
+    EXPECT_TRUE(store.want(seen, inputs(1)).ready());
+    store.want(behind, inputs(1), Priority::background);
+    frame();
+  }
+  const Derived<int> d = store.want(behind, inputs(1), Priority::background);
+  EXPECT_EQ(d.state, DerivedState::no_room);
+  EXPECT_FALSE(d.value);
+}
+
+TEST_F(StoreTest, WhatRunsHasItsRoom) {
+  hold = true;
+  begin(number("behind", 600), inputs(1));
+  store.want(number("behind", 600), inputs(1));
+  EXPECT_EQ(settle(table("table", 600), inputs(1, 1)).state, DerivedState::no_room);
+  hold = false;
+}
+
+TEST_F(StoreTest, OlderAlphasMakeRoomFirst) {
+  const auto t = table("table", 300);
+  settle(t, inputs(1, 1));
+  settle(t, inputs(1, 2));
+  settle(t, inputs(1, 3));
+  hold = true;
+  begin(t, inputs(1, 4));
+  EXPECT_EQ(store.held_bytes(), 600u) << "of three";
+  EXPECT_EQ(*store.want(t, inputs(1, 4)).value, 3);
+  hold = false;
+  settle(t, inputs(1, 4));
+  const int before = made;
+  EXPECT_TRUE(settle(t, inputs(1, 2)).ready());
+  EXPECT_EQ(made, before) << "the oldest one went";
+}
+
+TEST_F(StoreTest, WhereMemoryRanOutItIsTriedAgainWithMuchMore) {
+  Definition<int> greedy = number("greedy", 100);
+  greedy.make = [this](const Inputs&, const RunContext&) -> std::shared_ptr<const int> {
+    if (++made == 1) throw std::bad_alloc();
+    return std::make_shared<const int>(7);
+  };
+  EXPECT_EQ(settle(greedy, inputs(1)).state, DerivedState::no_room);
+  budget = 1200;  // 1000 did not suffice
+  for (int i = 0; i < 20; ++i) {
+    EXPECT_EQ(settle(greedy, inputs(1)).state, DerivedState::no_room);
+    frame();
+  }
+  EXPECT_EQ(made, 1);
+  settle(greedy, inputs(1));
+  budget = 1250;
+  frame();
+  const Derived<int> d = settle(greedy, inputs(1));
+  ASSERT_TRUE(d.ready()) << d.why;
+  EXPECT_EQ(*d.value, 7);
+}
+
 TEST_F(StoreTest, WhatNobodyAsksForAnyMoreIsNotFinished) {
   hold = true;
   const auto n = number("n");
-  while (made == 0) {
-    store.want(n, inputs(1));
-    store.poll();
-  }
+  begin(n, inputs(1));
   for (int i = 0; i < 5000 && store.busy(); ++i) {
-    store.poll();
+    frame();
     std::this_thread::sleep_for(1ms);
   }
   EXPECT_FALSE(store.busy());
@@ -147,15 +177,12 @@ TEST_F(StoreTest, WhatNobodyAsksForAnyMoreIsNotFinished) {
 TEST_F(StoreTest, CancelledIsNotBegunAgain) {
   hold = true;
   const auto n = number("n");
-  while (made == 0) {
-    store.want(n, inputs(1));
-    store.poll();
-  }
+  begin(n, inputs(1));
   store.cancel("n");
   EXPECT_EQ(settle(n, inputs(1)).state, DerivedState::cancelled);
   for (int i = 0; i < 50 || store.busy(); ++i) {
     store.want(n, inputs(1));
-    store.poll();
+    frame();
     std::this_thread::sleep_for(1ms);
   }
   EXPECT_EQ(made, 1);
@@ -179,7 +206,7 @@ TEST_F(StoreTest, WhatIsLookedAtGoesFirst) {
   for (int i = 0; i < 5000; ++i) {
     const bool a = store.want(behind, inputs(1), Priority::background).ready();
     if (store.want(seen, inputs(1), Priority::visible).ready() && a) break;
-    store.poll();
+    frame();
     std::this_thread::sleep_for(1ms);
   }
   EXPECT_EQ(order, (std::vector<std::string>{"seen", "behind"}));
@@ -195,23 +222,9 @@ TEST_F(StoreTest, AFailureIsToldAndNotRepeated) {
     const Derived<int> d = settle(failing, inputs(1));
     EXPECT_EQ(d.state, DerivedState::failed);
     EXPECT_EQ(d.why, "The inputs do not match.");
-    store.poll();
+    frame();
   }
   EXPECT_EQ(made, 1);
-}
-
-TEST_F(StoreTest, TheFiltrationFollowsFromTheTriangulation) {
-  budget = 1'000'000'000;
-  Inputs in;
-  testing::Random random(1);
-  in.balls = std::make_shared<const BallSet>(testing::five_balls(random, 0));
-  in.balls_key = 1;
-  EXPECT_EQ(store.want(whole_filtration(), in).state, DerivedState::none);
-  in.triangulation = settle(whole_triangulation(), in).value;
-  ASSERT_TRUE(in.triangulation);
-  const auto filtration = settle(whole_filtration(), in).value;
-  ASSERT_TRUE(filtration);
-  EXPECT_EQ(filtration->top().tetrahedra.size(), in.triangulation->tetrahedra.size());
 }
 
 }  // namespace

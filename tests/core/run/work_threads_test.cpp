@@ -1,0 +1,77 @@
+// Threads that several callers share.
+#include "core/run/work_threads.hpp"
+
+#include <gtest/gtest.h>
+#include <tbb/parallel_for.h>
+
+#include <atomic>
+#include <chrono>
+#include <future>
+#include <stdexcept>
+#include <thread>
+
+namespace alphascope {
+namespace {
+
+using namespace std::chrono_literals;
+
+TEST(WorkThreads, RunsAndTellsWhatWasThrown) {
+  WorkThreads threads(2);
+  std::atomic<int> sum{0};
+  threads.run([&] { tbb::parallel_for(0, 100, [&](int i) { sum += i; }); });
+  EXPECT_EQ(sum, 4950);
+  EXPECT_THROW(threads.run([] { throw std::runtime_error("no"); }), std::runtime_error);
+}
+
+TEST(WorkThreads, SaysHowManyWork) {
+  EXPECT_EQ(WorkThreads(1).text(), "CPU, 1 thread");
+  EXPECT_EQ(WorkThreads(1000).asked(), 1000);
+  EXPECT_EQ(WorkThreads(1000).used(), WorkThreads().used()) << "as many as the machine has";
+}
+
+TEST(WorkThreads, TwoCallersHaveNoMoreThreadsThanOne) {
+  WorkThreads threads(2);
+  std::atomic<int> at_work{0}, most{0};
+  const auto work = [&] {
+    tbb::parallel_for(0, 200, [&](int) {
+      const int now = ++at_work;
+      for (int seen = most; seen < now && !most.compare_exchange_weak(seen, now);) {
+      }
+      std::this_thread::sleep_for(100us);
+      --at_work;
+    });
+  };
+  const auto other = std::async(std::launch::async, [&] { threads.run(work); });
+  threads.run(work);
+  other.wait();
+  EXPECT_LE(most, 2);
+}
+
+// Else a slider would wait for a table.
+TEST(WorkThreads, OfOneThreadNobodyWaitsForTheOther) {
+  WorkThreads threads(1);
+  std::atomic<bool> second_ran{false};
+  bool ran_meanwhile = false;
+  std::promise<void> begun;
+  const auto first = std::async(std::launch::async, [&] {
+    threads.run([&] {
+      begun.set_value();
+      for (int i = 0; i < 2000 && !second_ran; ++i) std::this_thread::sleep_for(1ms);
+      ran_meanwhile = second_ran;
+    });
+  });
+  begun.get_future().wait();
+  threads.run([&] { second_ran = true; });
+  first.wait();
+  EXPECT_TRUE(ran_meanwhile);
+}
+
+TEST(WorkThreads, TheSameForTheSameNumber) {
+  SharedThreads shared;
+  const auto two = shared.of(2);
+  EXPECT_EQ(two, shared.of(2));
+  EXPECT_NE(two, shared.of(3));
+}
+
+}  // namespace
+}  // namespace alphascope

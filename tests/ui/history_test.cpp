@@ -1,7 +1,5 @@
 // Undo and redo in the whole window: hash and picture come back, a drag is one entry, playback
 // none.
-#include <cmath>
-
 #include "tests/ui/viewer_fixture.hpp"
 
 namespace alphascope::testing {
@@ -107,44 +105,6 @@ TEST_F(HistoryTest, AnotherFileStartsAnew) {
   EXPECT_FALSE(viewer_->commands().run("edit.undo").done());
   viewer_->undo();
   EXPECT_EQ(viewer_->state().compute.alpha_angstrom2, 3);
-}
-
-// Slow meshes: what is said of the complex is always of the picture that is shown with it.
-TEST_F(HistoryTest, NumbersAndPictureChangeTogether) {
-  open_crambin();
-  DisplayControls& display = viewer_->state().display;
-  display.balls = false;
-  display.ambient_occlusion = false;
-  display.complex_colour = ColourBy::single;
-  run("wait-idle\n");
-  const auto covered = [](const Image& image) {
-    std::size_t count = 0;
-    for (std::size_t i = 4; i < image.rgba.size(); i += 4) {
-      count += !std::equal(&image.rgba[i], &image.rgba[i] + 3, image.rgba.data());
-    }
-    return 4.0 * static_cast<double>(count) / static_cast<double>(image.rgba.size());
-  };
-  const auto on_screen = [&] {
-    return texture_pixels(static_cast<unsigned>(viewer_->state().viewport.texture));
-  };
-  std::vector<std::pair<double, double>> seen;  // alpha as said, share of the picture covered
-  ScriptedInput input;
-  constexpr int kSteps = 200;
-  for (int i = 1; i <= kSteps; ++i) {
-    // To and fro in large steps, so that no two neighbours look alike.
-    viewer_->state().compute.alpha_angstrom2 = 5 * std::fmod(0.382 * i, 1.0);
-    viewer_->step(&input);
-    seen.emplace_back(viewer_->state().result->request.alpha_angstrom2, covered(on_screen()));
-  }
-  std::size_t checked = 0;
-  for (std::size_t i = 0; i < seen.size(); i += 10, ++checked) {
-    viewer_->state().compute.alpha_angstrom2 = seen[i].first;
-    run("wait-idle\n");
-    const double expected = covered(on_screen());
-    // Pictures in motion may be coarser.
-    EXPECT_NEAR(seen[i].second, expected, 0.03 * expected) << "alpha " << seen[i].first;
-  }
-  EXPECT_EQ(checked, 20u);
 }
 
 }  // namespace

@@ -1,0 +1,148 @@
+// A slider that is dragged while meshes are slow: what one frame says and shows is of one alpha,
+// and new pictures go on coming.
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <mutex>
+#include <thread>
+
+#include "app/session/thesis_contest.hpp"
+#include "tests/ui/viewer_fixture.hpp"
+
+namespace alphascope::testing {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+constexpr std::chrono::milliseconds kMeshDelay{60};
+constexpr int kSteps = 200;
+
+double milliseconds(Clock::duration time) {
+  return std::chrono::duration<double, std::milli>(time).count();
+}
+
+class OneSwapTest : public ViewerTest {
+ protected:
+  struct Frame {
+    Clock::time_point at;  // its end
+    double alpha = 0;      // as the caption says
+    std::string hash;
+    std::array<std::size_t, 4> counts{};
+    double legend_to = 0;  // alpha at its upper end; 0: there is none
+    double covered = 0;    // share of the picture that the complex covers
+  };
+
+  OneSwapTest() {
+    viewer_.reset();
+    ViewerOptions options;
+    options.compare = false;
+    viewer_ = std::make_unique<Viewer>(*host_, options, Session::program_services(),
+                                       [this](const auto&... what) { return slow_mesh(what...); });
+    open_crambin();
+    DisplayControls& display = viewer_->state().display;
+    display.balls = display.ambient_occlusion = false;
+    display.complex_colour = ColourBy::alpha;
+    run("wait-idle\n");
+    mesh_times_.clear();
+  }
+  ~OneSwapTest() override { viewer_.reset(); }  // its worker uses this
+
+  ComplexMesh slow_mesh(const BallGeometry& balls, const std::vector<Rgb8>& colours,
+                        const AlphaComplex& complex, const MeshOptions& options) {
+    const Clock::time_point begun = Clock::now();
+    ComplexMesh mesh = build_mesh(balls, colours, complex, options);
+    std::this_thread::sleep_for(kMeshDelay);
+    const std::lock_guard lock(mutex_);
+    mesh_times_.push_back(milliseconds(Clock::now() - begun) + complex.timings.wall_milliseconds);
+    return mesh;
+  }
+
+  // Of the corner's colour is the background.
+  double covered() const {
+    const Image image = texture_pixels(static_cast<unsigned>(viewer_->state().viewport.texture));
+    std::size_t count = 0;
+    for (std::size_t i = 4; i < image.rgba.size(); i += 4) {
+      count += !std::equal(&image.rgba[i], &image.rgba[i] + 3, image.rgba.data());
+    }
+    return 4.0 * static_cast<double>(count) / static_cast<double>(image.rgba.size());
+  }
+
+  Frame frame(ScriptedInput& input) {
+    viewer_->step(&input);
+    const ViewState& s = viewer_->state();
+    const AlphaComplex& shown = s.result->complex;
+    const auto& legend = s.viewport.legend;
+    return {Clock::now(),
+            s.result->request.alpha_angstrom2,
+            hash_text(shown.hash),
+            {shown.vertices.size(), shown.edges.size(), shown.triangles.size(),
+             shown.tetrahedra.size()},
+            legend && !legend->stops.empty() ? legend->stops.back().alpha : 0,
+            covered()};
+  }
+
+  // The hand on the slider, to and fro in large steps, so that no two neighbours look alike.
+  std::vector<Frame> drag() {
+    const WidgetRect slider = viewer_->widgets().at("alpha.slider");
+    ScriptedInput input;
+    input.y = (slider.y0 + slider.y1) / 2;
+    std::vector<Frame> frames;
+    for (int i = 0; i < kSteps; ++i) {
+      const float share = 0.05f + 0.9f * static_cast<float>(std::fmod(0.382 * i, 1.0));
+      input.x = slider.x0 + share * (slider.x1 - slider.x0);
+      if (i == 0) viewer_->step(&input);  // over the slider before the press
+      input.down[0] = true;
+      frames.push_back(frame(input));
+    }
+    input.down[0] = false;
+    viewer_->step(&input);
+    return frames;
+  }
+
+  std::mutex mutex_;
+  std::vector<double> mesh_times_;  // ms, each with the time of its complex
+};
+
+TEST_F(OneSwapTest, ADragMixesNoTwoAlphasAndPicturesKeepComing) {
+  const std::vector<Frame> frames = drag();
+  const double pace = median(mesh_times_);
+
+  // New pictures. A frame is where the window looks for one, so its time comes on top.
+  double longest_frame = 0, longest_wait = 0;
+  std::size_t pictures = 0;
+  Clock::time_point last = frames.front().at;
+  for (std::size_t i = 1; i < frames.size(); ++i) {
+    longest_frame = std::max(longest_frame, milliseconds(frames[i].at - frames[i - 1].at));
+    longest_wait = std::max(longest_wait, milliseconds(frames[i].at - last));
+    if (frames[i].alpha == frames[i - 1].alpha) continue;
+    last = frames[i].at;
+    ++pictures;
+  }
+  RecordProperty("pictures", static_cast<int>(pictures));
+  EXPECT_GE(pictures, 10u);
+  EXPECT_LE(longest_wait, 2 * pace + longest_frame) << "median " << pace << " ms";
+
+  // At rest, one by one.
+  std::size_t checked = 0;
+  double drawn = -1;
+  for (const Frame& f : frames) {
+    if (f.alpha != drawn && checked++ % 5 == 0) {
+      viewer_->state().compute.alpha_angstrom2 = drawn = f.alpha;
+      run("wait-idle\n");
+    }
+    if (f.alpha != drawn) continue;
+    ScriptedInput nothing;
+    const Frame rest = frame(nothing);
+    const AlphaComplex complex = expected(f.alpha);
+    EXPECT_EQ(f.hash, hash_text(complex.hash)) << f.alpha;
+    EXPECT_EQ(f.counts, (std::array{complex.vertices.size(), complex.edges.size(),
+                                    complex.triangles.size(), complex.tetrahedra.size()}));
+    EXPECT_EQ(f.legend_to, rest.legend_to) << f.alpha;
+    // Pictures in motion may be coarser.
+    EXPECT_NEAR(f.covered, rest.covered, 0.03 * rest.covered) << f.alpha;
+  }
+  EXPECT_GE(checked, 10u);
+}
+
+}  // namespace
+}  // namespace alphascope::testing

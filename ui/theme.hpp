@@ -21,6 +21,7 @@ struct Palette {
   Colour success_fill, warning_fill, error_fill;  // behind that text, as a badge
   Colour scene;                                   // background of the 3-D view
   Colour complex_single;                          // simplices in one colour
+  Colour selected;                                // what is selected in the picture
   // Stages of our engine, of CGAL, and the share of either that is paid once per molecule.
   Colour bar_ours, bar_cgal, bar_ours_setup, bar_cgal_setup;
 };

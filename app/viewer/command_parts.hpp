@@ -24,4 +24,7 @@ CommandSpec with_switch(CommandSpec spec, bool& value);
 // Alpha, solvent, molecule, engine, comparison, benchmark.
 void add_compute_commands(Commands& commands, ViewState& s);
 
+// What is selected in the picture.
+void add_selection_commands(Commands& commands, ViewState& s);
+
 }  // namespace alphascope

@@ -146,17 +146,18 @@ void add_file_commands(Commands& commands, ViewState& s) {
 // --- Edit
 
 void add_edit_commands(Commands& commands, ViewState& s) {
-  commands.add({.id = "edit.undo",
-                .title = "Undo",
-                .help = "Takes back the last change of atoms, radii, alpha, engine or display",
-                .shortcuts = {{"Ctrl+Z"}},
-                .menu = "Edit",
-                .why_not = [&s] { return s.undo_text.empty() ? "There is nothing to undo." : ""; },
-                .run =
-                    [&s](const Arguments&) {
-                      s.requests.undo = true;
-                      return Outcome();
-                    }});
+  commands.add(
+      {.id = "edit.undo",
+       .title = "Undo",
+       .help = "Takes back the last change of atoms, radii, alpha, engine, display or selection",
+       .shortcuts = {{"Ctrl+Z"}},
+       .menu = "Edit",
+       .why_not = [&s] { return s.undo_text.empty() ? "There is nothing to undo." : ""; },
+       .run =
+           [&s](const Arguments&) {
+             s.requests.undo = true;
+             return Outcome();
+           }});
   commands.add({.id = "edit.redo",
                 .title = "Redo",
                 .help = "Makes the last undone change again",
@@ -288,6 +289,7 @@ void add_help_commands(Commands& commands, ViewState& s) {
 void add_program_commands(Commands& commands, ViewState& state) {
   add_file_commands(commands, state);
   add_edit_commands(commands, state);
+  add_selection_commands(commands, state);
   add_view_commands(commands, state);
   add_compute_commands(commands, state);
   add_help_commands(commands, state);

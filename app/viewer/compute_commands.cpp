@@ -137,15 +137,20 @@ Outcome stop(ViewState& s) {
   const bool playing = s.memory.playing || s.memory.playing_models;
   s.memory.playing = s.memory.playing_models = false;
   if (playing) return {};
+  if (!s.busy.active && !s.saving.active) {
+    s.picked.items = {};
+    return {};
+  }
   (s.busy.active ? s.requests.cancel : s.requests.cancel_save) = true;
   return {};
 }
 
 std::string nothing_to_stop(const ViewState& s) {
-  const bool something =
-      s.memory.playing || s.memory.playing_models || s.busy.active || s.saving.active;
+  const bool something = s.memory.playing || s.memory.playing_models || s.busy.active ||
+                         s.saving.active || !s.picked.items.empty();
   return something ? ""
-                   : "There is nothing to stop: nothing is playing, being read, computed or saved.";
+                   : "There is nothing to stop: nothing is playing, being read, computed, saved or "
+                     "selected.";
 }
 
 void add_engine_commands(Commands& commands, ViewState& s) {
@@ -192,7 +197,8 @@ void add_engine_commands(Commands& commands, ViewState& s) {
                 }});
   commands.add({.id = "compute.stop",
                 .title = "Stop or cancel",
-                .help = "Stops playing; otherwise cancels reading, computing or saving",
+                .help = "Stops playing; otherwise cancels reading, computing or saving; otherwise "
+                        "selects nothing",
                 .shortcuts = {{"Esc"}},
                 .menu = "Tools",
                 .why_not = [&s] { return nothing_to_stop(s); },

@@ -37,6 +37,7 @@ std::shared_ptr<const DrawnMolecule> make_drawn(std::shared_ptr<const OpenedMole
   auto drawn = std::make_shared<DrawnMolecule>();
   const auto& [molecule, prepared] = std::tie(opened->molecule, opened->prepared);
   drawn->geometry = std::make_shared<const BallGeometry>(*prepared->balls);
+  drawn->picker = std::make_shared<const BallPicker>(drawn->geometry);
   context.cancel.throw_if_cancelled();
   drawn->by_element = shared(colours_by_element(*molecule, prepared->atom_of_ball));
   drawn->by_chain = shared(colours_by_chain(*molecule, prepared->atom_of_ball));
@@ -54,6 +55,7 @@ std::shared_ptr<const DrawnMolecule> undrawn(std::shared_ptr<const OpenedMolecul
   drawn->prepared = opened->prepared;
   drawn->opened = std::move(opened);
   drawn->geometry = std::make_shared<const BallGeometry>();
+  drawn->picker = std::make_shared<const BallPicker>(drawn->geometry);
   drawn->by_element = drawn->by_chain = shared({});
   return drawn;
 }
@@ -137,6 +139,7 @@ void SceneController::set_display(const DisplayControls& display, Theme theme) {
   if (before == display && !new_theme) return;
   scene_.set_style(scene_style());
   if (before.ball_colour != display.ball_colour || new_theme) update_colours();
+  if (new_theme) draw_selected();
   if (before.ball_scale != display.ball_scale || before.grown_balls != display.grown_balls) {
     update_radii();
   }
@@ -177,6 +180,7 @@ void SceneController::update_radii() {
   if (!drawn_molecule_) return;
   radii_ = drawn_radii(*drawn_molecule_->geometry, ball_look(drawn_answer_.get()).style);
   scene_.set_ball_radii(radii_);
+  draw_selected();
   dirty_ = true;
 }
 
@@ -245,6 +249,7 @@ Worker::Delivery SceneController::make_drawing(const Wanted& wanted, const RunCo
         *m.geometry, by_element ? *m.by_element : *m.by_chain, answer->complex, plan.mesh));
     context.cancel.throw_if_cancelled();
     drawing.mesh_data = make_mesh_data(drawing.mesh);
+    drawing.picks = mesh_layers(drawing.mesh);
   }
   if (plan.differences) {
     drawing.differences = std::make_shared<const DifferenceMesh>(
@@ -262,6 +267,8 @@ void SceneController::make_room() {
   drawn_answer_ = nullptr;
   drawn_mesh_ = nullptr;
   drawn_differences_ = nullptr;
+  picks_.clear();
+  selected_.clear();
   submit();
 }
 
@@ -289,11 +296,12 @@ void SceneController::show(Drawing drawing) {
   drawn_answer_ = drawing.answer;
   not_drawn_ = drawing.not_drawn;
   drawn_molecule_ = drawing.molecule;
-  if (new_balls) drawn_layers_.clear();  // they go with the balls
+  if (new_balls) drawn_layers_.clear(), selected_.clear();  // they go with the balls
   if (new_balls || display_.grown_balls) show_balls(drawing);
   legend_ = drawing.mesh && drawing.mesh->scale ? std::optional(drawing.mesh->scale->legend())
                                                 : std::nullopt;
   drawn_mesh_ = std::move(drawing.mesh);
+  picks_ = std::move(drawing.picks);
   drawn_differences_ = std::move(drawing.differences);
   scene_.set_mesh(std::move(drawing.mesh_data));
   scene_.set_differences(std::move(drawing.difference_data));
@@ -321,6 +329,7 @@ void SceneController::show_balls(Drawing& drawing) {
   if (!radii_fit) return update_radii();
   radii_ = std::move(drawing.radii);
   if (!with_radii) scene_.set_ball_radii(radii_);
+  draw_selected();
 }
 
 ViewProblem SceneController::find_view_problem() const {
@@ -362,6 +371,8 @@ void SceneController::pointer(const PointerEvent& event) {
       scene_.pointer_button(kButtons[event.button], event.kind == PointerEvent::Kind::press);
       break;
     }
+    case PointerEvent::Kind::click:
+      return;
     case PointerEvent::Kind::wheel:
       scene_.wheel(event.wheel);
       break;
@@ -438,11 +449,6 @@ void SceneController::render(ViewportInfo& viewport, bool interacting, bool pati
 void SceneController::check_view(ViewportInfo& viewport, bool interacting) {
   if (interacting || std::exchange(view_checked_, true)) return;
   viewport.problem = view_problem_ = find_view_problem();
-}
-
-std::optional<std::size_t> SceneController::pick(int x, int y) const {
-  if (!drawn_molecule_ || !display_.balls || width_ == 0) return std::nullopt;
-  return pick_ball(*drawn_molecule_->geometry, radii_, scene_.ray(x, y));
 }
 
 PictureTexts SceneController::texts() const {

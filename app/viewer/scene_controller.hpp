@@ -16,6 +16,7 @@
 #include "ui/panels/view_state.hpp"
 #include "ui/scene/drawing_memory.hpp"
 #include "ui/scene/frame_grab.hpp"
+#include "ui/scene/pick.hpp"
 #include "ui/scene/quality.hpp"
 #include "ui/scene/scene.hpp"
 
@@ -27,6 +28,7 @@ struct DrawnMolecule {
   std::shared_ptr<const Molecule> molecule;
   std::shared_ptr<const PreparedBalls> prepared;
   std::shared_ptr<const BallGeometry> geometry;
+  std::shared_ptr<const BallPicker> picker;  // of geometry
   std::shared_ptr<const std::vector<Rgb8>> by_element, by_chain;
 };
 
@@ -75,8 +77,13 @@ class SceneController {
   // Draws when something changed or a finer picture is due. `patient`: as fine as possible,
   // whatever it takes (for pictures).
   void render(ViewportInfo& viewport, bool interacting, bool patient);
-  // The ball under a pixel of the picture, when balls are shown.
-  std::optional<std::size_t> pick(int x, int y) const;
+  // What is drawn under a pixel of the picture: of drawn() and drawn_answer(). `near`: pixels
+  // beside a line that still are on it.
+  std::optional<Hit> pick(int x, int y, double near) const;
+  // Balls of drawn(), ascending, that are drawn in the colour of what is selected, balls on or off.
+  void set_selected(const std::vector<BallIndex>& balls);
+  // So that these balls of drawn() fill the view, as they are looked at now.
+  void zoom_to(const std::vector<BallIndex>& balls);
   // What is on screen, which may still be older than what was set; null before the first, and
   // while it makes room for the next.
   const DrawnMolecule* drawn() const { return drawn_molecule_.get(); }
@@ -108,6 +115,7 @@ class SceneController {
     std::vector<float> radii;
     std::shared_ptr<const ComplexMesh> mesh;
     std::shared_ptr<MeshData> mesh_data;
+    PickLayers picks;  // of mesh
     std::shared_ptr<const DifferenceMesh> differences;
     std::shared_ptr<DifferenceData> difference_data;
     std::string not_drawn;  // what is missing and why; empty: nothing
@@ -130,6 +138,7 @@ class SceneController {
   void show_nothing(const std::string& why);
   BallLook ball_look(const Answer* answer) const;  // as the controls have it
   SceneStyle scene_style() const;
+  void draw_selected();
   ViewProblem find_view_problem() const;
   void check_view(ViewportInfo& viewport, bool interacting);
   MeshOptions mesh_options() const;
@@ -153,6 +162,9 @@ class SceneController {
   bool pending_ = false;
   std::optional<Clock::time_point> outdated_since_;
   std::vector<float> radii_;  // Å, as drawn
+  double pick_margin_ = 0;    // BallPicker::margin() of them
+  PickLayers picks_;
+  std::vector<BallIndex> selected_;
   std::shared_ptr<const ComplexMesh> drawn_mesh_;
   std::shared_ptr<const DifferenceMesh> drawn_differences_;
   std::optional<ColourLegend> legend_;

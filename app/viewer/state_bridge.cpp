@@ -38,24 +38,6 @@ std::string differences(const Comparison& c) {
 
 }  // namespace
 
-std::string describe_ball(const Molecule& molecule, const PreparedBalls& prepared,
-                          const Request& controls, std::size_t ball) {
-  const BallSet& balls = *prepared.balls;
-  const Lattice& lattice = balls.lattice;
-  const LatticePoint& c = balls.centres[ball];
-  const double radius = lattice.angstrom(balls.radii[ball]);
-  const double grown =
-      grown_radius(radius, controls.solvent_radius_angstrom, controls.alpha_angstrom2);
-  const int digits = std::clamp(lattice.digits, 0, 4);
-  const auto coordinate = [&](std::int32_t x) {
-    return short_number_text(lattice.angstrom(x), digits);
-  };
-  const std::string label = atom_label(molecule, prepared.atom_of_ball[ball]);
-  return (label.empty() ? "ball " + count(ball + 1) : label) + "\ncentre " + coordinate(c.x) +
-         ", " + coordinate(c.y) + ", " + coordinate(c.z) + " Å\nradius " +
-         short_number_text(radius, 3) + " Å, grown " + number_text(grown, 2) + " Å";
-}
-
 std::string pending_text(const Answer& answer) {
   return "α " + short_number_text(answer.request.alpha_angstrom2, 3) +
          " Å²: " + count(answer.complex.tetrahedra.size()) + " tetrahedra · drawing";

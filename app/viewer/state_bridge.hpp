@@ -6,10 +6,6 @@
 
 namespace alphascope {
 
-// Name, place and radii of one ball, in lines.
-std::string describe_ball(const Molecule& molecule, const PreparedBalls& prepared,
-                          const Request& controls, std::size_t ball);
-
 // "α 3.20 Å²: 1,600,404 tetrahedra · drawing": of what is computed and not yet on screen.
 std::string pending_text(const Answer& answer);
 // Of the complex on screen.

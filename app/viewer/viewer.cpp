@@ -140,6 +140,7 @@ void Viewer::take_molecule() {
   host_.set_title(state_.molecule.name + " – Alphascope");
   state_.memory.playing_models = state_.memory.timings_pinned = false;
   state_.open = sent_open_ = session_.open_options();
+  state_.picked = {};
   state_.expression_error.reset();
   state_.memory.expression_typed = state_.memory.expression_shown = state_.open.balls.selection;
   editor_.restart(settings());
@@ -293,6 +294,7 @@ void Viewer::take_requests() {
   if (r.undo) undo();
   if (r.redo) redo();
   if (r.reset_view) scene_.reset_view();
+  if (r.zoom_to_selection) zoom_to_selection();
   if (r.quit) quit_ = true;
   if (r.screenshot) save_picture(*r.screenshot);
   if (r.cancel_save || (r.cancel && !state_.busy.active)) saver_.cancel();
@@ -356,16 +358,6 @@ void Viewer::send_selection() {
   frames_due_ = kSettlingFrames;
 }
 
-void Viewer::describe_under_mouse() {
-  ViewportInfo& v = state_.viewport;
-  v.under_mouse.clear();
-  const DrawnMolecule* drawn = scene_.drawn();
-  if (!v.hovered || drawn == nullptr) return;
-  if (const auto ball = scene_.pick(v.mouse_x, v.mouse_y)) {
-    v.under_mouse = describe_ball(*drawn->molecule, *drawn->prepared, state_.compute, *ball);
-  }
-}
-
 // The next step is asked for when the last one is on screen, however long that took.
 void Viewer::play() {
   bool& playing = state_.memory.playing;
@@ -410,13 +402,19 @@ void Viewer::draw(ScriptedInput* input, bool patient,
   gesture_ = gestures_.in_this_frame();
   store_.next_frame();
   draw_window({state_, rects_, commands_, store_, inputs_}, frame_.fonts(), frame_.scale());
-  guarded([this] { scene_.set_layers(state_.layers); });
   for (const PointerEvent& event : state_.viewport.events) scene_.pointer(event);
   guarded([this] {
+    for (const PointerEvent& event : state_.viewport.events) {
+      if (event.kind == PointerEvent::Kind::click) click(event);
+    }
     take_requests();
     play();
     play_models();
     send_controls();
+  });
+  guarded([this] {
+    mark_selection();
+    scene_.set_layers(state_.layers);
   });
   // After the panels, so that the picture has this frame's size; ImGui draws it afterwards. Not
   // while input waits for its frame: a slow picture each would make the window follow late.

@@ -12,6 +12,7 @@
 #include "app/viewer/benchmark.hpp"
 #include "app/viewer/folder_reader.hpp"
 #include "app/viewer/gestures.hpp"
+#include "app/viewer/hit_text.hpp"
 #include "app/viewer/model_playback.hpp"
 #include "app/viewer/options.hpp"
 #include "app/viewer/picture_saver.hpp"
@@ -48,7 +49,7 @@ class Viewer {
   void open_dropped(const std::vector<std::filesystem::path>& files);
   bool quit_requested() const { return quit_; }
 
-  // Of what was set: molecule options, alpha, solvent radius, engine, display.
+  // Of what was set: molecule options, alpha, solvent radius, engine, display, selection.
   void undo();
   void redo();
 
@@ -89,7 +90,17 @@ class Viewer {
   void colour_by_what_differs(const Molecule& molecule);
   bool compares_by_itself() const;
   void compare_when_due();
+  struct UnderMouse {
+    Ref what;
+    HitText text;
+  };
+  std::optional<UnderMouse> under(int x, int y) const;  // pixels of the picture
+  void follow_picture();                                // state_.references
   void describe_under_mouse();
+  void click(const PointerEvent& event);
+  void mark_selection();
+  void find_marks();
+  void zoom_to_selection();
   void read_memory();
   void give_back_memory_when_due();
   void play();
@@ -109,7 +120,17 @@ class Viewer {
   OpenOptions sent_open_;
   std::shared_ptr<const Molecule> shown_file_;  // as deposited
   std::string drop_note_when_open_;             // of the file that is being read
-  std::shared_ptr<const Answer> compared_;      // the last answer for which a comparison was asked
+  struct Marked {                               // of the selection, and of what the marks were made
+    RefSet items;
+    std::shared_ptr<const BallReferences> references;
+    std::shared_ptr<const Answer> answer;
+    Theme theme = Theme::dark;
+    std::vector<BallIndex> balls;
+    std::shared_ptr<const Layer> layer;  // null: no simplex
+    std::uint64_t key = 0;
+  };
+  Marked marked_;
+  std::shared_ptr<const Answer> compared_;  // the last answer for which a comparison was asked
   std::optional<Clock::time_point> busy_since_, comparing_since_, tooltip_due_;
   Clock::time_point selection_sent_at_{};
   ModelPlayback model_playback_;

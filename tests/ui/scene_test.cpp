@@ -220,7 +220,7 @@ TEST_F(SceneTest, ARayThroughEveryBallsPixelPicksABallThere) {
       const auto ball = pick_ball(*geometry, radii, scene.ray(x, y));
       if (!ball) ++background;
       const bool red = p[0] > p[2] + 40, blue = p[2] > p[0] + 40;
-      const bool first_half = ball && *ball < geometry->centres.size() / 2;
+      const bool first_half = ball && ball->ball < geometry->centres.size() / 2;
       wrong += (red && (!ball || !first_half)) || (blue && (!ball || first_half));
     }
   }

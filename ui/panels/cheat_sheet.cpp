@@ -13,7 +13,9 @@ constexpr std::pair<const char*, const char*> kMouse[] = {
     {"Drag", "Turn the view"},
     {"Middle drag, Shift+drag", "Pan the view"},
     {"Wheel, right drag", "Zoom"},
-    {"Hover over a ball", "Show its name, position and radii"},
+    {"Hover over a ball or simplex", "Say what it is"},
+    {"Click", "Select it; beside everything: select nothing"},
+    {"Ctrl+click, Shift+click", "Add it to the selection, or take it out"},
     {"Ctrl+click on a slider", "Type the value"},
     {"Drop a file", "Open a molecule"}};
 

@@ -1,4 +1,6 @@
 // Counts, Euler number, hash, device and memory of the result on screen, in one line.
+#include <algorithm>
+
 #include "ui/panels/format.hpp"
 #include "ui/panels/panels.hpp"
 
@@ -49,6 +51,18 @@ void counts(PanelContext& ctx) {
   ImGui::SameLine(0, ctx.px(16));
 }
 
+// In the place of device and memory.
+bool under_mouse(PanelContext& ctx) {
+  const std::string& line = ctx.state.viewport.under_mouse_line;
+  if (line.empty()) return false;
+  const float end = ImGui::GetWindowWidth() - ctx.px(12), start = ImGui::GetCursorPosX();
+  const std::string text = fitted_text(line, end - start);
+  ImGui::SetCursorPosX(std::max(start, end - ImGui::CalcTextSize(text.c_str()).x));
+  ImGui::TextUnformatted(text.c_str());
+  record(ctx, "status.under_mouse");
+  return true;
+}
+
 }  // namespace
 
 void draw_status_bar(PanelContext& ctx) {
@@ -59,6 +73,16 @@ void draw_status_bar(PanelContext& ctx) {
   } else {
     muted_text(ctx, "No molecule");
     ImGui::SameLine(0, ctx.px(16));
+  }
+  if (!s.picked_text.empty()) {
+    item(
+        ctx, "status.selected", "selected", s.picked_text,
+        "Atoms and simplices that you selected in the picture. Those whose atoms are no balls now, "
+        "or that are not in the complex at this alpha, are kept and come back with them.");
+  }
+  if (under_mouse(ctx)) {
+    ImGui::PopFont();
+    return;
   }
   const std::string memory = bytes_text(s.memory_bytes) + " memory";
   std::string right = s.device_text.empty() ? memory : s.device_text + "  ·  " + memory;

@@ -74,7 +74,8 @@ struct BackgroundInfo {
 };
 
 struct PointerEvent {
-  enum class Kind : std::uint8_t { move, press, release, wheel, double_click };
+  // click: a release of the left button near where it was pressed, after that release.
+  enum class Kind : std::uint8_t { move, press, release, click, wheel, double_click };
   Kind kind = Kind::move;
   int x = 0, y = 0;  // pixels of the picture, from its top left
   int button = 0;    // 0 left, 1 right, 2 middle
@@ -94,7 +95,8 @@ struct ViewportInfo {
   std::vector<PointerEvent> events;
   bool hovered = false;  // the mouse is on the picture and no button is down
   int mouse_x = 0, mouse_y = 0;
-  std::string under_mouse;  // what is there, as the program says; shown when the mouse rests
+  // What is there, as the program says: shown when the mouse rests, and in the status bar.
+  std::string under_mouse, under_mouse_line;
 };
 
 }  // namespace alphascope

@@ -15,6 +15,7 @@
 
 #include "core/document/answer.hpp"
 #include "core/document/open_options.hpp"
+#include "core/document/reference.hpp"
 #include "core/engine/cold_and_warm.hpp"
 #include "core/engine/gpu_device.hpp"
 #include "core/molecule/selection_expression.hpp"
@@ -45,7 +46,7 @@ struct Requests {
   std::optional<ScreenshotRequest> screenshot;
   bool compare = false, cancel = false, cancel_compare = false, cancel_save = false;
   bool compute_anew = false;  // set-up included, for its cold time
-  bool reset_view = false, quit = false;
+  bool reset_view = false, zoom_to_selection = false, quit = false;
   bool undo = false, redo = false;
   bool run_benchmark = false, cancel_benchmark = false, export_benchmark = false;
 };
@@ -117,6 +118,7 @@ struct ViewState {
   Request compute;
   OpenOptions open;
   DisplayControls display;
+  Selection picked;  // in the picture
   Theme theme = Theme::dark;
   bool auto_compare = false;
 
@@ -124,6 +126,11 @@ struct ViewState {
   std::shared_ptr<const Answer> result;   // on screen; null: none. The controls may be ahead
   std::string pending;                    // what is computed and still being drawn; empty: nothing
   ColdAndWarm ours, cgal, cgal_parallel;  // the last: with all threads
+  std::shared_ptr<const BallReferences> references;  // of the balls on screen; null: none
+  std::string picked_text;                           // how many are selected; empty: none
+  std::size_t picked_missing = 0;                    // of them, those not in the picture
+  std::string pending;  // what is computed and still being drawn; empty: nothing
+  std::optional<EngineTimings> ours, cgal, cgal_parallel;  // the last: with all threads
   BadgeInfo badge;
   BenchmarkControls benchmark_controls;
   BenchmarkInfo benchmark;

@@ -59,6 +59,11 @@ void mouse(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
       dragging = true;
     } else if (dragging && ImGui::IsMouseReleased(b)) {
       event(PointerEvent::Kind::release, b, 0);
+      // Farther than a hand trembles, it was a drag.
+      const float reach = ctx.px(4);
+      if (b == 0 && io.MouseDragMaxDistanceSqr[b] <= reach * reach) {
+        event(PointerEvent::Kind::click, b, 0);
+      }
     }
     any_down = any_down || ImGui::IsMouseDown(b);
   }

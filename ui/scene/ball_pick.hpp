@@ -2,22 +2,39 @@
 // floats.
 #pragma once
 
-#include <array>
+#include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "ui/scene/ball_geometry.hpp"
+#include "ui/scene/box_tree.hpp"
 
 namespace alphascope {
 
-// Å, relative to BallGeometry::origin; the direction need not have unit length.
-struct Ray {
-  std::array<double, 3> start{};
-  std::array<double, 3> direction{0, 0, -1};
+struct BallHit {
+  std::size_t ball = 0;
+  double depth = 0;  // where the ray enters it, in lengths of the ray's direction
 };
 
-// The first ball that the ray enters ahead of its start; `radii` as drawn, 0 = not drawn.
-std::optional<std::size_t> pick_ball(const BallGeometry& balls, const std::vector<float>& radii,
-                                     const Ray& ray);
+// The first ball that the ray enters ahead of its start; `radii` as drawn, 0 = not drawn. Tries
+// them all.
+std::optional<BallHit> pick_ball(const BallGeometry& balls, const std::vector<float>& radii,
+                                 const Ray& ray);
+
+// The same by boxes, which are made once a set of balls, for any radii.
+class BallPicker {
+ public:
+  explicit BallPicker(std::shared_ptr<const BallGeometry> balls);
+
+  // Å by which the boxes are too small for these radii; linear in their number, so once for all
+  // rays.
+  double margin(const std::vector<float>& radii) const;
+  std::optional<BallHit> pick(const std::vector<float>& radii, double margin, const Ray& ray) const;
+
+ private:
+  std::shared_ptr<const BallGeometry> balls_;
+  BoxTree tree_;  // of the balls at their own radii
+};
 
 }  // namespace alphascope

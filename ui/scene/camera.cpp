@@ -58,6 +58,35 @@ double fitting_distance(const BallGeometry& balls, double aspect) {
   return kMargin * distance;
 }
 
+Viewpoint looking_at(const BallGeometry& balls, const std::vector<BallIndex>& some,
+                     const Sight& sight) {
+  constexpr double kSurroundings = 4;  // Å around: the neighbours of a single atom
+  Viewpoint view;
+  view.up = sight.up;
+  std::array<double, 6> box{1e30, -1e30, 1e30, -1e30, 1e30, -1e30};
+  for (const BallIndex i : some) {
+    for (int k = 0; k < 3; ++k) {
+      const double c = balls.centres.at(i)[k];
+      box[2 * k] = std::min(box[2 * k], c);
+      box[2 * k + 1] = std::max(box[2 * k + 1], c);
+    }
+  }
+  double radius = 0;
+  for (int k = 0; k < 3; ++k) view.focal_point[k] = 0.5 * (box[2 * k] + box[2 * k + 1]);
+  for (const BallIndex i : some) {
+    double offset[3];
+    for (int k = 0; k < 3; ++k) offset[k] = balls.centres[i][k] - view.focal_point[k];
+    const double distance = std::hypot(offset[0], offset[1], offset[2]);
+    radius = std::max(radius, distance + balls.radii[i] + kSurroundings);
+  }
+  const double tangent = std::min(sight.tangent_up, sight.tangent_right);
+  const double distance = radius * std::hypot(1.0, tangent) / tangent;
+  for (int k = 0; k < 3; ++k) {
+    view.position[k] = view.focal_point[k] - distance * sight.forward[k];
+  }
+  return view;
+}
+
 double least_aspect(const BallGeometry& balls, const Sight& sight, double aspect) {
   double widest = 0;
   for (std::size_t i = 0; i < balls.centres.size(); ++i) {

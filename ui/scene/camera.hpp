@@ -32,6 +32,10 @@ double tangent_up(double aspect, double least_aspect);
 // From here, looking along -axes[2], the outline of the balls just fits, with a small margin.
 double fitting_distance(const BallGeometry& balls, double aspect);
 
+// From where these balls fill most of the picture, in the direction and with the angles of `sight`.
+Viewpoint looking_at(const BallGeometry& balls, const std::vector<BallIndex>& some,
+                     const Sight& sight);
+
 // Viewpoint::least_aspect for the part of the balls that a picture of `aspect` shows.
 double least_aspect(const BallGeometry& balls, const Sight& sight, double aspect);
 

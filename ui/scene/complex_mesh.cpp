@@ -118,10 +118,14 @@ class MeshBuilder {
     const auto drawn = [&](SimplexClass c) {
       return !options_.singular_only || c == SimplexClass::singular;
     };
-    reserve(soup, N * static_cast<std::size_t>(
-                          std::count_if(list.classes.begin(), list.classes.end(), drawn)));
+    const auto count =
+        static_cast<std::size_t>(std::count_if(list.classes.begin(), list.classes.end(), drawn));
+    reserve(soup, N * count);
+    const bool all = count == list.size();
+    if (!all) soup.source.reserve(count);
     for (std::size_t i = 0; i < list.size(); ++i) {
       if (!drawn(list.classes[i])) continue;
+      if (!all) soup.source.push_back(static_cast<std::uint32_t>(i));
       const auto& simplex = list.simplices[i];
       const Rgb8 colour = simplex_colour(simplex, alpha_value(list.alpha_values, i));
       for (const BallIndex v : simplex) add_point(soup, balls_.centres[v], colour);
@@ -201,7 +205,9 @@ void MeshBuilder::add_boundary(CellSoup& soup) const {
   const auto& list = complex_.tetrahedra;
   const std::vector<Face> faces = single_faces(list.simplices, balls_.centres.size());
   reserve(soup, 3 * faces.size());
+  soup.source.reserve(faces.size());
   for (const Face& face : faces) {
+    soup.source.push_back(face.origin);
     const std::size_t t = face.origin / 4;  // its tetrahedron, whose colour it has
     const Rgb8 colour = simplex_colour(list.simplices[t], alpha_value(list.alpha_values, t));
     for (const BallIndex v : outward(balls_, face, list.simplices)) {

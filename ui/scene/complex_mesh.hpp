@@ -45,6 +45,9 @@ struct MeshOptions {
 struct CellSoup {
   std::vector<float> xyz;
   std::vector<std::uint8_t> rgb;
+  // What each cell is: of triangles and edges, the place of the simplex in its list; of tetrahedra
+  // and boundary, 4 × tetrahedron + the corner opposite to the face. Empty: cell i is i.
+  std::vector<std::uint32_t> source;
   std::size_t points() const { return xyz.size() / 3; }
 };
 

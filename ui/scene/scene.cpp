@@ -52,10 +52,9 @@ void Scene::set_balls(std::shared_ptr<BallData> balls) {
   set_mesh(nullptr);
   set_differences(nullptr);
   set_layers(nullptr);
+  set_selected(nullptr);
   impl_->balls = balls->balls;
-  impl_->ball_mapper->SetInputData(balls->points);
-  impl_->ball_mapper->ReleaseGraphicsResources(impl_->window);
-  impl_->ball_data = std::move(balls);
+  impl_->all_balls.show(std::move(balls), impl_->window);
   impl_->apply_style();
 }
 
@@ -66,11 +65,11 @@ void Scene::set_balls(std::shared_ptr<const BallGeometry> balls, const std::vect
 }
 
 void Scene::set_ball_radii(const std::vector<float>& radii) {
-  if (impl_->ball_data) set_radii(impl_->ball_data->points, radii);
+  if (impl_->all_balls.data) set_radii(impl_->all_balls.data->points, radii);
 }
 
 void Scene::set_ball_colours(const std::vector<Rgb8>& colours) {
-  if (impl_->ball_data) set_colours(impl_->ball_data->points, colours);
+  if (impl_->all_balls.data) set_colours(impl_->all_balls.data->points, colours);
 }
 
 void Scene::set_mesh(std::shared_ptr<MeshData> mesh) {
@@ -89,6 +88,11 @@ void Scene::set_differences(std::shared_ptr<DifferenceData> differences) {
 
 void Scene::set_layers(std::shared_ptr<DifferenceData> layers) {
   impl_->layers.show(std::move(layers), impl_->window);
+}
+
+void Scene::set_selected(std::shared_ptr<BallData> balls) {
+  impl_->selected.actor->SetVisibility(balls != nullptr);
+  impl_->selected.show(std::move(balls), impl_->window);
 }
 
 void Scene::set_style(const SceneStyle& style) {

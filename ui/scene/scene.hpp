@@ -55,6 +55,9 @@ class Scene {
   void set_differences(std::shared_ptr<DifferenceData> differences);
   // What panels have marked; drawn as the differences are.
   void set_layers(std::shared_ptr<DifferenceData> layers);
+  // Balls that are drawn as the first ones are, whether or not these are; null: none. They go with
+  // the first ones.
+  void set_selected(std::shared_ptr<BallData> balls);
   // As the first, with balls' own radii and data that are made on the way.
   void set_balls(std::shared_ptr<const BallGeometry> balls, const std::vector<Rgb8>& colours);
   void set_style(const SceneStyle& style);

@@ -33,9 +33,9 @@ void MarkActors::show(std::shared_ptr<DifferenceData> marks, vtkWindow* window) 
 Scene::Impl::Impl() {
   set_up_window();
   set_up_lights();
-  set_up_balls();
   edges.actor->GetProperty()->LightingOff();
-  renderer->AddActor(ball_actor);
+  renderer->AddActor(all_balls.actor);
+  renderer->AddActor(selected.actor);
   for (MeshActor* m : {&tetrahedra, &boundary, &triangles, &edges}) renderer->AddActor(m->actor);
   for (MarkActors* marks : {&layers, &differences}) {
     renderer->AddActor(marks->faces.actor);
@@ -81,16 +81,22 @@ void Scene::Impl::set_up_lights() {
   }
 }
 
-void Scene::Impl::set_up_balls() {
-  ball_mapper->SetScaleArray(kRadiusArray);
-  ball_mapper->SetColorModeToDirectScalars();
-  ball_actor->SetMapper(ball_mapper);
-  ball_actor->VisibilityOff();
-  vtkProperty* property = ball_actor->GetProperty();
+BallActor::BallActor() {
+  mapper->SetScaleArray(kRadiusArray);
+  mapper->SetColorModeToDirectScalars();
+  actor->SetMapper(mapper);
+  actor->VisibilityOff();
+  vtkProperty* property = actor->GetProperty();
   property->SetAmbient(0.18);
   property->SetDiffuse(0.82);
   property->SetSpecular(0.25);
   property->SetSpecularPower(40);
+}
+
+void BallActor::show(std::shared_ptr<BallData> balls, vtkWindow* window) {
+  mapper->SetInputData(balls ? balls->points.Get() : nullptr);
+  mapper->ReleaseGraphicsResources(window);
+  data = std::move(balls);  // only now may the old arrays go
 }
 
 bool Scene::Impl::anything_translucent() const {
@@ -100,8 +106,8 @@ bool Scene::Impl::anything_translucent() const {
 void Scene::Impl::apply_style() {
   const Colour& background = palette(style.theme).scene;
   renderer->SetBackground(background.r, background.g, background.b);
-  ball_actor->SetVisibility(style.balls && balls && !balls->centres.empty());
-  ball_actor->GetProperty()->SetOpacity(style.ball_opacity);
+  all_balls.actor->SetVisibility(style.balls && balls && !balls->centres.empty());
+  all_balls.actor->GetProperty()->SetOpacity(style.ball_opacity);
   for (MeshActor* m : {&tetrahedra, &boundary, &triangles, &edges}) {
     m->actor->GetProperty()->SetOpacity(style.complex_opacity);
   }

@@ -28,16 +28,24 @@ struct MarkActors {
   void show(std::shared_ptr<DifferenceData> marks, vtkWindow* window);
 };
 
+// Balls with colours and radii of their own.
+struct BallActor {
+  vtkNew<vtkOpenGLSphereMapper> mapper;
+  vtkNew<vtkActor> actor;
+  std::shared_ptr<BallData> data;
+
+  BallActor();
+  void show(std::shared_ptr<BallData> balls, vtkWindow* window);  // null: none
+};
+
 struct Scene::Impl {
   vtkNew<vtkGenericOpenGLRenderWindow> window;
   vtkNew<vtkRenderer> renderer;
   vtkNew<vtkGenericRenderWindowInteractor> interactor;
   vtkNew<vtkInteractorStyleTrackballCamera> trackball;
-  vtkNew<vtkOpenGLSphereMapper> ball_mapper;
-  vtkNew<vtkActor> ball_actor;
+  BallActor all_balls, selected;
   MeshActor tetrahedra, boundary, triangles, edges;
   MarkActors layers, differences;
-  std::shared_ptr<BallData> ball_data;
   std::shared_ptr<const BallGeometry> balls;
   std::shared_ptr<MeshData> mesh;
   SceneStyle style;
@@ -75,7 +83,6 @@ struct Scene::Impl {
  private:
   void set_up_window();
   void set_up_lights();
-  void set_up_balls();
   void follow_aspect(double now);
   void reset_camera();
 };

@@ -1,0 +1,98 @@
+// See the header.
+#include "app/viewer/hit_text.hpp"
+
+#include <algorithm>
+
+#include "core/geometry/grown_radius.hpp"
+#include "core/molecule/atom_address.hpp"
+#include "ui/panels/format.hpp"
+
+namespace alphascope {
+namespace {
+
+std::string count(std::size_t n) {
+  return with_separators(static_cast<long long>(n));
+}
+
+std::string position_text(const BallSet& balls, BallIndex ball) {
+  const LatticePoint& c = balls.centres[ball];
+  const int digits = std::clamp(balls.lattice.digits, 0, 4);
+  const auto coordinate = [&](std::int32_t x) {
+    return short_number_text(balls.lattice.angstrom(x), digits);
+  };
+  return coordinate(c.x) + ", " + coordinate(c.y) + ", " + coordinate(c.z);
+}
+
+std::string radius_text(const BallSet& balls, const Request* shown, BallIndex ball) {
+  const double radius = balls.lattice.angstrom(balls.radii[ball]);
+  const std::string text = "radius " + short_number_text(radius, 3) + " Å";
+  if (shown == nullptr) return text;
+  const double grown = grown_radius(radius, shown->solvent_radius_angstrom, shown->alpha_angstrom2);
+  if (grown == 0) return text + ", gone at this alpha";
+  return text + ", grown " + number_text(grown, 2) + " Å";
+}
+
+// Of the assembly's copies of one atom; empty in a molecule as deposited.
+std::string copy_text(const BallReferences& references, BallIndex ball) {
+  if (references.molecule().copied.empty()) return "";
+  return "copy " + count(references.atom(ball).copy + std::size_t{1}) + " in the assembly";
+}
+
+const char* dimension_name(std::size_t corners) {
+  constexpr const char* kNames[] = {"vertex", "edge", "triangle", "tetrahedron"};
+  return kNames[std::clamp<std::size_t>(corners, 1, 4) - 1];
+}
+
+const char* class_name(SimplexClass kind) {
+  switch (kind) {
+    case SimplexClass::singular:
+      return "singular";
+    case SimplexClass::regular:
+      return "regular";
+    case SimplexClass::interior:
+      break;
+  }
+  return "interior";
+}
+
+}  // namespace
+
+HitText describe_ball(const BallReferences& references, const Request* shown, BallIndex ball) {
+  const Molecule& molecule = references.molecule();
+  const BallSet& balls = *references.prepared().balls;
+  const std::size_t atom = references.prepared().atom_of_ball.at(ball);
+  const std::string position = position_text(balls, ball), copy = copy_text(references, ball);
+  const std::string radius = radius_text(balls, shown, ball);
+  HitText text;
+  text.line = atom_address(molecule, atom) + (copy.empty() ? "" : "  ·  " + copy) + "  ·  (" +
+              position + ") Å  ·  " + radius;
+  text.tooltip = atom_label(molecule, atom) + (copy.empty() ? "" : "\n" + copy) + "\ncentre " +
+                 position + " Å\n" + radius;
+  return text;
+}
+
+HitText describe_simplex(const BallReferences& references, const HitSimplex& simplex) {
+  const Molecule& molecule = references.molecule();
+  HitText text;
+  text.line = text.tooltip = dimension_name(simplex.balls.size());
+  for (const BallIndex ball : simplex.balls) {
+    const std::size_t atom = references.prepared().atom_of_ball.at(ball);
+    text.line += (ball == simplex.balls.front() ? " " : ", ") + atom_address(molecule, atom);
+    text.tooltip += "\n" + atom_label(molecule, atom);
+  }
+  std::string facts = simplex.kind ? class_name(*simplex.kind) : "class not computed";
+  if (simplex.angstrom2) {
+    facts += "  ·  alpha value " + short_number_text(*simplex.angstrom2, 4) + " Å²";
+  }
+  text.line += "  ·  " + facts;
+  text.tooltip += "\n" + facts;
+  return text;
+}
+
+std::string selected_text(std::size_t selected, std::size_t not_in_the_picture) {
+  if (selected == 0) return "";
+  if (not_in_the_picture == 0) return count(selected);
+  return count(selected) + ", " + count(not_in_the_picture) + " not in the picture";
+}
+
+}  // namespace alphascope

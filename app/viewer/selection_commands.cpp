@@ -1,0 +1,96 @@
+// What is selected in the picture: by name, none, and looked at.
+#include <utility>
+
+#include "app/viewer/command_parts.hpp"
+#include "core/document/reference.hpp"
+#include "core/molecule/selection_expression.hpp"
+#include "ui/panels/format.hpp"
+
+namespace alphascope {
+namespace {
+
+constexpr const char* kNamesHelp =
+    "CHAIN:RESIDUE:ATOM, with commas between several. A:HIS 87:NE2 is one atom, A:HIS 87 a "
+    "residue, "
+    "A: a chain, :87 residue 87 of every chain, A:10-20 a range, ::CA all atoms CA, #12 the "
+    "twelfth "
+    "atom of the file. An expression as in the field Only works, too: resn HEM and element Fe";
+
+std::string atoms_text(std::size_t count) {
+  return with_separators(static_cast<long long>(count)) + (count == 1 ? " atom" : " atoms");
+}
+
+Outcome select(ViewState& s, const std::string& text, bool more) {
+  NamedAtoms named;
+  try {
+    named = named_atoms(*s.references, text);
+  } catch (const SelectionError& error) {
+    return Outcome::refused(std::string("Nothing is selected by this. ") + error.what() + ".");
+  }
+  if (named.balls.empty() && named.others == 0) {
+    return Outcome::refused("The molecule has no atom of this name.");
+  }
+  if (named.balls.empty()) {
+    return Outcome::refused(atoms_text(named.others) + (named.others == 1 ? " has" : " have") +
+                            " this name, but the choice of atoms at the left leaves out all that "
+                            "have it.");
+  }
+  RefSet items = more ? s.picked.items.with(named.balls) : RefSet(std::move(named.balls));
+  if (items.size() > Selection::kMostItems) {
+    return Outcome::refused("This would select " +
+                            with_separators(static_cast<long long>(items.size())) +
+                            "; at most 20,000 can be selected at once. Name fewer atoms.");
+  }
+  static_assert(Selection::kMostItems == 20000);
+  s.picked.items = std::move(items);
+  return {};
+}
+
+CommandSpec by_name(ViewState& s, bool more) {
+  return {
+      .id = more ? "select.add" : "select.atoms",
+      .title = more ? "Add atoms to the selection…" : "Select atoms…",
+      .help = more ? "Selects atoms by name besides what is selected"
+                   : "Selects atoms by name, and nothing else",
+      .menu = "Edit",
+      .line_above = !more,
+      .parameters = {{.name = "atoms", .help = kNamesHelp, .example = "A:HIS 87:NE2"}},
+      .why_not = [&s] { return s.references ? "" : "No molecule is in the picture."; },
+      .run = [&s, more](
+                 const Arguments& arguments) { return select(s, arguments.text("atoms"), more); }};
+}
+
+}  // namespace
+
+void add_selection_commands(Commands& commands, ViewState& s) {
+  commands.add(by_name(s, false));
+  commands.add(by_name(s, true));
+  const auto nothing = [&s] { return s.picked.items.empty() ? "Nothing is selected." : ""; };
+  commands.add({.id = "select.none",
+                .title = "Select nothing",
+                .help = "Takes everything out of the selection",
+                .menu = "Edit",
+                .why_not = nothing,
+                .run = [&s](const Arguments&) {
+                  s.picked.items = {};
+                  return Outcome();
+                }});
+  commands.add({.id = "view.zoom_to_selection",
+                .title = "Zoom to selection",
+                .help = "Brings what is selected into the middle of the view; it turns about that",
+                .shortcuts = {{"Z"}},
+                .menu = "View",
+                .why_not =
+                    [&s] {
+                      if (s.picked.items.empty()) return "Nothing is selected.";
+                      const bool none = s.picked_missing == s.picked.items.size();
+                      return none ? "Nothing of the selection is in the picture." : "";
+                    },
+                .run =
+                    [&s](const Arguments&) {
+                      s.requests.zoom_to_selection = true;
+                      return Outcome();
+                    }});
+}
+
+}  // namespace alphascope

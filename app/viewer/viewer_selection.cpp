@@ -1,0 +1,120 @@
+// What is under the mouse, what a click selects, and how it is marked. All of it belongs to the
+// picture on screen, not to settings whose picture is still being made.
+#include <algorithm>
+#include <utility>
+
+#include "app/viewer/hit_text.hpp"
+#include "app/viewer/viewer.hpp"
+
+namespace alphascope {
+namespace {
+
+constexpr double kBesideALine = 4;  // pixels at scale 1 from which a line is still hit
+
+}  // namespace
+
+// Of other balls than before, when the picture shows such.
+void Viewer::follow_picture() {
+  const DrawnMolecule* drawn = scene_.drawn();
+  if (drawn == nullptr) {
+    state_.references = nullptr;
+  } else if (!state_.references || &state_.references->prepared() != drawn->prepared.get()) {
+    state_.references = std::make_shared<const BallReferences>(drawn->molecule, drawn->prepared);
+  }
+}
+
+std::optional<Viewer::UnderMouse> Viewer::under(int x, int y) const {
+  const BallReferences* references = state_.references.get();
+  if (references == nullptr) return std::nullopt;
+  const auto hit = scene_.pick(x, y, kBesideALine * frame_.scale());
+  if (!hit) return std::nullopt;
+  if (hit->corners == 1) {
+    const auto ball = static_cast<BallIndex>(hit->index);
+    const Answer* answer = scene_.drawn_answer().get();
+    return UnderMouse{references->atom(ball),
+                      describe_ball(*references, answer ? &answer->request : nullptr, ball)};
+  }
+  const HitSimplex simplex = hit_simplex(*hit, scene_.drawn_answer()->complex);
+  return UnderMouse{references->reference(simplex.balls), describe_simplex(*references, simplex)};
+}
+
+void Viewer::describe_under_mouse() {
+  ViewportInfo& v = state_.viewport;
+  v.under_mouse = v.under_mouse_line = {};
+  state_.picked.hovered.reset();
+  follow_picture();
+  if (!v.hovered) return;
+  if (auto found = under(v.mouse_x, v.mouse_y)) {
+    v.under_mouse = std::move(found->text.tooltip);
+    v.under_mouse_line = std::move(found->text.line);
+    state_.picked.hovered = std::move(found->what);
+  }
+}
+
+void Viewer::click(const PointerEvent& event) {
+  const bool more = event.control || event.shift;
+  RefSet& items = state_.picked.items;
+  const auto found = under(event.x, event.y);
+  if (!found) {
+    if (!more) items = {};
+    return;
+  }
+  const RefSet wanted = more ? items.toggled(found->what) : RefSet({found->what});
+  if (wanted.size() > Selection::kMostItems) {
+    state_.notice = "No more can be selected at once.";
+  } else {
+    items = wanted;
+  }
+}
+
+// The balls of what is selected, and a layer for simplices, as far as the picture has them.
+void Viewer::mark_selection() {
+  follow_picture();
+  const auto& answer = scene_.drawn_answer();
+  Marked& m = marked_;
+  const bool same = m.items == state_.picked.items && m.references == state_.references &&
+                    m.answer == answer && m.theme == state_.theme;
+  if (!same) {
+    m = {state_.picked.items, state_.references, answer, state_.theme, {}, nullptr, m.key + 1};
+    find_marks();
+  }
+  scene_.set_selected(m.balls);
+  if (m.layer) state_.layers.push_back(m.layer);
+}
+
+void Viewer::find_marks() {
+  auto layer = std::make_shared<Layer>();
+  std::size_t missing = 0;
+  for (const Ref& item : marked_.items.items()) {
+    const auto balls = marked_.references ? marked_.references->balls(item) : std::nullopt;
+    const bool there = balls && (balls->size() == 1 ||
+                                 (marked_.answer && has_simplex(marked_.answer->complex, *balls)));
+    missing += !there;
+    if (!there) continue;
+    if (balls->size() == 1) marked_.balls.push_back(balls->front());
+    for (std::size_t i = 0; i < balls->size(); ++i) {
+      for (std::size_t k = 0; k < i; ++k) layer->edges.push_back({(*balls)[k], (*balls)[i]});
+    }
+  }
+  std::sort(marked_.balls.begin(), marked_.balls.end());
+  state_.picked_missing = missing;
+  state_.picked_text = selected_text(marked_.items.size(), missing);
+  if (layer->edges.empty()) return;
+  layer->id = "selection";
+  layer->key = marked_.key;
+  layer->balls = marked_.answer->balls;
+  layer->colour = palette(marked_.theme).selected;
+  marked_.layer = std::move(layer);
+}
+
+void Viewer::zoom_to_selection() {
+  if (!state_.references) return;
+  std::vector<BallIndex> all;
+  for (const Ref& item : state_.picked.items.items()) {
+    const auto balls = state_.references->balls(item);
+    if (balls) all.insert(all.end(), balls->begin(), balls->end());
+  }
+  scene_.zoom_to(all);
+}
+
+}  // namespace alphascope

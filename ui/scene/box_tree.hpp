@@ -1,0 +1,89 @@
+// Boxes around every sixteen consecutive things (balls, triangles, lines), around every sixteen of
+// these boxes, and so on, so that a ray is tried against a few things only. Files list atoms along
+// their chains and meshes follow the atoms, so neighbours in the list are neighbours in space, and
+// nothing is sorted; a list without any order costs about as much as without boxes.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace alphascope {
+
+// Å, relative to BallGeometry::origin; the direction need not have unit length.
+struct Ray {
+  std::array<double, 3> start{};
+  std::array<double, 3> direction{0, 0, -1};
+};
+
+struct Box {
+  std::array<float, 3> low, high;
+
+  static Box empty() {
+    constexpr float kFar = std::numeric_limits<float>::infinity();
+    return {{kFar, kFar, kFar}, {-kFar, -kFar, -kFar}};
+  }
+  void add(const Box& other) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      low[k] = std::min(low[k], other.low[k]);
+      high[k] = std::max(high[k], other.high[k]);
+    }
+  }
+};
+
+// Whether the ray meets the box, larger by `margin` on all sides, not behind its start and not
+// beyond `farthest` (in lengths of the direction).
+bool meets(const Ray& ray, const Box& box, double margin, double farthest);
+
+class BoxTree {
+ public:
+  BoxTree() = default;
+  // `box_of(i)` gives the box of each of the `count` things.
+  template <class BoxOf>
+  BoxTree(std::size_t count, const BoxOf& box_of) : count_(count) {
+    if (count == 0) return;
+    std::vector<Box> leaves;
+    leaves.reserve((count + kFan - 1) / kFan);
+    for (std::size_t i = 0; i < count; ++i) {
+      if (i % kFan == 0) leaves.push_back(Box::empty());
+      leaves.back().add(box_of(i));
+    }
+    levels_.push_back(std::move(leaves));
+    while (levels_.back().size() > 1) add_level();
+  }
+
+  std::size_t size() const { return count_; }
+
+  // Calls `test(i)` for all things in boxes for which `enter(box)` holds. Both may change what they
+  // ask for as they go.
+  template <class Enter, class Test>
+  void visit(const Enter& enter, const Test& test) const {
+    if (!levels_.empty()) visit_node(levels_.size() - 1, 0, enter, test);
+  }
+
+ private:
+  static constexpr std::size_t kFan = 16;
+
+  void add_level();
+
+  template <class Enter, class Test>
+  void visit_node(std::size_t level, std::size_t node, const Enter& enter, const Test& test) const {
+    if (!enter(levels_[level][node])) return;
+    const std::size_t below = level == 0 ? count_ : levels_[level - 1].size();
+    const std::size_t end = std::min(below, (node + 1) * kFan);
+    for (std::size_t i = node * kFan; i < end; ++i) {
+      if (level == 0) {
+        test(i);
+      } else {
+        visit_node(level - 1, i, enter, test);
+      }
+    }
+  }
+
+  std::size_t count_ = 0;
+  std::vector<std::vector<Box>> levels_;  // the last has one box
+};
+
+}  // namespace alphascope

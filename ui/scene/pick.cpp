@@ -1,0 +1,200 @@
+// See the header.
+#include "ui/scene/pick.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace alphascope {
+namespace {
+
+using Vector = std::array<double, 3>;
+
+constexpr double kNowhere = std::numeric_limits<double>::infinity();
+constexpr double kRounding = 1e-3;  // Å: more than rounding moves a point out of its flat box
+
+Vector point(const CellSoup& soup, std::size_t i) {
+  return {soup.xyz[3 * i], soup.xyz[3 * i + 1], soup.xyz[3 * i + 2]};
+}
+Vector minus(const Vector& a, const Vector& b) {
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+double dot(const Vector& a, const Vector& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+Vector cross(const Vector& a, const Vector& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+Box box_of(const CellSoup& soup, std::size_t cell, std::size_t corners) {
+  Box box = Box::empty();
+  for (std::size_t i = corners * cell; i < corners * (cell + 1); ++i) {
+    const std::array<float, 3> p{soup.xyz[3 * i], soup.xyz[3 * i + 1], soup.xyz[3 * i + 2]};
+    box.add({p, p});
+  }
+  return box;
+}
+
+// Möller and Trumbore, "Fast, minimum storage ray-triangle intersection" (1997), from both sides.
+double triangle_depth(const CellSoup& soup, std::size_t cell, const Ray& ray) {
+  const Vector a = point(soup, 3 * cell);
+  const Vector e1 = minus(point(soup, 3 * cell + 1), a), e2 = minus(point(soup, 3 * cell + 2), a);
+  const Vector p = cross(ray.direction, e2), s = minus(ray.start, a);
+  const double determinant = dot(e1, p);
+  if (determinant == 0) return kNowhere;
+  const double u = dot(s, p) / determinant;
+  if (!(u >= 0 && u <= 1)) return kNowhere;
+  const Vector q = cross(s, e1);
+  const double v = dot(ray.direction, q) / determinant;
+  if (!(v >= 0 && u + v <= 1)) return kNowhere;
+  const double t = dot(e2, q) / determinant;
+  return t >= 0 ? t : kNowhere;
+}
+
+// Where the ray comes nearest to a line, if it comes near enough. A line is drawn over the faces
+// that it bounds, so it is as much nearer as it may be beside the ray.
+double line_depth(const CellSoup& soup, std::size_t cell, const PickLine& line) {
+  const Vector a = point(soup, 2 * cell), along = minus(point(soup, 2 * cell + 1), a);
+  const Vector& d = line.ray.direction;
+  const Vector from = minus(a, line.ray.start);
+  const double dd = dot(d, d), dl = dot(d, along), ll = dot(along, along);
+  const double determinant = dd * ll - dl * dl;
+  double share = 0;  // of the way along the line
+  if (determinant > 0) share = (dl * dot(d, from) - dd * dot(along, from)) / determinant;
+  share = std::clamp(share, 0.0, 1.0);
+  Vector to = from;
+  for (std::size_t k = 0; k < 3; ++k) to[k] += share * along[k];
+  const double t = dot(d, to) / dd;
+  if (!(t > 0)) return kNowhere;
+  for (std::size_t k = 0; k < 3; ++k) to[k] -= t * d[k];
+  const double near_enough = line.spread * t;
+  return dot(to, to) <= near_enough * near_enough ? std::max(0.0, t - near_enough) : kNowhere;
+}
+
+// The depth beyond which no point of the box lies, for the width of lines there.
+double farthest_depth(const Box& box, const Ray& ray) {
+  Vector to{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    to[k] = std::max(std::fabs(box.low[k] - ray.start[k]), std::fabs(box.high[k] - ray.start[k]));
+  }
+  return std::sqrt(dot(to, to) / dot(ray.direction, ray.direction));
+}
+
+// What a cell of a layer is.
+struct Meaning {
+  std::string_view id;
+  int corners;            // of the simplices
+  bool faces_of = false;  // cells are numbered 4 × tetrahedron + opposite corner
+  bool as_face = false;   // and mean that face
+};
+
+Hit hit_of(const Meaning& meaning, const CellSoup& soup, std::size_t cell, double depth) {
+  const std::size_t number = soup.source.empty() ? cell : soup.source[cell];
+  Hit hit{meaning.id, meaning.corners, number, std::nullopt, depth, {}};
+  if (meaning.faces_of) hit.index = number / 4;
+  if (meaning.as_face) hit.opposite = static_cast<int>(number % 4);
+  return hit;
+}
+
+PickLayer layer_of(const std::shared_ptr<const ComplexMesh>& mesh, CellSoup ComplexMesh::*member,
+                   const Meaning& meaning) {
+  const std::size_t corners = meaning.id == "edges" ? 2 : 3;
+  const CellSoup& soup = (*mesh).*member;
+  auto tree = std::make_shared<const BoxTree>(
+      soup.points() / corners, [&](std::size_t cell) { return box_of(soup, cell, corners); });
+  return {meaning.id, [mesh, member, meaning, corners, tree](const PickLine& line) {
+            const CellSoup& cells = (*mesh).*member;
+            double nearest = kNowhere;
+            std::size_t found = 0;
+            const auto enter = [&](const Box& box) {
+              const double beside =
+                  corners == 2 ? line.spread * farthest_depth(box, line.ray) : 0.0;
+              const double margin = beside + kRounding;
+              return meets(line.ray, box, margin, nearest + 2 * margin);
+            };
+            tree->visit(enter, [&](std::size_t cell) {
+              const double depth = corners == 2 ? line_depth(cells, cell, line)
+                                                : triangle_depth(cells, cell, line.ray);
+              if (depth >= nearest) return;
+              nearest = depth;
+              found = cell;
+            });
+            return std::isfinite(nearest) ? std::optional(hit_of(meaning, cells, found, nearest))
+                                          : std::nullopt;
+          }};
+}
+
+template <std::size_t N, int M>
+std::optional<std::size_t> find_in(const SimplexList<M>& list,
+                                   const std::vector<BallIndex>& balls) {
+  static_assert(N == M);
+  std::array<BallIndex, N> wanted{};
+  std::copy(balls.begin(), balls.end(), wanted.begin());
+  const auto at = std::lower_bound(list.simplices.begin(), list.simplices.end(), wanted);
+  if (at == list.simplices.end() || *at != wanted) return std::nullopt;
+  return static_cast<std::size_t>(at - list.simplices.begin());
+}
+
+template <int N>
+void describe(const SimplexList<N>& list, std::size_t i, const Lattice& lattice, HitSimplex& to) {
+  to.balls.assign(list.simplices.at(i).begin(), list.simplices.at(i).end());
+  if (i < list.alpha_values.size()) to.angstrom2 = lattice.square_angstrom(list.alpha_values[i]);
+  if (i < list.classes.size()) to.kind = list.classes[i];
+}
+
+}  // namespace
+
+PickLayers mesh_layers(const std::shared_ptr<const ComplexMesh>& mesh) {
+  PickLayers layers;
+  if (!mesh) return layers;
+  const auto add = [&](CellSoup ComplexMesh::*soup, const Meaning& meaning) {
+    if (((*mesh).*soup).points() > 0) layers.push_back(layer_of(mesh, soup, meaning));
+  };
+  add(&ComplexMesh::edges, {"edges", 2});
+  add(&ComplexMesh::triangles, {"triangles", 3});
+  add(&ComplexMesh::boundary, {"boundary", 3, true, true});
+  add(&ComplexMesh::tetrahedra, {"tetrahedra", 4, true});
+  return layers;
+}
+
+std::optional<Hit> nearest_hit(const PickLayers& layers, const PickLine& line) {
+  std::optional<Hit> nearest;
+  for (const PickLayer& layer : layers) {
+    const std::optional<Hit> hit = layer.pick(line);
+    if (hit && (!nearest || hit->depth < nearest->depth)) nearest = hit;
+  }
+  if (!nearest) return nearest;
+  for (std::size_t k = 0; k < 3; ++k) {
+    nearest->at[k] = line.ray.start[k] + nearest->depth * line.ray.direction[k];
+  }
+  return nearest;
+}
+
+HitSimplex hit_simplex(const Hit& hit, const AlphaComplex& complex) {
+  HitSimplex simplex;
+  if (hit.opposite) {
+    const auto& tetrahedron = complex.tetrahedra.simplices.at(hit.index);
+    for (int k = 0; k < 4; ++k) {
+      if (k != *hit.opposite) simplex.balls.push_back(tetrahedron[static_cast<std::size_t>(k)]);
+    }
+    const auto place = find_in<3>(complex.triangles, simplex.balls);
+    if (place) describe(complex.triangles, *place, complex.lattice, simplex);
+  } else if (hit.corners == 2) {
+    describe(complex.edges, hit.index, complex.lattice, simplex);
+  } else if (hit.corners == 3) {
+    describe(complex.triangles, hit.index, complex.lattice, simplex);
+  } else if (hit.corners == 4) {
+    describe(complex.tetrahedra, hit.index, complex.lattice, simplex);
+  }
+  return simplex;
+}
+
+bool has_simplex(const AlphaComplex& complex, const std::vector<BallIndex>& balls) {
+  if (balls.size() == 4) return find_in<4>(complex.tetrahedra, balls).has_value();
+  if (complex.tetrahedra_only) return true;
+  if (balls.size() == 3) return find_in<3>(complex.triangles, balls).has_value();
+  if (balls.size() == 2) return find_in<2>(complex.edges, balls).has_value();
+  return false;
+}
+
+}  // namespace alphascope

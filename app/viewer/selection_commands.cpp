@@ -10,11 +10,7 @@ namespace alphascope {
 namespace {
 
 constexpr const char* kNamesHelp =
-    "CHAIN:RESIDUE:ATOM, with commas between several. A:HIS 87:NE2 is one atom, A:HIS 87 a "
-    "residue, "
-    "A: a chain, :87 residue 87 of every chain, A:10-20 a range, ::CA all atoms CA, #12 the "
-    "twelfth "
-    "atom of the file. An expression as in the field Only works, too: resn HEM and element Fe";
+    "CHAIN:RESIDUE:ATOM, commas between several; A: is a chain, :87 a residue, ::CA an atom name";
 
 std::string atoms_text(std::size_t count) {
   return with_separators(static_cast<long long>(count)) + (count == 1 ? " atom" : " atoms");
@@ -25,7 +21,7 @@ Outcome select(ViewState& s, const std::string& text, bool more) {
   try {
     named = named_atoms(*s.references, text);
   } catch (const SelectionError& error) {
-    return Outcome::refused(std::string("Nothing is selected by this. ") + error.what() + ".");
+    return Outcome::refused(std::string("This cannot be read: ") + error.what() + ".");
   }
   if (named.balls.empty() && named.others == 0) {
     return Outcome::refused("The molecule has no atom of this name.");

@@ -53,6 +53,13 @@ bool means_any(std::string_view part) {
   return part.empty() || part == "*";
 }
 
+bool has_addresses(std::string_view text) {
+  if (text.find(':') != std::string_view::npos) return true;
+  const std::vector<std::string_view> parts = split(text, ',');
+  return std::any_of(parts.begin(), parts.end(),
+                     [](std::string_view part) { return trimmed(part).starts_with('#'); });
+}
+
 // One of the addresses: an atom of the file by its number from 1, or an expression.
 struct Address {
   std::size_t number = 0;  // 0: the expression
@@ -150,7 +157,7 @@ std::string atom_address(const Molecule& molecule, std::size_t index) {
 }
 
 std::function<bool(std::size_t)> atoms_named(const Molecule& molecule, std::string_view text) {
-  if (text.find_first_of(":#") == std::string_view::npos) {
+  if (!has_addresses(text)) {
     return [&molecule, bound = SelectionExpression::parse(text).bind(molecule)](std::size_t atom) {
       return bound(molecule.atoms[atom]);
     };

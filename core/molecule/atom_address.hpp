@@ -22,8 +22,8 @@ std::string residue_address(const Molecule& molecule, std::size_t atom);
 // Which atoms of the molecule, by index, are named by addresses with commas between them. A part
 // that is left out or * means any, and so do parts that are missing at the end: "A:" is chain A,
 // ":87" is residue 87 of every chain, "::CA" are all atoms CA, "A:10-20" is a range. "#12" finds
-// all copies of that atom. A text without ":" and "#" is an expression of selection_expression.hpp.
-// The molecule must outlive the result. Throws SelectionError.
+// all copies of that atom. A text without ":" in which nothing begins with "#" is an expression of
+// selection_expression.hpp. The molecule must outlive the result. Throws SelectionError.
 std::function<bool(std::size_t)> atoms_named(const Molecule& molecule, std::string_view text);
 
 }  // namespace alphascope

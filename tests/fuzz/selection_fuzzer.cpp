@@ -1,14 +1,20 @@
-// Any text as a selection expression and as the operators of an assembly.
+// Any text as a selection expression, as addresses of atoms and as the operators of an assembly.
 #include <cstdlib>
 
+#include "core/molecule/atom_address.hpp"
 #include "core/molecule/selection_expression.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {
   const std::string_view text(reinterpret_cast<const char*>(data), size);
+  alphascope::Molecule m;
+  m.atoms.resize(1);
+  m.atoms[0].chain = m.names.intern("A");
   try {
-    alphascope::Molecule m;
-    m.atoms.resize(1);
-    m.atoms[0].chain = m.names.intern("A");
+    static_cast<void>(alphascope::atoms_named(m, text)(0));
+  } catch (const alphascope::SelectionError& error) {
+    if (error.column() < 1 || error.column() > size + 1) std::abort();
+  }
+  try {
     const auto bound = alphascope::SelectionExpression::parse(text).bind(m);
     static_cast<void>(bound(m.atoms[0]));
   } catch (const alphascope::SelectionError& error) {

@@ -31,7 +31,7 @@ struct Nearest {
   BallHit hit{0, std::numeric_limits<double>::infinity()};
 
   void try_ball(std::size_t ball, double depth) {
-    if (depth < hit.depth) hit = {ball, depth};
+    if (depth < hit.depth || (depth == hit.depth && ball < hit.ball)) hit = {ball, depth};
   }
   std::optional<BallHit> found() const {
     return std::isfinite(hit.depth) ? std::optional(hit) : std::nullopt;

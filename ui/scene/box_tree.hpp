@@ -1,12 +1,13 @@
 // Boxes around every sixteen consecutive things (balls, triangles, lines), around every sixteen of
 // these boxes, and so on, so that a ray is tried against a few things only. Files list atoms along
-// their chains and meshes follow the atoms, so neighbours in the list are neighbours in space, and
-// nothing is sorted; a list without any order costs about as much as without boxes.
+// their chains and meshes follow the atoms, so neighbours in the list mostly are neighbours in
+// space. Only a list without such an order is sorted.
 #pragma once
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <vector>
 
@@ -44,14 +45,13 @@ class BoxTree {
   template <class BoxOf>
   BoxTree(std::size_t count, const BoxOf& box_of) : count_(count) {
     if (count == 0) return;
-    std::vector<Box> leaves;
-    leaves.reserve((count + kFan - 1) / kFan);
-    for (std::size_t i = 0; i < count; ++i) {
-      if (i % kFan == 0) leaves.push_back(Box::empty());
-      leaves.back().add(box_of(i));
-    }
-    levels_.push_back(std::move(leaves));
-    while (levels_.back().size() > 1) add_level();
+    add_leaves(box_of);
+    if (!is_scattered()) return;
+    const Box all = levels_.back().front();
+    std::vector<std::uint32_t> places(count);
+    for (std::size_t i = 0; i < count; ++i) places[i] = place_on_curve(box_of(i), all);
+    sort_by(places);
+    add_leaves(box_of);
   }
 
   std::size_t size() const { return count_; }
@@ -66,7 +66,24 @@ class BoxTree {
  private:
   static constexpr std::size_t kFan = 16;
 
-  void add_level();
+  std::size_t thing(std::size_t i) const { return order_.empty() ? i : order_[i]; }
+
+  template <class BoxOf>
+  void add_leaves(const BoxOf& box_of) {
+    std::vector<Box> leaves;
+    leaves.reserve((count_ + kFan - 1) / kFan);
+    for (std::size_t i = 0; i < count_; ++i) {
+      if (i % kFan == 0) leaves.push_back(Box::empty());
+      leaves.back().add(box_of(thing(i)));
+    }
+    add_levels(std::move(leaves));
+  }
+  void add_levels(std::vector<Box> leaves);
+  // Whether the leaves are much larger than those of an ordered list.
+  bool is_scattered() const;
+  // Where the box lies along a curve that fills `all`: a Morton code.
+  static std::uint32_t place_on_curve(const Box& box, const Box& all);
+  void sort_by(const std::vector<std::uint32_t>& places);
 
   template <class Enter, class Test>
   void visit_node(std::size_t level, std::size_t node, const Enter& enter, const Test& test) const {
@@ -75,7 +92,7 @@ class BoxTree {
     const std::size_t end = std::min(below, (node + 1) * kFan);
     for (std::size_t i = node * kFan; i < end; ++i) {
       if (level == 0) {
-        test(i);
+        test(thing(i));
       } else {
         visit_node(level - 1, i, enter, test);
       }
@@ -83,6 +100,7 @@ class BoxTree {
   }
 
   std::size_t count_ = 0;
+  std::vector<std::uint32_t> order_;      // empty: as they come
   std::vector<std::vector<Box>> levels_;  // the last has one box
 };
 

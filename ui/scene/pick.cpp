@@ -115,7 +115,7 @@ PickLayer layer_of(const std::shared_ptr<const ComplexMesh>& mesh, CellSoup Comp
             tree->visit(enter, [&](std::size_t cell) {
               const double depth = corners == 2 ? line_depth(cells, cell, line)
                                                 : triangle_depth(cells, cell, line.ray);
-              if (depth >= nearest) return;
+              if (depth > nearest || (depth == nearest && cell >= found)) return;
               nearest = depth;
               found = cell;
             });

@@ -66,6 +66,7 @@ TEST(AtomAddress, PartsThatAreLeftOutMeanAny) {
                {"#4", "4"},
                {"#1,B:", "134"},
                {"chain B and element Zn", "4"},
+               {"name \"C#\",C?", "56"},
                {"X:", ""}};
   for (const auto& c : cases) EXPECT_EQ(picked(c.text), c.atoms) << c.text;
 }

@@ -151,7 +151,8 @@ TEST_F(ActingTest, ATooltipShowsWhileTheMouseRests) {
 }
 
 TEST_F(ActingTest, TheAtomUnderTheMouseIsNamedWhileTheMouseRests) {
-  // Somewhere in the middle there is a ball.
+  // Somewhere in the middle there is a ball, and nothing of the complex in front of it.
+  viewer_->state().display.tetrahedra = false;
   const WidgetRect view = viewer_->widgets().at("view");
   std::vector<ActingHost::Act> acts;
   std::string named;

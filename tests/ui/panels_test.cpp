@@ -88,8 +88,17 @@ TEST(PanelsTest, DraggingInTheViewIsForwarded) {
   EXPECT_NEAR(p.state.viewport.events[1].x, p.state.viewport.width / 2, 2);
   ImGui::GetIO().MouseDown[0] = false;
   p.frame();
+  ASSERT_EQ(p.state.viewport.events.size(), 2u);
+  EXPECT_EQ(p.state.viewport.events[0].kind, PointerEvent::Kind::release);
+  EXPECT_EQ(p.state.viewport.events[1].kind, PointerEvent::Kind::click) << "it did not move";
+  ImGui::GetIO().MouseDown[0] = true;
+  p.frame();
+  p.point_at("view", 0.6f, 0.5f);
+  p.point_at("view", 0.5f, 0.5f);
+  ImGui::GetIO().MouseDown[0] = false;
+  p.frame();
   ASSERT_FALSE(p.state.viewport.events.empty());
-  EXPECT_EQ(p.state.viewport.events.back().kind, PointerEvent::Kind::release);
+  EXPECT_EQ(p.state.viewport.events.back().kind, PointerEvent::Kind::release) << "a drag";
 }
 
 TEST(PanelsTest, ShortcutsWorkButNotWhileTyping) {

@@ -80,6 +80,12 @@ TEST_F(SelectionTest, TheStatusBarSaysWhatIsUnderTheMouse) {
   EXPECT_NE(line().find(grown), std::string::npos) << line();
   EXPECT_TRUE(viewer_->widgets().contains("status.under_mouse"));
   EXPECT_FALSE(viewer_->widgets().contains("status.device"));
+  // Set, but not in the picture yet.
+  viewer_->state().compute.alpha_angstrom2 = 9;
+  frames(1);
+  EXPECT_EQ(state().result.alpha, 3);
+  EXPECT_NE(line().find(grown), std::string::npos) << line();
+  run("wait-idle\n");
   move(0.01, 0.01);
   EXPECT_EQ(line(), "");
   EXPECT_FALSE(state().picked.hovered);

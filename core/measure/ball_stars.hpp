@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <span>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "core/complex/triangulation.hpp"
@@ -25,7 +26,9 @@ inline std::vector<std::uint32_t> tetrahedron_of_balls(const Triangulation& tria
 class BallStars {
  public:
   BallStars(const Triangulation& triangulation, const std::vector<std::uint32_t>& tetrahedron_of)
-      : triangulation_(triangulation), tetrahedron_of_(tetrahedron_of) {}
+      : triangulation_(triangulation),
+        tetrahedron_of_(tetrahedron_of),
+        walk_of_(triangulation.tetrahedra.size(), 0) {}
 
   // Ascending. Valid until the next call.
   std::span<const BallIndex> neighbours(BallIndex i) {
@@ -40,7 +43,12 @@ class BallStars {
   };
   Range walk(BallIndex i) {
     const std::size_t first = found_.size();
-    star_.assign(1, tetrahedron_of_[i]);
+    ++walks_;
+    star_.clear();
+    const auto meet = [&](std::uint32_t t) {
+      if (std::exchange(walk_of_[t], walks_) != walks_) star_.push_back(t);
+    };
+    meet(tetrahedron_of_[i]);
     for (std::size_t n = 0; n < star_.size(); ++n) {
       const std::uint32_t t = star_[n];
       for (int k = 0; k < 4; ++k) {
@@ -48,10 +56,7 @@ class BallStars {
         if (ball == i) continue;
         found_.push_back(ball);
         const Neighbour across = triangulation_.neighbours[t][k];
-        if (!across.is_hull() &&
-            std::find(star_.begin(), star_.end(), across.index()) == star_.end()) {
-          star_.push_back(across.index());
-        }
+        if (!across.is_hull()) meet(across.index());
       }
     }
     const auto begin = found_.begin() + static_cast<std::ptrdiff_t>(first);
@@ -62,6 +67,8 @@ class BallStars {
 
   const Triangulation& triangulation_;
   const std::vector<std::uint32_t>& tetrahedron_of_;
+  std::vector<std::uint32_t> walk_of_;  // the last that met each tetrahedron
+  std::uint32_t walks_ = 0;
   std::unordered_map<BallIndex, Range> range_of_;
   std::vector<BallIndex> found_;
   std::vector<std::uint32_t> star_;

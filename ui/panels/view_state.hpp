@@ -129,8 +129,6 @@ struct ViewState {
   std::shared_ptr<const BallReferences> references;  // of the balls on screen; null: none
   std::string picked_text;                           // how many are selected; empty: none
   std::size_t picked_missing = 0;                    // of them, those not in the picture
-  std::string pending;  // what is computed and still being drawn; empty: nothing
-  std::optional<EngineTimings> ours, cgal, cgal_parallel;  // the last: with all threads
   BadgeInfo badge;
   BenchmarkControls benchmark_controls;
   BenchmarkInfo benchmark;

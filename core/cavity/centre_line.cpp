@@ -60,14 +60,14 @@ RealPoint tangent(const Clearance& clearance, const Line& line, std::size_t n, d
 // A place on a polyline, and the way to one that is farther along.
 class Walk {
  public:
-  explicit Walk(const Line& line) : corners_(&line) {}
+  explicit Walk(const Line& line) : corners_(&line) { advance(0); }
   bool at_end() const { return segment_ + 1 >= corners_->size(); }
   RealPoint place() const {
     if (at_end()) return corners_->back();
     const RealPoint along = corner(1) - corner(0);
     return corner(0) + (passed_ / length(along)) * along;
   }
-  std::size_t segment() const { return segment_; }  // the place is on it, behind its first corner
+  std::size_t segment() const { return segment_; }  // it has a length, and the place is not its end
   void advance(double distance) {
     passed_ += distance;
     while (!at_end()) {
@@ -91,7 +91,6 @@ class Walk {
 Line cut_start(const Clearance& clearance, double radius, const Line& curve) {
   constexpr double kStep = 0.05;  // Å
   Walk walk(curve);
-  walk.advance(0);
   Walk cut = walk;
   while (!walk.at_end()) {
     const double above = clearance.at(walk.place()) - radius;
@@ -121,9 +120,11 @@ bool is_wide(const Clearance& clearance, const RealPoint& from, const RealPoint&
 }
 
 // Goes straight through what is wider than `radius`, where edges of the power diagram go far.
-Line straightened(const Clearance& clearance, const Line& line, double radius) {
+Line straightened(const Clearance& clearance, const Line& line, double radius,
+                  const CancelToken& cancel) {
   Line result;
   for (std::size_t n = 0; n < line.size();) {
+    cancel.throw_if_cancelled();
     result.push_back(line[n]);
     std::size_t next = n + 1;
     if (clearance.at(line[n]) >= radius) {
@@ -139,12 +140,12 @@ Line straightened(const Clearance& clearance, const Line& line, double radius) {
 }
 
 // The same again and again, as long as that makes it much shorter.
-Line taut(const Clearance& clearance, Line line, double radius) {
+Line taut(const Clearance& clearance, Line line, double radius, const CancelToken& cancel) {
   constexpr int kMostTimes = 12;
   constexpr double kWorth = 0.98;
   for (int n = 0; n < kMostTimes; ++n) {
     const double before = line_length(line);
-    line = resampled(straightened(clearance, line, radius), kCoarseSpacing);
+    line = resampled(straightened(clearance, line, radius, cancel), kCoarseSpacing);
     if (line_length(line) > kWorth * before) break;
   }
   return line;
@@ -237,7 +238,8 @@ double farthest_move(const Line& line, const Line& before) {
 
 }  // namespace
 
-CutCurve cut_at_least_clearance(const Clearance& clearance, const std::vector<RealPoint>& curve) {
+CutCurve cut_at_least_clearance(const Clearance& clearance, const std::vector<RealPoint>& curve,
+                                const CancelToken& cancel) {
   // Clearance changes by no more than the distance walked: a step passes no place that is narrower
   // by more than half of what is added to it.
   constexpr double kCoarse = 0.05, kFine = 2 * kLeastClearanceError;
@@ -245,6 +247,7 @@ CutCurve cut_at_least_clearance(const Clearance& clearance, const std::vector<Re
   Walk best(curve);
   for (const double added : {kCoarse, kFine}) {
     for (Walk walk(curve); !walk.at_end();) {
+      cancel.throw_if_cancelled();
       const double here = clearance.at(walk.place());
       if (here < least) {
         least = here;
@@ -263,7 +266,7 @@ CutCurve cut_at_least_clearance(const Clearance& clearance, const std::vector<Re
 }
 
 std::vector<ChannelSample> centre_line(const Clearance& clearance, const Envelope& envelope,
-                                       const LineStart& start, const CancelToken& cancel) {
+                                       const LineStart& start, const RunContext& context) {
   constexpr double kAnywhere = std::numeric_limits<double>::infinity();
   Line line = start.curve;
   if (!start.first_fixed) line = cut_start(clearance, start.end_radius_angstrom, line);
@@ -272,12 +275,14 @@ std::vector<ChannelSample> centre_line(const Clearance& clearance, const Envelop
     line = cut_start(clearance, start.end_radius_angstrom, line);
     std::reverse(line.begin(), line.end());
   }
-  line = taut(clearance, resampled(line, kCoarseSpacing), start.end_radius_angstrom);
+  line =
+      taut(clearance, resampled(line, kCoarseSpacing), start.end_radius_angstrom, context.cancel);
   // A curve along edges of the power diagram is jagged: small steps and smoothing in turns keep the
   // places in their order while they move.
-  const Scene scene{clearance, envelope, start, cancel};
+  const Scene scene{clearance, envelope, start, context.cancel};
   const AscentLimits in_rounds{0.15, 0.03, kAnywhere, 0.15};
   for (int round = 0; round < kRounds; ++round) {
+    context.report(kCentreLineStage, static_cast<double>(round) / kRounds);
     const Line before = line;
     line = ascended(scene, smoothed(scene, line), kCoarseSpacing, in_rounds);
     line = resampled(line, kCoarseSpacing);

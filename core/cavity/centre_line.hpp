@@ -2,6 +2,7 @@
 // planes normal to it, clearance has local maxima.
 #pragma once
 
+#include <string_view>
 #include <vector>
 
 #include "core/cavity/channel.hpp"
@@ -9,6 +10,9 @@
 #include "core/cavity/envelope.hpp"
 
 namespace alphascope {
+
+// What RunContext::progress is told while the line moves.
+inline constexpr std::string_view kCentreLineStage = "centre line";
 
 struct LineStart {
   std::vector<RealPoint> curve;  // Å; two places or more
@@ -23,13 +27,14 @@ inline constexpr double kLeastClearanceError = 2.5e-4;
 struct CutCurve {
   std::vector<RealPoint> before, after;  // the place is the last of one and the first of the other
 };
-CutCurve cut_at_least_clearance(const Clearance& clearance, const std::vector<RealPoint>& curve);
+CutCurve cut_at_least_clearance(const Clearance& clearance, const std::vector<RealPoint>& curve,
+                                const CancelToken& cancel);
 
 // What is wider than the end radius and outside the envelope has no middle, and stays where it is.
 // Positions and radii, at most `kSpacingAngstrom` apart; no lengths. Works in the caller's task
 // arena; does not depend on the number of threads. Throws Cancelled.
 inline constexpr double kSpacingAngstrom = 0.1;
 std::vector<ChannelSample> centre_line(const Clearance& clearance, const Envelope& envelope,
-                                       const LineStart& start, const CancelToken& cancel);
+                                       const LineStart& start, const RunContext& context);
 
 }  // namespace alphascope

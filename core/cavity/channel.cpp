@@ -183,7 +183,7 @@ RealPoint Finder::bottleneck_place(const Passage& passage, const RealPoint& on_c
 // Both sides of the bottleneck, which keeps its place.
 void Finder::set_line(const std::vector<Passage>& passages, const Passage& narrowest,
                       Channel& channel) const {
-  CutCurve cut = cut_at_least_clearance(clearance_, whole_curve(passages));
+  CutCurve cut = cut_at_least_clearance(clearance_, whole_curve(passages), context_.cancel);
   const RealPoint place = bottleneck_place(narrowest, cut.after.front(), channel);
   LineStart start;
   start.end_radius_angstrom = channel.end_radius_angstrom;
@@ -191,7 +191,7 @@ void Finder::set_line(const std::vector<Passage>& passages, const Passage& narro
   if (cut.before.size() > 1) {
     cut.before.back() = place;
     start.curve = cut.before;
-    channel.samples = centre_line(clearance_, envelope_, start, context_.cancel);
+    channel.samples = centre_line(clearance_, envelope_, start, context_);
     channel.samples.pop_back();
   }
   channel.bottleneck = channel.samples.size();
@@ -199,8 +199,7 @@ void Finder::set_line(const std::vector<Passage>& passages, const Passage& narro
   start.last_fixed = ends_.kind == Kind::between;
   cut.after.front() = place;
   start.curve = cut.after;
-  const std::vector<ChannelSample> after =
-      centre_line(clearance_, envelope_, start, context_.cancel);
+  const std::vector<ChannelSample> after = centre_line(clearance_, envelope_, start, context_);
   channel.samples.insert(channel.samples.end(), after.begin(), after.end());
   for (std::size_t n = 1; n < channel.samples.size(); ++n) {
     ChannelSample& sample = channel.samples[n];

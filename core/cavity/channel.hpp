@@ -86,8 +86,8 @@ struct ChannelEndCovered : std::invalid_argument {
 // The plane that `out_along` and `through` may not cross is the surface of a ball of 30,000 Å
 // (3,000 on a lattice of 4 digits): x Å from the point it is x² / 60,000 Å behind the plane.
 // Works in the caller's task arena. Throws ChannelEndCovered; std::invalid_argument for no balls,
-// for a direction of no length, for a plane that is open sideways, or where an end is too far away
-// from the balls; Cancelled.
+// for a direction of no length, for a plane that is open sideways, or where an end is 100,000 Å
+// away from the balls; Cancelled.
 Channel find_channel(const BallSet& balls, const ChannelEnds& ends, const RunContext& context = {});
 
 }  // namespace alphascope

@@ -29,10 +29,11 @@ struct Surroundings {
     high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
   }
   RealPoint centre() const { return 0.5 * (low + high); }
+  double diagonal() const { return length(high - low); }
   // Balls with their centres in the box that grow until they cover an end have radii of at most the
   // box's diagonal, and reach to 3/2 of it from the box's centre: less than this.
   double far_away(const Lattice& lattice) const {
-    return 3 * length(high - low) + 20 * lattice.units_per_angstrom();
+    return 3 * diagonal() + 20 * lattice.units_per_angstrom();
   }
 };
 
@@ -324,18 +325,21 @@ int passage_digits(const BallSet& balls, const std::vector<RealPoint>& ends_angs
     }
     surroundings.add(p);
   }
+  if (surroundings.diagonal() > kWidestScene) {
+    throw std::invalid_argument(
+        "balls and ends of a channel are more than 100,000 Å apart; choose ends near the balls");
+  }
   const RealPoint centre = surroundings.centre();
   const double middle = std::max({std::fabs(centre.x), std::fabs(centre.y), std::fabs(centre.z)});
-  constexpr int kLeastDigits = -4;
-  for (int digits = std::min(balls.lattice.digits, kMostDigits); digits >= kLeastDigits; --digits) {
+  const auto has_room = [&](int digits) {
     const double units = Lattice{digits}.units_per_angstrom();
     const double far_away = surroundings.far_away(angstrom) * units + 1;
-    if (middle * units + far_away + kWallRadius < kMaxLatticeCoordinate &&
-        far_away < kMaxLatticeRadius) {
-      return digits;
-    }
-  }
-  throw std::invalid_argument("an end of the channel is too far away from the balls");
+    return middle * units + far_away + kWallRadius < kMaxLatticeCoordinate &&
+           far_away < kMaxLatticeRadius;
+  };
+  int digits = std::min(balls.lattice.digits, kMostDigits);
+  while (!has_room(digits)) --digits;
+  return digits;
 }
 
 std::int64_t growth_room(const BallSet& balls, const LatticePoint& point) {

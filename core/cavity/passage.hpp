@@ -49,9 +49,12 @@ std::int64_t passage_step(const Lattice& lattice);
 // does not grow: at distance x from `from`, it is x² / (2 · this) behind the plane.
 inline constexpr std::int32_t kWallRadius = 30'000'000;
 
+// Balls and ends may be this far apart: far more than in any molecule.
+inline constexpr double kWidestScene = 100'000;  // Å
+
 // The finest lattice on which passages can be looked for, of at most 4 digits: around these balls,
 // and ends such as these (Å), there must be room for helping balls, far away.
-// Throws std::invalid_argument when no lattice has room.
+// Throws std::invalid_argument for what is wider than kWidestScene.
 int passage_digits(const BallSet& balls, const std::vector<RealPoint>& ends_angstrom);
 
 // Largest growth, a multiple of the step, that leaves this point outside all balls; negative when

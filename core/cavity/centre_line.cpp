@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "core/cavity/plane_ascent.hpp"
+#include "core/cavity/walk.hpp"
 
 namespace alphascope {
 namespace {
@@ -56,35 +57,6 @@ RealPoint tangent(const Clearance& clearance, const Line& line, std::size_t n, d
   const std::size_t low = n > reach ? n - reach : 0, high = std::min(n + reach, line.size() - 1);
   return unit_vector(line[high] - line[low]);
 }
-
-// A place on a polyline, and the way to one that is farther along.
-class Walk {
- public:
-  explicit Walk(const Line& line) : corners_(&line) { advance(0); }
-  bool at_end() const { return segment_ + 1 >= corners_->size(); }
-  RealPoint place() const {
-    if (at_end()) return corners_->back();
-    const RealPoint along = corner(1) - corner(0);
-    return corner(0) + (passed_ / length(along)) * along;
-  }
-  std::size_t segment() const { return segment_; }  // it has a length, and the place is not its end
-  void advance(double distance) {
-    passed_ += distance;
-    while (!at_end()) {
-      const double size = length(corner(1) - corner(0));
-      if (passed_ < size) return;
-      passed_ -= size;
-      ++segment_;
-    }
-  }
-
- private:
-  const RealPoint& corner(std::size_t next) const { return (*corners_)[segment_ + next]; }
-
-  const Line* corners_;
-  std::size_t segment_ = 0;
-  double passed_ = 0;  // of this segment
-};
 
 // The end of a curve from where clearance reaches `radius` on, walking towards its first place.
 // Clearance changes by no more than the distance walked, so wide parts are crossed in few steps.

@@ -129,7 +129,7 @@ std::vector<Passage> Finder::passages() {
   }
   std::vector<Passage> result(ends_.kind == Kind::through ? 2 : 1);
   if (result.size() == 1) {
-    result[0] = widest_passage(balls_, first, context_);
+    result[0] = widest_passage(balls_, clearance_, first, context_);
     return result;
   }
   PassageEnds second = first;
@@ -137,9 +137,9 @@ std::vector<Passage> Finder::passages() {
   RunContext quiet;  // only the caller's thread reports
   quiet.cancel = context_.cancel;
   tbb::task_group other;
-  other.run([&] { result[1] = widest_passage(balls_, second, quiet); });
+  other.run([&] { result[1] = widest_passage(balls_, clearance_, second, quiet); });
   try {
-    result[0] = widest_passage(balls_, first, context_);
+    result[0] = widest_passage(balls_, clearance_, first, context_);
   } catch (...) {
     other.cancel();
     other.wait();

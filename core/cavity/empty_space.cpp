@@ -5,6 +5,7 @@
 #include <limits>
 #include <queue>
 
+#include "core/complex/face_groups.hpp"
 #include "core/predicates/exact_alpha.hpp"
 #include "core/predicates/perturbation.hpp"
 
@@ -46,10 +47,7 @@ bool EmptySpace::is_empty(std::uint32_t tetrahedron) const {
 // ball is in its smallest orthosphere; only neighbours can be.
 bool EmptySpace::is_open(std::uint32_t tetrahedron, std::size_t k) const {
   const auto f = face(tetrahedron, k);
-  if (compare_ortho_radius(balls_, f, 0) > 0) return true;
-  bool on_face = false;
-  least_power(tetrahedron, k, on_face);
-  return !on_face;
+  return compare_ortho_radius(balls_, f, 0) > 0 || !is_gap(tetrahedron, k);
 }
 
 bool EmptySpace::leads_out(std::uint32_t tetrahedron) const {
@@ -59,26 +57,28 @@ bool EmptySpace::leads_out(std::uint32_t tetrahedron) const {
   return false;
 }
 
+// Of those below `end`; 0 when there is none.
+double EmptySpace::largest_radius(std::span<const BallIndex> balls, BallIndex end) const {
+  std::int32_t largest = 0;
+  for (const BallIndex i : balls) {
+    if (i < end) largest = std::max(largest, balls_.radii[i]);
+  }
+  return largest;
+}
+
 double EmptySpace::power(std::uint32_t tetrahedron) const {
   return ortho_radius_rounded(balls_, triangulation_.tetrahedra[tetrahedron]);
 }
 
-double EmptySpace::least_power(std::uint32_t tetrahedron, std::size_t k, bool& on_face) const {
+bool EmptySpace::is_gap(std::uint32_t tetrahedron, std::size_t k) const {
   const auto f = face(tetrahedron, k);
+  const auto attaches = [&](BallIndex apex) {
+    return conflict_with_smallest_orthosphere(balls_, f, apex) < 0;
+  };
+  if (attaches(triangulation_.tetrahedra[tetrahedron][k])) return false;
   const Neighbour across = triangulation_.neighbours[tetrahedron][k];
-  on_face =
-      conflict_with_smallest_orthosphere(balls_, f, triangulation_.tetrahedra[tetrahedron][k]) >= 0;
-  if (across.is_hull()) {
-    return on_face ? ortho_radius_rounded(balls_, f) : power(tetrahedron);
-  }
-  if (on_face) {
-    const auto& other = triangulation_.tetrahedra[across.index()];
-    std::size_t apex = 0;
-    while (apex < 3 && other[apex] == f[apex]) ++apex;
-    on_face = conflict_with_smallest_orthosphere(balls_, f, other[apex]) >= 0;
-  }
-  return on_face ? ortho_radius_rounded(balls_, f)
-                 : std::min(power(tetrahedron), power(across.index()));
+  if (across.is_hull()) return true;
+  return !attaches(apex<3>(triangulation_.tetrahedra[across.index()], f));
 }
 
 // Dijkstra's search by tetrahedra. relax(key, t, k) is the key of the neighbour across open face k
@@ -126,11 +126,27 @@ std::optional<EmptySpace::Way> EmptySpace::least_way(BallIndex from, BallIndex t
   return std::nullopt;
 }
 
+double EmptySpace::width_across(std::uint32_t tetrahedron, std::size_t k,
+                                const WayWidth& width) const {
+  const auto by_power = [&](double power, std::span<const BallIndex> balls) {
+    const double radius = largest_radius(balls, width.ball_end);
+    return std::sqrt(std::max(0.0, power) + radius * radius) - radius + width.grown;
+  };
+  const auto f = face(tetrahedron, k);
+  if (is_gap(tetrahedron, k)) {
+    const std::optional<double> known = width.at_gap(f);
+    return known ? *known : by_power(ortho_radius_rounded(balls_, f), f);
+  }
+  const std::uint32_t across = triangulation_.neighbours[tetrahedron][k].index();
+  return std::min(by_power(power(tetrahedron), triangulation_.tetrahedra[tetrahedron]),
+                  by_power(power(across), triangulation_.tetrahedra[across]));
+}
+
 std::optional<EmptySpace::Way> EmptySpace::widest_way(BallIndex from, BallIndex to,
+                                                      const WayWidth& width,
                                                       const CancelToken& cancel) const {
-  bool on_face = false;
   return least_way(from, to, cancel, [&](double key, std::uint32_t t, std::size_t k) {
-    return std::max(key, -least_power(t, k, on_face));
+    return std::max(key, -width_across(t, k, width));
   });
 }
 
@@ -139,9 +155,7 @@ std::vector<std::array<BallIndex, 3>> EmptySpace::gaps(const Way& way) const {
   for (std::size_t n = 0; n + 1 < way.size(); ++n) {
     std::size_t k = 0;
     while (triangulation_.neighbours[way[n]][k] != Neighbour::tetrahedron(way[n + 1])) ++k;
-    bool on_face = false;
-    least_power(way[n], k, on_face);
-    if (on_face) result.push_back(face(way[n], k));
+    if (is_gap(way[n], k)) result.push_back(face(way[n], k));
   }
   return result;
 }
@@ -150,20 +164,15 @@ double EmptySpace::cost_across(std::uint32_t tetrahedron, std::size_t k,
                                const WayCost& cost) const {
   const auto f = face(tetrahedron, k);
   const Neighbour across = triangulation_.neighbours[tetrahedron][k];
-  double radius = 0;
-  for (const BallIndex i : f) {
-    if (i < cost.ball_end) radius = std::max(radius, static_cast<double>(balls_.radii[i]));
-  }
-  bool on_face = false;
-  least_power(tetrahedron, k, on_face);
+  const double radius = largest_radius(f, cost.ball_end);
   const double least = ortho_radius_rounded(balls_, f);
   const auto height = [&](std::uint32_t t) { return std::sqrt(std::max(0.0, power(t) - least)); };
   const double own = height(tetrahedron), other = height(across.index());
   const auto integral = [&](double begin, double end) {
     return integrated_narrowness(begin, end, least, radius, cost);
   };
-  return on_face ? integral(0, own) + integral(0, other)
-                 : integral(std::min(own, other), std::max(own, other));
+  return is_gap(tetrahedron, k) ? integral(0, own) + integral(0, other)
+                                : integral(std::min(own, other), std::max(own, other));
 }
 
 std::optional<EmptySpace::Way> EmptySpace::cheapest_way(BallIndex from, BallIndex to,

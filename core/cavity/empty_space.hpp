@@ -5,7 +5,9 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "core/complex/triangulation.hpp"
@@ -20,6 +22,15 @@ struct WayCost {
   double grown;
   double enough;       // a larger clearance is worth no more
   BallIndex ball_end;  // balls from here on do not narrow a way
+};
+
+// How wide a way is at a triangle that is narrower than it is on both sides (lattice units);
+// nothing where that is not known. The triangulation orders places by power distance, not by
+// clearance.
+struct WayWidth {
+  std::function<std::optional<double>(const std::array<BallIndex, 3>& gap)> at_gap;
+  double grown;  // as in WayCost
+  BallIndex ball_end;
 };
 
 // Each decision is exact and made when it is asked for; a search sees only a part of the
@@ -44,9 +55,10 @@ class EmptySpace {
   // is outside the other balls. So a curve goes straight from it to any of the cell's corners.
   using Way = std::vector<std::uint32_t>;
 
-  // Of all ways, one whose least power distance is largest; power distances are rounded, whether
-  // there is a way at all is exact. `to` may be kOutside. Throws Cancelled.
-  std::optional<Way> widest_way(BallIndex from, BallIndex to, const CancelToken& cancel) const;
+  // Of all ways, one whose least clearance is largest; clearances are rounded and those of gaps are
+  // guesses, whether there is a way at all is exact. `to` may be kOutside. Throws Cancelled.
+  std::optional<Way> widest_way(BallIndex from, BallIndex to, const WayWidth& width,
+                                const CancelToken& cancel) const;
 
   // Of all ways, the one of least length / clearance², along the edges of the power diagram. Throws
   // Cancelled.
@@ -63,10 +75,11 @@ class EmptySpace {
 
  private:
   std::array<BallIndex, 3> face(std::uint32_t tetrahedron, std::size_t k) const;
+  double largest_radius(std::span<const BallIndex> balls, BallIndex end) const;
   double power(std::uint32_t tetrahedron) const;  // of its corner, square lattice units
-  // Of the point of the face's edge of the power diagram where it is least; `on_face` is whether it
-  // is in the plane of the face.
-  double least_power(std::uint32_t tetrahedron, std::size_t k, bool& on_face) const;
+  // Is the edge of the power diagram across this face narrowest in the plane of the face?
+  bool is_gap(std::uint32_t tetrahedron, std::size_t k) const;
+  double width_across(std::uint32_t tetrahedron, std::size_t k, const WayWidth& width) const;
   double cost_across(std::uint32_t tetrahedron, std::size_t k, const WayCost& cost) const;
   template <class Relax>
   std::optional<Way> least_way(BallIndex from, BallIndex to, const CancelToken& cancel,

@@ -12,6 +12,8 @@
 
 #include "core/cavity/empty_space.hpp"
 #include "core/cavity/equal_clearance.hpp"
+#include "core/cavity/plane_ascent.hpp"
+#include "core/cavity/walk.hpp"
 #include "core/run/internal_error.hpp"
 #include "core/run/stage_timer.hpp"
 #include "core/triangulation/cgal_triangulation.hpp"
@@ -104,8 +106,13 @@ struct GrownScene {
 
 class Search {
  public:
-  Search(const BallSet& balls, const PassageEnds& ends, const RunContext& context)
-      : balls_(balls), ends_(ends), context_(context), step_(passage_step(balls.lattice)) {
+  Search(const BallSet& balls, const Clearance& clearance, const PassageEnds& ends,
+         const RunContext& context)
+      : balls_(balls),
+        clearance_(clearance),
+        ends_(ends),
+        context_(context),
+        step_(passage_step(balls.lattice)) {
     for (const LatticePoint& p : balls.centres) surroundings_.add(real_point(p));
     surroundings_.add(real_point(ends.from));
     if (ends.to) surroundings_.add(real_point(*ends.to));
@@ -127,11 +134,16 @@ class Search {
   std::optional<Open> ask(std::int64_t growth, bool report) const;
   void ask_all(const std::vector<std::int64_t>& growths);
   EqualClearance gap_at_wall(const std::array<BallIndex, 2>& two) const;
+  std::optional<PassageGap> gap_of(const GrownScene& scene,
+                                   const std::array<BallIndex, 3>& triangle) const;
   std::vector<PassageGap> gaps_on(const Open& open, const EmptySpace::Way& way) const;
   std::vector<std::int64_t> next_growths() const;
+  double narrowest_on(const Open& open, double most) const;
+  std::vector<RealPoint> curve_of(const Open& open, const EmptySpace::Way& way) const;
   void set_curve(const Open& open, Passage& passage) const;
 
   const BallSet& balls_;
+  const Clearance& clearance_;
   const PassageEnds& ends_;
   const RunContext& context_;
   const std::int64_t step_;
@@ -175,7 +187,16 @@ std::optional<Search::Open> Search::ask(std::int64_t growth, bool report) const 
   Open open{grown_scene(growth, report), {}};
   const GrownScene& scene = *open.scene;
   const EmptySpace space(scene.balls, scene.triangulation);
-  std::optional<EmptySpace::Way> way = space.widest_way(scene.from, scene.to, context_.cancel);
+  const double units = balls_.lattice.units_per_angstrom();
+  const auto at_gap = [&](const std::array<BallIndex, 3>& triangle) -> std::optional<double> {
+    const auto gap = gap_of(scene, triangle);
+    if (!gap) return std::nullopt;
+    return gap->clearance_angstrom * units;
+  };
+  std::optional<EmptySpace::Way> way = space.widest_way(
+      scene.from, scene.to,
+      {at_gap, static_cast<double>(growth), static_cast<BallIndex>(scene.original.size())},
+      context_.cancel);
   if (!way) return std::nullopt;
   open.way = std::move(*way);
   return open;
@@ -222,35 +243,73 @@ EqualClearance Search::gap_at_wall(const std::array<BallIndex, 2>& two) const {
 }
 
 // Between three balls, or two and the plane.
-std::vector<PassageGap> Search::gaps_on(const Open& open, const EmptySpace::Way& way) const {
-  const GrownScene& scene = *open.scene;
+std::optional<PassageGap> Search::gap_of(const GrownScene& scene,
+                                         const std::array<BallIndex, 3>& triangle) const {
   const auto ball_end = static_cast<BallIndex>(scene.original.size());
+  const bool at_wall = wall_ && triangle[2] + 1 == scene.balls.size();
+  if (triangle[1] >= ball_end || (triangle[2] >= ball_end && !at_wall)) return std::nullopt;
+  const auto ball = [&](std::size_t n) { return scene.original[triangle[n]]; };
+  const EqualClearance place = at_wall ? gap_at_wall({ball(0), ball(1)})
+                                       : equal_clearance(balls_, {ball(0), ball(1), ball(2)});
+  if (!place.found) return std::nullopt;
+  return PassageGap{place.place_angstrom, place.clearance_angstrom, at_wall};
+}
+
+std::vector<PassageGap> Search::gaps_on(const Open& open, const EmptySpace::Way& way) const {
   std::vector<PassageGap> gaps;
-  for (const auto& triangle : EmptySpace(scene.balls, scene.triangulation).gaps(way)) {
-    const bool at_wall = wall_ && triangle[2] + 1 == scene.balls.size();
-    if (triangle[1] >= ball_end || (triangle[2] >= ball_end && !at_wall)) continue;
-    const auto ball = [&](std::size_t n) { return scene.original[triangle[n]]; };
-    const EqualClearance place = at_wall ? gap_at_wall({ball(0), ball(1)})
-                                         : equal_clearance(balls_, {ball(0), ball(1), ball(2)});
-    if (place.found) gaps.push_back({place.place_angstrom, place.clearance_angstrom, at_wall});
+  const EmptySpace space(open.scene->balls, open.scene->triangulation);
+  for (const auto& triangle : space.gaps(way)) {
+    if (const auto gap = gap_of(*open.scene, triangle)) gaps.push_back(*gap);
   }
   return gaps;
 }
 
-// Where the narrowest gap of the widest way closes, and a step more: nearly always this is the
-// answer. It need not be, as there may be a wider way by clearance; the middle makes sure that the
-// search ends.
+// By clearance, where the way can be moved a little: a guess of where it closes (lattice units), at
+// most `most`. Only what is narrower than all before is looked at.
+double Search::narrowest_on(const Open& open, double most) const {
+  constexpr double kStep = 0.1, kFarthest = 2, kSame = 0.02;  // Å
+  const double unit = balls_.lattice.unit_angstrom();
+  double narrowest = most * unit;
+  RealPoint place;
+  const std::vector<RealPoint> curve = curve_of(open, open.way);
+  for (Walk walk(curve); !walk.at_end();) {
+    context_.cancel.throw_if_cancelled();
+    const double here = clearance_.at(walk.place());
+    if (here < narrowest) {
+      const Ascent ascent = ascend_in_plane(clearance_, walk.place(), walk.direction(),
+                                            {0.2, 1e-4, narrowest, kFarthest});
+      const double risen = clearance_.at(ascent.place);
+      if (risen < narrowest) {
+        narrowest = risen;
+        place = ascent.place;
+      }
+    }
+    walk.advance(std::max(here - narrowest, kStep));
+  }
+  std::vector<Surface> near;
+  clearance_.collect(place, narrowest + kSame, near);
+  if (narrowest < most * unit && near.size() >= 3) {
+    const EqualClearance exact =
+        equal_clearance(balls_, {near[0].ball, near[1].ball, near[2].ball});
+    if (exact.found && std::fabs(exact.clearance_angstrom - narrowest) < kSame) {
+      narrowest = exact.clearance_angstrom;
+    }
+  }
+  for (const PassageGap& gap : gaps_on(open, open.way)) {
+    if (gap.at_wall) narrowest = std::min(narrowest, gap.clearance_angstrom);
+  }
+  return narrowest / unit;
+}
+
+// Where the widest way closes, and a step more: mostly this is the answer. It need not be, as the
+// way is a guess, too; the middle makes sure that the search ends.
 std::vector<std::int64_t> Search::next_growths() const {
   std::vector<std::int64_t> growths;
   const auto add = [&](std::int64_t growth) {
     if (growth > open_at_ && growth < closed_at_) growths.push_back(growth);
   };
   if (open_) {
-    // Power distance orders gaps otherwise than clearance, so all on the way are looked at.
-    double narrowest = static_cast<double>(most_);
-    for (const PassageGap& gap : gaps_on(*open_, open_->way)) {
-      narrowest = std::min(narrowest, gap.clearance_angstrom * balls_.lattice.units_per_angstrom());
-    }
+    const double narrowest = narrowest_on(*open_, static_cast<double>(most_));
     const auto guess =
         static_cast<std::int64_t>(std::floor(narrowest / static_cast<double>(step_))) * step_;
     add(guess);
@@ -298,11 +357,17 @@ void Search::set_curve(const Open& open, Passage& passage) const {
   const auto way = space.cheapest_way(scene.from, scene.to, cost, context_.cancel);
   if (!way) throw InternalError("An open passage has no way.");
   passage.gaps = gaps_on(open, *way);
-  std::vector<RealPoint>& places = passage.curve;
-  places.push_back(real_point(ends_.from));
-  for (const std::uint32_t t : *way) places.push_back(space.corner(t));
+  passage.curve = curve_of(open, *way);
+}
+
+// Å.
+std::vector<RealPoint> Search::curve_of(const Open& open, const EmptySpace::Way& way) const {
+  const EmptySpace space(open.scene->balls, open.scene->triangulation);
+  std::vector<RealPoint> places{real_point(ends_.from)};
+  for (const std::uint32_t t : way) places.push_back(space.corner(t));
   if (ends_.to) places.push_back(real_point(*ends_.to));
-  for (RealPoint& p : places) p = balls.lattice.unit_angstrom() * p;
+  for (RealPoint& p : places) p = balls_.lattice.unit_angstrom() * p;
+  return places;
 }
 
 }  // namespace
@@ -352,8 +417,9 @@ std::int64_t growth_room(const BallSet& balls, const LatticePoint& point) {
   return room;
 }
 
-Passage widest_passage(const BallSet& balls, const PassageEnds& ends, const RunContext& context) {
-  return Search(balls, ends, context).run();
+Passage widest_passage(const BallSet& balls, const Clearance& clearance, const PassageEnds& ends,
+                       const RunContext& context) {
+  return Search(balls, clearance, ends, context).run();
 }
 
 }  // namespace alphascope

@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/cavity/clearance.hpp"
 #include "core/geometry/ball_set.hpp"
 #include "core/geometry/real_point.hpp"
 #include "core/run/cancel_token.hpp"
@@ -61,9 +62,9 @@ int passage_digits(const BallSet& balls, const std::vector<RealPoint>& ends_angs
 // it is not outside them as they are.
 std::int64_t growth_room(const BallSet& balls, const LatticePoint& point);
 
-// `balls` on a lattice that passage_digits() allows. Works in the caller's task arena; what it
-// finds does not depend on the number of threads. Throws Cancelled.
-Passage widest_passage(const BallSet& balls, const PassageEnds& ends,
+// `balls` on a lattice that passage_digits() allows, and their clearance. Works in the caller's
+// task arena; what it finds does not depend on the number of threads. Throws Cancelled.
+Passage widest_passage(const BallSet& balls, const Clearance& clearance, const PassageEnds& ends,
                        const RunContext& context = {});
 
 }  // namespace alphascope

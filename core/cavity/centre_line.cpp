@@ -217,16 +217,19 @@ CutCurve cut_at_least_clearance(const Clearance& clearance, const std::vector<Re
   constexpr double kCoarse = 0.05, kFine = 2 * kLeastClearanceError;
   double least = std::numeric_limits<double>::infinity();
   Walk best(curve);
-  for (const double added : {kCoarse, kFine}) {
-    for (Walk walk(curve); !walk.at_end();) {
-      cancel.throw_if_cancelled();
-      const double here = clearance.at(walk.place());
-      if (here < least) {
-        least = here;
-        best = walk;
-      }
-      walk.advance(here - least + added);
+  const auto look = [&](const Walk& walk) {
+    cancel.throw_if_cancelled();
+    const double here = clearance.at(walk.place());
+    if (here < least) {
+      least = here;
+      best = walk;
     }
+    return here;
+  };
+  // Corners first: far away, where a curve begins, each place is narrower than the one before.
+  for (Walk walk(curve); !walk.at_end(); walk.advance_to_corner()) look(walk);
+  for (const double added : {kCoarse, kFine}) {
+    for (Walk walk(curve); !walk.at_end();) walk.advance(look(walk) - least + added);
   }
   if (clearance.at(curve.back()) < least) return {curve, {curve.back()}};
   const auto corner = curve.begin() + static_cast<std::ptrdiff_t>(best.segment()) + 1;

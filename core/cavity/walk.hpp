@@ -30,6 +30,11 @@ class Walk {
       ++segment_;
     }
   }
+  void advance_to_corner() {
+    passed_ = 0;
+    ++segment_;
+    advance(0);
+  }
 
  private:
   const RealPoint& corner(std::size_t next) const { return (*corners_)[segment_ + next]; }

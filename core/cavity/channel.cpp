@@ -116,8 +116,12 @@ RealPoint Finder::settled_in_plane(const RealPoint& place, const RealPoint& alon
 // One, or the two halves of a channel through a plane.
 std::vector<Passage> Finder::passages() {
   const RealPoint along = unit_vector(ends_.along);
-  if (has_direction() && along == RealPoint{}) {
-    throw std::invalid_argument("the direction of the channel has no length");
+  if (has_direction() && !(std::fabs(length(along) - 1) < 1e-9)) {
+    throw std::invalid_argument(
+        "the direction of the channel has no length, or none that is finite");
+  }
+  if (!(ends_.end_radius_angstrom > 0)) {
+    throw std::invalid_argument("the end radius of a channel must be above 0 Å");
   }
   from_ = end_at(ends_.kind == Kind::through ? settled_in_plane(ends_.from, along) : ends_.from);
   PassageEnds first{from_, {}, {}};

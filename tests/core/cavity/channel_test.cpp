@@ -351,8 +351,16 @@ TEST(Channel, RefusesWhatHasNoAnswer) {
                std::invalid_argument);
   EXPECT_THROW(find_channel(balls, ChannelEnds::out_along({4, 0, 0}, {0, nan, 0})),
                std::invalid_argument);
+  const double infinite = std::numeric_limits<double>::infinity();
+  EXPECT_THROW(find_channel(balls, ChannelEnds::out_along({4, 0, 0}, {0, infinite, 0})),
+               std::invalid_argument);
   EXPECT_THROW(find_channel(balls, ChannelEnds::through({4, 0, 0}, {0, 0, 1})),
                std::invalid_argument);
+  EXPECT_THROW(find_channel(balls, ChannelEnds::between({4, 0, 0}, {4, 0, 0})),
+               std::invalid_argument);
+  ChannelEnds no_radius = ChannelEnds::out({4, 0, 0});
+  no_radius.end_radius_angstrom = nan;
+  EXPECT_THROW(find_channel(balls, no_radius), std::invalid_argument);
 }
 
 TEST(Channel, CanBeCancelledAndReports) {

@@ -37,7 +37,7 @@ struct ChannelEnds {
   Kind kind = Kind::out;
   RealPoint from, to, along;
   // Towards infinity the line ends where its radius reaches this, and 1.5 times the bottleneck's,
-  // for the last time.
+  // for the last time; so a given point in a place as wide as outside may not be on it.
   double end_radius_angstrom = 5;
 };
 

@@ -6,8 +6,6 @@
 #include <cmath>
 #include <limits>
 #include <memory>
-#include <stdexcept>
-#include <string>
 #include <utility>
 
 #include "core/cavity/empty_space.hpp"
@@ -15,78 +13,9 @@
 #include "core/cavity/plane_ascent.hpp"
 #include "core/cavity/walk.hpp"
 #include "core/run/internal_error.hpp"
-#include "core/run/stage_timer.hpp"
-#include "core/triangulation/cgal_triangulation.hpp"
 
 namespace alphascope {
 namespace {
-
-constexpr int kMostDigits = 4;
-
-// A box around all centres and ends, lattice units.
-struct Surroundings {
-  RealPoint low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};
-  void add(const RealPoint& p) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-  }
-  RealPoint centre() const { return 0.5 * (low + high); }
-  double diagonal() const { return length(high - low); }
-  // Balls with their centres in the box that grow until they cover an end have radii of at most the
-  // box's diagonal, and reach to 3/2 of it from the box's centre: less than this.
-  double far_away(const Lattice& lattice) const {
-    return 3 * diagonal() + 20 * lattice.units_per_angstrom();
-  }
-};
-
-// The corners of an icosahedron: 12 small balls far away. They block nothing, and everything that
-// is near the balls is within their hull, however few or flat the balls are.
-void add_far_balls(const Surroundings& surroundings, BallSet& balls) {
-  constexpr double kGolden = 1.6180339887498949;
-  const double size = surroundings.far_away(balls.lattice) / std::sqrt(1 + kGolden * kGolden);
-  const RealPoint centre = surroundings.centre();
-  for (const double one : {-1.0, 1.0}) {
-    for (const double golden : {-kGolden, kGolden}) {
-      for (const RealPoint& corner :
-           {RealPoint{0, one, golden}, RealPoint{one, golden, 0}, RealPoint{golden, 0, one}}) {
-        balls.centres.push_back(nearest_lattice_point(centre + size * corner));
-        balls.radii.push_back(1);
-      }
-    }
-  }
-}
-
-BallIndex add_point(const LatticePoint& point, BallSet& balls) {
-  balls.centres.push_back(point);
-  balls.radii.push_back(0);
-  return static_cast<BallIndex>(balls.size() - 1);
-}
-
-std::int64_t square_distance(const LatticePoint& a, const LatticePoint& b) {
-  const std::int64_t x = a.x - b.x, y = a.y - b.y, z = a.z - b.z;
-  return x * x + y * y + z * z;
-}
-
-// Touches the plane from behind; `from` is outside it by at most a unit.
-struct Wall {
-  LatticePoint centre;
-  std::int64_t radius;
-};
-Wall wall_behind(const LatticePoint& from, const RealPoint& direction) {
-  Wall wall;
-  wall.centre =
-      nearest_lattice_point(real_point(from) - static_cast<double>(kWallRadius) * direction);
-  const std::int64_t square = square_distance(from, wall.centre);
-  wall.radius = static_cast<std::int64_t>(std::sqrt(static_cast<double>(square))) + 2;
-  while (wall.radius * wall.radius >= square) --wall.radius;
-  return wall;
-}
-
-// Such a ball covers nothing that the wall does not.
-bool is_within(const LatticePoint& centre, std::int64_t radius, const Wall& wall) {
-  const std::int64_t room = wall.radius - radius;
-  return room >= 0 && square_distance(centre, wall.centre) <= room * room;
-}
 
 // The largest g, a multiple of the step, with (radius + g)² < square; radius + g may be negative.
 std::int64_t room_of_one(std::int64_t square, std::int64_t radius, std::int64_t step) {
@@ -96,14 +25,6 @@ std::int64_t room_of_one(std::int64_t square, std::int64_t radius, std::int64_t 
   return most >= 0 ? most / step * step : -((-most + step - 1) / step) * step;
 }
 
-// What the balls look like when all have grown by one length.
-struct GrownScene {
-  BallSet balls;
-  std::vector<BallIndex> original;  // of the balls that are left; the helping ones follow
-  BallIndex from, to;               // the ends, as balls of radius 0; EmptySpace::kOutside
-  Triangulation triangulation;
-};
-
 class Search {
  public:
   Search(const BallSet& balls, const Clearance& clearance, const PassageEnds& ends,
@@ -112,11 +33,8 @@ class Search {
         clearance_(clearance),
         ends_(ends),
         context_(context),
-        step_(passage_step(balls.lattice)) {
-    for (const LatticePoint& p : balls.centres) surroundings_.add(real_point(p));
-    surroundings_.add(real_point(ends.from));
-    if (ends.to) surroundings_.add(real_point(*ends.to));
-    if (ends.direction) wall_ = wall_behind(ends.from, *ends.direction);
+        step_(passage_step(balls.lattice)),
+        scenes_(balls, ends) {
     most_ = growth_room(balls, ends.from);
     if (ends.to) most_ = std::min(most_, growth_room(balls, *ends.to));
   }
@@ -130,7 +48,6 @@ class Search {
     EmptySpace::Way way;
   };
 
-  std::shared_ptr<const GrownScene> grown_scene(std::int64_t growth, bool report) const;
   std::optional<Open> ask(std::int64_t growth, bool report) const;
   void ask_all(const std::vector<std::int64_t>& growths);
   EqualClearance gap_at_wall(const std::array<BallIndex, 2>& two) const;
@@ -147,8 +64,7 @@ class Search {
   const PassageEnds& ends_;
   const RunContext& context_;
   const std::int64_t step_;
-  Surroundings surroundings_;
-  std::optional<Wall> wall_;
+  const GrownScenes scenes_;
   std::int64_t most_ = 0;  // beyond, an end is covered
   std::int64_t open_at_ = 0, closed_at_ = 0;
   static constexpr int kSlowRounds = 2;
@@ -157,34 +73,10 @@ class Search {
   int triangulations_ = 0;
 };
 
-std::shared_ptr<const GrownScene> Search::grown_scene(std::int64_t growth, bool report) const {
-  auto scene = std::make_shared<GrownScene>();
-  scene->balls.lattice = balls_.lattice;
-  for (BallIndex i = 0; i < balls_.size(); ++i) {
-    const std::int64_t radius = balls_.radii[i] + growth;
-    if (radius <= 0 || (wall_ && is_within(balls_.centres[i], radius, *wall_))) continue;
-    scene->balls.centres.push_back(balls_.centres[i]);
-    scene->balls.radii.push_back(static_cast<std::int32_t>(radius));
-    scene->original.push_back(i);
-  }
-  add_far_balls(surroundings_, scene->balls);
-  scene->from = add_point(ends_.from, scene->balls);
-  scene->to = ends_.to ? add_point(*ends_.to, scene->balls) : EmptySpace::kOutside;
-  if (wall_) {
-    scene->balls.centres.push_back(wall_->centre);
-    scene->balls.radii.push_back(static_cast<std::int32_t>(wall_->radius));
-  }
+std::optional<Search::Open> Search::ask(std::int64_t growth, bool report) const {
   RunContext quiet;
   quiet.cancel = context_.cancel;
-  scene->triangulation = make_triangulation(scene->balls, 1, report ? context_ : quiet);
-  if (scene->triangulation.dimension != 3) {
-    throw InternalError("The helping balls of a passage are flat.");
-  }
-  return scene;
-}
-
-std::optional<Search::Open> Search::ask(std::int64_t growth, bool report) const {
-  Open open{grown_scene(growth, report), {}};
+  Open open{scenes_.at(growth, report ? context_ : quiet), {}};
   const GrownScene& scene = *open.scene;
   const EmptySpace space(scene.balls, scene.triangulation);
   const double units = balls_.lattice.units_per_angstrom();
@@ -232,11 +124,11 @@ void Search::ask_all(const std::vector<std::int64_t>& growths) {
 EqualClearance Search::gap_at_wall(const std::array<BallIndex, 2>& two) const {
   Plane plane{real_point(ends_.from), *ends_.direction};
   EqualClearance place = equal_clearance_in_plane(balls_, two, plane);
-  const RealPoint centre = real_point(wall_->centre);
+  const RealPoint centre = real_point(scenes_.wall()->centre);
   for (int n = 0; n < 3 && place.found; ++n) {
     const RealPoint at = balls_.lattice.units_per_angstrom() * place.place_angstrom;
     plane.normal = unit_vector(at - centre);
-    plane.point = centre + static_cast<double>(wall_->radius) * plane.normal;
+    plane.point = centre + static_cast<double>(scenes_.wall()->radius) * plane.normal;
     place = equal_clearance_in_plane(balls_, two, plane);
   }
   return place;
@@ -246,7 +138,7 @@ EqualClearance Search::gap_at_wall(const std::array<BallIndex, 2>& two) const {
 std::optional<PassageGap> Search::gap_of(const GrownScene& scene,
                                          const std::array<BallIndex, 3>& triangle) const {
   const auto ball_end = static_cast<BallIndex>(scene.original.size());
-  const bool at_wall = wall_ && triangle[2] + 1 == scene.balls.size();
+  const bool at_wall = scenes_.wall() && triangle[2] + 1 == scene.balls.size();
   if (triangle[1] >= ball_end || (triangle[2] >= ball_end && !at_wall)) return std::nullopt;
   const auto ball = [&](std::size_t n) { return scene.original[triangle[n]]; };
   const EqualClearance place = at_wall ? gap_at_wall({ball(0), ball(1)})
@@ -376,35 +268,6 @@ std::int64_t passage_step(const Lattice& lattice) {
   std::int64_t step = 1;
   for (int digits = 3; digits < lattice.digits; ++digits) step *= 10;
   return step;
-}
-
-int passage_digits(const BallSet& balls, const std::vector<RealPoint>& ends_angstrom) {
-  const Lattice angstrom{0};
-  Surroundings surroundings;
-  for (const LatticePoint& p : balls.centres) {
-    surroundings.add(balls.lattice.unit_angstrom() * real_point(p));
-  }
-  for (const RealPoint& p : ends_angstrom) {
-    if (!std::isfinite(p.x + p.y + p.z)) {
-      throw std::invalid_argument("an end of the channel is not a finite number");
-    }
-    surroundings.add(p);
-  }
-  if (surroundings.diagonal() > kWidestScene) {
-    throw std::invalid_argument(
-        "balls and ends of a channel are more than 100,000 Å apart; choose ends near the balls");
-  }
-  const RealPoint centre = surroundings.centre();
-  const double middle = std::max({std::fabs(centre.x), std::fabs(centre.y), std::fabs(centre.z)});
-  const auto has_room = [&](int digits) {
-    const double units = Lattice{digits}.units_per_angstrom();
-    const double far_away = surroundings.far_away(angstrom) * units + 1;
-    return middle * units + far_away + kWallRadius < kMaxLatticeCoordinate &&
-           far_away < kMaxLatticeRadius;
-  };
-  int digits = std::min(balls.lattice.digits, kMostDigits);
-  while (!has_room(digits)) --digits;
-  return digits;
 }
 
 std::int64_t growth_room(const BallSet& balls, const LatticePoint& point) {

@@ -8,20 +8,12 @@
 #include <vector>
 
 #include "core/cavity/clearance.hpp"
+#include "core/cavity/grown_scene.hpp"
 #include "core/geometry/ball_set.hpp"
 #include "core/geometry/real_point.hpp"
 #include "core/run/cancel_token.hpp"
 
 namespace alphascope {
-
-// Lengths in lattice units. `from`, and `to` if there is one, are outside all balls, and differ.
-struct PassageEnds {
-  LatticePoint from;
-  std::optional<LatticePoint> to;  // infinity when there is none
-  // The walk stays on this side of the plane through `from` that is normal to it (unit vector); not
-  // with `to`.
-  std::optional<RealPoint> direction;
-};
 
 struct PassageGap {
   RealPoint place_angstrom;
@@ -45,18 +37,6 @@ struct Passage {
 
 // `widest` is a multiple of it: 0.001 Å, or the lattice's unit if that is longer.
 std::int64_t passage_step(const Lattice& lattice);
-
-// The wall that keeps a walk on its side of a plane is a ball of this radius (lattice units) that
-// does not grow: at distance x from `from`, it is x² / (2 · this) behind the plane.
-inline constexpr std::int32_t kWallRadius = 30'000'000;
-
-// Balls and ends may be this far apart: far more than in any molecule.
-inline constexpr double kWidestScene = 100'000;  // Å
-
-// The finest lattice on which passages can be looked for, of at most 4 digits: around these balls,
-// and ends such as these (Å), there must be room for helping balls, far away.
-// Throws std::invalid_argument for what is wider than kWidestScene.
-int passage_digits(const BallSet& balls, const std::vector<RealPoint>& ends_angstrom);
 
 // Largest growth, a multiple of the step, that leaves this point outside all balls; negative when
 // it is not outside them as they are.

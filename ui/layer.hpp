@@ -22,6 +22,9 @@ struct Layer {
   Simplices<3> triangles;
   Simplices<4> tetrahedra;
   Colour colour;
+  // Its triangles are a body of their own in the picture, with light and shadow, for which all else
+  // fades. False: marks over everything else.
+  bool body = false;
 
   // Meshes of layers are made between two frames, so they are small.
   static constexpr std::size_t kMostSimplices = 20000;

@@ -1,7 +1,5 @@
 // alphascope-cli cavities: voids and pockets of each file, or of each of its models, as CASTp finds
 // them, with their areas, volumes, mouths and lining residues.
-#include <tbb/task_arena.h>
-
 #include <iostream>
 #include <memory>
 
@@ -17,8 +15,8 @@
 #include "core/cavity/cavity_table.hpp"
 #include "core/document/cavity_names.hpp"
 #include "core/document/cavity_preset.hpp"
-#include "core/run/cpu_threads.hpp"
 #include "core/run/stage_timer.hpp"
+#include "core/run/work_threads.hpp"
 #include "core/triangulation/cgal_triangulation.hpp"
 
 namespace alphascope::cli {
@@ -41,12 +39,12 @@ Answer find(const Input& input, const CavitiesOptions& options, const RunContext
   if (options.ties == FlowTies::strict) answer.differences.push_back("ties do not flow");
   const auto balls = std::make_shared<const BallSet>(
       with_solvent(*input.prepared().balls, request.solvent_radius_angstrom));
-  tbb::task_arena arena(request.threads > 0 ? request.threads : tbb::task_arena::automatic);
-  answer.device = cpu_text(arena);
-  arena.execute([&] {
+  WorkThreads threads(request.threads);
+  answer.device = threads.text();
+  threads.run([&] {
     StageTimer timer(answer.times);
-    const auto triangulation = std::make_shared<const Triangulation>(
-        make_triangulation(*balls, arena.max_concurrency(), context));
+    const auto triangulation =
+        std::make_shared<const Triangulation>(make_triangulation(*balls, threads.used(), context));
     timer.lap(stage::kTriangulation, true);
     const auto ground = std::make_shared<const CavityGround>(
         make_cavity_ground(balls, triangulation, options.ties, context));
@@ -138,8 +136,10 @@ void print_rows(const Answer& answer, const BallReferences& atoms, std::size_t s
     const CavityMeasures& m = table.measure(row);
     std::cout << columns.line(
         {std::to_string(row + 1), kind_text(table, row), number(m.volume_sa_angstrom3),
-         number(m.area_sa_angstrom2), number(m.volume_ms_angstrom3), number(m.area_ms_angstrom2),
-         std::to_string(m.mouths.size()), number(m.all_mouths().area_angstrom2),
+         number(m.area_sa_angstrom2), number(exact_of(answer, row).volume_sa_angstrom3),
+         is_doubtful(m, exact_of(answer, row)) ? "*" : "", number(m.volume_ms_angstrom3),
+         number(m.area_ms_angstrom2), std::to_string(m.mouths.size()),
+         number(m.all_mouths().area_angstrom2),
          std::to_string(lining_residues(atoms, table, row).size()),
          cavity_name(atoms, table, row)});
   }

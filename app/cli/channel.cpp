@@ -1,7 +1,5 @@
 // alphascope-cli channel: how large a ball can walk from a point of a molecule outwards, or to
 // another point, and the profile of its way.
-#include <tbb/task_arena.h>
-
 #include <chrono>
 #include <iostream>
 
@@ -13,7 +11,7 @@
 #include "app/cli/text.hpp"
 #include "core/cavity/channel.hpp"
 #include "core/molecule/atom_address.hpp"
-#include "core/run/cpu_threads.hpp"
+#include "core/run/work_threads.hpp"
 
 namespace alphascope::cli {
 namespace {
@@ -42,12 +40,12 @@ std::string atom_text(const Input& input, BallIndex ball) {
 }
 
 Answer find(const Input& input, const ChannelOptions& options, const RunContext& context) {
-  tbb::task_arena arena(options.threads > 0 ? options.threads : tbb::task_arena::automatic);
+  WorkThreads threads(options.threads);
   Answer answer;
-  answer.device = cpu_text(arena);
+  answer.device = threads.text();
   const auto start = std::chrono::steady_clock::now();
   try {
-    arena.execute(
+    threads.run(
         [&] { answer.channel = find_channel(*input.prepared().balls, ends_of(options), context); });
   } catch (const ChannelEndCovered& error) {
     throw UsageError(std::string(error.what()) + " That ball is the atom " +

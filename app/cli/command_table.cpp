@@ -485,13 +485,10 @@ OptionProgram command_table(CommandOptions& options) {
   program.name = "alphascope-cli";
   program.text = "The exact alpha complex of molecules, equal to CGAL's simplex by simplex";
   program.version = std::string(program_version()) + " (" + std::string(program_commit()) + ")";
-  program.commands = {info(options.info),
-                      compute(options.compute),
-                      cavities(options.cavities),
-                      measure(options.measure),
-                      verify(options.verify),
-                      bench(options.bench),
-                      screenshot(options.screenshot)};
+  program.commands = {info(options.info),         compute(options.compute),
+                      cavities(options.cavities), channel(options.channel),
+                      measure(options.measure),   verify(options.verify),
+                      bench(options.bench),       screenshot(options.screenshot)};
   for (OptionCommand& command : program.commands) {
     append(command.options, verbosity(options.verbosity));
   }

@@ -68,11 +68,16 @@ struct ComputeOptions {
   std::string json, csv, out;
 };
 
+// What belongs to the body whose cavities are looked for, beside proteins and nucleic acids.
+struct BodyOptions {
+  bool ligands = false, ions = false;
+};
+
 struct CavitiesOptions {
   InputFiles files;
   InputOptions input;
-  Request request;                     // alpha, solvent radius and threads; no engine is asked
-  bool ligands = false, ions = false;  // in the body
+  BodyOptions body;
+  Request request;  // alpha, solvent radius and threads; no engine is asked
   OutsideRule rule = OutsideRule::castp;
   FlowTies ties = FlowTies::perturbed;
   int shown = 20;  // rows printed

@@ -25,7 +25,8 @@ std::string count_text(const AlphaComplex& complex, const List& list) {
 }
 
 CsvRow csv_row(const Input& input, const EngineAnswer& result) {
-  const auto& [request, balls, complex, note, cold] = result;
+  const Request& request = result.request;
+  const AlphaComplex& complex = result.complex;
   CsvRow row{{"model", model_text(input.balls.model)},
              {"balls", std::to_string(input.prepared().balls->size())},
              {"alpha_angstrom2", number_text(request.alpha_angstrom2)},

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/run/internal_error.hpp"
+
 namespace alphascope::cli {
 
 std::size_t shown_width(const std::string& text) {
@@ -28,6 +30,9 @@ std::string Table::heading() const {
 }
 
 std::string Table::line(const std::vector<std::string>& cells) const {
+  if (cells.size() != columns_.size()) {
+    throw InternalError("A line of a table has not as many cells as the table has columns.");
+  }
   std::string text;
   for (std::size_t k = 0; k < columns_.size(); ++k) {
     const std::size_t width = shown_width(cells[k]);

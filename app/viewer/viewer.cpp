@@ -173,6 +173,7 @@ void Viewer::want_derived() {
   if (ours && ours == shown && !inputs_.balls) {
     inputs_.balls = ours->balls;
     inputs_.balls_key = ++balls_seen_;
+    inputs_.solvent_radius_angstrom = ours->request.solvent_radius_angstrom;
   }
   if (inputs_.balls) {
     inputs_.complex = nullptr;

@@ -18,6 +18,7 @@ struct Definition;
 struct Inputs {
   std::shared_ptr<const BallSet> balls;  // with the solvent radius; null: no molecule
   std::uint64_t balls_key = 0;           // another number for other balls; 0: none
+  double solvent_radius_angstrom = 0;    // theirs
   // Of the complex on screen, and that itself; null: none. Not a number and null for results whose
   // key is not of alpha.
   double alpha_angstrom2 = 0;

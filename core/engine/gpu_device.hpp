@@ -8,11 +8,11 @@ namespace alphascope {
 
 struct GpuDevice {
   bool usable = false;
-  std::string name;  // "NVIDIA H200"; empty without a device
+  std::string name = {};  // "NVIDIA H200"; empty without a device
   // When not usable: why, what to do, and that the CPU engine gives the same results. Not that it
   // runs instead, which is for whoever chooses the engine to say.
-  std::string why_not;
-  std::string driver;          // "CUDA driver 13.0"
+  std::string why_not = {};
+  std::string driver = {};     // "CUDA driver 13.0"
   int compute_capability = 0;  // 90 for 9.0
   std::size_t memory_bytes = 0;
 

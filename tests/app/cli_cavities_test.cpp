@@ -1,5 +1,7 @@
 // alphascope-cli cavities. The numbers of each cavity are compared with tables in
 // tests/core/cavity; here, that a file leads to them and that the choices are told.
+#include <cmath>
+
 #include "tests/app/cli_fixture.hpp"
 
 namespace alphascope::testing {
@@ -82,6 +84,59 @@ TEST_F(CliCavities, OfFewBallsThereAreNone) {
   const Outcome wrong = run("cavities --rule nonsense '" + flat + "'");
   EXPECT_EQ(wrong.code, 2);
   EXPECT_TRUE(contains(wrong.err, "castp")) << wrong.err;
+}
+
+// Balls of radius 2 in rings of radius 5 around the z axis; the middle ring is of radius 4, so that
+// a ball of radius 2 passes.
+TEST_F(CliCavities, AChannelIsAsWideAsItsNarrowestRing) {
+  std::string tube;
+  for (int ring = -8; ring <= 8; ++ring) {
+    const double radius = ring == 0 ? 4 : 5;
+    for (int k = 0; k < 24; ++k) {
+      const double angle = (k + 0.5 * (ring & 1)) * 2 * 3.14159265358979 / 24;
+      char line[100];
+      std::snprintf(line, sizeof line, "%.3f %.3f %.3f 2\n", radius * std::cos(angle),
+                    radius * std::sin(angle), 1.0 * ring);
+      tube += line;
+    }
+  }
+  const std::string file = write("tube.xyzr", tube).string();
+  const Outcome found = run("channel '" + file + "' --point 0,0,1.5 --along 0,0,1 -q --json -");
+  ASSERT_EQ(found.code, 0) << found.err;
+  const json channel = json::parse(found.out);
+  EXPECT_NEAR(channel["widest_angstrom"], 2, 0.01);
+  EXPECT_NEAR(channel["bottleneck"]["position_angstrom"][2], 0, 0.05);
+  EXPECT_GE(channel["bottleneck"]["touching"].size(), 3u);
+  const Outcome rows = run("channel '" + file + "' --point 0,0,1.5 --along 0,0,1 -q --csv -");
+  EXPECT_EQ(csv_rows(rows.out).size(), channel["samples"].size());
+}
+
+TEST_F(CliCavities, APointWithinAnAtomIsNamed) {
+  const std::string file = write("one.xyzr", "0 0 0 2\n3 0 0 2\n0 3 0 2\n0 0 3 2\n").string();
+  const Outcome covered = run("channel '" + file + "' --point 0.5,0,0");
+  EXPECT_EQ(covered.code, 2);
+  EXPECT_TRUE(contains(covered.err, "#1")) << covered.err;
+  const Outcome two = run("channel '" + file + "' --point 0.5,0");
+  EXPECT_EQ(two.code, 2);
+  EXPECT_TRUE(contains(two.err, "three numbers")) << two.err;
+}
+
+// AlphaMol's four balls, and the same by atom.
+TEST_F(CliCavities, MeasuresAreExactAndAddUp) {
+  const std::string file = write("two.xyzr", "0 0 0 1\n1 0 0 1\n").string();
+  const Outcome found = run("measure '" + file + "' --by atom -q --json -");
+  ASSERT_EQ(found.code, 0) << found.err;
+  const json measures = json::parse(found.out)["measures"];
+  const double pi = 3.14159265358979323846;
+  EXPECT_NEAR(measures["area_angstrom2"], 6 * pi, 1e-12);
+  EXPECT_NEAR(measures["volume_angstrom3"], 9 * pi / 4, 1e-12);
+  ASSERT_EQ(measures["groups"].size(), 2u);
+  EXPECT_NEAR(measures["groups"][0]["area_angstrom2"], 3 * pi, 1e-12);
+  const Outcome chains =
+      run("measure " + std::string(kHaemoglobin) + " --solvent 1.4 --by chain -q --csv -");
+  const auto rows = csv_rows(chains.out);
+  ASSERT_EQ(rows.size(), 4u);
+  EXPECT_EQ(rows[0].at("group"), "A");
 }
 
 // Two bodies far apart: the space between them is a pocket by the definition, which must be said.

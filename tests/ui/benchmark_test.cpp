@@ -22,7 +22,7 @@ TEST(BenchmarkControlsText, AlphasAreNumbersBetweenCommasOrBlanks) {
 TEST(BenchmarkPage, OpensFromTheMenuAndAsksToRunCancelAndExport) {
   Panels panels({1280, 800, 1});
   panels.state = loaded_state();
-  panels.state.gpu = GpuDevice{false, "", "There is no NVIDIA driver."};
+  panels.state.gpu = GpuDevice{.why_not = "There is no NVIDIA driver."};
   panels.frame(2);
   panels.click("menu.Tools");
   panels.click("menu.benchmark.open");

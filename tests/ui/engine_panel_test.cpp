@@ -16,7 +16,7 @@ GpuDevice a_gpu() {
 TEST(EnginePanel, WithoutAGpuItsEnginesCannotBeChosen) {
   Panels panels(kLarge);
   panels.state = loaded_state();
-  panels.state.gpu = GpuDevice{false, "", "There is no NVIDIA driver."};
+  panels.state.gpu = GpuDevice{.why_not = "There is no NVIDIA driver."};
   panels.frame(2);
   for (const char* entry : {"engine.gpu", "engine.tuples-gpu"}) {
     panels.click("engine.choice");

@@ -83,7 +83,7 @@ TEST_F(SelectionTest, TheStatusBarSaysWhatIsUnderTheMouse) {
   // Set, but not in the picture yet.
   viewer_->state().compute.alpha_angstrom2 = 9;
   frames(1);
-  EXPECT_EQ(state().result.alpha, 3);
+  EXPECT_EQ(state().result->request.alpha_angstrom2, 3);
   EXPECT_NE(line().find(grown), std::string::npos) << line();
   run("wait-idle\n");
   move(0.01, 0.01);

@@ -9,6 +9,7 @@ void draw_alpha_panel(PanelContext& ctx);
 void draw_display_panel(PanelContext& ctx);
 void draw_engine_panel(PanelContext& ctx);
 void draw_timings_panel(PanelContext& ctx);
+void draw_cavities_panel(PanelContext& ctx);
 void draw_signature_panel(PanelContext& ctx);
 
 namespace {
@@ -19,6 +20,7 @@ constexpr PanelSpec kPanels[] = {
     {"display", "Display", Place::left, draw_display_panel},
     {"engine", "Engine", Place::left, draw_engine_panel},
     {"timings", "Timings", Place::bottom, draw_timings_panel},
+    {"cavities", "Cavities", Place::bottom, draw_cavities_panel},
     {"signature", "Signature", Place::bottom, draw_signature_panel},
 };
 

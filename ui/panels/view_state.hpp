@@ -21,6 +21,7 @@
 #include "core/molecule/selection_expression.hpp"
 #include "ui/layer.hpp"
 #include "ui/panels/benchmark_info.hpp"
+#include "ui/panels/cavity_memory.hpp"
 #include "ui/panels/controls.hpp"
 #include "ui/panels/folder_listing.hpp"
 #include "ui/panels/palette_memory.hpp"
@@ -95,6 +96,7 @@ struct PanelMemory {
   float bottom_height = 0;               // pixels at scale 1; 0: default
   NumberTyping number;
   PaletteMemory palette;
+  CavityMemory cavities;
   std::vector<std::size_t> dialogs;  // that are open, by dialog_stack.cpp; the last is on top
   bool dragging_view = false;
   bool playing = false;         // alpha grows by itself, one step a finished result

@@ -85,15 +85,17 @@ DifferenceMesh build_difference_mesh(const BallGeometry& balls, const Comparison
 }
 
 DifferenceMesh build_layer_mesh(const BallGeometry& balls, const Layers& layers) {
-  DifferenceBuilder builder(balls);
+  DifferenceBuilder builder(balls), bodies(balls);
   const auto byte = [](float x) { return static_cast<std::uint8_t>(std::lround(x * 255)); };
   for (const auto& layer : layers) {
     const Rgb8 colour{byte(layer->colour.r), byte(layer->colour.g), byte(layer->colour.b)};
     builder.add(layer->vertices, colour);
     builder.add(layer->edges, colour);
-    builder.add(layer->triangles, colour);
-    builder.add(layer->tetrahedra, colour);
+    DifferenceBuilder& faces = layer->body ? bodies : builder;
+    faces.add(layer->triangles, colour);
+    faces.add(layer->tetrahedra, colour);
   }
+  builder.mesh.bodies = std::move(bodies.mesh.faces);
   return std::move(builder.mesh);
 }
 

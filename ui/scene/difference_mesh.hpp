@@ -13,9 +13,10 @@ inline constexpr Rgb8 kMissingColour{255, 0, 190};  // in the reference only
 inline constexpr Rgb8 kExtraColour{255, 225, 0};    // in the candidate only
 
 struct DifferenceMesh {
-  CellSoup faces;  // triangles: of tetrahedra and triangles; vertices as small octahedra
-  CellSoup edges;  // lines
-  bool empty() const { return faces.points() == 0 && edges.points() == 0; }
+  CellSoup faces;   // triangles: of tetrahedra and triangles; vertices as small octahedra
+  CellSoup edges;   // lines
+  CellSoup bodies;  // triangles of layers that are bodies
+  bool empty() const { return faces.points() == 0 && edges.points() == 0 && bodies.points() == 0; }
 };
 
 // Both throw std::invalid_argument when a simplex has a vertex beyond the balls.

@@ -87,7 +87,10 @@ void Scene::set_differences(std::shared_ptr<DifferenceData> differences) {
 }
 
 void Scene::set_layers(std::shared_ptr<DifferenceData> layers) {
+  const bool had_peels = impl_->anything_translucent();
   impl_->layers.show(std::move(layers), impl_->window);
+  if (had_peels && !impl_->anything_translucent()) impl_->release_buffers();
+  impl_->apply_style();
 }
 
 void Scene::set_selected(std::shared_ptr<BallData> balls) {

@@ -7,6 +7,7 @@
 #include <vtkObject.h>
 #include <vtkProperty.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -27,6 +28,7 @@ MarkActors::MarkActors() {
 void MarkActors::show(std::shared_ptr<DifferenceData> marks, vtkWindow* window) {
   faces.show(marks ? marks->faces : nullptr, window);
   edges.show(marks ? marks->edges : nullptr, window);
+  bodies.show(marks ? marks->bodies : nullptr, window);
   data = std::move(marks);  // only now may the old arrays go
 }
 
@@ -40,6 +42,7 @@ Scene::Impl::Impl() {
   for (MarkActors* marks : {&layers, &differences}) {
     renderer->AddActor(marks->faces.actor);
     renderer->AddActor(marks->edges.actor);
+    renderer->AddActor(marks->bodies.actor);
   }
   set_view_angle();
 }
@@ -99,17 +102,23 @@ void BallActor::show(std::shared_ptr<BallData> balls, vtkWindow* window) {
   data = std::move(balls);  // only now may the old arrays go
 }
 
+double Scene::Impl::faded(double opacity) const {
+  constexpr double kFaded = 0.15;
+  const bool beside_bodies = layers.data && layers.data->bodies;
+  return beside_bodies ? std::min(opacity, kFaded) : opacity;
+}
+
 bool Scene::Impl::anything_translucent() const {
-  return (style.balls && style.ball_opacity < 1) || style.complex_opacity < 1;
+  return (style.balls && faded(style.ball_opacity) < 1) || faded(style.complex_opacity) < 1;
 }
 
 void Scene::Impl::apply_style() {
   const Colour& background = palette(style.theme).scene;
   renderer->SetBackground(background.r, background.g, background.b);
   all_balls.actor->SetVisibility(style.balls && balls && !balls->centres.empty());
-  all_balls.actor->GetProperty()->SetOpacity(style.ball_opacity);
+  all_balls.actor->GetProperty()->SetOpacity(faded(style.ball_opacity));
   for (MeshActor* m : {&tetrahedra, &boundary, &triangles, &edges}) {
-    m->actor->GetProperty()->SetOpacity(style.complex_opacity);
+    m->actor->GetProperty()->SetOpacity(faded(style.complex_opacity));
   }
 }
 

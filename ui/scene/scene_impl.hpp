@@ -19,9 +19,9 @@ namespace alphascope {
 
 constexpr int kFineSamples = 2;  // of a fine picture, each way
 
-// Faces and lines that are drawn over everything else.
+// Faces and lines that are drawn over everything else, and bodies among the rest.
 struct MarkActors {
-  MeshActor faces, edges;
+  MeshActor faces, edges, bodies;
   std::shared_ptr<DifferenceData> data;
 
   MarkActors();
@@ -59,6 +59,8 @@ struct Scene::Impl {
   // Of what draws soft shadows and exact transparency, whose textures are as large as the last
   // picture that had them; the next picture makes again what it needs.
   void release_buffers() { renderer->ReleaseGraphicsResources(window); }
+  // What is not a body of a layer, beside one.
+  double faded(double opacity) const;
   bool anything_translucent() const;
   void apply_style();
   void apply_quality(RenderQuality quality, bool occlusion_allowed = true);

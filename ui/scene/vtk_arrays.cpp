@@ -128,6 +128,7 @@ std::shared_ptr<DifferenceData> make_difference_data(std::shared_ptr<const Diffe
   auto data = std::make_shared<DifferenceData>();
   data->faces = soup_to_vtk(mesh->faces, 3);
   data->edges = soup_to_vtk(mesh->edges, 2);
+  data->bodies = soup_to_vtk(mesh->bodies, 3);
   data->mesh = std::move(mesh);
   return data;
 }

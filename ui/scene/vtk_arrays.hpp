@@ -26,7 +26,7 @@ struct MeshData {
 
 struct DifferenceData {
   std::shared_ptr<const DifferenceMesh> mesh;
-  vtkSmartPointer<vtkPolyData> faces, edges;
+  vtkSmartPointer<vtkPolyData> faces, edges, bodies;
 };
 
 // One vertex cell a ball: vtkOpenGLSphereMapper takes its bounds from cells and shows nothing

@@ -1,0 +1,21 @@
+// The cavities of what is on screen, as derived results.
+#pragma once
+
+#include "core/cavity/cavity_table.hpp"
+#include "core/document/derived.hpp"
+
+namespace alphascope {
+
+// Flow and incidences of the whole triangulation: once for a set of balls, whatever alpha is.
+const Definition<CavityGround>& cavity_ground();
+
+// The table of the complex on screen; made anew at each alpha.
+const Definition<CavityTable>& cavity_table();
+
+// Exact volumes of its cavities, which follow in the background.
+struct ExactVolumes {
+  std::vector<ClippedMeasures> of;  // CavityTable::found.cavities
+};
+const Definition<ExactVolumes>& cavity_volumes();
+
+}  // namespace alphascope

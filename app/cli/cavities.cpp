@@ -129,7 +129,7 @@ Table cavity_columns() {
 void print_rows(const Answer& answer, const BallReferences& atoms, std::size_t shown) {
   const CavityTable& table = answer.table;
   const Table columns = cavity_columns();
-  if (table.size() == 0) return;
+  if (table.size() == 0 || shown == 0) return;
   std::cout << columns.heading();
   const auto number = [](double value) { return format_text("%.3f", value); };
   for (std::size_t row = 0; row < std::min(shown, table.size()); ++row) {

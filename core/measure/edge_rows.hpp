@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/complex/simplices.hpp"
+#include "core/measure/find_in_row.hpp"
 
 namespace alphascope {
 
@@ -23,13 +24,7 @@ class EdgeRows {
   }
   // The index of edge ij, i < j, which is there.
   std::size_t find(const Simplices<2>& edges, BallIndex i, BallIndex j) const {
-    std::size_t low = first_[i], high = first_[i + 1];
-    while (high - low > 8) {
-      const std::size_t middle = (low + high) / 2;
-      (edges[middle][1] <= j ? low : high) = middle;
-    }
-    while (edges[low][1] < j) ++low;
-    return low;
+    return find_in_row(first_[i], first_[i + 1], j, [&](std::size_t e) { return edges[e][1]; });
   }
 
  private:

@@ -19,6 +19,14 @@
 
 namespace alphascope {
 
+ALPHASCOPE_INLINE bool is_open(SimplexClass c) {
+  return c != SimplexClass::interior;
+}
+// Of a triangle: the number of tetrahedra at it is its class.
+ALPHASCOPE_INLINE int open_sides(SimplexClass triangle) {
+  return 2 - static_cast<int>(triangle);
+}
+
 template <class Sink>
 ALPHASCOPE_INLINE void vertex_terms(BallIndex i, Sink& sink) {
   sink.area(i, 4 * kPi * sink.ball(i).square_radius);
@@ -65,6 +73,22 @@ ALPHASCOPE_INLINE void triangle_terms(const BallIndex (&i)[3], int open_sides, S
 struct OpenFaces {
   std::uint32_t balls, edges, faces;
 };
+// All but the faces. is_ball_open(i); is_edge_open(i, j), which is asked of open balls only.
+template <class IsBallOpen, class IsEdgeOpen>
+ALPHASCOPE_INLINE OpenFaces open_balls_and_edges(const BallIndex (&i)[4],
+                                                 const IsBallOpen& is_ball_open,
+                                                 const IsEdgeOpen& is_edge_open) {
+  OpenFaces open = {0, 0, 0};
+  for (int n = 0; n < 4; ++n) open.balls |= (is_ball_open(i[n]) ? 1u : 0u) << n;
+  for (int e = 0, a = 0; a < 4; ++a) {
+    for (int b = a + 1; b < 4; ++b, ++e) {
+      if (!(open.balls >> a & open.balls >> b & 1)) continue;
+      open.edges |= (is_edge_open(i[a], i[b]) ? 1u : 0u) << e;
+    }
+  }
+  return open;
+}
+
 template <class Sink>
 ALPHASCOPE_INLINE void tetrahedron_terms(const BallIndex (&i)[4], const OpenFaces& open,
                                          Sink& sink) {

@@ -9,6 +9,7 @@
 #include <atomic>
 #include <stdexcept>
 
+#include "core/measure/ball_sums.hpp"
 #include "core/measure/edge_rows.hpp"
 #include "core/measure/exact_sum.hpp"
 #include "core/measure/simplex_terms.hpp"
@@ -16,8 +17,6 @@
 namespace alphascope {
 namespace {
 
-// One term is below 2^these, in units of R², R³ and R: no angle is above 2 pi, no length above 2 R.
-constexpr int kAreaBits = 6, kVolumeBits = 5, kLengthBits = 7, kWallBits = 5;
 // Simplices that a thread takes at a time, and balls whose sum is one term of the total.
 constexpr std::size_t kPart = 2048, kBlock = 4096;
 // What all private sums of threads may take, bytes.
@@ -38,8 +37,8 @@ struct Scales {
 Scales scales_of(const GrownBall& ball) {
   if (!(ball.grown_radius > 0)) return {0, 0, 0, 0};
   const int bits = bits_above(ball.grown_radius);
-  return {fixed_scale(2 * bits + kAreaBits), fixed_scale(3 * bits + kVolumeBits),
-          fixed_scale(bits + kLengthBits), fixed_scale(2 * bits + kWallBits)};
+  return {area_scale(ball), volume_scale(ball), fixed_scale(bits + kLengthBits),
+          fixed_scale(2 * bits + kWallBits)};
 }
 
 struct Scene {
@@ -79,10 +78,6 @@ class PrivateSums {
   std::vector<Sums> sums_;
 };
 
-bool is_open(SimplexClass c) {
-  return c != SimplexClass::interior;
-}
-
 Scene make_scene(const BallSet& balls, const AlphaComplex& complex) {
   Scene scene;
   scene.balls.resize(balls.size());
@@ -116,9 +111,8 @@ void add_edge(const AlphaComplex& complex, const Scene& scene, std::size_t e, Si
 template <class Sink>
 void add_triangle(const AlphaComplex& complex, const Scene&, std::size_t f, Sink& sink) {
   const auto& [i, j, k] = complex.triangles.simplices[f];
-  // The number of tetrahedra at a triangle is its class.
-  const int open_sides = 2 - static_cast<int>(complex.triangles.classes[f]);
-  if (open_sides > 0) triangle_terms({i, j, k}, open_sides, sink);
+  const int sides = open_sides(complex.triangles.classes[f]);
+  if (sides > 0) triangle_terms({i, j, k}, sides, sink);
 }
 // Those with nothing behind them, by the opposite ball.
 std::uint32_t open_faces(const SimplexList<3>& triangles, const BallIndex (&i)[4]) {
@@ -134,15 +128,11 @@ template <class Sink>
 void add_tetrahedron(const AlphaComplex& complex, const Scene& scene, std::size_t t, Sink& sink) {
   const auto& [i, j, k, l] = complex.tetrahedra.simplices[t];
   const BallIndex ball[4] = {i, j, k, l};
-  OpenFaces open = {};
-  for (int n = 0; n < 4; ++n) open.balls |= std::uint32_t{scene.open[ball[n]]} << n;
-  for (int e = 0, a = 0; a < 4; ++a) {
-    for (int b = a + 1; b < 4; ++b, ++e) {
-      if (!(open.balls >> a & open.balls >> b & 1)) continue;
-      const std::size_t edge = scene.rows.find(complex.edges.simplices, ball[a], ball[b]);
-      open.edges |= std::uint32_t{is_open(complex.edges.classes[edge])} << e;
-    }
-  }
+  OpenFaces open = open_balls_and_edges(
+      ball, [&](BallIndex b) { return scene.open[b] != 0; },
+      [&](BallIndex a, BallIndex b) {
+        return is_open(complex.edges.classes[scene.rows.find(complex.edges.simplices, a, b)]);
+      });
   if constexpr (Sink::kDerivatives) {
     if (open.edges != 0) open.faces = open_faces(complex.triangles, ball);
   }
@@ -228,7 +218,7 @@ class Results {
     }
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n, kBlock), [&](const auto& part) {
       for (std::size_t i = part.begin(); i < part.end(); ++i) {
-        const Ball ball = ball_results(static_cast<BallIndex>(i));
+        const BallMeasures ball = ball_results(static_cast<BallIndex>(i));
         measures.ball_area_angstrom2[i] = ball.area * unit_ * unit_;
         measures.ball_volume_angstrom3[i] = ball.volume * unit_ * unit_ * unit_;
         if constexpr (What::kDerivatives) {
@@ -239,21 +229,15 @@ class Results {
   }
 
  private:
-  struct Ball {
-    double area, volume;  // lattice units
-  };
   double value(BallIndex i, std::size_t n, double scale) const {
-    if (scale == 0) return 0;
     FixedSum sum = 0;
     for (const auto& part : sums_) sum += part.sums(i)[n];
-    return fixed_value(sum, scale);
+    return sum_value(sum, scale);
   }
-  // Nothing is below zero but by rounding.
-  Ball ball_results(BallIndex i) const {
-    const double radius = scene_.balls[i].grown_radius;
+  BallMeasures ball_results(BallIndex i) const {
     const Scales& scales = scene_.scales[i];
-    const double area = scene_.open[i] ? std::max(0.0, value(i, 0, scales.area)) : 0;
-    return {area, std::max(0.0, radius * area / 3 + value(i, 1, scales.volume))};
+    return ball_measures(scene_.balls[i].grown_radius, scene_.open[i] != 0,
+                         value(i, 0, scales.area), value(i, 1, scales.volume));
   }
   void fill_derivatives(std::size_t i, double radius, double area, UnionDerivatives& to) const {
     const auto ball = static_cast<BallIndex>(i);
@@ -305,6 +289,8 @@ void measure(const BallSet& balls, const AlphaComplex& complex, UnionDerivatives
   measures.volume_angstrom3 = total(measures.ball_volume_angstrom3);
 }
 
+}  // namespace
+
 void require_same_balls(const BallSet& balls, const AlphaComplex& complex) {
   if (complex.tetrahedra_only) {
     throw std::invalid_argument("a complex of tetrahedra alone has no area; compute the whole one");
@@ -315,8 +301,6 @@ void require_same_balls(const BallSet& balls, const AlphaComplex& complex) {
     throw std::invalid_argument("the complex to be measured is of other balls");
   }
 }
-
-}  // namespace
 
 UnionMeasures measure_union(const BallSet& balls, const AlphaComplex& complex,
                             const MeasureOptions& options, const RunContext& context) {

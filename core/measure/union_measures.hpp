@@ -45,6 +45,9 @@ struct MeasureOptions {
 UnionMeasures measure_union(const BallSet& balls, const AlphaComplex& complex,
                             const MeasureOptions& options = {}, const RunContext& context = {});
 
+// Throws what measure_union() does of a complex that it cannot measure.
+void require_same_balls(const BallSet& balls, const AlphaComplex& complex);
+
 // The component of the complex that each ball is in: components are numbered by their lowest ball.
 // kNoGroup for balls that are not in the complex.
 inline constexpr std::uint32_t kNoGroup = 0xffffffff;

@@ -1,0 +1,24 @@
+// Finding an edge in the sorted edges of one ball. Host and device.
+#pragma once
+
+#include <cstddef>
+
+#include "core/geometry/ball_set.hpp"
+#include "core/geometry/host_device.hpp"
+
+namespace alphascope {
+
+// The edge to ball j, which is there, among edges [low, high) of one lower ball; upper(e): the
+// upper ball of an edge.
+template <class Upper>
+ALPHASCOPE_INLINE std::size_t find_in_row(std::size_t low, std::size_t high, BallIndex j,
+                                          const Upper& upper) {
+  while (high - low > 8) {
+    const std::size_t middle = (low + high) / 2;
+    (upper(middle) <= j ? low : high) = middle;
+  }
+  while (upper(low) < j) ++low;
+  return low;
+}
+
+}  // namespace alphascope

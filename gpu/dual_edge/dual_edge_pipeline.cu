@@ -9,6 +9,7 @@ DualEdgePipeline::DualEdgePipeline(const BallSet& balls, int chunks)
     : state_(std::make_unique<State>()) {
   State& s = *state_;
   s.chunks = chunks;
+  s.lattice = balls.lattice;
   s.n = balls.size();
   int device = 0;
   check(cudaGetDevice(&device), "asking for the device");
@@ -85,6 +86,24 @@ DualEdgePipeline::~DualEdgePipeline() {
 void DualEdgePipeline::rest() {
   state_->results->rest();
   ResultMemory::free_unused();
+}
+
+std::optional<DeviceComplex> DualEdgePipeline::on_device() const {
+  return state_->on_device;
+}
+
+void DualEdgePipeline::State::keep_on_device(const ResultLayout& layout,
+                                             const SimplexCounts& counts, double alpha) {
+  const auto list = [&](int d) {
+    const ResultLayout::Section& at = layout.dimension[d];
+    return DeviceSimplices{
+        reinterpret_cast<const BallIndex*>(result.get() + at.vertices),
+        d == 3 ? nullptr : reinterpret_cast<const SimplexClass*>(result.get() + at.simplex_class),
+        counts[d]};
+  };
+  on_device = DeviceComplex{lattice, alpha,   reinterpret_cast<const std::int32_t*>(balls.get()),
+                            n,       list(0), list(1),
+                            list(2), list(3)};
 }
 
 std::optional<Problem> DualEdgePipeline::State::plan(double alpha, bool whole) {

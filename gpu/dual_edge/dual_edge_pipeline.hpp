@@ -6,11 +6,13 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 
 #include "core/complex/alpha_complex.hpp"
 #include "core/complex/simplex_hash.hpp"
 #include "core/run/cancel_token.hpp"
+#include "gpu/memory/device_complex.hpp"
 
 namespace alphascope::gpu {
 
@@ -54,6 +56,10 @@ class DualEdgePipeline {
   // Throws Cancelled, std::bad_alloc, DeviceError.
   PipelineResult run(double alpha_on_lattice, bool tetrahedra_only, const CancelToken& cancel,
                      StageTimes* times);
+
+  // The result of the last run, which was of the whole complex, as it still lies on the device:
+  // until the next run or until the pipeline goes. Nothing when there is none.
+  std::optional<DeviceComplex> on_device() const;
 
   // Gives back the pinned memory that is kept for later results, until the next run. Waits for the
   // device.

@@ -74,6 +74,7 @@ class Run {
       timer_.report();
       PipelineResult result = result_.result(sent ? layout : found, next.counts);
       result.attempts = attempt;
+      if (whole_) s_.keep_on_device(layout, next.counts, plan_.alpha);
       return result;
     }
     PipelineResult none;
@@ -415,6 +416,7 @@ class Run {
 PipelineResult DualEdgePipeline::run(double alpha, bool tetrahedra_only, const CancelToken& cancel,
                                      StageTimes* times) {
   State& s = *state_;
+  s.on_device.reset();
   if (s.n == 0 || static_cast<double>(s.max_radius) * s.max_radius + alpha < 0) return {};
   const std::optional<Problem> plan = s.plan(alpha, !tetrahedra_only);
   if (!plan) {

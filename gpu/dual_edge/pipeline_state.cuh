@@ -160,6 +160,7 @@ struct Queues {
 // The buffers of one set of balls, kept from run to run, and what earlier runs needed.
 struct DualEdgePipeline::State {
   Queues queues;
+  Lattice lattice;
   std::size_t n = 0;
   int chunks = 0;  // as DualEdgePipeline's constructor was told
   LatticePoint low, high;
@@ -210,6 +211,8 @@ struct DualEdgePipeline::State {
   DeviceBuffer<std::uint32_t> offset, pending, edges_found;
   DeviceBuffer<std::uint64_t> places;
   DeviceBuffer<unsigned char> result;
+  // Of the last run, and of which alpha, when it was of the whole complex and came to its end.
+  std::optional<DeviceComplex> on_device;
   std::shared_ptr<ResultMemory> results = std::make_shared<ResultMemory>();
 
   Counters* counters() { return reinterpret_cast<Counters*>(zeroed.get()); }
@@ -241,6 +244,7 @@ struct DualEdgePipeline::State {
                                         stream),
           "a prefix sum");
   }
+  void keep_on_device(const ResultLayout& layout, const SimplexCounts& counts, double alpha);
   void fill(void* data, int byte, std::size_t bytes) {
     check(cudaMemsetAsync(data, byte, bytes, queues.main), "clearing device memory");
   }

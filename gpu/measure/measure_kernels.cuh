@@ -1,0 +1,207 @@
+// Areas and volumes on the device: one pass over the simplices of each dimension, with the bodies
+// of core/measure. Balls' sums are integers, so that threads may add to them in any order and the
+// bits are the same each time.
+#pragma once
+
+#include <cuda_runtime.h>
+
+#include <cstdint>
+
+#include "core/measure/ball_sums.hpp"
+#include "core/measure/find_in_row.hpp"
+#include "core/measure/simplex_terms.hpp"
+#include "gpu/memory/device_complex.hpp"
+
+namespace alphascope::gpu {
+
+inline constexpr int kMeasureThreads = 128;
+// Simplices of which a block does the like ones together.
+inline constexpr int kMeasurePart = 1024;
+inline constexpr unsigned kMeasureWarps = kMeasureThreads / 32;
+
+struct alignas(16) AreaAndVolume {
+  double area, volume;
+};
+struct alignas(16) MeasureSums {
+  unsigned long long area, volume;  // FixedSum
+};
+// Edges [begin, end) of a lower ball that has some; of others anything.
+struct alignas(8) EdgeRow {
+  std::uint32_t begin, end;
+};
+
+// By balls.
+struct MeasureScene {
+  GrownBall* balls;
+  AreaAndVolume* scales;
+  MeasureSums* sums;
+  EdgeRow* rows;
+  std::uint8_t* open;  // 1: in the complex, and not interior
+};
+
+class DeviceSink {
+ public:
+  static constexpr bool kDerivatives = false;
+  __device__ explicit DeviceSink(const MeasureScene& scene) : scene_(scene) {}
+
+  ALPHASCOPE_INLINE const GrownBall& ball(BallIndex i) const { return scene_.balls[i]; }
+  // Host and device as the terms are, but only ever called on the device.
+  ALPHASCOPE_INLINE void area(BallIndex i, double x) {
+    add(&scene_.sums[i].area, fixed_term(x, scene_.scales[i].area));
+  }
+  ALPHASCOPE_INLINE void volume(BallIndex i, double x) {
+    add(&scene_.sums[i].volume, fixed_term(x, scene_.scales[i].volume));
+  }
+
+ private:
+  ALPHASCOPE_INLINE static void add(unsigned long long* to, FixedSum term) {
+#if defined(__CUDA_ARCH__) || !defined(__CUDACC__)
+    atomicAdd(to, static_cast<unsigned long long>(term));
+#endif
+  }
+  const MeasureScene& scene_;
+};
+
+// Grown balls, and nothing summed yet.
+__global__ void prepare_balls(DeviceComplex complex, MeasureScene scene) {
+  const std::size_t i = std::size_t{blockIdx.x} * blockDim.x + threadIdx.x;
+  if (i >= complex.ball_count) return;
+  const int4 b = reinterpret_cast<const int4*>(complex.balls)[i];
+  const GrownBall ball = grown_ball(LatticePoint{b.x, b.y, b.z}, b.w, complex.alpha_on_lattice);
+  scene.balls[i] = ball;
+  scene.scales[i] = {area_scale(ball), volume_scale(ball)};
+  scene.sums[i] = {0, 0};
+  scene.open[i] = 0;
+}
+
+__global__ void add_vertices(DeviceSimplices vertices, MeasureScene scene) {
+  const std::size_t v = std::size_t{blockIdx.x} * blockDim.x + threadIdx.x;
+  if (v >= vertices.count || !is_open(vertices.classes[v])) return;
+  const BallIndex i = vertices.vertices[v];
+  scene.open[i] = 1;
+  DeviceSink sink(scene);
+  vertex_terms(i, sink);
+}
+
+// After the vertices. Says also where rows of edges begin and end.
+__global__ void add_edges(DeviceSimplices edges, MeasureScene scene) {
+  const std::size_t e = std::size_t{blockIdx.x} * blockDim.x + threadIdx.x;
+  if (e >= edges.count) return;
+  const BallIndex* at = edges.vertices + 2 * e;
+  const BallIndex i[2] = {at[0], at[1]};
+  if (e == 0 || at[-2] != i[0]) scene.rows[i[0]].begin = static_cast<std::uint32_t>(e);
+  if (e + 1 == edges.count || at[2] != i[0]) {
+    scene.rows[i[0]].end = static_cast<std::uint32_t>(e + 1);
+  }
+  const bool ends[2] = {scene.open[i[0]] != 0, scene.open[i[1]] != 0};
+  if (!ends[0] && !ends[1]) return;
+  DeviceSink sink(scene);
+  edge_terms(i, ends, is_open(edges.classes[e]), sink);
+}
+
+// Numbers of the simplices in the block's part of a list, by kind(simplex): those of kind 0 from
+// the beginning, those of kind 1 from the end backwards, so that the threads of a warp do the same;
+// others are left out. found: how many of either.
+template <class Kind>
+__device__ inline std::uint32_t* sort_part(std::size_t count, std::uint32_t (&found)[2],
+                                           const Kind& kind) {
+  __shared__ std::uint32_t list[kMeasurePart];
+  __shared__ std::uint32_t number[2];
+  if (threadIdx.x < 2) number[threadIdx.x] = 0;
+  __syncthreads();
+  const std::size_t begin = std::size_t{blockIdx.x} * kMeasurePart;
+  for (std::uint32_t n = threadIdx.x; n < kMeasurePart && begin + n < count; n += blockDim.x) {
+    const int of = kind(begin + n);
+    if (of < 0) continue;
+    const std::uint32_t place = atomicAdd(&number[of], 1u);
+    list[of == 0 ? place : kMeasurePart - 1 - place] = n;
+  }
+  __syncthreads();
+  found[0] = number[0];
+  found[1] = number[1];
+  return list;
+}
+
+// With an open side.
+__global__ void __launch_bounds__(kMeasureThreads)
+    add_triangles(DeviceSimplices triangles, MeasureScene scene) {
+  std::uint32_t found[2];
+  const std::uint32_t* list = sort_part(triangles.count, found, [&](std::size_t f) {
+    return open_sides(triangles.classes[f]) > 0 ? 0 : -1;
+  });
+  DeviceSink sink(scene);
+  for (std::uint32_t n = threadIdx.x; n < found[0]; n += blockDim.x) {
+    const std::size_t f = std::size_t{blockIdx.x} * kMeasurePart + list[n];
+    const BallIndex* at = triangles.vertices + 3 * f;
+    const BallIndex i[3] = {at[0], at[1], at[2]};
+    triangle_terms(i, open_sides(triangles.classes[f]), sink);
+  }
+}
+
+// After the edges. First those without an open edge, which have no angle to measure.
+__global__ void __launch_bounds__(kMeasureThreads)
+    add_tetrahedra(DeviceSimplices tetrahedra, DeviceSimplices edges, MeasureScene scene) {
+  const auto balls_of = [&](std::size_t t) {
+    return reinterpret_cast<const uint4*>(tetrahedra.vertices)[t];
+  };
+  std::uint32_t found[2];
+  const std::uint32_t* list = sort_part(tetrahedra.count, found, [&](std::size_t t) {
+    const uint4 b = balls_of(t);
+    const int open = scene.open[b.x] + scene.open[b.y] + scene.open[b.z] + scene.open[b.w];
+    return open > 1 ? 1 : 0;
+  });
+  const auto is_edge_open = [&](BallIndex a, BallIndex b) {
+    const EdgeRow row = scene.rows[a];
+    const std::size_t e = find_in_row(row.begin, row.end, b,
+                                      [&](std::size_t at) { return edges.vertices[2 * at + 1]; });
+    return is_open(edges.classes[e]);
+  };
+  DeviceSink sink(scene);
+  for (std::uint32_t n = threadIdx.x; n < found[0] + found[1]; n += blockDim.x) {
+    const std::uint32_t at = n < found[0] ? n : kMeasurePart - found[1] + (n - found[0]);
+    const uint4 b = balls_of(std::size_t{blockIdx.x} * kMeasurePart + list[at]);
+    const BallIndex i[4] = {b.x, b.y, b.z, b.w};
+    const OpenFaces open = open_balls_and_edges(
+        i, [&](BallIndex ball) { return scene.open[ball] != 0; }, is_edge_open);
+    tetrahedron_terms(i, open, sink);
+  }
+}
+
+__device__ inline double warp_sum(double value) {
+  for (int by = 16; by > 0; by /= 2) value += __shfl_xor_sync(~0u, value, by);
+  return value;
+}
+
+// Areas and volumes in Å² and Å³, and their sums over each block, whose order is always the same.
+struct MeasureOutput {
+  double *area, *volume;    // of balls
+  AreaAndVolume* of_block;  // sums
+  double unit;              // Å
+};
+__global__ void write_measures(std::size_t balls, MeasureScene scene, MeasureOutput out) {
+  const std::size_t i = std::size_t{blockIdx.x} * blockDim.x + threadIdx.x;
+  double area = 0, volume = 0;
+  if (i < balls) {
+    const AreaAndVolume scales = scene.scales[i];
+    const MeasureSums sums = scene.sums[i];
+    const BallMeasures ball =
+        ball_measures(scene.balls[i].grown_radius, scene.open[i] != 0,
+                      sum_value(sums.area, scales.area), sum_value(sums.volume, scales.volume));
+    out.area[i] = area = ball.area * out.unit * out.unit;
+    out.volume[i] = volume = ball.volume * out.unit * out.unit * out.unit;
+  }
+  __shared__ AreaAndVolume of_warp[kMeasureWarps];
+  area = warp_sum(area);
+  volume = warp_sum(volume);
+  if ((threadIdx.x & 31) == 0) of_warp[threadIdx.x / 32] = {area, volume};
+  __syncthreads();
+  if (threadIdx.x != 0) return;
+  AreaAndVolume sum = of_warp[0];
+  for (unsigned w = 1; w < kMeasureWarps; ++w) {
+    sum.area += of_warp[w].area;
+    sum.volume += of_warp[w].volume;
+  }
+  out.of_block[blockIdx.x] = sum;
+}
+
+}  // namespace alphascope::gpu

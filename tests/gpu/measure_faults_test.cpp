@@ -1,0 +1,108 @@
+// Areas and volumes on the emulated device: of a complex that is still there from its run, and when
+// the device is full or lost at any moment.
+#include <gtest/gtest.h>
+
+#include "gpu/dual_edge/dual_edge_pipeline.hpp"
+#include "gpu/gpu_engine.hpp"
+#include "gpu/measure/union_measurer.hpp"
+#include "tests/core/measure/measured_sets.hpp"
+#include "tests/gpu/emulated/device.h"
+
+namespace alphascope {
+namespace {
+
+using testing::complex_of;
+using testing::Random;
+using testing::random_balls;
+
+// In one chunk and in several, and after runs that left room in the buffers.
+TEST(GpuMeasureOnDevice, IsThatOfTheUploadedComplex) {
+  Random random(3);
+  const BallSet balls = random_balls(random, 150, 1000, 100, 300);
+  gpu::UnionMeasurer measurer;
+  for (const int chunks : {1, 4}) {
+    gpu::DualEdgePipeline pipeline(balls, chunks);
+    EXPECT_FALSE(pipeline.on_device());
+    for (const double alpha : {-0.01, 0.05, 0.02, 0.02, 0.3, 0.0}) {
+      const AlphaComplex complex = complex_of(balls, alpha);
+      pipeline.run(complex.alpha_on_lattice, false, {}, nullptr);
+      const auto there = pipeline.on_device();
+      ASSERT_TRUE(there);
+      const UnionMeasures expected = measure_union(balls, complex, {1});
+      const gpu::HostMeasures found = measurer.measure(*there, {}, nullptr);
+      const std::vector<double> areas(found.ball_area_angstrom2.begin(),
+                                      found.ball_area_angstrom2.end()),
+          volumes(found.ball_volume_angstrom3.begin(), found.ball_volume_angstrom3.end());
+      EXPECT_NEAR(found.area_angstrom2, expected.area_angstrom2, 1e-12 * expected.area_angstrom2);
+      const gpu::HostMeasures again =
+          measurer.measure(measurer.upload(balls, complex, {}), {}, nullptr);
+      EXPECT_EQ(found.area_angstrom2, again.area_angstrom2);
+      EXPECT_EQ(found.volume_angstrom3, again.volume_angstrom3);
+      EXPECT_TRUE(std::equal(areas.begin(), areas.end(), again.ball_area_angstrom2.begin(),
+                             again.ball_area_angstrom2.end()));
+      EXPECT_TRUE(std::equal(volumes.begin(), volumes.end(), again.ball_volume_angstrom3.begin(),
+                             again.ball_volume_angstrom3.end()));
+    }
+    pipeline.run(0, true, {}, nullptr);
+    EXPECT_FALSE(pipeline.on_device()) << "tetrahedra alone";
+  }
+}
+
+class GpuMeasureFaults : public ::testing::Test {
+ protected:
+  void TearDown() override { emulated::be_sound(); }
+  static BallSet some_balls(int count) {
+    Random random(45);
+    return random_balls(random, count, 1000, 100, 300);
+  }
+  // After every fault it measures as if nothing had been. Returns how many faults were met.
+  template <class Fault, class Expect>
+  int measure_with(const Fault& fault, const Expect& is_said) {
+    const BallSet small = some_balls(8), large = some_balls(40);
+    const AlphaComplex first = complex_of(small), later = complex_of(large);
+    const double expected = measure_union(large, later, {1}).area_angstrom2;
+    for (int n = 0;; ++n) {
+      const auto measurer = make_gpu_measurer(nullptr);
+      UnionMeasures of;
+      measurer->measure(small, first, of);
+      fault(n);
+      try {
+        measurer->measure(large, later, of);
+        EXPECT_EQ(emulated::faults_met(), 0) << "nothing was said of " << n;
+      } catch (const std::exception& error) {
+        EXPECT_GT(emulated::faults_met(), 0);
+        EXPECT_TRUE(is_said(error)) << error.what();
+      }
+      const bool met = emulated::faults_met() > 0;
+      emulated::be_sound();
+      measurer->measure(large, later, of);
+      EXPECT_NEAR(of.area_angstrom2, expected, 1e-12 * expected) << "after " << n;
+      if (!met) return n;
+    }
+  }
+};
+
+TEST_F(GpuMeasureFaults, ARefusedReservationIsSaid) {
+  const int met = measure_with(emulated::be_full_at, [](const std::exception& error) {
+    return dynamic_cast<const std::bad_alloc*>(&error) != nullptr;
+  });
+  EXPECT_GT(met, 10);
+}
+
+TEST_F(GpuMeasureFaults, ALostDeviceIsSaid) {
+  const int met = measure_with(emulated::be_lost_at, [](const std::exception& error) {
+    return std::string(error.what()).find("the GPU failed while") == 0;
+  });
+  EXPECT_GT(met, 30);
+}
+
+TEST_F(GpuMeasureFaults, ADeviceLostFromTheStartIsAReason) {
+  ASSERT_TRUE(gpu_device().usable);
+  emulated::be_lost_at(0);
+  std::string why_not;
+  EXPECT_EQ(make_gpu_measurer(&why_not), nullptr);
+  EXPECT_NE(why_not.find("cannot be used"), std::string::npos) << why_not;
+}
+
+}  // namespace
+}  // namespace alphascope

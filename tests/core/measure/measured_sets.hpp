@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <fstream>
 #include <memory>
 #include <sstream>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -15,8 +17,13 @@
 
 namespace alphascope::testing {
 
+// In the source tree, or where the environment variable ALPHASCOPE_MEASURE_DATA says.
 inline std::string measure_data(const std::string& file) {
-  return std::string(ALPHASCOPE_SOURCE_DIR) + "/tests/core/measure/data/" + file;
+  const char* folder = std::getenv("ALPHASCOPE_MEASURE_DATA");
+  const std::string in_source = std::string(ALPHASCOPE_SOURCE_DIR) + "/tests/core/measure/data";
+  std::string path = (folder != nullptr ? folder : in_source) + "/" + file;
+  if (!std::ifstream(path)) throw std::runtime_error(path + ": cannot be read");
+  return path;
 }
 
 // Lines of x y z r in Å, on the lattice of all their digits.

@@ -94,7 +94,8 @@ TEST(RadiiSets, WhatASetLacksIsMarkedGuessedWithItsSource) {
 }
 
 TEST(RadiiSets, MetalsAreIonsWhereTheSetIsMadeForBiomolecules) {
-  for (const RadiiSet set : {RadiiSet::protor, RadiiSet::castp, RadiiSet::naccess, RadiiSet::rasmol}) {
+  for (const RadiiSet set :
+       {RadiiSet::protor, RadiiSet::castp, RadiiSet::naccess, RadiiSet::rasmol}) {
     const AssignedRadius iron = radius(set, "HEM", "FE", "Fe", AtomKind::ligand);
     EXPECT_EQ(iron.microangstrom, 610000);
     EXPECT_TRUE(iron.guessed);

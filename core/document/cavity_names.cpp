@@ -16,6 +16,19 @@ bool same_residue(const Atom& a, const Atom& b) {
   return named && same_residue_number(a, b) && a.residue_name == b.residue_name;
 }
 
+// use(atom, ball, whether another residue begins) for each atom that lines it.
+template <class Use>
+void for_lining(const BallReferences& references, const CavityTable& table, std::size_t row,
+                const Use& use) {
+  const std::vector<Atom>& atoms = references.molecule().atoms;
+  const Atom* last = nullptr;
+  for (const BallIndex ball : table.measure(row).lining) {
+    const std::size_t index = atom_of(references, ball);
+    use(index, ball, !last || !same_residue(*last, atoms[index]));
+    last = &atoms[index];
+  }
+}
+
 }  // namespace
 
 std::string cavity_name(const BallReferences& references, const CavityTable& table,
@@ -35,19 +48,19 @@ SimplexRef cavity_sink(const BallReferences& references, const CavityTable& tabl
 
 std::vector<LiningResidue> lining_residues(const BallReferences& references,
                                            const CavityTable& table, std::size_t row) {
-  const Molecule& molecule = references.molecule();
   std::vector<LiningResidue> residues;
-  const Atom* last = nullptr;
-  for (const BallIndex ball : table.measure(row).lining) {
-    const std::size_t index = atom_of(references, ball);
-    const Atom& atom = molecule.atoms[index];
-    if (!last || !same_residue(*last, atom)) {
-      residues.push_back({residue_address(molecule, index), {}});
-    }
+  for_lining(references, table, row, [&](std::size_t atom, BallIndex ball, bool next) {
+    if (next) residues.push_back({residue_address(references.molecule(), atom), {}});
     residues.back().balls.push_back(ball);
-    last = &atom;
-  }
+  });
   return residues;
+}
+
+std::size_t lining_residue_count(const BallReferences& references, const CavityTable& table,
+                                 std::size_t row) {
+  std::size_t count = 0;
+  for_lining(references, table, row, [&](std::size_t, BallIndex, bool next) { count += next; });
+  return count;
 }
 
 }  // namespace alphascope

@@ -27,5 +27,8 @@ struct LiningResidue {
 // In the order of the molecule.
 std::vector<LiningResidue> lining_residues(const BallReferences& references,
                                            const CavityTable& table, std::size_t row);
+// How many those are, without their addresses.
+std::size_t lining_residue_count(const BallReferences& references, const CavityTable& table,
+                                 std::size_t row);
 
 }  // namespace alphascope

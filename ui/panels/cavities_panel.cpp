@@ -33,11 +33,17 @@ void make_lines(CavityMemory& memory, const CavityTable& table, const BallRefere
     line.area = m.area_sa_angstrom2;
     line.mouth_area = m.all_mouths().area_angstrom2;
     line.mouths = m.mouths.size();
-    line.residues = lining_residues(atoms, table, row).size();
-    line.name = cavity_name(atoms, table, row);
+    line.residues = lining_residue_count(atoms, table, row);
     line.sink = cavity_sink(atoms, table, row);
     memory.lines.push_back(std::move(line));
   }
+}
+
+// Names are long, and only those of lines in sight are needed, or all to sort by them.
+const std::string& name_of(CavityMemory& memory, std::size_t row, const BallReferences& atoms) {
+  std::string& text = memory.lines[row].name;
+  if (text.empty()) text = cavity_name(atoms, *memory.table, row);
+  return text;
 }
 
 void take_table(CavityMemory& memory, const std::shared_ptr<const CavityTable>& table,
@@ -79,12 +85,15 @@ double sort_value(const CavityLine& line, int column) {
   }
 }
 
-void make_order(CavityMemory& memory) {
+void make_order(CavityMemory& memory, const BallReferences* atoms) {
   if (!std::exchange(memory.order_is_old, false)) return;
   memory.order.clear();
   for (const CavityLine& line : memory.lines) {
     const bool of_kind = memory.kind == 0 || (memory.kind == 1) == line.is_void;
     if (of_kind && line.volume >= memory.least_volume) memory.order.push_back(line.row);
+  }
+  if (memory.sort_column == name && atoms) {
+    for (const std::size_t row : memory.order) name_of(memory, row, *atoms);
   }
   const auto before = [&](std::size_t a, std::size_t b) {
     const CavityLine &x = memory.lines[a], &y = memory.lines[b];
@@ -163,7 +172,7 @@ std::shared_ptr<const Layer> layer_of(const CavityTable& table, const CavityLine
 
 // The rims of its mouths: edges of one mouth triangle only.
 std::shared_ptr<const Layer> rims_of(const CavityTable& table, const CavityLine& line,
-                                     std::uint64_t key) {
+                                     const Colour& colour, std::uint64_t key) {
   auto layer = std::make_shared<Layer>();
   layer->id = "cavities.mouths." + std::to_string(line.row);
   layer->key = key;
@@ -184,7 +193,7 @@ std::shared_ptr<const Layer> rims_of(const CavityTable& table, const CavityLine&
       }
     }
   }
-  layer->colour = {1, 1, 1, 1};
+  layer->colour = colour;
   return layer;
 }
 
@@ -200,7 +209,8 @@ std::string lining_text(const CavityMemory& memory, const BallReferences& atoms)
 }
 
 void show_chosen(PanelContext& ctx, CavityMemory& memory) {
-  if (std::exchange(memory.layers_are_old, false)) {
+  const bool other_theme = std::exchange(memory.theme, ctx.state.theme) != ctx.state.theme;
+  if (std::exchange(memory.layers_are_old, false) || other_theme) {
     static std::uint64_t key = 0;  // another number for each set of layers
     ++key;
     memory.layers.clear();
@@ -208,7 +218,7 @@ void show_chosen(PanelContext& ctx, CavityMemory& memory) {
     for (const CavityLine& line : memory.lines) {
       if (!is_chosen(memory, line)) continue;
       memory.layers.push_back(layer_of(*memory.table, line, key));
-      memory.layers.push_back(rims_of(*memory.table, line, key));
+      memory.layers.push_back(rims_of(*memory.table, line, ctx.palette.text, key));
     }
   }
   for (const auto& layer : memory.layers) ctx.state.layers.push_back(layer);
@@ -341,6 +351,16 @@ std::string exact_text_of(const CavityLine& line) {
   return measure_text(line.exact_volume) + (doubtful ? " *" : "  ");
 }
 
+// The colour of its surface in the view, before the word: as text it would be hard to read.
+void swatch(PanelContext& ctx, std::size_t row) {
+  const ChartColour c = colour_of(row);
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const float side = ctx.px(9), top = corner.y + (ImGui::GetTextLineHeight() - side) / 2;
+  ImGui::GetWindowDrawList()->AddRectFilled({corner.x, top}, {corner.x + side, top + side},
+                                            IM_COL32(c.r, c.g, c.b, 255));
+  ImGui::SetCursorPosX(ImGui::GetCursorPosX() + side + ctx.px(6));
+}
+
 // True when it was clicked.
 bool draw_line(PanelContext& ctx, const CavityMemory& memory, const CavityLine& line) {
   ImGui::TableNextRow();
@@ -352,8 +372,8 @@ bool draw_line(PanelContext& ctx, const CavityMemory& memory, const CavityLine& 
   record(ctx, ("cavities.row." + std::to_string(line.row + 1)).c_str());
   ImGui::PopID();
   ImGui::TableNextColumn();
-  const ChartColour c = colour_of(line.row);
-  ImGui::TextColored(ImColor(c.r, c.g, c.b), "%s", line.is_void ? "void" : "pocket");
+  swatch(ctx, line.row);
+  ImGui::TextUnformatted(line.is_void ? "void" : "pocket");
   number_cell(measure_text(line.volume));
   number_cell(exact_text_of(line));
   number_cell(measure_text(line.area));
@@ -372,13 +392,14 @@ void table_of_lines(PanelContext& ctx, CavityMemory& memory, const BallReference
   if (!ImGui::BeginTable("cavities", kColumns, kFlags, {0, 0})) return;
   heading(ctx);
   take_sorting(memory);
-  make_order(memory);
+  make_order(memory, atoms);
   ImGuiListClipper clipper;
   clipper.Begin(static_cast<int>(memory.order.size()));
   const CavityLine* clicked = nullptr;
   while (clipper.Step()) {
     for (int n = clipper.DisplayStart; n < clipper.DisplayEnd; ++n) {
       const CavityLine& line = memory.lines[memory.order[static_cast<std::size_t>(n)]];
+      if (atoms) name_of(memory, line.row, *atoms);
       if (draw_line(ctx, memory, line)) clicked = &line;
     }
   }

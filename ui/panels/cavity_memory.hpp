@@ -19,7 +19,7 @@ struct CavityLine {
   double volume = 0, area = 0, mouth_area = 0;  // Å³, Å²: CASTp's SA sums
   double exact_volume = -1;                     // Å³; negative: not computed yet
   std::size_t mouths = 0, residues = 0;
-  std::string name;
+  std::string name;  // empty until it is needed
   SimplexRef sink;
 };
 
@@ -39,6 +39,7 @@ struct CavityMemory {
   std::vector<std::size_t> order;  // of the lines that are shown
   bool order_is_old = true;
   std::vector<std::shared_ptr<const Layer>> layers;  // of what is chosen
+  Theme theme = Theme::dark;                         // that their colours are for
   bool layers_are_old = true;
 };
 

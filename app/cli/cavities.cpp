@@ -177,11 +177,6 @@ void print(const Input& input, const CavitiesOptions& options, const Answer& ans
 
 // --- as CSV and JSON
 
-// All digits that a double has: the table is for programs.
-std::string exact(double value) {
-  return format_text("%.17g", value);
-}
-
 CsvRow csv_row(const Input& input, const CavitiesOptions& options, const Answer& answer,
                const BallReferences& atoms, std::size_t row) {
   const CavityTable& table = answer.table;
@@ -192,20 +187,20 @@ CsvRow csv_row(const Input& input, const CavitiesOptions& options, const Answer&
                {"rank", std::to_string(row + 1)},
                {"kind", kind_text(table, row)},
                {"name", cavity_name(atoms, table, row)},
-               {"volume_sa_angstrom3", exact(m.volume_sa_angstrom3)},
-               {"area_sa_angstrom2", exact(m.area_sa_angstrom2)},
-               {"volume_exact_angstrom3", exact(exact_of(answer, row).volume_sa_angstrom3)},
-               {"area_exact_angstrom2", exact(exact_of(answer, row).area_sa_angstrom2)},
+               {"volume_sa_angstrom3", all_digits(m.volume_sa_angstrom3)},
+               {"area_sa_angstrom2", all_digits(m.area_sa_angstrom2)},
+               {"volume_exact_angstrom3", all_digits(exact_of(answer, row).volume_sa_angstrom3)},
+               {"area_exact_angstrom2", all_digits(exact_of(answer, row).area_sa_angstrom2)},
                {"doubtful", is_doubtful(m, exact_of(answer, row)) ? "1" : "0"},
-               {"volume_ms_angstrom3", exact(m.volume_ms_angstrom3)},
-               {"area_ms_angstrom2", exact(m.area_ms_angstrom2)},
-               {"area_ms_steiner_angstrom2", exact(m.area_ms_steiner_angstrom2)},
-               {"volume_of_tetrahedra_angstrom3", exact(m.volume_of_tetrahedra_angstrom3)},
+               {"volume_ms_angstrom3", all_digits(m.volume_ms_angstrom3)},
+               {"area_ms_angstrom2", all_digits(m.area_ms_angstrom2)},
+               {"area_ms_steiner_angstrom2", all_digits(m.area_ms_steiner_angstrom2)},
+               {"volume_of_tetrahedra_angstrom3", all_digits(m.volume_of_tetrahedra_angstrom3)},
                {"mouths", std::to_string(m.mouths.size())},
                {"mouth_triangles", std::to_string(cavity.mouth_triangles())},
-               {"mouth_area_angstrom2", exact(mouths.area_angstrom2)},
-               {"mouth_length_angstrom", exact(mouths.length_angstrom)},
-               {"arc_length_angstrom", exact(m.arc_length_angstrom)},
+               {"mouth_area_angstrom2", all_digits(mouths.area_angstrom2)},
+               {"mouth_length_angstrom", all_digits(mouths.length_angstrom)},
+               {"arc_length_angstrom", all_digits(m.arc_length_angstrom)},
                {"corners", std::to_string(m.corners)},
                {"tetrahedra", std::to_string(cavity.tetrahedra.size())},
                {"sinks", std::to_string(cavity.sinks)},

@@ -99,16 +99,12 @@ void print(const Input& input, const Answer& answer) {
   std::cout << std::flush;
 }
 
-std::string exact(double value) {
-  return format_text("%.17g", value);
-}
-
 CsvRow csv_row(const Input& input, const ChannelSample& sample) {
-  CsvRow row{{"along_angstrom", exact(sample.along_angstrom)},
-             {"radius_angstrom", exact(sample.radius_angstrom)},
-             {"x_angstrom", exact(sample.position_angstrom.x)},
-             {"y_angstrom", exact(sample.position_angstrom.y)},
-             {"z_angstrom", exact(sample.position_angstrom.z)}};
+  CsvRow row{{"along_angstrom", all_digits(sample.along_angstrom)},
+             {"radius_angstrom", all_digits(sample.radius_angstrom)},
+             {"x_angstrom", all_digits(sample.position_angstrom.x)},
+             {"y_angstrom", all_digits(sample.position_angstrom.y)},
+             {"z_angstrom", all_digits(sample.position_angstrom.z)}};
   for (auto& entry : input.provenance()) row.push_back(std::move(entry));
   row.emplace_back("program", program_text());
   return row;

@@ -94,17 +94,12 @@ void print(const Input& input, const MeasureCommandOptions& options, const Answe
   std::cout << std::flush;
 }
 
-// All digits that a double has: the table is for programs.
-std::string exact(double value) {
-  return format_text("%.17g", value);
-}
-
 CsvRow csv_row(const Input& input, const Request& request, const Answer& answer,
                const std::string& group, double area, double volume) {
   CsvRow row{{"model", model_text(input.balls.model)},
              {"group", group},
-             {"area_angstrom2", exact(area)},
-             {"volume_angstrom3", exact(volume)},
+             {"area_angstrom2", all_digits(area)},
+             {"volume_angstrom3", all_digits(volume)},
              {"alpha_angstrom2", number_text(request.alpha_angstrom2)},
              {"solvent_radius_angstrom", number_text(request.solvent_radius_angstrom)},
              {"hash", hash_text(answer.complex.complex.hash)}};

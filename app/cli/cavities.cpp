@@ -4,10 +4,8 @@
 #include <memory>
 
 #include "app/cli/commands.hpp"
-#include "app/cli/many_files.hpp"
-#include "app/cli/outputs.hpp"
+#include "app/cli/files_command.hpp"
 #include "app/cli/report_json.hpp"
-#include "app/cli/result_files.hpp"
 #include "app/cli/table.hpp"
 #include "app/cli/terminal.hpp"
 #include "app/cli/text.hpp"
@@ -290,30 +288,20 @@ Json result_json(const Input& input, const CavitiesOptions& options, const Answe
 
 ExitCode run_cavities(const CavitiesOptions& options) {
   const RunContext& context = run_context();
-  const bool many = options.files.many(), each = each_model(options.input);
-  const OpenOptions open = body_options(options.input, options.body, context);
-  const std::vector<std::string> files = file_names(options.files);
-  if (!many) require_readable({files.front()});
-  Outputs outputs(files_read(files, options.files.list, options.input));
-  CsvResults csv(outputs.add("--csv", options.csv));
-  JsonResults json(outputs.add("--json", options.json), many ? "results" : each ? "models" : "");
-  const bool shown = verbosity() != Verbosity::quiet || !outputs.take_standard_output();
-  const FilesOutcome outcome = for_each_file(files, many, [&](const std::string& file) {
-    for_each_model(file, options.input, open, context, [&](const Input& as_opened) {
-      const Input input = with_body_radii(as_opened, options.input);
-      const Answer answer = find(input, options, context);
-      const BallReferences atoms(input.opened.molecule, input.opened.prepared);
-      clear_progress();
-      if (shown) print(input, options, answer, atoms);
-      if (json.wanted()) json.add(result_json(input, options, answer, atoms));
-      for (std::size_t row = 0; csv.wanted() && row < answer.table.size(); ++row) {
-        csv.add(csv_row(input, options, answer, atoms, row));
-      }
-    });
+  FilesCommand command(options.files, options.input,
+                       body_options(options.input, options.body, context),
+                       {options.json, options.csv});
+  return command.run([&](const std::string&, const Input& as_opened) {
+    const Input input = with_body_radii(as_opened, options.input);
+    const Answer answer = find(input, options, context);
+    const BallReferences atoms(input.opened.molecule, input.opened.prepared);
+    clear_progress();
+    if (command.shown()) print(input, options, answer, atoms);
+    if (command.json.wanted()) command.json.add(result_json(input, options, answer, atoms));
+    for (std::size_t row = 0; command.csv.wanted() && row < answer.table.size(); ++row) {
+      command.csv.add(csv_row(input, options, answer, atoms, row));
+    }
   });
-  json.finish(further_json(outcome, many));
-  outputs.commit();
-  return outcome.code;
 }
 
 }  // namespace alphascope::cli

@@ -5,10 +5,8 @@
 
 #include "app/cli/commands.hpp"
 #include "app/cli/failure.hpp"
-#include "app/cli/many_files.hpp"
-#include "app/cli/outputs.hpp"
+#include "app/cli/files_command.hpp"
 #include "app/cli/report_json.hpp"
-#include "app/cli/result_files.hpp"
 #include "app/cli/table.hpp"
 #include "app/cli/terminal.hpp"
 #include "app/cli/text.hpp"
@@ -156,37 +154,23 @@ Json result_json(const Input& input, const EngineAnswer& result) {
 ExitCode run_compute(const ComputeOptions& options) {
   const RunContext& context = run_context();
   const Request& request = options.request;
-  const bool many = options.files.many(), each = each_model(options.input);
-  const OpenOptions open = open_options(options.input, context);
-  const std::vector<std::string> files = file_names(options.files);
-  if (!many) require_readable({files.front()});
-  Outputs outputs(files_read(files, options.files.list, options.input));
-  AtomicFile* const out = outputs.add("--out", options.out);
-  CsvResults csv(outputs.add("--csv", options.csv));
-  JsonResults json(outputs.add("--json", options.json), many ? "results" : each ? "models" : "");
-  ResultTable table(files, many, each);
-  // Beside a result on standard output the summary is a note.
-  const bool print = verbosity() != Verbosity::quiet || !outputs.take_standard_output();
+  FilesCommand command(options.files, options.input, open_options(options.input, context),
+                       {options.json, options.csv, options.out});
+  const bool print = command.shown(), table_only = command.many || command.each_model;
+  ResultTable table(command.files, command.many, command.each_model);
   EngineCache engines(&make_engine);
-  const auto use = [&](const std::string& file, const Input& input) {
+  return command.run([&](const std::string& file, const Input& input) {
     const EngineAnswer result = engines.compute(input.prepared().balls, request, context);
-    if (out) {
-      write_complex_text(*result.balls, result.complex, complex_header(input, result), *out,
+    if (command.out) {
+      write_complex_text(*result.balls, result.complex, complex_header(input, result), *command.out,
                          context);
     }
     clear_progress();
-    if (print && (many || each)) table.print(file, input, result);
-    if (print && !many && !each) print_one(input, result);
-    if (json.wanted()) json.add(result_json(input, result));
-    if (csv.wanted()) csv.add(csv_row(input, result));
-  };
-  const FilesOutcome outcome = for_each_file(files, many, [&](const std::string& file) {
-    for_each_model(file, options.input, open, context,
-                   [&](const Input& input) { use(file, input); });
+    if (print && table_only) table.print(file, input, result);
+    if (print && !table_only) print_one(input, result);
+    if (command.json.wanted()) command.json.add(result_json(input, result));
+    if (command.csv.wanted()) command.csv.add(csv_row(input, result));
   });
-  json.finish(further_json(outcome, many));
-  outputs.commit();
-  return outcome.code;
 }
 
 }  // namespace alphascope::cli

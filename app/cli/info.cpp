@@ -6,10 +6,8 @@
 
 #include "app/cli/commands.hpp"
 #include "app/cli/failure.hpp"
-#include "app/cli/many_files.hpp"
-#include "app/cli/outputs.hpp"
+#include "app/cli/files_command.hpp"
 #include "app/cli/report_json.hpp"
-#include "app/cli/result_files.hpp"
 #include "app/cli/table.hpp"
 #include "app/cli/terminal.hpp"
 #include "app/cli/text.hpp"
@@ -168,18 +166,12 @@ CsvRow csv_row(const Input& input) {
 
 ExitCode run_info(const InfoOptions& options) {
   const RunContext& context = run_context();
-  const bool many = options.files.many(), each = each_model(options.input);
-  const OpenOptions open = open_options(options.input, context);
-  const std::vector<std::string> files = file_names(options.files);
-  if (!many) require_readable({files.front()});
-  Outputs outputs(files_read(files, options.files.list, options.input));
-  CsvResults csv(outputs.add("--csv", options.csv));
-  JsonResults json(outputs.add("--json", options.json), many ? "results" : each ? "models" : "");
-  // Beside a result on standard output the summary is a note.
-  const bool shown = verbosity() != Verbosity::quiet || !outputs.take_standard_output();
-  const Table table = info_table(files, each);
+  FilesCommand command(options.files, options.input, open_options(options.input, context),
+                       {options.json, options.csv});
+  const bool many = command.many, each = command.each_model, shown = command.shown();
+  const Table table = info_table(command.files, each);
   if (shown && many) std::cout << table.heading();
-  const auto use = [&](const std::string& file, const Input& input) {
+  return command.run([&](const std::string& file, const Input& input) {
     clear_progress();
     if (shown && many) {
       if (verbosity() != Verbosity::quiet) {
@@ -193,19 +185,12 @@ ExitCode run_info(const InfoOptions& options) {
                   << summary(input.prepared().report) << "\n";
       }
     }
-    if (json.wanted()) {
-      json.add(
+    if (command.json.wanted()) {
+      command.json.add(
           {{"input", input_json(input)}, {"radii_in_use", radii_json(*input.prepared().balls)}});
     }
-    if (csv.wanted()) csv.add(csv_row(input));
-  };
-  const FilesOutcome outcome = for_each_file(files, many, [&](const std::string& file) {
-    for_each_model(file, options.input, open, context,
-                   [&](const Input& input) { use(file, input); });
+    if (command.csv.wanted()) command.csv.add(csv_row(input));
   });
-  json.finish(further_json(outcome, many));
-  outputs.commit();
-  return outcome.code;
 }
 
 }  // namespace alphascope::cli

@@ -5,10 +5,8 @@
 #include <map>
 
 #include "app/cli/commands.hpp"
-#include "app/cli/many_files.hpp"
-#include "app/cli/outputs.hpp"
+#include "app/cli/files_command.hpp"
 #include "app/cli/report_json.hpp"
-#include "app/cli/result_files.hpp"
 #include "app/cli/terminal.hpp"
 #include "app/cli/text.hpp"
 #include "app/session/rounding_note.hpp"
@@ -147,31 +145,20 @@ Json result_json(const Input& input, const MeasureCommandOptions& options, const
 
 ExitCode run_measure(const MeasureCommandOptions& options) {
   const RunContext& context = run_context();
-  const bool many = options.files.many(), each = each_model(options.input);
-  const OpenOptions open = open_options(options.input, context);
-  const std::vector<std::string> files = file_names(options.files);
-  if (!many) require_readable({files.front()});
-  Outputs outputs(files_read(files, options.files.list, options.input));
-  CsvResults csv(outputs.add("--csv", options.csv));
-  JsonResults json(outputs.add("--json", options.json), many ? "results" : each ? "models" : "");
-  const bool shown = verbosity() != Verbosity::quiet || !outputs.take_standard_output();
+  FilesCommand command(options.files, options.input, open_options(options.input, context),
+                       {options.json, options.csv});
   EngineCache engines(&make_engine);
-  const FilesOutcome outcome = for_each_file(files, many, [&](const std::string& file) {
-    for_each_model(file, options.input, open, context, [&](const Input& input) {
-      const Answer answer = measure(input, options, engines, context);
-      clear_progress();
-      if (shown) print(input, options, answer);
-      if (json.wanted()) json.add(result_json(input, options, answer));
-      if (!csv.wanted()) return;
-      for_each_group(input, options.by, answer,
-                     [&](const std::string& name, double area, double volume) {
-                       csv.add(csv_row(input, options.request, answer, name, area, volume));
-                     });
-    });
+  return command.run([&](const std::string&, const Input& input) {
+    const Answer answer = measure(input, options, engines, context);
+    clear_progress();
+    if (command.shown()) print(input, options, answer);
+    if (command.json.wanted()) command.json.add(result_json(input, options, answer));
+    if (!command.csv.wanted()) return;
+    for_each_group(input, options.by, answer,
+                   [&](const std::string& name, double area, double volume) {
+                     command.csv.add(csv_row(input, options.request, answer, name, area, volume));
+                   });
   });
-  json.finish(further_json(outcome, many));
-  outputs.commit();
-  return outcome.code;
 }
 
 }  // namespace alphascope::cli

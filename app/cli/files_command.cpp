@@ -1,0 +1,47 @@
+#include "app/cli/files_command.hpp"
+
+#include <utility>
+
+#include "app/cli/terminal.hpp"
+
+namespace alphascope::cli {
+namespace {
+
+std::vector<std::string> found(const InputFiles& files) {
+  std::vector<std::string> names = file_names(files);
+  if (!files.many()) require_readable({names.front()});
+  return names;
+}
+
+}  // namespace
+
+FilesCommand::FilesCommand(const InputFiles& named, const InputOptions& input, OpenOptions open,
+                           const ResultPaths& results)
+    : input_(input),
+      open_(std::move(open)),
+      many(named.many()),
+      each_model(cli::each_model(input)),
+      files(found(named)),
+      outputs(files_read(files, named.list, input)),
+      out(outputs.add("--out", results.out)),
+      csv(outputs.add("--csv", results.csv)),
+      json(outputs.add("--json", results.json), many         ? "results"
+                                                : each_model ? "models"
+                                                             : "") {}
+
+bool FilesCommand::shown() const {
+  return verbosity() != Verbosity::quiet || !outputs.take_standard_output();
+}
+
+ExitCode FilesCommand::run(
+    const std::function<void(const std::string& file, const Input& input)>& use) {
+  const FilesOutcome outcome = for_each_file(files, many, [&](const std::string& file) {
+    for_each_model(file, input_, open_, run_context(),
+                   [&](const Input& model) { use(file, model); });
+  });
+  json.finish(further_json(outcome, many));
+  outputs.commit();
+  return outcome.code;
+}
+
+}  // namespace alphascope::cli

@@ -5,9 +5,9 @@
 
 #include "core/cavity/inside.hpp"
 #include "core/cavity/mouths.hpp"
-#include "core/cavity/union_find.hpp"
 #include "core/run/internal_error.hpp"
 #include "core/triangulation/parallel_ranges.hpp"
+#include "core/triangulation/union_find.hpp"
 
 namespace alphascope {
 namespace {

@@ -8,9 +8,9 @@
 #include <utility>
 
 #include "core/cavity/inside.hpp"
-#include "core/cavity/union_find.hpp"
 #include "core/predicates/exact_alpha.hpp"
 #include "core/triangulation/parallel_ranges.hpp"
+#include "core/triangulation/union_find.hpp"
 
 namespace alphascope {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "core/cavity/union_find.hpp"
+#include "core/triangulation/union_find.hpp"
 
 namespace alphascope {
 namespace {

@@ -2,43 +2,16 @@
 
 #include "core/measure/exact_sum.hpp"
 #include "core/measure/union_measures.hpp"
+#include "core/triangulation/union_find.hpp"
 
 namespace alphascope {
-namespace {
-
-// Roots are the lowest balls of their trees.
-class Forest {
- public:
-  explicit Forest(std::size_t balls) : parent_(balls) {
-    for (std::size_t i = 0; i < balls; ++i) parent_[i] = static_cast<BallIndex>(i);
-  }
-  BallIndex root(BallIndex i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void join(BallIndex i, BallIndex j) {
-    i = root(i);
-    j = root(j);
-    if (i < j) {
-      parent_[j] = i;
-    } else {
-      parent_[i] = j;
-    }
-  }
-
- private:
-  std::vector<BallIndex> parent_;
-};
-
-}  // namespace
-
 Components components(std::size_t balls, const AlphaComplex& complex) {
-  Forest forest(balls);
-  for (const auto& [i, j] : complex.edges.simplices) forest.join(i, j);
+  UnionFind sets(balls);  // roots are the lowest balls
+  for (const auto& [i, j] : complex.edges.simplices) sets.unite(i, j);
   Components of;
   of.of_ball.assign(balls, kNoGroup);
   for (const auto& [i] : complex.vertices.simplices) {
-    const BallIndex root = forest.root(i);
+    const BallIndex root = sets.root(i);
     of.of_ball[i] = root == i ? of.count++ : of.of_ball[root];
   }
   return of;

@@ -61,6 +61,11 @@ const ClippedMeasures& exact_of(const Answer& answer, std::size_t row) {
   return answer.exact[answer.table.order[row]];
 }
 
+bool doubtful(const Answer& answer, std::size_t row) {
+  return is_doubtful(answer.table.measure(row).volume_sa_angstrom3,
+                     exact_of(answer, row).volume_sa_angstrom3);
+}
+
 const char* kind_text(const CavityTable& table, std::size_t row) {
   return table.cavity(row).is_void() ? "void" : "pocket";
 }
@@ -132,14 +137,14 @@ void print_rows(const Answer& answer, const BallReferences& atoms, std::size_t s
   const auto number = [](double value) { return format_text("%.3f", value); };
   for (std::size_t row = 0; row < std::min(shown, table.size()); ++row) {
     const CavityMeasures& m = table.measure(row);
-    std::cout << columns.line(
-        {std::to_string(row + 1), kind_text(table, row), number(m.volume_sa_angstrom3),
-         number(m.area_sa_angstrom2), number(exact_of(answer, row).volume_sa_angstrom3),
-         is_doubtful(m, exact_of(answer, row)) ? "*" : "", number(m.volume_ms_angstrom3),
-         number(m.area_ms_angstrom2), std::to_string(m.mouths.size()),
-         number(m.all_mouths().area_angstrom2),
-         std::to_string(lining_residues(atoms, table, row).size()),
-         cavity_name(atoms, table, row)});
+    std::cout << columns.line({std::to_string(row + 1), kind_text(table, row),
+                               number(m.volume_sa_angstrom3), number(m.area_sa_angstrom2),
+                               number(exact_of(answer, row).volume_sa_angstrom3),
+                               doubtful(answer, row) ? "*" : "", number(m.volume_ms_angstrom3),
+                               number(m.area_ms_angstrom2), std::to_string(m.mouths.size()),
+                               number(m.all_mouths().area_angstrom2),
+                               std::to_string(lining_residues(atoms, table, row).size()),
+                               cavity_name(atoms, table, row)});
   }
   if (table.size() > shown) {
     std::cout << "… and " << grouped(table.size() - shown)
@@ -189,7 +194,7 @@ CsvRow csv_row(const Input& input, const CavitiesOptions& options, const Answer&
                {"area_sa_angstrom2", all_digits(m.area_sa_angstrom2)},
                {"volume_exact_angstrom3", all_digits(exact_of(answer, row).volume_sa_angstrom3)},
                {"area_exact_angstrom2", all_digits(exact_of(answer, row).area_sa_angstrom2)},
-               {"doubtful", is_doubtful(m, exact_of(answer, row)) ? "1" : "0"},
+               {"doubtful", doubtful(answer, row) ? "1" : "0"},
                {"volume_ms_angstrom3", all_digits(m.volume_ms_angstrom3)},
                {"area_ms_angstrom2", all_digits(m.area_ms_angstrom2)},
                {"area_ms_steiner_angstrom2", all_digits(m.area_ms_steiner_angstrom2)},
@@ -241,7 +246,7 @@ Json cavity_json(const Answer& answer, const BallReferences& atoms, std::size_t 
           {"area_sa_angstrom2", m.area_sa_angstrom2},
           {"volume_exact_angstrom3", exact_of(answer, row).volume_sa_angstrom3},
           {"area_exact_angstrom2", exact_of(answer, row).area_sa_angstrom2},
-          {"doubtful", is_doubtful(m, exact_of(answer, row))},
+          {"doubtful", doubtful(answer, row)},
           {"volume_ms_angstrom3", m.volume_ms_angstrom3},
           {"area_ms_angstrom2", m.area_ms_angstrom2},
           {"area_ms_steiner_angstrom2", m.area_ms_steiner_angstrom2},

@@ -40,11 +40,10 @@ std::vector<ClippedMeasures> clip_all(const CavityTable& table, const RunContext
                        context);
 }
 
-bool is_doubtful(const CavityMeasures& measures, const ClippedMeasures& exact) {
+bool is_doubtful(double sa_angstrom3, double exact_angstrom3) {
   constexpr double kSmallAngstrom3 = 1, kFar = 0.1;
-  const double difference = std::fabs(measures.volume_sa_angstrom3 - exact.volume_sa_angstrom3);
-  return exact.volume_sa_angstrom3 < kSmallAngstrom3 ||
-         difference > kFar * exact.volume_sa_angstrom3;
+  return exact_angstrom3 < kSmallAngstrom3 ||
+         std::fabs(sa_angstrom3 - exact_angstrom3) > kFar * exact_angstrom3;
 }
 
 CavityTable make_cavity_table(std::shared_ptr<const CavityGround> ground,

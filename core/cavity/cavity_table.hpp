@@ -44,7 +44,7 @@ std::vector<ClippedMeasures> clip_all(const CavityTable& table, const RunContext
 
 // Is an SA volume too small to mean anything, or so far from the exact one that the difference must
 // be shown? Below 1 Å³; more than a tenth.
-bool is_doubtful(const CavityMeasures& measures, const ClippedMeasures& exact);
+bool is_doubtful(double sa_angstrom3, double exact_angstrom3);
 
 // Of the balls of the ground. Works in the caller's task arena; the same for any number of threads.
 // Throws Cancelled, and std::invalid_argument for an alpha that is no number.

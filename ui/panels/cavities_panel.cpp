@@ -345,9 +345,7 @@ void number_cell(const std::string& text) {
 // mouth a ball pokes.
 std::string exact_text_of(const CavityLine& line) {
   if (line.exact_volume < 0) return "…";
-  CavityMeasures m;
-  m.volume_sa_angstrom3 = line.volume;
-  const bool doubtful = is_doubtful(m, {line.exact_volume, 0});
+  const bool doubtful = is_doubtful(line.volume, line.exact_volume);
   return measure_text(line.exact_volume) + (doubtful ? " *" : "  ");
 }
 

@@ -9,9 +9,21 @@
 
 #include "core/complex/simplices.hpp"
 #include "core/geometry/ball_set.hpp"
+#include "core/geometry/real_point.hpp"
 #include "ui/theme.hpp"
 
 namespace alphascope {
+
+struct LayerSphere {
+  RealPoint centre_angstrom;
+  double radius_angstrom = 0;
+};
+
+// A few words at a place, always readable.
+struct LayerLabel {
+  RealPoint at_angstrom;
+  std::string text;
+};
 
 struct Layer {
   std::string id;                        // of the panel's: "signature.appearing"
@@ -21,6 +33,9 @@ struct Layer {
   Simplices<2> edges;
   Simplices<3> triangles;
   Simplices<4> tetrahedra;
+  std::vector<LayerSphere> spheres;             // lit balls, such as those that fill a cavity
+  std::vector<std::vector<LayerSphere>> tubes;  // each through its spheres one after the other
+  std::vector<LayerLabel> labels;
   Colour colour;
   // Its triangles are a body of their own in the picture, with light and shadow, for which all else
   // fades. False: marks over everything else.

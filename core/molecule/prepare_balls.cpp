@@ -7,19 +7,14 @@
 #include <stdexcept>
 #include <unordered_map>
 
-#include "core/molecule/altlocs.hpp"
+#include "core/molecule/atom_filter.hpp"
 #include "core/molecule/given_radius.hpp"
-#include "core/molecule/selection_expression.hpp"
 #include "core/neighbours/coincident.hpp"
 
 namespace alphascope {
 namespace {
 
 constexpr std::size_t kAtomsBetweenReports = 1 << 16;
-
-struct AtomRange {
-  std::size_t begin, end;
-};
 
 AtomRange chosen_atoms(const Molecule& molecule, int model) {
   if (molecule.atoms.size() > std::numeric_limits<std::uint32_t>::max()) {
@@ -32,82 +27,6 @@ AtomRange chosen_atoms(const Molecule& molecule, int model) {
   }
   return {molecule.models[model].begin, molecule.models[model].end};
 }
-
-// Decides atom by atom; what a whole residue decides (altlocs) is worked out at the start.
-class AtomFilter {
- public:
-  AtomFilter(const Molecule& molecule, const BallOptions& options, AtomRange range,
-             bool drop_hydrogens)
-      : molecule_(molecule), options_(options), range_(range), drop_hydrogens_(drop_hydrogens) {
-    if (options.selection.find_first_not_of(" \t\r\n") != std::string::npos) {
-      selection_ = SelectionExpression::parse(options.selection).bind(molecule);
-    }
-    choose_chains();
-    const auto picked = [this](const Atom& atom) { return !reason_not_picked(atom); };
-    if (options.altlocs == AltlocRule::best && options.model != kAllModels) {
-      minor_ = minor_altlocs(molecule, range.begin, range.end, picked);
-    } else if (options.altlocs == AltlocRule::best) {
-      for (const ModelRange& model : molecule.models) {
-        const std::vector<bool> part = minor_altlocs(molecule, model.begin, model.end, picked);
-        minor_.insert(minor_.end(), part.begin(), part.end());
-      }
-    }
-  }
-
-  std::optional<DropReason> reason_to_drop(std::size_t i) const {
-    const Atom& atom = molecule_.atoms[i];
-    if (const auto reason = reason_not_picked(atom)) return reason;
-    switch (atom.kind) {
-      case AtomKind::dummy:
-        if (!options_.dummies) return DropReason::dummy;
-        break;
-      case AtomKind::water:
-        if (!options_.waters) return DropReason::water;
-        break;
-      case AtomKind::ion:
-        if (!options_.ions) return DropReason::ion;
-        break;
-      case AtomKind::ligand:
-        if (!options_.ligands) return DropReason::ligand;
-        break;
-      case AtomKind::polymer:
-        if (!options_.polymers) return DropReason::polymer;
-        break;
-    }
-    if (drop_hydrogens_ && atom.element == kHydrogen) return DropReason::hydrogen;
-    if (!minor_.empty() && minor_[i - range_.begin]) return DropReason::altloc;
-    return std::nullopt;
-  }
-
- private:
-  std::optional<DropReason> reason_not_picked(const Atom& atom) const {
-    if (!chains_.empty() && !chains_[atom.chain]) return DropReason::chain;
-    if (selection_ && !(*selection_)(atom)) return DropReason::selection;
-    return std::nullopt;
-  }
-
-  void choose_chains() {
-    if (options_.chains.empty() && options_.without_chains.empty()) return;
-    chains_.assign(molecule_.names.size(), options_.chains.empty());
-    const auto mark = [this](const std::vector<std::string>& chains, bool keep) {
-      for (const std::string& chain : chains) {
-        const NameId id = molecule_.names.find(chain);
-        // A chain that is not there must not match the atoms without chain (id 0).
-        if (id != 0 || chain.empty()) chains_[id] = keep;
-      }
-    };
-    mark(options_.chains, true);
-    mark(options_.without_chains, false);
-  }
-
-  const Molecule& molecule_;
-  const BallOptions& options_;
-  AtomRange range_;
-  bool drop_hydrogens_;
-  std::vector<bool> chains_;  // by name: whether the chain is kept; empty = all are
-  std::optional<SelectionExpression::Bound> selection_;
-  std::vector<bool> minor_;
-};
 
 // Counts each dropped atom under its reason, and under its residue's name for the list.
 class DropCounter {
@@ -325,6 +244,11 @@ bool suits_protor(const Molecule& molecule, AtomRange range) {
   return typed;
 }
 
+bool is_drawn_beside_balls(DropReason reason) {
+  return reason == DropReason::water || reason == DropReason::ion || reason == DropReason::ligand ||
+         reason == DropReason::hydrogen;
+}
+
 RadiiSet resolve(const BallOptions& options, const Molecule& molecule, AtomRange range) {
   if (options.radii == RadiiSet::file && !molecule.has_file_radii) {
     throw std::invalid_argument("the file has no radii of its own; choose a radii set");
@@ -371,6 +295,9 @@ PreparedBalls prepare_balls(const Molecule& molecule, const BallOptions& options
     const std::int32_t radius = reason ? 0 : radii.radius(i, missing);
     if (radius == 0) {
       dropped.add(atom, reason.value_or(missing));
+      if (reason && is_drawn_beside_balls(*reason) && !filter.is_minor_location(i)) {
+        result.left_out.push_back({static_cast<std::uint32_t>(i), *reason});
+      }
       continue;
     }
     balls->centres.push_back(atom.position);

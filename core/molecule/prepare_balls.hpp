@@ -130,9 +130,19 @@ struct SelectionReport {
   std::size_t coincident_centres = 0;
 };
 
+// An atom that is there, though not in the body: to be drawn, or to ask which cavity it is in.
+struct LeftOutAtom {
+  std::uint32_t atom = 0;                    // index into Molecule::atoms, which has its position
+  DropReason reason = DropReason::hydrogen;  // or water (with its hydrogens), ion, ligand
+  friend bool operator==(const LeftOutAtom&, const LeftOutAtom&) = default;
+};
+
 struct PreparedBalls {
   std::shared_ptr<const BallSet> balls;
   std::vector<std::uint32_t> atom_of_ball;  // index into Molecule::atoms
+  // Ascending. Of alternative locations only the chosen ones; no atoms of other models, of chains
+  // left out or beside the selection, and none without a radius by the file's own account.
+  std::vector<LeftOutAtom> left_out;
   SelectionReport report;
 };
 

@@ -52,6 +52,77 @@ TEST(PrepareBalls, ListsWhatWasDroppedByReasonAndResidue) {
   EXPECT_EQ(dropped, report.total - report.used);
 }
 
+// Each line: "reason residue name", with the atom's place for what an assembly copies.
+std::vector<std::string> left_out_texts(const Molecule& m, const PreparedBalls& prepared) {
+  std::vector<std::string> texts;
+  for (const LeftOutAtom& out : prepared.left_out) {
+    const Atom& atom = m.atoms[out.atom];
+    texts.push_back(std::to_string(static_cast<int>(out.reason)) + " " +
+                    std::string(m.text(atom.residue_name)) + " " + std::string(m.text(atom.name)) +
+                    " " + std::to_string(atom.position.x));
+  }
+  return texts;
+}
+
+std::string left_out_line(DropReason reason, const std::string& rest) {
+  return std::to_string(static_cast<int>(reason)) + " " + rest;
+}
+
+TEST(PrepareBalls, ListsTheAtomsThatAreThereButNotInTheBody) {
+  const Molecule m = read_text(
+      "a.pdb",
+      "ATOM      1  N   ALA A   1      27.340  24.430   2.614  1.00  9.67           N  \n"
+      "ATOM      2  CA AALA A   1      26.266  25.413   2.842  0.40 10.38           C  \n"
+      "ATOM      3  CA BALA A   1      26.366  25.413   2.842  0.60 10.38           C  \n"
+      "ATOM      4  H   ALA A   1      26.466  25.413   2.842  1.00 10.38           H  \n"
+      "ATOM      5  N   GLY B   2      20.266  25.413  -2.842  1.00 10.38           N  \n"
+      "HETATM    6 ZN    ZN A   3       9.266  25.413   8.842  1.00 10.38          ZN  \n"
+      "HETATM    7  C1 ALIG A   5       2.266  25.413   8.842  0.30 10.38           C  \n"
+      "HETATM    8  C1 BLIG A   5       2.366  25.413   8.842  0.70 10.38           C  \n"
+      "HETATM    9  H1  LIG A   5       2.466  25.413   8.842  1.00 10.38           H  \n"
+      "HETATM   10  O   HOH A   6       3.266  25.413   8.842  1.00 10.38           O  \n"
+      "HETATM   11  H1  HOH A   6       4.266  25.413   8.842  1.00 10.38           H  \n"
+      "HETATM   12  O   HOH B   8       5.266  25.413   8.842  1.00 10.38           O  \n");
+  BallOptions options = bondi();
+  options.ligands = options.ions = false;
+  options.hydrogens = HydrogenRule::drop;
+  options.without_chains = {"B"};
+  EXPECT_EQ(left_out_texts(m, prepare_balls(m, options)),
+            (std::vector<std::string>{left_out_line(DropReason::hydrogen, "ALA H 26466"),
+                                      left_out_line(DropReason::ion, "ZN ZN 9266"),
+                                      left_out_line(DropReason::ligand, "LIG C1 2366"),
+                                      left_out_line(DropReason::ligand, "LIG H1 2466"),
+                                      left_out_line(DropReason::water, "HOH O 3266"),
+                                      left_out_line(DropReason::water, "HOH H1 4266")}));
+  options.ligands = options.ions = options.waters = true;
+  options.hydrogens = HydrogenRule::keep;
+  EXPECT_TRUE(prepare_balls(m, options).left_out.empty());
+}
+
+TEST(PrepareBalls, ListsLeftOutAtomsOfEveryCopyOfAnAssemblyWhereItIs) {
+  std::string text;
+  for (int k = 0; k < 2; ++k) {
+    const char* shift[] = {"0.00000", "10.00000"};
+    for (int row = 1; row <= 3; ++row) {
+      char line[96];
+      std::snprintf(line, sizeof line, "REMARK 350   BIOMT%d  %2d %9.6f %9.6f %9.6f %14s\n", row,
+                    k + 1, row == 1 ? 1.0 : 0.0, row == 2 ? 1.0 : 0.0, row == 3 ? 1.0 : 0.0,
+                    row == 1 ? shift[k] : "0.00000");
+      text += line;
+    }
+  }
+  const Molecule m = read_text("a.pdb",
+                               "REMARK 350 BIOMOLECULE: 1\n"
+                               "REMARK 350 APPLY THE FOLLOWING TO CHAINS: A, B\n" +
+                                   text + kFile);
+  const Molecule copies = expand_assembly(m, "1");
+  std::vector<std::string> waters;
+  for (const std::string& line : left_out_texts(copies, prepare_balls(copies, bondi()))) {
+    waters.push_back(line.substr(line.rfind(' ') + 1));
+  }
+  EXPECT_EQ(waters, (std::vector<std::string>{"3266", "4266", "5266", "13266", "14266", "15266"}));
+}
+
 TEST(PrepareBalls, ChainsCanBeSwitchedOff) {
   BallOptions options = bondi();
   options.without_chains = {"B", "no such chain"};

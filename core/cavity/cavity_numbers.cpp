@@ -1,0 +1,64 @@
+// See the header.
+#include "core/cavity/cavity_numbers.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace alphascope {
+namespace {
+
+constexpr std::uint32_t kNone = CavityMatch::kNone;
+
+void number_the_rest(CavityNumbers& numbers) {
+  const CavityTable& table = *numbers.table;
+  std::vector<bool> taken(numbers.used, false);
+  for (const std::uint32_t number : numbers.of) {
+    if (number != kNone) taken[number] = true;
+  }
+  for (std::size_t row = 0; row < table.size(); ++row) {
+    std::uint32_t& number = numbers.of[table.order[row]];
+    if (number == kNone) {
+      const auto known = numbers.known.find(table.sink(row));
+      const bool free = known != numbers.known.end() && !taken[known->second];
+      number = free ? known->second : numbers.used++;
+      taken.resize(numbers.used, false);
+      taken[number] = true;
+    }
+    numbers.known[table.sink(row)] = number;
+  }
+}
+
+}  // namespace
+
+std::uint32_t CavityNumbers::cavity(std::uint32_t number) const {
+  const auto at = std::find(of.begin(), of.end(), number);
+  return at == of.end() ? kNone : static_cast<std::uint32_t>(at - of.begin());
+}
+
+CavityNumbers first_numbers(std::shared_ptr<const CavityTable> table) {
+  CavityNumbers numbers;
+  numbers.of.assign(table->found.cavities.size(), kNone);
+  numbers.table = std::move(table);
+  number_the_rest(numbers);
+  return numbers;
+}
+
+CavityNumbers next_numbers(const CavityNumbers& before, std::shared_ptr<const CavityTable> table,
+                           const CancelToken& cancel) {
+  if (before.table->ground->balls->size() != table->ground->balls->size()) {
+    return first_numbers(std::move(table));
+  }
+  const CavityMatch match = match_cavities(*before.table, *table, cancel);
+  CavityNumbers numbers;
+  numbers.known = before.known;
+  numbers.used = before.used;
+  numbers.of.assign(table->found.cavities.size(), kNone);
+  for (std::uint32_t c = 0; c < numbers.of.size(); ++c) {
+    if (match.is_same(c)) numbers.of[c] = before.of[match.came_from[c]];
+  }
+  numbers.table = std::move(table);
+  number_the_rest(numbers);
+  return numbers;
+}
+
+}  // namespace alphascope

@@ -1,0 +1,35 @@
+// Numbers that cavities keep while alpha or the solvent radius slides, for what stays with them:
+// colours, labels, what is chosen.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <vector>
+
+#include "core/cavity/cavity_identity.hpp"
+
+namespace alphascope {
+
+struct CavityNumbers {
+  std::shared_ptr<const CavityTable> table;
+  std::vector<std::uint32_t> of;  // of each of found.cavities; no two are equal
+  // Of every sink that a cavity had so far: one that comes back gets its number again.
+  std::map<std::array<BallIndex, 4>, std::uint32_t> known;
+  std::uint32_t used = 0;  // all numbers are below
+
+  // The cavity of a number, or CavityMatch::kNone.
+  std::uint32_t cavity(std::uint32_t number) const;
+};
+
+// By rows: 0 for the largest SA volume.
+CavityNumbers first_numbers(std::shared_ptr<const CavityTable> table);
+
+// A cavity that carries on an earlier one's identity keeps its number, another one gets the number
+// that its sink had before, and if there is none or another cavity has it now, a new one. Of balls
+// with other indices: first_numbers(). As match_cavities().
+CavityNumbers next_numbers(const CavityNumbers& before, std::shared_ptr<const CavityTable> table,
+                           const CancelToken& cancel = {});
+
+}  // namespace alphascope

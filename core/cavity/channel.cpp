@@ -35,19 +35,6 @@ std::string covered_text(const RealPoint& place, BallIndex ball, double depth) {
   return "the channel's end " + text_of(place) + text + "; choose a point outside all balls";
 }
 
-// The same balls, rounded where their lattice is finer.
-BallSet on_lattice(const BallSet& balls, int digits) {
-  BallSet result = balls;
-  result.lattice.digits = digits;
-  const double factor = std::pow(10.0, digits - balls.lattice.digits);
-  if (factor == 1) return result;
-  for (LatticePoint& p : result.centres) p = nearest_lattice_point(factor * real_point(p));
-  for (std::int32_t& r : result.radii) {
-    r = std::max(1, static_cast<std::int32_t>(std::lround(factor * r)));
-  }
-  return result;
-}
-
 std::vector<RealPoint> places_of(const ChannelEnds& ends) {
   if (ends.kind == ChannelEnds::Kind::between) return {ends.from, ends.to};
   return {ends.from};
@@ -56,7 +43,7 @@ std::vector<RealPoint> places_of(const ChannelEnds& ends) {
 class Finder {
  public:
   Finder(const BallSet& balls, const ChannelEnds& ends, const RunContext& context)
-      : balls_(on_lattice(balls, passage_digits(balls, places_of(ends)))),
+      : balls_(on_passage_lattice(balls, places_of(ends))),
         clearance_(balls_),
         envelope_(balls_),
         ends_(ends),

@@ -150,6 +150,38 @@ std::optional<EmptySpace::Way> EmptySpace::widest_way(BallIndex from, BallIndex 
   });
 }
 
+// Dijkstra's search inwards from all faces of the hull. The width across a face is the same from
+// both its sides.
+std::vector<EmptySpace::WayOut> EmptySpace::widest_ways_out(const WayWidth& width,
+                                                            const CancelToken& cancel) const {
+  using Entry = std::pair<double, std::uint32_t>;
+  std::priority_queue<Entry> open;
+  std::vector<WayOut> ways(triangulation_.tetrahedra.size(), {-kInfinity, WayOut::kNoFace, 0});
+  for (const HullFacet& facet : triangulation_.hull) {
+    const std::uint32_t t = facet.tetrahedron;
+    if (ways[t].width == kInfinity || !is_empty(t) || !leads_out(t)) continue;
+    ways[t].width = kInfinity;
+    open.push({kInfinity, t});
+  }
+  for (std::size_t steps = 0; !open.empty(); ++steps) {
+    if (steps % 4096 == 0) cancel.throw_if_cancelled();
+    const auto [own, t] = open.top();
+    open.pop();
+    if (own < ways[t].width) continue;
+    for (std::size_t k = 0; k < 4; ++k) {
+      const Neighbour across = triangulation_.neighbours[t][k];
+      if (across.is_hull() || ways[across.index()].width >= own) continue;
+      if (!is_empty(across.index()) || !is_open(t, k)) continue;
+      const double here = width_across(t, k, width);
+      WayOut& next = ways[across.index()];
+      if (std::min(own, here) <= next.width) continue;
+      next = here < own ? WayOut{here, t, static_cast<std::uint32_t>(k)} : ways[t];
+      open.push({next.width, across.index()});
+    }
+  }
+  return ways;
+}
+
 std::vector<std::array<BallIndex, 3>> EmptySpace::gaps(const Way& way) const {
   std::vector<std::array<BallIndex, 3>> result;
   for (std::size_t n = 0; n + 1 < way.size(); ++n) {

@@ -60,6 +60,22 @@ class EmptySpace {
   std::optional<Way> widest_way(BallIndex from, BallIndex to, const WayWidth& width,
                                 const CancelToken& cancel) const;
 
+  // How wide the widest way from each tetrahedron to far outside is, and where it is narrowest.
+  // Lattice units, rounded as in widest_way(); which tetrahedra have one is exact.
+  struct WayOut {
+    double width;  // minus infinity: none leads out, or the tetrahedron is not empty
+    // The face of least width on the way; tetrahedron kNoFace: none narrows it.
+    static constexpr std::uint32_t kNoFace = ~std::uint32_t{0};
+    std::uint32_t tetrahedron;
+    std::uint32_t face;
+  };
+  // Throws Cancelled.
+  std::vector<WayOut> widest_ways_out(const WayWidth& width, const CancelToken& cancel) const;
+
+  // Is the way across this face narrowest between its balls, in the plane of their centres?
+  bool is_gap(std::uint32_t tetrahedron, std::size_t k) const;
+  std::array<BallIndex, 3> face(std::uint32_t tetrahedron, std::size_t k) const;
+
   // Of all ways, the one of least length / clearance², along the edges of the power diagram. Throws
   // Cancelled.
   std::optional<Way> cheapest_way(BallIndex from, BallIndex to, const WayCost& cost,
@@ -74,11 +90,8 @@ class EmptySpace {
   RealPoint corner(std::uint32_t tetrahedron) const;
 
  private:
-  std::array<BallIndex, 3> face(std::uint32_t tetrahedron, std::size_t k) const;
   double largest_radius(std::span<const BallIndex> balls, BallIndex end) const;
   double power(std::uint32_t tetrahedron) const;  // of its corner, square lattice units
-  // Is the edge of the power diagram across this face narrowest in the plane of the face?
-  bool is_gap(std::uint32_t tetrahedron, std::size_t k) const;
   double width_across(std::uint32_t tetrahedron, std::size_t k, const WayWidth& width) const;
   double cost_across(std::uint32_t tetrahedron, std::size_t k, const WayCost& cost) const;
   template <class Relax>

@@ -59,6 +59,7 @@ GrownScenes::GrownScenes(const BallSet& balls, const PassageEnds& ends)
   for (const LatticePoint& p : balls.centres) surroundings_.add(real_point(p));
   surroundings_.add(real_point(ends.from));
   if (ends.to) surroundings_.add(real_point(*ends.to));
+  for (const LatticePoint& p : ends.others) surroundings_.add(real_point(p));
   if (ends.direction) wall_ = wall_behind(ends.from, *ends.direction);
 }
 
@@ -76,6 +77,8 @@ std::shared_ptr<const GrownScene> GrownScenes::at(std::int64_t growth,
   add_far_balls(surroundings_, scene->balls);
   scene->from = add_point(ends_.from, scene->balls);
   scene->to = ends_.to ? add_point(*ends_.to, scene->balls) : EmptySpace::kOutside;
+  scene->others = static_cast<BallIndex>(scene->balls.size());
+  for (const LatticePoint& p : ends_.others) add_point(p, scene->balls);
   if (wall_) {
     scene->balls.centres.push_back(wall_->centre);
     scene->balls.radii.push_back(static_cast<std::int32_t>(wall_->radius));
@@ -114,6 +117,19 @@ int passage_digits(const BallSet& balls, const std::vector<RealPoint>& ends_angs
   int digits = std::min(balls.lattice.digits, kMostDigits);
   while (!has_room(digits)) --digits;
   return digits;
+}
+
+BallSet on_passage_lattice(const BallSet& balls, const std::vector<RealPoint>& ends_angstrom) {
+  const int digits = passage_digits(balls, ends_angstrom);
+  BallSet result = balls;
+  result.lattice.digits = digits;
+  const double factor = std::pow(10.0, digits - balls.lattice.digits);
+  if (factor == 1) return result;
+  for (LatticePoint& p : result.centres) p = nearest_lattice_point(factor * real_point(p));
+  for (std::int32_t& r : result.radii) {
+    r = std::max(1, static_cast<std::int32_t>(std::lround(factor * r)));
+  }
+  return result;
 }
 
 }  // namespace alphascope

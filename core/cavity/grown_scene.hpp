@@ -22,6 +22,8 @@ struct PassageEnds {
   // The walk stays on this side of the plane through `from` that is normal to it (unit vector); not
   // with `to`.
   std::optional<RealPoint> direction;
+  // More places to be asked about, each of which may be covered; all differ.
+  std::vector<LatticePoint> others = {};
 };
 
 // The wall that keeps a walk on its side of a plane is a ball of this radius (lattice units) that
@@ -35,6 +37,8 @@ inline constexpr double kWidestScene = 100'000;  // Å
 // and ends such as these (Å), there must be room for helping balls, far away.
 // Throws std::invalid_argument for what is wider than kWidestScene.
 int passage_digits(const BallSet& balls, const std::vector<RealPoint>& ends_angstrom);
+// The same balls on that lattice, rounded where theirs is finer.
+BallSet on_passage_lattice(const BallSet& balls, const std::vector<RealPoint>& ends_angstrom);
 
 inline std::int64_t square_distance(const LatticePoint& a, const LatticePoint& b) {
   const std::int64_t x = a.x - b.x, y = a.y - b.y, z = a.z - b.z;
@@ -52,6 +56,7 @@ struct GrownScene {
   BallSet balls;
   std::vector<BallIndex> original;  // of the balls that are left; the helping ones follow
   BallIndex from, to;               // the ends, as balls of radius 0; EmptySpace::kOutside
+  BallIndex others;                 // the first of PassageEnds::others, as such balls, too
   Triangulation triangulation;
 };
 

@@ -14,35 +14,18 @@
 #include "core/cavity/clearance.hpp"
 #include "tests/core/cavity/flooded_grid.hpp"
 #include "tests/core/cavity/gramicidin.hpp"
+#include "tests/core/cavity/rings.hpp"
 #include "tests/support/random_balls.hpp"
 
 namespace alphascope {
 namespace {
 
 using testing::add_ball;
+using testing::add_ring;
+using testing::add_tube;
+using testing::no_balls;
 using testing::Random;
 using testing::random_int;
-
-BallSet no_balls() {
-  BallSet balls;
-  balls.lattice.digits = 3;
-  return balls;
-}
-
-// Around the z axis; a point of the axis in its plane has a clearance of `distance` - `radius` (Å).
-void add_ring(BallSet& balls, int count, double distance, double z, double radius) {
-  for (int n = 0; n < count; ++n) {
-    const double angle = 2 * std::numbers::pi * n / count + 0.1;
-    add_ball(balls, static_cast<int>(std::lround(1000 * distance * std::cos(angle))),
-             static_cast<int>(std::lround(1000 * distance * std::sin(angle))),
-             static_cast<int>(std::lround(1000 * z)), static_cast<int>(std::lround(1000 * radius)));
-  }
-}
-
-// Without holes, of inner radius 4 Å.
-void add_tube(BallSet& balls, int low_z, int high_z) {
-  for (int z = low_z; z <= high_z; ++z) add_ring(balls, 24, 6, z, 2);
-}
 
 // What every channel promises, whatever it is the channel of.
 void expect_sound(const BallSet& balls, const Channel& channel) {

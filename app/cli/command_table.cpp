@@ -331,23 +331,29 @@ OptionCommand measure(MeasureCommandOptions& options) {
   command.options.push_back(with_default(alpha, "0"));
   append(command.options, engine(options.request, true));
   std::erase_if(command.options, [](const Option& o) { return o.names == "--tetrahedra-only"; });
-  Option by{.names = "--by",
-            .value = "total|chain|residue|atom",
-            .text = "What a row of the CSV, or a group of the JSON, is",
-            .fallback = "total"};
-  by.set = [&options, choices = by.choices()](const std::string& id) {
+  Option per{.names = "--per",
+             .value = "atom|residue|chain|component",
+             .text = "What a row of the CSV is, and a list of the JSON",
+             .fallback = "one row for all"};
+  per.set = [&options, choices = per.choices()](const std::string& id) {
     require_choice(id, choices);
     const auto at = std::find(choices.begin(), choices.end(), id) - choices.begin();
-    options.by = static_cast<MeasuredBy>(at);
+    options.per = static_cast<MeasuredPer>(at + 1);
   };
   append(command.options,
-         {by,
+         {per,
+          flag_option("--derivatives",
+                      "Also how area and volume change with centre and radius of each atom",
+                      options.derivatives),
           output("--json", "Measures, counts, hash and times as JSON; - for standard output",
                  options.json),
           output("--csv", "Measures, one row for each group; - for standard output", options.csv)});
   append(command.options, input(options.input));
   command.check = [&options] {
     require_files(options.files);
+    if (options.derivatives && options.per != MeasuredPer::atom) {
+      throw std::invalid_argument("--derivatives are those of atoms: add --per atom");
+    }
     require_tuple_engine(options.request);
   };
   return command;
@@ -465,7 +471,7 @@ std::vector<OptionNotes> notes() {
         "zcat 1crn.pdb.gz | alphascope-cli compute - --alpha 1.4",
         "alphascope-cli cavities 4hhb.pdb.gz --csv cavities.csv",
         "alphascope-cli channel 1grm.pdb --point 0,0,4.2 --along 0,1,0 --csv profile.csv",
-        "alphascope-cli measure 4hhb.pdb.gz --solvent 1.4 --by residue --csv areas.csv",
+        "alphascope-cli measure 4hhb.pdb.gz --solvent 1.4 --per residue --csv areas.csv",
         "alphascope-cli verify 1crn.pdb --alpha -1,0,1.4,10",
         "alphascope-cli bench 1k4c.crd.gz --alpha 0,1.4,3 --tetrahedra-only --csv times.csv",
         "alphascope-cli screenshot 1crn.pdb --alpha 1.4 --size 1920x1080 -o 1crn.png"}},

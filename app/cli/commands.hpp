@@ -93,13 +93,14 @@ struct ChannelOptions {
   std::string json, csv;
 };
 
-enum class MeasuredBy { total, chain, residue, atom };
+enum class MeasuredPer { all, atom, residue, chain, component };
 
 struct MeasureCommandOptions {
   InputFiles files;
   InputOptions input;
   Request request;
-  MeasuredBy by = MeasuredBy::total;
+  MeasuredPer per = MeasuredPer::all;
+  bool derivatives = false;
   std::string json, csv;
 };
 

@@ -2,18 +2,13 @@
 #include "core/document/cavity_names.hpp"
 
 #include "core/molecule/atom_address.hpp"
+#include "core/molecule/atom_groups.hpp"
 
 namespace alphascope {
 namespace {
 
 std::size_t atom_of(const BallReferences& references, BallIndex ball) {
   return references.prepared().atom_of_ball.at(ball);
-}
-
-// Atoms without any names are residues of their own.
-bool same_residue(const Atom& a, const Atom& b) {
-  const bool named = a.residue_name != 0 || a.residue_number != 0;
-  return named && same_residue_number(a, b) && a.residue_name == b.residue_name;
 }
 
 // use(atom, ball, whether another residue begins) for each atom that lines it.

@@ -1,5 +1,6 @@
 #include <stdexcept>
 
+#include "core/measure/ball_geometry.hpp"
 #include "core/measure/exact_sum.hpp"
 #include "core/measure/union_measures.hpp"
 #include "core/triangulation/union_find.hpp"
@@ -32,6 +33,17 @@ std::vector<double> sums_by_group(std::span<const double> values,
   totals.reserve(groups);
   for (const NeumaierSum& sum : sums) totals.push_back(sum.value());
   return totals;
+}
+
+std::vector<double> free_areas_angstrom2(const BallSet& balls, double alpha_on_lattice) {
+  const double unit = balls.lattice.unit_angstrom();
+  std::vector<double> areas;
+  areas.reserve(balls.size());
+  for (std::size_t i = 0; i < balls.size(); ++i) {
+    const GrownBall ball = grown_ball(balls.centres[i], balls.radii[i], alpha_on_lattice);
+    areas.push_back(sphere_area(ball.grown_radius) * unit * unit);
+  }
+  return areas;
 }
 
 }  // namespace alphascope

@@ -306,14 +306,18 @@ UnionMeasures measure_union(const BallSet& balls, const AlphaComplex& complex,
                             const MeasureOptions& options, const RunContext& context) {
   require_same_balls(balls, complex);
   UnionMeasures measures;
-  tbb::task_arena arena(options.threads > 0 ? options.threads : tbb::task_arena::automatic);
-  arena.execute([&] {
+  const auto measured = [&] {
     if (options.derivatives == nullptr) {
       measure<Values>(balls, complex, nullptr, context, measures);
     } else {
       measure<ValuesAndDerivatives>(balls, complex, options.derivatives, context, measures);
     }
-  });
+  };
+  if (options.threads > 0) {
+    tbb::task_arena(options.threads).execute(measured);
+  } else {
+    measured();
+  }
   return measures;
 }
 

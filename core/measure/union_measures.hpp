@@ -35,7 +35,7 @@ struct UnionDerivatives {
 };
 
 struct MeasureOptions {
-  int threads = 0;  // as many as the machine has
+  int threads = 0;  // those of the caller's task arena; outside of any, as many as the machine has
   // When not null, filled as well; takes about twice the time.
   UnionDerivatives* derivatives = nullptr;
 };
@@ -44,6 +44,10 @@ struct MeasureOptions {
 // only its tetrahedra or is of other balls.
 UnionMeasures measure_union(const BallSet& balls, const AlphaComplex& complex,
                             const MeasureOptions& options = {}, const RunContext& context = {});
+
+// Of each ball's whole sphere, grown: what its area is when no other ball is there. 0 where the
+// ball is empty.
+std::vector<double> free_areas_angstrom2(const BallSet& balls, double alpha_on_lattice);
 
 // Throws what measure_union() does of a complex that it cannot measure.
 void require_same_balls(const BallSet& balls, const AlphaComplex& complex);

@@ -121,22 +121,59 @@ TEST_F(CliCavities, APointWithinAnAtomIsNamed) {
   EXPECT_TRUE(contains(two.err, "three numbers")) << two.err;
 }
 
-// AlphaMol's four balls, and the same by atom.
+// Two balls, their closed forms: in all and by atom.
 TEST_F(CliCavities, MeasuresAreExactAndAddUp) {
   const std::string file = write("two.xyzr", "0 0 0 1\n1 0 0 1\n").string();
-  const Outcome found = run("measure '" + file + "' --by atom -q --json -");
+  const Outcome found = run("measure '" + file + "' --per atom -q --json -");
   ASSERT_EQ(found.code, 0) << found.err;
-  const json measures = json::parse(found.out)["measures"];
+  const json measures = json::parse(found.out);
   const double pi = 3.14159265358979323846;
+  EXPECT_EQ(measures["surface"], "van der Waals surface");
   EXPECT_NEAR(measures["area_angstrom2"], 6 * pi, 1e-12);
   EXPECT_NEAR(measures["volume_angstrom3"], 9 * pi / 4, 1e-12);
-  ASSERT_EQ(measures["groups"].size(), 2u);
-  EXPECT_NEAR(measures["groups"][0]["area_angstrom2"], 3 * pi, 1e-12);
+  ASSERT_EQ(measures["atoms"].size(), 2u);
+  EXPECT_EQ(measures["atoms"][0]["name"], "#1");
+  EXPECT_NEAR(measures["atoms"][0]["area_angstrom2"], 3 * pi, 1e-12);
+  EXPECT_NEAR(measures["atoms"][0]["exposed_share"], 0.75, 1e-12);
+  EXPECT_FALSE(measures["atoms"][0].contains("area_by_x_angstrom"));
   const Outcome chains =
-      run("measure " + std::string(kHaemoglobin) + " --solvent 1.4 --by chain -q --csv -");
+      run("measure " + std::string(kHaemoglobin) + " --solvent 1.4 --per chain -q --csv -");
   const auto rows = csv_rows(chains.out);
   ASSERT_EQ(rows.size(), 4u);
   EXPECT_EQ(rows[0].at("group"), "A");
+  EXPECT_EQ(rows[0].at("surface"), "solvent-accessible surface, probe of 1.4 Å");
+}
+
+TEST_F(CliCavities, ComponentsShareAreaAndVolume) {
+  const std::string file = write("three.xyzr", "9 0 0 2\n0 0 0 1\n1 0 0 1\n").string();
+  const Outcome found = run("measure '" + file + "' -q --json -");
+  ASSERT_EQ(found.code, 0) << found.err;
+  const json components = json::parse(found.out)["components"];
+  ASSERT_EQ(components.size(), 2u);
+  EXPECT_EQ(components[0]["name"], "#1");
+  EXPECT_EQ(components[1]["atoms"], 2);
+  EXPECT_NEAR(components[0]["share_of_area"], 16.0 / 22, 1e-12);
+  EXPECT_NEAR(components[1]["share_of_area"], 6.0 / 22, 1e-12);
+  const auto rows = csv_rows(run("measure '" + file + "' --per component -q --csv -").out);
+  ASSERT_EQ(rows.size(), 2u);
+  EXPECT_EQ(rows[1].at("atoms"), "2");
+  EXPECT_TRUE(contains(run("measure '" + file + "'").out, "the largest has 82.58 %"));
+}
+
+// The overlap shrinks when the balls part: both move the total by the disc between them.
+TEST_F(CliCavities, DerivativesAreOfEachAtom) {
+  const std::string file = write("two.xyzr", "0 0 0 1\n1 0 0 1\n").string();
+  const auto rows = csv_rows(run("measure '" + file + "' --per atom --derivatives -q --csv -").out);
+  ASSERT_EQ(rows.size(), 2u);
+  const double pi = 3.14159265358979323846;
+  EXPECT_NEAR(std::stod(rows[0].at("volume_by_x_angstrom2")), -0.75 * pi, 1e-12);
+  EXPECT_NEAR(std::stod(rows[1].at("volume_by_x_angstrom2")), 0.75 * pi, 1e-12);
+  EXPECT_NEAR(std::stod(rows[0].at("volume_by_radius_angstrom2")), 3 * pi, 1e-12);
+  EXPECT_NEAR(std::stod(rows[0].at("area_by_x_angstrom")), -2 * pi, 1e-12);
+  EXPECT_NEAR(std::stod(rows[0].at("area_by_radius_angstrom")), 5 * pi, 1e-12);
+  const Outcome without = run("measure '" + file + "' --derivatives");
+  EXPECT_EQ(without.code, 2);
+  EXPECT_TRUE(contains(without.err, "add --per atom")) << without.err;
 }
 
 // Two bodies far apart: the space between them is a pocket by the definition, which must be said.

@@ -5,6 +5,7 @@
 #include <limits>
 #include <queue>
 
+#include "core/cavity/orthocentre.hpp"
 #include "core/complex/face_groups.hpp"
 #include "core/predicates/exact_alpha.hpp"
 #include "core/predicates/perturbation.hpp"
@@ -215,18 +216,8 @@ std::optional<EmptySpace::Way> EmptySpace::cheapest_way(BallIndex from, BallInde
   });
 }
 
-// By Cramer's rule, with exact numerators: corners of flat tetrahedra are where they should be.
 RealPoint EmptySpace::corner(std::uint32_t tetrahedron) const {
-  const auto& t = triangulation_.tetrahedra[tetrahedron];
-  const LiftedInt j = lifted_vector(balls_, t[0], t[1]), k = lifted_vector(balls_, t[0], t[2]),
-                  l = lifted_vector(balls_, t[0], t[3]);
-  const auto kl = cross(k, l), lj = cross(l, j), jk = cross(j, k);
-  const double twice = 2 * static_cast<double>(determinant(j, k, l));
-  const auto at = [&](std::int64_t a, std::int64_t b, std::int64_t c) {
-    return static_cast<double>(Int128{j.c} * a + Int128{k.c} * b + Int128{l.c} * c) / twice;
-  };
-  return real_point(balls_.centres[t[0]]) +
-         RealPoint{at(kl.x, lj.x, jk.x), at(kl.y, lj.y, jk.y), at(kl.z, lj.z, jk.z)};
+  return orthocentre(balls_, triangulation_.tetrahedra[tetrahedron]);
 }
 
 }  // namespace alphascope

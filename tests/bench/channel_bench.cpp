@@ -3,6 +3,7 @@
 //   alphascope_channel_bench FILE.balls|FILE.xyzr between X Y Z X Y Z
 //   alphascope_channel_bench FILE.balls|FILE.xyzr out X Y Z
 //   alphascope_channel_bench FILE.balls|FILE.xyzr out_along|through X Y Z  DX DY DZ
+//   alphascope_channel_bench FILE.balls|FILE.xyzr bottlenecks SOLVENT (Å; of all cavities)
 // Environment: THREADS, END_RADIUS (Å), PROFILE=1 (all samples: x y z radius along).
 #include <tbb/global_control.h>
 
@@ -12,7 +13,11 @@
 #include <exception>
 #include <string>
 
+#include "core/cavity/bottlenecks.hpp"
+#include "core/cavity/cavity_places.hpp"
+#include "core/cavity/cavity_table.hpp"
 #include "core/cavity/channel.hpp"
+#include "core/triangulation/cgal_triangulation.hpp"
 #include "tests/bench/read_balls.hpp"
 
 namespace {
@@ -52,6 +57,39 @@ void print(const Channel& channel, double milliseconds) {
   }
 }
 
+void print_bottlenecks(const BallSet& balls, double solvent) {
+  const auto start = std::chrono::steady_clock::now();
+  const auto since = [&] {
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
+        .count();
+  };
+  const auto grown = std::make_shared<const BallSet>(with_solvent(balls, solvent));
+  const auto ground = std::make_shared<const CavityGround>(make_cavity_ground(
+      grown, std::make_shared<const Triangulation>(make_triangulation(*grown, 1, {}))));
+  const CavityTable table = make_cavity_table(ground, {0, solvent});
+  const double table_ms = since();
+  const Clearance clearance(balls);
+  std::vector<RealPoint> places;
+  std::vector<double> widest;
+  for (std::size_t row = 0; row < table.size(); ++row) {
+    const WidestPlace place = widest_place(*ground, table.cavity(row), clearance);
+    places.push_back(place.place_angstrom);
+    widest.push_back(place.clearance_angstrom);
+  }
+  const double places_ms = since();
+  const Bottlenecks found = find_bottlenecks(balls, places);
+  const double end = since();
+  for (std::size_t row = 0; row < table.size(); ++row) {
+    const Bottleneck& b = found.of[row];
+    std::printf("%4zu %-6s %9.2f  widest %.3f  bottleneck %.3f (%.3f to %.3f, kind %d, %zu)\n",
+                row + 1, table.cavity(row).is_void() ? "void" : "pocket",
+                table.measure(row).volume_sa_angstrom3, widest[row], b.radius_angstrom,
+                b.at_least_angstrom, b.below_angstrom, static_cast<int>(b.kind), b.touching.size());
+  }
+  std::printf("table %.0f ms, places %.0f ms, bottlenecks %.0f ms, %d triangulations\n", table_ms,
+              places_ms - table_ms, end - places_ms, found.triangulations);
+}
+
 }  // namespace
 
 int main(int count, char** words) {
@@ -62,6 +100,10 @@ int main(int count, char** words) {
         tbb::global_control::max_allowed_parallelism,
         threads != nullptr ? static_cast<std::size_t>(std::atoi(threads)) : 2);
     const BallSet balls = bench::read_balls(words[1]);
+    if (count == 4 && std::string(words[2]) == "bottlenecks") {
+      print_bottlenecks(balls, std::atof(words[3]));
+      return 0;
+    }
     ChannelEnds ends = read_ends(count - 2, words + 2);
     if (const char* radius = std::getenv("END_RADIUS"))
       ends.end_radius_angstrom = std::atof(radius);

@@ -1,0 +1,58 @@
+// Channels and what they begin at, as derived results.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/cavity/bottlenecks.hpp"
+#include "core/cavity/cavity_places.hpp"
+#include "core/cavity/channel.hpp"
+#include "core/document/cavity_results.hpp"
+
+namespace alphascope {
+
+// Where a channel from a cavity may begin and end: the places of largest clearance, of radii
+// without the solvent.
+struct CavityEnds {
+  WidestPlace widest;
+  std::vector<WidestPlace> mouths;  // as Cavity::mouths
+};
+CavityEnds make_cavity_ends(const CavityGround& ground, const Cavity& cavity,
+                            const BallSet& balls_as_they_are);
+
+// Of the cavity with this deepest sink (ascending balls) in the table on screen. Null `found`: the
+// table has none.
+struct FoundCavityEnds {
+  std::array<BallIndex, 4> sink{};
+  std::optional<CavityEnds> found;
+};
+Definition<FoundCavityEnds> cavity_ends(const std::array<BallIndex, 4>& sink);
+
+// The answer to a question that may have none.
+struct FoundChannel {
+  std::shared_ptr<const BallSet> balls;
+  ChannelEnds ends;
+  std::optional<Channel> channel;
+  // An end is in this ball, so far below its surface (Å).
+  std::optional<BallIndex> covering;
+  double depth_angstrom = 0;
+  std::string why;  // there is no channel; the start of a sentence
+};
+// Inputs::balls are those without a solvent, and balls_key is theirs: the answer depends on neither
+// alpha nor the solvent radius. On one thread.
+Definition<FoundChannel> found_channel(const ChannelEnds& ends);
+
+// The narrowest places on the ways out of the cavities on screen, in the background.
+struct CavityBottlenecks {
+  // More would take minutes: each new value costs two triangulations.
+  static constexpr std::size_t kMostRows = 100;
+  std::vector<Bottleneck> rows;  // of the CavityTable's first rows, at most so many
+};
+const Definition<CavityBottlenecks>& cavity_bottlenecks();
+
+// The balls that became `grown` by with_solvent().
+BallSet without_solvent(const BallSet& grown, double solvent_radius_angstrom);
+
+}  // namespace alphascope

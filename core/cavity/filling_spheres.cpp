@@ -4,54 +4,15 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <optional>
 #include <tuple>
 #include <unordered_set>
 
 #include "core/cavity/orthocentre.hpp"
-#include "core/predicates/perturbation.hpp"
+#include "core/cavity/point_location.hpp"
 #include "core/triangulation/parallel_ranges.hpp"
 
 namespace alphascope {
 namespace {
-
-// Which side of the plane of three points a fourth is on: 0 in it.
-int side_of(const LatticePoint& a, const LatticePoint& b, const LatticePoint& c,
-            const LatticePoint& p) {
-  const auto from_a = [&](const LatticePoint& q) {
-    return LiftedInt{std::int64_t{q.x} - a.x, std::int64_t{q.y} - a.y, std::int64_t{q.z} - a.z, 0};
-  };
-  const Int128 d = determinant(from_a(b), from_a(c), from_a(p));
-  return d > 0 ? 1 : d < 0 ? -1 : 0;
-}
-
-// The face of the tetrahedron beyond which the point is; none when the tetrahedron holds it.
-std::optional<std::size_t> face_before(const CavityGround& ground, std::uint32_t tetrahedron,
-                                       const LatticePoint& p) {
-  const auto& t = ground.triangulation->tetrahedra[tetrahedron];
-  const auto& centres = ground.balls->centres;
-  for (std::size_t k = 0; k < 4; ++k) {
-    const LatticePoint &a = centres[t[(k + 1) & 3]], &b = centres[t[(k + 2) & 3]],
-                       &c = centres[t[(k + 3) & 3]];
-    if (side_of(a, b, c, p) == -side_of(a, b, c, centres[t[k]]) && side_of(a, b, c, p) != 0) {
-      return k;
-    }
-  }
-  return std::nullopt;
-}
-
-// Walks from one tetrahedron to the one that holds the point; Cavities::kNone outside the hull. In
-// a regular triangulation no such walk comes back to where it was (H. Edelsbrunner, An acyclicity
-// theorem for cell complexes in d dimension, Combinatorica 10, 1990).
-std::uint32_t holder_of(const CavityGround& ground, std::uint32_t tetrahedron,
-                        const LatticePoint& p) {
-  while (const auto k = face_before(ground, tetrahedron, p)) {
-    const Neighbour across = ground.triangulation->neighbours[tetrahedron][*k];
-    if (across.is_hull()) return Cavities::kNone;
-    tetrahedron = across.index();
-  }
-  return tetrahedron;
-}
 
 bool is_on_lattice(const RealPoint& p) {
   constexpr double kMost = kMaxLatticeCoordinate;
@@ -68,7 +29,10 @@ FillingSphere sphere_at(const CavityGround& ground, const Cavity& cavity,
   const RealPoint centre = orthocentre(*ground.balls, ground.triangulation->tetrahedra[t]);
   if (!is_on_lattice(centre)) return sphere;
   const LatticePoint place = nearest_lattice_point(centre);
-  if (!holds(cavity, holder_of(ground, t, place))) return sphere;
+  if (!holds(cavity,
+             walk_to({place.x, place.y, place.z}, *ground.balls, *ground.triangulation, t))) {
+    return sphere;
+  }
   sphere.centre_angstrom = ground.balls->lattice.unit_angstrom() * real_point(place);
   sphere.radius_angstrom = clearance.at(sphere.centre_angstrom);
   return sphere;

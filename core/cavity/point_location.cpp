@@ -27,6 +27,17 @@ int side_of_plane(const LatticePoint& a, const Vector& normal, const LatticePlac
   return moved > 0 ? 1 : -1;  // no face is a line, so the normal is not 0
 }
 
+// Is the place beyond the face of these four balls that faces number k?
+bool is_beyond(const LatticePlace& place, const std::vector<LatticePoint>& centres,
+               const std::array<BallIndex, 4>& balls, std::size_t k) {
+  const LatticePoint& a = centres[balls[k == 0 ? 1 : 0]];
+  const LatticePoint& b = centres[balls[k <= 1 ? 2 : 1]];
+  const LatticePoint& c = centres[balls[k <= 2 ? 3 : 2]];
+  const LatticePoint& inner = centres[balls[k]];
+  const Vector normal = cross(difference(b, a), difference(c, a));
+  return side_of_plane(a, normal, place) != side_of_plane(a, normal, {inner.x, inner.y, inner.z});
+}
+
 }  // namespace
 
 LatticePlace place_on(const Lattice& finer, const LatticePoint& point, const Lattice& lattice) {
@@ -92,17 +103,6 @@ std::size_t PointLocator::cell_of(const LatticePlace& place) const {
          index(place.x, low_.x, cells_x_);
 }
 
-bool PointLocator::is_beyond(const LatticePlace& place, std::uint32_t tetrahedron,
-                             std::size_t k) const {
-  const std::array<BallIndex, 4>& balls = triangulation_.tetrahedra[tetrahedron];
-  const LatticePoint& a = balls_.centres[balls[k == 0 ? 1 : 0]];
-  const LatticePoint& b = balls_.centres[balls[k <= 1 ? 2 : 1]];
-  const LatticePoint& c = balls_.centres[balls[k <= 2 ? 3 : 2]];
-  const LatticePoint& inner = balls_.centres[balls[k]];
-  const Vector normal = cross(difference(b, a), difference(c, a));
-  return side_of_plane(a, normal, place) != side_of_plane(a, normal, {inner.x, inner.y, inner.z});
-}
-
 std::uint32_t PointLocator::find(const LatticePlace& place) const {
   if (near_.empty() || !is_in_box(place)) return kOutside;
   return find(place, near_[cell_of(place)]);
@@ -110,17 +110,23 @@ std::uint32_t PointLocator::find(const LatticePlace& place) const {
 
 std::uint32_t PointLocator::find(const LatticePlace& place, std::uint32_t start) const {
   if (near_.empty() || !is_in_box(place)) return kOutside;
-  std::uint32_t t = start, from = kOutside;
+  return walk_to(place, balls_, triangulation_, start);
+}
+
+std::uint32_t walk_to(const LatticePlace& place, const BallSet& balls,
+                      const Triangulation& triangulation, std::uint32_t start) {
+  std::uint32_t t = start, from = kOutsideHull;
   for (;;) {
     std::size_t k = 0;
     const auto is_way_on = [&] {
-      const Neighbour next = triangulation_.neighbours[t][k];
-      return (next.is_hull() || next.index() != from) && is_beyond(place, t, k);
+      const Neighbour next = triangulation.neighbours[t][k];
+      return (next.is_hull() || next.index() != from) &&
+             is_beyond(place, balls.centres, triangulation.tetrahedra[t], k);
     };
     while (k < 4 && !is_way_on()) ++k;
     if (k == 4) return t;
-    const Neighbour next = triangulation_.neighbours[t][k];
-    if (next.is_hull()) return kOutside;
+    const Neighbour next = triangulation.neighbours[t][k];
+    if (next.is_hull()) return kOutsideHull;
     from = t;
     t = next.index();
   }

@@ -22,24 +22,28 @@ struct LatticePlace {
 // A point of a lattice on another one that is as fine or finer.
 LatticePlace place_on(const Lattice& finer, const LatticePoint& point, const Lattice& lattice);
 
+// Goes from tetrahedron to tetrahedron, from `start` to the one that holds a place, no farther away
+// than lattice coordinates go; kOutsideHull. The way has no circle: a regular triangulation, seen
+// from a point, lies behind itself nowhere (H. Edelsbrunner, An acyclicity theorem for cell
+// complexes in d dimensions, Combinatorica 10, 1990).
+inline constexpr std::uint32_t kOutsideHull = ~std::uint32_t{0};
+std::uint32_t walk_to(const LatticePlace& place, const BallSet& balls,
+                      const Triangulation& triangulation, std::uint32_t start);
+
 // Both the balls and their triangulation must live longer. Below dimension 3 every point is
 // outside.
 class PointLocator {
  public:
-  static constexpr std::uint32_t kOutside = ~std::uint32_t{0};
+  static constexpr std::uint32_t kOutside = kOutsideHull;
 
   PointLocator(const BallSet& balls, const Triangulation& triangulation);
 
-  // Goes from tetrahedron to tetrahedron, from one of those near the point or, quicker where it is
-  // known, from `start`. The way has no circle: a regular triangulation, seen from a point, lies
-  // behind itself nowhere (H. Edelsbrunner, An acyclicity theorem for cell complexes in d
-  // dimensions, Combinatorica 10, 1990).
+  // By walk_to(), from one of the tetrahedra near the point or, quicker where it is known, from
+  // `start`.
   std::uint32_t find(const LatticePlace& place) const;
   std::uint32_t find(const LatticePlace& place, std::uint32_t start) const;
 
  private:
-  // Is the place beyond face k of the tetrahedron?
-  bool is_beyond(const LatticePlace& place, std::uint32_t tetrahedron, std::size_t k) const;
   bool is_in_box(const LatticePlace& place) const;
   std::size_t cell_of(const LatticePlace& place) const;  // within the box
   void set_box();

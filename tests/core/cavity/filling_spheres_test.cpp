@@ -114,7 +114,9 @@ TEST(FillingSpheres, OfFewerAreStillEverywhere) {
     const auto some = filling_spheres(*table.ground, cavity, clearance, most);
     EXPECT_LE(some.size(), most);
     EXPECT_GE(4 * some.size(), most);
-    if (most > 0) EXPECT_EQ(some.front(), all.front());
+    if (most > 0) {
+      EXPECT_EQ(some.front(), all.front());
+    }
     if (most < 500) continue;
     for (const FillingSphere& sphere : all) {
       EXPECT_TRUE(std::any_of(some.begin(), some.end(), [&](const FillingSphere& kept) {

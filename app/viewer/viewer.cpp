@@ -174,6 +174,9 @@ void Viewer::want_derived() {
     inputs_.balls = ours->balls;
     inputs_.balls_key = ++balls_seen_;
     inputs_.solvent_radius_angstrom = ours->request.solvent_radius_angstrom;
+    inputs_.atoms = std::make_shared<const BallReferences>(ours->molecule, ours->prepared);
+    if (std::exchange(body_, ours->prepared) != ours->prepared) ++bodies_seen_;
+    inputs_.body_key = bodies_seen_;
   }
   if (inputs_.balls) {
     inputs_.complex = nullptr;

@@ -52,6 +52,7 @@ CavityNumbers next_numbers(const CavityNumbers& before, std::shared_ptr<const Ca
   CavityNumbers numbers;
   numbers.known = before.known;
   numbers.used = before.used;
+  numbers.steps = before.steps + 1;
   numbers.of.assign(table->found.cavities.size(), kNone);
   for (std::uint32_t c = 0; c < numbers.of.size(); ++c) {
     if (match.is_same(c)) numbers.of[c] = before.of[match.came_from[c]];

@@ -17,7 +17,8 @@ struct CavityNumbers {
   std::vector<std::uint32_t> of;  // of each of found.cavities; no two are equal
   // Of every sink that a cavity had so far: one that comes back gets its number again.
   std::map<std::array<BallIndex, 4>, std::uint32_t> known;
-  std::uint32_t used = 0;  // all numbers are below
+  std::uint32_t used = 0;   // all numbers are below
+  std::uint64_t steps = 0;  // next_numbers() since first_numbers()
 
   // The cavity of a number, or CavityMatch::kNone.
   std::uint32_t cavity(std::uint32_t number) const;

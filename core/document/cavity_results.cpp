@@ -55,6 +55,33 @@ const Definition<CavityTable>& cavity_table() {
   return definition;
 }
 
+Definition<CavityNumbers> cavity_numbers(std::shared_ptr<const CavityNumbers> before) {
+  const auto key = [before](const Inputs& in) {
+    Key key = key_of_balls_and_alpha(in);
+    if (before) key.more = before->steps + 1;
+    return key;
+  };
+  const auto memory = [before](const Inputs& in) {
+    constexpr std::uint64_t kBytesPerCavity = 100;  // a number, and a node of the known sinks
+    const std::uint64_t known = before ? before->known.size() : 0;
+    const std::uint64_t bytes = kBytesPerCavity * (in.of(cavity_table()).size() + known);
+    return MemoryNeed{bytes, bytes};
+  };
+  const auto make = [before](const Inputs& in, const RunContext& context) {
+    auto table = in.share(cavity_table());
+    return std::make_shared<const CavityNumbers>(
+        before ? next_numbers(*before, std::move(table), context.cancel)
+               : first_numbers(std::move(table)));
+  };
+  return {{.id = "cavities.numbers",
+           .title = "Which cavity is which",
+           .made_of = {&cavity_table()},
+           .key = key,
+           .memory = memory,
+           .lane = Lane::interactive},
+          make};
+}
+
 const Definition<ExactVolumes>& cavity_volumes() {
   static const Definition<ExactVolumes> definition{
       {.id = "cavities.exact",

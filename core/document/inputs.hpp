@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/complex/alpha_complex.hpp"
+#include "core/document/reference.hpp"
 #include "core/geometry/ball_set.hpp"
 
 namespace alphascope {
@@ -19,6 +20,9 @@ struct Inputs {
   std::shared_ptr<const BallSet> balls;  // with the solvent radius; null: no molecule
   std::uint64_t balls_key = 0;           // another number for other balls; 0: none
   double solvent_radius_angstrom = 0;    // theirs
+  // The atoms that they are, and their radii without the solvent radius; null: not known.
+  std::shared_ptr<const BallReferences> atoms;
+  std::uint64_t body_key = 0;  // another number for other atoms, not for another solvent radius
   // Of the complex on screen, and that itself; null: none. Not a number and null for results whose
   // key is not of alpha.
   double alpha_angstrom2 = 0;

@@ -1,9 +1,10 @@
-// Simplices that a panel wants marked in the view, over everything else. Plain data: panels fill
-// it, the scene draws it.
+// What a panel wants shown in the view beside balls and complex: simplices, balls, tubes and words.
+// Plain data: panels fill it, the scene draws it.
 #pragma once
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,12 +15,15 @@
 
 namespace alphascope {
 
+// Places are in Å, in the coordinates of the file.
 struct LayerSphere {
   RealPoint centre_angstrom;
   double radius_angstrom = 0;
+  std::optional<Colour> colour = {};  // none: the layer's
 };
 
-// A few words at a place, always readable.
+// A few words around a place, always readable: nothing hides them, and an outline in the colour of
+// the background keeps them apart from what is behind.
 struct LayerLabel {
   RealPoint at_angstrom;
   std::string text;
@@ -27,22 +31,26 @@ struct LayerLabel {
 
 struct Layer {
   std::string id;                        // of the panel's: "signature.appearing"
-  std::uint64_t key = 0;                 // another one for other simplices
+  std::uint64_t key = 0;                 // another one for another content
   std::shared_ptr<const BallSet> balls;  // that the indices are of; drawn with their complex only
   Simplices<1> vertices;                 // drawn as small octahedra
   Simplices<2> edges;
   Simplices<3> triangles;
   Simplices<4> tetrahedra;
-  std::vector<LayerSphere> spheres;             // lit balls, such as those that fill a cavity
-  std::vector<std::vector<LayerSphere>> tubes;  // each through its spheres one after the other
+  // Always bodies: lit balls, such as those that fill a cavity, and tubes, each through its spheres
+  // one after the other.
+  std::vector<LayerSphere> spheres;
+  std::vector<std::vector<LayerSphere>> tubes;
   std::vector<LayerLabel> labels;
   Colour colour;
-  // Its triangles are a body of their own in the picture, with light and shadow, for which all else
-  // fades. False: marks over everything else.
+  // Its triangles and tetrahedra are bodies in the picture, with light and shadow, and tetrahedra
+  // with darker edges. False: marks over everything else. Vertices and edges always are such marks.
   bool body = false;
+  bool fades_rest = true;   // of a body: balls and complex become pale, so that they hide nothing
+  bool in_pictures = true;  // also in pictures that are saved
 
-  // Meshes of layers are made between two frames, so they are small.
-  static constexpr std::size_t kMostSimplices = 20000;
+  // A panel gives no more of a kind. What there is no memory for the view leaves out and says so.
+  static constexpr std::size_t kMostSimplices = 4000000;
 };
 
 using Layers = std::vector<std::shared_ptr<const Layer>>;

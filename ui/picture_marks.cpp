@@ -30,6 +30,31 @@ std::vector<std::string> tick_texts(const std::array<double, 3>& alphas) {
   return texts;
 }
 
+bool overlap(const MarkBox& a, const MarkBox& b) {
+  return a.x0 < b.x1 && b.x0 < a.x1 && a.y0 < b.y1 && b.y0 < a.y1;
+}
+
+MarkBox shifted(MarkBox box, float down) {
+  box.y0 += down;
+  box.y1 += down;
+  return box;
+}
+
+// The nearest of a few heights at which the box covers no other; its own where there is none.
+MarkBox free_place(const MarkBox& box, const std::vector<MarkBox>& others, float height) {
+  constexpr int kMostSteps = 4;
+  for (int step = 0; step <= 2 * kMostSteps; ++step) {
+    const int lines = (step + 1) / 2 * (step % 2 == 0 ? 1 : -1);
+    const MarkBox tried = shifted(box, static_cast<float>(lines) * (box.y1 - box.y0));
+    const bool inside = step == 0 || (tried.y0 >= 0 && tried.y1 <= height);
+    if (inside && std::none_of(others.begin(), others.end(),
+                               [&](const MarkBox& o) { return overlap(tried, o); })) {
+      return tried;
+    }
+  }
+  return box;
+}
+
 }  // namespace
 
 MarkBox LegendLayout::whole() const {
@@ -55,6 +80,24 @@ std::optional<LegendLayout> lay_out_legend(const ColourLegend& legend, float wid
     layout.texts.push_back({left + shift, layout.bar.y1 + kTickGap * u, ticks[i]});
   }
   return layout;
+}
+
+std::vector<MarkText> lay_out_labels(const std::vector<PictureLabel>& labels, float width,
+                                     float height, const MarkType& type) {
+  std::vector<MarkText> texts;
+  std::vector<MarkBox> taken;
+  const float rim = kMarkOutline * type.unit;
+  for (const PictureLabel& label : labels) {
+    const bool inside = label.x >= 0 && label.x <= width && label.y >= 0 && label.y <= height;
+    if (!inside || label.text.empty()) continue;
+    const float half = type.text_width(label.text) / 2 + rim, up = type.line_height / 2 + rim;
+    // Words near an edge are moved into the picture, if it is wide enough for them.
+    const float x = std::max(half, std::min(label.x, width - half));
+    const float y = std::max(up, std::min(label.y, height - up));
+    taken.push_back(free_place({x - half, y - up, x + half, y + up}, taken, height));
+    texts.push_back({taken.back().x0 + rim, taken.back().y0 + rim, label.text});
+  }
+  return texts;
 }
 
 std::optional<ScaleBarLayout> lay_out_scale_bar(double angstrom_per_pixel, float width,

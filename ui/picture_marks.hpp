@@ -1,6 +1,6 @@
-// What lies over a picture so that it can be read: the legend of its colours and the scale bar,
-// laid out for whatever can draw boxes and texts. The same in the window and in saved pictures;
-// knows neither ImGui nor VTK.
+// What lies over a picture so that it can be read: the legend of its colours, the scale bar and
+// words at places, laid out for whatever can draw boxes and texts. The same in the window and in
+// saved pictures; knows neither ImGui nor VTK.
 #pragma once
 
 #include <array>
@@ -52,6 +52,18 @@ struct LegendLayout {
 inline constexpr float kLegendRoom[2] = {420, 90};  // width and height at scale 1
 std::optional<LegendLayout> lay_out_legend(const ColourLegend& legend, float width, float height,
                                            const MarkType& type);
+
+// Words around a place of the picture.
+struct PictureLabel {
+  float x = 0, y = 0;  // pixels, of the middle of the words
+  std::string text;
+};
+// Those whose place is in the picture, as they come: the first stay where they are, later ones make
+// way upwards or downwards as far as there is room.
+std::vector<MarkText> lay_out_labels(const std::vector<PictureLabel>& labels, float width,
+                                     float height, const MarkType& type);
+// Pixels at scale 1 by which an outline in the background's colour surrounds marks.
+inline constexpr float kMarkOutline = 2;
 
 // At the bottom right: a round length of 52 to 130 pixels at scale 1.
 struct ScaleBarLayout {

@@ -47,8 +47,12 @@ struct PictureSaver::Studio {
       scene_->set_balls(make_ball_data(p.balls, p.colours, p.radii));
       scene_->set_mesh(make_mesh_data(p.mesh));
       scene_->set_differences(make_difference_data(p.differences));
+      auto layers = std::make_shared<const LayerMesh>(build_layer_mesh(*p.balls, p.layers));
+      scene_->set_layers(make_layer_data(layers));
       scene_->set_viewpoint(p.viewpoint);
-      left_out = write_picture(*scene_, p.picture, p.path, p.texts, context);
+      MarkedPicture picture = p.picture;
+      picture.labels = layers->labels;
+      left_out = write_picture(*scene_, picture, p.path, p.texts, context);
     } catch (...) {
       failure = std::current_exception();
     }

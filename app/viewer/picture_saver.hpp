@@ -25,6 +25,7 @@ struct PictureToSave {
   std::vector<float> radii;                           // Å, as drawn; one a ball
   std::shared_ptr<const ComplexMesh> mesh;            // null: none
   std::shared_ptr<const DifferenceMesh> differences;  // null: none
+  Layers layers;
   SceneStyle style;
   Viewpoint viewpoint;
   MarkedPicture picture;

@@ -21,15 +21,13 @@ constexpr std::chrono::milliseconds kOutdatedAfter{300};
 // A mesh that is newer than the one on screen is worth finishing: else a slow one would never be
 // seen while the slider is dragged. What it is of no more is cancelled by set_molecule().
 constexpr std::chrono::milliseconds kFinishes = std::chrono::hours(24);
+// Points of panels' layers that are made between two frames: a millisecond or two. More are made on
+// a worker's thread.
+constexpr std::size_t kMostPointsAtOnce = 60000;
 const std::string kNoMemory = std::string(kNothingDrawn) + " Choose" + kShowLess;
 
 std::shared_ptr<const std::vector<Rgb8>> shared(std::vector<Rgb8> colours) {
   return std::make_shared<const std::vector<Rgb8>>(std::move(colours));
-}
-
-Rgb8 to_rgb8(const Colour& c) {
-  const auto byte = [](float x) { return static_cast<std::uint8_t>(x * 255.0f + 0.5f); };
-  return {byte(c.r), byte(c.g), byte(c.b)};
 }
 
 std::shared_ptr<const DrawnMolecule> make_drawn(std::shared_ptr<const OpenedMolecule> opened,
@@ -92,7 +90,8 @@ SceneController::SceneController(std::function<void()> wake, FreeMemory free_mem
                                  MeshMaker make_mesh)
     : free_memory_(std::move(free_memory)),
       make_mesh_(std::move(make_mesh)),
-      mesh_worker_(std::move(wake), kFinishes) {}
+      mesh_worker_(wake, kFinishes),
+      layer_worker_(std::move(wake)) {}
 
 std::shared_ptr<const Molecule> SceneController::molecule() const {
   return opened_ ? opened_->molecule : nullptr;
@@ -261,7 +260,7 @@ Worker::Delivery SceneController::make_drawing(const Wanted& wanted, const RunCo
 
 // Tries again without what is on screen; its last picture stays, and tells that it is outdated.
 void SceneController::make_room() {
-  drawn_layers_.clear();
+  forget_layers();
   scene_.set_balls(std::make_shared<const BallGeometry>(), {});
   drawn_molecule_ = nullptr;
   drawn_answer_ = nullptr;
@@ -296,7 +295,7 @@ void SceneController::show(Drawing drawing) {
   drawn_answer_ = drawing.answer;
   not_drawn_ = drawing.not_drawn;
   drawn_molecule_ = drawing.molecule;
-  if (new_balls) drawn_layers_.clear(), selected_.clear();  // they go with the balls
+  if (new_balls) forget_layers(), selected_.clear();  // they go with the balls
   if (new_balls || display_.grown_balls) show_balls(drawing);
   legend_ = drawing.mesh && drawing.mesh->scale ? std::optional(drawing.mesh->scale->legend())
                                                 : std::nullopt;
@@ -350,12 +349,42 @@ void SceneController::set_layers(const Layers& layers) {
     keys.emplace_back(layer->id, layer->key);
   }
   if (draws_nothing()) fitting.clear(), keys.clear();
-  if (keys == drawn_layers_) return;
-  drawn_layers_ = keys;
+  if (keys == wanted_layers_) return;
+  wanted_layers_ = keys;
+  layer_worker_.cancel();
+  if (fitting.empty()) return show_layers({}, nullptr);
+  if (layer_points(fitting).all() > kMostPointsAtOnce) return submit_layers(fitting);
+  auto mesh =
+      std::make_shared<const LayerMesh>(build_layer_mesh(*drawn_molecule_->geometry, fitting));
+  show_layers({fitting, mesh, {}}, make_layer_data(mesh));
+}
+
+void SceneController::submit_layers(const Layers& layers) {
+  const auto tell = [this](const std::string& why) { show_layers({{}, nullptr, why}, nullptr); };
+  layer_worker_.submit(
+      [this, tell, layers, drawn = drawn_molecule_](const RunContext&) -> Worker::Delivery {
+        const std::string not_drawn = layers_not_drawn_text(layer_points(layers), free_memory_());
+        if (!not_drawn.empty()) return [tell, not_drawn] { tell(not_drawn); };
+        auto mesh = std::make_shared<const LayerMesh>(build_layer_mesh(*drawn->geometry, layers));
+        return [this, layers, drawn, mesh, data = make_layer_data(mesh)] {
+          if (drawn == drawn_molecule_) show_layers({layers, mesh, {}}, data);
+        };
+      },
+      [tell](const Worker::Failure& failure) {
+        if (!failure.cancelled) tell("What is chosen below is not drawn: " + failure.message);
+      });
+}
+
+void SceneController::show_layers(DrawnLayers layers, std::shared_ptr<LayerData> data) {
+  drawn_layers_ = std::move(layers);
+  scene_.set_layers(std::move(data));
   dirty_ = true;
-  if (fitting.empty()) return scene_.set_layers(nullptr);
-  scene_.set_layers(make_difference_data(std::make_shared<const DifferenceMesh>(
-      build_layer_mesh(*drawn_molecule_->geometry, fitting))));
+}
+
+void SceneController::forget_layers() {
+  layer_worker_.cancel();
+  wanted_layers_.clear();
+  drawn_layers_ = {};
 }
 
 void SceneController::pointer(const PointerEvent& event) {
@@ -391,13 +420,15 @@ void SceneController::reset_view() {
 bool SceneController::poll() {
   const std::shared_ptr<const Answer> before = drawn_answer_;
   mesh_worker_.poll();
+  layer_worker_.poll();
   return before != drawn_answer_;
 }
 
 std::uint64_t SceneController::held_bytes() const {
   const std::uint64_t pending = busy() ? pending_bytes_.load() : 0;
   if (!drawn_molecule_) return pending;
-  return pending + drawn_bytes(drawn_molecule_->geometry->centres.size(), drawn_mesh_.get());
+  return pending + drawn_bytes(drawn_molecule_->geometry->centres.size(), drawn_mesh_.get()) +
+         layer_bytes(layer_points(drawn_layers_.layers));
 }
 
 double SceneController::seconds_to_refinement() const {
@@ -409,6 +440,9 @@ double SceneController::seconds_to_refinement() const {
 void SceneController::describe(ViewportInfo& viewport) const {
   viewport.legend = legend_;
   viewport.not_drawn = not_drawn_;
+  if (!drawn_layers_.not_drawn.empty()) {
+    viewport.not_drawn += (not_drawn_.empty() ? "" : " ") + drawn_layers_.not_drawn;
+  }
   viewport.problem = view_problem_;
 }
 
@@ -442,6 +476,10 @@ void SceneController::render(ViewportInfo& viewport, bool interacting, bool pati
   refine_ = quality_.at_rest() > target;
   viewport.texture = scene_.texture();
   viewport.angstrom_per_pixel = draws_nothing() ? 0 : scene_.angstrom_per_pixel();
+  viewport.labels.clear();
+  if (drawn_layers_.mesh) {
+    viewport.labels = labels_seen(drawn_layers_.mesh->labels, scene_.sight(), width_, height_);
+  }
   check_view(viewport, interacting);
 }
 
@@ -484,14 +522,19 @@ PictureToSave SceneController::picture(const ScreenshotRequest& request) const {
     throw std::runtime_error("The picture is still being drawn. Save it when it is ready.");
   }
   const std::size_t balls = drawn_molecule_->geometry->centres.size();
+  Layers layers;
+  for (const auto& layer : drawn_layers_.layers) {
+    if (layer->in_pictures) layers.push_back(layer);
+  }
   require_room(request.options.width, request.options.height, free_memory_(),
-               second_scene_bytes(balls, drawn_mesh_.get()));
+               second_scene_bytes(balls, drawn_mesh_.get()) + layer_bytes(layer_points(layers)));
   PictureToSave picture;
   picture.balls = drawn_molecule_->geometry;
   picture.colours = ball_colours(*drawn_molecule_, display_.ball_colour);
   picture.radii = radii_;
   picture.mesh = drawn_mesh_;
   picture.differences = drawn_differences_;
+  picture.layers = std::move(layers);
   picture.style = scene_style();
   picture.viewpoint = scene_.viewpoint();
   picture.picture = {request.options.width,
@@ -499,7 +542,8 @@ PictureToSave SceneController::picture(const ScreenshotRequest& request) const {
                      request.options.transparent,
                      theme_,
                      request.options.legend ? legend_ : std::nullopt,
-                     request.options.scale_bar};
+                     request.options.scale_bar,
+                     {}};
   picture.texts = texts();
   picture.path = request.path;
   return picture;

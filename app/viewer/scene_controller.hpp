@@ -53,7 +53,8 @@ class SceneController {
   // Draws what differs from the reference, if anything does.
   void set_agreement(std::shared_ptr<const Agreement> agreement);
   void set_display(const DisplayControls& display, Theme theme);
-  // Marks of the panels; those of other balls than the complex on screen are left out.
+  // What panels want drawn; layers of other balls than the complex on screen are left out. Large
+  // ones are made on a worker's thread, and what was drawn before stays until they are there.
   void set_layers(const Layers& layers);
   void pointer(const PointerEvent& event);
   void reset_view();
@@ -67,7 +68,7 @@ class SceneController {
   // What belongs to the picture and is drawn by the panels; before them.
   void describe(ViewportInfo& viewport) const;
   // Something is still on its way to the screen: a mesh, or a finer picture.
-  bool busy() const { return mesh_worker_.activity().busy; }
+  bool busy() const { return mesh_worker_.activity().busy || layer_worker_.activity().busy; }
   bool wants_frame() const { return dirty_ || refine_; }
   // Of what is drawn and of what is being made, at most; without differences.
   std::uint64_t held_bytes() const;
@@ -120,6 +121,11 @@ class SceneController {
     std::shared_ptr<DifferenceData> difference_data;
     std::string not_drawn;  // what is missing and why; empty: nothing
   };
+  struct DrawnLayers {
+    Layers layers;
+    std::shared_ptr<const LayerMesh> mesh;  // null: none
+    std::string not_drawn;                  // why; empty: all is
+  };
   // What a job of the worker needs.
   struct Wanted {
     std::shared_ptr<const DrawnMolecule> drawn;
@@ -136,6 +142,9 @@ class SceneController {
   void show(Drawing drawing);
   void show_balls(Drawing& drawing);
   void show_nothing(const std::string& why);
+  void submit_layers(const Layers& layers);
+  void show_layers(DrawnLayers layers, std::shared_ptr<LayerData> data);
+  void forget_layers();                            // the scene has
   BallLook ball_look(const Answer* answer) const;  // as the controls have it
   SceneStyle scene_style() const;
   void draw_selected();
@@ -156,8 +165,9 @@ class SceneController {
   // On screen.
   std::shared_ptr<const DrawnMolecule> drawn_molecule_;
   std::shared_ptr<const Answer> drawn_answer_;
-  std::vector<std::pair<std::string, std::uint64_t>> drawn_layers_;  // ids and keys
-  std::shared_ptr<const Molecule> viewed_;                           // that the camera was set for
+  std::vector<std::pair<std::string, std::uint64_t>> wanted_layers_;  // ids and keys
+  DrawnLayers drawn_layers_;
+  std::shared_ptr<const Molecule> viewed_;  // that the camera was set for
   std::string not_drawn_;
   bool pending_ = false;
   std::optional<Clock::time_point> outdated_since_;
@@ -179,7 +189,7 @@ class SceneController {
   Clock::time_point last_change_ = Clock::now();
   int width_ = 0, height_ = 0;
   std::atomic<std::uint64_t> pending_bytes_ = 0;  // of what the worker makes
-  Worker mesh_worker_;                            // last: joined before what its jobs use goes
+  Worker mesh_worker_, layer_worker_;             // last: joined before what their jobs use goes
 };
 
 }  // namespace alphascope

@@ -1,8 +1,8 @@
 // What is under the mouse in the picture, and what of it is selected.
 #include <algorithm>
-#include <cmath>
 
 #include "app/viewer/scene_controller.hpp"
+#include "ui/scene/ball_colours.hpp"
 
 namespace alphascope {
 namespace {
@@ -12,12 +12,6 @@ constexpr float kMarkScale = 1.06f, kMarkRim = 0.05f;  // times the radius, and 
 // Balls that are not drawn, since alpha leaves nothing of them or balls are off, are marked so
 // large.
 constexpr float kLeastMark = 0.35f;  // Å
-
-Rgb8 mark_colour(Theme theme) {
-  const Colour& c = palette(theme).selected;
-  const auto byte = [](float x) { return static_cast<std::uint8_t>(std::lround(x * 255)); };
-  return {byte(c.r), byte(c.g), byte(c.b)};
-}
 
 }  // namespace
 
@@ -54,7 +48,7 @@ void SceneController::draw_selected() {
     radii.push_back(std::max(kLeastMark, radii_.at(ball) * kMarkScale + kMarkRim));
   }
   marks->radii = radii;
-  const std::vector<Rgb8> colours(radii.size(), mark_colour(theme_));
+  const std::vector<Rgb8> colours(radii.size(), to_rgb8(palette(theme_).selected));
   scene_.set_selected(radii.empty() ? nullptr : make_ball_data(marks, colours, radii));
 }
 

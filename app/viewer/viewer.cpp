@@ -405,7 +405,8 @@ void Viewer::draw(ScriptedInput* input, bool patient,
   session_.let_finish(interacting());
   gesture_ = gestures_.in_this_frame();
   store_.next_frame();
-  draw_window({state_, rects_, commands_, store_, inputs_}, frame_.fonts(), frame_.scale());
+  const WindowParts parts{state_, rects_, commands_, store_, inputs_};
+  draw_window(parts, frame_.fonts(), frame_.scale());
   for (const PointerEvent& event : state_.viewport.events) scene_.pointer(event);
   guarded([this] {
     for (const PointerEvent& event : state_.viewport.events) {
@@ -429,6 +430,7 @@ void Viewer::draw(ScriptedInput* input, bool patient,
     must_render_ = false;
     guarded([&] { scene_.render(state_.viewport, interacting(), patient); });
   }
+  draw_over_picture(parts, frame_.fonts(), frame_.scale());
   frame_.end([&](unsigned framebuffer) {
     if (before_swap) before_swap(framebuffer);
   });

@@ -101,6 +101,7 @@ void Viewer::find_marks() {
   state_.picked_text = selected_text(marked_.items.size(), missing);
   if (layer->edges.empty()) return;
   layer->id = "selection";
+  layer->in_pictures = false;
   layer->key = marked_.key;
   layer->balls = marked_.answer->balls;
   layer->colour = palette(marked_.theme).selected;

@@ -9,6 +9,8 @@ namespace alphascope {
 void draw_menu_bar(PanelContext& ctx);
 void draw_status_bar(PanelContext& ctx);
 void draw_viewport(PanelContext& ctx);
+// Over its picture, once that is drawn: words would lag behind a picture that turns.
+void draw_view_labels(PanelContext& ctx);
 
 // Parts of the molecule panel: where the atoms come from, which are used, how large they are.
 void draw_source_rows(PanelContext& ctx);  // assembly and models

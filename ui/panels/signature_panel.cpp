@@ -13,16 +13,17 @@
 namespace alphascope {
 namespace {
 
-constexpr double kMarkedWithin = 0.02;  // Å², to either side of alpha
-constexpr double kLeastHigh = 10;       // Å²: the right end, unless alpha is beyond
-constexpr double kStep = 0.01;          // Å², as the slider's
+constexpr double kMarkedWithin = 0.02;      // Å², to either side of alpha
+constexpr double kLeastHigh = 10;           // Å²: the right end, unless alpha is beyond
+constexpr double kStep = 0.01;              // Å², as the slider's
+constexpr std::size_t kMostMarked = 20000;  // of a dimension: more would be a blur
 constexpr const char* kNames[] = {"vertices", "edges", "triangles", "tetrahedra"};
 
 // --- what appears at the cursor
 
 template <class List, class Simplices>
 void collect(const List& list, float low, float high, Simplices& to) {
-  for (std::size_t i = 0; i < list.size() && to.size() < Layer::kMostSimplices; ++i) {
+  for (std::size_t i = 0; i < list.size() && to.size() < kMostMarked; ++i) {
     const float value = list.alpha_values[i];
     if (value >= low && value <= high) to.push_back(list.simplices[i]);
   }
@@ -50,18 +51,18 @@ std::shared_ptr<const Layer> make_appearing(const Inputs& in, const RunContext& 
 }
 
 const Definition<Layer>& appearing() {
-  static const Definition<Layer> definition{
-      {.id = "signature.appearing",
-       .title = "What appears at this alpha",
-       .made_of = {&whole_filtration()},
-       .key = key_of_balls_and_alpha,
-       .memory =
-           [](const Inputs&) {
-             constexpr std::uint64_t kMost = Layer::kMostSimplices * 10 * sizeof(BallIndex);
-             return MemoryNeed{kMost, kMost};
-           },
-       .lane = Lane::interactive},
-      make_appearing};
+  static const Definition<Layer> definition{{.id = "signature.appearing",
+                                             .title = "What appears at this alpha",
+                                             .made_of = {&whole_filtration()},
+                                             .key = key_of_balls_and_alpha,
+                                             .memory =
+                                                 [](const Inputs&) {
+                                                   constexpr std::uint64_t kMost =
+                                                       kMostMarked * 10 * sizeof(BallIndex);
+                                                   return MemoryNeed{kMost, kMost};
+                                                 },
+                                             .lane = Lane::interactive},
+                                            make_appearing};
   return definition;
 }
 

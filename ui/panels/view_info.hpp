@@ -87,7 +87,8 @@ struct ViewportInfo {
   std::uint64_t texture = 0;  // OpenGL name of the picture; 0: none yet
   double angstrom_per_pixel = 0;
   std::optional<ColourLegend> legend;
-  std::string not_drawn;  // what the picture lacks for want of memory, and what to do
+  std::vector<PictureLabel> labels;  // of the picture in `texture`
+  std::string not_drawn;             // what the picture lacks for want of memory, and what to do
   bool outdated = false;  // it is of other settings than those chosen; the new one is being made
   ViewProblem problem = ViewProblem::none;
   // Written by the panels: how large the picture should be (pixels) and what the mouse did on it.

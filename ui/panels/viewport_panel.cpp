@@ -327,6 +327,26 @@ std::string caption_text(const Answer& answer) {
                                                             : "   no ball is left at this alpha");
 }
 
+void draw_view_labels(PanelContext& ctx) {
+  const ViewportInfo& v = ctx.state.viewport;
+  if (v.labels.empty() || v.texture == 0 || !ctx.state.molecule.loaded) return;
+  const ImVec2 corner = ImGui::GetWindowPos();
+  ImDrawList* draw = ImGui::GetWindowDrawList();
+  const ImU32 rim = to_u32(ctx.palette.scene), ink = to_u32(ctx.palette.text);
+  const float reach = kMarkOutline * ctx.scale;
+  constexpr int kAround = 12;
+  for (const MarkText& text : lay_out_labels(v.labels, static_cast<float>(v.width),
+                                             static_cast<float>(v.height), mark_type(ctx))) {
+    for (int k = 0; k < kAround; ++k) {
+      const float angle = 2 * static_cast<float>(M_PI) * static_cast<float>(k) / kAround;
+      const ImVec2 place =
+          at(corner, text.x + reach * std::cos(angle), text.y + reach * std::sin(angle));
+      draw->AddText(place, rim, text.text.c_str());
+    }
+    mark_text(corner, text, ink);
+  }
+}
+
 void draw_viewport(PanelContext& ctx) {
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const ImVec2 size = ImGui::GetContentRegionAvail();

@@ -165,13 +165,32 @@ void note_mouse(PanelMemory& memory) {
   memory.mouse_still_seconds = busy ? 0 : memory.mouse_still_seconds + io.DeltaTime;
 }
 
+constexpr const char* kView = "##view";
+
+PanelContext context_of(const WindowParts& parts, const PanelFonts& fonts, float scale) {
+  return {parts.state,
+          parts.rects,
+          parts.commands,
+          parts.store,
+          parts.inputs,
+          fonts,
+          palette(parts.state.theme),
+          scale};
+}
+
 }  // namespace
+
+void draw_over_picture(const WindowParts& parts, const PanelFonts& fonts, float scale) {
+  PanelContext ctx = context_of(parts, fonts, scale);
+  ImGui::Begin(kView);  // the same window once more: ImGui adds to it
+  draw_view_labels(ctx);
+  ImGui::End();
+}
 
 void draw_window(const WindowParts& parts, const PanelFonts& fonts, float scale) {
   ViewState& state = parts.state;
   const WidgetRects last = std::exchange(parts.rects, {});
-  PanelContext ctx{state,        parts.rects, parts.commands,       parts.store,
-                   parts.inputs, fonts,       palette(state.theme), scale};
+  PanelContext ctx = context_of(parts, fonts, scale);
   state.layers.clear();
   note_mouse(state.memory);
   draw_menu_bar(ctx);
@@ -183,7 +202,7 @@ void draw_window(const WindowParts& parts, const PanelFonts& fonts, float scale)
   const float width = std::max(1.0f, display.x - left);
   left_panel(ctx, last, top, middle);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
-  begin("##view", {{left, top}, {width, middle - bottom}}, ImGuiWindowFlags_NoScrollWithMouse);
+  begin(kView, {{left, top}, {width, middle - bottom}}, ImGuiWindowFlags_NoScrollWithMouse);
   ImGui::PopStyleVar();
   draw_viewport(ctx);
   ImGui::End();

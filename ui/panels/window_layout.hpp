@@ -22,5 +22,7 @@ struct WindowParts {
 
 // Between ImGui's NewFrame and Render.
 void draw_window(const WindowParts& parts, const PanelFonts& fonts, float scale);
+// What lies over the picture that the view shows in this frame; after it is drawn.
+void draw_over_picture(const WindowParts& parts, const PanelFonts& fonts, float scale);
 
 }  // namespace alphascope

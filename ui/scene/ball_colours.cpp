@@ -3,6 +3,7 @@
 #include "ui/scene/ball_colours.hpp"
 
 #include <array>
+#include <cmath>
 
 #include "core/molecule/element.hpp"
 
@@ -67,6 +68,11 @@ Rgb8 element_colour(Element element) {
     default:
       return {190, 130, 170};
   }
+}
+
+Rgb8 to_rgb8(const Colour& c) {
+  const auto byte = [](float x) { return static_cast<std::uint8_t>(std::lround(x * 255)); };
+  return {byte(c.r), byte(c.g), byte(c.b)};
 }
 
 std::vector<Rgb8> colours_by_element(const Molecule& molecule,

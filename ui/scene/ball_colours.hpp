@@ -6,6 +6,7 @@
 
 #include "core/molecule/molecule.hpp"
 #include "ui/scene/ball_geometry.hpp"
+#include "ui/theme.hpp"
 
 namespace alphascope {
 
@@ -17,5 +18,7 @@ std::vector<Rgb8> colours_by_chain(const Molecule& molecule,
                                    const std::vector<std::uint32_t>& atom_of_ball);
 
 Rgb8 element_colour(Element element);
+
+Rgb8 to_rgb8(const Colour& colour);
 
 }  // namespace alphascope

@@ -3,7 +3,6 @@
 #pragma once
 
 #include "core/complex/compare.hpp"
-#include "ui/layer.hpp"
 #include "ui/scene/complex_mesh.hpp"
 
 namespace alphascope {
@@ -13,15 +12,12 @@ inline constexpr Rgb8 kMissingColour{255, 0, 190};  // in the reference only
 inline constexpr Rgb8 kExtraColour{255, 225, 0};    // in the candidate only
 
 struct DifferenceMesh {
-  CellSoup faces;   // triangles: of tetrahedra and triangles; vertices as small octahedra
-  CellSoup edges;   // lines
-  CellSoup bodies;  // triangles of layers that are bodies
-  bool empty() const { return faces.points() == 0 && edges.points() == 0 && bodies.points() == 0; }
+  CellSoup faces;  // triangles: of tetrahedra and triangles; vertices as small octahedra
+  CellSoup edges;  // lines
+  bool empty() const { return faces.points() == 0 && edges.points() == 0; }
 };
 
-// Both throw std::invalid_argument when a simplex has a vertex beyond the balls.
+// Throws std::invalid_argument when a simplex has a vertex beyond the balls.
 DifferenceMesh build_difference_mesh(const BallGeometry& balls, const Comparison& comparison);
-// The same of a panel's layers, each in its own colour.
-DifferenceMesh build_layer_mesh(const BallGeometry& balls, const Layers& layers);
 
 }  // namespace alphascope

@@ -17,7 +17,6 @@ namespace {
 
 constexpr int kDotsPerInch = 72;  // then VTK's points are pixels
 constexpr float kFontSize = 15;   // pixels of an em at scale 1
-constexpr float kRim = 2;         // pixels at scale 1
 // A picture of this size has marks as large as the window's; a column of a page shows it well.
 constexpr float kWidthAtScale1 = 960, kHeightAtScale1 = 600;
 constexpr float kLeastUnit = 0.7f;  // smaller text cannot be read
@@ -176,6 +175,11 @@ class MarkMaker {
     for (const MarkBox& line : layout->lines) placed.masks.push_back(mask_of(line));
     placed.masks.push_back(texts_.mask(layout->text));
   }
+  void place_labels(const std::vector<PictureLabel>& labels, Placed& placed) const {
+    for (const MarkText& text : lay_out_labels(labels, width_, height_, type_)) {
+      placed.masks.push_back(texts_.mask(text));
+    }
+  }
 
  private:
   static void too_small(const char* what, const float (&room)[2], Placed& placed) {
@@ -205,12 +209,13 @@ float mark_unit(int width, int height) {
 }
 
 std::string draw_marks(Image& image, const PictureMarks& marks, const MarkInk& ink) {
-  if (!marks.legend && !marks.angstrom_per_pixel) return {};
+  if (!marks.legend && !marks.angstrom_per_pixel && marks.labels.empty()) return {};
   const MarkMaker maker(image.width, image.height);
   Placed placed;
   if (marks.legend) maker.place_legend(*marks.legend, placed);
   if (marks.angstrom_per_pixel) maker.place_scale_bar(*marks.angstrom_per_pixel, placed);
-  const int rim = std::max(1, static_cast<int>(std::lround(kRim * maker.unit())));
+  maker.place_labels(marks.labels, placed);
+  const int rim = std::max(1, static_cast<int>(std::lround(kMarkOutline * maker.unit())));
   for (const Mask& mask : placed.masks) {
     blend(image, rim_of(mask, rim), [&](int) { return ink.rim; });
   }
@@ -229,7 +234,9 @@ std::string write_picture(Scene& scene, const MarkedPicture& picture,
                           const RunContext& context) {
   context.cancel.throw_if_cancelled();
   Image image = scene.grab(picture.width, picture.height, picture.transparent, context);
-  PictureMarks marks{picture.legend, {}};
+  PictureMarks marks{picture.legend,
+                     {},
+                     labels_seen(picture.labels, scene.sight(), picture.width, picture.height)};
   if (picture.scale_bar) marks.angstrom_per_pixel = scene.angstrom_per_pixel();
   std::string left_out = draw_marks(image, marks, mark_ink(picture.theme, picture.transparent));
   context.cancel.throw_if_cancelled();

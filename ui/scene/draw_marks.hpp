@@ -1,6 +1,6 @@
-// Legend and scale bar in a saved picture, in its own pixels: not a stretched copy of the window's.
-// The text is VTK's; the rest is boxes, filled here, so that a legend's colours are exactly those
-// of the scale, whatever light and transparency the scene is drawn with.
+// Legend, scale bar and labels in a saved picture, in its own pixels: not a stretched copy of the
+// window's. The text is VTK's; the rest is boxes, filled here, so that a legend's colours are
+// exactly those of the scale, whatever light and transparency the scene is drawn with.
 #pragma once
 
 #include <filesystem>
@@ -9,6 +9,7 @@
 
 #include "ui/picture_marks.hpp"
 #include "ui/scene/frame_grab.hpp"
+#include "ui/scene/placed_label.hpp"
 #include "ui/scene/scene.hpp"
 
 namespace alphascope {
@@ -16,6 +17,7 @@ namespace alphascope {
 struct PictureMarks {
   std::optional<ColourLegend> legend;
   std::optional<double> angstrom_per_pixel;  // none: no scale bar
+  std::vector<PictureLabel> labels = {};
 };
 
 // Marks and a rim around them that keeps them readable over anything.
@@ -37,6 +39,7 @@ struct MarkedPicture {
   Theme theme = Theme::dark;
   std::optional<ColourLegend> legend;
   bool scale_bar = false;
+  std::vector<PlacedLabel> labels = {};
 };
 // Writes the scene with its marks to a file; returns and throws as draw_marks(), Scene::grab() and
 // write_png() do. Says what it is doing, and can be cancelled between its steps.

@@ -186,6 +186,18 @@ std::uint64_t drawn_bytes(std::size_t balls, const ComplexMesh* mesh) {
   return second_scene_bytes(balls, mesh) + (mesh != nullptr ? kSoupPoint * mesh->points() : 0);
 }
 
+std::uint64_t layer_bytes(const LayerPoints& points) {
+  return kTrianglePoint * points.faces + kLinePoint * points.lines + kBall * points.balls;
+}
+
+std::string layers_not_drawn_text(const LayerPoints& points, std::optional<std::uint64_t> free) {
+  const std::uint64_t bytes = layer_bytes(points);
+  if (!free || bytes <= drawing_budget(*free)) return {};
+  return "What is chosen below is not drawn for lack of memory. It takes about " +
+         size_text(bytes) + "; " + budget_text(*free) +
+         ". Choose less of it, or close other programs.";
+}
+
 void require_room(int width, int height, std::optional<std::uint64_t> free_bytes,
                   std::uint64_t more_bytes) {
   const std::uint64_t bytes = picture_bytes(width, height) + more_bytes;

@@ -9,6 +9,7 @@
 
 #include "core/complex/compare.hpp"
 #include "ui/scene/complex_mesh.hpp"
+#include "ui/scene/layer_mesh.hpp"
 
 namespace alphascope {
 
@@ -34,6 +35,11 @@ void require_room(int width, int height, std::optional<std::uint64_t> free_bytes
 
 // Of VTK's and OpenGL's arrays for what has its plain arrays already: another scene shows it, too.
 std::uint64_t second_scene_bytes(std::size_t balls, const ComplexMesh* mesh);
+
+// Of what panels want drawn, as drawing_bytes().
+std::uint64_t layer_bytes(const LayerPoints& points);
+// Why nothing of it is drawn and what to do; empty where it fits.
+std::string layers_not_drawn_text(const LayerPoints& points, std::optional<std::uint64_t> free);
 
 // Of all arrays of what is drawn.
 std::uint64_t drawn_bytes(std::size_t balls, const ComplexMesh* mesh);

@@ -12,6 +12,8 @@ namespace alphascope {
 
 // Units of depth by which differences are moved to the front: more than any molecule is deep.
 inline constexpr double kToTheFront = -1e6;
+// Enough that lines on a face are not broken by rounding.
+inline constexpr double kBeforeFaces = -4;
 
 struct MeshActor {
   vtkNew<vtkPolyDataMapper> mapper;
@@ -41,6 +43,14 @@ struct MeshActor {
     mapper->SetInputData(nullptr);
     mapper->ReleaseGraphicsResources(window);  // else its buffers stay until it draws again
     actor->VisibilityOff();
+  }
+  // Lit by the normals of its points.
+  void smooth() { actor->GetProperty()->SetInterpolationToPhong(); }
+  // Lines on faces of the same place win.
+  void before_its_faces() {
+    mapper->SetResolveCoincidentTopologyToPolygonOffset();
+    mapper->SetRelativeCoincidentTopologyLineOffsetParameters(0, kBeforeFaces);
+    actor->GetProperty()->LightingOff();
   }
   void always_in_front() {
     mapper->SetResolveCoincidentTopologyToPolygonOffset();

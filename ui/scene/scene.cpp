@@ -83,10 +83,12 @@ void Scene::set_mesh(std::shared_ptr<MeshData> mesh) {
 }
 
 void Scene::set_differences(std::shared_ptr<DifferenceData> differences) {
-  impl_->differences.show(std::move(differences), impl_->window);
+  impl_->differences.show(differences ? differences->faces : nullptr,
+                          differences ? differences->edges : nullptr, impl_->window);
+  impl_->difference_data = std::move(differences);  // only now may the old arrays go
 }
 
-void Scene::set_layers(std::shared_ptr<DifferenceData> layers) {
+void Scene::set_layers(std::shared_ptr<LayerData> layers) {
   const bool had_peels = impl_->anything_translucent();
   impl_->layers.show(std::move(layers), impl_->window);
   if (had_peels && !impl_->anything_translucent()) impl_->release_buffers();

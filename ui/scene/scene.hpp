@@ -53,8 +53,8 @@ class Scene {
   void set_mesh(std::shared_ptr<MeshData> mesh);  // null: none
   // Drawn over everything else, so that nothing hides what is wrong; null: none.
   void set_differences(std::shared_ptr<DifferenceData> differences);
-  // What panels have marked; drawn as the differences are.
-  void set_layers(std::shared_ptr<DifferenceData> layers);
+  // What panels want drawn; null: nothing. Labels are not drawn here, but over the picture.
+  void set_layers(std::shared_ptr<LayerData> layers);
   // Balls that are drawn as the first ones are, whether or not these are; null: none. They go with
   // the first ones.
   void set_selected(std::shared_ptr<BallData> balls);

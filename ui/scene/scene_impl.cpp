@@ -25,11 +25,37 @@ MarkActors::MarkActors() {
   edges.always_in_front();
 }
 
-void MarkActors::show(std::shared_ptr<DifferenceData> marks, vtkWindow* window) {
-  faces.show(marks ? marks->faces : nullptr, window);
-  edges.show(marks ? marks->edges : nullptr, window);
-  bodies.show(marks ? marks->bodies : nullptr, window);
-  data = std::move(marks);  // only now may the old arrays go
+void MarkActors::add_to(vtkRenderer* renderer) {
+  renderer->AddActor(faces.actor);
+  renderer->AddActor(edges.actor);
+}
+
+void MarkActors::show(vtkPolyData* new_faces, vtkPolyData* new_edges, vtkWindow* window) {
+  faces.show(new_faces, window);
+  edges.show(new_edges, window);
+}
+
+LayerActors::LayerActors() {
+  body_edges.before_its_faces();
+  tubes.smooth();
+}
+
+void LayerActors::add_to(vtkRenderer* renderer) {
+  marks.add_to(renderer);
+  for (MeshActor* m : {&bodies, &body_edges, &tubes}) renderer->AddActor(m->actor);
+  renderer->AddActor(spheres.actor);
+}
+
+void LayerActors::show(std::shared_ptr<LayerData> layers, vtkWindow* window) {
+  const LayerData nothing;
+  const LayerData& shown = layers ? *layers : nothing;
+  marks.show(shown.faces, shown.edges, window);
+  bodies.show(shown.bodies, window);
+  body_edges.show(shown.body_edges, window);
+  tubes.show(shown.tubes, window);
+  spheres.actor->SetVisibility(shown.spheres != nullptr);
+  spheres.show(shown.spheres, window);
+  data = std::move(layers);  // only now may the old arrays go
 }
 
 Scene::Impl::Impl() {
@@ -39,11 +65,8 @@ Scene::Impl::Impl() {
   renderer->AddActor(all_balls.actor);
   renderer->AddActor(selected.actor);
   for (MeshActor* m : {&tetrahedra, &boundary, &triangles, &edges}) renderer->AddActor(m->actor);
-  for (MarkActors* marks : {&layers, &differences}) {
-    renderer->AddActor(marks->faces.actor);
-    renderer->AddActor(marks->edges.actor);
-    renderer->AddActor(marks->bodies.actor);
-  }
+  layers.add_to(renderer);
+  differences.add_to(renderer);
   set_view_angle();
 }
 
@@ -104,8 +127,8 @@ void BallActor::show(std::shared_ptr<BallData> balls, vtkWindow* window) {
 
 double Scene::Impl::faded(double opacity) const {
   constexpr double kFaded = 0.15;
-  const bool beside_bodies = layers.data && layers.data->bodies;
-  return beside_bodies ? std::min(opacity, kFaded) : opacity;
+  const bool fades = layers.data && layers.data->mesh->fades_rest;
+  return fades ? std::min(opacity, kFaded) : opacity;
 }
 
 bool Scene::Impl::anything_translucent() const {
@@ -147,7 +170,8 @@ void Scene::Impl::draw(int width, int height) {
   const float width_scale = static_cast<float>(samples);
   edges.actor->GetProperty()->SetLineWidth(1.5f * width_scale);
   differences.edges.actor->GetProperty()->SetLineWidth(3.5f * width_scale);
-  layers.edges.actor->GetProperty()->SetLineWidth(2.5f * width_scale);
+  layers.marks.edges.actor->GetProperty()->SetLineWidth(2.5f * width_scale);
+  layers.body_edges.actor->GetProperty()->SetLineWidth(1.2f * width_scale);
   renderer->ResetCameraClippingRange();
   window->Render();
 }

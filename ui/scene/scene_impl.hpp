@@ -19,13 +19,13 @@ namespace alphascope {
 
 constexpr int kFineSamples = 2;  // of a fine picture, each way
 
-// Faces and lines that are drawn over everything else, and bodies among the rest.
+// Faces and lines that are drawn over everything else.
 struct MarkActors {
-  MeshActor faces, edges, bodies;
-  std::shared_ptr<DifferenceData> data;
+  MeshActor faces, edges;
 
   MarkActors();
-  void show(std::shared_ptr<DifferenceData> marks, vtkWindow* window);
+  void add_to(vtkRenderer* renderer);
+  void show(vtkPolyData* new_faces, vtkPolyData* new_edges, vtkWindow* window);
 };
 
 // Balls with colours and radii of their own.
@@ -38,6 +38,18 @@ struct BallActor {
   void show(std::shared_ptr<BallData> balls, vtkWindow* window);  // null: none
 };
 
+// What panels want drawn: marks, and bodies among the rest.
+struct LayerActors {
+  MarkActors marks;
+  MeshActor bodies, body_edges, tubes;
+  BallActor spheres;
+  std::shared_ptr<LayerData> data;  // null: nothing
+
+  LayerActors();
+  void add_to(vtkRenderer* renderer);
+  void show(std::shared_ptr<LayerData> layers, vtkWindow* window);
+};
+
 struct Scene::Impl {
   vtkNew<vtkGenericOpenGLRenderWindow> window;
   vtkNew<vtkRenderer> renderer;
@@ -45,7 +57,9 @@ struct Scene::Impl {
   vtkNew<vtkInteractorStyleTrackballCamera> trackball;
   BallActor all_balls, selected;
   MeshActor tetrahedra, boundary, triangles, edges;
-  MarkActors layers, differences;
+  MarkActors differences;
+  std::shared_ptr<DifferenceData> difference_data;
+  LayerActors layers;
   std::shared_ptr<const BallGeometry> balls;
   std::shared_ptr<MeshData> mesh;
   SceneStyle style;

@@ -47,13 +47,17 @@ std::string render_screenshot(const BallSet& balls, const AlphaComplex& complex,
   scene.set_balls(geometry, colours);
   scene.set_ball_radii(drawn_radii(*geometry, options.balls));
   scene.set_mesh(make_mesh_data(mesh));
+  const auto layers =
+      std::make_shared<const LayerMesh>(build_layer_mesh(*geometry, options.layers));
+  scene.set_layers(make_layer_data(layers));
   begin("drawing", 0.7);
   const auto legend =
       options.legend && mesh->scale ? std::optional(mesh->scale->legend()) : std::nullopt;
-  const std::string left_out = write_picture(scene,
-                                             {options.width, options.height, options.transparent,
-                                              options.style.theme, legend, options.scale_bar},
-                                             path, texts, context);
+  const std::string left_out =
+      write_picture(scene,
+                    {options.width, options.height, options.transparent, options.style.theme,
+                     legend, options.scale_bar, layers->labels},
+                    path, texts, context);
   return not_drawn + (not_drawn.empty() || left_out.empty() ? "" : " ") + left_out;
 }
 

@@ -22,6 +22,7 @@ struct ScreenshotOptions {
   SceneStyle style;
   BallStyle balls;
   MeshOptions mesh;
+  Layers layers;                            // drawn beside balls and complex
   PictureTexts texts;                       // into the file
   std::optional<std::uint64_t> free_bytes;  // of memory; none: unknown
 };

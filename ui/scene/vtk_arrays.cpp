@@ -18,17 +18,41 @@
 namespace alphascope {
 namespace {
 
+// VTK's setter takes a mutable pointer, but a mapper only reads; 1 = the memory is not VTK's.
+template <class Array, class Value>
+vtkSmartPointer<Array> in_place(const std::vector<Value>& values, int components) {
+  auto array = vtkSmartPointer<Array>::New();
+  array->SetNumberOfComponents(components);
+  array->SetArray(const_cast<Value*>(values.data()), static_cast<vtkIdType>(values.size()), 1);
+  return array;
+}
+
+vtkSmartPointer<vtkPolyData> points_in_place(const std::vector<float>& xyz,
+                                             const std::vector<std::uint8_t>& rgb) {
+  vtkNew<vtkPoints> points;
+  points->SetData(in_place<vtkFloatArray>(xyz, 3));
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  data->SetPoints(points);
+  data->GetPointData()->SetScalars(in_place<vtkUnsignedCharArray>(rgb, 3));
+  return data;
+}
+
+vtkSmartPointer<vtkTypeInt32Array> starts_of_cells(vtkIdType cells, int corners) {
+  auto offsets = vtkSmartPointer<vtkTypeInt32Array>::New();
+  offsets->SetNumberOfValues(cells + 1);
+  vtkTypeInt32* starts = offsets->GetPointer(0);
+  for (vtkIdType i = 0; i <= cells; ++i) starts[i] = static_cast<vtkTypeInt32>(i * corners);
+  return offsets;
+}
+
 // Cells of `corners` consecutive points each.
 vtkSmartPointer<vtkCellArray> consecutive_cells(vtkIdType points, int corners) {
   const vtkIdType cells = points / corners;
-  vtkNew<vtkTypeInt32Array> offsets, connectivity;
-  offsets->SetNumberOfValues(cells + 1);
+  vtkNew<vtkTypeInt32Array> connectivity;
   connectivity->SetNumberOfValues(points);
-  vtkTypeInt32* starts = offsets->GetPointer(0);
-  for (vtkIdType i = 0; i <= cells; ++i) starts[i] = static_cast<vtkTypeInt32>(i * corners);
   std::iota(connectivity->GetPointer(0), connectivity->GetPointer(0) + points, 0);
   auto result = vtkSmartPointer<vtkCellArray>::New();
-  result->SetData(offsets, connectivity);
+  result->SetData(starts_of_cells(cells, corners), connectivity);
   return result;
 }
 
@@ -73,27 +97,26 @@ void set_radii(vtkPolyData* data, const std::vector<float>& radii) {
 
 vtkSmartPointer<vtkPolyData> soup_to_vtk(const CellSoup& soup, int corners) {
   if (soup.points() == 0) return nullptr;
-  // VTK's setter takes a mutable pointer, but a mapper only reads; 1 = the memory is not VTK's.
-  vtkNew<vtkFloatArray> coordinates;
-  coordinates->SetNumberOfComponents(3);
-  coordinates->SetArray(const_cast<float*>(soup.xyz.data()),
-                        static_cast<vtkIdType>(soup.xyz.size()), 1);
-  vtkNew<vtkUnsignedCharArray> colours;
-  colours->SetNumberOfComponents(3);
-  colours->SetArray(const_cast<unsigned char*>(soup.rgb.data()),
-                    static_cast<vtkIdType>(soup.rgb.size()), 1);
-  vtkNew<vtkPoints> points;
-  points->SetData(coordinates);
-  auto data = vtkSmartPointer<vtkPolyData>::New();
-  data->SetPoints(points);
+  auto data = points_in_place(soup.xyz, soup.rgb);
   const auto cells = consecutive_cells(static_cast<vtkIdType>(soup.points()), corners);
   if (corners == 2) {
     data->SetLines(cells);
   } else {
     data->SetPolys(cells);
   }
-  data->GetPointData()->SetScalars(colours);
   data->ComputeCellsBounds();  // kept by VTK; else the thread that draws does it
+  return data;
+}
+
+vtkSmartPointer<vtkPolyData> smooth_to_vtk(const SmoothMesh& mesh) {
+  if (mesh.points() == 0) return nullptr;
+  auto data = points_in_place(mesh.xyz, mesh.rgb);
+  data->GetPointData()->SetNormals(in_place<vtkFloatArray>(mesh.normals, 3));
+  vtkNew<vtkCellArray> cells;
+  cells->SetData(starts_of_cells(static_cast<vtkIdType>(mesh.corners.size() / 3), 3),
+                 in_place<vtkTypeInt32Array>(mesh.corners, 1));
+  data->SetPolys(cells);
+  data->ComputeCellsBounds();
   return data;
 }
 
@@ -128,7 +151,21 @@ std::shared_ptr<DifferenceData> make_difference_data(std::shared_ptr<const Diffe
   auto data = std::make_shared<DifferenceData>();
   data->faces = soup_to_vtk(mesh->faces, 3);
   data->edges = soup_to_vtk(mesh->edges, 2);
+  data->mesh = std::move(mesh);
+  return data;
+}
+
+std::shared_ptr<LayerData> make_layer_data(std::shared_ptr<const LayerMesh> mesh) {
+  if (!mesh) return nullptr;
+  auto data = std::make_shared<LayerData>();
+  data->faces = soup_to_vtk(mesh->marks.faces, 3);
+  data->edges = soup_to_vtk(mesh->marks.edges, 2);
   data->bodies = soup_to_vtk(mesh->bodies, 3);
+  data->body_edges = soup_to_vtk(mesh->body_edges, 2);
+  data->tubes = smooth_to_vtk(mesh->tubes);
+  if (mesh->spheres) {
+    data->spheres = make_ball_data(mesh->spheres, mesh->sphere_colours, mesh->spheres->radii);
+  }
   data->mesh = std::move(mesh);
   return data;
 }

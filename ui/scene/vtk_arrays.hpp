@@ -9,6 +9,7 @@
 #include "ui/scene/ball_geometry.hpp"
 #include "ui/scene/complex_mesh.hpp"
 #include "ui/scene/difference_mesh.hpp"
+#include "ui/scene/layer_mesh.hpp"
 #include "ui/scene/scene_data.hpp"
 
 namespace alphascope {
@@ -26,7 +27,13 @@ struct MeshData {
 
 struct DifferenceData {
   std::shared_ptr<const DifferenceMesh> mesh;
-  vtkSmartPointer<vtkPolyData> faces, edges, bodies;
+  vtkSmartPointer<vtkPolyData> faces, edges;
+};
+
+struct LayerData {
+  std::shared_ptr<const LayerMesh> mesh;
+  vtkSmartPointer<vtkPolyData> faces, edges, bodies, body_edges, tubes;
+  std::shared_ptr<BallData> spheres;  // null: none
 };
 
 // One vertex cell a ball: vtkOpenGLSphereMapper takes its bounds from cells and shows nothing
@@ -38,6 +45,9 @@ void set_radii(vtkPolyData* data, const std::vector<float>& radii);
 // Points and colours stay those of `soup`, which must outlive the result; `corners` points a cell.
 // Null for a soup without points.
 vtkSmartPointer<vtkPolyData> soup_to_vtk(const CellSoup& soup, int corners);
+
+// The same of points with normals.
+vtkSmartPointer<vtkPolyData> smooth_to_vtk(const SmoothMesh& mesh);
 
 inline constexpr const char* kRadiusArray = "radius";
 

@@ -1,0 +1,119 @@
+// See the header.
+#include "ui/scene/layer_mesh.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+#include "ui/scene/ball_colours.hpp"
+#include "ui/scene/simplex_soup.hpp"
+
+namespace alphascope {
+namespace {
+
+constexpr double kEdgeShade = 0.45;  // of the colour of a body's faces
+
+Rgb8 darker(const Rgb8& c) {
+  const auto shade = [](std::uint8_t x) { return static_cast<std::uint8_t>(kEdgeShade * x); };
+  return {shade(c.r), shade(c.g), shade(c.b)};
+}
+
+class LayerBuilder {
+ public:
+  explicit LayerBuilder(const BallGeometry& balls)
+      : balls_(balls), marks_(balls), bodies_(balls), outlines_(balls) {
+    spheres_.origin = balls.origin;
+  }
+
+  void add(const Layer& layer) {
+    const Rgb8 colour = to_rgb8(layer.colour);
+    marks_.add(layer.vertices, colour);
+    marks_.add(layer.edges, colour);
+    (layer.body ? bodies_ : marks_).add(layer.triangles, colour);
+    if (layer.body) {
+      add_solid(layer.tetrahedra, colour);
+    } else {
+      marks_.add(layer.tetrahedra, colour);
+    }
+    for (const LayerSphere& sphere : layer.spheres) add_sphere(sphere, colour);
+    for (const auto& tube : layer.tubes) add_tube(tube, balls_.origin, colour, mesh_.tubes);
+    for (const LayerLabel& label : layer.labels) {
+      mesh_.labels.push_back({from_origin(label.at_angstrom), label.text});
+    }
+    const bool any = layer.body && (!layer.triangles.empty() || !layer.tetrahedra.empty() ||
+                                    !layer.spheres.empty() || !layer.tubes.empty());
+    mesh_.fades_rest |= any && layer.fades_rest;
+  }
+
+  LayerMesh finish() {
+    mesh_.marks = {std::move(marks_.faces), std::move(marks_.edges)};
+    mesh_.bodies = std::move(bodies_.faces);
+    mesh_.body_edges = std::move(outlines_.edges);
+    if (!spheres_.centres.empty()) {
+      mesh_.spheres = std::make_shared<const BallGeometry>(std::move(spheres_));
+    }
+    return std::move(mesh_);
+  }
+
+ private:
+  std::array<double, 3> from_origin(const RealPoint& p) const {
+    return {p.x - balls_.origin[0], p.y - balls_.origin[1], p.z - balls_.origin[2]};
+  }
+
+  void add_sphere(const LayerSphere& sphere, const Rgb8& colour) {
+    const auto at = from_origin(sphere.centre_angstrom);
+    spheres_.centres.push_back(
+        {static_cast<float>(at[0]), static_cast<float>(at[1]), static_cast<float>(at[2])});
+    spheres_.radii.push_back(static_cast<float>(sphere.radius_angstrom));
+    mesh_.sphere_colours.push_back(sphere.colour ? to_rgb8(*sphere.colour) : colour);
+  }
+
+  // Faces between two of them cannot be seen.
+  void add_solid(const Simplices<4>& tetrahedra, const Rgb8& colour) {
+    if (tetrahedra.empty()) return;
+    for (const auto& t : tetrahedra) {
+      if (t.back() >= balls_.centres.size()) {
+        throw std::invalid_argument("a tetrahedron of a layer has no ball of this molecule");
+      }
+    }
+    const Simplices<3> faces = boundary_faces(balls_, tetrahedra);
+    bodies_.add(faces, colour);
+    Simplices<2> edges;
+    for (const auto& f : faces) {
+      for (int k = 0; k < 3; ++k) {
+        const auto [low, high] = std::minmax(f[k], f[(k + 1) % 3]);
+        edges.push_back({low, high});
+      }
+    }
+    std::sort(edges.begin(), edges.end());
+    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+    outlines_.add(edges, darker(colour));
+  }
+
+  const BallGeometry& balls_;
+  SimplexSoup marks_, bodies_, outlines_;
+  BallGeometry spheres_;
+  LayerMesh mesh_;
+};
+
+}  // namespace
+
+LayerMesh build_layer_mesh(const BallGeometry& balls, const Layers& layers) {
+  LayerBuilder builder(balls);
+  for (const auto& layer : layers) builder.add(*layer);
+  return builder.finish();
+}
+
+LayerPoints layer_points(const Layers& layers) {
+  LayerPoints points;
+  for (const auto& layer : layers) {
+    points.faces +=
+        24 * layer->vertices.size() + 3 * layer->triangles.size() + 12 * layer->tetrahedra.size();
+    points.lines += 2 * layer->edges.size() + (layer->body ? 12 * layer->tetrahedra.size() : 0);
+    points.balls += layer->spheres.size();
+    for (const auto& tube : layer->tubes) points.faces += tube_points(tube.size());
+  }
+  return points;
+}
+
+}  // namespace alphascope

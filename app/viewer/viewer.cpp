@@ -12,6 +12,7 @@
 #include "app/viewer/molecule_info.hpp"
 #include "app/viewer/resources.hpp"
 #include "app/viewer/state_bridge.hpp"
+#include "core/document/cavity_curve_results.hpp"
 #include "core/document/derived.hpp"
 #include "ui/panels/format.hpp"
 #include "ui/panels/window_layout.hpp"
@@ -175,8 +176,12 @@ void Viewer::want_derived() {
     inputs_.balls_key = ++balls_seen_;
     inputs_.solvent_radius_angstrom = ours->request.solvent_radius_angstrom;
     inputs_.atoms = std::make_shared<const BallReferences>(ours->molecule, ours->prepared);
-    if (std::exchange(body_, ours->prepared) != ours->prepared) ++bodies_seen_;
+    if (std::exchange(body_, ours->prepared) != ours->prepared) {
+      ++bodies_seen_;
+      frames_key_ = key_of_frames(*inputs_.atoms);
+    }
     inputs_.body_key = bodies_seen_;
+    inputs_.frames_key = frames_key_;
   }
   if (inputs_.balls) {
     inputs_.complex = nullptr;

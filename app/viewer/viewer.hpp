@@ -148,7 +148,7 @@ class Viewer {
   std::future<MachineInfo> machine_;  // looking for a GPU can take a second
   Benchmark benchmark_;
   Inputs inputs_;  // of derived results
-  std::uint64_t balls_seen_ = 0, bodies_seen_ = 0;
+  std::uint64_t balls_seen_ = 0, bodies_seen_ = 0, frames_key_ = 0;
   std::shared_ptr<const PreparedBalls> body_;  // the last of bodies_seen_
   Store store_;
   Session session_;  // last: its threads wake the host

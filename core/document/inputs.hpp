@@ -22,7 +22,8 @@ struct Inputs {
   double solvent_radius_angstrom = 0;    // theirs
   // The atoms that they are, and their radii without the solvent radius; null: not known.
   std::shared_ptr<const BallReferences> atoms;
-  std::uint64_t body_key = 0;  // another number for other atoms, not for another solvent radius
+  std::uint64_t body_key = 0;    // another number for other atoms, not for another solvent radius
+  std::uint64_t frames_key = 0;  // of them in every model (key_of_frames()); 0: there is one model
   // Of the complex on screen, and that itself; null: none. Not a number and null for results whose
   // key is not of alpha.
   double alpha_angstrom2 = 0;

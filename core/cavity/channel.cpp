@@ -6,7 +6,9 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <numeric>
 #include <string>
+#include <tuple>
 #include <utility>
 
 #include "core/cavity/centre_line.hpp"
@@ -219,21 +221,50 @@ Channel Finder::find() {
   const ChannelSample& place = channel.narrowest();
   clearance_.collect(place.position_angstrom, place.radius_angstrom + kTouching, surfaces);
   for (const Surface& surface : surfaces) channel.touching.push_back(surface.ball);
-  std::sort(channel.touching.begin(), channel.touching.end());
   return channel;
+}
+
+// By place, then radius. Lines in wide places follow roundings, which depend on the order of balls:
+// so every order is made this one.
+std::vector<BallIndex> sorted_by_place(const BallSet& balls) {
+  std::vector<BallIndex> order(balls.size());
+  std::iota(order.begin(), order.end(), BallIndex{0});
+  const auto key = [&](BallIndex i) {
+    const LatticePoint& p = balls.centres[i];
+    return std::tuple(p.x, p.y, p.z, balls.radii[i], i);
+  };
+  std::sort(order.begin(), order.end(), [&](BallIndex a, BallIndex b) { return key(a) < key(b); });
+  return order;
+}
+
+BallSet in_order(const BallSet& balls, const std::vector<BallIndex>& order) {
+  BallSet result = balls;
+  for (std::size_t n = 0; n < order.size(); ++n) {
+    result.centres[n] = balls.centres[order[n]];
+    result.radii[n] = balls.radii[order[n]];
+  }
+  return result;
 }
 
 }  // namespace
 
-ChannelEndCovered::ChannelEndCovered(const RealPoint& place_angstrom, BallIndex covering,
-                                     double depth)
-    : std::invalid_argument(covered_text(place_angstrom, covering, depth)),
+ChannelEndCovered::ChannelEndCovered(const RealPoint& place, BallIndex covering, double depth)
+    : std::invalid_argument(covered_text(place, covering, depth)),
+      place_angstrom(place),
       ball(covering),
       depth_angstrom(depth) {}
 
 Channel find_channel(const BallSet& balls, const ChannelEnds& ends, const RunContext& context) {
   if (balls.size() == 0) throw std::invalid_argument("without balls there is no channel");
-  return Finder(balls, ends, context).find();
+  const std::vector<BallIndex> order = sorted_by_place(balls);
+  try {
+    Channel channel = Finder(in_order(balls, order), ends, context).find();
+    for (BallIndex& ball : channel.touching) ball = order[ball];
+    std::sort(channel.touching.begin(), channel.touching.end());
+    return channel;
+  } catch (const ChannelEndCovered& covered) {
+    throw ChannelEndCovered(covered.place_angstrom, order[covered.ball], covered.depth_angstrom);
+  }
 }
 
 }  // namespace alphascope

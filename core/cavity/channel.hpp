@@ -78,14 +78,16 @@ struct Channel {
 
 // A given point is not outside all balls.
 struct ChannelEndCovered : std::invalid_argument {
-  ChannelEndCovered(const RealPoint& place_angstrom, BallIndex covering, double depth);
+  ChannelEndCovered(const RealPoint& place, BallIndex covering, double depth);
+  RealPoint place_angstrom;
   BallIndex ball;         // the one that covers it most
   double depth_angstrom;  // how far the point is below its surface
 };
 
 // The plane that `out_along` and `through` may not cross is the surface of a ball of 30,000 Å
 // (3,000 on a lattice of 4 digits): x Å from the point it is x² / 60,000 Å behind the plane.
-// Works in the caller's task arena. Throws ChannelEndCovered; std::invalid_argument for no balls,
+// Works in the caller's task arena. The same bits for any order of the balls and any number of
+// threads. Throws ChannelEndCovered; std::invalid_argument for no balls,
 // for a direction of no length, for a plane that is open sideways, or where an end is 100,000 Å
 // away from the balls; Cancelled.
 Channel find_channel(const BallSet& balls, const ChannelEnds& ends, const RunContext& context = {});

@@ -212,6 +212,16 @@ TEST(Channel, IsWhatFloodingAGridFinds) {
   EXPECT_GT(closed, 0);
 }
 
+void expect_same_line(const Channel& a, const Channel& b) {
+  EXPECT_EQ(a.widest_angstrom, b.widest_angstrom);
+  EXPECT_EQ(a.bottleneck, b.bottleneck);
+  ASSERT_EQ(a.samples.size(), b.samples.size());
+  for (std::size_t n = 0; n < a.samples.size(); ++n) {
+    EXPECT_EQ(a.samples[n].position_angstrom, b.samples[n].position_angstrom);
+    EXPECT_EQ(a.samples[n].radius_angstrom, b.samples[n].radius_angstrom);
+  }
+}
+
 TEST(Channel, IsTheSameForEveryOrderOfBallsAndNumberOfThreads) {
   Random random(11);
   BallSet balls = no_balls();
@@ -234,22 +244,14 @@ TEST(Channel, IsTheSameForEveryOrderOfBallsAndNumberOfThreads) {
   for (const int threads : {1, 2}) {
     Channel other;
     tbb::task_arena(threads).execute([&] { other = find_channel(balls, ends); });
-    ASSERT_EQ(other.samples.size(), reference.samples.size());
-    for (std::size_t n = 0; n < other.samples.size(); ++n) {
-      EXPECT_EQ(other.samples[n].position_angstrom, reference.samples[n].position_angstrom);
-    }
-    EXPECT_EQ(other.widest_angstrom, reference.widest_angstrom);
+    expect_same_line(other, reference);
     EXPECT_EQ(other.touching, reference.touching);
   }
   std::vector<BallIndex> order(balls.size());
   std::iota(order.begin(), order.end(), 0u);
   std::shuffle(order.begin(), order.end(), random);
   const Channel permuted = find_channel(testing::permuted(balls, order), ends);
-  EXPECT_EQ(permuted.widest_angstrom, reference.widest_angstrom);
-  EXPECT_LT(
-      length(permuted.narrowest().position_angstrom - reference.narrowest().position_angstrom),
-      1e-9);
-  EXPECT_NEAR(permuted.length_angstrom, reference.length_angstrom, 1e-3);
+  expect_same_line(permuted, reference);
   std::vector<BallIndex> touching;
   for (const BallIndex i : permuted.touching) touching.push_back(order[i]);
   std::sort(touching.begin(), touching.end());
@@ -293,7 +295,9 @@ TEST(Channel, OfHardSetsIsSoundOrRefused) {
         const Channel channel = find_channel(set.balls, ends);
         ++answers;
         // Otherwise the set had to be rounded.
-        if (channel.step_angstrom == std::max(0.001, lattice.unit_angstrom())) {
+        constexpr int kMostDigits = 4;
+        if (lattice.digits <= kMostDigits &&
+            channel.step_angstrom == std::max(0.001, lattice.unit_angstrom())) {
           expect_sound(set.balls, channel);
         }
       } catch (const std::invalid_argument&) {

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "tests/app/cli_fixture.hpp"
+#include "tests/support/sanitizer.hpp"
 
 namespace alphascope::testing {
 namespace {
@@ -132,9 +133,9 @@ TEST_F(CliManyFiles, WhatConcernsNoFileEndsTheCommandAtOnce) {
 }
 
 TEST_F(CliManyFiles, MemoryDoesNotGrowWithTheirNumber) {
-#ifdef __SANITIZE_ADDRESS__
-  GTEST_SKIP() << "AddressSanitizer keeps what is freed for a while";
-#endif
+  if (testing::kAddressSanitizer) {
+    GTEST_SKIP() << "AddressSanitizer keeps what is freed for a while";
+  }
   const auto most_memory = [&](int files) {
     std::string list;
     for (int n = 0; n < files; ++n) list += cube_.string() + "\n";

@@ -8,6 +8,7 @@
 #include <random>
 
 #include "gpu/dual_edge/dual_edge_pipeline.hpp"
+#include "tests/gpu/how_much.hpp"
 #include "tests/support/device_engine.hpp"
 #include "tests/support/expect_same.hpp"
 #include "tests/support/random_balls.hpp"
@@ -35,12 +36,11 @@ void expect_same_on_gpu(const std::shared_ptr<const BallSet>& balls, double alph
 TEST(Gpu, EqualsTheCpuOnHardSets) {
   if (!gpu_device().usable) GTEST_SKIP() << gpu_device().why_not;
   Random random(5);
-  for (const NamedBalls& set : testing::large_hard_sets(random)) {
+  for (const NamedBalls& set : testing::large_hard_sets(random, testing::kLarge)) {
     SCOPED_TRACE(set.name);
     const auto balls = std::make_shared<const BallSet>(set.balls);
     const double unit = set.alpha_unit();
-    for (const double alpha : {-1.0, 0.0, 0.25, 0.5, 1.0, 3.0, 40.0})
-      expect_same_on_gpu(balls, alpha * unit);
+    for (const double alpha : testing::kSomeAlphas) expect_same_on_gpu(balls, alpha * unit);
   }
 }
 
@@ -52,11 +52,11 @@ class GpuChunks : public ::testing::TestWithParam<int> {
     if (!gpu_device().usable) GTEST_SKIP() << gpu_device().why_not;
   }
 };
-INSTANTIATE_TEST_SUITE_P(Numbers, GpuChunks, ::testing::Values(2, 5, 16));
+INSTANTIATE_TEST_SUITE_P(Numbers, GpuChunks, ::testing::ValuesIn(testing::kNumbersOfChunks));
 
 TEST_P(GpuChunks, EqualTheCpuRunAfterRun) {
   Random random(7);
-  for (const NamedBalls& set : testing::large_hard_sets(random)) {
+  for (const NamedBalls& set : testing::large_hard_sets(random, testing::kLarge)) {
     SCOPED_TRACE(set.name);
     const auto balls = std::make_shared<const BallSet>(set.balls);
     const double unit = set.alpha_unit();
@@ -89,7 +89,8 @@ TEST(GpuPieces, EqualTheCpu) {
   const AlphaRequest request{0, false};
   const AlphaComplex expected = make_cpu_engine(balls)->compute(request, {});
   EXPECT_GT(expected.tetrahedra.size(), 50u);
-  for (int run = 0; run < 6; ++run) {  // the first of each counts: later ones send the same
+  for (int run = 0; run < testing::unless_sanitized(6, 2);
+       ++run) {  // the first of each counts: later ones send the same
     const auto gpu = testing::make_device_engine(balls, nullptr, {3});
     ASSERT_TRUE(gpu);
     expect_same(gpu->compute(request, {}), expected);

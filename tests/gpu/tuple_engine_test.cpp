@@ -6,6 +6,7 @@
 
 #include "core/tuples/tuple_engine.hpp"
 #include "gpu/gpu_engine.hpp"
+#include "tests/gpu/how_much.hpp"
 #include "tests/support/expect_same.hpp"
 #include "tests/support/random_balls.hpp"
 
@@ -32,7 +33,7 @@ std::vector<TupleOptions> some_switches() {
 TEST(GpuTuples, EqualTheCpuOnHardSetsWhateverTheSwitches) {
   if (!gpu_device().usable) GTEST_SKIP() << gpu_device().why_not;
   Random random(41);
-  for (const NamedBalls& set : testing::large_hard_sets(random, 35)) {
+  for (const NamedBalls& set : testing::large_hard_sets(random, testing::kLargeForTuples)) {
     SCOPED_TRACE(set.name);
     const auto balls = std::make_shared<const BallSet>(set.balls);
     const double unit = set.alpha_unit();
@@ -42,7 +43,7 @@ TEST(GpuTuples, EqualTheCpuOnHardSetsWhateverTheSwitches) {
       ASSERT_TRUE(gpu) << why_not;
       const auto cpu = make_cpu_engine(balls, {0, false});
       const auto tuples = make_tuple_engine(balls, {}, options);
-      for (const double alpha : {-1.0, 0.0, 0.5, 3.0, 40.0}) {
+      for (const double alpha : testing::kSomeAlphas) {
         for (const bool only : {true, false}) {
           const AlphaRequest request{alpha * unit, only};
           const AlphaComplex found = gpu->compute(request, {});

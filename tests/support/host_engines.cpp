@@ -30,7 +30,7 @@ std::vector<EngineFactory> engines() {
        {std::pair("tuples_1", TupleOptions{}), {"tuples_2", batches}}) {
     const int threads = options == batches ? 2 : 1;
     engines.push_back({name,
-                       [threads, options](auto balls) {
+                       [threads, options = options](auto balls) {
                          return make_tuple_engine(std::move(balls), {threads}, options);
                        },
                        35, 3e6});

@@ -184,7 +184,8 @@ TEST(CavityMeasures, DepthIsTheFarthestAtomsWayToAMouth) {
       double nearest = 1e300;
       for (const Mouth& mouth : cavity.mouths) {
         for (const std::uint32_t f : mouth.triangles) {
-          const auto& [a, b, d] = ground.incidence.triangles[f];
+          const auto& corner = ground.incidence.triangles[f];
+          const BallIndex a = corner[0], b = corner[1], d = corner[2];
           constexpr int kSteps = 40;
           for (int s = 0; s <= kSteps; ++s) {
             for (int t = 0; s + t <= kSteps; ++t) {

@@ -6,6 +6,7 @@
 
 #include "tests/support/expect_same.hpp"
 #include "tests/support/random_balls.hpp"
+#include "tests/support/sanitizer.hpp"
 
 namespace alphascope {
 namespace {
@@ -22,7 +23,8 @@ AlphaComplex in_slabs(const BallSet& balls, const AlphaRequest& request, std::si
 
 TEST(Slabs, GiveTheWholeComplex) {
   Random random(21);
-  for (const NamedBalls& set : testing::large_hard_sets(random)) {
+  for (const NamedBalls& set :
+       testing::large_hard_sets(random, testing::unless_sanitized(1000, 150))) {
     SCOPED_TRACE(set.name);
     const auto balls = std::make_shared<const BallSet>(set.balls);
     const double unit = set.alpha_unit();

@@ -167,8 +167,11 @@ TEST(UnionMeasures, DoNotDependOnTheOrderOfBalls) {
       const UnionMeasures a = measured(balls, alpha * unit),
                           b = measured(testing::permuted(balls, order), alpha * unit);
       const double area = std::max(1e-300, a.area_angstrom2), volume = a.volume_angstrom3;
-      EXPECT_NEAR(a.area_angstrom2, b.area_angstrom2, 1e-12 * area) << name;
-      EXPECT_NEAR(a.volume_angstrom3, b.volume_angstrom3, 1e-12 * volume) << name;
+      // Caps of a ball that small ones cut at its rim are flat: their roundings add up to 1.4e-11
+      // (60 seeds). Elsewhere they stay below 1e-12.
+      const double near = name.starts_with("at a rim") ? 5e-11 : 1e-12;
+      EXPECT_NEAR(a.area_angstrom2, b.area_angstrom2, near * area) << name;
+      EXPECT_NEAR(a.volume_angstrom3, b.volume_angstrom3, near * volume) << name;
     }
   }
 }

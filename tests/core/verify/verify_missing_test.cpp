@@ -12,6 +12,7 @@
 #include "core/verify/verify.hpp"
 #include "tests/support/molecules.hpp"
 #include "tests/support/random_balls.hpp"
+#include "tests/support/sanitizer.hpp"
 
 namespace alphascope {
 namespace {
@@ -109,7 +110,8 @@ TEST(Missing, OneSimplexOfSmallHardSetsIsNoticed) {
 
 TEST(Missing, OneSimplexOfLargeHardSetsIsNoticed) {
   Random random(52);
-  expect_removals_are_noticed(testing::large_hard_sets(random, 60), random);
+  expect_removals_are_noticed(testing::large_hard_sets(random, testing::unless_sanitized(60, 20)),
+                              random);
 }
 
 // A complex of a smaller alpha is sound throughout: only what is not there tells.

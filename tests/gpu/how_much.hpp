@@ -1,0 +1,21 @@
+// How much of everything a device is tried with. The emulated one is slow, so it gets less.
+#pragma once
+
+#include "tests/support/sanitizer.hpp"
+
+namespace alphascope::testing {
+
+// In units of a set (NamedBalls::alpha_unit).
+#ifdef ALPHASCOPE_EMULATED_DEVICE
+inline constexpr double kSomeAlphas[] = {-1.0, 0.25, 1.0, 40.0};
+inline constexpr int kNumbersOfChunks[] = {5};
+// Balls of a large hard set.
+inline constexpr int kLarge = unless_sanitized(400, 100),
+                     kLargeForTuples = unless_sanitized(35, 12);
+#else
+inline constexpr double kSomeAlphas[] = {-1.0, 0.0, 0.25, 0.5, 1.0, 3.0, 40.0};
+inline constexpr int kNumbersOfChunks[] = {2, 5, 16};
+inline constexpr int kLarge = 1000, kLargeForTuples = 35;
+#endif
+
+}  // namespace alphascope::testing

@@ -1,5 +1,5 @@
-// alphascope-cli channel: how large a ball can walk from a point of a molecule outwards, or to
-// another point, and the profile of its way.
+// alphascope-cli channel: how large a ball can walk from a point or a cavity of a molecule
+// outwards, to another point or to a mouth, and the profile of its way.
 #include <chrono>
 #include <iostream>
 
@@ -9,15 +9,17 @@
 #include "app/cli/result_files.hpp"
 #include "app/cli/terminal.hpp"
 #include "app/cli/text.hpp"
-#include "core/cavity/channel.hpp"
-#include "core/molecule/atom_address.hpp"
+#include "core/document/channel_results.hpp"
+#include "core/document/channel_texts.hpp"
 #include "core/run/work_threads.hpp"
+#include "core/triangulation/cgal_triangulation.hpp"
 
 namespace alphascope::cli {
 namespace {
 
 struct Answer {
   Channel channel;
+  ChannelEnds ends;
   double milliseconds = 0;
   std::string device;
 };
@@ -26,17 +28,57 @@ RealPoint point_of(const std::vector<double>& numbers) {
   return {numbers[0], numbers[1], numbers[2]};
 }
 
-ChannelEnds ends_of(const ChannelOptions& options) {
-  const RealPoint from = point_of(options.point);
-  ChannelEnds ends = !options.to.empty()      ? ChannelEnds::between(from, point_of(options.to))
+BallReferences atoms_of(const Input& input) {
+  return {input.opened.molecule, input.opened.prepared};
+}
+
+// The cavity of this rank, as `alphascope-cli cavities` with the same choices counts them.
+CavityEnds cavity_ends_of(const Input& input, const ChannelOptions& options,
+                          const RunContext& context) {
+  const double solvent = options.solvent_radius_angstrom;
+  const BallSet& plain = *input.prepared().balls;
+  const auto balls = std::make_shared<const BallSet>(with_solvent(plain, solvent));
+  const auto triangulation =
+      std::make_shared<const Triangulation>(make_triangulation(*balls, 1, context));
+  const auto ground = std::make_shared<const CavityGround>(
+      make_cavity_ground(balls, triangulation, FlowTies::perturbed, context));
+  const CavityTable table = make_cavity_table(ground, {0, solvent}, context);
+  const auto rank = static_cast<std::size_t>(options.cavity);
+  if (rank > table.size()) {
+    throw UsageError("There is no cavity " + grouped(rank) + ": with a solvent radius of " +
+                     format_text("%g", solvent) + " Å there are " + grouped(table.size()) +
+                     ". List them with 'alphascope-cli cavities'.");
+  }
+  return make_cavity_ends(*ground, table.cavity(rank - 1), plain);
+}
+
+RealPoint mouth_of(const CavityEnds& ends, const ChannelOptions& options, double mouth) {
+  const auto number = static_cast<std::size_t>(mouth);
+  if (number > ends.mouths.size()) {
+    throw UsageError("Cavity " + std::to_string(options.cavity) + " has " +
+                     (ends.mouths.empty() ? "no mouth: it is a void."
+                                          : grouped(ends.mouths.size()) + " mouths, and no mouth " +
+                                                grouped(number) + "."));
+  }
+  return ends.mouths[number - 1].place_angstrom;
+}
+
+ChannelEnds ends_of(const Input& input, const ChannelOptions& options, const RunContext& context) {
+  RealPoint from, mouth;
+  if (options.cavity > 0) {
+    const CavityEnds found = cavity_ends_of(input, options, context);
+    from = found.widest.place_angstrom;
+    if (!options.mouths.empty()) mouth = mouth_of(found, options, options.mouths.back());
+    if (options.mouths.size() == 2) from = mouth_of(found, options, options.mouths.front());
+  } else {
+    from = point_of(options.point);
+  }
+  ChannelEnds ends = !options.mouths.empty()  ? ChannelEnds::between(from, mouth)
+                     : !options.to.empty()    ? ChannelEnds::between(from, point_of(options.to))
                      : !options.along.empty() ? ChannelEnds::through(from, point_of(options.along))
                                               : ChannelEnds::out(from);
   ends.end_radius_angstrom = options.end_radius_angstrom;
   return ends;
-}
-
-std::string atom_text(const Input& input, BallIndex ball) {
-  return atom_address(input.molecule(), input.prepared().atom_of_ball.at(ball));
 }
 
 Answer find(const Input& input, const ChannelOptions& options, const RunContext& context) {
@@ -45,11 +87,13 @@ Answer find(const Input& input, const ChannelOptions& options, const RunContext&
   answer.device = threads.text();
   const auto start = std::chrono::steady_clock::now();
   try {
-    threads.run(
-        [&] { answer.channel = find_channel(*input.prepared().balls, ends_of(options), context); });
+    threads.run([&] {
+      answer.ends = ends_of(input, options, context);
+      answer.channel = find_channel(*input.prepared().balls, answer.ends, context);
+    });
   } catch (const ChannelEndCovered& error) {
     throw UsageError(std::string(error.what()) + " That ball is the atom " +
-                     atom_text(input, error.ball) + ".");
+                     atom_text(atoms_of(input), error.ball) + ".");
   } catch (const std::invalid_argument& error) {
     throw UsageError(std::string(error.what()) + ".");
   }
@@ -58,38 +102,18 @@ Answer find(const Input& input, const ChannelOptions& options, const RunContext&
   return answer;
 }
 
-const char* limit_text(ChannelLimit limit) {
-  switch (limit) {
-    case ChannelLimit::passage:
-      return "between the atoms that touch it";
-    case ChannelLimit::end:
-      return "at a given point: the way is wider everywhere else";
-    case ChannelLimit::plane:
-      break;
-  }
-  return "at the plane through the point: another point in the channel, or another direction, may "
-         "find a wider way";
-}
-const char* limit_id(ChannelLimit limit) {
-  return limit == ChannelLimit::passage ? "passage" : limit == ChannelLimit::end ? "end" : "plane";
-}
-
 std::string place_text(const RealPoint& p) {
   return format_text("%.3f, %.3f, %.3f", p.x, p.y, p.z);
 }
 
 void print(const Input& input, const Answer& answer) {
   const Channel& channel = answer.channel;
-  std::string touching;
-  for (const BallIndex ball : channel.touching) {
-    touching += (touching.empty() ? "" : ", ") + atom_text(input, ball);
-  }
   std::cout << input_text(input) << "sha256      " << input.molecule().sha256 << "\n"
             << "bottleneck  radius " << format_text("%.3f", channel.widest_angstrom) << " Å"
             << (channel.is_open() ? "" : ": closed, not even a point passes") << "\n"
             << "            at " << place_text(channel.narrowest().position_angstrom) << " Å, "
-            << limit_text(channel.limit) << "\n"
-            << "touching    " << touching << "\n"
+            << channel_limit_text(channel.limit) << "\n"
+            << "touching    " << touching_text(atoms_of(input), channel) << "\n"
             << "length      " << format_text("%.2f", channel.length_angstrom) << " Å, "
             << grouped(channel.samples.size()) << " samples\n";
   if (verbosity() != Verbosity::quiet) {
@@ -116,23 +140,31 @@ Json point_json(const RealPoint& p) {
 
 Json result_json(const Input& input, const ChannelOptions& options, const Answer& answer) {
   const Channel& channel = answer.channel;
+  const BallReferences atoms = atoms_of(input);
   Json touching = Json::array(), samples = Json::array();
   for (const BallIndex ball : channel.touching) {
-    touching.push_back({{"ball", ball}, {"atom", atom_text(input, ball)}});
+    touching.push_back({{"ball", ball}, {"atom", atom_text(atoms, ball)}});
   }
   for (const ChannelSample& sample : channel.samples) {
     samples.push_back({{"along_angstrom", sample.along_angstrom},
                        {"radius_angstrom", sample.radius_angstrom},
                        {"position_angstrom", point_json(sample.position_angstrom)}});
   }
-  Json request{{"point_angstrom", options.point}};
-  if (!options.to.empty()) request["to_angstrom"] = options.to;
+  Json request{{"point_angstrom", point_json(answer.ends.from)}};
+  if (options.cavity > 0) {
+    request["cavity"] = options.cavity;
+    request["mouths"] = options.mouths;
+    request["solvent_radius_angstrom"] = options.solvent_radius_angstrom;
+  }
+  if (answer.ends.kind == ChannelEnds::Kind::between) {
+    request["to_angstrom"] = point_json(answer.ends.to);
+  }
   if (!options.along.empty()) request["along"] = options.along;
   request["end_radius_angstrom"] = options.end_radius_angstrom;
   return {{"widest_angstrom", channel.widest_angstrom},
           {"step_angstrom", channel.step_angstrom},
           {"open", channel.is_open()},
-          {"limit", limit_id(channel.limit)},
+          {"limit", channel_limit_id(channel.limit)},
           {"bottleneck",
            {{"position_angstrom", point_json(channel.narrowest().position_angstrom)},
             {"radius_angstrom", channel.narrowest().radius_angstrom},

@@ -1,6 +1,7 @@
 #include "app/cli/command_table.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include "app/options/option_values.hpp"
@@ -285,23 +286,31 @@ OptionCommand cavities(CavitiesOptions& options) {
 }
 
 // Throws std::invalid_argument.
-void require_three(const char* name, const std::vector<double>& numbers, bool may_be_empty) {
-  if (numbers.size() == 3 || (may_be_empty && numbers.empty())) return;
+void require_three(const char* name, const std::vector<double>& numbers) {
+  if (numbers.size() == 3 || numbers.empty()) return;
   throw std::invalid_argument(std::string(name) + " takes three numbers, such as 1.5,-2,30");
 }
 
 OptionCommand channel(ChannelOptions& options) {
   OptionCommand command{
-      "channel", "How large a ball passes from a point outwards, and the profile of its way", {}};
+      "channel", "How large a ball passes from a point or a cavity outwards, and its profile", {}};
+  options.solvent_radius_angstrom = kCavitySolventAngstrom;
   const NumberRange kPlaceRange{-1e9, 1e9, "Å"};
   const auto place = [&](const char* name, const char* text, std::vector<double>& target) {
     return numbers_option({name, "X,Y,Z", text}, target, kPlaceRange);
   };
   command.options = {
       one_file(options.input),
-      required(place("--point", "A point in the channel, in Å", options.point)),
-      place("--along", "Through the point both ways along this direction", options.along),
-      place("--to", "From the point to this one, in Å", options.to),
+      place("--point", "Begin at this point in the channel, in Å", options.point),
+      whole_number_option({"--cavity", "N", "Begin in the widest place of cavity N of 'cavities'"},
+                          options.cavity, {1, 1'000'000'000}),
+      numbers_option({"--mouth", "M|M,K", "To mouth M of the cavity, or from mouth M to mouth K"},
+                     options.mouths, {1, 1e9, ""}),
+      with_default(number_option({"--solvent", "S", "Solvent radius of the cavity, in Å"},
+                                 options.solvent_radius_angstrom, kSolventRange),
+                   "1.4"),
+      place("--along", "Through the start both ways along this direction", options.along),
+      place("--to", "From the start to this point, in Å", options.to),
       number_option({"--end-radius", "R", "Outwards the line ends where it is so wide, in Å"},
                     options.end_radius_angstrom, {0, 1000, "Å"}),
       with_default(
@@ -312,11 +321,22 @@ OptionCommand channel(ChannelOptions& options) {
       output("--csv", "The profile, one row for each sample; - for standard output", options.csv)};
   append(command.options, body(options.input, options.body));
   command.check = [&options] {
-    require_three("--point", options.point, false);
-    require_three("--along", options.along, true);
-    require_three("--to", options.to, true);
-    if (!options.along.empty() && !options.to.empty()) {
-      throw std::invalid_argument("--along and --to exclude each other");
+    require_three("--point", options.point);
+    require_three("--along", options.along);
+    require_three("--to", options.to);
+    if (options.point.empty() == (options.cavity == 0)) {
+      throw std::invalid_argument("give --point X,Y,Z or --cavity N");
+    }
+    if (!options.mouths.empty() && options.cavity == 0) {
+      throw std::invalid_argument("--mouth needs --cavity: mouths are those of a cavity");
+    }
+    if (options.mouths.size() > 2 ||
+        std::any_of(options.mouths.begin(), options.mouths.end(),
+                    [](double mouth) { return mouth != std::floor(mouth); })) {
+      throw std::invalid_argument("--mouth takes one whole number or two, such as 1 or 1,2");
+    }
+    if (!options.along.empty() + !options.to.empty() + !options.mouths.empty() > 1) {
+      throw std::invalid_argument("--along, --to and --mouth exclude each other");
     }
   };
   return command;

@@ -87,7 +87,11 @@ struct CavitiesOptions {
 struct ChannelOptions {
   InputOptions input;
   BodyOptions body;
-  std::vector<double> point, to, along;  // Å, three numbers each; to and along may be empty
+  // Å, three numbers each, or none. Without a point the channel begins in a cavity.
+  std::vector<double> point, to, along;
+  int cavity = 0;                      // its rank in the table of `cavities`; 0: none
+  std::vector<double> mouths;          // of it: the end, or both ends; from 1
+  double solvent_radius_angstrom = 0;  // of that table
   double end_radius_angstrom = 5;
   int threads = 0;
   std::string json, csv;

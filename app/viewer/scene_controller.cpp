@@ -444,6 +444,8 @@ void SceneController::describe(ViewportInfo& viewport) const {
     viewport.not_drawn += (not_drawn_.empty() ? "" : " ") + drawn_layers_.not_drawn;
   }
   viewport.problem = view_problem_;
+  const std::array<double, 3> forward = scene_.sight().forward;
+  viewport.into_view = {forward[0], forward[1], forward[2]};
 }
 
 void SceneController::render(ViewportInfo& viewport, bool interacting, bool patient) {

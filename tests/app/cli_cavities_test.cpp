@@ -121,6 +121,39 @@ TEST_F(CliCavities, APointWithinAnAtomIsNamed) {
   EXPECT_TRUE(contains(two.err, "three numbers")) << two.err;
 }
 
+// From the widest place of a cavity out, to a mouth, and what cannot be.
+TEST_F(CliCavities, AChannelBeginsInACavity) {
+  const std::string file = std::string(kHaemoglobin);
+  const auto channel = [&](const std::string& more) {
+    const Outcome found = run("channel " + file + " -q --json - " + more);
+    EXPECT_EQ(found.code, 0) << found.err;
+    return json::parse(found.out);
+  };
+  const json out = channel("--cavity 4");
+  EXPECT_EQ(out["request"]["cavity"], 4);
+  EXPECT_GE(out["widest_angstrom"].get<double>(), 1.4) << "a pocket opens for a solvent of 1.4 Å";
+  // The same from the point itself.
+  const json& at = out["request"]["point_angstrom"];
+  const json same = channel("--point=" + at[0].dump() + "," + at[1].dump() + "," + at[2].dump());
+  EXPECT_EQ(same["widest_angstrom"], out["widest_angstrom"]);
+  EXPECT_FALSE(same["request"].contains("cavity"));
+  const json mouth = channel("--cavity 4 --mouth 1");
+  EXPECT_TRUE(mouth["request"].contains("to_angstrom"));
+  EXPECT_EQ(mouth["request"]["mouths"], json::array({1.0}));
+
+  const auto refused = [&](const std::string& more, const std::string& why) {
+    const Outcome outcome = run("channel " + file + " " + more);
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_TRUE(contains(outcome.err, why)) << outcome.err;
+  };
+  refused("--cavity 999", "There is no cavity 999");
+  refused("--cavity 12 --mouth 1", "it is a void");
+  refused("--cavity 4 --mouth 99", "no mouth 99");
+  refused("", "give --point X,Y,Z or --cavity N");
+  refused("--point 1,2,3 --mouth 1", "--mouth needs --cavity");
+  refused("--cavity 4 --mouth 1 --along 0,0,1", "exclude each other");
+}
+
 // Two balls, their closed forms: in all and by atom.
 TEST_F(CliCavities, MeasuresAreExactAndAddUp) {
   const std::string file = write("two.xyzr", "0 0 0 1\n1 0 0 1\n").string();

@@ -10,6 +10,7 @@ void draw_display_panel(PanelContext& ctx);
 void draw_engine_panel(PanelContext& ctx);
 void draw_timings_panel(PanelContext& ctx);
 void draw_cavities_panel(PanelContext& ctx);
+void draw_channels_panel(PanelContext& ctx);
 void draw_signature_panel(PanelContext& ctx);
 
 namespace {
@@ -21,6 +22,7 @@ constexpr PanelSpec kPanels[] = {
     {"engine", "Engine", Place::left, draw_engine_panel},
     {"timings", "Timings", Place::bottom, draw_timings_panel},
     {"cavities", "Cavities", Place::bottom, draw_cavities_panel},
+    {"channels", "Channels", Place::bottom, draw_channels_panel},
     {"signature", "Signature", Place::bottom, draw_signature_panel},
 };
 

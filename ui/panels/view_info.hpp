@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/geometry/real_point.hpp"
 #include "core/molecule/assembly.hpp"
 #include "core/molecule/contents.hpp"
 #include "core/molecule/prepare_balls.hpp"
@@ -86,6 +87,7 @@ struct PointerEvent {
 struct ViewportInfo {
   std::uint64_t texture = 0;  // OpenGL name of the picture; 0: none yet
   double angstrom_per_pixel = 0;
+  RealPoint into_view{0, 0, -1};  // unit vector, from the eye
   std::optional<ColourLegend> legend;
   std::vector<PictureLabel> labels;  // of the picture in `texture`
   std::string not_drawn;             // what the picture lacks for want of memory, and what to do

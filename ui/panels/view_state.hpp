@@ -22,6 +22,7 @@
 #include "ui/layer.hpp"
 #include "ui/panels/benchmark_info.hpp"
 #include "ui/panels/cavity_memory.hpp"
+#include "ui/panels/channel_memory.hpp"
 #include "ui/panels/controls.hpp"
 #include "ui/panels/folder_listing.hpp"
 #include "ui/panels/palette_memory.hpp"
@@ -97,6 +98,7 @@ struct PanelMemory {
   NumberTyping number;
   PaletteMemory palette;
   CavityMemory cavities;
+  ChannelMemory channels;
   std::vector<std::size_t> dialogs;  // that are open, by dialog_stack.cpp; the last is on top
   bool dragging_view = false;
   bool playing = false;         // alpha grows by itself, one step a finished result

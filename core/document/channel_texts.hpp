@@ -1,0 +1,26 @@
+// Channels in words, for window and command line.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "core/cavity/channel.hpp"
+#include "core/document/reference.hpp"
+
+namespace alphascope {
+
+const char* channel_limit_text(ChannelLimit limit);  // the end of a sentence: "between …"
+const char* channel_limit_id(ChannelLimit limit);
+
+// How many waters pass side by side, by the limits of HOLE's colours (O. S. Smart, J. G. Neduvelil,
+// X. Wang, B. A. Wallace, M. S. P. Sansom, J. Mol. Graph. 14, 1996): red, green, blue.
+enum class WaterBand : std::uint8_t { none, one, several };
+inline constexpr double kOneWaterAngstrom = 1.15, kTwoWatersAngstrom = 2.30;
+WaterBand water_band(double radius_angstrom);
+const char* water_band_text(WaterBand band);  // "no water passes"
+
+std::string atom_text(const BallReferences& atoms, BallIndex ball);  // "A:VAL 1:CA"
+// "A:VAL 1:CA, A:GLY 2:O"
+std::string touching_text(const BallReferences& atoms, const Channel& channel);
+
+}  // namespace alphascope

@@ -1,0 +1,46 @@
+// What the page of channels remembers between frames. Plain data.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/document/channel_results.hpp"
+#include "core/document/reference.hpp"
+#include "ui/layer.hpp"
+
+namespace alphascope {
+
+enum class ChannelFrom : std::uint8_t { cavity, mouth, atoms, middle, point };
+enum class ChannelTo : std::uint8_t { out, along, both_ways, mouth, point };
+enum class ChannelAxis : std::uint8_t { longest, x, y, z, view };
+
+struct ChannelMemory {
+  std::string molecule;  // SHA-256 of its file
+  ChannelFrom from = ChannelFrom::middle;
+  ChannelTo to = ChannelTo::both_ways;
+  int from_mouth = 1, to_mouth = 1;  // of the chosen cavity
+  RealPoint from_point, to_point;    // Å, typed
+  ChannelAxis axis = ChannelAxis::longest;
+  bool backwards = false;            // against the axis; one way only
+  RealPoint view_axis{0, 0, 1};      // into the view when that was chosen
+  std::vector<SimplexRef> cavities;  // that were chosen in the last frame
+  RealPoint last_from;               // Å, where the last channel began
+  std::uint64_t asked_for = 0;       // the large question that was begun by hand
+
+  // Of the balls without solvent.
+  std::shared_ptr<const PreparedBalls> prepared;
+  std::uint64_t balls_key = 0;  // another one for other balls, and when it is computed anew
+  RealPoint middle, long_axis;
+
+  // The last answer; grey while it is not that of the present question.
+  std::shared_ptr<const FoundChannel> shown;
+  std::string touching, covering;  // atoms by name
+  std::vector<std::shared_ptr<const Layer>> layers;
+  std::shared_ptr<const BallSet> layers_of;
+  int cursor = -1;  // sample under the mouse
+  std::shared_ptr<const Layer> cursor_layer;
+};
+
+}  // namespace alphascope

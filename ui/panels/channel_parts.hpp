@@ -1,0 +1,36 @@
+// The parts of the page of channels.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "core/chart/chart.hpp"
+#include "core/document/channel_texts.hpp"
+#include "ui/panels/widgets.hpp"
+
+namespace alphascope {
+
+// From where to where, as it is set; or why there is no such channel yet, with the remedy.
+struct ChannelQuestion {
+  std::optional<ChannelEnds> ends;
+  std::string why;
+  bool waiting = false;       // for something that is computed
+  bool wants_cavity = false;  // one has to be chosen on its page
+};
+ChannelQuestion channel_question(PanelContext& ctx);
+// Two rows: from where, to where.
+void draw_channel_ends(PanelContext& ctx);
+
+// Radius against length, in the room that is left; sets the cursor.
+void draw_channel_profile(PanelContext& ctx, const Channel& channel);
+
+// The tube, the bottleneck's label and the place under the cursor, as layers of the view.
+void show_channel(PanelContext& ctx);
+
+// Of the tube and of the profile's bands.
+ChartColour water_band_colour(WaterBand band);
+
+// "along_angstrom,radius_angstrom,…", a line for each sample; as `alphascope-cli channel --csv`.
+std::string channel_profile_csv(const Channel& channel);
+
+}  // namespace alphascope

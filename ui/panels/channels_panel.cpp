@@ -1,0 +1,296 @@
+// The page of channels: from where to where, how large a sphere passes, where it gets stuck, and
+// the profile of its way.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <utility>
+
+#include "core/chart/readable_number.hpp"
+#include "core/document/store.hpp"
+#include "ui/panels/channel_parts.hpp"
+#include "ui/panels/format.hpp"
+#include "ui/panels/panels.hpp"
+
+namespace alphascope {
+namespace {
+
+// More take seconds of every core's neighbour: they are asked about first.
+constexpr std::size_t kMostBallsUnasked = 200'000;
+
+std::string fixed(double value, int digits) {
+  char text[40];
+  std::snprintf(text, sizeof text, "%.*f", digits, value);
+  return readable_number(text);
+}
+
+std::uint64_t next_balls_key() {
+  static std::uint64_t key = 0;
+  return ++key;
+}
+
+// The direction in which the centres spread most: the greatest axis of their inertia, by powers.
+RealPoint long_axis_of(const BallSet& balls, const RealPoint& middle, std::size_t stride) {
+  double xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;
+  for (std::size_t i = 0; i < balls.size(); i += stride) {
+    const RealPoint p = real_point(balls.centres[i]) - middle;
+    xx += p.x * p.x, xy += p.x * p.y, xz += p.x * p.z;
+    yy += p.y * p.y, yz += p.y * p.z, zz += p.z * p.z;
+  }
+  constexpr int kRounds = 200;
+  RealPoint axis = unit_vector({0.9, 0.95, 1});
+  for (int n = 0; n < kRounds; ++n) {
+    const RealPoint next = unit_vector({xx * axis.x + xy * axis.y + xz * axis.z,
+                                        xy * axis.x + yy * axis.y + yz * axis.z,
+                                        xz * axis.x + yz * axis.y + zz * axis.z});
+    if (length(next) == 0) return {0, 0, 1};
+    axis = next;
+  }
+  return axis;
+}
+
+void take_balls(PanelContext& ctx, ChannelMemory& memory) {
+  const PreparedBalls& prepared = ctx.state.references->prepared();
+  if (memory.prepared.get() == &prepared) return;
+  memory.prepared = {ctx.state.references, &prepared};
+  memory.balls_key = next_balls_key();
+  const BallSet& balls = *prepared.balls;
+  constexpr std::size_t kMostLookedAt = 1'000'000;
+  const std::size_t stride = 1 + balls.size() / kMostLookedAt;
+  RealPoint sum;
+  for (const LatticePoint& p : balls.centres) sum = sum + real_point(p);
+  const RealPoint middle = (1 / static_cast<double>(balls.size())) * sum;
+  memory.middle = balls.lattice.unit_angstrom() * middle;
+  memory.long_axis = long_axis_of(balls, middle, stride);
+}
+
+// Who has just chosen a cavity wants the way out of it.
+void follow_cavities(const PanelContext& ctx, ChannelMemory& memory) {
+  const auto& chosen = ctx.state.memory.cavities.chosen;
+  if (chosen == memory.cavities) return;
+  memory.cavities = chosen;
+  if (chosen.empty()) return;
+  memory.from = ChannelFrom::cavity;
+  if (memory.to != ChannelTo::mouth) memory.to = ChannelTo::out;
+}
+
+Inputs inputs_as_they_are(const ChannelMemory& memory) {
+  Inputs inputs;
+  inputs.balls = memory.prepared->balls;
+  inputs.balls_key = memory.balls_key;
+  return inputs;
+}
+
+void take_answer(const PanelContext& ctx, ChannelMemory& memory,
+                 const std::shared_ptr<const FoundChannel>& found) {
+  if (memory.shown == found) return;
+  memory.shown = found;
+  memory.layers.clear();
+  memory.cursor = -1;
+  memory.touching.clear();
+  memory.covering.clear();
+  const BallReferences& atoms = *ctx.state.references;
+  if (found->channel) memory.touching = touching_text(atoms, *found->channel);
+  if (found->covering) {
+    memory.covering = atom_text(atoms, *found->covering);
+  }
+}
+
+void select_bottleneck(PanelContext& ctx, const ChannelMemory& memory) {
+  std::vector<Ref> refs;
+  for (const BallIndex ball : memory.shown->channel->touching) {
+    refs.push_back(ctx.state.references->atom(ball));
+  }
+  ctx.state.picked.items = RefSet(std::move(refs));
+  ctx.state.requests.zoom_to_selection = true;
+}
+
+// --- what is drawn
+
+// In the line of the tabs.
+void headline(PanelContext& ctx, const Channel& channel) {
+  const double radius = channel.narrowest().radius_angstrom;
+  ImGui::AlignTextToFramePadding();
+  if (!channel.is_open()) {
+    strong_text(ctx, "no way through: closed by " + fixed(-channel.widest_angstrom, 3) + " Å");
+    record(ctx, "channels.result");
+    tooltip(ctx,
+            "Not even a point passes. Every ball would have to shrink by this much before one "
+            "does.");
+    return;
+  }
+  strong_text(ctx, "bottleneck " + fixed(radius, 3) + " Å");
+  record(ctx, "channels.result");
+  tooltip(ctx,
+          "The radius of the largest sphere that passes, exact to 0.001 Å. Radii of the balls are "
+          "as they are: neither alpha nor the solvent radius changes it.");
+  ImGui::SameLine(0, ctx.px(12));
+  ImGui::AlignTextToFramePadding();
+  muted_text(ctx, water_band_text(water_band(radius)));
+}
+
+void progress(PanelContext& ctx, const Derived<FoundChannel>& found) {
+  char text[24];
+  std::snprintf(text, sizeof text, "%.0f %%", 100 * found.share);
+  ImGui::SetNextItemWidth(ctx.px(150));
+  const bool runs = found.state == DerivedState::running;
+  ImGui::ProgressBar(static_cast<float>(found.share), {ctx.px(150), ImGui::GetFrameHeight()},
+                     runs ? text : "waiting");
+  record(ctx, "channels.progress");
+  tooltip(ctx, "The widest way is being looked for. You can go on working.");
+  ImGui::SameLine(0, ctx.px(8));
+  if (button(ctx, "channels.cancel", "Cancel")) ctx.store.cancel("channel");
+}
+
+void limit_line(PanelContext& ctx, const Channel& channel) {
+  if (channel.limit == ChannelLimit::passage) return;
+  muted_wrapped(ctx, std::string("Narrowest ") + channel_limit_text(channel.limit) + ".");
+}
+
+void details(PanelContext& ctx, const ChannelMemory& memory, bool current) {
+  const Channel& channel = *memory.shown->channel;
+  const RealPoint& p = channel.narrowest().position_angstrom;
+  wrapped_text("length " + fixed(channel.length_angstrom, 1) + " Å, narrowest at " + fixed(p.x, 2) +
+               ", " + fixed(p.y, 2) + ", " + fixed(p.z, 2));
+  record(ctx, "channels.place");
+  muted_wrapped(ctx, "touched there by " + memory.touching);
+  record(ctx, "channels.touching");
+  limit_line(ctx, channel);
+  ImGui::BeginDisabled(!current);
+  if (button(ctx, "channels.show", "Show the bottleneck")) select_bottleneck(ctx, memory);
+  tooltip(ctx, "Selects the atoms that touch it, and the view goes there.");
+  ImGui::SameLine(0, ctx.px(8));
+  if (button(ctx, "channels.copy", "Copy profile")) {
+    ImGui::SetClipboardText(channel_profile_csv(channel).c_str());
+    ctx.state.notice = "Profile copied as CSV: " +
+                       with_separators(static_cast<long long>(channel.samples.size())) + " rows.";
+  }
+  tooltip(ctx, "Length, radius and place every 0.1 Å as CSV, for a spreadsheet.");
+  ImGui::EndDisabled();
+}
+
+void problem(PanelContext& ctx, const std::string& text) {
+  wrapped_text(text);
+  record(ctx, "channels.problem");
+}
+
+std::string no_channel_text(const ChannelMemory& memory) {
+  const FoundChannel& found = *memory.shown;
+  if (!found.covering) {
+    std::string text = found.why;
+    if (!text.empty())
+      text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+    return text + ".";
+  }
+  std::string text = "The channel would end inside the atom " + memory.covering + ", " +
+                     fixed(found.depth_angstrom, 2) + " Å below its surface. ";
+  return text + (found.ends.kind == ChannelEnds::Kind::through
+                     ? "Choose a start nearer to the pore, or another direction."
+                     : "Choose a point outside all balls, or “both ways along”, which moves the "
+                       "start into the pore.");
+}
+
+void column_of_results(PanelContext& ctx, const Derived<FoundChannel>& found, bool current) {
+  ChannelMemory& memory = ctx.state.memory.channels;
+  if (found.state == DerivedState::failed || found.state == DerivedState::no_room) {
+    return problem(ctx, "There is no channel. " + found.why);
+  }
+  if (found.state == DerivedState::cancelled) {
+    muted_text(ctx, "Cancelled.");
+    ImGui::SameLine(0, ctx.px(8));
+    if (button(ctx, "channels.again", "Compute")) memory.balls_key = next_balls_key();
+    return;
+  }
+  if (!memory.shown) return;
+  ImGui::PushStyleVar(ImGuiStyleVar_Alpha, current ? 1.0f : 0.55f);
+  if (memory.shown->channel) {
+    details(ctx, memory, current);
+  } else {
+    problem(ctx, no_channel_text(memory));
+  }
+  ImGui::PopStyleVar();
+}
+
+// False while a large one has not been asked for.
+bool may_begin(PanelContext& ctx, const ChannelEnds& ends) {
+  ChannelMemory& memory = ctx.state.memory.channels;
+  const std::size_t balls = memory.prepared->balls->size();
+  if (balls <= kMostBallsUnasked) return true;
+  const Key key = found_channel(ends).key(inputs_as_they_are(memory));
+  if (memory.asked_for == key.number()) return true;
+  if (button(ctx, "channels.compute", "Compute the channel", {0, 0}, ButtonKind::primary)) {
+    memory.asked_for = key.number();
+  }
+  tooltip(ctx, "Of so many balls it takes a while. You can go on working.");
+  return memory.asked_for == key.number();
+}
+
+void first_line(PanelContext& ctx, const Derived<FoundChannel>& found, bool current) {
+  const ChannelMemory& memory = ctx.state.memory.channels;
+  if (found.state == DerivedState::waiting || found.state == DerivedState::running) {
+    progress(ctx, found);
+  } else if (current && memory.shown->channel) {
+    headline(ctx, *memory.shown->channel);
+  } else {
+    ImGui::NewLine();
+  }
+}
+
+void page(PanelContext& ctx) {
+  ChannelMemory& memory = ctx.state.memory.channels;
+  const ChannelQuestion question = channel_question(ctx);
+  Derived<FoundChannel> found;
+  bool asked = true;
+  if (question.ends && (asked = may_begin(ctx, *question.ends))) {
+    found = ctx.store.want(found_channel(*question.ends), inputs_as_they_are(memory));
+    if (found.ready()) take_answer(ctx, memory, found.value);
+  }
+  const bool current = found.ready() && memory.shown == found.value;
+  if (question.ends && asked) {
+    first_line(ctx, found, current);
+  } else if (!question.ends) {
+    ImGui::AlignTextToFramePadding();
+    muted_text(ctx, question.waiting ? question.why : "");
+  }
+  constexpr float kColumn = 410;
+  ImGui::BeginChild("ends", {ctx.px(kColumn), 0}, false);
+  draw_channel_ends(ctx);
+  ImGui::Dummy({0, ctx.px(2)});
+  if (!question.ends && !question.waiting) {
+    problem(ctx, question.why);
+    if (question.wants_cavity && button(ctx, "channels.cavities", "Go to Cavities")) {
+      ctx.state.memory.bottom_panel = "cavities";
+    }
+  } else {
+    column_of_results(ctx, found, current);
+  }
+  ImGui::EndChild();
+  if (!memory.shown || !memory.shown->channel) return;
+  ImGui::SameLine(0, ctx.px(10));
+  ImGui::PushStyleVar(ImGuiStyleVar_Alpha, current ? 1.0f : 0.4f);
+  ImGui::BeginChild("profile", {0, 0}, false, ImGuiWindowFlags_NoScrollbar);
+  draw_channel_profile(ctx, *memory.shown->channel);
+  ImGui::EndChild();
+  ImGui::PopStyleVar();
+  if (current) show_channel(ctx);
+}
+
+}  // namespace
+
+void draw_channels_panel(PanelContext& ctx) {
+  ChannelMemory& memory = ctx.state.memory.channels;
+  if (memory.molecule != ctx.state.molecule.sha256) {
+    memory = {};
+    memory.molecule = ctx.state.molecule.sha256;
+  }
+  if (!ctx.state.molecule.loaded || !ctx.state.references ||
+      ctx.state.references->prepared().balls->size() == 0) {
+    muted_wrapped(ctx, "Open a molecule: the channels through it appear here.");
+    record(ctx, "channels.waiting");
+    return;
+  }
+  take_balls(ctx, memory);
+  follow_cavities(ctx, memory);
+  page(ctx);
+}
+
+}  // namespace alphascope

@@ -7,6 +7,7 @@
 
 #include "core/engines/short_of_memory.hpp"
 #include "gpu/dual_edge/dual_edge_pipeline.hpp"
+#include "gpu/measure/union_measurer.hpp"
 #include "gpu/memory/device_buffer.cuh"
 #include "gpu/memory/launch.cuh"
 #include "gpu/memory/result_memory.cuh"
@@ -104,7 +105,7 @@ class GpuExecutor : public Executor {
     keep(result, result.edges, complex.edges);
     keep(result, result.triangles, complex.triangles);
     keep(result, result.tetrahedra, complex.tetrahedra);
-    complex.hash = result.hash.combined(request.tetrahedra_only);
+    complex.hash = last_hash_ = result.hash.combined(request.tetrahedra_only);
     wall.finish();
     complex.timings.wall_milliseconds = whole.wall_milliseconds;
     complex.engine = {"dual-edge engine", gpu_device().name, "dual edge clipping"};
@@ -116,11 +117,43 @@ class GpuExecutor : public Executor {
     return complex;
   }
 
-  void rest() override { pipeline_.rest(); }
+  DeviceMeasuring measure(const AlphaComplex& complex, UnionMeasures& to,
+                          const RunContext& context) override {
+    require_same_balls(*balls_, complex);
+    try {
+      if (!measurer_) measurer_.emplace();
+      const std::optional<gpu::DeviceComplex> there = on_device(complex);
+      const gpu::DeviceComplex measured =
+          there ? *there : measurer_->upload(*balls_, complex, context.cancel);
+      measurer_->measure(measured, context.cancel, nullptr).copy_to(to);
+      return {gpu_device().name,
+              there ? "the complex was still on the device" : "the complex was sent to the device",
+              {}};
+    } catch (const std::bad_alloc&) {
+      measurer_.reset();
+      throw;
+    }
+  }
+
+  // Also what was needed for measuring: the next engine may lack the memory.
+  void rest() override {
+    measurer_.reset();
+    pipeline_.rest();
+  }
 
  private:
+  // The last result, if that is `complex`: of the same balls and alpha there is but one.
+  std::optional<gpu::DeviceComplex> on_device(const AlphaComplex& complex) const {
+    std::optional<gpu::DeviceComplex> there = pipeline_.on_device();
+    const bool same =
+        there && there->alpha_on_lattice == complex.alpha_on_lattice && last_hash_ == complex.hash;
+    return same ? there : std::nullopt;
+  }
+
   std::shared_ptr<const BallSet> balls_;
   gpu::DualEdgePipeline pipeline_;
+  std::uint64_t last_hash_ = 0;  // of its last result
+  std::optional<gpu::UnionMeasurer> measurer_;
 };
 
 }  // namespace

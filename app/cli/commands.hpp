@@ -10,6 +10,7 @@
 #include "app/session/engine_cache.hpp"
 #include "app/session/open_molecule.hpp"
 #include "core/cavity/cavities.hpp"
+#include "core/document/measure_names.hpp"
 
 namespace alphascope::cli {
 
@@ -96,8 +97,6 @@ struct ChannelOptions {
   int threads = 0;
   std::string json, csv;
 };
-
-enum class MeasuredPer { all, atom, residue, chain, component };
 
 struct MeasureCommandOptions {
   InputFiles files;

@@ -22,10 +22,6 @@ std::string format_text(const char* format, ...) {
   return text;
 }
 
-std::string all_digits(double number) {
-  return format_text("%.17g", number);
-}
-
 std::string milliseconds_text(double milliseconds) {
   char buffer[48];
   if (milliseconds >= 1000) {

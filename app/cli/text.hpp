@@ -6,13 +6,12 @@
 
 #include "app/cli/commands.hpp"
 #include "core/complex/alpha_complex.hpp"
+#include "core/io/csv.hpp"
 #include "core/molecule/grouped_number.hpp"
 
 namespace alphascope::cli {
 
 std::string number_text(double number);  // shortest: "1.4", "-0.5"
-// All that a double has, for tables that programs read.
-std::string all_digits(double number);
 std::string format_text(const char* format, ...) __attribute__((format(printf, 1, 2)));
 std::string milliseconds_text(double milliseconds);  // "0.42 ms", "1.53 s"
 

@@ -38,6 +38,26 @@ EngineSettings EngineCache::engine_settings(const Request& request) const {
   return settings;
 }
 
+std::shared_ptr<WorkThreads> EngineCache::threads_of(const Request& request) const {
+  return threads_ ? threads_->of(request.threads) : std::make_shared<WorkThreads>(request.threads);
+}
+
+std::optional<MeasuredUnion> EngineCache::measure_on_device(const EngineAnswer& answer,
+                                                            const RunContext& context) {
+  if (entries_.empty() || entries_.front().grown != answer.balls) return std::nullopt;
+  return alphascope::measure_on_device(*entries_.front().made.engine, *answer.balls, answer.complex,
+                                       *threads_of(answer.request), context);
+}
+
+MeasuredUnion EngineCache::measure(const EngineAnswer& answer, const RunContext& context,
+                                   UnionDerivatives* derivatives) {
+  if (derivatives == nullptr) {
+    if (auto measured = measure_on_device(answer, context)) return *std::move(measured);
+  }
+  return measure_on_cpu(*answer.balls, answer.complex, *threads_of(answer.request), context,
+                        derivatives);
+}
+
 std::uint64_t EngineCache::kept_bytes() const {
   std::uint64_t bytes = 0;
   for (const Entry& entry : entries_) bytes += entry.made.engine->kept_bytes();

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <list>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "app/session/engines.hpp"
@@ -32,6 +33,14 @@ class EngineCache {
   EngineAnswer compute(const std::shared_ptr<const BallSet>& balls, const Request& request,
                        const RunContext& context, const EngineLoan& loan = {});
 
+  // Areas and volumes of the last answer's complex, by the device of its engine; on the CPU, with a
+  // note, where that cannot. Nothing when it has none. Throws what measure_union() throws.
+  std::optional<MeasuredUnion> measure_on_device(const EngineAnswer& answer,
+                                                 const RunContext& context);
+  // By the device, else on the CPU; derivatives are of the CPU only.
+  MeasuredUnion measure(const EngineAnswer& answer, const RunContext& context,
+                        UnionDerivatives* derivatives = nullptr);
+
   void clear() { entries_.clear(); }
   std::uint64_t kept_bytes() const;
 
@@ -52,6 +61,7 @@ class EngineCache {
                       const EngineLoan& loan);
 
   EngineSettings engine_settings(const Request& request) const;
+  std::shared_ptr<WorkThreads> threads_of(const Request& request) const;
 
   EngineFactory factory_;
   std::shared_ptr<SharedThreads> threads_;

@@ -166,11 +166,16 @@ void Session::compute_anew() {
 void Session::submit_compute(Engines which) {
   computer_.submit(
       [this, which, request = state_.request, molecule = state_.molecule,
-       prepared = state_.prepared, engines = engines_,
+       prepared = state_.prepared, engines = engines_, measuring = measuring_,
        loan = which == Engines::anew ? EngineLoan{} : loan_](const RunContext& context) {
         if (which == Engines::anew) engines->clear();
-        auto answer = std::make_shared<const Answer>(
-            Answer{engines->compute(prepared->balls, request, context, loan), molecule, prepared});
+        EngineAnswer found = engines->compute(prepared->balls, request, context, loan);
+        if (measuring && !request.tetrahedra_only) {
+          if (auto measured = engines->measure_on_device(found, context)) {
+            found.measures = std::make_shared<const MeasuredUnion>(*std::move(measured));
+          }
+        }
+        auto answer = std::make_shared<const Answer>(Answer{std::move(found), molecule, prepared});
         return [this, answer] { take_answer(answer); };
       },
       failure_of(Source::computing, "Computing the complex failed: "));
@@ -304,6 +309,7 @@ SessionChanges Session::poll() {
 std::uint64_t Session::held_bytes() const {
   std::uint64_t bytes = 0;
   if (state_.ours) bytes += bytes_of(state_.ours->complex) + state_.ours->kept_bytes;
+  if (state_.ours && state_.ours->measures) bytes += 16 * state_.ours->balls->size();
   if (const Agreement* agreement = state_.agreement.get()) {
     bytes += bytes_of(*agreement->reference) + agreement->kept_bytes;
     if (agreement->ours != state_.ours) bytes += bytes_of(agreement->ours->complex);

@@ -93,6 +93,9 @@ class Session {
 
   // Latest wins. Does nothing when `request` is the present one and already answered or on its way.
   void set_request(const Request& request);
+  // Whether answers to come have their areas and volumes with them where the engine has a device
+  // that keeps the complex (EngineAnswer::measures).
+  void set_measuring(bool measuring) { measuring_ = measuring; }
   void cancel_computing() { computer_.cancel(); }
   // While a slider is dragged, a computation that has begun finishes although a newer request
   // waits: else a slow one would show nothing until the hand rests. At rest it soon gives way.
@@ -144,6 +147,7 @@ class Session {
   SessionState state_;
   SessionChanges changes_;
   std::filesystem::path opening_path_;  // empty when none is on its way
+  bool measuring_ = false;
   bool comparison_wanted_ = false;
   bool reference_anew_ = false;   // of the next comparison
   bool timing_parallel_ = false;  // is what the comparer does

@@ -7,6 +7,7 @@
 #include "core/complex/alpha_complex.hpp"
 #include "core/document/request.hpp"
 #include "core/geometry/ball_set.hpp"
+#include "core/measure/engine_measures.hpp"
 #include "core/molecule/prepare_balls.hpp"
 
 namespace alphascope {
@@ -18,6 +19,8 @@ struct EngineAnswer {
   std::string note;   // about the choice of engine and rounding on the lattice; may be empty
   bool cold = false;  // the engine's first answer, and it had to set up
   std::uint64_t kept_bytes = 0;  // by all engines of its cache, for later answers
+  // Where they were wanted and the engine has a device; else null, and the CPU may measure.
+  std::shared_ptr<const MeasuredUnion> measures = {};
 };
 
 // Of an open molecule.

@@ -15,6 +15,7 @@ namespace alphascope {
 
 template <class T>
 struct Definition;
+struct MeasuredUnion;
 
 struct Inputs {
   std::shared_ptr<const BallSet> balls;  // with the solvent radius; null: no molecule
@@ -28,6 +29,8 @@ struct Inputs {
   // key is not of alpha.
   double alpha_angstrom2 = 0;
   std::shared_ptr<const AlphaComplex> complex;
+  // Its areas and volumes where something has measured it already; null: nobody has.
+  std::shared_ptr<const MeasuredUnion> measures = {};
 
   // A result that the one which is being made is made of (AnyDefinition::made_of): ready, not null.
   template <class T>

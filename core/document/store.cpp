@@ -106,6 +106,7 @@ void Store::prepare(Entry& e, const AnyDefinition& definition, const Inputs& inp
   if (e.wanted.alpha == 0) {  // a complex is large, and would be held for nothing
     all.alpha_angstrom2 = std::numeric_limits<double>::quiet_NaN();
     all.complex = nullptr;
+    all.measures = nullptr;
   }
   const Entry* lacking = nullptr;
   for (const AnyDefinition* definition_of_source : definition.made_of) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 
 #include "core/complex/alpha_complex.hpp"
 #include "core/run/cancel_token.hpp"
@@ -12,6 +13,7 @@ namespace alphascope {
 
 class Filtration;
 struct Triangulation;
+struct UnionMeasures;
 
 // What has been made of all of an engine's balls already, by whomever. Either may be null.
 struct Lent {
@@ -34,6 +36,14 @@ inline constexpr const char* kClippingRoute = "dual edge clipping";
 // And of one that was lent a filtration, and did nothing else.
 inline constexpr const char* kThresholdRoute = "threshold of the whole filtration";
 
+// How a device measured a complex, if it did.
+struct DeviceMeasuring {
+  std::string device;   // "NVIDIA H200"; empty: none did
+  std::string route;    // "the complex was still on the device"
+  std::string why_not;  // of an engine that has a device which could not: a sentence without its
+                        // full stop
+};
+
 class Engine {
  public:
   virtual ~Engine() = default;
@@ -44,6 +54,13 @@ class Engine {
   // and for what was lent of other balls.
   // Not to be called from two threads at once.
   virtual AlphaComplex compute(const AlphaRequest& request, const RunContext& context) = 0;
+
+  // Areas and volumes of a complex of its balls (core/measure/union_measures.hpp) by its device,
+  // which may still have the complex; `to` is left alone where none can. Throws what
+  // measure_union() does; when the device fails or its memory is short, that is the answer.
+  virtual DeviceMeasuring measure(const AlphaComplex&, UnionMeasures&, const RunContext&) {
+    return {};
+  }
 
   // Another engine is asked from now on: gives back what this one keeps for its next results alone.
   // May wait for a device; compute() may be called again at any time. By compute()'s rules.

@@ -61,6 +61,7 @@ class EngineOfExecutors : public Engine {
   AlphaComplex compute(const AlphaRequest& request, const RunContext& context) override {
     if (std::isnan(request.alpha_angstrom2)) throw std::invalid_argument("alpha is not a number");
     std::string why_cpu = "beyond the GPU kernels' limits";
+    why_not_whole_.clear();
     try {
       if (std::optional<AlphaComplex> complex = by_executors(request, context)) {
         return *std::move(complex);
@@ -72,6 +73,22 @@ class EngineOfExecutors : public Engine {
       why_cpu = "the GPU's memory is full";
     }
     return by_cpu(request, context, why_cpu);
+  }
+
+  // What has no room for the whole complex, or failed at it, is not tried again.
+  DeviceMeasuring measure(const AlphaComplex& complex, UnionMeasures& to,
+                          const RunContext& context) override {
+    if (!why_not_whole_.empty()) return {{}, {}, why_not_whole_};
+    try {
+      if (!whole_) whole_ = make_(balls_);
+      measured_ = true;
+      return whole_->measure(complex, to, context);
+    } catch (const ExecutorFailed& error) {
+      whole_.reset();
+      return {{}, {}, error.what()};
+    } catch (const std::bad_alloc&) {
+      return {{}, {}, "the GPU's memory is full"};
+    }
   }
 
   void rest() override {
@@ -93,7 +110,8 @@ class EngineOfExecutors : public Engine {
         return complex;
       } catch (const std::bad_alloc&) {
         whole_.reset();
-        if (!slabs_.refused(request)) throw;
+        const bool held_more = std::exchange(measured_, false);  // now there may be room
+        if (!held_more && !slabs_.refused(request)) throw;
       }
     }
   }
@@ -113,6 +131,7 @@ class EngineOfExecutors : public Engine {
             return *std::move(result);
           });
       complex.engine.route += ", in " + std::to_string(slabs_()) + " slabs";
+      why_not_whole_ = "the GPU has no room for the whole complex";
       return complex;
     } catch (const BeyondLimits&) {
       return std::nullopt;
@@ -122,6 +141,7 @@ class EngineOfExecutors : public Engine {
   AlphaComplex by_cpu(const AlphaRequest& request, const RunContext& context,
                       const std::string& why) {
     rest();
+    why_not_whole_ = why;
     if (!cpu_) cpu_ = make_cpu_engine(balls_, options_);
     AlphaComplex complex = cpu_->compute(request, context);
     complex.engine.route += " (on the CPU: " + why + ")";
@@ -133,6 +153,8 @@ class EngineOfExecutors : public Engine {
   const MakeExecutor make_;
   SlabCount slabs_;
   std::unique_ptr<Executor> whole_;
+  bool measured_ = false;      // so `whole_` may hold memory for that
+  std::string why_not_whole_;  // the last complex was not computed at once; empty: it was
   std::unique_ptr<Engine> cpu_;
 };
 

@@ -21,6 +21,11 @@ class Executor {
   // either, this object is not asked again. Throws Cancelled.
   virtual std::optional<AlphaComplex> compute(const AlphaRequest& request,
                                               const RunContext& context) = 0;
+  // As Engine::measure(), but throws std::bad_alloc when memory is short, and stays usable then;
+  // and ExecutorFailed.
+  virtual DeviceMeasuring measure(const AlphaComplex&, UnionMeasures&, const RunContext&) {
+    return {};
+  }
   // As Engine::rest().
   virtual void rest() {}
 };

@@ -18,6 +18,12 @@ std::string field(const std::string& text) {
 
 }  // namespace
 
+std::string all_digits(double number) {
+  char text[48];
+  std::snprintf(text, sizeof text, "%.17g", number);
+  return text;
+}
+
 std::string csv_milliseconds(double milliseconds) {
   if (!std::isfinite(milliseconds)) return "";
   char text[48];

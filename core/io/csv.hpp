@@ -11,6 +11,9 @@ namespace alphascope {
 // A row as column names and values; all rows of a table have the same names.
 using CsvRow = std::vector<std::pair<std::string, std::string>>;
 
+// All that a double has, for tables that programs read.
+std::string all_digits(double number);
+
 // "15.8843": to a tenth of a microsecond; empty for what is no number (NaN, infinite).
 std::string csv_milliseconds(double milliseconds);
 

@@ -34,8 +34,11 @@ struct ValuesAndDerivatives {
 struct Scales {
   double area, volume, length, wall;
 };
+// length and wall are of derivatives only.
+template <class What>
 Scales scales_of(const GrownBall& ball) {
   if (!(ball.grown_radius > 0)) return {0, 0, 0, 0};
+  if constexpr (!What::kDerivatives) return {area_scale(ball), volume_scale(ball), 0, 0};
   const int bits = bits_above(ball.grown_radius);
   return {area_scale(ball), volume_scale(ball), fixed_scale(bits + kLengthBits),
           fixed_scale(2 * bits + kWallBits)};
@@ -78,6 +81,7 @@ class PrivateSums {
   std::vector<Sums> sums_;
 };
 
+template <class What>
 Scene make_scene(const BallSet& balls, const AlphaComplex& complex) {
   Scene scene;
   scene.balls.resize(balls.size());
@@ -87,7 +91,7 @@ Scene make_scene(const BallSet& balls, const AlphaComplex& complex) {
       tbb::blocked_range<std::size_t>(0, balls.size(), kBlock), [&](const auto& part) {
         for (std::size_t i = part.begin(); i < part.end(); ++i) {
           scene.balls[i] = grown_ball(balls.centres[i], balls.radii[i], complex.alpha_on_lattice);
-          scene.scales[i] = scales_of(scene.balls[i]);
+          scene.scales[i] = scales_of<What>(scene.balls[i]);
         }
       });
   for (std::size_t v = 0; v < complex.vertices.size(); ++v) {
@@ -282,7 +286,7 @@ double total(const std::vector<double>& values) {
 template <class What>
 void measure(const BallSet& balls, const AlphaComplex& complex, UnionDerivatives* derivatives,
              const RunContext& context, UnionMeasures& measures) {
-  const Scene scene = make_scene(balls, complex);
+  const Scene scene = make_scene<What>(balls, complex);
   const auto sums = sum_simplices<What>(complex, scene, context);
   Results<What>(complex, scene, sums).fill(balls, measures, derivatives);
   measures.area_angstrom2 = total(measures.ball_area_angstrom2);

@@ -219,14 +219,7 @@ class CudaMeasurer : public GpuMeasurer {
     require_same_balls(balls, complex);
     const auto start = gpu::Clock::now();
     const gpu::DeviceComplex on_device = measurer_.upload(balls, complex, context.cancel);
-    const gpu::HostMeasures found = measurer_.measure(on_device, context.cancel, times);
-    to.area_angstrom2 = found.area_angstrom2;
-    to.volume_angstrom3 = found.volume_angstrom3;
-    const auto copy = [](std::span<const double> from, std::vector<double>& array) {
-      array.assign(from.begin(), from.end());
-    };
-    copy(found.ball_area_angstrom2, to.ball_area_angstrom2);
-    copy(found.ball_volume_angstrom3, to.ball_volume_angstrom3);
+    measurer_.measure(on_device, context.cancel, times).copy_to(to);
     if (times != nullptr) {
       times->whole = std::chrono::duration<double, std::milli>(gpu::Clock::now() - start).count();
     }

@@ -16,6 +16,13 @@ namespace alphascope::gpu {
 struct HostMeasures {
   double area_angstrom2 = 0, volume_angstrom3 = 0;
   std::span<const double> ball_area_angstrom2, ball_volume_angstrom3;
+
+  void copy_to(UnionMeasures& to) const {
+    to.area_angstrom2 = area_angstrom2;
+    to.volume_angstrom3 = volume_angstrom3;
+    to.ball_area_angstrom2.assign(ball_area_angstrom2.begin(), ball_area_angstrom2.end());
+    to.ball_volume_angstrom3.assign(ball_volume_angstrom3.begin(), ball_volume_angstrom3.end());
+  }
 };
 
 class UnionMeasurer {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "app/session/engines.hpp"
+#include "core/measure/union_measures.hpp"
 
 namespace alphascope::test {
 
@@ -21,6 +22,8 @@ struct FakeEngineLog {
   std::atomic<bool> fail_next{false};     // the next computation throws
   std::atomic<bool> set_up_again{false};  // answers after the first have set-up stages, too
   std::atomic<int> steps{1};              // of 50 µs each
+  std::atomic<int> measured{0};
+  DeviceMeasuring measuring;  // what measuring is answered with; an area of 123 Å² if by a device
 };
 
 class FakeEngine : public Engine {
@@ -52,6 +55,12 @@ class FakeEngine : public Engine {
     first_ = false;
     ++log_.finished;
     return complex;
+  }
+  DeviceMeasuring measure(const AlphaComplex&, UnionMeasures& to, const RunContext&) override {
+    ++log_.measured;
+    if (log_.measuring.device.empty()) return log_.measuring;
+    to.area_angstrom2 = 123;
+    return log_.measuring;
   }
   void rest() override { ++log_.rested; }
 

@@ -113,6 +113,25 @@ TEST_F(SessionTest, ColdAndWarmTimesAreKeptApart) {
   EXPECT_FALSE(session->state().our_timings.warm) << "another set of balls";
 }
 
+TEST_F(SessionTest, AnswersBringMeasuresWhenTheyAreWantedAndADeviceHasThem) {
+  const auto session = make();
+  session->open(good_);
+  settle(*session);
+  session->set_measuring(true);
+  session->set_request(alpha(1));
+  settle(*session);
+  EXPECT_FALSE(session->state().ours->measures) << "this engine has no device";
+  log_.measuring = {"a device", "", ""};
+  session->set_request(alpha(2));
+  settle(*session);
+  ASSERT_TRUE(session->state().ours->measures);
+  EXPECT_EQ(session->state().ours->measures->device, "a device");
+  session->set_measuring(false);
+  session->set_request(alpha(3));
+  settle(*session);
+  EXPECT_FALSE(session->state().ours->measures);
+}
+
 TEST_F(SessionTest, OnlyTheFirstAnswerIsCold) {
   const auto session = make();
   session->set_request(alpha(3));

@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <random>
 
+#include "core/measure/engine_measures.hpp"
 #include "gpu/dual_edge/dual_edge_pipeline.hpp"
 #include "tests/gpu/how_much.hpp"
 #include "tests/support/device_engine.hpp"
@@ -42,6 +43,43 @@ TEST(Gpu, EqualsTheCpuOnHardSets) {
     const double unit = set.alpha_unit();
     for (const double alpha : testing::kSomeAlphas) expect_same_on_gpu(balls, alpha * unit);
   }
+}
+
+// What is still on the device is measured there; any other complex of its balls is sent to it.
+TEST(GpuEngineMeasures, AreOfTheComplexAskedFor) {
+  if (!gpu_device().usable) GTEST_SKIP() << gpu_device().why_not;
+  Random random(14);
+  const auto balls =
+      std::make_shared<const BallSet>(testing::random_balls(random, 150, 1000, 100, 300));
+  const auto engine = testing::make_device_engine(balls), cpu = make_cpu_engine(balls);
+  ASSERT_TRUE(engine);
+  WorkThreads threads(1);
+  const auto expect_those = [&](const AlphaComplex& complex, const std::string& route) {
+    const UnionMeasures expected = measure_union(*balls, complex, {1});
+    const auto found = measure_on_device(*engine, *balls, complex, threads, {});
+    ASSERT_TRUE(found);
+    EXPECT_EQ(found->device, gpu_device().name);
+    EXPECT_EQ(found->route, route);
+    EXPECT_NEAR(found->measures.area_angstrom2, expected.area_angstrom2,
+                1e-12 * expected.area_angstrom2);
+    EXPECT_NEAR(found->measures.volume_angstrom3, expected.volume_angstrom3,
+                1e-12 * expected.volume_angstrom3);
+  };
+  const std::string there = "the complex was still on the device",
+                    sent = "the complex was sent to the device";
+  expect_those(cpu->compute({0.02}, {}), sent);  // before its first answer
+  const AlphaComplex small = engine->compute({0.02}, {});
+  expect_those(small, there);
+  const AlphaComplex large = engine->compute({0.1}, {});
+  expect_those(large, there);
+  expect_those(small, sent);
+  expect_those(large, there);
+  engine->rest();
+  expect_those(large, there);
+  engine->compute({0.1, true}, {});
+  expect_those(large, sent);
+  EXPECT_THROW(measure_on_device(*engine, *balls, engine->compute({0.1, true}, {}), threads, {}),
+               std::invalid_argument);
 }
 
 // A run in several chunks tells edges and vertices of later chunks what it found, and knows from

@@ -2,6 +2,7 @@
 // the device is full or lost at any moment.
 #include <gtest/gtest.h>
 
+#include "core/measure/engine_measures.hpp"
 #include "gpu/dual_edge/dual_edge_pipeline.hpp"
 #include "gpu/gpu_engine.hpp"
 #include "gpu/measure/union_measurer.hpp"
@@ -94,6 +95,58 @@ TEST_F(GpuMeasureFaults, ALostDeviceIsSaid) {
     return std::string(error.what()).find("the GPU failed while") == 0;
   });
   EXPECT_GT(met, 30);
+}
+
+// The engine's answer has the CPU's numbers and says so; later it measures on the device again.
+class GpuEngineMeasureFaults : public GpuMeasureFaults {
+ protected:
+  template <class Fault>
+  int measure_by_engine(const Fault& fault, const std::string& said) {
+    const auto balls = std::make_shared<const BallSet>(some_balls(40));
+    WorkThreads threads(1);
+    for (int n = 0;; ++n) {
+      const auto engine = make_gpu_engine(balls, {}, nullptr);
+      const AlphaComplex complex = engine->compute({0.1}, {});
+      const UnionMeasures expected = measure_union(*balls, complex, {1});
+      fault(n);
+      const auto found = measure_on_device(*engine, *balls, complex, threads, {});
+      const bool met = emulated::faults_met() > 0;
+      emulated::be_sound();
+      EXPECT_TRUE(found);
+      EXPECT_NEAR(found->measures.area_angstrom2, expected.area_angstrom2,
+                  1e-12 * expected.area_angstrom2);
+      if (met) {
+        EXPECT_EQ(found->measures.ball_area_angstrom2, expected.ball_area_angstrom2);
+        EXPECT_EQ(found->device, "CPU, 1 thread");
+        EXPECT_NE(found->note.find("on the CPU: " + said), std::string::npos) << found->note;
+      }
+      engine->compute({0.1}, {});
+      const auto again = measure_on_device(*engine, *balls, complex, threads, {});
+      EXPECT_EQ(again->device, gpu_device().name) << "after " << n << ": " << again->note;
+      if (!met) return n;
+    }
+  }
+};
+
+TEST_F(GpuEngineMeasureFaults, AFullDeviceLeavesItToTheCpu) {
+  EXPECT_GT(measure_by_engine(emulated::be_full_at, "the GPU's memory is full."), 5);
+}
+
+TEST_F(GpuEngineMeasureFaults, ALostDeviceLeavesItToTheCpu) {
+  EXPECT_GT(measure_by_engine(emulated::be_lost_at, "the GPU failed while"), 10);
+}
+
+// What an engine keeps for measuring must not make its next complex come in slabs.
+TEST_F(GpuEngineMeasureFaults, MemoryForMeasuringIsGivenBackToTheComplex) {
+  const auto balls = std::make_shared<const BallSet>(some_balls(400));
+  WorkThreads threads(1);
+  const auto engine = make_gpu_engine(balls, {}, nullptr);
+  measure_on_device(*engine, *balls, engine->compute({-0.001}, {}), threads, {});
+  emulated::be_full_at(0);
+  const AlphaComplex later = engine->compute({10}, {});
+  EXPECT_GT(emulated::faults_met(), 0);
+  emulated::be_sound();
+  EXPECT_EQ(later.engine.route.find("slabs"), std::string::npos) << later.engine.route;
 }
 
 TEST_F(GpuMeasureFaults, ADeviceLostFromTheStartIsAReason) {

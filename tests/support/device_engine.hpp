@@ -25,6 +25,12 @@ class DeviceEngine : public Engine {
     }
     return complex;
   }
+  DeviceMeasuring measure(const AlphaComplex& complex, UnionMeasures& to,
+                          const RunContext& context) override {
+    DeviceMeasuring by = engine_->measure(complex, to, context);
+    if (!by.why_not.empty()) throw std::runtime_error("the device gave up: " + by.why_not);
+    return by;
+  }
   void rest() override { engine_->rest(); }
 
  private:

@@ -1,0 +1,47 @@
+#include "core/measure/engine_measures.hpp"
+
+#include <chrono>
+
+namespace alphascope {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double milliseconds_since(Clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+}  // namespace
+
+MeasuredUnion measure_on_cpu(const BallSet& balls, const AlphaComplex& complex,
+                             WorkThreads& threads, const RunContext& context,
+                             UnionDerivatives* derivatives) {
+  MeasuredUnion measured;
+  const auto start = Clock::now();
+  threads.run([&] {
+    measured.measures = measure_union(balls, complex, {0, derivatives}, context);
+  });
+  measured.milliseconds = milliseconds_since(start);
+  measured.device = threads.text();
+  return measured;
+}
+
+std::optional<MeasuredUnion> measure_on_device(Engine& engine, const BallSet& balls,
+                                               const AlphaComplex& complex, WorkThreads& threads,
+                                               const RunContext& context) {
+  MeasuredUnion measured;
+  const auto start = Clock::now();
+  const DeviceMeasuring by = engine.measure(complex, measured.measures, context);
+  if (by.device.empty() && by.why_not.empty()) return std::nullopt;
+  if (by.device.empty()) {
+    measured = measure_on_cpu(balls, complex, threads, context);
+    measured.note = "Areas and volumes were computed on the CPU: " + by.why_not + ".";
+    return measured;
+  }
+  measured.milliseconds = milliseconds_since(start);
+  measured.device = by.device;
+  measured.route = by.route;
+  return measured;
+}
+
+}  // namespace alphascope

@@ -272,8 +272,14 @@ OptionCommand cavities(CavitiesOptions& options) {
     require_choice(id, choices);
     options.ties = id == "strict" ? FlowTies::strict : FlowTies::perturbed;
   };
+  Option min_volume{.names = "--min-volume",
+                    .value = "V",
+                    .text = "List only cavities of an SA volume of at least V, in Å³"};
+  min_volume.set = [&options](const std::string& text) {
+    options.min_volume_angstrom3 = number_in(text, {-1e30, 1e30});
+  };
   append(command.options,
-         {rule, ties,
+         {rule, ties, min_volume,
           with_default(whole_number_option({"--show", "N", "Cavities printed, the largest first"},
                                            options.shown, {0, 1'000'000'000}),
                        "20"),

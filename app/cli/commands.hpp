@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -81,7 +82,8 @@ struct CavitiesOptions {
   Request request;  // alpha, solvent radius and threads; no engine is asked
   OutsideRule rule = OutsideRule::castp;
   FlowTies ties = FlowTies::perturbed;
-  int shown = 20;  // rows printed
+  int shown = 20;                              // rows printed
+  std::optional<double> min_volume_angstrom3;  // SA; smaller ones are counted, but not listed
   std::string json, csv;
 };
 

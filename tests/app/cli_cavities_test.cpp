@@ -30,8 +30,9 @@ TEST_F(CliCavities, OfAPdbFileAreThoseOfTheReference) {
     const double volume = cavity["volume_sa_angstrom3"];
     all += volume;
     if (cavity["kind"] == "void") voids += volume;
-    EXPECT_EQ(cavity["kind"] == "void", cavity["mouths"].empty());
-    EXPECT_FALSE(cavity["lining_residues"].empty());
+    EXPECT_EQ(cavity["kind"] == "void", cavity["mouths"] == 0);
+    EXPECT_EQ(cavity["mouths"], cavity["mouth_list"].size());
+    EXPECT_FALSE(cavity["residues"].empty());
   }
   EXPECT_NEAR(voids, 45.28306451, 1e-8);
   EXPECT_NEAR(all, 5600.897645, 1e-6);
@@ -47,7 +48,7 @@ TEST_F(CliCavities, ThePresetLeavesLigandsOutOfTheBody) {
   const auto at_proximal_histidine = [](const json& found) {
     double volume = 0;
     for (const json& cavity : found["cavities"]) {
-      for (const json& residue : cavity["lining_residues"]) {
+      for (const json& residue : cavity["residues"]) {
         if (residue["residue"] == "A:HIS 87") volume += cavity["volume_sa_angstrom3"].get<double>();
       }
     }
@@ -67,7 +68,7 @@ TEST_F(CliCavities, ARowOfTheCsvIsACavity) {
   const json same = cavities(kHaemoglobin);
   ASSERT_EQ(rows.size(), same["cavities"].size());
   for (std::size_t row = 0; row < rows.size(); ++row) {
-    EXPECT_EQ(rows[row].at("rank"), std::to_string(row + 1));
+    EXPECT_EQ(rows[row].at("id"), std::to_string(row + 1));
     EXPECT_EQ(rows[row].at("name"), same["cavities"][row]["name"]);
     EXPECT_EQ(std::stod(rows[row].at("volume_sa_angstrom3")),
               same["cavities"][row]["volume_sa_angstrom3"]);

@@ -19,12 +19,12 @@ bool fits(const float (&room)[2], float width, float height, float unit) {
 }
 
 // Two decimals, and more where they would say the same of different colours.
-std::vector<std::string> tick_texts(const std::array<double, 3>& alphas) {
+std::vector<std::string> tick_texts(const std::array<double, 3>& values) {
   constexpr int kFewest = 2, kMost = 5;
   std::vector<std::string> texts;
   for (int decimals = kFewest; decimals <= kMost; ++decimals) {
     texts.clear();
-    for (const double alpha : alphas) texts.push_back(short_number_text(alpha, decimals));
+    for (const double value : values) texts.push_back(short_number_text(value, decimals));
     if (texts[0] != texts[1] && texts[1] != texts[2]) break;
   }
   return texts;
@@ -70,9 +70,9 @@ std::optional<LegendLayout> lay_out_legend(const ColourLegend& legend, float wid
   layout.line_height = line;
   const float left = kMargin * u, top = height - kMargin * u - line - kBarHeight * u;
   layout.bar = {left, top, left + kBarWidth * u, top + kBarHeight * u};
-  layout.texts.push_back({left, top - kTitleGap * u - line, kLegendTitle});
+  layout.texts.push_back({left, top - kTitleGap * u - line, legend.title});
   const std::vector<std::string> ticks =
-      tick_texts({stops.front().alpha, stops[(stops.size() - 1) / 2].alpha, stops.back().alpha});
+      tick_texts({stops.front().value, stops[(stops.size() - 1) / 2].value, stops.back().value});
   for (std::size_t i = 0; i < ticks.size(); ++i) {
     // The outer ones end with the bar, so that none sticks out.
     const float share = static_cast<float>(i) / static_cast<float>(ticks.size() - 1);

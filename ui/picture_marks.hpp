@@ -13,13 +13,14 @@
 
 namespace alphascope {
 
-// What colours by alpha value mean.
+// What the colours of a quantity mean.
 struct ColourLegend {
   struct Stop {
     Colour colour;
-    double alpha = 0;  // Å²
+    double value = 0;  // in the unit that the title says
   };
-  std::vector<Stop> stops;  // evenly along the colour map, smallest alpha first
+  std::string title;        // "alpha value (Å²), square-root scale"
+  std::vector<Stop> stops;  // evenly along the colour map, smallest value first
 };
 
 // Pixels from the picture's top left; y points down.
@@ -37,11 +38,9 @@ struct MarkType {
   std::function<float(const std::string&)> text_width;
 };
 
-// The colours follow the square root: the middle is a quarter of the way from the least alpha
-// value.
-inline constexpr const char* kLegendTitle = "alpha value (Å²), square-root scale";
-// At the bottom left: quantity and unit above a bar of the colours, and below it the alpha values
-// of its ends and middle.
+// At the bottom left: quantity and unit above a bar of the colours, and below it the values of its
+// ends and middle. Colours of alpha values follow the square root: their middle is a quarter of the
+// way from the least value.
 struct LegendLayout {
   MarkBox bar;
   std::vector<MarkText> texts;

@@ -58,19 +58,6 @@ std::shared_ptr<const DrawnMolecule> undrawn(std::shared_ptr<const OpenedMolecul
   return drawn;
 }
 
-std::vector<Rgb8> ball_colours(const DrawnMolecule& molecule, ColourBy colour) {
-  switch (colour) {
-    case ColourBy::element:
-      return *molecule.by_element;
-    case ColourBy::chain:
-      return *molecule.by_chain;
-    case ColourBy::single:
-    case ColourBy::alpha:
-      break;
-  }
-  return std::vector<Rgb8>(molecule.geometry->centres.size(), element_colour(6));
-}
-
 ComplexColouring colouring(ColourBy colour) {
   switch (colour) {
     case ColourBy::single:
@@ -79,6 +66,8 @@ ComplexColouring colouring(ColourBy colour) {
       return ComplexColouring::alpha;
     case ColourBy::element:
     case ColourBy::chain:
+    case ColourBy::exposed:
+    case ColourBy::exposed_residue:
       break;
   }
   return ComplexColouring::balls;
@@ -142,7 +131,10 @@ void SceneController::set_display(const DisplayControls& display, Theme theme) {
   if (before.ball_scale != display.ball_scale || before.grown_balls != display.grown_balls) {
     update_radii();
   }
-  if (mesh_options() != requested_mesh_ || before.complex_colour != display.complex_colour) {
+  const bool lacks_exposure = is_exposure(display.ball_colour) && !is_exposure_shown() &&
+                              before.ball_colour != display.ball_colour;
+  if (mesh_options() != requested_mesh_ || before.complex_colour != display.complex_colour ||
+      lacks_exposure) {
     submit();
   }
   dirty_ = true;
@@ -160,7 +152,8 @@ SceneStyle SceneController::scene_style() const {
 
 void SceneController::update_colours() {
   if (!drawn_molecule_) return;
-  scene_.set_ball_colours(ball_colours(*drawn_molecule_, display_.ball_colour));
+  scene_.set_ball_colours(
+      ball_colours(*drawn_molecule_, display_.ball_colour, drawn_exposure_.get()));
   dirty_ = true;
 }
 
@@ -206,7 +199,8 @@ void SceneController::submit() {
                       agreement_,
                       display_.complex_colour == ColourBy::element,
                       ball_look(answer_.get()),
-                      requested_mesh_};
+                      requested_mesh_,
+                      answer_ && answer_ == drawn_answer_ ? drawn_measures() : nullptr};
   mesh_worker_.submit(
       [this, wanted](const RunContext& context) -> Worker::Delivery {
         try {
@@ -224,7 +218,7 @@ void SceneController::submit() {
 
 // On the worker's thread.
 Worker::Delivery SceneController::make_drawing(const Wanted& wanted, const RunContext& context) {
-  const auto& [drawn, opened, answer, agreement, by_element, look, mesh] = wanted;
+  const auto& [drawn, opened, answer, agreement, by_element, look, mesh, measures] = wanted;
   const std::size_t balls = opened->prepared->balls->size();
   const bool known =
       drawn && drawn->prepared == opened->prepared && drawn->geometry->centres.size() == balls;
@@ -240,8 +234,12 @@ Worker::Delivery SceneController::make_drawing(const Wanted& wanted, const RunCo
   const DrawnMolecule& m = *drawing.molecule;
   drawing.look = look;
   if (!known || look.style.grown) drawing.radii = drawn_radii(*m.geometry, look.style);
+  if (answer && plan.balls && is_exposure(look.colour) && !answer->complex.tetrahedra_only) {
+    drawing.exposure = make_exposure(m, *answer, look.colour, measures, context);
+  }
   if (!known) {
-    drawing.balls = make_ball_data(m.geometry, ball_colours(m, look.colour), drawing.radii);
+    drawing.balls = make_ball_data(m.geometry, ball_colours(m, look.colour, drawing.exposure.get()),
+                                   drawing.radii);
   }
   if (answer && plan.balls) {
     drawing.mesh = std::make_shared<const ComplexMesh>(make_mesh_(
@@ -266,6 +264,7 @@ void SceneController::make_room() {
   drawn_answer_ = nullptr;
   drawn_mesh_ = nullptr;
   drawn_differences_ = nullptr;
+  drawn_exposure_ = nullptr;
   picks_.clear();
   selected_.clear();
   submit();
@@ -296,9 +295,11 @@ void SceneController::show(Drawing drawing) {
   not_drawn_ = drawing.not_drawn;
   drawn_molecule_ = drawing.molecule;
   if (new_balls) forget_layers(), selected_.clear();  // they go with the balls
+  drawn_exposure_ = std::move(drawing.exposure);
   if (new_balls || display_.grown_balls) show_balls(drawing);
-  legend_ = drawing.mesh && drawing.mesh->scale ? std::optional(drawing.mesh->scale->legend())
-                                                : std::nullopt;
+  if (is_exposure(display_.ball_colour)) update_colours();
+  alpha_legend_ = drawing.mesh && drawing.mesh->scale ? std::optional(drawing.mesh->scale->legend())
+                                                      : std::nullopt;
   drawn_mesh_ = std::move(drawing.mesh);
   picks_ = std::move(drawing.picks);
   drawn_differences_ = std::move(drawing.differences);
@@ -438,10 +439,10 @@ double SceneController::seconds_to_refinement() const {
 }
 
 void SceneController::describe(ViewportInfo& viewport) const {
-  viewport.legend = legend_;
-  viewport.not_drawn = not_drawn_;
+  viewport.legend = legend();
+  viewport.not_drawn = not_drawn();
   if (!drawn_layers_.not_drawn.empty()) {
-    viewport.not_drawn += (not_drawn_.empty() ? "" : " ") + drawn_layers_.not_drawn;
+    viewport.not_drawn += (viewport.not_drawn.empty() ? "" : " ") + drawn_layers_.not_drawn;
   }
   viewport.problem = view_problem_;
   const std::array<double, 3> forward = scene_.sight().forward;
@@ -504,7 +505,7 @@ PictureTexts SceneController::texts() const {
     header.insert(header.end(), balls.begin(), balls.end());
   }
   PictureTexts texts = picture_texts(header);
-  if (!not_drawn_.empty()) texts.emplace_back("Warning", not_drawn_);
+  if (const std::string lacks = not_drawn(); !lacks.empty()) texts.emplace_back("Warning", lacks);
   return texts;
 }
 
@@ -532,7 +533,7 @@ PictureToSave SceneController::picture(const ScreenshotRequest& request) const {
                second_scene_bytes(balls, drawn_mesh_.get()) + layer_bytes(layer_points(layers)));
   PictureToSave picture;
   picture.balls = drawn_molecule_->geometry;
-  picture.colours = ball_colours(*drawn_molecule_, display_.ball_colour);
+  picture.colours = ball_colours(*drawn_molecule_, display_.ball_colour, drawn_exposure_.get());
   picture.radii = radii_;
   picture.mesh = drawn_mesh_;
   picture.differences = drawn_differences_;
@@ -543,7 +544,7 @@ PictureToSave SceneController::picture(const ScreenshotRequest& request) const {
                      request.options.height,
                      request.options.transparent,
                      theme_,
-                     request.options.legend ? legend_ : std::nullopt,
+                     request.options.legend ? legend() : std::nullopt,
                      request.options.scale_bar,
                      {}};
   picture.texts = texts();

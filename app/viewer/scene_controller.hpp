@@ -88,6 +88,10 @@ class SceneController {
   // What is on screen, which may still be older than what was set; null before the first, and
   // while it makes room for the next.
   const DrawnMolecule* drawn() const { return drawn_molecule_.get(); }
+  // Areas and volumes of the complex on screen, where its colours are made of them; else null.
+  std::shared_ptr<const MeasuredUnion> drawn_measures() const {
+    return drawn_exposure_ ? drawn_exposure_->by : nullptr;
+  }
   // Whose complex is on screen, and may still be older than what was set; null: none.
   const std::shared_ptr<const Answer>& drawn_answer() const { return drawn_answer_; }
   // What is on screen, for PictureSaver. Throws std::runtime_error when nothing is, or when there
@@ -99,6 +103,21 @@ class SceneController {
  private:
   using Clock = std::chrono::steady_clock;
 
+  // Colours of balls by exposed area; made with the drawing of their complex and shown with it.
+  struct Exposure {
+    std::shared_ptr<const MeasuredUnion> by;
+    ColourBy colour = ColourBy::exposed;
+    std::vector<Rgb8> colours;
+  };
+  static std::shared_ptr<const Exposure> make_exposure(const DrawnMolecule& molecule,
+                                                       const Answer& answer, ColourBy colour,
+                                                       std::shared_ptr<const MeasuredUnion> known,
+                                                       const RunContext& context);
+  static std::vector<Rgb8> ball_colours(const DrawnMolecule& molecule, ColourBy colour,
+                                        const Exposure* exposure);
+  bool is_exposure_shown() const;  // what the colours of balls are to be, and are
+  std::optional<ColourLegend> legend() const;
+  std::string not_drawn() const;  // what the picture lacks; empty: nothing
   void update_colours();
   void update_radii();
   void submit();
@@ -114,6 +133,7 @@ class SceneController {
     std::shared_ptr<BallData> balls;  // of another molecule than on screen; null: the same
     BallLook look;                    // of the balls, and their radii where they are new
     std::vector<float> radii;
+    std::shared_ptr<const Exposure> exposure;  // null unless colours are of that
     std::shared_ptr<const ComplexMesh> mesh;
     std::shared_ptr<MeshData> mesh_data;
     PickLayers picks;  // of mesh
@@ -135,6 +155,7 @@ class SceneController {
     bool by_element = false;
     BallLook look;
     MeshOptions mesh;
+    std::shared_ptr<const MeasuredUnion> measures;  // of `answer`, where they are known
   };
   Worker::Delivery make_drawing(const Wanted& wanted, const RunContext& context);
   void make_room();
@@ -177,7 +198,8 @@ class SceneController {
   std::vector<BallIndex> selected_;
   std::shared_ptr<const ComplexMesh> drawn_mesh_;
   std::shared_ptr<const DifferenceMesh> drawn_differences_;
-  std::optional<ColourLegend> legend_;
+  std::optional<ColourLegend> alpha_legend_;  // of drawn_mesh_
+  std::shared_ptr<const Exposure> drawn_exposure_;
   DisplayControls display_;
   Theme theme_ = Theme::dark;
   MeshOptions requested_mesh_;

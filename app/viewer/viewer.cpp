@@ -185,9 +185,11 @@ void Viewer::want_derived() {
   }
   if (inputs_.balls) {
     inputs_.complex = nullptr;
+    inputs_.measures = nullptr;
     if (shown && shown->balls == inputs_.balls) {
       inputs_.alpha_angstrom2 = shown->request.alpha_angstrom2;
       inputs_.complex = {shown, &shown->complex};
+      inputs_.measures = shown->measures ? shown->measures : scene_.drawn_measures();
     }
     const auto filtration = store_.want(whole_filtration(), inputs_, Priority::background).value;
     const auto triangulation =
@@ -408,6 +410,7 @@ void Viewer::draw(ScriptedInput* input, bool patient,
   guarded([this] { describe_under_mouse(); });
   if (!frame_.begin(state_.theme, input)) return;
   session_.let_finish(interacting());
+  session_.set_measuring(state_.measures_wanted || is_exposure(state_.display.ball_colour));
   gesture_ = gestures_.in_this_frame();
   store_.next_frame();
   const WindowParts parts{state_, rects_, commands_, store_, inputs_};

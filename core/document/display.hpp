@@ -5,7 +5,13 @@
 
 namespace alphascope {
 
-enum class ColourBy : std::uint8_t { element, chain, single, alpha };  // alpha: simplices only
+// alpha: simplices only. exposed: balls only, by the share of the area of an atom's whole spheres
+// that is on the surface of all, or of a residue's.
+enum class ColourBy : std::uint8_t { element, chain, single, alpha, exposed, exposed_residue };
+
+inline bool is_exposure(ColourBy colour) {
+  return colour == ColourBy::exposed || colour == ColourBy::exposed_residue;
+}
 
 struct DisplayControls {
   bool balls = true, tetrahedra = true, boundary = false, triangles = false, edges = false;

@@ -15,7 +15,7 @@
 
 namespace alphascope {
 
-// As the window shows them, from left to right. The last four are of atoms with derivatives.
+// The last four are of atoms with derivatives.
 enum class MeasureColumn : std::uint8_t {
   number,  // in the order of the molecule
   name,
@@ -30,7 +30,7 @@ enum class MeasureColumn : std::uint8_t {
   volume_gradient,
   volume_by_radius
 };
-inline constexpr int kMeasureColumns = 12, kMeasureColumnsWithout = 8;
+inline constexpr int kMeasureColumns = 12;
 
 // Which rows, and in which order.
 struct MeasureQuery {

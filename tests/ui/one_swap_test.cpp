@@ -30,6 +30,7 @@ class OneSwapTest : public ViewerTest {
     std::array<std::size_t, 4> counts{};
     double legend_to = 0;  // alpha at its upper end; 0: there is none
     double covered = 0;    // share of the picture that the complex covers
+    double green = 0;      // mean of the pixels that are not background, 0 to 255
   };
 
   OneSwapTest() {
@@ -58,13 +59,17 @@ class OneSwapTest : public ViewerTest {
   }
 
   // Of the corner's colour is the background.
-  double covered() const {
+  void look_at_picture(Frame& frame) const {
     const Image image = texture_pixels(static_cast<unsigned>(viewer_->state().viewport.texture));
     std::size_t count = 0;
+    double green = 0;
     for (std::size_t i = 4; i < image.rgba.size(); i += 4) {
-      count += !std::equal(&image.rgba[i], &image.rgba[i] + 3, image.rgba.data());
+      if (std::equal(&image.rgba[i], &image.rgba[i] + 3, image.rgba.data())) continue;
+      ++count;
+      green += image.rgba[i + 1];
     }
-    return 4.0 * static_cast<double>(count) / static_cast<double>(image.rgba.size());
+    frame.covered = 4.0 * static_cast<double>(count) / static_cast<double>(image.rgba.size());
+    frame.green = count > 0 ? green / static_cast<double>(count) : 0;
   }
 
   Frame frame(ScriptedInput& input) {
@@ -72,13 +77,14 @@ class OneSwapTest : public ViewerTest {
     const ViewState& s = viewer_->state();
     const AlphaComplex& shown = s.result->complex;
     const auto& legend = s.viewport.legend;
-    return {Clock::now(),
+    Frame f{Clock::now(),
             s.result->request.alpha_angstrom2,
             hash_text(shown.hash),
             {shown.vertices.size(), shown.edges.size(), shown.triangles.size(),
              shown.tetrahedra.size()},
-            legend && !legend->stops.empty() ? legend->stops.back().alpha : 0,
-            covered()};
+            legend && !legend->stops.empty() ? legend->stops.back().value : 0};
+    look_at_picture(f);
+    return f;
   }
 
   // The hand on the slider, to and fro in large steps, so that no two neighbours look alike.
@@ -140,6 +146,37 @@ TEST_F(OneSwapTest, ADragMixesNoTwoAlphasAndPicturesKeepComing) {
     EXPECT_EQ(f.legend_to, rest.legend_to) << f.alpha;
     // Pictures in motion may be coarser.
     EXPECT_NEAR(f.covered, rest.covered, 0.03 * rest.covered) << f.alpha;
+  }
+  EXPECT_GE(checked, 10u);
+}
+
+// Colours of balls by exposed area: large alphas bury nearly all atoms, small ones few, so that
+// pictures of two alphas are of different brightness.
+TEST_F(OneSwapTest, ADragShowsExposedAreasOfTheAlphaThatItNames) {
+  DisplayControls& display = viewer_->state().display;
+  display.balls = true;
+  display.tetrahedra = false;
+  display.ball_scale = 1;
+  display.ball_colour = ColourBy::exposed;
+  run("wait-idle\n");
+  const std::vector<Frame> frames = drag();
+  const auto [darkest, brightest] =
+      std::minmax_element(frames.begin(), frames.end(),
+                          [](const Frame& a, const Frame& b) { return a.green < b.green; });
+  EXPECT_GT(brightest->green, 1.2 * darkest->green) << "else nothing can be told apart";
+  double drawn = -1;
+  std::size_t checked = 0, others = 0;
+  Frame rest;
+  for (const Frame& f : frames) {
+    if (f.alpha != drawn && others++ % 5 == 0) {
+      viewer_->state().compute.alpha_angstrom2 = drawn = f.alpha;
+      run("wait-idle\n");
+      ScriptedInput nothing;
+      rest = frame(nothing);
+    }
+    if (f.alpha != drawn) continue;
+    EXPECT_NEAR(f.green, rest.green, 0.02 * rest.green) << f.alpha;
+    ++checked;
   }
   EXPECT_GE(checked, 10u);
 }

@@ -187,14 +187,14 @@ TEST_F(ViewerTest, ColoursByAlphaHaveALegend) {
   run("click display.complex_colour\nclick display.complex_colour.3\nwait-idle\n");
   const auto& legend = viewer_->state().viewport.legend;
   ASSERT_TRUE(legend);
-  EXPECT_DOUBLE_EQ(legend->stops.back().alpha, 3);
-  EXPECT_LT(legend->stops.front().alpha, 0);
+  EXPECT_DOUBLE_EQ(legend->stops.back().value, 3);
+  EXPECT_LT(legend->stops.front().value, 0);
   const WidgetRects& widgets = viewer_->widgets();
   ASSERT_TRUE(widgets.contains("view.legend"));
   EXPECT_GE(widgets.at("view.legend").x0, widgets.at("view").x0);
   EXPECT_LE(widgets.at("view.legend").y1, widgets.at("view").y1);
   run("click alpha.preset.1.4\nwait-idle\n");
-  EXPECT_DOUBLE_EQ(legend->stops.back().alpha, 1.4) << "it follows alpha";
+  EXPECT_DOUBLE_EQ(legend->stops.back().value, 1.4) << "it follows alpha";
   run("click display.tetrahedra\nwait-idle\n");
   EXPECT_FALSE(legend) << "nothing is drawn in these colours";
 }

@@ -155,8 +155,8 @@ void save_marks(PanelContext& ctx) {
   bool legend = has_legend && m.save.legend;
   if (checkbox(ctx, "save.legend", "Colour legend", legend)) m.save.legend = legend;
   ImGui::EndDisabled();
-  tooltip(ctx, has_legend ? "Shows which colour stands for which alpha value, in Å²."
-                          : "Available when the complex is coloured by alpha value.");
+  tooltip(ctx, has_legend ? "Shows which colour stands for which value."
+                          : "Available when colours are of alpha values or exposed areas.");
   ImGui::SameLine(0, ctx.px(18));
   checkbox(ctx, "save.scale_bar", "Scale bar", m.save.scale_bar);
   tooltip(ctx,

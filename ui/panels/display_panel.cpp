@@ -1,22 +1,28 @@
 // What of the complex is drawn, and how.
+#include <initializer_list>
+
 #include "ui/panels/panels.hpp"
 
 namespace alphascope {
 namespace {
 
 void colour_row(PanelContext& ctx, const char* name, const char* label, ColourBy& colour,
-                bool with_alpha) {
-  static constexpr const char* kLabels[] = {"Element", "Chain", "One colour", "Alpha value"};
+                std::initializer_list<ColourBy> choices) {
+  static constexpr const char* kLabels[] = {"Element",
+                                            "Chain",
+                                            "One colour",
+                                            "Alpha value",
+                                            "Exposed area of atoms",
+                                            "Exposed area of residues"};
   row_label(ctx, label);
   const std::string id = std::string("##") + name;
   const bool open = ImGui::BeginCombo(id.c_str(), kLabels[static_cast<int>(colour)]);
   record(ctx, name);
   if (!open) return;
   close_on_escape();
-  for (int i = 0; i < (with_alpha ? 4 : 3); ++i) {
-    if (ImGui::Selectable(kLabels[i], static_cast<int>(colour) == i)) {
-      colour = static_cast<ColourBy>(i);
-    }
+  for (const ColourBy choice : choices) {
+    const int i = static_cast<int>(choice);
+    if (ImGui::Selectable(kLabels[i], colour == choice)) colour = choice;
     record(ctx, (std::string(name) + "." + std::to_string(i)).c_str());
   }
   ImGui::EndCombo();
@@ -36,7 +42,9 @@ void balls(PanelContext& ctx) {
   d.grown_balls = grown == 1;
   row_label(ctx, "Opacity");
   percent_slider(ctx, "display.ball_opacity", d.ball_opacity, 0.05f, 1.0f);
-  colour_row(ctx, "display.ball_colour", "Colour by", d.ball_colour, false);
+  colour_row(ctx, "display.ball_colour", "Colour by", d.ball_colour,
+             {ColourBy::element, ColourBy::chain, ColourBy::single, ColourBy::exposed,
+              ColourBy::exposed_residue});
   ImGui::Unindent();
   ImGui::EndDisabled();
 }
@@ -74,7 +82,8 @@ void complex(PanelContext& ctx) {
   ImGui::EndDisabled();
   row_label(ctx, "Opacity");
   percent_slider(ctx, "display.complex_opacity", d.complex_opacity, 0.05f, 1.0f);
-  colour_row(ctx, "display.complex_colour", "Colour by", d.complex_colour, true);
+  colour_row(ctx, "display.complex_colour", "Colour by", d.complex_colour,
+             {ColourBy::element, ColourBy::chain, ColourBy::single, ColourBy::alpha});
 }
 
 }  // namespace

@@ -11,6 +11,7 @@ void draw_engine_panel(PanelContext& ctx);
 void draw_timings_panel(PanelContext& ctx);
 void draw_cavities_panel(PanelContext& ctx);
 void draw_channels_panel(PanelContext& ctx);
+void draw_measures_panel(PanelContext& ctx);
 void draw_signature_panel(PanelContext& ctx);
 
 namespace {
@@ -23,6 +24,7 @@ constexpr PanelSpec kPanels[] = {
     {"timings", "Timings", Place::bottom, draw_timings_panel},
     {"cavities", "Cavities", Place::bottom, draw_cavities_panel},
     {"channels", "Channels", Place::bottom, draw_channels_panel},
+    {"measures", "Measures", Place::bottom, draw_measures_panel},
     {"signature", "Signature", Place::bottom, draw_signature_panel},
 };
 

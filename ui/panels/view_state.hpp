@@ -25,6 +25,7 @@
 #include "ui/panels/channel_memory.hpp"
 #include "ui/panels/controls.hpp"
 #include "ui/panels/folder_listing.hpp"
+#include "ui/panels/measure_memory.hpp"
 #include "ui/panels/palette_memory.hpp"
 #include "ui/panels/view_info.hpp"
 #include "ui/theme.hpp"
@@ -99,6 +100,7 @@ struct PanelMemory {
   PaletteMemory palette;
   CavityMemory cavities;
   ChannelMemory channels;
+  MeasureMemory measures;
   std::vector<std::size_t> dialogs;  // that are open, by dialog_stack.cpp; the last is on top
   bool dragging_view = false;
   bool playing = false;         // alpha grows by itself, one step a finished result
@@ -141,7 +143,8 @@ struct ViewState {
   std::shared_ptr<const FolderListing> listing;
   BusyInfo busy, saving;  // saving: a picture, which holds nothing up
   BackgroundInfo background;
-  Layers layers;  // that the panels want drawn; filled anew in each frame
+  Layers layers;                 // that the panels want drawn; filled anew in each frame
+  bool measures_wanted = false;  // areas and volumes are shown; said anew in each frame
   ViewportInfo viewport;
   std::string device_text;       // "CPU · 2 threads"
   std::optional<GpuDevice> gpu;  // nothing: still being looked for

@@ -192,6 +192,7 @@ void draw_window(const WindowParts& parts, const PanelFonts& fonts, float scale)
   const WidgetRects last = std::exchange(parts.rects, {});
   PanelContext ctx = context_of(parts, fonts, scale);
   state.layers.clear();
+  state.measures_wanted = false;
   note_mouse(state.memory);
   draw_menu_bar(ctx);
   const ImVec2 display = ImGui::GetIO().DisplaySize;

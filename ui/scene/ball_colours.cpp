@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/molecule/element.hpp"
+#include "ui/scene/colour_map.hpp"
 
 namespace alphascope {
 namespace {
@@ -101,6 +102,13 @@ std::vector<Rgb8> colours_by_chain(const Molecule& molecule,
   for (const std::uint32_t atom : atom_of_ball) {
     colours.push_back(of_chain[molecule.atoms[atom].chain]);
   }
+  return colours;
+}
+
+std::vector<Rgb8> colours_by_share(const std::vector<float>& shares) {
+  std::vector<Rgb8> colours;
+  colours.reserve(shares.size());
+  for (const float share : shares) colours.push_back(mapped_colour(share));
   return colours;
 }
 

@@ -1,4 +1,4 @@
-// One colour a ball, by element or by chain. Knows the molecule; no VTK.
+// One colour a ball: by element, by chain or by a share. Knows the molecule; no VTK.
 #pragma once
 
 #include <cstdint>
@@ -16,6 +16,9 @@ std::vector<Rgb8> colours_by_element(const Molecule& molecule,
 // Chains in the order in which the molecule has them; the colours repeat after ten.
 std::vector<Rgb8> colours_by_chain(const Molecule& molecule,
                                    const std::vector<std::uint32_t>& atom_of_ball);
+
+// By a number from 0 to 1 for each ball, along the map of colour_map.hpp.
+std::vector<Rgb8> colours_by_share(const std::vector<float>& shares);
 
 Rgb8 element_colour(Element element);
 

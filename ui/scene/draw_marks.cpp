@@ -60,7 +60,7 @@ class TextMaker {
     return mask;
   }
   float width(const std::string& text) const { return static_cast<float>(extent(text, 0)); }
-  float line_height() const { return static_cast<float>(extent(kLegendTitle, 2)); }
+  float line_height() const { return static_cast<float>(extent("(Å²), pq", 2)); }
 
  private:
   int extent(const std::string& text, int low) const {

@@ -1,0 +1,25 @@
+#include "ui/panels/table_cells.hpp"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cstdio>
+
+#include "core/chart/readable_number.hpp"
+
+namespace alphascope {
+
+std::string measure_text(double value) {
+  char text[40];
+  std::snprintf(text, sizeof text, "%.2f", value);
+  return separated_number(text);
+}
+
+void number_cell(const std::string& text) {
+  ImGui::TableNextColumn();
+  const float right = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(text.c_str()).x;
+  ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(0.0f, right));
+  ImGui::TextUnformatted(text.c_str());
+}
+
+}  // namespace alphascope

@@ -1,0 +1,13 @@
+// Cells of tables of numbers.
+#pragma once
+
+#include <string>
+
+namespace alphascope {
+
+std::string measure_text(double value);  // Å³ or Å²: "12,345.67"
+
+// The next cell, its text at the right.
+void number_cell(const std::string& text);
+
+}  // namespace alphascope

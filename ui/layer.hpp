@@ -44,7 +44,8 @@ struct Layer {
   std::vector<LayerLabel> labels;
   Colour colour;
   // Its triangles and tetrahedra are bodies in the picture, with light and shadow, and tetrahedra
-  // with darker edges. False: marks over everything else. Vertices and edges always are such marks.
+  // with darker edges; its edges are lines on bodies, which may hide them. False: marks over
+  // everything else. Vertices always are such marks.
   bool body = false;
   bool fades_rest = true;   // of a body: balls and complex become pale, so that they hide nothing
   bool in_pictures = true;  // also in pictures that are saved

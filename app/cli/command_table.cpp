@@ -477,6 +477,10 @@ OptionCommand screenshot(ScreenshotCommandOptions& options) {
                      "Colour of the simplices: their balls', or by alpha value, with a legend"},
                     options.simplex_colours),
       flag_option("--no-legend", "Leave out the legend of the alpha values", options.no_legend),
+      text_option({"--beside", "KINDS",
+                   "Atoms that are no part of the body, drawn beside it: ligands, ions, waters, "
+                   "hydrogens, with commas; or none"},
+                  options.beside),
       flag_option("--scale-bar", "Add a bar of a round length in Å", options.scale_bar),
       drawing_memory(options.drawing_memory_mb)};
   append(command.options, engine(options.request, true));

@@ -144,6 +144,7 @@ struct ScreenshotCommandOptions {
   double shrink = 0;
   std::string colours = "element", simplex_colours = "balls";
   bool no_legend = false, scale_bar = false;
+  std::string beside = "ligands,ions";             // kinds of AtomsBesideBody, or "none"
   std::optional<std::uint64_t> drawing_memory_mb;  // taken as free; none: what is
   std::vector<std::string> arguments;              // as given, for the program that draws
 };

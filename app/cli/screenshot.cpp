@@ -3,6 +3,7 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <charconv>
 #include <fstream>
 #include <iostream>
@@ -18,6 +19,7 @@
 #include "app/session/system_memory.hpp"
 #include "core/molecule/printable.hpp"
 #include "ui/scene/ball_colours.hpp"
+#include "ui/scene/beside_body.hpp"
 #include "ui/scene/screenshot.hpp"
 
 namespace alphascope::cli {
@@ -32,6 +34,30 @@ void set_size(const std::string& text, ScreenshotOptions& picture) {
     if (height.ec == std::errc() && height.ptr == end) return;
   }
   throw UsageError("--size takes WIDTHxHEIGHT in pixels, such as 1920x1080; not \"" + text + "\".");
+}
+
+// "ligands,ions" or "none".
+AtomsBesideBody beside_body(const std::string& text) {
+  AtomsBesideBody shown{false, false, false, false};
+  if (text == "none") return shown;
+  const std::pair<const char*, bool AtomsBesideBody::*> kinds[] = {
+      {"ligands", &AtomsBesideBody::ligands},
+      {"ions", &AtomsBesideBody::ions},
+      {"waters", &AtomsBesideBody::waters},
+      {"hydrogens", &AtomsBesideBody::hydrogens}};
+  std::istringstream words(text);
+  for (std::string word; std::getline(words, word, ',');) {
+    const auto kind = std::find_if(std::begin(kinds), std::end(kinds),
+                                   [&](const auto& k) { return word == k.first; });
+    if (kind == std::end(kinds)) {
+      throw UsageError(
+          "--beside takes ligands, ions, waters and hydrogens, with commas between, or "
+          "none; not \"" +
+          word + "\".");
+    }
+    shown.*kind->second = true;
+  }
+  return shown;
 }
 
 ScreenshotOptions picture_options(const ScreenshotCommandOptions& options) {
@@ -80,6 +106,7 @@ class MemoryFile {
 
 ExitCode run_screenshot(const ScreenshotCommandOptions& options) {
   ScreenshotOptions picture = picture_options(options);
+  const AtomsBesideBody shown = beside_body(options.beside);
   const RunContext& context = run_context();
   require_readable({options.input.file});
   Outputs outputs(files_read(options.input));
@@ -91,6 +118,9 @@ ExitCode run_screenshot(const ScreenshotCommandOptions& options) {
   const std::vector<std::uint32_t>& atoms = input.prepared().atom_of_ball;
   picture.texts = picture_texts(complex_header(input, result));
   picture.free_bytes = available_or(options.drawing_memory_mb);
+  picture.beside_body = [&](const BallGeometry& balls) {
+    return build_beside_body(balls, input.molecule(), input.prepared(), shown, context.cancel).mesh;
+  };
   const MemoryFile drawn;  // the renderer writes to a path, which standard output has none of
   const std::string not_drawn =
       render_screenshot(*input.prepared().balls, result.complex,

@@ -230,6 +230,17 @@ void add_view_commands(Commands& commands, ViewState& s) {
                    .help = "Shows only triangles and edges that are not faces of a larger simplex",
                    .why_not = only_tetrahedra},
                   d.singular_only));
+  const auto beside = [&](const char* id, const char* title, const char* help, bool& value) {
+    commands.add(with_switch({.id = id, .title = title, .help = help}, value));
+  };
+  beside("view.left_out_ligands", "Ligands beside the body",
+         "Draws ligands that are no part of the body", d.beside.ligands);
+  beside("view.left_out_ions", "Ions beside the body", "Draws ions that are no part of the body",
+         d.beside.ions);
+  beside("view.left_out_waters", "Waters beside the body",
+         "Draws waters that are no part of the body", d.beside.waters);
+  beside("view.left_out_hydrogens", "Hydrogens beside the body",
+         "Draws hydrogens that are no part of the body", d.beside.hydrogens);
   commands.add(with_switch({.id = "view.shadows",
                             .title = "Soft shadows at rest",
                             .help = "Darkens crevices while the view is at rest, to show depth"},

@@ -14,11 +14,10 @@ std::string count(std::size_t n) {
   return with_separators(static_cast<long long>(n));
 }
 
-std::string position_text(const BallSet& balls, BallIndex ball) {
-  const LatticePoint& c = balls.centres[ball];
-  const int digits = std::clamp(balls.lattice.digits, 0, 4);
+std::string position_text(const LatticePoint& c, const Lattice& lattice) {
+  const int digits = std::clamp(lattice.digits, 0, 4);
   const auto coordinate = [&](std::int32_t x) {
-    return short_number_text(balls.lattice.angstrom(x), digits);
+    return short_number_text(lattice.angstrom(x), digits);
   };
   return coordinate(c.x) + ", " + coordinate(c.y) + ", " + coordinate(c.z);
 }
@@ -33,9 +32,23 @@ std::string radius_text(const BallSet& balls, const Request* shown, BallIndex ba
 }
 
 // Of the assembly's copies of one atom; empty in a molecule as deposited.
-std::string copy_text(const BallReferences& references, BallIndex ball) {
+std::string copy_text(const BallReferences& references, std::size_t atom) {
   if (references.molecule().copied.empty()) return "";
-  return "copy " + count(references.atom(ball).copy + std::size_t{1}) + " in the assembly";
+  return "copy " + count(references.atom_of_molecule(atom).copy + std::size_t{1}) +
+         " in the assembly";
+}
+
+const char* kind_name(DropReason reason) {
+  switch (reason) {
+    case DropReason::water:
+      return "water";
+    case DropReason::ion:
+      return "ion";
+    case DropReason::ligand:
+      return "ligand";
+    default:
+      return "hydrogen";
+  }
 }
 
 const char* dimension_name(std::size_t corners) {
@@ -61,13 +74,28 @@ HitText describe_ball(const BallReferences& references, const Request* shown, Ba
   const Molecule& molecule = references.molecule();
   const BallSet& balls = *references.prepared().balls;
   const std::size_t atom = references.prepared().atom_of_ball.at(ball);
-  const std::string position = position_text(balls, ball), copy = copy_text(references, ball);
+  const std::string position = position_text(balls.centres[ball], balls.lattice);
+  const std::string copy = copy_text(references, atom);
   const std::string radius = radius_text(balls, shown, ball);
   HitText text;
   text.line = atom_address(molecule, atom) + (copy.empty() ? "" : "  ·  " + copy) + "  ·  (" +
               position + ") Å  ·  " + radius;
   text.tooltip = atom_label(molecule, atom) + (copy.empty() ? "" : "\n" + copy) + "\ncentre " +
                  position + " Å\n" + radius;
+  return text;
+}
+
+HitText describe_atom_beside(const BallReferences& references, const LeftOutAtom& left_out) {
+  const Molecule& molecule = references.molecule();
+  const std::string position =
+      position_text(molecule.atoms.at(left_out.atom).position, molecule.lattice);
+  const std::string copy = copy_text(references, left_out.atom);
+  const std::string why = kind_name(left_out.reason) + std::string(", no part of the body");
+  HitText text;
+  text.line = atom_address(molecule, left_out.atom) + (copy.empty() ? "" : "  ·  " + copy) +
+              "  ·  (" + position + ") Å  ·  " + why;
+  text.tooltip = atom_label(molecule, left_out.atom) + (copy.empty() ? "" : "\n" + copy) +
+                 "\ncentre " + position + " Å\n" + why;
   return text;
 }
 

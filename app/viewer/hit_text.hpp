@@ -17,6 +17,8 @@ struct HitText {
 // `shown`: what the complex on screen was asked for with; null when there is none, and then the
 // grown radius is not known.
 HitText describe_ball(const BallReferences& references, const Request* shown, BallIndex ball);
+// Of an atom of the molecule that the options leave out of the body.
+HitText describe_atom_beside(const BallReferences& references, const LeftOutAtom& atom);
 HitText describe_simplex(const BallReferences& references, const HitSimplex& simplex);
 
 // "3", "3, 1 not in the picture"; empty for none.

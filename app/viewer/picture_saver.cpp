@@ -49,6 +49,7 @@ struct PictureSaver::Studio {
       scene_->set_differences(make_difference_data(p.differences));
       auto layers = std::make_shared<const LayerMesh>(build_layer_mesh(*p.balls, p.layers));
       scene_->set_layers(make_layer_data(layers));
+      scene_->set_beside_body(make_layer_data(p.beside_body));
       scene_->set_viewpoint(p.viewpoint);
       MarkedPicture picture = p.picture;
       picture.labels = layers->labels;

@@ -26,6 +26,7 @@ struct PictureToSave {
   std::shared_ptr<const ComplexMesh> mesh;            // null: none
   std::shared_ptr<const DifferenceMesh> differences;  // null: none
   Layers layers;
+  std::shared_ptr<const LayerMesh> beside_body;  // null: none
   SceneStyle style;
   Viewpoint viewpoint;
   MarkedPicture picture;

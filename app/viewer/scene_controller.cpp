@@ -80,7 +80,8 @@ SceneController::SceneController(std::function<void()> wake, FreeMemory free_mem
     : free_memory_(std::move(free_memory)),
       make_mesh_(std::move(make_mesh)),
       mesh_worker_(wake, kFinishes),
-      layer_worker_(std::move(wake)) {}
+      layer_worker_(wake),
+      beside_worker_(std::move(wake)) {}
 
 std::shared_ptr<const Molecule> SceneController::molecule() const {
   return opened_ ? opened_->molecule : nullptr;
@@ -131,6 +132,7 @@ void SceneController::set_display(const DisplayControls& display, Theme theme) {
   if (before.ball_scale != display.ball_scale || before.grown_balls != display.grown_balls) {
     update_radii();
   }
+  if (before.beside != display.beside) submit_beside_body();
   const bool lacks_exposure = is_exposure(display.ball_colour) && !is_exposure_shown() &&
                               before.ball_colour != display.ball_colour;
   if (mesh_options() != requested_mesh_ || before.complex_colour != display.complex_colour ||
@@ -266,7 +268,6 @@ void SceneController::make_room() {
   drawn_differences_ = nullptr;
   drawn_exposure_ = nullptr;
   picks_.clear();
-  selected_.clear();
   submit();
 }
 
@@ -294,7 +295,7 @@ void SceneController::show(Drawing drawing) {
   drawn_answer_ = drawing.answer;
   not_drawn_ = drawing.not_drawn;
   drawn_molecule_ = drawing.molecule;
-  if (new_balls) forget_layers(), selected_.clear();  // they go with the balls
+  if (new_balls) forget_layers();  // they go with the balls
   drawn_exposure_ = std::move(drawing.exposure);
   if (new_balls || display_.grown_balls) show_balls(drawing);
   if (is_exposure(display_.ball_colour)) update_colours();
@@ -307,6 +308,7 @@ void SceneController::show(Drawing drawing) {
   scene_.set_differences(std::move(drawing.difference_data));
   dirty_ = true;
   if (!new_balls) return;
+  submit_beside_body();
   viewed_ = draws_nothing() ? nullptr : drawn_molecule_->molecule;
   if (!keep_view) quality_.forget();
   // Other atoms of the same molecule keep the view, unless it shows none of them.
@@ -357,19 +359,22 @@ void SceneController::set_layers(const Layers& layers) {
   if (layer_points(fitting).all() > kMostPointsAtOnce) return submit_layers(fitting);
   auto mesh =
       std::make_shared<const LayerMesh>(build_layer_mesh(*drawn_molecule_->geometry, fitting));
-  show_layers({fitting, mesh, {}}, make_layer_data(mesh));
+  show_layers({fitting, mesh, {}, body_layers(mesh)}, make_layer_data(mesh));
 }
 
 void SceneController::submit_layers(const Layers& layers) {
-  const auto tell = [this](const std::string& why) { show_layers({{}, nullptr, why}, nullptr); };
+  const auto tell = [this](const std::string& why) {
+    show_layers({{}, nullptr, why, {}}, nullptr);
+  };
   layer_worker_.submit(
       [this, tell, layers, drawn = drawn_molecule_](const RunContext&) -> Worker::Delivery {
         const std::string not_drawn = layers_not_drawn_text(layer_points(layers), free_memory_());
         if (!not_drawn.empty()) return [tell, not_drawn] { tell(not_drawn); };
         auto mesh = std::make_shared<const LayerMesh>(build_layer_mesh(*drawn->geometry, layers));
-        return [this, layers, drawn, mesh, data = make_layer_data(mesh)] {
-          if (drawn == drawn_molecule_) show_layers({layers, mesh, {}}, data);
-        };
+        return
+            [this, layers, drawn, mesh, picks = body_layers(mesh), data = make_layer_data(mesh)] {
+              if (drawn == drawn_molecule_) show_layers({layers, mesh, {}, picks}, data);
+            };
       },
       [tell](const Worker::Failure& failure) {
         if (!failure.cancelled) tell("What is chosen below is not drawn: " + failure.message);
@@ -382,7 +387,33 @@ void SceneController::show_layers(DrawnLayers layers, std::shared_ptr<LayerData>
   dirty_ = true;
 }
 
+// What was drawn before stays until it is there.
+void SceneController::submit_beside_body() {
+  if (!drawn_molecule_ || drawn_molecule_->prepared->left_out.empty()) {
+    beside_worker_.cancel();
+    return;
+  }
+  beside_worker_.submit([this, drawn = drawn_molecule_,
+                         shown = display_.beside](const RunContext& c) -> Worker::Delivery {
+    BesideBody atoms =
+        build_beside_body(*drawn->geometry, *drawn->molecule, *drawn->prepared, shown, c.cancel);
+    std::optional<PickLayer> pick;
+    if (atoms.mesh) pick = ball_layer(kBesideBody, atoms.mesh->spheres, 1);
+    return [this, drawn, pick, data = make_layer_data(atoms.mesh), atoms] {
+      if (drawn != drawn_molecule_) return;
+      beside_body_ = atoms;
+      beside_body_pick_ = pick;
+      scene_.set_beside_body(data);
+      dirty_ = true;
+    };
+  });
+}
+
 void SceneController::forget_layers() {
+  beside_worker_.cancel();
+  beside_body_ = {};
+  beside_body_pick_.reset();
+  selected_ = {};
   layer_worker_.cancel();
   wanted_layers_.clear();
   drawn_layers_ = {};
@@ -422,6 +453,7 @@ bool SceneController::poll() {
   const std::shared_ptr<const Answer> before = drawn_answer_;
   mesh_worker_.poll();
   layer_worker_.poll();
+  beside_worker_.poll();
   return before != drawn_answer_;
 }
 
@@ -538,6 +570,7 @@ PictureToSave SceneController::picture(const ScreenshotRequest& request) const {
   picture.mesh = drawn_mesh_;
   picture.differences = drawn_differences_;
   picture.layers = std::move(layers);
+  picture.beside_body = beside_body_.mesh;
   picture.style = scene_style();
   picture.viewpoint = scene_.viewpoint();
   picture.picture = {request.options.width,

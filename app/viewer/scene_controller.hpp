@@ -14,6 +14,7 @@
 #include "core/run/worker.hpp"
 #include "ui/layer.hpp"
 #include "ui/panels/view_state.hpp"
+#include "ui/scene/beside_body.hpp"
 #include "ui/scene/drawing_memory.hpp"
 #include "ui/scene/frame_grab.hpp"
 #include "ui/scene/pick.hpp"
@@ -68,7 +69,10 @@ class SceneController {
   // What belongs to the picture and is drawn by the panels; before them.
   void describe(ViewportInfo& viewport) const;
   // Something is still on its way to the screen: a mesh, or a finer picture.
-  bool busy() const { return mesh_worker_.activity().busy || layer_worker_.activity().busy; }
+  bool busy() const {
+    return mesh_worker_.activity().busy || layer_worker_.activity().busy ||
+           beside_worker_.activity().busy;
+  }
   bool wants_frame() const { return dirty_ || refine_; }
   // Of what is drawn and of what is being made, at most; without differences.
   std::uint64_t held_bytes() const;
@@ -81,10 +85,18 @@ class SceneController {
   // What is drawn under a pixel of the picture: of drawn() and drawn_answer(). `near`: pixels
   // beside a line that still are on it.
   std::optional<Hit> pick(int x, int y, double near) const;
-  // Balls of drawn(), ascending, that are drawn in the colour of what is selected, balls on or off.
-  void set_selected(const std::vector<BallIndex>& balls);
-  // So that these balls of drawn() fill the view, as they are looked at now.
-  void zoom_to(const std::vector<BallIndex>& balls);
+  // Atoms that are drawn and are no balls of drawn().
+  const BesideBody& beside_body() const { return beside_body_; }
+  // What is drawn in the colour of what is selected, balls on or off: balls of drawn() and places
+  // of beside_body(), both ascending.
+  struct Selected {
+    std::vector<BallIndex> balls;
+    std::vector<std::size_t> beside;
+    friend bool operator==(const Selected&, const Selected&) = default;
+  };
+  void set_selected(const Selected& selected);
+  // So that these fill the view, as they are looked at now.
+  void zoom_to(const Selected& what);
   // What is on screen, which may still be older than what was set; null before the first, and
   // while it makes room for the next.
   const DrawnMolecule* drawn() const { return drawn_molecule_.get(); }
@@ -145,6 +157,7 @@ class SceneController {
     Layers layers;
     std::shared_ptr<const LayerMesh> mesh;  // null: none
     std::string not_drawn;                  // why; empty: all is
+    PickLayers picks;                       // of mesh
   };
   // What a job of the worker needs.
   struct Wanted {
@@ -164,11 +177,14 @@ class SceneController {
   void show_balls(Drawing& drawing);
   void show_nothing(const std::string& why);
   void submit_layers(const Layers& layers);
+  void submit_beside_body();
   void show_layers(DrawnLayers layers, std::shared_ptr<LayerData> data);
   void forget_layers();                            // the scene has
   BallLook ball_look(const Answer* answer) const;  // as the controls have it
   SceneStyle scene_style() const;
   void draw_selected();
+  // With their own radii.
+  BallGeometry drawn_places(const Selected& what) const;
   ViewProblem find_view_problem() const;
   void check_view(ViewportInfo& viewport, bool interacting);
   MeshOptions mesh_options() const;
@@ -188,6 +204,8 @@ class SceneController {
   std::shared_ptr<const Answer> drawn_answer_;
   std::vector<std::pair<std::string, std::uint64_t>> wanted_layers_;  // ids and keys
   DrawnLayers drawn_layers_;
+  BesideBody beside_body_;
+  std::optional<PickLayer> beside_body_pick_;
   std::shared_ptr<const Molecule> viewed_;  // that the camera was set for
   std::string not_drawn_;
   bool pending_ = false;
@@ -195,7 +213,7 @@ class SceneController {
   std::vector<float> radii_;  // Å, as drawn
   double pick_margin_ = 0;    // BallPicker::margin() of them
   PickLayers picks_;
-  std::vector<BallIndex> selected_;
+  Selected selected_;
   std::shared_ptr<const ComplexMesh> drawn_mesh_;
   std::shared_ptr<const DifferenceMesh> drawn_differences_;
   std::optional<ColourLegend> alpha_legend_;  // of drawn_mesh_
@@ -211,7 +229,8 @@ class SceneController {
   Clock::time_point last_change_ = Clock::now();
   int width_ = 0, height_ = 0;
   std::atomic<std::uint64_t> pending_bytes_ = 0;  // of what the worker makes
-  Worker mesh_worker_, layer_worker_;             // last: joined before what their jobs use goes
+  // Last: joined before what their jobs use goes.
+  Worker mesh_worker_, layer_worker_, beside_worker_;
 };
 
 }  // namespace alphascope

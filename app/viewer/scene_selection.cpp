@@ -1,5 +1,6 @@
 // What is under the mouse in the picture, and what of it is selected.
 #include <algorithm>
+#include <numeric>
 
 #include "app/viewer/scene_controller.hpp"
 #include "ui/scene/ball_colours.hpp"
@@ -27,13 +28,26 @@ std::optional<Hit> SceneController::pick(int x, int y, double near) const {
                                      return Hit{"balls", 1, ball->ball, {}, ball->depth, {}};
                                    }});
   }
+  if (beside_body_pick_) layers.push_back(*beside_body_pick_);
+  layers.insert(layers.end(), drawn_layers_.picks.begin(), drawn_layers_.picks.end());
   return nearest_hit(layers, line);
 }
 
-void SceneController::set_selected(const std::vector<BallIndex>& balls) {
-  if (balls == selected_) return;
-  selected_ = balls;
+void SceneController::set_selected(const Selected& selected) {
+  if (selected == selected_) return;
+  selected_ = selected;
   draw_selected();
+}
+
+BallGeometry SceneController::drawn_places(const Selected& what) const {
+  BallGeometry places;
+  const auto add = [&places](const BallGeometry& from, std::size_t i) {
+    places.centres.push_back(from.centres.at(i));
+    places.radii.push_back(from.radii.at(i));
+  };
+  for (const BallIndex ball : what.balls) add(*drawn_molecule_->geometry, ball);
+  for (const std::size_t i : what.beside) add(*beside_body_.mesh->spheres, i);
+  return places;
 }
 
 // Also when radii or colours have changed.
@@ -41,20 +55,25 @@ void SceneController::draw_selected() {
   dirty_ = true;
   if (!drawn_molecule_) return;
   pick_margin_ = drawn_molecule_->picker->margin(radii_);
-  auto marks = std::make_shared<BallGeometry>();
+  auto marks = std::make_shared<BallGeometry>(drawn_places(selected_));
   std::vector<float> radii;
-  for (const BallIndex ball : selected_) {
-    marks->centres.push_back(drawn_molecule_->geometry->centres.at(ball));
-    radii.push_back(std::max(kLeastMark, radii_.at(ball) * kMarkScale + kMarkRim));
+  for (std::size_t i = 0; i < marks->centres.size(); ++i) {
+    const float radius =
+        i < selected_.balls.size() ? radii_.at(selected_.balls[i]) : marks->radii[i];
+    radii.push_back(std::max(kLeastMark, radius * kMarkScale + kMarkRim));
   }
   marks->radii = radii;
   const std::vector<Rgb8> colours(radii.size(), to_rgb8(palette(theme_).selected));
   scene_.set_selected(radii.empty() ? nullptr : make_ball_data(marks, colours, radii));
 }
 
-void SceneController::zoom_to(const std::vector<BallIndex>& balls) {
-  if (!drawn_molecule_ || balls.empty()) return;
-  Viewpoint view = looking_at(*drawn_molecule_->geometry, balls, scene_.sight());
+void SceneController::zoom_to(const Selected& what) {
+  if (!drawn_molecule_) return;
+  const BallGeometry places = drawn_places(what);
+  std::vector<BallIndex> all(places.centres.size());
+  if (all.empty()) return;
+  std::iota(all.begin(), all.end(), BallIndex{0});
+  Viewpoint view = looking_at(places, all, scene_.sight());
   view.least_aspect = scene_.viewpoint().least_aspect;
   scene_.set_viewpoint(view);
   dirty_ = true;

@@ -91,7 +91,7 @@ class Viewer {
   bool compares_by_itself() const;
   void compare_when_due();
   struct UnderMouse {
-    Ref what;
+    std::optional<Ref> what;  // none: a body of a panel's, which hides what is behind it
     HitText text;
   };
   std::optional<UnderMouse> under(int x, int y) const;  // pixels of the picture
@@ -99,6 +99,7 @@ class Viewer {
   void describe_under_mouse();
   void click(const PointerEvent& event);
   void mark_selection();
+  std::optional<std::size_t> place_beside(const Ref& item) const;
   void find_marks();
   void zoom_to_selection();
   void read_memory();
@@ -124,8 +125,9 @@ class Viewer {
     RefSet items;
     std::shared_ptr<const BallReferences> references;
     std::shared_ptr<const Answer> answer;
+    std::shared_ptr<const LayerMesh> beside;
     Theme theme = Theme::dark;
-    std::vector<BallIndex> balls;
+    SceneController::Selected drawn;
     std::shared_ptr<const Layer> layer;  // null: no simplex
     std::uint64_t key = 0;
   };

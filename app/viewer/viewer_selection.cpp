@@ -28,6 +28,12 @@ std::optional<Viewer::UnderMouse> Viewer::under(int x, int y) const {
   if (references == nullptr) return std::nullopt;
   const auto hit = scene_.pick(x, y, kBesideALine * frame_.scale());
   if (!hit) return std::nullopt;
+  if (hit->corners == 0) return UnderMouse{};  // hides what is behind it
+  if (hit->layer == kBesideBody) {
+    const LeftOutAtom& atom = scene_.beside_body().atoms.at(hit->index);
+    return UnderMouse{references->atom_of_molecule(atom.atom),
+                      describe_atom_beside(*references, atom)};
+  }
   if (hit->corners == 1) {
     const auto ball = static_cast<BallIndex>(hit->index);
     const Answer* answer = scene_.drawn_answer().get();
@@ -59,7 +65,8 @@ void Viewer::click(const PointerEvent& event) {
     if (!more) items = {};
     return;
   }
-  const RefSet wanted = more ? items.toggled(found->what) : RefSet({found->what});
+  if (!found->what) return;
+  const RefSet wanted = more ? items.toggled(*found->what) : RefSet({*found->what});
   if (wanted.size() > Selection::kMostItems) {
     state_.notice = "No more can be selected at once.";
   } else {
@@ -73,30 +80,55 @@ void Viewer::mark_selection() {
   const auto& answer = scene_.drawn_answer();
   Marked& m = marked_;
   const bool same = m.items == state_.picked.items && m.references == state_.references &&
-                    m.answer == answer && m.theme == state_.theme;
+                    m.answer == answer && m.beside == scene_.beside_body().mesh &&
+                    m.theme == state_.theme;
   if (!same) {
-    m = {state_.picked.items, state_.references, answer, state_.theme, {}, nullptr, m.key + 1};
+    m = {state_.picked.items,
+         state_.references,
+         answer,
+         scene_.beside_body().mesh,
+         state_.theme,
+         {},
+         nullptr,
+         m.key + 1};
     find_marks();
   }
-  scene_.set_selected(m.balls);
+  scene_.set_selected(m.drawn);
   if (m.layer) state_.layers.push_back(m.layer);
+}
+
+// Of an atom that is drawn beside the body, among these.
+std::optional<std::size_t> Viewer::place_beside(const Ref& item) const {
+  const AtomRef* ref = std::get_if<AtomRef>(&item);
+  if (ref == nullptr || !state_.references) return std::nullopt;
+  const auto atom = find_atom(state_.references->molecule(), {ref->atom, ref->copy});
+  const auto& atoms = scene_.beside_body().atoms;
+  const auto at = std::lower_bound(atoms.begin(), atoms.end(), atom.value_or(0),
+                                   [](const LeftOutAtom& a, std::size_t i) { return a.atom < i; });
+  if (!atom || at == atoms.end() || at->atom != *atom) return std::nullopt;
+  return static_cast<std::size_t>(at - atoms.begin());
 }
 
 void Viewer::find_marks() {
   auto layer = std::make_shared<Layer>();
   std::size_t missing = 0;
   for (const Ref& item : marked_.items.items()) {
+    if (const auto beside = place_beside(item)) {
+      marked_.drawn.beside.push_back(*beside);
+      continue;
+    }
     const auto balls = marked_.references ? marked_.references->balls(item) : std::nullopt;
     const bool there = balls && (balls->size() == 1 ||
                                  (marked_.answer && has_simplex(marked_.answer->complex, *balls)));
     missing += !there;
     if (!there) continue;
-    if (balls->size() == 1) marked_.balls.push_back(balls->front());
+    if (balls->size() == 1) marked_.drawn.balls.push_back(balls->front());
     for (std::size_t i = 0; i < balls->size(); ++i) {
       for (std::size_t k = 0; k < i; ++k) layer->edges.push_back({(*balls)[k], (*balls)[i]});
     }
   }
-  std::sort(marked_.balls.begin(), marked_.balls.end());
+  std::sort(marked_.drawn.balls.begin(), marked_.drawn.balls.end());
+  std::sort(marked_.drawn.beside.begin(), marked_.drawn.beside.end());
   state_.picked_missing = missing;
   state_.picked_text = selected_text(marked_.items.size(), missing);
   if (layer->edges.empty()) return;
@@ -110,10 +142,11 @@ void Viewer::find_marks() {
 
 void Viewer::zoom_to_selection() {
   if (!state_.references) return;
-  std::vector<BallIndex> all;
+  SceneController::Selected all;
   for (const Ref& item : state_.picked.items.items()) {
     const auto balls = state_.references->balls(item);
-    if (balls) all.insert(all.end(), balls->begin(), balls->end());
+    if (balls) all.balls.insert(all.balls.end(), balls->begin(), balls->end());
+    if (const auto beside = place_beside(item)) all.beside.push_back(*beside);
   }
   scene_.zoom_to(all);
 }

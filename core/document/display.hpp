@@ -13,6 +13,13 @@ inline bool is_exposure(ColourBy colour) {
   return colour == ColourBy::exposed || colour == ColourBy::exposed_residue;
 }
 
+// Atoms that the options leave out of the body, and that are drawn beside it: drawn, not computed.
+struct AtomsBesideBody {
+  bool ligands = true, ions = true, waters = false;
+  bool hydrogens = false;  // of all kinds
+  friend bool operator==(const AtomsBesideBody&, const AtomsBesideBody&) = default;
+};
+
 struct DisplayControls {
   bool balls = true, tetrahedra = true, boundary = false, triangles = false, edges = false;
   bool singular_only = true;  // triangles and edges that are faces of nothing larger
@@ -22,6 +29,7 @@ struct DisplayControls {
   float shrink = 0;  // of tetrahedra, 0 to 0.9
   ColourBy ball_colour = ColourBy::chain, complex_colour = ColourBy::chain;
   bool ambient_occlusion = true;
+  AtomsBesideBody beside;
   friend bool operator==(const DisplayControls&, const DisplayControls&) = default;
 };
 

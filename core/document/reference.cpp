@@ -41,7 +41,11 @@ BallReferences::BallReferences(std::shared_ptr<const Molecule> molecule,
     : molecule_(std::move(molecule)), prepared_(std::move(prepared)) {}
 
 AtomRef BallReferences::atom(BallIndex ball) const {
-  const AtomSource source = atom_source(*molecule_, prepared_->atom_of_ball.at(ball));
+  return atom_of_molecule(prepared_->atom_of_ball.at(ball));
+}
+
+AtomRef BallReferences::atom_of_molecule(std::size_t atom) const {
+  const AtomSource source = atom_source(*molecule_, atom);
   return {static_cast<std::uint32_t>(source.deposited), static_cast<std::uint32_t>(source.copy)};
 }
 

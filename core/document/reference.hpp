@@ -62,6 +62,7 @@ class BallReferences {
                  std::shared_ptr<const PreparedBalls> prepared);
 
   AtomRef atom(BallIndex ball) const;
+  AtomRef atom_of_molecule(std::size_t atom) const;  // an index into its atoms; need not be a ball
   // Of a simplex; one ball is an AtomRef.
   Ref reference(std::span<const BallIndex> balls) const;
 

@@ -1,6 +1,7 @@
 // What of the complex is drawn, and how.
 #include <initializer_list>
 
+#include "ui/panels/format.hpp"
 #include "ui/panels/panels.hpp"
 
 namespace alphascope {
@@ -86,12 +87,44 @@ void complex(PanelContext& ctx) {
              {ColourBy::element, ColourBy::chain, ColourBy::single, ColourBy::alpha});
 }
 
+// Kinds that the options leave out of the body. A kind of which nothing is left out stays, greyed.
+void beside_body(PanelContext& ctx) {
+  AtomsBesideBody& shown = ctx.state.display.beside;
+  const SelectionReport* report =
+      ctx.state.references ? &ctx.state.references->prepared().report : nullptr;
+  const auto kind = [&](const char* name, const char* label, std::size_t atoms, bool& value) {
+    ImGui::BeginDisabled(atoms == 0);
+    checkbox(ctx, name, label, value);
+    ImGui::EndDisabled();
+    const std::string text =
+        atoms == 0 ? "None is left out of the body."
+                   : with_separators(static_cast<long long>(atoms)) +
+                         " atoms that are no part of the body. They are drawn, not computed: "
+                         "small balls in the colours of elements.";
+    tooltip(ctx, text.c_str());
+  };
+  const float half = ImGui::GetContentRegionAvail().x / 2;
+  const float left = ImGui::GetCursorPosX();
+  muted_text(ctx, "Left out of the body, drawn beside it");
+  ImGui::Indent();
+  kind("display.beside.ligands", "Ligands", report ? report->dropped_ligands : 0, shown.ligands);
+  ImGui::SameLine(left + half);
+  kind("display.beside.ions", "Ions", report ? report->dropped_ions : 0, shown.ions);
+  kind("display.beside.waters", "Waters", report ? report->dropped_waters : 0, shown.waters);
+  ImGui::SameLine(left + half);
+  const std::size_t hydrogens =
+      report ? report->dropped_hydrogens + report->dropped_water_hydrogens : 0;
+  kind("display.beside.hydrogens", "Hydrogens", hydrogens, shown.hydrogens);
+  ImGui::Unindent();
+}
+
 }  // namespace
 
 void draw_display_panel(PanelContext& ctx) {
   if (!section(ctx, "display", "Display")) return;
   balls(ctx);
   complex(ctx);
+  beside_body(ctx);
   checkbox(ctx, "display.occlusion", "Soft shadows at rest", ctx.state.display.ambient_occlusion);
   tooltip(ctx,
           "Ambient occlusion: crevices darken, which shows depth. Left out while you turn a large "

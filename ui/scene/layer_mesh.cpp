@@ -21,14 +21,14 @@ Rgb8 darker(const Rgb8& c) {
 class LayerBuilder {
  public:
   explicit LayerBuilder(const BallGeometry& balls)
-      : balls_(balls), marks_(balls), bodies_(balls), outlines_(balls) {
+      : balls_(balls), marks_(balls), bodies_(balls), outlines_(balls), lines_(balls) {
     spheres_.origin = balls.origin;
   }
 
   void add(const Layer& layer) {
     const Rgb8 colour = to_rgb8(layer.colour);
     marks_.add(layer.vertices, colour);
-    marks_.add(layer.edges, colour);
+    (layer.body ? lines_ : marks_).add(layer.edges, colour);
     (layer.body ? bodies_ : marks_).add(layer.triangles, colour);
     if (layer.body) {
       add_solid(layer.tetrahedra, colour);
@@ -49,6 +49,7 @@ class LayerBuilder {
     mesh_.marks = {std::move(marks_.faces), std::move(marks_.edges)};
     mesh_.bodies = std::move(bodies_.faces);
     mesh_.body_edges = std::move(outlines_.edges);
+    mesh_.body_lines = std::move(lines_.edges);
     if (!spheres_.centres.empty()) {
       mesh_.spheres = std::make_shared<const BallGeometry>(std::move(spheres_));
     }
@@ -91,7 +92,7 @@ class LayerBuilder {
   }
 
   const BallGeometry& balls_;
-  SimplexSoup marks_, bodies_, outlines_;
+  SimplexSoup marks_, bodies_, outlines_, lines_;
   BallGeometry spheres_;
   LayerMesh mesh_;
 };

@@ -17,6 +17,7 @@ struct LayerMesh {
   DifferenceMesh marks;  // over everything else
   CellSoup bodies;       // triangles, lit
   CellSoup body_edges;   // of the tetrahedra that are bodies
+  CellSoup body_lines;   // edges of layers that are bodies
   SmoothMesh tubes;
   // Lit balls; their bounds and axes are not set.
   std::shared_ptr<const BallGeometry> spheres;  // null: none

@@ -44,6 +44,11 @@ struct MeshActor {
     mapper->ReleaseGraphicsResources(window);  // else its buffers stay until it draws again
     actor->VisibilityOff();
   }
+  // Of what the picture is about: its colour is to be known by also where it is in shadow.
+  void brighter() {
+    actor->GetProperty()->SetAmbient(0.32);
+    actor->GetProperty()->SetDiffuse(0.78);
+  }
   // Lit by the normals of its points.
   void smooth() { actor->GetProperty()->SetInterpolationToPhong(); }
   // Lines on faces of the same place win.

@@ -96,14 +96,13 @@ Hit hit_of(const Meaning& meaning, const CellSoup& soup, std::size_t cell, doubl
   return hit;
 }
 
-PickLayer layer_of(const std::shared_ptr<const ComplexMesh>& mesh, CellSoup ComplexMesh::*member,
-                   const Meaning& meaning) {
+PickLayer layer_of(const std::shared_ptr<const CellSoup>& shared, const Meaning& meaning) {
   const std::size_t corners = meaning.id == "edges" ? 2 : 3;
-  const CellSoup& soup = (*mesh).*member;
+  const CellSoup& soup = *shared;
   auto tree = std::make_shared<const BoxTree>(
       soup.points() / corners, [&](std::size_t cell) { return box_of(soup, cell, corners); });
-  return {meaning.id, [mesh, member, meaning, corners, tree](const PickLine& line) {
-            const CellSoup& cells = (*mesh).*member;
+  return {meaning.id, [shared, meaning, corners, tree](const PickLine& line) {
+            const CellSoup& cells = *shared;
             double nearest = kNowhere;
             std::size_t found = 0;
             const auto enter = [&](const Box& box) {
@@ -148,12 +147,41 @@ PickLayers mesh_layers(const std::shared_ptr<const ComplexMesh>& mesh) {
   PickLayers layers;
   if (!mesh) return layers;
   const auto add = [&](CellSoup ComplexMesh::*soup, const Meaning& meaning) {
-    if (((*mesh).*soup).points() > 0) layers.push_back(layer_of(mesh, soup, meaning));
+    if (((*mesh).*soup).points() == 0) return;
+    layers.push_back(layer_of(std::shared_ptr<const CellSoup>(mesh, &((*mesh).*soup)), meaning));
   };
   add(&ComplexMesh::edges, {"edges", 2});
   add(&ComplexMesh::triangles, {"triangles", 3});
   add(&ComplexMesh::boundary, {"boundary", 3, true, true});
   add(&ComplexMesh::tetrahedra, {"tetrahedra", 4, true});
+  return layers;
+}
+
+PickLayer ball_layer(std::string_view id, std::shared_ptr<const BallGeometry> balls, int corners) {
+  auto picker = std::make_shared<const BallPicker>(balls);
+  return {id, [id, balls, corners, picker](const PickLine& line) -> std::optional<Hit> {
+            const auto ball = picker->pick(balls->radii, kRounding, line.ray);
+            if (!ball) return std::nullopt;
+            return Hit{id, corners, ball->ball, {}, ball->depth, {}};
+          }};
+}
+
+PickLayers body_layers(const std::shared_ptr<const LayerMesh>& mesh) {
+  PickLayers layers;
+  if (!mesh) return layers;
+  const Meaning body{"bodies", 0};
+  if (mesh->bodies.points() > 0) {
+    layers.push_back(layer_of(std::shared_ptr<const CellSoup>(mesh, &mesh->bodies), body));
+  }
+  if (mesh->tubes.points() > 0) {
+    auto tubes = std::make_shared<CellSoup>();
+    for (const std::int32_t corner : mesh->tubes.corners) {
+      const float* p = &mesh->tubes.xyz[3 * static_cast<std::size_t>(corner)];
+      tubes->xyz.insert(tubes->xyz.end(), p, p + 3);
+    }
+    layers.push_back(layer_of(std::move(tubes), body));
+  }
+  if (mesh->spheres) layers.push_back(ball_layer(body.id, mesh->spheres, body.corners));
   return layers;
 }
 

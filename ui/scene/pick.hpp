@@ -12,6 +12,7 @@
 #include "core/complex/alpha_complex.hpp"
 #include "ui/scene/ball_pick.hpp"
 #include "ui/scene/complex_mesh.hpp"
+#include "ui/scene/layer_mesh.hpp"
 
 namespace alphascope {
 
@@ -22,10 +23,14 @@ struct PickLine {
   double spread = 0;
 };
 
+inline constexpr std::string_view kBesideBody = "beside";
+
 struct Hit {
-  std::string_view layer;  // "balls", "tetrahedra", "boundary", "triangles", "edges"
-  int corners = 1;         // 1: a ball
-  std::size_t index = 0;   // of the ball, or of the simplex in its list of the complex
+  // "balls", "tetrahedra", "boundary", "triangles", "edges"; "beside", whose index is of
+  // BesideBody::atoms; "bodies" of panels' layers, of which nothing more is known.
+  std::string_view layer;
+  int corners = 1;        // 1: a ball; 0: a body
+  std::size_t index = 0;  // of the ball, or of the simplex in its list of the complex
   // Of a boundary face, which is in no list where only tetrahedra are computed: `index` is its
   // tetrahedron, and this the corner that it lacks.
   std::optional<int> opposite;
@@ -41,6 +46,11 @@ using PickLayers = std::vector<PickLayer>;
 
 // Of what is drawn as `mesh`. Any thread; about as long as a copy of the mesh takes.
 PickLayers mesh_layers(const std::shared_ptr<const ComplexMesh>& mesh);
+
+// Of what is drawn as balls of their own; `id` as in Hit::layer.
+PickLayer ball_layer(std::string_view id, std::shared_ptr<const BallGeometry> balls, int corners);
+// Of bodies of panels' layers, which hide what is behind them.
+PickLayers body_layers(const std::shared_ptr<const LayerMesh>& mesh);
 
 // Of layers at the same depth the first wins.
 std::optional<Hit> nearest_hit(const PickLayers& layers, const PickLine& line);

@@ -52,6 +52,7 @@ void Scene::set_balls(std::shared_ptr<BallData> balls) {
   set_mesh(nullptr);
   set_differences(nullptr);
   set_layers(nullptr);
+  set_beside_body(nullptr);
   set_selected(nullptr);
   impl_->balls = balls->balls;
   impl_->all_balls.show(std::move(balls), impl_->window);
@@ -93,6 +94,10 @@ void Scene::set_layers(std::shared_ptr<LayerData> layers) {
   impl_->layers.show(std::move(layers), impl_->window);
   if (had_peels && !impl_->anything_translucent()) impl_->release_buffers();
   impl_->apply_style();
+}
+
+void Scene::set_beside_body(std::shared_ptr<LayerData> atoms) {
+  impl_->beside_body.show(std::move(atoms), impl_->window);
 }
 
 void Scene::set_selected(std::shared_ptr<BallData> balls) {

@@ -55,6 +55,8 @@ class Scene {
   void set_differences(std::shared_ptr<DifferenceData> differences);
   // What panels want drawn; null: nothing. Labels are not drawn here, but over the picture.
   void set_layers(std::shared_ptr<LayerData> layers);
+  // Atoms that are no balls, drawn whatever else fades; null: none.
+  void set_beside_body(std::shared_ptr<LayerData> atoms);
   // Balls that are drawn as the first ones are, whether or not these are; null: none. They go with
   // the first ones.
   void set_selected(std::shared_ptr<BallData> balls);

@@ -37,12 +37,15 @@ void MarkActors::show(vtkPolyData* new_faces, vtkPolyData* new_edges, vtkWindow*
 
 LayerActors::LayerActors() {
   body_edges.before_its_faces();
+  body_lines.before_its_faces();
+  bodies.brighter();
+  tubes.brighter();
   tubes.smooth();
 }
 
 void LayerActors::add_to(vtkRenderer* renderer) {
   marks.add_to(renderer);
-  for (MeshActor* m : {&bodies, &body_edges, &tubes}) renderer->AddActor(m->actor);
+  for (MeshActor* m : {&bodies, &body_edges, &body_lines, &tubes}) renderer->AddActor(m->actor);
   renderer->AddActor(spheres.actor);
 }
 
@@ -52,6 +55,7 @@ void LayerActors::show(std::shared_ptr<LayerData> layers, vtkWindow* window) {
   marks.show(shown.faces, shown.edges, window);
   bodies.show(shown.bodies, window);
   body_edges.show(shown.body_edges, window);
+  body_lines.show(shown.body_lines, window);
   tubes.show(shown.tubes, window);
   spheres.actor->SetVisibility(shown.spheres != nullptr);
   spheres.show(shown.spheres, window);
@@ -66,6 +70,7 @@ Scene::Impl::Impl() {
   renderer->AddActor(selected.actor);
   for (MeshActor* m : {&tetrahedra, &boundary, &triangles, &edges}) renderer->AddActor(m->actor);
   layers.add_to(renderer);
+  beside_body.add_to(renderer);
   differences.add_to(renderer);
   set_view_angle();
 }
@@ -171,6 +176,7 @@ void Scene::Impl::draw(int width, int height) {
   edges.actor->GetProperty()->SetLineWidth(1.5f * width_scale);
   differences.edges.actor->GetProperty()->SetLineWidth(3.5f * width_scale);
   layers.marks.edges.actor->GetProperty()->SetLineWidth(2.5f * width_scale);
+  layers.body_lines.actor->GetProperty()->SetLineWidth(2.5f * width_scale);
   layers.body_edges.actor->GetProperty()->SetLineWidth(1.2f * width_scale);
   renderer->ResetCameraClippingRange();
   window->Render();

@@ -41,7 +41,7 @@ struct BallActor {
 // What panels want drawn: marks, and bodies among the rest.
 struct LayerActors {
   MarkActors marks;
-  MeshActor bodies, body_edges, tubes;
+  MeshActor bodies, body_edges, body_lines, tubes;
   BallActor spheres;
   std::shared_ptr<LayerData> data;  // null: nothing
 
@@ -59,7 +59,7 @@ struct Scene::Impl {
   MeshActor tetrahedra, boundary, triangles, edges;
   MarkActors differences;
   std::shared_ptr<DifferenceData> difference_data;
-  LayerActors layers;
+  LayerActors layers, beside_body;
   std::shared_ptr<const BallGeometry> balls;
   std::shared_ptr<MeshData> mesh;
   SceneStyle style;

@@ -50,6 +50,9 @@ std::string render_screenshot(const BallSet& balls, const AlphaComplex& complex,
   const auto layers =
       std::make_shared<const LayerMesh>(build_layer_mesh(*geometry, options.layers));
   scene.set_layers(make_layer_data(layers));
+  if (options.beside_body) {
+    scene.set_beside_body(make_layer_data(options.beside_body(*geometry)));
+  }
   begin("drawing", 0.7);
   const auto legend =
       options.legend && mesh->scale ? std::optional(mesh->scale->legend()) : std::nullopt;

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,7 +23,9 @@ struct ScreenshotOptions {
   SceneStyle style;
   BallStyle balls;
   MeshOptions mesh;
-  Layers layers;                            // drawn beside balls and complex
+  Layers layers;  // drawn beside balls and complex
+  // Atoms that are no balls, made on the way; empty or null from it: none.
+  std::function<std::shared_ptr<const LayerMesh>(const BallGeometry& balls)> beside_body;
   PictureTexts texts;                       // into the file
   std::optional<std::uint64_t> free_bytes;  // of memory; none: unknown
 };

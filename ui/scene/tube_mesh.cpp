@@ -23,6 +23,14 @@ struct Knot {
   Rgb8 colour;
 };
 
+void add_point(const RealPoint& at, const RealPoint& normal, const Rgb8& c, SmoothMesh& mesh) {
+  for (const double x : {at.x, at.y, at.z}) mesh.xyz.push_back(static_cast<float>(x));
+  for (const double x : {normal.x, normal.y, normal.z}) {
+    mesh.normals.push_back(static_cast<float>(x));
+  }
+  mesh.rgb.insert(mesh.rgb.end(), {c.r, c.g, c.b});
+}
+
 class TubeBuilder {
  public:
   TubeBuilder(std::vector<Knot> knots, SmoothMesh& mesh) : knots_(std::move(knots)), mesh_(mesh) {}
@@ -72,23 +80,16 @@ class TubeBuilder {
     return std::clamp((knots_[b].radius - knots_[a].radius) / way, -kMostSlope, kMostSlope);
   }
 
-  void add_point(const Knot& knot, const RealPoint& normal) {
-    const RealPoint at = knot.centre + knot.radius * normal;
-    for (const double x : {at.x, at.y, at.z}) mesh_.xyz.push_back(static_cast<float>(x));
-    for (const double x : {normal.x, normal.y, normal.z}) {
-      mesh_.normals.push_back(static_cast<float>(x));
-    }
-    mesh_.rgb.insert(mesh_.rgb.end(), {knot.colour.r, knot.colour.g, knot.colour.b});
-  }
-
   // On the sphere, `back` radii behind its centre; joined with the ring before.
-  void add_ring(std::size_t knot, double back) {
+  void add_ring(std::size_t i, double back) {
+    const Knot& knot = knots_[i];
     const double out = std::sqrt(1 - back * back);
     const auto first = static_cast<std::int32_t>(mesh_.points());
     for (int k = 0; k < kAround; ++k) {
       const double angle = 2 * M_PI * k / kAround;
       const RealPoint radial = std::cos(angle) * across_ + std::sin(angle) * up_;
-      add_point(knots_[knot], out * radial - back * tangents_[knot]);
+      const RealPoint normal = out * radial - back * tangents_[i];
+      add_point(knot.centre + knot.radius * normal, normal, knot.colour, mesh_);
     }
     if (rings_++ == 0) return;
     for (int k = 0; k < kAround; ++k) {
@@ -135,6 +136,25 @@ void add_tube(const std::vector<LayerSphere>& spheres, const std::array<double, 
         {centre, sphere.radius_angstrom, sphere.colour ? to_rgb8(*sphere.colour) : colour});
   }
   if (!knots.empty()) TubeBuilder(std::move(knots), mesh).build();
+}
+
+void add_stick(const RealPoint& from, const RealPoint& to, double radius, const Rgb8& colour,
+               SmoothMesh& mesh) {
+  constexpr int kSides = 8;
+  const auto first = static_cast<std::int32_t>(mesh.points());
+  RealPoint across, up;
+  normals_of(unit_vector(to - from), across, up);
+  for (const RealPoint& end : {from, to}) {
+    for (int k = 0; k < kSides; ++k) {
+      const double angle = 2 * M_PI * k / kSides;
+      const RealPoint normal = std::cos(angle) * across + std::sin(angle) * up;
+      add_point(end + radius * normal, normal, colour, mesh);
+    }
+  }
+  for (int k = 0; k < kSides; ++k) {
+    const std::int32_t a = first + k, b = first + (k + 1) % kSides;
+    mesh.corners.insert(mesh.corners.end(), {a, b, b + kSides, a, b + kSides, a + kSides});
+  }
 }
 
 }  // namespace alphascope

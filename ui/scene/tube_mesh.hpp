@@ -28,4 +28,8 @@ std::size_t tube_points(std::size_t spheres);
 void add_tube(const std::vector<LayerSphere>& spheres, const std::array<double, 3>& origin,
               const Rgb8& colour, SmoothMesh& mesh);
 
+// Open at its ends, which other things cover; places in Å, relative to BallGeometry::origin.
+void add_stick(const RealPoint& from, const RealPoint& to, double radius, const Rgb8& colour,
+               SmoothMesh& mesh);
+
 }  // namespace alphascope

@@ -162,6 +162,7 @@ std::shared_ptr<LayerData> make_layer_data(std::shared_ptr<const LayerMesh> mesh
   data->edges = soup_to_vtk(mesh->marks.edges, 2);
   data->bodies = soup_to_vtk(mesh->bodies, 3);
   data->body_edges = soup_to_vtk(mesh->body_edges, 2);
+  data->body_lines = soup_to_vtk(mesh->body_lines, 2);
   data->tubes = smooth_to_vtk(mesh->tubes);
   if (mesh->spheres) {
     data->spheres = make_ball_data(mesh->spheres, mesh->sphere_colours, mesh->spheres->radii);

@@ -32,7 +32,7 @@ struct DifferenceData {
 
 struct LayerData {
   std::shared_ptr<const LayerMesh> mesh;
-  vtkSmartPointer<vtkPolyData> faces, edges, bodies, body_edges, tubes;
+  vtkSmartPointer<vtkPolyData> faces, edges, bodies, body_edges, body_lines, tubes;
   std::shared_ptr<BallData> spheres;  // null: none
 };
 

@@ -17,7 +17,7 @@ class ChannelsTest : public ViewerTest {
     add_ring(balls, 12, 4.5, 9, 2);
     if (closed) {
       add_ball(balls, 0, 0, -14000, 2000);
-      add_ring(balls, 8, 2.5, -14, 2);
+      add_ring(balls, 12, 3, -14, 2);
     }
     const fs::path path = folder_ / (closed ? "closed.xyzr" : "open.xyzr");
     std::ofstream file(path);
@@ -50,9 +50,12 @@ TEST_F(ChannelsTest, OfAPoreIsThereUponTheFirstClick) {
   EXPECT_TRUE(has("channels.result"));
   EXPECT_TRUE(has("channels.profile"));
   EXPECT_TRUE(has("channels.legend"));
-  EXPECT_TRUE(has_layer("channels.bottleneck"));
-  EXPECT_TRUE(has_layer("channels.tube.2"));
-  EXPECT_FALSE(has_layer("channels.tube.1")) << "nowhere below 2.3 Å";
+  ASSERT_TRUE(has_layer("channels.tube"));
+  const Layer& tube = *memory().layers.at(0);
+  EXPECT_EQ(tube.tubes.at(0).size(), channel().samples.size());
+  EXPECT_TRUE(tube.body && tube.fades_rest) << "the molecule would hide it";
+  ASSERT_EQ(tube.labels.size(), 1u);
+  EXPECT_NE(tube.labels[0].text.find("2.5"), std::string::npos) << tube.labels[0].text;
   // The place under the mouse is marked in the view.
   run("move channels.profile 0.5 0.5\nframes 3\n");
   EXPECT_TRUE(has_layer("channels.cursor"));
@@ -67,12 +70,12 @@ TEST_F(ChannelsTest, NeitherSolventNorAlphaChangesIt) {
   run("alpha.set 1\nwait-idle\n");
   settle();
   EXPECT_EQ(memory().shown, before);
-  EXPECT_TRUE(has_layer("channels.bottleneck"));
+  EXPECT_TRUE(has_layer("channels.tube"));
   run("solvent.set 1.4\nwait-idle\n");
   settle();
   ASSERT_EQ(viewer_->state().result->request.solvent_radius_angstrom, 1.4);
   EXPECT_EQ(memory().shown, before);
-  EXPECT_TRUE(has_layer("channels.bottleneck")) << "of the balls that are drawn now";
+  EXPECT_TRUE(has_layer("channels.tube")) << "of the balls that are drawn now";
 }
 
 TEST_F(ChannelsTest, ShowingTheBottleneckSelectsTheAtomsThatTouchIt) {
@@ -98,7 +101,7 @@ TEST_F(ChannelsTest, AChosenCavityLeadsOut) {
       "key enter\n");
   settle();
   EXPECT_TRUE(has("channels.problem"));
-  EXPECT_FALSE(has_layer("channels.bottleneck")) << "of another question";
+  EXPECT_FALSE(has_layer("channels.tube")) << "of another question";
 }
 
 TEST_F(ChannelsTest, WithoutACavityItLeadsToTheirPage) {
@@ -134,6 +137,43 @@ TEST_F(ChannelsTest, AClosedOneSaysSo) {
   EXPECT_TRUE(has("channels.result"));
 }
 
+// As potassium in the filter of a potassium channel.
+TEST_F(ChannelsTest, AnIonInThePoreCanBeLeftOut) {
+  const fs::path path = folder_ / "pore.pdb";
+  std::ofstream file(path);
+  const auto atom = [&](const char* kind, const char* name, const char* residue, int number,
+                        const RealPoint& p) {
+    char line[100];
+    std::snprintf(line, sizeof line, "%-6s%5d %-4s %3s A%4d    %8.3f%8.3f%8.3f  1.00  0.00\n", kind,
+                  number, name, residue, number, p.x, p.y, p.z);
+    file << line;
+  };
+  int number = 0;
+  for (int z = -6; z <= 6; z += 2) {
+    for (int k = 0; k < 16; ++k) {
+      const double angle = 2 * std::numbers::pi * k / 16;
+      atom("ATOM", " CA", "ALA", ++number, {5 * std::cos(angle), 5 * std::sin(angle), 1.0 * z});
+    }
+  }
+  atom("HETATM", " K", "K", ++number, {0.1, 0, 0});
+  file << "END\n";
+  file.close();
+  run("open " + path.string() +
+      "\nwait-idle\nclick bottom.channels\n"
+      "click channels.axis\nclick channels.axis.3\n");
+  settle();
+  ASSERT_TRUE(memory().shown && memory().shown->channel);
+  const double blocked = channel().widest_angstrom;
+  EXPECT_LT(blocked, 2);
+  ASSERT_TRUE(has("channels.guests"));
+  run("click channels.guests\nwait-idle\n");
+  settle();
+  EXPECT_FALSE(viewer_->state().open.balls.ions);
+  ASSERT_TRUE(memory().shown && memory().shown->channel);
+  EXPECT_GT(channel().widest_angstrom, blocked + 1);
+  EXPECT_FALSE(has("channels.guests"));
+}
+
 TEST_F(ChannelsTest, OfAnotherMoleculeNothingStays) {
   open_tube(false);
   const auto before = memory().shown;
@@ -141,7 +181,7 @@ TEST_F(ChannelsTest, OfAnotherMoleculeNothingStays) {
   open_crambin();
   run("click bottom.channels\nframes 1\n");
   EXPECT_NE(memory().shown, before);
-  EXPECT_FALSE(has_layer("channels.bottleneck") && memory().shown == before);
+  EXPECT_FALSE(has_layer("channels.tube") && memory().shown == before);
 }
 
 TEST_F(ChannelsTest, WithoutAMoleculeItSaysWhatToDo) {

@@ -25,22 +25,31 @@ constexpr const char* kToHelp[] = {
     "The widest place in one mouth of the chosen cavity.", "Coordinates in Å, as in the file."};
 constexpr const char* kAxes[] = {"the long axis", "x", "y", "z", "the line of sight"};
 
+// True when an entry was clicked, even the one that was chosen.
 template <class Choice, std::size_t N>
-void combo(PanelContext& ctx, const char* name, const char* const (&labels)[N],
+bool combo(PanelContext& ctx, const char* name, const char* const (&labels)[N],
            const char* const (&help)[N], Choice& chosen, float width) {
   const auto now = static_cast<std::size_t>(chosen);
   ImGui::SetNextItemWidth(ctx.px(width));
   const bool open = ImGui::BeginCombo((std::string("##") + name).c_str(), labels[now],
                                       ImGuiComboFlags_HeightLarge);
   record(ctx, name);
-  if (!open) return tooltip(ctx, help[now]);
+  if (!open) {
+    tooltip(ctx, help[now]);
+    return false;
+  }
+  bool clicked = false;
   close_on_escape();
   for (std::size_t n = 0; n < N; ++n) {
-    if (ImGui::Selectable(labels[n], n == now)) chosen = static_cast<Choice>(n);
+    if (ImGui::Selectable(labels[n], n == now)) {
+      chosen = static_cast<Choice>(n);
+      clicked = true;
+    }
     record(ctx, (std::string(name) + "." + std::to_string(n)).c_str());
     tooltip(ctx, help[n]);
   }
   ImGui::EndCombo();
+  return clicked;
 }
 
 void point_fields(PanelContext& ctx, const std::string& name, RealPoint& point) {
@@ -49,11 +58,17 @@ void point_fields(PanelContext& ctx, const std::string& name, RealPoint& point) 
   double* const values[] = {&point.x, &point.y, &point.z};
   for (std::size_t n = 0; n < 3; ++n) {
     if (n > 0) ImGui::SameLine(0, ctx.px(4));
-    ImGui::SetNextItemWidth(ctx.px(62));
+    ImGui::SetNextItemWidth(ctx.px(58));
     const std::string field = name + "." + kRules[n].name;
     number_field(ctx, field.c_str(), *values[n], kRules[n]);
     tooltip(ctx, (std::string(kRules[n].name) + " in Å, as in the file.").c_str());
   }
+}
+
+// As many digits as are looked at.
+RealPoint to_type(const RealPoint& p) {
+  const auto rounded = [](double value) { return std::round(1000 * value) / 1000; };
+  return {rounded(p.x), rounded(p.y), rounded(p.z)};
 }
 
 void mouth_field(PanelContext& ctx, const char* name, int& mouth) {
@@ -68,9 +83,8 @@ void axis_choice(PanelContext& ctx, ChannelMemory& memory) {
       "The direction in which the molecule is longest.", "The x axis of the file.",
       "The y axis of the file.", "The z axis of the file.",
       "The direction in which you look now; turning the view later does not change it."};
-  const ChannelAxis before = memory.axis;
-  combo(ctx, "channels.axis", kAxes, kHelp, memory.axis, 116);
-  if (memory.axis == ChannelAxis::view && before != ChannelAxis::view) {
+  const bool clicked = combo(ctx, "channels.axis", kAxes, kHelp, memory.axis, 116);
+  if (clicked && memory.axis == ChannelAxis::view) {
     memory.view_axis = ctx.state.viewport.into_view;
   }
   if (memory.to != ChannelTo::along) return;
@@ -196,26 +210,33 @@ void draw_channel_ends(PanelContext& ctx) {
   ChannelMemory& memory = ctx.state.memory.channels;
   const ChannelFrom from = memory.from;
   const ChannelTo to = memory.to;
+  const auto beside = [&] { ImGui::SameLine(0, ctx.px(6)); };
   label(ctx, "From");
-  combo(ctx, "channels.from", kFrom, kFromHelp, memory.from, 176);
+  combo(ctx, "channels.from", kFrom, kFromHelp, memory.from, 170);
   // A point begins where the last channel began, to be moved from there.
   if (memory.from != from && memory.from == ChannelFrom::point) {
-    memory.from_point = memory.last_from;
+    memory.from_point = to_type(memory.last_from);
   }
-  ImGui::SameLine(0, ctx.px(6));
-  if (memory.from == ChannelFrom::point) point_fields(ctx, "channels.from", memory.from_point);
-  if (memory.from == ChannelFrom::mouth) mouth_field(ctx, "channels.from.mouth", memory.from_mouth);
-  ImGui::NewLine();
-  ImGui::SetCursorPosY(ImGui::GetCursorPosY() - ImGui::GetStyle().ItemSpacing.y);
+  if (memory.from == ChannelFrom::point) {
+    beside();
+    point_fields(ctx, "channels.from", memory.from_point);
+  } else if (memory.from == ChannelFrom::mouth) {
+    beside();
+    mouth_field(ctx, "channels.from.mouth", memory.from_mouth);
+  }
   label(ctx, "To");
-  combo(ctx, "channels.to", kTo, kToHelp, memory.to, 176);
-  if (memory.to != to && memory.to == ChannelTo::point) memory.to_point = memory.last_from;
-  ImGui::SameLine(0, ctx.px(6));
-  if (memory.to == ChannelTo::along || memory.to == ChannelTo::both_ways) axis_choice(ctx, memory);
-  if (memory.to == ChannelTo::point) point_fields(ctx, "channels.to", memory.to_point);
-  if (memory.to == ChannelTo::mouth) mouth_field(ctx, "channels.to.mouth", memory.to_mouth);
-  ImGui::NewLine();
-  ImGui::SetCursorPosY(ImGui::GetCursorPosY() - ImGui::GetStyle().ItemSpacing.y);
+  combo(ctx, "channels.to", kTo, kToHelp, memory.to, 170);
+  if (memory.to != to && memory.to == ChannelTo::point) memory.to_point = to_type(memory.last_from);
+  if (memory.to == ChannelTo::along || memory.to == ChannelTo::both_ways) {
+    beside();
+    axis_choice(ctx, memory);
+  } else if (memory.to == ChannelTo::point) {
+    beside();
+    point_fields(ctx, "channels.to", memory.to_point);
+  } else if (memory.to == ChannelTo::mouth) {
+    beside();
+    mouth_field(ctx, "channels.to.mouth", memory.to_mouth);
+  }
 }
 
 ChannelQuestion channel_question(PanelContext& ctx) {

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <vector>
 
 #include "core/chart/readable_number.hpp"
 #include "core/document/number_input.hpp"
@@ -104,38 +105,52 @@ void draw_titles(PanelContext& ctx, const Plot& plot) {
       muted, kAlong);
 }
 
-// What the colours mean, right of "radius".
-void draw_legend(PanelContext& ctx, const Plot& plot) {
-  struct Entry {
-    WaterBand band;
-    std::string text;
-  };
+// What the colours mean, right of "radius"; in fewer words where there is less room.
+struct LegendEntry {
+  WaterBand band;
+  std::string text;
+};
+using Legend = std::vector<LegendEntry>;
+
+Legend legend_of(bool in_words) {
   const std::string one = fixed(kOneWaterAngstrom, 2), two = fixed(kTwoWatersAngstrom, 2);
-  const Entry entries[] = {{WaterBand::none, "below " + one + ": no water"},
-                           {WaterBand::one, "to " + two + ": one water"},
-                           {WaterBand::several, "wider"}};
+  return {{WaterBand::none, "below " + one + (in_words ? ": no water" : "")},
+          {WaterBand::one, "to " + two + (in_words ? ": one water" : "")},
+          {WaterBand::several, "wider"}};
+}
+
+float legend_width(const Legend& legend, float side, float gap) {
+  float width = -gap;
+  for (const LegendEntry& e : legend) {
+    width += 1.5f * side + ImGui::CalcTextSize(e.text.c_str()).x + gap;
+  }
+  return width;
+}
+
+void draw_legend(PanelContext& ctx, const Plot& plot) {
   ImDrawList* draw = ImGui::GetWindowDrawList();
   const float side = ctx.px(9), gap = ctx.px(14);
-  const float y = plot.from.y - ImGui::GetTextLineHeight() - ctx.px(3);
-  float width = 0;
-  for (const Entry& e : entries) width += side + ctx.px(5) + ImGui::CalcTextSize(e.text.c_str()).x;
-  width += 2 * gap;
-  const ImVec2 corner{plot.to.x - width, y};
-  if (corner.x < plot.from.x + ImGui::CalcTextSize("radius (Å)").x + gap) return;
+  const float room = plot.to.x - plot.from.x - ImGui::CalcTextSize("radius (Å)").x - gap;
+  Legend legend = legend_of(true);
+  if (legend_width(legend, side, gap) > room) legend = legend_of(false);
+  const float width = legend_width(legend, side, gap);
+  if (width > room) return;
+  const ImVec2 corner{plot.to.x - width, plot.from.y - ImGui::GetTextLineHeight() - ctx.px(3)};
   float x = corner.x;
-  for (const Entry& e : entries) {
-    const float top = y + (ImGui::GetTextLineHeight() - side) / 2;
+  for (const LegendEntry& e : legend) {
+    const float top = corner.y + (ImGui::GetTextLineHeight() - side) / 2;
     draw->AddRectFilled({x, top}, {x + side, top + side}, band_colour(e.band, 255));
-    x += side + ctx.px(5);
-    draw->AddText({x, y}, to_u32(ctx.palette.text_muted), e.text.c_str());
+    x += 1.5f * side;
+    draw->AddText({x, corner.y}, to_u32(ctx.palette.text_muted), e.text.c_str());
     x += ImGui::CalcTextSize(e.text.c_str()).x + gap;
   }
   ImGui::SetCursorScreenPos(corner);
   ImGui::InvisibleButton("##legend", {width, ImGui::GetTextLineHeight()});
   record(ctx, "channels.legend");
-  tooltip(ctx,
-          "The limits of HOLE's colours: no water passes, one water at a time, or waters side by "
-          "side (Smart et al., 1996).");
+  tooltip(
+      ctx,
+      "The limits of HOLE's colours, in Å: no water passes, one water at a time, or waters side "
+      "by side (Smart et al., 1996).");
 }
 
 void draw_curve(PanelContext& ctx, const Plot& plot, const Channel& channel) {

@@ -14,7 +14,7 @@
 namespace alphascope {
 namespace {
 
-// More take seconds of every core's neighbour: they are asked about first.
+// Of more it takes minutes; they are asked about first.
 constexpr std::size_t kMostBallsUnasked = 200'000;
 
 std::string fixed(double value, int digits) {
@@ -57,8 +57,11 @@ void take_balls(PanelContext& ctx, ChannelMemory& memory) {
   constexpr std::size_t kMostLookedAt = 1'000'000;
   const std::size_t stride = 1 + balls.size() / kMostLookedAt;
   RealPoint sum;
-  for (const LatticePoint& p : balls.centres) sum = sum + real_point(p);
-  const RealPoint middle = (1 / static_cast<double>(balls.size())) * sum;
+  double count = 0;
+  for (std::size_t i = 0; i < balls.size(); i += stride, ++count) {
+    sum = sum + real_point(balls.centres[i]);
+  }
+  const RealPoint middle = (1 / count) * sum;
   memory.middle = balls.lattice.unit_angstrom() * middle;
   memory.long_axis = long_axis_of(balls, middle, stride);
 }
@@ -131,7 +134,6 @@ void headline(PanelContext& ctx, const Channel& channel) {
 void progress(PanelContext& ctx, const Derived<FoundChannel>& found) {
   char text[24];
   std::snprintf(text, sizeof text, "%.0f %%", 100 * found.share);
-  ImGui::SetNextItemWidth(ctx.px(150));
   const bool runs = found.state == DerivedState::running;
   ImGui::ProgressBar(static_cast<float>(found.share), {ctx.px(150), ImGui::GetFrameHeight()},
                      runs ? text : "waiting");
@@ -146,15 +148,43 @@ void limit_line(PanelContext& ctx, const Channel& channel) {
   muted_wrapped(ctx, std::string("Narrowest ") + channel_limit_text(channel.limit) + ".");
 }
 
+// What is in a pore of a crystal closes it, although it may not stay there.
+struct Guest {
+  AtomKind kind;
+  const char *one, *some;
+  bool BallOptions::*kept;
+};
+constexpr Guest kGuests[] = {{AtomKind::ion, "An ion", "ions", &BallOptions::ions},
+                             {AtomKind::ligand, "A ligand", "ligands", &BallOptions::ligands},
+                             {AtomKind::water, "A water", "waters", &BallOptions::waters}};
+
+void guest_line(PanelContext& ctx, const std::vector<BallIndex>& touching, bool current) {
+  const BallReferences& atoms = *ctx.state.references;
+  if (!current) return;
+  for (const Guest& guest : kGuests) {
+    const bool touches = std::any_of(touching.begin(), touching.end(), [&](BallIndex ball) {
+      return atoms.molecule().atoms[atoms.prepared().atom_of_ball.at(ball)].kind == guest.kind;
+    });
+    if (!touches) continue;
+    wrapped_text(std::string(guest.one) + " is in its way.");
+    if (button(ctx, "channels.guests", (std::string("Leave ") + guest.some + " out").c_str())) {
+      ctx.state.open.balls.*guest.kept = false;
+    }
+    tooltip(ctx, "The same as under Molecule, Keep. Undo brings them back.");
+    return;
+  }
+}
+
 void details(PanelContext& ctx, const ChannelMemory& memory, bool current) {
   const Channel& channel = *memory.shown->channel;
   const RealPoint& p = channel.narrowest().position_angstrom;
   wrapped_text("length " + fixed(channel.length_angstrom, 1) + " Å, narrowest at " + fixed(p.x, 2) +
-               ", " + fixed(p.y, 2) + ", " + fixed(p.z, 2));
+               ", " + fixed(p.y, 2) + ", " + fixed(p.z, 2) + " Å");
   record(ctx, "channels.place");
   muted_wrapped(ctx, "touched there by " + memory.touching);
   record(ctx, "channels.touching");
   limit_line(ctx, channel);
+  guest_line(ctx, channel.touching, current);
   ImGui::BeginDisabled(!current);
   if (button(ctx, "channels.show", "Show the bottleneck")) select_bottleneck(ctx, memory);
   tooltip(ctx, "Selects the atoms that touch it, and the view goes there.");
@@ -206,6 +236,7 @@ void column_of_results(PanelContext& ctx, const Derived<FoundChannel>& found, bo
     details(ctx, memory, current);
   } else {
     problem(ctx, no_channel_text(memory));
+    if (memory.shown->covering) guest_line(ctx, {*memory.shown->covering}, current);
   }
   ImGui::PopStyleVar();
 }

@@ -23,7 +23,7 @@ constexpr const char* kToHelp[] = {
     "Out of the molecule, without going back behind the plane through the start.",
     "Through a pore: out at both its ends. The start first moves to the middle of the pore.",
     "The widest place in one mouth of the chosen cavity.", "Coordinates in Å, as in the file."};
-constexpr const char* kAxes[] = {"the long axis", "x", "y", "z", "the line of sight"};
+constexpr const char* kAxes[] = {"the main axis", "x", "y", "z", "the line of sight"};
 
 // True when an entry was clicked, even the one that was chosen.
 template <class Choice, std::size_t N>
@@ -80,8 +80,9 @@ void mouth_field(PanelContext& ctx, const char* name, int& mouth) {
 
 void axis_choice(PanelContext& ctx, ChannelMemory& memory) {
   static constexpr const char* kHelp[] = {
-      "The direction in which the molecule is longest.", "The x axis of the file.",
-      "The y axis of the file.", "The z axis of the file.",
+      "The axis around which the molecule spreads alike, as equal chains around a pore do; else "
+      "the direction in which it is longest.",
+      "The x axis of the file.", "The y axis of the file.", "The z axis of the file.",
       "The direction in which you look now; turning the view later does not change it."};
   const bool clicked = combo(ctx, "channels.axis", kAxes, kHelp, memory.axis, 116);
   if (clicked && memory.axis == ChannelAxis::view) {
@@ -113,10 +114,10 @@ RealPoint axis_of(const ChannelMemory& memory) {
       return {0, 0, 1};
     case ChannelAxis::view:
       return memory.view_axis;
-    case ChannelAxis::longest:
+    case ChannelAxis::main:
       break;
   }
-  return memory.long_axis;
+  return memory.main_axis.axis;
 }
 
 // A place, or why there is none.
@@ -197,7 +198,7 @@ Place start_of(PanelContext& ctx, const ChannelMemory& memory) {
     case ChannelFrom::atoms:
       return centre_of_selection(ctx);
     case ChannelFrom::middle:
-      return {memory.middle, {}};
+      return {memory.main_axis.middle_angstrom, {}};
     case ChannelFrom::point:
       break;
   }

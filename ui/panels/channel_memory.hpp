@@ -8,13 +8,14 @@
 
 #include "core/document/channel_results.hpp"
 #include "core/document/reference.hpp"
+#include "core/geometry/principal_axes.hpp"
 #include "ui/layer.hpp"
 
 namespace alphascope {
 
 enum class ChannelFrom : std::uint8_t { cavity, mouth, atoms, middle, point };
 enum class ChannelTo : std::uint8_t { out, along, both_ways, mouth, point };
-enum class ChannelAxis : std::uint8_t { longest, x, y, z, view };
+enum class ChannelAxis : std::uint8_t { main, x, y, z, view };
 
 struct ChannelMemory {
   std::string molecule;  // SHA-256 of its file
@@ -22,7 +23,7 @@ struct ChannelMemory {
   ChannelTo to = ChannelTo::both_ways;
   int from_mouth = 1, to_mouth = 1;  // of the chosen cavity
   RealPoint from_point, to_point;    // Å, typed
-  ChannelAxis axis = ChannelAxis::longest;
+  ChannelAxis axis = ChannelAxis::main;
   bool backwards = false;            // against the axis; one way only
   RealPoint view_axis{0, 0, 1};      // into the view when that was chosen
   std::vector<SimplexRef> cavities;  // that were chosen in the last frame
@@ -32,7 +33,7 @@ struct ChannelMemory {
   // Of the balls without solvent.
   std::shared_ptr<const PreparedBalls> prepared;
   std::uint64_t balls_key = 0;  // another one for other balls, and when it is computed anew
-  RealPoint middle, long_axis;
+  MainAxis main_axis;
 
   // The last answer; grey while it is not that of the present question.
   std::shared_ptr<const FoundChannel> shown;

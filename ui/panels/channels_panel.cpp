@@ -7,6 +7,7 @@
 
 #include "core/chart/readable_number.hpp"
 #include "core/document/store.hpp"
+#include "core/geometry/principal_axes.hpp"
 #include "ui/panels/channel_parts.hpp"
 #include "ui/panels/format.hpp"
 #include "ui/panels/panels.hpp"
@@ -28,42 +29,12 @@ std::uint64_t next_balls_key() {
   return ++key;
 }
 
-// The direction in which the centres spread most: the greatest axis of their inertia, by powers.
-RealPoint long_axis_of(const BallSet& balls, const RealPoint& middle, std::size_t stride) {
-  double xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;
-  for (std::size_t i = 0; i < balls.size(); i += stride) {
-    const RealPoint p = real_point(balls.centres[i]) - middle;
-    xx += p.x * p.x, xy += p.x * p.y, xz += p.x * p.z;
-    yy += p.y * p.y, yz += p.y * p.z, zz += p.z * p.z;
-  }
-  constexpr int kRounds = 200;
-  RealPoint axis = unit_vector({0.9, 0.95, 1});
-  for (int n = 0; n < kRounds; ++n) {
-    const RealPoint next = unit_vector({xx * axis.x + xy * axis.y + xz * axis.z,
-                                        xy * axis.x + yy * axis.y + yz * axis.z,
-                                        xz * axis.x + yz * axis.y + zz * axis.z});
-    if (length(next) == 0) return {0, 0, 1};
-    axis = next;
-  }
-  return axis;
-}
-
 void take_balls(PanelContext& ctx, ChannelMemory& memory) {
   const PreparedBalls& prepared = ctx.state.references->prepared();
   if (memory.prepared.get() == &prepared) return;
   memory.prepared = {ctx.state.references, &prepared};
   memory.balls_key = next_balls_key();
-  const BallSet& balls = *prepared.balls;
-  constexpr std::size_t kMostLookedAt = 1'000'000;
-  const std::size_t stride = 1 + balls.size() / kMostLookedAt;
-  RealPoint sum;
-  double count = 0;
-  for (std::size_t i = 0; i < balls.size(); i += stride, ++count) {
-    sum = sum + real_point(balls.centres[i]);
-  }
-  const RealPoint middle = (1 / count) * sum;
-  memory.middle = balls.lattice.unit_angstrom() * middle;
-  memory.long_axis = long_axis_of(balls, middle, stride);
+  memory.main_axis = main_axis(*prepared.balls);
 }
 
 // Who has just chosen a cavity wants the way out of it.

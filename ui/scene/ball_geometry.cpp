@@ -6,46 +6,17 @@
 #include <limits>
 
 #include "core/geometry/grown_radius.hpp"
+#include "core/geometry/principal_axes.hpp"
 
 namespace alphascope {
 namespace {
 
-using Matrix = std::array<std::array<double, 3>, 3>;
-
-// Eigenvectors (columns of `vectors`) of a symmetric matrix by cyclic Jacobi rotations; `a` ends
-// up diagonal. Ten sweeps reach double precision for 3 x 3 (it converges quadratically).
-void diagonalise(Matrix& a, Matrix& vectors) {
-  vectors = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
-  for (int sweep = 0; sweep < 10; ++sweep) {
-    for (int p = 0; p < 2; ++p) {
-      for (int q = p + 1; q < 3; ++q) {
-        if (std::fabs(a[p][q]) < 1e-300) continue;
-        const double theta = 0.5 * std::atan2(2 * a[p][q], a[q][q] - a[p][p]);
-        const double c = std::cos(theta), s = std::sin(theta);
-        for (int k = 0; k < 3; ++k) {
-          const double kp = a[k][p], kq = a[k][q];
-          a[k][p] = c * kp - s * kq;
-          a[k][q] = s * kp + c * kq;
-        }
-        for (int k = 0; k < 3; ++k) {
-          const double pk = a[p][k], qk = a[q][k];
-          a[p][k] = c * pk - s * qk;
-          a[q][k] = s * pk + c * qk;
-          const double vp = vectors[k][p], vq = vectors[k][q];
-          vectors[k][p] = c * vp - s * vq;
-          vectors[k][q] = s * vp + c * vq;
-        }
-      }
-    }
-  }
-}
-
-Matrix covariance(const std::vector<std::array<float, 3>>& points) {
+Matrix3 covariance(const std::vector<std::array<float, 3>>& points) {
   std::array<double, 3> mean{};
   for (const auto& p : points) {
     for (int k = 0; k < 3; ++k) mean[k] += p[k] / static_cast<double>(points.size());
   }
-  Matrix sum{};
+  Matrix3 sum{};
   for (const auto& p : points) {
     for (int i = 0; i < 3; ++i) {
       for (int j = 0; j < 3; ++j) sum[i][j] += (p[i] - mean[i]) * (p[j] - mean[j]);
@@ -56,12 +27,12 @@ Matrix covariance(const std::vector<std::array<float, 3>>& points) {
 
 // Longest axis to the right, second upwards. The signs are fixed (largest component positive), so
 // that a molecule always appears the same way.
-Matrix view_axes(const std::vector<std::array<float, 3>>& points) {
-  Matrix a = covariance(points), vectors;
+Matrix3 view_axes(const std::vector<std::array<float, 3>>& points) {
+  Matrix3 a = covariance(points), vectors;
   diagonalise(a, vectors);
   std::array<int, 3> order{0, 1, 2};
   std::sort(order.begin(), order.end(), [&](int i, int j) { return a[i][i] > a[j][j]; });
-  Matrix axes;
+  Matrix3 axes;
   for (int i = 0; i < 2; ++i) {
     for (int k = 0; k < 3; ++k) axes[i][k] = vectors[k][order[i]];
     const auto largest = std::max_element(axes[i].begin(), axes[i].end(), [](double x, double y) {

@@ -313,7 +313,7 @@ TEST(PanelsTest, SavingOffersALegendWhereThereIsOne) {
   EXPECT_TRUE(saved_with({"save.legend"}).legend) << "without one there is nothing to switch off";
   EXPECT_FALSE(saved_with({}).scale_bar);
   EXPECT_TRUE(saved_with({"save.scale_bar"}).scale_bar);
-  p.state.viewport.legend = ColourLegend{{{{}, 0}, {{}, 1}}};
+  p.state.viewport.legend = ColourLegend{"alpha value (Å²)", {{{}, 0}, {{}, 1}}};
   EXPECT_FALSE(saved_with({"save.legend"}).legend);
   EXPECT_TRUE(saved_with({"save.legend"}).legend) << "the choice was kept";
 }

@@ -54,7 +54,8 @@ TEST_P(EngineMeasures, AreThoseOfEveryEngine) {
       expect_same_bits(measure_union(*balls, found, {1}), of_cgal);
       WorkThreads threads(1);
       if (const auto by = measure_on_device(*engine, *balls, found, threads, {})) {
-        EXPECT_EQ(by->note, "");
+        const bool beyond_limits = found.engine.route.find("limits") != std::string::npos;
+        EXPECT_EQ(by->note.empty(), !beyond_limits) << by->note;
         expect_near(by->measures, of_cgal, free_areas_angstrom2(*balls, found.alpha_on_lattice));
       }
       ++compared;

@@ -126,11 +126,23 @@ class CavityFinder {
     for (std::uint32_t v = 0; v < in_.vertices.size(); ++v) {
       result_.components += in_.vertices[v] && sets.root(v) == v;
     }
-    for (const Cavity& cavity : result_.cavities) result_.voids += cavity.is_void();
+    for (Cavity& cavity : result_.cavities) {
+      result_.voids += cavity.is_void();
+      cavity.bodies = bodies_of(cavity, sets);
+    }
     const auto& n = result_.simplices;
     const auto euler = static_cast<long long>(n[0] + n[2]) - static_cast<long long>(n[1] + n[3]);
     result_.tunnels = result_.components + result_.voids - euler;
     if (result_.tunnels < 0) throw InternalError("There are fewer voids than there must be.");
+  }
+
+  static std::uint32_t bodies_of(const Cavity& cavity, UnionFind& sets) {
+    std::vector<std::uint32_t> roots;  // hardly ever more than two
+    for (const BallIndex v : cavity.atoms) {
+      const std::uint32_t root = sets.root(v);
+      if (std::find(roots.begin(), roots.end(), root) == roots.end()) roots.push_back(root);
+    }
+    return static_cast<std::uint32_t>(roots.size());
   }
 
   const CavityGround& ground_;

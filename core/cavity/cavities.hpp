@@ -48,6 +48,9 @@ struct Cavity {
   std::vector<std::uint32_t> tetrahedra;
   std::vector<Mouth> mouths;     // by their first triangles
   std::vector<BallIndex> atoms;  // the vertices of the tetrahedra that are in K_alpha
+  // To how many components of K_alpha those atoms belong: more than one where it lies between
+  // bodies.
+  std::uint32_t bodies = 0;
   std::uint32_t sinks = 0;
   // The sink of the largest ortho-radius, of several the first: what the cavity is known by while
   // alpha moves.

@@ -28,6 +28,28 @@ void number_the_rest(CavityNumbers& numbers) {
   }
 }
 
+void note_changes(const CavityNumbers& before, const CavityMatch& match, CavityNumbers& numbers) {
+  for (std::uint32_t c = 0; c < match.came_from.size(); ++c) {
+    const std::uint32_t from = match.came_from[c];
+    if (from != kNone && !match.is_same(c)) numbers.parted_from[c] = before.of[from];
+  }
+  for (std::uint32_t e = 0; e < match.goes_to.size(); ++e) {
+    const std::uint32_t to = match.goes_to[e];
+    if (to != kNone && match.came_from[to] != e) ++numbers.merged[to];
+  }
+}
+
+// All without a number, and without a past.
+CavityNumbers blank_numbers(std::shared_ptr<const CavityTable> table) {
+  CavityNumbers numbers;
+  const std::size_t size = table->found.cavities.size();
+  numbers.of.assign(size, kNone);
+  numbers.parted_from.assign(size, kNone);
+  numbers.merged.assign(size, 0);
+  numbers.table = std::move(table);
+  return numbers;
+}
+
 }  // namespace
 
 std::uint32_t CavityNumbers::cavity(std::uint32_t number) const {
@@ -36,9 +58,7 @@ std::uint32_t CavityNumbers::cavity(std::uint32_t number) const {
 }
 
 CavityNumbers first_numbers(std::shared_ptr<const CavityTable> table) {
-  CavityNumbers numbers;
-  numbers.of.assign(table->found.cavities.size(), kNone);
-  numbers.table = std::move(table);
+  CavityNumbers numbers = blank_numbers(std::move(table));
   number_the_rest(numbers);
   return numbers;
 }
@@ -49,15 +69,14 @@ CavityNumbers next_numbers(const CavityNumbers& before, std::shared_ptr<const Ca
     return first_numbers(std::move(table));
   }
   const CavityMatch match = match_cavities(*before.table, *table, cancel);
-  CavityNumbers numbers;
+  CavityNumbers numbers = blank_numbers(std::move(table));
   numbers.known = before.known;
   numbers.used = before.used;
   numbers.steps = before.steps + 1;
-  numbers.of.assign(table->found.cavities.size(), kNone);
   for (std::uint32_t c = 0; c < numbers.of.size(); ++c) {
     if (match.is_same(c)) numbers.of[c] = before.of[match.came_from[c]];
   }
-  numbers.table = std::move(table);
+  note_changes(before, match, numbers);
   number_the_rest(numbers);
   return numbers;
 }

@@ -19,6 +19,9 @@ struct CavityNumbers {
   std::map<std::array<BallIndex, 4>, std::uint32_t> known;
   std::uint32_t used = 0;   // all numbers are below
   std::uint64_t steps = 0;  // next_numbers() since first_numbers()
+  // What the last step did to each of found.cavities: the number of the cavity that it has parted
+  // from, or kNone; and how many cavities have merged into it.
+  std::vector<std::uint32_t> parted_from, merged;
 
   // The cavity of a number, or CavityMatch::kNone.
   std::uint32_t cavity(std::uint32_t number) const;

@@ -26,19 +26,26 @@ void trim(std::string& text) {
 std::vector<std::string_view> spellings(std::string_view unit) {
   if (unit == "Å") return {unit, "A"};
   if (unit == "Å²") return {unit, "Å2", "Å^2", "A²", "A2", "A^2"};
+  if (unit == "Å³") return {unit, "Å3", "Å^3", "A³", "A3", "A^3"};
   return {unit};
 }
 
-// "Å" where a square is wanted, and the other way round: what is meant is not to be guessed.
+// "Å" where a square is wanted, and so on: what is meant is not to be guessed.
 std::string unit_error(const std::string& typed, const std::string& text, const NumberRule& rule) {
-  const std::string_view unit = rule.unit;
-  const bool area = unit == "Å²";
-  if (!area && unit != "Å") return {};
-  for (const std::string_view other : spellings(area ? "Å" : "Å²")) {
-    if (!text.ends_with(other)) continue;
-    return "“" + typed + "” has another unit. " + rule.name +
-           (area ? " is an area, in Å²" : " is a length, in Å") + ". Write a number such as 1.4 " +
-           std::string(unit) + ".";
+  struct Size {
+    std::string_view unit, name;
+  };
+  static constexpr Size kSizes[] = {{"Å", "a length"}, {"Å²", "an area"}, {"Å³", "a volume"}};
+  const auto own = std::find_if(std::begin(kSizes), std::end(kSizes),
+                                [&](const Size& size) { return size.unit == rule.unit; });
+  if (own == std::end(kSizes)) return {};
+  for (const Size& size : kSizes) {
+    if (&size == own) continue;
+    for (const std::string_view other : spellings(size.unit)) {
+      if (!text.ends_with(other)) continue;
+      return "“" + typed + "” has another unit. " + rule.name + " is " + std::string(own->name) +
+             ", in " + rule.unit + ". Write a number such as 1.4 " + rule.unit + ".";
+    }
   }
   return {};
 }

@@ -176,6 +176,13 @@ bool Store::busy() const {
          });
 }
 
+bool Store::busy(Lane lane) const {
+  return std::any_of(entries_.begin(), entries_.end(), [&](const Entry& e) {
+    const bool on_its_way = e.state == DerivedState::waiting || e.state == DerivedState::running;
+    return e.lane == lane && on_its_way && is_asked_for(e);
+  });
+}
+
 std::vector<JobInfo> Store::jobs() const {
   std::vector<JobInfo> jobs;
   for (const Entry& e : entries_) {

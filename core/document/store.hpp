@@ -65,6 +65,8 @@ class Store {
   // What goes on, waits for its turn, or could not be done.
   std::vector<JobInfo> jobs() const;
   bool busy() const;
+  // Something of this lane has been asked for and is on its way, or what it is made of.
+  bool busy(Lane lane) const;
   std::uint64_t held_bytes() const;  // by results and by others
 
  private:

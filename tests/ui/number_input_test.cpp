@@ -40,6 +40,11 @@ TEST(NumberInput, RefusesTheRestAndSaysWhatToDo) {
               std::string("“") + length +
                   "” has another unit. Alpha is an area, in Å². Write a number such as 1.4 Å².");
   }
+  constexpr NumberRule kVolume{"The volume", 0, 1e9, "Å³"};
+  EXPECT_EQ(read_number("30 A3", kVolume).value, 30);
+  EXPECT_EQ(read_number("30 Å^3", kVolume).value, 30);
+  EXPECT_NE(read_number("30 Å²", kVolume).error.find("is a volume, in Å³."), std::string::npos);
+  EXPECT_NE(read_number("30 Å3", kAlphaRule).error.find("is an area, in Å²."), std::string::npos);
   EXPECT_NE(read_number("1.4 Å²", kSolventRule).error.find("is a length, in Å."),
             std::string::npos);
   for (const char* beyond : {"-0.1", "101", "1e308", "1e999", "-1e999"}) {

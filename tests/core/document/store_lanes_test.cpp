@@ -68,6 +68,25 @@ TEST_F(StoreLanesTest, TheLastAlphaIsMadeAtLast) {
   EXPECT_EQ(made, 2) << "one running and one waiting";
 }
 
+TEST_F(StoreLanesTest, SaysWhichLaneIsBusy) {
+  const auto slow = number("slow");
+  const auto t = table("table");
+  hold = true;
+  begin(slow, inputs(1));
+  EXPECT_TRUE(store.busy(Lane::background));
+  EXPECT_FALSE(store.busy(Lane::interactive));
+  store.want(t, inputs(1, 1));
+  EXPECT_TRUE(store.busy(Lane::interactive));
+  hold = false;
+  settle(t, inputs(1, 1));
+  EXPECT_FALSE(store.busy(Lane::interactive));
+  hold = true;
+  store.want(t, inputs(1, 2));
+  for (int i = 0; i < 3; ++i) frame();
+  EXPECT_FALSE(store.busy(Lane::interactive)) << "nobody asks for it any more";
+  hold = false;
+}
+
 TEST_F(StoreLanesTest, AnAlphaThatReturnsIsNotMadeAgain) {
   const auto t = table("table");
   for (const double alpha : {1.0, 2.0, 0.0, 2.0, 1.0, -0.0}) {

@@ -138,7 +138,7 @@ Outcome stop(ViewState& s) {
   s.memory.playing = s.memory.playing_models = false;
   if (playing) return {};
   if (!s.busy.active && !s.saving.active) {
-    s.picked.items = {};
+    s.picked.clear();
     return {};
   }
   (s.busy.active ? s.requests.cancel : s.requests.cancel_save) = true;
@@ -147,7 +147,7 @@ Outcome stop(ViewState& s) {
 
 std::string nothing_to_stop(const ViewState& s) {
   const bool something = s.memory.playing || s.memory.playing_models || s.busy.active ||
-                         s.saving.active || !s.picked.items.empty();
+                         s.saving.active || !s.picked.empty();
   return something ? ""
                    : "There is nothing to stop: nothing is playing, being read, computed, saved or "
                      "selected.";

@@ -61,14 +61,14 @@ CommandSpec by_name(ViewState& s, bool more) {
 void add_selection_commands(Commands& commands, ViewState& s) {
   commands.add(by_name(s, false));
   commands.add(by_name(s, true));
-  const auto nothing = [&s] { return s.picked.items.empty() ? "Nothing is selected." : ""; };
+  const auto nothing = [&s] { return s.picked.empty() ? "Nothing is selected." : ""; };
   commands.add({.id = "select.none",
                 .title = "Select nothing",
                 .help = "Takes everything out of the selection",
                 .menu = "Edit",
                 .why_not = nothing,
                 .run = [&s](const Arguments&) {
-                  s.picked.items = {};
+                  s.picked.clear();
                   return Outcome();
                 }});
   commands.add({.id = "view.zoom_to_selection",

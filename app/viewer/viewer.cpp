@@ -12,8 +12,6 @@
 #include "app/viewer/molecule_info.hpp"
 #include "app/viewer/resources.hpp"
 #include "app/viewer/state_bridge.hpp"
-#include "core/document/cavity_curve_results.hpp"
-#include "core/document/derived.hpp"
 #include "ui/panels/format.hpp"
 #include "ui/panels/window_layout.hpp"
 #include "ui/scene/frame_grab.hpp"
@@ -27,8 +25,6 @@ std::uint64_t large_object_budget(std::uint64_t held) {
   return (available_bytes().value_or(0) + held) / 2;
 }
 
-// ImGui needs a frame or two after the last input until everything has settled (hover, popups).
-constexpr int kSettlingFrames = 3;
 // Tooltips appear when the mouse rests, which is no event: frames are drawn for them. ImGui hides a
 // tooltip in its first frame, in which it measures it.
 constexpr std::chrono::milliseconds kTooltipFrameAfter{450};
@@ -163,52 +159,6 @@ void Viewer::take_shown() {
   }
   const auto& ours = session_.state().ours;
   state_.pending = ours && ours != state_.result ? pending_text(*ours) : "";
-}
-
-// The whole filtration, so that on the CPU every later alpha is a threshold of it. Not before the
-// first picture is there.
-void Viewer::want_derived() {
-  const auto& ours = session_.state().ours;
-  const auto& shown = state_.result;
-  if (!ours || ours->balls != inputs_.balls) inputs_ = {};
-  if (ours && ours == shown && !inputs_.balls) {
-    inputs_.balls = ours->balls;
-    inputs_.balls_key = ++balls_seen_;
-    inputs_.solvent_radius_angstrom = ours->request.solvent_radius_angstrom;
-    inputs_.atoms = std::make_shared<const BallReferences>(ours->molecule, ours->prepared);
-    if (std::exchange(body_, ours->prepared) != ours->prepared) {
-      ++bodies_seen_;
-      frames_key_ = key_of_frames(*inputs_.atoms);
-    }
-    inputs_.body_key = bodies_seen_;
-    inputs_.frames_key = frames_key_;
-  }
-  if (inputs_.balls) {
-    inputs_.complex = nullptr;
-    inputs_.measures = nullptr;
-    if (shown && shown->balls == inputs_.balls) {
-      inputs_.alpha_angstrom2 = shown->request.alpha_angstrom2;
-      inputs_.complex = {shown, &shown->complex};
-      inputs_.measures = shown->measures ? shown->measures : scene_.drawn_measures();
-    }
-    const auto filtration = store_.want(whole_filtration(), inputs_, Priority::background).value;
-    const auto triangulation =
-        store_.want(whole_triangulation(), inputs_, Priority::background).value;
-    session_.lend(*ours, {triangulation, filtration});
-  }
-  note_large_objects();
-  if (store_.poll()) frames_due_ = kSettlingFrames;
-}
-
-// The complex on screen may be another than the session's last.
-void Viewer::note_large_objects() {
-  const SessionState& s = session_.state();
-  const auto& shown = state_.result;
-  std::uint64_t complexes = session_.held_bytes();
-  const bool older = shown && shown != s.ours && !(s.agreement && s.agreement->ours == shown);
-  if (older) complexes += bytes_of(shown->complex);
-  store_.note_held("complexes", complexes);
-  store_.note_held("meshes", scene_.held_bytes());
 }
 
 void Viewer::take_machine() {

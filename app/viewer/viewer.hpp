@@ -61,6 +61,8 @@ class Viewer {
 
  private:
   using Clock = std::chrono::steady_clock;
+  // ImGui needs a frame or two after the last input until everything has settled (hover, popups).
+  static constexpr int kSettlingFrames = 3;
 
   void fill_constants();
   // Runs what may throw on the main thread; what it throws is shown, and the program goes on.
@@ -73,7 +75,9 @@ class Viewer {
   void take_machine();
   void take_molecule();
   void take_answer();
-  void want_derived();        // what follows from all balls, in the background
+  void want_derived();  // what follows from all balls, in the background
+  bool may_take_inputs(const Answer& shown) const;
+  void take_inputs(const std::shared_ptr<const Answer>& shown);
   void note_large_objects();  // for the store's budget
   void take_shown();          // what is said of the picture changes with it
   void take_requests();       // what the panels asked for
@@ -96,6 +100,7 @@ class Viewer {
   };
   std::optional<UnderMouse> under(int x, int y) const;  // pixels of the picture
   void follow_picture();                                // state_.references
+  std::shared_ptr<const BallReferences> references_of(const Answer& answer) const;
   void describe_under_mouse();
   void click(const PointerEvent& event);
   void mark_selection();
@@ -149,7 +154,8 @@ class Viewer {
   FolderReader folder_reader_;
   std::future<MachineInfo> machine_;  // looking for a GPU can take a second
   Benchmark benchmark_;
-  Inputs inputs_;  // of derived results
+  Inputs inputs_;                         // of derived results
+  std::shared_ptr<const Answer> source_;  // whose balls they are; null: there are none
   std::uint64_t balls_seen_ = 0, bodies_seen_ = 0, frames_key_ = 0;
   std::shared_ptr<const PreparedBalls> body_;  // the last of bodies_seen_
   Store store_;

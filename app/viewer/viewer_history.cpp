@@ -6,7 +6,8 @@ namespace alphascope {
 
 // The molecule's options as they were sent: what the controls hold may be refused.
 Settings Viewer::settings() const {
-  return {session_.open_options(), state_.compute, state_.display, state_.picked.items};
+  return {session_.open_options(), state_.compute, state_.display, state_.picked.items,
+          state_.picked.cavities};
 }
 
 // Once a frame, when what was typed has been checked.
@@ -27,6 +28,7 @@ void Viewer::show_settings() {
   state_.compute = s.request;
   state_.display = s.display;
   state_.picked.items = s.selection;
+  state_.picked.cavities = s.cavities;
   state_.memory.playing = state_.memory.playing_models = false;
   state_.memory.number = {};  // what was being typed is not what is undone
   state_.expression_error.reset();

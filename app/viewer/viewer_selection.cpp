@@ -23,6 +23,12 @@ void Viewer::follow_picture() {
   }
 }
 
+std::shared_ptr<const BallReferences> Viewer::references_of(const Answer& answer) const {
+  const auto& shown = state_.references;
+  if (shown && &shown->prepared() == answer.prepared.get()) return shown;
+  return std::make_shared<const BallReferences>(answer.molecule, answer.prepared);
+}
+
 std::optional<Viewer::UnderMouse> Viewer::under(int x, int y) const {
   const BallReferences* references = state_.references.get();
   if (references == nullptr) return std::nullopt;
@@ -62,7 +68,7 @@ void Viewer::click(const PointerEvent& event) {
   RefSet& items = state_.picked.items;
   const auto found = under(event.x, event.y);
   if (!found) {
-    if (!more) items = {};
+    if (!more) state_.picked.clear();
     return;
   }
   if (!found->what) return;

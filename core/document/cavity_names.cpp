@@ -1,6 +1,8 @@
 // See the header.
 #include "core/document/cavity_names.hpp"
 
+#include <algorithm>
+
 #include "core/molecule/atom_address.hpp"
 #include "core/molecule/atom_groups.hpp"
 
@@ -11,13 +13,13 @@ std::size_t atom_of(const BallReferences& references, BallIndex ball) {
   return references.prepared().atom_of_ball.at(ball);
 }
 
-// use(atom, ball, whether another residue begins) for each atom that lines it.
+// use(atom, ball, whether another residue begins) for each of these.
 template <class Use>
-void for_lining(const BallReferences& references, const CavityTable& table, std::size_t row,
+void for_lining(const BallReferences& references, std::span<const BallIndex> lining,
                 const Use& use) {
   const std::vector<Atom>& atoms = references.molecule().atoms;
   const Atom* last = nullptr;
-  for (const BallIndex ball : table.measure(row).lining) {
+  for (const BallIndex ball : lining) {
     const std::size_t index = atom_of(references, ball);
     use(index, ball, !last || !same_residue(*last, atoms[index]));
     last = &atoms[index];
@@ -43,19 +45,31 @@ SimplexRef cavity_sink(const BallReferences& references, const CavityTable& tabl
 
 std::vector<LiningResidue> lining_residues(const BallReferences& references,
                                            const CavityTable& table, std::size_t row) {
+  return residues_of_lining(references, table.measure(row).lining);
+}
+
+std::vector<LiningResidue> residues_of_lining(const BallReferences& references,
+                                              std::span<const BallIndex> lining) {
   std::vector<LiningResidue> residues;
-  for_lining(references, table, row, [&](std::size_t atom, BallIndex ball, bool next) {
+  for_lining(references, lining, [&](std::size_t atom, BallIndex ball, bool next) {
     if (next) residues.push_back({residue_address(references.molecule(), atom), {}});
     residues.back().balls.push_back(ball);
   });
   return residues;
 }
 
-std::size_t lining_residue_count(const BallReferences& references, const CavityTable& table,
-                                 std::size_t row) {
-  std::size_t count = 0;
-  for_lining(references, table, row, [&](std::size_t, BallIndex, bool next) { count += next; });
-  return count;
+LiningCounts lining_counts(const BallReferences& references, const CavityTable& table,
+                           std::size_t row) {
+  const std::vector<Atom>& atoms = references.molecule().atoms;
+  std::vector<NameId> chains;
+  std::size_t residues = 0;
+  for_lining(references, table.measure(row).lining, [&](std::size_t atom, BallIndex, bool next) {
+    residues += next;
+    const NameId chain = atoms[atom].chain;
+    if (!next || std::find(chains.begin(), chains.end(), chain) != chains.end()) return;
+    chains.push_back(chain);
+  });
+  return {residues, chains.size()};
 }
 
 }  // namespace alphascope

@@ -1,6 +1,7 @@
 // Cavities in the words of the molecule: what a cavity is called, and which residues line it.
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -27,8 +28,14 @@ struct LiningResidue {
 // In the order of the molecule.
 std::vector<LiningResidue> lining_residues(const BallReferences& references,
                                            const CavityTable& table, std::size_t row);
-// How many those are, without their addresses.
-std::size_t lining_residue_count(const BallReferences& references, const CavityTable& table,
-                                 std::size_t row);
+// Of these balls, which ascend.
+std::vector<LiningResidue> residues_of_lining(const BallReferences& references,
+                                              std::span<const BallIndex> lining);
+// How many those are, and of how many chains, without their addresses.
+struct LiningCounts {
+  std::size_t residues = 0, chains = 0;
+};
+LiningCounts lining_counts(const BallReferences& references, const CavityTable& table,
+                           std::size_t row);
 
 }  // namespace alphascope

@@ -1,8 +1,19 @@
 // See the header.
 #include "core/document/cavity_results.hpp"
 
+#include "core/cavity/cavity_depth.hpp"
+#include "core/document/cavity_names.hpp"
+#include "core/run/stage_timer.hpp"
+#include "core/triangulation/parallel_ranges.hpp"
+
 namespace alphascope {
 namespace {
+
+// So many bytes for each row, and what is small.
+MemoryNeed row_memory(const CavityTable& table, std::size_t bytes) {
+  const std::uint64_t all = table.size() * bytes + 1'000'000;
+  return {all, all};
+}
 
 // Of a tetrahedron: its triangles (16 bytes), two triangles with their tetrahedra and edges (64),
 // 1.2 edges (10), marks and value of the flow (5). While incidences are collected, as much again.
@@ -17,6 +28,48 @@ MemoryNeed table_memory(std::size_t tetrahedra) {
   return {kHeld * tetrahedra, kPeak * tetrahedra};
 }
 
+CavityLine make_line(const CavityTable& table, const BallReferences& atoms, std::size_t row) {
+  const CavityMeasures& m = table.measure(row);
+  const LiningCounts lining = lining_counts(atoms, table, row);
+  CavityLine line;
+  line.is_void = table.cavity(row).is_void();
+  line.volume_sa_angstrom3 = m.volume_sa_angstrom3;
+  line.area_sa_angstrom2 = m.area_sa_angstrom2;
+  line.volume_ms_angstrom3 = m.volume_ms_angstrom3;
+  line.area_ms_angstrom2 = m.area_ms_angstrom2;
+  line.mouth_area_angstrom2 = m.all_mouths().area_angstrom2;
+  line.mouths = m.mouths.size();
+  line.residues = lining.residues;
+  line.chains = lining.chains;
+  line.bodies = table.cavity(row).bodies;
+  return line;
+}
+
+std::shared_ptr<const CavityLines> make_lines(const Inputs& in, const CavityNumbers* before,
+                                              const RunContext& context) {
+  auto lines = std::make_shared<CavityLines>();
+  lines->table = in.share(cavity_table());
+  lines->atoms = in.atoms;
+  lines->numbers = std::make_shared<const CavityNumbers>(
+      before ? next_numbers(*before, lines->table, context.cancel) : first_numbers(lines->table));
+  lines->of.resize(lines->table->size());
+  parallel_ranges(lines->of.size(), context.cancel, [&](std::size_t row) {
+    lines->of[row] = make_line(*lines->table, *lines->atoms, row);
+  });
+  return lines;
+}
+
+std::shared_ptr<const CavityDepths> make_depths(const Inputs& in, const RunContext& context) {
+  const CavityTable& table = in.of(cavity_table());
+  auto depths = std::make_shared<CavityDepths>();
+  for (std::size_t row = 0; row < table.size(); ++row) {
+    context.report("depths", static_cast<double>(row) / static_cast<double>(table.size()));
+    depths->of_angstrom.push_back(depth_angstrom(*table.ground, table.cavity(row),
+                                                 table.measure(row).lining, context.cancel));
+  }
+  return depths;
+}
+
 }  // namespace
 
 const Definition<CavityGround>& cavity_ground() {
@@ -29,6 +82,7 @@ const Definition<CavityGround>& cavity_ground() {
            [](const Inputs& in) {
              return ground_memory(in.of(whole_triangulation()).tetrahedra.size());
            },
+       .lane = Lane::interactive,
        .keep_stale = false},
       [](const Inputs& in, const RunContext& context) {
         return std::make_shared<const CavityGround>(make_cavity_ground(
@@ -55,33 +109,6 @@ const Definition<CavityTable>& cavity_table() {
   return definition;
 }
 
-Definition<CavityNumbers> cavity_numbers(std::shared_ptr<const CavityNumbers> before) {
-  const auto key = [before](const Inputs& in) {
-    Key key = key_of_balls_and_alpha(in);
-    if (before) key.more = before->steps + 1;
-    return key;
-  };
-  const auto memory = [before](const Inputs& in) {
-    constexpr std::uint64_t kBytesPerCavity = 100;  // a number, and a node of the known sinks
-    const std::uint64_t known = before ? before->known.size() : 0;
-    const std::uint64_t bytes = kBytesPerCavity * (in.of(cavity_table()).size() + known);
-    return MemoryNeed{bytes, bytes};
-  };
-  const auto make = [before](const Inputs& in, const RunContext& context) {
-    auto table = in.share(cavity_table());
-    return std::make_shared<const CavityNumbers>(
-        before ? next_numbers(*before, std::move(table), context.cancel)
-               : first_numbers(std::move(table)));
-  };
-  return {{.id = "cavities.numbers",
-           .title = "Which cavity is which",
-           .made_of = {&cavity_table()},
-           .key = key,
-           .memory = memory,
-           .lane = Lane::interactive},
-          make};
-}
-
 const Definition<ExactVolumes>& cavity_volumes() {
   static const Definition<ExactVolumes> definition{
       {.id = "cavities.exact",
@@ -90,13 +117,68 @@ const Definition<ExactVolumes>& cavity_volumes() {
        .key = key_of_balls_and_alpha,
        .memory =
            [](const Inputs& in) {
-             const std::uint64_t bytes =
-                 in.of(cavity_table()).size() * sizeof(ClippedMeasures) + 1'000'000;
-             return MemoryNeed{bytes, bytes};
+             return row_memory(in.of(cavity_table()), sizeof(ClippedMeasures));
            }},
       [](const Inputs& in, const RunContext& context) {
         return std::make_shared<const ExactVolumes>(
             ExactVolumes{clip_all(in.of(cavity_table()), context)});
+      }};
+  return definition;
+}
+
+Definition<CavityLines> cavity_lines(std::shared_ptr<const CavityNumbers> before) {
+  const auto key = [before](const Inputs& in) {
+    if (!in.atoms) return Key{};
+    Key key = key_of_balls_and_alpha(in);
+    if (before) key.more = before->steps + 1;
+    return key;
+  };
+  const auto memory = [before](const Inputs& in) {
+    constexpr std::size_t kNumber = 100;  // bytes: a number, and a node of the known sinks
+    MemoryNeed need = row_memory(in.of(cavity_table()), sizeof(CavityLine) + kNumber);
+    const std::uint64_t known = before ? kNumber * before->known.size() : 0;
+    return MemoryNeed{need.held + known, need.peak + known};
+  };
+  return {{.id = "cavities.lines",
+           .title = "Lines of the table of cavities",
+           .made_of = {&cavity_table()},
+           .key = key,
+           .memory = memory,
+           .lane = Lane::interactive},
+          [before](const Inputs& in, const RunContext& context) {
+            return make_lines(in, before.get(), context);
+          }};
+}
+
+const Definition<CavityDepths>& cavity_depths() {
+  static const Definition<CavityDepths> definition{
+      {.id = "cavities.depths",
+       .title = "Depths of pockets",
+       .made_of = {&cavity_table()},
+       .key = key_of_balls_and_alpha,
+       .memory =
+           [](const Inputs& in) { return row_memory(in.of(cavity_table()), sizeof(double)); }},
+      make_depths};
+  return definition;
+}
+
+const Definition<CavityLives>& whole_cavity_lives() {
+  static const Definition<CavityLives> definition{
+      {.id = "cavities.lives",
+       .title = "Births and ends of cavities",
+       .made_of = {&cavity_ground()},
+       .key = key_of_balls,
+       .memory =
+           [](const Inputs& in) {
+             // Of a tetrahedron, while they are made: its life and that of its sets, and two gates.
+             // Hardly one in twenty is a sink.
+             constexpr std::uint64_t kHeld = 2, kPeak = 50;
+             const std::uint64_t n = in.of(cavity_ground()).triangulation->tetrahedra.size();
+             return MemoryNeed{kHeld * n, kPeak * n};
+           }},
+      [](const Inputs& in, const RunContext& context) {
+        return std::make_shared<const CavityLives>(
+            cavity_lives(in.of(cavity_ground()), OutsideRule::castp, context.cancel));
       }};
   return definition;
 }

@@ -1,9 +1,11 @@
 // The cavities of what is on screen, as derived results.
 #pragma once
 
+#include "core/cavity/cavity_lives.hpp"
 #include "core/cavity/cavity_numbers.hpp"
 #include "core/cavity/cavity_table.hpp"
 #include "core/document/derived.hpp"
+#include "core/document/reference.hpp"
 
 namespace alphascope {
 
@@ -13,14 +15,44 @@ const Definition<CavityGround>& cavity_ground();
 // The table of the complex on screen; made anew at each alpha.
 const Definition<CavityTable>& cavity_table();
 
-// Numbers of its cavities that go on from those of the table before, null: there is none. While
-// `before` is of the very table that is wanted, it is the answer, and there is nothing to ask for.
-Definition<CavityNumbers> cavity_numbers(std::shared_ptr<const CavityNumbers> before);
-
 // Exact volumes of its cavities, which follow in the background.
 struct ExactVolumes {
   std::vector<ClippedMeasures> of;  // CavityTable::found.cavities
 };
 const Definition<ExactVolumes>& cavity_volumes();
+
+// What a row of the table shows beside its number.
+struct CavityLine {
+  bool is_void = false;
+  double volume_sa_angstrom3 = 0, area_sa_angstrom2 = 0;
+  double volume_ms_angstrom3 = 0, area_ms_angstrom2 = 0;
+  double mouth_area_angstrom2 = 0;  // of all mouths
+  std::size_t mouths = 0;
+  std::size_t residues = 0, chains = 0;  // that line it
+  std::size_t bodies = 0;                // Cavity::bodies
+};
+struct CavityLines {
+  std::shared_ptr<const CavityTable> table;
+  std::shared_ptr<const BallReferences> atoms;
+  std::shared_ptr<const CavityNumbers> numbers;  // which cavity is which
+  std::vector<CavityLine> of;                    // rows of the table
+
+  // Of what is on screen: then there is nothing to ask for.
+  bool is_of(const Inputs& in) const {
+    return table->ground->balls == in.balls &&
+           table->question.alpha_angstrom2 == in.alpha_angstrom2;
+  }
+};
+// Its numbers go on from `before`, null: there are none. Not without Inputs::atoms.
+Definition<CavityLines> cavity_lines(std::shared_ptr<const CavityNumbers> before);
+
+// What of a line takes longer, and follows in the background as exact volumes do.
+struct CavityDepths {
+  std::vector<double> of_angstrom;  // rows of the table; 0 of a void
+};
+const Definition<CavityDepths>& cavity_depths();
+
+// From which alpha to which each cavity is there: once for a set of balls.
+const Definition<CavityLives>& whole_cavity_lives();
 
 }  // namespace alphascope

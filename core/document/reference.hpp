@@ -50,9 +50,15 @@ class RefSet {
 
 struct Selection {
   RefSet items;
+  // Chosen in the table of cavities, each by its deepest sink. Their lining atoms become `items`,
+  // and both are in the history, so that undo brings back what belongs together.
+  RefSet cavities;
   std::optional<Ref> hovered;  // under the mouse; not in the history
   // More would make marks and history slow.
   static constexpr std::size_t kMostItems = 20000;
+
+  bool empty() const { return items.empty() && cavities.empty(); }
+  void clear() { items = cavities = {}; }
 };
 
 // From the balls of one molecule under one set of options to references and back.

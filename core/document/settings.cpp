@@ -39,7 +39,7 @@ std::string difference_text(const Settings& a, const Settings& b) {
   note(same_radii(a.open, b.open), "radii");
   note(same_atoms(a.open, b.open), "choice of atoms");
   note(a.display == b.display, "display");
-  note(a.selection == b.selection, "selection");
+  note(a.selection == b.selection && a.cavities == b.cavities, "selection");
   std::string text;
   for (std::size_t i = 0; i < parts.size(); ++i) {
     if (i > 0) text += i + 1 == parts.size() ? " and " : ", ";

@@ -16,6 +16,7 @@ struct Settings {
   Request request;
   DisplayControls display;
   RefSet selection;  // what is selected in the picture
+  RefSet cavities;   // what is chosen in their table (Selection::cavities)
   friend bool operator==(const Settings&, const Settings&) = default;
 };
 

@@ -1,8 +1,13 @@
 // The panel of cavities in the whole window: the table, CASTp's choices, a cavity in the picture.
+#include <chrono>
+#include <cmath>
 #include <map>
+#include <set>
 
-#include "core/document/cavity_results.hpp"
+#include "core/document/cavity_names.hpp"
 #include "tests/ui/viewer_fixture.hpp"
+#include "ui/panels/cavity_columns.hpp"
+#include "ui/panels/cavity_page.hpp"
 
 namespace alphascope::testing {
 namespace {
@@ -14,7 +19,26 @@ class CavitiesTest : public ViewerTest {
     run("click bottom.cavities\nwait-idle\nframes 3\nwait-idle\nframes 3\n");
   }
   void use_preset() { run("click cavities.preset\nwait-idle\nframes 3\nwait-idle\nframes 3\n"); }
-  const CavityMemory& memory() { return viewer_->state().memory.cavities; }
+  const CavityPage& page() { return *viewer_->state().memory.cavities.page; }
+  std::string text(CavityColumn column, std::size_t row) {
+    return cavity_text(page().rows, column, row);
+  }
+  std::string name(std::size_t row) {
+    return cavity_name(*page().rows.lines->atoms, page().rows.table(), row);
+  }
+  // After a click results may come one after the other.
+  void settle() { run("wait-idle\nframes 3\nwait-idle\nframes 3\n"); }
+  void shift_click(const std::string& widget) {
+    const WidgetRect at = viewer_->widgets().at(widget);
+    ScriptedInput input;
+    input.x = at.x0 + 60;
+    input.y = (at.y0 + at.y1) / 2;
+    input.shift = true;
+    for (const bool down : {false, true, false, false}) {
+      input.down[0] = down;
+      viewer_->step(&input);
+    }
+  }
   bool has(const char* widget) { return viewer_->widgets().contains(widget); }
 };
 
@@ -22,22 +46,23 @@ TEST_F(CavitiesTest, ThePresetComparesWithCastpAndCanBeUndone) {
   open_cavities();
   ASSERT_TRUE(has("cavities.row.1"));
   ASSERT_TRUE(has("cavities.preset")) << "radii, ligands and solvent radius are others";
-  const std::size_t before = memory().lines.size();
+  const std::size_t before = page().rows.size();
   use_preset();
   EXPECT_FALSE(has("cavities.preset"));
   EXPECT_EQ(viewer_->state().result->request.solvent_radius_angstrom, 1.4);
   EXPECT_EQ(viewer_->state().references->prepared().report.radii, RadiiSet::castp);
-  EXPECT_EQ(memory().table->voids, 47u);
-  EXPECT_EQ(memory().table->pockets, 39u);
-  EXPECT_NE(memory().lines.size(), before);
+  EXPECT_EQ(page().rows.table().voids, 47u);
+  EXPECT_EQ(page().rows.table().pockets, 39u);
+  EXPECT_NE(page().rows.size(), before);
   // A line for each cavity, with the exact volume once it is there.
-  ASSERT_EQ(memory().lines.size(), 86u);
-  EXPECT_NEAR(memory().lines[0].volume, 3989.080, 0.001);
-  EXPECT_GT(memory().lines[0].exact_volume, 3990);
-  EXPECT_EQ(memory().lines[3].name, "A:PHE 43:CZ A:HIS 87:NE2 A:VAL 93:CG2 A:LEU 101:CD2");
+  ASSERT_EQ(page().rows.size(), 86u);
+  EXPECT_NEAR(page().rows.lines->of[0].volume_sa_angstrom3, 3989.080, 0.001);
+  EXPECT_EQ(text(CavityColumn::exact, 0), "3,992.08  ");
+  EXPECT_EQ(text(CavityColumn::depth, 3), "12.84");
+  EXPECT_EQ(name(3), "A:PHE 43:CZ A:HIS 87:NE2 A:VAL 93:CG2 A:LEU 101:CD2");
   run("edit.undo\nwait-idle\nframes 3\nwait-idle\nframes 3\n");
   EXPECT_TRUE(has("cavities.preset"));
-  EXPECT_EQ(memory().lines.size(), before);
+  EXPECT_EQ(page().rows.size(), before);
 }
 
 TEST_F(CavitiesTest, AClickShowsTheCavityAndWhatLinesIt) {
@@ -59,23 +84,155 @@ TEST_F(CavitiesTest, AClickShowsTheCavityAndWhatLinesIt) {
   for (const auto& [edge, count] : edges) EXPECT_EQ(count % 2, 0);
   EXPECT_FALSE(viewer_->state().layers[1]->edges.empty());
   EXPECT_NE(picture().rgba, plain.rgba);
-  EXPECT_NE(memory().lining.find("A:HIS 87"), std::string::npos) << memory().lining;
+  ASSERT_FALSE(page().drawn->residues.empty());
+  EXPECT_EQ(page().drawn->residues[0].chain, "A");
+  EXPECT_NE(page().drawn->residues[0].residues.find("HIS 87"), std::string::npos);
   EXPECT_GT(viewer_->state().picked.items.size(), 20u);
   // It stays chosen while alpha moves, for it is known by its deepest sink.
-  const SimplexRef sink = memory().lines[3].sink;
+  const RefSet chosen = viewer_->state().picked.cavities;
+  EXPECT_EQ(chosen.size(), 1u);
   run("alpha.set 0.1\nwait-idle\nframes 3\nwait-idle\nframes 3\n");
-  ASSERT_EQ(memory().table->question.alpha_angstrom2, 0.1);
-  EXPECT_EQ(memory().chosen, std::vector<SimplexRef>{sink});
+  ASSERT_EQ(page().rows.table().question.alpha_angstrom2, 0.1);
+  EXPECT_EQ(viewer_->state().picked.cavities, chosen);
+  EXPECT_EQ(page().chosen_rows.size(), 1u);
   EXPECT_EQ(viewer_->state().layers.size(), 2u);
+}
+
+TEST_F(CavitiesTest, UndoTakesCavityAndSelectionBackTogether) {
+  open_cavities();
+  run("click cavities.row.2 0.2\nwait-idle\nframes 3\n");
+  const RefSet second = viewer_->state().picked.cavities;
+  const RefSet lining = viewer_->state().picked.items;
+  run("click cavities.row.5 0.2\nwait-idle\nframes 3\n");
+  EXPECT_NE(viewer_->state().picked.cavities, second);
+  run("edit.undo\nwait-idle\nframes 3\n");
+  EXPECT_EQ(viewer_->state().picked.cavities, second);
+  EXPECT_EQ(viewer_->state().picked.items, lining);
+  EXPECT_EQ(page().chosen_rows, std::vector<std::size_t>{1});
+  EXPECT_EQ(viewer_->state().notice, "Undone: selection");
+  run("edit.undo\nwait-idle\nframes 3\n");
+  EXPECT_TRUE(viewer_->state().picked.empty());
+  EXPECT_TRUE(viewer_->state().layers.empty());
+}
+
+TEST_F(CavitiesTest, SeveralAreChosenByKeysAndButtons) {
+  open_cavities();
+  run("click cavities.row.2 0.2\nframes 3\n");
+  shift_click("cavities.row.5");
+  EXPECT_EQ(page().chosen_rows, (std::vector<std::size_t>{1, 2, 3, 4}));
+  run("click cavities.kind.1\nframes 3\nclick cavities.all\n");
+  settle();
+  EXPECT_EQ(page().chosen_rows.size(), page().rows.table().voids);
+  for (const std::size_t row : page().chosen_rows) {
+    EXPECT_TRUE(page().rows.lines->of[row].is_void);
+  }
+  EXPECT_EQ(page().drawn->of.size(), page().chosen_rows.size());
+  run("click cavities.none\nframes 3\n");
+  EXPECT_TRUE(viewer_->state().picked.empty());
+}
+
+TEST_F(CavitiesTest, WhatIsTypedAsLeastVolumeIsChecked) {
+  open_cavities();
+  use_preset();
+  run("click cavities.least\nkey ctrl+a\ntype 30 Å3\nkey enter\nframes 3\n");
+  EXPECT_EQ(page().filter.least_volume_angstrom3, 30);
+  EXPECT_EQ(page().order.size(), 9u);
+  run("click cavities.least\nkey ctrl+a\ntype 1.4 A2\nkey enter\nframes 3\n");
+  EXPECT_TRUE(has("cavities.least.error"));
+  EXPECT_EQ(
+      viewer_->state().memory.number.error,
+      "“1.4 A2” has another unit. The least volume is a volume, in Å³. Write a number such as "
+      "1.4 Å³.");
+  EXPECT_EQ(page().filter.least_volume_angstrom3, 30);
+}
+
+TEST_F(CavitiesTest, NegativeVolumesAreHiddenByNoFilterButTheirOwn) {
+  CavityLine line;
+  line.volume_sa_angstrom3 = -0.5;
+  CavityFilter filter;
+  EXPECT_TRUE(filter.shows(line));
+  filter.least_volume_angstrom3 = 0.01;
+  EXPECT_FALSE(filter.shows(line));
+}
+
+TEST_F(CavitiesTest, ColumnsAreChosenAndWhatTheyNeedFollows) {
+  open_cavities();
+  EXPECT_EQ(page().rows.lives, nullptr) << "nobody looks at it";
+  run("click cavities.columns\nframes 2\nclick cavities.columns.gone\nkey esc\n");
+  settle();
+  EXPECT_TRUE(page().columns[static_cast<std::size_t>(CavityColumn::gone)]);
+  ASSERT_NE(page().rows.lives, nullptr);
+  EXPECT_NE(text(CavityColumn::gone, 0), "…");
+  EXPECT_GT(cavity_value(page().rows, CavityColumn::gone, 0), 0);
+}
+
+TEST_F(CavitiesTest, WithHardlyAnyProbeItOffersWater) {
+  open_cavities();
+  run("click cavities.water\n");
+  settle();
+  EXPECT_FALSE(has("cavities.giant"));
+  EXPECT_EQ(viewer_->state().result->request.solvent_radius_angstrom, 1.4);
+}
+
+TEST_F(CavitiesTest, WhatIsDrawnIsAChoice) {
+  open_cavities();
+  run("click cavities.row.2 0.2\nframes 3\n");
+  run("click cavities.draw\nframes 2\nclick cavities.draw.surfaces\nclick "
+      "cavities.draw.tetrahedra\nclick cavities.draw.numbers\nclick cavities.draw.rims\n");
+  settle();
+  const Layers& layers = viewer_->state().layers;
+  ASSERT_EQ(layers.size(), 2u);
+  EXPECT_TRUE(layers[0]->triangles.empty());
+  EXPECT_EQ(layers[0]->tetrahedra.size(), page().rows.table().cavity(1).tetrahedra.size());
+  ASSERT_EQ(layers[1]->labels.size(), 1u);
+  EXPECT_EQ(layers[1]->labels[0].text, "2");
+}
+
+TEST_F(CavitiesTest, TablesFollowWhileTheSolventRadiusSlides) {
+  open_cavities();
+  use_preset();
+  run("click cavities.row.4 0.2\nwait-idle\nframes 3\n");
+  const RefSet chosen = viewer_->state().picked.cavities;
+  const auto number_of = [&](std::size_t row) {
+    return page().rows.lines->numbers->of[page().rows.table().order[row]];
+  };
+  const std::uint32_t number = number_of(page().chosen_rows.at(0));
+  const WidgetRect slider = viewer_->widgets().at("alpha.solvent");
+  ScriptedInput input;
+  input.y = (slider.y0 + slider.y1) / 2;
+  const auto move_to = [&](double radius) {  // Å; the slider ends at 5
+    input.x = slider.x0 + static_cast<float>(radius / 5) * (slider.x1 - slider.x0);
+    viewer_->step(&input);
+  };
+  move_to(1.4);
+  input.down[0] = true;
+  std::set<const CavityLines*> tables;  // while the hand moves
+  std::vector<std::shared_ptr<const CavityLines>> kept;
+  const auto begin = std::chrono::steady_clock::now();
+  for (int n = 0; tables.size() < 6; ++n) {
+    ASSERT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(60));
+    move_to(1.4 + 0.04 * (1 - std::cos(0.2 * n)));  // in 20 frames to 1.48
+    if (tables.insert(page().rows.lines.get()).second) kept.push_back(page().rows.lines);
+    ASSERT_EQ(page().chosen_rows.size(), 1u) << "it stays the same cavity";
+    EXPECT_EQ(number_of(page().chosen_rows[0]), number);
+  }
+  input.down[0] = false;
+  viewer_->step(&input);
+  settle();
+  EXPECT_EQ(page().rows.table().question.solvent_radius_angstrom,
+            viewer_->state().compute.solvent_radius_angstrom);
+  EXPECT_EQ(viewer_->state().picked.cavities, chosen);
+  EXPECT_EQ(viewer_->state().undo_text, "solvent radius");
 }
 
 TEST_F(CavitiesTest, OfAnotherMoleculeNothingStays) {
   open_cavities();
   run("click cavities.row.1 0.2\nwait-idle\nframes 3\n");
-  EXPECT_EQ(memory().chosen.size(), 1u);
+  EXPECT_EQ(page().chosen_rows.size(), 1u);
   open_crambin();
   run("wait-idle\nframes 3\nwait-idle\nframes 3\n");
-  EXPECT_TRUE(memory().chosen.empty());
+  EXPECT_TRUE(viewer_->state().picked.cavities.empty());
+  EXPECT_TRUE(page().chosen_rows.empty());
   EXPECT_TRUE(viewer_->state().layers.empty());
 }
 

@@ -174,20 +174,36 @@ TEST_F(CavityContentsResult, FollowsTheTableAndNumbersGoOn) {
   const auto contents = settle(cavity_contents(), body.inputs).value;
   ASSERT_TRUE(contents);
   EXPECT_EQ(contents->residues, find_contents(*body.atoms, *body.table).residues);
-  const auto first = settle(cavity_numbers(nullptr), body.inputs).value;
-  ASSERT_TRUE(first);
+  const auto lines = settle(cavity_lines(nullptr), body.inputs).value;
+  ASSERT_TRUE(lines);
+  EXPECT_TRUE(lines->is_of(body.inputs));
+  ASSERT_EQ(lines->of.size(), body.table->size());
+  EXPECT_EQ(lines->of[3].residues, lining_residues(*body.atoms, *body.table, 3).size());
+  EXPECT_EQ(lines->of[3].chains, 2u) << "HIS 87 of chain A has ARG 40 of chain D beside it";
+  EXPECT_EQ(lines->of[3].bodies, 1u);
+  const auto first = lines->numbers;
   Inputs higher = body.inputs;
   higher.alpha_angstrom2 = 0.3;
-  const auto next = settle(cavity_numbers(first), higher).value;
-  ASSERT_TRUE(next);
+  const auto later = settle(cavity_lines(first), higher).value;
+  ASSERT_TRUE(later);
+  EXPECT_FALSE(later->is_of(body.inputs));
+  const auto next = later->numbers;
   ASSERT_EQ(next->table->question.alpha_angstrom2, 0.3);
   std::size_t kept = 0;
   for (const std::uint32_t number : next->of) kept += number < first->used;
   EXPECT_GT(kept, 30u);
   EXPECT_LT(kept, next->of.size()) << "some have split";
+  std::size_t parted = 0;
+  for (std::uint32_t c = 0; c < next->of.size(); ++c) {
+    parted += next->parted_from[c] != CavityMatch::kNone;
+    EXPECT_TRUE(next->parted_from[c] == CavityMatch::kNone || next->of[c] >= first->used);
+    EXPECT_EQ(next->merged[c], 0u) << "as alpha grows, cavities never join";
+  }
+  EXPECT_EQ(parted + kept, next->of.size());
   Inputs unknown = body.inputs;
   unknown.atoms = nullptr;
   EXPECT_EQ(settle(cavity_contents(), unknown).state, DerivedState::none);
+  EXPECT_EQ(settle(cavity_lines(nullptr), unknown).state, DerivedState::none);
 }
 
 }  // namespace

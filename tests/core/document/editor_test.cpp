@@ -119,6 +119,10 @@ TEST(Editor, SaysWhatWouldChange) {
   s = plain;
   s.selection = RefSet({AtomRef{3, 0}});
   EXPECT_EQ(difference_text(plain, s), "selection");
+  s.cavities = RefSet({SimplexRef{{1, 0}, {2, 0}, {3, 0}, {4, 0}}});
+  EXPECT_EQ(difference_text(plain, s), "selection") << "a cavity and what lines it are one choice";
+  s.selection = {};
+  EXPECT_EQ(difference_text(plain, s), "selection");
   s = plain;
   s.request.tuples.streams = 1;
   EXPECT_EQ(difference_text(plain, s), "engine");

@@ -1,0 +1,73 @@
+// Derived results of the picture: what they are made of, and how much all large objects hold.
+#include <utility>
+
+#include "app/viewer/viewer.hpp"
+#include "core/document/cavity_curve_results.hpp"
+#include "core/document/derived.hpp"
+
+namespace alphascope {
+
+// Whether derived results may go on to the balls of the picture. While a hand slides the solvent
+// radius, those that panels wait for are finished first: else each picture would end the work for
+// the last one, and panels would show nothing until the hand rests.
+bool Viewer::may_take_inputs(const Answer& shown) const {
+  if (shown.balls == inputs_.balls) return false;
+  const bool same_atoms = source_ && source_->prepared == shown.prepared;
+  return !same_atoms || !interacting() || !store_.busy(Lane::interactive);
+}
+
+void Viewer::take_inputs(const std::shared_ptr<const Answer>& shown) {
+  source_ = shown;
+  inputs_ = {};
+  inputs_.balls = shown->balls;
+  inputs_.balls_key = ++balls_seen_;
+  inputs_.solvent_radius_angstrom = shown->request.solvent_radius_angstrom;
+  inputs_.atoms = references_of(*shown);
+  if (std::exchange(body_, shown->prepared) != shown->prepared) {
+    ++bodies_seen_;
+    frames_key_ = key_of_frames(*inputs_.atoms);
+  }
+  inputs_.body_key = bodies_seen_;
+  inputs_.frames_key = frames_key_;
+}
+
+// Of the picture, so not before the first one is there. The whole filtration, so that on the CPU
+// every later alpha is a threshold of it.
+void Viewer::want_derived() {
+  const SessionState& s = session_.state();
+  const auto& shown = state_.result;
+  if (!s.ours || !shown || shown->prepared != s.prepared) {
+    inputs_ = {};
+    source_ = nullptr;
+  } else if (may_take_inputs(*shown)) {
+    take_inputs(shown);
+  }
+  if (inputs_.balls) {
+    inputs_.complex = nullptr;
+    inputs_.measures = nullptr;
+    if (shown->balls == inputs_.balls) {
+      inputs_.alpha_angstrom2 = shown->request.alpha_angstrom2;
+      inputs_.complex = {shown, &shown->complex};
+      inputs_.measures = shown->measures ? shown->measures : scene_.drawn_measures();
+    }
+    const auto filtration = store_.want(whole_filtration(), inputs_, Priority::background).value;
+    const auto triangulation =
+        store_.want(whole_triangulation(), inputs_, Priority::background).value;
+    session_.lend(*source_, {triangulation, filtration});
+  }
+  note_large_objects();
+  if (store_.poll()) frames_due_ = kSettlingFrames;
+}
+
+// The complex on screen may be another than the session's last.
+void Viewer::note_large_objects() {
+  const SessionState& s = session_.state();
+  const auto& shown = state_.result;
+  std::uint64_t complexes = session_.held_bytes();
+  const bool older = shown && shown != s.ours && !(s.agreement && s.agreement->ours == shown);
+  if (older) complexes += bytes_of(shown->complex);
+  store_.note_held("complexes", complexes);
+  store_.note_held("meshes", scene_.held_bytes());
+}
+
+}  // namespace alphascope

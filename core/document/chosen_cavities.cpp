@@ -1,0 +1,129 @@
+// See the header.
+#include "core/document/chosen_cavities.hpp"
+
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <optional>
+
+#include "core/cavity/cavity_shape.hpp"
+#include "core/document/cavity_names.hpp"
+
+namespace alphascope {
+namespace {
+
+// Without the solvent radius, for spheres: made when they are wanted.
+using ClearanceOf = std::function<const Clearance&()>;
+
+ChosenCavity draw(const CavityTable& table, std::size_t row, const CavityParts& parts,
+                  const ClearanceOf& clearance) {
+  ChosenCavity drawn;
+  const CavityGround& ground = *table.ground;
+  const Cavity& cavity = table.cavity(row);
+  drawn.row = row;
+  if (parts.surfaces) drawn.surface = cavity_surface(ground, table.found, table.order[row]);
+  if (parts.rims) drawn.rims = mouth_rims(ground, cavity);
+  if (parts.numbers) drawn.place_angstrom = deepest_place_angstrom(ground, cavity);
+  if (parts.spheres) drawn.spheres = filling_spheres(ground, cavity, clearance());
+  if (!parts.tetrahedra) return drawn;
+  for (const std::uint32_t t : cavity.tetrahedra) {
+    drawn.tetrahedra.push_back(ground.triangulation->tetrahedra[t]);
+  }
+  return drawn;
+}
+
+// Those of one chain follow each other, as they do in the file.
+void list_residues(const BallReferences& atoms, const std::vector<BallIndex>& lining,
+                   std::vector<ChainLining>& chains) {
+  for (const LiningResidue& residue : residues_of_lining(atoms, lining)) {
+    const std::size_t colon = residue.address.find(':');
+    const bool named = colon != std::string::npos;  // "#12" has no chain
+    const std::string chain = named ? residue.address.substr(0, colon) : "";
+    if (chains.empty() || chains.back().chain != chain) chains.push_back({chain, {}, 0});
+    std::string& text = chains.back().residues;
+    text += (text.empty() ? "" : ", ") + residue.address.substr(named ? colon + 1 : 0);
+    ++chains.back().count;
+  }
+}
+
+std::vector<std::size_t> rows_of_sinks(const CavityTable& table, const CavitySinks& sinks) {
+  std::vector<std::size_t> rows;
+  for (std::size_t row = 0; row < table.size() && rows.size() < sinks.size(); ++row) {
+    if (std::binary_search(sinks.begin(), sinks.end(), table.sink(row))) rows.push_back(row);
+  }
+  return rows;
+}
+
+std::shared_ptr<const ChosenCavities> choose(const Inputs& in, const CavitySinks& sinks,
+                                             const CavityParts& parts, const RunContext& context) {
+  auto chosen = std::make_shared<ChosenCavities>();
+  chosen->table = in.share(cavity_table());
+  const CavityTable& table = *chosen->table;
+  std::vector<BallIndex> lining;
+  std::optional<Clearance> made;
+  const auto clearance = [&]() -> const Clearance& {
+    if (!made) made.emplace(*in.atoms->prepared().balls);
+    return *made;
+  };
+  for (const std::size_t row : rows_of_sinks(table, sinks)) {
+    context.cancel.throw_if_cancelled();
+    chosen->of.push_back(draw(table, row, parts, clearance));
+    const auto& own = table.measure(row).lining;
+    lining.insert(lining.end(), own.begin(), own.end());
+  }
+  std::sort(lining.begin(), lining.end());
+  lining.erase(std::unique(lining.begin(), lining.end()), lining.end());
+  list_residues(*in.atoms, lining, chosen->residues);
+  lining.resize(std::min(lining.size(), Selection::kMostItems));
+  for (const BallIndex ball : lining) chosen->atoms.emplace_back(in.atoms->atom(ball));
+  return chosen;
+}
+
+}  // namespace
+
+std::vector<std::size_t> rows_of_cavities(const CavityLines& lines, const RefSet& cavities) {
+  const CavityTable& table = *lines.table;
+  const CavityNumbers& numbers = *lines.numbers;
+  CavitySinks sinks;
+  for (const Ref& ref : cavities.items()) {
+    const auto balls = lines.atoms->balls(ref);
+    if (!balls || balls->size() != 4) continue;
+    const auto known = numbers.known.find({(*balls)[0], (*balls)[1], (*balls)[2], (*balls)[3]});
+    if (known == numbers.known.end()) continue;
+    const std::uint32_t cavity = numbers.cavity(known->second);
+    if (cavity == CavityMatch::kNone) continue;
+    sinks.push_back(
+        table.ground->triangulation->tetrahedra[table.found.cavities[cavity].deepest_sink]);
+  }
+  std::sort(sinks.begin(), sinks.end());
+  return rows_of_sinks(table, sinks);
+}
+
+Definition<ChosenCavities> chosen_cavities(const CavitySinks& sinks, const CavityParts& parts,
+                                           std::uint64_t key) {
+  return {{.id = "cavities.chosen",
+           .title = "What is drawn of cavities",
+           .made_of = {&cavity_table()},
+           .key =
+               [key](const Inputs& in) {
+                 if (!in.atoms) return Key{};
+                 Key all = key_of_balls_and_alpha(in);
+                 all.more = key;
+                 return all;
+               },
+           .memory =
+               [](const Inputs& in) {
+                 // Half of a cavity's triangles may be on its surface: 12 bytes each, 16 for its
+                 // tetrahedra, 40 for spheres.
+                 constexpr std::uint64_t kBytes = 90;
+                 const std::uint64_t all =
+                     kBytes * in.of(cavity_table()).ground->triangulation->tetrahedra.size();
+                 return MemoryNeed{all, all};
+               },
+           .lane = Lane::interactive},
+          [sinks, parts](const Inputs& in, const RunContext& context) {
+            return choose(in, sinks, parts, context);
+          }};
+}
+
+}  // namespace alphascope

@@ -1,0 +1,53 @@
+// The cavities that are chosen: their shapes for the picture, and what lines them, as one derived
+// result of the table and the choice.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "core/cavity/filling_spheres.hpp"
+#include "core/document/cavity_results.hpp"
+#include "core/geometry/real_point.hpp"
+
+namespace alphascope {
+
+// Of what is chosen, what is to be drawn.
+struct CavityParts {
+  bool surfaces = true, tetrahedra = false, spheres = false, rims = true, numbers = false;
+  friend bool operator==(const CavityParts&, const CavityParts&) = default;
+};
+
+struct ChosenCavity {
+  std::size_t row = 0;  // of the table
+  Simplices<3> surface;
+  Simplices<4> tetrahedra;
+  std::vector<FillingSphere> spheres;
+  Simplices<2> rims;         // of its mouths
+  RealPoint place_angstrom;  // within it: where its number belongs
+};
+
+// Residues of one chain, "HIS 87, VAL 93".
+struct ChainLining {
+  std::string chain, residues;
+  std::size_t count = 0;
+};
+
+struct ChosenCavities {
+  std::shared_ptr<const CavityTable> table;
+  std::vector<ChosenCavity> of;  // by rows
+  std::vector<Ref> atoms;        // that line any of them, each once; at most Selection::kMostItems
+  std::vector<ChainLining> residues;
+};
+
+// `sinks`: the deepest ones of cavities, ascending; those that the table has not are left out.
+// `key`: another number for other arguments, never 0. Not without Inputs::atoms.
+using CavitySinks = std::vector<std::array<BallIndex, 4>>;
+Definition<ChosenCavities> chosen_cavities(const CavitySinks& sinks, const CavityParts& parts,
+                                           std::uint64_t key);
+
+// The rows of the cavities that have been chosen by these deepest sinks, now or in a table before:
+// ascending.
+std::vector<std::size_t> rows_of_cavities(const CavityLines& lines, const RefSet& cavities);
+
+}  // namespace alphascope

@@ -1,0 +1,40 @@
+// The parts of the page of cavities.
+#pragma once
+
+#include "ui/panels/cavity_columns.hpp"
+#include "ui/panels/widgets.hpp"
+
+namespace alphascope {
+
+// --- cavities_table.cpp
+
+// A button that opens a list of the columns.
+void cavity_columns_button(PanelContext& ctx, CavityPage& page);
+// `current`: the rows are of the picture; else a click does nothing.
+void draw_cavity_table(PanelContext& ctx, CavityPage& page, float width, bool current);
+
+// --- chosen_cavities_pane.cpp
+
+// How a click on a row chooses: it alone, it as well or no more, all from the last one to it.
+enum class HowChosen : std::uint8_t { alone, toggled, range };
+void choose_cavity(PanelContext& ctx, CavityPage& page, std::size_t row, HowChosen how);
+void choose_all_cavities(PanelContext& ctx, CavityPage& page);  // that are shown
+void choose_no_cavities(PanelContext& ctx);
+
+// Which rows are chosen, and what is drawn of them; to be called in each frame.
+void follow_chosen_cavities(PanelContext& ctx, CavityPage& page, bool current);
+void draw_chosen_cavities(PanelContext& ctx, CavityPage& page);
+// A button that opens a list of what can be drawn of them.
+void cavity_parts_button(PanelContext& ctx, CavityPage& page);
+
+// The colour of its surface in the view, and of its mark in the table.
+Colour cavity_colour(const CavityPage& page, std::size_t row);
+
+// A sentence where it is no ordinary cavity of one body and chain; empty: it is. `chains`: names of
+// those that line it, "A and D"; empty: unknown.
+std::string between_text(const CavityLine& line, const std::string& chains);
+
+// Sentences where it has split off or merged while alpha or the solvent radius moved; or empty.
+std::string change_text(const CavityPage& page, std::size_t row);
+
+}  // namespace alphascope

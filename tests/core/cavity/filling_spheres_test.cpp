@@ -67,11 +67,15 @@ TEST(FillingSpheres, TouchAtomsAndLieInTheCavity) {
           ASSERT_LE(sphere.radius_angstrom, last);
           ASSERT_GT(sphere.radius_angstrom, 0);
           // A centre is rounded by at most half a unit along each axis.
-          if (alpha >= 0) ASSERT_GT(sphere.radius_angstrom, solvent - 0.001);
+          if (alpha >= 0) {
+            ASSERT_GT(sphere.radius_angstrom, solvent - 0.001);
+          }
           last = sphere.radius_angstrom;
           ++spheres;
         }
-        if (alpha >= 0) EXPECT_LT(last, 1e300) << "row " << row << " has none";
+        if (alpha >= 0) {
+          EXPECT_LT(last, 1e300) << "row " << row << " has none";
+        }
       }
     }
   }

@@ -1,35 +1,14 @@
 #include "app/cli/command_table.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <stdexcept>
 
+#include "app/cli/option_groups.hpp"
 #include "app/options/option_values.hpp"
 #include "app/session/version.hpp"
-#include "core/document/cavity_preset.hpp"
-#include "core/geometry/lattice.hpp"
-#include "core/molecule/radii_set.hpp"
 
 namespace alphascope::cli {
 namespace {
-
-const NumberRange kAlphaRange{-kMaxAlphaAngstrom2, kMaxAlphaAngstrom2, "Å²"};
-const NumberRange kSolventRange{0, 100, "Å"};
-const NumberRange kThreadRange{0, 1024};
-
-using Options = std::vector<Option>;
-
-void append(Options& options, Options more) {
-  for (Option& option : more) options.push_back(std::move(option));
-}
-
-std::string radii_choices() {
-  std::string text = "auto";
-  for (const RadiiSetInfo& set : all_radii_sets()) {
-    if (set.set != RadiiSet::user && set.id != "auto") text += "|" + std::string(set.id);
-  }
-  return text + "|FILE";
-}
 
 // -q and -v.
 Options verbosity(Verbosity& verbosity) {
@@ -44,75 +23,12 @@ Options verbosity(Verbosity& verbosity) {
   return {quiet, verbose};
 }
 
-// What is read, without the two kinds of atoms that commands treat differently.
-Options input_but_ligands(InputOptions& input) {
-  const auto off = [](const char* name, const char* text, bool& value) {
-    return flag_option(name, text, value);
-  };
-  return {
-      choice_option({"--format", "auto|pdb|mmcif|pqr|xyz|tinker|xyzr|charmm",
-                     "Format of the file; auto recognises it by content and name"},
-                    input.format),
-      text_option({"--radii", radii_choices(),
-                   "Radii: a set, the file's own (file), or a FILE with a table of your own"},
-                  input.radii),
-      text_option({"--model", "N|all|joined",
-                   "Model, counted from 1; all takes each by itself, joined takes all as one"},
-                  input.model),
-      choice_option({"--hydrogens", "auto|keep|drop",
-                     "Hydrogens; auto drops them when the radii set includes them in heavy atoms"},
-                    input.hydrogens),
-      choice_option(
-          {"--altlocs", "best|all", "Alternative locations: the best of each residue, or all"},
-          input.altlocs),
-      texts_option({"--chain", "ID", "Keep only these chains, such as A,B"}, input.chains),
-      texts_option({"--without-chain", "ID", "Drop these chains"}, input.without_chains),
-      text_option({"--select", "EXPRESSION",
-                   "Keep only atoms that match, such as \"chain A and not resn HEM\""},
-                  input.select),
-      text_option({"--assembly", "ID", "Expand a biological assembly; info lists them"},
-                  input.assembly),
-      flag_option("--waters", "Keep waters (dropped by default)", input.waters),
-      flag_option("--dummies",
-                  "Keep dummy atoms, such as OPM's membrane planes (dropped by default)",
-                  input.dummies),
-      off("--no-polymers", "Drop proteins and nucleic acids (kept by default)", input.no_polymers),
-  };
-}
-
 Options input(InputOptions& input) {
   Options options = input_but_ligands(input);
   options.push_back(
       flag_option("--no-ligands", "Drop ligands (kept by default)", input.no_ligands));
   options.push_back(flag_option("--no-ions", "Drop ions (kept by default)", input.no_ions));
   return options;
-}
-
-constexpr const char* kFileText =
-    "Molecule: PDB, mmCIF, XYZR, PQR, XYZ or CRD, also packed as .gz; - for standard input";
-
-Option one_file(InputOptions& input) {
-  return required(path_option({"FILE", "FILE", kFileText}, input.file));
-}
-
-Options many_files(InputFiles& files) {
-  Option named = texts_option({"FILE", "FILE", kFileText}, files.named);
-  return {named,
-          text_option({"--files-from", "LIST",
-                       "Read file names from LIST, one per line; - for standard input"},
-                      files.list),
-          flag_option("--null", "Names in LIST end with a NUL byte, as find -print0 writes them",
-                      files.null_separated)};
-}
-
-// Throws std::invalid_argument.
-void require_files(const InputFiles& files) {
-  if (files.named.empty() && files.list.empty()) {
-    throw std::invalid_argument("name a FILE, or a list of files with --files-from");
-  }
-  if (files.null_separated && files.list.empty()) {
-    throw std::invalid_argument("--null needs --files-from");
-  }
 }
 
 Option alpha(Request& request) {
@@ -122,10 +38,6 @@ Option alpha(Request& request) {
 
 Option alphas(std::vector<double>& alphas, const char* text) {
   return numbers_option({"--alpha", "A", text}, alphas, kAlphaRange);
-}
-
-Option output(const char* name, const char* text, std::string& path) {
-  return text_option({name, "OUT", text}, path);
 }
 
 // The switches of the tuple engines; refused with another engine, where they would do nothing.
@@ -225,125 +137,6 @@ OptionCommand compute(ComputeOptions& options) {
   command.check = [&options] {
     require_files(options.files);
     require_tuple_engine(options.request);
-  };
-  return command;
-}
-
-// The body whose cavities are looked for.
-Options body(InputOptions& input, BodyOptions& body) {
-  Options options = input_but_ligands(input);
-  for (Option& option : options) {
-    if (option.names == "--radii") option.fallback = "the file's own, else castp";
-  }
-  append(options, {flag_option("--ligands", "Ligands are part of the body, too", body.ligands),
-                   flag_option("--ions", "Ions are part of the body, too", body.ions)});
-  return options;
-}
-
-OptionCommand cavities(CavitiesOptions& options) {
-  OptionCommand command{
-      "cavities", "Find voids and pockets with their volumes, areas, mouths and residues", {}};
-  Request& request = options.request;
-  request.solvent_radius_angstrom = kCavitySolventAngstrom;
-  command.options = many_files(options.files);
-  append(command.options,
-         {with_default(number_option({"--solvent", "S", "Solvent radius in Å, as CASTp's probe"},
-                                     request.solvent_radius_angstrom, kSolventRange),
-                       "1.4"),
-          with_default(number_option({"--alpha", "A", "Alpha in Å²; it may be negative"},
-                                     request.alpha_angstrom2, kAlphaRange),
-                       "0"),
-          with_default(
-              whole_number_option({"--threads", "N", "CPU threads"}, request.threads, kThreadRange),
-              "0 = all")});
-  Option rule{.names = "--rule",
-              .value = "castp|pocket",
-              .text = "What is outside where the flow goes both ways: castp keeps it in a pocket",
-              .fallback = "castp"};
-  rule.set = [&options, choices = rule.choices()](const std::string& id) {
-    require_choice(id, choices);
-    options.rule = id == "pocket" ? OutsideRule::pocket : OutsideRule::castp;
-  };
-  Option ties{.names = "--ties",
-              .value = "perturbed|strict",
-              .text = "Orthocentres in the plane of a face: perturbed, or do not flow (strict)",
-              .fallback = "perturbed"};
-  ties.set = [&options, choices = ties.choices()](const std::string& id) {
-    require_choice(id, choices);
-    options.ties = id == "strict" ? FlowTies::strict : FlowTies::perturbed;
-  };
-  Option min_volume{.names = "--min-volume",
-                    .value = "V",
-                    .text = "List only cavities of an SA volume of at least V, in Å³"};
-  min_volume.set = [&options](const std::string& text) {
-    options.min_volume_angstrom3 = number_in(text, {-1e30, 1e30});
-  };
-  append(command.options,
-         {rule, ties, min_volume,
-          with_default(whole_number_option({"--show", "N", "Cavities printed, the largest first"},
-                                           options.shown, {0, 1'000'000'000}),
-                       "20"),
-          output("--json", "All numbers, mouths and residues as JSON; - for standard output",
-                 options.json),
-          output("--csv", "One row for each cavity; - for standard output", options.csv)});
-  append(command.options, body(options.input, options.body));
-  command.check = [&options] { require_files(options.files); };
-  return command;
-}
-
-// Throws std::invalid_argument.
-void require_three(const char* name, const std::vector<double>& numbers) {
-  if (numbers.size() == 3 || numbers.empty()) return;
-  throw std::invalid_argument(std::string(name) + " takes three numbers, such as 1.5,-2,30");
-}
-
-OptionCommand channel(ChannelOptions& options) {
-  OptionCommand command{
-      "channel", "How large a ball passes from a point or a cavity outwards, and its profile", {}};
-  options.solvent_radius_angstrom = kCavitySolventAngstrom;
-  const NumberRange kPlaceRange{-1e9, 1e9, "Å"};
-  const auto place = [&](const char* name, const char* text, std::vector<double>& target) {
-    return numbers_option({name, "X,Y,Z", text}, target, kPlaceRange);
-  };
-  command.options = {
-      one_file(options.input),
-      place("--point", "Begin at this point in the channel, in Å", options.point),
-      whole_number_option({"--cavity", "N", "Begin in the widest place of cavity N of 'cavities'"},
-                          options.cavity, {1, 1'000'000'000}),
-      numbers_option({"--mouth", "M|M,K", "To mouth M of the cavity, or from mouth M to mouth K"},
-                     options.mouths, {1, 1e9, ""}),
-      with_default(number_option({"--solvent", "S", "Solvent radius of the cavity, in Å"},
-                                 options.solvent_radius_angstrom, kSolventRange),
-                   "1.4"),
-      place("--along", "Through the start both ways along this direction", options.along),
-      place("--to", "From the start to this point, in Å", options.to),
-      number_option({"--end-radius", "R", "Outwards the line ends where it is so wide, in Å"},
-                    options.end_radius_angstrom, {0, 1000, "Å"}),
-      with_default(
-          whole_number_option({"--threads", "N", "CPU threads"}, options.threads, kThreadRange),
-          "0 = all"),
-      output("--json", "Bottleneck, touching atoms and line as JSON; - for standard output",
-             options.json),
-      output("--csv", "The profile, one row for each sample; - for standard output", options.csv)};
-  append(command.options, body(options.input, options.body));
-  command.check = [&options] {
-    require_three("--point", options.point);
-    require_three("--along", options.along);
-    require_three("--to", options.to);
-    if (options.point.empty() == (options.cavity == 0)) {
-      throw std::invalid_argument("give --point X,Y,Z or --cavity N");
-    }
-    if (!options.mouths.empty() && options.cavity == 0) {
-      throw std::invalid_argument("--mouth needs --cavity: mouths are those of a cavity");
-    }
-    if (options.mouths.size() > 2 ||
-        std::any_of(options.mouths.begin(), options.mouths.end(),
-                    [](double mouth) { return mouth != std::floor(mouth); })) {
-      throw std::invalid_argument("--mouth takes one whole number or two, such as 1 or 1,2");
-    }
-    if (!options.along.empty() + !options.to.empty() + !options.mouths.empty() > 1) {
-      throw std::invalid_argument("--along, --to and --mouth exclude each other");
-    }
   };
   return command;
 }
@@ -521,10 +314,14 @@ OptionProgram command_table(CommandOptions& options) {
   program.name = "alphascope-cli";
   program.text = "The exact alpha complex of molecules, equal to CGAL's simplex by simplex";
   program.version = std::string(program_version()) + " (" + std::string(program_commit()) + ")";
-  program.commands = {info(options.info),         compute(options.compute),
-                      cavities(options.cavities), channel(options.channel),
-                      measure(options.measure),   verify(options.verify),
-                      bench(options.bench),       screenshot(options.screenshot)};
+  program.commands = {info(options.info),
+                      compute(options.compute),
+                      cavities_command(options.cavities),
+                      channel_command(options.channel),
+                      measure(options.measure),
+                      verify(options.verify),
+                      bench(options.bench),
+                      screenshot(options.screenshot)};
   for (OptionCommand& command : program.commands) {
     append(command.options, verbosity(options.verbosity));
   }

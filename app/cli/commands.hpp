@@ -79,12 +79,16 @@ struct CavitiesOptions {
   InputFiles files;
   InputOptions input;
   BodyOptions body;
-  Request request;  // alpha, solvent radius and threads; no engine is asked
+  Request request;  // alpha and threads; no engine is asked
+  // Each set with each solvent radius (Å); several are compared. Not input.radii.
+  std::vector<std::string> radii{"auto"};
+  std::vector<double> solvents;
   OutsideRule rule = OutsideRule::castp;
   FlowTies ties = FlowTies::perturbed;
   int shown = 20;                              // rows printed
   std::optional<double> min_volume_angstrom3;  // SA; smaller ones are counted, but not listed
-  std::string json, csv;
+  std::string json, csv, spheres, surface, script;
+  bool compares() const { return radii.size() * solvents.size() > 1; }
 };
 
 struct ChannelOptions {

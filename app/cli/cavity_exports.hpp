@@ -1,0 +1,29 @@
+// What alphascope-cli cavities writes for other programs: spheres, surfaces, scripts.
+#pragma once
+
+#include "app/cli/cavity_answer.hpp"
+#include "app/cli/outputs.hpp"
+
+namespace alphascope::cli {
+
+// Opened before anything is computed; null is not asked for.
+class CavityExports {
+ public:
+  // Throws UsageError for a name with another ending than there are formats, for what is on
+  // standard input or makes several answers, and what Outputs::add() throws.
+  CavityExports(const CavitiesOptions& options, Outputs& outputs);
+
+  // Of the cavities that are listed. Throws WriteError, Cancelled, and UsageError for what cannot
+  // be said in a script.
+  void write(const CavityAnswer& answer, const RunContext& context);
+
+ private:
+  void write_spheres(const CavityAnswer& answer, const CancelToken& cancel);
+  void write_surface(const CavityAnswer& answer);
+  void write_script(const CavityAnswer& answer);
+
+  const CavitiesOptions& options_;
+  AtomicFile *spheres_, *surface_, *script_;
+};
+
+}  // namespace alphascope::cli

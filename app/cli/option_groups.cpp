@@ -1,0 +1,84 @@
+#include "app/cli/option_groups.hpp"
+
+#include <stdexcept>
+#include <utility>
+
+#include "core/molecule/radii_set.hpp"
+
+namespace alphascope::cli {
+
+void append(Options& options, Options more) {
+  for (Option& option : more) options.push_back(std::move(option));
+}
+
+std::string radii_choices() {
+  std::string text = "auto";
+  for (const RadiiSetInfo& set : all_radii_sets()) {
+    if (set.set != RadiiSet::user && set.id != "auto") text += "|" + std::string(set.id);
+  }
+  return text + "|FILE";
+}
+
+Options input_but_ligands(InputOptions& input) {
+  const auto off = [](const char* name, const char* text, bool& value) {
+    return flag_option(name, text, value);
+  };
+  return {
+      choice_option({"--format", "auto|pdb|mmcif|pqr|xyz|tinker|xyzr|charmm",
+                     "Format of the file; auto recognises it by content and name"},
+                    input.format),
+      text_option({"--radii", radii_choices(),
+                   "Radii: a set, the file's own (file), or a FILE with a table of your own"},
+                  input.radii),
+      text_option({"--model", "N|all|joined",
+                   "Model, counted from 1; all takes each by itself, joined takes all as one"},
+                  input.model),
+      choice_option({"--hydrogens", "auto|keep|drop",
+                     "Hydrogens; auto drops them when the radii set includes them in heavy atoms"},
+                    input.hydrogens),
+      choice_option(
+          {"--altlocs", "best|all", "Alternative locations: the best of each residue, or all"},
+          input.altlocs),
+      texts_option({"--chain", "ID", "Keep only these chains, such as A,B"}, input.chains),
+      texts_option({"--without-chain", "ID", "Drop these chains"}, input.without_chains),
+      text_option({"--select", "EXPRESSION",
+                   "Keep only atoms that match, such as \"chain A and not resn HEM\""},
+                  input.select),
+      text_option({"--assembly", "ID", "Expand a biological assembly; info lists them"},
+                  input.assembly),
+      flag_option("--waters", "Keep waters (dropped by default)", input.waters),
+      flag_option("--dummies",
+                  "Keep dummy atoms, such as OPM's membrane planes (dropped by default)",
+                  input.dummies),
+      off("--no-polymers", "Drop proteins and nucleic acids (kept by default)", input.no_polymers),
+  };
+}
+
+Option one_file(InputOptions& input) {
+  return required(path_option({"FILE", "FILE", kFileText}, input.file));
+}
+
+Options many_files(InputFiles& files) {
+  Option named = texts_option({"FILE", "FILE", kFileText}, files.named);
+  return {named,
+          text_option({"--files-from", "LIST",
+                       "Read file names from LIST, one per line; - for standard input"},
+                      files.list),
+          flag_option("--null", "Names in LIST end with a NUL byte, as find -print0 writes them",
+                      files.null_separated)};
+}
+
+void require_files(const InputFiles& files) {
+  if (files.named.empty() && files.list.empty()) {
+    throw std::invalid_argument("name a FILE, or a list of files with --files-from");
+  }
+  if (files.null_separated && files.list.empty()) {
+    throw std::invalid_argument("--null needs --files-from");
+  }
+}
+
+Option output(const char* name, const char* text, std::string& path) {
+  return text_option({name, "OUT", text}, path);
+}
+
+}  // namespace alphascope::cli

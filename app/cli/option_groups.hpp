@@ -1,0 +1,38 @@
+// Options that several commands have. For the sources of the command table.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/cli/commands.hpp"
+#include "app/options/option_values.hpp"
+#include "core/geometry/lattice.hpp"
+
+namespace alphascope::cli {
+
+inline const NumberRange kAlphaRange{-kMaxAlphaAngstrom2, kMaxAlphaAngstrom2, "Å²"};
+inline const NumberRange kSolventRange{0, 100, "Å"};
+inline const NumberRange kThreadRange{0, 1024};
+
+using Options = std::vector<Option>;
+
+void append(Options& options, Options more);
+
+// What is read, without the two kinds of atoms that commands treat differently.
+Options input_but_ligands(InputOptions& input);
+std::string radii_choices();
+
+inline constexpr const char* kFileText =
+    "Molecule: PDB, mmCIF, XYZR, PQR, XYZ or CRD, also packed as .gz; - for standard input";
+
+Option one_file(InputOptions& input);
+Options many_files(InputFiles& files);
+// Throws std::invalid_argument.
+void require_files(const InputFiles& files);
+
+Option output(const char* name, const char* text, std::string& path);
+
+OptionCommand cavities_command(CavitiesOptions& options);
+OptionCommand channel_command(ChannelOptions& options);
+
+}  // namespace alphascope::cli

@@ -1,0 +1,64 @@
+#include "core/cavity/cavity_surface.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/predicates/exact_alpha.hpp"
+#include "core/predicates/perturbation.hpp"
+
+namespace alphascope {
+namespace {
+
+// The face opposite ball k, which is behind it.
+std::array<BallIndex, 3> outwards(const BallSet& balls, const std::array<BallIndex, 4>& t,
+                                  std::size_t k) {
+  std::array<BallIndex, 3> face{t[k == 0 ? 1 : 0], t[k <= 1 ? 2 : 1], t[k <= 2 ? 3 : 2]};
+  const auto from = [&](BallIndex i) { return lifted_vector(balls, t[k], i); };
+  if (determinant(from(face[0]), from(face[1]), from(face[2])) < 0) std::swap(face[1], face[2]);
+  return face;
+}
+
+std::vector<std::uint32_t> mouth_triangles(const Cavity& cavity) {
+  std::vector<std::uint32_t> all;
+  for (const Mouth& mouth : cavity.mouths) {
+    all.insert(all.end(), mouth.triangles.begin(), mouth.triangles.end());
+  }
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
+}  // namespace
+
+CavitySurface cavity_surface(const CavityGround& ground, const Cavity& cavity) {
+  const Triangulation& triangulation = *ground.triangulation;
+  const std::vector<std::uint32_t> open = mouth_triangles(cavity);
+  CavitySurface surface;
+  std::vector<BallIndex> used;
+  for (const std::uint32_t t : cavity.tetrahedra) {
+    for (std::size_t k = 0; k < 4; ++k) {
+      const Neighbour across = triangulation.neighbours[t][k];
+      if (!across.is_hull() &&
+          std::binary_search(cavity.tetrahedra.begin(), cavity.tetrahedra.end(), across.index())) {
+        continue;
+      }
+      const std::uint32_t face = ground.incidence.triangles_of_tetrahedron[t][k];
+      if (std::binary_search(open.begin(), open.end(), face)) continue;
+      surface.triangles.push_back(outwards(*ground.balls, triangulation.tetrahedra[t], k));
+      used.insert(used.end(), surface.triangles.back().begin(), surface.triangles.back().end());
+    }
+  }
+  std::sort(used.begin(), used.end());
+  used.erase(std::unique(used.begin(), used.end()), used.end());
+  for (const BallIndex i : used) {
+    surface.points.push_back(ground.balls->lattice.unit_angstrom() *
+                             real_point(ground.balls->centres[i]));
+  }
+  for (auto& triangle : surface.triangles) {
+    for (std::uint32_t& v : triangle) {
+      v = static_cast<std::uint32_t>(std::lower_bound(used.begin(), used.end(), v) - used.begin());
+    }
+  }
+  return surface;
+}
+
+}  // namespace alphascope

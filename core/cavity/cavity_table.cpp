@@ -2,7 +2,6 @@
 #include "core/cavity/cavity_table.hpp"
 
 #include <cmath>
-#include <numeric>
 #include <stdexcept>
 #include <utility>
 
@@ -31,13 +30,20 @@ double CavityTable::area_sa_angstrom2(bool of_voids) const {
 }
 
 std::vector<ClippedMeasures> clip_all(const CavityTable& table, const RunContext& context) {
-  std::vector<std::uint32_t> all(table.found.cavities.size());
-  std::iota(all.begin(), all.end(), 0u);
-  if (all.empty()) return {};
+  const std::vector<Cavity>& cavities = table.found.cavities;
+  std::vector<ClippedMeasures> all;
+  std::vector<std::uint32_t> pockets;
+  for (std::uint32_t c = 0; c < cavities.size(); ++c) {
+    all.push_back({table.measures[c].volume_sa_angstrom3, table.measures[c].area_sa_angstrom2});
+    if (!cavities[c].is_void()) pockets.push_back(c);
+  }
+  if (pockets.empty()) return all;
   const CavityGround& ground = *table.ground;
-  return clip_cavities(ground, table.found, all,
-                       ground.balls->lattice.alpha_on_lattice(table.question.alpha_angstrom2),
-                       context);
+  const std::vector<ClippedMeasures> clipped = clip_cavities(
+      ground, table.found, pockets,
+      ground.balls->lattice.alpha_on_lattice(table.question.alpha_angstrom2), context);
+  for (std::size_t n = 0; n < pockets.size(); ++n) all[pockets[n]] = clipped[n];
+  return all;
 }
 
 bool is_doubtful(double sa_angstrom3, double exact_angstrom3) {

@@ -39,7 +39,8 @@ struct CavityTable {
 };
 
 // What of a table takes longer, and may follow it: the exact volume and area of every cavity, in
-// the order of found.cavities.
+// the order of found.cavities. Only pockets are clipped: of a void no ball pokes out, so that its
+// sums are exact.
 std::vector<ClippedMeasures> clip_all(const CavityTable& table, const RunContext& context = {});
 
 // Is an SA volume too small to mean anything, or so far from the exact one that the difference must

@@ -33,6 +33,26 @@ int clamped_cell(double coordinate, double origin, double width, int count) {
       std::clamp(std::floor((coordinate - origin) / width), -1.0, static_cast<double>(count)));
 }
 
+// Of balls with one centre only the first of the largest. A million of them would all be in one
+// cell.
+std::vector<BallIndex> by_falling_radius(const BallSet& balls) {
+  std::vector<BallIndex> order(balls.size());
+  std::iota(order.begin(), order.end(), BallIndex{0});
+  const auto is_larger = [&](BallIndex a, BallIndex b) {
+    return balls.radii[a] != balls.radii[b] ? balls.radii[a] > balls.radii[b] : a < b;
+  };
+  std::sort(order.begin(), order.end(), [&](BallIndex a, BallIndex b) {
+    return balls.centres[a] != balls.centres[b] ? balls.centres[a] < balls.centres[b]
+                                                : is_larger(a, b);
+  });
+  order.erase(
+      std::unique(order.begin(), order.end(),
+                  [&](BallIndex a, BallIndex b) { return balls.centres[a] == balls.centres[b]; }),
+      order.end());
+  std::sort(order.begin(), order.end(), is_larger);
+  return order;
+}
+
 }  // namespace
 
 // A point in lattice units, and its cell.
@@ -84,11 +104,7 @@ struct Clearance::Query {
 };
 
 Clearance::Clearance(const BallSet& balls) : unit_(balls.lattice.unit_angstrom()) {
-  std::vector<BallIndex> order(balls.size());
-  std::iota(order.begin(), order.end(), BallIndex{0});
-  std::sort(order.begin(), order.end(), [&](BallIndex a, BallIndex b) {
-    return balls.radii[a] != balls.radii[b] ? balls.radii[a] > balls.radii[b] : a < b;
-  });
+  const std::vector<BallIndex> order = by_falling_radius(balls);
   for (std::size_t begin = 0; begin < order.size();) {
     const std::int32_t most = balls.radii[order[begin]];
     std::size_t end = begin;

@@ -28,7 +28,8 @@ class Clearance {
   Surface nearest(const RealPoint& x_angstrom) const;
   double at(const RealPoint& x_angstrom) const { return nearest(x_angstrom).distance_angstrom; }
 
-  // All surfaces at most so far away: by rising distance, then by index.
+  // All surfaces at most so far away: by rising distance, then by index. Of balls with one centre
+  // only the first of the largest counts: the others are within it.
   void collect(const RealPoint& x_angstrom, double most_angstrom, std::vector<Surface>& out) const;
 
  private:

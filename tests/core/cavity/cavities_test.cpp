@@ -5,6 +5,7 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <memory>
 #include <numeric>
@@ -140,6 +141,35 @@ TEST(Cavities, AreThoseOfTheDefinitionInRationals) {
   EXPECT_GT(ties, 300u);
   EXPECT_GT(rules_differ, 10u);
   EXPECT_GT(ties_matter, 10u);
+}
+
+// At every alpha at which K changes, and between: by ranks of matrices modulo 2.
+TEST(Cavities, VoidsAreBetti2AtEveryAlpha) {
+  Random random(104);
+  std::size_t steps = 0, with_voids = 0;
+  for (int round = 0; round < 24; ++round) {
+    const BallSet balls = round % 2 ? hollow_balls(random) : lattice_balls(random);
+    const testing::RationalOracle oracle(balls);
+    std::set<double> alphas;
+    for (const auto& [simplex, alpha] : oracle.alpha_values()) {
+      const double value = std::floor(alpha.get_d() * 2) / 2;
+      alphas.insert({value - 0.5, value, value + 0.5});
+    }
+    for (const double alpha : alphas) {
+      const Found found = find(balls, alpha);
+      if (found.ground.triangulation->dimension < 3) break;
+      const auto expected = testing::rational_cavities(balls, oracle, alpha, false, true);
+      const auto voids =
+          std::count_if(found.cavities.cavities.begin(), found.cavities.cavities.end(),
+                        [](const Cavity& cavity) { return cavity.is_void(); });
+      ASSERT_EQ(voids, expected.betti[2]) << "round " << round << ", alpha " << alpha;
+      ASSERT_EQ(found.cavities.voids, voids);
+      ++steps;
+      with_voids += voids > 0;
+    }
+  }
+  EXPECT_GT(steps, 400u);
+  EXPECT_GT(with_voids, 50u);
 }
 
 TEST(Cavities, AreNoneBelowDimension3) {

@@ -35,6 +35,21 @@ BallSet unequal_balls(Random& random, int count) {
   return balls;
 }
 
+// Else a million of them would be looked at for every point.
+TEST(Clearance, OfBallsWithOneCentreTheLargestCounts) {
+  BallSet balls;
+  balls.lattice.digits = 3;
+  for (const int radius : {1000, 1500, 1200, 1500}) add_ball(balls, 0, 0, 0, radius);
+  add_ball(balls, 4000, 0, 0, 1000);
+  const Clearance clearance(balls);
+  std::vector<Surface> surfaces;
+  clearance.collect({2, 0, 0}, 10, surfaces);
+  ASSERT_EQ(surfaces.size(), 2u);
+  EXPECT_EQ(surfaces[0].ball, 1u);
+  EXPECT_EQ(surfaces[0].distance_angstrom, 0.5);
+  EXPECT_EQ(surfaces[1].ball, 4u);
+}
+
 TEST(Clearance, IsTheLeastDistanceToASurface) {
   Random random(1);
   for (const int count : {1, 2, 7, 60, 900}) {

@@ -62,7 +62,11 @@ MainAxis main_axis(const BallSet& balls) {
   MainAxis result;
   result.middle_angstrom = balls.lattice.unit_angstrom() * middle;
   const RealPoint axis{vectors[0][chosen], vectors[1][chosen], vectors[2][chosen]};
-  if (of(0) > 0) result.axis = unit_vector(axis);
+  // Its largest component is positive, so that a profile always begins at the same end.
+  const double values[] = {axis.x, axis.y, axis.z};
+  const double largest = *std::max_element(
+      values, values + 3, [](double a, double b) { return std::fabs(a) < std::fabs(b); });
+  if (of(0) > 0) result.axis = (largest < 0 ? -1.0 : 1.0) * unit_vector(axis);
   return result;
 }
 

@@ -5,7 +5,6 @@
 #include "app/viewer/scene_controller.hpp"
 #include "core/document/measure_results.hpp"
 #include "ui/scene/ball_colours.hpp"
-#include "ui/scene/colour_map.hpp"
 
 namespace alphascope {
 namespace {
@@ -59,9 +58,8 @@ bool SceneController::is_exposure_shown() const {
 
 std::optional<ColourLegend> SceneController::legend() const {
   if (!display_.balls || !is_exposure_shown()) return alpha_legend_;
-  const char* title = display_.ball_colour == ColourBy::exposed ? "exposed area of atoms (%)"
-                                                                : "exposed area of residues (%)";
-  return map_legend(title, [](double share) { return 100 * share; });
+  return share_legend(display_.ball_colour == ColourBy::exposed ? "exposed area of atoms"
+                                                                : "exposed area of residues");
 }
 
 std::string SceneController::not_drawn() const {

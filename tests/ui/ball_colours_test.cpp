@@ -20,5 +20,18 @@ TEST(BallColours, AChainKeepsItsColourWhenAnotherIsSwitchedOff) {
   EXPECT_EQ(without_a[1], all[3]);
 }
 
+// The legend says which share a colour stands for.
+TEST(BallColours, OfSharesAreThoseOfTheLegend) {
+  const ColourLegend legend = share_legend("exposed area");
+  EXPECT_EQ(legend.stops.front().value, 0);
+  EXPECT_EQ(legend.stops.back().value, 100);
+  for (const ColourLegend::Stop& stop : legend.stops) {
+    const Rgb8 c = colours_by_share({static_cast<float>(stop.value / 100)}).front();
+    EXPECT_NEAR(c.r, 255 * stop.colour.r, 1);
+    EXPECT_NEAR(c.g, 255 * stop.colour.g, 1);
+    EXPECT_NEAR(c.b, 255 * stop.colour.b, 1);
+  }
+}
+
 }  // namespace
 }  // namespace alphascope

@@ -1,4 +1,6 @@
 // The page of areas and volumes in the whole window, and balls coloured by exposed area.
+#include <algorithm>
+
 #include "core/document/measure_results.hpp"
 #include "tests/ui/viewer_fixture.hpp"
 
@@ -65,6 +67,22 @@ TEST_F(MeasuresTest, ChangesAndFilter) {
   EXPECT_EQ(memory().rows->all, 327u);
 }
 
+TEST_F(MeasuresTest, TitlesSortAndRowsAreCopied) {
+  open_measures();
+  run("click measures.column.3\n");
+  settle();
+  const std::vector<MeasureRow>& rows = memory().rows->rows;
+  EXPECT_EQ(memory().query.column, MeasureColumn::area);
+  EXPECT_TRUE(std::is_sorted(
+      rows.begin(), rows.end(),
+      [](const MeasureRow& a, const MeasureRow& b) { return a.area_angstrom2 > b.area_angstrom2; }))
+      << "the largest first";
+  run("click measures.copy\n");
+  settle();
+  EXPECT_EQ(state().notice, "Areas and volumes copied as CSV.");
+  EXPECT_FALSE(memory().copying);
+}
+
 TEST_F(MeasuresTest, TetrahedraAloneSayWhatToDo) {
   open_measures();
   state().compute.tetrahedra_only = true;
@@ -90,14 +108,14 @@ TEST_F(MeasuresTest, BallsAreColouredByTheirExposedAreas) {
   settle();
   EXPECT_EQ(state().viewport.not_drawn, "");
   ASSERT_TRUE(state().viewport.legend);
-  EXPECT_EQ(state().viewport.legend->title, "exposed area of atoms (%)");
+  EXPECT_EQ(state().viewport.legend->title, "exposed area of atoms (%), square-root scale");
   EXPECT_EQ(state().viewport.legend->stops.front().value, 0);
   EXPECT_EQ(state().viewport.legend->stops.back().value, 100);
   const Image by_atom = picture();
   EXPECT_NE(by_atom.rgba, by_element.rgba);
   state().display.ball_colour = ColourBy::exposed_residue;
   settle();
-  EXPECT_EQ(state().viewport.legend->title, "exposed area of residues (%)");
+  EXPECT_EQ(state().viewport.legend->title, "exposed area of residues (%), square-root scale");
   EXPECT_NE(picture().rgba, by_atom.rgba);
   state().display.ball_colour = ColourBy::element;
   settle();

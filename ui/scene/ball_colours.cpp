@@ -108,8 +108,13 @@ std::vector<Rgb8> colours_by_chain(const Molecule& molecule,
 std::vector<Rgb8> colours_by_share(const std::vector<float>& shares) {
   std::vector<Rgb8> colours;
   colours.reserve(shares.size());
-  for (const float share : shares) colours.push_back(mapped_colour(share));
+  for (const float share : shares) colours.push_back(mapped_colour(std::sqrt(share)));
   return colours;
+}
+
+ColourLegend share_legend(const std::string& quantity) {
+  return map_legend(quantity + " (%), square-root scale",
+                    [](double share) { return 100 * share * share; });
 }
 
 }  // namespace alphascope

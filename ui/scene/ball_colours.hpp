@@ -2,9 +2,11 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "core/molecule/molecule.hpp"
+#include "ui/picture_marks.hpp"
 #include "ui/scene/ball_geometry.hpp"
 #include "ui/theme.hpp"
 
@@ -17,8 +19,10 @@ std::vector<Rgb8> colours_by_element(const Molecule& molecule,
 std::vector<Rgb8> colours_by_chain(const Molecule& molecule,
                                    const std::vector<std::uint32_t>& atom_of_ball);
 
-// By a number from 0 to 1 for each ball, along the map of colour_map.hpp.
+// By a number from 0 to 1 for each ball, along the map of colour_map.hpp. The square root spreads
+// small shares, which nearly all are.
 std::vector<Rgb8> colours_by_share(const std::vector<float>& shares);
+ColourLegend share_legend(const std::string& quantity);  // in percent
 
 Rgb8 element_colour(Element element);
 

@@ -37,7 +37,8 @@ TEST_F(BesideBodyTest, LigandsHaveBallsAndTheirBonds) {
   ASSERT_TRUE(atoms.mesh);
   EXPECT_EQ(atoms.mesh->spheres->centres.size(), 174u);
   // A haem has 43 atoms and eight independent rings, those at the iron included: 50 bonds. In this
-  // old structure six of the acids' bonds are too long for the rule, and one pair of atoms too near.
+  // old structure six of the acids' bonds are too long for the rule, and one pair of atoms too
+  // near.
   EXPECT_EQ(atoms.mesh->tubes.points(), 195 * kStickPoints);
   EXPECT_FALSE(atoms.mesh->fades_rest);
   const LatticePoint& p = opened_.molecule->atoms[atoms.atoms[7].atom].position;
@@ -125,6 +126,28 @@ TEST_F(BesideBodyInTheWindow, TheMouseNamesAndSelectsThem) {
   EXPECT_EQ(state().picked_missing, 0u);
   run("view.left_out_ligands off\nwait-idle\nframes 2\n");
   EXPECT_EQ(state().picked_missing, 1u);
+}
+
+// As ViewerTest's, with a cavity chosen: its surface, rims and the haems, all else pale.
+TEST_F(BesideBodyInTheWindow, ASavedPictureShowsWhatPanelsDraw) {
+  open_without_ligands();
+  run("click bottom.cavities\nwait-idle\nframes 3\nwait-idle\nframes 3\n");
+  state().display.ambient_occlusion = false;  // is blurred over pixels
+  const Image plain = upright(halved(picture()));
+  run("click cavities.row.1 0.2\nwait-idle\nframes 3\n");
+  state().picked.items = {};  // which no saved picture shows
+  run("frames 2\nwait-idle\n");
+  ASSERT_FALSE(state().layers.empty());
+  const Image shown = upright(halved(picture()));
+  EXPECT_GT(differing_pixels(plain, shown), 1000);
+  const ViewportInfo& v = state().viewport;
+  state().requests.screenshot =
+      ScreenshotRequest{folder_ / "saved.png", v.width, v.height, false, false};
+  run("wait-idle\n");
+  const Image saved = pixels_of(folder_ / "saved.png");
+  ASSERT_EQ(saved.width, shown.width);
+  // Lines are as wide as the picture's own pixels: their rims differ.
+  EXPECT_LT(differing_pixels(saved, shown), shown.width * shown.height / 50);
 }
 
 TEST(BesideBodyOnTheCommandLine, ScreenshotDrawsThemToo) {

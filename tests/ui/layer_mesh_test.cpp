@@ -8,6 +8,7 @@
 #include "tests/ui/molecule_fixture.hpp"
 #include "tests/ui/picture_difference.hpp"
 #include "tests/ui/texture_pixels.hpp"
+#include "ui/scene/draw_marks.hpp"
 #include "ui/scene/scene.hpp"
 #include "ui/window/egl_context.hpp"
 
@@ -265,6 +266,54 @@ TEST(PlacedLabels, AreSeenWhereTheirPlaceIs) {
   EXPECT_FLOAT_EQ(seen[0].y, 37.5f);
   EXPECT_FLOAT_EQ(seen[1].x, 100);
   EXPECT_FLOAT_EQ(seen[1].y, 50);
+}
+
+MarkType type_of(float unit) {
+  return {unit, 14 * unit,
+          [unit](const std::string& text) { return 7 * unit * static_cast<float>(text.size()); }};
+}
+
+TEST(PlacedLabels, StandAroundTheirPlaceAndMakeWay) {
+  const std::vector<PictureLabel> labels{{200, 100, "one"},
+                                         {205, 103, "two"},
+                                         {202, 98, "three"},
+                                         {-5, 50, "outside"},
+                                         {1, 1, "edge"}};
+  const auto texts = lay_out_labels(labels, 400, 300, type_of(1));
+  ASSERT_EQ(texts.size(), 4u);
+  EXPECT_FLOAT_EQ(texts[0].x, 200 - 10.5f);
+  EXPECT_FLOAT_EQ(texts[0].y, 100 - 7);
+  for (std::size_t i = 0; i < texts.size(); ++i) {
+    EXPECT_GE(texts[i].x, 0);
+    EXPECT_GE(texts[i].y, 0);
+    for (std::size_t k = 0; k < i; ++k) {
+      const bool apart = std::fabs(texts[i].y - texts[k].y) >= 14 || texts[i].x > texts[k].x + 35 ||
+                         texts[k].x > texts[i].x + 35;
+      EXPECT_TRUE(apart) << texts[i].text << " on " << texts[k].text;
+    }
+  }
+}
+
+// On black, white and the middle: in any of them the words are to be read.
+TEST(PlacedLabels, CanBeReadOnAnything) {
+  for (const std::uint8_t grey : {0, 128, 255}) {
+    for (const Theme theme : {Theme::dark, Theme::light}) {
+      Image image{1920, 1200, std::vector<std::uint8_t>(4 * 1920 * 1200, grey)};
+      PictureMarks marks;
+      marks.labels = {{960, 600, "12.3 Å²"}};
+      EXPECT_EQ(draw_marks(image, marks, mark_ink(theme, false)), "");
+      int dark = 0, light = 0, changed = 0;
+      for (std::size_t i = 0; i < image.rgba.size(); i += 4) {
+        changed += image.rgba[i] != grey;
+        dark += image.rgba[i] < 70;
+        light += image.rgba[i] > 185;
+      }
+      EXPECT_GT(changed, 300);
+      EXPECT_LT(changed, 12000);
+      EXPECT_GT(dark, 100) << int{grey};
+      EXPECT_GT(light, 100) << int{grey};
+    }
+  }
 }
 
 }  // namespace

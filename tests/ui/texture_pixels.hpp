@@ -22,6 +22,17 @@ inline Image texture_pixels(unsigned texture) {
   return image;
 }
 
+// With the top row first, as saved pictures are.
+inline Image upright(const Image& image) {
+  Image result{image.width, image.height, {}};
+  const std::size_t row = 4 * static_cast<std::size_t>(image.width);
+  for (int y = image.height - 1; y >= 0; --y) {
+    const auto start = image.rgba.begin() + static_cast<long>(static_cast<std::size_t>(y) * row);
+    result.rgba.insert(result.rgba.end(), start, start + static_cast<long>(row));
+  }
+  return result;
+}
+
 // Means of 2 x 2 pixels.
 inline Image halved(const Image& image) {
   Image result{image.width / 2, image.height / 2, {}};

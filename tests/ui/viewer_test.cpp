@@ -215,17 +215,6 @@ TEST_F(ViewerTest, SavesAPictureOfTheChosenSize) {
   EXPECT_NE(viewer_->state().error.find("/no/such/folder"), std::string::npos);
 }
 
-// As OpenGL's pictures are not.
-Image upright(const Image& image) {
-  Image result{image.width, image.height, {}};
-  const std::size_t row = 4 * static_cast<std::size_t>(image.width);
-  for (int y = image.height - 1; y >= 0; --y) {
-    const auto start = image.rgba.begin() + static_cast<long>(static_cast<std::size_t>(y) * row);
-    result.rgba.insert(result.rgba.end(), start, start + static_cast<long>(row));
-  }
-  return result;
-}
-
 // The same view, drawn by the window's own scene and by the one in the background: one as a picture
 // of twice the size, the other as four pictures. Occlusion is blurred over pixels, so the size of
 // these shows a little.
@@ -236,7 +225,7 @@ TEST_F(ViewerTest, ASavedPictureIsWhatTheViewShows) {
   viewer_->state().display.grown_balls = true;
   for (const bool occlusion : {false, true}) {
     viewer_->state().display.ambient_occlusion = occlusion;
-    const Image shown = upright(testing::halved(picture()));
+    const Image shown = testing::upright(testing::halved(picture()));
     const ViewportInfo& v = viewer_->state().viewport;
     viewer_->state().requests.screenshot =
         ScreenshotRequest{folder_ / "picture.png", v.width, v.height, false, false};

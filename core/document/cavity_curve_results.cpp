@@ -29,7 +29,7 @@ std::vector<double> alpha_samples(const CavityGround& ground) {
   }
   constexpr std::size_t kMost = 1000;  // sinks of flat balls are as far away as a float can say
   while (samples.back() < last && samples.size() < kMost) {
-    samples.push_back(samples.back() * kGrowth);
+    samples.push_back(std::round(samples.back() * kGrowth * 100) / 100);
   }
   return samples;
 }

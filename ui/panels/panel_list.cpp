@@ -12,6 +12,7 @@ void draw_timings_panel(PanelContext& ctx);
 void draw_cavities_panel(PanelContext& ctx);
 void draw_channels_panel(PanelContext& ctx);
 void draw_measures_panel(PanelContext& ctx);
+void draw_curves_panel(PanelContext& ctx);
 void draw_signature_panel(PanelContext& ctx);
 
 namespace {
@@ -25,6 +26,7 @@ constexpr PanelSpec kPanels[] = {
     {"cavities", "Cavities", Place::bottom, draw_cavities_panel},
     {"channels", "Channels", Place::bottom, draw_channels_panel},
     {"measures", "Measures", Place::bottom, draw_measures_panel},
+    {"curves", "Curves", Place::bottom, draw_curves_panel},
     {"signature", "Signature", Place::bottom, draw_signature_panel},
 };
 

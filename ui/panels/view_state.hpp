@@ -24,6 +24,7 @@
 #include "ui/panels/cavity_memory.hpp"
 #include "ui/panels/channel_memory.hpp"
 #include "ui/panels/controls.hpp"
+#include "ui/panels/curve_memory.hpp"
 #include "ui/panels/folder_listing.hpp"
 #include "ui/panels/measure_memory.hpp"
 #include "ui/panels/palette_memory.hpp"
@@ -101,6 +102,7 @@ struct PanelMemory {
   CavityMemory cavities;
   ChannelMemory channels;
   MeasureMemory measures;
+  CurveMemory curves;
   std::vector<std::size_t> dialogs;  // that are open, by dialog_stack.cpp; the last is on top
   bool dragging_view = false;
   bool playing = false;         // alpha grows by itself, one step a finished result

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/document/cavity_chart.hpp"
 #include "core/document/cavity_preset.hpp"
 #include "core/document/cavity_results.hpp"
 #include "core/triangulation/cgal_triangulation.hpp"
@@ -70,6 +71,32 @@ TEST(CavityCurves, ARadiusThatSplitsAVoidEndsTheSmallerOnesLine) {
   // With another row of radii, its own radius is not a sample.
   EXPECT_EQ(curves.nearest(1.9), 4u);
   EXPECT_EQ(curves.nearest(-3), 0u);
+}
+
+TEST(CavityChart, SaysWhereACavitySplitsAndLeavesGaps) {
+  const BallSet balls = two_chambers();
+  const CavityCurves curves = curves_against_solvent(balls, 0, {0, 0.5, 1, 1.5, 2, 6});
+  const CavityTable table = make_cavity_table(ground_of(with_solvent(balls, 2)), {0, 2});
+  const CurveLinks links = link_curves(curves, table, 2);
+  const CavityChart chart =
+      chart_of_cavities(curves, CurveQuantity::volume, links,
+                        {{table.order[0], "void 1"}, {table.order[1], "void 2"}});
+  ASSERT_EQ(chart.marks.size(), 2u);
+  EXPECT_EQ(chart.marks[0].text, "Between 0.5 and 1 Å it splits into 2 cavities.");
+  EXPECT_EQ(chart.marks[0].sample, 2u);
+  EXPECT_EQ(chart.marks[1].text, "Below 1 Å it is a part of a larger cavity.");
+  EXPECT_EQ(chart.marks[1].series, 1u);
+  const std::vector<ChartSeries>& series = chart.chart.series;
+  EXPECT_EQ(series[0].values[4], table.measure(0).volume_sa_angstrom3);
+  EXPECT_FALSE(series[1].values[1]);
+  const std::string csv = chart_csv(chart.chart, {"file: a.pdb"});
+  EXPECT_EQ(csv.substr(0, csv.find("\n0,")), "# file: a.pdb\nsolvent radius (Å),void 1,void 2");
+  EXPECT_EQ(csv.substr(csv.rfind("\n6")), "\n6,,\n");
+  const CavityChart totals = chart_of_totals(curves, CurveQuantity::area);
+  ASSERT_EQ(totals.chart.series.size(), 2u);
+  EXPECT_NEAR(*totals.chart.series[0].values[4], table.area_sa_angstrom2(true), 1e-9);
+  EXPECT_EQ(totals.chart.series[1].values[4], 0);
+  EXPECT_EQ(totals.chart.value_label, "SA area (Å²)");
 }
 
 TEST(CavityCurves, OverAlphaACavityIsThereFromBirthToEnd) {

@@ -1,0 +1,120 @@
+// The page of curves in the whole window: totals, a chosen cavity, clicks that set what is plotted
+// against.
+#include <imgui.h>
+
+#include <algorithm>
+#include <fstream>
+
+#include "tests/ui/viewer_fixture.hpp"
+
+namespace alphascope::testing {
+namespace {
+
+class CurvesTest : public ViewerTest {
+ protected:
+  void open_haemoglobin() {
+    run("open " ALPHASCOPE_SOURCE_DIR "/resources/molecules/4hhb.pdb.gz\nwait-idle\n");
+    run("click bottom.cavities\nwait-idle\nframes 3\nwait-idle\nframes 3\n");
+    run("click cavities.preset\nwait-idle\nframes 3\nwait-idle\nframes 3\n");
+  }
+  void open_curves() { run("click bottom.curves\nwait-idle\nframes 3\nwait-idle\nframes 3\n"); }
+  void settle() { run("wait-idle\nframes 3\nwait-idle\nframes 3\n"); }
+  const CurveMemory& memory() { return viewer_->state().memory.curves; }
+  const ChartSeries& series(std::size_t n) { return memory().chart.chart.series.at(n); }
+  bool has(const char* widget) { return viewer_->widgets().contains(widget); }
+};
+
+TEST_F(CurvesTest, WithoutAMoleculeItSaysWhatToDo) {
+  run("click bottom.curves\n");
+  EXPECT_TRUE(has("curves.waiting"));
+  EXPECT_FALSE(has("curves.plot"));
+}
+
+TEST_F(CurvesTest, OfNothingChosenItPlotsTheTotals) {
+  open_haemoglobin();
+  open_curves();
+  ASSERT_TRUE(has("curves.plot"));
+  ASSERT_EQ(memory().chart.chart.series.size(), 2u);
+  ASSERT_EQ(series(0).x.size(), 51u);
+  EXPECT_EQ(series(0).x[14], 1.4);
+  const auto& table = viewer_->state().result;
+  ASSERT_TRUE(table);
+  // CASTp's sums of the table at 1.4 Å, which the page of cavities shows.
+  EXPECT_NEAR(*series(0).values[14], 269.28, 300);
+  EXPECT_GT(*series(1).values[14], 4000);
+  run("click curves.axis.0\n");
+  settle();
+  ASSERT_TRUE(has("curves.plot"));
+  EXPECT_EQ(memory().chart_axis, CurveAxis::alpha);
+  const auto zero = std::find(series(0).x.begin(), series(0).x.end(), 0.0);
+  ASSERT_NE(zero, series(0).x.end());
+  run("click curves.axis.2\n");
+  settle();
+  EXPECT_TRUE(has("curves.waiting")) << "one model only";
+  EXPECT_FALSE(has("curves.plot"));
+}
+
+TEST_F(CurvesTest, AChosenCavityIsFollowedAndAClickSetsTheSolventRadiusAsOneEntry) {
+  open_haemoglobin();
+  run("click cavities.row.4 0.2\n");
+  settle();
+  open_curves();
+  ASSERT_TRUE(has("curves.plot"));
+  ASSERT_EQ(memory().chart.chart.series.size(), 1u);
+  EXPECT_EQ(series(0).name, "pocket 4");
+  ASSERT_TRUE(series(0).values[14]);
+  EXPECT_NEAR(*series(0).values[14], 187.241, 0.01);
+  EXPECT_FALSE(series(0).values[50]) << "no cavity at 5 Å";
+  EXPECT_FALSE(memory().chart.marks.empty());
+  const std::string undo = viewer_->state().undo_text;
+  run("move curves.plot 0.3\ndown\nmove curves.plot 0.4\nmove curves.plot 0.5\nup\n");
+  settle();
+  const double radius = viewer_->state().compute.solvent_radius_angstrom;
+  EXPECT_NE(radius, 1.4);
+  EXPECT_EQ(viewer_->state().result->request.solvent_radius_angstrom, radius);
+  ASSERT_TRUE(has("curves.plot"));
+  ASSERT_EQ(memory().chart.chart.series.size(), 1u) << "it is still that cavity";
+  EXPECT_NEAR(*series(0).values[14], 187.241, 0.01);
+  run("edit.undo\n");
+  settle();
+  EXPECT_EQ(viewer_->state().compute.solvent_radius_angstrom, 1.4);
+  EXPECT_EQ(viewer_->state().undo_text, undo);
+  run("click curves.quantity.1\n");
+  settle();
+  EXPECT_EQ(memory().chart.chart.value_label, "SA area (Å²)");
+  run("click curves.copy\n");
+  const std::string csv = ImGui::GetClipboardText();
+  EXPECT_NE(csv.find("solvent radius (Å),pocket 4\n"), std::string::npos) << csv;
+  EXPECT_NE(csv.find("\n5,\n"), std::string::npos) << "a gap is empty";
+  EXPECT_NE(csv.find("# sha256: "), std::string::npos);
+}
+
+TEST_F(CurvesTest, ModelsArePlottedAndAClickShowsOne) {
+  std::string text;
+  {
+    std::ifstream file(ALPHASCOPE_SOURCE_DIR "/resources/molecules/1crn.pdb");
+    std::string atoms, line;
+    while (std::getline(file, line)) {
+      if (line.substr(0, 5) == "ATOM ") atoms += line + "\n";
+    }
+    for (int k = 1; k <= 3; ++k)
+      text += "MODEL        " + std::to_string(k) + "\n" + atoms + "ENDMDL\n";
+  }
+  const auto path = std::filesystem::temp_directory_path() / "alphascope-curves-models.pdb";
+  std::ofstream(path) << text << "END\n";
+  run("open " + path.string() + "\nwait-idle\nsolvent.set 0.8\nwait-idle\n");
+  open_curves();
+  run("click curves.axis.2\n");
+  settle();
+  ASSERT_TRUE(has("curves.plot"));
+  ASSERT_EQ(series(1).x.size(), 3u);
+  EXPECT_EQ(*series(1).values[0], *series(1).values[2]);
+  run("click curves.plot 0.99\n");
+  settle();
+  EXPECT_EQ(viewer_->state().open.balls.model, 2);
+  EXPECT_TRUE(has("curves.plot"));
+  std::filesystem::remove(path);
+}
+
+}  // namespace
+}  // namespace alphascope::testing

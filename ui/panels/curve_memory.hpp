@@ -1,0 +1,30 @@
+// What the page of curves remembers between frames. Plain data.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/document/cavity_chart.hpp"
+#include "core/document/reference.hpp"
+
+namespace alphascope {
+
+struct CurveMemory {
+  int axis = 1;          // a CurveAxis
+  int quantity = 0;      // a CurveQuantity
+  std::string molecule;  // SHA-256 of its file
+  // Molecules whose curves take long are asked about: for which axis they were
+  // asked for; -1: none.
+  int asked_for = -1;
+
+  // What is plotted, and of what it was made.
+  CavityChart chart;
+  std::vector<std::size_t> colours;  // of each series, for chart_colour()
+  CurveAxis chart_axis = CurveAxis::alpha;
+  std::shared_ptr<const void> curves, links;
+  std::vector<SimplexRef> chosen;
+  int chart_quantity = -1;
+};
+
+}  // namespace alphascope

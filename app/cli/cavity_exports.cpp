@@ -1,7 +1,7 @@
 #include "app/cli/cavity_exports.hpp"
 
 #include "app/cli/cavity_records.hpp"
-#include "core/cavity/cavity_surface.hpp"
+#include "core/cavity/cavity_mesh.hpp"
 #include "core/cavity/clearance.hpp"
 #include "core/cavity/filling_spheres.hpp"
 #include "core/chart/chart.hpp"
@@ -80,10 +80,11 @@ void CavityExports::write_spheres(const CavityAnswer& answer, const CancelToken&
 void CavityExports::write_surface(const CavityAnswer& answer) {
   std::vector<Mesh> meshes;
   for (const std::size_t row : answer.rows) {
-    CavitySurface surface = cavity_surface(*answer.table.ground, answer.table.cavity(row));
+    CavityMesh mesh =
+        cavity_mesh(*answer.table.ground, answer.table.found, answer.table.order[row]);
     meshes.push_back({"cavity " + std::to_string(row + 1) + " (" + answer.kind(row) + ") " +
                           cavity_name(answer.atoms, answer.table, row),
-                      std::move(surface.points), std::move(surface.triangles), colour_of(row)});
+                      std::move(mesh.points), std::move(mesh.triangles), colour_of(row)});
   }
   const auto write = ends(options_.surface, ".ply") ? write_ply : write_glb;
   write(meshes, cavity_header(answer), *surface_);

@@ -46,7 +46,7 @@ std::string line(const Table& columns, const CavityAnswer& answer, std::size_t r
        answer.is_doubtful(row) ? "*" : "", std::to_string(answer.clipped_rank[row]),
        number(m.volume_ms_angstrom3), number(m.area_ms_angstrom2), std::to_string(m.mouths.size()),
        number(m.all_mouths().area_angstrom2), format_text("%.1f", answer.depth_angstrom[row]),
-       std::to_string(lining_residue_count(answer.atoms, answer.table, row)),
+       std::to_string(lining_counts(answer.atoms, answer.table, row).residues),
        cavity_name(answer.atoms, answer.table, row) + (held.empty() ? "" : "  holds " + held)});
 }
 

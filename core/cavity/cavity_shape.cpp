@@ -6,18 +6,26 @@
 
 namespace alphascope {
 
+std::vector<OuterFace> outer_faces(const CavityGround& ground, const Cavities& found,
+                                   std::uint32_t index) {
+  std::vector<OuterFace> outer;
+  for (const std::uint32_t t : found.cavities[index].tetrahedra) {
+    for (std::uint32_t k = 0; k < 4; ++k) {
+      const Neighbour across = ground.triangulation->neighbours[t][k];
+      if (across.is_hull() || found.cavity_of_tetrahedron[across.index()] != index) {
+        outer.push_back({t, k});
+      }
+    }
+  }
+  return outer;
+}
+
 Simplices<3> cavity_surface(const CavityGround& ground, const Cavities& found,
                             std::uint32_t index) {
   const Incidence& incidence = ground.incidence;
-  const auto is_own = [&](std::uint32_t t) {
-    return t != Incidence::kOutside && found.cavity_of_tetrahedron[t] == index;
-  };
   Simplices<3> surface;
-  for (const std::uint32_t t : found.cavities[index].tetrahedra) {
-    for (const std::uint32_t f : incidence.triangles_of_tetrahedron[t]) {
-      const auto [a, b] = incidence.tetrahedra_of_triangle[f];
-      if (!is_own(a) || !is_own(b)) surface.push_back(incidence.triangles[f]);
-    }
+  for (const auto& [t, k] : outer_faces(ground, found, index)) {
+    surface.push_back(incidence.triangles[incidence.triangles_of_tetrahedron[t][k]]);
   }
   return surface;
 }

@@ -11,12 +11,12 @@
 namespace alphascope {
 
 // Each triangle is counterclockwise when seen from outside the cavity.
-struct CavitySurface {
+struct CavityMesh {
   std::vector<RealPoint> points;  // Å; each once: centres of balls, by their index
   std::vector<std::array<std::uint32_t, 3>> triangles;
 };
 
-// Of a void it is closed. Of a pocket it is open at the mouths.
-CavitySurface cavity_surface(const CavityGround& ground, const Cavity& cavity);
+// Of cavity `index` of `found`. Of a void it is closed, of a pocket open at the mouths.
+CavityMesh cavity_mesh(const CavityGround& ground, const Cavities& found, std::uint32_t index);
 
 }  // namespace alphascope

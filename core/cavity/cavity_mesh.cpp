@@ -1,8 +1,9 @@
-#include "core/cavity/cavity_surface.hpp"
+#include "core/cavity/cavity_mesh.hpp"
 
 #include <algorithm>
 #include <utility>
 
+#include "core/cavity/cavity_shape.hpp"
 #include "core/predicates/exact_alpha.hpp"
 #include "core/predicates/perturbation.hpp"
 
@@ -29,36 +30,28 @@ std::vector<std::uint32_t> mouth_triangles(const Cavity& cavity) {
 
 }  // namespace
 
-CavitySurface cavity_surface(const CavityGround& ground, const Cavity& cavity) {
-  const Triangulation& triangulation = *ground.triangulation;
-  const std::vector<std::uint32_t> open = mouth_triangles(cavity);
-  CavitySurface surface;
+CavityMesh cavity_mesh(const CavityGround& ground, const Cavities& found, std::uint32_t index) {
+  const std::vector<std::uint32_t> open = mouth_triangles(found.cavities[index]);
+  CavityMesh mesh;
   std::vector<BallIndex> used;
-  for (const std::uint32_t t : cavity.tetrahedra) {
-    for (std::size_t k = 0; k < 4; ++k) {
-      const Neighbour across = triangulation.neighbours[t][k];
-      if (!across.is_hull() &&
-          std::binary_search(cavity.tetrahedra.begin(), cavity.tetrahedra.end(), across.index())) {
-        continue;
-      }
-      const std::uint32_t face = ground.incidence.triangles_of_tetrahedron[t][k];
-      if (std::binary_search(open.begin(), open.end(), face)) continue;
-      surface.triangles.push_back(outwards(*ground.balls, triangulation.tetrahedra[t], k));
-      used.insert(used.end(), surface.triangles.back().begin(), surface.triangles.back().end());
-    }
+  for (const auto& [t, k] : outer_faces(ground, found, index)) {
+    const std::uint32_t triangle = ground.incidence.triangles_of_tetrahedron[t][k];
+    if (std::binary_search(open.begin(), open.end(), triangle)) continue;
+    mesh.triangles.push_back(outwards(*ground.balls, ground.triangulation->tetrahedra[t], k));
+    used.insert(used.end(), mesh.triangles.back().begin(), mesh.triangles.back().end());
   }
   std::sort(used.begin(), used.end());
   used.erase(std::unique(used.begin(), used.end()), used.end());
   for (const BallIndex i : used) {
-    surface.points.push_back(ground.balls->lattice.unit_angstrom() *
-                             real_point(ground.balls->centres[i]));
+    mesh.points.push_back(ground.balls->lattice.unit_angstrom() *
+                          real_point(ground.balls->centres[i]));
   }
-  for (auto& triangle : surface.triangles) {
+  for (auto& triangle : mesh.triangles) {
     for (std::uint32_t& v : triangle) {
       v = static_cast<std::uint32_t>(std::lower_bound(used.begin(), used.end(), v) - used.begin());
     }
   }
-  return surface;
+  return mesh;
 }
 
 }  // namespace alphascope

@@ -129,9 +129,9 @@ const Definition<ExactVolumes>& cavity_volumes() {
 Definition<CavityLines> cavity_lines(std::shared_ptr<const CavityNumbers> before) {
   const auto key = [before](const Inputs& in) {
     if (!in.atoms) return Key{};
-    Key key = key_of_balls_and_alpha(in);
-    if (before) key.more = before->steps + 1;
-    return key;
+    Key all = key_of_balls_and_alpha(in);
+    if (before) all.more = before->steps + 1;
+    return all;
   };
   const auto memory = [before](const Inputs& in) {
     constexpr std::size_t kNumber = 100;  // bytes: a number, and a node of the known sinks

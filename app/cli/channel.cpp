@@ -57,8 +57,9 @@ RealPoint mouth_of(const CavityEnds& ends, const ChannelOptions& options, double
   if (number > ends.mouths.size()) {
     throw UsageError("Cavity " + std::to_string(options.cavity) + " has " +
                      (ends.mouths.empty() ? "no mouth: it is a void."
-                                          : grouped(ends.mouths.size()) + " mouths, and no mouth " +
-                                                grouped(number) + "."));
+                                          : grouped(ends.mouths.size()) +
+                                                (ends.mouths.size() == 1 ? " mouth" : " mouths") +
+                                                ", and no mouth " + grouped(number) + "."));
   }
   return ends.mouths[number - 1].place_angstrom;
 }

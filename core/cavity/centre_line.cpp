@@ -256,12 +256,20 @@ std::vector<ChannelSample> centre_line(const Clearance& clearance, const Envelop
   // places in their order while they move.
   const Scene scene{clearance, envelope, start, context.cancel};
   const AscentLimits in_rounds{0.15, 0.03, kAnywhere, 0.15};
+  // At the rim of a molecule, around a fixed end, there may be no middle to move to: then the line
+  // would go to and fro between the end and the open, farther in each round.
+  constexpr double kMostLonger = 1.25;
+  const double most = kMostLonger * line_length(line) + 1;
   for (int round = 0; round < kRounds; ++round) {
     context.report(kCentreLineStage, static_cast<double>(round) / kRounds);
     const Line before = line;
     line = ascended(scene, smoothed(scene, line), kCoarseSpacing, in_rounds);
     line = resampled(line, kCoarseSpacing);
     cut_ends(scene, line);
+    if (line_length(line) > most) {
+      line = before;
+      break;
+    }
     if (farthest_move(line, before) < kStill) break;
   }
   line = resampled(line, kFineSpacing);

@@ -141,14 +141,19 @@ TEST_F(CliCavities, AChannelBeginsInACavity) {
   const json mouth = channel("--cavity 4 --mouth 1");
   EXPECT_TRUE(mouth["request"].contains("to_angstrom"));
   EXPECT_EQ(mouth["request"]["mouths"], json::array({1.0}));
+  // Where the mouth opens there is no middle; the line must not go to and fro.
+  EXPECT_LT(mouth["length_angstrom"].get<double>(), 25);
 
+  std::size_t a_void = 0;
+  const json listed = cavities(kHaemoglobin)["cavities"];
+  while (listed[a_void]["kind"] != "void") ++a_void;
   const auto refused = [&](const std::string& more, const std::string& why) {
     const Outcome outcome = run("channel " + file + " " + more);
     EXPECT_EQ(outcome.code, 2);
     EXPECT_TRUE(contains(outcome.err, why)) << outcome.err;
   };
   refused("--cavity 999", "There is no cavity 999");
-  refused("--cavity 12 --mouth 1", "it is a void");
+  refused("--cavity " + std::to_string(a_void + 1) + " --mouth 1", "it is a void");
   refused("--cavity 4 --mouth 99", "no mouth 99");
   refused("", "give --point X,Y,Z or --cavity N");
   refused("--point 1,2,3 --mouth 1", "--mouth needs --cavity");

@@ -92,6 +92,32 @@ TEST(TubeMesh, IsClosedAndLooksOutwards) {
   EXPECT_LT(volume, 35);
 }
 
+// Where rings cross each other, no triangle may be lit from within.
+TEST(TubeMesh, LooksOutwardsAroundABend) {
+  std::vector<LayerSphere> spheres;
+  for (int k = 0; k < 60; ++k) {
+    const double angle = 0.1 * k;  // around a circle of 1 Å, by balls of 2 Å
+    spheres.push_back(
+        {{std::cos(angle), std::sin(angle), 0.05 * k}, 2 + std::sin(0.3 * k) / 4, {}});
+  }
+  const SmoothMesh mesh = tube(spheres);
+  for (std::size_t t = 0; t < mesh.corners.size(); t += 3) {
+    std::array<RealPoint, 3> p;
+    RealPoint normal;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto corner = static_cast<std::size_t>(mesh.corners[t + k]);
+      const auto [x, y, z] = of(mesh.xyz, corner);
+      const auto [a, b, c] = of(mesh.normals, corner);
+      p[k] = {x, y, z};
+      normal = normal + RealPoint{a, b, c};
+    }
+    ASSERT_GE(dot(cross(p[1] - p[0], p[2] - p[0]), normal), -1e-6);
+  }
+  for (std::size_t i = 0; i < mesh.points(); ++i) {
+    EXPECT_LT(outside_of(spheres, of(mesh.xyz, i)), 1e-5) << i;
+  }
+}
+
 TEST(TubeMesh, OneSphereIsABall) {
   const std::vector<LayerSphere> sphere{{{5, 6, 7}, 2, {}}};
   const SmoothMesh mesh = tube(sphere);

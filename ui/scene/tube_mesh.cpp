@@ -13,8 +13,8 @@
 namespace alphascope {
 namespace {
 
-constexpr int kAround = 24;          // points of a ring
-constexpr int kEndRings = 6;         // from the rim of a round end to its tip
+constexpr int kAround = 48;          // points of a ring
+constexpr int kEndRings = 16;        // from the rim of a round end to its tip
 constexpr double kMostSlope = 0.95;  // of the radius: at 1 the next ball would hold this one
 
 struct Knot {
@@ -33,7 +33,8 @@ void add_point(const RealPoint& at, const RealPoint& normal, const Rgb8& c, Smoo
 
 class TubeBuilder {
  public:
-  TubeBuilder(std::vector<Knot> knots, SmoothMesh& mesh) : knots_(std::move(knots)), mesh_(mesh) {}
+  TubeBuilder(std::vector<Knot> knots, SmoothMesh& mesh)
+      : knots_(std::move(knots)), mesh_(mesh), first_corner_(mesh.corners.size()) {}
 
   void build() {
     find_tangents();
@@ -44,6 +45,7 @@ class TubeBuilder {
       add_ring(i, slope(i));
     }
     add_end(knots_.size() - 1, 1);
+    turn_outwards();
   }
 
  private:
@@ -80,6 +82,46 @@ class TubeBuilder {
     return std::clamp((knots_[b].radius - knots_[a].radius) / way, -kMostSlope, kMostSlope);
   }
 
+  RealPoint vector(const std::vector<float>& values, std::int32_t point) const {
+    const float* v = &values[3 * static_cast<std::size_t>(point)];
+    return {v[0], v[1], v[2]};
+  }
+
+  // Triangles on the inner side of a bend may lie the other way round, and would be lit from
+  // within.
+  void turn_outwards() {
+    for (std::size_t t = first_corner_; t < mesh_.corners.size(); t += 3) {
+      std::int32_t* c = &mesh_.corners[t];
+      const RealPoint at = vector(mesh_.xyz, c[0]);
+      const RealPoint face = cross(vector(mesh_.xyz, c[1]) - at, vector(mesh_.xyz, c[2]) - at);
+      RealPoint normal;
+      for (int k = 0; k < 3; ++k) normal = normal + vector(mesh_.normals, c[k]);
+      if (dot(face, normal) < 0) std::swap(c[1], c[2]);
+    }
+  }
+
+  // On the inner side of a bend a ring reaches into its neighbours' balls: there it is moved out to
+  // the ball that it is deepest in, or folds would show as specks.
+  void add_outer_point(RealPoint at, RealPoint normal, std::size_t i) {
+    constexpr std::size_t kNeighbours = 12;  // to either side
+    constexpr double kRounding = 1e-6;       // Å
+    double deepest = kRounding;
+    const std::size_t end = std::min(knots_.size(), i + kNeighbours + 1);
+    const Knot* outer = nullptr;
+    for (std::size_t k = i > kNeighbours ? i - kNeighbours : 0; k < end; ++k) {
+      const double depth = knots_[k].radius - length(at - knots_[k].centre);
+      if (depth <= deepest) continue;
+      deepest = depth;
+      outer = &knots_[k];
+    }
+    const RealPoint outwards = outer ? unit_vector(at - outer->centre) : RealPoint{};
+    if (length(outwards) > 0) {
+      normal = outwards;
+      at = outer->centre + outer->radius * outwards;
+    }
+    add_point(at, normal, knots_[i].colour, mesh_);
+  }
+
   // On the sphere, `back` radii behind its centre; joined with the ring before.
   void add_ring(std::size_t i, double back) {
     const Knot& knot = knots_[i];
@@ -89,7 +131,7 @@ class TubeBuilder {
       const double angle = 2 * M_PI * k / kAround;
       const RealPoint radial = std::cos(angle) * across_ + std::sin(angle) * up_;
       const RealPoint normal = out * radial - back * tangents_[i];
-      add_point(knot.centre + knot.radius * normal, normal, knot.colour, mesh_);
+      add_outer_point(knot.centre + knot.radius * normal, normal, i);
     }
     if (rings_++ == 0) return;
     for (int k = 0; k < kAround; ++k) {
@@ -113,6 +155,7 @@ class TubeBuilder {
 
   const std::vector<Knot> knots_;
   SmoothMesh& mesh_;
+  const std::size_t first_corner_;  // of this tube
   std::vector<RealPoint> tangents_;
   RealPoint across_, up_;  // the frame, with the tangent
   int rings_ = 0;

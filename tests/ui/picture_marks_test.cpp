@@ -24,7 +24,7 @@ MarkType type_of(float unit) {
 }
 
 ColourLegend legend_from(double low, double high) {
-  ColourLegend legend;
+  ColourLegend legend{"alpha value (Å²), square-root scale", {}};
   for (int i = 0; i <= 8; ++i) {
     const double share = i / 8.0;
     legend.stops.push_back({{static_cast<float>(share), 0.5f, 0.25f}, low + share * (high - low)});

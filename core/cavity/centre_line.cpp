@@ -123,6 +123,28 @@ Line taut(const Clearance& clearance, Line line, double radius, const CancelToke
   return line;
 }
 
+// Leaves out what goes away and comes back, where the straight way is as wide as its ends and less
+// than half as long.
+Line without_folds(const Clearance& clearance, const Line& line, const CancelToken& cancel) {
+  constexpr double kLeastFold = 2, kNarrower = 0.02;  // Å
+  Line result;
+  for (std::size_t n = 0; n < line.size(); ++n) {
+    cancel.throw_if_cancelled();
+    result.push_back(line[n]);
+    const double own = clearance.at(line[n]);
+    double along = 0;
+    std::size_t back = n;
+    for (std::size_t k = n + 1; k < line.size(); ++k) {
+      along += length(line[k] - line[k - 1]);
+      if (along < kLeastFold || 2 * length(line[k] - line[n]) > along) continue;
+      const double radius = std::min(own, clearance.at(line[k])) - kNarrower;
+      if (is_wide(clearance, line[n], line[k], radius)) back = k;
+    }
+    if (back > n) n = back - 1;
+  }
+  return result;
+}
+
 // Adds places where two are too far apart.
 Line filled(const Line& line) {
   Line result;
@@ -272,7 +294,7 @@ std::vector<ChannelSample> centre_line(const Clearance& clearance, const Envelop
     }
     if (farthest_move(line, before) < kStill) break;
   }
-  line = resampled(line, kFineSpacing);
+  line = resampled(without_folds(clearance, line, context.cancel), kFineSpacing);
   line = ascended(scene, line, kFineSpacing, {0.1, 1e-7, kAnywhere, 0.4});
   line = filled(line);
   std::vector<ChannelSample> samples;

@@ -142,7 +142,7 @@ TEST_F(CliCavities, AChannelBeginsInACavity) {
   EXPECT_TRUE(mouth["request"].contains("to_angstrom"));
   EXPECT_EQ(mouth["request"]["mouths"], json::array({1.0}));
   // Where the mouth opens there is no middle; the line must not go to and fro.
-  EXPECT_LT(mouth["length_angstrom"].get<double>(), 25);
+  EXPECT_LT(mouth["length_angstrom"].get<double>(), 18);
 
   std::size_t a_void = 0;
   const json listed = cavities(kHaemoglobin)["cavities"];

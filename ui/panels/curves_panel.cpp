@@ -19,7 +19,7 @@ namespace {
 constexpr double kAlphaStep = 0.01;            // Å², as the slider's
 constexpr double kSolventStep = 0.1;           // Å, as the samples'
 constexpr std::size_t kMostLines = 8;          // as many colours as there are
-constexpr std::size_t kMostUnasked = 1500000;  // balls, of all triangulations of one curve
+constexpr std::size_t kMostUnasked = 6000000;  // balls, of all triangulations of one curve
 
 using Curves = Derived<CavityCurves>;
 
@@ -233,7 +233,7 @@ std::size_t work_of(const PanelContext& ctx, CurveAxis axis) {
 bool is_asked_for(PanelContext& ctx, CurveMemory& memory, CurveAxis axis) {
   const std::size_t work = work_of(ctx, axis);
   if (work <= kMostUnasked || memory.asked_for == memory.axis) return true;
-  constexpr double kSecondsPerBall = 30e-6;  // one thread
+  constexpr double kSecondsPerBall = 1e-5;  // one thread; 7 microseconds measured
   const long minutes = std::lround(std::ceil(static_cast<double>(work) * kSecondsPerBall / 60));
   muted_wrapped(ctx, "These curves need triangulations of " +
                          with_separators(static_cast<long long>(work)) + " balls: some " +

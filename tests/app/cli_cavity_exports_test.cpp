@@ -289,7 +289,10 @@ TEST_F(CliCavityExports, HaemPocketsHoldTheHaems) {
       if (held["kind"] == "ligand") haems.insert(held["residue"]);
     }
     EXPECT_GE(cavity["depth_angstrom"], 0);
-    EXPECT_EQ(cavity["depth_angstrom"] == 0.0, cavity["kind"] == "void");
+    // A pocket whose lining atoms are all corners of its mouths has no depth either.
+    if (cavity["kind"] == "void") {
+      EXPECT_EQ(cavity["depth_angstrom"], 0.0);
+    }
     EXPECT_GT(cavity["gone_alpha_angstrom2"], 0);
     EXPECT_LE(cavity["born_alpha_angstrom2"].is_null()
                   ? -1e9

@@ -84,7 +84,7 @@ TEST_F(CurvesTest, AChosenCavityIsFollowedAndAClickSetsTheSolventRadiusAsOneEntr
   const std::string csv = ImGui::GetClipboardText();
   EXPECT_NE(csv.find("solvent radius (Å),pocket 4\n"), std::string::npos) << csv;
   EXPECT_NE(csv.find("\n5,\n"), std::string::npos) << "a gap is empty";
-  EXPECT_NE(csv.find("# sha256: "), std::string::npos);
+  EXPECT_NE(csv.find("# SHA-256: "), std::string::npos);
 }
 
 TEST_F(CurvesTest, ModelsArePlottedAndAClickShowsOne) {

@@ -165,7 +165,7 @@ TEST_F(MoleculePanel, TheNumberOfTheModelIsBesideItsSlider) {
       p.frame(2);
       const WidgetRect slider = p.rects["molecule.model"], text = p.rects["molecule.model.text"];
       EXPECT_GE(text.x0, slider.x1) << count << ", model " << model;
-      EXPECT_GE(slider.x1 - slider.x0, 40) << count;
+      EXPECT_GE(slider.x1 - slider.x0, 32) << count;
       EXPECT_LE(text.x1, p.rects["view"].x0) << count;
     }
   }

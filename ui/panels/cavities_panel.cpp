@@ -134,26 +134,43 @@ void use_preset(PanelContext& ctx) {
   use_cavity_preset(ctx.state.open, ctx.state.compute, ctx.state.molecule.has_file_radii);
 }
 
+// The next item stays in the line when so much (pixels) has room there. The line of the tabs is
+// full in a narrow window.
+void same_line_where_it_fits(const PanelContext& ctx, float width) {
+  const float gap = ctx.px(18);
+  const float right = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
+  if (ImGui::GetItemRectMax().x + gap + width <= right) ImGui::SameLine(0, gap);
+}
+
+float button_width(const char* label) {
+  return ImGui::CalcTextSize(label).x + 2 * ImGui::GetStyle().FramePadding.x;
+}
+
 void comparable_line(PanelContext& ctx, const BallReferences& atoms) {
+  constexpr const char *kComparable = "comparable with CASTp", *kNot = "not comparable with CASTp",
+                       *kUse = "Use CASTp's choices";
   const RadiiSet radii = atoms.prepared().report.radii;
   const std::vector<std::string> differences =
       differences_from_castp(ctx.state.open.balls, radii, ctx.state.compute);
-  ImGui::SameLine(0, ctx.px(18));
+  const float gap = ctx.px(8);
+  same_line_where_it_fits(ctx, differences.empty()
+                                   ? ImGui::CalcTextSize(kComparable).x
+                                   : button_width(kUse) + gap + ImGui::CalcTextSize(kNot).x);
   if (differences.empty()) {
     ImGui::AlignTextToFramePadding();
-    ImGui::TextColored(to_imgui(ctx.palette.success), "comparable with CASTp");
+    ImGui::TextColored(to_imgui(ctx.palette.success), kComparable);
     record(ctx, "cavities.comparable");
     return;
   }
-  if (button(ctx, "cavities.preset", "Use CASTp's choices")) use_preset(ctx);
+  if (button(ctx, "cavities.preset", kUse)) use_preset(ctx);
   tooltip(ctx,
           "Radii of CASTp, solvent radius 1.4 Å, α = 0; hydrogens, waters, ions and ligands are no "
           "part of the body. Undo brings back what was.");
   std::string why = "Chosen otherwise than CASTp does: ";
   for (std::size_t k = 0; k < differences.size(); ++k) why += (k ? "; " : "") + differences[k];
-  ImGui::SameLine(0, ctx.px(8));
+  ImGui::SameLine(0, gap);
   ImGui::AlignTextToFramePadding();
-  ImGui::TextColored(to_imgui(ctx.palette.warning), "not comparable with CASTp");
+  ImGui::TextColored(to_imgui(ctx.palette.warning), kNot);
   record(ctx, "cavities.comparable");
   tooltip(ctx, (why + ".").c_str());
 }

@@ -107,7 +107,7 @@ void model_slider(PanelContext& ctx) {
   const std::string all = number(s.molecule.models.size());
   const float text_width = ImGui::CalcTextSize((all + " of " + all).c_str()).x;
   const float left_for_slider = ImGui::GetContentRegionAvail().x - text_width - ctx.px(8);
-  ImGui::SetNextItemWidth(std::max(left_for_slider, ctx.px(40)));
+  ImGui::SetNextItemWidth(std::max(left_for_slider, ctx.px(32)));
   const NumberRule rule{"The model", 1, static_cast<double>(count), "", true};
   double value = shown;
   if (number_slider(ctx, "molecule.model", value, 1, count, rule)) {

@@ -1,9 +1,10 @@
 #include "core/cavity/cavity_depth.hpp"
 
 #include <tbb/blocked_range.h>
-#include <tbb/parallel_reduce.h>
+#include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -60,9 +61,13 @@ class Shutters {
     return {static_cast<double>(p.x), static_cast<double>(p.y), static_cast<double>(p.z)};
   }
 
-  double square_distance(const Vector& p) const {
+  // Of the nearest triangle; or of any one that is not farther than the root of `enough`. `first`:
+  // where to begin; becomes the one that was near enough, as what follows p is near p.
+  double square_distance(const Vector& p, double enough, std::size_t& first) const {
     double nearest = std::numeric_limits<double>::infinity(), distance = nearest;
-    for (const Shutter& shutter : all_) {
+    for (std::size_t n = 0, at = first; n < all_.size(); ++n, ++at) {
+      if (at == all_.size()) at = 0;
+      const Shutter& shutter = all_[at];
       const Vector to = difference(shutter.middle, p);
       const double most = distance + shutter.reach;
       if (dot(to, to) > most * most) continue;
@@ -72,6 +77,9 @@ class Shutters {
       if (square >= nearest) continue;
       nearest = square;
       distance = std::sqrt(square);
+      if (square > enough) continue;
+      first = at;
+      break;
     }
     return nearest;
   }
@@ -95,18 +103,21 @@ double depth_angstrom(const CavityGround& ground, const Cavity& cavity,
                       std::span<const BallIndex> lining, const CancelToken& cancel) {
   if (cavity.is_void()) return 0;
   const Shutters shutters(ground, cavity);
+  // What is not farther than the farthest so far need not be known to the end.
+  std::atomic<double> farthest = 0;
   using Range = tbb::blocked_range<std::size_t>;
-  const double square = tbb::parallel_reduce(
-      Range(0, lining.size(), 16), 0.0,
-      [&](const Range& range, double most) {
-        for (std::size_t n = range.begin(); n != range.end() && !cancel.cancelled(); ++n) {
-          most = std::max(most, shutters.square_distance(Shutters::centre(ground, lining[n])));
-        }
-        return most;
-      },
-      [](double a, double b) { return std::max(a, b); });
+  tbb::parallel_for(Range(0, lining.size(), 64), [&](const Range& range) {
+    std::size_t first = 0;
+    for (std::size_t n = range.begin(); n != range.end() && !cancel.cancelled(); ++n) {
+      double known = farthest.load(std::memory_order_relaxed);
+      const double square =
+          shutters.square_distance(Shutters::centre(ground, lining[n]), known, first);
+      while (square > known && !farthest.compare_exchange_weak(known, square)) {
+      }
+    }
+  });
   cancel.throw_if_cancelled();
-  return std::sqrt(square) * ground.balls->lattice.unit_angstrom();
+  return std::sqrt(farthest.load()) * ground.balls->lattice.unit_angstrom();
 }
 
 }  // namespace alphascope

@@ -8,8 +8,8 @@
 namespace alphascope {
 
 // The largest distance of the centre of a lining atom from the nearest triangle of a mouth, Å; 0 of
-// a void. Works in the caller's task arena; the same bits for any number of threads. Looks at all
-// triangles for all atoms, so a pocket of a whole molecule takes a while. Throws Cancelled.
+// a void. Works in the caller's task arena; the same bits for any number of threads. Throws
+// Cancelled.
 double depth_angstrom(const CavityGround& ground, const Cavity& cavity,
                       std::span<const BallIndex> lining, const CancelToken& cancel = {});
 

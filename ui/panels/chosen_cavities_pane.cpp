@@ -80,7 +80,12 @@ void add_layers(PanelContext& ctx, CavityPage& page, const ChosenCavity& cavity)
       body.spheres.push_back({sphere.centre_angstrom, sphere.radius_angstrom});
     }
   }
-  if (!cavity.rims.empty()) add("mouths", ctx.palette.text).edges = cavity.rims;
+  if (!cavity.rims.empty()) {
+    Layer& rims = add("mouths", ctx.palette.text);
+    rims.edges = cavity.rims;
+    rims.body = true;  // or those of the far side would show through
+    rims.fades_rest = page.fades_rest;
+  }
   if (page.choice.parts.numbers) {
     add("number", ctx.palette.text)
         .labels.push_back({cavity.place_angstrom, std::to_string(cavity.row + 1)});

@@ -67,8 +67,9 @@ CavityMatch rational_match(const CavityTable& earlier, const CavityTable& later)
   match.came_from.assign(later.found.cavities.size(), kNone);
   match.goes_to.assign(earlier.found.cavities.size(), kNone);
   const auto shares = rational_shares(earlier, later);
-  for (const auto& [pair, volume] : shares) {
-    const auto [a, b] = pair;
+  for (const auto& share : shares) {
+    const auto [a, b] = share.first;
+    const mpq_class& volume = share.second;
     std::uint32_t &from = match.came_from[b], &to = match.goes_to[a];
     const auto beats = [&](const mpq_class& other, const auto& mine, const auto& its) {
       return volume > other || (volume == other && mine < its);

@@ -176,6 +176,7 @@ class SceneController {
   void show(Drawing drawing);
   void show_balls(Drawing& drawing);
   void show_nothing(const std::string& why);
+  void show_no_memory();
   void submit_layers(const Layers& layers);
   void submit_beside_body();
   void show_layers(DrawnLayers layers, std::shared_ptr<LayerData> data);

@@ -20,7 +20,10 @@ std::shared_ptr<const SceneController::Exposure> SceneController::make_exposure(
   auto exposure = std::make_shared<Exposure>();
   exposure->colour = colour;
   exposure->by = known ? std::move(known) : answer.measures;
-  if (!exposure->by) exposure->by = measured_here(*answer.balls, answer.complex, context);
+  if (!exposure->by) {
+    exposure->by =
+        std::make_shared<const MeasuredUnion>(measure_here(*answer.balls, answer.complex, context));
+  }
   const UnionMeasures& measures = exposure->by->measures;
   const double alpha = answer.complex.alpha_on_lattice;
   exposure->colours = colours_by_share(

@@ -1,8 +1,6 @@
 // See the header.
 #include "core/document/measure_results.hpp"
 
-#include <chrono>
-
 #include "core/molecule/atom_groups.hpp"
 
 namespace alphascope {
@@ -25,23 +23,12 @@ float share(double part, double whole) {
 
 }  // namespace
 
-std::shared_ptr<const MeasuredUnion> measured_here(const BallSet& balls,
-                                                   const AlphaComplex& complex,
-                                                   const RunContext& context) {
-  auto by = std::make_shared<MeasuredUnion>();
-  const auto start = std::chrono::steady_clock::now();
-  by->measures = measure_union(balls, complex, {}, context);
-  by->milliseconds =
-      std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-  by->device = "CPU";
-  return by;
-}
-
 MeasuredComplex measure_complex(const BallSet& balls, const AlphaComplex& complex,
                                 std::shared_ptr<const MeasuredUnion> by,
                                 const RunContext& context) {
   MeasuredComplex measured;
-  measured.by = by ? std::move(by) : measured_here(balls, complex, context);
+  measured.by = by ? std::move(by)
+                   : std::make_shared<const MeasuredUnion>(measure_here(balls, complex, context));
   context.cancel.throw_if_cancelled();
   measured.components = components(balls.size(), complex);
   measured.free_area_angstrom2 = free_areas_angstrom2(balls, complex.alpha_on_lattice);

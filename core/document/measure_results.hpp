@@ -17,11 +17,8 @@ struct MeasuredComplex {
 
   const UnionMeasures& measures() const { return by->measures; }
 };
-// On the CPU, in the caller's task arena. Throws what measure_union() does.
-std::shared_ptr<const MeasuredUnion> measured_here(const BallSet& balls,
-                                                   const AlphaComplex& complex,
-                                                   const RunContext& context);
-// `by` is null where the CPU is to measure.
+// `by` is null where the CPU is to measure, in the caller's task arena. Throws what measure_union()
+// does.
 MeasuredComplex measure_complex(const BallSet& balls, const AlphaComplex& complex,
                                 std::shared_ptr<const MeasuredUnion> by, const RunContext& context);
 

@@ -13,15 +13,21 @@ double milliseconds_since(Clock::time_point start) {
 
 }  // namespace
 
+MeasuredUnion measure_here(const BallSet& balls, const AlphaComplex& complex,
+                           const RunContext& context, UnionDerivatives* derivatives) {
+  MeasuredUnion measured;
+  const auto start = Clock::now();
+  measured.measures = measure_union(balls, complex, {0, derivatives}, context);
+  measured.milliseconds = milliseconds_since(start);
+  measured.device = "CPU";
+  return measured;
+}
+
 MeasuredUnion measure_on_cpu(const BallSet& balls, const AlphaComplex& complex,
                              WorkThreads& threads, const RunContext& context,
                              UnionDerivatives* derivatives) {
   MeasuredUnion measured;
-  const auto start = Clock::now();
-  threads.run([&] {
-    measured.measures = measure_union(balls, complex, {0, derivatives}, context);
-  });
-  measured.milliseconds = milliseconds_since(start);
+  threads.run([&] { measured = measure_here(balls, complex, context, derivatives); });
   measured.device = threads.text();
   return measured;
 }

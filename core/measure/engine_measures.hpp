@@ -18,7 +18,11 @@ struct MeasuredUnion {
   double milliseconds = 0;
 };
 
-// On the CPU's `threads`. Throws what measure_union() does.
+// On the CPU, in the caller's task arena. Throws what measure_union() does.
+MeasuredUnion measure_here(const BallSet& balls, const AlphaComplex& complex,
+                           const RunContext& context, UnionDerivatives* derivatives = nullptr);
+
+// On these threads of the CPU. Throws what measure_union() does.
 MeasuredUnion measure_on_cpu(const BallSet& balls, const AlphaComplex& complex,
                              WorkThreads& threads, const RunContext& context,
                              UnionDerivatives* derivatives = nullptr);

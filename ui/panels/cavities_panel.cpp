@@ -11,6 +11,7 @@
 #include "ui/panels/format.hpp"
 #include "ui/panels/number_field.hpp"
 #include "ui/panels/panels.hpp"
+#include "ui/panels/table_cells.hpp"
 
 namespace alphascope {
 namespace {
@@ -106,13 +107,6 @@ void start(CavityPage& page, const std::string& molecule) {
 }
 
 // --- lines above the table
-
-// Å³ or Å².
-std::string measure_text(double value) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.2f", value);
-  return separated_number(text);
-}
 
 void totals_line(PanelContext& ctx, const CavityTable& table) {
   const auto kind_text = [&](bool voids, std::size_t number, const char* one) {

@@ -5,6 +5,7 @@
 #include "core/document/cavity_names.hpp"
 #include "ui/panels/cavity_parts.hpp"
 #include "ui/panels/format.hpp"
+#include "ui/panels/table_cells.hpp"
 
 namespace alphascope {
 namespace {
@@ -65,12 +66,6 @@ void follow_order(CavityPage& page) {
   page.order = ordered_rows(page.rows, page.filter);
 }
 
-void number_cell(const std::string& text) {
-  const float right = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(text.c_str()).x;
-  ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(0.0f, right));
-  ImGui::TextUnformatted(text.c_str());
-}
-
 // Before the word, in the colour of its surface in the view: as text it would be hard to read.
 void kind_cell(PanelContext& ctx, const CavityPage& page, std::size_t row) {
   const CavityLine& line = page.rows.lines->of[row];
@@ -118,7 +113,7 @@ bool draw_row(PanelContext& ctx, CavityPage& page, std::size_t row) {
     } else if (spec.column == CavityColumn::holds) {
       text_cell(cavity_text(page.rows, spec.column, row));
     } else {
-      number_cell(cavity_text(page.rows, spec.column, row));
+      right_text(cavity_text(page.rows, spec.column, row));
     }
   }
   return clicked;

@@ -8,6 +8,7 @@
 
 #include "core/chart/readable_number.hpp"
 #include "ui/panels/format.hpp"
+#include "ui/panels/table_cells.hpp"
 
 namespace alphascope {
 namespace {
@@ -63,13 +64,6 @@ constexpr CavityColumnSpec kColumns[] = {
     {C::name, "name", "name: atoms of the deepest point",
      "It stays while α moves, whatever the number of the line: use it in a paper.", 200, false},
 };
-
-// Å³ or Å².
-std::string measure_text(double value) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.2f", value);
-  return separated_number(text);
-}
 
 constexpr double kUnknown = -std::numeric_limits<double>::infinity();
 

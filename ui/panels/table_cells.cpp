@@ -15,11 +15,15 @@ std::string measure_text(double value) {
   return separated_number(text);
 }
 
-void number_cell(const std::string& text) {
-  ImGui::TableNextColumn();
+void right_text(const std::string& text) {
   const float right = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(text.c_str()).x;
   ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(0.0f, right));
   ImGui::TextUnformatted(text.c_str());
+}
+
+void number_cell(const std::string& text) {
+  ImGui::TableNextColumn();
+  right_text(text);
 }
 
 }  // namespace alphascope

@@ -7,14 +7,8 @@
 #include <tuple>
 #include <utility>
 
-#include "core/run/background.hpp"
-#include "core/run/internal_error.hpp"
-
 namespace alphascope {
 namespace {
-
-// Of one result, its last one included: enough for a hand that goes to and fro on the slider.
-constexpr std::size_t kMostValues = 8;
 
 std::string gigabytes(std::uint64_t bytes) {
   char text[32];
@@ -55,24 +49,27 @@ Store::Entry& Store::entry(const AnyDefinition& definition) {
   return e;
 }
 
-Store::Entry& Store::ask(const AnyDefinition& definition, const Inputs& inputs, Priority priority) {
+Store::Entry& Store::ask(const AnyDefinition& definition, const Inputs& inputs, Priority priority,
+                         bool awaited) {
   Entry& e = entry(definition);
+  if (awaited) e.awaited_at = frame_;
   const bool first = std::exchange(e.asked_at, frame_) != frame_;
   e.priority = first ? priority : std::max(e.priority, priority);
   set_wanted(e, key_of(definition, inputs));
   if (!e.wanted || take_held(e)) return e;
   if (is_trouble(e.state) && !e.lacks) return e;
-  prepare(e, definition, inputs);
+  prepare(e, definition, inputs, awaited);
   return e;
 }
 
 void Store::set_wanted(Entry& e, const Key& key) {
   if (key == e.wanted) return;
   const bool other_balls = key.balls != e.wanted.balls;
-  if (runs(e) && (other_balls || e.lane == Lane::background)) work(e).worker.cancel();
+  if (runs(e) && (other_balls || lane(e) == Lane::background)) work(e).worker.cancel();
   e.wanted = key;
   e.state = DerivedState::none;
   e.make = nullptr;
+  e.link = nullptr;
   e.refused = 0;
   e.lacks = false;
   e.why.clear();
@@ -100,7 +97,7 @@ bool Store::take_held(Entry& e) {
 }
 
 // Asks for what the result is made of as long as it is not made, so that it stays.
-void Store::prepare(Entry& e, const AnyDefinition& definition, const Inputs& inputs) {
+void Store::prepare(Entry& e, const AnyDefinition& definition, const Inputs& inputs, bool awaited) {
   Inputs all = inputs;
   all.made.clear();
   if (e.wanted.alpha == 0) {  // a complex is large, and would be held for nothing
@@ -109,11 +106,15 @@ void Store::prepare(Entry& e, const AnyDefinition& definition, const Inputs& inp
     all.measures = nullptr;
   }
   const Entry* lacking = nullptr;
+  std::vector<std::string_view> lack;
   for (const AnyDefinition* definition_of_source : definition.made_of) {
-    const Entry& source = ask(*definition_of_source, inputs, e.priority);
+    const Entry& source = ask(*definition_of_source, inputs, e.priority, awaited);
     if (source.state == DerivedState::ready) {
       all.made.emplace_back(source.id, source.values.front().result);
-    } else if (lacking == nullptr || (is_trouble(source.state) && !is_trouble(lacking->state))) {
+      continue;
+    }
+    lack.push_back(source.id);
+    if (lacking == nullptr || (is_trouble(source.state) && !is_trouble(lacking->state))) {
       lacking = &source;
     }
   }
@@ -127,7 +128,12 @@ void Store::prepare(Entry& e, const AnyDefinition& definition, const Inputs& inp
     if (trouble) e.state = lacking->state;
     e.why = lacking->lacks ? lacking->why
                            : lacking->title + (trouble ? ": " + lacking->why : std::string());
+    if (!e.link) {
+      e.link = std::make_shared<const Link>(
+          Link{std::move(all), std::move(lack), definition.memory, definition.make});
+    }
   } else if (!e.make) {
+    e.link = nullptr;
     try {
       e.need = definition.memory(all);
     } catch (const std::exception& error) {
@@ -169,6 +175,21 @@ std::uint64_t Store::held_bytes() const {
   return bytes;
 }
 
+std::uint64_t Store::times_made(std::string_view id) const {
+  const auto found =
+      std::find_if(entries_.begin(), entries_.end(), [&](const Entry& e) { return e.id == id; });
+  return found == entries_.end() ? 0 : found->times_made;
+}
+
+// What runs stays in the lane that it was begun in. What something visible waits for follows the
+// slider as that does.
+Lane Store::lane(const Entry& e) const {
+  if (background_.running == &e) return Lane::background;
+  const bool awaited = e.awaited_at != 0 && e.awaited_at + 1 >= frame_;
+  const bool interactive = e.lane == Lane::interactive || interactive_.running == &e || awaited;
+  return interactive ? Lane::interactive : Lane::background;
+}
+
 bool Store::busy() const {
   return background_.running != nullptr || interactive_.running != nullptr ||
          std::any_of(entries_.begin(), entries_.end(), [&](const Entry& e) {
@@ -179,7 +200,7 @@ bool Store::busy() const {
 bool Store::busy(Lane lane) const {
   return std::any_of(entries_.begin(), entries_.end(), [&](const Entry& e) {
     const bool on_its_way = e.state == DerivedState::waiting || e.state == DerivedState::running;
-    return e.lane == lane && on_its_way && is_asked_for(e);
+    return this->lane(e) == lane && on_its_way && is_asked_for(e);
   });
 }
 
@@ -189,7 +210,7 @@ std::vector<JobInfo> Store::jobs() const {
     const bool over = e.state == DerivedState::none || e.state == DerivedState::ready;
     if (over || e.lacks || !is_asked_for(e)) continue;
     const std::string stage = runs(e) ? work(e).worker.activity().stage : "";
-    jobs.push_back({e.id, e.title, stage, e.lane, e.state, share(e), e.why});
+    jobs.push_back({e.id, e.title, stage, lane(e), e.state, share(e), e.why});
   }
   return jobs;
 }
@@ -199,8 +220,11 @@ bool Store::poll() {
     lane->worker.poll();
     if (lane->running != nullptr && !is_asked_for(*lane->running)) lane->worker.cancel();
   }
+  for (Entry& e : entries_) {
+    if (!is_asked_for(e)) e.link = nullptr;  // it holds what it is made of
+  }
   const bool retried = retry_where_room_is();
-  begin_next(background_);
+  if (!background_held_) begin_next(background_);
   begin_next(interactive_);
   return std::exchange(arrived_, false) || retried;
 }
@@ -281,73 +305,6 @@ bool Store::make_room(Entry& wanted) {
     owner->values.erase(least);
   }
   return true;
-}
-
-void Store::begin(Entry& e) {
-  Work& lane = work(e);
-  lane.running = &e;
-  lane.key = e.wanted;
-  lane.peak = e.need.peak;
-  e.begun_at = ++begun_;
-  e.state = DerivedState::running;
-  std::shared_ptr<WorkThreads> threads;
-  if (e.lane == Lane::background) {
-    threads = std::make_shared<WorkThreads>(1);
-  } else {
-    threads = threads_ ? threads_() : std::make_shared<WorkThreads>();
-  }
-  lane.worker.submit(
-      [this, &e, &lane, threads, key = e.wanted, make = std::exchange(e.make, nullptr),
-       held = e.need.held](const RunContext& context) -> Worker::Delivery {
-        if (&lane == &background_) let_others_go_first();
-        std::shared_ptr<const void> result;
-        threads->run([&] {
-          context.cancel.throw_if_cancelled();
-          result = make(context);
-        });
-        if (!result) throw InternalError("\"" + e.title + "\" was not made.");
-        return [this, &e, value = Value{key, result, held, 0}] { take(e, value); };
-      },
-      [this, &e](const Worker::Failure& failure) { take_failure(e, failure); });
-}
-
-// One that alpha has gone on from is newer than what there is, and shown until the next is made.
-void Store::take(Entry& e, Value value) {
-  work(e).running = nullptr;
-  work(e).peak = 0;
-  const bool wanted = value.key == e.wanted;
-  const bool newer = e.lane == Lane::interactive && value.key.balls == e.wanted.balls &&
-                     e.state == DerivedState::waiting;
-  if (!wanted && !newer) return;
-  value.used_at = frame_;
-  std::erase_if(e.values,
-                [&](const Value& v) { return !e.keep_stale || v.key.balls != value.key.balls; });
-  e.values.push_front(std::move(value));
-  if (e.values.size() > kMostValues) e.values.resize(kMostValues);
-  arrived_ = true;
-  if (!wanted) return;
-  e.state = DerivedState::ready;
-  e.make = nullptr;
-}
-
-void Store::take_failure(Entry& e, const Worker::Failure& failure) {
-  Work& lane = work(e);
-  lane.running = nullptr;
-  lane.peak = 0;
-  if (lane.key != e.wanted || e.state != DerivedState::running) return;
-  arrived_ = true;
-  if (failure.cancelled) {  // nobody asked for it any more
-    e.state = DerivedState::none;
-  } else if (failure.out_of_memory) {
-    const std::uint64_t budget = budget_(), held = held_bytes();
-    e.refused = std::max(e.need.peak, budget > held ? budget - held : 0);
-    e.need.peak = e.refused / 4 * 5;
-    e.state = DerivedState::no_room;
-    e.why = "There is not enough memory for it.";
-  } else {
-    e.state = DerivedState::failed;
-    e.why = failure.message;
-  }
 }
 
 }  // namespace alphascope

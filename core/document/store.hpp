@@ -51,8 +51,19 @@ class Store {
     return derived;
   }
 
+  // Takes what somebody else has made of the same inputs, as if the store had; drops it where there
+  // is no room for it, or where what it is made of is not there.
+  template <class T>
+  void give(const Definition<T>& definition, const Inputs& inputs, std::shared_ptr<const T> value) {
+    if (value) take_gift(definition, inputs, std::move(value));
+  }
+
   // Ends the making of one result; it is not begun again before its inputs change.
   void cancel(std::string_view id);
+
+  // Nothing is begun in the background lane while `held`: what a hand changes many times a second
+  // is worth no work that is not seen.
+  void hold_background(bool held) { background_held_ = held; }
 
   // Large objects that others own: so many bytes of the budget are theirs. 0: none any more.
   void note_held(const std::string& what, std::uint64_t bytes) { others_[what] = bytes; }
@@ -68,12 +79,21 @@ class Store {
   // Something of this lane has been asked for and is on its way, or what it is made of.
   bool busy(Lane lane) const;
   std::uint64_t held_bytes() const;  // by results and by others
+  // How many values of this result have come so far, of whatever inputs.
+  std::uint64_t times_made(std::string_view id) const;
 
  private:
   struct Value {
     Key key;
     std::shared_ptr<const void> result;
     std::uint64_t bytes = 0, used_at = 0;  // used_at: frame
+  };
+  // How a result is made as soon as what it is made of is there, by the same worker.
+  struct Link {
+    Inputs inputs;                       // with what is there already
+    std::vector<std::string_view> lack;  // ids of what is not
+    std::function<MemoryNeed(const Inputs&)> memory;
+    std::function<std::shared_ptr<const void>(const Inputs&, const RunContext&)> make;
   };
   struct Entry {
     std::string id, title;
@@ -90,7 +110,15 @@ class Store {
     std::function<std::shared_ptr<const void>(const RunContext&)> make;
     bool lacks = false;  // something that it is made of; state and why tell of that
     std::string why;
+    std::shared_ptr<const Link> link;  // while it lacks something that can be made
+    std::uint64_t awaited_at = 0;      // frame
+    std::uint64_t times_made = 0;
   };
+  struct Made {
+    Entry* entry;
+    Value value;
+  };
+  class Chain;
   struct Work {  // of one lane
     explicit Work(std::function<void()> wake) : worker(std::move(wake)) {}
     Entry* running = nullptr;
@@ -99,15 +127,24 @@ class Store {
     Worker worker;
   };
 
-  Entry& ask(const AnyDefinition& definition, const Inputs& inputs, Priority priority);
+  Entry& ask(const AnyDefinition& definition, const Inputs& inputs, Priority priority) {
+    return ask(definition, inputs, priority,
+               priority == Priority::visible && definition.lane == Lane::interactive);
+  }
+  // awaited: by something visible of the interactive lane.
+  Entry& ask(const AnyDefinition& definition, const Inputs& inputs, Priority priority,
+             bool awaited);
+  void take_gift(const AnyDefinition& definition, const Inputs& inputs,
+                 std::shared_ptr<const void> value);
   Entry& entry(const AnyDefinition& definition);
   void set_wanted(Entry& e, const Key& key);
   bool take_held(Entry& e);
-  void prepare(Entry& e, const AnyDefinition& definition, const Inputs& inputs);
+  void prepare(Entry& e, const AnyDefinition& definition, const Inputs& inputs, bool awaited);
   bool is_asked_for(const Entry& e) const { return e.asked_at + 1 >= frame_; }
-  Work& work(const Entry& e) { return e.lane == Lane::background ? background_ : interactive_; }
+  Lane lane(const Entry& e) const;
+  Work& work(const Entry& e) { return lane(e) == Lane::background ? background_ : interactive_; }
   const Work& work(const Entry& e) const {
-    return e.lane == Lane::background ? background_ : interactive_;
+    return lane(e) == Lane::background ? background_ : interactive_;
   }
   bool runs(const Entry& e) const { return work(e).running == &e; }
   double share(const Entry& e) const;
@@ -118,7 +155,9 @@ class Store {
   bool could_fit(const Entry& wanted, std::uint64_t budget) const;
   bool make_room(Entry& wanted);
   void begin(Entry& e);
-  void take(Entry& e, Value value);
+  Chain chain_after(Entry& first);
+  void take(Work& lane, std::vector<Made> made);
+  void keep(Entry& e, Value value);
   void take_failure(Entry& e, const Worker::Failure& failure);
 
   const std::function<std::uint64_t()> budget_;
@@ -126,7 +165,7 @@ class Store {
   std::map<std::string, std::uint64_t> others_;  // bytes
   std::list<Entry> entries_;                     // a reference to one stays good
   std::uint64_t frame_ = 1, begun_ = 0;
-  bool arrived_ = false;
+  bool arrived_ = false, background_held_ = false;
   Work background_, interactive_;  // last: joined before what their jobs use goes
 };
 

@@ -4,6 +4,9 @@
 #include <utility>
 
 #include "app/session/rounding_note.hpp"
+#include "core/complex/triangulation.hpp"
+#include "core/triangulation/filtration.hpp"
+#include "core/triangulation/memory_need.hpp"
 
 namespace alphascope {
 
@@ -60,16 +63,35 @@ MeasuredUnion EngineCache::measure(const EngineAnswer& answer, const RunContext&
 
 std::uint64_t EngineCache::kept_bytes() const {
   std::uint64_t bytes = 0;
-  for (const Entry& entry : entries_) bytes += entry.made.engine->kept_bytes();
+  for (const Entry& entry : entries_) {
+    bytes += entry.made.engine->kept_bytes();
+    if (entry.of_all.triangulation) bytes += bytes_of(*entry.of_all.triangulation);
+    if (const Filtration* filtration = entry.of_all.filtration.get()) {
+      bytes += filtration->top_bytes() + filtration->level_bytes();
+    }
+  }
   return bytes;
+}
+
+// Who keeps what was handed over lends it; until then it is still here.
+Lent EngineCache::lent_to(Entry& entry, const EngineLoan& loan) const {
+  Lent lent = entry.grown == loan.balls ? loan.lent : Lent{};
+  if (lent.triangulation) entry.of_all.triangulation = nullptr;
+  if (lent.filtration) entry.of_all = {};
+  if (!lent.triangulation) lent.triangulation = entry.of_all.triangulation;
+  if (!lent.filtration) lent.filtration = entry.of_all.filtration;
+  return lent;
 }
 
 // A first answer without set-up stages follows one that was cancelled after them: it is not cold.
 EngineAnswer EngineCache::answer(Entry& entry, const Request& request, const RunContext& context,
                                  const EngineLoan& loan) {
-  const Lent lent = entry.grown == loan.balls ? loan.lent : Lent{};
-  AlphaComplex complex =
-      entry.made.engine->compute({request.alpha_angstrom2, request.tetrahedra_only, lent}, context);
+  AlphaComplex complex = entry.made.engine->compute(
+      {request.alpha_angstrom2, request.tetrahedra_only, lent_to(entry, loan), handing_over_},
+      context);
+  Lent made = handing_over_ ? entry.made.engine->take() : Lent{};
+  if (made.triangulation) entry.of_all.triangulation = made.triangulation;
+  if (made.filtration) entry.of_all.filtration = made.filtration;
   const auto& stages = complex.timings.stages;
   const bool set_up =
       std::any_of(stages.begin(), stages.end(), [](const StageTime& s) { return s.setup; });
@@ -77,7 +99,10 @@ EngineAnswer EngineCache::answer(Entry& entry, const Request& request, const Run
   std::string note = entry.made.note;
   const std::string rounding = rounding_note(request, entry.grown->lattice);
   if (!rounding.empty()) note += (note.empty() ? "" : " ") + rounding;
-  return {request, entry.grown, std::move(complex), std::move(note), first && set_up, kept_bytes()};
+  EngineAnswer answer{request,         entry.grown,     std::move(complex),
+                      std::move(note), first && set_up, kept_bytes()};
+  answer.made = std::move(made);
+  return answer;
 }
 
 EngineAnswer EngineCache::compute(const std::shared_ptr<const BallSet>& balls,

@@ -27,6 +27,9 @@ class EngineCache {
   explicit EngineCache(EngineFactory factory, std::shared_ptr<SharedThreads> threads = {})
       : factory_(std::move(factory)), threads_(std::move(threads)) {}
 
+  // Somebody else has use for what the engines make of all balls (EngineAnswer::made).
+  void hand_over_what_is_made() { handing_over_ = true; }
+
   // `balls` without solvent radius. A loan of other balls is not looked at. What is done when
   // a GPU fails is not decided here but in the engine (core/engines/short_of_memory.hpp). Throws
   // what make_engine(), with_solvent() and Engine::compute() throw.
@@ -53,6 +56,7 @@ class EngineCache {
     Request request;  // the first; others are answered that have the same set-up
     MadeEngine made;
     bool answered = false;  // by `made`
+    Lent of_all = {};       // what it handed over, until it is lent by whom that went to
   };
 
   EngineAnswer answer(Entry& entry, const Request& request, const RunContext& context,
@@ -63,9 +67,12 @@ class EngineCache {
   EngineSettings engine_settings(const Request& request) const;
   std::shared_ptr<WorkThreads> threads_of(const Request& request) const;
 
+  Lent lent_to(Entry& entry, const EngineLoan& loan) const;
+
   EngineFactory factory_;
   std::shared_ptr<SharedThreads> threads_;
   std::list<Entry> entries_;  // the last used one first
+  bool handing_over_ = false;
 };
 
 }  // namespace alphascope

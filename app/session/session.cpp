@@ -54,7 +54,9 @@ Session::Session(std::function<void()> wake, Services services)
       references_(std::make_shared<EngineCache>(services_.make_engine)),
       opener_(wake),
       computer_(wake, kSliderGrace),
-      comparer_(wake) {}
+      comparer_(wake) {
+  engines_->hand_over_what_is_made();
+}
 
 Session::~Session() = default;
 
@@ -105,6 +107,7 @@ void Session::take_opened(std::shared_ptr<const OpenedMolecule> opened) {
   }
   computer_.cancel();
   comparer_.cancel();
+  made_.clear();
   state_.molecule = opened->molecule;
   state_.prepared = opened->prepared;
   state_.opened = std::move(opened);
@@ -175,10 +178,34 @@ void Session::submit_compute(Engines which) {
             found.measures = std::make_shared<const MeasuredUnion>(*std::move(measured));
           }
         }
+        const Lent made = std::exchange(found.made, {});
         auto answer = std::make_shared<const Answer>(Answer{std::move(found), molecule, prepared});
-        return [this, answer] { take_answer(answer); };
+        return [this, answer, made] {
+          note_made(answer->balls, made);
+          take_answer(answer);
+        };
       },
       failure_of(Source::computing, "Computing the complex failed: "));
+}
+
+// A picture comes some time after its answer, and a newer answer may be there by then.
+void Session::note_made(const std::shared_ptr<const BallSet>& balls, Lent made) {
+  constexpr std::size_t kMost = 2;
+  constexpr std::uint64_t kSeveralBelow = 200'000;  // balls: some 150 MB each
+  std::erase_if(made_, [&](const MadeOfAll& m) { return m.balls == balls; });
+  if (!made.triangulation && !made.filtration) return;
+  const std::size_t before = balls->size() < kSeveralBelow ? kMost - 1 : 0;
+  if (made_.size() > before) made_.erase(made_.begin(), made_.end() - before);
+  made_.push_back({balls, std::move(made)});
+}
+
+Lent Session::take_made(const std::shared_ptr<const BallSet>& balls) {
+  Lent made;
+  for (MadeOfAll& m : made_) {
+    if (m.balls == balls) made = std::move(m.made);
+  }
+  std::erase_if(made_, [&](const MadeOfAll& m) { return m.balls == balls; });
+  return made;
 }
 
 void Session::take_answer(std::shared_ptr<const Answer> answer) {

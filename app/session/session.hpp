@@ -103,6 +103,9 @@ class Session {
   // What has been made of all balls of `answer`, from which engines on the CPU answer from now on;
   // nothing takes it back. The comparison with CGAL does not use it.
   void lend(const Answer& answer, const Lent& lent);
+  // What the engine made of all these balls on the way to its last answers; nothing when it made
+  // nothing, or when that has been taken or let go of.
+  Lent take_made(const std::shared_ptr<const BallSet>& balls);
 
   // Answers the present request once more, set-up included, as if the molecule had just been
   // opened; so does CGAL when it is next asked to compare. For the cold times of engines that were
@@ -137,6 +140,7 @@ class Session {
   void forget_reference_timings();
   void take_opened(std::shared_ptr<const OpenedMolecule> opened);
   void take_answer(std::shared_ptr<const Answer> answer);
+  void note_made(const std::shared_ptr<const BallSet>& balls, Lent made);
   void take_agreement(std::shared_ptr<const Agreement> agreement);
   using Source = SessionState::Source;
   Worker::FailureHandler failure_of(Source source, std::string prefix);
@@ -153,6 +157,11 @@ class Session {
   bool timing_parallel_ = false;  // is what the comparer does
   int comparison_threads_ = 1;
   EngineLoan loan_;
+  struct MadeOfAll {
+    std::shared_ptr<const BallSet> balls;
+    Lent made;
+  };
+  std::vector<MadeOfAll> made_;  // the last answers', the newest last
   const std::shared_ptr<SharedThreads> threads_ = std::make_shared<SharedThreads>();
   // Each is touched by the jobs of one worker only.
   std::shared_ptr<EngineCache> engines_, references_;

@@ -6,6 +6,7 @@
 
 #include "core/complex/alpha_complex.hpp"
 #include "core/document/request.hpp"
+#include "core/engine/engine.hpp"
 #include "core/geometry/ball_set.hpp"
 #include "core/measure/engine_measures.hpp"
 #include "core/molecule/prepare_balls.hpp"
@@ -21,6 +22,8 @@ struct EngineAnswer {
   std::uint64_t kept_bytes = 0;  // by all engines of its cache, for later answers
   // Where they were wanted and the engine has a device; else null, and the CPU may measure.
   std::shared_ptr<const MeasuredUnion> measures = {};
+  // What the engine made of all balls on the way, if the cache hands it over.
+  Lent made = {};
 };
 
 // Of an open molecule.

@@ -29,6 +29,9 @@ struct AlphaRequest {
   // An engine may answer from this, and keeps no part of it. Engines that are there to compute
   // (on the GPU, tuples) do not look at it.
   Lent lent = {};
+  // take() is called next: a triangulation that was made is kept for it, although the engine itself
+  // needs it no more.
+  bool handing_over = false;
 };
 
 // EngineInfo::route of the engine that keeps each whole complex for the smaller alphas to come.

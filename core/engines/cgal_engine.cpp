@@ -79,7 +79,7 @@ class CgalEngine : public Engine {
     if (!filtration_) triangulation = lent_or_made(request.lent, context, timer);
     if (!filtration_ && !request.tetrahedra_only) {
       filtration_ = std::make_shared<const Filtration>(balls_, *triangulation, context);
-      triangulation_.reset();  // the filtration replaces it
+      if (!request.handing_over) triangulation_.reset();  // the filtration replaces it
       timer.lap(stage::kClassification, true);
     }
     context.report(stage::kThreshold, 0);

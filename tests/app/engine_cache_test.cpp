@@ -5,6 +5,7 @@
 
 #include "app/session/rounding_note.hpp"
 #include "core/engines/short_of_memory.hpp"
+#include "core/triangulation/filtration.hpp"
 #include "tests/app/fake_engine.hpp"
 
 namespace alphascope {
@@ -45,6 +46,42 @@ TEST(EngineCache, GrowsTheBallsAndKeepsTwoSettings) {
   EXPECT_EQ(log.made, 3) << "the one used longest ago went";
   cache.compute(balls, with_solvent_radius(1.4), {});
   EXPECT_EQ(log.made, 4);
+}
+
+TEST(EngineCache, HandsOverWhatItsEnginesMakeOfAllBalls) {
+  EngineCache cache(
+      [](EngineChoice, std::shared_ptr<const BallSet> balls, const EngineSettings& settings) {
+        return MadeEngine{make_cgal_engine(std::move(balls), {settings.threads}), ""};
+      });
+  cache.hand_over_what_is_made();
+  const auto balls = few_balls(9);
+  Request request;
+  const EngineAnswer first = cache.compute(balls, request, {});
+  ASSERT_TRUE(first.made.triangulation);
+  ASSERT_TRUE(first.made.filtration);
+  EXPECT_EQ(&first.made.filtration->balls(), balls.get());
+  EXPECT_GT(cache.kept_bytes(), 0u) << "until somebody lends it";
+
+  request.alpha_angstrom2 = 2;
+  const EngineAnswer second = cache.compute(balls, request, {});
+  EXPECT_EQ(second.complex.engine.route, kThresholdRoute);
+  EXPECT_FALSE(second.made.filtration) << "it is no other one";
+
+  request.alpha_angstrom2 = 3;
+  cache.compute(balls, request, {}, {balls, 0, balls, first.made});
+  EXPECT_EQ(cache.kept_bytes(), 0u);
+  EXPECT_EQ(cache.compute(balls, request, {}, {balls, 0, balls, first.made}).complex.engine.route,
+            kThresholdRoute);
+}
+
+TEST(EngineCache, KeepsWhatNobodyElseHasUseFor) {
+  EngineCache cache(
+      [](EngineChoice, std::shared_ptr<const BallSet> balls, const EngineSettings& settings) {
+        return MadeEngine{make_cgal_engine(std::move(balls), {settings.threads}), ""};
+      });
+  const EngineAnswer answer = cache.compute(few_balls(9), Request{}, {});
+  EXPECT_FALSE(answer.made.triangulation);
+  EXPECT_FALSE(answer.made.filtration);
 }
 
 // Of one ball of 1.7 Å.

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <thread>
 
+#include "core/triangulation/filtration.hpp"
 #include "tests/app/fake_engine.hpp"
 #include "tests/support/dimer.hpp"
 
@@ -573,6 +574,37 @@ TEST_F(SessionTest, DestructionDuringWorkJoins) {
   const auto session = make();
   session->open(good_);
   while (log_.started == 0) session->poll();
+}
+
+TEST_F(SessionTest, WhatTheEngineMadeOfAllBallsIsTakenOnce) {
+  Session::Services services = Session::program_services();
+  Session session({}, services);
+  Request request;
+  request.engine = EngineChoice::cgal;
+  session.set_request(request);
+  session.open(good_);
+  settle(session);
+  const auto first = session.state().ours;
+  ASSERT_TRUE(first);
+  EXPECT_TRUE(first->made.filtration == nullptr) << "an answer holds none of it";
+  request.solvent_radius_angstrom = 1;
+  session.set_request(request);
+  settle(session);
+  const auto second = session.state().ours;
+  ASSERT_NE(second->balls, first->balls);
+  // A picture may come after the next answer.
+  const Lent of_first = session.take_made(first->balls);
+  ASSERT_TRUE(of_first.filtration);
+  EXPECT_EQ(&of_first.filtration->balls(), first->balls.get());
+  EXPECT_FALSE(session.take_made(first->balls).filtration);
+  EXPECT_TRUE(session.take_made(second->balls).triangulation);
+  request.solvent_radius_angstrom = 2;
+  session.set_request(request);
+  settle(session);
+  const auto third = session.state().ours;
+  session.open(other_);
+  settle(session);
+  EXPECT_FALSE(session.take_made(third->balls).filtration) << "of a molecule that is closed";
 }
 
 }  // namespace

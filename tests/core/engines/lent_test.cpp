@@ -105,6 +105,15 @@ TEST_F(LentEngine, HandsOverWhatItMade) {
   EXPECT_FALSE(triangulation.filtration);
   EXPECT_TRUE(*triangulation.triangulation == *triangulation_);
   EXPECT_FALSE(engine->take().triangulation) << "kept although it was handed over";
+  engine->compute({100, false}, {});
+  const Lent filtration = engine->take();
+  EXPECT_TRUE(filtration.filtration);
+  EXPECT_FALSE(filtration.triangulation) << "the filtration replaces it";
+  engine->compute({100, false, {}, true}, {});
+  const Lent both = engine->take();
+  EXPECT_TRUE(both.filtration);
+  ASSERT_TRUE(both.triangulation);
+  EXPECT_TRUE(*both.triangulation == *triangulation_);
 
   const auto cpu = make_cpu_engine(balls_, {1});
   cpu->compute({100}, {});

@@ -214,8 +214,10 @@ void SceneController::render(ViewportInfo& viewport, bool interacting, bool pati
   if (!change && !refine_now && !(patient && drawn_ != RenderQuality::fine)) {
     return check_view(viewport, interacting);
   }
+  const bool follows = interacting && (pending_ || std::exchange(new_picture_, false));
   const RenderQuality target = patient                 ? RenderQuality::fine
                                : refine_now && !change ? quality_.at_rest()
+                               : follows               ? quality_.while_computing()
                                                        : quality_.moving();
   try {
     quality_.note(target, scene_.render(width_, height_, target));

@@ -227,6 +227,7 @@ class SceneController {
   ViewProblem view_problem_ = ViewProblem::none;
   bool refine_ = false;  // the picture on screen could be finer
   RenderQuality drawn_ = RenderQuality::draft;
+  bool new_picture_ = false;  // since the last one that followed a hand
   Clock::time_point last_change_ = Clock::now();
   int width_ = 0, height_ = 0;
   std::atomic<std::uint64_t> pending_bytes_ = 0;  // of what the worker makes

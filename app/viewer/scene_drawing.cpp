@@ -176,6 +176,7 @@ void SceneController::show(Drawing drawing) {
   const bool new_balls = drawing.molecule != drawn_molecule_;
   outdated_since_.reset();  // the next that is awaited may take its time as well
   const bool keep_view = viewed_ == drawing.molecule->molecule;
+  new_picture_ = true;
   drawn_answer_ = drawing.answer;
   not_drawn_ = drawing.not_drawn;
   drawn_molecule_ = drawing.molecule;

@@ -6,6 +6,8 @@
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
+#include <thread>
+#include <utility>
 
 #include "app/options/did_you_mean.hpp"
 #include "app/session/system_memory.hpp"
@@ -107,9 +109,15 @@ class ScriptRunner {
   }
 
   void move(const Arguments& arguments) {
-    const std::string name = arguments.text("name");
     const auto fx = static_cast<float>(arguments.number("x", 0.5));
     const auto fy = static_cast<float>(arguments.number("y", 0.5));
+    const WidgetRect widget = place(arguments.text("name"));
+    input_.x = widget.x0 + fx * (widget.x1 - widget.x0);
+    input_.y = widget.y0 + fy * (widget.y1 - widget.y0);
+    frames(2);  // hovering must be settled before a press
+  }
+  // Of a widget, scrolled into sight.
+  WidgetRect place(const std::string& name) {
     auto it = find(name);
     if (it != viewer_.widgets().end() && !it->second.visible) {
       viewer_.state().memory.reveal = it->first;
@@ -119,9 +127,7 @@ class ScriptRunner {
     if (it == viewer_.widgets().end()) {
       throw std::runtime_error("there is no widget '" + name + "' on screen");
     }
-    input_.x = it->second.x0 + fx * (it->second.x1 - it->second.x0);
-    input_.y = it->second.y0 + fy * (it->second.y1 - it->second.y0);
-    frames(2);  // hovering must be settled before a press
+    return it->second;
   }
   void down(const Arguments&) {
     input_.down[0] = true;
@@ -130,6 +136,43 @@ class ScriptRunner {
   void up(const Arguments&) {
     input_.down[0] = false;
     frames(2);
+  }
+  // To and fro in real time, with frames as run() draws them.
+  void drag(const Arguments& arguments) {
+    using Clock = std::chrono::steady_clock;
+    using Seconds = std::chrono::duration<double>;
+    const std::string name = arguments.text("name");
+    const double from = arguments.number("from"), to = arguments.number("to");
+    const Seconds seconds(arguments.number("seconds"));
+    const WidgetRect widget = place(name);
+    input_.y = 0.5f * (widget.y0 + widget.y1);
+    const auto at = [&](double place) {
+      input_.x = widget.x0 + static_cast<float>(place) * (widget.x1 - widget.x0);
+      frames(1);
+    };
+    at(from);
+    down({});
+    const auto tables = [&] { return viewer_.times_made("cavities.lines"); };
+    const std::uint64_t tables_before = tables();
+    const Clock::time_point start = Clock::now();
+    const Answer* shown = viewer_.state().result.get();
+    std::uint64_t drawn = 0, pictures = 0;
+    Seconds longest{0};
+    for (Clock::time_point now = start; now - start < seconds; now = Clock::now()) {
+      const double along = std::fmod(Seconds(now - start).count(), 2);  // a second each way
+      at(from + (to - from) * (along < 1 ? along : 2 - along));
+      const Seconds took = Clock::now() - now;
+      longest = std::max(longest, took);
+      ++drawn;
+      pictures +=
+          std::exchange(shown, viewer_.state().result.get()) != viewer_.state().result.get();
+      viewer_.wait_for_frame();
+    }
+    const double whole = Seconds(Clock::now() - start).count();
+    out_ << "drag " << name << ": " << whole << " s, " << drawn << " frames, the longest "
+         << 1e3 * longest.count() << " ms, " << pictures << " pictures, "
+         << tables() - tables_before << " tables of cavities\n";
+    up({});
   }
   void click(const Arguments& arguments) {
     move(arguments);
@@ -224,6 +267,7 @@ class ScriptRunner {
 };
 
 constexpr NumberRule kPlaceRule{"A place in a widget", -100, 100};
+constexpr NumberRule kSecondsRule{"The time", 0, 600, "s"};
 constexpr NumberRule kWheelRule{"The number of steps", -1000, 1000};
 constexpr NumberRule kFramesRule{"The number of frames", 0, 1e6, "", true};
 constexpr NumberRule kWindowRule{"Width and height of the window", 64, 16384, "pixels", true};
@@ -271,6 +315,14 @@ std::vector<ScriptRunner::Verb> ScriptRunner::all_verbs() {
       {verb("down", "Presses the left mouse button"), &S::down},
       {verb("up", "Releases the left mouse button"), &S::up},
       {verb("click", "As move, down and up", widget()), &S::click},
+      {verb("drag",
+            "Presses the left mouse button in a widget and moves to and fro in it, a second each "
+            "way; then writes how many frames, pictures and tables of cavities came meanwhile",
+            {{.name = "name", .example = "alpha.slider"},
+             number("from", kPlaceRule),
+             number("to", kPlaceRule),
+             number("seconds", kSecondsRule)}),
+       &S::drag},
       {verb("double-click", "As click, twice", widget()), &S::double_click},
       {verb("wheel", "Turns the wheel at the mouse's position", one(number("steps", kWheelRule))),
        &S::wheel},

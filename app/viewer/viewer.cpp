@@ -156,6 +156,7 @@ void Viewer::take_shown() {
   if (state_.result != scene_.drawn_answer()) {
     state_.result = scene_.drawn_answer();
     frames_due_ = kSettlingFrames;
+    news_ = picture_is_new_ = true;
   }
   const auto& ours = session_.state().ours;
   state_.pending = ours && ours != state_.result ? pending_text(*ours) : "";
@@ -282,7 +283,7 @@ void Viewer::take_saved() {
 }
 
 void Viewer::send_controls() {
-  if (state_.compute != sent_compute_) {
+  if (state_.compute != sent_compute_ && !awaits_panels()) {
     sent_compute_ = state_.compute;
     session_.set_request(canonical(state_.compute));
     state_.compute_error.clear();  // of another alpha; it may be told again
@@ -293,6 +294,24 @@ void Viewer::send_controls() {
   send_selection();
   scene_.set_display(state_.display, state_.theme);
   note_changes();
+}
+
+// A frame is drawn by the processor that also makes the tables of this picture. While a hand
+// slides, both come to the screen in one frame, unless the tables take long: the next frame is
+// drawn anyway.
+bool Viewer::waits_for_tables() {
+  const bool new_picture = std::exchange(picture_is_new_, false);
+  return new_picture && frame_.in_software() && interacting() && store_.busy(Lane::interactive);
+}
+
+// While a hand slides the solvent radius, the engine is at most one step ahead of what panels make
+// of all balls: else pictures took the cores, and tables would fall behind.
+bool Viewer::awaits_panels() const {
+  const auto& ours = session_.state().ours;
+  const bool other_balls =
+      state_.compute.solvent_radius_angstrom != sent_compute_.solvent_radius_angstrom;
+  const bool ahead = session_.activity().computing.busy || (ours && ours->balls != inputs_.balls);
+  return other_balls && ahead && interacting() && store_.busy(Lane::interactive);
 }
 
 void Viewer::send_selection() {
@@ -356,15 +375,18 @@ bool Viewer::interacting() const {
 
 void Viewer::draw(ScriptedInput* input, bool patient,
                   const std::function<void(unsigned)>& before_swap) {
+  frame_begun_at_ = Clock::now();
+  news_ = false;
   update_busy();
   guarded([this] { describe_under_mouse(); });
-  if (!frame_.begin(state_.theme, input)) return;
+  if (!frame_.begin(state_.theme, input)) return want_of_all_balls();
   session_.let_finish(interacting());
   session_.set_measuring(state_.measures_wanted || is_exposure(state_.display.ball_colour));
   gesture_ = gestures_.in_this_frame();
   store_.next_frame();
   const WindowParts parts{state_, rects_, commands_, store_, inputs_};
   draw_window(parts, frame_.fonts(), frame_.scale());
+  guarded([this] { want_of_all_balls(); });
   for (const PointerEvent& event : state_.viewport.events) scene_.pointer(event);
   guarded([this] {
     for (const PointerEvent& event : state_.viewport.events) {
@@ -384,11 +406,13 @@ void Viewer::draw(ScriptedInput* input, bool patient,
   const SessionActivity a = session_.activity();
   scene_.set_pending((a.computing.busy && !session_.state().up_to_date()) ||
                      (a.opening.busy && a.opening_path.empty()));
-  if (input != nullptr || must_render_ || !host_.input().waiting()) {
+  const bool undrawn = !patient && waits_for_tables();
+  if (!undrawn && (input != nullptr || must_render_ || !host_.input().waiting())) {
     must_render_ = false;
     guarded([&] { scene_.render(state_.viewport, interacting(), patient); });
   }
   draw_over_picture(parts, frame_.fonts(), frame_.scale());
+  if (undrawn) return frame_.end_undrawn();
   frame_.end([&](unsigned framebuffer) {
     if (before_swap) before_swap(framebuffer);
   });
@@ -397,12 +421,7 @@ void Viewer::draw(ScriptedInput* input, bool patient,
 
 void Viewer::step(ScriptedInput* input) {
   host_.wait_events(0);
-  guarded([this] {
-    take_session();
-    take_shown();
-    want_derived();
-    compare_when_due();
-  });
+  take_results();
   draw(input, patient_);
 }
 
@@ -432,23 +451,48 @@ double Viewer::idle_seconds() const {
   return std::max(0.001, wait);
 }
 
+// Where frames are work of the processor, fewer are drawn while it computes what is to be drawn.
+double Viewer::seconds_to_next_frame() const {
+  constexpr double kMostFrames = 60, kWhileComputing = 25;  // a second
+  if (news_) return 0;
+  const bool yields = frame_.in_software() && (working() || store_.busy());
+  const std::chrono::duration<double> since = Clock::now() - frame_begun_at_;
+  return 1 / (yields ? kWhileComputing : kMostFrames) - since.count();
+}
+
+void Viewer::take_results() {
+  guarded([this] {
+    take_session();
+    take_shown();
+    take_derived();
+    compare_when_due();
+  });
+}
+
+bool Viewer::wait_for_frame() {
+  bool events = false;
+  for (double wait = seconds_to_next_frame(); wait > 0; wait = seconds_to_next_frame()) {
+    if (!host_.wait_events(wait)) continue;
+    events = true;
+    take_results();
+  }
+  return events;
+}
+
 void Viewer::run() {
   while (!quit_ && !host_.close_requested()) {
     const bool behind = host_.input().waiting();
-    if (host_.wait_events(behind ? 0 : idle_seconds()) || behind) {
+    bool events = host_.wait_events(behind ? 0 : idle_seconds()) || behind;
+    events |= wait_for_frame();
+    if (events) {
       frames_due_ = kSettlingFrames;
       tooltip_due_ = Clock::now() + kTooltipFrameAfter;
     } else if (tooltip_due_ && Clock::now() >= *tooltip_due_) {
       frames_due_ = kSettlingFrames;
       tooltip_due_.reset();
     }
-    guarded([this] {
-      open_dropped(host_.take_dropped_files());
-      take_session();
-      take_shown();
-      want_derived();
-      compare_when_due();
-    });
+    guarded([this] { open_dropped(host_.take_dropped_files()); });
+    take_results();
     const bool playing = state_.memory.playing || state_.memory.playing_models;
     const bool due = frames_due_ > 0 || playing || working() || store_.busy() ||
                      scene_.wants_frame() || state_.open != sent_open_;

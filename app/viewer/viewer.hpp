@@ -39,6 +39,8 @@ class Viewer {
 
   // One step for scripts and tests: takes in results, draws one frame with this input.
   void step(ScriptedInput* input);
+  // Takes in results until the next frame may be drawn; whether anything happened.
+  bool wait_for_frame();
   // A molecule, a complex, a comparison or a mesh is on its way.
   bool busy() const;
   // Draws the scene as finely as it can be, then the window, into a PNG file.
@@ -58,6 +60,8 @@ class Viewer {
   const WidgetRects& widgets() const { return rects_; }
   Session& session() { return session_; }
   Host& host() { return host_; }
+  // Values of one derived result, since the start.
+  std::uint64_t times_made(std::string_view id) const { return store_.times_made(id); }
 
  private:
   using Clock = std::chrono::steady_clock;
@@ -75,7 +79,11 @@ class Viewer {
   void take_machine();
   void take_molecule();
   void take_answer();
-  void want_derived();  // what follows from all balls, in the background
+  void take_results();
+  double seconds_to_next_frame() const;
+  void take_derived();
+  void want_of_all_balls();  // triangulation and filtration, in the background
+  void poll_store();
   bool may_take_inputs(const Answer& shown) const;
   void take_inputs(const std::shared_ptr<const Answer>& shown);
   void note_large_objects();  // for the store's budget
@@ -84,6 +92,8 @@ class Viewer {
   void save_picture(const ScreenshotRequest& request);
   void take_saved();
   void send_controls();  // changed controls to session and scene
+  bool awaits_panels() const;
+  bool waits_for_tables();
   void send_selection();
   Settings settings() const;  // as the controls have them
   void note_changes();        // into the history
@@ -154,7 +164,11 @@ class Viewer {
   FolderReader folder_reader_;
   std::future<MachineInfo> machine_;  // looking for a GPU can take a second
   Benchmark benchmark_;
-  Inputs inputs_;                         // of derived results
+  Inputs inputs_;  // of derived results
+  Clock::time_point inputs_taken_at_{};
+  Clock::time_point frame_begun_at_{};
+  bool news_ = false;  // something has come that no frame shows
+  bool picture_is_new_ = false;
   std::shared_ptr<const Answer> source_;  // whose balls they are; null: there are none
   std::uint64_t balls_seen_ = 0, bodies_seen_ = 0, frames_key_ = 0;
   std::shared_ptr<const PreparedBalls> body_;  // the last of bodies_seen_

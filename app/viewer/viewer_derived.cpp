@@ -18,6 +18,7 @@ bool Viewer::may_take_inputs(const Answer& shown) const {
 
 void Viewer::take_inputs(const std::shared_ptr<const Answer>& shown) {
   source_ = shown;
+  inputs_taken_at_ = Clock::now();
   inputs_ = {};
   inputs_.balls = shown->balls;
   inputs_.balls_key = ++balls_seen_;
@@ -31,9 +32,8 @@ void Viewer::take_inputs(const std::shared_ptr<const Answer>& shown) {
   inputs_.frames_key = frames_key_;
 }
 
-// Of the picture, so not before the first one is there. The whole filtration, so that on the CPU
-// every later alpha is a threshold of it.
-void Viewer::want_derived() {
+// Of the picture, so not before the first one is there.
+void Viewer::take_derived() {
   const SessionState& s = session_.state();
   const auto& shown = state_.result;
   if (!s.ours || !shown || shown->prepared != s.prepared) {
@@ -50,13 +50,33 @@ void Viewer::want_derived() {
       inputs_.complex = {shown, &shown->complex};
       inputs_.measures = shown->measures ? shown->measures : scene_.drawn_measures();
     }
+    const Lent made = session_.take_made(inputs_.balls);
+    store_.give(whole_triangulation(), inputs_, made.triangulation);
+    store_.give(whole_filtration(), inputs_, made.filtration);
+  }
+  note_large_objects();
+  poll_store();
+}
+
+// The whole filtration, so that on the CPU every later alpha is a threshold of it. After the
+// panels, so that the store knows what they wait for before it begins anything.
+void Viewer::want_of_all_balls() {
+  if (inputs_.balls) {
     const auto filtration = store_.want(whole_filtration(), inputs_, Priority::background).value;
     const auto triangulation =
         store_.want(whole_triangulation(), inputs_, Priority::background).value;
     session_.lend(*source_, {triangulation, filtration});
   }
-  note_large_objects();
-  if (store_.poll()) frames_due_ = kSettlingFrames;
+  // Whatever is begun for balls that a hand changes at once would not be finished.
+  constexpr std::chrono::milliseconds kSettled{300};
+  store_.hold_background(interacting() && Clock::now() - inputs_taken_at_ < kSettled);
+  poll_store();
+}
+
+void Viewer::poll_store() {
+  if (!store_.poll()) return;
+  frames_due_ = kSettlingFrames;
+  news_ = true;
 }
 
 // The complex on screen may be another than the session's last.

@@ -225,6 +225,20 @@ TEST_F(CavitiesTest, TablesFollowWhileTheSolventRadiusSlides) {
   EXPECT_EQ(viewer_->state().undo_text, "solvent radius");
 }
 
+TEST_F(CavitiesTest, ADragInRealTimeMakesTables) {
+  open_cavities();
+  use_preset();
+  const std::uint64_t before = viewer_->times_made("cavities.lines");
+  const auto begin = std::chrono::steady_clock::now();
+  run("drag alpha.solvent 0.2 0.6 1.5\nwait-idle\nframes 3\n");
+  EXPECT_GE(std::chrono::steady_clock::now() - begin, std::chrono::milliseconds(1500));
+  EXPECT_GE(viewer_->times_made("cavities.lines"), before + 3);
+  EXPECT_EQ(page().rows.table().question.solvent_radius_angstrom,
+            viewer_->state().compute.solvent_radius_angstrom);
+  EXPECT_EQ(viewer_->state().result->request.solvent_radius_angstrom,
+            viewer_->state().compute.solvent_radius_angstrom);
+}
+
 TEST_F(CavitiesTest, OfAnotherMoleculeNothingStays) {
   open_cavities();
   run("click cavities.row.1 0.2\nwait-idle\nframes 3\n");

@@ -71,11 +71,13 @@ bool follow_lines(PanelContext& ctx, CavityPage& page, Derived<CavityLines>& wan
   return page.rows.lines->is_of(ctx.inputs);
 }
 
+bool is_shown(const CavityPage& page, CavityColumn column) {
+  return page.columns[static_cast<std::size_t>(column)];
+}
+
 // What follows in the background, for columns that are shown.
 void take_what_follows(PanelContext& ctx, CavityPage& page) {
-  const auto shown = [&](CavityColumn column) {
-    return page.columns[static_cast<std::size_t>(column)];
-  };
+  const auto shown = [&](CavityColumn column) { return is_shown(page, column); };
   take(page, page.rows.exact, ctx.store.want(cavity_volumes(), ctx.inputs));
   if (shown(CavityColumn::holds)) {
     take(page, page.rows.contents, ctx.store.want(cavity_contents(), ctx.inputs));
@@ -280,7 +282,11 @@ void draw_cavities_panel(PanelContext& ctx) {
   }
   Derived<CavityLines> wanted;
   const bool current = follow_lines(ctx, page, wanted);
-  if (current) take_what_follows(ctx, page);
+  if (current) {
+    take_what_follows(ctx, page);
+  } else if (is_shown(page, CavityColumn::holds)) {
+    ctx.store.want(cavity_contents(), ctx.inputs);  // made with the lines, it comes with them
+  }
   if (!page.rows.lines) {
     memory.chosen.clear();
     muted_wrapped(ctx, waiting_text(ctx, wanted));

@@ -2,6 +2,7 @@
 // best picture at rest that does not hold up the next input. Pure logic.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <optional>
 
@@ -11,8 +12,8 @@ namespace alphascope {
 
 class QualityChooser {
  public:
-  // Milliseconds that a frame may take.
-  static constexpr double kMovingBudget = 45, kRestBudget = 700;
+  // Milliseconds that a frame may take. While pictures follow a computation, both need the cores.
+  static constexpr double kMovingBudget = 45, kComputingBudget = 12, kRestBudget = 700;
 
   void note(RenderQuality quality, double milliseconds) {
     taken_[static_cast<std::size_t>(quality)] = milliseconds;
@@ -21,11 +22,13 @@ class QualityChooser {
   void forget() { taken_ = {}; }
 
   RenderQuality moving() const { return best_within(kMovingBudget); }
-  RenderQuality at_rest() const { return best_within(kRestBudget); }
+  RenderQuality while_computing() const { return best_within(kComputingBudget); }
+  // All pixels, however long it takes.
+  RenderQuality at_rest() const { return std::max(best_within(kRestBudget), RenderQuality::draft); }
 
  private:
   // Ambient occlusion doubles a frame, four samples a pixel quadruple it (software OpenGL).
-  static constexpr std::array<double, 3> kRelativeCost{1, 2, 8};
+  static constexpr std::array<double, 4> kRelativeCost{0.3, 1, 2, 8};
 
   std::optional<double> expected(RenderQuality quality) const {
     const auto q = static_cast<std::size_t>(quality);
@@ -37,14 +40,15 @@ class QualityChooser {
   }
 
   RenderQuality best_within(double budget) const {
-    for (const RenderQuality q : {RenderQuality::fine, RenderQuality::medium}) {
-      const auto milliseconds = expected(q);
-      if (milliseconds && *milliseconds <= budget) return q;
+    if (!expected(RenderQuality::draft)) return RenderQuality::draft;
+    for (const RenderQuality q :
+         {RenderQuality::fine, RenderQuality::medium, RenderQuality::draft}) {
+      if (*expected(q) <= budget) return q;
     }
-    return RenderQuality::draft;
+    return RenderQuality::sketch;
   }
 
-  std::array<std::optional<double>, 3> taken_{};
+  std::array<std::optional<double>, 4> taken_{};
 };
 
 }  // namespace alphascope

@@ -144,10 +144,13 @@ double Scene::render(int width, int height, RenderQuality quality) {
   const auto start = std::chrono::steady_clock::now();
   impl_->apply_quality(quality);
   impl_->picture_height = height;
-  impl_->draw(width * impl_->samples, height * impl_->samples);
+  const auto samples_along = [&](int pixels) {
+    return std::max(1, static_cast<int>(std::lround(pixels * impl_->samples)));
+  };
+  impl_->draw(samples_along(width), samples_along(height));
   // VTK's texture does not filter; averaging the samples is what they are for.
   glBindTexture(GL_TEXTURE_2D, texture());
-  const GLint filter = impl_->samples > 1 ? GL_LINEAR : GL_NEAREST;
+  const GLint filter = impl_->samples != 1 ? GL_LINEAR : GL_NEAREST;
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, filter);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, filter);
   // VTK leaves arbitrary values in the alpha channel; whoever blends the picture must see one.
@@ -186,12 +189,14 @@ Ray Scene::ray(double x, double y) const {
 }
 
 void Scene::pointer_move(int x, int y, bool control, bool shift) {
-  const int s = impl_->samples;
+  const auto sample = [&](int pixel) {
+    return static_cast<int>(std::lround(pixel * impl_->samples));
+  };
   const int* size = impl_->window->GetSize();
   impl_->interactor->SetSize(size[0], size[1]);
   // VTK turns by the difference to the last position, which a picture of other samples had.
-  impl_->interactor->SetEventInformationFlipY(impl_->pointer_x * s, impl_->pointer_y * s);
-  impl_->interactor->SetEventInformationFlipY(x * s, y * s, control, shift);
+  impl_->interactor->SetEventInformationFlipY(sample(impl_->pointer_x), sample(impl_->pointer_y));
+  impl_->interactor->SetEventInformationFlipY(sample(x), sample(y), control, shift);
   impl_->pointer_x = x;
   impl_->pointer_y = y;
   impl_->interactor->InvokeEvent(vtkCommand::MouseMoveEvent);

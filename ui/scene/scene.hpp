@@ -33,9 +33,9 @@ struct SceneStyle {
   friend bool operator==(const SceneStyle&, const SceneStyle&) = default;
 };
 
-// draft: while something moves. fine: at rest, with ambient occlusion, exact transparency and
-// four samples a pixel.
-enum class RenderQuality : std::uint8_t { draft, medium, fine };
+// sketch: a draft of half the resolution, where a draft takes too long. draft: while something
+// moves. fine: at rest, with ambient occlusion, exact transparency and four samples a pixel.
+enum class RenderQuality : std::uint8_t { sketch, draft, medium, fine };
 
 enum class PointerButton : std::uint8_t { left, middle, right };
 

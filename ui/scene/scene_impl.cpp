@@ -151,7 +151,7 @@ void Scene::Impl::apply_style() {
 }
 
 void Scene::Impl::apply_quality(RenderQuality quality, bool occlusion_allowed) {
-  const bool fine = quality != RenderQuality::draft;
+  const bool fine = quality >= RenderQuality::medium;
   renderer->SetUseDepthPeeling(fine && anything_translucent());
   renderer->SetMaximumNumberOfPeels(kPeels);
   renderer->SetOcclusionRatio(0);
@@ -163,7 +163,9 @@ void Scene::Impl::apply_quality(RenderQuality quality, bool occlusion_allowed) {
     renderer->SetSSAOKernelSize(64);
     renderer->SetSSAOBlur(true);
   }
-  samples = quality == RenderQuality::fine ? kFineSamples : 1;
+  samples = quality == RenderQuality::fine     ? kFineSamples
+            : quality == RenderQuality::sketch ? kSketchSamples
+                                               : 1;
 }
 
 void Scene::Impl::draw(int width, int height) {

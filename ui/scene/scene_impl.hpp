@@ -17,7 +17,8 @@
 
 namespace alphascope {
 
-constexpr int kFineSamples = 2;  // of a fine picture, each way
+constexpr int kFineSamples = 2;         // of a fine picture, each way
+constexpr double kSketchSamples = 0.5;  // of a sketch
 
 // Faces and lines that are drawn over everything else.
 struct MarkActors {
@@ -65,7 +66,7 @@ struct Scene::Impl {
   SceneStyle style;
   double least_aspect = 0, aspect = 0;  // as in Viewpoint, and of the last picture
   int picture_height = 1;
-  int samples = 1;                   // each way, of the last picture
+  double samples = 1;                // each way, of the last picture
   int pointer_x = 0, pointer_y = 0;  // pixels of the view
   bool reset_pending = false;        // the fit needs the size of the next picture
 

@@ -12,6 +12,7 @@
 #include <iterator>
 
 #include "ui/panels/keys.hpp"
+#include "ui/window/quiet_context.hpp"
 
 namespace alphascope {
 namespace {
@@ -34,6 +35,7 @@ ImGuiFrame::ImGuiFrame(Host& host, Theme theme) : host_(host), theme_(theme) {
   io.LogFilename = nullptr;
   std::copy(std::begin(kKeys), std::end(kKeys), io.KeyMap);
   io.MousePos = {-FLT_MAX, -FLT_MAX};
+  in_software_ = draws_in_software();
   host_.start_imgui();
   ImGui_ImplOpenGL3_Init("#version 150");
   load(theme, host_.size().scale);
@@ -99,6 +101,10 @@ void ImGuiFrame::draw() {
   glClearColor(c.r, c.g, c.b, 1);
   glClear(GL_COLOR_BUFFER_BIT);
   ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+}
+
+void ImGuiFrame::end_undrawn() {
+  ImGui::EndFrame();
 }
 
 void ImGuiFrame::end() {

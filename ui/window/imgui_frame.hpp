@@ -35,9 +35,13 @@ class ImGuiFrame {
   bool begin(Theme theme, ScriptedInput* scripted);
   // Draws what was described since begin() and shows it.
   void end();
+  // Forgets what was described since begin(): what is on screen stays.
+  void end_undrawn();
 
   const PanelFonts& fonts() const { return fonts_; }
   float scale() const { return scale_; }
+  // Frames are work of the processor.
+  bool in_software() const { return in_software_; }
   // Framebuffer that holds the last frame until the next begin(); valid before the swap only for a
   // real window, so pictures are taken through `before_swap` of end().
   template <class Function>
@@ -58,6 +62,7 @@ class ImGuiFrame {
   Theme theme_;
   float scale_ = 0;
   unsigned framebuffer_ = 0;
+  bool in_software_ = false;
 };
 
 }  // namespace alphascope

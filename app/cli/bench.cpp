@@ -81,7 +81,7 @@ Row measure(const Input& input, const std::shared_ptr<const BallSet>& balls, con
 
 void print_header(const BenchOptions& options) {
   std::cout << "medians of " << options.runs << " runs, cold = new engine, warm = alpha moved by "
-            << number_text(kSliderStep) << " Å²; ratio = CGAL cold / ours cold"
+            << shortest_number(kSliderStep) << " Å²; ratio = CGAL cold / ours cold"
             << (options.request.tetrahedra_only ? "; tetrahedra only" : "") << "\n";
   std::cout << format_text("%-18s %9s %7s %7s %3s %10s %11s %11s %7s %11s %11s  %s\n", "file",
                            "balls", "alpha", "solvent", "thr", "tetrahedra", "cold ms", "CGAL cold",
@@ -94,10 +94,10 @@ void print_row(const Row& row) {
   std::cout << format_text(
                    "%-18s %9s %7s %7s %3d %10s %11.2f %11.2f %7.2f %11.2f %11.2f  %s, %s%s\n",
                    row.file.c_str(), grouped(row.balls).c_str(),
-                   number_text(row.request.alpha_angstrom2).c_str(),
-                   number_text(row.request.solvent_radius_angstrom).c_str(), row.request.threads,
-                   grouped(row.ours.tetrahedra).c_str(), cold, cgal, cgal / cold,
-                   median(row.ours.warm), median(row.cgal.warm),
+                   shortest_number(row.request.alpha_angstrom2).c_str(),
+                   shortest_number(row.request.solvent_radius_angstrom).c_str(),
+                   row.request.threads, grouped(row.ours.tetrahedra).c_str(), cold, cgal,
+                   cgal / cold, median(row.ours.warm), median(row.cgal.warm),
                    row.ours.complex.engine.name.c_str(), row.ours.complex.engine.route.c_str(),
                    row.same() ? "" : "  DIFFERS FROM CGAL")
             << std::flush;
@@ -110,8 +110,8 @@ CsvRow csv_row(const Row& row) {
   const Request& r = row.request;
   CsvRow csv{{"file", row.file},
              {"balls", std::to_string(row.balls)},
-             {"alpha_angstrom2", number_text(r.alpha_angstrom2)},
-             {"solvent_radius_angstrom", number_text(r.solvent_radius_angstrom)},
+             {"alpha_angstrom2", shortest_number(r.alpha_angstrom2)},
+             {"solvent_radius_angstrom", shortest_number(r.solvent_radius_angstrom)},
              {"tetrahedra_only", r.tetrahedra_only ? "1" : "0"},
              {"threads", std::to_string(r.threads)},
              {"tetrahedra", std::to_string(row.ours.tetrahedra)},

@@ -27,10 +27,10 @@ CsvRow csv_row(const Input& input, const EngineAnswer& result) {
   const AlphaComplex& complex = result.complex;
   CsvRow row{{"model", model_text(input.balls.model)},
              {"balls", std::to_string(input.prepared().balls->size())},
-             {"alpha_angstrom2", number_text(request.alpha_angstrom2)},
-             {"solvent_radius_angstrom", number_text(request.solvent_radius_angstrom)},
+             {"alpha_angstrom2", shortest_number(request.alpha_angstrom2)},
+             {"solvent_radius_angstrom", shortest_number(request.solvent_radius_angstrom)},
              {"solvent_rounding_angstrom",
-              number_text(solvent_rounding_angstrom(request, complex.lattice))},
+              shortest_number(solvent_rounding_angstrom(request, complex.lattice))},
              {"tetrahedra_only", complex.tetrahedra_only ? "1" : "0"},
              {"vertices", count_text(complex, complex.vertices)},
              {"edges", count_text(complex, complex.edges)},
@@ -53,8 +53,8 @@ CsvRow csv_row(const Input& input, const EngineAnswer& result) {
 }
 
 std::string request_text(const Request& request) {
-  return "alpha       " + number_text(request.alpha_angstrom2) + " Å², solvent radius " +
-         number_text(request.solvent_radius_angstrom) + " Å\n";
+  return "alpha       " + shortest_number(request.alpha_angstrom2) + " Å², solvent radius " +
+         shortest_number(request.solvent_radius_angstrom) + " Å\n";
 }
 
 // What --verbose adds to a result.

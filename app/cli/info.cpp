@@ -50,7 +50,7 @@ void print_guesses(std::vector<GuessedRadius> guesses) {
   });
   for (std::size_t i = 0; i < std::min(kShownGuesses, guesses.size()); ++i) {
     const GuessedRadius& guess = guesses[i];
-    std::cout << "  guessed   " << guess.atoms << ": " << number_text(guess.radius_angstrom)
+    std::cout << "  guessed   " << guess.atoms << ": " << shortest_number(guess.radius_angstrom)
               << " Å for " << grouped(guess.count) << (guess.count == 1 ? " atom" : " atoms")
               << " (" << guess.source << ")\n";
   }
@@ -77,7 +77,7 @@ void print_assemblies(const Molecule& molecule) {
 // An upper bound on the rounding with two digits, for people.
 std::string rounding_text(double angstrom) {
   const double unit = std::pow(10, std::floor(std::log10(angstrom)) - 1);
-  return number_text(std::ceil(angstrom / unit) / std::round(1 / unit));
+  return shortest_number(std::ceil(angstrom / unit) / std::round(1 / unit));
 }
 
 std::string lattice_rounding_text(const Molecule& molecule, const SelectionReport& report) {
@@ -108,7 +108,7 @@ void print(const Input& input) {
   if (!report.radii_citation.empty()) std::cout << ": " << report.radii_citation;
   std::cout << "\n";
   print_guesses(report.guessed);
-  std::cout << "lattice     " << number_text(balls.lattice.unit_angstrom()) << " Å; "
+  std::cout << "lattice     " << shortest_number(balls.lattice.unit_angstrom()) << " Å; "
             << lattice_rounding_text(molecule, report) << "\n";
   if (report.coincident_centres > 0) {
     std::cout << "coincident  " << grouped(report.coincident_centres)
@@ -118,8 +118,8 @@ void print(const Input& input) {
   std::int32_t LatticePoint::*axes[] = {&LatticePoint::x, &LatticePoint::y, &LatticePoint::z};
   for (int axis = 0; axis < 3; ++axis) {
     const Extent range = extent(balls, axes[axis]);
-    std::cout << names[axis] << "           " << number_text(range.min) << " to "
-              << number_text(range.max) << " Å\n";
+    std::cout << names[axis] << "           " << shortest_number(range.min) << " to "
+              << shortest_number(range.max) << " Å\n";
   }
   std::cout << "sha256      " << molecule.sha256 << "\n";
   std::cout << "opened in   " << milliseconds_text(input.open_milliseconds) << "\n";

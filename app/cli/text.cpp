@@ -3,13 +3,7 @@
 #include <cstdarg>
 #include <cstdio>
 
-#include "app/session/result_header.hpp"
-
 namespace alphascope::cli {
-
-std::string number_text(double number) {
-  return shortest_number(number);
-}
 
 std::string format_text(const char* format, ...) {
   std::va_list arguments, again;

@@ -8,10 +8,10 @@
 #include "core/complex/alpha_complex.hpp"
 #include "core/io/csv.hpp"
 #include "core/molecule/grouped_number.hpp"
+#include "core/molecule/shortest_number.hpp"
 
 namespace alphascope::cli {
 
-std::string number_text(double number);  // shortest: "1.4", "-0.5"
 std::string format_text(const char* format, ...) __attribute__((format(printf, 1, 2)));
 std::string milliseconds_text(double milliseconds);  // "0.42 ms", "1.53 s"
 

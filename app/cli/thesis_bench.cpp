@@ -103,7 +103,7 @@ void print_row(const ThesisRow& row) {
   std::cout << format_text(
                    "%-14s %8s %7s  %-18s %9s %9s %9s %9s %9s %9s %10s %10s %8s %10s %7s  %s\n",
                    row.molecule.c_str(), grouped(row.balls).c_str(),
-                   number_text(row.alpha_angstrom2).c_str(), engine_text(row).c_str(),
+                   shortest_number(row.alpha_angstrom2).c_str(), engine_text(row).c_str(),
                    column(row.stages.memcpy).c_str(), column(row.stages.kernel1).c_str(),
                    column(row.stages.prefix_sum).c_str(), column(row.stages.kernel2).c_str(),
                    column(row.stages.kernel3).c_str(), column(row.stages.other).c_str(),

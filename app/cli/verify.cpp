@@ -94,8 +94,8 @@ bool verify_one(const Input& input, const Request& request, const VerifyOptions&
   const EngineAnswer theirs = engines.cgal.compute(input.prepared().balls, cgal, context);
   const Comparison comparison = compare(mine.complex, theirs.complex);
   clear_progress();
-  out << "alpha " << number_text(request.alpha_angstrom2) << " Å², solvent radius "
-      << number_text(request.solvent_radius_angstrom) << " Å: " << verdict(comparison) << " ("
+  out << "alpha " << shortest_number(request.alpha_angstrom2) << " Å², solvent radius "
+      << shortest_number(request.solvent_radius_angstrom) << " Å: " << verdict(comparison) << " ("
       << mine.complex.engine.name << ", " << mine.complex.engine.route << "; hash "
       << hash_text(mine.complex.hash) << ")\n";
   const std::string rounding = rounding_note(request, mine.balls->lattice);

@@ -1,18 +1,13 @@
 #include "app/session/thesis_table.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <set>
 
+#include "core/molecule/shortest_number.hpp"
+
 namespace alphascope {
 namespace {
-
-std::string shortest(double number) {
-  char text[40];
-  const auto end = std::to_chars(text, text + sizeof text, number).ptr;
-  return {text, end};
-}
 
 double tenth_of_microsecond(double milliseconds) {
   return std::round(milliseconds * 1e4) / 1e4;
@@ -58,7 +53,7 @@ std::string stages_text(const std::vector<StageTime>& stages) {
   std::string text;
   for (const StageTime& s : stages) {
     text += (text.empty() ? "" : "; ") + s.label + " = " +
-            shortest(tenth_of_microsecond(s.milliseconds)) + " ms";
+            shortest_number(tenth_of_microsecond(s.milliseconds)) + " ms";
   }
   return text;
 }
@@ -141,7 +136,7 @@ struct ToText {
   std::string operator()(std::monostate) const { return {}; }
   std::string operator()(const std::string& s) const { return s; }
   std::string operator()(double number) const {
-    return std::isfinite(number) ? shortest(number) : "";
+    return std::isfinite(number) ? shortest_number(number) : "";
   }
   std::string operator()(std::uint64_t number) const { return std::to_string(number); }
   std::string operator()(bool yes) const { return yes ? "1" : "0"; }
@@ -183,9 +178,9 @@ std::string contestant_text(const ThesisRow& row) {
 
 std::string break_even_text(const BreakEven& found) {
   if (!found.alpha_angstrom2) return "none of those tried";
-  const std::string won = shortest(*found.alpha_angstrom2) + " Å²";
+  const std::string won = shortest_number(*found.alpha_angstrom2) + " Å²";
   if (found.beyond) return "≥ " + won;
-  return won + " (lost at " + shortest(*found.lost_at_angstrom2) + ")";
+  return won + " (lost at " + shortest_number(*found.lost_at_angstrom2) + ")";
 }
 
 }  // namespace alphascope

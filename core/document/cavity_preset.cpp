@@ -1,8 +1,8 @@
 // See the header.
 #include "core/document/cavity_preset.hpp"
 
-#include "core/document/number_input.hpp"
 #include "core/molecule/provenance.hpp"
+#include "core/molecule/shortest_number.hpp"
 
 namespace alphascope {
 
@@ -41,9 +41,9 @@ std::vector<std::string> differences_from_castp(const BallOptions& balls, RadiiS
   add(!balls.chains.empty() || !balls.without_chains.empty(), "not all chains");
   add(!balls.selection.empty(), "a selection of atoms");
   add(request.solvent_radius_angstrom != kCavitySolventAngstrom,
-      "solvent radius " + exact_text(request.solvent_radius_angstrom) + " Å instead of 1.4 Å");
+      "solvent radius " + shortest_number(request.solvent_radius_angstrom) + " Å instead of 1.4 Å");
   add(request.alpha_angstrom2 != 0,
-      "alpha " + exact_text(request.alpha_angstrom2) + " Å² instead of 0 Å²");
+      "alpha " + shortest_number(request.alpha_angstrom2) + " Å² instead of 0 Å²");
   return differences;
 }
 

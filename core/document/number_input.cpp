@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/chart/readable_number.hpp"
+#include "core/molecule/shortest_number.hpp"
 
 namespace alphascope {
 namespace {
@@ -82,8 +83,9 @@ std::string with_unit(const std::string& number, const NumberRule& rule) {
 }
 
 std::string range_text(const NumberRule& rule) {
-  return std::string(rule.name) + " must lie between " + readable_number(exact_text(rule.least)) +
-         " and " + with_unit(readable_number(exact_text(rule.most)), rule);
+  return std::string(rule.name) + " must lie between " +
+         readable_number(shortest_number(rule.least)) + " and " +
+         with_unit(readable_number(shortest_number(rule.most)), rule);
 }
 
 std::string syntax_error(const std::string& typed, const NumberRule& rule) {
@@ -117,12 +119,6 @@ NumberInput read_number(const std::string& typed, const NumberRule& rule) {
     return {{}, "“" + typed + "” is not a whole number. Write digits only, such as 20."};
   }
   return {*value == 0 ? 0 : *value, {}};  // no minus zero
-}
-
-std::string exact_text(double value) {
-  char text[32];
-  const auto result = std::to_chars(text, text + sizeof text, value);
-  return {text, result.ptr};
 }
 
 }  // namespace alphascope

@@ -34,7 +34,4 @@ struct NumberInput {
 // was typed is dropped.
 NumberInput read_number(const std::string& text, const NumberRule& rule);
 
-// As few digits as give the same number when read again: "1.4", "1e+24".
-std::string exact_text(double value);
-
 }  // namespace alphascope

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <utility>
 
+#include "core/molecule/shortest_number.hpp"
+
 namespace alphascope {
 namespace {
 
@@ -58,7 +60,7 @@ bool type(PanelContext& ctx, const char* name, const std::string& shown, std::st
 
 bool number_field(PanelContext& ctx, const char* name, double& value, const NumberRule& rule) {
   NumberTyping& typing = ctx.state.memory.number;
-  const std::string shown = exact_text(value);
+  const std::string shown = shortest_number(value);
   std::string text;
   const bool over = type(ctx, name, shown, text);
   if (typing.name != name) return false;
@@ -90,7 +92,7 @@ bool typed_instead(PanelContext& ctx, const char* name, double& value, const Num
   const ImVec2 end{corner.x + ImGui::CalcItemWidth(), corner.y + ImGui::GetFrameHeight()};
   if (ImGui::GetIO().KeyCtrl && ImGui::IsMouseClicked(0) && ImGui::IsWindowHovered() &&
       ImGui::IsMouseHoveringRect(corner, end) && typing.name != name) {
-    typing = {name, exact_text(value), {}, true};
+    typing = {name, shortest_number(value), {}, true};
   }
   if (typing.name != name) return false;
   changed = number_field(ctx, name, value, rule);

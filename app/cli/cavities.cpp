@@ -74,7 +74,7 @@ ExitCode run_cavities(const CavitiesOptions& options) {
     if (!command.csv.wanted()) return;
     for (std::size_t n = 0; n < all.answers().size(); ++n) {
       for (const std::size_t row : all.answers()[n].rows) {
-        command.csv.add(csv_row(all.answers()[n], row, all.first_id(n, row)));
+        command.csv.add(cavity_csv(all.answers()[n], row, all.first_id(n, row)));
       }
     }
   });

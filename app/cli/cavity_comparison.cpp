@@ -21,7 +21,7 @@ std::vector<std::size_t> rows_of(const CavityTable& table) {
 }
 
 double volume(const CavityAnswer& answer, std::size_t row) {
-  return answer.table.measure(row).volume_sa_angstrom3;
+  return answer.table().measure(row).volume_sa_angstrom3;
 }
 
 }  // namespace
@@ -29,11 +29,11 @@ double volume(const CavityAnswer& answer, std::size_t row) {
 CavityComparison::Match CavityComparison::match(const CavityAnswer& first,
                                                 const CavityAnswer& other,
                                                 const CancelToken& cancel) {
-  const CavityMatch found = match_cavities(first.table, other.table, cancel);
-  const std::vector<std::size_t> rows = rows_of(other.table), first_rows = rows_of(first.table);
+  const CavityMatch found = match_cavities(first.table(), other.table(), cancel);
+  const std::vector<std::size_t> rows = rows_of(other.table()), first_rows = rows_of(first.table());
   Match match;
-  for (std::size_t row = 0; row < first.table.size(); ++row) {
-    const std::uint32_t earlier = first.table.order[row];
+  for (std::size_t row = 0; row < first.table().size(); ++row) {
+    const std::uint32_t earlier = first.table().order[row];
     const std::uint32_t later = found.goes_to[earlier];
     Counterpart counterpart;
     if (later != CavityMatch::kNone) {
@@ -43,8 +43,8 @@ CavityComparison::Match CavityComparison::match(const CavityAnswer& first,
     }
     match.of_first.push_back(counterpart);
   }
-  for (std::size_t row = 0; row < other.table.size(); ++row) {
-    const std::uint32_t later = other.table.order[row];
+  for (std::size_t row = 0; row < other.table().size(); ++row) {
+    const std::uint32_t later = other.table().order[row];
     match.first_ids.push_back(found.is_same(later) ? first_rows[found.came_from[later]] + 1 : 0);
   }
   return match;
@@ -84,7 +84,7 @@ std::optional<double> CavityComparison::spread_percent(std::size_t first_row) co
 
 std::string variant_text(const CavityAnswer& answer) {
   return std::string(radii_set_info(answer.input.prepared().report.radii).id) + " " +
-         number_text(answer.request.solvent_radius_angstrom);
+         shortest_number(answer.request.solvent_radius_angstrom);
 }
 
 namespace {
@@ -122,12 +122,12 @@ void print_variants(const CavityComparison& comparison) {
   std::cout << columns.heading();
   for (std::size_t n = 0; n < comparison.answers().size(); ++n) {
     const CavityAnswer& answer = comparison.answers()[n];
-    const CavityTable& table = answer.table;
-    std::cout << columns.line({variant_text(answer), std::to_string(table.voids),
-                               std::to_string(table.pockets), std::to_string(table.mouths),
-                               format_text("%.3f", table.volume_sa_angstrom3(true)),
-                               format_text("%.3f", table.volume_sa_angstrom3(false)),
-                               std::to_string(new_ones(comparison, n)), comparable_text(answer)});
+    const CavityTable& table = answer.table();
+    std::cout << columns.line(
+        {variant_text(answer), std::to_string(table.voids), std::to_string(table.pockets),
+         std::to_string(table.mouths), format_text("%.3f", table.volume_sa_angstrom3(true)),
+         format_text("%.3f", table.volume_sa_angstrom3(false)),
+         std::to_string(new_ones(comparison, n)), comparable_text(answer.differences)});
   }
 }
 
@@ -136,7 +136,7 @@ void print_variants(const CavityComparison& comparison) {
 void print_comparison(const CavityComparison& comparison, const CavitiesOptions& options) {
   const CavityAnswer& first = comparison.answers().front();
   std::cout << input_text(first.input) << "sha256      " << first.input.molecule().sha256 << "\n"
-            << "alpha       " << number_text(first.request.alpha_angstrom2) << " Å²\n";
+            << "alpha       " << shortest_number(first.request.alpha_angstrom2) << " Å²\n";
   print_variants(comparison);
   const std::size_t shown = std::min(first.rows.size(), static_cast<std::size_t>(options.shown));
   if (shown > 0) {
@@ -156,7 +156,7 @@ void print_comparison(const CavityComparison& comparison, const CavitiesOptions&
       }
       const std::optional<double> spread = comparison.spread_percent(row);
       cells.push_back(spread ? format_text("%.0f %%", *spread) : "");
-      cells.push_back(cavity_name(first.atoms, first.table, row));
+      cells.push_back(first.name(row));
       std::cout << columns.line(cells);
     }
   }
@@ -191,7 +191,7 @@ Json comparison_json(const CavityComparison& comparison, const CavitiesOptions& 
     }
     const std::optional<double> spread = comparison.spread_percent(row);
     side_by_side.push_back({{"id", row + 1},
-                            {"name", cavity_name(first.atoms, first.table, row)},
+                            {"name", first.name(row)},
                             {"spread_percent", spread ? Json(*spread) : Json()},
                             {"in", in}});
   }

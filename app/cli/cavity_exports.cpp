@@ -65,7 +65,7 @@ void CavityExports::write(const CavityAnswer& answer, const RunContext& context)
 }
 
 void CavityExports::write_spheres(const CavityAnswer& answer, const CancelToken& cancel) {
-  const CavityTable& table = answer.table;
+  const CavityTable& table = answer.table();
   std::vector<CavitySpheres> all;
   if (!answer.rows.empty()) {
     const Clearance clearance(*answer.input.prepared().balls);
@@ -74,20 +74,20 @@ void CavityExports::write_spheres(const CavityAnswer& answer, const CancelToken&
                                               kMostFillingSpheres, cancel)});
     }
   }
-  write_spheres_pqr(all, cavity_header(answer), table.ground->balls->lattice.digits, *spheres_);
+  write_spheres_pqr(all, noted_header(answer), table.ground->balls->lattice.digits, *spheres_);
 }
 
 void CavityExports::write_surface(const CavityAnswer& answer) {
   std::vector<Mesh> meshes;
   for (const std::size_t row : answer.rows) {
     CavityMesh mesh =
-        cavity_mesh(*answer.table.ground, answer.table.found, answer.table.order[row]);
-    meshes.push_back({"cavity " + std::to_string(row + 1) + " (" + answer.kind(row) + ") " +
-                          cavity_name(answer.atoms, answer.table, row),
-                      std::move(mesh.points), std::move(mesh.triangles), colour_of(row)});
+        cavity_mesh(*answer.table().ground, answer.table().found, answer.table().order[row]);
+    meshes.push_back(
+        {"cavity " + std::to_string(row + 1) + " (" + answer.kind(row) + ") " + answer.name(row),
+         std::move(mesh.points), std::move(mesh.triangles), colour_of(row)});
   }
   const auto write = ends(options_.surface, ".ply") ? write_ply : write_glb;
-  write(meshes, cavity_header(answer), *surface_);
+  write(meshes, noted_header(answer), *surface_);
 }
 
 void CavityExports::write_script(const CavityAnswer& answer) {
@@ -101,11 +101,11 @@ void CavityExports::write_script(const CavityAnswer& answer) {
                       named(options_.spheres),
                       ends(options_.surface, ".glb") ? named(options_.surface) : fs::path(),
                       {},
-                      cavity_header(answer)};
+                      noted_header(answer)};
   const auto& atom_of_ball = answer.input.prepared().atom_of_ball;
   for (const std::size_t row : answer.rows) {
     ScriptCavity cavity{row + 1, colour_of(row), {}};
-    for (const BallIndex ball : answer.table.measure(row).lining) {
+    for (const BallIndex ball : answer.table().measure(row).lining) {
       cavity.lining.push_back(atom_of_ball[ball]);
     }
     script.cavities.push_back(std::move(cavity));

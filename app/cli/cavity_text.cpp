@@ -37,17 +37,17 @@ Table cavity_columns() {
 }
 
 std::string line(const Table& columns, const CavityAnswer& answer, std::size_t row) {
-  const CavityMeasures& m = answer.table.measure(row);
+  const CavityMeasures& m = answer.table().measure(row);
   const auto number = [](double value) { return format_text("%.3f", value); };
   const std::string held = answer.contents_text(row);
-  return columns.line(
-      {std::to_string(row + 1), answer.kind(row), number(m.volume_sa_angstrom3),
-       number(m.area_sa_angstrom2), number(answer.clipped(row).volume_sa_angstrom3),
-       answer.is_doubtful(row) ? "*" : "", std::to_string(answer.clipped_rank[row]),
-       number(m.volume_ms_angstrom3), number(m.area_ms_angstrom2), std::to_string(m.mouths.size()),
-       number(m.all_mouths().area_angstrom2), format_text("%.1f", answer.depth_angstrom[row]),
-       std::to_string(lining_counts(answer.atoms, answer.table, row).residues),
-       cavity_name(answer.atoms, answer.table, row) + (held.empty() ? "" : "  holds " + held)});
+  return columns.line({std::to_string(row + 1), answer.kind(row), number(m.volume_sa_angstrom3),
+                       number(m.area_sa_angstrom2), number(answer.clipped(row).volume_sa_angstrom3),
+                       answer.is_doubtful(row) ? "*" : "", std::to_string(answer.clipped_rank[row]),
+                       number(m.volume_ms_angstrom3), number(m.area_ms_angstrom2),
+                       std::to_string(m.mouths.size()), number(m.all_mouths().area_angstrom2),
+                       format_text("%.1f", answer.depths->of_angstrom[row]),
+                       std::to_string(lining_counts(*answer.atoms, answer.table(), row).residues),
+                       answer.name(row) + (held.empty() ? "" : "  holds " + held)});
 }
 
 void print_rows(const CavityAnswer& answer, std::size_t shown) {
@@ -73,10 +73,10 @@ void print_rows(const CavityAnswer& answer, std::size_t shown) {
 void print_cavities(const CavityAnswer& answer, const CavitiesOptions& options) {
   const Request& request = answer.request;
   std::cout << input_text(answer.input) << "sha256      " << answer.input.molecule().sha256 << "\n"
-            << "alpha       " << number_text(request.alpha_angstrom2) << " Å², solvent radius "
-            << number_text(request.solvent_radius_angstrom) << " Å\n"
-            << "choices     " << comparable_text(answer) << "\n"
-            << totals_text(answer.table);
+            << "alpha       " << shortest_number(request.alpha_angstrom2) << " Å², solvent radius "
+            << shortest_number(request.solvent_radius_angstrom) << " Å\n"
+            << "choices     " << comparable_text(answer.differences) << "\n"
+            << totals_text(answer.table());
   if (verbosity() != Verbosity::quiet) {
     for (const std::string& note : notes_of(answer, options))
       std::cout << "note        " << note << "\n";

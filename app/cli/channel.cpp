@@ -9,7 +9,8 @@
 #include "app/cli/result_files.hpp"
 #include "app/cli/terminal.hpp"
 #include "app/cli/text.hpp"
-#include "core/document/channel_results.hpp"
+#include "core/document/channel_json.hpp"
+#include "core/document/channel_records.hpp"
 #include "core/document/channel_texts.hpp"
 #include "core/run/work_threads.hpp"
 #include "core/triangulation/cgal_triangulation.hpp"
@@ -124,62 +125,20 @@ void print(const Input& input, const Answer& answer) {
   std::cout << std::flush;
 }
 
-CsvRow csv_row(const Input& input, const ChannelSample& sample) {
-  CsvRow row{{"along_angstrom", all_digits(sample.along_angstrom)},
-             {"radius_angstrom", all_digits(sample.radius_angstrom)},
-             {"x_angstrom", all_digits(sample.position_angstrom.x)},
-             {"y_angstrom", all_digits(sample.position_angstrom.y)},
-             {"z_angstrom", all_digits(sample.position_angstrom.z)}};
-  for (auto& entry : input.provenance()) row.push_back(std::move(entry));
-  row.emplace_back("program", program_text());
-  return row;
-}
-
-Json point_json(const RealPoint& p) {
-  return {p.x, p.y, p.z};
-}
-
 Json result_json(const Input& input, const ChannelOptions& options, const Answer& answer) {
-  const Channel& channel = answer.channel;
-  const BallReferences atoms = atoms_of(input);
-  Json touching = Json::array(), samples = Json::array();
-  for (const BallIndex ball : channel.touching) {
-    touching.push_back({{"ball", ball}, {"atom", atom_text(atoms, ball)}});
-  }
-  for (const ChannelSample& sample : channel.samples) {
-    samples.push_back({{"along_angstrom", sample.along_angstrom},
-                       {"radius_angstrom", sample.radius_angstrom},
-                       {"position_angstrom", point_json(sample.position_angstrom)}});
-  }
-  Json request{{"point_angstrom", point_json(answer.ends.from)}};
+  Json json = channel_json(atoms_of(input), answer.channel);
+  json["timings_ms"] = {{"wall", answer.milliseconds},
+                        {"device", answer.device},
+                        {"triangulations", answer.channel.triangulations}};
+  Json& request = json["request"] = channel_request_json(answer.ends);
   if (options.cavity > 0) {
     request["cavity"] = options.cavity;
     request["mouths"] = options.mouths;
     request["solvent_radius_angstrom"] = options.solvent_radius_angstrom;
   }
-  if (answer.ends.kind == ChannelEnds::Kind::between) {
-    request["to_angstrom"] = point_json(answer.ends.to);
-  }
-  if (!options.along.empty()) request["along"] = options.along;
-  request["end_radius_angstrom"] = options.end_radius_angstrom;
-  return {{"widest_angstrom", channel.widest_angstrom},
-          {"step_angstrom", channel.step_angstrom},
-          {"open", channel.is_open()},
-          {"limit", channel_limit_id(channel.limit)},
-          {"bottleneck",
-           {{"position_angstrom", point_json(channel.narrowest().position_angstrom)},
-            {"radius_angstrom", channel.narrowest().radius_angstrom},
-            {"along_angstrom", channel.narrowest().along_angstrom},
-            {"touching", touching}}},
-          {"length_angstrom", channel.length_angstrom},
-          {"samples", samples},
-          {"timings_ms",
-           {{"wall", answer.milliseconds},
-            {"device", answer.device},
-            {"triangulations", channel.triangulations}}},
-          {"request", request},
-          {"input", input_json(input)},
-          {"program", program_json()}};
+  json["input"] = input_json(input);
+  json["program"] = program_json();
+  return json;
 }
 
 }  // namespace
@@ -200,8 +159,10 @@ ExitCode run_channel(const ChannelOptions& options) {
     const Answer answer = find(input, options, context);
     clear_progress();
     if (shown) print(input, answer);
+    const RecordSource source = source_of(input);
+    const Provenance provenance = source.provenance();
     for (const ChannelSample& sample : answer.channel.samples) {
-      if (csv.wanted()) csv.add(csv_row(input, sample));
+      if (csv.wanted()) csv.add(channel_csv_row(sample, source, provenance));
     }
     if (json.wanted()) json.add(result_json(input, options, answer));
   });

@@ -1,27 +1,18 @@
 // See the header.
 #include "app/session/result_header.hpp"
 
-#include <charconv>
-#include <cmath>
-
 #include "app/session/rounding_note.hpp"
 #include "app/session/version.hpp"
+#include "core/molecule/shortest_number.hpp"
 
 namespace alphascope {
 
-std::string shortest_number(double number) {
-  char buffer[48];
-  const double size = std::fabs(number);
-  // "0.0001" rather than "1e-04"; the exponent only where it saves reading.
-  const bool plain = size == 0 || (size >= 1e-6 && size < 1e15);
-  char* const end = buffer + sizeof buffer;
-  return {buffer, plain ? std::to_chars(buffer, end, number, std::chars_format::fixed).ptr
-                        : std::to_chars(buffer, end, number).ptr};
+ProgramName program_named(std::string_view program) {
+  return {std::string(program), std::string(program_version()), std::string(program_commit())};
 }
 
 std::string program_text(std::string_view program) {
-  return std::string(program) + " " + std::string(program_version()) + " (" +
-         std::string(program_commit()) + ")";
+  return program_named(program).text();
 }
 
 ComplexHeader result_header(std::string_view program, const Provenance& balls,

@@ -5,14 +5,13 @@
 #include <string_view>
 
 #include "core/document/answer.hpp"
+#include "core/document/record_source.hpp"
 #include "core/io/write_complex.hpp"
 #include "core/molecule/provenance.hpp"
 
 namespace alphascope {
 
-// Shortest that reads back as the same number: "1.4", "-0.5", "0.0001".
-std::string shortest_number(double number);
-
+ProgramName program_named(std::string_view program);
 // "alphascope-cli 0.1.0 (0123456789ab)".
 std::string program_text(std::string_view program);
 

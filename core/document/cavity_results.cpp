@@ -59,18 +59,17 @@ std::shared_ptr<const CavityLines> make_lines(const Inputs& in, const CavityNumb
   return lines;
 }
 
-std::shared_ptr<const CavityDepths> make_depths(const Inputs& in, const RunContext& context) {
-  const CavityTable& table = in.of(cavity_table());
-  auto depths = std::make_shared<CavityDepths>();
+}  // namespace
+
+CavityDepths make_cavity_depths(const CavityTable& table, const RunContext& context) {
+  CavityDepths depths;
   for (std::size_t row = 0; row < table.size(); ++row) {
     context.report("depths", static_cast<double>(row) / static_cast<double>(table.size()));
-    depths->of_angstrom.push_back(depth_angstrom(*table.ground, table.cavity(row),
-                                                 table.measure(row).lining, context.cancel));
+    depths.of_angstrom.push_back(depth_angstrom(*table.ground, table.cavity(row),
+                                                table.measure(row).lining, context.cancel));
   }
   return depths;
 }
-
-}  // namespace
 
 const Definition<CavityGround>& cavity_ground() {
   static const Definition<CavityGround> definition{
@@ -158,7 +157,10 @@ const Definition<CavityDepths>& cavity_depths() {
        .key = key_of_balls_and_alpha,
        .memory =
            [](const Inputs& in) { return row_memory(in.of(cavity_table()), sizeof(double)); }},
-      make_depths};
+      [](const Inputs& in, const RunContext& context) {
+        return std::make_shared<const CavityDepths>(
+            make_cavity_depths(in.of(cavity_table()), context));
+      }};
   return definition;
 }
 

@@ -50,6 +50,7 @@ Definition<CavityLines> cavity_lines(std::shared_ptr<const CavityNumbers> before
 struct CavityDepths {
   std::vector<double> of_angstrom;  // rows of the table; 0 of a void
 };
+CavityDepths make_cavity_depths(const CavityTable& table, const RunContext& context = {});
 const Definition<CavityDepths>& cavity_depths();
 
 // From which alpha to which each cavity is there: once for a set of balls.

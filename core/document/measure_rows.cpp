@@ -5,11 +5,8 @@
 #include <cmath>
 #include <functional>
 
-#include "core/document/measure_names.hpp"
-#include "core/io/csv.hpp"
 #include "core/molecule/atom_address.hpp"
 #include "core/molecule/atom_groups.hpp"
-#include "core/molecule/provenance.hpp"
 
 namespace alphascope {
 namespace {
@@ -102,29 +99,6 @@ std::uint64_t number_of(const MeasureQuery& query) {
                            std::to_string(static_cast<int>(query.column)) + ' ' +
                            (query.descending ? 'd' : '-') + (query.derivatives ? 'c' : '-');
   return std::hash<std::string>()(text) | 1;
-}
-
-std::string csv_of(const MeasureRows& rows, const MeasuredComplex& measured, const Answer& answer) {
-  std::string text;
-  for (const MeasureRow& row : rows.rows) {
-    CsvRow cells{{"group", row.name}, {"atoms", std::to_string(row.atoms)}};
-    for (const auto& [name, value] : measure_values(rows, row)) {
-      cells.emplace_back(name, all_digits(value));
-    }
-    const std::pair<std::string, std::string> more[] = {
-        {"surface", surface_name(answer.request)},
-        {"measured_by", measured.by->device},
-        {"alpha_angstrom2", all_digits(answer.request.alpha_angstrom2)},
-        {"solvent_radius_angstrom", all_digits(answer.request.solvent_radius_angstrom)},
-        {"hash", hash_text(answer.complex.hash)},
-        {"file", answer.molecule->source.filename().string()},
-        {"sha256", answer.molecule->sha256},
-        {"selection", summary(answer.prepared->report)}};
-    cells.insert(cells.end(), std::begin(more), std::end(more));
-    if (text.empty()) text = csv_names(cells);
-    text += csv_values(cells);
-  }
-  return text;
 }
 
 }  // namespace
@@ -233,25 +207,6 @@ Definition<MeasureRows> measure_rows(const MeasureQuery& query,
             return std::make_shared<const MeasureRows>(
                 make_measure_rows(query, *molecule, prepared->atom_of_ball, in.of(union_measures()),
                                   changes ? in.share(union_derivatives()) : nullptr, context));
-          }};
-}
-
-Definition<std::string> measure_csv(const MeasureQuery& query,
-                                    const std::shared_ptr<const Answer>& answer) {
-  const auto rows = measure_rows(query, answer);
-  AnyDefinition about = rows;
-  about.id = "measures.csv";
-  about.title = "Areas and volumes as CSV";
-  about.lane = Lane::background;
-  about.keep_stale = false;
-  about.memory = [](const Inputs& in) {
-    const std::uint64_t bytes = 500 * in.balls->size();
-    return MemoryNeed{bytes, bytes};
-  };
-  return {about, [make = rows.make, answer](const Inputs& in, const RunContext& context) {
-            const auto table = std::static_pointer_cast<const MeasureRows>(make(in, context));
-            return std::make_shared<const std::string>(
-                csv_of(*table, in.of(union_measures()), *answer));
           }};
 }
 

@@ -75,8 +75,5 @@ std::vector<std::pair<std::string, double>> measure_values(const MeasureRows& ro
 // Of the complex that an answer has, while it is the one on screen.
 Definition<MeasureRows> measure_rows(const MeasureQuery& query,
                                      const std::shared_ptr<const Answer>& answer);
-// Those rows as CSV, each with where it comes from.
-Definition<std::string> measure_csv(const MeasureQuery& query,
-                                    const std::shared_ptr<const Answer>& answer);
 
 }  // namespace alphascope

@@ -26,12 +26,12 @@ struct MeasureRowsTest : testing::StoreTest {
     BallOptions options;
     options.radii = RadiiSet::bondi;  // C 1.70
     auto prepared = std::make_shared<const PreparedBalls>(prepare_balls(*molecule, options));
-    auto made = std::make_shared<Answer>();
-    made->balls = prepared->balls;
-    made->complex = make_cpu_engine(made->balls)->compute({0}, {});
-    made->molecule = molecule;
-    made->prepared = prepared;
-    answer = made;
+    auto computed = std::make_shared<Answer>();
+    computed->balls = prepared->balls;
+    computed->complex = make_cpu_engine(computed->balls)->compute({0}, {});
+    computed->molecule = molecule;
+    computed->prepared = prepared;
+    answer = computed;
     in.balls = answer->balls;
     in.balls_key = 1;
     in.complex = {answer, &answer->complex};
@@ -99,10 +99,15 @@ TEST_F(MeasureRowsTest, DerivativesOfAtomsWhenAsked) {
 }
 
 TEST_F(MeasureRowsTest, CsvSaysWhereItComesFrom) {
-  const auto csv = settle(measure_csv({.per = MeasuredPer::chain}, answer), in);
+  const RecordSource source{answer->molecule, answer->prepared, {}, {"prog", "1.2", "abc"}};
+  const auto csv = settle(measure_csv({.per = MeasuredPer::chain}, source, answer), in);
   ASSERT_TRUE(csv.ready()) << csv.why;
-  EXPECT_EQ(csv.value->find("group,atoms,area_angstrom2,volume_angstrom3,exposed_share"), 0u);
-  EXPECT_NE(csv.value->find("\nA,2,"), std::string::npos) << *csv.value;
+  EXPECT_EQ(csv.value->find("model,group,atoms,area_angstrom2,volume_angstrom3,exposed_share"), 0u);
+  EXPECT_NE(csv.value->find("\n1,A,2,"), std::string::npos) << *csv.value;
+  EXPECT_NE(csv.value->find("prog 1.2 (abc)\n"), std::string::npos) << *csv.value;
+  const auto json = settle(measure_json({.per = MeasuredPer::chain}, source, answer), in);
+  ASSERT_TRUE(json.ready()) << json.why;
+  EXPECT_NE(json.value->find("\"chains\": ["), std::string::npos) << *json.value;
   EXPECT_NE(csv.value->find("van der Waals surface"), std::string::npos);
   EXPECT_NE(csv.value->find(hash_text(answer->complex.hash)), std::string::npos);
 }

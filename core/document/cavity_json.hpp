@@ -1,0 +1,12 @@
+// Cavities as JSON (docs/output-files.md).
+#pragma once
+
+#include "core/document/cavity_records.hpp"
+#include "core/document/record_json.hpp"
+
+namespace alphascope {
+
+// Keys comparable_with_castp, differences_from_castp, counts, cavities, request, input.
+Json cavities_json(const CavityFacts& facts);
+
+}  // namespace alphascope

@@ -1,0 +1,61 @@
+// The cavities of one table as programs read them (docs/output-files.md): what the command line and
+// the window write of them.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/document/cavity_contents.hpp"
+#include "core/document/cavity_names.hpp"
+#include "core/document/cavity_results.hpp"
+#include "core/document/record_source.hpp"
+#include "core/document/request.hpp"
+#include "core/io/csv.hpp"
+
+namespace alphascope {
+
+// All that is reported of them; by row of the table where nothing else is said. Nothing is null.
+struct CavityFacts {
+  RecordSource source;
+  Request request;
+  std::shared_ptr<const BallReferences> atoms;
+  std::shared_ptr<const CavityTable> all;
+  std::shared_ptr<const ExactVolumes> exact;
+  std::shared_ptr<const CavityDepths> depths;
+  std::shared_ptr<const CavityLives> lives;  // of no cavity: empty
+  std::shared_ptr<const CavityContents> contents;
+  std::vector<std::string> differences;   // from what CASTp takes
+  std::vector<std::size_t> clipped_rank;  // 1: the largest clipped volume
+  std::vector<std::size_t> rows;          // those to report
+
+  const CavityTable& table() const { return *all; }
+  const ClippedMeasures& clipped(std::size_t row) const { return exact->of[table().order[row]]; }
+  bool is_doubtful(std::size_t row) const;
+  const char* kind(std::size_t row) const {
+    return table().cavity(row).is_void() ? "void" : "pocket";
+  }
+  std::string name(std::size_t row) const { return cavity_name(*atoms, table(), row); }
+  // "A:HEM 142 (41 of 43 atoms)"; "" when it holds nothing.
+  std::string contents_text(std::size_t row) const;
+  // Å²; the solvent radius stays.
+  struct Life {
+    double born, closed, gone;
+    bool closes;  // it is a void from `closed` on
+  };
+  Life life(std::size_t row) const;
+};
+
+// 1 for the largest, by row; of equal ones the first.
+std::vector<std::size_t> ranks_by_clipped(const CavityTable& table, const ExactVolumes& exact);
+
+std::string comparable_text(const std::vector<std::string>& differences_from_castp);
+
+// `first_id`: the id of the cavity of the first radii and solvent radius that it is; 0 for none.
+CsvRow cavity_csv(const CavityFacts& facts, std::size_t row, std::size_t first_id);
+
+// Where it comes from and what was asked, for whatever else is written of it, without notes.
+std::vector<std::pair<std::string, std::string>> cavity_header(const CavityFacts& facts);
+
+}  // namespace alphascope

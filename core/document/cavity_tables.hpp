@@ -1,0 +1,20 @@
+// The table of cavities on screen as a text that is written to a file: the same as the command
+// line's.
+#pragma once
+
+#include "core/document/cavity_records.hpp"
+
+namespace alphascope {
+
+// Which rows are written: in the order of the table, whatever they are sorted by on screen.
+struct CavityRowsWanted {
+  bool voids = true, pockets = true;
+  std::optional<double> least_volume_sa_angstrom3;
+  friend bool operator==(const CavityRowsWanted&, const CavityRowsWanted&) = default;
+};
+
+// Not without Inputs::atoms, which are those of `source`.
+Definition<std::string> cavities_as_csv(const CavityRowsWanted& rows, const RecordSource& source);
+Definition<std::string> cavities_as_json(const CavityRowsWanted& rows, const RecordSource& source);
+
+}  // namespace alphascope

@@ -1,0 +1,21 @@
+// A channel as programs read it (docs/output-files.md): what the command line and the window write
+// of it.
+#pragma once
+
+#include "core/document/channel_results.hpp"
+#include "core/document/record_source.hpp"
+#include "core/io/csv.hpp"
+
+namespace alphascope {
+
+CsvRow channel_csv_row(const ChannelSample& sample, const RecordSource& source,
+                       const Provenance& provenance);
+
+// The samples as CSV, and all of it as JSON, each with where it comes from. `found` has a channel.
+Definition<std::string> channel_csv(const std::shared_ptr<const FoundChannel>& found,
+                                    const RecordSource& source);
+Definition<std::string> channel_as_json(const std::shared_ptr<const FoundChannel>& found,
+                                        const RecordSource& source);
+std::string channel_csv_text(const Channel& channel, const RecordSource& source);
+
+}  // namespace alphascope

@@ -132,8 +132,9 @@ std::string chimerax_script(const ViewerScript& script) {
             " stick\ncolor " + name + " " + hex(cavity.colour, "#") + "\n";
   }
   if (!script.spheres.empty()) {
+    // Its format "pdb" is that of PQR files, too; there is no other of that name.
     text += "open " + chimerax_name(script.spheres) +
-            " format pqr id 2\nstyle #2 sphere\nshow #2 atoms\ntransparency #2 50 target a\n";
+            " format pdb id 2\nstyle #2 sphere\nshow #2 atoms\ntransparency #2 50 target a\n";
     for (const ScriptCavity& cavity : script.cavities) {
       text += "color #2:" + std::to_string(cavity.number) + " " + hex(cavity.colour, "#") + "\n";
     }

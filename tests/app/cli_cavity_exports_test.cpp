@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <regex>
 #include <set>
 
 #include "core/io/read_molecule.hpp"
@@ -153,7 +154,7 @@ TEST_F(CliCavityExports, ScriptsNameTheLiningOfEachCavity) {
   const auto by_serial = residues_by_serial(contents(file));
   const std::string pml = contents(folder_ / "show.pml"), cxc = contents(folder_ / "show.cxc");
   ASSERT_GT(listed["cavities"].size(), 5u);
-  EXPECT_TRUE(contains(cxc, "open '" + path("s p.pqr") + "' format pqr")) << cxc;
+  EXPECT_TRUE(contains(cxc, "open '" + path("s p.pqr") + "' format pdb id 2\n")) << cxc;
   for (const json& cavity : listed["cavities"]) {
     const std::string number = std::to_string(cavity["id"].get<int>());
     std::set<std::string> in_pymol, in_chimerax;
@@ -179,6 +180,47 @@ TEST_F(CliCavityExports, ScriptsNameTheLiningOfEachCavity) {
       }
     }
     EXPECT_EQ(in_chimerax, residues_of(cavity));
+  }
+}
+
+// Each command with its options as the users' guides of both programs have them. ChimeraX has no
+// format "pqr": its PDB reader reads those files (user/commands/open.html). PyMOL 2.5 was seen to
+// run such a script.
+TEST_F(CliCavityExports, ScriptsHaveOnlyCommandsThatTheProgramsKnow) {
+  const std::string file(kHaemoglobin);
+  for (const char* script : {"show.cxc", "show.pml"}) {
+    ASSERT_EQ(run("cavities -q " + file + " --min-volume 20 --script '" + path(script) +
+                  "' --spheres '" + path("s.pqr") + "' --surface '" + path("s.glb") + "'")
+                  .code,
+              0);
+  }
+  const std::string spec = R"(#\d(:\d+)?|cavity\d+)", name = "'[^']+'";
+  const std::regex chimerax("#.*|open " + name + "( format pdb)? id [123]|hide #1 atoms|" +
+                            "cartoon #1|color (" + spec + ") #[0-9a-f]{6}|show (" + spec +
+                            ") atoms|style (" + spec + ") (stick|sphere)|" +
+                            "transparency #2 50 target a|view");
+  const std::regex lining(R"(name cavity\d+ #1/[A-Z]:-?\d+@.*)");
+  std::istringstream lines(contents(folder_ / "show.cxc"));
+  std::set<std::string> seen;
+  for (std::string line; std::getline(lines, line);) {
+    // A line of atoms is long, and std::regex recurses.
+    EXPECT_TRUE(line.starts_with("name ") ? std::regex_match(line.substr(0, 60), lining)
+                                          : std::regex_match(line, chimerax))
+        << line;
+    seen.insert(line.substr(0, line.find(' ')));
+  }
+  for (const char* command : {"open", "name", "color", "transparency"}) {
+    EXPECT_TRUE(seen.contains(command)) << command;
+  }
+  const std::set<std::string> pymol = {"load",  "hide",    "show", "color",    "select",
+                                       "alter", "rebuild", "set",  "deselect", "zoom"};
+  lines = std::istringstream(contents(folder_ / "show.pml"));
+  const std::set<std::string> around = {"python", "import os", "from pymol import cmd",
+                                        "python end"};
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with("#") || around.contains(line)) continue;
+    ASSERT_TRUE(line.starts_with("cmd.") && line.ends_with(")")) << line;
+    EXPECT_TRUE(pymol.contains(line.substr(4, line.find('(') - 4))) << line;
   }
 }
 

@@ -39,6 +39,18 @@ void note_changes(const CavityNumbers& before, const CavityMatch& match, CavityN
   }
 }
 
+// Whose sink comes back is a cavity of its own again.
+void note_heirs(const CavityNumbers& before, const CavityMatch& match, CavityNumbers& numbers) {
+  numbers.merged_into = before.merged_into;
+  for (std::uint32_t e = 0; e < match.goes_to.size(); ++e) {
+    const std::uint32_t to = match.goes_to[e];
+    if (to != kNone && match.came_from[to] != e) {
+      numbers.merged_into[before.of[e]] = numbers.of[to];
+    }
+  }
+  for (const std::uint32_t number : numbers.of) numbers.merged_into.erase(number);
+}
+
 // All without a number, and without a past.
 CavityNumbers blank_numbers(std::shared_ptr<const CavityTable> table) {
   CavityNumbers numbers;
@@ -55,6 +67,17 @@ CavityNumbers blank_numbers(std::shared_ptr<const CavityTable> table) {
 std::uint32_t CavityNumbers::cavity(std::uint32_t number) const {
   const auto at = std::find(of.begin(), of.end(), number);
   return at == of.end() ? kNone : static_cast<std::uint32_t>(at - of.begin());
+}
+
+std::uint32_t CavityNumbers::cavity_or_heir(std::uint32_t number) const {
+  // Each step leads to what was there later, so none comes twice but for one that came back.
+  for (std::size_t steps = 0; steps <= merged_into.size(); ++steps) {
+    const std::uint32_t found = cavity(number);
+    const auto heir = merged_into.find(number);
+    if (found != kNone || heir == merged_into.end()) return found;
+    number = heir->second;
+  }
+  return kNone;
 }
 
 CavityNumbers first_numbers(std::shared_ptr<const CavityTable> table) {
@@ -78,6 +101,7 @@ CavityNumbers next_numbers(const CavityNumbers& before, std::shared_ptr<const Ca
   }
   note_changes(before, match, numbers);
   number_the_rest(numbers);
+  note_heirs(before, match, numbers);
   return numbers;
 }
 

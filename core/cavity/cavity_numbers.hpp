@@ -22,9 +22,14 @@ struct CavityNumbers {
   // What the last step did to each of found.cavities: the number of the cavity that it has parted
   // from, or kNone; and how many cavities have merged into it.
   std::vector<std::uint32_t> parted_from, merged;
+  // Of cavities that are none of their own now, because they have merged into another one: the
+  // number that this one had then.
+  std::map<std::uint32_t, std::uint32_t> merged_into;
 
   // The cavity of a number, or CavityMatch::kNone.
   std::uint32_t cavity(std::uint32_t number) const;
+  // The same, or the one that it has merged into.
+  std::uint32_t cavity_or_heir(std::uint32_t number) const;
 };
 
 // By rows: 0 for the largest SA volume.

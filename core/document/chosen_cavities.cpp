@@ -8,6 +8,7 @@
 
 #include "core/cavity/cavity_shape.hpp"
 #include "core/document/cavity_names.hpp"
+#include "core/molecule/atom_address.hpp"
 
 namespace alphascope {
 namespace {
@@ -35,13 +36,15 @@ ChosenCavity draw(const CavityTable& table, std::size_t row, const CavityParts& 
 // Those of one chain follow each other, as they do in the file.
 void list_residues(const BallReferences& atoms, const std::vector<BallIndex>& lining,
                    std::vector<ChainLining>& chains) {
+  const Molecule& molecule = atoms.molecule();
   for (const LiningResidue& residue : residues_of_lining(atoms, lining)) {
-    const std::size_t colon = residue.address.find(':');
-    const bool named = colon != std::string::npos;  // "#12" has no chain
-    const std::string chain = named ? residue.address.substr(0, colon) : "";
-    if (chains.empty() || chains.back().chain != chain) chains.push_back({chain, {}, 0});
+    const std::size_t atom = atoms.prepared().atom_of_ball.at(residue.balls.front());
+    const std::string_view chain = molecule.text(molecule.atoms[atom].chain);
+    if (chains.empty() || chains.back().chain != chain) {
+      chains.push_back({std::string(chain), {}, 0});
+    }
     std::string& text = chains.back().residues;
-    text += (text.empty() ? "" : ", ") + residue.address.substr(named ? colon + 1 : 0);
+    text += (text.empty() ? "" : ", ") + residue_within_chain(molecule, atom);
     ++chains.back().count;
   }
 }
@@ -81,22 +84,24 @@ std::shared_ptr<const ChosenCavities> choose(const Inputs& in, const CavitySinks
 
 }  // namespace
 
-std::vector<std::size_t> rows_of_cavities(const CavityLines& lines, const RefSet& cavities) {
+ChosenRows rows_of_cavities(const CavityLines& lines, const RefSet& cavities) {
   const CavityTable& table = *lines.table;
   const CavityNumbers& numbers = *lines.numbers;
-  CavitySinks sinks;
+  CavitySinks sinks, merged;
   for (const Ref& ref : cavities.items()) {
     const auto balls = lines.atoms->balls(ref);
     if (!balls || balls->size() != 4) continue;
     const auto known = numbers.known.find({(*balls)[0], (*balls)[1], (*balls)[2], (*balls)[3]});
     if (known == numbers.known.end()) continue;
-    const std::uint32_t cavity = numbers.cavity(known->second);
+    const std::uint32_t cavity = numbers.cavity_or_heir(known->second);
     if (cavity == CavityMatch::kNone) continue;
-    sinks.push_back(
-        table.ground->triangulation->tetrahedra[table.found.cavities[cavity].deepest_sink]);
+    const auto& sink =
+        table.ground->triangulation->tetrahedra[table.found.cavities[cavity].deepest_sink];
+    sinks.push_back(sink);
+    if (numbers.cavity(known->second) == CavityMatch::kNone) merged.push_back(sink);
   }
-  std::sort(sinks.begin(), sinks.end());
-  return rows_of_sinks(table, sinks);
+  for (CavitySinks* each : {&sinks, &merged}) std::sort(each->begin(), each->end());
+  return {rows_of_sinks(table, sinks), rows_of_sinks(table, merged)};
 }
 
 Definition<ChosenCavities> chosen_cavities(const CavitySinks& sinks, const CavityParts& parts,

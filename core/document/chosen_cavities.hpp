@@ -27,7 +27,7 @@ struct ChosenCavity {
   RealPoint place_angstrom;  // within it: where its number belongs
 };
 
-// Residues of one chain, "HIS 87, VAL 93".
+// Residues of one chain, "HIS 87, VAL 93"; without a chain, of atoms that have none.
 struct ChainLining {
   std::string chain, residues;
   std::size_t count = 0;
@@ -46,8 +46,12 @@ using CavitySinks = std::vector<std::array<BallIndex, 4>>;
 Definition<ChosenCavities> chosen_cavities(const CavitySinks& sinks, const CavityParts& parts,
                                            std::uint64_t key);
 
-// The rows of the cavities that have been chosen by these deepest sinks, now or in a table before:
-// ascending.
-std::vector<std::size_t> rows_of_cavities(const CavityLines& lines, const RefSet& cavities);
+// The rows of the cavities that have been chosen by these deepest sinks, now or in a table before,
+// and of those that they have merged into: ascending.
+struct ChosenRows {
+  std::vector<std::size_t> rows;
+  std::vector<std::size_t> merged_into;  // of them, those that a chosen one has merged into
+};
+ChosenRows rows_of_cavities(const CavityLines& lines, const RefSet& cavities);
 
 }  // namespace alphascope

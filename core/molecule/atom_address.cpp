@@ -130,27 +130,38 @@ class AddressReader {
   std::string expression_;
 };
 
+bool is_in_residue(const Atom& atom) {
+  return atom.residue_name != 0 || atom.residue_number != 0;
+}
+
+bool is_nameless(const Atom& atom) {
+  return !is_in_residue(atom) && atom.chain == 0;
+}
+
 }  // namespace
+
+std::string residue_within_chain(const Molecule& molecule, std::size_t index) {
+  const Atom& atom = molecule.atoms[index];
+  if (is_nameless(atom)) {
+    return "#" + std::to_string(atom_source(molecule, index).deposited + 1);
+  }
+  if (!is_in_residue(atom)) return {};
+  std::string text(molecule.text(atom.residue_name));
+  text += (atom.residue_name == 0 ? "" : " ") + std::to_string(atom.residue_number);
+  if (atom.insertion_code != ' ') text += atom.insertion_code;
+  return text;
+}
 
 std::string residue_address(const Molecule& molecule, std::size_t index) {
   const Atom& atom = molecule.atoms[index];
-  const bool in_residue = atom.residue_name != 0 || atom.residue_number != 0;
-  if (!in_residue && atom.chain == 0) {
-    return "#" + std::to_string(atom_source(molecule, index).deposited + 1);
-  }
-  std::string text = std::string(molecule.text(atom.chain)) + ":";
-  if (in_residue) {
-    text += molecule.text(atom.residue_name);
-    text += (atom.residue_name == 0 ? "" : " ") + std::to_string(atom.residue_number);
-    if (atom.insertion_code != ' ') text += atom.insertion_code;
-  }
-  return text;
+  const std::string residue = residue_within_chain(molecule, index);
+  return is_nameless(atom) ? residue : std::string(molecule.text(atom.chain)) + ":" + residue;
 }
 
 std::string atom_address(const Molecule& molecule, std::size_t index) {
   const Atom& atom = molecule.atoms[index];
   std::string text = residue_address(molecule, index);
-  if (text.front() == '#') return text;
+  if (is_nameless(atom)) return text;
   text += ":" + std::string(molecule.text(atom.name));
   if (atom.altloc != ' ') text += std::string(":") + atom.altloc;
   return text;

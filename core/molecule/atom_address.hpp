@@ -18,6 +18,8 @@ namespace alphascope {
 std::string atom_address(const Molecule& molecule, std::size_t atom);
 // The same without atom and alternative location: "A:HIS 87".
 std::string residue_address(const Molecule& molecule, std::size_t atom);
+// The same without the chain: "HIS 87", "#12".
+std::string residue_within_chain(const Molecule& molecule, std::size_t atom);
 
 // Which atoms of the molecule, by index, are named by addresses with commas between them. A part
 // that is left out or * means any, and so do parts that are missing at the end: "A:" is chain A,

@@ -242,6 +242,27 @@ TEST(CavityNumbers, StayWhileTheSolventRadiusSlidesAndComeBack) {
   EXPECT_EQ(next_numbers(joined, closed).of, both.of);
 }
 
+TEST(CavityNumbers, ANumberLeadsToWhatItsCavityHasMergedInto) {
+  const BallSet balls = two_chambers(10, 4);
+  const auto open = table_of(balls), closed = table_of(grown(balls, 2)),
+             filled = table_of(grown(balls, 6));
+  ASSERT_EQ(filled->size(), 0u);
+  const CavityNumbers both = first_numbers(closed);
+  EXPECT_EQ(both.cavity_or_heir(1), closed->order[1]);
+  EXPECT_EQ(both.cavity_or_heir(7), kNone);
+  const CavityNumbers joined = next_numbers(both, open);
+  EXPECT_EQ(joined.cavity(1), kNone);
+  EXPECT_EQ(joined.cavity_or_heir(1), open->order[0]);
+  EXPECT_EQ(joined.cavity_or_heir(0), open->order[0]);
+  const CavityNumbers parted = next_numbers(joined, closed);
+  EXPECT_EQ(parted.cavity_or_heir(1), closed->order[1]) << "it is one of its own again";
+  EXPECT_TRUE(parted.merged_into.empty());
+  // What it has merged into may go, and come back.
+  const CavityNumbers gone = next_numbers(joined, filled);
+  EXPECT_EQ(gone.cavity_or_heir(1), kNone);
+  EXPECT_EQ(next_numbers(gone, open).cavity_or_heir(1), open->order[0]);
+}
+
 TEST(CavityNumbers, AreNeverGivenTwice) {
   const auto balls = testing::sample_balls("4hhb.pdb.gz");
   CavityNumbers numbers;

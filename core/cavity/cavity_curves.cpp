@@ -13,7 +13,8 @@ namespace {
 
 constexpr std::uint32_t kNone = CavityMatch::kNone;
 
-CurveSample sample_of(double at, const CavityTable& table) {
+CurveSample sample_of(double at, const CavityTable& table,
+                      const std::vector<ClippedMeasures>& exact = {}) {
   CurveSample sample;
   sample.at = at;
   sample.known = true;
@@ -21,9 +22,16 @@ CurveSample sample_of(double at, const CavityTable& table) {
     const Cavity& cavity = table.found.cavities[c];
     const CavityMeasures& m = table.measures[c];
     sample.cavities.push_back({table.ground->triangulation->tetrahedra[cavity.deepest_sink],
-                               cavity.is_void(), m.volume_sa_angstrom3, m.area_sa_angstrom2});
+                               cavity.is_void(), m.volume_sa_angstrom3, m.area_sa_angstrom2,
+                               exact.empty() ? 0 : exact[c].volume_sa_angstrom3});
   }
   return sample;
+}
+
+CurveSample sample_with(double at, const CavityTable& table, CurveNumbers numbers,
+                        const CancelToken& cancel) {
+  if (numbers == CurveNumbers::sums) return sample_of(at, table);
+  return sample_of(at, table, clip_all(table, RunContext{cancel, {}}));
 }
 
 CavityTable table_of_balls(std::shared_ptr<const BallSet> balls, const CavityQuestion& question,
@@ -119,14 +127,15 @@ std::size_t CavityCurves::nearest(double at) const {
 CavityCurves curves_against_alpha(const std::shared_ptr<const CavityGround>& ground,
                                   double solvent_radius_angstrom,
                                   const std::vector<double>& alphas_angstrom2,
-                                  const RunContext& context) {
+                                  const RunContext& context, CurveNumbers numbers) {
   CavityCurves curves;
+  curves.numbers = numbers;
   CavityTable last;
   for (const double alpha : alphas_angstrom2) {
     report(context, curves.samples.size(), alphas_angstrom2.size());
     CavityTable table =
         make_cavity_table(ground, {alpha, solvent_radius_angstrom}, RunContext{context.cancel, {}});
-    curves.samples.push_back(sample_of(alpha, table));
+    curves.samples.push_back(sample_with(alpha, table, numbers, context.cancel));
     if (last.ground) curves.samples.back().from_last = match_cavities(last, table, context.cancel);
     last = std::move(table);
   }
@@ -135,15 +144,16 @@ CavityCurves curves_against_alpha(const std::shared_ptr<const CavityGround>& gro
 
 CavityCurves curves_against_solvent(const BallSet& balls, double alpha_angstrom2,
                                     const std::vector<double>& radii_angstrom,
-                                    const RunContext& context) {
+                                    const RunContext& context, CurveNumbers numbers) {
   CavityCurves curves;
+  curves.numbers = numbers;
   curves.axis = CurveAxis::solvent;
   CavityTable last;
   for (const double radius : radii_angstrom) {
     report(context, curves.samples.size(), radii_angstrom.size());
     CavityTable table = table_of_balls(std::make_shared<const BallSet>(with_solvent(balls, radius)),
                                        {alpha_angstrom2, radius}, context.cancel);
-    curves.samples.push_back(sample_of(radius, table));
+    curves.samples.push_back(sample_with(radius, table, numbers, context.cancel));
     curves.samples.back().regions = regions_of(table);
     if (last.ground) curves.samples.back().from_last = match_cavities(last, table, context.cancel);
     last = std::move(table);
@@ -152,8 +162,10 @@ CavityCurves curves_against_solvent(const BallSet& balls, double alpha_angstrom2
 }
 
 CavityCurves curves_against_model(std::size_t models, const ModelBalls& balls,
-                                  const CavityQuestion& question, const RunContext& context) {
+                                  const CavityQuestion& question, const RunContext& context,
+                                  CurveNumbers numbers) {
   CavityCurves curves;
+  curves.numbers = numbers;
   curves.axis = CurveAxis::model;
   for (std::size_t model = 0; model < models; ++model) {
     report(context, model, models);
@@ -161,7 +173,7 @@ CavityCurves curves_against_model(std::size_t models, const ModelBalls& balls,
     CurveSample sample;
     if (set) {
       const CavityTable table = table_of_balls(std::move(set), question, context.cancel);
-      sample = sample_of(0, table);
+      sample = sample_with(0, table, numbers, context.cancel);
       sample.regions = regions_of(table);
     }
     sample.at = static_cast<double>(model);

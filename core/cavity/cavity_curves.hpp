@@ -17,7 +17,11 @@ struct CurveCavity {
   std::array<BallIndex, 4> sink;  // its deepest
   bool is_void = false;
   double volume_sa_angstrom3 = 0, area_sa_angstrom2 = 0;
+  double volume_exact_angstrom3 = 0;  // ClippedMeasures'; CurveNumbers::exact only
 };
+
+// What is known of each cavity. Exact volumes take about twenty times as long as all the rest.
+enum class CurveNumbers { sums, exact };
 
 struct CurveSample {
   double at = 0;                      // Å², Å, or the index of a model
@@ -31,6 +35,7 @@ struct CurveSample {
 
 struct CavityCurves {
   CurveAxis axis = CurveAxis::alpha;
+  CurveNumbers numbers = CurveNumbers::sums;
   std::vector<CurveSample> samples;  // `at` ascends
 
   std::size_t nearest(double at) const;  // there must be a sample
@@ -43,19 +48,22 @@ struct CavityCurves {
 CavityCurves curves_against_alpha(const std::shared_ptr<const CavityGround>& ground,
                                   double solvent_radius_angstrom,
                                   const std::vector<double>& alphas_angstrom2,
-                                  const RunContext& context = {});
+                                  const RunContext& context = {},
+                                  CurveNumbers numbers = CurveNumbers::sums);
 
 // `balls` without a solvent radius: a triangulation for each.
 CavityCurves curves_against_solvent(const BallSet& balls, double alpha_angstrom2,
                                     const std::vector<double>& radii_angstrom,
-                                    const RunContext& context = {});
+                                    const RunContext& context = {},
+                                    CurveNumbers numbers = CurveNumbers::sums);
 
 // The balls of each model, with the solvent radius and with the same indices; null where a model
 // does not have them. No identity from model to model: cavities of a molecule that moves close and
 // open again.
 using ModelBalls = std::function<std::shared_ptr<const BallSet>(std::size_t model)>;
 CavityCurves curves_against_model(std::size_t models, const ModelBalls& balls,
-                                  const CavityQuestion& question, const RunContext& context = {});
+                                  const CavityQuestion& question, const RunContext& context = {},
+                                  CurveNumbers numbers = CurveNumbers::sums);
 
 // Where the cavities of one table are on curves. alpha: the sample's cavity of the same deepest
 // sink. solvent: from the sample nearest to the table on, to both sides, as long as it is the same

@@ -3,8 +3,8 @@
 
 #include <optional>
 
-#include "core/document/number_input.hpp"
 #include "core/molecule/grouped_number.hpp"
+#include "core/molecule/shortest_number.hpp"
 
 namespace alphascope {
 namespace {
@@ -12,7 +12,9 @@ namespace {
 constexpr std::uint32_t kNone = CavityMatch::kNone;
 
 double value_of(const CurveCavity& cavity, CurveQuantity quantity) {
-  return quantity == CurveQuantity::volume ? cavity.volume_sa_angstrom3 : cavity.area_sa_angstrom2;
+  return quantity == CurveQuantity::volume ? cavity.volume_sa_angstrom3
+         : quantity == CurveQuantity::area ? cavity.area_sa_angstrom2
+                                           : cavity.volume_exact_angstrom3;
 }
 
 CavityChart empty_chart(const CavityCurves& curves, CurveQuantity quantity) {
@@ -88,8 +90,14 @@ class Marks {
 
 }  // namespace
 
+CurveNumbers numbers_for(CurveQuantity quantity) {
+  return quantity == CurveQuantity::exact_volume ? CurveNumbers::exact : CurveNumbers::sums;
+}
+
 std::string quantity_label(CurveQuantity quantity) {
-  return quantity == CurveQuantity::volume ? "SA volume (Å³)" : "SA area (Å²)";
+  return quantity == CurveQuantity::volume ? "SA volume (Å³)"
+         : quantity == CurveQuantity::area ? "SA area (Å²)"
+                                           : "exact volume (Å³)";
 }
 
 std::string axis_label(CurveAxis axis) {
@@ -100,7 +108,7 @@ std::string axis_label(CurveAxis axis) {
 
 std::string axis_text(CurveAxis axis, double at) {
   if (axis == CurveAxis::model) return grouped(static_cast<std::uint64_t>(at) + 1);
-  return exact_text(at);
+  return shortest_number(at);
 }
 
 CavityChart chart_of_cavities(const CavityCurves& curves, CurveQuantity quantity,
@@ -144,9 +152,9 @@ std::string chart_csv(const Chart& chart, const std::vector<std::string>& commen
   text += "\n";
   const std::size_t rows = chart.series.empty() ? 0 : chart.series.front().x.size();
   for (std::size_t n = 0; n < rows; ++n) {
-    text += exact_text(chart.series.front().x[n]);
+    text += shortest_number(chart.series.front().x[n]);
     for (const ChartSeries& series : chart.series) {
-      text += "," + (series.values[n] ? exact_text(*series.values[n]) : std::string());
+      text += "," + (series.values[n] ? shortest_number(*series.values[n]) : std::string());
     }
     text += "\n";
   }

@@ -10,7 +10,9 @@
 
 namespace alphascope {
 
-enum class CurveQuantity { volume, area };  // SA volume, Å³; SA area, Å²
+// SA volume, Å³; SA area, Å²; exact volume, Å³, of curves that have it.
+enum class CurveQuantity { volume, area, exact_volume };
+CurveNumbers numbers_for(CurveQuantity quantity);
 
 // A cavity of a table to be plotted.
 struct ChartedCavity {

@@ -12,11 +12,13 @@ namespace {
 
 constexpr double kAlphaLow = -3, kAlphaHigh = 10;  // Å²
 
-// The larger the triangulation, the fewer samples: each takes about 0.4 microseconds a tetrahedron.
-std::vector<double> alpha_samples(const CavityGround& ground) {
-  const std::size_t tetrahedra = ground.triangulation->tetrahedra.size();
+// The larger the triangulation, the fewer samples: each takes about 0.4 microseconds a tetrahedron,
+// with exact volumes up to 20.
+std::vector<double> alpha_samples(const CavityGround& ground, CurveNumbers numbers) {
+  const bool exact = numbers == CurveNumbers::exact;
+  const std::size_t tetrahedra = ground.triangulation->tetrahedra.size() * (exact ? 20 : 1);
   const int per_square_angstrom = tetrahedra < 60'000 ? 20 : tetrahedra < 600'000 ? 10 : 2;
-  constexpr double kGrowth = 1.05;
+  const double kGrowth = exact ? 1.2 : 1.05;
   float filled = 0;
   for (std::size_t t = 0; t < tetrahedra; ++t) {
     if (ground.flow.is_sink(t)) filled = std::max(filled, ground.flow.alpha_values[t]);
@@ -70,79 +72,103 @@ std::uint64_t combined(std::uint64_t hash, std::uint64_t value) {
   return Key{hash, value, 1}.number();
 }
 
-}  // namespace
-
-const Definition<CavityCurves>& curves_over_alpha() {
-  static const Definition<CavityCurves> definition{
-      {.id = "cavities.curves.alpha",
-       .title = "Cavities against alpha",
+template <CurveNumbers numbers>
+Definition<CavityCurves> over_alpha(std::string_view id, std::string_view title) {
+  return {
+      {.id = id,
+       .title = title,
        .made_of = {&cavity_ground()},
        .key = key_of_balls,
        .memory =
            [](const Inputs& in) {
-             return curve_memory(in.balls->size(), alpha_samples(in.of(cavity_ground())).size(),
-                                 false);
+             const auto samples = alpha_samples(in.of(cavity_ground()), numbers).size();
+             return curve_memory(in.balls->size(), samples, false);
            }},
       [](const Inputs& in, const RunContext& context) {
         const auto ground = in.share(cavity_ground());
         return std::make_shared<const CavityCurves>(curves_against_alpha(
-            ground, in.solvent_radius_angstrom, alpha_samples(*ground), context));
+            ground, in.solvent_radius_angstrom, alpha_samples(*ground, numbers), context, numbers));
       }};
-  return definition;
 }
 
-const Definition<CavityCurves>& curves_over_solvent() {
-  static const Definition<CavityCurves> definition{
-      {.id = "cavities.curves.solvent",
-       .title = "Cavities against the solvent radius",
-       .key =
-           [](const Inputs& in) {
-             if (!in.atoms) return Key{};
-             Key key = key_of_balls_and_alpha(in);
-             key.balls = in.body_key;
-             return key;
-           },
+Key key_over_solvent(const Inputs& in) {
+  if (!in.atoms) return Key{};
+  Key key = key_of_balls_and_alpha(in);
+  key.balls = in.body_key;
+  return key;
+}
+
+template <CurveNumbers numbers>
+Definition<CavityCurves> over_solvent(std::string_view id, std::string_view title) {
+  return {
+      {.id = id,
+       .title = title,
+       .key = key_over_solvent,
        .memory =
            [](const Inputs& in) {
              return curve_memory(in.balls->size(), solvent_samples().size(), true);
            }},
       [](const Inputs& in, const RunContext& context) {
         return std::make_shared<const CavityCurves>(curves_against_solvent(
-            *in.atoms->prepared().balls, in.alpha_angstrom2, solvent_samples(), context));
+            *in.atoms->prepared().balls, in.alpha_angstrom2, solvent_samples(), context, numbers));
       }};
-  return definition;
 }
 
-const Definition<CavityCurves>& curves_over_models() {
-  static const Definition<CavityCurves> definition{
-      {.id = "cavities.curves.models",
-       .title = "Cavities in all models",
-       .key =
-           [](const Inputs& in) {
-             if (!in.atoms || in.frames_key == 0) return Key{};
-             Key key = key_of_balls_and_alpha(in);
-             key.balls = in.frames_key;
-             key.more =
-                 Key{1, static_cast<std::uint64_t>(std::llround(in.solvent_radius_angstrom * 1e9)),
-                     1}
-                     .number();
-             return key;
-           },
-       .memory =
-           [](const Inputs& in) {
-             return curve_memory(in.balls->size(), in.atoms->molecule().models.size(), true);
-           }},
-      [](const Inputs& in, const RunContext& context) {
-        const double solvent = in.solvent_radius_angstrom;
-        const auto balls = [&](std::size_t model) -> std::shared_ptr<const BallSet> {
-          const auto bare = balls_in_model(*in.atoms, model);
-          if (!bare) return nullptr;
-          return std::make_shared<const BallSet>(with_solvent(*bare, solvent));
-        };
-        return std::make_shared<const CavityCurves>(curves_against_model(
-            in.atoms->molecule().models.size(), balls, {in.alpha_angstrom2, solvent}, context));
-      }};
-  return definition;
+Key key_over_models(const Inputs& in) {
+  if (!in.atoms || in.frames_key == 0) return Key{};
+  Key key = key_of_balls_and_alpha(in);
+  key.balls = in.frames_key;
+  const auto radius = static_cast<std::uint64_t>(std::llround(in.solvent_radius_angstrom * 1e9));
+  key.more = Key{1, radius, 1}.number();
+  return key;
+}
+
+template <CurveNumbers numbers>
+Definition<CavityCurves> over_models(std::string_view id, std::string_view title) {
+  return {{.id = id,
+           .title = title,
+           .key = key_over_models,
+           .memory =
+               [](const Inputs& in) {
+                 return curve_memory(in.balls->size(), in.atoms->molecule().models.size(), true);
+               }},
+          [](const Inputs& in, const RunContext& context) {
+            const double solvent = in.solvent_radius_angstrom;
+            const auto balls = [&](std::size_t model) -> std::shared_ptr<const BallSet> {
+              const auto bare = balls_in_model(*in.atoms, model);
+              if (!bare) return nullptr;
+              return std::make_shared<const BallSet>(with_solvent(*bare, solvent));
+            };
+            return std::make_shared<const CavityCurves>(
+                curves_against_model(in.atoms->molecule().models.size(), balls,
+                                     {in.alpha_angstrom2, solvent}, context, numbers));
+          }};
+}
+
+}  // namespace
+
+const Definition<CavityCurves>& curves_over_alpha(CurveNumbers numbers) {
+  static const Definition<CavityCurves> sums =
+      over_alpha<CurveNumbers::sums>("cavities.curves.alpha", "Cavities against alpha");
+  static const Definition<CavityCurves> exact =
+      over_alpha<CurveNumbers::exact>("cavities.curves.alpha.exact", "Exact volumes against alpha");
+  return numbers == CurveNumbers::sums ? sums : exact;
+}
+
+const Definition<CavityCurves>& curves_over_solvent(CurveNumbers numbers) {
+  static const Definition<CavityCurves> sums = over_solvent<CurveNumbers::sums>(
+      "cavities.curves.solvent", "Cavities against the solvent radius");
+  static const Definition<CavityCurves> exact = over_solvent<CurveNumbers::exact>(
+      "cavities.curves.solvent.exact", "Exact volumes against the solvent radius");
+  return numbers == CurveNumbers::sums ? sums : exact;
+}
+
+const Definition<CavityCurves>& curves_over_models(CurveNumbers numbers) {
+  static const Definition<CavityCurves> sums =
+      over_models<CurveNumbers::sums>("cavities.curves.models", "Cavities in all models");
+  static const Definition<CavityCurves> exact = over_models<CurveNumbers::exact>(
+      "cavities.curves.models.exact", "Exact volumes in all models");
+  return numbers == CurveNumbers::sums ? sums : exact;
 }
 
 std::string why_no_model_curve(const Inputs& inputs) {
@@ -204,10 +230,10 @@ Definition<CurveLinks> curve_links(std::shared_ptr<const CavityCurves> curves, c
            .title = "Cavities on their curves",
            .made_of = {&cavity_table()},
            .key =
-               [curve](const Inputs& in) {
+               [curve, numbers = curves->numbers](const Inputs& in) {
                  if (!in.atoms) return Key{};
                  Key key = key_of_balls_and_alpha(in);
-                 key.more = curve.number() | 1;
+                 key.more = curve.number() * 4 + (numbers == CurveNumbers::exact ? 3 : 1);
                  return key;
                },
            .memory =

@@ -9,16 +9,16 @@
 namespace alphascope {
 
 // Of the balls on screen, whatever alpha is: from -3 to 10 Å² as the slider of alpha, and on in
-// growing steps until the last cavity is filled.
-const Definition<CavityCurves>& curves_over_alpha();
+// growing steps until the last cavity is filled. With exact volumes there are fewer samples.
+const Definition<CavityCurves>& curves_over_alpha(CurveNumbers numbers = CurveNumbers::sums);
 
 // Of the atoms on screen at their alpha, whatever the solvent radius is: from 0 to 5 Å.
-const Definition<CavityCurves>& curves_over_solvent();
+const Definition<CavityCurves>& curves_over_solvent(CurveNumbers numbers = CurveNumbers::sums);
 inline constexpr double kCurveSolventStepAngstrom = 0.1, kCurveSolventMostAngstrom = 5;
 
 // Of the atoms on screen in every model, at their alpha and solvent radius, whichever model is on
 // screen.
-const Definition<CavityCurves>& curves_over_models();
+const Definition<CavityCurves>& curves_over_models(CurveNumbers numbers = CurveNumbers::sums);
 // Why there can be none, as a sentence; empty: there can.
 std::string why_no_model_curve(const Inputs& inputs);
 // The index of the model on screen; there must be a model curve.

@@ -162,6 +162,12 @@ void Store::cancel(std::string_view id) {
   }
 }
 
+void Store::begin_again(std::string_view id) {
+  for (Entry& e : entries_) {
+    if (e.id == id && e.state == DerivedState::cancelled) e.state = DerivedState::none;
+  }
+}
+
 double Store::share(const Entry& e) const {
   return e.state == DerivedState::running ? work(e).worker.activity().share : 0;
 }

@@ -60,6 +60,8 @@ class Store {
 
   // Ends the making of one result; it is not begun again before its inputs change.
   void cancel(std::string_view id);
+  // After cancel(): it is begun again when it is wanted next.
+  void begin_again(std::string_view id);
 
   // Nothing is begun in the background lane while `held`: what a hand changes many times a second
   // is worth no work that is not seen.

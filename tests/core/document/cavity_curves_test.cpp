@@ -73,6 +73,34 @@ TEST(CavityCurves, ARadiusThatSplitsAVoidEndsTheSmallerOnesLine) {
   EXPECT_EQ(curves.nearest(-3), 0u);
 }
 
+TEST(CavityCurves, ExactVolumesAreThoseOfEachTable) {
+  const BallSet balls = *testing::sample_balls("1crn.pdb");
+  const CavityCurves curves = curves_against_solvent(balls, 0, {0.6, 1}, {}, CurveNumbers::exact);
+  const auto ground = ground_of(with_solvent(balls, 1));
+  const CavityTable table = make_cavity_table(ground, {0, 1});
+  const std::vector<ClippedMeasures> exact = clip_all(table);
+  ASSERT_GT(table.pockets, 0u);
+  ASSERT_EQ(curves.samples[1].cavities.size(), exact.size());
+  bool differs = false;  // else it could be the other number
+  for (std::size_t c = 0; c < exact.size(); ++c) {
+    const CurveCavity& cavity = curves.samples[1].cavities[c];
+    EXPECT_EQ(cavity.volume_exact_angstrom3, exact[c].volume_sa_angstrom3);
+    differs |= cavity.volume_exact_angstrom3 != cavity.volume_sa_angstrom3;
+  }
+  EXPECT_TRUE(differs);
+  const CavityCurves alphas = curves_against_alpha(ground, 1, {-0.1, 0}, {}, CurveNumbers::exact);
+  for (std::size_t c = 0; c < exact.size(); ++c) {
+    EXPECT_EQ(alphas.samples[1].cavities[c].volume_exact_angstrom3, exact[c].volume_sa_angstrom3);
+  }
+  const CavityChart chart = chart_of_totals(curves, CurveQuantity::exact_volume);
+  EXPECT_EQ(chart.chart.value_label, "exact volume (Å³)");
+  double sum = 0;
+  for (std::size_t c = 0; c < exact.size(); ++c) {
+    if (!table.found.cavities[c].is_void()) sum += exact[c].volume_sa_angstrom3;
+  }
+  EXPECT_EQ(*chart.chart.series[1].values[1], sum);
+}
+
 TEST(CavityChart, SaysWhereACavitySplitsAndLeavesGaps) {
   const BallSet balls = two_chambers();
   const CavityCurves curves = curves_against_solvent(balls, 0, {0, 0.5, 1, 1.5, 2, 6});

@@ -98,6 +98,7 @@ void describe_provenance(MoleculeInfo& info, const OpenedMolecule& opened) {
   const SelectionReport& report = opened.prepared->report;
   const std::string& expression = opened.options.balls.selection;
   info.sha256 = m.sha256;
+  info.options = opened.options.balls;
   info.radii_name = report.radii_name;
   info.radii_citation = report.radii_citation;
   auto& rows = info.provenance;

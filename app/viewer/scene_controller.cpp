@@ -68,11 +68,12 @@ void SceneController::show_without_answer() {
   submit();
 }
 
-void SceneController::set_display(const DisplayControls& display, Theme theme) {
+void SceneController::set_display(const DisplayControls& display, Theme theme, float line_scale) {
   const DisplayControls before = std::exchange(display_, display);
   const bool new_theme = theme != theme_;
   theme_ = theme;
-  if (before == display && !new_theme) return;
+  const bool new_scale = std::exchange(line_scale_, line_scale) != line_scale;
+  if (before == display && !new_theme && !new_scale) return;
   scene_.set_style(scene_style());
   if (before.ball_colour != display.ball_colour || new_theme) update_colours();
   if (new_theme) draw_selected();
@@ -95,6 +96,7 @@ SceneStyle SceneController::scene_style() const {
   style.ball_opacity = display_.ball_opacity;
   style.complex_opacity = display_.complex_opacity;
   style.ambient_occlusion = display_.ambient_occlusion;
+  style.line_scale = line_scale_;
   style.theme = theme_;
   return style;
 }

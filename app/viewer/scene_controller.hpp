@@ -53,7 +53,8 @@ class SceneController {
   void show_without_answer();  // there will be none
   // Draws what differs from the reference, if anything does.
   void set_agreement(std::shared_ptr<const Agreement> agreement);
-  void set_display(const DisplayControls& display, Theme theme);
+  // `line_scale` as in SceneStyle.
+  void set_display(const DisplayControls& display, Theme theme, float line_scale = 1);
   // What panels want drawn; layers of other balls than the complex on screen are left out. Large
   // ones are made on a worker's thread, and what was drawn before stays until they are there.
   void set_layers(const Layers& layers);
@@ -221,6 +222,7 @@ class SceneController {
   std::shared_ptr<const Exposure> drawn_exposure_;
   DisplayControls display_;
   Theme theme_ = Theme::dark;
+  float line_scale_ = 1;
   MeshOptions requested_mesh_;
   bool dirty_ = true;
   bool view_checked_ = false;  // since the last picture

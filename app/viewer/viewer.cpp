@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "app/session/result_header.hpp"
 #include "app/session/system_memory.hpp"
 #include "app/viewer/commands.hpp"
 #include "app/viewer/molecule_info.hpp"
@@ -44,6 +45,7 @@ Viewer::Viewer(Host& host, const ViewerOptions& options, Session::Services servi
       scene_([&host] { host.wake(); },
              [mb = options.drawing_memory_mb] { return available_or(mb); }, std::move(make_mesh)),
       saver_(host, [&host] { host.wake(); }),
+      table_saver_([&host] { host.wake(); }),
       folder_reader_([&host] { host.wake(); }),
       machine_(std::async(std::launch::async,
                           [&host] {
@@ -65,7 +67,7 @@ Viewer::Viewer(Host& host, const ViewerOptions& options, Session::Services servi
   sent_compute_ = state_.compute;
   session_.set_request(canonical(state_.compute));
   session_.set_open_options(state_.open);
-  scene_.set_display(state_.display, state_.theme);
+  scene_.set_display(state_.display, state_.theme, frame_.scale());
   editor_.restart(settings());
   if (options.file) open(*options.file);
 }
@@ -74,6 +76,7 @@ Viewer::~Viewer() = default;
 
 void Viewer::fill_constants() {
   state_.version = ALPHASCOPE_VERSION;
+  state_.program = program_named("alphascope");
   state_.memory_bytes = resident_bytes();
   state_.samples = sample_files();
 }
@@ -111,7 +114,8 @@ bool Viewer::busy() const {
 bool Viewer::working() const {
   const SessionActivity a = session_.activity();
   return state_.open != sent_open_ || a.opening.busy || a.computing.busy || a.comparing.busy ||
-         a.timing.busy || !state_.gpu || scene_.busy() || saver_.busy() || folder_reader_.busy();
+         a.timing.busy || !state_.gpu || scene_.busy() || saver_.busy() || table_saver_.busy() ||
+         folder_reader_.busy();
 }
 
 bool Viewer::settled() const {
@@ -259,7 +263,11 @@ void Viewer::take_requests() {
   if (r.zoom_to_selection) zoom_to_selection();
   if (r.quit) quit_ = true;
   if (r.screenshot) save_picture(*r.screenshot);
-  if (r.cancel_save || (r.cancel && !state_.busy.active)) saver_.cancel();
+  if (r.save_table) save_table(*r.save_table);
+  if (r.cancel_save || (r.cancel && !state_.busy.active)) {
+    saver_.cancel();
+    table_saver_.cancel(store_);
+  }
 }
 
 void Viewer::save_picture(const ScreenshotRequest& request) {
@@ -272,11 +280,22 @@ void Viewer::save_picture(const ScreenshotRequest& request) {
   frames_due_ = kSettlingFrames;
 }
 
+void Viewer::save_table(const SaveTableRequest& request) {
+  try {
+    table_saver_.start(request);
+    state_.notice.clear();
+  } catch (const std::exception& error) {
+    state_.tell("The table cannot be saved", error.what());
+  }
+  frames_due_ = kSettlingFrames;
+}
+
 void Viewer::take_saved() {
   const PictureSaver::Outcome outcome = saver_.poll();
   if (!outcome.notice.empty()) state_.notice = outcome.notice;
   if (!outcome.error.empty()) state_.tell("The picture cannot be saved", outcome.error);
   saver_.describe(state_.saving);
+  table_saver_.describe(state_.saving);
   if (!outcome.any()) return;
   frames_due_ = kSettlingFrames;
   memory_to_give_back_ = true;
@@ -292,7 +311,7 @@ void Viewer::send_controls() {
     frames_due_ = kSettlingFrames;
   }
   send_selection();
-  scene_.set_display(state_.display, state_.theme);
+  scene_.set_display(state_.display, state_.theme, frame_.scale());
   note_changes();
 }
 

@@ -17,6 +17,7 @@
 #include "app/viewer/options.hpp"
 #include "app/viewer/picture_saver.hpp"
 #include "app/viewer/scene_controller.hpp"
+#include "app/viewer/table_saver.hpp"
 #include "core/document/commands.hpp"
 #include "core/document/editor.hpp"
 #include "core/document/store.hpp"
@@ -90,6 +91,7 @@ class Viewer {
   void take_shown();          // what is said of the picture changes with it
   void take_requests();       // what the panels asked for
   void save_picture(const ScreenshotRequest& request);
+  void save_table(const SaveTableRequest& request);
   void take_saved();
   void send_controls();  // changed controls to session and scene
   bool awaits_panels() const;
@@ -161,6 +163,7 @@ class Viewer {
   bool must_render_ = false;          // the picture of what state_.result says
   bool memory_to_give_back_ = false;  // something large was freed
   PictureSaver saver_;
+  TableSaver table_saver_;
   FolderReader folder_reader_;
   std::future<MachineInfo> machine_;  // looking for a GPU can take a second
   Benchmark benchmark_;

@@ -54,6 +54,10 @@ void Viewer::take_derived() {
     store_.give(whole_triangulation(), inputs_, made.triangulation);
     store_.give(whole_filtration(), inputs_, made.filtration);
   }
+  const TableSaver::Outcome saved = table_saver_.poll(store_, inputs_);
+  if (!saved.notice.empty()) state_.notice = saved.notice;
+  if (!saved.error.empty()) state_.tell("The table cannot be saved", saved.error);
+  if (saved.any()) frames_due_ = kSettlingFrames;
   note_large_objects();
   poll_store();
 }

@@ -1,6 +1,8 @@
 // The panel of cavities in the whole window: the table, CASTp's choices, a cavity in the picture.
 #include <chrono>
 #include <cmath>
+#include <cstdlib>
+#include <functional>
 #include <map>
 #include <set>
 
@@ -237,6 +239,105 @@ TEST_F(CavitiesTest, ADragInRealTimeMakesTables) {
             viewer_->state().compute.solvent_radius_angstrom);
   EXPECT_EQ(viewer_->state().result->request.solvent_radius_angstrom,
             viewer_->state().compute.solvent_radius_angstrom);
+}
+
+// Saves by the dialog that `button` opens; what is in the file then.
+std::string saved(const std::function<void(const std::string&)>& run, Viewer& viewer,
+                  const std::string& button, const fs::path& path) {
+  run("click " + button + "\nframes 3\n");
+  viewer.state().memory.save_table.path = path.string();
+  run("frames 2\nclick save_table.ok\nwait-idle\nframes 3\nwait-idle\nframes 3\n");
+  std::ifstream file(path);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+TEST_F(CavitiesTest, SavedTablesAreThoseOfTheCommandLine) {
+  open_cavities();
+  use_preset();
+  run("click cavities.least\nkey ctrl+a\ntype 30\nkey enter\nframes 3\n");
+  const auto save = [&](const char* name) {
+    return saved([this](const std::string& text) { run(text); }, *viewer_, "cavities.save",
+                 folder_ / name);
+  };
+  const std::string csv = save("c.csv");
+  EXPECT_EQ(viewer_->state().notice, "Saved " + (folder_ / "c.csv").string());
+  const std::string file = ALPHASCOPE_SOURCE_DIR "/resources/molecules/4hhb.pdb.gz";
+  const std::string by = (folder_ / "by.csv").string();
+  ASSERT_EQ(std::system((ALPHASCOPE_CLI " cavities -q '" + file + "' --min-volume 30 --csv '" + by +
+                         "' > /dev/null")
+                            .c_str()),
+            0);
+  std::string expected = bytes("by.csv");
+  for (std::size_t at; (at = expected.find("alphascope-cli ")) != expected.npos;) {
+    expected.replace(at, 15, "alphascope ");
+  }
+  EXPECT_GT(csv.size(), 1000u);
+  EXPECT_EQ(csv, expected);
+  run("click cavities.save\nframes 3\nclick save_table.format.1\nframes 2\n");
+  EXPECT_EQ(viewer_->state().memory.save_table.path, (folder_ / "4hhb-cavities.json").string());
+  run("click save_table.ok\nwait-idle\nframes 3\n");
+  const std::string json = bytes("4hhb-cavities.json");
+  EXPECT_NE(json.find("\"volume_sa_clipped_angstrom3\""), json.npos);
+  EXPECT_NE(json.find("\"name\": \"alphascope\""), json.npos);
+}
+
+TEST_F(CavitiesTest, WhereATableCannotBeWrittenItSaysSoAndLeavesNothing) {
+  open_cavities();
+  fs::create_symlink("/dev/full", folder_ / "full.csv");
+  const auto save = [&](const fs::path& path) {
+    saved([this](const std::string& text) { run(text); }, *viewer_, "cavities.save", path);
+  };
+  save(folder_ / "full.csv");
+  EXPECT_NE(viewer_->state().error.find((folder_ / "full.csv").string()), std::string::npos)
+      << viewer_->state().error;
+  EXPECT_EQ(viewer_->state().notice, "");
+  run("click error.ok\nframes 3\n");
+  fs::create_directories(folder_ / "folder.csv");  // no file can have its name
+  save(folder_ / "folder.csv");
+  EXPECT_FALSE(viewer_->state().error.empty());
+  std::size_t files = 0;
+  for (const auto& entry : fs::directory_iterator(folder_)) files += entry.is_regular_file();
+  EXPECT_EQ(files, 0u);
+  EXPECT_FALSE(viewer_->busy());
+}
+
+TEST_F(CavitiesTest, WhatIsChosenFollowsIntoWhatItMergesWithAndComesBack) {
+  open_cavities();
+  use_preset();
+  run("click cavities.all\nframes 3\n");
+  settle();
+  // With a smaller probe, cavities merge. One that does is chosen.
+  const auto at_first = page().rows.lines;
+  const auto numbers = at_first->numbers;
+  run("solvent.set 1.2\n");
+  settle();
+  ASSERT_FALSE(page().merged_into.empty());
+  const auto& merged = page().rows.lines->numbers->merged_into;
+  ASSERT_FALSE(merged.empty());
+  run("solvent.set 1.4\n");
+  settle();
+  const std::uint32_t number = merged.begin()->first;
+  const std::uint32_t cavity = page().rows.lines->numbers->cavity(number);
+  ASSERT_NE(cavity, CavityMatch::kNone) << "it is one of its own again";
+  const auto& order = page().rows.table().order;
+  const auto row =
+      static_cast<std::size_t>(std::find(order.begin(), order.end(), cavity) - order.begin());
+  viewer_->state().picked.cavities =
+      RefSet({cavity_sink(*page().rows.lines->atoms, page().rows.table(), row)});
+  settle();
+  ASSERT_EQ(page().chosen_rows, std::vector<std::size_t>{row});
+  EXPECT_FALSE(has("cavities.merged"));
+  run("solvent.set 1.2\n");
+  settle();
+  ASSERT_EQ(page().chosen_rows.size(), 1u);
+  EXPECT_EQ(page().merged_into, page().chosen_rows);
+  EXPECT_TRUE(has("cavities.merged"));
+  EXPECT_EQ(viewer_->state().notice, "The chosen cavity has merged into cavity " +
+                                         std::to_string(page().chosen_rows.at(0) + 1) + ".");
+  run("solvent.set 1.4\n");
+  settle();
+  EXPECT_EQ(page().chosen_rows, std::vector<std::size_t>{row});
+  EXPECT_FALSE(has("cavities.merged"));
 }
 
 TEST_F(CavitiesTest, OfAnotherMoleculeNothingStays) {

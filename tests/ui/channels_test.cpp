@@ -1,5 +1,9 @@
 // The page of channels in the whole window: ends that are clicked, the bottleneck and its profile,
 // the tube in the picture.
+#include <imgui.h>
+
+#include <algorithm>
+
 #include "core/document/channel_texts.hpp"
 #include "tests/core/cavity/rings.hpp"
 #include "tests/ui/viewer_fixture.hpp"
@@ -190,12 +194,29 @@ TEST_F(ChannelsTest, WithoutAMoleculeItSaysWhatToDo) {
   EXPECT_FALSE(has("channels.from"));
 }
 
-TEST(ChannelProfile, AsCsvHasALineForEachSample) {
-  Channel channel;
-  channel.samples = {{{1, 2, 3}, 0.5, 0}, {{1, 2, 3.1}, 0.25, 0.1}};
-  EXPECT_EQ(channel_profile_csv(channel),
-            "along_angstrom,radius_angstrom,x_angstrom,y_angstrom,z_angstrom\n"
-            "0,0.5,1,2,3\n0.1,0.25,1,2,3.1\n");
+TEST_F(ChannelsTest, SavesWhatItCopiesAndAllOfTheChannelAsJson) {
+  open_tube(false);
+  ASSERT_TRUE(has("channels.save"));
+  run("click channels.copy\nframes 2\n");
+  const std::string copied = ImGui::GetClipboardText();
+  EXPECT_EQ(copied.find("along_angstrom,radius_angstrom,x_angstrom,y_angstrom,z_angstrom,file,"),
+            0u);
+  EXPECT_EQ(std::count(copied.begin(), copied.end(), '\n'),
+            static_cast<long>(channel().samples.size()) + 1);
+  run("click channels.save\nframes 3\n");
+  viewer_->state().memory.save_table.path = (folder_ / "c.csv").string();
+  run("click save_table.ok\n");
+  settle();
+  EXPECT_EQ(bytes("c.csv"), copied);
+  run("click channels.save\nframes 3\nclick save_table.format.1\nframes 2\n");
+  viewer_->state().memory.save_table.path = (folder_ / "c.json").string();
+  run("click save_table.ok\n");
+  settle();
+  const std::string json = bytes("c.json");
+  for (const char* key : {"\"widest_angstrom\": 2.5", "\"kind\": \"through\"", "\"bottleneck\"",
+                          "\"sha256\"", "\"name\": \"alphascope\""}) {
+    EXPECT_NE(json.find(key), std::string::npos) << key;
+  }
 }
 
 TEST(ChannelTexts, BandsAreThoseOfHole) {

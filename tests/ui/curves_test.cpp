@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "tests/ui/viewer_fixture.hpp"
+#include "ui/panels/cavity_page.hpp"
 
 namespace alphascope::testing {
 namespace {
@@ -84,7 +85,64 @@ TEST_F(CurvesTest, AChosenCavityIsFollowedAndAClickSetsTheSolventRadiusAsOneEntr
   const std::string csv = ImGui::GetClipboardText();
   EXPECT_NE(csv.find("solvent radius (Å),pocket 4\n"), std::string::npos) << csv;
   EXPECT_NE(csv.find("\n5,\n"), std::string::npos) << "a gap is empty";
-  EXPECT_NE(csv.find("# SHA-256: "), std::string::npos);
+  EXPECT_NE(csv.find("# sha256: "), std::string::npos);
+  EXPECT_NE(csv.find("# values: SA area (Å²)\n"), std::string::npos);
+  const fs::path path = folder_ / "curve.csv";
+  run("click curves.save\nframes 3\n");
+  viewer_->state().memory.save_table.path = path.string();
+  run("click save_table.ok\n");
+  settle();
+  EXPECT_EQ(bytes("curve.csv"), csv);
+}
+
+// The page of cavities is not drawn meanwhile.
+TEST_F(CurvesTest, AChosenCavityIsFollowedWhenTheTetrahedronOfItsSinkIsGone) {
+  open_haemoglobin();
+  run("click cavities.row.4 0.2\n");
+  settle();
+  open_curves();
+  const auto sink = viewer_->state().memory.cavities.chosen.at(0);
+  const CavityPage& page = *viewer_->state().memory.cavities.page;
+  const auto is_there = [&] {
+    const auto balls = page.rows.lines->atoms->balls(Ref(sink)).value();
+    const auto& all = page.rows.table().ground->triangulation->tetrahedra;
+    return std::binary_search(all.begin(), all.end(),
+                              std::array{balls[0], balls[1], balls[2], balls[3]});
+  };
+  ASSERT_TRUE(is_there());
+  bool went = false;
+  for (const char* radius : {"1.5", "1.6", "1.7", "1.8", "1.9", "2.0"}) {
+    run(std::string("solvent.set ") + radius + "\n");
+    settle();
+    went |= !is_there();
+    ASSERT_EQ(page.chosen_rows.size(), 1u) << radius;
+    ASSERT_EQ(memory().chart.chart.series.size(), 1u) << radius;
+    EXPECT_TRUE(series(0).values[14]);
+    EXPECT_FALSE(viewer_->state().layers.empty()) << "it is seen in the view";
+  }
+  EXPECT_TRUE(went) << "or this shows nothing";
+}
+
+TEST_F(CurvesTest, ExactVolumesAreMadeOnRequestAndCanBeCancelled) {
+  open_haemoglobin();
+  run("click cavities.row.4 0.2\n");
+  settle();
+  const CavityPage& page = *viewer_->state().memory.cavities.page;
+  ASSERT_TRUE(page.rows.exact);
+  const std::uint32_t cavity = page.rows.table().order[3];
+  const double exact = page.rows.exact->of[cavity].volume_sa_angstrom3;
+  open_curves();
+  const double sum = *series(0).values[14];
+  run("click curves.quantity.2\nframes 4\n");
+  ASSERT_TRUE(has("curves.cancel"));
+  run("click curves.cancel\nframes 3\n");
+  ASSERT_TRUE(has("curves.again"));
+  EXPECT_EQ(memory().chart_quantity, 0) << "the old chart stays, grey";
+  run("click curves.again\n");
+  settle();
+  EXPECT_EQ(memory().chart.chart.value_label, "exact volume (Å³)");
+  EXPECT_EQ(*series(0).values[14], exact);
+  EXPECT_NE(exact, sum);
 }
 
 TEST_F(CurvesTest, ModelsArePlottedAndAClickShowsOne) {

@@ -1,4 +1,6 @@
 // The page of areas and volumes in the whole window, and balls coloured by exposed area.
+#include <imgui.h>
+
 #include <algorithm>
 
 #include "core/document/measure_results.hpp"
@@ -81,6 +83,13 @@ TEST_F(MeasuresTest, TitlesSortAndRowsAreCopied) {
   settle();
   EXPECT_EQ(state().notice, "Areas and volumes copied as CSV.");
   EXPECT_FALSE(memory().copying);
+  const std::string copied = ImGui::GetClipboardText();
+  run("click measures.save\nframes 3\n");
+  state().memory.save_table.path = (folder_ / "m.csv").string();
+  run("click save_table.ok\n");
+  settle();
+  EXPECT_EQ(state().notice, "Saved " + (folder_ / "m.csv").string());
+  EXPECT_EQ(bytes("m.csv"), copied);
 }
 
 TEST_F(MeasuresTest, TetrahedraAloneSayWhatToDo) {

@@ -1,16 +1,15 @@
 // The page of voids and pockets of the complex on screen: totals, what CASTp would say differently,
 // filters, the table, and what is chosen in it.
-#include <cstdio>
 #include <string>
-#include <utility>
 
-#include "core/chart/readable_number.hpp"
 #include "core/document/cavity_preset.hpp"
+#include "core/document/cavity_tables.hpp"
 #include "core/document/store.hpp"
 #include "ui/panels/cavity_parts.hpp"
 #include "ui/panels/format.hpp"
 #include "ui/panels/number_field.hpp"
 #include "ui/panels/panels.hpp"
+#include "ui/panels/save_parts.hpp"
 #include "ui/panels/table_cells.hpp"
 
 namespace alphascope {
@@ -28,47 +27,6 @@ void take(CavityPage& page, std::shared_ptr<const T>& to, const Derived<T>& from
   if (!from.ready() || from.value == to) return;
   to = from.value;
   page.rows_are_old = true;
-}
-
-// What has happened to cavities in one movement of a slider stays marked until the next one.
-void note_changes(CavityPage& page, const CavityNumbers& numbers) {
-  constexpr double kMovementSeconds = 1;
-  const double now = ImGui::GetTime();
-  const bool next = now - std::exchange(page.changed_at_seconds, now) > kMovementSeconds;
-  if (next || numbers.steps == 0) page.changes.clear();
-  for (std::uint32_t c = 0; c < numbers.of.size(); ++c) {
-    if (numbers.parted_from[c] != CavityMatch::kNone) {
-      page.changes[numbers.of[c]].parted_from = numbers.parted_from[c];
-    }
-    if (numbers.merged[c] > 0) page.changes[numbers.of[c]].merged += numbers.merged[c];
-  }
-}
-
-void take_lines(CavityPage& page, const std::shared_ptr<const CavityLines>& lines) {
-  const bool other_balls = !page.rows.lines || page.rows.table().ground != lines->table->ground;
-  const auto lives = other_balls ? nullptr : page.rows.lives;
-  page.rows = {};
-  page.rows.lines = lines;
-  page.rows.lives = lives;
-  page.rows_are_old = true;
-  page.anchor.reset();
-  note_changes(page, *lines->numbers);
-}
-
-// Whether the rows are of the picture. Their numbers go on from those on screen, so nothing is
-// asked for while they are.
-bool follow_lines(PanelContext& ctx, CavityPage& page, Derived<CavityLines>& wanted) {
-  if (page.rows.lines && page.rows.lines->is_of(ctx.inputs)) return true;
-  const bool same_body = page.rows.lines && page.body_key == ctx.inputs.body_key;
-  const auto before = same_body ? page.rows.lines->numbers : nullptr;
-  wanted = ctx.store.want(cavity_lines(before), ctx.inputs);
-  if (!wanted.value || wanted.have.balls != wanted.wanted.balls) return false;
-  // One that was begun before the rows on screen does not go on from them.
-  const std::uint64_t steps = wanted.value->numbers->steps;
-  if (before ? steps != before->steps + 1 : steps != 0) return false;
-  page.body_key = ctx.inputs.body_key;
-  take_lines(page, wanted.value);
-  return page.rows.lines->is_of(ctx.inputs);
 }
 
 bool is_shown(const CavityPage& page, CavityColumn column) {
@@ -91,21 +49,6 @@ void take_what_follows(PanelContext& ctx, CavityPage& page) {
   if (shown(CavityColumn::bottleneck)) {
     take(page, page.rows.bottlenecks, ctx.store.want(cavity_bottlenecks(), ctx.inputs));
   }
-}
-
-// Of another molecule nothing stays but how the page looks.
-void start(CavityPage& page, const std::string& molecule) {
-  CavityPage fresh;
-  fresh.molecule = molecule;
-  fresh.filter = page.filter;
-  fresh.columns = page.columns;
-  fresh.parts = page.parts;
-  fresh.fades_rest = page.fades_rest;
-  fresh.choice.key = page.choice.key;
-  fresh.layers_key = page.layers_key;
-  page = std::move(fresh);
-  if (!page.columns.empty()) return;
-  for (const CavityColumnSpec& spec : cavity_columns()) page.columns.push_back(spec.shown_first);
 }
 
 // --- lines above the table
@@ -171,7 +114,26 @@ void comparable_line(PanelContext& ctx, const BallReferences& atoms) {
   tooltip(ctx, (why + ".").c_str());
 }
 
-void filter_line(PanelContext& ctx, CavityPage& page) {
+// Those that the filter shows, with all columns.
+void save_button(PanelContext& ctx, const CavityPage& page, bool current) {
+  ImGui::BeginDisabled(!current || page.order.empty() || !ctx.inputs.complex);
+  if (button(ctx, "cavities.save", "Save…")) {
+    const CavityFilter& filter = page.filter;
+    CavityRowsWanted rows{filter.kind != 2, filter.kind != 1, {}};
+    if (filter.least_volume_angstrom3 != 0) {
+      rows.least_volume_sa_angstrom3 = filter.least_volume_angstrom3;
+    }
+    const RecordSource source = source_on_screen(ctx);
+    ask_to_save(ctx, {"Cavities", file_name_for(ctx, "cavities"), cavities_as_csv(rows, source),
+                      cavities_as_json(rows, source), ctx.inputs});
+  }
+  ImGui::EndDisabled();
+  tooltip(ctx,
+          "The cavities that are shown, by their ranks and with everything that is known of them, "
+          "as a CSV or JSON file.");
+}
+
+void filter_line(PanelContext& ctx, CavityPage& page, bool current) {
   CavityFilter& filter = page.filter;
   choice(ctx, "cavities.kind", {"all", "voids", "pockets"}, filter.kind, ctx.px(180));
   ImGui::SameLine(0, ctx.px(14));
@@ -196,6 +158,8 @@ void filter_line(PanelContext& ctx, CavityPage& page) {
   cavity_parts_button(ctx, page);
   ImGui::SameLine(0, ctx.px(4));
   cavity_columns_button(ctx, page);
+  ImGui::SameLine(0, ctx.px(4));
+  save_button(ctx, page, current);
   ImGui::SameLine(0, ctx.px(14));
   const auto number = [](std::size_t n) { return with_separators(static_cast<long long>(n)); };
   const bool all = page.order.size() == page.rows.size();
@@ -275,21 +239,16 @@ bool is_grey(CavityPage& page, bool current) {
 
 void draw_cavities_panel(PanelContext& ctx) {
   CavityMemory& memory = ctx.state.memory.cavities;
-  if (!memory.page) memory.page = std::make_shared<CavityPage>();
+  const FollowedCavities followed = follow_cavities(ctx);
   CavityPage& page = *memory.page;
-  if (page.molecule != ctx.state.molecule.sha256 || page.columns.empty()) {
-    start(page, ctx.state.molecule.sha256);
-  }
-  Derived<CavityLines> wanted;
-  const bool current = follow_lines(ctx, page, wanted);
+  const bool current = followed.current;
   if (current) {
     take_what_follows(ctx, page);
   } else if (is_shown(page, CavityColumn::holds)) {
     ctx.store.want(cavity_contents(), ctx.inputs);  // made with the lines, it comes with them
   }
   if (!page.rows.lines) {
-    memory.chosen.clear();
-    muted_wrapped(ctx, waiting_text(ctx, wanted));
+    muted_wrapped(ctx, waiting_text(ctx, followed.wanted));
     record(ctx, "cavities.waiting");
     return;
   }
@@ -297,10 +256,10 @@ void draw_cavities_panel(PanelContext& ctx) {
   totals_line(ctx, page.rows.table());
   comparable_line(ctx, *page.rows.lines->atoms);
   giant_line(ctx);
-  filter_line(ctx, page);
+  filter_line(ctx, page, current);
   body(ctx, page, current);
   ImGui::PopStyleVar();
-  follow_chosen_cavities(ctx, page, current);
+  draw_layers_of_cavities(ctx, page, current);
 }
 
 }  // namespace alphascope

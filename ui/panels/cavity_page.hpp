@@ -71,6 +71,7 @@ struct CavityPage {
   RefSet chosen;
   std::shared_ptr<const CavityLines> chosen_in;
   std::vector<std::size_t> chosen_rows;  // ascending
+  std::vector<std::size_t> merged_into;  // of them, those that a chosen cavity has merged into
   std::optional<std::size_t> anchor;     // row that was clicked last; Shift+click reaches from it
   struct Choice {
     CavitySinks sinks;  // of the rows; ascending

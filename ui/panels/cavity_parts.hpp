@@ -6,6 +6,18 @@
 
 namespace alphascope {
 
+// --- cavity_following.cpp
+
+// Takes in the table on screen and what of it is chosen; to be called in each frame by a page that
+// shows either. Makes CavityMemory::page.
+struct FollowedCavities {
+  bool current = false;         // the rows are of the picture
+  Derived<CavityLines> wanted;  // where they are not
+};
+FollowedCavities follow_cavities(PanelContext& ctx);
+// "The chosen cavity has merged into cavity 3."; empty: none has.
+std::string merged_text(const CavityPage& page);
+
 // --- cavities_table.cpp
 
 // A button that opens a list of the columns.
@@ -21,8 +33,8 @@ void choose_cavity(PanelContext& ctx, CavityPage& page, std::size_t row, HowChos
 void choose_all_cavities(PanelContext& ctx, CavityPage& page);  // that are shown
 void choose_no_cavities(PanelContext& ctx);
 
-// Which rows are chosen, and what is drawn of them; to be called in each frame.
-void follow_chosen_cavities(PanelContext& ctx, CavityPage& page, bool current);
+// What is chosen, in the view; in each frame in which it is to be seen.
+void draw_layers_of_cavities(PanelContext& ctx, CavityPage& page, bool current);
 void draw_chosen_cavities(PanelContext& ctx, CavityPage& page);
 // A button that opens a list of what can be drawn of them.
 void cavity_parts_button(PanelContext& ctx, CavityPage& page);

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/document/store.hpp"
+#include "ui/panels/cavity_parts.hpp"
 #include "ui/panels/channel_parts.hpp"
 #include "ui/panels/number_field.hpp"
 
@@ -152,9 +153,21 @@ Place centre_of_selection(const PanelContext& ctx) {
   return {(balls.lattice.unit_angstrom() / static_cast<double>(count)) * sum, {}};
 }
 
+template <class T>
+Place not_yet(const Derived<T>& cavities) {
+  if (cavities.state == DerivedState::failed || cavities.state == DerivedState::no_room) {
+    return no_place("The cavities are not known. " + cavities.why);
+  }
+  return no_place("The cavities are being computed.", true);
+}
+
 // `mouth`: counted from 1; 0 is the cavity itself.
 Place of_cavity(PanelContext& ctx, int mouth) {
   const auto& chosen = ctx.state.memory.cavities.chosen;
+  if (!ctx.state.picked.cavities.empty()) {
+    const FollowedCavities followed = follow_cavities(ctx);
+    if (!followed.current) return not_yet(followed.wanted);
+  }
   if (chosen.empty()) {
     Place place = no_place("Choose a cavity: click its line on the page Cavities.");
     place.none.wants_cavity = true;
@@ -166,12 +179,7 @@ Place of_cavity(PanelContext& ctx, int mouth) {
   }
   const std::array<BallIndex, 4> sink{(*balls)[0], (*balls)[1], (*balls)[2], (*balls)[3]};
   const Derived<FoundCavityEnds> ends = ctx.store.want(cavity_ends(sink), ctx.inputs);
-  if (!ends.ready()) {
-    if (ends.state == DerivedState::failed || ends.state == DerivedState::no_room) {
-      return no_place("The cavities are not known. " + ends.why);
-    }
-    return no_place("The cavities are being computed.", true);
-  }
+  if (!ends.ready()) return not_yet(ends);
   if (!ends.value->found) {
     return no_place(
         "The chosen cavity is not there at this alpha and solvent radius. Choose another on the "

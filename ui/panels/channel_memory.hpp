@@ -24,15 +24,15 @@ struct ChannelMemory {
   int from_mouth = 1, to_mouth = 1;  // of the chosen cavity
   RealPoint from_point, to_point;    // Å, typed
   ChannelAxis axis = ChannelAxis::main;
-  bool backwards = false;            // against the axis; one way only
-  RealPoint view_axis{0, 0, 1};      // into the view when that was chosen
-  std::vector<SimplexRef> cavities;  // that were chosen in the last frame
-  RealPoint last_from;               // Å, where the last channel began
-  std::uint64_t asked_for = 0;       // the large question that was begun by hand
+  bool backwards = false;        // against the axis; one way only
+  RealPoint view_axis{0, 0, 1};  // into the view when that was chosen
+  RefSet cavities;               // that were chosen in the last frame
+  RealPoint last_from;           // Å, where the last channel began
+  std::uint64_t asked_for = 0;   // the large question that was begun by hand
 
   // Of the balls without solvent.
   std::shared_ptr<const PreparedBalls> prepared;
-  std::uint64_t balls_key = 0;  // another one for other balls, and when it is computed anew
+  std::uint64_t balls_key = 0;  // another one for other balls
   MainAxis main_axis;
 
   // The last answer; grey while it is not that of the present question.

@@ -30,7 +30,4 @@ void show_channel(PanelContext& ctx);
 // Of the tube and of the profile's bands.
 ChartColour water_band_colour(WaterBand band);
 
-// "along_angstrom,radius_angstrom,…", a line for each sample; as `alphascope-cli channel --csv`.
-std::string channel_profile_csv(const Channel& channel);
-
 }  // namespace alphascope

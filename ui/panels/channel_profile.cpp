@@ -4,9 +4,8 @@
 #include <cstdio>
 #include <vector>
 
-#include "core/chart/readable_number.hpp"
-#include "core/document/number_input.hpp"
 #include "ui/panels/channel_parts.hpp"
+#include "ui/panels/format.hpp"
 
 namespace alphascope {
 namespace {
@@ -26,12 +25,6 @@ struct Plot {
     return length * static_cast<double>((pixel - from.x) / (to.x - from.x));
   }
 };
-
-std::string fixed(double value, int digits) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.*f", digits, value);
-  return readable_number(text);
-}
 
 // 1, 2 or 5 times a power of ten, so that about `most` fit.
 double tick_step(double range, double most) {
@@ -78,7 +71,7 @@ void draw_axes(PanelContext& ctx, const Plot& plot) {
     }
   };
   ticks(plot.low, plot.high, step_y, [&](double value) {
-    const std::string text = fixed(value, tick_digits(step_y));
+    const std::string text = number_text(value, tick_digits(step_y));
     const float y = plot.y(value), width = ImGui::CalcTextSize(text.c_str()).x;
     draw->AddLine({plot.from.x, y}, {plot.to.x, y}, line);
     draw->AddText({plot.from.x - ctx.px(6) - width, y - height / 2}, muted, text.c_str());
@@ -86,7 +79,7 @@ void draw_axes(PanelContext& ctx, const Plot& plot) {
   const double step_x =
       tick_step(plot.length, static_cast<double>((plot.to.x - plot.from.x) / ctx.px(60)));
   ticks(0, plot.length, step_x, [&](double value) {
-    const std::string text = fixed(value, tick_digits(step_x));
+    const std::string text = number_text(value, tick_digits(step_x));
     const float x = plot.x(value), width = ImGui::CalcTextSize(text.c_str()).x;
     draw->AddLine({x, plot.to.y}, {x, plot.to.y + ctx.px(3)}, muted);
     draw->AddText({x - width / 2, plot.to.y + ctx.px(4)}, muted, text.c_str());
@@ -113,7 +106,8 @@ struct LegendEntry {
 using Legend = std::vector<LegendEntry>;
 
 Legend legend_of(bool in_words) {
-  const std::string one = fixed(kOneWaterAngstrom, 2), two = fixed(kTwoWatersAngstrom, 2);
+  const std::string one = number_text(kOneWaterAngstrom, 2),
+                    two = number_text(kTwoWatersAngstrom, 2);
   return {{WaterBand::none, "below " + one + (in_words ? ": no water" : "")},
           {WaterBand::one, "to " + two + (in_words ? ": one water" : "")},
           {WaterBand::several, "wider"}};
@@ -166,7 +160,7 @@ void draw_curve(PanelContext& ctx, const Plot& plot, const Channel& channel) {
   const ImVec2 at = place(channel.narrowest());
   draw->AddLine({at.x, plot.from.y}, {at.x, plot.to.y}, to_u32(ctx.palette.accent, 0.6f));
   draw->AddCircleFilled(at, ctx.px(4), to_u32(ctx.palette.accent));
-  const std::string text = fixed(channel.narrowest().radius_angstrom, 3) + " Å";
+  const std::string text = number_text(channel.narrowest().radius_angstrom, 3) + " Å";
   const ImVec2 size = ImGui::CalcTextSize(text.c_str());
   const float right = at.x + ctx.px(7) + size.x;
   const float x = right < plot.to.x ? at.x + ctx.px(7) : at.x - ctx.px(7) - size.x;
@@ -204,9 +198,9 @@ void draw_cursor(PanelContext& ctx, const Plot& plot, const Channel& channel) {
   draw->AddLine({at.x, plot.from.y}, {at.x, plot.to.y}, to_u32(ctx.palette.text_muted));
   draw->AddCircleFilled(at, ctx.px(3), to_u32(ctx.palette.text));
   const RealPoint& p = s.position_angstrom;
-  const std::string text = "at " + fixed(s.along_angstrom, 1) + " Å: radius " +
-                           fixed(s.radius_angstrom, 2) + " Å, place " + fixed(p.x, 1) + ", " +
-                           fixed(p.y, 1) + ", " + fixed(p.z, 1);
+  const std::string text = "at " + number_text(s.along_angstrom, 1) + " Å: radius " +
+                           number_text(s.radius_angstrom, 2) + " Å, place " + number_text(p.x, 1) +
+                           ", " + number_text(p.y, 1) + ", " + number_text(p.z, 1);
   const ImVec2 size = ImGui::CalcTextSize(text.c_str());
   const float x = std::clamp(at.x - size.x / 2, plot.from.x + ctx.px(3),
                              std::max(plot.from.x + ctx.px(3), plot.to.x - size.x - ctx.px(3)));
@@ -217,18 +211,6 @@ void draw_cursor(PanelContext& ctx, const Plot& plot, const Channel& channel) {
 }
 
 }  // namespace
-
-std::string channel_profile_csv(const Channel& channel) {
-  std::string csv = "along_angstrom,radius_angstrom,x_angstrom,y_angstrom,z_angstrom\n";
-  for (const ChannelSample& s : channel.samples) {
-    const RealPoint& p = s.position_angstrom;
-    for (const double value : {s.along_angstrom, s.radius_angstrom, p.x, p.y}) {
-      csv += exact_text(value) + ",";
-    }
-    csv += exact_text(p.z) + "\n";
-  }
-  return csv;
-}
 
 void draw_channel_profile(PanelContext& ctx, const Channel& channel) {
   ImGui::PushFont(ctx.fonts.small);

@@ -1,8 +1,8 @@
 // A channel in the view: spheres along its line as a tube in the colours of the profile's bands.
 #include <algorithm>
-#include <cstdio>
 #include <utility>
 
+#include "ui/number_text.hpp"
 #include "ui/panels/channel_parts.hpp"
 
 namespace alphascope {
@@ -37,8 +37,7 @@ void make_layers(ChannelMemory& memory) {
   layer->body = true;  // what is around it fades
   auto& tube = layer->tubes.emplace_back();
   for (const ChannelSample& sample : channel.samples) tube.push_back(sphere_of(sample));
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3f Å", channel.narrowest().radius_angstrom);
+  const std::string text = number_text(channel.narrowest().radius_angstrom, 3) + " Å";
   layer->labels.push_back(
       {channel.narrowest().position_angstrom, channel.is_open() ? text : "closed here"});
   memory.layers = {std::move(layer)};

@@ -2,44 +2,35 @@
 // the profile of its way.
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <utility>
 
-#include "core/chart/readable_number.hpp"
+#include "core/document/channel_records.hpp"
 #include "core/document/store.hpp"
 #include "core/geometry/principal_axes.hpp"
 #include "ui/panels/channel_parts.hpp"
 #include "ui/panels/format.hpp"
+#include "ui/panels/molecule_memory.hpp"
 #include "ui/panels/panels.hpp"
+#include "ui/panels/save_parts.hpp"
 
 namespace alphascope {
 namespace {
 
 // Of more it takes minutes; they are asked about first.
+constexpr const char* kChannel = "channel";  // found_channel()'s id
 constexpr std::size_t kMostBallsUnasked = 200'000;
-
-std::string fixed(double value, int digits) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.*f", digits, value);
-  return readable_number(text);
-}
-
-std::uint64_t next_balls_key() {
-  static std::uint64_t key = 0;
-  return ++key;
-}
 
 void take_balls(PanelContext& ctx, ChannelMemory& memory) {
   const PreparedBalls& prepared = ctx.state.references->prepared();
   if (memory.prepared.get() == &prepared) return;
   memory.prepared = {ctx.state.references, &prepared};
-  memory.balls_key = next_balls_key();
+  ++memory.balls_key;
   memory.main_axis = main_axis(*prepared.balls);
 }
 
 // Who has just chosen a cavity wants the way out of it.
-void follow_cavities(const PanelContext& ctx, ChannelMemory& memory) {
-  const auto& chosen = ctx.state.memory.cavities.chosen;
+void take_choice(const PanelContext& ctx, ChannelMemory& memory) {
+  const RefSet& chosen = ctx.state.picked.cavities;
   if (chosen == memory.cavities) return;
   memory.cavities = chosen;
   if (chosen.empty()) return;
@@ -85,14 +76,15 @@ void headline(PanelContext& ctx, const Channel& channel) {
   const double radius = channel.narrowest().radius_angstrom;
   ImGui::AlignTextToFramePadding();
   if (!channel.is_open()) {
-    strong_text(ctx, "no way through: closed by " + fixed(-channel.widest_angstrom, 3) + " Å");
+    strong_text(ctx,
+                "no way through: closed by " + number_text(-channel.widest_angstrom, 3) + " Å");
     record(ctx, "channels.result");
     tooltip(ctx,
             "Not even a point passes. Every ball would have to shrink by this much before one "
             "does.");
     return;
   }
-  strong_text(ctx, "bottleneck " + fixed(radius, 3) + " Å");
+  strong_text(ctx, "bottleneck " + number_text(radius, 3) + " Å");
   record(ctx, "channels.result");
   tooltip(ctx,
           "The radius of the largest sphere that passes, exact to 0.001 Å. Radii of the balls are "
@@ -103,15 +95,14 @@ void headline(PanelContext& ctx, const Channel& channel) {
 }
 
 void progress(PanelContext& ctx, const Derived<FoundChannel>& found) {
-  char text[24];
-  std::snprintf(text, sizeof text, "%.0f %%", 100 * found.share);
+  const std::string text = percent_text(found.share);
   const bool runs = found.state == DerivedState::running;
   ImGui::ProgressBar(static_cast<float>(found.share), {ctx.px(150), ImGui::GetFrameHeight()},
-                     runs ? text : "waiting");
+                     runs ? text.c_str() : "waiting");
   record(ctx, "channels.progress");
   tooltip(ctx, "The widest way is being looked for. You can go on working.");
   ImGui::SameLine(0, ctx.px(8));
-  if (button(ctx, "channels.cancel", "Cancel")) ctx.store.cancel("channel");
+  if (button(ctx, "channels.cancel", "Cancel")) ctx.store.cancel(kChannel);
 }
 
 void limit_line(PanelContext& ctx, const Channel& channel) {
@@ -149,8 +140,9 @@ void guest_line(PanelContext& ctx, const std::vector<BallIndex>& touching, bool 
 void details(PanelContext& ctx, const ChannelMemory& memory, bool current) {
   const Channel& channel = *memory.shown->channel;
   const RealPoint& p = channel.narrowest().position_angstrom;
-  wrapped_text("length " + fixed(channel.length_angstrom, 1) + " Å, narrowest at " + fixed(p.x, 2) +
-               ", " + fixed(p.y, 2) + ", " + fixed(p.z, 2) + " Å");
+  wrapped_text("length " + number_text(channel.length_angstrom, 1) + " Å, narrowest at " +
+               number_text(p.x, 2) + ", " + number_text(p.y, 2) + ", " + number_text(p.z, 2) +
+               " Å");
   record(ctx, "channels.place");
   muted_wrapped(ctx, "touched there by " + memory.touching);
   record(ctx, "channels.touching");
@@ -160,12 +152,23 @@ void details(PanelContext& ctx, const ChannelMemory& memory, bool current) {
   if (button(ctx, "channels.show", "Show the bottleneck")) select_bottleneck(ctx, memory);
   tooltip(ctx, "Selects the atoms that touch it, and the view goes there.");
   ImGui::SameLine(0, ctx.px(8));
+  const RecordSource source = source_on_screen(ctx);
   if (button(ctx, "channels.copy", "Copy profile")) {
-    ImGui::SetClipboardText(channel_profile_csv(channel).c_str());
+    ImGui::SetClipboardText(channel_csv_text(channel, source).c_str());
     ctx.state.notice = "Profile copied as CSV: " +
                        with_separators(static_cast<long long>(channel.samples.size())) + " rows.";
   }
   tooltip(ctx, "Length, radius and place every 0.1 Å as CSV, for a spreadsheet.");
+  ImGui::SameLine(0, ctx.px(8));
+  if (button(ctx, "channels.save", "Save…")) {
+    ask_to_save(ctx, {"Channel",
+                      file_name_for(ctx, "channel"),
+                      channel_csv(memory.shown, source),
+                      channel_as_json(memory.shown, source),
+                      {},
+                      false});
+  }
+  tooltip(ctx, "The profile as a CSV file, or all of the channel as a JSON file.");
   ImGui::EndDisabled();
 }
 
@@ -183,7 +186,7 @@ std::string no_channel_text(const ChannelMemory& memory) {
     return text + ".";
   }
   std::string text = "The channel would end inside the atom " + memory.covering + ", " +
-                     fixed(found.depth_angstrom, 2) + " Å below its surface. ";
+                     number_text(found.depth_angstrom, 2) + " Å below its surface. ";
   return text + (found.ends.kind == ChannelEnds::Kind::through
                      ? "Choose a start nearer to the pore, or another direction."
                      : "Choose a point outside all balls, or “both ways along”, which moves the "
@@ -198,7 +201,7 @@ void column_of_results(PanelContext& ctx, const Derived<FoundChannel>& found, bo
   if (found.state == DerivedState::cancelled) {
     muted_text(ctx, "Cancelled.");
     ImGui::SameLine(0, ctx.px(8));
-    if (button(ctx, "channels.again", "Compute")) memory.balls_key = next_balls_key();
+    if (button(ctx, "channels.again", "Compute")) ctx.store.begin_again(kChannel);
     return;
   }
   if (!memory.shown) return;
@@ -280,10 +283,11 @@ void page(PanelContext& ctx) {
 
 void draw_channels_panel(PanelContext& ctx) {
   ChannelMemory& memory = ctx.state.memory.channels;
-  if (memory.molecule != ctx.state.molecule.sha256) {
-    memory = {};
-    memory.molecule = ctx.state.molecule.sha256;
-  }
+  begin_anew(memory, ctx.state.molecule.sha256, [](const ChannelMemory& old) {
+    ChannelMemory fresh;
+    fresh.balls_key = old.balls_key;  // which no two sets of balls may share
+    return fresh;
+  });
   if (!ctx.state.molecule.loaded || !ctx.state.references ||
       ctx.state.references->prepared().balls->size() == 0) {
     muted_wrapped(ctx, "Open a molecule: the channels through it appear here.");
@@ -291,7 +295,7 @@ void draw_channels_panel(PanelContext& ctx) {
     return;
   }
   take_balls(ctx, memory);
-  follow_cavities(ctx, memory);
+  take_choice(ctx, memory);
   page(ctx);
 }
 

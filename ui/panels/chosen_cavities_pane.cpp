@@ -104,35 +104,6 @@ void make_layers(PanelContext& ctx, CavityPage& page) {
   for (const ChosenCavity& cavity : page.drawn->of) add_layers(ctx, page, cavity);
 }
 
-// --- what is chosen, in the table on screen
-
-void find_chosen_rows(PanelContext& ctx, CavityPage& page) {
-  const RefSet& chosen = ctx.state.picked.cavities;
-  CavityPage::Choice& choice = page.choice;
-  const bool same_rows = page.chosen == chosen && page.chosen_in == page.rows.lines;
-  if (same_rows && choice.parts == page.parts) return;
-  page.chosen = chosen;
-  page.chosen_in = page.rows.lines;
-  page.chosen_rows = rows_of_cavities(*page.rows.lines, chosen);
-  choice.parts = page.parts;
-  choice.sinks.clear();
-  for (const std::size_t row : page.chosen_rows) {
-    choice.sinks.push_back(page.rows.table().sink(row));
-  }
-  std::sort(choice.sinks.begin(), choice.sinks.end());
-  ++choice.key;
-  std::vector<std::size_t> rows = page.chosen_rows;
-  if (page.anchor) {
-    std::stable_partition(rows.begin(), rows.end(),
-                          [&](std::size_t row) { return row != *page.anchor; });
-  }
-  auto& sinks = ctx.state.memory.cavities.chosen;
-  sinks.clear();
-  for (const std::size_t row : rows) {
-    sinks.push_back(cavity_sink(*page.rows.lines->atoms, page.rows.table(), row));
-  }
-}
-
 // --- the pane
 
 std::string title_of(const CavityPage& page) {
@@ -153,6 +124,11 @@ std::string chain_names(const ChosenCavities& drawn) {
 }
 
 void sentences(PanelContext& ctx, const CavityPage& page) {
+  const std::string merged = merged_text(page);
+  if (!merged.empty()) {
+    wrapped_text(merged);
+    record(ctx, "cavities.merged");
+  }
   if (page.chosen_rows.size() != 1) return;
   const std::size_t row = page.chosen_rows.front();
   const CavityLine& line = page.rows.lines->of[row];
@@ -258,8 +234,7 @@ void choose_no_cavities(PanelContext& ctx) {
   ctx.state.picked.clear();
 }
 
-void follow_chosen_cavities(PanelContext& ctx, CavityPage& page, bool current) {
-  find_chosen_rows(ctx, page);
+void draw_layers_of_cavities(PanelContext& ctx, CavityPage& page, bool current) {
   if (page.chosen_rows.empty()) {
     page.layers_are_old |= page.drawn != nullptr;
     page.drawn = nullptr;

@@ -3,10 +3,11 @@
 
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/document/cavity_chart.hpp"
-#include "core/document/reference.hpp"
+#include "core/document/cavity_results.hpp"
 
 namespace alphascope {
 
@@ -14,16 +15,17 @@ struct CurveMemory {
   int axis = 1;          // a CurveAxis
   int quantity = 0;      // a CurveQuantity
   std::string molecule;  // SHA-256 of its file
-  // Molecules whose curves take long are asked about: for which axis they were
-  // asked for; -1: none.
-  int asked_for = -1;
+  // Molecules whose curves take long are asked about: for which axis and quantity they were asked
+  // for; -1: none.
+  std::pair<int, int> asked_for{-1, -1};
 
   // What is plotted, and of what it was made.
   CavityChart chart;
   std::vector<std::size_t> colours;  // of each series, for chart_colour()
   CurveAxis chart_axis = CurveAxis::alpha;
   std::shared_ptr<const void> curves, links;
-  std::vector<SimplexRef> chosen;
+  std::shared_ptr<const CavityLines> lines;  // null: nothing is chosen
+  std::vector<std::size_t> rows;             // of them, those that are plotted
   int chart_quantity = -1;
 };
 

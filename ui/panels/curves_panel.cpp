@@ -3,23 +3,24 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/chart/readable_number.hpp"
 #include "core/document/cavity_chart.hpp"
 #include "core/document/cavity_curve_results.hpp"
-#include "core/document/cavity_names.hpp"
-#include "core/document/cavity_results.hpp"
+#include "core/document/finished_text.hpp"
 #include "core/document/store.hpp"
+#include "ui/panels/cavity_parts.hpp"
 #include "ui/panels/curve_plot.hpp"
 #include "ui/panels/format.hpp"
+#include "ui/panels/molecule_memory.hpp"
 #include "ui/panels/panels.hpp"
+#include "ui/panels/save_parts.hpp"
 
 namespace alphascope {
 namespace {
 
-constexpr double kAlphaStep = 0.01;            // Å², as the slider's
-constexpr double kSolventStep = 0.1;           // Å, as the samples'
-constexpr std::size_t kMostLines = 8;          // as many colours as there are
-constexpr std::size_t kMostUnasked = 6000000;  // balls, of all triangulations of one curve
+constexpr double kAlphaStep = 0.01;         // Å², as the slider's
+constexpr double kSolventStep = 0.1;        // Å, as the samples'
+constexpr std::size_t kMostLines = 8;       // as many colours as there are
+constexpr double kMostSecondsUnasked = 60;  // of one thread, for one curve
 
 using Curves = Derived<CavityCurves>;
 
@@ -31,105 +32,108 @@ CurveQuantity quantity_of(const CurveMemory& memory) {
   return static_cast<CurveQuantity>(memory.quantity);
 }
 
-const Definition<CavityCurves>& definition_of(CurveAxis axis) {
-  return axis == CurveAxis::alpha     ? curves_over_alpha()
-         : axis == CurveAxis::solvent ? curves_over_solvent()
-                                      : curves_over_models();
+const Definition<CavityCurves>& definition_of(const CurveMemory& memory) {
+  const CurveNumbers numbers = numbers_for(quantity_of(memory));
+  const CurveAxis axis = axis_of(memory);
+  return axis == CurveAxis::alpha     ? curves_over_alpha(numbers)
+         : axis == CurveAxis::solvent ? curves_over_solvent(numbers)
+                                      : curves_over_models(numbers);
 }
 
-// --- what is chosen
+// --- what is plotted
 
-// The cavities of the table that were chosen, whichever it was chosen of: the one that the sink is
-// in, wherever the triangulation has it.
-std::vector<std::size_t> chosen_rows(const CavityTable& table, const BallReferences& atoms,
-                                     const std::vector<SimplexRef>& chosen) {
-  std::vector<std::size_t> row_of(table.size());
-  for (std::size_t row = 0; row < table.size(); ++row) row_of[table.order[row]] = row;
-  const Simplices<4>& all = table.ground->triangulation->tetrahedra;
-  std::vector<std::size_t> rows;
-  for (const SimplexRef& ref : chosen) {
-    const auto balls = atoms.balls(ref);
-    if (!balls || balls->size() != 4) continue;
-    const std::array<BallIndex, 4> sink{(*balls)[0], (*balls)[1], (*balls)[2], (*balls)[3]};
-    const auto at = std::lower_bound(all.begin(), all.end(), sink);
-    if (at == all.end() || *at != sink) continue;
-    const std::uint32_t cavity =
-        table.found.cavity_of_tetrahedron[static_cast<std::size_t>(at - all.begin())];
-    if (cavity == Cavities::kNone) continue;
-    const std::size_t row = row_of[cavity];
-    if (std::find(rows.begin(), rows.end(), row) == rows.end()) rows.push_back(row);
-  }
-  std::sort(rows.begin(), rows.end());
-  if (rows.size() > kMostLines) rows.resize(kMostLines);
-  return rows;
-}
-
+// `lines`: null for the totals.
 void make_chart(CurveMemory& memory, const CavityCurves& curves, const CurveLinks* links,
-                const CavityTable* table, const std::vector<std::size_t>& rows) {
+                const CavityLines* lines, const std::vector<std::size_t>& rows) {
   memory.chart_axis = curves.axis;
   memory.colours.clear();
-  if (rows.empty()) {
+  if (!lines) {
     memory.chart = chart_of_totals(curves, quantity_of(memory));
     memory.colours = {0, 1};
     return;
   }
+  const CavityTable& table = *lines->table;
   std::vector<ChartedCavity> chosen;
   for (const std::size_t row : rows) {
-    const char* kind = table->cavity(row).is_void() ? "void " : "pocket ";
-    chosen.push_back({table->order[row], kind + std::to_string(row + 1)});
-    memory.colours.push_back(row);
+    const char* kind = table.cavity(row).is_void() ? "void " : "pocket ";
+    chosen.push_back({table.order[row], kind + std::to_string(row + 1)});
+    memory.colours.push_back(lines->numbers->of[table.order[row]]);  // as in the view
   }
   memory.chart = chart_of_cavities(curves, quantity_of(memory), *links, chosen);
 }
 
 // Keeps the chart that there is until the next one can be made. True: it is of what is on screen.
 bool follow(PanelContext& ctx, CurveMemory& memory, const Curves& curves) {
-  if (!curves.ready()) return false;
-  const std::vector<SimplexRef>& chosen = ctx.state.memory.cavities.chosen;
-  const auto& atoms = ctx.inputs.atoms;
   std::shared_ptr<const CurveLinks> links;
-  std::shared_ptr<const CavityTable> table;
-  if (!chosen.empty() && atoms) {
-    const Derived<CavityTable> tables = ctx.store.want(cavity_table(), ctx.inputs);
-    const Derived<CurveLinks> linked =
-        ctx.store.want(curve_links(curves.value, curves.have), ctx.inputs);
-    if (!tables.ready() || !linked.ready()) return false;
-    table = tables.value;
-    links = linked.value;
-  }
-  const bool same = memory.curves == curves.value && memory.links == links &&
-                    memory.chosen == chosen && memory.chart_quantity == memory.quantity;
-  if (same) return true;
+  std::shared_ptr<const CavityLines> lines;
   std::vector<std::size_t> rows;
-  if (table) rows = chosen_rows(*table, *atoms, chosen);
-  make_chart(memory, *curves.value, links.get(), table.get(), rows);
+  if (!ctx.state.picked.cavities.empty()) {
+    // Also while there are no curves: no step of a slider may be left out.
+    const bool current = follow_cavities(ctx).current;
+    CavityPage& page = *ctx.state.memory.cavities.page;
+    if (page.rows.lines) draw_layers_of_cavities(ctx, page, current);
+    if (!current || !curves.ready()) return false;
+    const auto linked = ctx.store.want(curve_links(curves.value, curves.have), ctx.inputs);
+    if (!linked.ready()) return false;
+    links = linked.value;
+    lines = page.rows.lines;
+    rows = page.chosen_rows;
+    if (rows.size() > kMostLines) rows.resize(kMostLines);
+  }
+  if (!curves.ready()) return false;
+  const bool same = memory.curves == curves.value && memory.links == links && memory.rows == rows &&
+                    memory.lines == lines && memory.chart_quantity == memory.quantity;
+  if (same) return true;
+  // Of a cavity that is not there now, its curve stays: the way back to where it is.
+  const bool gone = lines && rows.empty() && !memory.rows.empty();
+  if (gone && memory.curves == curves.value && memory.chart_quantity == memory.quantity)
+    return true;
+  make_chart(memory, *curves.value, links.get(), lines.get(), rows);
   memory.curves = curves.value;
   memory.links = links;
-  memory.chosen = chosen;
+  memory.lines = lines;
+  memory.rows = rows;
   memory.chart_quantity = memory.quantity;
   return true;
 }
 
 // --- the line above the plot
 
-void copy_button(PanelContext& ctx, const CurveMemory& memory) {
+std::string csv_of(const PanelContext& ctx, const CurveMemory& memory) {
+  std::vector<std::string> comments;
+  for (const auto& [key, value] : source_on_screen(ctx).provenance()) {
+    if (!value.empty()) comments.push_back(key + ": " + value);
+  }
+  comments.push_back("program: " + ctx.state.program.text());
+  if (memory.chart_axis != CurveAxis::solvent) {
+    comments.push_back("solvent radius: " +
+                       axis_text(CurveAxis::solvent, ctx.inputs.solvent_radius_angstrom) + " Å");
+  }
+  if (memory.chart_axis != CurveAxis::alpha) {
+    comments.push_back("alpha: " + axis_text(CurveAxis::alpha, ctx.inputs.alpha_angstrom2) + " Å²");
+  }
+  comments.push_back("values: " + memory.chart.chart.value_label);
+  return chart_csv(memory.chart.chart, comments);
+}
+
+void table_buttons(PanelContext& ctx, const CurveMemory& memory, bool current) {
+  ImGui::BeginDisabled(!current || !ctx.state.references);
   if (button(ctx, "curves.copy", "Copy CSV")) {
-    std::vector<std::string> comments;
-    for (const auto& [key, value] : ctx.state.molecule.provenance) {
-      if (!value.empty()) comments.push_back(key + ": " + value);
-    }
-    if (memory.chart_axis != CurveAxis::solvent) {
-      comments.push_back("solvent radius: " +
-                         axis_text(CurveAxis::solvent, ctx.inputs.solvent_radius_angstrom) + " Å");
-    }
-    if (memory.chart_axis != CurveAxis::alpha) {
-      comments.push_back("alpha: " + axis_text(CurveAxis::alpha, ctx.inputs.alpha_angstrom2) +
-                         " Å²");
-    }
-    ImGui::SetClipboardText(chart_csv(memory.chart.chart, comments).c_str());
+    ImGui::SetClipboardText(csv_of(ctx, memory).c_str());
     ctx.state.notice = "Curves copied as CSV.";
   }
   tooltip(ctx, "Copies the curves as a table with commas between the numbers");
+  ImGui::SameLine(0, ctx.px(4));
+  if (button(ctx, "curves.save", "Save…")) {
+    ask_to_save(ctx, {"Curves",
+                      file_name_for(ctx, "curves"),
+                      finished_text(csv_of(ctx, memory)),
+                      {},
+                      {},
+                      false});
+  }
+  tooltip(ctx, "The curves as a CSV file");
+  ImGui::EndDisabled();
 }
 
 void legend(PanelContext& ctx, const CurveMemory& memory) {
@@ -155,10 +159,13 @@ void legend(PanelContext& ctx, const CurveMemory& memory) {
 }
 
 void choices(PanelContext& ctx, CurveMemory& memory) {
-  constexpr float kWidth = 430;  // pixels at scale 1, of all; the names of the pages stand before
+  constexpr float kWidth = 510;  // pixels at scale 1, of all; the names of the pages stand before
   if (ImGui::GetContentRegionAvail().x < ctx.px(kWidth)) ImGui::NewLine();
-  choice(ctx, "curves.quantity", {"Volume", "Area"}, memory.quantity, ctx.px(120));
-  tooltip(ctx, "The region of probe centres, as CASTp sums it: SA volume or SA area");
+  choice(ctx, "curves.quantity", {"Volume", "Area", "Exact"}, memory.quantity, ctx.px(190));
+  tooltip(ctx,
+          "The region of probe centres, as CASTp sums it: SA volume or SA area. Exact: what "
+          "of the cavity's tetrahedra is really outside all grown balls, which takes about "
+          "twenty times as long.");
   ImGui::SameLine(0, ctx.px(10));
   ImGui::AlignTextToFramePadding();
   muted_text(ctx, "against");
@@ -194,7 +201,7 @@ void draw_plot(PanelContext& ctx, const CurveMemory& memory) {
   const CurveAxis axis = memory.chart_axis;
   CurvePlot plot{&memory.chart, &memory.colours, axis, shown_at(ctx, axis), "", "", ""};
   plot.unit = axis == CurveAxis::alpha ? "Å²" : axis == CurveAxis::solvent ? "Å" : "";
-  plot.value_unit = memory.chart_quantity == 0 ? "Å³" : "Å²";
+  plot.value_unit = memory.chart_quantity == 1 ? "Å²" : "Å³";
   plot.click = axis == CurveAxis::alpha     ? "Click or drag to set alpha."
                : axis == CurveAxis::solvent ? "Click or drag to set the solvent radius."
                                             : "Click to show this model.";
@@ -204,50 +211,66 @@ void draw_plot(PanelContext& ctx, const CurveMemory& memory) {
 
 // --- when there is nothing to plot
 
-std::string percent(double share) {
-  return std::to_string(static_cast<int>(share * 100)) + " %";
-}
-
-std::string waiting_text(const PanelContext& ctx, const Curves& curves, CurveAxis axis) {
+std::string waiting_text(const PanelContext& ctx, const CurveMemory& memory, const Curves& curves) {
   if (!ctx.state.molecule.loaded) return "Open a molecule: curves of its cavities appear here.";
-  if (axis == CurveAxis::model) {
+  if (axis_of(memory) == CurveAxis::model) {
     const std::string why = why_no_model_curve(ctx.inputs);
     if (!why.empty()) return why;
   }
-  const std::string title(definition_of(axis).title);
-  if (curves.state == DerivedState::running) return title + ": " + percent(curves.share);
+  const std::string title(definition_of(memory).title);
+  if (curves.state == DerivedState::running) return title + ": " + percent_text(curves.share);
+  if (curves.state == DerivedState::cancelled) return "Cancelled.";
   if (curves.state != DerivedState::waiting && !curves.why.empty()) {
     return "There are no curves. " + curves.why;
   }
   return "Curves appear here when the triangulations that they need are there.";
 }
 
-// Balls to be triangulated for a curve.
-std::size_t work_of(const PanelContext& ctx, CurveAxis axis) {
-  if (!ctx.inputs.balls || axis == CurveAxis::alpha) return 0;
-  const std::size_t times = axis == CurveAxis::solvent ? 51 : ctx.state.molecule.models.size();
-  return ctx.inputs.balls->size() * times;
+struct CurveWork {
+  std::size_t balls = 0;  // of all samples together
+  double seconds = 0;     // on one thread
+};
+
+CurveWork work_of(const PanelContext& ctx, const CurveMemory& memory) {
+  constexpr double kSumsPerBall = 1e-5, kExactPerBall = 1.6e-4;  // seconds; measured with 4HHB
+  const CurveAxis axis = axis_of(memory);
+  const bool exact = numbers_for(quantity_of(memory)) == CurveNumbers::exact;
+  if (!ctx.inputs.balls || (axis == CurveAxis::alpha && !exact)) return {};
+  constexpr std::size_t kSamples = 51;  // about
+  const std::size_t times = axis == CurveAxis::model ? ctx.state.molecule.models.size() : kSamples;
+  const std::size_t balls = ctx.inputs.balls->size() * times;
+  return {balls, static_cast<double>(balls) * (exact ? kExactPerBall : kSumsPerBall)};
 }
 
 // Of what takes long, only upon request.
-bool is_asked_for(PanelContext& ctx, CurveMemory& memory, CurveAxis axis) {
-  const std::size_t work = work_of(ctx, axis);
-  if (work <= kMostUnasked || memory.asked_for == memory.axis) return true;
-  constexpr double kSecondsPerBall = 1e-5;  // one thread; 7 microseconds measured
-  const long minutes = std::lround(std::ceil(static_cast<double>(work) * kSecondsPerBall / 60));
-  muted_wrapped(ctx, "These curves need triangulations of " +
-                         with_separators(static_cast<long long>(work)) + " balls: some " +
-                         std::to_string(minutes) + " minutes in the background.");
+bool is_asked_for(PanelContext& ctx, CurveMemory& memory) {
+  const CurveWork work = work_of(ctx, memory);
+  const std::pair<int, int> question{memory.axis, memory.quantity};
+  if (work.seconds <= kMostSecondsUnasked || memory.asked_for == question) return true;
+  const long minutes = std::lround(std::ceil(work.seconds / 60));
+  muted_wrapped(ctx, "These curves are of " + with_separators(static_cast<long long>(work.balls)) +
+                         " balls in all samples together: some " + std::to_string(minutes) +
+                         (minutes == 1 ? " minute" : " minutes") + " in the background.");
   record(ctx, "curves.waiting");
-  if (button(ctx, "curves.compute", "Compute")) memory.asked_for = memory.axis;
+  if (button(ctx, "curves.compute", "Compute")) memory.asked_for = question;
   return false;
 }
 
+// What goes on can be ended, and begun again.
+void cancel_button(PanelContext& ctx, const CurveMemory& memory, const Curves& curves) {
+  const std::string_view id = definition_of(memory).id;
+  if (curves.state == DerivedState::running || curves.state == DerivedState::waiting) {
+    if (button(ctx, "curves.cancel", "Cancel")) ctx.store.cancel(id);
+  } else if (curves.state == DerivedState::cancelled) {
+    if (button(ctx, "curves.again", "Compute")) ctx.store.begin_again(id);
+  }
+}
+
 std::string nothing_text(const PanelContext& ctx) {
-  return ctx.state.memory.cavities.chosen.empty()
+  return ctx.state.picked.cavities.empty()
              ? "There are no cavities here to plot."
-             : "The chosen cavities are on none of these samples. Choose others on the page "
-               "Cavities.";
+             : "The chosen cavities are not there at this alpha and solvent radius. Choose others "
+               "on the page Cavities.";
 }
 
 }  // namespace
@@ -255,22 +278,25 @@ std::string nothing_text(const PanelContext& ctx) {
 void draw_curves_panel(PanelContext& ctx) {
   CurveMemory& memory = ctx.state.memory.curves;
   choices(ctx, memory);
+  begin_anew(memory, ctx.state.molecule.sha256, [](const CurveMemory& old) {
+    CurveMemory fresh;
+    fresh.axis = old.axis;
+    fresh.quantity = old.quantity;
+    return fresh;
+  });
   const CurveAxis axis = axis_of(memory);
-  if (std::exchange(memory.molecule, ctx.state.molecule.sha256) != ctx.state.molecule.sha256) {
-    memory.curves = nullptr;
-    memory.asked_for = -1;
-  }
   // Between two pictures it is not known of which atoms the balls are.
   const bool unknown = !ctx.inputs.atoms;
   const bool none = !unknown && axis == CurveAxis::model && !why_no_model_curve(ctx.inputs).empty();
-  if (!unknown && !none && !is_asked_for(ctx, memory, axis)) return;
+  if (!unknown && !none && !is_asked_for(ctx, memory)) return;
   const Curves curves =
-      unknown || none ? Curves{} : ctx.store.want(definition_of(axis), ctx.inputs);
+      unknown || none ? Curves{} : ctx.store.want(definition_of(memory), ctx.inputs);
   const bool current = follow(ctx, memory, curves);
   const bool old = memory.curves && memory.chart_axis == axis && !none;
   if (!current && !old) {
-    muted_wrapped(ctx, waiting_text(ctx, curves, axis));
+    muted_wrapped(ctx, waiting_text(ctx, memory, curves));
     record(ctx, "curves.waiting");
+    cancel_button(ctx, memory, curves);
     return;
   }
   if (memory.chart.chart.empty()) {
@@ -278,14 +304,19 @@ void draw_curves_panel(PanelContext& ctx) {
     record(ctx, "curves.nothing");
     return;
   }
-  copy_button(ctx, memory);
+  table_buttons(ctx, memory, current);
   // What is no longer, or not yet, of the picture is grey.
   ImGui::PushStyleVar(ImGuiStyleVar_Alpha, current ? 1.0f : 0.55f);
   legend(ctx, memory);
-  if (!current && curves.state == DerivedState::running) {
+  ImGui::PopStyleVar();
+  if (!current && !curves.ready()) {
     ImGui::SameLine(0, ctx.px(14));
-    muted_text(ctx, percent(curves.share));
+    ImGui::AlignTextToFramePadding();
+    muted_text(ctx, waiting_text(ctx, memory, curves));
+    ImGui::SameLine(0, ctx.px(8));
+    cancel_button(ctx, memory, curves);
   }
+  ImGui::PushStyleVar(ImGuiStyleVar_Alpha, current ? 1.0f : 0.55f);
   ImGui::PushFont(ctx.fonts.small);
   draw_plot(ctx, memory);
   ImGui::PopFont();

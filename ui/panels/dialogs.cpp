@@ -10,6 +10,7 @@
 #include "ui/panels/number_field.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/panels/picture_path.hpp"
+#include "ui/panels/save_parts.hpp"
 
 namespace alphascope {
 namespace {
@@ -118,34 +119,6 @@ void save_size(PanelContext& ctx) {
   ImGui::NewLine();
 }
 
-// Where it will be, whatever folder the program was started in, and what becomes of what is there.
-// False where there is no folder for it.
-bool save_target(PanelContext& ctx) {
-  std::error_code ignored;
-  const std::filesystem::path path = picture_path(ctx.state.memory.save_path);
-  const bool has_folder = std::filesystem::is_directory(path.parent_path(), ignored);
-  row_label(ctx, "");
-  ImGui::PushFont(ctx.fonts.small);
-  if (std::filesystem::is_regular_file(path, ignored)) {
-    ImGui::PushStyleColor(ImGuiCol_Text, to_imgui(ctx.palette.warning));
-    ImGui::TextUnformatted("This file already exists and will be replaced.");
-    ImGui::PopStyleColor();
-    record(ctx, "save.replaces");
-  } else if (!has_folder) {
-    ImGui::PushStyleColor(ImGuiCol_Text, to_imgui(ctx.palette.error));
-    ImGui::TextUnformatted(
-        fitted_text("There is no folder " + path.parent_path().string() + ".", ctx.px(340))
-            .c_str());
-    ImGui::PopStyleColor();
-    record(ctx, "save.no_folder");
-  } else {
-    muted_text(ctx, fitted_text(path.string(), ctx.px(340)));
-    tooltip(ctx, path.string().c_str());
-  }
-  ImGui::PopFont();
-  return has_folder;
-}
-
 // What is drawn over the molecule.
 void save_marks(PanelContext& ctx) {
   PanelMemory& m = ctx.state.memory;
@@ -176,7 +149,7 @@ void draw_save_picture(PanelContext& ctx) {
   const bool entered =
       ImGui::InputText("##path", &m.save_path, ImGuiInputTextFlags_EnterReturnsTrue);
   record(ctx, "save.path");
-  const bool can_save = save_target(ctx) && !m.save_path.empty();
+  const bool can_save = save_target(ctx, picture_path(m.save_path)) && !m.save_path.empty();
   save_size(ctx);
   row_label(ctx, "");
   checkbox(ctx, "save.transparent", "Transparent background", m.save.transparent);

@@ -46,6 +46,10 @@ MemoryRange assembly_memory(std::uint64_t atoms) {
           kBytesOfTheWindow + atoms * kMostBytesPerAtom};
 }
 
+std::string percent_text(double share) {
+  return number_text(100 * share, 0) + " %";
+}
+
 std::string ratio_text(double ratio) {
   if (!(ratio > 0) || std::isinf(ratio)) return "–";
   if (ratio >= 99.95) return with_separators(std::llround(ratio)) + "×";

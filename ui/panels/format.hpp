@@ -17,6 +17,7 @@ struct MemoryRange {
   std::uint64_t least = 0, most = 0;  // bytes
 };
 MemoryRange assembly_memory(std::uint64_t atoms);
-std::string ratio_text(double ratio);  // "5,568×", "3.2×", "0.82×", "< 0.01×"
+std::string percent_text(double share);  // "37 %", of 0 to 1
+std::string ratio_text(double ratio);    // "5,568×", "3.2×", "0.82×", "< 0.01×"
 
 }  // namespace alphascope

@@ -4,11 +4,13 @@
 #include <imgui_stdlib.h>
 
 #include <algorithm>
-#include <cstdio>
 
+#include "core/document/measure_records.hpp"
 #include "core/document/store.hpp"
 #include "ui/panels/format.hpp"
+#include "ui/panels/molecule_memory.hpp"
 #include "ui/panels/panels.hpp"
+#include "ui/panels/save_parts.hpp"
 #include "ui/panels/table_cells.hpp"
 
 namespace alphascope {
@@ -16,11 +18,6 @@ namespace {
 
 std::string number(std::size_t n) {
   return with_separators(static_cast<long long>(n));
-}
-std::string percent_text(double share) {
-  char text[24];
-  std::snprintf(text, sizeof text, "%.2f", 100 * share);
-  return text;
 }
 
 constexpr MeasuredPer kPer[] = {MeasuredPer::component, MeasuredPer::chain, MeasuredPer::residue,
@@ -83,7 +80,7 @@ std::string cell_text(const MeasureRows& rows, const MeasureRow& row, MeasureCol
     case MeasureColumn::area_share:
     case MeasureColumn::volume_share:
     case MeasureColumn::exposed:
-      return percent_text(value);
+      return number_text(100 * value, 2);
     default:
       return measure_text(value);
   }
@@ -172,6 +169,26 @@ std::string measured_text(const MeasuredUnion& by) {
   return text + "." + (by.note.empty() ? "" : "\n" + by.note);
 }
 
+// The complex on screen and all that the rows speak of are of the same atoms.
+bool fits(const PanelContext& ctx) {
+  const auto& answer = ctx.state.result;
+  const auto& atoms = ctx.state.references;
+  return answer && atoms && ctx.inputs.complex && answer->balls == ctx.inputs.balls &&
+         &atoms->prepared() == answer->prepared.get();
+}
+
+void save_button(PanelContext& ctx, const MeasureMemory& memory) {
+  ImGui::BeginDisabled(!memory.rows || !ctx.inputs.atoms || !fits(ctx));
+  if (button(ctx, "measures.save", "Save…")) {
+    const RecordSource source = source_on_screen(ctx);
+    ask_to_save(ctx, {"Areas and volumes", file_name_for(ctx, "measures"),
+                      measure_csv(memory.query, source, ctx.state.result),
+                      measure_json(memory.query, source, ctx.state.result), ctx.inputs});
+  }
+  ImGui::EndDisabled();
+  tooltip(ctx, "The rows that are shown, as a CSV or JSON file.");
+}
+
 void controls_line(PanelContext& ctx, MeasureMemory& memory) {
   const int before = memory.per;
   choice(ctx, "measures.per", {"components", "chains", "residues", "atoms"}, memory.per,
@@ -187,8 +204,10 @@ void controls_line(PanelContext& ctx, MeasureMemory& memory) {
   ImGui::EndDisabled();
   tooltip(ctx, "How area and volume change when an atom moves or grows. For atoms only.");
   ImGui::SameLine(0, ctx.px(12));
-  if (button(ctx, "measures.copy", "Copy as CSV")) memory.copying = true;
+  if (button(ctx, "measures.copy", "Copy CSV")) memory.copying = true;
   tooltip(ctx, "The rows that are shown, with all digits and where they come from.");
+  ImGui::SameLine(0, ctx.px(4));
+  save_button(ctx, memory);
   ImGui::SameLine(0, ctx.px(12));
   if (!memory.rows) return ImGui::NewLine();
   ImGui::AlignTextToFramePadding();
@@ -275,8 +294,8 @@ void table_of_rows(PanelContext& ctx, MeasureMemory& memory, const BallReference
 }
 
 void copy_when_there(PanelContext& ctx, MeasureMemory& memory) {
-  const Derived<std::string> csv =
-      ctx.store.want(measure_csv(memory.query, ctx.state.result), ctx.inputs);
+  const Derived<std::string> csv = ctx.store.want(
+      measure_csv(memory.query, source_on_screen(ctx), ctx.state.result), ctx.inputs);
   if (csv.state == DerivedState::failed || csv.state == DerivedState::no_room) {
     memory.copying = false;
     ctx.state.tell("Cannot copy the table", csv.why);
@@ -305,14 +324,6 @@ void say_why_none(PanelContext& ctx, const Derived<MeasuredComplex>& measured) {
   record(ctx, "measures.waiting");
 }
 
-// The complex on screen and all that the rows speak of are of the same atoms.
-bool fits(const PanelContext& ctx) {
-  const auto& answer = ctx.state.result;
-  const auto& atoms = ctx.state.references;
-  return answer && atoms && ctx.inputs.complex && answer->balls == ctx.inputs.balls &&
-         &atoms->prepared() == answer->prepared.get();
-}
-
 // It may be sorted or filtered otherwise than is wanted now.
 bool of_the_picture(const Derived<MeasureRows>& rows) {
   return rows.value && rows.have.balls == rows.wanted.balls && rows.have.alpha == rows.wanted.alpha;
@@ -329,10 +340,7 @@ void take_measures(PanelContext& ctx, MeasureMemory& memory,
 
 void draw_measures_panel(PanelContext& ctx) {
   MeasureMemory& memory = ctx.state.memory.measures;
-  if (memory.molecule != ctx.state.molecule.sha256) {
-    memory = {};
-    memory.molecule = ctx.state.molecule.sha256;
-  }
+  begin_anew(memory, ctx.state.molecule.sha256);
   ctx.state.measures_wanted = true;
   const bool whole = !ctx.inputs.complex || !ctx.inputs.complex->tetrahedra_only;
   Derived<MeasuredComplex> measured;
@@ -344,7 +352,7 @@ void draw_measures_panel(PanelContext& ctx) {
     memory.query.derivatives = memory.changes;
     rows = ctx.store.want(measure_rows(memory.query, ctx.state.result), ctx.inputs);
     if (of_the_picture(rows)) memory.rows = rows.value;
-    if (memory.copying) copy_when_there(ctx, memory);
+    if (memory.copying && ctx.inputs.atoms) copy_when_there(ctx, memory);
   }
   if (!memory.measured || !whole) return say_why_none(ctx, measured);
   // What is no longer, or not yet, of the picture is grey.

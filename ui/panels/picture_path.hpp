@@ -1,4 +1,4 @@
-// Where a picture is saved to.
+// Where a picture or a table is saved to.
 #pragma once
 
 #include <filesystem>
@@ -6,6 +6,8 @@
 
 namespace alphascope {
 
+// The whole path of what was typed, with this ending (".csv"), which it gets when it has another.
+std::filesystem::path path_to_save(const std::string& typed, const std::string& ending);
 // The whole path, ending in ".png": pictures are PNG files whatever one calls them.
 std::filesystem::path picture_path(const std::string& typed);
 

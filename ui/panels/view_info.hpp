@@ -53,6 +53,7 @@ struct MoleculeInfo {
   std::string sha256, radii_name, radii_citation;
   // "Lattice unit", "0.001 Å": where the numbers come from; complete, for people and papers.
   std::vector<std::pair<std::string, std::string>> provenance;
+  BallOptions options;  // that chose its balls
 };
 
 struct BadgeInfo {

@@ -15,6 +15,7 @@
 
 #include "core/document/answer.hpp"
 #include "core/document/open_options.hpp"
+#include "core/document/record_source.hpp"
 #include "core/document/reference.hpp"
 #include "core/engine/cold_and_warm.hpp"
 #include "core/engine/gpu_device.hpp"
@@ -28,6 +29,7 @@
 #include "ui/panels/folder_listing.hpp"
 #include "ui/panels/measure_memory.hpp"
 #include "ui/panels/palette_memory.hpp"
+#include "ui/panels/table_memory.hpp"
 #include "ui/panels/view_info.hpp"
 #include "ui/theme.hpp"
 
@@ -48,6 +50,7 @@ struct ScreenshotRequest {
 struct Requests {
   std::optional<std::filesystem::path> open;
   std::optional<ScreenshotRequest> screenshot;
+  std::optional<SaveTableRequest> save_table;
   bool compare = false, cancel = false, cancel_compare = false, cancel_save = false;
   bool compute_anew = false;  // set-up included, for its cold time
   bool reset_view = false, zoom_to_selection = false, quit = false;
@@ -103,6 +106,7 @@ struct PanelMemory {
   ChannelMemory channels;
   MeasureMemory measures;
   CurveMemory curves;
+  TableMemory save_table;
   std::vector<std::size_t> dialogs;  // that are open, by dialog_stack.cpp; the last is on top
   bool dragging_view = false;
   bool playing = false;         // alpha grows by itself, one step a finished result
@@ -143,7 +147,7 @@ struct ViewState {
   // Of the folder in the file dialog, or of the one before while that is being read; null: none
   // yet.
   std::shared_ptr<const FolderListing> listing;
-  BusyInfo busy, saving;  // saving: a picture, which holds nothing up
+  BusyInfo busy, saving;  // saving: a picture or a table, which holds nothing up
   BackgroundInfo background;
   Layers layers;                 // that the panels want drawn; filled anew in each frame
   bool measures_wanted = false;  // areas and volumes are shown; said anew in each frame
@@ -152,6 +156,7 @@ struct ViewState {
   std::optional<GpuDevice> gpu;  // nothing: still being looked for
   std::string engine_note;       // why another engine than hoped for was used; may be empty
   std::string version;
+  ProgramName program;                             // for what is written
   std::size_t memory_bytes = 0;                    // of the whole program
   std::uint64_t free_bytes = 0;                    // that the machine could still give; 0: unknown
   std::optional<SelectionError> expression_error;  // why what was typed was not taken

@@ -29,6 +29,7 @@ struct SceneStyle {
   double ball_opacity = 1;     // above 0, at most 1
   double complex_opacity = 1;  // above 0, at most 1
   bool ambient_occlusion = true;
+  float line_scale = 1;  // of the width of lines: the controls' on a dense screen
   Theme theme = Theme::dark;
   friend bool operator==(const SceneStyle&, const SceneStyle&) = default;
 };

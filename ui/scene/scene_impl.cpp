@@ -174,7 +174,7 @@ void Scene::Impl::draw(int width, int height) {
   }
   follow_aspect(static_cast<double>(width) / height);
   if (balls && std::exchange(reset_pending, false)) reset_camera();
-  const float width_scale = static_cast<float>(samples);
+  const float width_scale = static_cast<float>(samples) * style.line_scale;
   edges.actor->GetProperty()->SetLineWidth(1.5f * width_scale);
   differences.edges.actor->GetProperty()->SetLineWidth(3.5f * width_scale);
   layers.marks.edges.actor->GetProperty()->SetLineWidth(2.5f * width_scale);

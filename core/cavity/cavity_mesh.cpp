@@ -1,23 +1,12 @@
 #include "core/cavity/cavity_mesh.hpp"
 
 #include <algorithm>
-#include <utility>
 
 #include "core/cavity/cavity_shape.hpp"
-#include "core/predicates/exact_alpha.hpp"
-#include "core/predicates/perturbation.hpp"
+#include "core/complex/outward_face.hpp"
 
 namespace alphascope {
 namespace {
-
-// The face opposite ball k, which is behind it.
-std::array<BallIndex, 3> outwards(const BallSet& balls, const std::array<BallIndex, 4>& t,
-                                  std::size_t k) {
-  std::array<BallIndex, 3> face{t[k == 0 ? 1 : 0], t[k <= 1 ? 2 : 1], t[k <= 2 ? 3 : 2]};
-  const auto from = [&](BallIndex i) { return lifted_vector(balls, t[k], i); };
-  if (determinant(from(face[0]), from(face[1]), from(face[2])) < 0) std::swap(face[1], face[2]);
-  return face;
-}
 
 std::vector<std::uint32_t> mouth_triangles(const Cavity& cavity) {
   std::vector<std::uint32_t> all;
@@ -37,7 +26,7 @@ CavityMesh cavity_mesh(const CavityGround& ground, const Cavities& found, std::u
   for (const auto& [t, k] : outer_faces(ground, found, index)) {
     const std::uint32_t triangle = ground.incidence.triangles_of_tetrahedron[t][k];
     if (std::binary_search(open.begin(), open.end(), triangle)) continue;
-    mesh.triangles.push_back(outwards(*ground.balls, ground.triangulation->tetrahedra[t], k));
+    mesh.triangles.push_back(outward_face(*ground.balls, ground.triangulation->tetrahedra[t], k));
     used.insert(used.end(), mesh.triangles.back().begin(), mesh.triangles.back().end());
   }
   std::sort(used.begin(), used.end());

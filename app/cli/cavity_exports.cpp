@@ -87,7 +87,7 @@ void CavityExports::write_surface(const CavityAnswer& answer) {
          std::move(mesh.points), std::move(mesh.triangles), colour_of(row)});
   }
   const auto write = ends(options_.surface, ".ply") ? write_ply : write_glb;
-  write(meshes, noted_header(answer), *surface_);
+  write(meshes, noted_header(answer), *surface_, {});
 }
 
 void CavityExports::write_script(const CavityAnswer& answer) {

@@ -1,57 +1,11 @@
 #include "core/io/write_complex.hpp"
 
-#include <algorithm>
-#include <charconv>
+#include <cstdio>
+
+#include "core/io/text_writer.hpp"
 
 namespace alphascope {
 namespace {
-
-constexpr std::size_t kFlushBytes = std::size_t{1} << 20;
-
-// Collects text and hands it on in large pieces.
-class Text {
- public:
-  explicit Text(AtomicFile& file) : file_(file) {}
-
-  Text& operator<<(std::string_view text) {
-    text_ += text;
-    return *this;
-  }
-  Text& operator<<(std::size_t number) {
-    char buffer[24];
-    text_.append(buffer, std::to_chars(buffer, buffer + sizeof buffer, number).ptr);
-    return *this;
-  }
-  // Nine digits: alpha values are floats, which nine digits tell apart.
-  Text& operator<<(double number) {
-    char buffer[32];
-    const auto end =
-        std::to_chars(buffer, buffer + sizeof buffer, number, std::chars_format::general, 9);
-    text_.append(buffer, end.ptr);
-    return *this;
-  }
-  // A lattice number in Å, all its digits: no rounding.
-  Text& lattice(std::int32_t units, int digits) {
-    char buffer[32];
-    const double unit = Lattice{digits}.units_per_angstrom();
-    const auto end = std::to_chars(buffer, buffer + sizeof buffer, units / unit,
-                                   std::chars_format::fixed, std::max(digits, 0));
-    text_.append(buffer, end.ptr);
-    return *this;
-  }
-  void end_line() {
-    text_ += '\n';
-    if (text_.size() >= kFlushBytes) flush();
-  }
-  void flush() {
-    file_.write(text_);
-    text_.clear();
-  }
-
- private:
-  AtomicFile& file_;
-  std::string text_;
-};
 
 const char* class_letter(SimplexClass c) {
   switch (c) {
@@ -67,7 +21,7 @@ const char* class_letter(SimplexClass c) {
 
 template <int N>
 void write_list(const char* name, const SimplexList<N>& list, const AlphaComplex& complex,
-                Text& text) {
+                TextWriter& text) {
   text << name << " " << list.size();
   text.end_line();
   for (std::size_t s = 0; s < list.size(); ++s) {
@@ -82,7 +36,7 @@ void write_list(const char* name, const SimplexList<N>& list, const AlphaComplex
 
 void write_complex_text(const BallSet& balls, const AlphaComplex& complex,
                         const ComplexHeader& header, AtomicFile& file, const RunContext& context) {
-  Text text(file);
+  TextWriter text(file);
   text << "alphascope-complex 1";
   text.end_line();
   for (const auto& [key, value] : header) {
@@ -112,6 +66,38 @@ void write_complex_text(const BallSet& balls, const AlphaComplex& complex,
   section("tetrahedra", complex.tetrahedra, 0.8);
   text << "end";
   text.end_line();
+  text.flush();
+}
+
+void write_parallelac_text(const BallSet& balls, const AlphaComplex& complex, AtomicFile& file,
+                           const RunContext& context) {
+  TextWriter text(file);
+  text << balls.size() << " " << complex.edges.size() << " " << complex.triangles.size() << " "
+       << complex.tetrahedra.size();
+  text.end_line();
+  char buffer[400];
+  const auto place = [&](std::int32_t units) { return balls.lattice.angstrom(units); };
+  for (std::size_t i = 0; i < balls.size(); ++i) {
+    const LatticePoint& p = balls.centres[i];
+    std::snprintf(buffer, sizeof buffer, "%9.5f %9.5f %9.5f %9.5f", place(p.x), place(p.y),
+                  place(p.z), place(balls.radii[i]));
+    text << buffer;
+    text.end_line();
+  }
+  const auto section = [&](const auto& list, double share) {
+    context.cancel.throw_if_cancelled();
+    context.report("writing", share);
+    for (const auto& simplex : list.simplices) {
+      for (std::size_t n = 0; n < simplex.size(); ++n) {
+        std::snprintf(buffer, sizeof buffer, n == 0 ? "%9u" : " %9u", simplex[n]);
+        text << buffer;
+      }
+      text.end_line();
+    }
+  };
+  section(complex.edges, 0.2);
+  section(complex.triangles, 0.4);
+  section(complex.tetrahedra, 0.8);
   text.flush();
 }
 

@@ -1,5 +1,5 @@
-// An alpha complex as text with all its simplices (docs/output-files.md). Other formats for meshes
-// are written elsewhere.
+// An alpha complex as text with all its simplices (docs/output-files.md), in our layout and in
+// ParallelAC's. Other formats are written elsewhere.
 #pragma once
 
 #include <string>
@@ -19,5 +19,12 @@ using ComplexHeader = std::vector<std::pair<std::string, std::string>>;
 // WriteError, and Cancelled between its sections.
 void write_complex_text(const BallSet& balls, const AlphaComplex& complex,
                         const ComplexHeader& header, AtomicFile& file, const RunContext& context);
+
+// The layout of ParallelAC's results: "V E F T", a line "x y z r" (Å, five digits) for each ball,
+// then the balls, from 0, of each edge, triangle and tetrahedron. V counts all balls, so that
+// indices are the same as everywhere; there are no comments in this layout, so no header. Otherwise
+// as above.
+void write_parallelac_text(const BallSet& balls, const AlphaComplex& complex, AtomicFile& file,
+                           const RunContext& context);
 
 }  // namespace alphascope

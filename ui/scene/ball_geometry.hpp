@@ -7,13 +7,9 @@
 #include <vector>
 
 #include "core/geometry/ball_set.hpp"
+#include "core/molecule/atom_colours.hpp"
 
 namespace alphascope {
-
-struct Rgb8 {
-  std::uint8_t r = 200, g = 200, b = 200;
-  friend bool operator==(const Rgb8&, const Rgb8&) = default;
-};
 
 struct BallGeometry {
   std::array<double, 3> origin{};             // Å, in the file's coordinates

@@ -1,0 +1,324 @@
+// See the header.
+#include "core/document/complex_export.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <cstdio>
+#include <map>
+#include <optional>
+#include <stdexcept>
+
+#include "core/chart/chart.hpp"
+#include "core/io/complex_script.hpp"
+#include "core/io/csv.hpp"
+#include "core/io/write_balls.hpp"
+#include "core/io/write_mesh.hpp"
+#include "core/io/write_vtk.hpp"
+#include "core/molecule/atom_colours.hpp"
+#include "core/molecule/grouped_number.hpp"
+#include "core/triangulation/boundary.hpp"
+
+namespace alphascope {
+namespace {
+
+namespace fs = std::filesystem;
+using Lines = std::vector<std::string>;
+using enum ExportFormat;
+
+constexpr std::array kFormats{
+    ExportFormatInfo{ply, "ply", "PLY", "boundary with colours, binary: MeshLab, CloudCompare", true},
+    ExportFormatInfo{obj, "obj", "OBJ", "boundary with colours, as text: Blender, MeshLab", true},
+    ExportFormatInfo{stl, "stl", "STL", "boundary, a solid each: 3D printers"},
+    ExportFormatInfo{off, "off", "OFF", "boundary with colours, as text: CGAL, MeshLab", true},
+    ExportFormatInfo{glb, "glb", "GLB", "boundary with colours: web pages, slides, Blender", true},
+    ExportFormatInfo{vtu, "vtu", "VTU", "all simplices with alpha values and classes: ParaView"},
+    ExportFormatInfo{vtp, "vtp", "VTP", "vertices, edges and triangles likewise: ParaView"},
+    ExportFormatInfo{xyzr, "xyzr", "XYZR", "balls: x y z r"},
+    ExportFormatInfo{pqr, "pqr", "PQR", "balls as atoms with names and radii"},
+    ExportFormatInfo{alpha, "alpha", "Alphascope text", "all simplices with alpha values, as text"},
+    ExportFormatInfo{parallelac, "txt", "ParallelAC text", "balls and simplices in its layout"},
+    ExportFormatInfo{csv, "csv", "CSV", "counts, measures of the boundary and times"},
+    ExportFormatInfo{chimerax, "cxc", "ChimeraX script", "balls and boundary", true, true},
+    ExportFormatInfo{pymol, "pml", "PyMOL script", "balls and boundary", true, true},
+    ExportFormatInfo{vmd, "tcl", "VMD script", "balls and boundary", true, true}};
+
+Mesh::Colour bytes(const Rgb8& c) {
+  return {c.r, c.g, c.b};
+}
+
+std::string number_text(double number) {
+  char text[64];
+  std::snprintf(text, sizeof text, "%.1f", number);
+  return text;
+}
+
+const char* plural(std::size_t count) {
+  return count == 1 ? "" : "s";
+}
+
+template <int N>
+std::size_t count_of(const SimplexList<N>& list, SimplexClass wanted) {
+  return static_cast<std::size_t>(std::count(list.classes.begin(), list.classes.end(), wanted));
+}
+
+class Exporter {
+ public:
+  Exporter(const ExportSource& source, const RunContext& context)
+      : source_(source), complex_(source.answer.complex), context_(context) {}
+
+  Lines write(ExportFormat format, AtomicFile& file) {
+    const BallSet& balls = *source_.answer.balls;
+    const auto& atoms = source_.prepared.atom_of_ball;
+    const VtkSource vtk{balls, complex_, source_.molecule, atoms, source_.header};
+    switch (format) {
+      case ply:
+        return write_boundary(write_ply, file);
+      case obj:
+        return write_boundary(write_obj, file);
+      case stl:
+        return write_boundary(write_stl, file);
+      case off:
+        return write_boundary(write_off, file);
+      case glb:
+        return write_boundary(write_glb, file);
+      case vtu:
+        write_vtu(vtk, file, context_);
+        return simplices_text();
+      case vtp:
+        write_vtp(vtk, file, context_);
+        return simplices_text();
+      case alpha:
+        write_complex_text(balls, complex_, source_.header, file, context_);
+        return simplices_text();
+      case parallelac:
+        require_faces("ParallelAC's layout");
+        write_parallelac_text(balls, complex_, file, context_);
+        return simplices_text();
+      case xyzr:
+        write_xyzr(balls, source_.header, file, context_);
+        return balls_text();
+      case pqr:
+        write_pqr(balls, source_.molecule, atoms, source_.header, file, context_);
+        return balls_text();
+      case csv:
+        write_counts(file);
+        return {"counts and times of " + grouped(balls.size()) + " balls"};
+      default:
+        throw std::invalid_argument("a script is written with its files");
+    }
+  }
+
+  Lines write_script(ExportFormat format, const std::vector<fs::path>& names,
+                     const std::vector<AtomicFile*>& files) {
+    ComplexScript script{fs::absolute(names[1]), fs::absolute(names[2]), groups(),
+                         source_.colours == ExportColours::chain, source_.header};
+    const auto text = format == chimerax ? chimerax_complex_script
+                      : format == pymol  ? pymol_complex_script
+                                         : vmd_complex_script;
+    files[0]->write(text(script));
+    Lines lines = write(pqr, *files[1]);
+    const Lines more = write(format == chimerax ? glb : obj, *files[2]);
+    lines.insert(lines.end(), more.begin(), more.end());
+    return lines;
+  }
+
+ private:
+  void require_faces(const char* what) const {
+    if (!complex_.tetrahedra_only) return;
+    throw std::invalid_argument(std::string(what) +
+                                " holds edges and triangles, and only tetrahedra were computed. "
+                                "Compute all simplices.");
+  }
+
+  const Boundary& boundary() {
+    if (!boundary_) {
+      boundary_ = make_boundary(*source_.answer.balls, complex_.tetrahedra.simplices, context_);
+    }
+    return *boundary_;
+  }
+
+  double volume_angstrom3(const BoundarySolid& solid) const {
+    return solid.volume_cubic_units / std::pow(10.0, 3 * complex_.lattice.digits);
+  }
+
+  std::vector<Mesh> meshes() {
+    std::vector<Rgb8> colours;
+    if (source_.colours != ExportColours::solid) {
+      const auto of = source_.colours == ExportColours::chain ? colours_by_chain : colours_by_element;
+      colours = of(source_.molecule, source_.prepared.atom_of_ball);
+    }
+    std::vector<Mesh> meshes;
+    for (const BoundarySolid& solid : boundary().solids) {
+      const std::size_t place = meshes.size();
+      Mesh& mesh = meshes.emplace_back();
+      mesh.name = "solid_" + std::to_string(place + 1);
+      const ChartColour c = chart_colour(place);
+      mesh.colour = {c.r, c.g, c.b};
+      fill(solid, colours, mesh);
+    }
+    return meshes;
+  }
+
+  void fill(const BoundarySolid& solid, const std::vector<Rgb8>& colours, Mesh& mesh) const {
+    mesh.points.reserve(solid.vertices);
+    if (!colours.empty()) mesh.colours.reserve(solid.vertices);
+    for (std::uint32_t n = 0; n < solid.vertices; ++n) {
+      const BoundaryVertex& vertex = boundary_->vertices[solid.first_vertex + n];
+      mesh.points.push_back(place_angstrom(*source_.answer.balls, vertex));
+      if (!colours.empty()) mesh.colours.push_back(bytes(colours[vertex.ball]));
+    }
+    mesh.triangles.reserve(solid.triangles);
+    for (std::uint32_t n = 0; n < solid.triangles; ++n) {
+      auto triangle = boundary_->triangles[solid.first_triangle + n];
+      for (std::uint32_t& v : triangle) v -= solid.first_vertex;
+      mesh.triangles.push_back(triangle);
+    }
+  }
+
+  Lines write_boundary(decltype(write_ply)* write_meshes, AtomicFile& file) {
+    write_meshes(meshes(), source_.header, file, context_);
+    const Boundary& b = boundary();
+    double volume = 0;
+    for (const BoundarySolid& solid : b.solids) volume += volume_angstrom3(solid);
+    Lines lines{"boundary of " + grouped(b.solids.size()) + " solid" + plural(b.solids.size()) +
+                ": " + grouped(b.triangles.size()) + " triangles, " + grouped(b.vertices.size()) +
+                " vertices, " + number_text(volume) + " Å³"};
+    if (b.solids.empty()) lines[0] = "no boundary: the complex has no tetrahedra";
+    if (complex_.tetrahedra_only) return lines;
+    const std::size_t triangles = count_of(complex_.triangles, SimplexClass::singular),
+                      edges = count_of(complex_.edges, SimplexClass::singular),
+                      vertices = count_of(complex_.vertices, SimplexClass::singular);
+    if (triangles + edges + vertices > 0) {
+      lines.push_back("left out, as they enclose nothing: " + grouped(triangles) +
+                      " singular triangles, " + grouped(edges) + " edges, " + grouped(vertices) +
+                      " vertices");
+    }
+    return lines;
+  }
+
+  Lines simplices_text() const {
+    std::string text;
+    if (!complex_.tetrahedra_only) {
+      text = grouped(complex_.vertices.size()) + " vertices, " + grouped(complex_.edges.size()) +
+             " edges, " + grouped(complex_.triangles.size()) + " triangles, ";
+    }
+    return {text + grouped(complex_.tetrahedra.size()) + " tetrahedra"};
+  }
+  Lines balls_text() const { return {grouped(source_.answer.balls->size()) + " balls"}; }
+
+  // Of all balls; a script names the first of each kind as the molecule has them.
+  std::vector<ComplexScript::Group> groups() const {
+    const bool chains = source_.colours == ExportColours::chain;
+    const auto& atoms = source_.prepared.atom_of_ball;
+    const auto colours = (chains ? colours_by_chain : colours_by_element)(source_.molecule, atoms);
+    std::map<std::string, Rgb8> found;
+    for (std::size_t i = 0; i < atoms.size(); ++i) {
+      const Atom& atom = source_.molecule.atoms[atoms[i]];
+      const std::string_view name =
+          chains ? source_.molecule.text(atom.chain) : element_symbol(atom.element);
+      found.try_emplace(std::string(name), colours[i]);
+    }
+    std::vector<ComplexScript::Group> groups;
+    for (const auto& [name, colour] : found) groups.push_back({name, bytes(colour)});
+    return groups;
+  }
+
+  // One row for each number: stages have names of their own in every engine.
+  void write_counts(AtomicFile& file) {
+    std::vector<CsvRow> rows;
+    const auto add = [&rows](std::string quantity, std::string value, const char* unit) {
+      rows.push_back(
+          {{"quantity", std::move(quantity)}, {"value", std::move(value)}, {"unit", unit}});
+    };
+    for (const auto& [key, value] : source_.header) add(key, value, "");
+    add("balls", std::to_string(source_.answer.balls->size()), "");
+    add_counts(add);
+    double volume = 0;
+    for (const BoundarySolid& solid : boundary().solids) volume += volume_angstrom3(solid);
+    add("solids", std::to_string(boundary().solids.size()), "");
+    add("boundary triangles", std::to_string(boundary().triangles.size()), "");
+    add("volume of tetrahedra", all_digits(volume), "Å³");
+    const StageTimes& times = complex_.timings;
+    add("wall time", csv_milliseconds(times.wall_milliseconds), "ms");
+    add("setup", csv_milliseconds(times.setup_milliseconds()), "ms");
+    for (const StageTime& stage : times.stages) {
+      add("stage: " + stage.label, csv_milliseconds(stage.milliseconds), "ms");
+    }
+    for (const EngineCounter& counter : complex_.engine.counters) {
+      add(counter.name, std::to_string(counter.value), "");
+    }
+    file.write(csv_text(rows));
+  }
+
+  template <class Add>
+  void add_counts(const Add& add) const {
+    const auto of_dimension = [&](const char* name, const auto& list, bool classes) {
+      add(name, std::to_string(list.size()), "");
+      if (!classes) return;
+      for (const auto& [text, wanted] : {std::pair("singular ", SimplexClass::singular),
+                                         std::pair("regular ", SimplexClass::regular),
+                                         std::pair("interior ", SimplexClass::interior)}) {
+        add(std::string(text) + name, std::to_string(count_of(list, wanted)), "");
+      }
+    };
+    if (!complex_.tetrahedra_only) {
+      of_dimension("vertices", complex_.vertices, true);
+      of_dimension("edges", complex_.edges, true);
+      of_dimension("triangles", complex_.triangles, true);
+    }
+    of_dimension("tetrahedra", complex_.tetrahedra, false);
+    if (complex_.tetrahedra_only) return;
+    add("Euler characteristic", std::to_string(complex_.euler_characteristic()), "");
+  }
+
+  const ExportSource& source_;
+  const AlphaComplex& complex_;
+  const RunContext& context_;
+  std::optional<Boundary> boundary_;
+};
+
+}  // namespace
+
+std::span<const ExportFormatInfo> export_formats() {
+  return kFormats;
+}
+
+const ExportFormatInfo* export_format_from_id(const std::string& id) {
+  const auto found = std::find_if(kFormats.begin(), kFormats.end(),
+                                  [&](const ExportFormatInfo& info) { return id == info.id; });
+  return found == kFormats.end() ? nullptr : &*found;
+}
+
+const ExportFormatInfo* export_format_of(const fs::path& path) {
+  std::string ending = path.extension().string();
+  if (ending.empty()) return nullptr;
+  for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return export_format_from_id(ending.substr(1));
+}
+
+std::string export_endings() {
+  std::string text;
+  for (const ExportFormatInfo& info : kFormats) text += (text.empty() ? "." : ", .") + std::string(info.id);
+  return text;
+}
+
+std::vector<fs::path> export_files(const ExportFormatInfo& format, const fs::path& path) {
+  if (!format.script) return {path};
+  const auto beside = [&](const char* ending) {
+    return path.parent_path() / (path.stem().string() + ending);
+  };
+  return {path, beside("-balls.pqr"),
+          beside(format.format == chimerax ? "-boundary.glb" : "-boundary.obj")};
+}
+
+std::vector<std::string> write_export(const ExportSource& source, const ExportFormatInfo& format,
+                                      const fs::path& path, const std::vector<AtomicFile*>& files,
+                                      const RunContext& context) {
+  Exporter exporter(source, context);
+  if (!format.script) return exporter.write(format.format, *files.at(0));
+  return exporter.write_script(format.format, export_files(format, path), files);
+}
+
+}  // namespace alphascope

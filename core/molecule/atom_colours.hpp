@@ -1,0 +1,26 @@
+// The colours that atoms have in pictures and in files for other programs.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/molecule/molecule.hpp"
+
+namespace alphascope {
+
+// sRGB.
+struct Rgb8 {
+  std::uint8_t r = 200, g = 200, b = 200;
+  friend bool operator==(const Rgb8&, const Rgb8&) = default;
+};
+
+Rgb8 element_colour(Element element);
+
+// `atom_of_ball` as in PreparedBalls: an index into the molecule's atoms for each ball.
+std::vector<Rgb8> colours_by_element(const Molecule& molecule,
+                                     const std::vector<std::uint32_t>& atom_of_ball);
+// Chains in the order in which the molecule has them; the colours repeat after ten.
+std::vector<Rgb8> colours_by_chain(const Molecule& molecule,
+                                   const std::vector<std::uint32_t>& atom_of_ball);
+
+}  // namespace alphascope

@@ -6,6 +6,7 @@
 #include "app/cli/option_groups.hpp"
 #include "app/options/option_values.hpp"
 #include "app/session/version.hpp"
+#include "core/document/complex_export.hpp"
 
 namespace alphascope::cli {
 namespace {
@@ -178,6 +179,27 @@ OptionCommand measure(MeasureCommandOptions& options) {
   return command;
 }
 
+OptionCommand export_complex(ExportOptions& options) {
+  OptionCommand command{
+      "export", "Write the boundary, simplices or balls for another program, by the ending", {}};
+  std::string formats;
+  for (const ExportFormatInfo& format : export_formats()) {
+    formats += (formats.empty() ? "" : "|") + std::string(format.id);
+  }
+  command.options = {
+      one_file(options.input), alpha(options.request),
+      required(path_option({"-o,--output", "OUT.EXT", "File to write; - for standard output"},
+                           options.out)),
+      with_default(choice_option({"--as", formats, "Format"}, options.as),
+                   "by the ending of OUT.EXT"),
+      choice_option({"--colours", "element|chain|solid", "Colours of the boundary"},
+                    options.colours)};
+  append(command.options, engine(options.request, true));
+  append(command.options, input(options.input));
+  command.check = [&options] { require_tuple_engine(options.request); };
+  return command;
+}
+
 OptionCommand verify(VerifyOptions& options) {
   OptionCommand command{
       "verify", "Compare with CGAL as sets of simplices; exit code 0 only if identical", {}};
@@ -282,6 +304,16 @@ OptionCommand screenshot(ScreenshotCommandOptions& options) {
   return command;
 }
 
+OptionNotes format_notes() {
+  OptionNotes notes{"Formats of export, by the ending", {}};
+  for (const ExportFormatInfo& format : export_formats()) {
+    std::string ending = "." + std::string(format.id);
+    ending.resize(8, ' ');
+    notes.lines.push_back(ending + format.name + ": " + format.what);
+  }
+  return notes;
+}
+
 std::vector<OptionNotes> notes() {
   return {
       {"Examples",
@@ -295,9 +327,11 @@ std::vector<OptionNotes> notes() {
         "alphascope-cli cavities 4hhb.pdb.gz --csv cavities.csv",
         "alphascope-cli channel 1grm.pdb --point 0,0,4.2 --along 0,1,0 --csv profile.csv",
         "alphascope-cli measure 4hhb.pdb.gz --solvent 1.4 --per residue --csv areas.csv",
+        "alphascope-cli export 1crn.pdb --alpha 1.4 -o 1crn.glb",
         "alphascope-cli verify 1crn.pdb --alpha -1,0,1.4,10",
         "alphascope-cli bench 1k4c.crd.gz --alpha 0,1.4,3 --tetrahedra-only --csv times.csv",
         "alphascope-cli screenshot 1crn.pdb --alpha 1.4 --size 1920x1080 -o 1crn.png"}},
+      format_notes(),
       {"Units",
        {"Lengths are in Å. Alpha is in Å²: a ball of radius r grows to sqrt(r² + alpha); negative",
         "alpha shrinks it. The solvent radius is added to every radius first (1.4 for water)."}},
@@ -319,6 +353,7 @@ OptionProgram command_table(CommandOptions& options) {
                       cavities_command(options.cavities),
                       channel_command(options.channel),
                       measure(options.measure),
+                      export_complex(options.export_complex),
                       verify(options.verify),
                       bench(options.bench),
                       screenshot(options.screenshot)};

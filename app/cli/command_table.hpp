@@ -13,6 +13,7 @@ struct CommandOptions {
   CavitiesOptions cavities;
   ChannelOptions channel;
   MeasureCommandOptions measure;
+  ExportOptions export_complex;
   VerifyOptions verify;
   BenchOptions bench;
   ScreenshotCommandOptions screenshot;

@@ -113,6 +113,14 @@ struct MeasureCommandOptions {
   std::string json, csv;
 };
 
+struct ExportOptions {
+  InputOptions input;
+  Request request;
+  std::filesystem::path out;  // "-" for standard output
+  std::string as;             // an id of core/document/complex_export.hpp; empty: by out's ending
+  std::string colours = "element";
+};
+
 struct VerifyOptions {
   InputOptions input;
   Request request;
@@ -158,6 +166,7 @@ ExitCode run_compute(const ComputeOptions& options);
 ExitCode run_cavities(const CavitiesOptions& options);
 ExitCode run_channel(const ChannelOptions& options);
 ExitCode run_measure(const MeasureCommandOptions& options);
+ExitCode run_export(const ExportOptions& options);
 ExitCode run_verify(const VerifyOptions& options);
 ExitCode run_bench(const BenchOptions& options);
 ExitCode run_thesis_bench(const BenchOptions& options);

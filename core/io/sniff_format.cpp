@@ -134,18 +134,26 @@ FileFormat sniff_content(std::string_view text, std::string_view extension) {
   return FileFormat::unknown;
 }
 
+constexpr std::pair<std::string_view, FileFormat> kIds[] = {
+    {"pdb", FileFormat::pdb},           {"mmcif", FileFormat::mmcif},
+    {"pqr", FileFormat::pqr},           {"xyz", FileFormat::xyz},
+    {"tinker", FileFormat::tinker_xyz}, {"xyzr", FileFormat::ball_table},
+    {"charmm", FileFormat::charmm_card}};
+
 }  // namespace
 
 std::optional<FileFormat> format_from_id(std::string_view id) {
-  constexpr std::pair<std::string_view, FileFormat> kIds[] = {
-      {"pdb", FileFormat::pdb},           {"mmcif", FileFormat::mmcif},
-      {"pqr", FileFormat::pqr},           {"xyz", FileFormat::xyz},
-      {"tinker", FileFormat::tinker_xyz}, {"xyzr", FileFormat::ball_table},
-      {"charmm", FileFormat::charmm_card}};
   for (const auto& [name, format] : kIds) {
     if (name == id) return format;
   }
   return std::nullopt;
+}
+
+std::string_view format_id(FileFormat format) {
+  for (const auto& [name, known] : kIds) {
+    if (known == format) return name;
+  }
+  return {};
 }
 
 FileFormat sniff_format(const std::filesystem::path& path, std::string_view text) {

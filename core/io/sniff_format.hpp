@@ -20,6 +20,7 @@ enum class FileFormat : unsigned char {
 
 // "pdb", "mmcif", "pqr", "xyz", "tinker", "xyzr" (all tables of balls), "charmm".
 std::optional<FileFormat> format_from_id(std::string_view id);
+std::string_view format_id(FileFormat format);  // "" for unknown
 
 // unknown for what is certainly something else (core/io/lookalike.hpp), whatever its name.
 FileFormat sniff_format(const std::filesystem::path& path, std::string_view text);

@@ -1,7 +1,5 @@
 #include "core/io/text_file.hpp"
 
-#include <fcntl.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -11,6 +9,7 @@
 
 #include "core/io/gzip.hpp"
 #include "core/io/read_error.hpp"
+#include "core/io/regular_file.hpp"
 #include "core/io/sha256.hpp"
 #include "core/io/text_limits.hpp"
 
@@ -24,39 +23,6 @@ constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";  // UTF-8's
 [[noreturn]] void refuse_errno(const std::filesystem::path& path, const char* what,
                                const char* remedy) {
   throw ReadError(path, 0, std::string(what) + ": " + std::strerror(errno), remedy);
-}
-
-class Descriptor {
- public:
-  // Not waiting for a writer, should this be a pipe.
-  explicit Descriptor(const std::filesystem::path& path)
-      : number_(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)) {}
-  ~Descriptor() {
-    if (number_ >= 0) ::close(number_);
-  }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  int number() const { return number_; }
-
- private:
-  int number_;
-};
-
-void refuse_what_is_no_file(const std::filesystem::path& path, const struct stat& status) {
-  if (S_ISDIR(status.st_mode)) {
-    throw ReadError(path, 0, "this is a folder, not a file", "Choose a file inside it");
-  }
-  if (!S_ISREG(status.st_mode)) {
-    throw ReadError(path, 0, "this is a pipe or a device, not an ordinary file",
-                    "Save its content to a file and open that");
-  }
-}
-
-[[noreturn]] void refuse_opening(const std::filesystem::path& path) {
-  if (errno == ENOENT || errno == ENOTDIR) {
-    throw ReadError(path, 0, "there is no such file", "Check the name and the folder");
-  }
-  refuse_errno(path, "the file cannot be opened", "Check that you may read it");
 }
 
 // `expected` bytes, which may turn out to be more or fewer.
@@ -82,17 +48,9 @@ TextBuffer read_to_end(const std::filesystem::path& path, int descriptor, std::u
 
 TextBuffer read_bytes(const std::filesystem::path& path, std::uint64_t max_bytes,
                       const RunContext& context) {
-  // Looked at before it is opened, which may do something to a device; and again afterwards, should
-  // something else be there by then.
-  struct stat status {};
-  if (::stat(path.c_str(), &status) != 0) refuse_opening(path);
-  refuse_what_is_no_file(path, status);
-  const Descriptor file(path);
-  if (file.number() < 0 || ::fstat(file.number(), &status) != 0) refuse_opening(path);
-  refuse_what_is_no_file(path, status);
-  const std::uint64_t size = static_cast<std::uint64_t>(status.st_size);
-  if (size > max_bytes) refuse_text_beyond(path, max_bytes);
-  return read_to_end(path, file.number(), size, max_bytes, context);
+  const RegularFile file(path);
+  if (file.bytes() > max_bytes) refuse_text_beyond(path, max_bytes);
+  return read_to_end(path, file.descriptor(), file.bytes(), max_bytes, context);
 }
 
 }  // namespace

@@ -1,0 +1,26 @@
+// The words that stand for choices in session files and preferences: those of the command line.
+#pragma once
+
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "core/document/display.hpp"
+#include "core/document/open_options.hpp"
+#include "core/document/request.hpp"
+
+namespace alphascope {
+
+template <class Choice>
+using SettingIds = std::vector<std::pair<Choice, std::string_view>>;
+
+// The argument only says of which type. Every value of the type has one word.
+const SettingIds<ColourBy>& setting_ids(ColourBy);
+const SettingIds<AltlocRule>& setting_ids(AltlocRule);
+const SettingIds<HydrogenRule>& setting_ids(HydrogenRule);
+const SettingIds<RadiiSet>& setting_ids(RadiiSet);
+const SettingIds<FileFormat>& setting_ids(FileFormat);
+const SettingIds<EngineChoice>& setting_ids(EngineChoice);
+const SettingIds<TupleGridKind>& setting_ids(TupleGridKind);
+
+}  // namespace alphascope

@@ -1,0 +1,121 @@
+// The one list of what session files hold of the settings: name, place and bounds of each. Writer
+// and reader (json_fields.hpp) walk through it, so a new setting costs one line here.
+#pragma once
+
+#include "core/document/number_input.hpp"
+#include "core/document/session_file.hpp"
+#include "core/document/settings.hpp"
+
+namespace alphascope {
+
+inline constexpr NumberRule kShareRule{"A share", 0.05, 1};
+inline constexpr NumberRule kShrinkRule{"The shrinking", 0, 0.9};
+inline constexpr NumberRule kThreadsRule{"The number of threads", 0, 1024, "", true};
+inline constexpr NumberRule kStreamsRule{"The number of streams", 1, 8, "", true};
+inline constexpr NumberRule kBatchRule{"The number of tuples", 0, 2e9, "", true};
+inline constexpr NumberRule kPlaceRule{"A coordinate", -1e9, 1e9, "Å"};
+inline constexpr NumberRule kAspectRule{"The aspect", 0, 1e6};
+inline constexpr NumberRule kPageHeightRule{"The height", 0, 1e5};
+
+template <class Visitor>
+void visit_fields(Visitor& v, OpenOptions& o) {
+  BallOptions& b = o.balls;
+  v("format", o.read.format);
+  v("assembly", o.assembly);
+  v.model("model", b.model);
+  v("altlocs", b.altlocs);
+  v("hydrogens", b.hydrogens);
+  v("polymers", b.polymers);
+  v("ligands", b.ligands);
+  v("ions", b.ions);
+  v("waters", b.waters);
+  v("dummies", b.dummies);
+  v("chains", b.chains);
+  v("without_chains", b.without_chains);
+  v("selection", b.selection);
+  v("radii", b.radii);
+  v("radius_edits", b.overrides);
+}
+
+template <class Visitor>
+void visit_fields(Visitor& v, TupleOptions& t) {
+  v("grid", t.grid);
+  v("edge_optimisation", t.edge_optimisation);
+  v("alpha_optimisation", t.alpha_optimisation);
+  v("pinned", t.pinned);
+  v("streams", t.streams, kStreamsRule);
+  v("texture", t.texture);
+  v("tuples_per_batch", t.tuples_per_batch, kBatchRule);
+}
+
+template <class Visitor>
+void visit_fields(Visitor& v, Request& r) {
+  v("alpha_angstrom2", r.alpha_angstrom2, kAlphaRule);
+  v("solvent_radius_angstrom", r.solvent_radius_angstrom, kSolventRule);
+  v("tetrahedra_only", r.tetrahedra_only);
+  v("engine", r.engine);
+  v("threads", r.threads, kThreadsRule);
+  v.object("tuples", r.tuples);
+}
+
+template <class Visitor>
+void visit_fields(Visitor& v, AtomsBesideBody& b) {
+  v("ligands", b.ligands);
+  v("ions", b.ions);
+  v("waters", b.waters);
+  v("hydrogens", b.hydrogens);
+}
+
+template <class Visitor>
+void visit_fields(Visitor& v, DisplayControls& d) {
+  v("balls", d.balls);
+  v("tetrahedra", d.tetrahedra);
+  v("boundary", d.boundary);
+  v("triangles", d.triangles);
+  v("edges", d.edges);
+  v("singular_only", d.singular_only);
+  v("grown_balls", d.grown_balls);
+  v("ball_scale", d.ball_scale, kShareRule);
+  v("ball_opacity", d.ball_opacity, kShareRule);
+  v("complex_opacity", d.complex_opacity, kShareRule);
+  v("shrink", d.shrink, kShrinkRule);
+  v("ball_colour", d.ball_colour);
+  v("complex_colour", d.complex_colour);
+  v("ambient_occlusion", d.ambient_occlusion);
+  v.object("beside", d.beside);
+}
+
+template <class Visitor>
+void visit_fields(Visitor& v, Settings& s) {
+  v.object("open", s.open);
+  v.object("compute", s.request);
+  v.object("display", s.display);
+  v("selection", s.selection);
+  v("cavities", s.cavities);
+}
+
+// Not in the history.
+template <class Visitor>
+void visit_fields(Visitor& v, CameraPlace& c) {
+  v("origin_angstrom", c.origin, kPlaceRule);
+  v("position_angstrom", c.position, kPlaceRule);
+  v("target_angstrom", c.target, kPlaceRule);
+  v("up", c.up, kPlaceRule);
+  v("least_aspect", c.least_aspect, kAspectRule);
+}
+
+template <class Visitor>
+void visit_fields(Visitor& v, PanelsShown& p) {
+  v("page", p.page);
+  v("page_height", p.page_height, kPageHeightRule);
+  v("closed_sections", p.closed_sections);
+}
+
+template <class Visitor>
+void visit_fields(Visitor& v, SessionView& w) {
+  v("light_theme", w.light_theme);
+  v.object("camera", w.camera);
+  v.object("panels", w.panels);
+}
+
+}  // namespace alphascope

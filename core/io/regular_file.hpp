@@ -1,0 +1,26 @@
+// An ordinary file, open for reading. What is none is refused: a pipe or a device could block for
+// ever.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+
+namespace alphascope {
+
+class RegularFile {
+ public:
+  // Throws ReadError for a missing file, a folder, a pipe or device, and without permission.
+  explicit RegularFile(const std::filesystem::path& path);
+  ~RegularFile();
+  RegularFile(const RegularFile&) = delete;
+  RegularFile& operator=(const RegularFile&) = delete;
+
+  int descriptor() const { return descriptor_; }
+  std::uint64_t bytes() const { return bytes_; }  // when it was opened
+
+ private:
+  int descriptor_ = -1;
+  std::uint64_t bytes_ = 0;
+};
+
+}  // namespace alphascope

@@ -1,0 +1,351 @@
+// Session files: every setting comes back, what cannot be is told with its line, and no text makes
+// the reader crash.
+#include "core/document/session_file.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "core/document/json_fields.hpp"
+#include "core/document/settings_fields.hpp"
+#include "core/io/file_hash.hpp"
+#include "core/io/read_error.hpp"
+#include "tests/core/io/temporary_file.hpp"
+
+namespace alphascope {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::string kHash(64, 'a');
+
+// Counts the fields that the list of an aggregate names.
+struct Counter {
+  std::size_t count = 0;
+  template <class... Anything>
+  void operator()(Anything&&...) {
+    ++count;
+  }
+  template <class T>
+  void object(const char*, T&) {
+    ++count;
+  }
+  void model(const char*, int) { ++count; }
+};
+
+template <class T>
+std::size_t named_fields() {
+  Counter counter;
+  T value;
+  visit_fields(counter, value);
+  return counter.count;
+}
+
+// How many members an aggregate has: with how many values it can be made.
+struct Any {
+  template <class T>
+  operator T() const;  // NOLINT: in unevaluated contexts only
+};
+template <class T, class... Values>
+constexpr std::size_t members() {
+  if constexpr (requires { T{Values{}..., Any{}}; }) {
+    return members<T, Values..., Any>();
+  } else {
+    return sizeof...(Values);
+  }
+}
+
+SessionDocument unusual() {
+  SessionDocument s;
+  s.written_by = "alphascope 9";
+  s.molecule = {"data/1crn.pdb", "/home/a/data/1crn.pdb", kHash};
+  s.radii_table = {"radii.txt", "/home/a/radii.txt", std::string(64, 'b')};
+  BallOptions& b = s.settings.open.balls;
+  s.settings.open.read.format = FileFormat::tinker_xyz;
+  s.settings.open.assembly = "2";
+  b = {.radii = RadiiSet::user,
+       .user_radii = nullptr,
+       .model = 3,
+       .altlocs = AltlocRule::all,
+       .hydrogens = HydrogenRule::drop,
+       .polymers = false,
+       .ligands = false,
+       .ions = false,
+       .waters = true,
+       .dummies = true,
+       .chains = {"A", "\xff\xfe no UTF-8", "\"quoted\"\n"},
+       .without_chains = {"ä"},
+       .selection = "resi 1-20 and not name CA",
+       .overrides = {{{"HEM", "FE", 26}, 1234567}, {{"", "Q", kUnknownElement}, 1000}}};
+  s.settings.request = {.alpha_angstrom2 = 0.1 + 0.2,
+                        .solvent_radius_angstrom = 1.4,
+                        .tetrahedra_only = true,
+                        .engine = EngineChoice::tuples_cpu,
+                        .threads = 3,
+                        .tuples = {TupleGridKind::thesis, false, false, false, 5, false, 77}};
+  DisplayControls& d = s.settings.display;
+  d = {.balls = false,
+       .tetrahedra = false,
+       .boundary = true,
+       .triangles = true,
+       .edges = true,
+       .singular_only = false,
+       .grown_balls = true,
+       .ball_scale = 0.07f,
+       .ball_opacity = 0.31f,
+       .complex_opacity = 0.33f,
+       .shrink = 0.1f,
+       .ball_colour = ColourBy::exposed_residue,
+       .complex_colour = ColourBy::alpha,
+       .ambient_occlusion = false,
+       .beside = {false, false, true, true}};
+  s.settings.selection = RefSet({AtomRef{4, 0}, AtomRef{5, 2}, SimplexRef{{1, 0}, {2, 0}, {3, 7}}});
+  s.settings.cavities = RefSet({SimplexRef{{1, 0}, {2, 0}, {3, 0}, {4, 0}}});
+  s.view.light_theme = true;
+  s.view.camera = {{7, 8, 9.5}, {1.0 / 3, -2e5, 1e-9}, {4, 5, 6}, {0, 0, 1}, 1.25};
+  s.view.panels = {"cavities", 301.5, {"engine", "display"}};
+  return s;
+}
+
+void expect_same(const SessionDocument& a, const SessionDocument& b) {
+  EXPECT_EQ(a.written_by, b.written_by);
+  EXPECT_EQ(a.molecule, b.molecule);
+  EXPECT_EQ(a.radii_table, b.radii_table);
+  EXPECT_EQ(difference_text(a.settings, b.settings), "");
+  EXPECT_EQ(a.settings, b.settings);
+  EXPECT_EQ(a.view, b.view);
+}
+
+// Of a session that has a molecule and besides it this text.
+std::string with(const std::string& more) {
+  return "{ \"alphascope_session\": 1,\n \"molecule\": { \"path\": \"a.pdb\", \"sha256\": \"" +
+         kHash + "\" }" + more + "\n}\n";
+}
+
+// What is told of such a text; empty: nothing.
+std::string fault(const std::string& text) {
+  try {
+    parse_session("S.json", text);
+    return {};
+  } catch (const ReadError& error) {
+    return error.what();
+  }
+}
+
+TEST(SessionFile, EveryMemberOfEverySettingIsNamed) {
+  EXPECT_EQ(named_fields<DisplayControls>(), members<DisplayControls>());
+  EXPECT_EQ(named_fields<AtomsBesideBody>(), members<AtomsBesideBody>());
+  EXPECT_EQ(named_fields<Request>(), members<Request>());
+  EXPECT_EQ(named_fields<TupleOptions>(), members<TupleOptions>());
+  EXPECT_EQ(named_fields<Settings>(), members<Settings>());
+  EXPECT_EQ(named_fields<CameraPlace>(), members<CameraPlace>());
+  EXPECT_EQ(named_fields<PanelsShown>(), members<PanelsShown>());
+  EXPECT_EQ(named_fields<SessionView>(), members<SessionView>());
+  // The balls' options but for a table in memory; the reader's format; the assembly. Its limit and
+  // descriptor are the program's, and the table of radii is a FileReference of the session.
+  EXPECT_EQ(members<ReadOptions>(), 3u);
+  EXPECT_EQ(members<OpenOptions>(), 4u);
+  EXPECT_EQ(named_fields<OpenOptions>(), members<BallOptions>() - 1 + 2);
+}
+
+TEST(SessionFile, EverySettingComesBack) {
+  const SessionDocument s = unusual();
+  const std::string text = session_text(s);
+  const ReadSession read = parse_session("S.json", text);
+  EXPECT_TRUE(read.notes.empty());
+  expect_same(read.session, s);
+  EXPECT_EQ(session_text(read.session), text);
+}
+
+// A field that is written to or read from another's place would pass by two defaults.
+TEST(SessionFile, DefaultsComeBackAndUnusualValuesAreNone) {
+  SessionDocument s;
+  s.molecule = {"a", "/a", kHash};
+  expect_same(parse_session("S.json", session_text(s)).session, s);
+  expect_same(parse_session("S.json", with("")).session, [&] {
+    SessionDocument least;
+    least.molecule = {"a.pdb", "", kHash};
+    return least;
+  }());
+  const SessionDocument u = unusual();
+  EXPECT_NE(u.settings.display, s.settings.display);
+  EXPECT_NE(u.settings.request, s.settings.request);
+}
+
+TEST(SessionFile, IsWrittenAndReadThroughTheDisk) {
+  TemporaryFile file("S.json", "");
+  write_session(unusual(), file.path());
+  expect_same(read_session(file.path()).session, unusual());
+  EXPECT_THROW(write_session(unusual(), "/no folder/S.json"), std::runtime_error);
+}
+
+TEST(SessionFile, AWrongValueIsToldWithItsLine) {
+  const auto expect = [](const std::string& more, const std::string& line, const char* what) {
+    const std::string told = fault(with(more));
+    EXPECT_NE(told.find("S.json, line " + line + ": "), std::string::npos) << more << told;
+    EXPECT_NE(told.find(what), std::string::npos) << more << told;
+    EXPECT_NE(told.find("Write such a value"), std::string::npos) << told;
+  };
+  expect(",\n\"compute\": {\n\"alpha_angstrom2\":\n \"1.4\" }", "5",
+         "\"compute.alpha_angstrom2\" is \"1.4\", and must be a number from");
+  expect(",\n\n\"display\": { \"ball_scale\": 7 }", "4",
+         "is 7, and must be a number from 0.05 to 1");
+  expect(",\"display\": { \"ball_colour\": \"green\" }", "2", "\"element\", \"chain\"");
+  expect(",\"display\": { \"balls\": 1 }", "2", "must be true or false");
+  expect(",\"display\": [ ]", "2", "is a list, and must be an object");
+  expect(",\"compute\": { \"threads\": 1.5 }", "2", "a whole number");
+  expect(",\"open\": { \"model\": 0 }", "2", "a whole number from 1");
+  expect(",\"open\": { \"chains\": [\"A\",\n{}] }", "3", "\"open.chains.1\"");
+  expect(",\"open\": { \"selection\": \"a\\u0000b\" }", "2", "must be text");
+  expect(",\"open\": { \"radii\": \"user\" }", "2", "no \"radii_table\"");
+  expect(",\"open\": { \"radius_edits\": [{\"radius_angstrom\": 99}] }", "2", "from 0.001 to 60");
+  expect(",\"open\": { \"radius_edits\": [{\"element\": \"Zz\", \"radius_angstrom\": 9}] }", "2",
+         "symbol of an element");
+  expect(",\"selection\": [[1], [-1]]", "2", "\"selection.1\" is -1");
+  expect(",\"selection\": [[1, 1]]", "2", "all different");
+  expect(",\"selection\": [[1, 2, 3, 4, 5]]", "2", "one to four atoms");
+  expect(",\"camera\": { \"position_angstrom\": [1, 2] }", "2", "three numbers");
+  expect(",\"camera\": { \"position_angstrom\": [0, 1, 0] }", "2", "not the way that it looks");
+  expect(",\"radii_table\": { \"path\": \"r\", \"sha256\": \"1\" }", "2", "64 digits");
+  // The last of two of one name counts, as for everybody who reads JSON.
+  expect(",\"display\": { \"balls\": true,\n\"balls\": 0 }", "3", "must be true or false");
+}
+
+TEST(SessionFile, ManyFaultsAreCountedAndTheFirstLineIsTold) {
+  const std::string told =
+      fault(with(",\n\"display\": { \"balls\": 1 },\n\"compute\": { \"threads\": -1 }"));
+  EXPECT_NE(told.find("line 3: \"display.balls\""), std::string::npos) << told;
+  EXPECT_NE(told.find("; 1 more of its values"), std::string::npos) << told;
+}
+
+TEST(SessionFile, WhatIsUnknownIsToldAndLeftOut) {
+  const ReadSession read = parse_session(
+      "S.json", with(",\n\"display\": { \"glow\": 1, \"balls\": false },\n\"x\": {}"));
+  EXPECT_FALSE(read.session.settings.display.balls);
+  ASSERT_EQ(read.notes.size(), 2u);
+  EXPECT_NE(read.notes[0].find("Line 3"), std::string::npos) << read.notes[0];
+  EXPECT_NE(read.notes[0].find("\"display.glow\""), std::string::npos) << read.notes[0];
+  EXPECT_NE(read.notes[1].find("Line 4"), std::string::npos) << read.notes[1];
+}
+
+TEST(SessionFile, WhatIsNoSessionIsToldSo) {
+  const auto expect = [](const std::string& text, const char* what) {
+    const std::string told = fault(text);
+    EXPECT_NE(told.find(what), std::string::npos) << text.substr(0, 100) << "\n" << told;
+  };
+  expect("", "line 1: this is no session");
+  expect("{\n\"a\": NaN }", "line 2: this is no session");
+  expect("{\n\"a\":\n1e999 }", "line 3: this is no session");
+  expect("[1]", "a JSON file, but of something else");
+  expect("{}", "it has no \"alphascope_session\"");
+  expect("{\"alphascope_session\": 2}", "newer version");
+  expect("{\"alphascope_session\": \"1\"}", "no version of a session");
+  expect("{\"alphascope_session\": 1}", "\"molecule\"");
+  expect(std::string(5000000, '['), "stand inside each other");
+  expect("{\"a\":" + std::string(30000, '{'), "stand inside each other");
+  expect("ATOM      1  N   THR A   1", "this is no session");
+}
+
+TEST(SessionFile, AHugeFileIsRefusedUnread) {
+  TemporaryFile file("S.json", with("") + std::string(9 << 20, '\n'));
+  EXPECT_THROW(read_session(file.path()), ReadError);
+}
+
+// Cut, changed and spliced: a message or a session with values within bounds.
+TEST(SessionFile, NoMutationCrashesTheReader) {
+  const std::string text = session_text(unusual());
+  const char* const kPieces[] = {"{",       "}",   "[",     "]",    "\"",
+                                 ",",       ":",   "1e308", "-1",   "null",
+                                 "\\u0000", "NaN", "true",  "\xff", "99999999999999999999",
+                                 "\n"};
+  std::mt19937 random(15);
+  const auto below = [&random](std::size_t n) { return random() % n; };
+  std::size_t sessions = 0;
+  for (int round = 0; round < 6000; ++round) {
+    std::string changed = text;
+    for (std::size_t change = 0; change <= below(3); ++change) {
+      const std::size_t at = below(changed.size());
+      switch (below(4)) {
+        case 0:
+          changed.resize(at + 1);
+          break;
+        case 1:
+          changed[at] = static_cast<char>(random());
+          break;
+        case 2:
+          changed.erase(at, below(20));
+          break;
+        default:
+          changed.insert(at, kPieces[below(std::size(kPieces))]);
+      }
+    }
+    try {
+      const SessionDocument s = parse_session("S.json", changed).session;
+      ++sessions;
+      ASSERT_TRUE(std::isfinite(s.settings.request.alpha_angstrom2));
+      ASSERT_LE(s.settings.display.ball_scale, 1);
+      ASSERT_FALSE(session_text(s).empty());
+    } catch (const ReadError& error) {
+      ASSERT_NE(std::string(error.what()).find("S.json"), std::string::npos);
+    }
+  }
+  EXPECT_GT(sessions, 100u);  // changes of single digits are sessions
+}
+
+// --- the files that it names
+
+class FileReferenceTest : public ::testing::Test {
+ protected:
+  FileReferenceTest() { fs::create_directories(folder_ / "below"); }
+  ~FileReferenceTest() override { fs::remove_all(folder_); }
+  fs::path write(const fs::path& name, const std::string& text) {
+    std::ofstream(folder_ / name) << text;
+    return folder_ / name;
+  }
+  fs::path folder_ = fs::temp_directory_path() / ("alphascope_refs_" + std::to_string(getpid()));
+};
+
+TEST_F(FileReferenceTest, BelowTheFolderIsRelativeElseNot) {
+  EXPECT_EQ(refer_to("/a/b/m.pdb", kHash, "/a").relative, "b/m.pdb");
+  EXPECT_EQ(refer_to("/a/m.pdb", kHash, "/a/").relative, "m.pdb");
+  EXPECT_EQ(refer_to("/b/m.pdb", kHash, "/a").relative, "");
+  EXPECT_EQ(refer_to("/b/m.pdb", kHash, "/a").absolute, "/b/m.pdb");
+  EXPECT_TRUE(refer_to("m.pdb", kHash, ".").absolute.is_absolute());
+}
+
+TEST_F(FileReferenceTest, FoundByContentWhereverBothWent) {
+  const fs::path file = write("below/m.pdb", "one");
+  const FileReference wanted = refer_to(file, hash_of_file(file), folder_);
+  EXPECT_EQ(find_file(wanted, folder_).state, FoundFile::State::same);
+  // The folder has moved with both in it: the relative path finds it.
+  const fs::path elsewhere = folder_ / "elsewhere";
+  fs::create_directories(elsewhere / "below");
+  fs::rename(file, elsewhere / "below/m.pdb");
+  const FoundFile moved = find_file(wanted, elsewhere);
+  EXPECT_EQ(moved.state, FoundFile::State::same);
+  EXPECT_EQ(moved.path, elsewhere / "below/m.pdb");
+  // The session alone has moved: the absolute path does, also past another file of that name.
+  write("below/m.pdb", "one");
+  write("elsewhere/below/m.pdb", "two");
+  EXPECT_EQ(find_file(wanted, elsewhere).path, file);
+}
+
+TEST_F(FileReferenceTest, ChangedOrMissingIsSaid) {
+  const fs::path file = write("m.pdb", "one");
+  const FileReference wanted = refer_to(file, hash_of_file(file), folder_);
+  write("m.pdb", "two");
+  const FoundFile changed = find_file(wanted, folder_);
+  EXPECT_EQ(changed.state, FoundFile::State::changed);
+  EXPECT_EQ(changed.path, file);
+  EXPECT_NE(why_not_found(wanted, changed).find(wanted.sha256.substr(0, 12)), std::string::npos);
+  fs::remove(file);
+  const FoundFile missing = find_file(wanted, folder_);
+  EXPECT_EQ(missing.state, FoundFile::State::missing);
+  EXPECT_NE(why_not_found(wanted, missing).find(file.string()), std::string::npos);
+  fs::create_directories(file);
+  EXPECT_THROW(find_file(wanted, folder_), ReadError);
+}
+
+}  // namespace
+}  // namespace alphascope

@@ -1,0 +1,17 @@
+// Any bytes as a session file: a session that is written and read again alike, or a ReadError.
+#include <cstdlib>
+
+#include "core/document/session_file.hpp"
+#include "core/io/read_error.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {
+  const std::string_view text(reinterpret_cast<const char*>(data), size);
+  try {
+    const alphascope::ReadSession read = alphascope::parse_session("S.json", text);
+    const std::string written = alphascope::session_text(read.session);
+    const alphascope::ReadSession again = alphascope::parse_session("S.json", written);
+    if (alphascope::session_text(again.session) != written || !again.notes.empty()) std::abort();
+  } catch (const alphascope::ReadError&) {
+  }
+  return 0;
+}

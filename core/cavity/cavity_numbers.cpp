@@ -71,7 +71,7 @@ std::uint32_t CavityNumbers::cavity(std::uint32_t number) const {
 
 std::uint32_t CavityNumbers::cavity_or_heir(std::uint32_t number) const {
   // Each step leads to what was there later, so none comes twice but for one that came back.
-  for (std::size_t steps = 0; steps <= merged_into.size(); ++steps) {
+  for (std::size_t step = 0; step <= merged_into.size(); ++step) {
     const std::uint32_t found = cavity(number);
     const auto heir = merged_into.find(number);
     if (found != kNone || heir == merged_into.end()) return found;

@@ -28,7 +28,8 @@ using Lines = std::vector<std::string>;
 using enum ExportFormat;
 
 constexpr std::array kFormats{
-    ExportFormatInfo{ply, "ply", "PLY", "boundary with colours, binary: MeshLab, CloudCompare", true},
+    ExportFormatInfo{ply, "ply", "PLY", "boundary with colours, binary: MeshLab, CloudCompare",
+                     true},
     ExportFormatInfo{obj, "obj", "OBJ", "boundary with colours, as text: Blender, MeshLab", true},
     ExportFormatInfo{stl, "stl", "STL", "boundary, a solid each: 3D printers"},
     ExportFormatInfo{off, "off", "OFF", "boundary with colours, as text: CGAL, MeshLab", true},
@@ -146,7 +147,8 @@ class Exporter {
   std::vector<Mesh> meshes() {
     std::vector<Rgb8> colours;
     if (source_.colours != ExportColours::solid) {
-      const auto of = source_.colours == ExportColours::chain ? colours_by_chain : colours_by_element;
+      const auto of =
+          source_.colours == ExportColours::chain ? colours_by_chain : colours_by_element;
       colours = of(source_.molecule, source_.prepared.atom_of_ball);
     }
     std::vector<Mesh> meshes;
@@ -300,7 +302,8 @@ const ExportFormatInfo* export_format_of(const fs::path& path) {
 
 std::string export_endings() {
   std::string text;
-  for (const ExportFormatInfo& info : kFormats) text += (text.empty() ? "." : ", .") + std::string(info.id);
+  for (const ExportFormatInfo& info : kFormats)
+    text += (text.empty() ? "." : ", .") + std::string(info.id);
   return text;
 }
 

@@ -13,14 +13,28 @@
 namespace alphascope {
 
 enum class ExportFormat : std::uint8_t {
-  ply, obj, stl, off, glb, vtu, vtp, xyzr, pqr, alpha, parallelac, csv, chimerax, pymol, vmd
+  ply,
+  obj,
+  stl,
+  off,
+  glb,
+  vtu,
+  vtp,
+  xyzr,
+  pqr,
+  alpha,
+  parallelac,
+  csv,
+  chimerax,
+  pymol,
+  vmd
 };
 
 struct ExportFormatInfo {
   ExportFormat format;
-  const char* id;    // the ending without its dot: "ply"
-  const char* name;  // "PLY"
-  const char* what;  // what is in it, and for whom: a phrase
+  const char* id;        // the ending without its dot: "ply"
+  const char* name;      // "PLY"
+  const char* what;      // what is in it, and for whom: a phrase
   bool colours = false;  // there are some
   bool script = false;   // opens two more files, which are written beside it
 };

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/io/read_error.hpp"
+#include "core/molecule/shortest_number.hpp"
 
 namespace alphascope {
 namespace {
@@ -42,7 +43,7 @@ std::string shown(const ReadJson& json) {
 std::string range_text(const NumberRule& rule) {
   const std::string unit = rule.unit[0] == '\0' ? "" : std::string(" ") + rule.unit;
   return std::string(rule.whole ? "a whole number" : "a number") + " from " +
-         exact_text(rule.least) + " to " + exact_text(rule.most) + unit;
+         shortest_number(rule.least) + " to " + shortest_number(rule.most) + unit;
 }
 
 // Where a syntax error is: the parser's own message counts bytes of what it has read.

@@ -1,5 +1,5 @@
-// Scripts that show a complex in ChimeraX, PyMOL and VMD: its balls as atoms and the boundary of its
-// tetrahedra, from files that are written beside the script.
+// Scripts that show a complex in ChimeraX, PyMOL and VMD: its balls as atoms and the boundary of
+// its tetrahedra, from files that are written beside the script.
 #pragma once
 
 #include <array>

@@ -73,8 +73,8 @@ std::string tcl_name(const std::filesystem::path& path) {
   std::string text = "\"";
   for (const char c : path.string()) {
     const auto byte = static_cast<unsigned char>(c);
-    const bool plain = std::isalnum(byte) != 0 || byte >= 0x80 || c == '/' || c == '.' ||
-                       c == '_' || c == '-';
+    const bool plain =
+        std::isalnum(byte) != 0 || byte >= 0x80 || c == '/' || c == '.' || c == '_' || c == '-';
     if (plain) {
       text += c;
     } else {

@@ -74,17 +74,17 @@ class PqrWriter {
     const auto place = [&](std::int32_t units) { return balls_.lattice.angstrom(units); };
     const LatticePoint& p = balls_.centres[i];
     const char insertion = atom.insertion_code == ' ' ? '\0' : atom.insertion_code;
-    const std::string number = std::to_string(atom.residue_number) + (insertion ? std::string(1, insertion) : "");
+    const std::string number =
+        std::to_string(atom.residue_number) + (insertion ? std::string(1, insertion) : "");
     char text[400];
     const int digits = place_digits_;
     const int size =
-        columns_ ? std::snprintf(text, sizeof text,
-                                 "%-6s%5zu %-4s %3s %1s%4d%c   %8.*f%8.*f%8.*f 0.000 %.*f", tag,
-                                 i + 1, name.size() < 4 ? (" " + name).c_str() : name.c_str(),
-                                 residue.c_str(), chain.c_str(), atom.residue_number,
-                                 insertion ? insertion : ' ', digits, place(p.x), digits,
-                                 place(p.y), digits, place(p.z), radius_digits_,
-                                 place(balls_.radii[i]))
+        columns_ ? std::snprintf(
+                       text, sizeof text, "%-6s%5zu %-4s %3s %1s%4d%c   %8.*f%8.*f%8.*f 0.000 %.*f",
+                       tag, i + 1, name.size() < 4 ? (" " + name).c_str() : name.c_str(),
+                       residue.c_str(), chain.c_str(), atom.residue_number,
+                       insertion ? insertion : ' ', digits, place(p.x), digits, place(p.y), digits,
+                       place(p.z), radius_digits_, place(balls_.radii[i]))
                  : std::snprintf(text, sizeof text, "%s %zu %s %s %s %s %.*f %.*f %.*f 0.000 %.*f",
                                  tag, i + 1, name.c_str(), residue.c_str(), chain.c_str(),
                                  number.c_str(), digits, place(p.x), digits, place(p.y), digits,

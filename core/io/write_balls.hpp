@@ -16,8 +16,8 @@ namespace alphascope {
 // Where they come from: keys and values, all printable.
 using BallHeader = std::vector<std::pair<std::string, std::string>>;
 
-// "x y z r" in Å, all digits, a line for each ball in the order of the set; the header as lines that
-// begin with #. Read again, it is the same set of balls.
+// "x y z r" in Å, all digits, a line for each ball in the order of the set; the header as lines
+// that begin with #. Read again, it is the same set of balls.
 void write_xyzr(const BallSet& balls, const BallHeader& header, AtomicFile& file,
                 const RunContext& context = {});
 

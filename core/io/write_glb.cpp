@@ -58,9 +58,8 @@ class Head {
       accessors_.back() += ",\"normalized\":true}";
       attributes += ",\"COLOR_0\":" + colours;
     }
-    const std::string indices =
-        add_accessor(kUnsignedInt, 3 * mesh.triangles.size(), "SCALAR", kElementArrayBuffer,
-                     12 * mesh.triangles.size());
+    const std::string indices = add_accessor(kUnsignedInt, 3 * mesh.triangles.size(), "SCALAR",
+                                             kElementArrayBuffer, 12 * mesh.triangles.size());
     accessors_.back() += "}";
     meshes_.push_back("{\"name\":" + quoted(mesh.name) + ",\"primitives\":[{\"attributes\":{" +
                       attributes + "},\"indices\":" + indices +
@@ -99,9 +98,8 @@ class Head {
     accessors_.push_back("{\"bufferView\":" + std::to_string(views_.size()) +
                          ",\"componentType\":" + std::to_string(component) +
                          ",\"count\":" + std::to_string(count) + ",\"type\":\"" + type + "\"");
-    views_.push_back("{\"buffer\":0,\"byteOffset\":" + std::to_string(bytes_) +
-                     ",\"byteLength\":" + std::to_string(bytes) +
-                     ",\"target\":" + std::to_string(target) + "}");
+    views_.push_back("{\"buffer\":0,\"byteOffset\":" + std::to_string(bytes_) + ",\"byteLength\":" +
+                     std::to_string(bytes) + ",\"target\":" + std::to_string(target) + "}");
     bytes_ += bytes;
     return std::to_string(accessors_.size() - 1);
   }

@@ -194,9 +194,8 @@ class VtkWriter {
   void add(const std::string& attributes, std::uint64_t count, const Fill& fill) {
     text_ << "<DataArray type=\"" << type_name(T{}) << "\" " << attributes
           << " format=\"appended\" offset=\"" << offset_ << "\"/>\n";
-    arrays_.push_back({count * sizeof(T), [fill](TextWriter& to) {
-                         fill([&to](T value) { to.bytes(value); });
-                       }});
+    arrays_.push_back(
+        {count * sizeof(T), [fill](TextWriter& to) { fill([&to](T value) { to.bytes(value); }); }});
     offset_ += sizeof(std::uint64_t) + count * sizeof(T);
   }
   template <class T, class Value>

@@ -25,8 +25,8 @@ struct VtkSource {
 
 // Point i is the centre of ball i (Å, exact). Points have radius_angstrom, ball (their index),
 // element (atomic number, 0 unknown), serial, residue_number, atom_name, residue_name and chain;
-// cells have dimension and, unless there are only tetrahedra, alpha_angstrom2 and class (0 singular,
-// 1 regular, 2 interior). The header is the field data.
+// cells have dimension and, unless there are only tetrahedra, alpha_angstrom2 and class (0
+// singular, 1 regular, 2 interior). The header is the field data.
 void write_vtu(const VtkSource& source, AtomicFile& file, const RunContext& context = {});
 
 // Throws std::invalid_argument for a complex of tetrahedra only, of which nothing would be left.

@@ -53,7 +53,9 @@ class Builder {
     context_.report(kStage, share);
   }
 
-  std::uint32_t& beyond(std::uint32_t t, std::size_t face) { return beyond_[4 * std::size_t{t} + face]; }
+  std::uint32_t& beyond(std::uint32_t t, std::size_t face) {
+    return beyond_[4 * std::size_t{t} + face];
+  }
 
   void find_neighbours() {
     beyond_.assign(4 * tetrahedra_.size(), kOuter);
@@ -71,7 +73,8 @@ class Builder {
 
   std::size_t index_of(std::uint32_t t, BallIndex ball) const {
     const auto& corners = tetrahedra_[t];
-    return static_cast<std::size_t>(std::find(corners.begin(), corners.end(), ball) - corners.begin());
+    return static_cast<std::size_t>(std::find(corners.begin(), corners.end(), ball) -
+                                    corners.begin());
   }
 
   // Those of a solid one after another, in the order of their first tetrahedra; then by volume.
@@ -290,7 +293,8 @@ class Builder {
   const BallSet& balls_;
   const Simplices<4>& tetrahedra_;
   const RunContext& context_;
-  std::vector<std::uint32_t> beyond_;  // by 4 × tetrahedron + face: the tetrahedron there, or kOuter
+  std::vector<std::uint32_t>
+      beyond_;  // by 4 × tetrahedron + face: the tetrahedron there, or kOuter
   std::vector<std::uint32_t> solid_;   // of each tetrahedron
   std::vector<Face> faces_;            // of the boundary, solid by solid
   std::vector<std::uint32_t> vertex_;  // of each root of corners; or kNone

@@ -1,6 +1,6 @@
-// The boundary of what the tetrahedra of an alpha complex fill, as closed surfaces for programs that
-// need solids: printers, Blender, CGAL. Singular triangles, edges and vertices enclose nothing, and
-// are no part of it.
+// The boundary of what the tetrahedra of an alpha complex fill, as closed surfaces for programs
+// that need solids: printers, Blender, CGAL. Singular triangles, edges and vertices enclose
+// nothing, and are no part of it.
 #pragma once
 
 #include <array>
@@ -16,7 +16,7 @@ namespace alphascope {
 // Tetrahedra that hang together by whole triangles. Its surface has an outer sheet and one more
 // around each cavity in it; those are seen from inside the cavity.
 struct BoundarySolid {
-  std::uint32_t first_vertex = 0, vertices = 0;    // in Boundary::vertices
+  std::uint32_t first_vertex = 0, vertices = 0;     // in Boundary::vertices
   std::uint32_t first_triangle = 0, triangles = 0;  // in Boundary::triangles
   std::uint32_t tetrahedra = 0;
   double volume_cubic_units = 0;  // of its tetrahedra, cubic lattice units; rounded once

@@ -64,9 +64,8 @@ TEST_F(CliExport, BallsAreTheSameBallsAgain) {
 
 // What does not fit into PDB's columns.
 TEST_F(CliExport, PqrHoldsLargeNumbersAndLongNames) {
-  const std::string far = write("far.xyzr",
-                                "-1234.5678 2000.25 -999.125 1.5\n12345.5 -0.0001 7 2.0625\n")
-                              .string();
+  const std::string far =
+      write("far.xyzr", "-1234.5678 2000.25 -999.125 1.5\n12345.5 -0.0001 7 2.0625\n").string();
   exported("far.pqr", "--alpha 0", far);
   EXPECT_EQ(compute_json(path("far.pqr") + " --alpha 9 --radii file")["hash"],
             compute_json(far + " --alpha 9")["hash"]);
@@ -264,9 +263,10 @@ code = lines[lines.index('python') + 1:lines.index('python end')]
 exec(compile('\n'.join(code), 'script', 'exec'))
 mesh = [c for c in calls if c[0] == 'load_cgo'][0][1]
 print(mesh.count(4.5), [c for c in calls if c[0] == 'load'][0][1])
-)").string();
-  const std::string command = "python3 '" + stub + "' '" + path("c.pml") + "' > '" + path("said") +
-                              "' 2>&1";
+)")
+                               .string();
+  const std::string command =
+      "python3 '" + stub + "' '" + path("c.pml") + "' > '" + path("said") + "' 2>&1";
   EXPECT_EQ(std::system(command.c_str()), 0) << contents(folder_ / "said");
   EXPECT_EQ(contents(folder_ / "said"), "2550 " + path("c-balls.pqr") + "\n");
 }
@@ -283,9 +283,10 @@ proc draw args { if {[lindex $args 0] eq "triangle"} { incr ::drawn } }
 proc display args {}
 source [lindex $argv 0]
 puts "$drawn $opened"
-)").string();
-  const std::string command = "tclsh '" + stub + "' '" + path(name + ".tcl") + "' > '" +
-                              path("said") + "' 2>&1";
+)")
+                               .string();
+  const std::string command =
+      "tclsh '" + stub + "' '" + path(name + ".tcl") + "' > '" + path("said") + "' 2>&1";
   EXPECT_EQ(std::system(command.c_str()), 0) << contents(folder_ / "said");
   EXPECT_EQ(contents(folder_ / "said"), "850 " + path(name + "-balls.pqr") + "\n");
 }
@@ -293,8 +294,7 @@ puts "$drawn $opened"
 // --- Conventions
 
 TEST_F(CliExport, StandardOutputNeedsTheFormatSaid) {
-  const Outcome made =
-      run("export " + std::string(kCrambin) + " --alpha 1.4 --as off -o -");
+  const Outcome made = run("export " + std::string(kCrambin) + " --alpha 1.4 --as off -o -");
   EXPECT_EQ(made.code, 0) << made.err;
   EXPECT_EQ(made.out, exported("c.off"));
   EXPECT_TRUE(contains(made.err, "41 solids")) << made.err;
@@ -303,8 +303,8 @@ TEST_F(CliExport, StandardOutputNeedsTheFormatSaid) {
 }
 
 TEST_F(CliExport, UnknownEndingsAreToldTheKnownOnes) {
-  const Outcome made = run("export " + std::string(kCrambin) + " --alpha 1.4 -o '" +
-                           path("c.docx") + "'");
+  const Outcome made =
+      run("export " + std::string(kCrambin) + " --alpha 1.4 -o '" + path("c.docx") + "'");
   EXPECT_EQ(made.code, 2);
   EXPECT_TRUE(contains(made.err, ".ply, .obj, .stl, .off, .glb, .vtu")) << made.err;
   EXPECT_FALSE(fs::exists(folder_ / "c.docx"));
@@ -316,8 +316,8 @@ TEST_F(CliExport, OfTetrahedraOnlyWhatNeedsMoreIsRefused) {
   EXPECT_EQ(exported("t.stl", only).size(), exported("c.stl").size());
   exported("t.vtu", only);
   for (const char* name : {"t.vtp", "t.txt"}) {
-    const Outcome made = run("export " + std::string(kCrambin) + " " + only + " -o '" + path(name) +
-                             "'");
+    const Outcome made =
+        run("export " + std::string(kCrambin) + " " + only + " -o '" + path(name) + "'");
     EXPECT_EQ(made.code, 2) << name;
     EXPECT_TRUE(contains(made.err, "only tetrahedra were computed")) << made.err;
     EXPECT_FALSE(fs::exists(folder_ / name));
@@ -363,8 +363,8 @@ TEST_F(CliExport, AFullDiskLeavesNoHalfFile) {
 
 TEST_F(CliExport, AScriptsFilesDoNotReplaceTheMolecule) {
   fs::copy_file(kCrambin, folder_ / "x-balls.pqr");
-  const Outcome made = run("export '" + path("x-balls.pqr") + "' --format pdb --alpha 1 -o '" +
-                           path("x.pml") + "'");
+  const Outcome made =
+      run("export '" + path("x-balls.pqr") + "' --format pdb --alpha 1 -o '" + path("x.pml") + "'");
   EXPECT_EQ(made.code, 2);
   EXPECT_TRUE(contains(made.err, "would replace")) << made.err;
 }

@@ -22,12 +22,12 @@ class ExportCgal : public Cli, public ::testing::WithParamInterface<const char*>
 // A mesh that is no orientable manifold is not read at all.
 TEST_P(ExportCgal, ReadsTheBoundaryAsAClosedSolid) {
   const std::string molecule = ALPHASCOPE_SOURCE_DIR "/resources/molecules/4hhb.pdb.gz";
-  const std::string name = (folder_ / "s.").string() + GetParam(), text = (folder_ / "c.alpha").string();
+  const std::string name = (folder_ / "s.").string() + GetParam(),
+                    text = (folder_ / "c.alpha").string();
   for (const char* alpha : {"1.4", "3"}) {
     for (const std::string command : {"export", "compute"}) {
       const Outcome made = run(command + " -q " + molecule + " --alpha " + alpha +
-                               (command == "export" ? " -o '" + name : " --out '" + text) +
-                               "'");
+                               (command == "export" ? " -o '" + name : " --out '" + text) + "'");
       ASSERT_EQ(made.code, 0) << made.err;
     }
     const TextComplex whole(contents(text));

@@ -40,8 +40,8 @@ class ExportVtk : public Cli {
     return path;
   }
   TextComplex complex(const char* alpha) {
-    const Outcome made = run("compute -q " + std::string(kCrambin) + " --alpha " + alpha + " --out '" +
-                             (folder_ / "c.alpha").string() + "'");
+    const Outcome made = run("compute -q " + std::string(kCrambin) + " --alpha " + alpha +
+                             " --out '" + (folder_ / "c.alpha").string() + "'");
     EXPECT_EQ(made.code, 0) << made.err;
     return TextComplex(contents(folder_ / "c.alpha"));
   }
@@ -99,7 +99,8 @@ TEST_F(ExportVtk, ObjIsTheClosedBoundary) {
   EXPECT_NEAR(volume(*mesh), whole.volume(), 1e-5 * whole.volume());
 }
 
-// VTK makes one point of all vertices at a place, so sides where solids touch are of more triangles.
+// VTK makes one point of all vertices at a place, so sides where solids touch are of more
+// triangles.
 TEST_F(ExportVtk, StlHasASolidForEachComponent) {
   const TextComplex whole = complex("3");
   vtkNew<vtkSTLReader> reader;

@@ -1,6 +1,7 @@
 // Areas and volumes as derived results, and as rows of a table.
 #include "core/document/measure_rows.hpp"
 
+#include "core/document/measure_records.hpp"
 #include "core/engine/engine.hpp"
 #include "tests/core/document/store_fixture.hpp"
 #include "tests/core/io/temporary_file.hpp"

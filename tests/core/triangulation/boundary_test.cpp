@@ -149,11 +149,12 @@ TEST(Boundary, OfHardSetsIsClosed) {
 TEST(Boundary, SolidsThatTouchHaveTheirOwnVertices) {
   BallSet balls;
   balls.lattice.digits = 0;
-  for (const int at : {0, 1, 2}) add_ball(balls, at == 0 ? 10 : 0, at == 1 ? 10 : 0, at == 2 ? 10 : 0, 1);
-  add_ball(balls, 0, 0, 0, 1);      // 3: the first one's corner
-  add_ball(balls, -10, 0, 0, 1);    // 4
-  add_ball(balls, -9, -10, 1, 1);   // 5
-  add_ball(balls, -9, 1, -10, 1);   // 6
+  for (const int at : {0, 1, 2})
+    add_ball(balls, at == 0 ? 10 : 0, at == 1 ? 10 : 0, at == 2 ? 10 : 0, 1);
+  add_ball(balls, 0, 0, 0, 1);     // 3: the first one's corner
+  add_ball(balls, -10, 0, 0, 1);   // 4
+  add_ball(balls, -9, -10, 1, 1);  // 5
+  add_ball(balls, -9, 1, -10, 1);  // 6
   const Simplices<4> at_a_vertex{{0, 1, 2, 3}, {3, 4, 5, 6}};
   const Boundary b = make_boundary(balls, at_a_vertex);
   EXPECT_TRUE(is_manifold(b));

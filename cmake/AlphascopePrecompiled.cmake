@@ -1,5 +1,6 @@
 # A quarter of the time to compile core/, app/ and ui/ went into reading the standard library: with
-# this it is read once. No source may lean on that: the preset asan and the fuzzers compile without.
+# this it is read once. No source may lean on that: scripts/check_includes, and the preset asan, which does
+# without.
 # By default not with ccache, which then finds nothing that was compiled in another folder.
 set(by_default ON)
 if(CMAKE_CXX_COMPILER_LAUNCHER MATCHES "ccache")
@@ -7,8 +8,8 @@ if(CMAKE_CXX_COMPILER_LAUNCHER MATCHES "ccache")
 endif()
 option(ALPHASCOPE_PRECOMPILE "Read the standard library's headers once" ${by_default})
 
-# Takes the targets of this folder and of those below.
-function(alphascope_precompiled folder)
+# For one target.
+function(alphascope_precompile target)
   if(NOT ALPHASCOPE_PRECOMPILE OR NOT CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     return()
   endif()
@@ -29,12 +30,17 @@ function(alphascope_precompiled folder)
       <memory> <mutex> <optional> <set> <span> <sstream> <stdexcept> <string> <string_view> <thread>
       <unordered_map> <utility> <vector>)
   endif()
+  target_precompile_headers(${target} REUSE_FROM alphascope_headers)
+  target_compile_options(${target} PRIVATE ${quiet})
+endfunction()
+
+# For the targets of this folder and of those below.
+function(alphascope_precompiled folder)
   get_property(targets DIRECTORY ${folder} PROPERTY BUILDSYSTEM_TARGETS)
   foreach(target IN LISTS targets)
     get_target_property(kind ${target} TYPE)
     if(kind MATCHES "^(EXECUTABLE|STATIC_LIBRARY|OBJECT_LIBRARY)$")
-      target_precompile_headers(${target} REUSE_FROM alphascope_headers)
-      target_compile_options(${target} PRIVATE ${quiet})
+      alphascope_precompile(${target})
     endif()
   endforeach()
   get_property(folders DIRECTORY ${folder} PROPERTY SUBDIRECTORIES)

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <functional>
 #include <limits>
 #include <memory>
@@ -11,6 +12,7 @@
 #include <vector>
 
 #include "core/engine/engine.hpp"
+#include "tests/support/sanitizer.hpp"
 
 namespace alphascope::testing {
 
@@ -23,6 +25,8 @@ struct EngineFactory {
   // Why there can be no such engine on this machine; empty when there can.
   std::string why_not = {};
 
+  // Of the large hard sets.
+  int balls_of_large_sets() const { return std::min(most_balls, unless_sanitized(1000, 100)); }
   // Would this engine take no more than seconds?
   bool affords(const BallSet& balls, double alpha_angstrom2) const;
   friend void PrintTo(const EngineFactory& factory, std::ostream* out) { *out << factory.name; }

@@ -9,6 +9,7 @@
 #include "core/tuples/tuple_compute.hpp"
 #include "core/tuples/tuple_engine.hpp"
 #include "tests/support/random_balls.hpp"
+#include "tests/support/sanitizer.hpp"
 
 namespace alphascope {
 namespace {
@@ -118,7 +119,8 @@ class LateExecutor {
 
 TEST(TupleLanes, NeedNoOtherOrderThanTheirOwn) {
   testing::Random random(51);
-  for (const testing::NamedBalls& set : testing::large_hard_sets(random, 60)) {
+  for (const testing::NamedBalls& set :
+       testing::large_hard_sets(random, testing::unless_sanitized(60, 20))) {
     SCOPED_TRACE(set.name);
     if (set.name == "extremes of the lattice") continue;
     const auto balls = std::make_shared<const BallSet>(set.balls);

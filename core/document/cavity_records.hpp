@@ -52,7 +52,8 @@ std::vector<std::size_t> ranks_by_clipped(const CavityTable& table, const ExactV
 
 std::string comparable_text(const std::vector<std::string>& differences_from_castp);
 
-// `first_id`: the id of the cavity of the first radii and solvent radius that it is; 0 for none.
+// `first_id`: the id of the cavity of the first radii and solvent radius that it is, its own where
+// there are no others; 0 for none.
 CsvRow cavity_csv(const CavityFacts& facts, std::size_t row, std::size_t first_id);
 
 // Where it comes from and what was asked, for whatever else is written of it, without notes.

@@ -69,7 +69,7 @@ Definition<std::string> cavities_as_csv(const CavityRowsWanted& rows, const Reco
                    std::string text;
                    for (const std::size_t row : facts.rows) {
                      context.cancel.throw_if_cancelled();
-                     const CsvRow cells = cavity_csv(facts, row, 0);
+                     const CsvRow cells = cavity_csv(facts, row, row + 1);
                      text += (text.empty() ? csv_names(cells) : "") + csv_values(cells);
                    }
                    return text;

@@ -1,17 +1,12 @@
 #include "core/molecule/provenance.hpp"
 #include "core/molecule/printable.hpp"
+#include "core/molecule/short_number.hpp"
 
 #include <algorithm>
 #include <cstdio>
 
 namespace alphascope {
 namespace {
-
-std::string short_number(double number) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.6g", number);
-  return text;
-}
 
 std::string joined(const std::vector<std::string>& names) {
   std::string text;

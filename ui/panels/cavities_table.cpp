@@ -12,6 +12,11 @@ namespace {
 
 const int kColumnCount = static_cast<int>(cavity_columns().size());
 
+// Pixels.
+float column_width(const PanelContext& ctx, const CavityColumnSpec& spec) {
+  return std::max(ctx.px(spec.width), title_width(spec.title));
+}
+
 void set_up_columns(PanelContext& ctx) {
   ImGui::TableSetupScrollFreeze(1, 1);
   for (const CavityColumnSpec& spec : cavity_columns()) {
@@ -24,7 +29,7 @@ void set_up_columns(PanelContext& ctx) {
       flags |= ImGuiTableColumnFlags_PreferSortDescending;
     }
     if (!spec.shown_first) flags |= ImGuiTableColumnFlags_DefaultHide;
-    ImGui::TableSetupColumn(spec.title, flags, ctx.px(spec.width));
+    ImGui::TableSetupColumn(spec.title, flags, column_width(ctx, spec));
   }
 }
 
@@ -130,7 +135,7 @@ float least_width(PanelContext& ctx, const CavityPage& page) {
   float width = 0;
   for (const CavityColumnSpec& spec : cavity_columns()) {
     const auto at = static_cast<std::size_t>(spec.column);
-    if (page.columns[at]) width += ctx.px(spec.width) + 2 * ImGui::GetStyle().CellPadding.x;
+    if (page.columns[at]) width += column_width(ctx, spec) + 2 * ImGui::GetStyle().CellPadding.x;
   }
   return width;
 }

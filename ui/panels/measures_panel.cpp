@@ -226,8 +226,10 @@ void heading(PanelContext& ctx, const std::vector<MeasureColumn>& columns) {
         text.width > 0 ? ImGuiTableColumnFlags_WidthFixed : ImGuiTableColumnFlags_WidthStretch;
     if (c == 0) flags |= ImGuiTableColumnFlags_DefaultSort;
     if (c > 1) flags |= ImGuiTableColumnFlags_PreferSortDescending;
-    ImGui::TableSetupColumn(text.title, flags, text.width > 0 ? ctx.px(text.width) : 1.0f,
-                            static_cast<ImGuiID>(c));
+    ImGui::TableSetupColumn(
+        text.title, flags,
+        text.width > 0 ? std::max(ctx.px(text.width), title_width(text.title)) : 1.0f,
+        static_cast<ImGuiID>(c));
   }
   ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
   for (const MeasureColumn column : columns) {

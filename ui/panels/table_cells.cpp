@@ -15,6 +15,12 @@ std::string measure_text(double value) {
   return separated_number(text);
 }
 
+float title_width(const char* title) {
+  constexpr float kArrow = 0.65f;  // of the font's size, as ImGui draws it
+  return ImGui::CalcTextSize(title).x + kArrow * ImGui::GetFontSize() +
+         ImGui::GetStyle().FramePadding.x;
+}
+
 void right_text(const std::string& text) {
   const float right = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(text.c_str()).x;
   ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(0.0f, right));

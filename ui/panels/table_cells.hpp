@@ -7,6 +7,8 @@ namespace alphascope {
 
 std::string measure_text(double value);  // Å³ or Å²: "12,345.67"
 
+// Pixels that a column's title needs, with the arrow of the one that rows are sorted by.
+float title_width(const char* title);
 // At the right of the present cell.
 void right_text(const std::string& text);
 // The next cell, its text at the right.

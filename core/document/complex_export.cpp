@@ -6,6 +6,7 @@
 #include <cctype>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <map>
 #include <optional>
 #include <stdexcept>
@@ -45,6 +46,10 @@ constexpr std::array kFormats{
     ExportFormatInfo{pymol, "pml", "PyMOL script", "balls and boundary", true, true},
     ExportFormatInfo{vmd, "tcl", "VMD script", "balls and boundary", true, true}};
 
+// A viewer draws each object of a GLB or OBJ file by itself; a large molecule at a small alpha has
+// hundreds of thousands of solids.
+constexpr std::size_t kMostObjects = 1000;
+
 Mesh::Colour bytes(const Rgb8& c) {
   return {c.r, c.g, c.b};
 }
@@ -77,13 +82,13 @@ class Exporter {
       case ply:
         return write_boundary(write_ply, file);
       case obj:
-        return write_boundary(write_obj, file);
+        return write_boundary(write_obj, file, kMostObjects);
       case stl:
         return write_boundary(write_stl, file);
       case off:
         return write_boundary(write_off, file);
       case glb:
-        return write_boundary(write_glb, file);
+        return write_boundary(write_glb, file, kMostObjects);
       case vtu:
         write_vtu(vtk, file, context_);
         return simplices_text();
@@ -144,7 +149,8 @@ class Exporter {
     return solid.volume_cubic_units / std::pow(10.0, 3 * complex_.lattice.digits);
   }
 
-  std::vector<Mesh> meshes() {
+  // `most`: smaller solids are one mesh together, the last one.
+  std::vector<Mesh> meshes(std::size_t most) {
     std::vector<Rgb8> colours;
     if (source_.colours != ExportColours::solid) {
       const auto of =
@@ -154,33 +160,40 @@ class Exporter {
     std::vector<Mesh> meshes;
     for (const BoundarySolid& solid : boundary().solids) {
       const std::size_t place = meshes.size();
-      Mesh& mesh = meshes.emplace_back();
-      mesh.name = "solid_" + std::to_string(place + 1);
-      const ChartColour c = chart_colour(place);
-      mesh.colour = {c.r, c.g, c.b};
-      fill(solid, colours, mesh);
+      if (place < most) {
+        Mesh& mesh = meshes.emplace_back();
+        const bool several = place + 1 == most && most < boundary().solids.size();
+        mesh.name = several ? "smaller_solids" : "solid_" + std::to_string(place + 1);
+        const ChartColour c = chart_colour(place);
+        mesh.colour = {c.r, c.g, c.b};
+      }
+      append(solid, colours, meshes.back());
     }
     return meshes;
   }
 
-  void fill(const BoundarySolid& solid, const std::vector<Rgb8>& colours, Mesh& mesh) const {
-    mesh.points.reserve(solid.vertices);
-    if (!colours.empty()) mesh.colours.reserve(solid.vertices);
+  void append(const BoundarySolid& solid, const std::vector<Rgb8>& colours, Mesh& mesh) const {
+    const auto before = static_cast<std::uint32_t>(mesh.points.size());
+    if (before == 0) {
+      mesh.points.reserve(solid.vertices);
+      mesh.colours.reserve(colours.empty() ? 0 : solid.vertices);
+      mesh.triangles.reserve(solid.triangles);
+    }
     for (std::uint32_t n = 0; n < solid.vertices; ++n) {
       const BoundaryVertex& vertex = boundary_->vertices[solid.first_vertex + n];
       mesh.points.push_back(place_angstrom(*source_.answer.balls, vertex));
       if (!colours.empty()) mesh.colours.push_back(bytes(colours[vertex.ball]));
     }
-    mesh.triangles.reserve(solid.triangles);
     for (std::uint32_t n = 0; n < solid.triangles; ++n) {
       auto triangle = boundary_->triangles[solid.first_triangle + n];
-      for (std::uint32_t& v : triangle) v -= solid.first_vertex;
+      for (std::uint32_t& v : triangle) v = before + v - solid.first_vertex;
       mesh.triangles.push_back(triangle);
     }
   }
 
-  Lines write_boundary(decltype(write_ply)* write_meshes, AtomicFile& file) {
-    write_meshes(meshes(), source_.header, file, context_);
+  Lines write_boundary(decltype(write_ply)* write_meshes, AtomicFile& file,
+                       std::size_t most_meshes = std::numeric_limits<std::size_t>::max()) {
+    write_meshes(meshes(most_meshes), source_.header, file, context_);
     const Boundary& b = boundary();
     double volume = 0;
     for (const BoundarySolid& solid : b.solids) volume += volume_angstrom3(solid);

@@ -8,16 +8,20 @@
 #include <cstring>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "core/geometry/lattice.hpp"
 #include "core/io/atomic_file.hpp"
+#include "core/run/cancel_token.hpp"
 
 namespace alphascope {
 
-// All throw WriteError. What is collected at the end needs a flush().
+// All throw WriteError and, once in a megabyte, Cancelled. What is collected at the end needs a
+// flush().
 class TextWriter {
  public:
-  explicit TextWriter(AtomicFile& file) : file_(file) {}
+  explicit TextWriter(AtomicFile& file, CancelToken cancel = {})
+      : file_(file), cancel_(std::move(cancel)) {}
 
   TextWriter& operator<<(std::string_view text) {
     text_ += text;
@@ -68,6 +72,7 @@ class TextWriter {
     if (text_.size() >= kFlushBytes) flush();
   }
   void flush() {
+    cancel_.throw_if_cancelled();
     file_.write(text_);
     text_.clear();
   }
@@ -76,6 +81,7 @@ class TextWriter {
   static constexpr std::size_t kFlushBytes = std::size_t{1} << 20;
 
   AtomicFile& file_;
+  CancelToken cancel_;
   std::string text_;
 };
 

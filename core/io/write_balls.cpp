@@ -12,13 +12,12 @@
 namespace alphascope {
 namespace {
 
-constexpr std::size_t kCancelBalls = 65536;
+constexpr std::size_t kReportBalls = 65536;
 
 template <class Write>
 void for_balls(const BallSet& balls, const RunContext& context, const Write& write) {
   for (std::size_t i = 0; i < balls.size(); ++i) {
-    if (i % kCancelBalls == 0) {
-      context.cancel.throw_if_cancelled();
+    if (i % kReportBalls == 0) {
       context.report("writing", static_cast<double>(i) / static_cast<double>(balls.size()));
     }
     write(i);
@@ -124,7 +123,7 @@ class PqrWriter {
 
 void write_xyzr(const BallSet& balls, const BallHeader& header, AtomicFile& file,
                 const RunContext& context) {
-  TextWriter text(file);
+  TextWriter text(file, context.cancel);
   for (const auto& [key, value] : header) text << "# " << key << " " << value << "\n";
   const int digits = balls.lattice.digits;
   for_balls(balls, context, [&](std::size_t i) {
@@ -140,7 +139,7 @@ void write_xyzr(const BallSet& balls, const BallHeader& header, AtomicFile& file
 void write_pqr(const BallSet& balls, const Molecule& molecule,
                const std::vector<std::uint32_t>& atom_of_ball, const BallHeader& header,
                AtomicFile& file, const RunContext& context) {
-  TextWriter text(file);
+  TextWriter text(file, context.cancel);
   for (const auto& [key, value] : header) text << "REMARK   3 " << key << " " << value << "\n";
   const PqrWriter writer(balls, molecule, atom_of_ball);
   for_balls(balls, context, [&](std::size_t i) {

@@ -36,7 +36,7 @@ void write_list(const char* name, const SimplexList<N>& list, const AlphaComplex
 
 void write_complex_text(const BallSet& balls, const AlphaComplex& complex,
                         const ComplexHeader& header, AtomicFile& file, const RunContext& context) {
-  TextWriter text(file);
+  TextWriter text(file, context.cancel);
   text << "alphascope-complex 1";
   text.end_line();
   for (const auto& [key, value] : header) {
@@ -56,7 +56,6 @@ void write_complex_text(const BallSet& balls, const AlphaComplex& complex,
     text.end_line();
   }
   const auto section = [&](const char* name, const auto& list, double share) {
-    context.cancel.throw_if_cancelled();
     context.report("writing", share);
     write_list(name, list, complex, text);
   };
@@ -71,7 +70,7 @@ void write_complex_text(const BallSet& balls, const AlphaComplex& complex,
 
 void write_parallelac_text(const BallSet& balls, const AlphaComplex& complex, AtomicFile& file,
                            const RunContext& context) {
-  TextWriter text(file);
+  TextWriter text(file, context.cancel);
   text << balls.size() << " " << complex.edges.size() << " " << complex.triangles.size() << " "
        << complex.tetrahedra.size();
   text.end_line();
@@ -85,7 +84,6 @@ void write_parallelac_text(const BallSet& balls, const AlphaComplex& complex, At
     text.end_line();
   }
   const auto section = [&](const auto& list, double share) {
-    context.cancel.throw_if_cancelled();
     context.report("writing", share);
     for (const auto& simplex : list.simplices) {
       for (std::size_t n = 0; n < simplex.size(); ++n) {

@@ -16,7 +16,7 @@ namespace alphascope {
 using ComplexHeader = std::vector<std::pair<std::string, std::string>>;
 
 // `balls` are those the complex was computed of (with the solvent radius). Does not commit. Throws
-// WriteError, and Cancelled between its sections.
+// WriteError, and Cancelled.
 void write_complex_text(const BallSet& balls, const AlphaComplex& complex,
                         const ComplexHeader& header, AtomicFile& file, const RunContext& context);
 

@@ -166,7 +166,7 @@ void write_glb(const std::vector<Mesh>& meshes, const MeshHeader& header, Atomic
   if (size > std::numeric_limits<std::uint32_t>::max()) {
     throw WriteError("The surfaces are too large for a GLB file. Write PLY instead.");
   }
-  TextWriter to(file);
+  TextWriter to(file, context.cancel);
   const auto word = [&](std::size_t n) { to.bytes(static_cast<std::uint32_t>(n)); };
   word(0x46546C67);  // "glTF"
   word(2);
@@ -179,7 +179,6 @@ void write_glb(const std::vector<Mesh>& meshes, const MeshHeader& header, Atomic
     word(0x004E4942);  // "BIN"
   }
   for (std::size_t m = 0; m < meshes.size(); ++m) {
-    context.cancel.throw_if_cancelled();
     context.report("writing", static_cast<double>(m) / static_cast<double>(meshes.size()));
     if (!meshes[m].triangles.empty()) write_data(meshes[m], to);
   }

@@ -9,6 +9,9 @@
 namespace alphascope {
 namespace {
 
+// Meshes whose names stand in the head of a PLY file, which readers take in line by line.
+constexpr std::size_t kMostNamed = 1000;
+
 std::size_t all_points(const std::vector<Mesh>& meshes) {
   std::size_t points = 0;
   for (const Mesh& mesh : meshes) points += mesh.points.size();
@@ -26,7 +29,6 @@ template <class Write>
 void for_meshes(const std::vector<Mesh>& meshes, const RunContext& context, const Write& write) {
   std::size_t before = 0;
   for (std::size_t m = 0; m < meshes.size(); ++m) {
-    context.cancel.throw_if_cancelled();
     context.report("writing", static_cast<double>(m) / static_cast<double>(meshes.size()));
     write(meshes[m], before, m);
     before += meshes[m].points.size();
@@ -50,10 +52,10 @@ void coordinates(TextWriter& text, const RealPoint& p) {
 
 void write_ply(const std::vector<Mesh>& meshes, const MeshHeader& header, AtomicFile& file,
                const RunContext& context) {
-  TextWriter text(file);
+  TextWriter text(file, context.cancel);
   text << "ply\nformat binary_little_endian 1.0\n";
   comments(text, header, "comment ");
-  for (std::size_t m = 0; m < meshes.size(); ++m) {
+  for (std::size_t m = 0; m < std::min(meshes.size(), kMostNamed); ++m) {
     text << "comment mesh " << m + 1 << " " << meshes[m].name;
     text.end_line();
   }
@@ -81,7 +83,7 @@ void write_ply(const std::vector<Mesh>& meshes, const MeshHeader& header, Atomic
 
 void write_obj(const std::vector<Mesh>& meshes, const MeshHeader& header, AtomicFile& file,
                const RunContext& context) {
-  TextWriter text(file);
+  TextWriter text(file, context.cancel);
   comments(text, header, "# ");
   for_meshes(meshes, context, [&](const Mesh& mesh, std::size_t before, std::size_t) {
     text << "o " << mesh.name;
@@ -105,7 +107,7 @@ void write_obj(const std::vector<Mesh>& meshes, const MeshHeader& header, Atomic
 
 void write_off(const std::vector<Mesh>& meshes, const MeshHeader& header, AtomicFile& file,
                const RunContext& context) {
-  TextWriter text(file);
+  TextWriter text(file, context.cancel);
   text << "COFF\n";
   comments(text, header, "# ");
   text << all_points(meshes) << " " << all_triangles(meshes) << " 0\n";
@@ -136,7 +138,7 @@ void write_stl(const std::vector<Mesh>& meshes, const MeshHeader& header, Atomic
                                     [&](const auto& entry) { return entry.first == key; });
     if (found != header.end()) source += " " + found->first + "=" + found->second;
   }
-  TextWriter text(file);
+  TextWriter text(file, context.cancel);
   for_meshes(meshes, context, [&](const Mesh& mesh, std::size_t, std::size_t) {
     text << "solid " << mesh.name << source;
     text.end_line();

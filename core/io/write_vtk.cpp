@@ -32,7 +32,7 @@ struct Array {
 class VtkWriter {
  public:
   VtkWriter(const VtkSource& source, bool grid, AtomicFile& file, const RunContext& context)
-      : source_(source), grid_(grid), context_(context), text_(file) {}
+      : source_(source), grid_(grid), context_(context), text_(file, context.cancel) {}
 
   void write() {
     const char* const type = grid_ ? "UnstructuredGrid" : "PolyData";
@@ -43,7 +43,6 @@ class VtkWriter {
     write_piece();
     text_ << "</" << type << ">\n<AppendedData encoding=\"raw\">\n_";
     for (std::size_t n = 0; n < arrays_.size(); ++n) {
-      context_.cancel.throw_if_cancelled();
       context_.report("writing", static_cast<double>(n) / static_cast<double>(arrays_.size()));
       text_.bytes(arrays_[n].bytes);
       arrays_[n].write(text_);

@@ -293,8 +293,8 @@ class Builder {
   const BallSet& balls_;
   const Simplices<4>& tetrahedra_;
   const RunContext& context_;
-  std::vector<std::uint32_t>
-      beyond_;  // by 4 × tetrahedron + face: the tetrahedron there, or kOuter
+  // By 4 × tetrahedron + face: the tetrahedron there, or kOuter and the place in faces_.
+  std::vector<std::uint32_t> beyond_;
   std::vector<std::uint32_t> solid_;   // of each tetrahedron
   std::vector<Face> faces_;            // of the boundary, solid by solid
   std::vector<std::uint32_t> vertex_;  // of each root of corners; or kNone

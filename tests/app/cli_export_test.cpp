@@ -217,6 +217,22 @@ TEST_F(CliExport, ColoursAreThoseOfElementsChainsOrSolids) {
   EXPECT_EQ(colours("solid").size(), 3u);
 }
 
+// More objects than viewers can draw.
+TEST_F(CliExport, SmallSolidsBeyondTheFirstAreOneObject) {
+  const std::string text = exported("h.obj", "--alpha 0", kHaemoglobin);
+  std::size_t objects = 0, triangles = 0;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    objects += line.starts_with("o ");
+    triangles += line.starts_with("f ");
+  }
+  EXPECT_EQ(objects, 1000u);  // of 1,094 solids
+  EXPECT_EQ(triangles, 6110u);
+  EXPECT_TRUE(contains(text, "o solid_999\n"));
+  EXPECT_FALSE(contains(text, "o solid_1000\n"));
+  EXPECT_TRUE(contains(text, "o smaller_solids\n"));
+}
+
 // --- Scripts. Their commands are those of the programs' manuals.
 
 std::string without_comments(const std::string& script) {

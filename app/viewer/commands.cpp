@@ -90,6 +90,28 @@ Outcome save_picture(const Arguments& arguments, ViewState& s) {
   return {};
 }
 
+// Without a path the dialog asks for it.
+Outcome export_complex(const Arguments& arguments, ViewState& s) {
+  PanelMemory& m = s.memory;
+  if (!arguments.has("path")) {
+    m.show_export = true;
+    return {};
+  }
+  std::error_code ignored;
+  const std::filesystem::path path =
+      std::filesystem::absolute(arguments.text("path"), ignored).lexically_normal();
+  if (export_format_of(path) == nullptr) {
+    return Outcome::refused("No format has the ending of " + printable(path.filename().string()) +
+                            ". The endings are " + export_endings() + ".");
+  }
+  const std::string colours = arguments.text("colours");
+  s.requests.export_complex = ExportRequest{path, colours == "chain"     ? ExportColours::chain
+                                                  : colours == "solid"   ? ExportColours::solid
+                                                  : colours == "element" ? ExportColours::element
+                                                                         : m.export_colours};
+  return {};
+}
+
 Parameter pixels(const char* name, const char* help) {
   return {
       .name = name, .kind = Kind::number, .help = help, .optional = true, .rule = kPictureSizeRule};
@@ -131,6 +153,28 @@ void add_file_commands(Commands& commands, ViewState& s) {
                       {.name = "transparent", .kind = Kind::flag, .help = "Without background"}},
        .why_not = without_molecule(s),
        .run = [&s](const Arguments& arguments) { return save_picture(arguments, s); }});
+  commands.add({.id = "file.export",
+                .title = "Export…",
+                .help = "Writes boundary, simplices or balls for another program",
+                .shortcuts = {{"Ctrl+E"}},
+                .menu = "File",
+                .parameters = {{.name = "path",
+                                .kind = Kind::path,
+                                .help = "The file, whose ending says the format; if left out, a "
+                                        "dialog opens",
+                                .optional = true},
+                               {.name = "colours",
+                                .kind = Kind::choice,
+                                .help = "Colours of the boundary",
+                                .optional = true,
+                                .choices =
+                                    [] {
+                                      return std::vector<Choice>{{"element", "By element"},
+                                                                 {"chain", "By chain"},
+                                                                 {"solid", "By solid"}};
+                                    }}},
+                .why_not = without_result(s),
+                .run = [&s](const Arguments& arguments) { return export_complex(arguments, s); }});
   commands.add({.id = "file.quit",
                 .title = "Quit",
                 .help = "Ends the program",

@@ -243,19 +243,21 @@ void SceneController::check_view(ViewportInfo& viewport, bool interacting) {
   viewport.problem = view_problem_ = find_view_problem();
 }
 
-PictureTexts SceneController::texts() const {
+ComplexHeader SceneController::header() const {
   if (!drawn_molecule_) return {};
   constexpr const char* kProgram = "alphascope";
   const OpenedMolecule& opened = *drawn_molecule_->opened;
   const Provenance balls =
       provenance(*opened.molecule, opened.options.balls, opened.prepared->report);
+  if (drawn_answer_) return result_header(kProgram, balls, opened.molecule->notes, *drawn_answer_);
   ComplexHeader header{{"program", program_text(kProgram)}};
-  if (drawn_answer_) {
-    header = result_header(kProgram, balls, opened.molecule->notes, *drawn_answer_);
-  } else {
-    header.insert(header.end(), balls.begin(), balls.end());
-  }
-  PictureTexts texts = picture_texts(header);
+  header.insert(header.end(), balls.begin(), balls.end());
+  return header;
+}
+
+PictureTexts SceneController::texts() const {
+  if (!drawn_molecule_) return {};
+  PictureTexts texts = picture_texts(header());
   if (const std::string lacks = not_drawn(); !lacks.empty()) texts.emplace_back("Warning", lacks);
   return texts;
 }

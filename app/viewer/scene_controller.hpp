@@ -110,7 +110,8 @@ class SceneController {
   // What is on screen, for PictureSaver. Throws std::runtime_error when nothing is, or when there
   // is no memory for the picture.
   PictureToSave picture(const ScreenshotRequest& request) const;
-  // Where what is on screen comes from, to go into pictures of it; empty when nothing is.
+  // Where what is on screen comes from; empty when nothing is. texts(): to go into pictures of it.
+  ComplexHeader header() const;
   PictureTexts texts() const;
 
  private:

@@ -46,6 +46,7 @@ Viewer::Viewer(Host& host, const ViewerOptions& options, Session::Services servi
              [mb = options.drawing_memory_mb] { return available_or(mb); }, std::move(make_mesh)),
       saver_(host, [&host] { host.wake(); }),
       table_saver_([&host] { host.wake(); }),
+      complex_saver_([&host] { host.wake(); }),
       folder_reader_([&host] { host.wake(); }),
       machine_(std::async(std::launch::async,
                           [&host] {
@@ -115,7 +116,7 @@ bool Viewer::working() const {
   const SessionActivity a = session_.activity();
   return state_.open != sent_open_ || a.opening.busy || a.computing.busy || a.comparing.busy ||
          a.timing.busy || !state_.gpu || scene_.busy() || saver_.busy() || table_saver_.busy() ||
-         folder_reader_.busy();
+         complex_saver_.busy() || folder_reader_.busy();
 }
 
 bool Viewer::settled() const {
@@ -264,41 +265,8 @@ void Viewer::take_requests() {
   if (r.quit) quit_ = true;
   if (r.screenshot) save_picture(*r.screenshot);
   if (r.save_table) save_table(*r.save_table);
-  if (r.cancel_save || (r.cancel && !state_.busy.active)) {
-    saver_.cancel();
-    table_saver_.cancel(store_);
-  }
-}
-
-void Viewer::save_picture(const ScreenshotRequest& request) {
-  try {
-    saver_.start(scene_.picture(request));
-    state_.notice.clear();
-  } catch (const std::exception& error) {
-    state_.tell("The picture cannot be saved", error.what());
-  }
-  frames_due_ = kSettlingFrames;
-}
-
-void Viewer::save_table(const SaveTableRequest& request) {
-  try {
-    table_saver_.start(request);
-    state_.notice.clear();
-  } catch (const std::exception& error) {
-    state_.tell("The table cannot be saved", error.what());
-  }
-  frames_due_ = kSettlingFrames;
-}
-
-void Viewer::take_saved() {
-  const PictureSaver::Outcome outcome = saver_.poll();
-  if (!outcome.notice.empty()) state_.notice = outcome.notice;
-  if (!outcome.error.empty()) state_.tell("The picture cannot be saved", outcome.error);
-  saver_.describe(state_.saving);
-  table_saver_.describe(state_.saving);
-  if (!outcome.any()) return;
-  frames_due_ = kSettlingFrames;
-  memory_to_give_back_ = true;
+  if (r.export_complex) export_complex(*r.export_complex);
+  if (r.cancel_save || (r.cancel && !state_.busy.active)) cancel_saving();
 }
 
 void Viewer::send_controls() {

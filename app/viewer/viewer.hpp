@@ -10,6 +10,7 @@
 #include "app/session/machine.hpp"
 #include "app/session/session.hpp"
 #include "app/viewer/benchmark.hpp"
+#include "app/viewer/complex_saver.hpp"
 #include "app/viewer/folder_reader.hpp"
 #include "app/viewer/gestures.hpp"
 #include "app/viewer/hit_text.hpp"
@@ -92,6 +93,8 @@ class Viewer {
   void take_requests();       // what the panels asked for
   void save_picture(const ScreenshotRequest& request);
   void save_table(const SaveTableRequest& request);
+  void export_complex(const ExportRequest& request);
+  void cancel_saving();
   void take_saved();
   void send_controls();  // changed controls to session and scene
   bool awaits_panels() const;
@@ -164,6 +167,7 @@ class Viewer {
   bool memory_to_give_back_ = false;  // something large was freed
   PictureSaver saver_;
   TableSaver table_saver_;
+  ComplexSaver complex_saver_;
   FolderReader folder_reader_;
   std::future<MachineInfo> machine_;  // looking for a GPU can take a second
   Benchmark benchmark_;

@@ -10,7 +10,7 @@
 #include "ui/panels/number_field.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/panels/picture_path.hpp"
-#include "ui/panels/save_parts.hpp"
+#include "ui/panels/save_target.hpp"
 
 namespace alphascope {
 namespace {
@@ -149,7 +149,8 @@ void draw_save_picture(PanelContext& ctx) {
   const bool entered =
       ImGui::InputText("##path", &m.save_path, ImGuiInputTextFlags_EnterReturnsTrue);
   record(ctx, "save.path");
-  const bool can_save = save_target(ctx, picture_path(m.save_path)) && !m.save_path.empty();
+  const bool can_save =
+      save_target(ctx, "save", {picture_path(m.save_path)}) && !m.save_path.empty();
   save_size(ctx);
   row_label(ctx, "");
   checkbox(ctx, "save.transparent", "Transparent background", m.save.transparent);

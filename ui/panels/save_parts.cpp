@@ -8,31 +8,6 @@
 
 namespace alphascope {
 
-bool save_target(PanelContext& ctx, const std::filesystem::path& path) {
-  std::error_code ignored;
-  const bool has_folder = std::filesystem::is_directory(path.parent_path(), ignored);
-  row_label(ctx, "");
-  ImGui::PushFont(ctx.fonts.small);
-  if (std::filesystem::is_regular_file(path, ignored)) {
-    ImGui::PushStyleColor(ImGuiCol_Text, to_imgui(ctx.palette.warning));
-    ImGui::TextUnformatted("This file already exists and will be replaced.");
-    ImGui::PopStyleColor();
-    record(ctx, "save.replaces");
-  } else if (!has_folder) {
-    ImGui::PushStyleColor(ImGuiCol_Text, to_imgui(ctx.palette.error));
-    ImGui::TextUnformatted(
-        fitted_text("There is no folder " + path.parent_path().string() + ".", ctx.px(340))
-            .c_str());
-    ImGui::PopStyleColor();
-    record(ctx, "save.no_folder");
-  } else {
-    muted_text(ctx, fitted_text(path.string(), ctx.px(340)));
-    tooltip(ctx, path.string().c_str());
-  }
-  ImGui::PopFont();
-  return has_folder;
-}
-
 void ask_to_save(PanelContext& ctx, TableToSave table) {
   TableMemory& memory = ctx.state.memory.save_table;
   memory.format = table.json ? memory.format : 0;

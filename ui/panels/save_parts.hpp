@@ -1,7 +1,6 @@
-// What dialogs that write a file have in common.
+// What pages ask for to have a table saved.
 #pragma once
 
-#include <filesystem>
 #include <string>
 
 #include "core/document/record_source.hpp"
@@ -9,10 +8,6 @@
 #include "ui/panels/widgets.hpp"
 
 namespace alphascope {
-
-// A line that says where it will be, whatever folder the program was started in, and what becomes
-// of what is there. False where there is no folder for it.
-bool save_target(PanelContext& ctx, const std::filesystem::path& path);
 
 // Opens the dialog that saves a table.
 void ask_to_save(PanelContext& ctx, TableToSave table);

@@ -8,6 +8,7 @@
 #include "ui/panels/format.hpp"
 #include "ui/panels/picture_path.hpp"
 #include "ui/panels/save_parts.hpp"
+#include "ui/panels/save_target.hpp"
 
 namespace alphascope {
 namespace {
@@ -51,7 +52,8 @@ void draw_save_table(PanelContext& ctx) {
       ImGui::InputText("##path", &memory.path, ImGuiInputTextFlags_EnterReturnsTrue);
   record(ctx, "save_table.path");
   const bool can_save =
-      save_target(ctx, path_to_save(memory.path, ending(memory.format))) && !memory.path.empty();
+      save_target(ctx, "save_table", {path_to_save(memory.path, ending(memory.format))}) &&
+      !memory.path.empty();
   format_row(ctx, memory);
   row_label(ctx, "");
   ImGui::PushFont(ctx.fonts.small);

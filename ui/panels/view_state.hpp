@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "core/document/answer.hpp"
+#include "core/document/complex_export.hpp"
 #include "core/document/open_options.hpp"
 #include "core/document/record_source.hpp"
 #include "core/document/reference.hpp"
@@ -46,11 +47,18 @@ struct ScreenshotRequest {
   PictureOptions options;
 };
 
+// The complex on screen, for another program.
+struct ExportRequest {
+  std::filesystem::path path;  // its ending says the format
+  ExportColours colours = ExportColours::element;
+};
+
 // What the user asked for in this frame; the program takes and clears them.
 struct Requests {
   std::optional<std::filesystem::path> open;
   std::optional<ScreenshotRequest> screenshot;
   std::optional<SaveTableRequest> save_table;
+  std::optional<ExportRequest> export_complex;
   bool compare = false, cancel = false, cancel_compare = false, cancel_save = false;
   bool compute_anew = false;  // set-up included, for its cold time
   bool reset_view = false, zoom_to_selection = false, quit = false;
@@ -83,7 +91,7 @@ struct NumberTyping {
 // What the panels remember between frames.
 struct PanelMemory {
   bool show_cheat_sheet = false, show_about = false, show_browser = false, show_save = false;
-  bool show_benchmark = false;
+  bool show_benchmark = false, show_export = false;
   std::filesystem::path browser_folder;  // empty: choose a sensible one
   std::string browser_typed;
   std::filesystem::path browser_selected;
@@ -95,6 +103,8 @@ struct PanelMemory {
   BrowserPurpose browser_purpose = BrowserPurpose::molecule;
   std::string save_path;
   PictureOptions save;
+  std::string export_path;
+  ExportColours export_colours = ExportColours::element;
   bool timings_cold = true;              // which of the two runs the waterfall shows
   bool timings_pinned = false;           // the user has chosen which
   std::map<std::string, bool> switches;  // of single panels, by the name of the widget
@@ -147,7 +157,7 @@ struct ViewState {
   // Of the folder in the file dialog, or of the one before while that is being read; null: none
   // yet.
   std::shared_ptr<const FolderListing> listing;
-  BusyInfo busy, saving;  // saving: a picture or a table, which holds nothing up
+  BusyInfo busy, saving;  // saving: a picture, a table or an export, which hold nothing up
   BackgroundInfo background;
   Layers layers;                 // that the panels want drawn; filled anew in each frame
   bool measures_wanted = false;  // areas and volumes are shown; said anew in each frame

@@ -2,7 +2,6 @@
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
-#include <functional>
 #include <map>
 #include <set>
 
@@ -42,6 +41,11 @@ class CavitiesTest : public ViewerTest {
     }
   }
   bool has(const char* widget) { return viewer_->widgets().contains(widget); }
+  void save(const fs::path& path) {
+    run("click cavities.save\nframes 3\n");
+    viewer_->state().memory.save_table.path = path.string();
+    run("frames 2\nclick save_table.ok\nwait-idle\nframes 3\nwait-idle\nframes 3\n");
+  }
 };
 
 TEST_F(CavitiesTest, ThePresetComparesWithCastpAndCanBeUndone) {
@@ -241,25 +245,12 @@ TEST_F(CavitiesTest, ADragInRealTimeMakesTables) {
             viewer_->state().compute.solvent_radius_angstrom);
 }
 
-// Saves by the dialog that `button` opens; what is in the file then.
-std::string saved(const std::function<void(const std::string&)>& run, Viewer& viewer,
-                  const std::string& button, const fs::path& path) {
-  run("click " + button + "\nframes 3\n");
-  viewer.state().memory.save_table.path = path.string();
-  run("frames 2\nclick save_table.ok\nwait-idle\nframes 3\nwait-idle\nframes 3\n");
-  std::ifstream file(path);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
 TEST_F(CavitiesTest, SavedTablesAreThoseOfTheCommandLine) {
   open_cavities();
   use_preset();
   run("click cavities.least\nkey ctrl+a\ntype 30\nkey enter\nframes 3\n");
-  const auto save = [&](const char* name) {
-    return saved([this](const std::string& text) { run(text); }, *viewer_, "cavities.save",
-                 folder_ / name);
-  };
-  const std::string csv = save("c.csv");
+  save(folder_ / "c.csv");
+  const std::string csv = bytes("c.csv");
   EXPECT_EQ(viewer_->state().notice, "Saved " + (folder_ / "c.csv").string());
   const std::string file = ALPHASCOPE_SOURCE_DIR "/resources/molecules/4hhb.pdb.gz";
   const std::string by = (folder_ / "by.csv").string();
@@ -284,9 +275,6 @@ TEST_F(CavitiesTest, SavedTablesAreThoseOfTheCommandLine) {
 TEST_F(CavitiesTest, WhereATableCannotBeWrittenItSaysSoAndLeavesNothing) {
   open_cavities();
   fs::create_symlink("/dev/full", folder_ / "full.csv");
-  const auto save = [&](const fs::path& path) {
-    saved([this](const std::string& text) { run(text); }, *viewer_, "cavities.save", path);
-  };
   save(folder_ / "full.csv");
   EXPECT_NE(viewer_->state().error.find((folder_ / "full.csv").string()), std::string::npos)
       << viewer_->state().error;

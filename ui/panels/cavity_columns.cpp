@@ -21,7 +21,7 @@ constexpr CavityColumnSpec kColumns[] = {
      "Nothing can leave a void; a pocket opens to the outside through mouths. ↔: it lies between "
      "separate bodies, or two chains only line it. ↕: it has split off or merged while a slider "
      "moved last.",
-     100, true},
+     90, true},
     {C::volume, "volume", "SA vol. Å³",
      "CASTp's volume of the region of probe centres: not comparable with volumes of KVFinder or "
      "fpocket, nor with MS volumes. A sum over angles, exact for voids; of a pocket it can even be "
@@ -60,7 +60,7 @@ constexpr CavityColumnSpec kColumns[] = {
      94, false},
     {C::holds, "holds", "holds",
      "Ligands, ions and waters that are no part of the body and have most of their atoms in it.",
-     84, true},
+     60, true},
     {C::name, "name", "name: atoms of the deepest point",
      "It stays while α moves, whatever the number of the line: use it in a paper.", 200, false},
 };

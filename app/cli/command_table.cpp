@@ -272,11 +272,49 @@ Option drawing_memory(std::optional<std::uint64_t>& megabytes) {
   return option;
 }
 
+Option not_required(Option option) {
+  option.required = false;
+  return option;
+}
+
+// All options but those of the picture's file are settings, which a session has.
+void note_what_sessions_say(Option& option, ScreenshotCommandOptions& options) {
+  constexpr std::string_view kOfThePicture[] = {"FILE",        "--session",       "--output",
+                                                "--size",      "--transparent",   "--no-legend",
+                                                "--scale-bar", "--drawing-memory"};
+  const std::string name = option.shown_name();
+  if (std::find(std::begin(kOfThePicture), std::end(kOfThePicture), name) !=
+      std::end(kOfThePicture)) {
+    return;
+  }
+  option.set = [&options, name, set = option.set](const std::string& value) {
+    options.beside_session.push_back(name);
+    set(value);
+  };
+}
+
+void require_one_source(const ScreenshotCommandOptions& options) {
+  const auto& given = options.beside_session;
+  if (options.session.empty()) {
+    const bool alpha = std::find(given.begin(), given.end(), "--alpha") != given.end();
+    if (options.input.file.empty()) throw std::invalid_argument("FILE is required, or --session");
+    if (!alpha) throw std::invalid_argument("--alpha is required, or --session");
+  } else if (!options.beside_session.empty()) {
+    throw std::invalid_argument("--session says itself what " + options.beside_session.front() +
+                                " would; leave that out, or change it in the window and save the "
+                                "session again");
+  }
+}
+
 OptionCommand screenshot(ScreenshotCommandOptions& options) {
   OptionCommand command{"screenshot", "Draw the complex; needs no display", {}};
   command.options = {
-      one_file(options.input),
-      alpha(options.request),
+      one_file(options.input, false),
+      path_option({"--session", "S.json",
+                   "The molecule, settings and view that the window saved; a FILE then stands for "
+                   "the molecule that it names"},
+                  options.session),
+      not_required(alpha(options.request)),
       required(path_option({"-o,--output", "OUT.png", "Picture to write"}, options.out)),
       text_option({"--size", "WxH", "Width and height in pixels"}, options.size),
       flag_option("--transparent", "No background", options.transparent),
@@ -300,7 +338,11 @@ OptionCommand screenshot(ScreenshotCommandOptions& options) {
       drawing_memory(options.drawing_memory_mb)};
   append(command.options, engine(options.request, true));
   append(command.options, input(options.input));
-  command.check = [&options] { require_tuple_engine(options.request); };
+  for (Option& option : command.options) note_what_sessions_say(option, options);
+  command.check = [&options] {
+    require_tuple_engine(options.request);
+    require_one_source(options);
+  };
   return command;
 }
 
@@ -330,7 +372,8 @@ std::vector<OptionNotes> notes() {
         "alphascope-cli export 1crn.pdb --alpha 1.4 -o 1crn.glb",
         "alphascope-cli verify 1crn.pdb --alpha -1,0,1.4,10",
         "alphascope-cli bench 1k4c.crd.gz --alpha 0,1.4,3 --tetrahedra-only --csv times.csv",
-        "alphascope-cli screenshot 1crn.pdb --alpha 1.4 --size 1920x1080 -o 1crn.png"}},
+        "alphascope-cli screenshot 1crn.pdb --alpha 1.4 --size 1920x1080 -o 1crn.png",
+        "alphascope-cli screenshot --session 1crn.json --size 1920x1080 -o 1crn.png"}},
       format_notes(),
       {"Units",
        {"Lengths are in Å. Alpha is in Å²: a ball of radius r grows to sqrt(r² + alpha); negative",

@@ -158,6 +158,8 @@ struct ScreenshotCommandOptions {
   bool no_legend = false, scale_bar = false;
   std::string beside = "ligands,ions";             // kinds of AtomsBesideBody, or "none"
   std::optional<std::uint64_t> drawing_memory_mb;  // taken as free; none: what is
+  std::filesystem::path session;                   // empty: none; else input.file may be empty
+  std::vector<std::string> beside_session;         // options that a session says itself
   std::vector<std::string> arguments;              // as given, for the program that draws
 };
 

@@ -54,8 +54,9 @@ Options input_but_ligands(InputOptions& input) {
   };
 }
 
-Option one_file(InputOptions& input) {
-  return required(path_option({"FILE", "FILE", kFileText}, input.file));
+Option one_file(InputOptions& input, bool must_be) {
+  const Option file = path_option({"FILE", "FILE", kFileText}, input.file);
+  return must_be ? required(file) : file;
 }
 
 Options many_files(InputFiles& files) {

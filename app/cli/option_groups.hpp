@@ -25,7 +25,7 @@ std::string radii_choices();
 inline constexpr const char* kFileText =
     "Molecule: PDB, mmCIF, XYZR, PQR, XYZ or CRD, also packed as .gz; - for standard input";
 
-Option one_file(InputOptions& input);
+Option one_file(InputOptions& input, bool must_be = true);
 Options many_files(InputFiles& files);
 // Throws std::invalid_argument.
 void require_files(const InputFiles& files);

@@ -13,6 +13,7 @@
 #include "app/cli/commands.hpp"
 #include "app/cli/outputs.hpp"
 #include "app/cli/report_json.hpp"
+#include "app/cli/screenshot_session.hpp"
 #include "app/cli/terminal.hpp"
 #include "app/cli/text.hpp"
 #include "app/session/result_header.hpp"
@@ -20,6 +21,7 @@
 #include "core/molecule/printable.hpp"
 #include "ui/scene/ball_colours.hpp"
 #include "ui/scene/beside_body.hpp"
+#include "ui/scene/display_style.hpp"
 #include "ui/scene/screenshot.hpp"
 
 namespace alphascope::cli {
@@ -82,6 +84,11 @@ ScreenshotOptions picture_options(const ScreenshotCommandOptions& options) {
   return picture;
 }
 
+void print_note(const std::string& note) {
+  clear_progress();
+  if (verbosity() != Verbosity::quiet) std::cerr << "alphascope-cli: " << printable(note) << "\n";
+}
+
 // A file in memory that has a path as long as this object is there.
 class MemoryFile {
  public:
@@ -102,31 +109,95 @@ class MemoryFile {
   int descriptor_;
 };
 
+// What is drawn, and how.
+struct Wanted {
+  Input input;
+  Request request;
+  ScreenshotOptions picture;
+  ColourBy balls = ColourBy::element, simplices = ColourBy::element;
+  AtomsBesideBody beside;
+};
+
+Wanted by_options(const ScreenshotCommandOptions& options, const RunContext& context) {
+  const ColourBy colour = options.colours == "chain" ? ColourBy::chain : ColourBy::element;
+  Wanted wanted{{},     options.request, picture_options(options),
+                colour, colour,          beside_body(options.beside)};
+  wanted.input = open_one_model(options.input, "A picture shows one model.", context);
+  return wanted;
+}
+
+// As the window's “Save picture” draws it, but for what pages below the view lay over it.
+Wanted by_session(const ScreenshotCommandOptions& options, const RunContext& context) {
+  SessionToDraw found = open_session(options, context);
+  for (const std::string& note : found.notes) print_note(note);
+  const SessionDocument& s = found.session;
+  const DisplayControls& display = s.settings.display;
+  const Theme theme = s.view.light_theme ? Theme::light : Theme::dark;
+  Wanted wanted{std::move(found.input), s.settings.request,     picture_options(options),
+                display.ball_colour,    display.complex_colour, display.beside};
+  // All engines answer alike, and this machine may lack the one that the window had.
+  wanted.request.engine = EngineChoice::automatic;
+  wanted.picture.style = scene_style(display, theme);
+  wanted.picture.mesh = mesh_options(display, theme);
+  wanted.picture.balls = ball_style(display, &s.settings.request);
+  if (s.view.camera.any()) wanted.picture.camera = s.view.camera;
+  return wanted;
+}
+
+std::vector<Rgb8> colours(ColourBy colour, const Wanted& wanted, const EngineAnswer& answer,
+                          const RunContext& context) {
+  const Molecule& molecule = wanted.input.molecule();
+  const std::vector<std::uint32_t>& atoms = wanted.input.prepared().atom_of_ball;
+  if (colour == ColourBy::element) return colours_by_element(molecule, atoms);
+  if (colour == ColourBy::chain) return colours_by_chain(molecule, atoms);
+  if (!is_exposure(colour) || answer.complex.tetrahedra_only) {
+    return std::vector<Rgb8>(atoms.size(), kPlainBall);
+  }
+  const MeasuredUnion measured = measure_here(*answer.balls, answer.complex, context);
+  return colours_by_exposure(
+      {colour, measured.measures, *answer.balls, answer.complex.alpha_on_lattice}, molecule, atoms);
+}
+
+void add_colours(Wanted& wanted, const EngineAnswer& answer, const RunContext& context) {
+  // The window's rule: simplices have their balls' colours by element, else by chain.
+  const bool by_element = wanted.simplices == ColourBy::element;
+  wanted.picture.simplex_colours =
+      colours(by_element ? ColourBy::element : ColourBy::chain, wanted, answer, context);
+  const bool legend =
+      is_exposure(wanted.balls) && wanted.picture.style.balls && !answer.complex.tetrahedra_only;
+  if (legend) wanted.picture.ball_legend = exposure_legend(wanted.balls);
+}
+
 }  // namespace
 
 ExitCode run_screenshot(const ScreenshotCommandOptions& options) {
-  ScreenshotOptions picture = picture_options(options);
-  const AtomsBesideBody shown = beside_body(options.beside);
+  const bool session = !options.session.empty();
   const RunContext& context = run_context();
-  require_readable({options.input.file});
-  Outputs outputs(files_read(options.input));
+  std::vector<std::filesystem::path> files;
+  if (!options.input.file.empty()) files.push_back(options.input.file);
+  if (session) files.push_back(options.session);
+  require_readable(files);
+  for (const auto& file : files_read(options.input)) files.push_back(file);
+  Outputs outputs(files);
   AtomicFile* const file = outputs.add("--output", options.out.string());
   if (file == nullptr) throw UsageError("--output needs the name of a file, or -.");
-  const Input input = open_one_model(options.input, "A picture shows one model.", context);
+  Wanted wanted = session ? by_session(options, context) : by_options(options, context);
+  const Input& input = wanted.input;
+  ScreenshotOptions& picture = wanted.picture;
   EngineCache engines(&make_engine);
-  const EngineAnswer result = engines.compute(input.prepared().balls, options.request, context);
-  const std::vector<std::uint32_t>& atoms = input.prepared().atom_of_ball;
+  const EngineAnswer result = engines.compute(input.prepared().balls, wanted.request, context);
+  add_colours(wanted, result, context);
   picture.texts = picture_texts(complex_header(input, result));
   picture.free_bytes = available_or(options.drawing_memory_mb);
   picture.beside_body = [&](const BallGeometry& balls) {
-    return build_beside_body(balls, input.molecule(), input.prepared(), shown, context.cancel).mesh;
+    return build_beside_body(balls, input.molecule(), input.prepared(), wanted.beside,
+                             context.cancel)
+        .mesh;
   };
   const MemoryFile drawn;  // the renderer writes to a path, which standard output has none of
-  const std::string not_drawn =
-      render_screenshot(*input.prepared().balls, result.complex,
-                        options.colours == "chain" ? colours_by_chain(input.molecule(), atoms)
-                                                   : colours_by_element(input.molecule(), atoms),
-                        picture, drawn.path(), context);
+  const std::string not_drawn = render_screenshot(*input.prepared().balls, result.complex,
+                                                  colours(wanted.balls, wanted, result, context),
+                                                  picture, drawn.path(), context);
   file->write(drawn.bytes());
   outputs.commit();
   clear_progress();

@@ -62,24 +62,35 @@ Session::~Session() = default;
 
 void Session::open(const std::filesystem::path& path) {
   opening_path_ = path;
+  asked_.reset();
+  submit_open(path);
+}
+
+void Session::open(const std::filesystem::path& path, const OpenOptions& options,
+                   const Request& request) {
+  opening_path_ = path;
+  asked_ = Asked{options, request};
   submit_open(path);
 }
 
 void Session::set_open_options(const OpenOptions& options) {
   options_ = options;
   if (!opening_path_.empty()) {
-    submit_open(opening_path_);
+    if (!asked_) submit_open(opening_path_);
   } else if (state_.opened) {
     submit_reopen();
   }
 }
 
 void Session::submit_open(const std::filesystem::path& path) {
-  const OpenOptions options = state_.opened ? for_another_file(options_) : options_;
+  const OpenOptions options = asked_          ? asked_->options
+                              : state_.opened ? for_another_file(options_)
+                                              : options_;
   opener_.submit(
-      [this, path, options, open = services_.open_molecule](const RunContext& context) {
-        auto opened = std::make_shared<const OpenedMolecule>(open(path, options, context));
-        return [this, opened] { take_opened(opened); };
+      [this, path, options, asked = asked_, open = services_.open_molecule](const RunContext& c) {
+        auto opened = std::make_shared<const OpenedMolecule>(open(path, options, c));
+        return
+            [this, opened, asked] { take_opened(opened, asked ? asked->request : state_.request); };
       },
       failure_of(Source::opening, ""));
 }
@@ -94,15 +105,17 @@ void Session::submit_reopen() {
       [this, before = state_.opened, options = options_,
        reopen = services_.reopen_molecule](const RunContext& context) {
         auto opened = std::make_shared<const OpenedMolecule>(reopen(*before, options, context));
-        return [this, opened] { take_opened(opened); };
+        return [this, opened] { take_opened(opened, state_.request); };
       },
       failure_of(Source::changing, ""));
 }
 
-void Session::take_opened(std::shared_ptr<const OpenedMolecule> opened) {
+void Session::take_opened(std::shared_ptr<const OpenedMolecule> opened, const Request& request) {
   const bool latest = !opener_.activity().busy;
+  state_.request = request;
   if (latest) {
     opening_path_.clear();
+    asked_.reset();
     options_ = opened->options;
   }
   computer_.cancel();
@@ -126,6 +139,7 @@ void Session::opening_failed() {
   if (opener_.activity().busy) return;
   const bool was_a_file = !opening_path_.empty();
   opening_path_.clear();
+  asked_.reset();
   if (!state_.opened || options_ == state_.opened->options) return;
   if (was_a_file) {
     submit_reopen();

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "app/session/engine_cache.hpp"
@@ -85,6 +86,9 @@ class Session {
   // molecule and its results stay until that has succeeded. After the first file, the options that
   // were chosen for one file only go back to their defaults (for_another_file()).
   void open(const std::filesystem::path& path);
+  // The same with options and a request that hold from the moment that the file is there; until
+  // then, and when it cannot be read, everything stays.
+  void open(const std::filesystem::path& path, const OpenOptions& options, const Request& request);
   // Applies to the open molecule at once, and to those opened later. When it fails or is cancelled
   // the molecule stays as it was, and the options go back to those that it was made with.
   void set_open_options(const OpenOptions& options);
@@ -128,6 +132,10 @@ class Session {
   SessionActivity activity() const;
 
  private:
+  struct Asked {
+    OpenOptions options;
+    Request request;
+  };
   void submit_open(const std::filesystem::path& path);
   void submit_reopen();
   void opening_failed();
@@ -138,7 +146,7 @@ class Session {
   void submit_parallel_timing();
   void take_parallel_timing(const Answer& ours, const EngineAnswer& times);
   void forget_reference_timings();
-  void take_opened(std::shared_ptr<const OpenedMolecule> opened);
+  void take_opened(std::shared_ptr<const OpenedMolecule> opened, const Request& request);
   void take_answer(std::shared_ptr<const Answer> answer);
   void note_made(const std::shared_ptr<const BallSet>& balls, Lent made);
   void take_agreement(std::shared_ptr<const Agreement> agreement);
@@ -151,6 +159,7 @@ class Session {
   SessionState state_;
   SessionChanges changes_;
   std::filesystem::path opening_path_;  // empty when none is on its way
+  std::optional<Asked> asked_;          // with it; none: what is in force
   bool measuring_ = false;
   bool comparison_wanted_ = false;
   bool reference_anew_ = false;   // of the next comparison

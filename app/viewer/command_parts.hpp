@@ -24,6 +24,12 @@ CommandSpec with_switch(CommandSpec spec, bool& value);
 // Alpha, solvent, molecule, engine, comparison, benchmark.
 void add_compute_commands(Commands& commands, ViewState& s);
 
+// Of sessions, recent files and the scale; each is added where its menu has it.
+CommandSpec open_session_command(ViewState& s);
+CommandSpec save_session_command(ViewState& s);
+CommandSpec recent_files_command(ViewState& s);
+CommandSpec scale_command(ViewState& s);
+
 // What is selected in the picture.
 void add_selection_commands(Commands& commands, ViewState& s);
 

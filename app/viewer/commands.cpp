@@ -128,6 +128,8 @@ void add_file_commands(Commands& commands, ViewState& s) {
                                 .help = "The file; if left out, a dialog opens",
                                 .optional = true}},
                 .run = [&s](const Arguments& arguments) { return open_file(arguments, s); }});
+  commands.add(open_session_command(s));
+  commands.add(recent_files_command(s));
   commands.add({.id = "file.sample",
                 .title = "Sample molecule",
                 .help = "Opens a molecule that comes with the program",
@@ -175,6 +177,7 @@ void add_file_commands(Commands& commands, ViewState& s) {
                                     }}},
                 .why_not = without_result(s),
                 .run = [&s](const Arguments& arguments) { return export_complex(arguments, s); }});
+  commands.add(save_session_command(s));
   commands.add({.id = "file.quit",
                 .title = "Quit",
                 .help = "Ends the program",
@@ -304,6 +307,7 @@ void add_view_commands(Commands& commands, ViewState& s) {
     return outcome;
   };
   commands.add(std::move(theme));
+  commands.add(scale_command(s));
 }
 
 // --- Help

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "app/viewer/command_parts.hpp"
+#include "core/document/setting_ids.hpp"
 
 namespace alphascope {
 namespace {
@@ -15,10 +16,101 @@ double rounded(double angstrom2) {
   return std::round(angstrom2 * 1000) / 1000;
 }
 
-void toggle_playing(ViewState& s) {
-  bool& playing = s.memory.playing;
-  playing = !playing;
-  if (playing && s.compute.alpha_angstrom2 >= kPlayUntilAngstrom2) s.compute.alpha_angstrom2 = 0;
+// From the end, it begins at the other one. The other direction goes on playing.
+void toggle_playing(ViewState& s, bool backwards) {
+  AlphaMemory& m = s.memory.alpha;
+  const bool stops = s.memory.playing && m.backwards == backwards;
+  s.memory.playing = !stops;
+  m.backwards = backwards;
+  AlphaSlider around = m.slider;
+  around.loop = true;
+  const bool at_end = next_alpha(m.slider, s.compute.alpha_angstrom2, backwards).ended;
+  if (!stops && at_end) {
+    set_alpha(s.compute, next_alpha(around, s.compute.alpha_angstrom2, backwards).alpha);
+  }
+}
+
+CommandSpec play_command(ViewState& s, bool backwards) {
+  return {.id = backwards ? "alpha.play_back" : "alpha.play",
+          .title = backwards ? "Play alpha back" : "Play alpha",
+          .help = backwards ? "Lowers alpha step by step to the slider's low end, or stops"
+                            : "Raises alpha step by step to the slider's high end, or stops",
+          .menu = "Tools",
+          .why_not = without_result(s),
+          .checked =
+              [&s, backwards] { return s.memory.playing && s.memory.alpha.backwards == backwards; },
+          .run =
+              [&s, backwards](const Arguments&) {
+                toggle_playing(s, backwards);
+                return Outcome();
+              }};
+}
+
+std::vector<Choice> scalings(const ViewState& s) {
+  const AlphaScaling now = s.memory.alpha.slider.scaling;
+  return {{"linear", "Linear", "", now == AlphaScaling::linear},
+          {"root", "Signed square root", "", now == AlphaScaling::root},
+          {"logarithm", "Logarithmic", "", now == AlphaScaling::logarithm}};
+}
+
+Outcome set_scaling(const Arguments& arguments, ViewState& s) {
+  for (const auto& [scaling, id] : setting_ids(AlphaScaling::linear)) {
+    if (id == arguments.text("scale")) s.memory.alpha.slider.scaling = scaling;
+  }
+  return {};
+}
+
+Outcome set_range(const Arguments& arguments, ViewState& s) {
+  const double low = arguments.number("low"), high = arguments.number("high");
+  if (!(low < high)) return Outcome::refused("The low end must be below the high end.");
+  s.memory.alpha.slider.low = low;
+  s.memory.alpha.slider.high = high;
+  return {};
+}
+
+// How the slider looks and plays; alpha stays as it is.
+void add_slider_commands(Commands& commands, ViewState& s) {
+  commands.add(play_command(s, false));
+  commands.add(play_command(s, true));
+  commands.add(with_switch({.id = "alpha.loop",
+                            .title = "Play alpha in a loop",
+                            .help = "Goes on at the other end of the slider instead of stopping"},
+                           s.memory.alpha.slider.loop));
+  commands.add({.id = "alpha.speed",
+                .title = "Set speed of playing…",
+                .help = "1 crosses the slider in 260 pictures, each shown when it is there",
+                .parameters = {{.name = "speed",
+                                .kind = Kind::number,
+                                .help = "Speed",
+                                .example = "2",
+                                .rule = kPlaySpeedRule}},
+                .run = [&s](const Arguments& arguments) {
+                  s.memory.alpha.slider.speed = arguments.number("speed");
+                  return Outcome();
+                }});
+  commands.add({.id = "alpha.scale",
+                .title = "Scale of the alpha slider",
+                .help = "Spreads small alphas, of both signs, or keeps equal steps",
+                .menu = "Tools",
+                .parameters = {{.name = "scale",
+                                .kind = Kind::choice,
+                                .help = "How alpha grows along the slider",
+                                .choices = [&s] { return scalings(s); }}},
+                .run = [&s](const Arguments& arguments) { return set_scaling(arguments, s); }});
+  commands.add({.id = "alpha.range",
+                .title = "Set range of the alpha slider…",
+                .help = "Its two ends; alpha itself may be set beyond them",
+                .parameters = {{.name = "low",
+                                .kind = Kind::number,
+                                .help = "The low end",
+                                .example = "-3",
+                                .rule = kAlphaRule},
+                               {.name = "high",
+                                .kind = Kind::number,
+                                .help = "The high end",
+                                .example = "10",
+                                .rule = kAlphaRule}},
+                .run = [&s](const Arguments& arguments) { return set_range(arguments, s); }});
 }
 
 void add_alpha_commands(Commands& commands, ViewState& s) {
@@ -51,17 +143,7 @@ void add_alpha_commands(Commands& commands, ViewState& s) {
          set_alpha(s.compute, rounded(s.compute.alpha_angstrom2 + arguments.number("step")));
          return Outcome();
        }});
-  commands.add({.id = "alpha.play",
-                .title = "Play alpha",
-                .help = "Raises alpha step by step up to 10 Å², or stops",
-                .menu = "Tools",
-                .why_not = without_result(s),
-                .checked = [&s] { return s.memory.playing; },
-                .run =
-                    [&s](const Arguments&) {
-                      toggle_playing(s);
-                      return Outcome();
-                    }});
+  add_slider_commands(commands, s);
   commands.add(
       {.id = "solvent.set",
        .title = "Set solvent radius…",

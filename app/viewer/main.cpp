@@ -10,7 +10,23 @@
 #include "app/viewer/options.hpp"
 #include "app/viewer/script.hpp"
 #include "app/viewer/viewer.hpp"
+#include "core/document/preferences.hpp"
 #include "core/molecule/printable.hpp"
+
+namespace alphascope {
+namespace {
+
+// Size and scale as the command line says, else as last time.
+HostOptions host_options(const ViewerOptions& options) {
+  Preferences p;
+  if (!options.preferences.empty()) p = read_preferences(options.preferences).preferences;
+  const bool sized = options.width > 0;
+  return {sized ? options.width : p.width, sized ? options.height : p.height,
+          options.scale > 0 ? options.scale : p.scale, "Alphascope"};
+}
+
+}  // namespace
+}  // namespace alphascope
 
 namespace {
 
@@ -30,7 +46,8 @@ int drive(alphascope::Viewer& viewer, const alphascope::ViewerOptions& options) 
     viewer.shoot(*options.shot, &no_input);
   }
   const alphascope::ViewState& state = viewer.state();
-  for (const std::string& error : {state.error, state.compute_error}) {
+  const std::string problem = state.session_problem ? state.session_problem->text : "";
+  for (const std::string& error : {state.error, state.compute_error, problem}) {
     if (!error.empty()) throw std::runtime_error(error);
   }
   return 0;
@@ -44,10 +61,13 @@ int main(int argc, char** argv) {
     std::fputs(parsed.text.c_str(), *parsed.exit_code == 0 ? stdout : stderr);
     return *parsed.exit_code == 0 ? 0 : kBadArguments;
   }
-  const alphascope::ViewerOptions& options = parsed.options;
-  const alphascope::HostOptions host_options{options.width, options.height, options.scale,
-                                             "Alphascope"};
+  alphascope::ViewerOptions options = parsed.options;
   const bool scripted = options.script || options.shot;
+  // What a script shows must not depend on what somebody likes.
+  if (!scripted && !options.preferences_given) {
+    options.preferences = alphascope::preferences_folder();
+  }
+  const alphascope::HostOptions host_options = alphascope::host_options(options);
   // OpenGL drivers end the program where they find no memory.
   const auto free = alphascope::available_bytes();
   if (free && *free < kLeastFreeBytes) {

@@ -40,7 +40,7 @@ Option size_option(ViewerOptions& options) {
   Option size{.names = "--size",
               .value = "WxH",
               .text = "Width and height of the window in pixels, at scale 1",
-              .fallback = std::to_string(options.width) + "x" + std::to_string(options.height)};
+              .fallback = "as last time, at first 1440x900"};
   size.set = [&options](const std::string& text) { set_size(text, options.width, options.height); };
   return size;
 }
@@ -67,6 +67,18 @@ Option drawing_memory_option(ViewerOptions& options) {
   return memory;
 }
 
+Option preferences_option(ViewerOptions& options) {
+  Option folder{.names = "--preferences",
+                .value = "FOLDER",
+                .text = "Keep preferences and recent files there; none: nowhere",
+                .fallback = "~/.config/alphascope; none with --script and --shot"};
+  folder.set = [&options](const std::string& path) {
+    options.preferences = path == "none" ? "" : path;
+    options.preferences_given = true;
+  };
+  return folder;
+}
+
 // Read as the window's fields are.
 Option typed_number_option(OptionText text, double& target, const NumberRule& rule) {
   Option option = number_option(std::move(text), target, {rule.least, rule.most, rule.unit});
@@ -85,8 +97,11 @@ OptionProgram table(ViewerOptions& o) {
   program.version = ALPHASCOPE_VERSION;
   program.usage_exit_code = 1;
   program.options = {
-      path_or_none({"FILE", "FILE", "Molecule: PDB, mmCIF, XYZR, PQR, XYZ or CRD, also as .gz"},
+      path_or_none({"FILE", "FILE",
+                    "Molecule: PDB, mmCIF, XYZR, PQR, XYZ or CRD, also as .gz; or a session "
+                    "(.json)"},
                    o.file),
+      path_or_none({"--session", "S.json", "Open a session, whatever its name"}, o.session),
       typed_number_option({"--alpha", "A", "Alpha in Å²; it may be negative"}, o.alpha, kAlphaRule),
       typed_number_option({"--solvent", "S", "Solvent radius in Å, 1.4 for water"}, o.solvent,
                           kSolventRule),
@@ -97,6 +112,7 @@ OptionProgram table(ViewerOptions& o) {
       flag_option("--light", "Light theme", o.light),
       flag_option("--tetrahedra-only", "Compute only tetrahedra", o.tetrahedra_only),
       flag_option("--no-compare", "Do not compare with CGAL after each change", o.compare, false),
+      preferences_option(o),
       drawing_memory_option(o),
       script_option(o),
       flag_option("--script-help", "List the commands of scripts and exit", o.script_help),

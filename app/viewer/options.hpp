@@ -9,15 +9,18 @@
 namespace alphascope {
 
 struct ViewerOptions {
-  std::optional<std::filesystem::path> file;
-  double alpha = 0;                // Å²
-  double solvent = 0;              // Å
-  double scale = 0;                // 0: as the display says
-  int width = 1440, height = 900;  // at scale 1
+  std::optional<std::filesystem::path> file, session;
+  double alpha = 0;           // Å²
+  double solvent = 0;         // Å
+  double scale = 0;           // 0: as the display says
+  int width = 0, height = 0;  // at scale 1; 0: as last time
   bool light = false;
   bool tetrahedra_only = false;
   bool compare = true;
   std::optional<std::filesystem::path> script, shot;
+  // Folder of preferences; empty: they are neither read nor written.
+  std::filesystem::path preferences;
+  bool preferences_given = false;
   bool script_help = false;                        // print what scripts may contain, and end
   std::optional<std::uint64_t> drawing_memory_mb;  // taken as free; none: what is
 };

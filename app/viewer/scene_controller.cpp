@@ -7,6 +7,8 @@
 
 #include "app/session/result_header.hpp"
 #include "ui/scene/ball_colours.hpp"
+#include "ui/scene/camera_place.hpp"
+#include "ui/scene/display_style.hpp"
 #include "ui/scene/draw_marks.hpp"
 
 namespace alphascope {
@@ -91,13 +93,8 @@ void SceneController::set_display(const DisplayControls& display, Theme theme, f
 }
 
 SceneStyle SceneController::scene_style() const {
-  SceneStyle style;
-  style.balls = display_.balls;
-  style.ball_opacity = display_.ball_opacity;
-  style.complex_opacity = display_.complex_opacity;
-  style.ambient_occlusion = display_.ambient_occlusion;
+  SceneStyle style = alphascope::scene_style(display_, theme_);
   style.line_scale = line_scale_;
-  style.theme = theme_;
   return style;
 }
 
@@ -109,14 +106,7 @@ void SceneController::update_colours() {
 }
 
 SceneController::BallLook SceneController::ball_look(const Answer* answer) const {
-  BallLook look{display_.ball_colour, {}};
-  look.style.scale = display_.ball_scale;
-  look.style.grown = display_.grown_balls && answer != nullptr;
-  if (look.style.grown) {
-    look.style.alpha = answer->request.alpha_angstrom2;
-    look.style.solvent_radius = answer->request.solvent_radius_angstrom;
-  }
-  return look;
+  return {display_.ball_colour, ball_style(display_, answer ? &answer->request : nullptr)};
 }
 
 void SceneController::update_radii() {
@@ -163,6 +153,20 @@ void SceneController::pointer(const PointerEvent& event) {
 
 void SceneController::reset_view() {
   scene_.reset_view();
+  dirty_ = true;
+}
+
+std::optional<CameraPlace> SceneController::camera() const {
+  if (!drawn_molecule_ || draws_nothing()) return std::nullopt;
+  return camera_place(scene_.viewpoint(), *drawn_molecule_->geometry);
+}
+
+void SceneController::set_camera_when_drawn(const std::optional<CameraPlace>& camera) {
+  wanted_camera_ = camera;
+}
+
+void SceneController::place_camera(const CameraPlace& camera) {
+  scene_.set_viewpoint(viewpoint_at(camera, *drawn_molecule_->geometry));
   dirty_ = true;
 }
 

@@ -11,6 +11,7 @@
 
 #include "app/session/session.hpp"
 #include "app/viewer/picture_saver.hpp"
+#include "core/document/session_file.hpp"
 #include "core/run/worker.hpp"
 #include "ui/layer.hpp"
 #include "ui/panels/view_state.hpp"
@@ -60,6 +61,10 @@ class SceneController {
   void set_layers(const Layers& layers);
   void pointer(const PointerEvent& event);
   void reset_view();
+  // Where the view stands; none where there is none.
+  std::optional<CameraPlace> camera() const;
+  // Instead of showing all of the molecule that is on its way; none: shows all.
+  void set_camera_when_drawn(const std::optional<CameraPlace>& camera);
 
   // A newer answer, or other balls, are being computed: the picture will be another.
   void set_pending(bool pending) { pending_ = pending; }
@@ -182,7 +187,8 @@ class SceneController {
   void submit_layers(const Layers& layers);
   void submit_beside_body();
   void show_layers(DrawnLayers layers, std::shared_ptr<LayerData> data);
-  void forget_layers();                            // the scene has
+  void forget_layers();  // the scene has
+  void place_camera(const CameraPlace& camera);
   BallLook ball_look(const Answer* answer) const;  // as the controls have it
   SceneStyle scene_style() const;
   void draw_selected();
@@ -211,6 +217,7 @@ class SceneController {
   std::optional<PickLayer> beside_body_pick_;
   std::shared_ptr<const Molecule> viewed_;  // that the camera was set for
   std::string not_drawn_;
+  std::optional<CameraPlace> wanted_camera_;  // of the next molecule
   bool pending_ = false;
   std::optional<Clock::time_point> outdated_since_;
   std::vector<float> radii_;  // Å, as drawn

@@ -5,6 +5,7 @@
 
 #include "app/viewer/scene_controller.hpp"
 #include "ui/scene/ball_colours.hpp"
+#include "ui/scene/display_style.hpp"
 
 namespace alphascope {
 namespace {
@@ -41,35 +42,10 @@ std::shared_ptr<const DrawnMolecule> undrawn(std::shared_ptr<const OpenedMolecul
   return drawn;
 }
 
-ComplexColouring colouring(ColourBy colour) {
-  switch (colour) {
-    case ColourBy::single:
-      return ComplexColouring::single;
-    case ColourBy::alpha:
-      return ComplexColouring::alpha;
-    case ColourBy::element:
-    case ColourBy::chain:
-    case ColourBy::exposed:
-    case ColourBy::exposed_residue:
-      break;
-  }
-  return ComplexColouring::balls;
-}
-
 }  // namespace
 
 MeshOptions SceneController::mesh_options() const {
-  MeshOptions options;
-  options.tetrahedra = display_.tetrahedra;
-  options.boundary = display_.boundary;
-  options.triangles = display_.triangles;
-  options.edges = display_.edges;
-  options.singular_only = display_.singular_only;
-  options.shrink = display_.shrink;
-  options.translucent = display_.complex_opacity < 1;
-  options.colouring = colouring(display_.complex_colour);
-  options.single_colour = to_rgb8(palette(theme_).complex_single);
-  return options;
+  return alphascope::mesh_options(display_, theme_);
 }
 
 void SceneController::submit() {
@@ -198,6 +174,7 @@ void SceneController::show(Drawing drawing) {
   if (!keep_view) quality_.forget();
   // Other atoms of the same molecule keep the view, unless it shows none of them.
   if (!keep_view || find_view_problem() != ViewProblem::none) scene_.reset_view();
+  if (wanted_camera_ && !draws_nothing()) place_camera(*std::exchange(wanted_camera_, {}));
 }
 
 // Colours and radii come with the drawing, unless the controls have changed since it was begun.

@@ -7,12 +7,6 @@
 #include "ui/scene/ball_colours.hpp"
 
 namespace alphascope {
-namespace {
-
-constexpr Rgb8 kNoColour = {148, 156, 166};  // carbon's
-
-}  // namespace
-
 // On the worker's thread.
 std::shared_ptr<const SceneController::Exposure> SceneController::make_exposure(
     const DrawnMolecule& molecule, const Answer& answer, ColourBy colour,
@@ -24,13 +18,9 @@ std::shared_ptr<const SceneController::Exposure> SceneController::make_exposure(
     exposure->by =
         std::make_shared<const MeasuredUnion>(measure_here(*answer.balls, answer.complex, context));
   }
-  const UnionMeasures& measures = exposure->by->measures;
-  const double alpha = answer.complex.alpha_on_lattice;
-  exposure->colours = colours_by_share(
-      colour == ColourBy::exposed
-          ? exposed_shares(measures, *answer.balls, alpha)
-          : exposed_shares_of_residues(measures, *answer.balls, alpha, *molecule.molecule,
-                                       molecule.prepared->atom_of_ball));
+  exposure->colours = colours_by_exposure(
+      {colour, exposure->by->measures, *answer.balls, answer.complex.alpha_on_lattice},
+      *molecule.molecule, molecule.prepared->atom_of_ball);
   return exposure;
 }
 
@@ -52,7 +42,7 @@ std::vector<Rgb8> SceneController::ball_colours(const DrawnMolecule& molecule, C
     case ColourBy::alpha:
       break;
   }
-  return std::vector<Rgb8>(balls, kNoColour);
+  return std::vector<Rgb8>(balls, kPlainBall);
 }
 
 bool SceneController::is_exposure_shown() const {
@@ -61,8 +51,7 @@ bool SceneController::is_exposure_shown() const {
 
 std::optional<ColourLegend> SceneController::legend() const {
   if (!display_.balls || !is_exposure_shown()) return alpha_legend_;
-  return share_legend(display_.ball_colour == ColourBy::exposed ? "exposed area of atoms"
-                                                                : "exposed area of residues");
+  return exposure_legend(display_.ball_colour);
 }
 
 std::string SceneController::not_drawn() const {

@@ -30,7 +30,6 @@ std::uint64_t large_object_budget(std::uint64_t held) {
 // tooltip in its first frame, in which it measures it.
 constexpr std::chrono::milliseconds kTooltipFrameAfter{450};
 static_assert(kTooltipFrameAfter.count() > 1000 * kTooltipDelaySeconds);
-constexpr double kPlayStep = 0.05;                           // Å²
 constexpr double kBusyInterval = 0.05, kIdleInterval = 1.0;  // seconds
 // A model asked for by the slider lets the one before it be finished, so that pictures flow while
 // the hand moves, but not for longer than this.
@@ -48,6 +47,8 @@ Viewer::Viewer(Host& host, const ViewerOptions& options, Session::Services servi
       table_saver_([&host] { host.wake(); }),
       complex_saver_([&host] { host.wake(); }),
       folder_reader_([&host] { host.wake(); }),
+      session_files_([&host] { host.wake(); }),
+      preferences_([&host] { host.wake(); }, options.preferences),
       machine_(std::async(std::launch::async,
                           [&host] {
                             const MachineInfo& machine = machine_info();
@@ -60,7 +61,8 @@ Viewer::Viewer(Host& host, const ViewerOptions& options, Session::Services servi
       session_([&host] { host.wake(); }, std::move(services)) {
   add_program_commands(commands_, state_);
   fill_constants();
-  state_.theme = options.light ? Theme::light : Theme::dark;
+  set_scale_ = options.scale;
+  use_preferences(options);
   state_.compute.alpha_angstrom2 = options.alpha;
   state_.compute.solvent_radius_angstrom = options.solvent;
   state_.compute.tetrahedra_only = options.tetrahedra_only;
@@ -71,6 +73,7 @@ Viewer::Viewer(Host& host, const ViewerOptions& options, Session::Services servi
   scene_.set_display(state_.display, state_.theme, frame_.scale());
   editor_.restart(settings());
   if (options.file) open(*options.file);
+  if (options.session) open_session(*options.session);
 }
 
 Viewer::~Viewer() = default;
@@ -82,13 +85,14 @@ void Viewer::fill_constants() {
   state_.samples = sample_files();
 }
 
-void Viewer::open(const std::filesystem::path& path) {
+bool Viewer::may_open(const std::filesystem::path& path) {
   if (benchmark_.busy()) {  // it is of the open molecule, and would measure the reading too
     state_.tell("A benchmark is running",
                 path.filename().string() +
                     " was not opened. Cancel the benchmark or wait for its end, then open it.");
-    return;
+    return false;
   }
+  scene_.set_camera_when_drawn(std::nullopt);
   state_.notice.clear();
   state_.drop_note.clear();
   drop_note_when_open_.clear();
@@ -97,6 +101,13 @@ void Viewer::open(const std::filesystem::path& path) {
   if (!state_.memory.show_browser && std::filesystem::is_directory(path.parent_path(), ignored)) {
     state_.memory.browser_folder = path.parent_path();
   }
+  return true;
+}
+
+void Viewer::open(const std::filesystem::path& path) {
+  if (looks_like_session(path)) return open_session(path);
+  if (!may_open(path)) return;
+  forget_waiting_session();
   session_.open(path);
 }
 
@@ -116,7 +127,7 @@ bool Viewer::working() const {
   const SessionActivity a = session_.activity();
   return state_.open != sent_open_ || a.opening.busy || a.computing.busy || a.comparing.busy ||
          a.timing.busy || !state_.gpu || scene_.busy() || saver_.busy() || table_saver_.busy() ||
-         complex_saver_.busy() || folder_reader_.busy();
+         complex_saver_.busy() || folder_reader_.busy() || session_files_.busy();
 }
 
 bool Viewer::settled() const {
@@ -145,6 +156,12 @@ void Viewer::take_molecule() {
   state_.picked = {};
   state_.expression_error.reset();
   state_.memory.expression_typed = state_.memory.expression_shown = state_.open.balls.selection;
+  const auto& session = starting_session_;
+  const std::filesystem::path& source = s.opened->deposited->source;
+  const bool of_session = session && session->molecule.path == source;
+  state_.session_file.clear();
+  note_recent_file(of_session ? session->file : source);
+  if (of_session) show_session();
   editor_.restart(settings());
 }
 
@@ -172,12 +189,17 @@ void Viewer::take_machine() {
     return;
   }
   state_.gpu = machine_.get().gpu;
+  if (engine_when_found_ && has_gpu(state_) && !shown_file_) {
+    state_.compute.engine = noted_.engine = *engine_when_found_;
+  }
   frames_due_ = kSettlingFrames;
 }
 
 void Viewer::take_session() {
   take_machine();
   take_saved();
+  take_session_files();
+  poll_preferences();
   state_.listing = folder_reader_.listing(wanted_listing(state_.memory));
   if (benchmark_.busy() && benchmark_.poll(state_.benchmark)) {
     frames_due_ = kSettlingFrames;
@@ -241,6 +263,8 @@ void Viewer::colour_by_what_differs(const Molecule& molecule) {
 void Viewer::take_requests() {
   Requests r = std::exchange(state_.requests, {});
   if (r.open) open(*r.open);
+  take_session_requests(r);
+  if (r.forget_recent) forget_recent();
   if (r.compare) {
     compared_ = session_.state().ours;
     session_.request_comparison();
@@ -248,6 +272,7 @@ void Viewer::take_requests() {
   if (r.cancel) {
     state_.memory.playing = state_.memory.playing_models = false;
     session_.cancel_opening();
+    forget_waiting_session();
     session_.cancel_computing();
     session_.cancel_comparison();
   }
@@ -329,12 +354,13 @@ void Viewer::send_selection() {
 void Viewer::play() {
   bool& playing = state_.memory.playing;
   if (!playing || !session_.state().up_to_date() || scene_.busy()) return;
-  const double alpha = state_.compute.alpha_angstrom2;
-  if (alpha >= kPlayUntilAngstrom2) {
+  const AlphaMemory& m = state_.memory.alpha;
+  const NextAlpha next = next_alpha(m.slider, state_.compute.alpha_angstrom2, m.backwards);
+  if (next.ended) {
     playing = false;
     return;
   }
-  set_alpha(state_.compute, std::round((alpha + kPlayStep) * 1000) / 1000);
+  set_alpha(state_.compute, next.alpha);
   frames_due_ = kSettlingFrames;
 }
 
@@ -365,6 +391,7 @@ void Viewer::draw(ScriptedInput* input, bool patient,
   frame_begun_at_ = Clock::now();
   news_ = false;
   update_busy();
+  follow_scale();
   guarded([this] { describe_under_mouse(); });
   if (!frame_.begin(state_.theme, input)) return want_of_all_balls();
   session_.let_finish(interacting());
@@ -383,6 +410,7 @@ void Viewer::draw(ScriptedInput* input, bool patient,
     play();
     play_models();
     send_controls();
+    note_preferences();
   });
   guarded([this] {
     mark_selection();

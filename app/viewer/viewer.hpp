@@ -17,7 +17,9 @@
 #include "app/viewer/model_playback.hpp"
 #include "app/viewer/options.hpp"
 #include "app/viewer/picture_saver.hpp"
+#include "app/viewer/preferences_keeper.hpp"
 #include "app/viewer/scene_controller.hpp"
+#include "app/viewer/session_files.hpp"
 #include "app/viewer/table_saver.hpp"
 #include "core/document/commands.hpp"
 #include "core/document/editor.hpp"
@@ -48,7 +50,9 @@ class Viewer {
   // Draws the scene as finely as it can be, then the window, into a PNG file.
   void shoot(const std::filesystem::path& path, ScriptedInput* input);
 
+  // A molecule, or a session by its name.
   void open(const std::filesystem::path& path);
+  void open_session(const std::filesystem::path& path);
   // One of them; what becomes of the others is told.
   void open_dropped(const std::vector<std::filesystem::path>& files);
   bool quit_requested() const { return quit_; }
@@ -71,6 +75,22 @@ class Viewer {
   static constexpr int kSettlingFrames = 3;
 
   void fill_constants();
+  bool may_open(const std::filesystem::path& path);  // tells why not; forgets notes of the last
+  void forget_waiting_session();
+  void take_session_files();
+  void take_session_requests(const Requests& requests);
+  Request possible_here(Request request) const;
+  void start_session();  // waiting_session_
+  void show_session();   // starting_session_
+  // None without a molecule.
+  std::optional<SessionDocument> session_document(const std::filesystem::path& file) const;
+  void use_preferences(const ViewerOptions& options);
+  Preferences preferred() const;
+  void note_preferences();
+  void note_recent_file(const std::filesystem::path& file);
+  void forget_recent();
+  void follow_scale();
+  void poll_preferences();
   // Runs what may throw on the main thread; what it throws is shown, and the program goes on.
   void guarded(const std::function<void()>& what);
   std::string not_opened_either();
@@ -169,7 +189,15 @@ class Viewer {
   TableSaver table_saver_;
   ComplexSaver complex_saver_;
   FolderReader folder_reader_;
-  std::future<MachineInfo> machine_;  // looking for a GPU can take a second
+  SessionFiles session_files_;
+  // Read, and not decided upon; then with its molecule on its way. Null: none.
+  std::shared_ptr<const FoundSession> waiting_session_, starting_session_;
+  bool session_awaits_gpu_ = false;
+  PreferencesKeeper preferences_;
+  Preferences noted_;     // as the window had them when they were looked at last
+  double set_scale_ = 0;  // of the host
+  std::optional<EngineChoice> engine_when_found_;  // preferred, and in need of a GPU
+  std::future<MachineInfo> machine_;               // looking for a GPU can take a second
   Benchmark benchmark_;
   Inputs inputs_;  // of derived results
   Clock::time_point inputs_taken_at_{};

@@ -79,6 +79,7 @@ void Viewer::take_error(bool only_the_model_changed) {
   state_.memory.playing = state_.memory.playing_models = false;
   switch (s.error_source) {
     case Source::opening:
+      starting_session_ = nullptr;
       state_.tell("The file cannot be opened",
                   s.last_error + not_opened_either() +
                       still(state_, "The previous molecule is still open."));
@@ -130,6 +131,7 @@ void Viewer::update_busy() {
   take(a.opening, a.opening_path.empty()
                       ? state_.molecule.name
                       : "Opening " + printable(a.opening_path.filename().string()));
+  take(session_files_.reading(), "Opening the session");
   take(a.computing, "Computing");
   // A comparison in the background is the badge's business; it holds nothing up.
   if (busy.active) {

@@ -22,6 +22,7 @@ inline constexpr std::array<std::string_view, 5> kMenus{"File", "Edit", "View", 
 struct Choice {
   std::string id, title;    // "cpu" as it is typed, "Dual-edge engine, CPU" for people
   std::string detail = {};  // shown beside the title
+  bool chosen = false;      // it is what is set now
 };
 
 struct Parameter {

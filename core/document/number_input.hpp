@@ -22,6 +22,7 @@ inline constexpr NumberRule kBallRadiusRule{"A radius", 0.001, 60, "Å"};
 inline constexpr NumberRule kPictureSizeRule{"Width and height", 16, 16384, "", true};
 inline constexpr NumberRule kControlScaleRule{"The scale", 0.5, 4};
 inline constexpr NumberRule kModelSpeedRule{"The speed", 0.5, 30, "/ s"};
+inline constexpr NumberRule kPlaySpeedRule{"The speed", 0.1, 20};
 inline constexpr NumberRule kRunsRule{"The number of runs", 1, 1000, "", true};
 inline constexpr NumberRule kRowSecondsRule{"The time for a row", 1, 86400, "s", true};
 

@@ -63,6 +63,11 @@ void check_together(FieldReader& reader, const ReadJson& json, const SessionDocu
     reader.wrong({"open", "radii"}, json["open"]["radii"],
                  "another set where there is no \"radii_table\"");
   }
+  const AlphaSlider& a = s.view.panels.alpha_slider;
+  if (!(a.low < a.high)) {
+    reader.wrong({"panels", "alpha_slider"}, json["panels"]["alpha_slider"],
+                 "one whose low end is below its high end");
+  }
   const CameraPlace& c = s.view.camera;
   if (!c.any()) return;
   const std::array<double, 3> ahead{c.target[0] - c.position[0], c.target[1] - c.position[1],

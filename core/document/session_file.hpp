@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "core/document/alpha_slider.hpp"
 #include "core/document/file_reference.hpp"
 #include "core/document/settings.hpp"
 
@@ -27,6 +28,7 @@ struct PanelsShown {
   std::string page;                          // below the view; empty: the first
   double page_height = 0;                    // pixels at scale 1; 0: as usual
   std::vector<std::string> closed_sections;  // of the left side
+  AlphaSlider alpha_slider;
   friend bool operator==(const PanelsShown&, const PanelsShown&) = default;
 };
 

@@ -60,4 +60,11 @@ const SettingIds<TupleGridKind>& setting_ids(TupleGridKind) {
   return ids;
 }
 
+const SettingIds<AlphaScaling>& setting_ids(AlphaScaling) {
+  static const SettingIds<AlphaScaling> ids{{AlphaScaling::linear, "linear"},
+                                            {AlphaScaling::root, "root"},
+                                            {AlphaScaling::logarithm, "logarithm"}};
+  return ids;
+}
+
 }  // namespace alphascope

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/document/alpha_slider.hpp"
 #include "core/document/display.hpp"
 #include "core/document/open_options.hpp"
 #include "core/document/request.hpp"
@@ -22,5 +23,6 @@ const SettingIds<RadiiSet>& setting_ids(RadiiSet);
 const SettingIds<FileFormat>& setting_ids(FileFormat);
 const SettingIds<EngineChoice>& setting_ids(EngineChoice);
 const SettingIds<TupleGridKind>& setting_ids(TupleGridKind);
+const SettingIds<AlphaScaling>& setting_ids(AlphaScaling);
 
 }  // namespace alphascope

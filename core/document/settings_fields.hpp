@@ -105,10 +105,20 @@ void visit_fields(Visitor& v, CameraPlace& c) {
 }
 
 template <class Visitor>
+void visit_fields(Visitor& v, AlphaSlider& a) {
+  v("scale", a.scaling);
+  v("low_angstrom2", a.low, kAlphaRule);
+  v("high_angstrom2", a.high, kAlphaRule);
+  v("loop", a.loop);
+  v("speed", a.speed, kPlaySpeedRule);
+}
+
+template <class Visitor>
 void visit_fields(Visitor& v, PanelsShown& p) {
   v("page", p.page);
   v("page_height", p.page_height, kPageHeightRule);
   v("closed_sections", p.closed_sections);
+  v.object("alpha_slider", p.alpha_slider);
 }
 
 template <class Visitor>

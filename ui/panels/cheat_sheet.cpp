@@ -17,7 +17,7 @@ constexpr std::pair<const char*, const char*> kMouse[] = {
     {"Click", "Select it; beside everything: select nothing"},
     {"Ctrl+click, Shift+click", "Add it to the selection, or take it out"},
     {"Ctrl+click on a slider", "Type the value"},
-    {"Drop a file", "Open a molecule"}};
+    {"Drop a file", "Open a molecule or a session"}};
 
 void row(PanelContext& ctx, const std::string& keys, const std::string& what) {
   ImGui::TableNextRow();

@@ -12,9 +12,6 @@
 
 namespace alphascope {
 
-// Playing ends there, and starts again at 0.
-inline constexpr double kPlayUntilAngstrom2 = 10;
-
 // For what counts alpha up and down: stops at the bounds.
 inline void set_alpha(Request& request, double angstrom2) {
   request.alpha_angstrom2 = std::clamp(angstrom2, kAlphaRule.least, kAlphaRule.most);

@@ -21,6 +21,8 @@ constexpr std::array kDialogs{
     Entry{[](const ViewState& s) { return s.memory.show_save; }, draw_save_picture},
     Entry{[](const ViewState& s) { return s.memory.save_table.table != nullptr; }, draw_save_table},
     Entry{[](const ViewState& s) { return s.memory.show_export; }, draw_export},
+    Entry{[](const ViewState& s) { return s.memory.show_save_session; }, draw_save_session},
+    Entry{[](const ViewState& s) { return s.session_problem.has_value(); }, draw_session_problem},
     Entry{[](const ViewState& s) { return !s.memory.confirm_assembly.empty(); },
           draw_confirm_assembly},
     Entry{[](const ViewState& s) { return s.memory.show_cheat_sheet; }, draw_cheat_sheet},

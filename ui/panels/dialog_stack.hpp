@@ -44,6 +44,8 @@ void draw_confirm_assembly(PanelContext& ctx);
 void draw_cheat_sheet(PanelContext& ctx);
 void draw_about(PanelContext& ctx);
 void draw_command_palette(PanelContext& ctx);
+void draw_save_session(PanelContext& ctx);
+void draw_session_problem(PanelContext& ctx);
 void draw_error(PanelContext& ctx);
 
 }  // namespace alphascope

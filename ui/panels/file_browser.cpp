@@ -26,7 +26,17 @@ constexpr int kListKeys[] = {key::kHome, key::kEnd,      key::kDown,
                              key::kUp,   key::kPageDown, key::kPageUp};
 
 const char* title(const PanelMemory& m) {
-  return for_table(m) ? "Open a table of radii" : "Open a molecule";
+  switch (m.browser_purpose) {
+    case BrowserPurpose::radii_table:
+      return "Open a table of radii";
+    case BrowserPurpose::session:
+      return "Open a session";
+    case BrowserPurpose::session_molecule:
+      return "The molecule of the session";
+    case BrowserPurpose::molecule:
+      break;
+  }
+  return "Open a molecule";
 }
 
 void enter(PanelMemory& m, const fs::path& folder) {
@@ -65,6 +75,11 @@ void open(ViewState& s, const fs::path& file) {
   if (for_table(s.memory)) {
     s.open.radii_table = file;
     s.open.balls.radii = RadiiSet::user;
+  } else if (s.memory.browser_purpose == BrowserPurpose::session_molecule) {
+    s.requests.session_molecule = file;
+    s.session_problem.reset();
+  } else if (s.memory.browser_purpose == BrowserPurpose::session) {
+    s.requests.open_session = file;
   } else {
     s.requests.open = file;
   }
@@ -227,7 +242,8 @@ void entries(PanelContext& ctx, const std::shared_ptr<const FolderListing>& list
 std::string nothing_listed(const FolderListing& list) {
   if (!list.error.empty()) return list.error;
   if (list.hidden_by_filter == 0) return "This folder is empty.";
-  return "No molecules here; " + with_separators(static_cast<long long>(list.hidden_by_filter)) +
+  return (list.query.sessions ? "No sessions here; " : "No molecules here; ") +
+         with_separators(static_cast<long long>(list.hidden_by_filter)) +
          " other files are not shown.";
 }
 
@@ -290,7 +306,8 @@ void buttons(PanelContext& ctx) {
 
 std::optional<FolderQuery> wanted_listing(const PanelMemory& m) {
   if (!m.show_browser || m.browser_folder.empty()) return std::nullopt;
-  return FolderQuery{m.browser_folder, m.browser_all_files || for_table(m), m.browser_hidden_ones};
+  return FolderQuery{m.browser_folder, m.browser_all_files || for_table(m), m.browser_hidden_ones,
+                     m.browser_purpose == BrowserPurpose::session};
 }
 
 void draw_file_browser(PanelContext& ctx) {

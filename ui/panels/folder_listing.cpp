@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <utility>
 
+#include "core/document/session_file.hpp"
 #include "core/molecule/letter_case.hpp"
 #include "ui/number_text.hpp"
 
@@ -35,7 +36,9 @@ bool is_shown(const fs::directory_entry& found, const FolderQuery& query, Folder
   entry.folder = found.is_directory(ignored);
   if (entry.folder) return true;
   if (!found.is_regular_file(ignored)) return false;
-  if (!query.all_files && !looks_like_molecule(entry.path)) {
+  const bool wanted =
+      query.sessions ? looks_like_session(entry.path) : looks_like_molecule(entry.path);
+  if (!query.all_files && !wanted) {
     ++listing.hidden_by_filter;
     return false;
   }
@@ -111,8 +114,11 @@ std::string why_not_openable(const fs::path& path) {
 DroppedFiles choose_dropped(const std::vector<fs::path>& files) {
   DroppedFiles dropped;
   if (files.empty()) return dropped;
-  const auto molecule = std::find_if(files.begin(), files.end(), looks_like_molecule);
-  const auto chosen = molecule == files.end() ? files.begin() : molecule;
+  const auto openable = [](const fs::path& file) {
+    return looks_like_molecule(file) || looks_like_session(file);
+  };
+  const auto found = std::find_if(files.begin(), files.end(), openable);
+  const auto chosen = found == files.end() ? files.begin() : found;
   dropped.opened = *chosen;
   if (files.size() == 1) return dropped;
   constexpr std::size_t kNamed = 8;
@@ -121,7 +127,7 @@ DroppedFiles choose_dropped(const std::vector<fs::path>& files) {
   for (auto it = files.begin(); it != files.end(); ++it) {
     if (it == chosen || ++others > kNamed) continue;
     dropped.note += "Not opened: " + it->filename().string() +
-                    (looks_like_molecule(*it) ? "" : " (no molecule, by its name)") + "\n";
+                    (openable(*it) ? "" : " (no molecule, by its name)") + "\n";
   }
   if (others > kNamed) {
     dropped.note += "and " + std::to_string(others - kNamed) + " more that are not opened\n";

@@ -22,15 +22,16 @@ struct FolderEntry {
 // What is to be listed.
 struct FolderQuery {
   std::filesystem::path folder;
-  bool all_files = false;    // also those that do not look like molecules
+  bool all_files = false;    // also those that do not look like molecules, or like sessions
   bool hidden_ones = false;  // names that start with a dot
+  bool sessions = false;     // files of sessions, not of molecules
   friend bool operator==(const FolderQuery&, const FolderQuery&) = default;
 };
 
 struct FolderListing {
   FolderQuery query;                 // of which this is the answer
   std::vector<FolderEntry> entries;  // folders first, then by name without regard to case
-  std::size_t hidden_by_filter = 0;  // files that do not look like molecules
+  std::size_t hidden_by_filter = 0;  // files that do not look like what is wanted
   std::string error;                 // why the folder cannot be read; empty otherwise
 };
 

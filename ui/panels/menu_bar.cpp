@@ -21,7 +21,8 @@ void choice_menu(PanelContext& ctx, const CommandSpec& spec, const Parameter& pa
   record(ctx, name.c_str());
   if (!open) return;
   for (const Choice& choice : choices) {
-    const bool clicked = ImGui::MenuItem(choice.title.c_str(), choice.detail.c_str());
+    const bool clicked =
+        ImGui::MenuItem(choice.title.c_str(), choice.detail.c_str(), choice.chosen);
     record(ctx, (name + "." + choice.id).c_str());
     if (clicked) run(ctx, spec, {choice.id});
   }

@@ -1,23 +1,23 @@
 // See the header.
 #include "ui/panels/picture_path.hpp"
 
-#include <algorithm>
-#include <cctype>
+#include "core/molecule/letter_case.hpp"
 
 namespace alphascope {
 
 std::filesystem::path path_to_save(const std::string& typed, const std::string& ending) {
   std::error_code ignored;
   std::filesystem::path path = std::filesystem::absolute(typed, ignored).lexically_normal();
-  std::string extension = path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  if (extension != ending) path += ending;
+  if (lower_case(path.extension().string()) != ending) path += ending;
   return path;
 }
 
 std::filesystem::path picture_path(const std::string& typed) {
   return path_to_save(typed, ".png");
+}
+
+std::filesystem::path session_path(const std::string& typed) {
+  return path_to_save(typed, ".json");
 }
 
 }  // namespace alphascope

@@ -1,4 +1,4 @@
-// Where a picture or a table is saved to.
+// Where a picture, a table or a session is saved to.
 #pragma once
 
 #include <filesystem>
@@ -10,5 +10,7 @@ namespace alphascope {
 std::filesystem::path path_to_save(const std::string& typed, const std::string& ending);
 // The whole path, ending in ".png": pictures are PNG files whatever one calls them.
 std::filesystem::path picture_path(const std::string& typed);
+// The same, ending in ".json".
+std::filesystem::path session_path(const std::string& typed);
 
 }  // namespace alphascope

@@ -19,11 +19,6 @@ std::string number(std::size_t n) {
   return with_separators(static_cast<long long>(n));
 }
 
-void open_table_browser(ViewState& s) {
-  s.memory.browser_purpose = BrowserPurpose::radii_table;
-  s.memory.show_browser = true;
-}
-
 // What stands behind a set, for people who choose one.
 std::string source_text(const RadiiSetInfo& info) {
   if (info.set == RadiiSet::automatic) {
@@ -46,7 +41,7 @@ void set_entry(PanelContext& ctx, const RadiiSetInfo& info) {
   const std::string label = std::string(info.name) + (table ? "…" : "");
   if (ImGui::Selectable(label.c_str(), on, usable ? 0 : ImGuiSelectableFlags_Disabled)) {
     if (table) {
-      open_table_browser(s);
+      open_browser(s, BrowserPurpose::radii_table);
     } else {
       s.open.balls.radii = info.set;
     }

@@ -8,6 +8,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -22,6 +23,7 @@
 #include "core/engine/gpu_device.hpp"
 #include "core/molecule/selection_expression.hpp"
 #include "ui/layer.hpp"
+#include "ui/panels/alpha_memory.hpp"
 #include "ui/panels/benchmark_info.hpp"
 #include "ui/panels/cavity_memory.hpp"
 #include "ui/panels/channel_memory.hpp"
@@ -55,7 +57,11 @@ struct ExportRequest {
 
 // What the user asked for in this frame; the program takes and clears them.
 struct Requests {
-  std::optional<std::filesystem::path> open;
+  std::optional<std::filesystem::path> open;  // a molecule or a session
+  std::optional<std::filesystem::path> open_session, save_session;
+  std::optional<std::filesystem::path> session_molecule;  // in place of the one that it names
+  bool session_anyway = false, session_give_up = false;   // of ViewState::session_problem
+  bool forget_recent = false;
   std::optional<ScreenshotRequest> screenshot;
   std::optional<SaveTableRequest> save_table;
   std::optional<ExportRequest> export_complex;
@@ -71,11 +77,18 @@ struct SampleMolecule {
   std::filesystem::path path;
 };
 
+// A session was read whose files are not as they were when it was saved.
+struct SessionProblem {
+  std::string session, text;  // its path; what is told
+  bool molecule = false;      // another may be chosen
+  bool can_open = false;      // with the files as they are
+};
+
 inline constexpr double kTooltipDelaySeconds = 0.4;
 // Comparing by itself is switched off beyond: CGAL would keep the second half of the cores busy.
 inline constexpr std::size_t kMostBallsToCompareUnasked = 200000;
 
-enum class BrowserPurpose : std::uint8_t { molecule, radii_table };
+enum class BrowserPurpose : std::uint8_t { molecule, radii_table, session, session_molecule };
 
 struct PanelMemory;
 // What the file dialog wants to have listed; nothing while it is closed.
@@ -91,7 +104,7 @@ struct NumberTyping {
 // What the panels remember between frames.
 struct PanelMemory {
   bool show_cheat_sheet = false, show_about = false, show_browser = false, show_save = false;
-  bool show_benchmark = false, show_export = false;
+  bool show_benchmark = false, show_export = false, show_save_session = false;
   std::filesystem::path browser_folder;  // empty: choose a sensible one
   std::string browser_typed;
   std::filesystem::path browser_selected;
@@ -105,11 +118,13 @@ struct PanelMemory {
   PictureOptions save;
   std::string export_path;
   ExportColours export_colours = ExportColours::element;
-  bool timings_cold = true;              // which of the two runs the waterfall shows
-  bool timings_pinned = false;           // the user has chosen which
-  std::map<std::string, bool> switches;  // of single panels, by the name of the widget
-  std::string bottom_panel;              // id of the page below the view; empty: the first
-  float bottom_height = 0;               // pixels at scale 1; 0: default
+  std::string session_path;               // to save to
+  std::set<std::string> closed_sections;  // of the left side
+  bool timings_cold = true;               // which of the two runs the waterfall shows
+  bool timings_pinned = false;            // the user has chosen which
+  std::map<std::string, bool> switches;   // of single panels, by the name of the widget
+  std::string bottom_panel;               // id of the page below the view; empty: the first
+  float bottom_height = 0;                // pixels at scale 1; 0: default
   NumberTyping number;
   PaletteMemory palette;
   CavityMemory cavities;
@@ -119,7 +134,8 @@ struct PanelMemory {
   TableMemory save_table;
   std::vector<std::size_t> dialogs;  // that are open, by dialog_stack.cpp; the last is on top
   bool dragging_view = false;
-  bool playing = false;         // alpha grows by itself, one step a finished result
+  AlphaMemory alpha;
+  bool playing = false;         // alpha moves by itself, one step a finished result
   bool playing_models = false;  // models follow one another as frames
   float models_per_second = 5;  // at most; fewer when computing takes longer
   std::string expression_typed;
@@ -143,6 +159,7 @@ struct ViewState {
   Selection picked;  // in the picture
   Theme theme = Theme::dark;
   bool auto_compare = false;
+  double control_scale = 0;  // of fonts and controls; 0: as the display says
 
   MoleculeInfo molecule;
   std::shared_ptr<const Answer> result;   // on screen; null: none. The controls may be ahead
@@ -178,6 +195,9 @@ struct ViewState {
   std::string notice;                // one line in the status bar, "saved /tmp/a.png"
   std::string undo_text, redo_text;  // what would change, "alpha"; empty: nothing
   std::vector<SampleMolecule> samples;
+  std::vector<std::filesystem::path> recent;  // files, the latest first
+  std::optional<SessionProblem> session_problem;
+  std::filesystem::path session_file;  // that was opened or saved last, of this molecule; or empty
 
   Requests requests;
   PanelMemory memory;

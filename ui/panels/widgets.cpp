@@ -60,8 +60,8 @@ bool checkbox(PanelContext& ctx, const char* name, const char* label, bool& valu
   return changed;
 }
 
-void open_browser(ViewState& state) {
-  state.memory.browser_purpose = BrowserPurpose::molecule;
+void open_browser(ViewState& state, BrowserPurpose purpose) {
+  state.memory.browser_purpose = purpose;
   state.memory.show_browser = true;
 }
 
@@ -153,8 +153,15 @@ bool section(PanelContext& ctx, const char* name, const char* title) {
   ImGui::PushStyleColor(ImGuiCol_HeaderHovered, to_imgui(ctx.palette.field));
   ImGui::PushStyleColor(ImGuiCol_HeaderActive, to_imgui(ctx.palette.field));
   const bool wanted = ctx.state.memory.go_to_section == name;
-  if (wanted) ImGui::SetNextItemOpen(true);
-  const bool open = ImGui::CollapsingHeader(title, ImGuiTreeNodeFlags_DefaultOpen);
+  auto& closed = ctx.state.memory.closed_sections;  // not ImGui's: sessions hold it
+  if (wanted) closed.erase(name);
+  ImGui::SetNextItemOpen(!closed.contains(name));
+  const bool open = ImGui::CollapsingHeader(title);
+  if (open) {
+    closed.erase(name);
+  } else {
+    closed.insert(name);
+  }
   ImGui::PopStyleColor(3);
   ImGui::PopFont();
   record(ctx, name);

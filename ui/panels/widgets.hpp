@@ -42,8 +42,8 @@ bool button(PanelContext& ctx, const char* name, const char* label, ImVec2 size 
             ButtonKind kind = ButtonKind::normal);
 bool checkbox(PanelContext& ctx, const char* name, const char* label, bool& value);
 
-// Opens the file dialog for a molecule.
-void open_browser(ViewState& state);
+// Opens the file dialog.
+void open_browser(ViewState& state, BrowserPurpose purpose = BrowserPurpose::molecule);
 
 // Two or more choices side by side; returns true when the choice changed.
 bool choice(PanelContext& ctx, const char* name, std::initializer_list<const char*> labels,

@@ -24,4 +24,18 @@ ColourLegend share_legend(const std::string& quantity) {
                     [](double share) { return 100 * share * share; });
 }
 
+std::vector<Rgb8> colours_by_exposure(const ExposureColours& of, const Molecule& molecule,
+                                      const std::vector<std::uint32_t>& atom_of_ball) {
+  return colours_by_share(of.colour == ColourBy::exposed
+                              ? exposed_shares(of.measures, of.balls, of.alpha_on_lattice)
+                              : exposed_shares_of_residues(of.measures, of.balls,
+                                                           of.alpha_on_lattice, molecule,
+                                                           atom_of_ball));
+}
+
+ColourLegend exposure_legend(ColourBy colour) {
+  return share_legend(colour == ColourBy::exposed ? "exposed area of atoms"
+                                                  : "exposed area of residues");
+}
+
 }  // namespace alphascope

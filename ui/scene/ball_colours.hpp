@@ -6,7 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "core/document/display.hpp"
+#include "core/document/measure_results.hpp"
 #include "core/molecule/atom_colours.hpp"
+#include "core/molecule/molecule.hpp"
 #include "ui/picture_marks.hpp"
 #include "ui/scene/ball_geometry.hpp"
 #include "ui/theme.hpp"
@@ -17,6 +20,17 @@ namespace alphascope {
 // small shares, which nearly all are.
 std::vector<Rgb8> colours_by_share(const std::vector<float>& shares);
 ColourLegend share_legend(const std::string& quantity);  // in percent
+
+// By exposed area, of atoms or of residues, of a complex of these balls; with their legend.
+struct ExposureColours {
+  ColourBy colour;  // exposed or exposed_residue
+  const UnionMeasures& measures;
+  const BallSet& balls;  // with the solvent radius
+  double alpha_on_lattice;
+};
+std::vector<Rgb8> colours_by_exposure(const ExposureColours& of, const Molecule& molecule,
+                                      const std::vector<std::uint32_t>& atom_of_ball);
+ColourLegend exposure_legend(ColourBy colour);
 
 Rgb8 to_rgb8(const Colour& colour);
 

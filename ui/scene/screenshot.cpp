@@ -3,6 +3,7 @@
 
 #include <stdexcept>
 
+#include "ui/scene/camera_place.hpp"
 #include "ui/scene/draw_marks.hpp"
 #include "ui/scene/drawing_memory.hpp"
 #include "ui/window/egl_context.hpp"
@@ -38,8 +39,9 @@ std::string render_screenshot(const BallSet& balls, const AlphaComplex& complex,
   begin("preparing the picture", 0.1);
   const auto geometry = std::make_shared<const BallGeometry>(balls);
   begin("preparing the picture", 0.2);
-  const auto mesh =
-      std::make_shared<const ComplexMesh>(build_mesh(*geometry, colours, complex, plan.mesh));
+  const auto mesh = std::make_shared<const ComplexMesh>(
+      build_mesh(*geometry, options.simplex_colours.empty() ? colours : options.simplex_colours,
+                 complex, plan.mesh));
   begin("drawing", 0.5);
   EglContext egl;
   Scene scene;
@@ -53,9 +55,11 @@ std::string render_screenshot(const BallSet& balls, const AlphaComplex& complex,
   if (options.beside_body) {
     scene.set_beside_body(make_layer_data(options.beside_body(*geometry)));
   }
+  if (options.camera) scene.set_viewpoint(viewpoint_at(*options.camera, *geometry));
   begin("drawing", 0.7);
-  const auto legend =
-      options.legend && mesh->scale ? std::optional(mesh->scale->legend()) : std::nullopt;
+  std::optional<ColourLegend> legend = options.ball_legend;
+  if (!legend && mesh->scale) legend = mesh->scale->legend();
+  if (!options.legend) legend.reset();
   const std::string left_out =
       write_picture(scene,
                     {options.width, options.height, options.transparent, options.style.theme,

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/complex/alpha_complex.hpp"
+#include "core/document/session_file.hpp"
 #include "core/geometry/ball_set.hpp"
 #include "core/run/cancel_token.hpp"
 #include "ui/scene/frame_grab.hpp"
@@ -23,14 +24,17 @@ struct ScreenshotOptions {
   SceneStyle style;
   BallStyle balls;
   MeshOptions mesh;
-  Layers layers;  // drawn beside balls and complex
+  std::vector<Rgb8> simplex_colours;        // one a ball; empty: as the balls'
+  std::optional<ColourLegend> ball_legend;  // of the balls' colours; none: of the simplices'
+  std::optional<CameraPlace> camera;        // none: the default view
+  Layers layers;                            // drawn beside balls and complex
   // Atoms that are no balls, made on the way; empty or null from it: none.
   std::function<std::shared_ptr<const LayerMesh>(const BallGeometry& balls)> beside_body;
   PictureTexts texts;                       // into the file
   std::optional<std::uint64_t> free_bytes;  // of memory; none: unknown
 };
 
-// Draws `complex` with its `balls` (radii before any solvent; one colour each) in the default view.
+// Draws `complex` with its `balls` (radii before any solvent; one colour each).
 // Needs no display: makes its own OpenGL context on this thread. Returns what is not drawn for want
 // of memory, and what to do, in sentences that the file holds, too, and which mark the picture is
 // too small for; empty: nothing is missing.

@@ -56,6 +56,7 @@ class EglHost final : public Host {
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
   }
 
+  void set_scale(double scale) override { scale_ = scale > 0 ? static_cast<float>(scale) : 1.0f; }
   bool close_requested() const override { return false; }
   void hide() override {}
   void set_title(const std::string&) override {}

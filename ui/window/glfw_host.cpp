@@ -147,6 +147,10 @@ class GlfwHost final : public Host {
     const float dense = density();
     glfwSetWindowSize(window_, pixels(width, 1 / dense), pixels(height, 1 / dense));
   }
+  void set_scale(double scale) override {
+    fixed_scale_ = static_cast<float>(scale);
+    limit_size();
+  }
   bool close_requested() const override { return glfwWindowShouldClose(window_); }
   void hide() override {
     glfwHideWindow(window_);
@@ -241,9 +245,10 @@ class GlfwHost final : public Host {
     return points > 0 && width > 0 ? static_cast<float>(width) / static_cast<float>(points) : 1;
   }
 
+  // A scale that is chosen by hand does not enlarge the window: that could end beyond the screen.
   void limit_size() {
     density_ = density();
-    const float points = scale() / density_;
+    const float points = std::min(scale(), monitor_scale()) / density_;
     glfwSetWindowSizeLimits(window_, pixels(kLeastWidth, points), pixels(kLeastHeight, points),
                             GLFW_DONT_CARE, GLFW_DONT_CARE);
   }

@@ -104,7 +104,8 @@ SessionDocument unusual() {
   s.settings.cavities = RefSet({SimplexRef{{1, 0}, {2, 0}, {3, 0}, {4, 0}}});
   s.view.light_theme = true;
   s.view.camera = {{7, 8, 9.5}, {1.0 / 3, -2e5, 1e-9}, {4, 5, 6}, {0, 0, 1}, 1.25};
-  s.view.panels = {"cavities", 301.5, {"engine", "display"}};
+  s.view.panels = {
+      "cavities", 301.5, {"engine", "display"}, {AlphaScaling::root, -2, 1e6, true, 2.5}};
   return s;
 }
 
@@ -140,6 +141,7 @@ TEST(SessionFile, EveryMemberOfEverySettingIsNamed) {
   EXPECT_EQ(named_fields<TupleOptions>(), members<TupleOptions>());
   EXPECT_EQ(named_fields<Settings>(), members<Settings>());
   EXPECT_EQ(named_fields<CameraPlace>(), members<CameraPlace>());
+  EXPECT_EQ(named_fields<AlphaSlider>(), members<AlphaSlider>());
   EXPECT_EQ(named_fields<PanelsShown>(), members<PanelsShown>());
   EXPECT_EQ(named_fields<SessionView>(), members<SessionView>());
   // The balls' options but for a table in memory; the reader's format; the assembly. Its limit and
@@ -207,6 +209,7 @@ TEST(SessionFile, AWrongValueIsToldWithItsLine) {
   expect(",\"selection\": [[1, 2, 3, 4, 5]]", "2", "one to four atoms");
   expect(",\"camera\": { \"position_angstrom\": [1, 2] }", "2", "three numbers");
   expect(",\"camera\": { \"position_angstrom\": [0, 1, 0] }", "2", "not the way that it looks");
+  expect(",\"panels\": { \"alpha_slider\": { \"low_angstrom2\": 99 } }", "2", "below its high end");
   expect(",\"radii_table\": { \"path\": \"r\", \"sha256\": \"1\" }", "2", "64 digits");
   // The last of two of one name counts, as for everybody who reads JSON.
   expect(",\"display\": { \"balls\": true,\n\"balls\": 0 }", "3", "must be true or false");

@@ -1,0 +1,50 @@
+// See the header.
+#include "app/cli/screenshot_session.hpp"
+
+#include "core/io/file_hash.hpp"
+#include "core/io/read_error.hpp"
+
+namespace alphascope::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string without_stop(std::string sentence) {
+  if (sentence.ends_with('.')) sentence.pop_back();
+  return sentence;
+}
+
+fs::path same_file(const fs::path& session, const FileReference& wanted, const char* what,
+                   const char* remedy, const RunContext& context) {
+  const FoundFile found = find_file(wanted, session.parent_path(), context);
+  if (found.state == FoundFile::State::same) return found.path;
+  throw ReadError(session, 0, what + without_stop(why_not_found(wanted, found)), remedy);
+}
+
+}  // namespace
+
+SessionToDraw open_session(const ScreenshotCommandOptions& options, const RunContext& context) {
+  const fs::path file = fs::absolute(options.session).lexically_normal();
+  ReadSession read = read_session(file, context);
+  SessionToDraw drawn{std::move(read.session), {}, std::move(read.notes)};
+  SessionDocument& s = drawn.session;
+  fs::path molecule = options.input.file;
+  if (molecule.empty()) {
+    molecule = same_file(file, s.molecule, "its molecule: ",
+                         "Put it back, or name it: screenshot --session S.json FILE", context);
+  } else if (hash_of_file(molecule, context) != s.molecule.sha256) {
+    drawn.notes.push_back(molecule.string() +
+                          " is not the file that the session was saved with, by its SHA-256.");
+  }
+  OpenOptions open = s.settings.open;
+  if (!s.radii_table.empty()) {
+    open.radii_table =
+        same_file(file, s.radii_table, "its table of radii: ", "Put it back", context);
+  }
+  drawn.input.open_milliseconds = 0;
+  drawn.input.balls = open.balls;
+  drawn.input.opened = open_molecule(molecule, open, context);
+  return drawn;
+}
+
+}  // namespace alphascope::cli

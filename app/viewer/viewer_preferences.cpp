@@ -1,0 +1,93 @@
+// What a user prefers: taken over at the start, noted when it is changed in the window.
+#include <algorithm>
+#include <cmath>
+
+#include "app/viewer/viewer.hpp"
+
+namespace alphascope {
+
+// What the command line says goes before.
+void Viewer::use_preferences(const ViewerOptions& options) {
+  const Preferences& p = preferences_.now();
+  const bool light = options.light || p.light_theme;
+  state_.theme = light ? Theme::light : Theme::dark;
+  state_.control_scale = options.scale > 0 ? options.scale : p.scale;
+  std::error_code ignored;
+  if (std::filesystem::is_directory(p.last_folder, ignored)) {
+    state_.memory.browser_folder = p.last_folder;
+  }
+  state_.recent = p.recent;
+  if (needs_gpu(p.engine)) {
+    engine_when_found_ = p.engine;
+  } else {
+    state_.compute.engine = p.engine;
+  }
+  noted_ = preferred();
+}
+
+// As the window has it now. What is not known is as before.
+Preferences Viewer::preferred() const {
+  Preferences p = noted_;
+  p.light_theme = state_.theme == Theme::light;
+  p.scale = state_.control_scale;
+  p.engine = state_.compute.engine;
+  p.last_folder = state_.memory.browser_folder;
+  const HostSize size = host_.size();
+  if (size.width <= 0 || size.height <= 0) return p;  // minimised
+  const auto at_scale_1 = [&size](int pixels) {
+    constexpr long kLeast = 480, kMost = 16384;  // as Preferences may be
+    const float length = static_cast<float>(pixels) / size.scale;
+    return static_cast<int>(std::clamp(std::lround(length), kLeast, kMost));
+  };
+  p.width = at_scale_1(size.width);
+  p.height = at_scale_1(size.height);
+  return p;
+}
+
+// Only what the user has changed since: what came by an option or a session is no preference.
+void Viewer::note_preferences() {
+  const Preferences seen = preferred();
+  if (seen == noted_) return;
+  Preferences p = preferences_.now();
+  const auto take = [&](auto Preferences::*field) {
+    if (seen.*field != noted_.*field) p.*field = seen.*field;
+  };
+  take(&Preferences::light_theme);
+  take(&Preferences::scale);
+  take(&Preferences::width);
+  take(&Preferences::height);
+  take(&Preferences::engine);
+  take(&Preferences::last_folder);
+  noted_ = seen;
+  preferences_.set(p);
+}
+
+void Viewer::note_recent_file(const std::filesystem::path& file) {
+  Preferences p = preferences_.now();
+  note_recent(p, file);
+  preferences_.set(p);
+  state_.recent = p.recent;
+}
+
+void Viewer::forget_recent() {
+  Preferences p = preferences_.now();
+  p.recent.clear();
+  preferences_.set(p);
+  state_.recent.clear();
+}
+
+void Viewer::follow_scale() {
+  if (state_.control_scale == set_scale_) return;
+  set_scale_ = state_.control_scale;
+  host_.set_scale(set_scale_);
+  frames_due_ = kSettlingFrames;
+}
+
+void Viewer::poll_preferences() {
+  const std::string problem = preferences_.poll();
+  if (problem.empty()) return;
+  state_.tell("Preferences", problem);
+  frames_due_ = kSettlingFrames;
+}
+
+}  // namespace alphascope

@@ -1,0 +1,132 @@
+// Opening and saving sessions: what is read waits here until its molecule is open, so that whatever
+// goes wrong on the way leaves the window as it is.
+#include <utility>
+
+#include "app/session/result_header.hpp"
+#include "app/viewer/molecule_info.hpp"
+#include "app/viewer/viewer.hpp"
+#include "core/molecule/printable.hpp"
+
+namespace alphascope {
+
+void Viewer::open_session(const std::filesystem::path& path) {
+  forget_waiting_session();
+  state_.notice.clear();
+  session_files_.open(path);
+}
+
+void Viewer::forget_waiting_session() {
+  session_files_.cancel();
+  waiting_session_ = starting_session_ = nullptr;
+  session_awaits_gpu_ = false;
+  state_.session_problem.reset();
+}
+
+void Viewer::take_session_files() {
+  const SessionFiles::Outcome outcome = session_files_.poll();
+  if (!outcome.error.empty()) state_.tell(outcome.error_title, outcome.error);
+  if (outcome.saved) {
+    state_.session_file = *outcome.saved;
+    state_.notice = "Saved " + printable(outcome.saved->string());
+    note_recent_file(*outcome.saved);
+  }
+  if (session_awaits_gpu_ && state_.gpu && waiting_session_) start_session();
+  if (outcome.read) {
+    waiting_session_ = outcome.read;
+    if (waiting_session_->complete()) {
+      start_session();
+    } else {
+      state_.session_problem = {waiting_session_->file.string(), waiting_session_->problem(),
+                                waiting_session_->molecule.state != FoundFile::State::same,
+                                waiting_session_->can_open()};
+    }
+  }
+  if (outcome.read || outcome.saved || !outcome.error.empty()) frames_due_ = kSettlingFrames;
+}
+
+void Viewer::take_session_requests(const Requests& r) {
+  if (r.open_session) open_session(*r.open_session);
+  if (r.save_session) {
+    if (const auto document = session_document(*r.save_session)) {
+      session_files_.save(*document, *r.save_session);
+    }
+  }
+  if (r.session_give_up) forget_waiting_session();
+  if (r.session_anyway && waiting_session_) start_session();
+  if (r.session_molecule && waiting_session_) {
+    session_files_.open_with(waiting_session_, *r.session_molecule);
+  }
+}
+
+// All engines answer alike; this machine may lack the one that was used.
+Request Viewer::possible_here(Request request) const {
+  if (needs_gpu(request.engine) && !has_gpu(state_)) request.engine = EngineChoice::automatic;
+  return request;
+}
+
+void Viewer::start_session() {
+  const Request& asked = waiting_session_->read.session.settings.request;
+  session_awaits_gpu_ = needs_gpu(asked.engine) && !state_.gpu;
+  if (session_awaits_gpu_) return;  // still being looked for
+  const auto found = std::exchange(waiting_session_, nullptr);
+  if (!may_open(found->file)) return;
+  starting_session_ = found;
+  const Settings& settings = found->read.session.settings;
+  OpenOptions options = settings.open;
+  options.read.max_bytes = state_.open.read.max_bytes;
+  if (found->radii_table) options.radii_table = found->radii_table->path;
+  session_.open(found->molecule.path, options, canonical(possible_here(settings.request)));
+}
+
+// Once its molecule is there, in the place of what a molecule that is opened by itself would get.
+void Viewer::show_session() {
+  const auto found = std::exchange(starting_session_, nullptr);
+  const SessionDocument& s = found->read.session;
+  state_.compute = sent_compute_ = possible_here(s.settings.request);
+  state_.display = s.settings.display;
+  state_.picked.items = s.settings.selection;
+  state_.picked.cavities = s.settings.cavities;
+  state_.theme = s.view.light_theme ? Theme::light : Theme::dark;
+  state_.memory.playing = false;
+  state_.memory.number = {};
+  state_.memory.bottom_panel = s.view.panels.page;
+  state_.memory.bottom_height = static_cast<float>(s.view.panels.page_height);
+  const auto& closed = s.view.panels.closed_sections;
+  state_.memory.closed_sections = {closed.begin(), closed.end()};
+  state_.memory.alpha.slider = s.view.panels.alpha_slider;
+  state_.molecule.radii = grown_radii(*session_.state().prepared, state_.compute);
+  if (s.view.camera.any()) scene_.set_camera_when_drawn(s.view.camera);
+  state_.session_file = found->file;
+  noted_ = preferred();  // of the session, not of the user
+  if (!found->complete()) {
+    state_.drop_note = "Not the files that the session was saved with:\n" + found->problem();
+  }
+  std::string notes;
+  for (const std::string& note : found->read.notes) notes += (notes.empty() ? "" : "\n") + note;
+  if (!notes.empty()) {
+    state_.tell("Not all of the session is understood",
+                printable(found->file.string()) + "\n\n" + notes +
+                    "\n\nAll the rest is as it was saved. A newer version of the program may know "
+                    "more.");
+  }
+}
+
+std::optional<SessionDocument> Viewer::session_document(const std::filesystem::path& file) const {
+  const SessionState& s = session_.state();
+  if (!s.opened) return std::nullopt;
+  SessionDocument document;
+  document.written_by = program_text("alphascope");
+  document.molecule =
+      refer_to(s.opened->molecule->source, s.opened->molecule->sha256, file.parent_path());
+  document.settings = settings();
+  document.view.light_theme = state_.theme == Theme::light;
+  if (const auto camera = scene_.camera()) document.view.camera = *camera;
+  const PanelMemory& m = state_.memory;
+  document.view.panels = {m.bottom_panel,
+                          m.bottom_height,
+                          {m.closed_sections.begin(), m.closed_sections.end()},
+                          m.alpha.slider};
+  return document;
+}
+
+}  // namespace alphascope

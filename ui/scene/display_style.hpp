@@ -1,0 +1,16 @@
+// What the display controls mean to scene and mesh: one place for the window and the command line.
+#pragma once
+
+#include "core/document/display.hpp"
+#include "core/document/request.hpp"
+#include "ui/scene/complex_mesh.hpp"
+#include "ui/scene/scene.hpp"
+
+namespace alphascope {
+
+SceneStyle scene_style(const DisplayControls& display, Theme theme);
+MeshOptions mesh_options(const DisplayControls& display, Theme theme);
+// `shown`: of the complex that grown balls belong to; null: there is none.
+BallStyle ball_style(const DisplayControls& display, const Request* shown);
+
+}  // namespace alphascope

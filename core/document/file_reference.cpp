@@ -19,8 +19,8 @@ fs::path absolute_path(const fs::path& path) {
   return (error ? path : absolute).lexically_normal();
 }
 
-std::string short_hash(const std::string& sha256) {
-  return sha256.substr(0, 12) + "…";
+std::string start_of(const std::string& sha256) {
+  return sha256.substr(0, 12);
 }
 
 }  // namespace
@@ -67,16 +67,16 @@ FoundFile find_file(const FileReference& wanted, const fs::path& folder,
 
 std::string why_not_found(const FileReference& wanted, const FoundFile& found) {
   if (found.state == FoundFile::State::changed) {
-    return found.path.string() + " is not the file that was saved with: its SHA-256 is " +
-           short_hash(found.sha256) + " and was " + short_hash(wanted.sha256) +
+    return found.path.string() + " is not the file that was saved with: its SHA-256 begins with " +
+           start_of(found.sha256) + ", that of the saved one with " + start_of(wanted.sha256) +
            ". It has changed since, or is another file of that name.";
   }
   std::string text = "There is no file";
   for (const fs::path& path : found.looked_at) {
     text += (&path == &found.looked_at.front() ? " " : ", nor ") + path.string();
   }
-  return text + ". It has been moved, renamed or removed; its SHA-256 was " +
-         short_hash(wanted.sha256) + ".";
+  return text + ". It has been moved, renamed or removed; its SHA-256 begins with " +
+         start_of(wanted.sha256) + ".";
 }
 
 }  // namespace alphascope

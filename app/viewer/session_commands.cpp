@@ -4,6 +4,7 @@
 
 #include "app/viewer/command_parts.hpp"
 #include "core/molecule/printable.hpp"
+#include "core/molecule/shortest_number.hpp"
 #include "ui/panels/picture_path.hpp"
 #include "ui/panels/widgets.hpp"
 
@@ -74,8 +75,8 @@ Outcome open_recent(const Arguments& arguments, ViewState& s) {
 std::vector<Choice> scales(const ViewState& s) {
   std::vector<Choice> choices{{"auto", "As the display says", "", s.control_scale == 0}};
   for (const double scale : {1.0, 1.25, 1.5, 1.75, 2.0, 2.5, 3.0}) {
-    choices.push_back(
-        {exact_text(scale), exact_text(100 * scale) + " %", "", s.control_scale == scale});
+    choices.push_back({shortest_number(scale), shortest_number(100 * scale) + " %", "",
+                       s.control_scale == scale});
   }
   return choices;
 }

@@ -32,6 +32,9 @@ std::vector<Rgb8> colours_by_exposure(const ExposureColours& of, const Molecule&
                                       const std::vector<std::uint32_t>& atom_of_ball);
 ColourLegend exposure_legend(ColourBy colour);
 
+// Of balls in one colour: carbon's.
+inline constexpr Rgb8 kPlainBall = {148, 156, 166};
+
 Rgb8 to_rgb8(const Colour& colour);
 
 }  // namespace alphascope

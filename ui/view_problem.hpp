@@ -5,6 +5,6 @@
 
 namespace alphascope {
 
-enum class ViewProblem : std::uint8_t { none, nothing_in_view, inside_a_ball };
+enum class ViewProblem : std::uint8_t { none, nothing_in_view, inside_a_ball, cut_away };
 
 }  // namespace alphascope

@@ -325,6 +325,11 @@ OptionCommand screenshot(ScreenshotCommandOptions& options) {
       flag_option("--boundary", "Only the boundary of the tetrahedra", options.boundary),
       number_option({"--shrink", "X", "Shrink each tetrahedron, by 0 to 0.9 of its size"},
                     options.shrink, {0, 0.9}),
+      text_option({"--clip", "CLIP",
+                   "Cut the picture open at a plane, or by a slab: x, y=12.5 (Å), -z=3, view, "
+                   "1,1,0=5; with a thickness x=12.5:8"},
+                  options.clip),
+      flag_option("--orthographic", "Draw without perspective", options.orthographic),
       choice_option({"--colours", "element|chain", "Colour of the balls"}, options.colours),
       choice_option({"--simplex-colours", "balls|alpha",
                      "Colour of the simplices: their balls', or by alpha value, with a legend"},

@@ -156,6 +156,8 @@ struct ScreenshotCommandOptions {
   double shrink = 0;
   std::string colours = "element", simplex_colours = "balls";
   bool no_legend = false, scale_bar = false;
+  bool orthographic = false;
+  std::string clip = "off";                        // as read_clip() takes it
   std::string beside = "ligands,ions";             // kinds of AtomsBesideBody, or "none"
   std::optional<std::uint64_t> drawing_memory_mb;  // taken as free; none: what is
   std::filesystem::path session;                   // empty: none; else input.file may be empty

@@ -76,6 +76,10 @@ ScreenshotOptions picture_options(const ScreenshotCommandOptions& options) {
   }
   picture.balls.alpha = options.request.alpha_angstrom2;
   picture.balls.solvent_radius = options.request.solvent_radius_angstrom;
+  picture.style.orthographic = options.orthographic;
+  const ClipWords clip = read_clip(options.clip);
+  if (!clip.error.empty()) throw UsageError("--clip: " + clip.error);
+  if (clip.clip.on()) picture.clip = clip;
   picture.mesh.shrink = options.shrink;
   if (options.simplex_colours == "alpha") picture.mesh.colouring = ComplexColouring::alpha;
   picture.mesh.boundary = options.boundary;
@@ -141,6 +145,8 @@ Wanted by_session(const ScreenshotCommandOptions& options, const RunContext& con
   wanted.picture.mesh = mesh_options(display, theme);
   wanted.picture.balls = ball_style(display, &s.settings.request);
   if (s.view.camera.any()) wanted.picture.camera = s.view.camera;
+  const Clip& clip = s.settings.clip;
+  wanted.picture.clip = clip.on() ? std::optional(ClipWords{clip, false, true, {}}) : std::nullopt;
   return wanted;
 }
 

@@ -29,6 +29,11 @@ CommandSpec open_session_command(ViewState& s);
 CommandSpec save_session_command(ViewState& s);
 CommandSpec recent_files_command(ViewState& s);
 CommandSpec scale_command(ViewState& s);
+// How the picture is looked at.
+void add_camera_commands(Commands& commands, ViewState& s);
+
+// The clip.
+void add_clip_commands(Commands& commands, ViewState& s);
 
 // What is selected in the picture.
 void add_selection_commands(Commands& commands, ViewState& s);

@@ -46,6 +46,7 @@ struct PictureSaver::Studio {
       scene_->set_style(p.style);
       scene_->set_balls(make_ball_data(p.balls, p.colours, p.radii));
       scene_->set_mesh(make_mesh_data(p.mesh));
+      scene_->set_caps(make_cap_data(p.caps));
       scene_->set_differences(make_difference_data(p.differences));
       auto layers = std::make_shared<const LayerMesh>(build_layer_mesh(*p.balls, p.layers));
       scene_->set_layers(make_layer_data(layers));

@@ -24,6 +24,7 @@ struct PictureToSave {
   std::vector<Rgb8> colours;                          // one a ball
   std::vector<float> radii;                           // Å, as drawn; one a ball
   std::shared_ptr<const ComplexMesh> mesh;            // null: none
+  std::shared_ptr<const CapMesh> caps;                // null: none
   std::shared_ptr<const DifferenceMesh> differences;  // null: none
   Layers layers;
   std::shared_ptr<const LayerMesh> beside_body;  // null: none

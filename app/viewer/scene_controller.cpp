@@ -30,7 +30,8 @@ SceneController::SceneController(std::function<void()> wake, FreeMemory free_mem
       make_mesh_(std::move(make_mesh)),
       mesh_worker_(wake, kFinishes),
       layer_worker_(wake),
-      beside_worker_(std::move(wake)) {}
+      beside_worker_(wake),
+      cap_worker_(std::move(wake), kFinishes) {}
 
 std::shared_ptr<const Molecule> SceneController::molecule() const {
   return opened_ ? opened_->molecule : nullptr;
@@ -95,6 +96,7 @@ void SceneController::set_display(const DisplayControls& display, Theme theme, f
 SceneStyle SceneController::scene_style() const {
   SceneStyle style = alphascope::scene_style(display_, theme_);
   style.line_scale = line_scale_;
+  style.cut = cut_of(drawn_caps_.clip);
   return style;
 }
 
@@ -121,6 +123,16 @@ ViewProblem SceneController::find_view_problem() const {
   if (!drawn_molecule_ || draws_nothing()) return ViewProblem::none;
   const bool complex = drawn_mesh_ && drawn_mesh_->points() > 0;
   const std::vector<float> not_drawn;
+  const Cut cut = scene_style().cut;
+  const BallGeometry& all = *drawn_molecule_->geometry;
+  const auto kept = [&](std::size_t i) {
+    return std::all_of(cut.kept.begin(), cut.kept.end(), [&](const HalfSpace& space) {
+      return space.depth(all.centres[i]) >= -all.radii[i];
+    });
+  };
+  std::size_t i = 0;
+  while (cut.on() && i < all.centres.size() && !kept(i)) ++i;
+  if (cut.on() && i == all.centres.size()) return ViewProblem::cut_away;
   if (!complex && !display_.balls) return ViewProblem::none;  // nothing is switched on
   return view_problem(*drawn_molecule_->geometry, display_.balls ? radii_ : not_drawn,
                       scene_.sight(), complex);
@@ -175,6 +187,7 @@ bool SceneController::poll() {
   mesh_worker_.poll();
   layer_worker_.poll();
   beside_worker_.poll();
+  cap_worker_.poll();
   return before != drawn_answer_;
 }
 
@@ -198,6 +211,14 @@ void SceneController::describe(ViewportInfo& viewport) const {
     viewport.not_drawn += (viewport.not_drawn.empty() ? "" : " ") + drawn_layers_.not_drawn;
   }
   viewport.problem = view_problem_;
+  if (drawn_molecule_) {
+    const BallGeometry& balls = *drawn_molecule_->geometry;
+    for (std::size_t k = 0; k < 3; ++k) {
+      viewport.box_middle[k] =
+          balls.origin[k] + (balls.bounds[2 * k] + balls.bounds[2 * k + 1]) / 2;
+      viewport.box_half[k] = (balls.bounds[2 * k + 1] - balls.bounds[2 * k]) / 2;
+    }
+  }
   const std::array<double, 3> forward = scene_.sight().forward;
   viewport.into_view = {forward[0], forward[1], forward[2]};
 }
@@ -236,7 +257,8 @@ void SceneController::render(ViewportInfo& viewport, bool interacting, bool pati
   viewport.angstrom_per_pixel = draws_nothing() ? 0 : scene_.angstrom_per_pixel();
   viewport.labels.clear();
   if (drawn_layers_.mesh) {
-    viewport.labels = labels_seen(drawn_layers_.mesh->labels, scene_.sight(), width_, height_);
+    viewport.labels =
+        labels_seen(drawn_layers_.mesh->labels, scene_.sight(), scene_style().cut, width_, height_);
   }
   check_view(viewport, interacting);
 }
@@ -293,6 +315,7 @@ PictureToSave SceneController::picture(const ScreenshotRequest& request) const {
   picture.colours = ball_colours(*drawn_molecule_, display_.ball_colour, drawn_exposure_.get());
   picture.radii = radii_;
   picture.mesh = drawn_mesh_;
+  picture.caps = drawn_caps_.mesh;
   picture.differences = drawn_differences_;
   picture.layers = std::move(layers);
   picture.beside_body = beside_body_.mesh;
@@ -304,7 +327,8 @@ PictureToSave SceneController::picture(const ScreenshotRequest& request) const {
                      theme_,
                      request.options.legend ? legend() : std::nullopt,
                      request.options.scale_bar,
-                     {}};
+                     {},
+                     picture.style.cut};
   picture.texts = texts();
   picture.path = request.path;
   return picture;

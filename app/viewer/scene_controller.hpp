@@ -56,6 +56,8 @@ class SceneController {
   void set_agreement(std::shared_ptr<const Agreement> agreement);
   // `line_scale` as in SceneStyle.
   void set_display(const DisplayControls& display, Theme theme, float line_scale = 1);
+  // The picture follows when what closes the tetrahedra at the cut is made.
+  void set_clip(const Clip& clip);
   // What panels want drawn; layers of other balls than the complex on screen are left out. Large
   // ones are made on a worker's thread, and what was drawn before stays until they are there.
   void set_layers(const Layers& layers);
@@ -77,7 +79,7 @@ class SceneController {
   // Something is still on its way to the screen: a mesh, or a finer picture.
   bool busy() const {
     return mesh_worker_.activity().busy || layer_worker_.activity().busy ||
-           beside_worker_.activity().busy;
+           beside_worker_.activity().busy || cap_worker_.activity().busy;
   }
   bool wants_frame() const { return dirty_ || refine_; }
   // Of what is drawn and of what is being made, at most; without differences.
@@ -112,6 +114,12 @@ class SceneController {
   }
   // Whose complex is on screen, and may still be older than what was set; null: none.
   const std::shared_ptr<const Answer>& drawn_answer() const { return drawn_answer_; }
+  // Of the picture on screen; `size` as of make_clip_handle().
+  ClipHandle clip_handle(const Clip& clip, const std::array<double, 3>& pivot, double size) const;
+  // At the same point from as far, from this side; `towards_viewer` has length 1.
+  void look_from(const std::array<double, 3>& towards_viewer);
+  NamedView named_view(const std::string& name) const;
+  void go_to(const NamedView& view);
   // What is on screen, for PictureSaver. Throws std::runtime_error when nothing is, or when there
   // is no memory for the picture.
   PictureToSave picture(const ScreenshotRequest& request) const;
@@ -146,6 +154,12 @@ class SceneController {
     ColourBy colour = ColourBy::chain;
     BallStyle style;
   };
+  // What is drawn of a clip, and the tetrahedra that it cuts.
+  struct DrawnCaps {
+    Clip clip;
+    std::shared_ptr<const CapMesh> mesh;  // null: none
+    std::optional<PickLayer> pick;        // of mesh
+  };
   struct Drawing {
     std::shared_ptr<const DrawnMolecule> molecule;
     std::shared_ptr<const Answer> answer;
@@ -155,11 +169,27 @@ class SceneController {
     std::shared_ptr<const Exposure> exposure;  // null unless colours are of that
     std::shared_ptr<const ComplexMesh> mesh;
     std::shared_ptr<MeshData> mesh_data;
-    PickLayers picks;  // of mesh
+    PickLayers picks;     // of mesh
+    MeshOptions options;  // of mesh
+    bool by_element = false;
+    DrawnCaps caps;
+    std::shared_ptr<CapData> cap_data;
     std::shared_ptr<const DifferenceMesh> differences;
     std::shared_ptr<DifferenceData> difference_data;
     std::string not_drawn;  // what is missing and why; empty: nothing
   };
+  // What caps are made of: as the mesh that they close.
+  struct CapTask {
+    std::shared_ptr<const DrawnMolecule> molecule;
+    std::shared_ptr<const Answer> answer;
+    std::shared_ptr<const ComplexMesh> mesh;
+    MeshOptions options;
+    bool by_element = false;
+  };
+  static DrawnCaps make_caps(const CapTask& task, const Clip& clip, const CancelToken& cancel);
+  void submit_caps();
+  void show_caps(DrawnCaps caps, std::shared_ptr<CapData> data);
+  Cut cut_of(const Clip& clip) const;
   struct DrawnLayers {
     Layers layers;
     std::shared_ptr<const LayerMesh> mesh;  // null: none
@@ -175,6 +205,7 @@ class SceneController {
     bool by_element = false;
     BallLook look;
     MeshOptions mesh;
+    Clip clip;
     std::shared_ptr<const MeasuredUnion> measures;  // of `answer`, where they are known
   };
   Worker::Delivery make_drawing(const Wanted& wanted, const RunContext& context);
@@ -225,10 +256,14 @@ class SceneController {
   PickLayers picks_;
   Selected selected_;
   std::shared_ptr<const ComplexMesh> drawn_mesh_;
+  MeshOptions drawn_options_;  // of drawn_mesh_
+  bool drawn_by_element_ = false;
+  DrawnCaps drawn_caps_;
   std::shared_ptr<const DifferenceMesh> drawn_differences_;
   std::optional<ColourLegend> alpha_legend_;  // of drawn_mesh_
   std::shared_ptr<const Exposure> drawn_exposure_;
   DisplayControls display_;
+  Clip clip_;
   Theme theme_ = Theme::dark;
   float line_scale_ = 1;
   MeshOptions requested_mesh_;
@@ -242,7 +277,7 @@ class SceneController {
   int width_ = 0, height_ = 0;
   std::atomic<std::uint64_t> pending_bytes_ = 0;  // of what the worker makes
   // Last: joined before what their jobs use goes.
-  Worker mesh_worker_, layer_worker_, beside_worker_;
+  Worker mesh_worker_, layer_worker_, beside_worker_, cap_worker_;
 };
 
 }  // namespace alphascope

@@ -58,6 +58,7 @@ void SceneController::submit() {
                       display_.complex_colour == ColourBy::element,
                       ball_look(answer_.get()),
                       requested_mesh_,
+                      clip_,
                       answer_ && answer_ == drawn_answer_ ? drawn_measures() : nullptr};
   mesh_worker_.submit(
       [this, wanted](const RunContext& context) -> Worker::Delivery {
@@ -76,7 +77,7 @@ void SceneController::submit() {
 
 // On the worker's thread.
 Worker::Delivery SceneController::make_drawing(const Wanted& wanted, const RunContext& context) {
-  const auto& [drawn, opened, answer, agreement, by_element, look, mesh, measures] = wanted;
+  const auto& [drawn, opened, answer, agreement, by_element, look, mesh, clip, measures] = wanted;
   const std::size_t balls = opened->prepared->balls->size();
   const bool known =
       drawn && drawn->prepared == opened->prepared && drawn->geometry->centres.size() == balls;
@@ -105,6 +106,11 @@ Worker::Delivery SceneController::make_drawing(const Wanted& wanted, const RunCo
     context.cancel.throw_if_cancelled();
     drawing.mesh_data = make_mesh_data(drawing.mesh);
     drawing.picks = mesh_layers(drawing.mesh);
+    drawing.options = plan.mesh;
+    drawing.by_element = by_element;
+    drawing.caps = make_caps({drawing.molecule, answer, drawing.mesh, plan.mesh, by_element}, clip,
+                             context.cancel);
+    drawing.cap_data = make_cap_data(drawing.caps.mesh);
   }
   if (plan.differences) {
     drawing.differences = std::make_shared<const DifferenceMesh>(
@@ -123,6 +129,8 @@ void SceneController::make_room() {
   drawn_mesh_ = nullptr;
   drawn_differences_ = nullptr;
   drawn_exposure_ = nullptr;
+  drawn_caps_.mesh = nullptr;
+  drawn_caps_.pick.reset();
   picks_.clear();
   submit();
 }
@@ -165,7 +173,11 @@ void SceneController::show(Drawing drawing) {
   drawn_mesh_ = std::move(drawing.mesh);
   picks_ = std::move(drawing.picks);
   drawn_differences_ = std::move(drawing.differences);
+  drawn_options_ = drawing.options;
+  drawn_by_element_ = drawing.by_element;
   scene_.set_mesh(std::move(drawing.mesh_data));
+  show_caps(std::move(drawing.caps), std::move(drawing.cap_data));
+  if (drawn_caps_.clip != clip_) submit_caps();
   scene_.set_differences(std::move(drawing.difference_data));
   dirty_ = true;
   if (!new_balls) return;
@@ -173,7 +185,9 @@ void SceneController::show(Drawing drawing) {
   viewed_ = draws_nothing() ? nullptr : drawn_molecule_->molecule;
   if (!keep_view) quality_.forget();
   // Other atoms of the same molecule keep the view, unless it shows none of them.
-  if (!keep_view || find_view_problem() != ViewProblem::none) scene_.reset_view();
+  const ViewProblem problem = find_view_problem();
+  const bool shows_none = problem != ViewProblem::none && problem != ViewProblem::cut_away;
+  if (!keep_view || shows_none) scene_.reset_view();
   if (wanted_camera_ && !draws_nothing()) place_camera(*std::exchange(wanted_camera_, {}));
 }
 

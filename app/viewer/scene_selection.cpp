@@ -18,16 +18,19 @@ constexpr float kLeastMark = 0.35f;  // Å
 
 std::optional<Hit> SceneController::pick(int x, int y, double near) const {
   if (!drawn_molecule_ || width_ == 0 || draws_nothing()) return std::nullopt;
-  const PickLine line{scene_.ray(x, y), near * 2 * scene_.sight().tangent_up / height_};
+  const Ray ray = scene_.ray(x, y);
+  const PickLine line{ray, near * pixel_spread(scene_.sight(), height_),
+                      scene_style().cut.along(ray)};
   PickLayers layers = picks_;
   if (display_.balls) {
     layers.insert(layers.begin(), {"balls", [this](const PickLine& l) -> std::optional<Hit> {
-                                     const auto ball =
-                                         drawn_molecule_->picker->pick(radii_, pick_margin_, l.ray);
+                                     const auto ball = drawn_molecule_->picker->pick(
+                                         radii_, pick_margin_, l.ray, l.kept);
                                      if (!ball) return std::nullopt;
                                      return Hit{"balls", 1, ball->ball, {}, ball->depth, {}};
                                    }});
   }
+  if (drawn_caps_.pick) layers.push_back(*drawn_caps_.pick);
   if (beside_body_pick_) layers.push_back(*beside_body_pick_);
   layers.insert(layers.end(), drawn_layers_.picks.begin(), drawn_layers_.picks.end());
   return nearest_hit(layers, line);

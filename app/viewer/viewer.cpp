@@ -154,6 +154,8 @@ void Viewer::take_molecule() {
   state_.memory.playing_models = state_.memory.timings_pinned = false;
   state_.open = sent_open_ = session_.open_options();
   state_.picked = {};
+  state_.clip = {};
+  state_.views.clear();
   state_.expression_error.reset();
   state_.memory.expression_typed = state_.memory.expression_shown = state_.open.balls.selection;
   const auto& session = starting_session_;
@@ -287,6 +289,9 @@ void Viewer::take_requests() {
   if (r.redo) redo();
   if (r.reset_view) scene_.reset_view();
   if (r.zoom_to_selection) zoom_to_selection();
+  if (r.look_from) scene_.look_from(*r.look_from);
+  if (!r.save_view.empty()) save_view(r.save_view);
+  if (!r.go_to_view.empty()) go_to_view(r.go_to_view);
   if (r.quit) quit_ = true;
   if (r.screenshot) save_picture(*r.screenshot);
   if (r.save_table) save_table(*r.save_table);
@@ -305,6 +310,7 @@ void Viewer::send_controls() {
   }
   send_selection();
   scene_.set_display(state_.display, state_.theme, frame_.scale());
+  scene_.set_clip(state_.clip);
   note_changes();
 }
 
@@ -426,6 +432,7 @@ void Viewer::draw(ScriptedInput* input, bool patient,
     must_render_ = false;
     guarded([&] { scene_.render(state_.viewport, interacting(), patient); });
   }
+  place_clip_handle();
   draw_over_picture(parts, frame_.fonts(), frame_.scale());
   if (undrawn) return frame_.end_undrawn();
   frame_.end([&](unsigned framebuffer) {

@@ -142,6 +142,9 @@ class Viewer {
   std::optional<std::size_t> place_beside(const Ref& item) const;
   void find_marks();
   void zoom_to_selection();
+  void place_clip_handle();
+  void save_view(const std::string& name);  // in place of one of that name
+  void go_to_view(const std::string& name);
   void read_memory();
   void give_back_memory_when_due();
   void play();
@@ -178,7 +181,8 @@ class Viewer {
   ModelPlayback model_playback_;
   Editor editor_;
   Gestures gestures_;
-  Gesture gesture_ = 0;  // of this frame
+  Gesture gesture_ = 0;                              // of this frame
+  std::optional<std::array<double, 3>> clip_pivot_;  // while the handle is held
   ColourBy automatic_colour_ = ColourBy::chain;
   int frames_due_ = 3;
   bool quit_ = false;

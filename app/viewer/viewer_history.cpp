@@ -7,7 +7,7 @@ namespace alphascope {
 // The molecule's options as they were sent: what the controls hold may be refused.
 Settings Viewer::settings() const {
   return {session_.open_options(), state_.compute, state_.display, state_.picked.items,
-          state_.picked.cavities};
+          state_.picked.cavities,  state_.clip,    state_.views};
 }
 
 // Once a frame, when what was typed has been checked.
@@ -27,6 +27,8 @@ void Viewer::show_settings() {
   state_.open = s.open;
   state_.compute = s.request;
   state_.display = s.display;
+  state_.clip = s.clip;
+  state_.views = s.views;
   state_.picked.items = s.selection;
   state_.picked.cavities = s.cavities;
   state_.memory.playing = state_.memory.playing_models = false;

@@ -146,6 +146,37 @@ void Viewer::find_marks() {
   marked_.layer = std::move(layer);
 }
 
+void Viewer::save_view(const std::string& name) {
+  NamedView view = scene_.named_view(name);
+  for (NamedView& old : state_.views) {
+    if (old.name != name) continue;
+    old = view;
+    return;
+  }
+  state_.views.push_back(std::move(view));
+  state_.notice = "Saved camera: " + name;
+}
+
+void Viewer::go_to_view(const std::string& name) {
+  for (const NamedView& view : state_.views) {
+    if (view.name != name) continue;
+    state_.display.orthographic = view.orthographic;
+    scene_.go_to(view);
+  }
+}
+
+// While it is held, it turns about where it was taken.
+void Viewer::place_clip_handle() {
+  constexpr double kSize = 85;  // pixels at scale 1
+  const auto pivot = pivot_near(state_.clip, state_.viewport.box_middle);
+  if (state_.memory.clip_part == HandlePart::none) clip_pivot_.reset();
+  if (state_.memory.clip_part == HandlePart::turn && !clip_pivot_) {
+    clip_pivot_ = state_.viewport.clip_handle.pivot;
+  }
+  state_.viewport.clip_handle =
+      scene_.clip_handle(state_.clip, clip_pivot_.value_or(pivot), kSize * frame_.scale());
+}
+
 void Viewer::zoom_to_selection() {
   if (!state_.references) return;
   SceneController::Selected all;

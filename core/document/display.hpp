@@ -29,6 +29,7 @@ struct DisplayControls {
   float shrink = 0;  // of tetrahedra, 0 to 0.9
   ColourBy ball_colour = ColourBy::chain, complex_colour = ColourBy::chain;
   bool ambient_occlusion = true;
+  bool orthographic = false;  // parallel lines stay parallel: no perspective
   AtomsBesideBody beside;
   friend bool operator==(const DisplayControls&, const DisplayControls&) = default;
 };

@@ -12,7 +12,6 @@ namespace alphascope {
 namespace {
 
 // Of lists that no program would make so long; Selection::kMostItems is below.
-constexpr std::size_t kMostListed = 100000;
 constexpr std::size_t kLongestText = std::size_t{1} << 20;  // bytes
 constexpr std::size_t kDeepest = 40;                        // ours are 6 deep
 constexpr std::size_t kShownOfAValue = 40;                  // characters
@@ -253,6 +252,19 @@ void FieldReader::operator()(const char* name, std::vector<RadiusOverride>& valu
     read.push_back(std::move(edit));
   }
   if (findings_.wrong.size() == faults) value = std::move(read);
+}
+
+void FieldReader::operator()(const char* name, Clip& value) {
+  const ReadJson* const json = take(name);
+  if (json == nullptr) return;
+  std::string written;
+  if (!text(below(name), *json, written)) return;
+  const ClipWords words = read_clip(written);
+  if (!words.error.empty() || words.along_view || (words.clip.on() && !words.has_position)) {
+    return wrong(below(name), *json,
+                 "a cut such as \"x=12.5\", \"1,1,0=-3:8\" (a slab of 8 Å) or \"off\"");
+  }
+  value = words.clip;
 }
 
 void FieldReader::operator()(const char* name, RefSet& value) {

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/document/clip.hpp"
 #include "core/document/file_reference.hpp"
 #include "core/document/json_place.hpp"
 #include "core/document/number_input.hpp"
@@ -39,6 +40,7 @@ class FieldWriter {
   void operator()(const char* name, const std::vector<RadiusOverride>& value);
   void operator()(const char* name, const RefSet& value);
   void operator()(const char* name, const FileReference& value);
+  void operator()(const char* name, const Clip& value);
   void model(const char* name, int index);
   template <class Choice>
   requires std::is_enum_v<Choice>
@@ -51,6 +53,14 @@ class FieldWriter {
   void object(const char* name, T& value) {
     FieldWriter inner(to_[name] = WrittenJson::object());
     visit_fields(inner, value);
+  }
+  template <class T>
+  void objects(const char* name, std::vector<T>& values) {
+    WrittenJson& list = to_[name] = WrittenJson::array();
+    for (T& value : values) {
+      FieldWriter inner(list.emplace_back(WrittenJson::object()));
+      visit_fields(inner, value);
+    }
   }
 
  private:
@@ -70,6 +80,7 @@ struct JsonFindings {
 // A value that is wrong stays as it was.
 class FieldReader {
  public:
+  static constexpr std::size_t kMostListed = 100000;
   FieldReader(const ReadJson& from, JsonPlace place, JsonFindings& findings)
       : from_(from), place_(std::move(place)), findings_(findings) {}
 
@@ -85,6 +96,7 @@ class FieldReader {
   void operator()(const char* name, std::vector<RadiusOverride>& value);
   void operator()(const char* name, RefSet& value);
   void operator()(const char* name, FileReference& value);
+  void operator()(const char* name, Clip& value);
   void model(const char* name, int& index);
   template <class Choice>
   requires std::is_enum_v<Choice>
@@ -102,6 +114,22 @@ class FieldReader {
     FieldReader inner(*found, below(name), findings_);
     visit_fields(inner, value);
     inner.finish();
+  }
+  template <class T>
+  void objects(const char* name, std::vector<T>& values) {
+    const ReadJson* const found = take_list(name, kMostListed);
+    if (found == nullptr) return;
+    const std::size_t faults = findings_.wrong.size();
+    std::vector<T> read(found->size());
+    for (std::size_t i = 0; i < found->size(); ++i) {
+      JsonPlace place = below(name);
+      place.push_back(std::to_string(i));
+      if (!(*found)[i].is_object()) return wrong(place, (*found)[i], "an object, in braces");
+      FieldReader item((*found)[i], place, findings_);
+      visit_fields(item, read[i]);
+      item.finish();
+    }
+    if (findings_.wrong.size() == faults) values = std::move(read);
   }
 
   // Null: it is not there.

@@ -82,6 +82,10 @@ void FieldWriter::operator()(const char* name, const FileReference& value) {
   to["sha256"] = value.sha256;
 }
 
+void FieldWriter::operator()(const char* name, const Clip& value) {
+  to_[name] = clip_text(value);
+}
+
 void FieldWriter::model(const char* name, int index) {
   to_[name] = index == kAllModels ? WrittenJson("joined") : WrittenJson(index + 1);
 }

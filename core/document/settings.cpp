@@ -39,6 +39,8 @@ std::string difference_text(const Settings& a, const Settings& b) {
   note(same_radii(a.open, b.open), "radii");
   note(same_atoms(a.open, b.open), "choice of atoms");
   note(a.display == b.display, "display");
+  note(a.clip == b.clip, "clip");
+  note(a.views == b.views, "saved cameras");
   note(a.selection == b.selection && a.cavities == b.cavities, "selection");
   std::string text;
   for (std::size_t i = 0; i < parts.size(); ++i) {

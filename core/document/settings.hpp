@@ -4,7 +4,9 @@
 
 #include <string>
 
+#include "core/document/clip.hpp"
 #include "core/document/display.hpp"
+#include "core/document/named_view.hpp"
 #include "core/document/open_options.hpp"
 #include "core/document/reference.hpp"
 #include "core/document/request.hpp"
@@ -17,6 +19,8 @@ struct Settings {
   DisplayControls display;
   RefSet selection;  // what is selected in the picture
   RefSet cavities;   // what is chosen in their table (Selection::cavities)
+  Clip clip;
+  NamedViews views;  // saved cameras, in the order of saving
   friend bool operator==(const Settings&, const Settings&) = default;
 };
 

@@ -82,7 +82,18 @@ void visit_fields(Visitor& v, DisplayControls& d) {
   v("ball_colour", d.ball_colour);
   v("complex_colour", d.complex_colour);
   v("ambient_occlusion", d.ambient_occlusion);
+  v("orthographic", d.orthographic);
   v.object("beside", d.beside);
+}
+
+template <class Visitor>
+void visit_fields(Visitor& v, NamedView& n) {
+  v("name", n.name);
+  v("position_angstrom", n.position, kPlaceRule);
+  v("target_angstrom", n.focal_point, kPlaceRule);
+  v("up", n.up, kPlaceRule);
+  v("least_aspect", n.least_aspect, kAspectRule);
+  v("orthographic", n.orthographic);
 }
 
 template <class Visitor>
@@ -92,6 +103,8 @@ void visit_fields(Visitor& v, Settings& s) {
   v.object("display", s.display);
   v("selection", s.selection);
   v("cavities", s.cavities);
+  v("clip", s.clip);
+  v.objects("views", s.views);
 }
 
 // Not in the history.

@@ -72,6 +72,15 @@ std::vector<Subject> subjects() {
     o.mesh.boundary = true;
     o.transparent = true;
   });
+  add("cut_balls", 0, [](ScreenshotOptions& o) {
+    o.balls.scale = 1;
+    o.clip = read_clip("view");
+  });
+  add("cut_tetrahedra", 2, [](ScreenshotOptions& o) {
+    o.style.balls = false;
+    o.style.orthographic = true;
+    o.clip = read_clip("1,0.3,0.2:4");
+  });
   return all;
 }
 

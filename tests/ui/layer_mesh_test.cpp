@@ -201,7 +201,7 @@ class LayersInTheScene : public ::testing::Test {
   const std::uint8_t* at(const Image& image, const RealPoint& place) {
     const RealPoint p = place - middle(*geometry);
     const auto seen =
-        labels_seen({{{p.x, p.y, p.z}, "here"}}, scene.sight(), image.width, image.height);
+        labels_seen({{{p.x, p.y, p.z}, "here"}}, scene.sight(), {}, image.width, image.height);
     const auto x = static_cast<std::size_t>(seen.at(0).x), y = static_cast<std::size_t>(seen[0].y);
     return &image.rgba[4 * (y * static_cast<std::size_t>(image.width) + x)];
   }
@@ -285,7 +285,7 @@ TEST_F(LayersInTheScene, SolidTetrahedraHaveDarkerEdges) {
 TEST(PlacedLabels, AreSeenWhereTheirPlaceIs) {
   Sight sight;  // at the origin, looking along -z, a right angle wide and high
   const auto seen = labels_seen({{{0, 0, -10}, "far"}, {{2, 1, -4}, "near"}, {{0, 0, 5}, "behind"}},
-                                sight, 200, 100);
+                                sight, {}, 200, 100);
   ASSERT_EQ(seen.size(), 2u);
   EXPECT_EQ(seen[0].text, "near");
   EXPECT_FLOAT_EQ(seen[0].x, 150);

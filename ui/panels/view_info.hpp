@@ -1,6 +1,7 @@
 // What the panels show of molecule, result, timings and view: plain data that the program fills.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -10,6 +11,7 @@
 #include "core/molecule/assembly.hpp"
 #include "core/molecule/contents.hpp"
 #include "core/molecule/prepare_balls.hpp"
+#include "ui/clip_handle.hpp"
 #include "ui/picture_marks.hpp"
 #include "ui/view_problem.hpp"
 
@@ -89,6 +91,9 @@ struct ViewportInfo {
   std::uint64_t texture = 0;  // OpenGL name of the picture; 0: none yet
   double angstrom_per_pixel = 0;
   RealPoint into_view{0, 0, -1};  // unit vector, from the eye
+  // Of the box around the balls in the picture: its middle and half its lengths, Å.
+  std::array<double, 3> box_middle{}, box_half{};
+  ClipHandle clip_handle;  // of the picture in `texture`
   std::optional<ColourLegend> legend;
   std::vector<PictureLabel> labels;  // of the picture in `texture`
   std::string not_drawn;             // what the picture lacks for want of memory, and what to do

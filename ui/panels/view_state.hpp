@@ -2,6 +2,7 @@
 // was asked for. Panels know nothing else.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <deque>
 #include <filesystem>
@@ -15,7 +16,9 @@
 #include <vector>
 
 #include "core/document/answer.hpp"
+#include "core/document/clip.hpp"
 #include "core/document/complex_export.hpp"
+#include "core/document/named_view.hpp"
 #include "core/document/open_options.hpp"
 #include "core/document/record_source.hpp"
 #include "core/document/reference.hpp"
@@ -66,7 +69,9 @@ struct Requests {
   std::optional<SaveTableRequest> save_table;
   std::optional<ExportRequest> export_complex;
   bool compare = false, cancel = false, cancel_compare = false, cancel_save = false;
-  bool compute_anew = false;  // set-up included, for its cold time
+  bool compute_anew = false;                       // set-up included, for its cold time
+  std::optional<std::array<double, 3>> look_from;  // from the middle of the view to the viewer
+  std::string save_view, go_to_view;               // names of saved cameras; empty: none
   bool reset_view = false, zoom_to_selection = false, quit = false;
   bool undo = false, redo = false;
   bool run_benchmark = false, cancel_benchmark = false, export_benchmark = false;
@@ -135,6 +140,9 @@ struct PanelMemory {
   std::vector<std::size_t> dialogs;  // that are open, by dialog_stack.cpp; the last is on top
   bool dragging_view = false;
   AlphaMemory alpha;
+  bool clip_handle = true;  // shown in the picture, while there is a clip
+  HandlePart clip_part = HandlePart::none,
+             clip_part_hovered = HandlePart::none;  // held by the mouse
   bool playing = false;         // alpha moves by itself, one step a finished result
   bool playing_models = false;  // models follow one another as frames
   float models_per_second = 5;  // at most; fewer when computing takes longer
@@ -156,6 +164,8 @@ struct ViewState {
   Request compute;
   OpenOptions open;
   DisplayControls display;
+  Clip clip;
+  NamedViews views;
   Selection picked;  // in the picture
   Theme theme = Theme::dark;
   bool auto_compare = false;

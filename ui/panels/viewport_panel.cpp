@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/molecule/printable.hpp"
+#include "ui/panels/clip_panel.hpp"
 #include "ui/panels/format.hpp"
 #include "ui/panels/panels.hpp"
 
@@ -37,7 +38,8 @@ void mouse(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
   v.hovered = false;
   if (!ctx.state.molecule.loaded) return;
   const ImGuiIO& io = ImGui::GetIO();
-  const bool hovered = ImGui::IsItemHovered();
+  const bool on_view = ImGui::IsItemHovered();
+  const bool hovered = on_view && !clip_handle_mouse(ctx, corner, on_view);
   v.hovered = hovered && !ImGui::IsAnyMouseDown();
   v.mouse_x = static_cast<int>(io.MousePos.x - corner.x);
   v.mouse_y = static_cast<int>(io.MousePos.y - corner.y);
@@ -211,10 +213,17 @@ void problem(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
   if (v.problem == ViewProblem::none || !ctx.state.molecule.loaded || v.outdated) return;
   begin_overlay(ctx, "##trouble", {corner.x + size.x / 2, corner.y + ctx.px(44)}, {0.5f, 0});
   ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted(v.problem == ViewProblem::inside_a_ball ? "The camera is inside a ball."
-                                                                 : "The molecule is out of view.");
+  const bool cut_away = v.problem == ViewProblem::cut_away;
+  ImGui::TextUnformatted(cut_away ? "The clip cuts everything away."
+                         : v.problem == ViewProblem::inside_a_ball
+                             ? "The camera is inside a ball."
+                             : "The molecule is out of view.");
   record(ctx, "view.trouble");
   ImGui::SameLine();
+  if (cut_away) {
+    if (button(ctx, "view.no_clip", "No clip (K)")) ctx.state.clip.kind = Clip::Kind::off;
+    return end_overlay();
+  }
   if (button(ctx, "view.show_all", "Show all (R)")) ctx.state.requests.reset_view = true;
   end_overlay();
 }
@@ -328,6 +337,7 @@ std::string caption_text(const Answer& answer) {
 }
 
 void draw_view_labels(PanelContext& ctx) {
+  draw_clip_handle(ctx);
   const ViewportInfo& v = ctx.state.viewport;
   if (v.labels.empty() || v.texture == 0 || !ctx.state.molecule.loaded) return;
   const ImVec2 corner = ImGui::GetWindowPos();

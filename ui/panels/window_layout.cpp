@@ -50,9 +50,14 @@ std::vector<PanelSpec> panels_at(Place place) {
 void section_buttons(PanelContext& ctx, const WidgetRects& last) {
   const std::vector<PanelSpec> sections = panels_at(Place::left);
   const float gap = ctx.px(4), count = static_cast<float>(sections.size());
-  const float width = (ctx.px(kLeftWidth) - ctx.px(35) - (count - 1) * gap) / count;
   ImGui::PushFont(ctx.fonts.small);
-  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {ctx.px(2), ctx.px(2)});
+  // Each as wide as its title with an arrow, whether or not it has one, and all share the rest.
+  const auto text_width = [](const PanelSpec& s) {
+    return ImGui::CalcTextSize((s.title + std::string(" ↓")).c_str()).x;
+  };
+  float rest = ctx.px(kLeftWidth) - ctx.px(35) - (count - 1) * gap;
+  for (const PanelSpec& s : sections) rest -= text_width(s);
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {0, ctx.px(2)});
   for (const PanelSpec& s : sections) {
     const auto header = last.find(s.id);
     const bool hidden = header != last.end() && !header->second.visible;
@@ -60,7 +65,7 @@ void section_buttons(PanelContext& ctx, const WidgetRects& last) {
     const std::string label = s.title + std::string(!hidden ? "" : above ? " ↑" : " ↓");
     const std::string name = std::string("sections.") + s.id;
     if (&s != &sections.front()) ImGui::SameLine(0, gap);
-    if (button(ctx, name.c_str(), label.c_str(), {width, 0})) {
+    if (button(ctx, name.c_str(), label.c_str(), {text_width(s) + rest / count, 0})) {
       ctx.state.memory.go_to_section = s.id;
     }
   }

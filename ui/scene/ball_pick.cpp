@@ -8,8 +8,9 @@
 namespace alphascope {
 namespace {
 
-// Where the ray enters a ball ahead of its start; infinity: nowhere.
-double entry(const std::array<float, 3>& centre, float radius, const Ray& ray) {
+// Where the ray enters what is kept of a ball, ahead of its start; infinity: nowhere.
+double entry(const std::array<float, 3>& centre, float radius, const Ray& ray,
+             const Stretch& kept) {
   constexpr double kNowhere = std::numeric_limits<double>::infinity();
   const auto& d = ray.direction;
   const double length2 = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
@@ -22,8 +23,14 @@ double entry(const std::array<float, 3>& centre, float radius, const Ray& ray) {
   // |start + t d - centre|² = r²: the smaller t is where the ray enters.
   const double root2 = along * along - length2 * (distance2 - double{radius} * radius);
   if (radius <= 0 || !(length2 > 0) || root2 < 0) return kNowhere;
-  const double t = (along - std::sqrt(root2)) / length2;
-  return t >= 0 ? t : kNowhere;
+  const double root = std::sqrt(root2);
+  const double enter = (along - root) / length2, leave = (along + root) / length2;
+  if (enter > kept.to || leave < kept.from) return kNowhere;
+  const bool capped = kept.from > 0 && enter < kept.from;
+  if (!capped) return enter >= 0 ? enter : kNowhere;
+  // |start + t d - centre|² - r² = length2 (t - enter) (t - leave).
+  const double power = length2 * (kept.from - enter) * (leave - kept.from);
+  return kept.from - (kLeastCapLift + kCapLift * power) / std::sqrt(length2);
 }
 
 // The nearest so far; of two at the same depth the first in the list, however they are visited.
@@ -41,11 +48,11 @@ struct Nearest {
 }  // namespace
 
 std::optional<BallHit> pick_ball(const BallGeometry& balls, const std::vector<float>& radii,
-                                 const Ray& ray) {
+                                 const Ray& ray, const Stretch& kept) {
   if (radii.size() != balls.centres.size()) return std::nullopt;
   Nearest nearest;
   for (std::size_t i = 0; i < radii.size(); ++i) {
-    nearest.try_ball(i, entry(balls.centres[i], radii[i], ray));
+    nearest.try_ball(i, entry(balls.centres[i], radii[i], ray, kept));
   }
   return nearest.found();
 }
@@ -69,12 +76,12 @@ double BallPicker::margin(const std::vector<float>& radii) const {
 }
 
 std::optional<BallHit> BallPicker::pick(const std::vector<float>& radii, double margin,
-                                        const Ray& ray) const {
+                                        const Ray& ray, const Stretch& kept) const {
   if (radii.size() != tree_.size()) return std::nullopt;
   Nearest nearest;
   tree_.visit(
       [&](const Box& box) { return meets(ray, box, margin, nearest.hit.depth); },
-      [&](std::size_t i) { nearest.try_ball(i, entry(balls_->centres[i], radii[i], ray)); });
+      [&](std::size_t i) { nearest.try_ball(i, entry(balls_->centres[i], radii[i], ray, kept)); });
   return nearest.found();
 }
 

@@ -10,13 +10,17 @@ namespace {
 constexpr double kViewAngleDegrees = 25;  // less than VTK's 30: molecules distort less
 constexpr double kMargin = 1.08;
 using Vector = std::array<double, 3>;
+// Without perspective, lines of sight begin as far behind the camera: nothing is behind them, and
+// how wide a pixel is hardly changes along them.
+constexpr double kFarBehind = 1e6;  // Å
 
 double usual_tangent() {
   return std::tan(kViewAngleDegrees * M_PI / 360);
 }
 
 // A point as the viewer has it: to the right, upwards, away.
-Vector seen_from(const Sight& sight, const std::array<float, 3>& point) {
+template <class Point>
+Vector seen_from(const Sight& sight, const Point& point) {
   Vector seen{};
   for (int k = 0; k < 3; ++k) {
     const double offset = point[k] - sight.position[k];
@@ -32,12 +36,47 @@ Vector seen_from(const Sight& sight, const std::array<float, 3>& point) {
 std::array<double, 5> outside_of(const Sight& sight, const Vector& seen, double radius) {
   const double across = std::hypot(1.0, sight.tangent_right);
   const double upwards = std::hypot(1.0, sight.tangent_up);
-  const double right = seen[2] * sight.tangent_right, up = seen[2] * sight.tangent_up;
+  const double depth = sight.depth_of_width(seen[2]);
+  const double right = depth * sight.tangent_right, up = depth * sight.tangent_up;
+  if (sight.orthographic) {
+    return {-seen[0] - right - radius, seen[0] - right - radius, -seen[1] - up - radius,
+            seen[1] - up - radius, -1};
+  }
   return {(-seen[0] - right) / across - radius, (seen[0] - right) / across - radius,
           (-seen[1] - up) / upwards - radius, (seen[1] - up) / upwards - radius, -seen[2] - radius};
 }
 
 }  // namespace
+
+Ray ray_through(const Sight& sight, double across, double upwards) {
+  const double right = across * sight.tangent_right, up = upwards * sight.tangent_up;
+  Ray ray;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double aside = right * sight.right[k] + up * sight.up[k];
+    ray.start[k] = sight.position[k];
+    ray.direction[k] = sight.forward[k];
+    if (sight.orthographic) {
+      ray.start[k] += sight.distance * aside - kFarBehind * sight.forward[k];
+    } else {
+      ray.direction[k] += aside;
+    }
+  }
+  return ray;
+}
+
+double pixel_spread(const Sight& sight, int height) {
+  const double spread = 2 * sight.tangent_up / height;
+  return sight.orthographic ? spread * sight.distance / kFarBehind : spread;
+}
+
+std::optional<std::array<double, 2>> seen_at(const Sight& sight, const Vector& point, int width,
+                                             int height) {
+  const Vector seen = seen_from(sight, point);
+  const double depth = sight.depth_of_width(seen[2]);
+  if (!(depth > 0)) return std::nullopt;
+  return std::array<double, 2>{(1 + seen[0] / (depth * sight.tangent_right)) / 2 * width,
+                               (1 - seen[1] / (depth * sight.tangent_up)) / 2 * height};
+}
 
 double tangent_up(double aspect, double least_aspect) {
   return usual_tangent() * std::max(1.0, aspect > 0 ? least_aspect / aspect : 1.0);
@@ -91,8 +130,9 @@ double least_aspect(const BallGeometry& balls, const Sight& sight, double aspect
   double widest = 0;
   for (std::size_t i = 0; i < balls.centres.size(); ++i) {
     const Vector seen = seen_from(sight, balls.centres[i]);
-    if (seen[2] <= 0) return aspect;  // the camera is among the balls
-    widest = std::max(widest, (std::fabs(seen[0]) + balls.radii[i]) / seen[2]);
+    const double depth = sight.depth_of_width(seen[2]);
+    if (depth <= 0) return aspect;  // the camera is among the balls
+    widest = std::max(widest, (std::fabs(seen[0]) + balls.radii[i]) / depth);
   }
   return std::min(aspect, 1.02 * widest / usual_tangent());
 }
@@ -106,7 +146,8 @@ ViewProblem view_problem(const BallGeometry& balls, const std::vector<float>& ra
   for (std::size_t i = 0; i < balls.centres.size(); ++i) {
     const Vector seen = seen_from(sight, balls.centres[i]);
     const double radius = drawn ? radii[i] : 0;
-    if (std::hypot(seen[0], seen[1], seen[2]) < radius) return ViewProblem::inside_a_ball;
+    const bool inside = std::hypot(seen[0], seen[1], seen[2]) < radius;
+    if (inside && !sight.orthographic) return ViewProblem::inside_a_ball;
     bool outside = drawn && radius <= 0;  // an empty ball is not drawn
     const auto sides = outside_of(sight, seen, radius);
     for (std::size_t s = 0; s < sides.size(); ++s) {

@@ -4,9 +4,11 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "ui/scene/ball_geometry.hpp"
+#include "ui/scene/box_tree.hpp"
 #include "ui/view_problem.hpp"
 
 namespace alphascope {
@@ -20,11 +22,26 @@ struct Viewpoint {
 };
 
 // The pyramid that a picture shows: unit vectors from its apex, and the tangents of half its
-// angles.
+// angles. Without perspective, the box that is as wide as the pyramid at the focal point.
 struct Sight {
   std::array<double, 3> position{}, forward{0, 0, -1}, right{1, 0, 0}, up{0, 1, 0};
   double tangent_right = 1, tangent_up = 1;
+  double distance = 1;  // Å, to the focal point
+  bool orthographic = false;
+
+  // Half the width and height of what is seen so far ahead are the tangents times this (Å).
+  double depth_of_width(double ahead) const { return orthographic ? distance : ahead; }
 };
+
+// The line of sight through a place of the picture, from -1 (left, bottom) to 1.
+Ray ray_through(const Sight& sight, double across, double upwards);
+// Å that a pixel of a picture of this height spans, for each length of such a ray's direction.
+double pixel_spread(const Sight& sight, int height);
+
+// Where a picture of this size (pixels) shows a point: pixels from its top left, also beside it.
+// Nothing: the point is not ahead of the viewer.
+std::optional<std::array<double, 2>> seen_at(const Sight& sight, const std::array<double, 3>& point,
+                                             int width, int height);
 
 // Tangent of half the angle from the bottom to the top of a picture of this aspect.
 double tangent_up(double aspect, double least_aspect);

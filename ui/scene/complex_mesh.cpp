@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "core/complex/count_limits.hpp"
+#include "ui/scene/simplex_colours.hpp"
 
 namespace alphascope {
 namespace {
@@ -13,23 +14,6 @@ using Point = std::array<float, 3>;
 
 // The face opposite to each corner of a tetrahedron.
 constexpr int kFaces[4][3] = {{1, 2, 3}, {0, 2, 3}, {0, 1, 3}, {0, 1, 2}};
-
-// On a tie the corner with the lowest index decides: a simplex lists its corners in rising order.
-template <std::size_t N>
-Rgb8 most_frequent_colour(const std::array<BallIndex, N>& simplex,
-                          const std::vector<Rgb8>& colours) {
-  Rgb8 best = colours[simplex[0]];
-  std::ptrdiff_t most = 0;
-  for (const BallIndex v : simplex) {
-    const auto same = std::count_if(simplex.begin(), simplex.end(),
-                                    [&](BallIndex w) { return colours[w] == colours[v]; });
-    if (same > most) {
-      most = same;
-      best = colours[v];
-    }
-  }
-  return best;
-}
 
 class MeshBuilder {
  public:
@@ -62,16 +46,8 @@ class MeshBuilder {
 
  private:
   template <std::size_t N>
-  Rgb8 simplex_colour(const std::array<BallIndex, N>& simplex, float alpha_value) const {
-    switch (options_.colouring) {
-      case ComplexColouring::balls:
-        return most_frequent_colour(simplex, colours_);
-      case ComplexColouring::alpha:
-        return scale_.colour(alpha_value);
-      case ComplexColouring::single:
-        break;
-    }
-    return options_.single_colour;
+  Rgb8 colour_of(const std::array<BallIndex, N>& simplex, float alpha_value) const {
+    return simplex_colour(simplex, alpha_value, options_, colours_, &scale_);
   }
 
   static void add_point(CellSoup& soup, const Point& p, const Rgb8& c) {
@@ -104,7 +80,7 @@ class MeshBuilder {
       for (Point& corner : p) {
         for (int k = 0; k < 3; ++k) corner[k] += shrink * (centre[k] - corner[k]);
       }
-      const Rgb8 colour = simplex_colour(simplex, alpha_value(list.alpha_values, t));
+      const Rgb8 colour = colour_of(simplex, alpha_value(list.alpha_values, t));
       for (const auto& face : kFaces) {
         for (const int i : face) add_point(soup, p[i], colour);
       }
@@ -127,7 +103,7 @@ class MeshBuilder {
       if (!drawn(list.classes[i])) continue;
       if (!all) soup.source.push_back(static_cast<std::uint32_t>(i));
       const auto& simplex = list.simplices[i];
-      const Rgb8 colour = simplex_colour(simplex, alpha_value(list.alpha_values, i));
+      const Rgb8 colour = colour_of(simplex, alpha_value(list.alpha_values, i));
       for (const BallIndex v : simplex) add_point(soup, balls_.centres[v], colour);
     }
   }
@@ -209,7 +185,7 @@ void MeshBuilder::add_boundary(CellSoup& soup) const {
   for (const Face& face : faces) {
     soup.source.push_back(face.origin);
     const std::size_t t = face.origin / 4;  // its tetrahedron, whose colour it has
-    const Rgb8 colour = simplex_colour(list.simplices[t], alpha_value(list.alpha_values, t));
+    const Rgb8 colour = colour_of(list.simplices[t], alpha_value(list.alpha_values, t));
     for (const BallIndex v : outward(balls_, face, list.simplices)) {
       add_point(soup, balls_.centres[v], colour);
     }

@@ -29,6 +29,7 @@ SceneStyle scene_style(const DisplayControls& display, Theme theme) {
   style.ball_opacity = display.ball_opacity;
   style.complex_opacity = display.complex_opacity;
   style.ambient_occlusion = display.ambient_occlusion;
+  style.orthographic = display.orthographic;
   style.theme = theme;
   return style;
 }

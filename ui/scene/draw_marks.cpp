@@ -234,9 +234,10 @@ std::string write_picture(Scene& scene, const MarkedPicture& picture,
                           const RunContext& context) {
   context.cancel.throw_if_cancelled();
   Image image = scene.grab(picture.width, picture.height, picture.transparent, context);
-  PictureMarks marks{picture.legend,
-                     {},
-                     labels_seen(picture.labels, scene.sight(), picture.width, picture.height)};
+  PictureMarks marks{
+      picture.legend,
+      {},
+      labels_seen(picture.labels, scene.sight(), picture.cut, picture.width, picture.height)};
   if (picture.scale_bar) marks.angstrom_per_pixel = scene.angstrom_per_pixel();
   std::string left_out = draw_marks(image, marks, mark_ink(picture.theme, picture.transparent));
   context.cancel.throw_if_cancelled();

@@ -40,6 +40,7 @@ struct MarkedPicture {
   std::optional<ColourLegend> legend;
   bool scale_bar = false;
   std::vector<PlacedLabel> labels = {};
+  Cut cut = {};  // of the scene
 };
 // Writes the scene with its marks to a file; returns and throws as draw_marks(), Scene::grab() and
 // write_png() do. Says what it is doing, and can be cancelled between its steps.

@@ -15,6 +15,9 @@ inline constexpr double kToTheFront = -1e6;
 // Enough that lines on a face are not broken by rounding.
 inline constexpr double kBeforeFaces = -4;
 
+// In caps: the balls' win, then the edges of tetrahedra, then their faces.
+inline constexpr double kBehindCapsOfBalls = 4, kBehindEdges = 8;
+
 struct MeshActor {
   vtkNew<vtkPolyDataMapper> mapper;
   vtkNew<vtkActor> actor;
@@ -49,8 +52,20 @@ struct MeshActor {
     actor->GetProperty()->SetAmbient(0.32);
     actor->GetProperty()->SetDiffuse(0.78);
   }
+  // In its very colours, whatever the light.
+  void unlit() {
+    actor->GetProperty()->SetAmbient(1);
+    actor->GetProperty()->SetDiffuse(0);
+    actor->GetProperty()->SetSpecular(0);
+  }
   // Lit by the normals of its points.
   void smooth() { actor->GetProperty()->SetInterpolationToPhong(); }
+  // Of caps, whose balls' caps are in the same plane.
+  void behind_balls(double units) {
+    mapper->SetResolveCoincidentTopologyToPolygonOffset();
+    mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(0, units);
+    mapper->SetRelativeCoincidentTopologyLineOffsetParameters(0, units);
+  }
   // Lines on faces of the same place win.
   void before_its_faces() {
     mapper->SetResolveCoincidentTopologyToPolygonOffset();

@@ -86,6 +86,7 @@ struct Meaning {
   int corners;            // of the simplices
   bool faces_of = false;  // cells are numbered 4 × tetrahedron + opposite corner
   bool as_face = false;   // and mean that face
+  bool in_cut = false;    // lies in a plane of the cut, and is whole
 };
 
 Hit hit_of(const Meaning& meaning, const CellSoup& soup, std::size_t cell, double depth) {
@@ -114,6 +115,7 @@ PickLayer layer_of(const std::shared_ptr<const CellSoup>& shared, const Meaning&
             tree->visit(enter, [&](std::size_t cell) {
               const double depth = corners == 2 ? line_depth(cells, cell, line)
                                                 : triangle_depth(cells, cell, line.ray);
+              if (!meaning.in_cut && !line.kept.has(depth)) return;
               if (depth > nearest || (depth == nearest && cell >= found)) return;
               nearest = depth;
               found = cell;
@@ -157,10 +159,15 @@ PickLayers mesh_layers(const std::shared_ptr<const ComplexMesh>& mesh) {
   return layers;
 }
 
+PickLayer cap_layer(const std::shared_ptr<const CapMesh>& mesh) {
+  return layer_of(std::shared_ptr<const CellSoup>(mesh, &mesh->faces),
+                  {"tetrahedra", 4, true, false, true});
+}
+
 PickLayer ball_layer(std::string_view id, std::shared_ptr<const BallGeometry> balls, int corners) {
   auto picker = std::make_shared<const BallPicker>(balls);
   return {id, [id, balls, corners, picker](const PickLine& line) -> std::optional<Hit> {
-            const auto ball = picker->pick(balls->radii, kRounding, line.ray);
+            const auto ball = picker->pick(balls->radii, kRounding, line.ray, line.kept);
             if (!ball) return std::nullopt;
             return Hit{id, corners, ball->ball, {}, ball->depth, {}};
           }};

@@ -11,6 +11,7 @@
 
 #include "core/complex/alpha_complex.hpp"
 #include "ui/scene/ball_pick.hpp"
+#include "ui/scene/cap_mesh.hpp"
 #include "ui/scene/complex_mesh.hpp"
 #include "ui/scene/layer_mesh.hpp"
 
@@ -21,6 +22,7 @@ namespace alphascope {
 struct PickLine {
   Ray ray;
   double spread = 0;
+  Stretch kept = {};  // by the cut: nothing is hit elsewhere
 };
 
 inline constexpr std::string_view kBesideBody = "beside";
@@ -46,6 +48,9 @@ using PickLayers = std::vector<PickLayer>;
 
 // Of what is drawn as `mesh`. Any thread; about as long as a copy of the mesh takes.
 PickLayers mesh_layers(const std::shared_ptr<const ComplexMesh>& mesh);
+
+// Of what closes tetrahedra in the planes of a cut.
+PickLayer cap_layer(const std::shared_ptr<const CapMesh>& mesh);
 
 // Of what is drawn as balls of their own; `id` as in Hit::layer.
 PickLayer ball_layer(std::string_view id, std::shared_ptr<const BallGeometry> balls, int corners);

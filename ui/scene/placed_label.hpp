@@ -7,6 +7,7 @@
 
 #include "ui/picture_marks.hpp"
 #include "ui/scene/camera.hpp"
+#include "ui/scene/cut.hpp"
 
 namespace alphascope {
 
@@ -15,8 +16,9 @@ struct PlacedLabel {
   std::string text;
 };
 
-// Those ahead of the viewer, nearest first; also such as lie beside a picture of this size.
+// Those ahead of the viewer that the cut keeps, nearest first; also such as lie beside a picture of
+// this size.
 std::vector<PictureLabel> labels_seen(const std::vector<PlacedLabel>& labels, const Sight& sight,
-                                      int width, int height);
+                                      const Cut& cut, int width, int height);
 
 }  // namespace alphascope

@@ -74,6 +74,7 @@ void Scene::set_ball_colours(const std::vector<Rgb8>& colours) {
 }
 
 void Scene::set_mesh(std::shared_ptr<MeshData> mesh) {
+  set_caps(nullptr);
   const MeshData nothing;
   const MeshData& shown = mesh ? *mesh : nothing;
   impl_->tetrahedra.show(shown.tetrahedra, impl_->window);
@@ -81,6 +82,13 @@ void Scene::set_mesh(std::shared_ptr<MeshData> mesh) {
   impl_->triangles.show(shown.triangles, impl_->window);
   impl_->edges.show(shown.edges, impl_->window);
   impl_->mesh = std::move(mesh);  // only now may the old arrays go
+}
+
+void Scene::set_caps(std::shared_ptr<CapData> caps) {
+  impl_->caps.show(caps ? caps->faces : nullptr, impl_->window);
+  impl_->cap_edges.show(caps ? caps->edges : nullptr, impl_->window);
+  impl_->cap_data = std::move(caps);  // only now may the old arrays go
+  impl_->apply_style();
 }
 
 void Scene::set_differences(std::shared_ptr<DifferenceData> differences) {
@@ -177,15 +185,7 @@ Sight Scene::sight() const {
 Ray Scene::ray(double x, double y) const {
   const int* size = impl_->window->GetSize();
   const double width = double(size[0]) / impl_->samples, height = double(size[1]) / impl_->samples;
-  const Sight sight = impl_->sight();
-  const double across = (2 * (x + 0.5) / width - 1) * sight.tangent_right;
-  const double upwards = (1 - 2 * (y + 0.5) / height) * sight.tangent_up;
-  Ray ray;
-  ray.start = sight.position;
-  for (int k = 0; k < 3; ++k) {
-    ray.direction[k] = sight.forward[k] + across * sight.right[k] + upwards * sight.up[k];
-  }
-  return ray;
+  return ray_through(impl_->sight(), 2 * (x + 0.5) / width - 1, 1 - 2 * (y + 0.5) / height);
 }
 
 void Scene::pointer_move(int x, int y, bool control, bool shift) {
@@ -200,6 +200,7 @@ void Scene::pointer_move(int x, int y, bool control, bool shift) {
   impl_->pointer_x = x;
   impl_->pointer_y = y;
   impl_->interactor->InvokeEvent(vtkCommand::MouseMoveEvent);
+  impl_->follow_zoom();
 }
 
 void Scene::pointer_button(PointerButton button, bool pressed) {
@@ -223,6 +224,7 @@ void Scene::wheel(double steps) {
       steps > 0 ? vtkCommand::MouseWheelForwardEvent : vtkCommand::MouseWheelBackwardEvent;
   const int count = std::clamp(static_cast<int>(std::lround(std::fabs(steps))), 1, 10);
   for (int i = 0; i < count && steps != 0; ++i) impl_->interactor->InvokeEvent(event);
+  impl_->follow_zoom();
 }
 
 // Four pictures, each a quarter of a pixel off, instead of one of four times the pixels: the same

@@ -11,6 +11,7 @@
 #include "ui/scene/ball_pick.hpp"
 #include "ui/scene/camera.hpp"
 #include "ui/scene/complex_mesh.hpp"
+#include "ui/scene/cut.hpp"
 #include "ui/scene/difference_mesh.hpp"
 #include "ui/scene/scene_data.hpp"
 #include "ui/theme.hpp"
@@ -31,6 +32,8 @@ struct SceneStyle {
   bool ambient_occlusion = true;
   float line_scale = 1;  // of the width of lines: the controls' on a dense screen
   Theme theme = Theme::dark;
+  bool orthographic = false;  // no perspective
+  Cut cut;                    // of everything; balls are closed where they are cut
   friend bool operator==(const SceneStyle&, const SceneStyle&) = default;
 };
 
@@ -51,7 +54,11 @@ class Scene {
   void set_balls(std::shared_ptr<BallData> balls);
   void set_ball_radii(const std::vector<float>& radii);  // Å, as drawn
   void set_ball_colours(const std::vector<Rgb8>& colours);
-  void set_mesh(std::shared_ptr<MeshData> mesh);  // null: none
+  // Null: none. Removes the caps of the last one.
+  void set_mesh(std::shared_ptr<MeshData> mesh);
+  // What closes the tetrahedra of the mesh in the planes of the cut; null: nothing. Not shown with
+  // translucent ones.
+  void set_caps(std::shared_ptr<CapData> caps);
   // Drawn over everything else, so that nothing hides what is wrong; null: none.
   void set_differences(std::shared_ptr<DifferenceData> differences);
   // What panels want drawn; null: nothing. Labels are not drawn here, but over the picture.

@@ -1,12 +1,13 @@
 // What the scene shows, in VTK's arrays. Any thread may make them, which takes a while for a large
-// complex; from set_balls(), set_mesh(), set_differences() or set_layers() on they belong to the
-// scene alone. The arrays themselves are behind this header: no VTK here.
+// complex; from set_balls(), set_mesh(), set_caps(), set_differences() or set_layers() on they
+// belong to the scene alone. The arrays themselves are behind this header: no VTK here.
 #pragma once
 
 #include <memory>
 #include <vector>
 
 #include "ui/scene/ball_geometry.hpp"
+#include "ui/scene/cap_mesh.hpp"
 #include "ui/scene/complex_mesh.hpp"
 #include "ui/scene/difference_mesh.hpp"
 #include "ui/scene/layer_mesh.hpp"
@@ -16,6 +17,7 @@ namespace alphascope {
 struct BallData;
 struct MeshData;
 struct DifferenceData;
+struct CapData;
 struct LayerData;
 
 // One colour and one radius (Å, as drawn) a ball, else std::invalid_argument.
@@ -24,6 +26,7 @@ std::shared_ptr<BallData> make_ball_data(std::shared_ptr<const BallGeometry> bal
                                          const std::vector<float>& radii);
 // Null for null.
 std::shared_ptr<MeshData> make_mesh_data(std::shared_ptr<const ComplexMesh> mesh);
+std::shared_ptr<CapData> make_cap_data(std::shared_ptr<const CapMesh> mesh);
 std::shared_ptr<DifferenceData> make_difference_data(std::shared_ptr<const DifferenceMesh> mesh);
 std::shared_ptr<LayerData> make_layer_data(std::shared_ptr<const LayerMesh> mesh);
 

@@ -2,15 +2,18 @@
 #include "ui/scene/scene_impl.hpp"
 
 #include <vtkCamera.h>
+#include <vtkDataArray.h>
 #include <vtkLight.h>
 #include <vtkMath.h>
 #include <vtkObject.h>
+#include <vtkPointData.h>
 #include <vtkProperty.h>
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include "ui/scene/cut_shader.hpp"
 #include "ui/scene/vtk_arrays.hpp"
 
 namespace alphascope {
@@ -18,6 +21,13 @@ namespace {
 
 // Exact transparency of this many layers; more cost time and show no difference.
 constexpr int kPeels = 6;
+
+// Times the diagonal of the box around all that is drawn.
+constexpr double kStepBack = 1.5;
+
+double diagonal(const std::array<double, 6>& box) {
+  return std::hypot(box[1] - box[0], box[3] - box[2], box[5] - box[4]);
+}
 }  // namespace
 
 MarkActors::MarkActors() {
@@ -68,7 +78,13 @@ Scene::Impl::Impl() {
   edges.actor->GetProperty()->LightingOff();
   renderer->AddActor(all_balls.actor);
   renderer->AddActor(selected.actor);
-  for (MeshActor* m : {&tetrahedra, &boundary, &triangles, &edges}) renderer->AddActor(m->actor);
+  for (MeshActor* m : {&tetrahedra, &boundary, &triangles, &edges, &caps, &cap_edges}) {
+    renderer->AddActor(m->actor);
+  }
+  caps.unlit();
+  cap_edges.actor->GetProperty()->LightingOff();
+  caps.behind_balls(kBehindEdges);
+  cap_edges.behind_balls(kBehindCapsOfBalls);
   layers.add_to(renderer);
   beside_body.add_to(renderer);
   differences.add_to(renderer);
@@ -148,6 +164,38 @@ void Scene::Impl::apply_style() {
   for (MeshActor* m : {&tetrahedra, &boundary, &triangles, &edges}) {
     m->actor->GetProperty()->SetOpacity(faded(style.complex_opacity));
   }
+  const bool closed = cap_data && style.cut.on() && faded(style.complex_opacity) >= 1;
+  caps.actor->SetVisibility(closed && cap_data->faces);
+  cap_edges.actor->SetVisibility(closed && cap_data->edges);
+  apply_cut();
+}
+
+std::vector<MeshActor*> Scene::Impl::cut_meshes() {
+  std::vector<MeshActor*> all{&tetrahedra, &boundary,          &triangles,
+                              &edges,      &differences.faces, &differences.edges};
+  for (LayerActors* l : {&layers, &beside_body}) {
+    for (MeshActor* m : {&l->marks.faces, &l->marks.edges, &l->bodies, &l->body_edges,
+                         &l->body_lines, &l->tubes}) {
+      all.push_back(m);
+    }
+  }
+  return all;
+}
+
+std::vector<BallActor*> Scene::Impl::cut_balls() {
+  return {&all_balls, &selected, &layers.spheres, &beside_body.spheres};
+}
+
+void Scene::Impl::apply_cut() {
+  for (MeshActor* m : cut_meshes()) cut_mesh_actor(m->actor, style.cut.on());
+  for (BallActor* b : cut_balls()) cut_ball_actor(b->actor, style.cut.on());
+}
+
+void Scene::Impl::give_cut_planes(int width, int height) {
+  if (!style.cut.on()) return;
+  const CutPlanes planes(style.cut, renderer, width, height);
+  for (MeshActor* m : cut_meshes()) planes.give_to(m->actor);
+  for (BallActor* b : cut_balls()) planes.give_to(b->actor);
 }
 
 void Scene::Impl::apply_quality(RenderQuality quality, bool occlusion_allowed) {
@@ -180,8 +228,29 @@ void Scene::Impl::draw(int width, int height) {
   layers.marks.edges.actor->GetProperty()->SetLineWidth(2.5f * width_scale);
   layers.body_lines.actor->GetProperty()->SetLineWidth(2.5f * width_scale);
   layers.body_edges.actor->GetProperty()->SetLineWidth(1.2f * width_scale);
-  renderer->ResetCameraClippingRange();
+  cap_edges.actor->GetProperty()->SetLineWidth(1.0f * width_scale);
+  const auto box = visible_box();
+  const double back = style.orthographic && box ? kStepBack * diagonal(*box) : 0;
+  step_back(back);
+  if (box) renderer->ResetCameraClippingRange(box->data());
+  give_cut_planes(width, height);
   window->Render();
+  step_back(-back);
+}
+
+std::optional<std::array<double, 6>> Scene::Impl::visible_box() {
+  std::array<double, 6> box;
+  renderer->ComputeVisiblePropBounds(box.data());
+  if (box[0] > box[1]) return std::nullopt;
+  double largest = 0;
+  for (BallActor* b : cut_balls()) {
+    if (!b->actor->GetVisibility() || !b->data) continue;
+    double range[2] = {0, 0};
+    b->data->points->GetPointData()->GetArray(kRadiusArray)->GetRange(range);
+    largest = std::max(largest, range[1]);
+  }
+  for (std::size_t k = 0; k < 6; ++k) box[k] += k % 2 == 0 ? -largest : largest;
+  return box;
 }
 
 // What a wide picture shows stays in sight when it becomes narrow.
@@ -198,7 +267,31 @@ void Scene::Impl::shift(double right, double up) {
   renderer->GetActiveCamera()->SetWindowCenter(2 * right, 2 * up);
 }
 
+void Scene::Impl::follow_zoom() {
+  vtkCamera* camera = renderer->GetActiveCamera();
+  if (!style.orthographic) return;
+  const double seen = camera->GetDistance() * tangent_up(aspect, least_aspect);
+  const double wanted = camera->GetParallelScale();
+  if (seen > 0 && std::fabs(wanted / seen - 1) > 1e-9) {
+    step_back(camera->GetDistance() * (wanted / seen - 1));
+  }
+}
+
+void Scene::Impl::step_back(double angstrom) {
+  if (angstrom == 0) return;
+  vtkCamera* camera = renderer->GetActiveCamera();
+  double position[3];
+  camera->GetPosition(position);
+  const double* forward = camera->GetDirectionOfProjection();
+  const double towards[3] = {forward[0], forward[1], forward[2]};
+  for (int k = 0; k < 3; ++k) position[k] -= angstrom * towards[k];
+  camera->SetPosition(position);
+}
+
 void Scene::Impl::set_view_angle() {
+  vtkCamera* camera = renderer->GetActiveCamera();
+  camera->SetParallelProjection(style.orthographic);
+  camera->SetParallelScale(camera->GetDistance() * tangent_up(aspect, least_aspect));
   const double half = std::atan(tangent_up(aspect, least_aspect));
   renderer->GetActiveCamera()->SetViewAngle(2 * half * 180 / M_PI);
 }
@@ -228,6 +321,8 @@ Sight Scene::Impl::sight() const {
   vtkMath::Cross(s.right.data(), s.forward.data(), s.up.data());
   s.tangent_up = tangent_up(aspect, least_aspect);
   s.tangent_right = s.tangent_up * aspect;
+  s.distance = camera->GetDistance();
+  s.orthographic = style.orthographic;
   return s;
 }
 

@@ -10,7 +10,10 @@
 #include <vtkOpenGLSphereMapper.h>
 #include <vtkRenderer.h>
 
+#include <array>
 #include <memory>
+#include <optional>
+#include <vector>
 
 #include "ui/scene/mesh_actor.hpp"
 #include "ui/scene/scene.hpp"
@@ -58,6 +61,8 @@ struct Scene::Impl {
   vtkNew<vtkInteractorStyleTrackballCamera> trackball;
   BallActor all_balls, selected;
   MeshActor tetrahedra, boundary, triangles, edges;
+  MeshActor caps, cap_edges;  // of tetrahedra; not cut themselves
+  std::shared_ptr<CapData> cap_data;
   MarkActors differences;
   std::shared_ptr<DifferenceData> difference_data;
   LayerActors layers, beside_body;
@@ -83,6 +88,8 @@ struct Scene::Impl {
   // To the right and up, in shares of the picture's width and height.
   void shift(double right, double up);
   void set_view_angle();
+  // VTK zooms by another scale where there is no perspective; here by another distance, always.
+  void follow_zoom();
   Sight sight() const;
 
   // What only a picture for a file has; ends with this.
@@ -98,9 +105,17 @@ struct Scene::Impl {
   };
 
  private:
+  std::vector<MeshActor*> cut_meshes();
+  std::vector<BallActor*> cut_balls();
+  void apply_cut();
+  void give_cut_planes(int width, int height);
+  // Behind everything, where no perspective tells where it stands; then back.
+  void step_back(double angstrom);
   void set_up_window();
   void set_up_lights();
   void follow_aspect(double now);
+  // Of all that is drawn: VTK's is of the centres of balls. Nothing: there is nothing.
+  std::optional<std::array<double, 6>> visible_box();
   void reset_camera();
 };
 

@@ -45,10 +45,18 @@ std::string render_screenshot(const BallSet& balls, const AlphaComplex& complex,
   begin("drawing", 0.5);
   EglContext egl;
   Scene scene;
-  scene.set_style(options.style);
+  SceneStyle style = options.style;
+  if (options.clip) {
+    style.cut = Cut(options.clip->resolved(geometry->axes[2], geometry->origin), geometry->origin);
+  }
+  scene.set_style(style);
   scene.set_balls(geometry, colours);
   scene.set_ball_radii(drawn_radii(*geometry, options.balls));
   scene.set_mesh(make_mesh_data(mesh));
+  if (style.cut.on()) {
+    scene.set_caps(make_cap_data(std::make_shared<const CapMesh>(build_cap_mesh(
+        *geometry, colours, complex, plan.mesh, mesh->scale, style.cut, context.cancel))));
+  }
   const auto layers =
       std::make_shared<const LayerMesh>(build_layer_mesh(*geometry, options.layers));
   scene.set_layers(make_layer_data(layers));
@@ -63,7 +71,7 @@ std::string render_screenshot(const BallSet& balls, const AlphaComplex& complex,
   const std::string left_out =
       write_picture(scene,
                     {options.width, options.height, options.transparent, options.style.theme,
-                     legend, options.scale_bar, layers->labels},
+                     legend, options.scale_bar, layers->labels, style.cut},
                     path, texts, context);
   return not_drawn + (not_drawn.empty() || left_out.empty() ? "" : " ") + left_out;
 }

@@ -27,6 +27,7 @@ struct ScreenshotOptions {
   std::vector<Rgb8> simplex_colours;        // one a ball; empty: as the balls'
   std::optional<ColourLegend> ball_legend;  // of the balls' colours; none: of the simplices'
   std::optional<CameraPlace> camera;        // none: the default view
+  std::optional<ClipWords> clip;            // none: whole
   Layers layers;                            // drawn beside balls and complex
   // Atoms that are no balls, made on the way; empty or null from it: none.
   std::function<std::shared_ptr<const LayerMesh>(const BallGeometry& balls)> beside_body;

@@ -146,6 +146,15 @@ std::shared_ptr<MeshData> make_mesh_data(std::shared_ptr<const ComplexMesh> mesh
   return data;
 }
 
+std::shared_ptr<CapData> make_cap_data(std::shared_ptr<const CapMesh> mesh) {
+  if (!mesh) return nullptr;
+  auto data = std::make_shared<CapData>();
+  data->faces = soup_to_vtk(mesh->faces, 3);
+  data->edges = soup_to_vtk(mesh->edges, 2);
+  data->mesh = std::move(mesh);
+  return data;
+}
+
 std::shared_ptr<DifferenceData> make_difference_data(std::shared_ptr<const DifferenceMesh> mesh) {
   if (!mesh) return nullptr;
   auto data = std::make_shared<DifferenceData>();

@@ -25,6 +25,11 @@ struct MeshData {
   vtkSmartPointer<vtkPolyData> tetrahedra, boundary, triangles, edges;
 };
 
+struct CapData {
+  std::shared_ptr<const CapMesh> mesh;
+  vtkSmartPointer<vtkPolyData> faces, edges;
+};
+
 struct DifferenceData {
   std::shared_ptr<const DifferenceMesh> mesh;
   vtkSmartPointer<vtkPolyData> faces, edges;

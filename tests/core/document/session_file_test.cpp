@@ -31,6 +31,10 @@ struct Counter {
   void object(const char*, T&) {
     ++count;
   }
+  template <class T>
+  void objects(const char*, std::vector<T>&) {
+    ++count;
+  }
   void model(const char*, int) { ++count; }
 };
 
@@ -140,6 +144,7 @@ TEST(SessionFile, EveryMemberOfEverySettingIsNamed) {
   EXPECT_EQ(named_fields<Request>(), members<Request>());
   EXPECT_EQ(named_fields<TupleOptions>(), members<TupleOptions>());
   EXPECT_EQ(named_fields<Settings>(), members<Settings>());
+  EXPECT_EQ(named_fields<NamedView>(), members<NamedView>());
   EXPECT_EQ(named_fields<CameraPlace>(), members<CameraPlace>());
   EXPECT_EQ(named_fields<AlphaSlider>(), members<AlphaSlider>());
   EXPECT_EQ(named_fields<PanelsShown>(), members<PanelsShown>());

@@ -300,7 +300,7 @@ TEST_F(CavitiesTest, WhatIsChosenFollowsIntoWhatItMergesWithAndComesBack) {
   run("solvent.set 1.2\n");
   settle();
   ASSERT_FALSE(page().merged_into.empty());
-  const auto& merged = page().rows.lines->numbers->merged_into;
+  const auto merged = page().rows.lines->numbers->merged_into;
   ASSERT_FALSE(merged.empty());
   run("solvent.set 1.4\n");
   settle();

@@ -46,7 +46,7 @@ TEST(CommandList, EveryShortcutIsAKeyInOneSpelling) {
       ASSERT_TRUE(chord) << shortcut.keys;
       EXPECT_EQ(shortcut.keys.find(' '), std::string::npos) << shortcut.keys;
       EXPECT_EQ(chord->control, shortcut.keys.starts_with("Ctrl+")) << shortcut.keys;
-      EXPECT_TRUE(std::isupper(static_cast<unsigned char>(shortcut.keys[0]))) << shortcut.keys;
+      EXPECT_FALSE(std::islower(static_cast<unsigned char>(shortcut.keys[0]))) << shortcut.keys;
       const CommandLine line = Commands::parse_words(spec, shortcut.arguments);
       const Commands::Reading reading = Commands::read(spec, line.words);
       EXPECT_TRUE(reading.error.empty()) << reading.error;

@@ -1,10 +1,12 @@
 // The page of curves in the whole window: totals, a chosen cavity, clicks that set what is plotted
 // against.
 #include <imgui.h>
+#include <optional>
 
 #include <algorithm>
 #include <fstream>
 
+#include "core/document/cavity_names.hpp"
 #include "tests/ui/viewer_fixture.hpp"
 #include "ui/panels/cavity_page.hpp"
 
@@ -98,29 +100,34 @@ TEST_F(CurvesTest, AChosenCavityIsFollowedAndAClickSetsTheSolventRadiusAsOneEntr
 // The page of cavities is not drawn meanwhile.
 TEST_F(CurvesTest, AChosenCavityIsFollowedWhenTheTetrahedronOfItsSinkIsGone) {
   open_haemoglobin();
-  run("click cavities.row.4 0.2\n");
+  const CavityPage& page = *viewer_->state().memory.cavities.page;
+  const auto lines = page.rows.lines;
+  const auto set_radius = [&](const char* angstrom) {
+    run(std::string("solvent.set ") + angstrom + "\n");
+    settle();
+  };
+  set_radius("1.6");
+  // One that is still there although the tetrahedron of its sink is not.
+  const auto& others = page.rows.table().ground->triangulation->tetrahedra;
+  const CavityTable& table = *lines->table;
+  std::optional<std::size_t> row;
+  for (std::size_t n = 0; n < table.size() && !row; ++n) {
+    const auto& sink = table.ground->triangulation->tetrahedra[table.cavity(n).deepest_sink];
+    const std::uint32_t number = lines->numbers->of[table.order[n]];
+    const bool stays = page.rows.lines->numbers->cavity(number) != CavityMatch::kNone;
+    if (stays && !std::binary_search(others.begin(), others.end(), sink)) row = n;
+  }
+  ASSERT_TRUE(row) << "or this shows nothing";
+  set_radius("1.4");
+  viewer_->state().picked.cavities = RefSet({cavity_sink(*lines->atoms, table, *row)});
   settle();
   open_curves();
-  const auto sink = viewer_->state().memory.cavities.chosen.at(0);
-  const CavityPage& page = *viewer_->state().memory.cavities.page;
-  const auto is_there = [&] {
-    const auto balls = page.rows.lines->atoms->balls(Ref(sink)).value();
-    const auto& all = page.rows.table().ground->triangulation->tetrahedra;
-    return std::binary_search(all.begin(), all.end(),
-                              std::array{balls[0], balls[1], balls[2], balls[3]});
-  };
-  ASSERT_TRUE(is_there());
-  bool went = false;
-  for (const char* radius : {"1.5", "1.6", "1.7", "1.8", "1.9", "2.0"}) {
-    run(std::string("solvent.set ") + radius + "\n");
-    settle();
-    went |= !is_there();
+  for (const char* radius : {"1.5", "1.6"}) {
+    set_radius(radius);
     ASSERT_EQ(page.chosen_rows.size(), 1u) << radius;
     ASSERT_EQ(memory().chart.chart.series.size(), 1u) << radius;
-    EXPECT_TRUE(series(0).values[14]);
     EXPECT_FALSE(viewer_->state().layers.empty()) << "it is seen in the view";
   }
-  EXPECT_TRUE(went) << "or this shows nothing";
 }
 
 TEST_F(CurvesTest, ExactVolumesAreMadeOnRequestAndCanBeCancelled) {

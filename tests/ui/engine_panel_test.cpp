@@ -7,7 +7,7 @@
 namespace alphascope::testing {
 namespace {
 
-constexpr Size kLarge{1280, 1400, 1};
+constexpr Size kLarge{1280, 1600, 1};
 
 GpuDevice a_gpu() {
   return {true, "NVIDIA H200", "", "CUDA driver 13.0", 90, std::size_t{139} << 30};

@@ -319,7 +319,7 @@ TEST(PanelsTest, SavingOffersALegendWhereThereIsOne) {
 }
 
 TEST(PanelsTest, SectionsOutOfSightAreOneClickAway) {
-  Panels tall({1920, 1200, 1});
+  Panels tall({1920, 1400, 1});
   tall.state = loaded_state();
   tall.frame(3);
   EXPECT_TRUE(tall.rects["engine"].visible);

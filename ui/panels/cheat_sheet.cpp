@@ -1,12 +1,17 @@
 // What mouse and keys do: the keys from the list of commands.
+#include <initializer_list>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "ui/panels/dialog_stack.hpp"
 
 namespace alphascope {
 namespace {
 
-constexpr float kKeysWidth = 150, kWidth = 470;  // pixels at scale 1
+// Pixels at scale 1. The keys are in two halves beside each other.
+constexpr float kMouseWidth = 180, kKeysWidth = 115, kWhatWidth = 195;
+constexpr float kWidth = 2 * (kKeysWidth + kWhatWidth);
 
 // The mouse has no commands.
 constexpr std::pair<const char*, const char*> kMouse[] = {
@@ -19,19 +24,23 @@ constexpr std::pair<const char*, const char*> kMouse[] = {
     {"Ctrl+click on a slider", "Type the value"},
     {"Drop a file", "Open a molecule or a session"}};
 
-void row(PanelContext& ctx, const std::string& keys, const std::string& what) {
-  ImGui::TableNextRow();
+struct Row {
+  std::string keys, what;
+};
+
+void cells(PanelContext& ctx, const Row& row) {
   ImGui::TableNextColumn();
-  ImGui::TextUnformatted(keys.c_str());
+  ImGui::TextUnformatted(row.keys.c_str());
   ImGui::TableNextColumn();
-  muted_text(ctx, what);
+  muted_text(ctx, row.what);
 }
 
-bool begin_rows(PanelContext& ctx, const char* title) {
+bool begin_rows(PanelContext& ctx, const char* title, std::initializer_list<float> widths) {
   strong_text(ctx, title);
-  if (!ImGui::BeginTable(title, 2)) return false;
-  ImGui::TableSetupColumn("keys", ImGuiTableColumnFlags_WidthFixed, ctx.px(kKeysWidth));
-  ImGui::TableSetupColumn("what", ImGuiTableColumnFlags_WidthFixed, ctx.px(kWidth - kKeysWidth));
+  if (!ImGui::BeginTable(title, static_cast<int>(widths.size()))) return false;
+  for (const float width : widths) {
+    ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed, ctx.px(width));
+  }
   return true;
 }
 
@@ -46,13 +55,14 @@ std::string without_dots(std::string title) {
   return title;
 }
 
-void command_rows(PanelContext& ctx, const CommandSpec& spec) {
+void add_command(const CommandSpec& spec, std::vector<Row>& rows) {
   const std::string title = without_dots(spec.title), keys = spec.shortcuts_text();
-  if (!keys.empty()) row(ctx, keys, title + (spec.is_switch() ? " on or off" : ""));
+  if (!keys.empty()) rows.push_back({keys, title + (spec.is_switch() ? " on or off" : "")});
   for (const Shortcut& shortcut : spec.shortcuts) {
     if (shortcut.arguments.empty()) continue;
     const std::string unit = spec.parameters.empty() ? "" : spec.parameters[0].unit();
-    row(ctx, shortcut.keys, title + " " + shortcut.arguments + (unit.empty() ? "" : " " + unit));
+    rows.push_back(
+        {shortcut.keys, title + " " + shortcut.arguments + (unit.empty() ? "" : " " + unit)});
   }
 }
 
@@ -60,12 +70,18 @@ void command_rows(PanelContext& ctx, const CommandSpec& spec) {
 
 void draw_cheat_sheet(PanelContext& ctx) {
   if (!begin_dialog(ctx, "Mouse and keyboard")) return;
-  if (begin_rows(ctx, "Mouse")) {
-    for (const auto& [keys, what] : kMouse) row(ctx, keys, what);
+  if (begin_rows(ctx, "Mouse", {kMouseWidth, kWidth - kMouseWidth})) {
+    for (const auto& [keys, what] : kMouse) cells(ctx, {keys, what});
     end_rows(ctx);
   }
-  if (begin_rows(ctx, "Keyboard")) {
-    for (const CommandSpec& spec : ctx.commands.all()) command_rows(ctx, spec);
+  std::vector<Row> rows;
+  for (const CommandSpec& spec : ctx.commands.all()) add_command(spec, rows);
+  if (begin_rows(ctx, "Keyboard", {kKeysWidth, kWhatWidth, kKeysWidth, kWhatWidth})) {
+    const std::size_t half = (rows.size() + 1) / 2;
+    for (std::size_t n = 0; n < half; ++n) {
+      cells(ctx, rows[n]);
+      if (half + n < rows.size()) cells(ctx, rows[half + n]);
+    }
     end_rows(ctx);
   }
   ImGui::NewLine();

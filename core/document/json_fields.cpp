@@ -1,6 +1,7 @@
 // The reading side of the header.
 #include "core/document/json_fields.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <utility>

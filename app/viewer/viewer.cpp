@@ -1,8 +1,6 @@
 // See the header.
 #include "app/viewer/viewer.hpp"
 
-#include <imgui.h>
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -14,8 +12,6 @@
 #include "app/viewer/resources.hpp"
 #include "app/viewer/state_bridge.hpp"
 #include "ui/panels/format.hpp"
-#include "ui/panels/window_layout.hpp"
-#include "ui/scene/frame_grab.hpp"
 
 namespace alphascope {
 namespace {
@@ -26,11 +22,6 @@ std::uint64_t large_object_budget(std::uint64_t held) {
   return (available_bytes().value_or(0) + held) / 2;
 }
 
-// Tooltips appear when the mouse rests, which is no event: frames are drawn for them. ImGui hides a
-// tooltip in its first frame, in which it measures it.
-constexpr std::chrono::milliseconds kTooltipFrameAfter{450};
-static_assert(kTooltipFrameAfter.count() > 1000 * kTooltipDelaySeconds);
-constexpr double kBusyInterval = 0.05, kIdleInterval = 1.0;  // seconds
 // A model asked for by the slider lets the one before it be finished, so that pictures flow while
 // the hand moves, but not for longer than this.
 constexpr std::chrono::milliseconds kModelGrace{300};
@@ -384,145 +375,6 @@ void Viewer::play_models() {
     model = *next;
     frames_due_ = kSettlingFrames;
   }
-}
-
-bool Viewer::interacting() const {
-  const ImGuiIO& io = ImGui::GetIO();
-  return state_.memory.playing || state_.memory.playing_models || io.MouseDown[0] ||
-         io.MouseDown[1] || io.MouseDown[2];
-}
-
-void Viewer::draw(ScriptedInput* input, bool patient,
-                  const std::function<void(unsigned)>& before_swap) {
-  frame_begun_at_ = Clock::now();
-  news_ = false;
-  update_busy();
-  follow_scale();
-  guarded([this] { describe_under_mouse(); });
-  if (!frame_.begin(state_.theme, input)) return want_of_all_balls();
-  session_.let_finish(interacting());
-  session_.set_measuring(state_.measures_wanted || is_exposure(state_.display.ball_colour));
-  gesture_ = gestures_.in_this_frame();
-  store_.next_frame();
-  const WindowParts parts{state_, rects_, commands_, store_, inputs_};
-  draw_window(parts, frame_.fonts(), frame_.scale());
-  guarded([this] { want_of_all_balls(); });
-  for (const PointerEvent& event : state_.viewport.events) scene_.pointer(event);
-  guarded([this] {
-    for (const PointerEvent& event : state_.viewport.events) {
-      if (event.kind == PointerEvent::Kind::click) click(event);
-    }
-    take_requests();
-    play();
-    play_models();
-    send_controls();
-    note_preferences();
-  });
-  guarded([this] {
-    mark_selection();
-    scene_.set_layers(state_.layers);
-  });
-  // After the panels, so that the picture has this frame's size; ImGui draws it afterwards. Not
-  // while input waits for its frame: a slow picture each would make the window follow late.
-  const SessionActivity a = session_.activity();
-  scene_.set_pending((a.computing.busy && !session_.state().up_to_date()) ||
-                     (a.opening.busy && a.opening_path.empty()));
-  const bool undrawn = !patient && waits_for_tables();
-  if (!undrawn && (input != nullptr || must_render_ || !host_.input().waiting())) {
-    must_render_ = false;
-    guarded([&] { scene_.render(state_.viewport, interacting(), patient); });
-  }
-  place_clip_handle();
-  draw_over_picture(parts, frame_.fonts(), frame_.scale());
-  if (undrawn) return frame_.end_undrawn();
-  frame_.end([&](unsigned framebuffer) {
-    if (before_swap) before_swap(framebuffer);
-  });
-  give_back_memory_when_due();
-}
-
-void Viewer::step(ScriptedInput* input) {
-  host_.wait_events(0);
-  take_results();
-  draw(input, patient_);
-}
-
-void Viewer::shoot(const std::filesystem::path& path, ScriptedInput* input) {
-  const HostSize size = host_.size();
-  patient_ = true;
-  for (int i = 0; i < kSettlingFrames; ++i) step(input);
-  draw(input, true, [&](unsigned framebuffer) {
-    Image image = read_framebuffer(framebuffer, size.width, size.height);
-    for (std::size_t i = 3; i < image.rgba.size(); i += 4) image.rgba[i] = 255;
-    write_png(image, path, scene_.texts());
-  });
-  patient_ = false;
-}
-
-double Viewer::idle_seconds() const {
-  if (frames_due_ > 0) return 0;
-  const double idle = working() ? kBusyInterval : kIdleInterval;
-  double wait = std::min(idle, scene_.seconds_to_refinement());
-  if (state_.memory.playing_models) {
-    wait = std::min(wait,
-                    model_playback_.seconds_to_next(state_.memory.models_per_second, Clock::now()));
-  }
-  if (tooltip_due_) {
-    wait = std::min(wait, std::chrono::duration<double>(*tooltip_due_ - Clock::now()).count());
-  }
-  return std::max(0.001, wait);
-}
-
-// Where frames are work of the processor, fewer are drawn while it computes what is to be drawn.
-double Viewer::seconds_to_next_frame() const {
-  constexpr double kMostFrames = 60, kWhileComputing = 25;  // a second
-  if (news_) return 0;
-  const bool yields = frame_.in_software() && (working() || store_.busy());
-  const std::chrono::duration<double> since = Clock::now() - frame_begun_at_;
-  return 1 / (yields ? kWhileComputing : kMostFrames) - since.count();
-}
-
-void Viewer::take_results() {
-  guarded([this] {
-    take_session();
-    take_shown();
-    take_derived();
-    compare_when_due();
-  });
-}
-
-bool Viewer::wait_for_frame() {
-  bool events = false;
-  for (double wait = seconds_to_next_frame(); wait > 0; wait = seconds_to_next_frame()) {
-    if (!host_.wait_events(wait)) continue;
-    events = true;
-    take_results();
-  }
-  return events;
-}
-
-void Viewer::run() {
-  while (!quit_ && !host_.close_requested()) {
-    const bool behind = host_.input().waiting();
-    bool events = host_.wait_events(behind ? 0 : idle_seconds()) || behind;
-    events |= wait_for_frame();
-    if (events) {
-      frames_due_ = kSettlingFrames;
-      tooltip_due_ = Clock::now() + kTooltipFrameAfter;
-    } else if (tooltip_due_ && Clock::now() >= *tooltip_due_) {
-      frames_due_ = kSettlingFrames;
-      tooltip_due_.reset();
-    }
-    guarded([this] { open_dropped(host_.take_dropped_files()); });
-    take_results();
-    const bool playing = state_.memory.playing || state_.memory.playing_models;
-    const bool due = frames_due_ > 0 || playing || working() || store_.busy() ||
-                     scene_.wants_frame() || state_.open != sent_open_;
-    if (!due) continue;
-    frames_due_ = std::max(0, frames_due_ - 1);
-    draw(nullptr, false);
-  }
-  host_.hide();
 }
 
 }  // namespace alphascope

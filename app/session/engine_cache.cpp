@@ -4,9 +4,7 @@
 #include <utility>
 
 #include "app/session/rounding_note.hpp"
-#include "core/complex/triangulation.hpp"
-#include "core/triangulation/filtration.hpp"
-#include "core/triangulation/memory_need.hpp"
+#include "core/engines/lent.hpp"
 
 namespace alphascope {
 
@@ -64,11 +62,7 @@ MeasuredUnion EngineCache::measure(const EngineAnswer& answer, const RunContext&
 std::uint64_t EngineCache::kept_bytes() const {
   std::uint64_t bytes = 0;
   for (const Entry& entry : entries_) {
-    bytes += entry.made.engine->kept_bytes();
-    if (entry.of_all.triangulation) bytes += bytes_of(*entry.of_all.triangulation);
-    if (const Filtration* filtration = entry.of_all.filtration.get()) {
-      bytes += filtration->top_bytes() + filtration->level_bytes();
-    }
+    bytes += entry.made.engine->kept_bytes() + bytes_of(entry.of_all);
   }
   return bytes;
 }

@@ -241,7 +241,8 @@ void SceneController::render(ViewportInfo& viewport, bool interacting, bool pati
   if (!change && !refine_now && !(patient && drawn_ != RenderQuality::fine)) {
     return check_view(viewport, interacting);
   }
-  const bool follows = interacting && (pending_ || std::exchange(new_picture_, false));
+  const bool new_picture = std::exchange(new_picture_, false);
+  const bool follows = interacting && (pending_ || new_picture);
   const RenderQuality target = patient                 ? RenderQuality::fine
                                : refine_now && !change ? quality_.at_rest()
                                : follows               ? quality_.while_computing()

@@ -15,7 +15,6 @@
 #include "core/predicates/exact_alpha.hpp"
 #include "core/triangulation/cgal_triangulation.hpp"
 #include "core/triangulation/filtration.hpp"
-#include "core/triangulation/memory_need.hpp"
 
 namespace alphascope {
 namespace {
@@ -65,10 +64,7 @@ class CgalEngine : public Engine {
     return {std::exchange(triangulation_, nullptr), std::exchange(filtration_, nullptr)};
   }
 
-  std::uint64_t kept_bytes() const override {
-    return (triangulation_ ? bytes_of(*triangulation_) : 0) +
-           (filtration_ ? filtration_->top_bytes() + filtration_->level_bytes() : 0);
-  }
+  std::uint64_t kept_bytes() const override { return bytes_of(Lent{triangulation_, filtration_}); }
 
  private:
   AlphaComplex own_answer(const AlphaRequest& request, const RunContext& context,

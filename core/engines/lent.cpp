@@ -5,8 +5,15 @@
 
 #include "core/complex/triangulation.hpp"
 #include "core/triangulation/filtration.hpp"
+#include "core/triangulation/memory_need.hpp"
 
 namespace alphascope {
+
+std::uint64_t bytes_of(const Lent& lent) {
+  std::uint64_t bytes = lent.triangulation ? bytes_of(*lent.triangulation) : 0;
+  if (lent.filtration) bytes += lent.filtration->top_bytes() + lent.filtration->level_bytes();
+  return bytes;
+}
 
 void require_lent_of(const BallSet& balls, const Lent& lent) {
   if (lent.filtration && (&lent.filtration->balls() != &balls ||

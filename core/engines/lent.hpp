@@ -1,11 +1,15 @@
 // Answers from what an engine was lent (core/engine/engine.hpp), the same in every engine.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 
 #include "core/engine/engine.hpp"
 
 namespace alphascope {
+
+// Memory of both.
+std::uint64_t bytes_of(const Lent& lent);
 
 // Throws std::invalid_argument when what was lent is of other balls, or does not hold for every
 // alpha.

@@ -21,7 +21,9 @@ struct ViewerOptions {
   // Folder of preferences; empty: they are neither read nor written.
   std::filesystem::path preferences;
   bool preferences_given = false;
-  bool script_help = false;                        // print what scripts may contain, and end
+  bool script_help = false;  // print what scripts may contain, and end
+  // Of a window that nobody sees: panels of a frame that no picture is taken of are not drawn.
+  bool draw_shots_only = false;
   std::optional<std::uint64_t> drawing_memory_mb;  // taken as free; none: what is
 };
 

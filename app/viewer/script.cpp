@@ -21,6 +21,7 @@ namespace {
 
 using Kind = Parameter::Kind;
 constexpr std::chrono::seconds kLongestWait{300};
+constexpr double kBusyFrame = 0.05;  // seconds between frames while nothing wakes the window
 
 class ScriptRunner {
  public:
@@ -212,7 +213,7 @@ class ScriptRunner {
       if (std::chrono::steady_clock::now() > deadline) {
         throw std::runtime_error("still busy after five minutes");
       }
-      if (viewer_.busy()) viewer_.host().wait_events(0.005);
+      if (viewer_.busy()) viewer_.host().wait_events(kBusyFrame);
       frames(1);
     }
   }
@@ -228,6 +229,7 @@ class ScriptRunner {
                           static_cast<int>(arguments.number("height")));
     frames(3);
   }
+  void shots_only(const Arguments&) { viewer_.draw_shots_only(); }
   void shot(const Arguments& arguments) { viewer_.shoot(arguments.text("path"), &input_); }
   void where(const Arguments& arguments) {
     move(arguments);
@@ -337,6 +339,9 @@ std::vector<ScriptRunner::Verb> ScriptRunner::all_verbs() {
       {verb("size", "Changes the size of the window, in pixels",
             {number("width", kWindowRule), number("height", kWindowRule)}),
        &S::size},
+      {verb("shots-only",
+            "From now on draws the panels only where a picture is taken; nobody sees other frames"),
+       &S::shots_only},
       {verb("shot", "Writes a picture of the whole window as a PNG file", one(picture)), &S::shot},
       {verb("where",
             "As move; then writes the name and where the mouse is, in pixels from the top left of "

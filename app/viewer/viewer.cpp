@@ -58,6 +58,7 @@ Viewer::Viewer(Host& host, const ViewerOptions& options, Session::Services servi
   state_.compute.solvent_radius_angstrom = options.solvent;
   state_.compute.tetrahedra_only = options.tetrahedra_only;
   state_.auto_compare = options.compare;
+  draw_shots_only_ = options.draw_shots_only;
   sent_compute_ = state_.compute;
   session_.set_request(canonical(state_.compute));
   session_.set_open_options(state_.open);

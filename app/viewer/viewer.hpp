@@ -47,6 +47,8 @@ class Viewer {
   bool wait_for_frame();
   // A molecule, a complex, a comparison or a mesh is on its way.
   bool busy() const;
+  // From now on the panels of other frames than shoot()'s are made and not drawn.
+  void draw_shots_only() { draw_shots_only_ = true; }
   // Draws the scene as finely as it can be, then the window, into a PNG file.
   void shoot(const std::filesystem::path& path, ScriptedInput* input);
 
@@ -187,6 +189,7 @@ class Viewer {
   int frames_due_ = 3;
   bool quit_ = false;
   bool patient_ = false;
+  bool draw_shots_only_ = false;
   bool must_render_ = false;          // the picture of what state_.result says
   bool memory_to_give_back_ = false;  // something large was freed
   PictureSaver saver_;

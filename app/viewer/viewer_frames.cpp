@@ -67,6 +67,10 @@ void Viewer::draw(ScriptedInput* input, bool patient,
   place_clip_handle();
   draw_over_picture(parts, frame_.fonts(), frame_.scale());
   if (undrawn) return frame_.end_undrawn();
+  if (draw_shots_only_ && !before_swap) {
+    frame_.end_undrawn();
+    return give_back_memory_when_due();
+  }
   frame_.end([&](unsigned framebuffer) {
     if (before_swap) before_swap(framebuffer);
   });

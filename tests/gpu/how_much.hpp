@@ -10,8 +10,7 @@ namespace alphascope::testing {
 inline constexpr double kSomeAlphas[] = {-1.0, 0.25, 1.0, 40.0};
 inline constexpr int kNumbersOfChunks[] = {5};
 // Balls of a large hard set.
-inline constexpr int kLarge = unless_sanitized(300, 100),
-                     kLargeForTuples = unless_sanitized(24, 12);
+inline constexpr int kLarge = unless_sanitized(300, 100), kLargeForTuples = unless_sanitized(24, 8);
 #else
 inline constexpr double kSomeAlphas[] = {-1.0, 0.0, 0.25, 0.5, 1.0, 3.0, 40.0};
 inline constexpr int kNumbersOfChunks[] = {2, 5, 16};

@@ -138,6 +138,7 @@ class ErrorsTest : public testing::ViewerTest {
   ErrorsTest() {
     ViewerOptions options;
     options.compare = false;
+    options.draw_shots_only = true;
     Session::Services services = Session::program_services();
     services.make_engine = [this, make = services.make_engine](auto&&... arguments) {
       if (no_memory_) throw std::bad_alloc();

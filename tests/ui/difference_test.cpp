@@ -64,6 +64,7 @@ class DifferenceInTheWindow : public testing::ViewerTest {
     };
     ViewerOptions options;
     options.compare = false;
+    options.draw_shots_only = true;
     viewer_ = std::make_unique<Viewer>(*host_, options, services);
     open_crambin();
   }

@@ -198,6 +198,7 @@ class WindowMemory : public testing::ViewerTest {
     viewer_.reset();
     ViewerOptions options;
     options.compare = false;
+    options.draw_shots_only = true;
     options.drawing_memory_mb = megabytes;
     viewer_ = std::make_unique<Viewer>(*host_, options);
     open_crambin();
@@ -340,6 +341,7 @@ TEST_F(WindowMemory, TellsAPictureThatIsOutdated) {
   };
   ViewerOptions options;
   options.compare = false;
+  options.draw_shots_only = true;
   viewer_ = std::make_unique<Viewer>(*host_, options, services);
   open_crambin();
   EXPECT_FALSE(viewer_->state().viewport.outdated);

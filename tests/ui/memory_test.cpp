@@ -35,6 +35,7 @@ bool in_use_is_known() {
 template <class Base>
 class Measured : public Base {
  protected:
+  using Base::Base;
   static void SetUpTestSuite() { setenv("LP_NUM_THREADS", "0", 1); }
   void SetUp() override {
     if (!in_use_is_known()) GTEST_SKIP() << "a sanitizer's allocator does not tell what is in use";
@@ -43,6 +44,8 @@ class Measured : public Base {
 
 class WindowMemoryTest : public Measured<ViewerTest> {
  protected:
+  WindowMemoryTest() : Measured(false) {}
+
   // Of tests/ui/memory_round.txt.
   std::string round() const {
     std::ifstream file(fs::path(ALPHASCOPE_SOURCE_DIR) / "tests/ui/memory_round.txt");

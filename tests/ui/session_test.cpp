@@ -16,6 +16,7 @@ class SessionWindowTest : public ViewerTest {
     host_ = make_egl_host({1100, 700, 1, "test"});
     ViewerOptions options;
     options.compare = false;
+    options.draw_shots_only = true;
     viewer_ = std::make_unique<Viewer>(*host_, options);
   }
   std::string hash() const { return hash_text(viewer_->state().result->complex.hash); }
@@ -203,6 +204,7 @@ class PreferencesWindowTest : public ViewerTest {
     viewer_.reset();
     ViewerOptions options;
     options.compare = false;
+    options.draw_shots_only = true;
     options.light = light;
     options.preferences = folder_ / "config";
     viewer_ = std::make_unique<Viewer>(*host_, options);

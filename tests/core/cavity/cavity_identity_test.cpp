@@ -13,6 +13,7 @@
 #include "tests/core/cavity/rational_location.hpp"
 #include "tests/support/molecules.hpp"
 #include "tests/support/random_balls.hpp"
+#include "tests/support/sanitizer.hpp"
 
 namespace alphascope {
 namespace {
@@ -85,7 +86,8 @@ CavityMatch rational_match(const CavityTable& earlier, const CavityTable& later)
 TEST(CavityIdentity, SharesAreThoseOfTheDefinitionInRationals) {
   Random random(31);
   std::size_t same = 0, splits = 0, merges = 0, elsewhere = 0;
-  for (int round = 0; round < 25; ++round) {
+  const int rounds = testing::unless_sanitized(25, 8);
+  for (int round = 0; round < rounds; ++round) {
     BallSet balls = testing::random_balls(random, 25, 9, 2, 4);
     for (const int by : {1, -1, 2}) {
       const auto a = table_of(by < 0 ? grown(balls, -by) : balls);
@@ -100,10 +102,11 @@ TEST(CavityIdentity, SharesAreThoseOfTheDefinitionInRationals) {
       elsewhere += a->ground->triangulation->tetrahedra != b->ground->triangulation->tetrahedra;
     }
   }
-  EXPECT_GT(same, 50u);
-  EXPECT_GT(splits, 5u);
-  EXPECT_GT(merges, 3u);
-  EXPECT_GT(elsewhere, 50u);
+  const auto enough = static_cast<std::size_t>(rounds);
+  EXPECT_GT(same, 2 * enough);
+  EXPECT_GT(splits, enough / 5);
+  EXPECT_GT(merges, enough / 8);
+  EXPECT_GT(elsewhere, 2 * enough);
 }
 
 // A box with a wall inside, which has a hole: two chambers that are one where the hole is open.
@@ -148,7 +151,9 @@ TEST(CavityIdentity, OfPartsOfOneSizeTheOneOfTheFirstSinkGoesOn) {
   const std::uint32_t first =
       closed->sink(0) < closed->sink(1) ? closed->order[0] : closed->order[1];
   EXPECT_EQ(split.goes_to[open->order[0]], first);
-  EXPECT_EQ(split, rational_match(*open, *closed));
+  if (!testing::kAddressSanitizer) {
+    EXPECT_EQ(split, rational_match(*open, *closed));
+  }
 }
 
 TEST(CavityIdentity, AlphaMovesGoByTheDeepestSink) {

@@ -16,6 +16,7 @@
 #include "tests/core/cavity/gramicidin.hpp"
 #include "tests/core/cavity/rings.hpp"
 #include "tests/support/random_balls.hpp"
+#include "tests/support/sanitizer.hpp"
 
 namespace alphascope {
 namespace {
@@ -274,7 +275,8 @@ TEST(Channel, OfAFineLatticeIsRounded) {
 TEST(Channel, OfHardSetsIsSoundOrRefused) {
   Random random(23);
   std::vector<testing::NamedBalls> sets = testing::small_hard_sets(random, 40);
-  for (testing::NamedBalls& set : testing::large_hard_sets(random, 120))
+  for (testing::NamedBalls& set :
+       testing::large_hard_sets(random, testing::unless_sanitized(120, 40)))
     sets.push_back(std::move(set));
   int answers = 0;
   for (const testing::NamedBalls& set : sets) {

@@ -24,7 +24,7 @@ AlphaComplex in_slabs(const BallSet& balls, const AlphaRequest& request, std::si
 TEST(Slabs, GiveTheWholeComplex) {
   Random random(21);
   for (const NamedBalls& set :
-       testing::large_hard_sets(random, testing::unless_sanitized(1000, 150))) {
+       testing::large_hard_sets(random, testing::unless_sanitized(1000, 60))) {
     SCOPED_TRACE(set.name);
     const auto balls = std::make_shared<const BallSet>(set.balls);
     const double unit = set.alpha_unit();

@@ -31,6 +31,7 @@ SceneController::SceneController(std::function<void()> wake, FreeMemory free_mem
       mesh_worker_(wake, kFinishes),
       layer_worker_(wake),
       beside_worker_(wake),
+      pick_worker_(wake),
       cap_worker_(std::move(wake), kFinishes) {}
 
 std::shared_ptr<const Molecule> SceneController::molecule() const {
@@ -121,7 +122,7 @@ void SceneController::update_radii() {
 
 ViewProblem SceneController::find_view_problem() const {
   if (!drawn_molecule_ || draws_nothing()) return ViewProblem::none;
-  const bool complex = drawn_mesh_ && drawn_mesh_->points() > 0;
+  const bool complex = drawn_mesh_ && !drawn_mesh_->empty();
   const std::vector<float> not_drawn;
   const Cut cut = scene_style().cut;
   const BallGeometry& all = *drawn_molecule_->geometry;
@@ -187,6 +188,7 @@ bool SceneController::poll() {
   mesh_worker_.poll();
   layer_worker_.poll();
   beside_worker_.poll();
+  pick_worker_.poll();
   cap_worker_.poll();
   return before != drawn_answer_;
 }

@@ -39,9 +39,9 @@ class SceneController {
   // Bytes that are free for drawing, if that is known; asked from any thread.
   using FreeMemory = std::function<std::optional<std::uint64_t>()>;
   // build_mesh(); on the worker's thread.
-  using MeshMaker =
-      std::function<ComplexMesh(const BallGeometry& balls, const std::vector<Rgb8>& colours,
-                                const AlphaComplex& complex, const MeshOptions& options)>;
+  using MeshMaker = std::function<ComplexMesh(
+      const BallGeometry& balls, const std::vector<Rgb8>& colours, const AlphaComplex& complex,
+      const MeshOptions& options, const CancelToken& cancel)>;
   // An OpenGL context must be current; `wake` as in Worker.
   SceneController(std::function<void()> wake, FreeMemory free_memory,
                   MeshMaker make_mesh = &build_mesh);
@@ -79,7 +79,8 @@ class SceneController {
   // Something is still on its way to the screen: a mesh, or a finer picture.
   bool busy() const {
     return mesh_worker_.activity().busy || layer_worker_.activity().busy ||
-           beside_worker_.activity().busy || cap_worker_.activity().busy;
+           beside_worker_.activity().busy || pick_worker_.activity().busy ||
+           cap_worker_.activity().busy;
   }
   bool wants_frame() const { return dirty_ || refine_; }
   // Of what is drawn and of what is being made, at most; without differences.
@@ -169,7 +170,6 @@ class SceneController {
     std::shared_ptr<const Exposure> exposure;  // null unless colours are of that
     std::shared_ptr<const ComplexMesh> mesh;
     std::shared_ptr<MeshData> mesh_data;
-    PickLayers picks;     // of mesh
     MeshOptions options;  // of mesh
     bool by_element = false;
     DrawnCaps caps;
@@ -217,6 +217,7 @@ class SceneController {
   void show_no_memory();
   void submit_layers(const Layers& layers);
   void submit_beside_body();
+  void submit_picks();
   void show_layers(DrawnLayers layers, std::shared_ptr<LayerData> data);
   void forget_layers();  // the scene has
   void place_camera(const CameraPlace& camera);
@@ -253,7 +254,7 @@ class SceneController {
   std::optional<Clock::time_point> outdated_since_;
   std::vector<float> radii_;  // Å, as drawn
   double pick_margin_ = 0;    // BallPicker::margin() of them
-  PickLayers picks_;
+  PickLayers picks_;          // of drawn_mesh_, or none yet
   Selected selected_;
   std::shared_ptr<const ComplexMesh> drawn_mesh_;
   MeshOptions drawn_options_;  // of drawn_mesh_
@@ -277,7 +278,7 @@ class SceneController {
   int width_ = 0, height_ = 0;
   std::atomic<std::uint64_t> pending_bytes_ = 0;  // of what the worker makes
   // Last: joined before what their jobs use goes.
-  Worker mesh_worker_, layer_worker_, beside_worker_, cap_worker_;
+  Worker mesh_worker_, layer_worker_, beside_worker_, pick_worker_, cap_worker_;
 };
 
 }  // namespace alphascope

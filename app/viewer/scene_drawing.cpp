@@ -101,11 +101,10 @@ Worker::Delivery SceneController::make_drawing(const Wanted& wanted, const RunCo
                                    drawing.radii);
   }
   if (answer && plan.balls) {
-    drawing.mesh = std::make_shared<const ComplexMesh>(make_mesh_(
-        *m.geometry, by_element ? *m.by_element : *m.by_chain, answer->complex, plan.mesh));
-    context.cancel.throw_if_cancelled();
+    drawing.mesh = std::make_shared<const ComplexMesh>(
+        make_mesh_(*m.geometry, by_element ? *m.by_element : *m.by_chain, answer->complex,
+                   plan.mesh, context.cancel));
     drawing.mesh_data = make_mesh_data(drawing.mesh);
-    drawing.picks = mesh_layers(drawing.mesh);
     drawing.options = plan.mesh;
     drawing.by_element = by_element;
     drawing.caps = make_caps({drawing.molecule, answer, drawing.mesh, plan.mesh, by_element}, clip,
@@ -132,6 +131,7 @@ void SceneController::make_room() {
   drawn_caps_.mesh = nullptr;
   drawn_caps_.pick.reset();
   picks_.clear();
+  pick_worker_.cancel();
   submit();
 }
 
@@ -171,7 +171,7 @@ void SceneController::show(Drawing drawing) {
   alpha_legend_ = drawing.mesh && drawing.mesh->scale ? std::optional(drawing.mesh->scale->legend())
                                                       : std::nullopt;
   drawn_mesh_ = std::move(drawing.mesh);
-  picks_ = std::move(drawing.picks);
+  submit_picks();
   drawn_differences_ = std::move(drawing.differences);
   drawn_options_ = drawing.options;
   drawn_by_element_ = drawing.by_element;
@@ -189,6 +189,19 @@ void SceneController::show(Drawing drawing) {
   const bool shows_none = problem != ViewProblem::none && problem != ViewProblem::cut_away;
   if (!keep_view || shows_none) scene_.reset_view();
   if (wanted_camera_ && !draws_nothing()) place_camera(*std::exchange(wanted_camera_, {}));
+}
+
+// After the picture: nobody points at what has just appeared, and while alpha moves nobody points
+// at all.
+void SceneController::submit_picks() {
+  picks_.clear();
+  if (!drawn_mesh_ || drawn_mesh_->empty()) return pick_worker_.cancel();
+  pick_worker_.submit([this, mesh = drawn_mesh_,
+                       balls = drawn_molecule_->geometry](const RunContext&) -> Worker::Delivery {
+    return [this, mesh, layers = mesh_layers(mesh, balls)] {
+      if (mesh == drawn_mesh_) picks_ = layers;
+    };
+  });
 }
 
 // Colours and radii come with the drawing, unless the controls have changed since it was begun.

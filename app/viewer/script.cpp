@@ -11,6 +11,7 @@
 
 #include "app/options/did_you_mean.hpp"
 #include "app/session/system_memory.hpp"
+#include "app/viewer/alpha_moves.hpp"
 #include "app/viewer/commands.hpp"
 #include "app/viewer/resources.hpp"
 #include "app/viewer/viewer.hpp"
@@ -253,6 +254,12 @@ class ScriptRunner {
     out_ << arguments.text("text") << ": " << since.count() << " ms\n";
   }
 
+  void alpha_moves(const Arguments& arguments) {
+    out_ << time_alpha_moves(viewer_, input_, arguments.number("alpha"),
+                             static_cast<int>(arguments.number("moves", 20)))
+         << std::endl;
+  }
+
   void memory(const Arguments& arguments) {
     const auto megabytes = [](std::uint64_t bytes) { return static_cast<double>(bytes) / 1e6; };
     const std::string text = arguments.text("text");
@@ -271,6 +278,8 @@ class ScriptRunner {
 constexpr NumberRule kPlaceRule{"A place in a widget", -100, 100};
 constexpr NumberRule kSecondsRule{"The time", 0, 600, "s"};
 constexpr NumberRule kWheelRule{"The number of steps", -1000, 1000};
+constexpr NumberRule kMovedAlphaRule{"Alpha", -1e6, 1e6, "Å²"};
+constexpr NumberRule kMovesRule{"The number of moves", 1, 1e4, "", true};
 constexpr NumberRule kFramesRule{"The number of frames", 0, 1e6, "", true};
 constexpr NumberRule kWindowRule{"Width and height of the window", 64, 16384, "pixels", true};
 
@@ -352,6 +361,12 @@ std::vector<ScriptRunner::Verb> ScriptRunner::all_verbs() {
       {verb("time", "Writes the text, then the milliseconds since the previous such line",
             one(text)),
        &S::time},
+      {verb("alpha-moves",
+            "Moves alpha there again and again, each time from a little beside it; writes the "
+            "milliseconds to the end of the first frame that shows it, and of what: median and, in "
+            "brackets, the longest",
+            {number("alpha", kMovedAlphaRule), number("moves", kMovesRule, true)}),
+       &S::alpha_moves},
       {verb("memory",
             "Writes the text, then the megabytes (10^6 bytes) that are resident and those of the "
             "heap in use",

@@ -43,6 +43,8 @@ class Viewer {
 
   // One step for scripts and tests: takes in results, draws one frame with this input.
   void step(ScriptedInput* input);
+  // Waits until the last frame is drawn, also where a GPU draws.
+  void finish_frame() { frame_.finish(); }
   // Takes in results until the next frame may be drawn; whether anything happened.
   bool wait_for_frame();
   // A molecule, a complex, a comparison or a mesh is on its way.

@@ -88,16 +88,16 @@ int main(int argc, char** argv) try {
       std::make_shared<const ComplexMesh>(build_mesh(*geometry, colours, complex, options));
   const double mesh_time = milliseconds_since(start);
   start = Clock::now();
-  const PickLayers layers = mesh_layers(mesh);
+  const PickLayers layers = mesh_layers(mesh, geometry);
   const double layers_time = milliseconds_since(start);
   start = Clock::now();
   const BallPicker picker(geometry);
   const double balls_time = milliseconds_since(start);
   std::printf(
-      "%zu balls, %zu tetrahedra; mesh of %zu points %.1f ms, its boxes %.1f ms, those of "
+      "%zu balls, %zu tetrahedra; mesh of %zu faces %.1f ms, its boxes %.1f ms, those of "
       "the balls %.1f ms\n",
-      geometry->centres.size(), complex.tetrahedra.size(), mesh->points(), mesh_time, layers_time,
-      balls_time);
+      geometry->centres.size(), complex.tetrahedra.size(), mesh->faces_drawn(), mesh_time,
+      layers_time, balls_time);
   const std::vector<float> radii = drawn_radii(*geometry, {});
   const double margin = picker.margin(radii);
   const std::vector<PickLine> lines = lines_of_sight(*geometry);

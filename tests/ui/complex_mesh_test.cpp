@@ -7,6 +7,7 @@
 #include <map>
 #include <stdexcept>
 
+#include "core/run/work_threads.hpp"
 #include "tests/ui/molecule_fixture.hpp"
 
 namespace alphascope {
@@ -27,61 +28,125 @@ struct Case {
   }
 };
 
-std::size_t faces_in_one_tetrahedron(const AlphaComplex& complex) {
-  std::map<std::array<BallIndex, 3>, int> count;
+using Face = std::array<BallIndex, 3>;
+
+// By the definition: each face with the tetrahedra that have it.
+std::map<Face, int> counted_faces(const AlphaComplex& complex) {
+  std::map<Face, int> count;
   for (const auto& t : complex.tetrahedra.simplices) {
     for (int skip = 0; skip < 4; ++skip) {
-      std::array<BallIndex, 3> face{};
+      Face face{};
       for (int i = 0, k = 0; i < 4; ++i) {
         if (i != skip) face[k++] = t[i];
       }
       ++count[face];
     }
   }
-  return std::count_if(count.begin(), count.end(), [](const auto& f) { return f.second == 1; });
+  return count;
+}
+
+std::vector<Face> faces_in_one_tetrahedron(const AlphaComplex& complex) {
+  std::vector<Face> faces;
+  for (const auto& [face, count] : counted_faces(complex)) {
+    if (count == 1) faces.push_back(face);
+  }
+  return faces;
+}
+
+std::vector<Face> sorted_corners(const FaceCells& cells) {
+  std::vector<Face> faces;
+  for (const DrawnFace& face : cells.faces) {
+    faces.push_back(face.balls);
+    std::sort(faces.back().begin(), faces.back().end());
+  }
+  return faces;
 }
 
 TEST(ComplexMesh, OpaqueTetrahedraAreDrawnByTheirBoundaryOnly) {
   const Case c;
   ASSERT_GT(c.complex.tetrahedra.size(), 50u);
   const ComplexMesh mesh = c.mesh({});
-  EXPECT_EQ(mesh.tetrahedra.points(), 3 * faces_in_one_tetrahedron(c.complex));
-  EXPECT_LT(mesh.tetrahedra.points(), 12 * c.complex.tetrahedra.size());
+  const std::vector<Face> outside = faces_in_one_tetrahedron(c.complex);
+  EXPECT_EQ(sorted_corners(mesh.outside), outside);
+  EXPECT_LT(outside.size(), 4 * c.complex.tetrahedra.size());
+  EXPECT_EQ(mesh.tetrahedra.size(), 0u);
   EXPECT_EQ(mesh.tetrahedra_drawn, c.complex.tetrahedra.size());
   EXPECT_EQ(mesh.edges.points(), 0u);
 }
 
-TEST(ComplexMesh, ShrunkOrTranslucentTetrahedraHaveAllFaces) {
+// Found by the classes of triangles, and where there are none.
+TEST(ComplexMesh, OutsideIsThatOfTheDefinitionAtAnyAlphaAndWithAnyThreads) {
+  for (const double alpha : {-2.0, 0.0, 1.0, 4.0, 40.0}) {
+    const auto balls = rod(40);
+    const BallGeometry geometry(*balls);
+    const AlphaComplex complex = complex_of(balls, alpha);
+    const std::vector<Face> wanted = faces_in_one_tetrahedron(complex);
+    const auto whole = outer_faces(complex);
+    for (const int threads : {1, 3}) {
+      WorkThreads(threads).run([&] {
+        EXPECT_EQ(outer_faces(complex), whole) << alpha;
+        EXPECT_EQ(outer_faces(complex.tetrahedra.simplices), whole) << alpha;
+      });
+    }
+    ASSERT_EQ(whole.size(), wanted.size());
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+      EXPECT_EQ(face_vertices(complex.tetrahedra.simplices, whole[i]), wanted[i]);
+    }
+  }
+}
+
+TEST(ComplexMesh, RefusesClassesOfAnotherComplex) {
+  Case c;
+  std::fill(c.complex.triangles.classes.begin(), c.complex.triangles.classes.end(),
+            SimplexClass::regular);
+  c.complex.tetrahedra.simplices.resize(1);
+  EXPECT_THROW(c.mesh({}), std::invalid_argument);
+}
+
+TEST(ComplexMesh, CanBeCancelled) {
+  const Case c;
+  CancelToken cancel;
+  cancel.cancel();
+  MeshOptions options;
+  EXPECT_THROW(build_mesh(c.geometry, c.colours, c.complex, options, cancel), Cancelled);
+  options.shrink = 0.5;
+  EXPECT_THROW(build_mesh(c.geometry, c.colours, c.complex, options, cancel), Cancelled);
+}
+
+TEST(ComplexMesh, ShrunkOrTranslucentTetrahedraAreAllThere) {
   const Case c;
   MeshOptions options;
   options.shrink = 0.2;
-  EXPECT_EQ(c.mesh(options).tetrahedra.points(), 12 * c.complex.tetrahedra.size());
+  EXPECT_EQ(c.mesh(options).tetrahedra.balls, c.complex.tetrahedra.simplices);
+  EXPECT_EQ(c.mesh(options).outside.size(), 0u);
   options.shrink = 0;
   options.translucent = true;
-  EXPECT_EQ(c.mesh(options).tetrahedra.points(), 12 * c.complex.tetrahedra.size());
+  EXPECT_EQ(c.mesh(options).tetrahedra.balls, c.complex.tetrahedra.simplices);
 }
 
 TEST(ComplexMesh, ShrinkingMovesCornersTowardsTheCentre) {
   const Case c;
   MeshOptions options;
   options.shrink = 0.25;
-  const ComplexMesh mesh = c.mesh(options);
+  EXPECT_EQ(c.mesh(options).tetrahedra.shrink, 0.25f);
   const auto& first = c.complex.tetrahedra.simplices.front();
   std::array<float, 3> centre{};
   for (const BallIndex v : first) {
     for (int k = 0; k < 3; ++k) centre[k] += c.geometry.centres[v][k] / 4;
   }
-  // The first face drawn is opposite to corner 0 and starts at corner 1.
-  for (int k = 0; k < 3; ++k) {
-    const float corner = c.geometry.centres[first[1]][k];
-    EXPECT_NEAR(mesh.tetrahedra.xyz[k], corner + 0.25f * (centre[k] - corner), 1e-4f);
+  const auto corners = shrunk_corners(c.geometry, first, 0.25f);
+  for (std::size_t i = 0; i < 4; ++i) {
+    for (int k = 0; k < 3; ++k) {
+      const float corner = c.geometry.centres[first[i]][k];
+      EXPECT_NEAR(corners[i][k], corner + 0.25f * (centre[k] - corner), 1e-4f);
+    }
   }
 }
 
 TEST(ComplexMesh, BoundaryFacesLookOutwards) {
   const Case c;
   const auto faces = boundary_faces(c.geometry, c.complex.tetrahedra.simplices);
-  EXPECT_EQ(faces.size(), faces_in_one_tetrahedron(c.complex));
+  EXPECT_EQ(faces.size(), faces_in_one_tetrahedron(c.complex).size());
   // By the divergence theorem an outward surface encloses the volume of the tetrahedra.
   double enclosed = 0, volume = 0;
   const auto det = [&](BallIndex i, BallIndex j, BallIndex k, std::array<double, 3> o) {
@@ -111,10 +176,10 @@ TEST(ComplexMesh, SingularOnlyLeavesOutFacesOfLargerSimplices) {
         std::count(list.classes.begin(), list.classes.end(), SimplexClass::singular));
   };
   EXPECT_EQ(c.mesh(options).edges.points(), 2 * singular(c.complex.edges));
-  EXPECT_EQ(c.mesh(options).triangles.points(), 3 * singular(c.complex.triangles));
+  EXPECT_EQ(c.mesh(options).triangles.size(), singular(c.complex.triangles));
   options.singular_only = false;
   EXPECT_EQ(c.mesh(options).edges.points(), 2 * c.complex.edges.size());
-  EXPECT_EQ(c.mesh(options).triangles.points(), 3 * c.complex.triangles.size());
+  EXPECT_EQ(c.mesh(options).triangles.size(), c.complex.triangles.size());
 }
 
 TEST(ComplexMesh, RefusesAComplexOfOtherBalls) {
@@ -158,7 +223,8 @@ TEST(BallGeometry, EmptyAndSingleBallAreHarmless) {
   EXPECT_DOUBLE_EQ(geometry.bounds[0], -1.5);
 }
 
-// Colours of elements and chains are not numbers: between two of them there is none.
+// Colours of elements and chains are not numbers: between two of them there is none. It is that of
+// most corners, on a tie that of the lowest index among them.
 TEST(ComplexMesh, EverySimplexHasOneColourOfItsCorners) {
   Case c;
   for (std::size_t i = 0; i < c.colours.size(); ++i) {
@@ -169,30 +235,34 @@ TEST(ComplexMesh, EverySimplexHasOneColourOfItsCorners) {
   options.singular_only = false;
   options.shrink = 0.2;
   const ComplexMesh mesh = c.mesh(options);
-  const auto colour = [](const CellSoup& soup, std::size_t point) {
-    return Rgb8{soup.rgb[3 * point], soup.rgb[3 * point + 1], soup.rgb[3 * point + 2]};
-  };
-  for (const auto& [soup, corners] : {std::pair{&mesh.tetrahedra, 12},
-                                      {&mesh.boundary, 3},
-                                      {&mesh.triangles, 3},
-                                      {&mesh.edges, 2}}) {
-    ASSERT_GT(soup->points(), 0u);
-    for (std::size_t p = 0; p < soup->points(); ++p) {
-      ASSERT_EQ(colour(*soup, p), colour(*soup, p - p % static_cast<std::size_t>(corners)));
-    }
-  }
-  // Which one: that of most corners, on a tie that of the lowest index among them.
-  for (std::size_t t = 0; t < c.complex.tetrahedra.size(); ++t) {
-    const auto& simplex = c.complex.tetrahedra.simplices[t];
+  const auto wanted = [&](const auto& simplex) {
     int most = 0;
-    Rgb8 wanted{};
+    Rgb8 best{};
     for (const BallIndex v : simplex) {
       int same = 0;
       for (const BallIndex w : simplex) same += c.colours[v] == c.colours[w];
-      if (same > most) wanted = c.colours[v];
+      if (same > most) best = c.colours[v];
       most = std::max(most, same);
     }
-    ASSERT_EQ(colour(mesh.tetrahedra, 12 * t), wanted) << t;
+    return best;
+  };
+  const auto& tetrahedra = c.complex.tetrahedra.simplices;
+  for (std::size_t t = 0; t < tetrahedra.size(); ++t) {
+    ASSERT_EQ(unpacked(mesh.tetrahedra.colours[t]), wanted(tetrahedra[t])) << t;
+  }
+  ASSERT_GT(mesh.boundary.size(), 0u);
+  for (std::size_t i = 0; i < mesh.boundary.size(); ++i) {
+    ASSERT_EQ(unpacked(mesh.boundary.faces[i].colour),
+              wanted(tetrahedra[tetrahedron_of(mesh.boundary.source[i])]));
+  }
+  ASSERT_EQ(mesh.triangles.size(), c.complex.triangles.size());
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    ASSERT_EQ(unpacked(mesh.triangles.faces[i].colour), wanted(c.complex.triangles.simplices[i]));
+  }
+  const CellSoup& edges = mesh.edges;
+  for (std::size_t i = 0; i < 2 * c.complex.edges.size(); ++i) {
+    const Rgb8 colour{edges.rgb[3 * i], edges.rgb[3 * i + 1], edges.rgb[3 * i + 2]};
+    ASSERT_EQ(colour, wanted(c.complex.edges.simplices[i / 2]));
   }
 }
 

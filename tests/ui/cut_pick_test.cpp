@@ -104,7 +104,7 @@ TEST_F(CutPick, TetrahedraAreHitInTheirCapsAndNowhereElse) {
   const Cut cut(read_clip("1,1,0.2").resolved({}, {0, 0, 0}), {0, 0, 0});
   const auto caps = std::make_shared<const CapMesh>(
       build_cap_mesh(*geometry, colours, complex, {}, mesh->scale, cut));
-  PickLayers layers = mesh_layers(mesh);
+  PickLayers layers = mesh_layers(mesh, geometry);
   layers.push_back(cap_layer(caps));
   int on_caps = 0, kept_hits = 0;
   for (const Ray& ray : rays(2000)) {

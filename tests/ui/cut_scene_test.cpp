@@ -162,6 +162,7 @@ class CutMesh : public CutScene {
     show({{-4, -4, -3}, {4, -4, -3}, {0, 4, -3}, {0, 0, 5}}, {1, 1, 1, 1},
          std::vector<Rgb8>(4, kRed));
     complex.tetrahedra.simplices.push_back({0, 1, 2, 3});
+    complex.tetrahedra_only = true;  // no classes of triangles tell what is outside
     style.balls = false;
   }
   void draw(const MeshOptions& options, const std::string& text) {

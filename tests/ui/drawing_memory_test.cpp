@@ -62,14 +62,16 @@ TEST_F(DrawingPlans, ExpectNoMorePointsThanAreMade) {
       options.singular_only = singular_only;
       options.shrink = shrink;
       const ComplexMesh mesh = build_mesh(geometry, colours, complex_, options);
-      const std::uint64_t lines = mesh.edges.points(), faces = mesh.points() - lines;
-      EXPECT_EQ(drawing_bytes({0, &complex_, nullptr, options}), 150 * faces + 250 * lines);
+      const std::uint64_t whole = mesh.tetrahedra.size();
+      const std::uint64_t faces = mesh.faces_drawn() - 4 * whole;
+      EXPECT_EQ(drawing_bytes({0, &complex_, nullptr, options}),
+                48 * faces + 56 * whole + 250 * mesh.edges.points());
     }
   }
   // Which faces are outside is not known of tetrahedra alone: as many as there can be.
   const AlphaComplex bare = testing::complex_of(balls_, 2, true);
   MeshOptions only_tetrahedra;
-  EXPECT_GE(drawing_bytes({0, &bare, nullptr, only_tetrahedra}), 150 * 12 * bare.tetrahedra.size());
+  EXPECT_GE(drawing_bytes({0, &bare, nullptr, only_tetrahedra}), 48 * 4 * bare.tetrahedra.size());
 }
 
 TEST_F(DrawingPlans, AreCompleteWhenEverythingFitsOrNobodyKnows) {
@@ -225,14 +227,14 @@ TEST_F(WindowMemory, ShowsTheNumbersAndTheReasonWhenNothingCanBeDrawn) {
 TEST_F(WindowMemory, DrawsBallsWhenTheComplexDoesNotFit) {
   open_with(135);
   EXPECT_EQ(not_drawn(), "");
-  run("move display.boundary\nclick display.boundary\nclick display.triangles\n"
+  run("move display.boundary\nclick display.boundary\nclick display.edges\n"
       "click display.singular_only\nclick alpha.preset.10\nwait-idle\n");
   EXPECT_EQ(not_drawn().find("Not drawn for lack of memory: "), 0u) << not_drawn();
   ASSERT_NE(viewer_->state().viewport.texture, 0u);
   EXPECT_GT(viewer_->state().viewport.angstrom_per_pixel, 0);
   const std::string texts = testing::texts_of((shot("part.png"), bytes("part.png")))["Warning"];
   EXPECT_EQ(texts, not_drawn());
-  run("click display.boundary\nclick display.triangles\nclick display.tetrahedra\nwait-idle\n");
+  run("click display.boundary\nclick display.edges\nclick display.tetrahedra\nwait-idle\n");
   EXPECT_EQ(not_drawn(), "");
   EXPECT_FALSE(viewer_->widgets().contains("view.not_drawn"));
 }

@@ -49,9 +49,10 @@ class OneSwapTest : public ViewerTest {
   ~OneSwapTest() override { viewer_.reset(); }  // its worker uses this
 
   ComplexMesh slow_mesh(const BallGeometry& balls, const std::vector<Rgb8>& colours,
-                        const AlphaComplex& complex, const MeshOptions& options) {
+                        const AlphaComplex& complex, const MeshOptions& options,
+                        const CancelToken& cancel) {
     const Clock::time_point begun = Clock::now();
-    ComplexMesh mesh = build_mesh(balls, colours, complex, options);
+    ComplexMesh mesh = build_mesh(balls, colours, complex, options, cancel);
     std::this_thread::sleep_for(kMeshDelay);
     const std::lock_guard lock(mutex_);
     mesh_times_.push_back(milliseconds(Clock::now() - begun) + complex.timings.wall_milliseconds);

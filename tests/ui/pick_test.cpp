@@ -58,7 +58,7 @@ class PickTest : public ::testing::Test {
     complex = make_cgal_engine(prepared.balls)->compute({alpha, tetrahedra_only}, {});
     mesh = std::make_shared<const ComplexMesh>(
         build_mesh(*geometry, std::vector<Rgb8>(geometry->centres.size()), complex, options));
-    layers = mesh_layers(mesh);
+    layers = mesh_layers(mesh, geometry);
   }
 
   // From all around towards somewhere among the balls.

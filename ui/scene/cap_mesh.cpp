@@ -78,20 +78,6 @@ class CapBuilder {
   CapMesh& mesh_;
 };
 
-std::array<Point, 4> corners_of(const BallGeometry& balls, const std::array<BallIndex, 4>& simplex,
-                                float shrink) {
-  std::array<Point, 4> p;
-  Point centre{};
-  for (int i = 0; i < 4; ++i) {
-    p[i] = balls.centres[simplex[i]];
-    for (int k = 0; k < 3; ++k) centre[k] += 0.25f * p[i][k];
-  }
-  for (Point& corner : p) {
-    for (int k = 0; k < 3; ++k) corner[k] += shrink * (centre[k] - corner[k]);
-  }
-  return p;
-}
-
 }  // namespace
 
 bool has_caps(const MeshOptions& options) {
@@ -118,7 +104,7 @@ CapMesh build_cap_mesh(const BallGeometry& balls, const std::vector<Rgb8>& colou
       const bool first = kept[s[0]];
       if (kept[s[1]] == first && kept[s[2]] == first && kept[s[3]] == first) continue;
       const float alpha = t < list.alpha_values.size() ? list.alpha_values[t] : 0.0f;
-      caps.add(corners_of(balls, s, shrink), static_cast<std::uint32_t>(t),
+      caps.add(shrunk_corners(balls, s, shrink), static_cast<std::uint32_t>(t),
                simplex_colour(s, alpha, options, colours, scale ? &*scale : nullptr));
     }
   }

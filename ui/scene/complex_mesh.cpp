@@ -1,158 +1,20 @@
-// Filling of the arrays: one pass per kind of simplex, plus a sort for the faces that occur once.
+// Filling of the arrays, by all threads: every element is written once, at a place that is known
+// before.
 #include "ui/scene/complex_mesh.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <stdexcept>
+#include <utility>
 
-#include "core/complex/count_limits.hpp"
+#include "core/triangulation/chosen_places.hpp"
+#include "core/triangulation/parallel_ranges.hpp"
 #include "ui/scene/simplex_colours.hpp"
 
 namespace alphascope {
 namespace {
 
 using Point = std::array<float, 3>;
-
-// The face opposite to each corner of a tetrahedron.
-constexpr int kFaces[4][3] = {{1, 2, 3}, {0, 2, 3}, {0, 1, 3}, {0, 1, 2}};
-
-class MeshBuilder {
- public:
-  MeshBuilder(const BallGeometry& balls, const std::vector<Rgb8>& colours,
-              const AlphaComplex& complex, const MeshOptions& options)
-      : balls_(balls),
-        colours_(colours),
-        complex_(complex),
-        options_(options),
-        scale_(complex,
-               {options.tetrahedra || options.boundary, options.triangles, options.edges}) {}
-
-  ComplexMesh build() {
-    ComplexMesh mesh;
-    if (options_.tetrahedra) {
-      mesh.tetrahedra_drawn = complex_.tetrahedra.size();
-      const bool only_outside = options_.shrink <= 0 && !options_.translucent;
-      if (only_outside) {
-        add_boundary(mesh.tetrahedra);
-      } else {
-        add_tetrahedra(mesh.tetrahedra);
-      }
-    }
-    if (options_.boundary) add_boundary(mesh.boundary);
-    if (options_.triangles) add_list(complex_.triangles, mesh.triangles);
-    if (options_.edges) add_list(complex_.edges, mesh.edges);
-    if (options_.colouring == ComplexColouring::alpha && mesh.points() > 0) mesh.scale = scale_;
-    return mesh;
-  }
-
- private:
-  template <std::size_t N>
-  Rgb8 colour_of(const std::array<BallIndex, N>& simplex, float alpha_value) const {
-    return simplex_colour(simplex, alpha_value, options_, colours_, &scale_);
-  }
-
-  static void add_point(CellSoup& soup, const Point& p, const Rgb8& c) {
-    soup.xyz.insert(soup.xyz.end(), p.begin(), p.end());
-    soup.rgb.insert(soup.rgb.end(), {c.r, c.g, c.b});
-  }
-
-  // Exactly: growing arrays would take three times as much for a moment.
-  static void reserve(CellSoup& soup, std::size_t points) {
-    soup.xyz.reserve(3 * points);
-    soup.rgb.reserve(3 * points);
-  }
-
-  static float alpha_value(const ResultArray<float>& values, std::size_t i) {
-    return i < values.size() ? values[i] : 0.0f;
-  }
-
-  void add_tetrahedra(CellSoup& soup) const {
-    const auto& list = complex_.tetrahedra;
-    reserve(soup, 12 * list.size());
-    const float shrink = static_cast<float>(options_.shrink);
-    for (std::size_t t = 0; t < list.size(); ++t) {
-      const auto& simplex = list.simplices[t];
-      std::array<Point, 4> p;
-      Point centre{};
-      for (int i = 0; i < 4; ++i) {
-        p[i] = balls_.centres[simplex[i]];
-        for (int k = 0; k < 3; ++k) centre[k] += 0.25f * p[i][k];
-      }
-      for (Point& corner : p) {
-        for (int k = 0; k < 3; ++k) corner[k] += shrink * (centre[k] - corner[k]);
-      }
-      const Rgb8 colour = colour_of(simplex, alpha_value(list.alpha_values, t));
-      for (const auto& face : kFaces) {
-        for (const int i : face) add_point(soup, p[i], colour);
-      }
-    }
-  }
-
-  void add_boundary(CellSoup& soup) const;
-
-  template <int N>
-  void add_list(const SimplexList<N>& list, CellSoup& soup) const {
-    const auto drawn = [&](SimplexClass c) {
-      return !options_.singular_only || c == SimplexClass::singular;
-    };
-    const auto count =
-        static_cast<std::size_t>(std::count_if(list.classes.begin(), list.classes.end(), drawn));
-    reserve(soup, N * count);
-    const bool all = count == list.size();
-    if (!all) soup.source.reserve(count);
-    for (std::size_t i = 0; i < list.size(); ++i) {
-      if (!drawn(list.classes[i])) continue;
-      if (!all) soup.source.push_back(static_cast<std::uint32_t>(i));
-      const auto& simplex = list.simplices[i];
-      const Rgb8 colour = colour_of(simplex, alpha_value(list.alpha_values, i));
-      for (const BallIndex v : simplex) add_point(soup, balls_.centres[v], colour);
-    }
-  }
-
-  const BallGeometry& balls_;
-  const std::vector<Rgb8>& colours_;
-  const AlphaComplex& complex_;
-  const MeshOptions& options_;
-  AlphaScale scale_;
-};
-
-// A face of a tetrahedron and where it comes from.
-struct Face {
-  std::array<BallIndex, 3> vertices;
-  std::uint32_t origin;  // 4 * tetrahedron + opposite corner
-};
-
-// Faces that occur once, in lexicographic order: a counting sort by the smallest vertex leaves only
-// a few dozen faces to each comparison sort.
-std::vector<Face> single_faces(const Simplices<4>& tetrahedra, std::size_t ball_count) {
-  require_face_records(tetrahedra.size(), 4);
-  std::vector<std::uint32_t> start(ball_count + 1, 0);
-  for (const auto& t : tetrahedra) {
-    start[t[0] + 1] += 3;
-    start[t[1] + 1] += 1;
-  }
-  for (std::size_t i = 0; i < ball_count; ++i) start[i + 1] += start[i];
-  std::vector<Face> faces(4 * tetrahedra.size());
-  std::vector<std::uint32_t> next(start.begin(), start.end() - 1);
-  for (std::size_t t = 0; t < tetrahedra.size(); ++t) {
-    for (int opposite = 0; opposite < 4; ++opposite) {
-      Face face;
-      for (int k = 0; k < 3; ++k) face.vertices[k] = tetrahedra[t][kFaces[opposite][k]];
-      face.origin = static_cast<std::uint32_t>(4 * t + opposite);
-      faces[next[face.vertices[0]]++] = face;
-    }
-  }
-  std::vector<Face> result;
-  for (std::size_t v = 0; v < ball_count; ++v) {
-    const auto begin = faces.begin() + start[v], end = faces.begin() + start[v + 1];
-    std::sort(begin, end, [](const Face& a, const Face& b) { return a.vertices < b.vertices; });
-    for (auto it = begin; it != end;) {
-      const bool twice = it + 1 != end && (it + 1)->vertices == it->vertices;
-      if (!twice) result.push_back(*it);
-      it += twice ? 2 : 1;
-    }
-  }
-  return result;
-}
 
 // Six times the signed volume of p0 p1 p2 p3; only for the direction in which a face looks.
 double orientation(const Point& p0, const Point& p1, const Point& p2, const Point& p3) {
@@ -166,10 +28,11 @@ double orientation(const Point& p0, const Point& p1, const Point& p2, const Poin
          a[2] * (b[0] * c[1] - b[1] * c[0]);
 }
 
-std::array<BallIndex, 3> outward(const BallGeometry& balls, const Face& face,
-                                 const Simplices<4>& tetrahedra) {
-  auto v = face.vertices;
-  const BallIndex opposite = tetrahedra[face.origin / 4][face.origin % 4];
+// Counterclockwise when seen from outside the tetrahedron.
+std::array<BallIndex, 3> outward(const BallGeometry& balls, const Simplices<4>& tetrahedra,
+                                 FaceCode face) {
+  auto v = face_vertices(tetrahedra, face);
+  const BallIndex opposite = tetrahedra[tetrahedron_of(face)][face % 4];
   if (orientation(balls.centres[v[0]], balls.centres[v[1]], balls.centres[v[2]],
                   balls.centres[opposite]) > 0) {
     std::swap(v[1], v[2]);
@@ -177,44 +40,169 @@ std::array<BallIndex, 3> outward(const BallGeometry& balls, const Face& face,
   return v;
 }
 
-void MeshBuilder::add_boundary(CellSoup& soup) const {
-  const auto& list = complex_.tetrahedra;
-  const std::vector<Face> faces = single_faces(list.simplices, balls_.centres.size());
-  reserve(soup, 3 * faces.size());
-  soup.source.reserve(faces.size());
-  for (const Face& face : faces) {
-    soup.source.push_back(face.origin);
-    const std::size_t t = face.origin / 4;  // its tetrahedron, whose colour it has
-    const Rgb8 colour = colour_of(list.simplices[t], alpha_value(list.alpha_values, t));
-    for (const BallIndex v : outward(balls_, face, list.simplices)) {
-      add_point(soup, balls_.centres[v], colour);
-    }
+class MeshBuilder {
+ public:
+  MeshBuilder(const BallGeometry& balls, const std::vector<Rgb8>& colours,
+              const AlphaComplex& complex, const MeshOptions& options, const CancelToken& cancel)
+      : balls_(balls), colours_(colours), complex_(complex), options_(options), cancel_(cancel) {
+    if (options.colouring != ComplexColouring::alpha) return;
+    const bool solid = options.tetrahedra || options.boundary;
+    scale_.emplace(complex, AlphaScale::Drawn{solid, options.triangles, options.edges});
   }
-}
 
-template <int N>
-bool fits(const SimplexList<N>& list, std::size_t balls) {
-  return std::all_of(list.simplices.begin(), list.simplices.end(),
-                     [balls](const auto& s) { return s.back() < balls; });
-}
+  ComplexMesh build() {
+    require_balls_of_all();
+    ComplexMesh mesh;
+    const bool whole = options_.tetrahedra && (options_.shrink > 0 || options_.translucent);
+    const bool outside = options_.tetrahedra && !whole;
+    if (options_.tetrahedra) mesh.tetrahedra_drawn = complex_.tetrahedra.size();
+    if (whole) mesh.tetrahedra = tetrahedra();
+    if (outside || options_.boundary) {
+      ResultArray<FaceCode> faces = outer_faces(complex_, cancel_);
+      if (outside && options_.boundary) mesh.boundary = faces_of_tetrahedra(faces);
+      (outside ? mesh.outside : mesh.boundary) = faces_of_tetrahedra(std::move(faces));
+    }
+    if (options_.triangles) mesh.triangles = triangles();
+    if (options_.edges) mesh.edges = edges();
+    if (!mesh.empty()) mesh.scale = scale_;
+    return mesh;
+  }
+
+ private:
+  template <int N>
+  bool fits(const SimplexList<N>& list) const {
+    std::atomic<bool> fits = true;
+    parallel_ranges(list.size(), cancel_, [&](std::size_t i) {
+      if (list.simplices[i].back() >= balls_.centres.size()) fits = false;
+    });
+    return fits;
+  }
+
+  void require_balls_of_all() const {
+    const MeshOptions& o = options_;
+    const bool solid = o.tetrahedra || o.boundary;
+    if (colours_.size() == balls_.centres.size() && (!solid || fits(complex_.tetrahedra)) &&
+        (!o.triangles || fits(complex_.triangles)) && (!o.edges || fits(complex_.edges))) {
+      return;
+    }
+    throw std::invalid_argument("the complex, the balls and their colours do not belong together");
+  }
+
+  template <int N>
+  Rgb8 colour_of(const SimplexList<N>& list, std::size_t i) const {
+    const float value = i < list.alpha_values.size() ? list.alpha_values[i] : 0.0f;
+    return simplex_colour(list.simplices[i], value, options_, colours_,
+                          scale_ ? &*scale_ : nullptr);
+  }
+
+  TetrahedronCells tetrahedra() const {
+    const auto& list = complex_.tetrahedra;
+    TetrahedronCells cells;
+    cells.shrink = static_cast<float>(options_.shrink);
+    cells.balls.resize(list.size());
+    cells.colours.resize(list.size());
+    parallel_ranges(list.size(), cancel_, [&](std::size_t t) {
+      cells.balls[t] = list.simplices[t];
+      cells.colours[t] = packed(colour_of(list, t));
+    });
+    return cells;
+  }
+
+  // Each in the colour of its tetrahedron.
+  FaceCells faces_of_tetrahedra(ResultArray<FaceCode> codes) const {
+    const auto& list = complex_.tetrahedra;
+    FaceCells cells;
+    cells.faces.resize(codes.size());
+    parallel_ranges(codes.size(), cancel_, [&](std::size_t n) {
+      cells.faces[n] = {outward(balls_, list.simplices, codes[n]),
+                        packed(colour_of(list, tetrahedron_of(codes[n])))};
+    });
+    cells.source = std::move(codes);
+    return cells;
+  }
+
+  // Calls body(number of the cell, place in the list) for what is to be drawn of a list, after
+  // `prepare` has been given how many these are; returns the places, none where all are drawn.
+  template <int N, class Prepare, class Body>
+  ResultArray<std::uint32_t> for_drawn(const SimplexList<N>& list, const Prepare& prepare,
+                                       const Body& body) const {
+    if (!options_.singular_only) {
+      prepare(list.size());
+      parallel_ranges(list.size(), cancel_, [&](std::size_t i) { body(i, i); });
+      return {};
+    }
+    const auto singular = [&](std::size_t i) { return list.classes[i] == SimplexClass::singular; };
+    ResultArray<std::uint32_t> places = chosen_places(list.size(), singular, cancel_);
+    prepare(places.size());
+    parallel_ranges(places.size(), cancel_, [&](std::size_t n) { body(n, places[n]); });
+    return places;
+  }
+
+  FaceCells triangles() const {
+    const auto& list = complex_.triangles;
+    FaceCells cells;
+    cells.source = for_drawn(
+        list, [&](std::size_t count) { cells.faces.resize(count); },
+        [&](std::size_t n, std::size_t i) {
+          cells.faces[n] = {list.simplices[i], packed(colour_of(list, i))};
+        });
+    return cells;
+  }
+
+  CellSoup edges() const {
+    const auto& list = complex_.edges;
+    CellSoup soup;
+    const auto resize = [&](std::size_t count) {
+      soup.xyz.resize(6 * count);
+      soup.rgb.resize(6 * count);
+    };
+    const auto places = for_drawn(list, resize, [&](std::size_t n, std::size_t i) {
+      const Rgb8 c = colour_of(list, i);
+      const std::uint8_t rgb[3] = {c.r, c.g, c.b};
+      for (std::size_t end = 0; end < 2; ++end) {
+        const Point& p = balls_.centres[list.simplices[i][end]];
+        std::copy(p.begin(), p.end(), &soup.xyz[6 * n + 3 * end]);
+        std::copy(rgb, rgb + 3, &soup.rgb[6 * n + 3 * end]);
+      }
+    });
+    soup.source.assign(places.begin(), places.end());
+    return soup;
+  }
+
+  const BallGeometry& balls_;
+  const std::vector<Rgb8>& colours_;
+  const AlphaComplex& complex_;
+  const MeshOptions& options_;
+  const CancelToken& cancel_;
+  std::optional<AlphaScale> scale_;
+};
 
 }  // namespace
 
 ComplexMesh build_mesh(const BallGeometry& balls, const std::vector<Rgb8>& colours,
-                       const AlphaComplex& complex, const MeshOptions& options) {
-  const std::size_t count = balls.centres.size();
-  if (colours.size() != count || !fits(complex.edges, count) || !fits(complex.triangles, count) ||
-      !fits(complex.tetrahedra, count)) {
-    throw std::invalid_argument("the complex, the balls and their colours do not belong together");
+                       const AlphaComplex& complex, const MeshOptions& options,
+                       const CancelToken& cancel) {
+  return MeshBuilder(balls, colours, complex, options, cancel).build();
+}
+
+std::array<Point, 4> shrunk_corners(const BallGeometry& balls,
+                                    const std::array<BallIndex, 4>& tetrahedron, float shrink) {
+  std::array<Point, 4> p;
+  Point centre{};
+  for (std::size_t i = 0; i < 4; ++i) {
+    p[i] = balls.centres[tetrahedron[i]];
+    for (std::size_t k = 0; k < 3; ++k) centre[k] += 0.25f * p[i][k];
   }
-  return MeshBuilder(balls, colours, complex, options).build();
+  for (Point& corner : p) {
+    for (std::size_t k = 0; k < 3; ++k) corner[k] += shrink * (centre[k] - corner[k]);
+  }
+  return p;
 }
 
 Simplices<3> boundary_faces(const BallGeometry& balls, const Simplices<4>& tetrahedra) {
-  Simplices<3> result;
-  for (const Face& face : single_faces(tetrahedra, balls.centres.size())) {
-    result.push_back(outward(balls, face, tetrahedra));
-  }
+  const auto faces = outer_faces(tetrahedra);
+  Simplices<3> result(faces.size());
+  for (std::size_t i = 0; i < faces.size(); ++i) result[i] = outward(balls, tetrahedra, faces[i]);
   return result;
 }
 

@@ -1,5 +1,5 @@
-// Flat arrays of what is drawn of an alpha complex: triangles and lines with own points, so that
-// tetrahedra can shrink and faces have flat colours. Pure C++, may run in a worker; no VTK.
+// What is drawn of an alpha complex, as arrays that go to the GPU as they are: a simplex is the
+// indices of its balls and a colour. Pure C++, may run in a worker; no VTK.
 #pragma once
 
 #include <array>
@@ -9,8 +9,11 @@
 
 #include "core/complex/alpha_complex.hpp"
 #include "core/geometry/ball_set.hpp"
+#include "core/run/cancel_token.hpp"
+#include "core/triangulation/outer_faces.hpp"
 #include "ui/scene/alpha_scale.hpp"
 #include "ui/scene/ball_geometry.hpp"
+#include "ui/scene/packed_colour.hpp"
 
 namespace alphascope {
 
@@ -45,26 +48,64 @@ struct MeshOptions {
 struct CellSoup {
   std::vector<float> xyz;
   std::vector<std::uint8_t> rgb;
-  // What each cell is: of triangles and edges, the place of the simplex in its list; of tetrahedra
-  // and boundary, 4 × tetrahedron + the corner opposite to the face. Empty: cell i is i.
+  // What each cell is: of triangles and edges, the place of the simplex in its list; of caps, 4 ×
+  // tetrahedron. Empty: cell i is i.
   std::vector<std::uint32_t> source;
   std::size_t points() const { return xyz.size() / 3; }
 };
 
+// 16 bytes, which a shader fetches at once.
+struct DrawnFace {
+  std::array<BallIndex, 3> balls{};
+  PackedColour colour{};
+};
+static_assert(sizeof(DrawnFace) == 16);
+
+// Triangles with corners at centres of balls.
+struct FaceCells {
+  ResultArray<DrawnFace> faces;
+  // What each is: of faces of tetrahedra the FaceCode; of triangles the place in their list. Empty:
+  // face i is i.
+  ResultArray<std::uint32_t> source;
+  std::size_t size() const { return faces.size(); }
+};
+
+// Tetrahedra with their four faces, each drawn towards its centre.
+struct TetrahedronCells {
+  Simplices<4> balls;
+  ResultArray<PackedColour> colours;  // one a tetrahedron
+  // The place of each in the complex' list. Empty: cell i is i.
+  ResultArray<std::uint32_t> source;
+  float shrink = 0;  // as in MeshOptions
+  std::size_t size() const { return balls.size(); }
+};
+
 struct ComplexMesh {
-  CellSoup tetrahedra, boundary, triangles;  // triangles
-  CellSoup edges;                            // lines
-  std::size_t tetrahedra_drawn = 0;          // all tetrahedra of the complex, or 0 when off
-  std::optional<AlphaScale> scale;           // what its colours mean, if they are of alpha values
-  std::size_t points() const {
-    return tetrahedra.points() + boundary.points() + triangles.points() + edges.points();
+  // Of tetrahedra either their faces outside or all of each.
+  FaceCells outside;
+  TetrahedronCells tetrahedra;
+  FaceCells boundary, triangles;
+  CellSoup edges;                    // lines
+  std::size_t tetrahedra_drawn = 0;  // all tetrahedra of the complex, or 0 when off
+  std::optional<AlphaScale> scale;   // what its colours mean, if they are of alpha values
+  // Triangles that a GPU draws.
+  std::size_t faces_drawn() const {
+    return outside.size() + 4 * tetrahedra.size() + boundary.size() + triangles.size();
   }
+  bool empty() const { return faces_drawn() == 0 && edges.points() == 0; }
 };
 
 // `colours` holds one colour a ball. Throws std::invalid_argument when complex, balls and colours
-// do not belong together (a vertex index beyond the balls).
+// do not belong together (a vertex index beyond the balls, classes of another complex), and
+// Cancelled. The same for any number of threads; it uses those of the caller's task arena.
 ComplexMesh build_mesh(const BallGeometry& balls, const std::vector<Rgb8>& colours,
-                       const AlphaComplex& complex, const MeshOptions& options);
+                       const AlphaComplex& complex, const MeshOptions& options,
+                       const CancelToken& cancel = {});
+
+// Where the corners of a tetrahedron are drawn; `shrink` as in MeshOptions.
+std::array<std::array<float, 3>, 4> shrunk_corners(const BallGeometry& balls,
+                                                   const std::array<BallIndex, 4>& tetrahedron,
+                                                   float shrink);
 
 // Faces that occur in exactly one of the tetrahedra; corners ordered so that the normal points away
 // from the tetrahedron.

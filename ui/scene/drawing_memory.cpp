@@ -11,12 +11,18 @@
 namespace alphascope {
 namespace {
 
-constexpr std::uint64_t kSoupPoint = 15;       // plain, part of the next two
-constexpr std::uint64_t kTrianglePoint = 150;  // 140 measured
-constexpr std::uint64_t kLinePoint = 250;      // 233 measured: lines become faces when drawn
-constexpr std::uint64_t kBall = 110;           // 88 measured, and 13 that SceneController keeps
-constexpr std::uint64_t kPicturePixel = 90;    // 80 measured, of a PNG file from 2 to 19 million
-constexpr std::uint64_t kFixed = 128 << 20;    // 103 MB measured: shaders and the rasteriser's bins
+constexpr std::uint64_t kFace = 20;         // of a simplex, plain; drawn, 16 more
+constexpr std::uint64_t kFaceDrawn = 48;    // 36, and room for a driver's own
+constexpr std::uint64_t kFaceSought = 24;   // while it is looked for
+constexpr std::uint64_t kTetrahedron = 24;  // all four faces, plain; drawn, 20 more
+constexpr std::uint64_t kTetrahedronDrawn = 56;
+constexpr std::uint64_t kTetrahedronSorted = 112;  // where no classes tell what is outside
+constexpr std::uint64_t kSoupPoint = 15;           // plain, part of the next two
+constexpr std::uint64_t kTrianglePoint = 150;      // 140 measured
+constexpr std::uint64_t kLinePoint = 250;          // 233 measured: lines become faces when drawn
+constexpr std::uint64_t kBall = 110;               // 88 measured, and 13 that SceneController keeps
+constexpr std::uint64_t kPicturePixel = 90;  // 80 measured, of a PNG file from 2 to 19 million
+constexpr std::uint64_t kFixed = 128 << 20;  // 103 MB measured: shaders and the rasteriser's bins
 
 struct Points {
   std::uint64_t faces = 0, lines = 0;  // of triangles, of edges
@@ -34,6 +40,11 @@ std::uint64_t outside_faces(const AlphaComplex& c) {
   if (c.tetrahedra_only) return 4 * c.tetrahedra.size();
   return static_cast<std::uint64_t>(
       std::count(c.triangles.classes.begin(), c.triangles.classes.end(), SimplexClass::regular));
+}
+
+// Those that no tetrahedron brings.
+std::uint64_t single_faces(const ComplexMesh& mesh) {
+  return mesh.faces_drawn() - 4 * mesh.tetrahedra.size();
 }
 
 bool only_outside(const MeshOptions& mesh) {
@@ -144,26 +155,30 @@ class Planner {
 
 std::uint64_t drawing_bytes(const DrawingTask& task) {
   Points points;
-  std::uint64_t sorting = 0;
+  std::uint64_t cells_plain = 0, cells_drawn = 0, seeking = 0;
   if (task.complex != nullptr) {
     const AlphaComplex& c = *task.complex;
     const MeshOptions& m = task.mesh;
     const std::uint64_t tetrahedra = c.tetrahedra.size();
     const bool outside = m.tetrahedra && only_outside(m);
-    if (m.tetrahedra && !outside) points.faces += 12 * tetrahedra;
+    std::uint64_t faces = 0;
     if (outside || m.boundary) {
-      const std::uint64_t faces = outside_faces(c);
-      points.faces += 3 * faces * (outside + m.boundary);
-      // All faces of 16 bytes, those that remain in a vector that grows, and two counts a ball.
-      sorting = 64 * tetrahedra + 48 * faces + 8 * task.balls;
+      const std::uint64_t all = outside_faces(c);
+      faces = all * (outside + m.boundary);
+      seeking = kFaceSought * all;
+      if (c.tetrahedra_only) seeking += kTetrahedronSorted * tetrahedra;
     }
-    if (m.triangles) points.faces += 3 * cells(c.triangles, m);
+    if (m.triangles) faces += cells(c.triangles, m);
+    const std::uint64_t whole = m.tetrahedra && !outside ? tetrahedra : 0;
+    cells_plain = kFace * faces + kTetrahedron * whole;
+    cells_drawn = kFaceDrawn * faces + kTetrahedronDrawn * whole;
     if (m.edges) points.lines += 2 * cells(c.edges, m);
   }
   if (task.differences != nullptr) add_differences(*task.differences, points);
-  const std::uint64_t plain = kSoupPoint * (points.faces + points.lines);
-  const std::uint64_t drawn = kTrianglePoint * points.faces + kLinePoint * points.lines;
-  return kBall * task.balls + std::max(plain + sorting, drawn);
+  const std::uint64_t plain = cells_plain + kSoupPoint * (points.faces + points.lines);
+  const std::uint64_t drawn =
+      cells_drawn + kTrianglePoint * points.faces + kLinePoint * points.lines;
+  return kBall * task.balls + std::max(plain + seeking, drawn);
 }
 
 std::uint64_t drawing_budget(std::uint64_t free_bytes) {
@@ -177,13 +192,16 @@ std::uint64_t picture_bytes(int width, int height) {
 std::uint64_t second_scene_bytes(std::size_t balls, const ComplexMesh* mesh) {
   std::uint64_t bytes = kBall * balls;
   if (mesh == nullptr) return bytes;
-  const std::uint64_t lines = mesh->edges.points();
-  return bytes + (kTrianglePoint - kSoupPoint) * (mesh->points() - lines) +
-         (kLinePoint - kSoupPoint) * lines;
+  return bytes + (kFaceDrawn - kFace) * single_faces(*mesh) +
+         (kTetrahedronDrawn - kTetrahedron) * mesh->tetrahedra.size() +
+         (kLinePoint - kSoupPoint) * mesh->edges.points();
 }
 
 std::uint64_t drawn_bytes(std::size_t balls, const ComplexMesh* mesh) {
-  return second_scene_bytes(balls, mesh) + (mesh != nullptr ? kSoupPoint * mesh->points() : 0);
+  const std::uint64_t drawn = second_scene_bytes(balls, mesh);
+  if (mesh == nullptr) return drawn;
+  return drawn + kFace * single_faces(*mesh) + kTetrahedron * mesh->tetrahedra.size() +
+         kSoupPoint * mesh->edges.points();
 }
 
 std::uint64_t layer_bytes(const LayerPoints& points) {

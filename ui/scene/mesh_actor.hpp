@@ -1,4 +1,4 @@
-// An actor for triangles or lines with colours of their own, and what all of them look like.
+// Actors for triangles or lines with colours of their own, and what all of them look like.
 #pragma once
 
 #include <vtkActor.h>
@@ -7,6 +7,8 @@
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkWindow.h>
+
+#include "ui/scene/cell_mapper.hpp"
 
 namespace alphascope {
 
@@ -18,6 +20,33 @@ inline constexpr double kBeforeFaces = -4;
 // In caps: the balls' win, then the edges of tetrahedra, then their faces.
 inline constexpr double kBehindCapsOfBalls = 4, kBehindEdges = 8;
 
+inline void look_like_a_mesh(vtkActor* actor) {
+  actor->VisibilityOff();
+  vtkProperty* property = actor->GetProperty();
+  property->SetInterpolationToFlat();
+  property->SetAmbient(0.18);
+  property->SetDiffuse(0.82);
+  property->SetSpecular(0.12);
+  property->SetSpecularPower(20);
+}
+
+// Of simplices with corners at balls.
+struct CellActor {
+  vtkNew<CellMapper> mapper;
+  vtkNew<vtkActor> actor;
+
+  CellActor() {
+    actor->SetMapper(mapper);
+    look_like_a_mesh(actor);
+  }
+  // What is not empty, and nothing else; what is shown must outlive it.
+  void show(const FaceCells& faces, const TetrahedronCells& tetrahedra, vtkWindow* window) {
+    tetrahedra.size() > 0 ? mapper->show_tetrahedra(&tetrahedra) : mapper->show_faces(&faces);
+    actor->SetVisibility(!mapper->empty());
+    if (mapper->empty()) mapper->free_memory(window);
+  }
+};
+
 struct MeshActor {
   vtkNew<vtkPolyDataMapper> mapper;
   vtkNew<vtkActor> actor;
@@ -26,13 +55,7 @@ struct MeshActor {
     mapper->SetColorModeToDirectScalars();
     mapper->SetScalarModeToUsePointData();
     actor->SetMapper(mapper);
-    actor->VisibilityOff();
-    vtkProperty* property = actor->GetProperty();
-    property->SetInterpolationToFlat();
-    property->SetAmbient(0.18);
-    property->SetDiffuse(0.82);
-    property->SetSpecular(0.12);
-    property->SetSpecularPower(20);
+    look_like_a_mesh(actor);
   }
   void show(vtkPolyData* data, vtkWindow* window) {  // null: nothing
     if (data == nullptr) {

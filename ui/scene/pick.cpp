@@ -13,8 +13,10 @@ using Vector = std::array<double, 3>;
 constexpr double kNowhere = std::numeric_limits<double>::infinity();
 constexpr double kRounding = 1e-3;  // Å: more than rounding moves a point out of its flat box
 
-Vector point(const CellSoup& soup, std::size_t i) {
-  return {soup.xyz[3 * i], soup.xyz[3 * i + 1], soup.xyz[3 * i + 2]};
+using Point = std::array<float, 3>;
+
+Vector vector(const Point& p) {
+  return {p[0], p[1], p[2]};
 }
 Vector minus(const Vector& a, const Vector& b) {
   return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
@@ -26,19 +28,68 @@ Vector cross(const Vector& a, const Vector& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-Box box_of(const CellSoup& soup, std::size_t cell, std::size_t corners) {
+// Cells of a layer, with three corners or two.
+struct SoupCells {
+  std::shared_ptr<const CellSoup> soup;
+  std::size_t corners = 3;
+
+  std::size_t size() const { return soup->points() / corners; }
+  Point point(std::size_t cell, std::size_t corner) const {
+    const float* p = &soup->xyz[3 * (corners * cell + corner)];
+    return {p[0], p[1], p[2]};
+  }
+  std::size_t number(std::size_t cell) const {
+    return soup->source.empty() ? cell : soup->source[cell];
+  }
+};
+
+struct FacesOfBalls {
+  static constexpr std::size_t corners = 3;
+  std::shared_ptr<const FaceCells> cells;
+  std::shared_ptr<const BallGeometry> balls;
+
+  std::size_t size() const { return cells->size(); }
+  Point point(std::size_t cell, std::size_t corner) const {
+    return balls->centres[cells->faces[cell].balls[corner]];
+  }
+  std::size_t number(std::size_t cell) const {
+    return cells->source.empty() ? cell : cells->source[cell];
+  }
+};
+
+// Cell 4 t + k is the face of tetrahedron t that lacks its corner k, drawn towards its centre.
+struct FacesOfTetrahedra {
+  static constexpr std::size_t corners = 3;
+  std::shared_ptr<const TetrahedronCells> cells;
+  std::shared_ptr<const BallGeometry> balls;
+
+  std::size_t size() const { return 4 * cells->size(); }
+  Point point(std::size_t cell, std::size_t corner) const {
+    const std::size_t lacks = cell % 4;
+    return shrunk_corners(*balls, cells->balls[cell / 4],
+                          cells->shrink)[corner < lacks ? corner : corner + 1];
+  }
+  std::size_t number(std::size_t cell) const {
+    return cells->source.empty() ? cell : 4 * std::size_t{cells->source[cell / 4]} + cell % 4;
+  }
+};
+
+template <class Cells>
+Box box_of(const Cells& cells, std::size_t cell) {
   Box box = Box::empty();
-  for (std::size_t i = corners * cell; i < corners * (cell + 1); ++i) {
-    const std::array<float, 3> p{soup.xyz[3 * i], soup.xyz[3 * i + 1], soup.xyz[3 * i + 2]};
+  for (std::size_t i = 0; i < cells.corners; ++i) {
+    const Point p = cells.point(cell, i);
     box.add({p, p});
   }
   return box;
 }
 
 // Möller and Trumbore, "Fast, minimum storage ray-triangle intersection" (1997), from both sides.
-double triangle_depth(const CellSoup& soup, std::size_t cell, const Ray& ray) {
-  const Vector a = point(soup, 3 * cell);
-  const Vector e1 = minus(point(soup, 3 * cell + 1), a), e2 = minus(point(soup, 3 * cell + 2), a);
+template <class Cells>
+double triangle_depth(const Cells& cells, std::size_t cell, const Ray& ray) {
+  const Vector a = vector(cells.point(cell, 0));
+  const Vector e1 = minus(vector(cells.point(cell, 1)), a);
+  const Vector e2 = minus(vector(cells.point(cell, 2)), a);
   const Vector p = cross(ray.direction, e2), s = minus(ray.start, a);
   const double determinant = dot(e1, p);
   if (determinant == 0) return kNowhere;
@@ -53,8 +104,9 @@ double triangle_depth(const CellSoup& soup, std::size_t cell, const Ray& ray) {
 
 // Where the ray comes nearest to a line, if it comes near enough. A line is drawn over the faces
 // that it bounds, so it is as much nearer as it may be beside the ray.
-double line_depth(const CellSoup& soup, std::size_t cell, const PickLine& line) {
-  const Vector a = point(soup, 2 * cell), along = minus(point(soup, 2 * cell + 1), a);
+template <class Cells>
+double line_depth(const Cells& cells, std::size_t cell, const PickLine& line) {
+  const Vector a = vector(cells.point(cell, 0)), along = minus(vector(cells.point(cell, 1)), a);
   const Vector& d = line.ray.direction;
   const Vector from = minus(a, line.ray.start);
   const double dd = dot(d, d), dl = dot(d, along), ll = dot(along, along);
@@ -89,39 +141,37 @@ struct Meaning {
   bool in_cut = false;    // lies in a plane of the cut, and is whole
 };
 
-Hit hit_of(const Meaning& meaning, const CellSoup& soup, std::size_t cell, double depth) {
-  const std::size_t number = soup.source.empty() ? cell : soup.source[cell];
+Hit hit_of(const Meaning& meaning, std::size_t number, double depth) {
   Hit hit{meaning.id, meaning.corners, number, std::nullopt, depth, {}};
   if (meaning.faces_of) hit.index = number / 4;
   if (meaning.as_face) hit.opposite = static_cast<int>(number % 4);
   return hit;
 }
 
-PickLayer layer_of(const std::shared_ptr<const CellSoup>& shared, const Meaning& meaning) {
-  const std::size_t corners = meaning.id == "edges" ? 2 : 3;
-  const CellSoup& soup = *shared;
+template <class Cells>
+PickLayer layer_of(const Cells& cells, const Meaning& meaning) {
   auto tree = std::make_shared<const BoxTree>(
-      soup.points() / corners, [&](std::size_t cell) { return box_of(soup, cell, corners); });
-  return {meaning.id, [shared, meaning, corners, tree](const PickLine& line) {
-            const CellSoup& cells = *shared;
+      cells.size(), [&](std::size_t cell) { return box_of(cells, cell); });
+  return {meaning.id, [cells, meaning, tree](const PickLine& line) {
+            const bool lines = cells.corners == 2;
             double nearest = kNowhere;
             std::size_t found = 0;
             const auto enter = [&](const Box& box) {
-              const double beside =
-                  corners == 2 ? line.spread * farthest_depth(box, line.ray) : 0.0;
+              const double beside = lines ? line.spread * farthest_depth(box, line.ray) : 0.0;
               const double margin = beside + kRounding;
               return meets(line.ray, box, margin, nearest + 2 * margin);
             };
             tree->visit(enter, [&](std::size_t cell) {
-              const double depth = corners == 2 ? line_depth(cells, cell, line)
-                                                : triangle_depth(cells, cell, line.ray);
+              const double depth =
+                  lines ? line_depth(cells, cell, line) : triangle_depth(cells, cell, line.ray);
               if (!meaning.in_cut && !line.kept.has(depth)) return;
               if (depth > nearest || (depth == nearest && cell >= found)) return;
               nearest = depth;
               found = cell;
             });
-            return std::isfinite(nearest) ? std::optional(hit_of(meaning, cells, found, nearest))
-                                          : std::nullopt;
+            return std::isfinite(nearest)
+                       ? std::optional(hit_of(meaning, cells.number(found), nearest))
+                       : std::nullopt;
           }};
 }
 
@@ -145,22 +195,27 @@ void describe(const SimplexList<N>& list, std::size_t i, const Lattice& lattice,
 
 }  // namespace
 
-PickLayers mesh_layers(const std::shared_ptr<const ComplexMesh>& mesh) {
+PickLayers mesh_layers(const std::shared_ptr<const ComplexMesh>& mesh,
+                       const std::shared_ptr<const BallGeometry>& balls) {
   PickLayers layers;
   if (!mesh) return layers;
-  const auto add = [&](CellSoup ComplexMesh::*soup, const Meaning& meaning) {
-    if (((*mesh).*soup).points() == 0) return;
-    layers.push_back(layer_of(std::shared_ptr<const CellSoup>(mesh, &((*mesh).*soup)), meaning));
+  const auto add = [&](const auto& cells, const Meaning& meaning) {
+    if (cells.size() > 0) layers.push_back(layer_of(cells, meaning));
   };
-  add(&ComplexMesh::edges, {"edges", 2});
-  add(&ComplexMesh::triangles, {"triangles", 3});
-  add(&ComplexMesh::boundary, {"boundary", 3, true, true});
-  add(&ComplexMesh::tetrahedra, {"tetrahedra", 4, true});
+  const auto faces = [&](const FaceCells& cells) {
+    return FacesOfBalls{std::shared_ptr<const FaceCells>(mesh, &cells), balls};
+  };
+  add(SoupCells{std::shared_ptr<const CellSoup>(mesh, &mesh->edges), 2}, {"edges", 2});
+  add(faces(mesh->triangles), {"triangles", 3});
+  add(faces(mesh->boundary), {"boundary", 3, true, true});
+  add(faces(mesh->outside), {"tetrahedra", 4, true});
+  add(FacesOfTetrahedra{std::shared_ptr<const TetrahedronCells>(mesh, &mesh->tetrahedra), balls},
+      {"tetrahedra", 4, true});
   return layers;
 }
 
 PickLayer cap_layer(const std::shared_ptr<const CapMesh>& mesh) {
-  return layer_of(std::shared_ptr<const CellSoup>(mesh, &mesh->faces),
+  return layer_of(SoupCells{std::shared_ptr<const CellSoup>(mesh, &mesh->faces)},
                   {"tetrahedra", 4, true, false, true});
 }
 
@@ -178,7 +233,8 @@ PickLayers body_layers(const std::shared_ptr<const LayerMesh>& mesh) {
   if (!mesh) return layers;
   const Meaning body{"bodies", 0};
   if (mesh->bodies.points() > 0) {
-    layers.push_back(layer_of(std::shared_ptr<const CellSoup>(mesh, &mesh->bodies), body));
+    layers.push_back(
+        layer_of(SoupCells{std::shared_ptr<const CellSoup>(mesh, &mesh->bodies)}, body));
   }
   if (mesh->tubes.points() > 0) {
     auto tubes = std::make_shared<CellSoup>();
@@ -186,7 +242,7 @@ PickLayers body_layers(const std::shared_ptr<const LayerMesh>& mesh) {
       const float* p = &mesh->tubes.xyz[3 * static_cast<std::size_t>(corner)];
       tubes->xyz.insert(tubes->xyz.end(), p, p + 3);
     }
-    layers.push_back(layer_of(std::move(tubes), body));
+    layers.push_back(layer_of(SoupCells{std::move(tubes)}, body));
   }
   if (mesh->spheres) layers.push_back(ball_layer(body.id, mesh->spheres, body.corners));
   return layers;

@@ -47,7 +47,8 @@ struct PickLayer {
 using PickLayers = std::vector<PickLayer>;
 
 // Of what is drawn as `mesh`. Any thread; about as long as a copy of the mesh takes.
-PickLayers mesh_layers(const std::shared_ptr<const ComplexMesh>& mesh);
+PickLayers mesh_layers(const std::shared_ptr<const ComplexMesh>& mesh,
+                       const std::shared_ptr<const BallGeometry>& balls);
 
 // Of what closes tetrahedra in the planes of a cut.
 PickLayer cap_layer(const std::shared_ptr<const CapMesh>& mesh);

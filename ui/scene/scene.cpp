@@ -55,6 +55,7 @@ void Scene::set_balls(std::shared_ptr<BallData> balls) {
   set_beside_body(nullptr);
   set_selected(nullptr);
   impl_->balls = balls->balls;
+  impl_->places->set(balls->balls);
   impl_->all_balls.show(std::move(balls), impl_->window);
   impl_->apply_style();
 }
@@ -75,13 +76,7 @@ void Scene::set_ball_colours(const std::vector<Rgb8>& colours) {
 
 void Scene::set_mesh(std::shared_ptr<MeshData> mesh) {
   set_caps(nullptr);
-  const MeshData nothing;
-  const MeshData& shown = mesh ? *mesh : nothing;
-  impl_->tetrahedra.show(shown.tetrahedra, impl_->window);
-  impl_->boundary.show(shown.boundary, impl_->window);
-  impl_->triangles.show(shown.triangles, impl_->window);
-  impl_->edges.show(shown.edges, impl_->window);
-  impl_->mesh = std::move(mesh);  // only now may the old arrays go
+  impl_->show_mesh(std::move(mesh));
 }
 
 void Scene::set_caps(std::shared_ptr<CapData> caps) {

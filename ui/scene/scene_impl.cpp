@@ -78,9 +78,11 @@ Scene::Impl::Impl() {
   edges.actor->GetProperty()->LightingOff();
   renderer->AddActor(all_balls.actor);
   renderer->AddActor(selected.actor);
-  for (MeshActor* m : {&tetrahedra, &boundary, &triangles, &edges, &caps, &cap_edges}) {
-    renderer->AddActor(m->actor);
+  for (CellActor* c : {&tetrahedra, &boundary, &triangles}) {
+    c->mapper->set_places(places);
+    renderer->AddActor(c->actor);
   }
+  for (MeshActor* m : {&edges, &caps, &cap_edges}) renderer->AddActor(m->actor);
   caps.unlit();
   cap_edges.actor->GetProperty()->LightingOff();
   caps.behind_balls(kBehindEdges);
@@ -161,8 +163,9 @@ void Scene::Impl::apply_style() {
   renderer->SetBackground(background.r, background.g, background.b);
   all_balls.actor->SetVisibility(style.balls && balls && !balls->centres.empty());
   all_balls.actor->GetProperty()->SetOpacity(faded(style.ball_opacity));
-  for (MeshActor* m : {&tetrahedra, &boundary, &triangles, &edges}) {
-    m->actor->GetProperty()->SetOpacity(faded(style.complex_opacity));
+  for (vtkActor* a :
+       {tetrahedra.actor.Get(), boundary.actor.Get(), triangles.actor.Get(), edges.actor.Get()}) {
+    a->GetProperty()->SetOpacity(faded(style.complex_opacity));
   }
   const bool closed = cap_data && style.cut.on() && faded(style.complex_opacity) >= 1;
   caps.actor->SetVisibility(closed && cap_data->faces);
@@ -170,13 +173,23 @@ void Scene::Impl::apply_style() {
   apply_cut();
 }
 
-std::vector<MeshActor*> Scene::Impl::cut_meshes() {
-  std::vector<MeshActor*> all{&tetrahedra, &boundary,          &triangles,
-                              &edges,      &differences.faces, &differences.edges};
+void Scene::Impl::show_mesh(std::shared_ptr<MeshData> data) {
+  const ComplexMesh nothing;
+  const ComplexMesh& shown = data ? *data->mesh : nothing;
+  tetrahedra.show(shown.outside, shown.tetrahedra, window);
+  boundary.show(shown.boundary, {}, window);
+  triangles.show(shown.triangles, {}, window);
+  edges.show(data ? data->edges : nullptr, window);
+  mesh = std::move(data);  // only now may the old arrays go
+}
+
+std::vector<vtkActor*> Scene::Impl::cut_meshes() {
+  std::vector<vtkActor*> all{tetrahedra.actor, boundary.actor,          triangles.actor,
+                             edges.actor,      differences.faces.actor, differences.edges.actor};
   for (LayerActors* l : {&layers, &beside_body}) {
     for (MeshActor* m : {&l->marks.faces, &l->marks.edges, &l->bodies, &l->body_edges,
                          &l->body_lines, &l->tubes}) {
-      all.push_back(m);
+      all.push_back(m->actor);
     }
   }
   return all;
@@ -187,14 +200,14 @@ std::vector<BallActor*> Scene::Impl::cut_balls() {
 }
 
 void Scene::Impl::apply_cut() {
-  for (MeshActor* m : cut_meshes()) cut_mesh_actor(m->actor, style.cut.on());
+  for (vtkActor* a : cut_meshes()) cut_mesh_actor(a, style.cut.on());
   for (BallActor* b : cut_balls()) cut_ball_actor(b->actor, style.cut.on());
 }
 
 void Scene::Impl::give_cut_planes(int width, int height) {
   if (!style.cut.on()) return;
   const CutPlanes planes(style.cut, renderer, width, height);
-  for (MeshActor* m : cut_meshes()) planes.give_to(m->actor);
+  for (vtkActor* a : cut_meshes()) planes.give_to(a);
   for (BallActor* b : cut_balls()) planes.give_to(b->actor);
 }
 

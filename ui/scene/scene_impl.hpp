@@ -60,7 +60,9 @@ struct Scene::Impl {
   vtkNew<vtkGenericRenderWindowInteractor> interactor;
   vtkNew<vtkInteractorStyleTrackballCamera> trackball;
   BallActor all_balls, selected;
-  MeshActor tetrahedra, boundary, triangles, edges;
+  std::shared_ptr<BallPlaces> places = std::make_shared<BallPlaces>();  // of balls
+  CellActor tetrahedra, boundary, triangles;
+  MeshActor edges;
   MeshActor caps, cap_edges;  // of tetrahedra; not cut themselves
   std::shared_ptr<CapData> cap_data;
   MarkActors differences;
@@ -83,6 +85,7 @@ struct Scene::Impl {
   double faded(double opacity) const;
   bool anything_translucent() const;
   void apply_style();
+  void show_mesh(std::shared_ptr<MeshData> data);  // null: nothing
   void apply_quality(RenderQuality quality, bool occlusion_allowed = true);
   void draw(int width, int height);
   // To the right and up, in shares of the picture's width and height.
@@ -105,7 +108,7 @@ struct Scene::Impl {
   };
 
  private:
-  std::vector<MeshActor*> cut_meshes();
+  std::vector<vtkActor*> cut_meshes();
   std::vector<BallActor*> cut_balls();
   void apply_cut();
   void give_cut_planes(int width, int height);

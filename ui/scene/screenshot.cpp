@@ -41,7 +41,7 @@ std::string render_screenshot(const BallSet& balls, const AlphaComplex& complex,
   begin("preparing the picture", 0.2);
   const auto mesh = std::make_shared<const ComplexMesh>(
       build_mesh(*geometry, options.simplex_colours.empty() ? colours : options.simplex_colours,
-                 complex, plan.mesh));
+                 complex, plan.mesh, context.cancel));
   begin("drawing", 0.5);
   EglContext egl;
   Scene scene;

@@ -138,9 +138,6 @@ std::shared_ptr<BallData> make_ball_data(std::shared_ptr<const BallGeometry> bal
 std::shared_ptr<MeshData> make_mesh_data(std::shared_ptr<const ComplexMesh> mesh) {
   if (!mesh) return nullptr;
   auto data = std::make_shared<MeshData>();
-  data->tetrahedra = soup_to_vtk(mesh->tetrahedra, 3);
-  data->boundary = soup_to_vtk(mesh->boundary, 3);
-  data->triangles = soup_to_vtk(mesh->triangles, 3);
   data->edges = soup_to_vtk(mesh->edges, 2);
   data->mesh = std::move(mesh);
   return data;

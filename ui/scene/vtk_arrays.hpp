@@ -19,10 +19,10 @@ struct BallData {
   vtkSmartPointer<vtkPolyData> points;
 };
 
-// VTK reads the arrays of the mesh in place; null where there is nothing to draw.
+// Shaders and VTK read the arrays of the mesh in place.
 struct MeshData {
   std::shared_ptr<const ComplexMesh> mesh;
-  vtkSmartPointer<vtkPolyData> tetrahedra, boundary, triangles, edges;
+  vtkSmartPointer<vtkPolyData> edges;  // null: none
 };
 
 struct CapData {

@@ -103,6 +103,10 @@ void ImGuiFrame::draw() {
   ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
 }
 
+void ImGuiFrame::finish() {
+  glFinish();
+}
+
 void ImGuiFrame::end_undrawn() {
   ImGui::EndFrame();
 }

@@ -35,6 +35,8 @@ class ImGuiFrame {
   bool begin(Theme theme, ScriptedInput* scripted);
   // Draws what was described since begin() and shows it.
   void end();
+  // Waits until what was drawn is there.
+  void finish();
   // Forgets what was described since begin(): what is on screen stays.
   void end_undrawn();
 

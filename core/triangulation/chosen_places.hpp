@@ -1,0 +1,48 @@
+// Which elements of a long list are chosen: their places, in order, found by all threads.
+#pragma once
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+#include "core/complex/count_limits.hpp"
+#include "core/complex/simplices.hpp"
+#include "core/run/cancel_token.hpp"
+
+namespace alphascope {
+
+// Places below `count` for which chosen(place) holds, ascending. It is asked twice, from any
+// thread. Throws Cancelled, and std::length_error for a count beyond 32 bits.
+template <class Chosen>
+ResultArray<std::uint32_t> chosen_places(std::size_t count, const Chosen& chosen,
+                                         const CancelToken& cancel = {}) {
+  require_at_most(count, kMostIndices, "simplices");
+  constexpr std::size_t kBlock = 16384;
+  const std::size_t blocks = (count + kBlock - 1) / kBlock;
+  std::vector<std::size_t> first(blocks + 1, 0);
+  const auto each_in = [&](std::size_t block, const auto& body) {
+    if (cancel.cancelled()) return;
+    const std::size_t end = std::min(count, (block + 1) * kBlock);
+    for (std::size_t i = block * kBlock; i < end; ++i) body(i);
+  };
+  tbb::parallel_for(std::size_t{0}, blocks, [&](std::size_t block) {
+    std::size_t found = 0;
+    each_in(block, [&](std::size_t i) { found += chosen(i) ? 1 : 0; });
+    first[block + 1] = found;
+  });
+  for (std::size_t block = 0; block < blocks; ++block) first[block + 1] += first[block];
+  cancel.throw_if_cancelled();
+  ResultArray<std::uint32_t> places(first.back());
+  tbb::parallel_for(std::size_t{0}, blocks, [&](std::size_t block) {
+    std::size_t at = first[block];
+    each_in(block, [&](std::size_t i) {
+      if (chosen(i)) places[at++] = static_cast<std::uint32_t>(i);
+    });
+  });
+  cancel.throw_if_cancelled();
+  return places;
+}
+
+}  // namespace alphascope

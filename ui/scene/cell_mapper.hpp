@@ -1,0 +1,91 @@
+// A mapper for triangles and tetrahedra whose corners are balls: the vertex shader fetches corners
+// and colour of a cell from buffers that hold nothing twice. VTK's mapper would copy every corner
+// with its colour, list the indices one by one and go through all of it for the bounds. Shaders
+// are made from VTK's templates, so that its passes (peeling, occlusion) and whoever replaces parts
+// of shaders work as with any other mapper.
+#pragma once
+
+#include <vtkNew.h>
+#include <vtkOpenGLBufferObject.h>
+#include <vtkOpenGLPolyDataMapper.h>
+#include <vtkTextureObject.h>
+
+#include <map>
+#include <memory>
+#include <utility>
+
+#include "ui/scene/complex_mesh.hpp"
+
+namespace alphascope {
+
+// A buffer that shaders index. It goes to the GPU when it is drawn first.
+class ShaderBuffer {
+ public:
+  // `count` texels of `format`, an OpenGL name, `bytes` each; null: nothing. The content must stay
+  // until upload().
+  void set(const void* content, std::size_t count, std::size_t bytes, unsigned format);
+  void upload(vtkOpenGLRenderWindow* window);  // what is new
+  void release(vtkWindow* window);
+  bool is_uploaded() const { return uploaded_ || count_ == 0; }
+  std::size_t count() const { return count_; }
+  int activate();  // its texture unit
+  void deactivate();
+
+ private:
+  const void* content_ = nullptr;
+  std::size_t count_ = 0, bytes_ = 0;
+  unsigned format_ = 0;
+  bool uploaded_ = false;
+  vtkNew<vtkOpenGLBufferObject> buffer_;
+  vtkNew<vtkTextureObject> texture_;
+};
+
+// Where the balls are, for all mappers of a scene.
+struct BallPlaces {
+  void set(std::shared_ptr<const BallGeometry> new_balls);
+  std::shared_ptr<const BallGeometry> balls;
+  ShaderBuffer buffer;
+};
+
+class CellMapper : public vtkOpenGLPolyDataMapper {
+ public:
+  static CellMapper* New();
+  vtkTypeMacro(CellMapper, vtkOpenGLPolyDataMapper);
+
+  void set_places(std::shared_ptr<BallPlaces> places) { places_ = std::move(places); }
+  // What is given must stay as long as it is drawn.
+  void show_faces(const FaceCells* faces);  // null: nothing
+  void show_tetrahedra(const TetrahedronCells* tetrahedra);
+  void free_memory(vtkWindow* window);  // of what is shown, until that is drawn
+  bool empty() const { return cells_.count() == 0; }
+  // Spent on handing content over to OpenGL, since this was last asked.
+  double take_upload_milliseconds();
+
+  double* GetBounds() override;
+  using vtkOpenGLPolyDataMapper::GetBounds;
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+
+ protected:
+  CellMapper();
+  ~CellMapper() override;
+  void ComputeBounds() override;
+  bool GetNeedToRebuildBufferObjects(vtkRenderer*, vtkActor*) override;
+  void BuildBufferObjects(vtkRenderer* renderer, vtkActor*) override;
+  void ReplaceShaderValues(std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* renderer,
+                           vtkActor* actor) override;
+  void SetMapperShaderParameters(vtkOpenGLHelper& helper, vtkRenderer* renderer,
+                                 vtkActor* actor) override;
+  void RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor) override;
+
+ private:
+  CellMapper(const CellMapper&) = delete;
+  void operator=(const CellMapper&) = delete;
+
+  std::shared_ptr<BallPlaces> places_;  // VTK may keep a mapper longer than a scene lasts
+  ShaderBuffer cells_, colours_;        // colours_: of tetrahedra; faces bring theirs
+  bool whole_ = false;                  // tetrahedra; else faces
+  float shrink_ = 0;
+  double upload_milliseconds_ = 0;
+};
+
+}  // namespace alphascope

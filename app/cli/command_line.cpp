@@ -20,6 +20,7 @@ ExitCode run(const std::string& command, const CommandOptions& options) {
   if (command == "channel") return run_channel(options.channel);
   if (command == "measure") return run_measure(options.measure);
   if (command == "export") return run_export(options.export_complex);
+  if (command == "explain") return run_explain(options.explain);
   if (command == "verify") return run_verify(options.verify);
   if (command == "bench") return run_bench(options.bench);
   return run_screenshot(options.screenshot);

@@ -24,14 +24,6 @@ Options verbosity(Verbosity& verbosity) {
   return {quiet, verbose};
 }
 
-Options input(InputOptions& input) {
-  Options options = input_but_ligands(input);
-  options.push_back(
-      flag_option("--no-ligands", "Drop ligands (kept by default)", input.no_ligands));
-  options.push_back(flag_option("--no-ions", "Drop ions (kept by default)", input.no_ions));
-  return options;
-}
-
 Option alpha(Request& request) {
   return required(number_option({"--alpha", "A", "Alpha in Å²; it may be negative"},
                                 request.alpha_angstrom2, kAlphaRange));
@@ -375,6 +367,7 @@ std::vector<OptionNotes> notes() {
         "alphascope-cli channel 1grm.pdb --point 0,0,4.2 --along 0,1,0 --csv profile.csv",
         "alphascope-cli measure 4hhb.pdb.gz --solvent 1.4 --per residue --csv areas.csv",
         "alphascope-cli export 1crn.pdb --alpha 1.4 -o 1crn.glb",
+        "alphascope-cli explain 1crn.pdb --simplex 3,4,7 --alpha 1.4",
         "alphascope-cli verify 1crn.pdb --alpha -1,0,1.4,10",
         "alphascope-cli bench 1k4c.crd.gz --alpha 0,1.4,3 --tetrahedra-only --csv times.csv",
         "alphascope-cli screenshot 1crn.pdb --alpha 1.4 --size 1920x1080 -o 1crn.png",
@@ -402,6 +395,7 @@ OptionProgram command_table(CommandOptions& options) {
                       channel_command(options.channel),
                       measure(options.measure),
                       export_complex(options.export_complex),
+                      explain_command(options.explain),
                       verify(options.verify),
                       bench(options.bench),
                       screenshot(options.screenshot)};

@@ -14,6 +14,7 @@ struct CommandOptions {
   ChannelOptions channel;
   MeasureCommandOptions measure;
   ExportOptions export_complex;
+  ExplainOptions explain;
   VerifyOptions verify;
   BenchOptions bench;
   ScreenshotCommandOptions screenshot;

@@ -121,6 +121,15 @@ struct ExportOptions {
   std::string colours = "element";
 };
 
+struct ExplainOptions {
+  InputOptions input;
+  std::vector<int> simplex;  // 1 to 4 different balls, from 0; or none, then there are atoms
+  std::string atoms;         // 1 to 4 of them by address or expression
+  std::optional<double> alpha_angstrom2;
+  double solvent_radius_angstrom = 0;
+  std::string json;
+};
+
 struct VerifyOptions {
   InputOptions input;
   Request request;
@@ -171,6 +180,7 @@ ExitCode run_cavities(const CavitiesOptions& options);
 ExitCode run_channel(const ChannelOptions& options);
 ExitCode run_measure(const MeasureCommandOptions& options);
 ExitCode run_export(const ExportOptions& options);
+ExitCode run_explain(const ExplainOptions& options);
 ExitCode run_verify(const VerifyOptions& options);
 ExitCode run_bench(const BenchOptions& options);
 ExitCode run_thesis_bench(const BenchOptions& options);

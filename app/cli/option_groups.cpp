@@ -82,4 +82,12 @@ Option output(const char* name, const char* text, std::string& path) {
   return text_option({name, "OUT", text}, path);
 }
 
+Options input(InputOptions& input) {
+  Options options = input_but_ligands(input);
+  options.push_back(
+      flag_option("--no-ligands", "Drop ligands (kept by default)", input.no_ligands));
+  options.push_back(flag_option("--no-ions", "Drop ions (kept by default)", input.no_ions));
+  return options;
+}
+
 }  // namespace alphascope::cli

@@ -20,6 +20,8 @@ void append(Options& options, Options more);
 
 // What is read, without the two kinds of atoms that commands treat differently.
 Options input_but_ligands(InputOptions& input);
+// All of what is read.
+Options input(InputOptions& input);
 std::string radii_choices();
 
 inline constexpr const char* kFileText =
@@ -34,5 +36,6 @@ Option output(const char* name, const char* text, std::string& path);
 
 OptionCommand cavities_command(CavitiesOptions& options);
 OptionCommand channel_command(ChannelOptions& options);
+OptionCommand explain_command(ExplainOptions& options);
 
 }  // namespace alphascope::cli

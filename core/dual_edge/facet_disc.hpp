@@ -11,6 +11,7 @@
 #pragma once
 
 #include "core/dual_edge/dual_edge.hpp"
+#include "core/predicates/recording.hpp"
 
 namespace alphascope {
 
@@ -55,12 +56,16 @@ class FacetDisc {
     return sure > 0 && sure * sure > Real(4.0001) * across * square_;
   }
 
-  // Does ball m cut off the disc's centre?
-  ALPHASCOPE_INLINE Decision centre_cut_by(const LiftedVector<Real>& m) const {
+  // Does ball m cut off the disc's centre? `sink` gets how much more power i has there than m,
+  // square lattice units.
+  template <class Sink = NotRecorded>
+  ALPHASCOPE_INLINE Decision centre_cut_by(const LiftedVector<Real>& m,
+                                           const Sink& sink = {}) const {
     const Real along = multiply_add(m.x, j_.x, multiply_add(m.y, j_.y, m.z * j_.z));
     const Real length = multiply_add(m.x, m.x, multiply_add(m.y, m.y, m.z * m.z));
     const Real gap = along * inverse_ * j_.c - m.c;
     const Real error = kMargin * (length + magnitude(m.c)) + own_error_;
+    sink(gap, error);
     return gap > error ? Decision::in : gap < -error ? Decision::out : Decision::unknown;
   }
 

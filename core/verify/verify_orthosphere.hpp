@@ -17,6 +17,7 @@
 #include <array>
 #include <vector>
 
+#include "core/geometry/real_point.hpp"
 #include "core/predicates/exact_alpha.hpp"
 #include "core/predicates/perturbation.hpp"
 
@@ -45,6 +46,18 @@ class Orthosphere {
   int side(BallIndex m) const {
     const LiftedInt v = lifted_vector(balls_, simplex_[0], m);
     return (d_.times(v.c) - n_.x.times(v.x) - n_.y.times(v.y) - n_.z.times(v.z)).sign();
+  }
+
+  // The same as numbers, within a 2^49th part: the power of ball m at the orthocentre minus rho,
+  // square lattice units; and the orthocentre from the first ball's centre, lattice units.
+  double excess(BallIndex m) const {
+    const LiftedInt v = lifted_vector(balls_, simplex_[0], m);
+    return (d_.times(v.c) - n_.x.times(v.x) - n_.y.times(v.y) - n_.z.times(v.z)).near_double() /
+           d_.near_double();
+  }
+  RealPoint from_first_ball() const {
+    const double twice = 2 * d_.near_double();
+    return {n_.x.near_double() / twice, n_.y.near_double() / twice, n_.z.near_double() / twice};
   }
 
   ExactRho rho() const {

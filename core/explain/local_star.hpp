@@ -1,0 +1,41 @@
+// A triangulation of a few balls around a simplex that has the same simplices around it as the
+// triangulation of all balls.
+#pragma once
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/complex/triangulation.hpp"
+#include "core/geometry/ball_set.hpp"
+#include "core/run/cancel_token.hpp"
+
+namespace alphascope {
+
+// If the simplex is in `triangulation`, it is in that of all balls, and so is every simplex that
+// contains it, with the same neighbours; if it is not, it is in neither.
+struct LocalStar {
+  std::vector<BallIndex> chosen;  // ascending; local ball n is ball chosen[n]
+  std::shared_ptr<const BallSet> balls;
+  Triangulation triangulation;
+
+  BallIndex local(BallIndex ball) const {
+    const auto at = std::lower_bound(chosen.begin(), chosen.end(), ball);
+    return static_cast<BallIndex>(at - chosen.begin());
+  }
+  template <class Simplex>
+  std::vector<BallIndex> all(const Simplex& local_balls) const {
+    std::vector<BallIndex> result;
+    for (const BallIndex v : local_balls) result.push_back(chosen[v]);
+    return result;
+  }
+};
+
+// `first`: balls that are likely to be needed, in any order, the simplex (ascending) among them.
+// Throws Cancelled.
+LocalStar local_star(const BallSet& balls, std::span<const BallIndex> simplex,
+                     std::vector<BallIndex> first, const RunContext& context);
+
+}  // namespace alphascope

@@ -1,12 +1,15 @@
 #include "app/cli/command_table.hpp"
 
 #include <algorithm>
+#include <cstdio>
 #include <stdexcept>
 
 #include "app/cli/option_groups.hpp"
 #include "app/options/option_values.hpp"
 #include "app/session/version.hpp"
 #include "core/document/complex_export.hpp"
+#include "core/document/display_preset.hpp"
+#include "core/document/settings_fields.hpp"
 
 namespace alphascope::cli {
 namespace {
@@ -269,6 +272,21 @@ Option not_required(Option option) {
   return option;
 }
 
+Option look_number(OptionText text, std::optional<double>& target, const NumberRule& rule,
+                   float usual) {
+  char shortest[16];
+  std::snprintf(shortest, sizeof shortest, "%g", static_cast<double>(usual));
+  Option option{.names = std::move(text.names),
+                .value = std::move(text.value),
+                .text = std::move(text.text),
+                .fallback = std::string(shortest) + ", or the preset's"};
+  option.set = [&target, rule](const std::string& value) {
+    const NumberRange range{rule.least, rule.most};
+    target = rule.whole ? whole_number_in(value, range) : number_in(value, range);
+  };
+  return option;
+}
+
 // All options but those of the picture's file are settings, which a session has.
 void note_what_sessions_say(Option& option, ScreenshotCommandOptions& options) {
   constexpr std::string_view kOfThePicture[] = {"FILE",        "--session",       "--output",
@@ -322,6 +340,18 @@ OptionCommand screenshot(ScreenshotCommandOptions& options) {
                    "1,1,0=5; with a thickness x=12.5:8"},
                   options.clip),
       flag_option("--orthographic", "Draw without perspective", options.orthographic),
+      with_default(choice_option({"--preset", preset_ids(),
+                                  "A whole look; other options change single things of it"},
+                                 options.preset),
+                   "none"),
+      flag_option("--no-shadows", "Without soft shadows", options.no_shadows),
+      look_number({"--depth-cue", "X", "Share of background in what is farthest, 0 to 1"},
+                  options.depth_cue, kDepthCueRule, DisplayControls().depth_cue),
+      look_number({"--outlines", "W",
+                   "Width of outlines in pixels of a picture of 1280x800; they grow with the size"},
+                  options.outlines, kSilhouettesRule, DisplayControls().silhouettes),
+      look_number({"--samples", "N", "Samples a pixel, 1 to 16"}, options.samples, kSamplesRule,
+                  static_cast<float>(DisplayControls().samples)),
       choice_option({"--colours", "element|chain", "Colour of the balls"}, options.colours),
       choice_option({"--simplex-colours", "balls|alpha",
                      "Colour of the simplices: their balls', or by alpha value, with a legend"},

@@ -166,12 +166,15 @@ struct ScreenshotCommandOptions {
   std::string colours = "element", simplex_colours = "balls";
   bool no_legend = false, scale_bar = false;
   bool orthographic = false;
-  std::string clip = "off";                        // as read_clip() takes it
-  std::string beside = "ligands,ions";             // kinds of AtomsBesideBody, or "none"
-  std::optional<std::uint64_t> drawing_memory_mb;  // taken as free; none: what is
-  std::filesystem::path session;                   // empty: none; else input.file may be empty
-  std::vector<std::string> beside_session;         // options that a session says itself
-  std::vector<std::string> arguments;              // as given, for the program that draws
+  std::string preset;  // id of a DisplayPreset, or none
+  bool no_shadows = false;
+  std::optional<double> depth_cue, outlines, samples;  // none: the preset's, or the window's
+  std::string clip = "off";                            // as read_clip() takes it
+  std::string beside = "ligands,ions";                 // kinds of AtomsBesideBody, or "none"
+  std::optional<std::uint64_t> drawing_memory_mb;      // taken as free; none: what is
+  std::filesystem::path session;                       // empty: none; else input.file may be empty
+  std::vector<std::string> beside_session;             // options that a session says itself
+  std::vector<std::string> arguments;                  // as given, for the program that draws
 };
 
 ExitCode run_info(const InfoOptions& options);

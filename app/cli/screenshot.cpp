@@ -18,10 +18,12 @@
 #include "app/cli/text.hpp"
 #include "app/session/result_header.hpp"
 #include "app/session/system_memory.hpp"
+#include "core/document/display_preset.hpp"
 #include "core/molecule/printable.hpp"
 #include "ui/scene/ball_colours.hpp"
 #include "ui/scene/beside_body.hpp"
 #include "ui/scene/display_style.hpp"
+#include "ui/scene/draw_marks.hpp"
 #include "ui/scene/screenshot.hpp"
 
 namespace alphascope::cli {
@@ -62,30 +64,51 @@ AtomsBesideBody beside_body(const std::string& text) {
   return shown;
 }
 
+// What the window's Display panel would say.
+DisplayControls display(const ScreenshotCommandOptions& options) {
+  DisplayControls d;
+  d.triangles = d.edges = true;
+  if (const auto preset = preset_named(options.preset)) d = with_preset(d, *preset);
+  if (options.request.tetrahedra_only) d.triangles = d.edges = false;
+  if (options.no_balls) d.balls = false;
+  if (options.grown) {
+    d.grown_balls = true;
+    d.ball_scale = 1;
+  }
+  if (options.boundary) {
+    d.boundary = true;
+    d.tetrahedra = false;
+  }
+  if (options.shrink > 0) d.shrink = static_cast<float>(options.shrink);
+  d.ball_colour = options.colours == "chain" ? ColourBy::chain : ColourBy::element;
+  d.complex_colour = options.simplex_colours == "alpha" ? ColourBy::alpha : d.ball_colour;
+  d.orthographic = options.orthographic;
+  if (options.no_shadows) d.ambient_occlusion = false;
+  if (options.depth_cue) d.depth_cue = static_cast<float>(*options.depth_cue);
+  if (options.outlines) d.silhouettes = static_cast<float>(*options.outlines);
+  if (options.samples) d.samples = static_cast<int>(*options.samples);
+  return d;
+}
+
+// Of the file; what is drawn is show()'s.
 ScreenshotOptions picture_options(const ScreenshotCommandOptions& options) {
   ScreenshotOptions picture;
   set_size(options.size, picture);
   picture.transparent = options.transparent;
   picture.legend = !options.no_legend;
   picture.scale_bar = options.scale_bar;
-  picture.style.theme = options.light ? Theme::light : Theme::dark;
-  picture.style.balls = !options.no_balls;
-  if (options.grown) {
-    picture.balls.grown = true;
-    picture.balls.scale = 1;
-  }
-  picture.balls.alpha = options.request.alpha_angstrom2;
-  picture.balls.solvent_radius = options.request.solvent_radius_angstrom;
-  picture.style.orthographic = options.orthographic;
   const ClipWords clip = read_clip(options.clip);
   if (!clip.error.empty()) throw UsageError("--clip: " + clip.error);
   if (clip.clip.on()) picture.clip = clip;
-  picture.mesh.shrink = options.shrink;
-  if (options.simplex_colours == "alpha") picture.mesh.colouring = ComplexColouring::alpha;
-  picture.mesh.boundary = options.boundary;
-  picture.mesh.tetrahedra = !options.boundary;
-  picture.mesh.triangles = picture.mesh.edges = !options.request.tetrahedra_only;
   return picture;
+}
+
+void show(const DisplayControls& display, Theme theme, const Request& request,
+          ScreenshotOptions& picture) {
+  picture.style = scene_style(display, theme);
+  picture.style.line_scale = mark_unit(picture.width, picture.height);
+  picture.mesh = mesh_options(display, theme);
+  picture.balls = ball_style(display, &request);
 }
 
 void print_note(const std::string& note) {
@@ -123,9 +146,14 @@ struct Wanted {
 };
 
 Wanted by_options(const ScreenshotCommandOptions& options, const RunContext& context) {
-  const ColourBy colour = options.colours == "chain" ? ColourBy::chain : ColourBy::element;
-  Wanted wanted{{},     options.request, picture_options(options),
-                colour, colour,          beside_body(options.beside)};
+  const DisplayControls shown = display(options);
+  Wanted wanted{{},
+                options.request,
+                picture_options(options),
+                shown.ball_colour,
+                shown.ball_colour,
+                beside_body(options.beside)};
+  show(shown, options.light ? Theme::light : Theme::dark, options.request, wanted.picture);
   wanted.input = open_one_model(options.input, "A picture shows one model.", context);
   return wanted;
 }
@@ -141,9 +169,7 @@ Wanted by_session(const ScreenshotCommandOptions& options, const RunContext& con
                 display.ball_colour,    display.complex_colour, display.beside};
   // All engines answer alike, and this machine may lack the one that the window had.
   wanted.request.engine = EngineChoice::automatic;
-  wanted.picture.style = scene_style(display, theme);
-  wanted.picture.mesh = mesh_options(display, theme);
-  wanted.picture.balls = ball_style(display, &s.settings.request);
+  show(display, theme, s.settings.request, wanted.picture);
   if (s.view.camera.any()) wanted.picture.camera = s.view.camera;
   const Clip& clip = s.settings.clip;
   wanted.picture.clip = clip.on() ? std::optional(ClipWords{clip, false, true, {}}) : std::nullopt;

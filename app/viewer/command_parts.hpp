@@ -32,6 +32,9 @@ CommandSpec scale_command(ViewState& s);
 // How the picture is looked at.
 void add_camera_commands(Commands& commands, ViewState& s);
 
+// Presets, light and lines.
+void add_look_commands(Commands& commands, ViewState& s);
+
 // The clip.
 void add_clip_commands(Commands& commands, ViewState& s);
 

@@ -7,6 +7,7 @@
 #include "app/options/option_values.hpp"
 #include "app/options/parse_arguments.hpp"
 #include "app/viewer/script.hpp"
+#include "core/document/display_preset.hpp"
 #include "core/document/number_input.hpp"
 
 namespace alphascope {
@@ -110,6 +111,9 @@ OptionProgram table(ViewerOptions& o) {
                    "as the display says"),
       size_option(o),
       flag_option("--light", "Light theme", o.light),
+      with_default(
+          choice_option({"--preset", preset_ids(), "A whole look of the picture"}, o.preset),
+          "none"),
       flag_option("--tetrahedra-only", "Compute only tetrahedra", o.tetrahedra_only),
       flag_option("--no-compare", "Do not compare with CGAL after each change", o.compare, false),
       preferences_option(o),

@@ -15,6 +15,8 @@ struct ViewerOptions {
   double scale = 0;           // 0: as the display says
   int width = 0, height = 0;  // at scale 1; 0: as last time
   bool light = false;
+  std::string preset;          // id of a DisplayPreset, or none
+  std::optional<int> samples;  // a pixel of pictures at rest; none: the preset's
   bool tetrahedra_only = false;
   bool compare = true;
   std::optional<std::filesystem::path> script, shot;

@@ -16,6 +16,8 @@ namespace {
 
 constexpr double kRefineAfterSeconds = 0.25;
 constexpr double kNotDue = 1e9;
+// A slice of refinement, where a single sample is quicker than that.
+constexpr double kSliceMilliseconds = 12;
 // Newer pictures that arrive sooner than this follow the hand; saying so would flicker.
 constexpr std::chrono::milliseconds kOutdatedAfter{300};
 // A mesh that is newer than the one on screen is worth finishing: else a slow one would never be
@@ -202,6 +204,7 @@ std::uint64_t SceneController::held_bytes() const {
 
 double SceneController::seconds_to_refinement() const {
   if (!refine_) return kNotDue;
+  if (drawn_ == RenderQuality::fine) return 0;
   const std::chrono::duration<double> since = Clock::now() - last_change_;
   return std::max(0.0, kRefineAfterSeconds - since.count());
 }
@@ -240,7 +243,7 @@ void SceneController::render(ViewportInfo& viewport, bool interacting, bool pati
   if (change) last_change_ = Clock::now();
   view_checked_ = view_checked_ && !change;
   const bool refine_now = refine_ && !interacting && seconds_to_refinement() <= 0;
-  if (!change && !refine_now && !(patient && drawn_ != RenderQuality::fine)) {
+  if (!change && !refine_now && !(patient && unfinished())) {
     return check_view(viewport, interacting);
   }
   const bool new_picture = std::exchange(new_picture_, false);
@@ -250,12 +253,13 @@ void SceneController::render(ViewportInfo& viewport, bool interacting, bool pati
                                : follows               ? quality_.while_computing()
                                                        : quality_.moving();
   try {
-    quality_.note(target, scene_.render(width_, height_, target));
+    draw(target, patient);
   } catch (const std::bad_alloc&) {
     return show_no_memory();
   }
   drawn_ = target;
-  refine_ = quality_.at_rest() > target;
+  refine_ = quality_.at_rest() == RenderQuality::fine && unfinished();
+  refine_ = refine_ || (target == RenderQuality::sketch);
   viewport.texture = scene_.texture();
   viewport.angstrom_per_pixel = draws_nothing() ? 0 : scene_.angstrom_per_pixel();
   viewport.labels.clear();
@@ -264,6 +268,22 @@ void SceneController::render(ViewportInfo& viewport, bool interacting, bool pati
         labels_seen(drawn_layers_.mesh->labels, scene_.sight(), scene_style().cut, width_, height_);
   }
   check_view(viewport, interacting);
+}
+
+// Of a fine picture as many samples as a slice has time for: at least one.
+void SceneController::draw(RenderQuality quality, bool patient) {
+  double taken = 0;
+  do {
+    const double milliseconds = scene_.render(width_, height_, quality);
+    quality_.note(quality, milliseconds);
+    taken += milliseconds;
+    drawn_ = quality;
+  } while (quality == RenderQuality::fine && unfinished() &&
+           (patient || taken + quality_.sample() <= kSliceMilliseconds));
+}
+
+bool SceneController::unfinished() const {
+  return drawn_ != RenderQuality::fine || scene_.samples_drawn() < display_.samples;
 }
 
 // Not while the hand is moving the view: it is on its way.
@@ -323,6 +343,11 @@ PictureToSave SceneController::picture(const ScreenshotRequest& request) const {
   picture.layers = std::move(layers);
   picture.beside_body = beside_body_.mesh;
   picture.style = scene_style();
+  // Lines have the same share of the picture as in the window.
+  if (height_ > 0) {
+    picture.style.line_scale *=
+        static_cast<float>(request.options.height) / static_cast<float>(height_);
+  }
   picture.viewpoint = scene_.viewpoint();
   picture.picture = {request.options.width,
                      request.options.height,

@@ -228,6 +228,8 @@ class SceneController {
   BallGeometry drawn_places(const Selected& what) const;
   ViewProblem find_view_problem() const;
   void check_view(ViewportInfo& viewport, bool interacting);
+  void draw(RenderQuality quality, bool patient);
+  bool unfinished() const;  // the picture on screen could have more samples
   MeshOptions mesh_options() const;
 
   const FreeMemory free_memory_;

@@ -11,6 +11,7 @@
 #include "app/viewer/molecule_info.hpp"
 #include "app/viewer/resources.hpp"
 #include "app/viewer/state_bridge.hpp"
+#include "core/document/display_preset.hpp"
 #include "ui/panels/format.hpp"
 
 namespace alphascope {
@@ -62,6 +63,10 @@ Viewer::Viewer(Host& host, const ViewerOptions& options, Session::Services servi
   sent_compute_ = state_.compute;
   session_.set_request(canonical(state_.compute));
   session_.set_open_options(state_.open);
+  if (const auto preset = preset_named(options.preset)) {
+    state_.display = with_preset(state_.display, *preset);
+  }
+  if (options.samples) state_.display.samples = *options.samples;
   scene_.set_display(state_.display, state_.theme, frame_.scale());
   editor_.restart(settings());
   if (options.file) open(*options.file);

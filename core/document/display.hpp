@@ -29,6 +29,9 @@ struct DisplayControls {
   float shrink = 0;  // of tetrahedra, 0 to 0.9
   ColourBy ball_colour = ColourBy::chain, complex_colour = ColourBy::chain;
   bool ambient_occlusion = true;
+  float depth_cue = 0.4f;     // share of background in what is farthest; 0: nothing fades
+  float silhouettes = 1.5f;   // width of outlines, pixels at scale 1; 0: none
+  int samples = 16;           // a pixel of the picture at rest
   bool orthographic = false;  // parallel lines stay parallel: no perspective
   AtomsBesideBody beside;
   friend bool operator==(const DisplayControls&, const DisplayControls&) = default;

@@ -10,6 +10,9 @@ namespace alphascope {
 
 inline constexpr NumberRule kShareRule{"A share", 0.05, 1};
 inline constexpr NumberRule kShrinkRule{"The shrinking", 0, 0.9};
+inline constexpr NumberRule kDepthCueRule{"The depth cue", 0, 1};
+inline constexpr NumberRule kSilhouettesRule{"The width of outlines", 0, 4, "pixels"};
+inline constexpr NumberRule kSamplesRule{"The number of samples", 1, 16, "", true};
 inline constexpr NumberRule kThreadsRule{"The number of threads", 0, 1024, "", true};
 inline constexpr NumberRule kStreamsRule{"The number of streams", 1, 8, "", true};
 inline constexpr NumberRule kBatchRule{"The number of tuples", 0, 2e9, "", true};
@@ -82,6 +85,9 @@ void visit_fields(Visitor& v, DisplayControls& d) {
   v("ball_colour", d.ball_colour);
   v("complex_colour", d.complex_colour);
   v("ambient_occlusion", d.ambient_occlusion);
+  v("depth_cue", d.depth_cue, kDepthCueRule);
+  v("silhouettes_pixels", d.silhouettes, kSilhouettesRule);
+  v("samples", d.samples, kSamplesRule);
   v("orthographic", d.orthographic);
   v.object("beside", d.beside);
 }

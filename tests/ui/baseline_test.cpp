@@ -10,9 +10,11 @@
 #include <string>
 #include <vector>
 
+#include "core/document/display_preset.hpp"
 #include "tests/ui/molecule_fixture.hpp"
 #include "tests/ui/picture_difference.hpp"
 #include "tests/ui/png_pixels.hpp"
+#include "ui/scene/display_style.hpp"
 #include "ui/scene/frame_grab.hpp"
 #include "ui/scene/screenshot.hpp"
 #include "ui/window/egl_context.hpp"
@@ -81,6 +83,14 @@ std::vector<Subject> subjects() {
     o.style.orthographic = true;
     o.clip = read_clip("1,0.3,0.2:4");
   });
+  for (const DisplayPreset preset : kDisplayPresets) {
+    add(std::string("preset_") + preset_info(preset).id, 0, [&](ScreenshotOptions& o) {
+      const DisplayControls display = with_preset({}, preset);
+      o.style = scene_style(display, Theme::dark);
+      o.mesh = mesh_options(display, Theme::dark);
+      o.balls = ball_style(display, nullptr);
+    });
+  }
   return all;
 }
 

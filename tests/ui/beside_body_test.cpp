@@ -132,13 +132,12 @@ TEST_F(BesideBodyInTheWindow, TheMouseNamesAndSelectsThem) {
 TEST_F(BesideBodyInTheWindow, ASavedPictureShowsWhatPanelsDraw) {
   open_without_ligands();
   run("click bottom.cavities\nwait-idle\nframes 3\nwait-idle\nframes 3\n");
-  state().display.ambient_occlusion = false;  // is blurred over pixels
-  const Image plain = upright(halved(picture()));
+  const Image plain = upright(picture());
   run("click cavities.row.1 0.2\nwait-idle\nframes 3\n");
   state().picked.items = {};  // which no saved picture shows
   run("frames 2\nwait-idle\n");
   ASSERT_FALSE(state().layers.empty());
-  const Image shown = upright(halved(picture()));
+  const Image shown = upright(picture());
   EXPECT_GT(differing_pixels(plain, shown), 1000);
   const ViewportInfo& v = state().viewport;
   state().requests.screenshot =
@@ -146,8 +145,7 @@ TEST_F(BesideBodyInTheWindow, ASavedPictureShowsWhatPanelsDraw) {
   run("wait-idle\n");
   const Image saved = pixels_of(folder_ / "saved.png");
   ASSERT_EQ(saved.width, shown.width);
-  // Lines are as wide as the picture's own pixels: their rims differ.
-  EXPECT_LT(differing_pixels(saved, shown), shown.width * shown.height / 50);
+  EXPECT_LE(differing_pixels(saved, shown), shown.width * shown.height / 1000);
 }
 
 TEST(BesideBodyOnTheCommandLine, ScreenshotDrawsThemToo) {

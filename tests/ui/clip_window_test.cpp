@@ -119,11 +119,16 @@ TEST_F(ClipWindow, SavedPicturesAndTheCommandLineShowTheSame) {
       ScreenshotRequest{folder_ / "window.png", {width, height, false, true, false}};
   run("wait-idle\n");
   const Image window = pixels_of(folder_ / "window.png");
-  viewer_->state().display.ambient_occlusion = true;
+  DisplayControls& display = viewer_->state().display;
+  const DisplayControls usual;
+  display.ambient_occlusion = usual.ambient_occlusion;
+  display.depth_cue = usual.depth_cue;
+  display.silhouettes = usual.silhouettes;
+  display.samples = 4;
   const std::string size = std::to_string(width) + "x" + std::to_string(height);
   const auto drawn = [&](const std::string& options) {
     const std::string command = std::string(ALPHASCOPE_CLI) + " screenshot " + crambin().string() +
-                                " --alpha 3 --size " + size + " " + options + " -o " +
+                                " --alpha 3 --samples 4 --size " + size + " " + options + " -o " +
                                 (folder_ / "cli.png").string() + " > /dev/null 2>&1";
     EXPECT_EQ(std::system(command.c_str()), 0) << command;
     return pixels_of(folder_ / "cli.png");

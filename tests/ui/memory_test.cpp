@@ -133,10 +133,10 @@ TEST_F(SceneMemoryTest, WhatIsSwitchedOffLeavesNoBuffersBehind) {
   };
   with(true, 0.5);  // compiles shaders
   const double plain = with(false, 1);
-  EXPECT_GT(with(true, 1), plain + 20);
-  EXPECT_LT(with(false, 1), plain + 5);
-  EXPECT_GT(with(false, 0.5), plain + 20);
-  EXPECT_LT(with(false, 1), plain + 5);
+  EXPECT_GT(with(true, 1), plain + 0.8);
+  EXPECT_LT(with(false, 1), plain + 0.3);
+  EXPECT_GT(with(false, 0.5), plain + 0.8);
+  EXPECT_LT(with(false, 1), plain + 0.3);
 }
 
 }  // namespace

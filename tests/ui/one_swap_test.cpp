@@ -37,6 +37,7 @@ class OneSwapTest : public ViewerTest {
     viewer_.reset();
     ViewerOptions options;
     options.compare = false;
+    options.preset = "fast";
     viewer_ = std::make_unique<Viewer>(*host_, options, Session::program_services(),
                                        [this](const auto&... what) { return slow_mesh(what...); });
     open_crambin();

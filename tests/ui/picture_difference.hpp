@@ -23,6 +23,19 @@ inline int differing_pixels(const Image& a, const Image& b) {
   return count;
 }
 
+// Pixels of which a channel differs by more than rounding of colours on different ways.
+inline int unequal_pixels(const Image& a, const Image& b) {
+  EXPECT_EQ(a.rgba.size(), b.rgba.size());
+  int count = 0;
+  for (std::size_t i = 0; i + 3 < std::min(a.rgba.size(), b.rgba.size()); i += 4) {
+    int most = 0;
+    for (std::size_t c = 0; c < 3; ++c)
+      most = std::max(most, std::abs(a.rgba[i + c] - b.rgba[i + c]));
+    count += most > 2;
+  }
+  return count;
+}
+
 // Pixels that are not of the colour of the picture's corner: what is drawn on a background.
 inline int drawn_pixels(const Image& image) {
   Image background = image;

@@ -11,10 +11,11 @@ TEST(QualityChooser, StartsWithADraft) {
   EXPECT_EQ(chooser.at_rest(), RenderQuality::draft);
 }
 
-TEST(QualityChooser, AFastMachineDrawsFineAlways) {
+TEST(QualityChooser, AFastMachineDrawsShadowsAlways) {
   QualityChooser chooser;
   chooser.note(RenderQuality::draft, 2);
-  EXPECT_EQ(chooser.moving(), RenderQuality::fine);
+  EXPECT_EQ(chooser.moving(), RenderQuality::medium);
+  EXPECT_EQ(chooser.at_rest(), RenderQuality::fine);
 }
 
 TEST(QualityChooser, ASlowOneDraftsWhileMovingAndRefinesAtRest) {
@@ -25,19 +26,19 @@ TEST(QualityChooser, ASlowOneDraftsWhileMovingAndRefinesAtRest) {
   chooser.note(RenderQuality::draft, 60);
   EXPECT_EQ(chooser.moving(), RenderQuality::sketch);
   EXPECT_EQ(chooser.at_rest(), RenderQuality::fine);
-  chooser.note(RenderQuality::fine, 1500);  // worse than expected
-  EXPECT_EQ(chooser.at_rest(), RenderQuality::medium);
+  chooser.note(RenderQuality::fine, 2000);  // worse than expected
+  EXPECT_EQ(chooser.at_rest(), RenderQuality::draft) << "a sample would hold up the next input";
 }
 
-TEST(QualityChooser, NeverExceedsTheBudgetByExpectation) {
+TEST(QualityChooser, ExpectsASampleByWhatItKnows) {
   QualityChooser chooser;
-  chooser.note(RenderQuality::draft, 400);
-  EXPECT_EQ(chooser.at_rest(), RenderQuality::draft);
   chooser.note(RenderQuality::draft, 1400);
   EXPECT_EQ(chooser.at_rest(), RenderQuality::draft) << "at rest all pixels are drawn";
   chooser.forget();
   chooser.note(RenderQuality::draft, 10);
   EXPECT_EQ(chooser.at_rest(), RenderQuality::fine);
+  chooser.note(RenderQuality::fine, 31);
+  EXPECT_EQ(chooser.sample(), 31);
 }
 
 }  // namespace

@@ -4,9 +4,13 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tests/ui/molecule_fixture.hpp"
@@ -14,6 +18,7 @@
 #include "tests/ui/png_pixels.hpp"
 #include "tests/ui/texture_pixels.hpp"
 #include "ui/scene/frame_grab.hpp"
+#include "ui/scene/sample_place.hpp"
 #include "ui/scene/screenshot.hpp"
 #include "ui/window/egl_context.hpp"
 
@@ -142,9 +147,7 @@ TEST_F(SceneTest, RendersIntoATextureAtEveryQualityAndSize) {
       scene.reset_view();
       EXPECT_GT(scene.render(width, 201, quality), 0.0);
       const Image picture = testing::texture_pixels(scene.texture());
-      const double samples = quality == RenderQuality::fine     ? 2
-                             : quality == RenderQuality::sketch ? 0.5
-                                                                : 1;
+      const double samples = quality == RenderQuality::sketch ? 0.5 : 1;
       ASSERT_EQ(picture.width, std::lround(width * samples));
       ASSERT_EQ(picture.height, std::lround(201 * samples));
       const PictureCounts counts = count_colours(picture, Theme::dark);
@@ -258,8 +261,8 @@ TEST_F(SceneTest, TransparentPictureHasClearBackgroundAndOpaqueBalls) {
   EXPECT_GT(opaque, 1000);
 }
 
-// Whoever quits waits for what is being drawn; and the four pictures are not the same one.
-TEST_F(SceneTest, APictureCanBeCancelledBetweenItsQuarters) {
+// Whoever quits waits for what is being drawn; and the samples are not the same one.
+TEST_F(SceneTest, APictureCanBeCancelledBetweenItsSamples) {
   load(0);
   std::vector<double> shares;
   RunContext run;
@@ -276,7 +279,7 @@ TEST_F(SceneTest, APictureCanBeCancelledBetweenItsQuarters) {
   EXPECT_EQ(differing_pixels(whole, scene.grab(320, 200, false)), 0) << "as if nothing had been";
 }
 
-// A picture of single samples has two colours at an edge; the mean of four has more.
+// A picture of single samples has two colours at an edge; the mean of several has more.
 TEST_F(SceneTest, EdgesOfAPictureAreSmooth) {
   load(0);
   scene.set_style({.ball_opacity = 1, .ambient_occlusion = false});
@@ -288,12 +291,93 @@ TEST_F(SceneTest, EdgesOfAPictureAreSmooth) {
   EXPECT_GT(between, 100);
 }
 
-TEST(PictureMean, IsWeightedByAlpha) {
-  PictureMean mean;
-  mean.add({1, 1, {100, 50, 0, 255}});
-  mean.add({1, 1, {0, 0, 0, 0}});
-  EXPECT_EQ(mean.mean().rgba, (std::vector<std::uint8_t>{100, 50, 0, 128}));
-  EXPECT_THROW(mean.add({2, 1, std::vector<std::uint8_t>(8)}), std::invalid_argument);
+TEST_F(SceneTest, SamplesAddUpToThePictureOfAFileAndStartAgainAtAMove) {
+  load(0);
+  SceneStyle style;
+  style.depth_cue = 0.5f;
+  style.silhouettes = 2;
+  style.samples = 5;
+  scene.set_style(style);
+  const Image file = scene.grab(160, 100, false);
+  const auto rest = [&] {
+    for (int k = 1; k <= style.samples; ++k) {
+      scene.render(160, 100, RenderQuality::fine);
+      EXPECT_EQ(scene.samples_drawn(), k);
+    }
+    scene.render(160, 100, RenderQuality::fine);
+    EXPECT_EQ(scene.samples_drawn(), style.samples) << "there are no more";
+    return testing::upright(testing::texture_pixels(scene.texture()));
+  };
+  EXPECT_EQ(testing::unequal_pixels(rest(), file), 0);
+  const Viewpoint before = scene.viewpoint();
+  scene.pointer_button(PointerButton::left, true);
+  scene.pointer_move(60, 20, false, false);
+  scene.pointer_button(PointerButton::left, false);
+  EXPECT_EQ(scene.samples_drawn(), 0);
+  scene.set_viewpoint(before);
+  EXPECT_EQ(testing::unequal_pixels(rest(), file), 0);
+}
+
+// Ambient occlusion needs no background.
+TEST_F(SceneTest, TransparentPicturesHaveTheSameShadows) {
+  load(0);
+  scene.set_style({.ambient_occlusion = false});
+  const Image plain = scene.grab(160, 100, true);
+  scene.set_style({.ambient_occlusion = true});
+  const Image clear = scene.grab(160, 100, true), opaque = scene.grab(160, 100, false);
+  long darker = 0;
+  int like_opaque = 0, inside = 0;
+  for (std::size_t i = 0; i < clear.rgba.size(); i += 4) {
+    EXPECT_EQ(clear.rgba[i + 3], plain.rgba[i + 3]);
+    if (clear.rgba[i + 3] < 255) continue;
+    ++inside;
+    darker += plain.rgba[i] - clear.rgba[i];
+    like_opaque += std::abs(clear.rgba[i] - opaque.rgba[i]) <= 2;
+  }
+  EXPECT_GT(darker, 5 * inside);
+  EXPECT_EQ(like_opaque, inside);
+}
+
+TEST_F(SceneTest, ShadowsAndOutlinesFollowTheSizeOfTheView) {
+  load(0);
+  SceneStyle style;
+  style.silhouettes = 2;
+  SceneStyle plain;
+  plain.ambient_occlusion = false;
+  for (const RenderQuality quality : {RenderQuality::medium, RenderQuality::fine}) {
+    for (const int width : {120, 200, 160}) {
+      const auto drawn = [&](const SceneStyle& wanted) {
+        scene.set_style(wanted);
+        scene.render(width, 100, quality);
+        return testing::texture_pixels(scene.texture());
+      };
+      const Image with = drawn(style);
+      EXPECT_GT(differing_pixels(with, drawn(plain)), 500) << width;
+      EXPECT_GT(count_colours(with, Theme::dark).background, 1000) << width;
+    }
+  }
+}
+
+// Every jitter of a pixel once, evenly: else edges would have steps.
+TEST(SampleMean, PlacesOfSamplesAreSpreadEvenly) {
+  for (const int count : {4, 16}) {
+    const int side = count == 4 ? 2 : 4;
+    std::set<std::pair<int, int>> cells;
+    std::array<double, 2> sum{};
+    for (int k = 0; k < count; ++k) {
+      const auto place = sample_place(k);
+      cells.insert({int((place[0] + 0.5) * side), int((place[1] + 0.5) * side)});
+      for (std::size_t c = 0; c < 2; ++c) sum[c] += place[c] / count;
+    }
+    EXPECT_EQ(cells.size(), std::size_t(count));
+    EXPECT_LT(std::fabs(sum[0]) + std::fabs(sum[1]), count == 16 ? 1e-9 : 0.3);
+  }
+}
+
+TEST(FrameGrab, ColoursOfATransparentPictureAreNotMultiplied) {
+  Image image{3, 1, {50, 25, 0, 128, 100, 50, 0, 255, 9, 9, 9, 0}};
+  divide_by_alpha(image);
+  EXPECT_EQ(image.rgba, (std::vector<std::uint8_t>{100, 50, 0, 128, 100, 50, 0, 255, 0, 0, 0, 0}));
 }
 
 TEST(Screenshot, WritesAPngWithoutADisplay) {

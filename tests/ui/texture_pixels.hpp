@@ -33,20 +33,4 @@ inline Image upright(const Image& image) {
   return result;
 }
 
-// Means of 2 x 2 pixels.
-inline Image halved(const Image& image) {
-  Image result{image.width / 2, image.height / 2, {}};
-  const std::size_t row = 4 * static_cast<std::size_t>(image.width);
-  for (std::size_t y = 0; y + 1 < static_cast<std::size_t>(image.height); y += 2) {
-    for (std::size_t x = 0; x + 1 < static_cast<std::size_t>(image.width); x += 2) {
-      for (std::size_t at = y * row + 4 * x, c = 0; c < 4; ++c, ++at) {
-        const int sum =
-            image.rgba[at] + image.rgba[at + 4] + image.rgba[at + row] + image.rgba[at + row + 4];
-        result.rgba.push_back(static_cast<std::uint8_t>((sum + 2) / 4));
-      }
-    }
-  }
-  return result;
-}
-
 }  // namespace alphascope::testing

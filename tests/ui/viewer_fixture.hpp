@@ -34,6 +34,9 @@ class ViewerTest : public ::testing::Test {
     ViewerOptions options;
     options.compare = false;
     options.draw_shots_only = draw_shots_only;
+    // What looks at fine pictures asks for them.
+    options.preset = "fast";
+    options.samples = 1;
     viewer_ = std::make_unique<Viewer>(*host_, options);
   }
   ~ViewerTest() override {

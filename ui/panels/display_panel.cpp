@@ -1,6 +1,10 @@
 // What of the complex is drawn, and how.
+#include <cmath>
 #include <initializer_list>
+#include <string>
 
+#include "core/document/display_preset.hpp"
+#include "core/document/settings_fields.hpp"
 #include "ui/panels/format.hpp"
 #include "ui/panels/panels.hpp"
 
@@ -27,6 +31,24 @@ void colour_row(PanelContext& ctx, const char* name, const char* label, ColourBy
     record(ctx, (std::string(name) + "." + std::to_string(i)).c_str());
   }
   ImGui::EndCombo();
+}
+
+void presets(PanelContext& ctx) {
+  DisplayControls& d = ctx.state.display;
+  const float gap = ctx.px(2);
+  const float count = static_cast<float>(kDisplayPresets.size());
+  const float each = (ImGui::GetContentRegionAvail().x - (count - 1) * gap) / count;
+  for (const DisplayPreset preset : kDisplayPresets) {
+    if (preset != kDisplayPresets.front()) ImGui::SameLine(0, gap);
+    const DisplayPresetInfo& info = preset_info(preset);
+    const bool on = d == with_preset(d, preset);
+    if (on) ImGui::PushStyleColor(ImGuiCol_Button, to_imgui(ctx.palette.accent, 0.30f));
+    if (button(ctx, (std::string("display.preset.") + info.id).c_str(), info.title, {each, 0})) {
+      d = with_preset(d, preset);
+    }
+    if (on) ImGui::PopStyleColor();
+    tooltip(ctx, (std::string(info.help) + ".").c_str());
+  }
 }
 
 void balls(PanelContext& ctx) {
@@ -122,6 +144,7 @@ void beside_body(PanelContext& ctx) {
 
 void draw_display_panel(PanelContext& ctx) {
   if (!section(ctx, "display", "Display")) return;
+  presets(ctx);
   balls(ctx);
   complex(ctx);
   beside_body(ctx);
@@ -129,6 +152,29 @@ void draw_display_panel(PanelContext& ctx) {
   tooltip(ctx,
           "Ambient occlusion: crevices darken, which shows depth. Left out while you turn a large "
           "molecule.");
+}
+
+void draw_look_panel(PanelContext& ctx) {
+  if (!section(ctx, "look", "Light and lines")) return;
+  DisplayControls& d = ctx.state.display;
+  row_label(ctx, "Depth cue");
+  percent_slider(ctx, "look.depth_cue", d.depth_cue, 0, 1);
+  tooltip(ctx, "What is far away fades into the background by so much.");
+  row_label(ctx, "Outlines");
+  double width = d.silhouettes;
+  if (value_slider(ctx, "look.silhouettes", width, 0, 4, kSilhouettesRule,
+                   number_text(width, 1) + " px")) {
+    d.silhouettes = static_cast<float>(std::round(width * 4) / 4);
+  }
+  tooltip(ctx, "Width of the dark lines where something is before something else; 0: none.");
+  row_label(ctx, "Samples");
+  double samples = d.samples;
+  if (value_slider(ctx, "look.samples", samples, 1, 16, kSamplesRule, std::to_string(d.samples))) {
+    d.samples = static_cast<int>(std::lround(samples));
+  }
+  tooltip(ctx,
+          "So many pictures are averaged at rest and in saved pictures: smooth edges and "
+          "shadows.");
 }
 
 }  // namespace alphascope

@@ -7,6 +7,7 @@ namespace alphascope {
 void draw_molecule_panel(PanelContext& ctx);
 void draw_alpha_panel(PanelContext& ctx);
 void draw_display_panel(PanelContext& ctx);
+void draw_look_panel(PanelContext& ctx);  // in display_panel.cpp
 void draw_clip_panel(PanelContext& ctx);
 void draw_engine_panel(PanelContext& ctx);
 void draw_timings_panel(PanelContext& ctx);
@@ -22,6 +23,7 @@ constexpr PanelSpec kPanels[] = {
     {"molecule", "Molecule", Place::left, draw_molecule_panel},
     {"alpha", "Alpha", Place::left, draw_alpha_panel},
     {"display", "Display", Place::left, draw_display_panel},
+    {"look", "Light and lines", Place::left, draw_look_panel},
     {"clip", "Clip", Place::left, draw_clip_panel},
     {"engine", "Engine", Place::left, draw_engine_panel},
     {"timings", "Timings", Place::bottom, draw_timings_panel},

@@ -123,13 +123,13 @@ struct PanelMemory {
   PictureOptions save;
   std::string export_path;
   ExportColours export_colours = ExportColours::element;
-  std::string session_path;               // to save to
-  std::set<std::string> closed_sections;  // of the left side
-  bool timings_cold = true;               // which of the two runs the waterfall shows
-  bool timings_pinned = false;            // the user has chosen which
-  std::map<std::string, bool> switches;   // of single panels, by the name of the widget
-  std::string bottom_panel;               // id of the page below the view; empty: the first
-  float bottom_height = 0;                // pixels at scale 1; 0: default
+  std::string session_path;                       // to save to
+  std::set<std::string> closed_sections{"look"};  // of the left side
+  bool timings_cold = true;                       // which of the two runs the waterfall shows
+  bool timings_pinned = false;                    // the user has chosen which
+  std::map<std::string, bool> switches;           // of single panels, by the name of the widget
+  std::string bottom_panel;                       // id of the page below the view; empty: the first
+  float bottom_height = 0;                        // pixels at scale 1; 0: default
   NumberTyping number;
   PaletteMemory palette;
   CavityMemory cavities;

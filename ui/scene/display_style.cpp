@@ -29,6 +29,9 @@ SceneStyle scene_style(const DisplayControls& display, Theme theme) {
   style.ball_opacity = display.ball_opacity;
   style.complex_opacity = display.complex_opacity;
   style.ambient_occlusion = display.ambient_occlusion;
+  style.depth_cue = display.depth_cue;
+  style.silhouettes = display.silhouettes;
+  style.samples = display.samples;
   style.orthographic = display.orthographic;
   style.theme = theme;
   return style;

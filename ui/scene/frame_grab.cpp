@@ -1,4 +1,4 @@
-// Reading back, means of pictures and PNG through VTK's writer.
+// Reading back, and PNG through VTK's writer.
 #include "ui/scene/frame_grab.hpp"
 
 #define GL_GLEXT_PROTOTYPES
@@ -36,32 +36,14 @@ Image read_framebuffer(unsigned framebuffer, int width, int height) {
   return image;
 }
 
-void PictureMean::add(const Image& premultiplied) {
-  if (count_++ == 0) {
-    width_ = premultiplied.width;
-    height_ = premultiplied.height;
-    sums_.assign(premultiplied.rgba.size(), 0);
-  }
-  if (premultiplied.width != width_ || premultiplied.height != height_) {
-    throw std::invalid_argument("pictures of different sizes have no mean");
-  }
-  for (std::size_t i = 0; i < sums_.size(); ++i) {
-    sums_[i] = static_cast<std::uint16_t>(sums_[i] + premultiplied.rgba[i]);
-  }
-}
-
-Image PictureMean::mean() const {
-  Image image{width_, height_, std::vector<std::uint8_t>(sums_.size())};
-  for (std::size_t i = 0; i < sums_.size(); i += 4) {
-    const unsigned alpha = sums_[i + 3];
-    if (alpha == 0) continue;
+void divide_by_alpha(Image& image) {
+  for (std::size_t i = 0; i < image.rgba.size(); i += 4) {
+    const unsigned alpha = image.rgba[i + 3];
     for (std::size_t c = i; c < i + 3; ++c) {
-      image.rgba[c] =
-          static_cast<std::uint8_t>(std::min(255u, (255u * sums_[c] + alpha / 2) / alpha));
+      const unsigned divided = alpha == 0 ? 0 : (255u * image.rgba[c] + alpha / 2) / alpha;
+      image.rgba[c] = static_cast<std::uint8_t>(std::min(255u, divided));
     }
-    image.rgba[i + 3] = static_cast<std::uint8_t>((alpha + count_ / 2) / count_);
   }
-  return image;
 }
 
 void write_png(const Image& image, const std::filesystem::path& path, const PictureTexts& texts,

@@ -15,19 +15,8 @@ namespace alphascope {
 // The colours of framebuffer `framebuffer` (0: the window's), lower left corner at (0, 0).
 Image read_framebuffer(unsigned framebuffer, int width, int height);
 
-// The mean of pictures of one size, pixel by pixel; weighted by alpha, so that transparent pixels
-// give no colour.
-class PictureMean {
- public:
-  // Colours as OpenGL blends them: multiplied by alpha. At most 257 pictures.
-  void add(const Image& premultiplied);
-  Image mean() const;  // of at least one
-
- private:
-  int width_ = 0, height_ = 0;
-  unsigned count_ = 0;
-  std::vector<std::uint16_t> sums_;  // four a pixel
-};
+// Colours as OpenGL blends them, multiplied by alpha, as files have them.
+void divide_by_alpha(Image& premultiplied);
 
 // Keyword and text, as with_png_text() takes them (core/io/png_text.hpp).
 using PictureTexts = std::vector<std::pair<std::string, std::string>>;

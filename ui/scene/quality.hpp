@@ -13,7 +13,7 @@ namespace alphascope {
 class QualityChooser {
  public:
   // Milliseconds that a frame may take. While pictures follow a computation, both need the cores.
-  static constexpr double kMovingBudget = 45, kComputingBudget = 12, kRestBudget = 700;
+  static constexpr double kMovingBudget = 45, kComputingBudget = 12, kRestBudget = 1500;
 
   void note(RenderQuality quality, double milliseconds) {
     taken_[static_cast<std::size_t>(quality)] = milliseconds;
@@ -23,12 +23,18 @@ class QualityChooser {
 
   RenderQuality moving() const { return best_within(kMovingBudget); }
   RenderQuality while_computing() const { return best_within(kComputingBudget); }
-  // All pixels, however long it takes.
-  RenderQuality at_rest() const { return std::max(best_within(kRestBudget), RenderQuality::draft); }
+  // Sample after sample, unless one of them would hold up input for too long.
+  RenderQuality at_rest() const {
+    if (!expected(RenderQuality::draft)) return RenderQuality::draft;
+    return *expected(RenderQuality::fine) <= kRestBudget ? RenderQuality::fine
+                                                         : RenderQuality::draft;
+  }
+  // Milliseconds that a sample takes, as far as anything is known.
+  double sample() const { return expected(RenderQuality::fine).value_or(kRestBudget); }
 
  private:
-  // Ambient occlusion doubles a frame, four samples a pixel quadruple it (software OpenGL).
-  static constexpr std::array<double, 4> kRelativeCost{0.3, 1, 2, 8};
+  // In software OpenGL. A sample of a fine picture has a part of the occlusion of a medium one.
+  static constexpr std::array<double, 4> kRelativeCost{0.4, 1, 3, 2};
 
   std::optional<double> expected(RenderQuality quality) const {
     const auto q = static_cast<std::size_t>(quality);
@@ -41,8 +47,7 @@ class QualityChooser {
 
   RenderQuality best_within(double budget) const {
     if (!expected(RenderQuality::draft)) return RenderQuality::draft;
-    for (const RenderQuality q :
-         {RenderQuality::fine, RenderQuality::medium, RenderQuality::draft}) {
+    for (const RenderQuality q : {RenderQuality::medium, RenderQuality::draft}) {
       if (*expected(q) <= budget) return q;
     }
     return RenderQuality::sketch;

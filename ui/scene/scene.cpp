@@ -24,17 +24,13 @@
 namespace alphascope {
 namespace {
 
-// Of sample `k` of kFineSamples in a row: pixels from the middle of its pixel.
-double sample_place(int k) {
-  return (k + 0.5) / kFineSamples - 0.5;
-}
-
-// VTK draws nothing, and says so nowhere, when one of its buffers cannot be had. The largest, which
-// ambient occlusion takes, has four floats a pixel; Mesa's software driver also limits the bytes.
+// VTK draws nothing, and says so nowhere, when one of its buffers cannot be had. The largest, in
+// which samples add up, has four halves of floats a pixel; Mesa's software driver also limits the
+// bytes.
 bool drawable(int width, int height) {
   constexpr int kMost = 16384;
   if (std::max(width, height) > kMost) return false;
-  glTexImage2D(GL_PROXY_TEXTURE_2D, 0, GL_RGBA32F, width, height, 0, GL_RGBA, GL_FLOAT, nullptr);
+  glTexImage2D(GL_PROXY_TEXTURE_2D, 0, GL_RGBA16F, width, height, 0, GL_RGBA, GL_FLOAT, nullptr);
   GLint possible = 0;
   glGetTexLevelParameteriv(GL_PROXY_TEXTURE_2D, 0, GL_TEXTURE_WIDTH, &possible);
   return possible == width;
@@ -49,6 +45,7 @@ Scene::Scene() : impl_(std::make_unique<Impl>()) {
 Scene::~Scene() = default;
 
 void Scene::set_balls(std::shared_ptr<BallData> balls) {
+  impl_->mean.forget();
   set_mesh(nullptr);
   set_differences(nullptr);
   set_layers(nullptr);
@@ -67,19 +64,23 @@ void Scene::set_balls(std::shared_ptr<const BallGeometry> balls, const std::vect
 }
 
 void Scene::set_ball_radii(const std::vector<float>& radii) {
+  impl_->mean.forget();
   if (impl_->all_balls.data) set_radii(impl_->all_balls.data->points, radii);
 }
 
 void Scene::set_ball_colours(const std::vector<Rgb8>& colours) {
+  impl_->mean.forget();
   if (impl_->all_balls.data) set_colours(impl_->all_balls.data->points, colours);
 }
 
 void Scene::set_mesh(std::shared_ptr<MeshData> mesh) {
+  impl_->mean.forget();
   set_caps(nullptr);
   impl_->show_mesh(std::move(mesh));
 }
 
 void Scene::set_caps(std::shared_ptr<CapData> caps) {
+  impl_->mean.forget();
   impl_->caps.show(caps ? caps->faces : nullptr, impl_->window);
   impl_->cap_edges.show(caps ? caps->edges : nullptr, impl_->window);
   impl_->cap_data = std::move(caps);  // only now may the old arrays go
@@ -87,12 +88,14 @@ void Scene::set_caps(std::shared_ptr<CapData> caps) {
 }
 
 void Scene::set_differences(std::shared_ptr<DifferenceData> differences) {
+  impl_->mean.forget();
   impl_->differences.show(differences ? differences->faces : nullptr,
                           differences ? differences->edges : nullptr, impl_->window);
   impl_->difference_data = std::move(differences);  // only now may the old arrays go
 }
 
 void Scene::set_layers(std::shared_ptr<LayerData> layers) {
+  impl_->mean.forget();
   const bool had_peels = impl_->anything_translucent();
   impl_->layers.show(std::move(layers), impl_->window);
   if (had_peels && !impl_->anything_translucent()) impl_->release_buffers();
@@ -100,15 +103,18 @@ void Scene::set_layers(std::shared_ptr<LayerData> layers) {
 }
 
 void Scene::set_beside_body(std::shared_ptr<LayerData> atoms) {
+  impl_->mean.forget();
   impl_->beside_body.show(std::move(atoms), impl_->window);
 }
 
 void Scene::set_selected(std::shared_ptr<BallData> balls) {
+  impl_->mean.forget();
   impl_->selected.actor->SetVisibility(balls != nullptr);
   impl_->selected.show(std::move(balls), impl_->window);
 }
 
 void Scene::set_style(const SceneStyle& style) {
+  impl_->mean.forget();
   const bool had_occlusion = impl_->style.ambient_occlusion;
   const bool had_peels = impl_->anything_translucent();
   impl_->style = style;
@@ -120,6 +126,7 @@ void Scene::set_style(const SceneStyle& style) {
 }
 
 void Scene::reset_view() {
+  impl_->mean.forget();
   impl_->reset_pending = true;
 }
 
@@ -134,6 +141,7 @@ Viewpoint Scene::viewpoint() const {
 }
 
 void Scene::set_viewpoint(const Viewpoint& v) {
+  impl_->mean.forget();
   vtkCamera* camera = impl_->renderer->GetActiveCamera();
   camera->SetPosition(v.position.data());
   camera->SetFocalPoint(v.focal_point.data());
@@ -147,11 +155,19 @@ double Scene::render(int width, int height, RenderQuality quality) {
   const auto start = std::chrono::steady_clock::now();
   impl_->apply_quality(quality);
   impl_->picture_height = height;
-  const auto samples_along = [&](int pixels) {
-    return std::max(1, static_cast<int>(std::lround(pixels * impl_->samples)));
-  };
-  impl_->draw(samples_along(width), samples_along(height));
-  // VTK's texture does not filter; averaging the samples is what they are for.
+  impl_->shows_mean = quality == RenderQuality::fine;
+  if (impl_->shows_mean) {
+    const bool done = impl_->mean.count() >= impl_->style.samples;
+    if (!done || !impl_->mean.is_of(width, height)) impl_->add_sample(width, height);
+    impl_->mean.resolve(impl_->window);
+  } else {
+    impl_->mean.forget();
+    const auto samples_along = [&](int pixels) {
+      return std::max(1, static_cast<int>(std::lround(pixels * impl_->samples)));
+    };
+    impl_->draw(samples_along(width), samples_along(height));
+  }
+  // VTK's texture does not filter, which what is smaller than the picture needs.
   glBindTexture(GL_TEXTURE_2D, texture());
   const GLint filter = impl_->samples != 1 ? GL_LINEAR : GL_NEAREST;
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, filter);
@@ -164,13 +180,17 @@ double Scene::render(int width, int height, RenderQuality quality) {
   return taken.count();
 }
 
+int Scene::samples_drawn() const {
+  return impl_->mean.count();
+}
+
 unsigned Scene::texture() const {
+  if (impl_->shows_mean) return impl_->mean.picture()->GetHandle();
   return impl_->window->GetDisplayFramebuffer()->GetColorAttachmentAsTextureObject(0)->GetHandle();
 }
 
 double Scene::angstrom_per_pixel() const {
-  const double distance = impl_->renderer->GetActiveCamera()->GetDistance();
-  return 2 * distance * impl_->sight().tangent_up / impl_->picture_height;
+  return impl_->angstrom_per_pixel();
 }
 
 Sight Scene::sight() const {
@@ -184,6 +204,7 @@ Ray Scene::ray(double x, double y) const {
 }
 
 void Scene::pointer_move(int x, int y, bool control, bool shift) {
+  impl_->mean.forget();
   const auto sample = [&](int pixel) {
     return static_cast<int>(std::lround(pixel * impl_->samples));
   };
@@ -199,6 +220,7 @@ void Scene::pointer_move(int x, int y, bool control, bool shift) {
 }
 
 void Scene::pointer_button(PointerButton button, bool pressed) {
+  impl_->mean.forget();
   unsigned long event = vtkCommand::NoEvent;
   switch (button) {
     case PointerButton::left:
@@ -215,6 +237,7 @@ void Scene::pointer_button(PointerButton button, bool pressed) {
 }
 
 void Scene::wheel(double steps) {
+  impl_->mean.forget();
   const auto event =
       steps > 0 ? vtkCommand::MouseWheelForwardEvent : vtkCommand::MouseWheelBackwardEvent;
   const int count = std::clamp(static_cast<int>(std::lround(std::fabs(steps))), 1, 10);
@@ -222,8 +245,7 @@ void Scene::wheel(double steps) {
   impl_->follow_zoom();
 }
 
-// Four pictures, each a quarter of a pixel off, instead of one of four times the pixels: the same
-// points are looked at, with a quarter of the memory, and between two of them it can be cancelled.
+// The samples that the window adds up at rest, too: the same pixels, at the same size.
 Image Scene::grab(int width, int height, bool transparent, const RunContext& context) {
   if (!drawable(width, height)) {
     throw std::runtime_error("OpenGL on this machine cannot draw a picture of " +
@@ -232,21 +254,22 @@ Image Scene::grab(int width, int height, bool transparent, const RunContext& con
   }
   const Impl::ForOnePicture settings(*impl_, transparent);
   impl_->picture_height = height;
-  PictureMean mean;
-  for (int k = 0; k < kFineSamples * kFineSamples; ++k) {
+  for (int k = 0; k < impl_->style.samples; ++k) {
     context.cancel.throw_if_cancelled();
-    context.report("drawing", double(k) / (kFineSamples * kFineSamples));
-    impl_->shift(sample_place(k % kFineSamples) / width, sample_place(k / kFineSamples) / height);
-    impl_->draw(width, height);
-    impl_->window->GetState()->ResetFramebufferBindings();
-    Image image =
-        read_framebuffer(impl_->window->GetDisplayFramebuffer()->GetFBOIndex(), width, height);
-    for (std::size_t i = 3; !transparent && i < image.rgba.size(); i += 4) image.rgba[i] = 255;
-    mean.add(image);
+    context.report("drawing", double(k) / impl_->style.samples);
+    impl_->add_sample(width, height);
   }
+  const unsigned picture = impl_->mean.resolve(impl_->window)->GetFBOIndex();
+  impl_->window->GetState()->ResetFramebufferBindings();
+  Image image = read_framebuffer(picture, width, height);
   // Before anything else takes memory: these may be many times the view's.
   impl_->release_buffers();
-  return mean.mean();
+  if (transparent) {
+    divide_by_alpha(image);
+  } else {
+    for (std::size_t i = 3; i < image.rgba.size(); i += 4) image.rgba[i] = 255;
+  }
+  return image;
 }
 
 }  // namespace alphascope

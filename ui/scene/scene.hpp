@@ -24,6 +24,8 @@ struct Image {
   std::vector<std::uint8_t> rgba;
 };
 
+inline constexpr int kMostSamples = 16;  // of a pixel
+
 // What is shown and how; everything that costs no new mesh.
 struct SceneStyle {
   bool balls = true;
@@ -33,12 +35,16 @@ struct SceneStyle {
   float line_scale = 1;  // of the width of lines: the controls' on a dense screen
   Theme theme = Theme::dark;
   bool orthographic = false;  // no perspective
-  Cut cut;                    // of everything; balls are closed where they are cut
+  Cut cut{};                  // of everything; balls are closed where they are cut
+  float depth_cue = 0;        // share of the background in what is farthest, 0 to 1
+  float silhouettes = 0;      // width in pixels at line_scale 1; 0: none
+  int samples = 4;            // a pixel of a fine picture, 1 to kMostSamples
   friend bool operator==(const SceneStyle&, const SceneStyle&) = default;
 };
 
 // sketch: a draft of half the resolution, where a draft takes too long. draft: while something
-// moves. fine: at rest, with ambient occlusion, exact transparency and four samples a pixel.
+// moves. medium: with ambient occlusion and exact transparency. fine: one more such sample, the
+// picture being the mean of all since anything changed, up to SceneStyle::samples.
 enum class RenderQuality : std::uint8_t { sketch, draft, medium, fine };
 
 enum class PointerButton : std::uint8_t { left, middle, right };
@@ -77,6 +83,8 @@ class Scene {
 
   // Draws into the texture, width x height pixels (at least 8 x 8); returns milliseconds taken.
   double render(int width, int height, RenderQuality quality);
+  // Samples in the last picture where that is fine, and nothing has changed since; else 0.
+  int samples_drawn() const;
   // OpenGL name of the last picture; its first row is the bottom, its alpha reads as one.
   unsigned texture() const;
   // Å that one pixel of the last picture, rendered or grabbed, spans at the camera's focal point.
@@ -94,7 +102,7 @@ class Scene {
 
   // A picture of any size in fine quality with the present camera; the texture is redrawn by the
   // next render(). `transparent` leaves the background out. Tells its share and can be cancelled
-  // after each quarter; then throws Cancelled.
+  // after each sample; then throws Cancelled.
   Image grab(int width, int height, bool transparent, const RunContext& context = {});
 
  private:

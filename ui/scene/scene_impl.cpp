@@ -19,15 +19,9 @@
 namespace alphascope {
 namespace {
 
-// Exact transparency of this many layers; more cost time and show no difference.
-constexpr int kPeels = 6;
-
 // Times the diagonal of the box around all that is drawn.
 constexpr double kStepBack = 1.5;
 
-double diagonal(const std::array<double, 6>& box) {
-  return std::hypot(box[1] - box[0], box[3] - box[2], box[5] - box[4]);
-}
 }  // namespace
 
 MarkActors::MarkActors() {
@@ -91,6 +85,16 @@ Scene::Impl::Impl() {
   beside_body.add_to(renderer);
   differences.add_to(renderer);
   set_view_angle();
+  renderer->after_opaque = [this] {
+    if (finish.any()) finish_pass.apply(renderer, finish);
+  };
+}
+
+void Scene::Impl::release_buffers() {
+  renderer->ReleaseGraphicsResources(window);
+  finish_pass.release(window);
+  mean.release(window);
+  shows_mean = false;
 }
 
 void Scene::Impl::set_up_window() {
@@ -211,24 +215,6 @@ void Scene::Impl::give_cut_planes(int width, int height) {
   for (BallActor* b : cut_balls()) planes.give_to(b->actor);
 }
 
-void Scene::Impl::apply_quality(RenderQuality quality, bool occlusion_allowed) {
-  const bool fine = quality >= RenderQuality::medium;
-  renderer->SetUseDepthPeeling(fine && anything_translucent());
-  renderer->SetMaximumNumberOfPeels(kPeels);
-  renderer->SetOcclusionRatio(0);
-  const bool occlusion = fine && style.ambient_occlusion && occlusion_allowed && balls;
-  renderer->SetUseSSAO(occlusion);
-  if (occlusion) {
-    renderer->SetSSAORadius(6);  // Å: about two atoms
-    renderer->SetSSAOBias(0.2);
-    renderer->SetSSAOKernelSize(64);
-    renderer->SetSSAOBlur(true);
-  }
-  samples = quality == RenderQuality::fine     ? kFineSamples
-            : quality == RenderQuality::sketch ? kSketchSamples
-                                               : 1;
-}
-
 void Scene::Impl::draw(int width, int height) {
   if (window->GetSize()[0] != width || window->GetSize()[1] != height) {
     window->SetSize(width, height);
@@ -247,8 +233,13 @@ void Scene::Impl::draw(int width, int height) {
   step_back(back);
   if (box) renderer->ResetCameraClippingRange(box->data());
   give_cut_planes(width, height);
+  finish.silhouette_jump = static_cast<float>(silhouette_jump(box ? diagonal(*box) : 0));
   window->Render();
   step_back(-back);
+}
+
+double Scene::Impl::angstrom_per_pixel() const {
+  return 2 * renderer->GetActiveCamera()->GetDistance() * sight().tangent_up / picture_height;
 }
 
 std::optional<std::array<double, 6>> Scene::Impl::visible_box() {
@@ -337,22 +328,6 @@ Sight Scene::Impl::sight() const {
   s.distance = camera->GetDistance();
   s.orthographic = style.orthographic;
   return s;
-}
-
-Scene::Impl::ForOnePicture::ForOnePicture(Impl& scene, bool transparent) : scene_(scene) {
-  // Ambient occlusion darkens towards the background, which a transparent picture has none of.
-  scene.apply_quality(RenderQuality::medium, !transparent);
-  if (transparent) {
-    scene.renderer->SetBackground(0, 0, 0);
-    scene.renderer->SetUseDepthPeeling(true);  // VTK's other transparency writes wrong alpha
-  }
-  scene.renderer->SetBackgroundAlpha(transparent ? 0 : 1);
-}
-
-Scene::Impl::ForOnePicture::~ForOnePicture() {
-  scene_.shift(0, 0);
-  scene_.renderer->SetBackgroundAlpha(0);
-  scene_.apply_style();
 }
 
 }  // namespace alphascope

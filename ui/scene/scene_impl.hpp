@@ -8,20 +8,26 @@
 #include <vtkInteractorStyleTrackballCamera.h>
 #include <vtkNew.h>
 #include <vtkOpenGLSphereMapper.h>
-#include <vtkRenderer.h>
 
 #include <array>
+#include <cmath>
 #include <memory>
 #include <optional>
 #include <vector>
 
+#include "ui/scene/finish_pass.hpp"
 #include "ui/scene/mesh_actor.hpp"
+#include "ui/scene/sample_mean.hpp"
 #include "ui/scene/scene.hpp"
+#include "ui/scene/scene_renderer.hpp"
 
 namespace alphascope {
 
-constexpr int kFineSamples = 2;         // of a fine picture, each way
 constexpr double kSketchSamples = 0.5;  // of a sketch
+
+inline double diagonal(const std::array<double, 6>& box) {
+  return std::hypot(box[1] - box[0], box[3] - box[2], box[5] - box[4]);
+}
 
 // Faces and lines that are drawn over everything else.
 struct MarkActors {
@@ -56,7 +62,7 @@ struct LayerActors {
 
 struct Scene::Impl {
   vtkNew<vtkGenericOpenGLRenderWindow> window;
-  vtkNew<vtkRenderer> renderer;
+  vtkNew<SceneRenderer> renderer;
   vtkNew<vtkGenericRenderWindowInteractor> interactor;
   vtkNew<vtkInteractorStyleTrackballCamera> trackball;
   BallActor all_balls, selected;
@@ -73,27 +79,34 @@ struct Scene::Impl {
   SceneStyle style;
   double least_aspect = 0, aspect = 0;  // as in Viewpoint, and of the last picture
   int picture_height = 1;
-  double samples = 1;                // each way, of the last picture
+  double samples = 1;  // each way, of the last picture; of a sketch less than one
+  FinishPass finish_pass;
+  Finish finish;    // of the next picture
+  SampleMean mean;  // of fine pictures
+  bool shows_mean = false;
   int pointer_x = 0, pointer_y = 0;  // pixels of the view
   bool reset_pending = false;        // the fit needs the size of the next picture
 
   Impl();
   // Of what draws soft shadows and exact transparency, whose textures are as large as the last
   // picture that had them; the next picture makes again what it needs.
-  void release_buffers() { renderer->ReleaseGraphicsResources(window); }
+  void release_buffers();
   // What is not a body of a layer, beside one.
   double faded(double opacity) const;
   bool anything_translucent() const;
   void apply_style();
   void show_mesh(std::shared_ptr<MeshData> data);  // null: nothing
-  void apply_quality(RenderQuality quality, bool occlusion_allowed = true);
+  void apply_quality(RenderQuality quality, bool transparent = false);
   void draw(int width, int height);
+  void add_sample(int width, int height);  // to the mean, after apply_quality()
   // To the right and up, in shares of the picture's width and height.
   void shift(double right, double up);
   void set_view_angle();
   // VTK zooms by another scale where there is no perspective; here by another distance, always.
   void follow_zoom();
   Sight sight() const;
+  double angstrom_per_pixel() const;          // at the focal point
+  double silhouette_jump(double size) const;  // Å; of what is drawn
 
   // What only a picture for a file has; ends with this.
   class ForOnePicture {
@@ -120,6 +133,7 @@ struct Scene::Impl {
   // Of all that is drawn: VTK's is of the centres of balls. Nothing: there is nothing.
   std::optional<std::array<double, 6>> visible_box();
   void reset_camera();
+  void apply_finish(RenderQuality quality, bool transparent);
 };
 
 }  // namespace alphascope

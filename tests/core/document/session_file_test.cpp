@@ -103,6 +103,9 @@ SessionDocument unusual() {
        .ball_colour = ColourBy::exposed_residue,
        .complex_colour = ColourBy::alpha,
        .ambient_occlusion = false,
+       .depth_cue = 0.17f,
+       .silhouettes = 2.25f,
+       .samples = 5,
        .beside = {false, false, true, true}};
   s.settings.selection = RefSet({AtomRef{4, 0}, AtomRef{5, 2}, SimplexRef{{1, 0}, {2, 0}, {3, 7}}});
   s.settings.cavities = RefSet({SimplexRef{{1, 0}, {2, 0}, {3, 0}, {4, 0}}});

@@ -1,0 +1,56 @@
+// Commands that choose a whole look of the picture, and its light and lines.
+#include <cmath>
+
+#include "app/viewer/command_parts.hpp"
+#include "core/document/display_preset.hpp"
+#include "core/document/settings_fields.hpp"
+
+namespace alphascope {
+namespace {
+
+// A command of one number, which is given to `set`.
+CommandSpec number_command(const char* id, const char* title, const char* help,
+                           const NumberRule& rule, std::function<void(double)> set) {
+  return {.id = id,
+          .title = title,
+          .help = help,
+          .parameters = {{.name = "value",
+                          .kind = Parameter::Kind::number,
+                          .help = "From the least to the most that the slider has",
+                          .example = "1",
+                          .rule = rule}},
+          .run = [set = std::move(set)](const Arguments& arguments) {
+            set(arguments.number("value"));
+            return Outcome();
+          }};
+}
+
+}  // namespace
+
+void add_look_commands(Commands& commands, ViewState& s) {
+  bool first = true;
+  for (const DisplayPreset preset : kDisplayPresets) {
+    const DisplayPresetInfo& info = preset_info(preset);
+    commands.add({.id = std::string("view.preset_") + info.id,
+                  .title = std::string("Look: ") + info.id,
+                  .help = info.help,
+                  .menu = "View",
+                  .line_above = std::exchange(first, false),
+                  .run = [&s, preset](const Arguments&) {
+                    s.display = with_preset(s.display, preset);
+                    return Outcome();
+                  }});
+  }
+  DisplayControls& d = s.display;
+  commands.add(number_command(
+      "view.depth_cue", "Depth cue", "Lets what is far away fade into the background by this share",
+      kDepthCueRule, [&d](double x) { d.depth_cue = static_cast<float>(x); }));
+  commands.add(number_command("view.outlines", "Outlines",
+                              "Draws outlines of this width in pixels; 0: none", kSilhouettesRule,
+                              [&d](double x) { d.silhouettes = static_cast<float>(x); }));
+  commands.add(number_command(
+      "view.samples", "Samples a pixel", "Averages so many pictures at rest and in saved pictures",
+      kSamplesRule, [&d](double x) { d.samples = static_cast<int>(std::lround(x)); }));
+}
+
+}  // namespace alphascope

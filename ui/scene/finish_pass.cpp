@@ -1,0 +1,105 @@
+// See the header; the shader is finish_shader.hpp's.
+#include "ui/scene/finish_pass.hpp"
+
+#include <vtkCamera.h>
+#include <vtkMatrix4x4.h>
+#include <vtkOpenGLRenderWindow.h>
+#include <vtkOpenGLShaderCache.h>
+#include <vtkOpenGLState.h>
+#include <vtkShaderProgram.h>
+
+#define GL_GLEXT_PROTOTYPES
+#include <GL/gl.h>
+#include <GL/glext.h>
+
+#include "ui/scene/finish_shader.hpp"
+
+namespace alphascope {
+namespace {
+
+// Of the way from the nearest to the farthest: what is nearer does not fade.
+constexpr double kCueFrom = 0.25;
+
+}  // namespace
+
+// Two programs: software OpenGL computes also what a condition leaves out.
+vtkOpenGLQuadHelper* FinishPass::prepare(vtkOpenGLRenderWindow* window, bool occlusion) {
+  auto& quad = quads_[occlusion ? 1 : 0];
+  if (!quad) {
+    const std::string shader = finish_shader(occlusion);
+    quad = std::make_unique<vtkOpenGLQuadHelper>(window, nullptr, shader.c_str(), "");
+  }
+  window->GetShaderCache()->ReadyShaderProgram(quad->Program);
+  return quad->Program && quad->Program->GetCompiled() ? quad.get() : nullptr;
+}
+
+void FinishPass::give(vtkOpenGLRenderer* renderer, const Finish& f, vtkShaderProgram* program) {
+  vtkCamera* camera = renderer->GetActiveCamera();
+  const vtkMatrix4x4* p =
+      camera->GetProjectionTransformMatrix(renderer->GetTiledAspectRatio(), -1, 1);
+  const auto element = [&](int row, int column) {
+    return static_cast<float>(p->GetElement(row, column));
+  };
+  const float depth[] = {element(2, 2), element(2, 3), element(3, 2), element(3, 3)};
+  const float scale[] = {element(0, 0), element(1, 1)};
+  const float shift[] = {element(0, 2), element(0, 3), element(1, 2), element(1, 3)};
+  const int size[] = {static_cast<int>(result_.texture()->GetWidth()),
+                      static_cast<int>(result_.texture()->GetHeight())};
+  const float radii[] = {f.near_radius, f.far_radius};
+  const double* range = camera->GetClippingRange();
+  const float cue[] = {f.depth_cue, static_cast<float>(range[0] + kCueFrom * (range[1] - range[0])),
+                       static_cast<float>(range[1])};
+  const float silhouette[] = {f.silhouette_width, f.silhouette_jump};
+  const float background[] = {f.background.r, f.background.g, f.background.b,
+                              f.transparent ? 0.0f : 1.0f};
+  const float line[] = {f.line.r, f.line.g, f.line.b};
+  program->SetUniform4f("depthOfNdc", depth);
+  program->SetUniform2f("scaleOfNdc", scale);
+  program->SetUniform4f("shiftOfNdc", shift);
+  program->SetUniform2i("size", size);
+  program->SetUniformi("tapCount", f.occlusion_taps);
+  program->SetUniformi("turn", f.turn);
+  program->SetUniform2f("radii", radii);
+  program->SetUniformf("strength", f.occlusion_strength);
+  program->SetUniform3f("cue", cue);
+  program->SetUniform2f("silhouette", silhouette);
+  program->SetUniform4f("background", background);
+  program->SetUniform3f("lineColour", line);
+}
+
+void FinishPass::apply(vtkOpenGLRenderer* renderer, const Finish& finish) {
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  vtkOpenGLFramebufferObject* drawn = window->GetRenderFramebuffer();
+  vtkTextureObject* colours = drawn->GetColorAttachmentAsTextureObject(0);
+  vtkTextureObject* depths = drawn->GetDepthAttachmentAsTextureObject();
+  if (colours == nullptr || depths == nullptr) return;
+  const int width = static_cast<int>(colours->GetWidth());
+  const int height = static_cast<int>(colours->GetHeight());
+  vtkOpenGLQuadHelper* quad = prepare(window, finish.occlusion_taps > 0);
+  if (quad == nullptr) return;
+  vtkOpenGLState* state = window->GetState();
+  const DrawsQuads quads(state, width, height);
+  state->PushFramebufferBindings();
+  result_.bind(window, width, height, PixelKind::bytes);
+  colours->Activate();
+  depths->Activate();
+  quad->Program->SetUniformi("colours", colours->GetTextureUnit());
+  quad->Program->SetUniformi("depths", depths->GetTextureUnit());
+  give(renderer, finish, quad->Program);
+  quad->Render();
+  depths->Deactivate();
+  colours->Deactivate();
+  result_.framebuffer()->Bind(GL_READ_FRAMEBUFFER);
+  result_.framebuffer()->ActivateReadBuffer(0);
+  drawn->Bind(GL_DRAW_FRAMEBUFFER);
+  state->vtkglBlitFramebuffer(0, 0, width, height, 0, 0, width, height, GL_COLOR_BUFFER_BIT,
+                              GL_NEAREST);
+  state->PopFramebufferBindings();
+}
+
+void FinishPass::release(vtkWindow* window) {
+  for (auto& quad : quads_) quad.reset();
+  result_.release(window);
+}
+
+}  // namespace alphascope

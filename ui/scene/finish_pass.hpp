@@ -1,0 +1,45 @@
+// What is done to a picture of opaque bodies after VTK has drawn it and before anything translucent
+// comes: ambient occlusion on two scales, a fade to the background with depth, silhouettes. All
+// from its colours and depths, so that it fits balls, faces, lines, cuts and both kinds of camera.
+// For sources of the scene only.
+#pragma once
+
+#include <vtkOpenGLQuadHelper.h>
+#include <vtkOpenGLRenderer.h>
+
+#include <memory>
+
+#include "ui/scene/screen_quad.hpp"
+#include "ui/theme.hpp"
+
+namespace alphascope {
+
+struct Finish {
+  int occlusion_taps = 0;                     // of each scale; 0: no occlusion
+  float occlusion_strength = 1;               // 0 to 1
+  float near_radius = 5.5f, far_radius = 15;  // of what occludes, Å
+  int turn = 0;                               // of the pattern: the number of the sample
+  float depth_cue = 0;                        // share of background in the farthest, 0 to 1
+  float silhouette_width = 0;                 // pixels; 0: none
+  float silhouette_jump = 1;                  // Å of depth that a silhouette marks, at least
+  Colour background;
+  bool transparent = false;  // there is none, and what is far away becomes transparent instead
+  Colour line;               // of silhouettes
+  bool any() const { return occlusion_taps > 0 || depth_cue > 0 || silhouette_width > 0; }
+};
+
+class FinishPass {
+ public:
+  // Of what the window of `renderer` has just drawn into its framebuffer.
+  void apply(vtkOpenGLRenderer* renderer, const Finish& finish);
+  void release(vtkWindow* window);
+
+ private:
+  vtkOpenGLQuadHelper* prepare(vtkOpenGLRenderWindow* window, bool occlusion);
+  void give(vtkOpenGLRenderer* renderer, const Finish& finish, vtkShaderProgram* program);
+
+  DrawnTexture result_;
+  std::unique_ptr<vtkOpenGLQuadHelper> quads_[2];  // without and with occlusion
+};
+
+}  // namespace alphascope

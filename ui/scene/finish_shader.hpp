@@ -1,0 +1,125 @@
+// The shader of FinishPass. For its source only.
+#pragma once
+
+#include <string>
+
+namespace alphascope {
+
+// Places are in the camera's coordinates, in Å: x right, y up, z towards the viewer.
+//
+// Occlusion is summed over a spiral of taps around the pixel, on two scales: each tap darkens by
+// how high what is there rises above the surface, and by less the farther it is. The spiral is
+// turned by one of sixteen angles, another one for each pixel of a block of 4 x 4 and for each
+// sample: over sixteen samples every pixel has had all of them, so that nothing of the pattern is
+// left.
+//
+// A silhouette lies on what is behind, where something is before it by more than a jump.
+inline constexpr const char* kFinishShader = R"(//VTK::Output::Dec
+in vec2 texCoord;
+uniform sampler2D colours;
+uniform sampler2D depths;
+uniform vec4 depthOfNdc;    // elements 22, 23, 32, 33 of the projection, counted from 0
+uniform vec2 scaleOfNdc;    // 00, 11
+uniform vec4 shiftOfNdc;    // 02, 03, 12, 13
+uniform ivec2 size;         // pixels
+uniform int tapCount;       // of each scale; 0: no occlusion
+uniform int turn;           // of the spiral, of sixteen
+uniform vec2 radii;         // of both scales, Å
+uniform float strength;     // of occlusion, 0 to 1
+uniform vec3 cue;           // how much of the farthest is background; from and to which depth, Å
+uniform vec2 silhouette;    // width in pixels, 0: none; jump in Å
+uniform vec4 background;    // alpha 0: a transparent picture
+uniform vec3 lineColour;
+
+float depthAt(ivec2 at) {
+  return texelFetch(depths, clamp(at, ivec2(0), size - 1), 0).r;
+}
+float zOf(float depth) {
+  float n = 2.0 * depth - 1.0;
+  return (depthOfNdc.w * n - depthOfNdc.y) / (depthOfNdc.x - depthOfNdc.z * n);
+}
+vec3 placeAt(ivec2 at, float depth) {
+  float z = zOf(depth);
+  vec2 ndc = (vec2(at) + 0.5) / vec2(size) * 2.0 - 1.0;
+  float w = depthOfNdc.z * z + depthOfNdc.w;
+  return vec3((ndc * w - shiftOfNdc.xz * z - shiftOfNdc.yw) / scaleOfNdc, z);
+}
+vec3 smaller(vec3 a, vec3 b) {
+  return abs(a.z) < abs(b.z) ? a : b;
+}
+vec3 normalAt(ivec2 at, vec3 place) {
+  vec3 right = placeAt(at + ivec2(1, 0), depthAt(at + ivec2(1, 0))) - place;
+  vec3 left = place - placeAt(at - ivec2(1, 0), depthAt(at - ivec2(1, 0)));
+  vec3 above = placeAt(at + ivec2(0, 1), depthAt(at + ivec2(0, 1))) - place;
+  vec3 below = place - placeAt(at - ivec2(0, 1), depthAt(at - ivec2(0, 1)));
+  return normalize(cross(smaller(right, left), smaller(above, below)));
+}
+// Of a place on one scale, 0 to 1.
+float occlusion(ivec2 at, vec3 place, vec3 normal, float radius, vec2 direction, float first,
+                int taps) {
+  float w = depthOfNdc.z * place.z + depthOfNdc.w;
+  float pixels = radius * scaleOfNdc.y / w * 0.5 * float(size.y);
+  pixels = clamp(pixels, 2.0, 0.4 * float(size.y));
+  float sum = 0.0;
+  for (int i = 0; i < taps; ++i) {
+    float share = (float(i) + first) / float(taps);
+    ivec2 there = at + ivec2(round(direction * (share * pixels)));
+    direction = vec2(-0.7373688 * direction.x - 0.6754903 * direction.y,
+                     0.6754903 * direction.x - 0.7373688 * direction.y);  // the golden angle
+    float depth = depthAt(there);
+    vec3 away = placeAt(there, depth) - place;
+    float distance = length(away) + 1e-6;
+    float near = depth <= 0.0 ? 0.0 : max(0.0, 1.0 - distance / (2.0 * radius));
+    sum += near * max(0.0, dot(away, normal) / distance - 0.1);
+  }
+  return sum / float(max(taps, 1));
+}
+
+void main() {
+  ivec2 at = ivec2(gl_FragCoord.xy);
+  vec4 colour = texelFetch(colours, at, 0);
+  float depth = depthAt(at);
+  bool drawn = depth < 1.0;
+  bool mark = depth <= 0.0;  // in front of everything, of no depth
+  vec3 place = placeAt(at, depth);
+  float visible = 1.0;
+#ifdef OCCLUSION
+  int taps = drawn && !mark ? tapCount : 0;
+  if (taps > 0) {
+    vec3 normal = normalAt(at, place);
+    int cell = (at.x & 3) + 4 * (at.y & 3);
+    float angle = 0.3926991 * float((cell * 7 + turn) & 15);
+    vec2 direction = vec2(cos(angle), sin(angle));
+    float first = (float((cell * 5 + turn * 3) & 15) + 0.5) / 16.0;
+    float close = occlusion(at, place, normal, radii.x, direction, first, taps);
+    // Of the large scale the viewer's side counts: how deep a place lies, not how it is turned.
+    vec3 towards = normalize(normal + vec3(0.0, 0.0, 1.0));
+    float wide = occlusion(at, place, towards, radii.y, direction.yx, first, taps);
+    visible = max(0.0, 1.0 - strength * 1.6 * close) * max(0.0, 1.0 - strength * 2.4 * wide);
+  }
+#endif
+  float nearest = 1.0;  // depth in the circle around the pixel, without marks
+  int corners = silhouette.x > 0.0 && !mark ? 8 : 0;
+  vec2 by = silhouette.x * vec2(0.9238795, 0.3826834);
+  for (int i = 0; i < corners; ++i) {
+    float there = depthAt(ivec2(gl_FragCoord.xy + by));
+    nearest = there > 0.0 ? min(nearest, there) : nearest;
+    by = 0.7071068 * vec2(by.x - by.y, by.x + by.y);
+  }
+  float ahead = -zOf(nearest);
+  float line = smoothstep(0.7, 1.3, (-place.z - ahead) / silhouette.y);
+  float faded = drawn && !mark ? cue.x * clamp((-place.z - cue.y) / (cue.z - cue.y), 0.0, 1.0) : 0.0;
+  colour.rgb *= visible;
+  colour = mix(colour, vec4(background.rgb * background.a, background.a), faded);
+  float lineFaded = cue.x * clamp((ahead - cue.y) / (cue.z - cue.y), 0.0, 1.0);
+  line *= 0.85 * (1.0 - lineFaded);
+  gl_FragData[0] = mix(colour, vec4(lineColour, 1.0), line);
+}
+)";
+
+inline std::string finish_shader(bool occlusion) {
+  return std::string("//VTK::System::Dec\n") + (occlusion ? "#define OCCLUSION\n" : "") +
+         kFinishShader;
+}
+
+}  // namespace alphascope

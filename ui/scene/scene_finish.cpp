@@ -1,0 +1,84 @@
+// How finely the scene is drawn: transparency, occlusion, outlines, samples.
+#include <algorithm>
+
+#include "ui/scene/sample_place.hpp"
+#include "ui/scene/scene_impl.hpp"
+
+namespace alphascope {
+namespace {
+
+// Exact transparency of this many layers; more cost time and show no difference.
+constexpr int kPeels = 6;
+
+// Taps of occlusion on each scale, for all samples of a pixel together, and for one.
+constexpr int kOcclusionTaps = 160, kLeastTaps = 10, kMostTaps = 40;
+constexpr float kNearOcclusion = 5.5f;  // Å: about two atoms
+constexpr double kFarOcclusion = 0.07;  // of the diagonal of the box around all balls
+// What a silhouette marks: a jump in depth of so many times its width, of such a share of what is
+// seen, and Å at least.
+constexpr double kJumpPixels = 6, kJumpShare = 0.02, kLeastJump = 1.2;
+constexpr Colour kLineOnLight{0.08f, 0.09f, 0.11f}, kLineOnDark{0, 0, 0};
+
+}  // namespace
+
+void Scene::Impl::apply_quality(RenderQuality quality, bool transparent) {
+  const bool exact = quality >= RenderQuality::medium;
+  renderer->SetUseDepthPeeling(exact && anything_translucent());
+  renderer->SetMaximumNumberOfPeels(kPeels);
+  renderer->SetOcclusionRatio(0);
+  samples = quality == RenderQuality::sketch ? kSketchSamples : 1;
+  apply_finish(quality, transparent);
+}
+
+void Scene::Impl::apply_finish(RenderQuality quality, bool transparent) {
+  finish = {};
+  if (!balls) return;
+  if (quality >= RenderQuality::medium && style.ambient_occlusion) {
+    const int shared_by = quality == RenderQuality::fine ? style.samples : 1;
+    finish.occlusion_taps = std::clamp(kOcclusionTaps / shared_by, kLeastTaps, kMostTaps);
+  }
+  finish.near_radius = kNearOcclusion;
+  const auto& b = balls->bounds;
+  const double size = diagonal({b[0], b[1], b[2], b[3], b[4], b[5]});
+  finish.far_radius = static_cast<float>(std::max(2.0 * kNearOcclusion, kFarOcclusion * size));
+  finish.depth_cue = style.depth_cue;
+  finish.silhouette_width = style.silhouettes * style.line_scale * static_cast<float>(samples);
+  finish.background = palette(style.theme).scene;
+  finish.line = style.theme == Theme::light ? kLineOnLight : kLineOnDark;
+  finish.transparent = transparent;
+}
+
+void Scene::Impl::add_sample(int width, int height) {
+  if (!mean.is_of(width, height)) mean.forget();
+  const auto [right, up] = sample_place(mean.count());
+  finish.turn = mean.count();
+  shift(right / width, up / height);
+  draw(width, height);
+  shift(0, 0);
+  mean.add(window, width, height);
+}
+
+// Of a large molecule seen whole, an outline around each atom would be all that one sees.
+double Scene::Impl::silhouette_jump(double size) const {
+  const double pixel = angstrom_per_pixel(), seen = std::min(size, 1.5 * pixel * picture_height);
+  return std::max({kLeastJump, kJumpPixels * finish.silhouette_width * pixel, kJumpShare * seen});
+}
+
+Scene::Impl::ForOnePicture::ForOnePicture(Impl& scene, bool transparent) : scene_(scene) {
+  scene.mean.forget();
+  scene.apply_quality(RenderQuality::fine, transparent);
+  if (transparent) {
+    scene.renderer->SetBackground(0, 0, 0);
+    scene.renderer->SetUseDepthPeeling(true);  // VTK's other transparency writes wrong alpha
+  }
+  scene.renderer->SetBackgroundAlpha(transparent ? 0 : 1);
+}
+
+Scene::Impl::ForOnePicture::~ForOnePicture() {
+  scene_.mean.forget();
+  scene_.shift(0, 0);
+  scene_.renderer->SetBackgroundAlpha(0);
+  scene_.apply_style();
+}
+
+}  // namespace alphascope

@@ -10,7 +10,7 @@ namespace alphascope {
 namespace {
 
 constexpr const char* kNamesHelp =
-    "CHAIN:RESIDUE:ATOM, commas between several; A: is a chain, :87 a residue, ::CA an atom name";
+    "CHAIN:RESIDUE:ATOM, or an expression such as byres within 5 of resn HEM";
 
 std::string atoms_text(std::size_t count) {
   return with_separators(static_cast<long long>(count)) + (count == 1 ? " atom" : " atoms");
@@ -19,7 +19,8 @@ std::string atoms_text(std::size_t count) {
 Outcome select(ViewState& s, const std::string& text, bool more) {
   NamedAtoms named;
   try {
-    named = named_atoms(*s.references, text);
+    const std::vector<bool> selected = atoms_of(s.references->molecule(), s.picked.items);
+    named = named_atoms(*s.references, text, {&selected});
   } catch (const SelectionError& error) {
     return Outcome::refused(std::string("This cannot be read: ") + error.what() + ".");
   }
@@ -35,9 +36,9 @@ Outcome select(ViewState& s, const std::string& text, bool more) {
   if (items.size() > Selection::kMostItems) {
     return Outcome::refused("This would select " +
                             with_separators(static_cast<long long>(items.size())) +
-                            "; at most 20,000 can be selected at once. Name fewer atoms.");
+                            "; at most 100,000 can be selected at once. Name fewer atoms.");
   }
-  static_assert(Selection::kMostItems == 20000);
+  static_assert(Selection::kMostItems == 100000);
   s.picked.items = std::move(items);
   return {};
 }

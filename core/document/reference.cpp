@@ -84,8 +84,23 @@ std::optional<std::vector<BallIndex>> BallReferences::balls(const Ref& ref) cons
   return found;
 }
 
-NamedAtoms named_atoms(const BallReferences& references, std::string_view text) {
-  const auto is_named = atoms_named(references.molecule(), text);
+std::vector<bool> atoms_of(const Molecule& molecule, const RefSet& refs) {
+  std::vector<bool> atoms(molecule.atoms.size());
+  const auto add = [&](const AtomRef& ref) {
+    if (const auto atom = find_atom(molecule, {ref.atom, ref.copy})) atoms[*atom] = true;
+  };
+  for (const Ref& ref : refs.items()) {
+    if (const AtomRef* atom = std::get_if<AtomRef>(&ref)) add(*atom);
+    if (const SimplexRef* simplex = std::get_if<SimplexRef>(&ref)) {
+      for (const AtomRef& corner : *simplex) add(corner);
+    }
+  }
+  return atoms;
+}
+
+NamedAtoms named_atoms(const BallReferences& references, std::string_view text,
+                       const PictureAtoms& picture) {
+  const auto is_named = atoms_named(references.molecule(), text, picture);
   const std::vector<std::uint32_t>& atoms = references.prepared().atom_of_ball;
   NamedAtoms named;
   std::size_t ball = 0;

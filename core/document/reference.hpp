@@ -15,6 +15,7 @@
 
 #include "core/geometry/ball_set.hpp"
 #include "core/molecule/prepare_balls.hpp"
+#include "core/molecule/selection_expression.hpp"
 
 namespace alphascope {
 
@@ -55,7 +56,7 @@ struct Selection {
   RefSet cavities;
   std::optional<Ref> hovered;  // under the mouse; not in the history
   // More would make marks and history slow.
-  static constexpr std::size_t kMostItems = 20000;
+  static constexpr std::size_t kMostItems = 100000;
 
   bool empty() const { return items.empty() && cavities.empty(); }
   void clear() { items = cavities = {}; }
@@ -85,11 +86,16 @@ class BallReferences {
   std::shared_ptr<const PreparedBalls> prepared_;
 };
 
+// One value an atom of the molecule: whether something of the set is of it, corners of simplices
+// included. What the word "selected" of an expression means.
+std::vector<bool> atoms_of(const Molecule& molecule, const RefSet& refs);
+
 struct NamedAtoms {
   std::vector<Ref> balls;  // of the atoms that are balls
   std::size_t others = 0;  // atoms that match and are none
 };
 // What an address or an expression names (core/molecule/atom_address.hpp). Throws SelectionError.
-NamedAtoms named_atoms(const BallReferences& references, std::string_view text);
+NamedAtoms named_atoms(const BallReferences& references, std::string_view text,
+                       const PictureAtoms& picture = {});
 
 }  // namespace alphascope

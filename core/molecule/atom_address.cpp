@@ -167,11 +167,11 @@ std::string atom_address(const Molecule& molecule, std::size_t index) {
   return text;
 }
 
-std::function<bool(std::size_t)> atoms_named(const Molecule& molecule, std::string_view text) {
+std::function<bool(std::size_t)> atoms_named(const Molecule& molecule, std::string_view text,
+                                             const PictureAtoms& picture) {
   if (!has_addresses(text)) {
-    return [&molecule, bound = SelectionExpression::parse(text).bind(molecule)](std::size_t atom) {
-      return bound(molecule.atoms[atom]);
-    };
+    const auto bound = SelectionExpression::parse(text).bind(molecule, picture);
+    return [&molecule, bound](std::size_t atom) { return bound(molecule.atoms[atom]); };
   }
   std::vector<std::size_t> numbers;
   std::vector<SelectionExpression::Bound> tests;

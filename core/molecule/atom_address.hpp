@@ -26,6 +26,7 @@ std::string residue_within_chain(const Molecule& molecule, std::size_t atom);
 // ":87" is residue 87 of every chain, "::CA" are all atoms CA, "A:10-20" is a range. "#12" finds
 // all copies of that atom. A text without ":" in which nothing begins with "#" is an expression of
 // selection_expression.hpp. The molecule must outlive the result. Throws SelectionError.
-std::function<bool(std::size_t)> atoms_named(const Molecule& molecule, std::string_view text);
+std::function<bool(std::size_t)> atoms_named(const Molecule& molecule, std::string_view text,
+                                             const PictureAtoms& picture = {});
 
 }  // namespace alphascope

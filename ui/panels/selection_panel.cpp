@@ -175,10 +175,13 @@ constexpr const char* kExpressionHelp =
     "Keeps only the atoms that match an expression. Enter applies it.\n\n"
     "chain A,B      resi 10-20,35      resn ALA,G*\n"
     "name CA,C?      element C,Zn      altloc A\n"
-    "polymer  water  ligand  ion  hydrogen  hetero\n"
+    "index 12,20-30      copy 2      b > 40      occupancy < 1\n"
+    "protein  nucleic  polymer  backbone  sidechain\n"
+    "water  ligand  ion  hydrogen  hetero\n"
+    "within 5 of …      byres …      bychain …\n"
     "not …      … and …      … or …      ( … )\n\n"
     "chain A and not resn HEM\n"
-    "resi 1-50 or ligand\n"
+    "byres within 5 of resn HEM\n"
     "name CA and (chain A or chain B)\n\n"
     "The toggles above still apply: to pick waters, keep them.";
 

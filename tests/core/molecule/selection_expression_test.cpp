@@ -64,8 +64,80 @@ TEST(Selection, PicksWhatItSays) {
                {"not chain A and not chain B", "567"},
                {"!(chain A | chain B)", "567"},
                {"chain A or chain B and element Zn", "124"},
-               {"(chain A or chain B) && element Zn", "4"}};
+               {"(chain A or chain B) && element Zn", "4"},
+               {"residue MET,16", "127"},
+               {"index 2-4,7", "2347"},
+               {"copy 1", "1234567"},
+               {"copy 2", ""},
+               {"b > 9.67", "234567"},
+               {"b<=9.67", "1"},
+               {"b = 10.38 and occupancy < 1", "23"},
+               {"occupancy >= 0.6", "134567"},
+               {"protein", "127"},
+               {"nucleic", "3"},
+               {"backbone", "1237"},
+               {"sidechain", ""},
+               {"within 1 of index 5", "456"},
+               {"within 0.999 of index 5", "5"},
+               {"not within 5.7 of index 2", "4567"},
+               {"within 0 of ligand or water", "56"},
+               {"within 2 of (ligand or index 7) and not hydrogen", "456"},
+               {"byres element C and chain A,B", "23"},
+               {"bychain resi 13", "34"},
+               {"within 3 of none", ""},
+               {"within 1000 of chain D", "1234567"}};
   for (const auto& c : cases) EXPECT_EQ(picked(c.expression), c.atoms) << c.expression;
+}
+
+TEST(Selection, ZonesAreExactAndAsThoughEveryPairWasTried) {
+  std::mt19937 random(7);
+  std::uniform_int_distribution<std::int32_t> place(-15000, 15000);
+  Molecule m;
+  m.lattice.digits = 3;
+  for (int i = 0; i < 3000; ++i) {
+    Atom atom;
+    atom.position = {place(random), place(random), place(random) / 4};
+    atom.b_factor = static_cast<float>(i % 50);
+    m.atoms.push_back(atom);
+  }
+  m.models = {{1, 0, 2000}, {2, 2000, 3000}};
+  // One pair at exactly 3 Å (1, 2 and 2), and one a unit of the lattice farther.
+  m.atoms[50].position = {0, 0, 90000};
+  m.atoms[1].position = {1000, 2000, 92000};
+  m.atoms[100].position = {0, 0, -90000};
+  m.atoms[2].position = {1000, 2000, -92001};
+  for (const auto& [text, angstrom] : {std::pair{"within 3 of b = 0", 3.0},
+                                       {"within 0.1 of b = 0", 0.1},
+                                       {"within 20 of b = 0", 20.0}}) {
+    const auto bound = SelectionExpression::parse(text).bind(m);
+    for (const ModelRange& model : m.models) {
+      for (std::size_t i = model.begin; i < model.end; ++i) {
+        bool near = false;
+        for (std::size_t k = (model.begin + 49) / 50 * 50; k < model.end && !near; k += 50) {
+          const LatticePoint a = m.atoms[i].position, b = m.atoms[k].position;
+          const double x = a.x - b.x, y = a.y - b.y, z = a.z - b.z;
+          near = x * x + y * y + z * z <= angstrom * angstrom * 1e6;
+        }
+        ASSERT_EQ(bound(m.atoms[i]), near) << text << " " << i;
+      }
+    }
+  }
+  const auto exact = SelectionExpression::parse("within 3 of b = 0").bind(m);
+  EXPECT_TRUE(exact(m.atoms[1]));
+  EXPECT_FALSE(exact(m.atoms[2]));
+}
+
+TEST(Selection, WordsOfThePictureNeedOne) {
+  const Molecule m = read_text("a.pdb", kFile);
+  const auto fault = fault_of_selection("chain A or within 3 of selected");
+  ASSERT_TRUE(fault);
+  EXPECT_EQ(fault->column(), 24u);
+  const SelectionExpression expression = SelectionExpression::parse("selected or hidden");
+  EXPECT_THROW(static_cast<void>(expression.bind(m)), SelectionError);
+  std::vector<bool> selected(7), hidden(7);
+  selected[3] = hidden[5] = true;
+  const auto bound = expression.bind(m, {&selected, &hidden});
+  for (std::size_t i = 0; i < 7; ++i) EXPECT_EQ(bound(m.atoms[i]), i == 3 || i == 5);
 }
 
 // An expression at random, and the atoms it picks by set operations.
@@ -163,7 +235,17 @@ TEST(Selection, ErrorsPointAtTheColumn) {
                {"element Q", 9, "is not an element"},
                {"name \"CA", 6, "has no closing"},
                {"chain A,", 9, "expected a chain name"},
-               {"and", 1, "is not a selection"}};
+               {"and", 1, "is not a selection"},
+               {"chain A within 5 of chain B", 9, "write X and within 5 of Y"},
+               {"within of chain A", 8, "expected a distance from 0 to 1000 Å"},
+               {"within 2000 of all", 8, "expected a distance from 0 to 1000 Å"},
+               {"within 5 chain A", 10, "expected \"of\""},
+               {"within 0.1234567 of all", 8, "at most six decimals"},
+               {"within 5 of", 12, "the expression ends"},
+               {"b 40", 3, "as in b > 40"},
+               {"b > x", 5, "expected a number"},
+               {"index 0", 7, "is not a number from 1 on"},
+               {"copy B", 6, "is not a number from 1 on"}};
   for (const auto& c : cases) {
     try {
       SelectionExpression::parse(c.expression);

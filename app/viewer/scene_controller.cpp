@@ -34,7 +34,9 @@ SceneController::SceneController(std::function<void()> wake, FreeMemory free_mem
       layer_worker_(wake),
       beside_worker_(wake),
       pick_worker_(wake),
-      cap_worker_(std::move(wake), kFinishes) {}
+      cap_worker_(std::move(wake), kFinishes) {
+  scene_.set_style(scene_style());  // set_display() only tells what is new
+}
 
 std::shared_ptr<const Molecule> SceneController::molecule() const {
   return opened_ ? opened_->molecule : nullptr;

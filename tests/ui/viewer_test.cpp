@@ -238,6 +238,20 @@ TEST_F(ViewerTest, ASavedPictureIsWhatTheViewShows) {
   }
 }
 
+// Also what nobody has changed reaches the scene.
+TEST_F(ViewerTest, AWindowWithoutOptionsDrawsAsItsPanelSays) {
+  viewer_.reset();
+  ViewerOptions options;
+  options.compare = false;
+  options.draw_shots_only = true;
+  viewer_ = std::make_unique<Viewer>(*host_, options);
+  run("size 640 480\n");
+  open_crambin();
+  const Image with = picture();
+  viewer_->state().display.silhouettes = 0;
+  EXPECT_GT(unequal_pixels(with, picture()), 500) << "outlines were drawn";
+}
+
 TEST_F(ViewerTest, PicturesGetFinerAtRest) {
   open_crambin();
   DisplayControls& d = viewer_->state().display;

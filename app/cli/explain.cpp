@@ -11,7 +11,7 @@
 #include "app/cli/text.hpp"
 #include "app/session/rounding_note.hpp"
 #include "core/document/channel_texts.hpp"
-#include "core/document/explanation_text.hpp"
+#include "core/document/explanation_json.hpp"
 #include "core/molecule/atom_address.hpp"
 #include "core/molecule/printable.hpp"
 #include "core/run/work_threads.hpp"

@@ -41,4 +41,7 @@ void add_clip_commands(Commands& commands, ViewState& s);
 // What is selected in the picture.
 void add_selection_commands(Commands& commands, ViewState& s);
 
+// The page that explains a simplex.
+void add_why_commands(Commands& commands, ViewState& s);
+
 }  // namespace alphascope

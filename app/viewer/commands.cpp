@@ -354,6 +354,7 @@ void add_program_commands(Commands& commands, ViewState& state) {
   add_camera_commands(commands, state);
   add_clip_commands(commands, state);
   add_compute_commands(commands, state);
+  add_why_commands(commands, state);
   add_help_commands(commands, state);
 }
 

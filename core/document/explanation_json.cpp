@@ -1,5 +1,5 @@
-// An explanation as JSON (docs/output-files.md).
-#include "core/document/explanation_text.hpp"
+// See the header.
+#include "core/document/explanation_json.hpp"
 
 namespace alphascope {
 namespace {

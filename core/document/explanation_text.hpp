@@ -1,9 +1,8 @@
 // An explanation (core/explain/explanation.hpp) in sentences for somebody who has never seen a
-// power diagram, and as JSON (docs/output-files.md).
+// power diagram.
 #pragma once
 
 #include <functional>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -26,7 +25,5 @@ std::vector<ExplanationLine> explanation_lines(const Explanation& e, const BallN
 std::string simplex_text(const std::vector<BallIndex>& simplex, const BallName& name);
 
 const char* simplex_class_name(SimplexClass simplex_class);  // "singular"
-
-nlohmann::ordered_json explanation_json(const Explanation& e, const BallName& name);
 
 }  // namespace alphascope

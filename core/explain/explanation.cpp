@@ -121,6 +121,7 @@ class Surrounded {
     at_size(e.simplex.size(), [&](auto n) {
       e.attached = attached<n.value>(local<n.value>(e.simplex));
       fill_levels<n.value>(local<n.value>(e.simplex), e);
+      fill_dual<n.value>(local<n.value>(e.simplex), e);
       return 0;
     });
   }
@@ -209,6 +210,22 @@ class Surrounded {
         if (!e.on_hull && float_of<4>(t) == interior &&
             std::includes(t.begin(), t.end(), s.begin(), s.end()))
           lower(e.interior, value_of<4>(t), 1);
+      }
+    }
+  }
+  RealPoint corner(const std::array<BallIndex, 4>& t) const {
+    const Orthosphere<4> sphere(*star_.balls, t);
+    return balls_.lattice.unit_angstrom() *
+           (real_point(star_.balls->centres[t[0]]) + sphere.from_first_ball());
+  }
+  template <int N>
+  void fill_dual(const std::array<BallIndex, N>& s, Explanation& e) const {
+    if constexpr (N < 4) {
+      for (const auto& triangle : filtration_.top().triangles.simplices) {
+        if (!std::includes(triangle.begin(), triangle.end(), s.begin(), s.end())) continue;
+        std::vector<RealPoint> ends;
+        for_cofaces<3>(triangle, [&](const auto& t) { ends.push_back(corner(t)); });
+        if (ends.size() == 2) e.dual_edges_angstrom.push_back({ends[0], ends[1]});
       }
     }
   }

@@ -2,6 +2,7 @@
 // by core/document/explanation_text.hpp. Only the neighbourhood of the simplex is computed.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -69,6 +70,10 @@ struct Explanation {
   bool attached = false;  // nearest.front() is inside the orthosphere
   bool on_hull = false;   // a part of its surroundings is never filled
   AlphaLevel appears;     // the alpha value
+  // The edges of its dual face, the part of space that its balls share: between the orthocentres of
+  // the tetrahedra on both sides of each triangle that contains it, or that it is. Not those that
+  // leave for infinity.
+  std::vector<std::array<RealPoint, 2>> dual_edges_angstrom;
   std::optional<AlphaLevel> regular, interior;  // nothing: never
   std::optional<AtAlpha> at_alpha;              // if an alpha was asked for
 };

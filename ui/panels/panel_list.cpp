@@ -16,6 +16,7 @@ void draw_channels_panel(PanelContext& ctx);
 void draw_measures_panel(PanelContext& ctx);
 void draw_curves_panel(PanelContext& ctx);
 void draw_signature_panel(PanelContext& ctx);
+void draw_why_panel(PanelContext& ctx);
 
 namespace {
 
@@ -32,6 +33,7 @@ constexpr PanelSpec kPanels[] = {
     {"measures", "Measures", Place::bottom, draw_measures_panel},
     {"curves", "Curves", Place::bottom, draw_curves_panel},
     {"signature", "Signature", Place::bottom, draw_signature_panel},
+    {"why", "Why?", Place::bottom, draw_why_panel},
 };
 
 }  // namespace

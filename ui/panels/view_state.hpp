@@ -37,6 +37,7 @@
 #include "ui/panels/palette_memory.hpp"
 #include "ui/panels/table_memory.hpp"
 #include "ui/panels/view_info.hpp"
+#include "ui/panels/why_memory.hpp"
 #include "ui/theme.hpp"
 
 namespace alphascope {
@@ -136,6 +137,7 @@ struct PanelMemory {
   ChannelMemory channels;
   MeasureMemory measures;
   CurveMemory curves;
+  WhyMemory why;
   TableMemory save_table;
   std::vector<std::size_t> dialogs;  // that are open, by dialog_stack.cpp; the last is on top
   bool dragging_view = false;

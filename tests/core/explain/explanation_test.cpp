@@ -156,6 +156,7 @@ class Checked {
                               testing::power_excess(balls_, sphere, m) < 0);
     }
     ASSERT_EQ(e.attached, attached) << name(s);
+    dual(e, s);
     ASSERT_EQ(e.appears.on_lattice, testing::nearest_float(value)) << name(s);
     ASSERT_EQ(e.appears.from == s, !attached);
     ASSERT_EQ(testing::orthosphere(balls_, e.appears.from).rho, value) << name(s);
@@ -164,6 +165,34 @@ class Checked {
       if (level) classes(e, s, testing::orthosphere(balls_, level->from).rho);
     }
     classes(e, s, value);
+  }
+
+  // One dual edge for each triangle here that has a tetrahedron on both sides, between their
+  // centres.
+  void dual(const Explanation& e, const Balls& s) {
+    std::vector<std::vector<double>> expected, found;
+    for (const auto& [t, value] : oracle_.alpha_values()) {
+      if (t.size() != 3 || !std::includes(t.begin(), t.end(), s.begin(), s.end())) continue;
+      std::vector<double> ends;
+      for (const auto& [c, of] : oracle_.alpha_values()) {
+        if (c.size() != 4 || !std::includes(c.begin(), c.end(), t.begin(), t.end())) continue;
+        const testing::Orthosphere sphere = testing::orthosphere(balls_, c);
+        for (const Rational& x : {sphere.x, sphere.y, sphere.z}) ends.push_back(x.get_d());
+      }
+      if (ends.size() == 6) expected.push_back(ends);
+    }
+    const double per = balls_.lattice.units_per_angstrom();
+    ASSERT_EQ(e.dual_edges_angstrom.size(), expected.size()) << name(s);
+    for (std::size_t n = 0; n < expected.size(); ++n) {
+      const auto& [a, b] = e.dual_edges_angstrom[n];
+      const double ends[] = {a.x, a.y, a.z, b.x, b.y, b.z};
+      double size = 1;
+      for (const double x : expected[n]) size = std::max(size, std::fabs(x));
+      for (int k = 0; k < 6; ++k) {
+        ASSERT_NEAR(ends[k] * per, expected[n][static_cast<std::size_t>(k)], 1e-9 * size)
+            << name(s);
+      }
+    }
   }
 
   // Around a critical value, and just there where it is a double.

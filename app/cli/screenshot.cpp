@@ -143,7 +143,16 @@ struct Wanted {
   ScreenshotOptions picture;
   ColourBy balls = ColourBy::element, simplices = ColourBy::element;
   AtomsBesideBody beside;
+  Appearance appearance;
 };
+
+Appearance appearance(const Molecule& molecule, const AppearanceWords& words) {
+  try {
+    return read_appearance(molecule, words);
+  } catch (const std::invalid_argument& error) {
+    throw UsageError(std::string("--hide, --only and --atom-colours: ") + error.what() + ".");
+  }
+}
 
 Wanted by_options(const ScreenshotCommandOptions& options, const RunContext& context) {
   const DisplayControls shown = display(options);
@@ -152,9 +161,11 @@ Wanted by_options(const ScreenshotCommandOptions& options, const RunContext& con
                 picture_options(options),
                 shown.ball_colour,
                 shown.ball_colour,
-                beside_body(options.beside)};
+                beside_body(options.beside),
+                {}};
   show(shown, options.light ? Theme::light : Theme::dark, options.request, wanted.picture);
   wanted.input = open_one_model(options.input, "A picture shows one model.", context);
+  wanted.appearance = appearance(wanted.input.molecule(), options.appearance);
   return wanted;
 }
 
@@ -166,7 +177,8 @@ Wanted by_session(const ScreenshotCommandOptions& options, const RunContext& con
   const DisplayControls& display = s.settings.display;
   const Theme theme = s.view.light_theme ? Theme::light : Theme::dark;
   Wanted wanted{std::move(found.input), s.settings.request,     picture_options(options),
-                display.ball_colour,    display.complex_colour, display.beside};
+                display.ball_colour,    display.complex_colour, display.beside,
+                s.settings.appearance};
   // All engines answer alike, and this machine may lack the one that the window had.
   wanted.request.engine = EngineChoice::automatic;
   show(display, theme, s.settings.request, wanted.picture);
@@ -220,10 +232,17 @@ ExitCode run_screenshot(const ScreenshotCommandOptions& options) {
   const EngineAnswer result = engines.compute(input.prepared().balls, wanted.request, context);
   add_colours(wanted, result, context);
   picture.texts = picture_texts(complex_header(input, result));
+  picture.looks =
+      ball_appearance(input.molecule(), input.prepared().atom_of_ball, wanted.appearance);
+  if (picture.looks.hidden_balls > 0) {
+    picture.texts.emplace_back("Hidden atoms", std::to_string(picture.looks.hidden_balls));
+  }
   picture.free_bytes = available_or(options.drawing_memory_mb);
   picture.beside_body = [&](const BallGeometry& balls) {
-    return build_beside_body(balls, input.molecule(), input.prepared(), wanted.beside,
-                             context.cancel)
+    return build_beside_body(
+               balls, input.molecule(),
+               left_out_and_shown(input.molecule(), input.prepared(), wanted.appearance.hidden),
+               wanted.beside, context.cancel)
         .mesh;
   };
   const MemoryFile drawn;  // the renderer writes to a path, which standard output has none of

@@ -44,4 +44,7 @@ void add_selection_commands(Commands& commands, ViewState& s);
 // The page that explains a simplex.
 void add_why_commands(Commands& commands, ViewState& s);
 
+// What the picture shows of atoms.
+void add_appearance_commands(Commands& commands, ViewState& s);
+
 }  // namespace alphascope

@@ -349,6 +349,7 @@ void add_program_commands(Commands& commands, ViewState& state) {
   add_file_commands(commands, state);
   add_edit_commands(commands, state);
   add_selection_commands(commands, state);
+  add_appearance_commands(commands, state);
   add_view_commands(commands, state);
   add_look_commands(commands, state);
   add_camera_commands(commands, state);

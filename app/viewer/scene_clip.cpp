@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "app/viewer/scene_controller.hpp"
+#include "ui/scene/visible_mesh.hpp"
 
 namespace alphascope {
 
@@ -22,16 +23,19 @@ SceneController::DrawnCaps SceneController::make_caps(const CapTask& task, const
   if (!clip.on() || !task.answer || !task.mesh || !has_caps(task.options)) return caps;
   const DrawnMolecule& m = *task.molecule;
   const Cut cut(clip, m.geometry->origin);
+  const BallAppearance* const looks = task.looks.get();
   caps.mesh = std::make_shared<const CapMesh>(
-      build_cap_mesh(*m.geometry, task.by_element ? *m.by_element : *m.by_chain,
-                     task.answer->complex, task.options, task.mesh->scale, cut, cancel));
+      build_visible_caps(task.answer->complex, hidden_of(looks), [&](const AlphaComplex& part) {
+        return build_cap_mesh(*m.geometry, simplex_colours(m, task.by_element, looks), part,
+                              task.options, task.mesh->scale, cut, cancel);
+      }));
   caps.pick = cap_layer(caps.mesh);
   return caps;
 }
 
 void SceneController::submit_caps() {
-  const CapTask task{drawn_molecule_, drawn_answer_, drawn_mesh_, drawn_options_,
-                     drawn_by_element_};
+  const CapTask task{drawn_molecule_, drawn_answer_,     drawn_mesh_,
+                     drawn_options_,  drawn_by_element_, drawn_looks_};
   if (!clip_.on() || !task.mesh || !has_caps(task.options)) {
     cap_worker_.cancel();
     return show_caps({clip_, nullptr, {}}, nullptr);

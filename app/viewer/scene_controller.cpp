@@ -108,7 +108,8 @@ SceneStyle SceneController::scene_style() const {
 void SceneController::update_colours() {
   if (!drawn_molecule_) return;
   scene_.set_ball_colours(
-      ball_colours(*drawn_molecule_, display_.ball_colour, drawn_exposure_.get()));
+      painted(ball_colours(*drawn_molecule_, display_.ball_colour, drawn_exposure_.get()),
+              drawn_looks_.get()));
   dirty_ = true;
 }
 
@@ -118,7 +119,7 @@ SceneController::BallLook SceneController::ball_look(const Answer* answer) const
 
 void SceneController::update_radii() {
   if (!drawn_molecule_) return;
-  radii_ = drawn_radii(*drawn_molecule_->geometry, ball_look(drawn_answer_.get()).style);
+  radii_ = radii_of(*drawn_molecule_, ball_look(drawn_answer_.get()).style, drawn_looks_.get());
   scene_.set_ball_radii(radii_);
   draw_selected();
   dirty_ = true;
@@ -218,6 +219,7 @@ void SceneController::describe(ViewportInfo& viewport) const {
     viewport.not_drawn += (viewport.not_drawn.empty() ? "" : " ") + drawn_layers_.not_drawn;
   }
   viewport.problem = view_problem_;
+  viewport.hidden_balls = drawn_looks_ ? drawn_looks_->hidden_balls : 0;
   if (drawn_molecule_) {
     const BallGeometry& balls = *drawn_molecule_->geometry;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -309,6 +311,9 @@ ComplexHeader SceneController::header() const {
 PictureTexts SceneController::texts() const {
   if (!drawn_molecule_) return {};
   PictureTexts texts = picture_texts(header());
+  if (drawn_looks_ && drawn_looks_->hidden_balls > 0) {
+    texts.emplace_back("Hidden atoms", std::to_string(drawn_looks_->hidden_balls));
+  }
   if (const std::string lacks = not_drawn(); !lacks.empty()) texts.emplace_back("Warning", lacks);
   return texts;
 }
@@ -337,7 +342,9 @@ PictureToSave SceneController::picture(const ScreenshotRequest& request) const {
                second_scene_bytes(balls, drawn_mesh_.get()) + layer_bytes(layer_points(layers)));
   PictureToSave picture;
   picture.balls = drawn_molecule_->geometry;
-  picture.colours = ball_colours(*drawn_molecule_, display_.ball_colour, drawn_exposure_.get());
+  picture.colours =
+      painted(ball_colours(*drawn_molecule_, display_.ball_colour, drawn_exposure_.get()),
+              drawn_looks_.get());
   picture.radii = radii_;
   picture.mesh = drawn_mesh_;
   picture.caps = drawn_caps_.mesh;

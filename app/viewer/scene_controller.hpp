@@ -11,6 +11,7 @@
 
 #include "app/session/session.hpp"
 #include "app/viewer/picture_saver.hpp"
+#include "core/document/appearance.hpp"
 #include "core/document/session_file.hpp"
 #include "core/run/worker.hpp"
 #include "ui/layer.hpp"
@@ -58,6 +59,10 @@ class SceneController {
   void set_display(const DisplayControls& display, Theme theme, float line_scale = 1);
   // The picture follows when what closes the tetrahedra at the cut is made.
   void set_clip(const Clip& clip);
+  // Hidden atoms and own colours. The picture follows when its simplices are made.
+  void set_appearance(const Appearance& appearance);
+  // Of drawn(): what of that is on screen; null: nothing.
+  const BallAppearance* drawn_looks() const { return drawn_looks_.get(); }
   // What panels want drawn; layers of other balls than the complex on screen are left out. Large
   // ones are made on a worker's thread, and what was drawn before stays until they are there.
   void set_layers(const Layers& layers);
@@ -143,6 +148,17 @@ class SceneController {
                                                        const RunContext& context);
   static std::vector<Rgb8> ball_colours(const DrawnMolecule& molecule, ColourBy colour,
                                         const Exposure* exposure);
+  // The same with hidden balls and own colours; `looks` may be null.
+  static std::shared_ptr<const BallAppearance> make_looks(const DrawnMolecule& molecule,
+                                                          const Appearance& appearance);
+  static std::vector<float> radii_of(const DrawnMolecule& molecule, const BallStyle& style,
+                                     const BallAppearance* looks);
+  static std::vector<Rgb8> simplex_colours(const DrawnMolecule& molecule, bool by_element,
+                                           const BallAppearance* looks);
+  static const std::vector<bool>& hidden_of(const BallAppearance* looks);
+  ComplexMesh make_mesh(const DrawnMolecule& molecule, const std::vector<Rgb8>& colours,
+                        const AlphaComplex& complex, const MeshOptions& options,
+                        const BallAppearance* looks, const CancelToken& cancel) const;
   bool is_exposure_shown() const;  // what the colours of balls are to be, and are
   std::optional<ColourLegend> legend() const;
   std::string not_drawn() const;  // what the picture lacks; empty: nothing
@@ -167,7 +183,8 @@ class SceneController {
     std::shared_ptr<BallData> balls;  // of another molecule than on screen; null: the same
     BallLook look;                    // of the balls, and their radii where they are new
     std::vector<float> radii;
-    std::shared_ptr<const Exposure> exposure;  // null unless colours are of that
+    std::shared_ptr<const BallAppearance> looks;  // of all that is drawn; may be null
+    std::shared_ptr<const Exposure> exposure;     // null unless colours are of that
     std::shared_ptr<const ComplexMesh> mesh;
     std::shared_ptr<MeshData> mesh_data;
     MeshOptions options;  // of mesh
@@ -185,6 +202,7 @@ class SceneController {
     std::shared_ptr<const ComplexMesh> mesh;
     MeshOptions options;
     bool by_element = false;
+    std::shared_ptr<const BallAppearance> looks;
   };
   static DrawnCaps make_caps(const CapTask& task, const Clip& clip, const CancelToken& cancel);
   void submit_caps();
@@ -206,6 +224,7 @@ class SceneController {
     BallLook look;
     MeshOptions mesh;
     Clip clip;
+    Appearance appearance;
     std::shared_ptr<const MeasuredUnion> measures;  // of `answer`, where they are known
   };
   Worker::Delivery make_drawing(const Wanted& wanted, const RunContext& context);
@@ -265,8 +284,10 @@ class SceneController {
   std::shared_ptr<const DifferenceMesh> drawn_differences_;
   std::optional<ColourLegend> alpha_legend_;  // of drawn_mesh_
   std::shared_ptr<const Exposure> drawn_exposure_;
+  std::shared_ptr<const BallAppearance> drawn_looks_;
   DisplayControls display_;
   Clip clip_;
+  Appearance appearance_;
   Theme theme_ = Theme::dark;
   float line_scale_ = 1;
   MeshOptions requested_mesh_;

@@ -59,6 +59,7 @@ void SceneController::submit() {
                       ball_look(answer_.get()),
                       requested_mesh_,
                       clip_,
+                      appearance_,
                       answer_ && answer_ == drawn_answer_ ? drawn_measures() : nullptr};
   mesh_worker_.submit(
       [this, wanted](const RunContext& context) -> Worker::Delivery {
@@ -77,7 +78,8 @@ void SceneController::submit() {
 
 // On the worker's thread.
 Worker::Delivery SceneController::make_drawing(const Wanted& wanted, const RunContext& context) {
-  const auto& [drawn, opened, answer, agreement, by_element, look, mesh, clip, measures] = wanted;
+  const auto& [drawn, opened, answer, agreement, by_element, look, mesh, clip, appearance,
+               measures] = wanted;
   const std::size_t balls = opened->prepared->balls->size();
   const bool known =
       drawn && drawn->prepared == opened->prepared && drawn->geometry->centres.size() == balls;
@@ -92,23 +94,27 @@ Worker::Delivery SceneController::make_drawing(const Wanted& wanted, const RunCo
   drawing.molecule = !plan.balls ? undrawn(opened) : known ? drawn : make_drawn(opened, context);
   const DrawnMolecule& m = *drawing.molecule;
   drawing.look = look;
-  if (!known || look.style.grown) drawing.radii = drawn_radii(*m.geometry, look.style);
+  drawing.looks = make_looks(m, appearance);
+  const BallAppearance* const looks = drawing.looks.get();
+  if (!known || look.style.grown) drawing.radii = radii_of(m, look.style, looks);
   if (answer && plan.balls && is_exposure(look.colour) && !answer->complex.tetrahedra_only) {
     drawing.exposure = make_exposure(m, *answer, look.colour, measures, context);
   }
   if (!known) {
-    drawing.balls = make_ball_data(m.geometry, ball_colours(m, look.colour, drawing.exposure.get()),
-                                   drawing.radii);
+    drawing.balls = make_ball_data(
+        m.geometry, painted(ball_colours(m, look.colour, drawing.exposure.get()), looks),
+        drawing.radii);
   }
   if (answer && plan.balls) {
     drawing.mesh = std::make_shared<const ComplexMesh>(
-        make_mesh_(*m.geometry, by_element ? *m.by_element : *m.by_chain, answer->complex,
-                   plan.mesh, context.cancel));
+        make_mesh(m, simplex_colours(m, by_element, looks), answer->complex, plan.mesh, looks,
+                  context.cancel));
     drawing.mesh_data = make_mesh_data(drawing.mesh);
     drawing.options = plan.mesh;
     drawing.by_element = by_element;
-    drawing.caps = make_caps({drawing.molecule, answer, drawing.mesh, plan.mesh, by_element}, clip,
-                             context.cancel);
+    drawing.caps =
+        make_caps({drawing.molecule, answer, drawing.mesh, plan.mesh, by_element, drawing.looks},
+                  clip, context.cancel);
     drawing.cap_data = make_cap_data(drawing.caps.mesh);
   }
   if (plan.differences) {
@@ -166,8 +172,12 @@ void SceneController::show(Drawing drawing) {
   drawn_molecule_ = drawing.molecule;
   if (new_balls) forget_layers();  // they go with the balls
   drawn_exposure_ = std::move(drawing.exposure);
+  // Each drawing has looks of its own, mostly equal ones.
+  const bool new_looks = (drawn_looks_ || drawing.looks) && !new_balls;
+  drawn_looks_ = drawing.looks;
   if (new_balls || display_.grown_balls) show_balls(drawing);
-  if (is_exposure(display_.ball_colour)) update_colours();
+  if (is_exposure(display_.ball_colour) || new_looks) update_colours();
+  if (new_looks) update_radii();
   alpha_legend_ = drawing.mesh && drawing.mesh->scale ? std::optional(drawing.mesh->scale->legend())
                                                       : std::nullopt;
   drawn_mesh_ = std::move(drawing.mesh);

@@ -63,10 +63,11 @@ void SceneController::submit_beside_body() {
     beside_worker_.cancel();
     return;
   }
-  beside_worker_.submit([this, drawn = drawn_molecule_,
-                         shown = display_.beside](const RunContext& c) -> Worker::Delivery {
-    BesideBody atoms =
-        build_beside_body(*drawn->geometry, *drawn->molecule, *drawn->prepared, shown, c.cancel);
+  beside_worker_.submit([this, drawn = drawn_molecule_, shown = display_.beside,
+                         appearance = appearance_](const RunContext& c) -> Worker::Delivery {
+    BesideBody atoms = build_beside_body(
+        *drawn->geometry, *drawn->molecule,
+        left_out_and_shown(*drawn->molecule, *drawn->prepared, appearance.hidden), shown, c.cancel);
     std::optional<PickLayer> pick;
     if (atoms.mesh) pick = ball_layer(kBesideBody, atoms.mesh->spheres, 1);
     return [this, drawn, pick, data = make_layer_data(atoms.mesh), atoms] {

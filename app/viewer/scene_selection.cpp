@@ -58,11 +58,14 @@ void SceneController::draw_selected() {
   dirty_ = true;
   if (!drawn_molecule_) return;
   pick_margin_ = drawn_molecule_->picker->margin(radii_);
-  auto marks = std::make_shared<BallGeometry>(drawn_places(selected_));
+  Selected seen = selected_;
+  if (drawn_looks_) {
+    std::erase_if(seen.balls, [this](BallIndex ball) { return drawn_looks_->hides(ball); });
+  }
+  auto marks = std::make_shared<BallGeometry>(drawn_places(seen));
   std::vector<float> radii;
   for (std::size_t i = 0; i < marks->centres.size(); ++i) {
-    const float radius =
-        i < selected_.balls.size() ? radii_.at(selected_.balls[i]) : marks->radii[i];
+    const float radius = i < seen.balls.size() ? radii_.at(seen.balls[i]) : marks->radii[i];
     radii.push_back(std::max(kLeastMark, radius * kMarkScale + kMarkRim));
   }
   marks->radii = radii;

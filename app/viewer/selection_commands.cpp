@@ -20,7 +20,8 @@ Outcome select(ViewState& s, const std::string& text, bool more) {
   NamedAtoms named;
   try {
     const std::vector<bool> selected = atoms_of(s.references->molecule(), s.picked.items);
-    named = named_atoms(*s.references, text, {&selected});
+    const std::vector<bool> hidden = atoms_of(s.references->molecule(), s.appearance.hidden);
+    named = named_atoms(*s.references, text, {&selected, &hidden});
   } catch (const SelectionError& error) {
     return Outcome::refused(std::string("This cannot be read: ") + error.what() + ".");
   }

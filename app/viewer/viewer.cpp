@@ -153,6 +153,7 @@ void Viewer::take_molecule() {
   state_.picked = {};
   state_.clip = {};
   state_.views.clear();
+  state_.appearance = {};
   state_.expression_error.reset();
   state_.memory.expression_typed = state_.memory.expression_shown = state_.open.balls.selection;
   const auto& session = starting_session_;
@@ -308,6 +309,7 @@ void Viewer::send_controls() {
   send_selection();
   scene_.set_display(state_.display, state_.theme, frame_.scale());
   scene_.set_clip(state_.clip);
+  scene_.set_appearance(state_.appearance);
   note_changes();
 }
 

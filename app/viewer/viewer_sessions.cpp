@@ -86,6 +86,9 @@ void Viewer::show_session() {
   state_.display = s.settings.display;
   state_.picked.items = s.settings.selection;
   state_.picked.cavities = s.settings.cavities;
+  state_.clip = s.settings.clip;
+  state_.views = s.settings.views;
+  state_.appearance = s.settings.appearance;
   state_.theme = s.view.light_theme ? Theme::light : Theme::dark;
   state_.memory.playing = false;
   state_.memory.number = {};

@@ -14,8 +14,9 @@ namespace {
 
 // Of lists that no program would make so long; Selection::kMostItems is below.
 constexpr std::size_t kLongestText = std::size_t{1} << 20;  // bytes
-constexpr std::size_t kDeepest = 40;                        // ours are 6 deep
-constexpr std::size_t kShownOfAValue = 40;                  // characters
+constexpr std::size_t kMostRuns = 10000000;
+constexpr std::size_t kDeepest = 40;        // ours are 6 deep
+constexpr std::size_t kShownOfAValue = 40;  // characters
 constexpr NumberRule kAtomRule{"An atom", 0, 4294967295.0, "", true};
 constexpr NumberRule kModelRule{"A model", 1, 1e6, "", true};
 
@@ -295,6 +296,38 @@ void FieldReader::operator()(const char* name, RefSet& value) {
     read.push_back(corners.size() == 1 ? Ref(corners.front()) : Ref(std::move(corners)));
   }
   value = RefSet(std::move(read));
+}
+
+void FieldReader::operator()(const char* name, AtomSet& value) {
+  const ReadJson* const json = take_list(name, kMostRuns);
+  if (json == nullptr) return;
+  std::vector<AtomSet::Run> runs;
+  for (std::size_t i = 0; i < json->size(); ++i) {
+    const ReadJson& item = (*json)[i];
+    JsonPlace place = below(name);
+    place.push_back(std::to_string(i));
+    double first = 0, last = 0, copy = 0;
+    const bool shaped = item.is_array() && (item.size() == 2 || item.size() == 3);
+    if (!shaped)
+      return wrong(place, item, "[first, last] or [first, last, copy], numbers of atoms");
+    const bool good = number(place, item[0], first, kAtomRule) &&
+                      number(place, item[1], last, kAtomRule) &&
+                      (item.size() == 2 || number(place, item[2], copy, kAtomRule));
+    if (!good) return;
+    if (last < first) return wrong(place, item, "a run whose last atom is not before its first");
+    runs.push_back({static_cast<std::uint32_t>(copy), static_cast<std::uint32_t>(first),
+                    static_cast<std::uint32_t>(last)});
+  }
+  value = AtomSet(std::move(runs));
+}
+
+void FieldReader::operator()(const char* name, Rgb8& value) {
+  const ReadJson* const json = take(name);
+  std::string written;
+  if (json == nullptr || !text(below(name), *json, written)) return;
+  const std::optional<Rgb8> colour = read_colour(written);
+  if (!colour) return wrong(below(name), *json, "a colour such as \"#5aa9e6\"");
+  value = *colour;
 }
 
 void FieldReader::operator()(const char* name, FileReference& value) {

@@ -10,7 +10,9 @@
 #include <string_view>
 #include <vector>
 
+#include "core/document/appearance.hpp"
 #include "core/document/clip.hpp"
+#include "core/document/colour_words.hpp"
 #include "core/document/file_reference.hpp"
 #include "core/document/json_place.hpp"
 #include "core/document/number_input.hpp"
@@ -39,6 +41,8 @@ class FieldWriter {
   void operator()(const char* name, const std::vector<std::filesystem::path>& value);
   void operator()(const char* name, const std::vector<RadiusOverride>& value);
   void operator()(const char* name, const RefSet& value);
+  void operator()(const char* name, const AtomSet& value);
+  void operator()(const char* name, const Rgb8& value);
   void operator()(const char* name, const FileReference& value);
   void operator()(const char* name, const Clip& value);
   void model(const char* name, int index);
@@ -95,6 +99,8 @@ class FieldReader {
   void operator()(const char* name, std::vector<std::filesystem::path>& value);
   void operator()(const char* name, std::vector<RadiusOverride>& value);
   void operator()(const char* name, RefSet& value);
+  void operator()(const char* name, AtomSet& value);
+  void operator()(const char* name, Rgb8& value);
   void operator()(const char* name, FileReference& value);
   void operator()(const char* name, Clip& value);
   void model(const char* name, int& index);

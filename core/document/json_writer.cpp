@@ -74,6 +74,20 @@ void FieldWriter::operator()(const char* name, const RefSet& value) {
   }
 }
 
+// Runs of atoms: [first, last] or, in an assembly, [first, last, copy].
+void FieldWriter::operator()(const char* name, const AtomSet& value) {
+  WrittenJson& list = to_[name] = WrittenJson::array();
+  for (const AtomSet::Run& run : value.runs()) {
+    WrittenJson item{run.first, run.last};
+    if (run.copy != 0) item.push_back(run.copy);
+    list.push_back(std::move(item));
+  }
+}
+
+void FieldWriter::operator()(const char* name, const Rgb8& value) {
+  to_[name] = colour_text(value);
+}
+
 void FieldWriter::operator()(const char* name, const FileReference& value) {
   if (value.empty()) return;
   WrittenJson& to = to_[name] = WrittenJson::object();

@@ -41,6 +41,8 @@ std::string difference_text(const Settings& a, const Settings& b) {
   note(a.display == b.display, "display");
   note(a.clip == b.clip, "clip");
   note(a.views == b.views, "saved cameras");
+  note(a.appearance.hidden == b.appearance.hidden, "hidden atoms");
+  note(a.appearance.colours == b.appearance.colours, "colours of atoms");
   note(a.selection == b.selection && a.cavities == b.cavities, "selection");
   std::string text;
   for (std::size_t i = 0; i < parts.size(); ++i) {

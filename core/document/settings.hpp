@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "core/document/appearance.hpp"
 #include "core/document/clip.hpp"
 #include "core/document/display.hpp"
 #include "core/document/named_view.hpp"
@@ -21,6 +22,7 @@ struct Settings {
   RefSet cavities;   // what is chosen in their table (Selection::cavities)
   Clip clip;
   NamedViews views;  // saved cameras, in the order of saving
+  Appearance appearance;
   friend bool operator==(const Settings&, const Settings&) = default;
 };
 

@@ -103,6 +103,18 @@ void visit_fields(Visitor& v, NamedView& n) {
 }
 
 template <class Visitor>
+void visit_fields(Visitor& v, OwnColour& o) {
+  v("colour", o.colour);
+  v("atoms", o.atoms);
+}
+
+template <class Visitor>
+void visit_fields(Visitor& v, Appearance& a) {
+  v("hidden", a.hidden);
+  v.objects("colours", a.colours);
+}
+
+template <class Visitor>
 void visit_fields(Visitor& v, Settings& s) {
   v.object("open", s.open);
   v.object("compute", s.request);
@@ -111,6 +123,7 @@ void visit_fields(Visitor& v, Settings& s) {
   v("cavities", s.cavities);
   v("clip", s.clip);
   v.objects("views", s.views);
+  v.object("appearance", s.appearance);
 }
 
 // Not in the history.

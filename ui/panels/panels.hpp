@@ -20,6 +20,7 @@ void draw_provenance(PanelContext& ctx);
 
 // What is in the view, in one line: molecule, alpha, and why there is nothing of the complex.
 std::string caption_text(const Answer& answer);
+std::string hidden_text(std::size_t atoms);  // "1,234 atoms hidden"
 
 // Stages as bars, one below the other on one time axis, of both engines.
 void draw_waterfall(PanelContext& ctx, float height);

@@ -96,6 +96,7 @@ struct ViewportInfo {
   ClipHandle clip_handle;  // of the picture in `texture`
   std::optional<ColourLegend> legend;
   std::vector<PictureLabel> labels;  // of the picture in `texture`
+  std::size_t hidden_balls = 0;      // by the user
   std::string not_drawn;             // what the picture lacks for want of memory, and what to do
   bool outdated = false;  // it is of other settings than those chosen; the new one is being made
   ViewProblem problem = ViewProblem::none;

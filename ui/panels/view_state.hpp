@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "core/document/answer.hpp"
+#include "core/document/appearance.hpp"
 #include "core/document/clip.hpp"
 #include "core/document/complex_export.hpp"
 #include "core/document/named_view.hpp"
@@ -168,6 +169,7 @@ struct ViewState {
   DisplayControls display;
   Clip clip;
   NamedViews views;
+  Appearance appearance;
   Selection picked;  // in the picture
   Theme theme = Theme::dark;
   bool auto_compare = false;

@@ -149,6 +149,21 @@ void end_overlay() {
   ImGui::PopStyleVar(2);
 }
 
+// Below the caption and what is pending. A picture that lacks atoms must say so.
+void hidden_note(PanelContext& ctx, ImVec2 corner) {
+  const ViewState& s = ctx.state;
+  const std::size_t hidden = s.viewport.hidden_balls;
+  if (hidden == 0) return;
+  const float row = ImGui::GetTextLineHeightWithSpacing();
+  begin_overlay(ctx, "##hidden", {corner.x + ctx.px(10), corner.y + ctx.px(12) + 2 * row}, {0, 0});
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextColored(to_imgui(ctx.palette.warning), "%s", hidden_text(hidden).c_str());
+  record(ctx, "view.hidden");
+  ImGui::SameLine(0, ctx.px(8));
+  if (button(ctx, "view.show_hidden", "Show all")) ctx.commands.run("atoms.show_all");
+  end_overlay();
+}
+
 // For work whose share is not known: a piece that goes to and fro, which no one takes for a share.
 void busy_bar(PanelContext& ctx, float width, double seconds) {
   const ImVec2 corner = ImGui::GetCursorScreenPos();
@@ -336,6 +351,11 @@ std::string caption_text(const Answer& answer) {
                                                             : "   no ball is left at this alpha");
 }
 
+std::string hidden_text(std::size_t atoms) {
+  return with_separators(static_cast<long long>(atoms)) + (atoms == 1 ? " atom" : " atoms") +
+         " hidden";
+}
+
 void draw_view_labels(PanelContext& ctx) {
   draw_clip_handle(ctx);
   const ViewportInfo& v = ctx.state.viewport;
@@ -373,6 +393,7 @@ void draw_viewport(PanelContext& ctx) {
     caption(ctx, corner, size);
     outdated_note(ctx, corner);
     compute_error_note(ctx, corner, size);
+    hidden_note(ctx, corner);
   }
   progress(ctx, corner, size);
   saving(ctx, corner, size);

@@ -6,6 +6,7 @@
 #include "ui/scene/camera_place.hpp"
 #include "ui/scene/draw_marks.hpp"
 #include "ui/scene/drawing_memory.hpp"
+#include "ui/scene/visible_mesh.hpp"
 #include "ui/window/egl_context.hpp"
 
 namespace alphascope {
@@ -39,9 +40,15 @@ std::string render_screenshot(const BallSet& balls, const AlphaComplex& complex,
   begin("preparing the picture", 0.1);
   const auto geometry = std::make_shared<const BallGeometry>(balls);
   begin("preparing the picture", 0.2);
+  const std::vector<bool>& hidden = options.looks.hidden;
+  const std::vector<Rgb8> ball_colours = painted(colours, &options.looks);
+  const std::vector<Rgb8> simplex_colours = options.simplex_colours.empty()
+                                                ? ball_colours
+                                                : painted(options.simplex_colours, &options.looks);
   const auto mesh = std::make_shared<const ComplexMesh>(
-      build_mesh(*geometry, options.simplex_colours.empty() ? colours : options.simplex_colours,
-                 complex, plan.mesh, context.cancel));
+      build_visible_mesh(complex, hidden, [&](const AlphaComplex& part) {
+        return build_mesh(*geometry, simplex_colours, part, plan.mesh, context.cancel);
+      }));
   begin("drawing", 0.5);
   EglContext egl;
   Scene scene;
@@ -50,12 +57,15 @@ std::string render_screenshot(const BallSet& balls, const AlphaComplex& complex,
     style.cut = Cut(options.clip->resolved(geometry->axes[2], geometry->origin), geometry->origin);
   }
   scene.set_style(style);
-  scene.set_balls(geometry, colours);
-  scene.set_ball_radii(drawn_radii(*geometry, options.balls));
+  scene.set_balls(geometry, ball_colours);
+  scene.set_ball_radii(shown_radii(drawn_radii(*geometry, options.balls), &options.looks));
   scene.set_mesh(make_mesh_data(mesh));
   if (style.cut.on()) {
-    scene.set_caps(make_cap_data(std::make_shared<const CapMesh>(build_cap_mesh(
-        *geometry, colours, complex, plan.mesh, mesh->scale, style.cut, context.cancel))));
+    scene.set_caps(make_cap_data(std::make_shared<const CapMesh>(
+        build_visible_caps(complex, hidden, [&](const AlphaComplex& part) {
+          return build_cap_mesh(*geometry, simplex_colours, part, plan.mesh, mesh->scale, style.cut,
+                                context.cancel);
+        }))));
   }
   const auto layers =
       std::make_shared<const LayerMesh>(build_layer_mesh(*geometry, options.layers));

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/complex/alpha_complex.hpp"
+#include "core/document/appearance.hpp"
 #include "core/document/session_file.hpp"
 #include "core/geometry/ball_set.hpp"
 #include "core/run/cancel_token.hpp"
@@ -24,6 +25,7 @@ struct ScreenshotOptions {
   SceneStyle style;
   BallStyle balls;
   MeshOptions mesh;
+  BallAppearance looks;                     // hidden balls and colours of their own
   std::vector<Rgb8> simplex_colours;        // one a ball; empty: as the balls'
   std::optional<ColourLegend> ball_legend;  // of the balls' colours; none: of the simplices'
   std::optional<CameraPlace> camera;        // none: the default view

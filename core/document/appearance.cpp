@@ -1,0 +1,125 @@
+// See the header.
+#include "core/document/appearance.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+#include <string_view>
+
+#include "core/document/colour_words.hpp"
+#include "core/molecule/atom_address.hpp"
+
+namespace alphascope {
+
+void set_colour(Appearance& appearance, const AtomSet& atoms, const std::optional<Rgb8>& colour) {
+  std::vector<OwnColour>& all = appearance.colours;
+  for (OwnColour& own : all) own.atoms = own.atoms.without(atoms);
+  if (colour && !atoms.empty()) {
+    const auto same = std::find_if(all.begin(), all.end(),
+                                   [&](const OwnColour& o) { return o.colour == *colour; });
+    if (same == all.end()) {
+      all.push_back({*colour, atoms});
+    } else {
+      same->atoms = same->atoms.with(atoms);
+    }
+  }
+  std::erase_if(all, [](const OwnColour& own) { return own.atoms.empty(); });
+}
+
+namespace {
+
+AtomSet named_set(const Molecule& molecule, std::string_view expression) {
+  const auto is_named = atoms_named(molecule, expression);
+  std::vector<bool> atoms(molecule.atoms.size());
+  for (std::size_t i = 0; i < atoms.size(); ++i) atoms[i] = is_named(i);
+  AtomSet set = atom_set(molecule, atoms);
+  if (set.empty()) {
+    throw std::invalid_argument("no atom is \"" + std::string(expression) + "\"");
+  }
+  return set;
+}
+
+std::string_view trimmed(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(' ');
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(' ') - first + 1);
+}
+
+}  // namespace
+
+Appearance read_appearance(const Molecule& molecule, const AppearanceWords& words) {
+  Appearance appearance;
+  if (!words.only.empty()) {
+    const AtomSet all = atom_set(molecule, std::vector<bool>(molecule.atoms.size(), true));
+    appearance.hidden = all.without(named_set(molecule, words.only));
+  }
+  if (!words.hide.empty()) {
+    appearance.hidden = appearance.hidden.with(named_set(molecule, words.hide));
+  }
+  for (std::string_view rest = words.colours; !rest.empty();) {
+    const std::size_t end = std::min(rest.find(';'), rest.size());
+    const std::string_view part = trimmed(rest.substr(0, end));
+    rest.remove_prefix(std::min(end + 1, rest.size()));
+    const std::size_t equals = part.rfind('=');
+    const std::string_view atoms = trimmed(part.substr(0, equals));
+    const std::optional<Rgb8> colour = equals == std::string_view::npos
+                                           ? std::nullopt
+                                           : read_colour(trimmed(part.substr(equals + 1)));
+    if (!colour || atoms.empty()) {
+      throw std::invalid_argument("\"" + std::string(part) +
+                                  "\" is no atoms and their colour, such as resn HEM=#ff8800");
+    }
+    set_colour(appearance, named_set(molecule, atoms), colour);
+  }
+  return appearance;
+}
+
+PreparedBalls left_out_and_shown(const Molecule& molecule, const PreparedBalls& prepared,
+                                 const AtomSet& hidden) {
+  PreparedBalls shown;
+  shown.left_out = prepared.left_out;
+  if (hidden.empty()) return shown;
+  const std::vector<bool> atoms = atoms_of(molecule, hidden);
+  std::erase_if(shown.left_out, [&](const LeftOutAtom& left) { return atoms[left.atom]; });
+  return shown;
+}
+
+std::vector<Rgb8> painted(std::vector<Rgb8> colours, const BallAppearance* looks) {
+  if (looks) looks->paint(colours);
+  return colours;
+}
+
+std::vector<float> shown_radii(std::vector<float> radii, const BallAppearance* looks) {
+  if (!looks || looks->hidden.empty()) return radii;
+  for (std::size_t ball = 0; ball < radii.size(); ++ball) {
+    if (looks->hidden[ball]) radii[ball] = 0;
+  }
+  return radii;
+}
+
+BallAppearance ball_appearance(const Molecule& molecule,
+                               const std::vector<std::uint32_t>& atom_of_ball,
+                               const Appearance& appearance) {
+  BallAppearance of;
+  if (!appearance.hidden.empty()) {
+    const std::vector<bool> atoms = atoms_of(molecule, appearance.hidden);
+    of.hidden.resize(atom_of_ball.size());
+    for (std::size_t ball = 0; ball < atom_of_ball.size(); ++ball) {
+      of.hidden[ball] = atoms[atom_of_ball[ball]];
+      of.hidden_balls += of.hidden[ball];
+    }
+    if (of.hidden_balls == 0) of.hidden.clear();
+  }
+  for (const OwnColour& own : appearance.colours) {
+    const std::vector<bool> atoms = atoms_of(molecule, own.atoms);
+    for (std::size_t ball = 0; ball < atom_of_ball.size(); ++ball) {
+      if (atoms[atom_of_ball[ball]]) {
+        of.colours.emplace_back(static_cast<BallIndex>(ball), own.colour);
+      }
+    }
+  }
+  std::sort(of.colours.begin(), of.colours.end(),
+            [](const auto& a, const auto& b) { return a.first < b.first; });
+  return of;
+}
+
+}  // namespace alphascope

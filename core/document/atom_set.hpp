@@ -1,0 +1,45 @@
+// Atoms of a file and of its copies in an assembly, as runs: small for chains and residues, which
+// is what people hide and colour, and cheap to keep in every entry of the history.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "core/document/reference.hpp"
+
+namespace alphascope {
+
+class AtomSet {
+ public:
+  // Atoms first to last of one copy, as in AtomRef.
+  struct Run {
+    std::uint32_t copy = 0, first = 0, last = 0;
+    friend auto operator<=>(const Run&, const Run&) = default;
+  };
+
+  AtomSet() = default;
+  explicit AtomSet(std::vector<Run> runs);  // in any order, also overlapping
+
+  const std::vector<Run>& runs() const;  // ascending, with gaps between them
+  bool empty() const { return runs().empty(); }
+  std::uint64_t size() const;  // atoms
+  bool contains(const AtomRef& atom) const;
+
+  AtomSet with(const AtomSet& other) const;
+  AtomSet without(const AtomSet& other) const;
+
+  friend bool operator==(const AtomSet& a, const AtomSet& b) {
+    return a.runs_ == b.runs_ || a.runs() == b.runs();
+  }
+
+ private:
+  std::shared_ptr<const std::vector<Run>> runs_;  // null: none
+};
+
+// Of one value an atom of the molecule to a set, and back. Atoms that the molecule lacks, since it
+// is another assembly, have no value.
+AtomSet atom_set(const Molecule& molecule, const std::vector<bool>& atoms);
+std::vector<bool> atoms_of(const Molecule& molecule, const AtomSet& set);
+
+}  // namespace alphascope

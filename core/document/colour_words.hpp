@@ -1,0 +1,16 @@
+// Colours as people type them.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "core/molecule/atom_colours.hpp"
+
+namespace alphascope {
+
+std::string colour_text(const Rgb8& colour);  // "#5aa9e6"
+// "#5aa9e6", "5AA9E6" or "#5ae"; none: it is no such text.
+std::optional<Rgb8> read_colour(std::string_view text);
+
+}  // namespace alphascope

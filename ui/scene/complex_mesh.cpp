@@ -58,7 +58,7 @@ class MeshBuilder {
     if (options_.tetrahedra) mesh.tetrahedra_drawn = complex_.tetrahedra.size();
     if (whole) mesh.tetrahedra = tetrahedra();
     if (outside || options_.boundary) {
-      ResultArray<FaceCode> faces = outer_faces(complex_, cancel_);
+      ResultArray<FaceCode> faces = outside_of_all();
       if (outside && options_.boundary) mesh.boundary = faces_of_tetrahedra(faces);
       (outside ? mesh.outside : mesh.boundary) = faces_of_tetrahedra(std::move(faces));
     }
@@ -69,6 +69,15 @@ class MeshBuilder {
   }
 
  private:
+  // An engine that errs, in its classes too, is compared with CGAL and its complex must be seen.
+  ResultArray<FaceCode> outside_of_all() const {
+    try {
+      return outer_faces(complex_, cancel_);
+    } catch (const std::invalid_argument&) {
+      return outer_faces(complex_.tetrahedra.simplices, cancel_);
+    }
+  }
+
   template <int N>
   bool fits(const SimplexList<N>& list) const {
     std::atomic<bool> fits = true;

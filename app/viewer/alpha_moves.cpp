@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <map>
 #include <stdexcept>
 #include <vector>
 
 #include "app/viewer/viewer.hpp"
+#include "core/run/picture_stages.hpp"
 #include "ui/panels/controls.hpp"
 
 namespace alphascope {
@@ -62,6 +64,7 @@ class AlphaMover {
 
 // "12.3 (15.1)": median and longest.
 std::string summary(std::vector<double> times) {
+  if (times.empty()) return "none";
   std::sort(times.begin(), times.end());
   char text[64];
   std::snprintf(text, sizeof text, "%.2f (%.2f)", times[times.size() / 2], times.back());
@@ -73,6 +76,7 @@ std::string summary(std::vector<double> times) {
 std::string time_alpha_moves(Viewer& viewer, ScriptedInput& input, double angstrom2, int moves) {
   AlphaMover mover(viewer, input);
   std::vector<double> whole, engine;
+  std::map<std::string, std::vector<double>> stages;
   std::uint64_t hash = 0;
   for (int i = 0; i < moves; ++i) {
     mover.move_to(angstrom2 + (i % 2 == 0 ? kBeside : -kBeside));
@@ -80,14 +84,21 @@ std::string time_alpha_moves(Viewer& viewer, ScriptedInput& input, double angstr
     whole.push_back(mover.move_to(angstrom2));
     const AlphaComplex& complex = viewer.state().result->complex;
     engine.push_back(complex.timings.wall_milliseconds);
+    for (const StageTime& stage : viewer.picture_stages()) {
+      stages[stage.label].push_back(stage.milliseconds);
+    }
     if (i > 0 && complex.hash != hash) throw std::runtime_error("two complexes for one alpha");
     hash = complex.hash;
     mover.rest();
   }
   char alpha[32];
   std::snprintf(alpha, sizeof alpha, "%g", angstrom2);
-  return std::string("alpha ") + alpha + ": " + summary(whole) + " ms to the picture, engine " +
-         summary(engine) + ", hash " + hash_text(hash);
+  std::string line = std::string("alpha ") + alpha + ": " + summary(whole) +
+                     " ms to the picture, engine " + summary(engine);
+  for (const auto label : {stage::kMesh, stage::kUpload, stage::kDraw}) {
+    line += ", " + std::string(label) + " " + summary(stages[std::string(label)]);
+  }
+  return line + ", hash " + hash_text(hash);
 }
 
 }  // namespace alphascope

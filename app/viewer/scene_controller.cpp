@@ -18,6 +18,7 @@ constexpr double kRefineAfterSeconds = 0.25;
 constexpr double kNotDue = 1e9;
 // A slice of refinement, where a single sample is quicker than that.
 constexpr double kSliceMilliseconds = 12;
+constexpr const char* kStandIn = "While it moves, the complex stands in for the balls.";
 // Newer pictures that arrive sooner than this follow the hand; saying so would flicker.
 constexpr std::chrono::milliseconds kOutdatedAfter{300};
 // A mesh that is newer than the one on screen is worth finishing: else a slow one would never be
@@ -82,7 +83,7 @@ void SceneController::set_display(const DisplayControls& display, Theme theme, f
   theme_ = theme;
   const bool new_scale = std::exchange(line_scale_, line_scale) != line_scale;
   if (before == display && !new_theme && !new_scale) return;
-  scene_.set_style(scene_style());
+  scene_.set_style(drawn_style());
   if (before.ball_colour != display.ball_colour || new_theme) update_colours();
   if (new_theme) draw_selected();
   if (before.ball_scale != display.ball_scale || before.grown_balls != display.grown_balls) {
@@ -218,6 +219,9 @@ void SceneController::describe(ViewportInfo& viewport) const {
   if (!drawn_layers_.not_drawn.empty()) {
     viewport.not_drawn += (viewport.not_drawn.empty() ? "" : " ") + drawn_layers_.not_drawn;
   }
+  if (stand_in_) {
+    viewport.not_drawn += (viewport.not_drawn.empty() ? "" : " ") + std::string(kStandIn);
+  }
   viewport.problem = view_problem_;
   viewport.hidden_balls = drawn_looks_ ? drawn_looks_->hidden_balls : 0;
   if (drawn_molecule_) {
@@ -256,14 +260,15 @@ void SceneController::render(ViewportInfo& viewport, bool interacting, bool pati
                                : refine_now && !change ? quality_.at_rest()
                                : follows               ? quality_.while_computing()
                                                        : quality_.moving();
+  choose_stand_in((refine_now && !change) || patient);
   try {
     draw(target, patient);
   } catch (const std::bad_alloc&) {
     return show_no_memory();
   }
   drawn_ = target;
-  refine_ = quality_.at_rest() == RenderQuality::fine && unfinished();
-  refine_ = refine_ || (target == RenderQuality::sketch);
+  refine_ = (quality_.at_rest() == RenderQuality::fine && unfinished()) ||
+            target == RenderQuality::sketch || stand_in_;
   viewport.texture = scene_.texture();
   viewport.angstrom_per_pixel = draws_nothing() ? 0 : scene_.angstrom_per_pixel();
   viewport.labels.clear();
@@ -279,7 +284,9 @@ void SceneController::draw(RenderQuality quality, bool patient) {
   double taken = 0;
   do {
     const double milliseconds = scene_.render(width_, height_, quality);
-    quality_.note(quality, milliseconds);
+    note_times(milliseconds);
+    if (!stand_in_) quality_.note(quality, milliseconds);
+    if (!stand_in_ && display_.balls) balls_.note(quality, milliseconds);
     taken += milliseconds;
     drawn_ = quality;
   } while (quality == RenderQuality::fine && unfinished() &&
@@ -288,6 +295,18 @@ void SceneController::draw(RenderQuality quality, bool patient) {
 
 bool SceneController::unfinished() const {
   return drawn_ != RenderQuality::fine || scene_.samples_drawn() < display_.samples;
+}
+
+void SceneController::choose_stand_in(bool at_rest) {
+  const bool faces = drawn_mesh_ && drawn_mesh_->faces_drawn() > 0;
+  const bool without = display_.balls && balls_.wanted(at_rest, faces);
+  if (std::exchange(stand_in_, without) != without) scene_.set_style(drawn_style());
+}
+
+SceneStyle SceneController::drawn_style() const {
+  SceneStyle style = scene_style();
+  if (stand_in_) style.balls = false;
+  return style;
 }
 
 // Not while the hand is moving the view: it is on its way.

@@ -10,6 +10,7 @@
 #include <memory>
 
 #include "app/session/session.hpp"
+#include "app/viewer/ball_stand_in.hpp"
 #include "app/viewer/picture_saver.hpp"
 #include "core/document/appearance.hpp"
 #include "core/document/session_file.hpp"
@@ -129,6 +130,9 @@ class SceneController {
   // What is on screen, for PictureSaver. Throws std::runtime_error when nothing is, or when there
   // is no memory for the picture.
   PictureToSave picture(const ScreenshotRequest& request) const;
+  // Milliseconds of the first picture of drawn_answer(): mesh, upload, draw; empty before it is
+  // there.
+  const std::vector<StageTime>& picture_stages() const { return picture_stages_; }
   // Where what is on screen comes from; empty when nothing is. texts(): to go into pictures of it.
   ComplexHeader header() const;
   PictureTexts texts() const;
@@ -188,6 +192,7 @@ class SceneController {
     std::shared_ptr<const ComplexMesh> mesh;
     std::shared_ptr<MeshData> mesh_data;
     MeshOptions options;  // of mesh
+    double mesh_milliseconds = 0;
     bool by_element = false;
     DrawnCaps caps;
     std::shared_ptr<CapData> cap_data;
@@ -242,10 +247,13 @@ class SceneController {
   void place_camera(const CameraPlace& camera);
   BallLook ball_look(const Answer* answer) const;  // as the controls have it
   SceneStyle scene_style() const;
+  SceneStyle drawn_style() const;  // of what is on screen, perhaps without balls
   void draw_selected();
   // With their own radii.
   BallGeometry drawn_places(const Selected& what) const;
   ViewProblem find_view_problem() const;
+  void note_times(double picture_milliseconds);
+  void choose_stand_in(bool at_rest);
   void check_view(ViewportInfo& viewport, bool interacting);
   void draw(RenderQuality quality, bool patient);
   bool unfinished() const;  // the picture on screen could have more samples
@@ -275,7 +283,11 @@ class SceneController {
   std::optional<Clock::time_point> outdated_since_;
   std::vector<float> radii_;  // Å, as drawn
   double pick_margin_ = 0;    // BallPicker::margin() of them
-  PickLayers picks_;          // of drawn_mesh_, or none yet
+  // Of what is drawn; not all there before its first picture.
+  std::vector<StageTime> picture_stages_;
+  BallStandIn balls_;
+  bool stand_in_ = false;  // the last picture is without balls
+  PickLayers picks_;       // of drawn_mesh_, or none yet
   Selected selected_;
   std::shared_ptr<const ComplexMesh> drawn_mesh_;
   MeshOptions drawn_options_;  // of drawn_mesh_

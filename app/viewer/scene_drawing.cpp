@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "app/viewer/scene_controller.hpp"
+#include "core/run/picture_stages.hpp"
 #include "ui/scene/ball_colours.hpp"
 #include "ui/scene/display_style.hpp"
 
@@ -106,10 +107,13 @@ Worker::Delivery SceneController::make_drawing(const Wanted& wanted, const RunCo
         drawing.radii);
   }
   if (answer && plan.balls) {
+    const Clock::time_point begun = Clock::now();
     drawing.mesh = std::make_shared<const ComplexMesh>(
         make_mesh(m, simplex_colours(m, by_element, looks), answer->complex, plan.mesh, looks,
                   context.cancel));
     drawing.mesh_data = make_mesh_data(drawing.mesh);
+    drawing.mesh_milliseconds =
+        std::chrono::duration<double, std::milli>(Clock::now() - begun).count();
     drawing.options = plan.mesh;
     drawing.by_element = by_element;
     drawing.caps =
@@ -181,6 +185,7 @@ void SceneController::show(Drawing drawing) {
   alpha_legend_ = drawing.mesh && drawing.mesh->scale ? std::optional(drawing.mesh->scale->legend())
                                                       : std::nullopt;
   drawn_mesh_ = std::move(drawing.mesh);
+  picture_stages_ = {{std::string(stage::kMesh), drawing.mesh_milliseconds, false}};
   submit_picks();
   drawn_differences_ = std::move(drawing.differences);
   drawn_options_ = drawing.options;
@@ -193,7 +198,7 @@ void SceneController::show(Drawing drawing) {
   if (!new_balls) return;
   submit_beside_body();
   viewed_ = draws_nothing() ? nullptr : drawn_molecule_->molecule;
-  if (!keep_view) quality_.forget();
+  if (!keep_view) quality_.forget(), balls_.forget();
   // Other atoms of the same molecule keep the view, unless it shows none of them.
   const ViewProblem problem = find_view_problem();
   const bool shows_none = problem != ViewProblem::none && problem != ViewProblem::cut_away;
@@ -212,6 +217,14 @@ void SceneController::submit_picks() {
       if (mesh == drawn_mesh_) picks_ = layers;
     };
   });
+}
+
+// What of a picture goes into balls and edges counts as drawing it.
+void SceneController::note_times(double picture_milliseconds) {
+  const double upload = scene_.take_upload_milliseconds();
+  if (picture_stages_.size() != 1) return;
+  picture_stages_.push_back({std::string(stage::kUpload), upload, false});
+  picture_stages_.push_back({std::string(stage::kDraw), picture_milliseconds - upload, false});
 }
 
 // Colours and radii come with the drawing, unless the controls have changed since it was begun.

@@ -215,6 +215,7 @@ void Viewer::take_session() {
   if (changes.agreement && s.agreement) scene_.set_agreement(s.agreement);
   if (s.ours) {  // else the next answer is on its way
     state_.ours = s.our_timings;
+    add_picture_stages();
     state_.cgal = s.reference_timings;
     state_.cgal_parallel = s.parallel_timings;
   }

@@ -45,6 +45,8 @@ class Viewer {
   void step(ScriptedInput* input);
   // Waits until the last frame is drawn, also where a GPU draws.
   void finish_frame() { frame_.finish(); }
+  // Milliseconds: SceneController::picture_stages().
+  const std::vector<StageTime>& picture_stages() const { return scene_.picture_stages(); }
   // Takes in results until the next frame may be drawn; whether anything happened.
   bool wait_for_frame();
   // A molecule, a complex, a comparison or a mesh is on its way.
@@ -122,6 +124,7 @@ class Viewer {
   void take_saved();
   void send_controls();  // changed controls to session and scene
   bool awaits_panels() const;
+  void add_picture_stages();
   bool waits_for_tables();
   void send_selection();
   Settings settings() const;  // as the controls have them

@@ -157,4 +157,16 @@ void Viewer::compare_when_due() {
   session_.request_comparison();
 }
 
+// After the engine's, in the run that they are of.
+void Viewer::add_picture_stages() {
+  const auto& answer = scene_.drawn_answer();
+  if (!answer || answer != session_.state().ours) return;
+  auto& run = answer->cold ? state_.ours.cold : state_.ours.warm;
+  if (!run || run->alpha_angstrom2 != answer->request.alpha_angstrom2) return;
+  const auto& stages = scene_.picture_stages();
+  if (stages.size() > 1) {
+    run->times.stages.insert(run->times.stages.end(), stages.begin(), stages.end());
+  }
+}
+
 }  // namespace alphascope

@@ -148,6 +148,7 @@ void draw_waterfall(PanelContext& ctx, float height) {
   bool only_tetrahedra = false;
   if (const MeasuredRun* run = shown_run(s.ours, s.memory.timings_cold)) {
     add_lines(lines, s.ours.engine, *run, p.bar_ours, p.bar_ours_setup);
+    range = std::max(range, lines.back().start + lines.back().length);  // beyond it: the picture
     range = std::max(range, run->times.wall_milliseconds);
     only_tetrahedra |= run->tetrahedra_only;
   }

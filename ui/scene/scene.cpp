@@ -79,6 +79,14 @@ void Scene::set_mesh(std::shared_ptr<MeshData> mesh) {
   impl_->show_mesh(std::move(mesh));
 }
 
+double Scene::take_upload_milliseconds() {
+  double sum = 0;
+  for (CellActor* c : {&impl_->tetrahedra, &impl_->boundary, &impl_->triangles}) {
+    sum += c->mapper->take_upload_milliseconds();
+  }
+  return sum;
+}
+
 void Scene::set_caps(std::shared_ptr<CapData> caps) {
   impl_->mean.forget();
   impl_->caps.show(caps ? caps->faces : nullptr, impl_->window);

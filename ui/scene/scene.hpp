@@ -62,6 +62,9 @@ class Scene {
   void set_ball_colours(const std::vector<Rgb8>& colours);
   // Null: none. Removes the caps of the last one.
   void set_mesh(std::shared_ptr<MeshData> mesh);
+  // Of the time of pictures, what went into handing faces and tetrahedra over to OpenGL, since this
+  // was last asked.
+  double take_upload_milliseconds();
   // What closes the tetrahedra of the mesh in the planes of the cut; null: nothing. Not shown with
   // translucent ones.
   void set_caps(std::shared_ptr<CapData> caps);

@@ -1,0 +1,12 @@
+// The stages of a picture of a complex, which follow those of its engine.
+#pragma once
+
+#include <string_view>
+
+namespace alphascope::stage {
+
+inline constexpr std::string_view kMesh = "mesh";      // arrays of what is drawn
+inline constexpr std::string_view kUpload = "upload";  // their way to OpenGL
+inline constexpr std::string_view kDraw = "draw";      // the rest of the first frame with them
+
+}  // namespace alphascope::stage

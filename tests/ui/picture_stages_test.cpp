@@ -1,0 +1,50 @@
+// When balls are left out while something moves, and what the timings say of a picture.
+#include "app/viewer/ball_stand_in.hpp"
+
+#include <gtest/gtest.h>
+
+#include "core/run/picture_stages.hpp"
+#include "tests/ui/viewer_fixture.hpp"
+
+namespace alphascope {
+namespace {
+
+TEST(BallStandIn, OnlyForSlowPicturesThatMove) {
+  BallStandIn balls;
+  EXPECT_FALSE(balls.wanted(false, true)) << "nothing is known yet";
+  balls.note(RenderQuality::sketch, BallStandIn::kMost + 1);
+  EXPECT_TRUE(balls.wanted(false, true));
+  EXPECT_FALSE(balls.wanted(true, true)) << "at rest all is drawn";
+  EXPECT_FALSE(balls.wanted(false, false)) << "the picture would be empty";
+  balls.note(RenderQuality::fine, 1);
+  EXPECT_TRUE(balls.wanted(false, true)) << "of another quality";
+  balls.note(RenderQuality::draft, BallStandIn::kMost + 1);
+  EXPECT_FALSE(balls.wanted(false, true)) << "a sketch has fewer pixels";
+  balls.note(RenderQuality::draft, 10 * BallStandIn::kMost);
+  EXPECT_TRUE(balls.wanted(false, true));
+  balls.forget();
+  EXPECT_FALSE(balls.wanted(false, true));
+}
+
+class PictureStages : public testing::ViewerTest {};
+
+// After those of the engine, which alone are its wall time.
+TEST_F(PictureStages, FollowTheEnginesInItsTimings) {
+  open_crambin();
+  run("click alpha.preset.1.4\nwait-idle\nframes 2\n");
+  const auto& run_of = viewer_->state().ours.warm;
+  ASSERT_TRUE(run_of);
+  const auto& stages = run_of->times.stages;
+  ASSERT_GE(stages.size(), 4u);
+  const auto first = stages.end() - 3;
+  EXPECT_EQ(first[0].label, stage::kMesh);
+  EXPECT_EQ(first[1].label, stage::kUpload);
+  EXPECT_EQ(first[2].label, stage::kDraw);
+  for (int i = 0; i < 3; ++i) EXPECT_GT(first[i].milliseconds, 0) << first[i].label;
+  double engine = 0;
+  for (auto s = stages.begin(); s != first; ++s) engine += s->milliseconds;
+  EXPECT_LE(engine, 1.01 * run_of->times.wall_milliseconds);
+}
+
+}  // namespace
+}  // namespace alphascope

@@ -63,6 +63,13 @@ TEST_F(AppearanceTest, SavedPicturesSessionsAndTheCommandLineShowTheSame) {
   run("alpha.set 3\nview.triangles on\nview.edges on\nview.clip x=9.5\n");
   hide_half();
   run("atoms.colour #ff00ff element O\nwait-idle\n");
+  DisplayControls& display = viewer_->state().display;
+  const DisplayControls usual;  // the command line's
+  display.ambient_occlusion = usual.ambient_occlusion;
+  display.depth_cue = usual.depth_cue;
+  display.silhouettes = usual.silhouettes;
+  display.samples = 4;
+  run("frames 3\nwait-idle\n");
   viewer_->state().requests.screenshot =
       ScreenshotRequest{folder_ / "window.png", {400, 300, false, true, false}};
   run("wait-idle\n");
@@ -74,7 +81,7 @@ TEST_F(AppearanceTest, SavedPicturesSessionsAndTheCommandLineShowTheSame) {
     EXPECT_EQ(std::system(command.c_str()), 0) << command;
     return pixels_of(folder_ / "cli.png");
   };
-  const std::string crambin_at_3 = crambin().string() + " --alpha 3 --clip x=9.5 ";
+  const std::string crambin_at_3 = crambin().string() + " --alpha 3 --clip x=9.5 --samples 4 ";
   const std::string hide = "--hide \"resi 1-20\"", colours = " --atom-colours \"element O=#f0f\"";
   EXPECT_LE(share_unlike(window, drawn(crambin_at_3 + hide + colours)), 0.001);
   EXPECT_GT(share_unlike(window, drawn(crambin_at_3 + hide)), 0.003);

@@ -171,12 +171,12 @@ struct ScreenshotCommandOptions {
   bool no_shadows = false;
   std::optional<double> depth_cue, outlines, samples;  // none: the preset's, or the window's
   AppearanceWords appearance;
-  std::string clip = "off";                            // as read_clip() takes it
-  std::string beside = "ligands,ions";                 // kinds of AtomsBesideBody, or "none"
-  std::optional<std::uint64_t> drawing_memory_mb;      // taken as free; none: what is
-  std::filesystem::path session;                       // empty: none; else input.file may be empty
-  std::vector<std::string> beside_session;             // options that a session says itself
-  std::vector<std::string> arguments;                  // as given, for the program that draws
+  std::string clip = "off";                        // as read_clip() takes it
+  std::string beside = "ligands,ions";             // kinds of AtomsBesideBody, or "none"
+  std::optional<std::uint64_t> drawing_memory_mb;  // taken as free; none: what is
+  std::filesystem::path session;                   // empty: none; else input.file may be empty
+  std::vector<std::string> beside_session;         // options that a session says itself
+  std::vector<std::string> arguments;              // as given, for the program that draws
 };
 
 ExitCode run_info(const InfoOptions& options);

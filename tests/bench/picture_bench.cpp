@@ -69,8 +69,9 @@ int main(int argc, char** argv) try {
   style.silhouettes = 1.5f;
   style.samples = kMostSamples;
   scene.set_style(style);
-  std::printf("%zu balls, %zu tetrahedra, %zu points in the mesh, %d x %d\n",
-              geometry->centres.size(), complex.tetrahedra.size(), mesh->points(), width, height);
+  std::printf("%zu balls, %zu tetrahedra, %zu faces in the mesh, %d x %d\n",
+              geometry->centres.size(), complex.tetrahedra.size(), mesh->faces_drawn(), width,
+              height);
   const auto render = [&](RenderQuality quality) { return scene.render(width, height, quality); };
   render(RenderQuality::draft);
   report("sketch", scene, 7, [&] { return render(RenderQuality::sketch); });

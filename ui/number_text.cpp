@@ -29,4 +29,20 @@ std::string short_number_text(double value, int decimals) {
   return text == "−0" ? "0" : text;
 }
 
+std::string with_minus_signs(const std::string& sentence) {
+  const auto is_digit = [&](std::size_t at) {
+    return at < sentence.size() && sentence[at] >= '0' && sentence[at] <= '9';
+  };
+  std::string text;
+  for (std::size_t i = 0; i < sentence.size(); ++i) {
+    const bool starts = i == 0 || sentence[i - 1] == ' ' || sentence[i - 1] == '(';
+    if (sentence[i] == '-' && starts && is_digit(i + 1)) {
+      text += "−";
+    } else {
+      text += sentence[i];
+    }
+  }
+  return text;
+}
+
 }  // namespace alphascope

@@ -17,6 +17,11 @@ TEST(Format, CountsHaveSeparators) {
   EXPECT_EQ(with_separators(-1234567), "−1,234,567");
 }
 
+TEST(Format, SentencesHaveTrueMinusSigns) {
+  EXPECT_EQ(with_minus_signs("-1 Å² at (-2.5, -3, 4-5) with A:GLY-3, e-5 and a-b - c"),
+            "−1 Å² at (−2.5, −3, 4-5) with A:GLY-3, e-5 and a-b - c");
+}
+
 TEST(Format, TimesHaveThreeDigitsAndAUnit) {
   EXPECT_EQ(milliseconds_text(0.0421), "0.042 ms");
   EXPECT_EQ(milliseconds_text(2.534), "2.53 ms");

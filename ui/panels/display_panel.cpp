@@ -155,7 +155,7 @@ void draw_display_panel(PanelContext& ctx) {
 }
 
 void draw_look_panel(PanelContext& ctx) {
-  if (!section(ctx, "look", "Light and lines")) return;
+  if (!section(ctx, "look", "Light")) return;
   DisplayControls& d = ctx.state.display;
   row_label(ctx, "Depth cue");
   percent_slider(ctx, "look.depth_cue", d.depth_cue, 0, 1);

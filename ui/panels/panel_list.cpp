@@ -24,7 +24,7 @@ constexpr PanelSpec kPanels[] = {
     {"molecule", "Molecule", Place::left, draw_molecule_panel},
     {"alpha", "Alpha", Place::left, draw_alpha_panel},
     {"display", "Display", Place::left, draw_display_panel},
-    {"look", "Light and lines", Place::left, draw_look_panel},
+    {"look", "Light", Place::left, draw_look_panel},
     {"clip", "Clip", Place::left, draw_clip_panel},
     {"engine", "Engine", Place::left, draw_engine_panel},
     {"timings", "Timings", Place::bottom, draw_timings_panel},

@@ -57,12 +57,25 @@ std::string badge_help(const ViewState& s) {
   return text;
 }
 
+// "✓ identical to CGAL", or its first word, where there is no room for the numbers; the tooltip has
+// them.
+std::string badge_text(const std::string& full, float room) {
+  const auto fits = [room](const std::string& text) {
+    return ImGui::CalcTextSize(text.c_str()).x <= room;
+  };
+  if (fits(full)) return full;
+  const std::string what = full.substr(0, full.find_first_of(":,"));
+  if (fits(what)) return what;
+  return what.substr(0, what.find(' ', what.find(' ') + 1));
+}
+
 void badge(PanelContext& ctx) {
   const BadgeInfo& b = ctx.state.badge;
   const BadgeLook l = look(ctx.palette, b.state);
   const std::string full = l.symbol + b.text;
-  const float room = ImGui::GetContentRegionAvail().x - ctx.px(290);
-  pill(ctx, fitted_text(full, room), l.text, l.fill);
+  const bool compared = b.state == BadgeInfo::State::identical;
+  const float room = ImGui::GetContentRegionAvail().x - ctx.px(compared ? 220 : 290);
+  pill(ctx, compared ? badge_text(full, room) : fitted_text(full, room), l.text, l.fill);
   record(ctx, "timings.badge");
   tooltip(ctx, (full + badge_help(ctx.state)).c_str());
 }

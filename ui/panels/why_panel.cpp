@@ -1,6 +1,7 @@
 // Why is the selected simplex in the complex, or not? Sentences with their numbers, buttons to go
 // to what decides, and the orthosphere in the picture.
 #include "core/document/store.hpp"
+#include "ui/number_text.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/panels/why_layer.hpp"
 
@@ -37,7 +38,7 @@ void draw_line(PanelContext& ctx, const ExplanationLine& line, std::size_t numbe
   muted_text(ctx, line.heading);
   ImGui::SetCursorPos({left + ctx.px(kHeading), top});
   const float width = ImGui::GetContentRegionAvail().x - ctx.px(kButton + 12);
-  const std::string text = broken_lines(line.text, width);
+  const std::string text = broken_lines(with_minus_signs(line.text), width);
   if (current) {
     ImGui::TextUnformatted(text.c_str());
   } else {

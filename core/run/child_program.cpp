@@ -1,0 +1,165 @@
+// See the header. Input goes through a socket: writing to one whose other end has ended gives an
+// error without a signal, which a pipe does not.
+#include "core/run/child_program.hpp"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <spawn.h>
+#include <sys/mman.h>
+#include <sys/socket.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstdint>
+#include <cstdlib>
+#include <cstring>
+#include <stdexcept>
+#include <thread>
+#include <utility>
+
+extern char** environ;  // NOLINT(readability-redundant-declaration)
+
+namespace alphascope {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kLookMilliseconds = 50;  // how often a cancel is looked for
+
+int status_of(int status) {
+  return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+}
+
+// What the child begins with: its streams, default signals, a group of its own.
+class SpawnSettings {
+ public:
+  SpawnSettings(int input, int errors) {
+    posix_spawn_file_actions_init(&actions_);
+    posix_spawn_file_actions_adddup2(&actions_, input, STDIN_FILENO);
+    posix_spawn_file_actions_addopen(&actions_, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+    posix_spawn_file_actions_adddup2(&actions_, errors, STDERR_FILENO);
+    posix_spawnattr_init(&attributes_);
+    sigset_t none, all;
+    sigemptyset(&none);
+    sigfillset(&all);
+    posix_spawnattr_setsigmask(&attributes_, &none);
+    posix_spawnattr_setsigdefault(&attributes_, &all);
+    posix_spawnattr_setpgroup(&attributes_, 0);
+    posix_spawnattr_setflags(
+        &attributes_, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETPGROUP);
+  }
+  ~SpawnSettings() {
+    posix_spawn_file_actions_destroy(&actions_);
+    posix_spawnattr_destroy(&attributes_);
+  }
+  SpawnSettings(const SpawnSettings&) = delete;
+  SpawnSettings& operator=(const SpawnSettings&) = delete;
+
+  int start(pid_t& process, const char* program, char* const* arguments) const {
+    return ::posix_spawn(&process, program, &actions_, &attributes_, arguments, environ);
+  }
+
+ private:
+  posix_spawn_file_actions_t actions_;
+  posix_spawnattr_t attributes_;
+};
+
+}  // namespace
+
+std::optional<fs::path> find_program(std::string_view name) {
+  const char* const path = std::getenv("PATH");
+  std::string_view folders = path == nullptr ? "/usr/local/bin:/usr/bin:/bin" : path;
+  while (!folders.empty()) {
+    const std::size_t end = folders.find(':');
+    const fs::path program = fs::path(folders.substr(0, end)) / name;
+    std::error_code ignored;
+    if (fs::is_regular_file(program, ignored) && ::access(program.c_str(), X_OK) == 0) {
+      return program;
+    }
+    folders.remove_prefix(end == std::string_view::npos ? folders.size() : end + 1);
+  }
+  return std::nullopt;
+}
+
+ChildProgram::ChildProgram(const fs::path& program, const std::vector<std::string>& arguments) {
+  int ends[2];
+  if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) {
+    throw std::runtime_error("Cannot start " + program.string() + ": " + std::strerror(errno) +
+                             ".");
+  }
+  input_ = ends[0];
+  errors_ = ::memfd_create("errors", MFD_CLOEXEC);
+  std::vector<char*> words{const_cast<char*>(program.c_str())};  // execv's type; it changes nothing
+  for (const std::string& a : arguments) words.push_back(const_cast<char*>(a.c_str()));
+  words.push_back(nullptr);
+  pid_t process = -1;
+  const int error =
+      errors_ < 0 ? errno
+                  : SpawnSettings(ends[1], errors_).start(process, program.c_str(), words.data());
+  ::close(ends[1]);
+  if (error != 0) {
+    close_input();
+    if (errors_ >= 0) ::close(errors_);
+    throw std::runtime_error("Cannot start " + program.string() + ": " + std::strerror(error) +
+                             ".");
+  }
+  process_ = process;
+}
+
+ChildProgram::~ChildProgram() {
+  close_input();
+  ::close(errors_);
+  if (process_ < 0) return;
+  ::kill(-process_, SIGKILL);
+  while (::waitpid(process_, nullptr, 0) < 0 && errno == EINTR) {
+  }
+}
+
+void ChildProgram::close_input() {
+  if (input_ >= 0) ::close(std::exchange(input_, -1));
+}
+
+bool ChildProgram::write(std::span<const std::uint8_t> bytes, const CancelToken& cancel) {
+  while (!bytes.empty()) {
+    cancel.throw_if_cancelled();
+    pollfd ready{input_, POLLOUT, 0};
+    if (::poll(&ready, 1, kLookMilliseconds) <= 0) continue;  // a signal, or not yet
+    const ssize_t sent = ::send(input_, bytes.data(), bytes.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
+    if (sent < 0 && (errno == EINTR || errno == EAGAIN)) continue;
+    if (sent < 0) return false;
+    bytes = bytes.subspan(static_cast<std::size_t>(sent));
+  }
+  return true;
+}
+
+int ChildProgram::finish(const CancelToken& cancel) {
+  close_input();
+  for (;;) {
+    int status = 0;
+    const pid_t ended = ::waitpid(process_, &status, WNOHANG);
+    if (ended == process_) {
+      process_ = -1;
+      return status_of(status);
+    }
+    cancel.throw_if_cancelled();
+    std::this_thread::sleep_for(std::chrono::milliseconds(kLookMilliseconds / 5));
+  }
+}
+
+std::string ChildProgram::said(std::size_t most) const {
+  struct stat status {};
+  if (::fstat(errors_, &status) != 0) return {};
+  const std::size_t length = std::min(most, static_cast<std::size_t>(status.st_size));
+  std::string text(length, '\0');
+  const ssize_t got =
+      ::pread(errors_, text.data(), length, status.st_size - static_cast<off_t>(length));
+  text.resize(got < 0 ? 0 : static_cast<std::size_t>(got));
+  return text;
+}
+
+}  // namespace alphascope

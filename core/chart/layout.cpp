@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/chart/nice_step.hpp"
 #include "core/chart/readable_number.hpp"
 
 namespace alphascope {
@@ -41,16 +42,6 @@ std::vector<double> sums(const Chart& chart) {
     }
   }
   return totals;
-}
-
-// 1, 2 or 5 times a power of ten, so that about `most` of them cover `span`.
-double nice_step(double span, int most) {
-  const double rough = span / std::max(1, most);
-  const double power = std::pow(10.0, std::floor(std::log10(std::max(rough, 1e-300))));
-  for (const double factor : {1.0, 2.0, 5.0}) {
-    if (factor * power >= rough * (1 - 1e-9)) return factor * power;
-  }
-  return 10 * power;
 }
 
 Range range_of(const std::vector<double>& values, bool ratios, int ticks) {

@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "core/chart/layout.hpp"
+#include "core/chart/xml_text.hpp"
 #include "core/io/atomic_file.hpp"
 
 namespace alphascope {
@@ -15,30 +16,6 @@ float estimated_width(const std::string& text) {
   std::size_t letters = 0;
   for (const char c : text) letters += (static_cast<unsigned char>(c) & 0xC0) != 0x80;
   return static_cast<float>(letters) * kLetterWidth * kFont;
-}
-
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      default:
-        // XML 1.0 has no other control characters.
-        if (static_cast<unsigned char>(c) >= 0x20 || c == '\t') out += c;
-    }
-  }
-  return out;
 }
 
 template <class... Args>
@@ -83,7 +60,7 @@ std::string svg_text(const ChartText& t) {
   return format("<text x=\"%.1f\" y=\"%.1f\" fill=\"%s\" text-anchor=\"%s\"",
                 static_cast<double>(t.x), static_cast<double>(t.y + kFont * 0.36f), colour(t.ink),
                 anchor(t.anchor)) +
-         (t.title ? " font-weight=\"bold\">" : ">") + escaped(t.text) + "</text>\n";
+         (t.title ? " font-weight=\"bold\">" : ">") + xml_text(t.text) + "</text>\n";
 }
 
 }  // namespace
@@ -102,13 +79,13 @@ std::string chart_svg(const Chart& chart, float width) {
     svg += format("<rect x=\"%.1f\" y=\"%.1f\" width=\"%.1f\" height=\"%.1f\" fill=\"%s\">",
                   static_cast<double>(b.x), static_cast<double>(b.y), static_cast<double>(b.width),
                   static_cast<double>(b.height), hex(chart_colour(b.series)).c_str()) +
-           "<title>" + escaped(b.tip) + "</title></rect>\n";
+           "<title>" + xml_text(b.tip) + "</title></rect>\n";
   }
   for (const ChartDot& p : d.dots) {
     svg +=
         format("<circle cx=\"%.1f\" cy=\"%.1f\" r=\"3.5\" fill=\"%s\">", static_cast<double>(p.x),
                static_cast<double>(p.y), hex(chart_colour(p.series)).c_str()) +
-        "<title>" + escaped(p.tip) + "</title></circle>\n";
+        "<title>" + xml_text(p.tip) + "</title></circle>\n";
   }
   for (const ChartText& t : d.texts) svg += svg_text(t);
   return svg + "</svg>\n";

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/geometry/ball_set.hpp"
+#include "core/run/large_pages.hpp"
 
 namespace alphascope {
 
@@ -35,12 +36,18 @@ class ResultAllocator {
   ResultAllocator(const ResultAllocator<U>&) {}
 
   T* allocate(std::size_t count) {
-    if (count > room_) return std::allocator<T>().allocate(count);
+    if (count > room_) {
+      if (is_large(count)) return static_cast<T*>(allocate_large(count * sizeof(T)));
+      return std::allocator<T>().allocate(count);
+    }
     room_ = 0;
     return at_;
   }
   void deallocate(T* memory, std::size_t count) {
-    if (memory != at_) return std::allocator<T>().deallocate(memory, count);
+    if (memory != at_) {
+      if (is_large(count)) return free_large(memory);
+      return std::allocator<T>().deallocate(memory, count);
+    }
     at_ = nullptr;
     owner_.reset();
   }
@@ -54,6 +61,10 @@ class ResultAllocator {
   }
 
  private:
+  static bool is_large(std::size_t count) {
+    return count >= kLargeArrayBytes / sizeof(T) && count <= std::size_t(-1) / sizeof(T);
+  }
+
   std::shared_ptr<const void> owner_;
   T* at_ = nullptr;
   std::size_t room_ = 0;  // elements at `at_`, until they are allocated

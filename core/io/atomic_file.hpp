@@ -34,6 +34,9 @@ class AtomicFile {
 
   // The file that commit() makes or replaces, behind all links; "" when written directly.
   const std::filesystem::path& replaced() const { return target_; }
+  // The file that lies in its folder until commit(), for another program that writes it in place of
+  // write(); "" when written directly.
+  const std::filesystem::path& temporary() const { return temporary_; }
 
  private:
   void open_temporary();

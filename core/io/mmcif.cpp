@@ -192,7 +192,7 @@ class MmcifReader : public CifHandler {
     if (!insertion_code.empty()) atom.insertion_code = insertion_code[0];
     atom.residue_number = integer(kAuthSeq, integer(kLabelSeq, 0));
     atom.occupancy = real(kOccupancy, 1);
-    atom.b_factor = real(kBFactor, 0);
+    take_b_factor(real(kBFactor, kNoNumber), atom);
     // A symbol that is no element (X) stays unknown.
     std::optional<Element> stated;
     if (!value(kSymbol).empty()) stated = element_from_symbol(value(kSymbol));

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <array>
+#include <cmath>
+#include <limits>
 #include <vector>
 
 #include "core/io/decimal.hpp"
@@ -10,6 +12,15 @@
 #include "core/molecule/molecule.hpp"
 
 namespace alphascope {
+
+// What a reader gives for a number that the file leaves out.
+inline constexpr float kNoNumber = std::numeric_limits<float>::quiet_NaN();
+
+// Å², or kNoNumber.
+inline void take_b_factor(float b_factor, Atom& atom) {
+  atom.has_b_factor = !std::isnan(b_factor);
+  if (atom.has_b_factor) atom.b_factor = b_factor;
+}
 
 class MoleculeBuilder {
  public:

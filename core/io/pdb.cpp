@@ -166,7 +166,7 @@ class PdbReader {
     const std::string_view rest = line.size() > shift ? line.substr(shift) : std::string_view();
     take_names(line, rest, shift, atom);
     atom.occupancy = to_float(columns(rest, 55, 60), 1);
-    atom.b_factor = to_float(columns(rest, 61, 66), 0);
+    take_b_factor(to_float(columns(rest, 61, 66), kNoNumber), atom);
     atom.segment = segment(trimmed(columns(rest, 73, 76)));
     builder_.add(atom, position);
   }

@@ -3,7 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
+#include <new>
 #include <numeric>
+
+#include "tests/support/sanitizer.hpp"
 
 namespace alphascope {
 namespace {
@@ -89,6 +93,31 @@ TEST_F(InPlace, NothingNeedsNoMemory) {
 TEST(ResultArrays, AreEqualByTheirContent) {
   const auto memory = std::make_shared<std::vector<float>>(3, 1.0f);
   EXPECT_EQ(in_place<float>(memory, *memory), ResultArray<float>(3, 1.0f));
+}
+
+// Arrays that are so large have memory of another kind.
+TEST(LargeArray, GrowsAndIsCopiedAndMovedAsAnyOther) {
+  constexpr std::size_t kSmall = 100, kLarge = 3 * kLargeArrayBytes / sizeof(std::uint32_t);
+  ResultArray<std::uint32_t> array(kSmall);
+  std::iota(array.begin(), array.end(), 0u);
+  array.resize(kLarge);
+  std::iota(array.begin() + kSmall, array.end(), std::uint32_t{kSmall});
+  array.resize(kLarge + 1, 7u);
+  ResultArray<std::uint32_t> copy = array;
+  const ResultArray<std::uint32_t> moved = std::move(array);
+  copy.resize(kSmall);
+  copy.shrink_to_fit();
+  EXPECT_EQ(copy.capacity(), kSmall);
+  for (const std::size_t i : {std::size_t{0}, kSmall, kLarge - 1}) EXPECT_EQ(moved[i], i);
+  EXPECT_EQ(moved[kLarge], 7u);
+  EXPECT_EQ(copy[kSmall - 1], kSmall - 1);
+}
+
+TEST(LargeArray, SaysWhenThereIsNoSuchMemory) {
+  EXPECT_THROW(allocate_large(~std::size_t{0}), std::bad_alloc);
+  // AddressSanitizer ends the program where so much is asked for.
+  if (testing::kAddressSanitizer) return;
+  EXPECT_THROW(ResultArray<std::uint64_t>().resize(std::size_t{1} << 58), std::bad_alloc);
 }
 
 }  // namespace

@@ -1,0 +1,33 @@
+// The colours of quantities and of categories: published maps that colour-blind eyes can follow.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "core/molecule/atom_colours.hpp"
+
+namespace alphascope {
+
+enum class ColourMap : std::uint8_t { viridis, cividis, blue_white_red, rainbow };
+inline constexpr std::array kColourMaps = {ColourMap::viridis, ColourMap::cividis,
+                                           ColourMap::blue_white_red, ColourMap::rainbow};
+
+struct ColourMapInfo {
+  const char* id;     // "viridis"
+  const char* title;  // "Viridis"
+  const char* help;   // a sentence without full stop
+};
+const ColourMapInfo& colour_map_info(ColourMap map);
+std::optional<ColourMap> colour_map_named(std::string_view id);
+std::string colour_map_ids();  // "viridis|cividis|..."
+
+// 0 is the map's first colour, 1 its last; beyond, those.
+Rgb8 mapped_colour(ColourMap map, double share);
+
+// Of the n-th category, after Okabe and Ito; repeats after eight (core/chart/chart.hpp).
+Rgb8 category_colour(std::size_t n);
+
+}  // namespace alphascope

@@ -1,0 +1,48 @@
+// See the header.
+#include "core/chart/colour_scale.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/chart/nice_step.hpp"
+
+namespace alphascope {
+namespace {
+
+constexpr int kStepsOfARange = 5;
+// A range that ends at a round number in decimal digits must not lose it to rounding.
+constexpr double kSlack = 1e-9;
+
+}  // namespace
+
+double ColourScale::share(double value) const {
+  if (!(range.high > range.low)) return 0.5;
+  const double linear = std::clamp((value - range.low) / (range.high - range.low), 0.0, 1.0);
+  return root ? std::sqrt(linear) : linear;
+}
+
+double ColourScale::value(double share) const {
+  return range.low + (root ? share * share : share) * (range.high - range.low);
+}
+
+ColourRange round_range(double low, double high) {
+  if (low == high) {
+    if (low == 0) return {0, 1};
+    const double beside = nice_step(std::fabs(low), 2);
+    return {low - beside, high + beside};
+  }
+  const double step = nice_step(high - low, kStepsOfARange);
+  return {std::floor(low / step + kSlack) * step, std::ceil(high / step - kSlack) * step};
+}
+
+std::vector<double> round_values(const ColourRange& range, double step) {
+  constexpr double kMost = 1000;
+  std::vector<double> values;
+  const double first = std::ceil(range.low / step - kSlack);
+  const double last = std::floor(range.high / step + kSlack);
+  if (!(last - first < kMost)) return values;
+  for (double k = first; k <= last; ++k) values.push_back(k == 0 ? 0 : k * step);
+  return values;
+}
+
+}  // namespace alphascope

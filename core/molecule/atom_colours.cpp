@@ -25,7 +25,7 @@ Rgb8 element_colour(Element element) {
     case 1:
       return {228, 232, 236};  // H
     case 6:
-      return {148, 156, 166};  // C
+      return {122, 130, 141};  // C: as far from white as from the dark background
     case 7:
       return {84, 122, 226};  // N
     case 8:
@@ -67,6 +67,10 @@ Rgb8 element_colour(Element element) {
   }
 }
 
+Rgb8 chain_colour(std::size_t n) {
+  return kChainColours[n % kChainColours.size()];
+}
+
 std::vector<Rgb8> colours_by_element(const Molecule& molecule,
                                      const std::vector<std::uint32_t>& atom_of_ball) {
   std::vector<Rgb8> colours;
@@ -86,7 +90,7 @@ std::vector<Rgb8> colours_by_chain(const Molecule& molecule,
   for (const Atom& atom : molecule.atoms) {
     if (seen[atom.chain]) continue;
     seen[atom.chain] = true;
-    of_chain[atom.chain] = kChainColours[chains++ % kChainColours.size()];
+    of_chain[atom.chain] = chain_colour(chains++);
   }
   std::vector<Rgb8> colours;
   colours.reserve(atom_of_ball.size());

@@ -1,6 +1,7 @@
 // The colours that atoms have in pictures and in files for other programs.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -15,6 +16,7 @@ struct Rgb8 {
 };
 
 Rgb8 element_colour(Element element);
+Rgb8 chain_colour(std::size_t n);  // of the n-th chain; repeats after ten
 
 // `atom_of_ball` as in PreparedBalls: an index into the molecule's atoms for each ball.
 std::vector<Rgb8> colours_by_element(const Molecule& molecule,

@@ -28,7 +28,7 @@ struct Atom {
   std::int32_t residue_number = 0;  // the author's
   std::uint32_t source_line = 0;    // counted from 1; 0 when unknown
   float occupancy = 1;              // 1 when the file gives none
-  float b_factor = 0;               // Å²
+  float b_factor = 0;               // Å²; 0 when the file gives none
   NameId name = 0;
   NameId residue_name = 0;
   NameId chain = 0;        // the author's
@@ -37,8 +37,9 @@ struct Atom {
   AtomKind kind = AtomKind::polymer;
   char altloc = ' ';
   char insertion_code = ' ';
-  bool hetero = false;           // HETATM in the file
-  bool element_guessed = false;  // from its names, which leave a choice
+  bool hetero = false;               // HETATM in the file
+  bool element_guessed : 1 = false;  // from its names, which leave a choice
+  bool has_b_factor : 1 = false;     // the file gives one
   // Of a PDB file's columns 73-76, numbered in order of appearance; 0 where they are blank. Files
   // of several segments repeat chain and residue number.
   std::uint16_t segment = 0;

@@ -1,0 +1,73 @@
+#include "core/molecule/residue_kind.hpp"
+
+#include <string_view>
+#include <utility>
+
+#include "core/molecule/atom_type.hpp"
+
+namespace alphascope {
+namespace {
+
+struct Info {
+  const char* name;
+  Rgb8 colour;
+};
+
+const Info& info(ResidueKind kind) {
+  static constexpr Info kInfos[kResidueKinds] = {{"small non-polar", {230, 159, 0}},
+                                                 {"hydrophobic", {0, 158, 115}},
+                                                 {"polar", {204, 121, 167}},
+                                                 {"negative", {213, 94, 0}},
+                                                 {"positive", {0, 114, 178}},
+                                                 {"nucleotide", {86, 180, 233}},
+                                                 {"other residue", {148, 148, 148}},
+                                                 {"ligand", {190, 170, 50}},
+                                                 {"ion", {118, 92, 168}},
+                                                 {"water", {150, 190, 200}},
+                                                 {"dummy", {110, 116, 124}}};
+  return kInfos[static_cast<std::size_t>(kind)];
+}
+
+ResidueKind amino_acid_kind(std::string_view name) {
+  static constexpr std::pair<std::string_view, ResidueKind> kClasses[] = {
+      {"GLY ALA SER THR", ResidueKind::small_nonpolar},
+      {"CYS SEC VAL ILE LEU PRO PHE TYR MET MSE TRP", ResidueKind::hydrophobic},
+      {"ASN GLN HIS", ResidueKind::polar},
+      {"ASP GLU", ResidueKind::negative},
+      {"LYS ARG", ResidueKind::positive}};
+  for (const auto& [names, kind] : kClasses) {
+    if (names.find(name) != std::string_view::npos) return kind;
+  }
+  return ResidueKind::other;
+}
+
+}  // namespace
+
+ResidueKind residue_kind(const Molecule& molecule, const Atom& atom) {
+  switch (atom.kind) {
+    case AtomKind::water:
+      return ResidueKind::water;
+    case AtomKind::ligand:
+      return ResidueKind::ligand;
+    case AtomKind::ion:
+      return ResidueKind::ion;
+    case AtomKind::dummy:
+      return ResidueKind::dummy;
+    case AtomKind::polymer:
+      break;
+  }
+  const std::string_view name = molecule.text(atom.residue_name);
+  const std::string_view amino_acid = standard_amino_acid(name);
+  if (!amino_acid.empty()) return amino_acid_kind(amino_acid);
+  return nucleotide_base(name) != 0 ? ResidueKind::nucleotide : ResidueKind::other;
+}
+
+const char* residue_kind_name(ResidueKind kind) {
+  return info(kind).name;
+}
+
+Rgb8 residue_kind_colour(ResidueKind kind) {
+  return info(kind).colour;
+}
+
+}  // namespace alphascope

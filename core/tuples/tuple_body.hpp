@@ -68,6 +68,13 @@ struct FillNeighbours {
   }
 };
 
+// Does the edge optimisation leave the pair of balls i and j?
+template <class Reader>
+ALPHASCOPE_INLINE bool pair_is_left(const TupleScene<Reader>& scene, std::uint32_t i,
+                                    std::uint32_t j) {
+  return !scene.edge_optimisation || grown_balls_may_meet(scene, i, j);
+}
+
 // For every place in the lists: 1 where a pair is to be made.
 template <class Reader>
 struct MarkPairs {
@@ -77,7 +84,7 @@ struct MarkPairs {
   std::uint32_t* marks;
   ALPHASCOPE_HOST_DEVICE void operator()(std::uint64_t at) const {
     const std::uint32_t i = owners[at], j = lists.slots[at];
-    marks[at] = j > i && (!scene.edge_optimisation || grown_balls_may_meet(scene, i, j)) ? 1 : 0;
+    marks[at] = j > i && pair_is_left(scene, i, j) ? 1 : 0;
   }
 };
 
@@ -121,12 +128,16 @@ ALPHASCOPE_INLINE Decision within_alpha(const TupleScene<Reader>& scene, std::ui
   return centre_within(centre, scene.read.ball(first).radius, scene.alpha_float);
 }
 
+enum class Optimisation : std::uint8_t { edge, alpha };
+
 // Calls visit(tuple) for every tuple that has one more, later neighbour than this one; counts those
-// that the edge optimisation leaves. The alpha optimisation drops 4-tuples with rho > alpha.
-template <int N, class Reader, class Visit>
+// that the edge optimisation leaves. The alpha optimisation drops 4-tuples with rho > alpha. `sink`
+// gets what is dropped: by which optimisation, and the place of the further neighbour.
+template <int N, class Reader, class Visit, class Sink = NotRecorded>
 ALPHASCOPE_INLINE std::uint32_t for_extensions(const TupleScene<Reader>& scene,
                                                const NeighbourLists& lists,
-                                               const BallTuple<N>& base, const Visit& visit) {
+                                               const BallTuple<N>& base, const Visit& visit,
+                                               const Sink& sink = {}) {
   std::uint32_t considered = 0;
   BallTuple<N + 1> tuple;
   tuple.first = base.first;
@@ -138,13 +149,17 @@ ALPHASCOPE_INLINE std::uint32_t for_extensions(const TupleScene<Reader>& scene,
       for (int n = 0; n < N && meet; ++n) {
         meet = grown_balls_may_meet(scene, base.slot(lists, n), lists.slots[at]);
       }
-      if (!meet) continue;
+      if (!meet) {
+        sink(Optimisation::edge, at);
+        continue;
+      }
     }
     ++considered;
     tuple.at[N - 1] = at;
     if constexpr (N == 3) {
       if (scene.alpha_optimisation && scene.float_holds &&
           within_alpha(scene, tuple.first, centre_of<4>(scene, lists, tuple)) == Decision::out) {
+        sink(Optimisation::alpha, at);
         continue;
       }
     }
@@ -196,7 +211,70 @@ ALPHASCOPE_INLINE bool has_place(const BallTuple<N>& tuple, std::uint32_t at) {
   return has;
 }
 
+// What a sink is told of a test: rho is above alpha; the balls are affinely dependent; the ball in
+// this place of the list is in conflict and ends the test, or single precision cannot say.
+enum class TupleNote : std::uint8_t { above_alpha, flat, conflict, unsure };
+
+// Integers are as fast here. With equality the larger simplices decide (tuple_exact.hpp).
+template <class Reader, class Sink>
+ALPHASCOPE_INLINE Verdict filter_vertex(const TupleScene<Reader>& scene,
+                                        const NeighbourLists& lists, std::uint32_t slot,
+                                        const Sink& sink) {
+  const BallRecord i = scene.read.ball(slot);
+  for (std::uint32_t at = lists.begin(slot); at < lists.end(slot); ++at) {
+    if (lifted_from(i, scene.read.ball(lists.slots[at])).c <= 0) {
+      sink(TupleNote::conflict, at);
+      return Verdict::invalid;
+    }
+  }
+  return Verdict::valid;
+}
+
 // Only neighbours of the first ball can be in conflict where the power is at most alpha.
+template <int N, class Reader, class Sink>
+ALPHASCOPE_INLINE Verdict filter_orthosphere(const TupleScene<Reader>& scene,
+                                             const NeighbourLists& lists, const BallTuple<N>& tuple,
+                                             const Sink& sink) {
+  const FloatCentre centre = centre_of<N>(scene, lists, tuple);
+  if (!(centre.error < HUGE_VALF)) return Verdict::band;
+  const Decision within = within_alpha(scene, tuple.first, centre);
+  if (scene.alpha_optimisation && within == Decision::out) {
+    sink(TupleNote::above_alpha);
+    return Verdict::invalid;
+  }
+  const BallRecord i = scene.read.ball(tuple.first);
+  const FloatConflict conflict(centre);
+  bool unsure = within == Decision::unknown;
+  const std::uint32_t end = lists.end(tuple.first);
+  for (std::uint32_t at = lists.begin(tuple.first); at < end; ++at) {
+    const int side = conflict.side(i, scene.read.ball(lists.slots[at]));
+    if (side < 0) continue;
+    if (has_place<N>(tuple, at)) continue;
+    if (side > 0) {
+      sink(TupleNote::conflict, at);
+      return Verdict::invalid;
+    }
+    sink(TupleNote::unsure, at);
+    unsure = true;
+  }
+  if (within == Decision::out) {
+    sink(TupleNote::above_alpha);
+    return Verdict::invalid;
+  }
+  return unsure ? Verdict::band : Verdict::valid;
+}
+
+// Kernel II of one tuple.
+template <int N, class Reader, class Sink = NotRecorded>
+ALPHASCOPE_INLINE Verdict filter_tuple(const TupleScene<Reader>& scene, const NeighbourLists& lists,
+                                       const BallTuple<N>& tuple, const Sink& sink = {}) {
+  if constexpr (N == 1) {
+    return filter_vertex(scene, lists, tuple.first, sink);
+  } else {
+    return scene.float_holds ? filter_orthosphere<N>(scene, lists, tuple, sink) : Verdict::band;
+  }
+}
+
 template <int N, class Reader>
 struct FilterTuples {
   TupleScene<Reader> scene;
@@ -205,40 +283,7 @@ struct FilterTuples {
   Verdict* verdicts;
 
   ALPHASCOPE_HOST_DEVICE void operator()(std::uint64_t n) const {
-    if constexpr (N == 1) {
-      verdicts[n] = vertex(tuples[n].first);
-    } else {
-      verdicts[n] = scene.float_holds ? filtered(tuples[n]) : Verdict::band;
-    }
-  }
-
- private:
-  // Integers are as fast here. With equality the larger simplices decide (tuple_exact.hpp).
-  ALPHASCOPE_INLINE Verdict vertex(std::uint32_t slot) const {
-    const BallRecord i = scene.read.ball(slot);
-    for (std::uint32_t at = lists.begin(slot); at < lists.end(slot); ++at) {
-      if (lifted_from(i, scene.read.ball(lists.slots[at])).c <= 0) return Verdict::invalid;
-    }
-    return Verdict::valid;
-  }
-  ALPHASCOPE_INLINE Verdict filtered(const BallTuple<N>& tuple) const {
-    const FloatCentre centre = centre_of<N>(scene, lists, tuple);
-    if (!(centre.error < HUGE_VALF)) return Verdict::band;
-    const Decision within = within_alpha(scene, tuple.first, centre);
-    if (scene.alpha_optimisation && within == Decision::out) return Verdict::invalid;
-    const BallRecord i = scene.read.ball(tuple.first);
-    const FloatConflict conflict(centre);
-    bool unsure = within == Decision::unknown;
-    const std::uint32_t end = lists.end(tuple.first);
-    for (std::uint32_t at = lists.begin(tuple.first); at < end; ++at) {
-      const int side = conflict.side(i, scene.read.ball(lists.slots[at]));
-      if (side < 0) continue;
-      if (has_place<N>(tuple, at)) continue;
-      if (side > 0) return Verdict::invalid;
-      unsure = true;
-    }
-    if (within == Decision::out) return Verdict::invalid;
-    return unsure ? Verdict::band : Verdict::valid;
+    verdicts[n] = filter_tuple<N>(scene, lists, tuples[n]);
   }
 };
 
@@ -278,7 +323,42 @@ ALPHASCOPE_INLINE bool rho_within(const LiftedSimplex<N>& s, double alpha, float
   return decide_rho<ExactDecider>(s, within_bracket_limit(s), alpha, rounded) == Decision::in;
 }
 
-// The tuples in the band, again: filtered where that is certain, integers where it is not.
+// Kernel III of one tuple: filtered where that is certain, integers where it is not.
+template <class Integer, int N, class Reader, class Sink>
+ALPHASCOPE_HOST_DEVICE inline bool decide_with(const TupleScene<Reader>& scene,
+                                               const NeighbourLists& lists,
+                                               const BallTuple<N>& tuple, const Sink& sink) {
+  const BallRecord i = scene.read.ball(tuple.first);
+  const LiftedSimplex<N> simplex = lifted_tuple<N>(scene, lists, tuple);
+  const ExactCentre<N - 1, Integer> exact(simplex.v);
+  if (!exact.regular() || !rho_within(simplex, scene.alpha, nullptr)) {
+    sink(exact.regular() ? TupleNote::above_alpha : TupleNote::flat);
+    return false;
+  }
+  FloatCentre centre{0, 0, 0, HUGE_VALF};
+  if (scene.float_holds) centre = centre_of<N>(scene, lists, tuple);
+  const FloatConflict filter(centre);
+  const std::uint32_t end = lists.end(tuple.first);
+  for (std::uint32_t at = lists.begin(tuple.first); at < end; ++at) {
+    const BallRecord m = scene.read.ball(lists.slots[at]);
+    const int side = scene.float_holds ? filter.side(i, m) : 0;
+    if (side < 0 || has_place<N>(tuple, at)) continue;
+    if (side > 0 || exact.with(lifted_from(i, m)) != Conflict::none) {
+      sink(TupleNote::conflict, at);
+      return false;
+    }
+  }
+  return true;
+}
+template <int N, class Reader, class Sink = NotRecorded>
+ALPHASCOPE_INLINE Verdict decide_tuple(const TupleScene<Reader>& scene, const NeighbourLists& lists,
+                                       const BallTuple<N>& tuple, const Sink& sink = {}) {
+  const bool valid = scene.int128_holds ? decide_with<Int128, N>(scene, lists, tuple, sink)
+                                        : decide_with<WideInt<4>, N>(scene, lists, tuple, sink);
+  return valid ? Verdict::valid : Verdict::invalid;
+}
+
+// The tuples in the band, again.
 template <int N, class Reader>
 struct DecideTuples {
   TupleScene<Reader> scene;
@@ -289,30 +369,8 @@ struct DecideTuples {
 
   ALPHASCOPE_HOST_DEVICE void operator()(std::uint64_t b) const {
     if constexpr (N > 1) {  // vertices are never in the band
-      const bool valid = scene.int128_holds ? decide<Int128>(tuples[band[b]])
-                                            : decide<WideInt<4>>(tuples[band[b]]);
-      verdicts[band[b]] = valid ? Verdict::valid : Verdict::invalid;
+      verdicts[band[b]] = decide_tuple<N>(scene, lists, tuples[band[b]]);
     }
-  }
-
- private:
-  template <class Integer>
-  ALPHASCOPE_HOST_DEVICE bool decide(const BallTuple<N>& tuple) const {
-    const BallRecord i = scene.read.ball(tuple.first);
-    const LiftedSimplex<N> simplex = lifted_tuple<N>(scene, lists, tuple);
-    const ExactCentre<N - 1, Integer> exact(simplex.v);
-    if (!exact.regular() || !rho_within(simplex, scene.alpha, nullptr)) return false;
-    FloatCentre centre{0, 0, 0, HUGE_VALF};
-    if (scene.float_holds) centre = centre_of<N>(scene, lists, tuple);
-    const FloatConflict filter(centre);
-    const std::uint32_t end = lists.end(tuple.first);
-    for (std::uint32_t at = lists.begin(tuple.first); at < end; ++at) {
-      const BallRecord m = scene.read.ball(lists.slots[at]);
-      const int side = scene.float_holds ? filter.side(i, m) : 0;
-      if (side < 0 || has_place<N>(tuple, at)) continue;
-      if (side > 0 || exact.with(lifted_from(i, m)) != Conflict::none) return false;
-    }
-    return true;
   }
 };
 

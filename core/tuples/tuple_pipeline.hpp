@@ -35,6 +35,25 @@ struct TupleUpload {
   const std::uint32_t* ball;
 };
 
+template <class Reader>
+TupleScene<Reader> make_tuple_scene(const TupleUpload<Reader>& upload, const TupleGrid& grid,
+                                    const TupleOptions& options, double alpha) {
+  TupleScene<Reader> scene{};
+  scene.read = upload.read;
+  scene.grid = grid.view;
+  scene.grid.cell_start = upload.cell_start;
+  scene.ball = upload.ball;
+  scene.largest_reach = grid.largest_reach;
+  scene.alpha = alpha;
+  scene.alpha_float = static_cast<float>(alpha);
+  scene.edge_optimisation = options.edge_optimisation;
+  scene.alpha_optimisation = options.alpha_optimisation;
+  scene.alpha_covers_all = alpha > 1e90;  // ortho-radii are below 2^254
+  scene.float_holds = grid.largest_difference < (1 << 24) && grid.largest_radius < (1 << 23);
+  scene.int128_holds = grid.largest_difference < kInt128TupleOffset;
+  return scene;
+}
+
 // What a run met. Tuples of four where nothing else is said.
 struct TupleCounts {
   std::uint64_t neighbours = 0;  // in all cubes together
@@ -67,7 +86,7 @@ class TuplePipeline {
     whole_ = whole;
     ball_count_ = grid.size();
     if (ball_count_ == 0) return {};
-    make_scene(grid, options, alpha);
+    scene_ = make_tuple_scene(exec_.upload(grid), grid, options, alpha);
 
     counts_.reserve(ball_count_);
     starts_.reserve(ball_count_ + 1);
@@ -101,22 +120,6 @@ class TuplePipeline {
     std::uint64_t count = 0;
     bool busy = false;
   };
-
-  void make_scene(const TupleGrid& grid, const TupleOptions& options, double alpha) {
-    const TupleUpload<Reader> upload = exec_.upload(grid);
-    scene_.read = upload.read;
-    scene_.grid = grid.view;
-    scene_.grid.cell_start = upload.cell_start;
-    scene_.ball = upload.ball;
-    scene_.largest_reach = grid.largest_reach;
-    scene_.alpha = alpha;
-    scene_.alpha_float = static_cast<float>(alpha);
-    scene_.edge_optimisation = options.edge_optimisation;
-    scene_.alpha_optimisation = options.alpha_optimisation;
-    scene_.alpha_covers_all = alpha > 1e90;  // ortho-radii are below 2^254
-    scene_.float_holds = grid.largest_difference < (1 << 24) && grid.largest_radius < (1 << 23);
-    scene_.int128_holds = grid.largest_difference < kInt128TupleOffset;
-  }
 
   template <class Body>
   void work(int lane, std::string_view stage, std::uint64_t count, const Body& body) {

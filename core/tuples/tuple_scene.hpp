@@ -8,6 +8,7 @@
 
 #include "core/predicates/grown_balls.hpp"
 #include "core/predicates/orthosphere.hpp"
+#include "core/predicates/recording.hpp"
 
 namespace alphascope {
 
@@ -59,10 +60,11 @@ ALPHASCOPE_INLINE std::int32_t cube_half_side(float reach, float largest_reach) 
   return side < 1.0e9f ? static_cast<std::int32_t>(side) : std::int32_t{1} << 30;
 }
 
-// Calls visit(slot) for all other balls with centres in the cube of `slot`, ascending.
-template <class Reader, class Visit>
+// Calls visit(slot) for all other balls with centres in the cube of `slot`, ascending. `sink` gets
+// the slot of each ball that is looked at.
+template <class Reader, class Visit, class Sink = NotRecorded>
 ALPHASCOPE_INLINE void for_cube(const TupleScene<Reader>& scene, std::uint32_t slot,
-                                const Visit& visit) {
+                                const Visit& visit, const Sink& sink = {}) {
   const TupleGridView& g = scene.grid;
   const BallRecord b = scene.read.ball(slot);
   const std::int64_t side = cube_half_side(scene.read.reach(slot), scene.largest_reach);
@@ -73,6 +75,7 @@ ALPHASCOPE_INLINE void for_cube(const TupleScene<Reader>& scene, std::uint32_t s
       const std::int64_t row = (static_cast<std::int64_t>(x) * g.cells[1] + y) * g.cells[2];
       const std::uint32_t end = g.cell_start[row + z1 + 1];
       for (std::uint32_t t = g.cell_start[row + z0]; t < end; ++t) {
+        sink(t);
         const BallRecord m = scene.read.ball(t);
         const bool inside = m.x - b.x <= side && b.x - m.x <= side && m.y - b.y <= side &&
                             b.y - m.y <= side && m.z - b.z <= side && b.z - m.z <= side;

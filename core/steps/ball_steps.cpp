@@ -1,0 +1,22 @@
+#include "core/steps/ball_steps.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+
+namespace alphascope {
+
+const StepCount& Step::count(std::string_view id) const {
+  const auto at = std::find_if(counts.begin(), counts.end(),
+                               [&](const StepCount& count) { return count.id == id; });
+  if (at == counts.end()) throw std::out_of_range("a step has no count " + std::string(id));
+  return *at;
+}
+
+const Step* BallSteps::find(StepKind kind) const {
+  const auto at =
+      std::find_if(steps.begin(), steps.end(), [&](const Step& step) { return step.kind == kind; });
+  return at == steps.end() ? nullptr : &*at;
+}
+
+}  // namespace alphascope

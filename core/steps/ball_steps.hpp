@@ -1,0 +1,128 @@
+// How an engine finds the simplices of one ball, step after step, as data: numbers, and what is
+// kept and dropped. Sentences are made of them by core/document/steps_text.hpp.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "core/complex/alpha_complex.hpp"
+#include "core/geometry/ball_set.hpp"
+#include "core/geometry/real_point.hpp"
+#include "core/run/cancel_token.hpp"
+#include "core/tuples/tuple_options.hpp"
+
+namespace alphascope {
+
+enum class StepsEngine : std::uint8_t { tuples };
+
+enum class StepKind : std::uint8_t {
+  left_out,  // the ball is not in the grid at all
+  grid,
+  cube,
+  pairs,    // edge optimisation
+  triples,  // edge optimisation
+  tuples,   // edge optimisation
+  alpha,    // alpha optimisation
+  places,   // prefix sum
+  filter,   // kernel II
+  exact,    // kernel III
+  faces,    // the same tests of pairs, triples and the ball alone
+  too_many,
+  result
+};
+
+// What a step counts. `here`: of tuples, those that the engine makes at this ball, because it is in
+// the lowest place of the grid; the others are made at another ball of theirs.
+struct StepCount {
+  std::string_view id;  // of the list below
+  std::uint64_t all = 0;
+  std::uint64_t here = 0;
+};
+
+namespace step_count {
+inline constexpr std::string_view kBalls = "balls_in_grid", kCells = "cells", kPlace = "place",
+                                  kInCell = "balls_in_cell", kCellsSearched = "cells_searched",
+                                  kBallsTested = "balls_tested", kNeighbours = "neighbours",
+                                  kMade = "made", kDropped = "dropped", kKept = "kept",
+                                  kTested = "tested", kConflict = "in_conflict",
+                                  kAboveAlpha = "above_alpha", kFlat = "flat", kValid = "valid",
+                                  kBand = "band", kLowerBand = "lower_band", kReserved = "reserved",
+                                  kVertices = "vertices", kEdges = "edges",
+                                  kTriangles = "triangles", kTetrahedra = "tetrahedra",
+                                  kAttached = "attached";
+}  // namespace step_count
+
+enum class StepMark : std::uint8_t { chosen, kept, dropped, undecided };
+
+// For drawing and listing: the first kMostMarked tetrahedra or so, and how many there are.
+struct MarkedSimplices {
+  StepMark mark = StepMark::kept;
+  Simplices<1> vertices = {};
+  Simplices<2> edges = {};
+  Simplices<3> triangles = {};
+  Simplices<4> tetrahedra = {};
+  std::uint64_t left_out = 0;  // not in the lists
+
+  static constexpr std::size_t kMostMarked = 4000;
+};
+
+struct StepBox {
+  StepMark mark = StepMark::kept;
+  RealPoint low_angstrom, high_angstrom;
+};
+
+// A ball in conflict with so many simplices of the step: it ends the test of each.
+struct StepRemover {
+  BallIndex ball = 0;
+  std::uint64_t simplices = 0;
+  std::vector<BallIndex> first;  // one of them
+};
+
+// So many tuples are made of a triple, and this is the place of the first.
+struct StepPlace {
+  std::array<BallIndex, 3> triple{};
+  std::uint64_t tuples = 0, place = 0;
+};
+
+struct Step {
+  StepKind kind = StepKind::grid;
+  bool off = false;  // its optimisation is switched off
+  std::vector<StepCount> counts;
+  std::vector<MarkedSimplices> marks;
+  std::vector<StepBox> boxes;
+  std::vector<StepRemover> removers;  // by how many, descending
+  std::vector<StepPlace> places;      // the first few
+  double length_angstrom = 0;         // of a cell's side; half the side of the cube
+
+  // Throws std::out_of_range.
+  const StepCount& count(std::string_view id) const;
+};
+
+// Why a ball takes no part.
+enum class LeftOut : std::uint8_t { no, empty, hidden };
+
+struct BallSteps {
+  StepsEngine engine = StepsEngine::tuples;
+  BallIndex ball = 0;
+  Lattice lattice;
+  double alpha_on_lattice = 0;
+  TupleOptions options;  // of the tuple engine
+  LeftOut left_out = LeftOut::no;
+  std::vector<Step> steps;
+  // The simplices of the alpha complex that contain the ball; none after `too_many`.
+  AlphaComplex star;
+
+  const Step* find(StepKind kind) const;  // null: there is none
+};
+
+// More 4-tuples of one ball are not looked at.
+inline constexpr std::uint64_t kMostTuplesOfBall = 1'000'000;
+
+// The steps of the thesis' pipeline. Throws std::invalid_argument (no such ball, alpha is NaN),
+// Cancelled.
+BallSteps tuple_steps(const BallSet& balls, BallIndex ball, double alpha_on_lattice,
+                      const TupleOptions& options, const RunContext& context = {});
+
+}  // namespace alphascope

@@ -6,32 +6,17 @@
 #include <string_view>
 
 #include "core/document/colour_words.hpp"
-#include "core/molecule/atom_address.hpp"
 
 namespace alphascope {
 
 void set_colour(Appearance& appearance, const AtomSet& atoms, const std::optional<Rgb8>& colour) {
-  std::vector<OwnColour>& all = appearance.colours;
-  for (OwnColour& own : all) own.atoms = own.atoms.without(atoms);
-  if (colour && !atoms.empty()) {
-    const auto same = std::find_if(all.begin(), all.end(),
-                                   [&](const OwnColour& o) { return o.colour == *colour; });
-    if (same == all.end()) {
-      all.push_back({*colour, atoms});
-    } else {
-      same->atoms = same->atoms.with(atoms);
-    }
-  }
-  std::erase_if(all, [](const OwnColour& own) { return own.atoms.empty(); });
+  set_value_of_atoms(appearance.colours, &OwnColour::colour, atoms, colour);
 }
 
 namespace {
 
-AtomSet named_set(const Molecule& molecule, std::string_view expression) {
-  const auto is_named = atoms_named(molecule, expression);
-  std::vector<bool> atoms(molecule.atoms.size());
-  for (std::size_t i = 0; i < atoms.size(); ++i) atoms[i] = is_named(i);
-  AtomSet set = atom_set(molecule, atoms);
+AtomSet some_named(const Molecule& molecule, std::string_view expression) {
+  AtomSet set = named_set(molecule, expression);
   if (set.empty()) {
     throw std::invalid_argument("no atom is \"" + std::string(expression) + "\"");
   }
@@ -49,11 +34,10 @@ std::string_view trimmed(std::string_view text) {
 Appearance read_appearance(const Molecule& molecule, const AppearanceWords& words) {
   Appearance appearance;
   if (!words.only.empty()) {
-    const AtomSet all = atom_set(molecule, std::vector<bool>(molecule.atoms.size(), true));
-    appearance.hidden = all.without(named_set(molecule, words.only));
+    appearance.hidden = all_atoms(molecule).without(some_named(molecule, words.only));
   }
   if (!words.hide.empty()) {
-    appearance.hidden = appearance.hidden.with(named_set(molecule, words.hide));
+    appearance.hidden = appearance.hidden.with(some_named(molecule, words.hide));
   }
   for (std::string_view rest = words.colours; !rest.empty();) {
     const std::size_t end = std::min(rest.find(';'), rest.size());
@@ -68,7 +52,7 @@ Appearance read_appearance(const Molecule& molecule, const AppearanceWords& word
       throw std::invalid_argument("\"" + std::string(part) +
                                   "\" is no atoms and their colour, such as resn HEM=#ff8800");
     }
-    set_colour(appearance, named_set(molecule, atoms), colour);
+    set_colour(appearance, some_named(molecule, atoms), colour);
   }
   return appearance;
 }

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/molecule/atom_address.hpp"
+
 namespace alphascope {
 namespace {
 
@@ -110,6 +112,17 @@ std::vector<bool> atoms_of(const Molecule& molecule, const AtomSet& set) {
         {static_cast<std::uint32_t>(source.deposited), static_cast<std::uint32_t>(source.copy)});
   }
   return atoms;
+}
+
+AtomSet all_atoms(const Molecule& molecule) {
+  return atom_set(molecule, std::vector<bool>(molecule.atoms.size(), true));
+}
+
+AtomSet named_set(const Molecule& molecule, std::string_view text, const PictureAtoms& picture) {
+  const auto is_named = atoms_named(molecule, text, picture);
+  std::vector<bool> atoms(molecule.atoms.size());
+  for (std::size_t i = 0; i < atoms.size(); ++i) atoms[i] = is_named(i);
+  return atom_set(molecule, atoms);
 }
 
 }  // namespace alphascope

@@ -2,8 +2,11 @@
 // is what people hide and colour, and cheap to keep in every entry of the history.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
+#include <optional>
+#include <string_view>
 #include <vector>
 
 #include "core/document/reference.hpp"
@@ -41,5 +44,27 @@ class AtomSet {
 // is another assembly, have no value.
 AtomSet atom_set(const Molecule& molecule, const std::vector<bool>& atoms);
 std::vector<bool> atoms_of(const Molecule& molecule, const AtomSet& set);
+
+AtomSet all_atoms(const Molecule& molecule);
+// What an address or an expression names (core/molecule/atom_address.hpp); may be empty. Throws
+// SelectionError.
+AtomSet named_set(const Molecule& molecule, std::string_view text,
+                  const PictureAtoms& picture = {});
+
+// Groups of atoms that have a value in common, such as a colour: no atom is in two of them, and
+// none is empty. Gives these atoms another value; none: they are in no group any more.
+template <class Group, class Value>
+void set_value_of_atoms(std::vector<Group>& groups, Value Group::*member, const AtomSet& atoms,
+                        const std::optional<Value>& value) {
+  for (Group& group : groups) group.atoms = group.atoms.without(atoms);
+  if (value && !atoms.empty()) {
+    const auto same = std::find_if(groups.begin(), groups.end(),
+                                   [&](const Group& g) { return g.*member == *value; });
+    Group& group = same == groups.end() ? groups.emplace_back() : *same;
+    group.*member = *value;
+    group.atoms = group.atoms.with(atoms);
+  }
+  std::erase_if(groups, [](const Group& group) { return group.atoms.empty(); });
+}
 
 }  // namespace alphascope

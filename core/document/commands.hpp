@@ -77,6 +77,8 @@ struct CommandSpec {
   std::string title;  // "Reset view"; ends with "…" when a dialog opens
   std::string help;   // a sentence without full stop
   std::vector<Shortcut> shortcuts = {};
+  // Keys that it takes, as long as it can run, from a command that has them as shortcuts.
+  std::vector<Shortcut> keys_before_others = {};
   bool works_everywhere = false;  // its shortcuts work while text is typed and above dialogs
   std::string menu = {};          // one of kMenus; empty: in no menu
   bool line_above = false;        // in the menu

@@ -12,6 +12,7 @@
 #include <stdexcept>
 
 #include "core/chart/chart.hpp"
+#include "core/flat/flat_svg.hpp"
 #include "core/io/complex_script.hpp"
 #include "core/io/csv.hpp"
 #include "core/io/write_balls.hpp"
@@ -19,6 +20,7 @@
 #include "core/io/write_vtk.hpp"
 #include "core/molecule/atom_colours.hpp"
 #include "core/molecule/grouped_number.hpp"
+#include "core/molecule/shortest_number.hpp"
 #include "core/triangulation/boundary.hpp"
 
 namespace alphascope {
@@ -41,6 +43,7 @@ constexpr std::array kFormats{
     ExportFormatInfo{pqr, "pqr", "PQR", "balls as atoms with names and radii"},
     ExportFormatInfo{alpha, "alpha", "Alphascope text", "all simplices with alpha values, as text"},
     ExportFormatInfo{parallelac, "txt", "ParallelAC text", "balls and simplices in its layout"},
+    ExportFormatInfo{svg, "svg", "SVG", "flat drawing, of balls in the plane z = 0 only"},
     ExportFormatInfo{csv, "csv", "CSV", "counts, measures of the boundary and times"},
     ExportFormatInfo{chimerax, "cxc", "ChimeraX script", "balls and boundary", true, true},
     ExportFormatInfo{pymol, "pml", "PyMOL script", "balls and boundary", true, true},
@@ -108,6 +111,8 @@ class Exporter {
       case pqr:
         write_pqr(balls, source_.molecule, atoms, source_.header, file, context_);
         return balls_text();
+      case svg:
+        return write_drawing(file);
       case csv:
         write_counts(file);
         return {"counts and times of " + grouped(balls.size()) + " balls"};
@@ -222,6 +227,20 @@ class Exporter {
     return {text + grouped(complex_.tetrahedra.size()) + " tetrahedra"};
   }
   Lines balls_text() const { return {grouped(source_.answer.balls->size()) + " balls"}; }
+
+  Lines write_drawing(AtomicFile& file) const {
+    require_faces("A flat drawing");
+    const BallSet& balls = *source_.answer.balls;
+    const FlatBox box = box_of(balls, complex_.alpha_angstrom2());
+    const FlatCounts n = flat_counts(balls, complex_);
+    const std::string text = grouped(n.vertices) + " of " + grouped(n.balls) + " centres, " +
+                             grouped(n.edges()) + " edges, " + grouped(n.triangles) + " triangles";
+    const std::string alpha =
+        "α = " + shortest_number(source_.answer.request.alpha_angstrom2) + " Å²";
+    FlatPage page{.box = box, .caption = {alpha + ": " + text}, .origin = source_.header};
+    file.write(flat_svg(flat_shapes(balls, complex_, box), page));
+    return {text};
+  }
 
   // Of all balls; a script names the first of each kind as the molecule has them.
   std::vector<ComplexScript::Group> groups() const {

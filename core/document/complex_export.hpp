@@ -24,6 +24,7 @@ enum class ExportFormat : std::uint8_t {
   pqr,
   alpha,
   parallelac,
+  svg,
   csv,
   chimerax,
   pymol,

@@ -1,17 +1,9 @@
 // What is drawn of balls and complex, and how. A change of these only needs a new picture.
 #pragma once
 
-#include <cstdint>
+#include "core/document/paint.hpp"
 
 namespace alphascope {
-
-// alpha: simplices only. exposed: balls only, by the share of the area of an atom's whole spheres
-// that is on the surface of all, or of a residue's.
-enum class ColourBy : std::uint8_t { element, chain, single, alpha, exposed, exposed_residue };
-
-inline bool is_exposure(ColourBy colour) {
-  return colour == ColourBy::exposed || colour == ColourBy::exposed_residue;
-}
 
 // Atoms that the options leave out of the body, and that are drawn beside it: drawn, not computed.
 struct AtomsBesideBody {
@@ -26,8 +18,8 @@ struct DisplayControls {
   bool grown_balls = false;   // sqrt((radius + solvent)² + alpha) instead of the radius
   float ball_scale = 0.3f;    // times the radius
   float ball_opacity = 1, complex_opacity = 1;
-  float shrink = 0;  // of tetrahedra, 0 to 0.9
-  ColourBy ball_colour = ColourBy::chain, complex_colour = ColourBy::chain;
+  float shrink = 0;                 // of tetrahedra, 0 to 0.9
+  Paint ball_paint, complex_paint;  // what colours mean
   bool ambient_occlusion = true;
   float depth_cue = 0.4f;     // share of background in what is farthest; 0: nothing fades
   float silhouettes = 1.5f;   // width of outlines, pixels at scale 1; 0: none

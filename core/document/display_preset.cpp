@@ -45,8 +45,8 @@ std::string preset_ids() {
 
 DisplayControls with_preset(DisplayControls display, DisplayPreset preset) {
   DisplayControls d;  // as the program starts, but for what the user chose of colours and atoms
-  d.ball_colour = display.ball_colour;
-  d.complex_colour = display.complex_colour;
+  d.ball_paint = display.ball_paint;
+  d.complex_paint = display.complex_paint;
   d.beside = display.beside;
   d.orthographic = display.orthographic;
   d.grown_balls = display.grown_balls;

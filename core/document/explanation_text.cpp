@@ -1,5 +1,6 @@
 #include "core/document/explanation_text.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -20,11 +21,6 @@ std::string place(const RealPoint& p) {
   char text[96];
   std::snprintf(text, sizeof text, "(%.3f, %.3f, %.3f) Å", p.x, p.y, p.z);
   return text;
-}
-
-const char* kind(std::size_t balls) {
-  static constexpr const char* kKinds[] = {"vertex", "edge", "triangle", "tetrahedron"};
-  return kKinds[balls - 1];
 }
 
 std::string ball_text(BallIndex ball, const BallName& name) {
@@ -101,7 +97,7 @@ class Sentences {
   void add(const char* heading, std::string text, Balls about = {}) {
     lines_.push_back({heading, std::move(text), std::move(about)});
   }
-  std::string the() const { return std::string("this ") + kind(e_.simplex.size()); }
+  std::string the() const { return std::string("this ") + simplex_kind_name(e_.simplex.size()); }
   std::string ball(BallIndex b) const { return ball_text(b, name_); }
 
   void answer() {
@@ -305,9 +301,14 @@ const char* simplex_class_name(SimplexClass simplex_class) {
   return "interior";
 }
 
+const char* simplex_kind_name(std::size_t balls) {
+  static constexpr const char* kKinds[] = {"vertex", "edge", "triangle", "tetrahedron"};
+  return kKinds[std::clamp<std::size_t>(balls, 1, 4) - 1];
+}
+
 std::string simplex_text(const Balls& simplex, const BallName& name) {
   if (simplex.size() == 1) return "vertex of " + ball_text(simplex[0], name);
-  std::string text = std::string(kind(simplex.size())) + " of balls ";
+  std::string text = std::string(simplex_kind_name(simplex.size())) + " of balls ";
   for (std::size_t n = 0; n < simplex.size(); ++n) {
     text += n == 0 ? "" : n + 1 == simplex.size() ? " and " : ", ";
     text += std::to_string(simplex[n]) + " (" + name(simplex[n]) + ")";

@@ -25,5 +25,6 @@ std::vector<ExplanationLine> explanation_lines(const Explanation& e, const BallN
 std::string simplex_text(const std::vector<BallIndex>& simplex, const BallName& name);
 
 const char* simplex_class_name(SimplexClass simplex_class);  // "singular"
+const char* simplex_kind_name(std::size_t balls);            // of 1 to 4: "vertex", "edge"
 
 }  // namespace alphascope

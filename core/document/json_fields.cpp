@@ -121,6 +121,15 @@ bool FieldReader::number(const JsonPlace& place, const ReadJson& json, double& v
   return good;
 }
 
+bool FieldReader::atom(const JsonPlace& place, const ReadJson& json, AtomRef& value) {
+  const bool pair = json.is_array() && json.size() == 2;
+  double atom = 0, copy = 0;
+  const bool good = number(place, pair ? json[0] : json, atom, kAtomRule) &&
+                    (!pair || number(place, json[1], copy, kAtomRule));
+  if (good) value = {static_cast<std::uint32_t>(atom), static_cast<std::uint32_t>(copy)};
+  return good;
+}
+
 // Without NUL, which ends names of files.
 bool FieldReader::text(const JsonPlace& place, const ReadJson& json, std::string& value) {
   std::string read;
@@ -269,6 +278,15 @@ void FieldReader::operator()(const char* name, Clip& value) {
   value = words.clip;
 }
 
+void FieldReader::operator()(const char* name, Paint& value, Painted what) {
+  const ReadJson* const json = take(name);
+  std::string written;
+  if (json == nullptr || !text(below(name), *json, written)) return;
+  const PaintWords words = read_paint(written, what);
+  if (words.error.empty()) return void(value = words.paint);
+  wrong(below(name), *json, "such as \"chain\" or \"b_factor,cividis,0:60\". " + words.error);
+}
+
 void FieldReader::operator()(const char* name, RefSet& value) {
   const ReadJson* const json = take_list(name, Selection::kMostItems);
   if (json == nullptr) return;
@@ -282,12 +300,8 @@ void FieldReader::operator()(const char* name, RefSet& value) {
     if (!item.is_array() || item.empty() || item.size() > 4) return wrong(place, item, kItem);
     SimplexRef corners;
     for (const ReadJson& corner : item) {
-      const bool pair = corner.is_array() && corner.size() == 2;
-      double atom = 0, copy = 0;
-      const bool good = number(place, pair ? corner[0] : corner, atom, kAtomRule) &&
-                        (!pair || number(place, corner[1], copy, kAtomRule));
-      if (!good) return;
-      corners.push_back({static_cast<std::uint32_t>(atom), static_cast<std::uint32_t>(copy)});
+      corners.emplace_back();
+      if (!atom(place, corner, corners.back())) return;
     }
     std::sort(corners.begin(), corners.end());
     if (std::adjacent_find(corners.begin(), corners.end()) != corners.end()) {
@@ -296,6 +310,21 @@ void FieldReader::operator()(const char* name, RefSet& value) {
     read.push_back(corners.size() == 1 ? Ref(corners.front()) : Ref(std::move(corners)));
   }
   value = RefSet(std::move(read));
+}
+
+void FieldReader::operator()(const char* name, std::vector<AtomRef>& value) {
+  const ReadJson* const json = take(name);
+  if (json == nullptr || !json->is_array() || json->size() < 2 || json->size() > 4) {
+    return wrong(below(name), json == nullptr ? ReadJson() : *json,
+                 "a list of two to four atoms, each a number from 0 or [number, copy]");
+  }
+  std::vector<AtomRef> read(json->size());
+  for (std::size_t i = 0; i < read.size(); ++i) {
+    JsonPlace place = below(name);
+    place.push_back(std::to_string(i));
+    if (!atom(place, (*json)[i], read[i])) return;
+  }
+  value = std::move(read);
 }
 
 void FieldReader::operator()(const char* name, AtomSet& value) {

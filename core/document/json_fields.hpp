@@ -5,6 +5,7 @@
 
 #include <array>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -16,8 +17,10 @@
 #include "core/document/file_reference.hpp"
 #include "core/document/json_place.hpp"
 #include "core/document/number_input.hpp"
+#include "core/document/paint.hpp"
 #include "core/document/reference.hpp"
 #include "core/document/setting_ids.hpp"
+#include "core/molecule/sandbox.hpp"
 
 namespace alphascope {
 
@@ -42,9 +45,12 @@ class FieldWriter {
   void operator()(const char* name, const std::vector<RadiusOverride>& value);
   void operator()(const char* name, const RefSet& value);
   void operator()(const char* name, const AtomSet& value);
+  void operator()(const char* name, const std::vector<AtomRef>& value);
   void operator()(const char* name, const Rgb8& value);
   void operator()(const char* name, const FileReference& value);
   void operator()(const char* name, const Clip& value);
+  void operator()(const char* name, const std::optional<Sandbox>& value);
+  void operator()(const char* name, const Paint& value, Painted what);
   void model(const char* name, int index);
   template <class Choice>
   requires std::is_enum_v<Choice>
@@ -100,9 +106,12 @@ class FieldReader {
   void operator()(const char* name, std::vector<RadiusOverride>& value);
   void operator()(const char* name, RefSet& value);
   void operator()(const char* name, AtomSet& value);
+  void operator()(const char* name, std::vector<AtomRef>& value);  // 2 to 4, in this order
   void operator()(const char* name, Rgb8& value);
   void operator()(const char* name, FileReference& value);
   void operator()(const char* name, Clip& value);
+  void operator()(const char* name, std::optional<Sandbox>& value);
+  void operator()(const char* name, Paint& value, Painted what);
   void model(const char* name, int& index);
   template <class Choice>
   requires std::is_enum_v<Choice>
@@ -151,6 +160,7 @@ class FieldReader {
   std::size_t choose(const char* name, const std::vector<std::string_view>& words);
   bool number(const JsonPlace& place, const ReadJson& json, double& value, const NumberRule& rule);
   bool text(const JsonPlace& place, const ReadJson& json, std::string& value);
+  bool atom(const JsonPlace& place, const ReadJson& json, AtomRef& value);
 
   const ReadJson& from_;
   JsonPlace place_;

@@ -84,6 +84,11 @@ void FieldWriter::operator()(const char* name, const AtomSet& value) {
   }
 }
 
+void FieldWriter::operator()(const char* name, const std::vector<AtomRef>& value) {
+  WrittenJson& list = to_[name] = WrittenJson::array();
+  for (const AtomRef& atom : value) list.push_back(atom_json(atom));
+}
+
 void FieldWriter::operator()(const char* name, const Rgb8& value) {
   to_[name] = colour_text(value);
 }
@@ -98,6 +103,10 @@ void FieldWriter::operator()(const char* name, const FileReference& value) {
 
 void FieldWriter::operator()(const char* name, const Clip& value) {
   to_[name] = clip_text(value);
+}
+
+void FieldWriter::operator()(const char* name, const Paint& value, Painted) {
+  to_[name] = paint_text(value);
 }
 
 void FieldWriter::model(const char* name, int index) {

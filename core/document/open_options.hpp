@@ -2,10 +2,12 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include "core/io/read_molecule.hpp"
 #include "core/molecule/prepare_balls.hpp"
+#include "core/molecule/sandbox.hpp"
 
 namespace alphascope {
 
@@ -15,13 +17,16 @@ struct OpenOptions {
   BallOptions balls;
   // Read when the radii of a user's table are asked for and `balls` holds none.
   std::filesystem::path radii_table;
+  // Balls set by hand, in place of the file's atoms and of what else is chosen here.
+  std::optional<Sandbox> sandbox;
   friend bool operator==(const OpenOptions& a, const OpenOptions& b) {
     return a.read == b.read && a.assembly == b.assembly && a.balls == b.balls &&
-           a.radii_table == b.radii_table;
+           a.radii_table == b.radii_table && a.sandbox == b.sandbox;
   }
 };
 
-// Without what was chosen for one file: assembly, model, chains, expression and radii set by hand.
+// Without what was chosen for one file: assembly, model, chains, expression, radii and balls set by
+// hand.
 OpenOptions for_another_file(const OpenOptions& options);
 
 }  // namespace alphascope

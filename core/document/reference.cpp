@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/document/explanation_text.hpp"
 #include "core/molecule/atom_address.hpp"
 
 namespace alphascope {
@@ -34,6 +35,30 @@ RefSet RefSet::toggled(const Ref& ref) const {
   std::vector<Ref> others = items();
   others.erase(std::lower_bound(others.begin(), others.end(), ref));
   return RefSet(std::move(others));
+}
+
+void Selection::note_order() {
+  if (items == noted_) return;
+  noted_ = items;
+  std::erase_if(order_, [&](const AtomRef& atom) { return !items.contains(atom); });
+  if (items.size() > kMostOrdered) return;
+  for (const Ref& item : items.items()) {
+    const AtomRef* const atom = std::get_if<AtomRef>(&item);
+    if (atom && std::find(order_.begin(), order_.end(), *atom) == order_.end()) {
+      order_.push_back(*atom);
+    }
+  }
+}
+
+std::vector<AtomRef> Selection::atoms_in_order() const {
+  Selection now = *this;
+  now.note_order();
+  if (items.size() <= kMostOrdered) return now.order_;
+  std::vector<AtomRef> atoms;
+  for (const Ref& item : items.items()) {
+    if (const AtomRef* atom = std::get_if<AtomRef>(&item)) atoms.push_back(*atom);
+  }
+  return atoms;
 }
 
 BallReferences::BallReferences(std::shared_ptr<const Molecule> molecule,
@@ -96,6 +121,39 @@ std::vector<bool> atoms_of(const Molecule& molecule, const RefSet& refs) {
     }
   }
   return atoms;
+}
+
+namespace {
+
+std::vector<AtomRef> corners_of(const Ref& ref) {
+  const AtomRef* const atom = std::get_if<AtomRef>(&ref);
+  return atom ? std::vector<AtomRef>{*atom} : std::get<SimplexRef>(ref);
+}
+
+}  // namespace
+
+std::string name_of(const Molecule& molecule, const Ref& ref) {
+  const std::vector<AtomRef> corners = corners_of(ref);
+  std::string names;
+  for (const AtomRef& corner : corners) {
+    const auto atom = find_atom(molecule, {corner.atom, corner.copy});
+    if (atom) names += (names.empty() ? "" : ", ") + atom_address(molecule, *atom);
+  }
+  return corners.size() == 1 ? names : simplex_kind_name(corners.size()) + (" " + names);
+}
+
+std::string expression_of(const Molecule& molecule, const Ref& ref) {
+  std::string text;
+  for (const AtomRef& corner : corners_of(ref)) {
+    const std::string index = std::to_string(std::uint64_t{corner.atom} + 1);
+    if (molecule.copied.empty()) {
+      text += (text.empty() ? "index " : ",") + index;
+    } else {
+      text += (text.empty() ? "" : " or ") + ("index " + index) + " and copy " +
+              std::to_string(std::uint64_t{corner.copy} + 1);
+    }
+  }
+  return text;
 }
 
 NamedAtoms named_atoms(const BallReferences& references, std::string_view text,

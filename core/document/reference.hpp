@@ -9,6 +9,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <variant>
 #include <vector>
@@ -60,6 +61,19 @@ struct Selection {
 
   bool empty() const { return items.empty() && cavities.empty(); }
   void clear() { items = cavities = {}; }
+
+  // `items` has no order of its own. This notes which atoms were added since it was last called:
+  // after each change of the selection, and once a frame.
+  void note_order();
+  // The selected atoms, those first that were selected first. The order of atoms that came at once,
+  // or with many others, is that of the file. Not in the history.
+  std::vector<AtomRef> atoms_in_order() const;
+
+ private:
+  // Nobody measures between more.
+  static constexpr std::size_t kMostOrdered = 16;
+  RefSet noted_;
+  std::vector<AtomRef> order_;  // of noted_
 };
 
 // From the balls of one molecule under one set of options to references and back.
@@ -89,6 +103,12 @@ class BallReferences {
 // One value an atom of the molecule: whether something of the set is of it, corners of simplices
 // included. What the word "selected" of an expression means.
 std::vector<bool> atoms_of(const Molecule& molecule, const RefSet& refs);
+
+// "A:HIS 87:NE2", "edge A:HIS 87:CE1, A:HIS 87:NE2"; what the molecule lacks is left out.
+std::string name_of(const Molecule& molecule, const Ref& ref);
+// An expression that names these atoms and no others, however alike names are: "index 12,20", in an
+// assembly "index 12 and copy 1 or index 20 and copy 2".
+std::string expression_of(const Molecule& molecule, const Ref& ref);
 
 struct NamedAtoms {
   std::vector<Ref> balls;  // of the atoms that are balls

@@ -3,14 +3,6 @@
 
 namespace alphascope {
 
-const SettingIds<ColourBy>& setting_ids(ColourBy) {
-  static const SettingIds<ColourBy> ids{
-      {ColourBy::element, "element"}, {ColourBy::chain, "chain"},
-      {ColourBy::single, "single"},   {ColourBy::alpha, "alpha"},
-      {ColourBy::exposed, "exposed"}, {ColourBy::exposed_residue, "exposed_residue"}};
-  return ids;
-}
-
 const SettingIds<AltlocRule>& setting_ids(AltlocRule) {
   static const SettingIds<AltlocRule> ids{{AltlocRule::best, "best"}, {AltlocRule::all, "all"}};
   return ids;
@@ -64,6 +56,14 @@ const SettingIds<AlphaScaling>& setting_ids(AlphaScaling) {
   static const SettingIds<AlphaScaling> ids{{AlphaScaling::linear, "linear"},
                                             {AlphaScaling::root, "root"},
                                             {AlphaScaling::logarithm, "logarithm"}};
+  return ids;
+}
+
+const SettingIds<LabelText>& setting_ids(LabelText) {
+  static const SettingIds<LabelText> ids{
+      {LabelText::name, "name"},       {LabelText::residue, "residue"},
+      {LabelText::address, "address"}, {LabelText::element, "element"},
+      {LabelText::radius, "radius"},   {LabelText::b_factor, "b_factor"}};
   return ids;
 }
 

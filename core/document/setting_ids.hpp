@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/document/alpha_slider.hpp"
-#include "core/document/display.hpp"
+#include "core/document/atom_labels.hpp"
 #include "core/document/open_options.hpp"
 #include "core/document/request.hpp"
 
@@ -16,7 +16,6 @@ template <class Choice>
 using SettingIds = std::vector<std::pair<Choice, std::string_view>>;
 
 // The argument only says of which type. Every value of the type has one word.
-const SettingIds<ColourBy>& setting_ids(ColourBy);
 const SettingIds<AltlocRule>& setting_ids(AltlocRule);
 const SettingIds<HydrogenRule>& setting_ids(HydrogenRule);
 const SettingIds<RadiiSet>& setting_ids(RadiiSet);
@@ -24,5 +23,6 @@ const SettingIds<FileFormat>& setting_ids(FileFormat);
 const SettingIds<EngineChoice>& setting_ids(EngineChoice);
 const SettingIds<TupleGridKind>& setting_ids(TupleGridKind);
 const SettingIds<AlphaScaling>& setting_ids(AlphaScaling);
+const SettingIds<LabelText>& setting_ids(LabelText);
 
 }  // namespace alphascope

@@ -11,7 +11,7 @@ bool same_radii(const OpenOptions& a, const OpenOptions& b) {
          a.radii_table == b.radii_table && a.balls.overrides == b.balls.overrides;
 }
 
-// Whether anything of `a` and `b` differs beside radii, assembly and model.
+// Whether anything of `a` and `b` differs beside radii, assembly, model and balls set by hand.
 bool same_atoms(OpenOptions a, const OpenOptions& b) {
   a.balls.radii = b.balls.radii;
   a.balls.user_radii = b.balls.user_radii;
@@ -19,6 +19,7 @@ bool same_atoms(OpenOptions a, const OpenOptions& b) {
   a.balls.model = b.balls.model;
   a.radii_table = b.radii_table;
   a.assembly = b.assembly;
+  a.sandbox = b.sandbox;
   return a == b;
 }
 
@@ -38,11 +39,14 @@ std::string difference_text(const Settings& a, const Settings& b) {
   note(a.open.balls.model == b.open.balls.model, "model");
   note(same_radii(a.open, b.open), "radii");
   note(same_atoms(a.open, b.open), "choice of atoms");
+  note(a.open.sandbox == b.open.sandbox, "balls");
   note(a.display == b.display, "display");
   note(a.clip == b.clip, "clip");
   note(a.views == b.views, "saved cameras");
   note(a.appearance.hidden == b.appearance.hidden, "hidden atoms");
   note(a.appearance.colours == b.appearance.colours, "colours of atoms");
+  note(a.annotations.labels == b.annotations.labels, "labels");
+  note(a.annotations.measurements == b.annotations.measurements, "measured distances and angles");
   note(a.selection == b.selection && a.cavities == b.cavities, "selection");
   std::string text;
   for (std::size_t i = 0; i < parts.size(); ++i) {

@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "core/document/annotations.hpp"
 #include "core/document/appearance.hpp"
 #include "core/document/clip.hpp"
 #include "core/document/display.hpp"
@@ -23,6 +24,7 @@ struct Settings {
   Clip clip;
   NamedViews views;  // saved cameras, in the order of saving
   Appearance appearance;
+  Annotations annotations;
   friend bool operator==(const Settings&, const Settings&) = default;
 };
 

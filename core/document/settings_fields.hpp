@@ -38,6 +38,7 @@ void visit_fields(Visitor& v, OpenOptions& o) {
   v("selection", b.selection);
   v("radii", b.radii);
   v("radius_edits", b.overrides);
+  v("sandbox", o.sandbox);
 }
 
 template <class Visitor>
@@ -82,8 +83,8 @@ void visit_fields(Visitor& v, DisplayControls& d) {
   v("ball_opacity", d.ball_opacity, kShareRule);
   v("complex_opacity", d.complex_opacity, kShareRule);
   v("shrink", d.shrink, kShrinkRule);
-  v("ball_colour", d.ball_colour);
-  v("complex_colour", d.complex_colour);
+  v("ball_colour", d.ball_paint, Painted::balls);
+  v("complex_colour", d.complex_paint, Painted::simplices);
   v("ambient_occlusion", d.ambient_occlusion);
   v("depth_cue", d.depth_cue, kDepthCueRule);
   v("silhouettes_pixels", d.silhouettes, kSilhouettesRule);
@@ -115,6 +116,23 @@ void visit_fields(Visitor& v, Appearance& a) {
 }
 
 template <class Visitor>
+void visit_fields(Visitor& v, AtomLabels& l) {
+  v("text", l.text);
+  v("atoms", l.atoms);
+}
+
+template <class Visitor>
+void visit_fields(Visitor& v, Measurement& m) {
+  v("atoms", m.atoms);
+}
+
+template <class Visitor>
+void visit_fields(Visitor& v, Annotations& a) {
+  v.objects("labels", a.labels);
+  v.objects("measurements", a.measurements);
+}
+
+template <class Visitor>
 void visit_fields(Visitor& v, Settings& s) {
   v.object("open", s.open);
   v.object("compute", s.request);
@@ -124,6 +142,7 @@ void visit_fields(Visitor& v, Settings& s) {
   v("clip", s.clip);
   v.objects("views", s.views);
   v.object("appearance", s.appearance);
+  v.object("annotations", s.annotations);
 }
 
 // Not in the history.

@@ -100,8 +100,8 @@ SessionDocument unusual() {
        .ball_opacity = 0.31f,
        .complex_opacity = 0.33f,
        .shrink = 0.1f,
-       .ball_colour = ColourBy::exposed_residue,
-       .complex_colour = ColourBy::alpha,
+       .ball_paint = {ColourBy::b_factor, ColourMap::cividis, ColourRange{-2.5, 61}, {}},
+       .complex_paint = {ColourBy::single, {}, {}, Rgb8{1, 2, 250}},
        .ambient_occlusion = false,
        .depth_cue = 0.17f,
        .silhouettes = 2.25f,
@@ -109,6 +109,9 @@ SessionDocument unusual() {
        .beside = {false, false, true, true}};
   s.settings.selection = RefSet({AtomRef{4, 0}, AtomRef{5, 2}, SimplexRef{{1, 0}, {2, 0}, {3, 7}}});
   s.settings.cavities = RefSet({SimplexRef{{1, 0}, {2, 0}, {3, 0}, {4, 0}}});
+  s.settings.annotations = {{{LabelText::b_factor, AtomSet({{0, 3, 9}, {2, 1, 1}})},
+                             {LabelText::name, AtomSet({{0, 1, 1}})}},
+                            {{{{7, 0}, {3, 1}}}, {{{1, 0}, {9, 0}, {2, 0}, {2, 5}}}}};
   s.view.light_theme = true;
   s.view.camera = {{7, 8, 9.5}, {1.0 / 3, -2e5, 1e-9}, {4, 5, 6}, {0, 0, 1}, 1.25};
   s.view.panels = {
@@ -147,16 +150,19 @@ TEST(SessionFile, EveryMemberOfEverySettingIsNamed) {
   EXPECT_EQ(named_fields<Request>(), members<Request>());
   EXPECT_EQ(named_fields<TupleOptions>(), members<TupleOptions>());
   EXPECT_EQ(named_fields<Settings>(), members<Settings>());
+  EXPECT_EQ(named_fields<Annotations>(), members<Annotations>());
+  EXPECT_EQ(named_fields<AtomLabels>(), members<AtomLabels>());
+  EXPECT_EQ(named_fields<Measurement>(), members<Measurement>());
   EXPECT_EQ(named_fields<NamedView>(), members<NamedView>());
   EXPECT_EQ(named_fields<CameraPlace>(), members<CameraPlace>());
   EXPECT_EQ(named_fields<AlphaSlider>(), members<AlphaSlider>());
   EXPECT_EQ(named_fields<PanelsShown>(), members<PanelsShown>());
   EXPECT_EQ(named_fields<SessionView>(), members<SessionView>());
-  // The balls' options but for a table in memory; the reader's format; the assembly. Its limit and
-  // descriptor are the program's, and the table of radii is a FileReference of the session.
+  // The balls' options but for a table in memory; the reader's format; assembly; sandbox. Its limit
+  // and descriptor are the program's, and the table of radii is a FileReference of the session.
   EXPECT_EQ(members<ReadOptions>(), 3u);
-  EXPECT_EQ(members<OpenOptions>(), 4u);
-  EXPECT_EQ(named_fields<OpenOptions>(), members<BallOptions>() - 1 + 2);
+  EXPECT_EQ(members<OpenOptions>(), 5u);
+  EXPECT_EQ(named_fields<OpenOptions>(), members<BallOptions>() - 1 + 3);
 }
 
 TEST(SessionFile, EverySettingComesBack) {
@@ -201,7 +207,7 @@ TEST(SessionFile, AWrongValueIsToldWithItsLine) {
          "\"compute.alpha_angstrom2\" is \"1.4\", and must be a number from");
   expect(",\n\n\"display\": { \"ball_scale\": 7 }", "4",
          "is 7, and must be a number from 0.05 to 1");
-  expect(",\"display\": { \"ball_colour\": \"green\" }", "2", "\"element\", \"chain\"");
+  expect(",\"display\": { \"ball_colour\": \"green\" }", "2", "Write element, chain");
   expect(",\"display\": { \"balls\": 1 }", "2", "must be true or false");
   expect(",\"display\": [ ]", "2", "is a list, and must be an object");
   expect(",\"compute\": { \"threads\": 1.5 }", "2", "a whole number");
@@ -215,6 +221,11 @@ TEST(SessionFile, AWrongValueIsToldWithItsLine) {
   expect(",\"selection\": [[1], [-1]]", "2", "\"selection.1\" is -1");
   expect(",\"selection\": [[1, 1]]", "2", "all different");
   expect(",\"selection\": [[1, 2, 3, 4, 5]]", "2", "one to four atoms");
+  expect(",\"annotations\": { \"measurements\": [{ \"atoms\": [1] }] }", "2", "two to four atoms");
+  expect(",\"annotations\": { \"measurements\": [{}] }", "2", "two to four atoms");
+  expect(",\"annotations\": { \"measurements\": [{ \"atoms\": [1,\n-1] }] }", "3",
+         "\"annotations.measurements.0.atoms.1\" is -1");
+  expect(",\"annotations\": { \"labels\": [{ \"text\": \"mass\" }] }", "2", "\"residue\"");
   expect(",\"camera\": { \"position_angstrom\": [1, 2] }", "2", "three numbers");
   expect(",\"camera\": { \"position_angstrom\": [0, 1, 0] }", "2", "not the way that it looks");
   expect(",\"panels\": { \"alpha_slider\": { \"low_angstrom2\": 99 } }", "2", "below its high end");

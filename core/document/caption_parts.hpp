@@ -1,0 +1,44 @@
+// What a caption in a picture says, by choice: names and words only. The texts are
+// ui/caption.hpp's.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+
+namespace alphascope {
+
+enum class CaptionPart : std::uint8_t { file, alpha, solvent, radii, counts, engine, hash };
+
+struct CaptionPartInfo {
+  CaptionPart part;
+  const char* id;     // as it is typed
+  const char* title;  // for people
+};
+std::span<const CaptionPartInfo> caption_parts();
+
+class CaptionParts {
+ public:
+  bool has(CaptionPart part) const { return (bits_ & bit(part)) != 0; }
+  void set(CaptionPart part, bool wanted) {
+    bits_ = static_cast<std::uint8_t>(wanted ? bits_ | bit(part) : bits_ & ~bit(part));
+  }
+  bool any() const { return bits_ != 0; }
+  friend bool operator==(const CaptionParts&, const CaptionParts&) = default;
+
+ private:
+  static constexpr unsigned bit(CaptionPart part) { return 1u << static_cast<unsigned>(part); }
+  std::uint8_t bits_ = 0;
+};
+
+// File, alpha, solvent radius (where there is one) and counts.
+CaptionParts usual_caption();
+
+// "usual", "all", "none", or ids with commas between: "alpha,counts". Throws std::invalid_argument,
+// a clause that names the ids.
+CaptionParts read_caption_parts(const std::string& text);
+// The ids with commas between, or "none".
+std::string caption_parts_text(CaptionParts parts);
+std::string caption_part_ids();  // "file, alpha, …"
+
+}  // namespace alphascope

@@ -21,8 +21,10 @@ ExitCode run(const std::string& command, const CommandOptions& options) {
   if (command == "measure") return run_measure(options.measure);
   if (command == "export") return run_export(options.export_complex);
   if (command == "explain") return run_explain(options.explain);
+  if (command == "steps") return run_steps(options.steps);
   if (command == "verify") return run_verify(options.verify);
   if (command == "bench") return run_bench(options.bench);
+  if (command == "frames") return run_frames(options.frames);
   return run_screenshot(options.screenshot);
 }
 
@@ -31,6 +33,7 @@ ExitCode run(const std::string& command, const CommandOptions& options) {
 int run_command_line(int argc, const char* const* argv) {
   CommandOptions options;
   options.screenshot.arguments.assign(argv, argv + argc);
+  options.frames.picture.arguments = options.screenshot.arguments;
   const OptionProgram program = command_table(options);
   const ParsedArguments parsed = parse_arguments(program, argc, argv);
   if (parsed.ended) {

@@ -1,15 +1,13 @@
 #include "app/cli/command_table.hpp"
 
 #include <algorithm>
-#include <cstdio>
 #include <stdexcept>
 
 #include "app/cli/option_groups.hpp"
+#include "app/options/did_you_mean.hpp"
 #include "app/options/option_values.hpp"
 #include "app/session/version.hpp"
 #include "core/document/complex_export.hpp"
-#include "core/document/display_preset.hpp"
-#include "core/document/settings_fields.hpp"
 
 namespace alphascope::cli {
 namespace {
@@ -25,84 +23,6 @@ Options verbosity(Verbosity& verbosity) {
                      "time for opening and the memory used"};
   verbose.set = [&verbosity](const std::string&) { verbosity = Verbosity::verbose; };
   return {quiet, verbose};
-}
-
-Option alpha(Request& request) {
-  return required(number_option({"--alpha", "A", "Alpha in Å²; it may be negative"},
-                                request.alpha_angstrom2, kAlphaRange));
-}
-
-Option alphas(std::vector<double>& alphas, const char* text) {
-  return numbers_option({"--alpha", "A", text}, alphas, kAlphaRange);
-}
-
-// The switches of the tuple engines; refused with another engine, where they would do nothing.
-Options tuples(Request& request) {
-  TupleOptions& tuples = request.tuples;
-  Option grid{.names = "--tuple-grid",
-              .value = "auto|100",
-              .text = "Cells: suited to the molecule (auto), or 100 x 100 x 100",
-              .fallback = "auto"};
-  grid.set = [&tuples, choices = grid.choices()](const std::string& id) {
-    require_choice(id, choices);
-    tuples.grid = id == "100" ? TupleGridKind::thesis : TupleGridKind::automatic;
-  };
-  const auto off = [](const char* name, const char* text, bool& value) {
-    return flag_option(name, text, value, false);
-  };
-  Options options{
-      grid,
-      off("--no-edge-optimisation", "Also enumerate tuples of balls that do not all meet",
-          tuples.edge_optimisation),
-      off("--no-alpha-optimisation",
-          "Also send tuples with an ortho-radius above alpha to kernel II",
-          tuples.alpha_optimisation),
-      off("--pageable", "GPU: pageable host memory instead of pinned", tuples.pinned),
-      off("--no-texture", "GPU: read balls from plain memory, not through textures",
-          tuples.texture),
-      with_default(whole_number_option(
-                       {"--streams", "N", "GPU: number of streams that work at the same time"},
-                       tuples.streams, {1, 8}),
-                   std::to_string(tuples.streams)),
-      with_default(whole_number_option({"--tuples-per-batch", "N", "Tuples held at once"},
-                                       tuples.tuples_per_batch, {0, 100'000'000}),
-                   "0 = chosen")};
-  for (Option& option : options) {
-    option.group = "Options of --engine tuples-cpu and tuples-gpu (same result)";
-  }
-  return options;
-}
-
-// Throws std::invalid_argument.
-void require_tuple_engine(const Request& request) {
-  if (is_tuple_engine(request.engine) || request.tuples == TupleOptions{}) return;
-  throw std::invalid_argument(
-      "the options of the tuple engines need --engine tuples-cpu or tuples-gpu");
-}
-
-Options engine(Request& request, bool threads) {
-  Option engine{.names = "--engine",
-                .value = "auto|cpu|cgal|gpu|tuples-cpu|tuples-gpu",
-                .text = "Engine, with the same result; auto takes the GPU when there is one",
-                .fallback = "auto"};
-  engine.set = [&request, choices = engine.choices()](const std::string& id) {
-    require_choice(id, choices);
-    request.engine = *engine_from_id(id);
-  };
-  Options options{number_option({"--solvent", "S", "Solvent radius in Å, added to every radius"},
-                                request.solvent_radius_angstrom, kSolventRange),
-                  engine};
-  if (threads) {
-    options.push_back(with_default(
-        whole_number_option({"--threads", "N", "CPU threads"}, request.threads, kThreadRange),
-        "0 = all"));
-  }
-  options.push_back(
-      flag_option("--tetrahedra-only",
-                  "Compute only tetrahedra, without vertices, edges, triangles and classes",
-                  request.tetrahedra_only));
-  append(options, tuples(request));
-  return options;
 }
 
 OptionCommand info(InfoOptions& options) {
@@ -256,132 +176,6 @@ OptionCommand bench(BenchOptions& options) {
   return command;
 }
 
-Option drawing_memory(std::optional<std::uint64_t>& megabytes) {
-  Option option{.names = "--drawing-memory",
-                .value = "MB",
-                .text = "Assume this much free memory for drawing, in MB",
-                .fallback = "what the system says"};
-  option.set = [&megabytes](const std::string& value) {
-    megabytes = static_cast<std::uint64_t>(whole_number_in(value, {0, 2'000'000'000, "MB"}));
-  };
-  return option;
-}
-
-Option not_required(Option option) {
-  option.required = false;
-  return option;
-}
-
-Option look_number(OptionText text, std::optional<double>& target, const NumberRule& rule,
-                   float usual) {
-  char shortest[16];
-  std::snprintf(shortest, sizeof shortest, "%g", static_cast<double>(usual));
-  Option option{.names = std::move(text.names),
-                .value = std::move(text.value),
-                .text = std::move(text.text),
-                .fallback = std::string(shortest) + ", or the preset's"};
-  option.set = [&target, rule](const std::string& value) {
-    const NumberRange range{rule.least, rule.most};
-    target = rule.whole ? whole_number_in(value, range) : number_in(value, range);
-  };
-  return option;
-}
-
-// All options but those of the picture's file are settings, which a session has.
-void note_what_sessions_say(Option& option, ScreenshotCommandOptions& options) {
-  constexpr std::string_view kOfThePicture[] = {"FILE",        "--session",       "--output",
-                                                "--size",      "--transparent",   "--no-legend",
-                                                "--scale-bar", "--drawing-memory"};
-  const std::string name = option.shown_name();
-  if (std::find(std::begin(kOfThePicture), std::end(kOfThePicture), name) !=
-      std::end(kOfThePicture)) {
-    return;
-  }
-  option.set = [&options, name, set = option.set](const std::string& value) {
-    options.beside_session.push_back(name);
-    set(value);
-  };
-}
-
-void require_one_source(const ScreenshotCommandOptions& options) {
-  const auto& given = options.beside_session;
-  if (options.session.empty()) {
-    const bool alpha = std::find(given.begin(), given.end(), "--alpha") != given.end();
-    if (options.input.file.empty()) throw std::invalid_argument("FILE is required, or --session");
-    if (!alpha) throw std::invalid_argument("--alpha is required, or --session");
-  } else if (!options.beside_session.empty()) {
-    throw std::invalid_argument("--session says itself what " + options.beside_session.front() +
-                                " would; leave that out, or change it in the window and save the "
-                                "session again");
-  }
-}
-
-OptionCommand screenshot(ScreenshotCommandOptions& options) {
-  OptionCommand command{"screenshot", "Draw the complex; needs no display", {}};
-  command.options = {
-      one_file(options.input, false),
-      path_option({"--session", "S.json",
-                   "The molecule, settings and view that the window saved; a FILE then stands for "
-                   "the molecule that it names"},
-                  options.session),
-      not_required(alpha(options.request)),
-      required(path_option({"-o,--output", "OUT.png", "Picture to write"}, options.out)),
-      text_option({"--size", "WxH", "Width and height in pixels"}, options.size),
-      flag_option("--transparent", "No background", options.transparent),
-      flag_option("--light", "Light background", options.light),
-      flag_option("--no-balls", "Without the balls", options.no_balls),
-      flag_option("--grown", "Draw balls with the radii that solvent and alpha give them",
-                  options.grown),
-      flag_option("--boundary", "Only the boundary of the tetrahedra", options.boundary),
-      number_option({"--shrink", "X", "Shrink each tetrahedron, by 0 to 0.9 of its size"},
-                    options.shrink, {0, 0.9}),
-      text_option({"--clip", "CLIP",
-                   "Cut the picture open at a plane, or by a slab: x, y=12.5 (Å), -z=3, view, "
-                   "1,1,0=5; with a thickness x=12.5:8"},
-                  options.clip),
-      flag_option("--orthographic", "Draw without perspective", options.orthographic),
-      with_default(choice_option({"--preset", preset_ids(),
-                                  "A whole look; other options change single things of it"},
-                                 options.preset),
-                   "none"),
-      flag_option("--no-shadows", "Without soft shadows", options.no_shadows),
-      look_number({"--depth-cue", "X", "Share of background in what is farthest, 0 to 1"},
-                  options.depth_cue, kDepthCueRule, DisplayControls().depth_cue),
-      look_number({"--outlines", "W",
-                   "Width of outlines in pixels of a picture of 1280x800; they grow with the size"},
-                  options.outlines, kSilhouettesRule, DisplayControls().silhouettes),
-      look_number({"--samples", "N", "Samples a pixel, 1 to 16"}, options.samples, kSamplesRule,
-                  static_cast<float>(DisplayControls().samples)),
-      text_option({"--hide", "ATOMS",
-                   "Leave these atoms, and simplices with a corner among them, out of the picture; "
-                   "an expression as of --select"},
-                  options.appearance.hide),
-      text_option({"--only", "ATOMS", "Leave all other atoms out of the picture"},
-                  options.appearance.only),
-      text_option({"--atom-colours", "LIST",
-                   "Colours of their own for some atoms: \"resn HEM=#ff8800; chain A=#888\""},
-                  options.appearance.colours),
-      choice_option({"--colours", "element|chain", "Colour of the balls"}, options.colours),
-      choice_option({"--simplex-colours", "balls|alpha",
-                     "Colour of the simplices: their balls', or by alpha value, with a legend"},
-                    options.simplex_colours),
-      flag_option("--no-legend", "Leave out the legend of the alpha values", options.no_legend),
-      text_option({"--beside", "KINDS",
-                   "Atoms that are no part of the body, drawn beside it: ligands, ions, waters, "
-                   "hydrogens, with commas; or none"},
-                  options.beside),
-      flag_option("--scale-bar", "Add a bar of a round length in Å", options.scale_bar),
-      drawing_memory(options.drawing_memory_mb)};
-  append(command.options, engine(options.request, true));
-  append(command.options, input(options.input));
-  for (Option& option : command.options) note_what_sessions_say(option, options);
-  command.check = [&options] {
-    require_tuple_engine(options.request);
-    require_one_source(options);
-  };
-  return command;
-}
-
 OptionNotes format_notes() {
   OptionNotes notes{"Formats of export, by the ending", {}};
   for (const ExportFormatInfo& format : export_formats()) {
@@ -407,10 +201,13 @@ std::vector<OptionNotes> notes() {
         "alphascope-cli measure 4hhb.pdb.gz --solvent 1.4 --per residue --csv areas.csv",
         "alphascope-cli export 1crn.pdb --alpha 1.4 -o 1crn.glb",
         "alphascope-cli explain 1crn.pdb --simplex 3,4,7 --alpha 1.4",
+        "alphascope-cli steps 1crn.pdb --ball \"A:CYS 16:SG\" --alpha 1.4",
         "alphascope-cli verify 1crn.pdb --alpha -1,0,1.4,10",
         "alphascope-cli bench 1k4c.crd.gz --alpha 0,1.4,3 --tetrahedra-only --csv times.csv",
         "alphascope-cli screenshot 1crn.pdb --alpha 1.4 --size 1920x1080 -o 1crn.png",
-        "alphascope-cli screenshot --session 1crn.json --size 1920x1080 -o 1crn.png"}},
+        "alphascope-cli screenshot --session 1crn.json --size 1920x1080 -o 1crn.png",
+        "alphascope-cli frames 1crn.pdb --sweep alpha=-1:10:120 -o 1crn-%04d.png",
+        "alphascope-cli frames 1crn.pdb --turntable 360:120 --alpha 1.4 -o 1crn.mp4"}},
       format_notes(),
       {"Units",
        {"Lengths are in Å. Alpha is in Å²: a ball of radius r grows to sqrt(r² + alpha); negative",
@@ -435,9 +232,11 @@ OptionProgram command_table(CommandOptions& options) {
                       measure(options.measure),
                       export_complex(options.export_complex),
                       explain_command(options.explain),
+                      steps_command(options.steps),
                       verify(options.verify),
                       bench(options.bench),
-                      screenshot(options.screenshot)};
+                      screenshot_command(options.screenshot),
+                      frames_command(options.frames)};
   for (OptionCommand& command : program.commands) {
     append(command.options, verbosity(options.verbosity));
   }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/cli/commands.hpp"
+#include "app/cli/steps.hpp"
 #include "app/options/option_table.hpp"
 
 namespace alphascope::cli {
@@ -15,9 +16,11 @@ struct CommandOptions {
   MeasureCommandOptions measure;
   ExportOptions export_complex;
   ExplainOptions explain;
+  StepsOptions steps;
   VerifyOptions verify;
   BenchOptions bench;
   ScreenshotCommandOptions screenshot;
+  FramesCommandOptions frames;
 };
 
 // The table sets `options`, which must outlive it.

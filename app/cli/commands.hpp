@@ -12,7 +12,10 @@
 #include "app/session/open_molecule.hpp"
 #include "core/cavity/cavities.hpp"
 #include "core/document/appearance.hpp"
+#include "core/document/caption_parts.hpp"
 #include "core/document/measure_names.hpp"
+#include "core/document/paint.hpp"
+#include "core/document/recording.hpp"
 
 namespace alphascope::cli {
 
@@ -164,8 +167,10 @@ struct ScreenshotCommandOptions {
   std::filesystem::path out;
   bool transparent = false, light = false, no_balls = false, grown = false, boundary = false;
   double shrink = 0;
-  std::string colours = "element", simplex_colours = "balls";
+  Paint ball_paint{ColourBy::element, {}, {}, {}};
+  std::optional<Paint> simplex_paint;  // none: as the balls
   bool no_legend = false, scale_bar = false;
+  CaptionParts caption;
   bool orthographic = false;
   std::string preset;  // id of a DisplayPreset, or none
   bool no_shadows = false;
@@ -179,6 +184,14 @@ struct ScreenshotCommandOptions {
   std::vector<std::string> arguments;              // as given, for the program that draws
 };
 
+struct FramesCommandOptions {
+  ScreenshotCommandOptions picture;  // of each frame; its `out` names all of them, or a movie
+  Recording recording;
+  bool sweep = false, turntable = false;        // which was asked for
+  std::string scaling = "linear", axis = "up";  // kScalings, kTurnAxes
+  FramesCommandOptions() { picture.caption = usual_caption(); }
+};
+
 ExitCode run_info(const InfoOptions& options);
 ExitCode run_compute(const ComputeOptions& options);
 ExitCode run_cavities(const CavitiesOptions& options);
@@ -190,5 +203,6 @@ ExitCode run_verify(const VerifyOptions& options);
 ExitCode run_bench(const BenchOptions& options);
 ExitCode run_thesis_bench(const BenchOptions& options);
 ExitCode run_screenshot(const ScreenshotCommandOptions& options);
+ExitCode run_frames(const FramesCommandOptions& options);
 
 }  // namespace alphascope::cli

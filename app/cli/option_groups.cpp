@@ -78,6 +78,24 @@ void require_files(const InputFiles& files) {
   }
 }
 
+Options tuple_work(TupleOptions& tuples) {
+  Option grid{.names = "--tuple-grid",
+              .value = "auto|100",
+              .text = "Cells: suited to the molecule (auto), or 100 x 100 x 100",
+              .fallback = "auto"};
+  grid.set = [&tuples, choices = grid.choices()](const std::string& id) {
+    require_choice(id, choices);
+    tuples.grid = id == "100" ? TupleGridKind::thesis : TupleGridKind::automatic;
+  };
+  return {
+      grid,
+      flag_option("--no-edge-optimisation", "Also enumerate tuples of balls that do not all meet",
+                  tuples.edge_optimisation, false),
+      flag_option("--no-alpha-optimisation",
+                  "Also send tuples with an ortho-radius above alpha to kernel II",
+                  tuples.alpha_optimisation, false)};
+}
+
 Option output(const char* name, const char* text, std::string& path) {
   return text_option({name, "OUT", text}, path);
 }

@@ -32,10 +32,21 @@ Options many_files(InputFiles& files);
 // Throws std::invalid_argument.
 void require_files(const InputFiles& files);
 
+Option alpha(Request& request);
+Option alphas(std::vector<double>& alphas, const char* text);
+// The switches of the tuple engine that change its work on the CPU.
+Options tuple_work(TupleOptions& tuples);
+// Solvent radius, engine and its switches; `threads`: and how many.
+Options engine(Request& request, bool threads);
+// Switches of the tuple engines want one of them. Throws std::invalid_argument.
+void require_tuple_engine(const Request& request);
+
 Option output(const char* name, const char* text, std::string& path);
 
 OptionCommand cavities_command(CavitiesOptions& options);
 OptionCommand channel_command(ChannelOptions& options);
 OptionCommand explain_command(ExplainOptions& options);
+OptionCommand screenshot_command(ScreenshotCommandOptions& options);
+OptionCommand frames_command(FramesCommandOptions& options);
 
 }  // namespace alphascope::cli

@@ -36,6 +36,9 @@ class Outputs {
   // Whether one of them is standard output.
   bool take_standard_output() const { return on_standard_output_ != nullptr; }
 
+  // Throws UsageError for a file that is an input, or where standard output or error goes.
+  void refuse_clash(const char* option, const std::filesystem::path& path) const;
+
   // Gives every file its name. Throws WriteError.
   void commit();
 
@@ -46,8 +49,6 @@ class Outputs {
     const char* option;
     AtomicFile file;
   };
-  void refuse_clash(const char* option, const std::filesystem::path& path) const;
-
   std::vector<std::filesystem::path> inputs_;
   std::list<Output> outputs_;
   const char* on_standard_output_ = nullptr;  // the option that took it

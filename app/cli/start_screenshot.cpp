@@ -1,5 +1,5 @@
-// alphascope-cli screenshot, as everybody starts it: goes over to alphascope-cli-draw, which is the
-// same command line with the renderer. Its 60 libraries are loaded for pictures only.
+// alphascope-cli screenshot and frames, as everybody starts them: goes over to alphascope-cli-draw,
+// which is the same command line with the renderer. Its 60 libraries are loaded for pictures only.
 #include <unistd.h>
 
 #include <cerrno>
@@ -22,11 +22,9 @@ std::vector<std::filesystem::path> candidates() {
           (folder / ALPHASCOPE_DRAWING_FOLDER / kDrawingProgram).lexically_normal()};
 }
 
-}  // namespace
-
-ExitCode run_screenshot(const ScreenshotCommandOptions& options) {
+[[noreturn]] void start_drawing(const std::vector<std::string>& given) {
   std::vector<char*> arguments;
-  for (const std::string& argument : options.arguments) {
+  for (const std::string& argument : given) {
     arguments.push_back(const_cast<char*>(argument.c_str()));  // execv's type; it changes nothing
   }
   arguments.push_back(nullptr);
@@ -39,12 +37,34 @@ ExitCode run_screenshot(const ScreenshotCommandOptions& options) {
                            ". Reinstall alphascope-cli with all of its files.");
 }
 
+}  // namespace
+
+ExitCode run_screenshot(const ScreenshotCommandOptions& options) {
+  start_drawing(options.arguments);
+}
+
+ExitCode run_frames(const FramesCommandOptions& options) {
+  start_drawing(options.picture.arguments);
+}
+
 #else
 
-ExitCode run_screenshot(const ScreenshotCommandOptions&) {
+namespace {
+
+[[noreturn]] void refuse() {
   throw UsageError(
       "This alphascope-cli was built without its renderer (ALPHASCOPE_BUILD_VIEWER=OFF), so it "
-      "draws no pictures. Build it with the viewer to use screenshot.");
+      "draws no pictures. Build it with the viewer to use screenshot and frames.");
+}
+
+}  // namespace
+
+ExitCode run_screenshot(const ScreenshotCommandOptions&) {
+  refuse();
+}
+
+ExitCode run_frames(const FramesCommandOptions&) {
+  refuse();
 }
 
 #endif

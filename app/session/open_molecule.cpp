@@ -12,6 +12,7 @@ std::shared_ptr<const PreparedBalls> prepare(const Molecule& molecule, const Ope
                                              const RunContext& context) {
   context.report("selection and radii", 0);
   BallOptions balls = options.balls;
+  if (options.sandbox) balls = {.radii = RadiiSet::file};
   if (balls.radii == RadiiSet::user && !balls.user_radii && !options.radii_table.empty()) {
     balls.user_radii = read_user_radii(options.radii_table, context);
   }
@@ -20,7 +21,10 @@ std::shared_ptr<const PreparedBalls> prepare(const Molecule& molecule, const Ope
 
 void expand(OpenedMolecule& opened, const OpenOptions& options, const RunContext& context) {
   opened.molecule = opened.deposited;
-  if (!options.assembly.empty()) {
+  if (options.sandbox) {
+    opened.molecule =
+        std::make_shared<const Molecule>(sandbox_molecule(*opened.deposited, *options.sandbox));
+  } else if (!options.assembly.empty()) {
     context.report("assembly", 0);
     opened.molecule = std::make_shared<const Molecule>(
         expand_assembly(*opened.deposited, options.assembly, context));
@@ -45,7 +49,9 @@ OpenedMolecule open_molecule(const std::filesystem::path& path, const OpenOption
 OpenedMolecule reopen_molecule(const OpenedMolecule& opened, const OpenOptions& options,
                                const RunContext& context) {
   OpenedMolecule result = opened;
-  if (options.assembly != opened.options.assembly) expand(result, options, context);
+  const bool other_atoms =
+      options.assembly != opened.options.assembly || options.sandbox != opened.options.sandbox;
+  if (other_atoms) expand(result, options, context);
   result.prepared = prepare(*result.molecule, options, context);
   result.options = options;
   return result;

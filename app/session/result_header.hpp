@@ -22,5 +22,7 @@ ComplexHeader result_header(std::string_view program, const Provenance& balls,
 
 // The same as texts of a picture (docs/output-files.md).
 std::vector<std::pair<std::string, std::string>> picture_texts(const ComplexHeader& header);
+// Where some are hidden, says so: nobody sees it in a saved picture.
+void note_hidden_atoms(std::vector<std::pair<std::string, std::string>>& texts, std::size_t hidden);
 
 }  // namespace alphascope

@@ -10,7 +10,7 @@ namespace alphascope::testing {
 namespace {
 
 const std::string kCrambin = ALPHASCOPE_SOURCE_DIR "/resources/molecules/1crn.pdb";
-constexpr const char* kCommands[] = {"info", "compute", "verify", "bench", "screenshot"};
+constexpr const char* kCommands[] = {"info", "compute", "verify", "bench", "screenshot", "frames"};
 
 class CliConventions : public Cli {
  protected:
@@ -103,7 +103,7 @@ TEST_F(CliConventions, UsageErrorsSayWhatIsMissing) {
     std::string arguments, said;
   } cases[] = {{"",
                 "alphascope-cli: name a command: info, compute, cavities, channel, measure, "
-                "export, explain, verify, bench, screenshot."},
+                "export, explain, steps, verify, bench, screenshot, frames."},
                {"compute " + file, "alphascope-cli: --alpha is required."},
                {"compute " + file + "--alpha", "--alpha needs a value."},
                {"compute " + file + "--alpha 1 --alpha 2", "--alpha can be given only once."},
@@ -170,7 +170,8 @@ TEST_F(CliConventions, ManualAndCompletionsHoldEveryOption) {
 TEST_F(CliConventions, BashCompletes) {
   EXPECT_EQ(completed("alphascope-cli comp", 2), "compute\n");
   EXPECT_EQ(completed("alphascope-cli \"\"", 2),
-            "info compute cavities channel measure export explain verify bench screenshot\n");
+            "info compute cavities channel measure export explain steps verify bench screenshot "
+            "frames\n");
   EXPECT_EQ(completed("alphascope-cli --vers", 2), "--version\n");
   EXPECT_EQ(completed("alphascope-cli compute --eng", 3), "--engine\n");
   EXPECT_EQ(completed("alphascope-cli compute --engine tup", 4), "tuples-cpu tuples-gpu\n");

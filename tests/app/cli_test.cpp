@@ -9,7 +9,7 @@ TEST_F(Cli, HelpHasExamplesAndExitCodes) {
   EXPECT_EQ(outcome.code, 0);
   EXPECT_TRUE(contains(outcome.out, "Examples:"));
   EXPECT_TRUE(contains(outcome.out, "Exit codes:"));
-  for (const char* command : {"info", "compute", "verify", "bench", "screenshot"}) {
+  for (const char* command : {"info", "compute", "verify", "bench", "screenshot", "frames"}) {
     EXPECT_TRUE(contains(outcome.out, command));
     EXPECT_EQ(run(std::string(command) + " --help").code, 0);
   }

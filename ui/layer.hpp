@@ -2,6 +2,7 @@
 // Plain data: panels fill it, the scene draws it.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -42,6 +43,7 @@ struct Layer {
   std::vector<LayerSphere> spheres;
   std::vector<std::vector<LayerSphere>> tubes;
   std::vector<LayerLabel> labels;
+  std::vector<std::array<RealPoint, 2>> lines;  // from here to there, over everything else; Å
   Colour colour;
   // Its triangles and tetrahedra are bodies in the picture, with light and shadow, and tetrahedra
   // with darker edges; its edges are lines on bodies, which may hide them. False: marks over

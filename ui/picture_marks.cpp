@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/chart/nice_step.hpp"
+#include "core/molecule/grouped_number.hpp"
+#include "ui/caption.hpp"
 #include "ui/number_text.hpp"
 
 namespace alphascope {
@@ -11,23 +14,130 @@ namespace {
 
 constexpr float kMargin = 20;                      // from the picture's edge
 constexpr float kBarWidth = 180, kBarHeight = 10;  // of the legend
-constexpr float kTitleGap = 4, kTickGap = 3;
-constexpr float kLongestLength = 130;  // of the scale bar
+constexpr float kTitleGap = 4, kTickGap = 3, kNumberGap = 8, kStickOut = 10;
+constexpr float kEntriesWidth = 260, kPatch = 10, kPatchGap = 5, kEntryGap = 14, kRowGap = 3;
+constexpr int kMostRows = 3;  // of categories
+constexpr float kLegendGap = 10;
+constexpr float kCaptionTop = 14, kLineGap = 3;  // of the caption
+constexpr float kLongestLength = 130;            // of the scale bar
 
 bool fits(const float (&room)[2], float width, float height, float unit) {
   return width >= room[0] * unit && height >= room[1] * unit;
 }
 
-// Two decimals, and more where they would say the same of different colours.
-std::vector<std::string> tick_texts(const std::array<double, 3>& values) {
-  constexpr int kFewest = 2, kMost = 5;
-  std::vector<std::string> texts;
-  for (int decimals = kFewest; decimals <= kMost; ++decimals) {
-    texts.clear();
-    for (const double value : values) texts.push_back(short_number_text(value, decimals));
-    if (texts[0] != texts[1] && texts[1] != texts[2]) break;
+// Of a value along the legend's bar, 0 to 1. Values ascend with the stops.
+float share_of(const std::vector<ColourLegend::Stop>& stops, double value) {
+  std::size_t i = 1;
+  while (i + 1 < stops.size() && stops[i].value < value) ++i;
+  const double low = stops[i - 1].value, high = stops[i].value;
+  const double within = high > low ? std::clamp((value - low) / (high - low), 0.0, 1.0) : 0;
+  return static_cast<float>((static_cast<double>(i - 1) + within) /
+                            static_cast<double>(stops.size() - 1));
+}
+
+struct Tick {
+  float x = 0;     // of the tick, from the bar's left
+  float text = 0;  // left end of its number
+  std::string number;
+};
+
+// With `step` between them.
+std::vector<Tick> ticks_at(const ColourLegend& legend, double step, float width,
+                           const MarkType& type) {
+  constexpr int kDecimals = 9;  // of multiples of a step, which has one digit
+  std::vector<Tick> ticks;
+  const ColourRange range{legend.stops.front().value, legend.stops.back().value};
+  for (const double value : round_values(range, step)) {
+    Tick tick{width * share_of(legend.stops, value), 0, short_number_text(value, kDecimals)};
+    const float length = type.text_width(tick.number);
+    // Those at the bar's ends stick out a little, but not out of the margin.
+    const float out = kStickOut * type.unit;
+    tick.text = std::clamp(tick.x - length / 2, -out, std::max(-out, width + out - length));
+    ticks.push_back(std::move(tick));
   }
-  return texts;
+  return ticks;
+}
+
+// As many round numbers as stand apart; of a range without two of them, its ends.
+std::vector<Tick> ticks_of(const ColourLegend& legend, float width, const MarkType& type) {
+  const double low = legend.stops.front().value, high = legend.stops.back().value;
+  constexpr int kMost = 9;
+  for (int most = kMost; most >= 1 && high > low; --most) {
+    std::vector<Tick> ticks = ticks_at(legend, nice_step(high - low, most), width, type);
+    bool apart = ticks.size() >= 2;
+    for (std::size_t i = 1; i < ticks.size(); ++i) {
+      const float end = ticks[i - 1].text + type.text_width(ticks[i - 1].number);
+      apart = apart && ticks[i].text >= end + kNumberGap * type.unit;
+    }
+    if (apart) return ticks;
+  }
+  constexpr int kDecimals = 5;
+  const std::string first = short_number_text(low, kDecimals);
+  const std::string last = short_number_text(high, kDecimals);
+  return {{0, 0, first}, {width, std::max(0.0f, width - type.text_width(last)), last}};
+}
+
+// Returns where the bar begins whose numbers end at `bottom`.
+float lay_out_bar(const ColourLegend& legend, float bottom, const MarkType& type,
+                  LegendLayout& layout) {
+  const float u = type.unit, left = kMargin * u;
+  const float top = bottom - (kTickGap + kBarHeight) * u - type.line_height;
+  const MarkBox bar{left, top, left + kBarWidth * u, top + kBarHeight * u};
+  layout.bar = bar;
+  for (const Tick& tick : ticks_of(legend, kBarWidth * u, type)) {
+    const float x = std::clamp(left + tick.x, bar.x0 + u / 2, bar.x1 - u / 2);
+    layout.ticks.push_back({x - u / 2, bar.y1, x + u / 2, bar.y1 + kTickGap * u});
+    layout.texts.push_back({left + tick.text, bar.y1 + kTickGap * u, tick.number});
+  }
+  layout.whole.x1 = std::max(layout.whole.x1, bar.x1 + kStickOut * u);
+  return top;
+}
+
+// Patches and names in rows from (0, 0); false when these are more than there may be.
+bool lay_out_rows(const std::vector<ColourLegend::Entry>& entries, std::size_t shown, float width,
+                  const MarkType& type, LegendLayout& rows) {
+  const float u = type.unit, patch = kPatch * u, line = type.line_height + kRowGap * u;
+  float x = 0, y = 0;
+  const auto place = [&](const std::string& text, float before) {
+    const float length = before + type.text_width(text);
+    if (x > 0 && x + length > width) x = 0, y += line;
+    rows.texts.push_back({x + before, y, text});
+    rows.whole.x1 = std::max(rows.whole.x1, x + length);
+    x += length + kEntryGap * u;
+  };
+  for (std::size_t i = 0; i < shown; ++i) {
+    place(entries[i].name, patch + kPatchGap * u);
+    const MarkText& name = rows.texts.back();
+    const float left = name.x - patch - kPatchGap * u;
+    const float top = name.y + (type.line_height - patch) / 2;
+    rows.patches.push_back({{left, top, left + patch, top + patch}, entries[i].colour});
+  }
+  if (shown < entries.size()) place("and " + grouped(entries.size() - shown) + " more", 0);
+  rows.whole.y1 = y + type.line_height;
+  return y < kMostRows * line - line / 2;
+}
+
+// Returns where the rows begin that end at `bottom`.
+float lay_out_entries(const ColourLegend& legend, float bottom, float width, const MarkType& type,
+                      LegendLayout& layout) {
+  const float u = type.unit;
+  const float room = std::min(kEntriesWidth * u, width / 2 - kMargin * u);
+  LegendLayout rows;
+  constexpr std::size_t kMostEntries = 60;
+  for (std::size_t shown = std::min(kMostEntries, legend.entries.size());; --shown) {
+    rows = {};
+    if (lay_out_rows(legend.entries, shown, room, type, rows) || shown <= 1) break;
+  }
+  const float left = kMargin * u, top = bottom - rows.whole.y1;
+  for (LegendLayout::Patch& patch : rows.patches) {
+    MarkBox& b = patch.box;
+    layout.patches.push_back({{b.x0 + left, b.y0 + top, b.x1 + left, b.y1 + top}, patch.colour});
+  }
+  for (const MarkText& text : rows.texts) {
+    layout.texts.push_back({text.x + left, text.y + top, text.text});
+  }
+  layout.whole.x1 = left + rows.whole.x1;
+  return top;
 }
 
 bool overlap(const MarkBox& a, const MarkBox& b) {
@@ -57,29 +167,39 @@ MarkBox free_place(const MarkBox& box, const std::vector<MarkBox>& others, float
 
 }  // namespace
 
-MarkBox LegendLayout::whole() const {
-  return {bar.x0, texts.front().y, bar.x1, texts.back().y + line_height};
-}
-
 std::optional<LegendLayout> lay_out_legend(const ColourLegend& legend, float width, float height,
                                            const MarkType& type) {
-  const auto& stops = legend.stops;
-  const float u = type.unit, line = type.line_height;
-  if (stops.size() < 2 || !fits(kLegendRoom, width, height, u)) return std::nullopt;
-  LegendLayout layout;
-  layout.line_height = line;
-  const float left = kMargin * u, top = height - kMargin * u - line - kBarHeight * u;
-  layout.bar = {left, top, left + kBarWidth * u, top + kBarHeight * u};
-  layout.texts.push_back({left, top - kTitleGap * u - line, legend.title});
-  const std::vector<std::string> ticks =
-      tick_texts({stops.front().value, stops[(stops.size() - 1) / 2].value, stops.back().value});
-  for (std::size_t i = 0; i < ticks.size(); ++i) {
-    // The outer ones end with the bar, so that none sticks out.
-    const float share = static_cast<float>(i) / static_cast<float>(ticks.size() - 1);
-    const float shift = share * (kBarWidth * u - type.text_width(ticks[i]));
-    layout.texts.push_back({left + shift, layout.bar.y1 + kTickGap * u, ticks[i]});
+  const float u = type.unit, bottom = height - (kMargin - kTickGap) * u;
+  const bool quantity = legend.stops.size() >= 2;
+  if ((!quantity && legend.entries.empty()) || !fits(kLegendRoom, width, height, u)) {
+    return std::nullopt;
   }
+  LegendLayout layout;
+  layout.texts.push_back({kMargin * u, 0, legend.title});
+  float top = bottom;
+  if (!legend.entries.empty()) top = lay_out_entries(legend, top, width, type, layout);
+  if (quantity) {
+    if (top < bottom) top -= kRowGap * u;
+    top = lay_out_bar(legend, top, type, layout);
+  }
+  MarkText& title = layout.texts[0];
+  title.y = top - kTitleGap * u - type.line_height;
+  const float right = std::max(layout.whole.x1, title.x + type.text_width(title.text));
+  layout.whole = {title.x, title.y, right, bottom};
   return layout;
+}
+
+std::vector<LegendLayout> lay_out_legends(const std::vector<ColourLegend>& legends, float width,
+                                          float height, const MarkType& type) {
+  std::vector<LegendLayout> layouts;
+  for (auto legend = legends.rbegin(); legend != legends.rend(); ++legend) {
+    auto layout = lay_out_legend(*legend, width, height, type);
+    if (!layout) break;
+    // The next one's margin is from this one's title.
+    height = layout->whole.y0 + (kMargin - kTickGap - kLegendGap) * type.unit;
+    layouts.insert(layouts.begin(), *std::move(layout));
+  }
+  return layouts;
 }
 
 std::vector<MarkText> lay_out_labels(const std::vector<PictureLabel>& labels, float width,
@@ -119,6 +239,28 @@ std::optional<ScaleBarLayout> lay_out_scale_bar(double angstrom_per_pixel, float
   layout.text.text = short_number_text(length, 3) + " Å";
   layout.text.x = (x0 + x1 - type.text_width(layout.text.text)) / 2;
   layout.text.y = y - 7 * u - type.line_height;
+  return layout;
+}
+
+std::optional<CaptionLayout> lay_out_caption(const std::vector<std::string>& words, float width,
+                                             float height, const MarkType& type) {
+  const float u = type.unit, room = width - 2 * kMargin * u;
+  if (words.empty() || !fits(kCaptionRoom, width, height, u)) return std::nullopt;
+  std::vector<std::string> lines;
+  for (const std::string& word : words) {
+    const std::string longer = lines.empty() ? word : lines.back() + kCaptionGap + word;
+    if (!lines.empty() && type.text_width(longer) <= room) {
+      lines.back() = longer;
+    } else {
+      lines.push_back(fitted_text(word, room, type.text_width));
+    }
+  }
+  const float step = type.line_height + kLineGap * u, top = kCaptionTop * u;
+  if (top + step * static_cast<float>(lines.size()) > height / 2) return std::nullopt;
+  CaptionLayout layout;
+  for (std::size_t k = 0; k < lines.size(); ++k) {
+    layout.lines.push_back({kMargin * u, top + step * static_cast<float>(k), lines[k]});
+  }
   return layout;
 }
 

@@ -4,24 +4,15 @@
 #pragma once
 
 #include <array>
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "ui/colour_legend.hpp"
+#include "ui/fitted_text.hpp"
 #include "ui/theme.hpp"
 
 namespace alphascope {
-
-// What the colours of a quantity mean.
-struct ColourLegend {
-  struct Stop {
-    Colour colour;
-    double value = 0;  // in the unit that the title says
-  };
-  std::string title;        // "alpha value (Å²), square-root scale"
-  std::vector<Stop> stops;  // evenly along the colour map, smallest value first
-};
 
 // Pixels from the picture's top left; y points down.
 struct MarkBox {
@@ -35,22 +26,30 @@ struct MarkText {
 struct MarkType {
   float unit = 1;          // pixels of the picture that are one at scale 1
   float line_height = 14;  // pixels
-  std::function<float(const std::string&)> text_width;
+  TextWidth text_width;
 };
 
-// At the bottom left: quantity and unit above a bar of the colours, and below it the values of its
-// ends and middle. Colours of alpha values follow the square root: their middle is a quarter of the
-// way from the least value.
+// At the bottom left. Of a quantity: its name and unit above a bar of the colours, and below that
+// round values at ticks. Of categories, and of what has no value: a patch of colour before each
+// name, in a few rows; those that find no room there are counted.
 struct LegendLayout {
-  MarkBox bar;
-  std::vector<MarkText> texts;
-  MarkBox whole() const;  // bar and texts
-  float line_height = 0;
+  struct Patch {
+    MarkBox box;
+    Colour colour;
+  };
+  std::vector<MarkText> texts;  // the title first
+  std::optional<MarkBox> bar;
+  std::vector<MarkBox> ticks;
+  std::vector<Patch> patches;
+  MarkBox whole;
 };
 // None when the picture is smaller than kLegendRoom, or there are no colours.
 inline constexpr float kLegendRoom[2] = {420, 90};  // width and height at scale 1
 std::optional<LegendLayout> lay_out_legend(const ColourLegend& legend, float width, float height,
                                            const MarkType& type);
+// One above the other, the last one lowest; those that have no room are left out.
+std::vector<LegendLayout> lay_out_legends(const std::vector<ColourLegend>& legends, float width,
+                                          float height, const MarkType& type);
 
 // Words around a place of the picture.
 struct PictureLabel {
@@ -74,5 +73,16 @@ struct ScaleBarLayout {
 inline constexpr float kScaleBarRoom[2] = {180, 60};
 std::optional<ScaleBarLayout> lay_out_scale_bar(double angstrom_per_pixel, float width,
                                                 float height, const MarkType& type);
+
+// At the top left: the words of a caption (ui/caption.hpp), as many on a line as fit. Words that
+// are longer than a line are cut in their middle.
+struct CaptionLayout {
+  std::vector<MarkText> lines;
+};
+// None when the picture is smaller than kCaptionRoom, when the lines would take more than half of
+// its height, or when there are no words.
+inline constexpr float kCaptionRoom[2] = {180, 60};
+std::optional<CaptionLayout> lay_out_caption(const std::vector<std::string>& words, float width,
+                                             float height, const MarkType& type);
 
 }  // namespace alphascope

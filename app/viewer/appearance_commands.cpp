@@ -4,19 +4,11 @@
 
 #include "app/viewer/command_parts.hpp"
 #include "core/document/colour_words.hpp"
-#include "core/molecule/atom_address.hpp"
 #include "ui/panels/format.hpp"
 
 namespace alphascope {
-namespace {
 
-struct Named {
-  AtomSet atoms;
-  std::string fault;  // a sentence; empty: there are some
-};
-
-// Those of the text, or what is selected where there is none.
-Named named(const ViewState& s, const std::string& text) {
+AskedAtoms asked_atoms(const ViewState& s, const std::string& text) {
   const Molecule& molecule = s.references->molecule();
   const std::vector<bool> selected = atoms_of(molecule, s.picked.items);
   if (text.empty()) {
@@ -28,20 +20,12 @@ Named named(const ViewState& s, const std::string& text) {
   }
   try {
     const std::vector<bool> hidden = atoms_of(molecule, s.appearance.hidden);
-    const auto is_named = atoms_named(molecule, text, {&selected, &hidden});
-    std::vector<bool> atoms(molecule.atoms.size());
-    for (std::size_t i = 0; i < atoms.size(); ++i) atoms[i] = is_named(i);
-    AtomSet set = atom_set(molecule, atoms);
+    AtomSet set = named_set(molecule, text, {&selected, &hidden});
     const bool none = set.empty();
     return {std::move(set), none ? "The molecule has no atom of this name." : ""};
   } catch (const SelectionError& error) {
     return {{}, std::string("This cannot be read: ") + error.what() + "."};
   }
-}
-
-AtomSet all_atoms(const ViewState& s) {
-  const Molecule& molecule = s.references->molecule();
-  return atom_set(molecule, std::vector<bool>(molecule.atoms.size(), true));
 }
 
 Parameter which_atoms() {
@@ -51,12 +35,18 @@ Parameter which_atoms() {
           .optional = true};
 }
 
+std::function<std::string()> without_picture(const ViewState& s) {
+  return [&s] { return s.references ? "" : "No molecule is in the picture."; };
+}
+
+namespace {
+
 // A command on the atoms that it is given, or on what is selected.
 CommandSpec on_atoms(ViewState& s, CommandSpec spec, std::function<void(const AtomSet&)> act) {
   spec.parameters.push_back(which_atoms());
-  spec.why_not = [&s] { return s.references ? "" : "No molecule is in the picture."; };
+  spec.why_not = without_picture(s);
   spec.run = [&s, act = std::move(act)](const Arguments& arguments) {
-    const Named found = named(s, arguments.text("atoms"));
+    const AskedAtoms found = asked_atoms(s, arguments.text("atoms"));
     if (!found.fault.empty()) return Outcome::refused(found.fault);
     act(found.atoms);
     return Outcome();
@@ -73,14 +63,14 @@ CommandSpec colour_command(ViewState& s) {
                                    .help = "Red, green and blue in hexadecimal digits",
                                    .example = "#ff8800"},
                                   which_atoms()}};
-  spec.why_not = [&s] { return s.references ? "" : "No molecule is in the picture."; };
+  spec.why_not = without_picture(s);
   spec.run = [&s](const Arguments& arguments) {
     const std::string text = arguments.text("colour");
     const std::optional<Rgb8> colour = read_colour(text);
     if (!colour) {
       return Outcome::refused("\"" + text + "\" is no colour such as #ff8800 or #f80.");
     }
-    const Named found = named(s, arguments.text("atoms"));
+    const AskedAtoms found = asked_atoms(s, arguments.text("atoms"));
     if (!found.fault.empty()) return Outcome::refused(found.fault);
     set_colour(s.appearance, found.atoms, colour);
     return Outcome();
@@ -108,14 +98,15 @@ void add_appearance_commands(Commands& commands, ViewState& s) {
        .help = "Shows hidden atoms again",
        .menu = "Edit"},
       [&s](const AtomSet& atoms) { s.appearance.hidden = s.appearance.hidden.without(atoms); }));
-  commands.add(
-      on_atoms(s,
-               {.id = "atoms.only",
-                .title = "Show only these atoms",
-                .help = "Shows these atoms and hides all others",
-                .shortcuts = {{"I"}},
-                .menu = "Edit"},
-               [&s](const AtomSet& atoms) { s.appearance.hidden = all_atoms(s).without(atoms); }));
+  commands.add(on_atoms(s,
+                        {.id = "atoms.only",
+                         .title = "Show only these atoms",
+                         .help = "Shows these atoms and hides all others",
+                         .shortcuts = {{"I"}},
+                         .menu = "Edit"},
+                        [&s](const AtomSet& atoms) {
+                          s.appearance.hidden = all_atoms(s.references->molecule()).without(atoms);
+                        }));
   commands.add({.id = "atoms.show_all",
                 .title = "Show all atoms",
                 .help = "Shows all hidden atoms again",

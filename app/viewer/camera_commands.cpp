@@ -12,9 +12,9 @@ struct Side {
   const char *id, *title;
   std::array<double, 3> towards_viewer;
 };
-constexpr Side kSides[] = {{"x", "From +x", {1, 0, 0}}, {"-x", "From -x", {-1, 0, 0}},
-                           {"y", "From +y", {0, 1, 0}}, {"-y", "From -y", {0, -1, 0}},
-                           {"z", "From +z", {0, 0, 1}}, {"-z", "From -z", {0, 0, -1}}};
+constexpr Side kSides[] = {{"x", "From +x", {1, 0, 0}}, {"-x", "From −x", {-1, 0, 0}},
+                           {"y", "From +y", {0, 1, 0}}, {"-y", "From −y", {0, -1, 0}},
+                           {"z", "From +z", {0, 0, 1}}, {"-z", "From −z", {0, 0, -1}}};
 
 Outcome look_along(const Arguments& arguments, ViewState& s) {
   for (const Side& side : kSides) {

@@ -24,8 +24,9 @@ CommandSpec with_switch(CommandSpec spec, bool& value);
 // Alpha, solvent, molecule, engine, comparison, benchmark.
 void add_compute_commands(Commands& commands, ViewState& s);
 
-// Of sessions, recent files and the scale; each is added where its menu has it.
+// Of recordings, sessions, recent files and the scale; each is added where its menu has it.
 CommandSpec open_session_command(ViewState& s);
+CommandSpec record_command(ViewState& s);
 CommandSpec save_session_command(ViewState& s);
 CommandSpec recent_files_command(ViewState& s);
 CommandSpec scale_command(ViewState& s);
@@ -34,6 +35,9 @@ void add_camera_commands(Commands& commands, ViewState& s);
 
 // Presets, light and lines.
 void add_look_commands(Commands& commands, ViewState& s);
+
+// What balls and simplices are coloured by.
+void add_paint_commands(Commands& commands, ViewState& s);
 
 // The clip.
 void add_clip_commands(Commands& commands, ViewState& s);
@@ -44,7 +48,31 @@ void add_selection_commands(Commands& commands, ViewState& s);
 // The page that explains a simplex.
 void add_why_commands(Commands& commands, ViewState& s);
 
+// Balls set by hand.
+void add_sandbox_commands(Commands& commands, ViewState& s);
+
+// Lessons.
+void add_lesson_commands(Commands& commands, ViewState& s);
+
 // What the picture shows of atoms.
 void add_appearance_commands(Commands& commands, ViewState& s);
+
+// What is under the mouse, or what the open menu of the right button is about; none: nothing.
+const std::optional<Ref>& pointed(const ViewState& s);
+void add_pointed_commands(Commands& commands, ViewState& s);
+
+// Labels, distances and angles.
+void add_annotation_commands(Commands& commands, ViewState& s);
+
+// The last parameter of commands on atoms, and what it asks for: atoms that are named or, where it
+// is left out, what is selected. ViewState::references must be known.
+Parameter which_atoms();
+struct AskedAtoms {
+  AtomSet atoms;
+  std::string fault;  // a sentence; empty: there are some
+};
+Outcome add_measurement(ViewState& s, const Measurement& m);
+AskedAtoms asked_atoms(const ViewState& s, const std::string& text);
+std::function<std::string()> without_picture(const ViewState& s);
 
 }  // namespace alphascope

@@ -7,6 +7,7 @@
 
 #include "app/viewer/command_parts.hpp"
 #include "core/molecule/printable.hpp"
+#include "ui/panels/panel_list.hpp"
 #include "ui/panels/picture_path.hpp"
 #include "ui/panels/widgets.hpp"
 
@@ -86,6 +87,12 @@ Outcome save_picture(const Arguments& arguments, ViewState& s) {
   options.width = static_cast<int>(arguments.number("width", options.width));
   options.height = static_cast<int>(arguments.number("height", options.height));
   options.transparent |= arguments.has("transparent");
+  options.scale_bar |= arguments.has("scale-bar");
+  try {
+    if (arguments.has("caption")) options.caption = read_caption_parts(arguments.text("caption"));
+  } catch (const std::invalid_argument& error) {
+    return Outcome::refused("Caption: " + std::string(error.what()) + ".");
+  }
   s.requests.screenshot = {picture_path(arguments.text("path")), options};
   return {};
 }
@@ -152,9 +159,18 @@ void add_file_commands(Commands& commands, ViewState& s) {
                        .optional = true},
                       pixels("width", "Width in pixels; if left out, as in the dialog"),
                       pixels("height", "Height in pixels; if left out, as in the dialog"),
-                      {.name = "transparent", .kind = Kind::flag, .help = "Without background"}},
+                      {.name = "caption",
+                       .kind = Kind::text,
+                       .help = "Parts of the caption: usual, all, none, or some of " +
+                               caption_part_ids() +
+                               " with commas between; if left out, as in the dialog",
+                       .example = "alpha,counts",
+                       .optional = true},
+                      {.name = "transparent", .kind = Kind::flag, .help = "Without background"},
+                      {.name = "scale-bar", .kind = Kind::flag, .help = "With a scale bar"}},
        .why_not = without_molecule(s),
        .run = [&s](const Arguments& arguments) { return save_picture(arguments, s); }});
+  commands.add(record_command(s));
   commands.add({.id = "file.export",
                 .title = "Export…",
                 .help = "Writes boundary, simplices or balls for another program",
@@ -219,6 +235,27 @@ void add_edit_commands(Commands& commands, ViewState& s) {
 }
 
 // --- View
+
+// Pages below the view, without its buttons.
+void add_page_command(Commands& commands, ViewState& s) {
+  Parameter page{.name = "page", .kind = Kind::choice, .help = "Which page", .example = "why"};
+  page.choices = [&s] {
+    std::vector<Choice> choices;
+    for (const PanelSpec& panel : panels()) {
+      if (panel.place != Place::bottom) continue;
+      choices.push_back({panel.id, panel.title, "", s.memory.bottom_panel == panel.id});
+    }
+    return choices;
+  };
+  commands.add({.id = "view.page",
+                .title = "Show a page below the view…",
+                .help = "Shows timings, cavities, the signature or another page",
+                .parameters = {page},
+                .run = [&s](const Arguments& arguments) {
+                  s.memory.bottom_panel = arguments.text("page");
+                  return Outcome();
+                }});
+}
 
 void add_view_commands(Commands& commands, ViewState& s) {
   DisplayControls& d = s.display;
@@ -308,6 +345,7 @@ void add_view_commands(Commands& commands, ViewState& s) {
   };
   commands.add(std::move(theme));
   commands.add(scale_command(s));
+  add_page_command(commands, s);
 }
 
 // --- Help
@@ -350,12 +388,17 @@ void add_program_commands(Commands& commands, ViewState& state) {
   add_edit_commands(commands, state);
   add_selection_commands(commands, state);
   add_appearance_commands(commands, state);
+  add_annotation_commands(commands, state);
+  add_pointed_commands(commands, state);
   add_view_commands(commands, state);
   add_look_commands(commands, state);
+  add_paint_commands(commands, state);
   add_camera_commands(commands, state);
   add_clip_commands(commands, state);
   add_compute_commands(commands, state);
   add_why_commands(commands, state);
+  add_sandbox_commands(commands, state);
+  add_lesson_commands(commands, state);
   add_help_commands(commands, state);
 }
 

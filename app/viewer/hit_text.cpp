@@ -1,10 +1,9 @@
 // See the header.
 #include "app/viewer/hit_text.hpp"
 
-#include <algorithm>
-
-#include "core/geometry/grown_radius.hpp"
+#include "core/document/explanation_text.hpp"
 #include "core/molecule/atom_address.hpp"
+#include "ui/panels/ball_text.hpp"
 #include "ui/panels/format.hpp"
 
 namespace alphascope {
@@ -12,23 +11,6 @@ namespace {
 
 std::string count(std::size_t n) {
   return with_separators(static_cast<long long>(n));
-}
-
-std::string position_text(const LatticePoint& c, const Lattice& lattice) {
-  const int digits = std::clamp(lattice.digits, 0, 4);
-  const auto coordinate = [&](std::int32_t x) {
-    return short_number_text(lattice.angstrom(x), digits);
-  };
-  return coordinate(c.x) + ", " + coordinate(c.y) + ", " + coordinate(c.z);
-}
-
-std::string radius_text(const BallSet& balls, const Request* shown, BallIndex ball) {
-  const double radius = balls.lattice.angstrom(balls.radii[ball]);
-  const std::string text = "radius " + short_number_text(radius, 3) + " Å";
-  if (shown == nullptr) return text;
-  const double grown = grown_radius(radius, shown->solvent_radius_angstrom, shown->alpha_angstrom2);
-  if (grown == 0) return text + ", gone at this alpha";
-  return text + ", grown " + number_text(grown, 2) + " Å";
 }
 
 // Of the assembly's copies of one atom; empty in a molecule as deposited.
@@ -51,30 +33,13 @@ const char* kind_name(DropReason reason) {
   }
 }
 
-const char* dimension_name(std::size_t corners) {
-  constexpr const char* kNames[] = {"vertex", "edge", "triangle", "tetrahedron"};
-  return kNames[std::clamp<std::size_t>(corners, 1, 4) - 1];
-}
-
-const char* class_name(SimplexClass kind) {
-  switch (kind) {
-    case SimplexClass::singular:
-      return "singular";
-    case SimplexClass::regular:
-      return "regular";
-    case SimplexClass::interior:
-      break;
-  }
-  return "interior";
-}
-
 }  // namespace
 
 HitText describe_ball(const BallReferences& references, const Request* shown, BallIndex ball) {
   const Molecule& molecule = references.molecule();
   const BallSet& balls = *references.prepared().balls;
   const std::size_t atom = references.prepared().atom_of_ball.at(ball);
-  const std::string position = position_text(balls.centres[ball], balls.lattice);
+  const std::string position = place_text(balls.centres[ball], balls.lattice);
   const std::string copy = copy_text(references, atom);
   const std::string radius = radius_text(balls, shown, ball);
   HitText text;
@@ -88,7 +53,7 @@ HitText describe_ball(const BallReferences& references, const Request* shown, Ba
 HitText describe_atom_beside(const BallReferences& references, const LeftOutAtom& left_out) {
   const Molecule& molecule = references.molecule();
   const std::string position =
-      position_text(molecule.atoms.at(left_out.atom).position, molecule.lattice);
+      place_text(molecule.atoms.at(left_out.atom).position, molecule.lattice);
   const std::string copy = copy_text(references, left_out.atom);
   const std::string why = kind_name(left_out.reason) + std::string(", no part of the body");
   HitText text;
@@ -102,13 +67,12 @@ HitText describe_atom_beside(const BallReferences& references, const LeftOutAtom
 HitText describe_simplex(const BallReferences& references, const HitSimplex& simplex) {
   const Molecule& molecule = references.molecule();
   HitText text;
-  text.line = text.tooltip = dimension_name(simplex.balls.size());
+  text.line = name_of(molecule, references.reference(simplex.balls));
+  text.tooltip = simplex_kind_name(simplex.balls.size());
   for (const BallIndex ball : simplex.balls) {
-    const std::size_t atom = references.prepared().atom_of_ball.at(ball);
-    text.line += (ball == simplex.balls.front() ? " " : ", ") + atom_address(molecule, atom);
-    text.tooltip += "\n" + atom_label(molecule, atom);
+    text.tooltip += "\n" + atom_label(molecule, references.prepared().atom_of_ball.at(ball));
   }
-  std::string facts = simplex.kind ? class_name(*simplex.kind) : "class not computed";
+  std::string facts = simplex.kind ? simplex_class_name(*simplex.kind) : "class not computed";
   if (simplex.angstrom2) {
     facts += "  ·  alpha value " + short_number_text(*simplex.angstrom2, 4) + " Å²";
   }

@@ -42,6 +42,20 @@ void add_look_commands(Commands& commands, ViewState& s) {
                   }});
   }
   DisplayControls& d = s.display;
+  commands.add(number_command("view.ball_size", "Size of balls",
+                              "Draws balls of this share of their radius", kShareRule,
+                              [&d](double x) { d.ball_scale = static_cast<float>(x); }));
+  commands.add(number_command("view.ball_opacity", "Opacity of balls",
+                              "Draws balls as opaque as this; 1: nothing shines through",
+                              kShareRule,
+                              [&d](double x) { d.ball_opacity = static_cast<float>(x); }));
+  commands.add(number_command("view.complex_opacity", "Opacity of simplices",
+                              "Draws tetrahedra, triangles and boundary as opaque as this",
+                              kShareRule,
+                              [&d](double x) { d.complex_opacity = static_cast<float>(x); }));
+  commands.add(number_command("view.shrink", "Shrink tetrahedra",
+                              "Draws tetrahedra smaller by this share, apart from each other",
+                              kShrinkRule, [&d](double x) { d.shrink = static_cast<float>(x); }));
   commands.add(number_command(
       "view.depth_cue", "Depth cue", "Lets what is far away fade into the background by this share",
       kDepthCueRule, [&d](double x) { d.depth_cue = static_cast<float>(x); }));

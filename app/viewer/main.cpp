@@ -47,7 +47,8 @@ int drive(alphascope::Viewer& viewer, const alphascope::ViewerOptions& options) 
   }
   const alphascope::ViewState& state = viewer.state();
   const std::string problem = state.session_problem ? state.session_problem->text : "";
-  for (const std::string& error : {state.error, state.compute_error, problem}) {
+  const std::string& refused = state.memory.lessons.refused;
+  for (const std::string& error : {state.error, state.compute_error, problem, refused}) {
     if (!error.empty()) throw std::runtime_error(error);
   }
   return 0;

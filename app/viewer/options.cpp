@@ -80,6 +80,14 @@ Option preferences_option(ViewerOptions& options) {
   return folder;
 }
 
+Option lesson_option(ViewerOptions& options) {
+  Option lesson{.names = "--lesson",
+                .value = "NAME",
+                .text = "Open a lesson by its name, or by the path of its file"};
+  lesson.set = [&options](const std::string& name) { options.lesson = name; };
+  return lesson;
+}
+
 // Read as the window's fields are.
 Option typed_number_option(OptionText text, double& target, const NumberRule& rule) {
   Option option = number_option(std::move(text), target, {rule.least, rule.most, rule.unit});
@@ -118,6 +126,7 @@ OptionProgram table(ViewerOptions& o) {
       flag_option("--no-compare", "Do not compare with CGAL after each change", o.compare, false),
       preferences_option(o),
       drawing_memory_option(o),
+      lesson_option(o),
       script_option(o),
       flag_option("--script-help", "List the commands of scripts and exit", o.script_help),
       path_or_none(

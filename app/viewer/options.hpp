@@ -20,6 +20,7 @@ struct ViewerOptions {
   bool tetrahedra_only = false;
   bool compare = true;
   std::optional<std::filesystem::path> script, shot;
+  std::string lesson;  // a name or a path; empty: none
   // Folder of preferences; empty: they are neither read nor written.
   std::filesystem::path preferences;
   bool preferences_given = false;

@@ -37,24 +37,13 @@ struct PictureSaver::Studio {
     host_.make_current();
   }
 
-  // Returns and throws as write_picture() does.
-  std::string draw(const PictureToSave& p, const RunContext& context) {
+  // Returns and throws as the job does.
+  std::string draw(const SceneJob& job, const RunContext& context) {
     context_->make_current();
     std::string left_out;
     std::exception_ptr failure;
     try {
-      scene_->set_style(p.style);
-      scene_->set_balls(make_ball_data(p.balls, p.colours, p.radii));
-      scene_->set_mesh(make_mesh_data(p.mesh));
-      scene_->set_caps(make_cap_data(p.caps));
-      scene_->set_differences(make_difference_data(p.differences));
-      auto layers = std::make_shared<const LayerMesh>(build_layer_mesh(*p.balls, p.layers));
-      scene_->set_layers(make_layer_data(layers));
-      scene_->set_beside_body(make_layer_data(p.beside_body));
-      scene_->set_viewpoint(p.viewpoint);
-      MarkedPicture picture = p.picture;
-      picture.labels = layers->labels;
-      left_out = write_picture(*scene_, picture, p.path, p.texts, context);
+      left_out = job.draw(*scene_, context);
     } catch (...) {
       failure = std::current_exception();
     }
@@ -75,21 +64,51 @@ PictureSaver::PictureSaver(Host& host, std::function<void()> wake)
 
 PictureSaver::~PictureSaver() = default;
 
-void PictureSaver::start(PictureToSave picture) {
+SceneJob picture_job(PictureToSave picture) {
+  std::filesystem::path path = picture.path;
+  const auto shared = std::make_shared<const PictureToSave>(std::move(picture));
+  return {std::move(path), [shared](Scene& scene, const RunContext& context) {
+            return write_picture(scene, show(scene, *shared), shared->path, shared->texts, context);
+          }};
+}
+
+SceneJob recording_job(const RecordRequest& request, FrameSource source, PictureTexts texts) {
+  const Recording& recording = request.recording;
+  if (const std::string fault = fault_of(recording); !fault.empty()) {
+    throw std::invalid_argument(fault);
+  }
+  // A movie is of many complexes.
+  std::erase_if(texts, [&](const auto& text) {
+    return recording.kind == RecordingKind::sweep &&
+           (text.first.starts_with("alphascope:alpha") || text.first == "alphascope:hash");
+  });
+  const std::shared_ptr<FrameSink> sink = make_frame_sink(
+      request.path, {request.options.width, request.options.height, recording.frames_per_second,
+                     request.options.transparent, std::move(texts)});
+  return {request.path,
+          [sink, recording, source = std::move(source)](Scene& scene, const RunContext& context) {
+            std::string lacks = record_frames(scene, recording, source, *sink, context);
+            sink->commit(context);
+            return lacks;
+          },
+          true};
+}
+
+void PictureSaver::start(SceneJob job) {
   if (busy()) {
-    throw std::runtime_error("Cannot save " + picture.path.string() + ": " + saving_->string() +
+    throw std::runtime_error("Cannot save " + job.path.string() + ": " + saving_->path.string() +
                              " is still being saved. Wait until it is finished, or cancel it.");
   }
-  saving_ = picture.path;
+  saving_ = Saving{job.path, job.recording};
   since_ = std::chrono::steady_clock::now();
-  waiting_ = std::move(picture);
+  waiting_ = std::move(job);
   begin();
 }
 
 // As soon as no cancelled picture is being drawn any more.
 void PictureSaver::begin() {
   if (!waiting_ || studio_) return;
-  const auto picture = std::make_shared<const PictureToSave>(*std::exchange(waiting_, {}));
+  const auto job = std::make_shared<const SceneJob>(*std::exchange(waiting_, {}));
   try {
     studio_ = std::make_unique<Studio>(host_);
   } catch (...) {
@@ -98,19 +117,19 @@ void PictureSaver::begin() {
   }
   const auto written = std::make_shared<std::atomic<bool>>(false);
   worker_.submit(
-      [this, picture, written, studio = studio_.get()](const RunContext& c) -> Worker::Delivery {
+      [this, job, written, studio = studio_.get()](const RunContext& c) -> Worker::Delivery {
         give_way_to_others();
-        const std::string left_out = studio->draw(*picture, c);
+        const std::string left_out = studio->draw(*job, c);
         *written = true;
-        return [this, picture, left_out] {
+        return [this, job, left_out] {
           studio_.reset();
           outcome_.ended = true;
-          outcome_.notice = "Saved " + printable(picture->path.string());
+          outcome_.notice = "Saved " + printable(job->path.string());
           if (!left_out.empty()) outcome_.notice += ". " + left_out;
           saving_.reset();
         };
       },
-      [this, written, path = picture->path](const Worker::Failure& failure) {
+      [this, written, path = job->path](const Worker::Failure& failure) {
         studio_.reset();
         outcome_.ended = true;
         if (failure.cancelled) {  // which was told already, unless it came too late
@@ -126,7 +145,9 @@ void PictureSaver::begin() {
 
 void PictureSaver::cancel() {
   if (!busy()) return;
-  outcome_.notice = "Cancelled: " + saving_->string() + " was not written.";
+  outcome_.notice = saving_->recording && recording_format(saving_->path) == RecordingFormat::frames
+                        ? "Cancelled: the frames that were finished are there."
+                        : "Cancelled: " + saving_->path.string() + " was not written.";
   saving_.reset();
   waiting_.reset();
   worker_.cancel();
@@ -147,7 +168,7 @@ void PictureSaver::describe(BusyInfo& info) const {
   if (!busy()) return;
   const Worker::Activity activity = worker_.activity();
   info.active = true;
-  info.what = "Saving " + saving_->filename().string() +
+  info.what = (saving_->recording ? "Recording" : "Saving " + saving_->path.filename().string()) +
               (activity.stage.empty() ? "" : ": " + activity.stage);
   info.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - since_).count();
 }

@@ -1,5 +1,6 @@
-// Saves pictures of the view while the window goes on: a thread of its own draws them, in an OpenGL
-// context and a scene of their own, and writes the file. The window's thread only starts it.
+// Saves pictures and recordings of the view while the window goes on: a thread of its own draws
+// them, in an OpenGL context and a scene of their own, and writes the file. The window's thread
+// only starts it.
 #pragma once
 
 #include <chrono>
@@ -11,29 +12,28 @@
 #include <vector>
 
 #include "core/run/worker.hpp"
+#include "ui/panels/picture_memory.hpp"
 #include "ui/panels/view_info.hpp"
-#include "ui/scene/draw_marks.hpp"
-#include "ui/scene/scene.hpp"
+#include "ui/scene/picture.hpp"
+#include "ui/scene/record_frames.hpp"
 #include "ui/window/host.hpp"
 
 namespace alphascope {
 
-// All that a picture is made of. What is shared with the window never changes.
-struct PictureToSave {
-  std::shared_ptr<const BallGeometry> balls;
-  std::vector<Rgb8> colours;                          // one a ball
-  std::vector<float> radii;                           // Å, as drawn; one a ball
-  std::shared_ptr<const ComplexMesh> mesh;            // null: none
-  std::shared_ptr<const CapMesh> caps;                // null: none
-  std::shared_ptr<const DifferenceMesh> differences;  // null: none
-  Layers layers;
-  std::shared_ptr<const LayerMesh> beside_body;  // null: none
-  SceneStyle style;
-  Viewpoint viewpoint;
-  MarkedPicture picture;
-  PictureTexts texts;
+struct PictureToSave : Picture {
   std::filesystem::path path;
 };
+
+// Pictures are drawn and written in it; returns what they lack, in sentences.
+struct SceneJob {
+  std::filesystem::path path;
+  std::function<std::string(Scene& scene, const RunContext& context)> draw;
+  bool recording = false;
+};
+SceneJob picture_job(PictureToSave picture);
+// `texts`: of a movie as a whole. Throws std::invalid_argument, a sentence, for a request that
+// cannot be; WriteError where the file cannot be begun.
+SceneJob recording_job(const RecordRequest& request, FrameSource source, PictureTexts texts);
 
 class PictureSaver {
  public:
@@ -41,10 +41,11 @@ class PictureSaver {
   PictureSaver(Host& host, std::function<void()> wake);
   ~PictureSaver();
 
-  // One at a time: throws std::runtime_error while another picture is being saved, or when OpenGL
-  // has no second context.
-  void start(PictureToSave picture);
-  // At once, as far as anybody sees: the file stays as it was. The thread ends when it can.
+  // One at a time: throws std::runtime_error while another job is being done, or when OpenGL has no
+  // second context.
+  void start(SceneJob job);
+  // At once, as far as anybody sees: the file stays as it was, and finished frames of a recording
+  // stay. The thread ends when it can.
   void cancel();
   bool busy() const { return saving_.has_value(); }
 
@@ -64,8 +65,12 @@ class PictureSaver {
   void begin();
 
   Host& host_;
-  std::optional<std::filesystem::path> saving_;  // not cancelled
-  std::optional<PictureToSave> waiting_;         // for a cancelled one to end
+  struct Saving {
+    std::filesystem::path path;
+    bool recording = false;
+  };
+  std::optional<Saving> saving_;     // not cancelled
+  std::optional<SceneJob> waiting_;  // for a cancelled one to end
   std::chrono::steady_clock::time_point since_;
   Outcome outcome_;
   std::unique_ptr<Studio> studio_;  // of the picture that is being drawn; destroyed here only

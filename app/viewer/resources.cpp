@@ -1,6 +1,8 @@
 // Looks beside an installed executable first, then in the source tree that it was built from.
 #include "app/viewer/resources.hpp"
 
+#include <utility>
+
 namespace alphascope {
 namespace {
 
@@ -17,6 +19,15 @@ std::vector<fs::path> resource_folders() {
   return folders;
 }
 
+// Empty: it is nowhere.
+fs::path resource(const fs::path& name) {
+  for (const fs::path& folder : resource_folders()) {
+    std::error_code ignored;
+    if (fs::is_regular_file(folder / name, ignored)) return folder / name;
+  }
+  return {};
+}
+
 }  // namespace
 
 std::vector<SampleMolecule> sample_files() {
@@ -25,14 +36,37 @@ std::vector<SampleMolecule> sample_files() {
       {"haemoglobin", "4HHB: four chains with haem, 4,779 atoms", "molecules/4hhb.pdb.gz"}};
   std::vector<SampleMolecule> found;
   for (const SampleMolecule& sample : kSamples) {
-    for (const fs::path& folder : resource_folders()) {
-      std::error_code ignored;
-      if (!fs::is_regular_file(folder / sample.path, ignored)) continue;
-      found.push_back({sample.name, sample.detail, folder / sample.path});
-      break;
-    }
+    fs::path path = resource(sample.path);
+    if (!path.empty()) found.push_back({sample.name, sample.detail, std::move(path)});
   }
   return found;
+}
+
+std::vector<SandboxPreset> sandbox_presets() {
+  static const SandboxPreset kPresets[] = {
+      {"scatter", "Scatter", "24 balls in a plane, of several sizes", {}},
+      {"square", "Square", "Four equal balls: two ways to draw the diagonal, so a tie", {}},
+      {"circle", "Circle", "Twelve centres on one circle: the largest tie in a plane", {}},
+      {"hidden", "Hidden ball", "A ball without a cell: no complex ever has it", {}},
+      {"equal_centres", "Equal centres", "Of balls with one centre only the largest counts", {}},
+      {"line", "Line", "Centres in a line: no triangle at any alpha", {}},
+      {"ring", "Ring", "A loop that alpha closes, and then fills", {}},
+      {"cube", "Cube, in space", "Eight corners on one sphere: a tie among tetrahedra", {}},
+      {"tetrahedra", "Two tetrahedra, in space", "Five balls, one face in common", {}}};
+  std::vector<SandboxPreset> found;
+  for (SandboxPreset preset : kPresets) {
+    preset.path = resource("sandbox/" + preset.id + ".xyzr");
+    if (!preset.path.empty()) found.push_back(std::move(preset));
+  }
+  return found;
+}
+
+fs::path lessons_folder() {
+  for (const fs::path& folder : resource_folders()) {
+    std::error_code ignored;
+    if (fs::is_directory(folder / "lessons", ignored)) return folder / "lessons";
+  }
+  return {};
 }
 
 }  // namespace alphascope

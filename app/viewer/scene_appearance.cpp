@@ -31,11 +31,6 @@ std::vector<float> SceneController::radii_of(const DrawnMolecule& molecule, cons
   return shown_radii(drawn_radii(*molecule.geometry, style), looks);
 }
 
-std::vector<Rgb8> SceneController::simplex_colours(const DrawnMolecule& molecule, bool by_element,
-                                                   const BallAppearance* looks) {
-  return painted(by_element ? *molecule.by_element : *molecule.by_chain, looks);
-}
-
 ComplexMesh SceneController::make_mesh(const DrawnMolecule& molecule,
                                        const std::vector<Rgb8>& colours,
                                        const AlphaComplex& complex, const MeshOptions& options,

@@ -26,16 +26,16 @@ SceneController::DrawnCaps SceneController::make_caps(const CapTask& task, const
   const BallAppearance* const looks = task.looks.get();
   caps.mesh = std::make_shared<const CapMesh>(
       build_visible_caps(task.answer->complex, hidden_of(looks), [&](const AlphaComplex& part) {
-        return build_cap_mesh(*m.geometry, simplex_colours(m, task.by_element, looks), part,
-                              task.options, task.mesh->scale, cut, cancel);
+        return build_cap_mesh(*m.geometry, *task.colours, part, task.options, task.mesh->scale, cut,
+                              cancel);
       }));
   caps.pick = cap_layer(caps.mesh);
   return caps;
 }
 
 void SceneController::submit_caps() {
-  const CapTask task{drawn_molecule_, drawn_answer_,     drawn_mesh_,
-                     drawn_options_,  drawn_by_element_, drawn_looks_};
+  const CapTask task{drawn_molecule_, drawn_answer_,          drawn_mesh_,
+                     drawn_options_,  drawn_simplex_colours_, drawn_looks_};
   if (!clip_.on() || !task.mesh || !has_caps(task.options)) {
     cap_worker_.cancel();
     return show_caps({clip_, nullptr, {}}, nullptr);

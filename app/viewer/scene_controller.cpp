@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "app/session/result_header.hpp"
-#include "ui/scene/ball_colours.hpp"
 #include "ui/scene/camera_place.hpp"
 #include "ui/scene/display_style.hpp"
 #include "ui/scene/draw_marks.hpp"
@@ -35,7 +34,8 @@ SceneController::SceneController(std::function<void()> wake, FreeMemory free_mem
       layer_worker_(wake),
       beside_worker_(wake),
       pick_worker_(wake),
-      cap_worker_(std::move(wake), kFinishes) {
+      cap_worker_(wake, kFinishes),
+      paint_worker_(std::move(wake)) {
   scene_.set_style(scene_style());  // set_display() only tells what is new
 }
 
@@ -84,18 +84,13 @@ void SceneController::set_display(const DisplayControls& display, Theme theme, f
   const bool new_scale = std::exchange(line_scale_, line_scale) != line_scale;
   if (before == display && !new_theme && !new_scale) return;
   scene_.set_style(drawn_style());
-  if (before.ball_colour != display.ball_colour || new_theme) update_colours();
+  if (before.ball_paint != display.ball_paint) submit_painting();
   if (new_theme) draw_selected();
   if (before.ball_scale != display.ball_scale || before.grown_balls != display.grown_balls) {
     update_radii();
   }
   if (before.beside != display.beside) submit_beside_body();
-  const bool lacks_exposure = is_exposure(display.ball_colour) && !is_exposure_shown() &&
-                              before.ball_colour != display.ball_colour;
-  if (mesh_options() != requested_mesh_ || before.complex_colour != display.complex_colour ||
-      lacks_exposure) {
-    submit();
-  }
+  if (mesh_options() != requested_mesh_ || before.complex_paint != display.complex_paint) submit();
   dirty_ = true;
 }
 
@@ -106,16 +101,8 @@ SceneStyle SceneController::scene_style() const {
   return style;
 }
 
-void SceneController::update_colours() {
-  if (!drawn_molecule_) return;
-  scene_.set_ball_colours(
-      painted(ball_colours(*drawn_molecule_, display_.ball_colour, drawn_exposure_.get()),
-              drawn_looks_.get()));
-  dirty_ = true;
-}
-
 SceneController::BallLook SceneController::ball_look(const Answer* answer) const {
-  return {display_.ball_colour, ball_style(display_, answer ? &answer->request : nullptr)};
+  return {display_.ball_paint, ball_style(display_, answer ? &answer->request : nullptr)};
 }
 
 void SceneController::update_radii() {
@@ -196,6 +183,7 @@ bool SceneController::poll() {
   beside_worker_.poll();
   pick_worker_.poll();
   cap_worker_.poll();
+  paint_worker_.poll();
   return before != drawn_answer_;
 }
 
@@ -214,7 +202,7 @@ double SceneController::seconds_to_refinement() const {
 }
 
 void SceneController::describe(ViewportInfo& viewport) const {
-  viewport.legend = legend();
+  describe_colours(viewport);
   viewport.not_drawn = not_drawn();
   if (!drawn_layers_.not_drawn.empty()) {
     viewport.not_drawn += (viewport.not_drawn.empty() ? "" : " ") + drawn_layers_.not_drawn;
@@ -317,12 +305,11 @@ void SceneController::check_view(ViewportInfo& viewport, bool interacting) {
 
 ComplexHeader SceneController::header() const {
   if (!drawn_molecule_) return {};
-  constexpr const char* kProgram = "alphascope";
   const OpenedMolecule& opened = *drawn_molecule_->opened;
+  if (drawn_answer_) return header_of(opened, *drawn_answer_);
   const Provenance balls =
       provenance(*opened.molecule, opened.options.balls, opened.prepared->report);
-  if (drawn_answer_) return result_header(kProgram, balls, opened.molecule->notes, *drawn_answer_);
-  ComplexHeader header{{"program", program_text(kProgram)}};
+  ComplexHeader header{{"program", program_text("alphascope")}};
   header.insert(header.end(), balls.begin(), balls.end());
   return header;
 }
@@ -330,9 +317,7 @@ ComplexHeader SceneController::header() const {
 PictureTexts SceneController::texts() const {
   if (!drawn_molecule_) return {};
   PictureTexts texts = picture_texts(header());
-  if (drawn_looks_ && drawn_looks_->hidden_balls > 0) {
-    texts.emplace_back("Hidden atoms", std::to_string(drawn_looks_->hidden_balls));
-  }
+  if (drawn_looks_) note_hidden_atoms(texts, drawn_looks_->hidden_balls);
   if (const std::string lacks = not_drawn(); !lacks.empty()) texts.emplace_back("Warning", lacks);
   return texts;
 }
@@ -361,9 +346,9 @@ PictureToSave SceneController::picture(const ScreenshotRequest& request) const {
                second_scene_bytes(balls, drawn_mesh_.get()) + layer_bytes(layer_points(layers)));
   PictureToSave picture;
   picture.balls = drawn_molecule_->geometry;
-  picture.colours =
-      painted(ball_colours(*drawn_molecule_, display_.ball_colour, drawn_exposure_.get()),
-              drawn_looks_.get());
+  picture.colours = painted(
+      ball_painting_ ? ball_painting_->balls.colours : std::vector<Rgb8>(balls, kNoValueColour),
+      drawn_looks_.get());
   picture.radii = radii_;
   picture.mesh = drawn_mesh_;
   picture.caps = drawn_caps_.mesh;
@@ -377,14 +362,16 @@ PictureToSave SceneController::picture(const ScreenshotRequest& request) const {
         static_cast<float>(request.options.height) / static_cast<float>(height_);
   }
   picture.viewpoint = scene_.viewpoint();
-  picture.picture = {request.options.width,
-                     request.options.height,
-                     request.options.transparent,
-                     theme_,
-                     request.options.legend ? legend() : std::nullopt,
-                     request.options.scale_bar,
-                     {},
-                     picture.style.cut};
+  picture.picture = {
+      request.options.width,
+      request.options.height,
+      request.options.transparent,
+      theme_,
+      request.options.legend ? legends_of(ball_key(), simplex_key()) : std::vector<ColourLegend>{},
+      request.options.scale_bar,
+      {},
+      picture.style.cut,
+      caption(request.options.caption)};
   picture.texts = texts();
   picture.path = request.path;
   return picture;

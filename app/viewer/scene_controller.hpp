@@ -22,6 +22,7 @@
 #include "ui/scene/frame_grab.hpp"
 #include "ui/scene/pick.hpp"
 #include "ui/scene/quality.hpp"
+#include "ui/scene/record_frames.hpp"
 #include "ui/scene/scene.hpp"
 
 namespace alphascope {
@@ -33,7 +34,6 @@ struct DrawnMolecule {
   std::shared_ptr<const PreparedBalls> prepared;
   std::shared_ptr<const BallGeometry> geometry;
   std::shared_ptr<const BallPicker> picker;  // of geometry
-  std::shared_ptr<const std::vector<Rgb8>> by_element, by_chain;
 };
 
 class SceneController {
@@ -63,7 +63,7 @@ class SceneController {
   // Hidden atoms and own colours. The picture follows when its simplices are made.
   void set_appearance(const Appearance& appearance);
   // Of drawn(): what of that is on screen; null: nothing.
-  const BallAppearance* drawn_looks() const { return drawn_looks_.get(); }
+  const std::shared_ptr<const BallAppearance>& drawn_looks() const { return drawn_looks_; }
   // What panels want drawn; layers of other balls than the complex on screen are left out. Large
   // ones are made on a worker's thread, and what was drawn before stays until they are there.
   void set_layers(const Layers& layers);
@@ -86,7 +86,7 @@ class SceneController {
   bool busy() const {
     return mesh_worker_.activity().busy || layer_worker_.activity().busy ||
            beside_worker_.activity().busy || pick_worker_.activity().busy ||
-           cap_worker_.activity().busy;
+           cap_worker_.activity().busy || paint_worker_.activity().busy;
   }
   bool wants_frame() const { return dirty_ || refine_; }
   // Of what is drawn and of what is being made, at most; without differences.
@@ -112,12 +112,14 @@ class SceneController {
   void set_selected(const Selected& selected);
   // So that these fill the view, as they are looked at now.
   void zoom_to(const Selected& what);
+  // So that their middle is that of the view, which turns about it; direction and size stay.
+  void centre_on(const Selected& what);
   // What is on screen, which may still be older than what was set; null before the first, and
   // while it makes room for the next.
   const DrawnMolecule* drawn() const { return drawn_molecule_.get(); }
   // Areas and volumes of the complex on screen, where its colours are made of them; else null.
   std::shared_ptr<const MeasuredUnion> drawn_measures() const {
-    return drawn_exposure_ ? drawn_exposure_->by : nullptr;
+    return ball_painting_ ? ball_painting_->measures : nullptr;
   }
   // Whose complex is on screen, and may still be older than what was set; null: none.
   const std::shared_ptr<const Answer>& drawn_answer() const { return drawn_answer_; }
@@ -130,49 +132,62 @@ class SceneController {
   // What is on screen, for PictureSaver. Throws std::runtime_error when nothing is, or when there
   // is no memory for the picture.
   PictureToSave picture(const ScreenshotRequest& request) const;
+  // The same for a recording: on another thread, later. Throws the same.
+  FrameSource frames(const RecordRequest& request) const;
   // Milliseconds of the first picture of drawn_answer(): mesh, upload, draw; empty before it is
   // there.
   const std::vector<StageTime>& picture_stages() const { return picture_stages_; }
   // Where what is on screen comes from; empty when nothing is. texts(): to go into pictures of it.
   ComplexHeader header() const;
   PictureTexts texts() const;
+  // ui/caption.hpp, of the complex on screen; empty without one.
+  std::vector<std::string> caption(CaptionParts parts) const;
 
  private:
   using Clock = std::chrono::steady_clock;
 
-  // Colours of balls by exposed area; made with the drawing of their complex and shown with it.
-  struct Exposure {
-    std::shared_ptr<const MeasuredUnion> by;
-    ColourBy colour = ColourBy::exposed;
-    std::vector<Rgb8> colours;
+  static ComplexHeader header_of(const OpenedMolecule& opened, const EngineAnswer& answer);
+  struct Sweep;  // what the frames of one have in common
+  Picture sweep_picture(Sweep& sweep, double alpha, const RunContext& context) const;
+  // Colours of balls: for themselves, or for the simplices between them.
+  struct Painting {
+    Paint paint;
+    std::shared_ptr<const DrawnMolecule> molecule;
+    std::shared_ptr<const Answer> answer;           // null where the paint asks for no complex
+    std::shared_ptr<const MeasuredUnion> measures;  // of exposed areas; else null
+    PaintedBalls balls;
   };
-  static std::shared_ptr<const Exposure> make_exposure(const DrawnMolecule& molecule,
-                                                       const Answer& answer, ColourBy colour,
-                                                       std::shared_ptr<const MeasuredUnion> known,
+  struct PaintTask {
+    std::shared_ptr<const DrawnMolecule> molecule;
+    std::shared_ptr<const Answer> answer;  // null: none
+    Paint paint;
+  };
+  static std::shared_ptr<const Painting> make_painting(const PaintTask& task,
+                                                       std::shared_ptr<const Painting> earlier,
                                                        const RunContext& context);
-  static std::vector<Rgb8> ball_colours(const DrawnMolecule& molecule, ColourBy colour,
-                                        const Exposure* exposure);
+  // One a ball.
+  using BallColours = std::shared_ptr<const std::vector<Rgb8>>;
   // The same with hidden balls and own colours; `looks` may be null.
   static std::shared_ptr<const BallAppearance> make_looks(const DrawnMolecule& molecule,
                                                           const Appearance& appearance);
   static std::vector<float> radii_of(const DrawnMolecule& molecule, const BallStyle& style,
                                      const BallAppearance* looks);
-  static std::vector<Rgb8> simplex_colours(const DrawnMolecule& molecule, bool by_element,
-                                           const BallAppearance* looks);
   static const std::vector<bool>& hidden_of(const BallAppearance* looks);
   ComplexMesh make_mesh(const DrawnMolecule& molecule, const std::vector<Rgb8>& colours,
                         const AlphaComplex& complex, const MeshOptions& options,
                         const BallAppearance* looks, const CancelToken& cancel) const;
-  bool is_exposure_shown() const;  // what the colours of balls are to be, and are
-  std::optional<ColourLegend> legend() const;
+  std::optional<PaintKey> ball_key() const;
+  std::optional<PaintKey> simplex_key() const;
+  void describe_colours(ViewportInfo& viewport) const;
   std::string not_drawn() const;  // what the picture lacks; empty: nothing
-  void update_colours();
+  void submit_painting();
+  void show_ball_colours();
   void update_radii();
   void submit();
   bool outdated() const;
   bool draws_nothing() const;  // for want of memory
   struct BallLook {
-    ColourBy colour = ColourBy::chain;
+    Paint paint;
     BallStyle style;
   };
   // What is drawn of a clip, and the tetrahedra that it cuts.
@@ -188,12 +203,13 @@ class SceneController {
     BallLook look;                    // of the balls, and their radii where they are new
     std::vector<float> radii;
     std::shared_ptr<const BallAppearance> looks;  // of all that is drawn; may be null
-    std::shared_ptr<const Exposure> exposure;     // null unless colours are of that
+    std::shared_ptr<const Painting> ball_painting;
+    std::shared_ptr<const Painting> simplex_painting;  // null unless they have colours of balls
     std::shared_ptr<const ComplexMesh> mesh;
     std::shared_ptr<MeshData> mesh_data;
     MeshOptions options;  // of mesh
     double mesh_milliseconds = 0;
-    bool by_element = false;
+    BallColours simplex_colours;
     DrawnCaps caps;
     std::shared_ptr<CapData> cap_data;
     std::shared_ptr<const DifferenceMesh> differences;
@@ -206,7 +222,7 @@ class SceneController {
     std::shared_ptr<const Answer> answer;
     std::shared_ptr<const ComplexMesh> mesh;
     MeshOptions options;
-    bool by_element = false;
+    BallColours colours;
     std::shared_ptr<const BallAppearance> looks;
   };
   static DrawnCaps make_caps(const CapTask& task, const Clip& clip, const CancelToken& cancel);
@@ -225,12 +241,12 @@ class SceneController {
     std::shared_ptr<const OpenedMolecule> opened;
     std::shared_ptr<const Answer> answer;
     std::shared_ptr<const Agreement> agreement;
-    bool by_element = false;
     BallLook look;
+    Paint complex_paint;
     MeshOptions mesh;
     Clip clip;
     Appearance appearance;
-    std::shared_ptr<const MeasuredUnion> measures;  // of `answer`, where they are known
+    std::shared_ptr<const Painting> ball_painting, simplex_painting;  // on screen; may be null
   };
   Worker::Delivery make_drawing(const Wanted& wanted, const RunContext& context);
   void make_room();
@@ -290,12 +306,11 @@ class SceneController {
   PickLayers picks_;       // of drawn_mesh_, or none yet
   Selected selected_;
   std::shared_ptr<const ComplexMesh> drawn_mesh_;
-  MeshOptions drawn_options_;  // of drawn_mesh_
-  bool drawn_by_element_ = false;
+  MeshOptions drawn_options_;          // of drawn_mesh_
+  BallColours drawn_simplex_colours_;  // of drawn_mesh_
   DrawnCaps drawn_caps_;
   std::shared_ptr<const DifferenceMesh> drawn_differences_;
-  std::optional<ColourLegend> alpha_legend_;  // of drawn_mesh_
-  std::shared_ptr<const Exposure> drawn_exposure_;
+  std::shared_ptr<const Painting> ball_painting_, simplex_painting_;  // null: none
   std::shared_ptr<const BallAppearance> drawn_looks_;
   DisplayControls display_;
   Clip clip_;
@@ -313,7 +328,7 @@ class SceneController {
   int width_ = 0, height_ = 0;
   std::atomic<std::uint64_t> pending_bytes_ = 0;  // of what the worker makes
   // Last: joined before what their jobs use goes.
-  Worker mesh_worker_, layer_worker_, beside_worker_, pick_worker_, cap_worker_;
+  Worker mesh_worker_, layer_worker_, beside_worker_, pick_worker_, cap_worker_, paint_worker_;
 };
 
 }  // namespace alphascope

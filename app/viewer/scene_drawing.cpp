@@ -5,15 +5,10 @@
 
 #include "app/viewer/scene_controller.hpp"
 #include "core/run/picture_stages.hpp"
-#include "ui/scene/ball_colours.hpp"
 #include "ui/scene/display_style.hpp"
 
 namespace alphascope {
 namespace {
-
-std::shared_ptr<const std::vector<Rgb8>> shared(std::vector<Rgb8> colours) {
-  return std::make_shared<const std::vector<Rgb8>>(std::move(colours));
-}
 
 std::shared_ptr<const DrawnMolecule> make_drawn(std::shared_ptr<const OpenedMolecule> opened,
                                                 const RunContext& context) {
@@ -21,9 +16,6 @@ std::shared_ptr<const DrawnMolecule> make_drawn(std::shared_ptr<const OpenedMole
   const auto& [molecule, prepared] = std::tie(opened->molecule, opened->prepared);
   drawn->geometry = std::make_shared<const BallGeometry>(*prepared->balls);
   drawn->picker = std::make_shared<const BallPicker>(drawn->geometry);
-  context.cancel.throw_if_cancelled();
-  drawn->by_element = shared(colours_by_element(*molecule, prepared->atom_of_ball));
-  drawn->by_chain = shared(colours_by_chain(*molecule, prepared->atom_of_ball));
   context.cancel.throw_if_cancelled();
   drawn->molecule = molecule;
   drawn->prepared = prepared;
@@ -39,7 +31,6 @@ std::shared_ptr<const DrawnMolecule> undrawn(std::shared_ptr<const OpenedMolecul
   drawn->opened = std::move(opened);
   drawn->geometry = std::make_shared<const BallGeometry>();
   drawn->picker = std::make_shared<const BallPicker>(drawn->geometry);
-  drawn->by_element = drawn->by_chain = shared({});
   return drawn;
 }
 
@@ -52,16 +43,10 @@ MeshOptions SceneController::mesh_options() const {
 void SceneController::submit() {
   requested_mesh_ = mesh_options();
   if (!prepared_ || waiting_) return;  // what is awaited will be made with the new options
-  const Wanted wanted{drawn_molecule_,
-                      opened_,
-                      answer_,
-                      agreement_,
-                      display_.complex_colour == ColourBy::element,
-                      ball_look(answer_.get()),
-                      requested_mesh_,
-                      clip_,
-                      appearance_,
-                      answer_ && answer_ == drawn_answer_ ? drawn_measures() : nullptr};
+  const Wanted wanted{
+      drawn_molecule_,        opened_,         answer_, agreement_,  ball_look(answer_.get()),
+      display_.complex_paint, requested_mesh_, clip_,   appearance_, ball_painting_,
+      simplex_painting_};
   mesh_worker_.submit(
       [this, wanted](const RunContext& context) -> Worker::Delivery {
         try {
@@ -79,8 +64,8 @@ void SceneController::submit() {
 
 // On the worker's thread.
 Worker::Delivery SceneController::make_drawing(const Wanted& wanted, const RunContext& context) {
-  const auto& [drawn, opened, answer, agreement, by_element, look, mesh, clip, appearance,
-               measures] = wanted;
+  const auto& [drawn, opened, answer, agreement, look, complex_paint, mesh, clip, appearance,
+               ball_painting, simplex_painting] = wanted;
   const std::size_t balls = opened->prepared->balls->size();
   const bool known =
       drawn && drawn->prepared == opened->prepared && drawn->geometry->centres.size() == balls;
@@ -98,27 +83,37 @@ Worker::Delivery SceneController::make_drawing(const Wanted& wanted, const RunCo
   drawing.looks = make_looks(m, appearance);
   const BallAppearance* const looks = drawing.looks.get();
   if (!known || look.style.grown) drawing.radii = radii_of(m, look.style, looks);
-  if (answer && plan.balls && is_exposure(look.colour) && !answer->complex.tetrahedra_only) {
-    drawing.exposure = make_exposure(m, *answer, look.colour, measures, context);
+  if (plan.balls) {
+    drawing.ball_painting =
+        make_painting({drawing.molecule, answer, look.paint}, ball_painting, context);
   }
-  if (!known) {
-    drawing.balls = make_ball_data(
-        m.geometry, painted(ball_colours(m, look.colour, drawing.exposure.get()), looks),
-        drawing.radii);
+  if (!known && plan.balls) {
+    drawing.balls = make_ball_data(m.geometry, painted(drawing.ball_painting->balls.colours, looks),
+                                   drawing.radii);
+  } else if (!known) {
+    drawing.balls = make_ball_data(m.geometry, {}, {});
   }
   if (answer && plan.balls) {
     const Clock::time_point begun = Clock::now();
+    if (plan.mesh.colouring == ComplexColouring::balls) {
+      const bool as_balls = complex_paint == look.paint;
+      drawing.simplex_painting =
+          make_painting({drawing.molecule, answer, complex_paint},
+                        as_balls ? drawing.ball_painting : simplex_painting, context);
+    }
+    const Painting& of_simplices =
+        drawing.simplex_painting ? *drawing.simplex_painting : *drawing.ball_painting;
+    drawing.simplex_colours =
+        std::make_shared<const std::vector<Rgb8>>(painted(of_simplices.balls.colours, looks));
     drawing.mesh = std::make_shared<const ComplexMesh>(
-        make_mesh(m, simplex_colours(m, by_element, looks), answer->complex, plan.mesh, looks,
-                  context.cancel));
+        make_mesh(m, *drawing.simplex_colours, answer->complex, plan.mesh, looks, context.cancel));
     drawing.mesh_data = make_mesh_data(drawing.mesh);
     drawing.mesh_milliseconds =
         std::chrono::duration<double, std::milli>(Clock::now() - begun).count();
     drawing.options = plan.mesh;
-    drawing.by_element = by_element;
-    drawing.caps =
-        make_caps({drawing.molecule, answer, drawing.mesh, plan.mesh, by_element, drawing.looks},
-                  clip, context.cancel);
+    drawing.caps = make_caps(
+        {drawing.molecule, answer, drawing.mesh, plan.mesh, drawing.simplex_colours, drawing.looks},
+        clip, context.cancel);
     drawing.cap_data = make_cap_data(drawing.caps.mesh);
   }
   if (plan.differences) {
@@ -137,7 +132,8 @@ void SceneController::make_room() {
   drawn_answer_ = nullptr;
   drawn_mesh_ = nullptr;
   drawn_differences_ = nullptr;
-  drawn_exposure_ = nullptr;
+  ball_painting_ = simplex_painting_ = nullptr;
+  drawn_simplex_colours_ = nullptr;
   drawn_caps_.mesh = nullptr;
   drawn_caps_.pick.reset();
   picks_.clear();
@@ -159,6 +155,15 @@ void SceneController::show_no_memory() {
 
 void SceneController::take(Drawing drawing) {
   if (drawing.molecule->prepared != prepared_) return;
+  if (drawing.mesh) {
+    const std::string beyond = beyond_opengl_text(
+        *drawing.mesh, drawing.molecule->geometry->centres.size(), scene_.most_cells());
+    if (!beyond.empty()) {
+      drawing.mesh = nullptr;
+      drawing.mesh_data = nullptr;
+      drawing.not_drawn = beyond;
+    }
+  }
   try {
     show(std::move(drawing));
   } catch (const std::bad_alloc&) {
@@ -175,21 +180,22 @@ void SceneController::show(Drawing drawing) {
   not_drawn_ = drawing.not_drawn;
   drawn_molecule_ = drawing.molecule;
   if (new_balls) forget_layers();  // they go with the balls
-  drawn_exposure_ = std::move(drawing.exposure);
+  const bool new_painting = ball_painting_ != drawing.ball_painting;
+  ball_painting_ = std::move(drawing.ball_painting);
+  simplex_painting_ = std::move(drawing.simplex_painting);
   // Each drawing has looks of its own, mostly equal ones.
   const bool new_looks = (drawn_looks_ || drawing.looks) && !new_balls;
   drawn_looks_ = drawing.looks;
   if (new_balls || display_.grown_balls) show_balls(drawing);
-  if (is_exposure(display_.ball_colour) || new_looks) update_colours();
+  if ((new_painting && !new_balls) || new_looks) show_ball_colours();
+  if (ball_painting_ && ball_painting_->paint != display_.ball_paint) submit_painting();
   if (new_looks) update_radii();
-  alpha_legend_ = drawing.mesh && drawing.mesh->scale ? std::optional(drawing.mesh->scale->legend())
-                                                      : std::nullopt;
   drawn_mesh_ = std::move(drawing.mesh);
   picture_stages_ = {{std::string(stage::kMesh), drawing.mesh_milliseconds, false}};
   submit_picks();
   drawn_differences_ = std::move(drawing.differences);
   drawn_options_ = drawing.options;
-  drawn_by_element_ = drawing.by_element;
+  drawn_simplex_colours_ = std::move(drawing.simplex_colours);
   scene_.set_mesh(std::move(drawing.mesh_data));
   show_caps(std::move(drawing.caps), std::move(drawing.cap_data));
   if (drawn_caps_.clip != clip_) submit_caps();
@@ -230,7 +236,6 @@ void SceneController::note_times(double picture_milliseconds) {
 // Colours and radii come with the drawing, unless the controls have changed since it was begun.
 void SceneController::show_balls(Drawing& drawing) {
   const BallLook wanted = ball_look(drawn_answer_.get());
-  const bool look_is_new = drawing.balls && drawing.look.colour != wanted.colour;
   const std::size_t count = drawn_molecule_->geometry->centres.size();
   const bool radii_fit = drawing.look.style == wanted.style && drawing.radii.size() == count;
   const bool with_radii = drawing.balls != nullptr;
@@ -239,7 +244,6 @@ void SceneController::show_balls(Drawing& drawing) {
   } else if (count == 0) {
     scene_.set_balls(drawn_molecule_->geometry, {});
   }
-  if (look_is_new) update_colours();
   if (!radii_fit) return update_radii();
   radii_ = std::move(drawing.radii);
   if (!with_radii) scene_.set_ball_radii(radii_);

@@ -3,7 +3,7 @@
 #include <numeric>
 
 #include "app/viewer/scene_controller.hpp"
-#include "ui/scene/ball_colours.hpp"
+#include "ui/rgb8.hpp"
 
 namespace alphascope {
 namespace {
@@ -81,6 +81,22 @@ void SceneController::zoom_to(const Selected& what) {
   std::iota(all.begin(), all.end(), BallIndex{0});
   Viewpoint view = looking_at(places, all, scene_.sight());
   view.least_aspect = scene_.viewpoint().least_aspect;
+  scene_.set_viewpoint(view);
+  dirty_ = true;
+}
+
+void SceneController::centre_on(const Selected& what) {
+  if (!drawn_molecule_) return;
+  const BallGeometry places = drawn_places(what);
+  if (places.centres.empty()) return;
+  Viewpoint view = scene_.viewpoint();
+  for (std::size_t k = 0; k < 3; ++k) {
+    double sum = 0;
+    for (const auto& centre : places.centres) sum += centre[k];
+    const double middle = sum / static_cast<double>(places.centres.size());
+    view.position[k] += middle - view.focal_point[k];
+    view.focal_point[k] = middle;
+  }
   scene_.set_viewpoint(view);
   dirty_ = true;
 }

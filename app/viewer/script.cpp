@@ -181,6 +181,14 @@ class ScriptRunner {
     down(arguments);
     up(arguments);
   }
+  void right_click(const Arguments& arguments) {
+    move(arguments);
+    for (const bool down : {true, false}) {
+      input_.down[1] = down;
+      frames(2);
+    }
+    frames(2);  // until the menu is there
+  }
   void double_click(const Arguments& arguments) {
     click(arguments);
     down(arguments);
@@ -334,6 +342,7 @@ std::vector<ScriptRunner::Verb> ScriptRunner::all_verbs() {
              number("to", kPlaceRule),
              number("seconds", kSecondsRule)}),
        &S::drag},
+      {verb("right-click", "As click, with the right button", widget()), &S::right_click},
       {verb("double-click", "As click, twice", widget()), &S::double_click},
       {verb("wheel", "Turns the wheel at the mouse's position", one(number("steps", kWheelRule))),
        &S::wheel},

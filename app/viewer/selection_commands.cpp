@@ -41,21 +41,22 @@ Outcome select(ViewState& s, const std::string& text, bool more) {
   }
   static_assert(Selection::kMostItems == 100000);
   s.picked.items = std::move(items);
+  s.picked.note_order();
   return {};
 }
 
 CommandSpec by_name(ViewState& s, bool more) {
-  return {
-      .id = more ? "select.add" : "select.atoms",
-      .title = more ? "Add atoms to the selection…" : "Select atoms…",
-      .help = more ? "Selects atoms by name besides what is selected"
-                   : "Selects atoms by name, and nothing else",
-      .menu = "Edit",
-      .line_above = !more,
-      .parameters = {{.name = "atoms", .help = kNamesHelp, .example = "A:HIS 87:NE2"}},
-      .why_not = [&s] { return s.references ? "" : "No molecule is in the picture."; },
-      .run = [&s, more](
-                 const Arguments& arguments) { return select(s, arguments.text("atoms"), more); }};
+  return {.id = more ? "select.add" : "select.atoms",
+          .title = more ? "Add atoms to the selection…" : "Select atoms…",
+          .help = more ? "Selects atoms by name besides what is selected"
+                       : "Selects atoms by name, and nothing else",
+          .menu = "Edit",
+          .line_above = !more,
+          .parameters = {{.name = "atoms", .help = kNamesHelp, .example = "A:HIS 87:NE2"}},
+          .why_not = without_picture(s),
+          .run = [&s, more](const Arguments& arguments) {
+            return select(s, arguments.text("atoms"), more);
+          }};
 }
 
 }  // namespace

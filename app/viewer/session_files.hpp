@@ -13,7 +13,8 @@ namespace alphascope {
 
 // A session that was read, and what its files are by now.
 struct FoundSession {
-  std::filesystem::path file;  // the session itself; absolute
+  std::filesystem::path file;  // the session itself; absolute. Empty: it is in no file
+  bool is_recent = true;       // its molecule, or itself, is to be listed among the recent files
   ReadSession read;
   FoundFile molecule;
   std::optional<FoundFile> radii_table;  // none: it needs none

@@ -1,6 +1,8 @@
 // See the header.
 #include "app/viewer/viewer.hpp"
 
+#include <imgui.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -41,6 +43,9 @@ Viewer::Viewer(Host& host, const ViewerOptions& options, Session::Services servi
       folder_reader_([&host] { host.wake(); }),
       session_files_([&host] { host.wake(); }),
       preferences_([&host] { host.wake(); }, options.preferences),
+      lesson_files_([&host] { host.wake(); }, lesson_folders(options)),
+      lesson_stage_(make_lesson_stage()),
+      lessons_(*lesson_stage_, state_.memory.lessons),
       machine_(std::async(std::launch::async,
                           [&host] {
                             const MachineInfo& machine = machine_info();
@@ -71,6 +76,7 @@ Viewer::Viewer(Host& host, const ViewerOptions& options, Session::Services servi
   editor_.restart(settings());
   if (options.file) open(*options.file);
   if (options.session) open_session(*options.session);
+  if (!options.lesson.empty()) lesson_files_.open(options.lesson);
 }
 
 Viewer::~Viewer() = default;
@@ -124,7 +130,8 @@ bool Viewer::working() const {
   const SessionActivity a = session_.activity();
   return state_.open != sent_open_ || a.opening.busy || a.computing.busy || a.comparing.busy ||
          a.timing.busy || !state_.gpu || scene_.busy() || saver_.busy() || table_saver_.busy() ||
-         complex_saver_.busy() || folder_reader_.busy() || session_files_.busy();
+         complex_saver_.busy() || folder_reader_.busy() || session_files_.busy() ||
+         lesson_files_.busy() || lessons_.busy();
 }
 
 bool Viewer::settled() const {
@@ -154,15 +161,20 @@ void Viewer::take_molecule() {
   state_.clip = {};
   state_.views.clear();
   state_.appearance = {};
+  state_.annotations = {};
   state_.expression_error.reset();
   state_.memory.expression_typed = state_.memory.expression_shown = state_.open.balls.selection;
   const auto& session = starting_session_;
   const std::filesystem::path& source = s.opened->deposited->source;
   const bool of_session = session && session->molecule.path == source;
   state_.session_file.clear();
-  note_recent_file(of_session ? session->file : source);
+  if (!of_session || session->is_recent) {
+    note_recent_file(of_session && !session->file.empty() ? session->file : source);
+  }
   if (of_session) show_session();
+  start_preset();
   editor_.restart(settings());
+  if (of_session) take_back_history();
 }
 
 void Viewer::take_answer() {
@@ -199,6 +211,7 @@ void Viewer::take_session() {
   take_machine();
   take_saved();
   take_session_files();
+  take_lesson_files();
   poll_preferences();
   state_.listing = folder_reader_.listing(wanted_listing(state_.memory));
   if (benchmark_.busy() && benchmark_.poll(state_.benchmark)) {
@@ -253,18 +266,20 @@ void Viewer::give_back_memory_when_due() {
 // Chains say nothing when there is only one; then elements do. A choice of the user's stays.
 void Viewer::colour_by_what_differs(const Molecule& molecule) {
   DisplayControls& d = state_.display;
-  if (d.ball_colour != automatic_colour_ || d.complex_colour != automatic_colour_) return;
+  const Paint automatic{automatic_colour_, {}, {}, {}};
+  if (d.ball_paint != automatic || d.complex_paint != automatic) return;
   const bool one_chain =
       std::all_of(molecule.atoms.begin(), molecule.atoms.end(),
                   [&](const Atom& a) { return a.chain == molecule.atoms.front().chain; });
   automatic_colour_ = one_chain ? ColourBy::element : ColourBy::chain;
-  d.ball_colour = d.complex_colour = automatic_colour_;
+  d.ball_paint = d.complex_paint = {automatic_colour_, {}, {}, {}};
 }
 
 void Viewer::take_requests() {
   Requests r = std::exchange(state_.requests, {});
   if (r.open) open(*r.open);
   take_session_requests(r);
+  take_lesson_requests(r);
   if (r.forget_recent) forget_recent();
   if (r.compare) {
     compared_ = session_.state().ours;
@@ -287,12 +302,17 @@ void Viewer::take_requests() {
   if (r.undo) undo();
   if (r.redo) redo();
   if (r.reset_view) scene_.reset_view();
-  if (r.zoom_to_selection) zoom_to_selection();
+  if (r.zoom_to_selection) zoom_to(state_.picked.items);
+  if (!r.zoom_to.empty()) zoom_to(r.zoom_to);
+  if (!r.centre_on.empty()) centre_on(r.centre_on);
+  if (r.context_menu) open_context_menu();
+  if (!r.copy.empty()) ImGui::SetClipboardText(r.copy.c_str());
   if (r.look_from) scene_.look_from(*r.look_from);
   if (!r.save_view.empty()) save_view(r.save_view);
   if (!r.go_to_view.empty()) go_to_view(r.go_to_view);
   if (r.quit) quit_ = true;
   if (r.screenshot) save_picture(*r.screenshot);
+  if (r.record) record(*r.record);
   if (r.save_table) save_table(*r.save_table);
   if (r.export_complex) export_complex(*r.export_complex);
   if (r.cancel_save || (r.cancel && !state_.busy.active)) cancel_saving();
@@ -311,6 +331,7 @@ void Viewer::send_controls() {
   scene_.set_display(state_.display, state_.theme, frame_.scale());
   scene_.set_clip(state_.clip);
   scene_.set_appearance(state_.appearance);
+  state_.picked.note_order();
   note_changes();
 }
 
@@ -343,9 +364,10 @@ void Viewer::send_selection() {
     }
   }
   if (wanted == sent_open_) return;
-  OpenOptions only_model = sent_open_;
-  only_model.balls.model = wanted.balls.model;
-  const bool may_wait = wanted == only_model && !settled() && state_.error.empty() &&
+  OpenOptions as_frames = sent_open_;  // what a slider or a dragged ball changes often
+  as_frames.balls.model = wanted.balls.model;
+  as_frames.sandbox = wanted.sandbox;
+  const bool may_wait = wanted == as_frames && !settled() && state_.error.empty() &&
                         Clock::now() - selection_sent_at_ < kModelGrace;
   if (may_wait) return;
   // Copies of chains have other names, and copies of models other atoms.

@@ -14,6 +14,8 @@
 #include "app/viewer/folder_reader.hpp"
 #include "app/viewer/gestures.hpp"
 #include "app/viewer/hit_text.hpp"
+#include "app/viewer/lesson_files.hpp"
+#include "app/viewer/lesson_player.hpp"
 #include "app/viewer/model_playback.hpp"
 #include "app/viewer/options.hpp"
 #include "app/viewer/picture_saver.hpp"
@@ -88,6 +90,12 @@ class Viewer {
   Request possible_here(Request request) const;
   void start_session();  // waiting_session_
   void show_session();   // starting_session_
+  class Stage;           // of lessons
+  std::unique_ptr<LessonStage> make_lesson_stage();
+  static std::vector<std::filesystem::path> lesson_folders(const ViewerOptions& options);
+  void take_lesson_files();
+  void take_lesson_requests(const Requests& requests);
+  void take_back_history();
   // None without a molecule.
   std::optional<SessionDocument> session_document(const std::filesystem::path& file) const;
   void use_preferences(const ViewerOptions& options);
@@ -106,6 +114,7 @@ class Viewer {
   bool working() const;
   void take_machine();
   void take_molecule();
+  void start_preset();
   void take_answer();
   void take_results();
   double seconds_to_next_frame() const;
@@ -118,6 +127,7 @@ class Viewer {
   void take_shown();          // what is said of the picture changes with it
   void take_requests();       // what the panels asked for
   void save_picture(const ScreenshotRequest& request);
+  void record(const RecordRequest& request);
   void save_table(const SaveTableRequest& request);
   void export_complex(const ExportRequest& request);
   void cancel_saving();
@@ -145,10 +155,15 @@ class Viewer {
   std::shared_ptr<const BallReferences> references_of(const Answer& answer) const;
   void describe_under_mouse();
   void click(const PointerEvent& event);
+  void open_context_menu();  // of what is under the mouse
   void mark_selection();
   std::optional<std::size_t> place_beside(const Ref& item) const;
   void find_marks();
-  void zoom_to_selection();
+  SceneController::Selected drawn_of(const RefSet& items) const;
+  void zoom_to(const RefSet& items);
+  void centre_on(const RefSet& items);
+  bool is_drawn(std::size_t atom) const;  // of the molecule, by index
+  void draw_annotations();
   void place_clip_handle();
   void save_view(const std::string& name);  // in place of one of that name
   void go_to_view(const std::string& name);
@@ -182,6 +197,17 @@ class Viewer {
     std::uint64_t key = 0;
   };
   Marked marked_;
+  struct Annotated {  // what was written into the picture last, and of what that was made
+    Annotations annotations;
+    std::shared_ptr<const BallReferences> references;
+    std::shared_ptr<const BallSet> balls;
+    std::shared_ptr<const BallAppearance> looks;
+    std::shared_ptr<const LayerMesh> beside;
+    Theme theme = Theme::dark;
+    std::shared_ptr<const Layer> layer;  // null: nothing
+    std::uint64_t key = 0;
+  };
+  Annotated annotated_;
   std::shared_ptr<const Answer> compared_;  // the last answer for which a comparison was asked
   std::optional<Clock::time_point> busy_since_, comparing_since_, tooltip_due_;
   Clock::time_point selection_sent_at_{};
@@ -206,6 +232,10 @@ class Viewer {
   std::shared_ptr<const FoundSession> waiting_session_, starting_session_;
   bool session_awaits_gpu_ = false;
   PreferencesKeeper preferences_;
+  LessonFiles lesson_files_;
+  std::unique_ptr<LessonStage> lesson_stage_;
+  LessonPlayer lessons_;
+  std::optional<Editor> history_to_come_back_;  // of the session that is on its way
   Preferences noted_;     // as the window had them when they were looked at last
   double set_scale_ = 0;  // of the host
   std::optional<EngineChoice> engine_when_found_;  // preferred, and in need of a GPU

@@ -33,7 +33,7 @@ void Viewer::draw(ScriptedInput* input, bool patient,
   guarded([this] { describe_under_mouse(); });
   if (!frame_.begin(state_.theme, input)) return want_of_all_balls();
   session_.let_finish(interacting());
-  session_.set_measuring(state_.measures_wanted || is_exposure(state_.display.ball_colour));
+  session_.set_measuring(state_.measures_wanted || is_exposure(state_.display.ball_paint.by));
   gesture_ = gestures_.in_this_frame();
   store_.next_frame();
   const WindowParts parts{state_, rects_, commands_, store_, inputs_};
@@ -45,6 +45,7 @@ void Viewer::draw(ScriptedInput* input, bool patient,
       if (event.kind == PointerEvent::Kind::click) click(event);
     }
     take_requests();
+    lessons_.step();
     play();
     play_models();
     send_controls();
@@ -52,6 +53,7 @@ void Viewer::draw(ScriptedInput* input, bool patient,
   });
   guarded([this] {
     mark_selection();
+    draw_annotations();
     scene_.set_layers(state_.layers);
   });
   // After the panels, so that the picture has this frame's size; ImGui draws it afterwards. Not

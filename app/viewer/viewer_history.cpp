@@ -7,13 +7,14 @@ namespace alphascope {
 // The molecule's options as they were sent: what the controls hold may be refused.
 Settings Viewer::settings() const {
   return {session_.open_options(), state_.compute, state_.display, state_.picked.items,
-          state_.picked.cavities,  state_.clip,    state_.views,   state_.appearance};
+          state_.picked.cavities,  state_.clip,    state_.views,   state_.appearance,
+          state_.annotations};
 }
 
 // Once a frame, when what was typed has been checked.
 void Viewer::note_changes() {
-  const bool playing = state_.memory.playing || state_.memory.playing_models;
-  if (playing) {
+  const bool by_itself = state_.memory.playing || state_.memory.playing_models || lessons_.busy();
+  if (by_itself) {
     editor_.amend(settings());
   } else {
     editor_.set(settings(), gesture_);
@@ -30,6 +31,7 @@ void Viewer::show_settings() {
   state_.clip = s.clip;
   state_.views = s.views;
   state_.appearance = s.appearance;
+  state_.annotations = s.annotations;
   state_.picked.items = s.selection;
   state_.picked.cavities = s.cavities;
   state_.memory.playing = state_.memory.playing_models = false;

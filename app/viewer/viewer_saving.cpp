@@ -5,10 +5,21 @@ namespace alphascope {
 
 void Viewer::save_picture(const ScreenshotRequest& request) {
   try {
-    saver_.start(scene_.picture(request));
+    saver_.start(picture_job(scene_.picture(request)));
     state_.notice.clear();
   } catch (const std::exception& error) {
     state_.tell("The picture cannot be saved", error.what());
+  }
+  frames_due_ = kSettlingFrames;
+}
+
+// Of what is on screen: molecule, radii, display and view; a sweep says alpha itself.
+void Viewer::record(const RecordRequest& request) {
+  try {
+    saver_.start(recording_job(request, scene_.frames(request), scene_.texts()));
+    state_.notice.clear();
+  } catch (const std::exception& error) {
+    state_.tell("The recording cannot be made", error.what());
   }
   frames_due_ = kSettlingFrames;
 }

@@ -63,7 +63,18 @@ void Viewer::describe_under_mouse() {
   }
 }
 
+void Viewer::open_context_menu() {
+  const ViewportInfo& v = state_.viewport;
+  const auto found = under(v.mouse_x, v.mouse_y);
+  ContextMemory& menu = state_.memory.context;
+  menu.opens = true;
+  menu.what = found ? found->what : std::nullopt;
+  menu.title = menu.what ? name_of(state_.references->molecule(), *menu.what) : "";
+  frames_due_ = kSettlingFrames;
+}
+
 void Viewer::click(const PointerEvent& event) {
+  if (event.button == 1) return open_context_menu();
   const bool more = event.control || event.shift;
   RefSet& items = state_.picked.items;
   const auto found = under(event.x, event.y);
@@ -77,6 +88,7 @@ void Viewer::click(const PointerEvent& event) {
     state_.notice = "No more can be selected at once.";
   } else {
     items = wanted;
+    state_.picked.note_order();
   }
 }
 
@@ -177,15 +189,33 @@ void Viewer::place_clip_handle() {
       scene_.clip_handle(state_.clip, clip_pivot_.value_or(pivot), kSize * frame_.scale());
 }
 
-void Viewer::zoom_to_selection() {
-  if (!state_.references) return;
+SceneController::Selected Viewer::drawn_of(const RefSet& items) const {
   SceneController::Selected all;
-  for (const Ref& item : state_.picked.items.items()) {
+  if (!state_.references) return all;
+  for (const Ref& item : items.items()) {
     const auto balls = state_.references->balls(item);
     if (balls) all.balls.insert(all.balls.end(), balls->begin(), balls->end());
     if (const auto beside = place_beside(item)) all.beside.push_back(*beside);
   }
-  scene_.zoom_to(all);
+  return all;
+}
+
+void Viewer::zoom_to(const RefSet& items) {
+  scene_.zoom_to(drawn_of(items));
+}
+
+void Viewer::centre_on(const RefSet& items) {
+  scene_.centre_on(drawn_of(items));
+}
+
+// A preset of the sandbox is opened to be changed.
+void Viewer::start_preset() {
+  SandboxMemory& m = state_.memory.sandbox;
+  m.pixels_per_angstrom = 0;
+  const std::filesystem::path wanted = std::exchange(m.edit_when_open, {});
+  const SessionState& s = session_.state();
+  if (wanted.empty() || wanted != s.opened->deposited->source) return;
+  if (!state_.open.sandbox) state_.open.sandbox = sandbox_of(*s.prepared->balls);
 }
 
 }  // namespace alphascope

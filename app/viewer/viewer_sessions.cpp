@@ -19,6 +19,7 @@ void Viewer::forget_waiting_session() {
   session_files_.cancel();
   waiting_session_ = starting_session_ = nullptr;
   session_awaits_gpu_ = false;
+  history_to_come_back_.reset();
   state_.session_problem.reset();
 }
 
@@ -89,6 +90,7 @@ void Viewer::show_session() {
   state_.clip = s.settings.clip;
   state_.views = s.settings.views;
   state_.appearance = s.settings.appearance;
+  state_.annotations = s.settings.annotations;
   state_.theme = s.view.light_theme ? Theme::light : Theme::dark;
   state_.memory.playing = false;
   state_.memory.number = {};

@@ -80,6 +80,7 @@ void Viewer::take_error(bool only_the_model_changed) {
   switch (s.error_source) {
     case Source::opening:
       starting_session_ = nullptr;
+      history_to_come_back_.reset();
       state_.tell("The file cannot be opened",
                   s.last_error + not_opened_either() +
                       still(state_, "The previous molecule is still open."));

@@ -10,8 +10,8 @@
 
 #include "core/engine/engine.hpp"
 #include "core/io/read_molecule.hpp"
+#include "core/molecule/atom_colours.hpp"
 #include "core/molecule/prepare_balls.hpp"
-#include "ui/scene/ball_colours.hpp"
 #include "ui/scene/scene.hpp"
 #include "ui/window/egl_context.hpp"
 

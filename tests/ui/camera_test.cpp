@@ -12,6 +12,7 @@ BallGeometry two_balls() {  // 20 Å apart
   BallGeometry g;
   g.centres = {{-10, 0, 0}, {10, 0, 0}};
   g.radii = {2, 2};
+  g.bounds = {-12, 12, -2, 2, -2, 2};
   return g;
 }
 
@@ -33,6 +34,20 @@ TEST(ViewProblem, InsideABall) {
   EXPECT_EQ(view_problem(two_balls(), kRadii, from(10, 0, 1.9), false), ViewProblem::inside_a_ball);
   EXPECT_EQ(view_problem(two_balls(), kNotDrawn, from(10, 0, 1.9), true), ViewProblem::none);
   EXPECT_EQ(view_problem({}, {}, from(0, 0, 0), false), ViewProblem::none);
+}
+
+// Also when others, which are looked at before it, are well in view.
+TEST(ViewProblem, InsideTheLastBallOfMany) {
+  BallGeometry g;
+  for (int i = 0; i < 100; ++i) g.centres.push_back({0, 0, -10.0f - static_cast<float>(i)});
+  g.centres.push_back({0, 0, 5});
+  g.radii.assign(101, 1);
+  g.bounds = {-1, 1, -1, 1, -110, 6};
+  std::vector<float> grown(101, 1);
+  EXPECT_EQ(view_problem(g, grown, from(0, 0, 7), true), ViewProblem::none);
+  grown.back() = 3;  // larger than as given, and around the camera
+  EXPECT_EQ(view_problem(g, grown, from(0, 0, 7), true), ViewProblem::inside_a_ball);
+  EXPECT_EQ(view_problem(g, grown, from(0, 0, 9), true), ViewProblem::none);
 }
 
 TEST(ViewProblem, NothingInView) {

@@ -364,5 +364,16 @@ TEST_F(WindowMemory, TellsAPictureThatIsOutdated) {
   viewer_.reset();  // its engines use `held`
 }
 
+TEST(BeyondOpenGl, IsToldWithARemedy) {
+  ComplexMesh mesh;
+  EXPECT_EQ(beyond_opengl_text(mesh, 5, 3), "") << "balls are not indexed where there are no faces";
+  mesh.triangles.faces.resize(4);
+  EXPECT_EQ(beyond_opengl_text(mesh, 4, 4), "");
+  const std::string text = beyond_opengl_text(mesh, 4, 3);
+  EXPECT_NE(text.find("at most 3 faces"), std::string::npos);
+  EXPECT_NE(text.find("here are 4"), std::string::npos);
+  EXPECT_NE(beyond_opengl_text(mesh, 5, 4), "");
+}
+
 }  // namespace
 }  // namespace alphascope

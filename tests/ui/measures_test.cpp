@@ -98,10 +98,10 @@ TEST_F(MeasuresTest, TetrahedraAloneSayWhatToDo) {
   settle();
   EXPECT_TRUE(has("measures.waiting"));
   EXPECT_FALSE(has("measures.area"));
-  state().display.ball_colour = ColourBy::exposed;
+  state().display.ball_paint.by = ColourBy::exposed;
   settle();
   EXPECT_NE(state().viewport.not_drawn.find("Tetrahedra only"), std::string::npos);
-  EXPECT_FALSE(state().viewport.legend);
+  EXPECT_EQ(state().viewport.legends.size(), 1u) << "of the simplices";
 }
 
 TEST_F(MeasuresTest, WithoutAMoleculeItSaysWhatToDo) {
@@ -113,22 +113,22 @@ TEST_F(MeasuresTest, BallsAreColouredByTheirExposedAreas) {
   open_crambin();
   state().display.tetrahedra = false;
   const Image by_element = picture();
-  state().display.ball_colour = ColourBy::exposed;
+  state().display.ball_paint.by = ColourBy::exposed;
   settle();
   EXPECT_EQ(state().viewport.not_drawn, "");
-  ASSERT_TRUE(state().viewport.legend);
-  EXPECT_EQ(state().viewport.legend->title, "exposed area of atoms (%), square-root scale");
-  EXPECT_EQ(state().viewport.legend->stops.front().value, 0);
-  EXPECT_EQ(state().viewport.legend->stops.back().value, 100);
+  ASSERT_EQ(state().viewport.legends.size(), 1u);
+  EXPECT_EQ(state().viewport.legends[0].title, "exposed area of atoms (%), square-root scale");
+  EXPECT_EQ(state().viewport.legends[0].stops.front().value, 0);
+  EXPECT_EQ(state().viewport.legends[0].stops.back().value, 100);
   const Image by_atom = picture();
   EXPECT_NE(by_atom.rgba, by_element.rgba);
-  state().display.ball_colour = ColourBy::exposed_residue;
+  state().display.ball_paint.by = ColourBy::exposed_residue;
   settle();
-  EXPECT_EQ(state().viewport.legend->title, "exposed area of residues (%), square-root scale");
+  EXPECT_EQ(state().viewport.legends[0].title, "exposed area of residues (%), square-root scale");
   EXPECT_NE(picture().rgba, by_atom.rgba);
-  state().display.ball_colour = ColourBy::element;
+  state().display.ball_paint.by = ColourBy::element;
   settle();
-  EXPECT_FALSE(state().viewport.legend);
+  EXPECT_EQ(state().viewport.legends[0].title, "element");
   EXPECT_EQ(picture().rgba, by_element.rgba);
 }
 

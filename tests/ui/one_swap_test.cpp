@@ -43,7 +43,7 @@ class OneSwapTest : public ViewerTest {
     open_crambin();
     DisplayControls& display = viewer_->state().display;
     display.balls = display.ambient_occlusion = false;
-    display.complex_colour = ColourBy::alpha;
+    display.complex_paint.by = ColourBy::alpha;
     run("wait-idle\n");
     mesh_times_.clear();
   }
@@ -78,13 +78,13 @@ class OneSwapTest : public ViewerTest {
     viewer_->step(&input);
     const ViewState& s = viewer_->state();
     const AlphaComplex& shown = s.result->complex;
-    const auto& legend = s.viewport.legend;
+    const auto& legends = s.viewport.legends;
     Frame f{Clock::now(),
             s.result->request.alpha_angstrom2,
             hash_text(shown.hash),
             {shown.vertices.size(), shown.edges.size(), shown.triangles.size(),
              shown.tetrahedra.size()},
-            legend && !legend->stops.empty() ? legend->stops.back().value : 0};
+            legends.empty() || legends[0].stops.empty() ? 0 : legends[0].stops.back().value};
     look_at_picture(f);
     return f;
   }
@@ -159,7 +159,7 @@ TEST_F(OneSwapTest, ADragShowsExposedAreasOfTheAlphaThatItNames) {
   display.balls = true;
   display.tetrahedra = false;
   display.ball_scale = 1;
-  display.ball_colour = ColourBy::exposed;
+  display.ball_paint.by = ColourBy::exposed;
   run("wait-idle\n");
   const std::vector<Frame> frames = drag();
   const auto [darkest, brightest] =

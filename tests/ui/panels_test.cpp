@@ -249,12 +249,20 @@ TEST(PanelsTest, AMissingSpeedHasItsReason) {
 TEST(PanelsTest, TheCaptionSaysWhyNothingIsThere) {
   ViewState s = loaded_state();
   Answer result = *s.result;
+  auto balls = std::make_shared<BallSet>(*result.balls);
+  balls->centres.at(0).z = 1;
+  result.balls = balls;
   result.request.alpha_angstrom2 = -8;
   EXPECT_EQ(caption_text(result), "4hhb.pdb.gz   α = −8 Å²");
   result.complex.tetrahedra = {};
   EXPECT_NE(caption_text(result).find("no ball is left at this alpha"), std::string::npos);
   result.complex.vertices.simplices.resize(3);
   EXPECT_NE(caption_text(result).find("no tetrahedra at this alpha"), std::string::npos);
+  auto flat = std::make_shared<BallSet>(*balls);
+  for (LatticePoint& centre : flat->centres) centre.z = 0;
+  result.balls = flat;
+  EXPECT_NE(caption_text(result).find("balls in a plane"), std::string::npos);
+  result.balls = balls;
   result.complex.vertices = {};
   result.complex.tetrahedra_only = true;  // then vertices are not counted
   EXPECT_NE(caption_text(result).find("no tetrahedra at this alpha"), std::string::npos);
@@ -313,13 +321,13 @@ TEST(PanelsTest, SavingOffersALegendWhereThereIsOne) {
   EXPECT_TRUE(saved_with({"save.legend"}).legend) << "without one there is nothing to switch off";
   EXPECT_FALSE(saved_with({}).scale_bar);
   EXPECT_TRUE(saved_with({"save.scale_bar"}).scale_bar);
-  p.state.viewport.legend = ColourLegend{"alpha value (Å²)", {{{}, 0}, {{}, 1}}};
+  p.state.viewport.legends = {ColourLegend{"alpha value (Å²)", {{{}, 0}, {{}, 1}}}};
   EXPECT_FALSE(saved_with({"save.legend"}).legend);
   EXPECT_TRUE(saved_with({"save.legend"}).legend) << "the choice was kept";
 }
 
 TEST(PanelsTest, SectionsOutOfSightAreOneClickAway) {
-  Panels tall({1920, 1400, 1});
+  Panels tall({1920, 1600, 1});
   tall.state = loaded_state();
   tall.frame(3);
   EXPECT_TRUE(tall.rects["engine"].visible);

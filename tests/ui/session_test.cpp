@@ -169,8 +169,8 @@ TEST_F(SessionWindowTest, TheDialogSavesBesideTheMolecule) {
 TEST_F(SessionWindowTest, TheCommandLineDrawsTheSamePicture) {
   open_molecule();
   viewer_->state().display.ball_scale = 0.7f;
-  viewer_->state().display.ball_colour = ColourBy::exposed;
-  viewer_->state().display.complex_colour = ColourBy::chain;
+  viewer_->state().display.ball_paint.by = ColourBy::exposed;
+  viewer_->state().display.complex_paint.by = ColourBy::chain;
   viewer_->state().display.shrink = 0.2f;
   run("wait-idle\nalpha.set 2.5\nwait-idle\nmove view 0.4 0.5\ndown\nmove view 0.7 0.6\nup\n"
       "wait-idle\nfile.save_picture " +

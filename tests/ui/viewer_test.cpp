@@ -157,7 +157,7 @@ TEST_F(ViewerTest, EveryDisplaySwitchDraws) {
       {"ball size", nothing, [](auto& c) { c.ball_scale = 0.6f; }},
       {"grown", nothing, [](auto& c) { c.grown_balls = true; }},
       {"ball opacity", nothing, [](auto& c) { c.ball_opacity = 0.3f; }},
-      {"ball colour", nothing, [](auto& c) { c.ball_colour = ColourBy::single; }},
+      {"ball colour", nothing, [](auto& c) { c.ball_paint.by = ColourBy::single; }},
       {"tetrahedra", nothing, [](auto& c) { c.tetrahedra = false; }},
       {"shrink", nothing, [](auto& c) { c.shrink = 0.3f; }},
       {"boundary", no_tetrahedra, [](auto& c) { c.boundary = true; }},
@@ -165,7 +165,7 @@ TEST_F(ViewerTest, EveryDisplaySwitchDraws) {
       {"edges", no_tetrahedra, [](auto& c) { c.edges = true; }},
       {"singular only", edges, [](auto& c) { c.singular_only = false; }},
       {"opacity", nothing, [](auto& c) { c.complex_opacity = 0.4f; }},
-      {"colour", nothing, [](auto& c) { c.complex_colour = ColourBy::alpha; }},
+      {"colour", nothing, [](auto& c) { c.complex_paint.by = ColourBy::alpha; }},
       {"soft shadows", nothing, [](auto& c) { c.ambient_occlusion = true; }},
       {"depth cue", nothing, [](auto& c) { c.depth_cue = 0.8f; }},
       {"outlines", nothing, [](auto& c) { c.silhouettes = 3; }}};
@@ -187,20 +187,27 @@ TEST_F(ViewerTest, EveryDisplaySwitchDraws) {
 TEST_F(ViewerTest, ColoursByAlphaHaveALegend) {
   open_crambin();
   run("click alpha.preset.3\nwait-idle\n");
-  EXPECT_FALSE(viewer_->state().viewport.legend);
+  const std::vector<ColourLegend>& legends = viewer_->state().viewport.legends;
+  ASSERT_EQ(legends.size(), 1u) << "of balls and simplices alike";
+  EXPECT_EQ(legends[0].title, "element");
+  EXPECT_EQ(legends[0].entries.size(), 4u);
   run("click display.complex_colour\nclick display.complex_colour.3\nwait-idle\n");
-  const auto& legend = viewer_->state().viewport.legend;
-  ASSERT_TRUE(legend);
-  EXPECT_DOUBLE_EQ(legend->stops.back().value, 3);
-  EXPECT_LT(legend->stops.front().value, 0);
+  ASSERT_EQ(legends.size(), 2u);
+  EXPECT_EQ(legends[0].title, "balls: element");
+  EXPECT_EQ(legends[1].title, "simplices: alpha value (Å²), square-root scale");
+  EXPECT_DOUBLE_EQ(legends[1].stops.back().value, 3);
+  EXPECT_LT(legends[1].stops.front().value, 0);
   const WidgetRects& widgets = viewer_->widgets();
   ASSERT_TRUE(widgets.contains("view.legend"));
   EXPECT_GE(widgets.at("view.legend").x0, widgets.at("view").x0);
   EXPECT_LE(widgets.at("view.legend").y1, widgets.at("view").y1);
   run("click alpha.preset.1.4\nwait-idle\n");
-  EXPECT_DOUBLE_EQ(legend->stops.back().value, 1.4) << "it follows alpha";
+  EXPECT_DOUBLE_EQ(legends[1].stops.back().value, 1.4) << "it follows alpha";
   run("click display.tetrahedra\nwait-idle\n");
-  EXPECT_FALSE(legend) << "nothing is drawn in these colours";
+  ASSERT_EQ(legends.size(), 1u) << "nothing is drawn in these colours";
+  EXPECT_EQ(legends[0].title, "element");
+  run("click display.balls\nwait-idle\n");
+  EXPECT_TRUE(legends.empty());
 }
 
 TEST_F(ViewerTest, SavesAPictureOfTheChosenSize) {
@@ -367,7 +374,7 @@ TEST_F(ViewerTest, PicturesHaveTheWindowsLegendUnlessOneSwitchesItOff) {
   open_crambin();
   run("click alpha.preset.3\nclick engine.tetrahedra_only\nclick display.complex_colour\n"
       "click display.complex_colour.3\nwait-idle\n");
-  const ColourLegend legend = *viewer_->state().viewport.legend;
+  const ColourLegend legend = viewer_->state().viewport.legends.at(1);
   const auto saved = [&](bool with_legend) {
     viewer_->state().requests.screenshot =
         ScreenshotRequest{folder_ / "picture.png", 960, 600, false, with_legend, false};
@@ -458,6 +465,7 @@ TEST_F(ViewerTest, PicturesSayTheSameAsTheCommandLines) {
     std::string& program = (*texts)["Software"];
     program.erase(0, program.find(' '));
   }
+  EXPECT_EQ(cli.erase("alphascope:command"), 1u) << "which no picture of a window has";
   EXPECT_EQ(window, cli);
 }
 

@@ -20,6 +20,7 @@ constexpr std::pair<const char*, const char*> kMouse[] = {
     {"Wheel, right drag", "Zoom"},
     {"Hover over a ball or simplex", "Say what it is"},
     {"Click", "Select it; beside everything: select nothing"},
+    {"Right click", "Open a menu of what can be done with it"},
     {"Ctrl+click, Shift+click", "Add it to the selection, or take it out"},
     {"Ctrl+click on a slider", "Type the value"},
     {"Drop a file", "Open a molecule or a session"}};
@@ -61,9 +62,11 @@ void add_command(const CommandSpec& spec, std::vector<Row>& rows) {
   for (const Shortcut& shortcut : spec.shortcuts) {
     if (shortcut.arguments.empty()) continue;
     const std::string unit = spec.parameters.empty() ? "" : spec.parameters[0].unit();
-    rows.push_back(
-        {shortcut.keys, title + " " + shortcut.arguments + (unit.empty() ? "" : " " + unit)});
+    std::string argument = shortcut.arguments;  // as it is typed
+    if (argument.starts_with('-')) argument.replace(0, 1, "−");
+    rows.push_back({shortcut.keys, title + " " + argument + (unit.empty() ? "" : " " + unit)});
   }
+  for (const Shortcut& shortcut : spec.keys_before_others) rows.push_back({shortcut.keys, title});
 }
 
 }  // namespace

@@ -19,6 +19,7 @@ constexpr std::array kDialogs{
     Entry{[](const ViewState& s) { return s.memory.show_benchmark; }, draw_benchmark_page},
     Entry{[](const ViewState& s) { return s.memory.show_browser; }, draw_file_browser},
     Entry{[](const ViewState& s) { return s.memory.show_save; }, draw_save_picture},
+    Entry{[](const ViewState& s) { return s.memory.record.show; }, draw_record},
     Entry{[](const ViewState& s) { return s.memory.save_table.table != nullptr; }, draw_save_table},
     Entry{[](const ViewState& s) { return s.memory.show_export; }, draw_export},
     Entry{[](const ViewState& s) { return s.memory.show_save_session; }, draw_save_session},

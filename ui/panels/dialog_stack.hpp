@@ -38,6 +38,7 @@ void draw_dialogs(PanelContext& ctx);
 void draw_benchmark_page(PanelContext& ctx);
 void draw_file_browser(PanelContext& ctx);
 void draw_save_picture(PanelContext& ctx);
+void draw_record(PanelContext& ctx);
 void draw_save_table(PanelContext& ctx);
 void draw_export(PanelContext& ctx);
 void draw_confirm_assembly(PanelContext& ctx);

@@ -1,16 +1,12 @@
-// Error, about, and saving a picture.
+// Error, about, and whether a large assembly is to be expanded.
 #include <imgui.h>
-#include <imgui_stdlib.h>
 
 #include <algorithm>
 #include <tuple>
 
 #include "ui/panels/dialog_stack.hpp"
 #include "ui/panels/format.hpp"
-#include "ui/panels/number_field.hpp"
 #include "ui/panels/panels.hpp"
-#include "ui/panels/picture_path.hpp"
-#include "ui/panels/save_target.hpp"
 
 namespace alphascope {
 namespace {
@@ -86,88 +82,6 @@ void draw_confirm_assembly(PanelContext& ctx) {
                                              {"assembly.expand", "Expand"});
   if (answer == DialogAnswer::confirm) s.open.assembly = id;
   if (answer != DialogAnswer::none) id.clear();
-  end_dialog(ctx);
-}
-
-namespace {
-
-void size_preset(PanelContext& ctx, const char* name, const char* label, int width, int height) {
-  if (button(ctx, name, label)) {
-    ctx.state.memory.save.width = width;
-    ctx.state.memory.save.height = height;
-  }
-  ImGui::SameLine(0, ctx.px(4));
-}
-
-void save_size(PanelContext& ctx) {
-  PanelMemory& m = ctx.state.memory;
-  row_label(ctx, "Size");
-  ImGui::SetNextItemWidth(ctx.px(80));
-  number_field(ctx, "save.width", m.save.width, kPictureSizeRule);
-  ImGui::SameLine(0, ctx.px(6));
-  ImGui::TextUnformatted("×");
-  ImGui::SameLine(0, ctx.px(6));
-  ImGui::SetNextItemWidth(ctx.px(80));
-  number_field(ctx, "save.height", m.save.height, kPictureSizeRule);
-  ImGui::SameLine(0, ctx.px(6));
-  ImGui::TextUnformatted("pixels");
-  row_label(ctx, "");
-  size_preset(ctx, "save.as_view", "as the view", ctx.state.viewport.width,
-              ctx.state.viewport.height);
-  size_preset(ctx, "save.hd", "1920 × 1080", 1920, 1080);
-  size_preset(ctx, "save.4k", "3840 × 2160", 3840, 2160);
-  ImGui::NewLine();
-}
-
-// What is drawn over the molecule.
-void save_marks(PanelContext& ctx) {
-  PanelMemory& m = ctx.state.memory;
-  const bool has_legend = ctx.state.viewport.legend.has_value();
-  row_label(ctx, "With");
-  ImGui::BeginDisabled(!has_legend);
-  bool legend = has_legend && m.save.legend;
-  if (checkbox(ctx, "save.legend", "Colour legend", legend)) m.save.legend = legend;
-  ImGui::EndDisabled();
-  tooltip(ctx, has_legend ? "Shows which colour stands for which value."
-                          : "Available when colours are of alpha values or exposed areas.");
-  ImGui::SameLine(0, ctx.px(18));
-  checkbox(ctx, "save.scale_bar", "Scale bar", m.save.scale_bar);
-  tooltip(ctx,
-          "A bar of a round length in Å. The view is in perspective, so the length is right at the "
-          "depth of the point that the view turns about.");
-}
-
-}  // namespace
-
-void draw_save_picture(PanelContext& ctx) {
-  ViewState& s = ctx.state;
-  PanelMemory& m = s.memory;
-  if (m.save_path.empty()) m.save_path = "alphascope.png";
-  if (!begin_dialog(ctx, "Save a picture")) return;
-  row_label(ctx, "File");
-  ImGui::SetNextItemWidth(ctx.px(340));
-  const bool entered =
-      ImGui::InputText("##path", &m.save_path, ImGuiInputTextFlags_EnterReturnsTrue);
-  record(ctx, "save.path");
-  const bool can_save =
-      save_target(ctx, "save", {picture_path(m.save_path)}) && !m.save_path.empty();
-  save_size(ctx);
-  row_label(ctx, "");
-  checkbox(ctx, "save.transparent", "Transparent background", m.save.transparent);
-  save_marks(ctx);
-  ImGui::PushFont(ctx.fonts.small);
-  row_label(ctx, "");
-  muted_text(ctx, "The PNG file also records file, selection, radii, alpha and hash.");
-  ImGui::PopFont();
-  ImGui::Dummy({0, ctx.px(6)});
-  ImGui::NewLine();
-  const DialogAnswer answer = dialog_buttons(ctx, ctx.px(kWidth + 24), {"save.cancel", "Cancel"},
-                                             {"save.ok", "Save"}, can_save);
-  if (answer == DialogAnswer::confirm || (entered && can_save)) {
-    s.requests.screenshot = {picture_path(m.save_path), m.save};
-    m.show_save = false;
-  }
-  if (answer == DialogAnswer::cancel) m.show_save = false;
   end_dialog(ctx);
 }
 

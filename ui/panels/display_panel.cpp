@@ -1,37 +1,16 @@
 // What of the complex is drawn, and how.
 #include <cmath>
-#include <initializer_list>
 #include <string>
 
 #include "core/document/display_preset.hpp"
 #include "core/document/settings_fields.hpp"
 #include "ui/panels/format.hpp"
+#include "ui/panels/paint_rows.hpp"
 #include "ui/panels/panels.hpp"
+#include "ui/rgb8.hpp"
 
 namespace alphascope {
 namespace {
-
-void colour_row(PanelContext& ctx, const char* name, const char* label, ColourBy& colour,
-                std::initializer_list<ColourBy> choices) {
-  static constexpr const char* kLabels[] = {"Element",
-                                            "Chain",
-                                            "One colour",
-                                            "Alpha value",
-                                            "Exposed area of atoms",
-                                            "Exposed area of residues"};
-  row_label(ctx, label);
-  const std::string id = std::string("##") + name;
-  const bool open = ImGui::BeginCombo(id.c_str(), kLabels[static_cast<int>(colour)]);
-  record(ctx, name);
-  if (!open) return;
-  close_on_escape();
-  for (const ColourBy choice : choices) {
-    const int i = static_cast<int>(choice);
-    if (ImGui::Selectable(kLabels[i], colour == choice)) colour = choice;
-    record(ctx, (std::string(name) + "." + std::to_string(i)).c_str());
-  }
-  ImGui::EndCombo();
-}
 
 void presets(PanelContext& ctx) {
   DisplayControls& d = ctx.state.display;
@@ -65,9 +44,10 @@ void balls(PanelContext& ctx) {
   d.grown_balls = grown == 1;
   row_label(ctx, "Opacity");
   percent_slider(ctx, "display.ball_opacity", d.ball_opacity, 0.05f, 1.0f);
-  colour_row(ctx, "display.ball_colour", "Colour by", d.ball_colour,
-             {ColourBy::element, ColourBy::chain, ColourBy::single, ColourBy::exposed,
-              ColourBy::exposed_residue});
+  constexpr Element kCarbon = 6;
+  paint_rows(
+      ctx, {"display.ball", Painted::balls, ctx.state.viewport.ball_range, element_colour(kCarbon)},
+      d.ball_paint);
   ImGui::Unindent();
   ImGui::EndDisabled();
 }
@@ -105,8 +85,10 @@ void complex(PanelContext& ctx) {
   ImGui::EndDisabled();
   row_label(ctx, "Opacity");
   percent_slider(ctx, "display.complex_opacity", d.complex_opacity, 0.05f, 1.0f);
-  colour_row(ctx, "display.complex_colour", "Colour by", d.complex_colour,
-             {ColourBy::element, ColourBy::chain, ColourBy::single, ColourBy::alpha});
+  paint_rows(ctx,
+             {"display.complex", Painted::simplices, ctx.state.viewport.simplex_range,
+              to_rgb8(ctx.palette.complex_single)},
+             d.complex_paint);
 }
 
 // Kinds that the options leave out of the body. A kind of which nothing is left out stays, greyed.

@@ -18,6 +18,7 @@ inline constexpr int kF1 = 290;
 inline constexpr int kFirstKeypad = 320, kKeypadEnter = 335;
 inline constexpr int kLeftShift = 340, kLeftControl = 341, kLeftAlt = 342, kLeftSuper = 343;
 inline constexpr int kRightShift = 344, kRightControl = 345, kRightAlt = 346, kRightSuper = 347;
+inline constexpr int kMenu = 348;
 inline constexpr int kFirstModifier = kLeftShift, kLastModifier = kRightSuper;
 
 // Keys that are pressed together.

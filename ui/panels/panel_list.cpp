@@ -17,6 +17,9 @@ void draw_measures_panel(PanelContext& ctx);
 void draw_curves_panel(PanelContext& ctx);
 void draw_signature_panel(PanelContext& ctx);
 void draw_why_panel(PanelContext& ctx);
+void draw_sandbox_panel(PanelContext& ctx);
+void draw_details_panel(PanelContext& ctx);
+void draw_lessons_panel(PanelContext& ctx);
 
 namespace {
 
@@ -34,6 +37,9 @@ constexpr PanelSpec kPanels[] = {
     {"curves", "Curves", Place::bottom, draw_curves_panel},
     {"signature", "Signature", Place::bottom, draw_signature_panel},
     {"why", "Why?", Place::bottom, draw_why_panel},
+    {"sandbox", "Sandbox", Place::bottom, draw_sandbox_panel},
+    {"details", "Details", Place::bottom, draw_details_panel},
+    {"lessons", "Lessons", Place::right, draw_lessons_panel},
 };
 
 }  // namespace

@@ -7,7 +7,8 @@
 
 namespace alphascope {
 
-enum class Place : std::uint8_t { left, bottom };  // a section; a page below the view
+// A section; a page below the view; a column beside the view.
+enum class Place : std::uint8_t { left, bottom, right };
 
 struct PanelSpec {
   const char* id;

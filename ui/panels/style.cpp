@@ -7,7 +7,7 @@
 #include <cmath>
 #include <span>
 
-#include "ui/panels/inter_font.hpp"
+#include "ui/inter_font.hpp"
 
 namespace alphascope {
 namespace {

@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "core/chart/readable_number.hpp"
+#include "ui/panels/widgets.hpp"
 
 namespace alphascope {
 
@@ -25,6 +26,13 @@ void right_text(const std::string& text) {
   const float right = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(text.c_str()).x;
   ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(0.0f, right));
   ImGui::TextUnformatted(text.c_str());
+}
+
+bool row_button(PanelContext& ctx, const char* name, const char* label, float width) {
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {0, 0});
+  const bool clicked = button(ctx, name, label, {ctx.px(width), 0}, ButtonKind::quiet);
+  ImGui::PopStyleVar();
+  return clicked;
 }
 
 void number_cell(const std::string& text) {

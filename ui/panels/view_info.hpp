@@ -78,7 +78,7 @@ struct BackgroundInfo {
 };
 
 struct PointerEvent {
-  // click: a release of the left button near where it was pressed, after that release.
+  // click: a release of the left or right button near where it was pressed, after that release.
   enum class Kind : std::uint8_t { move, press, release, click, wheel, double_click };
   Kind kind = Kind::move;
   int x = 0, y = 0;  // pixels of the picture, from its top left
@@ -94,10 +94,11 @@ struct ViewportInfo {
   // Of the box around the balls in the picture: its middle and half its lengths, Å.
   std::array<double, 3> box_middle{}, box_half{};
   ClipHandle clip_handle;  // of the picture in `texture`
-  std::optional<ColourLegend> legend;
-  std::vector<PictureLabel> labels;  // of the picture in `texture`
-  std::size_t hidden_balls = 0;      // by the user
-  std::string not_drawn;             // what the picture lacks for want of memory, and what to do
+  std::vector<ColourLegend> legends;
+  std::optional<ColourRange> ball_range, simplex_range;  // of colours of quantities
+  std::vector<PictureLabel> labels;                      // of the picture in `texture`
+  std::size_t hidden_balls = 0;                          // by the user
+  std::string not_drawn;  // what the picture lacks for want of memory, and what to do
   bool outdated = false;  // it is of other settings than those chosen; the new one is being made
   ViewProblem problem = ViewProblem::none;
   // Written by the panels: how large the picture should be (pixels) and what the mouse did on it.

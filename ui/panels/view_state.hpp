@@ -15,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/document/annotations.hpp"
 #include "core/document/answer.hpp"
 #include "core/document/appearance.hpp"
 #include "core/document/clip.hpp"
@@ -31,28 +32,22 @@
 #include "ui/panels/benchmark_info.hpp"
 #include "ui/panels/cavity_memory.hpp"
 #include "ui/panels/channel_memory.hpp"
+#include "ui/panels/context_memory.hpp"
 #include "ui/panels/controls.hpp"
 #include "ui/panels/curve_memory.hpp"
+#include "ui/panels/details_memory.hpp"
 #include "ui/panels/folder_listing.hpp"
+#include "ui/panels/lesson_memory.hpp"
 #include "ui/panels/measure_memory.hpp"
 #include "ui/panels/palette_memory.hpp"
+#include "ui/panels/picture_memory.hpp"
+#include "ui/panels/sandbox_memory.hpp"
 #include "ui/panels/table_memory.hpp"
 #include "ui/panels/view_info.hpp"
 #include "ui/panels/why_memory.hpp"
 #include "ui/theme.hpp"
 
 namespace alphascope {
-
-struct PictureOptions {
-  int width = 1920, height = 1080;
-  bool transparent = false;
-  bool legend = true, scale_bar = false;  // legend: where colours mean alpha values
-};
-
-struct ScreenshotRequest {
-  std::filesystem::path path;
-  PictureOptions options;
-};
 
 // The complex on screen, for another program.
 struct ExportRequest {
@@ -68,6 +63,7 @@ struct Requests {
   bool session_anyway = false, session_give_up = false;   // of ViewState::session_problem
   bool forget_recent = false;
   std::optional<ScreenshotRequest> screenshot;
+  std::optional<RecordRequest> record;
   std::optional<SaveTableRequest> save_table;
   std::optional<ExportRequest> export_complex;
   bool compare = false, cancel = false, cancel_compare = false, cancel_save = false;
@@ -75,8 +71,14 @@ struct Requests {
   std::optional<std::array<double, 3>> look_from;  // from the middle of the view to the viewer
   std::string save_view, go_to_view;               // names of saved cameras; empty: none
   bool reset_view = false, zoom_to_selection = false, quit = false;
+  RefSet zoom_to, centre_on;  // what is to fill the view, and to be its middle; empty: nothing
+  std::string copy;           // into the clipboard; empty: nothing
+  bool context_menu = false;  // at the mouse
   bool undo = false, redo = false;
   bool run_benchmark = false, cancel_benchmark = false, export_benchmark = false;
+  std::string open_lesson;  // a name or a path; empty: none
+  bool lesson_next = false, lesson_back = false, lesson_again = false, lesson_reveal = false;
+  bool close_lesson = false;
 };
 
 struct SampleMolecule {
@@ -123,6 +125,7 @@ struct PanelMemory {
   BrowserPurpose browser_purpose = BrowserPurpose::molecule;
   std::string save_path;
   PictureOptions save;
+  RecordMemory record;
   std::string export_path;
   ExportColours export_colours = ExportColours::element;
   std::string session_path;                       // to save to
@@ -139,6 +142,10 @@ struct PanelMemory {
   MeasureMemory measures;
   CurveMemory curves;
   WhyMemory why;
+  SandboxMemory sandbox;
+  ContextMemory context;
+  DetailsMemory details;
+  LessonMemory lessons;
   TableMemory save_table;
   std::vector<std::size_t> dialogs;  // that are open, by dialog_stack.cpp; the last is on top
   bool dragging_view = false;
@@ -170,6 +177,7 @@ struct ViewState {
   Clip clip;
   NamedViews views;
   Appearance appearance;
+  Annotations annotations;
   Selection picked;  // in the picture
   Theme theme = Theme::dark;
   bool auto_compare = false;

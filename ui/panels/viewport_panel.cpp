@@ -1,12 +1,16 @@
-// The 3-D view's frame: shows the picture, collects the mouse, and lays scale bar, progress and the
-// empty state over it. Draws no molecule itself.
+// The 3-D view's frame: shows the picture, collects the mouse, and lays progress, notes and the
+// empty state over it. Draws no molecule itself; marks are in view_marks.cpp.
 #include <algorithm>
 #include <cmath>
 
-#include "core/molecule/printable.hpp"
+#include "core/flat/flat_drawing.hpp"
+#include "ui/caption.hpp"
 #include "ui/panels/clip_panel.hpp"
+#include "ui/panels/flat_view.hpp"
 #include "ui/panels/format.hpp"
 #include "ui/panels/panels.hpp"
+#include "ui/panels/sandbox_edit.hpp"
+#include "ui/panels/view_marks.hpp"
 
 namespace alphascope {
 namespace {
@@ -35,6 +39,8 @@ void mouse(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
                          ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
                              ImGuiButtonFlags_MouseButtonMiddle);
   record(ctx, "view");
+  const bool beside_menu = ctx.state.memory.context.open &&
+                           ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenBlockedByPopup);
   v.hovered = false;
   if (!ctx.state.molecule.loaded) return;
   const ImGuiIO& io = ImGui::GetIO();
@@ -55,7 +61,8 @@ void mouse(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
   }
   bool any_down = false;
   for (int b = 0; b < 3; ++b) {
-    if (hovered && ImGui::IsMouseClicked(b)) {
+    // The menu of another place closes with a press, and that of this one opens with the release.
+    if ((hovered || (beside_menu && b == 1)) && ImGui::IsMouseClicked(b)) {
       event(PointerEvent::Kind::move, b, 0);
       event(PointerEvent::Kind::press, b, 0);
       dragging = true;
@@ -63,7 +70,7 @@ void mouse(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
       event(PointerEvent::Kind::release, b, 0);
       // Farther than a hand trembles, it was a drag.
       const float reach = ctx.px(4);
-      if (b == 0 && io.MouseDragMaxDistanceSqr[b] <= reach * reach) {
+      if (b != 2 && io.MouseDragMaxDistanceSqr[b] <= reach * reach) {
         event(PointerEvent::Kind::click, b, 0);
       }
     }
@@ -73,63 +80,19 @@ void mouse(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
   if (hovered && io.MouseWheel != 0) event(PointerEvent::Kind::wheel, 0, io.MouseWheel);
 }
 
-ImVec2 at(ImVec2 corner, float x, float y) {
-  return {corner.x + x, corner.y + y};
-}
-
-void mark_text(ImVec2 corner, const MarkText& text, ImU32 ink) {
-  ImGui::GetWindowDrawList()->AddText(at(corner, text.x, text.y), ink, text.text.c_str());
-}
-
-MarkType mark_type(const PanelContext& ctx) {
-  return {ctx.scale, ImGui::GetTextLineHeight(),
-          [](const std::string& text) { return ImGui::CalcTextSize(text.c_str()).x; }};
-}
-
-void scale_bar(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
-  const auto layout =
-      lay_out_scale_bar(ctx.state.viewport.angstrom_per_pixel, size.x, size.y, mark_type(ctx));
-  if (!layout) return;
-  const ImU32 ink = to_u32(ctx.palette.text_muted);
-  for (const MarkBox& line : layout->lines) {
-    ImGui::GetWindowDrawList()->AddRectFilled(at(corner, line.x0, line.y0),
-                                              at(corner, line.x1, line.y1), ink);
-  }
-  mark_text(corner, layout->text, ink);
-}
-
-void legend(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
-  const auto& legend = ctx.state.viewport.legend;
-  const auto layout =
-      legend ? lay_out_legend(*legend, size.x, size.y, mark_type(ctx)) : std::nullopt;
-  if (!layout) return;
-  const auto& stops = legend->stops;
-  const MarkBox& bar = layout->bar;
-  const float step = (bar.x1 - bar.x0) / static_cast<float>(stops.size() - 1);
-  for (std::size_t i = 0; i + 1 < stops.size(); ++i) {
-    const float x = bar.x0 + step * static_cast<float>(i);
-    const ImU32 left = to_u32(stops[i].colour), right = to_u32(stops[i + 1].colour);
-    ImGui::GetWindowDrawList()->AddRectFilledMultiColor(
-        at(corner, x, bar.y0), at(corner, x + step, bar.y1), left, right, right, left);
-  }
-  for (const MarkText& text : layout->texts) {
-    mark_text(corner, text, to_u32(ctx.palette.text_muted));
-  }
-  const MarkBox whole = layout->whole();
-  ctx.rects["view.legend"] = {corner.x + whole.x0, corner.y + whole.y0, corner.x + whole.x1,
-                              corner.y + whole.y1, true};
-}
-
 void caption(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
   if (!ctx.state.result) return;
-  const std::string text = caption_text(*ctx.state.result);
+  const ViewState& s = ctx.state;
+  const std::string text = caption_text(*s.result);
+  // Progress is told at the right.
+  const float room = size.x - ctx.px(s.busy.active || s.saving.active ? 260 : 32);
   ImDrawList* draw = ImGui::GetWindowDrawList();
   draw->AddText({corner.x + ctx.px(16), corner.y + ctx.px(14)}, to_u32(ctx.palette.text_muted),
-                fitted_text(text, size.x - ctx.px(260)).c_str());
-  if (ctx.state.pending.empty()) return;
+                fitted_text(text, room).c_str());
+  if (s.pending.empty()) return;
   draw->AddText(
       {corner.x + ctx.px(16), corner.y + ctx.px(14) + ImGui::GetTextLineHeightWithSpacing()},
-      to_u32(ctx.palette.text_muted), fitted_text(ctx.state.pending, size.x - ctx.px(260)).c_str());
+      to_u32(ctx.palette.text_muted), fitted_text(s.pending, room).c_str());
 }
 
 void begin_overlay(PanelContext& ctx, const char* id, ImVec2 position, ImVec2 pivot) {
@@ -218,7 +181,7 @@ void saving(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
   record(ctx, "view.saving");
   ImGui::SameLine();
   if (button(ctx, "view.cancel_save", "Cancel")) ctx.state.requests.cancel_save = true;
-  tooltip(ctx, "No file is written; an existing file stays as it is.");
+  tooltip(ctx, "Nothing half is left; an existing file stays as it is.");
   end_overlay();
 }
 
@@ -315,14 +278,16 @@ void compute_error_note(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
   record(ctx, "view.compute_error");
 }
 
-void not_drawn_note(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
+void not_drawn_note(PanelContext& ctx, ImVec2 corner, ImVec2 size, float legends_height) {
   const ViewportInfo& v = ctx.state.viewport;
   if (v.not_drawn.empty() || !ctx.state.molecule.loaded || v.outdated) return;
   // Between the legend and the scale bar, or above them.
-  const float between = size.x - ctx.px(440);
+  const float between = size.x - ctx.px(600);
   const bool above = between < ctx.px(300), empty = !(v.angstrom_per_pixel > 0);
   const float width = above ? size.x - ctx.px(56) : std::min(between, ctx.px(640));
-  const float y = empty ? size.y / 2 : size.y - ctx.px(above ? 76 : 14);
+  const float y =
+      empty ? size.y / 2
+            : size.y - (above ? std::max(ctx.px(76), legends_height + ctx.px(8)) : ctx.px(14));
   begin_overlay(ctx, "##not_drawn", {corner.x + size.x / 2, corner.y + y},
                 {0.5f, empty ? 0.5f : 1.0f});
   ImGui::PushTextWrapPos(width);
@@ -340,41 +305,24 @@ void not_drawn_note(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
 }  // namespace
 
 std::string caption_text(const Answer& answer) {
-  const auto& [alpha, solvent] =
-      std::pair(answer.request.alpha_angstrom2, answer.request.solvent_radius_angstrom);
+  CaptionParts parts = usual_caption();
+  parts.set(CaptionPart::counts, false);  // they have a place of their own
   const AlphaComplex& c = answer.complex;
-  std::string text = printable(answer.molecule->source.filename().string()) +
-                     "   α = " + short_number_text(alpha, 3) + " Å²";
-  if (solvent > 0) text += "   solvent " + short_number_text(solvent, 2) + " Å";
+  std::string text;
+  for (const std::string& word : caption_words(answer, *answer.molecule, {}, parts)) {
+    text += (text.empty() ? "" : kCaptionGap) + word;
+  }
   if (c.tetrahedra.size() > 0 || answer.balls->size() == 0) return text;
-  return text + (c.tetrahedra_only || c.vertices.size() > 0 ? "   no tetrahedra at this alpha"
-                                                            : "   no ball is left at this alpha");
+  if (!c.tetrahedra_only && c.vertices.size() == 0) {
+    return text + "   no ball is left at this alpha";
+  }
+  const bool flat = is_flat(*answer.balls);  // then there are none at any alpha
+  return text + (flat ? "   balls in a plane" : "   no tetrahedra at this alpha");
 }
 
 std::string hidden_text(std::size_t atoms) {
   return with_separators(static_cast<long long>(atoms)) + (atoms == 1 ? " atom" : " atoms") +
          " hidden";
-}
-
-void draw_view_labels(PanelContext& ctx) {
-  draw_clip_handle(ctx);
-  const ViewportInfo& v = ctx.state.viewport;
-  if (v.labels.empty() || v.texture == 0 || !ctx.state.molecule.loaded) return;
-  const ImVec2 corner = ImGui::GetWindowPos();
-  ImDrawList* draw = ImGui::GetWindowDrawList();
-  const ImU32 rim = to_u32(ctx.palette.scene), ink = to_u32(ctx.palette.text);
-  const float reach = kMarkOutline * ctx.scale;
-  constexpr int kAround = 12;
-  for (const MarkText& text : lay_out_labels(v.labels, static_cast<float>(v.width),
-                                             static_cast<float>(v.height), mark_type(ctx))) {
-    for (int k = 0; k < kAround; ++k) {
-      const float angle = 2 * static_cast<float>(M_PI) * static_cast<float>(k) / kAround;
-      const ImVec2 place =
-          at(corner, text.x + reach * std::cos(angle), text.y + reach * std::sin(angle));
-      draw->AddText(place, rim, text.text.c_str());
-    }
-    mark_text(corner, text, ink);
-  }
 }
 
 void draw_viewport(PanelContext& ctx) {
@@ -385,11 +333,16 @@ void draw_viewport(PanelContext& ctx) {
   v.height = static_cast<int>(size.y);
   v.events.clear();
   if (v.width < 8 || v.height < 8) return;
-  picture(ctx, corner, size);
-  mouse(ctx, corner, size);
+  const bool flat = shows_flat_drawing(ctx.state);
+  if (flat) {
+    draw_flat_view(ctx, corner, size);
+  } else {
+    picture(ctx, corner, size);
+    mouse(ctx, corner, size);
+  }
+  float legends_height = 0;
   if (ctx.state.molecule.loaded) {
-    scale_bar(ctx, corner, size);
-    legend(ctx, corner, size);
+    legends_height = draw_view_marks(ctx, corner, size);
     caption(ctx, corner, size);
     outdated_note(ctx, corner);
     compute_error_note(ctx, corner, size);
@@ -397,11 +350,12 @@ void draw_viewport(PanelContext& ctx) {
   }
   progress(ctx, corner, size);
   saving(ctx, corner, size);
-  problem(ctx, corner, size);
+  if (!flat) problem(ctx, corner, size);
   drop_note(ctx, corner, size);
   empty_state(ctx, corner, size);
   nothing_left(ctx, corner, size);
-  not_drawn_note(ctx, corner, size);
+  not_drawn_note(ctx, corner, size, legends_height);
+  draw_context_menu(ctx);
 }
 
 }  // namespace alphascope

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/fitted_text.hpp"
 #include "ui/panels/format.hpp"
 #include "ui/panels/keys.hpp"
 #include "ui/panels/number_field.hpp"
@@ -227,17 +228,8 @@ void strong_text(PanelContext& ctx, const std::string& text) {
 }
 
 std::string fitted_text(const std::string& text, float width) {
-  if (ImGui::CalcTextSize(text.c_str()).x <= width) return text;
-  const auto boundary = [&text](std::size_t i) {  // not inside a UTF-8 sequence
-    while (i > 0 && i < text.size() && (static_cast<unsigned char>(text[i]) & 0xc0) == 0x80) --i;
-    return i;
-  };
-  for (std::size_t keep = text.size(); keep > 4; --keep) {
-    const std::size_t head = boundary(keep / 2), tail = boundary(text.size() - keep / 2);
-    std::string cut = text.substr(0, head) + "…" + text.substr(tail);
-    if (ImGui::CalcTextSize(cut.c_str()).x <= width) return cut;
-  }
-  return "…";
+  return fitted_text(text, width,
+                     [](const std::string& some) { return ImGui::CalcTextSize(some.c_str()).x; });
 }
 
 }  // namespace alphascope

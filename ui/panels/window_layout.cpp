@@ -1,5 +1,5 @@
-// Fixed places of the panels: menu on top, controls at the left, timings below the view, status at
-// the bottom. Only the timings' height can be dragged.
+// Fixed places of the panels: menu on top, controls at the left, lessons at the right of the view,
+// timings below it, status at the bottom. Only the timings' height can be dragged.
 #include "ui/panels/window_layout.hpp"
 
 #include <algorithm>
@@ -17,6 +17,7 @@ constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoDecoration | ImGuiWindowF
                                     ImGuiWindowFlags_NoSavedSettings |
                                     ImGuiWindowFlags_NoBringToFrontOnFocus;
 
+constexpr float kRightWidth = 340;
 constexpr float kLeftWidth = 320, kBottomHeight = 262, kStatusHeight = 27;
 constexpr float kLeastBottom = 76, kLeastView = 180;
 
@@ -89,6 +90,17 @@ void left_panel(PanelContext& ctx, const WidgetRects& last, float top, float hei
   ImGui::End();
 }
 
+// Beside the view, while there is something in it; its width in pixels.
+float right_panel(PanelContext& ctx, float top, float height) {
+  if (!ctx.state.memory.lessons.shown) return 0;
+  const float width = ctx.px(kRightWidth), left = ImGui::GetIO().DisplaySize.x - width;
+  begin("##right", {{left, top}, {width, height}});
+  hairline(ctx, {left, top}, {left, top + height});
+  for (const PanelSpec& p : panels_at(Place::right)) p.draw(ctx);
+  ImGui::End();
+  return width;
+}
+
 float bottom_height(PanelContext& ctx, float available) {
   float& height = ctx.state.memory.bottom_height;
   if (height <= 0) height = kBottomHeight;
@@ -110,7 +122,8 @@ void splitter(PanelContext& ctx, float x, float y, float width) {
   }
 }
 
-// The pages below the view by name, when there are several; the page goes on in the same line.
+// The pages below the view by name, when there are several; the page goes on in the same line where
+// there is room.
 const PanelSpec* bottom_tabs(PanelContext& ctx, const std::vector<PanelSpec>& pages) {
   std::string& shown = ctx.state.memory.bottom_panel;
   const auto found =
@@ -120,6 +133,10 @@ const PanelSpec* bottom_tabs(PanelContext& ctx, const std::vector<PanelSpec>& pa
     ImGui::AlignTextToFramePadding();
     strong_text(ctx, page->title);
   }
+  // What stands beside the names needs room, too.
+  const bool narrow = ImGui::GetContentRegionAvail().x < ctx.px(820);
+  const ImVec2 padding = ImGui::GetStyle().FramePadding;
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {narrow ? ctx.px(4) : padding.x, padding.y});
   for (const PanelSpec& p : pages) {
     if (pages.size() == 1) break;
     if (&p != &pages.front()) ImGui::SameLine(0, ctx.px(2));
@@ -131,7 +148,10 @@ const PanelSpec* bottom_tabs(PanelContext& ctx, const std::vector<PanelSpec>& pa
     }
     if (on) ImGui::PopFont();
   }
+  constexpr float kLeastBeside = 400;
+  ImGui::PopStyleVar();
   ImGui::SameLine(0, ctx.px(14));
+  if (ImGui::GetContentRegionAvail().x < ctx.px(kLeastBeside)) ImGui::NewLine();
   return page;
 }
 
@@ -207,8 +227,10 @@ void draw_window(const WindowParts& parts, const PanelFonts& fonts, float scale)
   const float bottom = bottom_height(ctx, middle);
   const float width = std::max(1.0f, display.x - left);
   left_panel(ctx, last, top, middle);
+  const float beside = right_panel(ctx, top, middle - bottom);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
-  begin(kView, {{left, top}, {width, middle - bottom}}, ImGuiWindowFlags_NoScrollWithMouse);
+  const float view = std::max(1.0f, width - beside);
+  begin(kView, {{left, top}, {view, middle - bottom}}, ImGuiWindowFlags_NoScrollWithMouse);
   ImGui::PopStyleVar();
   draw_viewport(ctx);
   ImGui::End();

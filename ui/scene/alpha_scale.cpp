@@ -2,39 +2,47 @@
 #include "ui/scene/alpha_scale.hpp"
 
 #include <algorithm>
-#include <cmath>
-
-#include "ui/scene/colour_map.hpp"
 
 namespace alphascope {
-AlphaScale::AlphaScale(const AlphaComplex& complex, const Drawn& drawn)
-    : lattice_(complex.lattice) {
-  low_ = high_ = static_cast<float>(complex.alpha_on_lattice);
-  const auto take = [this](const auto& list) {
-    for (const float v : list.alpha_values) low_ = std::min(low_, v);
+namespace {
+
+// The values that are drawn, and the complex' alpha as the largest; square lattice units.
+float lowest_drawn(const AlphaComplex& complex, const AlphaScale::Drawn& drawn) {
+  auto low = static_cast<float>(complex.alpha_on_lattice);
+  const auto take = [&low](const auto& list) {
+    for (const float v : list.alpha_values) low = std::min(low, v);
   };
   if (drawn.tetrahedra) take(complex.tetrahedra);
   if (drawn.triangles) take(complex.triangles);
   if (drawn.edges) take(complex.edges);
+  return low;
+}
+
+}  // namespace
+
+AlphaScale::AlphaScale(const AlphaComplex& complex, const Drawn& drawn, const AlphaColours& colours)
+    : scale_{colours.map, {}, scheme_info(ColourBy::alpha).root},
+      angstrom2_(complex.lattice.square_angstrom(1)) {
+  scale_.range = colours.range
+                     ? *colours.range
+                     : ColourRange{complex.lattice.square_angstrom(lowest_drawn(complex, drawn)),
+                                   complex.alpha_angstrom2()};
 }
 
 Rgb8 AlphaScale::colour(float value) const {
-  if (!(high_ > low_)) return colour_at(0.5);
-  return colour_at(std::sqrt(std::max(0.0f, (value - low_) / (high_ - low_))));
+  return scale_.colour(angstrom2_ * value);
 }
 
 Rgb8 AlphaScale::colour_at(double share) const {
-  return mapped_colour(share);
+  return mapped_colour(scale_.map, share);
 }
 
 double AlphaScale::alpha_at(double share) const {
-  const double low = low_, high = high_;
-  return lattice_.square_angstrom(low + share * share * (high - low));
+  return scale_.value(share);
 }
 
-ColourLegend AlphaScale::legend() const {
-  return map_legend("alpha value (Å²), square-root scale",
-                    [this](double share) { return alpha_at(share); });
+PaintKey AlphaScale::key() const {
+  return {quantity_title(scheme_info(ColourBy::alpha)), scale_, {}};
 }
 
 }  // namespace alphascope

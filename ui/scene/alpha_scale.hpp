@@ -1,29 +1,36 @@
-// Colours of alpha values: early simplices dark, late ones bright.
+// Colours of alpha values: early simplices at the map's beginning, late ones at its end.
 #pragma once
 
+#include <optional>
+
 #include "core/complex/alpha_complex.hpp"
-#include "ui/picture_marks.hpp"
+#include "core/document/paint_balls.hpp"
 #include "ui/scene/ball_geometry.hpp"
 
 namespace alphascope {
 
-// From the smallest alpha value of what is drawn up to the complex' alpha.
+// Of ColourBy::alpha.
+struct AlphaColours {
+  ColourMap map = scheme_info(ColourBy::alpha).map;
+  std::optional<ColourRange> range;  // Å²; none: from the smallest value drawn up to alpha
+  friend bool operator==(const AlphaColours&, const AlphaColours&) = default;
+};
+
 class AlphaScale {
  public:
   struct Drawn {
     bool tetrahedra = true, triangles = false, edges = false;
   };
-  AlphaScale(const AlphaComplex& complex, const Drawn& drawn);
+  AlphaScale(const AlphaComplex& complex, const Drawn& drawn, const AlphaColours& colours = {});
 
   Rgb8 colour(float alpha_value) const;  // square lattice units
   Rgb8 colour_at(double share) const;    // along the colour map, 0 to 1
   double alpha_at(double share) const;   // Å², of that colour
-  ColourLegend legend() const;
+  PaintKey key() const;
 
  private:
-  // The square root spreads the crowded small values.
-  float low_ = 0, high_ = 0;  // square lattice units
-  Lattice lattice_;
+  ColourScale scale_;     // Å²
+  double angstrom2_ = 1;  // of a square lattice unit
 };
 
 }  // namespace alphascope

@@ -9,7 +9,7 @@
 #include <array>
 #include <cmath>
 
-#include "ui/scene/ball_colours.hpp"
+#include "core/molecule/atom_colours.hpp"
 
 namespace alphascope {
 namespace {

@@ -46,6 +46,16 @@ std::array<double, 5> outside_of(const Sight& sight, const Vector& seen, double 
           (-seen[1] - up) / upwards - radius, (seen[1] - up) / upwards - radius, -seen[2] - radius};
 }
 
+// Within the box around the balls as they are drawn.
+bool is_near(const BallGeometry& balls, const std::vector<float>& radii, const Sight& sight) {
+  const double reach = *std::max_element(radii.begin(), radii.end());
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double eye = sight.position[k];
+    if (eye < balls.bounds[2 * k] - reach || eye > balls.bounds[2 * k + 1] + reach) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 Ray ray_through(const Sight& sight, double across, double upwards) {
@@ -141,6 +151,8 @@ ViewProblem view_problem(const BallGeometry& balls, const std::vector<float>& ra
                          const Sight& sight, bool complex) {
   if (balls.centres.empty()) return ViewProblem::none;  // there is nothing that a view could show
   const bool drawn = radii.size() == balls.centres.size();
+  // From farther away no ball can be around the camera, and the first few tell the rest.
+  const bool may_be_inside = drawn && !sight.orthographic && is_near(balls, radii, sight);
   bool any_in_view = false;
   std::array<bool, 5> all_outside{true, true, true, true, true};
   for (std::size_t i = 0; i < balls.centres.size(); ++i) {
@@ -155,6 +167,10 @@ ViewProblem view_problem(const BallGeometry& balls, const std::vector<float>& ra
       all_outside[s] = all_outside[s] && sides[s] > 0;
     }
     any_in_view = any_in_view || !outside;
+    const bool seen_enough = complex ? std::none_of(all_outside.begin(), all_outside.end(),
+                                                    [](bool beyond) { return beyond; })
+                                     : any_in_view || !drawn;
+    if (seen_enough && !may_be_inside) return ViewProblem::none;
   }
   // Beyond one side of the pyramid are all centres, and with them all simplices.
   const bool all_beyond_a_side =

@@ -105,7 +105,7 @@ CapMesh build_cap_mesh(const BallGeometry& balls, const std::vector<Rgb8>& colou
       if (kept[s[1]] == first && kept[s[2]] == first && kept[s[3]] == first) continue;
       const float alpha = t < list.alpha_values.size() ? list.alpha_values[t] : 0.0f;
       caps.add(shrunk_corners(balls, s, shrink), static_cast<std::uint32_t>(t),
-               simplex_colour(s, alpha, options, colours, scale ? &*scale : nullptr));
+               simplex_colour(s, {alpha}, options, colours, scale ? &*scale : nullptr));
     }
   }
   return mesh;

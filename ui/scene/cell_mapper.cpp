@@ -15,9 +15,12 @@
 #include <GL/gl.h>
 #include <GL/glext.h>
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <cstring>
 #include <utility>
 
 namespace alphascope {
@@ -70,6 +73,8 @@ constexpr const char* kColoured = R"(
   diffuseColor = diffuseIntensity * cellColourVSOutput;
 )";
 
+constexpr std::size_t kLargeUpload = std::size_t{4} << 20;  // bytes
+
 constexpr const char* kCellsName = "cells";
 constexpr const char* kColoursName = "cellColours";
 constexpr const char* kPlacesName = "places";
@@ -87,14 +92,39 @@ void ShaderBuffer::set(const void* content, std::size_t count, std::size_t bytes
 void ShaderBuffer::upload(vtkOpenGLRenderWindow* window) {
   if (uploaded_ || count_ == 0) return;
   buffer_->SetType(vtkOpenGLBufferObject::TextureBuffer);
-  buffer_->Upload(static_cast<const unsigned char*>(content_), count_ * bytes_,
-                  vtkOpenGLBufferObject::TextureBuffer);
+  const auto* const content = static_cast<const unsigned char*>(content_);
+  if (count_ * bytes_ < kLargeUpload || !copy_by_all_threads(content, count_ * bytes_)) {
+    buffer_->Upload(content, count_ * bytes_, vtkOpenGLBufferObject::TextureBuffer);
+  }
   if (texture_->GetHandle() == 0) {
     texture_->SetContext(window);
     texture_->SetInternalFormat(format_);
     texture_->CreateTextureBuffer(static_cast<unsigned>(count_), 4, VTK_FLOAT, buffer_);
   }
   uploaded_ = true;
+}
+
+// False: nothing came of it. The driver's own copy is made by one thread.
+bool ShaderBuffer::copy_by_all_threads(const unsigned char* content, std::size_t bytes) {
+  if (!buffer_->GenerateBuffer(vtkOpenGLBufferObject::TextureBuffer) || !buffer_->Bind()) {
+    return false;
+  }
+  const auto size = static_cast<GLsizeiptr>(bytes);
+  glBufferData(GL_TEXTURE_BUFFER, size, nullptr, GL_STATIC_DRAW);
+  constexpr GLbitfield kHow = GL_MAP_WRITE_BIT | GL_MAP_INVALIDATE_BUFFER_BIT;
+  auto* const to = static_cast<unsigned char*>(glMapBufferRange(GL_TEXTURE_BUFFER, 0, size, kHow));
+  if (to == nullptr) {
+    buffer_->Release();
+    return false;
+  }
+  constexpr std::size_t kPiece = std::size_t{1} << 20;
+  tbb::parallel_for(std::size_t{0}, (bytes + kPiece - 1) / kPiece, [&](std::size_t piece) {
+    const std::size_t from = piece * kPiece;
+    std::memcpy(to + from, content + from, std::min(kPiece, bytes - from));
+  });
+  const bool kept = glUnmapBuffer(GL_TEXTURE_BUFFER) == GL_TRUE;  // false: the driver lost it
+  buffer_->Release();
+  return kept;
 }
 
 void ShaderBuffer::release(vtkWindow* window) {

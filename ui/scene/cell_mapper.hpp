@@ -24,7 +24,8 @@ class ShaderBuffer {
   // `count` texels of `format`, an OpenGL name, `bytes` each; null: nothing. The content must stay
   // until upload().
   void set(const void* content, std::size_t count, std::size_t bytes, unsigned format);
-  void upload(vtkOpenGLRenderWindow* window);  // what is new
+  // What is new. No more than Scene::most_cells().
+  void upload(vtkOpenGLRenderWindow* window);
   void release(vtkWindow* window);
   bool is_uploaded() const { return uploaded_ || count_ == 0; }
   std::size_t count() const { return count_; }
@@ -32,6 +33,8 @@ class ShaderBuffer {
   void deactivate();
 
  private:
+  bool copy_by_all_threads(const unsigned char* content, std::size_t bytes);
+
   const void* content_ = nullptr;
   std::size_t count_ = 0, bytes_ = 0;
   unsigned format_ = 0;

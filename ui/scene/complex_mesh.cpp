@@ -47,7 +47,8 @@ class MeshBuilder {
       : balls_(balls), colours_(colours), complex_(complex), options_(options), cancel_(cancel) {
     if (options.colouring != ComplexColouring::alpha) return;
     const bool solid = options.tetrahedra || options.boundary;
-    scale_.emplace(complex, AlphaScale::Drawn{solid, options.triangles, options.edges});
+    scale_.emplace(complex, AlphaScale::Drawn{solid, options.triangles, options.edges},
+                   options.alpha_colours);
   }
 
   ComplexMesh build() {
@@ -59,8 +60,11 @@ class MeshBuilder {
     if (whole) mesh.tetrahedra = tetrahedra();
     if (outside || options_.boundary) {
       ResultArray<FaceCode> faces = outside_of_all();
-      if (outside && options_.boundary) mesh.boundary = faces_of_tetrahedra(faces);
-      (outside ? mesh.outside : mesh.boundary) = faces_of_tetrahedra(std::move(faces));
+      if (outside && options_.boundary) {
+        mesh.boundary = faces_of_tetrahedra(faces, SimplexClass::regular);
+      }
+      (outside ? mesh.outside : mesh.boundary) = faces_of_tetrahedra(
+          std::move(faces), outside ? SimplexClass::interior : SimplexClass::regular);
     }
     if (options_.triangles) mesh.triangles = triangles();
     if (options_.edges) mesh.edges = edges();
@@ -99,8 +103,12 @@ class MeshBuilder {
 
   template <int N>
   Rgb8 colour_of(const SimplexList<N>& list, std::size_t i) const {
+    return colour_of(list, i, i < list.classes.size() ? list.classes[i] : SimplexClass::interior);
+  }
+  template <int N>
+  Rgb8 colour_of(const SimplexList<N>& list, std::size_t i, SimplexClass of_class) const {
     const float value = i < list.alpha_values.size() ? list.alpha_values[i] : 0.0f;
-    return simplex_colour(list.simplices[i], value, options_, colours_,
+    return simplex_colour(list.simplices[i], {value, of_class}, options_, colours_,
                           scale_ ? &*scale_ : nullptr);
   }
 
@@ -117,14 +125,15 @@ class MeshBuilder {
     return cells;
   }
 
-  // Each in the colour of its tetrahedron.
-  FaceCells faces_of_tetrahedra(ResultArray<FaceCode> codes) const {
+  // Each in the colour of its tetrahedron; among classes, in that of `of_class`: a face of the
+  // boundary is a triangle with a class of its own, the outside of tetrahedra stands for them.
+  FaceCells faces_of_tetrahedra(ResultArray<FaceCode> codes, SimplexClass of_class) const {
     const auto& list = complex_.tetrahedra;
     FaceCells cells;
     cells.faces.resize(codes.size());
     parallel_ranges(codes.size(), cancel_, [&](std::size_t n) {
       cells.faces[n] = {outward(balls_, list.simplices, codes[n]),
-                        packed(colour_of(list, tetrahedron_of(codes[n])))};
+                        packed(colour_of(list, tetrahedron_of(codes[n]), of_class))};
     });
     cells.source = std::move(codes);
     return cells;

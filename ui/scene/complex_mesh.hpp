@@ -24,7 +24,8 @@ enum class ComplexColouring : std::uint8_t {
   // lowest ball index. A face of a tetrahedron has the tetrahedron's colour. Colours of elements
   // and chains are names: a blend of two of them would be a third name.
   balls,
-  alpha,  // by alpha value: early simplices dark, late ones bright
+  alpha,    // by alpha value
+  classes,  // singular, regular or interior
 };
 
 // Of the display controls, what needs another mesh: a change of the others must not make one.
@@ -41,6 +42,7 @@ struct MeshOptions {
   bool translucent = false;
   ComplexColouring colouring = ComplexColouring::balls;
   Rgb8 single_colour{90, 169, 230};
+  AlphaColours alpha_colours{};
   friend bool operator==(const MeshOptions&, const MeshOptions&) = default;
 };
 

@@ -1,7 +1,7 @@
 // See the header.
 #include "ui/scene/display_style.hpp"
 
-#include "ui/scene/ball_colours.hpp"
+#include "ui/rgb8.hpp"
 
 namespace alphascope {
 namespace {
@@ -12,13 +12,11 @@ ComplexColouring colouring(ColourBy colour) {
       return ComplexColouring::single;
     case ColourBy::alpha:
       return ComplexColouring::alpha;
-    case ColourBy::element:
-    case ColourBy::chain:
-    case ColourBy::exposed:
-    case ColourBy::exposed_residue:
-      break;
+    case ColourBy::simplex_class:
+      return ComplexColouring::classes;
+    default:
+      return ComplexColouring::balls;
   }
-  return ComplexColouring::balls;
 }
 
 }  // namespace
@@ -46,9 +44,29 @@ MeshOptions mesh_options(const DisplayControls& display, Theme theme) {
   options.singular_only = display.singular_only;
   options.shrink = display.shrink;
   options.translucent = display.complex_opacity < 1;
-  options.colouring = colouring(display.complex_colour);
-  options.single_colour = to_rgb8(palette(theme).complex_single);
+  const Paint& paint = display.complex_paint;
+  options.colouring = colouring(paint.by);
+  options.single_colour = paint.colour.value_or(to_rgb8(palette(theme).complex_single));
+  if (options.colouring == ComplexColouring::alpha) {
+    options.alpha_colours = {paint.map_used(), paint.range};
+  }
   return options;
+}
+
+std::optional<PaintKey> mesh_key(const ComplexMesh& mesh, const MeshOptions& options,
+                                 const std::optional<PaintKey>& of_balls) {
+  if (mesh.empty()) return std::nullopt;
+  switch (options.colouring) {
+    case ComplexColouring::balls:
+      return of_balls;
+    case ComplexColouring::alpha:
+      return mesh.scale ? std::optional(mesh.scale->key()) : std::nullopt;
+    case ComplexColouring::classes:
+      return class_key();
+    case ComplexColouring::single:
+      break;
+  }
+  return std::nullopt;
 }
 
 BallStyle ball_style(const DisplayControls& display, const Request* shown) {

@@ -10,6 +10,10 @@ namespace alphascope {
 
 SceneStyle scene_style(const DisplayControls& display, Theme theme);
 MeshOptions mesh_options(const DisplayControls& display, Theme theme);
+// What the colours of a mesh of these options mean, those of balls where it has these; none: they
+// mean nothing, or nothing is drawn.
+std::optional<PaintKey> mesh_key(const ComplexMesh& mesh, const MeshOptions& options,
+                                 const std::optional<PaintKey>& of_balls);
 // `shown`: of the complex that grown balls belong to; null: there is none.
 BallStyle ball_style(const DisplayControls& display, const Request* shown);
 

@@ -1,11 +1,13 @@
-// Legend, scale bar and labels in a saved picture, in its own pixels: not a stretched copy of the
-// window's. The text is VTK's; the rest is boxes, filled here, so that a legend's colours are
-// exactly those of the scale, whatever light and transparency the scene is drawn with.
+// Caption, legend, scale bar and labels in a saved picture, in its own pixels: not a stretched copy
+// of the window's. The text is in the window's letters; the rest is boxes, filled here, so that a
+// legend's colours are exactly those of the scale, whatever light and transparency the scene is
+// drawn with.
 #pragma once
 
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "ui/picture_marks.hpp"
 #include "ui/scene/frame_grab.hpp"
@@ -15,9 +17,10 @@
 namespace alphascope {
 
 struct PictureMarks {
-  std::optional<ColourLegend> legend;
+  std::vector<ColourLegend> legends;
   std::optional<double> angstrom_per_pixel;  // none: no scale bar
   std::vector<PictureLabel> labels = {};
+  std::vector<std::string> caption = {};  // ui/caption.hpp; empty: none
 };
 
 // Marks and a rim around them that keeps them readable over anything.
@@ -37,12 +40,18 @@ struct MarkedPicture {
   int width = 0, height = 0;  // pixels
   bool transparent = false;
   Theme theme = Theme::dark;
-  std::optional<ColourLegend> legend;
+  std::vector<ColourLegend> legends;
   bool scale_bar = false;
   std::vector<PlacedLabel> labels = {};
-  Cut cut = {};  // of the scene
+  Cut cut = {};                           // of the scene
+  std::vector<std::string> caption = {};  // words; empty: none
 };
-// Writes the scene with its marks to a file; returns and throws as draw_marks(), Scene::grab() and
+// The scene with its marks, as it is now. Appends to `left_out` what draw_marks() says. Throws as
+// Scene::grab().
+Image marked_image(Scene& scene, const MarkedPicture& picture, std::string& left_out,
+                   const RunContext& context);
+
+// Writes the same to a file; returns and throws as draw_marks(), Scene::grab() and
 // write_png() do. Says what it is doing, and can be cancelled between its steps.
 std::string write_picture(Scene& scene, const MarkedPicture& picture,
                           const std::filesystem::path& path, const PictureTexts& texts,

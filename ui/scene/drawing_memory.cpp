@@ -8,6 +8,8 @@
 #include <cstdio>
 #include <stdexcept>
 
+#include "core/molecule/grouped_number.hpp"
+
 namespace alphascope {
 namespace {
 
@@ -245,6 +247,16 @@ std::string not_drawn_text(const DrawingPlan& plan) {
       plan.balls ? "Not drawn for lack of memory: " + listed(plan.left_out) + "." : kNothingDrawn;
   return what + " The whole picture takes about " + size_text(plan.wanted_bytes) + "; " +
          budget_text(plan.free_bytes) + ". " + remedy(plan);
+}
+
+std::string beyond_opengl_text(const ComplexMesh& mesh, std::size_t balls, std::size_t most) {
+  const std::size_t largest =
+      std::max({mesh.outside.size(), mesh.tetrahedra.size(), mesh.boundary.size(),
+                mesh.triangles.size(), mesh.faces_drawn() > 0 ? balls : 0});
+  if (largest <= most) return {};
+  return "The complex is not drawn: OpenGL on this machine draws at most " + grouped(most) +
+         " faces or balls of one kind, and here are " + grouped(largest) +
+         ". Hide atoms, select fewer, or choose a smaller alpha; a newer driver may draw more.";
 }
 
 }  // namespace alphascope

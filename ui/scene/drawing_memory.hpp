@@ -44,6 +44,10 @@ std::string layers_not_drawn_text(const LayerPoints& points, std::optional<std::
 // Of all arrays of what is drawn.
 std::uint64_t drawn_bytes(std::size_t balls, const ComplexMesh* mesh);
 
+// Why OpenGL cannot draw this mesh, and what to do, where it indexes at most so many cells or
+// balls; empty: it can. Older drivers draw something else then, and say nothing.
+std::string beyond_opengl_text(const ComplexMesh& mesh, std::size_t balls, std::size_t most);
+
 struct DrawingPlan {
   MeshOptions mesh;  // of what is drawn
   bool differences = false;

@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "ui/scene/ball_colours.hpp"
+#include "ui/rgb8.hpp"
 #include "ui/scene/simplex_soup.hpp"
 
 namespace alphascope {
@@ -35,6 +35,7 @@ class LayerBuilder {
     } else {
       marks_.add(layer.tetrahedra, colour);
     }
+    for (const auto& [from, to] : layer.lines) add_line(from, to, colour);
     for (const LayerSphere& sphere : layer.spheres) add_sphere(sphere, colour);
     for (const auto& tube : layer.tubes) add_tube(tube, balls_.origin, colour, mesh_.tubes);
     for (const LayerLabel& label : layer.labels) {
@@ -59,6 +60,15 @@ class LayerBuilder {
  private:
   std::array<double, 3> from_origin(const RealPoint& p) const {
     return {p.x - balls_.origin[0], p.y - balls_.origin[1], p.z - balls_.origin[2]};
+  }
+
+  void add_line(const RealPoint& from, const RealPoint& to, const Rgb8& colour) {
+    for (const RealPoint& end : {from, to}) {
+      const auto at = from_origin(end);
+      marks_.add_line_end(
+          {static_cast<float>(at[0]), static_cast<float>(at[1]), static_cast<float>(at[2])},
+          colour);
+    }
   }
 
   void add_sphere(const LayerSphere& sphere, const Rgb8& colour) {
@@ -110,7 +120,8 @@ LayerPoints layer_points(const Layers& layers) {
   for (const auto& layer : layers) {
     points.faces +=
         24 * layer->vertices.size() + 3 * layer->triangles.size() + 12 * layer->tetrahedra.size();
-    points.lines += 2 * layer->edges.size() + (layer->body ? 12 * layer->tetrahedra.size() : 0);
+    points.lines += 2 * layer->edges.size() + 2 * layer->lines.size() +
+                    (layer->body ? 12 * layer->tetrahedra.size() : 0);
     points.balls += layer->spheres.size();
     for (const auto& tube : layer->tubes) points.faces += tube_points(tube.size());
   }

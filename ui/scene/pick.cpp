@@ -28,6 +28,12 @@ Vector cross(const Vector& a, const Vector& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
+// The number of a cell in the list that it was taken from; without a source, nothing was left out.
+template <class Source>
+std::size_t number_in(const Source& source, std::size_t cell) {
+  return source.empty() ? cell : source[cell];
+}
+
 // Cells of a layer, with three corners or two.
 struct SoupCells {
   std::shared_ptr<const CellSoup> soup;
@@ -38,9 +44,7 @@ struct SoupCells {
     const float* p = &soup->xyz[3 * (corners * cell + corner)];
     return {p[0], p[1], p[2]};
   }
-  std::size_t number(std::size_t cell) const {
-    return soup->source.empty() ? cell : soup->source[cell];
-  }
+  std::size_t number(std::size_t cell) const { return number_in(soup->source, cell); }
 };
 
 struct FacesOfBalls {
@@ -52,9 +56,7 @@ struct FacesOfBalls {
   Point point(std::size_t cell, std::size_t corner) const {
     return balls->centres[cells->faces[cell].balls[corner]];
   }
-  std::size_t number(std::size_t cell) const {
-    return cells->source.empty() ? cell : cells->source[cell];
-  }
+  std::size_t number(std::size_t cell) const { return number_in(cells->source, cell); }
 };
 
 // Cell 4 t + k is the face of tetrahedron t that lacks its corner k, drawn towards its centre.
@@ -70,7 +72,7 @@ struct FacesOfTetrahedra {
                           cells->shrink)[corner < lacks ? corner : corner + 1];
   }
   std::size_t number(std::size_t cell) const {
-    return cells->source.empty() ? cell : 4 * std::size_t{cells->source[cell / 4]} + cell % 4;
+    return 4 * number_in(cells->source, cell / 4) + cell % 4;
   }
 };
 

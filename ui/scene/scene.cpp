@@ -44,17 +44,23 @@ Scene::Scene() : impl_(std::make_unique<Impl>()) {
 
 Scene::~Scene() = default;
 
-void Scene::set_balls(std::shared_ptr<BallData> balls) {
+// For whatever changes what is seen: samples of the picture before are not those of the next.
+Scene::Impl& Scene::changed() {
   impl_->mean.forget();
+  return *impl_;
+}
+
+void Scene::set_balls(std::shared_ptr<BallData> balls) {
+  Impl& scene = changed();
   set_mesh(nullptr);
   set_differences(nullptr);
   set_layers(nullptr);
   set_beside_body(nullptr);
   set_selected(nullptr);
-  impl_->balls = balls->balls;
-  impl_->places->set(balls->balls);
-  impl_->all_balls.show(std::move(balls), impl_->window);
-  impl_->apply_style();
+  scene.balls = balls->balls;
+  scene.places->set(balls->balls);
+  scene.all_balls.show(std::move(balls), scene.window);
+  scene.apply_style();
 }
 
 void Scene::set_balls(std::shared_ptr<const BallGeometry> balls, const std::vector<Rgb8>& colours) {
@@ -64,19 +70,25 @@ void Scene::set_balls(std::shared_ptr<const BallGeometry> balls, const std::vect
 }
 
 void Scene::set_ball_radii(const std::vector<float>& radii) {
-  impl_->mean.forget();
-  if (impl_->all_balls.data) set_radii(impl_->all_balls.data->points, radii);
+  Impl& scene = changed();
+  if (scene.all_balls.data) set_radii(scene.all_balls.data->points, radii);
 }
 
 void Scene::set_ball_colours(const std::vector<Rgb8>& colours) {
-  impl_->mean.forget();
-  if (impl_->all_balls.data) set_colours(impl_->all_balls.data->points, colours);
+  Impl& scene = changed();
+  if (scene.all_balls.data) set_colours(scene.all_balls.data->points, colours);
+}
+
+std::size_t Scene::most_cells() const {
+  GLint most = 0;
+  glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &most);
+  return most > 0 ? static_cast<std::size_t>(most) : 0;
 }
 
 void Scene::set_mesh(std::shared_ptr<MeshData> mesh) {
-  impl_->mean.forget();
+  Impl& scene = changed();
   set_caps(nullptr);
-  impl_->show_mesh(std::move(mesh));
+  scene.show_mesh(std::move(mesh));
 }
 
 double Scene::take_upload_milliseconds() {
@@ -88,54 +100,53 @@ double Scene::take_upload_milliseconds() {
 }
 
 void Scene::set_caps(std::shared_ptr<CapData> caps) {
-  impl_->mean.forget();
-  impl_->caps.show(caps ? caps->faces : nullptr, impl_->window);
-  impl_->cap_edges.show(caps ? caps->edges : nullptr, impl_->window);
-  impl_->cap_data = std::move(caps);  // only now may the old arrays go
-  impl_->apply_style();
+  Impl& scene = changed();
+  scene.caps.show(caps ? caps->faces : nullptr, scene.window);
+  scene.cap_edges.show(caps ? caps->edges : nullptr, scene.window);
+  scene.cap_data = std::move(caps);  // only now may the old arrays go
+  scene.apply_style();
 }
 
 void Scene::set_differences(std::shared_ptr<DifferenceData> differences) {
-  impl_->mean.forget();
-  impl_->differences.show(differences ? differences->faces : nullptr,
-                          differences ? differences->edges : nullptr, impl_->window);
-  impl_->difference_data = std::move(differences);  // only now may the old arrays go
+  Impl& scene = changed();
+  scene.differences.show(differences ? differences->faces : nullptr,
+                         differences ? differences->edges : nullptr, scene.window);
+  scene.difference_data = std::move(differences);  // only now may the old arrays go
 }
 
 void Scene::set_layers(std::shared_ptr<LayerData> layers) {
-  impl_->mean.forget();
-  const bool had_peels = impl_->anything_translucent();
-  impl_->layers.show(std::move(layers), impl_->window);
-  if (had_peels && !impl_->anything_translucent()) impl_->release_buffers();
-  impl_->apply_style();
+  Impl& scene = changed();
+  const bool had_peels = scene.anything_translucent();
+  scene.layers.show(std::move(layers), scene.window);
+  if (had_peels && !scene.anything_translucent()) scene.release_buffers();
+  scene.apply_style();
 }
 
 void Scene::set_beside_body(std::shared_ptr<LayerData> atoms) {
-  impl_->mean.forget();
-  impl_->beside_body.show(std::move(atoms), impl_->window);
+  Impl& scene = changed();
+  scene.beside_body.show(std::move(atoms), scene.window);
 }
 
 void Scene::set_selected(std::shared_ptr<BallData> balls) {
-  impl_->mean.forget();
-  impl_->selected.actor->SetVisibility(balls != nullptr);
-  impl_->selected.show(std::move(balls), impl_->window);
+  Impl& scene = changed();
+  scene.selected.actor->SetVisibility(balls != nullptr);
+  scene.selected.show(std::move(balls), scene.window);
 }
 
 void Scene::set_style(const SceneStyle& style) {
-  impl_->mean.forget();
-  const bool had_occlusion = impl_->style.ambient_occlusion;
-  const bool had_peels = impl_->anything_translucent();
-  impl_->style = style;
-  if ((had_occlusion && !style.ambient_occlusion) ||
-      (had_peels && !impl_->anything_translucent())) {
-    impl_->release_buffers();
+  Impl& scene = changed();
+  const bool had_occlusion = scene.style.ambient_occlusion;
+  const bool had_peels = scene.anything_translucent();
+  scene.style = style;
+  if ((had_occlusion && !style.ambient_occlusion) || (had_peels && !scene.anything_translucent())) {
+    scene.release_buffers();
   }
-  impl_->apply_style();
+  scene.apply_style();
 }
 
 void Scene::reset_view() {
-  impl_->mean.forget();
-  impl_->reset_pending = true;
+  Impl& scene = changed();
+  scene.reset_pending = true;
 }
 
 Viewpoint Scene::viewpoint() const {
@@ -149,14 +160,14 @@ Viewpoint Scene::viewpoint() const {
 }
 
 void Scene::set_viewpoint(const Viewpoint& v) {
-  impl_->mean.forget();
-  vtkCamera* camera = impl_->renderer->GetActiveCamera();
+  Impl& scene = changed();
+  vtkCamera* camera = scene.renderer->GetActiveCamera();
   camera->SetPosition(v.position.data());
   camera->SetFocalPoint(v.focal_point.data());
   camera->SetViewUp(v.up.data());
-  impl_->least_aspect = v.least_aspect;
-  impl_->reset_pending = false;
-  impl_->set_view_angle();
+  scene.least_aspect = v.least_aspect;
+  scene.reset_pending = false;
+  scene.set_view_angle();
 }
 
 double Scene::render(int width, int height, RenderQuality quality) {
@@ -212,23 +223,23 @@ Ray Scene::ray(double x, double y) const {
 }
 
 void Scene::pointer_move(int x, int y, bool control, bool shift) {
-  impl_->mean.forget();
+  Impl& scene = changed();
   const auto sample = [&](int pixel) {
-    return static_cast<int>(std::lround(pixel * impl_->samples));
+    return static_cast<int>(std::lround(pixel * scene.samples));
   };
-  const int* size = impl_->window->GetSize();
-  impl_->interactor->SetSize(size[0], size[1]);
+  const int* size = scene.window->GetSize();
+  scene.interactor->SetSize(size[0], size[1]);
   // VTK turns by the difference to the last position, which a picture of other samples had.
-  impl_->interactor->SetEventInformationFlipY(sample(impl_->pointer_x), sample(impl_->pointer_y));
-  impl_->interactor->SetEventInformationFlipY(sample(x), sample(y), control, shift);
-  impl_->pointer_x = x;
-  impl_->pointer_y = y;
-  impl_->interactor->InvokeEvent(vtkCommand::MouseMoveEvent);
-  impl_->follow_zoom();
+  scene.interactor->SetEventInformationFlipY(sample(scene.pointer_x), sample(scene.pointer_y));
+  scene.interactor->SetEventInformationFlipY(sample(x), sample(y), control, shift);
+  scene.pointer_x = x;
+  scene.pointer_y = y;
+  scene.interactor->InvokeEvent(vtkCommand::MouseMoveEvent);
+  scene.follow_zoom();
 }
 
 void Scene::pointer_button(PointerButton button, bool pressed) {
-  impl_->mean.forget();
+  Impl& scene = changed();
   unsigned long event = vtkCommand::NoEvent;
   switch (button) {
     case PointerButton::left:
@@ -241,16 +252,16 @@ void Scene::pointer_button(PointerButton button, bool pressed) {
       event = pressed ? vtkCommand::RightButtonPressEvent : vtkCommand::RightButtonReleaseEvent;
       break;
   }
-  impl_->interactor->InvokeEvent(event);
+  scene.interactor->InvokeEvent(event);
 }
 
 void Scene::wheel(double steps) {
-  impl_->mean.forget();
+  Impl& scene = changed();
   const auto event =
       steps > 0 ? vtkCommand::MouseWheelForwardEvent : vtkCommand::MouseWheelBackwardEvent;
   const int count = std::clamp(static_cast<int>(std::lround(std::fabs(steps))), 1, 10);
-  for (int i = 0; i < count && steps != 0; ++i) impl_->interactor->InvokeEvent(event);
-  impl_->follow_zoom();
+  for (int i = 0; i < count && steps != 0; ++i) scene.interactor->InvokeEvent(event);
+  scene.follow_zoom();
 }
 
 // The samples that the window adds up at rest, too: the same pixels, at the same size.

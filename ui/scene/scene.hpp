@@ -60,6 +60,8 @@ class Scene {
   void set_balls(std::shared_ptr<BallData> balls);
   void set_ball_radii(const std::vector<float>& radii);  // Å, as drawn
   void set_ball_colours(const std::vector<Rgb8>& colours);
+  // Of the lists of a mesh: beyond, OpenGL here cannot index them (beyond_opengl_text()).
+  std::size_t most_cells() const;
   // Null: none. Removes the caps of the last one.
   void set_mesh(std::shared_ptr<MeshData> mesh);
   // Of the time of pictures, what went into handing faces and tetrahedra over to OpenGL, since this
@@ -110,6 +112,7 @@ class Scene {
 
  private:
   struct Impl;
+  Impl& changed();
   std::unique_ptr<Impl> impl_;
 };
 

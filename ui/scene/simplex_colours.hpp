@@ -27,17 +27,25 @@ Rgb8 most_frequent_colour(const std::array<BallIndex, N>& simplex,
   return best;
 }
 
+// Of a simplex; only colours of their own kinds look at it.
+struct SimplexTraits {
+  float alpha_value = 0;  // square lattice units
+  SimplexClass of_class = SimplexClass::interior;
+};
+
 // `scale` is used where colours are of alpha values only, and `colours` (one a ball) where they are
 // of balls.
 template <std::size_t N>
-Rgb8 simplex_colour(const std::array<BallIndex, N>& simplex, float alpha_value,
+Rgb8 simplex_colour(const std::array<BallIndex, N>& simplex, const SimplexTraits& traits,
                     const MeshOptions& options, const std::vector<Rgb8>& colours,
                     const AlphaScale* scale) {
   switch (options.colouring) {
     case ComplexColouring::balls:
       return most_frequent_colour(simplex, colours);
     case ComplexColouring::alpha:
-      return scale->colour(alpha_value);
+      return scale->colour(traits.alpha_value);
+    case ComplexColouring::classes:
+      return class_colour(traits.of_class);
     case ComplexColouring::single:
       break;
   }

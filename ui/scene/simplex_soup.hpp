@@ -20,6 +20,11 @@ class SimplexSoup {
     for (const auto& simplex : simplices) add_simplex(simplex, colour);
   }
 
+  // Two of them are a line: a point in Å, relative to BallGeometry::origin.
+  void add_line_end(const std::array<float, 3>& point, const Rgb8& colour) {
+    add_point(edges, point, colour);
+  }
+
   CellSoup faces;  // of tetrahedra and triangles; vertices as small octahedra
   CellSoup edges;  // lines
 

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/scene/ball_colours.hpp"
+#include "ui/rgb8.hpp"
 
 namespace alphascope {
 namespace {

@@ -26,7 +26,8 @@ static_assert(key::kA == GLFW_KEY_A && key::kT == GLFW_KEY_T && key::kF1 == GLFW
               key::kEnd == GLFW_KEY_END && key::kKeypadEnter == GLFW_KEY_KP_ENTER &&
               key::kInsert == GLFW_KEY_INSERT && key::kPageUp == GLFW_KEY_PAGE_UP &&
               key::kPageDown == GLFW_KEY_PAGE_DOWN && key::kSpace == GLFW_KEY_SPACE &&
-              key::kV == GLFW_KEY_V && key::kZ == GLFW_KEY_Z && key::kFirstKeypad == GLFW_KEY_KP_0);
+              key::kMenu == GLFW_KEY_MENU && key::kV == GLFW_KEY_V && key::kZ == GLFW_KEY_Z &&
+              key::kFirstKeypad == GLFW_KEY_KP_0);
 static_assert(key::kLeftShift == GLFW_KEY_LEFT_SHIFT &&
               key::kLeftControl == GLFW_KEY_LEFT_CONTROL && key::kLeftAlt == GLFW_KEY_LEFT_ALT &&
               key::kLeftSuper == GLFW_KEY_LEFT_SUPER && key::kRightShift == GLFW_KEY_RIGHT_SHIFT &&

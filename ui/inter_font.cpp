@@ -1,6 +1,6 @@
 // See the header. The assembler takes the files in as they are; as C++ arrays they took seconds to
 // compile.
-#include "ui/panels/inter_font.hpp"
+#include "ui/inter_font.hpp"
 
 #define ALPHASCOPE_BYTES_OF(name, file)                       \
   asm(".pushsection .rodata\n"                                \

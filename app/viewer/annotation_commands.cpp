@@ -1,0 +1,212 @@
+// Labels of atoms, and distances and angles between them.
+#include <algorithm>
+#include <stdexcept>
+
+#include "app/viewer/command_parts.hpp"
+#include "core/document/setting_ids.hpp"
+#include "ui/annotation_layer.hpp"
+#include "ui/panels/format.hpp"
+
+namespace alphascope {
+namespace {
+
+using Kind = Parameter::Kind;
+
+std::string count(std::size_t n) {
+  return with_separators(static_cast<long long>(n));
+}
+
+// --- labels
+
+std::vector<Choice> label_texts() {
+  return {{"address", "Chain, residue and atom", "such as A:HIS 87:NE2"},
+          {"residue", "Residue", "such as HIS 87"},
+          {"name", "Name of the atom", "such as NE2"},
+          {"element", "Element", "such as N"},
+          {"radius", "Radius", "such as 1.64 Å"},
+          {"b_factor", "B factor", "such as 24.1 Å²"}};
+}
+
+Outcome label_atoms(ViewState& s, const Arguments& arguments) {
+  const AskedAtoms asked = asked_atoms(s, arguments.text("atoms"));
+  if (!asked.fault.empty()) return Outcome::refused(asked.fault);
+  LabelText text = LabelText::address;
+  for (const auto& [value, id] : setting_ids(text)) {
+    if (arguments.text("text") == id) text = value;
+  }
+  LabelGroups labels = s.annotations.labels;
+  set_labels(labels, asked.atoms, text);
+  if (label_count(s.references->molecule(), labels) > kMostLabels) {
+    return Outcome::refused("A picture has at most " + count(kMostLabels) +
+                            " labels. Name fewer atoms, or label their residues.");
+  }
+  s.annotations.labels = std::move(labels);
+  return {};
+}
+
+void add_label_commands(Commands& commands, ViewState& s) {
+  CommandSpec label{.id = "label.atoms",
+                    .title = "Label atoms",
+                    .help = "Writes names or values of atoms beside them, in the picture",
+                    .shortcuts = {{"L", "address"}},
+                    .menu = "Edit",
+                    .line_above = true,
+                    .parameters = {{.name = "text",
+                                    .kind = Kind::choice,
+                                    .help = "What the labels say; residue: once for all its atoms",
+                                    .choices = label_texts},
+                                   which_atoms()}};
+  label.why_not = without_picture(s);
+  label.run = [&s](const Arguments& arguments) { return label_atoms(s, arguments); };
+  commands.add(std::move(label));
+  const auto none = [&s] { return s.annotations.labels.empty() ? "There is no label." : ""; };
+  commands.add({.id = "label.remove",
+                .title = "Remove labels",
+                .help = "Takes the labels of atoms away",
+                .shortcuts = {{"Shift+L"}},
+                .menu = "Edit",
+                .parameters = {which_atoms()},
+                .why_not =
+                    [&s, none] {
+                      const std::string reason = none();
+                      return reason.empty() ? without_picture(s)() : reason;
+                    },
+                .run =
+                    [&s](const Arguments& arguments) {
+                      const AskedAtoms asked = asked_atoms(s, arguments.text("atoms"));
+                      if (!asked.fault.empty()) return Outcome::refused(asked.fault);
+                      set_labels(s.annotations.labels, asked.atoms, std::nullopt);
+                      return Outcome();
+                    }});
+  commands.add({.id = "label.remove_all",
+                .title = "Remove all labels",
+                .help = "Takes all labels of atoms away",
+                .menu = "Edit",
+                .why_not = none,
+                .run = [&s](const Arguments&) {
+                  s.annotations.labels.clear();
+                  return Outcome();
+                }});
+}
+
+// --- distances and angles
+
+Outcome measure_atoms(ViewState& s, const Arguments& arguments) {
+  const std::string text = arguments.text("atoms");
+  if (text.empty()) {
+    const AskedMeasurement asked = asked_measurement(s.picked);
+    return asked.measurement ? add_measurement(s, *asked.measurement)
+                             : Outcome::refused(asked.why_not);
+  }
+  try {
+    return add_measurement(s, read_measurement(*s.references, text));
+  } catch (const SelectionError& error) {
+    return Outcome::refused(std::string("This cannot be read: ") + error.what() + ".");
+  } catch (const std::invalid_argument& error) {
+    return Outcome::refused(error.what());
+  }
+}
+
+Outcome remove_measurement(ViewState& s, const Arguments& arguments) {
+  Measurements& all = s.annotations.measurements;
+  const auto number = static_cast<std::size_t>(arguments.number("number"));
+  if (number > all.size()) {
+    return Outcome::refused("There is no number " + count(number) + "; the last is " +
+                            count(all.size()) + ".");
+  }
+  all.erase(all.begin() + static_cast<std::ptrdiff_t>(number) - 1);
+  return {};
+}
+
+void add_measurement_commands(Commands& commands, ViewState& s) {
+  static constexpr NumberRule kNumberRule{"The number", 1, double(kMostMeasurements), "", true};
+  const auto none = [&s] {
+    return s.annotations.measurements.empty() ? "Nothing is measured." : "";
+  };
+  commands.add({.id = "measure.atoms",
+                .title = "Measure distance or angle",
+                .help = "Of two selected atoms the distance, of three the angle at the second, of "
+                        "four the dihedral angle; the order of selection counts",
+                .shortcuts = {{"D"}},
+                .menu = "Tools",
+                .line_above = true,
+                .parameters = {{.name = "atoms",
+                                .help = "Addresses of two to four atoms, with semicolons between "
+                                        "them; if left out, what is selected",
+                                .example = "A:HIS 87:NE2; A:HEM 142:FE",
+                                .optional = true}},
+                .why_not = without_picture(s),
+                .run = [&s](const Arguments& arguments) { return measure_atoms(s, arguments); }});
+  commands.add(
+      {.id = "measure.remove",
+       .title = "Remove distance or angle…",
+       .help = "Takes one of the measured distances and angles away",
+       .parameters = {{.name = "number",
+                       .kind = Kind::number,
+                       .help = "Its number in the list of the page Details",
+                       .rule = kNumberRule}},
+       .why_not = none,
+       .run = [&s](const Arguments& arguments) { return remove_measurement(s, arguments); }});
+  commands.add({.id = "measure.remove_all",
+                .title = "Remove all distances and angles",
+                .help = "Takes all measured distances and angles away",
+                .menu = "Tools",
+                .why_not = none,
+                .run = [&s](const Arguments&) {
+                  s.annotations.measurements.clear();
+                  return Outcome();
+                }});
+  commands.add({.id = "measure.copy",
+                .title = "Copy distances and angles",
+                .help = "Copies the measured distances and angles as CSV, with all digits",
+                .menu = "Tools",
+                .why_not =
+                    [&s, none] {
+                      const std::string reason = none();
+                      return reason.empty() ? without_picture(s)() : reason;
+                    },
+                .run =
+                    [&s](const Arguments&) {
+                      s.requests.copy =
+                          measurements_csv(s.references->molecule(), s.annotations.measurements);
+                      s.notice = "Copied " + count(s.annotations.measurements.size()) +
+                                 " distances and angles";
+                      return Outcome();
+                    }});
+  commands.add({.id = "details.show",
+                .title = "Details of the selection",
+                .help = "Shows what is known of the selected atom or simplex, and the measured "
+                        "distances and angles",
+                .shortcuts = {{"Shift+D"}},
+                .menu = "Tools",
+                .why_not = without_molecule(s),
+                .run = [&s](const Arguments&) {
+                  s.memory.bottom_panel = "details";
+                  return Outcome();
+                }});
+}
+
+}  // namespace
+
+Outcome add_measurement(ViewState& s, const Measurement& m) {
+  Measurements& all = s.annotations.measurements;
+  const auto same = std::find(all.begin(), all.end(), m);
+  if (same != all.end()) {
+    return Outcome::refused("It is measured already, as number " +
+                            count(static_cast<std::size_t>(same - all.begin()) + 1) + ".");
+  }
+  if (all.size() == kMostMeasurements) {
+    return Outcome::refused("At most " + count(kMostMeasurements) +
+                            " distances and angles are kept. Remove some first.");
+  }
+  all.push_back(m);
+  s.notice = measurement_text(s.references->molecule(), m);
+  return {};
+}
+
+void add_annotation_commands(Commands& commands, ViewState& s) {
+  add_label_commands(commands, s);
+  add_measurement_commands(commands, s);
+}
+
+}  // namespace alphascope

@@ -1,0 +1,218 @@
+// Lessons in the window: reading them, and the window as the player of lessons needs it. What was
+// open before is kept as a session in memory, and comes back as a session does.
+#include <utility>
+
+#include "app/options/did_you_mean.hpp"
+#include "app/viewer/molecule_info.hpp"
+#include "app/viewer/resources.hpp"
+#include "app/viewer/viewer.hpp"
+#include "core/document/display_preset.hpp"
+#include "core/io/read_error.hpp"
+
+namespace alphascope {
+namespace {
+
+// A lesson may come from a stranger: it writes no file and does not end the program.
+// How large letters are and whether the window is light is the reader's choice.
+constexpr std::string_view kNotInLessons[] = {
+    "file.", "edit.", "help.", "lesson.", "benchmark.", "view.scale", "view.light_theme"};
+
+// Throws ReadError for the first command that the window does not have, or not for lessons.
+void check_commands(const Lesson& lesson, const Commands& known) {
+  const auto check = [&](const std::vector<LessonCommand>& commands) {
+    for (const LessonCommand& command : commands) {
+      const std::string id = known.parse_line(command.text).id;
+      for (const std::string_view area : kNotInLessons) {
+        if (!id.starts_with(area)) continue;
+        throw ReadError(lesson.file, command.line, "a lesson cannot run " + id,
+                        "It may change the picture only");
+      }
+      if (known.find(id) != nullptr) continue;
+      std::vector<std::string> ids;
+      for (const CommandSpec& spec : known.all()) ids.push_back(spec.id);
+      throw ReadError(lesson.file, command.line, "there is no command \"" + id + "\"",
+                      "alphascope --script-help lists them" + did_you_mean(id, ids));
+    }
+  };
+  check(lesson.commands);
+  for (const LessonStep& step : lesson.steps) {
+    check(step.shown.commands);
+    check(step.answer.commands);
+  }
+}
+
+// All that a step begins with but for its own commands. How finely is drawn is the user's choice,
+// and so are engine and threads.
+Settings lesson_settings(const Settings& now) {
+  Settings s;
+  s.open.read.max_bytes = now.open.read.max_bytes;
+  s.request = now.request;
+  s.request.alpha_angstrom2 = s.request.solvent_radius_angstrom = 0;
+  s.request.tetrahedra_only = false;
+  s.display = with_preset({}, DisplayPreset::teaching);
+  s.display.ball_paint = s.display.complex_paint = {ColourBy::element, {}, {}, {}};
+  s.display.ambient_occlusion = now.display.ambient_occlusion;
+  s.display.depth_cue = now.display.depth_cue;
+  s.display.silhouettes = now.display.silhouettes;
+  s.display.samples = now.display.samples;
+  return s;
+}
+
+}  // namespace
+
+class Viewer::Stage : public LessonStage {
+ public:
+  explicit Stage(Viewer& viewer) : v_(viewer) {}
+
+  std::shared_ptr<const void> file() const override {
+    const auto& opened = v_.session_.state().opened;
+    return opened ? opened->deposited : nullptr;
+  }
+  std::filesystem::path path() const override {
+    const auto& opened = v_.session_.state().opened;
+    return opened ? opened->deposited->source : std::filesystem::path();
+  }
+  bool opening() const override {
+    const SessionActivity a = v_.session_.activity();
+    return a.opening.busy || !a.opening_path.empty() || v_.session_files_.reading().busy ||
+           v_.waiting_session_ || v_.starting_session_;
+  }
+  bool at_rest() const override {
+    const SessionActivity a = v_.session_.activity();
+    const bool sent = v_.state_.compute == v_.sent_compute_ && v_.state_.open == v_.sent_open_;
+    const bool shown = v_.session_.state().ours == v_.state_.result ||
+                       !v_.state_.compute_error.empty() || v_.state_.memory.playing;
+    return sent && shown && !a.opening.busy && !a.computing.busy && !v_.scene_.busy();
+  }
+
+  void keep() override {
+    kept_ =
+        Kept{v_.session_document({}), v_.state_.session_file, v_.settings(), v_.editor_, file()};
+  }
+
+  void open(const std::filesystem::path& molecule) override {
+    SessionDocument document;
+    document.settings = lesson_settings(v_.settings());
+    document.view.light_theme = v_.state_.theme == Theme::light;
+    const PanelMemory& m = v_.state_.memory;
+    document.view.panels = {
+        m.bottom_panel, m.bottom_height, {m.closed_sections.begin(), m.closed_sections.end()}, {}};
+    start({}, std::move(document), molecule);
+  }
+
+  void reset() override {
+    v_.editor_.restart(lesson_settings(v_.settings()));
+    v_.show_settings();
+  }
+
+  Outcome run(const std::string& command) override { return v_.commands_.run_line(command); }
+
+  void settle() override {
+    v_.editor_.restart(v_.settings());
+    v_.noted_ = v_.preferred();  // of the lesson, not of the user
+    v_.frames_due_ = kSettlingFrames;
+  }
+
+  void bring_back() override {
+    if (!kept_) return;
+    Kept kept = *std::exchange(kept_, std::nullopt);
+    if (!kept.document || kept.file == file()) {
+      v_.session_.cancel_opening();
+      v_.forget_waiting_session();
+      return take_over(kept);
+    }
+    kept.document->view.light_theme = v_.state_.theme == Theme::light;
+    const std::filesystem::path molecule = kept.document->molecule.absolute;
+    start(kept.session_file, *std::move(kept.document), molecule);
+    v_.history_to_come_back_ = std::move(kept.history);
+  }
+
+  void forget() override {
+    if (kept_) take_over(*std::exchange(kept_, std::nullopt));
+  }
+
+ private:
+  struct Kept {
+    std::optional<SessionDocument> document;  // none: no molecule was open
+    std::filesystem::path session_file;
+    Settings settings;
+    Editor history;
+    std::shared_ptr<const void> file;
+  };
+
+  // What is of no molecule; all of it where the molecule is the one that was kept.
+  void take_over(const Kept& kept) {
+    ViewState& s = v_.state_;
+    if (kept.document && kept.file == file()) {
+      v_.editor_ = kept.history;
+      v_.show_settings();
+    } else {
+      s.compute = kept.settings.request;
+      s.display = kept.settings.display;
+      v_.editor_.restart(v_.settings());
+    }
+    v_.noted_ = v_.preferred();
+  }
+
+  void start(const std::filesystem::path& file, SessionDocument document,
+             const std::filesystem::path& molecule) {
+    FoundSession found;
+    found.file = file;
+    found.is_recent = false;
+    found.read.session = std::move(document);
+    found.molecule.state = FoundFile::State::same;
+    found.molecule.path = molecule;
+    v_.forget_waiting_session();
+    v_.waiting_session_ = std::make_shared<const FoundSession>(std::move(found));
+    v_.start_session();
+  }
+
+  Viewer& v_;
+  std::optional<Kept> kept_;
+};
+
+std::unique_ptr<LessonStage> Viewer::make_lesson_stage() {
+  return std::make_unique<Stage>(*this);
+}
+
+std::vector<std::filesystem::path> Viewer::lesson_folders(const ViewerOptions& options) {
+  std::vector<std::filesystem::path> folders{lessons_folder()};
+  if (!options.preferences.empty()) folders.push_back(options.preferences / "lessons");
+  return folders;
+}
+
+void Viewer::take_lesson_files() {
+  LessonMemory& memory = state_.memory.lessons;
+  if (memory.shown && !memory.shelf && !lesson_files_.busy()) lesson_files_.read_shelf();
+  LessonFiles::News news = lesson_files_.poll();
+  if (news.shelf) memory.shelf = news.shelf;
+  if (news.opened) {
+    try {
+      check_commands(*news.opened, commands_);
+      lessons_.begin(news.opened);
+    } catch (const ReadError& error) {
+      news.error = error.what();
+    }
+  }
+  if (!news.error.empty()) state_.tell("The lesson cannot be opened", news.error);
+  if (news.shelf || news.opened || !news.error.empty()) frames_due_ = kSettlingFrames;
+}
+
+void Viewer::take_lesson_requests(const Requests& r) {
+  if (!r.open_lesson.empty()) lesson_files_.open(r.open_lesson);
+  if (r.lesson_next) lessons_.next();
+  if (r.lesson_back) lessons_.back();
+  if (r.lesson_again) lessons_.again();
+  if (r.lesson_reveal) lessons_.reveal();
+  if (r.close_lesson) lessons_.close();
+}
+
+// The undo steps of what was open before a lesson.
+void Viewer::take_back_history() {
+  const auto history = std::exchange(history_to_come_back_, std::nullopt);
+  if (!history) return;
+  editor_ = *history;
+  editor_.amend(settings());
+}
+
+}  // namespace alphascope

@@ -1,0 +1,33 @@
+// Any bytes as a lesson: one with at least a step, all of whose facts are known, or a ReadError.
+#include <cstdlib>
+
+#include "core/document/lesson.hpp"
+#include "core/document/lesson_facts.hpp"
+#include "core/io/read_error.hpp"
+
+namespace {
+
+void look_at(const alphascope::LessonPart& part) {
+  for (const alphascope::LessonParagraph& paragraph : part.text) {
+    const std::string said = alphascope::with_facts(paragraph.text, {});
+    if (said.find('{') != std::string::npos) std::abort();
+    alphascope::lesson_spans(said);
+  }
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {
+  const std::string_view text(reinterpret_cast<const char*>(data), size);
+  try {
+    const alphascope::Lesson lesson = alphascope::read_lesson(text, "lesson.md");
+    if (lesson.steps.empty()) std::abort();
+    for (const alphascope::LessonStep& step : lesson.steps) {
+      look_at(step.shown);
+      look_at(step.answer);
+      if (step.shown.text.empty() || lesson.molecule_of(step).empty()) std::abort();
+    }
+  } catch (const alphascope::ReadError&) {
+  }
+  return 0;
+}

@@ -1,0 +1,67 @@
+// The page Details in the whole window: facts of the selected atom or simplex, and lists that lead
+// to what is around it.
+#include <algorithm>
+
+#include "tests/ui/viewer_fixture.hpp"
+
+namespace alphascope::testing {
+namespace {
+
+class DetailsTest : public ViewerTest {
+ protected:
+  bool has(const std::string& widget) { return viewer_->widgets().contains(widget); }
+  const ViewState& state() { return viewer_->state(); }
+  void show(const std::string& atoms) {
+    run("select.atoms " + atoms + "\ndetails.show\nframes 3\nwait-idle\nframes 3\n");
+  }
+};
+
+TEST_F(DetailsTest, AnAtomHasFactsAndNeighbours) {
+  open_crambin();
+  run("alpha.set 1.4\ndetails.show\nwait-idle\n");
+  EXPECT_TRUE(has("details.nothing"));
+  show("A:THR 1:CA");
+  for (const char* name : {"element", "centre", "size", "B factor", "class", "is part of"}) {
+    EXPECT_TRUE(has(std::string("details.fact.") + name)) << name;
+  }
+  const SimplexDetails* details = state().memory.details.shown.get();
+  ASSERT_NE(details, nullptr);
+  const AlphaComplex expected = this->expected(1.4);
+  const BallIndex ball = details->balls.at(0);
+  const auto& edges = expected.edges.simplices;
+  const auto joined = std::count_if(edges.begin(), edges.end(), [&](const auto& edge) {
+    return edge[0] == ball || edge[1] == ball;
+  });
+  ASSERT_GT(joined, 2);
+  EXPECT_EQ(static_cast<long>(details->neighbours.size()), joined);
+  const BallIndex nearest = details->neighbours[0].ball;
+  run("click details.neighbour.0\nframes 3\nwait-idle\nframes 3\n");
+  EXPECT_EQ(state().picked.items, RefSet({state().references->atom(nearest)}));
+  EXPECT_EQ(state().memory.details.shown->balls, std::vector<BallIndex>{nearest});
+  // At another alpha.
+  run("alpha.set -100\nwait-idle\nframes 3\nwait-idle\nframes 3\n");
+  EXPECT_FALSE(state().memory.details.shown->in_complex);
+  EXPECT_FALSE(has("details.neighbour.0"));
+}
+
+TEST_F(DetailsTest, ASimplexHasVerticesAndNeighbours) {
+  open_crambin();
+  run("alpha.set 3\nwait-idle\n");
+  const AlphaComplex expected = this->expected(3);
+  const auto& tetrahedron = expected.tetrahedra.simplices.at(expected.tetrahedra.size() / 2);
+  viewer_->state().picked.items = RefSet({state().references->reference(tetrahedron)});
+  run("details.show\nframes 3\nwait-idle\nframes 3\n");
+  for (const char* name : {"details.corner.0", "details.corner.3", "details.fact.alpha value"}) {
+    EXPECT_TRUE(has(name)) << name;
+  }
+  const SimplexDetails details = *state().memory.details.shown;
+  ASSERT_FALSE(details.beside.empty());
+  run("click details.beside.0.zoom\nframes 3\nwait-idle\n");
+  run("click details.beside.0\nframes 3\nwait-idle\nframes 3\n");
+  EXPECT_EQ(state().memory.details.shown->balls, details.beside[0]);
+  run("click details.corner.1\nframes 3\nwait-idle\nframes 3\n");
+  EXPECT_EQ(state().memory.details.shown->balls, std::vector<BallIndex>{details.beside[0][1]});
+}
+
+}  // namespace
+}  // namespace alphascope::testing

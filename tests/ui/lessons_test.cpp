@@ -1,0 +1,218 @@
+// Lessons in the whole window: every chapter from its first to its last step, and what becomes of
+// what was open before.
+#include <algorithm>
+
+#include "app/viewer/resources.hpp"
+#include "tests/ui/viewer_fixture.hpp"
+
+namespace alphascope::testing {
+namespace {
+
+std::vector<fs::path> chapters() {
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::directory_iterator(lessons_folder())) {
+    if (entry.path().extension() == ".md") files.push_back(entry.path());
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+class LessonsTest : public ViewerTest {
+ protected:
+  const LessonMemory& memory() { return viewer_->state().memory.lessons; }
+  const ViewState& state() { return viewer_->state(); }
+  fs::path write(const std::string& text) {
+    const fs::path file = folder_ / "lesson.md";
+    std::ofstream(file) << text;
+    fs::copy_file(lessons_folder() / "two_balls.xyzr", folder_ / "two_balls.xyzr",
+                  fs::copy_options::overwrite_existing);
+    return file;
+  }
+  void open_lesson(const std::string& name) { run("lesson.open " + name + "\nwait-idle\n"); }
+  bool has(const char* widget) { return viewer_->widgets().contains(widget); }
+};
+
+// A lesson whose steps set alpha and what is drawn.
+constexpr const char* kShort = R"(# Short
+For tests.
+```
+molecule two_balls.xyzr
+view.from z
+```
+## One
+There are {n edges} at {alpha}.
+## Two
+Text.
+```
+alpha.set -2
+view.balls off
+```
+## Question
+How many?
+### Answer
+{n edges}.
+```
+alpha.set 1
+```
+)";
+
+TEST_F(LessonsTest, AreListedAndOpened) {
+  run("lesson.open\nwait-idle\nframes 3\n");
+  ASSERT_TRUE(memory().shelf);
+  ASSERT_EQ(memory().shelf->size(), chapters().size());
+  for (const ShelvedLesson& one : *memory().shelf) EXPECT_EQ(one.problem, "");
+  run("click lessons.union_of_balls\nwait-idle\n");
+  ASSERT_TRUE(memory().open);
+  EXPECT_EQ(memory().open->title, "A molecule as a union of balls");
+  EXPECT_TRUE(memory().ready);
+  EXPECT_TRUE(has("lesson.text"));
+}
+
+TEST_F(LessonsTest, StepsSetTheWindowAndGoBack) {
+  open_lesson(write(kShort).string());
+  EXPECT_EQ(state().error, "");
+  EXPECT_EQ(state().molecule.name, "two_balls.xyzr");
+  EXPECT_TRUE(state().display.balls);
+  run("key pagedown\nwait-idle\n");
+  EXPECT_EQ(memory().step, 1u);
+  EXPECT_EQ(state().result->request.alpha_angstrom2, -2);
+  EXPECT_FALSE(state().display.balls);
+  EXPECT_EQ(state().undo_text, "") << "what a step sets is no change of the user's";
+  run("alpha.set 5\nwait-idle\nkey pageup\nwait-idle\n");
+  EXPECT_EQ(memory().step, 0u);
+  EXPECT_EQ(state().result->request.alpha_angstrom2, 0);
+  EXPECT_TRUE(state().display.balls);
+  run("lesson.next\nwait-idle\nlesson.next\nwait-idle\nframes 2\n");
+  EXPECT_EQ(memory().step, 2u);
+  EXPECT_TRUE(has("lesson.reveal"));
+  EXPECT_FALSE(has("lesson.answer"));
+  run("key pagedown\nwait-idle\nframes 2\n");
+  EXPECT_TRUE(has("lesson.answer"));
+  EXPECT_EQ(state().result->request.alpha_angstrom2, 1);
+  EXPECT_TRUE(has("lesson.list"));
+}
+
+TEST_F(LessonsTest, CloseBringsBackMoleculeSettingsAndHistory) {
+  open_crambin();
+  run("alpha.set 2\nwait-idle\nalpha.set 3\nwait-idle\nview.edges on\nselect.atoms A:15\n");
+  const Settings before{state().open, state().compute, state().display, state().picked.items,
+                        {},           state().clip,    state().views,   state().appearance};
+  const std::string undo = state().undo_text;
+  open_lesson("union_of_balls");
+  EXPECT_NE(state().molecule.name, "1crn.pdb");
+  EXPECT_EQ(state().recent.size(), 1u) << "its molecules are not among the recent files";
+  run("lesson.next\nwait-idle\nlesson.close\nwait-idle\n");
+  EXPECT_FALSE(memory().open);
+  EXPECT_EQ(state().molecule.name, "1crn.pdb");
+  const Settings after{state().open, state().compute, state().display, state().picked.items,
+                       {},           state().clip,    state().views,   state().appearance};
+  EXPECT_EQ(difference_text(before, after), "");
+  EXPECT_EQ(state().result->request.alpha_angstrom2, 3);
+  EXPECT_EQ(state().undo_text, undo);
+  run("edit.undo\nedit.undo\nedit.undo\nwait-idle\n");
+  EXPECT_EQ(state().compute.alpha_angstrom2, 2);
+}
+
+TEST_F(LessonsTest, WithoutAMoleculeBeforeTheLookComesBack) {
+  const DisplayControls before = state().display;
+  open_lesson(write(kShort).string());
+  EXPECT_NE(state().display, before);
+  run("lesson.next\nwait-idle\nlesson.close\nwait-idle\n");
+  EXPECT_EQ(state().display, before);
+  EXPECT_EQ(state().compute.alpha_angstrom2, 0);
+}
+
+TEST_F(LessonsTest, AMoleculeThatIsBeingOpenedComesBack) {
+  run("file.open " + crambin().string() + "\nlesson.open union_of_balls\nwait-idle\n");
+  EXPECT_EQ(state().molecule.name, "one_ball.xyzr");
+  run("lesson.close\nwait-idle\n");
+  EXPECT_EQ(state().molecule.name, "1crn.pdb");
+}
+
+TEST_F(LessonsTest, ClosedBeforeItsMoleculeIsThere) {
+  open_crambin();
+  run("alpha.set 3\nwait-idle\nlesson.open union_of_balls\n");
+  for (int k = 0; k < 1000 && !memory().open; ++k) run("frames 1\n");
+  ASSERT_TRUE(memory().open);
+  run("lesson.close\nwait-idle\n");
+  EXPECT_EQ(state().molecule.name, "1crn.pdb");
+  EXPECT_EQ(state().compute.alpha_angstrom2, 3);
+  EXPECT_EQ(state().undo_text, "alpha");
+}
+
+TEST_F(LessonsTest, AFileOfTheUsersStays) {
+  open_lesson(write(kShort).string());
+  run("open " + crambin().string() + "\nwait-idle\nframes 2\n");
+  EXPECT_EQ(state().molecule.name, "1crn.pdb");
+  EXPECT_TRUE(memory().left);
+  EXPECT_TRUE(has("lesson.left"));
+  run("click lesson.again_left\nwait-idle\n");
+  EXPECT_EQ(state().molecule.name, "two_balls.xyzr");
+  EXPECT_FALSE(memory().left);
+  run("lesson.close\nwait-idle\n");
+  EXPECT_EQ(state().molecule.name, "1crn.pdb");
+}
+
+TEST_F(LessonsTest, ARefusedCommandIsShownWithItsLine) {
+  const fs::path file =
+      write("# T\nS\n## One\nText.\n```\nmolecule two_balls.xyzr\nalpha.set x\n```\n");
+  open_lesson(file.string());
+  EXPECT_NE(memory().refused.find("lesson.md, line 7: "), std::string::npos) << memory().refused;
+  run("frames 2\n");
+  EXPECT_TRUE(has("lesson.refused"));
+}
+
+TEST_F(LessonsTest, WrongOnesAreToldBeforeAnythingHappens) {
+  open_crambin();
+  const auto expect_fault = [&](const std::string& name, const std::string& fault) {
+    run("lesson.open " + name + "\nwait-idle\n");
+    EXPECT_EQ(state().error_title, "The lesson cannot be opened");
+    EXPECT_NE(state().error.find(fault), std::string::npos) << state().error;
+    EXPECT_EQ(state().molecule.name, "1crn.pdb");
+    EXPECT_FALSE(memory().open);
+    run("frames 3\nclick error.ok\n");
+  };
+  const auto commands = [&](const std::string& line) {
+    return write("# T\nS\n## One\nText.\n```\nmolecule two_balls.xyzr\n" + line + "\n```\n")
+        .string();
+  };
+  expect_fault("union_of_bals", "There is no lesson \"union_of_bals\". Did you mean");
+  expect_fault("/no/such.md", "/no/such.md: ");
+  expect_fault(write("no title\n").string(), "lesson.md, line 1: the title is missing");
+  expect_fault(commands("alpha.sit 1"), "lesson.md, line 7: there is no command \"alpha.sit\"");
+  expect_fault(commands("file.export /tmp/x.ply"), "lesson.md, line 7: a lesson cannot run file.");
+}
+
+// Every chapter. What a step cannot do fails; so does a fact that is never known.
+class Chapter : public LessonsTest, public ::testing::WithParamInterface<fs::path> {};
+
+TEST_P(Chapter, PlaysFromTheFirstToTheLastStep) {
+  run("size 760 400\n");  // a small picture is soon drawn
+  open_lesson(GetParam().string());
+  ASSERT_EQ(state().error, "");
+  const std::size_t steps = memory().open->steps.size();
+  ASSERT_TRUE(memory().open->steps.back().asks()) << "the last step asks something";
+  for (std::size_t step = 0; step < steps; ++step) {
+    EXPECT_EQ(memory().step, step);
+    const std::string where = memory().open->steps[step].title;
+    EXPECT_TRUE(memory().ready) << where;
+    EXPECT_EQ(memory().refused, "") << where;
+    EXPECT_EQ(state().error, "") << where;
+    EXPECT_EQ(state().compute_error, "") << where;
+    EXPECT_EQ(memory().said.find("…"), std::string::npos) << where << ": " << memory().said;
+    if (memory().open->steps[step].asks()) {
+      run("lesson.reveal\nwait-idle\nframes 3\nwait-idle\nframes 2\n");
+      EXPECT_EQ(memory().refused, "") << where;
+      EXPECT_EQ(memory().said.find("…"), std::string::npos) << where << ": " << memory().said;
+    }
+    run("lesson.next\nwait-idle\nframes 3\nwait-idle\nframes 2\n");
+  }
+}
+
+std::string name_of(const ::testing::TestParamInfo<fs::path>& of) {
+  return of.param.stem().string().substr(3);
+}
+INSTANTIATE_TEST_SUITE_P(Lessons, Chapter, ::testing::ValuesIn(chapters()), name_of);
+
+}  // namespace
+}  // namespace alphascope::testing

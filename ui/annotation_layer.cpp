@@ -1,0 +1,113 @@
+// See the header.
+#include "ui/annotation_layer.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/molecule/atom_address.hpp"
+#include "ui/number_text.hpp"
+
+namespace alphascope {
+namespace {
+
+constexpr double kDash = 0.18;       // Å: of a line, and the gap behind it
+constexpr double kMostDashes = 60;   // longer lines have longer ones
+constexpr double kLongestArc = 1.0;  // Å, from the corner of an angle
+constexpr double kShareOfArc = 0.4;  // of its shorter side
+
+class Drawing {
+ public:
+  Drawing(Layer& layer, const Molecule& molecule) : layer_(layer), molecule_(molecule) {}
+
+  void add(const Measurement& m, const Measured& of) {
+    const std::string text = measured_text(m, of);
+    std::vector<RealPoint> at;
+    for (const std::size_t atom : of.atoms) {
+      at.push_back(molecule_.lattice.unit_angstrom() * real_point(molecule_.atoms[atom].position));
+    }
+    for (std::size_t n = 0; n + 1 < at.size(); ++n) add_dashes(at[n], at[n + 1]);
+    if (at.size() == 3) return add_angle(at, text);
+    const std::size_t half = at.size() / 2;  // of the line that a dihedral angle turns about
+    layer_.labels.push_back({0.5 * (at[half - 1] + at[half]), text});
+  }
+
+ private:
+  // Begins and ends with a dash.
+  void add_dashes(const RealPoint& from, const RealPoint& to) {
+    const RealPoint along = to - from;
+    const double dashes = std::clamp(std::round(length(along) / (2 * kDash)), 1.0, kMostDashes);
+    const double step = 1 / (dashes - 0.5);
+    for (double n = 0; n < dashes; ++n) {
+      const double begin = n * step, end = std::min(1.0, begin + step / 2);
+      layer_.lines.push_back({from + begin * along, from + end * along});
+    }
+  }
+
+  // The number stands on an arc between both sides.
+  void add_angle(const std::vector<RealPoint>& at, const std::string& text) {
+    const RealPoint corner = at[1], u = at[0] - corner, v = at[2] - corner;
+    const double radius = std::min(kLongestArc, kShareOfArc * std::min(length(u), length(v)));
+    const RealPoint first = unit_vector(u);
+    const RealPoint across = unit_vector(unit_vector(v) - dot(unit_vector(v), first) * first);
+    const double turn = std::atan2(dot(v, across), dot(v, first));
+    constexpr int kPieces = 16;
+    const auto point = [&](double share) {
+      return corner + radius * (std::cos(share * turn) * first + std::sin(share * turn) * across);
+    };
+    for (int n = 0; n < kPieces && radius > 0 && turn > 0; ++n) {
+      layer_.lines.push_back({point(double(n) / kPieces), point(double(n + 1) / kPieces)});
+    }
+    layer_.labels.push_back({point(0.5), text});
+  }
+
+  Layer& layer_;
+  const Molecule& molecule_;
+};
+
+}  // namespace
+
+std::string measured_text(const Measurement& m, const std::optional<Measured>& of) {
+  if (!of) return "not in this molecule";
+  if (!of->value) return "undefined";
+  if (m.atoms.size() == 2) return number_text(*of->value, 3) + " Å";
+  std::string text = number_text(*of->value, 1);
+  if (text == "−180.0") text = "180.0";  // a dihedral angle is above −180°, rounded or not
+  if (text == "−0.0") text = "0.0";
+  return text + "°";
+}
+
+std::string measurement_text(const Molecule& molecule, const Measurement& m) {
+  const auto of = measured(molecule, m);
+  std::string text = measurement_name(m);
+  text.front() = static_cast<char>(text.front() - 'a' + 'A');
+  for (std::size_t n = 0; of && n < of->atoms.size(); ++n) {
+    text += (n == 0 ? " " : " – ") + atom_address(molecule, of->atoms[n]);
+  }
+  return text + ": " + measured_text(m, of);
+}
+
+std::shared_ptr<const Layer> make_annotation_layer(const Annotations& annotations,
+                                                   const AnnotatedPicture& picture) {
+  if (annotations.empty()) return nullptr;
+  auto layer = std::make_shared<Layer>();
+  layer->id = "annotations";
+  layer->key = picture.key;
+  layer->balls = picture.balls;
+  layer->colour = picture.colour;
+  const Molecule& molecule = picture.atoms.molecule();
+  Drawing drawing(*layer, molecule);
+  std::size_t drawn = 0;
+  for (const Measurement& m : annotations.measurements) {
+    const auto of = measured(molecule, m);
+    if (!of || !std::all_of(of->atoms.begin(), of->atoms.end(), picture.is_drawn)) continue;
+    if (++drawn > kMostMeasurements) break;
+    drawing.add(m, *of);
+  }
+  for (PlacedText& label : placed_labels(picture.atoms, annotations.labels, picture.is_drawn)) {
+    layer->labels.push_back({label.at_angstrom, std::move(label.text)});
+  }
+  return layer;
+}
+
+}  // namespace alphascope

@@ -1,0 +1,33 @@
+// Labels, distances and angles as a layer, for the window and for saved pictures alike; and what
+// such a number says. No ImGui, no VTK.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "core/document/annotations.hpp"
+#include "ui/layer.hpp"
+
+namespace alphascope {
+
+// "3.812 Å", "109.5°", "−57.3°", "undefined"; of none, "not in this molecule".
+std::string measured_text(const Measurement& m, const std::optional<Measured>& of);
+
+// "Distance A:HIS 87:NE2 – A:HEM 142:FE: 2.143 Å".
+std::string measurement_text(const Molecule& molecule, const Measurement& m);
+
+struct AnnotatedPicture {
+  const BallReferences& atoms;
+  std::shared_ptr<const BallSet> balls;  // of the complex in the picture
+  // By index into the molecule's atoms. A measurement is drawn when all of its atoms are.
+  std::function<bool(std::size_t)> is_drawn;
+  Colour colour;  // of lines
+  std::uint64_t key = 0;
+};
+// Null: there is nothing to draw.
+std::shared_ptr<const Layer> make_annotation_layer(const Annotations& annotations,
+                                                   const AnnotatedPicture& picture);
+
+}  // namespace alphascope

@@ -1,0 +1,47 @@
+// See the header.
+#include "ui/caption.hpp"
+
+#include "core/molecule/grouped_number.hpp"
+#include "core/molecule/printable.hpp"
+#include "ui/number_text.hpp"
+
+namespace alphascope {
+namespace {
+
+std::string counted(std::size_t number, const char* one, const char* many) {
+  return grouped(number) + " " + (number == 1 ? one : many);
+}
+
+std::string counts_text(const AlphaComplex& c) {
+  const std::string tetrahedra = counted(c.tetrahedra.size(), "tetrahedron", "tetrahedra");
+  if (c.tetrahedra_only) return tetrahedra;
+  return counted(c.vertices.size(), "vertex", "vertices") + ", " +
+         counted(c.edges.size(), "edge", "edges") + ", " +
+         counted(c.triangles.size(), "triangle", "triangles") + ", " + tetrahedra;
+}
+
+}  // namespace
+
+std::vector<std::string> caption_words(const EngineAnswer& answer, const Molecule& molecule,
+                                       const std::string& radii, CaptionParts parts) {
+  constexpr int kAlphaDecimals = 6, kSolventDecimals = 4;  // at most
+  const AlphaComplex& c = answer.complex;
+  const double solvent = answer.request.solvent_radius_angstrom;
+  std::vector<std::string> words;
+  const auto add = [&](CaptionPart part, const std::string& text) {
+    if (parts.has(part) && !text.empty()) words.push_back(text);
+  };
+  add(CaptionPart::file, printable(molecule.source.filename().string()));
+  add(CaptionPart::alpha,
+      "α = " + short_number_text(answer.request.alpha_angstrom2, kAlphaDecimals) + " Å²");
+  if (solvent > 0) {
+    add(CaptionPart::solvent, "solvent " + short_number_text(solvent, kSolventDecimals) + " Å");
+  }
+  if (!radii.empty()) add(CaptionPart::radii, "radii: " + printable(radii));
+  add(CaptionPart::counts, counts_text(c));
+  add(CaptionPart::engine, c.engine.name + " on " + c.engine.device);
+  add(CaptionPart::hash, "hash " + hash_text(c.hash));
+  return words;
+}
+
+}  // namespace alphascope

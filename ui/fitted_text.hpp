@@ -1,0 +1,14 @@
+// Texts that are too long for their place. Pure text.
+#pragma once
+
+#include <functional>
+#include <string>
+
+namespace alphascope {
+
+using TextWidth = std::function<float(const std::string&)>;
+
+// The text, or as much of its beginning and end as fits, with "…" between.
+std::string fitted_text(const std::string& text, float width, const TextWidth& width_of);
+
+}  // namespace alphascope

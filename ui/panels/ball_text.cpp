@@ -1,0 +1,28 @@
+// See the header.
+#include "ui/panels/ball_text.hpp"
+
+#include <algorithm>
+
+#include "core/geometry/grown_radius.hpp"
+#include "ui/number_text.hpp"
+
+namespace alphascope {
+
+std::string place_text(const LatticePoint& point, const Lattice& lattice) {
+  const int digits = std::clamp(lattice.digits, 0, 4);
+  const auto coordinate = [&](std::int32_t x) {
+    return short_number_text(lattice.angstrom(x), digits);
+  };
+  return coordinate(point.x) + ", " + coordinate(point.y) + ", " + coordinate(point.z);
+}
+
+std::string radius_text(const BallSet& balls, const Request* shown, BallIndex ball) {
+  const double radius = balls.lattice.angstrom(balls.radii[ball]);
+  const std::string text = "radius " + short_number_text(radius, 3) + " Å";
+  if (shown == nullptr) return text;
+  const double grown = grown_radius(radius, shown->solvent_radius_angstrom, shown->alpha_angstrom2);
+  if (grown == 0) return text + ", gone at this alpha";
+  return text + ", grown " + number_text(grown, 2) + " Å";
+}
+
+}  // namespace alphascope

@@ -1,0 +1,66 @@
+// See the header. ImGui wraps text of one font only; here each word is placed by itself.
+#include "ui/panels/lesson_text.hpp"
+
+#include <string>
+#include <string_view>
+
+namespace alphascope {
+namespace {
+
+// Where the next word goes, in pixels of the screen.
+struct Pen {
+  ImVec2 at;
+  float left = 0, right = 0, line = 0;
+};
+
+void put_word(const PanelContext& ctx, Pen& pen, std::string_view word, bool bold) {
+  ImFont* const font = bold ? ctx.fonts.strong : ctx.fonts.regular;
+  const char *begin = word.data(), *end = begin + word.size();
+  const float size = font->FontSize;
+  const float width = font->CalcTextSizeA(size, FLT_MAX, 0, begin, end).x;
+  if (pen.at.x + width > pen.right && pen.at.x > pen.left) pen.at = {pen.left, pen.at.y + pen.line};
+  ImGui::GetWindowDrawList()->AddText(font, size, pen.at, to_u32(ctx.palette.text), begin, end);
+  pen.at.x += width;
+}
+
+// A blank, or the end of a word that goes on in another font, is in the span itself.
+void put_span(const PanelContext& ctx, Pen& pen, const LessonSpan& span) {
+  std::string_view rest = span.text;
+  const float blank = ImGui::CalcTextSize(" ").x;
+  while (!rest.empty()) {
+    if (rest.front() == ' ') {
+      if (pen.at.x > pen.left) pen.at.x += blank;
+      rest.remove_prefix(1);
+      continue;
+    }
+    const std::string_view word = rest.substr(0, rest.find(' '));
+    put_word(ctx, pen, word, span.bold);
+    rest.remove_prefix(word.size());
+  }
+}
+
+void put_paragraph(PanelContext& ctx, const LessonParagraph& paragraph) {
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const float indent = paragraph.item ? ctx.px(14) : 0;
+  Pen pen;
+  pen.left = corner.x + indent;
+  pen.right = corner.x + ImGui::GetContentRegionAvail().x;
+  pen.line = ImGui::GetTextLineHeight() + ctx.px(4);
+  pen.at = {pen.left, corner.y};
+  if (paragraph.item) {
+    ImGui::GetWindowDrawList()->AddText(corner, to_u32(ctx.palette.text_muted), "•");
+  }
+  for (const LessonSpan& span : lesson_spans(paragraph.text)) put_span(ctx, pen, span);
+  const float gap = paragraph.item ? ctx.px(2) : ctx.px(7);
+  ImGui::Dummy({pen.right - corner.x, pen.at.y + pen.line + gap - corner.y});
+}
+
+}  // namespace
+
+void draw_lesson_text(PanelContext& ctx, const std::vector<LessonParagraph>& text) {
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
+  for (const LessonParagraph& paragraph : text) put_paragraph(ctx, paragraph);
+  ImGui::PopStyleVar();
+}
+
+}  // namespace alphascope

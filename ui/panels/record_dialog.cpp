@@ -1,0 +1,199 @@
+// The dialog that records a sweep of alpha or a turntable. The ending of the name says whether
+// pictures or a movie are written.
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include <cctype>
+#include <optional>
+#include <stdexcept>
+
+#include "core/document/frame_names.hpp"
+#include "core/run/child_program.hpp"
+#include "ui/number_text.hpp"
+#include "ui/panels/dialog_stack.hpp"
+#include "ui/panels/number_field.hpp"
+#include "ui/panels/picture_fields.hpp"
+#include "ui/panels/save_target.hpp"
+
+namespace alphascope {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr float kWidth = 464;  // pixels at scale 1
+constexpr float kNumberWidth = 80;
+
+constexpr const char* kNoFfmpeg =
+    "Movies need the program ffmpeg, which is not installed (Debian: apt install ffmpeg). Pictures "
+    "need nothing.";
+
+fs::path typed_path(const RecordMemory& m) {
+  std::error_code ignored;
+  return fs::absolute(m.path, ignored).lexically_normal();
+}
+
+void error_line(PanelContext& ctx, const char* name, std::string text) {
+  if (text.empty()) return;
+  text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
+  if (text.back() != '.') text += '.';
+  row_label(ctx, "");
+  ImGui::PushStyleColor(ImGuiCol_Text, to_imgui(ctx.palette.error));
+  ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + ctx.px(350));
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopTextWrapPos();
+  ImGui::PopStyleColor();
+  record(ctx, name);
+}
+
+// By the name's ending; none: no such format, or no place for numbers, which is told.
+std::optional<RecordingFormat> format_of(const fs::path& path, std::string& why_not) {
+  try {
+    const RecordingFormat format = recording_format(path);
+    if (format == RecordingFormat::frames) FrameNames{path};
+    return format;
+  } catch (const std::invalid_argument& error) {
+    why_not = error.what();
+    return std::nullopt;
+  }
+}
+
+void choose_format(PanelContext& ctx, std::optional<RecordingFormat> format) {
+  RecordMemory& m = ctx.state.memory.record;
+  int chosen = format ? static_cast<int>(*format) : -1;
+  row_label(ctx, "Format");
+  if (!choice(ctx, "record.format", {"Pictures", "MP4 movie", "WebM movie"}, chosen, ctx.px(300))) {
+    return;
+  }
+  const fs::path path = m.path;
+  std::string stem = path.stem().string();
+  if (const std::size_t place = stem.find("-%"); place != std::string::npos) stem.resize(place);
+  if (stem.empty() || stem.find('%') != std::string::npos) stem = "frame";
+  constexpr const char* kEndings[] = {"-%04d.png", ".mp4", ".webm"};
+  m.path = (path.parent_path() / (stem + kEndings[chosen])).string();
+}
+
+// True when the recording can be written there.
+bool target(PanelContext& ctx) {
+  RecordMemory& m = ctx.state.memory.record;
+  row_label(ctx, "File");
+  ImGui::SetNextItemWidth(ctx.px(340));
+  ImGui::InputText("##path", &m.path);
+  record(ctx, "record.path");
+  const fs::path path = typed_path(m);
+  std::string why_not;
+  const std::optional<RecordingFormat> format = format_of(path, why_not);
+  const bool frames = format == RecordingFormat::frames;
+  const bool has_folder = save_target(ctx, "record", {frames ? FrameNames(path).name(1) : path});
+  choose_format(ctx, format);
+  if (!m.has_ffmpeg) m.has_ffmpeg = find_program("ffmpeg").has_value();
+  if (!why_not.empty()) {
+    error_line(ctx, "record.no_format", why_not);
+  } else if (!frames && !*m.has_ffmpeg) {
+    error_line(ctx, "record.no_ffmpeg", kNoFfmpeg);
+  } else if (format == RecordingFormat::mp4 && m.options.transparent) {
+    error_line(ctx, "record.opaque", "MP4 movies have a background; choose WebM or pictures");
+  } else {
+    return has_folder;
+  }
+  return false;
+}
+
+void sweep_fields(PanelContext& ctx, Recording& r) {
+  row_label(ctx, "Alpha");
+  ImGui::SetNextItemWidth(ctx.px(kNumberWidth));
+  number_field(ctx, "record.low", r.low, kAlphaRule);
+  ImGui::SameLine(0, ctx.px(6));
+  ImGui::TextUnformatted("to");
+  ImGui::SameLine(0, ctx.px(6));
+  ImGui::SetNextItemWidth(ctx.px(kNumberWidth));
+  number_field(ctx, "record.high", r.high, kAlphaRule);
+  ImGui::SameLine(0, ctx.px(6));
+  ImGui::TextUnformatted("Å²");
+  ImGui::SameLine(0, ctx.px(12));
+  if (button(ctx, "record.as_slider", "as the slider")) {
+    const AlphaSlider& slider = ctx.state.memory.alpha.slider;
+    r.low = slider.low;
+    r.high = slider.high;
+    r.scaling = slider.scaling;
+  }
+  row_label(ctx, "Steps");
+  int scaling = static_cast<int>(r.scaling);
+  if (choice(ctx, "record.scaling", {"Even", "Square root", "Logarithm"}, scaling, ctx.px(300))) {
+    r.scaling = static_cast<AlphaScaling>(scaling);
+  }
+  tooltip(ctx, "Equal steps of alpha, of its signed square root, or of its logarithm.");
+}
+
+void turntable_fields(PanelContext& ctx, Recording& r) {
+  row_label(ctx, "Turn by");
+  ImGui::SetNextItemWidth(ctx.px(kNumberWidth));
+  number_field(ctx, "record.degrees", r.degrees, kTurnRule);
+  ImGui::SameLine(0, ctx.px(6));
+  ImGui::TextUnformatted("°, from the present view");
+  row_label(ctx, "About");
+  int axis = static_cast<int>(r.axis);
+  if (choice(ctx, "record.axis", {"Up", "x", "y", "z"}, axis, ctx.px(300))) {
+    r.axis = static_cast<TurnAxis>(axis);
+  }
+  tooltip(ctx,
+          "The view's upward axis, or one of the molecule's file, through the point that the view "
+          "turns about. The camera keeps its distance.");
+}
+
+void time_fields(PanelContext& ctx, Recording& r) {
+  row_label(ctx, "Frames");
+  ImGui::SetNextItemWidth(ctx.px(kNumberWidth));
+  number_field(ctx, "record.frames", r.frames, kFramesRule);
+  ImGui::SameLine(0, ctx.px(6));
+  ImGui::TextUnformatted("at");
+  ImGui::SameLine(0, ctx.px(6));
+  ImGui::SetNextItemWidth(ctx.px(50));
+  number_field(ctx, "record.fps", r.frames_per_second, kFrameRateRule);
+  ImGui::SameLine(0, ctx.px(6));
+  const std::string seconds = number_text(seconds_of(r), 1);
+  ImGui::TextUnformatted(("a second: " + seconds + " s").c_str());
+  row_label(ctx, "");
+  checkbox(ctx, "record.there_and_back", "There and back", r.there_and_back);
+  tooltip(ctx, "Also back to the beginning, so that it can be shown in a loop.");
+}
+
+}  // namespace
+
+void draw_record(PanelContext& ctx) {
+  ViewState& s = ctx.state;
+  RecordMemory& m = s.memory.record;
+  if (!begin_dialog(ctx, "Record")) return;
+  const bool can_write = target(ctx);
+  Recording& r = m.recording;
+  int kind = static_cast<int>(r.kind);
+  row_label(ctx, "Of");
+  if (choice(ctx, "record.kind", {"Sweep of alpha", "Turntable"}, kind, ctx.px(300))) {
+    r.kind = static_cast<RecordingKind>(kind);
+  }
+  if (r.kind == RecordingKind::sweep) {
+    sweep_fields(ctx, r);
+  } else {
+    turntable_fields(ctx, r);
+  }
+  time_fields(ctx, r);
+  const std::string fault = fault_of(r);
+  error_line(ctx, "record.fault", fault);
+  size_fields(ctx, "record", m.options);
+  row_label(ctx, "");
+  checkbox(ctx, "record.transparent", "Transparent background", m.options.transparent);
+  marks_fields(ctx, "record", m.options);
+  ImGui::Dummy({0, ctx.px(6)});
+  ImGui::NewLine();
+  const bool can_record =
+      can_write && fault.empty() && (r.kind == RecordingKind::turntable || s.result);
+  const DialogAnswer answer = dialog_buttons(ctx, ctx.px(kWidth), {"record.cancel", "Cancel"},
+                                             {"record.ok", "Record"}, can_record);
+  if (answer == DialogAnswer::confirm) s.requests.record = {typed_path(m), r, m.options};
+  if (answer != DialogAnswer::none) {
+    m.show = false;
+    m.has_ffmpeg.reset();
+  }
+  end_dialog(ctx);
+}
+
+}  // namespace alphascope

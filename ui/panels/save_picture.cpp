@@ -1,0 +1,46 @@
+// The dialog that saves a picture.
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include "ui/panels/dialog_stack.hpp"
+#include "ui/panels/panels.hpp"
+#include "ui/panels/picture_fields.hpp"
+#include "ui/panels/picture_path.hpp"
+#include "ui/panels/save_target.hpp"
+
+namespace alphascope {
+
+void draw_save_picture(PanelContext& ctx) {
+  constexpr float kWidth = 464;  // pixels at scale 1
+  ViewState& s = ctx.state;
+  PanelMemory& m = s.memory;
+  if (m.save_path.empty()) m.save_path = "alphascope.png";
+  if (!begin_dialog(ctx, "Save a picture")) return;
+  row_label(ctx, "File");
+  ImGui::SetNextItemWidth(ctx.px(340));
+  const bool entered =
+      ImGui::InputText("##path", &m.save_path, ImGuiInputTextFlags_EnterReturnsTrue);
+  record(ctx, "save.path");
+  const bool can_save =
+      save_target(ctx, "save", {picture_path(m.save_path)}) && !m.save_path.empty();
+  size_fields(ctx, "save", m.save);
+  row_label(ctx, "");
+  checkbox(ctx, "save.transparent", "Transparent background", m.save.transparent);
+  marks_fields(ctx, "save", m.save);
+  ImGui::PushFont(ctx.fonts.small);
+  row_label(ctx, "");
+  muted_text(ctx, "The PNG file also records file, selection, radii, alpha and hash.");
+  ImGui::PopFont();
+  ImGui::Dummy({0, ctx.px(6)});
+  ImGui::NewLine();
+  const DialogAnswer answer =
+      dialog_buttons(ctx, ctx.px(kWidth), {"save.cancel", "Cancel"}, {"save.ok", "Save"}, can_save);
+  if (answer == DialogAnswer::confirm || (entered && can_save)) {
+    s.requests.screenshot = {picture_path(m.save_path), m.save};
+    m.show_save = false;
+  }
+  if (answer == DialogAnswer::cancel) m.show_save = false;
+  end_dialog(ctx);
+}
+
+}  // namespace alphascope

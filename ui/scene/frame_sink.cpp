@@ -1,0 +1,59 @@
+// See the header.
+#include "ui/scene/frame_sink.hpp"
+
+#include "core/io/movie_file.hpp"
+
+namespace alphascope {
+namespace {
+
+class PictureSink : public FrameSink {
+ public:
+  // That no file can be written there should not show only after the first picture.
+  explicit PictureSink(const std::filesystem::path& pattern) : names_(pattern) {
+    AtomicFile(names_.name(1));
+  }
+  void add(int number, const Image& image, const PictureTexts& texts,
+           const RunContext& context) override {
+    write_png(image, names_.name(number), texts, context.cancel);
+  }
+  void commit(const RunContext&) override {}
+
+ private:
+  FrameNames names_;
+};
+
+class MovieSink : public FrameSink {
+ public:
+  MovieSink(const std::filesystem::path& path, const MovieOptions& options)
+      : movie_(path, options) {}
+  void add(int, const Image& image, const PictureTexts&, const RunContext& context) override {
+    movie_.add(image.rgba, context.cancel);
+  }
+  void commit(const RunContext& context) override { movie_.commit(context.cancel); }
+
+ private:
+  MovieFile movie_;
+};
+
+// Names that ffmpeg's formats keep: all of it as one comment.
+PictureTexts movie_texts(const PictureTexts& texts) {
+  std::string comment;
+  for (const auto& [keyword, text] : texts) {
+    comment += (comment.empty() ? "" : "\n") + keyword + ": " + text;
+  }
+  return {{"comment", comment}};
+}
+
+}  // namespace
+
+std::unique_ptr<FrameSink> make_frame_sink(const std::filesystem::path& path,
+                                           const FrameSinkOptions& options) {
+  const RecordingFormat format = recording_format(path);
+  if (format == RecordingFormat::frames) return std::make_unique<PictureSink>(path);
+  return std::make_unique<MovieSink>(
+      path, MovieOptions{format == RecordingFormat::mp4 ? MovieFormat::mp4 : MovieFormat::webm,
+                         options.width, options.height, options.frames_per_second,
+                         options.transparent, movie_texts(options.texts)});
+}
+
+}  // namespace alphascope

@@ -1,0 +1,34 @@
+// Where the frames of a recording go: numbered pictures or a movie.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+
+#include "core/document/frame_names.hpp"
+#include "ui/scene/frame_grab.hpp"
+
+namespace alphascope {
+
+class FrameSink {
+ public:
+  virtual ~FrameSink() = default;
+  // `number` from 1. Throws WriteError and Cancelled.
+  virtual void add(int number, const Image& image, const PictureTexts& texts,
+                   const RunContext& context) = 0;
+  // Behind the last frame; without it there is no movie, and pictures are whole each by itself.
+  virtual void commit(const RunContext& context) = 0;
+};
+
+struct FrameSinkOptions {
+  int width = 0, height = 0;  // pixels
+  double frames_per_second = 30;
+  bool transparent = false;
+  PictureTexts texts;  // of a movie as a whole
+};
+
+// By the ending of `path`. Throws std::invalid_argument for a name that does not fit, and what
+// MovieFile throws.
+std::unique_ptr<FrameSink> make_frame_sink(const std::filesystem::path& path,
+                                           const FrameSinkOptions& options);
+
+}  // namespace alphascope

@@ -309,6 +309,7 @@ TEST_F(ViewerTest, TheWindowGoesOnWhileAPictureIsSaved) {
 TEST_F(ViewerTest, ACancelledPictureLeavesTheOldFile) {
   open_crambin();
   std::ofstream(folder_ / "picture.png") << "older";
+  viewer_->state().display.samples = 16;  // else it may be done before the click
   viewer_->state().requests.screenshot =
       ScreenshotRequest{folder_ / "picture.png", 3000, 2000, false};
   run("frames 3\nclick view.cancel_save\nframes 2\n");

@@ -14,4 +14,13 @@ struct Annotations {
   friend bool operator==(const Annotations&, const Annotations&) = default;
 };
 
+// The words of a command line: `labels` as "resn HEM=residue; name CA=name", and measurements as
+// read_measurement() takes them. Throws SelectionError, and std::invalid_argument for a label that
+// is none, atoms that are not there, or more than is drawn.
+struct AnnotationWords {
+  std::string labels;
+  std::vector<std::string> measurements;
+};
+Annotations read_annotations(const BallReferences& atoms, const AnnotationWords& words);
+
 }  // namespace alphascope

@@ -2,9 +2,8 @@
 #include "core/document/appearance.hpp"
 
 #include <algorithm>
-#include <stdexcept>
-#include <string_view>
 
+#include "core/document/atom_words.hpp"
 #include "core/document/colour_words.hpp"
 
 namespace alphascope {
@@ -12,24 +11,6 @@ namespace alphascope {
 void set_colour(Appearance& appearance, const AtomSet& atoms, const std::optional<Rgb8>& colour) {
   set_value_of_atoms(appearance.colours, &OwnColour::colour, atoms, colour);
 }
-
-namespace {
-
-AtomSet some_named(const Molecule& molecule, std::string_view expression) {
-  AtomSet set = named_set(molecule, expression);
-  if (set.empty()) {
-    throw std::invalid_argument("no atom is \"" + std::string(expression) + "\"");
-  }
-  return set;
-}
-
-std::string_view trimmed(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(' ');
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(' ') - first + 1);
-}
-
-}  // namespace
 
 Appearance read_appearance(const Molecule& molecule, const AppearanceWords& words) {
   Appearance appearance;
@@ -39,20 +20,12 @@ Appearance read_appearance(const Molecule& molecule, const AppearanceWords& word
   if (!words.hide.empty()) {
     appearance.hidden = appearance.hidden.with(some_named(molecule, words.hide));
   }
-  for (std::string_view rest = words.colours; !rest.empty();) {
-    const std::size_t end = std::min(rest.find(';'), rest.size());
-    const std::string_view part = trimmed(rest.substr(0, end));
-    rest.remove_prefix(std::min(end + 1, rest.size()));
-    const std::size_t equals = part.rfind('=');
-    const std::string_view atoms = trimmed(part.substr(0, equals));
-    const std::optional<Rgb8> colour = equals == std::string_view::npos
-                                           ? std::nullopt
-                                           : read_colour(trimmed(part.substr(equals + 1)));
-    if (!colour || atoms.empty()) {
-      throw std::invalid_argument("\"" + std::string(part) +
-                                  "\" is no atoms and their colour, such as resn HEM=#ff8800");
-    }
-    set_colour(appearance, some_named(molecule, atoms), colour);
+  constexpr const char* kWhat = "their colour";
+  constexpr const char* kExample = "resn HEM=#ff8800";
+  for (const AtomWord& word : atom_words(molecule, words.colours, kWhat, kExample)) {
+    const std::optional<Rgb8> colour = read_colour(word.word);
+    if (!colour) refuse_atom_word(word.part, kWhat, kExample);
+    set_colour(appearance, word.atoms, colour);
   }
   return appearance;
 }

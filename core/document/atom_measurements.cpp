@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "core/io/csv.hpp"
+#include "core/io/line_reader.hpp"
 #include "core/measure/angles.hpp"
 #include "core/molecule/atom_address.hpp"
 
@@ -28,12 +29,6 @@ std::size_t one_named(const Molecule& molecule, const std::string& address) {
   }
   if (!found) throw std::invalid_argument("The molecule has no atom \"" + address + "\".");
   return *found;
-}
-
-std::string trimmed(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(' ');
-  if (first == std::string_view::npos) return {};
-  return std::string(text.substr(first, text.find_last_not_of(' ') - first + 1));
 }
 
 std::optional<double> value_of(const Molecule& molecule, const std::vector<std::size_t>& atoms) {
@@ -71,7 +66,7 @@ Measurement read_measurement(const BallReferences& atoms, std::string_view text)
   for (bool more = true; more;) {
     const std::size_t end = text.find(';');
     more = end != std::string_view::npos;
-    const std::string address = trimmed(text.substr(0, end));
+    const std::string address(trimmed(text.substr(0, end)));
     text.remove_prefix(more ? end + 1 : text.size());
     if (address.empty() && !more && m.atoms.size() >= kFewest) break;  // a last semicolon
     if (m.atoms.size() == kMost) throw std::invalid_argument(kHowMany);

@@ -127,6 +127,12 @@ Options picture_options(ScreenshotCommandOptions& options) {
       look_number({"--outlines", "W",
                    "Width of outlines in pixels of a picture of 1280x800; they grow with the size"},
                   options.outlines, kSilhouettesRule, DisplayControls().silhouettes),
+      look_number({"--face-lines", "W", "Width of the darker lines around faces, likewise"},
+                  options.face_lines, kFaceEdgesRule, DisplayControls().face_edges),
+      look_number({"--edge-thickness", "X", "Thickness of edges in Å"}, options.edge_thickness,
+                  kEdgeThicknessRule, DisplayControls().edge_thickness),
+      flag_option("--smooth", "Light the boundary as if it were round between its corners",
+                  options.smooth),
       look_number({"--samples", "N", "Samples a pixel, 1 to 16"}, options.samples, kSamplesRule,
                   static_cast<float>(DisplayControls().samples)),
       text_option({"--hide", "ATOMS",
@@ -138,6 +144,15 @@ Options picture_options(ScreenshotCommandOptions& options) {
       text_option({"--atom-colours", "LIST",
                    "Colours of their own for some atoms: \"resn HEM=#ff8800; chain A=#888\""},
                   options.appearance.colours),
+      text_option({"--labels", "LIST",
+                   "Labels of atoms: name, residue, address, element, radius or b_factor: \"resn "
+                   "HEM=residue; name FE=name\""},
+                  options.annotations.labels),
+      texts_option(
+          {"--measure", "ATOMS",
+           "The distance of two atoms, the angle of three or the dihedral angle of "
+           "four, into the picture: \"A:HIS 87:NE2; A:HEM 142:FE\"; commas between several"},
+          options.annotations.measurements),
       paint_option({"--colours", "PAINT",
                     "What balls are coloured by: " + scheme_ids(Painted::balls) +
                         ", or a colour such as #5aa9e6; a quantity also with a colour map (" +

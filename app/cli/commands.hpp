@@ -11,6 +11,7 @@
 #include "app/session/engine_cache.hpp"
 #include "app/session/open_molecule.hpp"
 #include "core/cavity/cavities.hpp"
+#include "core/document/annotations.hpp"
 #include "core/document/appearance.hpp"
 #include "core/document/caption_parts.hpp"
 #include "core/document/measure_names.hpp"
@@ -174,8 +175,11 @@ struct ScreenshotCommandOptions {
   bool orthographic = false;
   std::string preset;  // id of a DisplayPreset, or none
   bool no_shadows = false;
-  std::optional<double> depth_cue, outlines, samples;  // none: the preset's, or the window's
+  // None: the preset's, or the window's.
+  std::optional<double> depth_cue, outlines, face_lines, edge_thickness, samples;
+  bool smooth = false;  // the boundary
   AppearanceWords appearance;
+  AnnotationWords annotations;
   std::string clip = "off";                        // as read_clip() takes it
   std::string beside = "ligands,ions";             // kinds of AtomsBesideBody, or "none"
   std::optional<std::uint64_t> drawing_memory_mb;  // taken as free; none: what is

@@ -87,6 +87,9 @@ DisplayControls display(const ScreenshotCommandOptions& options) {
   if (options.no_shadows) d.ambient_occlusion = false;
   if (options.depth_cue) d.depth_cue = static_cast<float>(*options.depth_cue);
   if (options.outlines) d.silhouettes = static_cast<float>(*options.outlines);
+  if (options.face_lines) d.face_edges = static_cast<float>(*options.face_lines);
+  if (options.edge_thickness) d.edge_thickness = static_cast<float>(*options.edge_thickness);
+  if (options.smooth) d.smooth_boundary = true;
   if (options.samples) d.samples = static_cast<int>(*options.samples);
   return d;
 }
@@ -114,6 +117,15 @@ Appearance appearance(const Molecule& molecule, const AppearanceWords& words) {
     return read_appearance(molecule, words);
   } catch (const std::invalid_argument& error) {
     throw UsageError(std::string("--hide, --only and --atom-colours: ") + error.what() + ".");
+  }
+}
+
+Annotations annotations(const BallReferences& atoms, const AnnotationWords& words) {
+  try {
+    return read_annotations(atoms, words);
+  } catch (const std::invalid_argument& error) {
+    throw UsageError(std::string("--labels and --measure: ") + error.what() +
+                     (std::string_view(error.what()).ends_with('.') ? "" : "."));
   }
 }
 
@@ -180,6 +192,8 @@ void Pictured::follow_options(const ScreenshotCommandOptions& options, const Run
   request_ = options.request;
   input_ = open_one_model(options.input, "A picture shows one model.", context);
   appearance_ = appearance(input_.molecule(), options.appearance);
+  annotations_ = annotations(BallReferences(input_.opened.molecule, input_.opened.prepared),
+                             options.annotations);
 }
 
 // As the window's “Save picture” draws it, but for what pages below the view lay over it.

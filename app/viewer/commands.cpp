@@ -301,6 +301,11 @@ void add_view_commands(Commands& commands, ViewState& s) {
                             .menu = "View",
                             .why_not = only_tetrahedra},
                            d.triangles));
+  commands.add(with_switch(
+      {.id = "view.smooth_boundary",
+       .title = "Smooth boundary",
+       .help = "Lights the boundary as if it were round between its corners; its shape stays"},
+      d.smooth_boundary));
   commands.add(with_switch({.id = "view.edges",
                             .title = "Edges",
                             .help = "Shows or hides edges of the complex",

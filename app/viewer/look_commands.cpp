@@ -62,6 +62,13 @@ void add_look_commands(Commands& commands, ViewState& s) {
   commands.add(number_command("view.outlines", "Outlines",
                               "Draws outlines of this width in pixels; 0: none", kSilhouettesRule,
                               [&d](double x) { d.silhouettes = static_cast<float>(x); }));
+  commands.add(number_command("view.face_lines", "Lines around faces",
+                              "Draws darker lines of this width in pixels around faces; 0: none",
+                              kFaceEdgesRule,
+                              [&d](double x) { d.face_edges = static_cast<float>(x); }));
+  commands.add(number_command("view.edge_thickness", "Thickness of edges",
+                              "Draws edges as rods of this thickness in Å", kEdgeThicknessRule,
+                              [&d](double x) { d.edge_thickness = static_cast<float>(x); }));
   commands.add(number_command(
       "view.samples", "Samples a pixel", "Averages so many pictures at rest and in saved pictures",
       kSamplesRule, [&d](double x) { d.samples = static_cast<int>(std::lround(x)); }));

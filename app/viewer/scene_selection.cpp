@@ -20,7 +20,7 @@ std::optional<Hit> SceneController::pick(int x, int y, double near) const {
   if (!drawn_molecule_ || width_ == 0 || draws_nothing()) return std::nullopt;
   const Ray ray = scene_.ray(x, y);
   const PickLine line{ray, near * pixel_spread(scene_.sight(), height_),
-                      scene_style().cut.along(ray)};
+                      scene_style().cut.along(ray), scene_style().rod_radius};
   PickLayers layers = picks_;
   if (display_.balls) {
     layers.insert(layers.begin(), {"balls", [this](const PickLine& l) -> std::optional<Hit> {

@@ -54,6 +54,7 @@ Settings lesson_settings(const Settings& now) {
   s.display.ambient_occlusion = now.display.ambient_occlusion;
   s.display.depth_cue = now.display.depth_cue;
   s.display.silhouettes = now.display.silhouettes;
+  s.display.face_edges = now.display.face_edges;
   s.display.samples = now.display.samples;
   return s;
 }

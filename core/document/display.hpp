@@ -19,10 +19,13 @@ struct DisplayControls {
   float ball_scale = 0.3f;    // times the radius
   float ball_opacity = 1, complex_opacity = 1;
   float shrink = 0;                 // of tetrahedra, 0 to 0.9
+  float edge_thickness = 0.12f;     // of edges, Å; at least a line of 1.5 pixels is drawn
+  bool smooth_boundary = false;     // light is interpolated between the boundary's corners
   Paint ball_paint, complex_paint;  // what colours mean
   bool ambient_occlusion = true;
   float depth_cue = 0.4f;     // share of background in what is farthest; 0: nothing fades
   float silhouettes = 1.5f;   // width of outlines, pixels at scale 1; 0: none
+  float face_edges = 1;       // width of the darker lines around faces, pixels at scale 1; 0: none
   int samples = 16;           // a pixel of the picture at rest
   bool orthographic = false;  // parallel lines stay parallel: no perspective
   AtomsBesideBody beside;

@@ -71,7 +71,7 @@ DisplayControls with_preset(DisplayControls display, DisplayPreset preset) {
     case DisplayPreset::fast:
       d.ambient_occlusion = false;
       d.depth_cue = 0;
-      d.silhouettes = 0;
+      d.silhouettes = d.face_edges = 0;
       d.samples = 4;
       break;
   }

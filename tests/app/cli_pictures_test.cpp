@@ -51,5 +51,37 @@ TEST_F(CliPictures, SayHowTheyAreMadeAgain) {
   EXPECT_EQ(contents(folder_ / "it's one.png"), first);
 }
 
+TEST_F(CliPictures, HaveLabelsAndMeasurements) {
+  const std::string molecule = ALPHASCOPE_SOURCE_DIR "/resources/molecules/1crn.pdb";
+  const auto drawn = [&](const std::string& options) {
+    const fs::path file = folder_ / "labels.png";
+    const Outcome outcome = run("screenshot '" + molecule + "' --alpha 0 --size 320x200 " +
+                                options + " -o '" + file.string() + "'");
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    std::string all;
+    for (const auto& [type, data] : chunks_of(contents(file))) {
+      if (type == "IDAT") all += data;
+    }
+    return all;
+  };
+  const std::string plain = drawn("");
+  const std::string labels = drawn("--labels 'name SG=name; resn TYR=residue'");
+  const std::string measured = drawn("--measure 'A:CYS 3:SG; A:CYS 40:SG'");
+  EXPECT_NE(labels, plain);
+  EXPECT_NE(measured, plain);
+  EXPECT_NE(measured, labels);
+  EXPECT_NE(drawn("--measure 'A:CYS 3:SG; A:CYS 40:SG,A:CYS 4:SG; A:CYS 32:SG'"), measured);
+  const auto told = [&](const std::string& options) {
+    const Outcome wrong = run("screenshot '" + molecule + "' --alpha 0 -o x.png " + options);
+    EXPECT_EQ(wrong.code, 2);
+    return wrong.err;
+  };
+  EXPECT_TRUE(contains(told("--labels 'resn HEM=name'"), "no atom is \"resn HEM\""));
+  EXPECT_TRUE(contains(told("--labels 'name SG=colour'"),
+                       "labels are name, residue, address, element, radius, b_factor"));
+  EXPECT_TRUE(contains(told("--measure 'A:CYS 3:SG'"), "Two atoms have a distance"));
+  EXPECT_TRUE(contains(told("--measure 'A:CYS 3:SG; A:CYS 3:XX'"), "no atom \"A:CYS 3:XX\""));
+}
+
 }  // namespace
 }  // namespace alphascope::testing

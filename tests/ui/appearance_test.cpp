@@ -106,12 +106,12 @@ TEST(VisibleMesh, HasTheSimplicesWithoutHiddenCornersAndNamesThem) {
     of.outside.source = {face_code(1, 2), face_code(0, 3)};
     of.outside.faces.resize(2);
     of.tetrahedra.balls.resize(2);
-    of.edges.xyz.resize(12);
+    of.edges.edges.resize(2);
     return of;
   });
   EXPECT_EQ(mesh.outside.source, (ResultArray<std::uint32_t>{face_code(2, 2), face_code(1, 3)}));
   EXPECT_EQ(mesh.tetrahedra.source, (ResultArray<std::uint32_t>{1, 2}));
-  EXPECT_EQ(mesh.edges.source, (std::vector<std::uint32_t>{1, 2}));
+  EXPECT_EQ(mesh.edges.source, (ResultArray<std::uint32_t>{1, 2}));
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <stdexcept>
 
@@ -71,7 +72,7 @@ TEST(ComplexMesh, OpaqueTetrahedraAreDrawnByTheirBoundaryOnly) {
   EXPECT_LT(outside.size(), 4 * c.complex.tetrahedra.size());
   EXPECT_EQ(mesh.tetrahedra.size(), 0u);
   EXPECT_EQ(mesh.tetrahedra_drawn, c.complex.tetrahedra.size());
-  EXPECT_EQ(mesh.edges.points(), 0u);
+  EXPECT_EQ(mesh.edges.size(), 0u);
 }
 
 // Found by the classes of triangles, and where there are none.
@@ -176,10 +177,10 @@ TEST(ComplexMesh, SingularOnlyLeavesOutFacesOfLargerSimplices) {
     return static_cast<std::size_t>(
         std::count(list.classes.begin(), list.classes.end(), SimplexClass::singular));
   };
-  EXPECT_EQ(c.mesh(options).edges.points(), 2 * singular(c.complex.edges));
+  EXPECT_EQ(c.mesh(options).edges.size(), singular(c.complex.edges));
   EXPECT_EQ(c.mesh(options).triangles.size(), singular(c.complex.triangles));
   options.singular_only = false;
-  EXPECT_EQ(c.mesh(options).edges.points(), 2 * c.complex.edges.size());
+  EXPECT_EQ(c.mesh(options).edges.size(), c.complex.edges.size());
   EXPECT_EQ(c.mesh(options).triangles.size(), c.complex.triangles.size());
 }
 
@@ -260,11 +261,39 @@ TEST(ComplexMesh, EverySimplexHasOneColourOfItsCorners) {
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     ASSERT_EQ(unpacked(mesh.triangles.faces[i].colour), wanted(c.complex.triangles.simplices[i]));
   }
-  const CellSoup& edges = mesh.edges;
-  for (std::size_t i = 0; i < 2 * c.complex.edges.size(); ++i) {
-    const Rgb8 colour{edges.rgb[3 * i], edges.rgb[3 * i + 1], edges.rgb[3 * i + 2]};
-    ASSERT_EQ(colour, wanted(c.complex.edges.simplices[i / 2]));
+  for (std::size_t i = 0; i < c.complex.edges.size(); ++i) {
+    ASSERT_EQ(mesh.edges.edges[i].balls, c.complex.edges.simplices[i]);
+    ASSERT_EQ(unpacked(mesh.edges.edges[i].colour), wanted(c.complex.edges.simplices[i]));
   }
+}
+
+// Outward, since they are sums of the faces' own: of a closed surface all sum up to nothing.
+TEST(ComplexMesh, ASmoothBoundaryHasANormalForEachBall) {
+  const Case c;
+  MeshOptions options;
+  options.tetrahedra = false;
+  options.boundary = true;
+  EXPECT_TRUE(c.mesh(options).boundary.normals.empty());
+  options.smooth_boundary = true;
+  const FaceCells boundary = c.mesh(options).boundary;
+  ASSERT_EQ(boundary.normals.size(), c.balls->size());
+  std::vector<bool> touched(c.balls->size());
+  for (const DrawnFace& face : boundary.faces) {
+    for (const BallIndex ball : face.balls) touched[ball] = true;
+  }
+  std::array<double, 3> sum{};
+  double outward = 0, length = 0;
+  for (std::size_t i = 0; i < touched.size(); ++i) {
+    const auto& n = boundary.normals[i];
+    if (!touched[i]) EXPECT_EQ(n, (std::array<float, 3>{}));
+    for (std::size_t k = 0; k < 3; ++k) {
+      sum[k] += n[k];
+      length += std::fabs(n[k]);
+      if (k < 2) outward += n[k] * c.geometry.centres[i][k];  // the rod lies along z
+    }
+  }
+  for (const double s : sum) EXPECT_LT(std::fabs(s), 1e-4 * length);
+  EXPECT_GT(outward, 0);
 }
 
 TEST(ComplexMesh, ColoursByAlphaSayWhatTheyMean) {

@@ -65,7 +65,7 @@ TEST_F(DrawingPlans, ExpectNoMorePointsThanAreMade) {
       const std::uint64_t whole = mesh.tetrahedra.size();
       const std::uint64_t faces = mesh.faces_drawn() - 4 * whole;
       EXPECT_EQ(drawing_bytes({0, &complex_, nullptr, options}),
-                48 * faces + 56 * whole + 250 * mesh.edges.points());
+                48 * (faces + mesh.edges.size()) + 56 * whole);
     }
   }
   // Which faces are outside is not known of tetrahedra alone: as many as there can be.

@@ -52,6 +52,19 @@ void balls(PanelContext& ctx) {
   ImGui::EndDisabled();
 }
 
+void thickness_of_edges(PanelContext& ctx) {
+  DisplayControls& d = ctx.state.display;
+  ImGui::BeginDisabled(!d.edges);
+  row_label(ctx, "Thickness");
+  double thickness = d.edge_thickness;
+  if (value_slider(ctx, "display.edge_thickness", thickness, 0.02, 0.6, kEdgeThicknessRule,
+                   number_text(thickness, 2) + " Å")) {
+    d.edge_thickness = static_cast<float>(std::round(thickness * 50) / 50);
+  }
+  tooltip(ctx, "Of edges, in the picture. Far away they are at least as thick as a line.");
+  ImGui::EndDisabled();
+}
+
 void complex(PanelContext& ctx) {
   DisplayControls& d = ctx.state.display;
   const bool only_tetrahedra = ctx.state.result && ctx.state.result->complex.tetrahedra_only;
@@ -64,6 +77,11 @@ void complex(PanelContext& ctx) {
   ImGui::EndDisabled();
   checkbox(ctx, "display.boundary", "Boundary surface", d.boundary);
   tooltip(ctx, "Faces that belong to exactly one tetrahedron.");
+  ImGui::SameLine(0, ctx.px(18));
+  ImGui::BeginDisabled(!d.boundary);
+  checkbox(ctx, "display.smooth_boundary", "Smooth", d.smooth_boundary);
+  tooltip(ctx, "Lights the boundary as if it were round between its corners. Its shape stays.");
+  ImGui::EndDisabled();
   ImGui::BeginDisabled(only_tetrahedra);
   checkbox(ctx, "display.triangles", "Triangles", d.triangles);
   ImGui::SameLine(0, ctx.px(18));
@@ -81,6 +99,7 @@ void complex(PanelContext& ctx) {
     tooltip(ctx, "Singular: not a face of any larger simplex of the complex.");
   }
   ImGui::EndDisabled();
+  thickness_of_edges(ctx);
   ImGui::Unindent();
   ImGui::EndDisabled();
   row_label(ctx, "Opacity");
@@ -132,8 +151,8 @@ void draw_display_panel(PanelContext& ctx) {
   beside_body(ctx);
   checkbox(ctx, "display.occlusion", "Soft shadows at rest", ctx.state.display.ambient_occlusion);
   tooltip(ctx,
-          "Ambient occlusion: crevices darken, which shows depth. Left out while you turn a large "
-          "molecule.");
+          "Crevices darken, and what is before the light casts a shadow. Left out while you turn a "
+          "large molecule.");
 }
 
 void draw_look_panel(PanelContext& ctx) {
@@ -149,6 +168,14 @@ void draw_look_panel(PanelContext& ctx) {
     d.silhouettes = static_cast<float>(std::round(width * 4) / 4);
   }
   tooltip(ctx, "Width of the dark lines where something is before something else; 0: none.");
+  row_label(ctx, "Face lines");
+  double sides = d.face_edges;
+  if (value_slider(ctx, "look.face_edges", sides, 0, 4, kFaceEdgesRule,
+                   number_text(sides, 1) + " px")) {
+    d.face_edges = static_cast<float>(std::round(sides * 4) / 4);
+  }
+  tooltip(ctx,
+          "Width of the darker lines between triangles, where these are large enough; 0: none.");
   row_label(ctx, "Samples");
   double samples = d.samples;
   if (value_slider(ctx, "look.samples", samples, 1, 16, kSamplesRule, std::to_string(d.samples))) {

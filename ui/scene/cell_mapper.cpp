@@ -1,7 +1,10 @@
 // See the header.
 #include "ui/scene/cell_mapper.hpp"
 
+#include <vtkMatrix3x3.h>
+#include <vtkMatrix4x4.h>
 #include <vtkObjectFactory.h>
+#include <vtkOpenGLCamera.h>
 #include <vtkOpenGLHelper.h>
 #include <vtkOpenGLRenderWindow.h>
 #include <vtkOpenGLVertexArrayObject.h>
@@ -23,61 +26,48 @@
 #include <cstring>
 #include <utility>
 
+#include "ui/scene/cell_shader.hpp"
+
 namespace alphascope {
 namespace {
 
 constexpr const char* kCorner = "in vec4 vertexMC;";  // as VTK's template declares it
 constexpr const char* kBegin = "//VTK::CustomBegin::Impl";
+constexpr const char* kPlaced = "//VTK::PositionVC::Impl";
 constexpr const char* kColourDeclared = "//VTK::Color::Dec";
 constexpr const char* kColour = "//VTK::Color::Impl";
-
-// Faces: three balls and the colour. Tetrahedra: four balls; face f lacks corner f.
-constexpr const char* kDeclared = R"(
-uniform usamplerBuffer cells;
-uniform usamplerBuffer cellColours;
-uniform samplerBuffer places;
-uniform float shrink;
-uniform int whole;
-flat out vec3 cellColourVSOutput;
-vec4 vertexMC;
-vec3 placeOf(uint ball) { return texelFetch(places, int(ball)).xyz; }
-)";
-constexpr const char* kFetched = R"(
-  {
-    uint colour;
-    vec3 place;
-    if (whole != 0) {
-      int cell = gl_VertexID / 12;
-      int face = gl_VertexID % 12 / 3, corner = gl_VertexID % 3;
-      uvec4 balls = texelFetch(cells, cell);
-      place = placeOf(balls[corner < face ? corner : corner + 1]);
-      if (shrink > 0.0) {
-        vec3 centre = 0.25 * placeOf(balls.x) + 0.25 * placeOf(balls.y);
-        centre += 0.25 * placeOf(balls.z);
-        centre += 0.25 * placeOf(balls.w);
-        place += shrink * (centre - place);
-      }
-      colour = texelFetch(cellColours, cell).x;
-    } else {
-      uvec4 face = texelFetch(cells, gl_VertexID / 3);
-      place = placeOf(face[gl_VertexID % 3]);
-      colour = face.w;
-    }
-    vertexMC = vec4(place, 1.0);
-    cellColourVSOutput =
-        vec3(float(colour & 255u), float(colour >> 8 & 255u), float(colour >> 16 & 255u)) / 255.0;
-  }
-)";
-constexpr const char* kColoured = R"(
-  ambientColor = ambientIntensity * cellColourVSOutput;
-  diffuseColor = diffuseIntensity * cellColourVSOutput;
-)";
+constexpr const char* kUniformFlow = "//VTK::UniformFlow::Impl";
+constexpr const char* kNormal = "//VTK::Normal::Impl";
+constexpr const char* kDepth = "//VTK::Depth::Impl";
 
 constexpr std::size_t kLargeUpload = std::size_t{4} << 20;  // bytes
 
 constexpr const char* kCellsName = "cells";
 constexpr const char* kColoursName = "cellColours";
 constexpr const char* kPlacesName = "places";
+constexpr const char* kNormalsName = "normals";
+
+using Sources = std::map<vtkShader::Type, vtkShader*>;
+
+// Changes of one shader's source.
+class Edited {
+ public:
+  Edited(const Sources& sources, vtkShader::Type type)
+      : shader_(sources.at(type)), source_(shader_->GetSource()) {}
+  ~Edited() { shader_->SetSource(source_); }
+  Edited(const Edited&) = delete;
+  Edited& operator=(const Edited&) = delete;
+
+  void instead(const char* mark, const std::string& text) {
+    vtkShaderProgram::Substitute(source_, mark, text, false);
+  }
+  void before(const char* mark, const std::string& more) { instead(mark, more + mark); }
+  void after(const char* mark, const std::string& more) { instead(mark, mark + more); }
+
+ private:
+  vtkShader* shader_;
+  std::string source_;
+};
 
 }  // namespace
 
@@ -165,14 +155,23 @@ CellMapper::CellMapper() {
 CellMapper::~CellMapper() = default;
 
 void CellMapper::show_faces(const FaceCells* faces) {
-  whole_ = false;
+  kind_ = Kind::faces;
   cells_.set(faces ? faces->faces.data() : nullptr, faces ? faces->size() : 0, sizeof(DrawnFace),
              GL_RGBA32UI);
   colours_.set(nullptr, 0, 0, GL_R32UI);
+  const bool any = faces != nullptr && !faces->normals.empty();
+  normals_.set(any ? faces->normals.data() : nullptr, any ? faces->normals.size() : 0,
+               sizeof(faces->normals[0]), GL_RGB32F);
+}
+
+void CellMapper::show_edges(const EdgeCells* edges) {
+  kind_ = Kind::edges;
+  cells_.set(edges ? edges->edges.data() : nullptr, edges ? edges->size() : 0, sizeof(DrawnEdge),
+             GL_RGBA32UI);
 }
 
 void CellMapper::show_tetrahedra(const TetrahedronCells* tetrahedra) {
-  whole_ = true;
+  kind_ = Kind::tetrahedra;
   shrink_ = tetrahedra->shrink;
   cells_.set(tetrahedra->balls.data(), tetrahedra->size(), sizeof(tetrahedra->balls[0]),
              GL_RGBA32UI);
@@ -207,7 +206,8 @@ void CellMapper::ReleaseGraphicsResources(vtkWindow* window) {
 }
 
 bool CellMapper::GetNeedToRebuildBufferObjects(vtkRenderer*, vtkActor*) {
-  return !cells_.is_uploaded() || !colours_.is_uploaded() || !places_->buffer.is_uploaded();
+  return !cells_.is_uploaded() || !colours_.is_uploaded() || !normals_.is_uploaded() ||
+         !places_->buffer.is_uploaded();
 }
 
 void CellMapper::BuildBufferObjects(vtkRenderer* renderer, vtkActor*) {
@@ -215,45 +215,71 @@ void CellMapper::BuildBufferObjects(vtkRenderer* renderer, vtkActor*) {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   cells_.upload(window);
   colours_.upload(window);
+  normals_.upload(window);
   places_->buffer.upload(window);
   this->VBOBuildTime.Modified();
   const std::chrono::duration<double, std::milli> taken = std::chrono::steady_clock::now() - start;
   upload_milliseconds_ += taken.count();
 }
 
-void CellMapper::ReplaceShaderValues(std::map<vtkShader::Type, vtkShader*> shaders,
-                                     vtkRenderer* renderer, vtkActor* actor) {
-  std::string vertex = shaders[vtkShader::Vertex]->GetSource();
-  std::string fragment = shaders[vtkShader::Fragment]->GetSource();
-  const auto before = [](std::string& source, const char* mark, const std::string& more) {
-    vtkShaderProgram::Substitute(source, mark, more + mark, false);
-  };
-  const auto after = [](std::string& source, const char* mark, const std::string& more) {
-    vtkShaderProgram::Substitute(source, mark, mark + more, false);
-  };
-  vtkShaderProgram::Substitute(vertex, kCorner, kDeclared, false);
-  before(vertex, kBegin, kFetched);
-  before(fragment, kColourDeclared, "flat in vec3 cellColourVSOutput;\n");
-  after(fragment, kColour, kColoured);
-  shaders[vtkShader::Vertex]->SetSource(vertex);
-  shaders[vtkShader::Fragment]->SetSource(fragment);
+void CellMapper::ReplaceShaderValues(Sources shaders, vtkRenderer* renderer, vtkActor* actor) {
+  {
+    Edited vertex(shaders, vtkShader::Vertex), fragment(shaders, vtkShader::Fragment);
+    if (kind_ == Kind::edges) {
+      vertex.instead(kCorner, kRodsDeclared);
+      vertex.instead(kPlaced, kRodsPlaced);
+      fragment.before(kColourDeclared, kRodsToFragments);
+      fragment.instead(kDepth, kRodsMet);
+      fragment.instead(kNormal, "");
+      fragment.after(kColour, kRodsColoured);
+    } else {
+      vertex.instead(kCorner, kFacesDeclared);
+      vertex.before(kBegin, kFacesFetched);
+      fragment.before(kColourDeclared, kFacesToFragments);
+      fragment.after(kUniformFlow, kFacesUniform);
+      fragment.after(kNormal, kFacesNormal);
+      fragment.after(kColour, kFacesColoured);
+    }
+  }
   this->Superclass::ReplaceShaderValues(shaders, renderer, actor);
+}
+
+void CellMapper::give_camera(vtkShaderProgram* program, vtkRenderer* renderer) {
+  auto* camera = vtkOpenGLCamera::SafeDownCast(renderer->GetActiveCamera());
+  vtkMatrix4x4 *to_camera, *to_picture, *whole_way;
+  vtkMatrix3x3* turn;
+  camera->GetKeyMatrices(renderer, to_camera, turn, to_picture, whole_way);
+  if (kind_ != Kind::edges) {
+    program->SetUniformMatrix("cellToCamera", turn);
+    return;
+  }
+  program->SetUniformMatrix("cellToCamera", to_camera);
+  program->SetUniformMatrix("cameraToPicture", to_picture);
+  program->SetUniformi("parallel", camera->GetParallelProjection());
 }
 
 void CellMapper::SetMapperShaderParameters(vtkOpenGLHelper& helper, vtkRenderer* renderer,
                                            vtkActor* actor) {
   this->Superclass::SetMapperShaderParameters(helper, renderer, actor);
   vtkShaderProgram* program = helper.Program;
-  const auto give = [program](const char* name, int value) {
-    if (program->IsUniformUsed(name)) program->SetUniformi(name, value);
-  };
   const int cells = cells_.activate();
-  give(kCellsName, cells);
+  program->SetUniformi(kCellsName, cells);
+  const int places = places_->buffer.activate();
+  program->SetUniformi(kPlacesName, places);
+  give_camera(program, renderer);
+  if (kind_ == Kind::edges) {
+    program->SetUniformf("radius", lines_.rod_radius);
+    program->SetUniformf("radiusPerDepth", lines_.rod_radius_per_depth);
+    return;
+  }
   // Samplers of one kind may share a unit where one of them is not read.
-  give(kColoursName, whole_ ? colours_.activate() : cells);
-  give(kPlacesName, places_->buffer.activate());
-  give("whole", whole_ ? 1 : 0);
-  if (program->IsUniformUsed("shrink")) program->SetUniformf("shrink", shrink_);
+  const bool whole = kind_ == Kind::tetrahedra, smoothed = normals_.count() > 0;
+  program->SetUniformi(kColoursName, whole ? colours_.activate() : cells);
+  program->SetUniformi(kNormalsName, smoothed ? normals_.activate() : places);
+  program->SetUniformi("whole", whole ? 1 : 0);
+  program->SetUniformi("smoothed", smoothed ? 1 : 0);
+  program->SetUniformf("shrink", shrink_);
+  program->SetUniformf("sideWidth", lines_.side_width);
 }
 
 void CellMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor) {
@@ -262,10 +288,11 @@ void CellMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor) {
   if (this->Primitives[PrimitiveTris].Program == nullptr) return;
   // A new program has let go of it, and without attributes VTK does not bind it again.
   this->Primitives[PrimitiveTris].VAO->Bind();
-  const std::size_t corners = (whole_ ? 12 : 3) * cells_.count();
-  glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(corners));
+  const std::size_t corners = kind_ == Kind::tetrahedra ? 12 : kind_ == Kind::edges ? 6 : 3;
+  glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(corners * cells_.count()));
   cells_.deactivate();
   colours_.deactivate();
+  normals_.deactivate();
   places_->buffer.deactivate();
 }
 

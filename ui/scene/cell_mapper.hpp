@@ -1,8 +1,8 @@
-// A mapper for triangles and tetrahedra whose corners are balls: the vertex shader fetches corners
-// and colour of a cell from buffers that hold nothing twice. VTK's mapper would copy every corner
-// with its colour, list the indices one by one and go through all of it for the bounds. Shaders
-// are made from VTK's templates, so that its passes (peeling, occlusion) and whoever replaces parts
-// of shaders work as with any other mapper.
+// A mapper for edges, triangles and tetrahedra whose corners are balls: the vertex shader fetches
+// corners and colour of a cell from buffers that hold nothing twice. VTK's mapper would copy every
+// corner with its colour, list the indices one by one and go through all of it for the bounds.
+// Shaders are made from VTK's templates, so that its passes (peeling, occlusion) and whoever
+// replaces parts of shaders work as with any other mapper.
 #pragma once
 
 #include <vtkNew.h>
@@ -50,6 +50,15 @@ struct BallPlaces {
   ShaderBuffer buffer;
 };
 
+// Of lines, which need no other cells.
+struct CellLines {
+  float side_width = 0;  // of the darker lines around faces, pixels; 0: none
+  float rod_radius = 0;  // of edges, Å
+  // The least that is drawn: Å at the depth of one Å, or anywhere where nothing gets smaller with
+  // it.
+  float rod_radius_per_depth = 0;
+};
+
 class CellMapper : public vtkOpenGLPolyDataMapper {
  public:
   static CellMapper* New();
@@ -59,6 +68,9 @@ class CellMapper : public vtkOpenGLPolyDataMapper {
   // What is given must stay as long as it is drawn.
   void show_faces(const FaceCells* faces);  // null: nothing
   void show_tetrahedra(const TetrahedronCells* tetrahedra);
+  // As rods with round ends. A mapper that shows edges shows nothing else, ever.
+  void show_edges(const EdgeCells* edges);  // null: nothing
+  void set_lines(const CellLines& lines) { lines_ = lines; }
   void free_memory(vtkWindow* window);  // of what is shown, until that is drawn
   bool empty() const { return cells_.count() == 0; }
   // Spent on handing content over to OpenGL, since this was last asked.
@@ -84,9 +96,15 @@ class CellMapper : public vtkOpenGLPolyDataMapper {
   CellMapper(const CellMapper&) = delete;
   void operator=(const CellMapper&) = delete;
 
+  enum class Kind : std::uint8_t { faces, tetrahedra, edges };
+
+  void give_camera(vtkShaderProgram* program, vtkRenderer* renderer);
+
   std::shared_ptr<BallPlaces> places_;  // VTK may keep a mapper longer than a scene lasts
-  ShaderBuffer cells_, colours_;        // colours_: of tetrahedra; faces bring theirs
-  bool whole_ = false;                  // tetrahedra; else faces
+  ShaderBuffer cells_, colours_;        // colours_: of tetrahedra; others bring theirs
+  ShaderBuffer normals_;                // of balls
+  Kind kind_ = Kind::faces;
+  CellLines lines_;
   float shrink_ = 0;
   double upload_milliseconds_ = 0;
 };

@@ -28,6 +28,13 @@ double orientation(const Point& p0, const Point& p1, const Point& p2, const Poin
          a[2] * (b[0] * c[1] - b[1] * c[0]);
 }
 
+// The normal of a face, as long as twice its area.
+Point doubled_area(const Point& p0, const Point& p1, const Point& p2) {
+  const Point a{p1[0] - p0[0], p1[1] - p0[1], p1[2] - p0[2]};
+  const Point b{p2[0] - p0[0], p2[1] - p0[1], p2[2] - p0[2]};
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
 // Counterclockwise when seen from outside the tetrahedron.
 std::array<BallIndex, 3> outward(const BallGeometry& balls, const Simplices<4>& tetrahedra,
                                  FaceCode face) {
@@ -66,6 +73,7 @@ class MeshBuilder {
       (outside ? mesh.outside : mesh.boundary) = faces_of_tetrahedra(
           std::move(faces), outside ? SimplexClass::interior : SimplexClass::regular);
     }
+    if (options_.smooth_boundary) add_normals(mesh.boundary);
     if (options_.triangles) mesh.triangles = triangles();
     if (options_.edges) mesh.edges = edges();
     if (!mesh.empty()) mesh.scale = scale_;
@@ -139,6 +147,21 @@ class MeshBuilder {
     return cells;
   }
 
+  // In the order of the faces, by one thread: sums must not depend on how many there are.
+  void add_normals(FaceCells& cells) const {
+    if (cells.size() == 0) return;
+    cells.normals.assign(balls_.centres.size(), {});
+    for (const DrawnFace& face : cells.faces) {
+      cancel_.throw_if_cancelled();
+      const auto doubled =
+          doubled_area(balls_.centres[face.balls[0]], balls_.centres[face.balls[1]],
+                       balls_.centres[face.balls[2]]);
+      for (const BallIndex ball : face.balls) {
+        for (std::size_t k = 0; k < 3; ++k) cells.normals[ball][k] += doubled[k];
+      }
+    }
+  }
+
   // Calls body(number of the cell, place in the list) for what is to be drawn of a list, after
   // `prepare` has been given how many these are; returns the places, none where all are drawn.
   template <int N, class Prepare, class Body>
@@ -167,24 +190,15 @@ class MeshBuilder {
     return cells;
   }
 
-  CellSoup edges() const {
+  EdgeCells edges() const {
     const auto& list = complex_.edges;
-    CellSoup soup;
-    const auto resize = [&](std::size_t count) {
-      soup.xyz.resize(6 * count);
-      soup.rgb.resize(6 * count);
-    };
-    const auto places = for_drawn(list, resize, [&](std::size_t n, std::size_t i) {
-      const Rgb8 c = colour_of(list, i);
-      const std::uint8_t rgb[3] = {c.r, c.g, c.b};
-      for (std::size_t end = 0; end < 2; ++end) {
-        const Point& p = balls_.centres[list.simplices[i][end]];
-        std::copy(p.begin(), p.end(), &soup.xyz[6 * n + 3 * end]);
-        std::copy(rgb, rgb + 3, &soup.rgb[6 * n + 3 * end]);
-      }
-    });
-    soup.source.assign(places.begin(), places.end());
-    return soup;
+    EdgeCells cells;
+    cells.source = for_drawn(
+        list, [&](std::size_t count) { cells.edges.resize(count); },
+        [&](std::size_t n, std::size_t i) {
+          cells.edges[n] = {list.simplices[i], packed(colour_of(list, i)), 0};
+        });
+    return cells;
   }
 
   const BallGeometry& balls_;

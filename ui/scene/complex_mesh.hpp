@@ -40,6 +40,7 @@ struct MeshOptions {
   // Faces between two tetrahedra cannot be seen when nothing is translucent or shrunk; then they
   // are left out.
   bool translucent = false;
+  bool smooth_boundary = false;  // normals of balls, between which light is interpolated
   ComplexColouring colouring = ComplexColouring::balls;
   Rgb8 single_colour{90, 169, 230};
   AlphaColours alpha_colours{};
@@ -50,8 +51,7 @@ struct MeshOptions {
 struct CellSoup {
   std::vector<float> xyz;
   std::vector<std::uint8_t> rgb;
-  // What each cell is: of triangles and edges, the place of the simplex in its list; of caps, 4 ×
-  // tetrahedron. Empty: cell i is i.
+  // What each cell is: of caps, 4 × tetrahedron. Empty: cell i is i.
   std::vector<std::uint32_t> source;
   std::size_t points() const { return xyz.size() / 3; }
 };
@@ -69,7 +69,23 @@ struct FaceCells {
   // What each is: of faces of tetrahedra the FaceCode; of triangles the place in their list. Empty:
   // face i is i.
   ResultArray<std::uint32_t> source;
+  // Of every ball, outward: the mean of the faces around it, by their areas. Empty: faces are flat.
+  std::vector<std::array<float, 3>> normals;
   std::size_t size() const { return faces.size(); }
+};
+
+struct DrawnEdge {
+  std::array<BallIndex, 2> balls{};
+  PackedColour colour{};
+  std::uint32_t unused = 0;  // a shader fetches four numbers
+};
+static_assert(sizeof(DrawnEdge) == 16);
+
+struct EdgeCells {
+  ResultArray<DrawnEdge> edges;
+  // The place of each in the complex' list. Empty: cell i is i.
+  ResultArray<std::uint32_t> source;
+  std::size_t size() const { return edges.size(); }
 };
 
 // Tetrahedra with their four faces, each drawn towards its centre.
@@ -87,14 +103,14 @@ struct ComplexMesh {
   FaceCells outside;
   TetrahedronCells tetrahedra;
   FaceCells boundary, triangles;
-  CellSoup edges;                    // lines
+  EdgeCells edges;
   std::size_t tetrahedra_drawn = 0;  // all tetrahedra of the complex, or 0 when off
   std::optional<AlphaScale> scale;   // what its colours mean, if they are of alpha values
   // Triangles that a GPU draws.
   std::size_t faces_drawn() const {
     return outside.size() + 4 * tetrahedra.size() + boundary.size() + triangles.size();
   }
-  bool empty() const { return faces_drawn() == 0 && edges.points() == 0; }
+  bool empty() const { return faces_drawn() == 0 && edges.size() == 0; }
 };
 
 // `colours` holds one colour a ball. Throws std::invalid_argument when complex, balls and colours

@@ -29,6 +29,8 @@ SceneStyle scene_style(const DisplayControls& display, Theme theme) {
   style.ambient_occlusion = display.ambient_occlusion;
   style.depth_cue = display.depth_cue;
   style.silhouettes = display.silhouettes;
+  style.side_width = display.face_edges;
+  style.rod_radius = display.edge_thickness / 2;
   style.samples = display.samples;
   style.orthographic = display.orthographic;
   style.theme = theme;
@@ -43,6 +45,7 @@ MeshOptions mesh_options(const DisplayControls& display, Theme theme) {
   options.edges = display.edges;
   options.singular_only = display.singular_only;
   options.shrink = display.shrink;
+  options.smooth_boundary = display.smooth_boundary;
   options.translucent = display.complex_opacity < 1;
   const Paint& paint = display.complex_paint;
   options.colouring = colouring(paint.by);

@@ -44,9 +44,9 @@ std::uint64_t outside_faces(const AlphaComplex& c) {
       std::count(c.triangles.classes.begin(), c.triangles.classes.end(), SimplexClass::regular));
 }
 
-// Those that no tetrahedron brings.
-std::uint64_t single_faces(const ComplexMesh& mesh) {
-  return mesh.faces_drawn() - 4 * mesh.tetrahedra.size();
+// Faces that no tetrahedron brings, and edges: 16 bytes each.
+std::uint64_t single_cells(const ComplexMesh& mesh) {
+  return mesh.faces_drawn() - 4 * mesh.tetrahedra.size() + mesh.edges.size();
 }
 
 bool only_outside(const MeshOptions& mesh) {
@@ -171,10 +171,10 @@ std::uint64_t drawing_bytes(const DrawingTask& task) {
       if (c.tetrahedra_only) seeking += kTetrahedronSorted * tetrahedra;
     }
     if (m.triangles) faces += cells(c.triangles, m);
+    if (m.edges) faces += cells(c.edges, m);  // which take as much
     const std::uint64_t whole = m.tetrahedra && !outside ? tetrahedra : 0;
     cells_plain = kFace * faces + kTetrahedron * whole;
     cells_drawn = kFaceDrawn * faces + kTetrahedronDrawn * whole;
-    if (m.edges) points.lines += 2 * cells(c.edges, m);
   }
   if (task.differences != nullptr) add_differences(*task.differences, points);
   const std::uint64_t plain = cells_plain + kSoupPoint * (points.faces + points.lines);
@@ -194,16 +194,14 @@ std::uint64_t picture_bytes(int width, int height) {
 std::uint64_t second_scene_bytes(std::size_t balls, const ComplexMesh* mesh) {
   std::uint64_t bytes = kBall * balls;
   if (mesh == nullptr) return bytes;
-  return bytes + (kFaceDrawn - kFace) * single_faces(*mesh) +
-         (kTetrahedronDrawn - kTetrahedron) * mesh->tetrahedra.size() +
-         (kLinePoint - kSoupPoint) * mesh->edges.points();
+  return bytes + (kFaceDrawn - kFace) * single_cells(*mesh) +
+         (kTetrahedronDrawn - kTetrahedron) * mesh->tetrahedra.size();
 }
 
 std::uint64_t drawn_bytes(std::size_t balls, const ComplexMesh* mesh) {
   const std::uint64_t drawn = second_scene_bytes(balls, mesh);
   if (mesh == nullptr) return drawn;
-  return drawn + kFace * single_faces(*mesh) + kTetrahedron * mesh->tetrahedra.size() +
-         kSoupPoint * mesh->edges.points();
+  return drawn + kFace * single_cells(*mesh) + kTetrahedron * mesh->tetrahedra.size();
 }
 
 std::uint64_t layer_bytes(const LayerPoints& points) {
@@ -252,10 +250,10 @@ std::string not_drawn_text(const DrawingPlan& plan) {
 std::string beyond_opengl_text(const ComplexMesh& mesh, std::size_t balls, std::size_t most) {
   const std::size_t largest =
       std::max({mesh.outside.size(), mesh.tetrahedra.size(), mesh.boundary.size(),
-                mesh.triangles.size(), mesh.faces_drawn() > 0 ? balls : 0});
+                mesh.triangles.size(), mesh.edges.size(), mesh.empty() ? 0 : balls});
   if (largest <= most) return {};
   return "The complex is not drawn: OpenGL on this machine draws at most " + grouped(most) +
-         " faces or balls of one kind, and here are " + grouped(largest) +
+         " faces, edges or balls of one kind, and here are " + grouped(largest) +
          ". Hide atoms, select fewer, or choose a smaller alpha; a newer driver may draw more.";
 }
 

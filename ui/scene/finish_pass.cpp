@@ -61,6 +61,8 @@ void FinishPass::give(vtkOpenGLRenderer* renderer, const Finish& f, vtkShaderPro
   program->SetUniformi("turn", f.turn);
   program->SetUniform2f("radii", radii);
   program->SetUniformf("strength", f.occlusion_strength);
+  program->SetUniform3f("light", f.light.data());
+  program->SetUniformf("shadowReach", f.shadow_reach);
   program->SetUniform3f("cue", cue);
   program->SetUniform2f("silhouette", silhouette);
   program->SetUniform4f("background", background);

@@ -7,6 +7,7 @@
 #include <vtkOpenGLQuadHelper.h>
 #include <vtkOpenGLRenderer.h>
 
+#include <array>
 #include <memory>
 
 #include "ui/scene/screen_quad.hpp"
@@ -18,6 +19,8 @@ struct Finish {
   int occlusion_taps = 0;                     // of each scale; 0: no occlusion
   float occlusion_strength = 1;               // 0 to 1
   float near_radius = 5.5f, far_radius = 15;  // of what occludes, Å
+  std::array<float, 3> light{0, 0, 1};        // towards the light that casts shadows
+  float shadow_reach = 30;                    // of a shadow, Å
   int turn = 0;                               // of the pattern: the number of the sample
   float depth_cue = 0;                        // share of background in the farthest, 0 to 1
   float silhouette_width = 0;                 // pixels; 0: none

@@ -13,6 +13,10 @@ namespace alphascope {
 // sample: over sixteen samples every pixel has had all of them, so that nothing of the pattern is
 // left.
 //
+// A shadow lies where a ray towards the key light, some way long, goes behind something that is
+// seen, and not far behind. The light is a disc: every pixel of a block and every sample has
+// another point of it.
+//
 // A silhouette lies on what is behind, where something is before it by more than a jump.
 inline constexpr const char* kFinishShader = R"(//VTK::Output::Dec
 in vec2 texCoord;
@@ -26,6 +30,8 @@ uniform int tapCount;       // of each scale; 0: no occlusion
 uniform int turn;           // of the spiral, of sixteen
 uniform vec2 radii;         // of both scales, Å
 uniform float strength;     // of occlusion, 0 to 1
+uniform vec3 light;         // towards the key light
+uniform float shadowReach;  // of shadows, Å
 uniform vec3 cue;           // how much of the farthest is background; from and to which depth, Å
 uniform vec2 silhouette;    // width in pixels, 0: none; jump in Å
 uniform vec4 background;    // alpha 0: a transparent picture
@@ -74,6 +80,27 @@ float occlusion(ivec2 at, vec3 place, vec3 normal, float radius, vec2 direction,
   }
   return sum / float(max(taps, 1));
 }
+// 1: all of the key light arrives; of what it does not reach anyway, too.
+float lit(vec3 place, vec3 normal, vec2 spread, float first, int taps) {
+  vec3 towards = normalize(light + 0.12 * vec3(spread, 0.0));
+  float facing = smoothstep(0.0, 0.25, dot(normal, towards));
+  if (facing <= 0.0) return 1.0;
+  vec3 from = place + 0.02 * shadowReach * normal;
+  float behind = 0.0;
+  for (int i = 0; i < taps; ++i) {
+    float share = (float(i) + first) / float(taps);
+    vec3 there = from + (share * share * shadowReach) * towards;
+    float w = depthOfNdc.z * there.z + depthOfNdc.w;
+    vec2 ndc = (scaleOfNdc * there.xy + shiftOfNdc.xz * there.z + shiftOfNdc.yw) / w;
+    float depth = depthAt(ivec2((0.5 * ndc + 0.5) * vec2(size)));
+    float ahead = depth <= 0.0 ? 0.0 : zOf(depth) - there.z;
+    if (ahead > 0.01 * shadowReach && ahead < 0.35 * shadowReach) {
+      behind = 1.0 - share;  // far away the shadow of a small thing is lost
+      break;
+    }
+  }
+  return 1.0 - 0.4 * facing * smoothstep(0.0, 0.3, behind);
+}
 
 void main() {
   ivec2 at = ivec2(gl_FragCoord.xy);
@@ -96,6 +123,7 @@ void main() {
     vec3 towards = normalize(normal + vec3(0.0, 0.0, 1.0));
     float wide = occlusion(at, place, towards, radii.y, direction.yx, first, taps);
     visible = max(0.0, 1.0 - strength * 1.6 * close) * max(0.0, 1.0 - strength * 2.4 * wide);
+    visible *= lit(place, normal, direction * sqrt(first), first, taps);
   }
 #endif
   float nearest = 1.0;  // depth in the circle around the pixel, without marks

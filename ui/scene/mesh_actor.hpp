@@ -39,6 +39,11 @@ struct CellActor {
     actor->SetMapper(mapper);
     look_like_a_mesh(actor);
   }
+  void show(const EdgeCells& edges, vtkWindow* window) {
+    mapper->show_edges(&edges);
+    actor->SetVisibility(!mapper->empty());
+    if (mapper->empty()) mapper->free_memory(window);
+  }
   // What is not empty, and nothing else; what is shown must outlive it.
   void show(const FaceCells& faces, const TetrahedronCells& tetrahedra, vtkWindow* window) {
     tetrahedra.size() > 0 ? mapper->show_tetrahedra(&tetrahedra) : mapper->show_faces(&faces);

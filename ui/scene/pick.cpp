@@ -34,10 +34,10 @@ std::size_t number_in(const Source& source, std::size_t cell) {
   return source.empty() ? cell : source[cell];
 }
 
-// Cells of a layer, with three corners or two.
+// Triangles of a layer.
 struct SoupCells {
+  static constexpr std::size_t corners = 3;
   std::shared_ptr<const CellSoup> soup;
-  std::size_t corners = 3;
 
   std::size_t size() const { return soup->points() / corners; }
   Point point(std::size_t cell, std::size_t corner) const {
@@ -45,6 +45,18 @@ struct SoupCells {
     return {p[0], p[1], p[2]};
   }
   std::size_t number(std::size_t cell) const { return number_in(soup->source, cell); }
+};
+
+struct EdgesOfBalls {
+  static constexpr std::size_t corners = 2;
+  std::shared_ptr<const EdgeCells> cells;
+  std::shared_ptr<const BallGeometry> balls;
+
+  std::size_t size() const { return cells->size(); }
+  Point point(std::size_t cell, std::size_t corner) const {
+    return balls->centres[cells->edges[cell].balls[corner]];
+  }
+  std::size_t number(std::size_t cell) const { return number_in(cells->source, cell); }
 };
 
 struct FacesOfBalls {
@@ -121,7 +133,7 @@ double line_depth(const Cells& cells, std::size_t cell, const PickLine& line) {
   const double t = dot(d, to) / dd;
   if (!(t > 0)) return kNowhere;
   for (std::size_t k = 0; k < 3; ++k) to[k] -= t * d[k];
-  const double near_enough = line.spread * t;
+  const double near_enough = std::max(line.spread * t, line.rod_radius);
   return dot(to, to) <= near_enough * near_enough ? std::max(0.0, t - near_enough) : kNowhere;
 }
 
@@ -154,27 +166,28 @@ template <class Cells>
 PickLayer layer_of(const Cells& cells, const Meaning& meaning) {
   auto tree = std::make_shared<const BoxTree>(
       cells.size(), [&](std::size_t cell) { return box_of(cells, cell); });
-  return {meaning.id, [cells, meaning, tree](const PickLine& line) {
-            const bool lines = cells.corners == 2;
-            double nearest = kNowhere;
-            std::size_t found = 0;
-            const auto enter = [&](const Box& box) {
-              const double beside = lines ? line.spread * farthest_depth(box, line.ray) : 0.0;
-              const double margin = beside + kRounding;
-              return meets(line.ray, box, margin, nearest + 2 * margin);
-            };
-            tree->visit(enter, [&](std::size_t cell) {
-              const double depth =
-                  lines ? line_depth(cells, cell, line) : triangle_depth(cells, cell, line.ray);
-              if (!meaning.in_cut && !line.kept.has(depth)) return;
-              if (depth > nearest || (depth == nearest && cell >= found)) return;
-              nearest = depth;
-              found = cell;
-            });
-            return std::isfinite(nearest)
-                       ? std::optional(hit_of(meaning, cells.number(found), nearest))
-                       : std::nullopt;
-          }};
+  return {
+      meaning.id, [cells, meaning, tree](const PickLine& line) {
+        constexpr bool lines = Cells::corners == 2;
+        double nearest = kNowhere;
+        std::size_t found = 0;
+        const auto enter = [&](const Box& box) {
+          const double beside =
+              lines ? std::max(line.spread * farthest_depth(box, line.ray), line.rod_radius) : 0.0;
+          const double margin = beside + kRounding;
+          return meets(line.ray, box, margin, nearest + 2 * margin);
+        };
+        tree->visit(enter, [&](std::size_t cell) {
+          const double depth =
+              lines ? line_depth(cells, cell, line) : triangle_depth(cells, cell, line.ray);
+          if (!meaning.in_cut && !line.kept.has(depth)) return;
+          if (depth > nearest || (depth == nearest && cell >= found)) return;
+          nearest = depth;
+          found = cell;
+        });
+        return std::isfinite(nearest) ? std::optional(hit_of(meaning, cells.number(found), nearest))
+                                      : std::nullopt;
+      }};
 }
 
 template <std::size_t N, int M>
@@ -207,7 +220,7 @@ PickLayers mesh_layers(const std::shared_ptr<const ComplexMesh>& mesh,
   const auto faces = [&](const FaceCells& cells) {
     return FacesOfBalls{std::shared_ptr<const FaceCells>(mesh, &cells), balls};
   };
-  add(SoupCells{std::shared_ptr<const CellSoup>(mesh, &mesh->edges), 2}, {"edges", 2});
+  add(EdgesOfBalls{std::shared_ptr<const EdgeCells>(mesh, &mesh->edges), balls}, {"edges", 2});
   add(faces(mesh->triangles), {"triangles", 3});
   add(faces(mesh->boundary), {"boundary", 3, true, true});
   add(faces(mesh->outside), {"tetrahedra", 4, true});

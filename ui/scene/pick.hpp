@@ -22,7 +22,8 @@ namespace alphascope {
 struct PickLine {
   Ray ray;
   double spread = 0;
-  Stretch kept = {};  // by the cut: nothing is hit elsewhere
+  Stretch kept = {};      // by the cut: nothing is hit elsewhere
+  double rod_radius = 0;  // Å, of edges: more where they are thicker than that
 };
 
 inline constexpr std::string_view kBesideBody = "beside";

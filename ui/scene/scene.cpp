@@ -93,7 +93,7 @@ void Scene::set_mesh(std::shared_ptr<MeshData> mesh) {
 
 double Scene::take_upload_milliseconds() {
   double sum = 0;
-  for (CellActor* c : {&impl_->tetrahedra, &impl_->boundary, &impl_->triangles}) {
+  for (CellActor* c : impl_->cells()) {
     sum += c->mapper->take_upload_milliseconds();
   }
   return sum;

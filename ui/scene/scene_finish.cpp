@@ -1,4 +1,6 @@
 // How finely the scene is drawn: transparency, occlusion, outlines, samples.
+#include <vtkProperty.h>
+
 #include <algorithm>
 
 #include "ui/scene/sample_place.hpp"
@@ -14,6 +16,7 @@ constexpr int kPeels = 6;
 constexpr int kOcclusionTaps = 160, kLeastTaps = 10, kMostTaps = 40;
 constexpr float kNearOcclusion = 5.5f;  // Å: about two atoms
 constexpr double kFarOcclusion = 0.07;  // of the diagonal of the box around all balls
+constexpr float kShadowReach = 2;       // times the larger radius of occlusion
 // What a silhouette marks: a jump in depth of so many times its width, of such a share of what is
 // seen, and Å at least.
 constexpr double kJumpPixels = 6, kJumpShare = 0.02, kLeastJump = 1.2;
@@ -27,6 +30,9 @@ void Scene::Impl::apply_quality(RenderQuality quality, bool transparent) {
   renderer->SetMaximumNumberOfPeels(kPeels);
   renderer->SetOcclusionRatio(0);
   samples = quality == RenderQuality::sketch ? kSketchSamples : 1;
+  // Its other side is all that a translucent boundary gains from being drawn exactly.
+  const bool front_only = !exact && faded(style.complex_opacity) < 1 && !style.cut.on();
+  boundary.actor->GetProperty()->SetBackfaceCulling(front_only);
   apply_finish(quality, transparent);
 }
 
@@ -41,6 +47,8 @@ void Scene::Impl::apply_finish(RenderQuality quality, bool transparent) {
   const auto& b = balls->bounds;
   const double size = diagonal({b[0], b[1], b[2], b[3], b[4], b[5]});
   finish.far_radius = static_cast<float>(std::max(2.0 * kNearOcclusion, kFarOcclusion * size));
+  for (std::size_t k = 0; k < 3; ++k) finish.light[k] = static_cast<float>(kKeyLight[k]);
+  finish.shadow_reach = kShadowReach * finish.far_radius;
   finish.depth_cue = style.depth_cue;
   finish.silhouette_width = style.silhouettes * style.line_scale * static_cast<float>(samples);
   finish.background = palette(style.theme).scene;

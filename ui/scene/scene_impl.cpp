@@ -69,14 +69,13 @@ void LayerActors::show(std::shared_ptr<LayerData> layers, vtkWindow* window) {
 Scene::Impl::Impl() {
   set_up_window();
   set_up_lights();
-  edges.actor->GetProperty()->LightingOff();
   renderer->AddActor(all_balls.actor);
   renderer->AddActor(selected.actor);
-  for (CellActor* c : {&tetrahedra, &boundary, &triangles}) {
+  for (CellActor* c : cells()) {
     c->mapper->set_places(places);
     renderer->AddActor(c->actor);
   }
-  for (MeshActor* m : {&edges, &caps, &cap_edges}) renderer->AddActor(m->actor);
+  for (MeshActor* m : {&caps, &cap_edges}) renderer->AddActor(m->actor);
   caps.unlit();
   cap_edges.actor->GetProperty()->LightingOff();
   caps.behind_balls(kBehindEdges);
@@ -120,10 +119,13 @@ void Scene::Impl::set_up_window() {
   trackball->SetMouseWheelMotionFactor(0.7);
 }
 
-// A key light over the left shoulder and a weak one from below right, both with the camera.
+// All with the camera: a key light over the left shoulder, a weak one from below right, and one
+// from behind, which only rims get.
 void Scene::Impl::set_up_lights() {
   renderer->AutomaticLightCreationOff();
-  const double lights[2][4] = {{-0.5, 0.7, 1.0, 0.85}, {0.8, -0.5, 0.8, 0.35}};
+  const double lights[3][4] = {{kKeyLight[0], kKeyLight[1], kKeyLight[2], 0.85},
+                               {0.8, -0.5, 0.8, 0.35},
+                               {0.5, 0.8, -0.9, 0.3}};
   for (const auto& l : lights) {
     vtkNew<vtkLight> light;
     light->SetLightTypeToCameraLight();
@@ -167,10 +169,7 @@ void Scene::Impl::apply_style() {
   renderer->SetBackground(background.r, background.g, background.b);
   all_balls.actor->SetVisibility(style.balls && balls && !balls->centres.empty());
   all_balls.actor->GetProperty()->SetOpacity(faded(style.ball_opacity));
-  for (vtkActor* a :
-       {tetrahedra.actor.Get(), boundary.actor.Get(), triangles.actor.Get(), edges.actor.Get()}) {
-    a->GetProperty()->SetOpacity(faded(style.complex_opacity));
-  }
+  for (CellActor* c : cells()) c->actor->GetProperty()->SetOpacity(faded(style.complex_opacity));
   const bool closed = cap_data && style.cut.on() && faded(style.complex_opacity) >= 1;
   caps.actor->SetVisibility(closed && cap_data->faces);
   cap_edges.actor->SetVisibility(closed && cap_data->edges);
@@ -183,13 +182,13 @@ void Scene::Impl::show_mesh(std::shared_ptr<MeshData> data) {
   tetrahedra.show(shown.outside, shown.tetrahedra, window);
   boundary.show(shown.boundary, {}, window);
   triangles.show(shown.triangles, {}, window);
-  edges.show(data ? data->edges : nullptr, window);
+  edges.show(shown.edges, window);
   mesh = std::move(data);  // only now may the old arrays go
 }
 
 std::vector<vtkActor*> Scene::Impl::cut_meshes() {
-  std::vector<vtkActor*> all{tetrahedra.actor, boundary.actor,          triangles.actor,
-                             edges.actor,      differences.faces.actor, differences.edges.actor};
+  std::vector<vtkActor*> all{differences.faces.actor, differences.edges.actor};
+  for (CellActor* c : cells()) all.push_back(c->actor);
   for (LayerActors* l : {&layers, &beside_body}) {
     for (MeshActor* m : {&l->marks.faces, &l->marks.edges, &l->bodies, &l->body_edges,
                          &l->body_lines, &l->tubes}) {
@@ -215,14 +214,26 @@ void Scene::Impl::give_cut_planes(int width, int height) {
   for (BallActor* b : cut_balls()) planes.give_to(b->actor);
 }
 
+// A rod is never thinner than a line was.
+void Scene::Impl::give_lines() {
+  constexpr double kLeastRod = 0.75;  // pixels, of its radius
+  const double pixel =
+      style.orthographic ? angstrom_per_pixel() : pixel_spread(sight(), picture_height);
+  CellLines lines;
+  lines.side_width = style.side_width * static_cast<float>(samples) * style.line_scale;
+  lines.rod_radius = style.rod_radius;
+  lines.rod_radius_per_depth = static_cast<float>(kLeastRod * style.line_scale * pixel);
+  for (CellActor* c : cells()) c->mapper->set_lines(lines);
+}
+
 void Scene::Impl::draw(int width, int height) {
   if (window->GetSize()[0] != width || window->GetSize()[1] != height) {
     window->SetSize(width, height);
   }
   follow_aspect(static_cast<double>(width) / height);
   if (balls && std::exchange(reset_pending, false)) reset_camera();
+  give_lines();
   const float width_scale = static_cast<float>(samples) * style.line_scale;
-  edges.actor->GetProperty()->SetLineWidth(1.5f * width_scale);
   differences.edges.actor->GetProperty()->SetLineWidth(3.5f * width_scale);
   layers.marks.edges.actor->GetProperty()->SetLineWidth(2.5f * width_scale);
   layers.body_lines.actor->GetProperty()->SetLineWidth(2.5f * width_scale);

@@ -23,6 +23,9 @@
 
 namespace alphascope {
 
+// Where the light that casts shadows comes from: right, up, towards the viewer.
+constexpr double kKeyLight[3] = {-0.5, 0.7, 1.0};
+
 constexpr double kSketchSamples = 0.5;  // of a sketch
 
 inline double diagonal(const std::array<double, 6>& box) {
@@ -67,8 +70,7 @@ struct Scene::Impl {
   vtkNew<vtkInteractorStyleTrackballCamera> trackball;
   BallActor all_balls, selected;
   std::shared_ptr<BallPlaces> places = std::make_shared<BallPlaces>();  // of balls
-  CellActor tetrahedra, boundary, triangles;
-  MeshActor edges;
+  CellActor tetrahedra, boundary, triangles, edges;
   MeshActor caps, cap_edges;  // of tetrahedra; not cut themselves
   std::shared_ptr<CapData> cap_data;
   MarkActors differences;
@@ -88,6 +90,7 @@ struct Scene::Impl {
   bool reset_pending = false;        // the fit needs the size of the next picture
 
   Impl();
+  std::array<CellActor*, 4> cells() { return {&tetrahedra, &boundary, &triangles, &edges}; }
   // Of what draws soft shadows and exact transparency, whose textures are as large as the last
   // picture that had them; the next picture makes again what it needs.
   void release_buffers();
@@ -125,6 +128,7 @@ struct Scene::Impl {
   std::vector<BallActor*> cut_balls();
   void apply_cut();
   void give_cut_planes(int width, int height);
+  void give_lines();
   // Behind everything, where no perspective tells where it stands; then back.
   void step_back(double angstrom);
   void set_up_window();

@@ -63,7 +63,7 @@ ComplexMesh build_visible_mesh(const AlphaComplex& complex, const std::vector<bo
   const Places triangles = keep_visible(complex.triangles, hidden, part.triangles);
   const Places tetrahedra = keep_visible(complex.tetrahedra, hidden, part.tetrahedra);
   ComplexMesh mesh = build(part);
-  name_in_whole(mesh.edges.source, mesh.edges.points() / 2, edges);
+  name_in_whole(mesh.edges.source, mesh.edges.size(), edges);
   name_in_whole(mesh.triangles.source, mesh.triangles.size(), triangles);
   name_in_whole(mesh.tetrahedra.source, mesh.tetrahedra.size(), tetrahedra);
   name_faces_in_whole(mesh.outside.source, tetrahedra);

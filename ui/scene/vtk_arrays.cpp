@@ -138,7 +138,6 @@ std::shared_ptr<BallData> make_ball_data(std::shared_ptr<const BallGeometry> bal
 std::shared_ptr<MeshData> make_mesh_data(std::shared_ptr<const ComplexMesh> mesh) {
   if (!mesh) return nullptr;
   auto data = std::make_shared<MeshData>();
-  data->edges = soup_to_vtk(mesh->edges, 2);
   data->mesh = std::move(mesh);
   return data;
 }

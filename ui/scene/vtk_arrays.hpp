@@ -19,10 +19,9 @@ struct BallData {
   vtkSmartPointer<vtkPolyData> points;
 };
 
-// Shaders and VTK read the arrays of the mesh in place.
+// Shaders read the arrays of the mesh in place.
 struct MeshData {
   std::shared_ptr<const ComplexMesh> mesh;
-  vtkSmartPointer<vtkPolyData> edges;  // null: none
 };
 
 struct CapData {

@@ -100,11 +100,14 @@ SessionDocument unusual() {
        .ball_opacity = 0.31f,
        .complex_opacity = 0.33f,
        .shrink = 0.1f,
+       .edge_thickness = 0.34f,
+       .smooth_boundary = true,
        .ball_paint = {ColourBy::b_factor, ColourMap::cividis, ColourRange{-2.5, 61}, {}},
        .complex_paint = {ColourBy::single, {}, {}, Rgb8{1, 2, 250}},
        .ambient_occlusion = false,
        .depth_cue = 0.17f,
        .silhouettes = 2.25f,
+       .face_edges = 0.75f,
        .samples = 5,
        .beside = {false, false, true, true}};
   s.settings.selection = RefSet({AtomRef{4, 0}, AtomRef{5, 2}, SimplexRef{{1, 0}, {2, 0}, {3, 7}}});

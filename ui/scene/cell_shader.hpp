@@ -1,0 +1,187 @@
+// What CellMapper adds to VTK's shaders. For its source only. Places are in Å, relative to
+// BallGeometry::origin in the vertex shader ("MC"), in the camera's coordinates in the other ("VC").
+#pragma once
+
+namespace alphascope {
+
+// Faces: three balls and the colour. Tetrahedra: four balls; face f lacks corner f. In the fragment
+// shader cellCorner is 1 at a corner and 0 on the side opposite to it.
+inline constexpr const char* kFacesDeclared = R"(
+uniform usamplerBuffer cells;
+uniform usamplerBuffer cellColours;
+uniform samplerBuffer places;
+uniform samplerBuffer normals;
+uniform mat3 cellToCamera;
+uniform float shrink;
+uniform int whole;
+uniform int smoothed;
+flat out vec3 cellColourVSOutput;
+out vec3 cellCornerVSOutput;
+out vec3 cellNormalVSOutput;
+vec4 vertexMC;
+vec3 placeOf(uint ball) { return texelFetch(places, int(ball)).xyz; }
+)";
+inline constexpr const char* kFacesFetched = R"(
+  {
+    uint colour;
+    vec3 place;
+    int corner = gl_VertexID % 3;
+    cellNormalVSOutput = vec3(0.0);
+    if (whole != 0) {
+      int cell = gl_VertexID / 12;
+      int face = gl_VertexID % 12 / 3;
+      uvec4 balls = texelFetch(cells, cell);
+      place = placeOf(balls[corner < face ? corner : corner + 1]);
+      if (shrink > 0.0) {
+        vec3 centre = 0.25 * placeOf(balls.x) + 0.25 * placeOf(balls.y);
+        centre += 0.25 * placeOf(balls.z);
+        centre += 0.25 * placeOf(balls.w);
+        place += shrink * (centre - place);
+      }
+      colour = texelFetch(cellColours, cell).x;
+    } else {
+      uvec4 face = texelFetch(cells, gl_VertexID / 3);
+      place = placeOf(face[corner]);
+      colour = face.w;
+      if (smoothed != 0) {
+        cellNormalVSOutput = cellToCamera * texelFetch(normals, int(face[corner])).xyz;
+      }
+    }
+    vertexMC = vec4(place, 1.0);
+    cellCornerVSOutput = vec3(corner == 0, corner == 1, corner == 2);
+    cellColourVSOutput =
+        vec3(float(colour & 255u), float(colour >> 8 & 255u), float(colour >> 16 & 255u)) / 255.0;
+  }
+)";
+inline constexpr const char* kFacesToFragments = R"(
+uniform int smoothed;
+uniform float sideWidth;  // of the darker lines around a face, pixels; 0: none
+flat in vec3 cellColourVSOutput;
+in vec3 cellCornerVSOutput;
+in vec3 cellNormalVSOutput;
+)";
+// Derivatives need all neighbours of a pixel to be computed.
+inline constexpr const char* kFacesUniform = R"(
+  vec3 cellSlope = vec3(0.0);  // of cellCorner, for each pixel
+  if (sideWidth > 0.0) {
+    vec3 right = dFdx(cellCornerVSOutput), up = dFdy(cellCornerVSOutput);
+    cellSlope = max(sqrt(right * right + up * up), 1e-6);
+  }
+)";
+// Half of a line lies on each of two faces. What is no larger than its lines has none.
+inline constexpr const char* kFacesColoured = R"(
+  vec3 cellColour = cellColourVSOutput;
+  if (sideWidth > 0.0) {
+    vec3 away = cellCornerVSOutput / cellSlope;  // from the sides, pixels
+    float nearest = min(away.x, min(away.y, away.z));
+    float height = 1.0 / max(cellSlope.x, max(cellSlope.y, cellSlope.z));
+    float line = 1.0 - smoothstep(0.5 * sideWidth - 0.5, 0.5 * sideWidth + 0.5, nearest);
+    cellColour *= 1.0 - 0.5 * line * smoothstep(4.0, 14.0, height / sideWidth);
+  }
+  ambientColor = ambientIntensity * cellColour;
+  diffuseColor = diffuseIntensity * cellColour;
+)";
+// Where sheets of a surface meet in a ball, its normal may be nobody's: the face has its own then.
+inline constexpr const char* kFacesNormal = R"(
+  if (smoothed != 0) {
+    vec3 between = normalize(cellNormalVSOutput + vec3(0.0, 0.0, 1e-12));
+    if (dot(between, normalVCVSOutput) < 0.0) between = -between;
+    if (dot(between, normalVCVSOutput) > 0.2) normalVCVSOutput = between;
+  }
+)";
+
+// An edge is a rod with round ends. The vertex shader draws a rectangle that covers it, as near as
+// the rod comes; the fragment shader finds where the line of sight meets the rod.
+inline constexpr const char* kRodsDeclared = R"(
+uniform usamplerBuffer cells;
+uniform samplerBuffer places;
+uniform mat4 cellToCamera;
+uniform mat4 cameraToPicture;
+uniform int parallel;
+uniform float radius;
+uniform float radiusPerDepth;  // the least, which a thin rod far away still has
+flat out vec3 cellColourVSOutput;
+flat out vec4 rodFrom;  // and its radius
+flat out vec3 rodAlong;
+vec4 vertexMC;
+vec3 placeOf(uint ball) {
+  return (cellToCamera * vec4(texelFetch(places, int(ball)).xyz, 1.0)).xyz;
+}
+vec3 towardsEye(vec3 place) { return parallel != 0 ? vec3(0.0, 0.0, 1.0) : normalize(-place); }
+)";
+inline constexpr const char* kRodsPlaced = R"(
+  {
+    uvec4 edge = texelFetch(cells, gl_VertexID / 6);
+    vec3 from = placeOf(edge.x), to = placeOf(edge.y);
+    vec3 middle = 0.5 * (from + to);
+    float thick = max(radius, radiusPerDepth * (parallel != 0 ? 1.0 : -middle.z));
+    vec3 eye = towardsEye(middle);
+    vec3 along = (to - from) - dot(to - from, eye) * eye;
+    float seen = length(along);
+    along = seen > 1e-6 ? along / seen : normalize(cross(eye, vec3(0.0, 1.0, 0.1)));
+    vec3 across = cross(eye, along);
+    // Two triangles: 0 1 2, 2 1 3; bit 0 is the end, bit 1 the side.
+    int corner = gl_VertexID % 6;
+    corner = corner < 3 ? corner : corner == 3 ? 2 : corner == 4 ? 1 : 3;
+    bool end = (corner & 1) != 0;
+    vec3 place = end ? to : from;
+    float more = 1.1 * thick;
+    place += thick * towardsEye(place) + (end ? more : -more) * along;
+    place += ((corner & 2) != 0 ? more : -more) * across;
+    rodFrom = vec4(from, thick);
+    rodAlong = to - from;
+    cellColourVSOutput =
+        vec3(float(edge.z & 255u), float(edge.z >> 8 & 255u), float(edge.z >> 16 & 255u)) / 255.0;
+    vertexVCVSOutput = vec4(place, 1.0);
+    gl_Position = cameraToPicture * vertexVCVSOutput;
+  }
+)";
+inline constexpr const char* kRodsToFragments = R"(
+uniform mat4 cameraToPicture;
+uniform int parallel;
+flat in vec3 cellColourVSOutput;
+flat in vec4 rodFrom;
+flat in vec3 rodAlong;
+)";
+// The ray starts on the rectangle, close to the rod: from the eye, squares of distances would drown
+// that of the radius.
+inline constexpr const char* kRodsMet = R"(
+  vec3 normalVCVSOutput;
+  {
+    vec3 start = vertexVC.xyz - rodFrom.xyz;
+    vec3 ray = parallel != 0 ? vec3(0.0, 0.0, -1.0) : normalize(vertexVC.xyz);
+    float square = rodFrom.w * rodFrom.w;
+    float length2 = dot(rodAlong, rodAlong), rayAlong = dot(rodAlong, ray);
+    float startAlong = dot(rodAlong, start);
+    float a = length2 - rayAlong * rayAlong;
+    float reached = rayAlong > 0.0 ? -1.0 : length2 + 1.0;  // along the rod; seen from its end
+    float way = 0.0;
+    if (a > 1e-6 * length2) {
+      float b = length2 * dot(start, ray) - startAlong * rayAlong;
+      float c = length2 * (dot(start, start) - square) - startAlong * startAlong;
+      float d = b * b - a * c;
+      if (d < 0.0) discard;
+      way = (-b - sqrt(d)) / a;
+      reached = startAlong + way * rayAlong;
+    }
+    if (reached <= 0.0 || reached >= length2) {
+      vec3 fromEnd = reached <= 0.0 ? start : start - rodAlong;
+      float b = dot(fromEnd, ray);
+      float d = b * b - dot(fromEnd, fromEnd) + square;
+      if (d < 0.0) discard;
+      way = -b - sqrt(d);
+      reached = reached <= 0.0 ? 0.0 : length2;
+    }
+    vec3 place = start + way * ray;
+    normalVCVSOutput = (place - (length2 > 0.0 ? reached / length2 : 0.0) * rodAlong) / rodFrom.w;
+    vertexVC = vec4(rodFrom.xyz + place, 1.0);
+    vec4 drawn = cameraToPicture * vertexVC;
+    gl_FragDepth = (drawn.z / drawn.w + 1.0) / 2.0;
+  }
+)";
+inline constexpr const char* kRodsColoured = R"(
+  ambientColor = ambientIntensity * cellColourVSOutput;
+  diffuseColor = diffuseIntensity * cellColourVSOutput;
+)";
+
+}  // namespace alphascope

@@ -25,7 +25,8 @@ LabelText label_named(const AtomWord& word) {
   for (const auto& [text, id] : setting_ids(LabelText{})) {
     if (word.word == id) return text;
   }
-  refuse_atom_word(word.part, kWhat, std::string(kExample) + " (labels are " + known_labels() + ")");
+  refuse_atom_word(word.part, kWhat,
+                   std::string(kExample) + " (labels are " + known_labels() + ")");
 }
 
 }  // namespace

@@ -27,7 +27,7 @@ double milliseconds_since(Clock::time_point start) {
 
 std::vector<PickLine> lines_of_sight(const BallGeometry& balls) {
   constexpr int kAcross = 80, kDown = 50;
-  const double aspect = 1.6, distance = fitting_distance(balls, aspect);
+  const double aspect = 1.6, distance = fitting_distance(balls, {}, aspect);
   const double up = tangent_up(aspect, 0);
   std::vector<PickLine> lines;
   for (int i = 0; i < kAcross * kDown; ++i) {

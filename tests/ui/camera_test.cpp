@@ -73,6 +73,16 @@ TEST(ViewAngle, GrowsOnlyWhereThePictureIsTooNarrow) {
   EXPECT_DOUBLE_EQ(tangent_up(0.5, 1.5) * 0.5, usual * 1.5);
 }
 
+TEST(FittingDistance, IsOfTheLargerOfGivenAndDrawnRadii) {
+  const BallGeometry balls = two_balls();
+  const double given = fitting_distance(balls, {}, 1.5);
+  const std::vector<float> small(2, 0.1f), grown(2, 20.0f);
+  EXPECT_DOUBLE_EQ(fitting_distance(balls, small, 1.5), given);
+  // One that reaches so far up is seen under the usual angle from at least here.
+  EXPECT_GT(fitting_distance(balls, grown, 1.5), 20 / tangent_up(1.5, 0));
+  EXPECT_GT(fitting_distance(balls, grown, 1.5), given);
+}
+
 TEST(ViewAngle, LeastAspectIsThatOfWhatIsInThePicture) {
   const BallGeometry balls = two_balls();
   Sight s = from(0, 0, 100);

@@ -87,8 +87,8 @@ TEST_F(CellPicture, AnEdgeIsARodAsThickAsAskedFor) {
     const int end = kWidth / 2 + static_cast<int>((4 + 0.7 * radius) * pixels_per_angstrom());
     EXPECT_GT(rows_drawn(image, end), 0);
     EXPECT_LT(rows_drawn(image, end), 0.85 * wanted);
-    EXPECT_EQ(rows_drawn(image, kWidth / 2 + static_cast<int>((4 + 1.2 * radius) *
-                                                              pixels_per_angstrom())),
+    EXPECT_EQ(rows_drawn(image,
+                         kWidth / 2 + static_cast<int>((4 + 1.2 * radius) * pixels_per_angstrom())),
               0);
   }
 }
@@ -180,8 +180,8 @@ TEST_F(CellPicture, ASmoothBoundaryHasNoStepsOfLight) {
   const std::vector<std::array<float, 3>> places{{0, -3, 2}, {4, -3, 0}, {4, 3, 0},
                                                  {0, 3, 2},  {-4, 3, 0}, {-4, -3, 0}};
   FaceCells roof;
-  for (const auto& balls : std::vector<std::array<BallIndex, 3>>{
-           {0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}}) {
+  for (const auto& balls :
+       std::vector<std::array<BallIndex, 3>>{{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}}) {
     roof.faces.push_back({balls, packed(kGreen)});
   }
   const auto step = [&](const FaceCells& faces) {
@@ -192,8 +192,8 @@ TEST_F(CellPicture, ASmoothBoundaryHasNoStepsOfLight) {
   };
   EXPECT_GT(step(roof), 10);
   const float side = 0.4472136f, up = 0.8944272f;
-  roof.normals = {{0, 0, 1},         {side, 0, up},  {side, 0, up},
-                  {0, 0, 1},         {-side, 0, up}, {-side, 0, up}};
+  roof.normals = {{0, 0, 1}, {side, 0, up},  {side, 0, up},
+                  {0, 0, 1}, {-side, 0, up}, {-side, 0, up}};
   EXPECT_LT(step(roof), 4);
 }
 
@@ -204,8 +204,14 @@ TEST_F(CellPicture, WhatIsBeforeTheLightCastsAShadow) {
   for (const auto& balls : std::vector<std::array<BallIndex, 3>>{{4, 5, 6}, {4, 6, 7}}) {
     plates.faces.push_back({balls, packed(kGreen)});
   }
-  load({{-30, -30, -3}, {30, -30, -3}, {30, 30, -3}, {-30, 30, -3},
-        {-2, -2, 0}, {2, -2, 0}, {2, 2, 0}, {-2, 2, 0}},
+  load({{-30, -30, -3},
+        {30, -30, -3},
+        {30, 30, -3},
+        {-30, 30, -3},
+        {-2, -2, 0},
+        {2, -2, 0},
+        {2, 2, 0},
+        {-2, 2, 0}},
        mesh_of({}, plates));
   style_.ambient_occlusion = true;
   style_.samples = 8;

@@ -92,7 +92,7 @@ double tangent_up(double aspect, double least_aspect) {
   return usual_tangent() * std::max(1.0, aspect > 0 ? least_aspect / aspect : 1.0);
 }
 
-double fitting_distance(const BallGeometry& balls, double aspect) {
+double fitting_distance(const BallGeometry& balls, std::span<const float> drawn, double aspect) {
   const double up = usual_tangent(), right = up * aspect;
   double distance = 1;
   for (std::size_t i = 0; i < balls.centres.size(); ++i) {
@@ -100,8 +100,9 @@ double fitting_distance(const BallGeometry& balls, double aspect) {
     for (int a = 0; a < 3; ++a) {
       for (int k = 0; k < 3; ++k) along[a] += balls.axes[a][k] * balls.centres[i][k];
     }
-    const double reach = std::max((std::fabs(along[0]) + balls.radii[i]) / right,
-                                  (std::fabs(along[1]) + balls.radii[i]) / up);
+    const double radius = std::max(balls.radii[i], drawn.empty() ? 0.0f : drawn[i]);
+    const double reach =
+        std::max((std::fabs(along[0]) + radius) / right, (std::fabs(along[1]) + radius) / up);
     distance = std::max(distance, reach + along[2]);
   }
   return kMargin * distance;

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "ui/scene/ball_geometry.hpp"
@@ -47,7 +48,9 @@ std::optional<std::array<double, 2>> seen_at(const Sight& sight, const std::arra
 double tangent_up(double aspect, double least_aspect);
 
 // From here, looking along -axes[2], the outline of the balls just fits, with a small margin.
-double fitting_distance(const BallGeometry& balls, double aspect);
+// `drawn` are the radii that they are drawn with, Å, none: they are not drawn; the larger one of
+// each counts.
+double fitting_distance(const BallGeometry& balls, std::span<const float> drawn, double aspect);
 
 // From where these balls fill most of the picture, in the direction and with the angles of `sight`.
 Viewpoint looking_at(const BallGeometry& balls, const std::vector<BallIndex>& some,

@@ -1,5 +1,6 @@
 // What CellMapper adds to VTK's shaders. For its source only. Places are in Å, relative to
-// BallGeometry::origin in the vertex shader ("MC"), in the camera's coordinates in the other ("VC").
+// BallGeometry::origin in the vertex shader ("MC"), in the camera's coordinates in the other
+// ("VC").
 #pragma once
 
 namespace alphascope {

@@ -317,7 +317,9 @@ void Scene::Impl::reset_camera() {
   const auto& towards = balls->axes[2];
   const auto& up = balls->axes[1];
   camera->SetFocalPoint(0, 0, 0);
-  const double distance = fitting_distance(*balls, aspect);
+  std::span<const float> drawn;
+  if (style.balls && all_balls.data) drawn = radii_of(*all_balls.data);
+  const double distance = fitting_distance(*balls, drawn, aspect);
   camera->SetPosition(distance * towards[0], distance * towards[1], distance * towards[2]);
   camera->SetViewUp(up[0], up[1], up[2]);
   least_aspect = 0;

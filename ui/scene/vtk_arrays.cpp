@@ -95,6 +95,11 @@ void set_radii(vtkPolyData* data, const std::vector<float>& radii) {
   data->Modified();
 }
 
+std::span<const float> radii_of(const BallData& balls) {
+  auto* array = vtkFloatArray::SafeDownCast(balls.points->GetPointData()->GetArray(kRadiusArray));
+  return {array->GetPointer(0), static_cast<std::size_t>(array->GetNumberOfValues())};
+}
+
 vtkSmartPointer<vtkPolyData> soup_to_vtk(const CellSoup& soup, int corners) {
   if (soup.points() == 0) return nullptr;
   auto data = points_in_place(soup.xyz, soup.rgb);

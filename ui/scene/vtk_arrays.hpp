@@ -5,6 +5,7 @@
 #include <vtkSmartPointer.h>
 
 #include <memory>
+#include <span>
 
 #include "ui/scene/ball_geometry.hpp"
 #include "ui/scene/complex_mesh.hpp"
@@ -45,6 +46,7 @@ struct LayerData {
 vtkSmartPointer<vtkPolyData> balls_to_vtk(const BallGeometry& balls);
 void set_colours(vtkPolyData* data, const std::vector<Rgb8>& colours);
 void set_radii(vtkPolyData* data, const std::vector<float>& radii);
+std::span<const float> radii_of(const BallData& balls);  // as they are drawn
 
 // Points and colours stay those of `soup`, which must outlive the result; `corners` points a cell.
 // Null for a soup without points.

@@ -1,10 +1,10 @@
 #include "core/dual_edge/ball_simplices.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdlib>
 
+#include "core/dual_edge/ball_simplices_body.hpp"
 #include "core/predicates/grown_balls.hpp"
 
 namespace alphascope {
@@ -130,76 +130,10 @@ void BallSimplices::fill_row(int j) {
   }
 }
 
-bool BallSimplices::edge_is_attached(int j, const FacetDisc<double>& disc) {
-  const TriangleRows common{j, j, row(j), row(j)};
-  for (int m = common.next_common(-1, words_); m >= 0; m = common.next_common(m, words_)) {
-    Decision d = filter_ ? disc.centre_cut_by(vector(m)) : Decision::unknown;
-    if (d == Decision::unknown) d = edge_attached_to<ExactDecider>(surroundings(), j, m);
-    if (d == Decision::in) return true;
-  }
-  return false;
-}
-
-void BallSimplices::add_edge(int j, BlockOutput& out) {
-  float value = HUGE_VALF;
-  const bool attached = edge_is_attached(j, FacetDisc<double>(vector(j), radius_square_));
-  if (!attached && decide_simplex<ExactDecider>(surroundings(), &value, j) == Decision::out) {
-    dead_[static_cast<std::size_t>(j)] = 1;
-    return;
-  }
-  edge_[static_cast<std::size_t>(j - first_)] = out.edges.size();
-  out.edges.simplices.push_back({i_, neighbours_.ball(j)});
-  out.edges.values.push_back(value);
-  out.edges.states.push_back(attached ? 0 : kUnattached);
-}
-
 void BallSimplices::note_coface(int j, float value, SimplexClass coface, BlockOutput& out) {
   const std::uint32_t e = edge_[static_cast<std::size_t>(j - first_)];
   out.edges.values[e] = std::min(out.edges.values[e], value);
   out.edges.states[e] = static_cast<std::uint8_t>(out.edges.states[e] | coface_flags(coface));
-}
-
-TriangleFace BallSimplices::exactly(const TriangleRows& rows) {
-  const auto start = std::chrono::steady_clock::now();
-  ++exact_dual_edges_;
-  const bool small = largest_offset_ < kSmallOffset && largest_power_ < kSmallPower;
-  const TriangleFace face = small ? exact_face<Int128>(surroundings(), rows, words_)
-                                  : exact_face<WideInt<4>>(surroundings(), rows, words_);
-  exact_milliseconds_ +=
-      std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-  return face;
-}
-
-template <class Body>
-auto BallSimplices::filtered(const NearFirstRows& rows, const Body& body) const {
-  const auto vectors = [&](int k) -> const LiftedVector<double>& { return vector(k); };
-  return culled_ ? body(rows, vectors) : body(static_cast<const TriangleRows&>(rows), vectors);
-}
-
-void BallSimplices::triangle(const NearFirstRows& t, BlockOutput& out) {
-  TriangleFace face = TriangleFace::undecided();
-  if (filter_) {
-    face = filtered(t, [&](const auto& rows, const auto& vectors) {
-      return filtered_face<double>(rows, words_, radius_square_, vectors);
-    });
-  }
-  if (face.in == Decision::unknown) face = exactly(t);
-  if (face.in == Decision::out) return;
-  const std::array<BallIndex, 3> ijk{i_, neighbours_.ball(t.j), neighbours_.ball(t.k)};
-  float value = 0;
-  triangle_value<ExactDecider>(surroundings(), t.j, t.k, face, &value);
-  out.triangles.simplices.push_back(ijk);
-  out.triangles.values.push_back(value);
-  const SimplexClass own = triangle_class(face.cofaces());
-  out.triangles.states.push_back(static_cast<std::uint8_t>(own));
-  note_coface(t.j, value, own, out);
-  note_coface(t.k, value, own, out);
-  for (const int l : {std::min(face.low, face.high), std::max(face.low, face.high)}) {
-    if (l <= t.k) continue;
-    decide_simplex<ExactDecider>(surroundings(), &value, t.j, t.k, l);
-    out.tetrahedra.simplices.push_back({ijk[0], ijk[1], ijk[2], neighbours_.ball(l)});
-    out.tetrahedra.values.push_back(value);
-  }
 }
 
 void BallSimplices::tetrahedra(const NearFirstRows& t, BlockOutput& out) {
@@ -217,17 +151,6 @@ void BallSimplices::tetrahedra(const NearFirstRows& t, BlockOutput& out) {
   }
 }
 
-void BallSimplices::triangles_of(int j, BlockOutput& out) {
-  const TriangleRows ij{j, j, row(j), row(j)};
-  for (int k = ij.next_common(j, words_); k >= 0; k = ij.next_common(k, words_)) {
-    if (dead_[static_cast<std::size_t>(k)] != 0) continue;
-    const NearFirstRows t{{j, k, row(j), row(k)}, near_.data()};
-    if (!whole_ && !t.has_fourth(words_)) continue;
-    ++dual_edges_;
-    whole_ ? triangle(t, out) : tetrahedra(t, out);
-  }
-}
-
 VertexState BallSimplices::vertex_state() const {
   if (-static_cast<double>(weight_) > alpha_) return VertexState::absent;
   // With equality the centre lies on the boundary of its power cell, or the cell is empty after
@@ -237,21 +160,7 @@ VertexState BallSimplices::vertex_state() const {
 
 VertexState BallSimplices::process(std::uint32_t slot, std::span<const std::uint32_t> list,
                                    BlockOutput& out) {
-  load(slot, list);
-  const int n = static_cast<int>(slots_.size()), later = n - first_;
-  if (!whole_ && later < 3) return VertexState::absent;  // not asked for
-  const auto alive = [&](int j) { return dead_[static_cast<std::size_t>(j)] == 0; };
-  rows_.resize(static_cast<std::size_t>(later) * static_cast<std::size_t>(words_));
-  edge_.resize(static_cast<std::size_t>(later));
-  for (int j = first_; j < n; ++j) {
-    if (!alive(j)) continue;
-    fill_row(j);
-    if (whole_) add_edge(j, out);
-  }
-  for (int j = first_; j < n; ++j) {
-    if (alive(j)) triangles_of(j, out);
-  }
-  return whole_ ? vertex_state() : VertexState::absent;
+  return process_with(slot, list, out, NotRecorded());
 }
 
 }  // namespace alphascope

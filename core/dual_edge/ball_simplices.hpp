@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/complex/face_class.hpp"
+#include "core/dual_edge/ball_simplices_sink.hpp"
 #include "core/dual_edge/facet_disc.hpp"
 #include "core/dual_edge/triangle_faces.hpp"
 #include "core/geometry/ball_set.hpp"
@@ -51,6 +52,9 @@ class BallSimplices {
   // Appends the simplices whose lowest vertex is the ball in `slot`, in lexicographic order.
   // `list` holds the slots of its neighbours, ascending by ball index.
   VertexState process(std::uint32_t slot, std::span<const std::uint32_t> list, BlockOutput& out);
+  // The same for a sink.
+  VertexState process(std::uint32_t slot, std::span<const std::uint32_t> list, BlockOutput& out,
+                      const BallSimplicesSink& sink);
 
   std::size_t dual_edges() const { return dual_edges_; }
   std::size_t exact_dual_edges() const { return exact_dual_edges_; }
@@ -71,15 +75,23 @@ class BallSimplices {
   void cull();
   void keep(std::size_t from, std::size_t to);
   void fill_row(int j);
-  bool edge_is_attached(int j, const FacetDisc<double>& disc);
-  void add_edge(int j, BlockOutput& out);
-  void triangles_of(int j, BlockOutput& out);
-  void triangle(const NearFirstRows& rows, BlockOutput& out);
+  template <class Sink>
+  VertexState process_with(std::uint32_t slot, std::span<const std::uint32_t> list,
+                           BlockOutput& out, const Sink& sink);
+  template <class Sink>
+  bool edge_is_attached(int j, const FacetDisc<double>& disc, const Sink& sink);
+  template <class Sink>
+  void add_edge(int j, BlockOutput& out, const Sink& sink);
+  template <class Sink>
+  void triangles_of(int j, BlockOutput& out, const Sink& sink);
+  template <class Sink>
+  void triangle(const NearFirstRows& rows, BlockOutput& out, const Sink& sink);
   void tetrahedra(const NearFirstRows& rows, BlockOutput& out);
   // Kernel II: `body` is filtered_face or filtered_ends.
   template <class Body>
   auto filtered(const NearFirstRows& rows, const Body& body) const;
-  TriangleFace exactly(const TriangleRows& rows);
+  template <class Sink = NotRecorded>
+  TriangleFace exactly(const TriangleRows& rows, const Sink& sink = {});
   void note_coface(int j, float value, SimplexClass coface, BlockOutput& out);
   VertexState vertex_state() const;
 

@@ -188,6 +188,10 @@ class DualEdge {
   // What is left has |s| <= reach().
   ALPHASCOPE_INLINE Real reach() const { return reach_; }
 
+  // To show where it is: x(s) from p_i, with s from -low().t to high().t.
+  ALPHASCOPE_INLINE const Vector3<Real>& foot() const { return foot_; }
+  ALPHASCOPE_INLINE const Vector3<Real>& direction() const { return n_; }
+
   ALPHASCOPE_INLINE const End& high() const { return high_; }
   ALPHASCOPE_INLINE const End& low() const { return low_; }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/predicates/perturbation.hpp"
+#include "core/predicates/recording.hpp"
 #include "core/predicates/simplex_decisions.hpp"
 
 namespace alphascope {
@@ -50,10 +51,12 @@ ALPHASCOPE_HOST_DEVICE int orthocentre_cut(const LiftedInt& j, const LiftedInt& 
 
 // The ends of the dual edge of ijk as far as its common neighbours cut it; false when they leave
 // nothing, or when the three centres are collinear (then ijk is no simplex). `next(m)` is the
-// common neighbour after m, from next(-1) on, or -1.
-template <class Integer, class Neighbours, class Next>
+// common neighbour after m, from next(-1) on, or -1. `sink` gets the slots of both ends, or of the
+// one ball that takes what was left.
+template <class Integer, class Neighbours, class Next, class Sink = NotRecorded>
 ALPHASCOPE_HOST_DEVICE bool exact_ends(const Neighbourhood<Neighbours>& in, int j, int k,
-                                       const Next& next, EndBall& high, EndBall& low) {
+                                       const Next& next, EndBall& high, EndBall& low,
+                                       const Sink& sink = {}) {
   const LiftedInt vj = in.neighbours.lifted(j), vk = in.neighbours.lifted(k);
   const auto n = cross(vj, vk);
   if (n.x == 0 && n.y == 0 && n.z == 0) return false;
@@ -68,9 +71,12 @@ ALPHASCOPE_HOST_DEVICE bool exact_ends(const Neighbourhood<Neighbours>& in, int 
   }
   // Those that bound the other side, or run parallel, may have cut off everything.
   for (int m = next(-1); m >= 0; m = next(m)) {
-    if (m != high.slot && orthocentre_cut<Integer>(vj, vk, high, in.neighbours.lifted(m)) > 0)
+    if (m != high.slot && orthocentre_cut<Integer>(vj, vk, high, in.neighbours.lifted(m)) > 0) {
+      sink(m);
       return false;
+    }
   }
+  sink(high.slot, low.slot);
   return true;
 }
 

@@ -10,6 +10,7 @@
 
 #include "core/dual_edge/dual_edge.hpp"
 #include "core/dual_edge/exact_dual_edge.hpp"
+#include "core/predicates/recording.hpp"
 
 namespace alphascope {
 
@@ -77,43 +78,52 @@ struct TriangleFace {
 };
 
 // Clips by the neighbours whose bits `cutters(word)` gives; true when nothing is left. `lifted(m)`:
-// the vector of neighbour m in the units of Real. (One loop over the bits of all words costs a GPU
-// 2 % more.)
-template <class Real, class Cutters, class Lifted>
+// the vector of neighbour m in the units of Real. `sink` gets the edge after each neighbour, what
+// that one takes, and whether nothing is left. (One loop over the bits of all words costs a GPU 2 %
+// more.)
+template <class Real, class Cutters, class Lifted, class Sink>
 ALPHASCOPE_INLINE bool clips_away(DualEdge<Real>& edge, int words, const Cutters& cutters,
-                                  const Lifted& lifted) {
+                                  const Lifted& lifted, const Sink& sink) {
   using Takes = typename DualEdge<Real>::Takes;
   for (int w = 0; w < words; ++w) {
     for (std::uint32_t bits = cutters(w); bits != 0; bits &= bits - 1) {
       const int m = w * 32 + lowest_bit(bits);
       const auto cut = edge.cut_by(lifted(m));
       const Takes takes = edge.takes(cut);
-      if (takes == Takes::all || (takes == Takes::some && edge.clip(cut, m))) return true;
+      if (takes == Takes::all || (takes == Takes::some && edge.clip(cut, m))) {
+        sink(edge, m, takes, true);
+        return true;
+      }
+      sink(edge, m, takes, false);
     }
   }
   return false;
 }
 
-template <class Real, class Lifted>
+template <class Real, class Lifted, class Sink>
 ALPHASCOPE_INLINE bool clips_away(DualEdge<Real>& edge, const TriangleRows& t, int words,
-                                  const Lifted& lifted) {
+                                  const Lifted& lifted, const Sink& sink) {
   return clips_away(
-      edge, words, [&](int w) { return t.common(w); }, lifted);
+      edge, words, [&](int w) { return t.common(w); }, lifted, sink);
 }
-template <class Real, class Lifted>
+template <class Real, class Lifted, class Sink>
 ALPHASCOPE_INLINE bool clips_away(DualEdge<Real>& edge, const NearFirstRows& t, int words,
-                                  const Lifted& lifted) {
+                                  const Lifted& lifted, const Sink& sink) {
   return clips_away(
-             edge, words, [&](int w) { return t.common(w) & t.near[w]; }, lifted) ||
+             edge, words, [&](int w) { return t.common(w) & t.near[w]; }, lifted, sink) ||
          clips_away(
-             edge, words, [&](int w) { return t.common(w) & ~t.near[w]; }, lifted);
+             edge, words, [&](int w) { return t.common(w) & ~t.near[w]; }, lifted, sink);
 }
 
-// The dual edge of a triangle after all its cuts; false when nothing is left.
-template <class Real, class Rows, class Lifted>
+// The dual edge of a triangle after all its cuts; false when nothing is left. `sink` gets it before
+// the first cut, and then as clips_away() says. (In one expression: with two statements nvcc makes
+// other code of the empty sink.)
+template <class Real, class Rows, class Lifted, class Sink = NotRecorded>
 ALPHASCOPE_INLINE bool clipped_edge(DualEdge<Real>& edge, const Rows& t, int words,
-                                    Real radius_square, const Lifted& lifted) {
-  return edge.start(lifted(t.j), lifted(t.k), radius_square) && !clips_away(edge, t, words, lifted);
+                                    Real radius_square, const Lifted& lifted,
+                                    const Sink& sink = {}) {
+  return edge.start(lifted(t.j), lifted(t.k), radius_square) &&
+         (sink(edge), !clips_away(edge, t, words, lifted, sink));
 }
 
 // Kernel II of one triangle, tetrahedra only: those whose last vertex comes after k.
@@ -159,12 +169,12 @@ ALPHASCOPE_INLINE TriangleFace decided_face(const FaceDecisions& d, int high, in
   return {in, d.high == Decision::in ? high : -1, d.low == Decision::in ? low : -1, attached};
 }
 
-// Kernel II of one triangle.
-template <class Real, class Rows, class Lifted>
+// Kernel II of one triangle. `sink`: see clipped_edge().
+template <class Real, class Rows, class Lifted, class Sink = NotRecorded>
 ALPHASCOPE_INLINE TriangleFace filtered_face(const Rows& t, int words, Real radius_square,
-                                             const Lifted& lifted) {
+                                             const Lifted& lifted, const Sink& sink = {}) {
   DualEdge<Real> edge;
-  if (!clipped_edge(edge, t, words, radius_square, lifted)) return TriangleFace::absent();
+  if (!clipped_edge(edge, t, words, radius_square, lifted, sink)) return TriangleFace::absent();
   if (!edge.ends_certain() || !edge.certainly_there()) return TriangleFace::undecided();
   const auto &high = edge.high(), &low = edge.low();
   const bool has_high = high.cutter >= 0, has_low = low.cutter >= 0;
@@ -176,13 +186,15 @@ ALPHASCOPE_INLINE TriangleFace filtered_face(const Rows& t, int words, Real radi
       high.cutter, low.cutter);
 }
 
-// Kernel III of one triangle in integers; Integer as orthocentre_cut() asks.
-template <class Integer, class Neighbours>
+// Kernel III of one triangle in integers; Integer as orthocentre_cut() asks. `sink`: see
+// exact_ends().
+template <class Integer, class Neighbours, class Sink = NotRecorded>
 ALPHASCOPE_HOST_DEVICE TriangleFace exact_face(const Neighbourhood<Neighbours>& in,
-                                               const TriangleRows& t, int words) {
+                                               const TriangleRows& t, int words,
+                                               const Sink& sink = {}) {
   EndBall high, low;
   if (!exact_ends<Integer>(
-          in, t.j, t.k, [&](int m) { return t.next_common(m, words); }, high, low))
+          in, t.j, t.k, [&](int m) { return t.next_common(m, words); }, high, low, sink))
     return TriangleFace::absent();
   const auto within = [&](const EndBall& e) {
     return e.slot < 0 ? Decision::out : decide_simplex<ExactDecider>(in, nullptr, t.j, t.k, e.slot);

@@ -1,0 +1,10 @@
+#include "core/dual_edge/ball_simplices_body.hpp"
+
+namespace alphascope {
+
+VertexState BallSimplices::process(std::uint32_t slot, std::span<const std::uint32_t> list,
+                                   BlockOutput& out, const BallSimplicesSink& sink) {
+  return process_with(slot, list, out, sink);
+}
+
+}  // namespace alphascope

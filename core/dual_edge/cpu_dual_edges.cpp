@@ -26,33 +26,6 @@ struct NeighbourBlock {
   std::vector<std::uint32_t> end;  // per ball of the block: end of its list
 };
 
-// All slots whose grown ball may meet that of `slot`, ascending by ball index.
-void find_neighbours(const UniformGrid& grid, std::uint32_t slot, std::vector<std::uint32_t>& found,
-                     std::vector<std::uint32_t>& row_hits) {
-  const std::int32_t x = grid.x[slot], y = grid.y[slot], z = grid.z[slot];
-  const float reach = grid.reach[slot];
-  const auto [cx, cy, cz] = grid.cell_at({x, y, z});
-  const int z0 = std::max(cz - 1, 0), z1 = std::min(cz + 1, grid.nz - 1);
-  const std::size_t first = found.size();
-  for (int ax = std::max(cx - 1, 0); ax <= std::min(cx + 1, grid.nx - 1); ++ax) {
-    for (int ay = std::max(cy - 1, 0); ay <= std::min(cy + 1, grid.ny - 1); ++ay) {
-      const std::size_t row = (static_cast<std::size_t>(ax) * grid.ny + ay) * grid.nz;
-      const std::uint32_t begin = grid.cell_start[row + z0], end = grid.cell_start[row + z1 + 1];
-      if (row_hits.size() < end - begin) row_hits.resize(2 * (end - begin));
-      std::uint32_t hits = 0;
-      for (std::uint32_t t = begin; t < end; ++t) {
-        row_hits[hits] = t;
-        hits +=
-            grown_balls_may_meet(grid.x[t] - x, grid.y[t] - y, grid.z[t] - z, reach, grid.reach[t]);
-      }
-      found.insert(found.end(), row_hits.begin(), row_hits.begin() + hits);
-    }
-  }
-  found.erase(std::find(found.begin() + static_cast<std::ptrdiff_t>(first), found.end(), slot));
-  std::sort(found.begin() + static_cast<std::ptrdiff_t>(first), found.end(),
-            [&](std::uint32_t a, std::uint32_t b) { return grid.ball[a] < grid.ball[b]; });
-}
-
 // How many simplices a block's output has, or where some of them are.
 struct BlockPlace {
   std::uint32_t edge, triangle, tetrahedron;
@@ -261,6 +234,26 @@ std::vector<EdgeRange> DualEdgeRun::edge_ranges() {
 }
 
 }  // namespace
+
+void find_neighbours(const UniformGrid& grid, std::uint32_t slot, std::vector<std::uint32_t>& found,
+                     std::vector<std::uint32_t>& row_hits) {
+  const std::int32_t x = grid.x[slot], y = grid.y[slot], z = grid.z[slot];
+  const float reach = grid.reach[slot];
+  const std::size_t first = found.size();
+  grid.for_rows_around(grid.cell_at({x, y, z}), [&](std::uint32_t begin, std::uint32_t end) {
+    if (row_hits.size() < end - begin) row_hits.resize(2 * (end - begin));
+    std::uint32_t hits = 0;
+    for (std::uint32_t t = begin; t < end; ++t) {
+      row_hits[hits] = t;
+      hits +=
+          grown_balls_may_meet(grid.x[t] - x, grid.y[t] - y, grid.z[t] - z, reach, grid.reach[t]);
+    }
+    found.insert(found.end(), row_hits.begin(), row_hits.begin() + hits);
+  });
+  found.erase(std::find(found.begin() + static_cast<std::ptrdiff_t>(first), found.end(), slot));
+  std::sort(found.begin() + static_cast<std::ptrdiff_t>(first), found.end(),
+            [&](std::uint32_t a, std::uint32_t b) { return grid.ball[a] < grid.ball[b]; });
+}
 
 NeighbourMoments sample_neighbours(const UniformGrid& grid, std::size_t samples) {
   NeighbourMoments moments;

@@ -3,6 +3,7 @@
 // business.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "core/complex/alpha_complex.hpp"
@@ -16,6 +17,11 @@ struct DualEdgeStatistics {
   std::size_t dual_edges = 0;  // of triangles of balls that meet
   std::size_t exact = 0;       // of these, done again in exact integers
 };
+
+// Appends all slots whose grown balls may meet that of `slot`, ascending by ball index. `row_hits`
+// is scratch memory.
+void find_neighbours(const UniformGrid& grid, std::uint32_t slot, std::vector<std::uint32_t>& found,
+                     std::vector<std::uint32_t>& row_hits);
 
 // Mean number of neighbours of a ball and mean of its square, from at most `samples` balls spread
 // over the grid: what the cost of the dual edges depends on.

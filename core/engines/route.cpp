@@ -33,6 +33,8 @@ bool is_local(const UniformGrid& grid) {
   return grid.search_cost() < 2000.0 * static_cast<double>(grid.size()) + 1e6;
 }
 
+}  // namespace
+
 // Beyond this reach (lattice units) differences of neighbours may leave the clipping kernels'
 // range.
 bool within_clipping_reach(const UniformGrid& grid) {
@@ -40,8 +42,6 @@ bool within_clipping_reach(const UniformGrid& grid) {
   const auto largest = std::max_element(grid.reach.begin(), grid.reach.end());
   return largest == grid.reach.end() || 2 * double{*largest} < kMaxClippingReach;
 }
-
-}  // namespace
 
 Route choose_route(const UniformGrid& grid, const RouteQuestion& question) {
   if (!is_local(grid) || !within_clipping_reach(grid)) return Route::triangulate;

@@ -14,6 +14,10 @@ struct RouteQuestion {
   bool has_triangulation = false;  // so that only what comes after it is to be paid
 };
 
+// Can dual edges be clipped at all: do the differences of neighbours stay within the kernels'
+// range?
+bool within_clipping_reach(const UniformGrid& grid);
+
 // Only the time depends on the choice, never the result. Works in the caller's task arena.
 Route choose_route(const UniformGrid& grid, const RouteQuestion& question);
 

@@ -96,21 +96,16 @@ std::vector<std::uint32_t> sort_into_cells(const BallSet& balls,
 
 double UniformGrid::search_cost() const {
   double cost = 0;
-  const auto count = [&](int cx, int cy, int z0, int z1) {
-    const std::size_t row = (static_cast<std::size_t>(cx) * ny + cy) * nz;
-    return static_cast<double>(cell_start[row + z1 + 1] - cell_start[row + z0]);
-  };
   for (int cx = 0; cx < nx; ++cx) {
     for (int cy = 0; cy < ny; ++cy) {
       for (int cz = 0; cz < nz; ++cz) {
-        const double own = count(cx, cy, cz, cz);
+        const std::size_t cell = (static_cast<std::size_t>(cx) * ny + cy) * nz + cz;
+        const double own = static_cast<double>(cell_start[cell + 1] - cell_start[cell]);
         if (own == 0) continue;
         double around = 0;
-        for (int ax = std::max(cx - 1, 0); ax <= std::min(cx + 1, nx - 1); ++ax) {
-          for (int ay = std::max(cy - 1, 0); ay <= std::min(cy + 1, ny - 1); ++ay) {
-            around += count(ax, ay, std::max(cz - 1, 0), std::min(cz + 1, nz - 1));
-          }
-        }
+        for_rows_around({cx, cy, cz}, [&](std::uint32_t begin, std::uint32_t end) {
+          around += static_cast<double>(end - begin);
+        });
         cost += own * around;
       }
     }

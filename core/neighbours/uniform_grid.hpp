@@ -30,6 +30,17 @@ struct UniformGrid {
     return {std::min(cell_of(p.x, origin.x), nx - 1), std::min(cell_of(p.y, origin.y), ny - 1),
             std::min(cell_of(p.z, origin.z), nz - 1)};
   }
+  // Calls visit(first slot, end of slots) for each row of a cell and the 26 around it.
+  template <class Visit>
+  void for_rows_around(const Cell& cell, const Visit& visit) const {
+    const int z0 = std::max(cell.z - 1, 0), z1 = std::min(cell.z + 1, nz - 1);
+    for (int ax = std::max(cell.x - 1, 0); ax <= std::min(cell.x + 1, nx - 1); ++ax) {
+      for (int ay = std::max(cell.y - 1, 0); ay <= std::min(cell.y + 1, ny - 1); ++ay) {
+        const std::size_t row = (static_cast<std::size_t>(ax) * ny + ay) * nz;
+        visit(cell_start[row + z0], cell_start[row + z1 + 1]);
+      }
+    }
+  }
   // Number of (ball, candidate) distance tests that a search of all balls makes.
   double search_cost() const;
 

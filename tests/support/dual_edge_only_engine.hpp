@@ -3,12 +3,12 @@
 
 #include <tbb/task_arena.h>
 
-#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
 #include "core/dual_edge/cpu_dual_edges.hpp"
 #include "core/engine/engine.hpp"
+#include "core/engines/route.hpp"
 #include "core/neighbours/coincident.hpp"
 
 namespace alphascope::testing {
@@ -26,9 +26,7 @@ class DualEdgeOnlyEngine : public Engine {
     complex.tetrahedra_only = request.tetrahedra_only;
     const UniformGrid grid =
         make_uniform_grid(*balls_, complex.alpha_on_lattice, coincident_hidden(*balls_));
-    // The clipping kernels' range; beyond it only the triangulation answers.
-    const auto widest = std::max_element(grid.reach.begin(), grid.reach.end());
-    if (widest != grid.reach.end() && 2 * double{*widest} >= (1 << 29)) {
+    if (!within_clipping_reach(grid)) {
       return make_cgal_engine(balls_, {1})->compute(request, context);
     }
     arena_.execute([&] {

@@ -112,7 +112,7 @@ VertexState BallSimplices::process_with(std::uint32_t slot, std::span<const std:
                                         BlockOutput& out, const Sink& sink) {
   load(slot, list);
   const int n = static_cast<int>(slots_.size()), later = n - first_;
-  sink(ListNote{neighbours_.balls, {dead_.data(), slots_.size()}, near_, culled_, !attached_});
+  sink(ListNote{neighbours_.balls, {dead_.data(), slots_.size()}, culled_ ? coverers_.size() : 0});
   if (!whole_ && later < 3) return VertexState::absent;  // not asked for
   const auto alive = [&](int j) { return dead_[static_cast<std::size_t>(j)] == 0; };
   rows_.resize(static_cast<std::size_t>(later) * static_cast<std::size_t>(words_));

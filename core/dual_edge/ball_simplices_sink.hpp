@@ -3,7 +3,7 @@
 // neighbours that ListNote brings.
 #pragma once
 
-#include <cstdint>
+#include <cstddef>
 #include <span>
 
 #include "core/dual_edge/triangle_faces.hpp"
@@ -15,9 +15,8 @@ namespace alphascope {
 struct ListNote {
   std::span<const BallIndex> balls;
   std::span<const char> covered;  // whether the disc of one is covered: then it only cuts
-  std::span<const std::uint32_t> near;  // whose planes are nearest, as a row of bits
-  bool culled;         // else the list is short: no disc was looked at, and `near` says nothing
-  bool centre_within;  // p_i is certainly within its own power cell
+  // So many balls, whose planes are nearest, were tried as covers; 0: none, the list is short.
+  std::size_t coverers;
 };
 
 // Ball m was held against the orthocentre of edge ij.

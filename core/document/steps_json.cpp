@@ -16,6 +16,32 @@ Json point_json(const RealPoint& p) {
   return {p.x, p.y, p.z};
 }
 
+const char* mark_id(StepMark mark) {
+  static constexpr const char* kIds[] = {"chosen", "kept", "dropped", "undecided"};
+  return kIds[static_cast<std::size_t>(mark)];
+}
+const char* cut_id(CutKind kind) {
+  static constexpr const char* kIds[] = {"too_far", "nothing", "moves_end", "unclear",
+                                         "takes_rest"};
+  return kIds[static_cast<std::size_t>(kind)];
+}
+
+Json dual_edge_json(const StepDualEdge& edge) {
+  Json cuts = Json::array();
+  for (const StepCut& cut : edge.cuts) {
+    cuts.push_back({{"ball", cut.ball},
+                    {"does", cut_id(cut.kind)},
+                    {"left_angstrom", {cut.low_angstrom, cut.high_angstrom}}});
+  }
+  return {{"triangle", edge.triangle},
+          {"fate", mark_id(edge.mark)},
+          {"foot_angstrom", point_json(edge.foot_angstrom)},
+          {"direction", point_json(edge.direction)},
+          {"within_alpha_angstrom", {edge.low_angstrom, edge.high_angstrom}},
+          {"settled_after", edge.settled_after()},
+          {"cuts", std::move(cuts)}};
+}
+
 Json step_json(const BallSteps& steps, const Step& step, const BallName& name) {
   const StepText text = step_text(steps, step, name);
   Json json{{"step", step_id(step.kind)},
@@ -27,6 +53,18 @@ Json step_json(const BallSteps& steps, const Step& step, const BallName& name) {
   for (const StepBox& box : step.boxes) {
     json["boxes_angstrom"].push_back(
         {{"low", point_json(box.low_angstrom)}, {"high", point_json(box.high_angstrom)}});
+  }
+  for (const StepSphere& sphere : step.spheres) {
+    json["spheres"].push_back({{"centre_angstrom", point_json(sphere.centre_angstrom)},
+                               {"radius_angstrom", sphere.radius_angstrom}});
+  }
+  for (const StepSegment& segment : step.segments) {
+    json["segments"].push_back({{"triangle", segment.triangle},
+                                {"from_angstrom", point_json(segment.from_angstrom)},
+                                {"to_angstrom", point_json(segment.to_angstrom)}});
+  }
+  for (const StepDualEdge& edge : step.dual_edges) {
+    json["dual_edges"].push_back(dual_edge_json(edge));
   }
   for (const StepRemover& remover : step.removers) {
     json["in_conflict"].push_back({{"ball", remover.ball},

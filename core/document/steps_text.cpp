@@ -1,28 +1,14 @@
 #include "core/document/steps_text.hpp"
 
-#include "core/molecule/grouped_number.hpp"
+#include <iterator>
+
+#include "core/document/step_words.hpp"
 #include "core/molecule/short_number.hpp"
 
 namespace alphascope {
 namespace {
 
 namespace id = step_count;
-
-std::string things(std::uint64_t count, const std::string& one, const std::string& many) {
-  return grouped(count) + " " + (count == 1 ? one : many);
-}
-std::string things(std::uint64_t count, const std::string& one) {
-  return things(count, one, one + "s");
-}
-std::string is_or_are(std::uint64_t count) {
-  return count == 1 ? "is" : "are";
-}
-std::string has_or_have(std::uint64_t count) {
-  return count == 1 ? "has" : "have";
-}
-std::string left_of(const Step& step) {
-  return grouped(step.count(id::kKept).all) + " of " + grouped(step.count(id::kMade).all) + " left";
-}
 
 class Writer {
  public:
@@ -60,7 +46,7 @@ class Writer {
                 faces()};
       case StepKind::too_many:
         return {"Stopped", "too many tuples", too_many()};
-      case StepKind::result:
+      default:
         break;
     }
     return {"Result", things(all(id::kTetrahedra), "tetrahedron", "tetrahedra"), result()};
@@ -71,11 +57,8 @@ class Writer {
   std::string the_ball() const {
     return "ball " + std::to_string(steps_.ball) + " (" + name_(steps_.ball) + ")";
   }
-  // Of tuples: how many of them the engine makes at this ball.
   std::string made_here(std::string_view what) const {
-    const StepCount& count = step_.count(what);
-    if (count.all == 0 || count.here == count.all) return "";
-    return " (" + grouped(count.here) + " made here)";
+    return alphascope::made_here(step_.count(what));
   }
 
   std::string left_out() const {
@@ -271,17 +254,24 @@ class Writer {
 }  // namespace
 
 StepText step_text(const BallSteps& steps, const Step& step, const BallName& name) {
+  const bool common = step.kind == StepKind::left_out || step.kind == StepKind::grid ||
+                      step.kind == StepKind::result;
+  if (steps.engine == StepsEngine::dual_edges && !common) {
+    return dual_edge_step_text(steps, step, name);
+  }
   return Writer(steps, step, name).text();
 }
 
-const char* steps_engine_id(StepsEngine) {
-  return "tuples";
+const char* steps_engine_id(StepsEngine engine) {
+  return engine == StepsEngine::tuples ? "tuples" : "dual_edges";
 }
 
 const char* step_id(StepKind kind) {
-  static constexpr const char* kIds[] = {"left_out", "grid",     "cube",   "pairs",  "triples",
-                                         "tuples",   "alpha",    "places", "filter", "exact",
-                                         "faces",    "too_many", "result"};
+  static constexpr const char* kIds[] = {
+      "left_out",  "grid",     "cube",  "pairs",  "triples",      "tuples",   "alpha",
+      "places",    "filter",   "exact", "faces",  "neighbours",   "discs",    "edges",
+      "triangles", "clipping", "ends",  "vertex", "beyond_range", "too_many", "result"};
+  static_assert(std::size(kIds) == static_cast<std::size_t>(StepKind::result) + 1);
   return kIds[static_cast<std::size_t>(kind)];
 }
 

@@ -17,7 +17,7 @@ struct StepText {
 };
 StepText step_text(const BallSteps& steps, const Step& step, const BallName& name);
 
-// "tuples", "pairs": as in JSON.
+// "dual_edges", "pairs": as in JSON.
 const char* steps_engine_id(StepsEngine engine);
 const char* step_id(StepKind kind);
 

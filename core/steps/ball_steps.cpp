@@ -13,6 +13,15 @@ const StepCount& Step::count(std::string_view id) const {
   return *at;
 }
 
+std::size_t StepDualEdge::settled_after() const {
+  std::size_t settled = cuts.size();
+  while (settled > 0 && (cuts[settled - 1].kind == CutKind::too_far ||
+                         cuts[settled - 1].kind == CutKind::nothing)) {
+    --settled;
+  }
+  return settled;
+}
+
 const Step* BallSteps::find(StepKind kind) const {
   const auto at =
       std::find_if(steps.begin(), steps.end(), [&](const Step& step) { return step.kind == kind; });

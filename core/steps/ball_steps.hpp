@@ -15,7 +15,7 @@
 
 namespace alphascope {
 
-enum class StepsEngine : std::uint8_t { tuples };
+enum class StepsEngine : std::uint8_t { tuples, dual_edges };
 
 enum class StepKind : std::uint8_t {
   left_out,  // the ball is not in the grid at all
@@ -29,12 +29,22 @@ enum class StepKind : std::uint8_t {
   filter,   // kernel II
   exact,    // kernel III
   faces,    // the same tests of pairs, triples and the ball alone
+  // Of the dual-edge engine, which has grid and exact as well:
+  neighbours,  // kernel I: whose grown balls meet that of the ball
+  discs,       // kernel I: long lists are culled
+  edges,       // is anybody in conflict with an edge
+  triangles,   // three balls that meet in pairs
+  clipping,    // kernel II: their dual edges
+  ends,        // what their ends decide: triangles and tetrahedra
+  vertex,
+  beyond_range,  // alpha is too large for this engine
   too_many,
   result
 };
 
 // What a step counts. `here`: of tuples, those that the engine makes at this ball, because it is in
-// the lowest place of the grid; the others are made at another ball of theirs.
+// the lowest place of the grid; the others are made at another ball of theirs. The dual-edge engine
+// finds a simplex at its ball of the lowest index.
 struct StepCount {
   std::string_view id;  // of the list below
   std::uint64_t all = 0;
@@ -51,7 +61,10 @@ inline constexpr std::string_view kBalls = "balls_in_grid", kCells = "cells", kP
                                   kBand = "band", kLowerBand = "lower_band", kReserved = "reserved",
                                   kVertices = "vertices", kEdges = "edges",
                                   kTriangles = "triangles", kTetrahedra = "tetrahedra",
-                                  kAttached = "attached";
+                                  kAttached = "attached", kNearest = "nearest",
+                                  kForgotten = "forgotten", kOutside = "outside", kLeft = "left",
+                                  kHeld = "balls_held", kFar = "balls_too_far",
+                                  kMoved = "ends_moved", kIntegers = "in_integers";
 }  // namespace step_count
 
 enum class StepMark : std::uint8_t { chosen, kept, dropped, undecided };
@@ -71,6 +84,40 @@ struct MarkedSimplices {
 struct StepBox {
   StepMark mark = StepMark::kept;
   RealPoint low_angstrom, high_angstrom;
+};
+
+struct StepSphere {
+  StepMark mark = StepMark::kept;
+  RealPoint centre_angstrom;
+  double radius_angstrom = 0;
+};
+
+// What is left of a dual edge.
+struct StepSegment {
+  StepMark mark = StepMark::kept;
+  std::array<BallIndex, 3> triangle{};
+  RealPoint from_angstrom, to_angstrom;
+};
+
+// What a ball does to what is left of a dual edge. too_far: its plane is certainly beyond both
+// ends. unclear: the filter cannot tell which of two balls ends it.
+enum class CutKind : std::uint8_t { too_far, nothing, moves_end, unclear, takes_rest };
+struct StepCut {
+  BallIndex ball = 0;
+  CutKind kind = CutKind::nothing;
+  // What is left after it: Å along `direction`, from `foot`. After takes_rest: before it.
+  double low_angstrom = 0, high_angstrom = 0;
+};
+// One dual edge, ball after ball, in the order of the engine.
+struct StepDualEdge {
+  StepMark mark = StepMark::kept;  // undecided: kernel III looks again
+  std::array<BallIndex, 3> triangle{};
+  RealPoint foot_angstrom, direction;          // where the three powers are equal; a unit vector
+  double low_angstrom = 0, high_angstrom = 0;  // what is within alpha, before all cuts
+  std::vector<StepCut> cuts;
+
+  // From so many balls on nothing changed any more.
+  std::size_t settled_after() const;
 };
 
 // A ball in conflict with so many simplices of the step: it ends the test of each.
@@ -94,7 +141,11 @@ struct Step {
   std::vector<StepBox> boxes;
   std::vector<StepRemover> removers;  // by how many, descending
   std::vector<StepPlace> places;      // the first few
-  double length_angstrom = 0;         // of a cell's side; half the side of the cube
+  double length_angstrom = 0;  // of a cell's side; half the side of the cube; the grown radius
+  // Of the dual-edge engine:
+  std::vector<StepSphere> spheres;
+  std::vector<StepSegment> segments;     // the first MarkedSimplices::kMostMarked
+  std::vector<StepDualEdge> dual_edges;  // the first few of each fate
 
   // Throws std::out_of_range.
   const StepCount& count(std::string_view id) const;
@@ -124,5 +175,12 @@ inline constexpr std::uint64_t kMostTuplesOfBall = 1'000'000;
 // Cancelled.
 BallSteps tuple_steps(const BallSet& balls, BallIndex ball, double alpha_on_lattice,
                       const TupleOptions& options, const RunContext& context = {});
+
+// More dual edges of one ball are not looked at.
+inline constexpr std::uint64_t kMostDualEdgesOfBall = 200'000;
+
+// The steps of the dual-edge engine as it runs on the CPU, whole complex. The same exceptions.
+BallSteps dual_edge_steps(const BallSet& balls, BallIndex ball, double alpha_on_lattice,
+                          const RunContext& context = {});
 
 }  // namespace alphascope

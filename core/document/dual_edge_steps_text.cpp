@@ -30,8 +30,8 @@ class Writer {
                 grouped(all(id::kLeft)) + " left, " + grouped(all(id::kBand)) + " open",
                 clipping()};
       case StepKind::exact:
-        return {"Kernel III", grouped(all(id::kLeft)) + " of " + grouped(all(id::kTested)) + " left",
-                exact()};
+        return {"Kernel III",
+                grouped(all(id::kLeft)) + " of " + grouped(all(id::kTested)) + " left", exact()};
       case StepKind::ends:
         return {"Triangles and tetrahedra",
                 grouped(all(id::kTriangles)) + " and " + grouped(all(id::kTetrahedra)), ends()};
@@ -82,8 +82,8 @@ class Writer {
         "covered by other balls. The " +
         grouped(all(id::kNearest)) +
         " balls whose planes are nearest to the centre are tried: of " + things(made, "disc") +
-        ", " + grouped(dropped) + " " + is_or_are(dropped) +
-        " covered by a single one of them. " + grouped(kept) + " " + is_or_are(kept) + " left.";
+        ", " + grouped(dropped) + " " + is_or_are(dropped) + " covered by a single one of them. " +
+        grouped(kept) + " " + is_or_are(kept) + " left.";
     if (dropped == 0) return text;
     return text + (forgotten > 0
                        ? " The centre of this ball is within its power cell, so balls with covered "
@@ -97,57 +97,71 @@ class Writer {
                         above = all(id::kAboveAlpha), valid = all(id::kValid),
                         integers = all(id::kIntegers);
     std::string text =
-        "An edge to each of these neighbours has its orthocentre in the middle of the disc. Tested: " +
-        things(tested, "edge") + here(id::kTested) + ". Of " + grouped(attached) +
-        ", a ball is in conflict: it has less power distance there. " +
-        (attached == 1 ? "This edge is" : "These are") +
+        "The edge to a neighbour has its orthocentre in the middle of the disc. Tested: " +
+        things(tested, "edge") + here(id::kTested) + ". " + grouped(attached) + " " +
+        has_or_have(attached) +
+        " another ball in conflict, which has no more power distance there. " +
+        (attached == 1 ? "It is" : "They are") +
         " attached, and in the complex only as a face of a triangle. " + grouped(valid) + " " +
-        has_or_have(valid) + " nobody in conflict and ρ ≤ α: valid. " + grouped(above) + " " +
-        has_or_have(above) + " nobody in conflict and ρ > α, and " +
-        (above == 1 ? "goes" : "go") + " no further.";
+        has_or_have(valid) + " no ball in conflict and ρ ≤ α: valid.";
+    if (above > 0) {
+      text += " " + grouped(above) + " " + has_or_have(above) +
+              " no ball in conflict and ρ > α, and " + (above == 1 ? "goes" : "go") +
+              " no further.";
+    }
     if (integers > 0) {
-      text += " Of " + things(integers, "edge") +
-              ", some ball was too near to a tie for double precision, and integers decided.";
+      text += " For " + things(integers, "edge") +
+              ", double precision was too near to a tie, and integers decided.";
     }
     return text + who("attaches most");
   }
 
   std::string triangles() const {
     const std::uint64_t made = all(id::kMade), dropped = all(id::kDropped), kept = all(id::kKept);
-    return "Three balls make a triangle if they meet, each with each: " +
-           things(made, "triangle") + ". " + grouped(dropped) + " of them " +
-           has_or_have(dropped) + " an edge that goes no further. " + things(kept, "triangle") +
-           " " + is_or_are(kept) + " left" + here(id::kKept) + ", each with its dual edge.";
+    std::string text =
+        "Three balls make a triangle if they meet, each with each: " + things(made, "triangle") +
+        ". ";
+    if (dropped > 0) {
+      text +=
+          grouped(dropped) + " of them " + has_or_have(dropped) + " an edge that goes no further. ";
+    }
+    return text + things(kept, "triangle") + " " + is_or_are(kept) + " left" + here(id::kKept) +
+           ", each with its dual edge.";
   }
 
   std::string clipping() const {
     const std::uint64_t tested = all(id::kTested), outside = all(id::kOutside),
-                        gone = all(id::kConflict), left = all(id::kLeft), band = all(id::kBand),
-                        held = all(id::kHeld);
+                        gone = all(id::kConflict), left = all(id::kLeft), band = all(id::kBand);
     if (tested == 0) return "There is no dual edge to clip.";
     std::string text =
         "The points that have the same power distance from three balls lie on a line. The dual "
         "edge is the part of it where no other ball has less; only what is within alpha, in the "
         "grown ball, matters. Clipped: " +
-        things(tested, "dual edge") + here(id::kTested) + ". Of " + grouped(outside) +
-        ", no point is within alpha, or the three centres are in line. The others are cut by each "
-        "ball that meets all three, ";
-    text += steps_.find(StepKind::discs)->off ? "in the order of their numbers"
-                                              : "those with the nearest planes first";
-    text += ". That is " + things(held, "ball") + " in all: " + grouped(all(id::kFar)) +
-            " too far away to cut what was left then, and " + grouped(all(id::kMoved)) +
-            " that moved an end. " + things(gone, "dual edge") + " " + has_or_have(gone) +
-            " nothing left, " + grouped(left) + " " + has_or_have(left) + " two ends. ";
+        things(tested, "dual edge") + here(id::kTested) + ". ";
+    if (outside > 0) {
+      text += grouped(outside) + " " + has_or_have(outside) +
+              " no point within alpha, or three centres in line. ";
+    }
+    text += "Each ball that meets all three cuts, ";
+    text += steps_.find(StepKind::discs)->off ? "in the order of their numbers. "
+                                              : "those with the nearest planes first. ";
+    text += cuts() + grouped(gone) + " " + has_or_have(gone) + " nothing left, " + grouped(left) +
+            " " + has_or_have(left) + " two ends. ";
     text += band > 0 ? grouped(band) + (band == 1 ? " is" : " are") +
                            " too near to a tie for double precision, and " +
                            (band == 1 ? "goes" : "go") + " on to kernel III."
                      : "None is too near to a tie for double precision.";
     return text + who("takes the rest of most");
   }
+  std::string cuts() const {
+    return "Of " + things(all(id::kHeld), "comparison") + " with a ball, " +
+           grouped(all(id::kFar)) + " found it too far away to reach what was left, and " +
+           grouped(all(id::kMoved)) + " moved an end. ";
+  }
 
   std::string exact() const {
-    const std::uint64_t tested = all(id::kTested), gone = all(id::kConflict),
-                        flat = all(id::kFlat), left = all(id::kLeft);
+    const std::uint64_t tested = all(id::kTested), gone = all(id::kConflict), flat = all(id::kFlat),
+                        left = all(id::kLeft);
     if (tested == 0) return "Nothing was left open, so kernel III has nothing to do.";
     std::string text =
         "What double precision leaves open is clipped again in integers, and the perturbation "
@@ -171,7 +185,7 @@ class Writer {
            (in == 1 ? " shows a triangle" : " show triangles") + " of the complex" +
            here(id::kTriangles) + ": " + grouped(in - attached) + " with ρ ≤ α by themselves, " +
            grouped(attached) + " attached to a tetrahedron. " + grouped(above) + " " +
-           is_or_are(above) + " above alpha. The ends are " +
+           is_or_are(above) + " above alpha. The ends show " +
            things(tetrahedra, "tetrahedron", "tetrahedra") + " of the complex" +
            here(id::kTetrahedra) + ".";
   }

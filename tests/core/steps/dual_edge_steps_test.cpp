@@ -191,8 +191,8 @@ double power(const BallSet& balls, BallIndex b, const RealPoint& x) {
   return dot(d, d) - balls.lattice.square_angstrom(static_cast<double>(balls.weight(b)));
 }
 
-// What is left of a dual edge is where three balls have the same power and no other has less, within
-// the grown ball or just beyond.
+// What is left of a dual edge is where three balls have the same power and no other has less,
+// within the grown ball or just beyond.
 TEST(DualEdgeSteps, SegmentsAreDualEdges) {
   const auto balls = testing::sample_balls("1crn.pdb");
   const double alpha = 4;
@@ -251,6 +251,31 @@ TEST(DualEdgeSteps, CutsShortenDualEdges) {
     EXPECT_GT(seen[kind], 20u) << static_cast<int>(kind);
   EXPECT_GT(fates[StepMark::kept], 20u);
   EXPECT_GT(fates[StepMark::dropped], 20u);
+}
+
+// Where few dual edges are clipped, all are listed.
+TEST(DualEdgeSteps, CountsWhatItLists) {
+  const auto balls = testing::sample_balls("1crn.pdb");
+  std::size_t seen = 0;
+  for (BallIndex b = 0; b < balls->size(); ++b) {
+    const BallSteps steps = dual_edge_steps(*balls, b, balls->lattice.alpha_on_lattice(0));
+    const Step& step = *steps.find(StepKind::clipping);
+    std::size_t clipped = 0;
+    for (const auto what : {id::kConflict, id::kLeft, id::kBand}) clipped += step.count(what).all;
+    if (step.dual_edges.size() < clipped) continue;
+    std::map<CutKind, std::uint64_t> found;
+    std::uint64_t all = 0;
+    for (const StepDualEdge& edge : step.dual_edges) {
+      all += edge.cuts.size();
+      for (const StepCut& cut : edge.cuts) ++found[cut.kind];
+    }
+    EXPECT_EQ(step.count(id::kHeld).all, all);
+    EXPECT_EQ(step.count(id::kFar).all, found[CutKind::too_far]);
+    EXPECT_EQ(step.count(id::kMoved).all, found[CutKind::moves_end]);
+    EXPECT_EQ(step.count(id::kConflict).all, found[CutKind::takes_rest]);
+    seen += found[CutKind::too_far] > 0 && found[CutKind::moves_end] > 0;
+  }
+  EXPECT_GT(seen, 50u);
 }
 
 // Who is said to attach an edge is in conflict with it, exactly.

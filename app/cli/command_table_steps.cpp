@@ -1,4 +1,6 @@
 // The options of alphascope-cli steps.
+#include <stdexcept>
+
 #include "app/cli/option_groups.hpp"
 #include "app/cli/steps.hpp"
 #include "app/options/option_values.hpp"
@@ -7,7 +9,7 @@ namespace alphascope::cli {
 
 OptionCommand steps_command(StepsOptions& options) {
   OptionCommand command{
-      "steps", "How the thesis' algorithm finds the simplices of one ball, step after step", {}};
+      "steps", "How an engine finds the simplices of one ball, step after step", {}};
   command.options = {
       one_file(options.input),
       required(text_option({"--ball", "ATOM",
@@ -17,9 +19,17 @@ OptionCommand steps_command(StepsOptions& options) {
       alpha(options.request),
       number_option({"--solvent", "S", "Solvent radius in Å, added to every radius"},
                     options.request.solvent_radius_angstrom, kSolventRange),
+      choice_option({"--engine", "tuples|dual_edges",
+                     "The thesis' algorithm (tuples), or that of the dual-edge engine"},
+                    options.engine),
       output("--json", "The steps as JSON; - for standard output", options.json)};
   append(command.options, tuple_work(options.request.tuples));
   append(command.options, input(options.input));
+  command.check = [&options] {
+    if (options.engine != "tuples" && options.request.tuples != TupleOptions{}) {
+      throw std::invalid_argument("the options of the tuple engine need --engine tuples");
+    }
+  };
   return command;
 }
 

@@ -44,9 +44,11 @@ Json result_json(const Input& input, const StepsOptions& options, const BallStep
                  const BallName& name) {
   Json json = steps_json(steps, name);
   json["request"] = {{"solvent_radius_angstrom", options.request.solvent_radius_angstrom},
-                     {"lattice_unit_angstrom", steps.lattice.unit_angstrom()},
-                     {"edge_optimisation", steps.options.edge_optimisation},
-                     {"alpha_optimisation", steps.options.alpha_optimisation}};
+                     {"lattice_unit_angstrom", steps.lattice.unit_angstrom()}};
+  if (steps.engine == StepsEngine::tuples) {
+    json["request"]["edge_optimisation"] = steps.options.edge_optimisation;
+    json["request"]["alpha_optimisation"] = steps.options.alpha_optimisation;
+  }
   json["input"] = input_json(input);
   json["program"] = program_json();
   return json;
@@ -69,7 +71,11 @@ ExitCode run_steps(const StepsOptions& options) {
   BallSteps steps;
   WorkThreads threads(1);
   const double milliseconds = timed([&] {
-    threads.run([&] { steps = tuple_steps(balls, ball, alpha, options.request.tuples, context); });
+    threads.run([&] {
+      steps = options.engine == "tuples"
+                  ? tuple_steps(balls, ball, alpha, options.request.tuples, context)
+                  : dual_edge_steps(balls, ball, alpha, context);
+    });
   });
   const BallName name = [&](BallIndex b) { return atom_text(atoms, b); };
   clear_progress();

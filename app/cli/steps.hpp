@@ -11,7 +11,8 @@ namespace alphascope::cli {
 struct StepsOptions {
   InputOptions input;
   std::string ball;  // a number from 0, or an address
-  Request request;   // alpha, solvent, the tuple engine's switches
+  std::string engine = "tuples";
+  Request request;  // alpha, solvent, the tuple engine's switches
   std::string json;
 };
 

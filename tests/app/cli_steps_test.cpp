@@ -1,4 +1,6 @@
 // alphascope-cli steps on small files: sentences, JSON, switches, and messages for wrong balls.
+#include <set>
+
 #include "tests/app/cli_fixture.hpp"
 
 namespace alphascope::testing {
@@ -50,6 +52,44 @@ TEST_F(CliSteps, ShowsOneCornerOfACube) {
   }
 }
 
+// The same corner: of its six neighbours' edges, those along faces are attached by ties.
+TEST_F(CliSteps, ShowsTheDualEdgeEngine) {
+  const std::string corner = "'" + cube_.string() + "' --ball 0 --alpha 0";
+  const json all = steps(corner + " --engine dual_edges"), tuples = steps(corner);
+  EXPECT_EQ(all["engine"], "dual_edges");
+  EXPECT_FALSE(all["request"].contains("edge_optimisation"));
+  EXPECT_EQ(step(all, "grid")["counts"]["balls_in_grid"], 8);
+  EXPECT_EQ(step(all, "neighbours")["counts"]["neighbours"], 6);
+  EXPECT_EQ(step(all, "neighbours")["spheres"][0]["radius_angstrom"], 1.5);
+  EXPECT_EQ(step(all, "discs")["switched_off"], true);
+  EXPECT_EQ(step(all, "edges")["counts"]["tested"], 6);
+  EXPECT_EQ(step(all, "result")["counts"], step(tuples, "result")["counts"]);
+  EXPECT_EQ(all["star"], tuples["star"]);
+
+  const std::string text = run("steps --engine dual_edges " + corner).out;
+  for (const char* part :
+       {"1. Grid", "Kernel I: neighbours: 6 neighbours", "6. Kernel II: dual edges", "Kernel III",
+        "3 edges, 3 triangles and 0 tetrahedra"}) {
+    EXPECT_TRUE(contains(text, part)) << part << "\n" << text;
+  }
+}
+
+TEST_F(CliSteps, ListsCutsOfDualEdges) {
+  const json all = steps("'" + kCrambin + "' --engine dual_edges --ball 'A:CYS 16:SG' --alpha 1.4");
+  const json clipping = step(all, "clipping");
+  EXPECT_EQ(clipping["segments"].size(), clipping["counts"]["left"]);
+  std::set<std::string> fates;
+  for (const json& edge : clipping["dual_edges"]) {
+    fates.insert(edge["fate"]);
+    EXPECT_LE(edge["settled_after"], edge["cuts"].size());
+    EXPECT_LT(edge["within_alpha_angstrom"][0], edge["within_alpha_angstrom"][1]);
+    if (edge["fate"] == "dropped") {
+      EXPECT_EQ(edge["cuts"].back()["does"], "takes_rest");
+    }
+  }
+  EXPECT_EQ(fates.count("kept") + fates.count("dropped"), 2u);
+}
+
 TEST_F(CliSteps, SwitchesAddWork) {
   const std::string atom = "'" + kCrambin + "' --ball 'A:CYS 16:SG' --alpha 1.4";
   const json both = steps(atom), no_edges = steps(atom + " --no-edge-optimisation"),
@@ -94,7 +134,10 @@ TEST_F(CliSteps, RefusesWhatIsNoBall) {
                {"--ball 'chain Q'", "names 0 atoms"},
                {"--ball 99999999999", "--ball \"99999999999\""},
                {"", "--ball is required"},
-               {"--ball 1 --model all", "A ball is one model's."}};
+               {"--ball 1 --model all", "A ball is one model's."},
+               {"--ball 1 --engine dual_edges --no-alpha-optimisation",
+                "the options of the tuple engine need --engine tuples"},
+               {"--ball 1 --engine gpu", "tuples, dual_edges"}};
   for (const auto& c : cases) {
     const Outcome outcome = run("steps '" + kCrambin + "' --alpha 0 " + c.options);
     EXPECT_EQ(outcome.code, 2) << c.options;

@@ -143,9 +143,9 @@ void DualEdgeSteps::find_neighbours_step() {
   std::vector<std::uint32_t> row_hits;
   find_neighbours(grid_, slot_, list_, row_hits);
   const UniformGrid::Cell c = grid_.cell_at(balls_.centres[result_.ball]);
-  const int x0 = std::max(c.x - 1, 0), x1 = std::min(c.x + 2, grid_.nx),
-            y0 = std::max(c.y - 1, 0), y1 = std::min(c.y + 2, grid_.ny),
-            z0 = std::max(c.z - 1, 0), z1 = std::min(c.z + 2, grid_.nz);
+  const int x0 = std::max(c.x - 1, 0), x1 = std::min(c.x + 2, grid_.nx), y0 = std::max(c.y - 1, 0),
+            y1 = std::min(c.y + 2, grid_.ny), z0 = std::max(c.z - 1, 0),
+            z1 = std::min(c.z + 2, grid_.nz);
   std::vector<BallIndex> found;
   for (const std::uint32_t t : list_) found.push_back(ball(t));
   MarkedSimplices outside{.mark = StepMark::dropped}, inside{.mark = StepMark::kept};
@@ -158,8 +158,8 @@ void DualEdgeSteps::find_neighbours_step() {
       add<1>(meets ? inside : outside, {ball(t)});
     }
   });
-  const double radius = std::sqrt(static_cast<double>(balls_.weight(result_.ball)) +
-                                  result_.alpha_on_lattice);
+  const double radius =
+      std::sqrt(static_cast<double>(balls_.weight(result_.ball)) + result_.alpha_on_lattice);
   Step& step = add_step(StepKind::neighbours);
   step.length_angstrom = balls_.lattice.angstrom(radius);
   step.counts = {counted(step_count::kCellsSearched,
@@ -204,8 +204,8 @@ void DualEdgeSteps::discs_step() {
   }
   step.counts = {counted(step_count::kMade, neighbours()),
                  counted(step_count::kNearest, trace_.coverers),
-                 counted(step_count::kDropped, dropped),
-                 counted(step_count::kForgotten, forgotten), counted(step_count::kKept, kept)};
+                 counted(step_count::kDropped, dropped), counted(step_count::kForgotten, forgotten),
+                 counted(step_count::kKept, kept)};
   step.marks = {std::move(covered), std::move(facing)};
 }
 
@@ -234,14 +234,11 @@ void DualEdgeSteps::triangles_step() {
 void DualEdgeSteps::clipping_step() {
   Fates& fates = trace_.filter;
   Step& step = add_step(StepKind::clipping);
-  step.counts = {counted(step_count::kTested, fates.tested),
-                 counted(step_count::kOutside, trace_.outside),
-                 counted(step_count::kConflict, fates.conflict),
-                 counted(step_count::kLeft, fates.valid),
-                 counted(step_count::kBand, fates.band),
-                 counted(step_count::kHeld, trace_.held),
-                 counted(step_count::kFar, trace_.far),
-                 counted(step_count::kMoved, trace_.moved)};
+  step.counts = {
+      counted(step_count::kTested, fates.tested),     counted(step_count::kOutside, trace_.outside),
+      counted(step_count::kConflict, fates.conflict), counted(step_count::kLeft, fates.valid),
+      counted(step_count::kBand, fates.band),         counted(step_count::kHeld, trace_.held),
+      counted(step_count::kFar, trace_.far),          counted(step_count::kMoved, trace_.moved)};
   fates.give_to(step);
   step.segments = std::move(trace_.filter_segments);
   step.dual_edges = std::move(trace_.samples);
@@ -252,9 +249,9 @@ void DualEdgeSteps::clipping_step() {
 void DualEdgeSteps::exact_step() {
   Fates& fates = trace_.exact;
   Step& step = add_step(StepKind::exact);
-  step.counts = {
-      counted(step_count::kTested, fates.tested), counted(step_count::kConflict, fates.conflict),
-      counted(step_count::kFlat, fates.flat), counted(step_count::kLeft, fates.valid)};
+  step.counts = {counted(step_count::kTested, fates.tested),
+                 counted(step_count::kConflict, fates.conflict),
+                 counted(step_count::kFlat, fates.flat), counted(step_count::kLeft, fates.valid)};
   fates.give_to(step);
   step.segments = std::move(trace_.exact_segments);
 }
@@ -357,8 +354,7 @@ void DualEdgeSteps::result_step() {
   add_list(step_count::kEdges, star.edges);
   add_list(step_count::kTriangles, star.triangles);
   add_list(step_count::kTetrahedra, star.tetrahedra);
-  step.counts.push_back(
-      counted(step_count::kAttached, all - star.tetrahedra.size() - unattached));
+  step.counts.push_back(counted(step_count::kAttached, all - star.tetrahedra.size() - unattached));
 }
 
 }  // namespace

@@ -102,8 +102,7 @@ void DualEdgeTraceSink::operator()(const DualEdge<double>& edge) const {
 void DualEdgeTraceSink::operator()(const DualEdge<double>& edge, int m,
                                    DualEdge<double>::Takes takes, bool gone) const {
   using Takes = DualEdge<double>::Takes;
-  const double size =
-      balls_.lattice.unit_angstrom() * length(real_point(edge.direction()));
+  const double size = balls_.lattice.unit_angstrom() * length(real_point(edge.direction()));
   const bool moved = !gone && (edge.high().cutter == m || edge.low().cutter == m),
              unclear = !gone && !moved && !edge.ends_certain() && !current_.unsure;
   trace_.held.add(here());
@@ -121,12 +120,12 @@ void DualEdgeTraceSink::operator()(const DualEdge<double>& edge, int m,
                       : steps.cuts.empty() ? steps.high_angstrom
                                            : steps.cuts.back().high_angstrom;
   steps.cuts.push_back({ball(m),
-                                 gone                      ? CutKind::takes_rest
-                                 : takes == Takes::nothing ? CutKind::too_far
-                                 : moved                   ? CutKind::moves_end
-                                 : unclear                 ? CutKind::unclear
-                                                           : CutKind::nothing,
-                                 low, high});
+                        gone                      ? CutKind::takes_rest
+                        : takes == Takes::nothing ? CutKind::too_far
+                        : moved                   ? CutKind::moves_end
+                        : unclear                 ? CutKind::unclear
+                                                  : CutKind::nothing,
+                        low, high});
 }
 
 void DualEdgeTraceSink::operator()(int high, int low) const {
@@ -148,8 +147,8 @@ void DualEdgeTraceSink::keep_sample(StepMark mark) const {
 void DualEdgeTraceSink::operator()(const FaceNote& note) const {
   filtered(note.exact);
   if (note.exact) exactly();
-  const bool left = note.exact ? current_.ends.has_value()
-                               : current_.edge.has_value() && current_.taken_by < 0;
+  const bool left =
+      note.exact ? current_.ends.has_value() : current_.edge.has_value() && current_.taken_by < 0;
   if (left) decided(note.face);
 }
 

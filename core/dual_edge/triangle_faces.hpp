@@ -100,15 +100,15 @@ ALPHASCOPE_INLINE bool clips_away(DualEdge<Real>& edge, int words, const Cutters
   return false;
 }
 
-template <class Real, class Lifted, class Sink>
+template <class Real, class Lifted, class Sink = NotRecorded>
 ALPHASCOPE_INLINE bool clips_away(DualEdge<Real>& edge, const TriangleRows& t, int words,
-                                  const Lifted& lifted, const Sink& sink) {
+                                  const Lifted& lifted, const Sink& sink = {}) {
   return clips_away(
       edge, words, [&](int w) { return t.common(w); }, lifted, sink);
 }
-template <class Real, class Lifted, class Sink>
+template <class Real, class Lifted, class Sink = NotRecorded>
 ALPHASCOPE_INLINE bool clips_away(DualEdge<Real>& edge, const NearFirstRows& t, int words,
-                                  const Lifted& lifted, const Sink& sink) {
+                                  const Lifted& lifted, const Sink& sink = {}) {
   return clips_away(
              edge, words, [&](int w) { return t.common(w) & t.near[w]; }, lifted, sink) ||
          clips_away(

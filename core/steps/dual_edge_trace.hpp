@@ -37,7 +37,7 @@ struct TooManyDualEdges {};
 
 class DualEdgeTraceSink final : public BallSimplicesSink {
  public:
-  // What is about `ball` goes to `trace`. `radius_square`: see start().
+  // What is about `ball` goes to `trace`.
   DualEdgeTraceSink(const BallSet& balls, BallIndex ball, const RunContext& context,
                     DualEdgeTrace& trace)
       : balls_(balls), about_(ball), context_(context), trace_(trace) {}

@@ -48,6 +48,9 @@ void add_selection_commands(Commands& commands, ViewState& s);
 // The page that explains a simplex.
 void add_why_commands(Commands& commands, ViewState& s);
 
+// The page of an engine's steps.
+void add_steps_commands(Commands& commands, ViewState& s);
+
 // Balls set by hand.
 void add_sandbox_commands(Commands& commands, ViewState& s);
 

@@ -402,6 +402,7 @@ void add_program_commands(Commands& commands, ViewState& state) {
   add_clip_commands(commands, state);
   add_compute_commands(commands, state);
   add_why_commands(commands, state);
+  add_steps_commands(commands, state);
   add_sandbox_commands(commands, state);
   add_lesson_commands(commands, state);
   add_help_commands(commands, state);

@@ -216,8 +216,8 @@ Outcome set_engine(const Arguments& arguments, ViewState& s) {
 
 // The step at hand still finishes when something plays: a picture without its complex helps nobody.
 Outcome stop(ViewState& s) {
-  const bool playing = s.memory.playing || s.memory.playing_models;
-  s.memory.playing = s.memory.playing_models = false;
+  const bool playing = s.memory.playing || s.memory.playing_models || s.memory.steps.playing;
+  s.memory.playing = s.memory.playing_models = s.memory.steps.playing = false;
   if (playing) return {};
   if (!s.busy.active && !s.saving.active) {
     s.picked.clear();
@@ -228,8 +228,8 @@ Outcome stop(ViewState& s) {
 }
 
 std::string nothing_to_stop(const ViewState& s) {
-  const bool something = s.memory.playing || s.memory.playing_models || s.busy.active ||
-                         s.saving.active || !s.picked.empty();
+  const bool something = s.memory.playing || s.memory.playing_models || s.memory.steps.playing ||
+                         s.busy.active || s.saving.active || !s.picked.empty();
   return something ? ""
                    : "There is nothing to stop: nothing is playing, being read, computed, saved or "
                      "selected.";

@@ -1,5 +1,5 @@
-// Playing the models of a molecule one after the other: when the next one is due. Knows neither
-// window nor session.
+// Playing the models of a molecule one after the other, or the steps of an algorithm: when the next
+// one is due. Knows neither window nor session.
 #pragma once
 
 #include <chrono>

@@ -156,6 +156,7 @@ void Viewer::take_molecule() {
   state_.drop_note = std::exchange(drop_note_when_open_, {});
   host_.set_title(state_.molecule.name + " – Alphascope");
   state_.memory.playing_models = state_.memory.timings_pinned = false;
+  state_.memory.steps.playing = false;
   state_.open = sent_open_ = session_.open_options();
   state_.picked = {};
   state_.clip = {};
@@ -404,6 +405,23 @@ void Viewer::play_models() {
   if (const auto next =
           model_playback_.next(scene, state_.memory.models_per_second, Clock::now())) {
     model = *next;
+    frames_due_ = kSettlingFrames;
+  }
+}
+
+// As play_models(), but not beyond the last one, and no frame is drawn before the next is due.
+void Viewer::play_steps() {
+  StepsMemory& memory = state_.memory.steps;
+  const bool over = memory.current && memory.at() == memory.last();
+  if (over || state_.memory.bottom_panel != kStepsPage) memory.playing = false;
+  if (!memory.playing) {
+    step_playback_.stop();
+    return;
+  }
+  const ModelPlayback::Scene scene{static_cast<int>(memory.at()), static_cast<int>(memory.count()),
+                                   memory.current && !scene_.busy()};
+  if (const auto next = step_playback_.next(scene, memory.a_second, Clock::now())) {
+    memory.show(static_cast<std::size_t>(*next));
     frames_due_ = kSettlingFrames;
   }
 }

@@ -171,10 +171,12 @@ class Viewer {
   void give_back_memory_when_due();
   void play();
   void play_models();
+  void play_steps();
   bool interacting() const;
   void draw(ScriptedInput* input, bool patient,
             const std::function<void(unsigned)>& before_swap = {});
   double idle_seconds() const;
+  double seconds_to_next_step() const;
 
   Host& host_;
   ViewState state_;
@@ -211,7 +213,7 @@ class Viewer {
   std::shared_ptr<const Answer> compared_;  // the last answer for which a comparison was asked
   std::optional<Clock::time_point> busy_since_, comparing_since_, tooltip_due_;
   Clock::time_point selection_sent_at_{};
-  ModelPlayback model_playback_;
+  ModelPlayback model_playback_, step_playback_;
   Editor editor_;
   Gestures gestures_;
   Gesture gesture_ = 0;                              // of this frame

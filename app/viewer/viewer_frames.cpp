@@ -48,6 +48,7 @@ void Viewer::draw(ScriptedInput* input, bool patient,
     lessons_.step();
     play();
     play_models();
+    play_steps();
     send_controls();
     note_preferences();
   });
@@ -105,10 +106,15 @@ double Viewer::idle_seconds() const {
     wait = std::min(wait,
                     model_playback_.seconds_to_next(state_.memory.models_per_second, Clock::now()));
   }
+  if (state_.memory.steps.playing) wait = std::min(wait, seconds_to_next_step());
   if (tooltip_due_) {
     wait = std::min(wait, std::chrono::duration<double>(*tooltip_due_ - Clock::now()).count());
   }
   return std::max(0.001, wait);
+}
+
+double Viewer::seconds_to_next_step() const {
+  return step_playback_.seconds_to_next(state_.memory.steps.a_second, Clock::now());
 }
 
 // Where frames are work of the processor, fewer are drawn while it computes what is to be drawn.
@@ -154,7 +160,8 @@ void Viewer::run() {
     guarded([this] { open_dropped(host_.take_dropped_files()); });
     take_results();
     const bool playing = state_.memory.playing || state_.memory.playing_models;
-    const bool due = frames_due_ > 0 || playing || working() || store_.busy() ||
+    const bool step_due = state_.memory.steps.playing && seconds_to_next_step() <= 0;
+    const bool due = frames_due_ > 0 || playing || step_due || working() || store_.busy() ||
                      scene_.wants_frame() || state_.open != sent_open_;
     if (!due) continue;
     frames_due_ = std::max(0, frames_due_ - 1);

@@ -17,6 +17,7 @@ void draw_measures_panel(PanelContext& ctx);
 void draw_curves_panel(PanelContext& ctx);
 void draw_signature_panel(PanelContext& ctx);
 void draw_why_panel(PanelContext& ctx);
+void draw_steps_panel(PanelContext& ctx);
 void draw_sandbox_panel(PanelContext& ctx);
 void draw_details_panel(PanelContext& ctx);
 void draw_lessons_panel(PanelContext& ctx);
@@ -37,6 +38,7 @@ constexpr PanelSpec kPanels[] = {
     {"curves", "Curves", Place::bottom, draw_curves_panel},
     {"signature", "Signature", Place::bottom, draw_signature_panel},
     {"why", "Why?", Place::bottom, draw_why_panel},
+    {"steps", "Steps", Place::bottom, draw_steps_panel},
     {"sandbox", "Sandbox", Place::bottom, draw_sandbox_panel},
     {"details", "Details", Place::bottom, draw_details_panel},
     {"lessons", "Lessons", Place::right, draw_lessons_panel},

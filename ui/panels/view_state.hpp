@@ -42,6 +42,7 @@
 #include "ui/panels/palette_memory.hpp"
 #include "ui/panels/picture_memory.hpp"
 #include "ui/panels/sandbox_memory.hpp"
+#include "ui/panels/steps_memory.hpp"
 #include "ui/panels/table_memory.hpp"
 #include "ui/panels/view_info.hpp"
 #include "ui/panels/why_memory.hpp"
@@ -142,6 +143,7 @@ struct PanelMemory {
   MeasureMemory measures;
   CurveMemory curves;
   WhyMemory why;
+  StepsMemory steps;
   SandboxMemory sandbox;
   ContextMemory context;
   DetailsMemory details;

@@ -122,6 +122,31 @@ void splitter(PanelContext& ctx, float x, float y, float width) {
   }
 }
 
+// How the names of pages fit into one line: their padding in pixels, and in a small font where they
+// must.
+struct NameFit {
+  float padding = 0;
+  bool small = false;
+};
+
+constexpr float kBetweenNames = 2;  // pixels at scale 1
+
+NameFit fit_names(const PanelContext& ctx, const std::vector<PanelSpec>& pages, float usual) {
+  const float count = static_cast<float>(pages.size());
+  const float room = ImGui::GetContentRegionAvail().x - (count - 1) * ctx.px(kBetweenNames) -
+                     ctx.px(6);  // the open page's name is bold
+  const auto padding_in = [&](ImFont* font) {
+    float names = 0;
+    ImGui::PushFont(font);
+    for (const PanelSpec& p : pages) names += ImGui::CalcTextSize(p.title).x;
+    ImGui::PopFont();
+    return (room - names) / (2 * count);
+  };
+  const float padding = padding_in(ctx.fonts.regular), least = ctx.px(2);
+  if (padding >= least) return {std::min(usual, padding), false};
+  return {std::clamp(padding_in(ctx.fonts.small), ctx.px(1), usual), true};
+}
+
 // The pages below the view by name, when there are several; the page goes on in the same line where
 // there is room.
 const PanelSpec* bottom_tabs(PanelContext& ctx, const std::vector<PanelSpec>& pages) {
@@ -136,17 +161,23 @@ const PanelSpec* bottom_tabs(PanelContext& ctx, const std::vector<PanelSpec>& pa
   // What stands beside the names needs room, too.
   const bool narrow = ImGui::GetContentRegionAvail().x < ctx.px(820);
   const ImVec2 padding = ImGui::GetStyle().FramePadding;
-  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {narrow ? ctx.px(4) : padding.x, padding.y});
+  const NameFit fit = fit_names(ctx, pages, narrow ? ctx.px(4) : padding.x);
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {fit.padding, padding.y});
+  const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
   for (const PanelSpec& p : pages) {
     if (pages.size() == 1) break;
-    if (&p != &pages.front()) ImGui::SameLine(0, ctx.px(2));
     const bool on = &p == page;
-    if (on) ImGui::PushFont(ctx.fonts.strong);
+    ImGui::PushFont(fit.small ? ctx.fonts.small : on ? ctx.fonts.strong : ctx.fonts.regular);
+    const float width = ImGui::CalcTextSize(p.title).x + 2 * fit.padding;
+    const float gap = ctx.px(kBetweenNames);
+    if (&p != &pages.front() && ImGui::GetItemRectMax().x + gap + width <= right) {
+      ImGui::SameLine(0, gap);
+    }
     const std::string name = std::string("bottom.") + p.id;
     if (button(ctx, name.c_str(), p.title, {0, 0}, on ? ButtonKind::normal : ButtonKind::quiet)) {
       shown = p.id;
     }
-    if (on) ImGui::PopFont();
+    ImGui::PopFont();
   }
   constexpr float kLeastBeside = 400;
   ImGui::PopStyleVar();

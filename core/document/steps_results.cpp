@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <limits>
 
 #include "core/document/channel_texts.hpp"
@@ -27,20 +28,32 @@ std::uint64_t with_bits(std::uint64_t number, const AskedSteps& asked) {
          (o.alpha_optimisation ? 1u : 0u);
 }
 
-// Tuples that kernel II tests; "more than 1,000,000" where they were not counted; empty: unknown.
+// Of a count of 4-tuples with all optimisations and with those at hand.
+std::string growth_of(const std::string& now, const std::string& before) {
+  return now == before ? "the same " + now : now + " instead of " + before;
+}
+
+// 4-tuples that kernel I looks at beyond the edge optimisation; empty: it does not come so far.
+std::string made_text(const BallSteps& steps) {
+  if (steps.find(StepKind::too_many)) return "more than " + grouped(kMostTuplesOfBall);
+  const Step* tuples = steps.find(StepKind::tuples);
+  return tuples ? grouped(tuples->count(step_count::kKept).all) : "";
+}
 std::string tested_text(const BallSteps& steps) {
-  if (const Step* filter = steps.find(StepKind::filter)) {
-    return grouped(filter->count(step_count::kTested).all);
-  }
-  return steps.find(StepKind::too_many) ? "more than " + grouped(kMostTuplesOfBall) : "";
+  const Step* filter = steps.find(StepKind::filter);
+  return filter ? grouped(filter->count(step_count::kTested).all) : "";
 }
 
 std::string growth_text(const BallSteps& now, const BallSteps& optimised) {
-  const std::string tested = tested_text(now), before = tested_text(optimised);
-  if (tested.empty() || before.empty()) return {};
-  const std::string text = "Kernel II tests " + tested + (tested == "1" ? " 4-tuple" : " 4-tuples");
-  return text + (tested == before ? ", as with both optimisations."
-                                  : " instead of " + before + " with both optimisations.");
+  const std::string made = made_text(now), made_before = made_text(optimised);
+  if (made.empty() || made_before.empty()) return {};
+  std::string text = growth_of(made, made_before) + " 4-tuples in kernel I";
+  const std::string tested = tested_text(now), tested_before = tested_text(optimised);
+  if (!tested.empty() && !tested_before.empty()) {
+    text += ", " + growth_of(tested, tested_before) + " in kernel II";
+  }
+  text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
+  return text + ".";
 }
 
 }  // namespace

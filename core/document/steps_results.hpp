@@ -46,7 +46,7 @@ struct ToldSteps {
   std::vector<StepText> texts;  // of each step
   // Where an optimisation is switched off: the same with all of them on.
   std::optional<BallSteps> optimised;
-  // "Kernel II tests 4,495 4-tuples instead of 12 with both optimisations."; empty without
+  // "4,495 instead of 39 4-tuples in kernel I, 4,495 instead of 12 in kernel II."; empty without
   // `optimised`.
   std::string growth;
 

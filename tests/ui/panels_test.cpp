@@ -3,6 +3,7 @@
 #include <functional>
 
 #include "tests/ui/panels_fixture.hpp"
+#include "ui/panels/panel_list.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/panels/timings_text.hpp"
 
@@ -354,6 +355,23 @@ TEST(PanelsTest, SectionsOutOfSightOpenAtTheTop) {
   p.click("sections.molecule");
   p.frame(2);
   EXPECT_TRUE(p.rects.contains("molecule.open"));
+}
+
+TEST(PanelsTest, NamesOfPagesFitNarrowWindows) {
+  for (const float width : {700.0f, 960.0f, 1100.0f, 1280.0f}) {
+    Panels p({width, 700, 1});
+    p.state = loaded_state();
+    p.frame(3);
+    for (const PanelSpec& page : panels()) {
+      if (page.place != Place::bottom) continue;
+      const WidgetRect name = p.rects["bottom." + std::string(page.id)];
+      EXPECT_TRUE(name.visible) << page.id;
+      EXPECT_LE(name.x1, width) << page.id << " at " << width;
+      if (width >= 900) {
+        EXPECT_EQ(name.y0, p.rects["bottom.timings"].y0) << page.id << ": one line";
+      }
+    }
+  }
 }
 
 class PanelsAtEverySize : public ::testing::TestWithParam<Size> {};

@@ -126,6 +126,17 @@ TEST(StepsResults, TellTheStepsAndHowMuchMoreWorkThereIs) {
   EXPECT_EQ(slow->optimised_count(filter, "no such count"), nullptr);
 }
 
+TEST(StepsResults, WhereTheStepsStopTheGrowthIsABound) {
+  Crambin c;
+  c.inputs.alpha_angstrom2 = 22;
+  AskedSteps asked{*middle_ball(*c.inputs.balls)};
+  asked.options.edge_optimisation = false;
+  const auto told = c.told(asked);
+  ASSERT_TRUE(told->steps.find(StepKind::too_many));
+  EXPECT_TRUE(told->growth.starts_with("More than 1,000,000 instead of ")) << told->growth;
+  EXPECT_TRUE(told->growth.ends_with(" 4-tuples in kernel I.")) << told->growth;
+}
+
 TEST(StepsResults, EveryEngineIsThereOnce) {
   std::set<StepsEngine> engines;
   for (const StepsEngineSpec& spec : steps_engines()) {

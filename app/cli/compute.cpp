@@ -12,6 +12,7 @@
 #include "app/cli/text.hpp"
 #include "app/session/rounding_note.hpp"
 #include "app/session/system_memory.hpp"
+#include "core/complex/own_dimension.hpp"
 
 namespace alphascope::cli {
 namespace {
@@ -162,7 +163,8 @@ ExitCode run_compute(const ComputeOptions& options) {
   return command.run([&](const std::string& file, const Input& input) {
     const EngineAnswer result = engines.compute(input.prepared().balls, request, context);
     if (command.out) {
-      write_complex_text(*result.balls, result.complex, complex_header(input, result), *command.out,
+      const InOwnDimension own(*result.balls, result.complex);
+      write_complex_text(*result.balls, own.complex(), complex_header(input, result), *command.out,
                          context);
     }
     clear_progress();

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "app/viewer/scene_controller.hpp"
+#include "core/complex/own_dimension.hpp"
 #include "core/run/picture_stages.hpp"
 #include "ui/scene/display_style.hpp"
 
@@ -105,8 +106,9 @@ Worker::Delivery SceneController::make_drawing(const Wanted& wanted, const RunCo
         drawing.simplex_painting ? *drawing.simplex_painting : *drawing.ball_painting;
     drawing.simplex_colours =
         std::make_shared<const std::vector<Rgb8>>(painted(of_simplices.balls.colours, looks));
+    const InOwnDimension own(*answer->balls, answer->complex);
     drawing.mesh = std::make_shared<const ComplexMesh>(
-        make_mesh(m, *drawing.simplex_colours, answer->complex, plan.mesh, looks, context.cancel));
+        make_mesh(m, *drawing.simplex_colours, own.complex(), plan.mesh, looks, context.cancel));
     drawing.mesh_data = make_mesh_data(drawing.mesh);
     drawing.mesh_milliseconds =
         std::chrono::duration<double, std::milli>(Clock::now() - begun).count();

@@ -5,6 +5,7 @@
 
 #include "app/viewer/hit_text.hpp"
 #include "app/viewer/viewer.hpp"
+#include "core/complex/own_dimension.hpp"
 
 namespace alphascope {
 namespace {
@@ -46,7 +47,9 @@ std::optional<Viewer::UnderMouse> Viewer::under(int x, int y) const {
     return UnderMouse{references->atom(ball),
                       describe_ball(*references, answer ? &answer->request : nullptr, ball)};
   }
-  const HitSimplex simplex = hit_simplex(*hit, scene_.drawn_answer()->complex);
+  const Answer& drawn = *scene_.drawn_answer();
+  const HitSimplex simplex =
+      hit_simplex(*hit, InOwnDimension(*drawn.balls, drawn.complex).complex());
   return UnderMouse{references->reference(simplex.balls), describe_simplex(*references, simplex)};
 }
 

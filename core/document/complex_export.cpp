@@ -12,6 +12,7 @@
 #include <stdexcept>
 
 #include "core/chart/chart.hpp"
+#include "core/complex/own_dimension.hpp"
 #include "core/flat/flat_svg.hpp"
 #include "core/io/complex_script.hpp"
 #include "core/io/csv.hpp"
@@ -67,15 +68,10 @@ const char* plural(std::size_t count) {
   return count == 1 ? "" : "s";
 }
 
-template <int N>
-std::size_t count_of(const SimplexList<N>& list, SimplexClass wanted) {
-  return static_cast<std::size_t>(std::count(list.classes.begin(), list.classes.end(), wanted));
-}
-
 class Exporter {
  public:
   Exporter(const ExportSource& source, const RunContext& context)
-      : source_(source), complex_(source.answer.complex), context_(context) {}
+      : source_(source), own_(*source.answer.balls, source.answer.complex), context_(context) {}
 
   Lines write(ExportFormat format, AtomicFile& file) {
     const BallSet& balls = *source_.answer.balls;
@@ -207,12 +203,12 @@ class Exporter {
                 " vertices, " + number_text(volume) + " Å³"};
     if (b.solids.empty()) lines[0] = "no boundary: the complex has no tetrahedra";
     if (complex_.tetrahedra_only) return lines;
-    const std::size_t triangles = count_of(complex_.triangles, SimplexClass::singular),
-                      edges = count_of(complex_.edges, SimplexClass::singular),
-                      vertices = count_of(complex_.vertices, SimplexClass::singular);
-    if (triangles + edges + vertices > 0) {
-      lines.push_back("left out, as they enclose nothing: " + grouped(triangles) +
-                      " singular triangles, " + grouped(edges) + " edges, " + grouped(vertices) +
+    // Singular in space, where surfaces enclose something.
+    const auto [vertices, edges, triangles, all] = class_counts(source_.answer.complex);
+    if (triangles.singular + edges.singular + vertices.singular > 0) {
+      lines.push_back("left out, as they enclose nothing: " + grouped(triangles.singular) +
+                      (own_.dimension() == 3 ? " singular triangles, " : " triangles, ") +
+                      grouped(edges.singular) + " edges, " + grouped(vertices.singular) +
                       " vertices");
     }
     return lines;
@@ -232,9 +228,9 @@ class Exporter {
     require_faces("A flat drawing");
     const BallSet& balls = *source_.answer.balls;
     const FlatBox box = box_of(balls, complex_.alpha_angstrom2());
-    const FlatCounts n = flat_counts(balls, complex_);
-    const std::string text = grouped(n.vertices) + " of " + grouped(n.balls) + " centres, " +
-                             grouped(n.edges()) + " edges, " + grouped(n.triangles) + " triangles";
+    const std::string text = grouped(complex_.vertices.size()) + " of " + grouped(balls.size()) +
+                             " centres, " + grouped(complex_.edges.size()) + " edges, " +
+                             grouped(complex_.triangles.size()) + " triangles";
     const std::string alpha =
         "α = " + shortest_number(source_.answer.request.alpha_angstrom2) + " Å²";
     FlatPage page{.box = box, .caption = {alpha + ": " + text}, .origin = source_.header};
@@ -288,27 +284,22 @@ class Exporter {
 
   template <class Add>
   void add_counts(const Add& add) const {
-    const auto of_dimension = [&](const char* name, const auto& list, bool classes) {
-      add(name, std::to_string(list.size()), "");
-      if (!classes) return;
-      for (const auto& [text, wanted] : {std::pair("singular ", SimplexClass::singular),
-                                         std::pair("regular ", SimplexClass::regular),
-                                         std::pair("interior ", SimplexClass::interior)}) {
-        add(std::string(text) + name, std::to_string(count_of(list, wanted)), "");
-      }
-    };
-    if (!complex_.tetrahedra_only) {
-      of_dimension("vertices", complex_.vertices, true);
-      of_dimension("edges", complex_.edges, true);
-      of_dimension("triangles", complex_.triangles, true);
+    const auto counts = class_counts(complex_);
+    const char* const names[] = {"vertices", "edges", "triangles"};
+    for (std::size_t n = 0; n < 3 && !complex_.tetrahedra_only; ++n) {
+      add(names[n], std::to_string(counts[n].all()), "");
+      add(std::string("singular ") + names[n], std::to_string(counts[n].singular), "");
+      add(std::string("regular ") + names[n], std::to_string(counts[n].regular), "");
+      add(std::string("interior ") + names[n], std::to_string(counts[n].interior), "");
     }
-    of_dimension("tetrahedra", complex_.tetrahedra, false);
+    add("tetrahedra", std::to_string(complex_.tetrahedra.size()), "");
     if (complex_.tetrahedra_only) return;
     add("Euler characteristic", std::to_string(complex_.euler_characteristic()), "");
   }
 
   const ExportSource& source_;
-  const AlphaComplex& complex_;
+  const InOwnDimension own_;
+  const AlphaComplex& complex_ = own_.complex();
   const RunContext& context_;
   std::optional<Boundary> boundary_;
 };

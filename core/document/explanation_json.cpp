@@ -58,7 +58,10 @@ Json explanation_json(const Explanation& e, const BallName& name) {
   Json atoms = Json::array();
   for (const BallIndex v : e.simplex) atoms.push_back(name(v));
   const bool there = e.absence == Absence::none;
-  Json json{{"simplex", e.simplex}, {"atoms", atoms}, {"in_triangulation", there}};
+  Json json{{"simplex", e.simplex},
+            {"atoms", atoms},
+            {"dimension", e.dimension},
+            {"in_triangulation", there}};
   if (!there) {
     json["absence"] = {
         {"reason", absence_id(e.absence)}, {"face", e.absent_face}, {"culprits", e.culprits}};

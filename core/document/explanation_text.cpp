@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "core/document/dimension_words.hpp"
+
 namespace alphascope {
 namespace {
 
@@ -80,7 +82,7 @@ class Sentences {
   Sentences(const Explanation& e, const BallName& name) : e_(e), name_(name) {}
 
   std::vector<ExplanationLine> all() {
-    add("Simplex", "This is the " + simplex_text(e_.simplex, name_) + ".");
+    add("Simplex", "This is the " + simplex_text(e_.simplex, name_) + "." + dimension());
     e_.absence == Absence::none ? answer() : absence();
     orthosphere();
     margin();
@@ -94,6 +96,24 @@ class Sentences {
   }
 
  private:
+  bool in_space() const { return e_.dimension == 3; }
+  std::string largest_kind() const {
+    return simplex_kind_name(static_cast<std::size_t>(e_.dimension) + 1);
+  }
+  std::string dimension() const {
+    switch (e_.dimension) {
+      case 2:
+        return " All centres are in one plane, where triangles are the largest simplices and edges "
+               "of one triangle are the boundary.";
+      case 1:
+        return " All centres are on one line, where edges are the largest simplices and vertices "
+               "of one edge are the boundary.";
+      case 0:
+        return " All centres are at one point, where a vertex is the largest simplex.";
+      default:
+        return "";
+    }
+  }
   void add(const char* heading, std::string text, Balls about = {}) {
     lines_.push_back({heading, std::move(text), std::move(about)});
   }
@@ -146,7 +166,8 @@ class Sentences {
     std::string text = "Its " + ball(e_.absent_face[0]) + " is hidden. ";
     if (e_.culprits.empty()) return text;
     const std::string other = ball(e_.culprits[0]);
-    return text + "Nowhere in space does it have the least power distance. At its centre " + other +
+    return text + "Nowhere " + where_text(e_.dimension) +
+           " does it have the least power distance. At its centre " + other +
            " has less, or as much.";
   }
   std::string dependent() const {
@@ -195,6 +216,9 @@ class Sentences {
             ? "As ρ is negative, the orthosphere is imaginary: its centre is inside all of these "
               "balls, and there is no sphere to draw."
             : "So the orthosphere is a point.";
+    if (e_.dimension == 2 && sphere.rho_sign > 0) {
+      text += " The plane meets it in the orthocircle, which has the same centre and the same ρ.";
+    }
     add("Orthosphere", text);
   }
 
@@ -232,8 +256,10 @@ class Sentences {
 
   void classes() {
     std::string text = "It appears at alpha = " + square(e_.appears.angstrom2) + ". ";
-    if (e_.simplex.size() == 4) {
-      return add("With alpha", text + "A tetrahedron is interior from then on.");
+    if (e_.largest) {
+      if (!in_space()) text += "Nothing " + std::string(where_text(e_.dimension)) + " is larger: ";
+      return add("With alpha", text + (in_space() ? "A " : "this ") + largest_kind() +
+                                   " is interior from then on.");
     }
     if (!e_.regular) {
       return add("With alpha", text + "It stays singular for ever: nothing larger contains it.");
@@ -252,9 +278,9 @@ class Sentences {
                  "outside there is nothing to fill.");
     }
     add("Interior",
-        "It becomes interior at alpha = " + square(e_.interior->angstrom2) +
-            ", when the last tetrahedron around it appears, the " +
-            simplex_text(e_.interior->from, name_) + ".",
+        "It becomes interior at alpha = " + square(e_.interior->angstrom2) + ", when the last " +
+            largest_kind() + " around it appears, the " + simplex_text(e_.interior->from, name_) +
+            ".",
         e_.interior->from);
   }
 

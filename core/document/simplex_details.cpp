@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/complex/own_dimension.hpp"
 #include "core/measure/angles.hpp"
 
 namespace alphascope {
@@ -101,7 +102,8 @@ class Finder {
 
 SimplexDetails find_details(const BallSet& balls, const AlphaComplex& complex,
                             const std::vector<BallIndex>& simplex, const RunContext& context) {
-  return Finder(balls, complex, simplex, context).find();
+  const InOwnDimension own(balls, complex);
+  return Finder(balls, own.complex(), simplex, context).find();
 }
 
 Definition<SimplexDetails> simplex_details(const std::vector<BallIndex>& simplex) {

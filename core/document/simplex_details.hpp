@@ -22,6 +22,7 @@ struct SimplexDetails {
   // them has it as a face.
   bool in_complex = false;
   std::optional<double> alpha_value_angstrom2;  // none: not in the complex, or not computed
+  // In the dimension of all centres (core/complex/own_dimension.hpp).
   std::optional<SimplexClass> simplex_class;
   // How many simplices of the complex have it as a face, by their number of balls less one; those
   // of its own dimension are not counted.

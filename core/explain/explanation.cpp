@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "core/complex/own_dimension.hpp"
 #include "core/dual_edge/exact_dual_edge.hpp"
 #include "core/explain/local_star.hpp"
 #include "core/explain/nearest_by_power.hpp"
@@ -120,13 +121,19 @@ class Surrounded {
   void levels(Explanation& e) const {
     at_size(e.simplex.size(), [&](auto n) {
       e.attached = attached<n.value>(local<n.value>(e.simplex));
-      fill_levels<n.value>(local<n.value>(e.simplex), e);
-      fill_dual<n.value>(local<n.value>(e.simplex), e);
+      fill_regular<n.value>(local<n.value>(e.simplex), e);
+      return 0;
+    });
+    Balls local;
+    for (const BallIndex v : e.simplex) local.push_back(star_.local(v));
+    at_size(largest_size(), [&](auto n) {
+      fill_interior<n.value>(local, e);
       return 0;
     });
   }
   AtAlpha at(std::span<const BallIndex> simplex, const AlphaLevel& appears, double alpha) const {
-    const AlphaComplex complex = threshold(filtration_, alpha, false);
+    AlphaComplex complex = threshold(filtration_, alpha, false);
+    set_classes_in(star_.triangulation.dimension, complex);
     AtAlpha result{alpha, false, SimplexClass::singular, steps_of_rho(balls_, appears.from, alpha)};
     at_size(simplex.size(), [&](auto n) {
       const auto& list = list_of<n.value>(complex);
@@ -193,40 +200,45 @@ class Surrounded {
     }
     return least;
   }
+  // Vertices of the largest simplices.
+  std::size_t largest_size() const {
+    return static_cast<std::size_t>(star_.triangulation.dimension) + 1;
+  }
   template <int N>
-  void fill_levels(const std::array<BallIndex, N>& s, Explanation& e) const {
-    if constexpr (N == 4) {
-      e.interior = e.appears;
-    } else {
-      const auto& all = filtration_.levels();
-      const ClassLevels& levels = N == 1 ? all.vertices : N == 2 ? all.edges : all.triangles;
-      const std::size_t at = *find<N>(list_of<N>(filtration_.top()), s);
-      const float regular = levels.regular_from[at], interior = levels.interior_from[at];
-      e.on_hull = std::isnan(interior);
-      for_cofaces<N>(s, [&](const auto& coface) {
-        if (float_of<N + 1>(coface) == regular) lower(e.regular, value_of<N + 1>(coface), -1);
+  void fill_regular(const std::array<BallIndex, N>& s, Explanation& e) const {
+    e.largest = N == largest_size();
+    if constexpr (N < 4) {
+      float least = HUGE_VALF;
+      for_cofaces<N>(s, [&](const auto& c) { least = std::min(least, float_of<N + 1>(c)); });
+      for_cofaces<N>(s, [&](const auto& c) {
+        if (float_of<N + 1>(c) == least) lower(e.regular, value_of<N + 1>(c), -1);
       });
-      for (const auto& t : filtration_.top().tetrahedra.simplices) {
-        if (!e.on_hull && float_of<4>(t) == interior &&
-            std::includes(t.begin(), t.end(), s.begin(), s.end()))
-          lower(e.interior, value_of<4>(t), 1);
-      }
     }
   }
-  RealPoint corner(const std::array<BallIndex, 4>& t) const {
-    const Orthosphere<4> sphere(*star_.balls, t);
-    return balls_.lattice.unit_angstrom() *
-           (real_point(star_.balls->centres[t[0]]) + sphere.from_first_ball());
-  }
   template <int N>
-  void fill_dual(const std::array<BallIndex, N>& s, Explanation& e) const {
-    if constexpr (N < 4) {
-      for (const auto& triangle : filtration_.top().triangles.simplices) {
-        if (!std::includes(triangle.begin(), triangle.end(), s.begin(), s.end())) continue;
+  RealPoint orthocentre(const std::array<BallIndex, N>& s) const {
+    const Orthosphere<N> sphere(*star_.balls, s);
+    return balls_.lattice.unit_angstrom() *
+           (real_point(star_.balls->centres[s[0]]) + sphere.from_first_ball());
+  }
+  // From the largest simplices, of N vertices, around the simplex, and from their faces there.
+  template <int N>
+  void fill_interior(const Balls& local, Explanation& e) const {
+    const auto around = [&local](const auto& larger) {
+      return std::includes(larger.begin(), larger.end(), local.begin(), local.end());
+    };
+    if constexpr (N > 1) {
+      for (const auto& face : list_of<N - 1>(filtration_.top()).simplices) {
+        if (!around(face)) continue;
         std::vector<RealPoint> ends;
-        for_cofaces<3>(triangle, [&](const auto& t) { ends.push_back(corner(t)); });
+        for_cofaces<N - 1>(face, [&](const auto& s) { ends.push_back(orthocentre<N>(s)); });
         if (ends.size() == 2) e.dual_edges_angstrom.push_back({ends[0], ends[1]});
+        e.on_hull = e.on_hull || ends.size() < 2;
       }
+    }
+    if (e.on_hull) return;
+    for (const auto& s : list_of<N>(filtration_.top()).simplices) {
+      if (around(s)) lower(e.interior, value_of<N>(s), 1);
     }
   }
   // Keeps the lower (sign -1) or the higher one.

@@ -65,14 +65,17 @@ struct Explanation {
   Absence absence = Absence::none;
   std::vector<BallIndex> absent_face, culprits;
 
+  int dimension = -1;  // of the triangulation; classes are those of this dimension
+
   // What follows is of a simplex of the regular triangulation.
-  int dimension = -1;     // of the triangulation, at least as far as it was looked at
+  bool largest = false;   // nothing in the triangulation contains it
   bool attached = false;  // nearest.front() is inside the orthosphere
   bool on_hull = false;   // a part of its surroundings is never filled
   AlphaLevel appears;     // the alpha value
   // The edges of its dual face, the part of space that its balls share: between the orthocentres of
-  // the tetrahedra on both sides of each triangle that contains it, or that it is. Not those that
-  // leave for infinity.
+  // the tetrahedra on both sides of each triangle that contains it, or that it is. In a plane
+  // those of the triangles on both sides of edges, on a line of the edges beside vertices. Not
+  // those that leave for infinity.
   std::vector<std::array<RealPoint, 2>> dual_edges_angstrom;
   std::optional<AlphaLevel> regular, interior;  // nothing: never
   std::optional<AtAlpha> at_alpha;              // if an alpha was asked for

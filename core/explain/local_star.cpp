@@ -9,6 +9,7 @@
 #include <numeric>
 
 #include "core/dual_edge/exact_dual_edge.hpp"
+#include "core/predicates/spanning_balls.hpp"
 #include "core/triangulation/cgal_triangulation.hpp"
 #include "core/verify/verify_orthosphere.hpp"
 
@@ -166,23 +167,6 @@ std::vector<BallIndex> cutters(const BallSet& balls, std::span<const BallIndex> 
     if (facet.worst.found()) found.push_back(facet.worst.ball);
   }
   return found;
-}
-
-// Balls that span as much as all do, as far as some ball is not in the hull of those before it.
-std::vector<BallIndex> spanning_balls(const BallSet& balls, BallIndex first) {
-  std::vector<BallIndex> span{first};
-  LiftedInt j{}, k{};
-  for (BallIndex m = 0; m < balls.size() && span.size() < 4; ++m) {
-    const LiftedInt v = lifted_vector(balls, first, m);
-    const auto n = cross(j, v);
-    const bool beyond = span.size() == 1   ? v.x != 0 || v.y != 0 || v.z != 0
-                        : span.size() == 2 ? n.x != 0 || n.y != 0 || n.z != 0
-                                           : determinant(j, k, v) != 0;
-    if (!beyond) continue;
-    (span.size() == 1 ? j : k) = v;
-    span.push_back(m);
-  }
-  return span;
 }
 
 void make(const BallSet& balls, LocalStar& star, const RunContext& context) {

@@ -4,8 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <stdexcept>
+
+#include "core/complex/own_dimension.hpp"
 
 namespace alphascope {
 namespace {
@@ -49,22 +50,10 @@ std::vector<FlatPoint> corners(const FlatBox& box) {
   return {box.low, {box.high[0], box.low[1]}, box.high, {box.low[0], box.high[1]}};
 }
 
-using Edge = std::array<BallIndex, 2>;
-
-std::map<Edge, int> triangles_at_edges(const AlphaComplex& complex) {
-  std::map<Edge, int> counts;
-  for (const auto& t : complex.triangles.simplices) {
-    ++counts[{t[0], t[1]}];
-    ++counts[{t[0], t[2]}];
-    ++counts[{t[1], t[2]}];
-  }
-  return counts;
-}
-
-FlatKind edge_kind(const std::map<Edge, int>& triangles, const Edge& edge) {
-  const auto found = triangles.find(edge);
-  if (found == triangles.end()) return FlatKind::edge_alone;
-  return found->second > 1 ? FlatKind::edge_inside : FlatKind::edge_boundary;
+FlatKind edge_kind(SimplexClass in_the_plane) {
+  return in_the_plane == SimplexClass::singular  ? FlatKind::edge_alone
+         : in_the_plane == SimplexClass::regular ? FlatKind::edge_boundary
+                                                 : FlatKind::edge_inside;
 }
 
 class Drawing {
@@ -110,10 +99,12 @@ class Drawing {
       const std::vector<BallIndex> of(t.begin(), t.end());
       shapes_.push_back({FlatKind::triangle, centres(of), 0, of});
     }
-    const auto triangles = triangles_at_edges(complex_);
-    for (const auto& e : complex_.edges.simplices) {
-      const std::vector<BallIndex> of(e.begin(), e.end());
-      shapes_.push_back({edge_kind(triangles, {e[0], e[1]}), centres(of), 0, of});
+    AlphaComplex in_the_plane = complex_;  // a drawing has two dimensions, also of a line
+    set_classes_in(2, in_the_plane);
+    const SimplexList<2>& edges = in_the_plane.edges;
+    for (std::size_t n = 0; n < edges.size(); ++n) {
+      const std::vector<BallIndex> of(edges.simplices[n].begin(), edges.simplices[n].end());
+      shapes_.push_back({edge_kind(edges.classes[n]), centres(of), 0, of});
     }
   }
   void add_balls() {
@@ -228,21 +219,6 @@ Orthocircle orthocircle(const BallSet& balls, const std::vector<BallIndex>& of) 
     step = {(rest[0] * b[1] - rest[1] * a[1]) / area, (a[0] * rest[1] - b[0] * rest[0]) / area};
   }
   return {{p[0] + step[0], p[1] + step[1]}, step[0] * step[0] + step[1] * step[1] - weight, true};
-}
-
-FlatCounts flat_counts(const BallSet& balls, const AlphaComplex& complex) {
-  FlatCounts counts;
-  counts.balls = balls.size();
-  counts.vertices = complex.vertices.size();
-  counts.triangles = complex.triangles.size();
-  const auto triangles = triangles_at_edges(complex);
-  for (const auto& e : complex.edges.simplices) {
-    const FlatKind kind = edge_kind(triangles, {e[0], e[1]});
-    ++(kind == FlatKind::edge_inside     ? counts.edges_inside
-       : kind == FlatKind::edge_boundary ? counts.edges_boundary
-                                         : counts.edges_alone);
-  }
-  return counts;
 }
 
 }  // namespace alphascope

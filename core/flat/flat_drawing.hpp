@@ -72,16 +72,4 @@ struct Orthocircle {
 };
 Orthocircle orthocircle(const BallSet& balls, const std::vector<BallIndex>& of);
 
-// Simplices of the complex in the words of the plane, where a triangle is the largest there is.
-struct FlatCounts {
-  std::size_t balls = 0, vertices = 0, triangles = 0;
-  std::size_t edges_inside = 0, edges_boundary = 0, edges_alone = 0;
-  std::size_t edges() const { return edges_inside + edges_boundary + edges_alone; }
-  long long euler() const {
-    return static_cast<long long>(vertices) - static_cast<long long>(edges()) +
-           static_cast<long long>(triangles);
-  }
-};
-FlatCounts flat_counts(const BallSet& balls, const AlphaComplex& complex);
-
 }  // namespace alphascope

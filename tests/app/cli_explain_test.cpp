@@ -56,7 +56,8 @@ TEST_F(CliExplain, SaysWhatIsNotThere) {
   const json hidden = explained(file + " --simplex 0,2");
   EXPECT_EQ(hidden["absence"]["reason"], "hidden");
   EXPECT_EQ(hidden["absence"]["culprits"], json({1}));
-  EXPECT_TRUE(contains(run("explain " + file + " --simplex 0").out, "is hidden. Nowhere in space"));
+  EXPECT_TRUE(
+      contains(run("explain " + file + " --simplex 0").out, "is hidden. Nowhere on the line"));
 }
 
 TEST_F(CliExplain, TakesNamesOfAtoms) {

@@ -176,9 +176,10 @@ void add_simplex(SimplexList<N>& list, const std::vector<BallIndex>& simplex,
   list.classes.push_back(SimplexClass::singular);
 }
 
-// Classes by asking every simplex of one dimension more.
+// Classes by asking every simplex of one dimension more. `largest`: vertices of the largest
+// simplices, all of which are interior.
 template <int N>
-void set_classes(SimplexList<N>& list, const SimplexList<N + 1>& cofaces) {
+void set_classes(SimplexList<N>& list, const SimplexList<N + 1>& cofaces, int largest) {
   for (std::size_t n = 0; n < list.size(); ++n) {
     std::size_t count = 0, interior = 0;
     for (std::size_t c = 0; c < cofaces.size(); ++c) {
@@ -190,7 +191,9 @@ void set_classes(SimplexList<N>& list, const SimplexList<N + 1>& cofaces) {
       ++count;
       interior += cofaces.classes[c] == SimplexClass::interior;
     }
-    const bool filled = N == 3 ? count == 2 : count > 0 && interior == count;
+    const bool filled = N == largest       ? true
+                        : N + 1 == largest ? count == 2
+                                           : count > 0 && interior == count;
     list.classes[n] = filled      ? SimplexClass::interior
                       : count > 0 ? SimplexClass::regular
                                   : SimplexClass::singular;
@@ -309,6 +312,20 @@ RationalOracle::RationalOracle(const BallSet& balls) : balls_(balls) {
 }
 
 AlphaComplex RationalOracle::complex(double alpha_on_lattice) const {
+  return complex_with_largest(alpha_on_lattice, 4);
+}
+
+AlphaComplex RationalOracle::own_complex(double alpha_on_lattice) const {
+  return complex_with_largest(alpha_on_lattice, dimension() + 1);
+}
+
+int RationalOracle::dimension() const {
+  std::size_t largest = 0;
+  for (const auto& [simplex, value] : alpha_values_) largest = std::max(largest, simplex.size());
+  return static_cast<int>(largest) - 1;
+}
+
+AlphaComplex RationalOracle::complex_with_largest(double alpha_on_lattice, int largest) const {
   AlphaComplex complex;
   complex.lattice = balls_.lattice;
   complex.alpha_on_lattice = alpha_on_lattice;
@@ -322,9 +339,9 @@ AlphaComplex RationalOracle::complex(double alpha_on_lattice) const {
     add_simplex(complex.tetrahedra, simplex, value);
   }
   for (SimplexClass& c : complex.tetrahedra.classes) c = SimplexClass::interior;
-  set_classes(complex.triangles, complex.tetrahedra);
-  set_classes(complex.edges, complex.triangles);
-  set_classes(complex.vertices, complex.edges);
+  set_classes(complex.triangles, complex.tetrahedra, largest);
+  set_classes(complex.edges, complex.triangles, largest);
+  set_classes(complex.vertices, complex.edges, largest);
   complex.hash = complex_hash(complex);
   return complex;
 }

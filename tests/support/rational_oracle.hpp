@@ -39,8 +39,14 @@ class RationalOracle {
   const std::map<std::vector<BallIndex>, Rational>& alpha_values() const { return alpha_values_; }
 
   AlphaComplex complex(double alpha_on_lattice) const;
+  // With the classes of the dimension of the triangulation, in which its largest simplices are
+  // interior.
+  AlphaComplex own_complex(double alpha_on_lattice) const;
+  int dimension() const;
 
  private:
+  AlphaComplex complex_with_largest(double alpha_on_lattice, int largest) const;
+
   BallSet balls_;
   std::map<std::vector<BallIndex>, Rational> alpha_values_;
 };

@@ -251,7 +251,8 @@ TEST(PanelsTest, TheCaptionSaysWhyNothingIsThere) {
   ViewState s = loaded_state();
   Answer result = *s.result;
   auto balls = std::make_shared<BallSet>(*result.balls);
-  balls->centres.at(0).z = 1;
+  balls->centres = {{0, 0, 0}, {9, 0, 0}, {0, 9, 0}, {0, 0, 9}};
+  balls->radii = {1, 1, 1, 1};
   result.balls = balls;
   result.request.alpha_angstrom2 = -8;
   EXPECT_EQ(caption_text(result), "4hhb.pdb.gz   α = −8 Å²");
@@ -263,6 +264,10 @@ TEST(PanelsTest, TheCaptionSaysWhyNothingIsThere) {
   for (LatticePoint& centre : flat->centres) centre.z = 0;
   result.balls = flat;
   EXPECT_NE(caption_text(result).find("balls in a plane"), std::string::npos);
+  auto line = std::make_shared<BallSet>(*flat);
+  for (LatticePoint& centre : line->centres) centre.y = 2 * centre.x;
+  result.balls = line;
+  EXPECT_NE(caption_text(result).find("balls on a line"), std::string::npos);
   result.balls = balls;
   result.complex.vertices = {};
   result.complex.tetrahedra_only = true;  // then vertices are not counted

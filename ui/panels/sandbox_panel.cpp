@@ -2,6 +2,7 @@
 // balls in which every number can be typed.
 #include <algorithm>
 
+#include "core/document/dimension_words.hpp"
 #include "core/flat/flat_drawing.hpp"
 #include "core/molecule/shortest_number.hpp"
 #include "ui/number_text.hpp"
@@ -111,14 +112,7 @@ void drawing_row(PanelContext& ctx) {
 }
 
 std::string counts_text(const ViewState& s) {
-  if (!s.result || !is_flat(*s.result->balls)) return {};
-  const FlatCounts n = flat_counts(*s.result->balls, s.result->complex);
-  const auto count = [](std::size_t k) { return with_separators(static_cast<long long>(k)); };
-  return "In the plane: " + count(n.vertices) + " of " + count(n.balls) + " centres, " +
-         count(n.edges()) + (n.edges() == 1 ? " edge (" : " edges (") + count(n.edges_boundary) +
-         " at the rim, " + count(n.edges_inside) + " inside, " + count(n.edges_alone) +
-         " alone), " + count(n.triangles) + (n.triangles == 1 ? " triangle" : " triangles") +
-         ", Euler number " + with_minus_signs(std::to_string(n.euler()));
+  return s.result ? with_minus_signs(own_counts_text(*s.result->balls, s.result->complex)) : "";
 }
 
 void coordinate(PanelContext& ctx, std::size_t ball, std::size_t axis) {

@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/flat/flat_drawing.hpp"
+#include "core/document/dimension_words.hpp"
+#include "core/predicates/spanning_balls.hpp"
 #include "ui/caption.hpp"
 #include "ui/panels/clip_panel.hpp"
 #include "ui/panels/flat_view.hpp"
@@ -316,8 +317,9 @@ std::string caption_text(const Answer& answer) {
   if (!c.tetrahedra_only && c.vertices.size() == 0) {
     return text + "   no ball is left at this alpha";
   }
-  const bool flat = is_flat(*answer.balls);  // then there are none at any alpha
-  return text + (flat ? "   balls in a plane" : "   no tetrahedra at this alpha");
+  const int dimension = dimension_of_centres(*answer.balls);
+  if (dimension == 3) return text + "   no tetrahedra at this alpha";
+  return text + "   balls " + lie_text(dimension);  // then there are none at any alpha
 }
 
 std::string hidden_text(std::size_t atoms) {

@@ -7,6 +7,7 @@
 
 #include "core/geometry/grown_radius.hpp"
 #include "core/geometry/principal_axes.hpp"
+#include "core/predicates/spanning_balls.hpp"
 
 namespace alphascope {
 namespace {
@@ -49,7 +50,7 @@ Matrix3 view_axes(const std::vector<std::array<float, 3>>& points) {
 
 }  // namespace
 
-BallGeometry::BallGeometry(const BallSet& balls) {
+BallGeometry::BallGeometry(const BallSet& balls) : dimension(dimension_of_centres(balls)) {
   if (balls.size() == 0) return;
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   std::array<double, 3> low{kInfinity, kInfinity, kInfinity};

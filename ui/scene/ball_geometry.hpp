@@ -20,6 +20,8 @@ struct BallGeometry {
   // Unit vectors of decreasing spread: right, up and towards the viewer of the default view.
   std::array<std::array<double, 3>, 3> axes{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
 
+  int dimension = 3;  // of what the centres span
+
   explicit BallGeometry(const BallSet& balls);
   BallGeometry() = default;
 };

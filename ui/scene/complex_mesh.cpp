@@ -172,7 +172,11 @@ class MeshBuilder {
       parallel_ranges(list.size(), cancel_, [&](std::size_t i) { body(i, i); });
       return {};
     }
-    const auto singular = [&](std::size_t i) { return list.classes[i] == SimplexClass::singular; };
+    // The largest simplices in a plane or on a line are interior there, and no faces either.
+    const bool largest = balls_.dimension < 3 && N == balls_.dimension + 1;
+    const auto singular = [&](std::size_t i) {
+      return largest || list.classes[i] == SimplexClass::singular;
+    };
     ResultArray<std::uint32_t> places = chosen_places(list.size(), singular, cancel_);
     prepare(places.size());
     parallel_ranges(places.size(), cancel_, [&](std::size_t n) { body(n, places[n]); });

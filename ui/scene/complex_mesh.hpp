@@ -115,7 +115,8 @@ struct ComplexMesh {
 
 // `colours` holds one colour a ball. Throws std::invalid_argument when complex, balls and colours
 // do not belong together (a vertex index beyond the balls), and Cancelled. Where a
-// triangle is regular by its class and belongs to no tetrahedron, the classes are not used. The
+// triangle is regular by its class and belongs to no tetrahedron, the classes are not used. Classes
+// are those of space or of the balls' own dimension (core/complex/own_dimension.hpp). The
 // same for any number of threads; it uses those of the caller's task arena.
 ComplexMesh build_mesh(const BallGeometry& balls, const std::vector<Rgb8>& colours,
                        const AlphaComplex& complex, const MeshOptions& options,

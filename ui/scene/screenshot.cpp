@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "core/complex/own_dimension.hpp"
 #include "ui/scene/camera_place.hpp"
 #include "ui/scene/cap_mesh.hpp"
 #include "ui/scene/display_style.hpp"
@@ -59,8 +60,8 @@ Picture PictureMaker::make(const AlphaComplex& complex, const std::vector<Rgb8>&
   const std::vector<Rgb8> simplex_colours = options.simplex_colours.empty()
                                                 ? picture.colours
                                                 : painted(options.simplex_colours, &options.looks);
-  const auto mesh = std::make_shared<const ComplexMesh>(
-      build_visible_mesh(complex, hidden, [&](const AlphaComplex& part) {
+  const auto mesh = std::make_shared<const ComplexMesh>(build_visible_mesh(
+      InOwnDimension(balls_, complex).complex(), hidden, [&](const AlphaComplex& part) {
         return build_mesh(*geometry_, simplex_colours, part, plan.mesh, context.cancel);
       }));
   picture.mesh = mesh;

@@ -88,12 +88,16 @@ TEST(SimplexDetails, HaveTheClassAndTheAlphaValue) {
   const AlphaComplex complex = make_cgal_engine(balls)->compute({10, false}, {});
   const SimplexDetails edge = find_details(*balls, complex, {0, 1});
   EXPECT_TRUE(edge.in_complex);
-  EXPECT_EQ(edge.simplex_class, SimplexClass::singular);
+  EXPECT_EQ(edge.simplex_class, SimplexClass::interior) << "on a line nothing is larger";
   EXPECT_EQ(edge.alpha_value_angstrom2, 8) << "3² − 1²";
   const SimplexDetails absent = find_details(*balls, complex, {1, 2});
   EXPECT_FALSE(absent.in_complex);
   EXPECT_FALSE(absent.simplex_class);
   EXPECT_FALSE(absent.alpha_value_angstrom2);
+  testing::add_ball(*balls, 40, 50, 0, 1);
+  testing::add_ball(*balls, 40, 0, 50, 1);
+  const AlphaComplex in_space = make_cgal_engine(balls)->compute({10, false}, {});
+  EXPECT_EQ(find_details(*balls, in_space, {0, 1}).simplex_class, SimplexClass::singular);
 }
 
 }  // namespace

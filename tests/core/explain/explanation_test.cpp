@@ -12,6 +12,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "core/document/simplex_details.hpp"
 #include "core/explain/local_star.hpp"
 #include "core/triangulation/cgal_triangulation.hpp"
 #include "core/triangulation/filtration.hpp"
@@ -156,6 +157,9 @@ class Checked {
                               testing::power_excess(balls_, sphere, m) < 0);
     }
     ASSERT_EQ(e.attached, attached) << name(s);
+    ASSERT_EQ(e.dimension, oracle_.dimension());
+    ASSERT_EQ(e.largest, s.size() == largest_) << name(s);
+    ASSERT_EQ(e.on_hull, s.size() < largest_ && !e.interior) << name(s);
     dual(e, s);
     ASSERT_EQ(e.appears.on_lattice, testing::nearest_float(value)) << name(s);
     ASSERT_EQ(e.appears.from == s, !attached);
@@ -168,14 +172,16 @@ class Checked {
   }
 
   // One dual edge for each triangle here that has a tetrahedron on both sides, between their
-  // centres.
+  // centres; in less than space one dimension or two below.
   void dual(const Explanation& e, const Balls& s) {
     std::vector<std::vector<double>> expected, found;
     for (const auto& [t, value] : oracle_.alpha_values()) {
-      if (t.size() != 3 || !std::includes(t.begin(), t.end(), s.begin(), s.end())) continue;
+      if (t.size() != largest_ - 1 || !std::includes(t.begin(), t.end(), s.begin(), s.end()))
+        continue;
       std::vector<double> ends;
       for (const auto& [c, of] : oracle_.alpha_values()) {
-        if (c.size() != 4 || !std::includes(c.begin(), c.end(), t.begin(), t.end())) continue;
+        if (c.size() != largest_ || !std::includes(c.begin(), c.end(), t.begin(), t.end()))
+          continue;
         const testing::Orthosphere sphere = testing::orthosphere(balls_, c);
         for (const Rational& x : {sphere.x, sphere.y, sphere.z}) ends.push_back(x.get_d());
       }
@@ -218,7 +224,7 @@ class Checked {
       };
       ASSERT_EQ(reached(e.appears), expected.has_value());
       if (expected) {
-        ASSERT_EQ(*expected, s.size() == 4          ? SimplexClass::interior
+        ASSERT_EQ(*expected, s.size() == largest_   ? SimplexClass::interior
                              : !reached(e.regular)  ? SimplexClass::singular
                              : !reached(e.interior) ? SimplexClass::regular
                                                     : SimplexClass::interior)
@@ -232,7 +238,7 @@ class Checked {
   const AlphaComplex& complex_at(double alpha) {
     const auto found = complexes_.find(alpha);
     if (found != complexes_.end()) return found->second;
-    return complexes_.emplace(alpha, oracle_.complex(alpha)).first->second;
+    return complexes_.emplace(alpha, oracle_.own_complex(alpha)).first->second;
   }
   template <int N>
   static void find(const SimplexList<N>& list, const Balls& s, std::optional<SimplexClass>& found) {
@@ -290,6 +296,7 @@ class Checked {
 
   const BallSet balls_;
   const RationalOracle oracle_;
+  const std::size_t largest_ = static_cast<std::size_t>(oracle_.dimension()) + 1;  // vertices
   Rational per_square_;
   std::map<double, AlphaComplex> complexes_;
 };
@@ -370,10 +377,23 @@ class Sampled {
       const Explanation e = explain(*balls_, list.simplices[at], std::nullopt);
       ASSERT_EQ(e.absence, Absence::none);
       ASSERT_EQ(e.appears.on_lattice, list.alpha_values[at]);
-      if (!levels) continue;
+      expect_class(e);
+      if (!levels || e.dimension < 3) continue;  // the filtration's are those of space
       ASSERT_EQ(e.on_hull, std::isnan(levels->interior_from[at]));
       same(e.regular, levels->regular_from[at]);
       same(e.interior, levels->interior_from[at]);
+    }
+  }
+  // At an alpha at which it has some coface.
+  void expect_class(const Explanation& e) {
+    const double alpha =
+        static_cast<double>((e.regular ? *e.regular : e.appears).on_lattice) * 1.5 + 1;
+    const AlphaComplex complex = threshold(filtration_, alpha, false);
+    const SimplexDetails expected = find_details(*balls_, complex, e.simplex);
+    const Explanation now = explain(*balls_, e.simplex, alpha);
+    ASSERT_EQ(now.at_alpha->in_complex, expected.in_complex);
+    if (expected.in_complex) {
+      ASSERT_EQ(now.at_alpha->simplex_class, expected.simplex_class);
     }
   }
   // The tetrahedra around a simplex, when no more than its own balls are given at first.

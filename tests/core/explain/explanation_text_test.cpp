@@ -75,5 +75,36 @@ TEST(ExplanationText, OfATie) {
                "the perturbation decides"});
 }
 
+// In the plane a triangle is what a tetrahedron is in space.
+TEST(ExplanationText, SpeaksOfThePlaneWhereAllCentresAreInOne) {
+  BallSet balls = unit_balls();
+  for (const int x : {0, 2}) {
+    for (const int y : {0, 2}) testing::add_ball(balls, x, y, 5, 1);
+  }
+  // Sides have ρ = 0, the diagonal and both triangles ρ = 1.
+  using Balls = std::vector<BallIndex>;
+  const bool first = explain(balls, Balls{0, 3}, {}).absence == Absence::none;
+  expect_said(text_of(balls, first ? Balls{0, 3} : Balls{1, 2}, 1.0),
+              {"All centres are in one plane", "It is interior: everything around it is filled",
+               "when the last triangle around it appears"});
+  expect_said(text_of(balls, first ? Balls{0, 1, 3} : Balls{0, 1, 2}, 1.0),
+              {"It is interior", "Nothing in the plane is larger: this triangle is interior",
+               "meets it in the orthocircle, which has the same centre and the same ρ"});
+  expect_said(text_of(balls, {0, 1}, 1.0),
+              {"It is regular", "until it becomes regular at alpha = 1 Å²", "on the hull"});
+}
+
+TEST(ExplanationText, SpeaksOfTheLineAndThePoint) {
+  BallSet balls = unit_balls();
+  for (const int x : {0, 4, 8}) testing::add_ball(balls, x, x, 0, 1);
+  expect_said(text_of(balls, {1}, 100.0),
+              {"All centres are on one line", "It is interior", "when the last edge around it"});
+  expect_said(text_of(balls, {0}, 100.0), {"It is regular", "on the hull of all balls"});
+  expect_said(text_of(balls, {0, 1}, 100.0), {"Nothing on the line is larger: this edge"});
+  BallSet alone = unit_balls();
+  testing::add_ball(alone, 1, 2, 3, 1);
+  expect_said(text_of(alone, {0}, 0.0), {"at one point", "Nothing at the point is larger"});
+}
+
 }  // namespace
 }  // namespace alphascope

@@ -350,6 +350,11 @@ void add_view_commands(Commands& commands, ViewState& s) {
   };
   commands.add(std::move(theme));
   commands.add(scale_command(s));
+  commands.add(with_switch({.id = "view.presenter_size",
+                            .title = "Presenter size",
+                            .help = "Makes text, controls and lines larger, for a projector",
+                            .menu = "View"},
+                           s.presenter_size));
   add_page_command(commands, s);
 }
 

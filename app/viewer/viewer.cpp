@@ -72,7 +72,7 @@ Viewer::Viewer(Host& host, const ViewerOptions& options, Session::Services servi
     state_.display = with_preset(state_.display, *preset);
   }
   if (options.samples) state_.display.samples = *options.samples;
-  scene_.set_display(state_.display, state_.theme, frame_.scale());
+  scene_.set_display(state_.display, state_.theme, line_scale());
   editor_.restart(settings());
   if (options.file) open(*options.file);
   if (options.session) open_session(*options.session);
@@ -329,7 +329,7 @@ void Viewer::send_controls() {
     frames_due_ = kSettlingFrames;
   }
   send_selection();
-  scene_.set_display(state_.display, state_.theme, frame_.scale());
+  scene_.set_display(state_.display, state_.theme, line_scale());
   scene_.set_clip(state_.clip);
   scene_.set_appearance(state_.appearance);
   state_.picked.note_order();

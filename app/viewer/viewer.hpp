@@ -104,6 +104,7 @@ class Viewer {
   void note_recent_file(const std::filesystem::path& file);
   void forget_recent();
   void follow_scale();
+  float line_scale() const;
   void poll_preferences();
   // Runs what may throw on the main thread; what it throws is shown, and the program goes on.
   void guarded(const std::function<void()>& what);
@@ -238,8 +239,8 @@ class Viewer {
   std::unique_ptr<LessonStage> lesson_stage_;
   LessonPlayer lessons_;
   std::optional<Editor> history_to_come_back_;  // of the session that is on its way
-  Preferences noted_;     // as the window had them when they were looked at last
-  double set_scale_ = 0;  // of the host
+  Preferences noted_;                     // as the window had them when they were looked at last
+  double set_scale_ = 0, set_times_ = 1;  // of the host
   std::optional<EngineChoice> engine_when_found_;  // preferred, and in need of a GPU
   std::future<MachineInfo> machine_;               // looking for a GPU can take a second
   Benchmark benchmark_;

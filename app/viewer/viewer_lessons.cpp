@@ -14,8 +14,14 @@ namespace {
 
 // A lesson may come from a stranger: it writes no file and does not end the program.
 // How large letters are and whether the window is light is the reader's choice.
-constexpr std::string_view kNotInLessons[] = {
-    "file.", "edit.", "help.", "lesson.", "benchmark.", "view.scale", "view.light_theme"};
+constexpr std::string_view kNotInLessons[] = {"file.",
+                                              "edit.",
+                                              "help.",
+                                              "lesson.",
+                                              "benchmark.",
+                                              "view.scale",
+                                              "view.presenter_size",
+                                              "view.light_theme"};
 
 // Throws ReadError for the first command that the window does not have, or not for lessons.
 void check_commands(const Lesson& lesson, const Commands& known) {

@@ -5,6 +5,12 @@
 #include "app/viewer/viewer.hpp"
 
 namespace alphascope {
+namespace {
+
+// Lines of the picture grow more than letters: on a projector they are lost first.
+constexpr double kPresenterTimes = 1.5, kPresenterLines = 1.4;
+
+}  // namespace
 
 // What the command line says goes before.
 void Viewer::use_preferences(const ViewerOptions& options) {
@@ -12,6 +18,7 @@ void Viewer::use_preferences(const ViewerOptions& options) {
   const bool light = options.light || p.light_theme;
   state_.theme = light ? Theme::light : Theme::dark;
   state_.control_scale = options.scale > 0 ? options.scale : p.scale;
+  state_.presenter_size = p.presenter_size;
   std::error_code ignored;
   if (std::filesystem::is_directory(p.last_folder, ignored)) {
     state_.memory.browser_folder = p.last_folder;
@@ -30,13 +37,14 @@ Preferences Viewer::preferred() const {
   Preferences p = noted_;
   p.light_theme = state_.theme == Theme::light;
   p.scale = state_.control_scale;
+  p.presenter_size = state_.presenter_size;
   p.engine = state_.compute.engine;
   p.last_folder = state_.memory.browser_folder;
   const HostSize size = host_.size();
   if (size.width <= 0 || size.height <= 0) return p;  // minimised
-  const auto at_scale_1 = [&size](int pixels) {
+  const auto at_scale_1 = [&size, this](int pixels) {
     constexpr long kLeast = 480, kMost = 16384;  // as Preferences may be
-    const float length = static_cast<float>(pixels) / size.scale;
+    const float length = static_cast<float>(pixels) / size.scale * static_cast<float>(set_times_);
     return static_cast<int>(std::clamp(std::lround(length), kLeast, kMost));
   };
   p.width = at_scale_1(size.width);
@@ -54,6 +62,7 @@ void Viewer::note_preferences() {
   };
   take(&Preferences::light_theme);
   take(&Preferences::scale);
+  take(&Preferences::presenter_size);
   take(&Preferences::width);
   take(&Preferences::height);
   take(&Preferences::engine);
@@ -77,10 +86,16 @@ void Viewer::forget_recent() {
 }
 
 void Viewer::follow_scale() {
-  if (state_.control_scale == set_scale_) return;
+  const double times = state_.presenter_size ? kPresenterTimes : 1;
+  if (state_.control_scale == set_scale_ && times == set_times_) return;
   set_scale_ = state_.control_scale;
-  host_.set_scale(set_scale_);
+  set_times_ = times;
+  host_.set_scale(set_scale_, set_times_);
   frames_due_ = kSettlingFrames;
+}
+
+float Viewer::line_scale() const {
+  return frame_.scale() * static_cast<float>(state_.presenter_size ? kPresenterLines : 1);
 }
 
 void Viewer::poll_preferences() {

@@ -26,6 +26,7 @@ template <class Visitor>
 void visit_fields(Visitor& v, Preferences& p) {
   v("light_theme", p.light_theme);
   v("scale", p.scale, kScaleRule);
+  v("presenter_size", p.presenter_size);
   v("width", p.width, kWindowRule);
   v("height", p.height, kWindowRule);
   v("engine", p.engine);

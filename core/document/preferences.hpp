@@ -19,6 +19,7 @@ struct Preferences {
   EngineChoice engine = EngineChoice::automatic;
   std::filesystem::path last_folder;          // of the file dialog; empty: none yet
   std::vector<std::filesystem::path> recent;  // molecules and sessions, the latest first; absolute
+  bool presenter_size = false;
   friend bool operator==(const Preferences&, const Preferences&) = default;
 };
 

@@ -52,7 +52,7 @@ class ActingHost final : public Host {
 
   HostSize size() const override { return inner_->size(); }
   void resize(int width, int height) override { inner_->resize(width, height); }
-  void set_scale(double scale) override { inner_->set_scale(scale); }
+  void set_scale(double scale, double times) override { inner_->set_scale(scale, times); }
   void hide() override {}
   bool close_requested() const override {
     return played() > seconds_ && next_ == acts_.size() && !input_.waiting();

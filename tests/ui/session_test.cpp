@@ -267,5 +267,24 @@ TEST_F(PreferencesWindowTest, TheScaleFollowsAtOnce) {
   EXPECT_EQ(again.y1 - again.y0, before.y1 - before.y0);
 }
 
+TEST_F(PreferencesWindowTest, PresenterSizeIsLargerAndIsKept) {
+  begin_anew();
+  run("view.scale 1.25\nframes 3\n");
+  const int width = viewer_->state().viewport.width;
+  run("view.presenter_size on\nframes 3\n");
+  EXPECT_FLOAT_EQ(host_->size().scale, 1.875f);
+  EXPECT_EQ(host_->size().width, 1100);
+  EXPECT_LT(viewer_->state().viewport.width, width);
+  viewer_.reset();
+  EXPECT_EQ(read_preferences(folder_ / "config").preferences.width, 880)
+      << "of the window as it is without presenter size";
+  begin_anew();
+  EXPECT_TRUE(viewer_->state().presenter_size);
+  EXPECT_FLOAT_EQ(host_->size().scale, 1.875f);
+  run("view.presenter_size\nframes 3\n");
+  EXPECT_FLOAT_EQ(host_->size().scale, 1.25f);
+  EXPECT_EQ(viewer_->state().viewport.width, width);
+}
+
 }  // namespace
 }  // namespace alphascope::testing

@@ -187,7 +187,15 @@ void draw_head(PanelContext& ctx) {
   const auto width = [](const char* label) {
     return ImGui::CalcTextSize(label).x + 2 * ImGui::GetStyle().FramePadding.x;
   };
+  const char* size = ctx.state.presenter_size ? "Smaller" : "Larger";
   const float gap = ctx.px(4), right = ImGui::GetWindowContentRegionMax().x;
+  ImGui::SameLine(right - width(close) - gap - (m.open ? width(other) + gap : 0) - width(size));
+  if (button(ctx, "lesson.presenter", size, {0, 0}, ButtonKind::quiet)) {
+    ctx.commands.run("view.presenter_size");
+  }
+  tooltip(ctx, ctx.state.presenter_size ? "Ends presenter size."
+                                        : "Presenter size: text, controls and lines larger, for a "
+                                          "projector. Also in the View menu.");
   if (m.open) {
     ImGui::SameLine(right - width(close) - gap - width(other));
     if (button(ctx, "lesson.other", other, {0, 0}, ButtonKind::quiet)) m.list = !m.list;

@@ -183,7 +183,8 @@ struct ViewState {
   Selection picked;  // in the picture
   Theme theme = Theme::dark;
   bool auto_compare = false;
-  double control_scale = 0;  // of fonts and controls; 0: as the display says
+  double control_scale = 0;     // of fonts and controls; 0: as the display says
+  bool presenter_size = false;  // everything larger than that, to be read on a projector
 
   MoleculeInfo molecule;
   std::shared_ptr<const Answer> result;   // on screen; null: none. The controls may be ahead

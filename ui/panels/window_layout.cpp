@@ -20,6 +20,9 @@ constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoDecoration | ImGuiWindowF
 constexpr float kRightWidth = 340;
 constexpr float kLeftWidth = 320, kBottomHeight = 262, kStatusHeight = 27;
 constexpr float kLeastBottom = 76, kLeastView = 180;
+// Beside a lesson. Where less is left, the controls give way, and the page below takes no more than
+// this share of the height.
+constexpr float kLeastViewBesideLesson = 360, kBottomBesideLesson = 0.34f;
 
 struct Area {
   ImVec2 corner, size;
@@ -253,19 +256,23 @@ void draw_window(const WindowParts& parts, const PanelFonts& fonts, float scale)
   draw_menu_bar(ctx);
   const ImVec2 display = ImGui::GetIO().DisplaySize;
   const float top = ImGui::GetFrameHeight();
-  const float status_height = ctx.px(kStatusHeight), left = ctx.px(kLeftWidth);
+  const bool tight = state.memory.lessons.shown &&
+                     display.x < ctx.px(kLeftWidth + kRightWidth + kLeastViewBesideLesson);
+  const float status_height = ctx.px(kStatusHeight), left = tight ? 0 : ctx.px(kLeftWidth);
   const float middle = std::max(0.0f, display.y - top - status_height);
-  const float bottom = bottom_height(ctx, middle);
+  const float usual_bottom = bottom_height(ctx, middle);
+  const float bottom = tight ? std::min(usual_bottom, kBottomBesideLesson * middle) : usual_bottom;
+  const bool high = tight || state.presenter_size;  // the lesson goes on beside the page below
   const float width = std::max(1.0f, display.x - left);
-  left_panel(ctx, last, top, middle);
-  const float beside = right_panel(ctx, top, middle - bottom);
+  if (!tight) left_panel(ctx, last, top, middle);
+  const float beside = right_panel(ctx, top, high ? middle : middle - bottom);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
   const float view = std::max(1.0f, width - beside);
   begin(kView, {{left, top}, {view, middle - bottom}}, ImGuiWindowFlags_NoScrollWithMouse);
   ImGui::PopStyleVar();
   draw_viewport(ctx);
   ImGui::End();
-  bottom_panel(ctx, {{left, top + middle - bottom}, {width, bottom}});
+  bottom_panel(ctx, {{left, top + middle - bottom}, {high ? view : width, bottom}});
   status(ctx, display.y - status_height, display.x, status_height);
   draw_dialogs(ctx);
 }

@@ -56,7 +56,9 @@ class EglHost final : public Host {
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
   }
 
-  void set_scale(double scale) override { scale_ = scale > 0 ? static_cast<float>(scale) : 1.0f; }
+  void set_scale(double scale, double times) override {
+    scale_ = static_cast<float>((scale > 0 ? scale : 1) * times);
+  }
   bool close_requested() const override { return false; }
   void hide() override {}
   void set_title(const std::string&) override {}

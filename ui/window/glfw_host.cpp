@@ -148,8 +148,9 @@ class GlfwHost final : public Host {
     const float dense = density();
     glfwSetWindowSize(window_, pixels(width, 1 / dense), pixels(height, 1 / dense));
   }
-  void set_scale(double scale) override {
+  void set_scale(double scale, double times) override {
     fixed_scale_ = static_cast<float>(scale);
+    times_ = static_cast<float>(times);
     limit_size();
   }
   bool close_requested() const override { return glfwWindowShouldClose(window_); }
@@ -232,10 +233,10 @@ class GlfwHost final : public Host {
 
   // Of fonts and controls; the monitor that the window is on decides.
   float scale() const {
-    if (fixed_scale_ > 0) return fixed_scale_;
+    if (fixed_scale_ > 0) return fixed_scale_ * times_;
     float x = 1, y = 1;
     glfwGetWindowContentScale(window_, &x, &y);
-    return std::max({1.0f, x, y});
+    return std::max({1.0f, x, y}) * times_;
   }
 
   // Pixels to one unit of GLFW's sizes and positions. 1 on X11.
@@ -296,6 +297,7 @@ class GlfwHost final : public Host {
 
   GLFWwindow* window_ = nullptr;
   float fixed_scale_;
+  float times_ = 1;  // that scale, or the monitor's
   float density_ = 1;
   std::array<GLFWcursor*, ImGuiMouseCursor_COUNT> cursors_{};
   int cursor_ = 0;

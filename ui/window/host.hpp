@@ -38,9 +38,9 @@ class Host {
   virtual HostSize size() const = 0;
   // Asks for another size, in pixels.
   virtual void resize(int width, int height) = 0;
-  // Of fonts and controls, from the next frame on; 0: as the display says. The window stays as
-  // large as it is.
-  virtual void set_scale(double scale) = 0;
+  // Of fonts and controls, from the next frame on; 0: as the display says. `times` as large as
+  // that. The window stays as large as it is.
+  virtual void set_scale(double scale, double times) = 0;
   virtual bool close_requested() const = 0;
   // For the end of the program, which may wait for work that cannot be interrupted.
   virtual void hide() = 0;

@@ -40,7 +40,7 @@ class PreferencesTest : public ::testing::Test {
 };
 
 Preferences unusual() {
-  return {true, 1.75, 1000, 700, EngineChoice::cpu, "/data", {"/data/a.pdb", "/data/b.json"}};
+  return {true, 1.75, 1000, 700, EngineChoice::cpu, "/data", {"/data/a.pdb", "/data/b.json"}, true};
 }
 
 TEST_F(PreferencesTest, ComeBack) {

@@ -26,10 +26,15 @@ void LessonPlayer::again() {
   if (memory_.open) go_to(memory_.step);
 }
 
+void LessonPlayer::restart() {
+  if (memory_.open) go_to(0);
+}
+
 // Its commands come after those of the step, which may still be running.
 void LessonPlayer::reveal() {
   if (!memory_.open || !now().asks() || memory_.revealed) return;
   memory_.revealed = true;
+  memory_.whole = false;
   const auto& more = now().answer.commands;
   commands_.insert(commands_.end(), more.begin(), more.end());
   if (phase_ == Phase::shown && !memory_.left) phase_ = Phase::running;
@@ -51,7 +56,7 @@ void LessonPlayer::go_to(std::size_t step) {
   memory_.shown = true;
   memory_.list = false;
   memory_.step = step;
-  memory_.revealed = memory_.ready = false;
+  memory_.revealed = memory_.ready = memory_.whole = false;
   memory_.refused.clear();
   memory_.scroll_to_top = true;
   commands_ = memory_.open->commands;

@@ -40,8 +40,9 @@ class LessonPlayer {
   void begin(std::shared_ptr<const Lesson> lesson);
   void next();  // the answer of a question, else the next step; nothing after the last
   void back();
-  void again();   // the step as it begins
-  void reveal();  // the answer
+  void again();    // the step as it begins
+  void restart();  // the first step
+  void reveal();   // the answer
   void close();
 
   // Once a frame.

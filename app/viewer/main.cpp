@@ -12,6 +12,7 @@
 #include "app/viewer/viewer.hpp"
 #include "core/document/preferences.hpp"
 #include "core/molecule/printable.hpp"
+#include "core/molecule/shortest_number.hpp"
 
 namespace alphascope {
 namespace {
@@ -34,11 +35,34 @@ constexpr int kBadArguments = 1, kNoDisplay = 2, kFailed = 3;
 // The window took 120 MB with nothing in it.
 constexpr std::uint64_t kLeastFreeBytes = 150 << 20;
 
+// However long it takes. One job's result can start the next when it is taken in.
+void wait_until_idle(alphascope::Viewer& viewer) {
+  constexpr double kFrame = 0.02;  // seconds
+  alphascope::ScriptedInput no_input;
+  for (int quiet = 0; quiet < 4; quiet = viewer.busy() ? 0 : quiet + 1) {
+    if (viewer.busy()) viewer.host().wait_events(kFrame);
+    viewer.step(&no_input);
+  }
+}
+
+void record_lesson(alphascope::Viewer& viewer, const alphascope::ViewerOptions& options) {
+  viewer.draw_shots_only();
+  wait_until_idle(viewer);
+  if (!viewer.state().error.empty()) return;  // the lesson was not opened
+  const alphascope::Outcome outcome = viewer.commands().run(
+      "file.record",
+      {options.record->string(), "lesson:" + alphascope::shortest_number(options.record_seconds),
+       std::to_string(options.record_width), std::to_string(options.record_height)});
+  if (!outcome.done()) throw std::runtime_error(outcome.why);
+  wait_until_idle(viewer);
+}
+
 int drive(alphascope::Viewer& viewer, const alphascope::ViewerOptions& options) {
   if (options.script) {
     std::ifstream script(*options.script);
     alphascope::run_script(viewer, script, options.script->string(), std::cout);
   }
+  if (options.record) record_lesson(viewer, options);
   if (options.shot) {
     std::istringstream wait("wait-idle\n");
     alphascope::run_script(viewer, wait, "--shot", std::cout);
@@ -63,7 +87,7 @@ int main(int argc, char** argv) {
     return *parsed.exit_code == 0 ? 0 : kBadArguments;
   }
   alphascope::ViewerOptions options = parsed.options;
-  const bool scripted = options.script || options.shot;
+  const bool scripted = options.script || options.shot || options.record;
   // What a script shows must not depend on what somebody likes.
   if (!scripted && !options.preferences_given) {
     options.preferences = alphascope::preferences_folder();

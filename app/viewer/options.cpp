@@ -9,18 +9,23 @@
 #include "app/viewer/script.hpp"
 #include "core/document/display_preset.hpp"
 #include "core/document/number_input.hpp"
+#include "core/document/recording.hpp"
 
 namespace alphascope {
 namespace {
 
 constexpr int kLeastSize = 640, kMostSize = 8192;
 
-// "1280x800" to width and height. Throws std::invalid_argument.
-void set_size(const std::string& text, int& width, int& height) {
+// "1280x800" to width and height; false: it is no such text.
+bool read_size(const std::string& text, int& width, int& height) {
   char x = 0;
   std::istringstream stream(text);
-  if (stream >> width >> x >> height && (x == 'x' || x == 'X') && stream.peek() == EOF &&
-      std::min(width, height) >= 480 && width >= kLeastSize &&
+  return stream >> width >> x >> height && (x == 'x' || x == 'X') && stream.peek() == EOF;
+}
+
+// Of the window. Throws std::invalid_argument.
+void set_size(const std::string& text, int& width, int& height) {
+  if (read_size(text, width, height) && std::min(width, height) >= 480 && width >= kLeastSize &&
       std::max(width, height) <= kMostSize) {
     return;
   }
@@ -43,6 +48,26 @@ Option size_option(ViewerOptions& options) {
               .text = "Width and height of the window in pixels, at scale 1",
               .fallback = "as last time, at first 1440x900"};
   size.set = [&options](const std::string& text) { set_size(text, options.width, options.height); };
+  return size;
+}
+
+// Of pictures.
+Option record_size_option(ViewerOptions& o) {
+  Option size{.names = "--record-size",
+              .value = "WxH",
+              .text = "Width and height of a recorded lesson in pixels",
+              .fallback = "1280x720"};
+  size.set = [&o](const std::string& text) {
+    const auto within = [](int pixels) {
+      return pixels >= kPictureSizeRule.least && pixels <= kPictureSizeRule.most;
+    };
+    if (read_size(text, o.record_width, o.record_height) && within(o.record_width) &&
+        within(o.record_height)) {
+      return;
+    }
+    throw std::invalid_argument("\"" + text +
+                                "\" is not a valid size; write WIDTHxHEIGHT, such as 1280x720");
+  };
   return size;
 }
 
@@ -72,7 +97,7 @@ Option preferences_option(ViewerOptions& options) {
   Option folder{.names = "--preferences",
                 .value = "FOLDER",
                 .text = "Keep preferences and recent files there; none: nowhere",
-                .fallback = "~/.config/alphascope; none with --script and --shot"};
+                .fallback = "~/.config/alphascope; none with --script, --shot and --record"};
   folder.set = [&options](const std::string& path) {
     options.preferences = path == "none" ? "" : path;
     options.preferences_given = true;
@@ -127,6 +152,15 @@ OptionProgram table(ViewerOptions& o) {
       preferences_option(o),
       drawing_memory_option(o),
       lesson_option(o),
+      path_or_none({"--record", "OUT",
+                    "Record the lesson as pictures (step-%02d.png) or a movie (.mp4, .webm) and "
+                    "exit; needs no display"},
+                   o.record),
+      with_default(
+          typed_number_option({"--record-seconds", "S", "How long a movie shows each step"},
+                              o.record_seconds, kHoldRule),
+          "10"),
+      record_size_option(o),
       script_option(o),
       flag_option("--script-help", "List the commands of scripts and exit", o.script_help),
       path_or_none(
@@ -135,7 +169,8 @@ OptionProgram table(ViewerOptions& o) {
   program.notes = {
       {"Examples",
        {"alphascope 4hhb.pdb.gz --alpha 1.4",
-        "alphascope 4hhb.pdb.gz --solvent 1.4 --shot picture.png   (needs no display)"}},
+        "alphascope 4hhb.pdb.gz --solvent 1.4 --shot picture.png   (needs no display)",
+        "alphascope --lesson union_of_balls --record union_of_balls.mp4   (needs no display)"}},
       {"Exit codes", {"0 done; 1 invalid usage; 2 no display; 3 could not do what was asked."}}};
   add_standard_options(program);
   return program;
@@ -147,6 +182,11 @@ ParsedOptions parse_options(int argc, const char* const* argv) {
   ParsedOptions parsed;
   ViewerOptions options;
   const ParsedArguments arguments = parse_arguments(table(options), argc, argv);
+  if (!arguments.ended && options.record && options.lesson.empty()) {
+    parsed.exit_code = 1;
+    parsed.text = "alphascope: --record records a lesson; name it with --lesson.\n";
+    return parsed;
+  }
   parsed.options = options;
   if (arguments.ended) {
     parsed.exit_code = arguments.exit_code;

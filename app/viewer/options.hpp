@@ -20,7 +20,10 @@ struct ViewerOptions {
   bool tetrahedra_only = false;
   bool compare = true;
   std::optional<std::filesystem::path> script, shot;
-  std::string lesson;  // a name or a path; empty: none
+  std::string lesson;                           // a name or a path; empty: none
+  std::optional<std::filesystem::path> record;  // the lesson, as pictures or a movie, and end
+  double record_seconds = 10;                   // of each step
+  int record_width = 1280, record_height = 720;
   // Folder of preferences; empty: they are neither read nor written.
   std::filesystem::path preferences;
   bool preferences_given = false;

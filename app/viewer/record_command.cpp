@@ -1,4 +1,4 @@
-// The command that records a sweep of alpha or a turntable.
+// The command that records a sweep of alpha, a turntable or the open lesson.
 #include <filesystem>
 #include <stdexcept>
 
@@ -25,7 +25,9 @@ Outcome record(const Arguments& arguments, ViewState& s) {
     const RecordingFormat format = recording_format(request.path);
     if (format == RecordingFormat::frames) FrameNames{request.path};
     const std::string what = arguments.text("what");
-    if (what.starts_with("alpha")) {
+    if (what.starts_with("lesson")) {
+      request.lesson_seconds = read_lesson_recording(what);
+    } else if (what.starts_with("alpha")) {
       read_sweep(what, request.recording);
     } else if (!what.empty()) {
       read_turntable(what, request.recording);
@@ -36,6 +38,10 @@ Outcome record(const Arguments& arguments, ViewState& s) {
   } catch (const std::invalid_argument& error) {
     return Outcome::refused("This cannot be recorded: " + std::string(error.what()) + ".");
   }
+  if (request.lesson_seconds && !s.memory.lessons.open) {
+    return Outcome::refused("No lesson is open.");
+  }
+  if (!request.lesson_seconds && !s.result) return Outcome::refused("There is no complex yet.");
   PictureOptions& options = request.options;
   options.width = static_cast<int>(arguments.number("width", options.width));
   options.height = static_cast<int>(arguments.number("height", options.height));
@@ -58,7 +64,7 @@ CommandSpec record_command(ViewState& s) {
   return {
       .id = "file.record",
       .title = "Record…",
-      .help = "Writes a sweep of alpha or a turntable as pictures or a movie",
+      .help = "Writes a sweep of alpha, a turntable or the open lesson as pictures or a movie",
       .shortcuts = {{"Ctrl+Shift+R"}},
       .menu = "File",
       .parameters =
@@ -69,7 +75,9 @@ CommandSpec record_command(ViewState& s) {
             .optional = true},
            {.name = "what",
             .kind = Kind::text,
-            .help = "A sweep in Å² and its frames, or a turntable in degrees and its frames",
+            .help =
+                "A sweep in Å² and its frames, a turntable in degrees and its frames (360:120), "
+                "or the open lesson and the seconds of each of its steps (lesson:10)",
             .example = "alpha=-1:10:120",
             .optional = true},
            number("width", "Width in pixels; if left out, as in the dialog", kPictureSizeRule),
@@ -83,7 +91,11 @@ CommandSpec record_command(ViewState& s) {
            {.name = "there-and-back", .kind = Kind::flag, .help = "Also back, for a loop"},
            {.name = "transparent", .kind = Kind::flag, .help = "Without background"},
            {.name = "scale-bar", .kind = Kind::flag, .help = "With a scale bar"}},
-      .why_not = without_result(s),
+      .why_not =
+          [&s] {
+            const bool any = s.result || s.memory.lessons.open;
+            return any ? "" : "There is no complex yet, and no lesson is open.";
+          },
       .run = [&s](const Arguments& arguments) { return record(arguments, s); }};
 }
 

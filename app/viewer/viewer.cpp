@@ -29,6 +29,19 @@ std::uint64_t large_object_budget(std::uint64_t held) {
 // the hand moves, but not for longer than this.
 constexpr std::chrono::milliseconds kModelGrace{300};
 
+// Beside a lesson's text the picture is narrower than in the window, where the lesson was made to
+// look right: the camera steps back until it has both sides.
+Picture with_sides(Picture picture, const ViewportInfo& window, const PictureOptions& size) {
+  if (!picture.viewpoint || window.height <= 0 || size.width <= 0) return picture;
+  const double back = static_cast<double>(window.width) / window.height * size.height / size.width;
+  if (!(back > 1)) return picture;
+  Viewpoint& view = *picture.viewpoint;
+  for (std::size_t k = 0; k < 3; ++k) {
+    view.position[k] = view.focal_point[k] + back * (view.position[k] - view.focal_point[k]);
+  }
+  return picture;
+}
+
 }  // namespace
 
 Viewer::Viewer(Host& host, const ViewerOptions& options, Session::Services services,
@@ -46,6 +59,10 @@ Viewer::Viewer(Host& host, const ViewerOptions& options, Session::Services servi
       lesson_files_([&host] { host.wake(); }, lesson_folders(options)),
       lesson_stage_(make_lesson_stage()),
       lessons_(*lesson_stage_, state_.memory.lessons),
+      lesson_recorder_(lessons_, state_.memory.lessons, saver_,
+                       [this](const ScreenshotRequest& r) {
+                         return with_sides(scene_.picture(r), state_.viewport, r.options);
+                       }),
       machine_(std::async(std::launch::async,
                           [&host] {
                             const MachineInfo& machine = machine_info();
@@ -127,11 +144,15 @@ bool Viewer::busy() const {
 }
 
 bool Viewer::working() const {
+  return all_but_saving() || saver_.busy() || table_saver_.busy() || complex_saver_.busy() ||
+         lesson_recorder_.busy();
+}
+
+bool Viewer::all_but_saving() const {
   const SessionActivity a = session_.activity();
   return state_.open != sent_open_ || a.opening.busy || a.computing.busy || a.comparing.busy ||
-         a.timing.busy || !state_.gpu || scene_.busy() || saver_.busy() || table_saver_.busy() ||
-         complex_saver_.busy() || folder_reader_.busy() || session_files_.busy() ||
-         lesson_files_.busy() || lessons_.busy();
+         a.timing.busy || !state_.gpu || scene_.busy() || folder_reader_.busy() ||
+         session_files_.busy() || lesson_files_.busy() || lessons_.busy();
 }
 
 bool Viewer::settled() const {

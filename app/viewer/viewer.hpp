@@ -16,6 +16,7 @@
 #include "app/viewer/hit_text.hpp"
 #include "app/viewer/lesson_files.hpp"
 #include "app/viewer/lesson_player.hpp"
+#include "app/viewer/lesson_recorder.hpp"
 #include "app/viewer/model_playback.hpp"
 #include "app/viewer/options.hpp"
 #include "app/viewer/picture_saver.hpp"
@@ -113,6 +114,7 @@ class Viewer {
   void take_session();  // results and failures into the state
   // As busy(), but for a benchmark: frames drawn meanwhile would be in its times.
   bool working() const;
+  bool all_but_saving() const;  // of that
   void take_machine();
   void take_molecule();
   void start_preset();
@@ -129,6 +131,7 @@ class Viewer {
   void take_requests();       // what the panels asked for
   void save_picture(const ScreenshotRequest& request);
   void record(const RecordRequest& request);
+  void record_lesson();  // once a frame
   void save_table(const SaveTableRequest& request);
   void export_complex(const ExportRequest& request);
   void cancel_saving();
@@ -238,6 +241,7 @@ class Viewer {
   LessonFiles lesson_files_;
   std::unique_ptr<LessonStage> lesson_stage_;
   LessonPlayer lessons_;
+  LessonRecorder lesson_recorder_;
   std::optional<Editor> history_to_come_back_;  // of the session that is on its way
   Preferences noted_;                     // as the window had them when they were looked at last
   double set_scale_ = 0, set_times_ = 1;  // of the host

@@ -46,6 +46,7 @@ void Viewer::draw(ScriptedInput* input, bool patient,
     }
     take_requests();
     lessons_.step();
+    record_lesson();
     play();
     play_models();
     play_steps();

@@ -16,11 +16,22 @@ void Viewer::save_picture(const ScreenshotRequest& request) {
 // Of what is on screen: molecule, radii, display and view; a sweep says alpha itself.
 void Viewer::record(const RecordRequest& request) {
   try {
-    saver_.start(recording_job(request, scene_.frames(request), scene_.texts()));
+    if (request.lesson_seconds) {
+      lesson_recorder_.start(request, state_.theme);
+    } else {
+      saver_.start(recording_job(request, scene_.frames(request), scene_.texts()));
+    }
     state_.notice.clear();
   } catch (const std::exception& error) {
     state_.tell("The recording cannot be made", error.what());
   }
+  frames_due_ = kSettlingFrames;
+}
+
+void Viewer::record_lesson() {
+  if (!lesson_recorder_.busy()) return;
+  const std::string given_up = lesson_recorder_.step(!all_but_saving() && !store_.busy());
+  if (!given_up.empty()) state_.tell("The lesson was not recorded", given_up);
   frames_due_ = kSettlingFrames;
 }
 

@@ -200,6 +200,12 @@ Lesson load_lesson(const std::filesystem::path& file) {
   return read_lesson(loaded.text, file);
 }
 
+std::size_t count_of_parts(const Lesson& lesson) {
+  std::size_t parts = lesson.steps.size();
+  for (const LessonStep& step : lesson.steps) parts += step.asks();
+  return parts;
+}
+
 std::vector<LessonSpan> lesson_spans(std::string_view text) {
   std::vector<LessonSpan> spans;
   for (bool bold = false; !text.empty(); bold = !bold) {

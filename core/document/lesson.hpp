@@ -51,6 +51,9 @@ inline constexpr std::size_t kLargestLesson = 256 << 10;  // bytes
 inline constexpr std::size_t kMostLessonSteps = 100;
 inline constexpr std::size_t kMostLessonCommands = 50;  // of one part
 
+// What is read one after the other: steps, and answers to their questions.
+std::size_t count_of_parts(const Lesson& lesson);
+
 // Throws ReadError with file, line, reason and remedy. Whether the window has the commands is not
 // looked at here.
 Lesson read_lesson(std::string_view text, const std::filesystem::path& file);

@@ -210,6 +210,19 @@ std::string fact_text(const Fact& fact, const LessonFacts& facts) {
   return count_text(count_in(all ? all->top() : shown.complex, word), fact);
 }
 
+// visit(piece of the text, the fact that it is): words between, and what is in { and }.
+template <class Visit>
+void for_pieces(std::string_view text, const Visit& visit) {
+  while (!text.empty()) {
+    const std::size_t begin = std::min(text.find('{'), text.size());
+    const std::size_t end = text.find('}', begin);
+    if (end == std::string_view::npos) return visit(text, std::nullopt);
+    visit(text.substr(0, begin), std::nullopt);
+    visit(text.substr(begin, end + 1 - begin), parse(text.substr(begin + 1, end - begin - 1)));
+    text.remove_prefix(end + 1);
+  }
+}
+
 }  // namespace
 
 bool is_lesson_fact(std::string_view name) {
@@ -225,17 +238,18 @@ std::string lesson_fact_names() {
 
 std::string with_facts(std::string_view text, const LessonFacts& facts) {
   std::string said;
-  while (!text.empty()) {
-    const std::size_t begin = std::min(text.find('{'), text.size());
-    const std::size_t end = text.find('}', begin);
-    said += text.substr(0, begin);
-    if (end == std::string_view::npos) return said + std::string(text.substr(begin));
-    const std::string_view name = text.substr(begin + 1, end - begin - 1);
-    const auto fact = parse(name);
-    said += fact ? fact_text(*fact, facts) : std::string(text.substr(begin, end + 1 - begin));
-    text.remove_prefix(end + 1);
-  }
+  for_pieces(text, [&](std::string_view piece, const std::optional<Fact>& fact) {
+    said += fact ? fact_text(*fact, facts) : std::string(piece);
+  });
   return said;
+}
+
+bool has_all_facts(std::string_view text, const LessonFacts& facts) {
+  bool all = true;
+  for_pieces(text, [&](std::string_view, const std::optional<Fact>& fact) {
+    all = all && !(fact && fact_text(*fact, facts) == kUnknown);
+  });
+  return all;
 }
 
 }  // namespace alphascope

@@ -30,5 +30,7 @@ std::string lesson_fact_names();  // for people: "alpha, solvent, …"
 // The text with each {fact} replaced; "…" stands for what is not known yet. A dimension that a flat
 // set does not have counts as none.
 std::string with_facts(std::string_view text, const LessonFacts& facts);
+// Whether there would be no "…".
+bool has_all_facts(std::string_view text, const LessonFacts& facts);
 
 }  // namespace alphascope

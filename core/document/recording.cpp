@@ -1,6 +1,7 @@
 // See the header.
 #include "core/document/recording.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <numbers>
@@ -133,6 +134,24 @@ void read_turntable(const std::string& text, Recording& recording) {
   recording.degrees = number_of(parts[0], text);
   recording.frames = frames_of(parts[1], text);
   require_no_fault(recording);
+}
+
+int frames_held(double seconds) {
+  return std::max(1, static_cast<int>(std::lround(seconds * kLessonFrameRate)));
+}
+
+double read_lesson_recording(const std::string& text) {
+  const std::vector<std::string> parts = split(text);
+  if (parts.size() != 2 || parts[0] != "lesson") {
+    throw std::invalid_argument("a lesson is lesson:SECONDS, such as lesson:10, not \"" + text +
+                                "\"");
+  }
+  const double seconds = number_of(parts[1], text);
+  if (!within(seconds, kHoldRule)) {
+    throw std::invalid_argument("a step is shown for " + range_text(kHoldRule) + " s, not for " +
+                                parts[1]);
+  }
+  return seconds;
 }
 
 const char* turn_axis_id(TurnAxis axis) {

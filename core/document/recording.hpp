@@ -19,6 +19,14 @@ inline constexpr NumberRule kFramesRule{"The number of frames", 1, 20000, "", tr
 inline constexpr NumberRule kFrameRateRule{"The frame rate", 1, 120, "/ s"};
 inline constexpr NumberRule kTurnRule{"The turn", -36000, 36000, "°"};
 
+// Of a lesson: how long a movie shows each step. Nothing moves meanwhile, so few frames do. As
+// pictures, each step is one.
+inline constexpr NumberRule kHoldRule{"The time of a step", 0.2, 600, "s"};
+inline constexpr double kLessonFrameRate = 5;  // a second
+int frames_held(double seconds);               // at that rate
+// "lesson:10": seconds. Throws std::invalid_argument, a clause.
+double read_lesson_recording(const std::string& text);
+
 struct Recording {
   RecordingKind kind = RecordingKind::sweep;
   AlphaScaling scaling = AlphaScaling::linear;  // equal steps of alpha, its root, its logarithm

@@ -33,6 +33,8 @@ struct LessonMemory {
   std::string refused;
   bool left = false;  // another file was opened since: the step's molecule is not the open one
   std::string said;   // the text as it was shown last, with its facts
+  std::vector<LessonParagraph> paragraphs;  // the same
+  bool whole = false;  // that is of the step, with its answer if revealed, and no fact is missing
   bool scroll_to_top = false;  // the text is of another step than in the last frame
 };
 

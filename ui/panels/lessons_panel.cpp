@@ -79,12 +79,14 @@ LessonFacts facts_on_screen(PanelContext& ctx) {
 }
 
 void draw_part(PanelContext& ctx, const LessonPart& part, const LessonFacts& facts) {
-  std::string& said = ctx.state.memory.lessons.said;
+  LessonMemory& m = ctx.state.memory.lessons;
   std::vector<LessonParagraph> text = part.text;
   for (LessonParagraph& p : text) {
+    m.whole = m.whole && has_all_facts(p.text, facts);
     p.text = with_facts(p.text, facts);
-    said += p.text + "\n";
+    m.said += p.text + "\n";
   }
+  m.paragraphs.insert(m.paragraphs.end(), text.begin(), text.end());
   draw_lesson_text(ctx, text);
 }
 
@@ -125,6 +127,8 @@ void draw_text(PanelContext& ctx, float height) {
     ImGui::Dummy({0, ctx.px(4)});
   }
   m.said.clear();
+  m.paragraphs.clear();
+  m.whole = m.ready;
   draw_part(ctx, step.shown, facts);
   record(ctx, "lesson.text");
   draw_answer(ctx, step, facts);

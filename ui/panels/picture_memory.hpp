@@ -26,12 +26,16 @@ struct RecordRequest {
   std::filesystem::path path;  // as FrameNames takes it, or a movie
   Recording recording;
   PictureOptions options;
+  // The open lesson in place of the recording, each step for so long.
+  std::optional<double> lesson_seconds = {};
 };
 
 struct RecordMemory {
   bool show = false;
   std::string path = "frame-%04d.png";
   Recording recording;
+  bool of_lesson = false;  // in place of the recording
+  double lesson_seconds = 10;
   PictureOptions options{.width = 1280, .height = 720, .caption = usual_caption()};
   std::optional<bool> has_ffmpeg;  // looked for when the dialog opens
 };

@@ -1,5 +1,5 @@
-// The dialog that records a sweep of alpha or a turntable. The ending of the name says whether
-// pictures or a movie are written.
+// The dialog that records a sweep of alpha, a turntable or the open lesson. The ending of the name
+// says whether pictures or a movie are written.
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
@@ -90,7 +90,7 @@ bool target(PanelContext& ctx) {
     error_line(ctx, "record.no_format", why_not);
   } else if (!frames && !*m.has_ffmpeg) {
     error_line(ctx, "record.no_ffmpeg", kNoFfmpeg);
-  } else if (format == RecordingFormat::mp4 && m.options.transparent) {
+  } else if (format == RecordingFormat::mp4 && m.options.transparent && !m.of_lesson) {
     error_line(ctx, "record.opaque", "MP4 movies have a background; choose WebM or pictures");
   } else {
     return has_folder;
@@ -157,6 +157,49 @@ void time_fields(PanelContext& ctx, Recording& r) {
   tooltip(ctx, "Also back to the beginning, so that it can be shown in a loop.");
 }
 
+void lesson_fields(PanelContext& ctx) {
+  RecordMemory& m = ctx.state.memory.record;
+  const auto& lesson = ctx.state.memory.lessons.open;
+  row_label(ctx, "Each step");
+  ImGui::SetNextItemWidth(ctx.px(kNumberWidth));
+  number_field(ctx, "record.seconds", m.lesson_seconds, kHoldRule);
+  ImGui::SameLine(0, ctx.px(6));
+  const auto parts = lesson ? static_cast<int>(count_of_parts(*lesson)) : 0;
+  const double seconds = frames_held(m.lesson_seconds) / kLessonFrameRate * parts;
+  ImGui::TextUnformatted(("s: " + number_text(seconds, 1) + " s as a movie").c_str());
+  tooltip(
+      ctx,
+      "How long a movie shows each step, and each answer. As pictures, each is one. The text is "
+      "beside the picture.");
+  if (!lesson) error_line(ctx, "record.no_lesson", "Open a lesson first: Help, Lessons…");
+}
+
+// What is chosen of the three.
+void kind_fields(PanelContext& ctx) {
+  RecordMemory& m = ctx.state.memory.record;
+  int kind = m.of_lesson ? 2 : static_cast<int>(m.recording.kind);
+  row_label(ctx, "Of");
+  if (choice(ctx, "record.kind", {"Sweep of alpha", "Turntable", "Lesson"}, kind, ctx.px(300))) {
+    m.of_lesson = kind == 2;
+    if (!m.of_lesson) m.recording.kind = static_cast<RecordingKind>(kind);
+  }
+  if (m.of_lesson) return lesson_fields(ctx);
+  if (m.recording.kind == RecordingKind::sweep) {
+    sweep_fields(ctx, m.recording);
+  } else {
+    turntable_fields(ctx, m.recording);
+  }
+  time_fields(ctx, m.recording);
+  error_line(ctx, "record.fault", fault_of(m.recording));
+}
+
+bool is_there(const ViewState& s) {
+  const RecordMemory& m = s.memory.record;
+  if (m.of_lesson) return s.memory.lessons.open != nullptr;
+  return fault_of(m.recording).empty() &&
+         (m.recording.kind == RecordingKind::turntable || s.result);
+}
+
 }  // namespace
 
 void draw_record(PanelContext& ctx) {
@@ -164,31 +207,22 @@ void draw_record(PanelContext& ctx) {
   RecordMemory& m = s.memory.record;
   if (!begin_dialog(ctx, "Record")) return;
   const bool can_write = target(ctx);
-  Recording& r = m.recording;
-  int kind = static_cast<int>(r.kind);
-  row_label(ctx, "Of");
-  if (choice(ctx, "record.kind", {"Sweep of alpha", "Turntable"}, kind, ctx.px(300))) {
-    r.kind = static_cast<RecordingKind>(kind);
-  }
-  if (r.kind == RecordingKind::sweep) {
-    sweep_fields(ctx, r);
-  } else {
-    turntable_fields(ctx, r);
-  }
-  time_fields(ctx, r);
-  const std::string fault = fault_of(r);
-  error_line(ctx, "record.fault", fault);
+  kind_fields(ctx);
   size_fields(ctx, "record", m.options);
-  row_label(ctx, "");
-  checkbox(ctx, "record.transparent", "Transparent background", m.options.transparent);
+  if (!m.of_lesson) {
+    row_label(ctx, "");
+    checkbox(ctx, "record.transparent", "Transparent background", m.options.transparent);
+  }
   marks_fields(ctx, "record", m.options);
   ImGui::Dummy({0, ctx.px(6)});
   ImGui::NewLine();
-  const bool can_record =
-      can_write && fault.empty() && (r.kind == RecordingKind::turntable || s.result);
+  const bool can_record = can_write && is_there(s);
   const DialogAnswer answer = dialog_buttons(ctx, ctx.px(kWidth), {"record.cancel", "Cancel"},
                                              {"record.ok", "Record"}, can_record);
-  if (answer == DialogAnswer::confirm) s.requests.record = {typed_path(m), r, m.options};
+  if (answer == DialogAnswer::confirm) {
+    s.requests.record = {typed_path(m), m.recording, m.options};
+    if (m.of_lesson) s.requests.record->lesson_seconds = m.lesson_seconds;
+  }
   if (answer != DialogAnswer::none) {
     m.show = false;
     m.has_ffmpeg.reset();

@@ -147,6 +147,10 @@ class MarkMaker {
 
 }  // namespace
 
+void blend(Image& image, const MarkMask& mask, const Colour& colour) {
+  blend(image, mask, [&colour](int) { return colour; });
+}
+
 MarkInk mark_ink(Theme theme, bool transparent) {
   const Palette& p = palette(transparent ? Theme::light : theme);
   return {p.text, p.scene};
@@ -170,9 +174,9 @@ std::string draw_marks(Image& image, const PictureMarks& marks, const MarkInk& i
   maker.place_labels(marks.labels, placed);
   const int rim = std::max(1, static_cast<int>(std::lround(kMarkOutline * maker.unit())));
   for (const Mask& mask : placed.masks) {
-    blend(image, rim_of(mask, rim), [&](int) { return ink.rim; });
+    blend(image, rim_of(mask, rim), ink.rim);
   }
-  for (const Mask& mask : placed.masks) blend(image, mask, [&](int) { return ink.mark; });
+  for (const Mask& mask : placed.masks) blend(image, mask, ink.mark);
   for (const ColouredMask& c : placed.colours) blend(image, c.mask, c.colour_at);
   return placed.left_out;
 }

@@ -36,6 +36,10 @@ float mark_unit(int width, int height);
 // Returns a sentence when the picture is too small for what was asked for; empty: all is drawn.
 std::string draw_marks(Image& image, const PictureMarks& marks, const MarkInk& ink);
 
+// Over the image, as far as the mask covers it.
+struct MarkMask;
+void blend(Image& image, const MarkMask& mask, const Colour& colour);
+
 struct MarkedPicture {
   int width = 0, height = 0;  // pixels
   bool transparent = false;

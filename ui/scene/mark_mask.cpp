@@ -11,8 +11,6 @@
 #include <functional>
 #include <stdexcept>
 
-#include "ui/inter_font.hpp"
-
 namespace alphascope {
 namespace {
 
@@ -101,8 +99,8 @@ struct MarkLetters::Face {
   float descender() const { return static_cast<float>(face->size->metrics.descender) / kSubpixels; }
 };
 
-MarkLetters::MarkLetters(float pixels_of_an_em) : face_(std::make_unique<Face>()) {
-  const auto file = inter_regular();
+MarkLetters::MarkLetters(float pixels_of_an_em, std::span<const unsigned char> file)
+    : face_(std::make_unique<Face>()) {
   const auto size = static_cast<FT_F26Dot6>(std::lround(pixels_of_an_em * kSubpixels));
   if (FT_Init_FreeType(&face_->library) != 0 ||
       FT_New_Memory_Face(face_->library, file.data(), static_cast<FT_Long>(file.size()), 0,

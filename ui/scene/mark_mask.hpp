@@ -4,9 +4,11 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "ui/inter_font.hpp"
 #include "ui/picture_marks.hpp"
 
 namespace alphascope {
@@ -25,7 +27,8 @@ MarkMask rim_of(const MarkMask& mask, int reach);
 class MarkLetters {
  public:
   // Throws std::runtime_error when FreeType does not work.
-  explicit MarkLetters(float pixels_of_an_em);
+  explicit MarkLetters(float pixels_of_an_em,
+                       std::span<const unsigned char> font = inter_regular());
   ~MarkLetters();
   MarkLetters(const MarkLetters&) = delete;
   MarkLetters& operator=(const MarkLetters&) = delete;

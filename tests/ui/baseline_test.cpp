@@ -1,18 +1,15 @@
-// The scene's pictures are as they were. Each is compared with one in tests/ui/baselines, which is
-// to be looked at when it changes. ALPHASCOPE_RENEW_BASELINES=1 in the environment writes them
-// anew. On failure the picture and where it differs are in tests/ui/pictures of the build folder.
+// The scene's pictures are as they were (tests/ui/baseline.hpp).
 #include <gtest/gtest.h>
 #include <unistd.h>
 #include <zlib.h>
 
-#include <cstdlib>
 #include <filesystem>
 #include <string>
 #include <vector>
 
 #include "core/document/display_preset.hpp"
+#include "tests/ui/baseline.hpp"
 #include "tests/ui/molecule_fixture.hpp"
-#include "tests/ui/picture_difference.hpp"
 #include "tests/ui/png_pixels.hpp"
 #include "ui/scene/display_style.hpp"
 #include "ui/scene/frame_grab.hpp"
@@ -23,8 +20,6 @@ namespace alphascope {
 namespace {
 
 namespace fs = std::filesystem;
-using testing::compare_pictures;
-using testing::PictureDifference;
 
 struct Subject {
   std::string name;
@@ -127,37 +122,17 @@ Image drawn_differences() {
   return scene.grab(240, 160, false);
 }
 
-void expect_like_baseline(const std::string& name, const Image& actual) {
-  const fs::path baseline =
-      fs::path(ALPHASCOPE_SOURCE_DIR) / "tests/ui/baselines" / (name + ".png");
-  if (std::getenv("ALPHASCOPE_RENEW_BASELINES") != nullptr) {
-    write_png(actual, baseline);
-    GTEST_SKIP() << "wrote " << baseline;
-  }
-  ASSERT_TRUE(fs::exists(baseline)) << "ALPHASCOPE_RENEW_BASELINES=1 writes " << baseline;
-  const Image expected = testing::pixels_of(baseline);
-  const PictureDifference difference = compare_pictures(actual, expected);
-  if (difference.small()) return;
-  const fs::path folder = ALPHASCOPE_PICTURES;
-  fs::create_directories(folder);
-  write_png(actual, folder / (name + ".png"));
-  write_png(testing::difference_picture(actual, expected), folder / (name + ".difference.png"));
-  ADD_FAILURE() << name << ": " << 100 * difference.share
-                << " % of the pixels differ, the shade by " << difference.shade << " of 255. See "
-                << folder;
-}
-
 class Baseline : public ::testing::TestWithParam<Subject> {};
 
 TEST_P(Baseline, PictureIsAsItWas) {
-  expect_like_baseline(GetParam().name, drawn(GetParam()));
+  testing::expect_like_baseline(GetParam().name, drawn(GetParam()));
 }
 
 INSTANTIATE_TEST_SUITE_P(Scene, Baseline, ::testing::ValuesIn(subjects()),
                          [](const auto& of) { return of.param.name; });
 
 TEST(SceneBaseline, DifferencesAreDrawnAsTheyWere) {
-  expect_like_baseline("differences", drawn_differences());
+  testing::expect_like_baseline("differences", drawn_differences());
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/viewer/resources.hpp"
+#include "tests/ui/baseline.hpp"
 #include "tests/ui/viewer_fixture.hpp"
 
 namespace alphascope::testing {
@@ -183,8 +184,40 @@ TEST_F(LessonsTest, WrongOnesAreToldBeforeAnythingHappens) {
   expect_fault(commands("file.export /tmp/x.ply"), "lesson.md, line 7: a lesson cannot run file.");
 }
 
-// Every chapter. What a step cannot do fails; so does a fact that is never known.
-class Chapter : public LessonsTest, public ::testing::WithParamInterface<fs::path> {};
+// Nothing of a lesson may lie outside the window, and the view must stay worth looking at.
+TEST_F(LessonsTest, HaveRoomAtPresenterSize) {
+  open_lesson("union_of_balls");
+  for (const auto& [width, height] : {std::pair(1280, 800), {1920, 1080}}) {
+    run("size " + std::to_string(width) + " " + std::to_string(height) +
+        "\nview.presenter_size on\nframes 3\n");
+    const WidgetRect text = viewer_->widgets().at("lesson.text");
+    const WidgetRect next = viewer_->widgets().at("lesson.next");
+    EXPECT_LE(text.x1, width);
+    EXPECT_LE(next.x1, width);
+    EXPECT_LE(next.y1, height);
+    EXPECT_LT(text.y1, next.y0) << "the whole text is seen";
+    EXPECT_GT(state().viewport.width, 0.45f * width);
+    EXPECT_EQ(has("alpha.slider"), width > 1500);
+    run("click lesson.presenter\nframes 3\n");
+    EXPECT_FALSE(state().presenter_size);
+    EXPECT_TRUE(has("alpha.slider"));
+  }
+}
+
+// Every chapter. What a step cannot do fails; so does a fact that is never known, and a picture
+// that is not as it was.
+class Chapter : public LessonsTest, public ::testing::WithParamInterface<fs::path> {
+ protected:
+  Image view() {
+    const fs::path path = folder_ / "view.png";
+    run("file.save_picture \"" + path.string() + "\" 200 150 none\nwait-idle\n");
+    return pixels_of(path);
+  }
+  void expect_picture(std::size_t step, const char* part) {
+    expect_like_baseline(
+        "lessons/" + GetParam().stem().string() + "-" + std::to_string(step + 1) + part, view());
+  }
+};
 
 TEST_P(Chapter, PlaysFromTheFirstToTheLastStep) {
   run("size 760 400\n");  // a small picture is soon drawn
@@ -200,13 +233,29 @@ TEST_P(Chapter, PlaysFromTheFirstToTheLastStep) {
     EXPECT_EQ(state().error, "") << where;
     EXPECT_EQ(state().compute_error, "") << where;
     EXPECT_EQ(memory().said.find("…"), std::string::npos) << where << ": " << memory().said;
+    expect_picture(step, "");
     if (memory().open->steps[step].asks()) {
       run("lesson.reveal\nwait-idle\nframes 3\nwait-idle\nframes 2\n");
       EXPECT_EQ(memory().refused, "") << where;
       EXPECT_EQ(memory().said.find("…"), std::string::npos) << where << ": " << memory().said;
+      expect_picture(step, "-answer");
     }
     run("lesson.next\nwait-idle\nframes 3\nwait-idle\nframes 2\n");
   }
+}
+
+// The pictures are worth nothing if they are all alike: a step at another alpha has another.
+TEST_F(LessonsTest, ThePictureOfAStepTellsItsAlpha) {
+  run("size 760 400\n");
+  open_lesson("growing_balls");
+  const auto view = [&] {
+    run("file.save_picture \"" + (folder_ / "view.png").string() + "\" 200 150 none\nwait-idle\n");
+    return pixels_of(folder_ / "view.png");
+  };
+  const Image first = view(), again = view();
+  EXPECT_TRUE(compare_pictures(first, again).small());
+  run("alpha.set 1.5\nwait-idle\n");
+  EXPECT_FALSE(compare_pictures(first, view()).small());
 }
 
 std::string name_of(const ::testing::TestParamInfo<fs::path>& of) {

@@ -1,0 +1,43 @@
+// Pictures that are as they were. Each is compared with one in tests/ui/baselines, which is to be
+// looked at when it changes. ALPHASCOPE_RENEW_BASELINES=1 in the environment writes them anew. On
+// failure the picture and where it differs are in tests/ui/pictures of the build folder.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <iostream>
+#include <string>
+
+#include "tests/ui/picture_difference.hpp"
+#include "tests/ui/png_pixels.hpp"
+#include "ui/scene/frame_grab.hpp"
+
+namespace alphascope::testing {
+
+// `name`: without ending; it may have folders.
+inline void expect_like_baseline(const std::string& name, const Image& actual) {
+  const std::filesystem::path baseline =
+      std::filesystem::path(ALPHASCOPE_SOURCE_DIR) / "tests/ui/baselines" / (name + ".png");
+  if (std::getenv("ALPHASCOPE_RENEW_BASELINES") != nullptr) {
+    std::filesystem::create_directories(baseline.parent_path());
+    write_png(actual, baseline);
+    std::cout << "wrote " << baseline << "\n";
+    return;
+  }
+  ASSERT_TRUE(std::filesystem::exists(baseline))
+      << "ALPHASCOPE_RENEW_BASELINES=1 writes " << baseline;
+  const Image expected = pixels_of(baseline);
+  const PictureDifference difference = compare_pictures(actual, expected);
+  if (difference.small()) return;
+  const std::filesystem::path folder = ALPHASCOPE_PICTURES;
+  std::filesystem::create_directories((folder / name).parent_path());
+  write_png(actual, folder / (name + ".png"));
+  write_png(difference_picture(actual, expected), folder / (name + ".difference.png"));
+  ADD_FAILURE() << name << ": " << 100 * difference.share
+                << " % of the pixels differ, the shade by " << difference.shade << " of 255. See "
+                << folder;
+}
+
+}  // namespace alphascope::testing

@@ -68,6 +68,9 @@ class SceneController {
   // ones are made on a worker's thread, and what was drawn before stays until they are there.
   void set_layers(const Layers& layers);
   void pointer(const PointerEvent& event);
+  // The line of sight through a pixel of the picture, Å in the file's coordinates; none without a
+  // picture.
+  std::optional<Ray> ray(int x, int y) const;
   void reset_view();
   // Where the view stands; none where there is none.
   std::optional<CameraPlace> camera() const;

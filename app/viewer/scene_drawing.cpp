@@ -24,6 +24,12 @@ std::shared_ptr<const DrawnMolecule> make_drawn(std::shared_ptr<const OpenedMole
   return drawn;
 }
 
+// Balls set by hand that were moved, not others. What a hand holds must stay under the mouse.
+bool changes_sandbox(const DrawnMolecule* before, const DrawnMolecule& now) {
+  return before != nullptr && before->opened && now.opened && before->opened->options.sandbox &&
+         now.opened->options.sandbox && before->opened->deposited == now.opened->deposited;
+}
+
 // Without balls, for want of memory.
 std::shared_ptr<const DrawnMolecule> undrawn(std::shared_ptr<const OpenedMolecule> opened) {
   auto drawn = std::make_shared<DrawnMolecule>();
@@ -176,7 +182,10 @@ void SceneController::take(Drawing drawing) {
 void SceneController::show(Drawing drawing) {
   const bool new_balls = drawing.molecule != drawn_molecule_;
   outdated_since_.reset();  // the next that is awaited may take its time as well
-  const bool keep_view = viewed_ == drawing.molecule->molecule;
+  const bool of_sandbox = changes_sandbox(drawn_molecule_.get(), *drawing.molecule);
+  const bool keep_view = viewed_ == drawing.molecule->molecule || (viewed_ && of_sandbox);
+  const std::optional<NamedView> place =
+      keep_view && of_sandbox ? std::optional(named_view("")) : std::nullopt;
   new_picture_ = true;
   drawn_answer_ = drawing.answer;
   not_drawn_ = drawing.not_drawn;
@@ -207,6 +216,7 @@ void SceneController::show(Drawing drawing) {
   submit_beside_body();
   viewed_ = draws_nothing() ? nullptr : drawn_molecule_->molecule;
   if (!keep_view) quality_.forget(), balls_.forget();
+  if (place) go_to(*place);  // the middle of all balls may be elsewhere now
   // Other atoms of the same molecule keep the view, unless it shows none of them.
   const ViewProblem problem = find_view_problem();
   const bool shows_none = problem != ViewProblem::none && problem != ViewProblem::cut_away;

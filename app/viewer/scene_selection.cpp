@@ -36,6 +36,13 @@ std::optional<Hit> SceneController::pick(int x, int y, double near) const {
   return nearest_hit(layers, line);
 }
 
+std::optional<Ray> SceneController::ray(int x, int y) const {
+  if (!drawn_molecule_ || width_ == 0 || draws_nothing()) return std::nullopt;
+  Ray ray = scene_.ray(x, y);
+  for (std::size_t k = 0; k < 3; ++k) ray.start[k] += drawn_molecule_->geometry->origin[k];
+  return ray;
+}
+
 void SceneController::set_selected(const Selected& selected) {
   if (selected == selected_) return;
   selected_ = selected;

@@ -9,6 +9,7 @@
 
 #include "app/session/machine.hpp"
 #include "app/session/session.hpp"
+#include "app/viewer/ball_drag.hpp"
 #include "app/viewer/benchmark.hpp"
 #include "app/viewer/complex_saver.hpp"
 #include "app/viewer/folder_reader.hpp"
@@ -159,6 +160,8 @@ class Viewer {
   std::shared_ptr<const BallReferences> references_of(const Answer& answer) const;
   void describe_under_mouse();
   void click(const PointerEvent& event);
+  bool drag_ball(const PointerEvent& event);  // of a sandbox in space; whether it is one of that
+  std::optional<std::size_t> sandbox_ball_at(int x, int y) const;
   void open_context_menu();  // of what is under the mouse
   void mark_selection();
   std::optional<std::size_t> place_beside(const Ref& item) const;
@@ -218,6 +221,7 @@ class Viewer {
   std::optional<Clock::time_point> busy_since_, comparing_since_, tooltip_due_;
   Clock::time_point selection_sent_at_{};
   ModelPlayback model_playback_, step_playback_;
+  std::optional<BallDrag> ball_drag_;
   Editor editor_;
   Gestures gestures_;
   Gesture gesture_ = 0;                              // of this frame

@@ -39,7 +39,11 @@ void Viewer::draw(ScriptedInput* input, bool patient,
   const WindowParts parts{state_, rects_, commands_, store_, inputs_};
   draw_window(parts, frame_.fonts(), frame_.scale());
   guarded([this] { want_of_all_balls(); });
-  for (const PointerEvent& event : state_.viewport.events) scene_.pointer(event);
+  guarded([this] {
+    for (const PointerEvent& event : state_.viewport.events) {
+      if (!drag_ball(event)) scene_.pointer(event);
+    }
+  });
   guarded([this] {
     for (const PointerEvent& event : state_.viewport.events) {
       if (event.kind == PointerEvent::Kind::click) click(event);

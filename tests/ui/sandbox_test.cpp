@@ -130,6 +130,84 @@ TEST_F(SandboxTest, SpaceToPlaneAndBackToTheFile) {
   EXPECT_NE(state().result->balls->centres[4].z, 0);
 }
 
+// Of the ball in the picture of a space set, as "0.25 0.5" for scripts.
+class SpaceSandboxTest : public SandboxTest {
+ protected:
+  std::string place_of_ball(std::size_t ball) {
+    const ViewportInfo& v = state().viewport;
+    for (int y = 4; y < v.height; y += 24) {
+      for (int x = 4; x < v.width; x += 24) {
+        const std::string place =
+            std::to_string((x + 0.5) / v.width) + " " + std::to_string((y + 0.5) / v.height);
+        run("move view " + place + "\nframes 1\n");
+        const auto& over = state().picked.hovered;
+        const AtomRef* atom = over ? std::get_if<AtomRef>(&*over) : nullptr;
+        if (atom != nullptr && atom->atom == ball) return place;
+      }
+    }
+    ADD_FAILURE() << "ball " << ball << " is not seen";
+    return "0.5 0.5";
+  }
+  static std::string beside(const std::string& place, double right, double down) {
+    std::istringstream numbers(place);
+    double x = 0, y = 0;
+    numbers >> x >> y;
+    return std::to_string(x + right) + " " + std::to_string(y + down);
+  }
+  void drag_in_space(const std::string& from, const std::string& to) {
+    run("move view " + from + "\nframes 2\ndown\nframes 2\nmove view " + to +
+        "\nframes 2\nwait-idle\nup\nframes 2\nwait-idle\nframes 2\n");
+  }
+};
+
+TEST_F(SpaceSandboxTest, TheMouseMovesABallParallelToTheScreen) {
+  open_preset("cube");
+  run("view.ball_size 1\nview.from z\nwait-idle\nframes 2\n");  // x to the right, y upwards
+  const Sandbox before = sandbox();
+  const std::string place = place_of_ball(4);
+  drag_in_space(place, beside(place, 0.1, 0));
+  const LatticePoint& was = before.balls[4].centre;
+  const LatticePoint& is = sandbox().balls[4].centre;
+  EXPECT_GT(is.x, was.x + 200);
+  EXPECT_EQ(is.y, was.y);
+  EXPECT_EQ(is.z, was.z);
+  EXPECT_EQ(is.x % 100, 0) << "a multiple of the step";
+  for (std::size_t i = 0; i < 8; ++i) {
+    if (i != 4) EXPECT_EQ(sandbox().balls[i], before.balls[i]);
+  }
+  expect_exact();
+  // What the mouse held is still under it.
+  run("move view " + beside(place, 0.1, 0) + "\nframes 2\n");
+  ASSERT_TRUE(state().picked.hovered);
+  EXPECT_EQ(std::get<AtomRef>(*state().picked.hovered).atom, 4u);
+  run("edit.undo\nwait-idle\nframes 2\n");
+  EXPECT_EQ(sandbox(), before) << "one entry a drag";
+}
+
+TEST_F(SpaceSandboxTest, TheWheelWithCtrlResizesAndADragBesideBallsTurnsTheView) {
+  open_preset("cube");
+  run("view.ball_size 1\nview.from z\nwait-idle\nframes 2\n");
+  const Sandbox before = sandbox();
+  const RealPoint into = state().viewport.into_view;
+  drag_in_space("0.02 0.5", "0.1 0.6");
+  EXPECT_EQ(sandbox(), before);
+  EXPECT_NE(state().viewport.into_view.x, into.x);
+  run("view.from z\nwait-idle\nframes 2\n");
+  const std::string place = place_of_ball(4);
+  run("move view " + place + "\nframes 1\n");
+  ScriptedInput input;
+  input.x = state().memory.mouse_x;
+  input.y = state().memory.mouse_y;
+  input.control = true;
+  viewer_->step(&input);
+  input.wheel = 2;
+  viewer_->step(&input);
+  run("wait-idle\nframes 2\n");
+  EXPECT_EQ(sandbox().balls[4].radius, before.balls[4].radius + 200);
+  EXPECT_EQ(sandbox().balls[4].centre, before.balls[4].centre);
+  expect_exact();
+}
+
 TEST_F(SandboxTest, IsInSessionFiles) {
   open_preset("hidden");
   run("sandbox.move 2 0.5 0.25 0\nwait-idle\n");

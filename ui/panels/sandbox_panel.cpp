@@ -185,7 +185,12 @@ void draw_sandbox_panel(PanelContext& ctx) {
   }
   edit_row(ctx);
   if (s.open.sandbox->flat) drawing_row(ctx);
-  const std::string counts = s.open.sandbox->flat ? counts_text(s) : "";
+  if (!shows_flat_drawing(s)) {
+    muted_text(ctx,
+               "In the picture: drag a ball to move it, Ctrl+wheel over it to resize it; with Alt "
+               "without steps.");
+  }
+  const std::string counts = counts_text(s);
   if (!counts.empty()) {
     muted_text(ctx, counts);
     record(ctx, "sandbox.counts");

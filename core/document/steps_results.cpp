@@ -13,8 +13,14 @@
 namespace alphascope {
 namespace {
 
+BallSteps dual_edge_steps_of(const BallSet& balls, BallIndex ball, double alpha_on_lattice,
+                             const TupleOptions&, const RunContext& context) {
+  return dual_edge_steps(balls, ball, alpha_on_lattice, context);
+}
+
 constexpr StepsEngineSpec kEngines[] = {
-    {StepsEngine::tuples, "Tuple engine (thesis)", true, tuple_steps}};
+    {StepsEngine::tuples, "Tuple engine (thesis)", true, tuple_steps},
+    {StepsEngine::dual_edges, "Dual-edge engine", false, dual_edge_steps_of}};
 
 // A grid of all balls, for two runs one after the other; the lists of a ball are bounded.
 MemoryNeed steps_memory(const Inputs& in) {

@@ -210,6 +210,29 @@ TEST_F(StepsTest, DrawsTheStep) {
   EXPECT_EQ(layer("steps.kept"), nullptr) << "another page is open";
 }
 
+TEST_F(StepsTest, OfTheDualEdgeEngine) {
+  open_at(1.4);
+  EXPECT_TRUE(has("steps.engine"));
+  run("steps.engine dual_edges\n");
+  settle();
+  ASSERT_EQ(steps().engine, StepsEngine::dual_edges);
+  const BallSet& balls = *state().result->balls;
+  expect_same(dual_edge_steps(balls, steps().ball, balls.lattice.alpha_on_lattice(1.4)));
+  EXPECT_FALSE(has("steps.edge_optimisation")) << "it has none of the other's switches";
+  run("steps.show clipping\n");
+  settle();
+  const Step& clipping = *steps().find(StepKind::clipping);
+  ASSERT_FALSE(clipping.segments.empty());
+  std::size_t tubes = 0;
+  for (const char* name : {"steps.kept", "steps.undecided", "steps.chosen", "steps.dropped"}) {
+    if (const Layer* const drawn = layer(name)) tubes += drawn->tubes.size();
+  }
+  EXPECT_GE(tubes, clipping.segments.size() + 3) << "dual edges, and circles of the grown ball";
+  run("steps.engine tuples\n");
+  settle();
+  EXPECT_EQ(steps().engine, StepsEngine::tuples);
+}
+
 TEST_F(StepsTest, WithoutABallItSaysWhatToDo) {
   run("view.page steps\nframes 3\n");
   EXPECT_TRUE(has("steps.nothing"));

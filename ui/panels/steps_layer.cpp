@@ -1,6 +1,7 @@
 #include "ui/panels/steps_layer.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <utility>
 
@@ -28,7 +29,8 @@ const char* layer_id(StepMark mark) {
 // Sets of balls that are still to be tested overlap, and faces of them would hide one another.
 bool is_of_candidates(StepKind kind) {
   return kind == StepKind::pairs || kind == StepKind::triples || kind == StepKind::tuples ||
-         kind == StepKind::alpha || kind == StepKind::places;
+         kind == StepKind::alpha || kind == StepKind::places || kind == StepKind::triangles ||
+         kind == StepKind::clipping;
 }
 
 using Edges = Simplices<2>;
@@ -68,6 +70,8 @@ class StepPainter {
     }
     if (of(StepMark::dropped).edges.size() > kFewLines) show_through(of(StepMark::kept));
     for (const StepBox& box : scene_.step.boxes) add_box(box);
+    for (const StepSphere& sphere : scene_.step.spheres) add_circles(sphere);
+    add_segments();
     add_chosen();
     add_remover();
     Layers all;
@@ -149,6 +153,38 @@ class StepPainter {
       for (int axis = 1; axis < 8; axis *= 2) {
         if (from & axis) continue;
         layer.tubes.push_back({{corner(from), kBoxTube, {}}, {corner(from | axis), kBoxTube, {}}});
+      }
+    }
+  }
+
+  // Three circles on it: a whole ball would hide what is in it.
+  void add_circles(const StepSphere& sphere) {
+    constexpr int kCorners = 48;
+    Layer& layer = of(sphere.mark);
+    const RealPoint& c = sphere.centre_angstrom;
+    for (int axis = 0; axis < 3; ++axis) {
+      std::vector<LayerSphere> circle;
+      for (int corner = 0; corner <= kCorners; ++corner) {
+        const double turn = 2 * M_PI * corner / kCorners;
+        const double a = sphere.radius_angstrom * std::cos(turn);
+        const double b = sphere.radius_angstrom * std::sin(turn);
+        const RealPoint at = axis == 0   ? RealPoint{c.x, c.y + a, c.z + b}
+                             : axis == 1 ? RealPoint{c.x + b, c.y, c.z + a}
+                                         : RealPoint{c.x + a, c.y + b, c.z};
+        circle.push_back({at, kBoxTube, {}});
+      }
+      layer.tubes.push_back(std::move(circle));
+    }
+  }
+
+  void add_segments() {
+    const auto& segments = scene_.step.segments;
+    for (const StepSegment& s : segments) {
+      Layer& layer = of(s.mark);
+      if (segments.size() > kMostTubes) {
+        layer.lines.push_back({s.from_angstrom, s.to_angstrom});
+      } else {
+        layer.tubes.push_back({{s.from_angstrom, kTube, {}}, {s.to_angstrom, kTube, {}}});
       }
     }
   }

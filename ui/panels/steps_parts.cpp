@@ -94,6 +94,14 @@ void legend(PanelContext& ctx, const Step& step) {
   for (const StepBox& box : step.boxes) {
     legend_line(ctx, box.mark, step_box_name(step.kind, box.mark), true);
   }
+  for (const StepSphere& sphere : step.spheres) {
+    legend_line(ctx, sphere.mark, "its grown ball", true);
+  }
+  if (!step.segments.empty()) {
+    legend_line(ctx, step.segments.front().mark,
+                "rods: " + grouped(step.segments.size()) + " dual edges, as far as they are left",
+                false);
+  }
   record(ctx, "steps.legend");
 }
 

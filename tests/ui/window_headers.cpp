@@ -1,0 +1,1 @@
+// Nothing of its own: CMakeLists.txt has headers read here once for the tests of the window.

@@ -99,8 +99,9 @@ void LessonFiles::submit(const std::string& wanted) {
           std::error_code ignored;
           opened = is_path(wanted) ? read(fs::absolute(wanted, ignored)) : find(*shelf, wanted);
         }
-        return [this, shelf, opened] {
+        return [this, shelf, opened, opens = !wanted.empty()] {
           news_.shelf = shelf;
+          if (!opens) return;  // what was opened meanwhile stays news
           news_.opened = opened.lesson;
           news_.error = opened.problem;
         };

@@ -190,9 +190,9 @@ std::vector<std::filesystem::path> Viewer::lesson_folders(const ViewerOptions& o
 
 void Viewer::take_lesson_files() {
   LessonMemory& memory = state_.memory.lessons;
-  if (memory.shown && !memory.shelf && !lesson_files_.busy()) lesson_files_.read_shelf();
   LessonFiles::News news = lesson_files_.poll();
   if (news.shelf) memory.shelf = news.shelf;
+  if (memory.shown && !memory.shelf && !lesson_files_.busy()) lesson_files_.read_shelf();
   if (news.opened) {
     try {
       check_commands(*news.opened, commands_);

@@ -1,7 +1,10 @@
 // Lessons in the whole window: every chapter from its first to its last step, and what becomes of
 // what was open before.
 #include <algorithm>
+#include <chrono>
+#include <thread>
 
+#include "app/viewer/lesson_files.hpp"
 #include "app/viewer/resources.hpp"
 #include "tests/ui/baseline.hpp"
 #include "tests/ui/viewer_fixture.hpp"
@@ -206,6 +209,22 @@ TEST_F(LessonsTest, HaveRoomAtPresenterSize) {
 
 // Every chapter. What a step cannot do fails; so does a fact that is never known, and a picture
 // that is not as it was.
+// A list that is read after a lesson, and comes together with it, takes nothing away.
+TEST(LessonFiles, WhatIsOpenedIsNotLostForTheList) {
+  LessonFiles files([] {}, {lessons_folder()});
+  const auto finish = [&] {
+    while (files.busy()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  };
+  files.open("union_of_balls");
+  finish();
+  files.read_shelf();
+  finish();
+  const LessonFiles::News news = files.poll();
+  EXPECT_TRUE(news.shelf);
+  ASSERT_TRUE(news.opened);
+  EXPECT_EQ(news.opened->title, "A molecule as a union of balls");
+}
+
 class Chapter : public LessonsTest, public ::testing::WithParamInterface<fs::path> {
  protected:
   Image view() {
@@ -223,6 +242,7 @@ TEST_P(Chapter, PlaysFromTheFirstToTheLastStep) {
   run("size 760 400\n");  // a small picture is soon drawn
   open_lesson(GetParam().string());
   ASSERT_EQ(state().error, "");
+  ASSERT_TRUE(memory().open);
   const std::size_t steps = memory().open->steps.size();
   ASSERT_TRUE(memory().open->steps.back().asks()) << "the last step asks something";
   for (std::size_t step = 0; step < steps; ++step) {

@@ -227,13 +227,15 @@ TEST_F(WindowMemory, ShowsTheNumbersAndTheReasonWhenNothingCanBeDrawn) {
 TEST_F(WindowMemory, DrawsBallsWhenTheComplexDoesNotFit) {
   open_with(135);
   EXPECT_EQ(not_drawn(), "");
-  run("open " ALPHASCOPE_SOURCE_DIR "/resources/molecules/4hhb.pdb.gz\nwait-idle\n");
+  run("open " ALPHASCOPE_SOURCE_DIR
+      "/resources/molecules/4hhb.pdb.gz\nwait-idle\n"
+      "click alpha.preset.10\nwait-idle\nframes 3\n");
   EXPECT_EQ(not_drawn().find("Not drawn for lack of memory: "), 0u) << not_drawn();
   ASSERT_NE(viewer_->state().viewport.texture, 0u);
   EXPECT_GT(viewer_->state().viewport.angstrom_per_pixel, 0);
   const std::string texts = testing::texts_of((shot("part.png"), bytes("part.png")))["Warning"];
   EXPECT_EQ(texts, not_drawn());
-  run("click display.tetrahedra\nwait-idle\n");
+  run("click display.tetrahedra\nwait-idle\nframes 3\n");
   EXPECT_EQ(not_drawn(), "");
   EXPECT_FALSE(viewer_->widgets().contains("view.not_drawn"));
 }

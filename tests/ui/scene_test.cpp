@@ -233,6 +233,17 @@ TEST_F(SceneTest, ARayThroughEveryBallsPixelPicksABallThere) {
   EXPECT_LE(wrong, 20);  // of 5,200: pixels on an outline
 }
 
+// Half of an odd number of pixels is rounded; the mouse is in the picture as it is shown.
+TEST_F(SceneTest, TheLineOfSightIsTheSameInASketch) {
+  load(0);
+  for (const RenderQuality quality : {RenderQuality::sketch, RenderQuality::draft}) {
+    scene.render(641, 401, quality);
+    const Ray ray = scene.ray(320, 200);
+    const Sight sight = scene.sight();
+    for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(ray.direction[k], sight.forward[k], 1e-12);
+  }
+}
+
 TEST_F(SceneTest, WheelZoomsIn) {
   load(0);
   scene.render(320, 200, RenderQuality::draft);

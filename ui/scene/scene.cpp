@@ -173,6 +173,7 @@ void Scene::set_viewpoint(const Viewpoint& v) {
 double Scene::render(int width, int height, RenderQuality quality) {
   const auto start = std::chrono::steady_clock::now();
   impl_->apply_quality(quality);
+  impl_->picture_width = width;
   impl_->picture_height = height;
   impl_->shows_mean = quality == RenderQuality::fine;
   if (impl_->shows_mean) {
@@ -217,8 +218,7 @@ Sight Scene::sight() const {
 }
 
 Ray Scene::ray(double x, double y) const {
-  const int* size = impl_->window->GetSize();
-  const double width = double(size[0]) / impl_->samples, height = double(size[1]) / impl_->samples;
+  const double width = impl_->picture_width, height = impl_->picture_height;
   return ray_through(impl_->sight(), 2 * (x + 0.5) / width - 1, 1 - 2 * (y + 0.5) / height);
 }
 
@@ -272,6 +272,7 @@ Image Scene::grab(int width, int height, bool transparent, const RunContext& con
                              " pixels. Choose a smaller size.");
   }
   const Impl::ForOnePicture settings(*impl_, transparent);
+  impl_->picture_width = width;
   impl_->picture_height = height;
   for (int k = 0; k < impl_->style.samples; ++k) {
     context.cancel.throw_if_cancelled();

@@ -79,8 +79,8 @@ struct Scene::Impl {
   std::shared_ptr<const BallGeometry> balls;
   std::shared_ptr<MeshData> mesh;
   SceneStyle style;
-  double least_aspect = 0, aspect = 0;  // as in Viewpoint, and of the last picture
-  int picture_height = 1;
+  double least_aspect = 0, aspect = 0;        // as in Viewpoint, and of the last picture
+  int picture_width = 1, picture_height = 1;  // pixels, of which a sketch has fewer samples
   double samples = 1;  // each way, of the last picture; of a sketch less than one
   FinishPass finish_pass;
   Finish finish;    // of the next picture

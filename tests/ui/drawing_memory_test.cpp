@@ -229,7 +229,7 @@ TEST_F(WindowMemory, DrawsBallsWhenTheComplexDoesNotFit) {
   EXPECT_EQ(not_drawn(), "");
   run("open " ALPHASCOPE_SOURCE_DIR
       "/resources/molecules/4hhb.pdb.gz\nwait-idle\n"
-      "click alpha.preset.10\nwait-idle\nframes 3\n");
+      "view.shrink 0.3\nclick alpha.preset.10\nwait-idle\nframes 3\n");
   EXPECT_EQ(not_drawn().find("Not drawn for lack of memory: "), 0u) << not_drawn();
   ASSERT_NE(viewer_->state().viewport.texture, 0u);
   EXPECT_GT(viewer_->state().viewport.angstrom_per_pixel, 0);

@@ -43,7 +43,9 @@ void by_cofaces(Faces& faces, const Cofaces& cofaces) {
     for_faces(cofaces.simplices[c], faces,
               [&](std::size_t face) { flags[face] |= coface_flags(cofaces.classes[c]); });
   }
-  std::transform(flags.begin(), flags.end(), faces.classes.begin(), &face_class);
+  for (std::size_t n = 0; n < flags.size(); ++n) {
+    faces.classes[n] = face_class(flags[n]);
+  }
 }
 
 }  // namespace

@@ -4,7 +4,9 @@ target_include_directories(alphascope_flags INTERFACE ${PROJECT_SOURCE_DIR})
 target_compile_options(alphascope_flags INTERFACE
   # A fused multiply-add rounds once where the error bounds of the filtered predicates and the
   # byte-equality of CPU and GPU results assume two roundings.
-  $<$<COMPILE_LANGUAGE:CXX>:-ffp-contract=off -Wall -Wextra -Wshadow -Wnon-virtual-dtor>)
+  $<$<COMPILE_LANGUAGE:CXX>:-ffp-contract=off -Wall -Wextra -Wnon-virtual-dtor>
+  # Where sources are combined, a local variable shadows what a neighbour has for itself.
+  $<$<AND:$<COMPILE_LANGUAGE:CXX>,$<NOT:$<BOOL:$<TARGET_PROPERTY:UNITY_BUILD>>>>:-Wshadow>)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
   # GCC 12 warns of "text" + std::string by mistake (PR 105651).
   target_compile_options(alphascope_flags INTERFACE $<$<COMPILE_LANGUAGE:CXX>:-Wno-restrict>)

@@ -1,7 +1,8 @@
 # A quarter of the time to compile core/, app/ and ui/ went into reading the standard library: with
 # this it is read once. No source may lean on that: scripts/check_includes, and the preset asan, which does
 # without.
-# By default not with ccache, which then finds nothing that was compiled in another folder.
+# By default not with ccache, which then finds nothing that was compiled in another folder (but in the
+# preset ci).
 set(by_default ON)
 if(CMAKE_CXX_COMPILER_LAUNCHER MATCHES "ccache")
   set(by_default OFF)

@@ -1,7 +1,8 @@
 # Most of the time to compile a source goes into templates of the standard library that its neighbours
-# need as well: compiled a dozen at a time, core/, app/ and ui/ take half as long. What sources lean on
+# need as well: compiled a dozen at a time, core/, app/ and ui/ take half as long, and tests, too. What sources lean on
 # then is not noticed here, but by the preset tsan, by check_headers, and wherever this is off.
-# By default not with ccache, which then finds a source again only when its neighbours are the same.
+# By default not with ccache, which then finds a source again only when its neighbours are the same;
+# the presets ci and asan combine always: their builds begin with nothing.
 set(by_default ON)
 # Nor for ThreadSanitizer, nor where every warning counts: one build has to compile each source alone.
 if(CMAKE_CXX_COMPILER_LAUNCHER MATCHES "ccache" OR ALPHASCOPE_STRICT OR
@@ -10,17 +11,24 @@ if(CMAKE_CXX_COMPILER_LAUNCHER MATCHES "ccache" OR ALPHASCOPE_STRICT OR
 endif()
 option(ALPHASCOPE_UNITY "Compile several sources at once" ${by_default})
 
-# The names that TEXT declares at the start of a line, which is where clang-format puts them. Too many do
-# no harm.
-function(alphascope_declared_names text names)
+# What TEXT declares at the start of a line, which is where clang-format puts it: functions in FUNCTIONS,
+# all else in OTHERS. Too many do no harm.
+function(alphascope_declared_names text functions others)
   string(REGEX REPLACE "[][;]" "=" text "\n${text}")  # these would take CMake's lists apart
   string(REGEX MATCHALL "\n[A-Za-z#][^\n]*" lines "${text}")
+  set(found_functions)
   set(found)
   foreach(line IN LISTS lines)
-    if(line MATCHES "^\n(struct|class|enum class|enum|union|using|#define) ([A-Za-z0-9_]+)")
+    if(line MATCHES "^\nnamespace ")
+      continue()  # fs is the same everywhere
+    elseif(line MATCHES "^\n(struct|class|enum class|enum|union|using|#define) ([A-Za-z0-9_]+)")
       list(APPEND found ${CMAKE_MATCH_2})
-    elseif(line MATCHES "^\n[^(={]*[ *&]([A-Za-z0-9_]+) ?[(={]")
-      list(APPEND found ${CMAKE_MATCH_1})
+    elseif(line MATCHES "^\n[^(={]*[ *&]([A-Za-z0-9_]+) ?([(={])")
+      if(CMAKE_MATCH_2 STREQUAL "(")
+        list(APPEND found_functions ${CMAKE_MATCH_1})
+      else()
+        list(APPEND found ${CMAKE_MATCH_1})
+      endif()
       if(line MATCHES ", [*&]?([A-Za-z0-9_]+) =")  # constexpr int kOne = 1, kTwo = 2
         string(REGEX MATCHALL ", [*&]?[A-Za-z0-9_]+ =" more "${line}")
         list(TRANSFORM more REPLACE ", [*&]?([A-Za-z0-9_]+) =" "\\1")
@@ -28,12 +36,14 @@ function(alphascope_declared_names text names)
       endif()
     endif()
   endforeach()
-  set(${names} "${found}" PARENT_SCOPE)
+  set(${functions} "${found_functions}" PARENT_SCOPE)
+  set(${others} "${found}" PARENT_SCOPE)
 endfunction()
 
-# Those that a source has for itself, in namespaces without a name.
-function(alphascope_private_names source names)
+# What a source has for itself, in namespaces without a name.
+function(alphascope_private_names source functions others)
   file(READ ${source} text)
+  set(found_functions)
   set(found)
   string(FIND "${text}" "\nnamespace {\n" at)
   while(at GREATER_EQUAL 0)
@@ -41,36 +51,69 @@ function(alphascope_private_names source names)
     string(SUBSTRING "${text}" ${at} -1 text)
     string(FIND "${text}" "\n}  // namespace\n" end)
     string(SUBSTRING "${text}" 0 ${end} inside)
-    alphascope_declared_names("${inside}" some)
+    alphascope_declared_names("${inside}" some_functions some)
+    list(APPEND found_functions ${some_functions})
     list(APPEND found ${some})
     string(FIND "${text}" "\nnamespace {\n" at)
   endwhile()
   string(REGEX MATCHALL "\n#define [A-Za-z0-9_]+" macros "${text}")
   list(TRANSFORM macros REPLACE "\n#define " "")
-  set(${names} ${found} ${macros} PARENT_SCOPE)
+  set(${functions} ${found_functions} PARENT_SCOPE)
+  set(${others} ${found} ${macros} PARENT_SCOPE)
+endfunction()
+
+# Of the headers that sources of TESTS, or those of the program, may include: into properties, once.
+function(alphascope_header_names tests)
+  get_property(done GLOBAL PROPERTY ALPHASCOPE_HEADERS_READ_${tests})
+  if(done)
+    return()
+  endif()
+  set(folders app core ui)
+  if(tests)
+    list(APPEND folders tests)
+  endif()
+  list(TRANSFORM folders REPLACE ".+" "${PROJECT_SOURCE_DIR}/\\0/*.hpp")
+  file(GLOB_RECURSE headers ${folders})
+  foreach(header IN LISTS headers)
+    file(READ ${header} text)
+    alphascope_declared_names("${text}" some_functions some)
+    list(APPEND functions ${some_functions})
+    list(APPEND others ${some})
+  endforeach()
+  list(REMOVE_DUPLICATES functions)
+  list(REMOVE_DUPLICATES others)
+  set_property(GLOBAL PROPERTY ALPHASCOPE_HEADER_FUNCTIONS_${tests} "${functions}")
+  set_property(GLOBAL PROPERTY ALPHASCOPE_HEADER_OTHERS_${tests} "${others}")
+  set_property(GLOBAL PROPERTY ALPHASCOPE_HEADERS_READ_${tests} ON)
+endfunction()
+
+# Whether LIST has anything of the rest of the arguments.
+function(alphascope_any_of list any)
+  set(${any} OFF PARENT_SCOPE)
+  foreach(name IN LISTS ARGN)
+    if(name IN_LIST ${list})
+      set(${any} ON PARENT_SCOPE)
+      return()
+    endif()
+  endforeach()
 endfunction()
 
 # Combines sources of TARGET, at most SIZE and of one folder: never two that have a name each for
-# themselves, and none that has one for itself that a header has as well.
+# themselves, and none that has one for itself that a header has as well, unless both are functions:
+# these overload each other, and what is ambiguous does not compile.
 function(alphascope_unity target size)
   if(NOT ALPHASCOPE_UNITY)
     return()
   endif()
-  get_property(taken GLOBAL PROPERTY ALPHASCOPE_HEADER_NAMES)
-  if(NOT taken)
-    file(GLOB_RECURSE headers ${PROJECT_SOURCE_DIR}/app/*.hpp ${PROJECT_SOURCE_DIR}/core/*.hpp
-      ${PROJECT_SOURCE_DIR}/ui/*.hpp)
-    foreach(header IN LISTS headers)
-      file(READ ${header} text)
-      alphascope_declared_names("${text}" some)
-      list(APPEND taken ${some})
-    endforeach()
-    list(REMOVE_DUPLICATES taken)
-    set_property(GLOBAL PROPERTY ALPHASCOPE_HEADER_NAMES "${taken}")
-  endif()
-
   get_target_property(sources ${target} SOURCES)
   get_target_property(target_folder ${target} SOURCE_DIR)
+  set(tests OFF)
+  if(target_folder MATCHES "^${PROJECT_SOURCE_DIR}/tests")
+    set(tests ON)
+  endif()
+  alphascope_header_names(${tests})
+  get_property(header_functions GLOBAL PROPERTY ALPHASCOPE_HEADER_FUNCTIONS_${tests})
+  get_property(header_others GLOBAL PROPERTY ALPHASCOPE_HEADER_OTHERS_${tests})
   list(FILTER sources INCLUDE REGEX "\\.cpp$")
   list(FILTER sources EXCLUDE REGEX "\\$<")
   foreach(source IN LISTS sources)
@@ -80,12 +123,15 @@ function(alphascope_unity target size)
     if(folder MATCHES "^\\.\\." OR (folder MATCHES "${ALPHASCOPE_TIMED}" AND NOT ALPHASCOPE_SANITIZER))
       continue()
     endif()
-    alphascope_private_names(${source} names)
-    set(clashes ${names})
-    list(REMOVE_ITEM clashes ${taken})
-    if(NOT "${clashes}" STREQUAL "${names}")
+    alphascope_private_names(${source} functions others)
+    alphascope_any_of(header_others clashes ${functions} ${others})
+    if(NOT clashes)
+      alphascope_any_of(header_functions clashes ${others})
+    endif()
+    if(clashes)
       continue()
     endif()
+    set(names ${functions} ${others})
     string(REPLACE "/" "_" folder ${folder})
     set(n 1)
     while(TRUE)  # the first group with room and without these names
@@ -105,10 +151,8 @@ function(alphascope_unity target size)
     set_source_files_properties(${source} TARGET_DIRECTORY ${target} PROPERTIES UNITY_GROUP ${group})
   endforeach()
   set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
-  # A local variable shadows what a neighbour has for itself. And GCC takes an included source for a
-  # header, whose classes should have no member of a private type.
-  target_compile_options(${target} PRIVATE -Wno-shadow
-    $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
+  # GCC takes an included source for a header, whose classes should have no member of a private type.
+  target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
 endfunction()
 
 # Code that decides the times in docs/performance.md is optimised as it always was: source by source.

@@ -13,7 +13,7 @@ namespace alphascope::cli {
 namespace {
 
 // -q and -v.
-Options verbosity(Verbosity& verbosity) {
+Options verbosity_options(Verbosity& verbosity) {
   Option quiet{.names = "-q,--quiet",
                .text = "Print results and errors only: no notes, no progress"};
   quiet.set = [&verbosity](const std::string&) { verbosity = Verbosity::quiet; };
@@ -238,7 +238,7 @@ OptionProgram command_table(CommandOptions& options) {
                       screenshot_command(options.screenshot),
                       frames_command(options.frames)};
   for (OptionCommand& command : program.commands) {
-    append(command.options, verbosity(options.verbosity));
+    append(command.options, verbosity_options(options.verbosity));
   }
   program.notes = notes();
   program.usage_exit_code = static_cast<int>(ExitCode::usage);

@@ -12,7 +12,10 @@ std::shared_ptr<const PreparedBalls> prepare(const Molecule& molecule, const Ope
                                              const RunContext& context) {
   context.report("selection and radii", 0);
   BallOptions balls = options.balls;
-  if (options.sandbox) balls = {.radii = RadiiSet::file};
+  if (options.sandbox) {
+    balls = {};
+    balls.radii = RadiiSet::file;
+  }
   if (balls.radii == RadiiSet::user && !balls.user_radii && !options.radii_table.empty()) {
     balls.user_radii = read_user_radii(options.radii_table, context);
   }

@@ -33,7 +33,7 @@ void visit_atoms(const Molecule& molecule, const AtomSet& atoms, const Visit& vi
   }
 }
 
-bool same_residue(const Atom& a, const Atom& b) {
+bool of_one_label(const Atom& a, const Atom& b) {
   return same_residue_number(a, b) && a.residue_name == b.residue_name;
 }
 
@@ -77,7 +77,7 @@ class Residues {
   // Whether the atom is of another residue than the last one.
   bool begins(std::size_t atom) {
     const bool other = last_ == kNone || atom < last_ ||
-                       !same_residue(molecule_.atoms[last_], molecule_.atoms[atom]);
+                       !of_one_label(molecule_.atoms[last_], molecule_.atoms[atom]);
     last_ = atom;
     return other;
   }

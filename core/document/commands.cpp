@@ -12,7 +12,7 @@ namespace {
 
 using Kind = Parameter::Kind;
 
-std::string_view trimmed(std::string_view text) {
+std::string_view without_blanks(std::string_view text) {
   constexpr const char* kBlanks = " \t\r\n";
   const std::size_t first = text.find_first_not_of(kBlanks);
   if (first == std::string_view::npos) return {};
@@ -25,17 +25,17 @@ bool is_quote(char c) {
 
 // Takes the first word off `rest`. False: its quotes do not end.
 bool take_word(std::string_view& rest, std::string& word) {
-  rest = trimmed(rest);
+  rest = without_blanks(rest);
   std::size_t end = rest.find_first_of(" \t");
   if (!rest.empty() && is_quote(rest.front())) {
     end = rest.find(rest.front(), 1);
     if (end == std::string_view::npos) return false;
     word = rest.substr(1, end - 1);
-    rest = trimmed(rest.substr(end + 1));
+    rest = without_blanks(rest.substr(end + 1));
     return true;
   }
   word = rest.substr(0, end);
-  rest = trimmed(rest.substr(std::min(rest.size(), word.size())));
+  rest = without_blanks(rest.substr(std::min(rest.size(), word.size())));
   return true;
 }
 
@@ -225,7 +225,7 @@ Commands::Reading Commands::read(const CommandSpec& spec, const std::vector<std:
 CommandLine Commands::parse_words(const CommandSpec& spec, std::string_view arguments) {
   CommandLine line{spec.id, {}, {}};
   const auto& parameters = spec.parameters;
-  std::string_view rest = trimmed(arguments);
+  std::string_view rest = without_blanks(arguments);
   while (!rest.empty()) {
     const bool last = line.words.size() + 1 == parameters.size();
     const bool quoted = is_quote(rest.front());
@@ -245,7 +245,7 @@ CommandLine Commands::parse_words(const CommandSpec& spec, std::string_view argu
 }
 
 CommandLine Commands::parse_line(std::string_view text) const {
-  std::string_view rest = trimmed(text);
+  std::string_view rest = without_blanks(text);
   const std::string id(rest.substr(0, rest.find_first_of(" \t")));
   rest.remove_prefix(id.size());
   if (const CommandSpec* const spec = find(id)) return parse_words(*spec, rest);

@@ -4,18 +4,13 @@
 #include <algorithm>
 
 #include "core/document/colour_words.hpp"
+#include "core/io/line_reader.hpp"
 #include "core/molecule/shortest_number.hpp"
 
 namespace alphascope {
 namespace {
 
 constexpr const char* kExample = "b_factor,cividis,0:60";
-
-std::string_view trimmed(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(' ');
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(' ') - first + 1);
-}
 
 std::string quoted(std::string_view text) {
   return "\"" + std::string(text) + "\"";

@@ -18,7 +18,7 @@ std::string atom_line(const char* text, const char* b_factor) {
   return line;
 }
 
-std::vector<std::uint32_t> all_atoms(const Molecule& molecule) {
+std::vector<std::uint32_t> all_indices(const Molecule& molecule) {
   std::vector<std::uint32_t> atoms(molecule.atoms.size());
   std::iota(atoms.begin(), atoms.end(), 0);
   return atoms;
@@ -38,7 +38,7 @@ Molecule small_molecule() {
 
 struct Balls {
   Molecule molecule = small_molecule();
-  std::vector<std::uint32_t> atoms = all_atoms(molecule);
+  std::vector<std::uint32_t> atoms = all_indices(molecule);
   PaintedMolecule of() const { return {molecule, atoms}; }
   BallValues values(ColourBy by) const { return ball_values(of(), by); }
   PaintedBalls painted(const Paint& paint) const { return paint_balls(of(), paint); }
@@ -82,7 +82,7 @@ TEST(PaintBalls, AChosenRangeHoldsAndBeyondItAreItsEnds) {
 
 TEST(PaintBalls, AFileWithoutBFactorsSaysSo) {
   const Molecule molecule = read_text("a.xyz", "2\n\nC 0 0 0\nO 1.2 0 0\n");
-  const std::vector<std::uint32_t> atoms = all_atoms(molecule);
+  const std::vector<std::uint32_t> atoms = all_indices(molecule);
   const PaintedBalls painted = paint_balls({molecule, atoms}, {.by = ColourBy::b_factor});
   EXPECT_EQ(painted.lacks, "The file gives no B factors, so all balls are grey.");
   EXPECT_FALSE(painted.key);
@@ -101,7 +101,7 @@ TEST(PaintBalls, BFactorsOfMmcifToo) {
       "_atom_site.label_seq_id\n_atom_site.Cartn_x\n_atom_site.Cartn_y\n_atom_site.Cartn_z\n"
       "_atom_site.B_iso_or_equiv\nATOM 1 C CA GLY A 1 1.0 2.0 3.0 0.00\n"
       "ATOM 2 C CA ALA A 2 4.0 2.0 3.0 ?\n");
-  const std::vector<std::uint32_t> atoms = all_atoms(molecule);
+  const std::vector<std::uint32_t> atoms = all_indices(molecule);
   const BallValues values = ball_values({molecule, atoms}, ColourBy::b_factor);
   EXPECT_EQ(values.numbers[0], 0) << "given, and zero";
   EXPECT_TRUE(std::isnan(values.numbers[1]));
@@ -110,7 +110,7 @@ TEST(PaintBalls, BFactorsOfMmcifToo) {
 TEST(PaintBalls, OneBallHasARangeToo) {
   const Molecule molecule = read_text(
       "a.pdb", atom_line("ATOM      1  CA  GLY A   1       1.000   2.000   3.000", "12.50"));
-  const std::vector<std::uint32_t> atoms = all_atoms(molecule);
+  const std::vector<std::uint32_t> atoms = all_indices(molecule);
   const PaintedBalls b = paint_balls({molecule, atoms}, {.by = ColourBy::b_factor});
   EXPECT_LT(b.key->scale->range.low, 12.5);
   EXPECT_GT(b.key->scale->range.high, 12.5);
@@ -161,7 +161,7 @@ TEST(PaintBalls, CopiesOfAnAssemblyAreChainsOfTheirOwnWithTheSamePlaces) {
     m.atoms.push_back(copy);
   }
   m.models[0].end = m.atoms.size();
-  balls.atoms = all_atoms(m);
+  balls.atoms = all_indices(m);
   EXPECT_EQ(names(balls.painted({.by = ColourBy::chain})), (Names{"A", "B", "A-2", "B-2"}));
   for (const ColourBy by : {ColourBy::residue_index, ColourBy::b_factor}) {
     const std::vector<Rgb8> colours = balls.painted({.by = by}).colours;

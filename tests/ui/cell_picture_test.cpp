@@ -197,33 +197,76 @@ TEST_F(CellPicture, ASmoothBoundaryHasNoStepsOfLight) {
   EXPECT_LT(step(roof), 4);
 }
 
-// A small plate before a large one: the light comes from the upper left, so the shadow lies to the
-// lower right of it. Occlusion is the same on both sides.
-TEST_F(CellPicture, WhatIsBeforeTheLightCastsAShadow) {
-  FaceCells plates = two_faces();
-  for (const auto& balls : std::vector<std::array<BallIndex, 3>>{{4, 5, 6}, {4, 6, 7}}) {
-    plates.faces.push_back({balls, packed(kGreen)});
+// A small plate, 4 Å wide, 3 Å before a large one.
+class TwoPlates : public CellPicture {
+ protected:
+  TwoPlates() {
+    FaceCells plates = two_faces();
+    for (const auto& balls : std::vector<std::array<BallIndex, 3>>{{4, 5, 6}, {4, 6, 7}}) {
+      plates.faces.push_back({balls, packed(kGreen)});
+    }
+    load({{-30, -30, -3},
+          {30, -30, -3},
+          {30, 30, -3},
+          {-30, 30, -3},
+          {-2, -2, 0},
+          {2, -2, 0},
+          {2, 2, 0},
+          {-2, 2, 0}},
+         mesh_of({}, plates));
   }
-  load({{-30, -30, -3},
-        {30, -30, -3},
-        {30, 30, -3},
-        {-30, 30, -3},
-        {-2, -2, 0},
-        {2, -2, 0},
-        {2, 2, 0},
-        {-2, 2, 0}},
-       mesh_of({}, plates));
+  // Of the pixel at a place, Å to the right of the middle and below.
+  int green_at(const Image& image, double x, double y) const {
+    const double scale = pixels_per_angstrom();
+    return green(image, kWidth / 2 + static_cast<int>(x * scale),
+                 kHeight / 2 + static_cast<int>(y * scale));
+  }
+};
+
+// The light comes from the upper left, so the shadow lies to the lower right of it. Occlusion is
+// the same on both sides.
+TEST_F(TwoPlates, WhatIsBeforeTheLightCastsAShadow) {
   style_.ambient_occlusion = true;
   style_.samples = 8;
   const Image image = drawn();
-  const int away = static_cast<int>(3 * pixels_per_angstrom());
-  const int lower_right = green(image, kWidth / 2 + away, kHeight / 2 + away);
-  const int upper_left = green(image, kWidth / 2 - away, kHeight / 2 - away);
-  EXPECT_LT(lower_right, upper_left - 15);
+  EXPECT_LT(green_at(image, 3, 3), green_at(image, -3, -3) - 15);
   style_.ambient_occlusion = false;
   const Image plain = drawn();
-  EXPECT_EQ(green(plain, kWidth / 2 + away, kHeight / 2 + away),
-            green(plain, kWidth / 2 - away, kHeight / 2 - away));
+  EXPECT_EQ(green_at(plain, 3, 3), green_at(plain, -3, -3));
+}
+
+TEST_F(TwoPlates, FrontsOfWhatIsTranslucentAreFinishedToo) {
+  style_.complex_opacity = 0.6;
+  const Image plain = drawn();
+  const double beside = 2 + 1.5 / pixels_per_angstrom();
+  style_.silhouettes = 2;
+  const Image outlined = drawn();
+  EXPECT_LT(green_at(outlined, beside, 0), 0.5 * green_at(plain, beside, 0));
+  EXPECT_EQ(green_at(outlined, 0, 0), green_at(plain, 0, 0));
+  EXPECT_EQ(green_at(outlined, 4, 0), green_at(plain, 4, 0));
+  style_.silhouettes = 0;
+  style_.depth_cue = 1;
+  const Image faded = drawn();
+  EXPECT_LT(green_at(faded, 4, 0), green_at(plain, 4, 0) - 20);
+  style_.depth_cue = 0;
+  style_.ambient_occlusion = true;
+  style_.samples = 8;
+  const Image shaded = drawn();
+  EXPECT_LT(green_at(shaded, 3, 3), green_at(shaded, -3, -3) - 5);
+}
+
+// The ball at a corner of the small plate hides its border.
+TEST_F(TwoPlates, WhatIsOpaqueHidesOutlinesOfWhatIsTranslucent) {
+  style_.complex_opacity = 0.6;
+  style_.balls = true;
+  const Image plain = drawn();
+  style_.silhouettes = 2;
+  const Image outlined = drawn();
+  for (const double away : {-0.1, 0.05, 0.1}) {  // it is drawn with a radius of 0.3 Å
+    EXPECT_EQ(green_at(outlined, 2 + away, 2), green_at(plain, 2 + away, 2)) << away;
+  }
+  EXPECT_LT(green_at(outlined, 2 + 1.5 / pixels_per_angstrom(), 0),
+            green_at(plain, 2 + 1.5 / pixels_per_angstrom(), 0) - 30);
 }
 
 }  // namespace

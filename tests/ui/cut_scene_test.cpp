@@ -217,9 +217,16 @@ TEST_F(CutMesh, ShrunkTetrahedraAreClosedAsTheyAreDrawn) {
   EXPECT_NEAR(cap_area(), 32 * std::pow(6.0 / 8, 2) / 4, 1e-4);
 }
 
-TEST_F(CutMesh, TranslucentOnesShowTheirInside) {
+// As translucent as the rest of them.
+TEST_F(CutMesh, TranslucentOnesAreClosedToo) {
+  style.complex_opacity = 0.5;
   draw({.translucent = true}, "z=1");
-  EXPECT_EQ(caps->faces.points(), 0u);
+  EXPECT_NEAR(cap_area(), 32.0 / 4, 1e-5);
+  const auto red = [&] { return at(picture(), {0, 0, 1})[0]; };
+  const int closed = red();
+  EXPECT_LT(closed, kRed.r - 20);
+  scene.set_caps(nullptr);
+  EXPECT_GT(closed, red() + 20);
 }
 
 TEST_F(CutMesh, EveryLayerEndsAtThePlane) {

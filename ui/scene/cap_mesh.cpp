@@ -81,7 +81,7 @@ class CapBuilder {
 }  // namespace
 
 bool has_caps(const MeshOptions& options) {
-  return (options.tetrahedra || options.boundary) && !options.translucent;
+  return options.tetrahedra || options.boundary;
 }
 
 CapMesh build_cap_mesh(const BallGeometry& balls, const std::vector<Rgb8>& colours,

@@ -16,7 +16,7 @@ struct CapMesh {
   CellSoup edges;  // lines around each tetrahedron's face, darker
 };
 
-// Whether a cut of this mesh has caps: translucent tetrahedra show their inside as it is.
+// Whether a cut of this mesh has caps: faces without tetrahedra have none.
 bool has_caps(const MeshOptions& options);
 
 // Input as of build_mesh(); `scale` is that of the mesh, if it has one.

@@ -1,16 +1,23 @@
 // See the header; the shader is finish_shader.hpp's.
 #include "ui/scene/finish_pass.hpp"
 
+#include <vtkActor.h>
 #include <vtkCamera.h>
+#include <vtkMapper.h>
 #include <vtkMatrix4x4.h>
 #include <vtkOpenGLRenderWindow.h>
 #include <vtkOpenGLShaderCache.h>
 #include <vtkOpenGLState.h>
+#include <vtkPropCollection.h>
+#include <vtkProperty.h>
 #include <vtkShaderProgram.h>
 
 #define GL_GLEXT_PROTOTYPES
 #include <GL/gl.h>
 #include <GL/glext.h>
+
+#include <utility>
+#include <vector>
 
 #include "ui/scene/finish_shader.hpp"
 
@@ -22,11 +29,12 @@ constexpr double kCueFrom = 0.25;
 
 }  // namespace
 
-// Two programs: software OpenGL computes also what a condition leaves out.
-vtkOpenGLQuadHelper* FinishPass::prepare(vtkOpenGLRenderWindow* window, bool occlusion) {
-  auto& quad = quads_[occlusion ? 1 : 0];
+// A program for each: software OpenGL computes also what a condition leaves out.
+vtkOpenGLQuadHelper* FinishPass::prepare(vtkOpenGLRenderWindow* window, bool occlusion,
+                                         bool translucent) {
+  auto& quad = quads_[(occlusion ? 1 : 0) + (translucent ? 2 : 0)];
   if (!quad) {
-    const std::string shader = finish_shader(occlusion);
+    const std::string shader = finish_shader(occlusion, translucent);
     quad = std::make_unique<vtkOpenGLQuadHelper>(window, nullptr, shader.c_str(), "");
   }
   window->GetShaderCache()->ReadyShaderProgram(quad->Program);
@@ -70,6 +78,33 @@ void FinishPass::give(vtkOpenGLRenderer* renderer, const Finish& f, vtkShaderPro
 }
 
 void FinishPass::apply(vtkOpenGLRenderer* renderer, const Finish& finish) {
+  pass(renderer, finish, false);
+}
+
+void FinishPass::apply_to_translucent(vtkOpenGLRenderer* renderer, const Finish& finish) {
+  pass(renderer, finish, true);
+}
+
+void FinishPass::draw_fronts(vtkOpenGLRenderer* renderer, int width, int height) {
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  vtkOpenGLState* state = window->GetState();
+  const DrawsQuads whole(state, width, height);
+  state->PushFramebufferBindings();
+  fronts_.bind(window, width, height);
+  state->vtkglEnable(GL_DEPTH_TEST);
+  vtkPropCollection* props = renderer->GetViewProps();
+  for (int i = 0; i < props->GetNumberOfItems(); ++i) {
+    auto* actor = vtkActor::SafeDownCast(props->GetItemAsObject(i));
+    if (actor == nullptr || !actor->GetVisibility()) continue;
+    if (!actor->HasTranslucentPolygonalGeometry()) continue;
+    actor->GetProperty()->Render(actor, renderer);
+    actor->Render(renderer, actor->GetMapper());
+    actor->GetProperty()->PostRender(actor, renderer);
+  }
+  state->PopFramebufferBindings();
+}
+
+void FinishPass::pass(vtkOpenGLRenderer* renderer, const Finish& finish, bool translucent) {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   vtkOpenGLFramebufferObject* drawn = window->GetRenderFramebuffer();
   vtkTextureObject* colours = drawn->GetColorAttachmentAsTextureObject(0);
@@ -77,20 +112,24 @@ void FinishPass::apply(vtkOpenGLRenderer* renderer, const Finish& finish) {
   if (colours == nullptr || depths == nullptr) return;
   const int width = static_cast<int>(colours->GetWidth());
   const int height = static_cast<int>(colours->GetHeight());
-  vtkOpenGLQuadHelper* quad = prepare(window, finish.occlusion_taps > 0);
+  if (translucent) draw_fronts(renderer, width, height);
+  vtkOpenGLQuadHelper* quad = prepare(window, finish.occlusion_taps > 0, translucent);
   if (quad == nullptr) return;
   vtkOpenGLState* state = window->GetState();
   const DrawsQuads quads(state, width, height);
   state->PushFramebufferBindings();
   result_.bind(window, width, height, PixelKind::bytes);
-  colours->Activate();
-  depths->Activate();
-  quad->Program->SetUniformi("colours", colours->GetTextureUnit());
-  quad->Program->SetUniformi("depths", depths->GetTextureUnit());
+  std::vector<std::pair<const char*, vtkTextureObject*>> textures{{"colours", colours},
+                                                                  {"depths", depths}};
+  if (translucent) textures.emplace_back("fronts", fronts_.texture());
+  for (const auto& [name, texture] : textures) {
+    texture->Activate();
+    quad->Program->SetUniformi(name, texture->GetTextureUnit());
+  }
   give(renderer, finish, quad->Program);
+  if (translucent) quad->Program->SetUniformf("opacity", finish.translucent_opacity);
   quad->Render();
-  depths->Deactivate();
-  colours->Deactivate();
+  for (const auto& texture : textures) texture.second->Deactivate();
   result_.framebuffer()->Bind(GL_READ_FRAMEBUFFER);
   result_.framebuffer()->ActivateReadBuffer(0);
   drawn->Bind(GL_DRAW_FRAMEBUFFER);
@@ -102,6 +141,7 @@ void FinishPass::apply(vtkOpenGLRenderer* renderer, const Finish& finish) {
 void FinishPass::release(vtkWindow* window) {
   for (auto& quad : quads_) quad.reset();
   result_.release(window);
+  fronts_.release(window);
 }
 
 }  // namespace alphascope

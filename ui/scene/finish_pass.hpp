@@ -1,7 +1,7 @@
 // What is done to a picture of opaque bodies after VTK has drawn it and before anything translucent
-// comes: ambient occlusion on two scales, a fade to the background with depth, silhouettes. All
-// from its colours and depths, so that it fits balls, faces, lines, cuts and both kinds of camera.
-// For sources of the scene only.
+// comes: ambient occlusion on two scales, a fade to the background with depth, silhouettes. And
+// then the same to the fronts of what is translucent. All from colours and depths, so that it fits
+// balls, faces, lines, cuts and both kinds of camera. For sources of the scene only.
 #pragma once
 
 #include <vtkOpenGLQuadHelper.h>
@@ -26,8 +26,9 @@ struct Finish {
   float silhouette_width = 0;                 // pixels; 0: none
   float silhouette_jump = 1;                  // Å of depth that a silhouette marks, at least
   Colour background;
-  bool transparent = false;  // there is none, and what is far away becomes transparent instead
-  Colour line;               // of silhouettes
+  bool transparent = false;       // there is none, and what is far away becomes transparent instead
+  Colour line;                    // of silhouettes
+  float translucent_opacity = 0;  // of what is translucent; 0: its fronts are not finished
   bool any() const { return occlusion_taps > 0 || depth_cue > 0 || silhouette_width > 0; }
 };
 
@@ -35,14 +36,19 @@ class FinishPass {
  public:
   // Of what the window of `renderer` has just drawn into its framebuffer.
   void apply(vtkOpenGLRenderer* renderer, const Finish& finish);
+  // Of the same, when what is translucent has been drawn over it, exactly.
+  void apply_to_translucent(vtkOpenGLRenderer* renderer, const Finish& finish);
   void release(vtkWindow* window);
 
  private:
-  vtkOpenGLQuadHelper* prepare(vtkOpenGLRenderWindow* window, bool occlusion);
+  vtkOpenGLQuadHelper* prepare(vtkOpenGLRenderWindow* window, bool occlusion, bool translucent);
   void give(vtkOpenGLRenderer* renderer, const Finish& finish, vtkShaderProgram* program);
+  void draw_fronts(vtkOpenGLRenderer* renderer, int width, int height);
+  void pass(vtkOpenGLRenderer* renderer, const Finish& finish, bool translucent);
 
   DrawnTexture result_;
-  std::unique_ptr<vtkOpenGLQuadHelper> quads_[2];  // without and with occlusion
+  DrawnDepths fronts_;                             // of what is translucent
+  std::unique_ptr<vtkOpenGLQuadHelper> quads_[4];  // + 1: with occlusion, + 2: translucent
 };
 
 }  // namespace alphascope

@@ -18,6 +18,9 @@ namespace alphascope {
 // another point of it.
 //
 // A silhouette lies on what is behind, where something is before it by more than a jump.
+//
+// TRANSLUCENT: the picture is whole, and only what is translucent and before everything opaque is
+// darkened, faded and outlined: as much of each pixel as it does not let through.
 inline constexpr const char* kFinishShader = R"(//VTK::Output::Dec
 in vec2 texCoord;
 uniform sampler2D colours;
@@ -36,9 +39,28 @@ uniform vec3 cue;           // how much of the farthest is background; from and 
 uniform vec2 silhouette;    // width in pixels, 0: none; jump in Å
 uniform vec4 background;    // alpha 0: a transparent picture
 uniform vec3 lineColour;
+#ifdef TRANSLUCENT
+uniform sampler2D fronts;   // depths of what is translucent
+uniform float opacity;      // its, 0 to 1
+#endif
 
+// Of what is seen first.
 float depthAt(ivec2 at) {
-  return texelFetch(depths, clamp(at, ivec2(0), size - 1), 0).r;
+  at = clamp(at, ivec2(0), size - 1);
+  float depth = texelFetch(depths, at, 0).r;
+#ifdef TRANSLUCENT
+  depth = min(depth, texelFetch(fronts, at, 0).r);
+#endif
+  return depth;
+}
+// How much of a pixel this pass is about.
+float shareOf(ivec2 at) {
+#ifdef TRANSLUCENT
+  at = clamp(at, ivec2(0), size - 1);
+  return texelFetch(fronts, at, 0).r < texelFetch(depths, at, 0).r ? opacity : 0.0;
+#else
+  return 1.0;
+#endif
 }
 float zOf(float depth) {
   float n = 2.0 * depth - 1.0;
@@ -108,10 +130,11 @@ void main() {
   float depth = depthAt(at);
   bool drawn = depth < 1.0;
   bool mark = depth <= 0.0;  // in front of everything, of no depth
+  float share = shareOf(at);
   vec3 place = placeAt(at, depth);
   float visible = 1.0;
 #ifdef OCCLUSION
-  int taps = drawn && !mark ? tapCount : 0;
+  int taps = drawn && !mark && share > 0.0 ? tapCount : 0;
   if (taps > 0) {
     vec3 normal = normalAt(at, place);
     int cell = (at.x & 3) + 4 * (at.y & 3);
@@ -130,14 +153,16 @@ void main() {
   int corners = silhouette.x > 0.0 && !mark ? 8 : 0;
   vec2 by = silhouette.x * vec2(0.9238795, 0.3826834);
   for (int i = 0; i < corners; ++i) {
-    float there = depthAt(ivec2(gl_FragCoord.xy + by));
-    nearest = there > 0.0 ? min(nearest, there) : nearest;
+    ivec2 beside = ivec2(gl_FragCoord.xy + by);
+    float there = depthAt(beside);
+    nearest = there > 0.0 && max(share, shareOf(beside)) > 0.0 ? min(nearest, there) : nearest;
     by = 0.7071068 * vec2(by.x - by.y, by.x + by.y);
   }
   float ahead = -zOf(nearest);
   float line = smoothstep(0.7, 1.3, (-place.z - ahead) / silhouette.y);
   float faded = drawn && !mark ? cue.x * clamp((-place.z - cue.y) / (cue.z - cue.y), 0.0, 1.0) : 0.0;
-  colour.rgb *= visible;
+  faded *= share;
+  colour.rgb *= mix(1.0, visible, share);
   colour = mix(colour, vec4(background.rgb * background.a, background.a), faded);
   float lineFaded = cue.x * clamp((ahead - cue.y) / (cue.z - cue.y), 0.0, 1.0);
   line *= 0.85 * (1.0 - lineFaded);
@@ -145,9 +170,9 @@ void main() {
 }
 )";
 
-inline std::string finish_shader(bool occlusion) {
+inline std::string finish_shader(bool occlusion, bool translucent) {
   return std::string("//VTK::System::Dec\n") + (occlusion ? "#define OCCLUSION\n" : "") +
-         kFinishShader;
+         (translucent ? "#define TRANSLUCENT\n" : "") + kFinishShader;
 }
 
 }  // namespace alphascope

@@ -54,6 +54,9 @@ void Scene::Impl::apply_finish(RenderQuality quality, bool transparent) {
   finish.background = palette(style.theme).scene;
   finish.line = style.theme == Theme::light ? kLineOnLight : kLineOnDark;
   finish.transparent = transparent;
+  if (quality >= RenderQuality::medium && finish.any()) {
+    finish.translucent_opacity = static_cast<float>(translucent_opacity());
+  }
 }
 
 void Scene::Impl::add_sample(int width, int height) {

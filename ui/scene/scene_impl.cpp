@@ -87,6 +87,9 @@ Scene::Impl::Impl() {
   renderer->after_opaque = [this] {
     if (finish.any()) finish_pass.apply(renderer, finish);
   };
+  renderer->after_translucent = [this] {
+    if (finish.translucent_opacity > 0) finish_pass.apply_to_translucent(renderer, finish);
+  };
 }
 
 void Scene::Impl::release_buffers() {
@@ -160,8 +163,17 @@ double Scene::Impl::faded(double opacity) const {
   return fades ? std::min(opacity, kFaded) : opacity;
 }
 
+double Scene::Impl::translucent_opacity() const {
+  double opacity = 0;
+  const double of_balls = style.balls ? faded(style.ball_opacity) : 1;
+  for (const double o : {of_balls, faded(style.complex_opacity)}) {
+    if (o < 1) opacity = std::max(opacity, o);
+  }
+  return opacity;
+}
+
 bool Scene::Impl::anything_translucent() const {
-  return (style.balls && faded(style.ball_opacity) < 1) || faded(style.complex_opacity) < 1;
+  return translucent_opacity() > 0;
 }
 
 void Scene::Impl::apply_style() {
@@ -170,9 +182,11 @@ void Scene::Impl::apply_style() {
   all_balls.actor->SetVisibility(style.balls && balls && !balls->centres.empty());
   all_balls.actor->GetProperty()->SetOpacity(faded(style.ball_opacity));
   for (CellActor* c : cells()) c->actor->GetProperty()->SetOpacity(faded(style.complex_opacity));
-  const bool closed = cap_data && style.cut.on() && faded(style.complex_opacity) >= 1;
+  const bool closed = cap_data && style.cut.on();
   caps.actor->SetVisibility(closed && cap_data->faces);
   cap_edges.actor->SetVisibility(closed && cap_data->edges);
+  caps.actor->GetProperty()->SetOpacity(faded(style.complex_opacity));
+  cap_edges.actor->GetProperty()->SetOpacity(faded(style.complex_opacity));
   apply_cut();
 }
 
@@ -240,11 +254,11 @@ void Scene::Impl::draw(int width, int height) {
   layers.body_edges.actor->GetProperty()->SetLineWidth(1.2f * width_scale);
   cap_edges.actor->GetProperty()->SetLineWidth(1.0f * width_scale);
   const auto box = visible_box();
+  finish.silhouette_jump = static_cast<float>(silhouette_jump(box ? diagonal(*box) : 0));
   const double back = style.orthographic && box ? kStepBack * diagonal(*box) : 0;
   step_back(back);
   if (box) renderer->ResetCameraClippingRange(box->data());
   give_cut_planes(width, height);
-  finish.silhouette_jump = static_cast<float>(silhouette_jump(box ? diagonal(*box) : 0));
   window->Render();
   step_back(-back);
 }

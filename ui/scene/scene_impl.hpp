@@ -97,6 +97,7 @@ struct Scene::Impl {
   // What is not a body of a layer, beside one.
   double faded(double opacity) const;
   bool anything_translucent() const;
+  double translucent_opacity() const;  // the largest of what is; 0: nothing is
   void apply_style();
   void show_mesh(std::shared_ptr<MeshData> data);  // null: nothing
   void apply_quality(RenderQuality quality, bool transparent = false);

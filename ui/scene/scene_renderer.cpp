@@ -12,4 +12,9 @@ void SceneRenderer::DeviceRenderOpaqueGeometry(vtkFrameBufferObjectBase* target)
   if (after_opaque) after_opaque();
 }
 
+void SceneRenderer::DeviceRenderTranslucentPolygonalGeometry(vtkFrameBufferObjectBase* target) {
+  Superclass::DeviceRenderTranslucentPolygonalGeometry(target);
+  if (after_translucent) after_translucent();
+}
+
 }  // namespace alphascope

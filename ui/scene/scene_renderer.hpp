@@ -1,5 +1,5 @@
-// VTK's renderer with a step between what is opaque and what is translucent. For sources of the
-// scene only.
+// VTK's renderer with a step after what is opaque, and one after what is translucent. For sources
+// of the scene only.
 #pragma once
 
 #include <vtkOpenGLRenderer.h>
@@ -13,9 +13,10 @@ class SceneRenderer : public vtkOpenGLRenderer {
   static SceneRenderer* New();
   vtkTypeMacro(SceneRenderer, vtkOpenGLRenderer);
 
-  std::function<void()> after_opaque;  // empty: nothing
+  std::function<void()> after_opaque, after_translucent;  // empty: nothing
 
   void DeviceRenderOpaqueGeometry(vtkFrameBufferObjectBase* target) override;
+  void DeviceRenderTranslucentPolygonalGeometry(vtkFrameBufferObjectBase* target) override;
 
  protected:
   SceneRenderer() = default;

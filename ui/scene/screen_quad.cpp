@@ -27,6 +27,8 @@ bool make_texture(vtkTextureObject* texture, vtkOpenGLRenderWindow* window, int 
     texture->SetFormat(GL_RGBA);
     texture->SetDataType(GL_FLOAT);
     texture->Allocate2D(w, h, 4, VTK_FLOAT);
+  } else if (kind == PixelKind::depths) {
+    texture->AllocateDepth(w, h, vtkTextureObject::Float32);
   } else {
     texture->Allocate2D(w, h, 4, VTK_UNSIGNED_CHAR);
   }
@@ -46,6 +48,25 @@ void DrawnTexture::bind(vtkOpenGLRenderWindow* window, int width, int height, Pi
 }
 
 void DrawnTexture::release(vtkWindow* window) {
+  framebuffer_->ReleaseGraphicsResources(window);
+  texture_->ReleaseGraphicsResources(window);
+}
+
+void DrawnDepths::bind(vtkOpenGLRenderWindow* window, int width, int height) {
+  framebuffer_->SetContext(window);
+  const bool made = make_texture(texture_, window, width, height, PixelKind::depths);
+  framebuffer_->Bind();
+  if (made) framebuffer_->RemoveDepthAttachment();
+  framebuffer_->AddDepthAttachment(texture_);
+  framebuffer_->DeactivateDrawBuffers();
+  vtkOpenGLState* state = window->GetState();
+  const vtkOpenGLState::ScopedglDepthMask mask(state);
+  state->vtkglDepthMask(GL_TRUE);
+  state->vtkglClearDepth(1);
+  state->vtkglClear(GL_DEPTH_BUFFER_BIT);
+}
+
+void DrawnDepths::release(vtkWindow* window) {
   framebuffer_->ReleaseGraphicsResources(window);
   texture_->ReleaseGraphicsResources(window);
 }

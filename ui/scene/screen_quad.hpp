@@ -12,8 +12,9 @@
 
 namespace alphascope {
 
-// Four channels of 8 bits, or of floating-point numbers of 16 bits, in which samples add up.
-enum class PixelKind : std::uint8_t { bytes, sums };
+// Four channels of 8 bits, or of floating-point numbers of 16 bits, in which samples add up; or
+// depths.
+enum class PixelKind : std::uint8_t { bytes, sums, depths };
 
 // A texture of the size that is wanted, in a framebuffer.
 class DrawnTexture {
@@ -21,6 +22,19 @@ class DrawnTexture {
   // Binds the framebuffer and makes the texture anew where it has another size.
   void bind(vtkOpenGLRenderWindow* window, int width, int height, PixelKind kind);
   vtkOpenGLFramebufferObject* framebuffer() { return framebuffer_; }
+  vtkTextureObject* texture() { return texture_; }
+  void release(vtkWindow* window);
+
+ private:
+  vtkNew<vtkOpenGLFramebufferObject> framebuffer_;
+  vtkNew<vtkTextureObject> texture_;
+};
+
+// Depths of the size that is wanted, and nothing else.
+class DrawnDepths {
+ public:
+  // Binds the framebuffer and clears it: nothing is nearer than the farthest.
+  void bind(vtkOpenGLRenderWindow* window, int width, int height);
   vtkTextureObject* texture() { return texture_; }
   void release(vtkWindow* window);
 

@@ -104,6 +104,8 @@ class Viewer::Stage : public LessonStage {
     const PanelMemory& m = v_.state_.memory;
     document.view.panels = {
         m.bottom_panel, m.bottom_height, {m.closed_sections.begin(), m.closed_sections.end()}, {}};
+    document.view.picture = m.save;
+    document.view.recording = m.record;
     start({}, std::move(document), molecule);
   }
 

@@ -99,6 +99,8 @@ void Viewer::show_session() {
   const auto& closed = s.view.panels.closed_sections;
   state_.memory.closed_sections = {closed.begin(), closed.end()};
   state_.memory.alpha.slider = s.view.panels.alpha_slider;
+  state_.memory.save = s.view.picture;
+  static_cast<RecordChoices&>(state_.memory.record) = s.view.recording;
   state_.molecule.radii = grown_radii(*session_.state().prepared, state_.compute);
   if (s.view.camera.any()) scene_.set_camera_when_drawn(s.view.camera);
   state_.session_file = found->file;
@@ -131,6 +133,8 @@ std::optional<SessionDocument> Viewer::session_document(const std::filesystem::p
                           m.bottom_height,
                           {m.closed_sections.begin(), m.closed_sections.end()},
                           m.alpha.slider};
+  document.view.picture = m.save;
+  document.view.recording = m.record;
   return document;
 }
 

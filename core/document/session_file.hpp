@@ -9,6 +9,7 @@
 
 #include "core/document/alpha_slider.hpp"
 #include "core/document/file_reference.hpp"
+#include "core/document/picture_options.hpp"
 #include "core/document/settings.hpp"
 
 namespace alphascope {
@@ -37,6 +38,8 @@ struct SessionView {
   bool light_theme = false;  // a picture's background is
   CameraPlace camera;
   PanelsShown panels;
+  PictureOptions picture;  // of the dialogs that save pictures and recordings
+  RecordChoices recording;
   friend bool operator==(const SessionView&, const SessionView&) = default;
 };
 

@@ -67,4 +67,16 @@ const SettingIds<LabelText>& setting_ids(LabelText) {
   return ids;
 }
 
+const SettingIds<RecordingKind>& setting_ids(RecordingKind) {
+  static const SettingIds<RecordingKind> ids{{RecordingKind::sweep, "sweep"},
+                                             {RecordingKind::turntable, "turntable"}};
+  return ids;
+}
+
+const SettingIds<TurnAxis>& setting_ids(TurnAxis) {
+  static const SettingIds<TurnAxis> ids{
+      {TurnAxis::up, "up"}, {TurnAxis::x, "x"}, {TurnAxis::y, "y"}, {TurnAxis::z, "z"}};
+  return ids;
+}
+
 }  // namespace alphascope

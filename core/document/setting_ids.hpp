@@ -8,6 +8,7 @@
 #include "core/document/alpha_slider.hpp"
 #include "core/document/atom_labels.hpp"
 #include "core/document/open_options.hpp"
+#include "core/document/recording.hpp"
 #include "core/document/request.hpp"
 
 namespace alphascope {
@@ -24,5 +25,7 @@ const SettingIds<EngineChoice>& setting_ids(EngineChoice);
 const SettingIds<TupleGridKind>& setting_ids(TupleGridKind);
 const SettingIds<AlphaScaling>& setting_ids(AlphaScaling);
 const SettingIds<LabelText>& setting_ids(LabelText);
+const SettingIds<RecordingKind>& setting_ids(RecordingKind);
+const SettingIds<TurnAxis>& setting_ids(TurnAxis);
 
 }  // namespace alphascope

@@ -178,10 +178,52 @@ void visit_fields(Visitor& v, PanelsShown& p) {
 }
 
 template <class Visitor>
+void visit_fields(Visitor& v, CaptionParts& c) {
+  for (const CaptionPartInfo& part : caption_parts()) {
+    bool wanted = c.has(part.part);
+    v(part.id, wanted);
+    c.set(part.part, wanted);
+  }
+}
+
+template <class Visitor>
+void visit_fields(Visitor& v, PictureOptions& p) {
+  v("width", p.width, kPictureSizeRule);
+  v("height", p.height, kPictureSizeRule);
+  v("transparent", p.transparent);
+  v("legend", p.legend);
+  v("scale_bar", p.scale_bar);
+  v.object("caption", p.caption);
+}
+
+template <class Visitor>
+void visit_fields(Visitor& v, Recording& r) {
+  v("kind", r.kind);
+  v("scale", r.scaling);
+  v("low_angstrom2", r.low, kAlphaRule);
+  v("high_angstrom2", r.high, kAlphaRule);
+  v("degrees", r.degrees, kTurnRule);
+  v("axis", r.axis);
+  v("frames", r.frames, kFramesRule);
+  v("there_and_back", r.there_and_back);
+  v("frames_per_second", r.frames_per_second, kFrameRateRule);
+}
+
+template <class Visitor>
+void visit_fields(Visitor& v, RecordChoices& r) {
+  v.object("content", r.recording);
+  v("lesson", r.of_lesson);
+  v("lesson_seconds", r.lesson_seconds, kHoldRule);
+  v.object("picture", r.options);
+}
+
+template <class Visitor>
 void visit_fields(Visitor& v, SessionView& w) {
   v("light_theme", w.light_theme);
   v.object("camera", w.camera);
   v.object("panels", w.panels);
+  v.object("picture", w.picture);
+  v.object("recording", w.recording);
 }
 
 }  // namespace alphascope

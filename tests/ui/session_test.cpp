@@ -37,6 +37,8 @@ TEST_F(SessionWindowTest, TheSamePictureAndHashInANewWindow) {
   viewer_->state().open.balls.selection = "resi 1-30";
   viewer_->state().display.edges = viewer_->state().display.grown_balls = true;
   viewer_->state().display.ball_opacity = 0.5f;
+  viewer_->state().memory.save.caption = read_caption_parts("hash");
+  viewer_->state().memory.record.recording.frames = 17;
   run("wait-idle\nalpha.set 2.5\nsolvent.set 0.3\nview.light_theme on\nselect.atoms A:15\n"
       "click bottom.signature\nclick display\nmove view 0.4 0.5\ndown\nmove view 0.7 0.6\nup\n"
       "wheel 3\nalpha.scale root\nwait-idle\n");
@@ -51,6 +53,8 @@ TEST_F(SessionWindowTest, TheSamePictureAndHashInANewWindow) {
   EXPECT_EQ(picture().rgba, picture_before.rgba);
   EXPECT_EQ(viewer_->state().memory.bottom_panel, "signature");
   EXPECT_TRUE(viewer_->state().memory.closed_sections.contains("display"));
+  EXPECT_TRUE(viewer_->state().memory.save.caption.has(CaptionPart::hash));
+  EXPECT_EQ(viewer_->state().memory.record.recording.frames, 17);
   EXPECT_EQ(viewer_->state().picked.items.size(), 7u);
   EXPECT_EQ(viewer_->state().undo_text, "") << "a session begins its own history";
   save();

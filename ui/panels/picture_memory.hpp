@@ -5,17 +5,9 @@
 #include <optional>
 #include <string>
 
-#include "core/document/caption_parts.hpp"
-#include "core/document/recording.hpp"
+#include "core/document/picture_options.hpp"
 
 namespace alphascope {
-
-struct PictureOptions {
-  int width = 1920, height = 1080;
-  bool transparent = false;
-  bool legend = true, scale_bar = false;  // legend: where colours mean something
-  CaptionParts caption = {};
-};
 
 struct ScreenshotRequest {
   std::filesystem::path path;
@@ -30,13 +22,9 @@ struct RecordRequest {
   std::optional<double> lesson_seconds = {};
 };
 
-struct RecordMemory {
+struct RecordMemory : RecordChoices {
   bool show = false;
   std::string path = "frame-%04d.png";
-  Recording recording;
-  bool of_lesson = false;  // in place of the recording
-  double lesson_seconds = 10;
-  PictureOptions options{.width = 1280, .height = 720, .caption = usual_caption()};
   std::optional<bool> has_ffmpeg;  // looked for when the dialog opens
 };
 

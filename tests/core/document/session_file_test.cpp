@@ -119,6 +119,12 @@ SessionDocument unusual() {
   s.view.camera = {{7, 8, 9.5}, {1.0 / 3, -2e5, 1e-9}, {4, 5, 6}, {0, 0, 1}, 1.25};
   s.view.panels = {
       "cavities", 301.5, {"engine", "display"}, {AlphaScaling::root, -2, 1e6, true, 2.5}};
+  s.view.picture = {640, 481, true, false, true, read_caption_parts("alpha,hash")};
+  s.view.recording = {{RecordingKind::turntable, AlphaScaling::logarithm, 0.5, 3.25, -90.5,
+                       TurnAxis::y, 7, true, 12.5},
+                      true,
+                      3.5,
+                      {800, 600, false, true, true, read_caption_parts("file")}};
   return s;
 }
 
@@ -161,6 +167,9 @@ TEST(SessionFile, EveryMemberOfEverySettingIsNamed) {
   EXPECT_EQ(named_fields<AlphaSlider>(), members<AlphaSlider>());
   EXPECT_EQ(named_fields<PanelsShown>(), members<PanelsShown>());
   EXPECT_EQ(named_fields<SessionView>(), members<SessionView>());
+  EXPECT_EQ(named_fields<PictureOptions>(), members<PictureOptions>());
+  EXPECT_EQ(named_fields<Recording>(), members<Recording>());
+  EXPECT_EQ(named_fields<RecordChoices>(), members<RecordChoices>());
   // The balls' options but for a table in memory; the reader's format; assembly; sandbox. Its limit
   // and descriptor are the program's, and the table of radii is a FileReference of the session.
   EXPECT_EQ(members<ReadOptions>(), 3u);
@@ -232,6 +241,8 @@ TEST(SessionFile, AWrongValueIsToldWithItsLine) {
   expect(",\"camera\": { \"position_angstrom\": [1, 2] }", "2", "three numbers");
   expect(",\"camera\": { \"position_angstrom\": [0, 1, 0] }", "2", "not the way that it looks");
   expect(",\"panels\": { \"alpha_slider\": { \"low_angstrom2\": 99 } }", "2", "below its high end");
+  expect(",\"picture\": { \"width\": 7 }", "2", "\"picture.width\" is 7");
+  expect(",\"recording\": { \"content\": { \"kind\": \"film\" } }", "2", "\"turntable\"");
   expect(",\"radii_table\": { \"path\": \"r\", \"sha256\": \"1\" }", "2", "64 digits");
   // The last of two of one name counts, as for everybody who reads JSON.
   expect(",\"display\": { \"balls\": true,\n\"balls\": 0 }", "3", "must be true or false");

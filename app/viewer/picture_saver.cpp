@@ -112,6 +112,7 @@ void PictureSaver::begin() {
   try {
     studio_ = std::make_unique<Studio>(host_);
   } catch (...) {
+    outcome_.of_recording = job->recording;
     saving_.reset();
     throw;
   }
@@ -129,7 +130,8 @@ void PictureSaver::begin() {
           saving_.reset();
         };
       },
-      [this, written, path = job->path](const Worker::Failure& failure) {
+      [this, written, path = job->path,
+       recording = job->recording](const Worker::Failure& failure) {
         studio_.reset();
         outcome_.ended = true;
         if (failure.cancelled) {  // which was told already, unless it came too late
@@ -139,6 +141,7 @@ void PictureSaver::begin() {
         const bool names_it = failure.message.find(path.string()) != std::string::npos;
         outcome_.error =
             names_it ? failure.message : "Cannot save " + path.string() + ": " + failure.message;
+        outcome_.of_recording = recording;
         saving_.reset();
       });
 }

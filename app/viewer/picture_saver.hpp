@@ -51,9 +51,10 @@ class PictureSaver {
 
   // What happened since the last call, on the main thread.
   struct Outcome {
-    std::string notice;  // a picture was saved, or was not because of cancel()
-    std::string error;   // why it could not be saved
-    bool ended = false;  // a drawing did, also a cancelled one: its memory is free
+    std::string notice;         // a picture was saved, or was not because of cancel()
+    std::string error;          // why it could not be saved
+    bool of_recording = false;  // the error is
+    bool ended = false;         // a drawing did, also a cancelled one: its memory is free
     bool any() const { return ended || !notice.empty() || !error.empty(); }
   };
   Outcome poll();

@@ -56,7 +56,8 @@ FrameSource SceneController::frames(const RecordRequest& request) const {
   }};
 }
 
-// On the thread of a recording. What pages lay over the picture is of another alpha, and left out.
+// On the thread of a recording. What pages lay over the picture is of another alpha: where there is
+// any, SweepRecorder records instead.
 Picture SceneController::sweep_picture(Sweep& sweep, double alpha,
                                        const RunContext& context) const {
   const DrawnMolecule& m = *sweep.molecule;

@@ -11,9 +11,9 @@
 
 #include "app/options/did_you_mean.hpp"
 #include "app/session/system_memory.hpp"
-#include "app/viewer/alpha_moves.hpp"
 #include "app/viewer/commands.hpp"
 #include "app/viewer/resources.hpp"
+#include "app/viewer/timed_moves.hpp"
 #include "app/viewer/viewer.hpp"
 #include "ui/panels/keys.hpp"
 
@@ -268,6 +268,11 @@ class ScriptRunner {
          << std::endl;
   }
 
+  void ball_moves(const Arguments& arguments) {
+    const int moves = static_cast<int>(arguments.number("moves", 20));
+    out_ << time_ball_moves(viewer_, input_, moves) << std::endl;
+  }
+
   void memory(const Arguments& arguments) {
     const auto megabytes = [](std::uint64_t bytes) { return static_cast<double>(bytes) / 1e6; };
     const std::string text = arguments.text("text");
@@ -376,6 +381,10 @@ std::vector<ScriptRunner::Verb> ScriptRunner::all_verbs() {
             "brackets, the longest",
             {number("alpha", kMovedAlphaRule), number("moves", kMovesRule, true)}),
        &S::alpha_moves},
+      {verb("ball-moves",
+            "Moves balls set by hand, one after another; writes the milliseconds as alpha-moves",
+            one(number("moves", kMovesRule, true))),
+       &S::ball_moves},
       {verb("memory",
             "Writes the text, then the megabytes (10^6 bytes) that are resident and those of the "
             "heap in use",

@@ -63,6 +63,7 @@ Viewer::Viewer(Host& host, const ViewerOptions& options, Session::Services servi
                        [this](const ScreenshotRequest& r) {
                          return with_sides(scene_.picture(r), state_.viewport, r.options);
                        }),
+      sweep_recorder_(saver_, swept_window()),
       machine_(std::async(std::launch::async,
                           [&host] {
                             const MachineInfo& machine = machine_info();
@@ -145,7 +146,7 @@ bool Viewer::busy() const {
 
 bool Viewer::working() const {
   return all_but_saving() || saver_.busy() || table_saver_.busy() || complex_saver_.busy() ||
-         lesson_recorder_.busy();
+         lesson_recorder_.busy() || sweep_recorder_.busy();
 }
 
 bool Viewer::all_but_saving() const {

@@ -24,6 +24,7 @@
 #include "app/viewer/preferences_keeper.hpp"
 #include "app/viewer/scene_controller.hpp"
 #include "app/viewer/session_files.hpp"
+#include "app/viewer/sweep_recorder.hpp"
 #include "app/viewer/table_saver.hpp"
 #include "core/document/commands.hpp"
 #include "core/document/editor.hpp"
@@ -130,9 +131,10 @@ class Viewer {
   void note_large_objects();  // for the store's budget
   void take_shown();          // what is said of the picture changes with it
   void take_requests();       // what the panels asked for
+  SweepRecorder::Window swept_window();
   void save_picture(const ScreenshotRequest& request);
   void record(const RecordRequest& request);
-  void record_lesson();  // once a frame
+  void go_on_recording();  // once a frame: what the window itself goes through
   void save_table(const SaveTableRequest& request);
   void export_complex(const ExportRequest& request);
   void cancel_saving();
@@ -246,6 +248,7 @@ class Viewer {
   std::unique_ptr<LessonStage> lesson_stage_;
   LessonPlayer lessons_;
   LessonRecorder lesson_recorder_;
+  SweepRecorder sweep_recorder_;
   std::optional<Editor> history_to_come_back_;  // of the session that is on its way
   Preferences noted_;                     // as the window had them when they were looked at last
   double set_scale_ = 0, set_times_ = 1;  // of the host

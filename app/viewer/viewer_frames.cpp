@@ -50,7 +50,7 @@ void Viewer::draw(ScriptedInput* input, bool patient,
     }
     take_requests();
     lessons_.step();
-    record_lesson();
+    go_on_recording();
     play();
     play_models();
     play_steps();

@@ -13,7 +13,8 @@ Settings Viewer::settings() const {
 
 // Once a frame, when what was typed has been checked.
 void Viewer::note_changes() {
-  const bool by_itself = state_.memory.playing || state_.memory.playing_models || lessons_.busy();
+  const bool by_itself = state_.memory.playing || state_.memory.playing_models || lessons_.busy() ||
+                         sweep_recorder_.busy();
   if (by_itself) {
     editor_.amend(settings());
   } else {

@@ -45,6 +45,35 @@ TEST_F(RecordTest, EachFrameOfASweepIsTheSavedPictureOfItsAlpha) {
   EXPECT_NE(pixels_of(frame(1)).rgba, pixels_of(frame(2)).rgba);
 }
 
+// A label is drawn by the window: so the window goes through the sweep.
+TEST_F(RecordTest, FramesOfASweepHaveWhatPagesDraw) {
+  run("alpha.set 3\nlabel.atoms residue resi 1-3\nwait-idle\n");
+  const std::string undo = viewer_->state().undo_text;
+  record("alpha=0:2:3 240 160 usual");
+  ASSERT_EQ(frames(), 3);
+  for (int k = 0; k < 3; ++k) {
+    EXPECT_EQ(texts_of(frame(k + 1))["alphascope:hash"], hash_text(expected(k).hash));
+  }
+  EXPECT_EQ(viewer_->state().compute.alpha_angstrom2, 3);
+  EXPECT_EQ(viewer_->state().undo_text, undo) << "it is no change of the user's";
+  run("alpha.set 1\nwait-idle\nfile.save_picture \"" + (folder_ / "one.png").string() +
+      "\" 240 160 usual\nwait-idle\n");
+  EXPECT_EQ(pixels_of(frame(2)).rgba, pixels_of(bytes("one.png")).rgba);
+  run("label.remove_all\nwait-idle\nfile.save_picture \"" + (folder_ / "plain.png").string() +
+      "\" 240 160 usual\nwait-idle\n");
+  EXPECT_NE(pixels_of(frame(2)).rgba, pixels_of(bytes("plain.png")).rgba);
+}
+
+TEST_F(RecordTest, ASweepThatIsDisturbedSaysSo) {
+  run("label.atoms residue resi 1-3\nwait-idle\n");
+  run("file.record \"" + (folder_ / "f-%d.png").string() +
+      "\" alpha=0:2:200 240 160 usual\nframes 10\nalpha.set 7\nwait-idle\n");
+  EXPECT_EQ(viewer_->state().error_title, "The sweep was not recorded");
+  EXPECT_NE(viewer_->state().error.find("Alpha was changed"), std::string::npos);
+  EXPECT_EQ(viewer_->state().compute.alpha_angstrom2, 7);
+  EXPECT_LT(frames(), 200);
+}
+
 TEST_F(RecordTest, ATurntableBeginsWithWhatIsOnScreen) {
   record("180:3 240 160 none");
   ASSERT_EQ(frames(), 3);

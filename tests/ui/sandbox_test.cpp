@@ -52,6 +52,17 @@ TEST_F(SandboxTest, APresetIsOpenedToBeChanged) {
   EXPECT_FALSE(viewer_->widgets().contains("view.legend"));
 }
 
+TEST_F(SandboxTest, MovesOfBallsAreTimed) {
+  open_preset("square");
+  const Sandbox before = sandbox();
+  const std::string line = run("ball-moves 3\n");
+  EXPECT_TRUE(line.starts_with("moves of 4 balls: ")) << line;
+  for (std::size_t ball = 0; ball < 4; ++ball) {
+    EXPECT_EQ(sandbox().balls[ball] == before.balls[ball], ball == 3) << "each of three has moved";
+  }
+  expect_exact();
+}
+
 TEST_F(SandboxTest, ChangesAreComputedAndUndone) {
   open_preset("square");
   run("alpha.set 8\nwait-idle\n");

@@ -1,5 +1,5 @@
 // See the header.
-#include "app/viewer/alpha_moves.hpp"
+#include "app/viewer/timed_moves.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/viewer/viewer.hpp"
+#include "core/molecule/sandbox.hpp"
 #include "core/run/picture_stages.hpp"
 #include "ui/panels/controls.hpp"
 
@@ -19,28 +20,44 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::chrono::seconds kLongest{300};
 constexpr double kBeside = 0.05;  // Å², from where alpha moves: another complex, about as large
+constexpr double kStep = 0.0371;  // Å, that a ball moves
 
-class AlphaMover {
+double milliseconds_since(Clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+class Mover {
  public:
-  AlphaMover(Viewer& viewer, ScriptedInput& input) : viewer_(viewer), input_(input) {}
+  Mover(Viewer& viewer, ScriptedInput& input) : viewer_(viewer), input_(input) {}
 
   // Milliseconds until the picture of this alpha is drawn.
   double move_to(double angstrom2) {
     const Clock::time_point start = Clock::now();
     set_alpha(viewer_.state().compute, angstrom2);
     const double wanted = viewer_.state().compute.alpha_angstrom2;
-    const auto shown = [&] {
+    return until(start, [&] {
       const auto& result = viewer_.state().result;
       return result && result->request.alpha_angstrom2 == wanted;
-    };
+    });
+  }
+
+  // Milliseconds until the picture with this ball, from 0, a step further along x is drawn.
+  double move_ball_by(std::size_t ball, double step) {
+    const Clock::time_point start = Clock::now();
+    const auto before = viewer_.state().result;
+    Sandbox& sandbox = *viewer_.state().open.sandbox;
+    SandboxPlace place = centre_of(sandbox, ball);
+    place[0] += step;
+    move_ball(sandbox, ball, place);
+    return until(start, [&] { return viewer_.state().result != before; });
+  }
+
+  // Milliseconds of a frame at rest.
+  double frame() {
+    const Clock::time_point start = Clock::now();
     viewer_.step(&input_);
-    while (!shown()) {
-      viewer_.wait_for_frame();
-      viewer_.step(&input_);
-      require_in_time(start);
-    }
     viewer_.finish_frame();
-    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+    return milliseconds_since(start);
   }
 
   void rest() {
@@ -53,9 +70,20 @@ class AlphaMover {
   }
 
  private:
+  template <class Shown>
+  double until(Clock::time_point start, const Shown& shown) {
+    viewer_.step(&input_);
+    while (!shown()) {
+      viewer_.wait_for_frame();
+      viewer_.step(&input_);
+      require_in_time(start);
+    }
+    viewer_.finish_frame();
+    return milliseconds_since(start);
+  }
   static void require_in_time(Clock::time_point start) {
     if (Clock::now() - start < kLongest) return;
-    throw std::runtime_error("no picture of the new alpha after five minutes");
+    throw std::runtime_error("no picture of what was asked for after five minutes");
   }
 
   Viewer& viewer_;
@@ -74,7 +102,7 @@ std::string summary(std::vector<double> times) {
 }  // namespace
 
 std::string time_alpha_moves(Viewer& viewer, ScriptedInput& input, double angstrom2, int moves) {
-  AlphaMover mover(viewer, input);
+  Mover mover(viewer, input);
   std::vector<double> whole, engine;
   std::map<std::string, std::vector<double>> stages;
   std::uint64_t hash = 0;
@@ -99,6 +127,24 @@ std::string time_alpha_moves(Viewer& viewer, ScriptedInput& input, double angstr
     line += ", " + std::string(label) + " " + summary(stages[std::string(label)]);
   }
   return line + ", hash " + hash_text(hash);
+}
+
+std::string time_ball_moves(Viewer& viewer, ScriptedInput& input, int moves) {
+  const auto& sandbox = viewer.state().open.sandbox;
+  if (!sandbox || sandbox->balls.empty()) throw std::runtime_error("there are no balls by hand");
+  const std::size_t balls = sandbox->balls.size();
+  Mover mover(viewer, input);
+  std::vector<double> whole, engine, frame;
+  mover.rest();
+  for (int i = 0; i < moves; ++i) {
+    const double step = i / static_cast<int>(balls) % 2 == 0 ? kStep : -kStep;
+    whole.push_back(mover.move_ball_by(static_cast<std::size_t>(i) % balls, step));
+    engine.push_back(viewer.state().result->complex.timings.wall_milliseconds);
+    mover.rest();
+    frame.push_back(mover.frame());
+  }
+  return "moves of " + std::to_string(balls) + " balls: " + summary(whole) +
+         " ms to the picture, engine " + summary(engine) + ", a frame at rest " + summary(frame);
 }
 
 }  // namespace alphascope

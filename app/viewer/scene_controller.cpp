@@ -195,7 +195,7 @@ std::uint64_t SceneController::held_bytes() const {
 }
 
 double SceneController::seconds_to_refinement() const {
-  if (!refine_) return kNotDue;
+  if (!refine_ || covered_) return kNotDue;
   if (drawn_ == RenderQuality::fine) return 0;
   const std::chrono::duration<double> since = Clock::now() - last_change_;
   return std::max(0.0, kRefineAfterSeconds - since.count());
@@ -235,6 +235,8 @@ void SceneController::render(ViewportInfo& viewport, bool interacting, bool pati
     height_ = viewport.height;
     dirty_ = true;
   }
+  covered_ = viewport.covered && scene_.view_is_set();
+  if (covered_) return;
   const bool change = std::exchange(dirty_, false);
   if (change) last_change_ = Clock::now();
   view_checked_ = view_checked_ && !change;

@@ -91,7 +91,7 @@ class SceneController {
            beside_worker_.activity().busy || pick_worker_.activity().busy ||
            cap_worker_.activity().busy || paint_worker_.activity().busy;
   }
-  bool wants_frame() const { return dirty_ || refine_; }
+  bool wants_frame() const { return !covered_ && (dirty_ || refine_); }
   // Of what is drawn and of what is being made, at most; without differences.
   std::uint64_t held_bytes() const;
   // Seconds until a finer picture is due; a large number when none is.
@@ -322,6 +322,7 @@ class SceneController {
   float line_scale_ = 1;
   MeshOptions requested_mesh_;
   bool dirty_ = true;
+  bool covered_ = false;       // as ViewportInfo says: what changed is drawn when it is seen again
   bool view_checked_ = false;  // since the last picture
   ViewProblem view_problem_ = ViewProblem::none;
   bool refine_ = false;  // the picture on screen could be finer

@@ -49,7 +49,10 @@ class Mover {
     SandboxPlace place = centre_of(sandbox, ball);
     place[0] += step;
     move_ball(sandbox, ball, place);
-    return until(start, [&] { return viewer_.state().result != before; });
+    return until(start, [&] {
+      const auto& result = viewer_.state().result;  // null while the new balls have none yet
+      return result && result != before;
+    });
   }
 
   // Milliseconds of a frame at rest.

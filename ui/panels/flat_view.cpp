@@ -105,11 +105,54 @@ void dashed_line(ImDrawList* draw, ImVec2 a, ImVec2 b, ImU32 ink, float width, f
   }
 }
 
+// Of a regular polygon in place of a circle, so that nothing of it is farther than this from it.
+int sides_of(float radius) {
+  constexpr float kOff = 0.12f;  // pixels
+  const double angle = std::acos(1 - kOff / std::max(radius, 1.0f));
+  return std::clamp(static_cast<int>(std::ceil(M_PI / angle)), 12, 256);
+}
+
+// In slabs, of few pixels outside: ImGui's fans of slivers take several times as long in software
+// OpenGL. The rim is not smooth, and wants a line on it.
+void fill_disc(ImDrawList* draw, ImVec2 centre, float radius, ImU32 ink) {
+  const int slabs = sides_of(radius) / 2;
+  const ImVec2 uv = ImGui::GetFontTexUvWhitePixel();
+  draw->PrimReserve(6 * slabs, 2 * (slabs + 1));
+  const auto first = static_cast<ImDrawIdx>(draw->_VtxCurrentIdx);
+  for (int k = 0; k <= slabs; ++k) {
+    const double angle = M_PI * k / slabs;
+    const float x = radius * static_cast<float>(std::sin(angle));
+    const float y = centre.y - radius * static_cast<float>(std::cos(angle));
+    draw->PrimWriteVtx({centre.x - x, y}, uv, ink);
+    draw->PrimWriteVtx({centre.x + x, y}, uv, ink);
+  }
+  for (int k = 0; k < slabs; ++k) {
+    for (const int corner : {0, 1, 2, 1, 3, 2}) {
+      draw->PrimWriteIdx(static_cast<ImDrawIdx>(first + 2 * k + corner));
+    }
+  }
+}
+
+void draw_circle(ImDrawList* draw, const FlatStyle& style, ImVec2 centre, float radius,
+                 float width) {
+  constexpr float kHuge = 20000;  // pixels: beyond, a circle takes too many lines
+  if (radius > kHuge) return;
+  const bool rim = style.line.opacity > 0;
+  const ImU32 fill = colour(style.fill);
+  if (style.fill.opacity > 0 && rim) {
+    fill_disc(draw, centre, radius, fill);
+  } else if (style.fill.opacity > 0) {
+    draw->AddCircleFilled(centre, radius, fill, sides_of(radius));
+  }
+  if (rim) draw->AddCircle(centre, radius, colour(style.line), sides_of(radius), width);
+}
+
 void draw_shape(PanelContext& ctx, const Paper& paper, const FlatShape& shape) {
   const bool dark = ctx.state.theme == Theme::dark;
   const FlatStyle style = flat_style(shape.kind, dark);
   const ImU32 fill = colour(style.fill), line = colour(style.line);
-  const float width = ctx.px(static_cast<float>(style.line_width));
+  // Of whole pixels: such lines take ImGui a third of the triangles.
+  const float width = std::max(1.0f, std::round(ctx.px(static_cast<float>(style.line_width))));
   ImDrawList* draw = ImGui::GetWindowDrawList();
   std::vector<ImVec2> points;
   for (const FlatPoint& p : shape.points) points.push_back(paper.pixel(p));
@@ -117,18 +160,15 @@ void draw_shape(PanelContext& ctx, const Paper& paper, const FlatShape& shape) {
   if (count == 1) {
     const float radius = style.dot_radius > 0 ? ctx.px(static_cast<float>(style.dot_radius))
                                               : paper.pixels(shape.radius);
-    constexpr float kHuge = 20000;  // pixels: beyond, a circle takes too many lines
-    if (radius > kHuge) return;
-    const int sides = std::clamp(static_cast<int>(radius), 24, 256);
-    if (style.fill.opacity > 0) draw->AddCircleFilled(points[0], radius, fill, sides);
-    if (style.line.opacity > 0) draw->AddCircle(points[0], radius, line, sides, width);
-    return;
+    return draw_circle(draw, style, points[0], radius, width);
   }
   if (style.fill.opacity > 0 && count > 2) draw->AddConvexPolyFilled(points.data(), count, fill);
   if (style.line.opacity <= 0) return;
   for (int k = 0; k < (count == 2 ? 1 : count); ++k) {
     const ImVec2 a = points[static_cast<std::size_t>(k)],
                  b = points[static_cast<std::size_t>((k + 1) % count)];
+    // The neighbour, whose line goes the other way, draws it; beyond what is seen there is none.
+    if (shape.kind == FlatKind::cell && (a.x < b.x || (a.x == b.x && a.y < b.y))) continue;
     if (style.dashed) {
       dashed_line(draw, a, b, line, width, ctx.px(4));
     } else {

@@ -103,6 +103,7 @@ struct ViewportInfo {
   ViewProblem problem = ViewProblem::none;
   // Written by the panels: how large the picture should be (pixels) and what the mouse did on it.
   int width = 0, height = 0;
+  bool covered = false;  // by something that hides all of it: it need not be drawn
   std::vector<PointerEvent> events;
   bool hovered = false;  // the mouse is on the picture and no button is down
   int mouse_x = 0, mouse_y = 0;

@@ -336,6 +336,7 @@ void draw_viewport(PanelContext& ctx) {
   v.events.clear();
   if (v.width < 8 || v.height < 8) return;
   const bool flat = shows_flat_drawing(ctx.state);
+  v.covered = flat;
   if (flat) {
     draw_flat_view(ctx, corner, size);
   } else {

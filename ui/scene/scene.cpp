@@ -149,6 +149,10 @@ void Scene::reset_view() {
   scene.reset_pending = true;
 }
 
+bool Scene::view_is_set() const {
+  return !impl_->reset_pending;
+}
+
 Viewpoint Scene::viewpoint() const {
   vtkCamera* camera = impl_->renderer->GetActiveCamera();
   Viewpoint v;

@@ -85,6 +85,7 @@ class Scene {
   void set_balls(std::shared_ptr<const BallGeometry> balls, const std::vector<Rgb8>& colours);
   void set_style(const SceneStyle& style);
   void reset_view();
+  bool view_is_set() const;  // and not to be reset with the next picture
   Viewpoint viewpoint() const;
   void set_viewpoint(const Viewpoint& viewpoint);
 

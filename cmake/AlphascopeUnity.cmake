@@ -1,12 +1,11 @@
 # Most of the time to compile a source goes into templates of the standard library that its neighbours
 # need as well: compiled a dozen at a time, core/, app/ and ui/ take half as long, and tests, too. What sources lean on
-# then is not noticed here, but by the preset tsan, by check_headers, and wherever this is off.
+# then is not noticed here, but by check_headers, check_includes, and wherever this is off.
 # By default not with ccache, which then finds a source again only when its neighbours are the same;
-# the presets ci and asan combine always: their builds begin with nothing.
+# the presets ci, asan and tsan combine always: their builds begin with nothing.
 set(by_default ON)
-# Nor for ThreadSanitizer, nor where every warning counts: one build has to compile each source alone.
-if(CMAKE_CXX_COMPILER_LAUNCHER MATCHES "ccache" OR ALPHASCOPE_STRICT OR
-   ALPHASCOPE_SANITIZER STREQUAL "thread")
+# Nor where every warning counts: one build has to compile each source alone.
+if(CMAKE_CXX_COMPILER_LAUNCHER MATCHES "ccache" OR ALPHASCOPE_STRICT)
   set(by_default OFF)
 endif()
 option(ALPHASCOPE_UNITY "Compile several sources at once" ${by_default})

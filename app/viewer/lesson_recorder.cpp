@@ -82,7 +82,8 @@ SceneJob LessonRecorder::job(const RecordRequest& request, std::shared_ptr<Pages
             int page = 0, frame = 0;
             while (const auto next = pages->pop(context.cancel)) {
               const auto count = static_cast<int>(pages->count());
-              context.report("picture " + std::to_string(++page) + " of " + std::to_string(count),
+              ++page;
+              context.report("picture " + std::to_string(page) + " of " + std::to_string(count),
                              static_cast<double>(page - 1) / count);
               std::string left_out = next->picture.not_drawn;
               const Image view = marked_image(scene, show(scene, next->picture), left_out, silent);

@@ -51,9 +51,10 @@ NumberRule range_rule(const SchemeInfo& scheme);  // of both ends of the range o
 
 struct Paint {
   ColourBy by = ColourBy::chain;
-  std::optional<ColourMap> map;      // of a quantity; none: the scheme's
-  std::optional<ColourRange> range;  // in the scheme's unit; none: of the values that there are
-  std::optional<Rgb8> colour;        // of ColourBy::single; none: the usual one
+  std::optional<ColourMap> map = {};  // of a quantity; none: the scheme's
+  std::optional<ColourRange> range =
+      {};                           // in the scheme's unit; none: of the values that there are
+  std::optional<Rgb8> colour = {};  // of ColourBy::single; none: the usual one
 
   ColourMap map_used() const { return map.value_or(scheme_info(by).map); }
   friend bool operator==(const Paint&, const Paint&) = default;

@@ -285,7 +285,9 @@ TEST(ComplexMesh, ASmoothBoundaryHasANormalForEachBall) {
   double outward = 0, length = 0;
   for (std::size_t i = 0; i < touched.size(); ++i) {
     const auto& n = boundary.normals[i];
-    if (!touched[i]) EXPECT_EQ(n, (std::array<float, 3>{}));
+    if (!touched[i]) {
+      EXPECT_EQ(n, (std::array<float, 3>{}));
+    }
     for (std::size_t k = 0; k < 3; ++k) {
       sum[k] += n[k];
       length += std::fabs(n[k]);

@@ -99,8 +99,8 @@ TEST_F(LessonsTest, StepsSetTheWindowAndGoBack) {
 TEST_F(LessonsTest, CloseBringsBackMoleculeSettingsAndHistory) {
   open_crambin();
   run("alpha.set 2\nwait-idle\nalpha.set 3\nwait-idle\nview.edges on\nselect.atoms A:15\n");
-  const Settings before{state().open, state().compute, state().display, state().picked.items,
-                        {},           state().clip,    state().views,   state().appearance};
+  const Settings before{state().open, state().compute, state().display,    state().picked.items, {},
+                        state().clip, state().views,   state().appearance, state().annotations};
   const std::string undo = state().undo_text;
   open_lesson("union_of_balls");
   EXPECT_NE(state().molecule.name, "1crn.pdb");
@@ -108,8 +108,8 @@ TEST_F(LessonsTest, CloseBringsBackMoleculeSettingsAndHistory) {
   run("lesson.next\nwait-idle\nlesson.close\nwait-idle\n");
   EXPECT_FALSE(memory().open);
   EXPECT_EQ(state().molecule.name, "1crn.pdb");
-  const Settings after{state().open, state().compute, state().display, state().picked.items,
-                       {},           state().clip,    state().views,   state().appearance};
+  const Settings after{state().open, state().compute, state().display,    state().picked.items, {},
+                       state().clip, state().views,   state().appearance, state().annotations};
   EXPECT_EQ(difference_text(before, after), "");
   EXPECT_EQ(state().result->request.alpha_angstrom2, 3);
   EXPECT_EQ(state().undo_text, undo);

@@ -30,7 +30,7 @@ struct StoreChainsTest : testing::StoreTest {
             }};
   }
   void until_made(int count) {
-    for (int i = 0; i < 5000 && made < count; ++i) std::this_thread::sleep_for(kShort);
+    for (int i = 0; i < 60000 && made < count; ++i) std::this_thread::sleep_for(kShort);
     std::this_thread::sleep_for(20ms);  // one more would be begun by now
   }
 };
@@ -67,7 +67,7 @@ TEST_F(StoreChainsTest, WhatIsAwaitedFollowsTheSliderToo) {
   store.next_frame();
   store.want(slow, inputs(2), Priority::background);
   EXPECT_TRUE(store.busy(Lane::interactive)) << "it runs where it was begun";
-  for (int i = 0; i < 5000 && made < 2; ++i) {
+  for (int i = 0; i < 60000 && made < 2; ++i) {
     store.want(slow, inputs(2), Priority::background);
     frame();
     std::this_thread::sleep_for(kShort);
@@ -150,7 +150,7 @@ TEST_F(StoreChainsTest, WhatIsGivenEndsItsOwnMaking) {
   begin(slow, inputs(1));
   store.give(slow, inputs(1), std::make_shared<const int>(40));
   EXPECT_TRUE(store.want(slow, inputs(1)).ready());
-  for (int i = 0; i < 5000 && store.busy(); ++i) {
+  for (int i = 0; i < 60000 && store.busy(); ++i) {
     store.want(slow, inputs(1));
     frame();
     std::this_thread::sleep_for(kShort);

@@ -36,7 +36,7 @@ struct StoreLanesTest : testing::StoreTest {
       std::this_thread::sleep_for(kShort);
     }
     step = 1 << 20;  // the last is finished
-    for (int i = 0; i < 5000 && store.busy(); ++i) {
+    for (int i = 0; i < 60000 && store.busy(); ++i) {
       frame();
       std::this_thread::sleep_for(kShort);
     }
@@ -103,7 +103,7 @@ TEST_F(StoreLanesTest, AnAlphaThatReturnsEndsWhatItNoLongerNeeds) {
   hold = true;
   begin(t, inputs(1, 2));
   EXPECT_TRUE(store.want(t, inputs(1, 1)).ready());
-  for (int i = 0; i < 5000 && store.busy(); ++i) {
+  for (int i = 0; i < 60000 && store.busy(); ++i) {
     store.want(t, inputs(1, 1));
     frame();
     std::this_thread::sleep_for(kShort);
@@ -137,7 +137,7 @@ TEST_F(StoreLanesTest, OtherBallsEndWhatRuns) {
 TEST_F(StoreLanesTest, ResultsTakeTurnsUnderTheSlider) {
   const auto a = table("a"), b = table("b");
   std::set<double> of_a, of_b;
-  for (int i = 0; i < 5000 && (of_a.size() < 5 || of_b.size() < 5); ++i) {
+  for (int i = 0; i < 60000 && (of_a.size() < 5 || of_b.size() < 5); ++i) {
     const auto x = store.want(a, inputs(1, i)), y = store.want(b, inputs(1, i));
     if (x.value) of_a.insert(*x.value);
     if (y.value) of_b.insert(*y.value);
@@ -198,7 +198,7 @@ TEST_F(StoreLanesTest, TheSlidersThreadsAreShared) {
     return std::make_shared<const double>(1);
   };
   const auto engine = std::async(std::launch::async, [&] { threads->run(work); });
-  for (int i = 0; i < 5000 && !sharing.want(t, inputs(1, 1)).ready(); ++i) {
+  for (int i = 0; i < 60000 && !sharing.want(t, inputs(1, 1)).ready(); ++i) {
     sharing.next_frame();
     sharing.poll();
     std::this_thread::sleep_for(kShort);

@@ -46,7 +46,7 @@ TEST_F(StoreTest, AnotherKeyEndsWhatIsMadeOfTheLast) {
   begin(n, inputs(1));
   EXPECT_EQ(store.want(n, inputs(1)).state, DerivedState::running);
   store.want(n, inputs(2));
-  for (int i = 0; i < 5000 && made < 2; ++i) {  // the first one gives way although it is held
+  for (int i = 0; i < 60000 && made < 2; ++i) {  // the first one gives way although it is held
     store.want(n, inputs(2));
     frame();
     std::this_thread::sleep_for(1ms);
@@ -96,11 +96,11 @@ TEST_F(StoreTest, WhatOthersHoldLeavesLessAndWhatWasTooLargeIsTriedAgain) {
 
 TEST_F(StoreTest, WhatIsLookedAtTakesTheRoomOfTheBackground) {
   const auto behind = number("behind", 600), seen = number("seen", 600);
-  for (int i = 0; i < 5000 && !store.want(behind, inputs(1), Priority::background).ready(); ++i) {
+  for (int i = 0; i < 60000 && !store.want(behind, inputs(1), Priority::background).ready(); ++i) {
     frame();
     std::this_thread::sleep_for(kShort);
   }
-  for (int i = 0; i < 5000 && !store.want(seen, inputs(1)).ready(); ++i) {
+  for (int i = 0; i < 60000 && !store.want(seen, inputs(1)).ready(); ++i) {
     store.want(behind, inputs(1), Priority::background);
     frame();
     std::this_thread::sleep_for(kShort);
@@ -164,7 +164,7 @@ TEST_F(StoreTest, WhatNobodyAsksForAnyMoreIsNotFinished) {
   hold = true;
   const auto n = number("n");
   begin(n, inputs(1));
-  for (int i = 0; i < 5000 && store.busy(); ++i) {
+  for (int i = 0; i < 60000 && store.busy(); ++i) {
     frame();
     std::this_thread::sleep_for(1ms);
   }
@@ -202,7 +202,7 @@ TEST_F(StoreTest, WhatIsLookedAtGoesFirst) {
     return d;
   };
   const auto behind = noting("behind"), seen = noting("seen");
-  for (int i = 0; i < 5000; ++i) {
+  for (int i = 0; i < 60000; ++i) {
     const bool a = store.want(behind, inputs(1), Priority::background).ready();
     if (store.want(seen, inputs(1), Priority::visible).ready() && a) break;
     frame();

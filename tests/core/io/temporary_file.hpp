@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "core/io/read_molecule.hpp"
+#include "tests/support/molecules.hpp"
 
 namespace alphascope {
 
@@ -55,12 +56,7 @@ inline ReadError refusal(const std::string& name, std::string_view content,
 }
 
 inline std::filesystem::path test_data(const std::string& name) {
-  return std::filesystem::path(ALPHASCOPE_TEST_DATA) / name;
+  return testing::test_data_folder() / name;
 }
-
-// For tests that need the large molecules.
-#define ALPHASCOPE_NEED_TEST_DATA()                   \
-  if (std::string_view(ALPHASCOPE_TEST_DATA).empty()) \
-  GTEST_SKIP() << "ALPHASCOPE_TEST_DATA is not set"
 
 }  // namespace alphascope

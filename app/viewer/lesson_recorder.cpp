@@ -6,6 +6,7 @@
 #include <chrono>
 #include <condition_variable>
 #include <deque>
+#include <exception>
 #include <mutex>
 #include <optional>
 #include <stdexcept>
@@ -135,7 +136,13 @@ std::string LessonRecorder::step(bool quiet) {
   quiet_frames_ = quiet && memory_.ready && !player_.busy() ? quiet_frames_ + 1 : 0;
   if (quiet_frames_ < kQuietFrames || pages_->full()) return {};
   // What is missing after all work is done stays missing.
-  hand_over();
+  try {
+    hand_over();
+  } catch (const std::exception& error) {  // as when there is no memory for it
+    pages_ = nullptr;
+    saver_.cancel();
+    return error.what();
+  }
   go_on();
   return {};
 }

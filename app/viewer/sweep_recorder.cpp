@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <condition_variable>
+#include <exception>
 #include <mutex>
 #include <utility>
 
@@ -88,8 +89,9 @@ std::string SweepRecorder::step(bool quiet) {
     }
     return {};
   }
-  if (!same_molecule)
+  if (!same_molecule) {
     return give_up("The molecule or its atoms were changed while it was being recorded.");
+  }
   if (!as_asked) return give_up("Alpha was changed while it was being recorded.");
   const std::optional<double> wanted = exchange_->wanted();
   if (!wanted) return {};
@@ -102,11 +104,19 @@ std::string SweepRecorder::step(bool quiet) {
   if (window_.drawn_alpha() != wanted) {
     return give_up("There is no picture of one of its values of alpha.");
   }
-  // What is missing after all work is done stays missing.
-  Picture picture = window_.take_picture({request_.path, request_.options});
-  if (!viewpoint_) viewpoint_ = picture.viewpoint;
-  picture.viewpoint = viewpoint_;
-  exchange_->give(std::move(picture));
+  return hand_over();
+}
+
+// What is missing after all work is done stays missing.
+std::string SweepRecorder::hand_over() {
+  try {
+    Picture picture = window_.take_picture({request_.path, request_.options});
+    if (!viewpoint_) viewpoint_ = picture.viewpoint;
+    picture.viewpoint = viewpoint_;
+    exchange_->give(std::move(picture));
+  } catch (const std::exception& error) {  // as when there is no memory for it
+    return give_up(error.what());
+  }
   return {};
 }
 

@@ -34,6 +34,7 @@ class SweepRecorder {
  private:
   class Exchange;  // between the threads
   void ask(double alpha);
+  std::string hand_over();  // why not; empty: it was
   std::string give_up(const std::string& why);
 
   PictureSaver& saver_;

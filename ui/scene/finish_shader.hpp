@@ -166,6 +166,9 @@ void main() {
   colour = mix(colour, vec4(background.rgb * background.a, background.a), faded);
   float lineFaded = cue.x * clamp((ahead - cue.y) / (cue.z - cue.y), 0.0, 1.0);
   line *= 0.85 * (1.0 - lineFaded);
+#ifdef TRANSLUCENT
+  line *= min(1.0, 2.0 * opacity);  // of what is hardly there, hardly a line
+#endif
   gl_FragData[0] = mix(colour, vec4(lineColour, 1.0), line);
 }
 )";

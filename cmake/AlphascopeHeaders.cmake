@@ -1,18 +1,16 @@
-# check_headers: every header compiles alone, so that none leans on what was included before it. A
-# header that is the first include of a source is compiled alone there; here are the others. Built on
-# request only, right after configuring, as the list of sources' first includes is made then. Where
+# check_headers: every header compiles alone, so that none leans on what was included before it. What is
+# the first include of ours in a header that is compiled alone is compiled alone there, and so down to the
+# header that includes nothing; here are those that no header begins with. Built on
+# request only, right after configuring, as the list of first includes is made then. Where
 # headers of the standard library are precompiled, scripts/check_includes finds those that are missing.
 add_custom_target(check_headers)
 
-set(alone core app/session app/options)  # compiled source by source, if not here by the preset tsan
-if(NOT ALPHASCOPE_UNITY)
-  list(APPEND alone app/cli app/viewer ui)
-endif()
-list(TRANSFORM alone REPLACE "(.+)" "${PROJECT_SOURCE_DIR}/\\1/*.cpp")
-file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${alone})
+set(folders app core gpu ui)
+list(TRANSFORM folders REPLACE "(.+)" "${PROJECT_SOURCE_DIR}/\\1/*.hpp")
+file(GLOB_RECURSE headers CONFIGURE_DEPENDS ${folders})
 set(ALPHASCOPE_FIRST_INCLUDES)
-foreach(source IN LISTS sources)
-  file(STRINGS ${source} include LIMIT_COUNT 1 REGEX "^#include")
+foreach(header IN LISTS headers)
+  file(STRINGS ${header} include LIMIT_COUNT 1 REGEX "^#include \"")
   if(include MATCHES "\"(.+)\"")
     list(APPEND ALPHASCOPE_FIRST_INCLUDES ${CMAKE_MATCH_1})
   endif()

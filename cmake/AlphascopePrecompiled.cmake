@@ -19,19 +19,28 @@ function(alphascope_precompile target)
     # "text" + std::string, precompiled, is warned of by mistake in two more ways (AlphascopeFlags.cmake).
     set(quiet -Wno-array-bounds -Wno-stringop-overflow)
   endif()
-  if(NOT TARGET alphascope_headers)
+  # GCC optimises as the headers were, whatever else it is told.
+  set(headers alphascope_headers)
+  get_target_property(glue ${target} ALPHASCOPE_GLUE)
+  if(glue)
+    set(headers alphascope_headers_of_glue)
+  endif()
+  if(NOT TARGET ${headers})
     set(source ${PROJECT_BINARY_DIR}/headers/none.cpp)
     file(CONFIGURE OUTPUT ${source} CONTENT "")
-    add_library(alphascope_headers OBJECT ${source})
-    target_link_libraries(alphascope_headers PRIVATE alphascope_flags)
-    target_compile_options(alphascope_headers PRIVATE ${quiet})
+    add_library(${headers} OBJECT ${source})
+    target_link_libraries(${headers} PRIVATE alphascope_flags)
+    target_compile_options(${headers} PRIVATE ${quiet})
+    if(glue)
+      target_compile_options(${headers} PRIVATE ${ALPHASCOPE_GLUE_OPTIMIZATION})
+    endif()
     # Not <iostream>: it would be initialised for every source.
-    target_precompile_headers(alphascope_headers PRIVATE <algorithm> <array> <atomic> <charconv> <chrono>
+    target_precompile_headers(${headers} PRIVATE <algorithm> <array> <atomic> <charconv> <chrono>
       <cmath> <condition_variable> <cstdint> <cstdio> <cstring> <filesystem> <functional> <limits> <map>
       <memory> <mutex> <optional> <set> <span> <sstream> <stdexcept> <string> <string_view> <thread>
       <unordered_map> <utility> <vector>)
   endif()
-  target_precompile_headers(${target} REUSE_FROM alphascope_headers)
+  target_precompile_headers(${target} REUSE_FROM ${headers})
   target_compile_options(${target} PRIVATE ${quiet})
 endfunction()
 

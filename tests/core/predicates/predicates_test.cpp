@@ -12,6 +12,7 @@
 #include "tests/support/oracle_check.hpp"
 #include "tests/support/predicate_check.hpp"
 #include "tests/support/rational_oracle.hpp"
+#include "tests/support/sanitizer.hpp"
 
 namespace alphascope {
 namespace {
@@ -144,7 +145,7 @@ void check_predicates(std::uint64_t seed, int cases_per_kind) {
 }
 
 TEST(Predicates, AgreeWithRationals) {
-  check_predicates(1, 4000);
+  check_predicates(1, testing::unless_sanitized(4000, 2000));
 }
 
 // Filters too, up to the bounds for which each is proven.

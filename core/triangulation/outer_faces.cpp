@@ -2,6 +2,7 @@
 #include "core/triangulation/outer_faces.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <stdexcept>
 
 #include "core/complex/count_limits.hpp"
@@ -22,48 +23,73 @@ class RegularTriangles {
         triangles.size(),
         [&](std::size_t i) { return triangles.classes[i] == SimplexClass::regular; }, cancel);
     const auto vertex = [&](std::size_t n) { return triangles.simplices[places[n]][0]; };
-    const std::size_t end = places.empty() ? 0 : std::size_t{vertex(places.size() - 1)} + 1;
     rest_.resize(places.size());
-    first_.resize(end + 1);
-    first_.back() = static_cast<std::uint32_t>(places.size());
+    begun_by_.resize(places.empty() ? 0 : std::size_t{vertex(places.size() - 1)} + 1);
+    parallel_ranges(begun_by_.size(), cancel, [&](std::size_t v) { begun_by_[v] = {}; });
     parallel_ranges(places.size(), cancel, [&](std::size_t n) {
-      const auto& t = triangles.simplices[places[n]];
-      rest_[n] = std::uint64_t{t[1]} << 32 | t[2];
-      // They are in order: the first of a vertex also begins those without any before it.
-      const std::size_t from = n == 0 ? 0 : std::size_t{vertex(n - 1)} + 1;
-      for (std::size_t v = from; v <= t[0]; ++v) first_[v] = static_cast<std::uint32_t>(n);
+      const BallIndex first = vertex(n);
+      if (n > 0 && vertex(n - 1) == first) return;
+      // They are in order: these are all of this vertex.
+      Begun& begun = begun_by_[first];
+      begun.from = static_cast<std::uint32_t>(n);
+      for (; n < places.size() && vertex(n) == first; ++n) {
+        const auto& t = triangles.simplices[places[n]];
+        rest_[n] = key(t[1], t[2]);
+        begun.marks |= mark(rest_[n]);
+      }
+      begun.to = static_cast<std::uint32_t>(n);
     });
   }
 
-  // One tetrahedron each, since they are regular.
+  // One tetrahedron each, since they are regular. Throws std::invalid_argument for one without.
   ResultArray<FaceCode> owners(const Simplices<4>& tetrahedra) const {
     ResultArray<FaceCode> owner(rest_.size());
     parallel_ranges(owner.size(), cancel_, [&](std::size_t n) { owner[n] = kNone; });
-    parallel_ranges(tetrahedra.size(), cancel_, [&](std::size_t t) {
-      for (std::size_t k = 0; k < 4; ++k) {
-        const FaceCode code = face_code(t, k);
-        look_up(owner, face_vertices(tetrahedra, code), code);
-      }
+    parallel_ranges(tetrahedra.size(), cancel_, [&](std::size_t i) {
+      const auto& t = tetrahedra[i];
+      if (t[0] >= begun_by_.size()) return;
+      const Begun& begun = begun_by_[t[0]];
+      look_up(owner, begun, key(t[1], t[2]), face_code(i, 3));
+      look_up(owner, begun, key(t[1], t[3]), face_code(i, 2));
+      look_up(owner, begun, key(t[2], t[3]), face_code(i, 1));
+      if (t[1] >= begun_by_.size()) return;
+      look_up(owner, begun_by_[t[1]], key(t[2], t[3]), face_code(i, 0));
     });
-    return owner;
+    std::atomic<bool> all = true;
+    parallel_ranges(owner.size(), cancel_, [&](std::size_t n) {
+      if (owner[n] == kNone) all = false;
+    });
+    if (all) return owner;
+    throw std::invalid_argument("the classes of the triangles are not those of this complex");
   }
 
  private:
-  // A vertex is the first one of a few regular triangles only.
-  void look_up(ResultArray<FaceCode>& owner, const std::array<BallIndex, 3>& face,
+  // Of a vertex, those that it is the first one of: a few.
+  struct Begun {
+    std::uint64_t marks = 0;  // of all of them: most triangles that are not among them have another
+    std::uint32_t from = 0, to = 0;  // in rest_
+  };
+  static std::uint64_t key(BallIndex second, BallIndex third) {
+    return std::uint64_t{second} << 32 | third;
+  }
+  static std::uint64_t mark(std::uint64_t key) {
+    return std::uint64_t{1} << (key * 0x9e3779b97f4a7c15 >> 58);
+  }
+
+  void look_up(ResultArray<FaceCode>& owner, const Begun& begun, std::uint64_t wanted,
                FaceCode code) const {
-    if (std::size_t{face[0]} + 1 >= first_.size()) return;
-    const std::uint64_t wanted = std::uint64_t{face[1]} << 32 | face[2];
-    for (std::uint32_t n = first_[face[0]]; n < first_[face[0] + 1]; ++n) {
-      if (rest_[n] < wanted) continue;
-      if (rest_[n] == wanted) owner[n] = code;
-      return;
+    if ((begun.marks & mark(wanted)) == 0) return;
+    for (std::uint32_t n = begun.from; n < begun.to; ++n) {
+      if (rest_[n] == wanted) {
+        owner[n] = code;
+        return;
+      }
     }
   }
 
   const CancelToken& cancel_;
-  ResultArray<std::uint64_t> rest_;   // second and third vertex
-  ResultArray<std::uint32_t> first_;  // of each vertex, in rest_
+  ResultArray<std::uint64_t> rest_;  // keys: second and third vertex
+  ResultArray<Begun> begun_by_;      // by vertex
 };
 
 }  // namespace
@@ -72,9 +98,7 @@ ResultArray<FaceCode> outer_faces(const AlphaComplex& complex, const CancelToken
   const auto& tetrahedra = complex.tetrahedra.simplices;
   if (complex.tetrahedra_only) return outer_faces(tetrahedra, cancel);
   require_face_records(tetrahedra.size(), 4);
-  ResultArray<FaceCode> faces = RegularTriangles(complex.triangles, cancel).owners(tetrahedra);
-  if (std::find(faces.begin(), faces.end(), kNone) == faces.end()) return faces;
-  throw std::invalid_argument("the classes of the triangles are not those of this complex");
+  return RegularTriangles(complex.triangles, cancel).owners(tetrahedra);
 }
 
 ResultArray<FaceCode> outer_faces(const Simplices<4>& tetrahedra, const CancelToken& cancel) {

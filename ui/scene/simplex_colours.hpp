@@ -14,17 +14,18 @@ namespace alphascope {
 template <std::size_t N>
 Rgb8 most_frequent_colour(const std::array<BallIndex, N>& simplex,
                           const std::vector<Rgb8>& colours) {
-  Rgb8 best = colours[simplex[0]];
+  std::array<PackedColour, N> of;
+  for (std::size_t i = 0; i < N; ++i) of[i] = packed(colours[simplex[i]]);
+  std::size_t best = 0;
   std::ptrdiff_t most = 0;
-  for (const BallIndex v : simplex) {
-    const auto same = std::count_if(simplex.begin(), simplex.end(),
-                                    [&](BallIndex w) { return colours[w] == colours[v]; });
+  for (std::size_t i = 0; i < N && most <= static_cast<std::ptrdiff_t>(N / 2); ++i) {
+    const auto same = std::count(of.begin(), of.end(), of[i]);
     if (same > most) {
       most = same;
-      best = colours[v];
+      best = i;
     }
   }
-  return best;
+  return colours[simplex[best]];
 }
 
 // Of a simplex; only colours of their own kinds look at it.

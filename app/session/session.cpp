@@ -3,6 +3,8 @@
 #include <thread>
 #include <utility>
 
+#include "core/run/freed_elsewhere.hpp"
+
 namespace alphascope {
 
 namespace {
@@ -193,7 +195,8 @@ void Session::submit_compute(Engines which) {
           }
         }
         const Lent made = std::exchange(found.made, {});
-        auto answer = std::make_shared<const Answer>(Answer{std::move(found), molecule, prepared});
+        const std::shared_ptr<const Answer> answer =
+            freed_elsewhere(Answer{std::move(found), molecule, prepared});
         return [this, answer, made] {
           note_made(answer->balls, made);
           take_answer(answer);

@@ -5,6 +5,7 @@
 
 #include "app/viewer/scene_controller.hpp"
 #include "core/complex/own_dimension.hpp"
+#include "core/run/freed_elsewhere.hpp"
 #include "core/run/picture_stages.hpp"
 #include "ui/scene/display_style.hpp"
 
@@ -76,9 +77,13 @@ Worker::Delivery SceneController::make_drawing(const Wanted& wanted, const RunCo
   const std::size_t balls = opened->prepared->balls->size();
   const bool known =
       drawn && drawn->prepared == opened->prepared && drawn->geometry->centres.size() == balls;
-  const DrawingPlan plan = plan_drawing({known ? 0 : balls, answer ? &answer->complex : nullptr,
-                                         agreement ? &agreement->comparison : nullptr, mesh},
-                                        free_memory_());
+  const DrawingTask task{known ? 0 : balls, answer ? &answer->complex : nullptr,
+                         agreement ? &agreement->comparison : nullptr, mesh};
+  DrawingPlan plan = plan_drawing(task, free_memory_());
+  if (!plan.complete()) {
+    wait_until_freed();  // the picture before
+    plan = plan_drawing(task, free_memory_());
+  }
   pending_bytes_ = plan.complete() ? plan.wanted_bytes : drawing_budget(plan.free_bytes);
   if (!plan.complete() && drawn) return [this] { make_room(); };
   Drawing drawing;
@@ -113,7 +118,7 @@ Worker::Delivery SceneController::make_drawing(const Wanted& wanted, const RunCo
     drawing.simplex_colours =
         std::make_shared<const std::vector<Rgb8>>(painted(of_simplices.balls.colours, looks));
     const InOwnDimension own(*answer->balls, answer->complex);
-    drawing.mesh = std::make_shared<const ComplexMesh>(
+    drawing.mesh = freed_elsewhere(
         make_mesh(m, *drawing.simplex_colours, own.complex(), plan.mesh, looks, context.cancel));
     drawing.mesh_data = make_mesh_data(drawing.mesh);
     drawing.mesh_milliseconds =

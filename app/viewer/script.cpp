@@ -15,6 +15,7 @@
 #include "app/viewer/resources.hpp"
 #include "app/viewer/timed_moves.hpp"
 #include "app/viewer/viewer.hpp"
+#include "core/run/freed_elsewhere.hpp"
 #include "ui/panels/keys.hpp"
 
 namespace alphascope {
@@ -276,6 +277,7 @@ class ScriptRunner {
   void memory(const Arguments& arguments) {
     const auto megabytes = [](std::uint64_t bytes) { return static_cast<double>(bytes) / 1e6; };
     const std::string text = arguments.text("text");
+    wait_until_freed();
     out_ << text << ": " << megabytes(resident_bytes()) << " MB resident, "
          << megabytes(allocated_bytes()) << " MB in use" << std::endl;
   }

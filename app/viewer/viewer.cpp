@@ -14,6 +14,7 @@
 #include "app/viewer/resources.hpp"
 #include "app/viewer/state_bridge.hpp"
 #include "core/document/display_preset.hpp"
+#include "core/run/freed_elsewhere.hpp"
 #include "ui/panels/format.hpp"
 
 namespace alphascope {
@@ -281,6 +282,7 @@ void Viewer::read_memory() {
 void Viewer::give_back_memory_when_due() {
   if (!memory_to_give_back_ || busy() || interacting()) return;
   memory_to_give_back_ = false;
+  wait_until_freed();
   give_back_freed_memory();
   read_memory();
   frames_due_ = kSettlingFrames;

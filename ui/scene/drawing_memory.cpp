@@ -4,8 +4,13 @@
 // up. VTK 9.1 on llvmpipe (Mesa 22.3), where buffers are host memory: the most a driver takes.
 #include "ui/scene/drawing_memory.hpp"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_reduce.h>
+
 #include <algorithm>
+#include <cstddef>
 #include <cstdio>
+#include <functional>
 #include <stdexcept>
 
 #include "core/molecule/grouped_number.hpp"
@@ -15,7 +20,7 @@ namespace {
 
 constexpr std::uint64_t kFace = 20;         // of a simplex, plain; drawn, 16 more
 constexpr std::uint64_t kFaceDrawn = 48;    // 36, and room for a driver's own
-constexpr std::uint64_t kFaceSought = 24;   // while it is looked for
+constexpr std::uint64_t kFaceSought = 32;   // while it is looked for
 constexpr std::uint64_t kTetrahedron = 24;  // all four faces, plain; drawn, 20 more
 constexpr std::uint64_t kTetrahedronDrawn = 56;
 constexpr std::uint64_t kTetrahedronSorted = 112;  // where no classes tell what is outside
@@ -30,18 +35,31 @@ struct Points {
   std::uint64_t faces = 0, lines = 0;  // of triangles, of edges
 };
 
+// By all threads: a picture of a million balls waits for this.
+std::uint64_t count_of(SimplexClass wanted, const ResultArray<SimplexClass>& classes) {
+  constexpr std::size_t kGrain = 65536;
+  return tbb::parallel_reduce(
+      tbb::blocked_range<std::size_t>(0, classes.size(), kGrain), std::uint64_t{0},
+      [&](const tbb::blocked_range<std::size_t>& range, std::uint64_t before) {
+        const auto at = [&](std::size_t i) {
+          return classes.begin() + static_cast<std::ptrdiff_t>(i);
+        };
+        return before +
+               static_cast<std::uint64_t>(std::count(at(range.begin()), at(range.end()), wanted));
+      },
+      std::plus<>());
+}
+
 template <int N>
 std::uint64_t cells(const SimplexList<N>& list, const MeshOptions& options) {
   if (!options.singular_only) return list.size();
-  return static_cast<std::uint64_t>(
-      std::count(list.classes.begin(), list.classes.end(), SimplexClass::singular));
+  return count_of(SimplexClass::singular, list.classes);
 }
 
 // Faces of exactly one tetrahedron are regular triangles; without triangles every face may be one.
 std::uint64_t outside_faces(const AlphaComplex& c) {
   if (c.tetrahedra_only) return 4 * c.tetrahedra.size();
-  return static_cast<std::uint64_t>(
-      std::count(c.triangles.classes.begin(), c.triangles.classes.end(), SimplexClass::regular));
+  return count_of(SimplexClass::regular, c.triangles.classes);
 }
 
 // Faces that no tetrahedron brings, and edges: 16 bytes each.

@@ -184,7 +184,7 @@ TEST(Channel, IsWhatFloodingAGridFinds) {
   Random random(7);
   constexpr double kSpacing = 0.5;
   int closed = 0;
-  for (int n = 0; n < testing::unless_sanitized(12, 4); ++n) {
+  for (int n = 0; n < 12; ++n) {
     const BallSet balls = balls_to_flood(random, n % 4 == 3);
     const testing::FloodedGrid grid(balls, kSpacing, 9);
     const Clearance clearance(balls);

@@ -12,7 +12,6 @@
 #include "tests/support/oracle_check.hpp"
 #include "tests/support/predicate_check.hpp"
 #include "tests/support/rational_oracle.hpp"
-#include "tests/support/sanitizer.hpp"
 
 namespace alphascope {
 namespace {
@@ -145,7 +144,7 @@ void check_predicates(std::uint64_t seed, int cases_per_kind) {
 }
 
 TEST(Predicates, AgreeWithRationals) {
-  check_predicates(1, testing::unless_sanitized(4000, 2000));
+  check_predicates(1, 4000);
 }
 
 // Filters too, up to the bounds for which each is proven.

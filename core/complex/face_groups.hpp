@@ -7,7 +7,10 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <numeric>
+#include <span>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "core/complex/count_limits.hpp"
@@ -24,6 +27,51 @@ BallIndex apex(const std::array<BallIndex, N + 1>& coface, const std::array<Ball
   return coface[n];
 }
 
+// The simplices with N + 1 vertices around each vertex: those of which it is the first or the
+// second vertex, for only these have faces with N vertices that begin with it.
+template <int N>
+class AroundVertices {
+ public:
+  // Throws std::length_error for too many simplices.
+  explicit AroundVertices(const Simplices<N + 1>& cofaces) : cofaces_(cofaces) {
+    require_face_records(cofaces.size(), N + 1);
+    BallIndex end = 0;
+    for (const auto& c : cofaces) end = std::max(end, c[1] + 1);
+    from_.assign(std::size_t{end} + 1, 0);
+    for (const auto& c : cofaces) {
+      ++from_[c[0]];
+      ++from_[c[1]];
+    }
+    std::uint32_t sum = 0;
+    for (std::uint32_t& from : from_) from = std::exchange(sum, sum + from);
+    around_.resize(sum);
+    std::vector<std::uint32_t> next(from_.begin(), from_.end() - 1);
+    for (std::uint32_t c = 0; c < cofaces.size(); ++c) {
+      around_[next[cofaces[c][0]]++] = c;
+      around_[next[cofaces[c][1]]++] = c;
+    }
+  }
+
+  const Simplices<N + 1>& cofaces() const { return cofaces_; }
+  // Above the first vertex of every face.
+  BallIndex vertex_end() const { return static_cast<BallIndex>(from_.size() - 1); }
+  // Of the vertex, ascending.
+  std::span<const std::uint32_t> of(BallIndex vertex) const {
+    return {around_.data() + from_[vertex], around_.data() + from_[vertex + 1]};
+  }
+  // How far one can go from this vertex with `most` simplices around vertices; one vertex at least.
+  BallIndex after(BallIndex vertex, std::size_t most) const {
+    const auto begin = from_.begin() + vertex;
+    const auto end = std::upper_bound(begin, from_.end(), *begin + most);
+    return std::max(vertex + 1, static_cast<BallIndex>(end - from_.begin() - 1));
+  }
+
+ private:
+  const Simplices<N + 1>& cofaces_;
+  std::vector<std::uint32_t> from_;  // in around_, of each vertex
+  ResultArray<std::uint32_t> around_;
+};
+
 // The distinct faces with N vertices of a list of simplices with N + 1, in lexicographic order,
 // each with the indices of its cofaces in that list, ascending.
 template <int N>
@@ -33,11 +81,14 @@ class FaceGroups {
  public:
   // Throws Cancelled, with no more than one pass over the simplices after the token was, and
   // std::length_error for too many simplices.
-  explicit FaceGroups(const Simplices<N + 1>& cofaces, const CancelToken& cancel = {}) {
-    require_face_records(cofaces.size(), N + 1);
-    bucket_by_first_vertex(cofaces);
+  explicit FaceGroups(const Simplices<N + 1>& cofaces, const CancelToken& cancel = {})
+      : FaceGroups(AroundVertices<N>(cofaces), cancel) {}
+  // Only of the faces whose first vertex is one of [begin, end). Throws Cancelled.
+  FaceGroups(const AroundVertices<N>& around, BallIndex begin, BallIndex end,
+             const CancelToken& cancel)
+      : begin_(begin) {
     cancel.throw_if_cancelled();
-    sort_buckets(cancel);
+    list_records(around, end, cancel);
     cancel.throw_if_cancelled();
     mark_faces();
     cancel.throw_if_cancelled();
@@ -69,61 +120,62 @@ class FaceGroups {
     }
   };
 
-  void bucket_by_first_vertex(const Simplices<N + 1>& cofaces) {
-    BallIndex end = 0;
-    for (const auto& c : cofaces) end = std::max(end, c[N] + 1);
-    bucket_.assign(std::size_t{end} + 1, 0);
-    // Dropping vertex 0 leaves vertex 1 first; every other face starts with vertex 0.
-    for (const auto& c : cofaces) {
-      bucket_[c[0]] += N;
-      bucket_[c[1]] += 1;
+  FaceGroups(const AroundVertices<N>& around, const CancelToken& cancel)
+      : FaceGroups(around, 0, around.vertex_end(), cancel) {}
+
+  static Record record(const std::array<BallIndex, N + 1>& coface, std::uint32_t c, int dropped) {
+    Record record{0, c};
+    for (int v = dropped == 0 ? 2 : 1; v <= N; ++v) {
+      if (v == dropped) continue;
+      if constexpr (N > 2) record.rest <<= 32;
+      record.rest |= coface[v];
     }
-    std::uint32_t sum = 0;
-    for (std::uint32_t& b : bucket_) {
-      const std::uint32_t count = b;
-      b = sum;
-      sum += count;
-    }
-    records_.resize(sum);
-    std::vector<std::uint32_t> next(bucket_.begin(), bucket_.end() - 1);
-    for (std::uint32_t c = 0; c < cofaces.size(); ++c) {
-      for (int dropped = 0; dropped <= N; ++dropped) {
-        Record record{0, c};
-        for (int v = dropped == 0 ? 2 : 1; v <= N; ++v) {
-          if (v == dropped) continue;
-          if constexpr (N > 2) record.rest <<= 32;
-          record.rest |= cofaces[c][v];
-        }
-        records_[next[cofaces[c][dropped == 0 ? 1 : 0]]++] = record;
-      }
-    }
+    return record;
   }
 
-  void sort_buckets(const CancelToken& cancel) {
-    if constexpr (N > 1) {  // vertices: the records of a bucket are in order already
-      tbb::parallel_for(std::size_t{0}, bucket_.size() - 1, [&](std::size_t v) {
-        if (cancel.cancelled()) return;
-        std::sort(records_.begin() + bucket_[v], records_.begin() + bucket_[v + 1]);
-      });
-    }
+  // Of one vertex after the other, in order within each.
+  void list_records(const AroundVertices<N>& around, BallIndex end, const CancelToken& cancel) {
+    const auto& cofaces = around.cofaces();
+    bucket_.assign(std::size_t{end} - begin_ + 1, 0);
+    tbb::parallel_for(begin_, end, [&](BallIndex v) {
+      std::uint32_t& count = bucket_[v - begin_ + 1];
+      // Dropping vertex 0 leaves vertex 1 first; every other face starts with vertex 0.
+      for (const std::uint32_t c : around.of(v)) count += cofaces[c][0] == v ? N : 1;
+    });
+    std::partial_sum(bucket_.begin(), bucket_.end(), bucket_.begin());
+    records_.resize(bucket_.back());
+    tbb::parallel_for(begin_, end, [&](BallIndex v) {
+      if (cancel.cancelled()) return;
+      const auto begin = records_.begin() + bucket_[v - begin_];
+      auto at = begin;
+      for (const std::uint32_t c : around.of(v)) {
+        const auto& coface = cofaces[c];
+        if (coface[0] != v) {
+          *at++ = record(coface, c, 0);
+          continue;
+        }
+        for (int dropped = 1; dropped <= N; ++dropped) *at++ = record(coface, c, dropped);
+      }
+      if (N > 1) std::sort(begin, at);  // vertices: they are in order already
+    });
   }
 
   // Counts the faces of each bucket, then writes them to where they belong.
   void mark_faces() {
     const std::size_t buckets = bucket_.size() - 1;
     std::vector<std::uint32_t> first_face(buckets + 1, 0);
-    tbb::parallel_for(std::size_t{0}, buckets, [&](std::size_t v) {
-      for_faces_of(v, [&](std::uint32_t) { ++first_face[v + 1]; });
+    tbb::parallel_for(std::size_t{0}, buckets, [&](std::size_t b) {
+      for_faces_of(b, [&](std::uint32_t) { ++first_face[b + 1]; });
     });
-    for (std::size_t v = 0; v < buckets; ++v) first_face[v + 1] += first_face[v];
+    std::partial_sum(first_face.begin(), first_face.end(), first_face.begin());
     faces_.resize(first_face.back());
     first_record_.resize(faces_.size() + 1);
     first_record_.back() = static_cast<std::uint32_t>(records_.size());
-    tbb::parallel_for(std::size_t{0}, buckets, [&](std::size_t v) {
-      std::uint32_t at = first_face[v];
-      for_faces_of(v, [&](std::uint32_t r) {
+    tbb::parallel_for(std::size_t{0}, buckets, [&](std::size_t b) {
+      std::uint32_t at = first_face[b];
+      for_faces_of(b, [&](std::uint32_t r) {
         std::array<BallIndex, N>& face = faces_[at];
-        face[0] = static_cast<BallIndex>(v);
+        face[0] = begin_ + static_cast<BallIndex>(b);
         if constexpr (N > 1) face[N - 1] = static_cast<BallIndex>(records_[r].rest);
         if constexpr (N > 2) face[1] = static_cast<BallIndex>(records_[r].rest >> 32);
         first_record_[at++] = r;
@@ -131,19 +183,36 @@ class FaceGroups {
     });
   }
 
-  // Calls visit(first record) for each face whose first vertex is v.
+  // Calls visit(first record) for each face of a bucket.
   template <class Visit>
-  void for_faces_of(std::size_t v, const Visit& visit) const {
-    for (std::uint32_t r = bucket_[v]; r < bucket_[v + 1]; ++r) {
-      if (r == bucket_[v] || records_[r].rest != records_[r - 1].rest) visit(r);
+  void for_faces_of(std::size_t b, const Visit& visit) const {
+    for (std::uint32_t r = bucket_[b]; r < bucket_[b + 1]; ++r) {
+      if (r == bucket_[b] || records_[r].rest != records_[r - 1].rest) visit(r);
     }
   }
 
+  const BallIndex begin_;              // the first bucket's vertex
   std::vector<std::uint32_t> bucket_;  // first record of each first vertex
-  std::vector<Record> records_;
+  ResultArray<Record> records_;
   Simplices<N> faces_;
-  std::vector<std::uint32_t> first_record_;
+  ResultArray<std::uint32_t> first_record_;
 };
+
+inline constexpr std::size_t kSimplicesAtATime = std::size_t{1} << 16;
+
+// Calls visit(groups) with FaceGroups of all faces, of few first vertices at a time and in order:
+// the records of all of a large triangulation would take as much memory as its filtration. Throws
+// as FaceGroups do.
+template <int N, class Visit>
+void for_face_groups(const Simplices<N + 1>& cofaces, const CancelToken& cancel, const Visit& visit,
+                     std::size_t simplices_at_a_time = kSimplicesAtATime) {
+  const AroundVertices<N> around(cofaces);
+  for (BallIndex begin = 0; begin < around.vertex_end();) {
+    const BallIndex end = around.after(begin, simplices_at_a_time);
+    visit(FaceGroups<N>(around, begin, end, cancel));
+    begin = end;
+  }
+}
 
 // Puts simplices into lexicographic order; their first vertices are below `vertex_end`. Throws
 // Cancelled (then they are as they were), std::length_error for too many.

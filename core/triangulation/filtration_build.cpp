@@ -8,6 +8,7 @@
 #include "core/complex/face_groups.hpp"
 #include "core/predicates/exact_alpha.hpp"
 #include "core/triangulation/filtration.hpp"
+#include "core/triangulation/memory_need.hpp"
 #include "core/triangulation/parallel_ranges.hpp"
 
 namespace alphascope {
@@ -30,13 +31,13 @@ float alpha_value(const BallSet& balls, const std::array<BallIndex, N>& face,
                     [&] { return ortho_radius_rounded(balls, face); });
 }
 
-// Position in the list of each group's face; the faces are a subsequence of the list.
+// Position in the list of each group's face; the faces are a subsequence of the list from `at` on,
+// which is behind the last of them then.
 template <int N>
 std::vector<std::uint32_t> positions_in(const Simplices<N>& list, const FaceGroups<N>& groups,
-                                        const CancelToken& cancel) {
+                                        const CancelToken& cancel, std::uint32_t& at) {
   require_at_most(list.size(), kMostIndices, "simplices");
   std::vector<std::uint32_t> position(groups.size());
-  std::uint32_t at = 0;
   for (std::size_t g = 0; g < groups.size(); ++g) {
     if (g % 65536 == 0) cancel.throw_if_cancelled();
     while (at < list.size() && list[at] != groups.faces()[g]) ++at;
@@ -48,16 +49,12 @@ std::vector<std::uint32_t> positions_in(const Simplices<N>& list, const FaceGrou
   return position;
 }
 
-// The interior_from of cofaces; of tetrahedra (levels == nullptr) their alpha values.
+// Sets the levels of some faces. `coface_levels`: of tetrahedra, whose alpha values are their
+// interior_from, null.
 template <int N>
-ClassLevels class_levels(const CancelToken& cancel, const SimplexList<N>& list,
-                         const FaceGroups<N>& groups, const SimplexList<N + 1>& cofaces,
-                         const ClassLevels* coface_levels) {
-  const std::vector<std::uint32_t> position = positions_in<N>(list.simplices, groups, cancel);
-  const std::size_t count = list.size();
-  ClassLevels levels;
-  levels.regular_from.assign(count, kNever);
-  levels.interior_from.assign(count, kNever);
+void set_levels(const CancelToken& cancel, const FaceGroups<N>& groups,
+                const std::vector<std::uint32_t>& position, const SimplexList<N + 1>& cofaces,
+                const ClassLevels* coface_levels, ClassLevels& levels) {
   parallel_ranges(groups.size(), cancel, [&](std::size_t g) {
     FaceLevels face;
     groups.for_cofaces(g, [&](std::uint32_t c) {
@@ -67,6 +64,24 @@ ClassLevels class_levels(const CancelToken& cancel, const SimplexList<N>& list,
     if (N == 3 && groups.coface_count(g) != 2) face.lie_on_hull();
     levels.regular_from[position[g]] = face.regular_from;
     levels.interior_from[position[g]] = face.interior_from;
+  });
+}
+
+void resize(ClassLevels& levels, std::size_t count) {
+  levels.regular_from.resize(count, kNever);
+  levels.interior_from.resize(count, kNever);
+}
+
+// Of a list that is all there.
+template <int N>
+ClassLevels class_levels(const CancelToken& cancel, const SimplexList<N>& list,
+                         const SimplexList<N + 1>& cofaces, const ClassLevels* coface_levels) {
+  ClassLevels levels;
+  resize(levels, list.size());
+  std::uint32_t at = 0;
+  for_face_groups<N>(cofaces.simplices, cancel, [&](const FaceGroups<N>& groups) {
+    const auto position = positions_in<N>(list.simplices, groups, cancel, at);
+    set_levels<N>(cancel, groups, position, cofaces, coface_levels, levels);
   });
   return levels;
 }
@@ -79,26 +94,52 @@ void set_classes(const ClassLevels& levels, ResultArray<SimplexClass>& classes) 
   }
 }
 
-// One dimension of a triangulation: faces of the next higher one, or maximal simplices themselves.
+template <int N>
+void append(const Simplices<N>& faces, const CancelToken& cancel, SimplexList<N>& list,
+            ClassLevels& levels) {
+  const std::size_t before = list.size();
+  list.simplices.resize(before + faces.size());
+  parallel_ranges(faces.size(), cancel,
+                  [&](std::size_t n) { list.simplices[before + n] = faces[n]; });
+  list.alpha_values.resize(list.size());
+  resize(levels, list.size());
+}
+
+template <int N>
+void reserve(std::size_t count, SimplexList<N>& list, ClassLevels& levels) {
+  list.simplices.reserve(count);
+  list.alpha_values.reserve(count);
+  levels.regular_from.reserve(count);
+  levels.interior_from.reserve(count);
+}
+
+// One dimension of a triangulation: maximal simplices or, where there are none, `count` faces of
+// the next higher one.
 template <int N>
 ClassLevels build_dimension(const BallSet& balls, const CancelToken& cancel, Simplices<N> maximal,
-                            const SimplexList<N + 1>& cofaces, const ClassLevels* coface_levels,
-                            SimplexList<N>& list) {
-  FaceGroups<N> groups(cofaces.simplices, cancel);
-  if (maximal.empty()) maximal = groups.faces();
+                            std::size_t count, const SimplexList<N + 1>& cofaces,
+                            const ClassLevels* coface_levels, SimplexList<N>& list) {
+  const bool of_cofaces = maximal.empty();
+  ClassLevels levels;
   list.simplices = std::move(maximal);
-  const std::vector<std::uint32_t> position = positions_in<N>(list.simplices, groups, cancel);
+  reserve<N>(count, list, levels);
   list.alpha_values.resize(list.size());
-  if (groups.size() != list.size()) {  // a single vertex, or no simplex of higher dimension
+  resize(levels, list.size());
+  if (cofaces.size() == 0) {  // a single vertex, or no simplex of higher dimension
     for (std::size_t n = 0; n < list.size(); ++n) {
       list.alpha_values[n] = ortho_radius_rounded(balls, list.simplices[n]);
     }
   }
-  parallel_ranges(groups.size(), cancel, [&](std::size_t g) {
-    const std::uint32_t at = position[g];
-    list.alpha_values[at] = alpha_value<N>(balls, list.simplices[at], groups, g, cofaces);
+  std::uint32_t at = 0;
+  for_face_groups<N>(cofaces.simplices, cancel, [&](const FaceGroups<N>& groups) {
+    if (of_cofaces) append<N>(groups.faces(), cancel, list, levels);
+    const auto position = positions_in<N>(list.simplices, groups, cancel, at);
+    parallel_ranges(groups.size(), cancel, [&](std::size_t g) {
+      const std::uint32_t n = position[g];
+      list.alpha_values[n] = alpha_value<N>(balls, list.simplices[n], groups, g, cofaces);
+    });
+    set_levels<N>(cancel, groups, position, cofaces, coface_levels, levels);
   });
-  ClassLevels levels = class_levels<N>(cancel, list, groups, cofaces, coface_levels);
   set_classes(levels, list.classes);
   return levels;
 }
@@ -106,7 +147,8 @@ ClassLevels build_dimension(const BallSet& balls, const CancelToken& cancel, Sim
 template <int N>
 void classify_faces(const SimplexList<N + 1>& cofaces, SimplexList<N>& list) {
   const FaceGroups<N> groups(cofaces.simplices);
-  const std::vector<std::uint32_t> position = positions_in<N>(list.simplices, groups, {});
+  std::uint32_t at = 0;
+  const auto position = positions_in<N>(list.simplices, groups, {}, at);
   list.classes.assign(list.size(), face_class(0));
   for (std::size_t g = 0; g < groups.size(); ++g) {
     std::uint32_t flags = N == 3 ? triangle_flags(groups.coface_count(g)) : 0;
@@ -139,16 +181,17 @@ Filtration::Filtration(std::shared_ptr<const BallSet> balls, const Triangulation
     tetrahedra.alpha_values[n] = ortho_radius_rounded(*balls_, tetrahedra.simplices[n]);
   });
 
+  const SimplexCount count = simplex_count(triangulation);
   context.report(stage::kClassification, 0.2);
-  levels_.triangles = build_dimension<3>(*balls_, cancel, triangulation.triangles, tetrahedra,
-                                         nullptr, top->triangles);
+  levels_.triangles = build_dimension<3>(*balls_, cancel, triangulation.triangles, count.triangles,
+                                         tetrahedra, nullptr, top->triangles);
   context.report(stage::kClassification, 0.6);
-  levels_.edges = build_dimension<2>(*balls_, cancel, triangulation.edges, top->triangles,
-                                     &levels_.triangles, top->edges);
+  levels_.edges = build_dimension<2>(*balls_, cancel, triangulation.edges, count.edges,
+                                     top->triangles, &levels_.triangles, top->edges);
   Simplices<1> vertices(triangulation.vertices.size());
   for (std::size_t n = 0; n < vertices.size(); ++n) vertices[n] = {triangulation.vertices[n]};
-  levels_.vertices = build_dimension<1>(*balls_, cancel, std::move(vertices), top->edges,
-                                        &levels_.edges, top->vertices);
+  levels_.vertices = build_dimension<1>(*balls_, cancel, std::move(vertices), count.vertices,
+                                        top->edges, &levels_.edges, top->vertices);
   hash_steps_ = HashStepsByDimension(*top, cancel);
   top_ = top;
 }
@@ -161,17 +204,11 @@ Filtration::Filtration(std::shared_ptr<const BallSet> balls,
   }
   const CancelToken& cancel = context.cancel;
   context.report(stage::kClassification, 0);
-  levels_.triangles =
-      class_levels<3>(cancel, top_->triangles, FaceGroups<3>(top_->tetrahedra.simplices, cancel),
-                      top_->tetrahedra, nullptr);
+  levels_.triangles = class_levels<3>(cancel, top_->triangles, top_->tetrahedra, nullptr);
   context.report(stage::kClassification, 0.4);
-  levels_.edges =
-      class_levels<2>(cancel, top_->edges, FaceGroups<2>(top_->triangles.simplices, cancel),
-                      top_->triangles, &levels_.triangles);
+  levels_.edges = class_levels<2>(cancel, top_->edges, top_->triangles, &levels_.triangles);
   context.report(stage::kClassification, 0.8);
-  levels_.vertices =
-      class_levels<1>(cancel, top_->vertices, FaceGroups<1>(top_->edges.simplices, cancel),
-                      top_->edges, &levels_.edges);
+  levels_.vertices = class_levels<1>(cancel, top_->vertices, top_->edges, &levels_.edges);
   hash_steps_ = HashStepsByDimension(*top_, cancel);
 }
 

@@ -3,13 +3,10 @@
 #include <algorithm>
 
 #include "core/complex/alpha_complex.hpp"
+#include "core/complex/face_groups.hpp"
 
 namespace alphascope {
 namespace {
-
-struct Counts {
-  std::uint64_t vertices = 0, edges = 0, triangles = 0, tetrahedra = 0;
-};
 
 // 1K4C, 1AON and 3J6R have 6.6 to 6.8.
 constexpr std::uint64_t kTetrahedraPerBall = 7;
@@ -17,19 +14,9 @@ constexpr std::uint64_t kTetrahedraPerBall = 7;
 // tetrahedron, at the end of its making: 1K4C 136, 1AON and 3J6R 135.
 constexpr std::uint64_t kCgalBytesPerTetrahedron = 140;
 
-Counts counts_of_molecule(std::size_t balls) {
+SimplexCount count_of_molecule(std::size_t balls) {
   const std::uint64_t tetrahedra = kTetrahedraPerBall * balls;
   return {balls, tetrahedra + balls, 2 * tetrahedra, tetrahedra};
-}
-
-// V - E + F - T = 1, and each tetrahedron has four faces that two share, but for the hull's.
-Counts counts_of(const Triangulation& t) {
-  Counts c;
-  c.vertices = t.vertices.size();
-  c.tetrahedra = t.tetrahedra.size();
-  c.triangles = t.dimension == 2 ? t.triangles.size() : (4 * c.tetrahedra + t.hull.size()) / 2;
-  if (t.dimension >= 1) c.edges = c.vertices + c.triangles - c.tetrahedra - 1;
-  return c;
 }
 
 constexpr std::uint64_t bytes_of_simplex(std::uint64_t balls) {
@@ -37,43 +24,56 @@ constexpr std::uint64_t bytes_of_simplex(std::uint64_t balls) {
 }
 constexpr std::uint64_t kLevels = 2 * sizeof(float);  // from where on regular, and interior
 
-// The faces of all cofaces in groups, then the list, its positions in the groups (twice) and its
-// levels: the most is there when the list's levels are being set.
+// The list with its levels, where the cofaces of each vertex are, and as many faces in groups, with
+// their positions in the list, as are there at a time.
 std::uint64_t bytes_while_grouping(std::uint64_t faces, std::uint64_t cofaces,
-                                   std::uint64_t balls) {
-  const std::uint64_t record = balls > 2 ? 16 : 8, index = sizeof(std::uint32_t);
-  const std::uint64_t face = balls * sizeof(BallIndex);
-  return cofaces * (balls + 1) * record +
-         faces * (face + index + 2 * index + bytes_of_simplex(balls) + kLevels);
+                                   std::uint64_t vertices, std::uint64_t balls) {
+  constexpr std::uint64_t kIndex = sizeof(std::uint32_t);
+  const std::uint64_t record = balls > 2 ? 16 : 8, around = 2 * cofaces;
+  const std::uint64_t all_groups =
+      cofaces * (balls + 1) * record + faces * (balls * sizeof(BallIndex) + 2 * kIndex);
+  const std::uint64_t groups =
+      around <= kSimplicesAtATime ? all_groups : all_groups / (around / kSimplicesAtATime);
+  return (around + 2 * vertices) * kIndex + groups + faces * (bytes_of_simplex(balls) + kLevels);
 }
 
-MemoryNeed need(const Counts& c) {
+MemoryNeed need(const SimplexCount& c) {
   const std::uint64_t tetrahedra = c.tetrahedra * bytes_of_simplex(4);
   const std::uint64_t triangles = c.triangles * (bytes_of_simplex(3) + kLevels);
   const std::uint64_t edges = c.edges * (bytes_of_simplex(2) + kLevels);
   const std::uint64_t vertices = c.vertices * (bytes_of_simplex(1) + kLevels);
-  const std::uint64_t peak =
-      std::max({tetrahedra + bytes_while_grouping(c.triangles, c.tetrahedra, 3),
-                tetrahedra + triangles + bytes_while_grouping(c.edges, c.triangles, 2),
-                tetrahedra + triangles + edges + bytes_while_grouping(c.vertices, c.edges, 1)});
+  const std::uint64_t peak = std::max(
+      {tetrahedra + bytes_while_grouping(c.triangles, c.tetrahedra, c.vertices, 3),
+       tetrahedra + triangles + bytes_while_grouping(c.edges, c.triangles, c.vertices, 2),
+       tetrahedra + triangles + edges + bytes_while_grouping(c.vertices, c.edges, c.vertices, 1)});
   return {tetrahedra + triangles + edges + vertices, peak};
 }
 
 }  // namespace
 
+// V - E + F - T = 1, and each tetrahedron has four faces that two share, but for the hull's.
+SimplexCount simplex_count(const Triangulation& t) {
+  SimplexCount c;
+  c.vertices = t.vertices.size();
+  c.tetrahedra = t.tetrahedra.size();
+  c.triangles = t.dimension == 2 ? t.triangles.size() : (4 * c.tetrahedra + t.hull.size()) / 2;
+  if (t.dimension >= 1) c.edges = c.vertices + c.triangles - c.tetrahedra - 1;
+  return c;
+}
+
 MemoryNeed triangulation_memory(std::size_t balls) {
-  const Counts c = counts_of_molecule(balls);
+  const SimplexCount c = count_of_molecule(balls);
   const std::uint64_t tetrahedron = sizeof(std::array<BallIndex, 4>) + 4 * sizeof(Neighbour);
   const std::uint64_t held = c.tetrahedra * tetrahedron + balls * sizeof(BallIndex);
   return {held, c.tetrahedra * kCgalBytesPerTetrahedron};
 }
 
 MemoryNeed filtration_memory(std::size_t balls) {
-  return need(counts_of_molecule(balls));
+  return need(count_of_molecule(balls));
 }
 
 MemoryNeed filtration_memory(const Triangulation& triangulation) {
-  return need(counts_of(triangulation));
+  return need(simplex_count(triangulation));
 }
 
 std::uint64_t bytes_of(const Triangulation& t) {

@@ -9,6 +9,12 @@
 
 namespace alphascope {
 
+struct SimplexCount {
+  std::uint64_t vertices = 0, edges = 0, triangles = 0, tetrahedra = 0;
+};
+// All of them, also those that it does not list.
+SimplexCount simplex_count(const Triangulation& triangulation);
+
 // Bytes.
 struct MemoryNeed {
   std::uint64_t held = 0;  // by the object once it is made

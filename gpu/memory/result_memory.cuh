@@ -87,8 +87,11 @@ class ResultMemory : public std::enable_shared_from_this<ResultMemory> {
     static Unused all;
     return all;
   }
-  // The result that is shown and the next one take turns; a third may be kept for comparison.
+  // The result that is shown and the next one take turns. In a drag there are three: one is shown,
+  // one is being drawn and one computed. At rest then two are idle, and where they are large one
+  // has to do: the next drag can have another for less time than two of its pictures take.
   static constexpr std::size_t kMostIdle = 2;
+  static constexpr std::size_t kMostIdleBytes = std::size_t{1} << 28;
 
   // The smallest one that has room; else the largest, which is to grow; else a new one.
   std::unique_ptr<Buffer> idle(std::size_t bytes) {
@@ -109,7 +112,9 @@ class ResultMemory : public std::enable_shared_from_this<ResultMemory> {
     const std::lock_guard lock(mutex_);
     if (closed_ || resting_) return unused().add(std::move(buffer));
     idle_.push_back(std::move(buffer));
-    if (idle_.size() <= kMostIdle) return;
+    std::size_t bytes = 0;
+    for (const auto& kept : idle_) bytes += kept->capacity();
+    if (idle_.size() == 1 || (idle_.size() <= kMostIdle && bytes <= kMostIdleBytes)) return;
     const auto smallest = std::min_element(
         idle_.begin(), idle_.end(),
         [](const auto& a, const auto& b) { return a->capacity() < b->capacity(); });

@@ -97,5 +97,24 @@ TEST(PinnedMemory, OfLargeResultsIsTakenAgain) {
   EXPECT_EQ(emulated::pinned_bytes(), before);
 }
 
+// A third result is there in a drag only: at rest it would be as much memory as all else.
+TEST(PinnedMemory, OfTwoIdleResultsOnlyOneIsKeptWhereTheyAreLarge) {
+  constexpr std::size_t kLarge = std::size_t{140} << 20;
+  for (const std::size_t bytes : {kMuch, kLarge}) {
+    gpu::ResultMemory::free_unused();
+    const std::size_t before = emulated::pinned_bytes();
+    const auto pool = std::make_shared<gpu::ResultMemory>();
+    { const gpu::ResultMemory::Taken one = pool->take(bytes), other = pool->take(bytes); }
+    EXPECT_EQ(gpu::ResultMemory::is_any_unused(), bytes == kLarge);
+    gpu::ResultMemory::free_unused();
+    const std::size_t kept = emulated::pinned_bytes() - before;
+    EXPECT_GE(kept, bytes == kLarge ? bytes : 2 * bytes);
+    EXPECT_LT(kept, bytes == kLarge ? 2 * bytes : 3 * bytes);
+    EXPECT_FALSE(pool->take(bytes).grew);
+    pool->close();
+  }
+  gpu::ResultMemory::free_unused();
+}
+
 }  // namespace
 }  // namespace alphascope

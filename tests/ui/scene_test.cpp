@@ -178,8 +178,10 @@ TEST_F(SceneTest, ANarrowerPictureCutsNothingOff) {
     EXPECT_FALSE(touches_a_side(narrow)) << width;
     EXPECT_GT(count_colours(narrow, Theme::dark).drawn(), 100) << width;
   }
+  EXPECT_GT(scene.viewpoint().least_aspect, 0.25);
   scene.render(640, 320, RenderQuality::draft);
   EXPECT_DOUBLE_EQ(scene.angstrom_per_pixel(), usual) << "wide again, it is as it was";
+  EXPECT_EQ(scene.viewpoint().least_aspect, 0) << "a session saved now says nothing of it";
 }
 
 TEST_F(SceneTest, AViewpointMovesToAnotherScene) {

@@ -14,6 +14,9 @@ namespace alphascope {
 namespace {
 
 constexpr double kRefineAfterSeconds = 0.25;
+// A picture that is to be replaced is not made finer for so long, where that would hold up the
+// next.
+constexpr double kReplacedWithinSeconds = 2;
 constexpr double kNotDue = 1e9;
 // A slice of refinement, where a single sample is quicker than that.
 constexpr double kSliceMilliseconds = 12;
@@ -196,9 +199,14 @@ std::uint64_t SceneController::held_bytes() const {
 
 double SceneController::seconds_to_refinement() const {
   if (!refine_ || covered_) return kNotDue;
-  if (drawn_ == RenderQuality::fine) return 0;
-  const std::chrono::duration<double> since = Clock::now() - last_change_;
-  return std::max(0.0, kRefineAfterSeconds - since.count());
+  const auto left = [](double seconds, Clock::time_point since) {
+    return std::max(0.0, seconds - std::chrono::duration<double>(Clock::now() - since).count());
+  };
+  double due = drawn_ == RenderQuality::fine ? 0 : left(kRefineAfterSeconds, last_change_);
+  if (outdated_since_ && quality_.sample() > kSliceMilliseconds) {
+    due = std::max(due, left(kReplacedWithinSeconds, *outdated_since_));
+  }
+  return due;
 }
 
 void SceneController::describe(ViewportInfo& viewport) const {

@@ -54,7 +54,7 @@ class OneSwapTest : public ViewerTest {
                         const CancelToken& cancel) {
     const Clock::time_point begun = Clock::now();
     ComplexMesh mesh = build_mesh(balls, colours, complex, options, cancel);
-    std::this_thread::sleep_for(kMeshDelay);
+    std::this_thread::sleep_for(delay_);
     const std::lock_guard lock(mutex_);
     mesh_times_.push_back(milliseconds(Clock::now() - begun) + complex.timings.wall_milliseconds);
     return mesh;
@@ -107,6 +107,11 @@ class OneSwapTest : public ViewerTest {
     return frames;
   }
 
+  Image picture_now() const {
+    return texture_pixels(static_cast<unsigned>(viewer_->state().viewport.texture));
+  }
+
+  std::chrono::milliseconds delay_ = kMeshDelay;  // not changed while a mesh is made
   std::mutex mutex_;
   std::vector<double> mesh_times_;  // ms, each with the time of its complex
 };
@@ -181,6 +186,48 @@ TEST_F(OneSwapTest, ADragShowsExposedAreasOfTheAlphaThatItNames) {
     ++checked;
   }
   EXPECT_GE(checked, 10u);
+}
+
+// Each sample of a fine picture would hold up the next picture for as long as it takes.
+TEST_F(OneSwapTest, APictureThatIsToBeReplacedIsNotRefined) {
+  DisplayControls& display = viewer_->state().display;
+  display.balls = display.ambient_occlusion = true;
+  display.samples = 1;
+  run("wait-idle\n");
+  delay_ = std::chrono::milliseconds(500);
+  display.samples = 1000;  // never done
+  const auto longest_of = [&](int steps) {
+    double longest = 0;
+    for (int i = 0; i < steps; ++i) {
+      const Clock::time_point begun = Clock::now();
+      viewer_->step(nullptr);
+      viewer_->finish_frame();
+      longest = std::max(longest, milliseconds(Clock::now() - begun));
+    }
+    return longest;
+  };
+  run("frames 60\n");  // its first sample is drawn when nothing has changed for a while
+  const Image before = picture_now();
+  const double sample = longest_of(8);
+  const Image refined = picture_now();
+  ASSERT_NE(refined.rgba, before.rgba);
+  viewer_->state().compute.alpha_angstrom2 += 1;
+  const double wanted = viewer_->state().compute.alpha_angstrom2;
+  int waited = 0;
+  while (viewer_->state().result->request.alpha_angstrom2 != wanted) {
+    viewer_->step(nullptr);
+    if (viewer_->state().result->request.alpha_angstrom2 == wanted) break;
+    ++waited;
+    // Where a sample is as quick as the panels are, it may be drawn.
+    if (sample > 25) {
+      EXPECT_EQ(picture_now().rgba, refined.rgba) << "frame " << waited;
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  EXPECT_GT(waited, 5);
+  const Image next = picture_now();
+  run("frames 60\n");
+  EXPECT_NE(picture_now().rgba, next.rgba) << "the new one is";
 }
 
 }  // namespace

@@ -14,19 +14,16 @@
 #include <vtkShader.h>
 #include <vtkShaderProgram.h>
 
-#define GL_GLEXT_PROTOTYPES
 #include <GL/gl.h>
 #include <GL/glext.h>
-
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <array>
 #include <chrono>
-#include <cstring>
 #include <utility>
 
 #include "ui/scene/cell_shader.hpp"
+#include "ui/window/egl_context.hpp"
 
 namespace alphascope {
 namespace {
@@ -79,11 +76,11 @@ void ShaderBuffer::set(const void* content, std::size_t count, std::size_t bytes
   uploaded_ = false;
 }
 
-void ShaderBuffer::upload(vtkOpenGLRenderWindow* window) {
+void ShaderBuffer::upload(vtkOpenGLRenderWindow* window, UploadRoom& room) {
   if (uploaded_ || count_ == 0) return;
   buffer_->SetType(vtkOpenGLBufferObject::TextureBuffer);
   const auto* const content = static_cast<const unsigned char*>(content_);
-  if (count_ * bytes_ < kLargeUpload || !copy_by_all_threads(content, count_ * bytes_)) {
+  if (count_ * bytes_ < kLargeUpload || !upload_large(content, count_ * bytes_, room)) {
     buffer_->Upload(content, count_ * bytes_, vtkOpenGLBufferObject::TextureBuffer);
   }
   if (texture_->GetHandle() == 0) {
@@ -94,27 +91,27 @@ void ShaderBuffer::upload(vtkOpenGLRenderWindow* window) {
   uploaded_ = true;
 }
 
-// False: nothing came of it. The driver's own copy is made by one thread.
-bool ShaderBuffer::copy_by_all_threads(const unsigned char* content, std::size_t bytes) {
+// False: nothing came of it. The driver's own copy is made by one thread. Where the processor
+// draws, it reads the driver's memory, and a room would only be one more copy.
+bool ShaderBuffer::upload_large(const unsigned char* content, std::size_t bytes, UploadRoom& room) {
   if (!buffer_->GenerateBuffer(vtkOpenGLBufferObject::TextureBuffer) || !buffer_->Bind()) {
     return false;
   }
   const auto size = static_cast<GLsizeiptr>(bytes);
   glBufferData(GL_TEXTURE_BUFFER, size, nullptr, GL_STATIC_DRAW);
-  constexpr GLbitfield kHow = GL_MAP_WRITE_BIT | GL_MAP_INVALIDATE_BUFFER_BIT;
-  auto* const to = static_cast<unsigned char*>(glMapBufferRange(GL_TEXTURE_BUFFER, 0, size, kHow));
-  if (to == nullptr) {
-    buffer_->Release();
-    return false;
-  }
-  constexpr std::size_t kPiece = std::size_t{1} << 20;
-  tbb::parallel_for(std::size_t{0}, (bytes + kPiece - 1) / kPiece, [&](std::size_t piece) {
-    const std::size_t from = piece * kPiece;
-    std::memcpy(to + from, content + from, std::min(kPiece, bytes - from));
-  });
-  const bool kept = glUnmapBuffer(GL_TEXTURE_BUFFER) == GL_TRUE;  // false: the driver lost it
+  const bool by_room = !draws_in_software() && room.fill(GL_TEXTURE_BUFFER, content, bytes);
+  const bool there = by_room || map_and_copy(content, bytes);
   buffer_->Release();
-  return kept;
+  return there;
+}
+
+// To the bound buffer.
+bool ShaderBuffer::map_and_copy(const unsigned char* content, std::size_t bytes) {
+  constexpr GLbitfield kHow = GL_MAP_WRITE_BIT | GL_MAP_INVALIDATE_BUFFER_BIT;
+  void* const to = glMapBufferRange(GL_TEXTURE_BUFFER, 0, static_cast<GLsizeiptr>(bytes), kHow);
+  if (to == nullptr) return false;
+  copy_by_all_threads(content, static_cast<unsigned char*>(to), bytes);
+  return glUnmapBuffer(GL_TEXTURE_BUFFER) == GL_TRUE;  // false: the driver lost it
 }
 
 void ShaderBuffer::release(vtkWindow* window) {
@@ -201,7 +198,10 @@ void CellMapper::ComputeBounds() {
 
 void CellMapper::ReleaseGraphicsResources(vtkWindow* window) {
   free_memory(window);
-  if (places_ != nullptr) places_->buffer.release(window);
+  if (places_ != nullptr) {
+    places_->buffer.release(window);
+    places_->room.release();
+  }
   this->Superclass::ReleaseGraphicsResources(window);
 }
 
@@ -213,10 +213,10 @@ bool CellMapper::GetNeedToRebuildBufferObjects(vtkRenderer*, vtkActor*) {
 void CellMapper::BuildBufferObjects(vtkRenderer* renderer, vtkActor*) {
   const auto start = std::chrono::steady_clock::now();
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
-  cells_.upload(window);
-  colours_.upload(window);
-  normals_.upload(window);
-  places_->buffer.upload(window);
+  cells_.upload(window, places_->room);
+  colours_.upload(window, places_->room);
+  normals_.upload(window, places_->room);
+  places_->buffer.upload(window, places_->room);
   this->VBOBuildTime.Modified();
   const std::chrono::duration<double, std::milli> taken = std::chrono::steady_clock::now() - start;
   upload_milliseconds_ += taken.count();

@@ -15,6 +15,7 @@
 #include <utility>
 
 #include "ui/scene/complex_mesh.hpp"
+#include "ui/scene/upload_room.hpp"
 
 namespace alphascope {
 
@@ -24,8 +25,8 @@ class ShaderBuffer {
   // `count` texels of `format`, an OpenGL name, `bytes` each; null: nothing. The content must stay
   // until upload().
   void set(const void* content, std::size_t count, std::size_t bytes, unsigned format);
-  // What is new. No more than Scene::most_cells().
-  void upload(vtkOpenGLRenderWindow* window);
+  // What is new. No more than Scene::most_cells(). Through the room, if it is large.
+  void upload(vtkOpenGLRenderWindow* window, UploadRoom& room);
   void release(vtkWindow* window);
   bool is_uploaded() const { return uploaded_ || count_ == 0; }
   std::size_t count() const { return count_; }
@@ -33,7 +34,8 @@ class ShaderBuffer {
   void deactivate();
 
  private:
-  bool copy_by_all_threads(const unsigned char* content, std::size_t bytes);
+  bool upload_large(const unsigned char* content, std::size_t bytes, UploadRoom& room);
+  static bool map_and_copy(const unsigned char* content, std::size_t bytes);
 
   const void* content_ = nullptr;
   std::size_t count_ = 0, bytes_ = 0;
@@ -43,11 +45,12 @@ class ShaderBuffer {
   vtkNew<vtkTextureObject> texture_;
 };
 
-// Where the balls are, for all mappers of a scene.
+// For all mappers of a scene: where the balls are, and the way to the GPU.
 struct BallPlaces {
   void set(std::shared_ptr<const BallGeometry> new_balls);
   std::shared_ptr<const BallGeometry> balls;
   ShaderBuffer buffer;
+  UploadRoom room;
 };
 
 // Of lines, which need no other cells.

@@ -12,7 +12,6 @@
 #include <vtkProperty.h>
 #include <vtkShaderProgram.h>
 
-#define GL_GLEXT_PROTOTYPES
 #include <GL/gl.h>
 #include <GL/glext.h>
 

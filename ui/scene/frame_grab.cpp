@@ -1,7 +1,6 @@
 // Reading back, and PNG through VTK's writer.
 #include "ui/scene/frame_grab.hpp"
 
-#define GL_GLEXT_PROTOTYPES
 #include <GL/gl.h>
 #include <GL/glext.h>
 #include <vtkImageData.h>

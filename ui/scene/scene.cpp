@@ -7,7 +7,6 @@
 #include <vtkOpenGLState.h>
 #include <vtkTextureObject.h>
 
-#define GL_GLEXT_PROTOTYPES
 #include <GL/gl.h>
 #include <GL/glext.h>
 

@@ -3,10 +3,12 @@
 
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
+#include <GL/gl.h>
 
 #include <cstdio>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 namespace alphascope {
 
@@ -74,6 +76,12 @@ void EglContext::make_current() {
 
 void EglContext::release() {
   eglMakeCurrent(handles_->display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+}
+
+bool draws_in_software() {
+  const auto* text = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+  const std::string_view name = text != nullptr ? text : "";
+  return name.find("llvmpipe") != name.npos || name.find("softpipe") != name.npos;
 }
 
 }  // namespace alphascope

@@ -23,4 +23,7 @@ class EglContext {
   std::unique_ptr<Handles> handles_;
 };
 
+// The current context, whichever it is, draws in software.
+bool draws_in_software();
+
 }  // namespace alphascope

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "ui/panels/keys.hpp"
+#include "ui/window/egl_context.hpp"
 #include "ui/window/host.hpp"
 #include "ui/window/quiet_context.hpp"
 

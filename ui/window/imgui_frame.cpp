@@ -12,7 +12,7 @@
 #include <iterator>
 
 #include "ui/panels/keys.hpp"
-#include "ui/window/quiet_context.hpp"
+#include "ui/window/egl_context.hpp"
 
 namespace alphascope {
 namespace {

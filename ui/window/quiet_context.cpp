@@ -1,13 +1,11 @@
 // See the header.
 #include "ui/window/quiet_context.hpp"
 
-#include <GL/gl.h>
 #include <sys/resource.h>
 #include <sys/syscall.h>
 #include <unistd.h>
 
 #include <exception>
-#include <string_view>
 #include <thread>
 
 #include "ui/window/egl_context.hpp"
@@ -47,12 +45,6 @@ std::unique_ptr<BackgroundContext> make_quiet_context() {
   }).join();
   if (failure) std::rethrow_exception(failure);
   return context;
-}
-
-bool draws_in_software() {
-  const auto* text = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
-  const std::string_view name = text != nullptr ? text : "";
-  return name.find("llvmpipe") != name.npos || name.find("softpipe") != name.npos;
 }
 
 }  // namespace alphascope

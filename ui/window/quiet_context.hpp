@@ -18,7 +18,4 @@ void give_way_to_others();
 // EGL.
 std::unique_ptr<BackgroundContext> make_quiet_context();
 
-// The current context draws in software.
-bool draws_in_software();
-
 }  // namespace alphascope

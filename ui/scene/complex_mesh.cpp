@@ -38,13 +38,12 @@ Point doubled_area(const Point& p0, const Point& p1, const Point& p2) {
 // Counterclockwise when seen from outside the tetrahedron.
 std::array<BallIndex, 3> outward(const BallGeometry& balls, const Simplices<4>& tetrahedra,
                                  FaceCode face) {
-  auto v = face_vertices(tetrahedra, face);
+  const auto v = face_vertices(tetrahedra, face);
   const BallIndex opposite = tetrahedra[tetrahedron_of(face)][face % 4];
-  if (orientation(balls.centres[v[0]], balls.centres[v[1]], balls.centres[v[2]],
-                  balls.centres[opposite]) > 0) {
-    std::swap(v[1], v[2]);
-  }
-  return v;
+  // No branch: half of them would be guessed wrong, and only when the centres are there.
+  const std::size_t turned = orientation(balls.centres[v[0]], balls.centres[v[1]],
+                                         balls.centres[v[2]], balls.centres[opposite]) > 0;
+  return {v[0], v[1 + turned], v[2 - turned]};
 }
 
 class MeshBuilder {

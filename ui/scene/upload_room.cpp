@@ -72,7 +72,7 @@ bool UploadRoom::reserve(std::size_t bytes) {
   glBindBuffer(GL_COPY_READ_BUFFER, 0);
   memory_ = static_cast<unsigned char*>(memory);
   if (memory_ == nullptr) {
-    while (glGetError() != GL_NO_ERROR) {  // that there is no memory is known now
+    for (int n = 0; n < 8 && glGetError() != GL_NO_ERROR; ++n) {  // that it failed is known now
     }
     release();
     return false;

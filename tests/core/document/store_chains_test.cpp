@@ -81,7 +81,7 @@ TEST_F(StoreChainsTest, WhatTakesMuchRoomIsMadeByItself) {
   const auto second = after("second", first, 800);  // more than half of what is left
   store.want(second, inputs(1, 5));
   store.poll();
-  until_made(2);
+  until_made(1);
   EXPECT_EQ(made, 1);
   const Derived<double> d = settle(second, inputs(1, 5));
   EXPECT_EQ(d.state, DerivedState::ready);

@@ -32,7 +32,7 @@ BallIndex apex(const std::array<BallIndex, N + 1>& coface, const std::array<Ball
 template <int N>
 class AroundVertices {
  public:
-  // Throws std::length_error for too many simplices.
+  // The list must stay. Throws std::length_error for too many simplices.
   explicit AroundVertices(const Simplices<N + 1>& cofaces) : cofaces_(cofaces) {
     require_face_records(cofaces.size(), N + 1);
     BallIndex end = 0;

@@ -31,7 +31,7 @@ class UploadRoom {
   __GLsync* on_its_way_ = nullptr;   // passed when all of that has arrived
 };
 
-// What `by_all_threads` of large content means everywhere.
+// By all threads of the caller's task arena, in pieces.
 void copy_by_all_threads(const unsigned char* from, unsigned char* to, std::size_t bytes);
 
 }  // namespace alphascope

@@ -14,8 +14,8 @@ namespace alphascope {
 namespace {
 
 constexpr double kRefineAfterSeconds = 0.25;
-// A picture that is to be replaced is not made finer for so long, where that would hold up the
-// next.
+// For so long a picture that a newer one is to replace is not refined, where samples are slow: the
+// newer one would have to wait.
 constexpr double kReplacedWithinSeconds = 2;
 constexpr double kNotDue = 1e9;
 // A slice of refinement, where a single sample is quicker than that.

@@ -59,7 +59,8 @@ class AroundVertices {
   std::span<const std::uint32_t> of(BallIndex vertex) const {
     return {around_.data() + from_[vertex], around_.data() + from_[vertex + 1]};
   }
-  // How far one can go from this vertex with `most` simplices around vertices; one vertex at least.
+  // The end of the longest run of vertices from this one that have together at most `most`
+  // simplices around them; at least one vertex.
   BallIndex after(BallIndex vertex, std::size_t most) const {
     const auto begin = from_.begin() + vertex;
     const auto end = std::upper_bound(begin, from_.end(), *begin + most);
@@ -133,7 +134,7 @@ class FaceGroups {
     return record;
   }
 
-  // Of one vertex after the other, in order within each.
+  // Bucket after bucket, sorted within each.
   void list_records(const AroundVertices<N>& around, BallIndex end, const CancelToken& cancel) {
     const auto& cofaces = around.cofaces();
     bucket_.assign(std::size_t{end} - begin_ + 1, 0);
@@ -198,6 +199,7 @@ class FaceGroups {
   ResultArray<std::uint32_t> first_record_;
 };
 
+// How many simplices around vertices for_face_groups() takes at a time.
 inline constexpr std::size_t kSimplicesAtATime = std::size_t{1} << 16;
 
 // Calls visit(groups) with FaceGroups of all faces, of few first vertices at a time and in order:

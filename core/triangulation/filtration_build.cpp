@@ -31,8 +31,8 @@ float alpha_value(const BallSet& balls, const std::array<BallIndex, N>& face,
                     [&] { return ortho_radius_rounded(balls, face); });
 }
 
-// Position in the list of each group's face; the faces are a subsequence of the list from `at` on,
-// which is behind the last of them then.
+// Position in the list of each group's face. The faces are a subsequence of the list from `at` on;
+// afterwards `at` is behind the last of them.
 template <int N>
 std::vector<std::uint32_t> positions_in(const Simplices<N>& list, const FaceGroups<N>& groups,
                                         const CancelToken& cancel, std::uint32_t& at) {
@@ -49,17 +49,23 @@ std::vector<std::uint32_t> positions_in(const Simplices<N>& list, const FaceGrou
   return position;
 }
 
-// Sets the levels of some faces. `coface_levels`: of tetrahedra, whose alpha values are their
-// interior_from, null.
+// The simplices of the next higher dimension. Tetrahedra have no levels: they are interior from
+// their alpha values on.
 template <int N>
-void set_levels(const CancelToken& cancel, const FaceGroups<N>& groups,
-                const std::vector<std::uint32_t>& position, const SimplexList<N + 1>& cofaces,
-                const ClassLevels* coface_levels, ClassLevels& levels) {
+struct Cofaces {
+  const SimplexList<N + 1>& list;
+  const ClassLevels* levels = nullptr;
+};
+
+// Sets the levels of some faces, which are at these positions.
+template <int N>
+void set_levels(const FaceGroups<N>& groups, const std::vector<std::uint32_t>& position,
+                const Cofaces<N>& cofaces, const CancelToken& cancel, ClassLevels& levels) {
   parallel_ranges(groups.size(), cancel, [&](std::size_t g) {
     FaceLevels face;
     groups.for_cofaces(g, [&](std::uint32_t c) {
-      const float value = cofaces.alpha_values[c];
-      face.add(value, coface_levels ? coface_levels->interior_from[c] : value);
+      const float value = cofaces.list.alpha_values[c];
+      face.add(value, cofaces.levels ? cofaces.levels->interior_from[c] : value);
     });
     if (N == 3 && groups.coface_count(g) != 2) face.lie_on_hull();
     levels.regular_from[position[g]] = face.regular_from;
@@ -74,14 +80,14 @@ void resize(ClassLevels& levels, std::size_t count) {
 
 // Of a list that is all there.
 template <int N>
-ClassLevels class_levels(const CancelToken& cancel, const SimplexList<N>& list,
-                         const SimplexList<N + 1>& cofaces, const ClassLevels* coface_levels) {
+ClassLevels class_levels(const SimplexList<N>& list, const Cofaces<N>& cofaces,
+                         const CancelToken& cancel) {
   ClassLevels levels;
   resize(levels, list.size());
   std::uint32_t at = 0;
-  for_face_groups<N>(cofaces.simplices, cancel, [&](const FaceGroups<N>& groups) {
+  for_face_groups<N>(cofaces.list.simplices, cancel, [&](const FaceGroups<N>& groups) {
     const auto position = positions_in<N>(list.simplices, groups, cancel, at);
-    set_levels<N>(cancel, groups, position, cofaces, coface_levels, levels);
+    set_levels<N>(groups, position, cofaces, cancel, levels);
   });
   return levels;
 }
@@ -113,32 +119,30 @@ void reserve(std::size_t count, SimplexList<N>& list, ClassLevels& levels) {
   levels.interior_from.reserve(count);
 }
 
-// One dimension of a triangulation: maximal simplices or, where there are none, `count` faces of
-// the next higher one.
+// One dimension of a triangulation, of `count` simplices. The list holds them if they are maximal;
+// else it is empty, and they are the faces of the cofaces.
 template <int N>
-ClassLevels build_dimension(const BallSet& balls, const CancelToken& cancel, Simplices<N> maximal,
-                            std::size_t count, const SimplexList<N + 1>& cofaces,
-                            const ClassLevels* coface_levels, SimplexList<N>& list) {
-  const bool of_cofaces = maximal.empty();
+ClassLevels build_dimension(const BallSet& balls, const Cofaces<N>& cofaces, std::size_t count,
+                            const CancelToken& cancel, SimplexList<N>& list) {
+  const bool of_cofaces = list.simplices.empty();
   ClassLevels levels;
-  list.simplices = std::move(maximal);
   reserve<N>(count, list, levels);
   list.alpha_values.resize(list.size());
   resize(levels, list.size());
-  if (cofaces.size() == 0) {  // a single vertex, or no simplex of higher dimension
+  if (cofaces.list.size() == 0) {  // a single vertex, or no simplex of higher dimension
     for (std::size_t n = 0; n < list.size(); ++n) {
       list.alpha_values[n] = ortho_radius_rounded(balls, list.simplices[n]);
     }
   }
   std::uint32_t at = 0;
-  for_face_groups<N>(cofaces.simplices, cancel, [&](const FaceGroups<N>& groups) {
+  for_face_groups<N>(cofaces.list.simplices, cancel, [&](const FaceGroups<N>& groups) {
     if (of_cofaces) append<N>(groups.faces(), cancel, list, levels);
     const auto position = positions_in<N>(list.simplices, groups, cancel, at);
     parallel_ranges(groups.size(), cancel, [&](std::size_t g) {
       const std::uint32_t n = position[g];
-      list.alpha_values[n] = alpha_value<N>(balls, list.simplices[n], groups, g, cofaces);
+      list.alpha_values[n] = alpha_value<N>(balls, list.simplices[n], groups, g, cofaces.list);
     });
-    set_levels<N>(cancel, groups, position, cofaces, coface_levels, levels);
+    set_levels<N>(groups, position, cofaces, cancel, levels);
   });
   set_classes(levels, list.classes);
   return levels;
@@ -183,15 +187,17 @@ Filtration::Filtration(std::shared_ptr<const BallSet> balls, const Triangulation
 
   const SimplexCount count = simplex_count(triangulation);
   context.report(stage::kClassification, 0.2);
-  levels_.triangles = build_dimension<3>(*balls_, cancel, triangulation.triangles, count.triangles,
-                                         tetrahedra, nullptr, top->triangles);
+  top->triangles.simplices = triangulation.triangles;
+  levels_.triangles =
+      build_dimension<3>(*balls_, {tetrahedra}, count.triangles, cancel, top->triangles);
   context.report(stage::kClassification, 0.6);
-  levels_.edges = build_dimension<2>(*balls_, cancel, triangulation.edges, count.edges,
-                                     top->triangles, &levels_.triangles, top->edges);
-  Simplices<1> vertices(triangulation.vertices.size());
-  for (std::size_t n = 0; n < vertices.size(); ++n) vertices[n] = {triangulation.vertices[n]};
-  levels_.vertices = build_dimension<1>(*balls_, cancel, std::move(vertices), count.vertices,
-                                        top->edges, &levels_.edges, top->vertices);
+  top->edges.simplices = triangulation.edges;
+  levels_.edges = build_dimension<2>(*balls_, {top->triangles, &levels_.triangles}, count.edges,
+                                     cancel, top->edges);
+  top->vertices.simplices.reserve(count.vertices);
+  for (const BallIndex vertex : triangulation.vertices) top->vertices.simplices.push_back({vertex});
+  levels_.vertices = build_dimension<1>(*balls_, {top->edges, &levels_.edges}, count.vertices,
+                                        cancel, top->vertices);
   hash_steps_ = HashStepsByDimension(*top, cancel);
   top_ = top;
 }
@@ -204,11 +210,11 @@ Filtration::Filtration(std::shared_ptr<const BallSet> balls,
   }
   const CancelToken& cancel = context.cancel;
   context.report(stage::kClassification, 0);
-  levels_.triangles = class_levels<3>(cancel, top_->triangles, top_->tetrahedra, nullptr);
+  levels_.triangles = class_levels<3>(top_->triangles, {top_->tetrahedra}, cancel);
   context.report(stage::kClassification, 0.4);
-  levels_.edges = class_levels<2>(cancel, top_->edges, top_->triangles, &levels_.triangles);
+  levels_.edges = class_levels<2>(top_->edges, {top_->triangles, &levels_.triangles}, cancel);
   context.report(stage::kClassification, 0.8);
-  levels_.vertices = class_levels<1>(cancel, top_->vertices, top_->edges, &levels_.edges);
+  levels_.vertices = class_levels<1>(top_->vertices, {top_->edges, &levels_.edges}, cancel);
   hash_steps_ = HashStepsByDimension(*top_, cancel);
 }
 

@@ -24,8 +24,8 @@ constexpr std::uint64_t bytes_of_simplex(std::uint64_t balls) {
 }
 constexpr std::uint64_t kLevels = 2 * sizeof(float);  // from where on regular, and interior
 
-// The list with its levels, where the cofaces of each vertex are, and as many faces in groups, with
-// their positions in the list, as are there at a time.
+// The list with its levels; the cofaces around each vertex; and the groups of faces that are there
+// at a time, with the positions of these faces in the list.
 std::uint64_t bytes_while_grouping(std::uint64_t faces, std::uint64_t cofaces,
                                    std::uint64_t vertices, std::uint64_t balls) {
   constexpr std::uint64_t kIndex = sizeof(std::uint32_t);

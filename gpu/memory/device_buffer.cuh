@@ -26,8 +26,8 @@ inline void check(cudaError_t status, const char* what) {
 }
 
 // What buffers that grow once more take beyond what is asked for, bytes: as alpha goes up, nearly
-// every run needs a little more, and reserving takes longer than the run. Twice as much, but no
-// more than this: of a million balls' results there are a few, of up to 330 MB.
+// every run needs a little more, and reserving takes longer than the run. As much again, but at
+// most 64 MB: results of a million balls take up to 330 MB, and there are two or three of them.
 inline std::size_t spare_bytes(std::size_t bytes) {
   return std::min(bytes, std::size_t{1} << 26);
 }

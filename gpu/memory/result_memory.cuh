@@ -88,8 +88,8 @@ class ResultMemory : public std::enable_shared_from_this<ResultMemory> {
     return all;
   }
   // The result that is shown and the next one take turns. In a drag there are three: one is shown,
-  // one is being drawn and one computed. At rest then two are idle, and where they are large one
-  // has to do: the next drag can have another for less time than two of its pictures take.
+  // one is being drawn and one computed. At rest two of these are idle. Where they are large, only
+  // one is kept, and the next drag asks the system for another: 20 to 60 ms, once.
   static constexpr std::size_t kMostIdle = 2;
   static constexpr std::size_t kMostIdleBytes = std::size_t{1} << 28;
 

@@ -33,9 +33,8 @@ class OneSwapTest : public ViewerTest {
     double green = 0;      // mean of the pixels that are not background, 0 to 255
   };
 
-  explicit OneSwapTest(int width = 1100, int height = 700) {
+  explicit OneSwapTest(const HostOptions& host = {1100, 700, 1, "test"}) : ViewerTest(true, host) {
     viewer_.reset();
-    host_ = make_egl_host({width, height, 1, "test"});
     ViewerOptions options;
     options.compare = false;
     options.preset = "fast";
@@ -63,7 +62,7 @@ class OneSwapTest : public ViewerTest {
 
   // Of the corner's colour is the background.
   void look_at_picture(Frame& frame) const {
-    const Image image = texture_pixels(static_cast<unsigned>(viewer_->state().viewport.texture));
+    const Image image = picture_now();
     std::size_t count = 0;
     double green = 0;
     for (std::size_t i = 4; i < image.rgba.size(); i += 4) {
@@ -192,7 +191,7 @@ TEST_F(OneSwapTest, ADragShowsExposedAreasOfTheAlphaThatItNames) {
 // So large that a sample takes a processor long.
 class RefinementTest : public OneSwapTest {
  protected:
-  RefinementTest() : OneSwapTest(2560, 1600) {}
+  RefinementTest() : OneSwapTest({2560, 1600, 1, "test"}) {}
 
   // The first is drawn when nothing has changed for a while.
   void wait_for_sample() {

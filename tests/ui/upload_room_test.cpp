@@ -29,7 +29,7 @@ std::vector<unsigned char> uploaded(UploadRoom& room, const std::vector<unsigned
   return read;
 }
 
-// It grows, is used again behind what is on its way, and from its begin when it is full.
+// The room grows; the next content goes behind what is on its way, or to the start when it is full.
 TEST(UploadRoom, BringsEverythingToItsBuffer) {
   const EglContext context;
   UploadRoom room;

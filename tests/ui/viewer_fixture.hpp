@@ -27,10 +27,10 @@ inline fs::path crambin() {
 class ViewerTest : public ::testing::Test {
  protected:
   // Panels are drawn for pictures only, or in every frame as for a user.
-  explicit ViewerTest(bool draw_shots_only = true)
+  explicit ViewerTest(bool draw_shots_only = true, const HostOptions& host = {1100, 700, 1, "test"})
       : folder_(fs::temp_directory_path() / ("alphascope_viewer_" + std::to_string(getpid()))) {
     fs::create_directories(folder_);
-    host_ = make_egl_host({1100, 700, 1, "test"});
+    host_ = make_egl_host(host);
     ViewerOptions options;
     options.compare = false;
     options.draw_shots_only = draw_shots_only;

@@ -40,7 +40,7 @@ std::array<BallIndex, 3> outward(const BallGeometry& balls, const Simplices<4>& 
                                  FaceCode face) {
   const auto v = face_vertices(tetrahedra, face);
   const BallIndex opposite = tetrahedra[tetrahedron_of(face)][face % 4];
-  // No branch: half of them would be guessed wrong, and only when the centres are there.
+  // No branch: the processor would guess every second one wrong.
   const std::size_t turned = orientation(balls.centres[v[0]], balls.centres[v[1]],
                                          balls.centres[v[2]], balls.centres[opposite]) > 0;
   return {v[0], v[1 + turned], v[2 - turned]};

@@ -288,7 +288,8 @@ void Scene::Impl::follow_aspect(double now) {
   if (now < aspect && shown_at_usual_angle && balls && !reset_pending) {
     least_aspect = alphascope::least_aspect(*balls, sight(), aspect);
   }
-  // A view is the same whatever sizes it had meanwhile.
+  // At this width nothing is cut off, so no narrower one before it matters: a view is the same, and
+  // is saved as the same, whatever sizes the picture had meanwhile.
   if (least_aspect <= now) least_aspect = 0;
   aspect = now;
   set_view_angle();

@@ -7,18 +7,19 @@ struct __GLsync;
 
 namespace alphascope {
 
-// Memory that the processor writes and the GPU reads. Through it the driver takes none: its own way
-// takes as much as the content twice, anew each time, and that takes longer than the copy. What is
-// here belongs to an OpenGL context, which must be current whenever this is used.
+// Memory that the processor writes and the GPU reads, kept from one upload to the next. Left to
+// itself the driver takes new memory for each upload, twice as much as the content (NVIDIA's 580),
+// and that takes longer than the copy. This belongs to an OpenGL context, which must be current
+// whenever it is used.
 class UploadRoom {
  public:
   UploadRoom() = default;
   UploadRoom(const UploadRoom&) = delete;
   UploadRoom& operator=(const UploadRoom&) = delete;
 
-  // Fills the buffer that is bound to `target`, an OpenGL name, and as large as this; by all
-  // threads of the caller's task arena. False: this OpenGL cannot, or has no memory left, and
-  // nothing was done.
+  // Fills the buffer that is bound to `target`, an OpenGL name; it must have so many bytes. All
+  // threads of the caller's task arena copy. False: this OpenGL has no such memory, or none left,
+  // and the buffer is as it was.
   bool fill(unsigned target, const unsigned char* content, std::size_t bytes);
   void release();
 

@@ -65,8 +65,8 @@ void Viewer::draw(ScriptedInput* input, bool patient,
   // After the panels, so that the picture has this frame's size; ImGui draws it afterwards. Not
   // while input waits for its frame: a slow picture each would make the window follow late.
   const SessionActivity a = session_.activity();
-  scene_.set_pending((a.computing.busy && !session_.state().up_to_date()) ||
-                     (a.opening.busy && a.opening_path.empty()));
+  scene_.set_pending((a.computing.unfinished() && !session_.state().up_to_date()) ||
+                     (a.opening.unfinished() && a.opening_path.empty()));
   const bool undrawn = !patient && waits_for_tables();
   if (!undrawn && (input != nullptr || must_render_ || !host_.input().waiting())) {
     must_render_ = false;

@@ -101,6 +101,7 @@ Worker::Activity Worker::activity() const {
   const std::lock_guard lock(mutex_);
   Activity activity = progress_;
   activity.busy = waiting_ || running_;
+  activity.undelivered = !arrived_.empty();
   return activity;
 }
 

@@ -33,9 +33,12 @@ class Worker {
   using FailureHandler = std::function<void(const Failure&)>;
 
   struct Activity {
-    bool busy = false;  // a job is waiting or running
+    bool busy = false;         // a job is waiting or running
+    bool undelivered = false;  // poll() has something to do
     std::string stage;
     double share = 0;  // in [0, 1], of the stage
+
+    bool unfinished() const { return busy || undelivered; }
   };
 
   // `wake` is called from the worker's thread when poll() has something to do or the progress has

@@ -63,6 +63,19 @@ TEST(Worker, DeliversOnThePollingThread) {
   EXPECT_NE(job_thread, std::thread::id());
 }
 
+TEST(Worker, IsUnfinishedUntilItsOutcomeIsDelivered) {
+  Worker worker;
+  EXPECT_FALSE(worker.activity().unfinished());
+  worker.submit([](const RunContext&) -> Worker::Delivery { return [] {}; });
+  while (worker.activity().busy) {
+    EXPECT_TRUE(worker.activity().unfinished());
+    std::this_thread::yield();
+  }
+  EXPECT_TRUE(worker.activity().unfinished());
+  worker.poll();
+  EXPECT_FALSE(worker.activity().unfinished());
+}
+
 TEST(Worker, CallsATaskOnItsThreadWhenNoJobWaits) {
   Worker worker;
   Gate gate;

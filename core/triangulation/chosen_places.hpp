@@ -4,6 +4,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -36,10 +37,14 @@ ResultArray<std::uint32_t> chosen_places(std::size_t count, const Chosen& chosen
   cancel.throw_if_cancelled();
   ResultArray<std::uint32_t> places(first.back());
   tbb::parallel_for(std::size_t{0}, blocks, [&](std::size_t block) {
-    std::size_t at = first[block];
+    // Without a branch: all are written, and what is not chosen is written over.
+    std::array<std::uint32_t, kBlock> found;
+    std::size_t count_found = 0;
     each_in(block, [&](std::size_t i) {
-      if (chosen(i)) places[at++] = static_cast<std::uint32_t>(i);
+      found[count_found] = static_cast<std::uint32_t>(i);
+      count_found += chosen(i) ? 1 : 0;
     });
+    std::copy_n(found.begin(), count_found, places.begin() + first[block]);
   });
   cancel.throw_if_cancelled();
   return places;

@@ -6,10 +6,12 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <stdexcept>
 
 #include "core/run/work_threads.hpp"
 #include "tests/ui/molecule_fixture.hpp"
+#include "ui/scene/simplex_colours.hpp"
 
 namespace alphascope {
 namespace {
@@ -227,6 +229,35 @@ TEST(BallGeometry, EmptyAndSingleBallAreHarmless) {
 
 // Colours of elements and chains are not numbers: between two of them there is none. It is that of
 // most corners, on a tie that of the lowest index among them.
+// With every way to give N corners N colours.
+template <std::size_t N>
+void expect_most_frequent_colours() {
+  std::array<BallIndex, N> corners;
+  std::iota(corners.begin(), corners.end(), 0u);
+  std::vector<Rgb8> colours(N);
+  const auto frequency = [&](const Rgb8& c) {
+    return std::count(colours.begin(), colours.end(), c);
+  };
+  std::size_t ways = 1;
+  for (std::size_t i = 0; i < N; ++i) ways *= N;
+  for (std::size_t way = 0; way < ways; ++way) {
+    for (std::size_t i = 0, rest = way; i < N; ++i, rest /= N) {
+      colours[i] = {static_cast<std::uint8_t>(rest % N), 7, 9};
+    }
+    const Rgb8 expected = *std::max_element(
+        colours.begin(), colours.end(),
+        [&](const Rgb8& a, const Rgb8& b) { return frequency(a) < frequency(b); });
+    EXPECT_EQ(most_frequent_colour(corners, colours), expected) << N << " corners, way " << way;
+  }
+}
+
+TEST(SimplexColour, IsTheMostFrequentOfItsCornersAndOfSeveralTheFirst) {
+  expect_most_frequent_colours<1>();
+  expect_most_frequent_colours<2>();
+  expect_most_frequent_colours<3>();
+  expect_most_frequent_colours<4>();
+}
+
 TEST(ComplexMesh, EverySimplexHasOneColourOfItsCorners) {
   Case c;
   for (std::size_t i = 0; i < c.colours.size(); ++i) {

@@ -11,21 +11,24 @@
 namespace alphascope {
 
 // On a tie the corner with the lowest index decides: a simplex lists its corners in rising order.
+// Without a branch, which the processor would often guess wrong.
 template <std::size_t N>
 Rgb8 most_frequent_colour(const std::array<BallIndex, N>& simplex,
                           const std::vector<Rgb8>& colours) {
+  static_assert(N <= 4);
   std::array<PackedColour, N> of;
   for (std::size_t i = 0; i < N; ++i) of[i] = packed(colours[simplex[i]]);
-  std::size_t best = 0;
-  std::ptrdiff_t most = 0;
-  for (std::size_t i = 0; i < N && most <= static_cast<std::ptrdiff_t>(N / 2); ++i) {
-    const auto same = std::count(of.begin(), of.end(), of[i]);
-    if (same > most) {
-      most = same;
-      best = i;
-    }
+  // If others have the colour of the first, at most as many have another: it stays. Else a later
+  // one wins if two have it, and of four corners no two such pairs are left.
+  bool first_is_alone = true;
+  for (std::size_t i = 1; i < N; ++i) first_is_alone &= of[i] != of[0];
+  PackedColour most = of[0];
+  for (std::size_t i = 1; i < N; ++i) {
+    bool has_more = false;
+    for (std::size_t k = i + 1; k < N; ++k) has_more |= of[k] == of[i];
+    most = first_is_alone & has_more ? of[i] : most;
   }
-  return colours[simplex[best]];
+  return unpacked(most);
 }
 
 // Of a simplex; only colours of their own kinds look at it.

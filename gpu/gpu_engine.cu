@@ -11,6 +11,7 @@
 #include "gpu/memory/device_buffer.cuh"
 #include "gpu/memory/launch.cuh"
 #include "gpu/memory/result_memory.cuh"
+#include "gpu/outside/outside_finder.hpp"
 
 namespace alphascope {
 namespace {
@@ -135,9 +136,22 @@ class GpuExecutor : public Executor {
     }
   }
 
-  // Also what was needed for measuring: the next engine may lack the memory.
+  std::optional<SharedFaces> find_outside(const AlphaComplex& complex) override {
+    const std::optional<gpu::DeviceComplex> there = on_device(complex);
+    if (!there) return std::nullopt;
+    try {
+      if (!outside_) outside_.emplace();
+      return outside_->find(*there);
+    } catch (const std::bad_alloc&) {
+      outside_.reset();
+      throw;
+    }
+  }
+
+  // Also what was needed for measures and the outside: the next engine may lack the memory.
   void rest() override {
     measurer_.reset();
+    outside_.reset();
     pipeline_.rest();
   }
 
@@ -154,6 +168,7 @@ class GpuExecutor : public Executor {
   gpu::DualEdgePipeline pipeline_;
   std::uint64_t last_hash_ = 0;  // of its last result
   std::optional<gpu::UnionMeasurer> measurer_;
+  std::optional<gpu::OutsideFinder> outside_;
 };
 
 }  // namespace

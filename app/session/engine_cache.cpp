@@ -50,6 +50,11 @@ std::optional<MeasuredUnion> EngineCache::measure_on_device(const EngineAnswer& 
                                        *threads_of(answer.request), context);
 }
 
+void EngineCache::find_outside_on_device(EngineAnswer& answer) {
+  if (entries_.empty() || entries_.front().grown != answer.balls) return;
+  answer.complex.outside = entries_.front().made.engine->find_outside(answer.complex);
+}
+
 MeasuredUnion EngineCache::measure(const EngineAnswer& answer, const RunContext& context,
                                    UnionDerivatives* derivatives) {
   if (derivatives == nullptr) {

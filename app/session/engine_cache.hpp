@@ -40,6 +40,9 @@ class EngineCache {
   // note, where that cannot. Nothing when it has none. Throws what measure_union() throws.
   std::optional<MeasuredUnion> measure_on_device(const EngineAnswer& answer,
                                                  const RunContext& context);
+  // The outside of the last answer's complex by the device of its engine, into that complex;
+  // nothing where it has none, or that cannot.
+  void find_outside_on_device(EngineAnswer& answer);
   // By the device, else on the CPU; derivatives are of the CPU only.
   MeasuredUnion measure(const EngineAnswer& answer, const RunContext& context,
                         UnionDerivatives* derivatives = nullptr);

@@ -186,6 +186,7 @@ void Session::submit_compute(Engines which) {
   computer_.submit(
       [this, which, request = state_.request, molecule = state_.molecule,
        prepared = state_.prepared, engines = engines_, measuring = measuring_,
+       finding_outside = finding_outside_,
        loan = which == Engines::anew ? EngineLoan{} : loan_](const RunContext& context) {
         if (which == Engines::anew) engines->clear();
         EngineAnswer found = engines->compute(prepared->balls, request, context, loan);
@@ -194,6 +195,7 @@ void Session::submit_compute(Engines which) {
             found.measures = std::make_shared<const MeasuredUnion>(*std::move(measured));
           }
         }
+        if (finding_outside) engines->find_outside_on_device(found);
         const Lent made = std::exchange(found.made, {});
         const std::shared_ptr<const Answer> answer =
             freed_elsewhere(Answer{std::move(found), molecule, prepared});

@@ -100,6 +100,8 @@ class Session {
   // Whether answers to come have their areas and volumes with them where the engine has a device
   // that keeps the complex (EngineAnswer::measures).
   void set_measuring(bool measuring) { measuring_ = measuring; }
+  // Likewise, whether they have the outside of their tetrahedra (AlphaComplex::outside).
+  void set_finding_outside(bool finding) { finding_outside_ = finding; }
   void cancel_computing() { computer_.cancel(); }
   // While a slider is dragged, a computation that has begun finishes although a newer request
   // waits: else a slow one would show nothing until the hand rests. At rest it soon gives way.
@@ -160,7 +162,7 @@ class Session {
   SessionChanges changes_;
   std::filesystem::path opening_path_;  // empty when none is on its way
   std::optional<Asked> asked_;          // with it; none: what is in force
-  bool measuring_ = false;
+  bool measuring_ = false, finding_outside_ = false;
   bool comparison_wanted_ = false;
   bool reference_anew_ = false;   // of the next comparison
   bool timing_parallel_ = false;  // is what the comparer does

@@ -92,6 +92,8 @@ class SceneController {
            cap_worker_.activity().busy || paint_worker_.activity().busy;
   }
   bool wants_frame() const { return !covered_ && (dirty_ || refine_); }
+  // Whether a mesh of the next complex will need the faces that only one tetrahedron has.
+  bool draws_outside() const { return mesh_options().outside(); }
   // Of what is drawn and of what is being made, at most; without differences.
   std::uint64_t held_bytes() const;
   // Seconds until a finer picture is due; a large number when none is.

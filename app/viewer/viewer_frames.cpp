@@ -34,6 +34,7 @@ void Viewer::draw(ScriptedInput* input, bool patient,
   if (!frame_.begin(state_.theme, input)) return want_of_all_balls();
   session_.let_finish(interacting());
   session_.set_measuring(state_.measures_wanted || is_exposure(state_.display.ball_paint.by));
+  session_.set_finding_outside(scene_.draws_outside());
   gesture_ = gestures_.in_this_frame();
   store_.next_frame();
   const WindowParts parts{state_, rects_, commands_, store_, inputs_};

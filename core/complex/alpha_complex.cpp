@@ -45,7 +45,7 @@ std::uint64_t bytes(const SimplexList<N>& list) {
 
 std::uint64_t bytes_of(const AlphaComplex& complex) {
   return bytes(complex.vertices) + bytes(complex.edges) + bytes(complex.triangles) +
-         bytes(complex.tetrahedra);
+         bytes(complex.tetrahedra) + (complex.outside ? complex.outside->faces.size_bytes() : 0);
 }
 
 std::uint64_t tetrahedra_hash(const AlphaComplex& complex) {

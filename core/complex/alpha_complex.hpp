@@ -4,10 +4,12 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/complex/face_class.hpp"
+#include "core/complex/face_code.hpp"
 #include "core/complex/simplices.hpp"
 #include "core/geometry/ball_set.hpp"
 #include "core/run/stage_timer.hpp"
@@ -53,6 +55,9 @@ struct AlphaComplex {
   SimplexList<2> edges;
   SimplexList<3> triangles;
   SimplexList<4> tetrahedra;
+  // The faces of tetrahedra that no other tetrahedron has, where a device has looked for them: as
+  // outer_faces() finds them (core/triangulation/outer_faces.hpp).
+  std::optional<SharedFaces> outside;
   std::uint64_t hash = 0;  // see complex_hash()
   EngineInfo engine;
   StageTimes timings;

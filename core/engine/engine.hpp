@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "core/complex/alpha_complex.hpp"
@@ -64,6 +65,11 @@ class Engine {
   virtual DeviceMeasuring measure(const AlphaComplex&, UnionMeasures&, const RunContext&) {
     return {};
   }
+
+  // The outside of its last result by its device, for AlphaComplex::outside: so it need not be
+  // looked for on the CPU. Nothing where no device has the complex, or it fails. By compute()'s
+  // rules.
+  virtual std::optional<SharedFaces> find_outside(const AlphaComplex&) { return std::nullopt; }
 
   // Another engine is asked from now on: gives back what this one keeps for its next results alone.
   // May wait for a device; compute() may be called again at any time. By compute()'s rules.

@@ -81,7 +81,7 @@ class EngineOfExecutors : public Engine {
     if (!why_not_whole_.empty()) return {{}, {}, why_not_whole_};
     try {
       if (!whole_) whole_ = make_(balls_);
-      measured_ = true;
+      holds_more_ = true;
       return whole_->measure(complex, to, context);
     } catch (const ExecutorFailed& error) {
       whole_.reset();
@@ -89,6 +89,18 @@ class EngineOfExecutors : public Engine {
     } catch (const std::bad_alloc&) {
       return {{}, {}, "the GPU's memory is full"};
     }
+  }
+
+  std::optional<SharedFaces> find_outside(const AlphaComplex& complex) override {
+    if (!why_not_whole_.empty() || !whole_) return std::nullopt;
+    try {
+      holds_more_ = true;
+      return whole_->find_outside(complex);
+    } catch (const ExecutorFailed&) {
+      whole_.reset();
+    } catch (const std::bad_alloc&) {
+    }
+    return std::nullopt;
   }
 
   void rest() override {
@@ -110,7 +122,7 @@ class EngineOfExecutors : public Engine {
         return complex;
       } catch (const std::bad_alloc&) {
         whole_.reset();
-        const bool held_more = std::exchange(measured_, false);  // now there may be room
+        const bool held_more = std::exchange(holds_more_, false);  // now there may be room
         if (!held_more && !slabs_.refused(request)) throw;
       }
     }
@@ -153,7 +165,7 @@ class EngineOfExecutors : public Engine {
   const MakeExecutor make_;
   SlabCount slabs_;
   std::unique_ptr<Executor> whole_;
-  bool measured_ = false;      // so `whole_` may hold memory for that
+  bool holds_more_ = false;    // `whole_`: memory for what is made of its complexes
   std::string why_not_whole_;  // the last complex was not computed at once; empty: it was
   std::unique_ptr<Engine> cpu_;
 };

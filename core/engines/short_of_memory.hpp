@@ -26,6 +26,8 @@ class Executor {
   virtual DeviceMeasuring measure(const AlphaComplex&, UnionMeasures&, const RunContext&) {
     return {};
   }
+  // As Engine::find_outside(), but throws as measure() does.
+  virtual std::optional<SharedFaces> find_outside(const AlphaComplex&) { return std::nullopt; }
   // As Engine::rest().
   virtual void rest() {}
 };

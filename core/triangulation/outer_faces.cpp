@@ -96,6 +96,7 @@ class RegularTriangles {
 
 ResultArray<FaceCode> outer_faces(const AlphaComplex& complex, const CancelToken& cancel) {
   const auto& tetrahedra = complex.tetrahedra.simplices;
+  if (complex.outside) return in_place(complex.outside->owner, complex.outside->faces);
   if (complex.tetrahedra_only) return outer_faces(tetrahedra, cancel);
   require_face_records(tetrahedra.size(), 4);
   return RegularTriangles(complex.triangles, cancel).owners(tetrahedra);

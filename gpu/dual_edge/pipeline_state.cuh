@@ -2,8 +2,6 @@
 // Included by the pipeline's sources only.
 #pragma once
 
-#include <cub/device/device_scan.cuh>
-
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -17,6 +15,7 @@
 #include "gpu/memory/device_buffer.cuh"
 #include "gpu/memory/handles.cuh"
 #include "gpu/memory/launch.cuh"
+#include "gpu/memory/prefix_sum.cuh"
 #include "gpu/memory/result_memory.cuh"
 
 namespace alphascope::gpu {
@@ -236,13 +235,7 @@ struct DualEdgePipeline::State {
   // Sums of the numbers before each.
   template <class Numbers, class Number>
   void scan(Numbers in, Number* out, std::size_t count, cudaStream_t stream) {
-    std::size_t bytes = 0;
-    check(cub::DeviceScan::ExclusiveSum(nullptr, bytes, in, out, static_cast<int>(count), stream),
-          "sizing a prefix sum");
-    scratch.reserve(bytes);
-    check(cub::DeviceScan::ExclusiveSum(scratch.get(), bytes, in, out, static_cast<int>(count),
-                                        stream),
-          "a prefix sum");
+    prefix_sum(in, out, count, scratch, stream);
   }
   void keep_on_device(const ResultLayout& layout, const SimplexCounts& counts, double alpha);
   void fill(void* data, int byte, std::size_t bytes) {

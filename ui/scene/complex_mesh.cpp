@@ -60,11 +60,10 @@ class MeshBuilder {
   ComplexMesh build() {
     require_balls_of_all();
     ComplexMesh mesh;
-    const bool whole = options_.tetrahedra && (options_.shrink > 0 || options_.translucent);
-    const bool outside = options_.tetrahedra && !whole;
+    const bool whole = options_.whole_tetrahedra(), outside = options_.tetrahedra && !whole;
     if (options_.tetrahedra) mesh.tetrahedra_drawn = complex_.tetrahedra.size();
     if (whole) mesh.tetrahedra = tetrahedra();
-    if (outside || options_.boundary) {
+    if (options_.outside()) {
       ResultArray<FaceCode> faces = outside_of_all();
       if (outside && options_.boundary) {
         mesh.boundary = faces_of_tetrahedra(faces, SimplexClass::regular);

@@ -44,6 +44,11 @@ struct MeshOptions {
   ComplexColouring colouring = ComplexColouring::balls;
   Rgb8 single_colour{90, 169, 230};
   AlphaColours alpha_colours{};
+
+  // Of tetrahedra, all four faces.
+  bool whole_tetrahedra() const { return tetrahedra && (shrink > 0 || translucent); }
+  // Of tetrahedra, the faces that no other one has.
+  bool outside() const { return (tetrahedra && !whole_tetrahedra()) || boundary; }
   friend bool operator==(const MeshOptions&, const MeshOptions&) = default;
 };
 

@@ -1,0 +1,37 @@
+// Names for the faces of a complex' tetrahedra.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+
+#include "core/complex/simplices.hpp"
+
+namespace alphascope {
+
+// Which face of which tetrahedron: 4 × its place in the list + the place in it of the vertex that
+// the face lacks.
+using FaceCode = std::uint32_t;
+constexpr FaceCode face_code(std::size_t tetrahedron, std::size_t opposite) {
+  return static_cast<FaceCode>(4 * tetrahedron + opposite);
+}
+constexpr std::size_t tetrahedron_of(FaceCode face) {
+  return face / 4;
+}
+
+// Codes that several objects share, none of which changes them.
+struct SharedFaces {
+  std::shared_ptr<const void> owner;  // keeps them alive
+  std::span<FaceCode> faces;
+};
+
+// The vertices of a face, ascending.
+inline std::array<BallIndex, 3> face_vertices(const Simplices<4>& tetrahedra, FaceCode face) {
+  const auto& t = tetrahedra[tetrahedron_of(face)];
+  const std::size_t k = face % 4;
+  return {t[k == 0 ? 1 : 0], t[k <= 1 ? 2 : 1], t[k <= 2 ? 3 : 2]};
+}
+
+}  // namespace alphascope

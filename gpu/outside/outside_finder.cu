@@ -1,0 +1,90 @@
+// See the header.
+#include "gpu/outside/outside_finder.hpp"
+
+#include <thrust/iterator/counting_iterator.h>
+#include <thrust/iterator/transform_iterator.h>
+
+#include <limits>
+
+#include "gpu/memory/device_buffer.cuh"
+#include "gpu/memory/handles.cuh"
+#include "gpu/memory/launch.cuh"
+#include "gpu/memory/prefix_sum.cuh"
+#include "gpu/memory/result_memory.cuh"
+#include "gpu/outside/outside_kernels.cuh"
+
+namespace alphascope::gpu {
+
+struct OutsideFinder::State {
+  Stream stream;
+  DeviceBuffer<TriangleRange> ranges;  // by ball
+  DeviceBuffer<FaceCode> owner, outside;
+  DeviceBuffer<std::uint32_t> places;
+  DeviceBuffer<unsigned char> scratch;
+  PinnedBuffer<std::uint32_t> count;
+  std::shared_ptr<ResultMemory> results = std::make_shared<ResultMemory>();
+
+  template <class Kernel, class... Arguments>
+  void each(Kernel kernel, std::size_t items, const Arguments&... arguments) {
+    constexpr unsigned kThreads = 256;
+    const auto blocks = static_cast<unsigned>((items + kThreads - 1) / kThreads);
+    launch(kernel, {blocks, kThreads, stream}, arguments...);
+    check(cudaGetLastError(), "starting a kernel");
+  }
+  void reserve(const DeviceComplex& complex) {
+    ranges.reserve(complex.ball_count);
+    owner.reserve(complex.triangles.count);
+    outside.reserve(complex.triangles.count);
+    places.reserve(complex.triangles.count + 1);
+    count.reserve(1);
+  }
+  // Until `outside` and `count` are there.
+  void enqueue(const DeviceComplex& complex) {
+    const DeviceSimplices &triangles = complex.triangles, &tetrahedra = complex.tetrahedra;
+    check(cudaMemsetAsync(ranges.get(), 0, complex.ball_count * sizeof(TriangleRange), stream),
+          "clearing device memory");
+    each(find_ranges, triangles.count, triangles, ranges.get());
+    each(find_owners, 4 * tetrahedra.count, triangles, tetrahedra, ranges.get(), owner.get());
+    const IsRegular is_regular{triangles.classes, static_cast<std::uint32_t>(triangles.count)};
+    prefix_sum(thrust::make_transform_iterator(thrust::make_counting_iterator(std::uint32_t{0}),
+                                               is_regular),
+               places.get(), triangles.count + 1, scratch, stream);
+    each(gather_owners, triangles.count, triangles, places.get(), owner.get(), outside.get());
+    check(cudaMemcpyAsync(count.get(), places.get() + triangles.count, sizeof(std::uint32_t),
+                          cudaMemcpyDeviceToHost, stream),
+          "copying a count");
+  }
+};
+
+OutsideFinder::OutsideFinder() : state_(std::make_unique<State>()) {
+  state_->stream.create();
+}
+
+// What is queued reads and writes memory that is about to go.
+OutsideFinder::~OutsideFinder() {
+  cudaStreamSynchronize(state_->stream);
+  state_->results->close();
+}
+
+std::optional<SharedFaces> OutsideFinder::find(const DeviceComplex& complex) {
+  constexpr std::size_t kMostTriangles = std::numeric_limits<int>::max() - 1;
+  constexpr std::size_t kMostFaces = std::numeric_limits<FaceCode>::max();
+  if (complex.triangles.count > kMostTriangles || complex.tetrahedra.count > kMostFaces / 4) {
+    return std::nullopt;
+  }
+  if (complex.tetrahedra.count == 0) return SharedFaces{};
+  State& s = *state_;
+  s.reserve(complex);
+  s.enqueue(complex);
+  check(cudaStreamSynchronize(s.stream), "looking for the outside");
+  const std::size_t count = *s.count.get();
+  const std::shared_ptr<unsigned char> memory = s.results->take(count * sizeof(FaceCode)).memory;
+  const std::span<FaceCode> faces{reinterpret_cast<FaceCode*>(memory.get()), count};
+  check(cudaMemcpyAsync(faces.data(), s.outside.get(), faces.size_bytes(), cudaMemcpyDeviceToHost,
+                        s.stream),
+        "copying the outside");
+  check(cudaStreamSynchronize(s.stream), "copying the outside");
+  return SharedFaces{memory, faces};
+}
+
+}  // namespace alphascope::gpu

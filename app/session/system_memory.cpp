@@ -89,10 +89,6 @@ std::uint64_t allocated_bytes() {
   return heap.uordblks + heap.hblkhd;
 }
 
-void give_back_freed_memory() {
-  malloc_trim(0);
-}
-
 std::optional<std::uint64_t> available_bytes(const SystemFiles& files) {
   Bytes machine = value_of(files.memory, "MemAvailable:");
   if (machine) *machine <<= 10;

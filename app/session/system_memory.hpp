@@ -14,9 +14,6 @@ struct SystemFiles {
 
 std::uint64_t resident_bytes();   // of this process; 0 where /proc is missing
 std::uint64_t allocated_bytes();  // of the C library's heap, in use
-// The heap keeps what is freed between what is not for later; this gives whole pages of it back to
-// the system.
-void give_back_freed_memory();
 
 // Without swapping, and within the limits set for this process (ulimit -v) and its control group
 // (containers, systemd; version 2); nothing where none of them can be read.

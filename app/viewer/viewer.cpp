@@ -15,6 +15,7 @@
 #include "app/viewer/state_bridge.hpp"
 #include "core/document/display_preset.hpp"
 #include "core/run/freed_elsewhere.hpp"
+#include "core/run/freed_memory.hpp"
 #include "ui/panels/format.hpp"
 
 namespace alphascope {

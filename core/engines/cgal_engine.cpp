@@ -74,7 +74,9 @@ class CgalEngine : public Engine {
     std::shared_ptr<const Triangulation> triangulation;
     if (!filtration_) triangulation = lent_or_made(request.lent, context, timer);
     if (!filtration_ && !request.tetrahedra_only) {
-      filtration_ = std::make_shared<const Filtration>(balls_, *triangulation, context);
+      filtration_ = request.handing_over
+                        ? std::make_shared<const Filtration>(balls_, triangulation, context)
+                        : std::make_shared<const Filtration>(balls_, *triangulation, context);
       if (!request.handing_over) triangulation_.reset();  // the filtration replaces it
       timer.lap(stage::kClassification, true);
     }

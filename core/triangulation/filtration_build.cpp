@@ -2,6 +2,7 @@
 // their classes change.
 #include <cmath>
 #include <limits>
+#include <span>
 #include <stdexcept>
 #include <utility>
 
@@ -170,6 +171,23 @@ std::size_t bytes(const ClassLevels& levels) {
 Filtration::Filtration(std::shared_ptr<const BallSet> balls, const Triangulation& triangulation,
                        const RunContext& context)
     : balls_(std::move(balls)) {
+  build(triangulation, triangulation.tetrahedra, context);
+}
+
+Filtration::Filtration(std::shared_ptr<const BallSet> balls,
+                       std::shared_ptr<const Triangulation> triangulation,
+                       const RunContext& context)
+    : balls_(std::move(balls)) {
+  const Triangulation& all = *triangulation;
+  // top_ is never changed, so neither are they.
+  const std::span tetrahedra(const_cast<std::array<BallIndex, 4>*>(all.tetrahedra.data()),
+                             all.tetrahedra.size());
+  build(all, in_place(std::shared_ptr<const void>(std::move(triangulation)), tetrahedra), context);
+  shared_bytes_ = tetrahedra.size_bytes();
+}
+
+void Filtration::build(const Triangulation& triangulation, Simplices<4> all_tetrahedra,
+                       const RunContext& context) {
   const auto top = std::make_shared<AlphaComplex>();
   const CancelToken& cancel = context.cancel;
   top->lattice = balls_->lattice;
@@ -178,7 +196,7 @@ Filtration::Filtration(std::shared_ptr<const BallSet> balls, const Triangulation
 
   context.report(stage::kClassification, 0);
   SimplexList<4>& tetrahedra = top->tetrahedra;
-  tetrahedra.simplices = triangulation.tetrahedra;
+  tetrahedra.simplices = std::move(all_tetrahedra);
   tetrahedra.alpha_values.resize(tetrahedra.size());
   tetrahedra.classes.assign(tetrahedra.size(), SimplexClass::interior);
   parallel_ranges(tetrahedra.size(), cancel, [&](std::size_t n) {
@@ -223,7 +241,7 @@ std::size_t Filtration::level_bytes() const {
 }
 
 std::size_t Filtration::top_bytes() const {
-  return bytes_of(*top_);
+  return bytes_of(*top_) - shared_bytes_;
 }
 
 void classify(AlphaComplex& complex) {

@@ -72,8 +72,12 @@ MemoryNeed filtration_memory(std::size_t balls) {
   return need(count_of_molecule(balls));
 }
 
-MemoryNeed filtration_memory(const Triangulation& triangulation) {
-  return need(simplex_count(triangulation));
+MemoryNeed filtration_memory(const Triangulation& triangulation,
+                             TetrahedraOfFiltration tetrahedra) {
+  MemoryNeed all = need(simplex_count(triangulation));
+  if (tetrahedra == TetrahedraOfFiltration::own) return all;
+  const std::uint64_t shared = triangulation.tetrahedra.size() * sizeof(std::array<BallIndex, 4>);
+  return {all.held - shared, all.peak - shared};
 }
 
 std::uint64_t bytes_of(const Triangulation& t) {

@@ -24,10 +24,12 @@ struct MemoryNeed {
 // Of a molecule with so many balls. Estimates: molecules have some 6.7 tetrahedra a ball, and these
 // are reckoned with 7; other sets may have far more.
 MemoryNeed triangulation_memory(std::size_t balls);
-MemoryNeed filtration_memory(std::size_t balls);
+MemoryNeed filtration_memory(std::size_t balls);  // with tetrahedra of its own
 
 // Of the filtration of this triangulation: held is exact, peak within some percent.
-MemoryNeed filtration_memory(const Triangulation& triangulation);
+enum class TetrahedraOfFiltration : std::uint8_t { own, shared };  // shared: the triangulation's
+MemoryNeed filtration_memory(const Triangulation& triangulation,
+                             TetrahedraOfFiltration tetrahedra = TetrahedraOfFiltration::own);
 
 // What a triangulation holds.
 std::uint64_t bytes_of(const Triangulation& triangulation);

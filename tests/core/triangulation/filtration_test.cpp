@@ -103,6 +103,22 @@ TEST(Filtration, OfAComplexAnswersEverySmallerAlpha) {
   }
 }
 
+TEST(Filtration, AnswersTheSameWithTheTriangulationsTetrahedra) {
+  Random random(18);
+  const auto balls =
+      std::make_shared<const BallSet>(testing::random_balls(random, 200, 1000, 50, 100));
+  auto triangulation = std::make_shared<const Triangulation>(make_triangulation(*balls, 1));
+  const Filtration own(balls, *triangulation), sharing(balls, triangulation);
+  EXPECT_EQ(sharing.top().tetrahedra.simplices.data(), triangulation->tetrahedra.data());
+  EXPECT_NE(own.top().tetrahedra.simplices.data(), triangulation->tetrahedra.data());
+  triangulation.reset();
+  for (const double alpha : {-1e4, 0.0, 1e4, 1e6, HUGE_VAL}) {
+    const AlphaComplex found = threshold(sharing, alpha, false);
+    EXPECT_TRUE(compare(found, threshold(own, alpha, false)).identical()) << alpha;
+    EXPECT_EQ(found.tetrahedra.alpha_values.size(), found.tetrahedra.size());
+  }
+}
+
 TEST(Filtration, NeedsAWholeComplex) {
   const auto balls = std::make_shared<const BallSet>();
   const auto only = std::make_shared<AlphaComplex>();

@@ -159,6 +159,10 @@ TEST(MemoryNeed, OfAFiltrationIsWhatItHolds) {
     const MemoryNeed need = filtration_memory(triangulation);
     EXPECT_EQ(need.held, filtration.top_bytes() + filtration.level_bytes()) << set.name;
     EXPECT_GT(need.peak, need.held) << set.name;
+    const Filtration sharing(balls, std::make_shared<const Triangulation>(triangulation));
+    const MemoryNeed less = filtration_memory(triangulation, TetrahedraOfFiltration::shared);
+    EXPECT_EQ(less.held, sharing.top_bytes() + sharing.level_bytes()) << set.name;
+    EXPECT_EQ(need.held - less.held, need.peak - less.peak) << set.name;
   }
 }
 

@@ -1,0 +1,11 @@
+#include "core/run/freed_memory.hpp"
+
+#include <malloc.h>
+
+namespace alphascope {
+
+void give_back_freed_memory() {
+  malloc_trim(0);
+}
+
+}  // namespace alphascope

@@ -124,6 +124,7 @@ class Viewer {
   void take_results();
   double seconds_to_next_frame() const;
   void take_derived();
+  bool needs_filtration() const;
   void want_of_all_balls();  // triangulation and filtration, in the background
   void poll_store();
   bool may_take_inputs(const Answer& shown) const;

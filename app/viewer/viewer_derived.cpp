@@ -62,11 +62,23 @@ void Viewer::take_derived() {
   poll_store();
 }
 
+// A GPU computes each alpha and looks nothing up. Then a large filtration (0.6 GB of a million
+// balls) would be made and kept for panels alone, which ask for it when somebody looks at them.
+bool Viewer::needs_filtration() const {
+  constexpr std::size_t kSmall = 100'000;  // balls
+  const EngineChoice engine = state_.compute.engine;
+  const bool on_gpu = needs_gpu(engine) || (engine == EngineChoice::automatic && has_gpu(state_));
+  return !on_gpu || inputs_.balls->size() <= kSmall;
+}
+
 // The whole filtration, so that on the CPU every later alpha is a threshold of it. After the
 // panels, so that the store knows what they wait for before it begins anything.
 void Viewer::want_of_all_balls() {
   if (inputs_.balls) {
-    const auto filtration = store_.want(whole_filtration(), inputs_, Priority::background).value;
+    std::shared_ptr<const Filtration> filtration;
+    if (needs_filtration()) {
+      filtration = store_.want(whole_filtration(), inputs_, Priority::background).value;
+    }
     const auto triangulation =
         store_.want(whole_triangulation(), inputs_, Priority::background).value;
     session_.lend(*source_, {triangulation, filtration});

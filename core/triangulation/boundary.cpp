@@ -59,16 +59,17 @@ class Builder {
 
   void find_neighbours() {
     beyond_.assign(4 * tetrahedra_.size(), kOuter);
-    const FaceGroups<3> groups(tetrahedra_, context_.cancel);
-    for (std::size_t f = 0; f < groups.size(); ++f) {
-      if (groups.coface_count(f) != 2) continue;
-      std::array<std::uint32_t, 2> pair;
-      std::size_t n = 0;
-      groups.for_cofaces(f, [&](std::uint32_t t) { pair[n++] = t; });
-      for (const auto& [t, other] : {std::pair(pair[0], pair[1]), std::pair(pair[1], pair[0])}) {
-        beyond(t, index_of(t, apex<3>(tetrahedra_[t], groups.faces()[f]))) = other;
+    for_face_groups<3>(tetrahedra_, context_.cancel, [&](const FaceGroups<3>& groups) {
+      for (std::size_t f = 0; f < groups.size(); ++f) {
+        if (groups.coface_count(f) != 2) continue;
+        std::array<std::uint32_t, 2> pair;
+        std::size_t n = 0;
+        groups.for_cofaces(f, [&](std::uint32_t t) { pair[n++] = t; });
+        for (const auto& [t, other] : {std::pair(pair[0], pair[1]), std::pair(pair[1], pair[0])}) {
+          beyond(t, index_of(t, apex<3>(tetrahedra_[t], groups.faces()[f]))) = other;
+        }
       }
-    }
+    });
   }
 
   std::size_t index_of(std::uint32_t t, BallIndex ball) const {

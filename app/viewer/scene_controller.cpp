@@ -256,8 +256,7 @@ void SceneController::render(ViewportInfo& viewport, bool interacting, bool pati
   const bool follows = interacting && (pending_ || new_picture);
   const RenderQuality target = patient                 ? RenderQuality::fine
                                : refine_now && !change ? quality_.at_rest()
-                               : follows               ? quality_.while_computing()
-                                                       : quality_.moving();
+                                                       : quality_for_change(follows);
   choose_stand_in((refine_now && !change) || patient);
   try {
     draw(target, patient);
@@ -275,6 +274,12 @@ void SceneController::render(ViewportInfo& viewport, bool interacting, bool pati
         labels_seen(drawn_layers_.mesh->labels, scene_.sight(), scene_style().cut, width_, height_);
   }
   check_view(viewport, interacting);
+}
+
+// What is translucent is drawn exactly at rest only: it takes a pass for each layer of it.
+RenderQuality SceneController::quality_for_change(bool follows_computation) const {
+  const RenderQuality best = follows_computation ? quality_.while_computing() : quality_.moving();
+  return scene_.draws_translucent() ? std::min(best, RenderQuality::draft) : best;
 }
 
 // Of a fine picture as many samples as a slice has time for: at least one.

@@ -277,10 +277,13 @@ class SceneController {
   void choose_stand_in(bool at_rest);
   void check_view(ViewportInfo& viewport, bool interacting);
   void draw(RenderQuality quality, bool patient);
+  RenderQuality quality_for_change(bool follows_computation) const;
   bool unfinished() const;  // the picture on screen could have more samples
   MeshOptions mesh_options() const;
 
   const FreeMemory free_memory_;
+  std::optional<std::uint64_t> free_read_;  // the mesh worker's, as the next
+  Clock::time_point free_read_at_;
   const MeshMaker make_mesh_;
   Scene scene_;
   QualityChooser quality_;

@@ -13,6 +13,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/predicates/exact_alpha.hpp"
+#include "core/predicates/perturbation.hpp"
 #include "tests/ui/molecule_fixture.hpp"
 #include "tests/ui/picture_difference.hpp"
 #include "tests/ui/png_pixels.hpp"
@@ -136,6 +138,55 @@ TEST_F(SceneTest, TranslucentTetrahedraLetTheBackgroundThrough) {
     EXPECT_GT(pixels, 20);
     EXPECT_LT(seen_translucent, 0.7 * seen_opaque);
     EXPECT_GT(seen_translucent, 0.15 * seen_opaque);
+  }
+}
+
+// While something moves: whichever way round its corners are listed, the side towards the viewer is
+// drawn once, and nothing else of it.
+TEST_F(SceneTest, AMovingTranslucentTetrahedronShowsItsFront) {
+  constexpr double kOpacity = 0.3;
+  const AlphaComplex all = complex_of(balls, 0);
+  MeshOptions options;
+  options.translucent = true;
+  options.colouring = ComplexColouring::single;
+  scene.set_balls(geometry, two_colours(balls->size()));
+  const auto draft = [&](double opacity) {
+    SceneStyle style{.balls = false, .complex_opacity = opacity};
+    style.ambient_occlusion = false;
+    style.depth_cue = style.silhouettes = style.side_width = 0;
+    scene.set_style(style);
+    scene.render(400, 300, RenderQuality::draft);
+    return testing::texture_pixels(scene.texture());
+  };
+  const auto volume = [&](const std::array<BallIndex, 4>& t) {
+    return determinant(lifted_vector(*balls, t[0], t[1]), lifted_vector(*balls, t[0], t[2]),
+                       lifted_vector(*balls, t[0], t[3]));
+  };
+  for (const bool positive : {false, true}) {
+    AlphaComplex one = all;
+    std::erase_if(one.tetrahedra.simplices,
+                  [&](const auto& t) { return (volume(t) > 0) != positive; });
+    ASSERT_FALSE(one.tetrahedra.simplices.empty()) << positive;
+    one.tetrahedra.simplices.resize(1);
+    scene.set_mesh(make_mesh_data(std::make_shared<const ComplexMesh>(
+        build_mesh(*geometry, two_colours(balls->size()), one, options))));
+    for (int view = 0; view < 6; ++view) {
+      const Image opaque = draft(1), translucent = draft(kOpacity);
+      int seen = 0, otherwise = 0;
+      for (std::size_t i = 0; i < opaque.rgba.size(); i += 4) {
+        const double behind = opaque.rgba[2], before = opaque.rgba[i + 2];
+        if (std::abs(before - behind) < 30) continue;
+        ++seen;
+        const double expected = kOpacity * before + (1 - kOpacity) * behind;
+        otherwise += std::abs(translucent.rgba[i + 2] - expected) > 8 ? 1 : 0;
+      }
+      EXPECT_GT(seen, 30) << view;
+      EXPECT_LE(otherwise, seen / 10) << "of " << seen << ", view " << view << " " << positive;
+      scene.pointer_move(100, 100, false, false);
+      scene.pointer_button(PointerButton::left, true);
+      scene.pointer_move(150, 130, false, false);
+      scene.pointer_button(PointerButton::left, false);
+    }
   }
 }
 

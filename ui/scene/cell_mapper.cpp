@@ -10,6 +10,7 @@
 #include <vtkOpenGLVertexArrayObject.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
+#include <vtkProperty.h>
 #include <vtkRenderer.h>
 #include <vtkShader.h>
 #include <vtkShaderProgram.h>
@@ -277,6 +278,7 @@ void CellMapper::SetMapperShaderParameters(vtkOpenGLHelper& helper, vtkRenderer*
   program->SetUniformi(kColoursName, whole ? colours_.activate() : cells);
   program->SetUniformi(kNormalsName, smoothed ? normals_.activate() : places);
   program->SetUniformi("whole", whole ? 1 : 0);
+  program->SetUniformi("outward", actor->GetProperty()->GetBackfaceCulling() ? 1 : 0);
   program->SetUniformi("smoothed", smoothed ? 1 : 0);
   program->SetUniformf("shrink", shrink_);
   program->SetUniformf("sideWidth", lines_.side_width);

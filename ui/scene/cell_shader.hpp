@@ -15,6 +15,7 @@ uniform samplerBuffer normals;
 uniform mat3 cellToCamera;
 uniform float shrink;
 uniform int whole;
+uniform int outward;  // of whole tetrahedra: faces are counterclockwise from outside
 uniform int smoothed;
 flat out vec3 cellColourVSOutput;
 out vec3 cellCornerVSOutput;
@@ -32,6 +33,12 @@ inline constexpr const char* kFacesFetched = R"(
       int cell = gl_VertexID / 12;
       int face = gl_VertexID % 12 / 3;
       uvec4 balls = texelFetch(cells, cell);
+      if (outward != 0) {
+        vec3 first = placeOf(balls.x);
+        float volume = dot(cross(placeOf(balls.y) - first, placeOf(balls.z) - first),
+                           placeOf(balls.w) - first);
+        if ((volume > 0.0) == ((face & 1) != 0)) corner = (3 - corner) % 3;
+      }
       place = placeOf(balls[corner < face ? corner : corner + 1]);
       if (shrink > 0.0) {
         vec3 centre = 0.25 * placeOf(balls.x) + 0.25 * placeOf(balls.y);

@@ -143,6 +143,10 @@ void Scene::set_style(const SceneStyle& style) {
   scene.apply_style();
 }
 
+bool Scene::draws_translucent() const {
+  return impl_->anything_translucent();
+}
+
 void Scene::reset_view() {
   Impl& scene = changed();
   scene.reset_pending = true;

@@ -58,6 +58,9 @@ class Scene {
   Scene(const Scene&) = delete;
   Scene& operator=(const Scene&) = delete;
 
+  // Whether anything on show lets something behind it through.
+  bool draws_translucent() const;
+
   // Other balls; removes the mesh of the last ones and keeps the camera.
   void set_balls(std::shared_ptr<BallData> balls);
   void set_ball_radii(const std::vector<float>& radii);  // Å, as drawn

@@ -30,9 +30,11 @@ void Scene::Impl::apply_quality(RenderQuality quality, bool transparent) {
   renderer->SetMaximumNumberOfPeels(kPeels);
   renderer->SetOcclusionRatio(0);
   samples = quality == RenderQuality::sketch ? kSketchSamples : 1;
-  // Its other side is all that a translucent boundary gains from being drawn exactly.
+  // The other sides of what is translucent are much of what takes long.
   const bool front_only = !exact && faded(style.complex_opacity) < 1 && !style.cut.on();
-  boundary.actor->GetProperty()->SetBackfaceCulling(front_only);
+  for (CellActor* c : {&boundary, &tetrahedra}) {
+    c->actor->GetProperty()->SetBackfaceCulling(front_only);
+  }
   apply_finish(quality, transparent);
 }
 

@@ -253,6 +253,7 @@ class SceneController {
     Appearance appearance;
     std::shared_ptr<const Painting> ball_painting, simplex_painting;  // on screen; may be null
   };
+  std::optional<std::uint64_t> free_memory_for(const DrawingTask& task);
   Worker::Delivery make_drawing(const Wanted& wanted, const RunContext& context);
   void make_room();
   void take(Drawing drawing);

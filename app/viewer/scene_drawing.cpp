@@ -70,6 +70,21 @@ void SceneController::submit() {
       });
 }
 
+// To read it takes longer than the mesh of a small molecule. What was read a moment ago serves
+// where there was a thousand times as much as the complex takes: a mesh takes some times that.
+std::optional<std::uint64_t> SceneController::free_memory_for(const DrawingTask& task) {
+  constexpr std::chrono::seconds kServesFor{1};
+  constexpr std::uint64_t kBytesABall = 200, kPlenty = 1000;
+  const std::uint64_t small =
+      task.balls * kBytesABall + (task.complex ? bytes_of(*task.complex) : 0);
+  const Clock::time_point now = Clock::now();
+  if (!free_read_ || now - free_read_at_ > kServesFor || *free_read_ / kPlenty < small) {
+    free_read_ = free_memory_();
+    free_read_at_ = now;
+  }
+  return free_read_;
+}
+
 // On the worker's thread.
 Worker::Delivery SceneController::make_drawing(const Wanted& wanted, const RunContext& context) {
   const auto& [drawn, opened, answer, agreement, look, complex_paint, mesh, clip, appearance,
@@ -79,7 +94,7 @@ Worker::Delivery SceneController::make_drawing(const Wanted& wanted, const RunCo
       drawn && drawn->prepared == opened->prepared && drawn->geometry->centres.size() == balls;
   const DrawingTask task{known ? 0 : balls, answer ? &answer->complex : nullptr,
                          agreement ? &agreement->comparison : nullptr, mesh};
-  DrawingPlan plan = plan_drawing(task, free_memory_());
+  DrawingPlan plan = plan_drawing(task, free_memory_for(task));
   if (!plan.complete()) {
     wait_until_freed();  // the picture before
     plan = plan_drawing(task, free_memory_());

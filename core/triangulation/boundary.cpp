@@ -194,12 +194,17 @@ class Builder {
 
   void write(UnionFind& corners) {
     vertex_.assign(3 * faces_.size(), kNone);
+    // Arrays that grow are there twice meanwhile. Closed surfaces have half as many vertices as
+    // triangles, and hardly any more than that.
+    boundary_.triangles.reserve(faces_.size());
+    boundary_.vertices.reserve(faces_.size() / 2);
     for (BoundarySolid& solid : boundary_.solids) {
       context_.cancel.throw_if_cancelled();
       first_face_ = solid.first_triangle;
       triangles_.clear();
       solid.first_vertex = static_cast<std::uint32_t>(boundary_.vertices.size());
       solid.first_triangle = static_cast<std::uint32_t>(boundary_.triangles.size());
+      triangles_.reserve(solid.triangles);
       for (std::uint32_t n = 0; n < solid.triangles; ++n) add_triangle(first_face_ + n, corners);
       write_triangles();
       solid.vertices = static_cast<std::uint32_t>(boundary_.vertices.size()) - solid.first_vertex;

@@ -1,6 +1,6 @@
-# alphascope_add_suites: the suites of a program of GoogleTest's, each a test of CTest's: a process for each of
-# 3,000 tests took longer than most of them. Run as a script (-P) it lists a program's suites; included, it
-# makes the function.
+# alphascope_add_suites: makes each suite of a GoogleTest program one test of CTest. A process for each single
+# test costs more: its start is a third of the time of a small test of the window. Run as a script (-P), this
+# file lists a program's suites; included, it makes the function.
 if(CMAKE_SCRIPT_MODE_FILE)
   execute_process(COMMAND ${PROGRAM} --gtest_list_tests --gtest_filter=${FILTER}
     OUTPUT_VARIABLE listed ERROR_VARIABLE errors RESULT_VARIABLE failed TIMEOUT 120)

@@ -70,8 +70,9 @@ void SceneController::submit() {
       });
 }
 
-// To read it takes longer than the mesh of a small molecule. What was read a moment ago serves
-// where there was a thousand times as much as the complex takes: a mesh takes some times that.
+// Reading how much memory is free takes about as long as making the mesh of a small molecule. So
+// the last reading serves for a second, where it was a thousand times what the complex takes; its
+// mesh takes only a few times that.
 std::optional<std::uint64_t> SceneController::free_memory_for(const DrawingTask& task) {
   constexpr std::chrono::seconds kServesFor{1};
   constexpr std::uint64_t kBytesABall = 200, kPlenty = 1000;

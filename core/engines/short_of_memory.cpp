@@ -165,7 +165,7 @@ class EngineOfExecutors : public Engine {
   const MakeExecutor make_;
   SlabCount slabs_;
   std::unique_ptr<Executor> whole_;
-  bool holds_more_ = false;    // `whole_`: memory for what is made of its complexes
+  bool holds_more_ = false;    // `whole_` may hold memory for measures or the outside, too
   std::string why_not_whole_;  // the last complex was not computed at once; empty: it was
   std::unique_ptr<Engine> cpu_;
 };

@@ -3,9 +3,8 @@
 
 namespace alphascope {
 
-// Gives it back to the system, as far as whole pages are free. Of many small objects the allocator
-// keeps it by itself. Takes some milliseconds for a gigabyte, in which other threads may wait for
-// memory.
+// Gives whole pages of it back to the system. The allocator itself keeps most of what many small
+// objects had. Other threads that allocate may wait meanwhile.
 void give_back_freed_memory();
 
 }  // namespace alphascope

@@ -27,7 +27,7 @@ inline void check(cudaError_t status, const char* what) {
 
 // What buffers that grow once more take beyond what is asked for, bytes: as alpha goes up, nearly
 // every run needs a little more, and reserving takes longer than the run. As much again, but at
-// most 64 MB, and half of that where it is large: results of a million balls take up to 380 MB, and
+// most 64 MB, and half of that where it is large: results of a million balls take up to 350 MB, and
 // there are two or three of them.
 inline std::size_t spare_bytes(std::size_t bytes) {
   constexpr std::size_t kMost = std::size_t{1} << 26, kLarge = std::size_t{1} << 28;

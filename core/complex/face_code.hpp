@@ -8,6 +8,7 @@
 #include <span>
 
 #include "core/complex/simplices.hpp"
+#include "core/geometry/host_device.hpp"
 
 namespace alphascope {
 
@@ -21,6 +22,11 @@ constexpr std::size_t tetrahedron_of(FaceCode face) {
   return face / 4;
 }
 
+// Where in its tetrahedron's list the vertex number `k` of a face is, k < 3, in ascending order.
+ALPHASCOPE_HOST_DEVICE constexpr std::size_t face_corner(FaceCode face, std::size_t k) {
+  return k < face % 4 ? k : k + 1;
+}
+
 // Codes that several objects share, none of which changes them.
 struct SharedFaces {
   std::shared_ptr<const void> owner;  // keeps them alive
@@ -30,8 +36,7 @@ struct SharedFaces {
 // The vertices of a face, ascending.
 inline std::array<BallIndex, 3> face_vertices(const Simplices<4>& tetrahedra, FaceCode face) {
   const auto& t = tetrahedra[tetrahedron_of(face)];
-  const std::size_t k = face % 4;
-  return {t[k == 0 ? 1 : 0], t[k <= 1 ? 2 : 1], t[k <= 2 ? 3 : 2]};
+  return {t[face_corner(face, 0)], t[face_corner(face, 1)], t[face_corner(face, 2)]};
 }
 
 }  // namespace alphascope

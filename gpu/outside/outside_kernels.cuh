@@ -30,18 +30,18 @@ __global__ void find_ranges(DeviceSimplices triangles, TriangleRange* of_ball) {
 // `owner`: by triangle; only those of regular ones are written.
 __global__ void find_owners(DeviceSimplices triangles, DeviceSimplices tetrahedra,
                             const TriangleRange* of_ball, FaceCode* owner) {
-  const std::size_t code = thread_number();
-  if (code >= 4 * tetrahedra.count) return;
-  const BallIndex* t = tetrahedra.vertices + 4 * (code / 4);
-  const std::size_t lacks = code % 4;
-  const BallIndex second = t[lacks <= 1 ? 2 : 1], third = t[lacks <= 2 ? 3 : 2];
-  TriangleRange range = of_ball[t[lacks == 0 ? 1 : 0]];
+  const std::size_t n = thread_number();
+  if (n >= 4 * tetrahedra.count) return;
+  const auto code = static_cast<FaceCode>(n);
+  const BallIndex* t = tetrahedra.vertices + 4 * (n / 4);
+  const BallIndex second = t[face_corner(code, 1)], third = t[face_corner(code, 2)];
+  TriangleRange range = of_ball[t[face_corner(code, 0)]];
   while (range.begin < range.end) {
     const std::uint32_t middle = range.begin + (range.end - range.begin) / 2;
     const BallIndex* v = triangles.vertices + 3 * std::size_t{middle};
     if (v[1] == second && v[2] == third) {
       if (triangles.classes[middle] == SimplexClass::regular) {
-        owner[middle] = static_cast<FaceCode>(code);
+        owner[middle] = code;
       }
       return;
     }

@@ -1,6 +1,7 @@
 #include "app/session/engine_cache.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <utility>
 
 #include "app/session/rounding_note.hpp"
@@ -52,7 +53,15 @@ std::optional<MeasuredUnion> EngineCache::measure_on_device(const EngineAnswer& 
 
 void EngineCache::find_outside_on_device(EngineAnswer& answer) {
   if (entries_.empty() || entries_.front().grown != answer.balls) return;
+  const auto begun = std::chrono::steady_clock::now();
   answer.complex.outside = entries_.front().made.engine->find_outside(answer.complex);
+  if (!answer.complex.outside) return;
+  answer.outside_milliseconds =
+      std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begun).count();
+}
+
+void EngineCache::rest() {
+  for (Entry& entry : entries_) entry.made.engine->rest();
 }
 
 MeasuredUnion EngineCache::measure(const EngineAnswer& answer, const RunContext& context,

@@ -40,13 +40,15 @@ class EngineCache {
   // note, where that cannot. Nothing when it has none. Throws what measure_union() throws.
   std::optional<MeasuredUnion> measure_on_device(const EngineAnswer& answer,
                                                  const RunContext& context);
-  // The outside of the last answer's complex by the device of its engine, into that complex;
-  // nothing where it has none, or that cannot.
+  // The outside of the last answer's complex by the device of its engine, into that complex, and
+  // how long that took; nothing where it has none, or that cannot.
   void find_outside_on_device(EngineAnswer& answer);
   // By the device, else on the CPU; derivatives are of the CPU only.
   MeasuredUnion measure(const EngineAnswer& answer, const RunContext& context,
                         UnionDerivatives* derivatives = nullptr);
 
+  // Nothing will be asked for a while: gives back what engines keep for their next results alone.
+  void rest();
   void clear() { entries_.clear(); }
   std::uint64_t kept_bytes() const;
 

@@ -352,6 +352,10 @@ SessionChanges Session::poll() {
   return std::exchange(changes_, {});
 }
 
+void Session::let_engines_rest() {
+  computer_.when_idle([engines = engines_] { engines->rest(); });
+}
+
 std::uint64_t Session::held_bytes() const {
   std::uint64_t bytes = 0;
   if (state_.ours) bytes += bytes_of(state_.ours->complex) + state_.ours->kept_bytes;

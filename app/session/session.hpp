@@ -102,6 +102,9 @@ class Session {
   void set_measuring(bool measuring) { measuring_ = measuring; }
   // Likewise, whether they have the outside of their tetrahedra (AlphaComplex::outside).
   void set_finding_outside(bool finding) { finding_outside_ = finding; }
+  // Memory is about to be short: the engines give back what they keep for their next results
+  // alone, when none is being computed.
+  void let_engines_rest();
   void cancel_computing() { computer_.cancel(); }
   // While a slider is dragged, a computation that has begun finishes although a newer request
   // waits: else a slow one would show nothing until the hand rests. At rest it soon gives way.

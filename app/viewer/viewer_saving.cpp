@@ -76,6 +76,7 @@ void Viewer::export_complex(const ExportRequest& request) {
   try {
     if (!scene_.drawn_answer()) throw std::runtime_error("There is no complex yet.");
     complex_saver_.start(scene_.drawn_answer(), scene_.header(), request);
+    session_.let_engines_rest();
     state_.notice.clear();
   } catch (const std::exception& error) {
     state_.tell("The complex cannot be exported", error.what());

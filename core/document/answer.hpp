@@ -22,6 +22,8 @@ struct EngineAnswer {
   std::uint64_t kept_bytes = 0;  // by all engines of its cache, for later answers
   // Where they were wanted and the engine has a device; else null, and the CPU may measure.
   std::shared_ptr<const MeasuredUnion> measures = {};
+  // Wall time that a device took to find AlphaComplex::outside, for the picture; 0 where none did.
+  double outside_milliseconds = 0;
   // What the engine made of all balls on the way, if the cache hands it over.
   Lent made = {};
 };

@@ -162,6 +162,35 @@ TEST(EngineCache, LetsTheEnginesThatAreNotAskedRest) {
   EXPECT_EQ(log.rested, 1);
 }
 
+TEST(EngineCache, LetsAllEnginesRestWhereNothingWillBeAsked) {
+  FakeEngineLog log;
+  EngineCache cache(fake_factory(log));
+  const auto balls = few_balls(4);
+  Request request;
+  cache.rest();  // of none
+  request.engine = EngineChoice::gpu;
+  cache.compute(balls, request, {});
+  request.engine = EngineChoice::cpu;
+  cache.compute(balls, request, {});
+  log.rested = 0;
+  cache.rest();
+  EXPECT_EQ(log.rested, 2);
+  EXPECT_EQ(cache.compute(balls, request, {}).complex.vertices.size(), 4u);
+}
+
+TEST(EngineCache, SaysHowLongTheDeviceLookedForTheOutside) {
+  FakeEngineLog log;
+  EngineCache cache(fake_factory(log));
+  EngineAnswer answer = cache.compute(few_balls(4), {}, {});
+  cache.find_outside_on_device(answer);  // it has none
+  EXPECT_FALSE(answer.complex.outside);
+  EXPECT_EQ(answer.outside_milliseconds, 0);
+  log.finds_outside = true;
+  cache.find_outside_on_device(answer);
+  EXPECT_TRUE(answer.complex.outside);
+  EXPECT_GE(answer.outside_milliseconds, 1);
+}
+
 TEST(EngineCache, SaysWhatTheLatticeRounds) {
   FakeEngineLog log;
   EngineCache cache(fake_factory(log));

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <thread>
 #include <vector>
@@ -23,6 +24,7 @@ struct FakeEngineLog {
   std::atomic<bool> set_up_again{false};  // answers after the first have set-up stages, too
   std::atomic<int> steps{1};              // of 50 µs each
   std::atomic<int> measured{0};
+  std::atomic<bool> finds_outside{false};  // no face, in a millisecond
   DeviceMeasuring measuring;  // what measuring is answered with; an area of 123 Å² if by a device
 };
 
@@ -61,6 +63,11 @@ class FakeEngine : public Engine {
     if (log_.measuring.device.empty()) return log_.measuring;
     to.area_angstrom2 = 123;
     return log_.measuring;
+  }
+  std::optional<SharedFaces> find_outside(const AlphaComplex&) override {
+    if (!log_.finds_outside) return std::nullopt;
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    return SharedFaces{};
   }
   void rest() override { ++log_.rested; }
 

@@ -249,9 +249,9 @@ void SceneController::render(ViewportInfo& viewport, bool interacting, bool pati
   if (change) last_change_ = Clock::now();
   view_checked_ = view_checked_ && !change;
   const bool refine_now = refine_ && !interacting && seconds_to_refinement() <= 0;
-  if (!change && !refine_now && !(patient && unfinished())) {
-    return check_view(viewport, interacting);
-  }
+  const bool draws = change || refine_now || (patient && unfinished());
+  take_time(draws);
+  if (!draws) return check_view(viewport, interacting);
   const bool new_picture = std::exchange(new_picture_, false);
   const bool follows = interacting && (pending_ || new_picture);
   const RenderQuality target = patient                 ? RenderQuality::fine
@@ -276,20 +276,35 @@ void SceneController::render(ViewportInfo& viewport, bool interacting, bool pati
   check_view(viewport, interacting);
 }
 
+void SceneController::begin_picture(ViewportInfo& viewport, bool interacting) {
+  const bool new_one = new_picture_ && dirty_ && !covered_;
+  if (!new_one || !wanted_layers_.empty() || !scene_.draws_meanwhile()) return;
+  render(viewport, interacting, false);
+}
+
 // What is translucent is drawn exactly at rest only: it takes a pass for each layer of it.
 RenderQuality SceneController::quality_for_change(bool follows_computation) const {
   const RenderQuality best = follows_computation ? quality_.while_computing() : quality_.moving();
   return scene_.draws_translucent() ? std::min(best, RenderQuality::draft) : best;
 }
 
+// Of a picture that the GPU may have gone on drawing, before anything is changed that the time
+// depends on.
+void SceneController::take_time(bool wait) {
+  if (const auto taken = scene_.take_milliseconds(wait)) note_times(drawn_, *taken);
+}
+
 // Of a fine picture as many samples as a slice has time for: at least one.
 void SceneController::draw(RenderQuality quality, bool patient) {
+  if (quality != RenderQuality::fine && !patient) {
+    drawn_ = quality;
+    scene_.start_render(width_, height_, quality);
+    return take_time(false);
+  }
   double taken = 0;
   do {
     const double milliseconds = scene_.render(width_, height_, quality);
-    note_times(milliseconds);
-    if (!stand_in_) quality_.note(quality, milliseconds);
-    if (!stand_in_ && display_.balls) balls_.note(quality, milliseconds);
+    note_times(quality, milliseconds);
     taken += milliseconds;
     drawn_ = quality;
   } while (quality == RenderQuality::fine && unfinished() &&

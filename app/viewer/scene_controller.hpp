@@ -83,6 +83,13 @@ class SceneController {
   // Takes finished meshes. True: another complex is shown from the next render() on, which must not
   // be left out, or what is said of the complex would be ahead of the picture.
   bool poll();
+  // Before the panels: a new picture is begun now, which a GPU draws while the panels are drawn.
+  // Nothing where there is none, where OpenGL draws in software, and where panels add to the
+  // picture. render() comes nevertheless, and draws again if anything has changed.
+  void begin_picture(ViewportInfo& viewport, bool interacting);
+  void draw_meanwhile() { scene_.set_draws_meanwhile(true); }  // also in software
+  // Once OpenGL has finished all: how long the picture took is known.
+  void note_finished() { take_time(true); }
   // What belongs to the picture and is drawn by the panels; before them.
   void describe(ViewportInfo& viewport) const;
   // Something is still on its way to the screen: a mesh, or a finer picture.
@@ -274,7 +281,8 @@ class SceneController {
   // With their own radii.
   BallGeometry drawn_places(const Selected& what) const;
   ViewProblem find_view_problem() const;
-  void note_times(double picture_milliseconds);
+  void note_times(RenderQuality quality, double picture_milliseconds);
+  void take_time(bool wait);
   void choose_stand_in(bool at_rest);
   void check_view(ViewportInfo& viewport, bool interacting);
   void draw(RenderQuality quality, bool patient);

@@ -201,6 +201,7 @@ void SceneController::take(Drawing drawing) {
 }
 
 void SceneController::show(Drawing drawing) {
+  take_time(true);
   const bool new_balls = drawing.molecule != drawn_molecule_;
   outdated_since_.reset();  // the next that is awaited may take its time as well
   const bool of_sandbox = changes_sandbox(drawn_molecule_.get(), *drawing.molecule);
@@ -208,6 +209,7 @@ void SceneController::show(Drawing drawing) {
   const std::optional<NamedView> place =
       keep_view && of_sandbox ? std::optional(named_view("")) : std::nullopt;
   new_picture_ = true;
+  const bool first_of_answer = drawn_answer_ != drawing.answer;
   drawn_answer_ = drawing.answer;
   not_drawn_ = drawing.not_drawn;
   drawn_molecule_ = drawing.molecule;
@@ -223,7 +225,10 @@ void SceneController::show(Drawing drawing) {
   if (ball_painting_ && ball_painting_->paint != display_.ball_paint) submit_painting();
   if (new_looks) update_radii();
   drawn_mesh_ = std::move(drawing.mesh);
-  picture_stages_ = {{std::string(stage::kMesh), drawing.mesh_milliseconds, false}};
+  // Made again of the same answer, a mesh has what the device found for nothing.
+  const double on_device =
+      first_of_answer && drawing.answer ? drawing.answer->outside_milliseconds : 0;
+  picture_stages_ = {{std::string(stage::kMesh), on_device + drawing.mesh_milliseconds, false}};
   submit_picks();
   drawn_differences_ = std::move(drawing.differences);
   drawn_options_ = drawing.options;
@@ -259,7 +264,9 @@ void SceneController::submit_picks() {
 }
 
 // What of a picture goes into balls and edges counts as drawing it.
-void SceneController::note_times(double picture_milliseconds) {
+void SceneController::note_times(RenderQuality quality, double picture_milliseconds) {
+  if (!stand_in_) quality_.note(quality, picture_milliseconds);
+  if (!stand_in_ && display_.balls) balls_.note(quality, picture_milliseconds);
   const double upload = scene_.take_upload_milliseconds();
   if (picture_stages_.size() != 1) return;
   picture_stages_.push_back({std::string(stage::kUpload), upload, false});

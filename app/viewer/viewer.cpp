@@ -344,15 +344,19 @@ void Viewer::take_requests() {
   if (r.cancel_save || (r.cancel && !state_.busy.active)) cancel_saving();
 }
 
+// What a command has set, before the panels; what they have set, after them.
+void Viewer::send_compute() {
+  if (state_.compute == sent_compute_ || awaits_panels()) return;
+  sent_compute_ = state_.compute;
+  session_.set_request(canonical(state_.compute));
+  state_.compute_error.clear();  // of another alpha; it may be told again
+  const SessionState& s = session_.state();
+  if (s.prepared) state_.molecule.radii = grown_radii(*s.prepared, state_.compute);
+  frames_due_ = kSettlingFrames;
+}
+
 void Viewer::send_controls() {
-  if (state_.compute != sent_compute_ && !awaits_panels()) {
-    sent_compute_ = state_.compute;
-    session_.set_request(canonical(state_.compute));
-    state_.compute_error.clear();  // of another alpha; it may be told again
-    const SessionState& s = session_.state();
-    if (s.prepared) state_.molecule.radii = grown_radii(*s.prepared, state_.compute);
-    frames_due_ = kSettlingFrames;
-  }
+  send_compute();
   send_selection();
   scene_.set_display(state_.display, state_.theme, line_scale());
   scene_.set_clip(state_.clip);

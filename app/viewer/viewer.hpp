@@ -49,13 +49,15 @@ class Viewer {
   // One step for scripts and tests: takes in results, draws one frame with this input.
   void step(ScriptedInput* input);
   // Waits until the last frame is drawn, also where a GPU draws.
-  void finish_frame() { frame_.finish(); }
+  void finish_frame();
   // Milliseconds: SceneController::picture_stages().
   const std::vector<StageTime>& picture_stages() const { return scene_.picture_stages(); }
   // Takes in results until the next frame may be drawn; whether anything happened.
   bool wait_for_frame();
   // A molecule, a complex, a comparison or a mesh is on its way.
   bool busy() const;
+  // Pictures are drawn while the window goes on, as on a GPU, by OpenGL in software as well.
+  void draw_meanwhile() { scene_.draw_meanwhile(); }
   // From now on the panels of other frames than shoot()'s are made and not drawn.
   void draw_shots_only() { draw_shots_only_ = true; }
   // Draws the scene as finely as it can be, then the window, into a PNG file.
@@ -144,6 +146,7 @@ class Viewer {
   bool awaits_panels() const;
   void add_picture_stages();
   bool waits_for_tables();
+  void send_compute();
   void send_selection();
   Settings settings() const;  // as the controls have them
   void note_changes();        // into the history

@@ -37,6 +37,10 @@ void Viewer::draw(ScriptedInput* input, bool patient,
   session_.set_finding_outside(scene_.draws_outside());
   gesture_ = gestures_.in_this_frame();
   store_.next_frame();
+  guarded([&] {
+    send_compute();
+    if (!patient) scene_.begin_picture(state_.viewport, interacting());
+  });
   const WindowParts parts{state_, rects_, commands_, store_, inputs_};
   draw_window(parts, frame_.fonts(), frame_.scale());
   guarded([this] { want_of_all_balls(); });
@@ -90,6 +94,11 @@ void Viewer::step(ScriptedInput* input) {
   host_.wait_events(0);
   take_results();
   draw(input, patient_);
+}
+
+void Viewer::finish_frame() {
+  frame_.finish();
+  scene_.note_finished();
 }
 
 void Viewer::shoot(const std::filesystem::path& path, ScriptedInput* input) {

@@ -89,7 +89,8 @@ class OneSwapTest : public ViewerTest {
     return f;
   }
 
-  // The hand on the slider, to and fro in large steps, so that no two neighbours look alike.
+  // The hand on the slider, to and fro in large steps, so that no two neighbours look alike. In the
+  // second half pictures are drawn while the window goes on.
   std::vector<Frame> drag() {
     const WidgetRect slider = viewer_->widgets().at("alpha.slider");
     ScriptedInput input;
@@ -99,6 +100,7 @@ class OneSwapTest : public ViewerTest {
       const float share = 0.05f + 0.9f * static_cast<float>(std::fmod(0.382 * i, 1.0));
       input.x = slider.x0 + share * (slider.x1 - slider.x0);
       if (i == 0) viewer_->step(&input);  // over the slider before the press
+      if (i == kSteps / 2) viewer_->draw_meanwhile();
       input.down[0] = true;
       frames.push_back(frame(input));
     }

@@ -179,32 +179,61 @@ void Scene::set_viewpoint(const Viewpoint& v) {
 
 double Scene::render(int width, int height, RenderQuality quality) {
   const auto start = std::chrono::steady_clock::now();
-  impl_->apply_quality(quality);
-  impl_->picture_width = width;
-  impl_->picture_height = height;
-  impl_->shows_mean = quality == RenderQuality::fine;
-  if (impl_->shows_mean) {
-    const bool done = impl_->mean.count() >= impl_->style.samples;
-    if (!done || !impl_->mean.is_of(width, height)) impl_->add_sample(width, height);
-    impl_->mean.resolve(impl_->window);
+  impl_->render(width, height, quality);
+  glFinish();
+  const std::chrono::duration<double, std::milli> taken = std::chrono::steady_clock::now() - start;
+  return taken.count();
+}
+
+void Scene::start_render(int width, int height, RenderQuality quality) {
+  if (!impl_->draws_meanwhile || !impl_->timer.start()) {
+    impl_->milliseconds = render(width, height, quality);
+    return;
+  }
+  impl_->milliseconds.reset();
+  impl_->render(width, height, quality);
+  impl_->timer.stop();
+  glFlush();
+}
+
+bool Scene::draws_meanwhile() const {
+  return impl_->draws_meanwhile;
+}
+
+void Scene::set_draws_meanwhile(bool meanwhile) {
+  impl_->draws_meanwhile = meanwhile;
+}
+
+std::optional<double> Scene::take_milliseconds(bool wait) {
+  if (auto taken = std::exchange(impl_->milliseconds, {})) return taken;
+  return impl_->timer.take_milliseconds(wait);
+}
+
+// Hands everything over to OpenGL, which may still be drawing afterwards.
+void Scene::Impl::render(int width, int height, RenderQuality quality) {
+  apply_quality(quality);
+  picture_width = width;
+  picture_height = height;
+  shows_mean = quality == RenderQuality::fine;
+  if (shows_mean) {
+    const bool done = mean.count() >= style.samples;
+    if (!done || !mean.is_of(width, height)) add_sample(width, height);
+    mean.resolve(window);
   } else {
-    impl_->mean.forget();
+    mean.forget();
     const auto samples_along = [&](int pixels) {
-      return std::max(1, static_cast<int>(std::lround(pixels * impl_->samples)));
+      return std::max(1, static_cast<int>(std::lround(pixels * samples)));
     };
-    impl_->draw(samples_along(width), samples_along(height));
+    draw(samples_along(width), samples_along(height));
   }
   // VTK's texture does not filter, which what is smaller than the picture needs.
   glBindTexture(GL_TEXTURE_2D, texture());
-  const GLint filter = impl_->samples != 1 ? GL_LINEAR : GL_NEAREST;
+  const GLint filter = samples != 1 ? GL_LINEAR : GL_NEAREST;
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, filter);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, filter);
   // VTK leaves arbitrary values in the alpha channel; whoever blends the picture must see one.
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_SWIZZLE_A, GL_ONE);
   glBindTexture(GL_TEXTURE_2D, 0);
-  glFinish();
-  const std::chrono::duration<double, std::milli> taken = std::chrono::steady_clock::now() - start;
-  return taken.count();
 }
 
 int Scene::samples_drawn() const {
@@ -212,8 +241,12 @@ int Scene::samples_drawn() const {
 }
 
 unsigned Scene::texture() const {
-  if (impl_->shows_mean) return impl_->mean.picture()->GetHandle();
-  return impl_->window->GetDisplayFramebuffer()->GetColorAttachmentAsTextureObject(0)->GetHandle();
+  return impl_->texture();
+}
+
+unsigned Scene::Impl::texture() {
+  if (shows_mean) return mean.picture()->GetHandle();
+  return window->GetDisplayFramebuffer()->GetColorAttachmentAsTextureObject(0)->GetHandle();
 }
 
 double Scene::angstrom_per_pixel() const {

@@ -94,6 +94,14 @@ class Scene {
 
   // Draws into the texture, width x height pixels (at least 8 x 8); returns milliseconds taken.
   double render(int width, int height, RenderQuality quality);
+  // As render(), but a GPU may go on drawing after this returns: see take_milliseconds(). OpenGL in
+  // software has then drawn it, unless told otherwise: it would take the cores from what follows.
+  void start_render(int width, int height, RenderQuality quality);
+  bool draws_meanwhile() const;  // start_render()
+  void set_draws_meanwhile(bool meanwhile);
+  // How long the picture of the last start_render() took, once. Nothing when there is none, or,
+  // unless told to wait, when it is not finished.
+  std::optional<double> take_milliseconds(bool wait);
   // Samples in the last picture where that is fine, and nothing has changed since; else 0.
   int samples_drawn() const;
   // OpenGL name of the last picture; its first row is the bottom, its alpha reads as one.

@@ -100,8 +100,7 @@ void Scene::Impl::release_buffers() {
 }
 
 void Scene::Impl::set_up_window() {
-  // Debian's VTK carries the GLX build of GLEW, which complains about an EGL context although
-  // every function is found; there is no other way to hush it.
+  // Of what scene_window.hpp tells, among others; there is no other way to hush it.
   vtkObject::GlobalWarningDisplayOff();
   window->SetOwnContext(false);
   window->SetMapped(true);
@@ -111,10 +110,10 @@ void Scene::Impl::set_up_window() {
   window->SetReadyForRendering(true);
   window->SetFrameBlitModeToNoBlit();
   window->SetMultiSamples(0);  // VTK 9.1: samples lose translucent geometry when peeling
-  window->SetAlphaBitPlanes(1);
   window->SetSize(64, 64);
   window->AddRenderer(renderer);
   window->InitializeFromCurrentContext();
+  window->SetAlphaBitPlanes(1);  // of the framebuffers; the context may have none of its own
   interactor->SetRenderWindow(window);
   interactor->SetInteractorStyle(trackball);
   interactor->EnableRenderOff();  // we decide when to draw

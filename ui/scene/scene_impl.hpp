@@ -3,7 +3,6 @@
 #pragma once
 
 #include <vtkActor.h>
-#include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkGenericRenderWindowInteractor.h>
 #include <vtkInteractorStyleTrackballCamera.h>
 #include <vtkNew.h>
@@ -17,9 +16,12 @@
 
 #include "ui/scene/finish_pass.hpp"
 #include "ui/scene/mesh_actor.hpp"
+#include "ui/scene/picture_timer.hpp"
 #include "ui/scene/sample_mean.hpp"
 #include "ui/scene/scene.hpp"
 #include "ui/scene/scene_renderer.hpp"
+#include "ui/scene/scene_window.hpp"
+#include "ui/window/egl_context.hpp"
 
 namespace alphascope {
 
@@ -64,7 +66,7 @@ struct LayerActors {
 };
 
 struct Scene::Impl {
-  vtkNew<vtkGenericOpenGLRenderWindow> window;
+  vtkNew<SceneWindow> window;
   vtkNew<SceneRenderer> renderer;
   vtkNew<vtkGenericRenderWindowInteractor> interactor;
   vtkNew<vtkInteractorStyleTrackballCamera> trackball;
@@ -86,6 +88,9 @@ struct Scene::Impl {
   Finish finish;    // of the next picture
   SampleMean mean;  // of fine pictures
   bool shows_mean = false;
+  PictureTimer timer;
+  std::optional<double> milliseconds;  // of a start_render() that waited
+  bool draws_meanwhile = !draws_in_software();
   int pointer_x = 0, pointer_y = 0;  // pixels of the view
   bool reset_pending = false;        // the fit needs the size of the next picture
 
@@ -101,7 +106,9 @@ struct Scene::Impl {
   void apply_style();
   void show_mesh(std::shared_ptr<MeshData> data);  // null: nothing
   void apply_quality(RenderQuality quality, bool transparent = false);
+  void render(int width, int height, RenderQuality quality);
   void draw(int width, int height);
+  unsigned texture();
   void add_sample(int width, int height);  // to the mean, after apply_quality()
   // To the right and up, in shares of the picture's width and height.
   void shift(double right, double up);

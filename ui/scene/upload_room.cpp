@@ -9,29 +9,10 @@
 #include <algorithm>
 #include <cstring>
 #include <limits>
-#include <string_view>
+
+#include "ui/scene/opengl_feature.hpp"
 
 namespace alphascope {
-namespace {
-
-// Of OpenGL 4.4, which contexts of an earlier version have as an extension.
-bool stays_mapped() {
-  GLint major = 0, minor = 0, extensions = 0;
-  glGetIntegerv(GL_MAJOR_VERSION, &major);
-  glGetIntegerv(GL_MINOR_VERSION, &minor);
-  if (major > 4 || (major == 4 && minor >= 4)) return true;
-  glGetIntegerv(GL_NUM_EXTENSIONS, &extensions);
-  for (GLint n = 0; n < extensions; ++n) {
-    const GLubyte* const name = glGetStringi(GL_EXTENSIONS, static_cast<GLuint>(n));
-    if (reinterpret_cast<const char*>(name) == std::string_view("GL_ARB_buffer_storage")) {
-      return true;
-    }
-  }
-  return false;
-}
-
-}  // namespace
-
 void copy_by_all_threads(const unsigned char* from, unsigned char* to, std::size_t bytes) {
   constexpr std::size_t kPiece = std::size_t{1} << 20;
   tbb::parallel_for(std::size_t{0}, (bytes + kPiece - 1) / kPiece, [&](std::size_t piece) {
@@ -61,7 +42,7 @@ bool UploadRoom::fill(unsigned target, const unsigned char* content, std::size_t
 // A quarter more than is asked for: as alpha changes, so does what is drawn.
 bool UploadRoom::reserve(std::size_t bytes) {
   release();
-  if (!stays_mapped()) return false;
+  if (!has_opengl(4, 4, "GL_ARB_buffer_storage")) return false;  // that stays mapped
   const std::size_t room = bytes + bytes / 4;
   constexpr GLbitfield kHow = GL_MAP_WRITE_BIT | GL_MAP_PERSISTENT_BIT | GL_MAP_COHERENT_BIT;
   const auto size = static_cast<GLsizeiptr>(room);

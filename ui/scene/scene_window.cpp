@@ -1,0 +1,15 @@
+// See the header.
+#include "ui/scene/scene_window.hpp"
+
+#include <vtkObjectFactory.h>
+
+namespace alphascope {
+
+vtkStandardNewMacro(SceneWindow);
+
+void SceneWindow::OpenGLInitContext() {
+  Superclass::OpenGLInitContext();
+  Initialized = GlewInitValid = true;
+}
+
+}  // namespace alphascope

@@ -55,14 +55,15 @@ TEST_F(PictureStages, FollowTheEnginesInItsTimings) {
 
 TEST_F(PictureStages, AreKnownAfterwardsWhereTheWindowGoesOnMeanwhile) {
   open_crambin();
-  const auto texture = [&] {
-    run("click alpha.preset.10\nwait-idle\nframes 20\n");
+  const auto finished = [&] {
+    run("click alpha.preset.10\nwait-idle\n");
+    shot("finished.png");  // only then are all samples in it
     return testing::texture_pixels(static_cast<unsigned>(viewer_->state().viewport.texture));
   };
-  const Image before = texture();
+  const Image before = finished();
   viewer_->draw_meanwhile();
   expect_stages_of_picture();
-  EXPECT_EQ(texture().rgba, before.rgba);
+  EXPECT_EQ(finished().rgba, before.rgba);
 }
 
 }  // namespace

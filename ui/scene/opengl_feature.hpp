@@ -5,8 +5,8 @@
 
 namespace alphascope {
 
-// Of this version, or with this extension, "GL_ARB_...": some drivers give no newer version than was
-// asked for, and have all of its functions.
+// Of this version, or with this extension, "GL_ARB_...": some drivers give no newer version than
+// was asked for, and have all of its functions.
 bool has_opengl(int major, int minor, std::string_view extension);
 
 }  // namespace alphascope

@@ -22,7 +22,7 @@ class PictureTimer {
   std::optional<double> take_milliseconds(bool wait);
 
  private:
-  unsigned query_ = 0;  // an OpenGL name
+  unsigned query_ = 0;      // an OpenGL name
   std::int64_t begun_ = 0;  // ns on OpenGL's clock
   bool running_ = false;
 };

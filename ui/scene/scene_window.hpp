@@ -5,9 +5,9 @@
 
 namespace alphascope {
 
-// Debian's VTK carries the GLX build of GLEW, which complains about an EGL context although it has found
-// every function. VTK would then take the window for one that is not set up yet, and look for all of them
-// again before each picture, which takes longer than a small picture.
+// Debian's VTK carries the GLX build of GLEW, which complains about an EGL context although it has
+// found every function. VTK would then take the window for one that is not set up yet, and look for
+// all of them again before each picture, which takes longer than a small picture.
 class SceneWindow : public vtkGenericOpenGLRenderWindow {
  public:
   static SceneWindow* New();

@@ -11,11 +11,11 @@ option(ALPHASCOPE_PRECOMPILE "Read the standard library's headers once" ${by_def
 
 # For one target.
 function(alphascope_precompile target)
-  if(NOT ALPHASCOPE_PRECOMPILE)
+  if(NOT ALPHASCOPE_PRECOMPILE OR NOT CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     return()
   endif()
   set(quiet)
-  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
+  if(CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
     # "text" + std::string, precompiled, is warned of by mistake in two more ways (AlphascopeFlags.cmake).
     set(quiet -Wno-array-bounds -Wno-stringop-overflow)
   endif()

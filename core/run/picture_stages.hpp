@@ -5,8 +5,8 @@
 
 namespace alphascope::stage {
 
-inline constexpr std::string_view kMesh =
-    "mesh";  // arrays of what is drawn, and what a device finds for them
+// Arrays of what is drawn, and what a device finds for them.
+inline constexpr std::string_view kMesh = "mesh";
 inline constexpr std::string_view kUpload = "upload";  // their way to OpenGL
 inline constexpr std::string_view kDraw = "draw";      // the rest of the first frame with them
 

@@ -7,7 +7,6 @@
 #include "ui/scene/opengl_feature.hpp"
 
 namespace alphascope {
-
 namespace {
 
 bool has_a_clock() {

@@ -1,4 +1,4 @@
-// The window that VTK believes it draws into; see scene.cpp.
+// The window that VTK believes it draws into: its framebuffers in the current context.
 #pragma once
 
 #include <vtkGenericOpenGLRenderWindow.h>

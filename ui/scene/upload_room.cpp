@@ -13,6 +13,7 @@
 #include "ui/scene/opengl_feature.hpp"
 
 namespace alphascope {
+
 void copy_by_all_threads(const unsigned char* from, unsigned char* to, std::size_t bytes) {
   constexpr std::size_t kPiece = std::size_t{1} << 20;
   tbb::parallel_for(std::size_t{0}, (bytes + kPiece - 1) / kPiece, [&](std::size_t piece) {

@@ -39,7 +39,9 @@ void Viewer::draw(ScriptedInput* input, bool patient,
   store_.next_frame();
   guarded([&] {
     send_compute();
-    if (!patient) scene_.begin_picture(state_.viewport, interacting());
+    // A hand on the view moves it with the panels, and it would be drawn twice.
+    const bool turned = !state_.viewport.events.empty();
+    if (!patient && !turned) scene_.begin_picture(state_.viewport, interacting());
   });
   const WindowParts parts{state_, rects_, commands_, store_, inputs_};
   draw_window(parts, frame_.fonts(), frame_.scale());

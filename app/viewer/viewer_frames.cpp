@@ -39,7 +39,8 @@ void Viewer::draw(ScriptedInput* input, bool patient,
   store_.next_frame();
   guarded([&] {
     send_compute();
-    // A hand on the view moves it with the panels, and it would be drawn twice.
+    // While a hand turns the view, its movement is known after the panels only, and the picture
+    // would be drawn twice.
     const bool turned = !state_.viewport.events.empty();
     if (!patient && !turned) scene_.begin_picture(state_.viewport, interacting());
   });

@@ -283,6 +283,24 @@ TEST_F(CommandsInPanels, AChoiceIsMadeWithTheArrowKeys) {
   EXPECT_EQ(p.state.compute.engine, EngineChoice::tuples_cpu);
 }
 
+// Right below the field, however many frames are drawn.
+TEST_F(CommandsInPanels, ThatNothingMatchesIsSaid) {
+  open_palette();
+  for (const bool choice : {false, true}) {
+    if (choice) {
+      type_anew("choose engine");
+      enter();
+    }
+    type("qwx zz 99");
+    p.frame(10);
+    ASSERT_TRUE(p.rects.contains("palette.none"));
+    const WidgetRect field = p.rects.at("palette.field"), none = p.rects.at("palette.none");
+    EXPECT_LT(none.y1 - field.y1, 3 * (field.y1 - field.y0));
+    enter();
+    EXPECT_TRUE(is_open());
+  }
+}
+
 TEST_F(CommandsInPanels, ArrowKeysAndTheMouseChooseARow) {
   open_palette();
   type("theme");

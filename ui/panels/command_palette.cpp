@@ -89,9 +89,15 @@ void row_texts(PanelContext& ctx, const Row& row, ImVec2 low, ImVec2 high) {
   ImGui::PopFont();
 }
 
-// The row that was clicked; rows.size(): none.
-std::size_t list(PanelContext& ctx, const std::vector<Row>& rows) {
+// The row that was clicked; rows.size(): none. Says `none` where there are no rows.
+std::size_t list(PanelContext& ctx, const std::vector<Row>& rows, const char* none) {
   const bool moved = choose_by_keys(ctx, rows.size());
+  if (rows.empty()) {  // a child without a height would take all of the window's, which grows with
+                       // it
+    muted_text(ctx, none);
+    record(ctx, "palette.none");
+    return 0;
+  }
   const float height = ImGui::GetFrameHeight(), gap = ImGui::GetStyle().ItemSpacing.y;
   const auto shown = static_cast<float>(std::min(rows.size(), kMostRows));
   std::size_t clicked = rows.size();
@@ -148,8 +154,7 @@ void search(PanelContext& ctx) {
                     reason.empty() ? m.command->help : reason, m.command->shortcuts_text(),
                     reason.empty()});
   }
-  std::size_t taken = list(ctx, rows);
-  if (rows.empty()) muted_text(ctx, "No command has these words in its name or help.");
+  std::size_t taken = list(ctx, rows, "No command has these words in its name or help.");
   if (entered && !rows.empty()) taken = memory(ctx).chosen;
   if (taken >= matches.size()) return;
   const CommandMatch& m = matches[taken];
@@ -186,7 +191,7 @@ void ask(PanelContext& ctx, const CommandSpec& spec, const Parameter& parameter)
   CommandLine line{spec.id, p.words, {}};
   if (parameter.kind == Parameter::Kind::choice) {
     const std::vector<Row> rows = choice_rows(parameter, p.typed);
-    std::size_t taken = list(ctx, rows);
+    std::size_t taken = list(ctx, rows, "There is no such choice.");
     if (entered && !rows.empty()) taken = p.chosen;
     if (taken < rows.size()) entered = true;
     line.words.push_back(taken < rows.size() ? rows[taken].keys : p.typed);

@@ -7,8 +7,8 @@
 
 #include "core/io/atomic_file.hpp"
 #include "core/molecule/printable.hpp"
+#include "core/run/background.hpp"
 #include "core/run/work_threads.hpp"
-#include "ui/window/quiet_context.hpp"
 
 namespace alphascope {
 namespace {
@@ -57,7 +57,7 @@ void ComplexSaver::start(std::shared_ptr<const Answer> answer, ComplexHeader hea
   worker_.submit(
       [this, answer = std::move(answer), header = std::move(header),
        request](const RunContext& context) -> Worker::Delivery {
-        give_way_to_others();
+        give_way_to_others(Share::third);
         const std::string what = write_files(*answer, header, request, context);
         return [this, path = request.path, what] {
           outcome_.ended = true;

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "core/molecule/printable.hpp"
-#include "ui/window/quiet_context.hpp"
+#include "core/run/background.hpp"
 
 namespace alphascope {
 
@@ -119,7 +119,7 @@ void PictureSaver::begin() {
   const auto written = std::make_shared<std::atomic<bool>>(false);
   worker_.submit(
       [this, job, written, studio = studio_.get()](const RunContext& c) -> Worker::Delivery {
-        give_way_to_others();
+        give_way_to_others(Share::third);
         const std::string left_out = studio->draw(*job, c);
         *written = true;
         return [this, job, left_out] {

@@ -99,7 +99,7 @@ void Store::begin(Entry& e) {
       [this, &e, &lane, threads, key = e.wanted, make = std::exchange(e.make, nullptr),
        held = e.need.held,
        chain = std::move(chain)](const RunContext& context) -> Worker::Delivery {
-        if (&lane == &background_) let_others_go_first();
+        if (&lane == &background_) give_way_to_others(Share::seventieth);
         std::vector<Made> made;
         threads->run([&] {
           context.cancel.throw_if_cancelled();

@@ -2,16 +2,17 @@
 #include "core/run/background.hpp"
 
 #ifdef __linux__
-#include <pthread.h>
-#include <sched.h>
+#include <sys/resource.h>
+#include <sys/syscall.h>
+#include <unistd.h>
 #endif
 
 namespace alphascope {
 
-void let_others_go_first() {
+void give_way_to_others([[maybe_unused]] Share share) {
 #ifdef __linux__
-  const sched_param none{};
-  pthread_setschedparam(pthread_self(), SCHED_IDLE, &none);  // refused: as before
+  const auto thread = static_cast<id_t>(syscall(SYS_gettid));  // Linux: nice is a thread's own
+  setpriority(PRIO_PROCESS, thread, static_cast<int>(share));  // refused: as before
 #endif
 }
 

@@ -3,8 +3,15 @@
 
 namespace alphascope {
 
-// The calling thread gets a core only when no other thread wants it, from now on and for good.
-// Where the system has no such rule, nothing happens.
-void let_others_go_first();
+// How much a thread gets of a core that other threads want, too: the kernel's "nice" value. Where
+// nobody else wants it, it gets all.
+enum class Share {
+  third = 5,       // of what a usual thread gets
+  seventieth = 19  // Never nothing: on a machine that is always busy its work would not end.
+};
+
+// For the calling thread, and the threads that it starts from now on; for good. Where the system
+// has no such rule, nothing happens.
+void give_way_to_others(Share share);
 
 }  // namespace alphascope

@@ -8,10 +8,6 @@
 
 namespace alphascope {
 
-// Lets this thread, and the threads that it starts from now on, run only when nobody else wants the
-// processor, more or less. Cannot be undone.
-void give_way_to_others();
-
 // Mesa's software driver has one pool of threads for each display, and one context's picture waits
 // until the other's is done. This context is of a display of its own, and so is its pool. Another
 // context that is current on this thread stays current. Throws std::runtime_error when there is no

@@ -190,6 +190,87 @@ TEST_F(SceneTest, AMovingTranslucentTetrahedronShowsItsFront) {
   }
 }
 
+// Without what only pictures at rest have.
+SceneStyle plain_style(double complex_opacity, Theme theme) {
+  SceneStyle style{.balls = false, .complex_opacity = complex_opacity};
+  style.theme = theme;
+  style.ambient_occlusion = false;
+  style.depth_cue = style.silhouettes = 0;
+  return style;
+}
+
+// While something moves, a face has one light, and its highlight is that of one corner.
+TEST_F(SceneTest, LightForEachFaceLooksLikeLightForEachPixel) {
+  load(0);
+  scene.set_style(plain_style(1, Theme::dark));
+  scene.render(400, 300, RenderQuality::medium);
+  const Image at_rest = testing::texture_pixels(scene.texture());
+  scene.render(400, 300, RenderQuality::draft);
+  const Image moving = testing::texture_pixels(scene.texture());
+  int drawn = 0, otherwise = 0;
+  for (std::size_t i = 0; i < at_rest.rgba.size(); i += 4) {
+    int difference = 0, seen = 0;
+    for (std::size_t c = 0; c < 3; ++c) {
+      difference = std::max(difference, std::abs(at_rest.rgba[i + c] - moving.rgba[i + c]));
+      seen = std::max(seen, std::abs(at_rest.rgba[i + c] - at_rest.rgba[c]));
+    }
+    drawn += seen > 6 ? 1 : 0;
+    otherwise += difference > 6 ? 1 : 0;
+  }
+  EXPECT_GT(drawn, 4000);
+  EXPECT_LT(otherwise, drawn / 50);
+}
+
+// Through a tetrahedron's four triangles, which hide nothing of each other: exactly at rest, and of
+// all layers together while something moves.
+TEST_F(SceneTest, AsMuchShinesThroughTranslucentLayersThatMove) {
+  constexpr double kOpacity = 0.4;
+  AlphaComplex one = complex_of(balls, 0);
+  ASSERT_FALSE(one.tetrahedra.simplices.empty());
+  const auto t = one.tetrahedra.simplices.front();
+  one.tetrahedra = {};
+  one.edges = {};
+  one.triangles = {};
+  for (const auto& f : {std::array{t[0], t[1], t[2]}, std::array{t[0], t[1], t[3]},
+                        std::array{t[0], t[2], t[3]}, std::array{t[1], t[2], t[3]}}) {
+    one.triangles.simplices.push_back(f);
+    one.triangles.alpha_values.push_back(0);
+    one.triangles.classes.push_back(SimplexClass::singular);
+  }
+  MeshOptions options{.tetrahedra = false, .triangles = true, .translucent = true};
+  options.colouring = ComplexColouring::single;
+  scene.set_balls(geometry, two_colours(balls->size()));
+  scene.set_mesh(make_mesh_data(std::make_shared<const ComplexMesh>(
+      build_mesh(*geometry, two_colours(balls->size()), one, options))));
+  // The same on a dark and on a light background: what differs is what shines through.
+  const auto through = [&](RenderQuality quality, bool drawn) {
+    std::array<Image, 2> pictures;
+    for (const Theme theme : {Theme::dark, Theme::light}) {
+      SceneStyle style = plain_style(drawn ? kOpacity : 1e-6, theme);
+      style.side_width = 0;
+      scene.set_style(style);
+      scene.render(400, 300, quality);
+      pictures[theme == Theme::light] = testing::texture_pixels(scene.texture());
+    }
+    std::vector<int> result;
+    for (std::size_t i = 0; i < pictures[0].rgba.size(); i += 4) {
+      result.push_back(pictures[1].rgba[i] - pictures[0].rgba[i]);
+    }
+    return result;
+  };
+  const std::vector<int> none = through(RenderQuality::medium, false);
+  const std::vector<int> at_rest = through(RenderQuality::medium, true);
+  const std::vector<int> moving = through(RenderQuality::draft, true);
+  int two_layers = 0, otherwise = 0;
+  for (std::size_t i = 0; i < none.size(); ++i) {
+    const double expected = (1 - kOpacity) * (1 - kOpacity) * none[i];
+    two_layers += std::abs(at_rest[i] - expected) <= 3 ? 1 : 0;
+    otherwise += std::abs(moving[i] - at_rest[i]) > 3 ? 1 : 0;
+  }
+  EXPECT_GT(two_layers, 100);
+  EXPECT_LE(otherwise, two_layers / 20);
+}
+
 TEST_F(SceneTest, RendersIntoATextureAtEveryQualityAndSize) {
   load(0);
   for (const RenderQuality quality :

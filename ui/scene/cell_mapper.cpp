@@ -36,6 +36,7 @@ constexpr const char* kColourDeclared = "//VTK::Color::Dec";
 constexpr const char* kColour = "//VTK::Color::Impl";
 constexpr const char* kUniformFlow = "//VTK::UniformFlow::Impl";
 constexpr const char* kNormal = "//VTK::Normal::Impl";
+constexpr const char* kLight = "//VTK::Light::Impl";
 constexpr const char* kDepth = "//VTK::Depth::Impl";
 
 constexpr std::size_t kLargeUpload = std::size_t{4} << 20;  // bytes
@@ -223,6 +224,13 @@ void CellMapper::BuildBufferObjects(vtkRenderer* renderer, vtkActor*) {
   upload_milliseconds_ += taken.count();
 }
 
+bool CellMapper::GetNeedToRebuildShaders(vtkOpenGLHelper& helper, vtkRenderer* renderer,
+                                         vtkActor* actor) {
+  const bool by_face = lit_by_face_ && normals_.count() == 0;
+  const bool other = std::exchange(built_lit_by_face_, by_face) != by_face;
+  return this->Superclass::GetNeedToRebuildShaders(helper, renderer, actor) || other;
+}
+
 void CellMapper::ReplaceShaderValues(Sources shaders, vtkRenderer* renderer, vtkActor* actor) {
   {
     Edited vertex(shaders, vtkShader::Vertex), fragment(shaders, vtkShader::Fragment);
@@ -238,8 +246,12 @@ void CellMapper::ReplaceShaderValues(Sources shaders, vtkRenderer* renderer, vtk
       vertex.before(kBegin, kFacesFetched);
       fragment.before(kColourDeclared, kFacesToFragments);
       fragment.after(kUniformFlow, kFacesUniform);
-      fragment.after(kNormal, kFacesNormal);
       fragment.after(kColour, kFacesColoured);
+      if (built_lit_by_face_) {
+        fragment.instead(kLight, kFacesLit);
+      } else {
+        fragment.after(kNormal, kFacesNormal);
+      }
     }
   }
   this->Superclass::ReplaceShaderValues(shaders, renderer, actor);
@@ -280,6 +292,7 @@ void CellMapper::SetMapperShaderParameters(vtkOpenGLHelper& helper, vtkRenderer*
   program->SetUniformi("whole", whole ? 1 : 0);
   program->SetUniformi("outward", actor->GetProperty()->GetBackfaceCulling() ? 1 : 0);
   program->SetUniformi("smoothed", smoothed ? 1 : 0);
+  program->SetUniformi("litByFace", built_lit_by_face_ ? 1 : 0);
   program->SetUniformf("shrink", shrink_);
   program->SetUniformf("sideWidth", lines_.side_width);
 }

@@ -74,6 +74,9 @@ class CellMapper : public vtkOpenGLPolyDataMapper {
   // As rods with round ends. A mapper that shows edges shows nothing else, ever.
   void show_edges(const EdgeCells* edges);  // null: nothing
   void set_lines(const CellLines& lines) { lines_ = lines; }
+  // Light for each face instead of each pixel, where faces have no normals between them: highlights
+  // are coarser.
+  void light_faces(bool by_face) { lit_by_face_ = by_face; }
   void free_memory(vtkWindow* window);  // of what is shown, until that is drawn
   bool empty() const { return cells_.count() == 0; }
   // Spent on handing content over to OpenGL, since this was last asked.
@@ -89,6 +92,8 @@ class CellMapper : public vtkOpenGLPolyDataMapper {
   void ComputeBounds() override;
   bool GetNeedToRebuildBufferObjects(vtkRenderer*, vtkActor*) override;
   void BuildBufferObjects(vtkRenderer* renderer, vtkActor*) override;
+  bool GetNeedToRebuildShaders(vtkOpenGLHelper& helper, vtkRenderer* renderer,
+                               vtkActor* actor) override;
   void ReplaceShaderValues(std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* renderer,
                            vtkActor* actor) override;
   void SetMapperShaderParameters(vtkOpenGLHelper& helper, vtkRenderer* renderer,
@@ -108,6 +113,7 @@ class CellMapper : public vtkOpenGLPolyDataMapper {
   ShaderBuffer normals_;                // of balls
   Kind kind_ = Kind::faces;
   CellLines lines_;
+  bool lit_by_face_ = false, built_lit_by_face_ = false;  // asked for, and in the shaders
   float shrink_ = 0;
   double upload_milliseconds_ = 0;
 };

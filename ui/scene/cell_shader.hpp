@@ -17,26 +17,54 @@ uniform float shrink;
 uniform int whole;
 uniform int outward;  // of whole tetrahedra: faces are counterclockwise from outside
 uniform int smoothed;
-flat out vec3 cellColourVSOutput;
-out vec3 cellCornerVSOutput;
+uniform int litByFace;
+flat out uint cellColourVSOutput;
+flat out uint faceColourVSOutput;  // lit; where litByFace. 10 bits each, up to 2
+out vec2 cellCornerVSOutput;
 out vec3 cellNormalVSOutput;
 vec4 vertexMC;
 vec3 placeOf(uint ball) { return texelFetch(places, int(ball)).xyz; }
+// VTK's; it gives as many of them as the scene has.
+uniform vec3 lightColor0, lightColor1, lightColor2;
+uniform vec3 lightDirectionVC0, lightDirectionVC1, lightDirectionVC2;
+uniform float ambientIntensity, diffuseIntensity, specularIntensity, specularPowerUniform;
+// What VTK does for each pixel: diffuse light, and in w what shines. All vectors have the length 1.
+vec3 lit(vec3 lightColour, vec3 direction, vec3 normal, vec3 toEye, vec3 colour) {
+  float facing = dot(normal, -direction);
+  if (facing <= 0.0) return vec3(0.0);
+  float shine = pow(max(0.0, dot(reflect(direction, normal), toEye)), specularPowerUniform);
+  return lightColour * (diffuseIntensity * facing * colour + specularIntensity * shine);
+}
+uint litFace(vec3 normal, vec3 toEye, vec3 colour) {
+  if (dot(normal, toEye) < 0.0) normal = -normal;
+  vec3 sum = ambientIntensity * colour;
+  sum += lit(lightColor0, lightDirectionVC0, normal, toEye, colour);
+  sum += lit(lightColor1, lightDirectionVC1, normal, toEye, colour);
+  sum += lit(lightColor2, lightDirectionVC2, normal, toEye, colour);
+  uvec3 bits = uvec3(clamp(511.5 * sum + 0.5, 0.0, 1023.0));
+  return bits.x | bits.y << 10 | bits.z << 20;
+}
 )";
 inline constexpr const char* kFacesFetched = R"(
   {
     uint colour;
     vec3 place;
     int corner = gl_VertexID % 3;
+    vec3 first, second, third;  // the face's corners
     cellNormalVSOutput = vec3(0.0);
     if (whole != 0) {
       int cell = gl_VertexID / 12;
       int face = gl_VertexID % 12 / 3;
       uvec4 balls = texelFetch(cells, cell);
+      if (litByFace != 0) {
+        first = placeOf(balls[face == 0 ? 1 : 0]);
+        second = placeOf(balls[face < 2 ? 2 : 1]);
+        third = placeOf(balls[face < 3 ? 3 : 2]);
+      }
       if (outward != 0) {
-        vec3 first = placeOf(balls.x);
-        float volume = dot(cross(placeOf(balls.y) - first, placeOf(balls.z) - first),
-                           placeOf(balls.w) - first);
+        vec3 apex = placeOf(balls.x);
+        float volume = dot(cross(placeOf(balls.y) - apex, placeOf(balls.z) - apex),
+                           placeOf(balls.w) - apex);
         if ((volume > 0.0) == ((face & 1) != 0)) corner = (3 - corner) % 3;
       }
       place = placeOf(balls[corner < face ? corner : corner + 1]);
@@ -50,44 +78,63 @@ inline constexpr const char* kFacesFetched = R"(
     } else {
       uvec4 face = texelFetch(cells, gl_VertexID / 3);
       place = placeOf(face[corner]);
+      if (litByFace != 0) {
+        first = placeOf(face.x);
+        second = placeOf(face.y);
+        third = placeOf(face.z);
+      }
       colour = face.w;
       if (smoothed != 0) {
         cellNormalVSOutput = cellToCamera * texelFetch(normals, int(face[corner])).xyz;
       }
     }
     vertexMC = vec4(place, 1.0);
-    cellCornerVSOutput = vec3(corner == 0, corner == 1, corner == 2);
-    cellColourVSOutput =
-        vec3(float(colour & 255u), float(colour >> 8 & 255u), float(colour >> 16 & 255u)) / 255.0;
+    cellCornerVSOutput = vec2(corner == 0, corner == 1);
+    cellColourVSOutput = colour;
+    faceColourVSOutput = 0u;
+    if (litByFace != 0) {
+      vec3 normal = normalize(cellToCamera * cross(second - first, third - first));
+      vec3 toEye = normalize(-(MCVCMatrix * vertexMC).xyz);
+      faceColourVSOutput = litFace(normal, toEye, vec3(colour & 255u, colour >> 8 & 255u, colour >> 16 & 255u) / 255.0);
+    }
   }
 )";
 inline constexpr const char* kFacesToFragments = R"(
 uniform int smoothed;
 uniform float sideWidth;  // of the darker lines around a face, pixels; 0: none
-flat in vec3 cellColourVSOutput;
-in vec3 cellCornerVSOutput;
+flat in uint cellColourVSOutput;
+flat in uint faceColourVSOutput;
+in vec2 cellCornerVSOutput;
 in vec3 cellNormalVSOutput;
 )";
 // Derivatives need all neighbours of a pixel to be computed.
 inline constexpr const char* kFacesUniform = R"(
+  vec3 cellCorner = vec3(cellCornerVSOutput, 1.0 - cellCornerVSOutput.x - cellCornerVSOutput.y);
   vec3 cellSlope = vec3(0.0);  // of cellCorner, for each pixel
   if (sideWidth > 0.0) {
-    vec3 right = dFdx(cellCornerVSOutput), up = dFdy(cellCornerVSOutput);
+    vec3 right = dFdx(cellCorner), up = dFdy(cellCorner);
     cellSlope = max(sqrt(right * right + up * up), 1e-6);
   }
 )";
 // Half of a line lies on each of two faces. What is no larger than its lines has none.
 inline constexpr const char* kFacesColoured = R"(
-  vec3 cellColour = cellColourVSOutput;
+  float cellShade = 1.0;
   if (sideWidth > 0.0) {
-    vec3 away = cellCornerVSOutput / cellSlope;  // from the sides, pixels
+    vec3 away = cellCorner / cellSlope;  // from the sides, pixels
     float nearest = min(away.x, min(away.y, away.z));
     float height = 1.0 / max(cellSlope.x, max(cellSlope.y, cellSlope.z));
     float line = 1.0 - smoothstep(0.5 * sideWidth - 0.5, 0.5 * sideWidth + 0.5, nearest);
-    cellColour *= 1.0 - 0.5 * line * smoothstep(4.0, 14.0, height / sideWidth);
+    cellShade = 1.0 - 0.5 * line * smoothstep(4.0, 14.0, height / sideWidth);
   }
+  vec3 cellColour = cellShade * vec3(cellColourVSOutput & 255u, cellColourVSOutput >> 8 & 255u,
+                                     cellColourVSOutput >> 16 & 255u) / 255.0;
   ambientColor = ambientIntensity * cellColour;
   diffuseColor = diffuseIntensity * cellColour;
+)";
+// Instead of VTK's light.
+inline constexpr const char* kFacesLit = R"(
+  uvec3 faceBits = uvec3(faceColourVSOutput, faceColourVSOutput >> 10, faceColourVSOutput >> 20);
+  gl_FragData[0] = vec4(cellShade / 511.5 * vec3(faceBits & 1023u), opacity);
 )";
 // Where sheets of a surface meet in a ball, its normal may be nobody's: the face has its own then.
 inline constexpr const char* kFacesNormal = R"(

@@ -2,6 +2,7 @@
 #include "ui/scene/scene_renderer.hpp"
 
 #include <vtkObjectFactory.h>
+#include <vtkRenderState.h>
 
 namespace alphascope {
 
@@ -13,8 +14,20 @@ void SceneRenderer::DeviceRenderOpaqueGeometry(vtkFrameBufferObjectBase* target)
 }
 
 void SceneRenderer::DeviceRenderTranslucentPolygonalGeometry(vtkFrameBufferObjectBase* target) {
-  Superclass::DeviceRenderTranslucentPolygonalGeometry(target);
+  if (this->UseDepthPeeling) {
+    Superclass::DeviceRenderTranslucentPolygonalGeometry(target);
+  } else {
+    this->LastRenderingUsedDepthPeeling = 0;  // or actors would write depths
+    vtkRenderState state(this);
+    state.SetPropArrayAndCount(this->PropArray, this->PropArrayCount);
+    translucent_sum_->Render(&state);
+  }
   if (after_translucent) after_translucent();
+}
+
+void SceneRenderer::ReleaseGraphicsResources(vtkWindow* window) {
+  translucent_sum_->ReleaseGraphicsResources(window);
+  Superclass::ReleaseGraphicsResources(window);
 }
 
 }  // namespace alphascope

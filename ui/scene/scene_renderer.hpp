@@ -1,10 +1,13 @@
-// VTK's renderer with a step after what is opaque, and one after what is translucent. For sources
-// of the scene only.
+// VTK's renderer with a step after what is opaque, one after what is translucent, and a quick way
+// to draw the latter. For sources of the scene only.
 #pragma once
 
+#include <vtkNew.h>
 #include <vtkOpenGLRenderer.h>
 
 #include <functional>
+
+#include "ui/scene/translucent_sum.hpp"
 
 namespace alphascope {
 
@@ -18,8 +21,13 @@ class SceneRenderer : public vtkOpenGLRenderer {
   void DeviceRenderOpaqueGeometry(vtkFrameBufferObjectBase* target) override;
   void DeviceRenderTranslucentPolygonalGeometry(vtkFrameBufferObjectBase* target) override;
 
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+
  protected:
   SceneRenderer() = default;
+
+ private:
+  vtkNew<TranslucentSum> translucent_sum_;  // where no depths are peeled
 };
 
 }  // namespace alphascope

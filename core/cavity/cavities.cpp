@@ -6,7 +6,7 @@
 #include "core/cavity/inside.hpp"
 #include "core/cavity/mouths.hpp"
 #include "core/run/internal_error.hpp"
-#include "core/triangulation/parallel_ranges.hpp"
+#include "core/run/parallel.hpp"
 #include "core/triangulation/union_find.hpp"
 
 namespace alphascope {
@@ -42,7 +42,7 @@ class CavityFinder {
   // Each inside tetrahedron gets the least one that it is joined to, then that one's number.
   void label_tetrahedra() {
     UnionFind sets(tetrahedra_);
-    parallel_ranges(incidence_.triangles.size(), cancel_, [&](std::size_t f) {
+    parallel_many(incidence_.triangles.size(), cancel_, [&](std::size_t f) {
       const auto [a, b] = incidence_.tetrahedra_of_triangle[f];
       if (!in_.triangles[f] && b != Incidence::kOutside && is_inside(a) && is_inside(b)) {
         sets.unite(a, b);
@@ -50,7 +50,7 @@ class CavityFinder {
     });
     auto& labels = result_.cavity_of_tetrahedron;
     labels.resize(tetrahedra_);
-    parallel_ranges(tetrahedra_, cancel_, [&](std::size_t t) {
+    parallel_many(tetrahedra_, cancel_, [&](std::size_t t) {
       labels[t] = is_inside(t) ? sets.root(static_cast<std::uint32_t>(t)) : Cavities::kNone;
     });
   }
@@ -120,7 +120,7 @@ class CavityFinder {
   void set_betti_numbers() {
     result_.simplices = in_.counts();
     UnionFind sets(in_.vertices.size());
-    parallel_ranges(in_.edges.size(), cancel_, [&](std::size_t e) {
+    parallel_many(in_.edges.size(), cancel_, [&](std::size_t e) {
       if (in_.edges[e]) sets.unite(incidence_.edges[e][0], incidence_.edges[e][1]);
     });
     for (std::uint32_t v = 0; v < in_.vertices.size(); ++v) {

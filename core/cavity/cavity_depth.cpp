@@ -1,8 +1,5 @@
 #include "core/cavity/cavity_depth.hpp"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <atomic>
 #include <cmath>
@@ -10,6 +7,7 @@
 #include <vector>
 
 #include "core/predicates/lifted.hpp"
+#include "core/run/parallel.hpp"
 
 namespace alphascope {
 namespace {
@@ -105,10 +103,10 @@ double depth_angstrom(const CavityGround& ground, const Cavity& cavity,
   const Shutters shutters(ground, cavity);
   // What is not farther than the farthest so far need not be known to the end.
   std::atomic<double> farthest = 0;
-  using Range = tbb::blocked_range<std::size_t>;
-  tbb::parallel_for(Range(0, lining.size(), 64), [&](const Range& range) {
+  constexpr std::size_t kGrain = 64;
+  parallel_ranges(0, lining.size(), kGrain, [&](std::size_t begin, std::size_t end) {
     std::size_t first = 0;
-    for (std::size_t n = range.begin(); n != range.end() && !cancel.cancelled(); ++n) {
+    for (std::size_t n = begin; n != end && !cancel.cancelled(); ++n) {
       double known = farthest.load(std::memory_order_relaxed);
       const double square =
           shutters.square_distance(Shutters::centre(ground, lining[n]), known, first);

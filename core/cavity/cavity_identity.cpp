@@ -8,7 +8,7 @@
 
 #include "core/cavity/point_location.hpp"
 #include "core/predicates/perturbation.hpp"
-#include "core/triangulation/parallel_ranges.hpp"
+#include "core/run/parallel.hpp"
 
 namespace alphascope {
 namespace {
@@ -127,7 +127,7 @@ class CentroidCavities {
   std::vector<std::uint32_t> all(const CancelToken& cancel) const {
     const auto& labels = later_.found.cavity_of_tetrahedron;
     std::vector<std::uint32_t> cavities(labels.size(), kNone);
-    parallel_ranges(labels.size(), cancel, [&](std::size_t t) {
+    parallel_many(labels.size(), cancel, [&](std::size_t t) {
       if (labels[t] != Cavities::kNone) cavities[t] = of(t);
     });
     return cavities;

@@ -9,7 +9,7 @@
 
 #include "core/cavity/inside.hpp"
 #include "core/predicates/exact_alpha.hpp"
-#include "core/triangulation/parallel_ranges.hpp"
+#include "core/run/parallel.hpp"
 #include "core/triangulation/union_find.hpp"
 
 namespace alphascope {
@@ -41,8 +41,8 @@ Gate gate(const CavityGround& ground, std::uint32_t f) {
 
 std::vector<Gate> gates(const CavityGround& ground, const CancelToken& cancel) {
   std::vector<Gate> all(ground.incidence.triangles.size());
-  parallel_ranges(all.size(), cancel,
-                  [&](std::size_t f) { all[f] = gate(ground, static_cast<std::uint32_t>(f)); });
+  parallel_many(all.size(), cancel,
+                [&](std::size_t f) { all[f] = gate(ground, static_cast<std::uint32_t>(f)); });
   tbb::parallel_sort(all.begin(), all.end());
   cancel.throw_if_cancelled();
   return all;

@@ -7,7 +7,7 @@
 
 #include "core/cavity/tetrahedron_outside.hpp"
 #include "core/measure/exact_sum.hpp"
-#include "core/triangulation/parallel_ranges.hpp"
+#include "core/run/parallel.hpp"
 
 namespace alphascope {
 namespace {
@@ -46,8 +46,8 @@ class CavityMeasurer {
     for (std::size_t c = 0; c < cavities_.size(); ++c) {
       sum_tetrahedra(c, area_of_ball, measures[c]);
     }
-    parallel_ranges(cavities_.size(), cancel_,
-                    [&](std::size_t c) { measure_mouths(cavities_[c], measures[c]); });
+    parallel_many(cavities_.size(), cancel_,
+                  [&](std::size_t c) { measure_mouths(cavities_[c], measures[c]); });
     return measures;
   }
 
@@ -63,8 +63,7 @@ class CavityMeasurer {
                 tetrahedra.begin() + static_cast<std::ptrdiff_t>(first_[c]));
     }
     parts_.resize(tetrahedra.size());
-    parallel_ranges(parts_.size(), cancel_,
-                    [&](std::size_t n) { parts_[n] = part(tetrahedra[n]); });
+    parallel_many(parts_.size(), cancel_, [&](std::size_t n) { parts_[n] = part(tetrahedra[n]); });
   }
 
   OutsidePart part(std::uint32_t t) const {

@@ -1,7 +1,7 @@
 // See the header.
 #include "core/cavity/cavity_of_points.hpp"
 
-#include "core/triangulation/parallel_ranges.hpp"
+#include "core/run/parallel.hpp"
 
 namespace alphascope {
 
@@ -11,7 +11,7 @@ std::vector<std::uint32_t> cavities_at(const CavityTable& table,
   std::vector<std::uint32_t> cavities(places.size(), Cavities::kNone);
   if (table.size() == 0 || places.empty()) return cavities;
   const PointLocator locator(*table.ground->balls, *table.ground->triangulation);
-  parallel_ranges(places.size(), cancel, [&](std::size_t n) {
+  parallel_many(places.size(), cancel, [&](std::size_t n) {
     const std::uint32_t at = locator.find(places[n]);
     if (at != PointLocator::kOutside) cavities[n] = table.found.cavity_of_tetrahedron[at];
   });

@@ -1,7 +1,5 @@
 #include "core/cavity/centre_line.hpp"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -9,6 +7,7 @@
 
 #include "core/cavity/plane_ascent.hpp"
 #include "core/cavity/walk.hpp"
+#include "core/run/parallel.hpp"
 
 namespace alphascope {
 namespace {
@@ -191,7 +190,7 @@ void cut_ends(const Scene& scene, Line& line) {
 // Moves every place in the plane normal to the line, but fixed ends and what is in the open.
 Line ascended(const Scene& scene, const Line& line, double spacing, const AscentLimits& limits) {
   Line result = line;
-  tbb::parallel_for(std::size_t{0}, line.size(), [&](std::size_t n) {
+  parallel_each(0, line.size(), [&](std::size_t n) {
     const RealPoint normal = tangent(scene.clearance, line, n, spacing);
     if (scene.stays(line, n) || scene.cancel.cancelled() || normal == RealPoint{}) return;
     result[n] = ascend_in_plane(scene.clearance, line[n], normal, limits).place;

@@ -9,7 +9,7 @@
 
 #include "core/cavity/orthocentre.hpp"
 #include "core/cavity/point_location.hpp"
-#include "core/triangulation/parallel_ranges.hpp"
+#include "core/run/parallel.hpp"
 
 namespace alphascope {
 namespace {
@@ -91,7 +91,7 @@ std::vector<FillingSphere> filling_spheres(const CavityGround& ground, const Cav
                                            const CancelToken& cancel) {
   if (most == 0) return {};
   std::vector<FillingSphere> spheres(cavity.tetrahedra.size());
-  parallel_ranges(spheres.size(), cancel, [&](std::size_t n) {
+  parallel_many(spheres.size(), cancel, [&](std::size_t n) {
     spheres[n] = sphere_at(ground, cavity, clearance, cavity.tetrahedra[n]);
   });
   std::erase_if(spheres, [](const FillingSphere& s) { return !(s.radius_angstrom > 0); });

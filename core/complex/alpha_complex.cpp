@@ -1,12 +1,9 @@
 #include "core/complex/alpha_complex.hpp"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_reduce.h>
-
 #include <cstdio>
-#include <functional>
 
 #include "core/complex/simplex_hash.hpp"
+#include "core/run/parallel.hpp"
 
 namespace alphascope {
 namespace {
@@ -26,12 +23,7 @@ void add(const SimplexList<N>& list, HashSums& sums) {
     sums.sum[N - 1] = sum(0, list.size());
     return;
   }
-  sums.sum[N - 1] = tbb::parallel_reduce(
-      tbb::blocked_range<std::size_t>(0, list.size(), kManySimplices), std::uint64_t{0},
-      [&](const tbb::blocked_range<std::size_t>& part, std::uint64_t before) {
-        return before + sum(part.begin(), part.end());
-      },
-      std::plus<>());
+  sums.sum[N - 1] = parallel_sum(0, list.size(), kManySimplices, sum);
 }
 
 template <int N>

@@ -2,8 +2,6 @@
 // generated.
 #pragma once
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -16,6 +14,7 @@
 #include "core/complex/count_limits.hpp"
 #include "core/complex/simplices.hpp"
 #include "core/run/cancel_token.hpp"
+#include "core/run/parallel.hpp"
 
 namespace alphascope {
 
@@ -138,14 +137,14 @@ class FaceGroups {
   void list_records(const AroundVertices<N>& around, BallIndex end, const CancelToken& cancel) {
     const auto& cofaces = around.cofaces();
     bucket_.assign(std::size_t{end} - begin_ + 1, 0);
-    tbb::parallel_for(begin_, end, [&](BallIndex v) {
+    parallel_each(begin_, end, [&](BallIndex v) {
       std::uint32_t& count = bucket_[v - begin_ + 1];
       // Dropping vertex 0 leaves vertex 1 first; every other face starts with vertex 0.
       for (const std::uint32_t c : around.of(v)) count += cofaces[c][0] == v ? N : 1;
     });
     std::partial_sum(bucket_.begin(), bucket_.end(), bucket_.begin());
     records_.resize(bucket_.back());
-    tbb::parallel_for(begin_, end, [&](BallIndex v) {
+    parallel_each(begin_, end, [&](BallIndex v) {
       if (cancel.cancelled()) return;
       const auto begin = records_.begin() + bucket_[v - begin_];
       auto at = begin;
@@ -165,14 +164,14 @@ class FaceGroups {
   void mark_faces() {
     const std::size_t buckets = bucket_.size() - 1;
     std::vector<std::uint32_t> first_face(buckets + 1, 0);
-    tbb::parallel_for(std::size_t{0}, buckets, [&](std::size_t b) {
+    parallel_each(0, buckets, [&](std::size_t b) {
       for_faces_of(b, [&](std::uint32_t) { ++first_face[b + 1]; });
     });
     std::partial_sum(first_face.begin(), first_face.end(), first_face.begin());
     faces_.resize(first_face.back());
     first_record_.resize(faces_.size() + 1);
     first_record_.back() = static_cast<std::uint32_t>(records_.size());
-    tbb::parallel_for(std::size_t{0}, buckets, [&](std::size_t b) {
+    parallel_each(0, buckets, [&](std::size_t b) {
       std::uint32_t at = first_face[b];
       for_faces_of(b, [&](std::uint32_t r) {
         std::array<BallIndex, N>& face = faces_[at];
@@ -233,7 +232,7 @@ void sort_simplices(Simplices<N>& simplices, std::size_t vertex_end,
   Simplices<N> sorted(simplices.size());
   std::vector<std::uint32_t> next(bucket.begin(), bucket.end() - 1);
   for (const auto& s : simplices) sorted[next[s[0]]++] = s;
-  tbb::parallel_for(std::size_t{0}, vertex_end, [&](std::size_t v) {
+  parallel_each(0, vertex_end, [&](std::size_t v) {
     if (cancel.cancelled()) return;
     std::sort(sorted.begin() + bucket[v], sorted.begin() + bucket[v + 1]);
   });

@@ -3,8 +3,8 @@
 
 #include "core/cavity/cavity_depth.hpp"
 #include "core/document/cavity_names.hpp"
+#include "core/run/parallel.hpp"
 #include "core/run/stage_timer.hpp"
-#include "core/triangulation/parallel_ranges.hpp"
 
 namespace alphascope {
 namespace {
@@ -53,7 +53,7 @@ std::shared_ptr<const CavityLines> make_lines(const Inputs& in, const CavityNumb
   lines->numbers = std::make_shared<const CavityNumbers>(
       before ? next_numbers(*before, lines->table, context.cancel) : first_numbers(lines->table));
   lines->of.resize(lines->table->size());
-  parallel_ranges(lines->of.size(), context.cancel, [&](std::size_t row) {
+  parallel_many(lines->of.size(), context.cancel, [&](std::size_t row) {
     lines->of[row] = make_line(*lines->table, *lines->atoms, row);
   });
   return lines;

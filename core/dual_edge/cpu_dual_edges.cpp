@@ -1,7 +1,6 @@
 #include "core/dual_edge/cpu_dual_edges.hpp"
 
 #include <tbb/enumerable_thread_specific.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <atomic>
@@ -12,6 +11,7 @@
 #include "core/dual_edge/ball_simplices.hpp"
 #include "core/dual_edge/gather_faces.hpp"
 #include "core/predicates/grown_balls.hpp"
+#include "core/run/parallel.hpp"
 
 namespace alphascope {
 namespace {
@@ -103,7 +103,7 @@ class DualEdgeRun {
   // Calls body(block, its first slot, the end of its slots). Throws Cancelled.
   template <class Body>
   void for_blocks(const Body& body) {
-    tbb::parallel_for(std::size_t{0}, block_count_, [&](std::size_t b) {
+    parallel_each(0, block_count_, [&](std::size_t b) {
       if (context_.cancel.cancelled()) return;
       body(b, b * kBallsPerBlock, std::min(grid_.size(), (b + 1) * kBallsPerBlock));
     });

@@ -1,13 +1,12 @@
 #include "core/dual_edge/gather_faces.hpp"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <string>
 
 #include "core/run/internal_error.hpp"
+#include "core/run/parallel.hpp"
 
 namespace alphascope {
 namespace {
@@ -43,7 +42,7 @@ std::size_t find_edge(const EdgeRange& of_j, const std::array<BallIndex, 3>& tri
 }  // namespace
 
 void gather_edges(const std::vector<EdgeRange>& ranges, AlphaComplex& complex) {
-  tbb::parallel_for(std::size_t{0}, complex.triangles.size(), [&](std::size_t t) {
+  parallel_each(0, complex.triangles.size(), [&](std::size_t t) {
     const std::array<BallIndex, 3>& triangle = complex.triangles.simplices[t];
     const EdgeRange& r = ranges[triangle[1]];
     const std::size_t e = find_edge(r, triangle);
@@ -52,7 +51,7 @@ void gather_edges(const std::vector<EdgeRange>& ranges, AlphaComplex& complex) {
   });
 
   std::vector<std::size_t> place(ranges.size() + 1, 0);
-  tbb::parallel_for(std::size_t{0}, ranges.size(), [&](std::size_t i) {
+  parallel_each(0, ranges.size(), [&](std::size_t i) {
     for (std::uint32_t e = ranges[i].begin; e < ranges[i].end; ++e)
       place[i + 1] += is_in_complex(ranges[i].edges->states[e]);
   });
@@ -61,7 +60,7 @@ void gather_edges(const std::vector<EdgeRange>& ranges, AlphaComplex& complex) {
   list.simplices.resize(place.back());
   list.alpha_values.resize(place.back());
   list.classes.resize(place.back());
-  tbb::parallel_for(std::size_t{0}, ranges.size(), [&](std::size_t i) {
+  parallel_each(0, ranges.size(), [&](std::size_t i) {
     std::size_t to = place[i];
     for (std::uint32_t e = ranges[i].begin; e < ranges[i].end; ++e) {
       const SimplexBuffer<2>& from = *ranges[i].edges;

@@ -1,8 +1,5 @@
 // The reference engine: CGAL's whole triangulation once, then every alpha from it. The
 // triangulation itself is cgal_triangulation.cpp's, the alpha values filtration.hpp's.
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include <cmath>
 #include <memory>
 #include <optional>
@@ -13,6 +10,7 @@
 #include "core/engine/engine.hpp"
 #include "core/engines/lent.hpp"
 #include "core/predicates/exact_alpha.hpp"
+#include "core/run/parallel.hpp"
 #include "core/triangulation/cgal_triangulation.hpp"
 #include "core/triangulation/filtration.hpp"
 
@@ -24,9 +22,9 @@ void filter_tetrahedra(const BallSet& balls, const Triangulation& triangulation,
                        AlphaComplex& complex) {
   const Simplices<4>& cells = triangulation.tetrahedra;
   std::vector<char> in(cells.size());
-  using Range = tbb::blocked_range<std::size_t>;
-  tbb::parallel_for(Range(0, cells.size(), 1024), [&](const Range& range) {
-    for (std::size_t c = range.begin(); c != range.end(); ++c) {
+  constexpr std::size_t kGrain = 1024;
+  parallel_ranges(0, cells.size(), kGrain, [&](std::size_t first, std::size_t end) {
+    for (std::size_t c = first; c != end; ++c) {
       in[c] = compare_ortho_radius(balls, cells[c], complex.alpha_on_lattice) <= 0;
     }
   });

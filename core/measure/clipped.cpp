@@ -1,8 +1,6 @@
 #include "core/measure/clipped.hpp"
 
-#include <tbb/blocked_range.h>
 #include <tbb/enumerable_thread_specific.h>
-#include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
@@ -15,6 +13,7 @@
 #include "core/measure/convex_piece.hpp"
 #include "core/measure/exact_sum.hpp"
 #include "core/measure/ortho_coordinates.hpp"
+#include "core/run/parallel.hpp"
 
 namespace alphascope {
 namespace {
@@ -203,17 +202,16 @@ ClippedTetrahedra clipped_outside(const Triangulation& triangulation, const Ball
       [&] { return Clipper(triangulation, balls, alpha_on_lattice, tetrahedron_of); });
   tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
   arena.execute([&] {
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, tetrahedra.size(), kGrain),
-                      [&](const tbb::blocked_range<std::size_t>& part) {
-                        context.cancel.throw_if_cancelled();
-                        Clipper& clipper = clippers.local();
-                        for (std::size_t n = part.begin(); n < part.end(); ++n) {
-                          const Clipped clipped = clipper.clip(tetrahedra[n]);
-                          of.volume_angstrom3[n] = clipped.volume * unit * unit * unit;
-                          of.free_volume_angstrom3[n] = clipped.free_volume * unit * unit * unit;
-                          of.area_angstrom2[n] = clipped.area * unit * unit;
-                        }
-                      });
+    parallel_ranges(0, tetrahedra.size(), kGrain, [&](std::size_t first, std::size_t end) {
+      context.cancel.throw_if_cancelled();
+      Clipper& clipper = clippers.local();
+      for (std::size_t n = first; n < end; ++n) {
+        const Clipped clipped = clipper.clip(tetrahedra[n]);
+        of.volume_angstrom3[n] = clipped.volume * unit * unit * unit;
+        of.free_volume_angstrom3[n] = clipped.free_volume * unit * unit * unit;
+        of.area_angstrom2[n] = clipped.area * unit * unit;
+      }
+    });
   });
   return of;
 }

@@ -1,7 +1,5 @@
 #include "core/measure/union_measures.hpp"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
@@ -13,6 +11,7 @@
 #include "core/measure/edge_rows.hpp"
 #include "core/measure/exact_sum.hpp"
 #include "core/measure/simplex_terms.hpp"
+#include "core/run/parallel.hpp"
 
 namespace alphascope {
 namespace {
@@ -87,13 +86,12 @@ Scene make_scene(const BallSet& balls, const AlphaComplex& complex) {
   scene.balls.resize(balls.size());
   scene.scales.resize(balls.size());
   scene.open.assign(balls.size(), 0);
-  tbb::parallel_for(
-      tbb::blocked_range<std::size_t>(0, balls.size(), kBlock), [&](const auto& part) {
-        for (std::size_t i = part.begin(); i < part.end(); ++i) {
-          scene.balls[i] = grown_ball(balls.centres[i], balls.radii[i], complex.alpha_on_lattice);
-          scene.scales[i] = scales_of<What>(scene.balls[i]);
-        }
-      });
+  parallel_ranges(0, balls.size(), kBlock, [&](std::size_t first, std::size_t end) {
+    for (std::size_t i = first; i < end; ++i) {
+      scene.balls[i] = grown_ball(balls.centres[i], balls.radii[i], complex.alpha_on_lattice);
+      scene.scales[i] = scales_of<What>(scene.balls[i]);
+    }
+  });
   for (std::size_t v = 0; v < complex.vertices.size(); ++v) {
     scene.open[complex.vertices.simplices[v][0]] = is_open(complex.vertices.classes[v]) ? 1 : 0;
   }
@@ -194,7 +192,7 @@ std::vector<PrivateSums<What>> sum_simplices(const AlphaComplex& complex, const 
   sums.reserve(workers);
   for (std::size_t w = 0; w < workers; ++w) sums.emplace_back(scene);
   Parts parts(complex);
-  tbb::parallel_for(std::size_t{0}, workers, [&](std::size_t w) {
+  parallel_each(0, workers, [&](std::size_t w) {
     parts.take([&](std::size_t list, std::size_t begin, std::size_t end) {
       context.cancel.throw_if_cancelled();
       add_part(complex, scene, list, begin, end, sums[w]);
@@ -220,8 +218,8 @@ class Results {
       derivatives->area_by_radius_angstrom.resize(n);
       derivatives->volume_by_radius_angstrom2.resize(n);
     }
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n, kBlock), [&](const auto& part) {
-      for (std::size_t i = part.begin(); i < part.end(); ++i) {
+    parallel_ranges(0, n, kBlock, [&](std::size_t first, std::size_t end) {
+      for (std::size_t i = first; i < end; ++i) {
         const BallMeasures ball = ball_results(static_cast<BallIndex>(i));
         measures.ball_area_angstrom2[i] = ball.area * unit_ * unit_;
         measures.ball_volume_angstrom3[i] = ball.volume * unit_ * unit_ * unit_;
@@ -271,7 +269,7 @@ class Results {
 double total(const std::vector<double>& values) {
   const std::size_t blocks = (values.size() + kBlock - 1) / kBlock;
   std::vector<NeumaierSum> sums(blocks);
-  tbb::parallel_for(std::size_t{0}, blocks, [&](std::size_t b) {
+  parallel_each(0, blocks, [&](std::size_t b) {
     const std::size_t end = std::min(values.size(), (b + 1) * kBlock);
     for (std::size_t i = b * kBlock; i < end; ++i) sums[b].add(values[i]);
   });

@@ -1,10 +1,11 @@
 #include "core/neighbours/coincident.hpp"
 
 #include <tbb/concurrent_vector.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cstdint>
+
+#include "core/run/parallel.hpp"
 
 namespace alphascope {
 namespace {
@@ -44,7 +45,7 @@ class HashGroups {
   // Calls visit(ball, its run's place in its group) for runs of balls side by side.
   template <class Visit>
   void for_runs(const Visit& visit) {
-    tbb::parallel_for(std::size_t{0}, runs_, [&](std::size_t run) {
+    parallel_each(0, runs_, [&](std::size_t run) {
       const std::size_t end = std::min(centres_.size(), (run + 1) * kRun);
       for (std::size_t i = run * kRun; i < end; ++i) {
         // The upper bits: the lower ones are for the tables.
@@ -104,7 +105,7 @@ std::vector<bool> coincident_hidden(const BallSet& balls) {
   if (balls.size() == 0) return {};
   const HashGroups groups(balls.centres);
   tbb::concurrent_vector<BallIndex> found;
-  tbb::parallel_for(std::size_t{0}, groups.count(), [&](std::size_t group) {
+  parallel_each(0, groups.count(), [&](std::size_t group) {
     hide_in_group(balls, groups, group, [&](BallIndex i) { found.push_back(i); });
   });
   if (found.empty()) return {};

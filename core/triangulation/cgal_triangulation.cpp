@@ -11,8 +11,6 @@
 #include <CGAL/Triangulation_vertex_base_with_info_3.h>
 #include <CGAL/spatial_sort.h>
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cstdint>
 #include <memory>
@@ -21,6 +19,7 @@
 
 #include "core/complex/count_limits.hpp"
 #include "core/neighbours/coincident.hpp"
+#include "core/run/parallel.hpp"
 #include "core/run/stage_timer.hpp"
 #include "core/triangulation/order_tetrahedra.hpp"
 
@@ -161,7 +160,7 @@ UnorderedTetrahedra copy_tetrahedra(Rt& rt, const CancelToken& cancel) {
   UnorderedTetrahedra result;
   result.tetrahedra.resize(cells.size());
   result.neighbours.resize(cells.size());
-  tbb::parallel_for(std::size_t{0}, cells.size(), [&](std::size_t t) {
+  parallel_each(0, cells.size(), [&](std::size_t t) {
     const auto corners = ascending_corners(cells[t]);
     for (std::size_t k = 0; k < 4; ++k) {
       result.tetrahedra[t][k] = corners[k].first;

@@ -1,8 +1,6 @@
 // Which elements of a long list are chosen: their places, in order, found by all threads.
 #pragma once
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -11,6 +9,7 @@
 #include "core/complex/count_limits.hpp"
 #include "core/complex/simplices.hpp"
 #include "core/run/cancel_token.hpp"
+#include "core/run/parallel.hpp"
 
 namespace alphascope {
 
@@ -28,7 +27,7 @@ ResultArray<std::uint32_t> chosen_places(std::size_t count, const Chosen& chosen
     const std::size_t end = std::min(count, (block + 1) * kBlock);
     for (std::size_t i = block * kBlock; i < end; ++i) body(i);
   };
-  tbb::parallel_for(std::size_t{0}, blocks, [&](std::size_t block) {
+  parallel_each(0, blocks, [&](std::size_t block) {
     std::size_t found = 0;
     each_in(block, [&](std::size_t i) { found += chosen(i) ? 1 : 0; });
     first[block + 1] = found;
@@ -36,7 +35,7 @@ ResultArray<std::uint32_t> chosen_places(std::size_t count, const Chosen& chosen
   for (std::size_t block = 0; block < blocks; ++block) first[block + 1] += first[block];
   cancel.throw_if_cancelled();
   ResultArray<std::uint32_t> places(first.back());
-  tbb::parallel_for(std::size_t{0}, blocks, [&](std::size_t block) {
+  parallel_each(0, blocks, [&](std::size_t block) {
     // Without a branch: all are written, and what is not chosen is written over.
     std::array<std::uint32_t, kBlock> found;
     std::size_t count_found = 0;

@@ -2,19 +2,15 @@
 // to it: those simplices, the ties, are decided exactly.
 #include "core/triangulation/filtration.hpp"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-#include <tbb/parallel_reduce.h>
-
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <numeric>
 #include <stdexcept>
 
 #include "core/complex/face_groups.hpp"
 #include "core/complex/simplex_hash.hpp"
+#include "core/run/parallel.hpp"
 #include "core/triangulation/ties.hpp"
 
 namespace alphascope {
@@ -73,16 +69,14 @@ class Selection {
     to.simplices.resize(place.back());
     to.alpha_values.resize(with_values ? place.back() : 0);
     to.classes.resize(with_values ? place.back() : 0);
-    using Range = tbb::blocked_range<std::size_t>;
-    const std::uint64_t rest = tbb::parallel_reduce(
-        Range(0, place.size() - 1, 1), std::uint64_t{0},
-        [&](const Range& blocks, std::uint64_t sum) {
-          for (std::size_t b = blocks.begin(); b != blocks.end(); ++b) {
+    const std::uint64_t rest =
+        parallel_sum(0, place.size() - 1, 1, [&](std::size_t first, std::size_t end) {
+          std::uint64_t sum = 0;
+          for (std::size_t b = first; b != end; ++b) {
             sum += copy_block(b, place[b], place[b + 1], with_values, to);
           }
           return sum;
-        },
-        std::plus<>());
+        });
     return hashed_.sum + rest;
   }
 
@@ -93,8 +87,8 @@ class Selection {
   std::vector<std::size_t> places() const {
     const std::size_t size = from_.size(), blocks = (size + kBlock - 1) / kBlock;
     std::vector<std::size_t> place(blocks + 1, 0);
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, blocks, 8), [&](const auto& range) {
-      for (std::size_t b = range.begin(); b != range.end(); ++b) {
+    parallel_ranges(0, blocks, 8, [&](std::size_t first, std::size_t end) {
+      for (std::size_t b = first; b != end; ++b) {
         const float* value = from_.alpha_values.data();
         unsigned count = 0;
         for (std::size_t n = b * kBlock; n < std::min(size, (b + 1) * kBlock); ++n) {

@@ -8,9 +8,9 @@
 
 #include "core/complex/face_groups.hpp"
 #include "core/predicates/exact_alpha.hpp"
+#include "core/run/parallel.hpp"
 #include "core/triangulation/filtration.hpp"
 #include "core/triangulation/memory_need.hpp"
-#include "core/triangulation/parallel_ranges.hpp"
 
 namespace alphascope {
 namespace {
@@ -62,7 +62,7 @@ struct Cofaces {
 template <int N>
 void set_levels(const FaceGroups<N>& groups, const std::vector<std::uint32_t>& position,
                 const Cofaces<N>& cofaces, const CancelToken& cancel, ClassLevels& levels) {
-  parallel_ranges(groups.size(), cancel, [&](std::size_t g) {
+  parallel_many(groups.size(), cancel, [&](std::size_t g) {
     FaceLevels face;
     groups.for_cofaces(g, [&](std::uint32_t c) {
       const float value = cofaces.list.alpha_values[c];
@@ -106,8 +106,8 @@ void append(const Simplices<N>& faces, const CancelToken& cancel, SimplexList<N>
             ClassLevels& levels) {
   const std::size_t before = list.size();
   list.simplices.resize(before + faces.size());
-  parallel_ranges(faces.size(), cancel,
-                  [&](std::size_t n) { list.simplices[before + n] = faces[n]; });
+  parallel_many(faces.size(), cancel,
+                [&](std::size_t n) { list.simplices[before + n] = faces[n]; });
   list.alpha_values.resize(list.size());
   resize(levels, list.size());
 }
@@ -139,7 +139,7 @@ ClassLevels build_dimension(const BallSet& balls, const Cofaces<N>& cofaces, std
   for_face_groups<N>(cofaces.list.simplices, cancel, [&](const FaceGroups<N>& groups) {
     if (of_cofaces) append<N>(groups.faces(), cancel, list, levels);
     const auto position = positions_in<N>(list.simplices, groups, cancel, at);
-    parallel_ranges(groups.size(), cancel, [&](std::size_t g) {
+    parallel_many(groups.size(), cancel, [&](std::size_t g) {
       const std::uint32_t n = position[g];
       list.alpha_values[n] = alpha_value<N>(balls, list.simplices[n], groups, g, cofaces.list);
     });
@@ -199,7 +199,7 @@ void Filtration::build(const Triangulation& triangulation, Simplices<4> all_tetr
   tetrahedra.simplices = std::move(all_tetrahedra);
   tetrahedra.alpha_values.resize(tetrahedra.size());
   tetrahedra.classes.assign(tetrahedra.size(), SimplexClass::interior);
-  parallel_ranges(tetrahedra.size(), cancel, [&](std::size_t n) {
+  parallel_many(tetrahedra.size(), cancel, [&](std::size_t n) {
     tetrahedra.alpha_values[n] = ortho_radius_rounded(*balls_, tetrahedra.simplices[n]);
   });
 

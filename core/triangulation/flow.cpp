@@ -1,13 +1,10 @@
 #include "core/triangulation/flow.hpp"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include <atomic>
 #include <vector>
 
 #include "core/predicates/exact_alpha.hpp"
-#include "core/triangulation/parallel_ranges.hpp"
+#include "core/run/parallel.hpp"
 
 namespace alphascope {
 namespace {
@@ -72,20 +69,20 @@ class Reach {
   // From all tetrahedra that `starts` says yes to.
   template <class Starts>
   void from(const Starts& starts, const CancelToken& cancel) {
-    using Range = tbb::blocked_range<std::uint32_t>;
-    tbb::parallel_for(Range(0, static_cast<std::uint32_t>(flow_.marks.size()), 1024),
-                      [&](const Range& range) {
-                        std::vector<std::uint32_t> open;
-                        for (std::uint32_t t = range.begin(); t != range.end(); ++t) {
-                          if (starts(t)) visit(t, open);
-                          while (!open.empty()) {
-                            const std::uint32_t last = open.back();
-                            open.pop_back();
-                            go_on(last, open);
-                          }
-                          if (t % 256 == 0 && cancel.cancelled()) return;
+    constexpr std::size_t kGrain = 1024;
+    parallel_ranges(0, static_cast<std::uint32_t>(flow_.marks.size()), kGrain,
+                    [&](std::uint32_t first, std::uint32_t end) {
+                      std::vector<std::uint32_t> open;
+                      for (std::uint32_t t = first; t != end; ++t) {
+                        if (starts(t)) visit(t, open);
+                        while (!open.empty()) {
+                          const std::uint32_t last = open.back();
+                          open.pop_back();
+                          go_on(last, open);
                         }
-                      });
+                        if (t % 256 == 0 && cancel.cancelled()) return;
+                      }
+                    });
     cancel.throw_if_cancelled();
   }
 
@@ -121,7 +118,7 @@ Flow make_flow(const BallSet& balls, const Triangulation& triangulation, FlowTie
   flow.marks.resize(count);
   flow.alpha_values.resize(count);
   std::atomic<std::size_t> tied = 0;
-  parallel_ranges(count, cancel, [&](std::size_t t) {
+  parallel_many(count, cancel, [&](std::size_t t) {
     const Tetrahedron tetrahedron(balls, triangulation.tetrahedra[t]);
     flow.alpha_values[t] = tetrahedron.alpha_value();
     flow.marks[t] = tetrahedron.flow(ties, tied);

@@ -1,13 +1,11 @@
 #include "core/triangulation/incidence.hpp"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <atomic>
 #include <vector>
 
 #include "core/complex/count_limits.hpp"
-#include "core/triangulation/parallel_ranges.hpp"
+#include "core/run/parallel.hpp"
 
 namespace alphascope {
 namespace {
@@ -102,7 +100,7 @@ class IncidenceMaker {
   void make_triangles() {
     const Simplices<4>& tetrahedra = triangulation_.tetrahedra;
     const auto for_records = [&](const auto& visit) {
-      parallel_ranges(tetrahedra.size(), cancel_, [&](std::size_t t) {
+      parallel_many(tetrahedra.size(), cancel_, [&](std::size_t t) {
         for_own_triangles(triangulation_, t, [&](std::uint32_t corner) {
           visit(tetrahedra[t][corner == 0 ? 1 : 0], static_cast<std::uint32_t>(t), corner);
         });
@@ -144,15 +142,15 @@ class IncidenceMaker {
   void make_edges() {
     const Simplices<3>& triangles = result_.triangles;
     Buckets ends(balls_);  // of the edges of each ball, several times each
-    parallel_ranges(triangles.size(), cancel_,
-                    [&](std::size_t f) { ends.count(triangles[f][1], 1); });
+    parallel_many(triangles.size(), cancel_,
+                  [&](std::size_t f) { ends.count(triangles[f][1], 1); });
     for (std::size_t v = 0; v < balls_; ++v) {
       ends.count(static_cast<BallIndex>(v),
                  2 * (triangles_by_ball_.end(v) - triangles_by_ball_.begin(v)));
     }
     ends.end_counting();
     ResultArray<BallIndex> end_of(ends.things());
-    parallel_ranges(triangles.size(), cancel_, [&](std::size_t f) {
+    parallel_many(triangles.size(), cancel_, [&](std::size_t f) {
       end_of[ends.place_for(triangles[f][1])] = triangles[f][2];
     });
     Buckets edges(balls_);
@@ -190,7 +188,7 @@ class IncidenceMaker {
       return from + static_cast<std::uint32_t>(skipped);
     };
     result_.edges_of_triangle.resize(result_.triangles.size());
-    parallel_ranges(result_.triangles.size(), cancel_, [&](std::size_t f) {
+    parallel_many(result_.triangles.size(), cancel_, [&](std::size_t f) {
       const auto [a, b, c] = result_.triangles[f];
       const std::uint32_t ab = edge(a, b, edges.begin(a));
       result_.edges_of_triangle[f] = {edge(b, c, edges.begin(b)), edge(a, c, ab + 1), ab};
@@ -199,7 +197,7 @@ class IncidenceMaker {
 
   template <class Body>
   void for_balls(const Body& body) {
-    parallel_ranges(balls_, cancel_, body);
+    parallel_many(balls_, cancel_, body);
   }
 
   const Triangulation& triangulation_;

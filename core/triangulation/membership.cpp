@@ -1,39 +1,31 @@
 #include "core/triangulation/membership.hpp"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_reduce.h>
-
 #include <atomic>
 #include <cmath>
-#include <functional>
 #include <stdexcept>
 #include <utility>
 #include <vector>
 
 #include "core/predicates/exact_alpha.hpp"
-#include "core/triangulation/parallel_ranges.hpp"
+#include "core/run/parallel.hpp"
 #include "core/triangulation/ties.hpp"
 
 namespace alphascope {
 namespace {
 
 std::size_t count_in(const Membership::Marks& marks) {
-  using Range = tbb::blocked_range<std::size_t>;
-  return tbb::parallel_reduce(
-      Range(0, marks.size(), 1 << 15), std::size_t{0},
-      [&](const Range& range, std::size_t before) {
-        unsigned in = 0;
-        for (std::size_t n = range.begin(); n != range.end(); ++n) in += marks[n];
-        return before + in;
-      },
-      std::plus<>());
+  return parallel_sum(0, marks.size(), 1 << 15, [&](std::size_t first, std::size_t end) {
+    unsigned in = 0;
+    for (std::size_t n = first; n != end; ++n) in += marks[n];
+    return in;
+  });
 }
 
 template <int N>
 Membership::Marks marks_of(const SimplexList<N>& list, float limit, const Ties<N>& ties) {
   Membership::Marks marks(list.size());
   const float* values = list.alpha_values.data();
-  parallel_ranges(list.size(), {}, [&](std::size_t n) { marks[n] = values[n] < limit; });
+  parallel_many(list.size(), {}, [&](std::size_t n) { marks[n] = values[n] < limit; });
   std::size_t tie = 0;
   for (std::size_t n = 0; tie < ties.in_complex.size(); ++n) {
     if (values[n] == limit) marks[n] = static_cast<std::uint8_t>(ties.in_complex[tie++]);
@@ -52,7 +44,7 @@ class FaceMarks {
   // within(n): rho <= alpha.
   template <class Within>
   void ask_the_others(const Within& within) {
-    parallel_ranges(marks_.size(), cancel_, [&](std::size_t n) {
+    parallel_many(marks_.size(), cancel_, [&](std::size_t n) {
       if (marks_[n] == kOut && within(n)) marks_[n] = kInUnlessAttached;
     });
   }
@@ -61,7 +53,7 @@ class FaceMarks {
   }
   void set_attached(std::size_t n) { mark(n).store(kOut, std::memory_order_relaxed); }
   Membership::Marks take() {
-    parallel_ranges(marks_.size(), cancel_, [&](std::size_t n) { marks_[n] = marks_[n] != kOut; });
+    parallel_many(marks_.size(), cancel_, [&](std::size_t n) { marks_[n] = marks_[n] != kOut; });
     return std::move(marks_);
   }
 
@@ -95,7 +87,7 @@ class DirectMembership {
   void set_tetrahedra(const Flow& flow) {
     const float limit = static_cast<float>(alpha_);
     in_.tetrahedra.resize(triangulation_.tetrahedra.size());
-    parallel_ranges(in_.tetrahedra.size(), cancel_, [&](std::size_t t) {
+    parallel_many(in_.tetrahedra.size(), cancel_, [&](std::size_t t) {
       const float value = flow.alpha_values[t];
       in_.tetrahedra[t] = value < limit || (value == limit && within(triangulation_.tetrahedra[t]));
     });
@@ -103,7 +95,7 @@ class DirectMembership {
 
   void set_triangles(const Flow& flow) {
     in_.triangles.resize(incidence_.triangles.size());
-    parallel_ranges(in_.triangles.size(), cancel_, [&](std::size_t f) {
+    parallel_many(in_.triangles.size(), cancel_, [&](std::size_t f) {
       bool coface_in = false, attached = false;
       for (const std::uint32_t t : incidence_.tetrahedra_of_triangle[f]) {
         if (t == Incidence::kOutside) continue;
@@ -118,12 +110,12 @@ class DirectMembership {
 
   void set_edges() {
     FaceMarks edges(incidence_.edges.size(), cancel_);
-    parallel_ranges(in_.triangles.size(), cancel_, [&](std::size_t f) {
+    parallel_many(in_.triangles.size(), cancel_, [&](std::size_t f) {
       if (!in_.triangles[f]) return;
       for (const std::uint32_t e : incidence_.edges_of_triangle[f]) edges.set_coface_in(e);
     });
     edges.ask_the_others([&](std::size_t e) { return within(incidence_.edges[e]); });
-    parallel_ranges(in_.triangles.size(), cancel_, [&](std::size_t f) {
+    parallel_many(in_.triangles.size(), cancel_, [&](std::size_t f) {
       if (in_.triangles[f]) return;
       for (std::size_t k = 0; k < 3; ++k) {
         const std::uint32_t e = incidence_.edges_of_triangle[f][k];
@@ -138,7 +130,7 @@ class DirectMembership {
 
   void set_vertices() {
     FaceMarks vertices(balls_.size(), cancel_);
-    parallel_ranges(in_.edges.size(), cancel_, [&](std::size_t e) {
+    parallel_many(in_.edges.size(), cancel_, [&](std::size_t e) {
       if (!in_.edges[e]) return;
       for (const BallIndex v : incidence_.edges[e]) vertices.set_coface_in(v);
     });
@@ -146,7 +138,7 @@ class DirectMembership {
     for (const BallIndex v : triangulation_.vertices) visible[v] = 1;
     vertices.ask_the_others(
         [&](std::size_t v) { return visible[v] && within(std::array{static_cast<BallIndex>(v)}); });
-    parallel_ranges(in_.edges.size(), cancel_, [&](std::size_t e) {
+    parallel_many(in_.edges.size(), cancel_, [&](std::size_t e) {
       if (in_.edges[e]) return;
       const auto [a, b] = incidence_.edges[e];
       if (vertices.is_in_unless_attached(a) && conflict(std::array{a}, b)) vertices.set_attached(a);

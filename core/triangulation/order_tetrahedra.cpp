@@ -1,13 +1,11 @@
 #include "core/triangulation/order_tetrahedra.hpp"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include <utility>
 
 #include "core/complex/count_limits.hpp"
 #include "core/predicates/exact_alpha.hpp"
 #include "core/predicates/perturbation.hpp"
+#include "core/run/parallel.hpp"
 
 namespace alphascope {
 namespace {
@@ -30,7 +28,7 @@ ResultArray<Record> sorted_records(const Simplices<4>& tetrahedra, std::size_t b
   for (std::uint32_t t = 0; t < tetrahedra.size(); ++t) {
     records[next[tetrahedra[t][0]]++] = {tetrahedra[t], t};
   }
-  tbb::parallel_for(std::size_t{0}, balls, [&](std::size_t i) {
+  parallel_each(0, balls, [&](std::size_t i) {
     if (!cancel.cancelled()) std::sort(records.begin() + first[i], records.begin() + first[i + 1]);
   });
   cancel.throw_if_cancelled();
@@ -85,14 +83,14 @@ void set_tetrahedra(const BallSet& balls, const UnorderedTetrahedra& unordered,
   ResultArray<std::uint32_t> after(count);  // index by index in the maker's order
   result.tetrahedra.resize(count);
   result.neighbours.resize(count);
-  using Range = tbb::blocked_range<std::uint32_t>;
-  const Range all(0, static_cast<std::uint32_t>(count), 1 << 14);
-  tbb::parallel_for(all, [&](const Range& range) {
-    for (std::uint32_t t = range.begin(); t != range.end(); ++t) {
-      result.tetrahedra[t] = records[t].balls;
-      after[records[t].before] = t;
-    }
-  });
+  constexpr std::size_t kGrain = 1 << 14;
+  parallel_ranges(0, static_cast<std::uint32_t>(count), kGrain,
+                  [&](std::uint32_t first, std::uint32_t end) {
+                    for (std::uint32_t t = first; t != end; ++t) {
+                      result.tetrahedra[t] = records[t].balls;
+                      after[records[t].before] = t;
+                    }
+                  });
   cancel.throw_if_cancelled();
   std::vector<std::pair<std::uint32_t, int>> outside;
   for (std::uint32_t t = 0; t < count; ++t) {

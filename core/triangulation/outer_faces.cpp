@@ -7,8 +7,8 @@
 
 #include "core/complex/count_limits.hpp"
 #include "core/complex/face_groups.hpp"
+#include "core/run/parallel.hpp"
 #include "core/triangulation/chosen_places.hpp"
-#include "core/triangulation/parallel_ranges.hpp"
 
 namespace alphascope {
 namespace {
@@ -25,8 +25,8 @@ class RegularTriangles {
     const auto vertex = [&](std::size_t n) { return triangles.simplices[places[n]][0]; };
     rest_.resize(places.size());
     begun_by_.resize(places.empty() ? 0 : std::size_t{vertex(places.size() - 1)} + 1);
-    parallel_ranges(begun_by_.size(), cancel, [&](std::size_t v) { begun_by_[v] = {}; });
-    parallel_ranges(places.size(), cancel, [&](std::size_t n) {
+    parallel_many(begun_by_.size(), cancel, [&](std::size_t v) { begun_by_[v] = {}; });
+    parallel_many(places.size(), cancel, [&](std::size_t n) {
       const BallIndex first = vertex(n);
       if (n > 0 && vertex(n - 1) == first) return;
       // They are in order: these are all of this vertex.
@@ -44,8 +44,8 @@ class RegularTriangles {
   // One tetrahedron each, since they are regular. Throws std::invalid_argument for one without.
   ResultArray<FaceCode> owners(const Simplices<4>& tetrahedra) const {
     ResultArray<FaceCode> owner(rest_.size());
-    parallel_ranges(owner.size(), cancel_, [&](std::size_t n) { owner[n] = kNone; });
-    parallel_ranges(tetrahedra.size(), cancel_, [&](std::size_t i) {
+    parallel_many(owner.size(), cancel_, [&](std::size_t n) { owner[n] = kNone; });
+    parallel_many(tetrahedra.size(), cancel_, [&](std::size_t i) {
       const auto& t = tetrahedra[i];
       if (t[0] >= begun_by_.size()) return;
       const Begun& begun = begun_by_[t[0]];
@@ -56,7 +56,7 @@ class RegularTriangles {
       look_up(owner, begun_by_[t[1]], key(t[2], t[3]), face_code(i, 0));
     });
     std::atomic<bool> all = true;
-    parallel_ranges(owner.size(), cancel_, [&](std::size_t n) {
+    parallel_many(owner.size(), cancel_, [&](std::size_t n) {
       if (owner[n] == kNone) all = false;
     });
     if (all) return owner;
@@ -107,7 +107,7 @@ ResultArray<FaceCode> outer_faces(const Simplices<4>& tetrahedra, const CancelTo
   const auto places = chosen_places(
       groups.size(), [&](std::size_t f) { return groups.coface_count(f) == 1; }, cancel);
   ResultArray<FaceCode> faces(places.size());
-  parallel_ranges(places.size(), cancel, [&](std::size_t n) {
+  parallel_many(places.size(), cancel, [&](std::size_t n) {
     groups.for_cofaces(places[n], [&](std::uint32_t t) {
       const BallIndex lacks = apex<3>(tetrahedra[t], groups.faces()[places[n]]);
       const auto at = std::find(tetrahedra[t].begin(), tetrahedra[t].end(), lacks);

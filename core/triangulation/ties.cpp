@@ -1,28 +1,21 @@
 #include "core/triangulation/ties.hpp"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_reduce.h>
-
-#include <functional>
-
 #include "core/complex/face_groups.hpp"
 #include "core/predicates/exact_alpha.hpp"
+#include "core/run/parallel.hpp"
 
 namespace alphascope {
 namespace {
 
 template <int N>
 void collect_ties(const SimplexList<N>& list, float limit, Ties<N>& ties) {
-  using Range = tbb::blocked_range<std::size_t>;
   const float* values = list.alpha_values.data();
-  const auto count = tbb::parallel_reduce(
-      Range(0, list.size(), 1 << 15), std::size_t{0},
-      [&](const Range& r, std::size_t before) {
+  const std::size_t count =
+      parallel_sum(0, list.size(), 1 << 15, [&](std::size_t first, std::size_t end) {
         unsigned equal = 0;
-        for (std::size_t n = r.begin(); n != r.end(); ++n) equal += values[n] == limit;
-        return before + equal;
-      },
-      std::plus<>());
+        for (std::size_t n = first; n != end; ++n) equal += values[n] == limit;
+        return equal;
+      });
   if (count == 0) return;
   ties.simplices.reserve(count);
   for (std::size_t n = 0; n < list.size(); ++n) {

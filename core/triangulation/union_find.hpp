@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "core/complex/simplices.hpp"
-#include "core/triangulation/parallel_ranges.hpp"
+#include "core/run/parallel.hpp"
 
 namespace alphascope {
 
@@ -15,7 +15,7 @@ class UnionFind {
  public:
   // Each item alone.
   explicit UnionFind(std::size_t items) : parent_(items) {
-    parallel_ranges(items, {}, [&](std::size_t n) { parent_[n] = static_cast<std::uint32_t>(n); });
+    parallel_many(items, {}, [&](std::size_t n) { parent_[n] = static_cast<std::uint32_t>(n); });
   }
 
   void unite(std::uint32_t a, std::uint32_t b) {

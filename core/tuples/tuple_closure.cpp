@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/complex/face_groups.hpp"
+#include "core/run/parallel.hpp"
 
 namespace alphascope {
 namespace {
@@ -30,7 +31,7 @@ void sort_own(OwnSimplices<N>& own, std::size_t ball_count) {
   for (std::size_t n = 0; n < sorted.size(); ++n) {
     sorted[next[own.simplices[n][0]]++] = {own.simplices[n], own.values[n]};
   }
-  tbb::parallel_for(std::size_t{0}, ball_count, [&](std::size_t v) {
+  parallel_each(0, ball_count, [&](std::size_t v) {
     const auto begin = sorted.begin() + bucket[v], end = sorted.begin() + bucket[v + 1];
     std::sort(begin, end, [](const auto& a, const auto& b) { return a.simplex < b.simplex; });
     for (auto at = begin; at != end; ++at) {

@@ -1,12 +1,10 @@
 // The tuple engine on the CPU: the executor of tuple_pipeline.hpp over oneTBB.
 #include "core/tuples/tuple_engine.hpp"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include <chrono>
 
 #include "core/complex/count_limits.hpp"
+#include "core/run/parallel.hpp"
 #include "core/tuples/tuple_compute.hpp"
 
 namespace alphascope {
@@ -54,11 +52,10 @@ class CpuExecutor {
       cancel_.throw_if_cancelled();
       return;
     }
-    tbb::parallel_for(tbb::blocked_range<std::uint64_t>(0, count, kGrain),
-                      [&](const tbb::blocked_range<std::uint64_t>& range) {
-                        if (cancel_.cancelled()) return;
-                        for (std::uint64_t n = range.begin(); n != range.end(); ++n) body(n);
-                      });
+    parallel_ranges(0, count, kGrain, [&](std::uint64_t first, std::uint64_t end) {
+      if (cancel_.cancelled()) return;
+      for (std::uint64_t n = first; n != end; ++n) body(n);
+    });
     cancel_.throw_if_cancelled();
   }
   template <class Body>

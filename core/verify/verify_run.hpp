@@ -1,13 +1,11 @@
 // How the verifier's loops run: in parallel, with progress, and cancelled within some simplices.
 #pragma once
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cstddef>
 
 #include "core/run/cancel_token.hpp"
+#include "core/run/parallel.hpp"
 #include "core/run/stage_timer.hpp"
 
 namespace alphascope {
@@ -20,8 +18,8 @@ void verify_all(std::size_t count, const RunContext& context, const Body& body) 
   for (std::size_t begin = 0; begin < count; begin += piece) {
     context.report(stage::kDefinition, static_cast<double>(begin) / static_cast<double>(count));
     const std::size_t end = std::min(count, begin + piece);
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(begin, end, kGrain), [&](const auto& range) {
-      for (std::size_t n = range.begin(); n != range.end(); ++n) {
+    parallel_ranges(begin, end, kGrain, [&](std::size_t first, std::size_t last) {
+      for (std::size_t n = first; n != last; ++n) {
         if (context.cancel.cancelled()) return;
         body(n);
       }

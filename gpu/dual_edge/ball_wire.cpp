@@ -1,9 +1,9 @@
 #include "gpu/dual_edge/ball_wire.cuh"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <bit>
+
+#include "core/run/parallel.hpp"
 
 namespace alphascope::gpu {
 namespace {
@@ -80,8 +80,8 @@ void BallPacker::lay_out() {
   layout_.starts = static_cast<std::uint32_t>(4 * heads_.size());
   layout_.radii = layout_.starts + static_cast<std::uint32_t>(starts_.size());
   layout_.radius_width = radii == 0 ? 0 : width_of(static_cast<std::uint32_t>(radii - 1));
-  tbb::parallel_for(std::size_t{0}, heads_.size(),
-                    [&](std::size_t g) { heads_[g] = head_of(static_cast<std::uint32_t>(g)); });
+  parallel_each(0, heads_.size(),
+                [&](std::size_t g) { heads_[g] = head_of(static_cast<std::uint32_t>(g)); });
   place_records(layout_.radii + radii);
 }
 
@@ -125,8 +125,8 @@ void BallPacker::pack(std::uint32_t* to) const {
   std::copy(heads_.begin(), heads_.end(), reinterpret_cast<uint4*>(to));
   std::copy(starts_.begin(), starts_.end(), to + layout_.starts);
   std::copy(table_.radii().begin(), table_.radii().end(), to + layout_.radii);
-  tbb::parallel_for(std::size_t{0}, heads_.size(),
-                    [&](std::size_t g) { pack_group(static_cast<std::uint32_t>(g), to); });
+  parallel_each(0, heads_.size(),
+                [&](std::size_t g) { pack_group(static_cast<std::uint32_t>(g), to); });
   std::fill_n(to + layout_.words - kPaddingWords, kPaddingWords, 0u);
 }
 

@@ -1,10 +1,11 @@
 #include "gpu/memory/page_locked.hpp"
 
 #include <sys/mman.h>
-#include <tbb/parallel_for.h>
 #include <unistd.h>
 
 #include <algorithm>
+
+#include "core/run/parallel.hpp"
 
 namespace alphascope::gpu {
 namespace {
@@ -19,7 +20,7 @@ unsigned char* new_pages(std::size_t bytes, std::size_t page) {
   madvise(memory, bytes, MADV_HUGEPAGE);  // a system without them says so, and has small ones
   madvise(memory, bytes, MADV_DONTFORK);  // what is pinned would have to be copied
   unsigned char* const pages = static_cast<unsigned char*>(memory);
-  tbb::parallel_for(std::size_t{0}, (bytes + kLargePage - 1) / kLargePage, [=](std::size_t piece) {
+  parallel_each(0, (bytes + kLargePage - 1) / kLargePage, [=](std::size_t piece) {
     const std::size_t end = std::min(bytes, (piece + 1) * kLargePage);
     for (std::size_t at = piece * kLargePage; at < end; at += page)
       static_cast<volatile unsigned char*>(pages)[at] = 0;

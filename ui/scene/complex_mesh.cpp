@@ -7,8 +7,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "core/run/parallel.hpp"
 #include "core/triangulation/chosen_places.hpp"
-#include "core/triangulation/parallel_ranges.hpp"
 #include "ui/scene/simplex_colours.hpp"
 
 namespace alphascope {
@@ -91,7 +91,7 @@ class MeshBuilder {
   template <int N>
   bool fits(const SimplexList<N>& list) const {
     std::atomic<bool> fits = true;
-    parallel_ranges(list.size(), cancel_, [&](std::size_t i) {
+    parallel_many(list.size(), cancel_, [&](std::size_t i) {
       if (list.simplices[i].back() >= balls_.centres.size()) fits = false;
     });
     return fits;
@@ -124,7 +124,7 @@ class MeshBuilder {
     cells.shrink = static_cast<float>(options_.shrink);
     cells.balls.resize(list.size());
     cells.colours.resize(list.size());
-    parallel_ranges(list.size(), cancel_, [&](std::size_t t) {
+    parallel_many(list.size(), cancel_, [&](std::size_t t) {
       cells.balls[t] = list.simplices[t];
       cells.colours[t] = packed(colour_of(list, t));
     });
@@ -137,7 +137,7 @@ class MeshBuilder {
     const auto& list = complex_.tetrahedra;
     FaceCells cells;
     cells.faces.resize(codes.size());
-    parallel_ranges(codes.size(), cancel_, [&](std::size_t n) {
+    parallel_many(codes.size(), cancel_, [&](std::size_t n) {
       cells.faces[n] = {outward(balls_, list.simplices, codes[n]),
                         packed(colour_of(list, tetrahedron_of(codes[n]), of_class))};
     });
@@ -167,7 +167,7 @@ class MeshBuilder {
                                        const Body& body) const {
     if (!options_.singular_only) {
       prepare(list.size());
-      parallel_ranges(list.size(), cancel_, [&](std::size_t i) { body(i, i); });
+      parallel_many(list.size(), cancel_, [&](std::size_t i) { body(i, i); });
       return {};
     }
     // The largest simplices in a plane or on a line are interior there, and no faces either.
@@ -177,7 +177,7 @@ class MeshBuilder {
     };
     ResultArray<std::uint32_t> places = chosen_places(list.size(), singular, cancel_);
     prepare(places.size());
-    parallel_ranges(places.size(), cancel_, [&](std::size_t n) { body(n, places[n]); });
+    parallel_many(places.size(), cancel_, [&](std::size_t n) { body(n, places[n]); });
     return places;
   }
 

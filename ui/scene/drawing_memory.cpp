@@ -4,16 +4,13 @@
 // up. VTK 9.1 on llvmpipe (Mesa 22.3), where buffers are host memory: the most a driver takes.
 #include "ui/scene/drawing_memory.hpp"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_reduce.h>
-
 #include <algorithm>
 #include <cstddef>
 #include <cstdio>
-#include <functional>
 #include <stdexcept>
 
 #include "core/molecule/grouped_number.hpp"
+#include "core/run/parallel.hpp"
 
 namespace alphascope {
 namespace {
@@ -38,16 +35,10 @@ struct Points {
 // By all threads: a picture of a million balls waits for this.
 std::uint64_t count_of(SimplexClass wanted, const ResultArray<SimplexClass>& classes) {
   constexpr std::size_t kGrain = 65536;
-  return tbb::parallel_reduce(
-      tbb::blocked_range<std::size_t>(0, classes.size(), kGrain), std::uint64_t{0},
-      [&](const tbb::blocked_range<std::size_t>& range, std::uint64_t before) {
-        const auto at = [&](std::size_t i) {
-          return classes.begin() + static_cast<std::ptrdiff_t>(i);
-        };
-        return before +
-               static_cast<std::uint64_t>(std::count(at(range.begin()), at(range.end()), wanted));
-      },
-      std::plus<>());
+  return parallel_sum(0, classes.size(), kGrain, [&](std::size_t first, std::size_t end) {
+    const auto at = [&](std::size_t i) { return classes.begin() + static_cast<std::ptrdiff_t>(i); };
+    return static_cast<std::uint64_t>(std::count(at(first), at(end), wanted));
+  });
 }
 
 template <int N>

@@ -4,19 +4,18 @@
 #include <GL/gl.h>
 #include <GL/glext.h>
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cstring>
 #include <limits>
 
+#include "core/run/parallel.hpp"
 #include "ui/scene/opengl_feature.hpp"
 
 namespace alphascope {
 
 void copy_by_all_threads(const unsigned char* from, unsigned char* to, std::size_t bytes) {
   constexpr std::size_t kPiece = std::size_t{1} << 20;
-  tbb::parallel_for(std::size_t{0}, (bytes + kPiece - 1) / kPiece, [&](std::size_t piece) {
+  parallel_each(0, (bytes + kPiece - 1) / kPiece, [&](std::size_t piece) {
     const std::size_t at = piece * kPiece;
     std::memcpy(to + at, from + at, std::min(kPiece, bytes - at));
   });

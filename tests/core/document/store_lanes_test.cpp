@@ -1,7 +1,4 @@
 // Results that follow a slider, beside those of the background; results that are made of others.
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 #include <future>
@@ -9,6 +6,7 @@
 #include <set>
 #include <vector>
 
+#include "core/run/parallel.hpp"
 #include "tests/core/document/store_fixture.hpp"
 
 namespace alphascope {
@@ -167,7 +165,7 @@ TEST_F(StoreLanesTest, TheBackgroundHasOneThread) {
   std::set<std::thread::id> threads;
   Definition<int> n = number("n");
   n.make = [&](const Inputs&, const RunContext&) {
-    tbb::parallel_for(0, 200, [&](int) {
+    parallel_each(0, 200u, [&](unsigned) {
       std::this_thread::sleep_for(100us);
       const std::lock_guard lock(mutex);
       threads.insert(std::this_thread::get_id());
@@ -184,7 +182,7 @@ TEST_F(StoreLanesTest, TheSlidersThreadsAreShared) {
       {}, [this] { return budget; }, [&] { return threads; });
   std::atomic<int> at_work{0}, most{0};
   const auto work = [&] {
-    tbb::parallel_for(tbb::blocked_range<int>(0, 100, 1), [&](const auto&) {
+    parallel_ranges(0, 100u, 1, [&](unsigned, unsigned) {
       const int now = ++at_work;
       for (int seen = most; seen < now && !most.compare_exchange_weak(seen, now);) {
       }

@@ -2,13 +2,14 @@
 #include "core/run/work_threads.hpp"
 
 #include <gtest/gtest.h>
-#include <tbb/parallel_for.h>
 
 #include <atomic>
 #include <chrono>
 #include <future>
 #include <stdexcept>
 #include <thread>
+
+#include "core/run/parallel.hpp"
 
 namespace alphascope {
 namespace {
@@ -17,9 +18,9 @@ using namespace std::chrono_literals;
 
 TEST(WorkThreads, RunsAndTellsWhatWasThrown) {
   WorkThreads threads(2);
-  std::atomic<int> sum{0};
-  threads.run([&] { tbb::parallel_for(0, 100, [&](int i) { sum += i; }); });
-  EXPECT_EQ(sum, 4950);
+  std::atomic<unsigned> sum{0};
+  threads.run([&] { parallel_each(0, 100u, [&](unsigned i) { sum += i; }); });
+  EXPECT_EQ(sum, 4950u);
   EXPECT_THROW(threads.run([] { throw std::runtime_error("no"); }), std::runtime_error);
 }
 
@@ -33,7 +34,7 @@ TEST(WorkThreads, TwoCallersHaveNoMoreThreadsThanOne) {
   WorkThreads threads(2);
   std::atomic<int> at_work{0}, most{0};
   const auto work = [&] {
-    tbb::parallel_for(0, 200, [&](int) {
+    parallel_each(0, 200u, [&](unsigned) {
       const int now = ++at_work;
       for (int seen = most; seen < now && !most.compare_exchange_weak(seen, now);) {
       }

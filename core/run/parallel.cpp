@@ -1,0 +1,34 @@
+#include "core/run/parallel.hpp"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_reduce.h>
+
+#include <functional>
+
+namespace alphascope {
+namespace {
+
+using Range = tbb::blocked_range<std::size_t>;
+
+}  // namespace
+
+void run_ranges(std::size_t begin, std::size_t end, std::size_t grain, const void* body,
+                CallRange call) {
+  if (begin >= end) return;
+  tbb::parallel_for(Range(begin, end, grain),
+                    [=](const Range& range) { call(body, range.begin(), range.end()); });
+}
+
+std::uint64_t sum_ranges(std::size_t begin, std::size_t end, std::size_t grain, const void* body,
+                         CallSumRange call) {
+  if (begin >= end) return 0;
+  return tbb::parallel_reduce(
+      Range(begin, end, grain), std::uint64_t{0},
+      [=](const Range& range, std::uint64_t before) {
+        return before + call(body, range.begin(), range.end());
+      },
+      std::plus<>());
+}
+
+}  // namespace alphascope

@@ -249,7 +249,7 @@ TEST_F(SceneTest, AsMuchShinesThroughTranslucentLayersThatMove) {
       SceneStyle style = plain_style(drawn ? kOpacity : 1e-6, theme);
       style.side_width = 0;
       scene.set_style(style);
-      scene.render(400, 300, quality);
+      scene.render(1200, 900, quality);
       pictures[theme == Theme::light] = testing::texture_pixels(scene.texture());
     }
     std::vector<int> result;

@@ -1,5 +1,5 @@
-// What is translucent, while something moves: the layers of a pixel are summed in any order, and what is seen is
-// their mean. For sources of the scene only.
+// What is translucent, while something moves: the layers of a pixel are summed in any order, and
+// what is seen is their mean. For sources of the scene only.
 #pragma once
 
 #include <vtkOpenGLQuadHelper.h>
@@ -12,11 +12,11 @@
 
 namespace alphascope {
 
-// As VTK's own pass for this, which draws to a second texture: with many layers a pixel, blending takes most of
-// the time. The one texture here gets w * (r, g, b, 1) of each layer, w = -ln(1 - opacity). The sum of w tells
-// both what the colours are divided by and how much the background shines through, exp(-sum). For layers of one
-// opacity the picture is VTK's.
-// L. Bavoil, K. Myers, Order independent transparency with dual depth peeling, NVIDIA, 2008 (weighted average).
+// As VTK's own pass for this, which draws to a second texture: with many layers a pixel, blending
+// takes most of the time. The one texture here gets w * (r, g, b, 1) of each layer, w = -ln(1 -
+// opacity). The sum of w tells both what the colours are divided by and how much the background
+// shines through, exp(-sum). For layers of one opacity the picture is VTK's. L. Bavoil, K. Myers,
+// Order independent transparency with dual depth peeling, NVIDIA, 2008 (weighted average).
 class TranslucentSum : public vtkOpenGLRenderPass {
  public:
   static TranslucentSum* New();

@@ -202,23 +202,27 @@ SceneStyle plain_style(double complex_opacity, Theme theme) {
 // While something moves, a face has one light, and its highlight is that of one corner.
 TEST_F(SceneTest, LightForEachFaceLooksLikeLightForEachPixel) {
   load(0);
-  scene.set_style(plain_style(1, Theme::dark));
-  scene.render(400, 300, RenderQuality::medium);
-  const Image at_rest = testing::texture_pixels(scene.texture());
-  scene.render(400, 300, RenderQuality::draft);
-  const Image moving = testing::texture_pixels(scene.texture());
-  int drawn = 0, otherwise = 0;
-  for (std::size_t i = 0; i < at_rest.rgba.size(); i += 4) {
-    int difference = 0, seen = 0;
-    for (std::size_t c = 0; c < 3; ++c) {
-      difference = std::max(difference, std::abs(at_rest.rgba[i + c] - moving.rgba[i + c]));
-      seen = std::max(seen, std::abs(at_rest.rgba[i + c] - at_rest.rgba[c]));
+  for (const bool orthographic : {false, true}) {
+    SceneStyle style = plain_style(1, Theme::dark);
+    style.orthographic = orthographic;
+    scene.set_style(style);
+    scene.render(400, 300, RenderQuality::medium);
+    const Image at_rest = testing::texture_pixels(scene.texture());
+    scene.render(400, 300, RenderQuality::draft);
+    const Image moving = testing::texture_pixels(scene.texture());
+    int drawn = 0, otherwise = 0;
+    for (std::size_t i = 0; i < at_rest.rgba.size(); i += 4) {
+      int difference = 0, seen = 0;
+      for (std::size_t c = 0; c < 3; ++c) {
+        difference = std::max(difference, std::abs(at_rest.rgba[i + c] - moving.rgba[i + c]));
+        seen = std::max(seen, std::abs(at_rest.rgba[i + c] - at_rest.rgba[c]));
+      }
+      drawn += seen > 6 ? 1 : 0;
+      otherwise += difference > 6 ? 1 : 0;
     }
-    drawn += seen > 6 ? 1 : 0;
-    otherwise += difference > 6 ? 1 : 0;
+    EXPECT_GT(drawn, 4000) << orthographic;
+    EXPECT_LT(otherwise, drawn / 50) << orthographic;
   }
-  EXPECT_GT(drawn, 4000);
-  EXPECT_LT(otherwise, drawn / 50);
 }
 
 // Through a tetrahedron's four triangles, which hide nothing of each other: exactly at rest, and of

@@ -21,6 +21,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <string>
 #include <utility>
 
 #include "ui/scene/cell_shader.hpp"
@@ -39,6 +40,9 @@ constexpr const char* kNormal = "//VTK::Normal::Impl";
 constexpr const char* kLight = "//VTK::Light::Impl";
 constexpr const char* kDepth = "//VTK::Depth::Impl";
 
+// Of more faces, most are smaller than a pixel, and light for each corner takes longer than for
+// each pixel.
+constexpr std::size_t kMostFacesLit = 2'000'000;
 constexpr std::size_t kLargeUpload = std::size_t{4} << 20;  // bytes
 
 constexpr const char* kCellsName = "cells";
@@ -226,7 +230,8 @@ void CellMapper::BuildBufferObjects(vtkRenderer* renderer, vtkActor*) {
 
 bool CellMapper::GetNeedToRebuildShaders(vtkOpenGLHelper& helper, vtkRenderer* renderer,
                                          vtkActor* actor) {
-  const bool by_face = lit_by_face_ && normals_.count() == 0;
+  const std::size_t faces = (kind_ == Kind::tetrahedra ? 4 : 1) * cells_.count();
+  const bool by_face = lit_by_face_ && normals_.count() == 0 && faces <= kMostFacesLit;
   const bool other = std::exchange(built_lit_by_face_, by_face) != by_face;
   return this->Superclass::GetNeedToRebuildShaders(helper, renderer, actor) || other;
 }
@@ -235,16 +240,16 @@ void CellMapper::ReplaceShaderValues(Sources shaders, vtkRenderer* renderer, vtk
   {
     Edited vertex(shaders, vtkShader::Vertex), fragment(shaders, vtkShader::Fragment);
     if (kind_ == Kind::edges) {
-      vertex.instead(kCorner, kRodsDeclared);
+      vertex.instead(kCorner, std::string(kColourOf) + kRodsDeclared);
       vertex.instead(kPlaced, kRodsPlaced);
       fragment.before(kColourDeclared, kRodsToFragments);
       fragment.instead(kDepth, kRodsMet);
       fragment.instead(kNormal, "");
       fragment.after(kColour, kRodsColoured);
     } else {
-      vertex.instead(kCorner, kFacesDeclared);
+      vertex.instead(kCorner, std::string(kColourOf) + kFacesDeclared);
       vertex.before(kBegin, kFacesFetched);
-      fragment.before(kColourDeclared, kFacesToFragments);
+      fragment.before(kColourDeclared, std::string(kColourOf) + kFacesToFragments);
       fragment.after(kUniformFlow, kFacesUniform);
       fragment.after(kColour, kFacesColoured);
       if (built_lit_by_face_) {

@@ -74,8 +74,8 @@ class CellMapper : public vtkOpenGLPolyDataMapper {
   // As rods with round ends. A mapper that shows edges shows nothing else, ever.
   void show_edges(const EdgeCells* edges);  // null: nothing
   void set_lines(const CellLines& lines) { lines_ = lines; }
-  // Light for each face instead of each pixel, where faces have no normals between them: highlights
-  // are coarser.
+  // Light for each face instead of each pixel, where faces have no normals between them and are not
+  // too many: highlights are coarser.
   void light_faces(bool by_face) { lit_by_face_ = by_face; }
   void free_memory(vtkWindow* window);  // of what is shown, until that is drawn
   bool empty() const { return cells_.count() == 0; }

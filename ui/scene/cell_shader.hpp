@@ -5,6 +5,13 @@
 
 namespace alphascope {
 
+// Of a PackedColour, 0 to 1. For both shaders.
+inline constexpr const char* kColourOf = R"(
+vec3 colourOf(uint bits) {
+  return vec3(float(bits & 255u), float(bits >> 8 & 255u), float(bits >> 16 & 255u)) / 255.0;
+}
+)";
+
 // Faces: three balls and the colour. Tetrahedra: four balls; face f lacks corner f. In the fragment
 // shader cellCorner is 1 at a corner and 0 on the side opposite to it.
 inline constexpr const char* kFacesDeclared = R"(
@@ -19,16 +26,17 @@ uniform int outward;  // of whole tetrahedra: faces are counterclockwise from ou
 uniform int smoothed;
 uniform int litByFace;
 flat out uint cellColourVSOutput;
-flat out uint faceColourVSOutput;  // lit; where litByFace. 10 bits each, up to 2
+flat out uint faceColourVSOutput;  // where litByFace: with its light, 10 bits each, up to 2
 out vec2 cellCornerVSOutput;
 out vec3 cellNormalVSOutput;
 vec4 vertexMC;
 vec3 placeOf(uint ball) { return texelFetch(places, int(ball)).xyz; }
-// VTK's; it gives as many of them as the scene has.
+// VTK's; of lights, as many as the scene has.
+uniform int cameraParallel;
 uniform vec3 lightColor0, lightColor1, lightColor2;
 uniform vec3 lightDirectionVC0, lightDirectionVC1, lightDirectionVC2;
 uniform float ambientIntensity, diffuseIntensity, specularIntensity, specularPowerUniform;
-// What VTK does for each pixel: diffuse light, and in w what shines. All vectors have the length 1.
+// What VTK does for each pixel. All vectors have the length 1.
 vec3 lit(vec3 lightColour, vec3 direction, vec3 normal, vec3 toEye, vec3 colour) {
   float facing = dot(normal, -direction);
   if (facing <= 0.0) return vec3(0.0);
@@ -36,7 +44,7 @@ vec3 lit(vec3 lightColour, vec3 direction, vec3 normal, vec3 toEye, vec3 colour)
   return lightColour * (diffuseIntensity * facing * colour + specularIntensity * shine);
 }
 uint litFace(vec3 normal, vec3 toEye, vec3 colour) {
-  if (dot(normal, toEye) < 0.0) normal = -normal;
+  if ((cameraParallel != 0 ? normal.z : dot(normal, toEye)) < 0.0) normal = -normal;
   vec3 sum = ambientIntensity * colour;
   sum += lit(lightColor0, lightDirectionVC0, normal, toEye, colour);
   sum += lit(lightColor1, lightDirectionVC1, normal, toEye, colour);
@@ -95,7 +103,7 @@ inline constexpr const char* kFacesFetched = R"(
     if (litByFace != 0) {
       vec3 normal = normalize(cellToCamera * cross(second - first, third - first));
       vec3 toEye = normalize(-(MCVCMatrix * vertexMC).xyz);
-      faceColourVSOutput = litFace(normal, toEye, vec3(colour & 255u, colour >> 8 & 255u, colour >> 16 & 255u) / 255.0);
+      faceColourVSOutput = litFace(normal, toEye, colourOf(colour));
     }
   }
 )";
@@ -126,12 +134,12 @@ inline constexpr const char* kFacesColoured = R"(
     float line = 1.0 - smoothstep(0.5 * sideWidth - 0.5, 0.5 * sideWidth + 0.5, nearest);
     cellShade = 1.0 - 0.5 * line * smoothstep(4.0, 14.0, height / sideWidth);
   }
-  vec3 cellColour = cellShade * vec3(cellColourVSOutput & 255u, cellColourVSOutput >> 8 & 255u,
-                                     cellColourVSOutput >> 16 & 255u) / 255.0;
+  vec3 cellColour = cellShade * colourOf(cellColourVSOutput);
   ambientColor = ambientIntensity * cellColour;
   diffuseColor = diffuseIntensity * cellColour;
 )";
-// Instead of VTK's light.
+// Instead of VTK's light: nothing then asks for the place of a pixel or a normal, and what vertices
+// hand on is half as much.
 inline constexpr const char* kFacesLit = R"(
   uvec3 faceBits = uvec3(faceColourVSOutput, faceColourVSOutput >> 10, faceColourVSOutput >> 20);
   gl_FragData[0] = vec4(cellShade / 511.5 * vec3(faceBits & 1023u), opacity);
@@ -185,8 +193,7 @@ inline constexpr const char* kRodsPlaced = R"(
     place += ((corner & 2) != 0 ? more : -more) * across;
     rodFrom = vec4(from, thick);
     rodAlong = to - from;
-    cellColourVSOutput =
-        vec3(float(edge.z & 255u), float(edge.z >> 8 & 255u), float(edge.z >> 16 & 255u)) / 255.0;
+    cellColourVSOutput = colourOf(edge.z);
     vertexVCVSOutput = vec4(place, 1.0);
     gl_Position = cameraToPicture * vertexVCVSOutput;
   }

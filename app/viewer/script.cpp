@@ -380,7 +380,7 @@ std::vector<ScriptRunner::Verb> ScriptRunner::all_verbs() {
       {verb("alpha-moves",
             "Moves alpha there again and again, each time from a little beside it; writes the "
             "milliseconds to the end of the first frame that shows it, and of what: median and, in "
-            "brackets, the longest",
+            "brackets, the longest, after two moves that are not counted",
             {number("alpha", kMovedAlphaRule), number("moves", kMovesRule, true)}),
        &S::alpha_moves},
       {verb("ball-moves",

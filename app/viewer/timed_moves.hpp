@@ -12,9 +12,9 @@ namespace alphascope {
 class Viewer;
 
 // Moves alpha to `angstrom2` again and again, each time from a little beside it and when nothing
-// else goes on; frames come as in Viewer::run(). Also of each stage, and the hash of what is shown.
-// Throws std::runtime_error when a picture does not come within five minutes, or when two moves
-// lead to different complexes.
+// else goes on, two more times before it counts; frames come as in Viewer::run(). Also of each
+// stage, and the hash of what is shown. Throws std::runtime_error when a picture does not come
+// within five minutes, or when two moves lead to different complexes.
 std::string time_alpha_moves(Viewer& viewer, ScriptedInput& input, double angstrom2, int moves);
 
 // Moves balls of the open sandbox in turn, each by a little, in the plane if it is flat; also the

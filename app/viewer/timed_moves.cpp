@@ -20,8 +20,8 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::chrono::seconds kLongest{300};
 constexpr double kBeside = 0.05;  // Å², from where alpha moves: another complex, about as large
-constexpr int kWarmUp =
-    2;  // moves to an alpha; they make room for its results, and are not counted
+// Moves to an alpha that are not counted: they make room for its results.
+constexpr int kWarmUp = 2;
 constexpr double kStep = 0.0371;  // Å, that a ball moves
 
 double milliseconds_since(Clock::time_point start) {
@@ -111,15 +111,17 @@ std::string time_alpha_moves(Viewer& viewer, ScriptedInput& input, double angstr
   std::vector<double> whole, engine;
   std::map<std::string, std::vector<double>> stages;
   std::uint64_t hash = 0;
-  for (int i = -kWarmUp; i < moves; ++i) {
+  const auto move = [&](int i) {
     mover.move_to(angstrom2 + (i % 2 == 0 ? kBeside : -kBeside));
     mover.rest();
-    const double taken = mover.move_to(angstrom2);
-    if (i < 0) {
-      mover.rest();
-      continue;
-    }
-    whole.push_back(taken);
+    return mover.move_to(angstrom2);
+  };
+  for (int i = 0; i < kWarmUp; ++i) {
+    move(i);
+    mover.rest();
+  }
+  for (int i = 0; i < moves; ++i) {
+    whole.push_back(move(i));
     const AlphaComplex& complex = viewer.state().result->complex;
     engine.push_back(complex.timings.wall_milliseconds);
     for (const StageTime& stage : viewer.picture_stages()) {

@@ -1,3 +1,4 @@
+// See the header.
 #include "core/run/parallel.hpp"
 
 #include <tbb/blocked_range.h>

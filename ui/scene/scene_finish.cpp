@@ -31,9 +31,9 @@ void Scene::Impl::apply_quality(RenderQuality quality, bool transparent) {
   renderer->SetOcclusionRatio(0);
   samples = quality == RenderQuality::sketch ? kSketchSamples : 1;
   // The other sides of what is translucent are much of what takes long.
-  const bool quick = !exact && faded(style.complex_opacity) < 1;
+  const bool front_only = !exact && faded(style.complex_opacity) < 1 && !style.cut.on();
   for (CellActor* c : {&boundary, &tetrahedra}) {
-    c->actor->GetProperty()->SetBackfaceCulling(quick && !style.cut.on());
+    c->actor->GetProperty()->SetBackfaceCulling(front_only);
     c->mapper->light_faces(!exact);
   }
   apply_finish(quality, transparent);

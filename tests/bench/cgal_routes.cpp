@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "core/engine/engine.hpp"
+#include "tests/bench/cgal_parallel.hpp"
 #include "tests/support/cgal_reference.hpp"
 #include "tests/support/molecules.hpp"
 
@@ -58,7 +59,8 @@ void measure(const std::shared_ptr<const BallSet>& balls, Medians& medians) {
   const double alpha = balls->lattice.alpha_on_lattice(1.4);
   for (const bool parallel : {false, true}) {
     const std::string name = parallel ? "CGAL, parallel: " : "CGAL, sequential: ";
-    const auto cells = testing::regular_cells(*balls, alpha, parallel);
+    const auto cells = parallel ? testing::regular_cells_in_parallel(*balls, alpha)
+                                : testing::regular_cells(*balls, alpha);
     medians.add(name + "regular triangulation", cells.triangulation_milliseconds);
     medians.add(name + "cells <= alpha, alpha 1.4", cells.filter_milliseconds);
   }

@@ -1,39 +1,18 @@
 #include "tests/support/cgal_reference.hpp"
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Fixed_alpha_shape_3.h>
 #include <CGAL/Fixed_alpha_shape_cell_base_3.h>
 #include <CGAL/Fixed_alpha_shape_vertex_base_3.h>
-#include <CGAL/Regular_triangulation_3.h>
-#include <CGAL/Triangulation_vertex_base_with_info_3.h>
 
 #include <algorithm>
-#include <chrono>
 #include <stdexcept>
+
+#include "tests/support/cgal_cells.hpp"
 
 namespace alphascope::testing {
 namespace {
 
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using WeightedPoint = Kernel::Weighted_point_3;
-using PlainVertex = CGAL::Regular_triangulation_vertex_base_3<Kernel>;
-using IndexedVertex = CGAL::Triangulation_vertex_base_with_info_3<BallIndex, Kernel, PlainVertex>;
-using PlainCell = CGAL::Regular_triangulation_cell_base_3<Kernel>;
-
-using Clock = std::chrono::steady_clock;
-double milliseconds_since(Clock::time_point start) {
-  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
-
-std::vector<std::pair<WeightedPoint, BallIndex>> indexed_points(const BallSet& balls) {
-  std::vector<std::pair<WeightedPoint, BallIndex>> points;
-  for (BallIndex i = 0; i < balls.size(); ++i) {
-    const LatticePoint& p = balls.centres[i];
-    points.emplace_back(
-        WeightedPoint(Kernel::Point_3(p.x, p.y, p.z), static_cast<double>(balls.weight(i))), i);
-  }
-  return points;
-}
+using namespace cgal;
 
 template <class Shape, class Kind>
 SimplexClass simplex_class(Kind kind) {
@@ -96,31 +75,6 @@ void copy_out(const Shape& shape, AlphaComplex& complex) {
   store(std::move(tetrahedra), complex.tetrahedra);
 }
 
-template <class Rt>
-void filter_cells(const BallSet& balls, Rt& rt, double alpha, CgalCells& result) {
-  const auto points = indexed_points(balls);
-  Clock::time_point start = Clock::now();
-  rt.insert(points.begin(), points.end());
-  result.triangulation_milliseconds = milliseconds_since(start);
-  start = Clock::now();
-  const auto compare = rt.geom_traits().compare_weighted_squared_radius_3_object();
-  for (auto c = rt.finite_cells_begin(); c != rt.finite_cells_end(); ++c) {
-    if (compare(c->vertex(0)->point(), c->vertex(1)->point(), c->vertex(2)->point(),
-                c->vertex(3)->point(), alpha) == CGAL::LARGER) {
-      continue;
-    }
-    std::array<BallIndex, 4> tetrahedron;
-    for (int n = 0; n < 4; ++n) tetrahedron[n] = c->vertex(n)->info();
-    std::sort(tetrahedron.begin(), tetrahedron.end());
-    result.tetrahedra.push_back(tetrahedron);
-  }
-  result.filter_milliseconds = milliseconds_since(start);
-}
-
-template <class Concurrency>
-using CellTriangulation = CGAL::Regular_triangulation_3<
-    Kernel, CGAL::Triangulation_data_structure_3<IndexedVertex, PlainCell, Concurrency>>;
-
 }  // namespace
 
 CgalReference fixed_alpha_shape(const BallSet& balls, double alpha_on_lattice) {
@@ -146,19 +100,9 @@ CgalReference fixed_alpha_shape(const BallSet& balls, double alpha_on_lattice) {
   return result;
 }
 
-CgalCells regular_cells(const BallSet& balls, double alpha_on_lattice, bool parallel) {
-  CgalCells result;
-  if (parallel) {
-    CGAL::Bbox_3 box;
-    for (const LatticePoint& p : balls.centres) box += CGAL::Bbox_3(p.x, p.y, p.z, p.x, p.y, p.z);
-    CellTriangulation<CGAL::Parallel_tag>::Lock_data_structure locks(box, 50);
-    CellTriangulation<CGAL::Parallel_tag> rt(&locks);
-    filter_cells(balls, rt, alpha_on_lattice, result);
-  } else {
-    CellTriangulation<CGAL::Sequential_tag> rt;
-    filter_cells(balls, rt, alpha_on_lattice, result);
-  }
-  return result;
+CgalCells regular_cells(const BallSet& balls, double alpha_on_lattice) {
+  CellTriangulation<CGAL::Sequential_tag> triangulation;
+  return cells_within(balls, triangulation, alpha_on_lattice);
 }
 
 }  // namespace alphascope::testing

@@ -20,6 +20,6 @@ struct CgalCells {
   Simplices<4> tetrahedra;
   double triangulation_milliseconds = 0, filter_milliseconds = 0;
 };
-CgalCells regular_cells(const BallSet& balls, double alpha_on_lattice, bool parallel);
+CgalCells regular_cells(const BallSet& balls, double alpha_on_lattice);
 
 }  // namespace alphascope::testing

@@ -32,7 +32,7 @@ void expect_equals_alpha_shape(const BallSet& balls, Engine& engine, double alph
   ASSERT_TRUE(comparison.identical()) << "alpha " << alpha_angstrom2;
   ASSERT_EQ(found.hash, expected.hash);
 
-  const auto cells = testing::regular_cells(balls, alpha, false).tetrahedra;
+  const auto cells = testing::regular_cells(balls, alpha).tetrahedra;
   ASSERT_EQ(cells.size(), found.tetrahedra.size());
 }
 

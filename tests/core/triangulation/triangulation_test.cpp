@@ -90,7 +90,7 @@ TEST(Triangulation, OfLargeHardSetsEqualsThatOfCgalUsedDirectly) {
     const Triangulation found = make_triangulation(set.balls, 1);
     if (found.dimension != 3) continue;
     const double all = std::numeric_limits<double>::infinity();
-    Simplices<4> expected = testing::regular_cells(set.balls, all, false).tetrahedra;
+    Simplices<4> expected = testing::regular_cells(set.balls, all).tetrahedra;
     std::sort(expected.begin(), expected.end());
     EXPECT_EQ(found.tetrahedra, expected) << set.name;
     compared += expected.size();

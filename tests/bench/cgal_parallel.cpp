@@ -1,0 +1,16 @@
+#include "tests/bench/cgal_parallel.hpp"
+
+#include "tests/support/cgal_cells.hpp"
+
+namespace alphascope::testing {
+
+CgalCells regular_cells_in_parallel(const BallSet& balls, double alpha_on_lattice) {
+  CGAL::Bbox_3 box;
+  for (const LatticePoint& p : balls.centres) box += CGAL::Bbox_3(p.x, p.y, p.z, p.x, p.y, p.z);
+  using Triangulation = cgal::CellTriangulation<CGAL::Parallel_tag>;
+  Triangulation::Lock_data_structure locks(box, 50);
+  Triangulation triangulation(&locks);
+  return cgal::cells_within(balls, triangulation, alpha_on_lattice);
+}
+
+}  // namespace alphascope::testing

@@ -6,7 +6,6 @@
 #include <vtkMapper.h>
 #include <vtkMatrix4x4.h>
 #include <vtkOpenGLRenderWindow.h>
-#include <vtkOpenGLShaderCache.h>
 #include <vtkOpenGLState.h>
 #include <vtkPropCollection.h>
 #include <vtkProperty.h>
@@ -27,18 +26,6 @@ namespace {
 constexpr double kCueFrom = 0.25;
 
 }  // namespace
-
-// A program for each: software OpenGL computes also what a condition leaves out.
-vtkOpenGLQuadHelper* FinishPass::prepare(vtkOpenGLRenderWindow* window, bool occlusion,
-                                         bool translucent) {
-  auto& quad = quads_[(occlusion ? 1 : 0) + (translucent ? 2 : 0)];
-  if (!quad) {
-    const std::string shader = finish_shader(occlusion, translucent);
-    quad = std::make_unique<vtkOpenGLQuadHelper>(window, nullptr, shader.c_str(), "");
-  }
-  window->GetShaderCache()->ReadyShaderProgram(quad->Program);
-  return quad->Program && quad->Program->GetCompiled() ? quad.get() : nullptr;
-}
 
 void FinishPass::give(vtkOpenGLRenderer* renderer, const Finish& f, vtkShaderProgram* program) {
   vtkCamera* camera = renderer->GetActiveCamera();
@@ -112,7 +99,9 @@ void FinishPass::pass(vtkOpenGLRenderer* renderer, const Finish& finish, bool tr
   const int width = static_cast<int>(colours->GetWidth());
   const int height = static_cast<int>(colours->GetHeight());
   if (translucent) draw_fronts(renderer, width, height);
-  vtkOpenGLQuadHelper* quad = prepare(window, finish.occlusion_taps > 0, translucent);
+  const bool occlusion = finish.occlusion_taps > 0;
+  vtkOpenGLQuadHelper* quad = programs_[(occlusion ? 1 : 0) + (translucent ? 2 : 0)].use(
+      window, [&] { return finish_shader(occlusion, translucent); });
   if (quad == nullptr) return;
   vtkOpenGLState* state = window->GetState();
   const DrawsQuads quads(state, width, height);
@@ -138,7 +127,7 @@ void FinishPass::pass(vtkOpenGLRenderer* renderer, const Finish& finish, bool tr
 }
 
 void FinishPass::release(vtkWindow* window) {
-  for (auto& quad : quads_) quad.reset();
+  for (QuadProgram& program : programs_) program.release();
   result_.release(window);
   fronts_.release(window);
 }

@@ -4,11 +4,9 @@
 // balls, faces, lines, cuts and both kinds of camera. For sources of the scene only.
 #pragma once
 
-#include <vtkOpenGLQuadHelper.h>
 #include <vtkOpenGLRenderer.h>
 
 #include <array>
-#include <memory>
 
 #include "ui/scene/screen_quad.hpp"
 #include "ui/theme.hpp"
@@ -41,14 +39,15 @@ class FinishPass {
   void release(vtkWindow* window);
 
  private:
-  vtkOpenGLQuadHelper* prepare(vtkOpenGLRenderWindow* window, bool occlusion, bool translucent);
   void give(vtkOpenGLRenderer* renderer, const Finish& finish, vtkShaderProgram* program);
   void draw_fronts(vtkOpenGLRenderer* renderer, int width, int height);
   void pass(vtkOpenGLRenderer* renderer, const Finish& finish, bool translucent);
 
   DrawnTexture result_;
-  DrawnDepths fronts_;                             // of what is translucent
-  std::unique_ptr<vtkOpenGLQuadHelper> quads_[4];  // + 1: with occlusion, + 2: translucent
+  DrawnDepths fronts_;  // of what is translucent
+  // + 1: with occlusion, + 2: translucent. Software OpenGL computes also what a condition leaves
+  // out.
+  QuadProgram programs_[4];
 };
 
 }  // namespace alphascope

@@ -1,7 +1,6 @@
 // See the header.
 #include "ui/scene/sample_mean.hpp"
 
-#include <vtkOpenGLShaderCache.h>
 #include <vtkOpenGLState.h>
 #include <vtkShaderProgram.h>
 
@@ -49,12 +48,12 @@ std::array<double, 2> sample_place(int k) {
 }
 
 void SampleMean::draw(vtkOpenGLRenderWindow* window, vtkTextureObject* from, float scale) {
-  if (!quad_) quad_ = std::make_unique<vtkOpenGLQuadHelper>(window, nullptr, kScaled, "");
-  window->GetShaderCache()->ReadyShaderProgram(quad_->Program);
+  vtkOpenGLQuadHelper* quad = program_.use(window, [] { return kScaled; });
+  if (quad == nullptr) return;
   from->Activate();
-  quad_->Program->SetUniformi("colours", from->GetTextureUnit());
-  quad_->Program->SetUniformf("scale", scale);
-  quad_->Render();
+  quad->Program->SetUniformi("colours", from->GetTextureUnit());
+  quad->Program->SetUniformf("scale", scale);
+  quad->Render();
   from->Deactivate();
 }
 
@@ -87,7 +86,7 @@ vtkOpenGLFramebufferObject* SampleMean::resolve(vtkOpenGLRenderWindow* window) {
 
 void SampleMean::release(vtkWindow* window) {
   forget();
-  quad_.reset();
+  program_.release();
   sum_.release(window);
   picture_.release(window);
 }

@@ -2,10 +2,6 @@
 // scene only.
 #pragma once
 
-#include <vtkOpenGLQuadHelper.h>
-
-#include <memory>
-
 #include "ui/scene/screen_quad.hpp"
 
 namespace alphascope {
@@ -27,7 +23,7 @@ class SampleMean {
 
   int count_ = 0, width_ = 0, height_ = 0;
   DrawnTexture sum_, picture_;
-  std::unique_ptr<vtkOpenGLQuadHelper> quad_;
+  QuadProgram program_;
 };
 
 }  // namespace alphascope

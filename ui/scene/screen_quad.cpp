@@ -1,6 +1,9 @@
 // See the header.
 #include "ui/scene/screen_quad.hpp"
 
+#include <vtkOpenGLShaderCache.h>
+#include <vtkShaderProgram.h>
+
 #include <GL/gl.h>
 #include <GL/glext.h>
 
@@ -69,6 +72,13 @@ void DrawnDepths::bind(vtkOpenGLRenderWindow* window, int width, int height) {
 void DrawnDepths::release(vtkWindow* window) {
   framebuffer_->ReleaseGraphicsResources(window);
   texture_->ReleaseGraphicsResources(window);
+}
+
+vtkOpenGLQuadHelper* QuadProgram::use(vtkOpenGLRenderWindow* window,
+                                      const std::function<std::string()>& shader) {
+  if (!quad_) quad_ = std::make_unique<vtkOpenGLQuadHelper>(window, nullptr, shader().c_str(), "");
+  window->GetShaderCache()->ReadyShaderProgram(quad_->Program);
+  return quad_->Program && quad_->Program->GetCompiled() ? quad_.get() : nullptr;
 }
 
 DrawsQuads::DrawsQuads(vtkOpenGLState* state, int width, int height)

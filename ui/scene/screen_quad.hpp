@@ -1,14 +1,18 @@
-// What passes over the whole picture share: textures to draw into, and OpenGL's state for it. For
-// sources of the scene only.
+// What passes over the whole picture share: textures to draw into, programs, and OpenGL's state for
+// it. For sources of the scene only.
 #pragma once
 
 #include <vtkNew.h>
 #include <vtkOpenGLFramebufferObject.h>
+#include <vtkOpenGLQuadHelper.h>
 #include <vtkOpenGLRenderWindow.h>
 #include <vtkOpenGLState.h>
 #include <vtkTextureObject.h>
 
 #include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
 
 namespace alphascope {
 
@@ -41,6 +45,19 @@ class DrawnDepths {
  private:
   vtkNew<vtkOpenGLFramebufferObject> framebuffer_;
   vtkNew<vtkTextureObject> texture_;
+};
+
+// A fragment shader for the whole of a picture.
+class QuadProgram {
+ public:
+  // In use, to be given its values and rendered. It is compiled on first use, from what `shader`
+  // returns; null where it does not compile.
+  vtkOpenGLQuadHelper* use(vtkOpenGLRenderWindow* window,
+                           const std::function<std::string()>& shader);
+  void release() { quad_.reset(); }
+
+ private:
+  std::unique_ptr<vtkOpenGLQuadHelper> quad_;
 };
 
 // While it is there: no depth, no blending, no scissors, and all of a target of this size.

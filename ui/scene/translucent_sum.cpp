@@ -3,7 +3,6 @@
 
 #include <vtkObjectFactory.h>
 #include <vtkOpenGLRenderer.h>
-#include <vtkOpenGLShaderCache.h>
 #include <vtkProp.h>
 #include <vtkRenderState.h>
 #include <vtkShaderProgram.h>
@@ -80,21 +79,20 @@ void TranslucentSum::sum(const vtkRenderState* state, vtkTextureObject* depths, 
 }
 
 void TranslucentSum::show(vtkOpenGLRenderWindow* window, int width, int height) {
-  if (!quad_) quad_ = std::make_unique<vtkOpenGLQuadHelper>(window, nullptr, kMean, "");
-  window->GetShaderCache()->ReadyShaderProgram(quad_->Program);
-  if (!quad_->Program || !quad_->Program->GetCompiled()) return;
+  vtkOpenGLQuadHelper* quad = mean_.use(window, [] { return kMean; });
+  if (quad == nullptr) return;
   vtkOpenGLState* gl = window->GetState();
   const DrawsQuads quads(gl, width, height);
   gl->vtkglEnable(GL_BLEND);
   gl->vtkglBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   sums_.texture()->Activate();
-  quad_->Program->SetUniformi("sums", sums_.texture()->GetTextureUnit());
-  quad_->Render();
+  quad->Program->SetUniformi("sums", sums_.texture()->GetTextureUnit());
+  quad->Render();
   sums_.texture()->Deactivate();
 }
 
 void TranslucentSum::ReleaseGraphicsResources(vtkWindow* window) {
-  quad_.reset();
+  mean_.release();
   sums_.release(window);
   Superclass::ReleaseGraphicsResources(window);
 }

@@ -2,10 +2,8 @@
 // what is seen is their mean. For sources of the scene only.
 #pragma once
 
-#include <vtkOpenGLQuadHelper.h>
 #include <vtkOpenGLRenderPass.h>
 
-#include <memory>
 #include <string>
 
 #include "ui/scene/screen_quad.hpp"
@@ -41,7 +39,7 @@ class TranslucentSum : public vtkOpenGLRenderPass {
   void show(vtkOpenGLRenderWindow* window, int width, int height);
 
   DrawnTexture sums_;
-  std::unique_ptr<vtkOpenGLQuadHelper> quad_;
+  QuadProgram mean_;
 };
 
 }  // namespace alphascope

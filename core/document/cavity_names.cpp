@@ -30,8 +30,12 @@ void for_lining(const BallReferences& references, std::span<const BallIndex> lin
 
 std::string cavity_name(const BallReferences& references, const CavityTable& table,
                         std::size_t row) {
+  return sink_name(references, table.sink(row));
+}
+
+std::string sink_name(const BallReferences& references, std::span<const BallIndex> sink) {
   std::string text;
-  for (const BallIndex ball : table.sink(row)) {
+  for (const BallIndex ball : sink) {
     text +=
         (text.empty() ? "" : " ") + atom_address(references.molecule(), atom_of(references, ball));
   }

@@ -16,6 +16,8 @@ namespace alphascope {
 // does not depend on the order of the table, so a paper can use it.
 std::string cavity_name(const BallReferences& references, const CavityTable& table,
                         std::size_t row);
+// The same of the balls of a sink.
+std::string sink_name(const BallReferences& references, std::span<const BallIndex> sink);
 // The same as a reference.
 SimplexRef cavity_sink(const BallReferences& references, const CavityTable& table, std::size_t row);
 

@@ -2,7 +2,6 @@
 #include "core/document/cavity_records.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 
 #include "core/molecule/shortest_number.hpp"
@@ -15,10 +14,6 @@ std::string addresses(const std::vector<LiningResidue>& residues) {
   for (const LiningResidue& residue : residues)
     text += (text.empty() ? "" : "; ") + residue.address;
   return text;
-}
-
-std::string finite_digits(double value) {
-  return std::isfinite(value) ? all_digits(value) : "";
 }
 
 void add_measures(CsvRow& cells, const CavityFacts& facts, std::size_t row) {

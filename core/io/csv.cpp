@@ -24,6 +24,10 @@ std::string all_digits(double number) {
   return text;
 }
 
+std::string finite_digits(double number) {
+  return std::isfinite(number) ? all_digits(number) : "";
+}
+
 std::string csv_milliseconds(double milliseconds) {
   if (!std::isfinite(milliseconds)) return "";
   char text[48];

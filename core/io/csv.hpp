@@ -13,8 +13,10 @@ using CsvRow = std::vector<std::pair<std::string, std::string>>;
 
 // All that a double has, for tables that programs read.
 std::string all_digits(double number);
+// The same; empty for what is no number (NaN, infinite).
+std::string finite_digits(double number);
 
-// "15.8843": to a tenth of a microsecond; empty for what is no number (NaN, infinite).
+// "15.8843": to a tenth of a microsecond; empty for what is no number.
 std::string csv_milliseconds(double milliseconds);
 
 // The line with a row's names, and that with its values; ended.

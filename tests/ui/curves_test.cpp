@@ -152,6 +152,78 @@ TEST_F(CurvesTest, ExactVolumesAreMadeOnRequestAndCanBeCancelled) {
   EXPECT_NE(exact, sum);
 }
 
+TEST_F(CurvesTest, LivesAreBarsAndAClickChoosesACavityThatIsThereOrGoesToWhereItIs) {
+  open_haemoglobin();
+  open_curves();
+  run("click curves.quantity.3\n");
+  settle();
+  ASSERT_TRUE(has("curves.lives"));
+  EXPECT_FALSE(has("curves.plot"));
+  EXPECT_FALSE(has("curves.axis.0")) << "only alpha";
+  const CavityPage& page = *viewer_->state().memory.cavities.page;
+  const CurveMemory::Lives& lives = memory().lives;
+  ASSERT_GT(lives.bars.longest.size(), 50u);
+  ASSERT_EQ(lives.rows.size(), lives.bars.longest.size());
+  std::optional<std::size_t> there, other;
+  for (std::size_t k = 0; k < 15; ++k) {
+    const bool is_there = lives.rows[k] != CurveMemory::Lives::kNoRow;
+    EXPECT_EQ(is_there, lives.bars.longest[k].is_at(0)) << k;
+    if (is_there && !there) there = k;
+    if (!is_there && !other) other = k;
+  }
+  ASSERT_TRUE(there && other) << "or this shows nothing";
+  const auto click = [&](std::size_t bar) {
+    run("click curves.life." + std::to_string(bar + 1) + "\n");
+    settle();
+  };
+  click(*there);
+  ASSERT_EQ(page.chosen_rows, std::vector<std::size_t>{lives.rows[*there]});
+  EXPECT_EQ(viewer_->state().compute.alpha_angstrom2, 0);
+  EXPECT_FALSE(viewer_->state().layers.empty()) << "it is seen in the view";
+  const std::uint32_t sink = lives.bars.longest[*other].sink;
+  click(*other);
+  const double alpha = viewer_->state().compute.alpha_angstrom2;
+  EXPECT_NE(alpha, 0);
+  EXPECT_TRUE(lives.bars.longest[*other].is_at(alpha));
+  ASSERT_EQ(page.chosen_rows.size(), 1u);
+  EXPECT_EQ(page.rows.table().cavity(page.chosen_rows.front()).deepest_sink, sink);
+  run("edit.undo\n");
+  settle();
+  EXPECT_EQ(viewer_->state().compute.alpha_angstrom2, 0) << "in one step";
+  ASSERT_EQ(page.chosen_rows, std::vector<std::size_t>{lives.rows[*there]});
+}
+
+TEST_F(CurvesTest, ADragOverLivesSetsAlphaAsOneEntryAndTheirTableIsSaved) {
+  open_haemoglobin();
+  open_curves();
+  run("click curves.quantity.3\n");
+  settle();
+  ASSERT_TRUE(has("curves.lives"));
+  const std::string undo = viewer_->state().undo_text;
+  run("move curves.lives 0.3\ndown\nmove curves.lives 0.4\nmove curves.lives 0.5\nup\n");
+  settle();
+  const double alpha = viewer_->state().compute.alpha_angstrom2;
+  EXPECT_GT(alpha, 0);
+  EXPECT_EQ(std::round(alpha * 100) / 100, alpha);
+  EXPECT_TRUE(viewer_->state().picked.cavities.empty()) << "nothing is chosen by a drag";
+  run("edit.undo\n");
+  settle();
+  EXPECT_EQ(viewer_->state().compute.alpha_angstrom2, 0);
+  EXPECT_EQ(viewer_->state().undo_text, undo);
+  run("click curves.copy\n");
+  const std::string csv = ImGui::GetClipboardText();
+  EXPECT_NE(csv.find("# sha256: "), std::string::npos);
+  EXPECT_NE(csv.find("# solvent radius: 1.4 Å\n"), std::string::npos);
+  EXPECT_NE(csv.find("\nborn_alpha_angstrom2,closed_alpha_angstrom2,gone_alpha_angstrom2,name\n"),
+            std::string::npos)
+      << csv.substr(0, 2000);
+  run("click curves.save\nframes 3\n");
+  viewer_->state().memory.save_table.path = (folder_ / "lives.csv").string();
+  run("click save_table.ok\n");
+  settle();
+  EXPECT_EQ(bytes("lives.csv"), csv);
+}
+
 TEST_F(CurvesTest, ModelsArePlottedAndAClickShowsOne) {
   std::string text;
   {

@@ -6,14 +6,17 @@
 #include <utility>
 #include <vector>
 
+#include "core/document/cavity_bars.hpp"
 #include "core/document/cavity_chart.hpp"
 #include "core/document/cavity_results.hpp"
 
 namespace alphascope {
 
 struct CurveMemory {
+  static constexpr int kLives = 3;  // a quantity that is none of those of curves
+
   int axis = 1;          // a CurveAxis
-  int quantity = 0;      // a CurveQuantity
+  int quantity = 0;      // a CurveQuantity, or kLives
   std::string molecule;  // SHA-256 of its file
   // Molecules whose curves take long are asked about: for which axis and quantity they were asked
   // for; -1: none.
@@ -27,6 +30,16 @@ struct CurveMemory {
   std::shared_ptr<const CavityLines> lines;  // null: nothing is chosen
   std::vector<std::size_t> rows;             // of them, those that are plotted
   int chart_quantity = -1;
+
+  // The longest lives, of what they were made, and which row of the table each is now.
+  struct Lives {
+    static constexpr std::size_t kNoRow = ~std::size_t{0};
+    CavityBars bars;
+    std::shared_ptr<const CavityLives> of;
+    double from_angstrom2 = 0;
+    std::shared_ptr<const CavityLines> lines;
+    std::vector<std::size_t> rows;  // of each bar; kNoRow: it is not there
+  } lives;
 };
 
 }  // namespace alphascope

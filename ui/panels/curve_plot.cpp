@@ -6,22 +6,14 @@
 
 #include "core/chart/readable_number.hpp"
 #include "ui/panels/format.hpp"
+#include "ui/panels/plot_axis.hpp"
 
 namespace alphascope {
 namespace {
 
-struct Range {
-  double low = HUGE_VAL, high = -HUGE_VAL;
-  void take(double value) {
-    low = std::min(low, value);
-    high = std::max(high, value);
-  }
-  double share(double value) const { return (value - low) / (high - low); }
-};
-
 struct Place {
   ImVec2 from, to;  // pixels: the top left and bottom right corner
-  Range x, y;
+  PlotRange x, y;
 
   float x_of(double value) const {
     return from.x + static_cast<float>(x.share(value)) * (to.x - from.x);
@@ -63,30 +55,12 @@ void set_ranges(const CurvePlot& plot, Place& place) {
   if (plot.axis == CurveAxis::solvent) place.x.low = std::max(place.x.low, 0.0);
 }
 
-// 1, 2 or 5 times a power of ten, for at most so many steps.
-double step_of(const Range& range, int most) {
-  const double least = (range.high - range.low) / std::max(most, 1);
-  const double power = std::pow(10, std::floor(std::log10(least)));
-  for (const double step : {1.0, 2.0, 5.0}) {
-    if (step * power >= least) return step * power;
-  }
-  return 10 * power;
-}
-
-template <class Use>
-void for_ticks(const Range& range, double step, const Use& use) {
-  const auto last = static_cast<long>(std::floor(range.high / step));
-  for (auto n = static_cast<long>(std::ceil(range.low / step)); n <= last; ++n) {
-    use(static_cast<double>(n) * step);
-  }
-}
-
 void frame(PanelContext& ctx, const CurvePlot& plot, const Place& place) {
   ImDrawList* draw = ImGui::GetWindowDrawList();
   const ImU32 muted = to_u32(ctx.palette.text_muted);
   const float line = ImGui::GetTextLineHeight();
   const int most_y = static_cast<int>((place.to.y - place.from.y) / (2.2f * line));
-  for_ticks(place.y, step_of(place.y, most_y), [&](double value) {
+  for_ticks(place.y, tick_step(place.y, most_y), [&](double value) {
     const float y = place.y_of(value);
     const std::string text = chart_number(value);
     draw->AddLine({place.from.x, y}, {place.to.x, y}, to_u32(ctx.palette.border, 0.6f));
@@ -94,10 +68,10 @@ void frame(PanelContext& ctx, const CurvePlot& plot, const Place& place) {
                   muted, text.c_str());
   });
   const int most_x = static_cast<int>((place.to.x - place.from.x) / ctx.px(70));
-  double step = step_of(place.x, most_x);
+  double step = tick_step(place.x, most_x);
   if (plot.axis == CurveAxis::model) step = std::max(std::round(step), 1.0);
   const double offset = plot.axis == CurveAxis::model ? 1 : 0;  // models are counted from 1
-  const Range labels{place.x.low + offset, place.x.high + offset};
+  const PlotRange labels{place.x.low + offset, place.x.high + offset};
   for_ticks(labels, step, [&](double value) {
     const float x = place.x_of(value - offset);
     const std::string text = short_number_text(value, 2);

@@ -10,6 +10,7 @@
 #include "ui/panels/cavity_parts.hpp"
 #include "ui/panels/curve_plot.hpp"
 #include "ui/panels/format.hpp"
+#include "ui/panels/lives_view.hpp"
 #include "ui/panels/molecule_memory.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/panels/save_parts.hpp"
@@ -100,11 +101,7 @@ bool follow(PanelContext& ctx, CurveMemory& memory, const Curves& curves) {
 // --- the line above the plot
 
 std::string csv_of(const PanelContext& ctx, const CurveMemory& memory) {
-  std::vector<std::string> comments;
-  for (const auto& [key, value] : source_on_screen(ctx).provenance()) {
-    if (!value.empty()) comments.push_back(key + ": " + value);
-  }
-  comments.push_back("program: " + ctx.state.program.text());
+  std::vector<std::string> comments = comments_on_screen(ctx);
   if (memory.chart_axis != CurveAxis::solvent) {
     comments.push_back("solvent radius: " +
                        axis_text(CurveAxis::solvent, ctx.inputs.solvent_radius_angstrom) + " Å");
@@ -159,15 +156,20 @@ void legend(PanelContext& ctx, const CurveMemory& memory) {
 }
 
 void choices(PanelContext& ctx, CurveMemory& memory) {
-  constexpr float kWidth = 510;  // pixels at scale 1, of all; the names of the pages stand before
+  constexpr float kWidth = 570;  // pixels at scale 1, of all; the names of the pages stand before
   if (ImGui::GetContentRegionAvail().x < ctx.px(kWidth)) ImGui::NewLine();
-  choice(ctx, "curves.quantity", {"Volume", "Area", "Exact"}, memory.quantity, ctx.px(190));
+  choice(ctx, "curves.quantity", {"Volume", "Area", "Exact", "Lives"}, memory.quantity,
+         ctx.px(250));
   tooltip(ctx,
           "The region of probe centres, as CASTp sums it: SA volume or SA area. Exact: what "
           "of the cavity's tetrahedra is really outside all grown balls, which takes about "
-          "twenty times as long.");
+          "twenty times as long. Lives: from which alpha to which each cavity is there.");
   ImGui::SameLine(0, ctx.px(10));
   ImGui::AlignTextToFramePadding();
+  if (memory.quantity == CurveMemory::kLives) {
+    muted_text(ctx, "against alpha");
+    return;
+  }
   muted_text(ctx, "against");
   ImGui::SameLine(0, ctx.px(8));
   choice(ctx, "curves.axis", {"Alpha", "Solvent", "Model"}, memory.axis, ctx.px(240));
@@ -284,6 +286,7 @@ void draw_curves_panel(PanelContext& ctx) {
     fresh.quantity = old.quantity;
     return fresh;
   });
+  if (memory.quantity == CurveMemory::kLives) return draw_cavity_lives(ctx, memory.lives);
   const CurveAxis axis = axis_of(memory);
   // Between two pictures it is not known of which atoms the balls are.
   const bool unknown = !ctx.inputs.atoms;

@@ -24,6 +24,15 @@ RecordSource source_on_screen(const PanelContext& ctx) {
           ctx.state.program};
 }
 
+std::vector<std::string> comments_on_screen(const PanelContext& ctx) {
+  std::vector<std::string> comments;
+  for (const auto& [key, value] : source_on_screen(ctx).provenance()) {
+    if (!value.empty()) comments.push_back(key + ": " + value);
+  }
+  comments.push_back("program: " + ctx.state.program.text());
+  return comments;
+}
+
 std::string file_name_for(const PanelContext& ctx, const char* what) {
   const std::string& file = ctx.state.molecule.name;
   return file.substr(0, std::min(file.find('.'), file.size())) + "-" + what;

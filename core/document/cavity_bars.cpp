@@ -1,0 +1,84 @@
+// See the header.
+#include "core/document/cavity_bars.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "core/chart/readable_number.hpp"
+#include "core/document/cavity_names.hpp"
+#include "core/io/csv.hpp"
+
+namespace alphascope {
+namespace {
+
+CavityBar bar_of(std::uint32_t sink, const CavityLife& life, const Lattice& lattice) {
+  return {sink, lattice.square_angstrom(life.born), lattice.square_angstrom(life.closed),
+          lattice.square_angstrom(life.gone)};
+}
+
+std::string angstrom2_text(double value) {
+  char digits[40];
+  std::snprintf(digits, sizeof digits, "%.2f", value);
+  return readable_number(digits) + " Å²";
+}
+
+}  // namespace
+
+CavityBars longest_bars(const CavityLives& lives, const Lattice& lattice, double from_angstrom2,
+                        std::size_t most) {
+  const auto length = [&](const CavityBar& bar) {
+    return bar.gone_angstrom2 - std::max(bar.born_angstrom2, from_angstrom2);
+  };
+  CavityBars bars;
+  for (std::size_t k = 0; k < lives.sinks.size(); ++k) {
+    const CavityBar bar = bar_of(lives.sinks[k], lives.lives[k], lattice);
+    if (bar.born_angstrom2 < bar.gone_angstrom2) ++bars.all;
+    if (length(bar) > 0) bars.longest.push_back(bar);
+  }
+  const std::size_t kept = std::min(most, bars.longest.size());
+  std::partial_sort(bars.longest.begin(), bars.longest.begin() + static_cast<std::ptrdiff_t>(kept),
+                    bars.longest.end(), [&](const CavityBar& a, const CavityBar& b) {
+                      const double la = length(a), lb = length(b);
+                      return la != lb ? la > lb : a.sink < b.sink;
+                    });
+  bars.longest.resize(kept);
+  return bars;
+}
+
+double alpha_within(const CavityBar& bar, double from_angstrom2) {
+  const double from = std::max(bar.born_angstrom2, from_angstrom2);
+  const double middle = from + (bar.gone_angstrom2 - from) / 2;
+  const double rounded = std::round(middle * 100) / 100;
+  return bar.is_at(rounded) && rounded >= from ? rounded : middle;
+}
+
+std::string bar_text(const CavityBar& bar) {
+  const bool closes = bar.is_ever_void();
+  std::string text;
+  if (bar.born_angstrom2 < bar.closed_angstrom2) {
+    text = "a pocket ";
+    text += std::isfinite(bar.born_angstrom2) ? "from " + angstrom2_text(bar.born_angstrom2)
+                                              : std::string("at every smaller alpha");
+  }
+  if (closes)
+    text += (text.empty() ? "" : ", ") + ("a void from " + angstrom2_text(bar.closed_angstrom2));
+  return text + ", filled at " + angstrom2_text(bar.gone_angstrom2);
+}
+
+std::string bars_csv(const std::vector<CavityBar>& bars, const Triangulation& triangulation,
+                     const BallReferences& references, const std::vector<std::string>& comments) {
+  std::vector<CsvRow> rows;
+  for (const CavityBar& bar : bars) {
+    rows.push_back(
+        {{"born_alpha_angstrom2", finite_digits(bar.born_angstrom2)},
+         {"closed_alpha_angstrom2", bar.is_ever_void() ? finite_digits(bar.closed_angstrom2) : ""},
+         {"gone_alpha_angstrom2", finite_digits(bar.gone_angstrom2)},
+         {"name", sink_name(references, triangulation.tetrahedra[bar.sink])}});
+  }
+  std::string text;
+  for (const std::string& comment : comments) text += "# " + comment + "\n";
+  return text + csv_text(rows);
+}
+
+}  // namespace alphascope

@@ -32,8 +32,10 @@ void fill(CavityAnswer& answer, const CavitiesOptions& options, int threads,
   timer.lap(stage::kExactVolumes);
   answer.clipped_rank = ranks_by_clipped(*table, *answer.exact);
   answer.depths = std::make_shared<const CavityDepths>(make_cavity_depths(*table, context));
-  answer.lives = std::make_shared<const CavityLives>(
-      table->size() > 0 ? cavity_lives(*ground, options.rule, context.cancel) : CavityLives{});
+  answer.lives =
+      std::make_shared<const CavityLives>(table->size() > 0 || !options.lives.empty()
+                                              ? cavity_lives(*ground, options.rule, context.cancel)
+                                              : CavityLives{});
   answer.contents =
       std::make_shared<const CavityContents>(find_contents(*answer.atoms, *table, context.cancel));
   timer.lap("depths, lives, contents");

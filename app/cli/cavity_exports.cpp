@@ -5,6 +5,7 @@
 #include "core/cavity/clearance.hpp"
 #include "core/cavity/filling_spheres.hpp"
 #include "core/chart/chart.hpp"
+#include "core/document/cavity_bars.hpp"
 #include "core/io/viewer_script.hpp"
 #include "core/io/write_mesh.hpp"
 #include "core/io/write_spheres.hpp"
@@ -41,27 +42,41 @@ fs::path named(const std::string& path) {
 CavityExports::CavityExports(const CavitiesOptions& options, Outputs& outputs) : options_(options) {
   require_ending("--surface", options.surface, ".ply", ".glb");
   require_ending("--script", options.script, ".cxc", ".pml");
-  const bool any = !options.spheres.empty() || !options.surface.empty() || !options.script.empty();
+  const bool any = !options.lives.empty() || !options.spheres.empty() || !options.surface.empty() ||
+                   !options.script.empty();
   if (any && (options.files.many() || each_model(options.input) || options.compares())) {
     throw UsageError(
-        "--spheres, --surface and --script show the cavities of one file and one model, with one "
-        "radii set and one solvent radius.");
+        "--lives, --spheres, --surface and --script are of the cavities of one file and one model, "
+        "with one radii set and one solvent radius.");
   }
   if (!options.script.empty() && options.files.named.front() == "-") {
     throw UsageError("--script opens the molecule's file, which standard input is not.");
   }
+  lives_ = outputs.add("--lives", options.lives);
   spheres_ = outputs.add("--spheres", options.spheres);
   surface_ = outputs.add("--surface", options.surface);
   script_ = outputs.add("--script", options.script);
 }
 
 void CavityExports::write(const CavityAnswer& answer, const RunContext& context) {
+  if (lives_ != nullptr) write_lives(answer);
   if (spheres_ != nullptr) {
     WorkThreads threads(answer.request.threads);
     threads.run([&] { write_spheres(answer, context.cancel); });
   }
   if (surface_ != nullptr) write_surface(answer);
   if (script_ != nullptr) write_script(answer);
+}
+
+void CavityExports::write_lives(const CavityAnswer& answer) {
+  std::vector<std::string> comments;
+  for (const auto& [key, value] : noted_header(answer)) {
+    if (!value.empty()) comments.push_back(key + ": " + value);
+  }
+  const CavityGround& ground = *answer.table().ground;
+  const CavityBars bars = longest_bars(*answer.lives, ground.balls->lattice, -kMaxAlphaAngstrom2,
+                                       answer.lives->sinks.size());
+  lives_->write(bars_csv(bars.longest, *ground.triangulation, *answer.atoms, comments));
 }
 
 void CavityExports::write_spheres(const CavityAnswer& answer, const CancelToken& cancel) {

@@ -1,4 +1,5 @@
-// What alphascope-cli cavities writes for other programs: spheres, surfaces, scripts.
+// What alphascope-cli cavities writes beside its tables: lives; and for other programs spheres,
+// surfaces, scripts.
 #pragma once
 
 #include "app/cli/cavity_answer.hpp"
@@ -13,17 +14,18 @@ class CavityExports {
   // standard input or makes several answers, and what Outputs::add() throws.
   CavityExports(const CavitiesOptions& options, Outputs& outputs);
 
-  // Of the cavities that are listed. Throws WriteError, Cancelled, and UsageError for what cannot
-  // be said in a script.
+  // Of the cavities that are listed, but lives of all. Throws WriteError, Cancelled, and UsageError
+  // for what cannot be said in a script.
   void write(const CavityAnswer& answer, const RunContext& context);
 
  private:
+  void write_lives(const CavityAnswer& answer);
   void write_spheres(const CavityAnswer& answer, const CancelToken& cancel);
   void write_surface(const CavityAnswer& answer);
   void write_script(const CavityAnswer& answer);
 
   const CavitiesOptions& options_;
-  AtomicFile *spheres_, *surface_, *script_;
+  AtomicFile *lives_, *spheres_, *surface_, *script_;
 };
 
 }  // namespace alphascope::cli

@@ -77,6 +77,10 @@ OptionCommand cavities_command(CavitiesOptions& options) {
           output("--json", "All numbers, mouths and residues as JSON; - for standard output",
                  options.json),
           output("--csv", "One row for each cavity; - for standard output", options.csv),
+          output("--lives",
+                 "From which alpha to which each cavity is there, of all alphas, as CSV; - for "
+                 "standard output",
+                 options.lives),
           text_option({"--spheres", "OUT.pqr", "Spheres that fill the cavities, as PQR"},
                       options.spheres),
           text_option({"--surface", "OUT.ply|OUT.glb", "Surfaces of the cavities as a mesh"},

@@ -92,7 +92,7 @@ struct CavitiesOptions {
   FlowTies ties = FlowTies::perturbed;
   int shown = 20;                              // rows printed
   std::optional<double> min_volume_angstrom3;  // SA; smaller ones are counted, but not listed
-  std::string json, csv, spheres, surface, script;
+  std::string json, csv, lives, spheres, surface, script;
   bool compares() const { return radii.size() * solvents.size() > 1; }
 };
 

@@ -23,6 +23,13 @@ std::string angstrom2_text(double value) {
   return readable_number(digits) + " Å²";
 }
 
+CsvRow csv_row(const CavityBar& bar, const std::string& name) {
+  return {{"born_alpha_angstrom2", finite_digits(bar.born_angstrom2)},
+          {"closed_alpha_angstrom2", bar.is_ever_void() ? finite_digits(bar.closed_angstrom2) : ""},
+          {"gone_alpha_angstrom2", finite_digits(bar.gone_angstrom2)},
+          {"name", name}};
+}
+
 }  // namespace
 
 CavityBars longest_bars(const CavityLives& lives, const Lattice& lattice, double from_angstrom2,
@@ -68,17 +75,13 @@ std::string bar_text(const CavityBar& bar) {
 
 std::string bars_csv(const std::vector<CavityBar>& bars, const Triangulation& triangulation,
                      const BallReferences& references, const std::vector<std::string>& comments) {
-  std::vector<CsvRow> rows;
-  for (const CavityBar& bar : bars) {
-    rows.push_back(
-        {{"born_alpha_angstrom2", finite_digits(bar.born_angstrom2)},
-         {"closed_alpha_angstrom2", bar.is_ever_void() ? finite_digits(bar.closed_angstrom2) : ""},
-         {"gone_alpha_angstrom2", finite_digits(bar.gone_angstrom2)},
-         {"name", sink_name(references, triangulation.tetrahedra[bar.sink])}});
-  }
   std::string text;
   for (const std::string& comment : comments) text += "# " + comment + "\n";
-  return text + csv_text(rows);
+  text += csv_names(csv_row({}, {}));
+  for (const CavityBar& bar : bars) {
+    text += csv_values(csv_row(bar, sink_name(references, triangulation.tetrahedra[bar.sink])));
+  }
+  return text;
 }
 
 }  // namespace alphascope

@@ -5,7 +5,10 @@
 #include <cstring>
 #include <regex>
 #include <set>
+#include <sstream>
+#include <string>
 
+#include "core/io/csv.hpp"
 #include "core/io/read_molecule.hpp"
 #include "tests/app/cli_fixture.hpp"
 
@@ -55,6 +58,42 @@ TEST_F(CliCavityExports, SpheresAreReadBackAndTouchNoAtom) {
   const std::string text = contents(folder_ / "spheres.pqr");
   EXPECT_TRUE(contains(text, "REMARK   3 sha256 ")) << text.substr(0, 500);
   EXPECT_TRUE(contains(text, "REMARK   3 choices not comparable with CASTp"));
+}
+
+// Every cavity of any alpha has its line, also where there is none at the alpha asked for.
+TEST_F(CliCavityExports, LivesAreOfAllAlphasAndThoseOfTheTable) {
+  const auto lines_of = [&](const std::string& alpha) {
+    const Outcome found = run("cavities -q '" + std::string(kCrambin) + "' --solvent 0.6 --alpha " +
+                              alpha + " --lives '" + path("lives.csv") + "'");
+    EXPECT_EQ(found.code, 0) << found.err;
+    std::set<std::string> lines;
+    std::istringstream text(contents(folder_ / "lives.csv"));
+    for (std::string line; std::getline(text, line);) {
+      if (!line.starts_with("#")) lines.insert(line);
+    }
+    return lines;
+  };
+  const std::set<std::string> lines = lines_of("0");
+  EXPECT_TRUE(
+      lines.contains("born_alpha_angstrom2,closed_alpha_angstrom2,gone_alpha_angstrom2,name"));
+  EXPECT_GT(lines.size(), 100u);
+  EXPECT_TRUE(contains(contents(folder_ / "lives.csv"), "# sha256: "));
+  const json found = cavities("'" + std::string(kCrambin) + "' --solvent 0.6");
+  ASSERT_GT(found["cavities"].size(), 3u);
+  for (const json& cavity : found["cavities"]) {
+    std::string line;
+    for (const char* alpha : {"born", "closed", "gone"}) {
+      const json& value = cavity[alpha + std::string("_alpha_angstrom2")];
+      line += (value.is_null() ? "" : all_digits(value.get<double>())) + ",";
+    }
+    EXPECT_TRUE(lines.contains(line + cavity["name"].get<std::string>())) << line;
+  }
+  EXPECT_EQ(lines_of("1000"), lines);
+  const Outcome two = run("cavities '" + std::string(kCrambin) + "' '" + kTwoVoids + "' --lives '" +
+                          path("two.csv") + "'");
+  EXPECT_EQ(two.code, 2);
+  EXPECT_TRUE(contains(two.err, "one file")) << two.err;
+  EXPECT_FALSE(fs::exists(folder_ / "two.csv"));
 }
 
 // The two chunks of a GLB file.

@@ -10,7 +10,7 @@
 namespace alphascope {
 namespace {
 
-constexpr double kAlphaLow = -3, kAlphaHigh = 10;  // Å²
+constexpr double kAlphaHigh = 10;  // Å²
 
 // The larger the triangulation, the fewer samples: each takes about 0.4 microseconds a tetrahedron,
 // with exact volumes up to 20.
@@ -25,7 +25,7 @@ std::vector<double> alpha_samples(const CavityGround& ground, CurveNumbers numbe
   }
   const double last = ground.balls->lattice.square_angstrom(filled);
   std::vector<double> samples;
-  for (int k = static_cast<int>(kAlphaLow) * per_square_angstrom;
+  for (int k = static_cast<int>(kCurveAlphaLeastAngstrom2) * per_square_angstrom;
        k <= static_cast<int>(kAlphaHigh) * per_square_angstrom; ++k) {
     samples.push_back(static_cast<double>(k) / per_square_angstrom);
   }

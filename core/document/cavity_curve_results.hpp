@@ -8,7 +8,9 @@
 
 namespace alphascope {
 
-// Of the balls on screen, whatever alpha is: from -3 to 10 Å² as the slider of alpha, and on in
+// Where curves against alpha begin, Å².
+inline constexpr double kCurveAlphaLeastAngstrom2 = -3;
+// Of the balls on screen, whatever alpha is: from there to 10 Å² as the slider of alpha, and on in
 // growing steps until the last cavity is filled. With exact volumes there are fewer samples.
 const Definition<CavityCurves>& curves_over_alpha(CurveNumbers numbers = CurveNumbers::sums);
 

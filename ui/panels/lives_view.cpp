@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "core/document/cavity_curve_results.hpp"
 #include "core/document/cavity_names.hpp"
 #include "core/document/finished_text.hpp"
 #include "core/document/store.hpp"
@@ -20,8 +21,7 @@ namespace {
 
 using Lives = CurveMemory::Lives;
 
-constexpr double kFromAngstrom2 = -3;  // the left end, unless alpha is before
-constexpr double kStep = 0.01;         // Å², as the slider's
+constexpr double kStep = 0.01;  // Å², as the slider's
 constexpr std::size_t kMostBars = 100;
 constexpr float kLeastRow = 5, kMostRow = 14;  // pixels at scale 1, of a bar
 constexpr float kDrag = 4;                     // pixels at scale 1: less is a click
@@ -56,7 +56,7 @@ bool follow(PanelContext& ctx, Lives& memory, Known& known, const Derived<Cavity
   known.ground = ground.value;
   known.current = lives.ready() && ground.ready() && ctx.inputs.atoms;
   if (!known.current) return memory.of != nullptr;
-  const double from = std::min(kFromAngstrom2, ctx.inputs.alpha_angstrom2);
+  const double from = std::min(kCurveAlphaLeastAngstrom2, ctx.inputs.alpha_angstrom2);
   if (memory.of != lives.value || memory.from_angstrom2 != from) {
     memory.bars = longest_bars(*lives.value, ground.value->balls->lattice, from, kMostBars);
     memory.of = lives.value;

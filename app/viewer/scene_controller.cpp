@@ -27,6 +27,10 @@ constexpr std::chrono::milliseconds kOutdatedAfter{300};
 // seen while the slider is dragged. What it is of no more is cancelled by set_molecule().
 constexpr std::chrono::milliseconds kFinishes = std::chrono::hours(24);
 
+bool is_large_enough(const ViewportInfo& viewport) {
+  return viewport.width >= 8 && viewport.height >= 8;
+}
+
 }  // namespace
 
 SceneController::SceneController(std::function<void()> wake, FreeMemory free_memory,
@@ -165,6 +169,11 @@ void SceneController::reset_view() {
   dirty_ = true;
 }
 
+void SceneController::settle_view(const ViewportInfo& viewport) {
+  if (scene_.view_is_set() || !is_large_enough(viewport)) return;
+  scene_.settle_view(viewport.width, viewport.height);
+}
+
 std::optional<CameraPlace> SceneController::camera() const {
   if (!drawn_molecule_ || draws_nothing()) return std::nullopt;
   return camera_place(scene_.viewpoint(), *drawn_molecule_->geometry);
@@ -237,7 +246,7 @@ void SceneController::render(ViewportInfo& viewport, bool interacting, bool pati
   if (!old) outdated_since_.reset();
   if (old && !outdated_since_) outdated_since_ = Clock::now();
   viewport.outdated = outdated_since_ && Clock::now() - *outdated_since_ >= kOutdatedAfter;
-  if (viewport.width < 8 || viewport.height < 8 || !drawn_molecule_) return;
+  if (!is_large_enough(viewport) || !drawn_molecule_) return;
   if (viewport.width != width_ || viewport.height != height_) {
     width_ = viewport.width;
     height_ = viewport.height;

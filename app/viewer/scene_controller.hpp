@@ -72,6 +72,9 @@ class SceneController {
   // picture.
   std::optional<Ray> ray(int x, int y) const;
   void reset_view();
+  // To be called before what starts from the present view: that of a molecule that has just come
+  // fits it with its first picture only.
+  void settle_view(const ViewportInfo& viewport);
   // Where the view stands; none where there is none.
   std::optional<CameraPlace> camera() const;
   // Instead of showing all of the molecule that is on its way; none: shows all.

@@ -303,6 +303,8 @@ void Viewer::colour_by_what_differs(const Molecule& molecule) {
 
 void Viewer::take_requests() {
   Requests r = std::exchange(state_.requests, {});
+  if (r.reset_view) scene_.reset_view();
+  if (r.starts_from_view()) scene_.settle_view(state_.viewport);
   if (r.open) open(*r.open);
   take_session_requests(r);
   take_lesson_requests(r);
@@ -327,7 +329,6 @@ void Viewer::take_requests() {
   if (r.export_benchmark) benchmark_.save(state_.benchmark_controls, state_.benchmark);
   if (r.undo) undo();
   if (r.redo) redo();
-  if (r.reset_view) scene_.reset_view();
   if (r.zoom_to_selection) zoom_to(state_.picked.items);
   if (!r.zoom_to.empty()) zoom_to(r.zoom_to);
   if (!r.centre_on.empty()) centre_on(r.centre_on);

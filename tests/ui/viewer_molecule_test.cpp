@@ -61,6 +61,37 @@ TEST_F(ViewerMoleculeTest, EveryToggleGivesTheComplexOfItsRule) {
   EXPECT_NE(molecule().summary.find("not selected"), std::string::npos) << molecule().summary;
 }
 
+// A command may come between the picture's arrival and its first drawing, which fits the view.
+TEST_F(ViewerMoleculeTest, AViewAskedForBeforeTheFirstDrawingFitsAllTheSame) {
+  const auto saved = [&](const std::string& name) {
+    run("view.save_camera " + name + "\nframes 2\n");
+    return viewer_->state().views.back();
+  };
+  open_file(haemoglobin());
+  run("view.from y\nwait-idle\n");
+  const NamedView expected = saved("expected");
+  open_file(crambin());
+  const auto before = viewer_->state().result;
+  viewer_->state().requests.open = haemoglobin();
+  ScriptedInput input;
+  const auto opened = [&] {
+    const auto& result = viewer_->state().result;
+    return result && result != before;
+  };
+  for (int k = 0; k < 10000 && !opened(); ++k) {
+    viewer_->state().requests.look_from = std::array<double, 3>{0, 1, 0};
+    viewer_->step(&input);
+  }
+  ASSERT_TRUE(opened());
+  run("wait-idle\n");
+  EXPECT_EQ(molecule().name, "4hhb.pdb.gz");
+  const NamedView found = saved("found");
+  for (std::size_t k = 0; k < 3; ++k) {
+    EXPECT_NEAR(found.position[k], expected.position[k], 1e-6);
+    EXPECT_NEAR(found.focal_point[k], expected.focal_point[k], 1e-6);
+  }
+}
+
 TEST_F(ViewerMoleculeTest, ABadExpressionChangesNothingAndStaysToBeMended) {
   open_crambin();
   const std::string before = hash();

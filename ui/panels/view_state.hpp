@@ -80,6 +80,11 @@ struct Requests {
   std::string open_lesson;  // a name or a path; empty: none
   bool lesson_next = false, lesson_back = false, lesson_again = false, lesson_reveal = false;
   bool close_lesson = false;
+
+  bool starts_from_view() const {
+    return look_from || zoom_to_selection || !zoom_to.empty() || !centre_on.empty() ||
+           !save_view.empty() || save_session || screenshot || record;
+  }
 };
 
 struct SampleMolecule {

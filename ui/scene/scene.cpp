@@ -156,6 +156,10 @@ bool Scene::view_is_set() const {
   return !impl_->reset_pending;
 }
 
+void Scene::settle_view(int width, int height) {
+  changed().settle_view(width, height);
+}
+
 Viewpoint Scene::viewpoint() const {
   vtkCamera* camera = impl_->renderer->GetActiveCamera();
   Viewpoint v;

@@ -89,6 +89,8 @@ class Scene {
   void set_style(const SceneStyle& style);
   void reset_view();
   bool view_is_set() const;  // and not to be reset with the next picture
+  // A view that is to be reset is so now, for a picture of this size.
+  void settle_view(int width, int height);
   Viewpoint viewpoint() const;
   void set_viewpoint(const Viewpoint& viewpoint);
 

@@ -243,8 +243,7 @@ void Scene::Impl::draw(int width, int height) {
   if (window->GetSize()[0] != width || window->GetSize()[1] != height) {
     window->SetSize(width, height);
   }
-  follow_aspect(static_cast<double>(width) / height);
-  if (balls && std::exchange(reset_pending, false)) reset_camera();
+  settle_view(width, height);
   give_lines();
   const float width_scale = static_cast<float>(samples) * style.line_scale;
   differences.edges.actor->GetProperty()->SetLineWidth(3.5f * width_scale);
@@ -325,6 +324,11 @@ void Scene::Impl::set_view_angle() {
   camera->SetParallelScale(camera->GetDistance() * tangent_up(aspect, least_aspect));
   const double half = std::atan(tangent_up(aspect, least_aspect));
   renderer->GetActiveCamera()->SetViewAngle(2 * half * 180 / M_PI);
+}
+
+void Scene::Impl::settle_view(int width, int height) {
+  follow_aspect(static_cast<double>(width) / height);
+  if (balls && std::exchange(reset_pending, false)) reset_camera();
 }
 
 void Scene::Impl::reset_camera() {

@@ -108,6 +108,7 @@ struct Scene::Impl {
   void apply_quality(RenderQuality quality, bool transparent = false);
   void render(int width, int height, RenderQuality quality);
   void draw(int width, int height);
+  void settle_view(int width, int height);  // as Scene's
   unsigned texture();
   void add_sample(int width, int height);  // to the mean, after apply_quality()
   // To the right and up, in shares of the picture's width and height.

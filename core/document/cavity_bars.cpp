@@ -34,22 +34,30 @@ CsvRow csv_row(const CavityBar& bar, const std::string& name) {
 
 CavityBars longest_bars(const CavityLives& lives, const Lattice& lattice, double from_angstrom2,
                         std::size_t most) {
-  const auto length = [&](const CavityBar& bar) {
-    return bar.gone_angstrom2 - std::max(bar.born_angstrom2, from_angstrom2);
+  // Only what is kept is converted: there may be hundreds of thousands.
+  struct Length {
+    double square_units;
+    std::size_t life;
   };
+  const double from = lattice.alpha_on_lattice(from_angstrom2);
+  std::vector<Length> lengths;
   CavityBars bars;
-  for (std::size_t k = 0; k < lives.sinks.size(); ++k) {
-    const CavityBar bar = bar_of(lives.sinks[k], lives.lives[k], lattice);
-    if (bar.born_angstrom2 < bar.gone_angstrom2) ++bars.all;
-    if (length(bar) > 0) bars.longest.push_back(bar);
+  for (std::size_t k = 0; k < lives.lives.size(); ++k) {
+    const CavityLife& life = lives.lives[k];
+    if (life.born < life.gone) ++bars.all;
+    const double length = life.gone - std::max<double>(life.born, from);
+    if (length > 0) lengths.push_back({length, k});
   }
-  const std::size_t kept = std::min(most, bars.longest.size());
-  std::partial_sort(bars.longest.begin(), bars.longest.begin() + static_cast<std::ptrdiff_t>(kept),
-                    bars.longest.end(), [&](const CavityBar& a, const CavityBar& b) {
-                      const double la = length(a), lb = length(b);
-                      return la != lb ? la > lb : a.sink < b.sink;
+  const std::size_t kept = std::min(most, lengths.size());
+  std::partial_sort(lengths.begin(), lengths.begin() + static_cast<std::ptrdiff_t>(kept),
+                    lengths.end(), [](const Length& a, const Length& b) {
+                      return a.square_units != b.square_units ? a.square_units > b.square_units
+                                                              : a.life < b.life;
                     });
-  bars.longest.resize(kept);
+  for (std::size_t n = 0; n < kept; ++n) {
+    const std::size_t k = lengths[n].life;
+    bars.longest.push_back(bar_of(lives.sinks[k], lives.lives[k], lattice));
+  }
   return bars;
 }
 

@@ -69,25 +69,26 @@ OptionCommand cavities_command(CavitiesOptions& options) {
   min_volume.set = [&options](const std::string& text) {
     options.min_volume_angstrom3 = number_in(text, {-1e30, 1e30});
   };
-  append(command.options,
-         {rule, ties, min_volume,
-          with_default(whole_number_option({"--show", "N", "Cavities printed, the largest first"},
-                                           options.shown, {0, 1'000'000'000}),
-                       "20"),
-          output("--json", "All numbers, mouths and residues as JSON; - for standard output",
-                 options.json),
-          output("--csv", "One row for each cavity; - for standard output", options.csv),
-          output("--lives",
-                 "From which alpha to which each cavity is there, of all alphas, as CSV; - for "
-                 "standard output",
-                 options.lives),
-          text_option({"--spheres", "OUT.pqr", "Spheres that fill the cavities, as PQR"},
-                      options.spheres),
-          text_option({"--surface", "OUT.ply|OUT.glb", "Surfaces of the cavities as a mesh"},
-                      options.surface),
-          text_option({"--script", "OUT.cxc|OUT.pml",
-                       "A script that shows the cavities in ChimeraX or PyMOL"},
-                      options.script)});
+  append(
+      command.options,
+      {rule, ties, min_volume,
+       with_default(whole_number_option({"--show", "N", "Cavities printed, the largest first"},
+                                        options.shown, {0, 1'000'000'000}),
+                    "20"),
+       output("--json", "All numbers, mouths and residues as JSON; - for standard output",
+              options.json),
+       output("--csv", "One row for each cavity; - for standard output", options.csv),
+       output("--lives",
+              "Between which alphas each cavity is there, of every alpha, as CSV; - for standard "
+              "output",
+              options.lives),
+       text_option({"--spheres", "OUT.pqr", "Spheres that fill the cavities, as PQR"},
+                   options.spheres),
+       text_option({"--surface", "OUT.ply|OUT.glb", "Surfaces of the cavities as a mesh"},
+                   options.surface),
+       text_option(
+           {"--script", "OUT.cxc|OUT.pml", "A script that shows the cavities in ChimeraX or PyMOL"},
+           options.script)});
   Options of_body = body(options.input, options.body);
   for (Option& option : of_body) {
     if (option.names != "--radii") continue;

@@ -83,9 +83,7 @@ std::string bar_text(const CavityBar& bar) {
 
 std::string bars_csv(const std::vector<CavityBar>& bars, const Triangulation& triangulation,
                      const BallReferences& references, const std::vector<std::string>& comments) {
-  std::string text;
-  for (const std::string& comment : comments) text += "# " + comment + "\n";
-  text += csv_names(csv_row({}, {}));
+  std::string text = csv_comments(comments) + csv_names(csv_row({}, {}));
   for (const CavityBar& bar : bars) {
     text += csv_values(csv_row(bar, sink_name(references, triangulation.tetrahedra[bar.sink])));
   }

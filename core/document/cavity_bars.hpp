@@ -30,7 +30,7 @@ struct CavityBars {
   std::size_t all = 0;             // how many there are
 };
 
-// What is before `from_angstrom2` counts for nothing.
+// Only what is after `from_angstrom2` counts.
 CavityBars longest_bars(const CavityLives& lives, const Lattice& lattice, double from_angstrom2,
                         std::size_t most);
 

@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "core/io/csv.hpp"
 #include "core/molecule/grouped_number.hpp"
 #include "core/molecule/shortest_number.hpp"
 
@@ -145,9 +146,7 @@ CavityChart chart_of_totals(const CavityCurves& curves, CurveQuantity quantity) 
 }
 
 std::string chart_csv(const Chart& chart, const std::vector<std::string>& comments) {
-  std::string text;
-  for (const std::string& comment : comments) text += "# " + comment + "\n";
-  text += chart.x_label;
+  std::string text = csv_comments(comments) + chart.x_label;
   for (const ChartSeries& series : chart.series) text += "," + series.name;
   text += "\n";
   const std::size_t rows = chart.series.empty() ? 0 : chart.series.front().x.size();

@@ -47,6 +47,12 @@ std::string csv_values(const CsvRow& row) {
   return line + "\n";
 }
 
+std::string csv_comments(const std::vector<std::string>& comments) {
+  std::string text;
+  for (const std::string& comment : comments) text += "# " + comment + "\n";
+  return text;
+}
+
 std::string csv_text(const std::vector<CsvRow>& rows) {
   std::string text;
   if (!rows.empty()) text = csv_names(rows.front());

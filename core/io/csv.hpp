@@ -23,6 +23,9 @@ std::string csv_milliseconds(double milliseconds);
 std::string csv_names(const CsvRow& row);
 std::string csv_values(const CsvRow& row);
 
+// What stands above a table: each in a line of its own, "# " before it.
+std::string csv_comments(const std::vector<std::string>& comments);
+
 // A line with the names, then one line a row.
 std::string csv_text(const std::vector<CsvRow>& rows);
 

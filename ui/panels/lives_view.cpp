@@ -287,7 +287,8 @@ void draw_cavity_lives(PanelContext& ctx, CurveMemory::Lives& memory) {
     return;
   }
   if (memory.bars.longest.empty()) {
-    muted_wrapped(ctx, "This molecule has no cavity at any alpha from here on.");
+    muted_wrapped(ctx, "There is no cavity at any alpha from " +
+                           short_number_text(memory.from_angstrom2, 2) + " Å² on.");
     record(ctx, "curves.nothing");
     return;
   }
@@ -298,17 +299,19 @@ void draw_cavity_lives(PanelContext& ctx, CurveMemory::Lives& memory) {
   const double shown = ctx.state.compute.alpha_angstrom2;
   const Plot plot = place(ctx, memory, shown);
   ImGui::PopFont();
-  legend(ctx, memory, plot.drawn);
-  ImGui::PushFont(ctx.fonts.small);
   if (plot.drawn > 0) {
+    legend(ctx, memory, plot.drawn);
+    ImGui::PushFont(ctx.fonts.small);
     frame(ctx, plot);
     bars(ctx, plot, memory, *known.page);
     ImGui::GetWindowDrawList()->AddLine({plot.x_of(shown), plot.from.y},
                                         {plot.x_of(shown), plot.to.y}, to_u32(ctx.palette.accent),
                                         ctx.px(1.5f));
     take_mouse(ctx, plot, memory, known);
+    ImGui::PopFont();
+  } else {
+    muted_wrapped(ctx, "There is no room for bars here: drag the upper edge of this page up.");
   }
-  ImGui::PopFont();
   ImGui::PopStyleVar();
 }
 

@@ -14,7 +14,7 @@ namespace alphascope {
 void ask_to_save(PanelContext& ctx, TableToSave table);
 // Where its numbers come from: what is on screen. Not without ViewState::references.
 RecordSource source_on_screen(const PanelContext& ctx);
-// The same and the program's version, as lines above a table: "solvent_radius_angstrom: 1.4".
+// The same and the program's version, as lines above a table: "radii: CASTp".
 std::vector<std::string> comments_on_screen(const PanelContext& ctx);
 // "4hhb-cavities", of the file that is open.
 std::string file_name_for(const PanelContext& ctx, const char* what);

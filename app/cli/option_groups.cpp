@@ -39,8 +39,11 @@ Options input_but_ligands(InputOptions& input) {
       choice_option(
           {"--altlocs", "best|all", "Alternative locations: the best of each residue, or all"},
           input.altlocs),
-      texts_option({"--chain", "ID", "Keep only these chains, such as A,B"}, input.chains),
-      texts_option({"--without-chain", "ID", "Drop these chains"}, input.without_chains),
+      // "" is the chain without a name.
+      may_be_empty(
+          texts_option({"--chain", "ID", "Keep only these chains, such as A,B"}, input.chains)),
+      may_be_empty(
+          texts_option({"--without-chain", "ID", "Drop these chains"}, input.without_chains)),
       text_option({"--select", "EXPRESSION",
                    "Keep only atoms that match, such as \"chain A and not resn HEM\""},
                   input.select),

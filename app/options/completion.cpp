@@ -10,11 +10,20 @@ std::string joined(const Words& words, const char* between) {
   return text;
 }
 
-bool takes_files(const std::vector<Option>& options) {
+// What may stand where no option does.
+struct Arguments {
+  bool files = false;
+  std::vector<std::string> words;
+};
+
+Arguments arguments_of(const std::vector<Option>& options) {
+  Arguments found;
   for (const Option& option : options) {
-    if (option.is_argument()) return true;
+    if (!option.is_argument()) continue;
+    found.files |= option.takes_file();
+    for (std::string& word : option.choices()) found.words.push_back(std::move(word));
   }
-  return false;
+  return found;
 }
 
 // "alphascope_cli", a name for a function of a shell.
@@ -36,9 +45,13 @@ std::string bash_cases(const std::string& command, const std::vector<Option>& op
     text += "    " + patterns + ") words=\"" + joined(option.choices(), " ") +
             "\" files=" + (option.takes_file() ? "1" : "") + " ;;\n";
   }
-  const bool bare_files = takes_files(options);
+  const Arguments bare = arguments_of(options);
+  if (!bare.words.empty()) {
+    return text + "    \"" + command + " \"*) words=\"" + joined(bare.words, " ") +
+           "\" files= ;;\n";
+  }
   return text + "    \"" + command + " \"*) words=\"" + joined(dashed_names(options), " ") +
-         "\" files=" + (bare_files ? "1" : "") + " bare=1 ;;\n";
+         "\" files=" + (bare.files ? "1" : "") + " bare=1 ;;\n";
 }
 
 std::string bash(const OptionProgram& program) {
@@ -119,7 +132,11 @@ std::string zsh_arguments(const std::vector<Option>& options, const std::string&
               "]" + zsh_value(option) + "'";
     }
   }
-  if (takes_files(options)) text += " \\\n" + indent + "'*:FILE:_files'";
+  const Arguments bare = arguments_of(options);
+  if (bare.files) text += " \\\n" + indent + "'*:FILE:_files'";
+  if (!bare.words.empty()) {
+    text += " \\\n" + indent + "':COMMAND:(" + joined(bare.words, " ") + ")'";
+  }
   return text;
 }
 
@@ -152,6 +169,10 @@ std::string zsh(const OptionProgram& program) {
 std::string fish_options(const OptionProgram& program, const std::string& when,
                          const std::vector<Option>& options) {
   std::string text;
+  const Arguments bare = arguments_of(options);
+  if (!bare.words.empty()) {
+    text += "complete -c " + program.name + when + " -f -a '" + joined(bare.words, " ") + "'\n";
+  }
   for (const Option& option : options) {
     if (option.is_argument()) continue;
     std::string line = "complete -c " + program.name + when;

@@ -18,6 +18,19 @@ bool is_placeholder(const std::string& word) {
   return std::isupper(static_cast<unsigned char>(word.front())) != 0;
 }
 
+// `help` and `help COMMAND`, as many programs have them beside --help.
+OptionCommand help_command(const OptionProgram& program) {
+  std::string known;
+  for (const OptionCommand& c : program.commands) known += (known.empty() ? "" : "|") + c.name;
+  return {.name = "help",
+          .text = "Print the help of the program, or that of a command",
+          .options = {{.names = "COMMAND",
+                       .value = known,
+                       .text = "The command to explain",
+                       .answer = InsteadOfRunning::help}},
+          .answer = InsteadOfRunning::help};
+}
+
 }  // namespace
 
 std::vector<std::string> Option::all_names() const {
@@ -62,11 +75,16 @@ std::vector<std::string> OptionProgram::command_names() const {
 void add_standard_options(OptionProgram& program) {
   const Option help{
       .names = "-h,--help", .text = "Print this help", .answer = InsteadOfRunning::help};
-  for (OptionCommand& command : program.commands) command.options.push_back(help);
+  const Option version{.names = "-V,--version",
+                       .text = "Print name, version and commit",
+                       .answer = InsteadOfRunning::version};
+  if (!program.commands.empty()) program.commands.push_back(help_command(program));
+  for (OptionCommand& command : program.commands) {
+    command.options.push_back(help);
+    command.options.push_back(version);
+  }
   program.options.push_back(help);
-  program.options.push_back({.names = "--version",
-                             .text = "Print name, version and commit",
-                             .answer = InsteadOfRunning::version});
+  program.options.push_back(version);
   program.options.push_back({.names = "--man-page",
                              .text = "Print the manual page",
                              .answer = InsteadOfRunning::man_page});

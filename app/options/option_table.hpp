@@ -24,6 +24,9 @@ struct Option {
   std::function<void(const std::string&)> set = {};
   bool required = false;
   bool list = false;  // takes "A,B" and may be given again; of an argument: takes any number
+  // An empty value means something, such as the chain without a name. Else it is refused: it would
+  // be as if the option had not been given.
+  bool may_be_empty = false;
   InsteadOfRunning answer = InsteadOfRunning::none;
 
   bool is_flag() const { return value.empty(); }
@@ -40,6 +43,7 @@ struct OptionCommand {
   std::vector<Option> options;
   // Called when everything is set; throws std::invalid_argument for what does not go together.
   std::function<void()> check = {};
+  InsteadOfRunning answer = InsteadOfRunning::none;
 };
 
 // A heading and lines that are shown as they are, in the help and the man page.
@@ -59,7 +63,8 @@ struct OptionProgram {
   std::vector<std::string> command_names() const;
 };
 
-// Adds --help, --version, --man-page and --completion, the first to each command as well.
+// Adds --help, --version, --man-page and --completion, the first two to each command as well, and
+// the command `help` where there are commands.
 void add_standard_options(OptionProgram& program);
 
 // Every name of those that are no arguments: "-q", "--quiet".

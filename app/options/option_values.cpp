@@ -183,6 +183,11 @@ Option in_group(Option option, std::string group) {
   return option;
 }
 
+Option may_be_empty(Option option) {
+  option.may_be_empty = true;
+  return option;
+}
+
 Option required(Option option) {
   option.required = true;
   option.fallback.clear();

@@ -37,6 +37,7 @@ Option whole_numbers_option(OptionText text, std::vector<int>& target, const Num
 // The same with a default that says more than the value does ("0 = all").
 Option with_default(Option option, std::string fallback);
 Option in_group(Option option, std::string group);
+Option may_be_empty(Option option);
 Option required(Option option);
 
 // What is wrong with a value, unless it is one of `choices`; throws std::invalid_argument.

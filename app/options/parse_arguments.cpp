@@ -25,6 +25,10 @@ std::string answer(const OptionProgram& program, const OptionCommand* command, c
                    const std::string& value) {
   switch (option.answer) {
     case InsteadOfRunning::help:
+      if (option.is_argument()) {
+        require_choice(value, option.choices());
+        return help_text(program, program.find(value));
+      }
       return help_text(program, command);
     case InsteadOfRunning::version:
       return program.name + " " + program.version + "\n";
@@ -51,12 +55,33 @@ std::vector<std::string> values_of(const Option& option, const std::string& give
   return values;
 }
 
+// What is said of an empty value.
+std::string empty_value(const Option& option, std::size_t of_values) {
+  if (of_values > 1) return "there is nothing between two commas; leave the comma out";
+  const std::string wanted =
+      option.shown_value().find(' ') == std::string::npos ? option.shown_value() : "one";
+  if (option.is_argument()) return "the name is empty; give the name of a file";
+  return "the value is empty; give " + wanted +
+         (option.required ? "" : ", or leave " + option.shown_name() + " out");
+}
+
 void give(const OptionProgram& program, const OptionCommand* command, const Option& option,
           const std::string& given) {
+  if (option.answer == InsteadOfRunning::help && option.is_argument()) {
+    try {
+      throw Answered{answer(program, command, option, values_of(option, given).front())};
+    } catch (const std::invalid_argument& error) {
+      throw CLI::ValidationError(option.shown_name(), error.what());
+    }
+  }
   if (option.answer != InsteadOfRunning::none)
     throw Answered{answer(program, command, option, given)};
-  for (const std::string& value : values_of(option, given)) {
+  const std::vector<std::string> values = values_of(option, given);
+  for (const std::string& value : values) {
     try {
+      if (value.empty() && !option.is_flag() && !option.may_be_empty) {
+        throw std::invalid_argument(empty_value(option, values.size()));
+      }
       option.set(value);
     } catch (const std::invalid_argument& error) {
       throw CLI::ValidationError(option.shown_name(), error.what());
@@ -89,6 +114,25 @@ const Option* find(const std::vector<Option>& options, const std::string& name) 
     }
   }
   return nullptr;
+}
+
+// "--json=" would take the next word for its value. Empty: there is no such word.
+std::string nothing_behind_equals(const OptionProgram& program,
+                                  const std::vector<std::string>& words) {
+  const std::vector<Option>* options = &program.options;
+  for (std::size_t k = 0; k < words.size() && words[k] != "--"; ++k) {
+    if (const OptionCommand* const command = program.find(words[k]);
+        command != nullptr && options == &program.options) {
+      options = &command->options;
+    }
+    if (!words[k].starts_with("--") || words[k].find('=') + 1 != words[k].size()) continue;
+    const Option* const option = find(*options, words[k].substr(0, words[k].size() - 1));
+    if (option == nullptr) continue;
+    if (option->is_flag()) return option->shown_name() + " takes no value";
+    if (!option->may_be_empty) return option->shown_name() + ": " + empty_value(*option, 1);
+    return option->shown_name() + ": write an empty value as " + option->shown_name() + " ''";
+  }
+  return {};
 }
 
 // A mistyped command or option explains every other complaint of the parser. Empty: there is none.
@@ -188,11 +232,15 @@ ParsedArguments parse_arguments(const OptionProgram& program, int argc, const ch
     for (const Option& option : command.options) add(*sub, program, &command, option);
     sub->callback([&] {
       parsed.command = &command;
+      if (command.answer == InsteadOfRunning::help) throw Answered{help_text(program, nullptr)};
       if (command.check) command.check();
     });
   }
   if (!program.commands.empty()) app.require_subcommand(1);
   const std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
+  if (const std::string nothing = nothing_behind_equals(program, words); !nothing.empty()) {
+    return failure(program, named_command(program, words), nothing);
+  }
   try {
     app.parse(words_for_cli11(words));
   } catch (const Answered& answered) {

@@ -5,12 +5,17 @@
 #include <new>
 #include <sstream>
 #include <stdexcept>
+#include <string>
+#include <utility>
 
+#include "app/options/exit_code.hpp"
 #include "app/session/system_memory.hpp"
 #include "app/viewer/options.hpp"
 #include "app/viewer/script.hpp"
 #include "app/viewer/viewer.hpp"
 #include "core/document/preferences.hpp"
+#include "core/io/atomic_file.hpp"
+#include "core/io/read_error.hpp"
 #include "core/molecule/printable.hpp"
 #include "core/molecule/shortest_number.hpp"
 
@@ -31,7 +36,25 @@ HostOptions host_options(const ViewerOptions& options) {
 
 namespace {
 
-constexpr int kBadArguments = 1, kNoDisplay = 2, kFailed = 3;
+using alphascope::ExitCode;
+
+int status_of(ExitCode code) {
+  return static_cast<int>(code);
+}
+
+// What could not be done, with the exit code that says of which kind it is.
+struct NotDone : std::runtime_error {
+  NotDone(ExitCode why, const std::string& text) : std::runtime_error(text), code(why) {}
+  ExitCode code;
+};
+
+ExitCode code_of(const std::exception& error) {
+  if (const auto* const not_done = dynamic_cast<const NotDone*>(&error)) return not_done->code;
+  if (dynamic_cast<const alphascope::ReadError*>(&error)) return ExitCode::unreadable_input;
+  if (dynamic_cast<const alphascope::WriteError*>(&error)) return ExitCode::unwritable_output;
+  return ExitCode::computing_failed;
+}
+
 // The window took 120 MB with nothing in it.
 constexpr std::uint64_t kLeastFreeBytes = 150 << 20;
 
@@ -60,7 +83,11 @@ void record_lesson(alphascope::Viewer& viewer, const alphascope::ViewerOptions& 
 int drive(alphascope::Viewer& viewer, const alphascope::ViewerOptions& options) {
   if (options.script) {
     std::ifstream script(*options.script);
-    alphascope::run_script(viewer, script, options.script->string(), std::cout);
+    try {
+      alphascope::run_script(viewer, script, options.script->string(), std::cout);
+    } catch (const std::exception& error) {  // names the line
+      throw NotDone(ExitCode::unreadable_input, error.what());
+    }
   }
   if (options.record) record_lesson(viewer, options);
   if (options.shot) {
@@ -72,10 +99,15 @@ int drive(alphascope::Viewer& viewer, const alphascope::ViewerOptions& options) 
   const alphascope::ViewState& state = viewer.state();
   const std::string problem = state.session_problem ? state.session_problem->text : "";
   const std::string& refused = state.memory.lessons.refused;
-  for (const std::string& error : {state.error, state.compute_error, problem, refused}) {
-    if (!error.empty()) throw std::runtime_error(error);
+  const std::pair<const std::string&, ExitCode> failures[] = {
+      {state.error, ExitCode::unreadable_input},
+      {state.compute_error, ExitCode::computing_failed},
+      {problem, ExitCode::unreadable_input},
+      {refused, ExitCode::unreadable_input}};
+  for (const auto& [error, code] : failures) {
+    if (!error.empty()) throw NotDone(code, error);
   }
-  return 0;
+  return status_of(ExitCode::ok);
 }
 
 }  // namespace
@@ -84,7 +116,7 @@ int main(int argc, char** argv) {
   const alphascope::ParsedOptions parsed = alphascope::parse_options(argc, argv);
   if (parsed.exit_code) {
     std::fputs(parsed.text.c_str(), *parsed.exit_code == 0 ? stdout : stderr);
-    return *parsed.exit_code == 0 ? 0 : kBadArguments;
+    return *parsed.exit_code;
   }
   alphascope::ViewerOptions options = parsed.options;
   const bool scripted = options.script || options.shot || options.record;
@@ -100,7 +132,7 @@ int main(int argc, char** argv) {
                  "alphascope: too little memory is free to open a window (%llu MB; see also ulimit "
                  "-v). Close other programs, or compute with alphascope-cli.\n",
                  static_cast<unsigned long long>(*free / 1000000));
-    return kFailed;
+    return status_of(ExitCode::computing_failed);
   }
   std::unique_ptr<alphascope::Host> host;
   try {
@@ -108,18 +140,18 @@ int main(int argc, char** argv) {
                     : alphascope::make_glfw_host(host_options);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "alphascope: %s\n", alphascope::printable(error.what()).c_str());
-    return kNoDisplay;
+    return status_of(ExitCode::no_display);
   }
   try {
     alphascope::Viewer viewer(*host, options);
     if (scripted) return drive(viewer, options);
     viewer.run();
-    return 0;
+    return status_of(ExitCode::ok);
   } catch (const std::bad_alloc&) {
     std::fputs("alphascope: there is not enough memory for the window.\n", stderr);
-    return kFailed;
+    return status_of(ExitCode::computing_failed);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "alphascope: %s\n", alphascope::printable(error.what()).c_str());
-    return kFailed;
+    return status_of(code_of(error));
   }
 }

@@ -4,6 +4,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "app/options/exit_code.hpp"
 #include "app/options/option_values.hpp"
 #include "app/options/parse_arguments.hpp"
 #include "app/viewer/script.hpp"
@@ -75,7 +76,11 @@ Option script_option(ViewerOptions& options) {
   Option script = path_or_none(
       {"--script", "FILE", "Drive the window by the commands in this file"}, options.script);
   script.set = [&options](const std::string& path) {
-    if (!std::filesystem::exists(path)) throw std::invalid_argument("there is no file " + path);
+    std::error_code error;
+    if (!std::filesystem::exists(path, error)) {
+      throw std::invalid_argument(error ? "cannot open " + path + ": " + error.message()
+                                        : "there is no file " + path);
+    }
     options.script = path;
   };
   return script;
@@ -129,7 +134,7 @@ OptionProgram table(ViewerOptions& o) {
   program.name = "alphascope";
   program.text = "The exact alpha complex of a molecule, live, in a window";
   program.version = ALPHASCOPE_VERSION;
-  program.usage_exit_code = 1;
+  program.usage_exit_code = static_cast<int>(ExitCode::usage);
   program.options = {
       path_or_none({"FILE", "FILE",
                     "Molecule: PDB, mmCIF, XYZR, PQR, XYZ or CRD, also as .gz; or a session "
@@ -171,7 +176,7 @@ OptionProgram table(ViewerOptions& o) {
        {"alphascope 4hhb.pdb.gz --alpha 1.4",
         "alphascope 4hhb.pdb.gz --solvent 1.4 --shot picture.png   (needs no display)",
         "alphascope --lesson union_of_balls --record union_of_balls.mp4   (needs no display)"}},
-      {"Exit codes", {"0 done; 1 invalid usage; 2 no display; 3 could not do what was asked."}}};
+      {"Exit codes", exit_code_lines()}};
   add_standard_options(program);
   return program;
 }
@@ -183,7 +188,7 @@ ParsedOptions parse_options(int argc, const char* const* argv) {
   ViewerOptions options;
   const ParsedArguments arguments = parse_arguments(table(options), argc, argv);
   if (!arguments.ended && options.record && options.lesson.empty()) {
-    parsed.exit_code = 1;
+    parsed.exit_code = static_cast<int>(ExitCode::usage);
     parsed.text = "alphascope: --record records a lesson; name it with --lesson.\n";
     return parsed;
   }

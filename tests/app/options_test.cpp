@@ -109,6 +109,48 @@ TEST(Options, RefuseWhatIsNoValue) {
   }
 }
 
+TEST(Options, RefuseAnEmptyValueUnlessItMeansSomething) {
+  for (const std::vector<const char*>& words :
+       std::vector<std::vector<const char*>>{{"run", "--note", ""},
+                                             {"run", "--note="},
+                                             {"run", "--note=", "x"},
+                                             {"run", "-a", ""},
+                                             {"run", "--engine", ""},
+                                             {"run", "--threads", ""},
+                                             {"run", "--counts", "1,"},
+                                             {"run", "a", ""},
+                                             {"run", "--", ""}}) {
+    Values v;
+    const OptionProgram program = table(v);
+    const ParsedArguments parsed = parse(program, words);
+    ASSERT_TRUE(parsed.ended) << words[1];
+    EXPECT_EQ(parsed.exit_code, 2);
+    const bool said = parsed.text.find("is empty; give") != parsed.text.npos ||
+                      parsed.text.find("nothing between two commas") != parsed.text.npos;
+    EXPECT_TRUE(said) << parsed.text;
+  }
+  Values v;
+  OptionProgram program = table(v);
+  EXPECT_TRUE(parse(program, {"run", "--chain", ""}).ended);
+  for (Option& option : program.commands[0].options) {
+    if (option.names == "--chain") option.may_be_empty = true;
+  }
+  EXPECT_FALSE(parse(program, {"run", "--chain", "A,"}).ended);
+  EXPECT_EQ(v.chains, (std::vector<std::string>{"A", ""}));
+  EXPECT_NE(parse(program, {"run", "--light="}).text.find("--light takes no value"),
+            std::string::npos);
+}
+
+TEST(Options, HelpIsACommandToo) {
+  Values v;
+  const OptionProgram program = table(v);
+  EXPECT_EQ(parse(program, {"help"}).text, help_text(program, nullptr));
+  EXPECT_EQ(parse(program, {"help", "run"}).text, help_text(program, &program.commands[0]));
+  EXPECT_EQ(parse(program, {"help", "rnu"}).exit_code, 2);
+  EXPECT_EQ(parse(program, {"-V"}).text, "prog 1\n");
+  EXPECT_EQ(parse(program, {"run", "--version"}).text, "prog 1\n");
+}
+
 TEST(Options, AnswersEndTheProgramWithoutAnError) {
   Values v;
   const OptionProgram program = table(v);

@@ -163,7 +163,7 @@ TEST_F(LessonRecordTest, TheDialogRecordsTheOpenLesson) {
 
 TEST(LessonRecordOptions, ARecordingNeedsALesson) {
   const char* const wrong[] = {"alphascope", "--record", "out.mp4"};
-  EXPECT_EQ(parse_options(3, wrong).exit_code, 1);
+  EXPECT_EQ(parse_options(3, wrong).exit_code, 2);
   const char* const right[] = {"alphascope",       "--record", "out.mp4",       "--lesson", "x",
                                "--record-seconds", "2.5",      "--record-size", "640x480"};
   const ParsedOptions parsed = parse_options(9, right);

@@ -146,9 +146,9 @@ CavityChart chart_of_totals(const CavityCurves& curves, CurveQuantity quantity) 
 }
 
 std::string chart_csv(const Chart& chart, const std::vector<std::string>& comments) {
-  std::string text = csv_comments(comments) + chart.x_label;
-  for (const ChartSeries& series : chart.series) text += "," + series.name;
-  text += "\n";
+  CsvRow names{{chart.x_label, ""}};
+  for (const ChartSeries& series : chart.series) names.emplace_back(series.name, "");
+  std::string text = csv_comments(comments) + csv_names(names);
   const std::size_t rows = chart.series.empty() ? 0 : chart.series.front().x.size();
   for (std::size_t n = 0; n < rows; ++n) {
     text += shortest_number(chart.series.front().x[n]);

@@ -38,9 +38,9 @@ std::string chimerax_complex_script(const ComplexScript& script) {
 }
 
 std::string pymol_complex_script(const ComplexScript& script) {
-  std::string text = script_comments(script.header) +
-                     "python\nimport os\nfrom pymol import cgo, cmd\n" +
-                     pymol_load(script.balls, "balls") +
+  // Python's comments end with the line, whatever PyMOL's language thinks of a semicolon.
+  std::string text = "python\n" + script_comments(script.header) +
+                     "import os\nfrom pymol import cgo, cmd\n" + pymol_load(script.balls, "balls") +
                      // PyMOL keeps the radii of a PQR file as those of electrostatics.
                      "cmd.alter('balls', 'vdw=elec_radius')\ncmd.rebuild()\n"
                      "cmd.hide('everything', 'balls')\ncmd.show('spheres', 'balls')\n"

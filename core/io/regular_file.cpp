@@ -24,27 +24,32 @@ void refuse_what_is_no_file(const std::filesystem::path& path, const struct stat
   }
 }
 
-[[noreturn]] void refuse_opening(const std::filesystem::path& path) {
-  if (errno == ENOENT || errno == ENOTDIR) {
-    throw ReadError(path, 0, "there is no such file", "Check the name and the folder");
-  }
-  throw ReadError(path, 0, std::string("the file cannot be opened: ") + std::strerror(errno),
-                  "Check that you may read it");
-}
-
 }  // namespace
+
+void refuse_opening(const std::filesystem::path& path, int error) {
+  constexpr const char* kCheckName = "Check the name and the folder";
+  struct stat status {};
+  if (error == ENOENT && ::lstat(path.c_str(), &status) == 0) {
+    throw ReadError(path, 0, "this is a link to a file that is not there",
+                    "Check where it leads, or name the file itself");
+  }
+  if (error == ENOENT) throw ReadError(path, 0, "there is no such file", kCheckName);
+  const bool permission = error == EACCES || error == EPERM;
+  throw ReadError(path, 0, std::string("the file cannot be opened: ") + std::strerror(error),
+                  permission ? "Check that you may read it, and its folder" : kCheckName);
+}
 
 RegularFile::RegularFile(const std::filesystem::path& path) {
   // Looked at before it is opened, which may do something to a device; and again afterwards, should
   // something else be there by then.
   struct stat status {};
-  if (::stat(path.c_str(), &status) != 0) refuse_opening(path);
+  if (::stat(path.c_str(), &status) != 0) refuse_opening(path, errno);
   refuse_what_is_no_file(path, status);
   // Not waiting for a writer, should this be a pipe.
   descriptor_ = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
-  if (descriptor_ < 0) refuse_opening(path);
+  if (descriptor_ < 0) refuse_opening(path, errno);
   try {
-    if (::fstat(descriptor_, &status) != 0) refuse_opening(path);
+    if (::fstat(descriptor_, &status) != 0) refuse_opening(path, errno);
     refuse_what_is_no_file(path, status);
   } catch (...) {
     ::close(descriptor_);

@@ -7,6 +7,9 @@
 
 namespace alphascope {
 
+// Throws the ReadError that says why this file cannot be looked at or opened: `error` is errno.
+[[noreturn]] void refuse_opening(const std::filesystem::path& path, int error);
+
 class RegularFile {
  public:
   // Throws ReadError for a missing file, a folder, a pipe or device, and without permission.

@@ -24,6 +24,10 @@ bool is_word(std::string_view text) {
   });
 }
 
+bool has_letter(const Atom& atom) {
+  return std::isalnum(static_cast<unsigned char>(atom.insertion_code)) != 0;
+}
+
 // "#1/A:87@NE2,CD2/A:91@CB"; "" when no atom can be named.
 std::string chimerax_atoms(const ViewerScript& script, const std::vector<std::size_t>& atoms) {
   const Molecule& molecule = *script.molecule;
@@ -32,13 +36,16 @@ std::string chimerax_atoms(const ViewerScript& script, const std::vector<std::si
   for (const std::size_t index : atoms) {
     const Atom& atom = molecule.atoms[index];
     const std::string_view chain = molecule.text(atom.chain), name = molecule.text(atom.name);
-    if (is_copy(script, index) || !is_word(name) || !(chain.empty() || is_word(chain))) continue;
+    if (is_copy(script, index) || !is_word(name) || !(chain.empty() || is_word(chain)) ||
+        !(atom.insertion_code == ' ' || has_letter(atom))) {
+      continue;
+    }
     if (last && same_residue_number(*last, atom)) {
       text += "," + std::string(name);
     } else {
       text += (chain.empty() ? "" : "/" + std::string(chain)) + ":" +
               std::to_string(atom.residue_number);
-      if (atom.insertion_code != ' ') text += atom.insertion_code;
+      if (has_letter(atom)) text += atom.insertion_code;
       text += "@" + std::string(name);
     }
     last = &atom;
@@ -95,8 +102,9 @@ std::string chimerax_script(const ViewerScript& script) {
 }
 
 std::string pymol_script(const ViewerScript& script) {
-  std::string text = script_comments(script.header) + "python\nimport os\nfrom pymol import cmd\n" +
-                     pymol_load(script.file, "molecule") +
+  // Python's comments end with the line, whatever PyMOL's language thinks of a semicolon.
+  std::string text = "python\n" + script_comments(script.header) +
+                     "import os\nfrom pymol import cmd\n" + pymol_load(script.file, "molecule") +
                      "cmd.hide('everything', 'molecule')\ncmd.show('cartoon', 'molecule')\n"
                      "cmd.color('gray80', 'molecule')\n";
   for (const ScriptCavity& cavity : script.cavities) text += pymol_selection(script, cavity);

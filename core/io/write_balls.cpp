@@ -42,9 +42,12 @@ class Digits {
   int most_, digits_;
 };
 
-std::string name_or(std::string_view name, std::string_view otherwise) {
+// A field between blanks: whatever a reader could take for a blank or the end of a line is "_".
+std::string one_field(std::string_view name, std::string_view otherwise = {}) {
   std::string text(name.empty() ? otherwise : name);
-  std::replace(text.begin(), text.end(), ' ', '_');
+  std::replace_if(
+      text.begin(), text.end(),
+      [](char c) { return static_cast<unsigned char>(c) <= ' ' || c == '\x7f'; }, '_');
   return text;
 }
 
@@ -68,36 +71,41 @@ class PqrWriter {
   std::string line(std::size_t i) const {
     const Atom& atom = atom_of(i);
     const std::string name = name_of(atom), residue = residue_of(atom);
-    const std::string chain(molecule_.text(atom.chain));
+    const std::string chain = one_field(molecule_.text(atom.chain));
     const char* const tag = atom.hetero ? "HETATM" : "ATOM";
     const auto place = [&](std::int32_t units) { return balls_.lattice.angstrom(units); };
     const LatticePoint& p = balls_.centres[i];
-    const char insertion = atom.insertion_code == ' ' ? '\0' : atom.insertion_code;
+    const char insertion =
+        static_cast<unsigned char>(atom.insertion_code) <= ' ' ? '\0' : atom.insertion_code;
     const std::string number =
         std::to_string(atom.residue_number) + (insertion ? std::string(1, insertion) : "");
-    char text[400];
     const int digits = place_digits_;
+    // Names in mmCIF files are as long as they like.
+    std::string text(name.size() + residue.size() + chain.size() + 300, '\0');
     const int size =
-        columns_ ? std::snprintf(
-                       text, sizeof text, "%-6s%5zu %-4s %3s %1s%4d%c   %8.*f%8.*f%8.*f 0.000 %.*f",
-                       tag, i + 1, name.size() < 4 ? (" " + name).c_str() : name.c_str(),
-                       residue.c_str(), chain.c_str(), atom.residue_number,
-                       insertion ? insertion : ' ', digits, place(p.x), digits, place(p.y), digits,
-                       place(p.z), radius_digits_, place(balls_.radii[i]))
-                 : std::snprintf(text, sizeof text, "%s %zu %s %s %s %s %.*f %.*f %.*f 0.000 %.*f",
-                                 tag, i + 1, name.c_str(), residue.c_str(), chain.c_str(),
-                                 number.c_str(), digits, place(p.x), digits, place(p.y), digits,
-                                 place(p.z), radius_digits_, place(balls_.radii[i]));
-    return {text, static_cast<std::size_t>(std::min<int>(size, sizeof text - 1))};
+        columns_
+            ? std::snprintf(text.data(), text.size(),
+                            "%-6s%5zu %-4s %3s %1s%4d%c   %8.*f%8.*f%8.*f 0.000 %.*f", tag, i + 1,
+                            name.size() < 4 ? (" " + name).c_str() : name.c_str(), residue.c_str(),
+                            chain.c_str(), atom.residue_number, insertion ? insertion : ' ', digits,
+                            place(p.x), digits, place(p.y), digits, place(p.z), radius_digits_,
+                            place(balls_.radii[i]))
+            : std::snprintf(text.data(), text.size(),
+                            "%s %zu %s %s %s %s %.*f %.*f %.*f 0.000 %.*f", tag, i + 1,
+                            name.c_str(), residue.c_str(), chain.c_str(), number.c_str(), digits,
+                            place(p.x), digits, place(p.y), digits, place(p.z), radius_digits_,
+                            place(balls_.radii[i]));
+    text.resize(static_cast<std::size_t>(size));
+    return text;
   }
 
  private:
   const Atom& atom_of(std::size_t i) const { return molecule_.atoms[atoms_[i]]; }
   std::string name_of(const Atom& atom) const {
-    return name_or(molecule_.text(atom.name), element_symbol(atom.element));
+    return one_field(molecule_.text(atom.name), element_symbol(atom.element));
   }
   std::string residue_of(const Atom& atom) const {
-    return name_or(molecule_.text(atom.residue_name), "UNK");
+    return one_field(molecule_.text(atom.residue_name), "UNK");
   }
   // In its columns, with a blank before each number.
   bool fits(std::size_t i) const {

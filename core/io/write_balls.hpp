@@ -23,7 +23,8 @@ void write_xyzr(const BallSet& balls, const BallHeader& header, AtomicFile& file
 
 // Atoms with their names, all digits and the radii of `balls`; charges are 0, since none are known.
 // The header is in REMARK lines. `atom_of_ball` as in PreparedBalls. Lines have the columns of PDB
-// files as long as numbers and names fit in there with blanks between, and single blanks beyond.
+// files as long as numbers and names fit in there with blanks between, and single blanks beyond. A
+// blank in a name is written as "_", since fields of PQR files stand between blanks.
 void write_pqr(const BallSet& balls, const Molecule& molecule,
                const std::vector<std::uint32_t>& atom_of_ball, const BallHeader& header,
                AtomicFile& file, const RunContext& context = {});

@@ -18,6 +18,23 @@ TEST(Csv, FieldsAreQuotedWhereAReaderWouldSplitThem) {
   EXPECT_EQ(csv_text({}), "");
 }
 
+TEST(Csv, TextsThatSpreadsheetsWouldComputeGetAnApostrophe) {
+  for (const char* text : {"=1+1", "+C", "-B", "@x", "--", "-", "=", "\tx", "\rx", "'=x", "''@x",
+                           "-1.5x", "+-1", "- 1", "=cmd|' /C calc'!A0"}) {
+    EXPECT_EQ(safe_cell(text), std::string("'") + text);
+    EXPECT_EQ(plain_cell(safe_cell(text)), text);
+  }
+  for (const char* text : {"", "a", "1", "-1.5", "+2", "-1e-30", "-1e400", "+.5", "-inf", "'", "'a",
+                           "'5", "O5'", " =1", "A=1", "a+b"}) {
+    EXPECT_EQ(safe_cell(text), text);
+    EXPECT_EQ(plain_cell(text), text);
+  }
+  EXPECT_EQ(csv_text({{{"=name", "=value"}, {"n", "-1"}}}), "'=name,n\n'=value,-1\n");
+  // Some spreadsheets part cells at semicolons, and all do in comments.
+  EXPECT_EQ(csv_values({{"", "a;=b"}}), "\"a;=b\"\n");
+  EXPECT_EQ(csv_comments({"file: a,=b; -c, d=e"}), "# file: a,'=b; '-c, d=e\n");
+}
+
 TEST(Csv, WhatIsNoNumberIsAnEmptyField) {
   EXPECT_EQ(csv_milliseconds(15.88434), "15.8843");
   for (const double none : {std::nan(""), HUGE_VAL, -HUGE_VAL})

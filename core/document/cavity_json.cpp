@@ -98,7 +98,7 @@ Json cavities_json(const CavityFacts& facts) {
             {"tunnels", table.found.tunnels}}},
           {"cavities", cavities},
           {"request", request},
-          {"input", input_json(facts.source)}};
+          {"input", input_json(facts.computed_source())}};
 }
 
 }  // namespace alphascope

@@ -103,7 +103,7 @@ CsvRow cavity_csv(const CavityFacts& facts, std::size_t row, std::size_t first_i
       {"solvent_radius_angstrom", shortest_number(facts.request.solvent_radius_angstrom)},
       {"choices", comparable_text(facts.differences)}};
   cells.insert(cells.end(), more.begin(), more.end());
-  for (auto& [key, value] : facts.source.provenance()) {
+  for (auto& [key, value] : facts.computed_source().provenance()) {
     if (key != "model") cells.emplace_back(key, std::move(value));
   }
   cells.emplace_back("program", facts.source.program.text());
@@ -112,7 +112,7 @@ CsvRow cavity_csv(const CavityFacts& facts, std::size_t row, std::size_t first_i
 
 std::vector<std::pair<std::string, std::string>> cavity_header(const CavityFacts& facts) {
   std::vector<std::pair<std::string, std::string>> header{{"program", facts.source.program.text()}};
-  for (auto& line : facts.source.provenance()) header.push_back(std::move(line));
+  for (auto& line : facts.computed_source().provenance()) header.push_back(std::move(line));
   header.emplace_back("alpha_angstrom2", shortest_number(facts.request.alpha_angstrom2));
   header.emplace_back("solvent_radius_angstrom",
                       shortest_number(facts.request.solvent_radius_angstrom));

@@ -31,6 +31,8 @@ struct CavityFacts {
   std::vector<std::size_t> rows;          // those to report
 
   const CavityTable& table() const { return *all; }
+  // With the lattice that was computed on.
+  RecordSource computed_source() const { return source.on(table().ground->balls->lattice); }
   const ClippedMeasures& clipped(std::size_t row) const { return exact->of[table().order[row]]; }
   bool is_doubtful(std::size_t row) const;
   const char* kind(std::size_t row) const {

@@ -270,6 +270,12 @@ class Exporter {
     add("solids", std::to_string(boundary().solids.size()), "");
     add("boundary triangles", std::to_string(boundary().triangles.size()), "");
     add("volume of tetrahedra", all_digits(volume), "Å³");
+    if (source_.times) add_times(add);
+    file.write(csv_text(rows));
+  }
+
+  template <class Add>
+  void add_times(const Add& add) {
     const StageTimes& times = complex_.timings;
     add("wall time", csv_milliseconds(times.wall_milliseconds), "ms");
     add("setup", csv_milliseconds(times.setup_milliseconds()), "ms");
@@ -279,7 +285,6 @@ class Exporter {
     for (const EngineCounter& counter : complex_.engine.counters) {
       add(counter.name, std::to_string(counter.value), "");
     }
-    file.write(csv_text(rows));
   }
 
   template <class Add>

@@ -55,6 +55,7 @@ struct ExportSource {
   const PreparedBalls& prepared;
   ComplexHeader header;  // where it comes from
   ExportColours colours = ExportColours::element;
+  bool times = true;  // false: what depends on time and threads is left out of tables
 };
 
 // The files that an export to `path` is: itself and, of a script, NAME-balls.pqr and

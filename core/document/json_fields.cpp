@@ -15,7 +15,6 @@ namespace {
 // Of lists that no program would make so long; Selection::kMostItems is below.
 constexpr std::size_t kLongestText = std::size_t{1} << 20;  // bytes
 constexpr std::size_t kMostRuns = 10000000;
-constexpr std::size_t kDeepest = 40;        // ours are 6 deep
 constexpr std::size_t kShownOfAValue = 40;  // characters
 constexpr NumberRule kAtomRule{"An atom", 0, 4294967295.0, "", true};
 constexpr NumberRule kModelRule{"A model", 1, 1e6, "", true};
@@ -47,28 +46,6 @@ std::string range_text(const NumberRule& rule) {
          shortest_number(rule.least) + " to " + shortest_number(rule.most) + unit;
 }
 
-// Where a syntax error is: the parser's own message counts bytes of what it has read.
-class ErrorOffset : public ReadJson::json_sax_t {
- public:
-  std::size_t offset = 0;
-  bool null() override { return true; }
-  bool boolean(bool) override { return true; }
-  bool number_integer(number_integer_t) override { return true; }
-  bool number_unsigned(number_unsigned_t) override { return true; }
-  bool number_float(number_float_t, const string_t&) override { return true; }
-  bool string(string_t&) override { return true; }
-  bool binary(binary_t&) override { return true; }
-  bool start_object(std::size_t) override { return true; }
-  bool end_object() override { return true; }
-  bool start_array(std::size_t) override { return true; }
-  bool end_array() override { return true; }
-  bool key(string_t&) override { return true; }
-  bool parse_error(std::size_t position, const std::string&, const ReadJson::exception&) override {
-    offset = position > 0 ? position - 1 : 0;
-    return false;
-  }
-};
-
 }  // namespace
 
 JsonPlace FieldReader::below(const std::string& name) const {
@@ -85,6 +62,10 @@ const ReadJson* FieldReader::take(const char* name) {
 
 void FieldReader::wrong(JsonPlace place, const ReadJson& value, const std::string& must_be) {
   findings_.wrong.push_back({std::move(place), "is " + shown(value) + ", and must be " + must_be});
+}
+
+void FieldReader::fault(JsonPlace place, std::string reason) {
+  findings_.wrong.push_back({std::move(place), std::move(reason)});
 }
 
 void FieldReader::finish() {
@@ -393,30 +374,6 @@ void FieldReader::model(const char* name, int& index) {
   } else if (number(below(name), *json, model, kModelRule)) {
     index = static_cast<int>(model) - 1;
   }
-}
-
-ReadJson parse_json_object(const std::filesystem::path& path, std::string_view text,
-                           const std::string& what, const std::string& remedy) {
-  std::size_t offset = 0;
-  if (nested_deeper_than(text, kDeepest, offset)) {
-    throw ReadError(path, line_at(text, offset),
-                    "more than " + std::to_string(kDeepest) +
-                        " lists and objects stand inside each other here, as in no " + what,
-                    remedy);
-  }
-  ReadJson json;
-  try {
-    json = ReadJson::parse(text);
-  } catch (const ReadJson::exception&) {
-    ErrorOffset where;
-    ReadJson::sax_parse(text, &where);
-    throw ReadError(path, line_at(text, where.offset), "this is no " + what + ": no JSON from here",
-                    remedy);
-  }
-  if (!json.is_object()) {
-    throw ReadError(path, 1, "this is no " + what + ": a JSON file, but of something else", remedy);
-  }
-  return json;
 }
 
 }  // namespace alphascope

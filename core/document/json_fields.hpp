@@ -150,6 +150,8 @@ class FieldReader {
   // Null: it is not there.
   const ReadJson* take(const char* name);
   void wrong(JsonPlace place, const ReadJson& value, const std::string& must_be);
+  // `reason` follows the place: "cannot be understood".
+  void fault(JsonPlace place, std::string reason);
   JsonPlace below(const std::string& name) const;
   // Names that nobody has asked for are unknown.
   void finish();

@@ -52,6 +52,10 @@ MeasureRows rows_of_measures(const MeasureFacts& facts, const MeasureQuery& quer
                            *facts.measured, std::move(derivatives), context);
 }
 
+Provenance provenance_of(const MeasureFacts& facts) {
+  return facts.source.on(facts.answer->balls->lattice).provenance();
+}
+
 CsvRow measure_csv_row(const MeasureFacts& facts, const MeasureRows& rows, const MeasureRow& row,
                        const Provenance& provenance) {
   const Request& request = facts.answer->request;
@@ -85,7 +89,7 @@ Json measures_json(const MeasureFacts& facts, const MeasureRows& rows) {
       {"device", by.device}, {"route", by.route}, {"note", by.note}, {"ms", by.milliseconds}};
   json.update(complex_json(answer.complex, answer.note));
   json["request"] = request_json(answer.request, answer.balls->lattice);
-  json["input"] = input_json(facts.source);
+  json["input"] = input_json(facts.source.on(answer.balls->lattice));
   return json;
 }
 
@@ -93,7 +97,7 @@ Definition<std::string> measure_csv(const MeasureQuery& query, const RecordSourc
                                     const std::shared_ptr<const Answer>& answer) {
   Definition<std::string> definition =
       written(query, source, answer, [](const MeasureFacts& facts, const MeasureRows& rows) {
-        const Provenance provenance = facts.source.provenance();
+        const Provenance provenance = provenance_of(facts);
         std::string text;
         for (const MeasureRow& row : rows.rows) {
           const CsvRow cells = measure_csv_row(facts, rows, row, provenance);

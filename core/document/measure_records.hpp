@@ -25,6 +25,8 @@ MeasureRows rows_of_measures(const MeasureFacts& facts, const MeasureQuery& quer
                              std::shared_ptr<const UnionDerivatives> derivatives = {},
                              const RunContext& context = {});
 
+// With the lattice that was computed on.
+Provenance provenance_of(const MeasureFacts& facts);
 CsvRow measure_csv_row(const MeasureFacts& facts, const MeasureRows& rows, const MeasureRow& row,
                        const Provenance& provenance);
 

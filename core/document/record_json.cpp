@@ -1,9 +1,19 @@
 // See the header.
 #include "core/document/record_json.hpp"
 
-#include "core/molecule/printable.hpp"
+#include "core/document/json_fields.hpp"
 
 namespace alphascope {
+
+namespace {
+
+void write_bytes(Json& json) {
+  if (json.is_string()) json = text_json(json.get<std::string>());
+  if (!json.is_structured()) return;
+  for (Json& inner : json) write_bytes(inner);
+}
+
+}  // namespace
 
 Json program_json(const ProgramName& program) {
   return {{"name", program.name}, {"version", program.version}, {"commit", program.commit}};
@@ -42,7 +52,7 @@ Json input_json(const RecordSource& source) {
         {"citation", report.radii_citation},
         {"guessed", guessed}}},
       {"coincident_centres", report.coincident_centres},
-      {"lattice_unit_angstrom", source.prepared->balls->lattice.unit_angstrom()},
+      {"lattice_unit_angstrom", source.lattice().unit_angstrom()},
       {"rounding_angstrom", molecule.rounding_angstrom},
       {"radius_rounding_angstrom", report.radius_rounding_angstrom},
       {"notes", molecule.notes},
@@ -105,9 +115,25 @@ Json complex_json(const AlphaComplex& complex, const std::string& engine_note) {
   return json;
 }
 
+void leave_out_run(Json& json) {
+  if (json.is_object()) {
+    for (const char* key :
+         {"timings_ms", "open_ms", "ms", "threads", "device", "route", "counters"}) {
+      json.erase(key);
+    }
+  }
+  if (!json.is_structured()) return;
+  for (Json& inner : json) leave_out_run(inner);
+}
+
 std::string json_text(const Json& json) {
-  // File names need not be UTF-8; replacing what is not keeps the output readable.
-  return printable_json(json.dump(2, ' ', false, Json::error_handler_t::replace)) + "\n";
+  try {
+    return json_file_text(json);
+  } catch (const Json::type_error&) {  // names of files, chains and atoms are any bytes
+    Json exact = json;
+    write_bytes(exact);
+    return json_file_text(exact);
+  }
 }
 
 }  // namespace alphascope

@@ -19,7 +19,11 @@ Json request_json(const Request& request, const Lattice& lattice);
 // tetrahedra-only complex does not hold is null.
 Json complex_json(const AlphaComplex& complex, const std::string& engine_note);
 
-// Indented, and a line of its own at the end. A number that is none (NaN, infinite) is null.
+// Leaves out, at any depth, what depends on time and threads: times, device, route, counters.
+void leave_out_run(Json& json);
+
+// Indented, and a line of its own at the end. A number that is none (NaN, infinite) is null; a text
+// that is no UTF-8 is { "bytes": "c3a4" }, as in sessions.
 std::string json_text(const Json& json);
 
 }  // namespace alphascope

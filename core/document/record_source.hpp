@@ -2,8 +2,10 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
+#include "core/geometry/lattice.hpp"
 #include "core/molecule/prepare_balls.hpp"
 #include "core/molecule/provenance.hpp"
 
@@ -22,8 +24,21 @@ struct RecordSource {
   ProgramName program;
   double open_milliseconds = 0;  // that reading took; 0: not measured
 
+  // Of the balls that the numbers are of: a solvent radius may have put them on a finer one.
+  std::optional<Lattice> refined = {};
+
+  Lattice lattice() const { return refined.value_or(prepared->balls->lattice); }
+  RecordSource on(const Lattice& lattice) const {
+    RecordSource source = *this;
+    source.refined = lattice;
+    return source;
+  }
   Provenance provenance() const {
-    return alphascope::provenance(*molecule, options, prepared->report);
+    Provenance entries = alphascope::provenance(*molecule, options, prepared->report);
+    for (auto& [key, value] : entries) {
+      if (key == "lattice_unit_angstrom") value = lattice_unit_text(lattice());
+    }
+    return entries;
   }
 };
 

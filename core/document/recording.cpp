@@ -82,7 +82,11 @@ std::string fault_of(const Recording& r) {
   if (!within(r.low, kAlphaRule) || !within(r.high, kAlphaRule)) {
     return "Alpha must be from " + range_text(kAlphaRule) + " Å².";
   }
-  if (r.low >= r.high) {
+  if (r.low == r.high) {
+    return "The sweep must go from one alpha to a larger one, not from " + shortest_number(r.low) +
+           " to " + shortest_number(r.high) + " Å².";
+  }
+  if (r.low > r.high) {
     return "The sweep must go from the smaller alpha to the larger one: from " +
            shortest_number(r.high) + " to " + shortest_number(r.low) +
            " Å² instead, or there and back for both ways.";

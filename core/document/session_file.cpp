@@ -9,6 +9,7 @@
 #include "core/io/read_error.hpp"
 #include "core/io/text_file.hpp"
 #include "core/molecule/letter_case.hpp"
+#include "core/molecule/selection_expression.hpp"
 
 namespace alphascope {
 
@@ -22,8 +23,7 @@ constexpr int kVersion = 1;
 // The largest selection takes some 2 MB.
 constexpr std::uint64_t kMostBytes = 8 << 20;
 constexpr const char* kRemedy =
-    "Choose a file that “Save session” has written, or mend it by hand: docs/output-files.md "
-    "tells what it may say";
+    "Choose a file that “Save session” has written, or save the session anew";
 
 // All that is in the file behind its version.
 template <class Visitor>
@@ -62,6 +62,9 @@ void check_together(FieldReader& reader, const ReadJson& json, const SessionDocu
   if (s.settings.open.balls.radii == RadiiSet::user && s.radii_table.empty()) {
     reader.wrong({"open", "radii"}, json["open"]["radii"],
                  "another set where there is no \"radii_table\"");
+  }
+  if (const auto fault = fault_of_selection(s.settings.open.balls.selection)) {
+    reader.fault({"open", "selection"}, std::string("cannot be understood, ") + fault->what());
   }
   const AlphaSlider& a = s.view.panels.alpha_slider;
   if (!(a.low < a.high)) {

@@ -26,7 +26,9 @@ RecordSource source_on_screen(const PanelContext& ctx) {
 
 std::vector<std::string> comments_on_screen(const PanelContext& ctx) {
   std::vector<std::string> comments;
-  for (const auto& [key, value] : source_on_screen(ctx).provenance()) {
+  RecordSource source = source_on_screen(ctx);
+  if (ctx.inputs.balls) source = source.on(ctx.inputs.balls->lattice);
+  for (const auto& [key, value] : source.provenance()) {
     if (!value.empty()) comments.push_back(key + ": " + value);
   }
   comments.push_back("program: " + ctx.state.program.text());

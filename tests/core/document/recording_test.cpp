@@ -102,6 +102,8 @@ TEST(Recording, WhatCannotBeIsExplained) {
   const auto read = [](const std::string& text) { sweep(text); };
   EXPECT_NE(refusal(read, "alpha=10:-1:120").find("from -1 to 10 Å² instead"), std::string::npos)
       << refusal(read, "alpha=10:-1:120");
+  EXPECT_NE(refusal(read, "alpha=1:1:120").find("not from 1 to 1 Å²"), std::string::npos)
+      << refusal(read, "alpha=1:1:120");
   for (const char* text : {"alpha=1:2", "solvent=1:2:3", "alpha=1:2:3:4", ""}) {
     EXPECT_NE(refusal(read, text).find("such as alpha=-1:10:120"), std::string::npos) << text;
   }

@@ -383,5 +383,45 @@ TEST_F(FileReferenceTest, ChangedOrMissingIsSaid) {
   EXPECT_THROW(find_file(wanted, folder_), ReadError);
 }
 
+TEST(SessionFile, ANameThatIsThereTwiceIsRefusedWithItsLine) {
+  const std::string head =
+      "{\n\"alphascope_session\": 1,\n\"molecule\": {\"absolute_path\": "
+      "\"/a\", \"sha256\": \"" +
+      kHash + "\"},\n";
+  const struct {
+    std::string rest, place;
+    std::size_t line;
+  } cases[] = {{"\"compute\": {\n\"alpha_angstrom2\": 1.4,\n\"alpha_angstrom2\": 9}}",
+                "\"compute.alpha_angstrom2\"", 6},
+               {"\"light_theme\": true,\n\"light_theme\": true}", "\"light_theme\"", 5},
+               {"\"appearance\": {\"colours\": [{},\n{\"atoms\": [],\n\"atoms\": []}]}}",
+                "\"appearance.colours.1.atoms\"", 6},
+               {"\"nobody\": {\"a\": {\"b\": 1,\n\"b\": 2}}}", "\"nobody.a.b\"", 5}};
+  for (const auto& c : cases) {
+    try {
+      parse_session("s.json", head + c.rest);
+      ADD_FAILURE() << c.rest;
+    } catch (const ReadError& error) {
+      EXPECT_EQ(error.reason(), c.place + " is there twice");
+      EXPECT_EQ(error.line(), c.line) << error.what();
+    }
+  }
+}
+
+TEST(SessionFile, ASelectionThatCannotBeUnderstoodIsRefusedWithItsPlace) {
+  const std::string text =
+      "{\"alphascope_session\": 1,\n\"molecule\": {\"absolute_path\": "
+      "\"/a\", \"sha256\": \"" +
+      kHash + "\"},\n\"open\": {\n\"selection\": \"chain A and (\"}}";
+  try {
+    parse_session("s.json", text);
+    ADD_FAILURE();
+  } catch (const ReadError& error) {
+    EXPECT_EQ(error.line(), 4u);
+    EXPECT_TRUE(error.reason().starts_with("\"open.selection\" cannot be understood, column "))
+        << error.what();
+  }
+}
+
 }  // namespace
 }  // namespace alphascope

@@ -80,6 +80,8 @@ void print_cavities(const CavityAnswer& answer, const CavitiesOptions& options) 
   if (verbosity() != Verbosity::quiet) {
     for (const std::string& note : notes_of(answer, options))
       std::cout << "note        " << note << "\n";
+  }
+  if (times_shown()) {
     std::cout << "time        " << milliseconds_text(answer.times.wall_milliseconds) << " ("
               << answer.device << ")\n";
     for (const StageTime& s : answer.times.stages) {

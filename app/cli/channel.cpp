@@ -94,7 +94,7 @@ Answer find(const Input& input, const ChannelOptions& options, const RunContext&
       answer.channel = find_channel(*input.prepared().balls, answer.ends, context);
     });
   } catch (const ChannelEndCovered& error) {
-    throw UsageError(std::string(error.what()) + " That ball is the atom " +
+    throw UsageError(std::string(error.what()) + ". That ball is the atom " +
                      atom_text(atoms_of(input), error.ball) + ".");
   } catch (const std::invalid_argument& error) {
     throw UsageError(std::string(error.what()) + ".");
@@ -118,7 +118,7 @@ void print(const Input& input, const Answer& answer) {
             << "touching    " << touching_text(atoms_of(input), channel) << "\n"
             << "length      " << format_text("%.2f", channel.length_angstrom) << " Å, "
             << grouped(channel.samples.size()) << " samples\n";
-  if (verbosity() != Verbosity::quiet) {
+  if (times_shown()) {
     std::cout << "time        " << milliseconds_text(answer.milliseconds) << " (" << answer.device
               << ", " << channel.triangulations << " triangulations)\n";
   }
@@ -136,7 +136,7 @@ Json result_json(const Input& input, const ChannelOptions& options, const Answer
     request["mouths"] = options.mouths;
     request["solvent_radius_angstrom"] = options.solvent_radius_angstrom;
   }
-  json["input"] = input_json(input);
+  json["input"] = input_json(input, input.prepared().balls->lattice);
   json["program"] = program_json();
   return json;
 }
@@ -166,6 +166,7 @@ ExitCode run_channel(const ChannelOptions& options) {
     }
     if (json.wanted()) json.add(result_json(input, options, answer));
   });
+  csv.flush();
   json.finish(Json::object());
   outputs.commit();
   return ExitCode::ok;

@@ -47,6 +47,8 @@ int run_command_line(int argc, const char* const* argv) {
   }
   try {
     set_verbosity(options.verbosity);
+    set_memory_remedy(*parsed.command);
+    set_times_wanted(options.times);
     return static_cast<int>(run(parsed.command->name, options));
   } catch (...) {
     const Failure failure = current_failure();

@@ -12,10 +12,19 @@
 namespace alphascope::cli {
 namespace {
 
+constexpr std::string_view kTimesAreTheResult = "bench";
+
+Option no_times_option(bool& times) {
+  return flag_option("--no-times",
+                     "Leave out times, threads and what follows from them, in all results: the "
+                     "same question gives the same bytes",
+                     times, false);
+}
+
 // -q and -v.
 Options verbosity_options(Verbosity& verbosity) {
   Option quiet{.names = "-q,--quiet",
-               .text = "Print results and errors only: no notes, no progress"};
+               .text = "Print results and errors only: no notes, no times, no progress"};
   quiet.set = [&verbosity](const std::string&) { verbosity = Verbosity::quiet; };
   Option verbose{.names = "-v,--verbose",
                  .text =
@@ -186,6 +195,12 @@ OptionNotes format_notes() {
   return notes;
 }
 
+OptionNotes exit_code_notes() {
+  OptionNotes notes{"Exit codes", exit_code_lines()};
+  notes.lines.push_back("With several files the code is that of the first file that failed.");
+  return notes;
+}
+
 std::vector<OptionNotes> notes() {
   return {
       {"Examples",
@@ -212,10 +227,7 @@ std::vector<OptionNotes> notes() {
       {"Units",
        {"Lengths are in Å. Alpha is in Å²: a ball of radius r grows to sqrt(r² + alpha); negative",
         "alpha shrinks it. The solvent radius is added to every radius first (1.4 for water)."}},
-      {"Exit codes",
-       {"0 done; 1 differs from CGAL (verify, bench); 2 invalid usage; 3 a file cannot be read;",
-        "4 computing failed; 5 an output cannot be written; 130 cancelled (Ctrl-C). With several",
-        "files the code is that of the first file that failed."}}};
+      exit_code_notes()};
 }
 
 }  // namespace
@@ -239,6 +251,9 @@ OptionProgram command_table(CommandOptions& options) {
                       frames_command(options.frames)};
   for (OptionCommand& command : program.commands) {
     append(command.options, verbosity_options(options.verbosity));
+    if (command.name != kTimesAreTheResult) {
+      command.options.push_back(no_times_option(options.times));
+    }
   }
   program.notes = notes();
   program.usage_exit_code = static_cast<int>(ExitCode::usage);

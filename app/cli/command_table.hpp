@@ -9,6 +9,7 @@ namespace alphascope::cli {
 
 struct CommandOptions {
   Verbosity verbosity = Verbosity::normal;
+  bool times = true;  // false: --no-times
   InfoOptions info;
   ComputeOptions compute;
   CavitiesOptions cavities;

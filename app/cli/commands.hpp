@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "app/options/exit_code.hpp"
 #include "app/session/engine_cache.hpp"
 #include "app/session/open_molecule.hpp"
 #include "core/cavity/cavities.hpp"
@@ -19,17 +20,6 @@
 #include "core/document/recording.hpp"
 
 namespace alphascope::cli {
-
-// Documented in --help and docs/user-guide.md; scripts rely on them.
-enum class ExitCode : int {
-  ok = 0,
-  differs = 1,            // verify and bench: not the same as CGAL
-  usage = 2,              // invalid usage
-  unreadable_input = 3,   // a file cannot be read or understood
-  computing_failed = 4,   // engine unavailable, out of memory, internal error
-  unwritable_output = 5,  // an output file cannot be written
-  cancelled = 130,        // Ctrl-C, as shells expect (128 + SIGINT); other signals likewise
-};
 
 // A sensible-looking command line that asks for what cannot be.
 struct UsageError : std::runtime_error {

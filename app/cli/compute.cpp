@@ -67,11 +67,11 @@ std::string effort_text(const Input& input) {
 // Not written out before the files are whole, so that `| head` costs none of them.
 void print_one(const Input& input, const EngineAnswer& result) {
   std::cout << input_text(input) << "sha256      " << input.molecule().sha256 << "\n"
-            << request_text(result.request) << complex_text(result.complex, verbosity());
+            << request_text(result.request) << complex_text(result.complex);
   if (!result.note.empty() && verbosity() != Verbosity::quiet) {
     std::cout << "note        " << result.note << "\n";
   }
-  if (verbosity() == Verbosity::verbose) std::cout << effort_text(input);
+  if (verbosity() == Verbosity::verbose && times_shown()) std::cout << effort_text(input);
 }
 
 // One line a result, under a heading at the first.
@@ -94,7 +94,7 @@ class ResultTable {
       for (const std::string& note : input_notes(input)) print_error(file + ": note: " + note);
     }
     std::cout << table_.line(cells(file, input, result.complex));
-    if (verbosity() == Verbosity::verbose) {
+    if (verbosity() == Verbosity::verbose && times_shown()) {
       std::cout << effort_text(input) << stages_text(result.complex);
     }
     std::cout << std::flush;
@@ -111,7 +111,7 @@ class ResultTable {
     }
     columns.push_back({"Euler", 7});
     columns.push_back({"hash", 16, true});
-    columns.push_back({"time", 8});
+    if (times_shown()) columns.push_back({"time", 8});
     return columns;
   }
 
@@ -135,7 +135,8 @@ class ResultTable {
         {grouped(input.prepared().balls->size()), count(complex.vertices), count(complex.edges),
          count(complex.triangles), grouped(complex.tetrahedra.size()),
          complex.tetrahedra_only ? "-" : std::to_string(complex.euler_characteristic()),
-         hash_text(complex.hash), milliseconds_text(complex.timings.wall_milliseconds)});
+         hash_text(complex.hash)});
+    if (times_shown()) cells.push_back(milliseconds_text(complex.timings.wall_milliseconds));
     return cells;
   }
 
@@ -146,7 +147,7 @@ class ResultTable {
 Json result_json(const Input& input, const EngineAnswer& result) {
   Json json = complex_json(result.complex, result.note);
   json["request"] = request_json(result.request, result.balls->lattice);
-  json["input"] = input_json(input);
+  json["input"] = input_json(input, result.balls->lattice);
   return json;
 }
 

@@ -41,7 +41,7 @@ Json result_json(const Input& input, const Request& request, const Explanation& 
   Json json = explanation_json(e, name);
   json["request"] = {{"solvent_radius_angstrom", request.solvent_radius_angstrom},
                      {"lattice_unit_angstrom", e.lattice.unit_angstrom()}};
-  json["input"] = input_json(input);
+  json["input"] = input_json(input, e.lattice);
   json["program"] = program_json();
   return json;
 }
@@ -76,7 +76,7 @@ ExitCode run_explain(const ExplainOptions& options) {
     for (const ExplanationLine& line : explanation_lines(e, name)) print_line(std::cout, line);
     const std::string note = rounding_note(request, balls.lattice);
     if (!note.empty()) print_line(std::cout, {"Note", note});
-    if (verbosity() != Verbosity::quiet) {
+    if (times_shown()) {
       print_line(std::cout, {"Time", milliseconds_text(milliseconds)});
     }
     std::cout << std::flush;

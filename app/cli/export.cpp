@@ -66,12 +66,16 @@ ExitCode run_export(const ExportOptions& options) {
   EngineCache engines(&make_engine);
   const EngineAnswer result =
       engines.compute(input.prepared().balls, options.request, run_context());
-  const ExportSource source{result, input.molecule(), input.prepared(),
-                            complex_header(input, result), colours_of(options)};
+  const ExportSource source{result,
+                            input.molecule(),
+                            input.prepared(),
+                            complex_header(input, result),
+                            colours_of(options),
+                            times_wanted()};
   const std::vector<std::string> lines = write(source, format, options.out, files);
   outputs.commit();
   clear_progress();
-  std::cout << input_text(input) << complex_text(result.complex, verbosity());
+  std::cout << input_text(input) << complex_text(result.complex);
   for (const fs::path& file : export_files(format, options.out)) {
     std::cout << "file        " << printable(file.string()) << "\n";
   }

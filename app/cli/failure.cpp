@@ -9,6 +9,32 @@
 #include "core/molecule/printable.hpp"
 
 namespace alphascope::cli {
+namespace {
+
+std::string memory_remedy = "Close other programs.";
+
+}  // namespace
+
+void set_memory_remedy(const OptionCommand& command) {
+  const auto has = [&](const char* name) {
+    for (const Option& option : command.options) {
+      if (option.shown_name() == name) return true;
+    }
+    return false;
+  };
+  std::string text;
+  const auto add = [&](bool can, const char* words) {
+    if (can) text += (text.empty() ? "" : ", or ") + std::string(words);
+  };
+  const bool alpha = has("--alpha"), solvent = has("--solvent");
+  add(alpha || solvent, alpha && solvent ? "Use a smaller alpha or solvent radius"
+                        : alpha          ? "Use a smaller alpha"
+                                         : "Use a smaller solvent radius");
+  add(has("--tetrahedra-only"), "add --tetrahedra-only");
+  add(has("--select"),
+      text.empty() ? "Keep fewer atoms with --select" : "keep fewer atoms with --select");
+  if (!text.empty()) memory_remedy = text + ".";
+}
 
 Failure current_failure() {
   try {
@@ -26,9 +52,7 @@ Failure current_failure() {
   } catch (const std::invalid_argument& e) {
     return {ExitCode::usage, e.what(), true};
   } catch (const std::bad_alloc&) {
-    return {ExitCode::computing_failed,
-            "Not enough memory. Use a smaller alpha or solvent radius, or --tetrahedra-only.",
-            true};
+    return {ExitCode::computing_failed, "Not enough memory. " + memory_remedy, true};
   } catch (const std::exception& e) {
     return {ExitCode::computing_failed, e.what(), true};
   }

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "app/cli/commands.hpp"
+#include "app/options/option_table.hpp"
 
 namespace alphascope::cli {
 
@@ -13,6 +14,9 @@ struct Failure {
   // Whether another file may go well: not when the user cancelled or an output cannot be written.
   bool of_this_file;
 };
+
+// What to do where memory is short, as far as this command has options for it.
+void set_memory_remedy(const OptionCommand& command);
 
 // Of the exception being handled: to be called in a catch block.
 Failure current_failure();

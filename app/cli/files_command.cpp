@@ -36,8 +36,10 @@ bool FilesCommand::shown() const {
 ExitCode FilesCommand::run(
     const std::function<void(const std::string& file, const Input& input)>& use) {
   const FilesOutcome outcome = for_each_file(files, many, [&](const std::string& file) {
-    for_each_model(file, input_, open_, run_context(),
-                   [&](const Input& model) { use(file, model); });
+    for_each_model(file, input_, open_, run_context(), [&](const Input& model) {
+      use(file, model);
+      csv.flush();  // who reads along sees each model when it is done
+    });
   });
   json.finish(further_json(outcome, many));
   outputs.commit();

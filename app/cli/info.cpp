@@ -122,7 +122,9 @@ void print(const Input& input) {
               << shortest_number(range.max) << " Å\n";
   }
   std::cout << "sha256      " << molecule.sha256 << "\n";
-  std::cout << "opened in   " << milliseconds_text(input.open_milliseconds) << "\n";
+  if (times_shown()) {
+    std::cout << "opened in   " << milliseconds_text(input.open_milliseconds) << "\n";
+  }
 }
 
 Table info_table(const std::vector<std::string>& files, bool models) {
@@ -186,8 +188,8 @@ ExitCode run_info(const InfoOptions& options) {
       }
     }
     if (command.json.wanted()) {
-      command.json.add(
-          {{"input", input_json(input)}, {"radii_in_use", radii_json(*input.prepared().balls)}});
+      command.json.add({{"input", input_json(input, input.prepared().balls->lattice)},
+                        {"radii_in_use", radii_json(*input.prepared().balls)}});
     }
     if (command.csv.wanted()) command.csv.add(csv_row(input));
   });

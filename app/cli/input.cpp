@@ -20,7 +20,9 @@ namespace {
 void set_radii(const std::string& radii, BallOptions& balls, const RunContext& context) {
   if (radii == "auto") return;
   if (find_radii_set(radii, balls.radii) && balls.radii != RadiiSet::user) return;
-  if (std::filesystem::exists(radii)) {
+  // What is there and cannot be looked at, such as a loop of links, is refused by its reader.
+  std::error_code ignored;
+  if (std::filesystem::status(radii, ignored).type() != std::filesystem::file_type::not_found) {
     balls.radii = RadiiSet::user;
     balls.user_radii = read_user_radii(radii, context);
     return;
@@ -68,8 +70,9 @@ void require_chains(const std::vector<std::string>& asked, const MoleculeContent
   }
 }
 
-// The option that would bring back what was dropped for a reason.
-const char* remedy_for(DropReason reason) {
+// The option that would bring back what was dropped for a reason. Commands that look for cavities
+// drop ligands and ions unless they are told not to, and have other options for that.
+const char* remedy_for(DropReason reason, const InputOptions& options) {
   switch (reason) {
     case DropReason::chain:
       return "Change --chain or --without-chain";
@@ -80,9 +83,9 @@ const char* remedy_for(DropReason reason) {
     case DropReason::water:
       return "Add --waters";
     case DropReason::ion:
-      return "Leave out --no-ions";
+      return options.no_ions ? "Leave out --no-ions" : "Add --ions";
     case DropReason::ligand:
-      return "Leave out --no-ligands";
+      return options.no_ligands ? "Leave out --no-ligands" : "Add --ligands";
     case DropReason::polymer:
       return "Leave out --no-polymers";
     case DropReason::hydrogen:
@@ -98,16 +101,16 @@ const char* remedy_for(DropReason reason) {
 
 // A complex of no atoms answers a question that nobody asks.
 [[noreturn]] void refuse_without_atoms(const std::filesystem::path& file,
-                                       const SelectionReport& report) {
+                                       const InputOptions& options, const SelectionReport& report) {
   const std::vector<CountedReason> reasons = drop_reasons(report);
   std::string dropped;
   for (const CountedReason& r : reasons) dropped += (dropped.empty() ? "" : ", ") + r.text;
   const auto most =
       std::max_element(reasons.begin(), reasons.end(),
                        [](const auto& a, const auto& b) { return a.count < b.count; });
-  throw UsageError(file.string() + ": no atom is left: dropped " + dropped + "." +
-                   (most == reasons.end() ? "" : std::string(" ") + remedy_for(most->reason)) +
-                   ".");
+  throw UsageError(
+      file.string() + ": no atom is left: dropped " + dropped + "." +
+      (most == reasons.end() ? "" : std::string(" ") + remedy_for(most->reason, options)) + ".");
 }
 
 Input open_input(const std::filesystem::path& file, const InputOptions& options,
@@ -165,7 +168,8 @@ void for_each_model(const std::filesystem::path& file, const InputOptions& optio
                     const std::function<void(const Input&)>& use) {
   Input input = open_input(file, options, open, context);
   std::size_t used = input.prepared().report.used;
-  if (used == 0 && !each_model(options)) refuse_without_atoms(file, input.prepared().report);
+  if (used == 0 && !each_model(options))
+    refuse_without_atoms(file, options, input.prepared().report);
   use(input);
   if (!each_model(options)) return;
   const int models = static_cast<int>(input.molecule().models.size());
@@ -180,7 +184,7 @@ void for_each_model(const std::filesystem::path& file, const InputOptions& optio
     use(input);
   }
   // One model may lack what is asked for, but not all of them.
-  if (used == 0) refuse_without_atoms(file, input.prepared().report);
+  if (used == 0) refuse_without_atoms(file, options, input.prepared().report);
 }
 
 Input open_one_model(const InputOptions& options, const char* why_one, const RunContext& context) {
@@ -190,7 +194,7 @@ Input open_one_model(const InputOptions& options, const char* why_one, const Run
   }
   Input input = open_input(options.file, options, open_options(options, context), context);
   if (input.prepared().report.used == 0) {
-    refuse_without_atoms(options.file, input.prepared().report);
+    refuse_without_atoms(options.file, options, input.prepared().report);
   }
   return input;
 }

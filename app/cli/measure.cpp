@@ -74,6 +74,8 @@ void print(const Input& input, const MeasureCommandOptions& options, const Answe
     for (const std::string& note : {from.note, by.note}) {
       if (!note.empty()) std::cout << "note        " << note << "\n";
     }
+  }
+  if (times_shown()) {
     std::cout << "time        complex " << milliseconds_text(complex.timings.wall_milliseconds)
               << " (" << complex.engine.name << ", " << complex.engine.device << "), measures "
               << milliseconds_text(by.milliseconds) << " (" << by.device
@@ -83,7 +85,7 @@ void print(const Input& input, const MeasureCommandOptions& options, const Answe
 }
 
 void add_rows(CsvResults& csv, const Answer& answer, const MeasureRows& table) {
-  const Provenance provenance = answer.facts.source.provenance();
+  const Provenance provenance = provenance_of(answer.facts);
   for (const MeasureRow& row : table.rows) {
     csv.add(measure_csv_row(answer.facts, table, row, provenance));
   }

@@ -4,9 +4,11 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <optional>
 
 #include "app/cli/terminal.hpp"
+#include "core/io/regular_file.hpp"
 
 namespace alphascope::cli {
 namespace {
@@ -72,13 +74,13 @@ void require_readable(const std::vector<fs::path>& files) {
     if (is_dash(file)) continue;
     struct stat status {};
     if (::stat(file.c_str(), &status) != 0) {
-      throw ReadError(file, 0, "there is no such file", "Check the name and the folder");
+      refuse_opening(file, errno);
     }
     if (S_ISDIR(status.st_mode)) {
       throw ReadError(file, 0, "this is a folder, not a file", "Choose a file inside it");
     }
     if (::access(file.c_str(), R_OK) != 0) {
-      throw ReadError(file, 0, "the file cannot be opened", "Check that you may read it");
+      refuse_opening(file, errno);
     }
   }
 }

@@ -143,7 +143,7 @@ std::vector<std::filesystem::path> files_of_picture(const ScreenshotCommandOptio
 Pictured::Pictured(const ScreenshotCommandOptions& options, const RunContext& context)
     : picture_(picture_options(options)),
       caption_(options.caption),
-      command_(command_text(options.arguments)),
+      command_(command_text(options.arguments, times_wanted())),
       drawing_memory_mb_(options.drawing_memory_mb) {
   if (options.session.empty()) {
     follow_options(options, context);

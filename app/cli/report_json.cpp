@@ -1,5 +1,6 @@
 #include "app/cli/report_json.hpp"
 
+#include "app/cli/terminal.hpp"
 #include "app/session/result_header.hpp"
 
 namespace alphascope::cli {
@@ -21,8 +22,13 @@ RecordSource source_of(const Input& input) {
           input.open_milliseconds};
 }
 
-Json input_json(const Input& input) {
-  return alphascope::input_json(source_of(input));
+Json input_json(const Input& input, const Lattice& computed_on) {
+  return alphascope::input_json(source_of(input).on(computed_on));
+}
+
+Json written(Json json) {
+  if (!times_wanted()) leave_out_run(json);
+  return json;
 }
 
 Json comparison_json(const Comparison& comparison) {
@@ -46,7 +52,12 @@ Json comparison_json(const Comparison& comparison) {
 }
 
 ComplexHeader complex_header(const Input& input, const EngineAnswer& answer) {
-  return result_header("alphascope-cli", input.provenance(), input.molecule().notes, answer);
+  ComplexHeader header =
+      result_header("alphascope-cli", input.provenance(), input.molecule().notes, answer);
+  for (auto& [key, value] : header) {
+    if (key == "engine" && !times_wanted()) value = answer.complex.engine.name;
+  }
+  return header;
 }
 
 }  // namespace alphascope::cli

@@ -14,8 +14,12 @@ ProgramName program();
 std::string program_text();  // "alphascope-cli 0.1.0 (0123456789ab)"
 Json program_json();
 RecordSource source_of(const Input& input);
-Json input_json(const Input& input);
+// `computed_on`: the lattice of the balls that were computed with.
+Json input_json(const Input& input, const Lattice& computed_on);
 Json comparison_json(const Comparison& comparison);
+
+// As it is written: without what depends on time and threads where that is not wanted.
+Json written(Json json);
 
 // With every note of the readers and of the engine.
 ComplexHeader complex_header(const Input& input, const EngineAnswer& answer);

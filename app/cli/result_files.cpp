@@ -1,7 +1,12 @@
 #include "app/cli/result_files.hpp"
 
+#include "app/cli/terminal.hpp"
+#include "core/molecule/printable.hpp"
+
 namespace alphascope::cli {
 namespace {
+
+constexpr std::size_t kBuffered = 1 << 18;  // bytes
 
 // Each line but the first moved right, for an object inside of others; the end of the last is lost.
 std::string indented(std::string text, const char* margin) {
@@ -14,16 +19,35 @@ std::string indented(std::string text, const char* margin) {
   return result;
 }
 
+// The columns stay, so that tables of both kinds can be joined.
+CsvRow without_run(CsvRow row) {
+  for (auto& [name, value] : row) {
+    for (const char* of_run : {"wall_ms", "device", "route", "measured_by"}) {
+      if (name == of_run) value.clear();
+    }
+  }
+  return row;
+}
+
 }  // namespace
 
 void CsvResults::add(const CsvRow& row) {
   if (!wanted()) return;
-  file_->write((begun_ ? "" : csv_names(row)) + csv_values(row));
+  if (!begun_) waiting_ = csv_names(row);
   begun_ = true;
+  waiting_ += csv_values(times_wanted() ? row : without_run(row));
+  if (waiting_.size() >= kBuffered) flush();
+}
+
+void CsvResults::flush() {
+  if (waiting_.empty()) return;
+  file_->write(waiting_);
+  waiting_.clear();
 }
 
 void JsonResults::add(Json result) {
   if (!wanted()) return;
+  result = written(std::move(result));
   if (list_.empty()) {
     one_ = std::move(result);
     return;
@@ -38,7 +62,7 @@ Json further_json(const FilesOutcome& outcome, bool many) {
   if (many) {
     Json& failed = further["failed"] = Json::array();
     for (const auto& [file, message] : outcome.failed) {
-      failed.push_back({{"file", file}, {"error", message}});
+      failed.push_back({{"file", file}, {"error", printable(message)}});
     }
   }
   further["program"] = program_json();

@@ -11,15 +11,18 @@
 
 namespace alphascope::cli {
 
-// One row a result, below a line with the names of the first row.
+// One row a result, below a line with the names of the first row. Written a quarter of a megabyte
+// at a time; flush() writes the rest.
 class CsvResults {
  public:
   explicit CsvResults(AtomicFile* file) : file_(file) {}
   bool wanted() const { return file_ != nullptr; }
   void add(const CsvRow& row);
+  void flush();
 
  private:
   AtomicFile* file_;
+  std::string waiting_;
   bool begun_ = false;
 };
 

@@ -54,9 +54,9 @@ ExitCode run_screenshot(const ScreenshotCommandOptions& options) {
   outputs.commit();
   clear_progress();
   if (!not_drawn.empty()) std::cerr << "alphascope-cli: " << not_drawn << "\n";
-  std::cout << input_text(pictured.input()) << complex_text(result.complex, verbosity())
-            << "picture     " << printable(options.out.string()) << ", " << pictured.options().width
-            << " x " << pictured.options().height << "\n";
+  std::cout << input_text(pictured.input()) << complex_text(result.complex) << "picture     "
+            << printable(options.out.string()) << ", " << pictured.options().width << " x "
+            << pictured.options().height << "\n";
   return ExitCode::ok;
 }
 

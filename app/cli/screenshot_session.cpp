@@ -1,13 +1,19 @@
 // See the header.
 #include "app/cli/screenshot_session.hpp"
 
+#include <stdexcept>
+
 #include "core/io/file_hash.hpp"
 #include "core/io/read_error.hpp"
+#include "core/molecule/selection_expression.hpp"
 
 namespace alphascope::cli {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr const char* kOtherMolecule =
+    "Name the molecule that the session was saved with, or change the session in the window";
 
 std::string without_stop(std::string sentence) {
   if (sentence.ends_with('.')) sentence.pop_back();
@@ -31,7 +37,7 @@ SessionToDraw open_session(const ScreenshotCommandOptions& options, const RunCon
   fs::path molecule = options.input.file;
   if (molecule.empty()) {
     molecule = same_file(file, s.molecule, "its molecule: ",
-                         "Put it back, or name it: screenshot --session S.json FILE", context);
+                         "Put it back, or name it as FILE, beside --session S.json", context);
   } else if (hash_of_file(molecule, context) != s.molecule.sha256) {
     drawn.notes.push_back(molecule.string() +
                           " is not the file that the session was saved with, by its SHA-256.");
@@ -43,7 +49,17 @@ SessionToDraw open_session(const ScreenshotCommandOptions& options, const RunCon
   }
   drawn.input.open_milliseconds = 0;
   drawn.input.balls = open.balls;
-  drawn.input.opened = open_molecule(molecule, open, context);
+  try {
+    drawn.input.opened = open_molecule(molecule, open, context);
+  } catch (const SelectionError& error) {
+    throw ReadError(file, 0,
+                    std::string("\"open.selection\" does not fit the molecule, ") + error.what(),
+                    kOtherMolecule);
+  } catch (const std::invalid_argument& error) {
+    throw ReadError(file, 0,
+                    "what \"open\" says does not fit the molecule: " + without_stop(error.what()),
+                    kOtherMolecule);
+  }
   return drawn;
 }
 

@@ -21,13 +21,15 @@ std::string quoted(const std::string& word) {
 
 }  // namespace
 
-std::string command_text(const std::vector<std::string>& arguments) {
+std::string command_text(const std::vector<std::string>& arguments, bool threads) {
   std::string text = "alphascope-cli";
   for (std::size_t k = 1; k < arguments.size(); ++k) {
     const std::string& argument = arguments[k];
-    const bool separate = argument == "-o" || argument == "--output";
+    const bool of_threads = !threads && argument == "--threads";
+    const bool separate = argument == "-o" || argument == "--output" || of_threads;
     if (separate) ++k;  // and its value
     if (separate || argument.starts_with("-o") || argument.starts_with("--output=")) continue;
+    if (!threads && argument.starts_with("--threads=")) continue;
     text += " " + quoted(argument);
   }
   return printable(text);

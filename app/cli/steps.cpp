@@ -49,7 +49,7 @@ Json result_json(const Input& input, const StepsOptions& options, const BallStep
     json["request"]["edge_optimisation"] = steps.options.edge_optimisation;
     json["request"]["alpha_optimisation"] = steps.options.alpha_optimisation;
   }
-  json["input"] = input_json(input);
+  json["input"] = input_json(input, steps.lattice);
   json["program"] = program_json();
   return json;
 }
@@ -84,7 +84,7 @@ ExitCode run_steps(const StepsOptions& options) {
     print_steps(steps, name);
     const std::string note = rounding_note(options.request, balls.lattice);
     if (!note.empty()) print_line(std::cout, {"Note", note});
-    if (verbosity() != Verbosity::quiet) {
+    if (times_shown()) {
       print_line(std::cout, {"Time", milliseconds_text(milliseconds)});
     }
     std::cout << std::flush;

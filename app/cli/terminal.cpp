@@ -3,11 +3,13 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cerrno>
 #include <chrono>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <iostream>
 #include <memory>
@@ -67,6 +69,7 @@ DescriptorBuffer& standard_error() {
 }
 
 Verbosity chosen_verbosity = Verbosity::normal;
+bool chosen_times = true;
 
 // A pointer, since a signal handler may touch no object under construction.
 const CancelToken* interrupted = nullptr;
@@ -119,14 +122,16 @@ class ProgressLine {
     const auto now = std::chrono::steady_clock::now();
     if (now < next_) return;
     next_ = now + std::chrono::milliseconds(100);
-    std::fprintf(stderr, "\r\x1b[K%.*s %3.0f %%", static_cast<int>(stage.size()), stage.data(),
-                 share * 100);
-    shown_ = true;
+    const int width = std::fprintf(stderr, "\r%.*s %3.0f %%", static_cast<int>(stage.size()),
+                                   stage.data(), share * 100);
+    // What is longer of the line before is written over with blanks.
+    if (width < width_) std::fprintf(stderr, "%*s", width_ - width, "");
+    width_ = std::max(width, 0);
   }
   void clear() {
     const std::lock_guard lock(mutex_);
-    if (shown_) std::fputs("\r\x1b[K", stderr);
-    shown_ = false;
+    if (width_ > 0) std::fprintf(stderr, "\r%*s\r", width_, "");
+    width_ = 0;
   }
 
  private:
@@ -134,7 +139,7 @@ class ProgressLine {
   // Nothing for quick work: a line that flashes up tells nobody anything.
   std::chrono::steady_clock::time_point next_ =
       std::chrono::steady_clock::now() + std::chrono::milliseconds(300);
-  bool shown_ = false;
+  int width_ = 0;  // of the line that stands there; 0: none does
 };
 
 ProgressLine& progress_line() {
@@ -157,6 +162,13 @@ class StageLog {
   std::string last_;
 };
 
+// Whether standard error shows a line that is written over.
+bool rewrites_lines() {
+  const char* const terminal = std::getenv("TERM");
+  return ::isatty(STDERR_FILENO) == 1 && terminal != nullptr && *terminal != '\0' &&
+         std::string_view(terminal) != "dumb";
+}
+
 RunContext make_context() {
   RunContext context;
   if (chosen_verbosity == Verbosity::quiet) return context;
@@ -164,7 +176,7 @@ RunContext make_context() {
     context.progress = [log = std::make_shared<StageLog>()](std::string_view stage, double) {
       log->show(stage);
     };
-  } else if (::isatty(STDERR_FILENO) == 1) {
+  } else if (rewrites_lines()) {
     context.progress = [](std::string_view stage, double share) {
       progress_line().show(stage, share);
     };
@@ -207,6 +219,18 @@ void set_verbosity(Verbosity verbosity) {
 
 Verbosity verbosity() {
   return chosen_verbosity;
+}
+
+void set_times_wanted(bool wanted) {
+  chosen_times = wanted;
+}
+
+bool times_wanted() {
+  return chosen_times;
+}
+
+bool times_shown() {
+  return chosen_times && chosen_verbosity != Verbosity::quiet;
 }
 
 const RunContext& run_context() {

@@ -24,11 +24,18 @@ int finish_standard_output(int status);
 void set_verbosity(Verbosity verbosity);
 Verbosity verbosity();
 
+// Whether results may hold what depends on time and threads: not with --no-times. True unless set.
+void set_times_wanted(bool wanted);
+bool times_wanted();
+// Whether summaries have times: neither then nor when quiet.
+bool times_shown();
+
 // The context for the program's one piece of work. The first SIGINT (Ctrl-C), SIGTERM or SIGHUP
 // cancels it, and where the work does not notice, the program ends 2 s later; the next signal kills
 // it. A signal that was ignored at the start stays so. Whatever signal kills it, no temporary file
 // stays. Progress shows when standard error is a terminal, unless the program is to be quiet; when
-// it is to be verbose, each stage is a line instead, terminal or not.
+// it is to be verbose, each stage is a line instead, terminal or not. A dumb terminal (TERM=dumb,
+// or no TERM) gets no line that changes; no terminal ever gets escape sequences.
 const RunContext& run_context();
 
 // 128 + the signal that cancelled the work: the exit status that shells expect.

@@ -3,6 +3,8 @@
 #include <cstdarg>
 #include <cstdio>
 
+#include "app/cli/terminal.hpp"
+
 namespace alphascope::cli {
 
 std::string format_text(const char* format, ...) {
@@ -35,7 +37,7 @@ std::string stages_text(const AlphaComplex& complex) {
   return text;
 }
 
-std::string complex_text(const AlphaComplex& complex, Verbosity verbosity) {
+std::string complex_text(const AlphaComplex& complex) {
   std::string text;
   if (!complex.tetrahedra_only) {
     text += "vertices    " + grouped(complex.vertices.size()) + "\n";
@@ -47,9 +49,10 @@ std::string complex_text(const AlphaComplex& complex, Verbosity verbosity) {
     text += "Euler       " + std::to_string(complex.euler_characteristic()) + "\n";
   }
   text += "hash        " + hash_text(complex.hash) + "\n";
-  text += "engine      " + complex.engine.name + ", " + complex.engine.device + " (" +
-          complex.engine.route + ")\n";
-  if (verbosity == Verbosity::quiet) return text;
+  text += "engine      " + complex.engine.name;
+  if (times_wanted()) text += ", " + complex.engine.device + " (" + complex.engine.route + ")";
+  text += "\n";
+  if (!times_shown()) return text;
   for (const EngineCounter& counter : complex.engine.counters) {
     text += "            " + grouped(counter.value) + " " + counter.name + "\n";
   }

@@ -24,9 +24,9 @@ double timed(Work work) {
       .count();
 }
 
-// Several lines, each ended: counts, Euler characteristic, hash, engine; unless quiet, what the
-// engine counted, and times.
-std::string complex_text(const AlphaComplex& complex, Verbosity verbosity);
+// Several lines, each ended: counts, Euler characteristic, hash, engine; where times are shown,
+// also what the engine counted, and times.
+std::string complex_text(const AlphaComplex& complex);
 // The stages alone, a line each.
 std::string stages_text(const AlphaComplex& complex);
 

@@ -96,12 +96,14 @@ bool verify_one(const Input& input, const Request& request, const VerifyOptions&
   clear_progress();
   out << "alpha " << shortest_number(request.alpha_angstrom2) << " Å², solvent radius "
       << shortest_number(request.solvent_radius_angstrom) << " Å: " << verdict(comparison) << " ("
-      << mine.complex.engine.name << ", " << mine.complex.engine.route << "; hash "
+      << mine.complex.engine.name
+      << (times_wanted() ? ", " + mine.complex.engine.route : std::string()) << "; hash "
       << hash_text(mine.complex.hash) << ")\n";
   const std::string rounding = rounding_note(request, mine.balls->lattice);
   if (!rounding.empty()) out << "  note: " << rounding << "\n";
   print_comparison(out, comparison, input, options.shown);
-  json = {{"request", request_json(request, mine.balls->lattice)},
+  json = {{"input", input_json(input, mine.balls->lattice)},
+          {"request", request_json(request, mine.balls->lattice)},
           {"comparison", comparison_json(comparison)},
           {"ours", complex_json(mine.complex, mine.note)},
           {"cgal", complex_json(theirs.complex, theirs.note)}};
@@ -126,23 +128,23 @@ ExitCode run_verify(const VerifyOptions& options) {
   for_each_model(options.input, context, [&](const Input& input) {
     clear_progress();
     out << input_text(input);
-    if (first_input.is_null()) first_input = input_json(input);
     BothEngines engines;
     for (const double alpha : options.alphas) {
       Request request = options.request;
       request.alpha_angstrom2 = alpha;
       Json json;
       all_good &= verify_one(input, request, options, engines, json);
-      if (each_model(options.input)) json["input"] = input_json(input);
+      if (first_input.is_null()) first_input = json["input"];
+      if (!each_model(options.input)) json.erase("input");
       results.push_back(std::move(json));
       out << std::flush;
     }
   });
   if (file) {
-    file->write(json_text({{"identical", all_good},
-                           {"results", results},
-                           {"input", first_input},
-                           {"program", program_json()}}));
+    file->write(json_text(written({{"identical", all_good},
+                                   {"results", results},
+                                   {"input", first_input},
+                                   {"program", program_json()}})));
     outputs.commit();
   }
   return all_good ? ExitCode::ok : ExitCode::differs;

@@ -18,7 +18,7 @@ class CliConventions : public Cli {
   std::set<std::string> options(const std::string& command) const {
     std::set<std::string> names;
     const std::string help = run(command + " --help").out;
-    const std::regex line("\n  (-[a-z], )?(--[a-z-]+)");
+    const std::regex line("\n  (-[a-zA-Z], )?(--[a-z-]+)");
     for (std::sregex_iterator match(help.begin(), help.end(), line), end; match != end; ++match) {
       names.insert((*match)[2]);
       if ((*match)[1].matched) names.insert((*match)[1].str().substr(0, 2));
@@ -103,7 +103,7 @@ TEST_F(CliConventions, UsageErrorsSayWhatIsMissing) {
     std::string arguments, said;
   } cases[] = {{"",
                 "alphascope-cli: name a command: info, compute, cavities, channel, measure, "
-                "export, explain, steps, verify, bench, screenshot, frames."},
+                "export, explain, steps, verify, bench, screenshot, frames, help."},
                {"compute " + file, "alphascope-cli: --alpha is required."},
                {"compute " + file + "--alpha", "--alpha needs a value."},
                {"compute " + file + "--alpha 1 --alpha 2", "--alpha can be given only once."},
@@ -171,7 +171,8 @@ TEST_F(CliConventions, BashCompletes) {
   EXPECT_EQ(completed("alphascope-cli comp", 2), "compute\n");
   EXPECT_EQ(completed("alphascope-cli \"\"", 2),
             "info compute cavities channel measure export explain steps verify bench screenshot "
-            "frames\n");
+            "frames help\n");
+  EXPECT_EQ(completed("alphascope-cli help comp", 3), "compute\n");
   EXPECT_EQ(completed("alphascope-cli --vers", 2), "--version\n");
   EXPECT_EQ(completed("alphascope-cli compute --eng", 3), "--engine\n");
   EXPECT_EQ(completed("alphascope-cli compute --engine tup", 4), "tuples-cpu tuples-gpu\n");

@@ -38,7 +38,8 @@ TEST_F(CliSameBytes, NoTimesLeavesOutAllThatDependsOnTimeAndThreads) {
   } cases[] = {
       {"info" + file + "--json INTO/j --csv INTO/c", false},
       {"info" + file + two, false},
-      {"compute --alpha 1.4 --solvent 1.2" + file + "--json INTO/j --csv INTO/c --out INTO/o", true},
+      {"compute --alpha 1.4 --solvent 1.2" + file + "--json INTO/j --csv INTO/c --out INTO/o",
+       true},
       {"compute --alpha 1.4 -v --engine tuples-cpu" + file, true},
       {"compute --alpha 1.4" + file + two + " --json INTO/j --csv INTO/c", true},
       {"measure --per residue --solvent 1.4" + file + "--json INTO/j --csv INTO/c", true},
@@ -74,10 +75,11 @@ TEST_F(CliSameBytes, NoTimesLeavesOutAllThatDependsOnTimeAndThreads) {
 TEST_F(CliSameBytes, QuietPrintsNoTimes) {
   const std::string file = " -q '" + kCrambin + "'";
   for (const std::string& arguments :
-       {"info" + file, "compute --alpha 1" + file, "compute --alpha 1 '" + cube_.string() + "'" + file,
-        "measure" + file, "cavities" + file, "channel --cavity 1" + file,
-        "explain --simplex 0,1" + file, "steps --ball 5 --alpha 1" + file,
-        "verify --alpha 1" + file, "export --alpha 1 -o '" + (folder_ / "x.stl").string() + "'" + file}) {
+       {"info" + file, "compute --alpha 1" + file,
+        "compute --alpha 1 '" + cube_.string() + "'" + file, "measure" + file, "cavities" + file,
+        "channel --cavity 1" + file, "explain --simplex 0,1" + file,
+        "steps --ball 5 --alpha 1" + file, "verify --alpha 1" + file,
+        "export --alpha 1 -o '" + (folder_ / "x.stl").string() + "'" + file}) {
     const Outcome outcome = run(arguments);
     EXPECT_EQ(outcome.code, 0) << arguments << outcome.err;
     EXPECT_EQ(outcome.err, "") << arguments;
@@ -97,7 +99,8 @@ TEST_F(CliSameBytes, TheLatticeIsThatOfTheBallsThatWereUsed) {
     ASSERT_FALSE(rows.empty());
     EXPECT_EQ(rows[0].at("lattice_unit_angstrom"), "0.0001") << command;
   }
-  for (const std::string command : {"explain --simplex 0,1", "steps --ball 0 --alpha 1", "verify --alpha 1"}) {
+  for (const std::string command :
+       {"explain --simplex 0,1", "steps --ball 0 --alpha 1", "verify --alpha 1"}) {
     const json result = json::parse(run(command + file + "--json -").out);
     EXPECT_EQ(result["input"]["lattice_unit_angstrom"], 0.0001) << command;
   }
@@ -143,7 +146,8 @@ TEST_F(CliSameBytes, NoNameIsACommandInAScript) {
   const std::string file = "'" + write("evil.cif", kEvil).string() + "' ";
   for (const std::string ending : {"cxc", "pml", "tcl"}) {
     const fs::path out = folder_ / ("e." + ending);
-    ASSERT_EQ(run("export --colours chain --alpha 2 " + file + "-o '" + out.string() + "'").code, 0);
+    ASSERT_EQ(run("export --colours chain --alpha 2 " + file + "-o '" + out.string() + "'").code,
+              0);
     std::istringstream lines(contents(out));
     for (std::string line; std::getline(lines, line);) {
       if (line.starts_with("#")) continue;

@@ -151,10 +151,14 @@ TEST_F(CliUsage, NoTerminalGetsEscapeSequences) {
   if (std::system("script --version >/dev/null 2>&1") != 0) GTEST_SKIP() << "needs script";
   const auto shown = [&](const std::string& environment) {
     const fs::path out = folder_ / "shown";
-    const std::string work = "\"" ALPHASCOPE_CLI "\" bench --suite thesis --runs 1 --engines "
-                             "tuples-cpu --alpha 5 --no-ablation \"" + kCrambin + "\"";
-    EXPECT_EQ(std::system((environment + " script -qec '" + work + "' /dev/null >'" +
-                           out.string() + "' </dev/null 2>&1").c_str()), 0);
+    const std::string work = "\"" ALPHASCOPE_CLI
+                             "\" bench --suite thesis --runs 1 --engines "
+                             "tuples-cpu --alpha 5 --no-ablation \"" +
+                             kCrambin + "\"";
+    EXPECT_EQ(std::system((environment + " script -qec '" + work + "' /dev/null >'" + out.string() +
+                           "' </dev/null 2>&1")
+                              .c_str()),
+              0);
     return contents(out);
   };
   for (const char* environment : {"TERM=xterm", "TERM=xterm NO_COLOR=1", "TERM=dumb"}) {

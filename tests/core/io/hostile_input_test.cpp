@@ -125,6 +125,40 @@ TEST(HostileInput, GzipTruncatedDamagedAndEndless) {
   EXPECT_NE(refusal("a.pdb.gz", bomb, small).reason().find("limit of 1 MiB"), std::string::npos);
 }
 
+// Such limits are those of lessons, sessions and tables: a remedy about atoms would mislead.
+TEST(HostileInput, ASmallLimitIsSaidInItsUnit) {
+  ReadOptions small;
+  for (const auto& [bytes, said] :
+       {std::pair<std::uint64_t, const char*>{500, "of 500 bytes"}, {3 << 10, "of 3 KiB"}}) {
+    small.max_bytes = bytes;
+    const ReadError error = refusal("a.pdb", std::string(5000, '\n'), small);
+    EXPECT_TRUE(error.reason().ends_with(said)) << error.reason();
+    EXPECT_EQ(error.remedy().find("atoms"), std::string::npos) << error.remedy();
+  }
+}
+
+TEST(HostileInput, WhatIsInTheWayOfOpeningIsSaid) {
+  const TemporaryFile file("a.pdb", "x");
+  const std::filesystem::path loop = file.path().parent_path() / "loop.pdb";
+  const std::filesystem::path link = file.path().parent_path() / "link.pdb";
+  std::filesystem::create_symlink("loop.pdb", loop);
+  std::filesystem::create_symlink("nowhere.pdb", link);
+  const auto reason = [](const std::filesystem::path& path) {
+    try {
+      read_molecule(path);
+    } catch (const ReadError& error) {
+      return error.reason();
+    }
+    return std::string();
+  };
+  EXPECT_EQ(reason(loop), "the file cannot be opened: Too many levels of symbolic links");
+  EXPECT_EQ(reason(link), "this is a link to a file that is not there");
+  EXPECT_EQ(reason(file.path() / "x.pdb"), "the file cannot be opened: Not a directory");
+  EXPECT_EQ(reason(file.path().parent_path() / std::string(300, 'x')),
+            "the file cannot be opened: File name too long");
+  EXPECT_EQ(reason(file.path().parent_path() / "none.pdb"), "there is no such file");
+}
+
 TEST(HostileInput, WhatFollowsGzipDataIsNeverLost) {
   const std::string packed = gzip("1 2 3 1.5\n");
   EXPECT_EQ(read_text("a.xyzr.gz", packed + std::string(600, '\0')).atoms.size(), 1u) << "padding";

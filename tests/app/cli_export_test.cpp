@@ -2,12 +2,14 @@
 // not needed. What VTK, CGAL and gemmi read is tested in files of their own.
 #include <sys/resource.h>
 
+#include <array>
 #include <cmath>
 #include <csignal>
 #include <cstdint>
 #include <cstring>
 #include <set>
 
+#include "core/geometry/real_point.hpp"
 #include "core/io/read_molecule.hpp"
 #include "tests/app/cli_fixture.hpp"
 
@@ -72,6 +74,71 @@ TEST_F(CliExport, PqrHoldsLargeNumbersAndLongNames) {
   const Molecule pqr = read_molecule(folder_ / "far.pqr");
   EXPECT_EQ(pqr.lattice.angstrom(pqr.atoms[0].position.x), -1234.5678);
   EXPECT_EQ(pqr.lattice.angstrom(pqr.atoms[1].file_radius), 2.0625);
+}
+
+// Numbers that fill their eight columns would touch those before: -100.000 and 1000.000.
+TEST_F(CliExport, PqrNumbersNeverTouch) {
+  const struct {
+    const char* ball;
+    bool columns;
+  } cases[] = {{"-99.999 -99.999 -99.999 1.5", true},
+               {"-100 0 0 1.5", false},
+               {"0 -100 0 1.5", false},
+               {"0 0 -100 1.5", false},
+               {"-123.456 -234.567 -345.678 1.5", false},
+               {"999.999 999.999 999.999 1.5", true},
+               {"1000 0 0 1.5", false},
+               {"0 1000 0 1.5", false},
+               {"0 0 1000 1.5", false}};
+  for (const auto& c : cases) {
+    const std::string file = write("t.xyzr", std::string(c.ball) + "\n0 0 0 1.5\n").string();
+    const std::string text = exported("t.pqr", "--alpha 0", file);
+    std::istringstream lines(text);
+    int atoms = 0;
+    for (std::string line; std::getline(lines, line);) {
+      if (!line.starts_with("ATOM")) continue;
+      std::istringstream words(line);
+      int fields = 0;
+      for (std::string word; words >> word;) ++fields;
+      EXPECT_EQ(fields, 10) << line;  // without a chain
+      // PDB's columns of x: 31 to 38.
+      if (c.columns) {
+        EXPECT_EQ(line.substr(27, 3), "   ") << line;
+      }
+      ++atoms;
+    }
+    EXPECT_EQ(atoms, 2) << text;
+    exported("again.xyzr", "--alpha 0 --radii file", path("t.pqr"));
+    const Molecule before = read_molecule(file), again = read_molecule(folder_ / "again.xyzr");
+    ASSERT_EQ(again.atoms.size(), 2u);
+    EXPECT_EQ(again.atoms[0].position, before.atoms[0].position) << c.ball;
+  }
+}
+
+// Facets are seen from outside against the clock, and their normals say the same.
+TEST_F(CliExport, StlNormalsAgreeWithTheOrderOfVertices) {
+  Words words(exported("n.stl", "--alpha 0 --solvent 1.4"));
+  std::size_t facets = 0, agree = 0;
+  const auto point = [&] {
+    const double x = words.next<double>(), y = words.next<double>();
+    return RealPoint{x, y, words.next<double>()};
+  };
+  while (!words.at_end()) {
+    if (words.next<std::string>() != "normal") continue;
+    const RealPoint normal = point();
+    std::array<RealPoint, 3> corners;
+    for (RealPoint& corner : corners) {
+      while (words.next<std::string>() != "vertex") {
+      }
+      corner = point();
+    }
+    const RealPoint by_order = cross(corners[1] - corners[0], corners[2] - corners[0]);
+    EXPECT_NEAR(dot(normal, normal), 1, 1e-4);  // as many digits as are written
+    agree += dot(normal, by_order) > 0.999 * length(by_order);
+    ++facets;
+  }
+  EXPECT_EQ(facets, 464u);
+  EXPECT_EQ(agree, facets);
 }
 
 TEST_F(CliExport, TheAlphaTextIsThatOfCompute) {
@@ -196,6 +263,25 @@ TEST_F(CliExport, GlbIsAsItsSpecificationSays) {
     triangles += indices.count / 3;
   }
   EXPECT_EQ(triangles, 850u);
+}
+
+// sRGB becomes linear light: carbon's (122, 130, 142) of 255 are ((s + 0.055) / 1.055)^2.4 of
+// 65,535.
+TEST_F(CliExport, ColoursOfGlbAreLinear) {
+  const std::string bytes = exported("l.glb", "--alpha 1.4 --colours element");
+  const std::size_t size = word(bytes, 12);
+  const json head = json::parse(bytes.substr(20, size));
+  const std::string data = bytes.substr(28 + size);
+  std::set<std::array<std::uint16_t, 4>> found;
+  for (const json& mesh : head["meshes"]) {
+    const Accessor colours =
+        accessor(head, data, mesh["primitives"][0]["attributes"]["COLOR_0"], 8);
+    for (std::size_t n = 0; n < colours.count; ++n) {
+      found.insert(colours.at<std::array<std::uint16_t, 4>>(n));
+    }
+  }
+  EXPECT_EQ(found.size(), 4u);  // C, N, O, S
+  EXPECT_TRUE(found.contains({12754, 14629, 17456, 65535})) << ::testing::PrintToString(found);
 }
 
 TEST_F(CliExport, ColoursAreThoseOfElementsChainsOrSolids) {

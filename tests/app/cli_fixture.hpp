@@ -21,6 +21,12 @@ namespace alphascope::testing {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
+// The program under test; scripts/mutate names another.
+inline std::string tested_cli() {
+  const char* const other = std::getenv("ALPHASCOPE_TESTED_CLI");
+  return other != nullptr ? other : ALPHASCOPE_CLI;
+}
+
 struct Outcome {
   int code = -1;
   std::string out, err;
@@ -88,9 +94,8 @@ class Cli : public ::testing::Test {
   // `input`: what standard input is.
   Outcome run(const std::string& arguments, const fs::path& input = "/dev/null") const {
     const fs::path out = folder_ / "stdout", err = folder_ / "stderr";
-    const std::string command = std::string("'" ALPHASCOPE_CLI "' ") + arguments + " >'" +
-                                out.string() + "' 2>'" + err.string() + "' <'" + input.string() +
-                                "'";
+    const std::string command = "'" + tested_cli() + "' " + arguments + " >'" + out.string() +
+                                "' 2>'" + err.string() + "' <'" + input.string() + "'";
     const int status = std::system(command.c_str());
     Outcome outcome;
     outcome.code = WIFEXITED(status) ? WEXITSTATUS(status) : 1000 + WTERMSIG(status);

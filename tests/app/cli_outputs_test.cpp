@@ -15,7 +15,7 @@ class CliOutputs : public Cli {
   // A command line as the shell takes it; `cli` stands for the program.
   int shell(const std::string& script) const {
     const std::string command =
-        "cd '" + folder_.string() + "'; cli() { '" ALPHASCOPE_CLI "' \"$@\"; }; " + script;
+        "cd '" + folder_.string() + "'; cli() { '" + tested_cli() + "' \"$@\"; }; " + script;
     const int status = std::system(command.c_str());
     return WIFEXITED(status) ? WEXITSTATUS(status) : 1000 + WTERMSIG(status);
   }

@@ -1,5 +1,6 @@
 // The real alphascope-cli on small files: results, exit codes, and messages for bad input.
 #include "tests/app/cli_fixture.hpp"
+#include "tests/support/molecules.hpp"
 
 namespace alphascope::testing {
 namespace {
@@ -371,10 +372,8 @@ TEST_F(Cli, SelectionAndAssemblyComeFromTheCommandLine) {
 
 // The counts that the reference molecule of the thesis must give.
 TEST_F(Cli, GramicidinHasItsKnownCounts) {
-  const fs::path file = fs::path(ALPHASCOPE_TEST_DATA) / "ladder" / "1grm.crd";
-  if (std::string(ALPHASCOPE_TEST_DATA).empty() || !fs::exists(file)) {
-    GTEST_SKIP() << "needs ladder/1grm.crd in ALPHASCOPE_TEST_DATA";
-  }
+  ALPHASCOPE_NEED_TEST_DATA();
+  const fs::path file = test_data_folder() / "ladder" / "1grm.crd";
   const struct {
     const char* request;
     int edges, triangles, tetrahedra;

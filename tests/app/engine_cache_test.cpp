@@ -213,6 +213,22 @@ TEST(EngineCache, SaysWhatTheLatticeRounds) {
   EXPECT_EQ(cache.compute(std::make_shared<BallSet>(far), request, {}).note, "");
 }
 
+// However little it is: what was asked for is not what was computed.
+TEST(EngineCache, SaysASolventRadiusThatIsRoundedByLessThanAThousandth) {
+  FakeEngineLog log;
+  EngineCache cache(fake_factory(log));
+  BallSet far = *few_balls(4);
+  far.centres[0].x = kMaxLatticeCoordinate;  // so there is no finer lattice than 0.001 Å
+  for (const auto& [asked, used] : {std::pair{1.4004, "1.4"}, {1.400001, "1.4"}, {0.9999, "1"}}) {
+    const Request request = with_solvent_radius(asked);
+    const std::string note = cache.compute(std::make_shared<BallSet>(far), request, {}).note;
+    EXPECT_NE(note.find(" is rounded to " + std::string(used) + " Å: "), std::string::npos)
+        << asked << ": " << note;
+  }
+  EXPECT_EQ(cache.compute(std::make_shared<BallSet>(far), with_solvent_radius(1.401), {}).note, "");
+  EXPECT_EQ(solvent_rounding_angstrom(with_solvent_radius(1.4004), far.lattice), 0.0004);
+}
+
 TEST(EngineCache, TellsEnginesApartByTheirSwitches) {
   FakeEngineLog log;
   EngineCache cache(fake_factory(log));

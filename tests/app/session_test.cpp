@@ -59,6 +59,17 @@ class SessionTest : public ::testing::Test {
     return all;
   }
 
+  // The same without a poll: what comes waits.
+  template <class Condition>
+  static bool wait_for(const Condition& condition) {
+    const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+    while (!condition()) {
+      if (std::chrono::steady_clock::now() > deadline) return false;
+      std::this_thread::yield();
+    }
+    return true;
+  }
+
   // False when the condition has not come true within a time that no machine needs.
   template <class Condition>
   static bool poll_until(Session& session, const Condition& condition) {
@@ -97,6 +108,46 @@ TEST_F(SessionTest, OpensAndComputesAtThePresentRequest) {
   EXPECT_DOUBLE_EQ(state.ours->complex.alpha_angstrom2(), 1.4);
   EXPECT_TRUE(state.our_timings.cold);
   EXPECT_FALSE(state.our_timings.warm);
+}
+
+// Both the answer and the file have come when the window looks again: the answer is of the molecule
+// before, and the file comes first.
+TEST_F(SessionTest, AnAnswerThatComesWithAnotherFileIsNotShownOnIt) {
+  const auto session = make();
+  session->open(good_);
+  settle(*session);
+  session->set_request(alpha(2));
+  ASSERT_TRUE(wait_for([&] { return session->activity().computing.undelivered; }));
+  log_.hold = true;
+  session->open(other_);
+  ASSERT_TRUE(wait_for([&] { return session->activity().opening.undelivered; }));
+  EXPECT_TRUE(session->poll().molecule);
+  EXPECT_EQ(session->state().molecule->atoms.size(), 2u);
+  EXPECT_FALSE(session->state().ours);
+  EXPECT_FALSE(session->state().agreement);
+  EXPECT_FALSE(session->state().our_timings.warm) << "of the molecule before";
+  log_.hold = false;
+  settle(*session);
+  ASSERT_TRUE(session->state().ours);
+  EXPECT_EQ(session->state().ours->complex.vertices.size(), 2u);
+}
+
+TEST_F(SessionTest, AComparisonThatComesWithAnotherFileIsNotShownOnIt) {
+  const auto session = make();
+  session->open(good_);
+  settle(*session);
+  session->request_comparison();
+  ASSERT_TRUE(wait_for([&] { return session->activity().comparing.undelivered; }));
+  log_.hold = true;
+  session->open(other_);
+  ASSERT_TRUE(wait_for([&] { return session->activity().opening.undelivered; }));
+  EXPECT_TRUE(session->poll().molecule);
+  EXPECT_FALSE(session->state().ours);
+  EXPECT_FALSE(session->state().agreement);
+  EXPECT_FALSE(session->state().reference_timings.cold) << "of the molecule before";
+  log_.hold = false;
+  settle(*session);
+  EXPECT_FALSE(session->state().agreement);
 }
 
 TEST_F(SessionTest, ColdAndWarmTimesAreKeptApart) {

@@ -120,6 +120,8 @@ TEST(ThesisTable, ASkippedRowHasItsReasonAndNoNumber) {
 
 TEST(ThesisTable, AllRowsHaveTheSameColumns) {
   const auto table = thesis_table(known_report());
+  ASSERT_EQ(table.size(), 4u);
+  ASSERT_GT(table.front().size(), 20u);
   for (const auto& cells : table) {
     ASSERT_EQ(cells.size(), table.front().size());
     for (std::size_t k = 0; k < cells.size(); ++k) {

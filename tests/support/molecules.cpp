@@ -19,6 +19,11 @@ std::filesystem::path test_data_folder() {
   return folder != nullptr && *folder != '\0' ? folder : ALPHASCOPE_TEST_DATA;
 }
 
+bool test_data_is_required() {
+  const char* required = std::getenv("ALPHASCOPE_TEST_DATA_REQUIRED");
+  return required != nullptr && *required != '\0';
+}
+
 std::shared_ptr<const BallSet> molecule_balls(const std::string& file, double solvent_angstrom) {
   const std::filesystem::path folder = test_data_folder();
   if (folder.empty()) return nullptr;

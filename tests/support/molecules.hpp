@@ -23,10 +23,16 @@ std::shared_ptr<const BallSet> sample_balls(const std::string& file, double solv
 // there.
 std::shared_ptr<const BallSet> molecule_balls(const std::string& file, double solvent_angstrom = 0);
 
-// Skips the running test when there is no data folder.
-#define ALPHASCOPE_NEED_TEST_DATA()                                        \
-  if (::alphascope::testing::test_data_folder().empty()) {                 \
-    GTEST_SKIP() << "set ALPHASCOPE_TEST_DATA to the folder of molecules"; \
+// Whether the environment variable ALPHASCOPE_TEST_DATA_REQUIRED is set, as by .ci/run.
+bool test_data_is_required();
+
+// Skips the running test when there is no data folder; fails it where there must be one.
+#define ALPHASCOPE_NEED_TEST_DATA()                                               \
+  if (::alphascope::testing::test_data_folder().empty()) {                        \
+    if (::alphascope::testing::test_data_is_required()) {                         \
+      GTEST_FAIL() << "ALPHASCOPE_TEST_DATA_REQUIRED is set, but no data folder"; \
+    }                                                                             \
+    GTEST_SKIP() << "set ALPHASCOPE_TEST_DATA to the folder of molecules";        \
   }
 
 }  // namespace alphascope::testing

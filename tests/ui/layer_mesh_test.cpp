@@ -101,6 +101,7 @@ TEST(TubeMesh, LooksOutwardsAroundABend) {
         {{std::cos(angle), std::sin(angle), 0.05 * k}, 2 + std::sin(0.3 * k) / 4, {}});
   }
   const SmoothMesh mesh = tube(spheres);
+  ASSERT_GT(mesh.corners.size(), 3 * spheres.size());
   for (std::size_t t = 0; t < mesh.corners.size(); t += 3) {
     std::array<RealPoint, 3> p;
     RealPoint normal;

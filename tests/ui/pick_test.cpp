@@ -291,15 +291,18 @@ TEST_F(PickTest, TheNearestLayerWinsAndSaysWhere) {
 
 TEST_F(PickTest, TetrahedraOnlyHaveNeitherClassesNorAlphaValues) {
   load(3, {.tetrahedra = false, .boundary = true}, true);
+  int hits = 0;
   for (const Ray& ray : rays(100)) {
     const auto hit = nearest_hit(layers, {ray, 0});
     if (!hit) continue;
+    ++hits;
     const HitSimplex face = hit_simplex(*hit, complex);
     EXPECT_EQ(face.balls.size(), 3u);
     EXPECT_FALSE(face.kind);
     EXPECT_FALSE(face.angstrom2);
     EXPECT_TRUE(has_simplex(complex, face.balls));
   }
+  EXPECT_GT(hits, 10);
 }
 
 TEST_F(PickTest, WhatTheComplexHas) {

@@ -23,6 +23,7 @@ std::vector<AlphaSlider> sliders() {
 }
 
 TEST(AlphaSlider, PlacesGrowWithAlphaAndComeBack) {
+  ASSERT_FALSE(sliders().empty());
   for (const AlphaSlider& s : sliders()) {
     EXPECT_EQ(place_of_alpha(s, s.low), 0);
     EXPECT_EQ(place_of_alpha(s, s.high), 1);
@@ -63,6 +64,7 @@ TEST(AlphaSlider, AnExtremeEndLeavesRoomForSmallAlphas) {
 }
 
 TEST(AlphaSlider, PlayingCrossesItBothWaysAndEnds) {
+  ASSERT_FALSE(sliders().empty());
   for (AlphaSlider s : sliders()) {
     for (const bool backwards : {false, true}) {
       double alpha = backwards ? s.high : s.low;

@@ -50,11 +50,16 @@ TEST(Editor, AGestureThatEndsWhereItBeganIsNone) {
 
 TEST(Editor, AnUndoneGestureIsNotGoneOnWith) {
   Editor editor;
-  editor.set(with_alpha(1), 3);
-  editor.undo();
+  editor.set(with_alpha(1), 1);
   editor.set(with_alpha(2), 3);
   editor.undo();
-  EXPECT_EQ(editor.now(), with_alpha(0));
+  editor.set(with_alpha(3), 3);  // the same hand, but an entry of its own
+  editor.undo();
+  EXPECT_EQ(editor.now(), with_alpha(1));
+  editor.redo();
+  editor.set(with_alpha(4), 3);
+  editor.undo();
+  EXPECT_EQ(editor.now(), with_alpha(3)) << "nor is one that was done again";
 }
 
 TEST(Editor, ANewChangeEndsRedo) {

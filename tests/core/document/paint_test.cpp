@@ -215,6 +215,20 @@ TEST(PaintBalls, CarbonReadsOnWhiteAndOnDark) {
   EXPECT_GT(carbon / (luminance({0x11, 0x15, 0x1b}) + 0.05), 3);
 }
 
+// Orange, sky blue and blue of M. Okabe and K. Ito, which readers with any colour vision tell
+// apart.
+TEST(PaintBalls, ClassesHaveTheirColoursAndTheLegendHasTheSame) {
+  const std::pair<SimplexClass, Rgb8> kColours[] = {{SimplexClass::singular, {230, 159, 0}},
+                                                    {SimplexClass::regular, {86, 180, 233}},
+                                                    {SimplexClass::interior, {0, 114, 178}}};
+  for (const auto& [of, colour] : kColours) EXPECT_EQ(class_colour(of), colour);
+  const PaintKey legend{
+      "class",
+      {},
+      {{"singular", {230, 159, 0}}, {"regular", {86, 180, 233}}, {"interior", {0, 114, 178}}}};
+  EXPECT_TRUE(class_key() == legend);
+}
+
 TEST(PaintWords, EveryPaintComesBack) {
   for (const Painted what : {Painted::balls, Painted::simplices}) {
     for (const SchemeInfo& scheme : all_schemes()) {

@@ -102,9 +102,11 @@ TEST(DataFolder, WhateverElseLiesThereIsRefusedBySayingWhatItIs) {
   std::set<std::string> molecules;
   for (const Row& row : read_table()) molecules.insert(row.file);
   std::size_t others = 0;
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(ALPHASCOPE_TEST_DATA)) {
+  for (const auto& entry :
+       std::filesystem::recursive_directory_iterator(testing::test_data_folder())) {
     if (!entry.is_regular_file()) continue;
-    const std::string name = std::filesystem::relative(entry.path(), ALPHASCOPE_TEST_DATA).string();
+    const std::string name =
+        std::filesystem::relative(entry.path(), testing::test_data_folder()).string();
     if (molecules.contains(name)) continue;
     ++others;
     try {

@@ -1,4 +1,5 @@
 // PQR, XYZ in its three kinds, CHARMM cards, and telling formats apart.
+#include <cstdio>
 #include <string>
 #include <utility>
 
@@ -99,6 +100,35 @@ TEST(ReadCharmmCard, NarrowAndWide) {
       refusal("a.crd", "* T\n    2\n    1    1 LYS  N    -14.05410  14.28359  43.57444 G    1\n")
           .line(),
       2u);
+}
+
+// A card of so many atoms, without EXT, in the columns that this number asks for.
+std::string card_of(int atoms) {
+  const char* const format = atoms < 100000
+                                 ? "%5d%5d LYS  N   %10.5f%10.5f%10.5f PROA 1      0.00000\n"
+                                 : "%10d%10d  LYS       N       %20.10f%20.10f%20.10f  PROA      1"
+                                   "               0.0000000000\n";
+  std::string text = "* TITLE\n*\n" + std::to_string(atoms) + "\n";
+  for (int n = 1; n <= atoms; ++n) {
+    char line[200];
+    const int size = std::snprintf(line, sizeof line, format, n, n % 1000, n % 9973 / 16.0,
+                                   n % 9967 / 16.0, n % 9949 / 16.0);
+    text.append(line, static_cast<std::size_t>(size));
+  }
+  return text;
+}
+
+// CHARMM writes wide lines from 100,000 atoms on, and does not say EXT then in older versions.
+TEST(ReadCharmmCard, From100000AtomsOnLinesAreWide) {
+  for (const int atoms : {99'999, 100'000}) {
+    const Molecule m = read_text("a.crd", card_of(atoms));
+    ASSERT_EQ(m.atoms.size(), static_cast<std::size_t>(atoms));
+    EXPECT_EQ(m.lattice.digits, 4);  // sixteenths
+    EXPECT_EQ(m.atoms.back().position,
+              (LatticePoint{atoms % 9973 * 625, atoms % 9967 * 625, atoms % 9949 * 625}));
+    EXPECT_EQ(m.text(m.atoms.back().residue_name), "LYS");
+    EXPECT_EQ(m.text(m.atoms.back().chain), "PROA");
+  }
 }
 
 TEST(SniffFormat, ContentGoesBeforeTheExtension) {

@@ -6,6 +6,19 @@
 namespace alphascope {
 namespace {
 
+TEST(ReadBalls, SaysOfNumbersWithTooManyDigitsByHowMuchTheyAreRounded) {
+  const Molecule m = read_text("a.xyzr", "0.123456789 0 0 1.5\n1 2 3 1.2500004\n");
+  EXPECT_EQ(m.lattice.digits, 6);
+  EXPECT_EQ(m.atoms.at(0).position.x, 123457);
+  EXPECT_EQ(m.atoms.at(1).file_radius, 1250000);
+  ASSERT_EQ(m.notes.size(), 1u);
+  EXPECT_NE(
+      m.notes[0].find("lattice of 1e-06 Å can hold; they are rounded once, by at most 4e-07 Å"),
+      std::string::npos)
+      << m.notes[0];
+  EXPECT_TRUE(read_text("a.xyzr", "0.123456 0 0 1.5\n").notes.empty());
+}
+
 TEST(ReadBallTable, PutsTextOnTheLatticeExactly) {
   const Molecule m =
       read_text("a.xyzr", "# made by hand\n\n0.1 -2.25 3 1.5\n4e0 5 6.00001 1.70000 CA\n");

@@ -170,6 +170,36 @@ TEST(Assembly, OnlyAssembliesThatUseAMatrixAreRefusedForIt) {
   EXPECT_NE(why_not(m, "4").find("there is no assembly 4: the file has 1"), std::string::npos);
 }
 
+// The operator on the right moves first: +10 Å in x, then 90° about z takes (11, 0, 0) to (0, 11,
+// 0).
+TEST(Assembly, OfAProductTheLastOperatorMovesFirst) {
+  const std::string text =
+      "data_x\nloop_\n_pdbx_struct_assembly_gen.assembly_id\n"
+      "_pdbx_struct_assembly_gen.oper_expression\n_pdbx_struct_assembly_gen.asym_id_list\n"
+      "1 (1)(2) A\n2 (2)(1) A\n3 (1,2)(1,2) A\n"
+      "loop_\n_pdbx_struct_oper_list.id\n"
+      "_pdbx_struct_oper_list.matrix[1][1]\n_pdbx_struct_oper_list.matrix[1][2]\n"
+      "_pdbx_struct_oper_list.matrix[1][3]\n_pdbx_struct_oper_list.vector[1]\n"
+      "_pdbx_struct_oper_list.matrix[2][1]\n_pdbx_struct_oper_list.matrix[2][2]\n"
+      "_pdbx_struct_oper_list.matrix[2][3]\n_pdbx_struct_oper_list.vector[2]\n"
+      "_pdbx_struct_oper_list.matrix[3][1]\n_pdbx_struct_oper_list.matrix[3][2]\n"
+      "_pdbx_struct_oper_list.matrix[3][3]\n_pdbx_struct_oper_list.vector[3]\n"
+      "1 0 -1 0 0 1 0 0 0 0 0 1 0\n2 1 0 0 10 0 1 0 0 0 0 1 0\n"
+      "loop_\n_atom_site.id\n_atom_site.type_symbol\n_atom_site.label_asym_id\n"
+      "_atom_site.Cartn_x\n_atom_site.Cartn_y\n_atom_site.Cartn_z\n1 C A 1 0 0\n";
+  const Molecule m = read_text("a.cif", text);
+  const auto places = [&](const char* id) {
+    std::vector<LatticePoint> result;
+    for (const Atom& atom : expand_assembly(m, id).atoms) result.push_back(atom.position);
+    return result;
+  };
+  using Points = std::vector<LatticePoint>;
+  EXPECT_EQ(places("1"), (Points{{0, 11000, 0}}));
+  EXPECT_EQ(places("2"), (Points{{10000, 1000, 0}}));
+  // The last factor runs fastest.
+  EXPECT_EQ(places("3"), (Points{{-1000, 0, 0}, {0, 11000, 0}, {10000, 1000, 0}, {21000, 0, 0}}));
+}
+
 TEST(Assembly, ExpandsTheCapsidsToTheirKnownSizes) {
   ALPHASCOPE_NEED_TEST_DATA();
   const struct {

@@ -41,6 +41,7 @@ std::string refusal(const std::string& text) {
 TEST(AtomAddress, WhatIsSaidOfAnAtomFindsIt) {
   const char* expected[] = {"A:HIS 87:N", "A:HIS 87A:NE2:A", "B:DA 12:O5\"",
                             "B:ZN -3:ZN", "C:12A 12:C1",     "C:2HP 14:C1"};
+  ASSERT_EQ(molecule().atoms.size(), std::size(expected));
   for (std::size_t i = 0; i < molecule().atoms.size(); ++i) {
     const std::string address = atom_address(molecule(), i);
     EXPECT_EQ(address, expected[i]);

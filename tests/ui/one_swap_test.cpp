@@ -7,7 +7,6 @@
 #include <mutex>
 #include <thread>
 
-#include "app/session/thesis_contest.hpp"
 #include "tests/ui/viewer_fixture.hpp"
 
 namespace alphascope::testing {
@@ -120,9 +119,17 @@ class OneSwapTest : public ViewerTest {
 
 TEST_F(OneSwapTest, ADragMixesNoTwoAlphasAndPicturesKeepComing) {
   const std::vector<Frame> frames = drag();
-  const double pace = median(mesh_times_);
+  // How long the slowest mesh took, not the usual one: other programs may take the cores at any
+  // time.
+  double pace = 0;
+  {
+    const std::lock_guard lock(mutex_);
+    ASSERT_FALSE(mesh_times_.empty());
+    pace = *std::max_element(mesh_times_.begin(), mesh_times_.end());
+  }
 
-  // New pictures. A frame is where the window looks for one, so its time comes on top.
+  // New pictures. A frame is where the window looks for a complex, and another where it looks for a
+  // mesh, so their times come on top.
   double longest_frame = 0, longest_wait = 0;
   std::size_t pictures = 0;
   Clock::time_point last = frames.front().at;
@@ -135,7 +142,7 @@ TEST_F(OneSwapTest, ADragMixesNoTwoAlphasAndPicturesKeepComing) {
   }
   RecordProperty("pictures", static_cast<int>(pictures));
   EXPECT_GE(pictures, 10u);
-  EXPECT_LE(longest_wait, 2 * pace + longest_frame) << "median " << pace << " ms";
+  EXPECT_LE(longest_wait, 2 * (pace + longest_frame)) << "slowest " << pace << " ms";
 
   // At rest, one by one.
   std::size_t checked = 0;

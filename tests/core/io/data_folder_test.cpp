@@ -2,22 +2,16 @@
 // written below. The README is the table of this test.
 #include <algorithm>
 #include <array>
-#include <fstream>
 #include <map>
-#include <set>
 #include <string>
 #include <vector>
 
 #include "core/molecule/prepare_balls.hpp"
+#include "tests/core/io/data_table.hpp"
 #include "tests/core/io/temporary_file.hpp"
 
 namespace alphascope {
 namespace {
-
-struct Row {
-  std::string file, format;
-  std::size_t atoms = 0, hetero = 0, models = 0;
-};
 
 // Files that must not open, with what the message must say.
 const std::map<std::string, std::string> kRefused = {
@@ -35,36 +29,13 @@ const std::map<std::string, std::string> kRefused = {
     {"awkward/bad_extended.xyz", "line 3: the line has 4 of the 5 fields"},
 };
 
-bool is_molecule_format(const std::string& format) {
-  for (const char* start : {"PDB", "mmCIF", "CIF", "XYZ", "CRD", "PQR", "CHARMM"}) {
-    if (format.starts_with(start)) return true;
-  }
-  return false;
-}
-
-std::vector<Row> read_table() {
-  std::ifstream readme(test_data("README.md"));
-  std::vector<Row> rows;
-  std::string line;
-  while (std::getline(readme, line)) {
-    std::vector<std::string> cells;
-    for (std::size_t at = line.find('|'); at != std::string::npos;) {
-      const std::size_t next = line.find('|', at + 1);
-      if (next == std::string::npos) break;
-      const std::string cell = line.substr(at + 1, next - at - 1);
-      const std::size_t first = cell.find_first_not_of(' '), last = cell.find_last_not_of(' ');
-      cells.push_back(first == std::string::npos ? "" : cell.substr(first, last - first + 1));
-      at = next;
-    }
-    if (cells.size() < 7 || cells[0].find('/') == std::string::npos) continue;
-    if (!is_molecule_format(cells[2])) continue;
-    rows.push_back(
-        {cells[0], cells[2], std::stoul(cells[3]), std::stoul(cells[4]), std::stoul(cells[5])});
-  }
+std::vector<DataRow> rows_of(bool molecules) {
+  std::vector<DataRow> rows = data_table();
+  std::erase_if(rows, [&](const DataRow& row) { return row.molecule != molecules; });
   return rows;
 }
 
-void check(const Row& row) {
+void check(const DataRow& row) {
   SCOPED_TRACE(row.file);
   const auto refused = kRefused.find(row.file);
   try {
@@ -85,9 +56,9 @@ void check(const Row& row) {
 
 TEST(DataFolder, EveryFileOpensToItsCountsOrIsRefusedAsDocumented) {
   ALPHASCOPE_NEED_TEST_DATA();
-  const std::vector<Row> rows = read_table();
+  const std::vector<DataRow> rows = rows_of(true);
   EXPECT_GE(rows.size(), 150u);
-  for (const Row& row : rows) check(row);
+  for (const DataRow& row : rows) check(row);
 }
 
 std::vector<std::pair<LatticePoint, Element>> sorted_atoms(const Molecule& m) {
@@ -97,26 +68,18 @@ std::vector<std::pair<LatticePoint, Element>> sorted_atoms(const Molecule& m) {
   return atoms;
 }
 
-TEST(DataFolder, WhateverElseLiesThereIsRefusedBySayingWhatItIs) {
+TEST(DataFolder, WhatIsNoMoleculeThereIsRefusedBySayingWhatItIs) {
   ALPHASCOPE_NEED_TEST_DATA();
-  std::set<std::string> molecules;
-  for (const Row& row : read_table()) molecules.insert(row.file);
-  std::size_t others = 0;
-  for (const auto& entry :
-       std::filesystem::recursive_directory_iterator(testing::test_data_folder())) {
-    if (!entry.is_regular_file()) continue;
-    const std::string name =
-        std::filesystem::relative(entry.path(), testing::test_data_folder()).string();
-    if (molecules.contains(name)) continue;
-    ++others;
+  const std::vector<DataRow> rows = rows_of(false);
+  EXPECT_GE(rows.size(), 20u);
+  for (const DataRow& row : rows) {
     try {
-      read_molecule(entry.path());
-      ADD_FAILURE() << name << " opened, though it is in no table of molecules";
+      read_molecule(test_data(row.file));
+      ADD_FAILURE() << row.file << " opened, though it is no molecule";
     } catch (const ReadError& error) {
       EXPECT_NE(error.reason().find("it looks like"), std::string::npos) << error.what();
     }
   }
-  EXPECT_GE(others, 20u);
 }
 
 // x, y, z and radius of every ball on the lattice of that many digits, which holds them exactly.

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/core/io/data_table.hpp"
 #include "tests/core/io/temporary_file.hpp"
 
 namespace alphascope {
@@ -86,28 +87,23 @@ Counts counts_of(const Molecule& molecule) {
 TEST(GemmiAgreement, EveryPdbAndMmcifFile) {
   ALPHASCOPE_NEED_TEST_DATA();
   std::size_t compared = 0;
-  std::vector<std::filesystem::directory_entry> entries;
-  for (const char* folder : {"thesis", "ladder", "awkward", "cavities", "ensembles", "pairs"}) {
-    for (const auto& entry : std::filesystem::recursive_directory_iterator(test_data(folder))) {
-      if (entry.is_regular_file()) entries.push_back(entry);
-    }
-  }
-  for (const auto& entry : entries) {
-    const std::string name = entry.path().filename().string();
+  for (const DataRow& row : data_table()) {
+    const std::filesystem::path path = test_data(row.file);
+    const std::string name = path.filename().string();
     const bool structure_file = name.find(".pdb") != name.npos || name.find(".cif") != name.npos ||
                                 name.find(".ent") != name.npos;
-    if (!structure_file || kGemmiDiffers.contains(name)) continue;
-    SCOPED_TRACE(entry.path().string());
+    if (!row.molecule || !structure_file || kGemmiDiffers.contains(name)) continue;
+    SCOPED_TRACE(path.string());
     gemmi::Structure theirs;
     try {
-      theirs = gemmi::read_structure(gemmi::MaybeGzipped(entry.path().string()));
+      theirs = gemmi::read_structure(gemmi::MaybeGzipped(path.string()));
       gemmi::setup_entities(theirs);
     } catch (const std::exception&) {
       continue;  // refused by gemmi; the table of the data folder says what we do
     }
     Molecule ours;
     try {
-      ours = read_molecule(entry.path());
+      ours = read_molecule(path);
     } catch (const ReadError&) {
       for (const gemmi::Model& model : theirs.models) EXPECT_TRUE(model.chains.empty());
       continue;

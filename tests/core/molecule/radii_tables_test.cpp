@@ -1,5 +1,5 @@
-// Every value of every radii set, copied from the sources that docs/file-formats.md names, in tables of
-// the test's own. The tables of the program are not used here.
+// Every value of every radii set, copied from the sources that docs/file-formats.md names, in
+// tables of the test's own. The tables of the program are not used here.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -35,8 +35,8 @@ const Table kMantina = table(
     "Be 1530 B 1920 Al 1840 Ca 2310 Ge 2110 Rb 3030 Sr 2490 Sb 2060 Cs 3430 Ba 2680 Bi 2070 "
     "Po 1970 At 2020 Rn 2200 Fr 3480 Ra 2830");
 
-// R. D. Shannon, Acta Cryst. A 32 (1976) 751, table 1, effective radii for coordination number 6. To
-// 0.01 Å in the first part, as the CRC Handbook has them.
+// R. D. Shannon, Acta Cryst. A 32 (1976) 751, table 1, effective radii for coordination number 6.
+// To 0.01 Å in the first part, as the CRC Handbook has them.
 const Table kShannon = table(
     "Li 760 Be 450 F 1330 Na 1020 Mg 720 Al 540 Cl 1810 K 1380 Ca 1000 Sc 750 Ti 860 V 790 Cr 730 "
     "Mn 830 Fe 610 Co 650 Ni 690 Cu 730 Zn 740 Ga 620 Br 1960 Rb 1520 Sr 1180 Zr 720 Mo 690 "
@@ -129,8 +129,9 @@ AssignedRadius radius(RadiiSet set, const std::string& residue, const std::strin
   return RadiiLookup(m, set, nullptr).radius(0);
 }
 
-constexpr RadiiSet kSets[] = {RadiiSet::bondi, RadiiSet::protor,  RadiiSet::castp, RadiiSet::alvarez,
-                              RadiiSet::amber, RadiiSet::naccess, RadiiSet::rasmol};
+constexpr RadiiSet kSets[] = {RadiiSet::bondi,   RadiiSet::protor, RadiiSet::castp,
+                              RadiiSet::alvarez, RadiiSet::amber,  RadiiSet::naccess,
+                              RadiiSet::rasmol};
 
 TEST(RadiiTables, EveryElementOfEverySet) {
   for (const RadiiSet set : kSets) {
@@ -138,8 +139,8 @@ TEST(RadiiTables, EveryElementOfEverySet) {
       for (int z = 1; z <= kHeaviestElement; ++z) {
         const auto element = static_cast<Element>(z);
         const std::string symbol(element_symbol(element));
-        const AssignedRadius found =
-            radius(set, ion ? "ION" : "LIG", symbol, element, ion ? AtomKind::ion : AtomKind::ligand);
+        const AssignedRadius found = radius(set, ion ? "ION" : "LIG", symbol, element,
+                                            ion ? AtomKind::ion : AtomKind::ligand);
         const Expected right = expected(set, symbol, ion);
         EXPECT_EQ(found.microangstrom, 1000 * right.milli)
             << radii_set_info(set).id << ' ' << symbol << (ion ? " ion" : "");
@@ -193,8 +194,7 @@ void expect_types(RadiiSet set, const std::string& residue, const std::string& a
   for (std::string word; words >> word;) {
     const std::size_t colon = word.find(':');
     const std::string atom = word.substr(0, colon);
-    const AssignedRadius found =
-        radius(set, residue, atom, element_of(atom), AtomKind::polymer);
+    const AssignedRadius found = radius(set, residue, atom, element_of(atom), AtomKind::polymer);
     EXPECT_EQ(found.microangstrom, 1000 * types.at(word.substr(colon + 1)))
         << radii_set_info(set).id << ' ' << residue << ' ' << atom;
     EXPECT_FALSE(found.guessed) << radii_set_info(set).id << ' ' << residue << ' ' << atom;
@@ -222,8 +222,8 @@ TEST(RadiiTables, EveryHeavyAtomOfTheAminoAcids) {
 
 TEST(RadiiTables, NamesOfProtonationStatesAreTheirAminoAcids) {
   const std::pair<const char*, const char*> kSame[] = {
-      {"HID", "HIS"}, {"HIE", "HIS"}, {"HIP", "HIS"}, {"HSD", "HIS"},  {"HSE", "HIS"},
-      {"HSP", "HIS"}, {"CYX", "CYS"}, {"CYM", "CYS"}, {"ASH", "ASP"},  {"GLH", "GLU"},
+      {"HID", "HIS"}, {"HIE", "HIS"}, {"HIP", "HIS"},  {"HSD", "HIS"}, {"HSE", "HIS"},
+      {"HSP", "HIS"}, {"CYX", "CYS"}, {"CYM", "CYS"},  {"ASH", "ASP"}, {"GLH", "GLU"},
       {"LYN", "LYS"}, {"ARN", "ARG"}, {"ASPP", "ASP"}, {"GLUP", "GLU"}};
   for (const auto& [name, amino_acid] : kSame) {
     expect_types(RadiiSet::protor, name, kSideChains.at(amino_acid), kProtorTypes);

@@ -199,6 +199,10 @@ TEST_F(CommandsTest, SearchTakesWhatFollowsAsArguments) {
   EXPECT_EQ(best("alpha 1000"), "alpha.set <1000>") << "it says what is wrong with that";
   EXPECT_EQ(best("alpha.set abc"), "alpha.set <abc>");
   EXPECT_EQ(best("open /my files/a b.pdb"), "file.open </my files/a b.pdb>");
+  EXPECT_EQ(best("alpha +3"), "alpha.set <+3>");
+  EXPECT_EQ(best("alpha .5"), "alpha.set <.5>");
+  EXPECT_EQ(best("alpha −3"), "alpha.set <−3>") << "with a minus sign";
+  EXPECT_EQ(best("alpha xyzzy"), "") << "that is neither a number nor anything else";
   EXPECT_EQ(best("engine gpu"), "engine.set <gpu>");
   EXPECT_EQ(best("engine abacus"), "");
 }

@@ -4,9 +4,14 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <iterator>
 #include <numeric>
+#include <sstream>
+#include <string>
+#include <utility>
 
 #include "core/document/paint_balls.hpp"
+#include "core/molecule/residue_kind.hpp"
 #include "tests/core/io/temporary_file.hpp"
 
 namespace alphascope {
@@ -213,6 +218,52 @@ TEST(PaintBalls, CarbonReadsOnWhiteAndOnDark) {
   const double carbon = luminance(element_colour(6)) + 0.05;
   EXPECT_GT(1.05 / carbon, 3);
   EXPECT_GT(carbon / (luminance({0x11, 0x15, 0x1b}) + 0.05), 3);
+}
+
+// Lesk's classes in colours of M. Okabe and K. Ito, what is no residue in muted ones.
+TEST(PaintBalls, KindsOfResiduesHaveTheirColours) {
+  const struct {
+    ResidueKind kind;
+    const char* name;
+    Rgb8 colour;
+  } kinds[] = {{ResidueKind::small_nonpolar, "small non-polar", {230, 159, 0}},
+               {ResidueKind::hydrophobic, "hydrophobic", {0, 158, 115}},
+               {ResidueKind::polar, "polar", {204, 121, 167}},
+               {ResidueKind::negative, "negative", {213, 94, 0}},
+               {ResidueKind::positive, "positive", {0, 114, 178}},
+               {ResidueKind::nucleotide, "nucleotide", {86, 180, 233}},
+               {ResidueKind::other, "other residue", {148, 148, 148}},
+               {ResidueKind::ligand, "ligand", {190, 170, 50}},
+               {ResidueKind::ion, "ion", {118, 92, 168}},
+               {ResidueKind::water, "water", {150, 190, 200}},
+               {ResidueKind::dummy, "dummy", {110, 116, 124}}};
+  EXPECT_EQ(std::size(kinds), static_cast<std::size_t>(kResidueKinds));
+  for (const auto& k : kinds) {
+    EXPECT_STREQ(residue_kind_name(k.kind), k.name);
+    EXPECT_EQ(residue_kind_colour(k.kind), k.colour) << k.name;
+  }
+}
+
+// A. Lesk, Introduction to Bioinformatics: the classes of the twenty amino acids.
+TEST(PaintBalls, EveryAminoAcidHasItsClass) {
+  const std::pair<ResidueKind, const char*> classes[] = {
+      {ResidueKind::small_nonpolar, "GLY ALA SER THR"},
+      {ResidueKind::hydrophobic, "CYS VAL ILE LEU PRO PHE TYR MET TRP SEC MSE"},
+      {ResidueKind::polar, "ASN GLN HIS"},
+      {ResidueKind::negative, "ASP GLU"},
+      {ResidueKind::positive, "LYS ARG"},
+      {ResidueKind::nucleotide, "A C G U I DA DC DG DT"},
+      {ResidueKind::other, "XYZ"}};
+  for (const auto& [kind, residues] : classes) {
+    std::istringstream words(residues);
+    for (std::string name; words >> name;) {
+      Molecule m;
+      Atom atom;
+      atom.residue_name = m.names.intern(name);
+      atom.kind = AtomKind::polymer;
+      EXPECT_EQ(residue_kind(m, atom), kind) << name;
+    }
+  }
 }
 
 // Orange, sky blue and blue of M. Okabe and K. Ito, which readers with any colour vision tell

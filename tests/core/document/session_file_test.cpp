@@ -225,6 +225,9 @@ TEST(SessionFile, AWrongValueIsToldWithItsLine) {
   expect(",\"compute\": { \"threads\": 1.5 }", "2", "a whole number");
   expect(",\"open\": { \"model\": 0 }", "2", "a whole number from 1");
   expect(",\"open\": { \"chains\": [\"A\",\n{}] }", "3", "\"open.chains.1\"");
+  expect(",\"open\": { \"chains\": \"A\" }", "2", "a list, in square brackets, of at most");
+  expect(",\"open\": { \"radius_edits\": {} }", "2", "a list, in square brackets, of at most");
+  expect(",\"camera\": { \"target_angstrom\": [1, 2, 3,\n4] }", "2", "brackets, of at most 3");
   expect(",\"open\": { \"selection\": \"a\\u0000b\" }", "2", "must be text");
   expect(",\"open\": { \"radii\": \"user\" }", "2", "no \"radii_table\"");
   expect(",\"open\": { \"radius_edits\": [{\"radius_angstrom\": 99}] }", "2", "from 0.001 to 60");

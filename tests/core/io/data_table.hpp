@@ -12,7 +12,7 @@ namespace alphascope {
 
 struct DataRow {
   std::string file, format;
-  bool molecule = false;                      // or what is no molecule: tables, text
+  bool molecule = false;                          // or what is no molecule: tables, text
   std::size_t atoms = 0, hetero = 0, models = 0;  // of molecules
 };
 

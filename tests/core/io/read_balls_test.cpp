@@ -127,6 +127,10 @@ TEST(ReadBallTable, NamesLineAndRemedyOfWhatIsWrong) {
   const ReadError huge = refusal("a.xyzr", "1 2 3 1.5\n1e300 2 3 1\n");
   EXPECT_EQ(huge.line(), 2u);
   EXPECT_NE(huge.reason().find("too large"), std::string::npos) << huge.what();
+  // The last that fits on a lattice of whole Ångström, and the first that does not.
+  EXPECT_EQ(read_text("a.xyzr", "536870911 0 0 1\n").atoms.at(0).position.x, 536870911);
+  EXPECT_EQ(refusal("a.xyzr", "1 2 3 1\n0 -536870912 0 1\n").line(), 2u);
+  EXPECT_EQ(refusal("a.xyzr", "1 2 3 1\n0 0 0 67108864\n").line(), 2u);
   EXPECT_NE(refusal("a.xyzr", "1 2 3 1e-30\n1e5 2 3 1\n").reason().find("too small"),
             std::string::npos);
 }

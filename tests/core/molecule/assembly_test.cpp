@@ -71,6 +71,14 @@ TEST(Assembly, CopiesChainsOfBiomtRecords) {
   EXPECT_THROW(expand_assembly(m, "2"), std::invalid_argument);
 }
 
+TEST(Assembly, SaysByHowMuchCopiesAreRounded) {
+  std::string text = kDimer;
+  text.replace(text.find("10.50000"), 8, "10.50025");
+  const Molecule e = expand_assembly(read_text("a.pdb", text), "1");
+  EXPECT_EQ(e.atoms.at(2).position, (LatticePoint{8500, 1000, 3000}));
+  EXPECT_NEAR(e.rounding_angstrom, 0.00025, 1e-9);
+}
+
 TEST(Assembly, DamagedRecordsAreNotedAndLeftOut) {
   std::string text = kDimer;
   text.replace(text.find("BIOMT2   2"), 10, "BIOMT3   2");

@@ -132,7 +132,8 @@ BallValues by_b_factor(const PaintedMolecule& of) {
     values.numbers.push_back(atom.has_b_factor ? atom.b_factor : kNone);
     some = some || atom.has_b_factor;
   }
-  values.no_number = "no B factor in the file";
+  values.no_number =
+      of.molecule.has_confidences ? "no pLDDT in the file" : "no B factor in the file";
   if (!some) {
     values.numbers.clear();
     values.lacks = "The file gives no B factors, so all balls are grey.";
@@ -276,7 +277,8 @@ PaintedBalls paint_balls(const PaintedMolecule& of, const Paint& paint) {
   } else if (values.numbers.size() == balls && balls > 0) {
     const ColourScale scale{paint.map_used(), paint.range.value_or(automatic_range(values, scheme)),
                             scheme.root};
-    painted.key = {quantity_title(scheme), scale, {}};
+    const bool confidence = paint.by == ColourBy::b_factor && of.molecule.has_confidences;
+    painted.key = {confidence ? "pLDDT (confidence)" : quantity_title(scheme), scale, {}};
     bool all = true;
     for (std::size_t i = 0; i < balls; ++i) {
       const bool known = !std::isnan(values.numbers[i]);

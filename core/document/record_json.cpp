@@ -58,6 +58,7 @@ Json input_json(const RecordSource& source) {
       {"notes", molecule.notes},
       {"open_ms", source.open_milliseconds},
   };
+  if (molecule.has_confidences) json["b_factors"] = "pLDDT";
   if (report.radii == RadiiSet::user) json["radii"]["table_sha256"] = options.user_radii->sha256;
   return json;
 }

@@ -44,13 +44,15 @@ struct LetterMean {
 using Atoms = std::vector<Atom>;
 using Indices = std::vector<std::size_t>;
 
-char best_letter(const Atoms& atoms, const Indices& residue, NameId& residue_name) {
+// confidences: what stands for B factors says nothing of locations.
+char best_letter(const Atoms& atoms, const Indices& residue, bool confidences,
+                 NameId& residue_name) {
   std::map<char, LetterMean> letters;
   for (const std::size_t i : residue) {
     if (atoms[i].altloc == ' ') continue;
     LetterMean& mean = letters[atoms[i].altloc];
     mean.occupancy += atoms[i].occupancy;
-    mean.b_factor += atoms[i].b_factor;
+    if (!confidences) mean.b_factor += atoms[i].b_factor;
     ++mean.count;
     mean.residue_name = atoms[i].residue_name;
   }
@@ -66,10 +68,10 @@ char best_letter(const Atoms& atoms, const Indices& residue, NameId& residue_nam
 }
 
 // Marks what gives way among the atoms of one residue.
-void choose_in_residue(const Atoms& atoms, Indices residue, std::size_t begin,
+void choose_in_residue(const Atoms& atoms, Indices residue, std::size_t begin, bool confidences,
                        std::vector<bool>& minor) {
   NameId chosen_type = 0;
-  const char chosen = best_letter(atoms, residue, chosen_type);
+  const char chosen = best_letter(atoms, residue, confidences, chosen_type);
   std::stable_sort(residue.begin(), residue.end(),
                    [&](std::size_t a, std::size_t b) { return atoms[a].name < atoms[b].name; });
   for (std::size_t first = 0, last; first < residue.size(); first = last) {
@@ -77,7 +79,8 @@ void choose_in_residue(const Atoms& atoms, Indices residue, std::size_t begin,
     std::size_t kept = residue[first];
     const auto score = [&](std::size_t i) {
       const Atom& a = atoms[i];
-      return std::tuple(a.altloc != chosen, rank(a.occupancy, a.b_factor, a.altloc));
+      return std::tuple(a.altloc != chosen,
+                        rank(a.occupancy, confidences ? 0 : a.b_factor, a.altloc));
     };
     bool varies = false;
     for (; last < residue.size() && atoms[residue[last]].name == atoms[residue[first]].name;
@@ -134,13 +137,35 @@ struct Block {
   bool lettered = true;  // all of them
 };
 
+// Names of residues of one number of which there are several, of one atom each: some location
+// comes twice, and no other name.
+std::unordered_set<NameId> single_atoms(const Atoms& atoms,
+                                        std::span<const Candidate> same_number) {
+  std::map<NameId, std::pair<NameId, bool>> found;  // atom's name; whether it is the only one
+  std::unordered_set<std::uint64_t> locations;
+  std::unordered_set<NameId> several;
+  for (const Candidate& c : same_number) {
+    const Atom& a = atoms[c.atom];
+    const auto [at, is_new] = found.try_emplace(a.residue_name, a.name, true);
+    if (at->second.first != a.name) at->second.second = false;
+    const std::uint64_t location = (std::uint64_t{a.residue_name} << 40) ^ Residue::location(a);
+    if (!locations.insert(location).second) several.insert(a.residue_name);
+  }
+  std::erase_if(several, [&](NameId residue) { return !found[residue].second; });
+  return several;
+}
+
 std::vector<Block> blocks_of(const Atoms& atoms, std::span<const Candidate> same_number) {
   std::vector<Block> blocks;
+  const std::unordered_set<NameId> single = single_atoms(atoms, same_number);
   Residue last;
   for (const auto& [i, round] : same_number) {
     const bool goes_on = !blocks.empty() && last.atoms.back() + 1 == i &&
                          atoms[last.atoms.back()].residue_name == atoms[i].residue_name &&
-                         !last.has_location(atoms[i]);
+                         !last.has_location(atoms[i]) &&
+                         // Of ions that all have one number, one without a letter is no
+                         // location of the one with a letter beside it.
+                         (!single.contains(atoms[i].residue_name) || last.may_have(atoms[i]));
     if (!goes_on) {
       blocks.emplace_back();
       last = {};
@@ -213,7 +238,9 @@ std::vector<bool> minor_altlocs(const Molecule& molecule, std::size_t begin, std
       if (compete) std::erase_if(residue.atoms, [&](std::size_t i) { return !compete(atoms[i]); });
       const bool varies = std::any_of(residue.atoms.begin(), residue.atoms.end(),
                                       [&](std::size_t i) { return atoms[i].altloc != ' '; });
-      if (varies) choose_in_residue(atoms, std::move(residue.atoms), begin, minor);
+      if (varies) {
+        choose_in_residue(atoms, std::move(residue.atoms), begin, molecule.has_confidences, minor);
+      }
     }
     first = last;
   }

@@ -28,7 +28,7 @@ struct Atom {
   std::int32_t residue_number = 0;  // the author's
   std::uint32_t source_line = 0;    // counted from 1; 0 when unknown
   float occupancy = 1;              // 1 when the file gives none
-  float b_factor = 0;               // Å²; 0 when the file gives none
+  float b_factor = 0;  // Å², or see Molecule::has_confidences; 0 when the file gives none
   NameId name = 0;
   NameId residue_name = 0;
   NameId chain = 0;        // the author's
@@ -73,6 +73,7 @@ struct Molecule {
   Lattice lattice;
   double rounding_angstrom = 0;    // largest change that the lattice made to a coordinate or radius
   bool has_file_radii = false;     // some atom has a radius > 0 from the file
+  bool has_confidences = false;    // of a predicted model (pLDDT), in place of B factors
   std::vector<Atom> atoms;         // models one after another
   std::vector<ModelRange> models;  // at least one, none of them empty
   NameTable names;

@@ -67,7 +67,12 @@ void atom_facts(PanelContext& ctx, const BallReferences& atoms, std::size_t atom
     fact(ctx, "size", "no ball: the choice of atoms at the left leaves it out");
   }
   if (a.b_factor != 0) {
-    fact(ctx, "B factor", number_text(static_cast<double>(a.b_factor), 2) + " Å²");
+    const std::string value = number_text(static_cast<double>(a.b_factor), 2);
+    if (molecule.has_confidences) {
+      fact(ctx, "pLDDT", value);
+    } else {
+      fact(ctx, "B factor", value + " Å²");
+    }
   }
   if (a.occupancy != 1) fact(ctx, "occupancy", short_number_text(double(a.occupancy), 2));
 }

@@ -25,7 +25,8 @@ bool same_residue(const Atom& a, const Atom& b);
 
 // `atom_of_ball` as in PreparedBalls. A residue ends where the next atom is of another one: atoms
 // that share an address, as in files that run out of numbers, are one residue only when they are
-// neighbours. A chain has all atoms of its name.
+// neighbours. Where neighbours share it too, the next residue begins with the atom that comes
+// again. A chain has all atoms of its name.
 AtomGroups atom_groups(const Molecule& molecule, std::span<const std::uint32_t> atom_of_ball,
                        AtomGrouping by);
 

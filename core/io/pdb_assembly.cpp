@@ -1,5 +1,7 @@
 #include "core/io/pdb_assembly.hpp"
 
+#include <algorithm>
+
 #include "core/io/decimal.hpp"
 #include "core/io/line_reader.hpp"
 
@@ -13,7 +15,7 @@ void PdbAssemblyRecords::take(std::string_view line, std::size_t line_number) {
                                         : trimmed(text.substr(at + label.size()));
   };
   if (text.starts_with("BIOMOLECULE:")) {
-    assemblies_.list.push_back({std::string(after("BIOMOLECULE:")), "", {}});
+    begin_assemblies(after("BIOMOLECULE:"));
     chains_open_ = false;
   } else if (text.starts_with("BIOMT")) {
     chains_open_ = false;
@@ -28,6 +30,28 @@ void PdbAssemblyRecords::take(std::string_view line, std::size_t line_number) {
   } else if (chains_open_ && text.find("CHAINS:") != std::string_view::npos) {
     take_chains(after("CHAINS:"));
   }
+}
+
+// "1, 2": what follows is of each of them.
+void PdbAssemblyRecords::begin_assemblies(std::string_view ids) {
+  share_last();
+  while (true) {
+    const std::size_t comma = std::min(ids.find(','), ids.size());
+    assemblies_.list.push_back({std::string(trimmed(ids.substr(0, comma))), "", {}});
+    ids.remove_prefix(std::min(comma + 1, ids.size()));
+    if (trimmed(ids).empty()) break;
+    ++sharing_;
+  }
+}
+
+// Gives the assemblies that were named together what was read for the last of them.
+void PdbAssemblyRecords::share_last() {
+  for (std::size_t k = 0; k < sharing_; ++k) {
+    Assembly& other = assemblies_.list[assemblies_.list.size() - 2 - k];
+    other.details = assemblies_.list.back().details;
+    other.generators = assemblies_.list.back().generators;
+  }
+  sharing_ = 0;
 }
 
 // Old files have one assembly without a heading.
@@ -79,6 +103,22 @@ void PdbAssemblyRecords::take_matrix_row(std::string_view text, std::size_t line
   operator_.digits = 0;
 }
 
+// "ALL" are all chains, unless one is called so.
+void PdbAssemblyRecords::take_all_chains(const Molecule& molecule) {
+  std::vector<std::string> chains;
+  std::vector<bool> known(molecule.names.size(), false);
+  for (const Atom& atom : molecule.atoms) {
+    if (!known[atom.chain]) chains.emplace_back(molecule.text(atom.chain));
+    known[atom.chain] = true;
+  }
+  if (std::find(chains.begin(), chains.end(), "ALL") != chains.end()) return;
+  for (Assembly& assembly : assemblies_.list) {
+    for (auto& generator : assembly.generators) {
+      if (generator.chains.size() == 1 && generator.chains[0] == "ALL") generator.chains = chains;
+    }
+  }
+}
+
 void PdbAssemblyRecords::finish(Molecule& molecule) {
   if (bad_line_ != 0 || rows_ != 0) {
     refuse_assembly(molecule, "",
@@ -87,6 +127,8 @@ void PdbAssemblyRecords::finish(Molecule& molecule) {
                         ". Correct it, or fetch the file again");
     return;
   }
+  share_last();
+  take_all_chains(molecule);
   std::erase_if(assemblies_.list, [](const Assembly& a) { return a.generators.empty(); });
   molecule.assemblies = std::move(assemblies_);
   check_operators(molecule);

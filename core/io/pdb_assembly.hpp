@@ -19,11 +19,15 @@ class PdbAssemblyRecords {
  private:
   void take_matrix_row(std::string_view text, std::size_t line_number);
   void take_chains(std::string_view list);
+  void begin_assemblies(std::string_view ids);
+  void share_last();
+  void take_all_chains(const Molecule& molecule);
   Assembly& current();
 
   Assemblies assemblies_;
   SymmetryOperator operator_;
-  int rows_ = 0;  // of operator_
+  int rows_ = 0;             // of operator_
+  std::size_t sharing_ = 0;  // assemblies before the last that are the same
   bool chains_open_ = false;
   std::size_t bad_line_ = 0;
 };

@@ -9,6 +9,7 @@
 
 #include "core/geometry/ball_set.hpp"
 #include "core/molecule/molecule.hpp"
+#include "core/molecule/printable.hpp"
 
 namespace alphascope {
 namespace {
@@ -111,6 +112,12 @@ class Expansion {
         result_.models.push_back({model.number, begin, result_.atoms.size()});
       }
     }
+    if (!renamed_.empty()) {
+      result_.notes.push_back(
+          "The file itself has chains that are named like copies, so copies of "
+          "this assembly have names such as " +
+          renamed_);
+    }
     result_.rounding_angstrom =
         std::max(source_.rounding_angstrom, source_.lattice.angstrom(largest_rounding_));
     return std::move(result_);
@@ -123,6 +130,7 @@ class Expansion {
     result_.title = source_.title;
     result_.lattice = source_.lattice;
     result_.has_file_radii = source_.has_file_radii;
+    result_.has_confidences = source_.has_confidences;
     result_.names = source_.names;
     result_.notes = source_.notes;
     result_.sha256 = source_.sha256;
@@ -182,10 +190,27 @@ class Expansion {
     const std::uint32_t copy = ++copies_of_chain_[key];
     NameId name = chain;
     if (copy > 1) {
-      name = result_.names.intern(std::string(source_.text(chain)) + '-' + std::to_string(copy));
+      const std::string base(source_.text(chain)), number = std::to_string(copy);
+      std::string separator = "-";
+      // A file that was expanded before has such names itself: then "A_2", "A__2".
+      while (is_chain(base + separator + number)) {
+        separator = separator == "-" ? "_" : separator + "_";
+      }
+      if (separator != "-") renamed_ = printable(base + separator + number);
+      name = result_.names.intern(base + separator + number);
     }
     new_names_.emplace(key, name);
     return name;
+  }
+
+  // Whether the file itself has a chain of this name.
+  bool is_chain(const std::string& name) {
+    if (chains_.empty()) {
+      chains_.assign(source_.names.size(), false);
+      for (const Atom& atom : source_.atoms) chains_[atom.chain] = true;
+    }
+    const NameId id = source_.names.find(name);
+    return id != 0 && chains_[id];
   }
 
   const Molecule& source_;
@@ -194,6 +219,8 @@ class Expansion {
   Molecule result_;
   std::unordered_map<std::uint64_t, std::uint32_t> copies_of_chain_;
   std::unordered_map<std::uint64_t, NameId> new_names_;  // of the copy at hand
+  std::vector<bool> chains_;                             // by name
+  std::string renamed_;                                  // the last copy whose name was not free
   double largest_rounding_ = 0, total_ = 1;
 };
 

@@ -5,6 +5,7 @@
 
 #include "core/io/ion_names.hpp"
 #include "core/io/line_reader.hpp"
+#include "core/io/virtual_sites.hpp"
 #include "core/molecule/letter_case.hpp"
 #include "core/molecule/printable.hpp"
 
@@ -74,9 +75,9 @@ bool has_one_letter(const AtomNaming& naming, std::string_view letters) {
     return letters.size() > 2 || !contains(kHeavy, two);
   }
   if (naming.atom.size() >= 4 && naming.atom[0] == 'H') return true;
-  // "CA  " of a HETATM is calcium by the rule of the columns.
+  // "CA  " of a HETATM is calcium by the rule of the columns; "CAA " is nothing with a calcium.
   return has_position_letter(letters) &&
-         !(naming.place == NamePlace::first_column && naming.hetero);
+         !(naming.place == NamePlace::first_column && naming.hetero && letters.size() == 2);
 }
 
 }  // namespace
@@ -134,7 +135,9 @@ Element guess_element(const AtomNaming& naming) {
   while (letters < name.size() && is_letter(name[letters])) ++letters;
   const std::string upper = upper_case(name.substr(0, letters));
   const std::string_view symbol = std::string_view(upper).substr(0, 2);
-  const Element one = element_from_symbol(symbol.substr(0, 1));
+  // Tritium is believed where a file states it; names that begin with T are of something else.
+  const Element one =
+      symbol.starts_with('T') ? kUnknownElement : element_from_symbol(symbol.substr(0, 1));
   const Element two = symbol.size() == 2 ? element_from_symbol(symbol) : kUnknownElement;
   if (two == kUnknownElement) return one;
   if (one == kUnknownElement) return two;
@@ -175,7 +178,28 @@ ResidueFamily AtomGuesser::identify(Atom& atom, std::optional<Element> stated, N
   return naming.family;
 }
 
+ResidueFamily AtomGuesser::identify(Atom& atom, const StatedElement& stated, NamePlace place,
+                                    const NameTable& names) {
+  const AtomNaming naming{names.text(atom.residue_name), names.text(atom.name),
+                          family_of(atom.residue_name, names), place, atom.hetero};
+  if (is_virtual_site(naming, stated.what)) {
+    atom.element = kUnknownElement;
+    atom.element_guessed = false;
+    return ResidueFamily::dummy;
+  }
+  std::optional<Element> element;
+  if (stated.what == Statement::element || stated.what == Statement::placeholder) {
+    element = stated.element;
+  }
+  misstated_ += stated.what == Statement::other;
+  return identify(atom, element, place, names);
+}
+
 void AtomGuesser::add_note(Molecule& molecule, std::string_view where_missing) const {
+  if (misstated_ > 0) {
+    molecule.notes.push_back("Atoms for which the file gives what is no element: " +
+                             std::to_string(misstated_) + "; their names are used instead");
+  }
   if (guessed_ == 0) return;
   molecule.notes.push_back("Elements guessed from atom names, " + std::string(where_missing) +
                            ": " + std::to_string(guessed_) + " of " +

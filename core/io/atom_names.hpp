@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/io/stated_element.hpp"
 #include "core/molecule/molecule.hpp"
 
 namespace alphascope {
@@ -45,6 +46,11 @@ class AtomGuesser {
   ResidueFamily identify(Atom& atom, std::optional<Element> stated, NamePlace place,
                          const NameTable& names);
 
+  // The same with what the file's own column says (core/io/stated_element.hpp). A virtual site is
+  // of a dummy's residue; what is no element counts as none, and is said.
+  ResidueFamily identify(Atom& atom, const StatedElement& stated, NamePlace place,
+                         const NameTable& names);
+
   ResidueFamily family_of(NameId residue_name, const NameTable& names);
 
   // Says how many elements were guessed; `where_missing` is such as "because the file has no …".
@@ -53,7 +59,7 @@ class AtomGuesser {
 
  private:
   std::vector<std::optional<ResidueFamily>> families_;  // by NameId
-  std::size_t guessed_ = 0;
+  std::size_t guessed_ = 0, misstated_ = 0;
 };
 
 // The first characters of a text, printable, for messages.

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "core/io/virtual_sites.hpp"
 #include "core/molecule/printable.hpp"
 
 namespace alphascope {
@@ -62,6 +63,7 @@ Molecule MoleculeBuilder::finish() {
   }
   if (!radii_.empty()) radii_.resize(size(), kNoRadius);
   place(choose_digits());
+  finish_virtual_sites(molecule_);
   make_texts_printable();
   return std::move(molecule_);
 }

@@ -30,6 +30,7 @@ constexpr auto make_lookup() {
     table[letter(s[0])][s.size() > 1 ? letter(s[1]) : 26] = static_cast<Element>(z);
   }
   table[letter('D')][26] = kHydrogen;
+  table[letter('T')][26] = kHydrogen;
   return table;
 }
 

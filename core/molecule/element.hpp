@@ -6,7 +6,7 @@
 
 namespace alphascope {
 
-// Atomic number; 0 when the element is not known. Deuterium counts as hydrogen.
+// Atomic number; 0 when the element is not known. Deuterium and tritium count as hydrogen.
 using Element = std::uint8_t;
 
 inline constexpr Element kUnknownElement = 0;

@@ -1,0 +1,20 @@
+// Points of force fields and of other programs that stand in a file as atoms but are none: virtual
+// sites, lone pairs, Drude particles, dummy masses, pseudo-atoms, fpocket's alpha spheres.
+#pragma once
+
+#include "core/io/atom_names.hpp"
+#include "core/io/stated_element.hpp"
+
+namespace alphascope {
+
+// Whether an atom is such a point, by its names and what its file says of its element. A file that
+// states an element is believed; so is one that states none by an X, but for atoms of residues
+// that are known, and for unknown atoms (UNX): those are atoms of no known element.
+bool is_virtual_site(const AtomNaming& naming, Statement stated);
+
+// What only the neighbours tell: a Drude particle is named after its atom ("DCA" of CA) and stands
+// on it; so does the site OM of a water's OH2. Then says how many atoms of all get no ball. For
+// molecules whose atoms have their places.
+void finish_virtual_sites(Molecule& molecule);
+
+}  // namespace alphascope

@@ -24,7 +24,7 @@ Options input_but_ligands(InputOptions& input) {
     return flag_option(name, text, value);
   };
   return {
-      choice_option({"--format", "auto|pdb|mmcif|pqr|xyz|tinker|xyzr|charmm",
+      choice_option({"--format", "auto|pdb|pdbqt|mmcif|pqr|xyz|tinker|xyzr|charmm",
                      "Format of the file; auto recognises it by content and name"},
                     input.format),
       text_option({"--radii", radii_choices(),

@@ -28,7 +28,7 @@ const SettingIds<FileFormat>& setting_ids(FileFormat) {
   static const SettingIds<FileFormat> ids = [] {
     SettingIds<FileFormat> all{{FileFormat::unknown, "auto"}};
     for (const FileFormat format :
-         {FileFormat::pdb, FileFormat::mmcif, FileFormat::pqr, FileFormat::xyz,
+         {FileFormat::pdb, FileFormat::pdbqt, FileFormat::mmcif, FileFormat::pqr, FileFormat::xyz,
           FileFormat::tinker_xyz, FileFormat::ball_table, FileFormat::charmm_card}) {
       all.emplace_back(format, format_id(format));
     }

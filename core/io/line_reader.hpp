@@ -17,7 +17,7 @@ inline std::string_view trimmed(std::string_view text) {
   return text;
 }
 
-// Lines end with LF, CRLF or the end of the text; the ends are not part of them.
+// Lines end with LF, CRLF, LFCR or the end of the text; the ends are not part of them.
 class LineReader {
  public:
   explicit LineReader(std::string_view text) : rest_(text) {}
@@ -31,6 +31,7 @@ class LineReader {
     rest_.remove_prefix(end ? length + 1 : length);
     cut_ = !end;
     if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
+    if (!line.empty() && line.front() == '\r') line.remove_prefix(1);
     ++number_;
     return true;
   }

@@ -2,16 +2,23 @@
 // format description has them. Coordinates are taken from the text itself, because gemmi's reader
 // hands out binary doubles without line numbers, refuses old files with an identifier in columns
 // 73-80, and reads wrong numbers where a five-digit residue number pushes the columns right.
-#include <charconv>
+// PDBQT, AutoDock's, has charges and types behind the same columns.
+#include <algorithm>
 #include <limits>
 #include <optional>
 #include <unordered_map>
 #include <unordered_set>
 
 #include "core/io/atom_names.hpp"
+#include "core/io/autodock_types.hpp"
+#include "core/io/frame_marks.hpp"
 #include "core/io/line_reader.hpp"
 #include "core/io/molecule_builder.hpp"
 #include "core/io/pdb_assembly.hpp"
+#include "core/io/pdb_chain_columns.hpp"
+#include "core/io/pdb_numbers.hpp"
+#include "core/io/pdb_records.hpp"
+#include "core/io/predicted_model.hpp"
 #include "core/io/readers.hpp"
 
 namespace alphascope {
@@ -22,45 +29,8 @@ constexpr const char* kKeepColumns =
     "In a PDB file each value has its own columns; write the file again with a program that keeps "
     "to them, or as mmCIF";
 
-// Columns first..last of a line (from 1); shorter or empty where the line ends early.
-std::string_view columns(std::string_view line, std::size_t first, std::size_t last) {
-  if (line.size() < first) return {};
-  return line.substr(first - 1, last - first + 1);
-}
-
 bool is_digit(char c) {
   return c >= '0' && c <= '9';
-}
-
-bool parse_int(std::string_view text, std::int32_t& value) {
-  text = trimmed(text);
-  if (!text.empty() && text.front() == '+') text.remove_prefix(1);
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  return error == std::errc() && !text.empty() && end == text.data() + text.size();
-}
-
-// Decimal, hybrid-36 ("A0000" follows 99999) or, as some programs write, hexadecimal.
-std::int32_t parse_serial(std::string_view text, std::size_t width) {
-  std::int32_t value = 0;
-  if (parse_int(text, value)) return value;
-  text = trimmed(text);
-  if (text.size() == width && text.front() >= 'A') {
-    const bool lower = text.front() >= 'a';
-    std::int64_t number = 0;
-    for (const char c : text) {
-      const int digit = is_digit(c) ? c - '0' : (lower ? c - 'a' : c - 'A') + 10;
-      if (digit < 0 || digit > 35) return 0;
-      number = number * 36 + digit;
-    }
-    // The first letter form starts at A00…, which takes the place of 100…; lower case follows.
-    std::int64_t power = 1, decimal = 1;
-    for (std::size_t k = 1; k < width; ++k) power *= 36, decimal *= 10;
-    number += decimal * 10 - 10 * power;
-    if (lower) number += 26 * power;
-    return number <= INT32_MAX ? static_cast<std::int32_t>(number) : 0;
-  }
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value, 16);
-  return error == std::errc() && end == text.data() + text.size() ? value : 0;
 }
 
 // A field of the columns: blank, a number, or something else (cut from its neighbours wrongly).
@@ -82,8 +52,12 @@ float to_float(std::string_view text, float fallback) {
 
 class PdbReader {
  public:
-  explicit PdbReader(const ReaderInput& input)
-      : input_(input), lines_(input.text), builder_(input.source, "PDB") {
+  PdbReader(const ReaderInput& input, bool pdbqt)
+      : input_(input),
+        lines_(input.text),
+        builder_(input.source, pdbqt ? "PDBQT" : "PDB"),
+        chain_columns_(input.text),
+        pdbqt_(pdbqt) {
     builder_.reserve(input.text.size() / 81);
   }
 
@@ -94,7 +68,9 @@ class PdbReader {
       take(line);
     }
     Molecule& molecule = builder_.molecule();
-    guesser_.add_note(molecule, "because columns 77-78 hold none");
+    guesser_.add_note(molecule, pdbqt_ ? "because the column of types holds none"
+                                       : "because columns 77-78 hold none");
+    add_line_notes(molecule);
     if (shifted_lines_ > 0) {
       molecule.notes.push_back(
           "Lines read with their columns shifted right by a residue number of five or more "
@@ -102,29 +78,70 @@ class PdbReader {
           std::to_string(shifted_lines_));
     }
     assemblies_.finish(molecule);
+    predicted_.finish(molecule);
+    frames_.split(molecule);
     return builder_.finish();
   }
 
  private:
   void take(std::string_view line) {
-    // Some programs let a serial number of six digits begin in column 6.
-    const bool atom =
-        line.starts_with("ATOM ") && line.size() > 5 && (is_blank(line[5]) || is_digit(line[5]));
-    if (atom || line.starts_with("HETATM")) {
-      take_atom(line);
-    } else if (line.starts_with("MODEL") && (line.size() == 5 || is_blank(line[5]))) {
-      std::int32_t number = ++model_count_;
-      parse_int(line.substr(5), number);
-      builder_.begin_model(number);
-      between_models_ = false;
-    } else if (line.starts_with("ENDMDL")) {
-      between_models_ = true;
+    const PdbLineKind kind = kind_of_pdb_line(line);
+    if (kind.what == PdbLine::atom || kind.what == PdbLine::nearly_atom) {
+      if (kind.what == PdbLine::nearly_atom) nearly_.add(lines_.number());
+      take_atom(line.substr(kind.skip), kind.hetero);
+    } else if (kind.what == PdbLine::like_atom) {
+      unread_.add(lines_.number());
     } else if (line.starts_with("REMARK 350")) {
       assemblies_.take(line, lines_.number());
+    } else if (line.starts_with("REMARK")) {
+      predicted_.take_remark(line);
+    } else if (line.starts_with("EXPDTA")) {
+      predicted_.take_method(columns(line, 11, 79));
     } else if (line.starts_with("TITLE ")) {
       take_title(line);
     } else if (line.starts_with("MODRES")) {
       take_modified(line);
+    } else if (line.starts_with("ROOT")) {
+      pose_ = true;
+    } else {
+      take_mark(line);
+    }
+  }
+
+  void take_mark(std::string_view line) {
+    const std::string_view mark = pdb_mark(line);
+    if (mark == "MODEL") {
+      std::int32_t number = ++model_count_;
+      parse_pdb_integer(trimmed(line).substr(5), number);
+      builder_.begin_model(number);
+      between_models_ = false;
+    } else if (mark == "ENDMDL") {
+      between_models_ = true;
+    } else if (mark == "END") {
+      frames_.end_record(builder_.size());
+    } else if (mark == "TER") {
+      frames_.ter_record(builder_.size());
+    }
+  }
+
+  void add_line_notes(Molecule& molecule) const {
+    if (nearly_.count() > 0) {
+      molecule.notes.push_back(
+          "Lines read as atoms although ATOM or HETATM is not written as the "
+          "format has it: " +
+          nearly_.text());
+    }
+    if (unread_.count() > 0) {
+      molecule.notes.push_back("Lines that look like atoms and are not read: " + unread_.text());
+    }
+    if (no_place_.count() > 0) {
+      molecule.notes.push_back("Atoms left out because their place is not known (9999.000): " +
+                               no_place_.text());
+    }
+    if (residue_numbers_.no_numbers().count() > 0) {
+      molecule.notes.push_back(
+          "Residue numbers that are no numbers, so that residues are told apart by their atoms: " +
+          residue_numbers_.no_numbers().text());
     }
   }
 
@@ -142,7 +159,7 @@ class PdbReader {
     const std::string_view standard = trimmed(columns(line, 25, 27));
     if (!standard.empty() && residue_family(standard) != ResidueFamily::biopolymer) return;
     modified_.insert(
-        residue_key(columns(line, 17, 17), columns(line, 19, 22), columns(line, 23, 23)));
+        residue_key(columns(line, 16, 17), columns(line, 19, 22), columns(line, 23, 23)));
   }
 
   static std::string residue_key(std::string_view chain, std::string_view number,
@@ -151,7 +168,13 @@ class PdbReader {
            std::string(trimmed(insertion_code));
   }
 
-  void take_atom(std::string_view line) {
+  void take_atom(std::string_view line, bool hetero) {
+    std::array<Decimal, 3> position;
+    const std::size_t shift = take_position(line, position);
+    if (is_placeholder(position)) {
+      no_place_.add(lines_.number());
+      return;
+    }
     if (between_models_) {
       builder_.begin_model(++model_count_);
       between_models_ = false;
@@ -159,19 +182,27 @@ class PdbReader {
     model_count_ = std::max(model_count_, 1);
     Atom atom;
     atom.source_line = static_cast<std::uint32_t>(lines_.number());
-    atom.hetero = line[0] == 'H';
-    std::array<Decimal, 3> position;
-    const std::size_t shift = take_position(line, position);
+    atom.hetero = hetero;
     // Behind the coordinates everything is optional.
     const std::string_view rest = line.size() > shift ? line.substr(shift) : std::string_view();
     take_names(line, rest, shift, atom);
-    atom.occupancy = to_float(columns(rest, 55, 60), 1);
-    take_b_factor(to_float(columns(rest, 61, 66), kNoNumber), atom);
-    atom.segment = segment(trimmed(columns(rest, 73, 76)));
+    // A pose of AutoDock has energies there.
+    if (!pose_) {
+      atom.occupancy = to_float(columns(rest, 55, 60), 1);
+      take_b_factor(to_float(columns(rest, 61, 66), kNoNumber), atom);
+    }
+    if (!pdbqt_) atom.segment = segment(trimmed(columns(rest, 73, 76)));
     builder_.add(atom, position);
   }
 
-  // PDBQT has charges there, and there is no telling what else others write.
+  // CNS and AMBER write this for atoms that they have no coordinates of.
+  static bool is_placeholder(const std::array<Decimal, 3>& position) {
+    return std::all_of(position.begin(), position.end(), [](const Decimal& c) {
+      return (c.mantissa == 9999 && c.digits == 0) || (c.mantissa == 9999999 && c.digits == 3);
+    });
+  }
+
+  // There is no telling what others write there.
   std::uint16_t segment(std::string_view text) {
     if (text.empty() || text.find('.') != std::string_view::npos) return 0;
     if (text == last_segment_text_) return last_segment_;
@@ -243,24 +274,25 @@ class PdbReader {
   // rest: the line from `shift` on, with everything behind the coordinates in its columns.
   void take_names(std::string_view line, std::string_view rest, std::size_t shift, Atom& atom) {
     NameTable& names = builder_.molecule().names;
-    const bool six_digits = !atom.hetero && is_digit(line[5]);
-    atom.serial =
-        six_digits ? parse_serial(columns(line, 6, 11), 6) : parse_serial(columns(line, 7, 11), 5);
+    // Columns 7-11, or from column 6 or 5 on where it has six digits or seven.
+    const std::size_t first = !is_digit(line[5]) || atom.hetero ? 7 : is_digit(line[4]) ? 5 : 6;
+    atom.serial = parse_pdb_number(columns(line, first, 11), 12 - first);
     const std::string_view name = columns(line, 13, 16);
     atom.name = names.intern(trimmed(name));
     atom.altloc = column(line, 17);
     take_residue_and_chain(line, atom);
     const std::string_view number = columns(line, 23, 26 + shift);
-    atom.residue_number = parse_serial(number, 4);
+    atom.residue_number = residue_numbers_.next(number, lines_.number());
     // A fifth digit without shift: the blanks before x were used up.
     if (shift == 0 && is_digit(column(line, 27)) && is_digit(column(line, 26))) {
-      atom.residue_number = parse_serial(columns(line, 23, 27), 5);
+      atom.residue_number = parse_pdb_number(columns(line, 23, 27), 5);
     } else {
       atom.insertion_code = column(line, 27 + shift);
     }
-    const Element symbol = element_from_symbol(trimmed(columns(rest, 77, 78)));
-    const auto stated = symbol == kUnknownElement ? std::nullopt : std::optional(symbol);
-    atom.kind = atom_kind(guesser_.identify(atom, stated, place_of(name), names), atom.hetero);
+    const StatedElement stated = pdbqt_ ? autodock_element(autodock_type(rest))
+                                        : stated_element(trimmed(columns(rest, 77, 78)));
+    const ResidueFamily family = guesser_.identify(atom, stated, place(name, atom, stated), names);
+    atom.kind = atom_kind(family, atom.hetero);
     if (atom.kind == AtomKind::ligand && !modified_.empty() &&
         modified_.contains(residue_key(names.text(atom.chain), number,
                                        std::string_view(&atom.insertion_code, 1)))) {
@@ -268,17 +300,33 @@ class PdbReader {
     }
   }
 
-  // Columns 18-20 and 22; column 21 holds a fourth letter of the residue name (CHARMM) or, in big
-  // structures, the first of two of the chain: the latter when 18-20 name a standard residue.
+  // The column in which a name begins says nothing where all begin in the first.
+  NamePlace place(std::string_view name, const Atom& atom, const StatedElement& stated) {
+    const NamePlace place = place_of(name);
+    if (place != NamePlace::first_column || !atom.hetero || stated.what == Statement::element) {
+      return place;
+    }
+    if (!name_columns_) name_columns_.emplace(input_.text);
+    const std::string_view residue = builder_.molecule().text(atom.residue_name);
+    return name_columns_->left_justified(residue) ? NamePlace::free : place;
+  }
+
+  // Columns 78-79; what stands behind the charge where they are shifted.
+  static std::string_view autodock_type(std::string_view rest) {
+    const std::string_view type = trimmed(columns(rest, 78, 80));
+    if (!type.empty() && type.find(' ') == type.npos && is_blank(column(rest, 77))) return type;
+    const std::string_view behind = trimmed(columns(rest, 67, rest.size()));
+    const std::size_t blank = behind.find_last_of(" \t");
+    return blank == behind.npos ? std::string_view() : behind.substr(blank + 1);
+  }
+
+  // Columns 18-20 and 22; column 21 belongs to the one or the other.
   void take_residue_and_chain(std::string_view line, Atom& atom) {
     NameTable& names = builder_.molecule().names;
     std::string_view residue = trimmed(columns(line, 18, 20));
     std::string_view chain = trimmed(columns(line, 22, 22));
     if (column(line, 21) != ' ') {
-      const ResidueFamily family = residue_family(residue);
-      const bool two_letter_chain =
-          !chain.empty() && family != ResidueFamily::unknown && family != ResidueFamily::ligand;
-      if (two_letter_chain) {
+      if (!chain.empty() && chain_columns_.is_chain(line)) {
         chain = columns(line, 21, 22);
       } else {
         residue = trimmed(columns(line, 18, 21));
@@ -301,11 +349,18 @@ class PdbReader {
   MoleculeBuilder builder_;
   AtomGuesser guesser_;
   PdbAssemblyRecords assemblies_;
+  PdbChainColumns chain_columns_;
+  PredictedModel predicted_;
+  FrameMarks frames_;
+  CountedLines nearly_, unread_, no_place_;
+  PdbResidueNumbers residue_numbers_;
   std::unordered_set<std::string> modified_;  // residues that MODRES names
   std::unordered_map<std::string, std::uint16_t> segments_;
   std::string_view last_segment_text_;  // of the text that is read
   std::uint16_t last_segment_ = 0;
   int model_count_ = 0;
+  std::optional<PdbNameColumns> name_columns_;  // once it matters
+  bool pdbqt_, pose_ = false;
   bool between_models_ = false;
   std::size_t shifted_lines_ = 0;
 };
@@ -313,7 +368,11 @@ class PdbReader {
 }  // namespace
 
 Molecule read_pdb(const ReaderInput& input) {
-  return PdbReader(input).read();
+  return PdbReader(input, false).read();
+}
+
+Molecule read_pdbqt(const ReaderInput& input) {
+  return PdbReader(input, true).read();
 }
 
 }  // namespace alphascope

@@ -13,7 +13,8 @@ namespace {
 constexpr std::size_t kHashInThreadFrom = std::size_t{1} << 20;  // bytes
 
 constexpr const char* kFormats =
-    "Formats that can be opened: PDB, mmCIF, PQR, XYZ, XYZR and CRD (x y z r, or CHARMM cards), "
+    "Formats that can be opened: PDB, PDBQT, mmCIF, PQR, XYZ, XYZR and CRD (x y z r, or CHARMM "
+    "cards), "
     "also packed as .gz";
 
 void refuse_blank(const std::filesystem::path& path, std::string_view text) {
@@ -31,6 +32,8 @@ Molecule read_format(FileFormat format, const ReaderInput& input) {
   switch (format) {
     case FileFormat::pdb:
       return read_pdb(input);
+    case FileFormat::pdbqt:
+      return read_pdbqt(input);
     case FileFormat::mmcif:
       return read_mmcif(input);
     case FileFormat::pqr:
@@ -64,7 +67,7 @@ Molecule read_molecule(const std::filesystem::path& path, const ReadOptions& opt
   Molecule molecule = read_format(format, {path, loaded.text, context});
   molecule.sha256 = hash.get();
   // PDB columns tell where a cut goes through a number; elsewhere nothing does.
-  if (molecule.format != "PDB" && loaded.text.back() != '\n') {
+  if (molecule.format != "PDB" && molecule.format != "PDBQT" && loaded.text.back() != '\n') {
     molecule.notes.push_back(
         "The last line has no line end: if the file was cut off, its last atom may be wrong");
   }

@@ -22,9 +22,9 @@ struct ReadOptions {
   friend bool operator==(const ReadOptions&, const ReadOptions&) = default;
 };
 
-// Formats: PDB, mmCIF, PQR, XYZ (plain, extended, Tinker), XYZR and tables of balls, CRD (x y z r
-// with or without count, CHARMM cards). Told apart by content first, then by extension. Throws
-// ReadError with a sentence for people, and Cancelled.
+// Formats: PDB, PDBQT, mmCIF, PQR, XYZ (plain, extended, Tinker), XYZR and tables of balls, CRD (x
+// y z r with or without count, CHARMM cards). Told apart by content first, then by extension.
+// Throws ReadError with a sentence for people, and Cancelled.
 Molecule read_molecule(const std::filesystem::path& path, const ReadOptions& options = {},
                        const RunContext& context = {});
 

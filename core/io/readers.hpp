@@ -35,6 +35,9 @@ Molecule read_format(FileFormat format, const ReaderInput& input);
 // model of their own.
 Molecule read_pdb(const ReaderInput& input);
 
+// PDBQT of AutoDock and Vina: the same records with AutoDock's types; poses are models.
+Molecule read_pdbqt(const ReaderInput& input);
+
 // The atom_site table of the first data block that has one.
 Molecule read_mmcif(const ReaderInput& input);
 

@@ -33,6 +33,40 @@ bool has_pdb_record(std::string_view text) {
   return false;
 }
 
+// "ROOT", "BRANCH  1  7", "TORSDOF 3" and AutoDock's remarks: no other format has them.
+bool is_pdbqt_record(std::string_view line) {
+  std::string_view rest = line;
+  const std::string_view word = next_field(rest);
+  constexpr std::string_view kWords[] = {"ROOT",      "ENDROOT", "BRANCH",
+                                         "ENDBRANCH", "TORSDOF", "BEGIN_RES"};
+  return std::find(std::begin(kWords), std::end(kWords), word) != std::end(kWords) ||
+         (word == "REMARK" && trimmed(rest).starts_with("VINA RESULT"));
+}
+
+// An atom with AutoDock's charge of three digits in columns 71-76 and a type in 78-79.
+bool is_pdbqt_atom(std::string_view line) {
+  if (line.size() < 78 || line[72] != '.' || line[76] != ' ') return false;
+  Decimal charge;
+  if (parse_decimal(trimmed(line.substr(68, 8)), charge) != DecimalStatus::ok) return false;
+  const char type = line[77];
+  return (type >= 'A' && type <= 'Z') || (type >= 'a' && type <= 'z');
+}
+
+// Whether a text of PDB records is PDBQT: by a record that only it has, or by its first atoms.
+bool is_pdbqt(std::string_view text) {
+  constexpr int kAtomsToLookAt = 20;
+  LineReader lines(text);
+  std::string_view line;
+  int atoms = 0;
+  for (int k = 0; k < kLinesToLookAt && atoms < kAtomsToLookAt && lines.next(line); ++k) {
+    if (is_pdbqt_record(line)) return true;
+    if (!line.starts_with("ATOM  ") && !line.starts_with("HETATM")) continue;
+    if (!is_pdbqt_atom(line)) return false;
+    ++atoms;
+  }
+  return atoms > 0;
+}
+
 bool is_cif_start(std::string_view line) {
   return line.size() >= 5 && (line[0] | 0x20) == 'd' && (line[1] | 0x20) == 'a' &&
          (line[2] | 0x20) == 't' && (line[3] | 0x20) == 'a' && line[4] == '_';
@@ -118,11 +152,13 @@ FileFormat sniff_content(std::string_view text, std::string_view extension) {
     }
     if (is_pdb_record(line)) {
       if (extension == ".pqr") return FileFormat::pqr;
+      if (is_pdbqt(text)) return FileFormat::pdbqt;
       if (!line.starts_with("REMARK")) return FileFormat::pdb;
       continue;  // a later remark may say that this is PQR
     }
     const std::string_view data = trimmed(line);
     if (data.empty() || data.front() == '#') continue;
+    if (is_pdbqt_record(line)) return FileFormat::pdbqt;
     if (is_cif_start(data)) return FileFormat::mmcif;
     if (k == 0 && data.front() == '*') return sniff_card(text, extension);
     if (field_kinds(data).starts_with('i')) {
@@ -134,11 +170,14 @@ FileFormat sniff_content(std::string_view text, std::string_view extension) {
   return FileFormat::unknown;
 }
 
-constexpr std::pair<std::string_view, FileFormat> kIds[] = {
-    {"pdb", FileFormat::pdb},           {"mmcif", FileFormat::mmcif},
-    {"pqr", FileFormat::pqr},           {"xyz", FileFormat::xyz},
-    {"tinker", FileFormat::tinker_xyz}, {"xyzr", FileFormat::ball_table},
-    {"charmm", FileFormat::charmm_card}};
+constexpr std::pair<std::string_view, FileFormat> kIds[] = {{"pdb", FileFormat::pdb},
+                                                            {"mmcif", FileFormat::mmcif},
+                                                            {"pqr", FileFormat::pqr},
+                                                            {"xyz", FileFormat::xyz},
+                                                            {"tinker", FileFormat::tinker_xyz},
+                                                            {"xyzr", FileFormat::ball_table},
+                                                            {"charmm", FileFormat::charmm_card},
+                                                            {"pdbqt", FileFormat::pdbqt}};
 
 }  // namespace
 
@@ -164,6 +203,7 @@ FileFormat sniff_format(const std::filesystem::path& path, std::string_view text
   if (text.substr(0, 4096).find('\0') != std::string_view::npos) return FileFormat::unknown;
   // Damaged or truncated: the reader of the extension says best what is wrong.
   if ((extension == ".pdb" || extension == ".ent") && has_pdb_record(text)) return FileFormat::pdb;
+  if (extension == ".pdbqt" && has_pdb_record(text)) return FileFormat::pdbqt;
   if (extension == ".cif" || extension == ".mmcif") return FileFormat::mmcif;
   if (extension == ".pqr") return FileFormat::pqr;
   if (extension == ".xyz") return FileFormat::xyz;

@@ -15,10 +15,11 @@ enum class FileFormat : unsigned char {
   xyz,
   tinker_xyz,
   ball_table,
-  charmm_card
+  charmm_card,
+  pdbqt
 };
 
-// "pdb", "mmcif", "pqr", "xyz", "tinker", "xyzr" (all tables of balls), "charmm".
+// "pdb", "mmcif", "pqr", "xyz", "tinker", "xyzr" (all tables of balls), "charmm", "pdbqt".
 std::optional<FileFormat> format_from_id(std::string_view id);
 std::string_view format_id(FileFormat format);  // "" for unknown
 

@@ -7,9 +7,9 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {
   if (size == 0) return 0;
-  constexpr const char* kNames[] = {"a",     "a.pdb",  "a.cif", "a.pqr",
-                                    "a.xyz", "a.xyzr", "a.crd", "a.ent.gz"};
-  const std::filesystem::path name = kNames[data[0] % 8];
+  constexpr const char* kNames[] = {"a",      "a.pdb", "a.cif",    "a.pqr",  "a.xyz",
+                                    "a.xyzr", "a.crd", "a.ent.gz", "a.pdbqt"};
+  const std::filesystem::path name = kNames[data[0] % 9];
   const std::string_view text(reinterpret_cast<const char*>(data) + 1, size - 1);
   alphascope::fuzz::check_reading([&] {
     return alphascope::read_format(alphascope::sniff_format(name, text), {name, text, {}});

@@ -21,8 +21,8 @@ namespace fs = std::filesystem;
 bool looks_like_molecule(const fs::path& path) {
   std::string extension = lower_case(path.extension().string());
   if (extension == ".gz") extension = lower_case(path.stem().extension().string());
-  static constexpr const char* kKnown[] = {".pdb",  ".ent", ".cif", ".mmcif",
-                                           ".xyzr", ".pqr", ".xyz", ".crd"};
+  static constexpr const char* kKnown[] = {".pdb",  ".ent", ".pdbqt", ".cif", ".mmcif",
+                                           ".xyzr", ".pqr", ".xyz",   ".crd"};
   return std::any_of(std::begin(kKnown), std::end(kKnown),
                      [&](const char* known) { return extension == known; });
 }

@@ -1,11 +1,14 @@
 // PQR, as PDB2PQR and APBS use it: ATOM and HETATM lines with fields between blanks,
-//   serial name residue [chain] residue-number x y z charge radius
-// and the PDB's columns where coordinates grow into one another. The charge is not used.
+//   serial name residue [chain] residue-number x y z charge radius [element]
+// and the PDB's columns where coordinates grow into one another. The charge is not used. The
+// element is Open Babel's; ambpdb's old files say in a remark that their radius comes first.
 #include <charconv>
 
 #include "core/io/atom_names.hpp"
+#include "core/io/frame_marks.hpp"
 #include "core/io/line_reader.hpp"
 #include "core/io/molecule_builder.hpp"
+#include "core/io/pdb_records.hpp"
 #include "core/io/readers.hpp"
 
 namespace alphascope {
@@ -24,6 +27,7 @@ class PqrReader {
       : input_(input), lines_(input.text), builder_(input.source, "PQR") {}
 
   Molecule read() {
+    refuse_pdb();
     std::string_view line;
     while (lines_.next(line)) {
       if (lines_.number() % kProgressLines == 0) input_.report(lines_.bytes_left());
@@ -37,9 +41,20 @@ class PqrReader {
         between_models_ = false;
       } else if (line.starts_with("ENDMDL")) {
         between_models_ = true;
+      } else if (line.starts_with("REMARK") && line.find("radii in columns 55-62") != line.npos) {
+        radius_first_ = true;
+      } else if (pdb_mark(line) == "END") {
+        frames_.end_record(builder_.size());
+      } else if (pdb_mark(line) == "TER") {
+        frames_.ter_record(builder_.size());
       }
     }
     guesser_.add_note(builder_.molecule(), "because PQR files hold none");
+    if (radius_first_) {
+      builder_.molecule().notes.push_back(
+          "Radii are read from before the charges, as a remark of the file says");
+    }
+    frames_.split(builder_.molecule());
     return builder_.finish();
   }
 
@@ -52,12 +67,13 @@ class PqrReader {
     atom.source_line = static_cast<std::uint32_t>(lines_.number());
     std::array<Decimal, 3> position;
     Decimal radius;
+    element_ = {};
     if (!take_fields(line.substr(tag), atom, position, radius)) {
       take_columns(line, tag, atom, position, radius);
     }
     if (radius.mantissa < 0) fail("the radius is negative", "Radii are in Å and at least 0");
-    const ResidueFamily family =
-        guesser_.identify(atom, std::nullopt, NamePlace::free, builder_.molecule().names);
+    const ResidueFamily family = guesser_.identify(atom, stated_element(element_), NamePlace::free,
+                                                   builder_.molecule().names);
     atom.kind = atom_kind(family, atom.hetero);
     builder_.add(atom, position, radius);
   }
@@ -70,10 +86,12 @@ class PqrReader {
       fields_[n] = next_field(rest);
       if (fields_[n].empty()) break;
     }
+    // Behind ten or eleven fields may be the element.
+    if (n >= 10 && is_element(fields_[n - 1])) element_ = fields_[--n];
     if (n < 9 || n > 10) return false;
     for (std::size_t k = 0; k < 5; ++k) {
       Decimal charge;
-      Decimal& value = k < 3 ? position[k] : k == 3 ? charge : radius;
+      Decimal& value = k < 3 ? position[k] : (k == 3) != radius_first_ ? charge : radius;
       if (parse_decimal(fields_[n - 5 + k], value) != DecimalStatus::ok) return false;
     }
     name_atom(atom, fields_[0], fields_[1], fields_[2], n == 10 ? fields_[3] : std::string_view(),
@@ -90,9 +108,14 @@ class PqrReader {
       position[k] = number(trimmed(columns(31 + 8 * k, 38 + 8 * k)), "xyz"[k]);
     }
     std::string_view rest = columns(55, line.size());
-    number(next_field(rest), 'q');
-    radius = number(next_field(rest), 'r');
-    if (!trimmed(rest).empty()) fail_shape();
+    const Decimal charge = number(next_field(rest), radius_first_ ? 'r' : 'q');
+    radius = number(next_field(rest), radius_first_ ? 'q' : 'r');
+    if (radius_first_) radius = charge;
+    if (is_element(trimmed(rest))) {
+      element_ = trimmed(rest);
+    } else if (!trimmed(rest).empty()) {
+      fail_shape();
+    }
     std::string_view front = columns(tag + 1, 30);
     std::size_t n = 0;
     for (; n < kMostFields; ++n) {
@@ -102,6 +125,39 @@ class PqrReader {
     if (n < 4 || n > 5) fail_shape();
     name_atom(atom, fields_[0], fields_[1], fields_[2], n == 5 ? fields_[3] : std::string_view(),
               fields_[n - 1]);
+  }
+
+  static bool is_element(std::string_view text) {
+    return stated_element(text).what == Statement::element;
+  }
+
+  // Occupancies and B factors in place of charges and radii, each with two digits in the columns
+  // that the PDB format has for them, and one of them too large for a radius, or elements behind.
+  void refuse_pdb() const {
+    constexpr double kLargestRadius = 4;  // Å
+    LineReader lines(input_.text);
+    std::string_view line;
+    bool too_large = false;
+    std::size_t first = 0;
+    while (lines.next(line)) {
+      if (!line.starts_with("ATOM") && !line.starts_with("HETATM")) continue;
+      if (first == 0) first = lines.number();
+      Decimal occupancy, b_factor;
+      const std::string_view q = columns(line, 55, 60), r = columns(line, 61, 66);
+      const bool as_printed = q.size() == 6 && r.size() == 6 && q[3] == '.' && r[3] == '.';
+      if (!as_printed || parse_decimal(trimmed(q), occupancy) != DecimalStatus::ok ||
+          parse_decimal(trimmed(r), b_factor) != DecimalStatus::ok) {
+        return;
+      }
+      if (occupancy.to_double() < 0 || occupancy.to_double() > 1) return;
+      const bool element = is_element(trimmed(columns(line, 77, 78)));
+      too_large = too_large || element || b_factor.to_double() > kLargestRadius;
+    }
+    if (!too_large) return;
+    throw ReadError(input_.source, first,
+                    "this is a PDB file: columns 55-66 hold occupancies and B factors, and no "
+                    "charges and radii",
+                    "A PDB file should be named .pdb");
   }
 
   void name_atom(Atom& atom, std::string_view serial, std::string_view name,
@@ -156,9 +212,10 @@ class PqrReader {
   MoleculeBuilder builder_;
   AtomGuesser guesser_;
   std::array<std::string_view, kMostFields> fields_;
-  std::string_view line_;
+  FrameMarks frames_;
+  std::string_view line_, element_;
   int models_ = 0;
-  bool between_models_ = false;
+  bool between_models_ = false, radius_first_ = false;
 };
 
 }  // namespace

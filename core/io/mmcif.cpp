@@ -1,5 +1,6 @@
 // mmCIF: the atom_site table, assemblies and the title. Numbers stay text until they are on the
 // lattice, and every value knows its line.
+#include <algorithm>
 #include <charconv>
 #include <optional>
 #include <set>
@@ -9,6 +10,7 @@
 #include "core/io/line_reader.hpp"
 #include "core/io/mmcif_assembly.hpp"
 #include "core/io/molecule_builder.hpp"
+#include "core/io/predicted_model.hpp"
 #include "core/io/readers.hpp"
 #include "core/molecule/letter_case.hpp"
 
@@ -16,6 +18,8 @@ namespace alphascope {
 namespace {
 
 constexpr std::string_view kAtomSite = "_atom_site.";
+constexpr std::string_view kComponentAtom = "_chem_comp_atom.";
+constexpr std::string_view kMetric = "_ma_qa_metric.";
 constexpr std::size_t kProgressRows = 16384;
 
 // The columns that we use; in the order of kColumnTags.
@@ -83,6 +87,24 @@ class MmcifReader : public CifHandler {
   void loop_value(std::string_view raw, std::size_t line) override {
     if (kind_ == Table::undecided) kind_ = recognise();
     if (kind_ == Table::other) return;
+    if (kind_ == Table::metrics) {
+      predicted_.take_metric(plain(raw));
+      return;
+    }
+    if (kind_ == Table::methods) {
+      take_method(tags_[column_], plain(raw));
+      column_ = (column_ + 1) % tags_.size();
+      return;
+    }
+    if (kind_ == Table::spheres) {
+      ++sphere_values_;
+      sphere_columns_ = tags_.size();
+      return;
+    }
+    if (kind_ == Table::component) {
+      component_.push_back({raw, line});
+      return;
+    }
     if (kind_ == Table::assembly) {
       assemblies_.add(tags_[column_], plain(raw), line);
       column_ = (column_ + 1) % tags_.size();
@@ -114,6 +136,8 @@ class MmcifReader : public CifHandler {
     } else if (MmcifAssemblyTables::wants(item_)) {
       assemblies_.add(item_, plain(raw), line);
     }
+    if (item_.starts_with(kMetric)) predicted_.take_metric(plain(raw));
+    take_method(item_, plain(raw));
     fractional_ |= item_.starts_with("_atom_site_fract") || item_ == "_cell_length_a";
   }
 
@@ -124,22 +148,50 @@ class MmcifReader : public CifHandler {
       kind_ = recognise();
       take_row();
     }
+    if (builder_.size() == 0 && !component_.empty()) take_component();
     if (builder_.size() == 0) refuse_without_atoms();
+    if (sphere_values_ > 0) {
+      builder_.molecule().notes.push_back(
+          "The model also has spheres in place of atoms (ihm_sphere_obj_site), which are not "
+          "read: " +
+          std::to_string(sphere_values_ / sphere_columns_));
+    }
     if (ignored_blocks_ > 0) {
       builder_.molecule().notes.push_back(
           "Only the first data block with atoms is read; further blocks with atoms are ignored");
     }
     guesser_.add_note(builder_.molecule(), "because the column type_symbol holds none");
+    predicted_.finish(builder_.molecule());
     assemblies_.finish(builder_.molecule());
     return builder_.finish();
   }
 
  private:
-  enum class Table : std::uint8_t { undecided, atoms, assembly, other };
+  enum class Table : std::uint8_t {
+    undecided,
+    atoms,
+    assembly,
+    component,
+    metrics,
+    methods,
+    spheres,
+    other
+  };
+
+  void take_method(std::string_view tag, std::string_view method) {
+    if (tag == "_exptl.method") predicted_.take_method(method);
+  }
 
   Table recognise() {
     for (const std::string& tag : tags_) fractional_ |= tag == "_atom_site_fract_x";
     if (MmcifAssemblyTables::wants(tags_.front())) return Table::assembly;
+    if (tags_.front().starts_with(kMetric)) return Table::metrics;
+    if (tags_.front().starts_with("_exptl.")) return Table::methods;
+    if (tags_.front().starts_with("_ihm_sphere_obj_site.")) return Table::spheres;
+    if (tags_.front().starts_with(kComponentAtom) && component_.empty()) {
+      component_tags_ = tags_;
+      return Table::component;
+    }
     if (!tags_.front().starts_with(kAtomSite)) return Table::other;
     if (builder_.size() > 0 && block_ != atoms_block_) {
       ++ignored_blocks_;
@@ -193,14 +245,59 @@ class MmcifReader : public CifHandler {
     atom.residue_number = integer(kAuthSeq, integer(kLabelSeq, 0));
     atom.occupancy = real(kOccupancy, 1);
     take_b_factor(real(kBFactor, kNoNumber), atom);
-    // A symbol that is no element (X) stays unknown.
-    std::optional<Element> stated;
-    if (!value(kSymbol).empty()) stated = element_from_symbol(value(kSymbol));
+    // A symbol that says that there is no known element (X) leaves it unknown.
+    const StatedElement stated = stated_element(trimmed(value(kSymbol)));
     const ResidueFamily family = guesser_.identify(atom, stated, NamePlace::free, names);
     const bool in_polymer = !value(kLabelSeq).empty();
     atom.kind = atom_kind(family, atom.hetero && !in_polymer);
     if (in_polymer && atom.kind == AtomKind::ligand) atom.kind = AtomKind::polymer;
     builder_.add(atom, position);
+  }
+
+  // A chemical component with coordinates and no atom_site table: of the wwPDB's dictionary or of
+  // programs that make ligands. Ideal coordinates where those of the model are not complete.
+  void take_component() {
+    NameTable& names = builder_.molecule().names;
+    const std::size_t width = component_tags_.size();
+    const auto column = [&](std::string_view name) {
+      const auto at = std::find(component_tags_.begin(), component_tags_.end(),
+                                std::string(kComponentAtom) + std::string(name));
+      return static_cast<std::size_t>(at - component_tags_.begin());
+    };
+    const auto text = [&](std::size_t row, std::size_t at) {
+      return at < width ? plain(component_[row * width + at].raw) : std::string_view();
+    };
+    const std::size_t rows = component_.size() / width;
+    const std::string_view from[] = {"model_cartn_", "pdbx_model_cartn_"};
+    const std::string_view behind[] = {"", "_ideal"};
+    for (std::size_t k = 0; k < 2 && builder_.size() == 0; ++k) {
+      std::array<std::size_t, 3> place{};
+      bool whole = rows > 0;
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        place[axis] = column(std::string(from[k]) + "xyz"[axis] + std::string(behind[k]));
+        for (std::size_t row = 0; row < rows; ++row) whole &= !text(row, place[axis]).empty();
+      }
+      if (!whole) continue;
+      for (std::size_t row = 0; row < rows; ++row) {
+        std::array<Decimal, 3> position;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+          position[axis] = coordinate(component_[row * width + place[axis]], "xyz"[axis]);
+        }
+        Atom atom;
+        atom.source_line = static_cast<std::uint32_t>(component_[row * width].line);
+        atom.hetero = true;
+        atom.serial = static_cast<std::int32_t>(row + 1);
+        atom.residue_number = 1;
+        atom.name = names.intern(text(row, column("atom_id")));
+        atom.residue_name = names.intern(text(row, column("comp_id")));
+        const StatedElement stated = stated_element(trimmed(text(row, column("type_symbol"))));
+        atom.kind = atom_kind(guesser_.identify(atom, stated, NamePlace::free, names), true);
+        builder_.add(atom, position);
+      }
+      builder_.molecule().notes.push_back(
+          std::string("The file describes a chemical component; its ") +
+          (k == 0 ? "model" : "ideal") + " coordinates are read");
+    }
   }
 
   void begin_model_if_new() {
@@ -215,9 +312,12 @@ class MmcifReader : public CifHandler {
   }
 
   Decimal coordinate(Column column) const {
-    const CifValue& source = row_[*where_[column]];
+    return coordinate(row_[*where_[column]], "xyz"[column - kX]);
+  }
+
+  Decimal coordinate(const CifValue& source, char axis) const {
     std::string_view text = plain(source.raw);
-    const std::string name = std::string("Cartn_") + "xyz"[column - kX];
+    const std::string name = std::string("Cartn_") + axis;
     if (text.empty()) {
       fail(source.line, name + " has no value (" + shortened(source.raw) + ")",
            "Every atom needs three coordinates; remove this atom or complete it");
@@ -265,7 +365,10 @@ class MmcifReader : public CifHandler {
   AtomGuesser guesser_;
   MmcifAssemblyTables assemblies_;
   std::vector<std::string> tags_, single_tags_;
-  std::vector<CifValue> row_, single_row_;
+  std::vector<CifValue> row_, single_row_, component_;
+  std::vector<std::string> component_tags_;
+  PredictedModel predicted_;
+  std::size_t sphere_values_ = 0, sphere_columns_ = 1;
   std::array<std::optional<std::size_t>, kColumnCount> where_{};
   std::string item_;
   std::set<std::int32_t> models_;

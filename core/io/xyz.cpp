@@ -3,11 +3,13 @@
 // files of the same name have no comment and number their atoms.
 #include <charconv>
 #include <optional>
+#include <set>
 
 #include "core/io/atom_names.hpp"
 #include "core/io/line_reader.hpp"
 #include "core/io/molecule_builder.hpp"
 #include "core/io/readers.hpp"
+#include "core/io/virtual_sites.hpp"
 
 namespace alphascope {
 namespace {
@@ -25,13 +27,15 @@ bool parse_count(std::string_view text, std::size_t& count) {
   return error == std::errc() && end == text.data() + text.size();
 }
 
-// "C", "CL", "C12", "6": a symbol, perhaps numbered, or an atomic number; kUnknownElement for an
-// atom's name or a placeholder.
+// "C", "CL", "C12", "13C", "6": a symbol, perhaps numbered or with its isotope's mass, or an atomic
+// number; kUnknownElement for an atom's name or a placeholder.
 Element element_of(std::string_view symbol) {
   std::size_t number = 0;
   if (parse_count(symbol, number)) {
     return number <= kHeaviestElement ? static_cast<Element>(number) : kUnknownElement;
   }
+  const std::size_t mass = std::min(symbol.find_first_not_of("0123456789"), symbol.size());
+  if (mass > 0 && mass <= 3) return element_from_symbol(symbol.substr(mass));
   std::size_t letters = 0;
   while (letters < symbol.size() && (symbol[letters] | 0x20) >= 'a' &&
          (symbol[letters] | 0x20) <= 'z') {
@@ -71,6 +75,7 @@ class XyzReader {
       }
     }
     if (!tinker_ && guesser_.guessed() > 0) read_all_as_names();
+    if (are_types()) forget_elements();
     guesser_.add_note(builder_.molecule(), "because they stand in place of symbols");
     return builder_.finish();
   }
@@ -101,7 +106,10 @@ class XyzReader {
   void read_comment() {
     std::string_view comment;
     if (!lines_.next(comment)) return;
-    if (builder_.size() == 0) builder_.molecule().title = std::string(trimmed(comment));
+    if (builder_.size() == 0) {
+      builder_.molecule().title = std::string(trimmed(comment));
+      of_lammps_ = builder_.molecule().title.starts_with("Atoms. Timestep");
+    }
     layout_ = {};
     const std::size_t at = comment.find("Properties=");
     if (at == std::string_view::npos) return;
@@ -174,9 +182,33 @@ class XyzReader {
     atom.serial = static_cast<std::int32_t>(builder_.size() + 1);
     atom.name = builder_.molecule().names.intern(symbol);
     take_element(atom, symbol);
+    std::size_t number = 0;
+    if (parse_count(symbol, number)) {
+      numbers_.insert(number);
+    } else {
+      only_numbers_ = false;
+    }
     if (!radius) return builder_.add(atom, position);
     if (radius->mantissa < 0) fail("the radius is negative", "Radii are in Å and at least 0");
     builder_.add(atom, position, *radius);
+  }
+
+  // Whether numbers in place of symbols count the types of a simulation: always in LAMMPS' files,
+  // and where they are 1, 2, 3 … with none left out, which would begin with hydrogen and helium.
+  // Three atoms and more of type 1 alone are no molecule of hydrogen.
+  bool are_types() const {
+    if (tinker_ || !only_numbers_ || numbers_.empty()) return false;
+    const bool in_turn = *numbers_.begin() == 1 && *numbers_.rbegin() == numbers_.size();
+    return of_lammps_ || (in_turn && (numbers_.size() > 1 || builder_.size() > 2));
+  }
+
+  void forget_elements() {
+    Molecule& molecule = builder_.molecule();
+    for (Atom& atom : molecule.atoms) atom.element = kUnknownElement;
+    molecule.notes.push_back(
+        "The numbers in place of symbols are types of a simulation (" +
+        std::to_string(numbers_.size()) +
+        "), which name no elements: write symbols or atomic numbers there to have radii");
   }
 
   // Tinker has force field names there, such as CA, HN, OW and Na+; so have some XYZ files.
@@ -189,10 +221,17 @@ class XyzReader {
       const bool name = element == kUnknownElement && kOfNames.find(symbol[0]) != kOfNames.npos;
       if (!name) {
         guesser_.identify(atom, element, NamePlace::free, names);
+        // "MW", "EP": points of a force field; "X", "Bq", "Du" stay atoms of no element.
+        constexpr std::string_view kOfSites = "MELV";
+        if (element == kUnknownElement && kOfSites.find(symbol[0]) != kOfSites.npos &&
+            is_virtual_site({"", symbol}, Statement::none)) {
+          atom.kind = AtomKind::dummy;
+        }
         return;
       }
     }
-    guesser_.identify(atom, std::nullopt, NamePlace::free, names);
+    const ResidueFamily family = guesser_.identify(atom, StatedElement{}, NamePlace::free, names);
+    if (family == ResidueFamily::dummy) atom.kind = AtomKind::dummy;
   }
 
   // Beside names such as HB2, "CA", "NE" and "OG" are names too, and no Ca, Ne and Og. "NA" is
@@ -227,7 +266,8 @@ class XyzReader {
   MoleculeBuilder builder_;
   AtomGuesser guesser_;
   XyzLayout layout_;
-  bool tinker_;
+  std::set<std::size_t> numbers_;  // in place of symbols
+  bool tinker_, only_numbers_ = true, of_lammps_ = false;
   std::size_t count_ = 0, count_line_ = 0;
 };
 

@@ -177,6 +177,7 @@ TEST_F(CliUsage, MessagesNameOptionsThatExist) {
   for (const std::string& command : commands()) known.merge(options(command, false));
   known.merge(options("", false));
   const std::regex option("(^|[ (\"])(--[a-z][a-z-]*[a-z])");
+  const std::regex literal("\"(?:[^\"\\\\]|\\\\.)*\"");
   int seen = 0;
   for (const char* layer : {"core", "app/cli", "app/session", "gpu"}) {
     for (const auto& entry :
@@ -185,9 +186,12 @@ TEST_F(CliUsage, MessagesNameOptionsThatExist) {
       std::istringstream lines(contents(entry.path()));
       for (std::string line; std::getline(lines, line);) {
         if (line.find("//") < line.find('"')) continue;
-        for (std::sregex_iterator m(line.begin(), line.end(), option), last; m != last; ++m) {
-          EXPECT_TRUE(known.contains((*m)[2])) << entry.path() << ": " << line;
-          ++seen;
+        for (std::sregex_iterator s(line.begin(), line.end(), literal), last; s != last; ++s) {
+          const std::string text = s->str();
+          for (std::sregex_iterator m(text.begin(), text.end(), option); m != last; ++m) {
+            EXPECT_TRUE(known.contains((*m)[2])) << entry.path() << ": " << line;
+            ++seen;
+          }
         }
       }
     }
@@ -275,7 +279,10 @@ TEST_F(CliUsage, CommandLinesOfTheGuideAreUnderstood) {
     if (line.find("FILE") == line.npos && line.find('.') == line.npos) continue;
     if (!kDrawsPictures && (command == "screenshot" || command == "frames")) continue;
     const std::string words = typed(line);
-    const Outcome outcome = run(words, "/dev/null");
+    // Of a list of files, and of a molecule that is none.
+    const bool null_separated = line.find("--null") != line.npos;
+    const Outcome outcome =
+        run(words, write("list", null_separated ? std::string("none.pdb", 9) : "none.pdb\n"));
     // The molecules of the examples are not here: reading fails, understanding does not.
     EXPECT_NE(outcome.code, 2) << words << "\n" << outcome.err;
   }

@@ -21,7 +21,8 @@ bool is_placeholder(const std::string& word) {
 // `help` and `help COMMAND`, as many programs have them beside --help.
 OptionCommand help_command(const OptionProgram& program) {
   std::string known;
-  for (const OptionCommand& c : program.commands) known += (known.empty() ? "" : "|") + c.name;
+  for (const OptionCommand& c : program.commands) known += c.name + "|";
+  known += "help";
   return {.name = "help",
           .text = "Print the help of the program, or that of a command",
           .options = {{.names = "COMMAND",

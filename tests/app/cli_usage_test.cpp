@@ -10,6 +10,8 @@ namespace {
 
 const std::string kCrambin = ALPHASCOPE_SOURCE_DIR "/resources/molecules/1crn.pdb";
 
+const std::string kHaemoglobin = ALPHASCOPE_SOURCE_DIR "/resources/molecules/4hhb.pdb.gz";
+
 class CliUsage : public Cli {
  protected:
   std::string cube() const { return "'" + cube_.string() + "' "; }
@@ -151,10 +153,8 @@ TEST_F(CliUsage, NoTerminalGetsEscapeSequences) {
   if (std::system("script --version >/dev/null 2>&1") != 0) GTEST_SKIP() << "needs script";
   const auto shown = [&](const std::string& environment) {
     const fs::path out = folder_ / "shown";
-    const std::string work = "\"" ALPHASCOPE_CLI
-                             "\" bench --suite thesis --runs 1 --engines "
-                             "tuples-cpu --alpha 5 --no-ablation \"" +
-                             kCrambin + "\"";
+    const std::string work =
+        "\"" ALPHASCOPE_CLI "\" compute --engine tuples-cpu --alpha 6 \"" + kHaemoglobin + "\"";
     EXPECT_EQ(std::system((environment + " script -qec '" + work + "' /dev/null >'" + out.string() +
                            "' </dev/null 2>&1")
                               .c_str()),

@@ -47,7 +47,7 @@ class Scanner {
       }
     }
   }
-  // To the value of the last member of this name, which is the one that counts. False: there is
+  // To the value of the last member of this name: of two, the one that is refused. False: there is
   // none.
   bool enter_member(const std::string& name) {
     std::size_t found = std::string_view::npos;

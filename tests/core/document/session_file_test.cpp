@@ -247,8 +247,6 @@ TEST(SessionFile, AWrongValueIsToldWithItsLine) {
   expect(",\"picture\": { \"width\": 7 }", "2", "\"picture.width\" is 7");
   expect(",\"recording\": { \"content\": { \"kind\": \"film\" } }", "2", "\"turntable\"");
   expect(",\"radii_table\": { \"path\": \"r\", \"sha256\": \"1\" }", "2", "64 digits");
-  // The last of two of one name counts, as for everybody who reads JSON.
-  expect(",\"display\": { \"balls\": true,\n\"balls\": 0 }", "3", "must be true or false");
 }
 
 TEST(SessionFile, ManyFaultsAreCountedAndTheFirstLineIsTold) {

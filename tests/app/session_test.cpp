@@ -132,6 +132,30 @@ TEST_F(SessionTest, AnAnswerThatComesWithAnotherFileIsNotShownOnIt) {
   EXPECT_EQ(session->state().ours->complex.vertices.size(), 2u);
 }
 
+// Even while a slider is dragged, when computations finish: this one is of the molecule before.
+TEST_F(SessionTest, AnotherFileCancelsWhatIsComputedForTheOldOne) {
+  const auto session = make();
+  session->open(good_);
+  settle(*session);
+  session->set_request(alpha(2));
+  settle(*session);
+  EXPECT_TRUE(session->state().our_timings.warm);
+  session->let_finish(true);
+  log_.hold = true;
+  const int before = log_.started;
+  session->set_request(alpha(3));
+  ASSERT_TRUE(wait_for([&] { return log_.started > before; }));
+  session->open(other_);
+  ASSERT_TRUE(poll_until(*session, [&] { return session->state().molecule->atoms.size() == 2; }));
+  EXPECT_FALSE(session->state().our_timings.cold) << "of the molecule before";
+  EXPECT_FALSE(session->state().our_timings.warm);
+  EXPECT_TRUE(poll_until(*session, [&] { return log_.cancelled == 1; }));
+  log_.hold = false;
+  settle(*session);
+  ASSERT_TRUE(session->state().ours);
+  EXPECT_EQ(session->state().ours->complex.vertices.size(), 2u);
+}
+
 TEST_F(SessionTest, AComparisonThatComesWithAnotherFileIsNotShownOnIt) {
   const auto session = make();
   session->open(good_);

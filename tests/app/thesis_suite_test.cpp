@@ -231,6 +231,24 @@ TEST(ThesisSuite, CancellingEndsItSoonAndProgressIsTold) {
   EXPECT_EQ(told.front(), "few, whole triangulation");
 }
 
+TEST(ThesisSuite, ProgressGrowsOverAllMoleculesAndStaysBelowOne) {
+  RunContext context;
+  std::vector<double> shares;
+  context.progress = [&](std::string_view what, double share) {
+    if (what.find(", ") != std::string_view::npos) shares.push_back(share);
+  };
+  std::vector<ThesisMolecule> three;
+  for (int k = 0; k < 3; ++k) three.push_back(one_molecule().front());
+  Speeds speeds;
+  speeds.cgal = speeds.cpu = 1;
+  run_thesis_suite(three, quick_options(), sleeping_factory(speeds), context);
+  ASSERT_GE(shares.size(), 3u);
+  EXPECT_EQ(shares.front(), 0);
+  EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
+  EXPECT_GE(shares.back(), 2.0 / 3);
+  EXPECT_LE(shares.back(), 1);
+}
+
 TEST(ThesisSuite, AnEngineThatFailsGivesASkippedRowWithItsMessage) {
   const EngineFactory sleeping = sleeping_factory({});
   const EngineFactory factory = [&](EngineChoice choice, std::shared_ptr<const BallSet> balls,

@@ -8,12 +8,20 @@
 #include <map>
 
 #include "app/session/thesis_charts.hpp"
+#include "app/session/thesis_contest.hpp"
 #include "tests/app/fake_engine.hpp"
 
 namespace alphascope {
 namespace {
 
 using Kind = ThesisRow::Kind;
+
+TEST(ThesisCells, OfAnEvenNumberOfTimesTheMedianIsTheMeanOfTheMiddleTwo) {
+  EXPECT_EQ(median({7}), 7);
+  EXPECT_EQ(median({4, 1}), 2.5);
+  EXPECT_EQ(median({3, 9, 1}), 3);
+  EXPECT_EQ(median({8, 1, 9, 3}), 5.5);
+}
 
 TEST(ThesisCells, WhatIsNoNumberIsAnEmptyField) {
   const auto rows = to_csv({{{"nan", std::nan("")}, {"infinite", HUGE_VAL}, {"number", 1.5}}});
@@ -150,6 +158,18 @@ TEST(ThesisCharts, HaveTheThesisFiguresWithTheKnownNumbers) {
   for (const ChartSeries& s : stages.series) sum += s.values.at(0).value_or(0);
   EXPECT_DOUBLE_EQ(sum, 100);
   for (const Chart& c : charts) EXPECT_NE(c.caption.find("Some CPU, 2 threads"), std::string::npos);
+  EXPECT_EQ(stages.categories, std::vector<std::string>{"few (12)"});
+  ASSERT_EQ(stages.series.size(), 6u);
+  for (const ChartSeries& s : stages.series) EXPECT_EQ(s.notes, std::vector<std::string>{""});
+}
+
+TEST(ThesisCharts, SayWhyARowWasSkipped) {
+  ThesisReport report = known_report();
+  report.rows[1].skipped = "over 20 s";
+  const std::vector<Chart> charts = thesis_charts(report);
+  for (const ChartSeries& s : chart(charts, "stages-tuples-cpu").series) {
+    EXPECT_EQ(s.notes, std::vector<std::string>{"over 20 s"}) << s.name;
+  }
 }
 
 }  // namespace

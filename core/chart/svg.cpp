@@ -1,6 +1,7 @@
 #include "core/chart/svg.hpp"
 
 #include <cstdio>
+#include <list>
 
 #include "core/chart/layout.hpp"
 #include "core/chart/xml_text.hpp"
@@ -95,12 +96,14 @@ std::vector<std::filesystem::path> write_charts(const std::vector<Chart>& charts
                                                 const std::filesystem::path& folder) {
   make_output_folder(folder);
   std::vector<std::filesystem::path> paths;
+  std::list<AtomicFile> files;
+  std::vector<AtomicFile*> all;
   for (const Chart& chart : charts) {
     paths.push_back(folder / (chart.id + ".svg"));
-    AtomicFile file(paths.back());
-    file.write(chart_svg(chart));
-    file.commit();
+    all.push_back(&files.emplace_back(paths.back()));
+    all.back()->write(chart_svg(chart));
   }
+  commit_together(all);
   return paths;
 }
 

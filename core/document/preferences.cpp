@@ -45,7 +45,7 @@ WrittenJson to_json(Preferences preferences) {
 ReadJson read_file(const fs::path& file, std::string& text) {
   std::error_code ignored;
   if (fs::status(file, ignored).type() == fs::file_type::not_found) return nullptr;
-  const LoadedText loaded = load_text(file, kMostBytes, {});
+  const LoadedText loaded = load_text(file, kMostBytes, {}, {}, FileKind::preferences);
   text = loaded.text;
   const ReadJson json = parse_json_object(file, text, "file of preferences", kRemedy);
   if (json.contains(kVersionName)) return json;
@@ -144,7 +144,7 @@ void save_preferences(const fs::path& folder, const Preferences& before, const P
   for (const auto& [name, value] : new_values.items()) {
     if (!json.contains(name) || old_values[name] != value) json[name] = value;
   }
-  AtomicFile written(file);
+  AtomicFile written(file, FileKind::preferences);
   written.write(json_file_text(json));
   written.commit();
 }

@@ -114,13 +114,13 @@ std::string session_text(const SessionDocument& session) {
 }
 
 void write_session(const SessionDocument& session, const fs::path& path) {
-  AtomicFile file(path);
+  AtomicFile file(path, FileKind::session);
   file.write(session_text(session));
   file.commit();
 }
 
 ReadSession read_session(const fs::path& path, const RunContext& context) {
-  const LoadedText loaded = load_text(path, kMostBytes, context);
+  const LoadedText loaded = load_text(path, kMostBytes, context, {}, FileKind::session);
   return parse_session(path, loaded.text);
 }
 

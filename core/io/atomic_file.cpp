@@ -4,13 +4,19 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <array>
 #include <atomic>
 #include <cerrno>
+#include <climits>
 #include <cstdio>
-#include <cstdlib>
 #include <cstring>
+#include <set>
 #include <system_error>
 #include <utility>
+
+#include "core/io/left_behind.hpp"
+#include "core/run/child_program.hpp"
+#include "core/run/undivided_step.hpp"
 
 namespace alphascope {
 
@@ -19,23 +25,31 @@ namespace fs = std::filesystem;
 namespace {
 
 // Names of temporary files, as a signal handler can read them. A file beyond the last place is
-// written all the same; only a signal would leave its temporary file behind.
+// written all the same; only a signal would leave its temporary file behind. Nothing is allocated,
+// which could fail when the file is there.
+enum PlaceState : int { kFree, kTaken, kNamed };
+struct Place {
+  std::atomic<int> state{kFree};
+  std::array<char, PATH_MAX> name;
+};
 constexpr int kPlaces = 64;
-std::atomic<char*> temporary_names[kPlaces];
-static_assert(std::atomic<char*>::is_always_lock_free, "a signal handler reads them");
+Place places[kPlaces];
+static_assert(std::atomic<int>::is_always_lock_free, "a signal handler reads them");
 
 int remember(const fs::path& path) {
-  char* const name = ::strdup(path.c_str());
-  for (int place = 0; name != nullptr && place < kPlaces; ++place) {
-    char* empty = nullptr;
-    if (temporary_names[place].compare_exchange_strong(empty, name)) return place;
+  if (path.native().size() >= PATH_MAX) return -1;
+  for (int k = 0; k < kPlaces; ++k) {
+    int state = kFree;
+    if (!places[k].state.compare_exchange_strong(state, kTaken)) continue;
+    std::memcpy(places[k].name.data(), path.c_str(), path.native().size() + 1);
+    places[k].state = kNamed;
+    return k;
   }
-  std::free(name);
   return -1;
 }
 
 void forget(int place) {
-  if (place >= 0) std::free(temporary_names[place].exchange(nullptr));
+  if (place >= 0) places[place].state = kFree;
 }
 
 // Behind all links, also where the last one leads to nothing yet. Sets errno when that fails.
@@ -52,17 +66,41 @@ bool follow_links(fs::path& path) {
   return false;
 }
 
-// In the folder of `target`, and short, since the name of `target` may be as long as can be.
-fs::path temporary_name(const fs::path& target, int attempt) {
-  return target.parent_path() /
-         (".alphascope-" + std::to_string(::getpid()) + "-" + std::to_string(attempt) + ".tmp");
+// False with errno. Where there is nothing to wait for, as in some file systems, all is well.
+bool on_the_disk(int descriptor) {
+  return ::fsync(descriptor) == 0 || errno == EINVAL || errno == ENOSYS || errno == ENOTSUP ||
+         errno == EROFS;
+}
+
+// The new name, too. A folder that cannot be opened for it does not matter.
+void folder_on_the_disk(const fs::path& folder) noexcept {
+  const char* const name = folder.empty() ? "." : folder.c_str();
+  const int descriptor = ::open(name, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor < 0) return;
+  static_cast<void>(::fsync(descriptor));
+  ::close(descriptor);
+}
+
+bool exchange(const fs::path& a, const fs::path& b) {
+  return ::renameat2(AT_FDCWD, a.c_str(), AT_FDCWD, b.c_str(), RENAME_EXCHANGE) == 0;
 }
 
 }  // namespace
 
-AtomicFile::AtomicFile(const fs::path& path) : name_(path.string()) {
+void refuse_to_replace_input(const std::string& what, const fs::path& output, FileKind kind) {
+  if (const auto input = read_behind(output, kind)) {
+    throw ReplacesInput(what + " would replace " + *input +
+                        ", which is read. Give the output another name.");
+  }
+}
+
+AtomicFile::AtomicFile(const fs::path& path, FileKind kind) : name_(path.string()), kind_(kind) {
   struct stat status {};
   const bool exists = ::stat(path.c_str(), &status) == 0;
+  if (!exists && errno != ENOENT) {
+    target_ = path;
+    fail("open");
+  }
   if (exists && S_ISDIR(status.st_mode)) {
     throw WriteError("Cannot write " + name_ + ": it is a folder. Give a file name.");
   }
@@ -74,8 +112,11 @@ AtomicFile::AtomicFile(const fs::path& path) : name_(path.string()) {
     if (descriptor_ < 0) fail("open");
     return;
   }
+  refuse_to_replace_input("Writing " + name_, path, kind);
   target_ = path;
   if (!follow_links(target_)) fail("open");
+  // A name that is too long would show only when the file is renamed.
+  if (::lstat(target_.c_str(), &status) != 0 && errno != ENOENT) fail("open");
   // Renaming would replace a file that its owner has made read-only.
   if (exists && ::access(target_.c_str(), W_OK) != 0) fail("write");
   open_temporary();
@@ -93,24 +134,27 @@ AtomicFile::AtomicFile(int descriptor, const std::string& name)
 }
 
 AtomicFile::~AtomicFile() {
-  if (descriptor_ >= 0) ::close(descriptor_);
   if (!temporary_.empty()) ::unlink(temporary_.c_str());
+  if (descriptor_ >= 0) ::close(descriptor_);
   forget(slot_);
 }
 
 void AtomicFile::open_temporary() {
+  remove_left_behind(target_.parent_path());
   constexpr int kAttempts = 10000;
   for (int attempt = 0; attempt < kAttempts; ++attempt) {
-    const fs::path name = temporary_name(target_, attempt);
+    temporary_ = temporary_name(target_, attempt);
+    const UndividedStep step;
     // The mode that any new file gets.
-    descriptor_ = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    descriptor_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (descriptor_ >= 0) {
-      temporary_ = name;
-      slot_ = remember(name);
+      slot_ = remember(temporary_);
+      mark_as_in_use(descriptor_);
       return;
     }
     if (errno != EEXIST) break;
   }
+  temporary_.clear();
   fail("open");
 }
 
@@ -139,26 +183,93 @@ void AtomicFile::write(std::string_view text) {
 }
 
 void AtomicFile::commit() {
-  const int descriptor = std::exchange(descriptor_, -1);
-  if (::close(descriptor) != 0) fail("write");
+  AtomicFile* const one = this;
+  commit_together({&one, 1});
+}
+
+void AtomicFile::make_whole() {
+  if (temporary_.empty()) {
+    if (::close(std::exchange(descriptor_, -1)) != 0) fail("write");
+    return;
+  }
+  if (!on_the_disk(descriptor_)) fail("write");
+  // It may have been read since it was opened here.
+  refuse_to_replace_input("Writing " + name_, target_, kind_);
+}
+
+// What was there is kept under the name of the temporary file where others follow, one of which may
+// fail.
+void AtomicFile::take_name(bool alone) {
   if (temporary_.empty()) return;
-  if (std::rename(temporary_.c_str(), target_.c_str()) != 0) fail("rename the new file to");
+  struct stat status {};
+  const bool replaces = !alone && ::lstat(target_.c_str(), &status) == 0 && S_ISREG(status.st_mode);
+  if (replaces && exchange(temporary_, target_)) {
+    taken_ = Taken::exchanged;
+  } else if (std::rename(temporary_.c_str(), target_.c_str()) == 0) {
+    taken_ = alone || replaces ? Taken::alone : Taken::from_nobody;
+  } else {
+    fail("rename the new file to");
+  }
+}
+
+void AtomicFile::give_name_back() noexcept {
+  if (taken_ == Taken::exchanged) {
+    exchange(temporary_, target_);
+  } else if (taken_ == Taken::from_nobody) {
+    std::rename(target_.c_str(), temporary_.c_str());
+  }
+  taken_ = Taken::no;  // and the temporary file is removed
+}
+
+void AtomicFile::finish() noexcept {
+  if (temporary_.empty()) return;
+  if (taken_ == Taken::exchanged) ::unlink(temporary_.c_str());
   temporary_.clear();
+  ::close(std::exchange(descriptor_, -1));
   forget(std::exchange(slot_, -1));
 }
 
+void commit_together(std::span<AtomicFile* const> files) {
+  for (AtomicFile* const file : files) file->make_whole();
+  std::set<fs::path> folders;
+  for (AtomicFile* const file : files) {
+    if (!file->temporary_.empty()) folders.insert(file->target_.parent_path());
+  }
+  {
+    const UndividedStep step;
+    try {
+      for (AtomicFile* const file : files) file->take_name(files.size() == 1);
+    } catch (...) {
+      for (AtomicFile* const file : files) file->give_name_back();
+      throw;
+    }
+    for (AtomicFile* const file : files) file->finish();
+  }
+  for (const fs::path& folder : folders) folder_on_the_disk(folder);
+}
+
 void AtomicFile::fail(const char* action) const {
+  const int error = errno;
   const std::string what = std::string("Cannot ") + action + " " + name_ + ": ";
   // A descriptor that is not open for writing stands in for one that was closed at the start.
-  if (errno == EBADF) throw WriteError(what + "it is closed.");
-  throw WriteError(what + std::strerror(errno) + "." +
-                   (target_.empty() ? "" : " Check the folder, its permissions and free space."));
+  if (error == EBADF) throw WriteError(what + "it is closed.");
+  const char* const remedy = target_.empty()         ? ""
+                             : error == ENAMETOOLONG ? " Give it a shorter name."
+                                                     : " Check the folder, its permissions and "
+                                                       "free space.";
+  throw WriteError(what + std::strerror(error) + "." + remedy);
 }
 
 void remove_temporary_files() noexcept {
-  for (std::atomic<char*>& place : temporary_names) {
-    if (const char* const name = place.load()) ::unlink(name);
+  for (Place& place : places) {
+    if (place.state.load() == kNamed) ::unlink(place.name.data());
   }
+}
+
+void end_all_writing() noexcept {
+  end_of_steps();
+  kill_child_programs();
+  remove_temporary_files();
 }
 
 void make_output_folder(const fs::path& folder) {

@@ -36,7 +36,7 @@ std::filesystem::path ffmpeg() {
       "or write numbered pictures instead, such as frame-%04d.png.");
 }
 
-std::vector<std::string> arguments(const MovieOptions& o, const std::filesystem::path& file) {
+std::vector<std::string> arguments(const MovieOptions& o) {
   const Codec codec = codec_of(o);
   std::vector<std::string> words{
       "-hide_banner", "-nostdin",
@@ -53,8 +53,9 @@ std::vector<std::string> arguments(const MovieOptions& o, const std::filesystem:
   for (const auto& [keyword, text] : o.texts) {
     words.insert(words.end(), {"-metadata", keyword + "=" + text});
   }
-  // With its protocol, so that no folder is taken for one.
-  words.insert(words.end(), {"-f", codec.format, "file:" + file.string()});
+  // The file that is open here. By its name ffmpeg would make it again after it was removed.
+  words.insert(words.end(),
+               {"-f", codec.format, "file:/proc/self/fd/" + std::to_string(kChildFile)});
   return words;
 }
 
@@ -74,10 +75,10 @@ struct MovieFile::Parts {
 
   Parts(const std::filesystem::path& path, const MovieOptions& o,
         const std::filesystem::path& ffmpeg)
-      : name(path.string()), options(o), file(path), program(ffmpeg, arguments(o, temporary())) {}
+      : name(path.string()), options(o), file(path), program(ffmpeg, arguments(o), temporary()) {}
 
-  const std::filesystem::path& temporary() const {
-    if (!file.temporary().empty()) return file.temporary();
+  int temporary() const {
+    if (file.descriptor_of_temporary() >= 0) return file.descriptor_of_temporary();
     throw WriteError("Cannot write a movie to " + name +
                      ": it is no ordinary file. Give the name of one.");
   }

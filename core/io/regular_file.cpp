@@ -39,7 +39,7 @@ void refuse_opening(const std::filesystem::path& path, int error) {
                   permission ? "Check that you may read it, and its folder" : kCheckName);
 }
 
-RegularFile::RegularFile(const std::filesystem::path& path) {
+RegularFile::RegularFile(const std::filesystem::path& path, FileKind kind) {
   // Looked at before it is opened, which may do something to a device; and again afterwards, should
   // something else be there by then.
   struct stat status {};
@@ -51,6 +51,7 @@ RegularFile::RegularFile(const std::filesystem::path& path) {
   try {
     if (::fstat(descriptor_, &status) != 0) refuse_opening(path, errno);
     refuse_what_is_no_file(path, status);
+    note_read(descriptor_, path, kind);
   } catch (...) {
     ::close(descriptor_);
     throw;

@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <filesystem>
 
+#include "core/io/files_read.hpp"
+
 namespace alphascope {
 
 // Throws the ReadError that says why this file cannot be looked at or opened: `error` is errno.
@@ -12,8 +14,9 @@ namespace alphascope {
 
 class RegularFile {
  public:
-  // Throws ReadError for a missing file, a folder, a pipe or device, and without permission.
-  explicit RegularFile(const std::filesystem::path& path);
+  // Throws ReadError for a missing file, a folder, a pipe or device, and without permission. From
+  // now on no output of the process replaces it (files_read.hpp).
+  explicit RegularFile(const std::filesystem::path& path, FileKind kind = FileKind::other);
   ~RegularFile();
   RegularFile(const RegularFile&) = delete;
   RegularFile& operator=(const RegularFile&) = delete;

@@ -47,8 +47,8 @@ TextBuffer read_to_end(const std::filesystem::path& path, int descriptor, std::u
 }
 
 TextBuffer read_bytes(const std::filesystem::path& path, std::uint64_t max_bytes,
-                      const RunContext& context) {
-  const RegularFile file(path);
+                      const RunContext& context, FileKind kind) {
+  const RegularFile file(path, kind);
   if (file.bytes() > max_bytes) refuse_text_beyond(path, max_bytes);
   return read_to_end(path, file.descriptor(), file.bytes(), max_bytes, context);
 }
@@ -56,11 +56,12 @@ TextBuffer read_bytes(const std::filesystem::path& path, std::uint64_t max_bytes
 }  // namespace
 
 LoadedText load_text(const std::filesystem::path& path, std::uint64_t max_bytes,
-                     const RunContext& context, std::optional<int> descriptor) {
+                     const RunContext& context, std::optional<int> descriptor, FileKind kind) {
   max_bytes = std::min<std::uint64_t>(max_bytes, std::numeric_limits<std::int64_t>::max() / 4);
   LoadedText loaded;
+  if (descriptor) note_read(*descriptor, path, kind);
   loaded.buffer = descriptor ? read_to_end(path, *descriptor, 0, max_bytes, context)
-                             : read_bytes(path, max_bytes, context);
+                             : read_bytes(path, max_bytes, context, kind);
   loaded.file_bytes = loaded.buffer.size();
   if (loaded.buffer.view().starts_with("\x1f\x8b")) {
     loaded.compressed = true;

@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include "core/io/files_read.hpp"
 #include "core/io/text_buffer.hpp"
 #include "core/io/text_limits.hpp"
 #include "core/run/cancel_token.hpp"
@@ -25,9 +26,11 @@ struct LoadedText {
 // Throws ReadError for a missing file, a directory, a pipe or device (which could block for ever),
 // a file without permission, damaged gzip data, a line longer than kLongestLine, more than
 // max_bytes of text, or gzip data that unpack to more than any molecule would. With a descriptor,
-// that is read to its end, whatever it is, and the path only names it.
+// that is read to its end, whatever it is, and the path only names it. What was read is never
+// replaced, unless by an output of its kind (files_read.hpp).
 LoadedText load_text(const std::filesystem::path& path, std::uint64_t max_bytes,
-                     const RunContext& context, std::optional<int> descriptor = {});
+                     const RunContext& context, std::optional<int> descriptor = {},
+                     FileKind kind = FileKind::other);
 
 // SHA-256 of the file's bytes, from what was loaded.
 std::string file_hash(const LoadedText& loaded);

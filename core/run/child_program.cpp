@@ -12,6 +12,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cerrno>
 #include <chrono>
 #include <csignal>
@@ -22,6 +23,8 @@
 #include <thread>
 #include <utility>
 
+#include "core/run/undivided_step.hpp"
+
 extern char** environ;  // NOLINT(readability-redundant-declaration)
 
 namespace alphascope {
@@ -31,6 +34,26 @@ namespace fs = std::filesystem;
 
 constexpr int kLookMilliseconds = 50;  // how often a cancel is looked for
 
+// Those that run, as a signal handler can read them. One beyond the last place is ended by its
+// object only.
+constexpr int kPlaces = 16;
+std::atomic<int> children[kPlaces];
+static_assert(std::atomic<int>::is_always_lock_free, "a signal handler reads them");
+
+void remember(int process) {
+  for (std::atomic<int>& place : children) {
+    int empty = 0;
+    if (place.compare_exchange_strong(empty, process)) return;
+  }
+}
+
+void forget(int process) {
+  for (std::atomic<int>& place : children) {
+    int found = process;
+    if (place.compare_exchange_strong(found, 0)) return;
+  }
+}
+
 int status_of(int status) {
   return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }
@@ -38,11 +61,13 @@ int status_of(int status) {
 // What the child begins with: its streams, default signals, a group of its own.
 class SpawnSettings {
  public:
-  SpawnSettings(int input, int errors) {
+  SpawnSettings(int input, int errors, int file) {
     posix_spawn_file_actions_init(&actions_);
     posix_spawn_file_actions_adddup2(&actions_, input, STDIN_FILENO);
     posix_spawn_file_actions_addopen(&actions_, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
     posix_spawn_file_actions_adddup2(&actions_, errors, STDERR_FILENO);
+    // The last, since one of the others may have this number here.
+    if (file >= 0) posix_spawn_file_actions_adddup2(&actions_, file, kChildFile);
     posix_spawnattr_init(&attributes_);
     sigset_t none, all;
     sigemptyset(&none);
@@ -86,7 +111,8 @@ std::optional<fs::path> find_program(std::string_view name) {
   return std::nullopt;
 }
 
-ChildProgram::ChildProgram(const fs::path& program, const std::vector<std::string>& arguments) {
+ChildProgram::ChildProgram(const fs::path& program, const std::vector<std::string>& arguments,
+                           int file) {
   int ends[2];
   if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) {
     throw std::runtime_error("Cannot start " + program.string() + ": " + std::strerror(errno) +
@@ -98,9 +124,13 @@ ChildProgram::ChildProgram(const fs::path& program, const std::vector<std::strin
   for (const std::string& a : arguments) words.push_back(const_cast<char*>(a.c_str()));
   words.push_back(nullptr);
   pid_t process = -1;
-  const int error =
-      errors_ < 0 ? errno
-                  : SpawnSettings(ends[1], errors_).start(process, program.c_str(), words.data());
+  int error = errno;
+  if (errors_ >= 0) {
+    const SpawnSettings settings(ends[1], errors_, file);
+    const UndividedStep step;
+    error = settings.start(process, program.c_str(), words.data());
+    if (error == 0) remember(process);
+  }
   ::close(ends[1]);
   if (error != 0) {
     close_input();
@@ -116,7 +146,29 @@ ChildProgram::~ChildProgram() {
   ::close(errors_);
   if (process_ < 0) return;
   ::kill(-process_, SIGKILL);
-  while (::waitpid(process_, nullptr, 0) < 0 && errno == EINTR) {
+  while (reap(0) < 0 && errno == EINTR) {
+  }
+}
+
+// Its status when it has ended, else less than 0. From then on its number may be another's.
+int ChildProgram::reap(int options) {
+  const UndividedStep step;
+  int status = 0;
+  const pid_t ended = ::waitpid(process_, &status, options);
+  if (ended != process_) return ended < 0 ? -1 : -2;
+  forget(std::exchange(process_, -1));
+  return status_of(status);
+}
+
+void kill_child_programs() noexcept {
+  for (std::atomic<int>& place : children) {
+    const int process = place.load();
+    if (process <= 0) continue;
+    ::kill(-process, SIGKILL);
+    constexpr int kMostMilliseconds = 1000;
+    for (int k = 0; k < kMostMilliseconds && ::waitpid(process, nullptr, WNOHANG) == 0; ++k) {
+      ::poll(nullptr, 0, 1);
+    }
   }
 }
 
@@ -140,12 +192,7 @@ bool ChildProgram::write(std::span<const std::uint8_t> bytes, const CancelToken&
 int ChildProgram::finish(const CancelToken& cancel) {
   close_input();
   for (;;) {
-    int status = 0;
-    const pid_t ended = ::waitpid(process_, &status, WNOHANG);
-    if (ended == process_) {
-      process_ = -1;
-      return status_of(status);
-    }
+    if (const int status = reap(WNOHANG); status >= 0) return status;
     cancel.throw_if_cancelled();
     std::this_thread::sleep_for(std::chrono::milliseconds(kLookMilliseconds / 5));
   }

@@ -16,11 +16,15 @@ namespace alphascope {
 // On PATH; none: it is not installed.
 std::optional<std::filesystem::path> find_program(std::string_view name);
 
+inline constexpr int kChildFile = 3;
+
 class ChildProgram {
  public:
   // In a process group of its own, so that Ctrl+C in a terminal reaches the caller alone, who then
-  // decides. Its standard output is thrown away. Throws std::runtime_error, a sentence.
-  ChildProgram(const std::filesystem::path& program, const std::vector<std::string>& arguments);
+  // decides. Its standard output is thrown away. It gets `file`, an open descriptor, as its
+  // descriptor kChildFile; -1: none. Throws std::runtime_error, a sentence.
+  ChildProgram(const std::filesystem::path& program, const std::vector<std::string>& arguments,
+               int file = -1);
   ~ChildProgram();  // kills it if it still runs
   ChildProgram(const ChildProgram&) = delete;
   ChildProgram& operator=(const ChildProgram&) = delete;
@@ -34,9 +38,14 @@ class ChildProgram {
 
  private:
   void close_input();
+  int reap(int options);
 
   int input_ = -1, errors_ = -1;
   int process_ = -1;
 };
+
+// Kills those of all ChildPrograms and waits for their end, a second at most. For a signal handler
+// that ends the program: calls only what is allowed there.
+void kill_child_programs() noexcept;
 
 }  // namespace alphascope

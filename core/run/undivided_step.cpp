@@ -1,0 +1,51 @@
+// See the header.
+#include "core/run/undivided_step.hpp"
+
+#include <poll.h>
+#include <unistd.h>
+
+#include <atomic>
+
+namespace alphascope {
+namespace {
+
+std::atomic<int> steps_under_way{0};
+std::atomic<bool> ended{false};
+static_assert(std::atomic<int>::is_always_lock_free && std::atomic<bool>::is_always_lock_free,
+              "a signal handler reads them");
+
+// All but those that come from an error of this very thread, which cannot wait.
+sigset_t signals_that_can_wait() {
+  sigset_t set;
+  sigfillset(&set);
+  for (const int own : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGTRAP, SIGSYS}) {
+    sigdelset(&set, own);
+  }
+  return set;
+}
+
+}  // namespace
+
+UndividedStep::UndividedStep() {
+  const sigset_t waiting = signals_that_can_wait();
+  ::pthread_sigmask(SIG_BLOCK, &waiting, &before_);
+  steps_under_way.fetch_add(1);
+  if (!ended.load()) return;
+  steps_under_way.fetch_sub(1);
+  for (;;) ::pause();
+}
+
+UndividedStep::~UndividedStep() {
+  steps_under_way.fetch_sub(1);
+  ::pthread_sigmask(SIG_SETMASK, &before_, nullptr);
+}
+
+void end_of_steps() noexcept {
+  ended.store(true);
+  constexpr int kMostMilliseconds = 1000;
+  for (int k = 0; k < kMostMilliseconds && steps_under_way.load() > 0; ++k) {
+    ::poll(nullptr, 0, 1);
+  }
+}
+
+}  // namespace alphascope

@@ -147,7 +147,7 @@ ExitCode run_bench(const BenchOptions& options) {
   quiet.cancel = context.cancel;
   require_readable({options.files.begin(), options.files.end()});
   Outputs outputs(files_read(options));
-  AtomicFile* const csv = outputs.add("--csv", options.csv);
+  AtomicFile* const csv = outputs.add("--csv", options.csv, Outputs::kCsv);
   std::vector<Row> rows;
   bool same = true;
   print_header(options);

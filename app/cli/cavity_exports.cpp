@@ -6,6 +6,7 @@
 #include "core/cavity/filling_spheres.hpp"
 #include "core/chart/chart.hpp"
 #include "core/document/cavity_bars.hpp"
+#include "core/io/output_ending.hpp"
 #include "core/io/viewer_script.hpp"
 #include "core/io/write_mesh.hpp"
 #include "core/io/write_spheres.hpp"
@@ -22,7 +23,7 @@ std::array<std::uint8_t, 3> colour_of(std::size_t row) {
 }
 
 bool ends(const std::string& path, const char* ending) {
-  return fs::path(path).extension() == ending;
+  return output_ending(path) == ending;
 }
 
 void require_ending(const char* option, const std::string& path, const char* one,
@@ -52,10 +53,10 @@ CavityExports::CavityExports(const CavitiesOptions& options, Outputs& outputs) :
   if (!options.script.empty() && options.files.named.front() == "-") {
     throw UsageError("--script opens the molecule's file, which standard input is not.");
   }
-  lives_ = outputs.add("--lives", options.lives);
-  spheres_ = outputs.add("--spheres", options.spheres);
-  surface_ = outputs.add("--surface", options.surface);
-  script_ = outputs.add("--script", options.script);
+  lives_ = outputs.add("--lives", options.lives, Outputs::kCsv);
+  spheres_ = outputs.add("--spheres", options.spheres, {".pqr"});
+  surface_ = outputs.add("--surface", options.surface, {".ply", ".glb"});
+  script_ = outputs.add("--script", options.script, {".cxc", ".pml"});
 }
 
 void CavityExports::write(const CavityAnswer& answer, const RunContext& context) {

@@ -147,8 +147,8 @@ ExitCode run_channel(const ChannelOptions& options) {
   const RunContext& context = run_context();
   require_readable({options.input.file});
   Outputs outputs(files_read(options.input));
-  CsvResults csv(outputs.add("--csv", options.csv));
-  JsonResults json(outputs.add("--json", options.json), "");
+  CsvResults csv(outputs.add("--csv", options.csv, Outputs::kCsv));
+  JsonResults json(outputs.add("--json", options.json, Outputs::kJson), "");
   const bool shown = verbosity() != Verbosity::quiet || !outputs.take_standard_output();
   if (each_model(options.input)) {
     throw UsageError("A channel is one model's. Give the number of a model, or joined.");

@@ -28,9 +28,7 @@ ExitCode run(const std::string& command, const CommandOptions& options) {
   return run_screenshot(options.screenshot);
 }
 
-}  // namespace
-
-int run_command_line(int argc, const char* const* argv) {
+int parse_and_run(int argc, const char* const* argv) {
   CommandOptions options;
   options.screenshot.arguments.assign(argv, argv + argc);
   options.frames.picture.arguments = options.screenshot.arguments;
@@ -45,11 +43,17 @@ int run_command_line(int argc, const char* const* argv) {
     }
     return parsed.exit_code;
   }
+  set_verbosity(options.verbosity);
+  set_memory_remedy(*parsed.command);
+  set_times_wanted(options.times);
+  return static_cast<int>(run(parsed.command->name, options));
+}
+
+}  // namespace
+
+int run_command_line(int argc, const char* const* argv) {
   try {
-    set_verbosity(options.verbosity);
-    set_memory_remedy(*parsed.command);
-    set_times_wanted(options.times);
-    return static_cast<int>(run(parsed.command->name, options));
+    return parse_and_run(argc, argv);
   } catch (...) {
     const Failure failure = current_failure();
     print_error(failure.message);

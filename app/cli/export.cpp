@@ -36,8 +36,12 @@ std::vector<AtomicFile*> open_files(const ExportFormatInfo& format, const fs::pa
     throw UsageError("--output -: a script opens files that are written beside it. Name a file.");
   }
   std::vector<AtomicFile*> files;
+  const std::string ending = std::string(".") + format.id;
   for (const fs::path& file : export_files(format, path)) {
-    files.push_back(outputs.add("--output", file.string()));
+    // Those beside a script are named by the format.
+    files.push_back(file == path
+                        ? outputs.add("--output", file.string(), {ending})
+                        : outputs.add("--output", file.string(), {".pqr", ".glb", ".obj"}));
   }
   return files;
 }

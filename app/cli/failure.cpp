@@ -45,6 +45,8 @@ Failure current_failure() {
     return {ExitCode::usage, e.what(), true};
   } catch (const ReadError& e) {
     return {ExitCode::unreadable_input, e.what(), true};
+  } catch (const ReplacesInput& e) {
+    return {ExitCode::usage, e.what(), false};
   } catch (const WriteError& e) {
     return {ExitCode::unwritable_output, e.what(), false};
   } catch (const EngineUnavailable& e) {

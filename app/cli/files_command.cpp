@@ -23,11 +23,11 @@ FilesCommand::FilesCommand(const InputFiles& named, const InputOptions& input, O
       each_model(cli::each_model(input)),
       files(found(named)),
       outputs(files_read(files, named.list, input)),
-      out(outputs.add("--out", results.out)),
-      csv(outputs.add("--csv", results.csv)),
-      json(outputs.add("--json", results.json), many         ? "results"
-                                                : each_model ? "models"
-                                                             : "") {}
+      out(outputs.add("--out", results.out, Outputs::kText)),
+      csv(outputs.add("--csv", results.csv, Outputs::kCsv)),
+      json(outputs.add("--json", results.json, Outputs::kJson), many         ? "results"
+                                                                : each_model ? "models"
+                                                                             : "") {}
 
 bool FilesCommand::shown() const {
   return verbosity() != Verbosity::quiet || !outputs.take_standard_output();

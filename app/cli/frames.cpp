@@ -14,8 +14,7 @@ namespace alphascope::cli {
 namespace {
 
 // What is read stays as it is, whichever frame would replace it.
-void refuse_clashes(const FramesCommandOptions& options) {
-  const Outputs outputs(files_of_picture(options.picture));
+void refuse_clashes(const FramesCommandOptions& options, const Outputs& outputs) {
   const std::filesystem::path& out = options.picture.out;
   if (recording_format(out) != RecordingFormat::frames) {
     outputs.refuse_clash("--output", out);
@@ -63,8 +62,10 @@ ExitCode run_frames(const FramesCommandOptions& options) {
   const RunContext& context = run_context();
   const Recording& recording = options.recording;
   const std::filesystem::path& out = options.picture.out;
-  refuse_clashes(options);
+  const Outputs outputs(files_of_picture(options.picture));
+  refuse_clashes(options, outputs);
   Pictured pictured(options.picture, context);
+  refuse_clashes(options, outputs);  // a session's molecule has been read now
   const ScreenshotOptions& picture = pictured.options();
   FrameSource source;
   source.picture = [&](std::optional<double> alpha, const RunContext& quiet) {
@@ -78,7 +79,7 @@ ExitCode run_frames(const FramesCommandOptions& options) {
   };
   const auto sink =
       make_frame_sink(out, {picture.width, picture.height, recording.frames_per_second,
-                            picture.transparent, pictured.texts()});
+                            picture.transparent, pictured.texts(), frame_count(recording)});
   const bool movie = recording_format(out) != RecordingFormat::frames;
   std::string lacks;
   try {

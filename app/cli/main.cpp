@@ -3,6 +3,7 @@
 #include "app/cli/terminal.hpp"
 
 int main(int argc, char** argv) {
+  alphascope::cli::set_up_signals();
   alphascope::cli::set_up_standard_streams();
   return alphascope::cli::finish_standard_output(alphascope::cli::run_command_line(argc, argv));
 }

@@ -1,17 +1,20 @@
 #include "app/cli/many_files.hpp"
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
-#include <fstream>
-#include <iostream>
+#include <cstdint>
+#include <sstream>
 
 #include "app/cli/failure.hpp"
 #include "app/cli/terminal.hpp"
 #include "app/cli/text.hpp"
+#include "core/io/small_text.hpp"
 
 namespace alphascope::cli {
 namespace {
+
+// Of a million files, with room for long names.
+constexpr std::uint64_t kLargestList = std::uint64_t{64} << 20;
+constexpr std::size_t kMostNames = 1'000'000, kLongestName = 4095;  // Linux opens no longer one
 
 constexpr const char* kByteOrderMark = "\xEF\xBB\xBF";  // UTF-8's
 
@@ -26,16 +29,28 @@ constexpr const char* kByteOrderMark = "\xEF\xBB\xBF";  // UTF-8's
                    ": the list has no NUL byte: its names end with lines. Leave out --null.");
 }
 
-void append_names(const std::string& list, std::istream& stream, char end,
-                  std::vector<std::string>& names) {
+void append_names(const std::string& file, char end, std::vector<std::string>& names) {
+  std::istringstream stream(
+      read_small_text(file, {"the list of files", kLargestList,
+                             "Give the names of the files, one a line, in lists of their own"}));
+  const std::string list = file == "-" ? "standard input" : file;
   bool first = true;
+  std::size_t number = 0;
   for (std::string name; std::getline(stream, name, end); first = false) {
+    ++number;
     if (end == '\n' && name.find('\0') != name.npos) refuse_other_ends(list, end);
     if (end == '\0' && first && stream.eof() && name.ends_with('\n')) {
       refuse_other_ends(list, end);
     }
     if (end == '\n' && first && name.starts_with(kByteOrderMark)) name.erase(0, 3);
     if (end == '\n' && name.ends_with('\r')) name.pop_back();
+    if (name.size() > kLongestName) {
+      throw ReadError(list, number, "this is longer than any name of a file",
+                      "Check that it is a list of files, one a line");
+    }
+    if (names.size() == kMostNames) {
+      throw ReadError(list, number, "there are more than 1,000,000 files", "Make several lists");
+    }
     if (!name.empty()) names.push_back(std::move(name));
   }
 }
@@ -45,20 +60,7 @@ void append_names(const std::string& list, std::istream& stream, char end,
 std::vector<std::string> file_names(const InputFiles& files) {
   std::vector<std::string> names = files.named;
   const char end = files.null_separated ? '\0' : '\n';
-  if (files.list == "-") {
-    append_names("standard input", std::cin, end, names);
-  } else if (!files.list.empty()) {
-    errno = 0;
-    std::ifstream stream(files.list, std::ios::binary);
-    // A folder opens, but nothing can be read from it.
-    if (!stream || (stream.peek() == EOF && stream.bad())) {
-      throw ReadError(files.list, 0,
-                      std::string("the list of files cannot be read") +
-                          (errno != 0 ? std::string(": ") + std::strerror(errno) : ""),
-                      "Check the name given to --files-from");
-    }
-    append_names(files.list, stream, end, names);
-  }
+  if (!files.list.empty()) append_names(files.list, end, names);
   const auto readers = std::count(names.begin(), names.end(), "-") + (files.list == "-" ? 1 : 0);
   if (readers > 1) throw UsageError("Standard input (-) can be read only once.");
   if (names.empty()) throw UsageError(files.list + ": the list names no files.");

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "app/cli/terminal.hpp"
+#include "core/io/output_ending.hpp"
 #include "core/io/regular_file.hpp"
 
 namespace alphascope::cli {
@@ -85,7 +86,25 @@ void require_readable(const std::vector<fs::path>& files) {
   }
 }
 
-AtomicFile* Outputs::add(const char* option, const std::string& path) {
+Outputs::Outputs(const std::vector<fs::path>& inputs) {
+  for (const fs::path& input : inputs) {
+    if (is_dash(input)) {
+      note_read(STDIN_FILENO, "standard input");
+    } else {
+      note_read(input);
+    }
+  }
+  // As by ">> FILE", which the summary would be added to.
+  for (const int descriptor : {STDOUT_FILENO, STDERR_FILENO}) {
+    if (const auto input = read_behind(descriptor)) {
+      throw UsageError(std::string("Standard ") +
+                       (descriptor == STDOUT_FILENO ? "output" : "error") + " goes to " + *input +
+                       ", which is read. Send it elsewhere.");
+    }
+  }
+}
+
+AtomicFile* Outputs::add(const char* option, const std::string& path, Endings endings) {
   if (path.empty()) return nullptr;
   if (is_dash(path)) {
     if (on_standard_output_ != nullptr) {
@@ -97,6 +116,10 @@ AtomicFile* Outputs::add(const char* option, const std::string& path) {
     summary_to_standard_error();
   } else {
     refuse_clash(option, path);
+    const std::string fault = fault_of_ending(path, endings);
+    if (!fault.empty()) {
+      throw UsageError(std::string(option) + " " + path + ": " + fault + ".");
+    }
     outputs_.emplace_back(option, fs::path(path));
     // Links may lead two names to one file that is not there yet.
     for (const Output& other : outputs_) {
@@ -114,12 +137,7 @@ void Outputs::refuse_clash(const char* option, const fs::path& path) const {
   const auto output = identity(path);
   if (!output) return;
   const std::string what = std::string(option) + " " + path.string();
-  for (const fs::path& input : inputs_) {
-    if (output == (is_dash(input) ? identity(STDIN_FILENO) : identity(input))) {
-      throw UsageError(what + " would replace " + input.string() +
-                       ", which is read. Give the output another name.");
-    }
-  }
+  refuse_to_replace_input(what, path);
   for (const int descriptor : {STDOUT_FILENO, STDERR_FILENO}) {
     if (output == identity(descriptor)) {
       throw UsageError(what + " is also where standard " +
@@ -129,8 +147,16 @@ void Outputs::refuse_clash(const char* option, const fs::path& path) const {
   }
 }
 
+void Outputs::refuse_what_was_read() const {
+  for (const Output& output : outputs_) {
+    refuse_to_replace_input(std::string(output.option) + " " + output.name, output.file.replaced());
+  }
+}
+
 void Outputs::commit() {
-  for (Output& output : outputs_) output.file.commit();
+  std::vector<AtomicFile*> files;
+  for (Output& output : outputs_) files.push_back(&output.file);
+  commit_together(files);
 }
 
 }  // namespace alphascope::cli

@@ -3,8 +3,10 @@
 #pragma once
 
 #include <filesystem>
+#include <initializer_list>
 #include <list>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "app/cli/commands.hpp"
@@ -25,31 +27,42 @@ void require_readable(const std::vector<std::filesystem::path>& files);
 
 class Outputs {
  public:
-  // `inputs`: what no output may replace.
-  explicit Outputs(std::vector<std::filesystem::path> inputs) : inputs_(std::move(inputs)) {}
+  using Endings = std::initializer_list<std::string_view>;
+  static inline const Endings kCsv{".csv", ".txt"}, kJson{".json", ".txt"}, kText{".alpha", ".txt"};
+
+  // `inputs`: what is going to be read, which no output may replace. Throws UsageError where
+  // standard output or error goes to one of them.
+  explicit Outputs(const std::vector<std::filesystem::path>& inputs);
 
   // Opens what `option` names: null for "", standard output for "-"; the summary then goes to
   // standard error. Throws UsageError for a file that is also an input, another output, or where
-  // standard output goes, and for a second "-"; WriteError for what cannot be opened.
-  AtomicFile* add(const char* option, const std::string& path);
+  // standard output goes, for a name with another ending than these, and for a second "-";
+  // WriteError for what cannot be opened.
+  AtomicFile* add(const char* option, const std::string& path, Endings endings);
 
   // Whether one of them is standard output.
   bool take_standard_output() const { return on_standard_output_ != nullptr; }
 
-  // Throws UsageError for a file that is an input, or where standard output or error goes.
+  // Throws UsageError and ReplacesInput for a file that is an input, or where standard output or
+  // error goes.
   void refuse_clash(const char* option, const std::filesystem::path& path) const;
 
-  // Gives every file its name. Throws WriteError.
+  // Throws ReplacesInput when one of them has been read since it was opened, as a session's
+  // molecule is.
+  void refuse_what_was_read() const;
+
+  // Gives every file its name, or none. Throws WriteError.
   void commit();
 
  private:
   struct Output {
-    Output(const char* name, const std::filesystem::path& path) : option(name), file(path) {}
-    explicit Output(const char* name) : option(name), file(1, "standard output") {}
+    Output(const char* of, const std::filesystem::path& path)
+        : option(of), name(path.string()), file(path) {}
+    explicit Output(const char* of) : option(of), name("-"), file(1, "standard output") {}
     const char* option;
+    std::string name;
     AtomicFile file;
   };
-  std::vector<std::filesystem::path> inputs_;
   std::list<Output> outputs_;
   const char* on_standard_output_ = nullptr;  // the option that took it
 };

@@ -43,9 +43,10 @@ class MemoryFile {
 ExitCode run_screenshot(const ScreenshotCommandOptions& options) {
   const RunContext& context = run_context();
   Outputs outputs(files_of_picture(options));
-  AtomicFile* const file = outputs.add("--output", options.out.string());
+  AtomicFile* const file = outputs.add("--output", options.out.string(), {".png"});
   if (file == nullptr) throw UsageError("--output needs the name of a file, or -.");
   Pictured pictured(options, context);
+  outputs.refuse_what_was_read();  // a session's molecule
   const EngineAnswer result = pictured.compute(std::nullopt, context);
   const MemoryFile drawn;  // the renderer writes to a path, which standard output has none of
   const std::string not_drawn =

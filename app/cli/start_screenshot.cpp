@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "app/cli/commands.hpp"
+#include "app/cli/terminal.hpp"
 
 namespace alphascope::cli {
 
@@ -28,6 +29,7 @@ std::vector<std::filesystem::path> candidates() {
     arguments.push_back(const_cast<char*>(argument.c_str()));  // execv's type; it changes nothing
   }
   arguments.push_back(nullptr);
+  run_context().cancel.throw_if_cancelled();  // the other program knows of no signal before it
   std::string tried;
   for (const std::filesystem::path& program : candidates()) {
     ::execv(program.c_str(), arguments.data());  // returns only when it fails

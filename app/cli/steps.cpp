@@ -60,7 +60,7 @@ ExitCode run_steps(const StepsOptions& options) {
   const RunContext& context = run_context();
   require_readable({options.input.file});
   Outputs outputs(files_read(options.input));
-  JsonResults json(outputs.add("--json", options.json), "");
+  JsonResults json(outputs.add("--json", options.json, Outputs::kJson), "");
   const bool shown = verbosity() != Verbosity::quiet || !outputs.take_standard_output();
   const Input input = open_one_model(options.input, "A ball is one model's.", context);
   const BallReferences atoms(input.opened.molecule, input.opened.prepared);

@@ -17,6 +17,7 @@
 #include <string>
 #include <string_view>
 
+#include "app/session/orderly_end.hpp"
 #include "core/io/atomic_file.hpp"
 
 namespace alphascope::cli {
@@ -71,16 +72,10 @@ DescriptorBuffer& standard_error() {
 Verbosity chosen_verbosity = Verbosity::normal;
 bool chosen_times = true;
 
-// A pointer, since a signal handler may touch no object under construction.
+// A pointer, since a signal handler may touch no object under construction. Never destroyed.
 const CancelToken* interrupted = nullptr;
 std::atomic<int> cancelling_signal{0};
 constexpr unsigned kMostSeconds = 2;  // from cancelling to the end, whatever is going on
-
-void die_of(int signal) {
-  remove_temporary_files();
-  std::signal(signal, SIG_DFL);
-  std::raise(signal);  // delivered when the handler returns
-}
 
 extern "C" void on_cancel(int signal) {
   int none = 0;
@@ -95,24 +90,10 @@ extern "C" void on_cancel(int signal) {
 // Some work asks no token for long: OpenGL drawing a picture, or opening a pipe without a reader.
 extern "C" void on_deadline(int signal) {
   if (cancelling_signal.load() == 0) return die_of(signal);
-  remove_temporary_files();
+  end_all_writing();
   constexpr std::string_view kMessage = "alphascope-cli: cancelled.\n";
   static_cast<void>(!::write(STDERR_FILENO, kMessage.data(), kMessage.size()));
   ::_exit(cancelled_status());
-}
-
-extern "C" void on_end(int signal) {
-  die_of(signal);
-}
-
-void handle(int signal, void (*handler)(int)) {
-  struct sigaction action {};
-  // nohup and shells ignore signals for programs that are to outlive them.
-  if (::sigaction(signal, nullptr, &action) != 0 || action.sa_handler == SIG_IGN) return;
-  action = {};
-  action.sa_handler = handler;
-  action.sa_flags = 0;  // a read that waits for input ends, too
-  ::sigaction(signal, &action, nullptr);
 }
 
 class ProgressLine {
@@ -171,6 +152,7 @@ bool rewrites_lines() {
 
 RunContext make_context() {
   RunContext context;
+  if (interrupted != nullptr) context.cancel = *interrupted;
   if (chosen_verbosity == Verbosity::quiet) return context;
   if (chosen_verbosity == Verbosity::verbose) {
     context.progress = [log = std::make_shared<StageLog>()](std::string_view stage, double) {
@@ -233,16 +215,16 @@ bool times_shown() {
   return chosen_times && chosen_verbosity != Verbosity::quiet;
 }
 
+void set_up_signals() {
+  prepare_orderly_end("alphascope-cli", static_cast<int>(ExitCode::computing_failed));
+  interrupted = new CancelToken;
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) handle_signal(signal, on_cancel);
+  end_on_signals({SIGPIPE, SIGQUIT, SIGXCPU});
+  std::signal(SIGALRM, on_deadline);
+}
+
 const RunContext& run_context() {
-  static const RunContext context = [] {
-    static RunContext made = make_context();
-    interrupted = &made.cancel;
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) handle(signal, on_cancel);
-    for (const int signal : {SIGPIPE, SIGQUIT, SIGXCPU}) handle(signal, on_end);
-    std::signal(SIGALRM, on_deadline);
-    std::signal(SIGXFSZ, SIG_IGN);  // writing beyond the limit of the shell fails with a message
-    return made;
-  }();
+  static const RunContext context = make_context();
   return context;
 }
 

@@ -7,7 +7,12 @@
 
 namespace alphascope::cli {
 
-// First of all, before a file is opened: gives descriptors 0, 1 and 2 that are closed something
+// First of all. The first SIGINT (Ctrl-C), SIGTERM or SIGHUP cancels run_context(), and where the
+// work does not notice, the program ends 2 s later; the next signal kills it. A signal that was
+// ignored at the start stays so. Whatever signal kills it, no temporary file stays.
+void set_up_signals();
+
+// Before a file is opened: gives descriptors 0, 1 and 2 that are closed something
 // that only fails, so that no file becomes standard output; from here on std::cout remembers the
 // first error of writing.
 void set_up_standard_streams();
@@ -30,12 +35,10 @@ bool times_wanted();
 // Whether summaries have times: neither then nor when quiet.
 bool times_shown();
 
-// The context for the program's one piece of work. The first SIGINT (Ctrl-C), SIGTERM or SIGHUP
-// cancels it, and where the work does not notice, the program ends 2 s later; the next signal kills
-// it. A signal that was ignored at the start stays so. Whatever signal kills it, no temporary file
-// stays. Progress shows when standard error is a terminal, unless the program is to be quiet; when
-// it is to be verbose, each stage is a line instead, terminal or not. A dumb terminal (TERM=dumb,
-// or no TERM) gets no line that changes; no terminal ever gets escape sequences.
+// The context for the program's one piece of work. Progress shows when standard error is a
+// terminal, unless the program is to be quiet; when it is to be verbose, each stage is a line
+// instead, terminal or not. A dumb terminal (TERM=dumb, or no TERM) gets no line that changes; no
+// terminal ever gets escape sequences.
 const RunContext& run_context();
 
 // 128 + the signal that cancelled the work: the exit status that shells expect.

@@ -163,8 +163,8 @@ ExitCode run_thesis_bench(const BenchOptions& options) {
   const ThesisOptions suite = to_suite(options);
   require_readable({options.files.begin(), options.files.end()});
   Outputs outputs(files_read(options));
-  AtomicFile* const csv = outputs.add("--csv", options.csv);
-  AtomicFile* const json = outputs.add("--json", options.json);
+  AtomicFile* const csv = outputs.add("--csv", options.csv, Outputs::kCsv);
+  AtomicFile* const json = outputs.add("--json", options.json, Outputs::kJson);
   if (!options.charts.empty()) make_output_folder(options.charts);
   const std::vector<ThesisMolecule> molecules = read_all(options, context);
   clear_progress();

@@ -121,7 +121,7 @@ ExitCode run_verify(const VerifyOptions& options) {
   const RunContext& context = run_context();
   require_readable({options.input.file});
   Outputs outputs(files_read(options.input));
-  AtomicFile* const file = outputs.add("--json", options.json);
+  AtomicFile* const file = outputs.add("--json", options.json, Outputs::kJson);
   std::ostream& out = std::cout;
   Json results = Json::array(), first_input;
   bool all_good = true;

@@ -1,0 +1,96 @@
+// See the header.
+#include "app/session/orderly_end.hpp"
+
+#include <cxxabi.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <csignal>
+#include <cstdlib>
+#include <cstring>
+#include <exception>
+#include <new>
+#include <typeinfo>
+
+#include "core/io/atomic_file.hpp"
+
+namespace alphascope {
+namespace {
+
+const char* program_name = "";
+int status_without_memory = 1;
+std::terminate_handler terminate_before = nullptr;
+
+// What is given back when memory is used up for the first time: objects that end then may still
+// need some, and a message does.
+constexpr std::size_t kReserveBytes = std::size_t{1} << 18;
+std::atomic<void*> reserve{nullptr};
+
+void on_no_memory() {
+  std::free(reserve.exchange(nullptr));
+  throw std::bad_alloc();
+}
+
+void say(const char* text) {
+  static_cast<void>(!::write(STDERR_FILENO, text, std::strlen(text)));
+}
+
+// Reached where an exception meets an end that may not throw: nlohmann's values allocate while they
+// are destroyed.
+[[noreturn]] void on_terminate() {
+  const std::type_info* const type = abi::__cxa_current_exception_type();
+  if (type != nullptr && *type == typeid(std::bad_alloc)) {
+    end_all_writing();
+    say(program_name);
+    say(": Not enough memory.\n");
+    ::_exit(status_without_memory);
+  }
+  if (terminate_before != nullptr) terminate_before();
+  std::abort();
+}
+
+extern "C" void on_last_signal(int signal) {
+  die_of(signal);
+}
+
+// Of errors of the program; sanitizers report them themselves.
+void end_on_fault(int signal) {
+  struct sigaction action {};
+  if (::sigaction(signal, nullptr, &action) != 0 || action.sa_handler != SIG_DFL) return;
+  action = {};
+  action.sa_handler = on_last_signal;
+  ::sigaction(signal, &action, nullptr);
+}
+
+}  // namespace
+
+void prepare_orderly_end(const char* program, int status) {
+  program_name = program;
+  status_without_memory = status;
+  terminate_before = std::set_terminate(on_terminate);
+  reserve = std::malloc(kReserveBytes);
+  std::set_new_handler(on_no_memory);
+  for (const int signal : {SIGABRT, SIGSEGV, SIGBUS, SIGFPE, SIGILL}) end_on_fault(signal);
+  std::signal(SIGXFSZ, SIG_IGN);  // writing beyond the limit of the shell fails with a message
+}
+
+void handle_signal(int signal, void (*handler)(int)) {
+  struct sigaction action {};
+  if (::sigaction(signal, nullptr, &action) != 0 || action.sa_handler == SIG_IGN) return;
+  action = {};
+  action.sa_handler = handler;
+  action.sa_flags = 0;  // a read that waits for input ends, too
+  ::sigaction(signal, &action, nullptr);
+}
+
+void end_on_signals(std::initializer_list<int> signals) {
+  for (const int signal : signals) handle_signal(signal, on_last_signal);
+}
+
+void die_of(int signal) {
+  end_all_writing();
+  std::signal(signal, SIG_DFL);
+  std::raise(signal);  // delivered when the handler returns
+}
+
+}  // namespace alphascope

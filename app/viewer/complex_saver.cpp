@@ -15,13 +15,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-void refuse_to_replace(const fs::path& molecule, const fs::path& file) {
-  std::error_code ignored;
-  if (!fs::equivalent(molecule, file, ignored)) return;
-  throw std::runtime_error(printable(file.string()) +
-                           " is the molecule's own file. Give the export another name.");
-}
-
 // All of the files or none, and what is in them.
 std::string write_files(const Answer& answer, const ComplexHeader& header,
                         const ExportRequest& request, const RunContext& context) {
@@ -30,7 +23,6 @@ std::string write_files(const Answer& answer, const ComplexHeader& header,
   std::list<AtomicFile> files;
   std::vector<AtomicFile*> open;
   for (const fs::path& file : export_files(*format, request.path)) {
-    refuse_to_replace(answer.molecule->source, file);
     open.push_back(&files.emplace_back(file));
   }
   const ExportSource source{answer, *answer.molecule, *answer.prepared, header, request.colours};
@@ -38,7 +30,7 @@ std::string write_files(const Answer& answer, const ComplexHeader& header,
   WorkThreads threads(1);  // the others are the slider's
   threads.run([&] { lines = write_export(source, *format, request.path, open, context); });
   context.cancel.throw_if_cancelled();
-  for (AtomicFile& file : files) file.commit();
+  commit_together(open);
   std::string text;
   for (const std::string& line : lines) text += (text.empty() ? ": " : "; ") + line;
   return text;

@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "core/document/frame_names.hpp"
+#include "core/io/files_read.hpp"
 
 namespace alphascope {
 namespace {
@@ -72,8 +73,9 @@ LessonRecorder::LessonRecorder(LessonPlayer& player, LessonMemory& memory, Pictu
 // On the thread that saves pictures.
 SceneJob LessonRecorder::job(const RecordRequest& request, std::shared_ptr<Pages> pages) {
   const PictureOptions& size = request.options;
-  const std::shared_ptr<FrameSink> sink =
-      make_frame_sink(request.path, {size.width, size.height, kLessonFrameRate, false, {}});
+  const std::shared_ptr<FrameSink> sink = make_frame_sink(
+      request.path,
+      {size.width, size.height, kLessonFrameRate, false, {}, static_cast<int>(pages->count())});
   const bool movie = recording_format(request.path) != RecordingFormat::frames;
   const int held = movie ? frames_held(*request.lesson_seconds) : 1;
   return {request.path,
@@ -103,6 +105,10 @@ SceneJob LessonRecorder::job(const RecordRequest& request, std::shared_ptr<Pages
 
 void LessonRecorder::start(const RecordRequest& request, Theme theme) {
   if (!memory_.open) throw std::runtime_error("No lesson is open.");
+  // Also what a later step reads: no picture may take its place before.
+  for (const LessonStep& step : memory_.open->steps) {
+    note_read(memory_.open->molecule_of(step));
+  }
   const auto pages = std::make_shared<Pages>(count_of_parts(*memory_.open));
   saver_.start(job(request, pages));
   pages_ = pages;

@@ -1,7 +1,10 @@
 // alphascope: arguments in, exit code out.
+#include <sys/stat.h>
+
+#include <csignal>
 #include <cstdio>
-#include <fstream>
 #include <iostream>
+#include <memory>
 #include <new>
 #include <sstream>
 #include <stdexcept>
@@ -9,13 +12,16 @@
 #include <utility>
 
 #include "app/options/exit_code.hpp"
+#include "app/session/orderly_end.hpp"
 #include "app/session/system_memory.hpp"
 #include "app/viewer/options.hpp"
 #include "app/viewer/script.hpp"
 #include "app/viewer/viewer.hpp"
 #include "core/document/preferences.hpp"
+#include "core/document/session_file.hpp"
 #include "core/io/atomic_file.hpp"
 #include "core/io/read_error.hpp"
+#include "core/io/small_text.hpp"
 #include "core/molecule/printable.hpp"
 #include "core/molecule/shortest_number.hpp"
 
@@ -50,6 +56,7 @@ struct NotDone : std::runtime_error {
 
 ExitCode code_of(const std::exception& error) {
   if (const auto* const not_done = dynamic_cast<const NotDone*>(&error)) return not_done->code;
+  if (dynamic_cast<const alphascope::ReplacesInput*>(&error)) return ExitCode::usage;
   if (dynamic_cast<const alphascope::ReadError*>(&error)) return ExitCode::unreadable_input;
   if (dynamic_cast<const alphascope::WriteError*>(&error)) return ExitCode::unwritable_output;
   return ExitCode::computing_failed;
@@ -80,9 +87,10 @@ void record_lesson(alphascope::Viewer& viewer, const alphascope::ViewerOptions& 
   wait_until_idle(viewer);
 }
 
-int drive(alphascope::Viewer& viewer, const alphascope::ViewerOptions& options) {
+int drive(alphascope::Viewer& viewer, const alphascope::ViewerOptions& options,
+          const std::string& script_text) {
   if (options.script) {
-    std::ifstream script(*options.script);
+    std::istringstream script(script_text);
     try {
       alphascope::run_script(viewer, script, options.script->string(), std::cout);
     } catch (const std::exception& error) {  // names the line
@@ -110,15 +118,37 @@ int drive(alphascope::Viewer& viewer, const alphascope::ViewerOptions& options) 
   return status_of(ExitCode::ok);
 }
 
-}  // namespace
+// What is read, before an output is opened.
+void note_inputs(const alphascope::ViewerOptions& options) {
+  using alphascope::FileKind;
+  const auto note = [](const std::filesystem::path& file, bool session) {
+    alphascope::note_read(file, session ? FileKind::session : FileKind::other);
+  };
+  if (options.file) note(*options.file, alphascope::looks_like_session(*options.file));
+  if (options.session) note(*options.session, true);
+  if (options.script) note(*options.script, false);
+  note(options.lesson, false);  // a name of a lesson is no file, which does no harm
+}
 
-int main(int argc, char** argv) {
-  const alphascope::ParsedOptions parsed = alphascope::parse_options(argc, argv);
-  if (parsed.exit_code) {
-    std::fputs(parsed.text.c_str(), *parsed.exit_code == 0 ? stdout : stderr);
-    return *parsed.exit_code;
+// The picture, before a window is there and anything is computed.
+void check_shot(const std::filesystem::path& shot) {
+  alphascope::refuse_to_replace_input("--shot " + shot.string(), shot);
+  struct stat status {};
+  const bool written_directly = ::stat(shot.c_str(), &status) == 0 && !S_ISREG(status.st_mode);
+  if (!written_directly) alphascope::AtomicFile{shot};
+}
+
+constexpr std::uint64_t kLargestScript = std::uint64_t{16} << 20;  // bytes
+
+int open_window(alphascope::ViewerOptions options) {
+  note_inputs(options);
+  if (options.shot) check_shot(*options.shot);
+  std::string script;
+  if (options.script) {
+    script = alphascope::read_small_text(
+        *options.script,
+        {"the script", kLargestScript, "A script has a command a line: alphascope --script-help"});
   }
-  alphascope::ViewerOptions options = parsed.options;
   const bool scripted = options.script || options.shot || options.record;
   // What a script shows must not depend on what somebody likes.
   if (!scripted && !options.preferences_given) {
@@ -142,11 +172,26 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "alphascope: %s\n", alphascope::printable(error.what()).c_str());
     return status_of(ExitCode::no_display);
   }
+  alphascope::Viewer viewer(*host, options);
+  if (scripted) return drive(viewer, options, script);
+  viewer.run();
+  return status_of(ExitCode::ok);
+}
+
+int run(int argc, char** argv) {
+  const alphascope::ParsedOptions parsed = alphascope::parse_options(argc, argv);
+  if (!parsed.exit_code) return open_window(parsed.options);
+  std::fputs(parsed.text.c_str(), *parsed.exit_code == 0 ? stdout : stderr);
+  return *parsed.exit_code;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  alphascope::prepare_orderly_end("alphascope", status_of(ExitCode::computing_failed));
+  alphascope::end_on_signals({SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE, SIGXCPU});
   try {
-    alphascope::Viewer viewer(*host, options);
-    if (scripted) return drive(viewer, options);
-    viewer.run();
-    return status_of(ExitCode::ok);
+    return run(argc, argv);
   } catch (const std::bad_alloc&) {
     std::fputs("alphascope: there is not enough memory for the window.\n", stderr);
     return status_of(ExitCode::computing_failed);

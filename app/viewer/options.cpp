@@ -9,8 +9,10 @@
 #include "app/options/parse_arguments.hpp"
 #include "app/viewer/script.hpp"
 #include "core/document/display_preset.hpp"
+#include "core/document/frame_names.hpp"
 #include "core/document/number_input.hpp"
 #include "core/document/recording.hpp"
+#include "core/io/output_ending.hpp"
 
 namespace alphascope {
 namespace {
@@ -86,6 +88,31 @@ Option script_option(ViewerOptions& options) {
   return script;
 }
 
+// Both say before anything is computed that a name does not fit.
+Option shot_option(ViewerOptions& options) {
+  Option shot = path_or_none(
+      {"--shot", "OUT.png", "Write a picture of the window and exit; needs no display"},
+      options.shot);
+  shot.set = [&options](const std::string& path) {
+    const std::string fault = fault_of_ending(path, {".png"});
+    if (!fault.empty()) throw std::invalid_argument(path + ": " + fault);
+    options.shot = path;
+  };
+  return shot;
+}
+
+Option record_option(ViewerOptions& options) {
+  Option record = path_or_none({"--record", "OUT",
+                                "Record the lesson as pictures (step-%02d.png) or a movie (.mp4, "
+                                ".webm) and exit; needs no display"},
+                               options.record);
+  record.set = [&options](const std::string& path) {
+    if (recording_format(path) == RecordingFormat::frames) FrameNames{path};
+    options.record = path;
+  };
+  return record;
+}
+
 Option drawing_memory_option(ViewerOptions& options) {
   Option memory{.names = "--drawing-memory",
                 .value = "MB",
@@ -157,10 +184,7 @@ OptionProgram table(ViewerOptions& o) {
       preferences_option(o),
       drawing_memory_option(o),
       lesson_option(o),
-      path_or_none({"--record", "OUT",
-                    "Record the lesson as pictures (step-%02d.png) or a movie (.mp4, .webm) and "
-                    "exit; needs no display"},
-                   o.record),
+      record_option(o),
       with_default(
           typed_number_option({"--record-seconds", "S", "How long a movie shows each step"},
                               o.record_seconds, kHoldRule),
@@ -168,9 +192,7 @@ OptionProgram table(ViewerOptions& o) {
       record_size_option(o),
       script_option(o),
       flag_option("--script-help", "List the commands of scripts and exit", o.script_help),
-      path_or_none(
-          {"--shot", "OUT.png", "Write a picture of the window and exit; needs no display"},
-          o.shot)};
+      shot_option(o)};
   program.notes = {
       {"Examples",
        {"alphascope 4hhb.pdb.gz --alpha 1.4",

@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "core/io/atomic_file.hpp"
 #include "core/molecule/printable.hpp"
 #include "core/run/background.hpp"
 
@@ -84,7 +85,7 @@ SceneJob recording_job(const RecordRequest& request, FrameSource source, Picture
   });
   const std::shared_ptr<FrameSink> sink = make_frame_sink(
       request.path, {request.options.width, request.options.height, recording.frames_per_second,
-                     request.options.transparent, std::move(texts)});
+                     request.options.transparent, std::move(texts), frame_count(recording)});
   return {request.path,
           [sink, recording, source = std::move(source)](Scene& scene, const RunContext& context) {
             std::string lacks = record_frames(scene, recording, source, *sink, context);
@@ -99,6 +100,8 @@ void PictureSaver::start(SceneJob job) {
     throw std::runtime_error("Cannot save " + job.path.string() + ": " + saving_->path.string() +
                              " is still being saved. Wait until it is finished, or cancel it.");
   }
+  // That it cannot be written should not show after drawing only; a recording has looked itself.
+  if (!job.recording) AtomicFile{job.path};
   saving_ = Saving{job.path, job.recording};
   since_ = std::chrono::steady_clock::now();
   waiting_ = std::move(job);

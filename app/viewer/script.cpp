@@ -15,6 +15,7 @@
 #include "app/viewer/resources.hpp"
 #include "app/viewer/timed_moves.hpp"
 #include "app/viewer/viewer.hpp"
+#include "core/io/output_ending.hpp"
 #include "core/run/freed_elsewhere.hpp"
 #include "ui/panels/keys.hpp"
 
@@ -240,7 +241,12 @@ class ScriptRunner {
     frames(3);
   }
   void shots_only(const Arguments&) { viewer_.draw_shots_only(); }
-  void shot(const Arguments& arguments) { viewer_.shoot(arguments.text("path"), &input_); }
+  void shot(const Arguments& arguments) {
+    const std::string path = arguments.text("path");
+    const std::string fault = fault_of_ending(path, {".png"});
+    if (!fault.empty()) throw std::runtime_error(path + ": " + fault + ".");
+    viewer_.shoot(path, &input_);
+  }
   void where(const Arguments& arguments) {
     move(arguments);
     out_ << arguments.text("name") << ' ' << std::lround(input_.x) << ' ' << std::lround(input_.y)

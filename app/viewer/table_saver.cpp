@@ -34,6 +34,7 @@ void TableSaver::start(SaveTableRequest request) {
                              saving_->path.string() +
                              " is still being saved. Wait until it is finished, or cancel it.");
   }
+  AtomicFile{request.path};  // that it cannot be written should not show after computing only
   saving_ = std::move(request);
   begun_ = writing_ = false;
   since_ = std::chrono::steady_clock::now();

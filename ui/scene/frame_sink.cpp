@@ -8,9 +8,14 @@ namespace {
 
 class PictureSink : public FrameSink {
  public:
-  // That no file can be written there should not show only after the first picture.
-  explicit PictureSink(const std::filesystem::path& pattern) : names_(pattern) {
+  // Numbers grow, and so do names.
+  PictureSink(const std::filesystem::path& pattern, int frames) : names_(pattern) {
+    for (int k = 1; k <= frames; ++k) {
+      const std::filesystem::path name = names_.name(k);
+      refuse_to_replace_input("The picture " + name.string(), name);
+    }
     AtomicFile(names_.name(1));
+    AtomicFile(names_.name(frames));
   }
   void add(int number, const Image& image, const PictureTexts& texts,
            const RunContext& context) override {
@@ -49,7 +54,9 @@ PictureTexts movie_texts(const PictureTexts& texts) {
 std::unique_ptr<FrameSink> make_frame_sink(const std::filesystem::path& path,
                                            const FrameSinkOptions& options) {
   const RecordingFormat format = recording_format(path);
-  if (format == RecordingFormat::frames) return std::make_unique<PictureSink>(path);
+  if (format == RecordingFormat::frames) {
+    return std::make_unique<PictureSink>(path, options.frames);
+  }
   return std::make_unique<MovieSink>(
       path, MovieOptions{format == RecordingFormat::mp4 ? MovieFormat::mp4 : MovieFormat::webm,
                          options.width, options.height, options.frames_per_second,

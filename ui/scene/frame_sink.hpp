@@ -24,10 +24,12 @@ struct FrameSinkOptions {
   double frames_per_second = 30;
   bool transparent = false;
   PictureTexts texts;  // of a movie as a whole
+  int frames = 1;      // that come at most
 };
 
-// By the ending of `path`. Throws std::invalid_argument for a name that does not fit, and what
-// MovieFile throws.
+// By the ending of `path`. That a picture cannot be written, or would replace what is read, shows
+// here, whichever it is. Throws std::invalid_argument for a name that does not fit, and what
+// AtomicFile and MovieFile throw.
 std::unique_ptr<FrameSink> make_frame_sink(const std::filesystem::path& path,
                                            const FrameSinkOptions& options);
 

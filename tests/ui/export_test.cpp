@@ -71,7 +71,8 @@ TEST_F(ExportFromTheWindow, WhatCannotBeWrittenIsTold) {
   const std::string before = bytes("own.pqr");
   run("open " + path("own.pqr") + "\nwait-idle\nfile.export \"" + path("own.pqr") +
       "\"\nwait-idle\n");
-  EXPECT_NE(viewer_->state().error.find("the molecule's own file"), std::string::npos)
+  EXPECT_NE(viewer_->state().error.find("which is read. Give the output another name."),
+            std::string::npos)
       << viewer_->state().error;
   EXPECT_EQ(bytes("own.pqr"), before);
 }

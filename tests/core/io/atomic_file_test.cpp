@@ -10,6 +10,8 @@
 #include <sstream>
 #include <string>
 
+#include "core/io/regular_file.hpp"
+
 namespace alphascope {
 namespace {
 
@@ -115,6 +117,75 @@ TEST_F(AtomicFileTest, ASignalHandlerCanRemoveTheTemporaryFiles) {
   AtomicFile one(folder_ / "one"), two(folder_ / "two");
   EXPECT_EQ(files(), 2u);
   remove_temporary_files();
+  EXPECT_EQ(files(), 0u);
+}
+
+TEST_F(AtomicFileTest, WhatWasReadIsNotReplacedUnderAnyName) {
+  put(folder_ / "read", "before");
+  { const RegularFile read(folder_ / "read"); }
+  fs::create_symlink("read", folder_ / "link");
+  fs::create_hard_link(folder_ / "read", folder_ / "hard");
+  fs::create_directory(folder_ / "sub");
+  for (const char* name : {"read", "link", "hard", "sub/../read"}) {
+    EXPECT_THROW(put(folder_ / name, "after"), ReplacesInput) << name;
+  }
+  // Moved away, it is still what was read; what takes its name meanwhile is not ours either.
+  fs::remove(folder_ / "hard");
+  fs::rename(folder_ / "read", folder_ / "moved");
+  EXPECT_THROW(put(folder_ / "moved", "after"), ReplacesInput);
+  EXPECT_EQ(contents(folder_ / "moved"), "before");
+  std::ofstream(folder_ / "read") << "another";
+  EXPECT_THROW(put(folder_ / "read", "after"), ReplacesInput);
+  fs::remove(folder_ / "read");
+  put(folder_ / "read", "new");
+  EXPECT_EQ(contents(folder_ / "read"), "new") << "nothing was there to be lost";
+}
+
+TEST_F(AtomicFileTest, WhatIsReadAfterItWasOpenedIsNotReplacedEither) {
+  put(folder_ / "read", "before");
+  AtomicFile file(folder_ / "read");
+  file.write("after");
+  { const RegularFile read(folder_ / "read"); }
+  EXPECT_THROW(file.commit(), ReplacesInput);
+  EXPECT_EQ(contents(folder_ / "read"), "before");
+}
+
+TEST_F(AtomicFileTest, OnlyASessionReplacesASession) {
+  put(folder_ / "session", "before");
+  { const RegularFile read(folder_ / "session", FileKind::session); }
+  EXPECT_THROW(put(folder_ / "session", "picture"), ReplacesInput);
+  AtomicFile file(folder_ / "session", FileKind::session);
+  file.write("after");
+  file.commit();
+  EXPECT_EQ(contents(folder_ / "session"), "after");
+  { const RegularFile read(folder_ / "session"); }  // as a molecule
+  EXPECT_THROW(AtomicFile(folder_ / "session", FileKind::session), ReplacesInput);
+}
+
+TEST_F(AtomicFileTest, FilesOfASetGetTheirNamesTogetherOrNot) {
+  put(folder_ / "a", "old a");
+  put(folder_ / "c", "old c");
+  for (const bool fails : {true, false}) {
+    AtomicFile a(folder_ / "a"), b(folder_ / "b"), c(folder_ / "c"), d(folder_ / "d");
+    AtomicFile* const all[] = {&a, &b, &c, &d};
+    for (AtomicFile* const file : all) file->write("new");
+    if (fails) {
+      fs::create_directory(folder_ / "d");  // no file takes its name
+      EXPECT_THROW(commit_together(all), WriteError);
+      fs::remove(folder_ / "d");
+    } else {
+      commit_together(all);
+    }
+    EXPECT_EQ(contents(folder_ / "a"), fails ? "old a" : "new");
+    EXPECT_EQ(contents(folder_ / "c"), fails ? "old c" : "new");
+    EXPECT_EQ(fs::exists(folder_ / "b"), !fails);
+    EXPECT_EQ(fs::exists(folder_ / "d"), !fails);
+  }
+  EXPECT_EQ(files(), 4u) << "no temporary file";
+}
+
+TEST_F(AtomicFileTest, ANameThatIsTooLongShowsBeforeAnythingIsWritten) {
+  EXPECT_THROW(AtomicFile(folder_ / std::string(256, 'x')), WriteError);
   EXPECT_EQ(files(), 0u);
 }
 

@@ -54,8 +54,7 @@ CavityAnswer find_cavities_of(const Input& input, const CavitiesOptions& options
   CavityAnswer answer(input);
   answer.request = options.request;
   answer.request.solvent_radius_angstrom = solvent_radius_angstrom;
-  answer.differences =
-      differences_from_castp(input.balls, input.prepared().report.radii, answer.request);
+  answer.differences = differences_from_castp(input.balls, input.prepared().report, answer.request);
   if (options.rule == OutsideRule::pocket)
     answer.differences.push_back("Pocket's rule of what is outside");
   if (options.ties == FlowTies::strict) answer.differences.push_back("ties do not flow");

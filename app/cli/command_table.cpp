@@ -39,6 +39,10 @@ OptionCommand info(InfoOptions& options) {
   command.options = many_files(options.files);
   append(command.options, input(options.input));
   command.options.push_back(
+      flag_option("--residues", "List what residues are, and why", options.residues));
+  command.options.push_back(flag_option("--each-residue", "The same with a line for every residue",
+                                        options.each_residue));
+  command.options.push_back(
       output("--json", "The same as JSON; - for standard output", options.json));
   command.options.push_back(
       output("--csv", "One row for each file and model; - for standard output", options.csv));

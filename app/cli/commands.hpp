@@ -37,7 +37,7 @@ struct InputOptions {
   std::string model = "1";      // counted from 1; "all": each by itself; "joined": all as one
   std::string hydrogens = "auto", altlocs = "best";
   bool waters = false, dummies = false, no_ligands = false, no_ions = false, no_polymers = false;
-  std::vector<std::string> chains, without_chains;
+  std::vector<std::string> chains, without_chains, treated;
   std::string select;    // core/molecule/selection_expression.hpp
   std::string assembly;  // id, empty = as deposited
 };
@@ -56,6 +56,7 @@ struct InfoOptions {
   InputOptions input;
   // File, "-" for standard output, empty for none; so everywhere.
   std::string json, csv;
+  bool residues = false, each_residue = false;
 };
 
 struct ComputeOptions {

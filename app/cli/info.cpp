@@ -13,6 +13,8 @@
 #include "app/cli/text.hpp"
 #include "core/molecule/assembly.hpp"
 #include "core/molecule/printable.hpp"
+#include "core/molecule/residue_list.hpp"
+#include "core/molecule/treatments.hpp"
 
 namespace alphascope::cli {
 namespace {
@@ -39,6 +41,15 @@ Json radii_json(const BallSet& balls) {
   Json json = Json::array();
   for (const auto& [radius, count] : histogram) {
     json.push_back({{"radius_angstrom", balls.lattice.angstrom(radius)}, {"balls", count}});
+  }
+  return json;
+}
+
+// Atoms of each kind, of all models.
+Json kinds_json(const MoleculeContents& contents) {
+  Json json = Json::object();
+  for (std::size_t k = 0; k < contents.kinds.size(); ++k) {
+    json[kind_name(static_cast<AtomKind>(k))] = contents.kinds[k];
   }
   return json;
 }
@@ -102,6 +113,7 @@ void print(const Input& input) {
   std::cout << "atoms       " << grouped(molecule.atoms.size()) << " in "
             << grouped(molecule.models.size())
             << (molecule.models.size() == 1 ? " model\n" : " models\n");
+  std::cout << "kinds       " << kinds_text(input.opened.contents->kinds) << "\n";
   print_assemblies(molecule);
   std::cout << "balls       " << grouped(balls.size()) << "\n";
   std::cout << "radii       " << report.radii_name;
@@ -125,6 +137,57 @@ void print(const Input& input) {
   if (times_shown()) {
     std::cout << "opened in   " << milliseconds_text(input.open_milliseconds) << "\n";
   }
+}
+
+ResidueListing listing_of(const InfoOptions& options) {
+  return options.each_residue ? ResidueListing::each : ResidueListing::grouped;
+}
+
+// Of the model that is looked at.
+std::vector<ListedResidues> residues_of(const Input& input, ResidueListing listing) {
+  const Molecule& molecule = input.molecule();
+  if (input.balls.model == kAllModels) {
+    return list_residues(molecule, 0, molecule.atoms.size(), listing);
+  }
+  const ModelRange& model = molecule.models[static_cast<std::size_t>(input.balls.model)];
+  return list_residues(molecule, model.begin, model.end, listing);
+}
+
+void print_residues(const std::vector<ListedResidues>& list) {
+  std::vector<std::string> names, numbers;
+  for (const ListedResidues& residues : list) {
+    names.push_back(residues.name);
+    numbers.push_back(residues.number);
+  }
+  const Table table({{"chain", 5, true},
+                     {"name", widest(names), true},
+                     {"number", widest(numbers), true},
+                     {"kind", 7, true},
+                     {"residues", 8},
+                     {"atoms", 9},
+                     {"why", 0, true}});
+  std::cout << table.heading();
+  for (const ListedResidues& residues : list) {
+    std::cout << table.line({residues.chain, residues.name, residues.number,
+                             kind_name(residues.kind), grouped(residues.residues),
+                             grouped(residues.atoms), reason_text(residues.why)});
+  }
+}
+
+Json residues_json(const std::vector<ListedResidues>& list) {
+  Json json = Json::array();
+  for (const ListedResidues& residues : list) {
+    json.push_back({{"chain", residues.chain},
+                    {"name", residues.name},
+                    {"number", residues.number},
+                    {"kind", kind_name(residues.kind)},
+                    {"why", reason_id(residues.why)},
+                    {"text", reason_text(residues.why)},
+                    {"guessed", is_guess(residues.why)},
+                    {"residues", residues.residues},
+                    {"atoms", residues.atoms}});
+  }
+  return json;
 }
 
 Table info_table(const std::vector<std::string>& files, bool models) {
@@ -171,6 +234,7 @@ ExitCode run_info(const InfoOptions& options) {
   FilesCommand command(options.files, options.input, open_options(options.input, context),
                        {options.json, options.csv});
   const bool many = command.many, each = command.each_model, shown = command.shown();
+  const bool listed = options.residues || options.each_residue;
   const Table table = info_table(command.files, each);
   if (shown && many) std::cout << table.heading();
   return command.run([&](const std::string& file, const Input& input) {
@@ -187,9 +251,15 @@ ExitCode run_info(const InfoOptions& options) {
                   << summary(input.prepared().report) << "\n";
       }
     }
+    std::vector<ListedResidues> residues;
+    if (listed) residues = residues_of(input, listing_of(options));
+    if (listed && shown) print_residues(residues);
     if (command.json.wanted()) {
-      command.json.add({{"input", input_json(input, input.prepared().balls->lattice)},
-                        {"radii_in_use", radii_json(*input.prepared().balls)}});
+      Json json = {{"input", input_json(input, input.prepared().balls->lattice)},
+                   {"kinds", kinds_json(*input.opened.contents)},
+                   {"radii_in_use", radii_json(*input.prepared().balls)}};
+      if (listed) json["residues"] = residues_json(residues);
+      command.json.add(std::move(json));
     }
     if (command.csv.wanted()) command.csv.add(csv_row(input));
   });

@@ -13,6 +13,7 @@
 #include "core/io/user_radii.hpp"
 #include "core/molecule/printable.hpp"
 #include "core/molecule/selection_expression.hpp"
+#include "core/molecule/treatments.hpp"
 
 namespace alphascope::cli {
 namespace {
@@ -153,6 +154,8 @@ OpenOptions open_options(const InputOptions& options, const RunContext& context)
   open.balls.polymers = !options.no_polymers;
   open.balls.chains = options.chains;
   open.balls.without_chains = options.without_chains;
+  for (const std::string& text : options.treated) parse_treatment(text);
+  open.balls.treated = options.treated;
   open.balls.selection = options.select;
   open.assembly = options.assembly;
   return open;

@@ -47,6 +47,10 @@ Options input_but_ligands(InputOptions& input) {
       text_option({"--select", "EXPRESSION",
                    "Keep only atoms that match, such as \"chain A and not resn HEM\""},
                   input.select),
+      texts_option({"--treat", "RESIDUES=KIND",
+                    "What residues are, such as \"A:PU8 301=ligand\" or LIG=polymer: polymer, "
+                    "ligand, ion, water or dummy"},
+                   input.treated),
       text_option({"--assembly", "ID", "Expand a biological assembly; info lists them"},
                   input.assembly),
       flag_option("--waters", "Keep waters (dropped by default)", input.waters),

@@ -4,6 +4,7 @@
 
 #include "core/io/user_radii.hpp"
 #include "core/molecule/assembly.hpp"
+#include "core/molecule/treatments.hpp"
 
 namespace alphascope {
 namespace {
@@ -32,6 +33,11 @@ void expand(OpenedMolecule& opened, const OpenOptions& options, const RunContext
     opened.molecule = std::make_shared<const Molecule>(
         expand_assembly(*opened.deposited, options.assembly, context));
   }
+  if (!options.sandbox && !options.balls.treated.empty()) {
+    auto treated = std::make_shared<Molecule>(*opened.molecule);
+    treat(*treated, options.balls.treated);
+    opened.molecule = std::move(treated);
+  }
   opened.contents = std::make_shared<const MoleculeContents>(contents_of(*opened.molecule));
 }
 
@@ -52,8 +58,9 @@ OpenedMolecule open_molecule(const std::filesystem::path& path, const OpenOption
 OpenedMolecule reopen_molecule(const OpenedMolecule& opened, const OpenOptions& options,
                                const RunContext& context) {
   OpenedMolecule result = opened;
-  const bool other_atoms =
-      options.assembly != opened.options.assembly || options.sandbox != opened.options.sandbox;
+  const bool other_atoms = options.assembly != opened.options.assembly ||
+                           options.sandbox != opened.options.sandbox ||
+                           options.balls.treated != opened.options.balls.treated;
   if (other_atoms) expand(result, options, context);
   result.prepared = prepare(*result.molecule, options, context);
   result.options = options;

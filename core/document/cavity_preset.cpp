@@ -12,6 +12,7 @@ BallOptions cavity_body(const BallOptions& options, bool file_has_radii) {
   body.user_radii = options.user_radii;  // read once, though not used here
   body.ligands = false;
   body.ions = false;
+  body.treated = options.treated;
   return body;
 }
 
@@ -21,13 +22,18 @@ void use_cavity_preset(OpenOptions& open, Request& request, bool file_has_radii)
   request.solvent_radius_angstrom = kCavitySolventAngstrom;
 }
 
-std::vector<std::string> differences_from_castp(const BallOptions& balls, RadiiSet radii,
+std::vector<std::string> differences_from_castp(const BallOptions& balls,
+                                                const SelectionReport& report,
                                                 const Request& request) {
   std::vector<std::string> differences;
   const auto add = [&](bool differs, const std::string& text) {
     if (differs) differences.push_back(text);
   };
-  add(radii != RadiiSet::castp, "radii " + std::string(radii_set_info(radii).name));
+  add(report.radii != RadiiSet::castp, "radii " + std::string(radii_set_info(report.radii).name));
+  add(!balls.treated.empty(), "what residues are is set by hand");
+  add(report.guessed_residues > 0,
+      "what " + std::to_string(report.guessed_residues) +
+          (report.guessed_residues == 1 ? " residue is" : " residues are") + " is guessed");
   add(!balls.overrides.empty(), "radii changed by hand");
   add(balls.hydrogens == HydrogenRule::keep, "hydrogens are in the body");
   add(balls.waters, "waters are in the body");

@@ -21,8 +21,9 @@ BallOptions cavity_body(const BallOptions& options, bool file_has_radii);
 void use_cavity_preset(OpenOptions& open, Request& request, bool file_has_radii);
 
 // Each choice that CASTp does not make, as a few words: "ligands are in the body". None: the
-// numbers compare with CASTp's. `radii`: what the balls have, never automatic.
-std::vector<std::string> differences_from_castp(const BallOptions& balls, RadiiSet radii,
+// numbers compare with CASTp's. `report`: of the balls.
+std::vector<std::string> differences_from_castp(const BallOptions& balls,
+                                                const SelectionReport& report,
                                                 const Request& request);
 
 }  // namespace alphascope

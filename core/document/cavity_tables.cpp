@@ -19,7 +19,7 @@ CavityFacts facts_of(const Inputs& in, const CavityRowsWanted& wanted, const Rec
   facts.lives = in.share(whole_cavity_lives());
   facts.contents = in.share(cavity_contents());
   facts.differences =
-      differences_from_castp(source.options, source.prepared->report.radii, facts.request);
+      differences_from_castp(source.options, source.prepared->report, facts.request);
   facts.clipped_rank = ranks_by_clipped(facts.table(), *facts.exact);
   for (std::size_t row = 0; row < facts.table().size(); ++row) {
     const bool of_kind = facts.table().cavity(row).is_void() ? wanted.voids : wanted.pockets;

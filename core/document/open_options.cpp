@@ -13,6 +13,7 @@ OpenOptions for_another_file(const OpenOptions& options) {
   result.balls.without_chains = defaults.without_chains;
   result.balls.selection = defaults.selection;
   result.balls.overrides = defaults.overrides;
+  result.balls.treated = defaults.treated;
   result.sandbox.reset();
   return result;
 }

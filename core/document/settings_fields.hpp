@@ -40,6 +40,7 @@ void visit_fields(Visitor& v, OpenOptions& o) {
   v("selection", b.selection);
   v("radii", b.radii);
   v("radius_edits", b.overrides);
+  v("treat", b.treated);
   v("sandbox", o.sandbox);
 }
 

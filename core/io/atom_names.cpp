@@ -22,9 +22,9 @@ constexpr std::string_view kWaters[] = {"WAT", "SOL",   "TIP", "TIP2", "TIP3", "
 
 constexpr std::string_view kBiopolymers[] = {
     "HID", "HIE", "HIP", "HSD", "HSE", "HSP", "CYX", "CYM", "ASH", "GLH", "LYN", "ARN", "ACE",
-    "NME", "NMA", "ADE", "GUA", "CYT", "THY", "URA", "DA5", "DA3", "DC5", "DC3", "DG5", "DG3",
-    "DT5", "DT3", "RA",  "RC",  "RG",  "RU",  "A5",  "A3",  "C5",  "C3",  "G5",  "G3",  "U5",
-    "U3",  "RA5", "RA3", "RC5", "RC3", "RG5", "RG3", "RU5", "RU3", "T"};
+    "NME", "NMA", "FOR", "NH2", "NHE", "ADE", "GUA", "CYT", "THY", "URA", "DA5", "DA3", "DC5",
+    "DC3", "DG5", "DG3", "DT5", "DT3", "RA",  "RC",  "RG",  "RU",  "A5",  "A3",  "C5",  "C3",
+    "G5",  "G3",  "U5",  "U3",  "RA5", "RA3", "RC5", "RC3", "RG5", "RG3", "RU5", "RU3", "T"};
 
 template <std::size_t N>
 bool contains(const std::string_view (&list)[N], std::string_view name) {

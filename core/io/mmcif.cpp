@@ -9,6 +9,7 @@
 #include "core/io/cif_grammar.hpp"
 #include "core/io/line_reader.hpp"
 #include "core/io/mmcif_assembly.hpp"
+#include "core/io/mmcif_entities.hpp"
 #include "core/io/molecule_builder.hpp"
 #include "core/io/predicted_model.hpp"
 #include "core/io/readers.hpp"
@@ -33,6 +34,7 @@ enum Column : std::size_t {
   kLabelComp,
   kAuthComp,
   kLabelAsym,
+  kEntityId,
   kAuthAsym,
   kLabelSeq,
   kAuthSeq,
@@ -46,13 +48,16 @@ enum Column : std::size_t {
   kColumnCount
 };
 constexpr std::array<std::string_view, kColumnCount> kColumnTags = {
-    "group_pdb",         "id",           "type_symbol",
-    "label_atom_id",     "auth_atom_id", "label_alt_id",
-    "label_comp_id",     "auth_comp_id", "label_asym_id",
-    "auth_asym_id",      "label_seq_id", "auth_seq_id",
-    "pdbx_pdb_ins_code", "cartn_x",      "cartn_y",
-    "cartn_z",           "occupancy",    "b_iso_or_equiv",
-    "pdbx_pdb_model_num"};
+    "group_pdb",      "id",
+    "type_symbol",    "label_atom_id",
+    "auth_atom_id",   "label_alt_id",
+    "label_comp_id",  "auth_comp_id",
+    "label_asym_id",  "label_entity_id",
+    "auth_asym_id",   "label_seq_id",
+    "auth_seq_id",    "pdbx_pdb_ins_code",
+    "cartn_x",        "cartn_y",
+    "cartn_z",        "occupancy",
+    "b_iso_or_equiv", "pdbx_pdb_model_num"};
 
 // The text of a value without its quotes; empty for the unknown "?" and the inapplicable ".".
 std::string_view plain(std::string_view raw) {
@@ -110,6 +115,11 @@ class MmcifReader : public CifHandler {
       column_ = (column_ + 1) % tags_.size();
       return;
     }
+    if (kind_ == Table::entity) {
+      entities_.add(block_, tags_[column_], plain(raw));
+      column_ = (column_ + 1) % tags_.size();
+      return;
+    }
     row_.push_back({raw, line});
     if (row_.size() < tags_.size()) return;
     take_row();
@@ -135,6 +145,8 @@ class MmcifReader : public CifHandler {
       single_row_.push_back({raw, line});
     } else if (MmcifAssemblyTables::wants(item_)) {
       assemblies_.add(item_, plain(raw), line);
+    } else if (MmcifEntityTables::wants(item_)) {
+      entities_.add(block_, item_, plain(raw));
     }
     if (item_.starts_with(kMetric)) predicted_.take_metric(plain(raw));
     take_method(item_, plain(raw));
@@ -163,6 +175,7 @@ class MmcifReader : public CifHandler {
     guesser_.add_note(builder_.molecule(), "because the column type_symbol holds none");
     predicted_.finish(builder_.molecule());
     assemblies_.finish(builder_.molecule());
+    entities_.finish(atoms_block_, builder_.molecule().names, builder_.records());
     return builder_.finish();
   }
 
@@ -171,6 +184,7 @@ class MmcifReader : public CifHandler {
     undecided,
     atoms,
     assembly,
+    entity,
     component,
     metrics,
     methods,
@@ -192,6 +206,7 @@ class MmcifReader : public CifHandler {
       component_tags_ = tags_;
       return Table::component;
     }
+    if (MmcifEntityTables::wants(tags_.front())) return Table::entity;
     if (!tags_.front().starts_with(kAtomSite)) return Table::other;
     if (builder_.size() > 0 && block_ != atoms_block_) {
       ++ignored_blocks_;
@@ -248,9 +263,9 @@ class MmcifReader : public CifHandler {
     // A symbol that says that there is no known element (X) leaves it unknown.
     const StatedElement stated = stated_element(trimmed(value(kSymbol)));
     const ResidueFamily family = guesser_.identify(atom, stated, NamePlace::free, names);
-    const bool in_polymer = !value(kLabelSeq).empty();
-    atom.kind = atom_kind(family, atom.hetero && !in_polymer);
-    if (in_polymer && atom.kind == AtomKind::ligand) atom.kind = AtomKind::polymer;
+    atom.kind = atom_kind(family, atom.hetero);
+    builder_.set_record(
+        {.entity = names.intern(value(kEntityId)), .numbered = !value(kLabelSeq).empty()});
     builder_.add(atom, position);
   }
 
@@ -364,6 +379,7 @@ class MmcifReader : public CifHandler {
   MoleculeBuilder builder_;
   AtomGuesser guesser_;
   MmcifAssemblyTables assemblies_;
+  MmcifEntityTables entities_;
   std::vector<std::string> tags_, single_tags_;
   std::vector<CifValue> row_, single_row_, component_;
   std::vector<std::string> component_tags_;

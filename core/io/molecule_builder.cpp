@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "core/io/decide_residues.hpp"
 #include "core/io/virtual_sites.hpp"
 #include "core/molecule/printable.hpp"
 
@@ -63,6 +64,8 @@ Molecule MoleculeBuilder::finish() {
   }
   if (!radii_.empty()) radii_.resize(size(), kNoRadius);
   place(choose_digits());
+  mark_sites_on_their_atoms(molecule_);
+  if (has_residues_) decide_residues(molecule_, records_);
   finish_virtual_sites(molecule_);
   make_texts_printable();
   return std::move(molecule_);

@@ -9,6 +9,7 @@
 
 #include "core/io/decimal.hpp"
 #include "core/io/read_error.hpp"
+#include "core/io/residue_records.hpp"
 #include "core/molecule/molecule.hpp"
 
 namespace alphascope {
@@ -46,10 +47,21 @@ class MoleculeBuilder {
 
   std::size_t size() const { return molecule_.atoms.size(); }
 
+  // For formats that know residues: what records say of the next atoms, and what finish() judges
+  // them by. Without any the kinds stay as the reader gives them.
+  void set_record(const ResidueRecord& record) {
+    has_residues_ = true;
+    records_.add(size(), record);
+  }
+  ResidueRecords& records() {
+    has_residues_ = true;
+    return records_;
+  }
+
   // Lattice digits: as many as some value of the file uses (trailing zeros do not count), at least
   // kMinLatticeDigits, at most what the largest coordinate and radius leave room for; with fewer
   // than the file uses, values are rounded once and the largest change is recorded.
-  // Title, notes and assemblies become printable.
+  // Title, notes and assemblies become printable. What residues are is decided.
   // Throws ReadError when there are no atoms or a value is beyond the lattice of whole ångströms.
   Molecule finish();
 
@@ -68,6 +80,8 @@ class MoleculeBuilder {
   Molecule molecule_;
   std::vector<std::array<Decimal, 3>> positions_;
   std::vector<Decimal> radii_;  // empty, or one per atom; mantissa -1 for an atom without
+  ResidueRecords records_;
+  bool has_residues_ = false;
   int most_digits_ = kMinLatticeDigits;
 };
 

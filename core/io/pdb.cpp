@@ -80,6 +80,7 @@ class PdbReader {
     assemblies_.finish(molecule);
     predicted_.finish(molecule);
     frames_.split(molecule);
+    builder_.records().ter_count = sections_;
     return builder_.finish();
   }
 
@@ -101,6 +102,8 @@ class PdbReader {
       take_title(line);
     } else if (line.starts_with("MODRES")) {
       take_modified(line);
+    } else if (line.starts_with("SEQRES")) {
+      take_sequence(line);
     } else if (line.starts_with("ROOT")) {
       pose_ = true;
     } else {
@@ -120,6 +123,7 @@ class PdbReader {
     } else if (mark == "END") {
       frames_.end_record(builder_.size());
     } else if (mark == "TER") {
+      ++sections_;
       frames_.ter_record(builder_.size());
     }
   }
@@ -162,6 +166,14 @@ class PdbReader {
         residue_key(columns(line, 16, 17), columns(line, 19, 22), columns(line, 23, 23)));
   }
 
+  void take_sequence(std::string_view line) {
+    auto& names = builder_.records().sequences[std::string(trimmed(columns(line, 12, 12)))];
+    std::string_view list = columns(line, 20, 70);
+    for (std::string_view name = next_field(list); !name.empty(); name = next_field(list)) {
+      names.emplace(name);
+    }
+  }
+
   static std::string residue_key(std::string_view chain, std::string_view number,
                                  std::string_view insertion_code) {
     return std::string(trimmed(chain)) + '/' + std::string(trimmed(number)) +
@@ -192,6 +204,7 @@ class PdbReader {
       take_b_factor(to_float(columns(rest, 61, 66), kNoNumber), atom);
     }
     if (!pdbqt_) atom.segment = segment(trimmed(columns(rest, 73, 76)));
+    builder_.set_record({.section = sections_, .modified = is_modified_});
     builder_.add(atom, position);
   }
 
@@ -293,11 +306,9 @@ class PdbReader {
                                         : stated_element(trimmed(columns(rest, 77, 78)));
     const ResidueFamily family = guesser_.identify(atom, stated, place(name, atom, stated), names);
     atom.kind = atom_kind(family, atom.hetero);
-    if (atom.kind == AtomKind::ligand && !modified_.empty() &&
-        modified_.contains(residue_key(names.text(atom.chain), number,
-                                       std::string_view(&atom.insertion_code, 1)))) {
-      atom.kind = AtomKind::polymer;
-    }
+    is_modified_ = !modified_.empty() &&
+                   modified_.contains(residue_key(names.text(atom.chain), number,
+                                                  std::string_view(&atom.insertion_code, 1)));
   }
 
   // The column in which a name begins says nothing where all begin in the first.
@@ -361,6 +372,8 @@ class PdbReader {
   int model_count_ = 0;
   std::optional<PdbNameColumns> name_columns_;  // once it matters
   bool pdbqt_, pose_ = false;
+  std::uint32_t sections_ = 0;  // TER so far
+  bool is_modified_ = false;
   bool between_models_ = false;
   std::size_t shifted_lines_ = 0;
 };

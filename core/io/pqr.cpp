@@ -46,9 +46,11 @@ class PqrReader {
       } else if (pdb_mark(line) == "END") {
         frames_.end_record(builder_.size());
       } else if (pdb_mark(line) == "TER") {
+        ++sections_;
         frames_.ter_record(builder_.size());
       }
     }
+    builder_.records().ter_count = sections_;
     guesser_.add_note(builder_.molecule(), "because PQR files hold none");
     if (radius_first_) {
       builder_.molecule().notes.push_back(
@@ -75,6 +77,7 @@ class PqrReader {
     const ResidueFamily family = guesser_.identify(atom, stated_element(element_), NamePlace::free,
                                                    builder_.molecule().names);
     atom.kind = atom_kind(family, atom.hetero);
+    builder_.set_record({.section = sections_});
     builder_.add(atom, position, radius);
   }
 
@@ -215,6 +218,7 @@ class PqrReader {
   FrameMarks frames_;
   std::string_view line_, element_;
   int models_ = 0;
+  std::uint32_t sections_ = 0;  // TER so far
   bool between_models_ = false, radius_first_ = false;
 };
 

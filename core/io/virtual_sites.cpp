@@ -113,8 +113,11 @@ void mark_on_their_atoms(Molecule& molecule) {
 
 }  // namespace
 
-void finish_virtual_sites(Molecule& molecule) {
+void mark_sites_on_their_atoms(Molecule& molecule) {
   mark_on_their_atoms(molecule);
+}
+
+void finish_virtual_sites(Molecule& molecule) {
   std::size_t dummies = 0;
   std::map<std::string_view, std::size_t> names;
   bool planes = false;  // OPM's, which are named DUM
@@ -130,6 +133,7 @@ void finish_virtual_sites(Molecule& molecule) {
     // A file of nothing but such points: they are what its user has.
     for (Atom& atom : molecule.atoms) {
       atom.kind = atom.hetero ? AtomKind::ligand : AtomKind::polymer;
+      atom.why = atom.hetero ? ResidueReason::hetatm : ResidueReason::no_name;
     }
     molecule.notes.push_back("All " + total +
                              " atoms look like virtual sites or dummies; they are kept as atoms of "

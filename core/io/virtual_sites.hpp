@@ -13,8 +13,11 @@ namespace alphascope {
 bool is_virtual_site(const AtomNaming& naming, Statement stated);
 
 // What only the neighbours tell: a Drude particle is named after its atom ("DCA" of CA) and stands
-// on it; so does the site OM of a water's OH2. Then says how many atoms of all get no ball. For
-// molecules whose atoms have their places.
+// on it; so does the site OM of a water's OH2. For molecules whose atoms have their places; before
+// it is decided what their residues are.
+void mark_sites_on_their_atoms(Molecule& molecule);
+
+// Says how many atoms of all get no ball, once residues are decided.
 void finish_virtual_sites(Molecule& molecule);
 
 }  // namespace alphascope

@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "core/molecule/grouped_number.hpp"
+#include "core/molecule/treatments.hpp"
 
 namespace alphascope {
 
@@ -27,11 +28,11 @@ MoleculeContents contents_of(const Molecule& molecule) {
 }
 
 std::string kinds_text(const KindCounts& counts) {
-  static constexpr const char* kNames[] = {"polymer", "water", "ligand", "ion", "dummy"};
   std::string text;
   for (std::size_t k = 0; k < counts.size(); ++k) {
     if (counts[k] == 0) continue;
-    text += (text.empty() ? "" : " · ") + std::string(kNames[k]) + " " + grouped(counts[k]);
+    text += (text.empty() ? "" : " · ") + std::string(kind_name(static_cast<AtomKind>(k))) + " " +
+            grouped(counts[k]);
   }
   return text;
 }

@@ -14,6 +14,7 @@
 #include "core/molecule/assembly.hpp"
 #include "core/molecule/element.hpp"
 #include "core/molecule/name_table.hpp"
+#include "core/molecule/residue_reason.hpp"
 
 namespace alphascope {
 
@@ -37,9 +38,10 @@ struct Atom {
   AtomKind kind = AtomKind::polymer;
   char altloc = ' ';
   char insertion_code = ' ';
-  bool hetero = false;               // HETATM in the file
-  bool element_guessed : 1 = false;  // from its names, which leave a choice
-  bool has_b_factor : 1 = false;     // the file gives one
+  bool hetero = false;                          // HETATM in the file
+  bool element_guessed : 1 = false;             // from its names, which leave a choice
+  bool has_b_factor : 1 = false;                // the file gives one
+  ResidueReason why : 6 = ResidueReason::none;  // `kind` is what it is
   // Of a PDB file's columns 73-76, numbered in order of appearance; 0 where they are blank. Files
   // of several segments repeat chain and residue number.
   std::uint16_t segment = 0;

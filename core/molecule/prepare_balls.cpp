@@ -8,6 +8,7 @@
 #include <unordered_map>
 
 #include "core/molecule/atom_filter.hpp"
+#include "core/molecule/atom_groups.hpp"
 #include "core/molecule/given_radius.hpp"
 #include "core/neighbours/coincident.hpp"
 
@@ -281,6 +282,7 @@ PreparedBalls prepare_balls(const Molecule& molecule, const BallOptions& options
   DropCounter dropped(molecule, report);
   RadiusSource radii(molecule, options, report);
   std::vector<RoundedBall> rounded;
+  const Atom* guessed = nullptr;  // the last that was
   auto balls = std::make_shared<BallSet>();
   balls->lattice = molecule.lattice;
   for (std::size_t i = range.begin; i < range.end; ++i) {
@@ -291,6 +293,11 @@ PreparedBalls prepare_balls(const Molecule& molecule, const BallOptions& options
     }
     const Atom& atom = molecule.atoms[i];
     std::optional<DropReason> reason = filter.reason_to_drop(i);
+    if (is_guess(atom.why) && reason != DropReason::chain && reason != DropReason::selection) {
+      const bool same = guessed != nullptr && same_residue(*guessed, atom);
+      report.guessed_residues += !same;
+      guessed = &atom;
+    }
     DropReason missing{};
     const std::int32_t radius = reason ? 0 : radii.radius(i, missing);
     if (radius == 0) {

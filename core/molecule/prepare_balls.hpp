@@ -53,6 +53,7 @@ struct BallOptions {
   std::vector<std::string> without_chains;  // none of these
   std::string selection;                    // core/molecule/selection_expression.hpp; blank = all
   std::vector<RadiusOverride> overrides;    // go before every radii set
+  std::vector<std::string> treated;         // what residues are, by hand: see treatments.hpp
   friend bool operator==(const BallOptions&, const BallOptions&) = default;
 };
 
@@ -124,6 +125,9 @@ struct SelectionReport {
   std::size_t rounded_radii = 0;        // of sets, tables and edits, where no lattice holds them
   double radius_rounding_angstrom = 0;  // the largest change
   Lattice lattice;                      // of the balls: the file's, or a finer one for such radii
+
+  // Residues of the chains and the selection that were guessed to be polymer or ligand.
+  std::size_t guessed_residues = 0;
 
   // Balls whose centre is exactly that of an earlier ball. They stay in the set; of balls with one
   // centre only the largest shows.

@@ -55,6 +55,7 @@ std::string options_text(const BallOptions& options) {
   add(!options.ligands, "no-ligands");
   add(!options.ions, "no-ions");
   add(!options.polymers, "no-polymers");
+  for (const std::string& treated : options.treated) add(true, "treat '" + treated + "'");
   return text;
 }
 

@@ -88,9 +88,8 @@ float button_width(const char* label) {
 void comparable_line(PanelContext& ctx, const BallReferences& atoms) {
   constexpr const char *kComparable = "comparable with CASTp", *kNot = "not comparable with CASTp",
                        *kUse = "Use CASTp's choices";
-  const RadiiSet radii = atoms.prepared().report.radii;
   const std::vector<std::string> differences =
-      differences_from_castp(ctx.state.open.balls, radii, ctx.state.compute);
+      differences_from_castp(ctx.state.open.balls, atoms.prepared().report, ctx.state.compute);
   const float gap = ctx.px(8);
   same_line_where_it_fits(ctx, differences.empty()
                                    ? ImGui::CalcTextSize(kComparable).x

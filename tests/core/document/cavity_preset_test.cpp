@@ -7,7 +7,9 @@ namespace {
 
 std::vector<std::string> differences(const OpenOptions& open, const Request& request,
                                      RadiiSet radii) {
-  return differences_from_castp(open.balls, radii, request);
+  SelectionReport report;
+  report.radii = radii;
+  return differences_from_castp(open.balls, report, request);
 }
 
 TEST(CavityPreset, IsComparable) {
@@ -64,11 +66,27 @@ TEST(CavityPreset, EveryOtherChoiceIsNamed) {
         b.overrides.push_back({"", "", 6, 1'700'000});
       },
       "radii changed by hand");
+  one([](BallOptions& b) { b.treated = {"LIG=polymer"}; }, "what residues are is set by hand");
   request.solvent_radius_angstrom = 1.2;
   request.alpha_angstrom2 = -0.5;
   EXPECT_EQ(differences(preset, request, RadiiSet::protor),
             (std::vector<std::string>{"radii ProtOr", "solvent radius 1.2 Å instead of 1.4 Å",
                                       "alpha -0.5 Å² instead of 0 Å²"}));
+}
+
+TEST(CavityPreset, AGuessedResidueIsNotComparable) {
+  OpenOptions open;
+  Request request;
+  use_cavity_preset(open, request, false);
+  SelectionReport report;
+  report.radii = RadiiSet::castp;
+  EXPECT_TRUE(differences_from_castp(open.balls, report, request).empty());
+  report.guessed_residues = 1;
+  EXPECT_EQ(differences_from_castp(open.balls, report, request),
+            std::vector<std::string>{"what 1 residue is is guessed"});
+  report.guessed_residues = 2;
+  EXPECT_EQ(differences_from_castp(open.balls, report, request),
+            std::vector<std::string>{"what 2 residues are is guessed"});
 }
 
 }  // namespace

@@ -81,7 +81,8 @@ SessionDocument unusual() {
        .chains = {"A", "\xff\xfe no UTF-8", "\"quoted\"\n"},
        .without_chains = {"ä"},
        .selection = "resi 1-20 and not name CA",
-       .overrides = {{{"HEM", "FE", 26}, 1234567}, {{"", "Q", kUnknownElement}, 1000}}};
+       .overrides = {{{"HEM", "FE", 26}, 1234567}, {{"", "Q", kUnknownElement}, 1000}},
+       .treated = {"A:PU8 301=ligand", "QQ1=polymer"}};
   s.settings.request = {.alpha_angstrom2 = 0.1 + 0.2,
                         .solvent_radius_angstrom = 1.4,
                         .tetrahedra_only = true,

@@ -203,8 +203,7 @@ TEST(ReadPdbqt, TypesAreElements) {
     ++serial;
     text += typed(serial, "X", serial, type);
   }
-  text += typed(21, "G", 21, "G0") +
-          "ENDROOT\nBRANCH   1   7\nENDBRANCH   1   7\nTORSDOF 1\n";
+  text += typed(21, "G", 21, "G0") + "ENDROOT\nBRANCH   1   7\nENDBRANCH   1   7\nTORSDOF 1\n";
   const Molecule m = read_text("a.pdbqt", text);
   EXPECT_EQ(m.format, "PDBQT");
   ASSERT_EQ(m.atoms.size(), std::size(types) + 1);

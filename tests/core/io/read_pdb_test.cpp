@@ -42,7 +42,7 @@ TEST(ReadPdb, KnownLigandsAreLigandsWhateverTheRecord) {
   const std::string rest = "      27.340  24.430   2.614  1.00  9.67           C  \n";
   const Molecule m =
       read_text("a.pdb",
-                "MODRES      SUL A   3  SO4\nMODRES      MSE A   4  MET\n"
+                "MODRES      SUL A    3  SO4\nMODRES      MSE A    4  MET\n"
                 "ATOM      1  CHA HEM A   1 " +
                     rest.substr(1) + "ATOM      2  CA  UNK A   2 " + rest.substr(1) +
                     "HETATM    3  S   SUL A   3 " + rest.substr(1) + "HETATM    4  CA  MSE A   4 " +

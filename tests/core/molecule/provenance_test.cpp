@@ -56,9 +56,10 @@ TEST(Provenance, OptionsAreTheCommandLines) {
   options.ligands = options.polymers = false;
   options.chains = {"A", "B-2"};
   options.without_chains = {"C"};
+  options.treated = {"A:PU8 301=ligand"};
   EXPECT_EQ(options_text(options),
             "--hydrogens drop --chain A,B-2 --without-chain C --waters --dummies --no-ligands "
-            "--no-polymers");
+            "--no-polymers --treat 'A:PU8 301=ligand'");
   EXPECT_EQ(model_text(0), "1");
   EXPECT_EQ(model_text(kAllModels), "joined");
 }

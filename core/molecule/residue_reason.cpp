@@ -1,0 +1,61 @@
+// See the header.
+#include "core/molecule/residue_reason.hpp"
+
+namespace alphascope {
+namespace {
+
+struct Info {
+  const char* id;
+  const char* text;
+};
+
+const Info& info(ResidueReason reason) {
+  static constexpr Info kInfos[kResidueReasons] = {
+      {"none", ""},
+      {"by_hand", "set by hand"},
+      {"entity_polymer", "a polymer in the entity table"},
+      {"entity_non_polymer", "non-polymer in the entity table"},
+      {"entity_branched", "branched in the entity table"},
+      {"entity_water", "water in the entity table"},
+      {"modified_record", "MODRES names it"},
+      {"sequence_record", "SEQRES has it in its chain"},
+      {"sequence_number", "label_seq_id gives its place in a sequence"},
+      {"place_in_chain", "stands within its chain"},
+      {"hetatm", "HETATM, and no part of a chain"},
+      {"after_ter", "HETATM after the TER of its chain, and bound to none"},
+      {"no_sequence_number", "no place in a sequence (label_seq_id)"},
+      {"chain_bond", "bound to its neighbours in the chain"},
+      {"chain_number", "backbone, and neighbours by number"},
+      {"one_oxygen", "one oxygen and at most two hydrogens"},
+      {"one_metal", "one atom of a metal"},
+      {"virtual_site", "virtual sites, which are no atoms"},
+      {"polymer_name", "name of an amino acid, nucleotide or cap"},
+      {"ligand_name", "name of a ligand"},
+      {"water_name", "name of a water"},
+      {"ion_name", "name of an ion"},
+      {"dummy_name", "name of dummies"},
+      {"backbone_names", "guess: ATOM with the names of a backbone, bound to nothing"},
+      {"no_polymer", "guess: ATOM, but no amino acid or nucleotide, and bound in no chain"},
+      {"no_name", "guess: ATOM of a residue without a name"}};
+  return kInfos[static_cast<std::size_t>(reason)];
+}
+
+}  // namespace
+
+const char* reason_text(ResidueReason reason) {
+  return info(reason).text;
+}
+
+const char* reason_id(ResidueReason reason) {
+  return info(reason).id;
+}
+
+bool is_guess(ResidueReason reason) {
+  return reason >= ResidueReason::backbone_names;
+}
+
+bool is_less_than_evidence(ResidueReason reason) {
+  return reason >= ResidueReason::polymer_name;
+}
+
+}  // namespace alphascope

@@ -1,0 +1,56 @@
+// Why a residue counts as polymer, ligand, ion, water or dummy: the evidence or the guess that
+// decided. Decided once, after reading, by core/io/decide_residues.hpp.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace alphascope {
+
+// In the order in which evidence is asked.
+enum class ResidueReason : std::uint8_t {
+  none,     // the format knows no residues
+  by_hand,  // a user said so
+  // What the file's entity table says.
+  entity_polymer,
+  entity_non_polymer,
+  entity_branched,
+  entity_water,
+  // What other records say.
+  modified_record,     // MODRES
+  sequence_record,     // SEQRES
+  sequence_number,     // label_seq_id
+  place_in_chain,      // stands within its chain, or before its TER
+  hetatm,              // HETATM, and no part of a chain
+  after_ter,           // the same, after the TER of its chain
+  no_sequence_number,  // ATOM without label_seq_id in a file that has them
+  // What the residue's own atoms say.
+  chain_bond,    // bound to its neighbours, C to N or O3' to P
+  chain_number,  // its backbone's atoms, and neighbours by number
+  one_oxygen,
+  one_metal,
+  virtual_site,
+  // Lists of names.
+  polymer_name,
+  ligand_name,
+  water_name,
+  ion_name,
+  dummy_name,
+  // Guesses.
+  backbone_names,  // ATOM with N, CA and C, though bound to nothing
+  no_polymer,      // ATOM, but of no amino acid or nucleotide and bound in no chain
+  no_name
+};
+inline constexpr std::size_t kResidueReasons = 26;
+
+// "HETATM, and no part of a chain"; empty for `none`.
+const char* reason_text(ResidueReason reason);
+// "hetatm": for tables and JSON.
+const char* reason_id(ResidueReason reason);
+
+bool is_guess(ResidueReason reason);
+
+// Whether it is a list of names or a guess that decided.
+bool is_less_than_evidence(ResidueReason reason);
+
+}  // namespace alphascope

@@ -1,0 +1,96 @@
+// See the header.
+#include "core/molecule/treatments.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "core/molecule/atom_address.hpp"
+#include "core/molecule/printable.hpp"
+#include "core/molecule/selection_masks.hpp"
+
+namespace alphascope {
+namespace {
+
+constexpr AtomKind kKinds[] = {AtomKind::polymer, AtomKind::ligand, AtomKind::ion, AtomKind::water,
+                               AtomKind::dummy};
+
+std::string_view without_blanks(std::string_view text) {
+  while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
+  while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
+  return text;
+}
+
+// By the name of residues, where the molecule has such; else as everywhere.
+std::function<bool(std::size_t)> residues_named(const Molecule& molecule, const std::string& text) {
+  const NameId name = molecule.names.find(text);
+  const auto has_name = [&](const Atom& atom) { return atom.residue_name == name; };
+  if (name != 0 && std::any_of(molecule.atoms.begin(), molecule.atoms.end(), has_name)) {
+    return [&molecule, name](std::size_t i) { return molecule.atoms[i].residue_name == name; };
+  }
+  return atoms_named(molecule, text);
+}
+
+void treat(Molecule& molecule, const Treatment& treatment) {
+  const auto named = residues_named(molecule, treatment.residues);
+  std::vector<bool> atoms(molecule.atoms.size());
+  for (std::size_t i = 0; i < atoms.size(); ++i) atoms[i] = named(i);
+  atoms = whole_residues(molecule, std::move(atoms));
+  bool found = false;
+  for (std::size_t i = 0; i < atoms.size(); ++i) {
+    if (!atoms[i]) continue;
+    found = true;
+    Atom& atom = molecule.atoms[i];
+    // A point without matter stays one beside its residue's atoms.
+    if (atom.why == ResidueReason::virtual_site) continue;
+    atom.kind = treatment.kind;
+    atom.why = ResidueReason::by_hand;
+  }
+  if (found) return;
+  molecule.notes.push_back("To be treated as " + std::string(kind_name(treatment.kind)) +
+                           ", but not in this file: " + printable(treatment.residues));
+}
+
+}  // namespace
+
+const char* kind_name(AtomKind kind) {
+  static constexpr const char* kNames[] = {"polymer", "water", "ligand", "ion", "dummy"};
+  return kNames[static_cast<std::size_t>(kind)];
+}
+
+Treatment parse_treatment(std::string_view text) {
+  const std::size_t equals = text.rfind('=');
+  const std::string_view residues = without_blanks(text.substr(0, std::min(equals, text.size())));
+  if (equals != std::string_view::npos && !residues.empty()) {
+    const std::string_view word = without_blanks(text.substr(equals + 1));
+    for (const AtomKind kind : kKinds) {
+      if (word == kind_name(kind)) return {std::string(residues), kind};
+    }
+  }
+  throw std::invalid_argument("\"" + printable(std::string(text)) +
+                              "\" does not say what residues are; write them as "
+                              "\"A:PU8 301=ligand\" or \"PU8=ligand\", with polymer, ligand, ion, "
+                              "water or dummy");
+}
+
+std::string treatment_text(const Treatment& treatment) {
+  return treatment.residues + "=" + kind_name(treatment.kind);
+}
+
+void treat(Molecule& molecule, const std::vector<std::string>& treatments) {
+  for (const std::string& text : treatments) treat(molecule, parse_treatment(text));
+}
+
+void set_treatment(std::vector<std::string>& treatments, const Treatment& treatment) {
+  reset_treatment(treatments, treatment.residues);
+  treatments.push_back(treatment_text(treatment));
+}
+
+void reset_treatment(std::vector<std::string>& treatments, std::string_view residues) {
+  std::erase_if(treatments, [&](const std::string& text) {
+    const std::size_t equals = text.rfind('=');
+    return without_blanks(std::string_view(text).substr(0, std::min(equals, text.size()))) ==
+           residues;
+  });
+}
+
+}  // namespace alphascope

@@ -69,6 +69,7 @@ class ModelJudge {
       if (here.first_water == kNoIndex && facts(r).water_name) here.first_water = r;
       if (facts(r).hetero || !facts(r).chain_like || facts(r).water_name) continue;
       if (facts(r).family != ResidueFamily::biopolymer && !bonds_.is_bound(r)) continue;
+      any_chain_ = true;
       ChainPlace& place = here.chains[chain(r)];
       place.first = std::min(place.first, r);
       place.last = r;
@@ -182,6 +183,10 @@ class ModelJudge {
   Decision by_hetatm(std::uint32_t r, bool after_ter) const {
     const ResidueFacts& f = facts(r);
     if (f.family == ResidueFamily::dummy) return {AtomKind::dummy, ResidueReason::dummy_name};
+    // Where there is no chain to be free of, the name tells.
+    if (f.family == ResidueFamily::biopolymer && f.chain_like && !any_chain_) {
+      return {AtomKind::polymer, ResidueReason::polymer_name};
+    }
     const ChainPlace* place = place_of(r);
     const bool not_after = place != nullptr && r < place->last;
     const bool listed = f.family == ResidueFamily::biopolymer;  // may be free beside the chain
@@ -244,6 +249,7 @@ class ModelJudge {
   ChainBonds bonds_;
   std::vector<Section> sections_;
   std::size_t section_ = 0;
+  bool any_chain_ = false;  // some ATOM records are of a chain
   std::set<ChainKey> ended_;
 };
 

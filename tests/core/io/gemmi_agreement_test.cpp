@@ -33,13 +33,11 @@ const std::set<std::string> kClassesDiffer = {
     "1tw7x2_h36.pdb.gz", "1tw7x2_hex.pdb.gz", "5digitresid.pdb", "5dfr_solvated.pdb.gz",
     "cryst_then_model.pdb", "lysozyme_md.pdb.gz", "triclinic.pdb", "xl_serial.pdb",
     // polymers without the atoms, elements or length that gemmi knows a polymer by
-    "adk_open.pdb.gz", "insertion-code.pdb", "no_chain_name.pdb", "nucl_res.pdb",
-    "difficult_quoting.cif", "1ssu_mod.cif",
-    // ATOM records of no known residue: no ligand for us, no polymer for gemmi
-    "1fmo_kvfinder_output.pdb.gz", "crystal-maker.pdb", "mos2.pdb", "random_walk.pdb",
+    "adk_open.pdb.gz", "no_chain_name.pdb", "nucl_res.pdb", "difficult_quoting.cif", "1ssu_mod.cif",
+    // ATOM records of no known residue: ligands for us; polymer or nothing for gemmi
+    "conect2ter.pdb", "singleconect.pdb", "random_walk.pdb",
+    // one oxygen and two hydrogens without a residue's name: water for us
     "short-atom.pdb", "short-cryst1.pdb",
-    // HETATM residues in a chain: nucleotides are polymer for us; others, without MODRES, ligand
-    "1rb8.pdb.gz", "2p0r.pdb.gz", "5nx2.pdb.gz",
     // a minimal table that gemmi takes for one polymer, waters and all
     "2buk-assembly1.cif.gz"};
 

@@ -122,7 +122,7 @@ constexpr const char* kEvil =
     "_atom_site.auth_asym_id\n"
     "ATOM 1 C CA ALA '=1+1; close all' 1 ; 0.0 0.0 0.0 '=1+1; close all'\n"
     "ATOM 2 N '+N' 'x y' '-B\"; delete atoms; \"' 2 ? 3.0 0.0 0.0 '-B\"; delete atoms; \"'\n"
-    "ATOM 3 O '@O' '<s>' A 3 ? 0.0 3.0 0.0 A\n"
+    "ATOM 3 C '@O' '<s>' A 3 ? 0.0 3.0 0.0 A\n"
     "ATOM 4 O 'O;q' ALA A 4 ? 0.0 0.0 3.0 A\n";
 
 TEST_F(CliSameBytes, NamesWithBlanksComeBackFromPqr) {
@@ -136,6 +136,7 @@ TEST_F(CliSameBytes, NamesWithBlanksComeBackFromPqr) {
     EXPECT_EQ(compute_json("'" + out.string() + "' --alpha 2 --radii file")["hash"], whole["hash"]);
   }
   const Molecule again = read_molecule(pqr);
+  ASSERT_EQ(again.atoms.size(), 4u);
   EXPECT_EQ(again.text(again.atoms[0].chain), "=1+1;_close_all");
   EXPECT_EQ(again.text(again.atoms[1].residue_name), "x_y");
   EXPECT_EQ(again.text(again.atoms[1].name), "+N");

@@ -46,20 +46,23 @@ void ComplexSaver::start(std::shared_ptr<const Answer> answer, ComplexHeader hea
   }
   saving_ = request.path;
   since_ = std::chrono::steady_clock::now();
+  const auto what = std::make_shared<std::string>();  // the worker's until its job has ended
   worker_.submit(
-      [this, answer = std::move(answer), header = std::move(header),
+      [this, what, answer = std::move(answer), header = std::move(header),
        request](const RunContext& context) -> Worker::Delivery {
         give_way_to_others(Share::third);
-        const std::string what = write_files(*answer, header, request, context);
+        *what = write_files(*answer, header, request, context);
         return [this, path = request.path, what] {
           outcome_.ended = true;
-          outcome_.notice = "Saved " + printable(path.string()) + what;
+          outcome_.notice = "Saved " + printable(path.string()) + *what;
           saving_.reset();
         };
       },
-      [this, path = request.path](const Worker::Failure& failure) {
+      [this, path = request.path, what](const Worker::Failure& failure) {
         outcome_.ended = true;
-        if (failure.cancelled) {
+        if (failure.too_late) {
+          outcome_.notice = "Saved " + printable(path.string()) + *what;
+        } else if (failure.cancelled) {
           outcome_.notice = "Cancelled: " + printable(path.string()) + " was not written.";
         } else {
           outcome_.error = failure.message;

@@ -2,7 +2,6 @@
 // made on the main thread: there GLEW, which VTK calls OpenGL through, is set up.
 #include "app/viewer/picture_saver.hpp"
 
-#include <atomic>
 #include <exception>
 #include <stdexcept>
 #include <utility>
@@ -119,12 +118,10 @@ void PictureSaver::begin() {
     saving_.reset();
     throw;
   }
-  const auto written = std::make_shared<std::atomic<bool>>(false);
   worker_.submit(
-      [this, job, written, studio = studio_.get()](const RunContext& c) -> Worker::Delivery {
+      [this, job, studio = studio_.get()](const RunContext& c) -> Worker::Delivery {
         give_way_to_others(Share::third);
         const std::string left_out = studio->draw(*job, c);
-        *written = true;
         return [this, job, left_out] {
           studio_.reset();
           outcome_.ended = true;
@@ -133,12 +130,11 @@ void PictureSaver::begin() {
           saving_.reset();
         };
       },
-      [this, written, path = job->path,
-       recording = job->recording](const Worker::Failure& failure) {
+      [this, path = job->path, recording = job->recording](const Worker::Failure& failure) {
         studio_.reset();
         outcome_.ended = true;
         if (failure.cancelled) {  // which was told already, unless it came too late
-          if (*written) outcome_.notice = "Saved " + printable(path.string());
+          if (failure.too_late) outcome_.notice = "Saved " + printable(path.string());
           return;
         }
         const bool names_it = failure.message.find(path.string()) != std::string::npos;

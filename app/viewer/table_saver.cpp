@@ -90,7 +90,9 @@ void TableSaver::write(const Text& text) {
       },
       [this, path = saving_->path](const Worker::Failure& failure) {
         if (!failure.cancelled) return fail(failure.message);
-        outcome_.notice = "Cancelled: " + path.string() + " was not written.";
+        outcome_.notice = failure.too_late
+                              ? "Saved " + printable(path.string())
+                              : "Cancelled: " + printable(path.string()) + " was not written.";
         saving_.reset();
       });
 }

@@ -154,7 +154,7 @@ void Worker::hand_over(Request& request, Delivery& delivery, std::optional<Failu
   progress_ = {};
   if (stop_ || ending_ == Ending::discard) return;
   if (ending_ == Ending::tell_cancelled) {
-    failure = Failure{"cancelled", true};
+    failure = Failure{.message = "cancelled", .cancelled = true, .too_late = !failure};
   } else if (failure && request.cancel.cancelled()) {
     return;  // superseded: nobody waits for this request
   }

@@ -27,6 +27,7 @@ class Worker {
   struct Failure {
     std::string message;
     bool cancelled = false;  // by cancel(), not by a newer request (that is silent)
+    bool too_late = false;   // cancelled, but the job had come to its end: its effects are there
     bool out_of_memory = false;
   };
   // Runs on the main thread, inside poll().

@@ -213,19 +213,41 @@ TEST(Worker, ExceptionsOfADeliveryGoToItsFailureHandler) {
 TEST(Worker, CancelTellsTheLatestRequestEvenIfTheJobFinishesAnyway) {
   Worker worker;
   Gate gate;
-  bool delivered = false, cancelled = false;
+  bool delivered = false;
+  Worker::Failure told;
   worker.submit(
       [&](const RunContext&) -> Worker::Delivery {
         gate.wait_open(RunContext{});  // looks at no token: finishes whatever happens
         return [&] { delivered = true; };
       },
-      [&](const Worker::Failure& failure) { cancelled = failure.cancelled; });
+      [&](const Worker::Failure& failure) { told = failure; });
   gate.wait_entered();
   worker.cancel();
   gate.open();
   poll_until_idle(worker);
-  EXPECT_TRUE(cancelled);
+  EXPECT_TRUE(told.cancelled);
+  EXPECT_TRUE(told.too_late) << "What it wrote is there.";
   EXPECT_FALSE(delivered);
+}
+
+TEST(Worker, AJobThatGaveUpWasCancelledInTime) {
+  Worker worker;
+  Gate gate;
+  Worker::Failure told;
+  told.too_late = true;
+  worker.submit(
+      [&](const RunContext& context) -> Worker::Delivery {
+        gate.wait_open(RunContext{});
+        context.cancel.throw_if_cancelled();
+        return {};
+      },
+      [&](const Worker::Failure& failure) { told = failure; });
+  gate.wait_entered();
+  worker.cancel();
+  gate.open();
+  poll_until_idle(worker);
+  EXPECT_TRUE(told.cancelled);
+  EXPECT_FALSE(told.too_late);
 }
 
 TEST(Worker, CancelOfAWaitingRequestAlsoSilencesTheRunningOne) {

@@ -162,7 +162,7 @@ ExitCode run_bench(const BenchOptions& options) {
             with_solvent(*balls, options.request.solvent_radius_angstrom));
       }
       for (const int threads : options.threads) {
-        for (const double alpha : options.alphas) {
+        for (const Alpha& alpha : options.alphas) {
           Request request = options.request;
           request.alpha_angstrom2 = alpha;
           request.threads = threads;

@@ -74,8 +74,7 @@ OptionCommand measure(MeasureCommandOptions& options) {
   OptionCommand command{
       "measure", "Exact area and volume of the union of balls, also by chain, residue or atom", {}};
   command.options = many_files(options.files);
-  Option alpha = number_option({"--alpha", "A", "Alpha in Å², negative too"},
-                               options.request.alpha_angstrom2, kAlphaRange);
+  Option alpha = alpha_option("Alpha in Å², negative too", options.request.alpha_angstrom2);
   command.options.push_back(with_default(alpha, "0"));
   append(command.options, engine(options.request, true));
   std::erase_if(command.options, [](const Option& o) { return o.names == "--tetrahedra-only"; });

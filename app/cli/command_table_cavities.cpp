@@ -34,19 +34,18 @@ OptionCommand cavities_command(CavitiesOptions& options) {
   Request& request = options.request;
   options.solvents = {kCavitySolventAngstrom};
   command.options = many_files(options.files);
-  append(command.options,
-         {with_default(
-              numbers_option({"--solvent", "S",
-                              "Solvent radius in Å, as CASTp's probe; several, such as 1.2,1.4, "
-                              "are compared side by side"},
-                             options.solvents, kSolventRange),
-              "1.4"),
-          with_default(number_option({"--alpha", "A", "Alpha in Å²; it may be negative"},
-                                     request.alpha_angstrom2, kAlphaRange),
-                       "0"),
-          with_default(
-              whole_number_option({"--threads", "N", "CPU threads"}, request.threads, kThreadRange),
-              "0 = all")});
+  append(
+      command.options,
+      {with_default(
+           numbers_option({"--solvent", "S",
+                           "Solvent radius in Å, as CASTp's probe; several, such as 1.2,1.4, "
+                           "are compared side by side"},
+                          options.solvents, kSolventRange),
+           "1.4"),
+       with_default(alpha_option("Alpha in Å²; it may be negative", request.alpha_angstrom2), "0"),
+       with_default(
+           whole_number_option({"--threads", "N", "CPU threads"}, request.threads, kThreadRange),
+           "0 = all")});
   Option rule{.names = "--rule",
               .value = "castp|pocket",
               .text = "What is outside where the flow goes both ways: castp keeps it in a pocket",

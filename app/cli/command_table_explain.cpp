@@ -8,12 +8,12 @@
 namespace alphascope::cli {
 namespace {
 
-Option optional_alpha(std::optional<double>& alpha) {
+Option optional_alpha(std::optional<Alpha>& alpha) {
   Option option{.names = "--alpha",
                 .value = "A",
                 .text = "Alpha in Å², to say whether the simplex is in that complex",
                 .fallback = "none: every alpha"};
-  option.set = [&alpha](const std::string& value) { alpha = number_in(value, kAlphaRange); };
+  option.set = [&alpha](const std::string& value) { alpha = alpha_in(value); };
   return option;
 }
 

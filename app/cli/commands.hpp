@@ -121,7 +121,7 @@ struct ExplainOptions {
   InputOptions input;
   std::vector<int> simplex;  // 1 to 4 different balls, from 0; or none, then there are atoms
   std::string atoms;         // 1 to 4 of them by address or expression
-  std::optional<double> alpha_angstrom2;
+  std::optional<Alpha> alpha_angstrom2;
   double solvent_radius_angstrom = 0;
   std::string json;
 };
@@ -129,7 +129,7 @@ struct ExplainOptions {
 struct VerifyOptions {
   InputOptions input;
   Request request;
-  std::vector<double> alphas;  // Å²
+  std::vector<Alpha> alphas;  // Å²
   int cgal_threads = 1;
   bool definition = false;  // also check the definition of the complex, without CGAL
   int shown = 10;           // differences printed per kind of simplex
@@ -140,7 +140,7 @@ struct BenchOptions {
   InputOptions input;
   std::vector<std::string> files;
   Request request;
-  std::vector<double> alphas;  // Å²
+  std::vector<Alpha> alphas;  // Å²
   std::vector<int> threads{1};
   int runs = 5;
   std::string csv;

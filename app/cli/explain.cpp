@@ -59,7 +59,7 @@ ExitCode run_explain(const ExplainOptions& options) {
   const BallSet balls = with_solvent(*input.prepared().balls, options.solvent_radius_angstrom);
   Request request;
   request.solvent_radius_angstrom = options.solvent_radius_angstrom;
-  std::optional<double> alpha;
+  std::optional<LatticeAlpha> alpha;
   if (options.alpha_angstrom2) {
     request.alpha_angstrom2 = *options.alpha_angstrom2;
     alpha = balls.lattice.alpha_on_lattice(*options.alpha_angstrom2);

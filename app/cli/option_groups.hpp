@@ -33,7 +33,11 @@ Options many_files(InputFiles& files);
 void require_files(const InputFiles& files);
 
 Option alpha(Request& request);
-Option alphas(std::vector<double>& alphas, const char* text);
+Option alphas(std::vector<Alpha>& alphas, const char* text);
+// With `text` and the default that it has; exact, so with at most 18 digits behind the point.
+Option alpha_option(const char* text, Alpha& target);
+// As it is typed; throws std::invalid_argument that says what is wrong with it.
+Alpha alpha_in(const std::string& value);
 // The switches of the tuple engine that change its work on the CPU.
 Options tuple_work(TupleOptions& tuples);
 // Solvent radius, engine and its switches; `threads`: and how many.

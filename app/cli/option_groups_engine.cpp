@@ -1,5 +1,7 @@
 // Options of alpha and of engines. See the header.
 #include <stdexcept>
+#include <string>
+#include <utility>
 
 #include "app/cli/option_groups.hpp"
 
@@ -33,12 +35,40 @@ Options tuples(Request& request) {
 }  // namespace
 
 Option alpha(Request& request) {
-  return required(number_option({"--alpha", "A", "Alpha in Å²; it may be negative"},
-                                request.alpha_angstrom2, kAlphaRange));
+  return required(alpha_option("Alpha in Å²; it may be negative", request.alpha_angstrom2));
 }
 
-Option alphas(std::vector<double>& alphas, const char* text) {
-  return numbers_option({"--alpha", "A", text}, alphas, kAlphaRange);
+Alpha alpha_in(const std::string& value) {
+  number_in(value, kAlphaRange);  // refuses what is no number
+  Alpha alpha;
+  const Alpha::Reading reading = Alpha::read(value, alpha);
+  if (reading == Alpha::Reading::too_fine) {
+    throw std::invalid_argument("\"" + value + "\" has more than " +
+                                std::to_string(Alpha::kMostDigits) +
+                                " digits behind the point; alpha is used exactly as it is written, "
+                                "with at most that many");
+  }
+  if (reading != Alpha::Reading::ok) {
+    throw std::invalid_argument("\"" + value + "\" is not a number from -1e+24 to 1e+24 Å²");
+  }
+  return alpha;
+}
+
+Option alpha_option(const char* text, Alpha& target) {
+  Option option{.names = "--alpha", .value = "A", .text = text};
+  option.set = [&target](const std::string& value) { target = alpha_in(value); };
+  return option;
+}
+
+Option alphas(std::vector<Alpha>& alphas, const char* text) {
+  Option option{.names = "--alpha", .value = "A", .text = text, .list = true};
+  // The first that is given replaces the default.
+  option.set = [&alphas, fresh = true](const std::string& value) mutable {
+    const Alpha alpha = alpha_in(value);
+    if (std::exchange(fresh, false)) alphas.clear();
+    alphas.push_back(alpha);
+  };
+  return option;
 }
 
 void require_tuple_engine(const Request& request) {

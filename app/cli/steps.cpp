@@ -67,7 +67,7 @@ ExitCode run_steps(const StepsOptions& options) {
   const BallIndex ball = ball_of(input, atoms, options.ball);
   const BallSet balls =
       with_solvent(*input.prepared().balls, options.request.solvent_radius_angstrom);
-  const double alpha = balls.lattice.alpha_on_lattice(options.request.alpha_angstrom2);
+  const LatticeAlpha alpha = balls.lattice.alpha_on_lattice(options.request.alpha_angstrom2);
   BallSteps steps;
   WorkThreads threads(1);
   const double milliseconds = timed([&] {

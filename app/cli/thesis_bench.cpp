@@ -28,7 +28,7 @@ ThesisOptions to_suite(const BenchOptions& options) {
     throw UsageError("--suite thesis takes one number of --threads");
   }
   ThesisOptions suite;
-  suite.alphas = options.alphas;
+  suite.alphas.assign(options.alphas.begin(), options.alphas.end());
   if (suite.alphas.empty()) suite.alphas.assign(std::begin(kThesisAlphas), std::end(kThesisAlphas));
   for (const std::string& id : options.engines) suite.engines.push_back(*engine_from_id(id));
   if (suite.engines.empty()) suite.engines = thesis_engines(machine_info());

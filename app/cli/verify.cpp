@@ -129,7 +129,7 @@ ExitCode run_verify(const VerifyOptions& options) {
     clear_progress();
     out << input_text(input);
     BothEngines engines;
-    for (const double alpha : options.alphas) {
+    for (const Alpha& alpha : options.alphas) {
       Request request = options.request;
       request.alpha_angstrom2 = alpha;
       Json json;

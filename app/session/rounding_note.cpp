@@ -6,8 +6,6 @@
 namespace alphascope {
 namespace {
 
-constexpr double kToldShareOfAlpha = 1e-9;
-
 std::string text_of(double number) {
   char text[32];
   std::snprintf(text, sizeof text, "%.10g", number);
@@ -26,16 +24,11 @@ double solvent_rounding_angstrom(const Request& request, const Lattice& lattice)
 std::string rounding_note(const Request& request, const Lattice& lattice) {
   std::string text;
   const std::string unit = text_of(lattice.unit_angstrom()) + " Å";
-  const double solvent = request.solvent_radius_angstrom, alpha = request.alpha_angstrom2;
+  const double solvent = request.solvent_radius_angstrom;
   if (solvent_rounding_angstrom(request, lattice) > 0) {
     text = "The solvent radius of " + text_of(solvent) + " Å is rounded to " +
            text_of(solvent_on_lattice(lattice, solvent)) +
            " Å: the finest lattice for these balls has units of " + unit + ".";
-  }
-  const double used = lattice.square_angstrom(lattice.alpha_on_lattice(alpha));
-  if (std::fabs(used - alpha) > kToldShareOfAlpha * std::fabs(alpha)) {
-    text += (text.empty() ? "" : " ") + ("Alpha of " + text_of(alpha)) + " Å² is rounded to " +
-            text_of(used) + " Å² on the lattice of " + unit + ".";
   }
   return text;
 }

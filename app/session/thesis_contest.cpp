@@ -102,7 +102,7 @@ class Contest {
     const double cold = milliseconds_since(start);
     const std::size_t tetrahedra = complex.tetrahedra.size();
     let_go(complex);
-    at.alpha_angstrom2 -= kSliderStep;
+    at.alpha_angstrom2 = at.alpha_angstrom2 - kSliderStep;
     start = Clock::now();
     made.engine->compute(at, quiet);
     const double warm = milliseconds_since(start);

@@ -124,7 +124,9 @@ void add_alpha_commands(Commands& commands, ViewState& s) {
                                 .example = "1.4",
                                 .rule = kAlphaRule}},
                 .run = [&s](const Arguments& arguments) {
-                  set_alpha(s.compute, arguments.number("alpha"));
+                  const AlphaInput alpha = read_alpha(arguments.text("alpha"));
+                  if (!alpha.value) return Outcome::refused(alpha.error);
+                  set_alpha(s.compute, *alpha.value);
                   s.memory.playing = false;
                   return Outcome();
                 }});

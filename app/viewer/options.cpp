@@ -156,6 +156,19 @@ Option typed_number_option(OptionText text, double& target, const NumberRule& ru
   return option;
 }
 
+Option alpha_option(Alpha& target) {
+  Option option{.names = "--alpha",
+                .value = "A",
+                .text = "Alpha in Å²; it may be negative",
+                .fallback = "0 Å²"};
+  option.set = [&target](const std::string& value) {
+    const AlphaInput input = read_alpha(value);
+    if (!input.value) throw std::invalid_argument(input.error);
+    target = *input.value;
+  };
+  return option;
+}
+
 OptionProgram table(ViewerOptions& o) {
   OptionProgram program;
   program.name = "alphascope";
@@ -168,7 +181,7 @@ OptionProgram table(ViewerOptions& o) {
                     "(.json)"},
                    o.file),
       path_or_none({"--session", "S.json", "Open a session, whatever its name"}, o.session),
-      typed_number_option({"--alpha", "A", "Alpha in Å²; it may be negative"}, o.alpha, kAlphaRule),
+      alpha_option(o.alpha),
       typed_number_option({"--solvent", "S", "Solvent radius in Å, 1.4 for water"}, o.solvent,
                           kSolventRule),
       with_default(typed_number_option({"--scale", "X", "Size of fonts and controls, 1 for 100 %"},

@@ -6,11 +6,13 @@
 #include <optional>
 #include <string>
 
+#include "core/geometry/alpha.hpp"
+
 namespace alphascope {
 
 struct ViewerOptions {
   std::optional<std::filesystem::path> file, session;
-  double alpha = 0;           // Å²
+  Alpha alpha;                // Å²
   double solvent = 0;         // Å
   double scale = 0;           // 0: as the display says
   int width = 0, height = 0;  // at scale 1; 0: as last time

@@ -18,7 +18,7 @@ constexpr int kQuietFrames = 3;
 class SweepRecorder::Exchange {
  public:
   // On the thread that draws: waits for the picture of this alpha. Throws Cancelled.
-  Picture picture_of(double alpha, const CancelToken& cancel) {
+  Picture picture_of(const Alpha& alpha, const CancelToken& cancel) {
     std::unique_lock lock(mutex_);
     wanted_ = alpha;
     while (!picture_) {
@@ -29,7 +29,7 @@ class SweepRecorder::Exchange {
     return *std::exchange(picture_, std::nullopt);
   }
 
-  std::optional<double> wanted() {
+  std::optional<Alpha> wanted() {
     const std::lock_guard lock(mutex_);
     return picture_ ? std::nullopt : wanted_;
   }
@@ -42,7 +42,7 @@ class SweepRecorder::Exchange {
  private:
   std::mutex mutex_;
   std::condition_variable given_;
-  std::optional<double> wanted_;
+  std::optional<Alpha> wanted_;
   std::optional<Picture> picture_;
 };
 
@@ -63,7 +63,7 @@ void SweepRecorder::start(const RecordRequest& request, PictureTexts texts) {
   viewpoint_.reset();
 }
 
-void SweepRecorder::ask(double alpha) {
+void SweepRecorder::ask(const Alpha& alpha) {
   window_.set_alpha(alpha);
   asked_ = alpha;
   quiet_frames_ = 0;
@@ -93,7 +93,7 @@ std::string SweepRecorder::step(bool quiet) {
     return give_up("The molecule or its atoms were changed while it was being recorded.");
   }
   if (!as_asked) return give_up("Alpha was changed while it was being recorded.");
-  const std::optional<double> wanted = exchange_->wanted();
+  const std::optional<Alpha> wanted = exchange_->wanted();
   if (!wanted) return {};
   if (asked_ != wanted) {
     ask(*wanted);

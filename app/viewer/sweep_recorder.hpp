@@ -16,9 +16,9 @@ class SweepRecorder {
  public:
   struct Window {
     std::function<Picture(const ScreenshotRequest& request)> take_picture;  // of what is on screen
-    std::function<void(double)> set_alpha;                                  // Å², of the slider
-    std::function<double()> alpha;                                          // Å², of the slider
-    std::function<std::optional<double>()> drawn_alpha;                     // Å², on screen
+    std::function<void(const Alpha&)> set_alpha;                            // Å², of the slider
+    std::function<Alpha()> alpha;                                           // Å², of the slider
+    std::function<std::optional<Alpha>()> drawn_alpha;                      // Å², on screen
     std::function<const void*()> molecule;                                  // which one is open
   };
 
@@ -33,7 +33,7 @@ class SweepRecorder {
 
  private:
   class Exchange;  // between the threads
-  void ask(double alpha);
+  void ask(const Alpha& alpha);
   std::string hand_over();  // why not; empty: it was
   std::string give_up(const std::string& why);
 
@@ -42,8 +42,8 @@ class SweepRecorder {
   std::shared_ptr<Exchange> exchange_;  // null: nothing is recorded
   RecordRequest request_;
   const void* molecule_ = nullptr;
-  double alpha_before_ = 0;             // Å²
-  std::optional<double> asked_;         // Å², of the window
+  Alpha alpha_before_;                  // Å²
+  std::optional<Alpha> asked_;          // Å², of the window
   std::optional<Viewpoint> viewpoint_;  // of all frames
   int quiet_frames_ = 0;
 };

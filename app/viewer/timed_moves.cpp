@@ -36,7 +36,7 @@ class Mover {
   double move_to(double angstrom2) {
     const Clock::time_point start = Clock::now();
     set_alpha(viewer_.state().compute, angstrom2);
-    const double wanted = viewer_.state().compute.alpha_angstrom2;
+    const Alpha wanted = viewer_.state().compute.alpha_angstrom2;
     return until(start, [&] {
       const auto& result = viewer_.state().result;
       return result && result->request.alpha_angstrom2 == wanted;

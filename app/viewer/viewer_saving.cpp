@@ -22,9 +22,9 @@ void Viewer::save_picture(const ScreenshotRequest& request) {
 
 SweepRecorder::Window Viewer::swept_window() {
   return {[this](const ScreenshotRequest& r) { return scene_.picture(r); },
-          [this](double angstrom2) { set_alpha(state_.compute, angstrom2); },
+          [this](const Alpha& angstrom2) { set_alpha(state_.compute, angstrom2); },
           [this] { return state_.compute.alpha_angstrom2; },
-          [this]() -> std::optional<double> {
+          [this]() -> std::optional<Alpha> {
             const auto& answer = scene_.drawn_answer();
             if (!answer) return std::nullopt;
             return answer->request.alpha_angstrom2;

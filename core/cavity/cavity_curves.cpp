@@ -142,7 +142,7 @@ CavityCurves curves_against_alpha(const std::shared_ptr<const CavityGround>& gro
   return curves;
 }
 
-CavityCurves curves_against_solvent(const BallSet& balls, double alpha_angstrom2,
+CavityCurves curves_against_solvent(const BallSet& balls, const Alpha& alpha_angstrom2,
                                     const std::vector<double>& radii_angstrom,
                                     const RunContext& context, CurveNumbers numbers) {
   CavityCurves curves;

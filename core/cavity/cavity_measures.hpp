@@ -39,7 +39,7 @@ struct CavityMeasures {
 
 // What the membership was made of: balls grown by the solvent radius, then by alpha.
 struct CavityScale {
-  double alpha_on_lattice = 0;    // square lattice units
+  LatticeAlpha alpha_on_lattice;  // square lattice units
   double solvent_on_lattice = 0;  // lattice units
 };
 
@@ -59,7 +59,8 @@ struct ClippedMeasures {
 // Of cavities.cavities[n] for each n of `which`, in that order. As measure_cavities().
 std::vector<ClippedMeasures> clip_cavities(const CavityGround& ground, const Cavities& cavities,
                                            std::span<const std::uint32_t> which,
-                                           double alpha_on_lattice, const RunContext& context = {});
+                                           const LatticeAlpha& alpha_on_lattice,
+                                           const RunContext& context = {});
 
 // Indices of cavities by falling SA volume, as CASTp numbers them; equal ones by their place.
 std::vector<std::uint32_t> by_falling_volume(const std::vector<CavityMeasures>& measures);

@@ -54,14 +54,15 @@ bool is_doubtful(double sa_angstrom3, double exact_angstrom3) {
 
 CavityTable make_cavity_table(std::shared_ptr<const CavityGround> ground,
                               const CavityQuestion& question, const RunContext& context) {
-  if (std::isnan(question.alpha_angstrom2)) throw std::invalid_argument("alpha is not a number");
+  if (std::isnan(question.alpha_angstrom2.nearest()))
+    throw std::invalid_argument("alpha is not a number");
   CavityTable table;
   table.ground = std::move(ground);
   table.question = question;
   const CavityGround& of = *table.ground;
   if (of.triangulation->dimension < 3) return table;
   const Lattice& lattice = of.balls->lattice;
-  const double alpha = lattice.alpha_on_lattice(question.alpha_angstrom2);
+  const LatticeAlpha alpha = lattice.alpha_on_lattice(question.alpha_angstrom2);
   context.report(stage::kCavities, 0);
   const Membership in =
       membership(*of.balls, *of.triangulation, of.incidence, of.flow, alpha, context.cancel);

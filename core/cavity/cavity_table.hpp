@@ -10,7 +10,7 @@
 namespace alphascope {
 
 struct CavityQuestion {
-  double alpha_angstrom2 = 0;
+  Alpha alpha_angstrom2;
   double solvent_radius_angstrom = 0;  // within the radii of the ground's balls already
   OutsideRule rule = OutsideRule::castp;
   friend bool operator==(const CavityQuestion&, const CavityQuestion&) = default;

@@ -8,7 +8,8 @@ namespace alphascope {
 
 std::vector<ClippedMeasures> clip_cavities(const CavityGround& ground, const Cavities& cavities,
                                            std::span<const std::uint32_t> which,
-                                           double alpha_on_lattice, const RunContext& context) {
+                                           const LatticeAlpha& alpha_on_lattice,
+                                           const RunContext& context) {
   std::vector<std::uint32_t> tetrahedra;
   for (const std::uint32_t c : which) {
     const auto& of = cavities.cavities.at(c).tetrahedra;

@@ -48,7 +48,7 @@ struct EngineInfo {
 
 struct AlphaComplex {
   Lattice lattice;
-  double alpha_on_lattice = 0;  // square lattice units: the exact threshold used
+  LatticeAlpha alpha_on_lattice;  // square lattice units: the exact threshold used
   // Then vertices, edges and triangles are empty, and tetrahedra have no alpha values or classes.
   bool tetrahedra_only = false;
   SimplexList<1> vertices;
@@ -62,7 +62,7 @@ struct AlphaComplex {
   EngineInfo engine;
   StageTimes timings;
 
-  double alpha_angstrom2() const { return lattice.square_angstrom(alpha_on_lattice); }
+  Alpha alpha_angstrom2() const { return lattice.alpha_angstrom2(alpha_on_lattice); }
   // V - E + F - T; only meaningful when not tetrahedra_only.
   long long euler_characteristic() const {
     return static_cast<long long>(vertices.size()) - static_cast<long long>(edges.size()) +

@@ -39,7 +39,7 @@ CavityBars longest_bars(const CavityLives& lives, const Lattice& lattice, double
     double square_units;
     std::size_t life;
   };
-  const double from = lattice.alpha_on_lattice(from_angstrom2);
+  const double from = lattice.alpha_on_lattice(from_angstrom2).nearest();
   std::vector<Length> lengths;
   CavityBars bars;
   for (std::size_t k = 0; k < lives.lives.size(); ++k) {

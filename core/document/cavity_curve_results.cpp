@@ -221,7 +221,7 @@ std::uint64_t key_of_frames(const BallReferences& atoms) {
 }
 
 Definition<CurveLinks> curve_links(std::shared_ptr<const CavityCurves> curves, const Key& curve) {
-  const auto place = [curves](const Inputs& in) {
+  const auto place = [curves](const Inputs& in) -> double {
     if (curves->axis == CurveAxis::alpha) return in.alpha_angstrom2;
     if (curves->axis == CurveAxis::solvent) return in.solvent_radius_angstrom;
     return static_cast<double>(shown_model(*in.atoms));

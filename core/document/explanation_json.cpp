@@ -1,6 +1,8 @@
 // See the header.
 #include "core/document/explanation_json.hpp"
 
+#include "core/document/alpha_json.hpp"
+
 namespace alphascope {
 namespace {
 
@@ -82,7 +84,7 @@ Json explanation_json(const Explanation& e, const BallName& name) {
   }
   if (e.at_alpha) {
     json["at_alpha"] = {
-        {"alpha_angstrom2", e.lattice.square_angstrom(e.at_alpha->alpha_on_lattice)},
+        {"alpha_angstrom2", e.lattice.alpha_angstrom2(e.at_alpha->alpha_on_lattice)},
         {"in_complex", e.at_alpha->in_complex},
         {"class",
          e.at_alpha->in_complex ? Json(simplex_class_name(e.at_alpha->simplex_class)) : Json()},

@@ -126,7 +126,7 @@ class Sentences {
                                square(e_.appears.angstrom2) + " on.");
     }
     const AtAlpha& at = *e_.at_alpha;
-    const std::string alpha = square(e_.lattice.square_angstrom(at.alpha_on_lattice));
+    const std::string alpha = square(e_.lattice.alpha_angstrom2(at.alpha_on_lattice));
     const std::string value = square(e_.appears.angstrom2);
     if (!at.in_complex) {
       return add("Answer", "It is not in the alpha complex at alpha = " + alpha +

@@ -39,7 +39,13 @@ Key key_of_balls(const Inputs& inputs) {
 Key key_of_balls_and_alpha(const Inputs& inputs) {
   // Of all numbers only -0 has the bits of 0 here, and -0 + 0 is +0.
   constexpr std::uint64_t kSign = std::uint64_t{1} << 63;
-  return {inputs.balls_key, std::bit_cast<std::uint64_t>(inputs.alpha_angstrom2 + 0.0) ^ kSign, 0};
+  const Alpha& alpha = inputs.alpha_angstrom2;
+  const std::uint64_t bits = std::bit_cast<std::uint64_t>(alpha.nearest() + 0.0) ^ kSign;
+  // Of decimals that share their nearest double, the digits tell.
+  if (!alpha.is_decimal() || alpha.is_shortest_of_double()) return {inputs.balls_key, bits, 0};
+  const auto whole = static_cast<std::uint64_t>(alpha.whole());
+  const auto fraction = static_cast<std::uint64_t>(alpha.fraction());
+  return {inputs.balls_key, mixed(mixed(mixed(bits) + whole) + fraction) | 1, 0};
 }
 
 Key key_of_complex(const Inputs& inputs) {

@@ -27,7 +27,7 @@ struct Inputs {
   std::uint64_t frames_key = 0;  // of them in every model (key_of_frames()); 0: there is one model
   // Of the complex on screen, and that itself; null: none. Not a number and null for results whose
   // key is not of alpha.
-  double alpha_angstrom2 = 0;
+  Alpha alpha_angstrom2;
   std::shared_ptr<const AlphaComplex> complex;
   // Its areas and volumes where something has measured it already; null: nobody has.
   std::shared_ptr<const MeasuredUnion> measures = {};

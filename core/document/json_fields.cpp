@@ -155,6 +155,24 @@ void FieldReader::operator()(const char* name, bool& value) {
   }
 }
 
+void FieldReader::operator()(const char* name, Alpha& value, const NumberRule& rule) {
+  const ReadJson* const json = take(name);
+  if (json == nullptr) return;
+  if (!json->is_string()) {
+    double read = 0;
+    if (number(below(name), *json, read, rule)) value = read;
+    return;
+  }
+  const AlphaInput input = read_alpha(json->get_ref<const std::string&>());
+  if (input.value) {
+    value = *input.value;
+  } else {
+    wrong(below(name), *json,
+          range_text(rule) + ", with at most " + std::to_string(Alpha::kMostDigits) +
+              " digits behind the point");
+  }
+}
+
 void FieldReader::operator()(const char* name, double& value, const NumberRule& rule) {
   if (const ReadJson* json = take(name)) number(below(name), *json, value, rule);
 }

@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/document/alpha_json.hpp"
 #include "core/document/appearance.hpp"
 #include "core/document/clip.hpp"
 #include "core/document/colour_words.hpp"
@@ -33,6 +34,7 @@ class FieldWriter {
 
   void operator()(const char* name, bool value) { to_[name] = value; }
   void operator()(const char* name, double value, const NumberRule&) { to_[name] = value; }
+  void operator()(const char* name, const Alpha& value, const NumberRule&) { to_[name] = value; }
   void operator()(const char* name, float value, const NumberRule&);
   void operator()(const char* name, int value, const NumberRule&) { to_[name] = value; }
   void operator()(const char* name, const std::array<double, 3>& value, const NumberRule&) {
@@ -96,6 +98,7 @@ class FieldReader {
 
   void operator()(const char* name, bool& value);
   void operator()(const char* name, double& value, const NumberRule& rule);
+  void operator()(const char* name, Alpha& value, const NumberRule& rule);  // text, too
   void operator()(const char* name, float& value, const NumberRule& rule);
   void operator()(const char* name, int& value, const NumberRule& rule);
   void operator()(const char* name, std::array<double, 3>& value, const NumberRule& rule);

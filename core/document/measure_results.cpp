@@ -36,7 +36,7 @@ MeasuredComplex measure_complex(const BallSet& balls, const AlphaComplex& comple
 }
 
 std::vector<float> exposed_shares(const UnionMeasures& measures, const BallSet& balls,
-                                  double alpha_on_lattice) {
+                                  const LatticeAlpha& alpha_on_lattice) {
   const std::vector<double> whole = free_areas_angstrom2(balls, alpha_on_lattice);
   std::vector<float> shares;
   shares.reserve(whole.size());
@@ -47,7 +47,8 @@ std::vector<float> exposed_shares(const UnionMeasures& measures, const BallSet& 
 }
 
 std::vector<float> exposed_shares_of_residues(const UnionMeasures& measures, const BallSet& balls,
-                                              double alpha_on_lattice, const Molecule& molecule,
+                                              const LatticeAlpha& alpha_on_lattice,
+                                              const Molecule& molecule,
                                               const std::vector<std::uint32_t>& atom_of_ball) {
   const AtomGroups residues = atom_groups(molecule, atom_of_ball, AtomGrouping::residue);
   const std::vector<double> areas = sums_by_group(measures.ball_area_angstrom2, residues.of_ball,

@@ -25,9 +25,10 @@ MeasuredComplex measure_complex(const BallSet& balls, const AlphaComplex& comple
 // Of each ball, how much of its whole sphere is on the surface of all, 0 to 1; or of its residue's
 // spheres. 0 where a ball is empty.
 std::vector<float> exposed_shares(const UnionMeasures& measures, const BallSet& balls,
-                                  double alpha_on_lattice);
+                                  const LatticeAlpha& alpha_on_lattice);
 std::vector<float> exposed_shares_of_residues(const UnionMeasures& measures, const BallSet& balls,
-                                              double alpha_on_lattice, const Molecule& molecule,
+                                              const LatticeAlpha& alpha_on_lattice,
+                                              const Molecule& molecule,
                                               const std::vector<std::uint32_t>& atom_of_ball);
 
 // Made anew at each alpha; not of tetrahedra alone.

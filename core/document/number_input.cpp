@@ -60,10 +60,13 @@ void drop_unit(std::string& text, const NumberRule& rule) {
   }
 }
 
-// Digits with at most one decimal mark, then perhaps an exponent. from_chars knows "inf" too.
-std::optional<double> number_in(std::string text) {
+void use_plain_marks(std::string& text) {
   if (text.starts_with('+') && !text.starts_with("+-")) text.erase(0, 1);
   std::replace(text.begin(), text.end(), ',', '.');
+}
+
+// Digits with at most one decimal point, then perhaps an exponent. from_chars knows "inf" too.
+std::optional<double> number_in(const std::string& text) {
   const bool digits = std::any_of(text.begin(), text.end(), is_digit);
   const bool known = text.find_first_not_of("0123456789.eE+-") == std::string::npos;
   double value = 0;
@@ -98,16 +101,26 @@ std::string syntax_error(const std::string& typed, const NumberRule& rule) {
   return quoted + "is not a number. Write a number such as " + example + unit + ".";
 }
 
-}  // namespace
-
-NumberInput read_number(const std::string& typed, const NumberRule& rule) {
+// Without blanks around it, with a minus sign that programs read, without its unit.
+std::string number_part(const std::string& typed, const NumberRule& rule) {
   std::string text = typed;
   trim(text);
-  if (text.empty()) return {{}, "Write a number. " + range_text(rule) + "."};
   constexpr std::string_view kMinus = "−";
   if (text.starts_with(kMinus)) text.replace(0, kMinus.size(), "-");
   drop_unit(text, rule);
-  const auto value = number_in(text);
+  return text;
+}
+
+}  // namespace
+
+NumberInput read_number(const std::string& typed, const NumberRule& rule) {
+  if (typed.find_first_not_of(" \t") == std::string::npos) {
+    return {{}, "Write a number. " + range_text(rule) + "."};
+  }
+  const std::string text = number_part(typed, rule);
+  std::string plain = text;
+  use_plain_marks(plain);
+  const auto value = number_in(plain);
   if (const std::string wrong = unit_error(typed, text, rule); !value && !wrong.empty()) {
     return {{}, wrong};
   }
@@ -119,6 +132,28 @@ NumberInput read_number(const std::string& typed, const NumberRule& rule) {
     return {{}, "“" + typed + "” is not a whole number. Write digits only, such as 20."};
   }
   return {*value == 0 ? 0 : *value, {}};  // no minus zero
+}
+
+AlphaInput read_alpha(const std::string& typed) {
+  const NumberInput near = read_number(typed, kAlphaRule);
+  if (!near.value) return {{}, near.error};
+  std::string text = number_part(typed, kAlphaRule);
+  use_plain_marks(text);
+  Alpha alpha;
+  switch (Alpha::read(text, alpha)) {
+    case Alpha::Reading::ok:
+      return {alpha, {}};
+    case Alpha::Reading::too_fine:
+      return {{},
+              "“" + typed + "” has more than " + std::to_string(Alpha::kMostDigits) +
+                  " digits behind the decimal point. Alpha is used exactly as it is written, with "
+                  "at most that many. Leave some out."};
+    case Alpha::Reading::too_large:
+      return {{}, range_text(kAlphaRule) + "; “" + typed + "” does not."};
+    case Alpha::Reading::malformed:
+      break;
+  }
+  return {{}, syntax_error(typed, kAlphaRule)};
 }
 
 }  // namespace alphascope

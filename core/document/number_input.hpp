@@ -35,4 +35,12 @@ struct NumberInput {
 // was typed is dropped.
 NumberInput read_number(const std::string& text, const NumberRule& rule);
 
+struct AlphaInput {
+  std::optional<Alpha> value;
+  std::string error;  // as above
+};
+
+// Alpha by kAlphaRule, with every digit. More than 18 behind the point are refused.
+AlphaInput read_alpha(const std::string& text);
+
 }  // namespace alphascope

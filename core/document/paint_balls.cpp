@@ -195,7 +195,7 @@ BallValues by_exposure(const PaintedMolecule& of, ColourBy by) {
     values.lacks = "Balls are grey: there are no exposed areas without a complex.";
     return values;
   }
-  const double alpha = of.complex->alpha_on_lattice;
+  const double alpha = of.complex->alpha_on_lattice.nearest();
   values.numbers = by == ColourBy::exposed
                        ? exposed_shares(*of.measures, *of.grown, alpha)
                        : exposed_shares_of_residues(*of.measures, *of.grown, alpha, of.molecule,

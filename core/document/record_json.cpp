@@ -64,9 +64,10 @@ Json input_json(const RecordSource& source) {
 }
 
 Json request_json(const Request& request, const Lattice& lattice) {
-  const double on_lattice = lattice.alpha_on_lattice(request.alpha_angstrom2);
+  const LatticeAlpha used = lattice.alpha_on_lattice(request.alpha_angstrom2);
   Json json{{"alpha_angstrom2", request.alpha_angstrom2},
-            {"alpha_used_square_lattice_units", on_lattice},
+            {"alpha_used_square_lattice_units",
+             used.is_shortest_of_double() ? Json(used.nearest()) : Json(used.text())},
             {"solvent_radius_angstrom", request.solvent_radius_angstrom},
             {"solvent_radius_used_angstrom",
              solvent_on_lattice(lattice, request.solvent_radius_angstrom)},

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/complex/alpha_complex.hpp"
+#include "core/document/alpha_json.hpp"
 #include "core/document/record_source.hpp"
 #include "core/document/request.hpp"
 

@@ -3,13 +3,14 @@
 #pragma once
 
 #include "core/engine/engine_choice.hpp"
+#include "core/geometry/alpha.hpp"
 #include "core/tuples/tuple_options.hpp"
 
 namespace alphascope {
 
 // A change of these needs a new computation.
 struct Request {
-  double alpha_angstrom2 = 0;          // Å²
+  Alpha alpha_angstrom2;               // Å²
   double solvent_radius_angstrom = 0;  // Å
   bool tetrahedra_only = false;        // the thesis' sub-complex
   EngineChoice engine = EngineChoice::automatic;

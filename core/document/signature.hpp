@@ -21,7 +21,7 @@ struct Signature {
   // certain. The complex itself decides them exactly.
   std::size_t count(int dimension, double alpha) const {
     const std::vector<float>& v = values[static_cast<std::size_t>(dimension)];
-    const auto limit = static_cast<float>(lattice.alpha_on_lattice(alpha));
+    const auto limit = lattice.alpha_on_lattice(alpha).nearest_float();
     return static_cast<std::size_t>(std::upper_bound(v.begin(), v.end(), limit) - v.begin());
   }
   // Vertices - edges + triangles - tetrahedra = components - tunnels + voids.

@@ -1,6 +1,8 @@
 // See the header.
 #include "core/document/steps_json.hpp"
 
+#include "core/document/alpha_json.hpp"
+
 namespace alphascope {
 namespace {
 
@@ -85,7 +87,7 @@ Json steps_json(const BallSteps& steps, const BallName& name) {
   Json json{{"engine", steps_engine_id(steps.engine)},
             {"ball", steps.ball},
             {"atom", name(steps.ball)},
-            {"alpha_angstrom2", steps.lattice.square_angstrom(steps.alpha_on_lattice)}};
+            {"alpha_angstrom2", steps.lattice.alpha_angstrom2(steps.alpha_on_lattice)}};
   Json list = Json::array();
   for (const Step& step : steps.steps) list.push_back(step_json(steps, step, name));
   json["steps"] = std::move(list);

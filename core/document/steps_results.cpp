@@ -13,8 +13,9 @@
 namespace alphascope {
 namespace {
 
-BallSteps dual_edge_steps_of(const BallSet& balls, BallIndex ball, double alpha_on_lattice,
-                             const TupleOptions&, const RunContext& context) {
+BallSteps dual_edge_steps_of(const BallSet& balls, BallIndex ball,
+                             const LatticeAlpha& alpha_on_lattice, const TupleOptions&,
+                             const RunContext& context) {
   return dual_edge_steps(balls, ball, alpha_on_lattice, context);
 }
 
@@ -139,7 +140,7 @@ Definition<ToldSteps> told_steps(const AskedSteps& asked) {
           [asked](const Inputs& in, const RunContext& context) {
             auto told = std::make_shared<ToldSteps>();
             const StepsEngineSpec& spec = spec_of(asked.engine);
-            const double alpha = in.balls->lattice.alpha_on_lattice(in.alpha_angstrom2);
+            const LatticeAlpha alpha = in.balls->lattice.alpha_on_lattice(in.alpha_angstrom2);
             const auto make = [&](const TupleOptions& options) {
               return spec.make(*in.balls, asked.ball, alpha, options, context);
             };

@@ -17,7 +17,7 @@ struct StepsEngineSpec {
   StepsEngine engine;
   const char* title;       // "Tuple engine (thesis)"
   bool has_optimisations;  // of TupleOptions, that can be switched off
-  BallSteps (*make)(const BallSet& balls, BallIndex ball, double alpha_on_lattice,
+  BallSteps (*make)(const BallSet& balls, BallIndex ball, const LatticeAlpha& alpha_on_lattice,
                     const TupleOptions& options, const RunContext& context);
 };
 std::span<const StepsEngineSpec> steps_engines();

@@ -70,7 +70,7 @@ class Writer {
              "left out." +
              others;
     }
-    return "At alpha = " + short_number(steps_.lattice.square_angstrom(steps_.alpha_on_lattice)) +
+    return "At alpha = " + short_number(steps_.lattice.alpha_angstrom2(steps_.alpha_on_lattice)) +
            " Å², " + the_ball() + " has shrunk to nothing: r² + α is negative. It is left out." +
            others;
   }

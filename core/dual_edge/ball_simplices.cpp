@@ -12,7 +12,7 @@ namespace alphascope {
 void BallSimplices::load(std::uint32_t slot, std::span<const std::uint32_t> list) {
   i_ = grid_.ball[slot];
   weight_ = balls_.weight(i_);
-  radius_square_ = static_cast<double>(weight_) + alpha_;
+  radius_square_ = alpha_.plus(weight_);
   // A whole number above the radius of the disc, whatever the rounding of sqrt.
   ghost_reach_ = static_cast<std::int64_t>(std::sqrt(radius_square_) * (1 + 1e-12)) + 2;
   slots_.assign(list.begin(), list.end());
@@ -152,7 +152,7 @@ void BallSimplices::tetrahedra(const NearFirstRows& t, BlockOutput& out) {
 }
 
 VertexState BallSimplices::vertex_state() const {
-  if (-static_cast<double>(weight_) > alpha_) return VertexState::absent;
+  if (alpha_.plus(weight_) < 0) return VertexState::absent;
   // With equality the centre lies on the boundary of its power cell, or the cell is empty after
   // perturbation: then the nearest edge has the same value, or there is none.
   return attached_ ? VertexState::attached : VertexState::unattached;

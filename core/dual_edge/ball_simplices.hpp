@@ -46,7 +46,8 @@ struct BlockOutput {
 
 class BallSimplices {
  public:
-  BallSimplices(const BallSet& balls, const UniformGrid& grid, double alpha_on_lattice, bool whole)
+  BallSimplices(const BallSet& balls, const UniformGrid& grid, const LatticeAlpha& alpha_on_lattice,
+                bool whole)
       : balls_(balls), grid_(grid), alpha_(alpha_on_lattice), whole_(whole) {}
 
   // Appends the simplices whose lowest vertex is the ball in `slot`, in lexicographic order.
@@ -96,7 +97,7 @@ class BallSimplices {
   VertexState vertex_state() const;
 
   Neighbourhood<Neighbours> surroundings() const {
-    return {neighbours_, weight_, alpha_, ghost_reach_, filter_};
+    return {neighbours_, weight_, &alpha_, ghost_reach_, filter_};
   }
   std::uint32_t* row(int j) {
     return rows_.data() + static_cast<std::ptrdiff_t>(j - first_) * words_;
@@ -109,7 +110,7 @@ class BallSimplices {
 
   const BallSet& balls_;
   const UniformGrid& grid_;
-  const double alpha_;
+  const LatticeAlpha alpha_;
   const bool whole_;
 
   // Of the current ball.

@@ -55,7 +55,7 @@ class DualEdge {
   };
 
   // False when no point of the line has pi_i <= alpha, or the three centres are collinear (then ijk
-  // is no simplex). `radius_square` is the nearest number to w_i + alpha.
+  // is no simplex). `radius_square` is w_i + alpha within what kLimit allows for.
   ALPHASCOPE_INLINE bool start(const LiftedVector<Real>& j, const LiftedVector<Real>& k,
                                Real radius_square) {
     n_ = {difference_of_products(j.y, k.z, j.z, k.y), difference_of_products(j.z, k.x, j.x, k.z),
@@ -80,7 +80,7 @@ class DualEdge {
     foot_square_ =
         multiply_add(foot_.x, foot_.x, multiply_add(foot_.y, foot_.y, foot_.z * foot_.z));
     square_error_ =
-        foot_error_ * (6 * f + 3 * foot_error_) + kU * (5 * foot_square_ + 3 * radius_square);
+        foot_error_ * (6 * f + 3 * foot_error_) + kU * (5 * foot_square_ + kLimit * radius_square);
     const Real room = radius_square - foot_square_ + square_error_;
     if (room < 0) return false;
     const Real tiny = Real(1e-30);
@@ -220,6 +220,9 @@ class DualEdge {
 
  private:
   static constexpr Real kU = Rounding<Real>::u;
+  // Of radius_square: its own error, which in double is that of LatticeAlpha::plus(), 3 u, and in
+  // single one rounding, and two roundings of sums with it.
+  static constexpr Real kLimit = sizeof(Real) == sizeof(float) ? 3 : 5;
 
   Vector3<Real> n_, foot_;
   Real q_;  // |n|²

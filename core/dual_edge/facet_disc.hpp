@@ -21,6 +21,7 @@ class FacetDisc {
   ALPHASCOPE_INLINE FacetDisc(const LiftedVector<Real>& j, Real radius_square) : j_(j) {
     inverse_ = 1 / (j.x * j.x + j.y * j.y + j.z * j.z);
     depth_ = Real(0.25) * j.c * j.c * inverse_;  // squared distance of the plane
+    // depth errs by 3 u, radius_square by 3 u (LatticeAlpha::plus()), the sums by 3 u of both.
     const Real error = kMargin * (radius_square + depth_);
     square_ = radius_square - depth_ + error;
     surely_ = radius_square - depth_ - error;

@@ -25,7 +25,7 @@ struct Lent {
 };
 
 struct AlphaRequest {
-  double alpha_angstrom2 = 0;    // any real number
+  Alpha alpha_angstrom2;         // any but NaN
   bool tetrahedra_only = false;  // the thesis' sub-complex
   // An engine may answer from this, and keeps no part of it. Engines that are there to compute
   // (on the GPU, tuples) do not look at it.

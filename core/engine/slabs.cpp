@@ -44,10 +44,10 @@ std::vector<std::int32_t> slab_bounds(const BallSet& balls, int axis, std::size_
 }
 
 // Farther apart than this, no two grown balls meet. Lattice units; infinite for infinite alpha.
-double meeting_distance(const BallSet& balls, double alpha) {
+double meeting_distance(const BallSet& balls, const LatticeAlpha& alpha) {
   std::int32_t largest = 0;
   for (const std::int32_t r : balls.radii) largest = std::max(largest, r);
-  const double square = static_cast<double>(largest) * largest + alpha;
+  const double square = alpha.plus(std::int64_t{largest} * largest);
   return square < 0 ? 0 : 2 * std::sqrt(square) * (1 + 1e-9) + 2;
 }
 

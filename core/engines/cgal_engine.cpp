@@ -40,7 +40,8 @@ class CgalEngine : public Engine {
       : balls_(std::move(balls)), threads_(options.work_threads()) {}
 
   AlphaComplex compute(const AlphaRequest& request, const RunContext& context) override {
-    if (std::isnan(request.alpha_angstrom2)) throw std::invalid_argument("alpha is not a number");
+    if (std::isnan(request.alpha_angstrom2.nearest()))
+      throw std::invalid_argument("alpha is not a number");
     require_lent_of(*balls_, request.lent);
     AlphaComplex complex;
     StageTimes times;
@@ -67,7 +68,7 @@ class CgalEngine : public Engine {
  private:
   AlphaComplex own_answer(const AlphaRequest& request, const RunContext& context,
                           StageTimer& timer) {
-    const double alpha = balls_->lattice.alpha_on_lattice(request.alpha_angstrom2);
+    const LatticeAlpha alpha = balls_->lattice.alpha_on_lattice(request.alpha_angstrom2);
     const std::string route = next_route(request);
     std::shared_ptr<const Triangulation> triangulation;
     if (!filtration_) triangulation = lent_or_made(request.lent, context, timer);
@@ -117,7 +118,8 @@ class CgalEngine : public Engine {
     if (lent.filtration) filtration_.reset();
   }
 
-  AlphaComplex filtered_tetrahedra(const Triangulation& triangulation, double alpha) const {
+  AlphaComplex filtered_tetrahedra(const Triangulation& triangulation,
+                                   const LatticeAlpha& alpha) const {
     AlphaComplex complex;
     complex.lattice = balls_->lattice;
     complex.alpha_on_lattice = alpha;

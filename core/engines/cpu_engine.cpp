@@ -27,9 +27,10 @@ class CpuEngine : public Engine {
   }
 
   AlphaComplex compute(const AlphaRequest& request, const RunContext& context) override {
-    if (std::isnan(request.alpha_angstrom2)) throw std::invalid_argument("alpha is not a number");
+    if (std::isnan(request.alpha_angstrom2.nearest()))
+      throw std::invalid_argument("alpha is not a number");
     require_lent_of(*balls_, request.lent);
-    const double alpha = balls_->lattice.alpha_on_lattice(request.alpha_angstrom2);
+    const LatticeAlpha alpha = balls_->lattice.alpha_on_lattice(request.alpha_angstrom2);
     AlphaComplex complex;
     StageTimes times;
     threads_->run([&] {
@@ -55,8 +56,8 @@ class CpuEngine : public Engine {
   }
 
  private:
-  AlphaComplex answered(double alpha, const AlphaRequest& request, const RunContext& context,
-                        StageTimer& timer) {
+  AlphaComplex answered(const LatticeAlpha& alpha, const AlphaRequest& request,
+                        const RunContext& context, StageTimer& timer) {
     if (auto complex = threshold_of_lent(*balls_, request, context, timer)) {
       kept_.forget();  // somebody else keeps all of it
       triangulation_.reset();
@@ -69,14 +70,14 @@ class CpuEngine : public Engine {
     return computed(alpha, request, context, timer);
   }
 
-  AlphaComplex computed(double alpha, const AlphaRequest& request, const RunContext& context,
-                        StageTimer& timer) {
+  AlphaComplex computed(const LatticeAlpha& alpha, const AlphaRequest& request,
+                        const RunContext& context, StageTimer& timer) {
     if (!hidden_) {
       hidden_ = coincident_hidden(*balls_);
       timer.lap(stage::kCoincident, true);
     }
     context.report(stage::kGrid, 0);
-    if (!std::isfinite(alpha)) return triangulated(request, context, timer);
+    if (!std::isfinite(alpha.below)) return triangulated(request, context, timer);
     const UniformGrid grid = make_uniform_grid(*balls_, alpha, *hidden_);
     const Route route = choose_route(
         grid, {threads_->used(), request.tetrahedra_only, request.lent.triangulation != nullptr});
@@ -86,7 +87,7 @@ class CpuEngine : public Engine {
                : triangulated(request, context, timer);
   }
 
-  AlphaComplex clipped(const UniformGrid& grid, double alpha, bool tetrahedra_only,
+  AlphaComplex clipped(const UniformGrid& grid, const LatticeAlpha& alpha, bool tetrahedra_only,
                        const RunContext& context, StageTimer& timer) {
     AlphaComplex complex;
     complex.lattice = balls_->lattice;

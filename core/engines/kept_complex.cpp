@@ -23,7 +23,7 @@ std::uint64_t KeptComplex::bytes() const {
   return filtration_ ? filtration_->top_bytes() + filtration_->level_bytes() : top;
 }
 
-std::optional<AlphaComplex> KeptComplex::answer(double alpha, bool tetrahedra_only,
+std::optional<AlphaComplex> KeptComplex::answer(const LatticeAlpha& alpha, bool tetrahedra_only,
                                                 const RunContext& context, StageTimer& timer) {
   const bool make_filtration = top_ && alpha <= top_->alpha_on_lattice;
   if (make_filtration) {

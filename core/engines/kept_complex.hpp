@@ -24,7 +24,7 @@ class KeptComplex {
   // K_alpha with its route, if alpha is not above that of the complex. The first answer makes a
   // filtration of it, which is setup. Works in the caller's task arena. Throws Cancelled, and
   // std::bad_alloc; both leave everything as it was.
-  std::optional<AlphaComplex> answer(double alpha_on_lattice, bool tetrahedra_only,
+  std::optional<AlphaComplex> answer(const LatticeAlpha& alpha_on_lattice, bool tetrahedra_only,
                                      const RunContext& context, StageTimer& timer);
 
  private:

@@ -17,7 +17,7 @@ std::uint64_t bytes_of(const Lent& lent) {
 
 void require_lent_of(const BallSet& balls, const Lent& lent) {
   if (lent.filtration && (&lent.filtration->balls() != &balls ||
-                          !std::isinf(lent.filtration->alpha_max_on_lattice()))) {
+                          !std::isinf(lent.filtration->alpha_max_on_lattice().below))) {
     throw std::invalid_argument("the filtration is of other balls, or not of all their simplices");
   }
   if (lent.triangulation &&

@@ -45,7 +45,7 @@ class SlabCount {
 
   const std::size_t balls_;
   std::size_t slabs_ = 1;
-  double refused_alpha_ = 0;  // Å²; of the last that half as many slabs had no room for
+  Alpha refused_alpha_;  // Å²; of the last that half as many slabs had no room for
   bool refused_tetrahedra_only_ = false;
   int answers_ = 0;  // since then
 };
@@ -59,7 +59,8 @@ class EngineOfExecutors : public Engine {
         slabs_(balls_->size()) {}
 
   AlphaComplex compute(const AlphaRequest& request, const RunContext& context) override {
-    if (std::isnan(request.alpha_angstrom2)) throw std::invalid_argument("alpha is not a number");
+    if (std::isnan(request.alpha_angstrom2.nearest()))
+      throw std::invalid_argument("alpha is not a number");
     std::string why_cpu = "beyond the GPU kernels' limits";
     why_not_whole_.clear();
     try {

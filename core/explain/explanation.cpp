@@ -131,7 +131,8 @@ class Surrounded {
       return 0;
     });
   }
-  AtAlpha at(std::span<const BallIndex> simplex, const AlphaLevel& appears, double alpha) const {
+  AtAlpha at(std::span<const BallIndex> simplex, const AlphaLevel& appears,
+             const LatticeAlpha& alpha) const {
     AlphaComplex complex = threshold(filtration_, alpha, false);
     set_classes_in(star_.triangulation.dimension, complex);
     AtAlpha result{alpha, false, SimplexClass::singular, steps_of_rho(balls_, appears.from, alpha)};
@@ -375,7 +376,7 @@ void explain_absence(const BallSet& balls, const RunContext& context, const Loca
 }  // namespace
 
 Explanation explain(const BallSet& balls, std::span<const BallIndex> simplex,
-                    std::optional<double> alpha_on_lattice, const RunContext& context) {
+                    std::optional<LatticeAlpha> alpha_on_lattice, const RunContext& context) {
   Explanation e;
   e.lattice = balls.lattice;
   e.simplex.assign(simplex.begin(), simplex.end());
@@ -384,7 +385,7 @@ Explanation explain(const BallSet& balls, std::span<const BallIndex> simplex,
       std::adjacent_find(e.simplex.begin(), e.simplex.end()) != e.simplex.end()) {
     throw std::invalid_argument("a simplex is 1 to 4 different balls of the set");
   }
-  if (alpha_on_lattice && std::isnan(*alpha_on_lattice)) {
+  if (alpha_on_lattice && std::isnan(alpha_on_lattice->below)) {
     throw std::invalid_argument("alpha is not a number");
   }
   if (independent(balls, e.simplex)) {

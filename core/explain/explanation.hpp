@@ -42,7 +42,7 @@ struct AlphaLevel {
 };
 
 struct AtAlpha {
-  double alpha_on_lattice = 0;
+  LatticeAlpha alpha_on_lattice;
   bool in_complex = false;
   SimplexClass simplex_class = SimplexClass::singular;  // if it is in the complex
   // The ortho-radius that alpha was compared with; the sign is that of rho - alpha.
@@ -84,6 +84,6 @@ struct Explanation {
 // `simplex`: 1 to 4 different balls, in any order; else std::invalid_argument, as for an alpha that
 // is NaN. Works in the caller's task arena. Throws Cancelled.
 Explanation explain(const BallSet& balls, std::span<const BallIndex> simplex,
-                    std::optional<double> alpha_on_lattice, const RunContext& context = {});
+                    std::optional<LatticeAlpha> alpha_on_lattice, const RunContext& context = {});
 
 }  // namespace alphascope

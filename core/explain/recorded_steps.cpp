@@ -196,22 +196,23 @@ void filter_rho(Recorder& r, std::size_t balls, double radius_square) {
 }
 
 template <int N>
-void rho_steps(Recorder& r, double alpha) {
+void rho_steps(Recorder& r, const LatticeAlpha& alpha) {
   LiftedSimplex<N> s{};
   for (int n = 0; n + 1 < N; ++n) s.v[n] = r.v(n);
   s.weight = r.weight();
-  const double radius_square = static_cast<double>(s.weight) + alpha;
+  const double radius_square = alpha.plus(s.weight);
   if (N > 1 && radius_square > 0 && all_within<float>(r, N - 1)) {
     filter_rho<float>(r, N, radius_square);
   }
   if (r.decided()) return;
   if (N > 1 && within_bracket_limit(s)) {
     const Bracket rho = rho_bracket(s);
-    r.add(Arithmetic::double_filter, compare_bracket(rho, alpha), rho.value - alpha, rho.error);
+    r.add(Arithmetic::double_filter, compare_bracket(rho, alpha), rho.value - alpha.nearest(),
+          rho.error);
   }
   if (r.decided()) return;
   const ExactRho rho = exact_rho(s);
-  r.add(Arithmetic::integers, compare_exact(rho, alpha), quotient(rho) - alpha, 0);
+  r.add(Arithmetic::integers, compare_exact(rho, alpha), quotient(rho) - alpha.nearest(), 0);
 }
 
 }  // namespace
@@ -241,7 +242,7 @@ Steps steps_of_margin(const BallSet& balls, std::span<const BallIndex> simplex, 
 }
 
 Steps steps_of_rho(const BallSet& balls, std::span<const BallIndex> simplex,
-                   double alpha_on_lattice) {
+                   const LatticeAlpha& alpha_on_lattice) {
   Recorder r(balls, simplex);
   switch (simplex.size()) {
     case 1:

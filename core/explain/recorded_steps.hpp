@@ -27,8 +27,8 @@ struct ArithmeticStep {
 std::vector<ArithmeticStep> steps_of_margin(const BallSet& balls,
                                             std::span<const BallIndex> simplex, BallIndex m);
 
-// The sign of rho - alpha of such balls; alpha as Lattice::alpha_on_lattice() gives it.
+// The sign of rho - alpha of such balls.
 std::vector<ArithmeticStep> steps_of_rho(const BallSet& balls, std::span<const BallIndex> simplex,
-                                         double alpha_on_lattice);
+                                         const LatticeAlpha& alpha_on_lattice);
 
 }  // namespace alphascope

@@ -6,22 +6,15 @@
 #include <cmath>
 #include <cstdint>
 
+#include "core/geometry/alpha.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+
 namespace alphascope {
 
 // Bounds that keep every exact predicate inside its fixed integer width (see exact_rho.hpp):
 // coordinate differences fit 31 bits, weights are exact as doubles, power differences fit int64.
 inline constexpr std::int32_t kMaxLatticeCoordinate = (1 << 29) - 1;
 inline constexpr std::int32_t kMaxLatticeRadius = (1 << 26) - 1;
-
-// Alpha lies between -kMaxAlphaAngstrom2 and this, in Å²: a sphere of 10^12 Å. On the finest
-// lattice (six digits) it is 10^36 square units, so alpha values fit single precision (3.4 · 10^38)
-// and no file says "inf". The engines themselves compute with any alpha, infinity included.
-inline constexpr double kMaxAlphaAngstrom2 = 1e24;
-
-// Also false for NaN.
-inline bool is_alpha(double angstrom2) {
-  return std::fabs(angstrom2) <= kMaxAlphaAngstrom2;
-}
 
 // Files with fewer digits still get this lattice, so that typed solvent radii are on it.
 inline constexpr int kMinLatticeDigits = 3;
@@ -36,7 +29,8 @@ struct LatticePoint {
 };
 
 struct Lattice {
-  int digits = kMinLatticeDigits;  // the unit is 10^-digits Å; may be negative for huge coordinates
+  int digits =
+      kMinLatticeDigits;  // 0 to 6: the unit is 10^-digits Å, less fine for huge coordinates
 
   double units_per_angstrom() const { return std::pow(10.0, digits); }
   double unit_angstrom() const { return 1.0 / units_per_angstrom(); }
@@ -56,12 +50,10 @@ struct Lattice {
     return angstrom(nearest_units(length_angstrom)) == length_angstrom;
   }
 
-  // alpha (Å²) in square lattice units, rounded to a multiple of 2^-20 of one: the exact alpha that
-  // every engine and CGAL compare with. Decimal values such as 1.4 arrive without any rounding.
-  double alpha_on_lattice(double alpha_angstrom2) const {
-    const double value = alpha_angstrom2 * std::pow(10.0, 2 * digits);
-    return std::fabs(value) < 4.0e9 ? std::round(value * 1048576.0) / 1048576.0 : std::round(value);
-  }
+  // alpha in square lattice units: exact, as alpha is, and what every engine and CGAL compare with.
+  LatticeAlpha alpha_on_lattice(const Alpha& alpha) const;
+  // The other way; of a double, by the shortest decimal that says which one it is.
+  Alpha alpha_angstrom2(const LatticeAlpha& alpha) const;
   friend bool operator==(const Lattice&, const Lattice&) = default;
 };
 

@@ -26,8 +26,8 @@ struct GrownBall {
   double grown_radius;   // R
 };
 ALPHASCOPE_INLINE GrownBall grown_ball(const LatticePoint& p, std::int32_t radius,
-                                       double alpha_on_lattice) {
-  const double square = static_cast<double>(std::int64_t{radius} * radius) + alpha_on_lattice;
+                                       const LatticeAlpha& alpha_on_lattice) {
+  const double square = alpha_on_lattice.plus(std::int64_t{radius} * radius);
   const double positive = square > 0 ? square : 0;
   return {p.x, p.y, p.z, radius, positive, sqrt(positive)};
 }

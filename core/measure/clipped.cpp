@@ -36,8 +36,8 @@ struct Clipped {
 // Cuts tetrahedra one after another, for one thread.
 class Clipper {
  public:
-  Clipper(const Triangulation& triangulation, const BallSet& balls, double alpha_on_lattice,
-          const std::vector<std::uint32_t>& tetrahedron_of)
+  Clipper(const Triangulation& triangulation, const BallSet& balls,
+          const LatticeAlpha& alpha_on_lattice, const std::vector<std::uint32_t>& tetrahedron_of)
       : triangulation_(triangulation),
         balls_(balls),
         alpha_(alpha_on_lattice),
@@ -166,7 +166,7 @@ class Clipper {
 
   const Triangulation& triangulation_;
   const BallSet& balls_;
-  const double alpha_;
+  const LatticeAlpha alpha_;
   BallStars stars_;
   std::array<BallIndex, 4> index_ = {};
   GrownBall ball_[4] = {};
@@ -182,7 +182,7 @@ class Clipper {
 }  // namespace
 
 ClippedTetrahedra clipped_outside(const Triangulation& triangulation, const BallSet& balls,
-                                  double alpha_on_lattice,
+                                  const LatticeAlpha& alpha_on_lattice,
                                   std::span<const std::uint32_t> tetrahedra, int threads,
                                   const RunContext& context) {
   for (const std::uint32_t t : tetrahedra) {

@@ -24,7 +24,7 @@ struct ClippedTetrahedra {
 // sqrt(r² + alpha). threads = 0: as many as the machine has. The same bits for any number of them.
 // Throws Cancelled, and std::invalid_argument for indices that are none.
 ClippedTetrahedra clipped_outside(const Triangulation& triangulation, const BallSet& balls,
-                                  double alpha_on_lattice,
+                                  const LatticeAlpha& alpha_on_lattice,
                                   std::span<const std::uint32_t> tetrahedra, int threads = 0,
                                   const RunContext& context = {});
 

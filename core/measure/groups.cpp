@@ -35,7 +35,8 @@ std::vector<double> sums_by_group(std::span<const double> values,
   return totals;
 }
 
-std::vector<double> free_areas_angstrom2(const BallSet& balls, double alpha_on_lattice) {
+std::vector<double> free_areas_angstrom2(const BallSet& balls,
+                                         const LatticeAlpha& alpha_on_lattice) {
   const double unit = balls.lattice.unit_angstrom();
   std::vector<double> areas;
   areas.reserve(balls.size());

@@ -47,7 +47,8 @@ UnionMeasures measure_union(const BallSet& balls, const AlphaComplex& complex,
 
 // Of each ball's whole sphere, grown: what its area is when no other ball is there. 0 where the
 // ball is empty.
-std::vector<double> free_areas_angstrom2(const BallSet& balls, double alpha_on_lattice);
+std::vector<double> free_areas_angstrom2(const BallSet& balls,
+                                         const LatticeAlpha& alpha_on_lattice);
 
 // Throws what measure_union() does of a complex that it cannot measure.
 void require_same_balls(const BallSet& balls, const AlphaComplex& complex);

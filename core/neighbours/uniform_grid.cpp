@@ -42,12 +42,12 @@ struct AliveBalls {
   double max_reach_square = 0;  // of the largest of the grown balls
 };
 
-AliveBalls find_alive(const BallSet& balls, double alpha_on_lattice,
+AliveBalls find_alive(const BallSet& balls, const LatticeAlpha& alpha_on_lattice,
                       const std::vector<bool>& hidden) {
   AliveBalls alive;
   alive.indices.reserve(balls.size());
   for (BallIndex i = 0; i < balls.size(); ++i) {
-    const double square = static_cast<double>(balls.weight(i)) + alpha_on_lattice;
+    const double square = alpha_on_lattice.plus(balls.weight(i));
     if (square < 0 || (!hidden.empty() && hidden[i])) continue;
     alive.indices.push_back(i);
     alive.box.add(balls.centres[i]);
@@ -113,7 +113,7 @@ double UniformGrid::search_cost() const {
   return cost;
 }
 
-UniformGrid make_uniform_grid(const BallSet& balls, double alpha_on_lattice,
+UniformGrid make_uniform_grid(const BallSet& balls, const LatticeAlpha& alpha_on_lattice,
                               const std::vector<bool>& hidden) {
   const AliveBalls alive = find_alive(balls, alpha_on_lattice, hidden);
   const std::size_t count = alive.indices.size();
@@ -136,7 +136,7 @@ UniformGrid make_uniform_grid(const BallSet& balls, double alpha_on_lattice,
     grid.x[slot] = balls.centres[i].x;
     grid.y[slot] = balls.centres[i].y;
     grid.z[slot] = balls.centres[i].z;
-    grid.reach[slot] = grown_reach(static_cast<double>(balls.weight(i)) + alpha_on_lattice);
+    grid.reach[slot] = grown_reach(alpha_on_lattice.plus(balls.weight(i)));
   }
   return grid;
 }

@@ -51,7 +51,7 @@ struct UniformGrid {
 };
 
 // `hidden` marks balls to leave out (coincident with a larger one); may be empty.
-UniformGrid make_uniform_grid(const BallSet& balls, double alpha_on_lattice,
+UniformGrid make_uniform_grid(const BallSet& balls, const LatticeAlpha& alpha_on_lattice,
                               const std::vector<bool>& hidden);
 
 }  // namespace alphascope

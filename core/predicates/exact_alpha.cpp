@@ -36,7 +36,7 @@ auto with_rho(const BallSet& balls, std::span<const BallIndex> simplex, const Bo
 }  // namespace
 
 int compare_ortho_radius(const BallSet& balls, std::span<const BallIndex> simplex,
-                         double alpha_on_lattice) {
+                         const LatticeAlpha& alpha_on_lattice) {
   return with_rho(balls, simplex, [&](const Bracket& rho, const auto& exact) {
     const int side = compare_bracket(rho, alpha_on_lattice);
     return side != 0 ? side : compare_exact(exact(), alpha_on_lattice);

@@ -17,9 +17,9 @@ inline LiftedInt lifted_vector(const BallSet& balls, BallIndex i, BallIndex k) {
 // A simplex is 1 to 4 distinct, affinely independent balls, in any order. rho is its ortho-radius,
 // square lattice units. Nothing below is approximate.
 
-// Sign of rho - alpha; alpha_on_lattice as Lattice::alpha_on_lattice() gives it (or infinite).
+// Sign of rho - alpha.
 int compare_ortho_radius(const BallSet& balls, std::span<const BallIndex> simplex,
-                         double alpha_on_lattice);
+                         const LatticeAlpha& alpha_on_lattice);
 
 // Sign of rho(a) - rho(b) of two tetrahedra.
 int compare_ortho_radii(const BallSet& balls, std::span<const BallIndex, 4> a,

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "core/geometry/lattice_alpha.hpp"
 #include "core/predicates/lifted.hpp"
 #include "core/predicates/rounding.hpp"
 #include "core/predicates/wide_int.hpp"
@@ -68,6 +69,16 @@ ALPHASCOPE_HOST_DEVICE inline ExactRho exact_rho(const LiftedSimplex<4>& s) {
 
 // Sign of rho - value, where value is any finite double that is a multiple of 2^-160.
 ALPHASCOPE_HOST_DEVICE int compare_exact(const ExactRho& rho, double value);
+
+// Sign of rho - alpha. Of an alpha that is no double, rho = p / q and alpha = n / 10^18: the sides
+// are 10^18 p, of 60 + 255 bits, and n q, of 120 + 60 + 188.
+ALPHASCOPE_HOST_DEVICE inline int compare_exact(const ExactRho& rho, const LatticeAlpha& alpha) {
+  if (alpha.is_double()) return compare_exact(rho, alpha.below);
+  using Wide = WideInt<8>;
+  static_assert(Alpha::kParts < std::int64_t{1} << 60 && 60 + 255 < 511 && 120 + 60 + 188 < 511);
+  const Wide n = Wide::of(alpha.whole).times(Alpha::kParts) + Wide(alpha.fraction);
+  return (Wide(rho.numerator).times(Alpha::kParts) - n * Wide(rho.denominator)).sign();
+}
 
 // Sign of a - b. Bits: 255 + 188.
 ALPHASCOPE_HOST_DEVICE inline int compare_exact(const ExactRho& a, const ExactRho& b) {

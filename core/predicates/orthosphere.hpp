@@ -140,10 +140,11 @@ ALPHASCOPE_HOST_DEVICE Bracket rho_bracket(const LiftedSimplex<N>& s, bool brack
   return brackets_hold ? rho_bracket(s) : Bracket{0, HUGE_VAL};
 }
 
-// Sign of rho - value from the bracket; 0 when the bracket does not decide.
-ALPHASCOPE_HOST_DEVICE inline int compare_bracket(const Bracket& rho, double value) {
-  if (rho.value - rho.error > value) return 1;
-  if (rho.value + rho.error < value) return -1;
+// Sign of rho - alpha from the bracket; 0 when the bracket does not decide. Alpha's own rounding
+// adds no error: it lies between two doubles, and the bracket must be beyond the one or the other.
+ALPHASCOPE_HOST_DEVICE inline int compare_bracket(const Bracket& rho, const LatticeAlpha& alpha) {
+  if (rho.value - rho.error > alpha.above) return 1;
+  if (rho.value + rho.error < alpha.below) return -1;
   return 0;
 }
 

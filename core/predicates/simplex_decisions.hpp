@@ -24,8 +24,8 @@ struct FilteredDecider {
 
 // Is rho <= alpha? And its nearest float, when it is and `rounded` is not null.
 template <class Decider, int N>
-ALPHASCOPE_INLINE Decision decide_rho(const LiftedSimplex<N>& s, bool brackets_hold, double alpha,
-                                      float* rounded) {
+ALPHASCOPE_INLINE Decision decide_rho(const LiftedSimplex<N>& s, bool brackets_hold,
+                                      const LatticeAlpha& alpha, float* rounded) {
   const Bracket rho = rho_bracket(s, brackets_hold);
   const int side = compare_bracket(rho, alpha);
   if (side > 0) return Decision::out;
@@ -45,7 +45,7 @@ template <class Neighbours>
 struct Neighbourhood {
   const Neighbours& neighbours;  // .lifted(slot) -> LiftedInt
   std::int64_t weight;           // of ball i, square lattice units
-  double alpha;                  // square lattice units
+  const LatticeAlpha* alpha;     // which must outlive this
   std::int64_t ghost_reach;      // > sqrt(weight + alpha)
   bool brackets_hold;            // all slots are within kBracketLimit
 };
@@ -55,7 +55,7 @@ template <class Decider, class Neighbours, class... Slots>
 ALPHASCOPE_INLINE Decision decide_simplex(const Neighbourhood<Neighbours>& in, float* rounded,
                                           Slots... slots) {
   const LiftedSimplex<1 + sizeof...(Slots)> s{{in.neighbours.lifted(slots)...}, in.weight};
-  return decide_rho<Decider>(s, in.brackets_hold, in.alpha, rounded);
+  return decide_rho<Decider>(s, in.brackets_hold, *in.alpha, rounded);
 }
 
 // Does ball m cut off the orthocentre of edge ij? Then ij is attached: in K_alpha if a triangle of

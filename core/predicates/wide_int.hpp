@@ -6,11 +6,9 @@
 #include <cstdint>
 
 #include "core/geometry/host_device.hpp"
+#include "core/geometry/int128.hpp"
 
 namespace alphascope {
-
-__extension__ typedef __int128 Int128;
-__extension__ typedef unsigned __int128 UInt128;
 
 // Two's complement, least significant limb first.
 template <int kLimbs>
@@ -21,6 +19,13 @@ struct WideInt {
   ALPHASCOPE_HOST_DEVICE constexpr WideInt(std::int64_t value) : limb{} {
     limb[0] = static_cast<std::uint64_t>(value);
     for (int i = 1; i < kLimbs; ++i) limb[i] = value < 0 ? ~std::uint64_t{0} : 0;
+  }
+  ALPHASCOPE_HOST_DEVICE static WideInt of(Int128 value) {
+    static_assert(kLimbs >= 2, "narrowing would lose bits");
+    WideInt wide(value < 0 ? -1 : 0);
+    wide.limb[0] = static_cast<std::uint64_t>(value);
+    wide.limb[1] = static_cast<std::uint64_t>(value >> 64);
+    return wide;
   }
   template <int kOther>
   ALPHASCOPE_HOST_DEVICE explicit WideInt(const WideInt<kOther>& other) {

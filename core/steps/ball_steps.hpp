@@ -158,7 +158,7 @@ struct BallSteps {
   StepsEngine engine = StepsEngine::tuples;
   BallIndex ball = 0;
   Lattice lattice;
-  double alpha_on_lattice = 0;
+  LatticeAlpha alpha_on_lattice;
   TupleOptions options;  // of the tuple engine
   LeftOut left_out = LeftOut::no;
   std::vector<Step> steps;
@@ -173,14 +173,14 @@ inline constexpr std::uint64_t kMostTuplesOfBall = 1'000'000;
 
 // The steps of the thesis' pipeline. Throws std::invalid_argument (no such ball, alpha is NaN),
 // Cancelled.
-BallSteps tuple_steps(const BallSet& balls, BallIndex ball, double alpha_on_lattice,
+BallSteps tuple_steps(const BallSet& balls, BallIndex ball, const LatticeAlpha& alpha_on_lattice,
                       const TupleOptions& options, const RunContext& context = {});
 
 // More dual edges of one ball are not looked at.
 inline constexpr std::uint64_t kMostDualEdgesOfBall = 200'000;
 
 // The steps of the dual-edge engine as it runs on the CPU, whole complex. The same exceptions.
-BallSteps dual_edge_steps(const BallSet& balls, BallIndex ball, double alpha_on_lattice,
-                          const RunContext& context = {});
+BallSteps dual_edge_steps(const BallSet& balls, BallIndex ball,
+                          const LatticeAlpha& alpha_on_lattice, const RunContext& context = {});
 
 }  // namespace alphascope

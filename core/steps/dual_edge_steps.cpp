@@ -22,7 +22,8 @@ namespace {
 
 class DualEdgeSteps {
  public:
-  DualEdgeSteps(const BallSet& balls, BallIndex ball, double alpha, const RunContext& context)
+  DualEdgeSteps(const BallSet& balls, BallIndex ball, const LatticeAlpha& alpha,
+                const RunContext& context)
       : balls_(balls), context_(context) {
     result_.engine = StepsEngine::dual_edges;
     result_.ball = ball;
@@ -108,7 +109,7 @@ bool DualEdgeSteps::beyond_range(std::uint64_t balls) {
 }
 
 bool DualEdgeSteps::make_grid() {
-  const double alpha = result_.alpha_on_lattice;
+  const LatticeAlpha alpha = result_.alpha_on_lattice;
   if (alpha == std::numeric_limits<double>::infinity()) return beyond_range(balls_.size());
   const std::vector<bool> hidden = coincident_hidden(balls_);
   grid_ = make_uniform_grid(balls_, alpha, hidden);
@@ -158,8 +159,7 @@ void DualEdgeSteps::find_neighbours_step() {
       add<1>(meets ? inside : outside, {ball(t)});
     }
   });
-  const double radius =
-      std::sqrt(static_cast<double>(balls_.weight(result_.ball)) + result_.alpha_on_lattice);
+  const double radius = std::sqrt(result_.alpha_on_lattice.plus(balls_.weight(result_.ball)));
   Step& step = add_step(StepKind::neighbours);
   step.length_angstrom = balls_.lattice.angstrom(radius);
   step.counts = {counted(step_count::kCellsSearched,
@@ -359,10 +359,10 @@ void DualEdgeSteps::result_step() {
 
 }  // namespace
 
-BallSteps dual_edge_steps(const BallSet& balls, BallIndex ball, double alpha_on_lattice,
-                          const RunContext& context) {
+BallSteps dual_edge_steps(const BallSet& balls, BallIndex ball,
+                          const LatticeAlpha& alpha_on_lattice, const RunContext& context) {
   if (ball >= balls.size()) throw std::invalid_argument("there is no such ball");
-  if (std::isnan(alpha_on_lattice)) throw std::invalid_argument("alpha is not a number");
+  if (std::isnan(alpha_on_lattice.below)) throw std::invalid_argument("alpha is not a number");
   return DualEdgeSteps(balls, ball, alpha_on_lattice, context).run();
 }
 

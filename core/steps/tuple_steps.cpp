@@ -16,8 +16,8 @@ namespace {
 
 class TupleTrace {
  public:
-  TupleTrace(const BallSet& balls, BallIndex ball, double alpha, const TupleOptions& options,
-             const RunContext& context)
+  TupleTrace(const BallSet& balls, BallIndex ball, const LatticeAlpha& alpha,
+             const TupleOptions& options, const RunContext& context)
       : balls_(balls), context_(context), grid_(std::pmr::new_delete_resource()) {
     result_.ball = ball;
     result_.lattice = balls.lattice;
@@ -390,10 +390,10 @@ void TupleTrace::result_step() {
 
 }  // namespace
 
-BallSteps tuple_steps(const BallSet& balls, BallIndex ball, double alpha_on_lattice,
+BallSteps tuple_steps(const BallSet& balls, BallIndex ball, const LatticeAlpha& alpha_on_lattice,
                       const TupleOptions& options, const RunContext& context) {
   if (ball >= balls.size()) throw std::invalid_argument("there is no such ball");
-  if (std::isnan(alpha_on_lattice)) throw std::invalid_argument("alpha is not a number");
+  if (std::isnan(alpha_on_lattice.below)) throw std::invalid_argument("alpha is not a number");
   return TupleTrace(balls, ball, alpha_on_lattice, options, context).run();
 }
 

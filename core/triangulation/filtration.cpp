@@ -156,7 +156,8 @@ void select(const Filtration& filtration, float bound, AlphaComplex& complex) {
 
 }  // namespace
 
-AlphaComplex threshold(const Filtration& filtration, double alpha, bool tetrahedra_only) {
+AlphaComplex threshold(const Filtration& filtration, const LatticeAlpha& alpha,
+                       bool tetrahedra_only) {
   const AlphaComplex& top = filtration.top();
   if (!(alpha <= filtration.alpha_max_on_lattice())) {
     throw std::invalid_argument("alpha is larger than the filtration's alpha_max");
@@ -170,7 +171,7 @@ AlphaComplex threshold(const Filtration& filtration, double alpha, bool tetrahed
     select(filtration, std::numeric_limits<float>::infinity(), complex);
     return complex;
   }
-  const float limit = static_cast<float>(alpha);
+  const float limit = alpha.nearest_float();
   const AllTies ties = decide_ties(filtration, alpha, tetrahedra_only);
   if (ties.any(true) && ties.any(false)) {
     select_one_by_one(top, limit, ties, complex);

@@ -40,7 +40,7 @@ class Filtration {
              const RunContext& context = {});
 
   // Largest alpha answered, square lattice units.
-  double alpha_max_on_lattice() const { return top_->alpha_on_lattice; }
+  const LatticeAlpha& alpha_max_on_lattice() const { return top_->alpha_on_lattice; }
   // The complex at alpha_max: all simplices with their alpha values.
   const AlphaComplex& top() const { return *top_; }
   const ClassLevelsByDimension& levels() const { return levels_; }
@@ -65,7 +65,8 @@ class Filtration {
 // K_alpha for alpha_on_lattice <= filtration.alpha_max_on_lattice() (else std::invalid_argument),
 // exactly: where alpha rounds to the very float of an alpha value, integers decide. The hash is
 // set, and whether it rests on CGAL; the rest of engine and timings is left to the caller.
-AlphaComplex threshold(const Filtration& filtration, double alpha_on_lattice, bool tetrahedra_only);
+AlphaComplex threshold(const Filtration& filtration, const LatticeAlpha& alpha_on_lattice,
+                       bool tetrahedra_only);
 
 // Sets the classes of a whole complex from its simplices alone, whatever they were before.
 void classify(AlphaComplex& complex);

@@ -68,7 +68,7 @@ class FaceMarks {
 class DirectMembership {
  public:
   DirectMembership(const BallSet& balls, const Triangulation& triangulation,
-                   const Incidence& incidence, double alpha, const CancelToken& cancel)
+                   const Incidence& incidence, const LatticeAlpha& alpha, const CancelToken& cancel)
       : balls_(balls),
         triangulation_(triangulation),
         incidence_(incidence),
@@ -85,7 +85,7 @@ class DirectMembership {
 
  private:
   void set_tetrahedra(const Flow& flow) {
-    const float limit = static_cast<float>(alpha_);
+    const float limit = alpha_.nearest_float();
     in_.tetrahedra.resize(triangulation_.tetrahedra.size());
     parallel_many(in_.tetrahedra.size(), cancel_, [&](std::size_t t) {
       const float value = flow.alpha_values[t];
@@ -159,7 +159,7 @@ class DirectMembership {
   const BallSet& balls_;
   const Triangulation& triangulation_;
   const Incidence& incidence_;
-  const double alpha_;
+  const LatticeAlpha alpha_;
   const CancelToken& cancel_;
   Membership in_;
 };
@@ -170,13 +170,13 @@ std::array<std::size_t, 4> Membership::counts() const {
   return {count_in(vertices), count_in(edges), count_in(triangles), count_in(tetrahedra)};
 }
 
-Membership membership(const Filtration& filtration, double alpha) {
+Membership membership(const Filtration& filtration, const LatticeAlpha& alpha) {
   const AlphaComplex& top = filtration.top();
-  if (!std::isinf(filtration.alpha_max_on_lattice()) || top.tetrahedra.size() == 0) {
+  if (!std::isinf(filtration.alpha_max_on_lattice().below) || top.tetrahedra.size() == 0) {
     throw std::invalid_argument(
         "membership needs the filtration of a triangulation of dimension 3");
   }
-  const float limit = static_cast<float>(alpha);
+  const float limit = alpha.nearest_float();
   const AllTies ties = decide_ties(filtration, alpha, false);
   Membership in;
   in.tetrahedra = marks_of(top.tetrahedra, limit, ties.tetrahedra);
@@ -191,7 +191,7 @@ Membership membership(const Filtration& filtration, double alpha) {
 }
 
 Membership membership(const BallSet& balls, const Triangulation& triangulation,
-                      const Incidence& incidence, const Flow& flow, double alpha,
+                      const Incidence& incidence, const Flow& flow, const LatticeAlpha& alpha,
                       const CancelToken& cancel) {
   if (triangulation.dimension < 3) {
     throw std::invalid_argument("membership needs a triangulation of dimension 3");

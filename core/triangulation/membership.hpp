@@ -22,12 +22,12 @@ struct Membership {
 };
 
 // From the filtration of a whole triangulation of dimension 3, else std::invalid_argument.
-Membership membership(const Filtration& filtration, double alpha_on_lattice);
+Membership membership(const Filtration& filtration, const LatticeAlpha& alpha_on_lattice);
 
 // From a triangulation of dimension 3 at one alpha, without a filtration: only what no coface
 // decides is computed. Works in the caller's task arena. Throws Cancelled.
 Membership membership(const BallSet& balls, const Triangulation& triangulation,
-                      const Incidence& incidence, const Flow& flow, double alpha_on_lattice,
-                      const CancelToken& cancel = {});
+                      const Incidence& incidence, const Flow& flow,
+                      const LatticeAlpha& alpha_on_lattice, const CancelToken& cancel = {});
 
 }  // namespace alphascope

@@ -23,7 +23,7 @@ void collect_ties(const SimplexList<N>& list, float limit, Ties<N>& ties) {
   }
 }
 
-void decide_tetrahedra(const BallSet& balls, double alpha, Ties<4>& ties) {
+void decide_tetrahedra(const BallSet& balls, const LatticeAlpha& alpha, Ties<4>& ties) {
   for (const auto& s : ties.simplices) {
     ties.in_complex.push_back(compare_ortho_radius(balls, s, alpha) <= 0);
   }
@@ -33,7 +33,8 @@ void decide_tetrahedra(const BallSet& balls, double alpha, Ties<4>& ties) {
 // from which it has its value, whose apex is in conflict with it, is a tie itself. So the ties of
 // the next dimension are all that needs to be looked at.
 template <int N>
-void decide_faces(const BallSet& balls, double alpha, const Ties<N + 1>& cofaces, Ties<N>& ties) {
+void decide_faces(const BallSet& balls, const LatticeAlpha& alpha, const Ties<N + 1>& cofaces,
+                  Ties<N>& ties) {
   const FaceGroups<N> groups(cofaces.simplices);
   std::size_t g = 0;
   for (const auto& face : ties.simplices) {
@@ -55,8 +56,8 @@ void decide_faces(const BallSet& balls, double alpha, const Ties<N + 1>& cofaces
 
 }  // namespace
 
-AllTies decide_ties(const Filtration& filtration, double alpha, bool tetrahedra_only) {
-  const float limit = static_cast<float>(alpha);
+AllTies decide_ties(const Filtration& filtration, const LatticeAlpha& alpha, bool tetrahedra_only) {
+  const float limit = alpha.nearest_float();
   const AlphaComplex& top = filtration.top();
   const BallSet& balls = filtration.balls();
   AllTies ties;

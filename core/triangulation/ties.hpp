@@ -30,6 +30,7 @@ struct AllTies {
 };
 
 // Decided in integers. Of tetrahedra_only, the other dimensions are left empty.
-AllTies decide_ties(const Filtration& filtration, double alpha_on_lattice, bool tetrahedra_only);
+AllTies decide_ties(const Filtration& filtration, const LatticeAlpha& alpha_on_lattice,
+                    bool tetrahedra_only);
 
 }  // namespace alphascope

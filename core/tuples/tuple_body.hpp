@@ -319,7 +319,8 @@ ALPHASCOPE_INLINE LiftedSimplex<N> lifted_tuple(const TupleScene<Reader>& scene,
 // Is rho <= alpha, and its nearest float when `rounded` is not null. Double precision brackets
 // decide nearly always; wide integers the rest.
 template <int N>
-ALPHASCOPE_INLINE bool rho_within(const LiftedSimplex<N>& s, double alpha, float* rounded) {
+ALPHASCOPE_INLINE bool rho_within(const LiftedSimplex<N>& s, const LatticeAlpha& alpha,
+                                  float* rounded) {
   return decide_rho<ExactDecider>(s, within_bracket_limit(s), alpha, rounded) == Decision::in;
 }
 

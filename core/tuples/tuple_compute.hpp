@@ -30,7 +30,8 @@ class TupleComputer {
 
   // Engine::compute() but for EngineInfo's name and device.
   AlphaComplex compute(const AlphaRequest& request, const RunContext& context) {
-    if (std::isnan(request.alpha_angstrom2)) throw std::invalid_argument("alpha is not a number");
+    if (std::isnan(request.alpha_angstrom2.nearest()))
+      throw std::invalid_argument("alpha is not a number");
     AlphaComplex complex;
     complex.lattice = balls_->lattice;
     complex.alpha_on_lattice = balls_->lattice.alpha_on_lattice(request.alpha_angstrom2);

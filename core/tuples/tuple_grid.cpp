@@ -78,15 +78,15 @@ void sort_into_cells(const std::vector<BallRecord>& records, const std::vector<B
 
 }  // namespace
 
-void make_tuple_grid(const BallSet& balls, double alpha, const std::vector<bool>& hidden,
-                     TupleGridKind kind, TupleGrid& grid) {
+void make_tuple_grid(const BallSet& balls, const LatticeAlpha& alpha,
+                     const std::vector<bool>& hidden, TupleGridKind kind, TupleGrid& grid) {
   std::vector<BallRecord> records;
   std::vector<BallIndex> ball;
   records.reserve(balls.size());
   ball.reserve(balls.size());
   grid.largest_radius = 0;
   for (BallIndex i = 0; i < balls.size(); ++i) {
-    const bool dead = static_cast<double>(balls.weight(i)) + alpha < 0;
+    const bool dead = alpha.plus(balls.weight(i)) < 0;
     if (dead || (!hidden.empty() && hidden[i])) continue;
     const LatticePoint& p = balls.centres[i];
     records.push_back({p.x, p.y, p.z, balls.radii[i]});
@@ -97,7 +97,7 @@ void make_tuple_grid(const BallSet& balls, double alpha, const std::vector<bool>
   if (records.empty()) return;
 
   const auto reach = [&](std::int32_t radius) {
-    return grown_reach(static_cast<double>(std::int64_t{radius} * radius) + alpha);
+    return grown_reach(alpha.plus(std::int64_t{radius} * radius));
   };
   grid.largest_reach = reach(grid.largest_radius);
   const Extent extent = extent_of(records);

@@ -34,7 +34,7 @@ struct TupleGrid {
 
 // Fills `grid`, whose memory is used again. `hidden` marks balls to leave out (coincident with a
 // larger one); may be empty.
-void make_tuple_grid(const BallSet& balls, double alpha_on_lattice, const std::vector<bool>& hidden,
-                     TupleGridKind kind, TupleGrid& grid);
+void make_tuple_grid(const BallSet& balls, const LatticeAlpha& alpha_on_lattice,
+                     const std::vector<bool>& hidden, TupleGridKind kind, TupleGrid& grid);
 
 }  // namespace alphascope

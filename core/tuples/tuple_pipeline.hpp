@@ -37,7 +37,7 @@ struct TupleUpload {
 
 template <class Reader>
 TupleScene<Reader> make_tuple_scene(const TupleUpload<Reader>& upload, const TupleGrid& grid,
-                                    const TupleOptions& options, double alpha) {
+                                    const TupleOptions& options, const LatticeAlpha& alpha) {
   TupleScene<Reader> scene{};
   scene.read = upload.read;
   scene.grid = grid.view;
@@ -45,10 +45,10 @@ TupleScene<Reader> make_tuple_scene(const TupleUpload<Reader>& upload, const Tup
   scene.ball = upload.ball;
   scene.largest_reach = grid.largest_reach;
   scene.alpha = alpha;
-  scene.alpha_float = static_cast<float>(alpha);
+  scene.alpha_float = alpha.nearest_float();
   scene.edge_optimisation = options.edge_optimisation;
   scene.alpha_optimisation = options.alpha_optimisation;
-  scene.alpha_covers_all = alpha > 1e90;  // ortho-radii are below 2^254
+  scene.alpha_covers_all = alpha.below > 1e90;  // ortho-radii are below 2^254
   scene.float_holds = grid.largest_difference < (1 << 24) && grid.largest_radius < (1 << 23);
   scene.int128_holds = grid.largest_difference < kInt128TupleOffset;
   return scene;
@@ -77,8 +77,8 @@ class TuplePipeline {
   explicit TuplePipeline(Executor& executor) : exec_(executor), workers_(executor.workers()) {}
 
   // Throws Cancelled, and what the executor throws; can be run again after that.
-  TupleFindings run(const TupleGrid& grid, const TupleOptions& options, double alpha, bool whole,
-                    const RunContext& context) {
+  TupleFindings run(const TupleGrid& grid, const TupleOptions& options, const LatticeAlpha& alpha,
+                    bool whole, const RunContext& context) {
     exec_.reset();
     for (Worker& w : workers_) w.busy = false;
     found_ = {};

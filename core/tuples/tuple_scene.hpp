@@ -44,7 +44,7 @@ struct TupleScene {
   TupleGridView grid;
   const std::uint32_t* ball;  // per slot: its index in the BallSet
   float largest_reach;
-  double alpha;       // square lattice units
+  LatticeAlpha alpha;
   float alpha_float;  // nearest float
   bool edge_optimisation, alpha_optimisation;
   bool alpha_covers_all;  // alpha is above every ortho-radius there can be

@@ -158,7 +158,7 @@ Verification verify(const BallSet& given, const AlphaComplex& complex, const Run
   sound = check_list(given, complex.triangles, whole, "triangles", findings) && sound;
   sound = check_list(given, complex.edges, whole, "edges", findings) && sound;
   sound = check_list(given, complex.vertices, whole, "vertices", findings) && sound;
-  if (std::isnan(complex.alpha_on_lattice)) findings.fail("alpha is not a number");
+  if (std::isnan(complex.alpha_on_lattice.below)) findings.fail("alpha is not a number");
   if (!findings.good()) return findings.take();
 
   const VerifyBalls balls(given, complex.alpha_on_lattice);

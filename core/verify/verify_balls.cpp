@@ -1,7 +1,7 @@
 // Grown balls of squared radii a and b have a common point only if their centres are no farther
 // apart than sqrt(a) + sqrt(b), whose square is at most 2 (a + b): an integer comparison in units
-// of 2^-20, of which alpha is a multiple. Widths: distances² < 2^62, weights < 2^52 and alpha below
-// 2^62 square units, so 2^85 in these units.
+// of 2^-20, to which alpha is rounded up: for near balls it may be too large. Widths: distances² <
+// 2^62, weights < 2^52 and alpha below 2^62 square units, so 2^85 in these units.
 #include "core/verify/verify_balls.hpp"
 
 #include <algorithm>
@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "core/neighbours/coincident.hpp"
+#include "core/predicates/exact_rho.hpp"
 
 namespace alphascope {
 namespace {
@@ -46,12 +47,12 @@ std::uint64_t next_number() {
 
 }  // namespace
 
-VerifyBalls::VerifyBalls(const BallSet& balls, double alpha)
+VerifyBalls::VerifyBalls(const BallSet& balls, const LatticeAlpha& alpha)
     : balls_(balls), number_(next_number()), alpha_(alpha), hidden_(coincident_hidden(balls)) {
   all_touch_ = alpha >= kBeyondDistances;
   all_empty_ = alpha <= -kBeyondWeights;
   if (!all_touch_ && !all_empty_) {
-    fixed_alpha_ = static_cast<Int128>(std::ceil(std::ldexp(alpha, 20)));
+    fixed_alpha_ = static_cast<Int128>(std::ceil(std::ldexp(alpha.above, 20)));
   }
   std::int64_t largest = 0;
   std::vector<BallIndex> alive;
@@ -79,7 +80,7 @@ VerifyBalls::Place VerifyBalls::place_of(BallIndex i) const {
 
 bool VerifyBalls::empty(BallIndex i) const {
   if (all_touch_ || all_empty_) return all_empty_;
-  return fixed(balls_.weight(i)) + fixed_alpha_ < 0;
+  return compare_exact(exact_vertex_rho(balls_.weight(i)), alpha_) > 0;
 }
 
 bool VerifyBalls::may_touch(BallIndex i, BallIndex m) const {

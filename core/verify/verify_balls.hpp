@@ -12,13 +12,13 @@ namespace alphascope {
 
 class VerifyBalls {
  public:
-  // alpha: square lattice units, any double but NaN. Refers to `balls`.
-  VerifyBalls(const BallSet& balls, double alpha);
+  // alpha: square lattice units, any but NaN. Refers to `balls`.
+  VerifyBalls(const BallSet& balls, const LatticeAlpha& alpha);
   VerifyBalls(const VerifyBalls&) = delete;
   VerifyBalls& operator=(const VerifyBalls&) = delete;
 
   const BallSet& balls() const { return balls_; }
-  double alpha() const { return alpha_; }
+  const LatticeAlpha& alpha() const { return alpha_; }
   // Of all objects of this class, another one for each; never 0.
   std::uint64_t number() const { return number_; }
 
@@ -44,7 +44,7 @@ class VerifyBalls {
 
   const BallSet& balls_;
   const std::uint64_t number_;
-  double alpha_;
+  LatticeAlpha alpha_;
   std::vector<bool> hidden_;
   bool all_touch_ = false, all_empty_ = false;  // alpha is beyond all distances or weights
   Int128 fixed_alpha_ = 0;                      // alpha in units of 2^-20, rounded up

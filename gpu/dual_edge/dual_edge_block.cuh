@@ -337,7 +337,7 @@ struct ExactNeighbours {
   }
   __device__ std::int64_t weight() const { return static_cast<std::int64_t>(centre.w) * centre.w; }
   __device__ Neighbourhood<ExactNeighbours> of(const DualEdgeProblem& p) const {
-    return {*this, weight(), p.common.alpha, p.common.ghost_reach, true};
+    return {*this, weight(), &p.common.alpha, p.common.ghost_reach, true};
   }
 };
 __device__ inline ExactNeighbours exact_neighbours(const Block& block, int b) {

@@ -19,7 +19,7 @@ __device__ __noinline__ TriangleFace decided_face(const DualEdgeProblem& p,
                                                   const ExactNeighbours& neighbours,
                                                   const TriangleRows& t) {
   const TriangleFace face =
-      filtered_face<double>(t, p.words, static_cast<double>(neighbours.weight()) + p.common.alpha,
+      filtered_face<double>(t, p.words, p.common.alpha.plus(neighbours.weight()),
                             [&](int a) { return lifted_as<double>(neighbours.lifted(a)); });
   if (face.in != Decision::unknown) return face;
   const auto in = neighbours.of(p);
@@ -310,9 +310,9 @@ __device__ inline void write_vertex_states(const Block& block) {
   const BlockBalls& s = block.s;
   const int b = static_cast<int>(threadIdx.x);
   if (b >= block.balls || s.exact[b]) return;
-  const double weight = static_cast<double>(static_cast<std::int64_t>(s.ball[b].w) * s.ball[b].w);
+  const std::int64_t weight = static_cast<std::int64_t>(s.ball[b].w) * s.ball[b].w;
   // Equality counts as attached (see BallSimplices::vertex_state).
-  block.out.vertex_state[s.index[b]] = -weight > block.p.common.alpha ? 0 : s.state[b];
+  block.out.vertex_state[s.index[b]] = block.p.common.alpha.plus(weight) < 0 ? 0 : s.state[b];
 }
 
 // The block's balls. Every thread of it calls it.

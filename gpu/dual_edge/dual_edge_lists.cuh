@@ -311,7 +311,7 @@ __device__ inline void find_list(const Block& block, const SortedBalls& sorted, 
   const int all = search_neighbours(p.common, sorted, home, active && alive,
                                     {s.surroundings[threadIdx.x / kSearchLanes], m.found});
   const float radius_square =
-      static_cast<float>(static_cast<double>(square(centre.w)) + p.common.alpha) * p.radius_scale;
+      static_cast<float>(p.common.alpha.plus(square(centre.w))) * p.radius_scale;
   int n = all <= p.common.search_capacity ? all : 0;
   if constexpr (Kind::kCull) {
     if (!Kind::kExact || __any_sync(~0u, n > kShortList))

@@ -93,7 +93,8 @@ std::optional<DeviceComplex> DualEdgePipeline::on_device() const {
 }
 
 void DualEdgePipeline::State::keep_on_device(const ResultLayout& layout,
-                                             const SimplexCounts& counts, double alpha) {
+                                             const SimplexCounts& counts,
+                                             const LatticeAlpha& alpha) {
   const auto list = [&](int d) {
     const ResultLayout::Section& at = layout.dimension[d];
     return DeviceSimplices{
@@ -106,9 +107,9 @@ void DualEdgePipeline::State::keep_on_device(const ResultLayout& layout,
                             list(2), list(3)};
 }
 
-std::optional<Problem> DualEdgePipeline::State::plan(double alpha, bool whole) {
+std::optional<Problem> DualEdgePipeline::State::plan(const LatticeAlpha& alpha, bool whole) {
   State& s = *this;
-  const double largest = static_cast<double>(s.max_radius) * s.max_radius + alpha;
+  const double largest = alpha.plus(std::int64_t{s.max_radius} * s.max_radius);
   const double cutoff = 2 * std::sqrt(largest);
   if (!(cutoff < kMaxCutoff) || s.n > kMaxBalls) return std::nullopt;
   Problem p{};

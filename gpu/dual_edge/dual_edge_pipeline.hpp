@@ -54,8 +54,8 @@ class DualEdgePipeline {
 
   // Stages are timed with CUDA events when `times` is given (a few microseconds each).
   // Throws Cancelled, std::bad_alloc, DeviceError.
-  PipelineResult run(double alpha_on_lattice, bool tetrahedra_only, const CancelToken& cancel,
-                     StageTimes* times);
+  PipelineResult run(const LatticeAlpha& alpha_on_lattice, bool tetrahedra_only,
+                     const CancelToken& cancel, StageTimes* times);
 
   // The result of the last run, which was of the whole complex, as it still lies on the device:
   // until the next run or until the pipeline goes. Nothing when there is none.

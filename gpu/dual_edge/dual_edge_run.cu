@@ -413,11 +413,11 @@ class Run {
 
 }  // namespace
 
-PipelineResult DualEdgePipeline::run(double alpha, bool tetrahedra_only, const CancelToken& cancel,
-                                     StageTimes* times) {
+PipelineResult DualEdgePipeline::run(const LatticeAlpha& alpha, bool tetrahedra_only,
+                                     const CancelToken& cancel, StageTimes* times) {
   State& s = *state_;
   s.on_device.reset();
-  if (s.n == 0 || static_cast<double>(s.max_radius) * s.max_radius + alpha < 0) return {};
+  if (s.n == 0 || alpha.plus(std::int64_t{s.max_radius} * s.max_radius) < 0) return {};
   const std::optional<Problem> plan = s.plan(alpha, !tetrahedra_only);
   if (!plan) {
     PipelineResult none;

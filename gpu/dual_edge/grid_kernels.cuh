@@ -36,7 +36,7 @@ __global__ void assign_cells(Problem p, std::uint32_t begin, std::uint32_t end, 
   if (i >= end) return;
   const int4 b = packed.data != nullptr ? packed[i] : to.balls[i];
   if (packed.data != nullptr) to.balls[i] = b;
-  const double square = static_cast<double>(static_cast<std::int64_t>(b.w) * b.w) + p.alpha;
+  const double square = p.alpha.plus(static_cast<std::int64_t>(b.w) * b.w);
   const CellOfAxis x(p, b.x, p.origin.x), y(p, b.y, p.origin.y), z(p, b.z, p.origin.z);
   // The dead: hidden (negative radius) or empty at alpha.
   const bool dead = b.w <= 0 || square < 0;

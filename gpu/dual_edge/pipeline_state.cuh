@@ -166,7 +166,7 @@ struct DualEdgePipeline::State {
   std::int32_t max_radius = 0;
   // What earlier runs needed, by alpha.
   struct Need {
-    double alpha;
+    LatticeAlpha alpha;
     bool whole;
     int balls_per_block;
     BlockRoom block, ball;       // of kernel II's blocks, and of kernel III's, which take one ball
@@ -217,7 +217,7 @@ struct DualEdgePipeline::State {
   Counters* counters() { return reinterpret_cast<Counters*>(zeroed.get()); }
 
   // The grid for this alpha, with its buffers; nothing when differences would not be exact.
-  std::optional<Problem> plan(double alpha, bool whole);
+  std::optional<Problem> plan(const LatticeAlpha& alpha, bool whole);
   SortedBalls sort_into_cells(const Problem& p, EventTimer& timer);
   void load(const BallSet& balls);
   // Balls come in one piece or several, and are put into their cells.
@@ -237,7 +237,8 @@ struct DualEdgePipeline::State {
   void scan(Numbers in, Number* out, std::size_t count, cudaStream_t stream) {
     prefix_sum(in, out, count, scratch, stream);
   }
-  void keep_on_device(const ResultLayout& layout, const SimplexCounts& counts, double alpha);
+  void keep_on_device(const ResultLayout& layout, const SimplexCounts& counts,
+                      const LatticeAlpha& alpha);
   void fill(void* data, int byte, std::size_t bytes) {
     check(cudaMemsetAsync(data, byte, bytes, queues.main), "clearing device memory");
   }

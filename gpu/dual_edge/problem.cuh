@@ -6,6 +6,7 @@
 
 #include <cstdint>
 
+#include "core/geometry/lattice_alpha.hpp"
 #include "core/predicates/grown_balls.hpp"
 
 namespace alphascope::gpu {
@@ -23,9 +24,9 @@ struct Problem {
   float reach_slack;  // lattice units: what rounding the coordinates can take from a distance
   float fraction;     // lattice units to kCellParts-ths of a cell
   float reach_max;    // no BallHome's ball reaches farther, in those parts
-  double alpha;       // square lattice units
-  bool whole;         // all simplices with values, not tetrahedra alone
-  float scale;        // power of two: scaled = lattice * scale
+  LatticeAlpha alpha;
+  bool whole;                // all simplices with values, not tetrahedra alone
+  float scale;               // power of two: scaled = lattice * scale
   std::int64_t ghost_reach;  // power of two above every sqrt(w + alpha), lattice units
   int balls_per_block;
   int sampled;          // every so many blocks count for BlockStatistics

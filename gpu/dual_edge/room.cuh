@@ -180,7 +180,7 @@ inline BlockRoom with_headroom(const BlockRoom& ball, const BlockRoom& longest) 
 }
 
 // The need of this alpha, or of the nearest one above: less alpha never needs more.
-inline Need first_need(const State& s, double alpha, bool whole) {
+inline Need first_need(const State& s, const LatticeAlpha& alpha, bool whole) {
   const Need* best = nullptr;
   const auto better = [&](const Need& n) {
     if (n.whole != whole) return false;
@@ -249,7 +249,7 @@ inline DualEdgeProblem make_problem(const State& s, const Problem& plan, const B
   p.common.sampled = std::clamp(static_cast<int>(s.n / balls_per_block / 128), 1, 64);
   p.words = static_cast<int>((room.list + 31) / 32);
   p.radius_scale = p.common.scale * p.common.scale;
-  const double grown = std::sqrt(static_cast<double>(s.max_radius) * s.max_radius + plan.alpha);
+  const double grown = std::sqrt(plan.alpha.plus(std::int64_t{s.max_radius} * s.max_radius));
   const double offset = 2 * (grown + plan.reach_slack) * 1.001 + 2;  // bounds every |d_x|
   p.small_lattice = offset < static_cast<double>(kSmallOffset) && s.max_radius < kSmallOffset;
   p.narrow = offset < 32768 && s.max_radius < 32768;  // |d|² < 2^30, weights too

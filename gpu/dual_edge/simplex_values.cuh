@@ -23,7 +23,8 @@ struct SimplexBalls {
 
 template <class Decider>
 __device__ inline Decision value_of(const SimplexBalls& balls, int vertices, float* value) {
-  const Neighbourhood<SimplexBalls> in{balls, balls.weight(), HUGE_VAL, 0, true};
+  const LatticeAlpha unbounded(HUGE_VAL);
+  const Neighbourhood<SimplexBalls> in{balls, balls.weight(), &unbounded, 0, true};
   return vertices == 2   ? decide_simplex<Decider>(in, value, 0)
          : vertices == 3 ? decide_simplex<Decider>(in, value, 0, 1)
                          : decide_simplex<Decider>(in, value, 0, 1, 2);

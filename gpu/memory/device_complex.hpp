@@ -18,7 +18,7 @@ struct DeviceSimplices {
 
 struct DeviceComplex {
   Lattice lattice;
-  double alpha_on_lattice = 0;
+  LatticeAlpha alpha_on_lattice;
   // x, y, z and radius of each on the lattice; those that are in no simplex may have any radius.
   const std::int32_t* balls = nullptr;  // 16 bytes each, aligned to that
   std::size_t ball_count = 0;

@@ -297,6 +297,31 @@ TEST_F(Cli, OutputsReplaceWholeFilesAndLeaveNothingBehind) {
   }
 }
 
+// Two balls of 1 Å, 3.000001 Å apart: rho of their edge is 1.25000150000025 Å².
+TEST_F(Cli, AlphaIsTheDecimalThatIsTyped) {
+  const std::string file = "'" + write("two.xyzr", "0 0 0 1\n3.000001 0 0 1\n").string() + "'";
+  const auto edges = [&](const std::string& more) {
+    const Outcome outcome = run("compute " + file + " --json - " + more);
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    return json::parse(outcome.out)["counts"]["edges"].get<int>();
+  };
+  for (const char* engine : {"cpu", "cgal", "tuples-cpu"}) {
+    const std::string by = std::string(" --engine ") + engine;
+    EXPECT_EQ(edges("--alpha 1.25000150000025" + by), 1);
+    EXPECT_EQ(edges("--alpha 1.250001500000249999" + by), 0);  // no double: it rounds to the other
+  }
+  const json request =
+      json::parse(run("compute " + file + " --alpha 1.250001500000249999 --json -").out)["request"];
+  EXPECT_EQ(request["alpha_angstrom2"], "1.250001500000249999");
+  EXPECT_EQ(request["alpha_used_square_lattice_units"], "1250001500000.249999");
+  EXPECT_EQ(
+      run("verify " + file + " --alpha 1.25000150000025,1.250001500000249999 --definition").code,
+      0);
+  const Outcome refused = run("compute " + file + " --alpha 1.2500015000002499999");
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_TRUE(contains(refused.err, "more than 18 digits behind the point")) << refused.err;
+}
+
 TEST_F(Cli, VerifySaysIdentical) {
   const Outcome outcome =
       run("verify '" + cube_.string() + "' --alpha -1,0,0.75,1,100 --definition");

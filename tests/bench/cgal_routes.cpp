@@ -56,7 +56,7 @@ void measure(const std::shared_ptr<const BallSet>& balls, Medians& medians) {
       }
     }
   }
-  const double alpha = balls->lattice.alpha_on_lattice(1.4);
+  const double alpha = balls->lattice.alpha_on_lattice(1.4).nearest();
   for (const bool parallel : {false, true}) {
     const std::string name = parallel ? "CGAL, parallel: " : "CGAL, sequential: ";
     const auto cells = parallel ? testing::regular_cells_in_parallel(*balls, alpha)
@@ -65,7 +65,8 @@ void measure(const std::shared_ptr<const BallSet>& balls, Medians& medians) {
     medians.add(name + "cells <= alpha, alpha 1.4", cells.filter_milliseconds);
   }
   for (const double a : {1.4, 0.0, 10.0}) {
-    const auto shape = testing::fixed_alpha_shape(*balls, balls->lattice.alpha_on_lattice(a));
+    const auto shape =
+        testing::fixed_alpha_shape(*balls, balls->lattice.alpha_on_lattice(a).nearest());
     medians.add("CGAL: Fixed_alpha_shape_3, alpha " + std::to_string(a).substr(0, 4),
                 shape.classification_milliseconds);
   }

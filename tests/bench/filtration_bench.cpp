@@ -116,7 +116,7 @@ void measure_moves(const Filtration& filtration, double high, int moves) {
   std::size_t simplices = 0;
   const long faults = page_faults();
   for (int n = 0; n < moves; ++n) {
-    const double alpha = filtration.balls().lattice.alpha_on_lattice(alphas(random));
+    const double alpha = filtration.balls().lattice.alpha_on_lattice(alphas(random)).nearest();
     const std::clock_t worked = std::clock();
     const Clock::time_point start = Clock::now();
     const AlphaComplex complex = threshold(filtration, alpha, false);

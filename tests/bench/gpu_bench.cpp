@@ -154,7 +154,7 @@ void time_one(const std::string& name, const BallSet& balls, double solvent, dou
                 time_cgal(shared, alpha, 16));
   }
   gpu::DualEdgePipeline pipeline(grown, chunks);
-  const double a = grown.lattice.alpha_on_lattice(alpha);
+  const double a = grown.lattice.alpha_on_lattice(alpha).nearest();
   for (const bool only : {true, false}) {
     if (!only && !with_whole) continue;
     gpu::PipelineResult r;
@@ -226,7 +226,7 @@ void hashes(const std::string& name, const BallSet& balls) {
 void samples(const std::string& name, const BallSet& balls) {
   constexpr int kFirst = 5, kAgain = 6, kWarmUp = 3, kMoves = 40;
   for (const double alpha : kSampledAlphas) {
-    const double a = balls.lattice.alpha_on_lattice(alpha);
+    const double a = balls.lattice.alpha_on_lattice(alpha).nearest();
     for (const bool only : {true, false}) {
       const std::string row = row_of(name, alpha, only);
       std::vector<double> load, first, again;
@@ -257,7 +257,7 @@ void samples(const std::string& name, const BallSet& balls) {
     gpu::PipelineResult result = pipeline.run(0, only, {}, nullptr);
     std::vector<double> moves;
     for (int move = 1; move <= kMoves; ++move) {
-      const double a = balls.lattice.alpha_on_lattice(10.0 * move / kMoves);
+      const double a = balls.lattice.alpha_on_lattice(10.0 * move / kMoves).nearest();
       moves.push_back(milliseconds_of([&] { result = pipeline.run(a, only, {}, nullptr); }));
     }
     print_samples(name + (only ? " 0-10 tets" : " 0-10 whole"), "moved", moves);

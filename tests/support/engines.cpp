@@ -8,7 +8,7 @@ namespace alphascope::testing {
 
 bool EngineFactory::affords(const BallSet& balls, double alpha_angstrom2) const {
   if (most_tuples == std::numeric_limits<double>::infinity()) return true;
-  const double alpha = balls.lattice.alpha_on_lattice(alpha_angstrom2);
+  const double alpha = balls.lattice.alpha_on_lattice(alpha_angstrom2).nearest();
   const UniformGrid grid = make_uniform_grid(balls, alpha, coincident_hidden(balls));
   const double later = sample_neighbours(grid, 64).mean / 2;
   return static_cast<double>(grid.size()) * later * later * later / 6 < most_tuples;

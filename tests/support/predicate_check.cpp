@@ -280,7 +280,8 @@ class PredicateCheck::Case {
     // Equal power at the touching point: half the distance for equal radii.
     const double grown = distance * distance / 4 - static_cast<double>(balls_.weight(a));
     for (const double wish : {0.0, grown, grown * (1 + 1e-6 * random_int(random_, -3, 3))}) {
-      const double alpha = balls_.lattice.alpha_on_lattice(balls_.lattice.square_angstrom(wish));
+      const double alpha =
+          balls_.lattice.alpha_on_lattice(balls_.lattice.square_angstrom(wish)).nearest();
       const double wa = static_cast<double>(balls_.weight(a)) + alpha,
                    wb = static_cast<double>(balls_.weight(b)) + alpha;
       if (wa < 0 || wb < 0) continue;
@@ -306,8 +307,9 @@ class PredicateCheck::Case {
     const double alpha = std::round(random() & 1 ? rho : most);
     if (!(alpha + static_cast<double>(weight_) > 0) || alpha > 1e15) return;
     const double square = static_cast<double>(weight_) + alpha;
+    const LatticeAlpha on_lattice(alpha);
     const Neighbourhood<FourNeighbours> in{
-        n, weight_, alpha, static_cast<std::int64_t>(std::sqrt(square)) + 2, in_double_};
+        n, weight_, &on_lattice, static_cast<std::int64_t>(std::sqrt(square)) + 2, in_double_};
     const TriangleFace exact = exact_face<WideInt<4>>(in, rows, 1);
     if (in_double_) {
       same_face("filtered_face<double>",

@@ -311,11 +311,23 @@ RationalOracle::RationalOracle(const BallSet& balls) : balls_(balls) {
   }
 }
 
-AlphaComplex RationalOracle::complex(double alpha_on_lattice) const {
+// A finite one.
+Rational rational(const LatticeAlpha& alpha) {
+  if (alpha.is_double()) return Rational(alpha.below);
+  std::string digits = alpha.text();
+  const std::size_t point = digits.find('.');
+  const std::size_t places = point == std::string::npos ? 0 : digits.size() - point - 1;
+  if (point != std::string::npos) digits.erase(point, 1);
+  Rational value(mpz_class(digits, 10), mpz_class("1" + std::string(places, '0')));
+  value.canonicalize();
+  return value;
+}
+
+AlphaComplex RationalOracle::complex(const LatticeAlpha& alpha_on_lattice) const {
   return complex_with_largest(alpha_on_lattice, 4);
 }
 
-AlphaComplex RationalOracle::own_complex(double alpha_on_lattice) const {
+AlphaComplex RationalOracle::own_complex(const LatticeAlpha& alpha_on_lattice) const {
   return complex_with_largest(alpha_on_lattice, dimension() + 1);
 }
 
@@ -325,12 +337,15 @@ int RationalOracle::dimension() const {
   return static_cast<int>(largest) - 1;
 }
 
-AlphaComplex RationalOracle::complex_with_largest(double alpha_on_lattice, int largest) const {
+AlphaComplex RationalOracle::complex_with_largest(const LatticeAlpha& alpha_on_lattice,
+                                                  int largest) const {
   AlphaComplex complex;
   complex.lattice = balls_.lattice;
   complex.alpha_on_lattice = alpha_on_lattice;
+  const bool infinite = std::isinf(alpha_on_lattice.below);
+  const Rational alpha = infinite ? Rational(0) : rational(alpha_on_lattice);
   for (const auto& [simplex, value] : alpha_values_) {  // in lexicographic order
-    if (std::isinf(alpha_on_lattice) ? alpha_on_lattice < 0 : value > Rational(alpha_on_lattice)) {
+    if (infinite ? alpha_on_lattice.below < 0 : value > alpha) {
       continue;
     }
     add_simplex(complex.vertices, simplex, value);

@@ -14,6 +14,8 @@ namespace alphascope::testing {
 
 using Rational = mpq_class;
 
+Rational rational(const LatticeAlpha& alpha);  // of a finite one
+
 // Orthocentre and ortho-radius of affinely independent balls, by elimination.
 struct Orthosphere {
   Rational x, y, z, rho;
@@ -38,14 +40,14 @@ class RationalOracle {
   // Every simplex of the (symbolically perturbed) regular triangulation with its alpha value.
   const std::map<std::vector<BallIndex>, Rational>& alpha_values() const { return alpha_values_; }
 
-  AlphaComplex complex(double alpha_on_lattice) const;
+  AlphaComplex complex(const LatticeAlpha& alpha_on_lattice) const;
   // With the classes of the dimension of the triangulation, in which its largest simplices are
   // interior.
-  AlphaComplex own_complex(double alpha_on_lattice) const;
+  AlphaComplex own_complex(const LatticeAlpha& alpha_on_lattice) const;
   int dimension() const;
 
  private:
-  AlphaComplex complex_with_largest(double alpha_on_lattice, int largest) const;
+  AlphaComplex complex_with_largest(const LatticeAlpha& alpha_on_lattice, int largest) const;
 
   BallSet balls_;
   std::map<std::vector<BallIndex>, Rational> alpha_values_;

@@ -336,7 +336,7 @@ TEST(ComplexMesh, ColoursByAlphaSayWhatTheyMean) {
   options.colouring = ComplexColouring::alpha;
   const ComplexMesh mesh = c.mesh(options);
   ASSERT_TRUE(mesh.scale);
-  float low = static_cast<float>(c.complex.alpha_on_lattice);
+  float low = c.complex.alpha_on_lattice.nearest_float();
   for (const float v : c.complex.tetrahedra.alpha_values) low = std::min(low, v);
   EXPECT_DOUBLE_EQ(mesh.scale->alpha_at(1), 1.0);
   EXPECT_DOUBLE_EQ(mesh.scale->alpha_at(0), c.complex.lattice.square_angstrom(low));

@@ -29,6 +29,18 @@ TEST(NumberInput, ReadsWhatPeopleType) {
   EXPECT_EQ(read_number("-3.5 A^2", kAlphaRule).value, -3.5);
 }
 
+TEST(NumberInput, KeepsEveryDigitOfAlpha) {
+  const AlphaInput typed = read_alpha(" −1,250001500000249999 Å²");
+  ASSERT_TRUE(typed.value) << typed.error;
+  EXPECT_EQ(shortest_number(*typed.value), "-1.250001500000249999");
+  EXPECT_EQ(read_alpha("1.4").value, Alpha(1.4));
+  EXPECT_NE(read_alpha("1e-19").error.find("more than 18 digits behind"), std::string::npos);
+  EXPECT_NE(read_alpha("1000000000000000000000000.1").error.find("must lie between"),
+            std::string::npos);
+  EXPECT_NE(read_alpha("soon").error.find("is not a number"), std::string::npos);
+  EXPECT_NE(read_alpha("").error.find("Write a number"), std::string::npos);
+}
+
 TEST(NumberInput, RefusesTheRestAndSaysWhatToDo) {
   for (const char* bad : {"", " ", "abc", "nan", "inf", "-inf", "1e", "e5", "1.4.2", "1,234.5",
                           "1 4", "1.4x", "0x10", "1.4 nm", "--1", "+-1", "1..", ",", "."}) {

@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "tests/ui/viewer_fixture.hpp"
+#include "ui/panels/controls.hpp"
 
 namespace alphascope::testing {
 namespace {
@@ -237,7 +238,7 @@ TEST_F(RefinementTest, APictureThatIsToBeReplacedIsNotRefined) {
   const double sample = shortest_of(5);
   wait_for_sample();
   const Image refined = picture_now();
-  viewer_->state().compute.alpha_angstrom2 += 1;
+  set_alpha(viewer_->state().compute, viewer_->state().compute.alpha_angstrom2 + 1);
   const double wanted = viewer_->state().compute.alpha_angstrom2;
   int waited = 0;
   while (viewer_->state().result->request.alpha_angstrom2 != wanted) {

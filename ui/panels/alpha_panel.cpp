@@ -84,9 +84,9 @@ void drag_finely(AlphaMemory& m, const AlphaSlider& s, double alpha, const Track
 
 void alpha_slider(PanelContext& ctx) {
   AlphaMemory& m = ctx.state.memory.alpha;
-  double& alpha = ctx.state.compute.alpha_angstrom2;
+  Alpha& alpha = ctx.state.compute.alpha_angstrom2;
   bool changed = false;
-  if (typed_instead(ctx, "alpha.slider", alpha, kAlphaRule, changed)) {
+  if (typed_instead(ctx, "alpha.slider", alpha, changed)) {
     if (changed) ctx.state.memory.playing = false;
     return;
   }
@@ -191,12 +191,12 @@ void slider_options(PanelContext& ctx) {
 }
 
 void typed_and_presets(PanelContext& ctx) {
-  double& alpha = ctx.state.compute.alpha_angstrom2;
+  Alpha& alpha = ctx.state.compute.alpha_angstrom2;
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted("α");
   ImGui::SameLine();
   ImGui::SetNextItemWidth(ctx.px(78));
-  if (number_field(ctx, "alpha.typed", alpha, kAlphaRule)) ctx.state.memory.playing = false;
+  if (number_field(ctx, "alpha.typed", alpha)) ctx.state.memory.playing = false;
   ImGui::SameLine(0, ctx.px(4));
   ImGui::TextUnformatted("Å²");
   const float left = ImGui::GetItemRectMax().x - ImGui::GetWindowPos().x + ctx.px(10);

@@ -13,8 +13,8 @@
 namespace alphascope {
 
 // For what counts alpha up and down: stops at the bounds.
-inline void set_alpha(Request& request, double angstrom2) {
-  request.alpha_angstrom2 = std::clamp(angstrom2, kAlphaRule.least, kAlphaRule.most);
+inline void set_alpha(Request& request, const Alpha& angstrom2) {
+  request.alpha_angstrom2 = std::clamp(angstrom2, Alpha(kAlphaRule.least), Alpha(kAlphaRule.most));
 }
 
 }  // namespace alphascope

@@ -56,7 +56,7 @@ bool follow(PanelContext& ctx, Lives& memory, Known& known, const Derived<Cavity
   known.ground = ground.value;
   known.current = lives.ready() && ground.ready() && ctx.inputs.atoms;
   if (!known.current) return memory.of != nullptr;
-  const double from = std::min(kCurveAlphaLeastAngstrom2, ctx.inputs.alpha_angstrom2);
+  const double from = std::min(kCurveAlphaLeastAngstrom2, ctx.inputs.alpha_angstrom2.nearest());
   if (memory.of != lives.value || memory.from_angstrom2 != from) {
     memory.bars = longest_bars(*lives.value, ground.value->balls->lattice, from, kMostBars);
     memory.of = lives.value;

@@ -56,9 +56,9 @@ bool type(PanelContext& ctx, const char* name, const std::string& shown, std::st
   return ImGui::IsItemDeactivated();
 }
 
-}  // namespace
-
-bool number_field(PanelContext& ctx, const char* name, double& value, const NumberRule& rule) {
+// `read` makes the value of the text, or says why not.
+template <class Number, class Read>
+bool field(PanelContext& ctx, const char* name, Number& value, const Read& read) {
   NumberTyping& typing = ctx.state.memory.number;
   const std::string shown = shortest_number(value);
   std::string text;
@@ -66,7 +66,7 @@ bool number_field(PanelContext& ctx, const char* name, double& value, const Numb
   if (typing.name != name) return false;
   bool changed = false;
   if (over) {
-    const NumberInput input = read_number(text, rule);
+    const auto input = read(text);
     changed = input.value && *input.value != value;
     if (changed) value = *input.value;
     typing.error = text == shown ? "" : input.error;
@@ -78,6 +78,29 @@ bool number_field(PanelContext& ctx, const char* name, double& value, const Numb
   return changed;
 }
 
+// True when a click with Ctrl has made it a field.
+template <class Number>
+bool is_field(PanelContext& ctx, const char* name, const Number& value) {
+  NumberTyping& typing = ctx.state.memory.number;
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const ImVec2 end{corner.x + ImGui::CalcItemWidth(), corner.y + ImGui::GetFrameHeight()};
+  if (ImGui::GetIO().KeyCtrl && ImGui::IsMouseClicked(0) && ImGui::IsWindowHovered() &&
+      ImGui::IsMouseHoveringRect(corner, end) && typing.name != name) {
+    typing = {name, shortest_number(value), {}, true};
+  }
+  return typing.name == name;
+}
+
+}  // namespace
+
+bool number_field(PanelContext& ctx, const char* name, double& value, const NumberRule& rule) {
+  return field(ctx, name, value, [&](const std::string& text) { return read_number(text, rule); });
+}
+
+bool number_field(PanelContext& ctx, const char* name, Alpha& value) {
+  return field(ctx, name, value, [](const std::string& text) { return read_alpha(text); });
+}
+
 bool number_field(PanelContext& ctx, const char* name, int& value, const NumberRule& rule) {
   double number = value;
   if (!number_field(ctx, name, number, rule)) return false;
@@ -87,15 +110,14 @@ bool number_field(PanelContext& ctx, const char* name, int& value, const NumberR
 
 bool typed_instead(PanelContext& ctx, const char* name, double& value, const NumberRule& rule,
                    bool& changed) {
-  NumberTyping& typing = ctx.state.memory.number;
-  const ImVec2 corner = ImGui::GetCursorScreenPos();
-  const ImVec2 end{corner.x + ImGui::CalcItemWidth(), corner.y + ImGui::GetFrameHeight()};
-  if (ImGui::GetIO().KeyCtrl && ImGui::IsMouseClicked(0) && ImGui::IsWindowHovered() &&
-      ImGui::IsMouseHoveringRect(corner, end) && typing.name != name) {
-    typing = {name, shortest_number(value), {}, true};
-  }
-  if (typing.name != name) return false;
+  if (!is_field(ctx, name, value)) return false;
   changed = number_field(ctx, name, value, rule);
+  return true;
+}
+
+bool typed_instead(PanelContext& ctx, const char* name, Alpha& value, bool& changed) {
+  if (!is_field(ctx, name, value)) return false;
+  changed = number_field(ctx, name, value);
   return true;
 }
 

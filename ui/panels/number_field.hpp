@@ -12,11 +12,14 @@ namespace alphascope {
 // Width as ImGui::SetNextItemWidth(). True when the value changed.
 bool number_field(PanelContext& ctx, const char* name, double& value, const NumberRule& rule);
 bool number_field(PanelContext& ctx, const char* name, int& value, const NumberRule& rule);
+bool number_field(PanelContext& ctx, const char* name, Alpha& value);  // by kAlphaRule, exactly
 
 // A slider or a drag that becomes a field upon Ctrl+click. Call before it: true while it is a
 // field, which is then drawn in its place; `changed` tells whether the value changed.
 bool typed_instead(PanelContext& ctx, const char* name, double& value, const NumberRule& rule,
                    bool& changed);
+
+bool typed_instead(PanelContext& ctx, const char* name, Alpha& value, bool& changed);
 
 // As ImGui::SliderScalar, without text on it, and with typing as above. The value may be typed
 // beyond `low` and `high`, but within the rule.

@@ -36,7 +36,7 @@ std::shared_ptr<const Layer> make_appearing(const Inputs& in, const RunContext& 
   layer->key = key_of_balls_and_alpha(in).number();
   layer->balls = in.balls;
   const auto bound = [&](double alpha) {
-    return static_cast<float>(all.lattice.alpha_on_lattice(alpha));
+    return all.lattice.alpha_on_lattice(alpha).nearest_float();
   };
   const float low = bound(in.alpha_angstrom2 - kMarkedWithin),
               high = bound(in.alpha_angstrom2 + kMarkedWithin);

@@ -110,7 +110,7 @@ void draw_text(PanelContext& ctx, float width) {
   strong_text(ctx, text.title + ": " + with_minus_signs(text.brief));
   record(ctx, "steps.title");
   muted_text(ctx, fitted_text(name_of_ball(ctx, told.steps.ball) + " at α = " +
-                                  with_minus_signs(short_number(told.steps.lattice.square_angstrom(
+                                  with_minus_signs(short_number(told.steps.lattice.alpha_angstrom2(
                                       told.steps.alpha_on_lattice))) +
                                   " Å²",
                               ImGui::GetContentRegionAvail().x));

@@ -8,7 +8,7 @@ namespace {
 
 // The values that are drawn, and the complex' alpha as the largest; square lattice units.
 float lowest_drawn(const AlphaComplex& complex, const AlphaScale::Drawn& drawn) {
-  auto low = static_cast<float>(complex.alpha_on_lattice);
+  auto low = complex.alpha_on_lattice.nearest_float();
   const auto take = [&low](const auto& list) {
     for (const float v : list.alpha_values) low = std::min(low, v);
   };

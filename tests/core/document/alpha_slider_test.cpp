@@ -104,7 +104,7 @@ Signature some_signature() {
   signature.lattice.digits = 3;
   const auto add = [&](int dimension, double alpha) {
     signature.values[static_cast<std::size_t>(dimension)].push_back(
-        static_cast<float>(signature.lattice.alpha_on_lattice(alpha)));
+        signature.lattice.alpha_on_lattice(alpha).nearest_float());
   };
   for (int i = 0; i < 100; ++i) add(0, -3.5);
   for (int i = 0; i < 200; ++i) add(3, i * 0.1);

@@ -135,7 +135,7 @@ TEST_F(MeasureRowsTest, TetrahedraAloneHaveNone) {
 
 TEST_F(MeasureRowsTest, ExposedSharesOfAtomsAndResidues) {
   const UnionMeasures m = measure_union(*in.balls, *in.complex);
-  const double alpha = in.complex->alpha_on_lattice;
+  const double alpha = in.complex->alpha_on_lattice.nearest();
   const std::vector<float> atoms = exposed_shares(m, *in.balls, alpha);
   ASSERT_EQ(atoms.size(), 3u);
   EXPECT_NEAR(atoms[0], 1 - kCap / kSphere, 1e-6);

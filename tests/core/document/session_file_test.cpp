@@ -209,6 +209,27 @@ TEST(SessionFile, IsWrittenAndReadThroughTheDisk) {
   EXPECT_THROW(write_session(unusual(), "/no folder/S.json"), std::runtime_error);
 }
 
+// A number where a double says it, as before; else text, since JSON's readers make doubles of
+// numbers.
+TEST(SessionFile, AlphaKeepsItsDigits) {
+  SessionDocument document = unusual();
+  for (const char* text :
+       {"1.4", "-0.74949975", "1.250001500000249999", "-1000000000000000.000001"}) {
+    Alpha alpha;
+    ASSERT_EQ(Alpha::read(text, alpha), Alpha::Reading::ok);
+    document.settings.request.alpha_angstrom2 = alpha;
+    TemporaryFile file("S.json", "");
+    write_session(document, file.path());
+    EXPECT_EQ(read_session(file.path()).session.settings.request.alpha_angstrom2, alpha) << text;
+  }
+  const auto read = [](const std::string& value) {
+    return parse_session("S.json", with(",\"compute\": { \"alpha_angstrom2\": " + value + " }"))
+        .session.settings.request.alpha_angstrom2;
+  };
+  EXPECT_EQ(read("1.4"), read("\"1.4\""));
+  EXPECT_LT(read("\"1.399999999999999999\""), read("1.4"));
+}
+
 TEST(SessionFile, AWrongValueIsToldWithItsLine) {
   const auto expect = [](const std::string& more, const std::string& line, const char* what) {
     const std::string told = fault(with(more));
@@ -216,8 +237,10 @@ TEST(SessionFile, AWrongValueIsToldWithItsLine) {
     EXPECT_NE(told.find(what), std::string::npos) << more << told;
     EXPECT_NE(told.find("Write such a value"), std::string::npos) << told;
   };
-  expect(",\n\"compute\": {\n\"alpha_angstrom2\":\n \"1.4\" }", "5",
-         "\"compute.alpha_angstrom2\" is \"1.4\", and must be a number from");
+  expect(",\n\"compute\": {\n\"alpha_angstrom2\":\n \"soon\" }", "5",
+         "\"compute.alpha_angstrom2\" is \"soon\", and must be a number from");
+  expect(",\n\"compute\": {\n\"alpha_angstrom2\":\n \"0.1234567890123456789\" }", "5",
+         "with at most 18 digits behind the point");
   expect(",\n\n\"display\": { \"ball_scale\": 7 }", "4",
          "is 7, and must be a number from 0.05 to 1");
   expect(",\"display\": { \"ball_colour\": \"green\" }", "2", "Write element, chain");

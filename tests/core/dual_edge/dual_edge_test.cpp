@@ -71,7 +71,7 @@ class Definition {
     if (normal.x == 0 && normal.y == 0 && normal.z == 0) return;
     const EndBall high = end(1), low = end(-1);
     if (high.slot == kNothing || low.slot == kNothing) return;
-    face_.in = compare_exact(exact_triangle_rho(n.lifted(0), n.lifted(1), in.weight), in.alpha) > 0
+    face_.in = compare_exact(exact_triangle_rho(n.lifted(0), n.lifted(1), in.weight), *in.alpha) > 0
                    ? Decision::out
                    : Decision::in;
     judge(high, face_.high, TriangleFace::Attached::high);
@@ -103,7 +103,7 @@ class Definition {
   void judge(const EndBall& end, int& slot, TriangleFace::Attached side) {
     if (end.slot < 0) return;
     const ExactRho rho = exact_tetrahedron_rho(n_.lifted(0), n_.lifted(1), end.lifted, in_.weight);
-    const bool in = compare_exact(rho, in_.alpha) <= 0;
+    const bool in = compare_exact(rho, *in_.alpha) <= 0;
     if (in) slot = end.slot;
     if (triangle_foot_cut_exact(n_.lifted(0), n_.lifted(1), end.lifted) <= 0) return;
     face_.attached = side;
@@ -145,8 +145,10 @@ class DualEdges : public ::testing::TestWithParam<int> {
   Neighbourhood<Neighbours> around(const Neighbours& n, double alpha) const {
     const auto reach =
         static_cast<std::int64_t>(std::sqrt(static_cast<double>(weight()) + alpha)) + 2;
-    return {n, weight(), alpha, reach, true};
+    alpha_ = alpha;
+    return {n, weight(), &alpha_, reach, true};
   }
+  mutable LatticeAlpha alpha_;  // of the last around()
 
   template <class Real>
   Count compare(Real scale) const {

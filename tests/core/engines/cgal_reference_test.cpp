@@ -24,7 +24,7 @@ INSTANTIATE_TEST_SUITE_P(Engines, DirectCgal, ::testing::ValuesIn(testing::engin
 
 // Fixed_alpha_shape_3 knows no alpha values, so all else must agree.
 void expect_equals_alpha_shape(const BallSet& balls, Engine& engine, double alpha_angstrom2) {
-  const double alpha = balls.lattice.alpha_on_lattice(alpha_angstrom2);
+  const double alpha = balls.lattice.alpha_on_lattice(alpha_angstrom2).nearest();
   const AlphaComplex expected = testing::fixed_alpha_shape(balls, alpha).complex;
   const AlphaComplex found = engine.compute({alpha_angstrom2}, {});
   Comparison comparison = compare(found, expected);

@@ -41,7 +41,7 @@ double area(const std::vector<FlatPoint>& polygon) {
 }
 
 AlphaComplex complex_of(const BallSet& balls, double alpha_angstrom2) {
-  const double alpha = balls.lattice.alpha_on_lattice(alpha_angstrom2);
+  const double alpha = balls.lattice.alpha_on_lattice(alpha_angstrom2).nearest();
   return make_cpu_engine(std::make_shared<const BallSet>(balls), {1})->compute({alpha}, {});
 }
 

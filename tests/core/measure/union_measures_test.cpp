@@ -209,7 +209,7 @@ TEST(UnionMeasures, StayWithinBoundsOnHardSets) {
   for (const auto& [name, balls, unit] : sets) {
     for (const double alpha : {-0.5, 0.0, 1.0, 30.0}) {
       const UnionMeasures of = measured(balls, alpha * unit);
-      const double grown = balls.lattice.alpha_on_lattice(alpha * unit);
+      const double grown = balls.lattice.alpha_on_lattice(alpha * unit).nearest();
       for (std::size_t i = 0; i < balls.size(); ++i) {
         const double square =
             std::max(0.0, static_cast<double>(balls.weight(static_cast<BallIndex>(i))) + grown);

@@ -127,7 +127,8 @@ void walk(Sandbox sandbox, int moves, std::uint64_t seed) {
       move_ball(sandbox, any(), place());
     }
     const auto balls = prepare_balls(sandbox_molecule({}, sandbox)).balls;
-    const double alpha = balls->lattice.alpha_on_lattice(random_int(random, -2, 12) * 0.25);
+    const double alpha =
+        balls->lattice.alpha_on_lattice(random_int(random, -2, 12) * 0.25).nearest();
     const AlphaComplex ours = make_cpu_engine(balls, {1})->compute({alpha}, {});
     const AlphaComplex cgal = make_cgal_engine(balls, {1})->compute({alpha}, {});
     ASSERT_TRUE(compare(ours, cgal).identical()) << "move " << move << " of seed " << seed;

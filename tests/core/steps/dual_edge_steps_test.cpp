@@ -133,7 +133,7 @@ void expect_steps(const BallSet& balls, const std::vector<double>& alphas, Sums&
   const auto cgal = make_cgal_engine(shared, {1});
   for (const double alpha_angstrom2 : alphas) {
     SCOPED_TRACE("alpha " + std::to_string(alpha_angstrom2));
-    const double alpha = balls.lattice.alpha_on_lattice(alpha_angstrom2);
+    const double alpha = balls.lattice.alpha_on_lattice(alpha_angstrom2).nearest();
     const AlphaComplex whole = cgal->compute({alpha_angstrom2}, {});
     const UniformGrid grid = make_uniform_grid(balls, alpha, coincident_hidden(balls));
     if (!within_clipping_reach(grid)) {

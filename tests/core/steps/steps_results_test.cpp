@@ -92,7 +92,7 @@ TEST(StepsResults, TellTheStepsAndHowMuchMoreWorkThereIs) {
   const Crambin c;
   const auto ball = *middle_ball(*c.inputs.balls);
   const auto usual = c.told({ball});
-  const double alpha = c.inputs.balls->lattice.alpha_on_lattice(1.4);
+  const double alpha = c.inputs.balls->lattice.alpha_on_lattice(1.4).nearest();
   const BallSteps plain = tuple_steps(*c.inputs.balls, ball, alpha, {});
   ASSERT_EQ(usual->steps.steps.size(), plain.steps.size());
   ASSERT_EQ(usual->texts.size(), plain.steps.size());

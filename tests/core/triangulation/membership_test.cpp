@@ -39,7 +39,7 @@ Simplices<N> marked(const Simplices<N>& all, const Membership::Marks& marks) {
       marked<3>(incidence.triangles, in.triangles) == complex.triangles.simplices &&
       marked<2>(incidence.edges, in.edges) == complex.edges.simplices &&
       vertices == complex.vertices.simplices;
-  if (!same) return ::testing::AssertionFailure() << "at alpha " << complex.alpha_on_lattice;
+  if (!same) return ::testing::AssertionFailure() << "at alpha " << complex.alpha_on_lattice.text();
   const std::array<std::size_t, 4> counts{complex.vertices.size(), complex.edges.size(),
                                           complex.triangles.size(), complex.tetrahedra.size()};
   return in.counts() == counts ? ::testing::AssertionSuccess()

@@ -1,0 +1,9 @@
+// Integers of 128 bits, on host and device.
+#pragma once
+
+namespace alphascope {
+
+__extension__ typedef __int128 Int128;
+__extension__ typedef unsigned __int128 UInt128;
+
+}  // namespace alphascope

@@ -54,7 +54,8 @@ void keep(const gpu::PipelineResult& result, const gpu::HostSimplices<N>& from,
   to.alpha_values = in_place(result.memory, from.values);
   to.classes = in_place(result.memory, from.classes);
 }
-AlphaComplex complex_of(const gpu::PipelineResult& result, const BallSet& balls, double alpha) {
+AlphaComplex complex_of(const gpu::PipelineResult& result, const BallSet& balls,
+                        const LatticeAlpha& alpha) {
   AlphaComplex complex;
   complex.lattice = balls.lattice;
   complex.alpha_on_lattice = alpha;
@@ -76,7 +77,7 @@ double relative(double found, double expected) {
   return expected == found ? 0 : std::fabs(found - expected) / std::fabs(expected);
 }
 Differences differences(const UnionMeasures& found, const UnionMeasures& expected,
-                        const BallSet& balls, double alpha) {
+                        const BallSet& balls, const LatticeAlpha& alpha) {
   Differences most;
   most.area = relative(found.area_angstrom2, expected.area_angstrom2);
   most.volume = relative(found.volume_angstrom3, expected.volume_angstrom3);
@@ -192,7 +193,7 @@ class Molecule {
  private:
   const Options& options_;
   const BallSet balls_;
-  const double alpha_;  // lattice units
+  const LatticeAlpha alpha_;  // square lattice units
   gpu::DualEdgePipeline pipeline_;
   std::unique_ptr<GpuMeasurer> measurer_;
   gpu::UnionMeasurer direct_;

@@ -6,37 +6,13 @@
 #include <limits>
 #include <vector>
 
-#include "core/predicates/lifted.hpp"
+#include "core/measure/triangle_distance.hpp"
 #include "core/run/parallel.hpp"
 
 namespace alphascope {
 namespace {
 
 using Vector = Vector3<double>;
-
-Vector difference(const Vector& a, const Vector& b) {
-  return {a.x - b.x, a.y - b.y, a.z - b.z};
-}
-
-// Square of the distance of the origin from the segment from a to b.
-double square_from_segment(const Vector& a, const Vector& b) {
-  const Vector along = difference(b, a);
-  const double t = std::clamp(-dot(a, along) / dot(along, along), 0.0, 1.0);
-  const Vector nearest{a.x + t * along.x, a.y + t * along.y, a.z + t * along.z};
-  return dot(nearest, nearest);
-}
-// From the triangle: within it where the foot is, else from its nearest side.
-double square_from_triangle(const Vector& a, const Vector& b, const Vector& c) {
-  const Vector normal = cross(difference(b, a), difference(c, a));
-  const bool within = dot(cross(a, b), normal) >= 0 && dot(cross(b, c), normal) >= 0 &&
-                      dot(cross(c, a), normal) >= 0;
-  if (within) {
-    const double height = dot(a, normal);
-    return height * height / dot(normal, normal);
-  }
-  return std::min(
-      {square_from_segment(a, b), square_from_segment(b, c), square_from_segment(c, a)});
-}
 
 // A triangle, and a ball around it.
 struct Shutter {

@@ -1,10 +1,24 @@
 #include <tbb/task_arena.h>
 
+#include <algorithm>
+
 #include "core/cavity/cavity_measures.hpp"
 #include "core/measure/clipped.hpp"
 #include "core/measure/exact_sum.hpp"
 
 namespace alphascope {
+namespace {
+
+// By size, so that the order of the tetrahedra changes no bit.
+double sum_of(std::vector<double>& values, std::size_t first, std::size_t end) {
+  std::sort(values.begin() + static_cast<std::ptrdiff_t>(first),
+            values.begin() + static_cast<std::ptrdiff_t>(end));
+  NeumaierSum sum;
+  for (std::size_t n = first; n < end; ++n) sum.add(values[n]);
+  return sum.value();
+}
+
+}  // namespace
 
 std::vector<ClippedMeasures> clip_cavities(const CavityGround& ground, const Cavities& cavities,
                                            std::span<const std::uint32_t> which,
@@ -16,18 +30,16 @@ std::vector<ClippedMeasures> clip_cavities(const CavityGround& ground, const Cav
     tetrahedra.insert(tetrahedra.end(), of.begin(), of.end());
   }
   if (tetrahedra.empty()) return {};
-  const ClippedTetrahedra parts =
+  ClippedTetrahedra parts =
       clipped_outside(*ground.triangulation, *ground.balls, alpha_on_lattice, tetrahedra,
                       tbb::this_task_arena::max_concurrency(), context);
   std::vector<ClippedMeasures> measures;
   std::size_t n = 0;
   for (const std::uint32_t c : which) {
-    NeumaierSum volume, area;
-    for (const std::size_t end = n + cavities.cavities[c].tetrahedra.size(); n < end; ++n) {
-      volume.add(parts.free_volume_angstrom3[n]);
-      area.add(parts.area_angstrom2[n]);
-    }
-    measures.push_back({volume.value(), area.value()});
+    const std::size_t end = n + cavities.cavities[c].tetrahedra.size();
+    measures.push_back(
+        {sum_of(parts.free_volume_angstrom3, n, end), sum_of(parts.area_angstrom2, n, end)});
+    n = end;
   }
   return measures;
 }

@@ -1,18 +1,22 @@
 #include "core/measure/clipped.hpp"
 
 #include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_sort.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <stdexcept>
+#include <unordered_map>
+#include <utility>
 
 #include "core/measure/ball_geometry.hpp"
 #include "core/measure/ball_stars.hpp"
 #include "core/measure/convex_piece.hpp"
 #include "core/measure/exact_sum.hpp"
 #include "core/measure/ortho_coordinates.hpp"
+#include "core/measure/triangle_distance.hpp"
 #include "core/run/parallel.hpp"
 
 namespace alphascope {
@@ -33,6 +37,126 @@ struct Clipped {
   double volume, free_volume, area;  // lattice units
 };
 
+// A wall of a ball's cell: the radical plane to a neighbour, as the ball sees it.
+struct Wall {
+  Vector3<double> normal;  // of any length
+  double offset, length;   // along the normal; of the normal
+  double distance;         // of the plane, negative when the ball's centre is beyond
+  BallIndex ball;
+};
+
+// Of all cells asked for, the nearest wall first; of as near ones by their centres, so that the
+// order of the file has no part in it. For one thread; keeps what it has found.
+class CellWalls {
+ public:
+  CellWalls(const Triangulation& triangulation, const BallSet& balls,
+            const std::vector<std::uint32_t>& tetrahedron_of)
+      : balls_(balls), stars_(triangulation, tetrahedron_of) {}
+
+  // Valid until the next call.
+  std::span<const Wall> of(BallIndex i) {
+    const auto [at, is_new] = range_of_.try_emplace(i);
+    if (is_new) at->second = make(i);
+    return {walls_.data() + at->second.first, at->second.second};
+  }
+
+ private:
+  std::pair<std::size_t, std::size_t> make(BallIndex i) {
+    const std::size_t first = walls_.size();
+    for (const BallIndex j : stars_.neighbours(i)) {
+      const LiftedInt v =
+          lifted_vector(balls_.centres[i], balls_.radii[i], balls_.centres[j], balls_.radii[j]);
+      Wall wall{{static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)},
+                0.5 * static_cast<double>(v.c),
+                0,
+                0,
+                j};
+      wall.length = std::sqrt(dot(wall.normal, wall.normal));
+      wall.distance = wall.offset / wall.length;
+      walls_.push_back(wall);
+    }
+    std::sort(walls_.begin() + static_cast<std::ptrdiff_t>(first), walls_.end(),
+              [&](const Wall& a, const Wall& b) {
+                return a.distance != b.distance ? a.distance < b.distance
+                                                : balls_.centres[a.ball] < balls_.centres[b.ball];
+              });
+    return {first, walls_.size() - first};
+  }
+
+  const BallSet& balls_;
+  BallStars stars_;
+  std::unordered_map<BallIndex, std::pair<std::size_t, std::size_t>> range_of_;  // first, count
+  std::vector<Wall> walls_;
+};
+
+// A ball and a tetrahedron that it may reach into.
+struct Meeting {
+  std::uint32_t tetrahedron;
+  BallIndex ball;
+};
+
+// Which tetrahedra balls reach into. A ball is convex, so these are joined across faces that it
+// reaches, from one of which it is a corner. For one thread.
+class BallReach {
+ public:
+  BallReach(const Triangulation& triangulation, const BallSet& balls, const LatticeAlpha& alpha,
+            const std::vector<std::uint32_t>& tetrahedron_of, const std::vector<bool>& asked)
+      : triangulation_(triangulation),
+        balls_(balls),
+        alpha_(alpha),
+        tetrahedron_of_(tetrahedron_of),
+        asked_(asked),
+        met_by_(triangulation.tetrahedra.size(), 0) {}
+
+  void add(BallIndex i, std::vector<Meeting>& meetings) {
+    const auto& first = triangulation_.tetrahedra[tetrahedron_of_[i]];
+    if (std::find(first.begin(), first.end(), i) == first.end()) return;  // hidden: it has no cell
+    const GrownBall ball = grown_ball(balls_.centres[i], balls_.radii[i], alpha_);
+    if (ball.grown_radius == 0) return;
+    // A little more than it reaches, for roundings: where it does not, it takes nothing away.
+    const double reach = ball.square_radius * (1 + 1e-9);
+    ++balls_met_;
+    open_.clear();
+    meet(tetrahedron_of_[i]);
+    for (std::size_t n = 0; n < open_.size(); ++n) {
+      const std::uint32_t t = open_[n];
+      if (asked_[t]) meetings.push_back({t, i});
+      for (int k = 0; k < 4; ++k) {
+        const Neighbour across = triangulation_.neighbours[t][k];
+        if (across.is_hull() || met_by_[across.index()] == balls_met_) continue;
+        if (!(square_from_face(i, t, k) > reach)) meet(across.index());
+      }
+    }
+  }
+
+ private:
+  void meet(std::uint32_t t) {
+    met_by_[t] = balls_met_;
+    open_.push_back(t);
+  }
+  double square_from_face(BallIndex i, std::uint32_t t, int k) const {
+    const auto& corners = triangulation_.tetrahedra[t];
+    Vector3<double> to[3];
+    for (int m = 0, n = 0; m < 4; ++m) {
+      if (m == k) continue;
+      if (corners[m] == i) return 0;
+      const LatticePoint &p = balls_.centres[corners[m]], &from = balls_.centres[i];
+      to[n++] = {static_cast<double>(p.x) - from.x, static_cast<double>(p.y) - from.y,
+                 static_cast<double>(p.z) - from.z};
+    }
+    return square_from_triangle(to[0], to[1], to[2]);
+  }
+
+  const Triangulation& triangulation_;
+  const BallSet& balls_;
+  const LatticeAlpha alpha_;
+  const std::vector<std::uint32_t>& tetrahedron_of_;
+  const std::vector<bool>& asked_;
+  std::vector<std::uint32_t> met_by_;  // the last ball that met each tetrahedron, counted
+  std::uint32_t balls_met_ = 0;
+  std::vector<std::uint32_t> open_;
+};
+
 // Cuts tetrahedra one after another, for one thread.
 class Clipper {
  public:
@@ -41,72 +165,29 @@ class Clipper {
       : triangulation_(triangulation),
         balls_(balls),
         alpha_(alpha_on_lattice),
-        stars_(triangulation, tetrahedron_of) {}
+        walls_(triangulation, balls, tetrahedron_of) {}
 
-  Clipped clip(std::uint32_t t) {
-    for (int m = 0; m < 4; ++m) {
-      index_[m] = triangulation_.tetrahedra[t][m];
-      ball_[m] = ball(index_[m]);
-    }
+  // `meetings`: of all balls that reach into it.
+  Clipped clip(std::uint32_t t, std::span<const Meeting> meetings) {
+    index_ = triangulation_.tetrahedra[t];
+    std::sort(index_.begin(), index_.end(),
+              [&](BallIndex a, BallIndex b) { return balls_.centres[a] < balls_.centres[b]; });
+    for (int m = 0; m < 4; ++m) ball_[m] = ball(index_[m]);
     planes_ = planes();
-    sums_ = {};
-    met_.assign(index_.begin(), index_.end());
-    visit_cells(0);
-    if (cells_ == 0) {
-      // Cells that meet the tetrahedron are neighbours of one another, but none was a corner's.
-      met_.push_back(cell_of_middle());
-      visit_cells(4);
+    NeumaierSum inside, area;
+    for (const Meeting& meeting : meetings) {
+      const GrownBall from = ball(meeting.ball);
+      if (!cut_out_cell(meeting.ball, from)) continue;
+      const SharedMeasures shared = piece_.shared_with_ball(from.grown_radius);
+      inside.add(shared.volume);
+      area.add(shared.area);
     }
-    return {planes_.volume, planes_.volume - sums_.inside.value(), sums_.area.value()};
+    return {planes_.volume, planes_.volume - inside.value(), area.value()};
   }
 
  private:
   GrownBall ball(BallIndex i) const {
     return grown_ball(balls_.centres[i], balls_.radii[i], alpha_);
-  }
-
-  // Those met from this one on, and their neighbours in the tetrahedron.
-  void visit_cells(std::size_t from) {
-    cells_ = 0;
-    for (std::size_t n = from; n < met_.size(); ++n) {
-      if (!cut_out_cell(met_[n])) continue;
-      ++cells_;
-      const SharedMeasures shared = piece_.shared_with_ball(ball(met_[n]).grown_radius);
-      sums_.inside.add(shared.volume);
-      sums_.area.add(shared.area);
-      piece_.for_faces([&](std::uint32_t made_by) {
-        const bool is_known =
-            made_by == kOwnFace || std::find(met_.begin(), met_.end(), made_by) != met_.end();
-        if (!is_known) met_.push_back(made_by);
-      });
-    }
-  }
-
-  // Downhill: whoever has not the least power at a point has a neighbour with less.
-  BallIndex cell_of_middle() {
-    Vector3<double> middle = {0, 0, 0};
-    for (const GrownBall& corner : ball_) {
-      middle = {middle.x + 0.25 * corner.x, middle.y + 0.25 * corner.y, middle.z + 0.25 * corner.z};
-    }
-    const auto power = [&](BallIndex i) {
-      const GrownBall at = ball(i);
-      const Vector3<double> d = {middle.x - at.x, middle.y - at.y, middle.z - at.z};
-      return dot(d, d) - static_cast<double>(balls_.weight(i));
-    };
-    BallIndex lowest = index_[0];
-    double least = power(lowest);
-    for (bool falls = true; falls;) {
-      falls = false;
-      for (const BallIndex j : stars_.neighbours(lowest)) {
-        const double other = power(j);
-        if (other >= least) continue;
-        least = other;
-        lowest = j;
-        falls = true;
-        break;
-      }
-    }
-    return lowest;
   }
 
   Planes planes() const {
@@ -149,17 +230,12 @@ class Clipper {
     piece_.start(corner, face, planes_.is_mirrored);
   }
 
-  bool cut_out_cell(BallIndex i) {
-    const GrownBall from = ball(i);
+  // The part of the tetrahedron in the ball's cell, as far as the ball reaches.
+  bool cut_out_cell(BallIndex i, const GrownBall& from) {
     start(from);
-    const auto cut = [&](BallIndex j) {
-      const LiftedInt v = lifted_vector(from, ball(j));
-      return piece_.cut(
-          {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)},
-          0.5 * static_cast<double>(v.c), j);
-    };
-    for (const BallIndex j : stars_.neighbours(i)) {
-      if (!cut(j)) return false;
+    for (const Wall& wall : walls_.of(i)) {
+      if (wall.distance > std::min(piece_.reach(), from.grown_radius)) break;  // as all that follow
+      if (!piece_.cut(wall.normal, wall.offset, wall.length, wall.ball)) return false;
     }
     return true;
   }
@@ -167,17 +243,45 @@ class Clipper {
   const Triangulation& triangulation_;
   const BallSet& balls_;
   const LatticeAlpha alpha_;
-  BallStars stars_;
+  CellWalls walls_;
   std::array<BallIndex, 4> index_ = {};
   GrownBall ball_[4] = {};
   Planes planes_ = {};
   ConvexPiece piece_;
-  std::vector<BallIndex> met_;  // balls whose cells may meet the tetrahedron
-  std::size_t cells_ = 0;       // that do
-  struct {
-    NeumaierSum inside, area;
-  } sums_;
 };
+
+// By tetrahedron, and of each by the centres of the balls.
+std::vector<Meeting> all_meetings(const Triangulation& triangulation, const BallSet& balls,
+                                  const LatticeAlpha& alpha, const std::vector<std::uint32_t>& tetrahedron_of,
+                                  std::span<const std::uint32_t> tetrahedra,
+                                  const CancelToken& cancel) {
+  std::vector<bool> asked(triangulation.tetrahedra.size(), false);
+  for (const std::uint32_t t : tetrahedra) asked[t] = true;
+  struct Worker {
+    BallReach reach;
+    std::vector<Meeting> meetings;
+  };
+  tbb::enumerable_thread_specific<Worker> workers([&] {
+    return Worker{BallReach(triangulation, balls, alpha, tetrahedron_of, asked), {}};
+  });
+  parallel_ranges(0, balls.size(), kGrain, [&](std::size_t first, std::size_t end) {
+    if (cancel.cancelled()) return;
+    Worker& worker = workers.local();
+    for (std::size_t i = first; i < end; ++i) {
+      worker.reach.add(static_cast<BallIndex>(i), worker.meetings);
+    }
+  });
+  cancel.throw_if_cancelled();
+  std::vector<Meeting> all;
+  for (const Worker& worker : workers) {
+    all.insert(all.end(), worker.meetings.begin(), worker.meetings.end());
+  }
+  tbb::parallel_sort(all.begin(), all.end(), [&](const Meeting& a, const Meeting& b) {
+    return a.tetrahedron != b.tetrahedron ? a.tetrahedron < b.tetrahedron
+                                          : balls.centres[a.ball] < balls.centres[b.ball];
+  });
+  return all;
+}
 
 }  // namespace
 
@@ -202,11 +306,18 @@ ClippedTetrahedra clipped_outside(const Triangulation& triangulation, const Ball
       [&] { return Clipper(triangulation, balls, alpha_on_lattice, tetrahedron_of); });
   tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
   arena.execute([&] {
+    const std::vector<Meeting> meetings = all_meetings(triangulation, balls, alpha_on_lattice,
+                                                       tetrahedron_of, tetrahedra, context.cancel);
+    const auto first_of = [&](std::size_t t) {
+      return std::lower_bound(meetings.begin(), meetings.end(), t,
+                              [](const Meeting& m, std::size_t n) { return m.tetrahedron < n; });
+    };
     parallel_ranges(0, tetrahedra.size(), kGrain, [&](std::size_t first, std::size_t end) {
       context.cancel.throw_if_cancelled();
       Clipper& clipper = clippers.local();
       for (std::size_t n = first; n < end; ++n) {
-        const Clipped clipped = clipper.clip(tetrahedra[n]);
+        const std::uint32_t t = tetrahedra[n];
+        const Clipped clipped = clipper.clip(t, {first_of(t), first_of(std::size_t{t} + 1)});
         of.volume_angstrom3[n] = clipped.volume * unit * unit * unit;
         of.free_volume_angstrom3[n] = clipped.free_volume * unit * unit * unit;
         of.area_angstrom2[n] = clipped.area * unit * unit;

@@ -84,30 +84,64 @@ void ConvexPiece::start(const Point (&corner)[4], const PieceFace (&face)[4], bo
     indices_.insert(indices_.end(), kLoop[m], kLoop[m] + 3);
     if (is_mirrored) std::swap(indices_[3 * m + 1], indices_[3 * m + 2]);
   }
+  measure_reach();
 }
 
 std::uint32_t ConvexPiece::crossing(std::uint32_t in, std::uint32_t out) {
   for (std::uint32_t c = 0; c < crossings_.size(); ++c) {
     if (crossings_[c].in == in && crossings_[c].out == out) return c;
   }
-  const double at = side_[in] / (side_[in] - side_[out]);
+  const double inside = std::max(0.0, side_[in]);
+  const double at = inside / (inside - side_[out]);
   const Point p = corners_[in], e = minus(corners_[out], p);
   crossings_.push_back({in, out, static_cast<std::uint32_t>(corners_.size())});
   corners_.push_back({p.x + at * e.x, p.y + at * e.y, p.z + at * e.z});
   return static_cast<std::uint32_t>(crossings_.size() - 1);
 }
 
-bool ConvexPiece::cut(const Point& normal, double offset, std::uint32_t made_by) {
-  side_.clear();
-  for (const Point& p : corners_) side_.push_back(offset - dot(normal, p));
-  bool any_in = false, any_out = false;
-  for (const std::uint32_t i : indices_) (side_[i] >= 0 ? any_in : any_out) = true;
-  if (!any_out) return any_in;
-  if (!any_in) {
+// What is cut off for ever is no corner any more, or the next cuts would look at it again.
+void ConvexPiece::forget_corners() {
+  constexpr std::uint32_t kUnused = 0xffffffff;
+  place_.assign(corners_.size(), kUnused);
+  std::uint32_t kept = 0;
+  for (std::uint32_t& i : indices_) {
+    if (place_[i] == kUnused) {
+      place_[i] = kept++;
+      kept_corners_.push_back(corners_[i]);
+    }
+    i = place_[i];
+  }
+  corners_.swap(kept_corners_);
+  kept_corners_.clear();
+  measure_reach();
+}
+
+void ConvexPiece::measure_reach() {
+  double square = 0;
+  for (const Point& p : corners_) square = std::max(square, dot(p, p));
+  reach_ = std::sqrt(square);
+}
+
+bool ConvexPiece::cut(const Point& normal, double offset, double length, std::uint32_t made_by) {
+  // Corners and sides are known to some roundings of this size. Through a point where many cells
+  // meet there are as many planes, which would cut off as many slivers of no thickness.
+  const double slack = kSlack * (std::fabs(offset) + length * reach_);
+  side_.resize(corners_.size());
+  double least = HUGE_VAL, most = -HUGE_VAL;
+  for (std::size_t i = 0; i < corners_.size(); ++i) {
+    const double side = offset - dot(normal, corners_[i]);
+    side_[i] = side;
+    least = std::min(least, side);
+    most = std::max(most, side);
+  }
+  if (least >= -slack) return true;
+  if (most <= slack) {
     loops_.clear();
     indices_.clear();
+    corners_.clear();
     return false;
   }
+  const auto is_in = [&](std::uint32_t i) { return side_[i] >= -slack; };
   crossings_.clear();
   kept_loops_.clear();
   kept_indices_.clear();
@@ -119,7 +153,7 @@ bool ConvexPiece::cut(const Point& normal, double offset, std::uint32_t made_by)
     bool is_out = false, came_first = false;
     for (std::size_t n = 0; n < corners.size(); ++n) {
       const std::uint32_t u = corners[n], v = corners[n + 1 < corners.size() ? n + 1 : 0];
-      const bool u_in = side_[u] >= 0, v_in = side_[v] >= 0;
+      const bool u_in = is_in(u), v_in = is_in(v);
       if (u_in) kept_indices_.push_back(u);
       if (u_in == v_in) continue;
       const std::uint32_t c = u_in ? crossing(u, v) : crossing(v, u);
@@ -142,12 +176,13 @@ bool ConvexPiece::cut(const Point& normal, double offset, std::uint32_t made_by)
   }
   loops_.swap(kept_loops_);
   indices_.swap(kept_indices_);
-  add_loops(normal, offset, made_by);
+  add_loops(normal, offset, length, made_by);
+  forget_corners();
   return true;
 }
 
-void ConvexPiece::add_loops(const Point& normal, double offset, std::uint32_t made_by) {
-  const double length = std::sqrt(dot(normal, normal));
+void ConvexPiece::add_loops(const Point& normal, double offset, double length,
+                            std::uint32_t made_by) {
   const PieceFace face = {
       {normal.x / length, normal.y / length, normal.z / length}, offset / length, made_by};
   constexpr std::uint32_t kTaken = 0xffffffff;

@@ -1,6 +1,7 @@
 // A convex polyhedron that planes cut smaller, and what a ball around the origin shares with it.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -21,17 +22,25 @@ struct SharedMeasures {
   double volume = 0, area = 0;
 };
 
-// Cuts decide by the sign of each corner in double precision. Corners are shared by their faces, so
-// the surface stays closed whatever the signs; a wrong one moves it by a rounding error.
+// Cuts decide by the side of each corner in double precision. Corners are shared by their faces, so
+// the surface stays closed whatever is decided; a wrong side moves it by a rounding error. For the
+// same reason a plane that cuts off no more than rounding errors (kSlack) cuts off nothing.
 class ConvexPiece {
  public:
   // A tetrahedron. `face[m]` is opposite corner m, and has distance 0 exactly when the origin lies
   // on it.
   void start(const Vector3<double> (&corner)[4], const PieceFace (&face)[4], bool is_mirrored);
 
-  // Keeps { x : normal . x <= offset }, with `normal` of any length. Returns false when nothing is
+  // Keeps { x : normal . x <= offset }, with `normal` of this length. Returns false when nothing is
   // left. `made_by` is that of the face that appears.
-  bool cut(const Vector3<double>& normal, double offset, std::uint32_t made_by);
+  bool cut(const Vector3<double>& normal, double offset, double length, std::uint32_t made_by);
+
+  bool cut(const Vector3<double>& normal, double offset, std::uint32_t made_by) {
+    return cut(normal, offset, std::sqrt(dot(normal, normal)), made_by);
+  }
+
+  // Distance of the origin from the farthest corner.
+  double reach() const { return reach_; }
 
   double volume() const;
   SharedMeasures shared_with_ball(double radius) const;
@@ -48,7 +57,10 @@ class ConvexPiece {
     std::uint32_t first, count;  // corners, counterclockwise seen from outside
   };
   std::uint32_t crossing(std::uint32_t in, std::uint32_t out);
-  void add_loops(const Vector3<double>& normal, double offset, std::uint32_t made_by);
+  void add_loops(const Vector3<double>& normal, double offset, double length,
+                 std::uint32_t made_by);
+  void forget_corners();
+  void measure_reach();
   std::span<const std::uint32_t> corners_of(const Loop& loop) const {
     return {indices_.data() + loop.first, loop.count};
   }
@@ -58,8 +70,12 @@ class ConvexPiece {
     std::uint32_t corner;    // where
     std::uint32_t next = 0;  // crossing that follows on the new face
   };
-  std::vector<Vector3<double>> corners_;
-  std::vector<double> side_;  // >= 0: kept
+  // Of the largest of the numbers that a side is computed from: 2^7 roundings.
+  static constexpr double kSlack = 0x1p-46;
+  std::vector<Vector3<double>> corners_, kept_corners_;
+  double reach_ = 0;
+  std::vector<double> side_;          // of each corner; negative ones are cut off
+  std::vector<std::uint32_t> place_;  // of each corner among those that are kept
   std::vector<Loop> loops_, kept_loops_;
   std::vector<std::uint32_t> indices_, kept_indices_;
   std::vector<Crossing> crossings_;

@@ -52,8 +52,8 @@ struct Cavity {
   // bodies.
   std::uint32_t bodies = 0;
   std::uint32_t sinks = 0;
-  // The sink of the largest ortho-radius, of several the first: what the cavity is known by while
-  // alpha moves.
+  // The sink of the largest ortho-radius, of several the first by the places of its centres: what
+  // the cavity is known by while alpha moves.
   std::uint32_t deepest_sink = 0;
 
   bool is_void() const { return mouths.empty(); }

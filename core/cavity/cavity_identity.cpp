@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/cavity/point_location.hpp"
+#include "core/cavity/tetrahedron_order.hpp"
 #include "core/predicates/perturbation.hpp"
 #include "core/run/parallel.hpp"
 
@@ -31,15 +32,16 @@ struct Share {
   Int128 volume;
 };
 
-// The larger share; of equal ones, the cavity whose sink comes first.
+// The larger share; of equal ones, the cavity whose sink comes first by the places of its centres.
 class Largest {
  public:
-  Largest(std::size_t cavities, std::span<const Sink> sinks)
-      : best_(cavities, kNone), volume_(cavities, 0), sinks_(sinks) {}
+  Largest(std::size_t cavities, std::span<const Sink> sinks, const BallSet& balls)
+      : best_(cavities, kNone), volume_(cavities, 0), sinks_(sinks), balls_(balls) {}
   void offer(std::uint32_t of, std::uint32_t candidate, Int128 volume) {
     std::uint32_t& best = best_[of];
     if (best != kNone &&
-        (volume < volume_[of] || (volume == volume_[of] && !(sinks_[candidate] < sinks_[best])))) {
+        (volume < volume_[of] ||
+         (volume == volume_[of] && !comes_first(balls_, sinks_[candidate], sinks_[best])))) {
       return;
     }
     best = candidate;
@@ -51,6 +53,7 @@ class Largest {
   std::vector<std::uint32_t> best_;
   std::vector<Int128> volume_;
   std::span<const Sink> sinks_;
+  const BallSet& balls_;
 };
 
 // Adds up what single tetrahedra share, later cavity by later cavity.
@@ -76,8 +79,8 @@ class ShareSums {
 };
 
 CavityMatch match_of(const std::vector<Share>& shares, std::span<const Sink> earlier,
-                     std::span<const Sink> later) {
-  Largest came_from(later.size(), earlier), goes_to(earlier.size(), later);
+                     std::span<const Sink> later, const BallSet& balls) {
+  Largest came_from(later.size(), earlier, balls), goes_to(earlier.size(), later, balls);
   for (const Share& share : shares) {
     came_from.offer(share.later, share.earlier, share.volume);
     goes_to.offer(share.earlier, share.later, share.volume);
@@ -189,9 +192,11 @@ CavityMatch match_cavities(const CavityTable& earlier, const CavityTable& later,
   }
   if (earlier.ground == later.ground) return match_by_sinks(earlier, later);
   const std::vector<Sink> sinks_before = sinks_of(earlier), sinks_now = sinks_of(later);
-  if (sinks_before.empty() || sinks_now.empty()) return match_of({}, sinks_before, sinks_now);
-  const std::vector<std::uint32_t> from = CentroidCavities(earlier, later).all(cancel);
   const BallSet& balls = *later.ground->balls;
+  if (sinks_before.empty() || sinks_now.empty()) {
+    return match_of({}, sinks_before, sinks_now, balls);
+  }
+  const std::vector<std::uint32_t> from = CentroidCavities(earlier, later).all(cancel);
   ShareSums sums(sinks_before.size());
   std::vector<Share> shares;
   for (std::uint32_t c = 0; c < sinks_now.size(); ++c) {
@@ -201,7 +206,7 @@ CavityMatch match_cavities(const CavityTable& earlier, const CavityTable& later,
     }
     sums.finish(c, shares);
   }
-  return match_of(shares, sinks_before, sinks_now);
+  return match_of(shares, sinks_before, sinks_now, balls);
 }
 
 CavityRegions regions_of(const CavityTable& table) {
@@ -236,7 +241,7 @@ CavityMatch match_regions(const CavityRegions& earlier, const CavityRegions& lat
       sums.finish(single[n].later, shares);
     }
   }
-  return match_of(shares, earlier.sinks, later.sinks);
+  return match_of(shares, earlier.sinks, later.sinks, balls);
 }
 
 }  // namespace alphascope

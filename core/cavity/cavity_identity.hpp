@@ -16,7 +16,7 @@
 namespace alphascope {
 
 // Indices are those of Cavities::cavities. Of equal shares the cavity of the sink that comes first
-// in lexicographic order counts as the larger one.
+// counts as the larger one, in lexicographic order of its centres where they are later.
 struct CavityMatch {
   static constexpr std::uint32_t kNone = ~std::uint32_t{0};
 

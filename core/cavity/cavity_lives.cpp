@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 #include <stdexcept>
 #include <utility>
 
@@ -89,6 +90,17 @@ class Basins {
   std::vector<std::uint32_t> deepest_;  // of each root
 };
 
+void set_places(const CavityGround& ground, CavityLives& lives) {
+  std::vector<std::uint32_t> order(lives.sinks.size());
+  std::iota(order.begin(), order.end(), 0u);
+  const auto& tetrahedra = ground.triangulation->tetrahedra;
+  tbb::parallel_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+    return comes_first(*ground.balls, tetrahedra[lives.sinks[a]], tetrahedra[lives.sinks[b]]);
+  });
+  lives.places.resize(order.size());
+  for (std::uint32_t place = 0; place < order.size(); ++place) lives.places[order[place]] = place;
+}
+
 }  // namespace
 
 const CavityLife& CavityLives::of(std::uint32_t sink) const {
@@ -122,6 +134,7 @@ CavityLives cavity_lives(const CavityGround& ground, OutsideRule rule, const Can
     lives.sinks.push_back(t);
     lives.lives.push_back(of[t]);
   }
+  set_places(ground, lives);
   return lives;
 }
 

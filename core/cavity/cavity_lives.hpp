@@ -23,6 +23,9 @@ struct CavityLife {
 struct CavityLives {
   std::vector<std::uint32_t> sinks;  // tetrahedra; ascending
   std::vector<CavityLife> lives;     // of each sink
+  // Of each sink its place among all of them by their centres, which is the same in whatever order
+  // the balls are listed.
+  std::vector<std::uint32_t> places;
 
   // Of what Cavity::deepest_sink says.
   const CavityLife& of(std::uint32_t sink) const;

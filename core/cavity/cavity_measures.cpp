@@ -5,25 +5,46 @@
 #include <numeric>
 #include <utility>
 
+#include "core/cavity/tetrahedron_order.hpp"
 #include "core/cavity/tetrahedron_outside.hpp"
 #include "core/measure/exact_sum.hpp"
+#include "core/measure/wide_fixed_sum.hpp"
 #include "core/run/parallel.hpp"
 
 namespace alphascope {
 namespace {
 
-// Sums over the tetrahedra of one cavity, in their order.
+// Units of sums: of all lengths, areas and volumes of one set of balls, grown.
+struct Scales {
+  double length, area, volume;
+};
+
+Scales scales_of(const BallSet& balls, const CavityScale& scale) {
+  double reach = 1 + std::fabs(scale.solvent_on_lattice);
+  for (std::size_t i = 0; i < balls.size(); ++i) {
+    const LatticePoint& p = balls.centres[i];
+    const GrownBall ball = grown_ball(p, balls.radii[i], scale.alpha_on_lattice);
+    for (const std::int32_t x : {p.x, p.y, p.z}) reach = std::max(reach, std::fabs(double(x)));
+    reach = std::max(reach, ball.grown_radius);
+  }
+  // No term is above 16 times the square or the cube of twice this.
+  const int bits = bits_above(reach) + 1;
+  return {WideFixedSum::scale(bits + 4), WideFixedSum::scale(2 * bits + 4),
+          WideFixedSum::scale(3 * bits + 4)};
+}
+
+// Sums over the tetrahedra of one cavity; the same bits in any order.
 struct CavitySums {
-  NeumaierSum whole, volume, area, arc, offset_volume, offset_area, offset_overlap;
+  WideFixedSum whole, volume, area, arc, offset_volume, offset_area, offset_overlap;
   std::size_t corners = 0;
 
-  void add(const OutsidePart& part) {
-    whole.add(part.whole);
-    volume.add(part.volume);
-    arc.add(part.arc);
-    offset_volume.add(part.offset_volume);
-    offset_area.add(part.offset_area);
-    offset_overlap.add(part.offset_overlap);
+  void add(const OutsidePart& part, const Scales& of) {
+    whole.add(part.whole, of.volume);
+    volume.add(part.volume, of.volume);
+    arc.add(part.arc, of.length);
+    offset_volume.add(part.offset_volume, of.volume);
+    offset_area.add(part.offset_area, of.area);
+    offset_overlap.add(part.offset_overlap, of.area);
     corners += part.corners;
   }
 };
@@ -37,12 +58,13 @@ class CavityMeasurer {
         cavities_(cavities.cavities),
         scale_(scale),
         cancel_(cancel),
-        unit_(ground.balls->lattice.unit_angstrom()) {}
+        unit_(ground.balls->lattice.unit_angstrom()),
+        sum_(scales_of(*ground.balls, scale)) {}
 
   std::vector<CavityMeasures> measure() {
     number_tetrahedra();
     std::vector<CavityMeasures> measures(cavities_.size());
-    std::vector<double> area_of_ball(ground_.balls->size());
+    std::vector<WideFixedSum> area_of_ball(ground_.balls->size());
     for (std::size_t c = 0; c < cavities_.size(); ++c) {
       sum_tetrahedra(c, area_of_ball, measures[c]);
     }
@@ -66,73 +88,87 @@ class CavityMeasurer {
     parallel_many(parts_.size(), cancel_, [&](std::size_t n) { parts_[n] = part(tetrahedra[n]); });
   }
 
+  // Its balls are taken in an order that the file has no part in.
   OutsidePart part(std::uint32_t t) const {
     const auto& balls = ground_.triangulation->tetrahedra[t];
+    const std::array<unsigned, 4> order = order_by_centres(*ground_.balls, balls);
     FacesIn in;
     for (unsigned k = 0, e = 0; k < 4; ++k) {
-      in.balls |= unsigned{in_.vertices[balls[k]]} << k;
-      in.triangles |= unsigned{in_.triangles[ground_.incidence.triangles_of_tetrahedron[t][k]]}
-                      << k;
+      in.balls |= unsigned{in_.vertices[balls[order[k]]]} << k;
+      in.triangles |=
+          unsigned{in_.triangles[ground_.incidence.triangles_of_tetrahedron[t][order[k]]]} << k;
       for (unsigned l = k + 1; l < 4; ++l, ++e) {
-        in.edges |= unsigned{in_.edges[edge_of_tetrahedron(ground_.incidence, t, k, l)]} << e;
+        const auto [first, second] = std::minmax(order[k], order[l]);
+        in.edges |= unsigned{in_.edges[edge_of_tetrahedron(ground_.incidence, t, first, second)]}
+                    << e;
       }
     }
-    const GrownBall grown[4] = {ball(balls[0]), ball(balls[1]), ball(balls[2]), ball(balls[3])};
-    return outside_part(grown, in, scale_.solvent_on_lattice);
+    const GrownBall grown[4] = {ball(balls[order[0]]), ball(balls[order[1]]), ball(balls[order[2]]),
+                                ball(balls[order[3]])};
+    OutsidePart part = outside_part(grown, in, scale_.solvent_on_lattice);
+    const std::array<double, 4> area = part.area;
+    for (unsigned k = 0; k < 4; ++k) part.area[order[k]] = area[k];
+    return part;
   }
 
-  void sum_tetrahedra(std::size_t c, std::vector<double>& area_of_ball, CavityMeasures& measures) {
+  void sum_tetrahedra(std::size_t c, std::vector<WideFixedSum>& area_of_ball,
+                      CavityMeasures& measures) {
     const Cavity& cavity = cavities_[c];
     CavitySums sums;
     for (std::size_t n = 0; n < cavity.tetrahedra.size(); ++n) {
       const OutsidePart& part = parts_[first_[c] + n];
       const auto& balls = ground_.triangulation->tetrahedra[cavity.tetrahedra[n]];
-      sums.add(part);
-      for (std::size_t k = 0; k < 4; ++k) area_of_ball[balls[k]] += part.area[k];
+      sums.add(part, sum_);
+      for (std::size_t k = 0; k < 4; ++k) area_of_ball[balls[k]].add(part.area[k], sum_.area);
     }
     for (const BallIndex v : cavity.atoms) {
       const GrownBall grown = ball(v);
-      const double area = std::exchange(area_of_ball[v], 0);
-      sums.area.add(area);
+      const double area = std::exchange(area_of_ball[v], {}).value(sum_.area);
+      sums.area.add(area, sum_.area);
       if (area > kLeastArea * grown.square_radius) measures.lining.push_back(v);
       if (grown.square_radius == 0) continue;
-      // A patch moved by the solvent radius into its ball.
-      const double share = 1 - scale_.solvent_on_lattice / grown.grown_radius;
-      sums.offset_volume.add(area * grown.grown_radius * (1 - share * share * share) / 3);
-      sums.offset_area.add(area * share * share);
+      // A patch moved by the solvent radius into its ball, but not beyond its centre.
+      const double share = std::max(0.0, 1 - scale_.solvent_on_lattice / grown.grown_radius);
+      sums.offset_volume.add(area * grown.grown_radius * (1 - share * share * share) / 3,
+                             sum_.volume);
+      sums.offset_area.add(area * share * share, sum_.area);
     }
     set_sums(sums, measures);
   }
 
   void set_sums(const CavitySums& sums, CavityMeasures& measures) const {
     const double square = unit_ * unit_, cube = square * unit_;
-    measures.volume_of_tetrahedra_angstrom3 = sums.whole.value() * cube;
-    measures.volume_sa_angstrom3 = sums.volume.value() * cube;
-    measures.area_sa_angstrom2 = sums.area.value() * square;
-    measures.volume_ms_angstrom3 = (sums.volume.value() + sums.offset_volume.value()) * cube;
-    const double steiner = sums.offset_area.value();
+    const double volume = sums.volume.value(sum_.volume);
+    measures.volume_of_tetrahedra_angstrom3 = sums.whole.value(sum_.volume) * cube;
+    measures.volume_sa_angstrom3 = volume * cube;
+    measures.area_sa_angstrom2 = sums.area.value(sum_.area) * square;
+    measures.volume_ms_angstrom3 = (volume + sums.offset_volume.value(sum_.volume)) * cube;
+    const double steiner = sums.offset_area.value(sum_.area);
     measures.area_ms_steiner_angstrom2 = steiner * square;
-    measures.area_ms_angstrom2 = (steiner - 2 * sums.offset_overlap.value()) * square;
-    measures.arc_length_angstrom = sums.arc.value() * unit_;
+    measures.area_ms_angstrom2 = (steiner - 2 * sums.offset_overlap.value(sum_.area)) * square;
+    measures.arc_length_angstrom = sums.arc.value(sum_.length) * unit_;
     measures.corners = sums.corners;
   }
 
   void measure_mouths(const Cavity& cavity, CavityMeasures& measures) const {
     for (const Mouth& mouth : cavity.mouths) {
-      NeumaierSum area, length;
+      WideFixedSum area, length;
       for (const std::uint32_t f : mouth.triangles) {
         const auto& balls = ground_.incidence.triangles[f];
+        const std::array<unsigned, 3> order = order_by_centres(*ground_.balls, balls);
         FacesIn in;
         for (unsigned k = 0; k < 3; ++k) {
-          in.balls |= unsigned{in_.vertices[balls[k]]} << k;
-          in.edges |= unsigned{in_.edges[ground_.incidence.edges_of_triangle[f][k]]} << k;
+          in.balls |= unsigned{in_.vertices[balls[order[k]]]} << k;
+          in.edges |= unsigned{in_.edges[ground_.incidence.edges_of_triangle[f][order[k]]]} << k;
         }
-        const GrownBall grown[3] = {ball(balls[0]), ball(balls[1]), ball(balls[2])};
+        const GrownBall grown[3] = {ball(balls[order[0]]), ball(balls[order[1]]),
+                                    ball(balls[order[2]])};
         const MouthPart part = mouth_part(grown, in);
-        area.add(part.area);
-        length.add(part.length);
+        area.add(part.area, sum_.area);
+        length.add(part.length, sum_.length);
       }
-      measures.mouths.push_back({area.value() * unit_ * unit_, length.value() * unit_});
+      measures.mouths.push_back(
+          {area.value(sum_.area) * unit_ * unit_, length.value(sum_.length) * unit_});
     }
   }
 
@@ -149,6 +185,7 @@ class CavityMeasurer {
   const CavityScale scale_;
   const CancelToken& cancel_;
   const double unit_;  // Å
+  const Scales sum_;
   std::vector<std::size_t> first_;
   ResultArray<OutsidePart> parts_;
 };
@@ -156,8 +193,14 @@ class CavityMeasurer {
 }  // namespace
 
 MouthMeasures CavityMeasures::all_mouths() const {
+  // In the same order whichever mouth is the first.
+  std::vector<MouthMeasures> sorted = mouths;
+  std::sort(sorted.begin(), sorted.end(), [](const MouthMeasures& a, const MouthMeasures& b) {
+    return a.area_angstrom2 != b.area_angstrom2 ? a.area_angstrom2 < b.area_angstrom2
+                                                : a.length_angstrom < b.length_angstrom;
+  });
   MouthMeasures all;
-  for (const MouthMeasures& mouth : mouths) {
+  for (const MouthMeasures& mouth : sorted) {
     all.area_angstrom2 += mouth.area_angstrom2;
     all.length_angstrom += mouth.length_angstrom;
   }
@@ -170,11 +213,16 @@ std::vector<CavityMeasures> measure_cavities(const CavityGround& ground,
   return CavityMeasurer(ground, membership, cavities, scale, cancel).measure();
 }
 
-std::vector<std::uint32_t> by_falling_volume(const std::vector<CavityMeasures>& measures) {
+std::vector<std::uint32_t> by_falling_volume(const CavityGround& ground, const Cavities& cavities,
+                                             const std::vector<CavityMeasures>& measures) {
   std::vector<std::uint32_t> order(measures.size());
   std::iota(order.begin(), order.end(), 0u);
-  std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-    return measures[a].volume_sa_angstrom3 > measures[b].volume_sa_angstrom3;
+  const auto sink = [&](std::uint32_t c) -> const std::array<BallIndex, 4>& {
+    return ground.triangulation->tetrahedra[cavities.cavities[c].deepest_sink];
+  };
+  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+    const double of_a = measures[a].volume_sa_angstrom3, of_b = measures[b].volume_sa_angstrom3;
+    return of_a != of_b ? of_a > of_b : a != b && comes_first(*ground.balls, sink(a), sink(b));
   });
   return order;
 }

@@ -22,7 +22,8 @@ struct MouthMeasures {
 // MS: that region with everything within the solvent radius of it, as offsets of its patches, arcs
 // and corners; what offsets share counts twice. Around an arc of a radius below the solvent radius
 // the offset meets itself; CASTp's area counts that part as positive, Steiner's formula as
-// negative.
+// negative. A ball that alpha has made smaller than the solvent radius is filled up to its centre,
+// and so are the segments and triangles between its centre and others; there is nothing beyond.
 struct CavityMeasures {
   double volume_sa_angstrom3 = 0, area_sa_angstrom2 = 0;
   double volume_ms_angstrom3 = 0, area_ms_angstrom2 = 0;
@@ -44,7 +45,7 @@ struct CavityScale {
 };
 
 // One for each of cavities.cavities. Works in the caller's task arena; the same bits for any number
-// of threads. Throws Cancelled.
+// of threads, and in whatever order the balls are listed. Throws Cancelled.
 std::vector<CavityMeasures> measure_cavities(const CavityGround& ground,
                                              const Membership& membership, const Cavities& cavities,
                                              const CavityScale& scale,
@@ -62,7 +63,9 @@ std::vector<ClippedMeasures> clip_cavities(const CavityGround& ground, const Cav
                                            const LatticeAlpha& alpha_on_lattice,
                                            const RunContext& context = {});
 
-// Indices of cavities by falling SA volume, as CASTp numbers them; equal ones by their place.
-std::vector<std::uint32_t> by_falling_volume(const std::vector<CavityMeasures>& measures);
+// Indices of cavities by falling SA volume, as CASTp numbers them; equal ones by the centres of
+// their deepest sinks.
+std::vector<std::uint32_t> by_falling_volume(const CavityGround& ground, const Cavities& cavities,
+                                             const std::vector<CavityMeasures>& measures);
 
 }  // namespace alphascope

@@ -72,7 +72,7 @@ CavityTable make_cavity_table(std::shared_ptr<const CavityGround> ground,
   table.measures = measure_cavities(
       of, in, table.found, {alpha, lattice.nearest_units(question.solvent_radius_angstrom)},
       context.cancel);
-  table.order = by_falling_volume(table.measures);
+  table.order = by_falling_volume(of, table.found, table.measures);
   for (const Cavity& cavity : table.found.cavities) {
     ++(cavity.is_void() ? table.voids : table.pockets);
     table.mouths += cavity.mouths.size();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <stdexcept>
 
 #include "core/cavity/empty_space.hpp"
@@ -61,13 +62,19 @@ GrownScenes::GrownScenes(const BallSet& balls, const PassageEnds& ends)
   if (ends.to) surroundings_.add(real_point(*ends.to));
   for (const LatticePoint& p : ends.others) surroundings_.add(real_point(p));
   if (ends.direction) wall_ = wall_behind(ends.from, *ends.direction);
+  by_centre_.resize(balls.size());
+  std::iota(by_centre_.begin(), by_centre_.end(), BallIndex{0});
+  std::stable_sort(by_centre_.begin(), by_centre_.end(), [&](BallIndex a, BallIndex b) {
+    return balls.centres[a] != balls.centres[b] ? balls.centres[a] < balls.centres[b]
+                                                : balls.radii[a] > balls.radii[b];
+  });
 }
 
 std::shared_ptr<const GrownScene> GrownScenes::at(std::int64_t growth,
                                                   const RunContext& context) const {
   auto scene = std::make_shared<GrownScene>();
   scene->balls.lattice = balls_.lattice;
-  for (BallIndex i = 0; i < balls_.size(); ++i) {
+  for (const BallIndex i : by_centre_) {
     const std::int64_t radius = balls_.radii[i] + growth;
     if (radius <= 0 || (wall_ && is_within(balls_.centres[i], radius, *wall_))) continue;
     scene->balls.centres.push_back(balls_.centres[i]);

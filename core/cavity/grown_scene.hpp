@@ -54,9 +54,11 @@ struct Wall {
 // What the balls look like when all have grown by one length.
 struct GrownScene {
   BallSet balls;
-  std::vector<BallIndex> original;  // of the balls that are left; the helping ones follow
-  BallIndex from, to;               // the ends, as balls of radius 0; EmptySpace::kOutside
-  BallIndex others;                 // the first of PassageEnds::others, as such balls, too
+  // Of the balls that are left, by their centres, so that ways do not depend on the order of the
+  // file where several are as good; the helping ones follow.
+  std::vector<BallIndex> original;
+  BallIndex from, to;  // the ends, as balls of radius 0; EmptySpace::kOutside
+  BallIndex others;    // the first of PassageEnds::others, as such balls, too
   Triangulation triangulation;
 };
 
@@ -91,6 +93,7 @@ class GrownScenes {
 
   const BallSet& balls_;
   const PassageEnds& ends_;
+  std::vector<BallIndex> by_centre_;  // all of them
   Surroundings surroundings_;
   std::optional<Wall> wall_;  // the last ball of a scene
 };

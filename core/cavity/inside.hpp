@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/cavity/cavities.hpp"
+#include "core/cavity/tetrahedron_order.hpp"
 #include "core/predicates/exact_alpha.hpp"
 
 namespace alphascope {
@@ -12,13 +13,14 @@ inline bool is_inside_if_empty(const Flow& flow, std::size_t t, OutsideRule rule
                                     : (flow.marks[t] & Flow::kReachesInfinity) == 0;
 }
 
-// Has sink a a larger ortho-radius than sink b, or the same and comes first? Exactly.
+// Has sink a a larger ortho-radius than sink b, or the same and comes first by its centres?
+// Exactly.
 inline bool is_deeper_sink(const CavityGround& ground, std::uint32_t a, std::uint32_t b) {
   const float of_a = ground.flow.alpha_values[a], of_b = ground.flow.alpha_values[b];
   if (of_a != of_b) return of_a > of_b;
   const auto& tetrahedra = ground.triangulation->tetrahedra;
   const int side = compare_ortho_radii(*ground.balls, tetrahedra[a], tetrahedra[b]);
-  return side != 0 ? side > 0 : a < b;
+  return side != 0 ? side > 0 : comes_first(*ground.balls, tetrahedra[a], tetrahedra[b]);
 }
 
 }  // namespace alphascope

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/measure/convex_piece.hpp"
+
 namespace alphascope {
 namespace {
 
@@ -17,25 +19,52 @@ struct TubeSector {
   double volume, area;
   double overlap;  // of the area, what lies across the axis: negative
 };
+
+double area_between(double from, double to, double r, double s) {
+  return s * (r * (to - from) - s * (std::sin(to) - std::sin(from)));
+}
+double volume_between(double from, double to, double r, double s) {
+  return s * s * (r * (to - from) / 2 - s * (std::sin(to) - std::sin(from)) / 3);
+}
+
 TubeSector tube_sector(const GrownBall (&ball)[2], const BallPair& pair, double solvent) {
   const double r = std::sqrt(pair.square_disc), s = solvent;
   // Angles from the direction to the axis, and their sines.
   const double low = -std::atan2(pair.height[0], r), high = std::atan2(pair.height[1], r);
-  const auto area_between = [&](double from, double to) {
-    return s * (r * (to - from) - s * (std::sin(to) - std::sin(from)));
-  };
   const auto sine = [&](int end) {  // a ball of radius 0 has its centre on the arc
     const double radius = ball[end].grown_radius;
     return radius > 0 ? pair.height[end] / radius : 0;
   };
   TubeSector sector;
   sector.volume = s * s * (r * (high - low) / 2 - s * (sine(0) + sine(1)) / 3);
-  sector.area = area_between(low, high);
+  sector.area = area_between(low, high, r, s);
   sector.overlap = 0;
   if (r < s) {
     const double meets = std::acos(r / s);
     const double from = std::max(low, -meets), to = std::min(high, meets);
-    if (from < to) sector.overlap = area_between(from, to);
+    if (from < to) sector.overlap = area_between(from, to, r, s);
+  }
+  return sector;
+}
+
+// The same sector as far as the axis: towards a centre that is nearer than the solvent radius there
+// is nothing beyond. `sector` is two tubes' parts, and between them triangles with the axis.
+TubeSector tube_sector_to_axis(const BallPair& pair, double solvent) {
+  const double r = std::sqrt(pair.square_disc), s = solvent;
+  const double low = -std::atan2(pair.height[0], r), high = std::atan2(pair.height[1], r);
+  const double meets = r < s ? std::acos(r / s) : 0;
+  TubeSector sector{0, 0, 0};
+  const auto add = [&](double from, double to) {
+    if (from >= to) return;
+    sector.volume += volume_between(from, to, r, s);
+    sector.area += area_between(from, to, r, s);
+  };
+  add(low, std::min(high, -meets));
+  add(std::max(low, meets), high);
+  if (r < s) {
+    const double reach = std::sqrt((s - r) * (s + r));  // along the axis
+    const double along = std::min(pair.height[1], reach) - std::max(-pair.height[0], -reach);
+    if (along > 0) sector.volume += pair.square_disc * along / 6;
   }
   return sector;
 }
@@ -51,6 +80,26 @@ double corner_angle(const GrownBall (&ball)[3], const BallPair (&pair)[3], doubl
   double below = ball[0].grown_radius * ball[1].grown_radius * ball[2].grown_radius;
   for (int m = 0; m < 3; ++m) below += product[m] * ball[m].grown_radius;
   return 2 * std::atan2(normal * half_chord, below);
+}
+
+// What a ball of the solvent radius around that point has in the tetrahedron of the point and the
+// three centres.
+SharedMeasures corner_to_plane(const BallPair (&pair)[3], const BallTriple& triple, double normal,
+                               double solvent) {
+  // Centre 0 is at the origin of the plane, centre 1 on its x axis; then all as seen from the
+  // point, which is over the foot that the radical axis has in the plane.
+  const double base = pair[2].distance;
+  const double along = pair[1].distance * pair[1].distance - pair[0].distance * pair[0].distance;
+  const Vector3<double> at[3] = {
+      {0, 0, 0}, {base, 0, 0}, {(along + base * base) / (2 * base), normal / base, 0}};
+  Vector3<double> corner[4] = {{0, 0, 0}, {}, {}, {}};
+  for (int n = 0; n < 3; ++n) {
+    corner[n + 1] = {at[n].x - pair[2].height[0], at[n].y - triple.reach[2], triple.half_chord};
+  }
+  const PieceFace side{{0, 0, 0}, 0, 0};  // through the point
+  ConvexPiece piece;
+  piece.start(corner, {{{0, 0, 1}, triple.half_chord, 0}, side, side, side}, false);
+  return piece.shared_with_ball(solvent);
 }
 
 class Outside {
@@ -113,9 +162,15 @@ class Outside {
       arc_[edges[n]] -= triple.half_angle[n];
     }
     ++part_.corners;
-    const auto& normal = at_.at.normal[m];
-    const double angle =
-        corner_angle(ball, pair, triple.half_chord, std::sqrt(dot(normal, normal)));
+    const auto& normal_of_face = at_.at.normal[m];
+    const double normal = std::sqrt(dot(normal_of_face, normal_of_face));
+    if (is_small(ball[0]) || is_small(ball[1]) || is_small(ball[2])) {
+      const SharedMeasures corner = corner_to_plane(pair, triple, normal, solvent_);
+      part_.offset_volume += corner.volume;
+      part_.offset_area += corner.area;
+      return;
+    }
+    const double angle = corner_angle(ball, pair, triple.half_chord, normal);
     part_.offset_volume += angle * solvent_ * solvent_ * solvent_ / 3;
     part_.offset_area += angle * solvent_ * solvent_;
   }
@@ -123,11 +178,15 @@ class Outside {
   void add_arc(int e) {
     part_.arc += arc_[e] * std::sqrt(pair_[e].square_disc);
     const GrownBall ball[2] = {ball_[kEnds[e][0]], ball_[kEnds[e][1]]};
-    const TubeSector sector = tube_sector(ball, pair_[e], solvent_);
+    const TubeSector sector = is_small(ball[0]) || is_small(ball[1])
+                                  ? tube_sector_to_axis(pair_[e], solvent_)
+                                  : tube_sector(ball, pair_[e], solvent_);
     part_.offset_volume += arc_[e] * sector.volume;
     part_.offset_area += arc_[e] * sector.area;
     part_.offset_overlap += arc_[e] * sector.overlap;
   }
+
+  bool is_small(const GrownBall& ball) const { return ball.grown_radius < solvent_; }
 
   const GrownBall (&ball_)[4];
   const FacesIn& in_;

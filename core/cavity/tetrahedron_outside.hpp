@@ -25,7 +25,9 @@ struct OutsidePart {
   std::array<double, 4> area{};  // of each ball's sphere
   double arc = 0;                // length of the arcs in which two spheres meet
   std::uint32_t corners = 0;
-  // What is within the solvent radius of arcs and corners, beyond both or all their balls.
+  // What is within the solvent radius of arcs and corners, beyond both or all their balls. Where
+  // one of these is smaller than the solvent radius, only as far as their centres, as nothing is
+  // beyond the centre of such a ball; then nothing overlaps.
   double offset_volume = 0, offset_area = 0;
   double offset_overlap = 0;  // of the area, what lies across the axes of the arcs: negative
 };

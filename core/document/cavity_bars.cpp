@@ -50,9 +50,10 @@ CavityBars longest_bars(const CavityLives& lives, const Lattice& lattice, double
   }
   const std::size_t kept = std::min(most, lengths.size());
   std::partial_sort(lengths.begin(), lengths.begin() + static_cast<std::ptrdiff_t>(kept),
-                    lengths.end(), [](const Length& a, const Length& b) {
-                      return a.square_units != b.square_units ? a.square_units > b.square_units
-                                                              : a.life < b.life;
+                    lengths.end(), [&](const Length& a, const Length& b) {
+                      return a.square_units != b.square_units
+                                 ? a.square_units > b.square_units
+                                 : lives.places[a.life] < lives.places[b.life];
                     });
   for (std::size_t n = 0; n < kept; ++n) {
     const std::size_t k = lengths[n].life;

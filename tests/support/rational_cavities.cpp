@@ -186,7 +186,16 @@ class Search {
       }
       if (out_of_.count(t)) continue;
       cavity.sinks.insert(t);
-      if (cavity.deepest_sink.empty() || values_.at(t) > values_.at(cavity.deepest_sink)) {
+      // Of equal ones the first by the places of its centres.
+      const auto centres = [&](const Simplex& of) {
+        std::vector<LatticePoint> places;
+        for (const BallIndex v : of) places.push_back(balls_.centres[v]);
+        std::sort(places.begin(), places.end());
+        return places;
+      };
+      const Simplex& deepest = cavity.deepest_sink;
+      if (deepest.empty() || values_.at(t) > values_.at(deepest) ||
+          (values_.at(t) == values_.at(deepest) && centres(t) < centres(deepest))) {
         cavity.deepest_sink = t;
       }
     }

@@ -61,8 +61,15 @@ std::map<std::pair<std::uint32_t, std::uint32_t>, mpq_class> rational_shares(
 }
 
 CavityMatch rational_match(const CavityTable& earlier, const CavityTable& later) {
-  const auto sink = [](const CavityTable& table, std::uint32_t c) {
-    return table.ground->triangulation->tetrahedra[table.found.cavities[c].deepest_sink];
+  // Where they are later.
+  const auto sink = [&](const CavityTable& table, std::uint32_t c) {
+    std::vector<LatticePoint> centres;
+    for (const BallIndex v :
+         table.ground->triangulation->tetrahedra[table.found.cavities[c].deepest_sink]) {
+      centres.push_back(later.ground->balls->centres[v]);
+    }
+    std::sort(centres.begin(), centres.end());
+    return centres;
   };
   CavityMatch match;
   match.came_from.assign(later.found.cavities.size(), kNone);
@@ -143,16 +150,26 @@ TEST(CavityIdentity, AVoidThatSplitsGoesOnInItsLargerPart) {
   EXPECT_TRUE(merge.is_same(open->order[0]));
 }
 
+// The chambers have the same volume; the first by its centres is the one of small x.
 TEST(CavityIdentity, OfPartsOfOneSizeTheOneOfTheFirstSinkGoesOn) {
-  const BallSet balls = two_chambers(8, 4);
-  const auto open = table_of(balls), closed = table_of(grown(balls, 2));
-  ASSERT_EQ(closed->voids, 2u);
-  const CavityMatch split = match_cavities(*open, *closed);
-  const std::uint32_t first =
-      closed->sink(0) < closed->sink(1) ? closed->order[0] : closed->order[1];
-  EXPECT_EQ(split.goes_to[open->order[0]], first);
-  if (!testing::kAddressSanitizer) {
-    EXPECT_EQ(split, rational_match(*open, *closed));
+  BallSet balls = two_chambers(8, 4);
+  for (int turn = 0; turn < 2; ++turn) {
+    const auto open = table_of(balls), closed = table_of(grown(balls, 2));
+    ASSERT_EQ(closed->voids, 2u);
+    const CavityMatch split = match_cavities(*open, *closed);
+    const std::uint32_t goes_on = split.goes_to[open->order[0]];
+    const auto& sink =
+        closed->ground->triangulation->tetrahedra[closed->found.cavities[goes_on].deepest_sink];
+    for (const BallIndex v : sink) EXPECT_LE(balls.centres[v].x, 16);
+    const CavityMatch merge = match_cavities(*closed, *open);
+    EXPECT_EQ(merge.came_from[open->order[0]], goes_on);
+    const CavityMatch by_atoms =
+        match_regions(regions_of(*closed), regions_of(*open), *open->ground->balls);
+    EXPECT_EQ(by_atoms.came_from.size(), 1u);
+    if (!testing::kAddressSanitizer) {
+      EXPECT_EQ(split, rational_match(*open, *closed));
+    }
+    std::reverse(balls.centres.begin(), balls.centres.end());
   }
 }
 
@@ -217,6 +234,28 @@ TEST(CavityIdentity, RegionsOfTheSameTrianglesGiveTheSameMatch) {
     equal += grow.came_from[n] == by_atoms.came_from[n];
   }
   EXPECT_GE(equal + 2, grow.came_from.size());
+}
+
+// A solvent radius of four decimals refines the lattice: the same balls on a coarser lattice must
+// give the same match.
+TEST(CavityIdentity, LatticesMayDiffer) {
+  const auto balls = testing::sample_balls("4hhb.pdb.gz");
+  BallSet finer = *balls;
+  ++finer.lattice.digits;
+  for (LatticePoint& p : finer.centres) p = {10 * p.x, 10 * p.y, 10 * p.z};
+  for (std::int32_t& radius : finer.radii) radius *= 10;
+  const auto coarse = table_of(with_solvent(*balls, 1.4), 0, 1.4),
+             fine = table_of(with_solvent(finer, 1.4), 0, 1.4),
+             other = table_of(with_solvent(*balls, 1.2005), 0, 1.2005);
+  ASSERT_NE(coarse->ground->balls->lattice.digits, other->ground->balls->lattice.digits);
+  ASSERT_EQ(fine->ground->balls->lattice.digits, other->ground->balls->lattice.digits);
+  ASSERT_EQ(coarse->found.cavities.size(), fine->found.cavities.size());
+  const CavityMatch to = match_cavities(*coarse, *other), back = match_cavities(*other, *coarse);
+  EXPECT_EQ(to, match_cavities(*fine, *other));
+  EXPECT_EQ(back, match_cavities(*other, *fine));
+  std::size_t same = 0;
+  for (std::uint32_t c = 0; c < to.came_from.size(); ++c) same += to.is_same(c);
+  EXPECT_GT(same, 40u);
 }
 
 TEST(CavityIdentity, OtherAtomsAreRefused) {

@@ -7,7 +7,9 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <numeric>
 #include <set>
+#include <tuple>
 #include <vector>
 
 #include "core/triangulation/cgal_triangulation.hpp"
@@ -82,6 +84,49 @@ TEST(CavityLives, SayWhichCavitiesThereAre) {
   }
   EXPECT_GT(voids, 100u);
   EXPECT_GT(pockets, 1000u);
+}
+
+// Sinks of balls on few places have many ortho-radii that are exactly equal.
+TEST(CavityLives, DoNotFollowTheOrderOfTheBalls) {
+  Random random(122);
+  std::size_t sinks = 0, equal = 0;
+  for (int round = 0; round < 100; ++round) {
+    BallSet balls;
+    for (int n = 0; n < 12; ++n) {
+      testing::add_ball(balls, 2 * testing::random_int(random, 0, 2),
+                        2 * testing::random_int(random, 0, 2),
+                        2 * testing::random_int(random, 0, 3), testing::random_int(random, 1, 2));
+    }
+    using Life = std::tuple<std::vector<LatticePoint>, float, float, float>;
+    // In the order of their places, which is that of the centres.
+    const auto lives_of = [](const BallSet& set) {
+      const CavityGround ground = ground_of(std::make_shared<const BallSet>(set));
+      const CavityLives lives = cavity_lives(ground);
+      std::vector<Life> all(lives.sinks.size());
+      for (std::size_t n = 0; n < lives.sinks.size(); ++n) {
+        std::vector<LatticePoint> centres;
+        for (const BallIndex v : ground.triangulation->tetrahedra[lives.sinks[n]]) {
+          centres.push_back(set.centres[v]);
+        }
+        std::sort(centres.begin(), centres.end());
+        const CavityLife& life = lives.lives[n];
+        all.at(lives.places.at(n)) = {centres, life.born, life.closed, life.gone};
+      }
+      return all;
+    };
+    std::vector<BallIndex> order(balls.size());
+    std::iota(order.begin(), order.end(), 0u);
+    std::shuffle(order.begin(), order.end(), random);
+    const std::vector<Life> plain = lives_of(balls);
+    EXPECT_TRUE(std::is_sorted(plain.begin(), plain.end()));
+    ASSERT_EQ(lives_of(testing::permuted(balls, order)), plain) << round;
+    sinks += plain.size();
+    std::set<float> depths;
+    for (const Life& life : plain) depths.insert(std::get<3>(life));
+    equal += plain.size() - depths.size();
+  }
+  EXPECT_GT(sinks, 40u);
+  EXPECT_GT(equal, 10u);
 }
 
 TEST(CavityLives, AreTheSameForAnyNumberOfThreads) {

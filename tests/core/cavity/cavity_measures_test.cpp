@@ -7,10 +7,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <map>
 #include <memory>
+#include <numeric>
+#include <utility>
 #include <vector>
 
 #include "core/cavity/cavity_depth.hpp"
+#include "core/cavity/cavity_table.hpp"
 #include "core/triangulation/cgal_triangulation.hpp"
 #include "core/triangulation/filtration.hpp"
 #include "tests/support/molecules.hpp"
@@ -208,13 +212,264 @@ TEST(CavityMeasures, DepthIsTheFarthestAtomsWayToAMouth) {
   EXPECT_GT(pockets, 20u);
 }
 
+// Of the eight balls of radius 16 at the corners of a cube of side 20 each sees a patch of its
+// sphere around the middle, bounded by three planes at distance 10. They are x = 10 and so on as
+// seen from the ball at the origin; the patch's corners are (10, 10, z) and so on, z = sqrt(56).
+struct VoidInACube {
+  double half = 10, radius = 16, z = std::sqrt(56.0);
+  double arc_radius = std::sqrt(156.0);
+  double arc_angle = std::atan2(half, z) - std::atan2(z, half);
+  // Gauss and Bonnet: the planes' circles bend by half / radius for each radian, and at a corner
+  // the boundary turns by the angle between the planes' normals in the tangent plane.
+  double patch() const {
+    const double pi = std::acos(-1.0);
+    const double turn = std::acos(-half * half / (radius * radius - half * half));
+    return radius * radius * (2 * pi - 3 * turn + 3 * arc_angle * half / radius);
+  }
+  // The cube's eighth less cones from the ball's centre: on the patch, and on the discs' parts.
+  double volume() const {
+    const double disc = arc_radius * arc_radius * arc_angle / 2 + half * z;
+    return 8 * (half * half * half - (radius * patch() + 3 * half * disc) / 3);
+  }
+  // Between the directions to the four centres of a face, from the point above its middle.
+  double corner() const { return 4 * std::asin(half * half / (half * half + z * z)); }
+  double psi() const { return std::asin(half / radius); }
+  double volume_ms(double s) const {
+    const double share = 1 - s / radius;
+    const double tube = s * s * arc_radius * psi() / 2 - s * s * s * half / radius / 3;
+    return volume() + 8 * patch() * radius * (1 - share * share * share) / 3 +
+           24 * arc_angle * tube + 6 * corner() * s * s * s / 3;
+  }
+  double tube_area(double s, double angle) const {
+    return 24 * arc_angle * s * (arc_radius * angle - s * std::sin(angle));
+  }
+  double area_ms_steiner(double s) const {
+    const double share = 1 - s / radius;
+    return 8 * patch() * share * share + tube_area(s, psi()) + 6 * corner() * s * s;
+  }
+  double area_ms(double s) const {  // what is across the axes counts as positive
+    const double across = s > arc_radius ? tube_area(s, std::acos(arc_radius / s)) : 0;
+    return area_ms_steiner(s) - 2 * across;
+  }
+};
+
+BallSet cube_of(int side, int radius) {
+  BallSet cube;
+  for (int n = 0; n < 8; ++n) {
+    testing::add_ball(cube, side * (n & 1), side * (n / 2 & 1), side * (n / 4), radius);
+  }
+  cube.lattice.digits = 0;
+  return cube;
+}
+
+TEST(CavityMeasures, OfWhatTheProbeReachesAreThoseOfClosedForms) {
+  const VoidInACube right;
+  for (const double s : {0.0, 3.0, 13.0}) {
+    const Measured found = measure(cube_of(20, 16), 0, s);
+    ASSERT_EQ(found.measures.size(), 1u);
+    const CavityMeasures& m = found.measures[0];
+    EXPECT_NEAR(m.volume_sa_angstrom3, right.volume(), 1e-9);
+    EXPECT_NEAR(m.area_sa_angstrom2, 8 * right.patch(), 1e-9);
+    EXPECT_NEAR(m.arc_length_angstrom, 12 * right.arc_radius * right.arc_angle, 1e-9);
+    EXPECT_NEAR(m.volume_ms_angstrom3, right.volume_ms(s), 1e-9) << s;
+    EXPECT_NEAR(m.area_ms_steiner_angstrom2, right.area_ms_steiner(s), 1e-9) << s;
+    EXPECT_NEAR(m.area_ms_angstrom2, right.area_ms(s), 1e-9) << s;
+  }
+  EXPECT_GT(right.area_ms(13) - right.area_ms_steiner(13), 0.1) << "no arc meets itself";
+}
+
+// A solvent radius above all radii: patches, arcs and corners fill all that is around the void.
+TEST(CavityMeasures, AProbeLargerThanAllBallsReachesTheirCentres) {
+  for (const double s : {17.0, 40.0}) {
+    const Measured found = measure(cube_of(20, 16), 0, s);
+    ASSERT_EQ(found.measures.size(), 1u);
+    EXPECT_NEAR(found.measures[0].volume_ms_angstrom3, 8000, 1e-9);
+    EXPECT_NEAR(found.measures[0].area_ms_angstrom2, 0, 1e-9);
+    EXPECT_NEAR(found.measures[0].area_ms_steiner_angstrom2, 0, 1e-9);
+  }
+}
+
+// A closed box of balls of radius 5 with room inside.
+BallSet box_of_balls() {
+  BallSet box;
+  for (int x = 0; x <= 8; ++x) {
+    for (int y = 0; y <= 8; ++y) {
+      for (int z = 0; z <= 8; ++z) {
+        const bool shell = x % 8 == 0 || y % 8 == 0 || z % 8 == 0;
+        if (shell) testing::add_ball(box, 5 * x, 5 * y, 5 * z, 5);
+      }
+    }
+  }
+  box.lattice.digits = 0;
+  return box;
+}
+
+// Small balls within a void: the probe of radius 4 is nowhere kept out by them.
+TEST(CavityMeasures, BallsSmallerThanTheProbeDoNotKeepItOut) {
+  const Measured empty = measure(box_of_balls(), 0, 4);
+  ASSERT_EQ(empty.measures.size(), 1u);
+  const std::vector<std::vector<LatticePoint>> clusters{
+      {{20, 20, 20}},                              // one
+      {{20, 20, 20}, {23, 20, 20}},                // two that overlap
+      {{20, 20, 20}, {22, 20, 20}, {20, 22, 20}},  // three
+      {{20, 20, 20}, {23, 20, 20}, {26, 21, 20}, {14, 20, 20}}};
+  for (const std::vector<LatticePoint>& cluster : clusters) {
+    for (const std::int32_t radius : {2, 3}) {
+      BallSet balls = box_of_balls();
+      for (const LatticePoint& p : cluster) testing::add_ball(balls, p.x, p.y, p.z, radius);
+      const Measured found = measure(balls, 0, 4);
+      ASSERT_EQ(found.measures.size(), 1u);
+      const CavityMeasures &m = found.measures[0], &without = empty.measures[0];
+      EXPECT_LT(m.volume_sa_angstrom3, without.volume_sa_angstrom3 - 30);
+      EXPECT_GT(m.area_sa_angstrom2, without.area_sa_angstrom2 + 40);
+      EXPECT_NEAR(m.volume_ms_angstrom3, without.volume_ms_angstrom3, 1e-8)
+          << cluster.size() << " of radius " << radius;
+      EXPECT_NEAR(m.area_ms_angstrom2, without.area_ms_angstrom2, 1e-8);
+      EXPECT_NEAR(m.area_ms_steiner_angstrom2, without.area_ms_steiner_angstrom2, 1e-8);
+    }
+  }
+}
+
+// Two balls on one axis in a void, whose arc is a circle: all is of revolution. Of a small ball and
+// a large one that meet, the probe reaches the small one's part up to its centre, the triangle
+// between the arc and the centres, and of the large ball a shell. By slices.
+TEST(CavityMeasures, ASmallBallOnALargeOneIsFilledUpToItsCentre) {
+  const double s = 4, large = 7, small = 3;
+  const Measured empty = measure(box_of_balls(), 0, s);
+  for (const int apart : {5, 6, 9}) {
+    BallSet balls = box_of_balls();
+    testing::add_ball(balls, 18, 20, 20, static_cast<int>(large));
+    testing::add_ball(balls, 18 + apart, 20, 20, static_cast<int>(small));
+    const Measured found = measure(balls, 0, s);
+    ASSERT_EQ(found.measures.size(), 1u);
+    // Points of both balls' union that are farther than s from what is outside of it. Outside is
+    // nearest in the half-plane of the point itself.
+    const double x0 = (apart * apart + large * large - small * small) / (2.0 * apart);
+    const double r = std::sqrt(large * large - x0 * x0);
+    const auto from_outside = [&](double x, double y) {
+      // In the large ball's cone of its patch, in the small one's, or between: nearest to the arc.
+      const bool of_large = y * x0 > x * r || (x < 0 && y >= 0);
+      const bool of_small = y * (apart - x0) > (apart - x) * r || x > apart;
+      const double to_arc = std::hypot(x - x0, y - r);
+      if (of_large && x <= x0) return large - std::hypot(x, y);
+      if (of_small && x >= x0) return small - std::hypot(x - apart, y);
+      return to_arc;
+    };
+    double out_of_reach = 0;
+    constexpr double kStep = 0.01;
+    for (double x = -large + kStep / 2; x < apart + small; x += kStep) {
+      for (double y = kStep / 2; y < large; y += kStep) {
+        const bool within = std::hypot(x, y) < large || std::hypot(x - apart, y) < small;
+        if (within && from_outside(x, y) > s) out_of_reach += 2 * std::acos(-1.0) * y;
+      }
+    }
+    out_of_reach *= kStep * kStep;
+    EXPECT_NEAR(empty.measures[0].volume_ms_angstrom3 - found.measures[0].volume_ms_angstrom3,
+                out_of_reach, 0.5)
+        << apart;
+    EXPECT_GT(out_of_reach, 50);
+  }
+}
+
 TEST(CavityMeasures, OrderIsByFallingVolume) {
-  std::vector<CavityMeasures> measures(4);
-  measures[0].volume_sa_angstrom3 = 1;
-  measures[1].volume_sa_angstrom3 = 3;
-  measures[2].volume_sa_angstrom3 = -1;
-  measures[3].volume_sa_angstrom3 = 3;
-  EXPECT_EQ(by_falling_volume(measures), (std::vector<std::uint32_t>{1, 3, 0, 2}));
+  // Two equal boxes side by side, and a smaller one: the box whose deepest sink comes first by its
+  // centres is the first of the equal ones, in whatever order the balls are.
+  BallSet balls;
+  for (const auto& [at, length] : std::vector<std::pair<int, int>>{{400, 5}, {0, 6}, {200, 6}}) {
+    for (int x = 0; x <= length; ++x) {
+      for (int y = 0; y <= 4; ++y) {
+        for (int z = 0; z <= 4; ++z) {
+          const bool shell = x == 0 || x == length || y % 4 == 0 || z % 4 == 0;
+          if (shell) testing::add_ball(balls, at + 4 * x, 4 * y, 4 * z, 4);
+        }
+      }
+    }
+  }
+  balls.lattice.digits = 0;
+  BallSet reversed = balls;
+  std::reverse(reversed.centres.begin(), reversed.centres.end());
+  for (const BallSet& set : {balls, reversed}) {
+    const auto ground =
+        make_cavity_ground(std::make_shared<const BallSet>(set),
+                           std::make_shared<const Triangulation>(make_triangulation(set, 1)));
+    const Membership in = membership(set, *ground.triangulation, ground.incidence, ground.flow, 0);
+    const Cavities found = find_cavities(ground, in);
+    std::vector<CavityMeasures> measures = measure_cavities(ground, in, found, {0, 0});
+    std::vector<std::pair<double, std::int32_t>> voids;
+    for (const std::uint32_t c : by_falling_volume(ground, found, measures)) {
+      if (!found.cavities[c].is_void()) continue;
+      const auto& sink = ground.triangulation->tetrahedra[found.cavities[c].deepest_sink];
+      voids.emplace_back(measures[c].volume_sa_angstrom3, set.centres[sink[0]].x / 200);
+    }
+    ASSERT_EQ(voids.size(), 3u);
+    EXPECT_TRUE(same_bits(voids[0].first, voids[1].first));
+    EXPECT_LT(voids[2].first, voids[1].first);
+    EXPECT_EQ(voids[0].second, 0);
+    EXPECT_EQ(voids[1].second, 1);
+    EXPECT_EQ(voids[2].second, 2);
+  }
+}
+
+// All numbers of all cavities, by the centres of their deepest sinks.
+std::map<std::vector<LatticePoint>, std::vector<double>> numbers_by_place(const BallSet& balls,
+                                                                          double solvent) {
+  const auto ground = std::make_shared<const CavityGround>(
+      make_cavity_ground(std::make_shared<const BallSet>(balls),
+                         std::make_shared<const Triangulation>(make_triangulation(balls, 1))));
+  const CavityTable table = make_cavity_table(ground, {0, solvent});
+  const std::vector<ClippedMeasures> clipped = clip_all(table);
+  std::map<std::vector<LatticePoint>, std::vector<double>> numbers;
+  for (std::size_t row = 0; row < table.size(); ++row) {
+    std::vector<LatticePoint> sink;
+    for (const BallIndex v : table.sink(row)) sink.push_back(balls.centres[v]);
+    std::sort(sink.begin(), sink.end());
+    const CavityMeasures& m = table.measure(row);
+    const MouthMeasures mouths = m.all_mouths();
+    const ClippedMeasures& exact = clipped[table.order[row]];
+    numbers[sink] = {static_cast<double>(row),
+                     m.volume_sa_angstrom3,
+                     m.area_sa_angstrom2,
+                     m.volume_ms_angstrom3,
+                     m.area_ms_angstrom2,
+                     m.area_ms_steiner_angstrom2,
+                     m.volume_of_tetrahedra_angstrom3,
+                     m.arc_length_angstrom,
+                     static_cast<double>(m.corners),
+                     static_cast<double>(m.lining.size()),
+                     mouths.area_angstrom2,
+                     mouths.length_angstrom,
+                     exact.volume_sa_angstrom3,
+                     exact.area_sa_angstrom2};
+  }
+  return numbers;
+}
+
+TEST(CavityMeasures, AreTheSameBitsInWhateverOrderTheBallsAre) {
+  Random random(114);
+  std::vector<BallSet> sets{*testing::sample_balls("1crn.pdb", 0.8)};
+  for (int round = 0; round < 10; ++round) {
+    // Few places and radii: volumes, depths and shares tie.
+    BallSet balls;
+    for (int n = 0; n < 60; ++n) {
+      testing::add_ball(balls, 4 * testing::random_int(random, 0, 5),
+                        4 * testing::random_int(random, 0, 5),
+                        4 * testing::random_int(random, 0, 5), 2);
+    }
+    sets.push_back(balls);
+  }
+  std::size_t cavities = 0;
+  for (const BallSet& balls : sets) {
+    const auto plain = numbers_by_place(balls, 0);
+    cavities += plain.size();
+    for (int turn = 0; turn < 2; ++turn) {
+      std::vector<BallIndex> order(balls.size());
+      std::iota(order.begin(), order.end(), 0u);
+      if (turn == 0) std::reverse(order.begin(), order.end());
+      if (turn == 1) std::shuffle(order.begin(), order.end(), random);
+      EXPECT_EQ(numbers_by_place(testing::permuted(balls, order), 0), plain);
+    }
+  }
+  EXPECT_GT(cavities, 25u);
 }
 
 }  // namespace

@@ -58,6 +58,7 @@ TEST(PointLocation, CentroidsAreInTheirTetrahedra) {
   const auto balls = testing::sample_balls("1crn.pdb", 1.4);
   const Triangulation triangulation = make_triangulation(*balls, 1);
   const PointLocator locator(*balls, triangulation);
+  ASSERT_GT(triangulation.tetrahedra.size(), 1000u);
   for (std::uint32_t t = 0; t < triangulation.tetrahedra.size(); ++t) {
     LatticePlace centroid{0, 0, 0, 4};
     for (const BallIndex v : triangulation.tetrahedra[t]) {

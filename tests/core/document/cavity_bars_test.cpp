@@ -26,12 +26,13 @@ std::vector<std::uint32_t> sinks_of(const CavityBars& bars) {
 
 TEST(CavityBars, TheLongestComeFirstAndWhatIsBeforeCountsForNothing) {
   const CavityLives lives{{2, 3, 5, 7, 11, 13},
-                          {{kEver, 1, 2},    // 5 from -3 on
-                           {-10, 4, 1},      // 4
-                           {0, 0, 9},        // 9
-                           {1, 2, 5},        // 4, after the equal one
-                           {6, 6, 6},        // never there
-                           {-20, -9, -8}}};  // before
+                          {{kEver, 1, 2},   // 5 from -3 on
+                           {-10, 4, 1},     // 4
+                           {0, 0, 9},       // 9
+                           {1, 2, 5},       // 4, after the equal one
+                           {6, 6, 6},       // never there
+                           {-20, -9, -8}},  // before
+                          {0, 1, 2, 3, 4, 5}};
   using Sinks = std::vector<std::uint32_t>;
   const CavityBars bars = longest_bars(lives, kUnits, -3, 10);
   EXPECT_EQ(sinks_of(bars), (Sinks{5, 2, 3, 7}));

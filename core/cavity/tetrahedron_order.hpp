@@ -1,0 +1,43 @@
+// An order of tetrahedra that does not depend on the order of the balls: by the places of their
+// centres. It decides wherever everything else is equal, so that the same balls have the same
+// cavities, numbers and names in whatever order a file lists them.
+#pragma once
+
+#include <algorithm>
+#include <array>
+
+#include "core/geometry/ball_set.hpp"
+
+namespace alphascope {
+
+// Does `a` come first? In lexicographic order of the ascending centres; exactly. Two tetrahedra of
+// one triangulation have the same four centres only if they are one.
+inline bool comes_first(const BallSet& balls, const std::array<BallIndex, 4>& a,
+                        const std::array<BallIndex, 4>& b) {
+  const auto centres = [&](const std::array<BallIndex, 4>& of) {
+    std::array<LatticePoint, 4> sorted{balls.centres[of[0]], balls.centres[of[1]],
+                                       balls.centres[of[2]], balls.centres[of[3]]};
+    std::sort(sorted.begin(), sorted.end());
+    return sorted;
+  };
+  const auto of_a = centres(a), of_b = centres(b);
+  return of_a != of_b ? of_a < of_b : a < b;
+}
+
+// The balls of a simplex by their centres: those that are computed with in this order give the same
+// bits whatever their indices are.
+template <std::size_t N>
+std::array<unsigned, N> order_by_centres(const BallSet& balls,
+                                         const std::array<BallIndex, N>& simplex) {
+  std::array<unsigned, N> order;
+  for (unsigned n = 0; n < N; ++n) order[n] = n;
+  for (std::size_t n = 1; n < N; ++n) {
+    for (std::size_t m = n;
+         m > 0 && balls.centres[simplex[order[m]]] < balls.centres[simplex[order[m - 1]]]; --m) {
+      std::swap(order[m], order[m - 1]);
+    }
+  }
+  return order;
+}
+
+}  // namespace alphascope

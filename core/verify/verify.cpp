@@ -11,6 +11,7 @@
 #include "core/triangulation/filtration.hpp"
 #include "core/verify/findings.hpp"
 #include "core/verify/verify_missing.hpp"
+#include "core/verify/verify_proven.hpp"
 #include "core/verify/verify_run.hpp"
 #include "core/verify/verify_surroundings.hpp"
 
@@ -29,14 +30,58 @@ bool check_list(const BallSet& balls, const SimplexList<N>& list, bool with_valu
   return check_order<N>(balls, list.simplices, findings);
 }
 
+// Tells of a simplex by looking at every near ball. A ball in conflict has, at the orthocentre,
+// less power than rho <= alpha: it may touch all balls of the simplex.
+class NearBalls {
+ public:
+  explicit NearBalls(const VerifyBalls& balls) : balls_(balls) {}
+
+  template <int N>
+  bool conflict(const Orthosphere<N>& sphere, const std::array<BallIndex, N>& s) const {
+    around().look_around<N>(balls_, s);
+    return around().conflict<N>(sphere, s);
+  }
+  // Of what conflict() has just denied.
+  template <int N>
+  bool there(const std::array<BallIndex, N>& s) const {
+    return in_triangulation<N>(balls_.balls(), s, around().ties());
+  }
+
+ private:
+  static Surroundings& around() {
+    thread_local Surroundings around;
+    return around;
+  }
+  const VerifyBalls& balls_;
+};
+
+// Tells of it by a proven triangulation; what is not there counts as in conflict.
+class ProvenPlaces {
+ public:
+  explicit ProvenPlaces(const ProvenTriangulation& proven) : proven_(proven) {}
+
+  template <int N>
+  bool conflict(const Orthosphere<N>&, const std::array<BallIndex, N>& s) const {
+    const std::size_t at = proven_.find<N>(s);
+    const auto& attached = proven_.simplices<N>().attached;
+    return at == attached.size() || attached[at];
+  }
+  template <int N>
+  bool there(const std::array<BallIndex, N>& s) const {
+    return proven_.find<N>(s) < proven_.simplices<N>().simplices.size();
+  }
+
+ private:
+  const ProvenTriangulation& proven_;
+};
+
 // The least alpha value of the cofaces that a simplex has in the complex, if any.
 using LeastOfCofaces = std::optional<float>;
 
-// A simplex by itself: what its alpha value must be, and that it is in the triangulation. A ball in
-// conflict has, at the orthocentre, less power than rho <= alpha: it may touch all balls of the
-// simplex.
-template <int N>
-void check_simplex(const VerifyBalls& balls, const std::array<BallIndex, N>& s, const float* value,
+// A simplex by itself: what its alpha value must be, and that it is in the triangulation.
+template <int N, class Places>
+void check_simplex(const VerifyBalls& balls, const Places& places,
+                   const std::array<BallIndex, N>& s, const float* value,
                    const LeastOfCofaces& least, Findings& findings) {
   const bool hidden = std::any_of(s.begin(), s.end(), [&](BallIndex v) { return balls.hidden(v); });
   findings.check<N>(!hidden, s, "a ball is hidden by another one with the same centre");
@@ -47,9 +92,7 @@ void check_simplex(const VerifyBalls& balls, const std::array<BallIndex, N>& s, 
   const bool within = compare_exact(rho, balls.alpha()) <= 0;
   findings.check<N>(within, s, "ortho-radius above alpha");
   if (!within) return;  // and then far balls might be in conflict, too
-  thread_local Surroundings around;
-  around.look_around<N>(balls, s);
-  if (around.conflict<N>(sphere, s)) {
+  if (places.template conflict<N>(sphere, s)) {
     findings.check<N>(least.has_value(), s, "a ball is in conflict with its orthosphere");
     if (!least) return;
     findings.check<N>(value == nullptr || *value == *least, s,
@@ -59,23 +102,22 @@ void check_simplex(const VerifyBalls& balls, const std::array<BallIndex, N>& s, 
   findings.check<N>(value == nullptr || *value == round_exact(rho), s,
                     "unattached, but its alpha value is not the ortho-radius");
   if (least) return;  // which shows that it is there
-  findings.check<N>(in_triangulation<N>(balls.balls(), s, around.ties()), s,
-                    "a tie with another ball is broken wrongly");
+  findings.check<N>(places.template there<N>(s), s, "a tie with another ball is broken wrongly");
 }
 
 // Simplices that need not be faces of larger ones.
-template <int N>
-void check_top(const VerifyBalls& balls, const SimplexList<N>& list, const RunContext& context,
-               Findings& findings) {
+template <int N, class Places>
+void check_top(const VerifyBalls& balls, const Places& places, const SimplexList<N>& list,
+               const RunContext& context, Findings& findings) {
   verify_all(list.size(), context, [&](std::size_t n) {
-    check_simplex<N>(balls, list.simplices[n],
+    check_simplex<N>(balls, places, list.simplices[n],
                      list.alpha_values.empty() ? nullptr : &list.alpha_values[n], std::nullopt,
                      findings);
   });
 }
 
-template <int N>
-void check_faces(const VerifyBalls& balls, const SimplexList<N>& list,
+template <int N, class Places>
+void check_faces(const VerifyBalls& balls, const Places& places, const SimplexList<N>& list,
                  const SimplexList<N + 1>& cofaces, const RunContext& context, Findings& findings) {
   std::vector<LeastOfCofaces> least(list.size());
   const FaceGroups<N> groups(cofaces.simplices);
@@ -96,7 +138,7 @@ void check_faces(const VerifyBalls& balls, const SimplexList<N>& list,
     const auto& s = list.simplices[n];
     findings.check<N>(!least[n] || list.alpha_values[n] <= *least[n], s,
                       "alpha value above that of a coface");
-    check_simplex<N>(balls, s, &list.alpha_values[n], least[n], findings);
+    check_simplex<N>(balls, places, s, &list.alpha_values[n], least[n], findings);
   });
 }
 
@@ -125,22 +167,66 @@ AlphaComplex closure(const AlphaComplex& tetrahedra_only) {
   return whole;
 }
 
-// Of a complex that is sound but perhaps not all.
-void check_complete(const VerifyBalls& balls, const AlphaComplex& complex,
-                    const RunContext& context, Findings& findings) {
-  AlphaComplex expected = complex.tetrahedra_only ? closure(complex) : complex;
-  if (!complex.tetrahedra_only) {
-    classify(expected);
-    check_classes(complex.tetrahedra, expected.tetrahedra, findings);
-    check_classes(complex.triangles, expected.triangles, findings);
-    check_classes(complex.edges, expected.edges, findings);
-    check_classes(complex.vertices, expected.vertices, findings);
+void check_classes(const AlphaComplex& complex, Findings& findings) {
+  AlphaComplex expected = complex;
+  classify(expected);
+  check_classes(complex.tetrahedra, expected.tetrahedra, findings);
+  check_classes(complex.triangles, expected.triangles, findings);
+  check_classes(complex.edges, expected.edges, findings);
+  check_classes(complex.vertices, expected.vertices, findings);
+}
+
+template <int N>
+Simplices<N> missing_in(const SimplexList<N>& list, const ProvenTriangulation& proven) {
+  const ProvenSimplices<N>& all = proven.simplices<N>();
+  Simplices<N> missing;
+  for (std::size_t n = 0; n < all.simplices.size(); ++n) {
+    const auto& s = all.simplices[n];
+    if (all.in[n] && !std::binary_search(list.simplices.begin(), list.simplices.end(), s)) {
+      missing.push_back(s);
+    }
   }
-  const MissingSimplices missing = find_missing(balls, expected, complex.tetrahedra_only, context);
-  report_missing<1>(missing.vertices, findings);
-  report_missing<2>(missing.edges, findings);
-  report_missing<3>(missing.triangles, findings);
-  report_missing<4>(missing.tetrahedra, findings);
+  return missing;
+}
+
+// Of a complex that is sound but perhaps not all.
+MissingSimplices missing_of(const VerifyBalls& balls, const AlphaComplex& complex,
+                            const ProvenTriangulation* proven, const RunContext& context) {
+  if (proven == nullptr) {
+    return find_missing(balls, complex.tetrahedra_only ? closure(complex) : complex,
+                        complex.tetrahedra_only, context);
+  }
+  MissingSimplices missing;
+  missing.tetrahedra = missing_in<4>(complex.tetrahedra, *proven);
+  if (complex.tetrahedra_only) return missing;
+  missing.triangles = missing_in<3>(complex.triangles, *proven);
+  missing.edges = missing_in<2>(complex.edges, *proven);
+  missing.vertices = missing_in<1>(complex.vertices, *proven);
+  return missing;
+}
+
+template <class Places>
+void check_simplices(const VerifyBalls& balls, const Places& places, const AlphaComplex& complex,
+                     const RunContext& context, Findings& findings) {
+  check_top<4>(balls, places, complex.tetrahedra, context, findings);
+  if (complex.tetrahedra_only) return;
+  check_faces<3>(balls, places, complex.triangles, complex.tetrahedra, context, findings);
+  check_faces<2>(balls, places, complex.edges, complex.triangles, context, findings);
+  check_faces<1>(balls, places, complex.vertices, complex.edges, context, findings);
+}
+
+// Are there so many near balls that a triangulation is made and proven sooner than they are looked
+// at? A guess by some of them: it decides what is done, not what is found.
+bool has_crowds(const VerifyBalls& balls) {
+  constexpr std::size_t kAsked = 50, kFew = 60;
+  const std::size_t count = balls.balls().size();
+  std::size_t asked = 0, near = 0;
+  std::vector<BallIndex> found;
+  for (std::size_t i = 0; i < count; i += count / kAsked + 1, ++asked) {
+    balls.around(static_cast<BallIndex>(i), found);
+    near += found.size();
+  }
+  return near > kFew * asked;
 }
 
 template <int N>
@@ -151,7 +237,8 @@ bool is_sublist(const SimplexList<N>& smaller, const SimplexList<N>& larger) {
 
 }  // namespace
 
-Verification verify(const BallSet& given, const AlphaComplex& complex, const RunContext& context) {
+Verification verify(const BallSet& given, const AlphaComplex& complex, const RunContext& context,
+                    VerifyBy by) {
   Findings findings;
   const bool whole = !complex.tetrahedra_only;
   bool sound = check_list(given, complex.tetrahedra, whole, "tetrahedra", findings);
@@ -162,15 +249,29 @@ Verification verify(const BallSet& given, const AlphaComplex& complex, const Run
   if (!findings.good()) return findings.take();
 
   const VerifyBalls balls(given, complex.alpha_on_lattice);
-  check_top<4>(balls, complex.tetrahedra, context, findings);
-  if (whole) {
-    check_faces<3>(balls, complex.triangles, complex.tetrahedra, context, findings);
-    check_faces<2>(balls, complex.edges, complex.triangles, context, findings);
-    check_faces<1>(balls, complex.vertices, complex.edges, context, findings);
+  std::optional<ProvenTriangulation> proven;
+  if (by == VerifyBy::triangulation || (by == VerifyBy::whatever_is_faster && has_crowds(balls))) {
+    proven.emplace(balls, context);
+    if (!proven->proof().ok()) proven.reset();
+  }
+  if (proven) {
+    check_simplices(balls, ProvenPlaces(*proven), complex, context, findings);
+  } else {
+    check_simplices(balls, NearBalls(balls), complex, context, findings);
   }
   // What may be skipped in the search for missing simplices is known of a sound complex only.
-  if (findings.good()) check_complete(balls, complex, context, findings);
-  return findings.take();
+  if (findings.good()) {
+    if (whole) check_classes(complex, findings);
+    const MissingSimplices missing =
+        missing_of(balls, complex, proven ? &*proven : nullptr, context);
+    report_missing<1>(missing.vertices, findings);
+    report_missing<2>(missing.edges, findings);
+    report_missing<3>(missing.triangles, findings);
+    report_missing<4>(missing.tetrahedra, findings);
+  }
+  Verification found = findings.take();
+  if (proven) found.checks += proven->proof().checks;
+  return found;
 }
 
 bool is_subcomplex(const AlphaComplex& smaller, const AlphaComplex& larger) {

@@ -17,6 +17,13 @@ struct Verification {
   bool ok() const { return failures == 0; }
 };
 
+// How it is found which simplices there must be.
+enum class VerifyBy {
+  whatever_is_faster,
+  search,        // among all near balls
+  triangulation  // from the regular triangulation, proven first; by a search where that fails
+};
+
 // Proves that a complex is K_alpha of these balls, or says what is wrong. Independent of every
 // engine and of all floating-point filters: near balls, conflicts, ties, ortho-radii and alpha
 // values are found in integers. What is checked:
@@ -30,10 +37,11 @@ struct Verification {
 //  - nothing is missing (verify_missing.cpp says why that is known): this is looked at only when
 //    all of the above holds.
 // Of a tetrahedra-only complex, values and classes are not looked at, and only tetrahedra can be
-// missing. The time grows with the number of simplices times that of near balls, so it is long for
-// a large alpha, when all balls are near. Works in the caller's task arena. Throws Cancelled.
+// missing. The time of a search grows with the number of simplices times that of near balls; where
+// many are near, the regular triangulation is made, proven in integers (verify_triangulation.hpp)
+// and cut off at alpha (verify_proven.hpp). Works in the caller's task arena. Throws Cancelled.
 Verification verify(const BallSet& balls, const AlphaComplex& complex,
-                    const RunContext& context = {});
+                    const RunContext& context = {}, VerifyBy by = VerifyBy::whatever_is_faster);
 
 // True when every simplex of `smaller` is one of `larger`: K grows with alpha.
 bool is_subcomplex(const AlphaComplex& smaller, const AlphaComplex& larger);

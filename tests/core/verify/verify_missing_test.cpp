@@ -25,6 +25,14 @@ AlphaComplex complex_at(const BallSet& balls, double alpha, bool tetrahedra_only
       ->compute({alpha, tetrahedra_only}, {});
 }
 
+// By a search and by the triangulation, which must agree.
+Verification verify_both(const BallSet& balls, const AlphaComplex& complex) {
+  const Verification found = verify(balls, complex, {}, VerifyBy::search),
+                     proven = verify(balls, complex, {}, VerifyBy::triangulation);
+  EXPECT_EQ(found.ok(), proven.ok()) << (found.ok() ? proven : found).messages.at(0);
+  return found;
+}
+
 template <int N>
 void keep_if(SimplexList<N>& list, const auto& keep) {
   SimplexList<N> kept;
@@ -59,7 +67,7 @@ struct Said {
   bool missing_only = true;
 };
 Said said_of(const BallSet& balls, const AlphaComplex& damaged) {
-  const Verification found = verify(balls, damaged);
+  const Verification found = verify_both(balls, damaged);
   Said said{!found.ok(), true};
   for (const std::string& message : found.messages) {
     said.missing_only = said.missing_only && message.find("missing") != std::string::npos;
@@ -89,7 +97,7 @@ void expect_removals_are_noticed(const std::vector<NamedBalls>& sets, Random& ra
   for (const NamedBalls& set : sets) {
     for (const double alpha : {-0.5, 0.0, 1.0, 2.5, 1e300}) {
       const AlphaComplex complex = complex_at(set.balls, alpha * set.alpha_unit());
-      const Verification right = verify(set.balls, complex);
+      const Verification right = verify_both(set.balls, complex);
       ASSERT_TRUE(right.ok()) << set.name << ", alpha " << alpha << ": " << right.messages.at(0);
       expect_each_is_missed(set, complex, complex.vertices, random, found);
       expect_each_is_missed(set, complex, complex.edges, random, found);
@@ -149,7 +157,7 @@ TEST(Missing, AWholeComponentIsNoticed) {
   for (int n = 0; n < 3; ++n) testing::add_ball(balls, 10000 + 5 * n, n % 2, 0, 4);
   for (const bool only : {false, true}) {
     AlphaComplex complex = complex_at(balls, 4, only);
-    ASSERT_TRUE(verify(balls, complex).ok());
+    ASSERT_TRUE(verify_both(balls, complex).ok());
     const auto of_first = [&](const auto& s) { return s[0] < first_of_second; };
     keep_if(complex.tetrahedra, of_first);
     keep_if(complex.triangles, of_first);
@@ -169,7 +177,7 @@ TEST(Missing, ALoneTetrahedronIsNoticed) {
   }
   AlphaComplex complex = complex_at(balls, 100, true);
   ASSERT_EQ(complex.tetrahedra.size(), 1u);
-  EXPECT_TRUE(verify(balls, complex).ok());
+  EXPECT_TRUE(verify_both(balls, complex).ok());
   complex.tetrahedra = {};
   EXPECT_TRUE(said_of(balls, complex).noticed);
 }
@@ -179,13 +187,13 @@ TEST(Missing, NothingAtAllIsNoticed) {
   const BallSet balls = testing::random_balls(random, 30, 20, 3, 9);
   AlphaComplex nothing;
   nothing.lattice = balls.lattice;
-  EXPECT_FALSE(verify(balls, nothing).ok());
+  EXPECT_FALSE(verify_both(balls, nothing).ok());
   nothing.tetrahedra_only = true;
   nothing.alpha_on_lattice = 20;
-  EXPECT_FALSE(verify(balls, nothing).ok());
+  EXPECT_FALSE(verify_both(balls, nothing).ok());
   nothing.alpha_on_lattice = -1e4;  // all balls are empty
-  EXPECT_TRUE(verify(balls, nothing).ok());
-  EXPECT_TRUE(verify({}, nothing).ok());
+  EXPECT_TRUE(verify_both(balls, nothing).ok());
+  EXPECT_TRUE(verify_both({}, nothing).ok());
 }
 
 // A huge ball and two small ones that only just reach it, at six digits.
@@ -197,7 +205,7 @@ TEST(Missing, ATriangleOfVeryUnequalBallsIsNoticed) {
   testing::add_ball(balls, 26508290, 29957813, 0, 400000);
   const AlphaComplex complex = complex_at(balls, 0);
   ASSERT_EQ(complex.triangles.size(), 1u);
-  const Verification right = verify(balls, complex);
+  const Verification right = verify_both(balls, complex);
   EXPECT_TRUE(right.ok()) << right.messages.at(0);
   const Said said = said_of(balls, without(complex, {0, 1, 2}));
   EXPECT_TRUE(said.noticed);
@@ -231,8 +239,8 @@ TEST(Missing, TiesBrokenOtherwiseAreNoticed) {
     for (const bool only : {false, true}) {
       const AlphaComplex right = complex_at(set.balls, 1e6, only),
                          wrong = complex_at(mirrored, 1e6, only);
-      ASSERT_TRUE(verify(set.balls, right).ok()) << set.name;
-      ASSERT_EQ(verify(set.balls, wrong).ok(), right.hash == wrong.hash) << set.name;
+      ASSERT_TRUE(verify_both(set.balls, right).ok()) << set.name;
+      ASSERT_EQ(verify_both(set.balls, wrong).ok(), right.hash == wrong.hash) << set.name;
       different += right.hash != wrong.hash;
     }
   }
@@ -247,7 +255,7 @@ TEST(Missing, RightComplexesOfMoleculesPass) {
     for (const double alpha : {-1.0, 0.0, 1.4, 10.0, 1e300}) {
       for (const bool only : {true, false}) {
         const AlphaComplex complex = engine->compute({alpha, only}, {});
-        const Verification right = verify(*balls, complex);
+        const Verification right = verify_both(*balls, complex);
         ASSERT_TRUE(right.ok()) << alpha << ": " << right.messages.at(0);
         if (only || complex.edges.size() == 0) continue;
         const auto& lone = complex.edges.simplices[random() % complex.edges.size()];
@@ -263,7 +271,7 @@ TEST(Missing, NothingIsMissingWhereAllBallsAreEmpty) {
   const BallSet balls = testing::random_balls(random, 9, 10, 2, 5);
   for (const double alpha : {-25.0, -26.0, -1e9}) {  // the largest radius is 5 at most
     const AlphaComplex complex = complex_at(balls, alpha);
-    EXPECT_TRUE(verify(balls, complex).ok()) << alpha;
+    EXPECT_TRUE(verify_both(balls, complex).ok()) << alpha;
   }
 }
 
@@ -279,7 +287,7 @@ TEST(Missing, TheSearchCanBeCancelledAndTellsHowFarItIs) {
     last = share;
     ++reports;
   };
-  EXPECT_TRUE(verify(*balls, complex, context).ok());
+  EXPECT_TRUE(verify(*balls, complex, context, VerifyBy::search).ok());
   EXPECT_GE(last, 0);
   EXPECT_GE(reports, 8u);  // every kind of check
   for (std::size_t n = 0; n < reports; ++n) {
@@ -288,7 +296,7 @@ TEST(Missing, TheSearchCanBeCancelledAndTellsHowFarItIs) {
     cancelled.progress = [&](std::string_view, double) {
       if (until-- == 0) cancelled.cancel.cancel();
     };
-    EXPECT_THROW(verify(*balls, complex, cancelled), Cancelled) << n;
+    EXPECT_THROW(verify(*balls, complex, cancelled, VerifyBy::search), Cancelled) << n;
   }
 }
 

@@ -3,8 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <functional>
+#include <utility>
 
 #include "core/complex/compare.hpp"
 #include "core/engine/engine.hpp"
@@ -26,9 +28,11 @@ class Damage : public ::testing::Test {
   void expect_noticed(const char* what, const std::function<void(AlphaComplex&)>& damage) {
     AlphaComplex damaged = complex_;
     damage(damaged);
-    const Verification verification = verify(balls_, damaged);
-    EXPECT_GT(verification.failures, 0u) << what;
-    EXPECT_FALSE(verification.messages.empty()) << what;
+    for (const VerifyBy by : {VerifyBy::search, VerifyBy::triangulation}) {
+      const Verification verification = verify(balls_, damaged, {}, by);
+      EXPECT_GT(verification.failures, 0u) << what;
+      EXPECT_FALSE(verification.messages.empty()) << what;
+    }
     EXPECT_FALSE(compare(damaged, complex_).identical()) << what;
   }
 
@@ -45,8 +49,11 @@ class Damage : public ::testing::Test {
 
 TEST_F(Damage, NothingIsWrongWithoutIt) {
   ASSERT_GT(complex_.tetrahedra.size(), 20u);
-  const Verification verification = verify(balls_, complex_);
-  EXPECT_TRUE(verification.ok()) << verification.messages.at(0);
+  for (const VerifyBy by : {VerifyBy::search, VerifyBy::triangulation}) {
+    const Verification verification = verify(balls_, complex_, {}, by);
+    EXPECT_TRUE(verification.ok()) << verification.messages.at(0);
+    EXPECT_GT(verification.checks, 10'000u);
+  }
   EXPECT_TRUE(compare(complex_, complex_).identical());
 }
 
@@ -67,11 +74,30 @@ TEST_F(Damage, IsNoticed) {
   expect_noticed("an edge's value is off by one bit", [](AlphaComplex& c) {
     c.edges.alpha_values[2] = std::nextafter(c.edges.alpha_values[2], -1e30f);
   });
-  expect_noticed("a class is wrong", [](AlphaComplex& c) {
-    c.triangles.classes[0] = c.triangles.classes[0] == SimplexClass::interior
-                                 ? SimplexClass::regular
-                                 : SimplexClass::interior;
-  });
+}
+
+// Of each dimension, each class for each other one: nothing else is wrong.
+TEST_F(Damage, EveryWrongClassIsNoticed) {
+  std::size_t tried = 0;
+  const auto each = [&](const char* of, auto list) {
+    std::array<bool, 3> done{};
+    const auto& classes = (complex_.*list).classes;
+    for (std::size_t n = 0; n < classes.size(); ++n) {
+      const auto now = static_cast<std::size_t>(classes[n]);
+      if (std::exchange(done.at(now), true)) continue;
+      for (const SimplexClass other :
+           {SimplexClass::singular, SimplexClass::regular, SimplexClass::interior}) {
+        if (other == classes[n]) continue;
+        expect_noticed(of, [&](AlphaComplex& c) { (c.*list).classes[n] = other; });
+        ++tried;
+      }
+    }
+  };
+  each("vertices", &AlphaComplex::vertices);
+  each("edges", &AlphaComplex::edges);
+  each("triangles", &AlphaComplex::triangles);
+  each("tetrahedra", &AlphaComplex::tetrahedra);
+  EXPECT_GE(tried, 18u);
 }
 
 // A tetrahedron with a ball inside its orthosphere, complete with its faces and right values.
@@ -80,15 +106,18 @@ TEST_F(Damage, ConflictIsNoticed) {
   some->centres.resize(150);
   some->radii.resize(150);
   const AlphaComplex of_fewer_balls = make_cgal_engine(some, {1})->compute({300}, {});
-  EXPECT_TRUE(verify(*some, of_fewer_balls).ok());
-  const Verification verification = verify(balls_, of_fewer_balls);
-  EXPECT_GT(verification.failures, 0u);
+  for (const VerifyBy by : {VerifyBy::search, VerifyBy::triangulation}) {
+    EXPECT_TRUE(verify(*some, of_fewer_balls, {}, by).ok());
+    const Verification verification = verify(balls_, of_fewer_balls, {}, by);
+    EXPECT_GT(verification.failures, 0u);
+  }
 }
 
 TEST_F(Damage, SimplicesAboveAlphaAreNoticed) {
   AlphaComplex damaged = complex_;
   damaged.alpha_on_lattice = 200;
-  EXPECT_GT(verify(balls_, damaged).failures, 0u);
+  EXPECT_GT(verify(balls_, damaged, {}, VerifyBy::search).failures, 0u);
+  EXPECT_GT(verify(balls_, damaged, {}, VerifyBy::triangulation).failures, 0u);
 }
 
 TEST(Compare, ListsWhatDiffers) {

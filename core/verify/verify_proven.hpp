@@ -1,0 +1,58 @@
+// K_alpha from a regular triangulation that is proven first, for alphas at which so many balls are
+// near each other that a search among them takes too long. Integers alone, as all of the verifier.
+#pragma once
+
+#include <algorithm>
+#include <tuple>
+#include <vector>
+
+#include "core/complex/simplices.hpp"
+#include "core/run/cancel_token.hpp"
+#include "core/verify/verify.hpp"
+#include "core/verify/verify_balls.hpp"
+
+namespace alphascope {
+
+// All simplices of N balls of the triangulation.
+template <int N>
+struct ProvenSimplices {
+  Simplices<N> simplices;      // in lexicographic order
+  std::vector<char> attached;  // is a ball in conflict with its orthosphere?
+  std::vector<char> in;        // is it in K_alpha?
+};
+
+class ProvenTriangulation {
+ public:
+  // Makes the triangulation and proves it. Works in the caller's task arena. Throws Cancelled.
+  ProvenTriangulation(const VerifyBalls& balls, const RunContext& context);
+
+  // If this is not ok(), the triangulation is not right, and nothing else here is of use.
+  const Verification& proof() const { return proof_; }
+
+  template <int N>
+  const ProvenSimplices<N>& simplices() const {
+    return std::get<N - 1>(levels_);
+  }
+  // Its place in the list, or the length of the list.
+  template <int N>
+  std::size_t find(const std::array<BallIndex, N>& simplex) const {
+    const Simplices<N>& all = simplices<N>().simplices;
+    const auto at = std::lower_bound(all.begin(), all.end(), simplex);
+    return at != all.end() && *at == simplex ? static_cast<std::size_t>(at - all.begin())
+                                             : all.size();
+  }
+
+ private:
+  template <int N>
+  void mark_cells(const Simplices<N>& cells);
+  template <int N>
+  void mark_faces();
+
+  const VerifyBalls& balls_;
+  const RunContext& context_;
+  Verification proof_;
+  std::tuple<ProvenSimplices<1>, ProvenSimplices<2>, ProvenSimplices<3>, ProvenSimplices<4>>
+      levels_;
+};
+
+}  // namespace alphascope

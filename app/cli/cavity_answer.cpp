@@ -28,9 +28,11 @@ void fill(CavityAnswer& answer, const CavitiesOptions& options, int threads,
       ground, {request.alpha_angstrom2, request.solvent_radius_angstrom, options.rule}, context));
   answer.all = table;
   timer.lap(stage::kCavities);
-  answer.exact = std::make_shared<const ExactVolumes>(ExactVolumes{clip_all(*table, context)});
-  timer.lap(stage::kExactVolumes);
-  answer.clipped_rank = ranks_by_clipped(*table, *answer.exact);
+  if (!options.no_clipped) {
+    answer.exact = std::make_shared<const ExactVolumes>(ExactVolumes{clip_all(*table, context)});
+    timer.lap(stage::kExactVolumes);
+    answer.clipped_rank = ranks_by_clipped(*table, *answer.exact);
+  }
   answer.depths = std::make_shared<const CavityDepths>(make_cavity_depths(*table, context));
   answer.lives =
       std::make_shared<const CavityLives>(table->size() > 0 || !options.lives.empty()
@@ -86,6 +88,9 @@ std::vector<std::string> notes_of(const CavityAnswer& answer, const CavitiesOpti
     notes.push_back(
         "with so small a solvent radius the gaps between atoms join into one large pocket; "
         "--solvent 1.4 parts them");
+  }
+  if (!answer.exact && table.size() > 0) {
+    notes.push_back("exact clipped volumes are left out, as --no-clipped asks");
   }
   if (answer.rows.size() < table.size()) {
     notes.push_back(grouped(table.size() - answer.rows.size()) + " cavities below " +

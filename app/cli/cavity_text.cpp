@@ -40,14 +40,16 @@ std::string line(const Table& columns, const CavityAnswer& answer, std::size_t r
   const CavityMeasures& m = answer.table().measure(row);
   const auto number = [](double value) { return format_text("%.3f", value); };
   const std::string held = answer.contents_text(row);
-  return columns.line({std::to_string(row + 1), answer.kind(row), number(m.volume_sa_angstrom3),
-                       number(m.area_sa_angstrom2), number(answer.clipped(row).volume_sa_angstrom3),
-                       answer.is_doubtful(row) ? "*" : "", std::to_string(answer.clipped_rank[row]),
-                       number(m.volume_ms_angstrom3), number(m.area_ms_angstrom2),
-                       std::to_string(m.mouths.size()), number(m.all_mouths().area_angstrom2),
-                       format_text("%.1f", answer.depths->of_angstrom[row]),
-                       std::to_string(lining_counts(*answer.atoms, answer.table(), row).residues),
-                       answer.name(row) + (held.empty() ? "" : "  holds " + held)});
+  const bool exact = answer.exact != nullptr;
+  return columns.line(
+      {std::to_string(row + 1), answer.kind(row), number(m.volume_sa_angstrom3),
+       number(m.area_sa_angstrom2), exact ? number(answer.clipped(row).volume_sa_angstrom3) : "-",
+       exact && answer.is_doubtful(row) ? "*" : "",
+       exact ? std::to_string(answer.clipped_rank[row]) : "-", number(m.volume_ms_angstrom3),
+       number(m.area_ms_angstrom2), std::to_string(m.mouths.size()),
+       number(m.all_mouths().area_angstrom2), format_text("%.1f", answer.depths->of_angstrom[row]),
+       std::to_string(lining_counts(*answer.atoms, answer.table(), row).residues),
+       answer.name(row) + (held.empty() ? "" : "  holds " + held)});
 }
 
 void print_rows(const CavityAnswer& answer, std::size_t shown) {

@@ -71,6 +71,10 @@ OptionCommand cavities_command(CavitiesOptions& options) {
   append(
       command.options,
       {rule, ties, min_volume,
+       flag_option(
+           "--no-clipped",
+           "Leave out the exact clipped volumes, which take longest of many cospherical atoms",
+           options.no_clipped),
        with_default(whole_number_option({"--show", "N", "Cavities printed, the largest first"},
                                         options.shown, {0, 1'000'000'000}),
                     "20"),

@@ -81,6 +81,7 @@ struct CavitiesOptions {
   std::vector<double> solvents;
   OutsideRule rule = OutsideRule::castp;
   FlowTies ties = FlowTies::perturbed;
+  bool no_clipped = false;                     // without exact volumes
   int shown = 20;                              // rows printed
   std::optional<double> min_volume_angstrom3;  // SA; smaller ones are counted, but not listed
   std::string json, csv, lives, spheres, surface, script;
@@ -194,7 +195,7 @@ ExitCode run_channel(const ChannelOptions& options);
 ExitCode run_measure(const MeasureCommandOptions& options);
 ExitCode run_export(const ExportOptions& options);
 ExitCode run_explain(const ExplainOptions& options);
-ExitCode run_verify(const VerifyOptions& options);
+ExitCode run_verify(const VerifyOptions& options, const EngineFactory& factory = &make_engine);
 ExitCode run_bench(const BenchOptions& options);
 ExitCode run_thesis_bench(const BenchOptions& options);
 ExitCode run_screenshot(const ScreenshotCommandOptions& options);

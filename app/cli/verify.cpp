@@ -79,7 +79,8 @@ const char* verdict(const Comparison& comparison) {
 }
 
 struct BothEngines {
-  EngineCache ours{&make_engine}, cgal{&make_engine};
+  explicit BothEngines(const EngineFactory& factory) : ours(factory), cgal(factory) {}
+  EngineCache ours, cgal;
 };
 
 // One alpha: computes both, prints, fills `json`; true when nothing is wrong.
@@ -114,7 +115,7 @@ bool verify_one(const Input& input, const Request& request, const VerifyOptions&
 
 }  // namespace
 
-ExitCode run_verify(const VerifyOptions& options) {
+ExitCode run_verify(const VerifyOptions& options, const EngineFactory& factory) {
   if (options.request.engine == EngineChoice::cgal) {
     throw UsageError("verify compares with CGAL, so --engine cgal would compare CGAL with itself.");
   }
@@ -128,7 +129,7 @@ ExitCode run_verify(const VerifyOptions& options) {
   for_each_model(options.input, context, [&](const Input& input) {
     clear_progress();
     out << input_text(input);
-    BothEngines engines;
+    BothEngines engines(factory);
     for (const Alpha& alpha : options.alphas) {
       Request request = options.request;
       request.alpha_angstrom2 = alpha;

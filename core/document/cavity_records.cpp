@@ -18,16 +18,19 @@ std::string addresses(const std::vector<LiningResidue>& residues) {
 
 void add_measures(CsvRow& cells, const CavityFacts& facts, std::size_t row) {
   const CavityMeasures& m = facts.table().measure(row);
-  const ClippedMeasures& clipped = facts.clipped(row);
+  const bool exact = facts.exact != nullptr;
   const MouthMeasures mouths = m.all_mouths();
   const CavityFacts::Life life = facts.life(row);
   const CsvRow more{
       {"volume_sa_angstrom3", all_digits(m.volume_sa_angstrom3)},
       {"area_sa_angstrom2", all_digits(m.area_sa_angstrom2)},
-      {"volume_sa_clipped_angstrom3", all_digits(clipped.volume_sa_angstrom3)},
-      {"area_sa_clipped_angstrom2", all_digits(clipped.area_sa_angstrom2)},
-      {"rank_by_clipped_volume", std::to_string(facts.clipped_rank[row])},
-      {"doubtful", facts.is_doubtful(row) ? "1" : "0"},
+      {"volume_sa_clipped_angstrom3",
+       exact ? all_digits(facts.clipped(row).volume_sa_angstrom3) : ""},
+      {"area_sa_clipped_angstrom2", exact ? all_digits(facts.clipped(row).area_sa_angstrom2) : ""},
+      {"rank_by_clipped_volume", exact ? std::to_string(facts.clipped_rank[row]) : ""},
+      {"doubtful", !exact                   ? ""
+                   : facts.is_doubtful(row) ? "1"
+                                            : "0"},
       {"volume_ms_angstrom3", all_digits(m.volume_ms_angstrom3)},
       {"area_ms_angstrom2", all_digits(m.area_ms_angstrom2)},
       {"area_ms_steiner_angstrom2", all_digits(m.area_ms_steiner_angstrom2)},

@@ -16,18 +16,19 @@
 
 namespace alphascope {
 
-// All that is reported of them; by row of the table where nothing else is said. Nothing is null.
+// All that is reported of them; by row of the table where nothing else is said. Nothing is null but
+// `exact`, where nobody wants it.
 struct CavityFacts {
   RecordSource source;
   Request request;
   std::shared_ptr<const BallReferences> atoms;
   std::shared_ptr<const CavityTable> all;
-  std::shared_ptr<const ExactVolumes> exact;
+  std::shared_ptr<const ExactVolumes> exact;  // if null: no clipped() and no is_doubtful()
   std::shared_ptr<const CavityDepths> depths;
   std::shared_ptr<const CavityLives> lives;  // of no cavity: empty
   std::shared_ptr<const CavityContents> contents;
   std::vector<std::string> differences;   // from what CASTp takes
-  std::vector<std::size_t> clipped_rank;  // 1: the largest clipped volume
+  std::vector<std::size_t> clipped_rank;  // 1: the largest clipped volume; empty without `exact`
   std::vector<std::size_t> rows;          // those to report
 
   const CavityTable& table() const { return *all; }

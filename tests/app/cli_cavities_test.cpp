@@ -160,6 +160,36 @@ TEST_F(CliCavities, AChannelBeginsInACavity) {
   refused("--cavity 4 --mouth 1 --along 0,0,1", "exclude each other");
 }
 
+// What is left out is null or empty, and said; all else stays.
+TEST_F(CliCavities, WithoutClippedVolumesNothingElseChanges) {
+  const std::string file = kHaemoglobin;
+  const auto found = [&](const std::string& more) {
+    return json::parse(run("cavities -q --json - " + file + more).out);
+  };
+  json all = found(""), without = found(" --no-clipped");
+  ASSERT_EQ(all["cavities"].size(), without["cavities"].size());
+  ASSERT_GT(all["cavities"].size(), 50u);
+  for (const char* key : {"volume_sa_clipped_angstrom3", "area_sa_clipped_angstrom2",
+                          "rank_by_clipped_volume", "doubtful"}) {
+    for (json& cavity : all["cavities"]) EXPECT_FALSE(cavity[key].is_null()) << key;
+    for (json& cavity : without["cavities"]) {
+      EXPECT_TRUE(cavity.contains(key) && cavity[key].is_null()) << key;
+    }
+    for (json& cavity : all["cavities"]) cavity[key] = nullptr;
+  }
+  EXPECT_EQ(all["cavities"], without["cavities"]);
+  EXPECT_TRUE(contains(without["notes"].dump(), "--no-clipped"));
+  EXPECT_FALSE(contains(all["notes"].dump(), "--no-clipped"));
+  for (const auto& row : csv_rows(run("cavities -q --csv - " + file + " --no-clipped").out)) {
+    EXPECT_EQ(row.at("volume_sa_clipped_angstrom3"), "");
+    EXPECT_EQ(row.at("rank_by_clipped_volume"), "");
+    EXPECT_EQ(row.at("doubtful"), "");
+    EXPECT_NE(row.at("volume_sa_angstrom3"), "");
+  }
+  const Outcome text = run("cavities " + file + " --no-clipped --show 2");
+  EXPECT_TRUE(contains(text.out, "left out, as --no-clipped asks")) << text.out;
+}
+
 // Two balls, their closed forms: in all and by atom.
 TEST_F(CliCavities, MeasuresAreExactAndAddUp) {
   const std::string file = write("two.xyzr", "0 0 0 1\n1 0 0 1\n").string();
@@ -175,6 +205,13 @@ TEST_F(CliCavities, MeasuresAreExactAndAddUp) {
   EXPECT_NEAR(measures["atoms"][0]["area_angstrom2"], 3 * pi, 1e-12);
   EXPECT_NEAR(measures["atoms"][0]["exposed_share"], 0.75, 1e-12);
   EXPECT_FALSE(measures["atoms"][0].contains("area_by_x_angstrom"));
+  // Alpha 1 makes both radii the root of 2, of which half a diameter and 1/2 Å are free.
+  const Outcome grown = run("measure '" + file + "' --per atom --alpha 1 -q --json -");
+  const json larger = json::parse(grown.out);
+  for (const json& atom : larger["atoms"]) {
+    EXPECT_NEAR(atom["exposed_share"], 0.676776695296637, 1e-12);
+    EXPECT_NEAR(atom["area_angstrom2"], 8 * pi * 0.676776695296637, 1e-12);
+  }
   const Outcome chains =
       run("measure " + std::string(kHaemoglobin) + " --solvent 1.4 --per chain -q --csv -");
   const auto rows = csv_rows(chains.out);

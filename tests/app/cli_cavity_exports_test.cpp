@@ -335,6 +335,16 @@ TEST_F(CliCavityExports, SideBySideCavitiesAreMatched) {
     same += in[2]["same"] == true;
     other_volume +=
         in[3]["same"] == true && in[3]["volume_sa_angstrom3"] != in[0]["volume_sa_angstrom3"];
+    // Of the volumes of what is the same cavity: of the largest, by how much the least is below.
+    double least = in[0]["volume_sa_angstrom3"], most = least;
+    for (const json& one : in) {
+      if (one["same"] != true) continue;
+      least = std::min<double>(least, one["volume_sa_angstrom3"]);
+      most = std::max<double>(most, one["volume_sa_angstrom3"]);
+    }
+    if (most > 0) {
+      EXPECT_NEAR(cavity["spread_percent"], 100 * (most - least) / most, 1e-9);
+    }
     if (in[2]["same"] == true) {
       EXPECT_GT(cavity["spread_percent"], 0);
     }
@@ -350,6 +360,18 @@ TEST_F(CliCavityExports, SideBySideCavitiesAreMatched) {
   EXPECT_EQ(largest, 2u);
   const Outcome text = run("cavities " + file + " --solvent 1.4,1.6 --show 3");
   EXPECT_TRUE(contains(text.out, "spread")) << text.out;
+}
+
+// A radius of four decimals refines the lattice, which changes no cavity's identity.
+TEST_F(CliCavityExports, CavitiesAreMatchedAcrossLattices) {
+  const json found = cavities(std::string(kHaemoglobin) + " --solvent 1.4,1.2005");
+  std::size_t same = 0, gone = 0;
+  for (const json& cavity : found["side_by_side"]) {
+    same += cavity["in"][1]["same"] == true;
+    gone += cavity["in"][1]["id"].is_null();
+  }
+  EXPECT_EQ(same, 59u);
+  EXPECT_EQ(gone, 0u);
 }
 
 TEST_F(CliCavityExports, SmallCavitiesAreCountedButNotListed) {

@@ -5,8 +5,11 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdlib>
 #include <vector>
 
+#include "core/geometry/real_point.hpp"
 #include "core/predicates/exact_alpha.hpp"
 #include "core/triangulation/cgal_triangulation.hpp"
 #include "tests/support/five_balls.hpp"
@@ -53,6 +56,65 @@ TEST(FlowPredicate, IsThatOfRationals) {
   EXPECT_GT(ties, 500u);
   EXPECT_GT(tied_in, 100u);
   EXPECT_GT(ties, tied_in + 100);
+}
+
+// Tetrahedra whose orthocentre is in the plane of a face but for a unit: where the filter's error
+// bound must not decide, and where it must not be too careful. Balls a, b and c lie on a circle
+// around the orthocentre's foot, and the weight of d moves the orthocentre along the normal.
+TEST(FlowPredicate, IsThatOfRationalsNextToAFace) {
+  Random random(84);
+  std::size_t near = 0, ties = 0, sides[2] = {0, 0}, undecided = 0;
+  for (int n = 0; n < 15000; ++n) {
+    const int reach = 1 << testing::random_int(random, 2, 24);
+    BallSet balls;
+    const auto at = [&] { return testing::random_int(random, -reach, reach); };
+    for (int m = 0; m < 3; ++m) {
+      const int x = at(), y = at(), z = at();
+      testing::add_ball(balls, x, y, z, reach);
+    }
+    // A fourth ball at the same distance from the centre of the circle of the three, rounded: so d
+    // is on their smallest sphere, and the side of face abc is that of one unit or none.
+    const auto v = [&](int m) {
+      return real_point(balls.centres[m]) - real_point(balls.centres[0]);
+    };
+    const RealPoint b = v(1), c = v(2);
+    const RealPoint normal = cross(b, c);
+    if (!(dot(normal, normal) > 0)) continue;
+    const RealPoint centre =
+        (0.5 / dot(normal, normal)) * (dot(b, b) * cross(c, normal) + dot(c, c) * cross(normal, b));
+    const double radius = length(centre);
+    const RealPoint direction = unit_vector(RealPoint{1.0 * at(), 1.0 * at(), 1.0 * at() + 0.5});
+    const LatticePoint d =
+        nearest_lattice_point(real_point(balls.centres[0]) + centre + radius * direction);
+    if (std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)}) > (1 << 27)) continue;
+    testing::add_ball(balls, d.x, d.y, d.z, reach + testing::random_int(random, -1, 1));
+    const auto seen = [&](BallIndex i, BallIndex k) { return lifted_vector(balls, i, k); };
+    const LiftedInt j = seen(0, 1), k = seen(0, 2), l = seen(0, 3);
+    if (determinant(j, k, l) == 0) continue;
+    signed char beyond[4] = {0, 0, 0, 0};
+    if (within_bracket_limit(j) && within_bracket_limit(k) && within_bracket_limit(l)) {
+      flow_sides_filtered(
+          tetrahedron_centre(lifted_as<double>(j), lifted_as<double>(k), lifted_as<double>(l)),
+          beyond);
+    }
+    for (BallIndex m = 0; m < 4; ++m) {
+      const BallIndex abc[3] = {m == 0 ? 1u : 0u, m < 2 ? 2u : 1u, m < 3 ? 3u : 2u};
+      const int side = testing::inside_smallest_orthosphere(balls, abc, m);
+      ASSERT_EQ(flow_side_exact(seen(abc[0], abc[1]), seen(abc[0], abc[2]), seen(abc[0], m)), side);
+      ASSERT_TRUE(beyond[m] == 0 || beyond[m] == side) << n << ", face " << m;
+      if (m < 3) continue;
+      ++near;
+      ties += side == 0;
+      undecided += beyond[m] == 0;
+      if (side != 0) ++sides[side > 0];
+    }
+  }
+  EXPECT_GT(near, 8000u);
+  EXPECT_GT(ties, 3u);
+  EXPECT_GT(sides[0], 2000u);
+  EXPECT_GT(sides[1], 2000u);
+  EXPECT_GT(undecided, 100u);
+  EXPECT_LT(undecided, near * 9 / 10) << "the filter decides hardly anything";
 }
 
 TEST(Flow, NeverFallsAndEndsSomewhere) {

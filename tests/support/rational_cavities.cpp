@@ -115,7 +115,7 @@ std::vector<std::vector<Simplex>> grouped(
 class Search {
  public:
   Search(const BallSet& balls, const RationalOracle& oracle, double alpha, bool strict)
-      : values_(oracle.alpha_values()), alpha_(alpha) {
+      : balls_(balls), values_(oracle.alpha_values()), alpha_(alpha) {
     for (const auto& [t, value] : values_) {
       if (t.size() != 4) continue;
       for (std::size_t k = 0; k < 4; ++k) {
@@ -150,6 +150,7 @@ class Search {
   }
 
  private:
+  const BallSet& balls_;
   bool is_in(const Simplex& s) const { return values_.at(s) <= Rational(alpha_); }
   static Simplex common(const Simplex& a, const Simplex& b) {
     Simplex both;

@@ -252,7 +252,8 @@ class Clipper {
 
 // By tetrahedron, and of each by the centres of the balls.
 std::vector<Meeting> all_meetings(const Triangulation& triangulation, const BallSet& balls,
-                                  const LatticeAlpha& alpha, const std::vector<std::uint32_t>& tetrahedron_of,
+                                  const LatticeAlpha& alpha,
+                                  const std::vector<std::uint32_t>& tetrahedron_of,
                                   std::span<const std::uint32_t> tetrahedra,
                                   const CancelToken& cancel) {
   std::vector<bool> asked(triangulation.tetrahedra.size(), false);

@@ -60,7 +60,7 @@ class Figures {
     }
   }
 
-  const ThesisRow* find(std::size_t molecule, double alpha, Kind kind, EngineChoice choice,
+  const ThesisRow* find(std::size_t molecule, const Alpha& alpha, Kind kind, EngineChoice choice,
                         const std::string& variant = {}) const {
     for (const ThesisRow& row : report_.rows) {
       if (row.molecule_index == molecule && row.alpha_angstrom2 == alpha && row.kind == kind &&
@@ -71,7 +71,7 @@ class Figures {
     return nullptr;
   }
 
-  double least_alpha() const { return options_.alphas.front(); }
+  const Alpha& least_alpha() const { return options_.alphas.front(); }
   std::string at_least_alpha() const { return " at α = " + short_text(least_alpha()) + " Å²"; }
   static std::string of(EngineChoice choice) { return std::string(engine_id(choice)); }
 
@@ -109,19 +109,19 @@ class Figures {
                              " over CGAL with one thread (as thesis, Figures 4.2 to 4.4, there "
                              "over gReg3d)");
     chart.value_label = "time saved, % of CGAL's";
-    lines_of_molecules(chart, [&](std::size_t m, double alpha) -> std::optional<double> {
+    lines_of_molecules(chart, [&](std::size_t m, const Alpha& alpha) -> std::optional<double> {
       const ThesisRow* row = find(m, alpha, Kind::engine, choice);
       if (!row || !row->speed_up()) return std::nullopt;
       return 100 * (1 - 1 / *row->speed_up());
     });
   }
 
-  void lines_of_molecules(Chart& chart,
-                          const std::function<std::optional<double>(std::size_t, double)>& value) {
+  void lines_of_molecules(
+      Chart& chart, const std::function<std::optional<double>(std::size_t, const Alpha&)>& value) {
     chart.x_label = "α (Å²)";
     for (std::size_t m = 0; m < report_.molecules.size(); ++m) {
       ChartSeries series{report_.molecules[m].name, {}};
-      for (const double alpha : options_.alphas) {
+      for (const Alpha& alpha : options_.alphas) {
         series.x.push_back(alpha);
         series.values.push_back(value(m, alpha));
       }
@@ -159,7 +159,7 @@ class Figures {
                          "Tetrahedra computed, of the whole regular triangulation (thesis, Figure "
                          "4.6)");
     chart.value_label = "% of all tetrahedra";
-    lines_of_molecules(chart, [&](std::size_t m, double alpha) -> std::optional<double> {
+    lines_of_molecules(chart, [&](std::size_t m, const Alpha& alpha) -> std::optional<double> {
       for (const ThesisRow& row : report_.rows) {
         if (row.molecule_index == m && row.alpha_angstrom2 == alpha && row.share_of_full()) {
           return 100 * *row.share_of_full();

@@ -5,12 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <stdexcept>
 
 #include "app/session/thesis_contest.hpp"
 #include "app/session/version.hpp"
+#include "core/molecule/shortest_number.hpp"
 
 namespace alphascope {
 namespace {
@@ -61,12 +61,6 @@ ThesisStages to_columns(const std::vector<StageTime>& stages) {
   return columns;
 }
 
-std::string alpha_text(double alpha) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%g", alpha);
-  return text;
-}
-
 // One engine of the suite, with or without one of its optimisations.
 struct Entrant {
   ThesisRow::Kind kind;
@@ -91,7 +85,7 @@ class Suite {
     for (std::size_t m = 0; m < report_.molecules.size(); ++m) {
       const std::optional<std::size_t> full = full_triangulation(m);
       std::vector<Entrant> field = entrants();
-      for (const double alpha : options_.alphas) {
+      for (const Alpha& alpha : options_.alphas) {
         compete(m, alpha, full, field);
         std::erase_if(field, [](const Entrant& e) { return e.kind == ThesisRow::Kind::ablation; });
       }
@@ -101,7 +95,7 @@ class Suite {
   }
 
  private:
-  ContestRules rules(std::size_t molecule, double alpha) const {
+  ContestRules rules(std::size_t molecule, const Alpha& alpha) const {
     return {report_.molecules[molecule].balls,
             {alpha, options_.tetrahedra_only},
             options_.repeats,
@@ -150,10 +144,10 @@ class Suite {
     return field;
   }
 
-  void compete(std::size_t molecule, double alpha, std::optional<std::size_t> full,
+  void compete(std::size_t molecule, const Alpha& alpha, std::optional<std::size_t> full,
                std::vector<Entrant>& field) {
     const auto at = std::find(options_.alphas.begin(), options_.alphas.end(), alpha);
-    tell(molecule, "α = " + alpha_text(alpha) + " Å²",
+    tell(molecule, "α = " + shortest_number(alpha) + " Å²",
          0.8 * static_cast<double>(at - options_.alphas.begin()) /
              static_cast<double>(options_.alphas.size()));
     std::vector<Contestant> contestants;
@@ -167,7 +161,8 @@ class Suite {
     run_contest(contestants, rules(molecule, alpha), factory_, context_.cancel);
     for (std::size_t n = 0; n < field.size(); ++n) {
       if (contestants[n].too_slow) {
-        field[n].skipped = contestants[n].skipped + " at α = " + alpha_text(alpha) + " Å² already";
+        field[n].skipped =
+            contestants[n].skipped + " at α = " + shortest_number(alpha) + " Å² already";
       }
       ThesisRow row = to_row(field[n], contestants[n], contestants);
       row.molecule = report_.molecules[molecule].name;
@@ -210,7 +205,7 @@ class Suite {
   }
 
   // Faster than CGAL at this alpha? Empty when CGAL could not be measured.
-  std::optional<bool> wins(std::size_t molecule, EngineChoice choice, double alpha) const {
+  std::optional<bool> wins(std::size_t molecule, EngineChoice choice, const Alpha& alpha) const {
     std::vector<Contestant> two(2);
     two[0].choice = EngineChoice::cgal;
     two[0].settings.threads = 1;
@@ -263,7 +258,7 @@ class Suite {
 };
 
 void check(const std::vector<ThesisMolecule>& molecules, const ThesisOptions& options) {
-  const auto finite = [](double alpha) { return std::isfinite(alpha); };
+  const auto finite = [](const Alpha& alpha) { return std::isfinite(alpha.nearest()); };
   if (molecules.empty()) throw std::invalid_argument("The suite needs a molecule.");
   if (options.alphas.empty() ||
       !std::all_of(options.alphas.begin(), options.alphas.end(), finite)) {
@@ -310,7 +305,7 @@ ThesisReport thesis_report(const std::vector<ThesisMolecule>& molecules,
                            const ThesisOptions& options) {
   ThesisReport report;
   report.options = options;
-  std::vector<double>& alphas = report.options.alphas;
+  std::vector<Alpha>& alphas = report.options.alphas;
   std::sort(alphas.begin(), alphas.end());
   alphas.erase(std::unique(alphas.begin(), alphas.end()), alphas.end());
   report.machine = machine_info();

@@ -10,6 +10,7 @@
 
 #include "app/session/engines.hpp"
 #include "app/session/machine.hpp"
+#include "core/geometry/alpha.hpp"
 #include "core/molecule/provenance.hpp"
 
 namespace alphascope {
@@ -21,15 +22,15 @@ struct ThesisMolecule {
 };
 
 struct ThesisOptions {
-  std::vector<double> alphas{0, 1.4, 3};  // Å²
-  std::vector<EngineChoice> engines;      // neither automatic nor cgal, which is always there
-  double solvent_radius_angstrom = 0;     // already in the balls; told again in every row
-  int threads = 0;                        // of engines on the CPU; 0: as many as there are
-  int repeats = 5;                        // counted runs; one more comes first and is not counted
-  double seconds_per_row = 20;            // a row that needs longer is cut short or left out
-  bool tetrahedra_only = true;            // the thesis' sub-complex
-  bool ablation = true;                   // of the tuple engines, at the smallest alpha
-  int bisections = 3;  // between a won and a lost alpha; 0: only the alphas given
+  std::vector<Alpha> alphas{0, 1.4, 3};  // Å²
+  std::vector<EngineChoice> engines;     // neither automatic nor cgal, which is always there
+  double solvent_radius_angstrom = 0;    // already in the balls; told again in every row
+  int threads = 0;                       // of engines on the CPU; 0: as many as there are
+  int repeats = 5;                       // counted runs; one more comes first and is not counted
+  double seconds_per_row = 20;           // a row that needs longer is cut short or left out
+  bool tetrahedra_only = true;           // the thesis' sub-complex
+  bool ablation = true;                  // of the tuple engines, at the smallest alpha
+  int bisections = 3;                    // between a won and a lost alpha; 0: only the alphas given
 };
 
 // "tuples-cpu", …: those that can run here, all but CGAL.
@@ -47,7 +48,7 @@ struct ThesisRow {
   Kind kind = Kind::engine;
   std::string molecule;
   std::size_t molecule_index = 0, balls = 0;
-  double alpha_angstrom2 = 0;
+  Alpha alpha_angstrom2;
   EngineChoice choice = EngineChoice::cpu;
   int threads = 0;        // asked for; 0: all
   std::string variant;    // of ablation rows: "without textures"

@@ -58,11 +58,17 @@ std::string stages_text(const std::vector<StageTime>& stages) {
   return text;
 }
 
+// A number where a double says it, else all digits as text, as everywhere in JSON.
+ThesisCell alpha_cell(const Alpha& alpha) {
+  if (alpha.is_shortest_of_double()) return alpha.nearest();
+  return alpha.digits();
+}
+
 void add_task(ThesisTableRow& cells, const ThesisReport& report, const ThesisRow& row) {
   const int threads = row.threads > 0 ? row.threads : report.machine.threads;
   cells.insert(cells.end(), {{"molecule", row.molecule},
                              {"balls", std::uint64_t{row.balls}},
-                             {"alpha_angstrom2", row.alpha_angstrom2},
+                             {"alpha_angstrom2", alpha_cell(row.alpha_angstrom2)},
                              {"solvent_radius_angstrom", report.options.solvent_radius_angstrom},
                              {"tetrahedra_only", report.options.tetrahedra_only},
                              {"kind", std::string(kind_text(row.kind))},

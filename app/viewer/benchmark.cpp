@@ -94,15 +94,15 @@ ThesisMolecule to_molecule(const SessionState& session) {
 
 }  // namespace
 
-std::vector<double> parse_alphas(const std::string& text) {
-  std::vector<double> alphas;
+std::vector<Alpha> parse_alphas(const std::string& text) {
+  std::vector<Alpha> alphas;
   for (std::size_t k = 0; k < text.size();) {
     const std::size_t start = text.find_first_not_of(" ,;", k);
     if (start == std::string::npos) break;
     k = std::min(text.find_first_of(" ;", start), text.size());
     std::string word = text.substr(start, k - start);
     while (word.ends_with(',')) word.pop_back();  // others are decimal commas
-    const NumberInput input = read_number(word, kAlphaRule);
+    const AlphaInput input = read_alpha(word);
     if (!input.value) {
       throw std::invalid_argument(input.error + " Write a blank between numbers: 0, 1.4, 3");
     }

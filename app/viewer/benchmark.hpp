@@ -13,7 +13,7 @@ namespace alphascope {
 
 // "0, 1.4, 3" as numbers: blanks or semicolons between them. Throws std::invalid_argument that says
 // what is none.
-std::vector<double> parse_alphas(const std::string& text);
+std::vector<Alpha> parse_alphas(const std::string& text);
 
 class Benchmark {
  public:

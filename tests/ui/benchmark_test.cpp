@@ -13,7 +13,9 @@ namespace alphascope::testing {
 namespace {
 
 TEST(BenchmarkControlsText, AlphasAreNumbersBetweenCommasOrBlanks) {
-  EXPECT_EQ(parse_alphas("0, 1.4 -3;5"), (std::vector<double>{0, 1.4, -3, 5}));
+  const std::vector<Alpha> fine = parse_alphas("1.000002652010249999");  // no double
+  EXPECT_EQ(fine.at(0).digits(), "1.000002652010249999");
+  EXPECT_EQ(parse_alphas("0, 1.4 -3;5"), (std::vector<Alpha>{0, 1.4, -3, 5}));
   for (const char* bad : {"", " , ", "1,x", "nan", "inf", "1e999"}) {
     EXPECT_THROW(parse_alphas(bad), std::invalid_argument) << bad;
   }

@@ -238,6 +238,11 @@ class MmcifReader : public CifHandler {
     return text.empty() ? value(second) : text;
   }
 
+  // Open Babel writes no names of chains, and their numbers as entities.
+  std::string_view chain(Column first, Column second) const {
+    return where_[first] || where_[second] ? value(first, second) : value(kEntityId);
+  }
+
   void take_row() {
     if (++rows_ % kProgressRows == 0) {
       const char* const end = input_.text.data() + input_.text.size();
@@ -252,8 +257,8 @@ class MmcifReader : public CifHandler {
     atom.serial = integer(kId, 0);
     atom.name = names.intern(value(kAuthAtom, kLabelAtom));
     atom.residue_name = names.intern(value(kAuthComp, kLabelComp));
-    atom.chain = names.intern(value(kAuthAsym, kLabelAsym));
-    atom.label_chain = names.intern(value(kLabelAsym, kAuthAsym));
+    atom.chain = names.intern(chain(kAuthAsym, kLabelAsym));
+    atom.label_chain = names.intern(chain(kLabelAsym, kAuthAsym));
     const std::string_view altloc = value(kAltloc), insertion_code = value(kInsertionCode);
     if (!altloc.empty()) atom.altloc = altloc[0];
     if (!insertion_code.empty()) atom.insertion_code = insertion_code[0];

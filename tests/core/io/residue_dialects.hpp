@@ -4,6 +4,7 @@
 
 #include <cstdio>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/molecule/molecule.hpp"
@@ -80,14 +81,19 @@ inline std::string quoted(const std::string& name) {
   return name.find('\'') == std::string::npos ? name : '"' + name + '"';
 }
 
+// Whether a polymer of a sample ends before this atom.
+inline bool ends_chain(const SampleAtom* before, const SampleAtom& atom) {
+  return before && before->kind == AtomKind::polymer &&
+         std::string_view(before->entity) != atom.entity;
+}
+
 inline std::string as_pdb(const std::vector<SampleAtom>& sample, bool with_ter = true) {
   std::string text;
-  const char* entity = nullptr;
+  const SampleAtom* before = nullptr;
   int serial = 0;
   for (const SampleAtom& a : sample) {
-    const std::string now = a.entity;
-    if (entity && now != entity && (*entity == '1' || *entity == '2') && with_ter) text += "TER\n";
-    entity = a.entity;
+    if (with_ter && ends_chain(before, a)) text += "TER\n";
+    before = &a;
     const std::string name =
         std::string(a.element).size() == 2 ? a.name : std::string(" ") + a.name;
     text += text_of("%-6s%5d %-4s %3s %c%4d    %8.3f%8.3f%8.3f  1.00 10.00          %2s\n",

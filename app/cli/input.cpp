@@ -136,6 +136,16 @@ Input open_input(const std::filesystem::path& file, const InputOptions& options,
   return input;
 }
 
+// Before any file is read.
+const std::vector<std::string>& checked_treatments(const std::vector<std::string>& treated) {
+  try {
+    for (const std::string& text : treated) parse_treatment(text);
+  } catch (const std::invalid_argument& error) {
+    throw UsageError("--treat: " + std::string(error.what()) + ".");
+  }
+  return treated;
+}
+
 }  // namespace
 
 OpenOptions open_options(const InputOptions& options, const RunContext& context) {
@@ -154,8 +164,7 @@ OpenOptions open_options(const InputOptions& options, const RunContext& context)
   open.balls.polymers = !options.no_polymers;
   open.balls.chains = options.chains;
   open.balls.without_chains = options.without_chains;
-  for (const std::string& text : options.treated) parse_treatment(text);
-  open.balls.treated = options.treated;
+  open.balls.treated = checked_treatments(options.treated);
   open.balls.selection = options.select;
   open.assembly = options.assembly;
   return open;

@@ -2,6 +2,7 @@
 #include "core/document/session_file.hpp"
 
 #include <algorithm>
+#include <stdexcept>
 
 #include "core/document/json_fields.hpp"
 #include "core/document/settings_fields.hpp"
@@ -10,6 +11,7 @@
 #include "core/io/text_file.hpp"
 #include "core/molecule/letter_case.hpp"
 #include "core/molecule/selection_expression.hpp"
+#include "core/molecule/treatments.hpp"
 
 namespace alphascope {
 
@@ -65,6 +67,15 @@ void check_together(FieldReader& reader, const ReadJson& json, const SessionDocu
   }
   if (const auto fault = fault_of_selection(s.settings.open.balls.selection)) {
     reader.fault({"open", "selection"}, std::string("cannot be understood, ") + fault->what());
+  }
+  const std::vector<std::string>& treated = s.settings.open.balls.treated;
+  for (std::size_t i = 0; i < treated.size(); ++i) {
+    try {
+      static_cast<void>(parse_treatment(treated[i]));
+    } catch (const std::invalid_argument& error) {
+      reader.fault({"open", "treat", std::to_string(i)},
+                   std::string("cannot be understood: ") + error.what());
+    }
   }
   const AlphaSlider& a = s.view.panels.alpha_slider;
   if (!(a.low < a.high)) {

@@ -195,4 +195,16 @@ std::function<bool(std::size_t)> atoms_named(const Molecule& molecule, std::stri
   };
 }
 
+std::optional<SelectionError> fault_of_address(std::string_view text) {
+  if (!has_addresses(text)) return fault_of_selection(text);
+  try {
+    for (const std::string_view part : split(text, ',')) {
+      AddressReader(part, static_cast<std::size_t>(part.data() - text.data()) + 1).read();
+    }
+    return std::nullopt;
+  } catch (const SelectionError& error) {
+    return error;
+  }
+}
+
 }  // namespace alphascope

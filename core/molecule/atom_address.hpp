@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -28,5 +29,9 @@ std::string residue_within_chain(const Molecule& molecule, std::size_t atom);
 // selection_expression.hpp. The molecule must outlive the result. Throws SelectionError.
 std::function<bool(std::size_t)> atoms_named(const Molecule& molecule, std::string_view text,
                                              const PictureAtoms& picture = {});
+
+// Why atoms_named() cannot understand a text where there is no picture, whatever the molecule;
+// nothing when it can.
+std::optional<SelectionError> fault_of_address(std::string_view text);
 
 }  // namespace alphascope

@@ -2,10 +2,12 @@
 #include "core/molecule/treatments.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <stdexcept>
 
 #include "core/molecule/atom_address.hpp"
 #include "core/molecule/printable.hpp"
+#include "core/molecule/selection_expression.hpp"
 #include "core/molecule/selection_masks.hpp"
 
 namespace alphascope {
@@ -20,6 +22,12 @@ std::string_view without_blanks(std::string_view text) {
   return text;
 }
 
+// A word that is no expression ("PU8") is the name of residues, which another file may have.
+bool is_only_a_name(std::string_view text) {
+  constexpr std::string_view kNoName = " \t:#,()\"'";
+  return text.find_first_of(kNoName) == text.npos && fault_of_selection(text).has_value();
+}
+
 // By the name of residues, where the molecule has such; else as everywhere.
 std::function<bool(std::size_t)> residues_named(const Molecule& molecule, const std::string& text) {
   const NameId name = molecule.names.find(text);
@@ -27,6 +35,7 @@ std::function<bool(std::size_t)> residues_named(const Molecule& molecule, const 
   if (name != 0 && std::any_of(molecule.atoms.begin(), molecule.atoms.end(), has_name)) {
     return [&molecule, name](std::size_t i) { return molecule.atoms[i].residue_name == name; };
   }
+  if (is_only_a_name(text)) return [](std::size_t) { return false; };
   return atoms_named(molecule, text);
 }
 
@@ -63,7 +72,11 @@ Treatment parse_treatment(std::string_view text) {
   if (equals != std::string_view::npos && !residues.empty()) {
     const std::string_view word = without_blanks(text.substr(equals + 1));
     for (const AtomKind kind : kKinds) {
-      if (word == kind_name(kind)) return {std::string(residues), kind};
+      if (word != kind_name(kind)) continue;
+      const auto fault = is_only_a_name(residues) ? std::nullopt : fault_of_address(residues);
+      if (!fault) return {std::string(residues), kind};
+      throw std::invalid_argument("\"" + printable(std::string(residues)) +
+                                  "\" does not say which residues, " + fault->what());
     }
   }
   throw std::invalid_argument("\"" + printable(std::string(text)) +

@@ -19,12 +19,13 @@ struct Treatment {
 // "polymer", "water", "ligand", "ion", "dummy".
 const char* kind_name(AtomKind kind);
 
-// Throws std::invalid_argument for a text that is none; the residues are not looked for.
+// Throws std::invalid_argument for a text that is none, and for an address or expression that
+// cannot be understood; the residues are not looked for.
 Treatment parse_treatment(std::string_view text);
 std::string treatment_text(const Treatment& treatment);
 
 // Gives all atoms of these residues their kind, in this order, with ResidueReason::by_hand. A note
-// says which treatment found nothing. Throws SelectionError for an expression that cannot be read.
+// says which treatment found nothing. Throws as parse_treatment().
 void treat(Molecule& molecule, const std::vector<std::string>& treatments);
 
 // Takes what was said of these residues out of a list, and adds what is said now, if anything.

@@ -448,5 +448,29 @@ TEST(SessionFile, ASelectionThatCannotBeUnderstoodIsRefusedWithItsPlace) {
   }
 }
 
+TEST(SessionFile, AWrongTreatmentIsRefusedWithItsPlace) {
+  const auto reason = [](const std::string& treatment, std::size_t line) {
+    const std::string text =
+        "{\"alphascope_session\": 1,\n\"molecule\": {\"absolute_path\": \"/a\", \"sha256\": \"" +
+        kHash + "\"},\n\"open\": {\n\"treat\": [\"PU8=ligand\",\n\"" + treatment + "\"]}}";
+    try {
+      parse_session("s.json", text);
+    } catch (const ReadError& error) {
+      EXPECT_EQ(error.line(), line) << error.what();
+      EXPECT_NE(error.remedy().find("take it out"), std::string::npos);
+      return error.reason();
+    }
+    return std::string("none");
+  };
+  EXPECT_EQ(reason("A:QIG 1=metal", 5),
+            "\"open.treat.1\" cannot be understood: \"A:QIG 1=metal\" does not say what residues "
+            "are; write them as \"A:PU8 301=ligand\" or \"PU8=ligand\", with polymer, ligand, ion, "
+            "water or dummy");
+  EXPECT_TRUE(reason("resi (=ion", 5)
+                  .starts_with("\"open.treat.1\" cannot be understood: \"resi (\" does not say "
+                               "which residues, column 6: "));
+  EXPECT_EQ(reason("A:QIG 1=ion", 5), "none");
+}
+
 }  // namespace
 }  // namespace alphascope

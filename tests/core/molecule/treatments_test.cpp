@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <stdexcept>
+#include <string>
 
 #include "core/molecule/prepare_balls.hpp"
 
@@ -36,7 +37,8 @@ TEST(Treatments, AreReadAndWritten) {
   EXPECT_EQ(t.residues, "A:PU8 301");
   EXPECT_EQ(t.kind, AtomKind::ligand);
   EXPECT_EQ(treatment_text(t), "A:PU8 301=ligand");
-  for (const char* wrong : {"", "A:PU8 301", "=ligand", "LIG=metal", "LIG="}) {
+  for (const char* wrong :
+       {"", "A:PU8 301", "=ligand", "LIG=metal", "LIG=", "resi (=ion", "A:LIG x=ion", "#0=ion"}) {
     EXPECT_THROW(parse_treatment(wrong), std::invalid_argument) << wrong;
   }
 }
@@ -52,6 +54,17 @@ TEST(Treatments, GoByAddressNameAndExpression) {
   treat(m, {"B:XYZ 7=water"});
   ASSERT_EQ(m.notes.size(), 1u);
   EXPECT_EQ(m.notes[0], "To be treated as water, but not in this file: B:XYZ 7");
+}
+
+// A list of treatments is for many files; of these one has no such residue.
+TEST(Treatments, ANameThatIsNotThereFindsNothing) {
+  for (const std::string name : {"PU8", "005", "C-1"}) {
+    Molecule m = small();
+    treat(m, {name + "=water"});
+    EXPECT_EQ(m.atoms[0].kind, AtomKind::ligand);
+    ASSERT_EQ(m.notes.size(), 1u);
+    EXPECT_EQ(m.notes[0], "To be treated as water, but not in this file: " + name);
+  }
 }
 
 TEST(Treatments, OneOfEachResidueIsKept) {

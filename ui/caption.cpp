@@ -1,6 +1,9 @@
 // See the header.
 #include "ui/caption.hpp"
 
+#include <cstdint>
+
+#include "core/geometry/alpha.hpp"
 #include "core/molecule/grouped_number.hpp"
 #include "core/molecule/printable.hpp"
 #include "ui/number_text.hpp"
@@ -20,11 +23,21 @@ std::string counts_text(const AlphaComplex& c) {
          counted(c.triangles.size(), "triangle", "triangles") + ", " + tetrahedra;
 }
 
+// All digits that were typed: of a rounded alpha a reader makes another complex.
+std::string alpha_text(const Alpha& alpha) {
+  constexpr int kDecimals = 6;
+  constexpr std::int64_t kBeyondThem = Alpha::kParts / 1000000;
+  if (alpha.is_decimal() && alpha.fraction() % kBeyondThem != 0) {
+    return with_minus_signs(alpha.digits());
+  }
+  return short_number_text(alpha, kDecimals);
+}
+
 }  // namespace
 
 std::vector<std::string> caption_words(const EngineAnswer& answer, const Molecule& molecule,
                                        const std::string& radii, CaptionParts parts) {
-  constexpr int kAlphaDecimals = 6, kSolventDecimals = 4;  // at most
+  constexpr int kSolventDecimals = 4;  // at most
   const AlphaComplex& c = answer.complex;
   const double solvent = answer.request.solvent_radius_angstrom;
   std::vector<std::string> words;
@@ -32,8 +45,7 @@ std::vector<std::string> caption_words(const EngineAnswer& answer, const Molecul
     if (parts.has(part) && !text.empty()) words.push_back(text);
   };
   add(CaptionPart::file, printable(molecule.source.filename().string()));
-  add(CaptionPart::alpha,
-      "α = " + short_number_text(answer.request.alpha_angstrom2, kAlphaDecimals) + " Å²");
+  add(CaptionPart::alpha, "α = " + alpha_text(answer.request.alpha_angstrom2) + " Å²");
   if (solvent > 0) {
     add(CaptionPart::solvent, "solvent " + short_number_text(solvent, kSolventDecimals) + " Å");
   }

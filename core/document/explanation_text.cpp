@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "core/document/dimension_words.hpp"
+#include "core/molecule/shortest_number.hpp"
 
 namespace alphascope {
 namespace {
@@ -120,14 +121,21 @@ class Sentences {
   std::string the() const { return std::string("this ") + simplex_kind_name(e_.simplex.size()); }
   std::string ball(BallIndex b) const { return ball_text(b, name_); }
 
+  // With all digits where a rounded one would look like alpha.
+  std::string value_beside(const Alpha& alpha) const {
+    const std::string value = square(e_.appears.angstrom2);
+    return value == square(alpha) ? shortest_number(e_.appears.angstrom2) + " Å²" : value;
+  }
+
   void answer() {
     if (!e_.at_alpha) {
       return add("Answer", "It is in the alpha complex from alpha = " +
                                square(e_.appears.angstrom2) + " on.");
     }
     const AtAlpha& at = *e_.at_alpha;
-    const std::string alpha = square(e_.lattice.alpha_angstrom2(at.alpha_on_lattice));
-    const std::string value = square(e_.appears.angstrom2);
+    const Alpha given = e_.lattice.alpha_angstrom2(at.alpha_on_lattice);
+    const std::string alpha = shortest_number(given) + " Å²";
+    const std::string value = value_beside(given);
     if (!at.in_complex) {
       return add("Answer", "It is not in the alpha complex at alpha = " + alpha +
                                ". Its alpha value, " + value + ", is larger.");

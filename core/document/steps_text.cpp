@@ -4,6 +4,7 @@
 
 #include "core/document/step_words.hpp"
 #include "core/molecule/short_number.hpp"
+#include "core/molecule/shortest_number.hpp"
 
 namespace alphascope {
 namespace {
@@ -70,9 +71,9 @@ class Writer {
              "left out." +
              others;
     }
-    return "At alpha = " + short_number(steps_.lattice.alpha_angstrom2(steps_.alpha_on_lattice)) +
-           " Å², " + the_ball() + " has shrunk to nothing: r² + α is negative. It is left out." +
-           others;
+    return "At alpha = " +
+           shortest_number(steps_.lattice.alpha_angstrom2(steps_.alpha_on_lattice)) + " Å², " +
+           the_ball() + " has shrunk to nothing: r² + α is negative. It is left out." + others;
   }
 
   std::string grid() const {

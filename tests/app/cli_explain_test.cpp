@@ -42,6 +42,21 @@ TEST_F(CliExplain, SaysWhatAnEdgeIs) {
   }
 }
 
+// rho of the edge is 1.25000150000025 Å², a little more than alpha: both with their digits.
+TEST_F(CliExplain, DoesNotRoundWhatDecides) {
+  const std::string file = "'" + write("two.xyzr", "0 0 0 1\n3.000001 0 0 1\n").string() + "'";
+  const std::string text =
+      run("explain " + file + " --simplex 0,1 --alpha 1.250001500000249999").out;
+  std::string words;  // without the breaks of lines
+  for (const char c : text) {
+    if (c != ' ' && c != '\n') words += c;
+  }
+  EXPECT_TRUE(contains(words,
+                       "Itisnotinthealphacomplexatalpha=1.250001500000249999Å²."
+                       "Itsalphavalue,1.25000150000025Å²,islarger."))
+      << text;
+}
+
 TEST_F(CliExplain, SaysWhatIsNotThere) {
   const std::string cube = "'" + cube_.string() + "'";
   // Four corners of one side; the diagonal of the cube or of a side, by ties.

@@ -37,6 +37,12 @@ TEST(Caption, SaysEachPartWithItsUnit) {
   answer.complex.tetrahedra_only = true;
   EXPECT_EQ(words("counts"), "1 tetrahedron");
   EXPECT_EQ(words("none"), "");
+  Alpha fine;
+  ASSERT_EQ(Alpha::read("-1.000002652010249999", fine), Alpha::Reading::ok);
+  answer.request.alpha_angstrom2 = fine;
+  EXPECT_EQ(words("alpha"), "α = −1.000002652010249999 Å²");
+  answer.request.alpha_angstrom2 = 1e24;
+  EXPECT_EQ(words("alpha"), "α = 10²⁴ Å²");
 }
 
 class CaptionInWindow : public ViewerTest {

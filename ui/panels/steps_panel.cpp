@@ -6,6 +6,7 @@
 #include "core/document/channel_texts.hpp"
 #include "core/document/store.hpp"
 #include "core/molecule/short_number.hpp"
+#include "core/molecule/shortest_number.hpp"
 #include "ui/number_text.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/panels/steps_layer.hpp"
@@ -109,11 +110,12 @@ void draw_text(PanelContext& ctx, float width) {
   ImGui::BeginChild("text", {width, 0}, false);
   strong_text(ctx, text.title + ": " + with_minus_signs(text.brief));
   record(ctx, "steps.title");
-  muted_text(ctx, fitted_text(name_of_ball(ctx, told.steps.ball) + " at α = " +
-                                  with_minus_signs(short_number(told.steps.lattice.alpha_angstrom2(
-                                      told.steps.alpha_on_lattice))) +
-                                  " Å²",
-                              ImGui::GetContentRegionAvail().x));
+  muted_text(ctx,
+             fitted_text(name_of_ball(ctx, told.steps.ball) + " at α = " +
+                             with_minus_signs(shortest_number(
+                                 told.steps.lattice.alpha_angstrom2(told.steps.alpha_on_lattice))) +
+                             " Å²",
+                         ImGui::GetContentRegionAvail().x));
   wrapped_text(with_minus_signs(text.text));
   record(ctx, "steps.text");
   if (!told.growth.empty()) {

@@ -39,7 +39,7 @@ std::function<bool(std::size_t)> residues_named(const Molecule& molecule, const 
   return atoms_named(molecule, text);
 }
 
-void treat(Molecule& molecule, const Treatment& treatment) {
+std::vector<bool> treat(Molecule& molecule, const Treatment& treatment) {
   const auto named = residues_named(molecule, treatment.residues);
   std::vector<bool> atoms(molecule.atoms.size());
   for (std::size_t i = 0; i < atoms.size(); ++i) atoms[i] = named(i);
@@ -54,9 +54,11 @@ void treat(Molecule& molecule, const Treatment& treatment) {
     atom.kind = treatment.kind;
     atom.why = ResidueReason::by_hand;
   }
-  if (found) return;
-  molecule.notes.push_back("To be treated as " + std::string(kind_name(treatment.kind)) +
-                           ", but not in this file: " + printable(treatment.residues));
+  if (!found) {
+    molecule.notes.push_back("To be treated as " + std::string(kind_name(treatment.kind)) +
+                             ", but not in this file: " + printable(treatment.residues));
+  }
+  return atoms;
 }
 
 }  // namespace
@@ -89,8 +91,11 @@ std::string treatment_text(const Treatment& treatment) {
   return treatment.residues + "=" + kind_name(treatment.kind);
 }
 
-void treat(Molecule& molecule, const std::vector<std::string>& treatments) {
-  for (const std::string& text : treatments) treat(molecule, parse_treatment(text));
+TreatedAtoms treat(Molecule& molecule, const std::vector<std::string>& treatments) {
+  TreatedAtoms atoms;
+  for (const std::string& text : treatments)
+    atoms.push_back(treat(molecule, parse_treatment(text)));
+  return atoms;
 }
 
 void set_treatment(std::vector<std::string>& treatments, const Treatment& treatment) {

@@ -24,9 +24,12 @@ const char* kind_name(AtomKind kind);
 Treatment parse_treatment(std::string_view text);
 std::string treatment_text(const Treatment& treatment);
 
+// For each treatment, which atoms it named.
+using TreatedAtoms = std::vector<std::vector<bool>>;
+
 // Gives all atoms of these residues their kind, in this order, with ResidueReason::by_hand. A note
 // says which treatment found nothing. Throws as parse_treatment().
-void treat(Molecule& molecule, const std::vector<std::string>& treatments);
+TreatedAtoms treat(Molecule& molecule, const std::vector<std::string>& treatments);
 
 // Takes what was said of these residues out of a list, and adds what is said now, if anything.
 void set_treatment(std::vector<std::string>& treatments, const Treatment& treatment);

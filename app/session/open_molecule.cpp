@@ -4,6 +4,7 @@
 
 #include "core/io/user_radii.hpp"
 #include "core/molecule/assembly.hpp"
+#include "core/molecule/residue_groups.hpp"
 #include "core/molecule/treatments.hpp"
 
 namespace alphascope {
@@ -33,12 +34,26 @@ void expand(OpenedMolecule& opened, const OpenOptions& options, const RunContext
     opened.molecule = std::make_shared<const Molecule>(
         expand_assembly(*opened.deposited, options.assembly, context));
   }
+  TreatedAtoms atoms;
   if (!options.sandbox && !options.balls.treated.empty()) {
     auto treated = std::make_shared<Molecule>(*opened.molecule);
-    treat(*treated, options.balls.treated);
+    atoms = treat(*treated, options.balls.treated);
     opened.molecule = std::move(treated);
   }
+  opened.treated = std::make_shared<const TreatedAtoms>(std::move(atoms));
   opened.contents = std::make_shared<const MoleculeContents>(contents_of(*opened.molecule));
+}
+
+// After prepare(), which refuses a model that is not there.
+void list_residues_of_model(OpenedMolecule& opened, const OpenOptions& options) {
+  const Molecule& molecule = *opened.molecule;
+  std::size_t begin = 0, end = molecule.atoms.size();
+  if (!options.sandbox && options.balls.model != kAllModels) {
+    const ModelRange& model = molecule.models[static_cast<std::size_t>(options.balls.model)];
+    begin = model.begin, end = model.end;
+  }
+  opened.residues = std::make_shared<const ResidueGroups>(residue_groups(
+      *opened.deposited, molecule, begin, end, options.balls.treated, *opened.treated));
 }
 
 }  // namespace
@@ -51,6 +66,7 @@ OpenedMolecule open_molecule(const std::filesystem::path& path, const OpenOption
   opened.assemblies = list_assemblies(*opened.deposited);
   expand(opened, options, context);
   opened.prepared = prepare(*opened.molecule, options, context);
+  list_residues_of_model(opened, options);
   opened.options = options;
   return opened;
 }
@@ -63,8 +79,17 @@ OpenedMolecule reopen_molecule(const OpenedMolecule& opened, const OpenOptions& 
                            options.balls.treated != opened.options.balls.treated;
   if (other_atoms) expand(result, options, context);
   result.prepared = prepare(*result.molecule, options, context);
+  if (other_atoms || options.balls.model != opened.options.balls.model) {
+    list_residues_of_model(result, options);
+  }
   result.options = options;
   return result;
+}
+
+bool same_atoms(const OpenedMolecule& a, const OpenedMolecule& b) {
+  if (a.molecule == b.molecule) return true;
+  return a.deposited == b.deposited && a.options.assembly == b.options.assembly &&
+         !a.options.sandbox && !b.options.sandbox;
 }
 
 }  // namespace alphascope

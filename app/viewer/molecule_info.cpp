@@ -57,6 +57,7 @@ void sort_radius_rows(std::vector<RadiusRow>& rows) {
 
 void describe_contents(MoleculeInfo& info, const OpenedMolecule& opened) {
   info.contents = *opened.contents;
+  info.residues = opened.residues;
   info.deposited_atoms = opened.deposited->atoms.size();
   info.assemblies = opened.assemblies;
   for (const ModelRange& model : opened.molecule->models) info.models.push_back(model.number);
@@ -111,6 +112,9 @@ void describe_provenance(MoleculeInfo& info, const OpenedMolecule& opened) {
   }
   rows.emplace_back("Radii", report.radii_name + (report.radii_citation.empty() ? "" : ": ") +
                                  report.radii_citation);
+  for (const std::string& treated : opened.options.balls.treated) {
+    rows.emplace_back("By hand", treated);
+  }
   for (const GuessedRadius& o : report.overridden) {
     rows.emplace_back("By hand", o.atoms + ": " + short_number_text(o.radius_angstrom, 6) + " Å (" +
                                      count(o.count) + ")");

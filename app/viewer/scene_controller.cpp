@@ -51,7 +51,7 @@ std::shared_ptr<const Molecule> SceneController::molecule() const {
 }
 
 void SceneController::set_molecule(std::shared_ptr<const OpenedMolecule> opened) {
-  const bool same_molecule = viewed_ == opened->molecule;
+  const bool same_molecule = viewed_ && same_atoms(*viewed_, *opened);
   mesh_worker_.cancel();
   prepared_ = opened->prepared;
   opened_ = std::move(opened);

@@ -312,7 +312,7 @@ class SceneController {
   DrawnLayers drawn_layers_;
   BesideBody beside_body_;
   std::optional<PickLayer> beside_body_pick_;
-  std::shared_ptr<const Molecule> viewed_;  // that the camera was set for
+  std::shared_ptr<const OpenedMolecule> viewed_;  // that the camera was set for
   std::string not_drawn_;
   std::optional<CameraPlace> wanted_camera_;  // of the next molecule
   bool pending_ = false;

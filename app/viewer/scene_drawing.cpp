@@ -205,7 +205,7 @@ void SceneController::show(Drawing drawing) {
   const bool new_balls = drawing.molecule != drawn_molecule_;
   outdated_since_.reset();  // the next that is awaited may take its time as well
   const bool of_sandbox = changes_sandbox(drawn_molecule_.get(), *drawing.molecule);
-  const bool keep_view = viewed_ == drawing.molecule->molecule || (viewed_ && of_sandbox);
+  const bool keep_view = viewed_ && (of_sandbox || same_atoms(*viewed_, *drawing.molecule->opened));
   const std::optional<NamedView> place =
       keep_view && of_sandbox ? std::optional(named_view("")) : std::nullopt;
   new_picture_ = true;
@@ -240,7 +240,7 @@ void SceneController::show(Drawing drawing) {
   dirty_ = true;
   if (!new_balls) return;
   submit_beside_body();
-  viewed_ = draws_nothing() ? nullptr : drawn_molecule_->molecule;
+  viewed_ = draws_nothing() ? nullptr : drawn_molecule_->opened;
   if (!keep_view) quality_.forget(), balls_.forget();
   if (place) go_to(*place);  // the middle of all balls may be elsewhere now
   // Other atoms of the same molecule keep the view, unless it shows none of them.

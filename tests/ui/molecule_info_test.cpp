@@ -59,6 +59,38 @@ TEST(MoleculeInfo, TellsEverythingThatIsChosenFrom) {
   EXPECT_DOUBLE_EQ(info.radius_rows[0].radius.radius_angstrom, 1.5);
 }
 
+TEST(MoleculeInfo, ResiduesAreThoseOfTheModelThatIsUsed) {
+  OpenOptions options = some_options();
+  options.balls.treated = {"HEM=polymer"};
+  const MoleculeInfo one = describe_molecule(open_text(kTwoModels, options));
+  EXPECT_EQ(kinds_text(one.residues->kinds), "polymer 2 · water 1");
+  EXPECT_EQ(one.residues->by_hand, 1u);
+  EXPECT_EQ(value_of(one, "By hand"), "HEM=polymer");
+  options.balls.model = kAllModels;
+  const MoleculeInfo all = describe_molecule(open_text(kTwoModels, options));
+  EXPECT_EQ(kinds_text(all.residues->kinds), "polymer 4 · water 2");
+}
+
+TEST(MoleculeInfo, ResiduesFollowTheModelWithoutReadingAnew) {
+  const TemporaryFile file("a.pdb", std::string(kTwoModels) +
+                                        "MODEL       11\n"
+                                        "HETATM    1  O   HOH A   6       3.266  25.413   8.842  "
+                                        "1.00 10.38           O  \n"
+                                        "ENDMDL\n");
+  OpenOptions options;
+  const OpenedMolecule first = open_molecule(file.path(), options, {});
+  options.balls.model = 2;
+  const OpenedMolecule third = reopen_molecule(first, options, {});
+  EXPECT_EQ(kinds_text(third.residues->kinds), "water 1");
+  options.balls.treated = {"HOH=ligand"};
+  const OpenedMolecule treated = reopen_molecule(third, options, {});
+  EXPECT_EQ(kinds_text(treated.residues->kinds), "ligand 1");
+  EXPECT_TRUE(same_atoms(first, treated));
+  OpenedMolecule assembly = treated;
+  assembly.options.assembly = "1";
+  EXPECT_FALSE(same_atoms(first, assembly));
+}
+
 TEST(MoleculeInfo, ProvenanceNamesWhatTheNumbersDependOn) {
   const MoleculeInfo info = describe_molecule(open_text(kTwoModels, some_options()));
   EXPECT_EQ(value_of(info, "SHA-256").size(), 64u);

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,6 +12,7 @@
 #include "core/molecule/assembly.hpp"
 #include "core/molecule/contents.hpp"
 #include "core/molecule/prepare_balls.hpp"
+#include "core/molecule/residue_groups.hpp"
 #include "ui/clip_handle.hpp"
 #include "ui/picture_marks.hpp"
 #include "ui/view_problem.hpp"
@@ -47,8 +49,9 @@ struct MoleculeInfo {
   std::size_t dropped_atoms = 0;
   std::vector<DroppedRow> dropped;
   std::vector<RadiusRow> radius_rows;
-  MoleculeContents contents;          // of the whole molecule, all models
-  std::uint64_t deposited_atoms = 0;  // of all models
+  MoleculeContents contents;                      // of the whole molecule, all models
+  std::shared_ptr<const ResidueGroups> residues;  // of the model that is used; may be null
+  std::uint64_t deposited_atoms = 0;              // of all models
   std::vector<AssemblyInfo> assemblies;
   std::vector<int> models;  // their numbers, as the file says
   bool has_file_radii = false;

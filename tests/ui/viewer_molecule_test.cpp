@@ -121,6 +121,81 @@ TEST_F(ViewerMoleculeTest, ATypedRadiusRecomputesAndIsCounted) {
   EXPECT_EQ(hash(), before);
 }
 
+TEST_F(ViewerMoleculeTest, ResiduesAreTreatedInTheListUndoneAndSaved) {
+  const ViewState& s = viewer_->state();
+  open_file(haemoglobin());
+  const std::string before = hash();
+  const std::size_t balls = molecule().balls;
+  run("click molecule.residues\nclick residue.HOH\nclick residue.as.ligand\nwait-idle\n");
+  EXPECT_EQ(s.open.balls.treated, std::vector<std::string>{"HOH=ligand"});
+  OpenOptions options;
+  options.balls.treated = {"HOH=ligand"};
+  const std::string treated = expected_hash(haemoglobin(), options);
+  EXPECT_EQ(hash(), treated);
+  EXPECT_EQ(molecule().balls, balls + 221) << "waters are left out, ligands are not";
+  EXPECT_EQ(molecule().residues->by_hand, 221u);
+  run("file.save_session " + (folder_ / "s.json").string() + "\nwait-idle\n");
+  EXPECT_NE(bytes("s.json").find("\"HOH=ligand\""), std::string::npos);
+  run("edit.undo\nwait-idle\n");
+  EXPECT_TRUE(s.open.balls.treated.empty());
+  EXPECT_EQ(molecule().residues->by_hand, 0u);
+  EXPECT_EQ(hash(), before);
+  run("edit.redo\nwait-idle\n");
+  EXPECT_EQ(hash(), treated);
+  run("click residue.HOH\nclick residue.as.file\nwait-idle\n");
+  EXPECT_TRUE(s.open.balls.treated.empty());
+  EXPECT_EQ(hash(), before);
+}
+
+TEST_F(ViewerMoleculeTest, TreatedResiduesKeepViewSelectionAndAlpha) {
+  const ViewState& s = viewer_->state();
+  open_file(haemoglobin());
+  run("alpha.set 1.4\nselect.atoms A:15\nmove view 0.5 0.5\nwheel 3\nwait-idle\n");
+  const auto camera = [&](const std::string& name) {
+    run("view.save_camera " + name + "\nframes 2\n");
+    return viewer_->state().views.back();
+  };
+  const NamedView before = camera("before");
+  const RefSet picked = s.picked.items;
+  ASSERT_FALSE(picked.empty());
+  run("click molecule.residues\nclick residue.HOH\nclick residue.as.ligand\nwait-idle\n");
+  const NamedView after = camera("after");
+  for (std::size_t k = 0; k < 3; ++k) {
+    EXPECT_NEAR(after.position[k], before.position[k], 1e-6) << "they are the same atoms";
+    EXPECT_NEAR(after.focal_point[k], before.focal_point[k], 1e-6);
+  }
+  EXPECT_EQ(s.picked.items, picked);
+  EXPECT_DOUBLE_EQ(s.result->request.alpha_angstrom2, 1.4);
+  EXPECT_EQ(hash(), hash_text(expected(1.4).hash));
+}
+
+TEST_F(ViewerMoleculeTest, AGuessIsShownAtOnceAndConfirmedOrPutRight) {
+  const fs::path path =
+      write("guess.pdb",
+            "ATOM      1  C1  QQ1 A   1       0.000   0.000   0.000  1.00  0.00           C\n"
+            "ATOM      2  C2  QQ1 A   1       1.500   0.000   0.000  1.00  0.00           C\n"
+            "ATOM      3  O3  QQ1 A   1       0.000   1.500   0.000  1.00  0.00           O\n");
+  open_file(path);
+  ASSERT_EQ(molecule().residues->of.size(), 1u);
+  EXPECT_EQ(molecule().residues->of[0].why, ResidueReason::no_polymer);
+  EXPECT_EQ(molecule().residues->guessed, 1u);
+  run("click residue.QQ1\nclick residue.as.ligand\nwait-idle\n");
+  EXPECT_EQ(viewer_->state().open.balls.treated, std::vector<std::string>{"QQ1=ligand"});
+  EXPECT_EQ(molecule().residues->guessed, 0u);
+  EXPECT_EQ(molecule().balls, 3u);
+  run("click molecule.ligands\nclick residue.QQ1\nclick residue.as.polymer\nwait-idle\n");
+  EXPECT_EQ(viewer_->state().open.balls.treated, std::vector<std::string>{"QQ1=polymer"});
+  EXPECT_EQ(molecule().balls, 3u) << "no ligand any more";
+  open_crambin();
+  EXPECT_TRUE(viewer_->state().open.balls.treated.empty()) << "of the file before";
+}
+
+TEST_F(ViewerMoleculeTest, AClickOnANameSelectsItsAtoms) {
+  open_file(haemoglobin());
+  run("click molecule.residues\nclick residue.name.HEM\nwait-idle\n");
+  EXPECT_EQ(viewer_->state().picked.items.size(), 4u * 43u);
+}
+
 TEST_F(ViewerMoleculeTest, ATableOfRadiiIsUsedAndABadOneTakenBack) {
   open_crambin();
   const fs::path good = write("radii.txt", "C 1.9\nN 1.8\nO 1.7\nS 2.0\n");

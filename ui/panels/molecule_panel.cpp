@@ -88,6 +88,7 @@ void draw_molecule_panel(PanelContext& ctx) {
   reserve_lines(top, kSummaryLines);
   dropped(ctx);
   notes(ctx);
+  draw_residue_rows(ctx);
   draw_source_rows(ctx);
   draw_radii_rows(ctx);
   draw_selection_rows(ctx);

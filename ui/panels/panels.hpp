@@ -23,6 +23,7 @@ void draw_context_menu(PanelContext& ctx);
 void draw_source_rows(PanelContext& ctx);  // assembly and models
 void draw_selection_rows(PanelContext& ctx);
 void draw_radii_rows(PanelContext& ctx);
+void draw_residue_rows(PanelContext& ctx);  // what each residue was taken for
 void draw_provenance(PanelContext& ctx);
 
 // What is in the view, in one line: molecule, alpha, and why there is nothing of the complex.

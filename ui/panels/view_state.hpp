@@ -167,6 +167,7 @@ struct PanelMemory {
   std::string expression_shown;  // the one in force when expression_typed was last taken over
   std::string chain_filter;
   std::string confirm_assembly;  // id of the one that is asked about; empty: none
+  std::string residues_of;       // SHA-256 of the molecule whose list of residues was shown last
   int radius_editing = -1;       // row of MoleculeInfo::radius_rows whose text is being typed
   std::string radius_typed;
   std::string radius_error;        // why what was typed is no radius

@@ -11,7 +11,8 @@
 namespace alphascope::cli {
 namespace {
 
-std::string memory_remedy = "Close other programs.";
+constexpr const char* kForAnyCommand = "Close other programs.";
+std::string memory_remedy = kForAnyCommand;
 
 }  // namespace
 
@@ -33,7 +34,7 @@ void set_memory_remedy(const OptionCommand& command) {
   add(has("--tetrahedra-only"), "add --tetrahedra-only");
   add(has("--select"),
       text.empty() ? "Keep fewer atoms with --select" : "keep fewer atoms with --select");
-  if (!text.empty()) memory_remedy = text + ".";
+  memory_remedy = text.empty() ? kForAnyCommand : text + ".";
 }
 
 Failure current_failure() {

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 #include <algorithm>
 #include <cstdlib>
+#include <sstream>
+#include <string>
 
 #include "core/molecule/prepare_balls.hpp"
 #include "tests/core/io/temporary_file.hpp"
@@ -206,6 +208,51 @@ TEST(Assembly, OfAProductTheLastOperatorMovesFirst) {
   EXPECT_EQ(places("2"), (Points{{10000, 1000, 0}}));
   // The last factor runs fastest.
   EXPECT_EQ(places("3"), (Points{{-1000, 0, 0}, {0, 11000, 0}, {10000, 1000, 0}, {21000, 0, 0}}));
+}
+
+// A file that holds an assembly already has chains with the names of copies.
+TEST(Assembly, CopiesGetNamesThatAreFree) {
+  const auto file = [](const std::string& chains) {
+    std::string text =
+        "data_x\nloop_\n_pdbx_struct_assembly_gen.assembly_id\n"
+        "_pdbx_struct_assembly_gen.oper_expression\n_pdbx_struct_assembly_gen.asym_id_list\n"
+        "1 1,2 A\nloop_\n_pdbx_struct_oper_list.id\n";
+    for (const char* row : {"1", "2", "3"}) {
+      for (const char* column : {"1", "2", "3"}) {
+        text += "_pdbx_struct_oper_list.matrix[" + std::string(row) + "][" + column + "]\n";
+      }
+      text += "_pdbx_struct_oper_list.vector[" + std::string(row) + "]\n";
+    }
+    text +=
+        "1 1 0 0 0 0 1 0 0 0 0 1 0\n2 1 0 0 50 0 1 0 0 0 0 1 0\n"
+        "loop_\n_atom_site.id\n_atom_site.type_symbol\n_atom_site.label_asym_id\n"
+        "_atom_site.auth_asym_id\n_atom_site.Cartn_x\n_atom_site.Cartn_y\n_atom_site.Cartn_z\n"
+        "1 C A A 1 2 3\n";
+    int number = 1;
+    std::istringstream names(chains);
+    for (std::string name; names >> name;) {
+      const std::string n = std::to_string(++number);
+      text += n + " C L" + n + " " + name + " " + n + "0 2 3\n";
+    }
+    return read_text("a.cif", text);
+  };
+  const auto second_copy = [](const Molecule& m) {
+    EXPECT_EQ(m.atoms.size(), 2u);
+    EXPECT_EQ(m.text(m.atoms.front().chain), "A");
+    return std::string(m.text(m.atoms.back().chain));
+  };
+  const auto says = [](const Molecule& m, const std::string& name) {
+    return std::any_of(m.notes.begin(), m.notes.end(), [&](const std::string& note) {
+      return note.find(name) != std::string::npos;
+    });
+  };
+  EXPECT_EQ(second_copy(expand_assembly(file(""), "1")), "A-2");
+  EXPECT_EQ(second_copy(expand_assembly(file("B-2 A-3 A_2"), "1")), "A-2");
+  const Molecule m = expand_assembly(file("A-2"), "1");
+  EXPECT_EQ(second_copy(m), "A_2");
+  EXPECT_TRUE(says(m, "A_2")) << "that it has another name is said";
+  EXPECT_EQ(second_copy(expand_assembly(file("A-2 A_2"), "1")), "A__2");
+  EXPECT_EQ(second_copy(expand_assembly(file("A__2 A_2 A-2"), "1")), "A___2");
 }
 
 TEST(Assembly, ExpandsTheCapsidsToTheirKnownSizes) {

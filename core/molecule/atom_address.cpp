@@ -30,19 +30,9 @@ std::vector<std::string_view> split(std::string_view text, char at) {
   return parts;
 }
 
-// A name in double quotes; one that contains a quote (an atom O5") has the pattern for any
-// character in its place.
-std::string quoted(std::string_view name) {
-  std::string text(name);
-  for (char& c : text) {
-    if (c == '"') c = '?';
-  }
-  return '"' + text + '"';
-}
-
 bool is_residue_number(std::string_view text) {
   try {
-    SelectionExpression::parse("resi " + quoted(text));
+    SelectionExpression::parse("resi " + quoted_name(text));
     return true;
   } catch (const SelectionError&) {
     return false;
@@ -102,7 +92,7 @@ class AddressReader {
 
   void add(std::string_view word, std::string_view name) {
     if (means_any(name)) return;
-    add_test(std::string(word) + " " + quoted(name));
+    add_test(std::string(word) + " " + quoted_name(name));
   }
   void add_test(const std::string& test) {
     expression_ += (expression_.empty() ? "" : " and ") + test;
@@ -115,7 +105,7 @@ class AddressReader {
     const std::string_view last =
         blank == std::string_view::npos ? residue : residue.substr(blank + 1);
     const bool number = is_residue_number(last);
-    if (number) add_test("resi " + quoted(last));
+    if (number) add_test("resi " + quoted_name(last));
     if (!number && blank != std::string_view::npos) {
       fail("\"" + std::string(last) + "\" is not a residue number such as 7, 12A, 10-20 or -5--1");
     }
@@ -139,6 +129,14 @@ bool is_nameless(const Atom& atom) {
 }
 
 }  // namespace
+
+std::string quoted_name(std::string_view name) {
+  std::string text(name);
+  for (char& c : text) {
+    if (c == '"') c = '?';
+  }
+  return '"' + text + '"';
+}
 
 std::string residue_within_chain(const Molecule& molecule, std::size_t index) {
   const Atom& atom = molecule.atoms[index];

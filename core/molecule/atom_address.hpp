@@ -22,6 +22,10 @@ std::string residue_address(const Molecule& molecule, std::size_t atom);
 // The same without the chain: "HIS 87", "#12".
 std::string residue_within_chain(const Molecule& molecule, std::size_t atom);
 
+// A name in double quotes, for expressions; one that contains a quote (an atom O5") has the pattern
+// for any character in its place.
+std::string quoted_name(std::string_view name);
+
 // Which atoms of the molecule, by index, are named by addresses with commas between them. A part
 // that is left out or * means any, and so do parts that are missing at the end: "A:" is chain A,
 // ":87" is residue 87 of every chain, "::CA" are all atoms CA, "A:10-20" is a range. "#12" finds

@@ -54,6 +54,10 @@ class Grouping {
 
   ResidueGroups take() {
     ResidueGroups result;
+    for (const Found& found : groups_) {
+      if (found.group.why != ResidueReason::virtual_site) of_name_[found.name].push_back(&found);
+    }
+    for (Found& found : groups_) name(found);
     for (Found& found : groups_) {
       const ResidueGroup& group = found.group;
       if (group.why != ResidueReason::virtual_site) {
@@ -61,7 +65,6 @@ class Grouping {
       }
       if (is_guess(group.why)) result.guessed += group.residues;
       if (group.why == ResidueReason::by_hand) result.by_hand += group.residues;
-      name(found);
       result.of.push_back(std::move(found.group));
     }
     return result;
@@ -112,7 +115,11 @@ class Grouping {
       group.called = {group.name};
       return;
     }
-    if (group.residues > kMostAddresses) return;
+    if (group.residues > kMostAddresses) {
+      const std::string expression = all_but_others(found);
+      if (!expression.empty()) group.called = {expression};
+      return;
+    }
     std::vector<std::string> called;
     for (const std::size_t atom : found.first) {
       if (!has_address(molecule_.atoms[atom])) return;
@@ -125,12 +132,33 @@ class Grouping {
     group.called = std::move(called);
   }
 
+  // "resn "HOH" and not (chain "A" and resi 143)"; empty where the others are too many as well.
+  std::string all_but_others(const Found& found) const {
+    const std::size_t others = residues_of_name_[found.name] - found.group.residues;
+    if (found.name == 0 || others > kMostAddresses) return {};
+    std::string text;
+    for (const Found* other : of_name_.at(found.name)) {
+      if (other == &found) continue;
+      for (const std::size_t index : other->first) {
+        const Atom& atom = molecule_.atoms[index];
+        text += text.empty() ? "(" : " or (";
+        if (atom.chain != 0) text += "chain " + quoted_name(molecule_.text(atom.chain)) + " and ";
+        std::string number = std::to_string(atom.residue_number);
+        if (atom.insertion_code != ' ') number += atom.insertion_code;
+        text += "resi " + (atom.residue_number < 0 ? quoted_name(number) : number) + ")";
+      }
+    }
+    if (others > 1) text = "(" + text + ")";
+    return "resn " + quoted_name(found.group.name) + " and not " + text;
+  }
+
   const Molecule& deposited_;
   const Molecule& molecule_;
   const std::vector<std::string>& treatments_;
   const TreatedAtoms& treated_;
   std::vector<std::size_t> residues_of_name_;  // that treatments can change
   std::vector<Found> groups_;
+  std::unordered_map<NameId, std::vector<const Found*>> of_name_;  // the same, when all are there
   std::unordered_map<std::uint64_t, std::size_t> places_;
   std::size_t place_ = 0;  // of the present residue
 };
@@ -192,11 +220,7 @@ std::string why_text(const ResidueGroup& group) {
 
 std::string selection_text(const ResidueGroup& group) {
   if (group.called.empty()) return {};
-  if (group.called.front() == group.name) {
-    std::string name = group.name;
-    std::replace(name.begin(), name.end(), '"', '?');
-    return "resn \"" + name + "\"";
-  }
+  if (group.called.front() == group.name) return "resn " + quoted_name(group.name);
   return std::accumulate(
       std::next(group.called.begin()), group.called.end(), group.called.front(),
       [](const std::string& text, const std::string& address) { return text + "," + address; });

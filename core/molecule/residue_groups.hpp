@@ -22,9 +22,10 @@ struct ResidueGroup {
   ResidueReason file_why = ResidueReason::none;
   std::size_t residues = 0, atoms = 0;
   std::size_t nth = 1;  // of the groups of this name, in the order of the list
-  // What treatments call them: their name, or the address of each where others have the name as
-  // well. Empty where they cannot be named: more than kMostAddresses, points without matter, atoms
-  // of which the file gives nothing but a chain.
+  // What treatments call them: their name, or where others have the name as well the address of
+  // each, or an expression that leaves out the others. Empty where they cannot be named: more than
+  // kMostAddresses on both sides, points without matter, atoms of which the file gives nothing but
+  // a chain.
   std::vector<std::string> called;
   std::vector<std::string> treated;  // the treatments in force that name any of them
   friend bool operator==(const ResidueGroup&, const ResidueGroup&) = default;

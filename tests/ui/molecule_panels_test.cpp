@@ -1,9 +1,5 @@
 // The molecule panel: every rule of opening a file is a control that does what it says.
 #include <algorithm>
-#include <memory>
-#include <string>
-#include <utility>
-#include <vector>
 
 #include "tests/ui/panels_fixture.hpp"
 
@@ -16,32 +12,6 @@ using testing::Size;
 
 const AtomGroup kIron{"HEM", "FE", 26};
 
-// As of a file: what the panel shows of it.
-ResidueGroup residues(const char* name, AtomKind kind, ResidueReason why, std::size_t count) {
-  ResidueGroup group;
-  group.name = name;
-  group.kind = group.file_kind = kind;
-  group.why = group.file_why = why;
-  group.residues = group.atoms = count;
-  group.called = {name};
-  return group;
-}
-
-std::shared_ptr<const ResidueGroups> in_list(std::vector<ResidueGroup> groups) {
-  ResidueGroups list;
-  for (const ResidueGroup& group : groups) {
-    list.kinds[static_cast<std::size_t>(group.kind)] += group.residues;
-    if (is_guess(group.why)) list.guessed += group.residues;
-    if (group.why == ResidueReason::by_hand) list.by_hand += group.residues;
-  }
-  list.of = std::move(groups);
-  return std::make_shared<const ResidueGroups>(list);
-}
-
-const ResidueGroup kHaems = residues("HEM", AtomKind::ligand, ResidueReason::after_ter, 4);
-const ResidueGroup kWaters = residues("HOH", AtomKind::water, ResidueReason::water_name, 221);
-const ResidueGroup kGuessed = residues("QQ1", AtomKind::ligand, ResidueReason::no_polymer, 2);
-
 ViewState molecule_state() {
   ViewState s = loaded_state();
   MoleculeInfo& m = s.molecule;
@@ -53,7 +23,6 @@ ViewState molecule_state() {
   m.deposited_atoms = 4779;
   m.assemblies = {{"1", "TETRAMERIC", 1, 4779, 460000}, {"2", "", 1680, 16284240, 1560000000}};
   m.models = {7, 8, 9};
-  m.residues = in_list({kHaems, kWaters});
   m.sha256 = std::string(64, 'a');
   m.provenance = {{"File", "/data/4hhb.pdb.gz"}, {"SHA-256", m.sha256}};
   return s;
@@ -233,84 +202,6 @@ TEST_F(MoleculePanel, ARadiusIsTypedAndReset) {
   EXPECT_TRUE(balls().overrides.empty());
 }
 
-TEST_F(MoleculePanel, ResiduesAreTreatedOtherwiseAndTakenBack) {
-  EXPECT_FALSE(p.rects.contains("residue.HOH")) << "closed where nothing was guessed";
-  p.click("molecule.residues");
-  p.click("residue.HOH");
-  p.click("residue.as.ligand");
-  EXPECT_EQ(balls().treated, std::vector<std::string>{"HOH=ligand"});
-  EXPECT_FALSE(p.rects.contains("residue.as.ligand")) << "a choice closes the list";
-  ResidueGroup treated = kWaters;
-  treated.kind = AtomKind::ligand;
-  treated.why = ResidueReason::by_hand;
-  treated.treated = {"HOH=ligand"};
-  p.state.molecule.residues = in_list({kHaems, treated});
-  p.frame(2);
-  p.click("residue.HOH");
-  p.click("residue.as.ion");
-  EXPECT_EQ(balls().treated, std::vector<std::string>{"HOH=ion"});
-  treated.treated = {"HOH=ion"};
-  p.state.molecule.residues = in_list({kHaems, treated});
-  p.frame(2);
-  p.click("residue.HOH");
-  p.click("residue.as.file");
-  EXPECT_TRUE(balls().treated.empty());
-}
-
-TEST_F(MoleculePanel, OneOfSharedNamesIsTreatedByItsAddress) {
-  ResidueGroup more = kHaems;
-  more.nth = 2;
-  more.called = {"A:HEM 142", "B:HEM 148"};
-  p.state.molecule.residues = in_list({kHaems, more});
-  p.click("molecule.residues");
-  p.click("residue.HEM.2");
-  p.click("residue.as.polymer");
-  EXPECT_EQ(balls().treated, (std::vector<std::string>{"A:HEM 142=polymer", "B:HEM 148=polymer"}));
-}
-
-TEST_F(MoleculePanel, WhatCannotBeNamedOffersNoChoice) {
-  ResidueGroup unnamed = kWaters;
-  unnamed.called.clear();
-  p.state.molecule.residues = in_list({unnamed});
-  p.click("molecule.residues");
-  p.click("residue.HOH");
-  EXPECT_FALSE(p.rects.contains("residue.as.ligand"));
-}
-
-TEST_F(MoleculePanel, TheListIsOpenWhereResiduesWereGuessed) {
-  p.state.molecule.residues = in_list({kGuessed, kHaems});
-  p.state.molecule.sha256 = std::string(64, 'b');
-  p.frame(2);
-  EXPECT_TRUE(p.rects.contains("residue.QQ1"));
-  p.click("molecule.residues");
-  EXPECT_FALSE(p.rects.contains("residue.QQ1")) << "as the user leaves it";
-  p.state.molecule.residues = in_list({kHaems});
-  p.state.molecule.sha256 = std::string(64, 'c');
-  p.frame(2);
-  EXPECT_FALSE(p.rects.contains("residue.HEM"));
-}
-
-TEST_F(MoleculePanel, OfAHundredThousandLinesOnlyThoseInSightAreDrawn) {
-  std::vector<ResidueGroup> many;
-  for (int k = 0; k < 100'000; ++k)
-    many.push_back(kHaems), many.back().nth = 1u + static_cast<unsigned>(k);
-  p.state.molecule.residues = in_list(std::move(many));
-  p.click("molecule.residues");
-  const auto drawn = std::count_if(p.rects.begin(), p.rects.end(), [](const auto& rect) {
-    return rect.first.starts_with("residue.why.");
-  });
-  EXPECT_GE(drawn, 4);
-  EXPECT_LT(drawn, 20);
-}
-
-TEST_F(MoleculePanel, FilesWithoutResiduesSayThatThereAreNone) {
-  const float below = p.rects["molecule.assembly"].y0;
-  p.state.molecule.residues = in_list({});
-  p.frame(2);
-  EXPECT_FALSE(p.rects.contains("molecule.residues"));
-  EXPECT_EQ(p.rects["molecule.assembly"].y0, below) << "nothing moves";
-}
-
 TEST_F(MoleculePanel, NoRadiusOfZeroCanBeTyped) {
   p.click("molecule.radius_list");
   for (const char* bad : {"0", "-2", "iron", "900"}) {
@@ -412,27 +303,6 @@ TEST_P(MoleculePanelAtEverySize, NothingLeavesThePanelAndAlphaIsInSight) {
     EXPECT_LE(p.rects[name].x1, p.rects["view"].x0) << name;
   }
   EXPECT_LE(p.rects["alpha.slider"].y1, size.height * size.scale) << "without scrolling";
-}
-
-TEST_P(MoleculePanelAtEverySize, ResiduesFitIntoThePanel) {
-  Panels p(GetParam());
-  p.state = molecule_state();
-  ResidueGroup treated = residues("A1B2C", AtomKind::polymer, ResidueReason::by_hand, 1234567);
-  treated.file_kind = AtomKind::ligand;
-  treated.file_why = ResidueReason::no_polymer;
-  p.state.molecule.residues = in_list({kGuessed, kHaems, treated, kWaters});
-  p.frame(3);
-  for (const char* name : {"QQ1", "HEM", "A1B2C", "HOH"}) {
-    ASSERT_TRUE(p.rects.contains(std::string("residue.") + name)) << name;
-    const WidgetRect text = p.rects[std::string("residue.name.") + name],
-                     choice = p.rects[std::string("residue.") + name],
-                     why = p.rects[std::string("residue.why.") + name];
-    EXPECT_LT(text.x1, choice.x0) << name;
-    EXPECT_LE(choice.x1, p.rects["view"].x0) << name;
-    EXPECT_GE(why.y0, choice.y1) << name;
-    EXPECT_LE(why.x1, p.rects["view"].x0) << name;
-  }
-  EXPECT_LE(p.rects["residue.why.HOH"].y1, p.rects["molecule.assembly"].y0);
 }
 
 INSTANTIATE_TEST_SUITE_P(Sizes, MoleculePanelAtEverySize,

@@ -126,8 +126,40 @@ TEST_F(ResidueGroupsTest, ManyOfASharedNameAreNotNamedOneByOne) {
   EXPECT_EQ(groups().of[1].called.size(), kMostAddresses);
   add("GLY", 800, AtomKind::polymer, Why::chain_bond);
   EXPECT_EQ(groups().of[1].residues, kMostAddresses + 1);
-  EXPECT_TRUE(groups().of[1].called.empty());
+  const std::string but_one = "resn \"GLY\" and not (chain \"A\" and resi 900)";
+  EXPECT_EQ(groups().of[1].called, Texts{but_one});
+  EXPECT_EQ(selection_text(groups().of[1]), but_one);
+  Texts treatments;
+  treat_group(treatments, groups().of[1], AtomKind::dummy);
+  const ResidueGroups treated = groups(treatments);
+  ASSERT_EQ(treated.of.size(), 2u);
+  EXPECT_EQ(treated.of[0].kind, AtomKind::ligand) << "the one that was left out";
+  EXPECT_EQ(treated.of[1].kind, AtomKind::dummy);
+  EXPECT_EQ(treated.of[1].residues, kMostAddresses + 1);
+  EXPECT_EQ(treated.of[1].called, Texts{but_one}) << "the same words take it back";
+  for (int k = 0; k < most; ++k) add("GLY", 1000 + k, AtomKind::ligand, Why::hetatm);
+  EXPECT_TRUE(groups().of[1].called.empty()) << "too many of both";
   EXPECT_EQ(selection_text(groups().of[1]), "");
+}
+
+TEST_F(ResidueGroupsTest, OthersAreLeftOutWithTheirInsertionCodes) {
+  for (int k = 0; k <= static_cast<int>(kMostAddresses); ++k) {
+    add("HOH", k + 1, AtomKind::water, Why::water_name);
+  }
+  add("HOH", 7, AtomKind::ligand, Why::hetatm);
+  file_.atoms.back().insertion_code = 'B';
+  add("HOH", -3, AtomKind::ligand, Why::hetatm);
+  Texts treatments;
+  treat_group(treatments, groups().of[1], AtomKind::ion);
+  EXPECT_EQ(
+      treatments,
+      Texts{
+          "resn \"HOH\" and not ((chain \"A\" and resi 7B) or (chain \"A\" and resi \"-3\"))=ion"});
+  const ResidueGroups found = groups(treatments);
+  ASSERT_EQ(found.of.size(), 2u);
+  EXPECT_EQ(found.of[0].kind, AtomKind::ligand);
+  EXPECT_EQ(found.of[0].residues, 2u);
+  EXPECT_EQ(found.of[1].residues, kMostAddresses + 1) << "residue 7 is not 7B";
 }
 
 TEST_F(ResidueGroupsTest, PointsWithoutMatterAreNeitherCountedNorTreated) {

@@ -2,13 +2,13 @@
 #include "app/cli/command_line.hpp"
 
 #include <iostream>
-#include <sstream>
 
 #include "app/cli/command_table.hpp"
 #include "app/cli/failure.hpp"
 #include "app/cli/terminal.hpp"
 #include "app/options/parse_arguments.hpp"
 #include "core/molecule/printable.hpp"
+#include "core/run/text_parts.hpp"
 
 namespace alphascope::cli {
 namespace {
@@ -38,8 +38,9 @@ int parse_and_run(int argc, const char* const* argv) {
     if (parsed.exit_code == 0) {
       std::cout << parsed.text << std::flush;
     } else {  // some lines, which may quote what was typed
-      std::istringstream lines(parsed.text);
-      for (std::string line; std::getline(lines, line);) std::cerr << printable(line) << '\n';
+      for (const std::string& line : parts_of(parsed.text, '\n')) {
+        std::cerr << printable(line) << '\n';
+      }
     }
     return parsed.exit_code;
   }

@@ -33,6 +33,7 @@ void append_names(const std::string& file, char end, std::vector<std::string>& n
   std::istringstream stream(
       read_small_text(file, {"the list of files", kLargestList,
                              "Give the names of the files, one a line, in lists of their own"}));
+  stream.exceptions(std::ios::badbit);  // else a list would end where memory does
   const std::string list = file == "-" ? "standard input" : file;
   bool first = true;
   std::size_t number = 0;

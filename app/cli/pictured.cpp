@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <charconv>
 #include <iostream>
-#include <sstream>
 #include <utility>
+#include <vector>
 
 #include "app/cli/outputs.hpp"
 #include "app/cli/report_json.hpp"
@@ -17,6 +17,7 @@
 #include "core/document/display_preset.hpp"
 #include "core/document/measure_results.hpp"
 #include "core/molecule/printable.hpp"
+#include "core/run/text_parts.hpp"
 #include "ui/annotation_layer.hpp"
 #include "ui/caption.hpp"
 #include "ui/scene/display_style.hpp"
@@ -44,8 +45,7 @@ AtomsBesideBody beside_body(const std::string& text) {
       {"ions", &AtomsBesideBody::ions},
       {"waters", &AtomsBesideBody::waters},
       {"hydrogens", &AtomsBesideBody::hydrogens}};
-  std::istringstream words(text);
-  for (std::string word; std::getline(words, word, ',');) {
+  for (const std::string& word : parts_of(text, ',')) {
     const auto kind = std::find_if(std::begin(kinds), std::end(kinds),
                                    [&](const auto& k) { return word == k.first; });
     if (kind == std::end(kinds)) {

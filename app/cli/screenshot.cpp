@@ -30,6 +30,7 @@ class MemoryFile {
   std::string path() const { return "/proc/self/fd/" + std::to_string(descriptor_); }
   std::string bytes() const {
     std::ostringstream bytes;
+    bytes.exceptions(std::ios::badbit | std::ios::failbit);  // else it may be half of them
     bytes << std::ifstream(path(), std::ios::binary).rdbuf();
     return std::move(bytes).str();
   }

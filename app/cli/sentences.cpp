@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <ostream>
-#include <sstream>
 
 #include "app/cli/text.hpp"
 #include "core/molecule/atom_address.hpp"
 #include "core/molecule/printable.hpp"
+#include "core/run/text_parts.hpp"
 
 namespace alphascope::cli {
 
@@ -48,8 +48,7 @@ void print_line(std::ostream& out, const ExplanationLine& line) {
     return static_cast<std::size_t>(std::count_if(
         word.begin(), word.end(), [](unsigned char c) { return (c & 0xc0) != 0x80; }));
   };
-  std::istringstream words(line.text);
-  for (std::string word; words >> word;) {
+  for (const std::string& word : words_of(line.text)) {
     if (used > 0 && used + 1 + columns(word) > kWidth) {
       out << row << "\n";
       row = std::string(kMargin, ' ');

@@ -1,7 +1,8 @@
 #include "app/options/help_text.hpp"
 
 #include <algorithm>
-#include <sstream>
+
+#include "core/run/text_parts.hpp"
 
 namespace alphascope {
 namespace {
@@ -26,8 +27,7 @@ std::string entry(const std::string& left, const std::string& explanation) {
   }
   bool blank = true;  // no word of the explanation is on this line yet
   line.append(kTextColumn - std::min(kTextColumn, columns(line)), ' ');
-  std::istringstream words(explanation);
-  for (std::string word; words >> word;) {
+  for (const std::string& word : words_of(explanation)) {
     if (!blank && columns(line) + 1 + columns(word) > kWidth) {
       text += line + "\n";
       line.assign(kTextColumn, ' ');

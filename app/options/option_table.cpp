@@ -2,17 +2,11 @@
 
 #include <algorithm>
 #include <cctype>
-#include <sstream>
+
+#include "core/run/text_parts.hpp"
 
 namespace alphascope {
 namespace {
-
-std::vector<std::string> split(const std::string& text, char separator) {
-  std::vector<std::string> parts;
-  std::istringstream stream(text);
-  for (std::string part; std::getline(stream, part, separator);) parts.push_back(part);
-  return parts;
-}
 
 bool is_placeholder(const std::string& word) {
   return std::isupper(static_cast<unsigned char>(word.front())) != 0;
@@ -35,7 +29,7 @@ OptionCommand help_command(const OptionProgram& program) {
 }  // namespace
 
 std::vector<std::string> Option::all_names() const {
-  return split(names, ',');
+  return parts_of(names, ',');
 }
 
 std::string Option::shown_name() const {
@@ -43,13 +37,13 @@ std::string Option::shown_name() const {
 }
 
 std::vector<std::string> Option::choices() const {
-  std::vector<std::string> words = split(value, '|');
+  std::vector<std::string> words = parts_of(value, '|');
   std::erase_if(words, is_placeholder);
   return words;
 }
 
 bool Option::takes_file() const {
-  for (const std::string& word : split(value, '|')) {
+  for (const std::string& word : parts_of(value, '|')) {
     for (const char* kind : {"FILE", "OUT", "LIST", "DIR"}) {
       if (word.starts_with(kind)) return true;
     }

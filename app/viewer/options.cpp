@@ -23,6 +23,7 @@ constexpr int kLeastSize = 640, kMostSize = 8192;
 bool read_size(const std::string& text, int& width, int& height) {
   char x = 0;
   std::istringstream stream(text);
+  stream.exceptions(std::ios::badbit);
   return stream >> width >> x >> height && (x == 'x' || x == 'X') && stream.peek() == EOF;
 }
 

@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <thread>
 #include <utility>
+#include <vector>
 
 #include "app/options/did_you_mean.hpp"
 #include "app/session/system_memory.hpp"
@@ -17,6 +18,7 @@
 #include "app/viewer/viewer.hpp"
 #include "core/io/output_ending.hpp"
 #include "core/run/freed_elsewhere.hpp"
+#include "core/run/text_parts.hpp"
 #include "ui/panels/keys.hpp"
 
 namespace alphascope {
@@ -67,9 +69,8 @@ class ScriptRunner {
 
  private:
   static std::string first_word(const std::string& line) {
-    std::string word;
-    std::istringstream(line) >> word;
-    return word;
+    std::vector<std::string> words = words_of(line);
+    return words.empty() ? std::string() : std::move(words.front());
   }
   std::string unknown(const std::string& id) const {
     std::vector<std::string> known;
@@ -411,10 +412,8 @@ constexpr std::size_t kHelpWidth = 100, kHelpIndent = 6;
 
 // Indented, broken at blanks.
 void print_wrapped(std::ostream& out, const std::string& text) {
-  std::istringstream words(text);
-  std::string word;
   std::size_t column = 0;
-  while (words >> word) {
+  for (const std::string& word : words_of(text)) {
     if (column == 0 || column + 1 + word.size() > kHelpWidth) {
       out << (column == 0 ? "" : "\n") << std::string(kHelpIndent, ' ') << word;
       column = kHelpIndent + word.size();

@@ -2,8 +2,9 @@
 #include "core/document/caption_parts.hpp"
 
 #include <algorithm>
-#include <sstream>
 #include <stdexcept>
+
+#include "core/run/text_parts.hpp"
 
 namespace alphascope {
 namespace {
@@ -39,8 +40,7 @@ CaptionParts read_caption_parts(const std::string& text) {
     for (const CaptionPartInfo& info : kParts) parts.set(info.part, true);
     return parts;
   }
-  std::istringstream words(text);
-  for (std::string word; std::getline(words, word, ',');) {
+  for (const std::string& word : parts_of(text, ',')) {
     const auto info = std::find_if(std::begin(kParts), std::end(kParts),
                                    [&](const CaptionPartInfo& p) { return word == p.id; });
     if (info == std::end(kParts)) {

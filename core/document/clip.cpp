@@ -2,10 +2,11 @@
 #include "core/document/clip.hpp"
 
 #include <cmath>
-#include <sstream>
 #include <utility>
+#include <vector>
 
 #include "core/molecule/shortest_number.hpp"
+#include "core/run/text_parts.hpp"
 
 namespace alphascope {
 namespace {
@@ -38,15 +39,15 @@ std::optional<Vector> read_direction(const std::string& text) {
     v[static_cast<std::size_t>(axis)] = 1;
     if (text == std::string(1, static_cast<char>('x' + axis))) return v;
   }
-  std::istringstream words(text);
+  const std::vector<std::string> words = parts_of(text, ',');
+  if (words.size() != 3) return std::nullopt;
   Vector v{};
-  std::size_t count = 0;
-  for (std::string word; std::getline(words, word, ','); ++count) {
-    const auto number = read_number(word, {"A component", -1e6, 1e6}).value;
-    if (count > 2 || !number) return std::nullopt;
-    v[count] = *number;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto number = read_number(words[axis], {"A component", -1e6, 1e6}).value;
+    if (!number) return std::nullopt;
+    v[axis] = *number;
   }
-  return count == 3 ? unit(v) : std::nullopt;
+  return unit(v);
 }
 
 ClipWords not_a_clip(const std::string& text) {

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <csignal>
+#include <map>
 
 #include "tests/app/cli_fixture.hpp"
 
@@ -59,6 +60,7 @@ class CliFaults : public Cli {
   // The exit code, or 1000 + the signal that killed the program.
   int run_with(const std::string& fault, const Command& command) const {
     std::vector<std::string> words = command.arguments;
+    if (words[0] != "bench") words.insert(words.begin() + 1, "--no-times");
     std::vector<char*> argv{const_cast<char*>(ALPHASCOPE_CLI)};
     for (std::string& word : words) argv.push_back(word.data());
     argv.push_back(nullptr);
@@ -133,6 +135,10 @@ class CliFaults : public Cli {
   // faults there were.
   int sweep(const Command& command, const std::string& kind, int action, double stride = 1) const {
     int tried = 0;
+    set_out(command, false);
+    EXPECT_EQ(run_with("none 0 0", command), 0) << command.arguments[0];
+    std::map<std::string, std::string> right;
+    for (const std::string& name : command.outputs) right[name] = contents(work() / name);
     for (double at = 1; !HasFailure(); at = std::max(at + 1, at * stride)) {
       const bool older = tried % 2 == 0;
       set_out(command, older);
@@ -141,10 +147,14 @@ class CliFaults : public Cli {
           kind + " " + std::to_string(static_cast<long>(at)) + " " + std::to_string(action);
       const int code = run_with(fault, command);
       if (!fs::exists(mark())) break;
+      ++tried;
       std::string what = fault + ":";
       for (const std::string& word : command.arguments) what += " " + word;
       check(command, older, code, what + (older ? " (older files there)" : ""));
-      ++tried;
+      if (code != 0 || command.arguments[0] == "bench") continue;
+      for (const auto& [name, text] : right) {
+        EXPECT_EQ(contents(work() / name), text) << what << ": 0, but another " << name;
+      }
     }
     return tried;
   }

@@ -1,10 +1,15 @@
 #include "core/io/virtual_sites.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <iterator>
 #include <map>
 #include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
 
 #include "core/molecule/atom_groups.hpp"
 #include "core/molecule/grouped_number.hpp"
@@ -73,24 +78,72 @@ double squared_distance(const LatticePoint& a, const LatticePoint& b) {
   return x * x + y * y + z * z;
 }
 
+// The atoms of one residue by name, location and cell, so that of a body of many atoms only those
+// around a point are looked at.
+class AtomsByPlace {
+ public:
+  // The atoms [begin, end); `near` in lattice units.
+  AtomsByPlace(const Molecule& molecule, std::size_t begin, std::size_t end, double near)
+      : molecule_(molecule), near_(near), side_(std::max(1.0, near)) {
+    places_.reserve(end - begin);
+    for (std::size_t i = begin; i < end; ++i) {
+      const Atom& atom = molecule.atoms[i];
+      const auto [x, y, z] = cell(atom.position);
+      places_.emplace_back(Key{atom.name, atom.altloc, x, y, z}, i);
+    }
+    std::sort(places_.begin(), places_.end());
+  }
+
+  bool has(NameId name, char altloc, const LatticePoint& point) const {
+    const auto [x, y, z] = cell(point);
+    for (std::int32_t nx = x - 1; nx <= x + 1; ++nx) {
+      for (std::int32_t ny = y - 1; ny <= y + 1; ++ny) {
+        const Key last{name, altloc, nx, ny, z + 1};
+        auto at = std::lower_bound(places_.begin(), places_.end(),
+                                   Place{{name, altloc, nx, ny, z - 1}, 0});
+        for (; at != places_.end() && at->first <= last; ++at) {
+          const LatticePoint& other = molecule_.atoms[at->second].position;
+          if (squared_distance(other, point) <= near_ * near_) return true;
+        }
+      }
+    }
+    return false;
+  }
+
+ private:
+  using Key = std::tuple<NameId, char, std::int32_t, std::int32_t, std::int32_t>;
+  using Place = std::pair<Key, std::size_t>;
+
+  std::array<std::int32_t, 3> cell(const LatticePoint& p) const {
+    const auto of = [&](std::int32_t c) {
+      return static_cast<std::int32_t>(std::floor(double(c) / side_));
+    };
+    return {of(p.x), of(p.y), of(p.z)};
+  }
+
+  const Molecule& molecule_;
+  double near_, side_;
+  std::vector<Place> places_;
+};
+
+std::string_view parent_name(std::string_view name) {
+  if (name == "OM") return "OH2";
+  return name.size() > 1 && name[0] == 'D' ? name.substr(1) : std::string_view();
+}
+
 // The atoms [begin, end) are of one residue.
 void mark_on_their_atoms(Molecule& molecule, std::size_t begin, std::size_t end) {
   const double near = kOnItsAtom * molecule.lattice.units_per_angstrom();
+  const AtomsByPlace atoms(molecule, begin, end, near);
   for (std::size_t i = begin; i < end; ++i) {
     Atom& atom = molecule.atoms[i];
-    const std::string_view name = molecule.text(atom.name);
-    std::string_view parent;
-    if (name.size() > 1 && name[0] == 'D') parent = name.substr(1);
-    if (name == "OM") parent = "OH2";
+    const std::string_view parent = parent_name(molecule.text(atom.name));
     if (parent.empty() || atom.kind == AtomKind::dummy) continue;
-    for (std::size_t k = begin; k < end; ++k) {
-      const Atom& other = molecule.atoms[k];
-      if (molecule.text(other.name) != parent || other.altloc != atom.altloc) continue;
-      if (squared_distance(other.position, atom.position) > near * near) continue;
-      atom.kind = AtomKind::dummy;
-      atom.element = kUnknownElement;
-      atom.element_guessed = false;
-    }
+    const NameId name = molecule.names.find(parent);
+    if (name == 0 || !atoms.has(name, atom.altloc, atom.position)) continue;
+    atom.kind = AtomKind::dummy;
+    atom.element = kUnknownElement;
+    atom.element_guessed = false;
   }
 }
 
@@ -103,8 +156,7 @@ void mark_on_their_atoms(Molecule& molecule) {
         if (!same_residue(molecule.atoms[begin], molecule.atoms[end])) break;
       }
       for (std::size_t i = begin; i < end && !candidate; ++i) {
-        const std::string_view name = molecule.text(molecule.atoms[i].name);
-        candidate = name == "OM" || (name.size() > 1 && name[0] == 'D');
+        candidate = !parent_name(molecule.text(molecule.atoms[i].name)).empty();
       }
       if (candidate) mark_on_their_atoms(molecule, begin, end);
     }

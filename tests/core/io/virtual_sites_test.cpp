@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "core/io/virtual_sites.hpp"
 #include "core/molecule/altlocs.hpp"
 #include "core/molecule/prepare_balls.hpp"
 #include "tests/core/io/temporary_file.hpp"
@@ -79,6 +80,68 @@ TEST(VirtualSites, DrudeParticlesStandOnTheirAtoms) {
   const bool dummy[] = {false, true, true, false, false, true, false};
   for (std::size_t k = 0; k < 7; ++k) EXPECT_EQ(m.atoms[k].kind == AtomKind::dummy, dummy[k]) << k;
   EXPECT_EQ(m.atoms[6].element, kHydrogen) << "deuterium, since no B is beside it";
+}
+
+// One residue of 30,000 carbons of one name in a row, and as many particles, of which every second
+// stands on a carbon; at the last one they are just within 0.5 Å and just beyond. To compare each
+// with each would take 10^9 steps.
+TEST(VirtualSites, OfAResidueOfManyAtomsAreFoundNearThem) {
+  constexpr int kAtoms = 30000;
+  std::vector<bool> is_site;
+  Molecule m;
+  m.lattice = Lattice{3};
+  const NameId residue = m.names.intern("BIG"), carbon = m.names.intern("CA"),
+               particle = m.names.intern("DCA");
+  const auto add = [&](NameId name, std::int32_t x, std::int32_t z, bool site) {
+    Atom atom;
+    atom.name = name;
+    atom.residue_name = residue;
+    atom.residue_number = 1;
+    atom.position = {x, 0, z};
+    atom.element = 6;
+    m.atoms.push_back(atom);
+    is_site.push_back(site);
+  };
+  for (int k = 0; k < kAtoms; ++k) {
+    add(carbon, 1500 * (k - kAtoms / 2), 0, false);
+    // Half of them are in the middle between two carbons.
+    add(particle, 1500 * (k - kAtoms / 2) + (k % 2 ? 750 : 100), 0, k % 2 == 0);
+  }
+  const std::int32_t last = 1500 * (kAtoms / 2 - 1);
+  add(particle, last, 500, true);
+  add(particle, last, -501, false);
+  add(particle, last, -500, true);
+  m.models.push_back({1, 0, m.atoms.size()});
+  mark_sites_on_their_atoms(m);
+  for (std::size_t i = 0; i < m.atoms.size(); ++i) {
+    ASSERT_EQ(m.atoms[i].kind == AtomKind::dummy, is_site[i]) << i;
+    ASSERT_EQ(m.atoms[i].element, is_site[i] ? kUnknownElement : Element{6}) << i;
+  }
+}
+
+// The particle of another location, or of an atom of another residue, is none of this atom's.
+TEST(VirtualSites, StandOnAtomsOfTheirLocationAndResidue) {
+  Molecule m;
+  m.lattice = Lattice{3};
+  const NameId residue = m.names.intern("BIG");
+  const auto add = [&](const char* name, char altloc, int number) {
+    Atom atom;
+    atom.name = m.names.intern(name);
+    atom.residue_name = residue;
+    atom.residue_number = number;
+    atom.altloc = altloc;
+    m.atoms.push_back(atom);
+  };
+  add("CA", 'A', 1);
+  add("DCA", 'A', 1);
+  add("DCA", 'B', 1);
+  add("DCB", 'A', 1);
+  add("DCA", 'A', 2);
+  m.models.push_back({1, 0, m.atoms.size()});
+  mark_sites_on_their_atoms(m);
+  for (std::size_t i = 0; i < m.atoms.size(); ++i) {
+    EXPECT_EQ(m.atoms[i].kind == AtomKind::dummy, i == 1) << i;
+  }
 }
 
 TEST(VirtualSites, AlphaSpheresOfFpocket) {

@@ -1,14 +1,15 @@
 // mmCIF: the atom_site table, assemblies and the title. Numbers stay text until they are on the
 // lattice, and every value knows its line.
-#include <algorithm>
 #include <charconv>
 #include <optional>
 #include <set>
 
 #include "core/io/atom_names.hpp"
 #include "core/io/cif_grammar.hpp"
+#include "core/io/cif_value.hpp"
 #include "core/io/line_reader.hpp"
 #include "core/io/mmcif_assembly.hpp"
+#include "core/io/mmcif_component.hpp"
 #include "core/io/mmcif_entities.hpp"
 #include "core/io/molecule_builder.hpp"
 #include "core/io/predicted_model.hpp"
@@ -19,7 +20,6 @@ namespace alphascope {
 namespace {
 
 constexpr std::string_view kAtomSite = "_atom_site.";
-constexpr std::string_view kComponentAtom = "_chem_comp_atom.";
 constexpr std::string_view kMetric = "_ma_qa_metric.";
 constexpr std::size_t kProgressRows = 16384;
 
@@ -59,22 +59,6 @@ constexpr std::array<std::string_view, kColumnCount> kColumnTags = {
     "cartn_z",        "occupancy",
     "b_iso_or_equiv", "pdbx_pdb_model_num"};
 
-// The text of a value without its quotes; empty for the unknown "?" and the inapplicable ".".
-std::string_view plain(std::string_view raw) {
-  if (raw.size() == 1 && (raw[0] == '?' || raw[0] == '.')) return {};
-  if (raw.size() >= 2 && (raw[0] == '"' || raw[0] == '\'')) return raw.substr(1, raw.size() - 2);
-  if (raw.size() >= 2 && raw[0] == ';') {
-    raw = raw.substr(1, raw.size() - 2);
-    while (!raw.empty() && (raw.back() == '\n' || is_blank(raw.back()))) raw.remove_suffix(1);
-  }
-  return raw;
-}
-
-struct CifValue {
-  std::string_view raw;
-  std::size_t line = 0;
-};
-
 // Receives what the grammar meets, in file order.
 class MmcifReader : public CifHandler {
  public:
@@ -93,11 +77,11 @@ class MmcifReader : public CifHandler {
     if (kind_ == Table::undecided) kind_ = recognise();
     if (kind_ == Table::other) return;
     if (kind_ == Table::metrics) {
-      predicted_.take_metric(plain(raw));
+      predicted_.take_metric(plain_cif(raw));
       return;
     }
     if (kind_ == Table::methods) {
-      take_method(tags_[column_], plain(raw));
+      take_method(tags_[column_], plain_cif(raw));
       column_ = (column_ + 1) % tags_.size();
       return;
     }
@@ -107,16 +91,16 @@ class MmcifReader : public CifHandler {
       return;
     }
     if (kind_ == Table::component) {
-      component_.push_back({raw, line});
+      component_.add({raw, line});
       return;
     }
     if (kind_ == Table::assembly) {
-      assemblies_.add(tags_[column_], plain(raw), line);
+      assemblies_.add(tags_[column_], plain_cif(raw), line);
       column_ = (column_ + 1) % tags_.size();
       return;
     }
     if (kind_ == Table::entity) {
-      entities_.add(block_, tags_[column_], plain(raw));
+      entities_.add(block_, tags_[column_], plain_cif(raw));
       column_ = (column_ + 1) % tags_.size();
       return;
     }
@@ -139,17 +123,17 @@ class MmcifReader : public CifHandler {
 
   void item_value(std::string_view raw, std::size_t line) override {
     if (item_ == "_struct.title" && builder_.molecule().title.empty()) {
-      builder_.molecule().title = std::string(trimmed(plain(raw)));
+      builder_.molecule().title = std::string(trimmed(plain_cif(raw)));
     } else if (item_.starts_with(kAtomSite)) {
       single_tags_.push_back(item_);
       single_row_.push_back({raw, line});
     } else if (MmcifAssemblyTables::wants(item_)) {
-      assemblies_.add(item_, plain(raw), line);
+      assemblies_.add(item_, plain_cif(raw), line);
     } else if (MmcifEntityTables::wants(item_)) {
-      entities_.add(block_, item_, plain(raw));
+      entities_.add(block_, item_, plain_cif(raw));
     }
-    if (item_.starts_with(kMetric)) predicted_.take_metric(plain(raw));
-    take_method(item_, plain(raw));
+    if (item_.starts_with(kMetric)) predicted_.take_metric(plain_cif(raw));
+    take_method(item_, plain_cif(raw));
     fractional_ |= item_.starts_with("_atom_site_fract") || item_ == "_cell_length_a";
   }
 
@@ -160,7 +144,7 @@ class MmcifReader : public CifHandler {
       kind_ = recognise();
       take_row();
     }
-    if (builder_.size() == 0 && !component_.empty()) take_component();
+    if (builder_.size() == 0 && !component_.empty()) component_.take(builder_, guesser_);
     if (builder_.size() == 0) refuse_without_atoms();
     if (sphere_values_ > 0) {
       builder_.molecule().notes.push_back(
@@ -202,8 +186,8 @@ class MmcifReader : public CifHandler {
     if (tags_.front().starts_with(kMetric)) return Table::metrics;
     if (tags_.front().starts_with("_exptl.")) return Table::methods;
     if (tags_.front().starts_with("_ihm_sphere_obj_site.")) return Table::spheres;
-    if (tags_.front().starts_with(kComponentAtom) && component_.empty()) {
-      component_tags_ = tags_;
+    if (MmcifComponent::wants(tags_.front()) && component_.empty()) {
+      component_.begin(tags_);
       return Table::component;
     }
     if (MmcifEntityTables::wants(tags_.front())) return Table::entity;
@@ -231,7 +215,7 @@ class MmcifReader : public CifHandler {
   }
 
   std::string_view value(Column column) const {
-    return where_[column] ? plain(row_[*where_[column]].raw) : std::string_view();
+    return where_[column] ? plain_cif(row_[*where_[column]].raw) : std::string_view();
   }
   std::string_view value(Column first, Column second) const {
     const std::string_view text = value(first);
@@ -274,52 +258,6 @@ class MmcifReader : public CifHandler {
     builder_.add(atom, position);
   }
 
-  // A chemical component with coordinates and no atom_site table: of the wwPDB's dictionary or of
-  // programs that make ligands. Ideal coordinates where those of the model are not complete.
-  void take_component() {
-    NameTable& names = builder_.molecule().names;
-    const std::size_t width = component_tags_.size();
-    const auto column = [&](std::string_view name) {
-      const auto at = std::find(component_tags_.begin(), component_tags_.end(),
-                                std::string(kComponentAtom) + std::string(name));
-      return static_cast<std::size_t>(at - component_tags_.begin());
-    };
-    const auto text = [&](std::size_t row, std::size_t at) {
-      return at < width ? plain(component_[row * width + at].raw) : std::string_view();
-    };
-    const std::size_t rows = component_.size() / width;
-    const std::string_view from[] = {"model_cartn_", "pdbx_model_cartn_"};
-    const std::string_view behind[] = {"", "_ideal"};
-    for (std::size_t k = 0; k < 2 && builder_.size() == 0; ++k) {
-      std::array<std::size_t, 3> place{};
-      bool whole = rows > 0;
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        place[axis] = column(std::string(from[k]) + "xyz"[axis] + std::string(behind[k]));
-        for (std::size_t row = 0; row < rows; ++row) whole &= !text(row, place[axis]).empty();
-      }
-      if (!whole) continue;
-      for (std::size_t row = 0; row < rows; ++row) {
-        std::array<Decimal, 3> position;
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-          position[axis] = coordinate(component_[row * width + place[axis]], "xyz"[axis]);
-        }
-        Atom atom;
-        atom.source_line = static_cast<std::uint32_t>(component_[row * width].line);
-        atom.hetero = true;
-        atom.serial = static_cast<std::int32_t>(row + 1);
-        atom.residue_number = 1;
-        atom.name = names.intern(text(row, column("atom_id")));
-        atom.residue_name = names.intern(text(row, column("comp_id")));
-        const StatedElement stated = stated_element(trimmed(text(row, column("type_symbol"))));
-        atom.kind = atom_kind(guesser_.identify(atom, stated, NamePlace::free, names), true);
-        builder_.add(atom, position);
-      }
-      builder_.molecule().notes.push_back(
-          std::string("The file describes a chemical component; its ") +
-          (k == 0 ? "model" : "ideal") + " coordinates are read");
-    }
-  }
-
   void begin_model_if_new() {
     const std::int32_t number = integer(kModel, 1);
     if (!models_.empty() && number == model_) return;
@@ -332,24 +270,7 @@ class MmcifReader : public CifHandler {
   }
 
   Decimal coordinate(Column column) const {
-    return coordinate(row_[*where_[column]], "xyz"[column - kX]);
-  }
-
-  Decimal coordinate(const CifValue& source, char axis) const {
-    std::string_view text = plain(source.raw);
-    const std::string name = std::string("Cartn_") + axis;
-    if (text.empty()) {
-      fail(source.line, name + " has no value (" + shortened(source.raw) + ")",
-           "Every atom needs three coordinates; remove this atom or complete it");
-    }
-    text = text.substr(0, text.find('('));  // a standard uncertainty, as in 12.345(6)
-    Decimal result;
-    const DecimalStatus status = parse_decimal(text, result);
-    if (status == DecimalStatus::ok) return result;
-    fail(source.line, "expected a number for " + name + ", found \"" + shortened(text) + "\"",
-         status == DecimalStatus::not_finite
-             ? "Coordinates must be finite; remove this atom or compute it again"
-             : "The file is damaged, or a value before this one is missing");
+    return cif_coordinate(input_.source, row_[*where_[column]], "xyz"[column - kX]);
   }
 
   std::int32_t integer(Column column, std::int32_t fallback) const {
@@ -386,8 +307,8 @@ class MmcifReader : public CifHandler {
   MmcifAssemblyTables assemblies_;
   MmcifEntityTables entities_;
   std::vector<std::string> tags_, single_tags_;
-  std::vector<CifValue> row_, single_row_, component_;
-  std::vector<std::string> component_tags_;
+  std::vector<CifValue> row_, single_row_;
+  MmcifComponent component_;
   PredictedModel predicted_;
   std::size_t sphere_values_ = 0, sphere_columns_ = 1;
   std::array<std::optional<std::size_t>, kColumnCount> where_{};

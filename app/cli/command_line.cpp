@@ -8,7 +8,7 @@
 #include "app/cli/terminal.hpp"
 #include "app/options/parse_arguments.hpp"
 #include "core/molecule/printable.hpp"
-#include "core/run/text_parts.hpp"
+#include "core/text/text_parts.hpp"
 
 namespace alphascope::cli {
 namespace {

@@ -17,7 +17,7 @@
 #include "core/document/display_preset.hpp"
 #include "core/document/measure_results.hpp"
 #include "core/molecule/printable.hpp"
-#include "core/run/text_parts.hpp"
+#include "core/text/text_parts.hpp"
 #include "ui/annotation_layer.hpp"
 #include "ui/caption.hpp"
 #include "ui/scene/display_style.hpp"

@@ -6,7 +6,7 @@
 #include "app/cli/text.hpp"
 #include "core/molecule/atom_address.hpp"
 #include "core/molecule/printable.hpp"
-#include "core/run/text_parts.hpp"
+#include "core/text/text_parts.hpp"
 
 namespace alphascope::cli {
 

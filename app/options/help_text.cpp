@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/run/text_parts.hpp"
+#include "core/text/text_parts.hpp"
 
 namespace alphascope {
 namespace {

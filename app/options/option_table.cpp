@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cctype>
 
-#include "core/run/text_parts.hpp"
+#include "core/text/text_parts.hpp"
 
 namespace alphascope {
 namespace {

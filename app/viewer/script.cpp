@@ -18,7 +18,7 @@
 #include "app/viewer/viewer.hpp"
 #include "core/io/output_ending.hpp"
 #include "core/run/freed_elsewhere.hpp"
-#include "core/run/text_parts.hpp"
+#include "core/text/text_parts.hpp"
 #include "ui/panels/keys.hpp"
 
 namespace alphascope {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "core/run/text_parts.hpp"
+#include "core/text/text_parts.hpp"
 
 namespace alphascope {
 namespace {

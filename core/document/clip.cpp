@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/molecule/shortest_number.hpp"
-#include "core/run/text_parts.hpp"
+#include "core/text/text_parts.hpp"
 
 namespace alphascope {
 namespace {

@@ -1,5 +1,5 @@
 // Parts and words of texts.
-#include "core/run/text_parts.hpp"
+#include "core/text/text_parts.hpp"
 
 #include <gtest/gtest.h>
 

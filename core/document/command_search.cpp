@@ -62,7 +62,7 @@ struct Word {
   std::size_t begin;  // in what was typed
 };
 
-std::vector<Word> words_of(std::string_view typed) {
+std::vector<Word> typed_words(std::string_view typed) {
   std::vector<Word> words;
   for (std::size_t at = typed.find_first_not_of(' '); at != std::string_view::npos;) {
     const std::size_t end = std::min(typed.find(' ', at), typed.size());
@@ -114,7 +114,7 @@ std::optional<Scored> match(const CommandSpec& spec, std::string_view typed,
 }  // namespace
 
 std::vector<CommandMatch> search_commands(const Commands& commands, std::string_view typed) {
-  const std::vector<Word> words = words_of(typed);
+  const std::vector<Word> words = typed_words(typed);
   std::vector<Scored> found;
   for (const CommandSpec& spec : commands.all()) {
     if (auto scored = match(spec, typed, words)) found.push_back(std::move(*scored));

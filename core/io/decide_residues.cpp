@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 
+#include "core/io/bond_evidence.hpp"
 #include "core/io/chain_bonds.hpp"
 #include "core/io/residue_notes.hpp"
 #include "core/io/residue_table.hpp"
@@ -36,7 +37,8 @@ class ModelJudge {
         notes_(notes),
         roles_(roles),
         table_(make_residue_table(molecule, model, records, roles)),
-        bonds_(molecule, table_) {}
+        bonds_(molecule, table_),
+        recorded_(molecule, model, table_, records.bonds) {}
 
   void judge() {
     find_places();
@@ -131,6 +133,10 @@ class ModelJudge {
     if (is_special && !(in_sequence && own.why == ResidueReason::one_oxygen)) return own;
     if (f.water_name) notes_.no_water(f.first);
     if (in_sequence) return {AtomKind::polymer, ResidueReason::sequence_number};
+    // A ligand that the tables know stays one, whatever it is bound to.
+    if (f.family == ResidueFamily::unknown && recorded_.is_within_chain(r)) {
+      return {AtomKind::polymer, ResidueReason::bond_record};
+    }
     if (f.chain_like && bonds_.is_bound(r)) return {AtomKind::polymer, ResidueReason::chain_bond};
     const bool after_ter = ended_.contains(chain(r)) && place_of(r) == nullptr;
     if (!f.chain_like && !after_ter && bonds_.is_linked(r)) {
@@ -175,6 +181,7 @@ class ModelJudge {
     }
     if (shape) return {AtomKind::polymer, ResidueReason::backbone_names};
     if (bonds_.is_numbered_between(r)) return {AtomKind::polymer, ResidueReason::place_in_chain};
+    if (recorded_.is_bound_to_chain(r)) return {AtomKind::ligand, ResidueReason::bound_ligand};
     if (records_.numbers_tell()) return {AtomKind::ligand, ResidueReason::no_sequence_number};
     if (first(r).residue_name == 0) return {AtomKind::polymer, ResidueReason::no_name};
     return {AtomKind::ligand, ResidueReason::no_polymer};
@@ -199,6 +206,7 @@ class ModelJudge {
     if (f.chain_like && !after_ter && !bonds_.any() && bonds_.has_neighbour_by_number(r)) {
       return {AtomKind::polymer, ResidueReason::chain_number};
     }
+    if (recorded_.is_bound_to_chain(r)) return {AtomKind::ligand, ResidueReason::bound_ligand};
     return {AtomKind::ligand, after_ter ? ResidueReason::after_ter : ResidueReason::hetatm};
   }
 
@@ -247,6 +255,7 @@ class ModelJudge {
   const AtomRoles& roles_;
   ResidueTable table_;
   ChainBonds bonds_;
+  BondEvidence recorded_;
   std::vector<Section> sections_;
   std::size_t section_ = 0;
   bool any_chain_ = false;  // some ATOM records are of a chain

@@ -9,6 +9,7 @@
 #include "core/io/cif_value.hpp"
 #include "core/io/line_reader.hpp"
 #include "core/io/mmcif_assembly.hpp"
+#include "core/io/mmcif_bonds.hpp"
 #include "core/io/mmcif_component.hpp"
 #include "core/io/mmcif_entities.hpp"
 #include "core/io/molecule_builder.hpp"
@@ -99,6 +100,11 @@ class MmcifReader : public CifHandler {
       column_ = (column_ + 1) % tags_.size();
       return;
     }
+    if (kind_ == Table::bonds) {
+      bonds_.add(block_, tags_[column_], plain_cif(raw));
+      column_ = (column_ + 1) % tags_.size();
+      return;
+    }
     if (kind_ == Table::entity) {
       entities_.add(block_, tags_[column_], plain_cif(raw));
       column_ = (column_ + 1) % tags_.size();
@@ -131,6 +137,8 @@ class MmcifReader : public CifHandler {
       assemblies_.add(item_, plain_cif(raw), line);
     } else if (MmcifEntityTables::wants(item_)) {
       entities_.add(block_, item_, plain_cif(raw));
+    } else if (MmcifBondTable::wants(item_)) {
+      bonds_.add(block_, item_, plain_cif(raw));
     }
     if (item_.starts_with(kMetric)) predicted_.take_metric(plain_cif(raw));
     take_method(item_, plain_cif(raw));
@@ -160,6 +168,7 @@ class MmcifReader : public CifHandler {
     predicted_.finish(builder_.molecule());
     assemblies_.finish(builder_.molecule());
     entities_.finish(atoms_block_, builder_.molecule().names, builder_.records());
+    bonds_.finish(atoms_block_, builder_.records().bonds);
     return builder_.finish();
   }
 
@@ -169,6 +178,7 @@ class MmcifReader : public CifHandler {
     atoms,
     assembly,
     entity,
+    bonds,
     component,
     metrics,
     methods,
@@ -191,6 +201,7 @@ class MmcifReader : public CifHandler {
       return Table::component;
     }
     if (MmcifEntityTables::wants(tags_.front())) return Table::entity;
+    if (MmcifBondTable::wants(tags_.front())) return Table::bonds;
     if (!tags_.front().starts_with(kAtomSite)) return Table::other;
     if (builder_.size() > 0 && block_ != atoms_block_) {
       ++ignored_blocks_;
@@ -306,6 +317,7 @@ class MmcifReader : public CifHandler {
   AtomGuesser guesser_;
   MmcifAssemblyTables assemblies_;
   MmcifEntityTables entities_;
+  MmcifBondTable bonds_;
   std::vector<std::string> tags_, single_tags_;
   std::vector<CifValue> row_, single_row_;
   MmcifComponent component_;

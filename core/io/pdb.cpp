@@ -104,6 +104,10 @@ class PdbReader {
       take_modified(line);
     } else if (line.starts_with("SEQRES")) {
       take_sequence(line);
+    } else if (line.starts_with("LINK")) {
+      builder_.records().bonds.take_link(line);
+    } else if (line.starts_with("CONECT")) {
+      builder_.records().bonds.take_conect(line);
     } else if (line.starts_with("ROOT")) {
       pose_ = true;
     } else {

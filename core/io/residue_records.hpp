@@ -9,6 +9,7 @@
 #include <unordered_set>
 #include <vector>
 
+#include "core/io/recorded_bonds.hpp"
 #include "core/molecule/molecule.hpp"
 
 namespace alphascope {
@@ -51,6 +52,7 @@ class ResidueRecords {
   std::unordered_map<NameId, EntityType> entities, entities_of_chains;
   // The residue names that SEQRES gives a chain.
   std::unordered_map<std::string, std::unordered_set<std::string>> sequences;
+  RecordedBonds bonds;
 
  private:
   std::vector<Run> runs_;

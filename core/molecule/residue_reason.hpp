@@ -20,9 +20,11 @@ enum class ResidueReason : std::uint8_t {
   modified_record,     // MODRES
   sequence_record,     // SEQRES
   sequence_number,     // label_seq_id
+  bond_record,         // LINK, CONECT, struct_conn: to its neighbours in the chain
   place_in_chain,      // stands within its chain, or before its TER
   hetatm,              // HETATM, and no part of a chain
   after_ter,           // the same, after the TER of its chain
+  bound_ligand,        // LINK, CONECT, struct_conn: to a residue of a chain, but not within it
   no_sequence_number,  // ATOM without label_seq_id in a file that has them
   // What the residue's own atoms say.
   chain_bond,    // bound to its neighbours, C to N or O3' to P
@@ -41,7 +43,7 @@ enum class ResidueReason : std::uint8_t {
   no_polymer,      // ATOM, but of no amino acid or nucleotide and bound in no chain
   no_name
 };
-inline constexpr std::size_t kResidueReasons = 26;
+inline constexpr std::size_t kResidueReasons = 28;
 
 // "HETATM, and no part of a chain"; empty for `none`.
 const char* reason_text(ResidueReason reason);

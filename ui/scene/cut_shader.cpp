@@ -1,6 +1,7 @@
-// See the header. The shaders are VTK's; what is added to them uses names of theirs (VTK 9.1,
-// vtkOpenGLSphereMapper): EyePos and EyeDir, the ray in units of the ball's radius around its
-// centre, b and d of the quadratic equation for where it meets the ball.
+// See the header. The shaders are VTK's, but for the geometry shader (BallMapper); what is added to
+// them uses names of theirs (VTK 9.1, vtkOpenGLSphereMapper): EyePos and EyeDir, the ray in units
+// of the ball's radius around its centre, b and d of the quadratic equation for where it meets the
+// ball.
 #include "ui/scene/cut_shader.hpp"
 
 #include <vtkCamera.h>
@@ -31,7 +32,8 @@ constexpr const char* kCutMesh = R"(
 )";
 
 // Of the ray, only what is between the planes is left; where that begins at a plane is the cap.
-// Behind (invertedDepth < 0, for translucent balls), where it ends.
+// Behind (invertedDepth < 0, for translucent balls), where it ends. What begins behind the eye is
+// not seen: picking says the same.
 std::string cut_ball() {
   return R"(
   bool isCap = false;
@@ -53,6 +55,10 @@ std::string cut_ball() {
       }
     }
     if (!(enter < leave)) discard;
+    if (cameraParallel == 0) {
+      float eye = -dot(EyePos + centerVCVSOutput / radiusVCVSOutput, EyeDir);
+      if ((invertedDepth < 0.0 ? leave : enter) < eye) discard;
+    }
     isCap = invertedDepth < 0.0 ? leaveCap : enterCap;
     if (isCap) {
       vec3 place = EyePos + (invertedDepth < 0.0 ? leave : enter) * EyeDir;
@@ -79,6 +85,7 @@ constexpr const char* kFlatCap = R"(
 )";
 
 constexpr const char* kGeometryPlanes = R"(
+#define BALLS_ARE_CUT
 uniform vec4 cutPlane0;
 uniform vec4 cutPlane1;
 )";

@@ -2,11 +2,9 @@
 #include "ui/scene/scene_impl.hpp"
 
 #include <vtkCamera.h>
-#include <vtkDataArray.h>
 #include <vtkLight.h>
 #include <vtkMath.h>
 #include <vtkObject.h>
-#include <vtkPointData.h>
 #include <vtkProperty.h>
 
 #include <algorithm>
@@ -139,7 +137,6 @@ void Scene::Impl::set_up_lights() {
 }
 
 BallActor::BallActor() {
-  mapper->SetScaleArray(kRadiusArray);
   mapper->SetColorModeToDirectScalars();
   actor->SetMapper(mapper);
   actor->VisibilityOff();
@@ -269,14 +266,6 @@ std::optional<std::array<double, 6>> Scene::Impl::visible_box() {
   std::array<double, 6> box;
   renderer->ComputeVisiblePropBounds(box.data());
   if (box[0] > box[1]) return std::nullopt;
-  double largest = 0;
-  for (BallActor* b : cut_balls()) {
-    if (!b->actor->GetVisibility() || !b->data) continue;
-    double range[2] = {0, 0};
-    b->data->points->GetPointData()->GetArray(kRadiusArray)->GetRange(range);
-    largest = std::max(largest, range[1]);
-  }
-  for (std::size_t k = 0; k < 6; ++k) box[k] += k % 2 == 0 ? -largest : largest;
   return box;
 }
 

@@ -6,7 +6,6 @@
 #include <vtkGenericRenderWindowInteractor.h>
 #include <vtkInteractorStyleTrackballCamera.h>
 #include <vtkNew.h>
-#include <vtkOpenGLSphereMapper.h>
 
 #include <array>
 #include <cmath>
@@ -14,6 +13,7 @@
 #include <optional>
 #include <vector>
 
+#include "ui/scene/ball_mapper.hpp"
 #include "ui/scene/finish_pass.hpp"
 #include "ui/scene/mesh_actor.hpp"
 #include "ui/scene/picture_timer.hpp"
@@ -45,7 +45,7 @@ struct MarkActors {
 
 // Balls with colours and radii of their own.
 struct BallActor {
-  vtkNew<vtkOpenGLSphereMapper> mapper;
+  vtkNew<BallMapper> mapper;
   vtkNew<vtkActor> actor;
   std::shared_ptr<BallData> data;
 
@@ -143,7 +143,7 @@ struct Scene::Impl {
   void set_up_window();
   void set_up_lights();
   void follow_aspect(double now);
-  // Of all that is drawn: VTK's is of the centres of balls. Nothing: there is nothing.
+  // Of all that is drawn. Nothing: there is nothing.
   std::optional<std::array<double, 6>> visible_box();
   void reset_camera();
   void apply_finish(RenderQuality quality, bool transparent);

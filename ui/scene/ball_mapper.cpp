@@ -1,0 +1,41 @@
+// See the header.
+#include "ui/scene/ball_mapper.hpp"
+
+#include <vtkDataArray.h>
+#include <vtkMath.h>
+#include <vtkObjectFactory.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+
+#include <cstddef>
+
+#include "ui/scene/ball_shader.hpp"
+#include "ui/scene/vtk_arrays.hpp"
+
+namespace alphascope {
+
+vtkStandardNewMacro(BallMapper);
+
+BallMapper::BallMapper() {
+  this->SetScaleArray(kRadiusArray);
+}
+
+BallMapper::~BallMapper() = default;
+
+void BallMapper::GetShaderTemplate(std::map<vtkShader::Type, vtkShader*> shaders,
+                                   vtkRenderer* renderer, vtkActor* actor) {
+  this->Superclass::GetShaderTemplate(shaders, renderer, actor);
+  shaders.at(vtkShader::Geometry)->SetSource(kBallGeometry);
+}
+
+void BallMapper::ComputeBounds() {
+  vtkMath::UninitializeBounds(this->Bounds);
+  vtkPolyData* balls = this->GetInput();
+  if (balls == nullptr || balls->GetNumberOfPoints() == 0) return;
+  balls->GetCellsBounds(this->Bounds);
+  double radii[2] = {0, 0};
+  balls->GetPointData()->GetArray(kRadiusArray)->GetRange(radii);
+  for (std::size_t k = 0; k < 6; ++k) this->Bounds[k] += k % 2 == 0 ? -radii[1] : radii[1];
+}
+
+}  // namespace alphascope

@@ -1,0 +1,79 @@
+// The geometry shader of BallMapper: for each ball, a triangle that covers what is seen of it, and
+// hardly more. For its source only. It takes the place of VTK's, whose triangle covers a ball that
+// is seen without perspective; marks ("//VTK::") and names are those of VTK 9.1.
+#pragma once
+
+namespace alphascope {
+
+// With perspective, the outline of a ball is a cone of lines of sight that touch it. Where the
+// plane through the ball's centre, at a right angle to the line from the eye, meets that cone, it
+// has the radius r d / sqrt(d² - r²), d from the eye: more than r, and the more the nearer. The
+// triangle is in that plane, around that circle. The fragment shader writes the depth; so the
+// triangle need not be cut off at the near plane, but only a little before the eye, of which it
+// stays clear in all of the picture.
+// Of a ball around the eye nothing is seen from outside. From inside (translucent balls), and of
+// its caps, all of the picture may show something.
+inline constexpr const char* kBallGeometry = R"(//VTK::System::Dec
+//VTK::PrimID::Dec
+//VTK::Color::Dec
+layout(points) in;
+layout(triangle_strip, max_vertices = 3) out;
+uniform int cameraParallel;
+uniform mat4 VCDCMatrix;
+uniform float invertedDepth;
+in float radiusVCVSOutput[];
+out float radiusVCGSOutput;
+out vec4 vertexVCGSOutput;
+out vec3 centerVCGSOutput;
+//VTK::Clip::Dec
+//VTK::Picking::Dec
+void main()
+{
+  int i = 0;  // for VTK's lines
+  radiusVCGSOutput = radiusVCVSOutput[0];
+  vec3 centre = gl_in[0].gl_Position.xyz / gl_in[0].gl_Position.w;
+  vec3 right = vec3(1.0, 0.0, 0.0), up = vec3(0.0, 1.0, 0.0);
+  float away = length(centre);
+  bool around = false;  // the eye
+  if (cameraParallel == 0) {
+    float touching = away * away - radiusVCVSOutput[0] * radiusVCVSOutput[0];
+    around = !(touching > 1e-6 * away * away);
+    if (!around) {
+      vec3 towards = -centre / away;
+      up = normalize(cross(towards, abs(towards.x) < 0.9 ? right : vec3(0.0, 0.0, 1.0)));
+      right = cross(up, towards);
+      float wider = away / sqrt(touching);
+      up *= wider;
+      right *= wider;
+    }
+  }
+#ifndef BALLS_ARE_CUT
+  if (around && invertedDepth > 0.0) return;
+#endif
+  //VTK::PrimID::Impl
+  //VTK::Clip::Impl
+  //VTK::Color::Impl
+  centerVCGSOutput = centre;
+  //VTK::Picking::Impl
+  for (int corner = 0; corner < 3; ++corner) {
+    if (around) {
+      vec2 place = corner == 0 ? vec2(-1.0, -1.0) : corner == 1 ? vec2(3.0, -1.0) : vec2(-1.0, 3.0);
+      gl_Position = vec4(place, 0.0, 1.0);
+      vertexVCGSOutput = inverse(VCDCMatrix) * gl_Position;
+      vertexVCGSOutput /= vertexVCGSOutput.w;
+    } else {
+      vec2 place = corner == 0   ? vec2(-1.7320508, -1.0)
+                   : corner == 1 ? vec2(1.7320508, -1.0)
+                                 : vec2(0.0, 2.0);
+      place *= radiusVCVSOutput[0];
+      vertexVCGSOutput = vec4(centre + place.x * right + place.y * up, 1.0);
+      gl_Position = VCDCMatrix * vertexVCGSOutput;
+      if (cameraParallel == 0) gl_Position.z = -0.1 * away;
+    }
+    EmitVertex();
+  }
+  EndPrimitive();
+}
+)";
+
+}  // namespace alphascope

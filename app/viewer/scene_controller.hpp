@@ -268,6 +268,7 @@ class SceneController {
   void make_room();
   void take(Drawing drawing);
   void show(Drawing drawing);
+  void make_balls(Drawing& drawing) const;
   void show_balls(Drawing& drawing);
   void show_nothing(const std::string& why);
   void show_no_memory();

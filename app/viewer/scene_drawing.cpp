@@ -31,6 +31,13 @@ bool changes_sandbox(const DrawnMolecule* before, const DrawnMolecule& now) {
          now.opened->options.sandbox && before->opened->deposited == now.opened->deposited;
 }
 
+// Two drawings may have been begun before the first of a molecule was there; each then has made the
+// same balls.
+bool has_same_balls(const DrawnMolecule* before, const DrawnMolecule& now) {
+  return before != nullptr && before->opened == now.opened && before->prepared == now.prepared &&
+         before->geometry->centres.size() == now.geometry->centres.size();
+}
+
 // Without balls, for want of memory.
 std::shared_ptr<const DrawnMolecule> undrawn(std::shared_ptr<const OpenedMolecule> opened) {
   auto drawn = std::make_shared<DrawnMolecule>();
@@ -200,9 +207,17 @@ void SceneController::take(Drawing drawing) {
   }
 }
 
+// Drawings come late, and others may have come since they were begun: what is shown must follow
+// from what they hold and from the controls, not from what was on screen when they were begun.
 void SceneController::show(Drawing drawing) {
   take_time(true);
-  const bool new_balls = drawing.molecule != drawn_molecule_;
+  const bool new_balls = !has_same_balls(drawn_molecule_.get(), *drawing.molecule);
+  if (new_balls && !drawing.balls) {
+    make_balls(drawing);
+  } else if (!new_balls) {
+    drawing.molecule = drawn_molecule_;
+    drawing.balls = nullptr;
+  }
   outdated_since_.reset();  // the next that is awaited may take its time as well
   const bool of_sandbox = changes_sandbox(drawn_molecule_.get(), *drawing.molecule);
   const bool keep_view = viewed_ && (of_sandbox || same_atoms(*viewed_, *drawing.molecule->opened));
@@ -273,17 +288,24 @@ void SceneController::note_times(RenderQuality quality, double picture_milliseco
   picture_stages_.push_back({std::string(stage::kDraw), picture_milliseconds - upload, false});
 }
 
+// Of a drawing that was begun beside the same balls, which have gone since.
+void SceneController::make_balls(Drawing& drawing) const {
+  const DrawnMolecule& m = *drawing.molecule;
+  const std::size_t count = m.geometry->centres.size();
+  drawing.radii = radii_of(m, drawing.look.style, drawing.looks.get());
+  const std::vector<Rgb8> colours = drawing.ball_painting
+                                        ? drawing.ball_painting->balls.colours
+                                        : std::vector<Rgb8>(count, kNoValueColour);
+  drawing.balls = make_ball_data(m.geometry, painted(colours, drawing.looks.get()), drawing.radii);
+}
+
 // Colours and radii come with the drawing, unless the controls have changed since it was begun.
 void SceneController::show_balls(Drawing& drawing) {
   const BallLook wanted = ball_look(drawn_answer_.get());
   const std::size_t count = drawn_molecule_->geometry->centres.size();
   const bool radii_fit = drawing.look.style == wanted.style && drawing.radii.size() == count;
   const bool with_radii = drawing.balls != nullptr;
-  if (with_radii) {
-    scene_.set_balls(std::move(drawing.balls));
-  } else if (count == 0) {
-    scene_.set_balls(drawn_molecule_->geometry, {});
-  }
+  if (with_radii) scene_.set_balls(std::move(drawing.balls));
   if (!radii_fit) return update_radii();
   radii_ = std::move(drawing.radii);
   if (!with_radii) scene_.set_ball_radii(radii_);

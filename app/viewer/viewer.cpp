@@ -165,17 +165,22 @@ bool Viewer::settled() const {
 
 void Viewer::take_molecule() {
   const SessionState& s = session_.state();
-  const bool new_file = shown_file_ != s.opened->deposited;
   const bool new_molecule = scene_.molecule() != s.molecule;
-  scene_.set_molecule(s.opened);
   state_.molecule = describe_molecule(*s.opened);
   state_.molecule.radii = grown_radii(*s.prepared, state_.compute);
   compared_ = nullptr;
+  if (new_molecule) {
+    memory_to_give_back_ = true;  // the last one's
+    colour_by_what_differs(*s.molecule);
+    if (shown_file_ != s.opened->deposited) take_file();
+    send_look();  // all that is decided by the molecule: its first picture has it
+  }
   // Another selection of the same molecule leaves the last result on screen until its own is there.
-  if (!new_molecule) return;
-  memory_to_give_back_ = true;  // the last one's
-  colour_by_what_differs(*s.molecule);
-  if (!new_file) return;
+  scene_.set_molecule(s.opened);
+}
+
+void Viewer::take_file() {
+  const SessionState& s = session_.state();
   shown_file_ = s.opened->deposited;
   state_.drop_note = std::exchange(drop_note_when_open_, {});
   host_.set_title(state_.molecule.name + " – Alphascope");
@@ -359,11 +364,15 @@ void Viewer::send_compute() {
 void Viewer::send_controls() {
   send_compute();
   send_selection();
+  send_look();
+  state_.picked.note_order();
+  note_changes();
+}
+
+void Viewer::send_look() {
   scene_.set_display(state_.display, state_.theme, line_scale());
   scene_.set_clip(state_.clip);
   scene_.set_appearance(state_.appearance);
-  state_.picked.note_order();
-  note_changes();
 }
 
 // A frame is drawn by the processor that also makes the tables of this picture. While a hand

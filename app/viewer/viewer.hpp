@@ -121,6 +121,7 @@ class Viewer {
   bool all_but_saving() const;  // of that
   void take_machine();
   void take_molecule();
+  void take_file();  // what another file begins with
   void start_preset();
   void take_answer();
   void take_results();
@@ -143,6 +144,7 @@ class Viewer {
   void cancel_saving();
   void take_saved();
   void send_controls();  // changed controls to session and scene
+  void send_look();      // to the scene
   bool awaits_panels() const;
   void add_picture_stages();
   bool waits_for_tables();

@@ -1,6 +1,6 @@
 // What each residue is: polymer, ligand, ion, water or dummy, decided once for all formats when a
-// file is read. In a fixed order the entity table is asked, other records (bonds last), the residue's
-// own atoms, lists of names; what is left is guessed.
+// file is read. In a fixed order the entity table is asked, other records (bonds last), the
+// residue's own atoms, lists of names; what is left is guessed.
 #pragma once
 
 #include "core/io/residue_records.hpp"

@@ -13,19 +13,6 @@ std::string residues_text(std::size_t count) {
   return grouped(count) + (count == 1 ? " residue" : " residues");
 }
 
-const char* taken_text(ResidueReason why) {
-  switch (why) {
-    case ResidueReason::no_polymer:
-      return "ligands by a guess, since they are ATOM records of no amino acid or nucleotide and "
-             "bound in no chain";
-    case ResidueReason::backbone_names:
-      return "polymer by a guess, since they are ATOM records with the names of a backbone, though "
-             "bound to nothing";
-    default:
-      return "polymer by a guess, since they have no name";
-  }
-}
-
 }  // namespace
 
 void ResidueNotes::add(Counted& counted, std::size_t first_atom) const {
@@ -51,8 +38,8 @@ void ResidueNotes::no_water(std::size_t first_atom) {
 
 void ResidueNotes::finish() const {
   for (const auto& [why, counted] : guesses_) {
-    molecule_.notes.push_back("Taken as " + std::string(taken_text(why)) + ": " +
-                              residues_text(counted.count) + " (" + counted.examples + ")");
+    molecule_.notes.push_back(std::string(guess_note(why)) + ": " + residues_text(counted.count) +
+                              " (" + counted.examples + ")");
   }
   for (const auto& [key, counted] : disagreements_) {
     molecule_.notes.push_back("The entity table says " + key.first +

@@ -56,6 +56,19 @@ bool is_guess(ResidueReason reason) {
   return reason >= ResidueReason::backbone_names;
 }
 
+const char* guess_note(ResidueReason guess) {
+  switch (guess) {
+    case ResidueReason::no_polymer:
+      return "Taken as ligands by a guess, since they are ATOM records of no amino acid or "
+             "nucleotide and bound in no chain";
+    case ResidueReason::backbone_names:
+      return "Taken as polymer by a guess, since they are ATOM records with the names of a "
+             "backbone, though bound to nothing";
+    default:
+      return "Taken as polymer by a guess, since they have no name";
+  }
+}
+
 bool is_less_than_evidence(ResidueReason reason) {
   return reason >= ResidueReason::polymer_name;
 }

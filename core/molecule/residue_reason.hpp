@@ -51,6 +51,8 @@ const char* reason_text(ResidueReason reason);
 const char* reason_id(ResidueReason reason);
 
 bool is_guess(ResidueReason reason);
+// Of a guess, how the note on its residues begins: "Taken as polymer by a guess, since they …".
+const char* guess_note(ResidueReason guess);
 
 // Whether it is a list of names or a guess that decided.
 bool is_less_than_evidence(ResidueReason reason);

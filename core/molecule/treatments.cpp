@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <set>
 #include <stdexcept>
 
 #include "core/molecule/atom_address.hpp"
@@ -39,7 +40,27 @@ std::function<bool(std::size_t)> residues_named(const Molecule& molecule, const 
   return atoms_named(molecule, text);
 }
 
-std::vector<bool> treat(Molecule& molecule, const Treatment& treatment) {
+using Reasons = std::set<ResidueReason>;
+
+// A note on guesses goes when nothing of it is a guess any more.
+void settle_notes(Molecule& molecule, const Reasons& treated_guesses) {
+  for (const ResidueReason guess : treated_guesses) {
+    const bool is_left = std::any_of(molecule.atoms.begin(), molecule.atoms.end(),
+                                     [&](const Atom& atom) { return atom.why == guess; });
+    const std::string begin = guess_note(guess);
+    if (is_left) {
+      for (std::string& note : molecule.notes) {
+        if (note.starts_with(begin)) note += "; some of them are set by hand now";
+      }
+    } else {
+      std::erase_if(molecule.notes,
+                    [&](const std::string& note) { return note.starts_with(begin); });
+    }
+  }
+}
+
+// Adds to `guesses` those that are none any more.
+std::vector<bool> treat(Molecule& molecule, const Treatment& treatment, Reasons& guesses) {
   const auto named = residues_named(molecule, treatment.residues);
   std::vector<bool> atoms(molecule.atoms.size());
   for (std::size_t i = 0; i < atoms.size(); ++i) atoms[i] = named(i);
@@ -51,6 +72,7 @@ std::vector<bool> treat(Molecule& molecule, const Treatment& treatment) {
     Atom& atom = molecule.atoms[i];
     // A point without matter stays one beside its residue's atoms.
     if (atom.why == ResidueReason::virtual_site) continue;
+    if (is_guess(atom.why)) guesses.insert(atom.why);
     atom.kind = treatment.kind;
     atom.why = ResidueReason::by_hand;
   }
@@ -93,8 +115,11 @@ std::string treatment_text(const Treatment& treatment) {
 
 TreatedAtoms treat(Molecule& molecule, const std::vector<std::string>& treatments) {
   TreatedAtoms atoms;
-  for (const std::string& text : treatments)
-    atoms.push_back(treat(molecule, parse_treatment(text)));
+  Reasons guesses;
+  for (const std::string& text : treatments) {
+    atoms.push_back(treat(molecule, parse_treatment(text), guesses));
+  }
+  settle_notes(molecule, guesses);
   return atoms;
 }
 

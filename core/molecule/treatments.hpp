@@ -28,7 +28,8 @@ std::string treatment_text(const Treatment& treatment);
 using TreatedAtoms = std::vector<std::vector<bool>>;
 
 // Gives all atoms of these residues their kind, in this order, with ResidueReason::by_hand. A note
-// says which treatment found nothing. Throws as parse_treatment().
+// says which treatment found nothing; notes on guesses that are none any more go. Throws as
+// parse_treatment().
 TreatedAtoms treat(Molecule& molecule, const std::vector<std::string>& treatments);
 
 // Takes what was said of these residues out of a list, and adds what is said now, if anything.

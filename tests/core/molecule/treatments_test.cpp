@@ -5,6 +5,7 @@
 
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "core/molecule/prepare_balls.hpp"
 
@@ -54,6 +55,24 @@ TEST(Treatments, GoByAddressNameAndExpression) {
   treat(m, {"B:XYZ 7=water"});
   ASSERT_EQ(m.notes.size(), 1u);
   EXPECT_EQ(m.notes[0], "To be treated as water, but not in this file: B:XYZ 7");
+}
+
+TEST(Treatments, SettleWhatWasANoteOnGuesses) {
+  const std::string note =
+      std::string(guess_note(ResidueReason::no_polymer)) + ": 2 residues (A:LIG 1, A:LIG 2)";
+  Molecule m = small();
+  m.notes = {"Another note", note};
+  treat(m, {"A:LIG 1=ligand"});
+  EXPECT_EQ(m.notes, (std::vector<std::string>{"Another note",
+                                               note + "; some of them are set by hand now"}));
+  m = small();
+  m.notes = {"Another note", note};
+  treat(m, {"A:LIG 1=ligand", "A:LIG 2=polymer"});
+  EXPECT_EQ(m.notes, std::vector<std::string>{"Another note"});
+  m = small();
+  m.notes = {note};
+  treat(m, {"HOH=ligand"});
+  EXPECT_EQ(m.notes, std::vector<std::string>{note});
 }
 
 // A list of treatments is for many files; of these one has no such residue.

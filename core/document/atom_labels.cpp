@@ -62,6 +62,7 @@ std::string label_text(const BallReferences& atoms, std::size_t atom, LabelText 
       return number(balls.lattice.angstrom(balls.radii[*ball]), 2, "Å");
     }
     case LabelText::b_factor:
+      if (!a.has_b_factor) return "";
       return number(a.b_factor, 1, molecule.has_confidences ? "pLDDT" : "Å²");
     case LabelText::address:
       break;

@@ -199,7 +199,7 @@ bool SelectionExpression::Bound::Node::holds(const Molecule& molecule, const Ato
       return in_ranges(of.ranges,
                        static_cast<std::int64_t>(atom_source(molecule, place()).copy) + 1, ' ');
     case Test::b_factor:
-      return alphascope::holds(of.comparison, atom.b_factor, of.number);
+      return atom.has_b_factor && alphascope::holds(of.comparison, atom.b_factor, of.number);
     case Test::occupancy:
       return alphascope::holds(of.comparison, atom.occupancy, of.number);
     case Test::polymer:

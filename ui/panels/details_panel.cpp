@@ -66,7 +66,7 @@ void atom_facts(PanelContext& ctx, const BallReferences& atoms, std::size_t atom
   } else {
     fact(ctx, "size", "no ball: the choice of atoms at the left leaves it out");
   }
-  if (a.b_factor != 0) {
+  if (a.has_b_factor) {
     const std::string value = number_text(static_cast<double>(a.b_factor), 2);
     if (molecule.has_confidences) {
       fact(ctx, "pLDDT", value);

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "tests/core/io/temporary_file.hpp"
 
 namespace alphascope {
@@ -32,6 +34,19 @@ std::vector<std::string> texts(const LabelGroups& labels) {
     found.push_back(label.text);
   }
   return found;
+}
+
+TEST(AtomLabels, OfAnAtomWithoutABFactorSayNone) {
+  const auto molecule = std::make_shared<const Molecule>(read_text(
+      "a.pdb",
+      "ATOM      1  N   SER A   1       1.000   2.000   3.000  1.00  0.00           N  \n"
+      "ATOM      2  CA  SER A   1       2.000   2.000   3.000                       C  \n"));
+  const BallReferences atoms{molecule,
+                             std::make_shared<const PreparedBalls>(prepare_balls(*molecule, {}))};
+  const auto labels = placed_labels(atoms, {{LabelText::b_factor, AtomSet({{0, 0, 1}})}}, all);
+  std::vector<std::string> found;
+  for (const PlacedText& label : labels) found.push_back(label.text);
+  EXPECT_EQ(std::count(found.begin(), found.end(), "0.0 Å²"), 1);
 }
 
 TEST(AtomLabels, SayWhatTheyAreAskedFor) {

@@ -89,6 +89,18 @@ TEST(Selection, PicksWhatItSays) {
   for (const auto& c : cases) EXPECT_EQ(picked(c.expression), c.atoms) << c.expression;
 }
 
+TEST(Selection, AnAtomWithoutABFactorFitsNone) {
+  const Molecule m =
+      read_text("a.pdb",
+                "ATOM      1  N   SER A   1       1.000   2.000   3.000  1.00  0.00           N  \n"
+                "ATOM      2  CA  SER A   1       2.000   2.000   3.000\n");
+  for (const char* text : {"b = 0", "b < 10", "b <= 0", "b >= 0"}) {
+    const auto bound = SelectionExpression::parse(text).bind(m);
+    EXPECT_TRUE(bound(m.atoms[0])) << text;
+    EXPECT_FALSE(bound(m.atoms[1])) << text;
+  }
+}
+
 TEST(Selection, ZonesAreExactAndAsThoughEveryPairWasTried) {
   std::mt19937 random(7);
   std::uniform_int_distribution<std::int32_t> place(-15000, 15000);
@@ -98,6 +110,7 @@ TEST(Selection, ZonesAreExactAndAsThoughEveryPairWasTried) {
     Atom atom;
     atom.position = {place(random), place(random), place(random) / 4};
     atom.b_factor = static_cast<float>(i % 50);
+    atom.has_b_factor = true;
     m.atoms.push_back(atom);
   }
   m.models = {{1, 0, 2000}, {2, 2000, 3000}};

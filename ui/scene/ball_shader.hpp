@@ -58,9 +58,10 @@ void main()
   for (int corner = 0; corner < 3; ++corner) {
     if (around) {
       vec2 place = corner == 0 ? vec2(-1.0, -1.0) : corner == 1 ? vec2(3.0, -1.0) : vec2(-1.0, 3.0);
+      vec2 shift = vec2(VCDCMatrix[2][0], VCDCMatrix[2][1]);
+      vec2 scale = vec2(VCDCMatrix[0][0], VCDCMatrix[1][1]);
+      vertexVCGSOutput = vec4((place + shift) / scale, -1.0, 1.0);
       gl_Position = vec4(place, 0.0, 1.0);
-      vertexVCGSOutput = inverse(VCDCMatrix) * gl_Position;
-      vertexVCGSOutput /= vertexVCGSOutput.w;
     } else {
       vec2 place = corner == 0   ? vec2(-1.7320508, -1.0)
                    : corner == 1 ? vec2(1.7320508, -1.0)

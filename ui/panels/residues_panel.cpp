@@ -17,9 +17,13 @@ std::string number(std::size_t n) {
   return with_separators(static_cast<long long>(n));
 }
 
+std::string residues_text(const ResidueGroup& group) {
+  return number(group.residues) + (group.residues == 1 ? " residue" : " residues");
+}
+
 std::string count_text(const ResidueGroup& group) {
-  return number(group.residues) + (group.residues == 1 ? " residue, " : " residues, ") +
-         number(group.atoms) + (group.atoms == 1 ? " atom" : " atoms");
+  return residues_text(group) + ", " + number(group.atoms) +
+         (group.atoms == 1 ? " atom" : " atoms");
 }
 
 // "HEM", "HEM.2": in the names of widgets.
@@ -109,7 +113,9 @@ void group_line(PanelContext& ctx, const ResidueGroup& group, int index) {
   ImGui::SameLine(name + gap);
   ImGui::AlignTextToFramePadding();
   const std::string count = count_text(group);
-  muted_text(ctx, fitted_text(count, width - name - combo - 2 * gap));
+  const float room = width - name - combo - 2 * gap;
+  const bool fits = fitted_text(count, room) == count;
+  muted_text(ctx, fits ? count : fitted_text(residues_text(group), room));
   tooltip(ctx, count.c_str());
   ImGui::SameLine(width - combo);
   treat_as(ctx, group, combo);
@@ -158,8 +164,7 @@ void draw_residue_rows(PanelContext& ctx) {
   if (!open) return;
   ImGui::Unindent();  // the width is needed
   ImGui::PushFont(ctx.fonts.small);
-  muted_wrapped(ctx, kinds);
-  record(ctx, "residues.kinds");
+  if (kinds != decisions) muted_wrapped(ctx, kinds);  // else they are in the line above
   group_lines(ctx, groups->of);
   ImGui::PopFont();
   ImGui::Indent();

@@ -221,8 +221,9 @@ void SceneController::show(Drawing drawing) {
   outdated_since_.reset();  // the next that is awaited may take its time as well
   const bool of_sandbox = changes_sandbox(drawn_molecule_.get(), *drawing.molecule);
   const bool keep_view = viewed_ && (of_sandbox || same_atoms(*viewed_, *drawing.molecule->opened));
+  // The scene's origin is the middle of all balls, which may be elsewhere now.
   const std::optional<NamedView> place =
-      keep_view && of_sandbox ? std::optional(named_view("")) : std::nullopt;
+      keep_view && new_balls && drawn_molecule_ ? std::optional(named_view("")) : std::nullopt;
   new_picture_ = true;
   const bool first_of_answer = drawn_answer_ != drawing.answer;
   drawn_answer_ = drawing.answer;
@@ -257,7 +258,7 @@ void SceneController::show(Drawing drawing) {
   submit_beside_body();
   viewed_ = draws_nothing() ? nullptr : drawn_molecule_->opened;
   if (!keep_view) quality_.forget(), balls_.forget();
-  if (place) go_to(*place);  // the middle of all balls may be elsewhere now
+  if (place) go_to(*place);
   // Other atoms of the same molecule keep the view, unless it shows none of them.
   const ViewProblem problem = find_view_problem();
   const bool shows_none = problem != ViewProblem::none && problem != ViewProblem::cut_away;

@@ -36,6 +36,7 @@ BondedAtom bonded_atom(const Row& row, const std::string& partner) {
 }  // namespace
 
 void MmcifBondTable::add(int block, std::string_view tag, std::string_view value) {
+  if (!tag.starts_with(kTable)) return;  // a loop that mixes tables
   Block& here = blocks_[block];
   const std::string column(tag.substr(kTable.size()));
   if (here.row.contains(column)) take(here);

@@ -162,5 +162,13 @@ TEST(RecordedBonds, TheEntityTableGoesBeforeThem) {
   EXPECT_EQ(unknown_of(m).why, Why::entity_non_polymer);
 }
 
+TEST(RecordedBonds, ALoopThatMixesTablesIsRead) {
+  const Molecule m =
+      read_text("a.cif",
+                "data_A\nloop_\n_struct_conn.conn_type_id\n_short\ncovale 1\ncovale 2\nloop_\n"
+                "_atom_site.Cartn_x\n_atom_site.Cartn_y\n_atom_site.Cartn_z\n1 2 3\n");
+  EXPECT_EQ(m.atoms.size(), 1u);
+}
+
 }  // namespace
 }  // namespace alphascope

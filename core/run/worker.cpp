@@ -13,13 +13,13 @@ Worker::Failure present_failure() {
   try {
     throw;
   } catch (const Cancelled&) {
-    return {"cancelled", true};
+    return {.message = "cancelled", .cancelled = true};
   } catch (const std::bad_alloc&) {
-    return {"not enough memory for this computation", false, true};
+    return {.message = "not enough memory for this computation", .out_of_memory = true};
   } catch (const std::exception& e) {
-    return {e.what()};
+    return {.message = e.what()};
   } catch (...) {
-    return {"an unknown error"};
+    return {.message = "an unknown error"};
   }
 }
 

@@ -1,11 +1,16 @@
 // Numbers that stand in the lessons' texts and are no facts of the complex on screen: they are what
-// the program computes.
+// the program computes. And the lengths of the texts: they fit into their column.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <string>
 
+#include "core/complex/alpha_complex.hpp"
+#include "core/document/lesson.hpp"
+#include "core/engine/engine.hpp"
 #include "core/explain/explanation.hpp"
 #include "core/io/read_molecule.hpp"
 #include "core/molecule/prepare_balls.hpp"
@@ -74,6 +79,70 @@ TEST(LessonNumbers, CornersOfACell) {
     for (const RealPoint& end : edge)
       EXPECT_EQ(decimals(std::hypot(end.x, end.y, end.z), 3), "3.637");
   }
+}
+
+// The middle of an edge that does not come by itself has the power 2² − 1² = 3 Å² for both its
+// balls. For the third, 0.8 Å away, it has 0.8² − 1² = −0.36 Å².
+TEST(LessonNumbers, AnAttachedEdge) {
+  const std::vector<BallIndex> edge{0, 1};
+  const Explanation e = explain(*balls_of("obtuse.xyzr"), edge, std::nullopt);
+  expect_said(text_of("06_filtration.md"), "have the power 3 Å²");
+  ASSERT_TRUE(e.orthosphere);
+  EXPECT_DOUBLE_EQ(e.orthosphere->rho_angstrom2, 3);
+  ASSERT_FALSE(e.nearest.empty());
+  EXPECT_EQ(e.nearest[0].ball, 2u);
+  EXPECT_NEAR(e.nearest[0].power_angstrom2, -0.36, 1e-12);
+  EXPECT_TRUE(e.attached);
+}
+
+// Every set of balls but the empty one is a term.
+TEST(LessonNumbers, TermsOfCrambin) {
+  const std::size_t balls = balls_of("../molecules/1crn.pdb")->centres.size();
+  EXPECT_EQ(balls, 327u);
+  expect_said(text_of("01_union_of_balls.md"), "all 2³²⁷ − 1 terms");
+}
+
+// The tetrahedra of crambin at a large alpha: what the lessons set is the whole triangulation where
+// they say so.
+TEST(LessonNumbers, TheWholeOfCrambin) {
+  const auto balls = balls_of("../molecules/1crn.pdb");
+  const auto engine = make_cgal_engine(balls);
+  const auto tetrahedra = [&](double alpha) {
+    return engine->compute({alpha}, {}).tetrahedra.size();
+  };
+  const std::size_t whole = tetrahedra(1e9);
+  EXPECT_EQ(whole, tetrahedra(1e12));
+  EXPECT_LT(tetrahedra(1e6), whole);
+  EXPECT_GT(tetrahedra(10), whole / 2) << "most are inside, not far away";
+  expect_said(text_of("03_power_diagram.md"), "alpha.set 1000000000\n");
+}
+
+// Characters as they are read, with a fact as long as its name.
+std::size_t characters(const LessonPart& part) {
+  std::size_t sum = 0;
+  for (const LessonParagraph& paragraph : part.text) {
+    for (const LessonSpan& span : lesson_spans(paragraph.text)) {
+      sum += static_cast<std::size_t>(std::count_if(span.text.begin(), span.text.end(),
+                                                    [](char c) { return (c & 0xc0) != 0x80; }));
+    }
+  }
+  return sum;
+}
+
+// The column of a window of 1280 x 800 pixels has 19 lines of about 40 characters at presenter
+// size. Paragraphs end in half a line and a gap: four of them leave 600 characters.
+TEST(LessonTexts, FitIntoTheirColumn) {
+  constexpr std::size_t kMost = 600;
+  std::size_t lessons_read = 0;
+  for (const auto& entry : fs::directory_iterator(lessons())) {
+    if (entry.path().extension() != ".md") continue;
+    ++lessons_read;
+    for (const LessonStep& step : load_lesson(entry.path()).steps) {
+      EXPECT_LE(characters(step.shown) + characters(step.answer), kMost)
+          << entry.path().filename() << ", line " << step.line << ": " << step.title;
+    }
+  }
+  EXPECT_EQ(lessons_read, 12u);
 }
 
 }  // namespace

@@ -71,6 +71,28 @@ CavityAnswer find_cavities_of(const Input& input, const CavitiesOptions& options
   return answer;
 }
 
+namespace {
+
+constexpr double kNarrowAngstrom = 0.5;
+
+// Of the listed cavities, where the solvent radius does not say it already.
+std::string network_note(const CavityAnswer& answer) {
+  const CavityTable& table = answer.table();
+  std::string text;
+  std::size_t networks = 0;
+  for (const std::size_t row : answer.rows) {
+    if (!table.cavity(row).is_network() || ++networks > 1) continue;
+    text = "cavity " + grouped(row + 1) + " has " + grouped(table.cavity(row).mouths.size()) +
+           " mouths: it is a network of gaps that are connected, rather than one hole";
+  }
+  if (networks == 0) return {};
+  text += "; a larger --solvent parts it";
+  if (networks > 1) text += "; further networks: " + grouped(networks - 1);
+  return text;
+}
+
+}  // namespace
+
 std::vector<std::string> notes_of(const CavityAnswer& answer, const CavitiesOptions& options) {
   std::vector<std::string> notes;
   const CavityTable& table = answer.table();
@@ -83,11 +105,12 @@ std::vector<std::string> notes_of(const CavityAnswer& answer, const CavitiesOpti
     notes.push_back("the body has " + grouped(static_cast<std::uint64_t>(table.found.components)) +
                     " separate parts: spaces between them count as pockets");
   }
-  constexpr double kNarrowAngstrom = 0.5;
   if (answer.request.solvent_radius_angstrom < kNarrowAngstrom && table.size() > 0) {
     notes.push_back(
         "with so small a solvent radius the gaps between atoms join into one large pocket; "
         "--solvent 1.4 parts them");
+  } else if (const std::string network = network_note(answer); !network.empty()) {
+    notes.push_back(network);
   }
   if (!answer.exact && table.size() > 0) {
     notes.push_back("exact clipped volumes are left out, as --no-clipped asks");

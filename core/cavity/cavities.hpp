@@ -56,7 +56,13 @@ struct Cavity {
   // the cavity is known by while alpha moves.
   std::uint32_t deepest_sink = 0;
 
+  // From so many mouths on a pocket is a network of gaps that are connected rather than one hole.
+  // Above what symmetry gives a hollow shell: a cage of 24 equal parts opens at its eight threefold
+  // and six fourfold axes, which are 14.
+  static constexpr std::size_t kMouthsOfNetwork = 20;
+
   bool is_void() const { return mouths.empty(); }
+  bool is_network() const { return mouths.size() >= kMouthsOfNetwork; }
   std::size_t mouth_triangles() const;
   friend bool operator==(const Cavity&, const Cavity&) = default;
 };

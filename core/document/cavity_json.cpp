@@ -53,6 +53,7 @@ Json cavity_json(const CavityFacts& facts, std::size_t row) {
       {"name", facts.name(row)},
       {"kind", facts.kind(row)},
       {"mouths", cavity.mouths.size()},
+      {"network", cavity.is_network()},
       {"tetrahedra", cavity.tetrahedra.size()},
       {"volume_sa_angstrom3", m.volume_sa_angstrom3},
       {"area_sa_angstrom2", m.area_sa_angstrom2},

@@ -5,6 +5,7 @@
 
 #include "core/molecule/atom_address.hpp"
 #include "core/molecule/atom_groups.hpp"
+#include "core/molecule/grouped_number.hpp"
 
 namespace alphascope {
 namespace {
@@ -74,6 +75,18 @@ LiningCounts lining_counts(const BallReferences& references, const CavityTable& 
     chains.push_back(chain);
   });
   return {residues, chains.size()};
+}
+
+std::string mouths_text(std::size_t mouths) {
+  if (mouths < 2) return {};
+  const std::string has = "It has " + grouped(mouths) + " mouths: ";
+  if (mouths < Cavity::kMouthsOfNetwork) {
+    return has + "it may be a pore. How wide that is, Channels say.";
+  }
+  return has +
+         "it is a network of gaps that are connected, rather than one hole. A larger solvent "
+         "radius "
+         "parts it.";
 }
 
 }  // namespace alphascope

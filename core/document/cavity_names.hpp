@@ -40,4 +40,7 @@ struct LiningCounts {
 LiningCounts lining_counts(const BallReferences& references, const CavityTable& table,
                            std::size_t row);
 
+// Sentences on what so many mouths mean; empty of one and of none.
+std::string mouths_text(std::size_t mouths);
+
 }  // namespace alphascope

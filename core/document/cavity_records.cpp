@@ -36,6 +36,7 @@ void add_measures(CsvRow& cells, const CavityFacts& facts, std::size_t row) {
       {"area_ms_steiner_angstrom2", all_digits(m.area_ms_steiner_angstrom2)},
       {"volume_of_tetrahedra_angstrom3", all_digits(m.volume_of_tetrahedra_angstrom3)},
       {"mouths", std::to_string(m.mouths.size())},
+      {"network", facts.table().cavity(row).is_network() ? "1" : "0"},
       {"mouth_triangles", std::to_string(facts.table().cavity(row).mouth_triangles())},
       {"mouth_area_angstrom2", all_digits(mouths.area_angstrom2)},
       {"mouth_length_angstrom", all_digits(mouths.length_angstrom)},

@@ -87,6 +87,38 @@ TEST_F(CliCavities, OfFewBallsThereAreNone) {
   EXPECT_TRUE(contains(wrong.err, "castp")) << wrong.err;
 }
 
+// A grid of balls in which every edge of the cubes is covered and no square is: each square of the
+// boundary is a mouth. Two cubes each way have 6 · 4 of them, one by two by two 2 · 4 + 4 · 2.
+TEST_F(CliCavities, APocketOfManyMouthsIsCalledANetwork) {
+  const auto grid = [&](int layers) {
+    std::string balls;
+    for (int x = 0; x < layers; ++x) {
+      for (int y = 0; y < 3; ++y) {
+        for (int z = 0; z < 3; ++z) {
+          char line[100];
+          std::snprintf(line, sizeof line, "%.1f %.1f %.1f 0.3\n", 2.5 * x, 2.5 * y, 2.5 * z);
+          balls += line;
+        }
+      }
+    }
+    return "'" + write("grid.xyzr", balls).string() + "' --solvent 1";
+  };
+  const json few = cavities(grid(2));
+  ASSERT_EQ(few["cavities"].size(), 1u);
+  EXPECT_EQ(few["cavities"][0]["mouths"], 16);
+  EXPECT_EQ(few["cavities"][0]["network"], false);
+  EXPECT_FALSE(contains(few["notes"].dump(), "network"));
+  const json many = cavities(grid(3));
+  ASSERT_EQ(many["cavities"].size(), 1u);
+  EXPECT_EQ(many["cavities"][0]["mouths"], 24);
+  EXPECT_EQ(many["cavities"][0]["network"], true);
+  EXPECT_TRUE(contains(many["notes"].dump(), "cavity 1 has 24 mouths: it is a network"));
+  const auto rows = csv_rows(run("cavities -q --csv - " + grid(3)).out);
+  ASSERT_EQ(rows.size(), 1u);
+  EXPECT_EQ(rows[0].at("network"), "1");
+  EXPECT_EQ(rows[0].at("kind"), "pocket");
+}
+
 // Balls of radius 2 in rings of radius 5 around the z axis; the middle ring is of radius 4, so that
 // a ball of radius 2 passes.
 TEST_F(CliCavities, AChannelIsAsWideAsItsNarrowestRing) {

@@ -80,11 +80,15 @@ void kind_cell(PanelContext& ctx, const CavityPage& page, std::size_t row) {
                                             to_u32(cavity_colour(page, row)));
   ImGui::SetCursorPosX(ImGui::GetCursorPosX() + side + ctx.px(6));
   const std::string between = between_text(line, {}), change = change_text(page, row);
-  std::string text = line.is_void ? "void" : "pocket";
+  const bool network = line.mouths >= Cavity::kMouthsOfNetwork;
+  std::string text = line.is_void ? "void" : network ? "network" : "pocket";
   if (!between.empty()) text += " ↔";
   if (!change.empty()) text += " ↕";
   ImGui::TextUnformatted(text.c_str());
-  const std::string why = between + (between.empty() || change.empty() ? "" : "\n") + change;
+  std::string why = network ? mouths_text(line.mouths) : std::string();
+  for (const std::string& more : {between, change}) {
+    why += (why.empty() || more.empty() ? "" : "\n") + more;
+  }
   if (!why.empty()) tooltip(ctx, why.c_str());
 }
 

@@ -18,10 +18,11 @@ using C = CavityColumn;
 constexpr CavityColumnSpec kColumns[] = {
     {C::rank, "rank", "#", "Its place by falling SA volume, as CASTp numbers cavities.", 34, true},
     {C::kind, "kind", "kind",
-     "Nothing can leave a void; a pocket opens to the outside through mouths. ↔: it lies between "
-     "separate bodies, or two chains only line it. ↕: it has split off or merged while a slider "
-     "moved last.",
-     90, true},
+     "Nothing can leave a void; a pocket opens to the outside through mouths. Network: a pocket of "
+     "twenty mouths or more, which is gaps that are connected rather than one hole. ↔: it lies "
+     "between separate bodies, or two chains only line it. ↕: it has split off or merged while a "
+     "slider moved last.",
+     100, true},
     {C::volume, "volume", "SA vol. Å³",
      "CASTp's volume of the region of probe centres: not comparable with volumes of KVFinder or "
      "fpocket, nor with MS volumes. A sum over angles, exact for voids; of a pocket it can even be "
@@ -38,7 +39,10 @@ constexpr CavityColumnSpec kColumns[] = {
     {C::ms_area, "ms_area", "MS area Å²",
      "CASTp's area of all that a probe in the cavity reaches with its surface.", 80, false},
     {C::mouths, "mouths", "mouths",
-     "Through how many mouths it opens; a pocket with two or more may be a pore.", 58, true},
+     "Through how many mouths it opens; a pocket with two or more may be a pore, one with twenty "
+     "or "
+     "more is a network of gaps.",
+     58, true},
     {C::mouth_area, "mouth_area", "mouth Å²",
      "The area of all its mouths, outside the grown balls.", 64, false},
     {C::residues, "residues", "residues",

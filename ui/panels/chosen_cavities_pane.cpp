@@ -143,9 +143,10 @@ void sentences(PanelContext& ctx, const CavityPage& page) {
   if (!between.empty()) muted_wrapped(ctx, between);
   const std::string change = change_text(page, row);
   if (!change.empty()) muted_wrapped(ctx, change);
-  if (line.mouths < 2) return;
-  muted_wrapped(ctx, "It has " + count_text(line.mouths, "mouth", "mouths") +
-                         ": it may be a pore. How wide that is, Channels say.");
+  const std::string mouths = mouths_text(line.mouths);
+  if (mouths.empty()) return;
+  muted_wrapped(ctx, mouths);
+  record(ctx, "cavities.mouths");
 }
 
 std::string lining_text(const ChosenCavities& drawn) {

@@ -247,6 +247,23 @@ TEST(PanelsTest, AMissingSpeedHasItsReason) {
   EXPECT_NE(missing_times(s, true)[0].find("both are a threshold"), std::string::npos);
 }
 
+// Two balls were "slower than CGAL" in one run and "faster" in the next.
+TEST(PanelsTest, OfFewBallsNoEngineIsCalledFaster) {
+  ViewState s = loaded_state();
+  ASSERT_TRUE(speed_up(s, true));
+  EXPECT_NEAR(*speed_up(s, true), 60.5 / 20.2, 1e-9);
+  EXPECT_FALSE(speed_up(s, false)) << "there are no warm times";
+  for (const std::size_t few : {0u, 2u, 99u}) {
+    s.molecule.balls = few;
+    EXPECT_FALSE(speed_up(s, true)) << few;
+    ASSERT_EQ(missing_times(s, true).size(), 1u);
+    EXPECT_NE(missing_times(s, true)[0].find("fewer than 100 balls"), std::string::npos);
+  }
+  s.molecule.balls = 100;
+  EXPECT_TRUE(speed_up(s, true));
+  EXPECT_TRUE(missing_times(s, true).empty());
+}
+
 TEST(PanelsTest, TheCaptionSaysWhyNothingIsThere) {
   ViewState s = loaded_state();
   Answer result = *s.result;

@@ -1,4 +1,6 @@
 // Our engine's time beside CGAL's, and whether both agree.
+#include <optional>
+
 #include "ui/panels/format.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/panels/timings_text.hpp"
@@ -83,12 +85,10 @@ void badge(PanelContext& ctx) {
 // How many times faster than CGAL, for the run that is shown.
 void speed(PanelContext& ctx) {
   const ViewState& s = ctx.state;
-  if (!s.ours.any() || !s.cgal.any()) return;
   const bool cold = s.memory.timings_cold;
-  const auto& ours = cold ? s.ours.cold : s.ours.warm;
-  const auto& cgal = cold ? s.cgal.cold : s.cgal.warm;
-  if (!ours || !cgal || ours->times.wall_milliseconds <= 0 || !ours->comparable(*cgal)) return;
-  const double ratio = cgal->times.wall_milliseconds / ours->times.wall_milliseconds;
+  const std::optional<double> found = speed_up(s, cold);
+  if (!found) return;
+  const double ratio = *found;
   ImGui::SameLine();
   // Warm, CGAL has its whole triangulation already and only filters it.
   const std::string whom = cold ? "CGAL" : "CGAL's filter";
@@ -142,11 +142,9 @@ void title(PanelContext& ctx) {
   ImGui::SameLine(0, ctx.px(14));
 }
 
-std::string speed_part(const char* label, const std::optional<MeasuredRun>& ours,
-                       const std::optional<MeasuredRun>& cgal) {
-  if (!ours || !cgal || ours->times.wall_milliseconds <= 0 || !ours->comparable(*cgal)) return {};
-  return std::string(label) + " " +
-         ratio_text(cgal->times.wall_milliseconds / ours->times.wall_milliseconds);
+std::string speed_part(const ViewState& state, bool cold) {
+  const std::optional<double> ratio = speed_up(state, cold);
+  return ratio ? (cold ? "cold " : "warm ") + ratio_text(*ratio) : std::string();
 }
 
 void summary_line(PanelContext& ctx) {
@@ -160,8 +158,8 @@ void summary_line(PanelContext& ctx) {
       text += "   ·   CGAL on " + s.cgal_parallel.engine.device + ": cold " +
               wall_text(s.cgal_parallel.cold) + ", warm " + wall_text(s.cgal_parallel.warm);
     }
-    const std::string cold = speed_part("cold", s.ours.cold, s.cgal.cold);
-    const std::string warm = speed_part("warm", s.ours.warm, s.cgal.warm);
+    const std::string cold = speed_part(s, true);
+    const std::string warm = speed_part(s, false);
     if (!cold.empty() || !warm.empty()) {
       text += "   ·   speed-up " + cold + (cold.empty() || warm.empty() ? "" : ", ") + warm;
     }

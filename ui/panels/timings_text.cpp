@@ -10,12 +10,25 @@ bool lacks_cold(const ColdAndWarm& timings) {
   return timings.any() && !timings.cold;
 }
 
-// Both were timed, but at different tasks.
+// Of fewer balls both times are those of starting threads and asking the clock, and which is less
+// changes from run to run.
+constexpr std::size_t kLeastBalls = 100;
+
+bool too_few_balls(const ViewState& state) {
+  return state.molecule.balls < kLeastBalls;
+}
+
+// Both were timed, but at different tasks, or at one that is too small.
 std::string incomparable(const ViewState& state, bool cold) {
   if (!state.ours.any() || !state.cgal.any()) return {};
   const auto& ours = cold ? state.ours.cold : state.ours.warm;
   const auto& cgal = cold ? state.cgal.cold : state.cgal.warm;
-  if (!ours || !cgal || ours->comparable(*cgal)) return {};
+  if (!ours || !cgal) return {};
+  if (too_few_balls(state)) {
+    return "No speed-up: fewer than " + std::to_string(kLeastBalls) +
+           " balls take too little time to compare engines by it.";
+  }
+  if (ours->comparable(*cgal)) return {};
   if (ours->alpha_angstrom2 != cgal->alpha_angstrom2) {
     return "No speed-up: the times are of alpha " + short_number_text(ours->alpha_angstrom2, 3) +
            " and " + short_number_text(cgal->alpha_angstrom2, 3) + " Å².";
@@ -61,6 +74,14 @@ std::vector<std::string> missing_times(const ViewState& state, bool cold) {
 
 bool lacks_cold_time(const ViewState& state) {
   return lacks_cold(state.ours) || lacks_cold(state.cgal);
+}
+
+std::optional<double> speed_up(const ViewState& state, bool cold) {
+  const auto& ours = cold ? state.ours.cold : state.ours.warm;
+  const auto& cgal = cold ? state.cgal.cold : state.cgal.warm;
+  if (!ours || !cgal || too_few_balls(state) || !ours->comparable(*cgal)) return {};
+  if (ours->times.wall_milliseconds <= 0) return {};
+  return cgal->times.wall_milliseconds / ours->times.wall_milliseconds;
 }
 
 std::string wall_text(const std::optional<MeasuredRun>& run) {

@@ -28,6 +28,7 @@ void add_clip_commands(Commands& commands, ViewState& s) {
   CommandSpec clip{.id = "view.clip",
                    .title = "Clip plane",
                    .help = "Cuts the picture open at a plane, or by a slab between two",
+                   .synonyms = {{"cut slice section"}},
                    .shortcuts = {{"K"}},
                    .menu = "View",
                    .line_above = true,

@@ -24,12 +24,13 @@ CommandSpec with_switch(CommandSpec spec, bool& value);
 // Alpha, solvent, molecule, engine, comparison, benchmark.
 void add_compute_commands(Commands& commands, ViewState& s);
 
-// Of recordings, sessions, recent files and the scale; each is added where its menu has it.
+// Of recordings, sessions, recent files, the scale and pages; each is added where its menu has it.
 CommandSpec open_session_command(ViewState& s);
 CommandSpec record_command(ViewState& s);
 CommandSpec save_session_command(ViewState& s);
 CommandSpec recent_files_command(ViewState& s);
 CommandSpec scale_command(ViewState& s);
+CommandSpec page_command(ViewState& s);
 // How the picture is looked at.
 void add_camera_commands(Commands& commands, ViewState& s);
 

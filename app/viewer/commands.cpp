@@ -128,6 +128,7 @@ void add_file_commands(Commands& commands, ViewState& s) {
   commands.add({.id = "file.open",
                 .title = "Open molecule…",
                 .help = "Reads a file: PDB, mmCIF, XYZR, PQR, XYZ or CRD, also as .gz",
+                .synonyms = {{"load read import"}},
                 .shortcuts = {{"Ctrl+O"}},
                 .menu = "File",
                 .parameters = {{.name = "path",
@@ -150,6 +151,7 @@ void add_file_commands(Commands& commands, ViewState& s) {
       {.id = "file.save_picture",
        .title = "Save picture…",
        .help = "Writes the view as a PNG file",
+       .synonyms = {{"image screenshot figure PNG"}},
        .shortcuts = {{"Ctrl+S"}},
        .menu = "File",
        .line_above = true,
@@ -174,6 +176,7 @@ void add_file_commands(Commands& commands, ViewState& s) {
   commands.add({.id = "file.export",
                 .title = "Export…",
                 .help = "Writes boundary, simplices or balls for another program",
+                .synonyms = {{"mesh STL OBJ PLY surface print"}},
                 .shortcuts = {{"Ctrl+E"}},
                 .menu = "File",
                 .parameters = {{.name = "path",
@@ -236,27 +239,6 @@ void add_edit_commands(Commands& commands, ViewState& s) {
 
 // --- View
 
-// Pages below the view, without its buttons.
-void add_page_command(Commands& commands, ViewState& s) {
-  Parameter page{.name = "page", .kind = Kind::choice, .help = "Which page", .example = "why"};
-  page.choices = [&s] {
-    std::vector<Choice> choices;
-    for (const PanelSpec& panel : panels()) {
-      if (panel.place != Place::bottom) continue;
-      choices.push_back({panel.id, panel.title, "", s.memory.bottom_panel == panel.id});
-    }
-    return choices;
-  };
-  commands.add({.id = "view.page",
-                .title = "Show a page below the view…",
-                .help = "Shows timings, cavities, the signature or another page",
-                .parameters = {page},
-                .run = [&s](const Arguments& arguments) {
-                  s.memory.bottom_panel = arguments.text("page");
-                  return Outcome();
-                }});
-}
-
 void add_view_commands(Commands& commands, ViewState& s) {
   DisplayControls& d = s.display;
   const auto only_tetrahedra = [&s] {
@@ -266,6 +248,7 @@ void add_view_commands(Commands& commands, ViewState& s) {
   commands.add({.id = "view.reset",
                 .title = "Reset view",
                 .help = "Shows the whole molecule",
+                .synonyms = {{"fit all home"}},
                 .shortcuts = {{"R"}},
                 .menu = "View",
                 .why_not = without_molecule(s),
@@ -276,6 +259,7 @@ void add_view_commands(Commands& commands, ViewState& s) {
   commands.add(with_switch({.id = "view.balls",
                             .title = "Balls",
                             .help = "Shows or hides the atoms as balls",
+                            .synonyms = {{"atoms spheres"}},
                             .shortcuts = {{"B"}},
                             .menu = "View",
                             .line_above = true},
@@ -293,6 +277,7 @@ void add_view_commands(Commands& commands, ViewState& s) {
   commands.add(with_switch({.id = "view.boundary",
                             .title = "Boundary surface",
                             .help = "Shows or hides faces that belong to exactly one tetrahedron",
+                            .synonyms = {{"mesh skin"}},
                             .menu = "View"},
                            d.boundary));
   commands.add(with_switch({.id = "view.triangles",
@@ -355,7 +340,7 @@ void add_view_commands(Commands& commands, ViewState& s) {
                             .help = "Makes text, controls and lines larger, for a projector",
                             .menu = "View"},
                            s.presenter_size));
-  add_page_command(commands, s);
+  commands.add(page_command(s));
 }
 
 // --- Help

@@ -150,6 +150,7 @@ void add_alpha_commands(Commands& commands, ViewState& s) {
       {.id = "solvent.set",
        .title = "Set solvent radius…",
        .help = "Adds this length to every radius, before alpha is applied; 1.4 Å for water",
+       .synonyms = {{"probe water"}},
        .menu = "Tools",
        .parameters = {{.name = "radius",
                        .kind = Kind::number,

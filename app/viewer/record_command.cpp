@@ -65,6 +65,7 @@ CommandSpec record_command(ViewState& s) {
       .id = "file.record",
       .title = "Record…",
       .help = "Writes a sweep of alpha, a turntable or the open lesson as pictures or a movie",
+      .synonyms = {{"movie video film animation turntable"}},
       .shortcuts = {{"Ctrl+Shift+R"}},
       .menu = "File",
       .parameters =

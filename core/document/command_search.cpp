@@ -14,6 +14,7 @@ namespace {
 // What a word costs by where it was found; the least sum comes first.
 constexpr int kIdItself = 0, kWordOfTitle = 1, kStartInTitle = 2, kStartInId = 3, kInside = 4,
               kStartInHelp = 6, kInOrder = 8;
+constexpr int kSynonym = 2, kStartOfSynonym = 3;
 constexpr int kWithArguments = 1;
 
 bool part_of_word(char c) {
@@ -111,13 +112,44 @@ std::optional<Scored> match(const CommandSpec& spec, std::string_view typed,
   return Scored{{&spec, {}}, sum};
 }
 
+// One word at least is a synonym's, the others may be the command's own.
+std::optional<Scored> match(const CommandSpec& spec, const Synonym& synonym,
+                            const std::vector<Word>& words) {
+  const std::string synonyms = lower_case(synonym.words);
+  int sum = 0;
+  bool any = false;
+  for (const Word& word : words) {
+    const Found found = find_word(synonyms, word.text);
+    any |= found >= Found::at_start;
+    if (found >= Found::at_start) {
+      sum += found == Found::whole ? kSynonym : kStartOfSynonym;
+    } else if (const auto own = cost(spec, word.text)) {
+      sum += *own;
+    } else {
+      return std::nullopt;
+    }
+  }
+  if (!any) return std::nullopt;
+  return Scored{{&spec, synonym.arguments}, sum};
+}
+
 }  // namespace
 
 std::vector<CommandMatch> search_commands(const Commands& commands, std::string_view typed) {
   const std::vector<Word> words = typed_words(typed);
   std::vector<Scored> found;
   for (const CommandSpec& spec : commands.all()) {
-    if (auto scored = match(spec, typed, words)) found.push_back(std::move(*scored));
+    auto best = match(spec, typed, words);
+    for (const Synonym& synonym : spec.synonyms) {
+      auto scored = match(spec, synonym, words);
+      if (!scored) continue;
+      if (!synonym.arguments.empty()) {
+        found.push_back(std::move(*scored));  // beside the command itself
+      } else if (!best || scored->cost < best->cost) {
+        best = std::move(scored);
+      }
+    }
+    if (best) found.push_back(std::move(*best));
   }
   std::stable_sort(found.begin(), found.end(),
                    [](const Scored& a, const Scored& b) { return a.cost < b.cost; });

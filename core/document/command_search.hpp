@@ -15,8 +15,9 @@ struct CommandMatch {
 };
 
 // Best first; equally good ones in the order of the list. Each typed word must begin a word of the
-// title, the id or the help, or its letters must come in this order in title or id ("rv": Reset
-// view). What follows may be arguments, where the command takes them. Nothing typed: all.
+// title, the id, a synonym or the help, or its letters must come in this order in title or id
+// ("rv": Reset view). What follows may be arguments, where the command takes them. Nothing typed:
+// all.
 std::vector<CommandMatch> search_commands(const Commands& commands, std::string_view typed);
 
 }  // namespace alphascope

@@ -72,10 +72,17 @@ struct Shortcut {
   std::string arguments = {};
 };
 
+// Words that people may look for it by, perhaps with the arguments that they mean.
+struct Synonym {
+  std::string words;  // "image screenshot"
+  std::string arguments = {};
+};
+
 struct CommandSpec {
   std::string id;     // "view.reset": an area and a verb
   std::string title;  // "Reset view"; ends with "…" when a dialog opens
   std::string help;   // a sentence without full stop
+  std::vector<Synonym> synonyms = {};
   std::vector<Shortcut> shortcuts = {};
   // Keys that it takes, as long as it can run, from a command that has them as shortcuts.
   std::vector<Shortcut> keys_before_others = {};

@@ -2,14 +2,18 @@
 #include <gtest/gtest.h>
 #include <imgui.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <set>
 #include <sstream>
+#include <utility>
 
 #include "app/viewer/commands.hpp"
+#include "core/document/command_search.hpp"
 #include "tests/ui/panels_fixture.hpp"
 #include "tests/ui/viewer_fixture.hpp"
+#include "ui/panels/panel_list.hpp"
 
 namespace alphascope {
 namespace {
@@ -63,6 +67,36 @@ TEST(CommandList, TheUserGuideNamesEveryShortcut) {
     for (const Shortcut& shortcut : spec.shortcuts) {
       EXPECT_NE(guide.find("`" + shortcut.keys + "`"), std::string::npos) << shortcut.keys;
     }
+  }
+}
+
+TEST(CommandList, WhatPeopleCallThingsIsFound) {
+  static ViewState state = loaded_state();
+  Commands commands;
+  add_program_commands(commands, state);
+  const std::pair<const char*, const char*> expected[] = {
+      {"pocket", "view.page cavities"}, {"hole", "view.page cavities"},
+      {"tunnel", "view.page channels"}, {"volume", "view.page measures"},
+      {"image", "file.save_picture "},  {"picture", "file.save_picture "},
+      {"movie", "file.record "},        {"surface", "view.boundary "},
+      {"mesh", "file.export "}};
+  for (const auto& [typed, best] : expected) {
+    const auto found = search_commands(commands, typed);
+    ASSERT_FALSE(found.empty()) << typed;
+    EXPECT_EQ(found[0].command->id + " " + found[0].arguments, best) << typed;
+  }
+}
+
+TEST(CommandList, EveryPageBelowTheViewIsInAMenu) {
+  const std::vector<CommandSpec> specs = program_commands();
+  const auto page = std::find_if(specs.begin(), specs.end(),
+                                 [](const CommandSpec& spec) { return spec.id == "view.page"; });
+  ASSERT_NE(page, specs.end());
+  EXPECT_EQ(page->menu, "View");
+  std::set<std::string> listed;
+  for (const Choice& choice : page->parameters.at(0).choices()) listed.insert(choice.id);
+  for (const PanelSpec& panel : panels()) {
+    EXPECT_EQ(listed.contains(panel.id), panel.place == Place::bottom) << panel.id;
   }
 }
 

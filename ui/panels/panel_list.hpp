@@ -17,6 +17,7 @@ struct PanelSpec {
   // At the left, the panel draws its own heading; below the view, its title stands before it in the
   // first line already.
   void (*draw)(PanelContext& ctx);
+  const char* also = "";  // other words for what it shows, to find it by
 };
 
 std::span<const PanelSpec> panels();  // in the order in which they are shown

@@ -192,6 +192,29 @@ TEST_F(CommandsTest, SearchFindsByWordBeginningAndOrder) {
   EXPECT_EQ(best("reset xyzzy"), "");
 }
 
+TEST_F(CommandsTest, SearchFindsBySynonyms) {
+  add({.id = "file.picture",
+       .title = "Save it…",
+       .help = "Writes a file",
+       .synonyms = {{"image screenshot"}}});
+  add({.id = "view.page",
+       .title = "Page below",
+       .help = "Shows one",
+       .synonyms = {{"Cavities pocket", "cavities"}, {"Channels tunnel", "channels"}},
+       .parameters = {
+           {.name = "page", .kind = Kind::choice, .choices = [] {
+              return std::vector<Choice>{{"cavities", "Cavities"}, {"channels", "Channels"}};
+            }}}});
+  EXPECT_EQ(best("image"), "file.picture");
+  EXPECT_EQ(best("Screen"), "file.picture");
+  EXPECT_EQ(best("save image"), "file.picture");
+  EXPECT_EQ(best("pocket"), "view.page <cavities>");
+  EXPECT_EQ(best("page tunnel"), "view.page <channels>");
+  EXPECT_EQ(best("page"), "view.page") << "which one is asked";
+  EXPECT_EQ(best("mage"), "") << "within a word there are too many";
+  EXPECT_EQ(search_commands(commands, "").size(), commands.all().size());
+}
+
 TEST_F(CommandsTest, SearchTakesWhatFollowsAsArguments) {
   EXPECT_EQ(best("alpha 3.2"), "alpha.set <3.2>");
   EXPECT_EQ(best("alpha -3"), "alpha.set <-3>");

@@ -88,7 +88,7 @@ TEST(LessonNumbers, AnAttachedEdge) {
   const Explanation e = explain(*balls_of("obtuse.xyzr"), edge, std::nullopt);
   expect_said(text_of("06_filtration.md"), "have the power 3 Å²");
   ASSERT_TRUE(e.orthosphere);
-  EXPECT_DOUBLE_EQ(e.orthosphere->rho_angstrom2, 3);
+  EXPECT_NEAR(e.orthosphere->rho_angstrom2, 3, 1e-12);
   ASSERT_FALSE(e.nearest.empty());
   EXPECT_EQ(e.nearest[0].ball, 2u);
   EXPECT_NEAR(e.nearest[0].power_angstrom2, -0.36, 1e-12);

@@ -6,6 +6,7 @@
 #include "app/cli/text.hpp"
 #include "app/session/rounding_note.hpp"
 #include "core/document/cavity_preset.hpp"
+#include "core/molecule/grouped_number.hpp"
 #include "core/run/work_threads.hpp"
 #include "core/triangulation/cgal_triangulation.hpp"
 
@@ -116,9 +117,8 @@ std::vector<std::string> notes_of(const CavityAnswer& answer, const CavitiesOpti
     notes.push_back("exact clipped volumes are left out, as --no-clipped asks");
   }
   if (answer.rows.size() < table.size()) {
-    notes.push_back(grouped(table.size() - answer.rows.size()) + " cavities below " +
-                    shortest_number(*options.min_volume_angstrom3) +
-                    " Å³ are counted, but not listed");
+    notes.push_back(counted(table.size() - answer.rows.size(), "cavity", "cavities") + " below " +
+                    shortest_number(*options.min_volume_angstrom3) + " Å³ not listed, but counted");
   }
   return notes;
 }

@@ -12,6 +12,7 @@
 #include "app/cli/terminal.hpp"
 #include "app/cli/text.hpp"
 #include "core/molecule/assembly.hpp"
+#include "core/molecule/grouped_number.hpp"
 #include "core/molecule/printable.hpp"
 #include "core/molecule/residue_list.hpp"
 #include "core/molecule/treatments.hpp"
@@ -77,7 +78,7 @@ void print_assemblies(const Molecule& molecule) {
     std::cout << "assembly    --assembly " << assembly.id << ": " << grouped(assembly.copies)
               << (assembly.copies == 1 ? " operator" : " operators");
     if (molecule.assembly_id.empty()) {
-      std::cout << ", " << grouped(assembly.atoms) << " atoms, about "
+      std::cout << ", " << counted(assembly.atoms, "atom", "atoms") << ", about "
                 << grouped(assembly.memory_bytes >> 20) << " MiB";
     }
     std::cout << (assembly.id == molecule.assembly_id ? ", expanded here" : "")
@@ -123,8 +124,9 @@ void print(const Input& input) {
   std::cout << "lattice     " << shortest_number(balls.lattice.unit_angstrom()) << " Å; "
             << lattice_rounding_text(molecule, report) << "\n";
   if (report.coincident_centres > 0) {
-    std::cout << "coincident  " << grouped(report.coincident_centres)
-              << " balls share their centre with an earlier one\n";
+    std::cout << "coincident  "
+              << counted(report.coincident_centres, "ball shares its", "balls share their")
+              << " centre with an earlier one\n";
   }
   const char* names[] = {"x", "y", "z"};
   std::int32_t LatticePoint::*axes[] = {&LatticePoint::x, &LatticePoint::y, &LatticePoint::z};

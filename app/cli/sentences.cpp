@@ -5,6 +5,7 @@
 
 #include "app/cli/text.hpp"
 #include "core/molecule/atom_address.hpp"
+#include "core/molecule/grouped_number.hpp"
 #include "core/molecule/printable.hpp"
 #include "core/text/text_parts.hpp"
 
@@ -35,7 +36,7 @@ BallIndex ball_by_index(const Input& input, const std::string& option, int index
   if (static_cast<std::size_t>(index) < count) return static_cast<BallIndex>(index);
   throw UsageError(option + ": there is no ball " + std::to_string(index) + ": " +
                    printable(input.molecule().source.filename().string()) + " has " +
-                   grouped(count) + " balls" +
+                   counted(count, "ball", "balls") +
                    (count > 0 ? ", 0 to " + std::to_string(count - 1) + "." : "."));
 }
 

@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "core/geometry/grown_radius.hpp"
+#include "core/molecule/grouped_number.hpp"
 #include "core/molecule/printable.hpp"
 #include "ui/panels/format.hpp"
 
@@ -134,8 +135,8 @@ std::vector<std::string> notes_of(const OpenedMolecule& opened) {
                     short_number_text(opened.molecule->rounding_angstrom, 9) + " Å.");
   }
   if (report.coincident_centres > 0) {
-    notes.push_back(count(report.coincident_centres) +
-                    " balls share a centre with another; at each centre only the largest counts.");
+    notes.push_back(counted(report.coincident_centres, "ball shares", "balls share") +
+                    " a centre with another; at each centre only the largest counts.");
   }
   return notes;
 }

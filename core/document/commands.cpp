@@ -126,6 +126,13 @@ void check(const CommandSpec& spec) {
 
 }  // namespace
 
+std::string Parameter::what_to_type() const {
+  std::string text = help;
+  if (*unit() != '\0') text += std::string(", in ") + unit();
+  if (example.empty() || help.find("such as ") != std::string::npos) return text;
+  return text + ", such as " + example;
+}
+
 double Arguments::number(std::string_view name, double otherwise) const {
   const auto it = values_.find(name);
   return it == values_.end() ? otherwise : it->second.number;

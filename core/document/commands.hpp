@@ -37,6 +37,8 @@ struct Parameter {
   std::function<std::vector<Choice>()> choices = {};  // what a choice chooses from, now
 
   const char* unit() const { return rule ? rule->unit : ""; }
+  // The help with unit and example, where it has none: "Alpha, in Å², such as 1.4".
+  std::string what_to_type() const;
 };
 
 // What was given for the parameters, checked.

@@ -64,10 +64,6 @@ std::string number_text(double number) {
   return text;
 }
 
-const char* plural(std::size_t count) {
-  return count == 1 ? "" : "s";
-}
-
 class Exporter {
  public:
   Exporter(const ExportSource& source, const RunContext& context)
@@ -111,7 +107,7 @@ class Exporter {
         return write_drawing(file);
       case csv:
         write_counts(file);
-        return {"counts and times of " + grouped(balls.size()) + " balls"};
+        return {"counts and times of " + balls_counted()};
       default:
         throw std::invalid_argument("a script is written with its files");
     }
@@ -198,18 +194,20 @@ class Exporter {
     const Boundary& b = boundary();
     double volume = 0;
     for (const BoundarySolid& solid : b.solids) volume += volume_angstrom3(solid);
-    Lines lines{"boundary of " + grouped(b.solids.size()) + " solid" + plural(b.solids.size()) +
-                ": " + grouped(b.triangles.size()) + " triangles, " + grouped(b.vertices.size()) +
+    Lines lines{"boundary of " + counted(b.solids.size(), "solid", "solids") + ": " +
+                grouped(b.triangles.size()) + " triangles, " + grouped(b.vertices.size()) +
                 " vertices, " + number_text(volume) + " Å³"};
     if (b.solids.empty()) lines[0] = "no boundary: the complex has no tetrahedra";
     if (complex_.tetrahedra_only) return lines;
     // Singular in space, where surfaces enclose something.
     const auto [vertices, edges, triangles, all] = class_counts(source_.answer.complex);
     if (triangles.singular + edges.singular + vertices.singular > 0) {
-      lines.push_back("left out, as they enclose nothing: " + grouped(triangles.singular) +
-                      (own_.dimension() == 3 ? " singular triangles, " : " triangles, ") +
-                      grouped(edges.singular) + " edges, " + grouped(vertices.singular) +
-                      " vertices");
+      const bool in_space = own_.dimension() == 3;
+      lines.push_back("left out, as they enclose nothing: " +
+                      counted(triangles.singular, in_space ? "singular triangle" : "triangle",
+                              in_space ? "singular triangles" : "triangles") +
+                      ", " + counted(edges.singular, "edge", "edges") + ", " +
+                      counted(vertices.singular, "vertex", "vertices"));
     }
     return lines;
   }
@@ -217,20 +215,25 @@ class Exporter {
   Lines simplices_text() const {
     std::string text;
     if (!complex_.tetrahedra_only) {
-      text = grouped(complex_.vertices.size()) + " vertices, " + grouped(complex_.edges.size()) +
-             " edges, " + grouped(complex_.triangles.size()) + " triangles, ";
+      text = counted(complex_.vertices.size(), "vertex", "vertices") + ", " +
+             counted(complex_.edges.size(), "edge", "edges") + ", " +
+             counted(complex_.triangles.size(), "triangle", "triangles") + ", ";
     }
-    return {text + grouped(complex_.tetrahedra.size()) + " tetrahedra"};
+    return {text + counted(complex_.tetrahedra.size(), "tetrahedron", "tetrahedra")};
   }
-  Lines balls_text() const { return {grouped(source_.answer.balls->size()) + " balls"}; }
+  std::string balls_counted() const {
+    return counted(source_.answer.balls->size(), "ball", "balls");
+  }
+  Lines balls_text() const { return {balls_counted()}; }
 
   Lines write_drawing(AtomicFile& file) const {
     require_faces("A flat drawing");
     const BallSet& balls = *source_.answer.balls;
     const FlatBox box = box_of(balls, complex_.alpha_angstrom2());
-    const std::string text = grouped(complex_.vertices.size()) + " of " + grouped(balls.size()) +
-                             " centres, " + grouped(complex_.edges.size()) + " edges, " +
-                             grouped(complex_.triangles.size()) + " triangles";
+    const std::string text = grouped(complex_.vertices.size()) + " of " +
+                             counted(balls.size(), "centre", "centres") + ", " +
+                             counted(complex_.edges.size(), "edge", "edges") + ", " +
+                             counted(complex_.triangles.size(), "triangle", "triangles");
     const std::string alpha =
         "α = " + shortest_number(source_.answer.request.alpha_angstrom2) + " Å²";
     FlatPage page{.box = box, .caption = {alpha + ": " + text}, .origin = source_.header};

@@ -15,4 +15,9 @@ inline std::string grouped(std::uint64_t number) {
   return grouped_digits(std::to_string(number));
 }
 
+// "1 atom", "2,340 atoms".
+inline std::string counted(std::uint64_t count, const char* one, const char* many) {
+  return grouped(count) + ' ' + (count == 1 ? one : many);
+}
+
 }  // namespace alphascope

@@ -6,14 +6,6 @@
 #include "core/molecule/grouped_number.hpp"
 
 namespace alphascope {
-namespace {
-
-std::string counted(std::size_t count, const char* one, const char* many) {
-  return grouped(count) + ' ' + (count == 1 ? one : many);
-}
-
-}  // namespace
-
 std::vector<CountedReason> drop_reasons(const SelectionReport& report) {
   // A water of a crystal is one atom; with hydrogens, atoms are counted and said to be.
   const bool one_atom_each = report.dropped_water_hydrogens == 0;

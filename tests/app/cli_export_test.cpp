@@ -48,6 +48,15 @@ class Words {
   std::istringstream text_;
 };
 
+TEST_F(CliExport, OneThingIsNotSaidToBeMany) {
+  const std::string balls = write("pair.xyzr", "0 0 0 2\n3 0 0 2\n").string();
+  const std::string out = (folder_ / "pair.alpha").string();
+  const Outcome written = run("export --alpha 0 '" + balls + "' --output '" + out + "'");
+  EXPECT_EQ(written.code, 0) << written.err;
+  EXPECT_TRUE(contains(written.out, "2 vertices, 1 edge, 0 triangles, 0 tetrahedra"))
+      << written.out;
+}
+
 TEST_F(CliExport, BallsAreTheSameBallsAgain) {
   const json whole = compute_json(std::string(kHaemoglobin) + " --alpha 1.4 --solvent 1.4");
   for (const char* name : {"b.xyzr", "b.pqr"}) {

@@ -4,6 +4,8 @@
 
 #include <limits>
 
+#include "ui/panels/ball_text.hpp"
+
 namespace alphascope {
 namespace {
 
@@ -39,6 +41,20 @@ TEST(Format, NumbersAreAsShortAsTheirValue) {
   EXPECT_EQ(short_number_text(-0.25, 3), "−0.25");
   EXPECT_EQ(short_number_text(-0.0001, 3), "0");
   EXPECT_EQ(short_number_text(100, 0), "100");
+}
+
+// √(1.7² + 1.4) = 2.0712; both numbers have as many digits as they need, up to three.
+TEST(Format, ARadiusAndTheGrownOneHaveTheSameDigits) {
+  BallSet balls;
+  balls.lattice.digits = 3;
+  balls.centres.push_back({0, 0, 0});
+  balls.radii.push_back(1700);
+  Request shown;
+  shown.alpha_angstrom2 = 0;
+  EXPECT_EQ(radius_text(balls, &shown, 0), "radius 1.7 Å, grown 1.7 Å");
+  shown.alpha_angstrom2 = 1.4;
+  EXPECT_EQ(radius_text(balls, &shown, 0), "radius 1.7 Å, grown 2.071 Å");
+  EXPECT_EQ(radius_text(balls, nullptr, 0), "radius 1.7 Å");
 }
 
 TEST(Format, RatiosAndBytes) {

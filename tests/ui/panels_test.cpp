@@ -137,6 +137,18 @@ TEST(PanelsTest, LongWorkShowsProgressAndCancel) {
   EXPECT_TRUE(p.state.requests.cancel);
 }
 
+TEST(PanelsTest, AViewWithoutAtomsSaysThatTheyAreHidden) {
+  Panels p({1280, 800, 1});
+  p.state = loaded_state();
+  p.state.viewport.problem = ViewProblem::nothing_in_view;
+  p.frame(3);
+  EXPECT_TRUE(p.rects.contains("view.show_all"));
+  p.state.viewport.hidden_balls = p.state.molecule.balls;
+  p.frame(3);
+  EXPECT_FALSE(p.rects.contains("view.show_all")) << "no view shows what is hidden";
+  EXPECT_TRUE(p.rects.contains("view.show_hidden"));
+}
+
 TEST(PanelsTest, WorkOfUnknownLengthHasNoBarThatLooksLikeAShare) {
   Panels p({1280, 800, 1});
   p.state = loaded_state();

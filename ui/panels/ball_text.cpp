@@ -22,7 +22,7 @@ std::string radius_text(const BallSet& balls, const Request* shown, BallIndex ba
   if (shown == nullptr) return text;
   const double grown = grown_radius(radius, shown->solvent_radius_angstrom, shown->alpha_angstrom2);
   if (grown == 0) return text + ", gone at this alpha";
-  return text + ", grown " + number_text(grown, 2) + " Å";
+  return text + ", grown " + short_number_text(grown, 3) + " Å";
 }
 
 }  // namespace alphascope

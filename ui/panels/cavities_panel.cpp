@@ -5,6 +5,7 @@
 #include "core/document/cavity_preset.hpp"
 #include "core/document/cavity_tables.hpp"
 #include "core/document/store.hpp"
+#include "core/molecule/grouped_number.hpp"
 #include "ui/panels/cavity_parts.hpp"
 #include "ui/panels/format.hpp"
 #include "ui/panels/number_field.hpp"
@@ -65,7 +66,7 @@ void totals_line(PanelContext& ctx, const CavityTable& table) {
   strong_text(ctx, kind_text(false, table.pockets, "pocket"));
   ImGui::SameLine(0, ctx.px(14));
   ImGui::AlignTextToFramePadding();
-  muted_text(ctx, with_separators(static_cast<long long>(table.mouths)) + " mouths");
+  muted_text(ctx, counted(table.mouths, "mouth", "mouths"));
   record(ctx, "cavities.totals");
 }
 

@@ -92,13 +92,16 @@ void kind_cell(PanelContext& ctx, const CavityPage& page, std::size_t row) {
   if (!why.empty()) tooltip(ctx, why.c_str());
 }
 
-void text_cell(const std::string& text) {
-  ImGui::TextUnformatted(fitted_text(text, ImGui::GetContentRegionAvail().x).c_str());
+// The tooltip has all of what does not fit.
+void text_cell(PanelContext& ctx, const std::string& text) {
+  const std::string fitted = fitted_text(text, ImGui::GetContentRegionAvail().x);
+  ImGui::TextUnformatted(fitted.c_str());
+  if (fitted != text) tooltip(ctx, text.c_str());
 }
 
-void name_cell(const CavityPage& page, std::size_t row) {
+void name_cell(PanelContext& ctx, const CavityPage& page, std::size_t row) {
   const std::string name = cavity_name(*page.rows.lines->atoms, page.rows.table(), row);
-  text_cell(name);
+  text_cell(ctx, name);
 }
 
 // True when it was clicked.
@@ -118,9 +121,9 @@ bool draw_row(PanelContext& ctx, CavityPage& page, std::size_t row) {
     if (spec.column == CavityColumn::kind) {
       kind_cell(ctx, page, row);
     } else if (spec.column == CavityColumn::name) {
-      name_cell(page, row);
+      name_cell(ctx, page, row);
     } else if (spec.column == CavityColumn::holds) {
-      text_cell(cavity_text(page.rows, spec.column, row));
+      text_cell(ctx, cavity_text(page.rows, spec.column, row));
     } else {
       right_text(cavity_text(page.rows, spec.column, row));
     }

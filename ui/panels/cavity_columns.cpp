@@ -48,8 +48,9 @@ constexpr CavityColumnSpec kColumns[] = {
     {C::residues, "residues", "residues",
      "How many residues line it: a part of an atom's surface lies in the cavity.", 62, true},
     {C::depth, "depth", "depth Å",
-     "The largest distance of a lining atom's centre from the nearest triangle of a mouth; 0 of a "
-     "void.",
+     "How deep the pocket is: the largest distance of a lining atom's centre from the nearest "
+     "triangle "
+     "of a mouth. A void has no mouth, and –.",
      58, true},
     {C::born, "born", "born at Å²",
      "The α from which on it is a cavity of its own; below, it is part of a deeper one. −∞: at "

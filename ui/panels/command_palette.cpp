@@ -174,19 +174,13 @@ std::vector<Row> choice_rows(const Parameter& parameter, const std::string& type
   return rows;
 }
 
-std::string what_to_type(const Parameter& parameter) {
-  const std::string unit = parameter.unit();
-  return parameter.help + (unit.empty() ? "" : ", in " + unit) +
-         (parameter.example.empty() ? "" : ", such as " + parameter.example);
-}
-
 void ask(PanelContext& ctx, const CommandSpec& spec, const Parameter& parameter) {
   PaletteMemory& p = memory(ctx);
   std::string title = spec.title;
   for (const std::string& word : p.words) title += "  " + word;
   strong_text(ctx, title);
   bool entered = field(ctx, parameter.name);
-  muted_text(ctx, what_to_type(parameter));
+  muted_text(ctx, parameter.what_to_type());
   record(ctx, "palette.asks");
   CommandLine line{spec.id, p.words, {}};
   if (parameter.kind == Parameter::Kind::choice) {

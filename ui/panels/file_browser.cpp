@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <utility>
 
+#include "core/molecule/grouped_number.hpp"
 #include "ui/panels/dialog_stack.hpp"
 #include "ui/panels/folder_listing.hpp"
 #include "ui/panels/format.hpp"
@@ -243,8 +244,7 @@ std::string nothing_listed(const FolderListing& list) {
   if (!list.error.empty()) return list.error;
   if (list.hidden_by_filter == 0) return "This folder is empty.";
   return (list.query.sessions ? "No sessions here; " : "No molecules here; ") +
-         with_separators(static_cast<long long>(list.hidden_by_filter)) +
-         " other files are not shown.";
+         counted(list.hidden_by_filter, "other file is", "other files are") + " not shown.";
 }
 
 void listing(PanelContext& ctx, float height) {

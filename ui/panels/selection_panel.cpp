@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "core/molecule/grouped_number.hpp"
 #include "ui/panels/format.hpp"
 #include "ui/panels/panels.hpp"
 
@@ -102,7 +103,7 @@ void chain_line(PanelContext& ctx, const ChainContents& chain, float width) {
   tooltip(ctx, kinds.c_str());
   ImGui::SameLine(ctx.px(88));
   ImGui::AlignTextToFramePadding();
-  muted_text(ctx, number(chain.atoms) + " atoms");
+  muted_text(ctx, counted(chain.atoms, "atom", "atoms"));
   tooltip(ctx, kinds.c_str());
   ImGui::SameLine(width - ctx.px(52));
   if (button(ctx, ("molecule.only." + chain.name).c_str(), "only", {ctx.px(44), 0},

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/molecule/grouped_number.hpp"
 #include "ui/panels/format.hpp"
 #include "ui/panels/number_field.hpp"
 #include "ui/panels/panels.hpp"
@@ -19,7 +20,7 @@ std::string number(std::uint64_t n) {
 // Atoms are counted in all models, since all are copied.
 std::string atoms_text(const ViewState& s, std::uint64_t atoms) {
   const std::size_t models = s.molecule.models.size();
-  return number(atoms) + " atoms" + (models > 1 ? " in " + number(models) + " models" : "");
+  return counted(atoms, "atom", "atoms") + (models > 1 ? " in " + number(models) + " models" : "");
 }
 
 std::string copies_text(const AssemblyInfo& a) {

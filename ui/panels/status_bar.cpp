@@ -71,7 +71,7 @@ void draw_status_bar(PanelContext& ctx) {
   if (s.result) {
     counts(ctx);
   } else {
-    muted_text(ctx, "No molecule");
+    muted_text(ctx, s.molecule.loaded ? "No complex yet" : "No molecule");
     ImGui::SameLine(0, ctx.px(16));
   }
   if (!s.picked_text.empty()) {

@@ -186,6 +186,10 @@ void saving(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
   end_overlay();
 }
 
+bool all_is_hidden(const ViewState& s) {
+  return s.molecule.balls > 0 && s.viewport.hidden_balls >= s.molecule.balls;
+}
+
 // A view that shows nothing looks like a broken picture.
 void problem(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
   const ViewportInfo& v = ctx.state.viewport;
@@ -193,12 +197,19 @@ void problem(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
   begin_overlay(ctx, "##trouble", {corner.x + size.x / 2, corner.y + ctx.px(44)}, {0.5f, 0});
   ImGui::AlignTextToFramePadding();
   const bool cut_away = v.problem == ViewProblem::cut_away;
-  ImGui::TextUnformatted(cut_away ? "The clip cuts everything away."
+  const bool all_hidden = all_is_hidden(ctx.state);
+  ImGui::TextUnformatted(all_hidden ? "All atoms are hidden."
+                         : cut_away ? "The clip cuts everything away."
                          : v.problem == ViewProblem::inside_a_ball
                              ? "The camera is inside a ball."
                              : "The molecule is out of view.");
   record(ctx, "view.trouble");
   ImGui::SameLine();
+  if (all_hidden) {
+    const CommandSpec* const show = ctx.commands.find("atoms.show_all");
+    if (button(ctx, "view.show_hidden", "Show all atoms") && show) run_command(ctx, *show, {});
+    return end_overlay();
+  }
   if (cut_away) {
     if (button(ctx, "view.no_clip", "No clip (K)")) ctx.state.clip.kind = Clip::Kind::off;
     return end_overlay();
@@ -264,7 +275,7 @@ void outdated_note(PanelContext& ctx, ImVec2 corner) {
   const float below = ctx.px(18) + ImGui::GetTextLineHeight();
   ImGui::SetCursorScreenPos({corner.x + ctx.px(16), corner.y + below});
   ImGui::TextColored(to_imgui(ctx.palette.warning),
-                     "This is the previous picture; the new one is not ready.");
+                     "This is the complex of the settings before; the new one is not ready.");
   record(ctx, "view.outdated");
 }
 

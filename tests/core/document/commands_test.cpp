@@ -192,6 +192,16 @@ TEST_F(CommandsTest, SearchFindsByWordBeginningAndOrder) {
   EXPECT_EQ(best("reset xyzzy"), "");
 }
 
+TEST_F(CommandsTest, OneExampleIsGiven) {
+  EXPECT_EQ((Parameter{.name = "alpha", .help = "Alpha", .example = "1.4", .rule = kAlpha})
+                .what_to_type(),
+            "Alpha, in Å², such as 1.4");
+  EXPECT_EQ(
+      (Parameter{.name = "step", .help = "Its name, such as grid", .example = "3"}).what_to_type(),
+      "Its name, such as grid");
+  EXPECT_EQ((Parameter{.name = "path", .help = "The file"}).what_to_type(), "The file");
+}
+
 TEST_F(CommandsTest, SearchFindsBySynonyms) {
   add({.id = "file.picture",
        .title = "Save it…",

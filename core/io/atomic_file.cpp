@@ -283,4 +283,23 @@ void make_output_folder(const fs::path& folder) {
   }
 }
 
+std::string why_not_writable(const fs::path& path) {
+  std::error_code ignored;
+  const fs::path folder = path.parent_path();
+  if (!fs::is_directory(folder, ignored)) return "There is no folder " + folder.string() + ".";
+  if (fs::is_directory(path, ignored)) return path.string() + " is a folder.";
+  const bool exists = fs::exists(path, ignored);
+  if (exists && ::access(path.c_str(), W_OK) != 0) {
+    return path.filename().string() + " is write-protected.";
+  }
+  // A device is written as it is; all else by a new file where a link leads.
+  if (exists && !fs::is_regular_file(path, ignored)) return {};
+  const fs::path target = exists ? fs::canonical(path, ignored) : path;
+  const fs::path made_in = target.empty() ? folder : target.parent_path();
+  if (::access(made_in.c_str(), W_OK | X_OK) != 0) {
+    return "You may not write in the folder " + made_in.string() + ".";
+  }
+  return {};
+}
+
 }  // namespace alphascope

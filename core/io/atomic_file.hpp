@@ -84,4 +84,8 @@ void end_all_writing() noexcept;
 // Makes the folder and those above it, and checks that files can be made in it. Throws WriteError.
 void make_output_folder(const std::filesystem::path& folder);
 
+// A sentence where no AtomicFile can be made of this path, as far as that is known without making
+// one; empty where it seems so that one can.
+std::string why_not_writable(const std::filesystem::path& path);
+
 }  // namespace alphascope

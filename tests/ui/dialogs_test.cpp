@@ -1,7 +1,9 @@
 // Dialogs above one another, and where errors are told.
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <new>
+#include <string>
 
 #include "tests/ui/panels_fixture.hpp"
 #include "tests/ui/viewer_fixture.hpp"
@@ -117,6 +119,22 @@ TEST_F(DialogsTest, APictureIsSavedOnlyWhereThereIsAFolder) {
   p.frame(3);
   p.click("save.ok");
   EXPECT_FALSE(p.state.memory.show_save);
+}
+
+TEST_F(DialogsTest, WhatCannotBeWrittenIsSaidBeforeItIsTried) {
+  p.state.memory.show_export = true;
+  p.state.memory.export_path = "/tmp/alphascope no such file.stl";
+  p.frame(3);
+  EXPECT_FALSE(p.rects.contains("export.unwritable"));
+  // A folder of this name: who runs the tests may be allowed to write everywhere else.
+  const std::string folder = std::filesystem::temp_directory_path() / "alphascope_folder.stl";
+  std::filesystem::create_directory(folder);
+  p.state.memory.export_path = folder;
+  p.frame(3);
+  EXPECT_TRUE(p.rects.contains("export.unwritable"));
+  p.click("export.ok");
+  EXPECT_TRUE(p.state.memory.show_export);
+  std::filesystem::remove(folder);
 }
 
 // What could not be computed has no numbers.

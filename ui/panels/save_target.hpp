@@ -10,7 +10,7 @@
 namespace alphascope {
 
 // Where `files`, in one folder, will be, whatever folder the program was started in, and what
-// becomes of what is there. False where there is no folder for them. Widgets are named by
+// becomes of what is there. False where they cannot be written. Widgets are named by
 // `dialog`: "save.replaces".
 bool save_target(PanelContext& ctx, const std::string& dialog,
                  const std::vector<std::filesystem::path>& files);

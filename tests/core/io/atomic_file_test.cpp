@@ -86,6 +86,24 @@ TEST_F(AtomicFileTest, AReadOnlyFileIsNotReplaced) {
   EXPECT_EQ(contents(folder_ / "old"), "before");
 }
 
+TEST_F(AtomicFileTest, WhatCannotBeWrittenIsKnownBefore) {
+  EXPECT_EQ(why_not_writable(folder_ / "new"), "");
+  EXPECT_EQ(why_not_writable("/dev/null"), "");
+  put(folder_ / "old", "before");
+  EXPECT_EQ(why_not_writable(folder_ / "old"), "");
+  EXPECT_NE(why_not_writable(folder_ / "none" / "new").find("There is no folder"),
+            std::string::npos);
+  fs::create_directory(folder_ / "sub");
+  EXPECT_NE(why_not_writable(folder_ / "sub").find("is a folder"), std::string::npos);
+  EXPECT_EQ(files(), 2u) << "nothing is made to find out";
+  if (::geteuid() == 0) return;  // who may write everything
+  ASSERT_EQ(::chmod((folder_ / "sub").c_str(), 0555), 0);
+  EXPECT_NE(why_not_writable(folder_ / "sub" / "new").find("You may not write in the folder"),
+            std::string::npos);
+  ASSERT_EQ(::chmod((folder_ / "old").c_str(), 0444), 0);
+  EXPECT_NE(why_not_writable(folder_ / "old").find("write-protected"), std::string::npos);
+}
+
 TEST_F(AtomicFileTest, ALinkIsFollowedToWhatIsThereAndToWhatIsNot) {
   fs::create_directory(folder_ / "sub");
   fs::create_symlink("sub/target", folder_ / "relative");

@@ -35,7 +35,7 @@ constexpr std::array kFormats{
     ExportFormatInfo{ply, "ply", "PLY", "boundary with colours, binary: MeshLab, CloudCompare",
                      true},
     ExportFormatInfo{obj, "obj", "OBJ", "boundary with colours, as text: Blender, MeshLab", true},
-    ExportFormatInfo{stl, "stl", "STL", "boundary, a solid each: 3D printers"},
+    ExportFormatInfo{stl, "stl", "STL", "boundary, each solid a piece by itself: 3D printers"},
     ExportFormatInfo{off, "off", "OFF", "boundary with colours, as text: CGAL, MeshLab", true},
     ExportFormatInfo{glb, "glb", "GLB", "boundary with colours: web pages, slides, Blender", true},
     ExportFormatInfo{vtu, "vtu", "VTU", "all simplices with alpha values and classes: ParaView"},
@@ -75,15 +75,15 @@ class Exporter {
     const VtkSource vtk{balls, complex_, source_.molecule, atoms, source_.header};
     switch (format) {
       case ply:
-        return write_boundary(write_ply, file);
+        return with_unit(write_boundary(write_ply, file));
       case obj:
-        return write_boundary(write_obj, file, kMostObjects);
+        return with_unit(write_boundary(write_obj, file, kMostObjects));
       case stl:
-        return write_boundary(write_stl, file);
+        return with_unit(with_pieces(write_boundary(write_stl, file)));
       case off:
-        return write_boundary(write_off, file);
+        return with_unit(write_boundary(write_off, file));
       case glb:
-        return write_boundary(write_glb, file, kMostObjects);
+        return with_unit(write_boundary(write_glb, file, kMostObjects));
       case vtu:
         write_vtu(vtk, file, context_);
         return simplices_text();
@@ -208,6 +208,21 @@ class Exporter {
                               in_space ? "singular triangles" : "triangles") +
                       ", " + counted(edges.singular, "edge", "edges") + ", " +
                       counted(vertices.singular, "vertex", "vertices"));
+    }
+    return lines;
+  }
+
+  // These formats know no unit.
+  static Lines with_unit(Lines lines) {
+    lines.emplace_back("1 unit of the file is 1 Å");
+    return lines;
+  }
+  // For a printer, which makes each solid by itself.
+  Lines with_pieces(Lines lines) {
+    const std::size_t solids = boundary().solids.size();
+    if (solids > 1) {
+      lines.push_back("printed, these are " + grouped(solids) +
+                      " separate pieces; a larger alpha joins them");
     }
     return lines;
   }

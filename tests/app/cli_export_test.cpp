@@ -57,6 +57,26 @@ TEST_F(CliExport, OneThingIsNotSaidToBeMany) {
       << written.out;
 }
 
+// Two tetrahedra far from each other. All balls of one meet: its circumradius is 1.5 √3 = 2.6 Å.
+TEST_F(CliExport, AnStlFileSaysItsPiecesAndItsUnit) {
+  std::string tetrahedra;
+  for (const char* x : {"0", "50"}) {
+    const std::string far = std::to_string(std::stoi(x) + 3);
+    for (const std::string& place : {std::string(x) + " 0 0", far + " 0 0", std::string(x) + " 3 0",
+                                     std::string(x) + " 0 3"}) {
+      tetrahedra += place + " 3\n";
+    }
+  }
+  const std::string balls = write("two.xyzr", tetrahedra).string();
+  for (const char* name : {"two.stl", "two.ply"}) {
+    const Outcome made = run("export --alpha 0 '" + balls + "' -o '" + path(name) + "'");
+    ASSERT_EQ(made.code, 0) << made.err;
+    EXPECT_TRUE(contains(made.out, "boundary of 2 solids")) << made.out;
+    EXPECT_TRUE(contains(made.out, "1 unit of the file is 1 Å")) << made.out;
+    EXPECT_EQ(contains(made.out, "2 separate pieces"), name == std::string("two.stl")) << name;
+  }
+}
+
 TEST_F(CliExport, BallsAreTheSameBallsAgain) {
   const json whole = compute_json(std::string(kHaemoglobin) + " --alpha 1.4 --solvent 1.4");
   for (const char* name : {"b.xyzr", "b.pqr"}) {

@@ -28,10 +28,12 @@ TEST_F(ExportFromTheWindow, ACommandWritesWhatTheCommandLineDoes) {
   open_crambin();
   run("alpha.set 1.4\nwait-idle\nfile.export \"" + path("window.obj") + "\" chain\nwait-idle\n");
   EXPECT_TRUE(viewer_->state().error.empty()) << viewer_->state().error;
-  EXPECT_EQ(viewer_->state().notice,
-            "Saved " + path("window.obj") +
-                ": boundary of 41 solids: 850 triangles, 507 vertices, 503.4 Å³; left out, as they "
-                "enclose nothing: 164 singular triangles, 22 edges, 0 vertices");
+  EXPECT_EQ(
+      viewer_->state().notice,
+      "Saved " + path("window.obj") +
+          ": boundary of 41 solids: 850 triangles, 507 vertices, 503.4 Å³; left out, as they "
+          "enclose nothing: 164 singular triangles, 22 edges, 0 vertices; 1 unit of the file is 1 "
+          "Å");
   const std::string command = "'" ALPHASCOPE_CLI "' export -q '" + testing::crambin().string() +
                               "' --alpha 1.4 --colours chain -o '" + path("cli.obj") +
                               "' > /dev/null";

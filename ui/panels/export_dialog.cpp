@@ -90,9 +90,11 @@ void draw_export(PanelContext& ctx) {
   colour_choice(ctx, format);
   ImGui::PushFont(ctx.fonts.small);
   row_label(ctx, "");
-  muted_text(ctx, files.size() > 1 ? "Also written: " + files[1].filename().string() + ", " +
-                                         files[2].filename().string() + "."
-                                   : std::string("What is on screen: molecule, radii and alpha."));
+  muted_text(ctx,
+             files.size() > 1
+                 ? "Also written: " + files[1].filename().string() + ", " +
+                       files[2].filename().string() + "."
+                 : std::string("What is on screen: molecule, radii, alpha. Lengths are in Å."));
   ImGui::PopFont();
   ImGui::Dummy({0, ctx.px(6)});
   ImGui::NewLine();

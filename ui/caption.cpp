@@ -11,10 +11,6 @@
 namespace alphascope {
 namespace {
 
-std::string counted(std::size_t number, const char* one, const char* many) {
-  return grouped(number) + " " + (number == 1 ? one : many);
-}
-
 std::string counts_text(const AlphaComplex& c) {
   const std::string tetrahedra = counted(c.tetrahedra.size(), "tetrahedron", "tetrahedra");
   if (c.tetrahedra_only) return tetrahedra;

@@ -113,7 +113,7 @@ TEST(FlowPredicate, IsThatOfRationalsNextToAFace) {
   EXPECT_GT(ties, 3u);
   EXPECT_GT(sides[0], 2000u);
   EXPECT_GT(sides[1], 2000u);
-  EXPECT_GT(undecided, 100u);
+  EXPECT_GT(undecided, 20u);  // ties, and triangles that are nearly flat
   EXPECT_LT(undecided, near * 9 / 10) << "the filter decides hardly anything";
 }
 

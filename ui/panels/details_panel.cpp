@@ -25,7 +25,7 @@ std::string number(std::size_t n) {
   return with_separators(static_cast<long long>(n));
 }
 
-std::string counted(std::size_t n, std::size_t corners) {
+std::string simplices_counted(std::size_t n, std::size_t corners) {
   return number(n) + " " + (n == 1 ? simplex_kind_name(corners) : kPlural[corners - 1]);
 }
 
@@ -41,7 +41,7 @@ void fact(PanelContext& ctx, const char* label, const std::string& text) {
 std::string cofaces_text(const SimplexDetails& details) {
   std::string text;
   for (std::size_t corners = details.balls.size() + 1; corners <= 4; ++corners) {
-    text += (text.empty() ? "" : ", ") + counted(details.cofaces[corners - 1], corners);
+    text += (text.empty() ? "" : ", ") + simplices_counted(details.cofaces[corners - 1], corners);
   }
   return text;
 }
@@ -150,7 +150,7 @@ std::string lines_title(const SimplexDetails& details) {
   }
   const std::string all = details.beside.size() == SimplexDetails::kMostListed ? "the first " : "";
   return std::to_string(corners) + " vertices; " + all +
-         counted(details.beside.size(), std::min<std::size_t>(corners + 1, 4)) +
+         simplices_counted(details.beside.size(), std::min<std::size_t>(corners + 1, 4)) +
          (corners == 4 ? " beside it" : " with it");
 }
 

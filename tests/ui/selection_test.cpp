@@ -76,7 +76,7 @@ TEST_F(SelectionTest, TheStatusBarSaysWhatIsUnderTheMouse) {
   const BallSet& balls = *state().references->prepared().balls;
   const double r = balls.lattice.angstrom(balls.radii[ball]) + 1.4;
   char grown[40];
-  std::snprintf(grown, sizeof grown, "grown %.2f Å", std::sqrt(r * r + 3));
+  std::snprintf(grown, sizeof grown, "grown %.3f Å", std::sqrt(r * r + 3));
   EXPECT_NE(line().find(grown), std::string::npos) << line();
   EXPECT_TRUE(viewer_->widgets().contains("status.under_mouse"));
   EXPECT_FALSE(viewer_->widgets().contains("status.device"));

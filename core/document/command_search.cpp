@@ -15,7 +15,7 @@ namespace {
 constexpr int kIdItself = 0, kWordOfTitle = 1, kStartInTitle = 2, kStartInId = 3, kInside = 4,
               kStartInHelp = 6, kInOrder = 8;
 constexpr int kSynonym = 2, kStartOfSynonym = 3;
-constexpr int kWithArguments = 1;
+constexpr int kWithArguments = 3;  // a synonym is more likely meant
 
 bool part_of_word(char c) {
   return std::isalnum(static_cast<unsigned char>(c)) || static_cast<unsigned char>(c) >= 0x80;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <string>
 #include <tuple>
 #include <utility>
 
@@ -27,6 +28,10 @@ BondEvidence::BondEvidence(const Molecule& molecule, const ModelRange& model,
 
 void BondEvidence::note_named(const ModelRange& model, const RecordedBonds::Named& bonds) {
   using Key = std::tuple<NameId, std::int32_t, char, NameId>;
+  // A name that no atom has is not the empty one.
+  const auto is_there = [&](const std::string& name) {
+    return name.empty() || molecule_.names.find(name) != 0;
+  };
   const auto key = [&](const BondedAtom& atom) {
     return Key{molecule_.names.find(atom.chain), atom.residue_number, atom.insertion_code,
                molecule_.names.find(atom.name)};
@@ -45,8 +50,11 @@ void BondEvidence::note_named(const ModelRange& model, const RecordedBonds::Name
       found->second = static_cast<std::uint32_t>(i);
     }
   }
+  const auto atom_of = [&](const BondedAtom& atom) {
+    return is_there(atom.chain) && is_there(atom.name) ? wanted[key(atom)] : kNoIndex;
+  };
   for (const auto& [a, b] : bonds) {
-    const std::uint32_t first = wanted[key(a)], second = wanted[key(b)];
+    const std::uint32_t first = atom_of(a), second = atom_of(b);
     note(first, second);
     note(second, first);
   }

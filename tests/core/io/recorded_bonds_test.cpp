@@ -162,6 +162,21 @@ TEST(RecordedBonds, TheEntityTableGoesBeforeThem) {
   EXPECT_EQ(unknown_of(m).why, Why::entity_non_polymer);
 }
 
+// A chain that no atom has is not the one without a name.
+TEST(RecordedBonds, OfAChainThatIsNotThereTellNothing) {
+  auto sample = torn_chain();
+  auto elsewhere = sample;
+  for (SampleAtom& atom : sample) atom.chain = ' ';
+  for (SampleAtom& atom : elsewhere) atom.chain = 'Z';
+  const auto why_with = [&](const std::vector<SampleAtom>& linked) {
+    const std::string links = link(linked, {3, 9}) + link(linked, {10, 5});
+    return unknown_of(read_text("a.pdb", links + as_pdb(sample))).why;
+  };
+  const Why without = unknown_of(read_text("a.pdb", as_pdb(sample))).why;
+  EXPECT_EQ(why_with(elsewhere), without);
+  EXPECT_NE(why_with(sample), without);
+}
+
 TEST(RecordedBonds, ALoopThatMixesTablesIsRead) {
   const Molecule m =
       read_text("a.cif",

@@ -81,12 +81,11 @@ std::string mouths_text(std::size_t mouths) {
   if (mouths < 2) return {};
   const std::string has = "It has " + grouped(mouths) + " mouths: ";
   if (mouths < Cavity::kMouthsOfNetwork) {
-    return has + "it may be a pore. How wide that is, Channels say.";
+    return has + "it may be a pore. The page Channels says how wide it is.";
   }
   return has +
          "it is a network of gaps that are connected, rather than one hole. A larger solvent "
-         "radius "
-         "parts it.";
+         "radius parts it.";
 }
 
 }  // namespace alphascope

@@ -9,9 +9,6 @@
 namespace alphascope {
 namespace {
 
-std::string counted_of(std::size_t n, const char* one) {
-  return grouped(n) + " " + one + (n == 1 ? "" : "s");
-}
 // Of the faces of the largest simplices: which of them are the boundary.
 std::string classes_text(const ClassCounts& n) {
   return " (" + grouped(n.regular) + " on the boundary, " + grouped(n.interior) + " interior, " +
@@ -38,12 +35,12 @@ std::string own_counts_text(const BallSet& balls, const AlphaComplex& complex) {
   const auto [vertices, edges, triangles, tetrahedra] = class_counts(own.complex());
   std::string text = where_text(own.dimension());
   text[0] = text[0] == 'i' ? 'I' : text[0] == 'o' ? 'O' : 'A';
-  text += ": " + grouped(vertices.all()) + " of " + counted_of(balls.size(), "centre");
+  text += ": " + grouped(vertices.all()) + " of " + counted(balls.size(), "centre", "centres");
   if (own.dimension() == 0) return text;
   if (own.dimension() == 1) text += classes_text(vertices);
-  text += ", " + counted_of(edges.all(), "edge");
+  text += ", " + counted(edges.all(), "edge", "edges");
   if (own.dimension() == 2) {
-    text += classes_text(edges) + ", " + counted_of(triangles.all(), "triangle");
+    text += classes_text(edges) + ", " + counted(triangles.all(), "triangle", "triangles");
   }
   return text + ", Euler number " + std::to_string(complex.euler_characteristic());
 }

@@ -10,7 +10,7 @@ namespace {
 constexpr std::size_t kExamples = 3;
 
 std::string residues_text(std::size_t count) {
-  return grouped(count) + (count == 1 ? " residue" : " residues");
+  return counted(count, "residue", "residues");
 }
 
 }  // namespace

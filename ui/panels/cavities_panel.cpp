@@ -198,7 +198,7 @@ std::string empty_text(const CavityPage& page) {
   }
   return "There is no void or pocket at this alpha and solvent radius. A groove or an open pore "
          "that "
-         "widens outwards is none: how wide a way is, Channels say.";
+         "widens outwards is none: the page Channels says how wide a way is.";
 }
 
 // Why there is no table yet.

@@ -40,8 +40,7 @@ constexpr CavityColumnSpec kColumns[] = {
      "CASTp's area of all that a probe in the cavity reaches with its surface.", 80, false},
     {C::mouths, "mouths", "mouths",
      "Through how many mouths it opens; a pocket with two or more may be a pore, one with twenty "
-     "or "
-     "more is a network of gaps.",
+     "or more is a network of gaps.",
      58, true},
     {C::mouth_area, "mouth_area", "mouth Å²",
      "The area of all its mouths, outside the grown balls.", 64, false},
@@ -49,8 +48,7 @@ constexpr CavityColumnSpec kColumns[] = {
      "How many residues line it: a part of an atom's surface lies in the cavity.", 62, true},
     {C::depth, "depth", "depth Å",
      "How deep the pocket is: the largest distance of a lining atom's centre from the nearest "
-     "triangle "
-     "of a mouth. A void has no mouth, and –.",
+     "triangle of a mouth. A void has no mouth, so its depth is –.",
      58, true},
     {C::born, "born", "born at Å²",
      "The α from which on it is a cavity of its own; below, it is part of a deeper one. −∞: at "

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "core/molecule/grouped_number.hpp"
 #include "core/molecule/residue_groups.hpp"
 #include "ui/panels/format.hpp"
 #include "ui/panels/panels.hpp"
@@ -13,17 +14,12 @@ namespace {
 
 constexpr std::size_t kLinesInSight = 4;
 
-std::string number(std::size_t n) {
-  return with_separators(static_cast<long long>(n));
-}
-
 std::string residues_text(const ResidueGroup& group) {
-  return number(group.residues) + (group.residues == 1 ? " residue" : " residues");
+  return counted(group.residues, "residue", "residues");
 }
 
 std::string count_text(const ResidueGroup& group) {
-  return residues_text(group) + ", " + number(group.atoms) +
-         (group.atoms == 1 ? " atom" : " atoms");
+  return residues_text(group) + ", " + counted(group.atoms, "atom", "atoms");
 }
 
 // "HEM", "HEM.2": in the names of widgets.

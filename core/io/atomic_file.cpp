@@ -205,11 +205,29 @@ void AtomicFile::take_name(bool alone) {
   const bool replaces = !alone && ::lstat(target_.c_str(), &status) == 0 && S_ISREG(status.st_mode);
   if (replaces && exchange(temporary_, target_)) {
     taken_ = Taken::exchanged;
-  } else if (std::rename(temporary_.c_str(), target_.c_str()) == 0) {
-    taken_ = alone || replaces ? Taken::alone : Taken::from_nobody;
-  } else {
-    fail("rename the new file to");
+    return;
   }
+  const bool kept = replaces && set_aside();
+  if (std::rename(temporary_.c_str(), target_.c_str()) == 0) {
+    taken_ = kept ? Taken::set_aside : alone || replaces ? Taken::alone : Taken::from_nobody;
+    return;
+  }
+  const int error = errno;
+  if (kept) ::unlink(old_.c_str());
+  errno = error;
+  fail("rename the new file to");
+}
+
+// Where the file system exchanges no names, such as NFS. Where it has no second names either, a
+// file that has been replaced stays replaced.
+bool AtomicFile::set_aside() {
+  constexpr int kAttempts = 10000;
+  for (int attempt = 0; attempt < kAttempts; ++attempt) {
+    old_ = temporary_name(target_, attempt);
+    if (::link(target_.c_str(), old_.c_str()) == 0) return true;
+    if (errno != EEXIST) return false;
+  }
+  return false;
 }
 
 void AtomicFile::give_name_back() noexcept {
@@ -217,6 +235,8 @@ void AtomicFile::give_name_back() noexcept {
     exchange(temporary_, target_);
   } else if (taken_ == Taken::from_nobody) {
     std::rename(target_.c_str(), temporary_.c_str());
+  } else if (taken_ == Taken::set_aside) {
+    std::rename(old_.c_str(), target_.c_str());
   }
   taken_ = Taken::no;  // and the temporary file is removed
 }
@@ -224,6 +244,7 @@ void AtomicFile::give_name_back() noexcept {
 void AtomicFile::finish() noexcept {
   if (temporary_.empty()) return;
   if (taken_ == Taken::exchanged) ::unlink(temporary_.c_str());
+  if (taken_ == Taken::set_aside) ::unlink(old_.c_str());
   temporary_.clear();
   ::close(std::exchange(descriptor_, -1));
   forget(std::exchange(slot_, -1));

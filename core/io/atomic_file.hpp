@@ -53,12 +53,13 @@ class AtomicFile {
 
  private:
   friend void commit_together(std::span<AtomicFile* const> files);
-  enum class Taken : unsigned char { no, alone, from_nobody, exchanged };
+  enum class Taken : unsigned char { no, alone, from_nobody, exchanged, set_aside };
 
   void open_temporary();
   void keep_owner_and_mode() const;
   void make_whole();
   void take_name(bool alone);
+  bool set_aside();
   void give_name_back() noexcept;
   void finish() noexcept;
   [[noreturn]] void fail(const char* action) const;
@@ -66,6 +67,7 @@ class AtomicFile {
   std::string name_;  // for messages
   FileKind kind_ = FileKind::other;
   std::filesystem::path target_, temporary_;
+  std::filesystem::path old_;  // another name of what was there, while others take theirs
   int descriptor_ = -1;
   int slot_ = -1;  // where remove_temporary_files() finds temporary_
   Taken taken_ = Taken::no;

@@ -182,6 +182,13 @@ TEST_F(CliFaults, ACallThatFails) {
   sweep_all("fsync", EIO);
 }
 
+// The first file of a set that has replaced an older one gives it back.
+TEST_F(CliFaults, ARenameThatFailsWhereNamesCannotBeExchanged) {
+  ::setenv("ALPHASCOPE_NO_EXCHANGE", "1", 1);
+  for (const int action : {EIO, 1000 + SIGTERM}) sweep_all("rename", action);
+  ::unsetenv("ALPHASCOPE_NO_EXCHANGE");
+}
+
 TEST_F(CliFaults, ASignalAtACall) {
   for (const int signal : {SIGTERM, SIGQUIT}) {
     sweep_all("open", 1000 + signal);

@@ -3,7 +3,7 @@
 // fsync, malloc; ACTION an errno below 1000, "0" a failure of this and all later calls (malloc), or
 // 1000 + a signal, which comes when the call is done. Memory is counted once the program handles
 // signals: what is before main() is not its own. ALPHASCOPE_FAULT_MARK is a file that is made
-// when it happens.
+// when it happens. With ALPHASCOPE_NO_EXCHANGE, names cannot be exchanged, as on NFS.
 #include <dlfcn.h>
 #include <fcntl.h>
 #include <sys/syscall.h>
@@ -145,6 +145,10 @@ int rename(const char* from, const char* to) noexcept {
 
 // A failure is that of the name, not of a system without exchange: then rename() would follow.
 int renameat2(int a, const char* from, int b, const char* to, unsigned flags) noexcept {
+  if (std::getenv("ALPHASCOPE_NO_EXCHANGE") != nullptr) {
+    errno = EINVAL;
+    return -1;
+  }
   const bool hit = reached(Kind::rename);
   if (hit && !by_signal()) return failed<int>();
   const long result = ::syscall(SYS_renameat2, a, from, b, to, flags);

@@ -86,6 +86,28 @@ TEST(Channel, OfATubeIsItsNarrowRing) {
   EXPECT_LE(channel.triangulations, 10);
 }
 
+// Where the end radius is not above 1.5 times the bottleneck, the line would end beside it.
+TEST(Channel, GoesOnUntilItIsWiderThanItsBottleneck) {
+  BallSet balls = no_balls();
+  add_tube(balls, -10, 10);
+  add_ring(balls, 12, 4.5, 2, 2);
+  ChannelEnds ends = ChannelEnds::through({0, 0, -5}, {0, 0, 1});
+  for (const double wanted : {0.5, 2.5, 3.7, 4.5, 7.0}) {
+    ends.end_radius_angstrom = wanted;
+    const Channel channel = find_channel(balls, ends);
+    expect_sound(balls, channel);
+    const double radius = std::max(wanted, 1.5 * channel.widest_angstrom);
+    EXPECT_DOUBLE_EQ(channel.end_radius_angstrom, radius) << wanted;
+    for (const ChannelSample* end : {&channel.samples.front(), &channel.samples.back()}) {
+      // No further than a step beyond the place where it gets that wide.
+      EXPECT_GE(end->radius_angstrom, radius - 1e-6) << wanted;
+      if (radius > 4) {
+        EXPECT_LE(end->radius_angstrom, radius + 0.1) << wanted;
+      }
+    }
+  }
+}
+
 // The big balls of one end leave a hole of 1.0 Å, the small ones of the other one of 1.2 Å. By
 // power distance, (hole + r)² - r², the first is the wider one: 11 against 3.84 Å².
 TEST(Channel, IsOrderedByClearanceNotByPowerDistance) {

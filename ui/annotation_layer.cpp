@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/explain/power_diagram.hpp"
 #include "core/molecule/atom_address.hpp"
 #include "ui/number_text.hpp"
 
@@ -15,6 +16,8 @@ constexpr double kDash = 0.18;       // Å: of a line, and the gap behind it
 constexpr double kMostDashes = 60;   // longer lines have longer ones
 constexpr double kLongestArc = 1.0;  // Å, from the corner of an angle
 constexpr double kShareOfArc = 0.4;  // of its shorter side
+constexpr double kCross = 0.12;      // Å: half a line of a marked point
+constexpr double kBorder = 0.03;     // Å: radius of the lines around a border between cells
 
 class Drawing {
  public:
@@ -30,6 +33,32 @@ class Drawing {
     if (at.size() == 3) return add_angle(at, text);
     const std::size_t half = at.size() / 2;  // of the line that a dihedral angle turns about
     layer_.labels.push_back({0.5 * (at[half - 1] + at[half]), text});
+  }
+
+  void add(const PlacedMark& m) {
+    const RealPoint from{m.from[0], m.from[1], m.from[2]}, to{m.to[0], m.to[1], m.to[2]};
+    if (m.is_point()) {
+      for (const RealPoint& arm :
+           {RealPoint{kCross, 0, 0}, RealPoint{0, kCross, 0}, RealPoint{0, 0, kCross}}) {
+        layer_.lines.push_back({from - arm, from + arm});
+      }
+    } else {
+      layer_.lines.push_back({from, to});
+    }
+    // Above a point, whatever is upwards; it would hide it.
+    const RealPoint aside = m.is_point() ? 2.5 * RealPoint{0, kCross, kCross} : RealPoint{};
+    if (!m.text.empty()) layer_.labels.push_back({0.5 * (from + to) + aside, m.text});
+  }
+
+  void add_borders(const BallSet& balls) {
+    for (const PowerFace& face : power_diagram(balls)) {
+      std::vector<LayerSphere> around;
+      for (const RealPoint& corner : face.corners_angstrom) {
+        around.push_back({corner, kBorder, kDualColour});
+      }
+      around.push_back(around.front());
+      layer_.tubes.push_back(std::move(around));
+    }
   }
 
  private:
@@ -103,6 +132,11 @@ std::shared_ptr<const Layer> make_annotation_layer(const Annotations& annotation
     if (!of || !std::all_of(of->atoms.begin(), of->atoms.end(), picture.is_drawn)) continue;
     if (++drawn > kMostMeasurements) break;
     drawing.add(m, *of);
+  }
+  const std::size_t marks = std::min(annotations.marks.size(), kMostMarks);
+  for (std::size_t n = 0; n < marks; ++n) drawing.add(annotations.marks[n]);
+  if (annotations.power_diagram) {
+    drawing.add_borders(picture.grown ? *picture.grown : *picture.balls);
   }
   for (PlacedText& label : placed_labels(picture.atoms, annotations.labels, picture.is_drawn)) {
     layer->labels.push_back({label.at_angstrom, std::move(label.text)});

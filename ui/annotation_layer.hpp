@@ -1,5 +1,5 @@
-// Labels, distances and angles as a layer, for the window and for saved pictures alike; and what
-// such a number says. No ImGui, no VTK.
+// Labels, distances, angles, marks and the power diagram as a layer, for the window and for saved
+// pictures alike; and what such a number says. No ImGui, no VTK.
 #pragma once
 
 #include <functional>
@@ -25,6 +25,8 @@ struct AnnotatedPicture {
   std::function<bool(std::size_t)> is_drawn;
   Colour colour;  // of lines
   std::uint64_t key = 0;
+  // Of the power diagram, with the solvent radius; null: `balls` have it.
+  std::shared_ptr<const BallSet> grown = nullptr;
 };
 // Null: there is nothing to draw.
 std::shared_ptr<const Layer> make_annotation_layer(const Annotations& annotations,

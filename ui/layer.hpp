@@ -30,6 +30,9 @@ struct LayerLabel {
   std::string text;
 };
 
+// Of what is dual: cells, their borders and edges.
+inline constexpr Colour kDualColour{0.3f, 0.85f, 0.75f, 1};
+
 struct Layer {
   std::string id;                        // of the panel's: "signature.appearing"
   std::uint64_t key = 0;                 // another one for another content

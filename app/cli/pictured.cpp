@@ -166,7 +166,7 @@ Pictured::Pictured(const ScreenshotCommandOptions& options, const RunContext& co
   maker_.emplace(*input_.prepared().balls);
 }
 
-// Labels, distances and angles, of what is drawn.
+// Labels, distances, angles and marks, of what is drawn.
 std::shared_ptr<const Layer> Pictured::annotation_layer() const {
   const OpenedMolecule& opened = input_.opened;
   const BallReferences atoms(opened.molecule, opened.prepared);
@@ -181,8 +181,13 @@ std::shared_ptr<const Layer> Pictured::annotation_layer() const {
     return at != beside.end() && at->atom == atom &&
            is_shown(display_.beside, at->reason, opened.molecule->atoms[atom].element);
   };
+  const std::shared_ptr<const BallSet>& balls = opened.prepared->balls;
+  std::shared_ptr<const BallSet> grown;
+  if (annotations_.power_diagram) {
+    grown = std::make_shared<const BallSet>(with_solvent(*balls, request_.solvent_radius_angstrom));
+  }
   return make_annotation_layer(
-      annotations_, {atoms, opened.prepared->balls, is_drawn, palette(theme_).warning, 1});
+      annotations_, {atoms, balls, is_drawn, palette(theme_).warning, 1, std::move(grown)});
 }
 
 void Pictured::follow_options(const ScreenshotCommandOptions& options, const RunContext& context) {

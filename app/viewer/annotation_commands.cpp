@@ -1,9 +1,11 @@
-// Labels of atoms, and distances and angles between them.
+// Labels of atoms, distances and angles between them, and marks at places of space.
 #include <algorithm>
 #include <stdexcept>
 
 #include "app/viewer/command_parts.hpp"
 #include "core/document/setting_ids.hpp"
+#include "core/document/settings_fields.hpp"
+#include "core/explain/power_diagram.hpp"
 #include "ui/annotation_layer.hpp"
 #include "ui/panels/format.hpp"
 
@@ -173,6 +175,95 @@ void add_measurement_commands(Commands& commands, ViewState& s) {
                                  " distances and angles";
                       return Outcome();
                     }});
+}
+
+// --- marks at places
+
+Parameter coordinate(const char* name, const char* help, const char* example) {
+  return {.name = name, .kind = Kind::number, .help = help, .example = example, .rule = kPlaceRule};
+}
+
+std::array<double, 3> place(const Arguments& arguments, const char* x, const char* y,
+                            const char* z) {
+  return {arguments.number(x), arguments.number(y), arguments.number(z)};
+}
+
+Outcome add_mark(ViewState& s, PlacedMark mark) {
+  PlacedMarks& all = s.annotations.marks;
+  if (mark.text.size() > kLongestMarkText) {
+    return Outcome::refused("The words are longer than " + count(kLongestMarkText) + " bytes.");
+  }
+  if (all.size() == kMostMarks) {
+    return Outcome::refused("At most " + count(kMostMarks) + " marks are kept. Remove some first.");
+  }
+  all.push_back(std::move(mark));
+  return {};
+}
+
+std::string why_no_diagram(const ViewState& s) {
+  if (std::string why = without_picture(s)(); !why.empty()) return why;
+  const std::size_t balls = s.references->prepared().balls->size();
+  if (balls <= kMostBallsOfDiagram) return {};
+  return "It is drawn of up to " + count(kMostBallsOfDiagram) + " balls; here are " + count(balls) +
+         ".";
+}
+
+void add_mark_commands(Commands& commands, ViewState& s) {
+  const Parameter x = coordinate("x", "Of the point", "3"),
+                  y = coordinate("y", "Of the point", "0"),
+                  z = coordinate("z", "Of the point", "0");
+  const Parameter words{
+      .name = "words", .help = "What is written beside it", .example = "5 Å²", .optional = true};
+  const std::vector<Parameter> ends{x,
+                                    y,
+                                    z,
+                                    coordinate("to_x", "Of the other end", "1.5"),
+                                    coordinate("to_y", "Of the other end", "2"),
+                                    coordinate("to_z", "Of the other end", "0")};
+  std::vector<Parameter> point{x, y, z, words}, line = ends;
+  line.push_back(words);
+  commands.add({.id = "mark.point",
+                .title = "Mark a point…",
+                .help = "Draws a small cross at a place in Å, over everything else",
+                .menu = "Edit",
+                .line_above = true,
+                .parameters = point,
+                .why_not = without_picture(s),
+                .run = [&s](const Arguments& a) {
+                  const auto at = place(a, "x", "y", "z");
+                  return add_mark(s, {at, at, a.text("words")});
+                }});
+  commands.add({.id = "mark.line",
+                .title = "Mark a line…",
+                .help = "Draws a line from a place to another, in Å, over everything else",
+                .menu = "Edit",
+                .parameters = line,
+                .why_not = without_picture(s),
+                .run = [&s](const Arguments& a) {
+                  return add_mark(s, {place(a, "x", "y", "z"), place(a, "to_x", "to_y", "to_z"),
+                                      a.text("words")});
+                }});
+  commands.add({.id = "mark.remove_all",
+                .title = "Remove all marks",
+                .help = "Takes all marked points and lines away",
+                .menu = "Edit",
+                .why_not = [&s] { return s.annotations.marks.empty() ? "There is no mark." : ""; },
+                .run =
+                    [&s](const Arguments&) {
+                      s.annotations.marks.clear();
+                      return Outcome();
+                    }});
+  CommandSpec diagram = with_switch(
+      {.id = "view.power_diagram",
+       .title = "Power diagram",
+       .help = "Draws the borders between the cells of the balls, cut at a box around them"},
+      s.annotations.power_diagram);
+  diagram.menu = "View";
+  diagram.why_not = [&s] { return why_no_diagram(s); };
+  commands.add(std::move(diagram));
+}
+
+void add_details_command(Commands& commands, ViewState& s) {
   commands.add({.id = "details.show",
                 .title = "Details of the selection",
                 .help = "Shows what is known of the selected atom or simplex, and the measured "
@@ -207,6 +298,8 @@ Outcome add_measurement(ViewState& s, const Measurement& m) {
 void add_annotation_commands(Commands& commands, ViewState& s) {
   add_label_commands(commands, s);
   add_measurement_commands(commands, s);
+  add_mark_commands(commands, s);
+  add_details_command(commands, s);
 }
 
 }  // namespace alphascope

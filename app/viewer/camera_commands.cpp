@@ -96,6 +96,20 @@ void add_camera_commands(Commands& commands, ViewState& s) {
        .parameters = {from},
        .why_not = without_molecule(s),
        .run = [&s](const Arguments& arguments) { return look_along(arguments, s); }});
+  static constexpr NumberRule kZoomRule{"The factor", 0.01, 100};
+  commands.add({.id = "view.zoom",
+                .title = "Zoom…",
+                .help = "Makes what is in the middle of the view larger, or smaller",
+                .parameters = {{.name = "factor",
+                                .kind = Kind::number,
+                                .help = "How many times as large",
+                                .example = "0.7",
+                                .rule = kZoomRule}},
+                .why_not = without_molecule(s),
+                .run = [&s](const Arguments& arguments) {
+                  s.requests.zoom = arguments.number("factor");
+                  return Outcome();
+                }});
   commands.add(with_switch({.id = "view.orthographic",
                             .title = "Orthographic",
                             .help = "Draws without perspective: what is far is not smaller",

@@ -31,6 +31,15 @@ void SceneController::look_from(const std::array<double, 3>& towards_viewer) {
   dirty_ = true;
 }
 
+void SceneController::zoom(double factor) {
+  Viewpoint view = scene_.viewpoint();
+  for (std::size_t k = 0; k < 3; ++k) {
+    view.position[k] = view.focal_point[k] + (view.position[k] - view.focal_point[k]) / factor;
+  }
+  scene_.set_viewpoint(view);
+  dirty_ = true;
+}
+
 NamedView SceneController::named_view(const std::string& name) const {
   const Viewpoint view = scene_.viewpoint();
   NamedView named{name,    view.position,     view.focal_point,

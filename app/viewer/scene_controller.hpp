@@ -142,6 +142,7 @@ class SceneController {
   ClipHandle clip_handle(const Clip& clip, const std::array<double, 3>& pivot, double size) const;
   // At the same point from as far, from this side; `towards_viewer` has length 1.
   void look_from(const std::array<double, 3>& towards_viewer);
+  void zoom(double factor);
   NamedView named_view(const std::string& name) const;
   void go_to(const NamedView& view);
   // What is on screen, for PictureSaver. Throws std::runtime_error when nothing is, or when there

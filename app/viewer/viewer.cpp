@@ -340,6 +340,7 @@ void Viewer::take_requests() {
   if (r.context_menu) open_context_menu();
   if (!r.copy.empty()) ImGui::SetClipboardText(r.copy.c_str());
   if (r.look_from) scene_.look_from(*r.look_from);
+  if (r.zoom) scene_.zoom(*r.zoom);
   if (!r.save_view.empty()) save_view(r.save_view);
   if (!r.go_to_view.empty()) go_to_view(r.go_to_view);
   if (r.quit) quit_ = true;

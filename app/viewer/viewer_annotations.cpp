@@ -1,4 +1,4 @@
-// Labels, distances and angles in the picture on screen.
+// Labels, distances, angles and marks in the picture on screen.
 #include <algorithm>
 
 #include "app/viewer/viewer.hpp"

@@ -1,16 +1,21 @@
-// What somebody writes into the picture: labels of atoms, and distances and angles between them. A
-// setting: undo, and a session file, know it.
+// What somebody writes into the picture: labels of atoms, distances and angles between them, and
+// marks at places of space. A setting: undo, and a session file, know it.
 #pragma once
 
 #include "core/document/atom_labels.hpp"
 #include "core/document/atom_measurements.hpp"
+#include "core/document/placed_marks.hpp"
 
 namespace alphascope {
 
 struct Annotations {
   LabelGroups labels;
   Measurements measurements;
-  bool empty() const { return labels.empty() && measurements.empty(); }
+  PlacedMarks marks;
+  bool power_diagram = false;  // the borders between the cells of all balls (core/explain)
+  bool empty() const {
+    return labels.empty() && measurements.empty() && marks.empty() && !power_diagram;
+  }
   friend bool operator==(const Annotations&, const Annotations&) = default;
 };
 

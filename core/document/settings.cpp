@@ -47,6 +47,9 @@ std::string difference_text(const Settings& a, const Settings& b) {
   note(a.appearance.colours == b.appearance.colours, "colours of atoms");
   note(a.annotations.labels == b.annotations.labels, "labels");
   note(a.annotations.measurements == b.annotations.measurements, "measured distances and angles");
+  note(a.annotations.marks == b.annotations.marks &&
+           a.annotations.power_diagram == b.annotations.power_diagram,
+       "marks");
   note(a.selection == b.selection && a.cavities == b.cavities, "selection");
   std::string text;
   for (std::size_t i = 0; i < parts.size(); ++i) {

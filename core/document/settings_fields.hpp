@@ -133,9 +133,18 @@ void visit_fields(Visitor& v, Measurement& m) {
 }
 
 template <class Visitor>
+void visit_fields(Visitor& v, PlacedMark& m) {
+  v("from_angstrom", m.from, kPlaceRule);
+  v("to_angstrom", m.to, kPlaceRule);
+  v("text", m.text);
+}
+
+template <class Visitor>
 void visit_fields(Visitor& v, Annotations& a) {
   v.objects("labels", a.labels);
   v.objects("measurements", a.measurements);
+  v.objects("marks", a.marks);
+  v("power_diagram", a.power_diagram);
 }
 
 template <class Visitor>

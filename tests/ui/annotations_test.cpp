@@ -168,5 +168,25 @@ TEST_F(AnnotationsTest, SavedPicturesSessionsAndTheCommandLineShowThem) {
   EXPECT_EQ(annotations(), before);
 }
 
+TEST_F(AnnotationsTest, MarksAndBordersAreDrawnUndoneAndSaved) {
+  run("open " +
+      (fs::path(ALPHASCOPE_SOURCE_DIR) / "resources/lessons/unequal_balls.xyzr").string() +
+      "\nwait-idle\n");
+  run("view.from z\nview.orthographic on\n");
+  const Image plain = picture();
+  run("mark.point 3 0 0 5 Å²\nmark.line 0 0 0 1.5 2 0 a tangent\nwait-idle\nframes 3\n");
+  EXPECT_EQ(words(), (Words{"5 Å²", "a tangent"}));
+  EXPECT_EQ(viewer_->state().undo_text, "marks");
+  const Image marked = picture();
+  EXPECT_GT(differing_pixels(plain, marked), 150);
+  run("view.power_diagram on\n");
+  EXPECT_GT(differing_pixels(marked, picture()), 150);
+  run("edit.undo\nedit.undo\nedit.undo\n");
+  EXPECT_EQ(differing_pixels(plain, picture()), 0);
+  EXPECT_EQ(refusal("mark.remove_all"), "There is no mark.");
+  open_crambin();
+  EXPECT_EQ(refusal("view.power_diagram on"), "It is drawn of up to 200 balls; here are 327.");
+}
+
 }  // namespace
 }  // namespace alphascope::testing

@@ -69,6 +69,7 @@ struct Requests {
   std::optional<ExportRequest> export_complex;
   bool compare = false, cancel = false, cancel_compare = false, cancel_save = false;
   bool compute_anew = false;                       // set-up included, for its cold time
+  std::optional<double> zoom;                      // how many times as large
   std::optional<std::array<double, 3>> look_from;  // from the middle of the view to the viewer
   std::string save_view, go_to_view;               // names of saved cameras; empty: none
   bool reset_view = false, zoom_to_selection = false, quit = false;
@@ -82,7 +83,7 @@ struct Requests {
   bool close_lesson = false;
 
   bool starts_from_view() const {
-    return look_from || zoom_to_selection || !zoom_to.empty() || !centre_on.empty() ||
+    return zoom || look_from || zoom_to_selection || !zoom_to.empty() || !centre_on.empty() ||
            !save_view.empty() || save_session || screenshot || record;
   }
 };

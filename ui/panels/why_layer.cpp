@@ -7,8 +7,7 @@
 namespace alphascope {
 namespace {
 
-constexpr Colour kOrthosphere{1, 0.75f, 0.2f, 1}, kNearest{0.95f, 0.3f, 0.45f, 1},
-    kDual{0.3f, 0.85f, 0.75f, 1};
+constexpr Colour kOrthosphere{1, 0.75f, 0.2f, 1}, kNearest{0.95f, 0.3f, 0.45f, 1};
 constexpr double kWire = 0.025;      // Å
 constexpr double kFarthest = 40;     // Å: nothing is drawn farther from the simplex
 constexpr double kLargestWire = 60;  // Å: a larger sphere would look like planes
@@ -83,7 +82,7 @@ std::shared_ptr<const Layer> make_why_layer(const Explanation& e,
     if (!cut_to_sight(ends, first)) return;
     layer->tubes.push_back({{ends[0], 2 * kWire, colour}, {ends[1], 2 * kWire, colour}});
   };
-  for (const auto& edge : e.dual_edges_angstrom) add_line(edge, kDual);
+  for (const auto& edge : e.dual_edges_angstrom) add_line(edge, kDualColour);
   if (!e.orthosphere) return layer;
   const RealPoint centre = e.orthosphere->centre_angstrom;
   if (!(length(centre - first) < kFarthest)) return layer;

@@ -113,9 +113,12 @@ SessionDocument unusual() {
        .beside = {false, false, true, true}};
   s.settings.selection = RefSet({AtomRef{4, 0}, AtomRef{5, 2}, SimplexRef{{1, 0}, {2, 0}, {3, 7}}});
   s.settings.cavities = RefSet({SimplexRef{{1, 0}, {2, 0}, {3, 0}, {4, 0}}});
-  s.settings.annotations = {{{LabelText::b_factor, AtomSet({{0, 3, 9}, {2, 1, 1}})},
-                             {LabelText::name, AtomSet({{0, 1, 1}})}},
-                            {{{{7, 0}, {3, 1}}}, {{{1, 0}, {9, 0}, {2, 0}, {2, 5}}}}};
+  s.settings.annotations = {
+      {{LabelText::b_factor, AtomSet({{0, 3, 9}, {2, 1, 1}})},
+       {LabelText::name, AtomSet({{0, 1, 1}})}},
+      {{{{7, 0}, {3, 1}}}, {{{1, 0}, {9, 0}, {2, 0}, {2, 5}}}},
+      {{{1, -2.5, 1e-9}, {1, -2.5, 1e-9}, "5 Å²"}, {{0, 0, 0}, {1, 2, 3}, ""}},
+      true};
   s.view.light_theme = true;
   s.view.camera = {{7, 8, 9.5}, {1.0 / 3, -2e5, 1e-9}, {4, 5, 6}, {0, 0, 1}, 1.25};
   s.view.panels = {
@@ -265,6 +268,8 @@ TEST(SessionFile, AWrongValueIsToldWithItsLine) {
   expect(",\"annotations\": { \"measurements\": [{ \"atoms\": [1,\n-1] }] }", "3",
          "\"annotations.measurements.0.atoms.1\" is -1");
   expect(",\"annotations\": { \"labels\": [{ \"text\": \"mass\" }] }", "2", "\"residue\"");
+  expect(",\"annotations\": { \"marks\": [{ \"to_angstrom\": [1, 2,\n2e9] }] }", "3",
+         "from −1,000,000,000 to 1,000,000,000 Å");
   expect(",\"camera\": { \"position_angstrom\": [1, 2] }", "2", "three numbers");
   expect(",\"camera\": { \"position_angstrom\": [0, 1, 0] }", "2", "not the way that it looks");
   expect(",\"panels\": { \"alpha_slider\": { \"low_angstrom2\": 99 } }", "2", "below its high end");

@@ -15,7 +15,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 constexpr std::chrono::milliseconds kMeshDelay{60};
-constexpr std::size_t kMeshes = 15;  // in each half of a drag
+constexpr std::size_t kMeshes = 20;  // in each half of a drag
 
 double milliseconds(Clock::duration time) {
   return std::chrono::duration<double, std::milli>(time).count();
@@ -139,7 +139,7 @@ TEST_F(OneSwapTest, ADragMixesNoTwoAlphasAndPicturesKeepComing) {
   std::size_t checked = 0;
   double drawn = -1;
   for (const Frame& f : frames) {
-    if (f.alpha != drawn && checked++ % 5 == 0) {
+    if (f.alpha != drawn && checked++ % 3 == 0) {
       viewer_->state().compute.alpha_angstrom2 = drawn = f.alpha;
       run("wait-idle\n");
     }
@@ -151,8 +151,8 @@ TEST_F(OneSwapTest, ADragMixesNoTwoAlphasAndPicturesKeepComing) {
     EXPECT_EQ(f.counts, (std::array{complex.vertices.size(), complex.edges.size(),
                                     complex.triangles.size(), complex.tetrahedra.size()}));
     EXPECT_EQ(f.legend_to, rest.legend_to) << f.alpha;
-    // Pictures in motion may be coarser.
-    EXPECT_NEAR(f.covered, rest.covered, 0.03 * rest.covered) << f.alpha;
+    // Pictures in motion may be coarser: by up to 4 %, where little is covered.
+    EXPECT_NEAR(f.covered, rest.covered, 0.06 * rest.covered) << f.alpha;
   }
   EXPECT_GE(checked, 10u);
 }
@@ -175,7 +175,7 @@ TEST_F(OneSwapTest, ADragShowsExposedAreasOfTheAlphaThatItNames) {
   std::size_t checked = 0, others = 0;
   Frame rest;
   for (const Frame& f : frames) {
-    if (f.alpha != drawn && others++ % 5 == 0) {
+    if (f.alpha != drawn && others++ % 3 == 0) {
       viewer_->state().compute.alpha_angstrom2 = drawn = f.alpha;
       run("wait-idle\n");
       ScriptedInput nothing;

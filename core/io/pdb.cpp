@@ -105,7 +105,7 @@ class PdbReader {
     } else if (line.starts_with("SEQRES")) {
       take_sequence(line);
     } else if (line.starts_with("LINK")) {
-      builder_.records().bonds.take_link(line);
+      builder_.records().bonds.take_link(line, chain_columns_);
     } else if (line.starts_with("CONECT")) {
       builder_.records().bonds.take_conect(line);
     } else if (line.starts_with("ROOT")) {
@@ -171,7 +171,7 @@ class PdbReader {
   }
 
   void take_sequence(std::string_view line) {
-    auto& names = builder_.records().sequences[std::string(trimmed(columns(line, 12, 12)))];
+    auto& names = builder_.records().sequences[std::string(trimmed(columns(line, 11, 12)))];
     std::string_view list = columns(line, 20, 70);
     for (std::string_view name = next_field(list); !name.empty(); name = next_field(list)) {
       names.emplace(name);
@@ -338,15 +338,8 @@ class PdbReader {
   // Columns 18-20 and 22; column 21 belongs to the one or the other.
   void take_residue_and_chain(std::string_view line, Atom& atom) {
     NameTable& names = builder_.molecule().names;
-    std::string_view residue = trimmed(columns(line, 18, 20));
-    std::string_view chain = trimmed(columns(line, 22, 22));
-    if (column(line, 21) != ' ') {
-      if (!chain.empty() && chain_columns_.is_chain(line)) {
-        chain = columns(line, 21, 22);
-      } else {
-        residue = trimmed(columns(line, 18, 21));
-      }
-    }
+    const std::string_view chain = chain_columns_.chain_of(line);
+    const std::string_view residue = trimmed(columns(line, 18, chain.size() == 2 ? 20 : 21));
     atom.residue_name = names.intern(residue);
     atom.chain = atom.label_chain = names.intern(chain);
   }

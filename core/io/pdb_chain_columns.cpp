@@ -67,6 +67,12 @@ void PdbChainColumns::look_at_file() {
   });
 }
 
+std::string_view PdbChainColumns::chain_of(std::string_view line) {
+  const std::string_view both = columns(line, 21, 22);
+  const bool two = both.size() == 2 && !is_blank(both[0]) && !is_blank(both[1]) && is_chain(line);
+  return two ? both : trimmed(columns(line, 22, 22));
+}
+
 bool PdbChainColumns::is_chain(std::string_view line) {
   if (!looked_) look_at_file();
   const std::string_view name = trimmed(columns(line, 18, 21));

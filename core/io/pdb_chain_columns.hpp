@@ -14,15 +14,17 @@ class PdbChainColumns {
  public:
   explicit PdbChainColumns(std::string_view text) : text_(text) {}
 
-  // Of a line with letters in columns 21 and 22: whether both are of the chain. That is so for a
-  // pair of letters beside which standard residues stand, and in a file with such pairs for any
-  // other residue, if no residue of the file shows a name of four letters.
-  bool is_chain(std::string_view line);
+  // The chain of a line: one letter, two or none.
+  std::string_view chain_of(std::string_view line);
 
   // Whether lines were read so; for a note.
   bool found_chains() const { return !chains_.empty(); }
 
  private:
+  // Of a line with letters in columns 21 and 22: whether both are of the chain. That is so for a
+  // pair of letters beside which standard residues stand, and in a file with such pairs for any
+  // other residue, if no residue of the file shows a name of four letters.
+  bool is_chain(std::string_view line);
   void look_at_file();
 
   std::string_view text_;

@@ -1,6 +1,8 @@
 // See the header.
 #include "core/io/recorded_bonds.hpp"
 
+#include <algorithm>
+
 #include "core/io/line_reader.hpp"
 #include "core/io/pdb_numbers.hpp"
 #include "core/io/pdb_records.hpp"
@@ -8,22 +10,24 @@
 namespace alphascope {
 namespace {
 
-// From the column on in which the atom's name begins; LINK has two of them.
-BondedAtom linked_atom(std::string_view line, std::size_t first) {
+// LINK has two atoms, each in columns as in a line of its own that begins so many columns later.
+BondedAtom linked_atom(std::string_view line, std::size_t later, PdbChainColumns& chain_columns) {
+  line.remove_prefix(std::min(later, line.size()));
   BondedAtom atom;
-  atom.name = trimmed(columns(line, first, first + 3));
-  atom.chain = trimmed(columns(line, first + 9, first + 9));
-  atom.residue_number = parse_pdb_number(columns(line, first + 10, first + 13), 4);
-  const std::string_view code = columns(line, first + 14, first + 14);
+  atom.name = trimmed(columns(line, 13, 16));
+  atom.chain = chain_columns.chain_of(line);
+  atom.residue_number = parse_pdb_number(columns(line, 23, 26), 4);
+  const std::string_view code = columns(line, 27, 27);
   if (!code.empty()) atom.insertion_code = code.front();
   return atom;
 }
 
 }  // namespace
 
-void RecordedBonds::take_link(std::string_view line) {
+void RecordedBonds::take_link(std::string_view line, PdbChainColumns& chain_columns) {
   if (trimmed(columns(line, 60, 65)) != trimmed(columns(line, 67, 72))) return;
-  add(linked_atom(line, 13), linked_atom(line, 43));
+  constexpr std::size_t kSecond = 30;
+  add(linked_atom(line, 0, chain_columns), linked_atom(line, kSecond, chain_columns));
 }
 
 void RecordedBonds::take_conect(std::string_view line) {

@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/io/pdb_chain_columns.hpp"
+
 namespace alphascope {
 
 // An atom as LINK and struct_conn name it.
@@ -24,7 +26,7 @@ class RecordedBonds {
     if (a != 0 && b != 0) numbered_.emplace_back(a, b);
   }
   // Lines of a PDB file. A bond to an atom of another asymmetric unit is none in this file.
-  void take_link(std::string_view line);
+  void take_link(std::string_view line, PdbChainColumns& chain_columns);
   void take_conect(std::string_view line);
 
   using Named = std::vector<std::pair<BondedAtom, BondedAtom>>;

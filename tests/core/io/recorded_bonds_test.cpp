@@ -122,6 +122,29 @@ TEST(RecordedBonds, OfMetalsAndWithinAResidueTellNothing) {
   }
 }
 
+// Chains of two letters have column 21 as well, in atoms and in LINK alike.
+TEST(RecordedBonds, NameChainsOfTwoLetters) {
+  const auto sample = torn_chain();
+  const auto with_two_letters = [](std::string text) {
+    std::string result;
+    for (std::size_t begin = 0; begin < text.size();) {
+      const std::size_t end = text.find('\n', begin);
+      std::string line = text.substr(begin, end - begin);
+      if (line.starts_with("ATOM") || line.starts_with("HETATM")) line[20] = 'Z';
+      if (line.starts_with("LINK")) line[20] = line[50] = 'Z';
+      result += line + "\n";
+      begin = end + 1;
+    }
+    return result;
+  };
+  const std::string links = link(sample, {3, 9}) + link(sample, {10, 5});
+  const Molecule both = read_text("a.pdb", with_two_letters(links + as_pdb(sample)));
+  EXPECT_EQ(both.text(unknown_of(both).chain), "ZA");
+  EXPECT_EQ(unknown_of(both).why, Why::bond_record);
+  const Molecule other = read_text("a.pdb", links + with_two_letters(as_pdb(sample)));
+  EXPECT_NE(unknown_of(other).why, Why::bond_record) << "chain A is not there";
+}
+
 // A ligand that the tables know stays one: a haem, say, that is tied to a chain's ends.
 TEST(RecordedBonds, AKnownLigandStaysOne) {
   expect_unknown(torn_chain("NAG"), {{3, 9}, {10, 5}}, AtomKind::ligand, Why::bound_ligand);

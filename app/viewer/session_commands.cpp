@@ -30,19 +30,12 @@ Outcome open_session(const Arguments& arguments, ViewState& s) {
   return {};
 }
 
-// "1crn.json" beside 1crn.pdb.gz, unless this molecule has a session already.
-std::string proposed_path(const ViewState& s) {
-  if (!s.session_file.empty()) return s.session_file.string();
-  const std::string stem = s.molecule.name.substr(0, s.molecule.name.find('.'));
-  return (fs::path(s.molecule.folder) / ((stem.empty() ? "session" : stem) + ".json")).string();
-}
-
 Outcome save_session(const Arguments& arguments, ViewState& s) {
   if (arguments.has("path")) {
     s.requests.save_session = session_path(arguments.text("path"));
     return {};
   }
-  s.memory.session_path = proposed_path(s);
+  s.memory.session_path = s.session_file.string();  // the session that this molecule has
   s.memory.show_save_session = true;
   return {};
 }

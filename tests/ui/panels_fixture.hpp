@@ -8,6 +8,7 @@
 
 #include "app/viewer/commands.hpp"
 #include "core/document/store.hpp"
+#include "ui/panels/key_focus.hpp"
 #include "ui/panels/keys.hpp"
 #include "ui/panels/style.hpp"
 #include "ui/panels/window_layout.hpp"
@@ -24,6 +25,11 @@ class Panels {
     ImGuiIO& io = ImGui::GetIO();
     io.IniFilename = nullptr;
     io.KeyMap[ImGuiKey_Enter] = key::kEnter;
+    io.KeyMap[ImGuiKey_Space] = key::kSpace;
+    io.KeyMap[ImGuiKey_LeftArrow] = key::kLeft;
+    io.KeyMap[ImGuiKey_RightArrow] = key::kRight;
+    io.KeyMap[ImGuiKey_UpArrow] = key::kUp;
+    io.KeyMap[ImGuiKey_DownArrow] = key::kDown;
     io.KeyMap[ImGuiKey_Backspace] = key::kBackspace;
     io.KeyMap[ImGuiKey_A] = key::kA;
     io.KeyMap[ImGuiKey_Escape] = key::kEscape;
@@ -43,6 +49,7 @@ class Panels {
   // A frame whose input and time are set already.
   void window_frame() {
     ImGui::GetIO().DisplaySize = {size_.width * size_.scale, size_.height * size_.scale};
+    prepare_list_keys();
     ImGui::NewFrame();
     draw_window({state, rects, commands, store, inputs}, fonts_, size_.scale);
     ImGui::Render();

@@ -6,6 +6,7 @@
 #include "core/document/signature.hpp"
 #include "core/document/store.hpp"
 #include "ui/panels/format.hpp"
+#include "ui/panels/key_focus.hpp"
 #include "ui/panels/number_field.hpp"
 #include "ui/panels/panels.hpp"
 
@@ -97,6 +98,7 @@ void alpha_slider(PanelContext& ctx) {
                                 ImGuiSliderFlags_NoInput);
   ImGui::PopID();
   record(ctx, "alpha.slider");
+  key_stop(ctx, "alpha.slider", KeyStop::number);  // the arrow keys are alpha's everywhere
   const Track track = track_of_last_item();
   bool fine = false;
   drag_finely(m, m.slider, alpha, track, place, fine);

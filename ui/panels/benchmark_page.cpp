@@ -2,7 +2,6 @@
 // else takes the cores while it measures.
 #include <imgui.h>
 // Needs imgui.h first.
-#include <imgui_stdlib.h>
 
 #include <algorithm>
 #include <cmath>
@@ -125,8 +124,7 @@ void controls(PanelContext& ctx) {
   ImGui::BeginDisabled(ctx.state.benchmark.running);
   row_label(ctx, "Alphas (Å²)");
   ImGui::SetNextItemWidth(ctx.px(190));
-  ImGui::InputText("##alphas", &c.alphas);
-  record(ctx, "benchmark.alphas");
+  text_field(ctx, "benchmark.alphas", c.alphas);
   ImGui::SameLine(0, ctx.px(16));
   labelled_number(ctx, "benchmark.runs", "runs", c.runs, kRunsRule);
   labelled_number(ctx, "benchmark.seconds", "seconds per row, at most", c.seconds_per_row,
@@ -163,7 +161,8 @@ void run_row(PanelContext& ctx) {
     return;
   }
   ImGui::BeginDisabled(!s.molecule.loaded);
-  if (button(ctx, "benchmark.run", "Run", {ctx.px(100), 0}, ButtonKind::primary)) {
+  const bool clicked = button(ctx, "benchmark.run", "Run", {ctx.px(100), 0}, ButtonKind::primary);
+  if (clicked || (s.molecule.loaded && enter_pressed(ctx))) {
     s.requests.run_benchmark = true;
   }
   ImGui::EndDisabled();
@@ -279,8 +278,7 @@ void export_row(PanelContext& ctx) {
   ImGui::TextUnformatted("into the folder");
   ImGui::SameLine(0, ctx.px(8));
   ImGui::SetNextItemWidth(ctx.px(260));
-  ImGui::InputText("##folder", &s.benchmark_controls.folder);
-  record(ctx, "benchmark.folder");
+  text_field(ctx, "benchmark.folder", s.benchmark_controls.folder);
   ImGui::SameLine(ImGui::GetContentRegionMax().x - ctx.px(100));
   ImGui::BeginDisabled(s.benchmark.running);
   const bool closed = button(ctx, "benchmark.close", "Close", {ctx.px(100), 0}) ||

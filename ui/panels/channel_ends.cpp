@@ -32,15 +32,12 @@ bool combo(PanelContext& ctx, const char* name, const char* const (&labels)[N],
            const char* const (&help)[N], Choice& chosen, float width) {
   const auto now = static_cast<std::size_t>(chosen);
   ImGui::SetNextItemWidth(ctx.px(width));
-  const bool open = ImGui::BeginCombo((std::string("##") + name).c_str(), labels[now],
-                                      ImGuiComboFlags_HeightLarge);
-  record(ctx, name);
+  const bool open = list_field(ctx, name, labels[now], ImGuiComboFlags_HeightLarge);
   if (!open) {
     tooltip(ctx, help[now]);
     return false;
   }
   bool clicked = false;
-  close_on_escape();
   for (std::size_t n = 0; n < N; ++n) {
     if (ImGui::Selectable(labels[n], n == now)) {
       chosen = static_cast<Choice>(n);

@@ -29,6 +29,11 @@ struct Row {
   std::string keys, what;
 };
 
+// What no command does: where the keyboard is.
+const Row kPlaces[] = {{"Tab, Shift+Tab", "Next, previous field or button"},
+                       {"Space, Enter", "Press it"},
+                       {"Alt, F10", "Menu bar"}};
+
 void cells(PanelContext& ctx, const Row& row) {
   ImGui::TableNextColumn();
   ImGui::TextUnformatted(row.keys.c_str());
@@ -77,7 +82,7 @@ void draw_cheat_sheet(PanelContext& ctx) {
     for (const auto& [keys, what] : kMouse) cells(ctx, {keys, what});
     end_rows(ctx);
   }
-  std::vector<Row> rows;
+  std::vector<Row> rows(std::begin(kPlaces), std::end(kPlaces));
   for (const CommandSpec& spec : ctx.commands.all()) add_command(spec, rows);
   if (begin_rows(ctx, "Keyboard", {kKeysWidth, kWhatWidth, kKeysWidth, kWhatWidth})) {
     const std::size_t half = (rows.size() + 1) / 2;

@@ -37,7 +37,10 @@ bool wanted(const ViewState& state, std::size_t kind) {
 
 void draw_level(PanelContext& ctx) {
   const auto& open = ctx.state.memory.dialogs;
-  if (ctx.dialog < open.size()) kDialogs[open[ctx.dialog]].draw(ctx);
+  if (ctx.dialog >= open.size()) return;
+  ++ctx.level;
+  kDialogs[open[ctx.dialog]].draw(ctx);
+  --ctx.level;
 }
 
 }  // namespace
@@ -75,12 +78,18 @@ bool on_top(const PanelContext& ctx) {
   return ctx.dialog + 1 == ctx.state.memory.dialogs.size();
 }
 
+bool has_keys(const PanelContext& ctx) {
+  return on_top(ctx) && !ctx.state.memory.keys.list_open && !ImGui::GetIO().WantTextInput;
+}
+
 bool escape_pressed(const PanelContext& ctx) {
-  return on_top(ctx) && !ImGui::GetIO().WantTextInput && ImGui::IsKeyPressed(key::kEscape, false);
+  const KeyMemory& keys = ctx.state.memory.keys;
+  const bool of_dialog = has_keys(ctx) || (keys.untouched && on_top(ctx) && !keys.list_open);
+  return of_dialog && ImGui::IsKeyPressed(key::kEscape, false);
 }
 
 bool enter_pressed(const PanelContext& ctx) {
-  return on_top(ctx) && !ImGui::GetIO().WantTextInput &&
+  return has_keys(ctx) && !ctx.state.memory.keys.enter_used &&
          (ImGui::IsKeyPressed(key::kEnter, false) || ImGui::IsKeyPressed(key::kKeypadEnter, false));
 }
 
@@ -91,8 +100,9 @@ DialogAnswer dialog_buttons(PanelContext& ctx, float width, DialogButton cancel,
   const bool no = button(ctx, cancel.name, cancel.label, {each, 0}) || escape_pressed(ctx);
   ImGui::SameLine();
   ImGui::BeginDisabled(!can_confirm);
-  const bool yes = button(ctx, confirm.name, confirm.label, {each, 0}, ButtonKind::primary);
+  const bool clicked = button(ctx, confirm.name, confirm.label, {each, 0}, ButtonKind::primary);
   ImGui::EndDisabled();
+  const bool yes = clicked || (can_confirm && enter_pressed(ctx));
   return yes ? DialogAnswer::confirm : no ? DialogAnswer::cancel : DialogAnswer::none;
 }
 

@@ -16,12 +16,14 @@ void end_dialog(PanelContext& ctx);  // closes it when the state no longer wants
 
 // Keys belong to the topmost dialog.
 bool on_top(const PanelContext& ctx);
-// Not while text is typed: Escape takes that back first.
+// On top, and nothing in it has the keys: no list is open, and no text is typed, which Escape takes
+// back first and Enter confirms.
+bool has_keys(const PanelContext& ctx);
 bool escape_pressed(const PanelContext& ctx);
 bool enter_pressed(const PanelContext& ctx);
 
 // At the right end of a line that is `width` pixels wide: what does nothing at the left, what does
-// something at the right, in every dialog.
+// something at the right, in every dialog. Enter confirms, Escape cancels.
 enum class DialogAnswer : std::uint8_t { none, cancel, confirm };
 struct DialogButton {
   const char* name;

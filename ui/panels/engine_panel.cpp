@@ -48,13 +48,11 @@ void engine_entry(PanelContext& ctx, EngineChoice choice) {
 void engine_choice(PanelContext& ctx) {
   const EngineChoice chosen = ctx.state.compute.engine;
   row_label(ctx, "Engine");
-  const bool open = ImGui::BeginCombo("##engine", engine_title(chosen).data());
-  record(ctx, "engine.choice");
+  const bool open = list_field(ctx, "engine.choice", engine_title(chosen).data());
   if (!open) {
     tooltip(ctx, help_of(chosen));
     return;
   }
-  close_on_escape();
   for (const EngineChoice choice : kEngineChoices) engine_entry(ctx, choice);
   ImGui::EndCombo();
 }

@@ -1,7 +1,6 @@
 // The dialog that writes a complex for another program. Name and format follow each other: the
 // ending says the format.
 #include <imgui.h>
-#include <imgui_stdlib.h>
 
 #include <cctype>
 
@@ -28,10 +27,7 @@ void format_choice(PanelContext& ctx, const ExportFormatInfo* chosen) {
   PanelMemory& m = ctx.state.memory;
   row_label(ctx, "Format");
   ImGui::SetNextItemWidth(ctx.px(200));
-  const bool open = ImGui::BeginCombo("##format", format_name(chosen), ImGuiComboFlags_HeightLarge);
-  record(ctx, "export.format");
-  if (open) {
-    close_on_escape();
+  if (list_field(ctx, "export.format", format_name(chosen), ImGuiComboFlags_HeightLarge)) {
     for (const ExportFormatInfo& format : export_formats()) {
       if (ImGui::Selectable(format.name, chosen == &format)) {
         m.export_path = fs::path(m.export_path).replace_extension(format.id).string();
@@ -74,13 +70,10 @@ void colour_choice(PanelContext& ctx, const ExportFormatInfo* format) {
 void draw_export(PanelContext& ctx) {
   ViewState& s = ctx.state;
   PanelMemory& m = s.memory;
-  if (m.export_path.empty()) m.export_path = "alphascope.glb";
-  if (!begin_dialog(ctx, "Export the complex")) return;
-  row_label(ctx, "File");
-  ImGui::SetNextItemWidth(ctx.px(340));
-  const bool entered =
-      ImGui::InputText("##path", &m.export_path, ImGuiInputTextFlags_EnterReturnsTrue);
-  record(ctx, "export.path");
+  constexpr const char* kTitle = "Export the complex";
+  propose_file(ctx, kTitle, "export", m.export_path, name_of_file(ctx, ".glb"));
+  if (!begin_dialog(ctx, kTitle)) return;
+  const bool entered = file_row(ctx, "export", m.export_path);
   const fs::path path = typed_path(m);
   const ExportFormatInfo* const format = export_format_of(path);
   const std::vector<fs::path> files =
@@ -100,11 +93,12 @@ void draw_export(PanelContext& ctx) {
   ImGui::NewLine();
   const DialogAnswer answer = dialog_buttons(ctx, ctx.px(kWidth), {"export.cancel", "Cancel"},
                                              {"export.ok", "Export"}, can_export);
-  if (answer == DialogAnswer::confirm || (entered && can_export)) {
-    s.requests.export_complex = ExportRequest{path, m.export_colours};
+  const bool confirmed = answer == DialogAnswer::confirm || (entered && can_export);
+  if (confirmed) s.requests.export_complex = ExportRequest{path, m.export_colours};
+  if (confirmed || answer == DialogAnswer::cancel) {
+    note_file(ctx, "export", m.export_path, confirmed);
     m.show_export = false;
   }
-  if (answer == DialogAnswer::cancel) m.show_export = false;
   end_dialog(ctx);
 }
 

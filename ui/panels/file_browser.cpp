@@ -1,7 +1,6 @@
 // The dialog for opening a molecule or a table of radii: folders and files that look like one, and
 // a path to type.
 #include <imgui.h>
-#include <imgui_stdlib.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -11,6 +10,7 @@
 #include "ui/panels/dialog_stack.hpp"
 #include "ui/panels/folder_listing.hpp"
 #include "ui/panels/format.hpp"
+#include "ui/panels/key_focus.hpp"
 #include "ui/panels/keys.hpp"
 #include "ui/panels/panels.hpp"
 
@@ -34,21 +34,28 @@ const char* title(const PanelMemory& m) {
       return "Open a session";
     case BrowserPurpose::session_molecule:
       return "The molecule of the session";
+    case BrowserPurpose::save:
+      return "Where to save";
     case BrowserPurpose::molecule:
       break;
   }
   return "Open a molecule";
 }
 
-void enter(PanelMemory& m, const fs::path& folder) {
+// Absolute, and without a slash at the end.
+fs::path as_folder(const fs::path& folder) {
   std::error_code error;
   const fs::path absolute = fs::absolute(folder, error);
-  m.browser_folder = (error ? folder : absolute).lexically_normal();
-  if (!m.browser_folder.has_filename() && m.browser_folder.has_parent_path() &&
-      m.browser_folder != m.browser_folder.root_path()) {
-    m.browser_folder = m.browser_folder.parent_path();  // no slash at the end
-  }
+  const fs::path normal = (error ? folder : absolute).lexically_normal();
+  const bool slash = !normal.has_filename() && normal.has_parent_path();
+  return slash && normal != normal.root_path() ? normal.parent_path() : normal;
+}
+
+void enter(PanelMemory& m, const fs::path& folder) {
+  m.browser_folder = m.browser_base = as_folder(folder);
   m.browser_typed = m.browser_folder.string();
+  m.browser_by_hand = false;
+  m.browser_begun.clear();
   m.browser_selected.clear();
   m.browser_error.clear();
   m.browser_jump.clear();
@@ -66,11 +73,36 @@ void enter_above(PanelMemory& m) {
 void select(PanelMemory& m, const FolderEntry& entry) {
   m.browser_selected = entry.path;
   m.browser_typed = entry.path.string();
+  m.browser_by_hand = false;
+  m.browser_begun.clear();
   m.browser_error.clear();
+}
+
+bool for_saving(const PanelMemory& m) {
+  return m.browser_purpose == BrowserPurpose::save;
+}
+
+void close(PanelMemory& m) {
+  m.show_browser = false;
+  if (for_saving(m)) m.browser_folder = m.saving.opens_from;
+}
+
+// In the dialog that asks for a place. A folder is one for the name that was typed there.
+void save_there(PanelMemory& m, const fs::path& path) {
+  std::error_code ignored;
+  const bool folder = fs::is_directory(path, ignored);
+  if (!folder && !fs::is_directory(path.parent_path(), ignored)) {
+    m.browser_error = "There is no folder " + path.parent_path().string() + ".";
+    return;
+  }
+  m.saving.found = folder ? path / m.saving.found.filename() : path;
+  m.saving.found_for = m.saving.browses_for;
+  close(m);
 }
 
 // The dialog stays when the file cannot be opened, and says why.
 void open(ViewState& s, const fs::path& file) {
+  if (for_saving(s.memory)) return save_there(s.memory, file);
   s.memory.browser_error = why_not_openable(file);
   if (!s.memory.browser_error.empty()) return;
   if (for_table(s.memory)) {
@@ -84,7 +116,7 @@ void open(ViewState& s, const fs::path& file) {
   } else {
     s.requests.open = file;
   }
-  s.memory.show_browser = false;
+  close(s.memory);
 }
 
 // A folder is entered, anything else is opened.
@@ -97,14 +129,43 @@ void accept(ViewState& s, const fs::path& path) {
   }
 }
 
-void accept_typed(ViewState& s) {
-  std::string text = s.memory.browser_typed;
+// The whole path; empty where nothing is typed.
+fs::path browsed_path(const PanelMemory& m) {
+  std::string text = m.browser_typed;
   if (text == "~" || text.starts_with("~/")) {
     if (const char* home = std::getenv("HOME")) text = home + text.substr(1);
   }
-  if (text.empty()) return;
+  if (text.empty()) return {};
   const fs::path path(text);
-  accept(s, path.is_relative() ? s.memory.browser_folder / path : path);
+  return path.is_relative() ? m.browser_base / path : path;
+}
+
+void accept_typed(ViewState& s) {
+  const fs::path path = browsed_path(s.memory);
+  if (path.empty()) return;
+  // The folder that is shown is not gone into: it is chosen.
+  if (for_saving(s.memory) && as_folder(path) == s.memory.browser_folder) {
+    return save_there(s.memory, s.memory.browser_folder);
+  }
+  accept(s, path);
+}
+
+// While a path is typed: the folder that it has come to is listed, and the first of its names that
+// begins so is chosen.
+void follow_typed(PanelMemory& m) {
+  m.browser_by_hand = true;
+  m.browser_error.clear();
+  m.browser_selected.clear();
+  const fs::path path = browsed_path(m);
+  if (path.empty()) return;
+  const fs::path folder = as_folder(path.parent_path());
+  m.browser_begun = path.filename().string();
+  std::error_code ignored;
+  if (fs::is_directory(folder, ignored)) {
+    m.browser_folder = folder;
+  } else {
+    m.browser_error = "There is no folder " + folder.string() + ".";
+  }
 }
 
 void path_row(PanelContext& ctx) {
@@ -117,11 +178,10 @@ void path_row(PanelContext& ctx) {
   }
   ImGui::SameLine();
   ImGui::SetNextItemWidth(-1);
-  if (ImGui::InputText("##path", &m.browser_typed, ImGuiInputTextFlags_EnterReturnsTrue)) {
-    accept_typed(ctx.state);
-  }
-  record(ctx, "browser.path");
-  if (ImGui::IsItemEdited()) m.browser_error.clear();
+  const bool entered =
+      text_field(ctx, "browser.path", m.browser_typed, "", KeyStop::type_when_asked);
+  if (ImGui::IsItemEdited()) follow_typed(m);
+  if (entered) accept_typed(ctx.state);
 }
 
 void entry_row(PanelContext& ctx, const FolderEntry& entry) {
@@ -183,24 +243,58 @@ std::size_t jump_target(PanelMemory& m, const FolderListing& list, std::size_t n
   return found < list.entries.size() ? found : now;
 }
 
+// Up and Down lead from the path into the list. True: nothing is being typed any more.
+bool leaves_path(const PanelContext& ctx) {
+  if (!ImGui::IsAnyItemActive()) return true;
+  constexpr int kInto[] = {key::kDown, key::kUp, key::kPageDown, key::kPageUp};
+  const bool leaves = ctx.state.memory.keys.at.back().name == "browser.path" &&
+                      std::any_of(std::begin(kInto), std::end(kInto),
+                                  [](int code) { return ImGui::IsKeyPressed(code); });
+  if (leaves) stop_typing();
+  return leaves;
+}
+
+// What begins as a path is one, and no name to jump to; so is what is pasted. It is typed on.
+void begin_path(PanelContext& ctx) {
+  PanelMemory& m = ctx.state.memory;
+  const ImGuiIO& io = ImGui::GetIO();
+  if (!on_top(ctx) || m.keys.list_open || m.keys.begins || ImGui::IsAnyItemActive()) return;
+  std::string begun;
+  if (io.KeyCtrl && ImGui::IsKeyPressed(key::kV, false)) {
+    const char* const pasted = ImGui::GetClipboardText();
+    begun = pasted == nullptr ? "" : pasted;
+    std::erase_if(begun, [](unsigned char c) { return c < 32; });
+  } else if (!io.KeyCtrl && !io.InputQueueCharacters.empty()) {
+    const ImWchar first = io.InputQueueCharacters[0];
+    if (first != '/' && first != '~') return;
+    for (const ImWchar c : io.InputQueueCharacters) {
+      if (c >= 32 && c < 127) begun += static_cast<char>(c);
+    }
+  }
+  if (begun.empty()) return;
+  m.browser_typed = begun;
+  follow_typed(m);
+  type_into(ctx, "browser.path");
+}
+
 // While nothing is being typed and no dialog is above. Returns true when the folder is another one
 // now.
 bool keyboard(PanelContext& ctx, const FolderListing& list, std::size_t page) {
   PanelMemory& m = ctx.state.memory;
-  if (!on_top(ctx) || ImGui::IsAnyItemActive()) return false;
+  if (!on_top(ctx) || m.keys.list_open || m.keys.begins || !leaves_path(ctx)) return false;
   if (ImGui::IsKeyPressed(key::kBackspace)) {
     enter_above(m);
     return true;
   }
   if (list.entries.empty()) return false;
-  const bool enter_pressed =
-      ImGui::IsKeyPressed(key::kEnter, false) || ImGui::IsKeyPressed(key::kKeypadEnter, false);
-  const bool any = !ImGui::GetIO().InputQueueCharacters.empty() || enter_pressed ||
+  const bool enter = enter_pressed(ctx) && !m.browser_by_hand;
+  const bool any = !ImGui::GetIO().InputQueueCharacters.empty() || enter ||
                    std::any_of(std::begin(kListKeys), std::end(kListKeys),
                                [](int code) { return ImGui::IsKeyPressed(code); });
   if (!any) return false;
   const std::size_t count = list.entries.size(), now = selected_index(m, list);
-  if (enter_pressed && now < count) {
+  if (enter && now < count) {
+    m.keys.enter_used = true;
     accept(ctx.state, fs::path(list.entries[now].path));
     return true;
   }
@@ -209,6 +303,16 @@ bool keyboard(PanelContext& ctx, const FolderListing& list, std::size_t page) {
   select(m, list.entries[target]);
   m.browser_scroll = true;
   return false;
+}
+
+// The first whose name begins as what is typed. The path stays as it is typed.
+void choose_begun(PanelMemory& m, const FolderListing& list) {
+  const std::string begun = std::exchange(m.browser_begun, {});
+  if (begun.empty()) return;
+  const std::size_t found = find_entry(list, begun, 0);
+  if (found == list.entries.size()) return;
+  m.browser_selected = list.entries[found].path;
+  m.browser_scroll = true;
 }
 
 // The chosen entry, when a key has chosen it.
@@ -226,6 +330,7 @@ void entries(PanelContext& ctx, const std::shared_ptr<const FolderListing>& list
   const float row = ImGui::GetTextLineHeight() + 2 * ImGui::GetStyle().CellPadding.y;
   const float page = std::max(1.0f, ImGui::GetWindowHeight() / row - 2);
   if (keyboard(ctx, *list, static_cast<std::size_t>(page))) return;
+  choose_begun(ctx.state.memory, *list);
   scroll_to_selected(ctx.state.memory, *list, row);
   if (!ImGui::BeginTable("list", 2, ImGuiTableFlags_None)) return;
   ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthStretch);
@@ -272,7 +377,11 @@ void message_row(PanelContext& ctx) {
   const float width = ImGui::GetContentRegionAvail().x;
   ImGui::PushFont(ctx.fonts.small);
   if (m.browser_error.empty()) {
-    muted_text(ctx, "Arrow keys: choose.  Enter: open.  Letters: jump to a name.");
+    muted_text(ctx, for_saving(m)
+                        ? "Arrow keys and Enter: go into a folder.  Choose: save here, or in the "
+                          "place of the chosen file."
+                        : "Arrow keys: choose.  Enter: open.  Letters: jump to a name.  "
+                          "/: type a path.");
   } else {
     ImGui::PushStyleColor(ImGuiCol_Text, to_imgui(ctx.palette.error));
     ImGui::TextUnformatted(fitted_text(m.browser_error, width).c_str());
@@ -285,7 +394,9 @@ void message_row(PanelContext& ctx) {
 
 void buttons(PanelContext& ctx) {
   ViewState& s = ctx.state;
-  if (for_table(s.memory)) {
+  if (for_saving(s.memory)) {
+    checkbox(ctx, "browser.hidden", "Hidden files", s.memory.browser_hidden_ones);
+  } else if (for_table(s.memory)) {
     ImGui::AlignTextToFramePadding();
     muted_text(ctx, "Lines such as: C 1.70   ALA CB 1.88   * CB 1.88");
   } else {
@@ -295,10 +406,10 @@ void buttons(PanelContext& ctx) {
     tooltip(ctx, "Files and folders whose names start with a dot.");
   }
   const float width = ImGui::GetWindowWidth() - 2 * ImGui::GetStyle().WindowPadding.x;
-  const DialogAnswer answer =
-      dialog_buttons(ctx, width, {"browser.cancel", "Cancel"}, {"browser.open", "Open"},
-                     !s.memory.browser_typed.empty());
-  if (answer == DialogAnswer::cancel) s.memory.show_browser = false;
+  const DialogAnswer answer = dialog_buttons(
+      ctx, width, {"browser.cancel", "Cancel"},
+      {"browser.open", for_saving(s.memory) ? "Choose" : "Open"}, !s.memory.browser_typed.empty());
+  if (answer == DialogAnswer::cancel) close(s.memory);
   if (answer == DialogAnswer::confirm) accept_typed(s);
 }
 
@@ -306,8 +417,8 @@ void buttons(PanelContext& ctx) {
 
 std::optional<FolderQuery> wanted_listing(const PanelMemory& m) {
   if (!m.show_browser || m.browser_folder.empty()) return std::nullopt;
-  return FolderQuery{m.browser_folder, m.browser_all_files || for_table(m), m.browser_hidden_ones,
-                     m.browser_purpose == BrowserPurpose::session};
+  return FolderQuery{m.browser_folder, m.browser_all_files || for_table(m) || for_saving(m),
+                     m.browser_hidden_ones, m.browser_purpose == BrowserPurpose::session};
 }
 
 void draw_file_browser(PanelContext& ctx) {
@@ -320,6 +431,7 @@ void draw_file_browser(PanelContext& ctx) {
                     std::min(ctx.px(480), display.y * 0.85f)};
   if (!begin_dialog(ctx, title(m), size)) return;
   path_row(ctx);
+  begin_path(ctx);
   const float bottom = ImGui::GetFrameHeightWithSpacing() + ImGui::GetTextLineHeightWithSpacing();
   listing(ctx, ImGui::GetContentRegionAvail().y - bottom - ctx.px(4));
   message_row(ctx);

@@ -12,23 +12,13 @@
 namespace alphascope::key {
 namespace {
 
-constexpr std::pair<std::string_view, int> kNames[] = {{"esc", kEscape},
-                                                       {"escape", kEscape},
-                                                       {"enter", kEnter},
-                                                       {"tab", kTab},
-                                                       {"backspace", kBackspace},
-                                                       {"insert", kInsert},
-                                                       {"delete", kDelete},
-                                                       {"pageup", kPageUp},
-                                                       {"pagedown", kPageDown},
-                                                       {"right", kRight},
-                                                       {"left", kLeft},
-                                                       {"down", kDown},
-                                                       {"up", kUp},
-                                                       {"home", kHome},
-                                                       {"end", kEnd},
-                                                       {"space", kSpace},
-                                                       {"menu", kMenu}};
+constexpr std::pair<std::string_view, int> kNames[] = {
+    {"esc", kEscape},    {"escape", kEscape},       {"enter", kEnter},
+    {"tab", kTab},       {"backspace", kBackspace}, {"insert", kInsert},
+    {"delete", kDelete}, {"pageup", kPageUp},       {"pagedown", kPageDown},
+    {"right", kRight},   {"left", kLeft},           {"down", kDown},
+    {"up", kUp},         {"home", kHome},           {"end", kEnd},
+    {"space", kSpace},   {"alt", kLeftAlt},         {"menu", kMenu}};
 
 bool take(std::string& text, std::string_view start) {
   if (!text.starts_with(start)) return false;

@@ -1,7 +1,6 @@
 // Exact areas and volumes of the complex on screen: in all, and as a table by component, chain,
 // residue or atom that sorts, filters and selects.
 #include <imgui.h>
-#include <imgui_stdlib.h>
 
 #include <algorithm>
 
@@ -196,8 +195,7 @@ void controls_line(PanelContext& ctx, MeasureMemory& memory) {
   if (memory.per != before) memory.chosen.clear();
   ImGui::SameLine(0, ctx.px(12));
   ImGui::SetNextItemWidth(ctx.px(130));
-  ImGui::InputTextWithHint("##measures.filter", "name contains…", &memory.query.filter);
-  record(ctx, "measures.filter");
+  text_field(ctx, "measures.filter", memory.query.filter, "name contains…");
   ImGui::SameLine(0, ctx.px(12));
   ImGui::BeginDisabled(kPer[memory.per] != MeasuredPer::atom);
   checkbox(ctx, "measures.changes", "Changes", memory.changes);

@@ -1,5 +1,6 @@
 // The menu bar and the keyboard shortcuts, both made from the list of commands.
 #include <algorithm>
+#include <utility>
 
 #include "ui/panels/keys.hpp"
 #include "ui/panels/panels.hpp"
@@ -24,6 +25,7 @@ void choice_menu(PanelContext& ctx, const CommandSpec& spec, const Parameter& pa
   const std::vector<Choice> choices = parameter.choices();
   const std::string name = "menu." + spec.id;
   const bool open = ImGui::BeginMenu(spec.title.c_str(), enabled && !choices.empty());
+  ctx.state.memory.keys.in_submenu |= open || ImGui::IsItemFocused();
   record(ctx, name.c_str());
   if (!open) return;
   for (const Choice& choice : choices) {
@@ -53,22 +55,38 @@ void menu_item(PanelContext& ctx, const CommandSpec& spec) {
   if (clicked && !needed) run_command(ctx, spec);
 }
 
-void menu(PanelContext& ctx, std::string_view title) {
+// True: it is open.
+bool menu(PanelContext& ctx, std::string_view title) {
   std::vector<const CommandSpec*> specs;
   for (const CommandSpec& spec : ctx.commands.all()) {
     if (spec.menu == title) specs.push_back(&spec);
   }
-  if (specs.empty()) return;
+  if (specs.empty()) return false;
   const std::string label(title);
   const bool open = ImGui::BeginMenu(label.c_str());
   record(ctx, ("menu." + label).c_str());
-  if (!open) return;
+  if (!open) return false;
   close_on_escape();
   for (const CommandSpec* spec : specs) {
     if (spec->line_above && spec != specs.front()) ImGui::Separator();
     menu_item(ctx, *spec);
   }
   ImGui::EndMenu();
+  return true;
+}
+
+// F10 opens the first menu; Left and Right lead from the open one to the next, round about.
+void open_by_key(PanelContext& ctx) {
+  KeyMemory& keys = ctx.state.memory.keys;
+  constexpr int kCount = static_cast<int>(kMenus.size());
+  int wanted = std::exchange(keys.open_menu, false) ? 0 : -1;
+  if (keys.bar_menu >= 0 && !keys.in_submenu) {
+    if (ImGui::IsKeyPressed(key::kRight)) wanted = (keys.bar_menu + 1) % kCount;
+    if (ImGui::IsKeyPressed(key::kLeft)) wanted = (keys.bar_menu + kCount - 1) % kCount;
+  }
+  if (wanted < 0) return;
+  ImGui::OpenPopup(std::string(kMenus[static_cast<std::size_t>(wanted)]).c_str());
+  keys.mark_list = true;
 }
 
 bool pressed(const Shortcut& shortcut) {
@@ -88,6 +106,13 @@ bool keys_before_others(PanelContext& ctx) {
   return false;
 }
 
+// A slider that the keyboard is at takes the arrow keys.
+bool taken_by_slider(const PanelContext& ctx, const Shortcut& shortcut) {
+  if (ctx.state.memory.keys.slid.empty()) return false;
+  const auto chord = key::read_chord(shortcut.keys);
+  return chord && chord->arrow();
+}
+
 void shortcuts(PanelContext& ctx) {
   const bool taken =
       ImGui::GetIO().WantTextInput || ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
@@ -95,7 +120,7 @@ void shortcuts(PanelContext& ctx) {
   for (const CommandSpec& spec : ctx.commands.all()) {
     if (taken && !spec.works_everywhere) continue;
     for (const Shortcut& shortcut : spec.shortcuts) {
-      if (!pressed(shortcut)) continue;
+      if (!pressed(shortcut) || taken_by_slider(ctx, shortcut)) continue;
       run_command(ctx, spec, Commands::parse_words(spec, shortcut.arguments).words);
     }
   }
@@ -106,7 +131,13 @@ void shortcuts(PanelContext& ctx) {
 void draw_menu_bar(PanelContext& ctx) {
   shortcuts(ctx);
   if (!ImGui::BeginMainMenuBar()) return;
-  for (const std::string_view title : kMenus) menu(ctx, title);
+  open_by_key(ctx);
+  KeyMemory& keys = ctx.state.memory.keys;
+  keys.bar_menu = -1;
+  keys.in_submenu = false;
+  for (std::size_t n = 0; n < kMenus.size(); ++n) {
+    if (menu(ctx, kMenus[n])) keys.bar_menu = static_cast<int>(n);
+  }
   ImGui::EndMainMenuBar();
 }
 

@@ -4,10 +4,12 @@
 // Needs imgui.h first.
 #include <imgui_stdlib.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "core/molecule/shortest_number.hpp"
+#include "ui/panels/key_focus.hpp"
 
 namespace alphascope {
 namespace {
@@ -48,6 +50,7 @@ bool type(PanelContext& ctx, const char* name, const std::string& shown, std::st
     ImGui::PopStyleColor();
   }
   record(ctx, name);
+  key_stop(ctx, name, KeyStop::type_when_asked);
   if (ImGui::IsItemActivated()) {
     typing.error.clear();
     if (typing.name != name) typing = {name, shown, {}};
@@ -78,14 +81,15 @@ bool field(PanelContext& ctx, const char* name, Number& value, const Read& read)
   return changed;
 }
 
-// True when a click with Ctrl has made it a field.
+// True when a click with Ctrl, or Enter, has made it a field.
 template <class Number>
 bool is_field(PanelContext& ctx, const char* name, const Number& value) {
   NumberTyping& typing = ctx.state.memory.number;
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const ImVec2 end{corner.x + ImGui::CalcItemWidth(), corner.y + ImGui::GetFrameHeight()};
-  if (ImGui::GetIO().KeyCtrl && ImGui::IsMouseClicked(0) && ImGui::IsWindowHovered() &&
-      ImGui::IsMouseHoveringRect(corner, end) && typing.name != name) {
+  const bool clicked = ImGui::GetIO().KeyCtrl && ImGui::IsMouseClicked(0) &&
+                       ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(corner, end);
+  if ((wants_typing(ctx, name) || clicked) && typing.name != name) {
     typing = {name, shortest_number(value), {}, true};
   }
   return typing.name == name;
@@ -130,6 +134,12 @@ bool number_slider(PanelContext& ctx, const char* name, double& value, double lo
                                 ImGuiSliderFlags_NoInput);
   ImGui::PopID();
   record(ctx, name);
+  key_stop(ctx, name, KeyStop::slide);
+  constexpr double kSteps = 50;  // from one end to the other
+  if (const int steps = key_steps(ctx, name); steps != 0) {
+    value = std::clamp(value + steps * (high - low) / kSteps, low, high);
+    changed = true;
+  }
   return changed;
 }
 

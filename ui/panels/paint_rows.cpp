@@ -12,11 +12,9 @@ namespace {
 void scheme_row(PanelContext& ctx, const PaintRows& rows, Paint& paint) {
   const std::string name = rows.name + "_colour";
   row_label(ctx, "Colour by");
-  const bool open = ImGui::BeginCombo(("##" + name).c_str(), scheme_info(paint.by).title,
-                                      ImGuiComboFlags_HeightLarge);
-  record(ctx, name.c_str());
-  if (!open) return;
-  close_on_escape();
+  if (!list_field(ctx, name.c_str(), scheme_info(paint.by).title, ImGuiComboFlags_HeightLarge)) {
+    return;
+  }
   for (const SchemeInfo& scheme : all_schemes()) {
     if (!can_paint(scheme, rows.what)) continue;
     if (ImGui::Selectable(scheme.title, paint.by == scheme.by)) {
@@ -33,11 +31,7 @@ void map_row(PanelContext& ctx, const PaintRows& rows, Paint& paint) {
   row_label(ctx, "Colours");
   ImGui::BeginDisabled(!quantity);
   const ColourMapInfo& used = colour_map_info(paint.map_used());
-  const bool open =
-      ImGui::BeginCombo(("##" + name).c_str(), quantity ? used.title : "of the scheme");
-  record(ctx, name.c_str());
-  if (open) {
-    close_on_escape();
+  if (list_field(ctx, name.c_str(), quantity ? used.title : "of the scheme")) {
     for (const ColourMap map : kColourMaps) {
       const ColourMapInfo& info = colour_map_info(map);
       if (ImGui::Selectable(info.title, paint.map_used() == map)) paint.map = map;

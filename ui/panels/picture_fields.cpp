@@ -91,7 +91,9 @@ void marks_fields(PanelContext& ctx, const std::string& dialog, PictureOptions& 
     options.caption = caption ? usual_caption() : CaptionParts();
   }
   tooltip(ctx, "Words at the top left, such as the file and alpha.");
-  if (options.caption.any()) caption_parts_fields(ctx, dialog, options);
+  ImGui::BeginDisabled(!options.caption.any());  // there all the same, or the dialog would jump
+  caption_parts_fields(ctx, dialog, options);
+  ImGui::EndDisabled();
 }
 
 }  // namespace alphascope

@@ -24,7 +24,8 @@ struct RecordRequest {
 
 struct RecordMemory : RecordChoices {
   bool show = false;
-  std::string path = "frame-%04d.png";
+  std::string path;
+  bool entered = false;            // Enter was pressed in the path, in this frame
   std::optional<bool> has_ffmpeg;  // looked for when the dialog opens
 };
 

@@ -8,6 +8,7 @@
 #include "core/document/number_input.hpp"
 #include "core/document/radius_edits.hpp"
 #include "ui/panels/format.hpp"
+#include "ui/panels/key_focus.hpp"
 #include "ui/panels/panels.hpp"
 
 namespace alphascope {
@@ -63,8 +64,7 @@ void set_row(PanelContext& ctx) {
   if (chosen.set == RadiiSet::automatic && !s.molecule.radii_name.empty()) {
     preview += ": " + s.molecule.radii_name;
   }
-  const bool open = ImGui::BeginCombo("##radii", preview.c_str(), ImGuiComboFlags_HeightLarge);
-  record(ctx, "molecule.radii");
+  const bool open = list_field(ctx, "molecule.radii", preview.c_str(), ImGuiComboFlags_HeightLarge);
   if (!open) {
     const std::string& citation = s.molecule.radii_citation;
     const std::string source =
@@ -74,7 +74,6 @@ void set_row(PanelContext& ctx) {
                            : citation;
     tooltip(ctx, source.c_str());
   } else {
-    close_on_escape();
     for (const RadiiSetInfo& info : all_radii_sets()) set_entry(ctx, info);
     ImGui::EndCombo();
   }
@@ -115,7 +114,9 @@ void radius_field(PanelContext& ctx, const RadiusRow& row, int index) {
   ImGui::SetNextItemWidth(-1);
   ImGui::InputTextWithHint("##radius", "none", &text, ImGuiInputTextFlags_AutoSelectAll);
   const AtomGroup& atoms = row.radius.group;
-  record(ctx, ("radius." + atoms.residue + "." + atoms.atom).c_str());
+  const std::string name = "radius." + atoms.residue + "." + atoms.atom;
+  record(ctx, name.c_str());
+  key_stop(ctx, name.c_str(), KeyStop::type);
   if (row.kind == Kind::guessed && !row.radius.source.empty()) {
     tooltip(ctx, ("Guessed: " + row.radius.source + ".").c_str());
   }

@@ -1,7 +1,6 @@
 // The dialog that records a sweep of alpha, a turntable or the open lesson. The ending of the name
 // says whether pictures or a movie are written.
 #include <imgui.h>
-#include <imgui_stdlib.h>
 
 #include <cctype>
 #include <optional>
@@ -32,17 +31,23 @@ fs::path typed_path(const RecordMemory& m) {
   return fs::absolute(m.path, ignored).lexically_normal();
 }
 
+// A line that is there whether or not it says anything, so that nothing moves; the tooltip has all
+// of it.
 void error_line(PanelContext& ctx, const char* name, std::string text) {
-  if (text.empty()) return;
-  text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
-  if (text.back() != '.') text += '.';
   row_label(ctx, "");
-  ImGui::PushStyleColor(ImGuiCol_Text, to_imgui(ctx.palette.error));
-  ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + ctx.px(350));
-  ImGui::TextUnformatted(text.c_str());
-  ImGui::PopTextWrapPos();
-  ImGui::PopStyleColor();
-  record(ctx, name);
+  ImGui::PushFont(ctx.fonts.small);
+  if (text.empty()) {
+    ImGui::NewLine();
+  } else {
+    text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
+    if (text.back() != '.') text += '.';
+    ImGui::PushStyleColor(ImGuiCol_Text, to_imgui(ctx.palette.error));
+    ImGui::TextUnformatted(fitted_text(text, ctx.px(350)).c_str());
+    ImGui::PopStyleColor();
+    record(ctx, name);
+    tooltip(ctx, text.c_str());
+  }
+  ImGui::PopFont();
 }
 
 // By the name's ending; none: no such format, or no place for numbers, which is told.
@@ -75,10 +80,7 @@ void choose_format(PanelContext& ctx, std::optional<RecordingFormat> format) {
 // True when the recording can be written there.
 bool target(PanelContext& ctx) {
   RecordMemory& m = ctx.state.memory.record;
-  row_label(ctx, "File");
-  ImGui::SetNextItemWidth(ctx.px(340));
-  ImGui::InputText("##path", &m.path);
-  record(ctx, "record.path");
+  m.entered = file_row(ctx, "record", m.path);
   const fs::path path = typed_path(m);
   std::string why_not;
   const std::optional<RecordingFormat> format = format_of(path, why_not);
@@ -93,6 +95,7 @@ bool target(PanelContext& ctx) {
   } else if (format == RecordingFormat::mp4 && m.options.transparent && !m.of_lesson) {
     error_line(ctx, "record.opaque", "MP4 movies have a background; choose WebM or pictures");
   } else {
+    error_line(ctx, "", "");
     return has_folder;
   }
   return false;
@@ -171,7 +174,9 @@ void lesson_fields(PanelContext& ctx) {
       ctx,
       "How long a movie shows each step, and each answer. As pictures, each is one. The text is "
       "beside the picture.");
-  if (!lesson) error_line(ctx, "record.no_lesson", "Open a lesson first: Help, Lessons…");
+  constexpr int kRowsOfOthers = 3;  // more than here: the dialog keeps its size
+  for (int n = 0; n < kRowsOfOthers; ++n) ImGui::Dummy({0, ImGui::GetFrameHeight()});
+  error_line(ctx, "record.no_lesson", lesson ? "" : "Open a lesson first: Help, Lessons…");
 }
 
 // What is chosen of the three.
@@ -205,25 +210,29 @@ bool is_there(const ViewState& s) {
 void draw_record(PanelContext& ctx) {
   ViewState& s = ctx.state;
   RecordMemory& m = s.memory.record;
-  if (!begin_dialog(ctx, "Record")) return;
+  constexpr const char* kTitle = "Record";
+  propose_file(ctx, kTitle, "record", m.path, name_of_file(ctx, "-%04d.png"));
+  if (!begin_dialog(ctx, kTitle)) return;
   const bool can_write = target(ctx);
   kind_fields(ctx);
   size_fields(ctx, "record", m.options);
-  if (!m.of_lesson) {
-    row_label(ctx, "");
-    checkbox(ctx, "record.transparent", "Transparent background", m.options.transparent);
-  }
+  row_label(ctx, "");
+  ImGui::BeginDisabled(m.of_lesson);
+  checkbox(ctx, "record.transparent", "Transparent background", m.options.transparent);
+  ImGui::EndDisabled();
   marks_fields(ctx, "record", m.options);
   ImGui::Dummy({0, ctx.px(6)});
   ImGui::NewLine();
   const bool can_record = can_write && is_there(s);
   const DialogAnswer answer = dialog_buttons(ctx, ctx.px(kWidth), {"record.cancel", "Cancel"},
                                              {"record.ok", "Record"}, can_record);
-  if (answer == DialogAnswer::confirm) {
+  const bool confirmed = answer == DialogAnswer::confirm || (m.entered && can_record);
+  if (confirmed) {
     s.requests.record = {typed_path(m), m.recording, m.options};
     if (m.of_lesson) s.requests.record->lesson_seconds = m.lesson_seconds;
   }
-  if (answer != DialogAnswer::none) {
+  if (confirmed || answer == DialogAnswer::cancel) {
+    note_file(ctx, "record", m.path, confirmed);
     m.show = false;
     m.has_ffmpeg.reset();
   }

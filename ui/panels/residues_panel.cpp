@@ -70,10 +70,8 @@ void treat_as(PanelContext& ctx, const ResidueGroup& group, float width) {
     return tooltip(ctx, why_not_treated(group).c_str());
   }
   ImGui::SetNextItemWidth(width);
-  const bool open = ImGui::BeginCombo("##as", kind_name(group.kind));
-  record(ctx, name.c_str());
+  const bool open = list_field(ctx, name.c_str(), kind_name(group.kind));
   if (!open) return tooltip(ctx, "Treat as: what these residues are, whatever the file says.");
-  close_on_escape();
   file_entry(ctx, group);
   ImGui::Separator();
   for (const AtomKind kind :

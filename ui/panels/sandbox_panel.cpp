@@ -20,8 +20,7 @@ void presets(PanelContext& ctx) {
   const CommandSpec* const spec = ctx.commands.find("sandbox.new");
   if (spec == nullptr) return;
   ImGui::SetNextItemWidth(ctx.px(150));
-  if (ImGui::BeginCombo("##preset", "New from preset")) {
-    close_on_escape();
+  if (list_field(ctx, "sandbox.preset", "New from preset")) {
     for (const Choice& preset : spec->parameters.front().choices()) {
       const std::string name = "sandbox.preset." + preset.id;
       if (ImGui::Selectable(preset.title.c_str())) ctx.commands.run("sandbox.new", {preset.id});

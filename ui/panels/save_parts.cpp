@@ -11,8 +11,7 @@ namespace alphascope {
 void ask_to_save(PanelContext& ctx, TableToSave table) {
   TableMemory& memory = ctx.state.memory.save_table;
   memory.format = table.json ? memory.format : 0;
-  const std::string name = table.file_name + (memory.format == 1 ? ".json" : ".csv");
-  memory.path = (memory.folder / name).string();
+  memory.path.clear();
   memory.table = std::make_shared<const TableToSave>(std::move(table));
 }
 

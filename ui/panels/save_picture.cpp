@@ -1,6 +1,5 @@
 // The dialog that saves a picture.
 #include <imgui.h>
-#include <imgui_stdlib.h>
 
 #include "ui/panels/dialog_stack.hpp"
 #include "ui/panels/panels.hpp"
@@ -14,13 +13,10 @@ void draw_save_picture(PanelContext& ctx) {
   constexpr float kWidth = 464;  // pixels at scale 1
   ViewState& s = ctx.state;
   PanelMemory& m = s.memory;
-  if (m.save_path.empty()) m.save_path = "alphascope.png";
-  if (!begin_dialog(ctx, "Save a picture")) return;
-  row_label(ctx, "File");
-  ImGui::SetNextItemWidth(ctx.px(340));
-  const bool entered =
-      ImGui::InputText("##path", &m.save_path, ImGuiInputTextFlags_EnterReturnsTrue);
-  record(ctx, "save.path");
+  constexpr const char* kTitle = "Save a picture";
+  propose_file(ctx, kTitle, "save", m.save_path, name_of_file(ctx, ".png"));
+  if (!begin_dialog(ctx, kTitle)) return;
+  const bool entered = file_row(ctx, "save", m.save_path);
   const bool can_save =
       save_target(ctx, "save", {picture_path(m.save_path)}) && !m.save_path.empty();
   size_fields(ctx, "save", m.save);
@@ -35,11 +31,12 @@ void draw_save_picture(PanelContext& ctx) {
   ImGui::NewLine();
   const DialogAnswer answer =
       dialog_buttons(ctx, ctx.px(kWidth), {"save.cancel", "Cancel"}, {"save.ok", "Save"}, can_save);
-  if (answer == DialogAnswer::confirm || (entered && can_save)) {
-    s.requests.screenshot = {picture_path(m.save_path), m.save};
+  const bool confirmed = answer == DialogAnswer::confirm || (entered && can_save);
+  if (confirmed) s.requests.screenshot = {picture_path(m.save_path), m.save};
+  if (confirmed || answer == DialogAnswer::cancel) {
+    note_file(ctx, "save", m.save_path, confirmed);
     m.show_save = false;
   }
-  if (answer == DialogAnswer::cancel) m.show_save = false;
   end_dialog(ctx);
 }
 

@@ -1,6 +1,5 @@
 // The dialog that saves the table of a page.
 #include <imgui.h>
-#include <imgui_stdlib.h>
 
 #include <filesystem>
 
@@ -32,11 +31,9 @@ void format_row(PanelContext& ctx, TableMemory& memory) {
 }
 
 void save(ViewState& s) {
-  TableMemory& memory = s.memory.save_table;
-  const std::filesystem::path path = path_to_save(memory.path, ending(memory.format));
-  memory.folder = path.parent_path();
-  s.requests.save_table = {memory.table, memory.format == 1, path};
-  memory.table = nullptr;
+  const TableMemory& memory = s.memory.save_table;
+  s.requests.save_table = {memory.table, memory.format == 1,
+                           path_to_save(memory.path, ending(memory.format))};
 }
 
 }  // namespace
@@ -44,13 +41,13 @@ void save(ViewState& s) {
 void draw_save_table(PanelContext& ctx) {
   TableMemory& memory = ctx.state.memory.save_table;
   const std::string title = "Save: " + (memory.table ? memory.table->what : "") + "###save_table";
+  if (memory.table) {
+    const std::string& name = memory.table->file_name;
+    propose_file(ctx, title.c_str(), name, memory.path, name + ending(memory.format));
+  }
   if (!begin_dialog(ctx, title.c_str())) return;
   if (!memory.table) return end_dialog(ctx);
-  row_label(ctx, "File");
-  ImGui::SetNextItemWidth(ctx.px(340));
-  const bool entered =
-      ImGui::InputText("##path", &memory.path, ImGuiInputTextFlags_EnterReturnsTrue);
-  record(ctx, "save_table.path");
+  const bool entered = file_row(ctx, "save_table", memory.path);
   const bool can_save =
       save_target(ctx, "save_table", {path_to_save(memory.path, ending(memory.format))}) &&
       !memory.path.empty();
@@ -63,9 +60,10 @@ void draw_save_table(PanelContext& ctx) {
   ImGui::NewLine();
   const DialogAnswer answer = dialog_buttons(ctx, ctx.px(kWidth), {"save_table.cancel", "Cancel"},
                                              {"save_table.ok", "Save"}, can_save);
-  if (answer == DialogAnswer::confirm || (entered && can_save)) {
-    save(ctx.state);
-  } else if (answer == DialogAnswer::cancel) {
+  const bool confirmed = answer == DialogAnswer::confirm || (entered && can_save);
+  if (confirmed) save(ctx.state);
+  if (confirmed || answer == DialogAnswer::cancel) {
+    note_file(ctx, memory.table->file_name, memory.path, confirmed);
     memory.table = nullptr;
   }
   end_dialog(ctx);

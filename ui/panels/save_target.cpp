@@ -1,7 +1,10 @@
 // See the header.
 #include "ui/panels/save_target.hpp"
 
+#include <unistd.h>
+
 #include <algorithm>
+#include <utility>
 
 #include "core/io/atomic_file.hpp"
 
@@ -19,6 +22,72 @@ void coloured_text(const Colour& colour, const std::string& text) {
 }
 
 }  // namespace
+
+namespace {
+
+// The samples of the program are in a folder of its own.
+fs::path folder_to_offer(const ViewState& s) {
+  std::error_code ignored;
+  if (fs::is_directory(s.memory.saving.folder, ignored)) return s.memory.saving.folder;
+  const fs::path beside = s.molecule.folder;
+  const bool sample = std::any_of(s.samples.begin(), s.samples.end(), [&](const auto& one) {
+    return one.path.parent_path() == beside;
+  });
+  if (!sample && fs::is_directory(beside, ignored) && access(beside.c_str(), W_OK) == 0) {
+    return beside;
+  }
+  return fs::current_path(ignored);
+}
+
+}  // namespace
+
+void propose_file(PanelContext& ctx, const char* title, const std::string& dialog,
+                  std::string& path, const std::string& name) {
+  if (!path.empty() || ImGui::IsPopupOpen(title)) return;
+  const auto& names = ctx.state.memory.saving.names;
+  const auto typed = names.find(dialog);
+  path = (folder_to_offer(ctx.state) / (typed == names.end() ? name : typed->second)).string();
+}
+
+std::string name_of_file(const PanelContext& ctx, const std::string& ending) {
+  const std::string& file = ctx.state.molecule.name;
+  const std::string stem = file.substr(0, std::min(file.find('.'), file.size()));
+  return (stem.empty() ? "alphascope" : stem) + ending;
+}
+
+void note_file(PanelContext& ctx, const std::string& dialog, std::string& path, bool saved) {
+  SaveMemory& memory = ctx.state.memory.saving;
+  std::error_code ignored;
+  const fs::path whole = fs::absolute(std::exchange(path, {}), ignored).lexically_normal();
+  if (whole.has_filename()) memory.names[dialog] = whole.filename().string();
+  if (saved) memory.folder = whole.parent_path();
+}
+
+bool file_row(PanelContext& ctx, const std::string& dialog, std::string& path) {
+  PanelMemory& m = ctx.state.memory;
+  const std::string name = dialog + ".path";
+  if (m.saving.found_for == name) {
+    path = m.saving.found.string();
+    m.saving.found_for.clear();
+  }
+  constexpr float kButton = 80, kGap = 6;
+  row_label(ctx, "File");
+  ImGui::SetNextItemWidth(ctx.px(kTextWidth - kButton - kGap));
+  const bool entered = text_field(ctx, name.c_str(), path, "", KeyStop::path);
+  ImGui::SameLine(0, ctx.px(kGap));
+  if (button(ctx, (dialog + ".browse").c_str(), "Browse…", {ctx.px(kButton), 0})) {
+    std::error_code ignored;
+    const fs::path whole = fs::absolute(path, ignored).lexically_normal();
+    m.saving.browses_for = name;
+    m.saving.found = whole;
+    m.saving.opens_from = m.browser_folder;
+    m.browser_folder = fs::is_directory(whole.parent_path(), ignored) ? whole.parent_path()
+                                                                      : folder_to_offer(ctx.state);
+    open_browser(ctx.state, BrowserPurpose::save);
+  }
+  tooltip(ctx, "Looks for the folder, or for a file to be replaced.");
+  return entered;
+}
 
 bool save_target(PanelContext& ctx, const std::string& dialog, const std::vector<fs::path>& files) {
   std::error_code ignored;

@@ -9,6 +9,19 @@
 
 namespace alphascope {
 
+// One rule for all dialogs that write a file. The folder that is offered is that of the file that
+// was saved last, else that of the molecule where one may write there, else the present one. The
+// name is what was typed last for this molecule in this dialog, else `name`. To be called before
+// the dialog `title` is drawn; a path that is there already stays.
+void propose_file(PanelContext& ctx, const char* title, const std::string& dialog,
+                  std::string& path, const std::string& name);
+// "4hhb" and this ending.
+std::string name_of_file(const PanelContext& ctx, const std::string& ending);
+// The dialog is closed: what it remembers.
+void note_file(PanelContext& ctx, const std::string& dialog, std::string& path, bool saved);
+// The path, and a button that looks for it. True: Enter was pressed in it.
+bool file_row(PanelContext& ctx, const std::string& dialog, std::string& path);
+
 // Where `files`, in one folder, will be, whatever folder the program was started in, and what
 // becomes of what is there. False where they cannot be written. Widgets are named by
 // `dialog`: "save.replaces".

@@ -1,6 +1,5 @@
 // Which atoms become balls: one control for every rule.
 #include <imgui.h>
-#include <imgui_stdlib.h>
 
 #include <algorithm>
 
@@ -144,8 +143,7 @@ void chain_popup(PanelContext& ctx) {
   if (s.molecule.contents.chains.size() >= kFilterFrom) {
     ImGui::SameLine(0, ctx.px(8));
     ImGui::SetNextItemWidth(ctx.px(130));
-    ImGui::InputTextWithHint("##filter", "name contains…", &s.memory.chain_filter);
-    record(ctx, "molecule.chains.filter");
+    text_field(ctx, "molecule.chains.filter", s.memory.chain_filter, "name contains…");
   } else {
     s.memory.chain_filter.clear();
   }
@@ -162,10 +160,7 @@ void chains(PanelContext& ctx) {
   const std::string preview = all == 1 && off == 0 ? "the only one"
                               : off == 0           ? "all " + number(all)
                                                    : number(all - off) + " of " + number(all);
-  const bool open = ImGui::BeginCombo("##chains", preview.c_str(), ImGuiComboFlags_HeightLargest);
-  record(ctx, "molecule.chains");
-  if (!open) return;
-  close_on_escape();
+  if (!list_field(ctx, "molecule.chains", preview.c_str(), ImGuiComboFlags_HeightLargest)) return;
   chain_popup(ctx);
   ImGui::EndCombo();
 }
@@ -224,9 +219,7 @@ void expression(PanelContext& ctx) {
   }
   row_label(ctx, "Only", 30);
   const bool entered =
-      ImGui::InputTextWithHint("##expression", "chain A or ligand", &m.expression_typed,
-                               ImGuiInputTextFlags_EnterReturnsTrue);
-  record(ctx, "molecule.expression");
+      text_field(ctx, "molecule.expression", m.expression_typed, "chain A or ligand");
   if (ImGui::IsItemEdited()) s.expression_error.reset();
   const bool pending = m.expression_typed != s.open.balls.selection;
   if (entered) {

@@ -1,6 +1,5 @@
 // Saving a session, and what to do when the molecule of one is not where it was or has changed.
 #include <imgui.h>
-#include <imgui_stdlib.h>
 
 #include "ui/panels/dialog_stack.hpp"
 #include "ui/panels/picture_path.hpp"
@@ -16,12 +15,10 @@ constexpr float kWidth = 464;  // pixels at scale 1
 void draw_save_session(PanelContext& ctx) {
   ViewState& s = ctx.state;
   PanelMemory& m = s.memory;
-  if (!begin_dialog(ctx, "Save the session")) return;
-  row_label(ctx, "File");
-  ImGui::SetNextItemWidth(ctx.px(340));
-  const bool entered =
-      ImGui::InputText("##path", &m.session_path, ImGuiInputTextFlags_EnterReturnsTrue);
-  record(ctx, "save_session.path");
+  constexpr const char* kTitle = "Save the session";
+  propose_file(ctx, kTitle, "save_session", m.session_path, name_of_file(ctx, ".json"));
+  if (!begin_dialog(ctx, kTitle)) return;
+  const bool entered = file_row(ctx, "save_session", m.session_path);
   const std::filesystem::path path = session_path(m.session_path);
   const bool can_save = save_target(ctx, "save_session", {path}) && !m.session_path.empty();
   ImGui::PushFont(ctx.fonts.small);
@@ -34,11 +31,12 @@ void draw_save_session(PanelContext& ctx) {
   ImGui::NewLine();
   const DialogAnswer answer = dialog_buttons(ctx, ctx.px(kWidth), {"save_session.cancel", "Cancel"},
                                              {"save_session.ok", "Save"}, can_save);
-  if (answer == DialogAnswer::confirm || (entered && can_save)) {
-    s.requests.save_session = path;
+  const bool confirmed = answer == DialogAnswer::confirm || (entered && can_save);
+  if (confirmed) s.requests.save_session = path;
+  if (confirmed || answer == DialogAnswer::cancel) {
+    note_file(ctx, "save_session", m.session_path, confirmed);
     m.show_save_session = false;
   }
-  if (answer == DialogAnswer::cancel) m.show_save_session = false;
   end_dialog(ctx);
 }
 
@@ -70,7 +68,9 @@ void draw_session_problem(PanelContext& ctx) {
                                 : "There is no file that could be opened.");
   ImGui::SameLine();
   ImGui::BeginDisabled(!problem.molecule);
-  if (button(ctx, "session.choose", "Choose the file…", {ctx.px(150), 0}, ButtonKind::primary)) {
+  const bool choose =
+      button(ctx, "session.choose", "Choose the file…", {ctx.px(150), 0}, ButtonKind::primary);
+  if (choose || (problem.molecule && enter_pressed(ctx))) {
     open_browser(s, BrowserPurpose::session_molecule);
   }
   ImGui::EndDisabled();

@@ -4,6 +4,7 @@
 
 #include "core/molecule/grouped_number.hpp"
 #include "ui/panels/format.hpp"
+#include "ui/panels/key_focus.hpp"
 #include "ui/panels/number_field.hpp"
 #include "ui/panels/panels.hpp"
 
@@ -67,15 +68,13 @@ void assembly_row(PanelContext& ctx) {
                                    [&](const AssemblyInfo& a) { return a.id == s.open.assembly; });
   const std::string preview =
       chosen == list.end() ? "as deposited" : chosen->id + ": " + copies_text(*chosen);
-  const bool open = ImGui::BeginCombo("##assembly", preview.c_str());
-  record(ctx, "molecule.assembly");
+  const bool open = list_field(ctx, "molecule.assembly", preview.c_str());
   if (!open) {
     tooltip(ctx,
             "Biological assemblies that the file describes: copies of its chains as the molecule "
             "occurs in nature.");
     return;
   }
-  close_on_escape();
   assembly_entries(ctx);
   ImGui::EndCombo();
 }
@@ -138,6 +137,7 @@ void speed_drag(PanelContext& ctx) {
                    static_cast<float>(kModelSpeedRule.most), "%.1f / s",
                    ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput);
   record(ctx, "molecule.speed");
+  key_stop(ctx, "molecule.speed", KeyStop::number);
 }
 
 void model_rows(PanelContext& ctx) {

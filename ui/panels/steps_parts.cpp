@@ -32,8 +32,7 @@ void engine_choice(PanelContext& ctx) {
   StepsMemory& memory = ctx.state.memory.steps;
   if (steps_engines().size() < 2) return;
   ImGui::SetNextItemWidth(ctx.px(170));
-  if (ImGui::BeginCombo("##engine", spec_of(memory.engine).title)) {
-    close_on_escape();
+  if (list_field(ctx, "steps.engine", spec_of(memory.engine).title)) {
     for (const StepsEngineSpec& spec : steps_engines()) {
       const char* const id = steps_engine_id(spec.engine);
       if (ImGui::Selectable(spec.title, spec.engine == memory.engine)) {

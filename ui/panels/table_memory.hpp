@@ -31,7 +31,6 @@ struct TableMemory {
   std::shared_ptr<const TableToSave> table;  // null: it is closed
   std::string path;                          // as it is typed
   int format = 0;                            // 0 CSV, 1 JSON
-  std::filesystem::path folder;              // of the last one that was saved
 };
 
 }  // namespace alphascope

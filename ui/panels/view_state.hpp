@@ -37,11 +37,13 @@
 #include "ui/panels/curve_memory.hpp"
 #include "ui/panels/details_memory.hpp"
 #include "ui/panels/folder_listing.hpp"
+#include "ui/panels/key_memory.hpp"
 #include "ui/panels/lesson_memory.hpp"
 #include "ui/panels/measure_memory.hpp"
 #include "ui/panels/palette_memory.hpp"
 #include "ui/panels/picture_memory.hpp"
 #include "ui/panels/sandbox_memory.hpp"
+#include "ui/panels/save_memory.hpp"
 #include "ui/panels/steps_memory.hpp"
 #include "ui/panels/table_memory.hpp"
 #include "ui/panels/view_info.hpp"
@@ -104,7 +106,7 @@ inline constexpr double kTooltipDelaySeconds = 0.4;
 // Comparing by itself is switched off beyond: CGAL would keep the second half of the cores busy.
 inline constexpr std::size_t kMostBallsToCompareUnasked = 200000;
 
-enum class BrowserPurpose : std::uint8_t { molecule, radii_table, session, session_molecule };
+enum class BrowserPurpose : std::uint8_t { molecule, radii_table, session, session_molecule, save };
 
 struct PanelMemory;
 // What the file dialog wants to have listed; nothing while it is closed.
@@ -122,7 +124,10 @@ struct PanelMemory {
   bool show_cheat_sheet = false, show_about = false, show_browser = false, show_save = false;
   bool show_benchmark = false, show_export = false, show_save_session = false;
   std::filesystem::path browser_folder;  // empty: choose a sensible one
+  std::filesystem::path browser_base;    // that what is typed is relative to
   std::string browser_typed;
+  bool browser_by_hand = false;  // typed, and not the name of what is chosen in the list
+  std::string browser_begun;     // the beginning of a name: the first such is to be chosen
   std::filesystem::path browser_selected;
   bool browser_all_files = false, browser_hidden_ones = false;
   std::string browser_error;        // why what was typed cannot be opened
@@ -130,6 +135,7 @@ struct PanelMemory {
   double browser_jump_seconds = 0;  // of it came (ImGui's time)
   bool browser_scroll = false;      // the chosen entry is to be scrolled into sight
   BrowserPurpose browser_purpose = BrowserPurpose::molecule;
+  SaveMemory saving;
   std::string save_path;
   PictureOptions save;
   RecordMemory record;
@@ -143,6 +149,7 @@ struct PanelMemory {
   std::string bottom_panel;                       // id of the page below the view; empty: the first
   float bottom_height = 0;                        // pixels at scale 1; 0: default
   NumberTyping number;
+  KeyMemory keys;
   PaletteMemory palette;
   CavityMemory cavities;
   ChannelMemory channels;

@@ -1,11 +1,15 @@
 // See the header.
 #include "ui/panels/widgets.hpp"
 
+#include <imgui_internal.h>
+#include <imgui_stdlib.h>
+
 #include <algorithm>
 #include <cmath>
 
 #include "ui/fitted_text.hpp"
 #include "ui/panels/format.hpp"
+#include "ui/panels/key_focus.hpp"
 #include "ui/panels/keys.hpp"
 #include "ui/panels/number_field.hpp"
 
@@ -50,6 +54,7 @@ bool button(PanelContext& ctx, const char* name, const char* label, ImVec2 size,
   ImGui::PopID();
   ImGui::PopStyleColor(pushed);
   record(ctx, name);
+  key_stop(ctx, name);
   return clicked;
 }
 
@@ -58,7 +63,31 @@ bool checkbox(PanelContext& ctx, const char* name, const char* label, bool& valu
   const bool changed = ImGui::Checkbox(label, &value);
   ImGui::PopID();
   record(ctx, name);
+  key_stop(ctx, name);
   return changed;
+}
+
+bool text_field(PanelContext& ctx, const char* name, std::string& text, const char* hint,
+                KeyStop kind) {
+  ImGui::PushID(name);
+  const bool entered = ImGui::InputTextWithHint(
+      "##text", hint, &text, ImGuiInputTextFlags_EnterReturnsTrue | caret_flags(ctx, name),
+      &place_caret, &ctx.state.memory.keys);
+  ImGui::PopID();
+  record(ctx, name);
+  key_stop(ctx, name, kind);
+  return entered;
+}
+
+bool list_field(PanelContext& ctx, const char* name, const char* chosen, ImGuiComboFlags flags) {
+  const bool open = ImGui::BeginCombo((std::string("##") + name).c_str(), chosen, flags);
+  record(ctx, name);
+  if (open) {
+    close_on_escape();
+  } else {
+    key_stop(ctx, name);
+  }
+  return open;
 }
 
 void open_browser(ViewState& state, BrowserPurpose purpose) {
@@ -103,9 +132,11 @@ bool value_slider(PanelContext& ctx, const char* name, double& value, double low
   const float text_width = ctx.px(48);
   ImGui::SetNextItemWidth(-ctx.px(reserve) - text_width);
   const bool changed = number_slider(ctx, name, value, low, high, rule);
+  const ImGuiLastItemData slider = GImGui->LastItemData;
   const float right = ImGui::GetItemRectMax().x - ImGui::GetWindowPos().x + text_width;
   ImGui::SameLine(right - ImGui::CalcTextSize(text.c_str()).x);
   ImGui::TextUnformatted(text.c_str());
+  GImGui->LastItemData = slider;  // tooltips are the slider's
   return changed;
 }
 
@@ -125,6 +156,7 @@ bool disclosure(PanelContext& ctx, const char* name, const std::string& title,
   const bool open = ImGui::TreeNodeEx(name, ImGuiTreeNodeFlags_SpanAvailWidth, "%s", title.c_str());
   ImGui::PopStyleColor();
   record(ctx, name);
+  key_stop(ctx, name);
   return open;
 }
 
@@ -166,6 +198,7 @@ bool section(PanelContext& ctx, const char* name, const char* title) {
   ImGui::PopStyleColor(3);
   ImGui::PopFont();
   record(ctx, name);
+  key_stop(ctx, name);
   if (wanted) {
     ImGui::SetScrollHereY(0);
     ctx.state.memory.go_to_section.clear();
@@ -173,11 +206,43 @@ bool section(PanelContext& ctx, const char* name, const char* title) {
   return open;
 }
 
+namespace {
+
+// Not over what it is about: below a field or button, beside a menu or list. What is large, such as
+// the view, is spoken of where the mouse is.
+void place_tooltip(const PanelContext& ctx, ImVec2 size) {
+  const ImGuiLastItemData& item = GImGui->LastItemData;
+  const ImGuiWindow* const window = GImGui->CurrentWindow;
+  const ImVec2 display = ImGui::GetIO().DisplaySize, mouse = ImGui::GetIO().MousePos;
+  const float gap = ctx.px(6);
+  const bool in_list = (window->Flags & ImGuiWindowFlags_Popup) != 0 &&
+                       (window->Flags & ImGuiWindowFlags_Modal) == 0;
+  if (in_list) {
+    const float right = window->Pos.x + window->Size.x + gap;
+    const bool fits = right + size.x <= display.x;
+    const float y = std::clamp(item.Rect.Min.y, 0.0f, std::max(0.0f, display.y - size.y));
+    return ImGui::SetNextWindowPos({fits ? right : window->Pos.x - gap, y}, ImGuiCond_Always,
+                                   {fits ? 0.0f : 1.0f, 0});
+  }
+  constexpr float kLarge = 60;  // pixels at scale 1
+  if (item.Rect.GetHeight() > ctx.px(kLarge)) return;
+  const float x = std::clamp(mouse.x, 0.0f, std::max(0.0f, display.x - size.x));
+  const bool below = item.Rect.Max.y + gap + size.y <= display.y;
+  ImGui::SetNextWindowPos({x, below ? item.Rect.Max.y + gap : item.Rect.Min.y - gap},
+                          ImGuiCond_Always, {0, below ? 0.0f : 1.0f});
+}
+
+}  // namespace
+
 void tooltip(PanelContext& ctx, const char* text) {
   if (ctx.state.memory.mouse_still_seconds < kTooltipDelaySeconds) return;
   if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+  const float wrap = ImGui::GetFontSize() * 24;
+  const ImVec2 room = ImGui::CalcTextSize(text, nullptr, false, wrap);
+  const ImVec2 padding = ImGui::GetStyle().WindowPadding;
+  place_tooltip(ctx, {room.x + 2 * padding.x, room.y + 2 * padding.y});
   ImGui::BeginTooltip();
-  ImGui::PushTextWrapPos(ImGui::GetFontSize() * 24);
+  ImGui::PushTextWrapPos(wrap);
   ImGui::TextUnformatted(text);
   ImGui::PopTextWrapPos();
   ImGui::EndTooltip();

@@ -27,6 +27,7 @@ struct PanelContext {
   const Palette& palette;
   float scale = 1;
   std::size_t dialog = 0;  // that is being drawn: index into PanelMemory::dialogs
+  std::size_t level = 0;   // 0: the window is being drawn; n: the nth dialog
 
   float px(float pixels_at_scale_1) const { return pixels_at_scale_1 * scale; }
 };
@@ -41,6 +42,15 @@ enum class ButtonKind : std::uint8_t { normal, primary, quiet };
 bool button(PanelContext& ctx, const char* name, const char* label, ImVec2 size = {0, 0},
             ButtonKind kind = ButtonKind::normal);
 bool checkbox(PanelContext& ctx, const char* name, const char* label, bool& value);
+
+// A line of text as wide as the next item; `hint` shows while it is empty. True: Enter was pressed
+// in it.
+bool text_field(PanelContext& ctx, const char* name, std::string& text, const char* hint = "",
+                KeyStop kind = KeyStop::type);
+
+// What is chosen, which opens a list of what may be. True: it is open; the caller draws its entries
+// and ends it with ImGui::EndCombo().
+bool list_field(PanelContext& ctx, const char* name, const char* chosen, ImGuiComboFlags flags = 0);
 
 // Opens the file dialog.
 void open_browser(ViewState& state, BrowserPurpose purpose = BrowserPurpose::molecule);

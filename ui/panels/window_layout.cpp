@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "ui/panels/dialog_stack.hpp"
+#include "ui/panels/key_focus.hpp"
 #include "ui/panels/panel_list.hpp"
 #include "ui/panels/panels.hpp"
 
@@ -253,6 +254,7 @@ void draw_window(const WindowParts& parts, const PanelFonts& fonts, float scale)
   state.layers.clear();
   state.measures_wanted = false;
   note_mouse(state.memory);
+  begin_key_focus(ctx);
   draw_menu_bar(ctx);
   const ImVec2 display = ImGui::GetIO().DisplaySize;
   const float top = ImGui::GetFrameHeight();
@@ -275,6 +277,7 @@ void draw_window(const WindowParts& parts, const PanelFonts& fonts, float scale)
   bottom_panel(ctx, {{left, top + middle - bottom}, {high ? view : width, bottom}});
   status(ctx, display.y - status_height, display.x, status_height);
   draw_dialogs(ctx);
+  end_key_focus(ctx);
 }
 
 }  // namespace alphascope

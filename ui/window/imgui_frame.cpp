@@ -11,6 +11,7 @@
 #include <cfloat>
 #include <iterator>
 
+#include "ui/panels/key_focus.hpp"
 #include "ui/panels/keys.hpp"
 #include "ui/window/egl_context.hpp"
 
@@ -34,6 +35,7 @@ ImGuiFrame::ImGuiFrame(Host& host, Theme theme) : host_(host), theme_(theme) {
   io.IniFilename = nullptr;  // panels have fixed places
   io.LogFilename = nullptr;
   std::copy(std::begin(kKeys), std::end(kKeys), io.KeyMap);
+  io.KeyMap[ImGuiKey_Tab] = -1;  // key_focus.hpp leads it to buttons, too
   io.MousePos = {-FLT_MAX, -FLT_MAX};
   in_software_ = draws_in_software();
   host_.start_imgui();
@@ -75,6 +77,7 @@ bool ImGuiFrame::begin(Theme theme, ScriptedInput* scripted) {
   } else {
     host_.feed_imgui();
   }
+  prepare_list_keys();
   ImGui::NewFrame();
   return true;
 }

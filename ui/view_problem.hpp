@@ -5,6 +5,12 @@
 
 namespace alphascope {
 
-enum class ViewProblem : std::uint8_t { none, nothing_in_view, inside_a_ball, cut_away };
+enum class ViewProblem : std::uint8_t {
+  none,
+  nothing_in_view,
+  inside_a_ball,
+  cut_away,
+  all_hidden
+};
 
 }  // namespace alphascope

@@ -36,7 +36,11 @@ Parameter which_atoms() {
 }
 
 std::function<std::string()> without_picture(const ViewState& s) {
-  return [&s] { return s.references ? "" : "No molecule is in the picture."; };
+  return [&s] {
+    return s.references        ? ""
+           : s.molecule.loaded ? "The complex of this molecule is not there yet."
+                               : "No molecule is open.";
+  };
 }
 
 namespace {

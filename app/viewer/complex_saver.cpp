@@ -81,8 +81,8 @@ void ComplexSaver::describe(BusyInfo& info) const {
   if (!busy()) return;
   const Worker::Activity activity = worker_.activity();
   info.active = true;
-  info.what = "Exporting " + saving_->filename().string() +
-              (activity.stage.empty() ? "" : ": " + activity.stage);
+  info.what = "Exporting " + saving_->filename().string();
+  info.step = activity.stage;
   info.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - since_).count();
 }
 

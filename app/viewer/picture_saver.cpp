@@ -170,8 +170,9 @@ void PictureSaver::describe(BusyInfo& info) const {
   if (!busy()) return;
   const Worker::Activity activity = worker_.activity();
   info.active = true;
-  info.what = (saving_->recording ? "Recording" : "Saving " + saving_->path.filename().string()) +
-              (activity.stage.empty() ? "" : ": " + activity.stage);
+  info.what = (saving_->recording ? "Recording " : "Saving ") + saving_->path.filename().string();
+  info.step = activity.stage;
+  info.share = activity.share > 0 ? activity.share : -1;
   info.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - since_).count();
 }
 

@@ -123,8 +123,8 @@ void add_pointed_commands(Commands& commands, ViewState& s) {
                       .help =
                           "The distance from the selected atom to the one under the mouse; with "
                           "two selected the angle, with three the dihedral angle"};
-  measure.why_not = [&s] {
-    return s.references ? measurement_to_pointed(s).why_not : "No molecule is in the picture.";
+  measure.why_not = [&s, without = without_picture(s)] {
+    return s.references ? measurement_to_pointed(s).why_not : without();
   };
   commands.add(on_pointed(s, std::move(measure), [&s](const Ref&) {
     return add_measurement(s, *measurement_to_pointed(s).measurement);

@@ -134,6 +134,11 @@ ViewProblem SceneController::find_view_problem() const {
   std::size_t i = 0;
   while (cut.on() && i < all.centres.size() && !kept(i)) ++i;
   if (cut.on() && i == all.centres.size()) return ViewProblem::cut_away;
+  if (!complex && drawn_looks_ && drawn_looks_->hidden_balls > 0) {
+    const bool any_ball = display_.balls && std::any_of(radii_.begin(), radii_.end(),
+                                                        [](float radius) { return radius > 0; });
+    if (!any_ball) return beside_body_.mesh ? ViewProblem::none : ViewProblem::all_hidden;
+  }
   if (!complex && !display_.balls) return ViewProblem::none;  // nothing is switched on
   return view_problem(*drawn_molecule_->geometry, display_.balls ? radii_ : not_drawn,
                       scene_.sight(), complex);
@@ -183,7 +188,7 @@ void SceneController::set_camera_when_drawn(const std::optional<CameraPlace>& ca
   wanted_camera_ = camera;
 }
 
-void SceneController::place_camera(const CameraPlace& camera) {
+void SceneController::move_camera(const CameraPlace& camera) {
   scene_.set_viewpoint(viewpoint_at(camera, *drawn_molecule_->geometry));
   dirty_ = true;
 }
@@ -242,7 +247,9 @@ void SceneController::describe(ViewportInfo& viewport) const {
 }
 
 void SceneController::render(ViewportInfo& viewport, bool interacting, bool patient) {
-  const bool old = viewport.texture != 0 && (pending_ || outdated());
+  // Balls that wait for their first complex are no picture of another.
+  const bool first = drawn_molecule_ && drawn_molecule_->prepared == prepared_ && !drawn_answer_;
+  const bool old = viewport.texture != 0 && !first && (pending_ || outdated());
   if (!old) outdated_since_.reset();
   if (old && !outdated_since_) outdated_since_ = Clock::now();
   viewport.outdated = outdated_since_ && Clock::now() - *outdated_since_ >= kOutdatedAfter;

@@ -8,6 +8,8 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
+#include <utility>
 
 #include "app/session/session.hpp"
 #include "app/viewer/ball_stand_in.hpp"
@@ -77,6 +79,9 @@ class SceneController {
   void settle_view(const ViewportInfo& viewport);
   // Where the view stands; none where there is none.
   std::optional<CameraPlace> camera() const;
+  void move_camera(const CameraPlace& camera);
+  // Where the view stood before other atoms of a file were fitted into it, once; else none.
+  std::optional<CameraPlace> take_left_view() { return std::exchange(left_view_, std::nullopt); }
   // Instead of showing all of the molecule that is on its way; none: shows all.
   void set_camera_when_drawn(const std::optional<CameraPlace>& camera);
 
@@ -277,8 +282,7 @@ class SceneController {
   void submit_beside_body();
   void submit_picks();
   void show_layers(DrawnLayers layers, std::shared_ptr<LayerData> data);
-  void forget_layers();  // the scene has
-  void place_camera(const CameraPlace& camera);
+  void forget_layers();                            // the scene has
   BallLook ball_look(const Answer* answer) const;  // as the controls have it
   SceneStyle scene_style() const;
   SceneStyle drawn_style() const;  // of what is on screen, perhaps without balls
@@ -316,6 +320,7 @@ class SceneController {
   std::optional<PickLayer> beside_body_pick_;
   std::shared_ptr<const OpenedMolecule> viewed_;  // that the camera was set for
   std::string not_drawn_;
+  std::optional<CameraPlace> left_view_;
   std::optional<CameraPlace> wanted_camera_;  // of the next molecule
   bool pending_ = false;
   std::optional<Clock::time_point> outdated_since_;

@@ -222,6 +222,8 @@ void SceneController::show(Drawing drawing) {
   const bool of_sandbox = changes_sandbox(drawn_molecule_.get(), *drawing.molecule);
   const bool keep_view = viewed_ && (of_sandbox || same_atoms(*viewed_, *drawing.molecule->opened));
   // The scene's origin is the middle of all balls, which may be elsewhere now.
+  const std::optional<CameraPlace> before = camera();
+  const bool same_file = viewed_ && viewed_->deposited == drawing.molecule->opened->deposited;
   const std::optional<NamedView> place =
       keep_view && new_balls && drawn_molecule_ ? std::optional(named_view("")) : std::nullopt;
   new_picture_ = true;
@@ -262,8 +264,11 @@ void SceneController::show(Drawing drawing) {
   // Other atoms of the same molecule keep the view, unless it shows none of them.
   const ViewProblem problem = find_view_problem();
   const bool shows_none = problem != ViewProblem::none && problem != ViewProblem::cut_away;
-  if (!keep_view || shows_none) scene_.reset_view();
-  if (wanted_camera_ && !draws_nothing()) place_camera(*std::exchange(wanted_camera_, {}));
+  if (!keep_view || shows_none) {
+    if (same_file && !wanted_camera_) left_view_ = before;
+    scene_.reset_view();
+  }
+  if (wanted_camera_ && !draws_nothing()) move_camera(*std::exchange(wanted_camera_, {}));
 }
 
 // After the picture: nobody points at what has just appeared, and while alpha moves nobody points

@@ -10,8 +10,8 @@ std::function<std::string()> without_page(const ViewState& s) {
   return [&s] { return s.memory.bottom_panel == kStepsPage ? "" : "Open the page Steps first."; };
 }
 std::function<std::string()> without_ball(const ViewState& s) {
-  return [&s]() -> std::string {
-    if (!s.result || !s.references) return "No molecule is in the picture.";
+  return [&s, without = without_picture(s)]() -> std::string {
+    if (!s.result || !s.references) return without();
     return s.result->balls->size() > 0 ? "" : "There are no balls.";
   };
 }

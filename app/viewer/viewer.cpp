@@ -184,6 +184,7 @@ void Viewer::take_file() {
   shown_file_ = s.opened->deposited;
   state_.drop_note = std::exchange(drop_note_when_open_, {});
   host_.set_title(state_.molecule.name + " – Alphascope");
+  close_dialogs_of_file();
   state_.memory.playing_models = state_.memory.timings_pinned = false;
   state_.memory.steps.playing = false;
   state_.open = sent_open_ = session_.open_options();
@@ -205,6 +206,23 @@ void Viewer::take_file() {
   start_preset();
   editor_.restart(settings());
   if (of_session) take_back_history();
+}
+
+// What they ask about is not open any more.
+void Viewer::close_dialogs_of_file() {
+  PanelMemory& m = state_.memory;
+  m.saving.names.clear();
+  const bool any = m.show_save || m.show_export || m.show_save_session || m.record.show ||
+                   m.save_table.table || !m.confirm_assembly.empty();
+  if (!any) return;
+  m.show_save = m.show_export = m.show_save_session = m.record.show = false;
+  m.save_table.table = nullptr;
+  m.save_path.clear();
+  m.export_path.clear();
+  m.record.path.clear();
+  if (m.browser_purpose == BrowserPurpose::save) m.show_browser = false;
+  m.confirm_assembly.clear();
+  state_.notice = "The dialog was closed, for another file was opened.";
 }
 
 void Viewer::take_answer() {
@@ -334,6 +352,7 @@ void Viewer::take_requests() {
   if (r.export_benchmark) benchmark_.save(state_.benchmark_controls, state_.benchmark);
   if (r.undo) undo();
   if (r.redo) redo();
+  const std::optional<CameraPlace> view = scene_.camera();
   if (r.zoom_to_selection) zoom_to(state_.picked.items);
   if (!r.zoom_to.empty()) zoom_to(r.zoom_to);
   if (!r.centre_on.empty()) centre_on(r.centre_on);
@@ -343,6 +362,8 @@ void Viewer::take_requests() {
   if (r.zoom) scene_.zoom(*r.zoom);
   if (!r.save_view.empty()) save_view(r.save_view);
   if (!r.go_to_view.empty()) go_to_view(r.go_to_view);
+  if (r.reset_view || scene_.camera() != view) ++view_moves_;
+  view_before_requests_ = scene_.camera() != view ? view : std::nullopt;
   if (r.quit) quit_ = true;
   if (r.screenshot) save_picture(*r.screenshot);
   if (r.record) record(*r.record);

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <functional>
 #include <future>
+#include <map>
 #include <memory>
 
 #include "app/session/machine.hpp"
@@ -122,6 +123,7 @@ class Viewer {
   void take_machine();
   void take_molecule();
   void take_file();  // what another file begins with
+  void close_dialogs_of_file();
   void start_preset();
   void take_answer();
   void take_results();
@@ -153,7 +155,9 @@ class Viewer {
   Settings settings() const;  // as the controls have them
   void note_changes();        // into the history
   void show_settings();       // the history's, in the controls
-  bool settled() const;       // the latest request is answered
+  void note_view();           // that the program has moved: undo brings it back
+  void bring_view_back(const CameraPlace& view, bool other_atoms);
+  bool settled() const;  // the latest request is answered
   void update_busy();
   void update_badge();
   void colour_by_what_differs(const Molecule& molecule);
@@ -231,6 +235,17 @@ class Viewer {
   ModelPlayback model_playback_, step_playback_;
   std::optional<BallDrag> ball_drag_;
   Editor editor_;
+  // A view that the program moved for an entry of the history: where it was before, and, once that
+  // is undone, after it.
+  struct MovedView {
+    CameraPlace before;
+    std::optional<CameraPlace> after;
+    std::uint64_t moves = 0;  // view_moves_ then
+  };
+  std::map<std::size_t, MovedView> moved_views_;  // by the number of the entry, from 1
+  std::optional<CameraPlace> view_before_requests_;
+  Gesture entry_gesture_ = 0;     // of the last entry
+  std::uint64_t view_moves_ = 0;  // that somebody asked for, by hand or in words
   Gestures gestures_;
   Gesture gesture_ = 0;                              // of this frame
   std::optional<std::array<double, 3>> clip_pivot_;  // while the handle is held

@@ -48,9 +48,11 @@ void Viewer::draw(ScriptedInput* input, bool patient,
   draw_window(parts, frame_.fonts(), frame_.scale());
   guarded([this] { want_of_all_balls(); });
   guarded([this] {
+    const std::optional<CameraPlace> before = scene_.camera();
     for (const PointerEvent& event : state_.viewport.events) {
       if (!drag_ball(event)) scene_.pointer(event);
     }
+    if (scene_.camera() != before) ++view_moves_;
   });
   guarded([this] {
     for (const PointerEvent& event : state_.viewport.events) {

@@ -1,4 +1,6 @@
 // Undo and redo: the panels' controls as settings, and back.
+#include <utility>
+
 #include "app/viewer/molecule_info.hpp"
 #include "app/viewer/viewer.hpp"
 
@@ -15,11 +17,19 @@ Settings Viewer::settings() const {
 void Viewer::note_changes() {
   const bool by_itself = state_.memory.playing || state_.memory.playing_models || lessons_.busy() ||
                          sweep_recorder_.busy();
+  const std::size_t entries = editor_.depth();
   if (by_itself) {
     editor_.amend(settings());
   } else {
     editor_.set(settings(), gesture_);
   }
+  if (editor_.depth() > entries) {
+    moved_views_.erase(moved_views_.lower_bound(editor_.depth()), moved_views_.end());
+  }
+  if (editor_.depth() > entries) entry_gesture_ = gesture_;
+  const bool of_entry = editor_.depth() > entries || (gesture_ != 0 && gesture_ == entry_gesture_);
+  if (by_itself || !of_entry) view_before_requests_.reset();
+  note_view();
   state_.undo_text = editor_.undo_text();
   state_.redo_text = editor_.redo_text();
 }
@@ -40,18 +50,48 @@ void Viewer::show_settings() {
   state_.expression_error.reset();
 }
 
+// With the change, in the requests of this frame, or later, when other atoms are there. Those that
+// belong to one entry are one movement.
+void Viewer::note_view() {
+  std::optional<CameraPlace> before = std::exchange(view_before_requests_, std::nullopt);
+  if (const auto left = scene_.take_left_view(); left && !before) before = left;
+  if (!before || editor_.depth() == 0) return;
+  MovedView& moved =
+      moved_views_.try_emplace(editor_.depth(), MovedView{*before, {}, 0}).first->second;
+  moved.moves = view_moves_;
+}
+
+// Where the atoms change, with their picture.
+void Viewer::bring_view_back(const CameraPlace& view, bool other_atoms) {
+  if (other_atoms) {
+    scene_.set_camera_when_drawn(view);
+  } else {
+    scene_.move_camera(view);
+  }
+}
+
+// A view that somebody has moved since is theirs.
 void Viewer::undo() {
   const std::string what = editor_.undo_text();
+  const auto moved = moved_views_.find(editor_.depth());
+  const OpenOptions open = editor_.now().open;
   if (!editor_.undo()) return;
   show_settings();
   state_.notice = "Undone: " + what;
+  if (moved == moved_views_.end() || moved->second.moves != view_moves_) return;
+  moved->second.after = scene_.camera();
+  bring_view_back(moved->second.before, editor_.now().open != open);
 }
 
 void Viewer::redo() {
   const std::string what = editor_.redo_text();
+  const OpenOptions open = editor_.now().open;
   if (!editor_.redo()) return;
   show_settings();
   state_.notice = "Redone: " + what;
+  const auto moved = moved_views_.find(editor_.depth());
+  if (moved == moved_views_.end() || moved->second.moves != view_moves_) return;
+  if (moved->second.after) bring_view_back(*moved->second.after, editor_.now().open != open);
 }
 
 }  // namespace alphascope

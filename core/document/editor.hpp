@@ -33,6 +33,9 @@ class Editor {
   bool undo();  // false: there was nothing to undo
   bool redo();
 
+  // Entries that undo can take back.
+  std::size_t depth() const { return before_.size(); }
+
   // What would change, "alpha"; empty when nothing would.
   std::string undo_text() const;
   std::string redo_text() const;

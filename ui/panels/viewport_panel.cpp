@@ -113,19 +113,23 @@ void end_overlay() {
   ImGui::PopStyleVar(2);
 }
 
-// Below the caption and what is pending. A picture that lacks atoms must say so.
-void hidden_note(PanelContext& ctx, ImVec2 corner) {
+// Below the caption and what is pending, and below `top` (pixels of the view). A picture that lacks
+// atoms must say so. Returns where it ends.
+float hidden_note(PanelContext& ctx, ImVec2 corner, float top) {
   const ViewState& s = ctx.state;
   const std::size_t hidden = s.viewport.hidden_balls;
-  if (hidden == 0) return;
+  if (hidden == 0) return top;
   const float row = ImGui::GetTextLineHeightWithSpacing();
-  begin_overlay(ctx, "##hidden", {corner.x + ctx.px(10), corner.y + ctx.px(12) + 2 * row}, {0, 0});
+  const float y = std::max(ctx.px(12) + 2 * row, top);
+  begin_overlay(ctx, "##hidden", {corner.x + ctx.px(10), corner.y + y}, {0, 0});
   ImGui::AlignTextToFramePadding();
   ImGui::TextColored(to_imgui(ctx.palette.warning), "%s", hidden_text(hidden).c_str());
   record(ctx, "view.hidden");
   ImGui::SameLine(0, ctx.px(8));
   if (button(ctx, "view.show_hidden", "Show all")) ctx.commands.run("atoms.show_all");
+  const float height = ImGui::GetWindowHeight();
   end_overlay();
+  return y + height + ctx.px(6);
 }
 
 // For work whose share is not known: a piece that goes to and fro, which no one takes for a share.
@@ -176,29 +180,32 @@ void saving(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
   const float row = ImGui::GetFrameHeightWithSpacing() + 2 * ImGui::GetStyle().WindowPadding.y;
   begin_overlay(ctx, "##saving",
                 {corner.x + size.x - ctx.px(14), corner.y + ctx.px(24) + 1.7f * row}, {1, 0});
-  const std::string text = b.what + ", " + number_text(b.seconds, 1) + " s";
+  // As wide whatever it says, or it would jump with each step.
+  const float width = ctx.px(220), left = ImGui::GetCursorPosX();
   ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted(fitted_text(text, ctx.px(300)).c_str());
+  ImGui::TextUnformatted(fitted_text(b.what, width).c_str());
   record(ctx, "view.saving");
-  ImGui::SameLine();
+  ImGui::SameLine(left + width + ctx.px(8));
   if (button(ctx, "view.cancel_save", "Cancel")) ctx.state.requests.cancel_save = true;
   tooltip(ctx, "Nothing half is left; an existing file stays as it is.");
+  const std::string so_far = number_text(b.seconds, 1) + " s";
+  muted_text(ctx, fitted_text(b.step.empty() ? so_far : b.step, width));
+  record(ctx, "view.saving_step");
+  const float share = static_cast<float>(std::max(0.0, b.share));
+  ImGui::ProgressBar(share, {width, ctx.px(4)}, "");
   end_overlay();
 }
 
-bool all_is_hidden(const ViewState& s) {
-  return s.molecule.balls > 0 && s.viewport.hidden_balls >= s.molecule.balls;
-}
-
-// A view that shows nothing looks like a broken picture.
-void problem(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
+// A view that shows nothing looks like a broken picture. Below `top`, pixels of the view.
+void problem(PanelContext& ctx, ImVec2 corner, ImVec2 size, float top) {
   const ViewportInfo& v = ctx.state.viewport;
   if (v.problem == ViewProblem::none || !ctx.state.molecule.loaded || v.outdated) return;
-  begin_overlay(ctx, "##trouble", {corner.x + size.x / 2, corner.y + ctx.px(44)}, {0.5f, 0});
+  begin_overlay(ctx, "##trouble", {corner.x + size.x / 2, corner.y + std::max(ctx.px(44), top)},
+                {0.5f, 0});
   ImGui::AlignTextToFramePadding();
   const bool cut_away = v.problem == ViewProblem::cut_away;
-  const bool all_hidden = all_is_hidden(ctx.state);
-  ImGui::TextUnformatted(all_hidden ? "All atoms are hidden."
+  const bool all_hidden = v.problem == ViewProblem::all_hidden;
+  ImGui::TextUnformatted(all_hidden ? "All that would be drawn is hidden."
                          : cut_away ? "The clip cuts everything away."
                          : v.problem == ViewProblem::inside_a_ball
                              ? "The camera is inside a ball."
@@ -218,10 +225,12 @@ void problem(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
   end_overlay();
 }
 
-void drop_note(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
+// Above the legends.
+void drop_note(PanelContext& ctx, ImVec2 corner, ImVec2 size, float legends_height) {
   std::string& note = ctx.state.drop_note;
   if (note.empty()) return;
-  begin_overlay(ctx, "##dropped", {corner.x + ctx.px(14), corner.y + size.y - ctx.px(14)}, {0, 1});
+  begin_overlay(ctx, "##dropped",
+                {corner.x + ctx.px(14), corner.y + size.y - ctx.px(14) - legends_height}, {0, 1});
   ImGui::TextUnformatted(note.c_str());
   record(ctx, "view.dropped");
   if (button(ctx, "view.dropped.ok", "OK", {ctx.px(80), 0})) note.clear();
@@ -259,14 +268,16 @@ void empty_state(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
   end_overlay();
 }
 
-void nothing_left(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
+// Whether it is said.
+bool nothing_left(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
   const MoleculeInfo& m = ctx.state.molecule;
-  if (!m.loaded || m.balls > 0 || ctx.state.busy.active) return;
+  if (!m.loaded || m.balls > 0 || ctx.state.busy.active) return false;
   begin_overlay(ctx, "##nothing", {corner.x + size.x / 2, corner.y + size.y / 2}, {0.5f, 0.5f});
   ImGui::TextUnformatted("No atom is left by this selection, so there is nothing to show.");
   muted_text(ctx, "Keep more kinds of atoms or chains at the left, or clear the expression.");
   record(ctx, "view.nothing");
   end_overlay();
+  return true;
 }
 
 // Below the caption.
@@ -280,14 +291,16 @@ void outdated_note(PanelContext& ctx, ImVec2 corner) {
 }
 
 // In the same place; a newer computation is under way when there is a picture of an older one.
-void compute_error_note(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
+// Returns where it ends, pixels of the view.
+float compute_error_note(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
   const ViewState& s = ctx.state;
-  if (s.compute_error.empty() || s.busy.active || s.viewport.outdated) return;
-  ImGui::SetCursorScreenPos(
-      {corner.x + ctx.px(16), corner.y + ctx.px(18) + ImGui::GetTextLineHeight()});
+  const float top = ctx.px(18) + ImGui::GetTextLineHeight();
+  if (s.compute_error.empty() || s.busy.active || s.viewport.outdated) return 0;
+  ImGui::SetCursorScreenPos({corner.x + ctx.px(16), corner.y + top});
   const std::string text = broken_lines(s.compute_error, size.x - ctx.px(32));
   ImGui::TextColored(to_imgui(ctx.palette.error), "%s", text.c_str());
   record(ctx, "view.compute_error");
+  return top + ImGui::GetItemRectSize().y + ctx.px(6);
 }
 
 void not_drawn_note(PanelContext& ctx, ImVec2 corner, ImVec2 size, float legends_height) {
@@ -354,21 +367,20 @@ void draw_viewport(PanelContext& ctx) {
     picture(ctx, corner, size);
     mouse(ctx, corner, size);
   }
-  float legends_height = 0;
+  float legends_height = 0, top = 0;
   if (ctx.state.molecule.loaded) {
     legends_height = draw_view_marks(ctx, corner, size);
     caption(ctx, corner, size);
     outdated_note(ctx, corner);
-    compute_error_note(ctx, corner, size);
-    hidden_note(ctx, corner);
+    top = hidden_note(ctx, corner, compute_error_note(ctx, corner, size));
   }
   progress(ctx, corner, size);
   saving(ctx, corner, size);
-  if (!flat) problem(ctx, corner, size);
-  drop_note(ctx, corner, size);
+  if (!flat) problem(ctx, corner, size, top);
+  drop_note(ctx, corner, size, legends_height);
   empty_state(ctx, corner, size);
-  nothing_left(ctx, corner, size);
-  not_drawn_note(ctx, corner, size, legends_height);
+  // What is not drawn of nothing is no news.
+  if (!nothing_left(ctx, corner, size)) not_drawn_note(ctx, corner, size, legends_height);
   draw_context_menu(ctx);
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/molecule/shortest_number.hpp"
+#include "ui/scene/step_text.hpp"
 #include "ui/window/egl_context.hpp"
 
 namespace alphascope {
@@ -49,20 +50,10 @@ Vector axis_of(const Viewpoint& view, TurnAxis axis) {
   return up_in_view(view);
 }
 
-std::string time_left(double seconds) {
-  const long long whole = std::llround(seconds);
-  constexpr long long kMinute = 60;
-  if (whole < kMinute) return std::to_string(whole) + " s left";
-  return std::to_string(whole / kMinute) + " min " + std::to_string(whole % kMinute) + " s left";
-}
-
 // Says which frame is next, and from the second on how long the rest will take.
 void report_frame(const RunContext& context, int frame, int frames, Clock::time_point begun) {
-  std::string text = "frame " + std::to_string(frame + 1) + " of " + std::to_string(frames);
-  if (frame > 0) {
-    text += ", " + time_left(milliseconds_since(begun) / 1000 / frame * (frames - frame));
-  }
-  context.report(text, static_cast<double>(frame) / frames);
+  context.report(step_text("frame", frame, frames, milliseconds_since(begun) / 1000),
+                 static_cast<double>(frame) / frames);
 }
 
 PictureTexts frame_texts(const Picture& picture, const Recording& recording,

@@ -18,6 +18,7 @@
 
 #include "ui/scene/frame_grab.hpp"
 #include "ui/scene/scene_impl.hpp"
+#include "ui/scene/step_text.hpp"
 #include "ui/scene/vtk_arrays.hpp"
 
 namespace alphascope {
@@ -318,9 +319,13 @@ Image Scene::grab(int width, int height, bool transparent, const RunContext& con
   const Impl::ForOnePicture settings(*impl_, transparent);
   impl_->picture_width = width;
   impl_->picture_height = height;
-  for (int k = 0; k < impl_->style.samples; ++k) {
+  const int samples = impl_->style.samples;
+  const auto begun = std::chrono::steady_clock::now();
+  for (int k = 0; k < samples; ++k) {
     context.cancel.throw_if_cancelled();
-    context.report("drawing", double(k) / impl_->style.samples);
+    const std::chrono::duration<double> since = std::chrono::steady_clock::now() - begun;
+    context.report(samples == 1 ? "drawing" : step_text("sample", k, samples, since.count()),
+                   double(k) / samples);
     impl_->add_sample(width, height);
   }
   const unsigned picture = impl_->mean.resolve(impl_->window)->GetFBOIndex();

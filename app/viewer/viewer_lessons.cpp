@@ -112,6 +112,7 @@ class Viewer::Stage : public LessonStage {
   void reset() override {
     v_.editor_.restart(lesson_settings(v_.settings()));
     v_.show_settings();
+    v_.scene_.reset_view();  // as where the step opens its molecule
   }
 
   Outcome run(const std::string& command) override { return v_.commands_.run_line(command); }

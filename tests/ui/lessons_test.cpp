@@ -7,6 +7,7 @@
 #include "app/viewer/lesson_files.hpp"
 #include "app/viewer/resources.hpp"
 #include "tests/ui/baseline.hpp"
+#include "tests/ui/panels_fixture.hpp"
 #include "tests/ui/viewer_fixture.hpp"
 
 namespace alphascope::testing {
@@ -187,6 +188,50 @@ TEST_F(LessonsTest, WrongOnesAreToldBeforeAnythingHappens) {
   expect_fault(commands("file.export /tmp/x.ply"), "lesson.md, line 7: a lesson cannot run file.");
 }
 
+// A step that names no camera has that of a molecule that was just opened, whatever the step before
+// and the reader have done to the view.
+TEST_F(LessonsTest, EachStepBeginsWithItsOwnCamera) {
+  const auto second_step_after = [&](const std::string& first, const std::string& by_hand) {
+    const std::string none = "# T\nS\n```\nmolecule unequal_balls.xyzr\n```\n";
+    fs::copy_file(lessons_folder() / "unequal_balls.xyzr", folder_ / "unequal_balls.xyzr",
+                  fs::copy_options::overwrite_existing);
+    open_lesson(write(none + "## One\nText.\n```\n" + first + "\n```\n## Two\nText.\n").string());
+    run(by_hand + "wait-idle\nlesson.next\nwait-idle\nframes 3\nwait-idle\n");
+    EXPECT_EQ(memory().step, 1u);
+    const ViewportInfo& v = state().viewport;
+    return std::vector<double>{v.into_view.x, v.into_view.y, v.into_view.z, v.angstrom_per_pixel};
+  };
+  const std::vector<double> usual = second_step_after("alpha.set 0", "");
+  const std::vector<double> turned = second_step_after("view.from x", "");
+  const std::vector<double> zoomed = second_step_after("view.from -y", "move view\nwheel 5\n");
+  for (std::size_t k = 0; k < usual.size(); ++k) {
+    EXPECT_NEAR(turned[k], usual[k], 1e-9);
+    EXPECT_NEAR(zoomed[k], usual[k], 1e-9);
+  }
+}
+
+// A text that does not find room says so, and can be read to its end.
+TEST(LessonText, ThatGoesOnBelowSaysSo) {
+  Panels p({640, 400, 2});
+  auto lesson = std::make_shared<Lesson>();
+  lesson->title = "T";
+  lesson->steps.resize(1);
+  lesson->steps[0].title = "One";
+  std::string words;
+  for (int n = 0; n < 400; ++n) words += "word ";
+  lesson->steps[0].shown.text = {{words, false}};
+  LessonMemory& m = p.state.memory.lessons;
+  m.open = lesson;
+  m.shown = true;
+  p.frame(4);
+  EXPECT_TRUE(m.overflows);
+  EXPECT_TRUE(m.more_below);
+  ASSERT_TRUE(p.rects.contains("lesson.more"));
+  EXPECT_LE(p.rects["lesson.more"].y1, p.rects["lesson.next"].y0);
+  for (int n = 0; n < 20 && m.more_below; ++n) p.click("lesson.more");
+  EXPECT_FALSE(m.more_below);
+}
+
 // Nothing of a lesson may lie outside the window, and the view must stay worth looking at.
 TEST_F(LessonsTest, HaveRoomAtPresenterSize) {
   open_lesson("union_of_balls");
@@ -238,7 +283,33 @@ class Chapter : public LessonsTest, public ::testing::WithParamInterface<fs::pat
   }
 };
 
+// What a step says, with its facts; with the answer, once that is revealed.
+struct Said {
+  std::string where;
+  std::vector<LessonParagraph> text;
+  bool revealed = false;
+};
+
+// In a window of this size nobody has to scroll.
+void expect_room(const std::string& lesson, const std::vector<Said>& all, Size size) {
+  Panels p(size);
+  LessonMemory& m = p.state.memory.lessons;
+  for (const Said& said : all) {
+    auto one = std::make_shared<Lesson>();
+    one->title = lesson;
+    one->steps.resize(1);
+    one->steps[0].title = said.where;
+    one->steps[0].shown.text = said.text;
+    m.open = one;
+    m.shown = m.scroll_to_top = true;
+    p.frame(3);
+    EXPECT_FALSE(m.overflows) << said.where << (said.revealed ? ", the answer" : "") << ", scale "
+                              << size.scale << ", letters " << m.letters;
+  }
+}
+
 TEST_P(Chapter, PlaysFromTheFirstToTheLastStep) {
+  std::vector<Said> all;
   run("size 760 400\n");  // a small picture is soon drawn
   open_lesson(GetParam().string());
   ASSERT_EQ(state().error, "");
@@ -253,15 +324,20 @@ TEST_P(Chapter, PlaysFromTheFirstToTheLastStep) {
     EXPECT_EQ(state().error, "") << where;
     EXPECT_EQ(state().compute_error, "") << where;
     EXPECT_EQ(memory().said.find("…"), std::string::npos) << where << ": " << memory().said;
+    all.push_back({where, memory().paragraphs, false});
     expect_picture(step, "");
     if (memory().open->steps[step].asks()) {
       run("lesson.reveal\nwait-idle\nframes 3\nwait-idle\nframes 2\n");
       EXPECT_EQ(memory().refused, "") << where;
       EXPECT_EQ(memory().said.find("…"), std::string::npos) << where << ": " << memory().said;
+      all.push_back({where, memory().paragraphs, true});
       expect_picture(step, "-answer");
     }
     run("lesson.next\nwait-idle\nframes 3\nwait-idle\nframes 2\n");
   }
+  const std::string title = memory().open->title;
+  viewer_.reset();  // there is one ImGui
+  for (const Size size : {Size{1280, 800, 1}, {640, 400, 2}}) expect_room(title, all, size);
 }
 
 // The pictures are worth nothing if they are all alike: a step at another alpha has another.

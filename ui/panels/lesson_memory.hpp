@@ -36,6 +36,9 @@ struct LessonMemory {
   std::vector<LessonParagraph> paragraphs;  // the same
   bool whole = false;  // that is of the step, with its answer if revealed, and no fact is missing
   bool scroll_to_top = false;  // the text is of another step than in the last frame
+  float letters = 1;           // their size: long texts have smaller ones, within a step ever less
+  bool overflows = false;      // the text does not even so find room, and scrolls
+  bool more_below = false;     // it can be scrolled on
 };
 
 }  // namespace alphascope

@@ -10,23 +10,26 @@ namespace {
 // Where the next word goes, in pixels of the screen.
 struct Pen {
   ImVec2 at;
-  float left = 0, right = 0, line = 0;
+  float left = 0, right = 0, line = 0, size = 1;
+  bool draws = true;
 };
 
 void put_word(const PanelContext& ctx, Pen& pen, std::string_view word, bool bold) {
   ImFont* const font = bold ? ctx.fonts.strong : ctx.fonts.regular;
   const char *begin = word.data(), *end = begin + word.size();
-  const float size = font->FontSize;
+  const float size = font->FontSize * pen.size;
   const float width = font->CalcTextSizeA(size, FLT_MAX, 0, begin, end).x;
   if (pen.at.x + width > pen.right && pen.at.x > pen.left) pen.at = {pen.left, pen.at.y + pen.line};
-  ImGui::GetWindowDrawList()->AddText(font, size, pen.at, to_u32(ctx.palette.text), begin, end);
+  if (pen.draws) {
+    ImGui::GetWindowDrawList()->AddText(font, size, pen.at, to_u32(ctx.palette.text), begin, end);
+  }
   pen.at.x += width;
 }
 
 // A blank, or the end of a word that goes on in another font, is in the span itself.
 void put_span(const PanelContext& ctx, Pen& pen, const LessonSpan& span) {
   std::string_view rest = span.text;
-  const float blank = ImGui::CalcTextSize(" ").x;
+  const float blank = ImGui::CalcTextSize(" ").x * pen.size;
   while (!rest.empty()) {
     if (rest.front() == ' ') {
       if (pen.at.x > pen.left) pen.at.x += blank;
@@ -39,28 +42,49 @@ void put_span(const PanelContext& ctx, Pen& pen, const LessonSpan& span) {
   }
 }
 
-void put_paragraph(PanelContext& ctx, const LessonParagraph& paragraph) {
-  const ImVec2 corner = ImGui::GetCursorScreenPos();
+struct Way {  // of a paragraph
+  float size = 1;
+  bool draws = true;
+};
+
+// Its height, from `corner` on.
+float put_paragraph(PanelContext& ctx, const LessonParagraph& paragraph, ImVec2 corner, float width,
+                    Way way) {
   const float indent = paragraph.item ? ctx.px(14) : 0;
   Pen pen;
+  pen.size = way.size;
+  pen.draws = way.draws;
   pen.left = corner.x + indent;
-  pen.right = corner.x + ImGui::GetContentRegionAvail().x;
-  pen.line = ImGui::GetTextLineHeight() + ctx.px(4);
+  pen.right = corner.x + width;
+  pen.line = (ImGui::GetTextLineHeight() + ctx.px(4)) * way.size;
   pen.at = {pen.left, corner.y};
-  if (paragraph.item) {
+  if (paragraph.item && way.draws) {
     ImGui::GetWindowDrawList()->AddText(corner, to_u32(ctx.palette.text_muted), "•");
   }
   for (const LessonSpan& span : lesson_spans(paragraph.text)) put_span(ctx, pen, span);
-  const float gap = paragraph.item ? ctx.px(2) : ctx.px(7);
-  ImGui::Dummy({pen.right - corner.x, pen.at.y + pen.line + gap - corner.y});
+  const float gap = ctx.px(paragraph.item ? 2 : 7) * way.size;
+  return pen.at.y + pen.line + gap - corner.y;
 }
 
 }  // namespace
 
-void draw_lesson_text(PanelContext& ctx, const std::vector<LessonParagraph>& text) {
+void draw_lesson_text(PanelContext& ctx, const std::vector<LessonParagraph>& text, float size) {
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
-  for (const LessonParagraph& paragraph : text) put_paragraph(ctx, paragraph);
+  const float width = ImGui::GetContentRegionAvail().x;
+  for (const LessonParagraph& paragraph : text) {
+    ImGui::Dummy(
+        {width, put_paragraph(ctx, paragraph, ImGui::GetCursorScreenPos(), width, {size, true})});
+  }
   ImGui::PopStyleVar();
+}
+
+float lesson_text_height(PanelContext& ctx, const std::vector<LessonParagraph>& text, float size,
+                         float width) {
+  float height = 0;
+  for (const LessonParagraph& paragraph : text) {
+    height += put_paragraph(ctx, paragraph, {0, 0}, width, {size, false});
+  }
+  return height;
 }
 
 }  // namespace alphascope

@@ -78,7 +78,8 @@ LessonFacts facts_on_screen(PanelContext& ctx) {
           wanted(ctx, cavity_table())};
 }
 
-void draw_part(PanelContext& ctx, const LessonPart& part, const LessonFacts& facts) {
+std::vector<LessonParagraph> with_facts_in(PanelContext& ctx, const LessonPart& part,
+                                           const LessonFacts& facts) {
   LessonMemory& m = ctx.state.memory.lessons;
   std::vector<LessonParagraph> text = part.text;
   for (LessonParagraph& p : text) {
@@ -87,7 +88,31 @@ void draw_part(PanelContext& ctx, const LessonPart& part, const LessonFacts& fac
     m.said += p.text + "\n";
   }
   m.paragraphs.insert(m.paragraphs.end(), text.begin(), text.end());
-  draw_lesson_text(ctx, text);
+  return text;
+}
+
+// What the window shows of a step.
+struct StepText {
+  std::vector<LessonParagraph> text, answer;
+};
+
+float answer_gap(const PanelContext& ctx) {
+  return ctx.px(4) + 3 * ImGui::GetStyle().ItemSpacing.y;
+}
+
+// The largest letters in which all of it finds room; they shrink to what can still be read.
+void choose_letters(PanelContext& ctx, const LessonStep& step, const StepText& all, float height) {
+  LessonMemory& m = ctx.state.memory.lessons;
+  const float width = ImGui::GetContentRegionAvail().x;
+  const float button = step.asks() && !m.revealed ? ImGui::GetFrameHeightWithSpacing() : 0;
+  const auto needed = [&](float size) {
+    const float answer = m.revealed && step.asks()
+                             ? answer_gap(ctx) + lesson_text_height(ctx, all.answer, size, width)
+                             : 0;
+    return lesson_text_height(ctx, all.text, size, width) + answer + button;
+  };
+  constexpr float kLeast = 0.86f, kFiner = 0.02f;
+  while (m.letters > kLeast && needed(m.letters) > height) m.letters -= kFiner;
 }
 
 void warning(PanelContext& ctx, const char* name, const std::string& text) {
@@ -97,7 +122,7 @@ void warning(PanelContext& ctx, const char* name, const std::string& text) {
   record(ctx, name);
 }
 
-void draw_answer(PanelContext& ctx, const LessonStep& step, const LessonFacts& facts) {
+void draw_answer(PanelContext& ctx, const LessonStep& step, const StepText& all) {
   if (!step.asks()) return;
   if (!ctx.state.memory.lessons.revealed) {
     if (button(ctx, "lesson.reveal", "Reveal the answer", {0, 0}, ButtonKind::primary)) {
@@ -107,15 +132,38 @@ void draw_answer(PanelContext& ctx, const LessonStep& step, const LessonFacts& f
   }
   ImGui::Separator();
   ImGui::Dummy({0, ctx.px(4)});
-  draw_part(ctx, step.answer, facts);
+  draw_lesson_text(ctx, all.answer, ctx.state.memory.lessons.letters);
   record(ctx, "lesson.answer");
+}
+
+// In its last line, where the text goes on below.
+void more_below(PanelContext& ctx, float page) {
+  LessonMemory& m = ctx.state.memory.lessons;
+  ImGui::BeginDisabled(!m.more_below);
+  const bool scrolls =
+      button(ctx, "lesson.more", m.more_below ? "More below ↓" : "The end of the step",
+             {ImGui::GetContentRegionAvail().x, 0}, ButtonKind::quiet);
+  ImGui::EndDisabled();
+  if (!scrolls) return;
+  ImGui::BeginChild("step");
+  ImGui::SetScrollY(ImGui::GetScrollY() + page);
+  ImGui::EndChild();
 }
 
 void draw_text(PanelContext& ctx, float height) {
   LessonMemory& m = ctx.state.memory.lessons;
   const LessonStep& step = m.open->steps[m.step];
   const LessonFacts facts = facts_on_screen(ctx);
-  ImGui::BeginChild("step", {0, height}, false);
+  m.said.clear();
+  m.paragraphs.clear();
+  m.whole = m.ready;
+  StepText all;
+  all.text = with_facts_in(ctx, step.shown, facts);
+  if (step.asks() && m.revealed) all.answer = with_facts_in(ctx, step.answer, facts);
+  if (m.scroll_to_top) m.letters = 1;
+  choose_letters(ctx, step, all, height);
+  const float line = m.overflows ? ImGui::GetFrameHeightWithSpacing() : 0;
+  ImGui::BeginChild("step", {0, height - line}, false);
   if (std::exchange(m.scroll_to_top, false)) ImGui::SetScrollY(0);
   if (!m.refused.empty()) warning(ctx, "lesson.refused", m.refused);
   if (m.left) {
@@ -126,13 +174,13 @@ void draw_text(PanelContext& ctx, float height) {
     }
     ImGui::Dummy({0, ctx.px(4)});
   }
-  m.said.clear();
-  m.paragraphs.clear();
-  m.whole = m.ready;
-  draw_part(ctx, step.shown, facts);
+  draw_lesson_text(ctx, all.text, m.letters);
   record(ctx, "lesson.text");
-  draw_answer(ctx, step, facts);
+  draw_answer(ctx, step, all);
+  m.overflows = ImGui::GetCursorPosY() - ImGui::GetStyle().ItemSpacing.y > height + 1;
+  m.more_below = ImGui::GetScrollY() < ImGui::GetScrollMaxY() - 1;
   ImGui::EndChild();
+  if (line > 0) more_below(ctx, (height - line) * 0.8f);
 }
 
 void draw_buttons(PanelContext& ctx) {

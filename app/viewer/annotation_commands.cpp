@@ -21,12 +21,12 @@ std::string count(std::size_t n) {
 // --- labels
 
 std::vector<Choice> label_texts() {
-  return {{"address", "Chain, residue and atom", "such as A:HIS 87:NE2"},
-          {"residue", "Residue", "such as HIS 87"},
-          {"name", "Name of the atom", "such as NE2"},
-          {"element", "Element", "such as N"},
-          {"radius", "Radius", "such as 1.64 Å"},
-          {"b_factor", "B factor", "such as 24.1 Å²"}};
+  return {{"address", "Chain, residue and atom", "A:HIS 87:NE2"},
+          {"residue", "Residue", "HIS 87"},
+          {"name", "Name of the atom", "NE2"},
+          {"element", "Element", "N"},
+          {"radius", "Radius", "1.64 Å"},
+          {"b_factor", "B factor", "24.1 Å²"}};
 }
 
 Outcome label_atoms(ViewState& s, const Arguments& arguments) {

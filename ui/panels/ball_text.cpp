@@ -2,6 +2,7 @@
 #include "ui/panels/ball_text.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/geometry/grown_radius.hpp"
 #include "ui/number_text.hpp"
@@ -18,11 +19,13 @@ std::string place_text(const LatticePoint& point, const Lattice& lattice) {
 
 std::string radius_text(const BallSet& balls, const Request* shown, BallIndex ball) {
   const double radius = balls.lattice.angstrom(balls.radii[ball]);
-  const std::string text = "radius " + short_number_text(radius, 3) + " Å";
+  // Both with as many decimals, or one would seem to be known better than the other.
+  const int decimals = std::fabs(radius - std::round(radius * 100) / 100) > 1e-6 ? 3 : 2;
+  const std::string text = "radius " + number_text(radius, decimals) + " Å";
   if (shown == nullptr) return text;
   const double grown = grown_radius(radius, shown->solvent_radius_angstrom, shown->alpha_angstrom2);
   if (grown == 0) return text + ", gone at this alpha";
-  return text + ", grown " + short_number_text(grown, 3) + " Å";
+  return text + ", grown " + number_text(grown, decimals) + " Å";
 }
 
 }  // namespace alphascope

@@ -134,11 +134,10 @@ void sentences(PanelContext& ctx, const CavityPage& page) {
   const CavityLine& line = page.rows.lines->of[row];
   const std::string holds = cavity_text(page.rows, CavityColumn::holds, row);
   if (page.rows.contents && !holds.empty()) wrapped_text("Holds " + holds);
-  muted_wrapped(ctx, cavity_name(*page.rows.lines->atoms, page.rows.table(), row));
+  muted_wrapped(ctx, "Name, of the four atoms around its deepest point: " +
+                         cavity_name(*page.rows.lines->atoms, page.rows.table(), row));
   record(ctx, "cavities.name");
-  tooltip(ctx,
-          "Its name: the four atoms around its deepest point. It stays while alpha moves, whatever "
-          "the number of the line: use it in a paper.");
+  tooltip(ctx, "It stays while alpha moves, whatever the number of the line: use it in a paper.");
   const std::string between = between_text(line, chain_names(*page.drawn));
   if (!between.empty()) muted_wrapped(ctx, between);
   const std::string change = change_text(page, row);

@@ -216,7 +216,8 @@ std::string hover_text(const PanelContext& ctx, const Lives& memory, const Known
   const bool there = row != Lives::kNoRow;
   const auto& sink = known.ground->triangulation->tetrahedra[memory.bars.longest[bar].sink];
   return (there ? "Cavity " + std::to_string(row + 1) : std::string("Not there at this alpha")) +
-         "\n" + bar_text(memory.bars.longest[bar]) + "\n" + sink_name(*ctx.inputs.atoms, sink) +
+         "\n" + bar_text(memory.bars.longest[bar]) + "\nDeepest point between " +
+         sink_name(*ctx.inputs.atoms, sink) +
          (there ? "\nClick to choose it."
                 : "\nClick to go to an alpha at which it is there, and choose it.");
 }

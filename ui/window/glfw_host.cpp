@@ -44,10 +44,9 @@ std::string last_glfw_error() {
   return text != nullptr ? text : "no reason given";
 }
 
-[[noreturn]] void fail(const std::string& what) {
-  throw std::runtime_error(what + " (" + last_glfw_error() +
-                           "). Start the program in a graphical session, or use --shot OUT.png "
-                           "to draw into a file without a display.");
+[[noreturn]] void fail(const std::string& what, const std::string& remedy) {
+  throw std::runtime_error(what + " (" + last_glfw_error() + "). " + remedy +
+                           ", or use --shot OUT.png to draw into a file without a display.");
 }
 
 // ImGui's cursors in its order; GLFW 3.3 has no diagonal ones.
@@ -98,7 +97,9 @@ class QuietContextBesideGlx final : public BackgroundContext {
 class GlfwHost final : public Host {
  public:
   explicit GlfwHost(const HostOptions& options) : fixed_scale_(static_cast<float>(options.scale)) {
-    if (!glfwInit()) fail("There is no display to open a window on");
+    if (!glfwInit()) {
+      fail("There is no display to open a window on", "Start the program in a graphical session");
+    }
     const float scale = fixed_scale_ > 0 ? fixed_scale_ : monitor_scale();
     glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
     glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 2);
@@ -110,7 +111,9 @@ class GlfwHost final : public Host {
     if (window_ == nullptr) {
       const std::string reason = "Cannot open a window with OpenGL 3.2";
       try {
-        fail(reason);
+        fail(reason,
+             "Install a newer driver of the graphics card, set LIBGL_ALWAYS_SOFTWARE=1 to draw on "
+             "the CPU");
       } catch (...) {
         glfwTerminate();
         throw;

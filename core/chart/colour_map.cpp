@@ -2,6 +2,7 @@
 #include "core/chart/colour_map.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <span>
 
@@ -90,6 +91,19 @@ Rgb8 mapped_colour(ColourMap map, double share) {
 Rgb8 category_colour(std::size_t n) {
   const ChartColour c = chart_colour(n);
   return {c.r, c.g, c.b};
+}
+
+// Found together with those of chains: see core/molecule/atom_colours.cpp.
+Rgb8 cavity_colour(std::size_t n) {
+  constexpr std::array<Rgb8, kCavityColours> kColours{{{247, 198, 22},
+                                                       {138, 113, 255},
+                                                       {234, 45, 94},
+                                                       {19, 204, 125},
+                                                       {230, 143, 255},
+                                                       {255, 60, 177},
+                                                       {253, 0, 1},
+                                                       {241, 139, 0}}};
+  return kColours[n % kColours.size()];
 }
 
 }  // namespace alphascope

@@ -30,4 +30,9 @@ Rgb8 mapped_colour(ColourMap map, double share);
 // Of the n-th category, after Okabe and Ito; repeats after eight (core/chart/chart.hpp).
 Rgb8 category_colour(std::size_t n);
 
+// Of the n-th cavity, wherever one has a colour: stronger than those of chains, none of which is
+// like it. Repeats after kCavityColours.
+Rgb8 cavity_colour(std::size_t n);
+inline constexpr std::size_t kCavityColours = 8;
+
 }  // namespace alphascope

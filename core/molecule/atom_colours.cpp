@@ -7,16 +7,17 @@
 namespace alphascope {
 namespace {
 
-constexpr std::array<Rgb8, 10> kChainColours{{{86, 156, 214},
-                                              {226, 145, 76},
-                                              {104, 186, 120},
-                                              {206, 105, 140},
-                                              {160, 130, 205},
-                                              {216, 190, 88},
-                                              {84, 186, 186},
-                                              {222, 120, 105},
-                                              {140, 160, 180},
-                                              {150, 180, 90}}};
+// Found by annealing, together with the colours of cavities (core/chart/colour_map.cpp): the least
+// difference of two colours was made as large as it would get, with usual sight and with each of
+// the three kinds of colour blindness, more so among the first colours, and so that neighbours
+// differ in lightness. tests/core/chart/colour_difference_test.cpp has the bounds that were
+// reached.
+constexpr std::array<Rgb8, kChainColours> kColoursOfChains{
+    {{86, 156, 214},  {255, 176, 177}, {93, 138, 96},   {112, 96, 145},  {138, 129, 27},
+     {150, 190, 79},  {200, 198, 255}, {186, 119, 145}, {168, 229, 228}, {158, 26, 106},
+     {42, 105, 220},  {6, 97, 71},     {23, 245, 203},  {4, 144, 132},   {68, 76, 165},
+     {141, 185, 207}, {160, 127, 173}, {105, 118, 58},  {161, 39, 3},    {196, 162, 171},
+     {148, 83, 105},  {148, 159, 133}, {218, 224, 129}, {63, 96, 47}}};
 
 }  // namespace
 
@@ -61,14 +62,14 @@ Rgb8 element_colour(Element element) {
     case 53:
       return {150, 70, 160};  // I
     case kUnknownElement:
-      return kChainColours[0];
+      return kColoursOfChains[0];
     default:
       return {190, 130, 170};
   }
 }
 
 Rgb8 chain_colour(std::size_t n) {
-  return kChainColours[n % kChainColours.size()];
+  return kColoursOfChains[n % kChainColours];
 }
 
 std::vector<Rgb8> colours_by_element(const Molecule& molecule,

@@ -23,6 +23,14 @@ struct LayerSphere {
   std::optional<Colour> colour = {};  // none: the layer's
 };
 
+// An atom that nothing hides: a lit ball before all else in the picture.
+struct LayerAtom {
+  RealPoint centre_angstrom;
+  double radius_angstrom = 0;
+  Colour colour;
+  std::uint32_t atom = 0;  // of Molecule::atoms
+};
+
 // A few words around a place, always readable: nothing hides them, and an outline in the colour of
 // the background keeps them apart from what is behind.
 struct LayerLabel {
@@ -45,6 +53,7 @@ struct Layer {
   // one after the other.
   std::vector<LayerSphere> spheres;
   std::vector<std::vector<LayerSphere>> tubes;
+  std::vector<LayerAtom> atoms;
   std::vector<LayerLabel> labels;
   std::vector<std::array<RealPoint, 2>> lines;  // from here to there, over everything else; Å
   Colour colour;
@@ -52,12 +61,17 @@ struct Layer {
   // with darker edges; its edges are lines on bodies, which may hide them. False: marks over
   // everything else. Vertices always are such marks.
   bool body = false;
+  // Of a body: triangles, tetrahedra and spheres are as opaque as SceneStyle::cavity_opacity.
+  bool translucent = false;
   bool fades_rest = true;   // of a body: balls and complex become pale, so that they hide nothing
   bool in_pictures = true;  // also in pictures that are saved
 
   // A panel gives no more of a kind. What there is no memory for the view leaves out and says so.
   static constexpr std::size_t kMostSimplices = 4000000;
 };
+
+// What fades is at most as opaque as this.
+inline constexpr double kFadedOpacity = 0.15;
 
 using Layers = std::vector<std::shared_ptr<const Layer>>;
 

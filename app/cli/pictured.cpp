@@ -179,7 +179,7 @@ std::shared_ptr<const Layer> Pictured::annotation_layer() const {
         std::lower_bound(beside.begin(), beside.end(), atom,
                          [](const LeftOutAtom& a, std::size_t i) { return a.atom < i; });
     return at != beside.end() && at->atom == atom &&
-           is_shown(display_.beside, at->reason, opened.molecule->atoms[atom].element);
+           shows(display_.beside, at->reason, opened.molecule->atoms[atom].element);
   };
   const std::shared_ptr<const BallSet>& balls = opened.prepared->balls;
   std::shared_ptr<const BallSet> grown;

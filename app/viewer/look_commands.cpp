@@ -53,6 +53,11 @@ void add_look_commands(Commands& commands, ViewState& s) {
                               "Draws tetrahedra, triangles and boundary as opaque as this",
                               kShareRule,
                               [&d](double x) { d.complex_opacity = static_cast<float>(x); }));
+  commands.add(number_command("view.cavity_opacity", "Opacity of cavities",
+                              "Draws chosen cavities as opaque as this; below 1 what they hold "
+                              "shines through",
+                              kShareRule,
+                              [&d](double x) { d.cavity_opacity = static_cast<float>(x); }));
   commands.add(number_command("view.shrink", "Shrink tetrahedra",
                               "Draws tetrahedra smaller by this share, apart from each other",
                               kShrinkRule, [&d](double x) { d.shrink = static_cast<float>(x); }));

@@ -232,6 +232,7 @@ void SceneController::describe(ViewportInfo& viewport) const {
   if (stand_in_) {
     viewport.not_drawn += (viewport.not_drawn.empty() ? "" : " ") + std::string(kStandIn);
   }
+  viewport.fades_rest = drawn_layers_.mesh && drawn_layers_.mesh->fades_rest;
   viewport.problem = view_problem_;
   viewport.hidden_balls = drawn_looks_ ? drawn_looks_->hidden_balls : 0;
   if (drawn_molecule_) {

@@ -127,6 +127,7 @@ class SceneController {
   struct Selected {
     std::vector<BallIndex> balls;
     std::vector<std::size_t> beside;
+    bool outlines = false;  // only rims, which hide little
     friend bool operator==(const Selected&, const Selected&) = default;
   };
   void set_selected(const Selected& selected);
@@ -255,6 +256,7 @@ class SceneController {
     std::shared_ptr<const LayerMesh> mesh;  // null: none
     std::string not_drawn;                  // why; empty: all is
     PickLayers picks;                       // of mesh
+    std::optional<PickLayer> atoms;         // of mesh, before all else
   };
   // What a job of the worker needs.
   struct Wanted {

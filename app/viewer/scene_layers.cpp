@@ -29,22 +29,22 @@ void SceneController::set_layers(const Layers& layers) {
   if (layer_points(fitting).all() > kMostPointsAtOnce) return submit_layers(fitting);
   auto mesh =
       std::make_shared<const LayerMesh>(build_layer_mesh(*drawn_molecule_->geometry, fitting));
-  show_layers({fitting, mesh, {}, body_layers(mesh)}, make_layer_data(mesh));
+  show_layers({fitting, mesh, {}, body_layers(mesh), atom_layer(mesh)}, make_layer_data(mesh));
 }
 
 void SceneController::submit_layers(const Layers& layers) {
   const auto tell = [this](const std::string& why) {
-    show_layers({{}, nullptr, why, {}}, nullptr);
+    show_layers({{}, nullptr, why, {}, {}}, nullptr);
   };
   layer_worker_.submit(
       [this, tell, layers, drawn = drawn_molecule_](const RunContext&) -> Worker::Delivery {
         const std::string not_drawn = layers_not_drawn_text(layer_points(layers), free_memory_());
         if (!not_drawn.empty()) return [tell, not_drawn] { tell(not_drawn); };
         auto mesh = std::make_shared<const LayerMesh>(build_layer_mesh(*drawn->geometry, layers));
-        return
-            [this, layers, drawn, mesh, picks = body_layers(mesh), data = make_layer_data(mesh)] {
-              if (drawn == drawn_molecule_) show_layers({layers, mesh, {}, picks}, data);
-            };
+        return [this, layers, drawn, mesh, picks = body_layers(mesh), atoms = atom_layer(mesh),
+                data = make_layer_data(mesh)] {
+          if (drawn == drawn_molecule_) show_layers({layers, mesh, {}, picks, atoms}, data);
+        };
       },
       [tell](const Worker::Failure& failure) {
         if (!failure.cancelled) tell("What is chosen below is not drawn: " + failure.message);
@@ -69,7 +69,7 @@ void SceneController::submit_beside_body() {
         *drawn->geometry, *drawn->molecule,
         left_out_and_shown(*drawn->molecule, *drawn->prepared, appearance.hidden), shown, c.cancel);
     std::optional<PickLayer> pick;
-    if (atoms.mesh) pick = ball_layer(kBesideBody, atoms.mesh->spheres, 1);
+    if (atoms.mesh) pick = ball_layer(kBesideBody, atoms.mesh->opaque.spheres, 1);
     return [this, drawn, pick, data = make_layer_data(atoms.mesh), atoms] {
       if (drawn != drawn_molecule_) return;
       beside_body_ = atoms;

@@ -21,6 +21,9 @@ std::optional<Hit> SceneController::pick(int x, int y, double near) const {
   const Ray ray = scene_.ray(x, y);
   const PickLine line{ray, near * pixel_spread(scene_.sight(), height_),
                       scene_style().cut.along(ray), scene_style().rod_radius};
+  if (drawn_layers_.atoms) {
+    if (const auto hit = drawn_layers_.atoms->pick(line)) return hit;
+  }
   PickLayers layers = picks_;
   if (display_.balls) {
     layers.insert(layers.begin(), {"balls", [this](const PickLine& l) -> std::optional<Hit> {
@@ -56,7 +59,7 @@ BallGeometry SceneController::drawn_places(const Selected& what) const {
     places.radii.push_back(from.radii.at(i));
   };
   for (const BallIndex ball : what.balls) add(*drawn_molecule_->geometry, ball);
-  for (const std::size_t i : what.beside) add(*beside_body_.mesh->spheres, i);
+  for (const std::size_t i : what.beside) add(*beside_body_.mesh->opaque.spheres, i);
   return places;
 }
 
@@ -77,7 +80,8 @@ void SceneController::draw_selected() {
   }
   marks->radii = radii;
   const std::vector<Rgb8> colours(radii.size(), to_rgb8(palette(theme_).selected));
-  scene_.set_selected(radii.empty() ? nullptr : make_ball_data(marks, colours, radii));
+  scene_.set_selected(radii.empty() ? nullptr : make_ball_data(marks, colours, radii),
+                      seen.outlines);
 }
 
 void SceneController::zoom_to(const Selected& what) {

@@ -168,6 +168,7 @@ class Viewer {
     HitText text;
   };
   std::optional<UnderMouse> under(int x, int y) const;  // pixels of the picture
+  UnderMouse under_atom(std::size_t atom) const;        // of the molecule
   void follow_picture();                                // state_.references
   std::shared_ptr<const BallReferences> references_of(const Answer& answer) const;
   void describe_under_mouse();

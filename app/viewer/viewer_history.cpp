@@ -18,6 +18,11 @@ void Viewer::note_changes() {
   const bool by_itself = state_.memory.playing || state_.memory.playing_models || lessons_.busy() ||
                          sweep_recorder_.busy();
   const std::size_t entries = editor_.depth();
+  if (std::exchange(state_.selection_followed, false)) {
+    Settings followed = editor_.now();
+    followed.selection = state_.picked.items;
+    editor_.follow(followed);
+  }
   if (by_itself) {
     editor_.amend(settings());
   } else {

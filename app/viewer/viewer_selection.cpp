@@ -36,6 +36,7 @@ std::optional<Viewer::UnderMouse> Viewer::under(int x, int y) const {
   const auto hit = scene_.pick(x, y, kBesideALine * frame_.scale());
   if (!hit) return std::nullopt;
   if (hit->corners == 0) return UnderMouse{};  // hides what is behind it
+  if (hit->layer == kAtomInFront) return under_atom(hit->index);
   if (hit->layer == kBesideBody) {
     const LeftOutAtom& atom = scene_.beside_body().atoms.at(hit->index);
     return UnderMouse{references->atom_of_molecule(atom.atom),
@@ -51,6 +52,20 @@ std::optional<Viewer::UnderMouse> Viewer::under(int x, int y) const {
   const HitSimplex simplex =
       hit_simplex(*hit, InOwnDimension(*drawn.balls, drawn.complex).complex());
   return UnderMouse{references->reference(simplex.balls), describe_simplex(*references, simplex)};
+}
+
+// One that panels draw in front, whether or not it is a ball.
+Viewer::UnderMouse Viewer::under_atom(std::size_t atom) const {
+  const BallReferences& references = *state_.references;
+  const AtomRef ref = references.atom_of_molecule(atom);
+  if (const auto ball = references.ball(ref)) {
+    const Answer* answer = scene_.drawn_answer().get();
+    return {ref, describe_ball(references, answer ? &answer->request : nullptr, *ball)};
+  }
+  for (const LeftOutAtom& out : references.prepared().left_out) {
+    if (out.atom == atom) return {ref, describe_atom_beside(references, out)};
+  }
+  return {};
 }
 
 void Viewer::describe_under_mouse() {
@@ -100,9 +115,11 @@ void Viewer::mark_selection() {
   follow_picture();
   const auto& answer = scene_.drawn_answer();
   Marked& m = marked_;
+  // What lines a cavity is marked by rims, for whole balls would hide cavity and ligand.
+  const bool outlines = !state_.picked.cavities.empty();
   const bool same = m.items == state_.picked.items && m.references == state_.references &&
                     m.answer == answer && m.beside == scene_.beside_body().mesh &&
-                    m.theme == state_.theme;
+                    m.theme == state_.theme && m.drawn.outlines == outlines;
   if (!same) {
     m = {state_.picked.items,
          state_.references,
@@ -112,6 +129,7 @@ void Viewer::mark_selection() {
          {},
          nullptr,
          m.key + 1};
+    m.drawn.outlines = outlines;
     find_marks();
   }
   scene_.set_selected(m.drawn);

@@ -49,6 +49,37 @@ void list_residues(const BallReferences& atoms, const std::vector<BallIndex>& li
   }
 }
 
+void add_held(const BallReferences& atoms, const CavityContents& contents, std::uint32_t cavity,
+              std::vector<HeldAtom>& held) {
+  const std::vector<LeftOutAtom>& out = atoms.prepared().left_out;
+  for (const std::uint32_t n : contents.of[cavity]) {
+    const HeldResidue& residue = contents.residues[n];
+    auto at =
+        std::lower_bound(out.begin(), out.end(), residue.atom,
+                         [](const LeftOutAtom& a, std::uint32_t atom) { return a.atom < atom; });
+    for (std::uint32_t k = 0; k < residue.atoms && at != out.end(); ++k, ++at) {
+      held.push_back({at->atom, at->reason, false});
+    }
+  }
+}
+
+// Ligands and ions of the body among these balls, each with all balls of its residue.
+void add_lining_ligands(const BallReferences& references, const std::vector<BallIndex>& lining,
+                        std::vector<HeldAtom>& held) {
+  const std::vector<Atom>& all = references.molecule().atoms;
+  const std::vector<std::uint32_t>& atom_of = references.prepared().atom_of_ball;
+  for (const BallIndex ball : lining) {
+    const Atom& atom = all[atom_of[ball]];
+    if (atom.kind != AtomKind::ligand && atom.kind != AtomKind::ion) continue;
+    const DropReason kind = atom.kind == AtomKind::ion ? DropReason::ion : DropReason::ligand;
+    const auto same = [&](std::size_t b) { return same_residue(all[atom_of[b]], atom); };
+    std::size_t first = ball, last = ball;
+    while (first > 0 && same(first - 1)) --first;
+    while (last + 1 < atom_of.size() && same(last + 1)) ++last;
+    for (std::size_t b = first; b <= last; ++b) held.push_back({atom_of[b], kind, true});
+  }
+}
+
 std::vector<std::size_t> rows_of_sinks(const CavityTable& table, const CavitySinks& sinks) {
   std::vector<std::size_t> rows;
   for (std::size_t row = 0; row < table.size() && rows.size() < sinks.size(); ++row) {
@@ -73,10 +104,14 @@ std::shared_ptr<const ChosenCavities> choose(const Inputs& in, const CavitySinks
     chosen->of.push_back(draw(table, row, parts, clearance));
     const auto& own = table.measure(row).lining;
     lining.insert(lining.end(), own.begin(), own.end());
+    add_held(*in.atoms, in.of(cavity_contents()), table.order[row], chosen->held);
   }
   std::sort(lining.begin(), lining.end());
   lining.erase(std::unique(lining.begin(), lining.end()), lining.end());
   list_residues(*in.atoms, lining, chosen->residues);
+  add_lining_ligands(*in.atoms, lining, chosen->held);
+  std::sort(chosen->held.begin(), chosen->held.end());
+  chosen->held.erase(std::unique(chosen->held.begin(), chosen->held.end()), chosen->held.end());
   lining.resize(std::min(lining.size(), Selection::kMostItems));
   for (const BallIndex ball : lining) chosen->atoms.emplace_back(in.atoms->atom(ball));
   return chosen;
@@ -108,7 +143,7 @@ Definition<ChosenCavities> chosen_cavities(const CavitySinks& sinks, const Cavit
                                            std::uint64_t key) {
   return {{.id = "cavities.chosen",
            .title = "What is drawn of cavities",
-           .made_of = {&cavity_table()},
+           .made_of = {&cavity_table(), &cavity_contents()},
            .key =
                [key](const Inputs& in) {
                  if (!in.atoms) return Key{};

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/cavity/filling_spheres.hpp"
+#include "core/document/cavity_contents.hpp"
 #include "core/document/cavity_results.hpp"
 #include "core/geometry/real_point.hpp"
 
@@ -33,11 +34,21 @@ struct ChainLining {
   std::size_t count = 0;
 };
 
+// Of a ligand, an ion or a water that a cavity holds; or of a ligand or an ion that is part of the
+// body and lines it.
+struct HeldAtom {
+  std::uint32_t atom = 0;                // of Molecule::atoms
+  DropReason kind = DropReason::ligand;  // or ion, water
+  bool in_body = false;
+  friend auto operator<=>(const HeldAtom&, const HeldAtom&) = default;
+};
+
 struct ChosenCavities {
   std::shared_ptr<const CavityTable> table;
   std::vector<ChosenCavity> of;  // by rows
   std::vector<Ref> atoms;        // that line any of them, each once; at most Selection::kMostItems
   std::vector<ChainLining> residues;
+  std::vector<HeldAtom> held;  // of whole residues, each once, ascending
 };
 
 // `sinks`: the deepest ones of cavities, ascending; those that the table has not are left out.

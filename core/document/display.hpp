@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/document/paint.hpp"
+#include "core/molecule/prepare_balls.hpp"
 
 namespace alphascope {
 
@@ -12,12 +13,16 @@ struct AtomsBesideBody {
   friend bool operator==(const AtomsBesideBody&, const AtomsBesideBody&) = default;
 };
 
+// Whether an atom of this kind is drawn beside the body, when the options leave it out.
+bool shows(const AtomsBesideBody& shown, DropReason reason, Element element);
+
 struct DisplayControls {
   bool balls = true, tetrahedra = true, boundary = false, triangles = false, edges = false;
   bool singular_only = true;  // triangles and edges that are faces of nothing larger
   bool grown_balls = false;   // sqrt((radius + solvent)² + alpha) instead of the radius
   float ball_scale = 0.3f;    // times the radius
   float ball_opacity = 1, complex_opacity = 1;
+  float cavity_opacity = 0.45f;     // so that what a cavity holds is seen in it
   float shrink = 0;                 // of tetrahedra, 0 to 0.9
   float edge_thickness = 0.12f;     // of edges, Å; at least a line of 1.5 pixels is drawn
   bool smooth_boundary = false;     // light is interpolated between the boundary's corners

@@ -50,6 +50,7 @@ DisplayControls with_preset(DisplayControls display, DisplayPreset preset) {
   d.beside = display.beside;
   d.orthographic = display.orthographic;
   d.grown_balls = display.grown_balls;
+  d.cavity_opacity = display.cavity_opacity;
   switch (preset) {
     case DisplayPreset::figure:
       d.balls = d.tetrahedra = false;

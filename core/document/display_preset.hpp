@@ -27,7 +27,8 @@ const DisplayPresetInfo& preset_info(DisplayPreset preset);
 std::optional<DisplayPreset> preset_named(std::string_view id);
 std::string preset_ids();  // "figure|cavity|..."
 
-// Keeps colours, atoms beside the body, projection and the radius of grown balls.
+// Keeps colours, atoms beside the body, projection, the radius of grown balls and how opaque
+// cavities are.
 DisplayControls with_preset(DisplayControls display, DisplayPreset preset);
 
 }  // namespace alphascope

@@ -25,6 +25,13 @@ void Editor::amend(const Settings& settings) {
   if (!before_.empty() && before_.back() == now_) before_.pop_back();
 }
 
+void Editor::follow(const Settings& settings) {
+  now_ = settings;
+  if (before_.empty() || before_.back() != now_) return;
+  before_.pop_back();
+  gesture_ = 0;
+}
+
 void Editor::restart(const Settings& settings) {
   *this = Editor(settings);
 }

@@ -27,6 +27,9 @@ class Editor {
   // A change that is no entry: by playback, or by the program when it cannot do what was asked for;
   // in that case the entry of the request goes, too.
   void amend(const Settings& settings);
+  // What follows from an earlier change when it is computed, such as the atoms that line a chosen
+  // cavity: no entry, and no end of the gesture.
+  void follow(const Settings& settings);
   // Another file: from here on there is nothing to go back to.
   void restart(const Settings& settings);
 

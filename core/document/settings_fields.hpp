@@ -85,6 +85,7 @@ void visit_fields(Visitor& v, DisplayControls& d) {
   v("ball_scale", d.ball_scale, kShareRule);
   v("ball_opacity", d.ball_opacity, kShareRule);
   v("complex_opacity", d.complex_opacity, kShareRule);
+  v("cavity_opacity", d.cavity_opacity, kShareRule);
   v("shrink", d.shrink, kShrinkRule);
   v("edge_thickness_angstrom", d.edge_thickness, kEdgeThicknessRule);
   v("smooth_boundary", d.smooth_boundary);

@@ -35,7 +35,7 @@ TEST_F(BesideBodyTest, LigandsHaveBallsAndTheirBonds) {
   const BesideBody atoms = built({});
   ASSERT_EQ(atoms.atoms.size(), 174u);  // four haems of 43 atoms, two phosphorus atoms
   ASSERT_TRUE(atoms.mesh);
-  EXPECT_EQ(atoms.mesh->spheres->centres.size(), 174u);
+  EXPECT_EQ(atoms.mesh->opaque.spheres->centres.size(), 174u);
   // A haem has 43 atoms and eight independent rings, those at the iron included: 50 bonds. In this
   // old structure six of the acids' bonds are too long for the rule, and one pair of atoms too
   // near.
@@ -43,7 +43,8 @@ TEST_F(BesideBodyTest, LigandsHaveBallsAndTheirBonds) {
   EXPECT_FALSE(atoms.mesh->fades_rest);
   const LatticePoint& p = opened_.molecule->atoms[atoms.atoms[7].atom].position;
   const double x = opened_.molecule->lattice.angstrom(p.x);
-  EXPECT_NEAR(atoms.mesh->spheres->centres[7][0] + atoms.mesh->spheres->origin[0], x, 1e-4);
+  EXPECT_NEAR(atoms.mesh->opaque.spheres->centres[7][0] + atoms.mesh->opaque.spheres->origin[0], x,
+              1e-4);
 }
 
 TEST_F(BesideBodyTest, EachKindIsASwitch) {

@@ -157,11 +157,12 @@ TEST(LayerMesh, SolidTetrahedraShowTheirOutsideWithEdges) {
   layer.body = true;
   layer.tetrahedra = {{0, 1, 4, 16}, {1, 4, 16, 20}};  // with one face in common
   const LayerMesh mesh = build_layer_mesh(balls, one(layer));
-  EXPECT_EQ(mesh.bodies.points(), 3u * 6);
-  EXPECT_EQ(mesh.body_edges.points(), 2u * 9);
+  EXPECT_EQ(mesh.opaque.faces.points(), 3u * 6);
+  EXPECT_EQ(mesh.opaque.edges.points(), 2u * 9);
   EXPECT_EQ(mesh.marks.faces.points(), 0u);
   EXPECT_TRUE(mesh.fades_rest);
-  EXPECT_GE(layer_points(one(layer)).all(), mesh.bodies.points() + mesh.body_edges.points());
+  EXPECT_GE(layer_points(one(layer)).all(),
+            mesh.opaque.faces.points() + mesh.opaque.edges.points());
   layer.tetrahedra = {{0, 1, 4, 99999}};
   EXPECT_THROW(build_layer_mesh(balls, one(layer)), std::invalid_argument);
 }

@@ -91,6 +91,18 @@ void tell_of_merging(PanelContext& ctx, const CavityPage& page, bool merged_befo
   }
 }
 
+// The selection, too, unless the user has selected something else meanwhile. What is selected at
+// another alpha was right there: after an undo it is what the history says.
+void follow_lining(PanelContext& ctx, CavityPage& page) {
+  RefSet lining = lining_of(page, page.chosen_rows);
+  RefSet& selected = ctx.state.picked.items;
+  if (!page.chosen.empty() && selected == page.lining && !(selected == lining)) {
+    selected = lining;
+    ctx.state.selection_followed = true;
+  }
+  page.lining = std::move(lining);
+}
+
 void find_chosen_rows(PanelContext& ctx, CavityPage& page) {
   const RefSet& chosen = ctx.state.picked.cavities;
   CavityPage::Choice& choice = page.choice;
@@ -102,7 +114,12 @@ void find_chosen_rows(PanelContext& ctx, CavityPage& page) {
   ChosenRows found = rows_of_cavities(*page.rows.lines, chosen);
   page.chosen_rows = std::move(found.rows);
   page.merged_into = std::move(found.merged_into);
-  if (same_choice) tell_of_merging(ctx, page, merged_before);
+  if (same_choice) {
+    tell_of_merging(ctx, page, merged_before);
+    follow_lining(ctx, page);
+  } else {
+    page.lining = lining_of(page, page.chosen_rows);
+  }
   choice.parts = page.parts;
   choice.sinks.clear();
   for (const std::size_t row : page.chosen_rows) {
@@ -123,6 +140,19 @@ void find_chosen_rows(PanelContext& ctx, CavityPage& page) {
 }
 
 }  // namespace
+
+RefSet lining_of(const CavityPage& page, const std::vector<std::size_t>& rows) {
+  const CavityTable& table = page.rows.table();
+  std::vector<Ref> lining;
+  for (const std::size_t row : rows) {
+    for (const BallIndex ball : table.measure(row).lining) {
+      if (lining.size() < Selection::kMostItems) {
+        lining.emplace_back(page.rows.lines->atoms->atom(ball));
+      }
+    }
+  }
+  return RefSet(std::move(lining));
+}
 
 std::string merged_text(const CavityPage& page) {
   if (page.merged_into.empty()) return {};

@@ -8,9 +8,11 @@
 #include <string>
 #include <vector>
 
+#include "core/document/atom_set.hpp"
 #include "core/document/cavity_contents.hpp"
 #include "core/document/channel_results.hpp"
 #include "core/document/chosen_cavities.hpp"
+#include "core/document/display.hpp"
 #include "ui/layer.hpp"
 
 namespace alphascope {
@@ -72,7 +74,8 @@ struct CavityPage {
   std::shared_ptr<const CavityLines> chosen_in;
   std::vector<std::size_t> chosen_rows;  // ascending
   std::vector<std::size_t> merged_into;  // of them, those that a chosen cavity has merged into
-  std::optional<std::size_t> anchor;     // row that was clicked last; Shift+click reaches from it
+  RefSet lining;  // of the chosen rows; while it is what is selected, the selection follows it
+  std::optional<std::size_t> anchor;  // row that was clicked last; Shift+click reaches from it
   struct Choice {
     CavitySinks sinks;  // of the rows; ascending
     CavityParts parts;
@@ -83,6 +86,8 @@ struct CavityPage {
   std::shared_ptr<const BallSet> layers_of;  // Layer::balls
   std::uint64_t layers_key = 0;
   bool layers_are_old = true;
+  AtomsBesideBody beside;  // by which atoms are among them, as the next
+  AtomSet hidden;
   Theme theme = Theme::dark;  // that their colours are for
 };
 

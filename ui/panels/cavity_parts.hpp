@@ -15,6 +15,8 @@ struct FollowedCavities {
   Derived<CavityLines> wanted;  // where they are not
 };
 FollowedCavities follow_cavities(PanelContext& ctx);
+// What lines these rows, to be selected: at most Selection::kMostItems.
+RefSet lining_of(const CavityPage& page, const std::vector<std::size_t>& rows);
 // "The chosen cavity has merged into cavity 3."; empty: none has.
 std::string merged_text(const CavityPage& page);
 

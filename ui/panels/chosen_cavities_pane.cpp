@@ -2,11 +2,13 @@
 #include <algorithm>
 #include <string>
 
-#include "core/chart/chart.hpp"
+#include "core/chart/colour_map.hpp"
 #include "core/document/cavity_names.hpp"
+#include "core/document/settings_fields.hpp"
 #include "core/document/store.hpp"
 #include "ui/panels/cavity_parts.hpp"
 #include "ui/panels/format.hpp"
+#include "ui/rgb8.hpp"
 
 namespace alphascope {
 namespace {
@@ -29,15 +31,10 @@ void choose_rows(PanelContext& ctx, CavityPage& page, std::vector<std::size_t> r
   }
   const CavityTable& table = page.rows.table();
   const BallReferences& atoms = *page.rows.lines->atoms;
-  std::vector<Ref> sinks, lining;
-  for (const std::size_t row : rows) {
-    sinks.emplace_back(cavity_sink(atoms, table, row));
-    for (const BallIndex ball : table.measure(row).lining) {
-      if (lining.size() < Selection::kMostItems) lining.emplace_back(atoms.atom(ball));
-    }
-  }
+  std::vector<Ref> sinks;
+  for (const std::size_t row : rows) sinks.emplace_back(cavity_sink(atoms, table, row));
   ctx.state.picked.cavities = RefSet(std::move(sinks));
-  ctx.state.picked.items = RefSet(std::move(lining));
+  ctx.state.picked.items = lining_of(page, rows);
   if (!rows.empty()) ctx.state.requests.zoom_to_selection = true;
 }
 
@@ -72,7 +69,7 @@ void add_layers(PanelContext& ctx, CavityPage& page, const ChosenCavity& cavity)
   const Colour colour = cavity_colour(page, cavity.row);
   if (!cavity.surface.empty() || !cavity.tetrahedra.empty() || !cavity.spheres.empty()) {
     Layer& body = add("body", colour);
-    body.body = true;
+    body.body = body.translucent = true;
     body.fades_rest = page.fades_rest;
     body.triangles = cavity.surface;
     body.tetrahedra = cavity.tetrahedra;
@@ -92,8 +89,39 @@ void add_layers(PanelContext& ctx, CavityPage& page, const ChosenCavity& cavity)
   }
 }
 
+// Å, as drawn.
+double held_radius(DropReason kind) {
+  return kind == DropReason::ion ? 0.7 : 0.45;
+}
+
+// Of what the cavities hold, what is drawn beside the body at all. Cavity and molecule would hide
+// it; where the rest does not fade, it is where it is.
+void add_held(CavityPage& page) {
+  if (!page.fades_rest) return;
+  const BallReferences& references = *page.rows.lines->atoms;
+  const Molecule& molecule = references.molecule();
+  auto layer = std::make_shared<Layer>();
+  layer->id = "cavities.held";
+  layer->balls = page.layers_of;
+  layer->key = page.layers_key;
+  for (const HeldAtom& held : page.drawn->held) {
+    const Atom& atom = molecule.atoms[held.atom];
+    const bool shown = held.in_body || shows(page.beside, held.kind, atom.element);
+    if (!shown || page.hidden.contains(references.atom_of_molecule(held.atom))) continue;
+    const auto angstrom = [&](std::int64_t units) { return molecule.lattice.angstrom(units); };
+    layer->atoms.push_back(
+        {{angstrom(atom.position.x), angstrom(atom.position.y), angstrom(atom.position.z)},
+         held_radius(held.kind),
+         to_colour(element_colour(atom.element)),
+         held.atom});
+  }
+  if (!layer->atoms.empty()) page.layers.push_back(std::move(layer));
+}
+
 void make_layers(PanelContext& ctx, CavityPage& page) {
   bool old = std::exchange(page.layers_are_old, false);
+  old |= std::exchange(page.beside, ctx.state.display.beside) != ctx.state.display.beside;
+  old |= !(std::exchange(page.hidden, ctx.state.appearance.hidden) == ctx.state.appearance.hidden);
   old |= std::exchange(page.theme, ctx.state.theme) != ctx.state.theme;
   const auto balls = page.drawn ? balls_of_layers(ctx, page) : nullptr;
   old |= std::exchange(page.layers_of, balls) != balls;
@@ -102,6 +130,7 @@ void make_layers(PanelContext& ctx, CavityPage& page) {
   page.layers.clear();
   if (!page.drawn) return;
   for (const ChosenCavity& cavity : page.drawn->of) add_layers(ctx, page, cavity);
+  add_held(page);
 }
 
 // --- the pane
@@ -176,9 +205,7 @@ void lining(PanelContext& ctx, const ChosenCavities& drawn) {
 
 Colour cavity_colour(const CavityPage& page, std::size_t row) {
   const CavityNumbers& numbers = *page.rows.lines->numbers;
-  const ChartColour c = chart_colour(numbers.of[page.rows.table().order[row]]);
-  return {static_cast<float>(c.r) / 255, static_cast<float>(c.g) / 255,
-          static_cast<float>(c.b) / 255, 1};
+  return to_colour(cavity_colour(numbers.of[page.rows.table().order[row]]));
 }
 
 std::string between_text(const CavityLine& line, const std::string& chains) {
@@ -286,6 +313,17 @@ void cavity_parts_button(PanelContext& ctx, CavityPage& page) {
   if (checkbox(ctx, "cavities.draw.fade", "fade the rest", page.fades_rest)) {
     page.layers_are_old = true;
   }
+  tooltip(ctx,
+          ("Balls and simplices are at most " + percent_text(kFadedOpacity) +
+           " opaque, whatever is set under Display, so that they do not hide the cavity; what it "
+           "holds is drawn over all else.")
+              .c_str());
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted("Opacity");
+  ImGui::SameLine(0, ctx.px(10));
+  ImGui::SetNextItemWidth(ctx.px(120));
+  percent_slider(ctx, "cavities.draw.opacity", ctx.state.display.cavity_opacity, 0.05f, 1.0f);
+  tooltip(ctx, "Of surfaces, tetrahedra and spheres of the cavities that are chosen.");
   ImGui::EndPopup();
 }
 

@@ -9,6 +9,7 @@
 #include "core/document/cavity_bars.hpp"
 #include "core/document/cavity_chart.hpp"
 #include "core/document/cavity_results.hpp"
+#include "core/molecule/atom_colours.hpp"
 
 namespace alphascope {
 
@@ -24,7 +25,7 @@ struct CurveMemory {
 
   // What is plotted, and of what it was made.
   CavityChart chart;
-  std::vector<std::size_t> colours;  // of each series, for chart_colour()
+  std::vector<Rgb8> colours;  // of each series
   CurveAxis chart_axis = CurveAxis::alpha;
   std::shared_ptr<const void> curves, links;
   std::shared_ptr<const CavityLines> lines;  // null: nothing is chosen

@@ -27,7 +27,7 @@ struct Place {
 };
 
 ImU32 ink(const CurvePlot& plot, std::size_t series) {
-  const ChartColour c = chart_colour((*plot.colours)[series]);
+  const Rgb8& c = (*plot.colours)[series];
   return IM_COL32(c.r, c.g, c.b, static_cast<int>(255 * ImGui::GetStyle().Alpha));
 }
 

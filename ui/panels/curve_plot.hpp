@@ -5,13 +5,14 @@
 #include <string>
 
 #include "core/document/cavity_chart.hpp"
+#include "core/molecule/atom_colours.hpp"
 #include "ui/panels/widgets.hpp"
 
 namespace alphascope {
 
 struct CurvePlot {
   const CavityChart* chart = nullptr;
-  const std::vector<std::size_t>* colours = nullptr;  // of each series, for chart_colour()
+  const std::vector<Rgb8>* colours = nullptr;  // of each series
   CurveAxis axis = CurveAxis::alpha;
   double shown = 0;        // the present setting
   std::string unit;        // of x: "Å"

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/chart/colour_map.hpp"
 #include "core/document/cavity_chart.hpp"
 #include "core/document/cavity_curve_results.hpp"
 #include "core/document/finished_text.hpp"
@@ -18,9 +19,9 @@
 namespace alphascope {
 namespace {
 
-constexpr double kAlphaStep = 0.01;         // Å², as the slider's
-constexpr double kSolventStep = 0.1;        // Å, as the samples'
-constexpr std::size_t kMostLines = 8;       // as many colours as there are
+constexpr double kAlphaStep = 0.01;   // Å², as the slider's
+constexpr double kSolventStep = 0.1;  // Å, as the samples'
+constexpr std::size_t kMostLines = kCavityColours;
 constexpr double kMostSecondsUnasked = 60;  // of one thread, for one curve
 
 using Curves = Derived<CavityCurves>;
@@ -50,7 +51,7 @@ void make_chart(CurveMemory& memory, const CavityCurves& curves, const CurveLink
   memory.colours.clear();
   if (!lines) {
     memory.chart = chart_of_totals(curves, quantity_of(memory));
-    memory.colours = {0, 1};
+    memory.colours = {category_colour(0), category_colour(1)};
     return;
   }
   const CavityTable& table = *lines->table;
@@ -58,7 +59,8 @@ void make_chart(CurveMemory& memory, const CavityCurves& curves, const CurveLink
   for (const std::size_t row : rows) {
     const char* kind = table.cavity(row).is_void() ? "void " : "pocket ";
     chosen.push_back({table.order[row], kind + std::to_string(row + 1)});
-    memory.colours.push_back(lines->numbers->of[table.order[row]]);  // as in the view
+    // As in the view.
+    memory.colours.push_back(cavity_colour(lines->numbers->of[table.order[row]]));
   }
   memory.chart = chart_of_cavities(curves, quantity_of(memory), *links, chosen);
 }
@@ -139,7 +141,7 @@ void legend(PanelContext& ctx, const CurveMemory& memory) {
     ImGui::SameLine(0, ctx.px(14));
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const float side = ctx.px(9), middle = corner.y + ImGui::GetFrameHeight() / 2;
-    const ChartColour c = chart_colour(memory.colours[s]);
+    const Rgb8& c = memory.colours[s];
     ImGui::GetWindowDrawList()->AddRectFilled({corner.x, middle - side / 2},
                                               {corner.x + side, middle + side / 2},
                                               IM_COL32(c.r, c.g, c.b, 255));

@@ -30,6 +30,21 @@ void presets(PanelContext& ctx) {
   }
 }
 
+// Where a page draws what must not be hidden, the slider is not what one sees.
+void opacity_row(PanelContext& ctx, const char* name, float& opacity) {
+  row_label(ctx, "Opacity");
+  percent_slider(ctx, name, opacity, 0.05f, 1.0f);
+  if (!ctx.state.viewport.fades_rest || opacity <= kFadedOpacity) return;
+  row_label(ctx, "");
+  ImGui::PushFont(ctx.fonts.small);
+  muted_text(ctx, "faded to " + percent_text(kFadedOpacity) + " by the page below");
+  ImGui::PopFont();
+  record(ctx, (std::string(name) + ".faded").c_str());
+  tooltip(ctx,
+          "A cavity or channel is drawn, and what is around it must not hide it. For cavities: "
+          "the page Cavities, Draw, “fade the rest”.");
+}
+
 void balls(PanelContext& ctx) {
   DisplayControls& d = ctx.state.display;
   checkbox(ctx, "display.balls", "Balls", d.balls);
@@ -42,8 +57,7 @@ void balls(PanelContext& ctx) {
   int grown = d.grown_balls ? 1 : 0;
   choice(ctx, "display.radius", {"as given", "grown"}, grown, ImGui::GetContentRegionAvail().x);
   d.grown_balls = grown == 1;
-  row_label(ctx, "Opacity");
-  percent_slider(ctx, "display.ball_opacity", d.ball_opacity, 0.05f, 1.0f);
+  opacity_row(ctx, "display.ball_opacity", d.ball_opacity);
   constexpr Element kCarbon = 6;
   paint_rows(
       ctx, {"display.ball", Painted::balls, ctx.state.viewport.ball_range, element_colour(kCarbon)},
@@ -102,8 +116,7 @@ void complex(PanelContext& ctx) {
   thickness_of_edges(ctx);
   ImGui::Unindent();
   ImGui::EndDisabled();
-  row_label(ctx, "Opacity");
-  percent_slider(ctx, "display.complex_opacity", d.complex_opacity, 0.05f, 1.0f);
+  opacity_row(ctx, "display.complex_opacity", d.complex_opacity);
   paint_rows(ctx,
              {"display.complex", Painted::simplices, ctx.state.viewport.simplex_range,
               to_rgb8(ctx.palette.complex_single)},

@@ -102,8 +102,9 @@ struct ViewportInfo {
   std::optional<ColourRange> ball_range, simplex_range;  // of colours of quantities
   std::vector<PictureLabel> labels;                      // of the picture in `texture`
   std::size_t hidden_balls = 0;                          // by the user
-  std::string not_drawn;  // what the picture lacks for want of memory, and what to do
-  bool outdated = false;  // it is of other settings than those chosen; the new one is being made
+  bool fades_rest = false;  // pages draw what balls and simplices must not hide: kFadedOpacity
+  std::string not_drawn;    // what the picture lacks for want of memory, and what to do
+  bool outdated = false;    // it is of other settings than those chosen; the new one is being made
   ViewProblem problem = ViewProblem::none;
   // Written by the panels: how large the picture should be (pixels) and what the mouse did on it.
   int width = 0, height = 0;

@@ -195,6 +195,9 @@ struct ViewState {
   Appearance appearance;
   Annotations annotations;
   Selection picked;  // in the picture
+  // Its items were changed since other atoms line what is chosen: that is no entry of the history,
+  // which takes this back.
+  bool selection_followed = false;
   Theme theme = Theme::dark;
   bool auto_compare = false;
   double control_scale = 0;     // of fonts and controls; 0: as the display says

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "ui/panels/cavity_parts.hpp"
 #include "ui/panels/dialog_stack.hpp"
 #include "ui/panels/key_focus.hpp"
 #include "ui/panels/panel_list.hpp"
@@ -200,6 +201,8 @@ void bottom_panel(PanelContext& ctx, const Area& area) {
   ImGui::BeginChild("content", {0, 0}, false, ImGuiWindowFlags_NoScrollbar);
   const std::vector<PanelSpec> pages = panels_at(Place::bottom);
   bottom_tabs(ctx, pages)->draw(ctx);
+  // What lines chosen cavities is marked in the picture on whatever page.
+  if (!ctx.state.picked.cavities.empty()) follow_cavities(ctx);
   ImGui::EndChild();
   ImGui::End();
 }

@@ -6,8 +6,10 @@
 #include <vtkObjectFactory.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
+#include <vtkShaderProgram.h>
 
 #include <cstddef>
+#include <string>
 
 #include "ui/scene/ball_shader.hpp"
 #include "ui/scene/vtk_arrays.hpp"
@@ -26,6 +28,26 @@ void BallMapper::GetShaderTemplate(std::map<vtkShader::Type, vtkShader*> shaders
                                    vtkRenderer* renderer, vtkActor* actor) {
   this->Superclass::GetShaderTemplate(shaders, renderer, actor);
   shaders.at(vtkShader::Geometry)->SetSource(kBallGeometry);
+  if (look_ == BallLook::usual) return;
+  vtkShader* fragment = shaders.at(vtkShader::Fragment);
+  std::string source = fragment->GetSource();
+  // Behind VTK's own lines, and behind those of a cut, which come in their place.
+  const auto append = [&source](const char* mark, const char* lines) {
+    vtkShaderProgram::Substitute(source, mark, std::string(mark) + lines, false);
+  };
+  if (look_ == BallLook::outline) {
+    append("//VTK::Depth::Impl", kOnlyRim);
+  } else {
+    append("//VTK::Depth::Impl", kInFront);
+    append("//VTK::Light::Impl", kDarkRim);
+  }
+  fragment->SetSource(source);
+}
+
+void BallMapper::set_look(BallLook look) {
+  if (look_ == look) return;
+  look_ = look;
+  this->Modified();
 }
 
 void BallMapper::ComputeBounds() {

@@ -5,14 +5,21 @@
 #include <vtkOpenGLSphereMapper.h>
 #include <vtkShader.h>
 
+#include <cstdint>
 #include <map>
 
 namespace alphascope {
+
+// What is seen of balls: all that is before the rest; only their rims, as outlines of what they
+// are around; or all, before everything else in the picture and with a dark rim.
+enum class BallLook : std::uint8_t { usual, outline, in_front };
 
 class BallMapper : public vtkOpenGLSphereMapper {
  public:
   static BallMapper* New();
   vtkTypeMacro(BallMapper, vtkOpenGLSphereMapper);
+
+  void set_look(BallLook look);
 
  protected:
   BallMapper();
@@ -23,6 +30,8 @@ class BallMapper : public vtkOpenGLSphereMapper {
   void ComputeBounds() override;
 
  private:
+  BallLook look_ = BallLook::usual;
+
   BallMapper(const BallMapper&) = delete;
   void operator=(const BallMapper&) = delete;
 };

@@ -1,6 +1,7 @@
 // The geometry shader of BallMapper: for each ball, a triangle that covers what is seen of it, and
-// hardly more. For its source only. It takes the place of VTK's, whose triangle covers a ball that
-// is seen without perspective; marks ("//VTK::") and names are those of VTK 9.1.
+// hardly more; and lines of its fragment shader. For its source only. It takes the place of VTK's,
+// whose triangle covers a ball that is seen without perspective; marks ("//VTK::") and names are
+// those of VTK 9.1.
 #pragma once
 
 namespace alphascope {
@@ -76,5 +77,20 @@ void main()
   EndPrimitive();
 }
 )";
+
+// Lines of fragment shaders, behind VTK's that find where the line of sight meets the ball. How the
+// ball is turned to the viewer there: 1 in its middle, 0 at its outline.
+#define ALPHASCOPE_FACING \
+  "dot(normalVCVSOutput, cameraParallel != 0 ? vec3(0.0, 0.0, 1.0) : normalize(-vertexVC.xyz))"
+
+// Of the radius as it is seen, the outer fifth.
+inline constexpr const char* kOnlyRim = "\n  if (" ALPHASCOPE_FACING " > 0.6) discard;\n";
+// Among themselves the nearest stays before the others. What is nearer than this share of all depth
+// is no body for FinishPass, which so leaves it as it is.
+inline constexpr const char* kInFront = "\n  gl_FragDepth *= 0.001;\n";
+inline constexpr const char* kDarkRim =
+    "\n  if (" ALPHASCOPE_FACING " < 0.4) gl_FragData[0].rgb *= 0.15;\n";
+
+#undef ALPHASCOPE_FACING
 
 }  // namespace alphascope

@@ -49,13 +49,13 @@ class Builder {
   BesideBody build(const std::vector<LeftOutAtom>& left_out, const CancelToken& cancel) {
     for (const LeftOutAtom& a : left_out) {
       const Element element = molecule_.atoms[a.atom].element;
-      if (!is_shown(shown_, a.reason, element)) continue;
+      if (!shows(shown_, a.reason, element)) continue;
       atoms_.push_back(a);
       const RealPoint p = place(a.atom);
       spheres_.centres.push_back(
           {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)});
       spheres_.radii.push_back(drawn_radius(a.reason, element));
-      mesh_.sphere_colours.push_back(element_colour(element));
+      mesh_.opaque.sphere_colours.push_back(element_colour(element));
       if (a.reason == DropReason::ligand) ligands_.push_back(a.atom);
       if (element == kHydrogen && a.reason != DropReason::ligand) find_parent(a.atom);
     }
@@ -64,7 +64,7 @@ class Builder {
     find_bonds();
     cancel.throw_if_cancelled();
     if (bonds_.size() <= kMostSticks) add_sticks();
-    mesh_.spheres = std::make_shared<const BallGeometry>(std::move(spheres_));
+    mesh_.opaque.spheres = std::make_shared<const BallGeometry>(std::move(spheres_));
     return {std::make_shared<const LayerMesh>(std::move(mesh_)), std::move(atoms_)};
   }
 
@@ -139,22 +139,6 @@ class Builder {
 };
 
 }  // namespace
-
-bool is_shown(const AtomsBesideBody& shown, DropReason reason, Element element) {
-  if (element == kHydrogen && !shown.hydrogens) return false;
-  switch (reason) {
-    case DropReason::ligand:
-      return shown.ligands;
-    case DropReason::ion:
-      return shown.ions;
-    case DropReason::water:
-      return shown.waters;
-    case DropReason::hydrogen:
-      return shown.hydrogens;
-    default:
-      return false;
-  }
-}
 
 BesideBody build_beside_body(const BallGeometry& balls, const Molecule& molecule,
                              const PreparedBalls& prepared, const AtomsBesideBody& shown,

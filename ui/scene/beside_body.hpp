@@ -26,7 +26,4 @@ BesideBody build_beside_body(const BallGeometry& balls, const Molecule& molecule
                              const PreparedBalls& prepared, const AtomsBesideBody& shown,
                              const CancelToken& cancel = {});
 
-// Whether atoms that are left out for this reason are shown.
-bool is_shown(const AtomsBesideBody& shown, DropReason reason, Element element);
-
 }  // namespace alphascope

@@ -26,6 +26,7 @@ SceneStyle scene_style(const DisplayControls& display, Theme theme) {
   style.balls = display.balls;
   style.ball_opacity = display.ball_opacity;
   style.complex_opacity = display.complex_opacity;
+  style.cavity_opacity = display.cavity_opacity;
   style.ambient_occlusion = display.ambient_occlusion;
   style.depth_cue = display.depth_cue;
   style.silhouettes = display.silhouettes;

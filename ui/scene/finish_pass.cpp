@@ -71,7 +71,8 @@ void FinishPass::apply_to_translucent(vtkOpenGLRenderer* renderer, const Finish&
   pass(renderer, finish, true);
 }
 
-void FinishPass::draw_fronts(vtkOpenGLRenderer* renderer, int width, int height) {
+void FinishPass::draw_fronts(vtkOpenGLRenderer* renderer, const Finish& finish, int width,
+                             int height) {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   vtkOpenGLState* state = window->GetState();
   const DrawsQuads whole(state, width, height);
@@ -83,6 +84,9 @@ void FinishPass::draw_fronts(vtkOpenGLRenderer* renderer, int width, int height)
     auto* actor = vtkActor::SafeDownCast(props->GetItemAsObject(i));
     if (actor == nullptr || !actor->GetVisibility()) continue;
     if (!actor->HasTranslucentPolygonalGeometry()) continue;
+    if (static_cast<float>(actor->GetProperty()->GetOpacity()) < finish.translucent_opacity) {
+      continue;
+    }
     actor->GetProperty()->Render(actor, renderer);
     actor->Render(renderer, actor->GetMapper());
     actor->GetProperty()->PostRender(actor, renderer);
@@ -98,7 +102,7 @@ void FinishPass::pass(vtkOpenGLRenderer* renderer, const Finish& finish, bool tr
   if (colours == nullptr || depths == nullptr) return;
   const int width = static_cast<int>(colours->GetWidth());
   const int height = static_cast<int>(colours->GetHeight());
-  if (translucent) draw_fronts(renderer, width, height);
+  if (translucent) draw_fronts(renderer, finish, width, height);
   const bool occlusion = finish.occlusion_taps > 0;
   vtkOpenGLQuadHelper* quad = programs_[(occlusion ? 1 : 0) + (translucent ? 2 : 0)].use(
       window, [&] { return finish_shader(occlusion, translucent); });

@@ -24,9 +24,10 @@ struct Finish {
   float silhouette_width = 0;                 // pixels; 0: none
   float silhouette_jump = 1;                  // Å of depth that a silhouette marks, at least
   Colour background;
-  bool transparent = false;       // there is none, and what is far away becomes transparent instead
-  Colour line;                    // of silhouettes
-  float translucent_opacity = 0;  // of what is translucent; 0: its fronts are not finished
+  bool transparent = false;  // there is none, and what is far away becomes transparent instead
+  Colour line;               // of silhouettes
+  // Of what is translucent and the most opaque, whose fronts are finished; 0: none are.
+  float translucent_opacity = 0;
   bool any() const { return occlusion_taps > 0 || depth_cue > 0 || silhouette_width > 0; }
 };
 
@@ -40,7 +41,7 @@ class FinishPass {
 
  private:
   void give(vtkOpenGLRenderer* renderer, const Finish& finish, vtkShaderProgram* program);
-  void draw_fronts(vtkOpenGLRenderer* renderer, int width, int height);
+  void draw_fronts(vtkOpenGLRenderer* renderer, const Finish& finish, int width, int height);
   void pass(vtkOpenGLRenderer* renderer, const Finish& finish, bool translucent);
 
   DrawnTexture result_;

@@ -44,6 +44,9 @@ uniform sampler2D fronts;   // depths of what is translucent
 uniform float opacity;      // its, 0 to 1
 #endif
 
+// Nearer is what is drawn in front of everything: it is no body, and neither darkens nor is darkened.
+const float kMarks = 0.002;
+
 // Of what is seen first.
 float depthAt(ivec2 at) {
   at = clamp(at, ivec2(0), size - 1);
@@ -97,7 +100,7 @@ float occlusion(ivec2 at, vec3 place, vec3 normal, float radius, vec2 direction,
     float depth = depthAt(there);
     vec3 away = placeAt(there, depth) - place;
     float distance = length(away) + 1e-6;
-    float near = depth <= 0.0 ? 0.0 : max(0.0, 1.0 - distance / (2.0 * radius));
+    float near = depth <= kMarks ? 0.0 : max(0.0, 1.0 - distance / (2.0 * radius));
     sum += near * max(0.0, dot(away, normal) / distance - 0.1);
   }
   return sum / float(max(taps, 1));
@@ -115,7 +118,7 @@ float lit(vec3 place, vec3 normal, vec2 spread, float first, int taps) {
     float w = depthOfNdc.z * there.z + depthOfNdc.w;
     vec2 ndc = (scaleOfNdc * there.xy + shiftOfNdc.xz * there.z + shiftOfNdc.yw) / w;
     float depth = depthAt(ivec2((0.5 * ndc + 0.5) * vec2(size)));
-    float ahead = depth <= 0.0 ? 0.0 : zOf(depth) - there.z;
+    float ahead = depth <= kMarks ? 0.0 : zOf(depth) - there.z;
     if (ahead > 0.01 * shadowReach && ahead < 0.35 * shadowReach) {
       behind = 1.0 - share;  // far away the shadow of a small thing is lost
       break;
@@ -129,7 +132,7 @@ void main() {
   vec4 colour = texelFetch(colours, at, 0);
   float depth = depthAt(at);
   bool drawn = depth < 1.0;
-  bool mark = depth <= 0.0;  // in front of everything, of no depth
+  bool mark = depth <= kMarks;
   float share = shareOf(at);
   vec3 place = placeAt(at, depth);
   float visible = 1.0;
@@ -155,7 +158,7 @@ void main() {
   for (int i = 0; i < corners; ++i) {
     ivec2 beside = ivec2(gl_FragCoord.xy + by);
     float there = depthAt(beside);
-    nearest = there > 0.0 && max(share, shareOf(beside)) > 0.0 ? min(nearest, there) : nearest;
+    nearest = there > kMarks && max(share, shareOf(beside)) > 0.0 ? min(nearest, there) : nearest;
     by = 0.7071068 * vec2(by.x - by.y, by.x + by.y);
   }
   float ahead = -zOf(nearest);

@@ -13,18 +13,27 @@
 
 namespace alphascope {
 
-struct LayerMesh {
-  DifferenceMesh marks;  // over everything else
-  CellSoup bodies;       // triangles, lit
-  CellSoup body_edges;   // of the tetrahedra that are bodies
-  CellSoup body_lines;   // edges of layers that are bodies
-  SmoothMesh tubes;
-  // Lit balls; their bounds and axes are not set.
+// Lit; bounds and axes of spheres are not set.
+struct LayerBodies {
+  CellSoup faces;                               // triangles
+  CellSoup edges;                               // of tetrahedra
   std::shared_ptr<const BallGeometry> spheres;  // null: none
   std::vector<Rgb8> sphere_colours;
+  bool empty() const { return faces.points() == 0 && !spheres; }
+};
+
+struct LayerMesh {
+  DifferenceMesh marks;  // over everything else
+  LayerBodies opaque, translucent;
+  CellSoup body_lines;  // edges of layers that are bodies
+  SmoothMesh tubes;
+  // Before all else; null: none. One colour, and one atom of Molecule::atoms, for each.
+  std::shared_ptr<const BallGeometry> atoms;
+  std::vector<Rgb8> atom_colours;
+  std::vector<std::uint32_t> atom_of;
   std::vector<PlacedLabel> labels;
   bool fades_rest = false;
-  bool has_bodies() const { return bodies.points() > 0 || tubes.points() > 0 || spheres; }
+  bool has_bodies() const { return !opaque.empty() || !translucent.empty() || tubes.points() > 0; }
 };
 
 // Throws std::invalid_argument when a simplex has a vertex beyond the balls.

@@ -247,9 +247,12 @@ PickLayers body_layers(const std::shared_ptr<const LayerMesh>& mesh) {
   PickLayers layers;
   if (!mesh) return layers;
   const Meaning body{"bodies", 0};
-  if (mesh->bodies.points() > 0) {
-    layers.push_back(
-        layer_of(SoupCells{std::shared_ptr<const CellSoup>(mesh, &mesh->bodies)}, body));
+  for (const LayerBodies* bodies : {&mesh->opaque, &mesh->translucent}) {
+    if (bodies->faces.points() > 0) {
+      layers.push_back(
+          layer_of(SoupCells{std::shared_ptr<const CellSoup>(mesh, &bodies->faces)}, body));
+    }
+    if (bodies->spheres) layers.push_back(ball_layer(body.id, bodies->spheres, body.corners));
   }
   if (mesh->tubes.points() > 0) {
     auto tubes = std::make_shared<CellSoup>();
@@ -259,8 +262,17 @@ PickLayers body_layers(const std::shared_ptr<const LayerMesh>& mesh) {
     }
     layers.push_back(layer_of(SoupCells{std::move(tubes)}, body));
   }
-  if (mesh->spheres) layers.push_back(ball_layer(body.id, mesh->spheres, body.corners));
   return layers;
+}
+
+std::optional<PickLayer> atom_layer(const std::shared_ptr<const LayerMesh>& mesh) {
+  if (!mesh || !mesh->atoms) return std::nullopt;
+  const PickLayer balls = ball_layer(kAtomInFront, mesh->atoms, 1);
+  return PickLayer{balls.id, [mesh, balls](const PickLine& line) {
+                     std::optional<Hit> hit = balls.pick(line);
+                     if (hit) hit->index = mesh->atom_of.at(hit->index);
+                     return hit;
+                   }};
 }
 
 std::optional<Hit> nearest_hit(const PickLayers& layers, const PickLine& line) {

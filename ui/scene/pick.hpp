@@ -26,11 +26,12 @@ struct PickLine {
   double rod_radius = 0;  // Å, of edges: more where they are thicker than that
 };
 
-inline constexpr std::string_view kBesideBody = "beside";
+inline constexpr std::string_view kBesideBody = "beside", kAtomInFront = "in front";
 
 struct Hit {
   // "balls", "tetrahedra", "boundary", "triangles", "edges"; "beside", whose index is of
-  // BesideBody::atoms; "bodies" of panels' layers, of which nothing more is known.
+  // BesideBody::atoms; "in front", whose index is of Molecule::atoms; "bodies" of panels' layers,
+  // of which nothing more is known.
   std::string_view layer;
   int corners = 1;        // 1: a ball; 0: a body
   std::size_t index = 0;  // of the ball, or of the simplex in its list of the complex
@@ -58,6 +59,8 @@ PickLayer cap_layer(const std::shared_ptr<const CapMesh>& mesh);
 PickLayer ball_layer(std::string_view id, std::shared_ptr<const BallGeometry> balls, int corners);
 // Of bodies of panels' layers, which hide what is behind them.
 PickLayers body_layers(const std::shared_ptr<const LayerMesh>& mesh);
+// Of their atoms, which hide all else; none: there are none.
+std::optional<PickLayer> atom_layer(const std::shared_ptr<const LayerMesh>& mesh);
 
 // Of layers at the same depth the first wins.
 std::optional<Hit> nearest_hit(const PickLayers& layers, const PickLine& line);

@@ -127,9 +127,9 @@ void Scene::set_beside_body(std::shared_ptr<LayerData> atoms) {
   scene.beside_body.show(std::move(atoms), scene.window);
 }
 
-void Scene::set_selected(std::shared_ptr<BallData> balls) {
+void Scene::set_selected(std::shared_ptr<BallData> balls, bool outlines) {
   Impl& scene = changed();
-  scene.selected.actor->SetVisibility(balls != nullptr);
+  scene.selected.mapper->set_look(outlines ? BallLook::outline : BallLook::usual);
   scene.selected.show(std::move(balls), scene.window);
 }
 

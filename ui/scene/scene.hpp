@@ -31,6 +31,7 @@ struct SceneStyle {
   bool balls = true;
   double ball_opacity = 1;     // above 0, at most 1
   double complex_opacity = 1;  // above 0, at most 1
+  double cavity_opacity = 1;   // of layers that are translucent; above 0, at most 1
   bool ambient_occlusion = true;
   float line_scale = 1;  // of the width of lines: the controls' on a dense screen
   Theme theme = Theme::dark;
@@ -82,8 +83,8 @@ class Scene {
   // Atoms that are no balls, drawn whatever else fades; null: none.
   void set_beside_body(std::shared_ptr<LayerData> atoms);
   // Balls that are drawn as the first ones are, whether or not these are; null: none. They go with
-  // the first ones.
-  void set_selected(std::shared_ptr<BallData> balls);
+  // the first ones. `outlines`: only their rims, so that they hide little.
+  void set_selected(std::shared_ptr<BallData> balls, bool outlines = false);
   // As the first, with balls' own radii and data that are made on the way.
   void set_balls(std::shared_ptr<const BallGeometry> balls, const std::vector<Rgb8>& colours);
   void set_style(const SceneStyle& style);

@@ -37,30 +37,53 @@ void MarkActors::show(vtkPolyData* new_faces, vtkPolyData* new_edges, vtkWindow*
   edges.show(new_edges, window);
 }
 
+BodyActors::BodyActors() {
+  edges.before_its_faces();
+  faces.brighter();
+}
+
+void BodyActors::add_to(vtkRenderer* renderer) {
+  renderer->AddActor(faces.actor);
+  renderer->AddActor(edges.actor);
+  renderer->AddActor(spheres.actor);
+}
+
+void BodyActors::show(const BodyData& bodies, vtkWindow* window) {
+  faces.show(bodies.faces, window);
+  edges.show(bodies.edges, window);
+  spheres.show(bodies.spheres, window);
+}
+
+void BodyActors::set_opacity(double opacity) {
+  for (vtkActor* a : {faces.actor.Get(), edges.actor.Get(), spheres.actor.Get()}) {
+    a->GetProperty()->SetOpacity(opacity);
+  }
+}
+
 LayerActors::LayerActors() {
-  body_edges.before_its_faces();
   body_lines.before_its_faces();
-  bodies.brighter();
   tubes.brighter();
   tubes.smooth();
+  atoms.mapper->set_look(BallLook::in_front);
 }
 
 void LayerActors::add_to(vtkRenderer* renderer) {
   marks.add_to(renderer);
-  for (MeshActor* m : {&bodies, &body_edges, &body_lines, &tubes}) renderer->AddActor(m->actor);
-  renderer->AddActor(spheres.actor);
+  opaque.add_to(renderer);
+  translucent.add_to(renderer);
+  for (MeshActor* m : {&body_lines, &tubes}) renderer->AddActor(m->actor);
+  renderer->AddActor(atoms.actor);
 }
 
 void LayerActors::show(std::shared_ptr<LayerData> layers, vtkWindow* window) {
   const LayerData nothing;
   const LayerData& shown = layers ? *layers : nothing;
   marks.show(shown.faces, shown.edges, window);
-  bodies.show(shown.bodies, window);
-  body_edges.show(shown.body_edges, window);
+  opaque.show(shown.opaque, window);
+  translucent.show(shown.translucent, window);
   body_lines.show(shown.body_lines, window);
   tubes.show(shown.tubes, window);
-  spheres.actor->SetVisibility(shown.spheres != nullptr);
-  spheres.show(shown.spheres, window);
+  atoms.show(shown.atoms, window);
   data = std::move(layers);  // only now may the old arrays go
 }
 
@@ -148,21 +171,22 @@ BallActor::BallActor() {
 }
 
 void BallActor::show(std::shared_ptr<BallData> balls, vtkWindow* window) {
+  actor->SetVisibility(balls != nullptr);
   mapper->SetInputData(balls ? balls->points.Get() : nullptr);
   mapper->ReleaseGraphicsResources(window);
   data = std::move(balls);  // only now may the old arrays go
 }
 
 double Scene::Impl::faded(double opacity) const {
-  constexpr double kFaded = 0.15;
   const bool fades = layers.data && layers.data->mesh->fades_rest;
-  return fades ? std::min(opacity, kFaded) : opacity;
+  return fades ? std::min(opacity, kFadedOpacity) : opacity;
 }
 
 double Scene::Impl::translucent_opacity() const {
   double opacity = 0;
   const double of_balls = style.balls ? faded(style.ball_opacity) : 1;
-  for (const double o : {of_balls, faded(style.complex_opacity)}) {
+  const double of_cavities = layers.translucent.visible() ? style.cavity_opacity : 1;
+  for (const double o : {of_balls, faded(style.complex_opacity), of_cavities}) {
     if (o < 1) opacity = std::max(opacity, o);
   }
   return opacity;
@@ -178,6 +202,7 @@ void Scene::Impl::apply_style() {
   all_balls.actor->SetVisibility(style.balls && balls && !balls->centres.empty());
   all_balls.actor->GetProperty()->SetOpacity(faded(style.ball_opacity));
   for (CellActor* c : cells()) c->actor->GetProperty()->SetOpacity(faded(style.complex_opacity));
+  layers.translucent.set_opacity(style.cavity_opacity);
   const bool closed = cap_data && style.cut.on();
   caps.actor->SetVisibility(closed && cap_data->faces);
   cap_edges.actor->SetVisibility(closed && cap_data->edges);
@@ -200,8 +225,8 @@ std::vector<vtkActor*> Scene::Impl::cut_meshes() {
   std::vector<vtkActor*> all{differences.faces.actor, differences.edges.actor};
   for (CellActor* c : cells()) all.push_back(c->actor);
   for (LayerActors* l : {&layers, &beside_body}) {
-    for (MeshActor* m : {&l->marks.faces, &l->marks.edges, &l->bodies, &l->body_edges,
-                         &l->body_lines, &l->tubes}) {
+    for (MeshActor* m : {&l->marks.faces, &l->marks.edges, &l->opaque.faces, &l->opaque.edges,
+                         &l->translucent.faces, &l->translucent.edges, &l->body_lines, &l->tubes}) {
       all.push_back(m->actor);
     }
   }
@@ -209,7 +234,12 @@ std::vector<vtkActor*> Scene::Impl::cut_meshes() {
 }
 
 std::vector<BallActor*> Scene::Impl::cut_balls() {
-  return {&all_balls, &selected, &layers.spheres, &beside_body.spheres};
+  return {&all_balls,
+          &selected,
+          &layers.opaque.spheres,
+          &layers.translucent.spheres,
+          &layers.atoms,
+          &beside_body.opaque.spheres};
 }
 
 void Scene::Impl::apply_cut() {
@@ -246,7 +276,9 @@ void Scene::Impl::draw(int width, int height) {
   differences.edges.actor->GetProperty()->SetLineWidth(3.5f * width_scale);
   layers.marks.edges.actor->GetProperty()->SetLineWidth(2.5f * width_scale);
   layers.body_lines.actor->GetProperty()->SetLineWidth(2.5f * width_scale);
-  layers.body_edges.actor->GetProperty()->SetLineWidth(1.2f * width_scale);
+  for (BodyActors* b : {&layers.opaque, &layers.translucent}) {
+    b->edges.actor->GetProperty()->SetLineWidth(1.2f * width_scale);
+  }
   cap_edges.actor->GetProperty()->SetLineWidth(1.0f * width_scale);
   const auto box = visible_box();
   finish.silhouette_jump = static_cast<float>(silhouette_jump(box ? diagonal(*box) : 0));

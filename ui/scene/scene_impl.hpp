@@ -21,6 +21,7 @@
 #include "ui/scene/scene.hpp"
 #include "ui/scene/scene_renderer.hpp"
 #include "ui/scene/scene_window.hpp"
+#include "ui/scene/vtk_arrays.hpp"
 #include "ui/window/egl_context.hpp"
 
 namespace alphascope {
@@ -53,11 +54,23 @@ struct BallActor {
   void show(std::shared_ptr<BallData> balls, vtkWindow* window);  // null: none
 };
 
+struct BodyActors {
+  MeshActor faces, edges;  // edges of tetrahedra
+  BallActor spheres;
+
+  BodyActors();
+  void add_to(vtkRenderer* renderer);
+  void show(const BodyData& bodies, vtkWindow* window);
+  void set_opacity(double opacity);
+  bool visible() const { return faces.actor->GetVisibility() || spheres.actor->GetVisibility(); }
+};
+
 // What panels want drawn: marks, and bodies among the rest.
 struct LayerActors {
   MarkActors marks;
-  MeshActor bodies, body_edges, body_lines, tubes;
-  BallActor spheres;
+  BodyActors opaque, translucent;
+  MeshActor body_lines, tubes;
+  BallActor atoms;                  // before all else
   std::shared_ptr<LayerData> data;  // null: nothing
 
   LayerActors();

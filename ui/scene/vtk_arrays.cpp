@@ -165,17 +165,29 @@ std::shared_ptr<DifferenceData> make_difference_data(std::shared_ptr<const Diffe
   return data;
 }
 
+namespace {
+
+BodyData body_data(const LayerBodies& bodies) {
+  BodyData data{soup_to_vtk(bodies.faces, 3), soup_to_vtk(bodies.edges, 2), nullptr};
+  if (bodies.spheres) {
+    data.spheres = make_ball_data(bodies.spheres, bodies.sphere_colours, bodies.spheres->radii);
+  }
+  return data;
+}
+
+}  // namespace
+
 std::shared_ptr<LayerData> make_layer_data(std::shared_ptr<const LayerMesh> mesh) {
   if (!mesh) return nullptr;
   auto data = std::make_shared<LayerData>();
   data->faces = soup_to_vtk(mesh->marks.faces, 3);
   data->edges = soup_to_vtk(mesh->marks.edges, 2);
-  data->bodies = soup_to_vtk(mesh->bodies, 3);
-  data->body_edges = soup_to_vtk(mesh->body_edges, 2);
   data->body_lines = soup_to_vtk(mesh->body_lines, 2);
   data->tubes = smooth_to_vtk(mesh->tubes);
-  if (mesh->spheres) {
-    data->spheres = make_ball_data(mesh->spheres, mesh->sphere_colours, mesh->spheres->radii);
+  data->opaque = body_data(mesh->opaque);
+  data->translucent = body_data(mesh->translucent);
+  if (mesh->atoms) {
+    data->atoms = make_ball_data(mesh->atoms, mesh->atom_colours, mesh->atoms->radii);
   }
   data->mesh = std::move(mesh);
   return data;

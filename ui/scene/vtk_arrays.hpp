@@ -35,10 +35,16 @@ struct DifferenceData {
   vtkSmartPointer<vtkPolyData> faces, edges;
 };
 
+struct BodyData {
+  vtkSmartPointer<vtkPolyData> faces, edges;
+  std::shared_ptr<BallData> spheres;  // null: none
+};
+
 struct LayerData {
   std::shared_ptr<const LayerMesh> mesh;
-  vtkSmartPointer<vtkPolyData> faces, edges, bodies, body_edges, body_lines, tubes;
-  std::shared_ptr<BallData> spheres;  // null: none
+  vtkSmartPointer<vtkPolyData> faces, edges, body_lines, tubes;
+  BodyData opaque, translucent;
+  std::shared_ptr<BallData> atoms;  // null: none
 };
 
 // One vertex cell a ball: vtkOpenGLSphereMapper takes its bounds from cells and shows nothing

@@ -100,6 +100,7 @@ SessionDocument unusual() {
        .ball_scale = 0.07f,
        .ball_opacity = 0.31f,
        .complex_opacity = 0.33f,
+       .cavity_opacity = 0.61f,
        .shrink = 0.1f,
        .edge_thickness = 0.34f,
        .smooth_boundary = true,

@@ -20,8 +20,6 @@ class CavityExports {
 
  private:
   void write_lives(const CavityAnswer& answer);
-  void write_spheres(const CavityAnswer& answer, const CancelToken& cancel);
-  void write_surface(const CavityAnswer& answer);
   void write_script(const CavityAnswer& answer);
 
   const CavitiesOptions& options_;

@@ -1,14 +1,18 @@
 // See the header.
 #include "app/viewer/table_saver.hpp"
 
+#include <list>
 #include <stdexcept>
 #include <utility>
 
 #include "core/io/atomic_file.hpp"
 #include "core/molecule/printable.hpp"
+#include "core/run/work_threads.hpp"
 
 namespace alphascope {
 namespace {
+
+namespace fs = std::filesystem;
 
 // Steps between which saving can be cancelled.
 constexpr std::size_t kPiece = 1 << 20;  // bytes
@@ -22,6 +26,18 @@ void write_text(const std::filesystem::path& path, const std::string& text,
   }
   cancel.throw_if_cancelled();
   file.commit();
+}
+
+// All of the files or none.
+void write_files(const fs::path& path, const std::vector<fs::path>& names, const FileWriter& writer,
+                 const RunContext& context) {
+  std::list<AtomicFile> files;
+  std::vector<AtomicFile*> open;
+  for (const fs::path& name : names) open.push_back(&files.emplace_back(name));
+  WorkThreads threads(1);  // the others are the slider's
+  threads.run([&] { writer.write(path, open, context); });
+  context.cancel.throw_if_cancelled();
+  commit_together(open);
 }
 
 }  // namespace
@@ -48,9 +64,15 @@ void TableSaver::cancel(Store& store) {
   saving_.reset();
 }
 
-const Definition<std::string>& TableSaver::definition() const {
+const FormatToSave* TableSaver::other_format() const {
+  if (saving_->format < kFirstOfMore) return nullptr;
+  return &saving_->table->more.at(static_cast<std::size_t>(saving_->format - kFirstOfMore));
+}
+
+const AnyDefinition& TableSaver::definition() const {
+  if (const FormatToSave* other = other_format()) return other->writer;
   const TableToSave& table = *saving_->table;
-  return saving_->as_json ? *table.json : table.csv;
+  return saving_->format == kJsonFormat ? *table.json : table.csv;
 }
 
 void TableSaver::fail(const std::string& why) {
@@ -70,19 +92,37 @@ void TableSaver::want(Store& store, const Inputs& inputs) {
                 "the table again.");
   }
   if (!std::exchange(begun_, true)) store.begin_again(definition().id);  // after cancel()
-  const Derived<std::string> text =
-      store.want(definition(), table.of_the_picture ? inputs : table.inputs);
-  if (text.ready()) return write(text.value);
-  if (text.state == DerivedState::waiting || text.state == DerivedState::running) return;
+  const Inputs& of = table.of_the_picture ? inputs : table.inputs;
+  if (const FormatToSave* other = other_format()) return want_as(other->writer, store, of);
+  want_as(saving_->format == kJsonFormat ? *table.json : table.csv, store, of);
+}
+
+template <class T>
+void TableSaver::want_as(const Definition<T>& definition, Store& store, const Inputs& inputs) {
+  const Derived<T> made = store.want(definition, inputs);
+  if (made.ready()) return write(made.value);
+  if (made.state == DerivedState::waiting || made.state == DerivedState::running) return;
   fail("Cannot save " + saving_->path.string() + ": " +
-       (text.why.empty() ? "its numbers are not there. Save it again." : text.why));
+       (made.why.empty() ? "its numbers are not there. Save it again." : made.why));
 }
 
 void TableSaver::write(const Text& text) {
+  submit([path = saving_->path, text](const RunContext& context) {
+    write_text(path, *text, context.cancel);
+  });
+}
+
+void TableSaver::write(const std::shared_ptr<const FileWriter>& writer) {
+  submit([path = saving_->path, names = other_format()->files(saving_->path),
+          writer](const RunContext& context) { write_files(path, names, *writer, context); });
+}
+
+void TableSaver::submit(std::function<void(const RunContext&)> write) {
   writing_ = true;
   worker_.submit(
-      [this, path = saving_->path, text](const RunContext& context) -> Worker::Delivery {
-        write_text(path, *text, context.cancel);
+      [this, path = saving_->path,
+       write = std::move(write)](const RunContext& context) -> Worker::Delivery {
+        write(context);
         return [this, path] {
           outcome_.notice = "Saved " + printable(path.string());
           saving_.reset();

@@ -37,9 +37,14 @@ class TableSaver {
 
  private:
   using Text = std::shared_ptr<const std::string>;
-  const Definition<std::string>& definition() const;
+  const AnyDefinition& definition() const;
+  const FormatToSave* other_format() const;  // null: it is a table
+  template <class T>
+  void want_as(const Definition<T>& definition, Store& store, const Inputs& inputs);
   void want(Store& store, const Inputs& inputs);
   void write(const Text& text);
+  void write(const std::shared_ptr<const FileWriter>& writer);
+  void submit(std::function<void(const RunContext&)> write);
   void fail(const std::string& why);
 
   std::optional<SaveTableRequest> saving_;

@@ -8,25 +8,12 @@ namespace alphascope {
 namespace {
 
 CavityFacts facts_of(const Inputs& in, const CavityRowsWanted& wanted, const RecordSource& source) {
-  CavityFacts facts;
-  facts.source = source;
-  facts.request.alpha_angstrom2 = in.alpha_angstrom2;
-  facts.request.solvent_radius_angstrom = in.solvent_radius_angstrom;
-  facts.atoms = in.atoms;
-  facts.all = in.share(cavity_table());
+  CavityFacts facts = few_facts_of(in, wanted, source);
   facts.exact = in.share(cavity_volumes());
   facts.depths = in.share(cavity_depths());
   facts.lives = in.share(whole_cavity_lives());
   facts.contents = in.share(cavity_contents());
-  facts.differences =
-      differences_from_castp(source.options, source.prepared->report, facts.request);
   facts.clipped_rank = ranks_by_clipped(facts.table(), *facts.exact);
-  for (std::size_t row = 0; row < facts.table().size(); ++row) {
-    const bool of_kind = facts.table().cavity(row).is_void() ? wanted.voids : wanted.pockets;
-    const double volume = facts.table().measure(row).volume_sa_angstrom3;
-    const auto& least = wanted.least_volume_sa_angstrom3;
-    if (of_kind && (!least || volume >= *least)) facts.rows.push_back(row);
-  }
   return facts;
 }
 
@@ -42,13 +29,8 @@ Definition<std::string> written(const CavityRowsWanted& rows, const RecordSource
            .title = "The table of cavities as text",
            .made_of = {&cavity_table(), &cavity_volumes(), &cavity_depths(), &whole_cavity_lives(),
                        &cavity_contents()},
-           .key =
-               [rows, prepared = source.prepared](const Inputs& in) {
-                 if (!in.atoms || &in.atoms->prepared() != prepared.get()) return Key{};
-                 Key key = key_of_balls_and_alpha(in);
-                 key.more = number_of(rows);
-                 return key;
-               },
+           .key = [rows, prepared = source.prepared](
+                      const Inputs& in) { return key_of_written(in, rows, *prepared); },
            .memory =
                [](const Inputs& in) {
                  constexpr std::uint64_t kRow = 4000;  // bytes; JSON lists atoms
@@ -62,6 +44,32 @@ Definition<std::string> written(const CavityRowsWanted& rows, const RecordSource
 }
 
 }  // namespace
+
+CavityFacts few_facts_of(const Inputs& in, const CavityRowsWanted& rows,
+                         const RecordSource& source) {
+  CavityFacts facts;
+  facts.source = source;
+  facts.request.alpha_angstrom2 = in.alpha_angstrom2;
+  facts.request.solvent_radius_angstrom = in.solvent_radius_angstrom;
+  facts.atoms = in.atoms;
+  facts.all = in.share(cavity_table());
+  facts.differences =
+      differences_from_castp(source.options, source.prepared->report, facts.request);
+  for (std::size_t row = 0; row < facts.table().size(); ++row) {
+    const bool of_kind = facts.table().cavity(row).is_void() ? rows.voids : rows.pockets;
+    const double volume = facts.table().measure(row).volume_sa_angstrom3;
+    const auto& least = rows.least_volume_sa_angstrom3;
+    if (of_kind && (!least || volume >= *least)) facts.rows.push_back(row);
+  }
+  return facts;
+}
+
+Key key_of_written(const Inputs& in, const CavityRowsWanted& rows, const PreparedBalls& prepared) {
+  if (!in.atoms || &in.atoms->prepared() != &prepared) return Key{};
+  Key key = key_of_balls_and_alpha(in);
+  key.more = number_of(rows);
+  return key;
+}
 
 Definition<std::string> cavities_as_csv(const CavityRowsWanted& rows, const RecordSource& source) {
   return written(rows, source, "cavities.csv",

@@ -13,6 +13,13 @@ struct CavityRowsWanted {
   friend bool operator==(const CavityRowsWanted&, const CavityRowsWanted&) = default;
 };
 
+// What other files of them are made of too: the table and `source`, and which rows. No volumes and
+// depths.
+CavityFacts few_facts_of(const Inputs& in, const CavityRowsWanted& rows,
+                         const RecordSource& source);
+// Of what is written of them; none where the inputs are of other balls than these.
+Key key_of_written(const Inputs& in, const CavityRowsWanted& rows, const PreparedBalls& prepared);
+
 // Not without Inputs::atoms, which are those of `source`.
 Definition<std::string> cavities_as_csv(const CavityRowsWanted& rows, const RecordSource& source);
 Definition<std::string> cavities_as_json(const CavityRowsWanted& rows, const RecordSource& source);

@@ -44,12 +44,16 @@ class Diagram {
       squares_.push_back(radius * radius);
       const RealPoint reach{radius, radius, radius};
       const RealPoint from = centre - reach, to = centre + reach;
-      low = i == 0 ? from : RealPoint{std::min(low.x, from.x), std::min(low.y, from.y), std::min(low.z, from.z)};
-      high = i == 0 ? to : RealPoint{std::max(high.x, to.x), std::max(high.y, to.y), std::max(high.z, to.z)};
+      low = i == 0 ? from
+                   : RealPoint{std::min(low.x, from.x), std::min(low.y, from.y),
+                               std::min(low.z, from.z)};
+      high = i == 0 ? to
+                    : RealPoint{std::max(high.x, to.x), std::max(high.y, to.y),
+                                std::max(high.z, to.z)};
     }
     reach_ = length(high - low);
     const double more = kBeyond * reach_;
-    sides_ = {{{1, 0, 0}, high.x + more},  {{0, 1, 0}, high.y + more},  {{0, 0, 1}, high.z + more},
+    sides_ = {{{1, 0, 0}, high.x + more}, {{0, 1, 0}, high.y + more}, {{0, 0, 1}, high.z + more},
               {{-1, 0, 0}, more - low.x}, {{0, -1, 0}, more - low.y}, {{0, 0, -1}, more - low.z}};
   }
 

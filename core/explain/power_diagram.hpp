@@ -11,7 +11,7 @@ namespace alphascope {
 
 // What two balls share of the borders of their cells.
 struct PowerFace {
-  BallIndex a = 0, b = 0;              // a < b
+  BallIndex a = 0, b = 0;                   // a < b
   std::vector<RealPoint> corners_angstrom;  // of a convex polygon, in its order
 };
 

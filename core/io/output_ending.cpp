@@ -29,7 +29,7 @@ std::string output_ending(const fs::path& path) {
   return ending;
 }
 
-std::string fault_of_ending(const fs::path& path, std::initializer_list<std::string_view> endings) {
+std::string fault_of_ending(const fs::path& path, std::span<const std::string_view> endings) {
   const std::string ending = output_ending(path);
   if (ending.empty() || std::find(endings.begin(), endings.end(), ending) != endings.end()) {
     return {};
@@ -37,7 +37,7 @@ std::string fault_of_ending(const fs::path& path, std::initializer_list<std::str
   if (is_no_ordinary_file(path)) return {};
   std::string known;
   for (const std::string_view& one : endings) {
-    const bool last = &one + 1 == endings.end();
+    const bool last = &one == &endings.back();
     known += (known.empty() ? "" : last ? " or " : ", ") + std::string(one);
   }
   return "the name must end in " + known + ", not " + printable(ending);

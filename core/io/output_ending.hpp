@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <initializer_list>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -17,6 +18,10 @@ std::string output_ending(const std::filesystem::path& path);
 // (/dev/null, a pipe) may be called anything. Else what is wrong, without full stop: "the name must
 // end in .ply or .glb, not .jpg".
 std::string fault_of_ending(const std::filesystem::path& path,
-                            std::initializer_list<std::string_view> endings);
+                            std::span<const std::string_view> endings);
+inline std::string fault_of_ending(const std::filesystem::path& path,
+                                   std::initializer_list<std::string_view> endings) {
+  return fault_of_ending(path, std::span(endings.begin(), endings.size()));
+}
 
 }  // namespace alphascope

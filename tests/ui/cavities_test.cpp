@@ -264,12 +264,81 @@ TEST_F(CavitiesTest, SavedTablesAreThoseOfTheCommandLine) {
   }
   EXPECT_GT(csv.size(), 1000u);
   EXPECT_EQ(csv, expected);
-  run("click cavities.save\nframes 3\nclick save_table.format.1\nframes 2\n");
+  run("click cavities.save\nframes 3\nclick save_table.format\nframes 2\n"
+      "click save_table.json\nframes 2\n");
   EXPECT_EQ(viewer_->state().memory.save_table.path, (folder_ / "4hhb-cavities.json").string());
   run("click save_table.ok\nwait-idle\nframes 3\n");
   const std::string json = bytes("4hhb-cavities.json");
   EXPECT_NE(json.find("\"volume_sa_clipped_angstrom3\""), json.npos);
   EXPECT_NE(json.find("\"name\": \"alphascope\""), json.npos);
+}
+
+TEST_F(CavitiesTest, FilesForOtherProgramsAreThoseOfTheCommandLine) {
+  open_cavities();
+  use_preset();
+  run("click cavities.least\nkey ctrl+a\ntype 60\nkey enter\nframes 3\n");
+  const std::string file = ALPHASCOPE_SOURCE_DIR "/resources/molecules/4hhb.pdb.gz";
+  const auto by_command_line = [&](const std::string& options) {
+    ASSERT_EQ(std::system(("cd '" + folder_.string() + "' && " ALPHASCOPE_CLI " cavities -q '" +
+                           file + "' --min-volume 60 " + options + " > /dev/null")
+                              .c_str()),
+              0);
+  };
+  by_command_line("--surface by.ply --spheres by-spheres.pqr");
+  by_command_line("--surface by-surface.glb --spheres by-spheres.pqr --script by.cxc");
+  by_command_line("--spheres by-spheres.pqr --script by.pml");
+  const auto expected = [&](const std::string& name) {
+    std::string text = bytes(name);
+    const std::pair<const char*, const char*> other[] = {{"alphascope-cli ", "alphascope "},
+                                                         {"by-spheres", "w-spheres"},
+                                                         {"by-surface", "w-surface"}};
+    for (const auto& [from, to] : other) {
+      for (std::size_t at; (at = text.find(from)) != text.npos;) {
+        text.replace(at, std::string(from).size(), to);
+      }
+    }
+    return text;
+  };
+  // The lengths at its beginning are those of the program's name, too.
+  const auto geometry = [](const std::string& glb) {
+    return glb.substr(glb.find(std::string("BIN\0", 4)));
+  };
+  save(folder_ / "w.ply");
+  EXPECT_EQ(bytes("w.ply"), expected("by.ply"));
+  save(folder_ / "w.pqr");
+  EXPECT_EQ(bytes("w.pqr"), expected("by-spheres.pqr"));
+  save(folder_ / "w.glb");
+  EXPECT_EQ(geometry(bytes("w.glb")), geometry(bytes("by-surface.glb")));
+  save(folder_ / "w.pml");
+  EXPECT_EQ(bytes("w.pml"), expected("by.pml"));
+  EXPECT_EQ(bytes("w-spheres.pqr"), expected("by-spheres.pqr"));
+  EXPECT_FALSE(fs::exists(folder_ / "w-surface.glb")) << "PyMOL does not open it";
+  save(folder_ / "w.cxc");
+  EXPECT_EQ(bytes("w.cxc"), expected("by.cxc"));
+  EXPECT_EQ(geometry(bytes("w-surface.glb")), geometry(bytes("by-surface.glb")));
+  EXPECT_FALSE(fs::exists(folder_ / "w.cxc.csv"));
+  EXPECT_EQ(viewer_->state().notice, "Saved " + (folder_ / "w.cxc").string());
+}
+
+TEST_F(CavitiesTest, TheEndingOfTheNameSaysTheFormat) {
+  open_cavities();
+  const TableMemory& dialog = viewer_->state().memory.save_table;
+  run("click cavities.save\nframes 3\n");
+  viewer_->state().memory.save_table.path = (folder_ / "cav.txt").string();
+  run("frames 2\n");
+  EXPECT_TRUE(has("save_table.ending"));
+  run("click save_table.ok\nwait-idle\nframes 3\n");
+  EXPECT_NE(dialog.table, nullptr) << "it is still open";
+  viewer_->state().memory.save_table.path = (folder_ / "cav.GLB").string();
+  run("frames 2\n");
+  EXPECT_FALSE(has("save_table.ending"));
+  EXPECT_EQ(dialog.format, kFirstOfMore + 1);
+  run("click save_table.format\nframes 2\nclick save_table.cxc\nframes 2\n");
+  EXPECT_EQ(dialog.path, (folder_ / "cav.cxc").string());
+  viewer_->state().memory.save_table.path = (folder_ / "cav").string();
+  run("frames 2\nclick save_table.ok\nwait-idle\nframes 3\nwait-idle\nframes 3\n");
+  EXPECT_TRUE(fs::exists(folder_ / "cav.cxc")) << "the format's ending, where there is none";
+  EXPECT_FALSE(fs::exists(folder_ / "cav"));
 }
 
 TEST_F(CavitiesTest, WhereATableCannotBeWrittenItSaysSoAndLeavesNothing) {

@@ -137,8 +137,8 @@ class CavityPictureTest : public ViewerTest {
     expect_seen(window, least_share_inside, "window");
     expect_seen(taken([this](const std::string& n) { return saved(n + ".png"); }),
                 least_share_inside, "saved picture");
-    expect_seen(taken([this](const std::string& n) { return first_frame(n); }),
-                least_share_inside, "recording");
+    expect_seen(taken([this](const std::string& n) { return first_frame(n); }), least_share_inside,
+                "recording");
   }
 };
 
@@ -246,7 +246,8 @@ TEST_F(CavityPictureTest, OpacityThatIsNotSeenSaysSo) {
   EXPECT_TRUE(viewer_->widgets().contains("display.complex_opacity.faded"));
   viewer_->state().display.complex_opacity = 0.1f;
   settle();
-  EXPECT_FALSE(viewer_->widgets().contains("display.complex_opacity.faded")) << "it is as it is set";
+  EXPECT_FALSE(viewer_->widgets().contains("display.complex_opacity.faded"))
+      << "it is as it is set";
   run("click cavities.draw\nframes 3\nclick cavities.draw.fade\nkey esc\n");
   settle();
   EXPECT_FALSE(viewer_->widgets().contains("display.ball_opacity.faded"));

@@ -33,7 +33,8 @@ class SaveDialogs : public ::testing::Test {
     p.frame(3);
   }
   // Opens each of them, calls `look` with its name, and cancels it.
-  void in_each(const std::function<void(const std::string& dialog, const std::string& path)>& look) {
+  void in_each(
+      const std::function<void(const std::string& dialog, const std::string& path)>& look) {
     const struct {
       const char* dialog;
       std::function<void()> open;
@@ -46,13 +47,13 @@ class SaveDialogs : public ::testing::Test {
          [&] { return memory().session_path; }},
         {"save_table",
          [&] {
-           TableToSave table{.what = "Cavities",
-                             .file_name = "4hhb-cavities",
-                             .csv = Definition<std::string>(
-                                 {.id = "test.table", .title = "A table"},
-                                 [](const Inputs&, const RunContext&) {
-                                   return std::make_shared<const std::string>("x");
-                                 })};
+           TableToSave table{
+               .what = "Cavities",
+               .file_name = "4hhb-cavities",
+               .csv = Definition<std::string>({.id = "test.table", .title = "A table"},
+                                              [](const Inputs&, const RunContext&) {
+                                                return std::make_shared<const std::string>("x");
+                                              })};
            memory().save_table.path.clear();
            memory().save_table.table = std::make_shared<const TableToSave>(table);
          },

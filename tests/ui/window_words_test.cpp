@@ -55,8 +55,8 @@ TEST(Tooltips, AreTheSliders) {
   p.state.memory.closed_sections.clear();
   p.frame(3);
   ImGuiIO& io = ImGui::GetIO();
-  for (const char* name : {"look.depth_cue", "look.silhouettes", "look.face_edges", "look.samples",
-                           "alpha.solvent"}) {
+  for (const char* name :
+       {"look.depth_cue", "look.silhouettes", "look.face_edges", "look.samples", "alpha.solvent"}) {
     p.point_at(name, 0.3f);
     io.DeltaTime = 0.5f;
     p.window_frame();
@@ -200,7 +200,8 @@ TEST_F(SlowEngine, BallsThatWaitForTheirFirstComplexAreNoPictureOfAnother) {
 TEST_F(WindowWords, NoCommandSaysSuchAsTwice) {
   const auto times = [](const std::string& text) {
     int count = 0;
-    for (std::size_t at = text.find("such as"); at != text.npos; at = text.find("such as", at + 1)) {
+    for (std::size_t at = text.find("such as"); at != text.npos;
+         at = text.find("such as", at + 1)) {
       ++count;
     }
     return count;

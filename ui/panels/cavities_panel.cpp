@@ -2,6 +2,7 @@
 // filters, the table, and what is chosen in it.
 #include <string>
 
+#include "core/document/cavity_export.hpp"
 #include "core/document/cavity_preset.hpp"
 #include "core/document/cavity_tables.hpp"
 #include "core/document/store.hpp"
@@ -114,6 +115,18 @@ void comparable_line(PanelContext& ctx, const BallReferences& atoms) {
   tooltip(ctx, (why + ".").c_str());
 }
 
+std::vector<FormatToSave> exports_of(const CavityRowsWanted& rows, const RecordSource& source) {
+  std::vector<FormatToSave> formats;
+  for (const CavityExportInfo& info : cavity_exports()) {
+    formats.push_back({info.ending, info.name, info.what,
+                       [format = info.format](const std::filesystem::path& path) {
+                         return cavity_export_files(format, path);
+                       },
+                       cavity_export(info, rows, source)});
+  }
+  return formats;
+}
+
 // Those that the filter shows, with all columns.
 void save_button(PanelContext& ctx, const CavityPage& page, bool current) {
   ImGui::BeginDisabled(!current || page.order.empty() || !ctx.inputs.complex);
@@ -125,12 +138,13 @@ void save_button(PanelContext& ctx, const CavityPage& page, bool current) {
     }
     const RecordSource source = source_on_screen(ctx);
     ask_to_save(ctx, {"Cavities", file_name_for(ctx, "cavities"), cavities_as_csv(rows, source),
-                      cavities_as_json(rows, source), ctx.inputs});
+                      cavities_as_json(rows, source), ctx.inputs, true, exports_of(rows, source)});
   }
   ImGui::EndDisabled();
   tooltip(ctx,
           "The cavities that are shown, by their ranks and with everything that is known of them, "
-          "as a CSV or JSON file.");
+          "as a CSV or JSON file; or their surfaces, spheres that fill them, or a script, for "
+          "other programs.");
 }
 
 void filter_line(PanelContext& ctx, CavityPage& page, bool current) {

@@ -78,9 +78,9 @@ bool of_top(const KeyMemory& keys, const KeyMemory::Stop& stop) {
 }
 
 const KeyMemory::Stop* find_stop(const KeyMemory& keys, const std::string& name) {
-  const auto found =
-      std::find_if(keys.stops.begin(), keys.stops.end(),
-                   [&](const auto& stop) { return of_top(keys, stop) && stop.name == name; });
+  const auto found = std::find_if(keys.stops.begin(), keys.stops.end(), [&](const auto& stop) {
+    return of_top(keys, stop) && stop.name == name;
+  });
   return found == keys.stops.end() ? nullptr : &*found;
 }
 
@@ -129,9 +129,9 @@ void enter_dialog(PanelContext& ctx) {
   const auto on_top = [&](const auto& stop) { return of_top(keys, stop); };
   if (!keys.fresh || std::none_of(keys.stops.begin(), keys.stops.end(), on_top)) return;
   keys.fresh = false;
-  const auto first =
-      std::find_if(keys.stops.begin(), keys.stops.end(),
-                   [&](const auto& stop) { return on_top(stop) && types(stop.kind); });
+  const auto first = std::find_if(keys.stops.begin(), keys.stops.end(), [&](const auto& stop) {
+    return on_top(stop) && types(stop.kind);
+  });
   if (first == keys.stops.end() || first->kind == KeyStop::type_when_asked) return;
   go_to_stop(ctx, *first);
   keys.untouched = true;
@@ -179,7 +179,8 @@ void press_keys(PanelContext& ctx) {
   if (stop == nullptr) return;
   const bool enter = went_down(key::kEnter) || went_down(key::kKeypadEnter);
   if (stop->kind == KeyStop::slide) {
-    keys.steps = (ImGui::IsKeyPressed(key::kRight) ? 1 : 0) - (ImGui::IsKeyPressed(key::kLeft) ? 1 : 0);
+    keys.steps =
+        (ImGui::IsKeyPressed(key::kRight) ? 1 : 0) - (ImGui::IsKeyPressed(key::kLeft) ? 1 : 0);
     if (keys.steps != 0) keys.slid = stop->name;
   }
   if (!enter && !went_down(key::kSpace)) return;

@@ -34,16 +34,16 @@ struct KeyMemory {
 
   std::vector<Stop> stops, drawn;  // of the last frame and of this one, in the order of drawing
   std::vector<Place> at{{}};
-  bool fresh = false;       // the dialog on top has just come, and takes the keyboard
-  bool list_open = false;   // a menu or list, whose keys are its own
+  bool fresh = false;        // the dialog on top has just come, and takes the keyboard
+  bool list_open = false;    // a menu or list, whose keys are its own
   bool list_at_end = false;  // of the last frame: a key may have closed it since
   bool untouched = false;    // nobody has done anything with the field that the dialog began with
-  bool enter_used = false;  // in this frame, by the widget that the keyboard is at
-  std::string typed;        // a slider that is to become a field
-  std::string slid;         // a slider that an arrow key moves, by so many steps
+  bool enter_used = false;   // in this frame, by the widget that the keyboard is at
+  std::string typed;         // a slider that is to become a field
+  std::string slid;          // a slider that an arrow key moves, by so many steps
   int steps = 0;
-  // A field in which something else than all is to be selected: the name of a file, or nothing, with
-  // the caret at the end.
+  // A field in which something else than all is to be selected: the name of a file, or nothing,
+  // with the caret at the end.
   std::string caret;
   bool caret_selects = false;
   bool begins = false;  // a field begins in the next frame, by type_into()

@@ -10,7 +10,8 @@ namespace alphascope {
 
 void ask_to_save(PanelContext& ctx, TableToSave table) {
   TableMemory& memory = ctx.state.memory.save_table;
-  memory.format = table.json ? memory.format : 0;
+  // The last format, where this has it: of tables only, since others are for one purpose.
+  memory.format = table.json && memory.format == kJsonFormat ? kJsonFormat : kCsvFormat;
   memory.path.clear();
   memory.table = std::make_shared<const TableToSave>(std::move(table));
 }

@@ -1,11 +1,14 @@
 // The dialog that saves the table of a page.
 #include <imgui.h>
 
+#include <cctype>
 #include <filesystem>
+#include <string_view>
+#include <vector>
 
+#include "core/io/output_ending.hpp"
 #include "ui/panels/dialog_stack.hpp"
 #include "ui/panels/format.hpp"
-#include "ui/panels/picture_path.hpp"
 #include "ui/panels/save_parts.hpp"
 #include "ui/panels/save_target.hpp"
 
@@ -14,26 +17,111 @@ namespace {
 
 constexpr float kWidth = 464;  // pixels at scale 1
 
-const char* ending(int format) {
-  return format == 1 ? ".json" : ".csv";
+bool has(const TableToSave& table, int format) {
+  return format == kCsvFormat || (format == kJsonFormat && table.json) ||
+         (format >= kFirstOfMore && format < kFirstOfMore + static_cast<int>(table.more.size()));
+}
+
+const FormatToSave* other_format(const TableToSave& table, int format) {
+  if (format < kFirstOfMore) return nullptr;
+  return &table.more[static_cast<std::size_t>(format - kFirstOfMore)];
+}
+
+std::string ending(const TableToSave& table, int format) {
+  if (const FormatToSave* other = other_format(table, format)) return other->ending;
+  return format == kJsonFormat ? ".json" : ".csv";
+}
+
+std::string name(const TableToSave& table, int format) {
+  if (const FormatToSave* other = other_format(table, format)) return other->name;
+  return format == kJsonFormat ? "JSON" : "CSV";
+}
+
+std::vector<int> formats(const TableToSave& table) {
+  std::vector<int> all;
+  for (int format = kCsvFormat; format < kFirstOfMore + static_cast<int>(table.more.size());
+       ++format) {
+    if (has(table, format)) all.push_back(format);
+  }
+  return all;
+}
+
+// The ending that is typed says the format; without one, that of the format comes behind the name.
+// What is wrong with another, or empty.
+std::string follow_ending(TableMemory& memory) {
+  std::vector<std::string> endings;
+  std::vector<std::string_view> views;
+  const std::string typed = output_ending(memory.path);
+  for (const int format : formats(*memory.table)) {
+    endings.push_back(ending(*memory.table, format));
+    if (endings.back() == typed) memory.format = format;
+  }
+  for (const std::string& one : endings) views.push_back(one);
+  return fault_of_ending(memory.path, views);
+}
+
+std::filesystem::path target(const TableMemory& memory) {
+  std::error_code ignored;
+  std::filesystem::path path = std::filesystem::absolute(memory.path, ignored).lexically_normal();
+  if (output_ending(path).empty()) path += ending(*memory.table, memory.format);
+  return path;
+}
+
+std::vector<std::filesystem::path> targets(const TableMemory& memory) {
+  const FormatToSave* other = other_format(*memory.table, memory.format);
+  return other ? other->files(target(memory)) : std::vector{target(memory)};
 }
 
 // The name keeps its stem: "a.csv" becomes "a.json".
-void format_row(PanelContext& ctx, TableMemory& memory) {
-  if (!memory.table->json) return;
-  row_label(ctx, "Format");
-  const int before = memory.format;
-  choice(ctx, "save_table.format", {"CSV", "JSON"}, memory.format, ctx.px(140));
-  if (memory.format == before) return;
+void choose_format(TableMemory& memory, int format) {
   std::filesystem::path path = memory.path;
-  if (path.extension() == ending(before)) memory.path = path.replace_extension().string();
-  memory.path += ending(memory.format);
+  if (output_ending(path) == ending(*memory.table, memory.format)) {
+    memory.path = path.replace_extension().string();
+  }
+  memory.format = format;
+  memory.path += ending(*memory.table, format);
+}
+
+void format_row(PanelContext& ctx, TableMemory& memory) {
+  const TableToSave& table = *memory.table;
+  if (formats(table).size() < 2) return;
+  row_label(ctx, "Format");
+  if (table.more.empty()) {
+    int format = memory.format;
+    choice(ctx, "save_table.format", {"CSV", "JSON"}, format, ctx.px(140));
+    if (format != memory.format) choose_format(memory, format);
+    return;
+  }
+  ImGui::SetNextItemWidth(ctx.px(200));
+  if (!list_field(ctx, "save_table.format", name(table, memory.format).c_str(),
+                  ImGuiComboFlags_HeightLarge)) {
+    return;
+  }
+  for (const int format : formats(table)) {
+    if (ImGui::Selectable(name(table, format).c_str(), format == memory.format)) {
+      choose_format(memory, format);
+    }
+    record(ctx, ("save_table" + ending(table, format)).c_str());
+  }
+  ImGui::EndCombo();
+}
+
+// What the format holds; of several files, which.
+std::string content_text(const TableMemory& memory) {
+  const FormatToSave* other = other_format(*memory.table, memory.format);
+  if (!other) return "All digits, and file, selection, radii, alpha and program with them.";
+  std::string text = other->what + ".";
+  text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
+  const std::vector<std::filesystem::path> files = targets(memory);
+  for (std::size_t k = 1; k < files.size(); ++k) {
+    text += (k == 1 ? "\nAlso written: " : ", ") + files[k].filename().string();
+  }
+  return text + (files.size() > 1 ? "." : "");
 }
 
 void save(ViewState& s) {
   const TableMemory& memory = s.memory.save_table;
-  s.requests.save_table = {memory.table, memory.format == 1,
-                           path_to_save(memory.path, ending(memory.format))};
+  s.requests.save_table = {memory.table, memory.format, target(memory)};
 }
 
 }  // namespace
@@ -43,18 +131,19 @@ void draw_save_table(PanelContext& ctx) {
   const std::string title = "Save: " + (memory.table ? memory.table->what : "") + "###save_table";
   if (memory.table) {
     const std::string& name = memory.table->file_name;
-    propose_file(ctx, title.c_str(), name, memory.path, name + ending(memory.format));
+    propose_file(ctx, title.c_str(), name, memory.path,
+                 name + ending(*memory.table, memory.format));
   }
   if (!begin_dialog(ctx, title.c_str())) return;
   if (!memory.table) return end_dialog(ctx);
   const bool entered = file_row(ctx, "save_table", memory.path);
+  const std::string fault = follow_ending(memory);
   const bool can_save =
-      save_target(ctx, "save_table", {path_to_save(memory.path, ending(memory.format))}) &&
-      !memory.path.empty();
+      save_target(ctx, "save_table", targets(memory), fault) && !memory.path.empty();
   format_row(ctx, memory);
   row_label(ctx, "");
   ImGui::PushFont(ctx.fonts.small);
-  muted_text(ctx, "All digits, and file, selection, radii, alpha and program with them.");
+  muted_text(ctx, content_text(memory));
   ImGui::PopFont();
   ImGui::Dummy({0, ctx.px(6)});
   ImGui::NewLine();

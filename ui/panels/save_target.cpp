@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cctype>
 #include <utility>
 
 #include "core/io/atomic_file.hpp"
@@ -89,11 +90,16 @@ bool file_row(PanelContext& ctx, const std::string& dialog, std::string& path) {
   return entered;
 }
 
-bool save_target(PanelContext& ctx, const std::string& dialog, const std::vector<fs::path>& files) {
+bool save_target(PanelContext& ctx, const std::string& dialog, const std::vector<fs::path>& files,
+                 const std::string& fault) {
   std::error_code ignored;
   const fs::path& path = files.front();
   const bool has_folder = fs::is_directory(path.parent_path(), ignored);
   std::string why_not;
+  if (!fault.empty()) {
+    why_not = fault + ".";
+    why_not.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(why_not.front())));
+  }
   for (const fs::path& file : files) {
     if (why_not.empty()) why_not = why_not_writable(file);
   }
@@ -104,7 +110,8 @@ bool save_target(PanelContext& ctx, const std::string& dialog, const std::vector
   ImGui::PushFont(ctx.fonts.small);
   if (!why_not.empty()) {
     coloured_text(ctx.palette.error, fitted_text(why_not, ctx.px(kTextWidth)));
-    record(ctx, (dialog + (has_folder ? ".unwritable" : ".no_folder")).c_str());
+    const char* const what = !fault.empty() ? ".ending" : has_folder ? ".unwritable" : ".no_folder";
+    record(ctx, (dialog + what).c_str());
     tooltip(ctx, why_not.c_str());
   } else if (replaced != files.end()) {
     coloured_text(

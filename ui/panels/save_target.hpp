@@ -23,9 +23,10 @@ void note_file(PanelContext& ctx, const std::string& dialog, std::string& path, 
 bool file_row(PanelContext& ctx, const std::string& dialog, std::string& path);
 
 // Where `files`, in one folder, will be, whatever folder the program was started in, and what
-// becomes of what is there. False where they cannot be written. Widgets are named by
-// `dialog`: "save.replaces".
+// becomes of what is there. False where they cannot be written. `fault`: what else is wrong with
+// the name, without full stop, as of fault_of_ending(); or empty. Widgets are named by `dialog`:
+// "save.replaces".
 bool save_target(PanelContext& ctx, const std::string& dialog,
-                 const std::vector<std::filesystem::path>& files);
+                 const std::vector<std::filesystem::path>& files, const std::string& fault = {});
 
 }  // namespace alphascope

@@ -2,13 +2,24 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/document/definition.hpp"
+#include "core/document/file_writer.hpp"
 
 namespace alphascope {
+
+// Another format than those of tables: for other programs.
+struct FormatToSave {
+  std::string ending, name, what;  // ".glb", "GLB: surfaces"; what is in it: a phrase
+  // All files that it is, when the first has this name.
+  std::function<std::vector<std::filesystem::path>(const std::filesystem::path&)> files;
+  Definition<FileWriter> writer;
+};
 
 struct TableToSave {
   std::string what;       // "Cavities": the title of the dialog, "Save: Cavities"
@@ -18,11 +29,15 @@ struct TableToSave {
   // Of what is on screen when it is asked for. Where `of_the_picture`, no other is saved.
   Inputs inputs;
   bool of_the_picture = true;
+  std::vector<FormatToSave> more = {};
 };
+
+// Of what can be saved: 0 CSV, 1 JSON, then those of TableToSave::more.
+inline constexpr int kCsvFormat = 0, kJsonFormat = 1, kFirstOfMore = 2;
 
 struct SaveTableRequest {
   std::shared_ptr<const TableToSave> table;
-  bool as_json = false;
+  int format = kCsvFormat;
   std::filesystem::path path;
 };
 
@@ -30,7 +45,7 @@ struct SaveTableRequest {
 struct TableMemory {
   std::shared_ptr<const TableToSave> table;  // null: it is closed
   std::string path;                          // as it is typed
-  int format = 0;                            // 0 CSV, 1 JSON
+  int format = kCsvFormat;
 };
 
 }  // namespace alphascope

@@ -16,8 +16,7 @@ std::string time_left(double seconds) {
 }  // namespace
 
 std::string step_text(const char* what, int step, int of, double seconds) {
-  const std::string text =
-      what + (" " + std::to_string(step + 1)) + " of " + std::to_string(of);
+  const std::string text = what + (" " + std::to_string(step + 1)) + " of " + std::to_string(of);
   return step == 0 ? text : text + ", " + time_left(seconds / step * (of - step));
 }
 

@@ -63,14 +63,15 @@ TEST(PowerDiagram, TheCellOfTheMiddleBallIsATetrahedron) {
     }
   }
   EXPECT_EQ(around, 4u);
-  EXPECT_EQ(corners, (std::set<std::array<long, 3>>{{-3, -3, -3}, {-3, 3, 3}, {3, -3, 3}, {3, 3, -3}}));
+  EXPECT_EQ(corners,
+            (std::set<std::array<long, 3>>{{-3, -3, -3}, {-3, 3, 3}, {3, -3, 3}, {3, 3, -3}}));
 }
 
 TEST(PowerDiagram, HiddenAndEqualBallsHaveNoBorder) {
   BallSet balls = no_balls();
   add_ball(balls, 0, 0, 0, 3);
-  add_ball(balls, 0, 0, 0, 3);   // the same
-  add_ball(balls, 0, 0, 0, 2);   // within it
+  add_ball(balls, 0, 0, 0, 3);  // the same
+  add_ball(balls, 0, 0, 0, 2);  // within it
   add_ball(balls, 10, 0, 0, 3);
   const std::vector<PowerFace> faces = power_diagram(balls);
   ASSERT_EQ(faces.size(), 1u);

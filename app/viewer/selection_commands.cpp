@@ -59,11 +59,32 @@ CommandSpec by_name(ViewState& s, bool more) {
           }};
 }
 
+// The page makes its table when it is shown.
+CommandSpec choose_cavity(ViewState& s) {
+  static constexpr NumberRule kRowRule{"The number", 1, 1e6, "", true};
+  return {.id = "cavities.choose",
+          .title = "Choose a cavity…",
+          .help = "Draws a cavity of the table and selects the atoms that line it",
+          .menu = "Edit",
+          .parameters = {{.name = "number",
+                          .kind = Parameter::Kind::number,
+                          .help = "Its number in the table; 1 has the largest SA volume",
+                          .example = "1",
+                          .rule = kRowRule}},
+          .why_not = without_picture(s),
+          .run = [&s](const Arguments& arguments) {
+            s.memory.bottom_panel = "cavities";
+            s.memory.cavities.wanted_row = static_cast<std::size_t>(arguments.number("number")) - 1;
+            return Outcome();
+          }};
+}
+
 }  // namespace
 
 void add_selection_commands(Commands& commands, ViewState& s) {
   commands.add(by_name(s, false));
   commands.add(by_name(s, true));
+  commands.add(choose_cavity(s));
   const auto nothing = [&s] { return s.picked.empty() ? "Nothing is selected." : ""; };
   commands.add({.id = "select.none",
                 .title = "Select nothing",

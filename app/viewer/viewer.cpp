@@ -185,6 +185,7 @@ void Viewer::take_file() {
   state_.drop_note = std::exchange(drop_note_when_open_, {});
   host_.set_title(state_.molecule.name + " – Alphascope");
   close_dialogs_of_file();
+  state_.memory.cavities.wanted_row.reset();
   state_.memory.playing_models = state_.memory.timings_pinned = false;
   state_.memory.steps.playing = false;
   state_.open = sent_open_ = session_.open_options();

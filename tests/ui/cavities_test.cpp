@@ -104,6 +104,22 @@ TEST_F(CavitiesTest, AClickShowsTheCavityAndWhatLinesIt) {
   EXPECT_EQ(viewer_->state().layers.size(), 2u);
 }
 
+TEST_F(CavitiesTest, ACommandChoosesACavityBeforeTheTableIsThere) {
+  run("open " ALPHASCOPE_SOURCE_DIR "/resources/molecules/4hhb.pdb.gz\nwait-idle\n");
+  run("cavities.choose 2\n");
+  EXPECT_TRUE(viewer_->state().picked.cavities.empty()) << "the table is not there yet";
+  settle();
+  EXPECT_EQ(page().chosen_rows, std::vector<std::size_t>{1});
+  EXPECT_EQ(viewer_->state().picked.cavities.size(), 1u);
+  EXPECT_FALSE(viewer_->state().layers.empty());
+  const std::size_t rows = page().rows.size();
+  run("cavities.choose 1000000\n");
+  settle();
+  EXPECT_EQ(viewer_->state().notice,
+            "There is no cavity 1,000,000; the last is " + std::to_string(rows) + ".");
+  EXPECT_EQ(page().chosen_rows, std::vector<std::size_t>{1});
+}
+
 TEST_F(CavitiesTest, UndoTakesCavityAndSelectionBackTogether) {
   open_cavities();
   run("click cavities.row.2 0.2\nwait-idle\nframes 3\n");

@@ -1,6 +1,7 @@
 // The page of voids and pockets of the complex on screen: totals, what CASTp would say differently,
 // filters, the table, and what is chosen in it.
 #include <string>
+#include <utility>
 
 #include "core/document/cavity_export.hpp"
 #include "core/document/cavity_preset.hpp"
@@ -249,6 +250,16 @@ bool is_grey(CavityPage& page, bool current) {
   return !current && now - page.stale_since_seconds > kStaleSeconds;
 }
 
+// What a command asked for before the table was there.
+void choose_wanted_row(PanelContext& ctx, CavityPage& page) {
+  const auto row = std::exchange(ctx.state.memory.cavities.wanted_row, std::nullopt);
+  if (!row) return;
+  const std::size_t rows = page.rows.table().size();
+  if (*row < rows) return choose_cavity(ctx, page, *row, HowChosen::alone);
+  ctx.state.notice = "There is no cavity " + with_separators(static_cast<long long>(*row) + 1) +
+                     "; the last is " + with_separators(static_cast<long long>(rows)) + ".";
+}
+
 }  // namespace
 
 void draw_cavities_panel(PanelContext& ctx) {
@@ -258,6 +269,7 @@ void draw_cavities_panel(PanelContext& ctx) {
   const bool current = followed.current;
   if (current) {
     take_what_follows(ctx, page);
+    choose_wanted_row(ctx, page);
   } else if (is_shown(page, CavityColumn::holds)) {
     ctx.store.want(cavity_contents(), ctx.inputs);  // made with the lines, it comes with them
   }

@@ -20,6 +20,8 @@ TEST(DidYouMean, ProposesTheNearestAndNothingFar) {
   EXPECT_EQ(did_you_mean("--tetra", words), " Did you mean \"--tetrahedra-only\"?");
   EXPECT_EQ(did_you_mean("--frobnicate", words), "");
   EXPECT_EQ(did_you_mean("-x", {"-q", "-v"}), "") << "any two such are near each other";
+  EXPECT_EQ(did_you_mean("-xy", {"-xz"}), " Did you mean \"-xz\"?") << "of three letters";
+  EXPECT_EQ(did_you_mean("bac", {"abc"}), " Did you mean \"abc\"?") << "one slip, not two";
   EXPECT_EQ(did_you_mean("", words), "");
   EXPECT_EQ(did_you_mean(std::string(100'000, 'a'), words), "") << "and is not slow";
 }

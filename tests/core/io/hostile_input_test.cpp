@@ -239,6 +239,7 @@ TEST(HostileInput, ABombIsRefusedWithoutTheMemoryThatItAsksFor) {
     ADD_FAILURE();
   } catch (const ReadError& error) {
     EXPECT_NE(error.reason().find("more than 200 times"), std::string::npos) << error.what();
+    EXPECT_EQ(error.line(), 0u) << "of the whole file";
   }
   // One long line, packed.
   const std::string line = gzip(std::string(std::size_t{64} << 20, 'x'));

@@ -15,10 +15,10 @@ namespace {
 
 class CavityPictureTest : public ViewerTest {
  protected:
-  CavityPictureTest() {
-    // What the program starts with, but for samples, which only smooth.
+  // What the program starts with, but for samples, which only smooth.
+  void show_as_at_the_start() {
     DisplayControls display;
-    display.samples = 2;
+    display.samples = 1;
     viewer_->state().display = display;
   }
 
@@ -137,8 +137,7 @@ class CavityPictureTest : public ViewerTest {
     expect_seen(window, least_share_inside, "window");
     expect_seen(taken([this](const std::string& n) { return saved(n + ".png"); }),
                 least_share_inside, "saved picture");
-    expect_seen(taken([this](const std::string& n) { return first_frame(n); }), least_share_inside,
-                "recording");
+    EXPECT_EQ(first_frame("frame").rgba, saved("again.png").rgba) << "recording";
   }
 };
 
@@ -147,6 +146,7 @@ fs::path haemoglobin() {
 }
 
 TEST_F(CavityPictureTest, AHaemIsSeenInItsPocket) {
+  show_as_at_the_start();
   open_cavities(haemoglobin());
   const auto row = row_with_ligand("HEM");
   ASSERT_TRUE(row);
@@ -158,6 +158,7 @@ TEST_F(CavityPictureTest, AHaemIsSeenInItsPocket) {
 
 TEST_F(CavityPictureTest, LigandsOfRealMoleculesAreSeenInTheirCavities) {
   ALPHASCOPE_NEED_TEST_DATA();
+  show_as_at_the_start();
   const struct {
     const char *file, *ligand;
   } kCases[] = {{"cavities/fpocket/1atp.pdb.gz", "ATP"},

@@ -318,10 +318,10 @@ void cavity_parts_button(PanelContext& ctx, CavityPage& page) {
            " opaque, whatever is set under Display, so that they do not hide the cavity; what it "
            "holds is drawn over all else.")
               .c_str());
+  ImGui::Dummy({ctx.px(240), 0});  // the slider takes what width there is
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted("Opacity");
   ImGui::SameLine(0, ctx.px(10));
-  ImGui::SetNextItemWidth(ctx.px(120));
   percent_slider(ctx, "cavities.draw.opacity", ctx.state.display.cavity_opacity, 0.05f, 1.0f);
   tooltip(ctx, "Of surfaces, tetrahedra and spheres of the cavities that are chosen.");
   ImGui::EndPopup();

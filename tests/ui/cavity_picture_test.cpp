@@ -298,7 +298,7 @@ TEST_F(CavityPictureTest, TheLiningFollowsTheSolventRadius) {
     ASSERT_EQ(page().rows.table().question.alpha_angstrom2, 0);
     EXPECT_NE(viewer_->state().picked.items, before);
     EXPECT_EQ(viewer_->state().picked.items, lining());
-    EXPECT_EQ(viewer_->state().undo_text, "solvent radius") << "it is no entry of its own";
+    EXPECT_EQ(viewer_->state().undo_text, "solvent radius and selection") << "one entry";
     run("edit.undo\n");
     settle();
     EXPECT_EQ(viewer_->state().compute.solvent_radius_angstrom, 1.4);

@@ -302,4 +302,38 @@ std::vector<ChannelSample> centre_line(const Clearance& clearance, const Envelop
   return samples;
 }
 
+void set_channel_line(const Clearance& clearance, const Envelope& envelope, const CutCurve& cut,
+                      bool first_fixed, bool last_fixed, Channel& channel,
+                      const RunContext& context) {
+  LineStart start;
+  start.end_radius_angstrom = channel.end_radius_angstrom;
+  start.first_fixed = first_fixed;
+  if (cut.before.size() > 1) {
+    start.curve = cut.before;
+    channel.samples = centre_line(clearance, envelope, start, context);
+    channel.samples.pop_back();
+  }
+  channel.bottleneck = channel.samples.size();
+  start.first_fixed = true;
+  start.last_fixed = last_fixed;
+  start.curve = cut.after;
+  const std::vector<ChannelSample> after = centre_line(clearance, envelope, start, context);
+  channel.samples.insert(channel.samples.end(), after.begin(), after.end());
+  for (std::size_t n = 1; n < channel.samples.size(); ++n) {
+    ChannelSample& sample = channel.samples[n];
+    const ChannelSample& last = channel.samples[n - 1];
+    sample.along_angstrom =
+        last.along_angstrom + length(sample.position_angstrom - last.position_angstrom);
+  }
+  channel.length_angstrom = channel.samples.back().along_angstrom;
+}
+
+void set_touching(const Clearance& clearance, Channel& channel) {
+  constexpr double kTouching = 0.01;  // Å
+  std::vector<Surface> surfaces;
+  const ChannelSample& place = channel.narrowest();
+  clearance.collect(place.position_angstrom, place.radius_angstrom + kTouching, surfaces);
+  for (const Surface& surface : surfaces) channel.touching.push_back(surface.ball);
+}
+
 }  // namespace alphascope

@@ -37,4 +37,17 @@ inline constexpr double kSpacingAngstrom = 0.1;
 std::vector<ChannelSample> centre_line(const Clearance& clearance, const Envelope& envelope,
                                        const LineStart& start, const RunContext& context);
 
+// A line that ends towards infinity has to get out of its bottleneck to show it: its end radius is
+// at least so many times the bottleneck's.
+inline constexpr double kEndOverBottleneck = 1.5;
+
+// The lines of both parts of the curve as the channel's samples, with their lengths: the place of
+// the cut stays, and is the sample `bottleneck`. Cut off at the channel's end radius where an end
+// is not fixed. Throws Cancelled.
+void set_channel_line(const Clearance& clearance, const Envelope& envelope, const CutCurve& cut,
+                      bool first_fixed, bool last_fixed, Channel& channel,
+                      const RunContext& context);
+// The balls whose surfaces touch the narrowest sample.
+void set_touching(const Clearance& clearance, Channel& channel);
+
 }  // namespace alphascope

@@ -6,11 +6,10 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
-#include <numeric>
 #include <string>
-#include <tuple>
 #include <utility>
 
+#include "core/cavity/by_place.hpp"
 #include "core/cavity/centre_line.hpp"
 #include "core/cavity/clearance.hpp"
 #include "core/cavity/envelope.hpp"
@@ -19,10 +18,6 @@
 
 namespace alphascope {
 namespace {
-
-constexpr double kTouching = 0.01;  // Å
-// The line has to get out of its bottleneck to show it.
-constexpr double kEndOverBottleneck = 1.5;
 
 std::string text_of(const RealPoint& p) {
   char text[96];
@@ -178,29 +173,10 @@ void Finder::set_line(const std::vector<Passage>& passages, const Passage& narro
                       Channel& channel) const {
   CutCurve cut = cut_at_least_clearance(clearance_, whole_curve(passages), context_.cancel);
   const RealPoint place = bottleneck_place(narrowest, cut.after.front(), channel);
-  LineStart start;
-  start.end_radius_angstrom = channel.end_radius_angstrom;
-  start.first_fixed = passages.size() == 1;
-  if (cut.before.size() > 1) {
-    cut.before.back() = place;
-    start.curve = cut.before;
-    channel.samples = centre_line(clearance_, envelope_, start, context_);
-    channel.samples.pop_back();
-  }
-  channel.bottleneck = channel.samples.size();
-  start.first_fixed = true;
-  start.last_fixed = ends_.kind == Kind::between;
+  if (cut.before.size() > 1) cut.before.back() = place;
   cut.after.front() = place;
-  start.curve = cut.after;
-  const std::vector<ChannelSample> after = centre_line(clearance_, envelope_, start, context_);
-  channel.samples.insert(channel.samples.end(), after.begin(), after.end());
-  for (std::size_t n = 1; n < channel.samples.size(); ++n) {
-    ChannelSample& sample = channel.samples[n];
-    const ChannelSample& last = channel.samples[n - 1];
-    sample.along_angstrom =
-        last.along_angstrom + length(sample.position_angstrom - last.position_angstrom);
-  }
-  channel.length_angstrom = channel.samples.back().along_angstrom;
+  set_channel_line(clearance_, envelope_, cut, passages.size() == 1, ends_.kind == Kind::between,
+                   channel, context_);
 }
 
 Channel Finder::find() {
@@ -217,33 +193,8 @@ Channel Finder::find() {
   channel.end_radius_angstrom =
       std::max(ends_.end_radius_angstrom, kEndOverBottleneck * channel.widest_angstrom);
   set_line(parts, *narrowest, channel);
-  std::vector<Surface> surfaces;
-  const ChannelSample& place = channel.narrowest();
-  clearance_.collect(place.position_angstrom, place.radius_angstrom + kTouching, surfaces);
-  for (const Surface& surface : surfaces) channel.touching.push_back(surface.ball);
+  set_touching(clearance_, channel);
   return channel;
-}
-
-// By place, then radius. Lines in wide places follow roundings, which depend on the order of balls:
-// so every order is made this one.
-std::vector<BallIndex> sorted_by_place(const BallSet& balls) {
-  std::vector<BallIndex> order(balls.size());
-  std::iota(order.begin(), order.end(), BallIndex{0});
-  const auto key = [&](BallIndex i) {
-    const LatticePoint& p = balls.centres[i];
-    return std::tuple(p.x, p.y, p.z, balls.radii[i], i);
-  };
-  std::sort(order.begin(), order.end(), [&](BallIndex a, BallIndex b) { return key(a) < key(b); });
-  return order;
-}
-
-BallSet in_order(const BallSet& balls, const std::vector<BallIndex>& order) {
-  BallSet result = balls;
-  for (std::size_t n = 0; n < order.size(); ++n) {
-    result.centres[n] = balls.centres[order[n]];
-    result.radii[n] = balls.radii[order[n]];
-  }
-  return result;
 }
 
 }  // namespace

@@ -72,6 +72,11 @@ class EmptySpace {
   // Throws Cancelled.
   std::vector<WayOut> widest_ways_out(const WayWidth& width, const CancelToken& cancel) const;
 
+  // How wide a way is across an open face between empty tetrahedra, rounded as in widest_way(), and
+  // what it costs there.
+  double width_across(std::uint32_t tetrahedron, std::size_t k, const WayWidth& width) const;
+  double cost_across(std::uint32_t tetrahedron, std::size_t k, const WayCost& cost) const;
+
   // Is the way across this face narrowest between its balls, in the plane of their centres?
   bool is_gap(std::uint32_t tetrahedron, std::size_t k) const;
   std::array<BallIndex, 3> face(std::uint32_t tetrahedron, std::size_t k) const;
@@ -92,8 +97,6 @@ class EmptySpace {
  private:
   double largest_radius(std::span<const BallIndex> balls, BallIndex end) const;
   double power(std::uint32_t tetrahedron) const;  // of its corner, square lattice units
-  double width_across(std::uint32_t tetrahedron, std::size_t k, const WayWidth& width) const;
-  double cost_across(std::uint32_t tetrahedron, std::size_t k, const WayCost& cost) const;
   template <class Relax>
   std::optional<Way> least_way(BallIndex from, BallIndex to, const CancelToken& cancel,
                                const Relax& relax) const;

@@ -28,4 +28,11 @@ bool Envelope::holds(const RealPoint& x) const {
                      [&](const Side& side) { return dot(side.outwards, x) <= side.most; });
 }
 
+RealPoint Envelope::outwards(const RealPoint& x) const {
+  const auto beyond = [&](const Side& side) { return dot(side.outwards, x) - side.most; };
+  return std::max_element(sides_.begin(), sides_.end(),
+                          [&](const Side& a, const Side& b) { return beyond(a) < beyond(b); })
+      ->outwards;
+}
+
 }  // namespace alphascope

@@ -13,6 +13,8 @@ class Envelope {
  public:
   explicit Envelope(const BallSet& balls);
   bool holds(const RealPoint& x_angstrom) const;
+  // From a point that it does not hold: a unit vector along which all centres are left behind.
+  RealPoint outwards(const RealPoint& x_angstrom) const;
 
  private:
   static constexpr std::size_t kSides = 96;

@@ -34,19 +34,28 @@ void diagonalise(Matrix3& a, Matrix3& vectors) {
   }
 }
 
-MainAxis main_axis(const BallSet& balls) {
+namespace {
+
+struct Spread {
+  RealPoint middle;  // lattice units
+  std::array<RealPoint, 3>
+      axes;                     // unit vectors; that in which the centres spread most is the first
+  std::array<double, 3> along;  // the spread
+};
+
+Spread spread_of(const BallSet& balls) {
   constexpr std::size_t kMostLookedAt = 1'000'000;
-  constexpr double kAlike = 0.01;  // of the largest spread; copies differ by rounding only
   const std::size_t stride = 1 + balls.size() / kMostLookedAt;
   RealPoint sum;
   double count = 0;
   for (std::size_t i = 0; i < balls.size(); i += stride, ++count) {
     sum = sum + real_point(balls.centres[i]);
   }
-  const RealPoint middle = (1 / count) * sum;
+  Spread result;
+  result.middle = (1 / count) * sum;
   Matrix3 spread{}, vectors;
   for (std::size_t i = 0; i < balls.size(); i += stride) {
-    const RealPoint p = real_point(balls.centres[i]) - middle;
+    const RealPoint p = real_point(balls.centres[i]) - result.middle;
     const double at[] = {p.x, p.y, p.z};
     for (std::size_t j = 0; j < 3; ++j) {
       for (std::size_t k = 0; k < 3; ++k) spread[j][k] += at[j] * at[k];
@@ -56,18 +65,45 @@ MainAxis main_axis(const BallSet& balls) {
   std::array<std::size_t, 3> order{0, 1, 2};
   std::sort(order.begin(), order.end(),
             [&](std::size_t j, std::size_t k) { return spread[j][j] > spread[k][k]; });
-  const auto of = [&](std::size_t n) { return spread[order[n]][order[n]]; };
-  const bool flat = of(0) - of(1) <= kAlike * of(0) && of(1) - of(2) > kAlike * of(0);
-  const std::size_t chosen = order[flat ? 2 : 0];
-  MainAxis result;
-  result.middle_angstrom = balls.lattice.unit_angstrom() * middle;
-  const RealPoint axis{vectors[0][chosen], vectors[1][chosen], vectors[2][chosen]};
-  // Its largest component is positive, so that a profile always begins at the same end.
-  const double values[] = {axis.x, axis.y, axis.z};
-  const double largest = *std::max_element(
-      values, values + 3, [](double a, double b) { return std::fabs(a) < std::fabs(b); });
-  if (of(0) > 0) result.axis = (largest < 0 ? -1.0 : 1.0) * unit_vector(axis);
+  for (std::size_t n = 0; n < 3; ++n) {
+    const std::size_t of = order[n];
+    result.along[n] = spread[of][of];
+    const RealPoint axis{vectors[0][of], vectors[1][of], vectors[2][of]};
+    // Its largest component is positive, so that a profile always begins at the same end.
+    const double values[] = {axis.x, axis.y, axis.z};
+    const double largest = *std::max_element(
+        values, values + 3, [](double a, double b) { return std::fabs(a) < std::fabs(b); });
+    result.axes[n] = (largest < 0 ? -1.0 : 1.0) * unit_vector(axis);
+  }
   return result;
+}
+
+// Copies differ by rounding only; those of a crystal by more.
+constexpr double kAlike = 0.01;  // of the largest spread
+bool is_alike(const Spread& spread, std::size_t a, std::size_t b) {
+  return spread.along[a] - spread.along[b] <= kAlike * spread.along[0];
+}
+// Which of the axes is the main one.
+std::size_t main_of(const Spread& spread) {
+  return is_alike(spread, 0, 1) && !is_alike(spread, 1, 2) ? 2 : 0;
+}
+
+}  // namespace
+
+MainAxis main_axis(const BallSet& balls) {
+  const Spread spread = spread_of(balls);
+  MainAxis result;
+  result.middle_angstrom = balls.lattice.unit_angstrom() * spread.middle;
+  if (spread.along[0] > 0) result.axis = spread.axes[main_of(spread)];
+  return result;
+}
+
+std::vector<RealPoint> pore_axes(const BallSet& balls) {
+  const Spread spread = spread_of(balls);
+  if (!(spread.along[0] > 0)) return {MainAxis{}.axis};
+  const std::size_t main = main_of(spread);
+  if (main == 2 || is_alike(spread, 1, 2)) return {spread.axes[main]};
+  return {spread.axes.begin(), spread.axes.end()};
 }
 
 }  // namespace alphascope

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <vector>
 
 #include "core/geometry/ball_set.hpp"
 #include "core/geometry/real_point.hpp"
@@ -21,5 +22,10 @@ struct MainAxis {
 // pore; without one, the direction in which they spread most. Of many balls only some are looked
 // at. There must be a ball.
 MainAxis main_axis(const BallSet& balls);
+
+// Directions in which a pore may lead through them, unit vectors: the main axis and, unless the
+// centres spread alike around it, the other two. An axis of symmetry of order 2 is one of these,
+// and one of a higher order is the main axis.
+std::vector<RealPoint> pore_axes(const BallSet& balls);
 
 }  // namespace alphascope

@@ -33,5 +33,23 @@ TEST(PrincipalAxes, WithoutCopiesItIsTheLongest) {
   EXPECT_EQ(main_axis(one).middle_angstrom, (RealPoint{1, 2, 3}));
 }
 
+TEST(PrincipalAxes, APoreLeadsAlongTheMainOneOrAnyOfThree) {
+  BallSet tall = testing::no_balls();
+  testing::add_tube(tall, -20, 20);
+  ASSERT_EQ(pore_axes(tall).size(), 1u);
+  EXPECT_EQ(pore_axes(tall)[0], main_axis(tall).axis);
+  BallSet box = testing::no_balls();
+  for (const int x : {-9000, 9000}) {
+    for (const int y : {-6000, 6000}) {
+      for (const int z : {-3000, 3000}) testing::add_ball(box, x, y, z, 1000);
+    }
+  }
+  const std::vector<RealPoint> axes = pore_axes(box);
+  ASSERT_EQ(axes.size(), 3u);
+  EXPECT_NEAR(axes[0].x, 1, 1e-6);
+  EXPECT_NEAR(axes[1].y, 1, 1e-6);
+  EXPECT_NEAR(axes[2].z, 1, 1e-6);
+}
+
 }  // namespace
 }  // namespace alphascope

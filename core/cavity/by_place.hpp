@@ -1,0 +1,36 @@
+// An order of balls that is not that of the file: by place, then radius. What rounds differently in
+// another order is computed in this one, and so is the same for every order of the balls.
+#pragma once
+
+#include <algorithm>
+#include <numeric>
+#include <tuple>
+#include <vector>
+
+#include "core/geometry/ball_set.hpp"
+
+namespace alphascope {
+
+inline std::vector<BallIndex> sorted_by_place(const BallSet& balls) {
+  std::vector<BallIndex> order(balls.size());
+  std::iota(order.begin(), order.end(), BallIndex{0});
+  const auto key = [&](BallIndex i) {
+    const LatticePoint& p = balls.centres[i];
+    return std::tuple(p.x, p.y, p.z, balls.radii[i], i);
+  };
+  std::sort(order.begin(), order.end(), [&](BallIndex a, BallIndex b) { return key(a) < key(b); });
+  return order;
+}
+
+// Some of them, or all, in this order.
+inline BallSet in_order(const BallSet& balls, const std::vector<BallIndex>& order) {
+  BallSet result;
+  result.lattice = balls.lattice;
+  for (const BallIndex ball : order) {
+    result.centres.push_back(balls.centres[ball]);
+    result.radii.push_back(balls.radii[ball]);
+  }
+  return result;
+}
+
+}  // namespace alphascope

@@ -82,6 +82,16 @@ bool EmptySpace::is_gap(std::uint32_t tetrahedron, std::size_t k) const {
   return !attaches(apex<3>(triangulation_.tetrahedra[across.index()], f));
 }
 
+bool EmptySpace::is_ringed_gap(std::uint32_t tetrahedron, std::size_t k) const {
+  if (!is_gap(tetrahedron, k)) return false;
+  const auto f = face(tetrahedron, k);
+  for (std::size_t n = 0; n < 3; ++n) {
+    const std::array<BallIndex, 2> edge{f[n == 0 ? 1 : 0], f[n == 2 ? 1 : 2]};
+    if (conflict_with_smallest_orthosphere(balls_, edge, f[n]) < 0) return false;
+  }
+  return true;
+}
+
 // Dijkstra's search by tetrahedra. relax(key, t, k) is the key of the neighbour across open face k
 // when that of t is `key`: never less. Equal keys go by index, so the way is unique.
 template <class Relax>

@@ -79,6 +79,9 @@ class EmptySpace {
 
   // Is the way across this face narrowest between its balls, in the plane of their centres?
   bool is_gap(std::uint32_t tetrahedron, std::size_t k) const;
+  // And do all three balls close it from their sides, so that their edges stand before it closes?
+  // Then its triangle enters K by itself as the balls grow, and closes a tunnel or a void.
+  bool is_ringed_gap(std::uint32_t tetrahedron, std::size_t k) const;
   std::array<BallIndex, 3> face(std::uint32_t tetrahedron, std::size_t k) const;
 
   // Of all ways, the one of least length / clearance², along the edges of the power diagram. Throws

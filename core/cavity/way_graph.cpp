@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/cavity/equal_clearance.hpp"
+#include "core/predicates/exact_alpha.hpp"
 
 namespace alphascope {
 namespace {
@@ -113,7 +114,11 @@ void WayGraph::set_widths(const CancelToken& cancel) {
                          return gap < 0 ? std::nullopt : std::optional(gap / unit);
                        },
                        0, static_cast<BallIndex>(scene_->original.size())};
+  const auto power_of = [&](std::uint32_t t) {
+    return ortho_radius_rounded(scene_->balls, scene_->triangulation.tetrahedra[t]);
+  };
   width_.assign(kind_.size(), {kShut, kShut, kShut, kShut});
+  power_ = width_;
   is_gap_.assign(kind_.size(), {false, false, false, false});
   for (std::uint32_t t = 0; t < kind_.size(); ++t) {
     if (t % 4096 == 0) cancel.throw_if_cancelled();
@@ -125,10 +130,14 @@ void WayGraph::set_widths(const CancelToken& cancel) {
       if (kind_[t] == Kind::outside && kind_[across.index()] == Kind::outside) continue;
       if (!space_->is_open(t, k)) continue;
       const auto here = static_cast<float>(unit * space_->width_across(t, k, width));
-      const bool gap = space_->is_gap(t, k);
+      const bool gap = space_->is_ringed_gap(t, k);
+      const float power = space_->is_gap(t, k)
+                              ? ortho_radius_rounded(scene_->balls, space_->face(t, k))
+                              : std::min(power_of(t), power_of(across.index()));
       std::size_t back = 0;
       while (neighbours[across.index()][back] != Neighbour::tetrahedron(t)) ++back;
       width_[t][k] = width_[across.index()][back] = std::max(here, 0.0F);
+      power_[t][k] = power_[across.index()][back] = std::max(power, 0.0F);
       is_gap_[t][k] = is_gap_[across.index()][back] = gap;
     }
   }
@@ -174,7 +183,7 @@ std::vector<WayCrossing> WayGraph::crossings(const WayAxis& axis, const CancelTo
     for (std::size_t k = 0; k < 4; ++k) {
       if (!leads(t, k)) continue;
       const std::uint32_t to = neighbours[t][k].index();
-      const float next = std::min(own, width_[t][k]);
+      const float next = std::min(own, power_[t][k]);
       if (next <= widest[to]) continue;
       widest[to] = next;
       label_[to] = label_[t];
@@ -188,6 +197,7 @@ std::vector<WayCrossing> WayGraph::crossings(const WayAxis& axis, const CancelTo
       if (!is_gap_[t][k] || !leads(t, k)) continue;
       WayCrossing crossing;
       crossing.below = t;
+      crossing.power = power_[t][k];
       crossing.above = neighbours[t][k].index();
       if (label_[crossing.above] != 1) continue;
       crossing.width_angstrom = clearance_at_gap(space_->face(t, k), &crossing.place_angstrom);
@@ -200,7 +210,7 @@ std::vector<WayCrossing> WayGraph::crossings(const WayAxis& axis, const CancelTo
   return found;
 }
 
-std::vector<std::uint32_t> WayGraph::way_out(std::uint32_t from, double width,
+std::vector<std::uint32_t> WayGraph::way_out(std::uint32_t from, float power,
                                              const CancelToken& cancel) const {
   using Entry = std::pair<double, std::uint32_t>;
   constexpr double kLeast = 0.1, kEnough = 10;  // Å, as of a channel's curve
@@ -229,7 +239,7 @@ std::vector<std::uint32_t> WayGraph::way_out(std::uint32_t from, double width,
       if (width_[t][k] < 0) continue;
       const std::uint32_t to = neighbours[t][k].index();
       if (label_[to] != label_[from] || !may_pass(t, to)) continue;
-      if (static_cast<double>(width_[t][k]) < width) continue;
+      if (power_[t][k] < power) continue;
       const double next = own + space_->cost_across(t, k, cost);
       if (next >= least[to]) continue;
       least[to] = next;
@@ -241,9 +251,19 @@ std::vector<std::uint32_t> WayGraph::way_out(std::uint32_t from, double width,
 }
 
 WayGraph::Route WayGraph::route(const WayCrossing& crossing, const CancelToken& cancel) const {
-  // Widths are rounded to floats, and the crossing may be narrowest in more than one place.
-  const auto width = static_cast<double>(static_cast<float>(crossing.width_angstrom)) * (1 - 1e-6);
-  return {way_out(crossing.below, width, cancel), way_out(crossing.above, width, cancel)};
+  Route route{way_out(crossing.below, crossing.power, cancel),
+              way_out(crossing.above, crossing.power, cancel), crossing.width_angstrom};
+  for (const auto* way : {&route.below, &route.above}) {
+    for (std::size_t n = 1; n < way->size(); ++n) {
+      const auto& neighbours = scene_->triangulation.neighbours[(*way)[n - 1]];
+      std::size_t k = 0;
+      while (neighbours[k] != Neighbour::tetrahedron((*way)[n])) ++k;
+      if (!space_->is_gap((*way)[n - 1], k)) continue;
+      route.width_angstrom =
+          std::min(route.width_angstrom, static_cast<double>(width_[(*way)[n - 1]][k]));
+    }
+  }
+  return route;
 }
 
 }  // namespace alphascope

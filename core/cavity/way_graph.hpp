@@ -44,9 +44,10 @@ class WayAxis {
   std::vector<double> near_;  // Å, of each slab
 };
 
-// A triangle at which a way is narrowest, and the tetrahedra before and behind it.
+// A triangle at which a way is narrowest by power, and the tetrahedra before and behind it.
 struct WayCrossing {
-  double width_angstrom = 0;
+  double width_angstrom = 0;  // the clearance there
+  float power = 0;
   RealPoint place_angstrom;
   std::uint32_t below = 0, above = 0;
 };
@@ -63,9 +64,10 @@ class WayGraph {
   // From outside, below, to outside, above. Between its ends all are within the envelope.
   struct Route {
     std::vector<std::uint32_t> below, above;  // from the crossing on
+    double width_angstrom = 0;                // the least clearance, at the crossing or elsewhere
   };
   // Through a crossing of the last call of crossings(): the way of least resistance,
-  // ∫ dl / clearance², that is nowhere narrower than the crossing.
+  // ∫ dl / clearance², that is nowhere narrower than the crossing by power.
   Route route(const WayCrossing& crossing, const CancelToken& cancel) const;
 
   const RealPoint& corner(std::uint32_t tetrahedron) const { return corner_[tetrahedron]; }
@@ -78,19 +80,23 @@ class WayGraph {
   void set_widths(const CancelToken& cancel);
   double clearance_at_gap(const std::array<BallIndex, 3>& triangle, RealPoint* place) const;
   bool may_pass(std::uint32_t from, std::uint32_t to) const;
-  std::vector<std::uint32_t> way_out(std::uint32_t from, double width, const CancelToken& cancel) const;
+  std::vector<std::uint32_t> way_out(std::uint32_t from, float power,
+                                     const CancelToken& cancel) const;
 
   const BallSet& balls_;
   std::shared_ptr<const GrownScene> scene_;
   std::optional<EmptySpace> space_;
   std::vector<Kind> kind_;
-  std::vector<RealPoint> corner_;              // Å; of those that are not full
-  std::vector<std::array<float, 4>> width_;    // Å, across each face; kShut
+  std::vector<RealPoint> corner_;  // Å; of those that are not full
+  // Across each face, kShut where it is shut: the clearance, Å, and the power that orders ways as K
+  // does, square lattice units. The two order them differently where radii differ.
+  std::vector<std::array<float, 4>> width_, power_;
   std::vector<std::array<bool, 4>> is_gap_;
 
   // Of the last axis.
-  std::vector<std::int8_t> zone_;   // as WayAxis::zone(); of those outside, the side
-  std::vector<std::int8_t> label_;  // -1, 1: the way out of least narrowness is below, above; 0: none
+  std::vector<std::int8_t> zone_;  // as WayAxis::zone(); of those outside, the side
+  std::vector<std::int8_t>
+      label_;  // -1, 1: the way out of least narrowness is below, above; 0: none
 };
 
 }  // namespace alphascope

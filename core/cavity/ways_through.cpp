@@ -140,9 +140,8 @@ bool Finder::are_one(const Candidate& a, const Candidate& b) {
 bool Finder::is_better(const Candidate& a, const Candidate& b) {
   const auto key = [](const Candidate& c) {
     const RealPoint& p = c.crossing.place_angstrom;
-    return std::tuple(c.share < WayCover::kWholeShare,
-                      -std::round(100 * c.crossing.width_angstrom), -c.length, p.x, p.y, p.z,
-                      c.part);
+    return std::tuple(c.share < WayCover::kWholeShare, -std::round(100 * c.route.width_angstrom),
+                      -c.length, p.x, p.y, p.z, c.part);
   };
   return key(a) < key(b);
 }
@@ -152,7 +151,7 @@ bool Finder::is_too_narrow(const WayCrossing& crossing) const {
   constexpr double kRounded = 0.01;  // Å, as in the order
   const auto wider = std::count_if(found_.begin(), found_.end(), [&](const Candidate& known) {
     return known.share >= WayCover::kWholeShare &&
-           known.crossing.width_angstrom > crossing.width_angstrom + kRounded;
+           known.route.width_angstrom > crossing.width_angstrom + kRounded;
   });
   return static_cast<std::size_t>(wider) >= kMostWays;
 }
@@ -214,8 +213,7 @@ Channel Finder::channel_of(const Candidate& candidate) const {
   cut.before =
       curve_to(crossing.place_angstrom, candidate.route.below, channel.end_radius_angstrom);
   std::reverse(cut.before.begin(), cut.before.end());
-  cut.after =
-      curve_to(crossing.place_angstrom, candidate.route.above, channel.end_radius_angstrom);
+  cut.after = curve_to(crossing.place_angstrom, candidate.route.above, channel.end_radius_angstrom);
   set_channel_line(clearance_, envelope_, cut, false, false, channel, context_);
   for (std::size_t n = 0; n < channel.samples.size(); ++n) {
     if (channel.samples[n].radius_angstrom < channel.narrowest().radius_angstrom) {

@@ -104,6 +104,46 @@ Json channel_request_json(const ChannelEnds& ends) {
   return request;
 }
 
+Json channel_request_json(const FoundChannel& found) {
+  if (!found.way) return channel_request_json(found.ends);
+  return {{"kind", "way"}, {"way", found.way->number}};
+}
+
+void add_cover_json(const FoundChannel& found, Json& json) {
+  json["way"] = nullptr;
+  if (found.way) {
+    const WayNote& way = *found.way;
+    json["way"] = {{"number", way.number},
+                   {"through", way.through},
+                   {"axis", point_json(way.axis)},
+                   {"part_angstrom", way.part_angstrom},
+                   {"lining_chains", way.lining_chains},
+                   {"not_counted",
+                    {{"ions", way.ions},
+                     {"ligand_atoms", way.ligand_atoms},
+                     {"other_atoms", way.other_atoms}}}};
+  }
+  if (found.cover) {
+    json["covered_angstrom"] = found.cover->covered_angstrom;
+    json["whole_angstrom"] = found.cover->whole_angstrom;
+  }
+  json["is_whole"] = found.is_whole();
+}
+
+Json ways_json(const FoundWays& ways) {
+  Json list = Json::array();
+  for (const auto& found : ways.ways) {
+    const Channel& channel = *found->channel;
+    Json way;
+    add_cover_json(*found, way);
+    way["widest_angstrom"] = channel.widest_angstrom;
+    way["position_angstrom"] = point_json(channel.narrowest().position_angstrom);
+    way["length_angstrom"] = channel.length_angstrom;
+    list.push_back(std::move(way));
+  }
+  return list;
+}
+
 Definition<std::string> channel_csv(const std::shared_ptr<const FoundChannel>& found,
                                     const RecordSource& source) {
   return written(found, source, "channel.csv", [](const FoundChannel& of, const RecordSource& by) {
@@ -115,7 +155,8 @@ Definition<std::string> channel_as_json(const std::shared_ptr<const FoundChannel
                                         const RecordSource& source) {
   return written(found, source, "channel.json", [](const FoundChannel& of, const RecordSource& by) {
     Json json = channel_json(BallReferences(by.molecule, by.prepared), *of.channel);
-    json["request"] = channel_request_json(of.ends);
+    add_cover_json(of, json);
+    json["request"] = channel_request_json(of);
     json["input"] = input_json(by);
     json["program"] = program_json(by.program);
     return json_text(json);

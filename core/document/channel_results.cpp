@@ -56,6 +56,7 @@ std::shared_ptr<const FoundChannel> make_channel(const Inputs& in, const Channel
   SearchShare share;
   try {
     found->channel = find_channel(*in.balls, ends, with_one_share(context, share));
+    found->cover = cover_of(*in.balls, *found->channel);
   } catch (const ChannelEndCovered& covered) {
     found->covering = covered.ball;
     found->depth_angstrom = covered.depth_angstrom;

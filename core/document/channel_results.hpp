@@ -9,6 +9,7 @@
 #include "core/cavity/bottlenecks.hpp"
 #include "core/cavity/cavity_places.hpp"
 #include "core/cavity/channel.hpp"
+#include "core/cavity/ways_through.hpp"
 #include "core/document/cavity_results.hpp"
 
 namespace alphascope {
@@ -30,6 +31,18 @@ struct FoundCavityEnds {
 };
 Definition<FoundCavityEnds> cavity_ends(const std::array<BallIndex, 4>& sink);
 
+// What a channel is that was found as a way through the molecule.
+struct WayNote {
+  std::size_t number = 1;  // in the list; 1 is the best
+  std::string through;     // "the whole molecule", "chains C, C-2", "chain A"
+  WayCover cover;
+  double part_angstrom = 0;  // what `through` spans along the axis
+  RealPoint axis;            // unit vector
+  std::vector<std::string> lining_chains;
+  // Balls in it, which are no walls: it is as wide as without them.
+  std::size_t ions = 0, ligand_atoms = 0, other_atoms = 0;
+};
+
 // The answer to a question that may have none.
 struct FoundChannel {
   std::shared_ptr<const BallSet> balls;
@@ -38,11 +51,28 @@ struct FoundChannel {
   // An end is in this ball, so far below its surface (Å).
   std::optional<BallIndex> covering;
   double depth_angstrom = 0;
-  std::string why;  // there is no channel; the start of a sentence
+  std::string why;                // there is no channel; the start of a sentence
+  std::optional<WayNote> way;     // `ends` is then its bottleneck and axis, and was not asked
+  std::optional<WayCover> cover;  // of a channel
+  // Does it say anything about what passes the whole?
+  bool is_whole() const { return way || (cover && cover->is_whole()); }
 };
 // Inputs::balls are those without a solvent, and balls_key is theirs: the answer depends on neither
 // alpha nor the solvent radius. On one thread.
 Definition<FoundChannel> found_channel(const ChannelEnds& ends);
+
+// The ways through a molecule, the best first. What leads through is looked for between the atoms
+// of polymers (of all, where there are none), since what lies in a pore is no part of it.
+struct FoundWays {
+  std::vector<std::shared_ptr<const FoundChannel>> ways;
+  std::size_t parts_left_out = 0;  // chains that were not looked through, of too many
+};
+// Of the whole, of equal chains and of each chain. In the caller's task arena. Throws as
+// find_ways_through().
+FoundWays find_ways(const Molecule& molecule, const PreparedBalls& prepared,
+                    const RunContext& context);
+// Inputs::balls as for found_channel(), with Inputs::atoms.
+const Definition<FoundWays>& found_ways();
 
 // The narrowest places on the ways out of the cavities on screen, in the background.
 struct CavityBottlenecks {

@@ -1,6 +1,8 @@
 // See the header.
 #include "core/document/channel_texts.hpp"
 
+#include <cstdio>
+
 #include "core/molecule/atom_address.hpp"
 
 namespace alphascope {
@@ -32,6 +34,38 @@ const char* water_band_text(WaterBand band) {
   return band == WaterBand::none  ? "no water passes"
          : band == WaterBand::one ? "one water passes at a time"
                                   : "waters pass side by side";
+}
+
+std::string passing_text(const FoundChannel& found) {
+  if (!found.is_whole()) return "only a part of the molecule: no verdict on what passes it";
+  return water_band_text(water_band(found.channel->narrowest().radius_angstrom));
+}
+
+std::string cover_text(const WayCover& cover) {
+  char text[96];
+  std::snprintf(text, sizeof text, "%.1f of %.1f Å of the molecule", cover.covered_angstrom,
+                cover.whole_angstrom);
+  return text;
+}
+
+std::string chains_text(const std::vector<std::string>& chains) {
+  std::string text;
+  for (const std::string& chain : chains) {
+    text += (text.empty() ? "" : ", ") + (chain.empty() ? std::string("without a name") : chain);
+  }
+  return text;
+}
+
+std::string guests_text(const WayNote& way) {
+  std::string text;
+  const auto add = [&](std::size_t count, const char* one, const char* some) {
+    if (count == 0) return;
+    text += (text.empty() ? "" : ", ") + std::to_string(count) + (count == 1 ? one : some);
+  };
+  add(way.ions, " ion", " ions");
+  add(way.ligand_atoms, " atom of ligands", " atoms of ligands");
+  add(way.other_atoms, " other atom", " other atoms");
+  return text;
 }
 
 std::string atom_text(const BallReferences& atoms, BallIndex ball) {

@@ -3,8 +3,10 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "core/cavity/channel.hpp"
+#include "core/document/channel_results.hpp"
 #include "core/document/reference.hpp"
 
 namespace alphascope {
@@ -18,6 +20,15 @@ enum class WaterBand : std::uint8_t { none, one, several };
 inline constexpr double kOneWaterAngstrom = 1.15, kTwoWatersAngstrom = 2.30;
 WaterBand water_band(double radius_angstrom);
 const char* water_band_text(WaterBand band);  // "no water passes"
+
+// What passes, of what leads through the whole; of a part, that nothing is said.
+std::string passing_text(const FoundChannel& found);
+// "84.8 of 116.2 Å of the molecule"
+std::string cover_text(const WayCover& cover);
+// "A, B, C, D"
+std::string chains_text(const std::vector<std::string>& chains);
+// "4 ions, 12 atoms of ligands"; empty where there is nothing
+std::string guests_text(const WayNote& way);
 
 std::string atom_text(const BallReferences& atoms, BallIndex ball);  // "A:VAL 1:CA"
 // "A:VAL 1:CA, A:GLY 2:O"

@@ -116,17 +116,27 @@ TEST(WaysThrough, OfThreeTubesAreOneInEach) {
   }
 }
 
-// Open on one side over its whole length: no ring is around what leads along it.
+// A trough, open on one side over its whole length: no ring is around what leads along it.
 TEST(WaysThrough, AGrooveIsNone) {
   BallSet balls = no_balls();
   for (int z = -14; z <= 14; ++z) {
-    for (int n = 0; n < 14; ++n) {
+    for (int n = 12; n <= 24; ++n) {
       const double angle = 2 * std::numbers::pi * n / 24;
       add_ball(balls, static_cast<int>(6000 * std::cos(angle)),
                static_cast<int>(6000 * std::sin(angle)), 1000 * z, 2000);
     }
+    for (int y = 1; y <= 9; ++y) {
+      for (const int side : {-1, 1})
+        add_ball(balls, side * (6000 + 150 * y), 1000 * y, 1000 * z, 2000);
+    }
   }
   EXPECT_TRUE(find_ways_through(balls, {all_of(balls)}).ways.empty());
+  // With a bridge over it there is a ring.
+  for (int x = -6; x <= 6; ++x) add_ball(balls, 1000 * x, 6000, 0, 2000);
+  const WaysThrough found = find_ways_through(balls, {all_of(balls)});
+  ASSERT_EQ(found.ways.size(), 1u);
+  EXPECT_NEAR(found.ways[0].channel.narrowest().position_angstrom.z, 0, 0.2);
+  EXPECT_NEAR(found.ways[0].channel.widest_angstrom, 4, 0.15);
 }
 
 TEST(WaysThrough, AreTheSameForEveryOrderOfBallsAndNumberOfThreads) {

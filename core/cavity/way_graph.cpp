@@ -76,6 +76,17 @@ bool WayAxis::is_near(const RealPoint& x) const {
   return from_axis(x) <= near_[slab_of(along(x))];
 }
 
+bool WayAxis::may_lead(const RealPoint& from, const RealPoint& to) const {
+  const double third = (high_ - low_) / 3, low = low_ + third, high = high_ - third;
+  const double begin = along(from), end = along(to);
+  if (std::max(begin, end) < low || std::min(begin, end) > high) return true;
+  if (begin == end) return is_near(from) && is_near(to);
+  const auto place = [&](double height) {
+    return from + ((std::clamp(height, low, high) - begin) / (end - begin)) * (to - from);
+  };
+  return is_near(place(begin)) && is_near(place(end));
+}
+
 WayGraph::WayGraph(const BallSet& balls, const Envelope& envelope, const RunContext& context)
     : balls_(balls) {
   const PassageEnds ends{beside(balls), {}, {}};
@@ -143,10 +154,9 @@ void WayGraph::set_widths(const CancelToken& cancel) {
   }
 }
 
-// Corners can be far apart: no step leads past the middle third.
+// Corners can be far apart.
 bool WayGraph::may_pass(std::uint32_t from, std::uint32_t to) const {
-  if (kind_[from] == Kind::outside || kind_[to] == Kind::outside) return zone_[from] == zone_[to];
-  return zone_[from] * zone_[to] >= 0;
+  return axis_->may_lead(corner_[from], corner_[to]);
 }
 
 // Dijkstra's search from outside inwards, on both sides at once: each tetrahedron gets the label of
@@ -158,6 +168,7 @@ std::vector<WayCrossing> WayGraph::crossings(const WayAxis& axis, const CancelTo
   const auto& neighbours = scene_->triangulation.neighbours;
   std::priority_queue<Entry> open;
   std::vector<float> widest(kind_.size(), kShut);
+  axis_ = axis;
   zone_.assign(kind_.size(), kNowhere);
   label_.assign(kind_.size(), 0);
   for (std::uint32_t t = 0; t < kind_.size(); ++t) {

@@ -34,6 +34,8 @@ class WayAxis {
   int side(const RealPoint& x) const { return along(x) < (low_ + high_) / 2 ? -1 : 1; }
   // Nearer to the axis than half of what the part's atoms are at this height, in square mean.
   bool is_near(const RealPoint& x) const;
+  // Is a straight step near the axis where it passes the middle third?
+  bool may_lead(const RealPoint& from, const RealPoint& to) const;
 
  private:
   static constexpr double kSlab = 2;  // Å
@@ -94,6 +96,7 @@ class WayGraph {
   std::vector<std::array<bool, 4>> is_gap_;
 
   // Of the last axis.
+  std::optional<WayAxis> axis_;
   std::vector<std::int8_t> zone_;  // as WayAxis::zone(); of those outside, the side
   std::vector<std::int8_t>
       label_;  // -1, 1: the way out of least narrowness is below, above; 0: none

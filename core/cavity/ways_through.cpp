@@ -236,9 +236,12 @@ WayThrough Finder::finished(const Candidate& candidate) const {
   way.axis = candidate.axis;
   way.channel = channel_of(candidate);
   Range line, part;
+  constexpr double kLining = 0.5;  // Å
+  std::vector<Surface> surfaces;
   for (const ChannelSample& sample : way.channel.samples) {
     line.add(dot(way.axis, sample.position_angstrom));
-    way.lining.push_back(clearance_.nearest(sample.position_angstrom).ball);
+    clearance_.collect(sample.position_angstrom, sample.radius_angstrom + kLining, surfaces);
+    for (const Surface& surface : surfaces) way.lining.push_back(surface.ball);
   }
   std::sort(way.lining.begin(), way.lining.end());
   way.lining.erase(std::unique(way.lining.begin(), way.lining.end()), way.lining.end());

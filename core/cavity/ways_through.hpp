@@ -39,7 +39,7 @@ struct WayThrough {
   // narrower; so it covers less than the whole where the mouths are wide.
   WayCover cover;
   double part_angstrom = 0;       // what the centres of the part span along the axis
-  std::vector<BallIndex> lining;  // the nearest to some place of the line; ascending
+  std::vector<BallIndex> lining;  // that all but touch a sphere of its line; ascending
 };
 
 inline constexpr std::size_t kMostWays = 5, kMostParts = 64;

@@ -116,6 +116,16 @@ TEST(WaysThrough, OfThreeTubesAreOneInEach) {
   }
 }
 
+// The corners of its power diagram are farther apart than a third of its length.
+TEST(WaysThrough, OfAShortWideRingIsTheRing) {
+  BallSet balls = no_balls();
+  for (int z = -3; z <= 3; ++z) add_ring(balls, 60, 16 + 0.3 * z * z, z, 2);
+  const WaysThrough found = find_ways_through(balls, {all_of(balls)});
+  ASSERT_EQ(found.ways.size(), 1u);
+  EXPECT_NEAR(found.ways[0].channel.widest_angstrom, 14, 0.05);
+  EXPECT_NEAR(std::fabs(found.ways[0].axis.z), 1, 1e-3);
+}
+
 // A trough, open on one side over its whole length: no ring is around what leads along it.
 TEST(WaysThrough, AGrooveIsNone) {
   BallSet balls = no_balls();

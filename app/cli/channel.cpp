@@ -1,7 +1,10 @@
-// alphascope-cli channel: how large a ball can walk from a point or a cavity of a molecule
+// alphascope-cli channel: how large a ball can walk through a molecule, or from a point or a cavity
 // outwards, to another point or to a mouth, and the profile of its way.
+#include <algorithm>
 #include <chrono>
 #include <iostream>
+#include <memory>
+#include <utility>
 
 #include "app/cli/commands.hpp"
 #include "app/cli/outputs.hpp"
@@ -11,6 +14,7 @@
 #include "app/cli/text.hpp"
 #include "core/document/channel_json.hpp"
 #include "core/document/channel_records.hpp"
+#include "core/document/channel_results.hpp"
 #include "core/document/channel_texts.hpp"
 #include "core/run/work_threads.hpp"
 #include "core/triangulation/cgal_triangulation.hpp"
@@ -19,8 +23,8 @@ namespace alphascope::cli {
 namespace {
 
 struct Answer {
-  Channel channel;
-  ChannelEnds ends;
+  std::shared_ptr<const FoundChannel> found;  // has a channel
+  FoundWays ways;                             // of which it is one, or none
   double milliseconds = 0;
   std::string device;
 };
@@ -83,6 +87,19 @@ ChannelEnds ends_of(const Input& input, const ChannelOptions& options, const Run
   return ends;
 }
 
+std::shared_ptr<const FoundChannel> way_of(const FoundWays& ways, const ChannelOptions& options) {
+  const auto number = static_cast<std::size_t>(std::max(1, options.way));
+  if (number <= ways.ways.size()) return ways.ways[number - 1];
+  if (ways.ways.empty()) {
+    throw UsageError(
+        "No way leads through the molecule from outside to outside. Give --point X,Y,Z or "
+        "--cavity N for a channel that ends inside.");
+  }
+  throw UsageError("There is no way " + grouped(number) + ": " + grouped(ways.ways.size()) +
+                   (ways.ways.size() == 1 ? " way leads" : " ways lead") +
+                   " through the molecule.");
+}
+
 Answer find(const Input& input, const ChannelOptions& options, const RunContext& context) {
   WorkThreads threads(options.threads);
   Answer answer;
@@ -90,8 +107,17 @@ Answer find(const Input& input, const ChannelOptions& options, const RunContext&
   const auto start = std::chrono::steady_clock::now();
   try {
     threads.run([&] {
-      answer.ends = ends_of(input, options, context);
-      answer.channel = find_channel(*input.prepared().balls, answer.ends, context);
+      if (options.is_way()) {
+        answer.ways = find_ways(input.molecule(), input.prepared(), context);
+        answer.found = way_of(answer.ways, options);
+        return;
+      }
+      auto found = std::make_shared<FoundChannel>();
+      found->balls = input.prepared().balls;
+      found->ends = ends_of(input, options, context);
+      found->channel = find_channel(*found->balls, found->ends, context);
+      found->cover = cover_of(*found->balls, *found->channel);
+      answer.found = std::move(found);
     });
   } catch (const ChannelEndCovered& error) {
     throw UsageError(std::string(error.what()) + ". That ball is the atom " +
@@ -108,29 +134,63 @@ std::string place_text(const RealPoint& p) {
   return format_text("%.3f, %.3f, %.3f", p.x, p.y, p.z);
 }
 
+// A line for each, to choose one by.
+void print_ways(const FoundWays& ways, const FoundChannel& chosen) {
+  for (const auto& found : ways.ways) {
+    const WayNote& way = *found->way;
+    const Channel& channel = *found->channel;
+    std::cout << (found->way->number == 1 ? "ways        " : "            ") << way.number
+              << (found.get() == &chosen ? " * " : "   ") << way.through << ": radius "
+              << format_text("%.3f", channel.widest_angstrom) << " Å at "
+              << place_text(channel.narrowest().position_angstrom) << " Å, length "
+              << format_text("%.1f", channel.length_angstrom) << " Å, lined by "
+              << chains_text(way.lining_chains) << "\n";
+  }
+  if (ways.parts_left_out > 0) {
+    std::cout << "            of too many chains, " << grouped(ways.parts_left_out)
+              << " were not looked through by themselves\n";
+  }
+}
+
+void print_cover(const FoundChannel& found) {
+  if (found.way) std::cout << "through     " << found.way->through << "\n";
+  std::cout << "covers      " << cover_text(*found.cover) << "\n"
+            << "passes      " << passing_text(found) << "\n";
+  if (!found.way || guests_text(*found.way).empty()) return;
+  std::cout << "not counted " << guests_text(*found.way) << " in it\n";
+}
+
 void print(const Input& input, const Answer& answer) {
-  const Channel& channel = answer.channel;
-  std::cout << input_text(input) << "sha256      " << input.molecule().sha256 << "\n"
-            << "bottleneck  radius " << format_text("%.3f", channel.widest_angstrom) << " Å"
+  const Channel& channel = *answer.found->channel;
+  std::cout << input_text(input) << "sha256      " << input.molecule().sha256 << "\n";
+  print_ways(answer.ways, *answer.found);
+  std::cout << "bottleneck  radius " << format_text("%.3f", channel.widest_angstrom) << " Å"
             << (channel.is_open() ? "" : ": closed, not even a point passes") << "\n"
             << "            at " << place_text(channel.narrowest().position_angstrom) << " Å, "
             << channel_limit_text(channel.limit) << "\n"
             << "touching    " << touching_text(atoms_of(input), channel) << "\n"
             << "length      " << format_text("%.2f", channel.length_angstrom) << " Å, "
             << grouped(channel.samples.size()) << " samples\n";
+  print_cover(*answer.found);
   if (times_shown()) {
     std::cout << "time        " << milliseconds_text(answer.milliseconds) << " (" << answer.device
-              << ", " << channel.triangulations << " triangulations)\n";
+              << ", " << channel.triangulations
+              << (channel.triangulations == 1 ? " triangulation)\n" : " triangulations)\n");
   }
   std::cout << std::flush;
 }
 
 Json result_json(const Input& input, const ChannelOptions& options, const Answer& answer) {
-  Json json = channel_json(atoms_of(input), answer.channel);
+  Json json = channel_json(atoms_of(input), *answer.found->channel);
+  add_cover_json(*answer.found, json);
+  if (options.is_way()) {
+    json["ways"] = ways_json(answer.ways);
+    json["parts_left_out"] = answer.ways.parts_left_out;
+  }
   json["timings_ms"] = {{"wall", answer.milliseconds},
                         {"device", answer.device},
-                        {"triangulations", answer.channel.triangulations}};
-  Json& request = json["request"] = channel_request_json(answer.ends);
+                        {"triangulations", answer.found->channel->triangulations}};
+  Json& request = json["request"] = channel_request_json(*answer.found);
   if (options.cavity > 0) {
     request["cavity"] = options.cavity;
     request["mouths"] = options.mouths;
@@ -161,7 +221,7 @@ ExitCode run_channel(const ChannelOptions& options) {
     if (shown) print(input, answer);
     const RecordSource source = source_of(input);
     const Provenance provenance = source.provenance();
-    for (const ChannelSample& sample : answer.channel.samples) {
+    for (const ChannelSample& sample : answer.found->channel->samples) {
       if (csv.wanted()) csv.add(channel_csv_row(sample, source, provenance));
     }
     if (json.wanted()) json.add(result_json(input, options, answer));

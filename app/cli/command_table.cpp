@@ -215,6 +215,7 @@ std::vector<OptionNotes> notes() {
         "find pdb -name '*.cif.gz' | alphascope-cli info --files-from - --csv -",
         "zcat 1crn.pdb.gz | alphascope-cli compute - --alpha 1.4",
         "alphascope-cli cavities 4hhb.pdb.gz --csv cavities.csv",
+        "alphascope-cli channel 1grm.pdb",
         "alphascope-cli channel 1grm.pdb --point 0,0,4.2 --along 0,1,0 --csv profile.csv",
         "alphascope-cli measure 4hhb.pdb.gz --solvent 1.4 --per residue --csv areas.csv",
         "alphascope-cli export 1crn.pdb --alpha 1.4 -o 1crn.glb",

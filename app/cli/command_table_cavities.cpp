@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "app/cli/option_groups.hpp"
+#include "core/cavity/ways_through.hpp"
 #include "core/document/cavity_preset.hpp"
 
 namespace alphascope::cli {
@@ -108,7 +109,9 @@ OptionCommand cavities_command(CavitiesOptions& options) {
 
 OptionCommand channel_command(ChannelOptions& options) {
   OptionCommand command{
-      "channel", "How large a ball passes from a point or a cavity outwards, and its profile", {}};
+      "channel",
+      "How large a ball passes through a molecule, or from a point or a cavity, and its profile",
+      {}};
   options.solvent_radius_angstrom = kCavitySolventAngstrom;
   const NumberRange kPlaceRange{-1e9, 1e9, "Å"};
   const auto place = [&](const char* name, const char* text, std::vector<double>& target) {
@@ -116,6 +119,11 @@ OptionCommand channel_command(ChannelOptions& options) {
   };
   command.options = {
       one_file(options.input),
+      with_default(whole_number_option({"--way", "N",
+                                        "Without --point and --cavity: way N through the "
+                                        "molecule, of those that are listed"},
+                                       options.way, {1, static_cast<int>(kMostWays)}),
+                   "1, the best"),
       place("--point", "Begin at this point in the channel, in Å", options.point),
       whole_number_option({"--cavity", "N", "Begin in the widest place of cavity N of 'cavities'"},
                           options.cavity, {1, 1'000'000'000}),
@@ -139,8 +147,16 @@ OptionCommand channel_command(ChannelOptions& options) {
     require_three("--point", options.point);
     require_three("--along", options.along);
     require_three("--to", options.to);
-    if (options.point.empty() == (options.cavity == 0)) {
-      throw std::invalid_argument("give --point X,Y,Z or --cavity N");
+    if (!options.point.empty() && options.cavity != 0) {
+      throw std::invalid_argument("--point and --cavity exclude each other");
+    }
+    if (!options.is_way() && options.way != 0) {
+      throw std::invalid_argument("--way needs no --point and no --cavity: it has no given ends");
+    }
+    if (options.is_way() && (!options.along.empty() || !options.to.empty() ||
+                             options.end_radius_angstrom != ChannelEnds{}.end_radius_angstrom)) {
+      throw std::invalid_argument(
+          "--along, --to and --end-radius need --point X,Y,Z or --cavity N");
     }
     if (!options.mouths.empty() && options.cavity == 0) {
       throw std::invalid_argument("--mouth needs --cavity: mouths are those of a cavity");

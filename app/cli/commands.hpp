@@ -91,14 +91,18 @@ struct CavitiesOptions {
 struct ChannelOptions {
   InputOptions input;
   BodyOptions body;
-  // Å, three numbers each, or none. Without a point the channel begins in a cavity.
+  // Å, three numbers each, or none. Without a point the channel begins in a cavity; without both it
+  // is a way through the molecule.
   std::vector<double> point, to, along;
   int cavity = 0;                      // its rank in the table of `cavities`; 0: none
   std::vector<double> mouths;          // of it: the end, or both ends; from 1
   double solvent_radius_angstrom = 0;  // of that table
   double end_radius_angstrom = 5;
+  int way = 0;  // of the list of ways through; 0: none was named, and the best is taken
   int threads = 0;
   std::string json, csv;
+
+  bool is_way() const { return point.empty() && cavity == 0; }
 };
 
 struct MeasureCommandOptions {

@@ -1,8 +1,10 @@
 // alphascope-cli cavities. The numbers of each cavity are compared with tables in
 // tests/core/cavity; here, that a file leads to them and that the choices are told.
+#include <algorithm>
 #include <cmath>
 
 #include "tests/app/cli_fixture.hpp"
+#include "tests/support/molecules.hpp"
 
 namespace alphascope::testing {
 namespace {
@@ -140,8 +142,110 @@ TEST_F(CliCavities, AChannelIsAsWideAsItsNarrowestRing) {
   EXPECT_NEAR(channel["widest_angstrom"], 2, 0.01);
   EXPECT_NEAR(channel["bottleneck"]["position_angstrom"][2], 0, 0.05);
   EXPECT_GE(channel["bottleneck"]["touching"].size(), 3u);
+  EXPECT_EQ(channel["way"], nullptr);
+  EXPECT_EQ(channel["is_whole"], true);
+  EXPECT_FALSE(channel.contains("ways"));
   const Outcome rows = run("channel '" + file + "' --point 0,0,1.5 --along 0,0,1 -q --csv -");
   EXPECT_EQ(csv_rows(rows.out).size(), channel["samples"].size());
+
+  // The same without a place to begin at.
+  const Outcome through = run("channel '" + file + "' -q --json -");
+  ASSERT_EQ(through.code, 0) << through.err;
+  const json way = json::parse(through.out);
+  EXPECT_NEAR(way["widest_angstrom"], channel["widest_angstrom"], 0.0011);
+  EXPECT_EQ(way["way"]["number"], 1);
+  EXPECT_EQ(way["way"]["through"], "the whole molecule");
+  EXPECT_EQ(way["request"], (json{{"kind", "way"}, {"way", 1}}));
+  ASSERT_EQ(way["ways"].size(), 1u);
+  EXPECT_EQ(way["ways"][0]["widest_angstrom"], way["widest_angstrom"]);
+  const Outcome text = run("channel '" + file + "'");
+  for (const char* part : {"ways        1 * the whole molecule: radius ",
+                           "covers      16.0 of 16.0", "passes      one water passes at a time"}) {
+    EXPECT_TRUE(contains(text.out, part)) << text.out;
+  }
+  const Outcome second = run("channel '" + file + "' --way 2");
+  EXPECT_EQ(second.code, 2);
+  EXPECT_TRUE(contains(second.err, "There is no way 2")) << second.err;
+}
+
+// Where a channel ends inside, nothing is said about the whole.
+TEST_F(CliCavities, OfAPartThereIsNoVerdict) {
+  std::string cup;
+  for (int ring = -8; ring <= 8; ++ring) {
+    for (int k = 0; k < 24; ++k) {
+      const double angle = (k + 0.5 * (ring & 1)) * 2 * 3.14159265358979 / 24;
+      char line[100];
+      std::snprintf(line, sizeof line, "%.3f %.3f %.3f 2\n", 5 * std::cos(angle),
+                    5 * std::sin(angle), 1.0 * ring);
+      cup += line;
+    }
+  }
+  for (int k = 0; k < 8; ++k) {
+    const double angle = k * 2 * 3.14159265358979 / 8;
+    char line[100];
+    std::snprintf(line, sizeof line, "%.3f %.3f -8 2\n", 2.5 * std::cos(angle),
+                  2.5 * std::sin(angle));
+    cup += line;
+  }
+  const std::string file = write("cup.xyzr", cup + "0 0 -8 2\n").string();
+  const Outcome none = run("channel '" + file + "'");
+  EXPECT_EQ(none.code, 2);
+  EXPECT_TRUE(contains(none.err, "No way leads through the molecule")) << none.err;
+  const Outcome part = run("channel '" + file + "' --point 0,0,0");
+  ASSERT_EQ(part.code, 0) << part.err;
+  EXPECT_TRUE(contains(part.out, "no verdict on what passes it")) << part.out;
+  EXPECT_FALSE(contains(part.out, "waters pass")) << part.out;
+}
+
+// Opened with nothing given. References: HOLE's radius of gramicidin with its radii, CHAP's of
+// TRPV3, the filter of KcsA as found from a point in it.
+TEST_F(CliCavities, TheWaysThroughKnownPoresAreFound) {
+  ALPHASCOPE_NEED_TEST_DATA();
+  const std::string data = test_data_folder().string() + "/";
+  const auto ways = [&](const std::string& arguments) {
+    const Outcome found = run("channel -q --json - " + data + arguments);
+    EXPECT_EQ(found.code, 0) << found.err;
+    return json::parse(found.out);
+  };
+  const auto expect_place = [](const json& way, double x, double y, double z) {
+    const json& p = way["bottleneck"]["position_angstrom"];
+    EXPECT_NEAR(p[0], x, 1);
+    EXPECT_NEAR(p[1], y, 1);
+    EXPECT_NEAR(p[2], z, 1);
+  };
+  const json trpv3 = ways("ladder/6mhs.pdb.gz --radii bondi --hydrogens keep");
+  EXPECT_NEAR(trpv3["widest_angstrom"], 1.03, 0.05);
+  expect_place(trpv3, 0, 0, 20.7);
+  EXPECT_EQ(trpv3["way"]["lining_chains"].size(), 4u);
+  const json without_hydrogens = ways("ladder/6mhs.pdb.gz");
+  EXPECT_NEAR(without_hydrogens["widest_angstrom"], 1.16, 0.05);
+  expect_place(without_hydrogens, 0, 0, 20.7);
+
+  const json kcsa = ways("thesis/1k4c.pdb.gz --assembly 1");
+  EXPECT_NEAR(kcsa["widest_angstrom"], 0.847, 0.05);
+  expect_place(kcsa, 155.33, 155.33, -38.6);
+  EXPECT_EQ(kcsa["way"]["lining_chains"].size(), 4u);
+
+  const json gramicidin = ways("cavities/hole/1grm_single.pdb --radii bondi");
+  EXPECT_NEAR(gramicidin["widest_angstrom"], gramicidin["ways"][0]["widest_angstrom"].get<double>(),
+              1e-12);
+  EXPECT_EQ(gramicidin["way"]["lining_chains"], json::array({"A", "B"}));
+  EXPECT_EQ(gramicidin["way"]["through"], "the whole molecule");
+
+  const json toxin = ways("cavities/hole/1chb.pdb.gz");
+  EXPECT_NEAR(toxin["widest_angstrom"], 3.006, 0.05);
+  EXPECT_EQ(toxin["way"]["lining_chains"].size(), 5u);
+
+  // A pore in each chain and none on the axis.
+  const json porin = ways("cavities/hole/1af6.pdb.gz");
+  ASSERT_GE(porin["ways"].size(), 3u);
+  std::vector<std::string> through;
+  for (int n = 0; n < 3; ++n) {
+    through.push_back(porin["ways"][n]["way"]["through"]);
+    EXPECT_NEAR(porin["ways"][n]["widest_angstrom"], 2.215, 0.03);
+  }
+  std::sort(through.begin(), through.end());
+  EXPECT_EQ(through, (std::vector<std::string>{"chain A", "chain B", "chain C"}));
 }
 
 TEST_F(CliCavities, APointWithinAnAtomIsNamed) {
@@ -187,7 +291,9 @@ TEST_F(CliCavities, AChannelBeginsInACavity) {
   refused("--cavity 999", "There is no cavity 999");
   refused("--cavity " + std::to_string(a_void + 1) + " --mouth 1", "it is a void");
   refused("--cavity 4 --mouth 99", "no mouth 99");
-  refused("", "give --point X,Y,Z or --cavity N");
+  refused("--point 1,2,3 --cavity 4", "exclude each other");
+  refused("--along 0,0,1", "need --point X,Y,Z or --cavity N");
+  refused("--cavity 4 --way 1", "--way needs no --point and no --cavity");
   refused("--point 1,2,3 --mouth 1", "--mouth needs --cavity");
   refused("--cavity 4 --mouth 1 --along 0,0,1", "exclude each other");
 }

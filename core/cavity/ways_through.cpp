@@ -1,3 +1,4 @@
+// See the header.
 #include "core/cavity/ways_through.hpp"
 
 #include <algorithm>

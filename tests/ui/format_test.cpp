@@ -53,8 +53,8 @@ TEST(Format, ARadiusAndTheGrownOneHaveTheSameDigits) {
   shown.alpha_angstrom2 = 0;
   EXPECT_EQ(radius_text(balls, &shown, 0), "radius 1.70 Å, grown 1.70 Å");
   shown.alpha_angstrom2 = 1.4;
-  EXPECT_EQ(radius_text(balls, &shown, 0), "radius 1.7 Å, grown 2.071 Å");
-  EXPECT_EQ(radius_text(balls, nullptr, 0), "radius 1.7 Å");
+  EXPECT_EQ(radius_text(balls, &shown, 0), "radius 1.70 Å, grown 2.07 Å");
+  EXPECT_EQ(radius_text(balls, nullptr, 0), "radius 1.70 Å");
 }
 
 TEST(Format, RatiosAndBytes) {

@@ -262,6 +262,15 @@ TEST_F(Keyboard, ASaveDialogBeginsWithTheNameAndEnterSaves) {
   EXPECT_FALSE(memory().show_save);
 }
 
+TEST_F(Keyboard, WhatTheProgramSetsInAFieldThatIsTypedIntoStays) {
+  memory().show_save = true;
+  p.frame(4);
+  letters("typed");
+  memory().save_path = "/tmp/set.png";
+  p.frame(3);
+  EXPECT_EQ(memory().save_path, "/tmp/set.png");
+}
+
 TEST_F(Keyboard, EscapeClosesADialogAtOnceUnlessSomethingWasTyped) {
   memory().show_save = true;
   p.frame(4);

@@ -227,7 +227,7 @@ TEST(LessonText, ThatGoesOnBelowSaysSo) {
   EXPECT_TRUE(m.overflows);
   EXPECT_TRUE(m.more_below);
   ASSERT_TRUE(p.rects.contains("lesson.more"));
-  EXPECT_LE(p.rects["lesson.more"].y1, p.rects["lesson.next"].y0);
+  EXPECT_LE(p.rects["lesson.more"].y1, p.rects["lesson.back"].y0);
   for (int n = 0; n < 20 && m.more_below; ++n) p.click("lesson.more");
   EXPECT_FALSE(m.more_below);
 }

@@ -144,6 +144,7 @@ TEST(PanelsTest, AViewWithoutAtomsSaysThatTheyAreHidden) {
   p.frame(3);
   EXPECT_TRUE(p.rects.contains("view.show_all"));
   p.state.viewport.hidden_balls = p.state.molecule.balls;
+  p.state.viewport.problem = ViewProblem::all_hidden;
   p.frame(3);
   EXPECT_FALSE(p.rects.contains("view.show_all")) << "no view shows what is hidden";
   EXPECT_TRUE(p.rects.contains("view.show_hidden"));

@@ -46,7 +46,8 @@ struct KeyMemory {
   // with the caret at the end.
   std::string caret;
   bool caret_selects = false;
-  bool begins = false;  // a field begins in the next frame, by type_into()
+  std::string field, field_text;  // that is typed into, and its text in the last frame
+  bool begins = false;            // a field begins in the next frame, by type_into()
   // Typed in the frame in which a field begins: ImGui would drop it.
   std::vector<unsigned> held;
   bool alt_alone = false;  // went down, and nothing else since

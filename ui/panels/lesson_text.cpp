@@ -36,7 +36,11 @@ void put_span(const PanelContext& ctx, Pen& pen, const LessonSpan& span) {
       rest.remove_prefix(1);
       continue;
     }
-    const std::string_view word = rest.substr(0, rest.find(' '));
+    std::size_t end = rest.find(' ');
+    while (end != rest.npos && rest.substr(end + 1).starts_with("Å")) {  // a number keeps its unit
+      end = rest.find(' ', end + 1);
+    }
+    const std::string_view word = rest.substr(0, end);
     put_word(ctx, pen, word, span.bold);
     rest.remove_prefix(word.size());
   }

@@ -131,7 +131,7 @@ void draw_save_table(PanelContext& ctx) {
   const std::string title = "Save: " + (memory.table ? memory.table->what : "") + "###save_table";
   if (memory.table) {
     const std::string& name = memory.table->file_name;
-    propose_file(ctx, title.c_str(), name, memory.path,
+    propose_file(ctx, title.c_str(), "", memory.path,
                  name + ending(*memory.table, memory.format));
   }
   if (!begin_dialog(ctx, title.c_str())) return;
@@ -152,7 +152,7 @@ void draw_save_table(PanelContext& ctx) {
   const bool confirmed = answer == DialogAnswer::confirm || (entered && can_save);
   if (confirmed) save(ctx.state);
   if (confirmed || answer == DialogAnswer::cancel) {
-    note_file(ctx, memory.table->file_name, memory.path, confirmed);
+    note_file(ctx, "", memory.path, confirmed);
     memory.table = nullptr;
   }
   end_dialog(ctx);

@@ -30,9 +30,9 @@ namespace {
 fs::path folder_to_offer(const ViewState& s) {
   std::error_code ignored;
   if (fs::is_directory(s.memory.saving.folder, ignored)) return s.memory.saving.folder;
-  const fs::path beside = s.molecule.folder;
+  const fs::path beside = fs::absolute(s.molecule.folder, ignored).lexically_normal();
   const bool sample = std::any_of(s.samples.begin(), s.samples.end(), [&](const auto& one) {
-    return one.path.parent_path() == beside;
+    return fs::equivalent(one.path.parent_path(), beside, ignored);
   });
   if (!sample && fs::is_directory(beside, ignored) && access(beside.c_str(), W_OK) == 0) {
     return beside;
@@ -60,7 +60,7 @@ void note_file(PanelContext& ctx, const std::string& dialog, std::string& path, 
   SaveMemory& memory = ctx.state.memory.saving;
   std::error_code ignored;
   const fs::path whole = fs::absolute(std::exchange(path, {}), ignored).lexically_normal();
-  if (whole.has_filename()) memory.names[dialog] = whole.filename().string();
+  if (whole.has_filename() && !dialog.empty()) memory.names[dialog] = whole.filename().string();
   if (saved) memory.folder = whole.parent_path();
 }
 

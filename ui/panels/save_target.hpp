@@ -17,7 +17,7 @@ void propose_file(PanelContext& ctx, const char* title, const std::string& dialo
                   std::string& path, const std::string& name);
 // "4hhb" and this ending.
 std::string name_of_file(const PanelContext& ctx, const std::string& ending);
-// The dialog is closed: what it remembers.
+// The dialog is closed: what it remembers. Without a name of the dialog, the folder only.
 void note_file(PanelContext& ctx, const std::string& dialog, std::string& path, bool saved);
 // The path, and a button that looks for it. True: Enter was pressed in it.
 bool file_row(PanelContext& ctx, const std::string& dialog, std::string& path);

@@ -71,9 +71,9 @@ struct BadgeInfo {
 struct BusyInfo {
   bool active = false;
   std::string what;   // "Opening 1aon.pdb.gz", "kernel II (filtered validity)"
-  std::string step;   // of saving: "sample 3 of 16, 5 s left"; empty: not known
   double share = -1;  // 0 to 1; negative: unknown
   double seconds = 0;
+  std::string step = {};  // of saving: "sample 3 of 16, 5 s left"; empty: not known
 };
 
 // What is made while the user goes on working.

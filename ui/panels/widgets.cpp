@@ -69,11 +69,18 @@ bool checkbox(PanelContext& ctx, const char* name, const char* label, bool& valu
 
 bool text_field(PanelContext& ctx, const char* name, std::string& text, const char* hint,
                 KeyStop kind) {
+  KeyMemory& keys = ctx.state.memory.keys;
+  const ImGuiInputTextFlags flags = ImGuiInputTextFlags_EnterReturnsTrue | caret_flags(ctx, name);
   ImGui::PushID(name);
-  const bool entered = ImGui::InputTextWithHint(
-      "##text", hint, &text, ImGuiInputTextFlags_EnterReturnsTrue | caret_flags(ctx, name),
-      &place_caret, &ctx.state.memory.keys);
+  // ImGui would write its own text over one that the program has set meanwhile.
+  const bool active = GImGui->ActiveId == ImGui::GetID("##text");
+  if (active && keys.field == name && keys.field_text != text) ImGui::ClearActiveID();
+  const bool entered = ImGui::InputTextWithHint("##text", hint, &text, flags, &place_caret, &keys);
   ImGui::PopID();
+  if (ImGui::IsItemActive()) {
+    keys.field = name;
+    keys.field_text = text;
+  }
   record(ctx, name);
   key_stop(ctx, name, kind);
   return entered;

@@ -63,7 +63,7 @@ constexpr CavityColumnSpec kColumns[] = {
      94, false},
     {C::holds, "holds", "holds",
      "Ligands, ions and waters that are no part of the body and have most of their atoms in it.",
-     120, true},
+     60, true},
     {C::name, "name", "name: atoms of the deepest point",
      "It stays while α moves, whatever the number of the line: use it in a paper.", 200, false},
 };

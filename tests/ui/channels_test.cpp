@@ -23,7 +23,10 @@ class ChannelsTest : public ViewerTest {
       add_ball(balls, 0, 0, -14000, 2000);
       add_ring(balls, 12, 3, -14, 2);
     }
-    const fs::path path = folder_ / (closed ? "closed.xyzr" : "open.xyzr");
+    open_balls(balls, closed ? "closed.xyzr" : "open.xyzr");
+  }
+  void open_balls(const BallSet& balls, const char* name) {
+    const fs::path path = folder_ / name;
     std::ofstream file(path);
     for (BallIndex i = 0; i < balls.size(); ++i) {
       const LatticePoint& p = balls.centres[i];
@@ -65,6 +68,58 @@ TEST_F(ChannelsTest, OfAPoreIsThereUponTheFirstClick) {
   EXPECT_TRUE(has_layer("channels.cursor"));
   run("move status.device\nframes 3\n");
   EXPECT_FALSE(has_layer("channels.cursor"));
+}
+
+// Two chains, each a tube and a way of its own: the wider one is shown first, a click takes the
+// other.
+TEST_F(ChannelsTest, WaysAreListedAndAClickTakesOne) {
+  const fs::path path = folder_ / "two.pdb";
+  std::ofstream file(path);
+  int number = 0;
+  for (const char chain : {'A', 'B'}) {
+    for (int z = -12; z <= 12; z += 2) {
+      const double away = z != 0 ? 5.5 : chain == 'A' ? 4.6 : 5.0;
+      for (int k = 0; k < 16; ++k) {
+        const double angle = 2 * std::numbers::pi * k / 16;
+        char line[100];
+        ++number;
+        std::snprintf(line, sizeof line,
+                      "ATOM  %5d  CA  ALA %c%4d    %8.3f%8.3f%8.3f  1.00  0.00           C\n",
+                      number, chain, number, (chain == 'A' ? -8.5 : 8.5) + away * std::cos(angle),
+                      away * std::sin(angle), 1.0 * z);
+        file << line;
+      }
+    }
+  }
+  file << "END\n";
+  file.close();
+  run("open " + path.string() + "\nwait-idle\nclick bottom.channels\n");
+  settle();
+  ASSERT_TRUE(has("channels.way.1") && has("channels.way.2"));
+  ASSERT_TRUE(memory().shown && memory().shown->way);
+  EXPECT_EQ(memory().way, 1u);
+  EXPECT_EQ(memory().shown->way->through, "chain B");
+  const double wider = channel().widest_angstrom;
+  EXPECT_TRUE(has("channels.passing") && has("channels.cover"));
+  EXPECT_FALSE(has("channels.to")) << "it has no other end";
+  ASSERT_TRUE(has_layer("channels.tube"));
+  run("click channels.way.2\nframes 3\n");
+  EXPECT_EQ(memory().way, 2u);
+  EXPECT_EQ(memory().shown->way->through, "chain A");
+  EXPECT_NEAR(wider - channel().widest_angstrom, 0.4, 0.002);
+  EXPECT_TRUE(has_layer("channels.tube"));
+}
+
+TEST_F(ChannelsTest, ACupHasNoWayThrough) {
+  open_tube(true);
+  EXPECT_FALSE(memory().shown);
+  EXPECT_TRUE(has("channels.problem"));
+  EXPECT_FALSE(has("channels.way.1"));
+  // What ends inside says nothing about the whole.
+  run("click channels.from\nclick channels.from.3\nclick channels.to\nclick channels.to.0\n");
+  settle();
+  ASSERT_TRUE(memory().shown && memory().shown->channel);
+  EXPECT_FALSE(memory().shown->is_whole());
 }
 
 TEST_F(ChannelsTest, NeitherSolventNorAlphaChangesIt) {
@@ -119,7 +174,7 @@ TEST_F(ChannelsTest, WithoutACavityItLeadsToTheirPage) {
 
 TEST_F(ChannelsTest, APointInAnAtomIsNamedWithARemedy) {
   open_tube(true);
-  run("click channels.to\nclick channels.to.0\nclick channels.from\nclick channels.from.4\n"
+  run("click channels.from\nclick channels.from.4\nclick channels.to\nclick channels.to.0\n"
       "click channels.from.x\nkey ctrl+a\ntype 5.9\nkey enter\n");
   settle();
   ASSERT_TRUE(memory().shown);
@@ -132,7 +187,8 @@ TEST_F(ChannelsTest, APointInAnAtomIsNamedWithARemedy) {
 
 TEST_F(ChannelsTest, AClosedOneSaysSo) {
   open_tube(true);
-  run("click channels.to\nclick channels.to.1\nclick channels.axis\nclick channels.axis.3\n"
+  run("click channels.from\nclick channels.from.3\n"
+      "click channels.to\nclick channels.to.1\nclick channels.axis\nclick channels.axis.3\n"
       "click channels.turn\n");
   settle();
   EXPECT_TRUE(memory().backwards);
@@ -162,8 +218,15 @@ TEST_F(ChannelsTest, AnIonInThePoreCanBeLeftOut) {
   atom("HETATM", " K", "K", ++number, {0.1, 0, 0});
   file << "END\n";
   file.close();
-  run("open " + path.string() +
-      "\nwait-idle\nclick bottom.channels\n"
+  run("open " + path.string() + "\nwait-idle\nclick bottom.channels\n");
+  settle();
+  // As a way through, it is as wide as without the ion, and that is said.
+  ASSERT_TRUE(memory().shown && memory().shown->channel && memory().shown->way);
+  EXPECT_EQ(memory().shown->way->ions, 1u);
+  EXPECT_TRUE(has("channels.not_counted"));
+  EXPECT_FALSE(has("channels.guests"));
+  const double as_way = channel().widest_angstrom;
+  run("click channels.from\nclick channels.from.3\n"
       "click channels.axis\nclick channels.axis.3\n");
   settle();
   ASSERT_TRUE(memory().shown && memory().shown->channel);
@@ -175,6 +238,7 @@ TEST_F(ChannelsTest, AnIonInThePoreCanBeLeftOut) {
   EXPECT_FALSE(viewer_->state().open.balls.ions);
   ASSERT_TRUE(memory().shown && memory().shown->channel);
   EXPECT_GT(channel().widest_angstrom, blocked + 1);
+  EXPECT_NEAR(channel().widest_angstrom, as_way, 0.02);
   EXPECT_FALSE(has("channels.guests"));
 }
 
@@ -213,8 +277,9 @@ TEST_F(ChannelsTest, SavesWhatItCopiesAndAllOfTheChannelAsJson) {
   run("click save_table.ok\n");
   settle();
   const std::string json = bytes("c.json");
-  for (const char* key : {"\"widest_angstrom\": 2.", "\"kind\": \"through\"", "\"bottleneck\"",
-                          "\"sha256\"", "\"name\": \"alphascope\""}) {
+  for (const char* key :
+       {"\"widest_angstrom\": 2.", "\"kind\": \"way\"", "\"through\": \"the whole molecule\"",
+        "\"bottleneck\"", "\"sha256\"", "\"name\": \"alphascope\""}) {
     EXPECT_NE(json.find(key), std::string::npos) << key;
   }
 }

@@ -10,13 +10,17 @@
 namespace alphascope {
 namespace {
 
-constexpr const char* kFrom[] = {"the chosen cavity", "a mouth of the cavity", "the selected atoms",
-                                 "the molecule's middle", "a point"};
+constexpr const char* kFrom[] = {
+    "the chosen cavity", "a mouth of the cavity",    "the selected atoms", "the molecule's middle",
+    "a point",           "outside: all ways through"};
 constexpr const char* kFromHelp[] = {
     "The widest place of the cavity that is chosen on the page Cavities.",
     "The widest place in one mouth of the chosen cavity.",
-    "The centre of the atoms that are selected in the view.", "The centre of all balls.",
-    "Coordinates in Å, as in the file."};
+    "The centre of the atoms that are selected in the view.",
+    "The centre of all balls.",
+    "Coordinates in Å, as in the file.",
+    "From outside to outside: the ways through the whole, through equal chains and through each "
+    "chain."};
 constexpr const char* kTo[] = {"outside, by any way", "outside, one way along", "both ways along",
                                "a mouth of the cavity", "a point"};
 constexpr const char* kToHelp[] = {
@@ -205,6 +209,7 @@ Place start_of(PanelContext& ctx, const ChannelMemory& memory) {
     case ChannelFrom::middle:
       return {memory.main_axis.middle_angstrom, {}};
     case ChannelFrom::point:
+    case ChannelFrom::ways:
       break;
   }
   return {memory.from_point, {}};
@@ -230,6 +235,7 @@ void draw_channel_ends(PanelContext& ctx) {
     beside();
     mouth_field(ctx, "channels.from.mouth", memory.from_mouth);
   }
+  if (memory.from == ChannelFrom::ways) return;
   label(ctx, "To");
   combo(ctx, "channels.to", kTo, kToHelp, memory.to, 170);
   if (memory.to != to && memory.to == ChannelTo::point) memory.to_point = to_type(memory.last_from);

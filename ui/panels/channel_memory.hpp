@@ -13,14 +13,16 @@
 
 namespace alphascope {
 
-enum class ChannelFrom : std::uint8_t { cavity, mouth, atoms, middle, point };
+// `ways`: from outside to outside; then there is no other end.
+enum class ChannelFrom : std::uint8_t { cavity, mouth, atoms, middle, point, ways };
 enum class ChannelTo : std::uint8_t { out, along, both_ways, mouth, point };
 enum class ChannelAxis : std::uint8_t { main, x, y, z, view };
 
 struct ChannelMemory {
   std::string molecule;  // SHA-256 of its file
-  ChannelFrom from = ChannelFrom::middle;
+  ChannelFrom from = ChannelFrom::ways;
   ChannelTo to = ChannelTo::both_ways;
+  std::size_t way = 1;               // of the list, from 1; of a shorter list, the last
   int from_mouth = 1, to_mouth = 1;  // of the chosen cavity
   RealPoint from_point, to_point;    // Å, typed
   ChannelAxis axis = ChannelAxis::main;
@@ -32,6 +34,7 @@ struct ChannelMemory {
 
   // Of the balls without solvent.
   std::shared_ptr<const PreparedBalls> prepared;
+  std::shared_ptr<const BallReferences> atoms;
   std::uint64_t balls_key = 0;  // another one for other balls
   MainAxis main_axis;
 

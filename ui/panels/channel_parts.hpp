@@ -20,6 +20,8 @@ struct ChannelQuestion {
 ChannelQuestion channel_question(PanelContext& ctx);
 // Two rows: from where, to where.
 void draw_channel_ends(PanelContext& ctx);
+// A line for each way through the molecule; a click takes it.
+void draw_ways(PanelContext& ctx, const FoundWays& ways);
 
 // Radius against length, in the room that is left; sets the cursor.
 void draw_channel_profile(PanelContext& ctx, const Channel& channel);

@@ -16,14 +16,19 @@
 namespace alphascope {
 namespace {
 
+// found_channel()'s and found_ways()'s id.
+const char* id_of(const ChannelMemory& memory) {
+  return memory.from == ChannelFrom::ways ? "channel.ways" : "channel";
+}
+
 // Of more it takes minutes; they are asked about first.
-constexpr const char* kChannel = "channel";  // found_channel()'s id
 constexpr std::size_t kMostBallsUnasked = 200'000;
 
 void take_balls(PanelContext& ctx, ChannelMemory& memory) {
   const PreparedBalls& prepared = ctx.state.references->prepared();
   if (memory.prepared.get() == &prepared) return;
   memory.prepared = {ctx.state.references, &prepared};
+  memory.atoms = ctx.state.references;
   ++memory.balls_key;
   memory.main_axis = main_axis(*prepared.balls);
 }
@@ -42,6 +47,7 @@ Inputs inputs_as_they_are(const ChannelMemory& memory) {
   Inputs inputs;
   inputs.balls = memory.prepared->balls;
   inputs.balls_key = memory.balls_key;
+  inputs.atoms = memory.atoms;
   return inputs;
 }
 
@@ -72,7 +78,8 @@ void select_bottleneck(PanelContext& ctx, const ChannelMemory& memory) {
 // --- what is drawn
 
 // In the line of the tabs.
-void headline(PanelContext& ctx, const Channel& channel) {
+void headline(PanelContext& ctx, const FoundChannel& found) {
+  const Channel& channel = *found.channel;
   const double radius = channel.narrowest().radius_angstrom;
   ImGui::AlignTextToFramePadding();
   if (!channel.is_open()) {
@@ -91,7 +98,8 @@ void headline(PanelContext& ctx, const Channel& channel) {
           "as they are: neither alpha nor the solvent radius changes it.");
   ImGui::SameLine(0, ctx.px(12));
   ImGui::AlignTextToFramePadding();
-  muted_text(ctx, water_band_text(water_band(radius)));
+  muted_text(ctx, passing_text(found));
+  record(ctx, "channels.passing");
 }
 
 void progress(PanelContext& ctx, const Derived<FoundChannel>& found) {
@@ -102,7 +110,7 @@ void progress(PanelContext& ctx, const Derived<FoundChannel>& found) {
   record(ctx, "channels.progress");
   tooltip(ctx, "The widest way is being looked for. You can go on working.");
   ImGui::SameLine(0, ctx.px(8));
-  if (button(ctx, "channels.cancel", "Cancel")) ctx.store.cancel(kChannel);
+  if (button(ctx, "channels.cancel", "Cancel")) ctx.store.cancel(id_of(ctx.state.memory.channels));
 }
 
 void limit_line(PanelContext& ctx, const Channel& channel) {
@@ -137,6 +145,23 @@ void guest_line(PanelContext& ctx, const std::vector<BallIndex>& touching, bool 
   }
 }
 
+// Which part of the molecule it covers, and what is in it.
+void cover_lines(PanelContext& ctx, const FoundChannel& found) {
+  std::string text = "covers " + cover_text(*found.cover);
+  if (found.way) {
+    text = "through " + found.way->through + ", lined by " + chains_text(found.way->lining_chains) +
+           "; " + text;
+  }
+  muted_wrapped(ctx, text);
+  record(ctx, "channels.cover");
+  tooltip(ctx,
+          "How far its line leads along the molecule, from centre to centre. Towards the open it "
+          "ends where nothing in the way is narrower.");
+  if (!found.way || guests_text(*found.way).empty()) return;
+  wrapped_text("In it, and not counted: " + guests_text(*found.way) + ".");
+  record(ctx, "channels.not_counted");
+}
+
 void details(PanelContext& ctx, const ChannelMemory& memory, bool current) {
   const Channel& channel = *memory.shown->channel;
   const RealPoint& p = channel.narrowest().position_angstrom;
@@ -146,6 +171,7 @@ void details(PanelContext& ctx, const ChannelMemory& memory, bool current) {
   record(ctx, "channels.place");
   muted_wrapped(ctx, "touched there by " + memory.touching);
   record(ctx, "channels.touching");
+  cover_lines(ctx, *memory.shown);
   limit_line(ctx, channel);
   guest_line(ctx, channel.touching, current);
   ImGui::BeginDisabled(!current);
@@ -201,7 +227,8 @@ void column_of_results(PanelContext& ctx, const Derived<FoundChannel>& found, bo
   if (found.state == DerivedState::cancelled) {
     muted_text(ctx, "Cancelled.");
     ImGui::SameLine(0, ctx.px(8));
-    if (button(ctx, "channels.again", "Compute")) ctx.store.begin_again(kChannel);
+    if (button(ctx, "channels.again", "Compute"))
+      ctx.store.begin_again(id_of(ctx.state.memory.channels));
     return;
   }
   if (!memory.shown) return;
@@ -216,11 +243,11 @@ void column_of_results(PanelContext& ctx, const Derived<FoundChannel>& found, bo
 }
 
 // False while a large one has not been asked for.
-bool may_begin(PanelContext& ctx, const ChannelEnds& ends) {
+bool may_begin(PanelContext& ctx, const AnyDefinition& wanted) {
   ChannelMemory& memory = ctx.state.memory.channels;
   const std::size_t balls = memory.prepared->balls->size();
   if (balls <= kMostBallsUnasked) return true;
-  const Key key = found_channel(ends).key(inputs_as_they_are(memory));
+  const Key key = wanted.key(inputs_as_they_are(memory));
   if (memory.asked_for == key.number()) return true;
   if (button(ctx, "channels.compute", "Compute the channel", {0, 0}, ButtonKind::primary)) {
     memory.asked_for = key.number();
@@ -229,38 +256,68 @@ bool may_begin(PanelContext& ctx, const ChannelEnds& ends) {
   return memory.asked_for == key.number();
 }
 
+// The chosen way, as if it were what was asked for; there is no value where there is none.
+Derived<FoundChannel> want_way(PanelContext& ctx, Derived<FoundWays>& ways) {
+  ChannelMemory& memory = ctx.state.memory.channels;
+  ways = ctx.store.want(found_ways(), inputs_as_they_are(memory));
+  Derived<FoundChannel> found;
+  found.state = ways.state;
+  found.share = ways.share;
+  found.why = ways.why;
+  if (!ways.ready() || ways.value->ways.empty()) return found;
+  memory.way = std::clamp<std::size_t>(memory.way, 1, ways.value->ways.size());
+  found.value = ways.value->ways[memory.way - 1];
+  memory.last_from = found.value->ends.from;
+  return found;
+}
+
 void first_line(PanelContext& ctx, const Derived<FoundChannel>& found, bool current) {
   const ChannelMemory& memory = ctx.state.memory.channels;
   if (found.state == DerivedState::waiting || found.state == DerivedState::running) {
     progress(ctx, found);
-  } else if (current && memory.shown->channel) {
-    headline(ctx, *memory.shown->channel);
+  } else if (current && memory.shown && memory.shown->channel) {
+    headline(ctx, *memory.shown);
   } else {
     ImGui::NewLine();
   }
 }
 
+constexpr const char* kNoWay =
+    "No way leads through the molecule from outside to outside. Choose above where a channel "
+    "begins.";
+
 void page(PanelContext& ctx) {
   ChannelMemory& memory = ctx.state.memory.channels;
-  const ChannelQuestion question = channel_question(ctx);
+  const bool of_ways = memory.from == ChannelFrom::ways;
+  ChannelQuestion question;
+  if (!of_ways) question = channel_question(ctx);
+  Derived<FoundWays> ways;
   Derived<FoundChannel> found;
+  const bool has_question = of_ways || question.ends;
   bool asked = true;
-  if (question.ends && (asked = may_begin(ctx, *question.ends))) {
+  if (of_ways && (asked = may_begin(ctx, found_ways()))) {
+    found = want_way(ctx, ways);
+  } else if (question.ends && (asked = may_begin(ctx, found_channel(*question.ends)))) {
     found = ctx.store.want(found_channel(*question.ends), inputs_as_they_are(memory));
-    if (found.ready()) take_answer(ctx, memory, found.value);
   }
-  const bool current = found.ready() && memory.shown == found.value;
-  if (question.ends && asked) {
+  const bool no_way = of_ways && ways.ready() && ways.value->ways.empty();
+  if (no_way) memory.shown = nullptr;
+  if (found.ready() && found.value) take_answer(ctx, memory, found.value);
+  const bool current = found.ready() && found.value && memory.shown == found.value;
+  if (has_question && asked) {
     first_line(ctx, found, current);
-  } else if (!question.ends) {
+  } else if (!has_question) {
     ImGui::AlignTextToFramePadding();
     muted_text(ctx, question.waiting ? question.why : "");
   }
   constexpr float kColumn = 410;
   ImGui::BeginChild("ends", {ctx.px(kColumn), 0}, false);
   draw_channel_ends(ctx);
+  if (of_ways && ways.ready()) draw_ways(ctx, *ways.value);
   ImGui::Dummy({0, ctx.px(2)});
-  if (!question.ends && !question.waiting) {
+  if (no_way) {
+    problem(ctx, kNoWay);
+  } else if (!has_question && !question.waiting) {
     problem(ctx, question.why);
     if (question.wants_cavity && button(ctx, "channels.cavities", "Go to Cavities")) {
       ctx.state.memory.bottom_panel = "cavities";

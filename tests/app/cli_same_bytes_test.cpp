@@ -46,6 +46,7 @@ TEST_F(CliSameBytes, NoTimesLeavesOutAllThatDependsOnTimeAndThreads) {
       {"cavities" + file + "--json INTO/j --csv INTO/c --lives INTO/l --spheres INTO/s.pqr", true},
       {"cavities --solvent 1.2,1.4" + file + "--json INTO/j --csv INTO/c", true},
       {"channel --cavity 1" + file + "--json INTO/j --csv INTO/c", true},
+      {"channel" + file + "--json INTO/j --csv INTO/c", true},
       {"export --alpha 1.4 -o INTO/x.csv" + file, true},
       {"export --alpha 1.4 -o INTO/x.vtp" + file, true},
       {"explain --simplex 0,1 --alpha 1" + file + "--json INTO/j", false},

@@ -15,8 +15,8 @@ std::string bottleneck_place(const Channel& channel) {
 std::string way_help(const FoundChannel& found) {
   const WayNote& way = *found.way;
   return "Through " + way.through + ", lined by " + chains_text(way.lining_chains) +
-         ".\nNarrowest at " + bottleneck_place(*found.channel) + ".\nCovers " + cover_text(way.cover) +
-         ".\nClick to take it.";
+         ".\nNarrowest at " + bottleneck_place(*found.channel) + ".\nCovers " +
+         cover_text(way.cover) + ".\nClick to take it.";
 }
 
 }  // namespace
@@ -26,8 +26,8 @@ void draw_ways(PanelContext& ctx, const FoundWays& ways) {
   if (ways.ways.empty()) return;
   constexpr ImGuiTableFlags kFlags = ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_RowBg;
   if (!ImGui::BeginTable("ways", 4, kFlags)) return;
-  for (const auto& [title, share] : {std::pair{"through", 5.0F}, {"bottleneck", 2.4F},
-                                     {"at", 4.4F}, {"length", 2.0F}}) {
+  for (const auto& [title, share] :
+       {std::pair{"through", 5.0F}, {"bottleneck", 2.4F}, {"at", 4.4F}, {"length", 2.0F}}) {
     ImGui::TableSetupColumn(title, ImGuiTableColumnFlags_WidthStretch, share);
   }
   ImGui::TableHeadersRow();

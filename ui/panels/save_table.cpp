@@ -131,8 +131,7 @@ void draw_save_table(PanelContext& ctx) {
   const std::string title = "Save: " + (memory.table ? memory.table->what : "") + "###save_table";
   if (memory.table) {
     const std::string& name = memory.table->file_name;
-    propose_file(ctx, title.c_str(), "", memory.path,
-                 name + ending(*memory.table, memory.format));
+    propose_file(ctx, title.c_str(), "", memory.path, name + ending(*memory.table, memory.format));
   }
   if (!begin_dialog(ctx, title.c_str())) return;
   if (!memory.table) return end_dialog(ctx);

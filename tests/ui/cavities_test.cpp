@@ -76,7 +76,7 @@ TEST_F(CavitiesTest, AClickShowsTheCavityAndWhatLinesIt) {
   use_preset();
   const Image plain = picture();
   run("click cavities.row.4 0.2\nwait-idle\nframes 5\n");
-  ASSERT_EQ(viewer_->state().layers.size(), 2u) << "its surface, and the rims of its mouths";
+  ASSERT_EQ(viewer_->state().layers.size(), 3u) << "surface, rims of its mouths, what it holds";
   const Layer& body = *viewer_->state().layers[0];
   EXPECT_TRUE(body.body);
   // The boundary of tetrahedra is closed: each edge has an even number of triangles.
@@ -101,7 +101,7 @@ TEST_F(CavitiesTest, AClickShowsTheCavityAndWhatLinesIt) {
   ASSERT_EQ(page().rows.table().question.alpha_angstrom2, 0.1);
   EXPECT_EQ(viewer_->state().picked.cavities, chosen);
   EXPECT_EQ(page().chosen_rows.size(), 1u);
-  EXPECT_EQ(viewer_->state().layers.size(), 2u);
+  EXPECT_EQ(viewer_->state().layers.size(), 3u);
 }
 
 TEST_F(CavitiesTest, ACommandChoosesACavityBeforeTheTableIsThere) {
@@ -244,7 +244,7 @@ TEST_F(CavitiesTest, TablesFollowWhileTheSolventRadiusSlides) {
   EXPECT_EQ(page().rows.table().question.solvent_radius_angstrom,
             viewer_->state().compute.solvent_radius_angstrom);
   EXPECT_EQ(viewer_->state().picked.cavities, chosen);
-  EXPECT_EQ(viewer_->state().undo_text, "solvent radius");
+  EXPECT_EQ(viewer_->state().undo_text, "solvent radius and selection") << "the lining follows";
 }
 
 TEST_F(CavitiesTest, ADragInRealTimeMakesTables) {

@@ -76,7 +76,7 @@ TEST_F(SelectionTest, TheStatusBarSaysWhatIsUnderTheMouse) {
   const BallSet& balls = *state().references->prepared().balls;
   const double r = balls.lattice.angstrom(balls.radii[ball]) + 1.4;
   char grown[40];
-  std::snprintf(grown, sizeof grown, "grown %.3f Å", std::sqrt(r * r + 3));
+  std::snprintf(grown, sizeof grown, "grown %.2f Å", std::sqrt(r * r + 3));
   EXPECT_NE(line().find(grown), std::string::npos) << line();
   EXPECT_TRUE(viewer_->widgets().contains("status.under_mouse"));
   EXPECT_FALSE(viewer_->widgets().contains("status.device"));
@@ -261,7 +261,7 @@ TEST_F(SelectionTest, CommandsSayWhyTheyRefuse) {
     EXPECT_EQ(outcome.state, Outcome::State::refused) << text;
     return outcome.why;
   };
-  EXPECT_EQ(why("select.atoms A:"), "No molecule is in the picture.");
+  EXPECT_EQ(why("select.atoms A:"), "No molecule is open.");
   open_crambin();
   EXPECT_EQ(why("select.atoms X:"), "The molecule has no atom of this name.");
   EXPECT_NE(why("select.atoms A:,87").find("\"87\" has no colon; write CHAIN:RESIDUE:ATOM"),

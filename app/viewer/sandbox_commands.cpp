@@ -175,7 +175,7 @@ void add_sandbox_commands(Commands& commands, ViewState& s) {
                             .help = "Shows in the flat drawing how alpha grows the balls"},
                            m.content.discs));
   commands.add(with_switch({.id = "sandbox.cells",
-                            .title = "Power diagram",
+                            .title = "Power diagram in the flat drawing",
                             .help = "Shows the power diagram in the flat drawing"},
                            m.content.cells));
   commands.add(with_switch({.id = "sandbox.complex",

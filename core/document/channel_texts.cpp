@@ -51,7 +51,8 @@ std::string cover_text(const WayCover& cover) {
 std::string chains_text(const std::vector<std::string>& chains) {
   std::string text;
   for (const std::string& chain : chains) {
-    text += (text.empty() ? "" : ", ") + (chain.empty() ? std::string("without a name") : chain);
+    text += (text.empty() ? "" : ", ") +
+            (chain.empty() ? std::string("a chain without a name") : chain);
   }
   return text;
 }

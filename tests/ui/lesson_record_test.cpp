@@ -148,13 +148,13 @@ TEST_F(LessonRecordTest, WhatCannotBeIsRefused) {
 
 TEST_F(LessonRecordTest, TheDialogRecordsTheOpenLesson) {
   RecordMemory& m = viewer_->state().memory.record;
-  m.path = (folder_ / "f-%d.png").string();
   m.options.width = m.options.height = 64;
   open_crambin();
   run("file.record\nframes 2\nclick record.kind.2\nframes 2\n");
   EXPECT_TRUE(viewer_->widgets().contains("record.no_lesson"));
   run("click record.cancel\nframes 2\n");
   open_lesson();
+  m.path = (folder_ / "f-%d.png").string();  // another molecule has another name
   run("file.record\nframes 2\n");
   EXPECT_FALSE(viewer_->widgets().contains("record.no_lesson"));
   run("click record.ok\nwait-idle\n");

@@ -270,7 +270,7 @@ TEST(SessionFile, AWrongValueIsToldWithItsLine) {
          "\"annotations.measurements.0.atoms.1\" is -1");
   expect(",\"annotations\": { \"labels\": [{ \"text\": \"mass\" }] }", "2", "\"residue\"");
   expect(",\"annotations\": { \"marks\": [{ \"to_angstrom\": [1, 2,\n2e9] }] }", "3",
-         "from −1,000,000,000 to 1,000,000,000 Å");
+         "from -1000000000 to 1000000000 Å");
   expect(",\"camera\": { \"position_angstrom\": [1, 2] }", "2", "three numbers");
   expect(",\"camera\": { \"position_angstrom\": [0, 1, 0] }", "2", "not the way that it looks");
   expect(",\"panels\": { \"alpha_slider\": { \"low_angstrom2\": 99 } }", "2", "below its high end");

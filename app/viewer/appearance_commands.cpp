@@ -37,9 +37,7 @@ Parameter which_atoms() {
 
 std::function<std::string()> without_picture(const ViewState& s) {
   return [&s] {
-    return s.references        ? ""
-           : s.molecule.loaded ? "The complex of this molecule is not there yet."
-                               : "No molecule is open.";
+    return s.references ? "" : s.molecule.loaded ? kNoComplexYet : "No molecule is open.";
   };
 }
 

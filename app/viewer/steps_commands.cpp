@@ -11,7 +11,8 @@ std::function<std::string()> without_page(const ViewState& s) {
 }
 std::function<std::string()> without_ball(const ViewState& s) {
   return [&s, without = without_picture(s)]() -> std::string {
-    if (!s.result || !s.references) return without();
+    if (std::string why = without(); !why.empty()) return why;
+    if (!s.result) return kNoComplexYet;
     return s.result->balls->size() > 0 ? "" : "There are no balls.";
   };
 }

@@ -42,10 +42,12 @@ bool is_cavity_script(CavityExport format) {
 
 void write_cavities(CavityExport format, const CavityExportSource& source, const fs::path& path,
                     const std::vector<AtomicFile*>& files, const RunContext& context) {
-  if (format == CavityExport::spheres)
+  if (format == CavityExport::spheres) {
     return write_cavity_spheres(source, *files.at(0), context.cancel);
-  if (!is_cavity_script(format))
+  }
+  if (!is_cavity_script(format)) {
     return write_cavity_surfaces(source, format == CavityExport::glb, *files.at(0));
+  }
   const std::string why = why_no_cavity_script(*source.facts.source.molecule);
   if (!why.empty()) throw std::invalid_argument(why);
   const std::vector<fs::path> names = cavity_export_files(format, path);
@@ -138,8 +140,9 @@ Definition<FileWriter> cavity_export(const CavityExportInfo& format, const Cavit
           [rows, source, format = format.format](const Inputs& in, const RunContext&) {
             const auto facts = std::make_shared<const CavityFacts>(few_facts_of(in, rows, source));
             auto header = cavity_header(*facts);
-            for (const std::string& note : source.molecule->notes)
+            for (const std::string& note : source.molecule->notes) {
               header.emplace_back("note", note);
+            }
             return std::make_shared<const FileWriter>(FileWriter{
                 [facts, header, format](const fs::path& path, const std::vector<AtomicFile*>& files,
                                         const RunContext& context) {

@@ -3,12 +3,12 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <limits>
 
 #include "core/document/channel_texts.hpp"
 #include "core/molecule/grouped_number.hpp"
 #include "core/run/internal_error.hpp"
+#include "core/text/as_sentence.hpp"
 
 namespace alphascope {
 namespace {
@@ -60,8 +60,7 @@ std::string growth_text(const BallSteps& now, const BallSteps& optimised) {
   if (!tested.empty() && !tested_before.empty()) {
     text += ", " + growth_of(tested, tested_before) + " in kernel II";
   }
-  text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
-  return text + ".";
+  return as_sentence(text);
 }
 
 }  // namespace

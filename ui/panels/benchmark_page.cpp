@@ -1,7 +1,6 @@
 // The benchmark page: the thesis' table and figures for the open molecule. Modal, so that nothing
 // else takes the cores while it measures.
 #include <imgui.h>
-// Needs imgui.h first.
 
 #include <algorithm>
 #include <cmath>

@@ -7,6 +7,7 @@
 #include "core/document/channel_records.hpp"
 #include "core/document/store.hpp"
 #include "core/geometry/principal_axes.hpp"
+#include "core/text/as_sentence.hpp"
 #include "ui/panels/channel_parts.hpp"
 #include "ui/panels/format.hpp"
 #include "ui/panels/molecule_memory.hpp"
@@ -205,12 +206,7 @@ void problem(PanelContext& ctx, const std::string& text) {
 
 std::string no_channel_text(const ChannelMemory& memory) {
   const FoundChannel& found = *memory.shown;
-  if (!found.covering) {
-    std::string text = found.why;
-    if (!text.empty())
-      text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
-    return text + ".";
-  }
+  if (!found.covering) return as_sentence(found.why);
   std::string text = "The channel would end inside the atom " + memory.covering + ", " +
                      number_text(found.depth_angstrom, 2) + " Å below its surface. ";
   return text + (found.ends.kind == ChannelEnds::Kind::through
@@ -227,8 +223,9 @@ void column_of_results(PanelContext& ctx, const Derived<FoundChannel>& found, bo
   if (found.state == DerivedState::cancelled) {
     muted_text(ctx, "Cancelled.");
     ImGui::SameLine(0, ctx.px(8));
-    if (button(ctx, "channels.again", "Compute"))
+    if (button(ctx, "channels.again", "Compute")) {
       ctx.store.begin_again(id_of(ctx.state.memory.channels));
+    }
     return;
   }
   if (!memory.shown) return;

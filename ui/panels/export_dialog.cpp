@@ -2,8 +2,7 @@
 // ending says the format.
 #include <imgui.h>
 
-#include <cctype>
-
+#include "core/text/as_sentence.hpp"
 #include "ui/panels/dialog_stack.hpp"
 #include "ui/panels/save_target.hpp"
 
@@ -45,9 +44,7 @@ void format_choice(PanelContext& ctx, const ExportFormatInfo* chosen) {
     ImGui::PopStyleColor();
     record(ctx, "export.no_format");
   } else {
-    std::string what = std::string(chosen->what) + ".";
-    what.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(what.front())));
-    muted_text(ctx, what);
+    muted_text(ctx, as_sentence(chosen->what));
   }
   ImGui::PopFont();
 }

@@ -25,7 +25,6 @@ struct RecordRequest {
 struct RecordMemory : RecordChoices {
   bool show = false;
   std::string path;
-  bool entered = false;            // Enter was pressed in the path, in this frame
   std::optional<bool> has_ffmpeg;  // looked for when the dialog opens
 };
 

@@ -2,12 +2,12 @@
 // says whether pictures or a movie are written.
 #include <imgui.h>
 
-#include <cctype>
 #include <optional>
 #include <stdexcept>
 
 #include "core/document/frame_names.hpp"
 #include "core/run/child_program.hpp"
+#include "core/text/as_sentence.hpp"
 #include "ui/number_text.hpp"
 #include "ui/panels/dialog_stack.hpp"
 #include "ui/panels/number_field.hpp"
@@ -39,8 +39,7 @@ void error_line(PanelContext& ctx, const char* name, std::string text) {
   if (text.empty()) {
     ImGui::NewLine();
   } else {
-    text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
-    if (text.back() != '.') text += '.';
+    text = as_sentence(std::move(text));
     ImGui::PushStyleColor(ImGuiCol_Text, to_imgui(ctx.palette.error));
     ImGui::TextUnformatted(fitted_text(text, ctx.px(350)).c_str());
     ImGui::PopStyleColor();
@@ -80,7 +79,6 @@ void choose_format(PanelContext& ctx, std::optional<RecordingFormat> format) {
 // True when the recording can be written there.
 bool target(PanelContext& ctx) {
   RecordMemory& m = ctx.state.memory.record;
-  m.entered = file_row(ctx, "record", m.path);
   const fs::path path = typed_path(m);
   std::string why_not;
   const std::optional<RecordingFormat> format = format_of(path, why_not);
@@ -213,6 +211,7 @@ void draw_record(PanelContext& ctx) {
   constexpr const char* kTitle = "Record";
   propose_file(ctx, kTitle, "record", m.path, name_of_file(ctx, "-%04d.png"));
   if (!begin_dialog(ctx, kTitle)) return;
+  const bool entered = file_row(ctx, "record", m.path);
   const bool can_write = target(ctx);
   kind_fields(ctx);
   size_fields(ctx, "record", m.options);
@@ -226,7 +225,7 @@ void draw_record(PanelContext& ctx) {
   const bool can_record = can_write && is_there(s);
   const DialogAnswer answer = dialog_buttons(ctx, ctx.px(kWidth), {"record.cancel", "Cancel"},
                                              {"record.ok", "Record"}, can_record);
-  const bool confirmed = answer == DialogAnswer::confirm || (m.entered && can_record);
+  const bool confirmed = answer == DialogAnswer::confirm || (entered && can_record);
   if (confirmed) {
     s.requests.record = {typed_path(m), m.recording, m.options};
     if (m.of_lesson) s.requests.record->lesson_seconds = m.lesson_seconds;

@@ -1,12 +1,12 @@
 // The dialog that saves the table of a page.
 #include <imgui.h>
 
-#include <cctype>
 #include <filesystem>
 #include <string_view>
 #include <vector>
 
 #include "core/io/output_ending.hpp"
+#include "core/text/as_sentence.hpp"
 #include "ui/panels/dialog_stack.hpp"
 #include "ui/panels/format.hpp"
 #include "ui/panels/save_parts.hpp"
@@ -16,11 +16,6 @@ namespace alphascope {
 namespace {
 
 constexpr float kWidth = 464;  // pixels at scale 1
-
-bool has(const TableToSave& table, int format) {
-  return format == kCsvFormat || (format == kJsonFormat && table.json) ||
-         (format >= kFirstOfMore && format < kFirstOfMore + static_cast<int>(table.more.size()));
-}
 
 const FormatToSave* other_format(const TableToSave& table, int format) {
   if (format < kFirstOfMore) return nullptr;
@@ -38,10 +33,10 @@ std::string name(const TableToSave& table, int format) {
 }
 
 std::vector<int> formats(const TableToSave& table) {
-  std::vector<int> all;
-  for (int format = kCsvFormat; format < kFirstOfMore + static_cast<int>(table.more.size());
-       ++format) {
-    if (has(table, format)) all.push_back(format);
+  std::vector<int> all{kCsvFormat};
+  if (table.json) all.push_back(kJsonFormat);
+  for (std::size_t n = 0; n < table.more.size(); ++n) {
+    all.push_back(kFirstOfMore + static_cast<int>(n));
   }
   return all;
 }
@@ -110,8 +105,7 @@ void format_row(PanelContext& ctx, TableMemory& memory) {
 std::string content_text(const TableMemory& memory) {
   const FormatToSave* other = other_format(*memory.table, memory.format);
   if (!other) return "All digits, and file, selection, radii, alpha and program with them.";
-  std::string text = other->what + ".";
-  text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
+  std::string text = as_sentence(other->what);
   const std::vector<std::filesystem::path> files = targets(memory);
   for (std::size_t k = 1; k < files.size(); ++k) {
     text += (k == 1 ? "\nAlso written: " : ", ") + files[k].filename().string();

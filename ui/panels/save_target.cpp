@@ -4,10 +4,10 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cctype>
 #include <utility>
 
 #include "core/io/atomic_file.hpp"
+#include "core/text/as_sentence.hpp"
 
 namespace alphascope {
 namespace {
@@ -21,10 +21,6 @@ void coloured_text(const Colour& colour, const std::string& text) {
   ImGui::TextUnformatted(text.c_str());
   ImGui::PopStyleColor();
 }
-
-}  // namespace
-
-namespace {
 
 // The samples of the program are in a folder of its own.
 fs::path folder_to_offer(const ViewState& s) {
@@ -95,11 +91,7 @@ bool save_target(PanelContext& ctx, const std::string& dialog, const std::vector
   std::error_code ignored;
   const fs::path& path = files.front();
   const bool has_folder = fs::is_directory(path.parent_path(), ignored);
-  std::string why_not;
-  if (!fault.empty()) {
-    why_not = fault + ".";
-    why_not.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(why_not.front())));
-  }
+  std::string why_not = as_sentence(fault);
   for (const fs::path& file : files) {
     if (why_not.empty()) why_not = why_not_writable(file);
   }

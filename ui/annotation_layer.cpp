@@ -102,7 +102,6 @@ std::string measured_text(const Measurement& m, const std::optional<Measured>& o
   if (m.atoms.size() == 2) return number_text(*of->value, 3) + " Å";
   std::string text = number_text(*of->value, 1);
   if (text == "−180.0") text = "180.0";  // a dihedral angle is above −180°, rounded or not
-  if (text == "−0.0") text = "0.0";
   return text + "°";
 }
 

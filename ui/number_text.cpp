@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <string_view>
 
 #include "core/chart/readable_number.hpp"
 
@@ -16,7 +17,10 @@ std::string number_text(double value, int decimals) {
   } else {
     std::snprintf(text, sizeof text, "%.4g", value);
   }
-  return readable_number(text);
+  const std::string_view digits(text);
+  const bool negative_zero =
+      digits.front() == '-' && digits.find_first_not_of("0.", 1) == digits.npos;
+  return readable_number(negative_zero ? text + 1 : text);
 }
 
 std::string short_number_text(double value, int decimals) {
@@ -26,7 +30,7 @@ std::string short_number_text(double value, int decimals) {
   if (text.find('.') == std::string::npos || !plain) return text;
   while (text.back() == '0') text.pop_back();
   if (text.back() == '.') text.pop_back();
-  return text == "−0" ? "0" : text;
+  return text;
 }
 
 std::string with_minus_signs(const std::string& sentence) {

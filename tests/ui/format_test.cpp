@@ -39,6 +39,9 @@ TEST(Format, NumbersAreAsShortAsTheirValue) {
   EXPECT_EQ(short_number_text(1.4, 3), "1.4");
   EXPECT_EQ(short_number_text(10, 3), "10");
   EXPECT_EQ(short_number_text(-0.25, 3), "−0.25");
+  EXPECT_EQ(number_text(-0.04, 1), "0.0") << "no zero has a sign";
+  EXPECT_EQ(number_text(-0.05, 2), "−0.05");
+  EXPECT_EQ(short_number_text(-0.0004, 3), "0");
   EXPECT_EQ(short_number_text(-0.0001, 3), "0");
   EXPECT_EQ(short_number_text(100, 0), "100");
 }

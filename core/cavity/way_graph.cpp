@@ -1,3 +1,4 @@
+// See the header.
 #include "core/cavity/way_graph.hpp"
 
 #include <algorithm>

@@ -63,7 +63,7 @@ class Finder {
   WaysThrough find();
 
  private:
-  std::vector<RealPoint> axes_of(std::size_t part) const;
+  std::vector<RealPoint> axes_of(std::size_t part) const;  // of whole_axes_ and its own
   void look_along(std::size_t part, const RealPoint& axis);
   bool is_too_narrow(const WayCrossing& crossing) const;
   void add(Candidate candidate);
@@ -82,6 +82,7 @@ class Finder {
   Envelope envelope_;
   const RunContext& context_;
   WayGraph graph_;
+  std::vector<RealPoint> whole_axes_ = pore_axes(in_order(balls_, parts_[0]));
   std::vector<Candidate> found_;
 };
 
@@ -89,7 +90,7 @@ class Finder {
 // those of the whole.
 std::vector<RealPoint> Finder::axes_of(std::size_t part) const {
   constexpr double kSame = 0.97;  // cosine: 14 degrees
-  std::vector<RealPoint> axes = pore_axes(in_order(balls_, parts_[0]));
+  std::vector<RealPoint> axes = whole_axes_;
   if (part == 0) return axes;
   const RealPoint own = main_axis(in_order(balls_, parts_[part])).axis;
   const bool is_new = std::all_of(axes.begin(), axes.end(), [&](const RealPoint& axis) {

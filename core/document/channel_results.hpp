@@ -33,9 +33,8 @@ Definition<FoundCavityEnds> cavity_ends(const std::array<BallIndex, 4>& sink);
 
 // What a channel is that was found as a way through the molecule.
 struct WayNote {
-  std::size_t number = 1;  // in the list; 1 is the best
-  std::string through;     // "the whole molecule", "chains C, C-2", "chain A"
-  WayCover cover;
+  std::size_t number = 1;    // in the list; 1 is the best
+  std::string through;       // "the whole molecule", "chains C, C-2", "chain A"
   double part_angstrom = 0;  // what `through` spans along the axis
   RealPoint axis;            // unit vector
   std::vector<std::string> lining_chains;

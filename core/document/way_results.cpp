@@ -3,6 +3,7 @@
 #include <map>
 #include <utility>
 
+#include "core/cavity/by_place.hpp"
 #include "core/document/channel_results.hpp"
 
 namespace alphascope {
@@ -23,7 +24,6 @@ struct Walls {
 Walls walls_of(const Molecule& molecule, const PreparedBalls& prepared) {
   const BallSet& all = *prepared.balls;
   Walls walls;
-  walls.balls.lattice = all.lattice;
   walls.is_wall.assign(all.size(), false);
   const auto is_polymer = [&](BallIndex ball) {
     return molecule.atoms[prepared.atom_of_ball[ball]].kind == AtomKind::polymer;
@@ -34,9 +34,8 @@ Walls walls_of(const Molecule& molecule, const PreparedBalls& prepared) {
     if (any && !is_polymer(ball)) continue;
     walls.is_wall[ball] = true;
     walls.original.push_back(ball);
-    walls.balls.centres.push_back(all.centres[ball]);
-    walls.balls.radii.push_back(all.radii[ball]);
   }
+  walls.balls = in_order(all, walls.original);
   return walls;
 }
 
@@ -153,7 +152,6 @@ FoundWays find_ways(const Molecule& molecule, const PreparedBalls& prepared,
     WayNote& note = found->way.emplace();
     note.number = result.ways.size() + 1;
     note.through = parts[way.part].name;
-    note.cover = way.cover;
     note.part_angstrom = way.part_angstrom;
     note.axis = way.axis;
     note.lining_chains = lining_chains(chains, way.lining);

@@ -291,6 +291,14 @@ BallSet random_balls(Random& random, int count, int extent, int low_radius, int 
   return balls;
 }
 
+std::vector<BallIndex> unpermuted(const std::vector<BallIndex>& list,
+                                  const std::vector<BallIndex>& order) {
+  std::vector<BallIndex> result;
+  for (const BallIndex ball : list) result.push_back(order[ball]);
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
 BallSet permuted(const BallSet& balls, const std::vector<BallIndex>& order) {
   BallSet result;
   result.lattice = balls.lattice;

@@ -45,6 +45,9 @@ std::vector<NamedBalls> sets_at_the_bounds(Random& random, int most);
 
 // The same balls in another order: new ball n is old ball order[n].
 BallSet permuted(const BallSet& balls, const std::vector<BallIndex>& order);
+// What a list of balls of that set is among the first ones; ascending.
+std::vector<BallIndex> unpermuted(const std::vector<BallIndex>& list,
+                                  const std::vector<BallIndex>& order);
 
 // At most `most` balls each: none to five, equal centres, hidden, collinear, coplanar, cospherical,
 // corners of lattices and polytopes, tiny dense sets, the extremes of the lattice's bounds, and

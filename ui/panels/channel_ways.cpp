@@ -1,6 +1,7 @@
 // The list of ways through a molecule.
 #include <string>
 
+#include "core/molecule/grouped_number.hpp"
 #include "ui/panels/channel_parts.hpp"
 #include "ui/panels/format.hpp"
 
@@ -16,7 +17,7 @@ std::string way_help(const FoundChannel& found) {
   const WayNote& way = *found.way;
   return "Through " + way.through + ", lined by " + chains_text(way.lining_chains) +
          ".\nNarrowest at " + bottleneck_place(*found.channel) + ".\nCovers " +
-         cover_text(way.cover) + ".\nClick to take it.";
+         cover_text(*found.cover) + ".\nClick to take it.";
 }
 
 }  // namespace
@@ -43,13 +44,18 @@ void draw_ways(PanelContext& ctx, const FoundWays& ways) {
     record(ctx, ("channels.way." + std::to_string(number)).c_str());
     tooltip(ctx, way_help(*found).c_str());
     ImGui::TableNextColumn();
-    ImGui::TextUnformatted((number_text(found->channel->widest_angstrom, 3) + " Å").c_str());
+    ImGui::TextUnformatted(
+        (number_text(found->channel->narrowest().radius_angstrom, 3) + " Å").c_str());
     ImGui::TableNextColumn();
     ImGui::TextUnformatted(bottleneck_place(*found->channel).c_str());
     ImGui::TableNextColumn();
     ImGui::TextUnformatted((number_text(found->channel->length_angstrom, 1) + " Å").c_str());
   }
   ImGui::EndTable();
+  if (ways.parts_left_out == 0) return;
+  muted_wrapped(ctx, "Of too many chains, " + grouped(ways.parts_left_out) +
+                         " were not looked through by themselves.");
+  record(ctx, "channels.left_out");
 }
 
 }  // namespace alphascope

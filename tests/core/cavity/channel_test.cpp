@@ -15,6 +15,7 @@
 #include "tests/core/cavity/flooded_grid.hpp"
 #include "tests/core/cavity/gramicidin.hpp"
 #include "tests/core/cavity/rings.hpp"
+#include "tests/core/cavity/same_line.hpp"
 #include "tests/support/random_balls.hpp"
 #include "tests/support/sanitizer.hpp"
 
@@ -24,6 +25,7 @@ namespace {
 using testing::add_ball;
 using testing::add_ring;
 using testing::add_tube;
+using testing::expect_same_line;
 using testing::no_balls;
 using testing::Random;
 using testing::random_int;
@@ -235,16 +237,6 @@ TEST(Channel, IsWhatFloodingAGridFinds) {
   EXPECT_GT(closed, 0);
 }
 
-void expect_same_line(const Channel& a, const Channel& b) {
-  EXPECT_EQ(a.widest_angstrom, b.widest_angstrom);
-  EXPECT_EQ(a.bottleneck, b.bottleneck);
-  ASSERT_EQ(a.samples.size(), b.samples.size());
-  for (std::size_t n = 0; n < a.samples.size(); ++n) {
-    EXPECT_EQ(a.samples[n].position_angstrom, b.samples[n].position_angstrom);
-    EXPECT_EQ(a.samples[n].radius_angstrom, b.samples[n].radius_angstrom);
-  }
-}
-
 TEST(Channel, IsTheSameForEveryOrderOfBallsAndNumberOfThreads) {
   Random random(11);
   BallSet balls = no_balls();
@@ -275,10 +267,7 @@ TEST(Channel, IsTheSameForEveryOrderOfBallsAndNumberOfThreads) {
   std::shuffle(order.begin(), order.end(), random);
   const Channel permuted = find_channel(testing::permuted(balls, order), ends);
   expect_same_line(permuted, reference);
-  std::vector<BallIndex> touching;
-  for (const BallIndex i : permuted.touching) touching.push_back(order[i]);
-  std::sort(touching.begin(), touching.end());
-  EXPECT_EQ(touching, reference.touching);
+  EXPECT_EQ(testing::unpermuted(permuted.touching, order), reference.touching);
 }
 
 // A lattice of 6 digits has no room for the helping balls: the set is rounded, and the answer is

@@ -13,6 +13,7 @@
 #include "core/cavity/clearance.hpp"
 #include "tests/core/cavity/gramicidin.hpp"
 #include "tests/core/cavity/rings.hpp"
+#include "tests/core/cavity/same_line.hpp"
 #include "tests/support/random_balls.hpp"
 
 namespace alphascope {
@@ -163,14 +164,8 @@ TEST(WaysThrough, AreTheSameForEveryOrderOfBallsAndNumberOfThreads) {
         [&] { other = find_ways_through(testing::permuted(balls, order), {all_of(balls)}); });
     ASSERT_EQ(other.ways.size(), 1u);
     const Channel &a = other.ways[0].channel, &b = reference.ways[0].channel;
-    ASSERT_EQ(a.samples.size(), b.samples.size());
-    for (std::size_t n = 0; n < a.samples.size(); ++n) {
-      EXPECT_EQ(a.samples[n].position_angstrom, b.samples[n].position_angstrom);
-    }
-    std::vector<BallIndex> touching;
-    for (const BallIndex ball : a.touching) touching.push_back(order[ball]);
-    std::sort(touching.begin(), touching.end());
-    EXPECT_EQ(touching, b.touching);
+    testing::expect_same_line(a, b);
+    EXPECT_EQ(testing::unpermuted(a.touching, order), b.touching);
   }
 }
 

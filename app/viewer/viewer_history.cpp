@@ -28,11 +28,12 @@ void Viewer::note_changes() {
   } else {
     editor_.set(settings(), gesture_);
   }
-  if (editor_.depth() > entries) {
+  const bool new_entry = editor_.depth() > entries;
+  if (new_entry) {
     moved_views_.erase(moved_views_.lower_bound(editor_.depth()), moved_views_.end());
+    entry_gesture_ = gesture_;
   }
-  if (editor_.depth() > entries) entry_gesture_ = gesture_;
-  const bool of_entry = editor_.depth() > entries || (gesture_ != 0 && gesture_ == entry_gesture_);
+  const bool of_entry = new_entry || (gesture_ != 0 && gesture_ == entry_gesture_);
   if (by_itself || !of_entry) view_before_requests_.reset();
   note_view();
   state_.undo_text = editor_.undo_text();

@@ -3,64 +3,42 @@
 #include "app/cli/cavity_records.hpp"
 #include "core/document/cavity_bars.hpp"
 #include "core/document/cavity_export.hpp"
-#include "core/io/output_ending.hpp"
 #include "core/run/work_threads.hpp"
 
 namespace alphascope::cli {
+
 namespace {
 
-namespace fs = std::filesystem;
-
-bool ends(const std::string& path, const char* ending) {
-  return output_ending(path) == ending;
-}
-
-void require_ending(const char* option, const std::string& path, const char* one,
-                    const char* other) {
-  if (path.empty() || ends(path, one) || ends(path, other)) return;
-  throw UsageError(std::string(option) + " " + path + ": the name must end in " + one + " or " +
-                   other + ".");
-}
-
-// A result on standard output has no name that a script could open.
-fs::path named(const std::string& path) {
-  return path.empty() || path == "-" ? fs::path() : fs::absolute(path);
-}
-
-}  // namespace
-
-CavityExports::CavityExports(const CavitiesOptions& options, Outputs& outputs) : options_(options) {
-  require_ending("--surface", options.surface, ".ply", ".glb");
-  require_ending("--script", options.script, ".cxc", ".pml");
-  const bool any = !options.lives.empty() || !options.spheres.empty() || !options.surface.empty() ||
-                   !options.script.empty();
-  if (any && (options.files.many() || each_model(options.input) || options.compares())) {
+std::string file_of(const CavitiesOptions& options, bool wants_one) {
+  const bool many = options.files.many() || each_model(options.input) || options.compares();
+  if (wants_one && many) {
     throw UsageError(
         "--lives, --spheres, --surface and --script are of the cavities of one file and one model, "
         "with one radii set and one solvent radius.");
   }
-  if (!options.script.empty() && options.files.named.front() == "-") {
-    throw UsageError("--script opens the molecule's file, which standard input is not.");
-  }
-  lives_ = outputs.add("--lives", options.lives, Outputs::kCsv);
-  spheres_ = outputs.add("--spheres", options.spheres, {".pqr"});
-  surface_ = outputs.add("--surface", options.surface, {".ply", ".glb"});
-  script_ = outputs.add("--script", options.script, {".cxc", ".pml"});
+  return options.files.named.empty() ? std::string() : options.files.named.front();
 }
+
+}  // namespace
+
+CavityExports::CavityExports(const CavitiesOptions& options, Outputs& outputs)
+    : shapes_(options.shapes, file_of(options, options.shapes.any() || !options.lives.empty()),
+              outputs),
+      lives_(outputs.add("--lives", options.lives, Outputs::kCsv)) {}
 
 void CavityExports::write(const CavityAnswer& answer, const RunContext& context) {
   if (lives_ != nullptr) write_lives(answer);
-  if (spheres_ != nullptr) {
+  if (shapes_.spheres() != nullptr) {
     WorkThreads threads(answer.request.threads);
     threads.run([&] {
-      write_cavity_spheres({answer, noted_header(answer)}, *spheres_, context.cancel);
+      write_cavity_spheres({answer, noted_header(answer)}, *shapes_.spheres(), context.cancel);
     });
   }
-  if (surface_ != nullptr) {
-    write_cavity_surfaces({answer, noted_header(answer)}, ends(options_.surface, ".glb"),
-                          *surface_);
+  if (shapes_.surface() != nullptr) {
+    write_cavity_surfaces({answer, noted_header(answer)}, shapes_.surface_is_glb(),
+                          *shapes_.surface());
   }
-  if (script_ != nullptr) write_script(answer);
+  if (shapes_.script() != nullptr) write_script(answer);
 }
 
 void CavityExports::write_lives(const CavityAnswer& answer) {
@@ -75,15 +53,10 @@ void CavityExports::write_lives(const CavityAnswer& answer) {
 }
 
 void CavityExports::write_script(const CavityAnswer& answer) {
-  const std::string why = why_no_cavity_script(answer.input.molecule());
-  if (!why.empty()) throw UsageError("--script: " + why);
-  const bool chimerax = ends(options_.script, ".cxc");
-  const CavityScriptFiles files{named(options_.spheres), ends(options_.surface, ".glb")
-                                                             ? named(options_.surface)
-                                                             : fs::path()};
+  require_scriptable(answer.input.molecule());
   try {
-    script_->write(cavity_script({answer, noted_header(answer)},
-                                 chimerax ? CavityExport::chimerax : CavityExport::pymol, files));
+    shapes_.script()->write(cavity_script({answer, noted_header(answer)}, shapes_.script_format(),
+                                          shapes_.script_files()));
   } catch (const std::invalid_argument& error) {
     throw UsageError(error.what());
   }

@@ -4,6 +4,7 @@
 
 #include "app/cli/cavity_answer.hpp"
 #include "app/cli/outputs.hpp"
+#include "app/cli/shape_outputs.hpp"
 
 namespace alphascope::cli {
 
@@ -22,8 +23,8 @@ class CavityExports {
   void write_lives(const CavityAnswer& answer);
   void write_script(const CavityAnswer& answer);
 
-  const CavitiesOptions& options_;
-  AtomicFile *lives_, *spheres_, *surface_, *script_;
+  ShapeOutputs shapes_;
+  AtomicFile* lives_;
 };
 
 }  // namespace alphascope::cli

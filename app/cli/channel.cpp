@@ -10,8 +10,10 @@
 #include "app/cli/outputs.hpp"
 #include "app/cli/report_json.hpp"
 #include "app/cli/result_files.hpp"
+#include "app/cli/shape_outputs.hpp"
 #include "app/cli/terminal.hpp"
 #include "app/cli/text.hpp"
+#include "core/document/channel_export.hpp"
 #include "core/document/channel_json.hpp"
 #include "core/document/channel_records.hpp"
 #include "core/document/channel_results.hpp"
@@ -201,6 +203,22 @@ Json result_json(const Input& input, const ChannelOptions& options, const Answer
   return json;
 }
 
+void write_shapes(const ShapeOutputs& shapes, const FoundChannel& found,
+                  const RecordSource& source) {
+  if (shapes.spheres() != nullptr) write_channel_spheres(found, source, *shapes.spheres());
+  if (shapes.surface() != nullptr) {
+    write_channel_surface(found, source, shapes.surface_is_glb(), *shapes.surface());
+  }
+  if (shapes.script() == nullptr) return;
+  require_scriptable(*source.molecule);
+  try {
+    shapes.script()->write(
+        channel_script(found, source, shapes.script_format(), shapes.script_files()));
+  } catch (const std::invalid_argument& error) {
+    throw UsageError(error.what());
+  }
+}
+
 }  // namespace
 
 ExitCode run_channel(const ChannelOptions& options) {
@@ -209,6 +227,7 @@ ExitCode run_channel(const ChannelOptions& options) {
   Outputs outputs(files_read(options.input));
   CsvResults csv(outputs.add("--csv", options.csv, Outputs::kCsv));
   JsonResults json(outputs.add("--json", options.json, Outputs::kJson), "");
+  ShapeOutputs shapes(options.shapes, options.input.file, outputs);
   const bool shown = verbosity() != Verbosity::quiet || !outputs.take_standard_output();
   if (each_model(options.input)) {
     throw UsageError("A channel is one model's. Give the number of a model, or joined.");
@@ -225,6 +244,7 @@ ExitCode run_channel(const ChannelOptions& options) {
       if (csv.wanted()) csv.add(channel_csv_row(sample, source, provenance));
     }
     if (json.wanted()) json.add(result_json(input, options, answer));
+    write_shapes(shapes, *answer.found, source);
   });
   csv.flush();
   json.finish(Json::object());

@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "app/cli/option_groups.hpp"
+#include "app/cli/shape_outputs.hpp"
 #include "core/cavity/ways_through.hpp"
 #include "core/document/cavity_preset.hpp"
 
@@ -85,14 +86,10 @@ OptionCommand cavities_command(CavitiesOptions& options) {
        output("--lives",
               "Between which alphas each cavity is there, of every alpha, as CSV; - for standard "
               "output",
-              options.lives),
-       text_option({"--spheres", "OUT.pqr", "Spheres that fill the cavities, as PQR"},
-                   options.spheres),
-       text_option({"--surface", "OUT.ply|OUT.glb", "Surfaces of the cavities as a mesh"},
-                   options.surface),
-       text_option(
-           {"--script", "OUT.cxc|OUT.pml", "A script that shows the cavities in ChimeraX or PyMOL"},
-           options.script)});
+              options.lives)});
+  append(command.options, shape_options(options.shapes, "Spheres that fill the cavities, as PQR",
+                                        "Surfaces of the cavities as a mesh",
+                                        "A script that shows the cavities in ChimeraX or PyMOL"));
   Options of_body = body(options.input, options.body);
   for (Option& option : of_body) {
     if (option.names != "--radii") continue;
@@ -142,6 +139,9 @@ OptionCommand channel_command(ChannelOptions& options) {
       output("--json", "Bottleneck, touching atoms and line as JSON; - for standard output",
              options.json),
       output("--csv", "The profile, one row for each sample; - for standard output", options.csv)};
+  append(command.options, shape_options(options.shapes, "Spheres along the channel, as PQR",
+                                        "The surface of the channel as a mesh",
+                                        "A script that shows the channel in ChimeraX or PyMOL"));
   append(command.options, body(options.input, options.body));
   command.check = [&options] {
     require_three("--point", options.point);

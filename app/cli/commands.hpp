@@ -71,6 +71,12 @@ struct BodyOptions {
   bool ligands = false, ions = false;
 };
 
+// Files for other programs; empty: not wanted.
+struct ShapeOptions {
+  std::string spheres, surface, script;
+  bool any() const { return !spheres.empty() || !surface.empty() || !script.empty(); }
+};
+
 struct CavitiesOptions {
   InputFiles files;
   InputOptions input;
@@ -84,7 +90,8 @@ struct CavitiesOptions {
   bool no_clipped = false;                     // without exact volumes
   int shown = 20;                              // rows printed
   std::optional<double> min_volume_angstrom3;  // SA; smaller ones are counted, but not listed
-  std::string json, csv, lives, spheres, surface, script;
+  std::string json, csv, lives;
+  ShapeOptions shapes;
   bool compares() const { return radii.size() * solvents.size() > 1; }
 };
 
@@ -101,6 +108,7 @@ struct ChannelOptions {
   int way = 0;  // of the list of ways through; 0: none was named, and the best is taken
   int threads = 0;
   std::string json, csv;
+  ShapeOptions shapes;
 
   bool is_way() const { return point.empty() && cavity == 0; }
 };

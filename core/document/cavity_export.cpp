@@ -19,48 +19,41 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::array kCavityExports{
-    CavityExportInfo{CavityExport::ply, ".ply", "PLY: surfaces",
-                     "surfaces with colours, binary: MeshLab, CloudCompare", "cavities.ply"},
-    CavityExportInfo{CavityExport::glb, ".glb", "GLB: surfaces",
-                     "surfaces with colours: ChimeraX, web pages, Blender", "cavities.glb"},
-    CavityExportInfo{CavityExport::spheres, ".pqr", "PQR: spheres",
-                     "spheres that fill them, as atoms: programs for molecules", "cavities.pqr"},
-    CavityExportInfo{CavityExport::chimerax, ".cxc", "ChimeraX script",
-                     "opens the molecule, colours what lines them; with spheres and surfaces",
-                     "cavities.cxc"},
-    CavityExportInfo{CavityExport::pymol, ".pml", "PyMOL script",
-                     "opens the molecule, colours what lines them; with spheres", "cavities.pml"}};
+    ShapeExportInfo{ShapeExport::ply, ".ply", "PLY: surfaces",
+                    "surfaces with colours, binary: MeshLab, CloudCompare", "cavities.ply"},
+    ShapeExportInfo{ShapeExport::glb, ".glb", "GLB: surfaces",
+                    "surfaces with colours: ChimeraX, web pages, Blender", "cavities.glb"},
+    ShapeExportInfo{ShapeExport::spheres, ".pqr", "PQR: spheres",
+                    "spheres that fill them, as atoms: programs for molecules", "cavities.pqr"},
+    ShapeExportInfo{ShapeExport::chimerax, ".cxc", "ChimeraX script",
+                    "opens the molecule, colours what lines them; with spheres and surfaces",
+                    "cavities.cxc"},
+    ShapeExportInfo{ShapeExport::pymol, ".pml", "PyMOL script",
+                    "opens the molecule, colours what lines them; with spheres", "cavities.pml"}};
 
 std::array<std::uint8_t, 3> colour_of_row(std::size_t row) {
   const Rgb8 c = cavity_colour(row);
   return {c.r, c.g, c.b};
 }
 
-bool is_cavity_script(CavityExport format) {
-  return format == CavityExport::chimerax || format == CavityExport::pymol;
-}
-
-void write_cavities(CavityExport format, const CavityExportSource& source, const fs::path& path,
+void write_cavities(ShapeExport format, const CavityExportSource& source, const fs::path& path,
                     const std::vector<AtomicFile*>& files, const RunContext& context) {
-  if (format == CavityExport::spheres) {
+  if (format == ShapeExport::spheres) {
     return write_cavity_spheres(source, *files.at(0), context.cancel);
   }
-  if (!is_cavity_script(format)) {
-    return write_cavity_surfaces(source, format == CavityExport::glb, *files.at(0));
+  if (!is_script(format)) {
+    return write_cavity_surfaces(source, format == ShapeExport::glb, *files.at(0));
   }
-  const std::string why = why_no_cavity_script(*source.facts.source.molecule);
+  const std::string why = why_no_script(*source.facts.source.molecule);
   if (!why.empty()) throw std::invalid_argument(why);
-  const std::vector<fs::path> names = cavity_export_files(format, path);
-  CavityScriptFiles opened{fs::absolute(names.at(1)), {}};
-  if (format == CavityExport::chimerax) opened.surface = fs::absolute(names.at(2));
-  files.at(0)->write(cavity_script(source, format, opened));
+  files.at(0)->write(cavity_script(source, format, script_files(format, path)));
   write_cavity_spheres(source, *files.at(1), context.cancel);
-  if (format == CavityExport::chimerax) write_cavity_surfaces(source, true, *files.at(2));
+  if (format == ShapeExport::chimerax) write_cavity_surfaces(source, true, *files.at(2));
 }
 
 }  // namespace
 
-std::span<const CavityExportInfo> cavity_exports() {
+std::span<const ShapeExportInfo> cavity_exports() {
   return kCavityExports;
 }
 
@@ -81,7 +74,7 @@ void write_cavity_spheres(const CavityExportSource& source, AtomicFile& file,
                           const CancelToken& cancel) {
   const CavityFacts& facts = source.facts;
   const CavityTable& table = facts.table();
-  std::vector<CavitySpheres> all;
+  std::vector<SphereGroup> all;
   if (!facts.rows.empty()) {
     const Clearance clearance(*facts.source.prepared->balls);
     for (const std::size_t row : facts.rows) {
@@ -92,14 +85,8 @@ void write_cavity_spheres(const CavityExportSource& source, AtomicFile& file,
   write_spheres_pqr(all, source.header, table.ground->balls->lattice.digits, file);
 }
 
-std::string why_no_cavity_script(const Molecule& molecule) {
-  if (molecule.format == "PDB" || molecule.format == "mmCIF" || molecule.format == "PQR") return {};
-  return "ChimeraX and PyMOL do not open " + molecule.format +
-         " files. Give a PDB, mmCIF or PQR file.";
-}
-
-std::string cavity_script(const CavityExportSource& source, CavityExport format,
-                          const CavityScriptFiles& files) {
+std::string cavity_script(const CavityExportSource& source, ShapeExport format,
+                          const ShapeScriptFiles& files) {
   const CavityFacts& facts = source.facts;
   const Molecule& molecule = *facts.source.molecule;
   ViewerScript script{&molecule,    fs::absolute(molecule.source), files.spheres, files.surface, {},
@@ -112,20 +99,10 @@ std::string cavity_script(const CavityExportSource& source, CavityExport format,
     }
     script.cavities.push_back(std::move(cavity));
   }
-  return format == CavityExport::chimerax ? chimerax_script(script) : pymol_script(script);
+  return format == ShapeExport::chimerax ? chimerax_script(script) : pymol_script(script);
 }
 
-std::vector<fs::path> cavity_export_files(CavityExport format, const fs::path& path) {
-  std::vector<fs::path> files{path};
-  const auto beside = [&](const char* ending) {
-    files.push_back(path.parent_path() / (path.stem().string() + ending));
-  };
-  if (is_cavity_script(format)) beside("-spheres.pqr");
-  if (format == CavityExport::chimerax) beside("-surface.glb");
-  return files;
-}
-
-Definition<FileWriter> cavity_export(const CavityExportInfo& format, const CavityRowsWanted& rows,
+Definition<FileWriter> cavity_export(const ShapeExportInfo& format, const CavityRowsWanted& rows,
                                      const RecordSource& source) {
   return {{.id = format.id,
            .title = "Cavities for another program",

@@ -25,16 +25,12 @@ const char* kind_id(ChannelEnds::Kind kind) {
   return "through";
 }
 
-// Of what is there already, so that it depends on nothing on screen.
 using Written = std::string (*)(const FoundChannel& found, const RecordSource& source);
 Definition<std::string> written(const std::shared_ptr<const FoundChannel>& found,
                                 const RecordSource& source, std::string_view id, Written write) {
   return {{.id = id,
            .title = "A channel as a table",
-           .key =
-               [found](const Inputs&) {
-                 return Key{1, 0, std::hash<const void*>()(found.get()) | 1};
-               },
+           .key = [found](const Inputs&) { return key_of_channel(*found); },
            .memory =
                [found](const Inputs&) {
                  const std::uint64_t bytes = 2000 * found->channel->samples.size();
@@ -47,6 +43,10 @@ Definition<std::string> written(const std::shared_ptr<const FoundChannel>& found
 }
 
 }  // namespace
+
+Key key_of_channel(const FoundChannel& found) {
+  return {1, 0, std::hash<const void*>()(&found) | 1};
+}
 
 CsvRow channel_csv_row(const ChannelSample& sample, const RecordSource& source,
                        const Provenance& provenance) {

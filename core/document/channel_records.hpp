@@ -11,6 +11,9 @@ namespace alphascope {
 CsvRow channel_csv_row(const ChannelSample& sample, const RecordSource& source,
                        const Provenance& provenance);
 
+// Of what is written of a channel that is there already: it depends on nothing on screen.
+Key key_of_channel(const FoundChannel& found);
+
 // The samples as CSV, and all of it as JSON, each with where it comes from. `found` has a channel.
 Definition<std::string> channel_csv(const std::shared_ptr<const FoundChannel>& found,
                                     const RecordSource& source);

@@ -36,6 +36,13 @@ const char* water_band_text(WaterBand band) {
                                   : "waters pass side by side";
 }
 
+ChartColour water_band_colour(WaterBand band) {
+  // Red, green and blue of Okabe and Ito, told apart by colour-blind people.
+  return band == WaterBand::none  ? ChartColour{213, 94, 0}
+         : band == WaterBand::one ? ChartColour{0, 158, 115}
+                                  : ChartColour{0, 114, 178};
+}
+
 std::string passing_text(const FoundChannel& found) {
   if (!found.is_whole()) return "only a part of the molecule: no verdict on what passes it";
   return water_band_text(water_band(found.channel->narrowest().radius_angstrom));

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/cavity/channel.hpp"
+#include "core/chart/chart.hpp"
 #include "core/document/channel_results.hpp"
 #include "core/document/reference.hpp"
 
@@ -20,6 +21,8 @@ enum class WaterBand : std::uint8_t { none, one, several };
 inline constexpr double kOneWaterAngstrom = 1.15, kTwoWatersAngstrom = 2.30;
 WaterBand water_band(double radius_angstrom);
 const char* water_band_text(WaterBand band);  // "no water passes"
+// Of the tube and of the profile's bands.
+ChartColour water_band_colour(WaterBand band);
 
 // What passes, of what leads through the whole; of a part, that nothing is said.
 std::string passing_text(const FoundChannel& found);

@@ -57,7 +57,7 @@ std::string chimerax_atoms(const ViewerScript& script, const std::vector<std::si
 
 // Atoms by the serial numbers of the file, some in a line.
 std::string pymol_selection(const ViewerScript& script, const ScriptCavity& cavity) {
-  const std::string name = "cavity_" + std::to_string(cavity.number);
+  const std::string name = script.what + "_" + std::to_string(cavity.number);
   std::vector<std::int32_t> serials;
   for (const std::size_t atom : cavity.lining) {
     const std::int32_t serial = script.molecule->atoms[atom].serial;
@@ -84,7 +84,7 @@ std::string chimerax_script(const ViewerScript& script) {
   for (const ScriptCavity& cavity : script.cavities) {
     const std::string atoms = chimerax_atoms(script, cavity.lining);
     if (atoms.empty()) continue;
-    const std::string name = "cavity" + std::to_string(cavity.number);
+    const std::string name = script.what + std::to_string(cavity.number);
     text += "name " + name + " " + atoms + "\nshow " + name + " atoms\nstyle " + name +
             " stick\ncolor " + name + " " + hex_colour(cavity.colour, "#") + "\n";
   }

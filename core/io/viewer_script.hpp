@@ -1,6 +1,6 @@
-// Scripts that show cavities in other programs: ChimeraX (.cxc) and PyMOL (.pml). They open the
-// molecule, colour the atoms that line each cavity, and open spheres and surfaces where there are
-// files of them.
+// Scripts that show cavities or a channel in other programs: ChimeraX (.cxc) and PyMOL (.pml). They
+// open the molecule, colour the atoms that line each cavity, and open spheres and surfaces where
+// there are files of them.
 #pragma once
 
 #include <array>
@@ -25,8 +25,9 @@ struct ViewerScript {
   const Molecule* molecule = nullptr;
   std::filesystem::path file;              // of the molecule; absolute
   std::filesystem::path spheres, surface;  // PQR and GLB; absolute, or empty for none
-  std::vector<ScriptCavity> cavities;
+  std::vector<ScriptCavity> cavities;      // or channels
   std::vector<std::pair<std::string, std::string>> header;  // printable; becomes comments
+  std::string what = "cavity";                              // their name, before their number
 };
 
 // Throws std::invalid_argument, with a sentence, for a file name that ChimeraX's language cannot

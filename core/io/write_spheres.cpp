@@ -6,7 +6,7 @@
 
 namespace alphascope {
 
-void write_spheres_pqr(const std::vector<CavitySpheres>& cavities,
+void write_spheres_pqr(const std::vector<SphereGroup>& groups,
                        const std::vector<std::pair<std::string, std::string>>& header, int digits,
                        AtomicFile& file) {
   std::string text;
@@ -14,14 +14,14 @@ void write_spheres_pqr(const std::vector<CavitySpheres>& cavities,
   digits = std::max(digits, 0);
   const double unit = std::pow(10.0, digits);
   std::size_t serial = 0;
-  for (const auto& [number, spheres] : cavities) {
+  for (const auto& [number, spheres, residue] : groups) {
     for (const FillingSphere& s : spheres) {
       const double radius = std::floor(s.radius_angstrom * unit) / unit;
       const RealPoint& c = s.centre_angstrom;
       char line[200];
       const int size = std::snprintf(
-          line, sizeof line, "ATOM  %5zu  SPH CAV C %4zu    %8.*f %8.*f %8.*f 0.000 %.*f\n",
-          ++serial, number, digits, c.x, digits, c.y, digits, c.z, digits, radius);
+          line, sizeof line, "ATOM  %5zu  SPH %s C %4zu    %8.*f %8.*f %8.*f 0.000 %.*f\n",
+          ++serial, residue, number, digits, c.x, digits, c.y, digits, c.z, digits, radius);
       text.append(line, static_cast<std::size_t>(size));
     }
     file.write(text);

@@ -303,8 +303,51 @@ TEST_F(CliCavityExports, HostileFileNamesStayNames) {
   }
 }
 
+// The way out of a cavity of crambin, as the samples of its JSON file have it.
+TEST_F(CliCavityExports, AChannelIsWrittenForOtherProgramsToo) {
+  const Outcome found =
+      run("channel -q '" + std::string(kCrambin) + "' --cavity 1 --json - --spheres '" +
+          path("c.pqr") + "' --surface '" + path("c.glb") + "' --script '" + path("c.cxc") + "'");
+  ASSERT_EQ(found.code, 0) << found.err;
+  const json channel = json::parse(found.out);
+  const Molecule spheres = read_molecule(folder_ / "c.pqr");
+  std::size_t passed = 0;
+  for (const json& sample : channel["samples"]) {
+    const double radius = sample["radius_angstrom"];
+    if (radius < 0.002) continue;
+    ASSERT_LT(passed, spheres.atoms.size());
+    const Atom& atom = spheres.atoms[passed++];
+    const LatticePoint& p = atom.position;
+    const double written = spheres.lattice.angstrom(atom.file_radius);
+    EXPECT_NEAR(spheres.lattice.angstrom(p.x), sample["position_angstrom"][0], 0.00051);
+    EXPECT_NEAR(spheres.lattice.angstrom(p.z), sample["position_angstrom"][2], 0.00051);
+    EXPECT_LE(written, radius) << "its place is rounded: it must not cut into an atom";
+    EXPECT_GT(written, radius - 0.0019);
+  }
+  EXPECT_EQ(passed, spheres.atoms.size());
+  EXPECT_GT(passed, 20u);
+  EXPECT_TRUE(contains(contents(folder_ / "c.pqr"), "  SPH CHN C    1 "));
+  EXPECT_TRUE(contains(contents(folder_ / "c.pqr"), "REMARK   3 widest_angstrom "));
+  const Glb glb = read_glb(contents(folder_ / "c.glb"));
+  ASSERT_EQ(glb.head["meshes"].size(), 1u);
+  EXPECT_EQ(glb.head["meshes"][0]["name"], "channel");
+  const std::string cxc = contents(folder_ / "c.cxc");
+  EXPECT_TRUE(contains(cxc, "\nname channel1 #1/A:")) << cxc;
+  EXPECT_TRUE(contains(cxc, "\nopen '" + path("c.glb") + "' id 3\n")) << cxc;
+  for (const json& touching : channel["bottleneck"]["touching"]) {
+    const std::string atom = touching["atom"];  // "A:CYS 3:SG"
+    const std::string residue =
+        atom.substr(atom.find(' ') + 1, atom.rfind(':') - atom.find(' ') - 1);
+    EXPECT_TRUE(contains(cxc, ":" + residue + "@")) << atom;
+  }
+}
+
 TEST_F(CliCavityExports, WhatCannotBeWrittenIsSaidBeforehand) {
   const std::string file = kCrambin;
+  for (const char* wrong : {"--surface a.obj", "--script a.txt", "--script -", "--spheres a.pdb"}) {
+    const Outcome found = run("channel " + file + " --cavity 1 " + wrong);
+    EXPECT_EQ(found.code, 2) << wrong << found.err;
+  }
   for (const char* wrong :
        {"--surface a.obj", "--script a.txt", "--script -", "--spheres s.pqr --solvent 1.2,1.4",
         "--surface s.ply --radii castp,bondi", "--script s.pml --model all"}) {

@@ -118,12 +118,8 @@ void comparable_line(PanelContext& ctx, const BallReferences& atoms) {
 
 std::vector<FormatToSave> exports_of(const CavityRowsWanted& rows, const RecordSource& source) {
   std::vector<FormatToSave> formats;
-  for (const CavityExportInfo& info : cavity_exports()) {
-    formats.push_back({info.ending, info.name, info.what,
-                       [format = info.format](const std::filesystem::path& path) {
-                         return cavity_export_files(format, path);
-                       },
-                       cavity_export(info, rows, source)});
+  for (const ShapeExportInfo& info : cavity_exports()) {
+    formats.push_back(format_to_save(info, cavity_export(info, rows, source)));
   }
   return formats;
 }

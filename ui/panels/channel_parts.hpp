@@ -4,7 +4,6 @@
 #include <optional>
 #include <string>
 
-#include "core/chart/chart.hpp"
 #include "core/document/channel_texts.hpp"
 #include "ui/panels/widgets.hpp"
 
@@ -28,8 +27,5 @@ void draw_channel_profile(PanelContext& ctx, const Channel& channel);
 
 // The tube, the bottleneck's label and the place under the cursor, as layers of the view.
 void show_channel(PanelContext& ctx);
-
-// Of the tube and of the profile's bands.
-ChartColour water_band_colour(WaterBand band);
 
 }  // namespace alphascope

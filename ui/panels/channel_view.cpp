@@ -57,13 +57,6 @@ void make_cursor(ChannelMemory& memory, const Colour& colour) {
 
 }  // namespace
 
-ChartColour water_band_colour(WaterBand band) {
-  // Red, green and blue of Okabe and Ito, told apart by colour-blind people.
-  return band == WaterBand::none  ? ChartColour{213, 94, 0}
-         : band == WaterBand::one ? ChartColour{0, 158, 115}
-                                  : ChartColour{0, 114, 178};
-}
-
 void show_channel(PanelContext& ctx) {
   ChannelMemory& memory = ctx.state.memory.channels;
   if (!memory.shown || !memory.shown->channel || !ctx.state.result) return;

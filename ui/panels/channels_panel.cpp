@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/document/channel_export.hpp"
 #include "core/document/channel_records.hpp"
 #include "core/document/store.hpp"
 #include "core/geometry/principal_axes.hpp"
@@ -163,6 +164,15 @@ void cover_lines(PanelContext& ctx, const FoundChannel& found) {
   record(ctx, "channels.not_counted");
 }
 
+std::vector<FormatToSave> exports_of(const std::shared_ptr<const FoundChannel>& found,
+                                     const RecordSource& source) {
+  std::vector<FormatToSave> formats;
+  for (const ShapeExportInfo& info : channel_exports()) {
+    formats.push_back(format_to_save(info, channel_export(info, found, source)));
+  }
+  return formats;
+}
+
 void details(PanelContext& ctx, const ChannelMemory& memory, bool current) {
   const Channel& channel = *memory.shown->channel;
   const RealPoint& p = channel.narrowest().position_angstrom;
@@ -193,9 +203,13 @@ void details(PanelContext& ctx, const ChannelMemory& memory, bool current) {
                       channel_csv(memory.shown, source),
                       channel_as_json(memory.shown, source),
                       {},
-                      false});
+                      false,
+                      exports_of(memory.shown, source)});
   }
-  tooltip(ctx, "The profile as a CSV file, or all of the channel as a JSON file.");
+  tooltip(
+      ctx,
+      "The profile as a CSV file, or all of the channel as a JSON file; or its surface, spheres "
+      "along it, or a script, for other programs.");
   ImGui::EndDisabled();
 }
 

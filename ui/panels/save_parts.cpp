@@ -16,6 +16,14 @@ void ask_to_save(PanelContext& ctx, TableToSave table) {
   memory.table = std::make_shared<const TableToSave>(std::move(table));
 }
 
+FormatToSave format_to_save(const ShapeExportInfo& info, Definition<FileWriter> writer) {
+  return {info.ending, info.name, info.what,
+          [format = info.format](const std::filesystem::path& path) {
+            return shape_export_files(format, path);
+          },
+          std::move(writer)};
+}
+
 RecordSource source_on_screen(const PanelContext& ctx) {
   const auto& atoms = ctx.state.references;
   return {{atoms, &atoms->molecule()},

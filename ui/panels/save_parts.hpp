@@ -5,11 +5,14 @@
 #include <vector>
 
 #include "core/document/record_source.hpp"
+#include "core/document/shape_export.hpp"
 #include "ui/panels/table_memory.hpp"
 #include "ui/panels/widgets.hpp"
 
 namespace alphascope {
 
+// A format for other programs.
+FormatToSave format_to_save(const ShapeExportInfo& info, Definition<FileWriter> writer);
 // Opens the dialog that saves a table.
 void ask_to_save(PanelContext& ctx, TableToSave table);
 // Where its numbers come from: what is on screen. Not without ViewState::references.

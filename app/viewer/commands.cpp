@@ -6,7 +6,9 @@
 #include <utility>
 
 #include "app/viewer/command_parts.hpp"
+#include "core/io/output_ending.hpp"
 #include "core/molecule/printable.hpp"
+#include "core/text/as_sentence.hpp"
 #include "ui/panels/panel_list.hpp"
 #include "ui/panels/picture_path.hpp"
 #include "ui/panels/widgets.hpp"
@@ -93,7 +95,10 @@ Outcome save_picture(const Arguments& arguments, ViewState& s) {
   } catch (const std::invalid_argument& error) {
     return Outcome::refused("Caption: " + std::string(error.what()) + ".");
   }
-  s.requests.screenshot = {picture_path(arguments.text("path")), options};
+  const std::filesystem::path path = path_to_save(arguments.text("path"), kPictureEnding);
+  const std::string fault = fault_of_ending(path, {kPictureEnding});
+  if (!fault.empty()) return Outcome::refused(as_sentence(fault));
+  s.requests.screenshot = {path, options};
   return {};
 }
 

@@ -3,8 +3,10 @@
 #include <filesystem>
 
 #include "app/viewer/command_parts.hpp"
+#include "core/io/output_ending.hpp"
 #include "core/molecule/printable.hpp"
 #include "core/molecule/shortest_number.hpp"
+#include "core/text/as_sentence.hpp"
 #include "ui/panels/picture_path.hpp"
 #include "ui/panels/widgets.hpp"
 
@@ -32,7 +34,10 @@ Outcome open_session(const Arguments& arguments, ViewState& s) {
 
 Outcome save_session(const Arguments& arguments, ViewState& s) {
   if (arguments.has("path")) {
-    s.requests.save_session = session_path(arguments.text("path"));
+    const fs::path path = path_to_save(arguments.text("path"), kSessionEnding);
+    const std::string fault = fault_of_ending(path, {kSessionEnding});
+    if (!fault.empty()) return Outcome::refused(as_sentence(fault));
+    s.requests.save_session = path;
     return {};
   }
   s.memory.session_path = s.session_file.string();  // the session that this molecule has

@@ -102,6 +102,36 @@ TEST_F(SaveDialogs, OfferNoFolderOfSamples) {
   });
 }
 
+// No file is named for a format that it has not, nor gets a second ending.
+TEST_F(SaveDialogs, AnotherEndingIsRefused) {
+  const struct {
+    std::string dialog, wrong, right, written;
+  } cases[] = {{"save", "a.jpg", "a", "a.png"},
+               {"save", "a.PDB", "a_1.4", "a_1.4.png"},
+               {"save_session", "a.txt", "a", "a.json"}};
+  for (const auto& c : cases) {
+    const bool picture = c.dialog == "save";
+    (picture ? memory().show_save : memory().show_save_session) = true;
+    std::string& typed = picture ? memory().save_path : memory().session_path;
+    typed = path(c.wrong);
+    p.frame(4);
+    EXPECT_TRUE(p.rects.contains(c.dialog + ".ending")) << c.wrong;
+    p.click(c.dialog + ".ok");
+    p.frame(3);
+    EXPECT_TRUE(picture ? memory().show_save : memory().show_save_session) << "it cannot be saved";
+    typed = path(c.right);
+    p.frame(3);
+    EXPECT_FALSE(p.rects.contains(c.dialog + ".ending")) << c.right;
+    p.click(c.dialog + ".ok");
+    const fs::path wanted =
+        picture ? p.state.requests.screenshot->path : *p.state.requests.save_session;
+    EXPECT_EQ(wanted, path(c.written));
+    p.state.requests.screenshot.reset();
+    p.state.requests.save_session.reset();
+    p.frame(3);
+  }
+}
+
 TEST_F(SaveDialogs, AnEmptyFieldStaysEmpty) {
   memory().show_export = true;
   p.frame(4);

@@ -6,11 +6,11 @@
 
 namespace alphascope {
 
-// The whole path of what was typed, with this ending (".csv"), which it gets when it has another.
+// The whole path of what was typed; with this ending (".csv"), where it has none. One with another
+// ending stays, and fault_of_ending() says what is wrong with it.
 std::filesystem::path path_to_save(const std::string& typed, const std::string& ending);
-// The whole path, ending in ".png": pictures are PNG files whatever one calls them.
-std::filesystem::path picture_path(const std::string& typed);
-// The same, ending in ".json".
-std::filesystem::path session_path(const std::string& typed);
+
+inline constexpr const char* kPictureEnding = ".png";
+inline constexpr const char* kSessionEnding = ".json";
 
 }  // namespace alphascope

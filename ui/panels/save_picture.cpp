@@ -1,6 +1,7 @@
 // The dialog that saves a picture.
 #include <imgui.h>
 
+#include "core/io/output_ending.hpp"
 #include "ui/panels/dialog_stack.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/panels/picture_fields.hpp"
@@ -14,11 +15,12 @@ void draw_save_picture(PanelContext& ctx) {
   ViewState& s = ctx.state;
   PanelMemory& m = s.memory;
   constexpr const char* kTitle = "Save a picture";
-  propose_file(ctx, kTitle, "save", m.save_path, name_of_file(ctx, ".png"));
+  propose_file(ctx, kTitle, "save", m.save_path, name_of_file(ctx, kPictureEnding));
   if (!begin_dialog(ctx, kTitle)) return;
   const bool entered = file_row(ctx, "save", m.save_path);
-  const bool can_save =
-      save_target(ctx, "save", {picture_path(m.save_path)}) && !m.save_path.empty();
+  const std::filesystem::path path = path_to_save(m.save_path, kPictureEnding);
+  const bool can_save = save_target(ctx, "save", {path}, fault_of_ending(path, {kPictureEnding})) &&
+                        !m.save_path.empty();
   size_fields(ctx, "save", m.save);
   row_label(ctx, "");
   checkbox(ctx, "save.transparent", "Transparent background", m.save.transparent);
@@ -32,7 +34,7 @@ void draw_save_picture(PanelContext& ctx) {
   const DialogAnswer answer =
       dialog_buttons(ctx, ctx.px(kWidth), {"save.cancel", "Cancel"}, {"save.ok", "Save"}, can_save);
   const bool confirmed = answer == DialogAnswer::confirm || (entered && can_save);
-  if (confirmed) s.requests.screenshot = {picture_path(m.save_path), m.save};
+  if (confirmed) s.requests.screenshot = {path, m.save};
   if (confirmed || answer == DialogAnswer::cancel) {
     note_file(ctx, "save", m.save_path, confirmed);
     m.show_save = false;

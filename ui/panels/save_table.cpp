@@ -9,6 +9,7 @@
 #include "core/text/as_sentence.hpp"
 #include "ui/panels/dialog_stack.hpp"
 #include "ui/panels/format.hpp"
+#include "ui/panels/picture_path.hpp"
 #include "ui/panels/save_parts.hpp"
 #include "ui/panels/save_target.hpp"
 
@@ -56,10 +57,7 @@ std::string follow_ending(TableMemory& memory) {
 }
 
 std::filesystem::path target(const TableMemory& memory) {
-  std::error_code ignored;
-  std::filesystem::path path = std::filesystem::absolute(memory.path, ignored).lexically_normal();
-  if (output_ending(path).empty()) path += ending(*memory.table, memory.format);
-  return path;
+  return path_to_save(memory.path, ending(*memory.table, memory.format));
 }
 
 std::vector<std::filesystem::path> targets(const TableMemory& memory) {

@@ -1,6 +1,7 @@
 // Saving a session, and what to do when the molecule of one is not where it was or has changed.
 #include <imgui.h>
 
+#include "core/io/output_ending.hpp"
 #include "ui/panels/dialog_stack.hpp"
 #include "ui/panels/picture_path.hpp"
 #include "ui/panels/save_target.hpp"
@@ -16,11 +17,13 @@ void draw_save_session(PanelContext& ctx) {
   ViewState& s = ctx.state;
   PanelMemory& m = s.memory;
   constexpr const char* kTitle = "Save the session";
-  propose_file(ctx, kTitle, "save_session", m.session_path, name_of_file(ctx, ".json"));
+  propose_file(ctx, kTitle, "save_session", m.session_path, name_of_file(ctx, kSessionEnding));
   if (!begin_dialog(ctx, kTitle)) return;
   const bool entered = file_row(ctx, "save_session", m.session_path);
-  const std::filesystem::path path = session_path(m.session_path);
-  const bool can_save = save_target(ctx, "save_session", {path}) && !m.session_path.empty();
+  const std::filesystem::path path = path_to_save(m.session_path, kSessionEnding);
+  const bool can_save =
+      save_target(ctx, "save_session", {path}, fault_of_ending(path, {kSessionEnding})) &&
+      !m.session_path.empty();
   ImGui::PushFont(ctx.fonts.small);
   row_label(ctx, "");
   muted_text(ctx, "Holds the name of the molecule and every setting, but not its atoms:");

@@ -1,5 +1,9 @@
 // alphascope-cli as other programs of the command line are: help, typing errors, manual,
 // completion.
+#include <pty.h>
+
+#include <algorithm>
+#include <cctype>
 #include <iterator>
 #include <regex>
 #include <set>
@@ -143,6 +147,61 @@ TEST_F(CliConventions, QuietIsResultsOnlyAndVerboseSaysMore) {
   const Outcome failed = run("compute /nonexistent --alpha 1 -q");
   EXPECT_EQ(failed.code, 3);
   EXPECT_TRUE(contains(failed.err, "there is no such file")) << "errors stay";
+}
+
+// What a terminal of unlimited width has on its lines when the program has ended, with standard
+// output and standard error on it.
+std::vector<std::string> lines_on_a_terminal(const std::string& command, bool& progress) {
+  int terminal = -1;
+  const pid_t child = ::forkpty(&terminal, nullptr, nullptr, nullptr);
+  if (child == 0) {
+    ::setenv("TERM", "xterm", 1);
+    ::execl("/bin/sh", "sh", "-c", command.c_str(), nullptr);
+    ::_exit(127);
+  }
+  std::vector<std::string> lines(1);
+  std::size_t column = 0;
+  progress = false;
+  char last = ' ', bytes[4096];
+  for (ssize_t got = 0; (got = ::read(terminal, bytes, sizeof bytes)) > 0;) {
+    for (ssize_t k = 0; k < got; last = bytes[k++]) {
+      progress |= last == '\r' && std::isalpha(static_cast<unsigned char>(bytes[k])) != 0;
+      if (bytes[k] == '\r') {
+        column = 0;
+      } else if (bytes[k] == '\n') {
+        lines.back().erase(lines.back().find_last_not_of(' ') + 1);
+        lines.emplace_back();
+      } else {
+        lines.back().resize(std::max(lines.back().size(), column + 1), ' ');
+        lines.back()[column++] = bytes[k];
+      }
+    }
+  }
+  ::close(terminal);
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  EXPECT_EQ(status, 0) << command;
+  return lines;
+}
+
+// Results begin where the line of progress was, and nothing of that one is left.
+TEST_F(CliConventions, ResultsStandOnAClearLine) {
+  const std::string file = "'" ALPHASCOPE_SOURCE_DIR "/resources/molecules/4hhb.pdb.gz'";
+  std::string many;  // takes any machine longer than the first line of progress waits
+  for (int n = 0; n < 30; ++n) many += file + " ";
+  for (const std::string command :
+       {"cavities " + many, "compute " + many + "--alpha 1 --engine cpu", "measure " + many}) {
+    const Outcome plain = run(command + " --no-times");
+    ASSERT_EQ(plain.code, 0) << plain.err;
+    std::string out;
+    bool progress = false;
+    for (const std::string& line :
+         lines_on_a_terminal("'" + tested_cli() + "' " + command + " --no-times", progress)) {
+      out += (out.empty() ? "" : "\n") + line;
+    }
+    EXPECT_TRUE(progress) << command;
+    EXPECT_EQ(out, plain.out) << command;
+  }
 }
 
 TEST_F(CliConventions, ManualAndCompletionsHoldEveryOption) {

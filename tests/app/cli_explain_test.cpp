@@ -42,6 +42,12 @@ TEST_F(CliExplain, SaysWhatAnEdgeIs) {
   }
 }
 
+TEST_F(CliExplain, SaysHowLongItTookUnlessTimesAreNotWanted) {
+  const std::string edge = "'" + cube_.string() + "' --simplex 1,0";
+  EXPECT_TRUE(contains(run("explain " + edge).out, "\nTime ")) << run("explain " + edge).out;
+  EXPECT_FALSE(contains(run("explain --no-times " + edge).out, "\nTime "));
+}
+
 // rho of the edge is 1.25000150000025 Å², a little more than alpha: both with their digits.
 TEST_F(CliExplain, DoesNotRoundWhatDecides) {
   const std::string file = "'" + write("two.xyzr", "0 0 0 1\n3.000001 0 0 1\n").string() + "'";

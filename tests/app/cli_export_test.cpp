@@ -2,6 +2,7 @@
 // not needed. What VTK, CGAL and gemmi read is tested in files of their own.
 #include <sys/resource.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <csignal>
@@ -203,6 +204,31 @@ TEST_F(CliExport, ParallelAcsLayoutHasAllSimplices) {
   section("triangles", triangles, 3);
   section("tetrahedra", tetrahedra, 4);
   EXPECT_TRUE(words.at_end());
+  const std::string text = contents(folder_ / "c.txt");
+  EXPECT_EQ(static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')),
+            1 + balls + edges + triangles + tetrahedra)
+      << "a line for each";
+}
+
+// What VTK reads is tested where VTK is; these are the numbers that its files begin with.
+TEST_F(CliExport, VtkFilesSayHowManyCellsTheyHave) {
+  const json counts = compute_json(std::string(kCrambin) + " --alpha 1.4")["counts"];
+  const auto said = [&](const char* name, std::size_t number) {
+    return std::string(name) + "=\"" + std::to_string(number) + "\"";
+  };
+  const std::size_t vertices = counts["vertices"], edges = counts["edges"],
+                    triangles = counts["triangles"], tetrahedra = counts["tetrahedra"];
+  const std::string grid = exported("c.vtu");
+  EXPECT_TRUE(contains(grid, "<Piece NumberOfPoints=\"327\" " +
+                                 said("NumberOfCells", vertices + edges + triangles + tetrahedra)));
+  EXPECT_TRUE(contains(grid, "<Cells>"));
+  const std::string polygons = exported("c.vtp");
+  EXPECT_TRUE(contains(polygons, said("NumberOfVerts", vertices)));
+  EXPECT_TRUE(contains(polygons, said("NumberOfLines", edges)));
+  EXPECT_TRUE(contains(polygons, said("NumberOfPolys", triangles)));
+  for (const char* part : {"<Verts>", "<Lines>", "<Polys>"}) {
+    EXPECT_TRUE(contains(polygons, part)) << part;
+  }
 }
 
 TEST_F(CliExport, CountsAreRowsOfACsv) {

@@ -51,6 +51,31 @@ TEST_F(CliPictures, SayHowTheyAreMadeAgain) {
   EXPECT_EQ(contents(folder_ / "it's one.png"), first);
 }
 
+// A ball that has grown by nothing is drawn whole, and not at the share of the display.
+TEST_F(CliPictures, GrownBallsAreWhole) {
+  EXPECT_NE(picture("--no-shadows --grown"), picture("--no-shadows"));
+}
+
+// Of a session the file says which atoms the session had chosen.
+TEST_F(CliPictures, OfASessionSayWhatItsBallsAre) {
+  const fs::path molecule = folder_ / "1crn.pdb";
+  fs::copy_file(ALPHASCOPE_SOURCE_DIR "/resources/molecules/1crn.pdb", molecule);
+  const json info = json::parse(run("info '" + molecule.string() + "' --json -").out);
+  const fs::path session =
+      write("s.json", json{{"alphascope_session", 1},
+                           {"molecule", {{"path", "1crn.pdb"}, {"sha256", info["sha256"]}}},
+                           {"open", {{"selection", "resn CYS"}}}}
+                          .dump());
+  const fs::path file = folder_ / "s.png";
+  const Outcome outcome = run("screenshot --session '" + session.string() +
+                              "' --size 160x100 -o '" + file.string() + "'");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const auto texts = texts_of(contents(file));
+  const auto named = texts.find("alphascope:selection_expression");
+  ASSERT_NE(named, texts.end());
+  EXPECT_EQ(named->second, "resn CYS");
+}
+
 TEST_F(CliPictures, HaveLabelsAndMeasurements) {
   const std::string molecule = ALPHASCOPE_SOURCE_DIR "/resources/molecules/1crn.pdb";
   const auto drawn = [&](const std::string& options) {

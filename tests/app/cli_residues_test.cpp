@@ -133,6 +133,25 @@ TEST_F(CliResidues, AWrongKindOrPlaceIsRefusedBeforeAnyFileIsRead) {
   refused("", "the value is empty");
 }
 
+// Of reasons for as many atoms the first that is named has its remedy told.
+TEST_F(CliResidues, OfEqualReasonsTheFirstHasItsRemedyTold) {
+  const std::string atom =
+      "HETATM    1  O   HOH A   1      27.340  24.430   2.614  1.00  9.67           O  \n";
+  std::string ion = atom;
+  ion.replace(12, 8, " ZN   ZN")
+      .replace(76, 2, "ZN")
+      .replace(25, 1, "2")
+      .replace(30, 8, "  17.340");
+  const fs::path file = write("two.pdb", ion + atom + "END\n");
+  const Outcome outcome = run("info '" + file.string() + "' --no-ions");
+  EXPECT_EQ(outcome.code, 2);
+  const std::size_t water = outcome.err.find("1 water"), metal = outcome.err.find("1 ion");
+  ASSERT_NE(water, std::string::npos) << outcome.err;
+  ASSERT_NE(metal, std::string::npos) << outcome.err;
+  EXPECT_TRUE(contains(outcome.err, water < metal ? "Add --waters." : "Leave out --no-ions."))
+      << outcome.err;
+}
+
 TEST_F(CliResidues, NothingLeftIsAnError) {
   const Outcome outcome = run("info " + file_ + "--treat all=water");
   EXPECT_EQ(outcome.code, 2);

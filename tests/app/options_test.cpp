@@ -18,6 +18,8 @@ TEST(DidYouMean, ProposesTheNearestAndNothingFar) {
   EXPECT_EQ(did_you_mean("--aplha", words), " Did you mean \"--alpha\"?");
   EXPECT_EQ(did_you_mean("--ALPHA", words), " Did you mean \"--alpha\"?");
   EXPECT_EQ(did_you_mean("--tetra", words), " Did you mean \"--tetrahedra-only\"?");
+  EXPECT_EQ(did_you_mean("--solvnet", words), " Did you mean \"--solvent\"?");
+  EXPECT_EQ(did_you_mean("--altloc", words), " Did you mean \"--altlocs\"?");
   EXPECT_EQ(did_you_mean("--frobnicate", words), "");
   EXPECT_EQ(did_you_mean("-x", {"-q", "-v"}), "") << "any two such are near each other";
   EXPECT_EQ(did_you_mean("-xy", {"-xz"}), " Did you mean \"-xz\"?") << "of three letters";
@@ -151,6 +153,61 @@ TEST(Options, HelpIsACommandToo) {
   EXPECT_EQ(parse(program, {"help", "rnu"}).exit_code, 2);
   EXPECT_EQ(parse(program, {"-V"}).text, "prog 1\n");
   EXPECT_EQ(parse(program, {"run", "--version"}).text, "prog 1\n");
+}
+
+TEST(Options, HelpIsOfTheProgramOrOfOneCommand) {
+  Values v;
+  const OptionProgram program = table(v);
+  EXPECT_EQ(usage_line(program, nullptr), "prog COMMAND [OPTIONS] FILE...");
+  EXPECT_EQ(usage_line(program, &program.commands[0]), "prog run [OPTIONS] [FILE...]");
+  const std::string whole = help_text(program, nullptr);
+  const std::string of_run = help_text(program, &program.commands[0]);
+  const std::string commands =
+      "\nCommands (each has --help):\n  run                           Runs\n";
+  EXPECT_NE(whole.find(commands), whole.npos) << whole;
+  EXPECT_EQ(of_run.find("Commands"), of_run.npos) << of_run;
+  EXPECT_TRUE(
+      of_run.starts_with("Runs\n\nUsage: prog run [OPTIONS] [FILE...]\n\nArguments:\n"
+                         "  FILE...                       Input\n"))
+      << of_run;
+  EXPECT_NE(of_run.find("  --note TEXT                   It's a \"note\": [100 %] -x\n"),
+            of_run.npos);
+}
+
+// The program writes no line longer than 100 columns, and breaks none within a default value.
+TEST(Options, LongExplanationsAreWrapped) {
+  std::string value;
+  OptionProgram program;
+  program.name = "prog";
+  std::string words;  // up to column 95, from column 32
+  for (int n = 0; n < 8; ++n) words += words.empty() ? "a123456" : " a123456";
+  program.options = {with_default(text_option({"--value", "V", words + " behind"}, value), "1 2"),
+                     text_option({"--a-name-that-is-long-by-itself", "V", "Text"}, value)};
+  const std::string help = help_text(program, nullptr);
+  EXPECT_NE(help.find("  --value V                     " + words + "\n" + std::string(32, ' ') +
+                      "behind (default: 1 2)\n"),
+            help.npos)
+      << help;
+  EXPECT_NE(help.find("  --a-name-that-is-long-by-itself V\n" + std::string(32, ' ') + "Text\n"),
+            help.npos)
+      << help;
+}
+
+TEST(Options, ComplaintsNameWhatIsWrong) {
+  double alpha = 0;
+  std::string file;
+  OptionProgram program;
+  program.name = "prog";
+  program.options = {text_option({"FILE", "FILE", "Input"}, file),
+                     number_option({"--alpha", "A", "Alpha"}, alpha, {-10, 10, "Å²"})};
+  const auto complaint = [&](const std::vector<const char*>& words) {
+    const std::string text = parse(program, words).text;
+    return text.substr(0, text.find('\n'));
+  };
+  EXPECT_EQ(complaint({"a", "b"}), "prog: too many arguments: b.");
+  EXPECT_EQ(complaint({"a", "--alpha"}), "prog: --alpha needs a value.");
+  EXPECT_EQ(complaint({"a", "--alpha", "1", "--alpha", "2"}),
+            "prog: --alpha can be given only once.");
 }
 
 TEST(Options, AnswersEndTheProgramWithoutAnError) {

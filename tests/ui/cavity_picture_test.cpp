@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/document/chosen_cavities.hpp"
+#include "tests/support/molecules.hpp"
 #include "tests/ui/picture_difference.hpp"
 #include "tests/ui/png_pixels.hpp"
 #include "tests/ui/viewer_fixture.hpp"
@@ -155,6 +156,25 @@ TEST_F(CavityPictureTest, AHaemIsSeenInItsPocket) {
   EXPECT_EQ(held().atoms.size() % 43, 0u) << "whole haems";
   EXPECT_GE(held().atoms.size(), 43u);
   expect_seen_in_pictures(0.5);
+}
+
+// ATP in protein kinase A, and inhibitors of HSP90 and of a collagenase.
+TEST_F(CavityPictureTest, LigandsOfOtherProteinsAreSeenInTheirPockets) {
+  ALPHASCOPE_NEED_TEST_DATA();
+  const struct {
+    const char *file, *ligand;
+  } cases[] = {{"cavities/fpocket/1atp.pdb.gz", "ATP"},
+               {"cavities/fpocket/1uyd.pdb.gz", "PU8"},
+               {"cavities/p2rank/1fbl.pdb.gz", "HTA"}};
+  for (const auto& c : cases) {
+    SCOPED_TRACE(c.file);
+    show_as_at_the_start();
+    open_cavities(test_data_folder() / c.file);
+    const auto row = row_with_ligand(c.ligand);
+    ASSERT_TRUE(row);
+    choose(*row);
+    expect_seen_in_pictures(0.5);
+  }
 }
 
 // With panels in every frame, as for a user: they say what is drawn of a cavity.

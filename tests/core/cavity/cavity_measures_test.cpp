@@ -371,6 +371,32 @@ TEST(CavityMeasures, ASmallBallOnALargeOneIsFilledUpToItsCentre) {
   }
 }
 
+TEST(CavityTable, SumsAreOfAllVoidsOrOfAllPockets) {
+  const auto balls = testing::sample_balls("4hhb.pdb.gz", 1.4);
+  const CavityTable table = make_cavity_table(
+      std::make_shared<const CavityGround>(make_cavity_ground(
+          balls, std::make_shared<const Triangulation>(make_triangulation(*balls, 1)))),
+      {0, 1.4});
+  double volume[2]{}, area[2]{};
+  std::size_t count[2]{}, mouths = 0;
+  for (std::size_t c = 0; c < table.found.cavities.size(); ++c) {
+    const bool is_void = table.found.cavities[c].is_void();
+    ++count[is_void];
+    mouths += table.found.cavities[c].mouths.size();
+    volume[is_void] += table.measures[c].volume_sa_angstrom3;
+    area[is_void] += table.measures[c].area_sa_angstrom2;
+  }
+  EXPECT_EQ(table.pockets, count[false]);
+  EXPECT_EQ(table.voids, count[true]);
+  EXPECT_EQ(table.mouths, mouths);
+  for (const bool is_void : {false, true}) {
+    ASSERT_GT(count[is_void], 1u);
+    ASSERT_GT(volume[is_void], 1);
+    EXPECT_NEAR(table.volume_sa_angstrom3(is_void), volume[is_void], 1e-9 * volume[is_void]);
+    EXPECT_NEAR(table.area_sa_angstrom2(is_void), area[is_void], 1e-9 * area[is_void]);
+  }
+}
+
 TEST(CavityMeasures, OrderIsByFallingVolume) {
   // Two equal boxes side by side, and a smaller one: the box whose deepest sink comes first by its
   // centres is the first of the equal ones, in whatever order the balls are.

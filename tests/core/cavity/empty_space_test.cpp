@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/triangulation/cgal_triangulation.hpp"
@@ -92,6 +94,47 @@ TEST(EmptySpace, CornersOfAWayAreOutsideTheBalls) {
     }
   }
   EXPECT_GT(ways, 5);
+}
+
+// ∫ ds / clearance² along the segment between two corners, by many midpoints. Clearance is that of
+// the largest ball of the face, by power distance, and what the balls were grown by.
+double integrated(const BallSet& balls, const std::array<BallIndex, 3>& face, const RealPoint& from,
+                  const RealPoint& to, const WayCost& cost) {
+  constexpr int kSteps = 5000;
+  double radius = 0, sum = 0;
+  for (const BallIndex i : face) radius = std::max(radius, static_cast<double>(balls.radii[i]));
+  for (int n = 0; n < kSteps; ++n) {
+    const RealPoint at = from + (n + 0.5) / kSteps * (to - from);
+    const RealPoint d = at - real_point(balls.centres[face[0]]);
+    const double power = dot(d, d) - static_cast<double>(balls.weight(face[0]));
+    const double outside = std::sqrt(std::max(0.0, power) + radius * radius) - radius;
+    const double clearance = std::min(outside + cost.grown, cost.enough);
+    sum += 1 / (clearance * clearance);
+  }
+  return sum * length(to - from) / kSteps;
+}
+
+TEST(EmptySpace, AWayCostsItsLengthByTheSquareOfItsClearance) {
+  Random random(7);
+  int faces = 0;
+  for (int n = 0; n < 10; ++n) {
+    const BallSet balls = testing::random_balls(random, 100, 60, 2, 12);
+    const Triangulation triangulation = make_triangulation(balls, 1);
+    const EmptySpace space(balls, triangulation);
+    const WayCost cost{0.5, 20, static_cast<BallIndex>(balls.size())};
+    for (std::uint32_t t = 0; t < triangulation.tetrahedra.size(); ++t) {
+      for (std::size_t k = 0; k < 4; ++k) {
+        const Neighbour across = triangulation.neighbours[t][k];
+        if (across.is_hull() || !space.is_empty(t) || !space.is_empty(across.index())) continue;
+        if (!space.is_open(t, k)) continue;
+        const double expected = integrated(balls, space.face(t, k), space.corner(t),
+                                           space.corner(across.index()), cost);
+        EXPECT_NEAR(space.cost_across(t, k, cost), expected, 0.35 * expected + 1e-12);
+        ++faces;
+      }
+    }
+  }
+  EXPECT_GT(faces, 300);
 }
 
 }  // namespace

@@ -61,6 +61,44 @@ TEST(Chart, BarsAreAsLongAsTheirValues) {
   ASSERT_TRUE(text(d, "some machine"));
 }
 
+// With a font of 10 and letters of 5: names of 3 letters, and 10 on each side of them.
+TEST(Chart, PartsAreWhereTheTypeSays) {
+  Chart chart = bars();
+  const ChartDrawing d = lay_out(chart, 600, kType);
+  EXPECT_NEAR(box(d, "one, a: 1").x, 35, 0.01);
+  EXPECT_NEAR(box(d, "one, a: 1").height, 11.5 * 0.84, 0.01);
+  EXPECT_NEAR(box(d, "one, b: 4").y - box(d, "one, a: 1").y, 11.5, 0.01);
+  const ChartBox& swatch = box(d, "a");
+  EXPECT_NEAR(swatch.y + swatch.height / 2, text(d, "a")->y, 0.01) << "as high as its name";
+  EXPECT_NEAR(swatch.width, 8, 0.01);
+  chart.categories[0] = std::string(100, 'x');
+  const ChartDrawing wide = lay_out(chart, 600, kType);
+  EXPECT_NEAR(box(wide, chart.categories[0] + ", a: 1").x, 240, 0.01)
+      << "names take two fifths of the width at most";
+}
+
+TEST(Chart, TextsAreWrappedWhereTheyDoNotFit) {
+  Chart chart = bars();
+  const std::string half(57, 'x');
+  chart.caption = half + "x " + half;  // 116 letters: 580, from 10 to 590
+  EXPECT_TRUE(text(lay_out(chart, 600, kType), chart.caption)) << "it just fits";
+  chart.caption = half + "x " + half + "x";
+  const ChartDrawing d = lay_out(chart, 600, kType);
+  ASSERT_TRUE(text(d, half + "x"));
+  EXPECT_FALSE(text(d, chart.caption));
+}
+
+TEST(Chart, ZerosHaveAnAxisFromZeroToOne) {
+  Chart chart = bars();
+  chart.series = {{"a", {0.0, 0.0}}};
+  const ChartDrawing d = lay_out(chart, 600, kType);
+  ASSERT_TRUE(text(d, "0"));
+  ASSERT_TRUE(text(d, "1"));
+  EXPECT_NEAR(text(d, "0")->x, 35, 0.01);
+  EXPECT_NEAR(box(d, "one, a: 0").x, 35, 0.01);
+  EXPECT_NEAR(box(d, "one, a: 0").width, 1, 0.01) << "a line that is seen";
+}
+
 TEST(Chart, RatiosFarApartGetALogarithmicAxisFromTheReference) {
   Chart chart = bars();
   chart.ratios = true;
@@ -90,6 +128,7 @@ TEST(Chart, StackedSharesAreOneBar) {
   EXPECT_NEAR(a.x + a.width, b.x, 0.01);
   EXPECT_NEAR(b.width / a.width, 70.0 / 30, 0.01);
   EXPECT_EQ(a.y, b.y);
+  EXPECT_NEAR(a.x, 35, 0.01) << "from zero";
 }
 
 TEST(Chart, LinesLeaveAGapWhereNothingWasMeasured) {
@@ -101,6 +140,7 @@ TEST(Chart, LinesLeaveAGapWhereNothingWasMeasured) {
   EXPECT_LT(d.dots[1].y, d.dots[2].y) << "30 is above 20";
   EXPECT_NEAR(d.dots[2].x - d.dots[1].x, d.dots[1].x - d.dots[0].x, 0.01);
   EXPECT_TRUE(text(d, "α (Å²)"));
+  EXPECT_TRUE(text(d, "%"));
 }
 
 TEST(Chart, NothingLeavesThePicture) {
@@ -150,6 +190,19 @@ TEST(ChartSvg, IsWellFormedAndEscapes) {
     EXPECT_EQ(test::xml_error(svg), "") << svg;
   }
   EXPECT_NE(chart_svg(bars()).find("A &amp; B &lt; C &quot;quoted&quot;"), std::string::npos);
+}
+
+TEST(ChartSvg, TextsBeginEndOrHaveTheirMiddleAtTheirPlace) {
+  const std::string svg = chart_svg(bars());
+  const auto anchor = [&](const std::string& text) {
+    const std::size_t end = svg.find(">" + text + "</text>");
+    EXPECT_NE(end, svg.npos) << text;
+    const std::size_t from = svg.rfind("text-anchor=\"", end) + 13;
+    return svg.substr(from, svg.find('"', from) - from);
+  };
+  EXPECT_EQ(anchor("some machine"), "start");
+  EXPECT_EQ(anchor("one"), "end") << "a category, before its bar";
+  EXPECT_EQ(anchor("0"), "middle") << "a number, below its mark";
 }
 
 TEST(ChartSvg, FilesAreWrittenIntoAFolderThatIsMade) {

@@ -26,6 +26,36 @@ TEST(ColourMap, EndsAreThoseOfTheTablesAndNothingIsBeyond) {
   EXPECT_FALSE(colour_map_named("jet"));
 }
 
+// Entries of the published tables: both ends and two between them.
+TEST(ColourMap, EntriesArePublishedOnes) {
+  const struct {
+    ColourMap map;
+    double entries;
+    struct {
+      double number;
+      Rgb8 colour;
+    } some[4];
+  } tables[] = {
+      {ColourMap::viridis,
+       9,
+       {{0, {68, 1, 84}}, {3, {44, 113, 142}}, {6, {92, 200, 99}}, {8, {253, 231, 37}}}},
+      {ColourMap::cividis,
+       9,
+       {{0, {0, 34, 78}}, {2, {67, 78, 108}}, {5, {155, 148, 118}}, {8, {254, 232, 56}}}},
+      {ColourMap::blue_white_red,
+       11,
+       {{0, {5, 48, 97}}, {3, {146, 197, 222}}, {8, {214, 96, 77}}, {10, {103, 0, 31}}}},
+      {ColourMap::rainbow,
+       22,
+       {{0, {111, 76, 155}}, {7, {89, 165, 169}}, {15, {221, 170, 60}}, {21, {218, 34, 34}}}}};
+  for (const auto& table : tables) {
+    for (const auto& [number, colour] : table.some) {
+      EXPECT_EQ(mapped_colour(table.map, number / (table.entries - 1)), colour)
+          << colour_map_info(table.map).id << ' ' << number;
+    }
+  }
+}
+
 TEST(ColourMap, SequentialOnesGrowBrighterAndTheDivergingOneIsBrightestInItsMiddle) {
   for (int i = 0; i < 100; ++i) {
     const double a = i / 100.0, b = (i + 1) / 100.0;
@@ -56,6 +86,7 @@ TEST(ColourScale, RoundRangesHoldTheirValues) {
   EXPECT_EQ(round_range(-2.5, 61), (ColourRange{-20, 80}));
   EXPECT_EQ(round_range(0, 0), (ColourRange{0, 1}));
   EXPECT_EQ(round_range(0, 100), (ColourRange{0, 100})) << "already round";
+  EXPECT_EQ(round_range(0.9, 6.6), (ColourRange{0, 8})) << "five steps, of 2";
   for (const double value : {-7.0, 0.003, 12.5, 1e6}) {
     const ColourRange range = round_range(value, value);
     EXPECT_NEAR((range.low + range.high) / 2, value, 1e-9 * std::fabs(value));

@@ -121,6 +121,25 @@ TEST_F(StoreLanesTest, OneThatIsMadeAgainAfterAllIsTaken) {
   EXPECT_EQ(made, 1);
 }
 
+TEST_F(StoreLanesTest, AFailureAtAnAlphaThatReturnedIsNotRepeated) {
+  Definition<double> t = table("table");
+  t.make = [this](const Inputs&, const RunContext& context) -> std::shared_ptr<const double> {
+    ++made;
+    wait_while_held(context);
+    throw std::runtime_error("The inputs do not match.");
+  };
+  hold = true;
+  begin(t, inputs(1, 1));
+  store.want(t, inputs(1, 2));
+  EXPECT_EQ(store.want(t, inputs(1, 1)).state, DerivedState::running);
+  hold = false;
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_EQ(settle(t, inputs(1, 1)).state, DerivedState::failed);
+    frame();
+  }
+  EXPECT_EQ(made, 1);
+}
+
 TEST_F(StoreLanesTest, OtherBallsEndWhatRuns) {
   const auto t = table("table");
   settle(t, inputs(1, 1));

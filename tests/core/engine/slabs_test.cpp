@@ -58,6 +58,51 @@ TEST(Slabs, HoldFewerBallsEach) {
   EXPECT_LE(most, 110u);
 }
 
+// Balls along x, whose coordinates are as much below zero as above it; all of y is far from zero.
+TEST(Slabs, AreCutAcrossTheLongestSideWhereverItLies) {
+  BallSet row;
+  for (int i = 0; i < 40; ++i) {
+    row.centres.push_back({(i * 17 % 40) * 1000 - 20'000, 100'000 + i % 3, 0});
+    row.radii.push_back(1);
+  }
+  std::vector<std::size_t> sizes;
+  compute_in_slabs(row, {0, true}, 40, {}, [&](std::shared_ptr<const BallSet> part) {
+    sizes.push_back(part->size());
+    return AlphaComplex{};
+  });
+  std::vector<std::size_t> one_and_the_next(40, 2);
+  one_and_the_next.back() = 1;
+  EXPECT_EQ(sizes, one_and_the_next);
+}
+
+TEST(Slabs, SayWhatTheirPartsTook) {
+  BallSet row;
+  for (int i = 0; i < 30; ++i) {
+    row.centres.push_back({i * 1000, 0, 0});
+    row.radii.push_back(1);
+  }
+  int parts = 0;
+  const AlphaComplex found =
+      compute_in_slabs(row, {0, true}, 3, {}, [&](std::shared_ptr<const BallSet>) {
+        AlphaComplex part;
+        part.engine.name = "part " + std::to_string(++parts);
+        part.engine.rests_on_cgal = parts == 2;  // neither the first nor the last
+        part.timings.stages = {{"upload", 10.0 * parts, true}, {"tuples", 1.0 * parts, false}};
+        return part;
+      });
+  EXPECT_EQ(found.engine.name, "part 3");
+  EXPECT_TRUE(found.engine.rests_on_cgal) << "a part did";
+  const auto milliseconds = [&](const std::string& label) {
+    double sum = 0;
+    for (const StageTime& stage : found.timings.stages) {
+      if (stage.label == label) sum += stage.milliseconds;
+    }
+    return sum;
+  };
+  EXPECT_EQ(milliseconds("upload"), 60);
+  EXPECT_EQ(milliseconds("tuples"), 6);
+}
+
 TEST(Slabs, OfBallsInOnePlaceAreOne) {
   BallSet balls;
   for (int i = 0; i < 20; ++i) {

@@ -176,6 +176,84 @@ TEST(FlatDrawing, RefusesBallsOutsideThePlane) {
   EXPECT_THROW(flat_shapes(balls, {}, {{0, 0}, {1, 1}}), std::invalid_argument);
 }
 
+// The grown discs, and 8 % of the longer side around them.
+TEST(FlatDrawing, ABoxHasAMargin) {
+  BallSet balls;
+  balls.lattice.digits = 0;
+  testing::add_ball(balls, 0, 0, 0, 3);
+  testing::add_ball(balls, 10, 0, 0, 3);
+  const FlatBox box = box_of(balls, 16);  // radii √(9 + 16): from -5 to 15 and from -5 to 5
+  EXPECT_NEAR(box.low[0], -5 - 1.6, 1e-12);
+  EXPECT_NEAR(box.high[0], 15 + 1.6, 1e-12);
+  EXPECT_NEAR(box.low[1], -5 - 1.6, 1e-12);
+  EXPECT_NEAR(box.high[1], 5 + 1.6, 1e-12);
+}
+
+// Of two balls of radius 1 the square is (d / 2)² - 1.
+TEST(FlatDrawing, ASmallOrthocircleIsDrawnAndAnImaginaryOneIsNot) {
+  BallSet balls;
+  balls.lattice.digits = 1;
+  testing::add_ball(balls, 0, 0, 0, 10);
+  testing::add_ball(balls, 22, 0, 0, 10);  // 1.21 - 1 = 0.21
+  testing::add_ball(balls, 0, 100, 0, 10);
+  testing::add_ball(balls, 18, 100, 0, 10);  // 0.81 - 1
+  const FlatBox box = box_of(balls, 0);
+  const AlphaComplex complex = complex_of(balls, 0);
+  const auto real = flat_shapes(balls, complex, box, {.chosen = {0, 1}});
+  EXPECT_EQ(count(real, FlatKind::orthocentre), 1u);
+  ASSERT_EQ(count(real, FlatKind::orthocircle), 1u);
+  EXPECT_EQ(real.back().kind, FlatKind::orthocircle);
+  EXPECT_NEAR(real.back().radius, std::sqrt(0.21), 1e-12);
+  const auto imaginary = flat_shapes(balls, complex, box, {.chosen = {2, 3}});
+  EXPECT_EQ(count(imaginary, FlatKind::orthocentre), 1u);
+  EXPECT_EQ(count(imaginary, FlatKind::orthocircle), 0u);
+}
+
+// Each kind on a page of 10 x 5 Å and 10 pixels an Å, y upwards.
+TEST(FlatSvg, EachKindLooksAsItsLegendSays) {
+  const FlatPage page{{{0, 0}, {10, 5}}, 100};
+  const auto drawn = [&](const FlatShape& shape) {
+    const std::string svg = flat_svg({shape}, page);
+    const std::size_t begin = svg.find("round\">\n") + 8;
+    return svg.substr(begin, svg.find("\n</g>") - begin);
+  };
+  const std::string circle = "<circle cx=\"20.000\" cy=\"40.000\" r=\"";
+  const struct {
+    FlatKind kind;
+    std::string tag;
+  } circles[] = {
+      {FlatKind::grown_disc,
+       "7.000\" fill=\"#2f81c4\" fill-opacity=\"0.16\" stroke=\"#2f81c4\" "
+       "stroke-opacity=\"0.55\" stroke-width=\"1.2\"/>"},
+      {FlatKind::ball,
+       "7.000\" fill=\"none\" stroke=\"#24292f\" stroke-opacity=\"0.85\" stroke-width=\"1.3\"/>"},
+      {FlatKind::empty_ball,
+       "7.000\" fill=\"none\" stroke=\"#6e7781\" stroke-opacity=\"0.70\" stroke-width=\"1.2\" "
+       "stroke-dasharray=\"6 4\"/>"},
+      {FlatKind::vertex, "4.000\" fill=\"#1b1f24\" stroke=\"none\" stroke-width=\"0.0\"/>"},
+      {FlatKind::no_vertex, "3.500\" fill=\"#ffffff\" stroke=\"#6e7781\" stroke-width=\"1.4\"/>"},
+      {FlatKind::orthocircle, "7.000\" fill=\"none\" stroke=\"#c62828\" stroke-width=\"1.8\"/>"},
+      {FlatKind::orthocentre, "3.000\" fill=\"#c62828\" stroke=\"none\" stroke-width=\"0.0\"/>"}};
+  for (const auto& c : circles) EXPECT_EQ(drawn({c.kind, {{2, 1}}, 0.7, {0}}), circle + c.tag);
+  const std::string polygon = "<polygon points=\"0.000,50.000 100.000,50.000 20.000,40.000\"";
+  const struct {
+    FlatKind kind;
+    std::string tag;
+  } polygons[] = {
+      {FlatKind::cell,
+       " fill=\"none\" stroke=\"#6e7781\" stroke-opacity=\"0.90\" stroke-width=\"1.0\" "
+       "stroke-dasharray=\"6 4\"/>"},
+      {FlatKind::triangle,
+       " fill=\"#2da160\" fill-opacity=\"0.35\" stroke=\"none\" stroke-width=\"0.0\"/>"},
+      {FlatKind::edge_inside,
+       " fill=\"none\" stroke=\"#1a7f45\" stroke-opacity=\"0.80\" stroke-width=\"1.4\"/>"},
+      {FlatKind::edge_boundary, " fill=\"none\" stroke=\"#116235\" stroke-width=\"2.8\"/>"},
+      {FlatKind::edge_alone, " fill=\"none\" stroke=\"#b07700\" stroke-width=\"2.4\"/>"}};
+  for (const auto& p : polygons) {
+    EXPECT_EQ(drawn({p.kind, {{0, 0}, {10, 0}, {2, 1}}, 0, {0}}), polygon + p.tag);
+  }
+}
+
 TEST(FlatDrawing, IsAWellFormedFile) {
   Random random(73);
   const BallSet balls = flat(testing::random_balls(random, 12, 20, 1, 6));

@@ -3,10 +3,48 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <random>
+
 #include "tests/core/cavity/rings.hpp"
+#include "tests/support/random_balls.hpp"
 
 namespace alphascope {
 namespace {
+
+// A V = V D, and V's columns are unit vectors normal to each other.
+TEST(Diagonalise, FindsEigenvaluesAndVectors) {
+  testing::Random random(81);
+  std::uniform_real_distribution<double> number(-3, 3);
+  for (int round = 0; round < 100; ++round) {
+    Matrix3 a{};
+    for (std::size_t j = 0; j < 3; ++j) {
+      for (std::size_t k = j; k < 3; ++k) a[j][k] = a[k][j] = number(random);
+    }
+    Matrix3 diagonal = a, vectors{};
+    diagonalise(diagonal, vectors);
+    for (std::size_t j = 0; j < 3; ++j) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        double of_a = 0, of_vectors = 0;
+        for (std::size_t n = 0; n < 3; ++n) {
+          of_a += a[j][n] * vectors[n][k];
+          of_vectors += vectors[n][j] * vectors[n][k];
+        }
+        EXPECT_NEAR(of_a, vectors[j][k] * diagonal[k][k], 1e-12);
+        EXPECT_NEAR(of_vectors, j == k, 1e-12);
+        if (j != k) EXPECT_NEAR(diagonal[j][k], 0, 1e-12);
+      }
+    }
+  }
+  Matrix3 known{{{2, 1, 0}, {1, 2, 0}, {0, 0, 5}}}, vectors{};
+  diagonalise(known, vectors);
+  std::array<double, 3> values{known[0][0], known[1][1], known[2][2]};
+  std::sort(values.begin(), values.end());
+  EXPECT_NEAR(values[0], 1, 1e-12);
+  EXPECT_NEAR(values[1], 3, 1e-12);
+  EXPECT_NEAR(values[2], 5, 1e-12);
+}
 
 TEST(PrincipalAxes, TheMainAxisIsThatOfEqualCopies) {
   BallSet flat = testing::no_balls();

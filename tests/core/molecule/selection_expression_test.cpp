@@ -89,6 +89,31 @@ TEST(Selection, PicksWhatItSays) {
   for (const auto& c : cases) EXPECT_EQ(picked(c.expression), c.atoms) << c.expression;
 }
 
+// A residue of no known name is protein with N and CA, nucleic with C1'; one of the two is not
+// enough.
+TEST(Selection, APolymerOfUnknownNameIsKnownByItsAtoms) {
+  Molecule m = read_text(
+      "a.pdb",
+      "ATOM      1  N   QZ1 A   1       1.000   2.000   3.000  1.00  0.00           N  \n"
+      "ATOM      2  CA  QZ1 A   1       2.000   2.000   3.000  1.00  0.00           C  \n"
+      "ATOM      3  CA  QZ2 A   2       4.000   2.000   3.000  1.00  0.00           C  \n"
+      "ATOM      4  CB  QZ2 A   2       5.000   2.000   3.000  1.00  0.00           C  \n"
+      "ATOM      5  N   QZ3 A   3       7.000   2.000   3.000  1.00  0.00           N  \n"
+      "ATOM      6  CB  QZ3 A   3       8.000   2.000   3.000  1.00  0.00           C  \n"
+      "ATOM      7  C1' QZ4 A   4      10.000   2.000   3.000  1.00  0.00           C  \n");
+  for (Atom& atom : m.atoms) atom.kind = AtomKind::polymer;
+  const auto picked = [&](const char* text) {
+    const auto bound = SelectionExpression::parse(text).bind(m);
+    std::string atoms;
+    for (const Atom& atom : m.atoms) {
+      if (bound(atom)) atoms += std::to_string(atom.serial);
+    }
+    return atoms;
+  };
+  EXPECT_EQ(picked("protein"), "12");
+  EXPECT_EQ(picked("nucleic"), "7");
+}
+
 TEST(Selection, AnAtomWithoutABFactorFitsNone) {
   const Molecule m =
       read_text("a.pdb",

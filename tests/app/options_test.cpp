@@ -21,6 +21,8 @@ TEST(DidYouMean, ProposesTheNearestAndNothingFar) {
   EXPECT_EQ(did_you_mean("--solvnet", words), " Did you mean \"--solvent\"?");
   EXPECT_EQ(did_you_mean("--altloc", words), " Did you mean \"--altlocs\"?");
   EXPECT_EQ(did_you_mean("--frobnicate", words), "");
+  EXPECT_EQ(did_you_mean("--qwertyab", {"--asdfghba"}), "")
+      << "two letters swapped, and six others";
   EXPECT_EQ(did_you_mean("-x", {"-q", "-v"}), "") << "any two such are near each other";
   EXPECT_EQ(did_you_mean("-xy", {"-xz"}), " Did you mean \"-xz\"?") << "of three letters";
   EXPECT_EQ(did_you_mean("bac", {"abc"}), " Did you mean \"abc\"?") << "one slip, not two";

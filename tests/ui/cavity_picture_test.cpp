@@ -26,7 +26,8 @@ class CavityPictureTest : public ViewerTest {
   void settle() { run("wait-idle\nframes 3\nwait-idle\nframes 3\n"); }
   void open_cavities(const fs::path& file) {
     run("open " + file.string() + "\nwait-idle\nclick bottom.cavities\nwait-idle\nframes 3\n");
-    run("click cavities.preset\n");
+    // Where the choices are those of CASTp already, there is nothing to click.
+    if (viewer_->widgets().contains("cavities.preset")) run("click cavities.preset\n");
     settle();
   }
   const CavityPage& page() { return *viewer_->state().memory.cavities.page; }

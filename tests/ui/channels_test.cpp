@@ -272,7 +272,8 @@ TEST_F(ChannelsTest, SavesWhatItCopiesAndAllOfTheChannelAsJson) {
   run("click save_table.ok\n");
   settle();
   EXPECT_EQ(bytes("c.csv"), copied);
-  run("click channels.save\nframes 3\nclick save_table.format.1\nframes 2\n");
+  run("click channels.save\nframes 3\nclick save_table.format\nframes 2\n"
+      "click save_table.json\nframes 2\n");
   viewer_->state().memory.save_table.path = (folder_ / "c.json").string();
   run("click save_table.ok\n");
   settle();
@@ -282,6 +283,26 @@ TEST_F(ChannelsTest, SavesWhatItCopiesAndAllOfTheChannelAsJson) {
         "\"bottleneck\"", "\"sha256\"", "\"name\": \"alphascope\""}) {
     EXPECT_NE(json.find(key), std::string::npos) << key;
   }
+}
+
+// The same formats as those of cavities; a script comes with the files that it opens.
+TEST_F(ChannelsTest, IsSavedForOtherPrograms) {
+  open_tube(false);
+  const auto save = [&](const std::string& name) {
+    run("click channels.save\nframes 3\n");
+    viewer_->state().memory.save_table.path = (folder_ / name).string();
+    run("frames 2\nclick save_table.ok\n");
+    settle();
+    run("wait-idle\nframes 3\n");
+    EXPECT_EQ(viewer_->state().error, "");
+    return bytes(name);
+  };
+  EXPECT_TRUE(save("c.ply").starts_with("ply\n"));
+  EXPECT_TRUE(save("c.glb").starts_with("glTF"));
+  const std::string spheres = save("c.pqr");
+  std::size_t atoms = 0;
+  for (std::size_t at = 0; (at = spheres.find("  SPH CHN C", at)) != spheres.npos; ++at) ++atoms;
+  EXPECT_EQ(atoms, channel().samples.size());
 }
 
 TEST(ChannelTexts, BandsAreThoseOfHole) {

@@ -48,6 +48,21 @@ TEST(WorkThreads, TwoCallersHaveNoMoreThreadsThanOne) {
   EXPECT_LE(most, 2);
 }
 
+TEST(WorkThreads, SeveralWorkAtOnce) {
+  if (WorkThreads().used() < 2) GTEST_SKIP() << "one core";
+  WorkThreads threads(2);
+  std::atomic<int> at_work{0};
+  std::atomic<bool> together{false};
+  threads.run([&] {
+    parallel_each(0, 2u, [&](unsigned) {
+      ++at_work;
+      for (int i = 0; i < 20'000 && at_work < 2; ++i) std::this_thread::sleep_for(1ms);
+      together = together || at_work == 2;
+    });
+  });
+  EXPECT_TRUE(together);
+}
+
 // Else a slider would wait for a table.
 TEST(WorkThreads, OfOneThreadNobodyWaitsForTheOther) {
   WorkThreads threads(1);

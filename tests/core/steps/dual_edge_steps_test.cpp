@@ -296,6 +296,26 @@ TEST(DualEdgeSteps, RemoversOfEdgesAreInConflict) {
   EXPECT_GT(seen, 100);
 }
 
+// Balls of a cubic lattice: of each square, the foot of a diagonal is as near to the other two
+// balls, and the ends of dual edges are ties.
+TEST(DualEdgeSteps, TiesAreSaidOnceAndDecidedByIntegers) {
+  BallSet balls;
+  for (int i = 0; i < 27; ++i) {
+    testing::add_ball(balls, 1000 * (i % 3), 1000 * (i / 3 % 3), 1000 * (i / 9), 700);
+  }
+  const BallSteps steps = dual_edge_steps(balls, 13, 300'000);
+  EXPECT_GT(steps.find(StepKind::edges)->count(id::kIntegers).all, 0u);
+  std::size_t unclear = 0;
+  for (const StepDualEdge& edge : steps.find(StepKind::clipping)->dual_edges) {
+    for (std::size_t n = 0; n < edge.cuts.size(); ++n) {
+      if (edge.cuts[n].kind != CutKind::unclear) continue;
+      ++unclear;
+      EXPECT_TRUE(n == 0 || edge.cuts[n - 1].kind != CutKind::unclear) << "said already";
+    }
+  }
+  EXPECT_GT(unclear, 0u);
+}
+
 TEST(DualEdgeSteps, BoxesAndSpheresAreWhereTheBallIs) {
   const auto balls = testing::sample_balls("1crn.pdb");
   const BallSteps steps = dual_edge_steps(*balls, 100, balls->lattice.alpha_on_lattice(1.4));
@@ -313,6 +333,9 @@ TEST(DualEdgeSteps, BoxesAndSpheresAreWhereTheBallIs) {
   EXPECT_EQ(sphere.centre_angstrom, p);
   const double radius = balls->lattice.angstrom(balls->radii[100]);
   EXPECT_NEAR(sphere.radius_angstrom, std::sqrt(radius * radius + 1.4), 1e-4);
+  for (const StepKind kind : {StepKind::neighbours, StepKind::clipping}) {
+    EXPECT_NEAR(steps.find(kind)->length_angstrom, sphere.radius_angstrom, 1e-9);
+  }
 }
 
 TEST(DualEdgeSteps, OneBallIsItsOwnStar) {

@@ -198,6 +198,7 @@ TEST(TupleSteps, RemoversAreInConflict) {
 TEST(TupleSteps, PlacesAreSums) {
   const auto balls = testing::sample_balls("1crn.pdb");
   std::size_t seen = 0;
+  std::uint64_t tuples = 0;
   for (BallIndex b = 0; b < balls->size(); b += 10) {
     const BallSteps steps = tuple_steps(*balls, b, balls->lattice.alpha_on_lattice(1.4), {});
     const Step& step = *steps.find(StepKind::places);
@@ -208,10 +209,12 @@ TEST(TupleSteps, PlacesAreSums) {
       EXPECT_TRUE(std::find(place.triple.begin(), place.triple.end(), b) != place.triple.end());
     }
     EXPECT_LE(sum, step.count(id::kKept).here);
+    tuples += sum;
     EXPECT_GE(step.count(id::kReserved).all, step.count(id::kKept).all);
     seen += step.places.size();
   }
   EXPECT_GT(seen, 50u);
+  EXPECT_GT(tuples, seen) << "some have several tuples";
 }
 
 // The box around the ball's cell contains it, the cube is around it.
@@ -224,6 +227,19 @@ TEST(TupleSteps, BoxesAreWhereTheBallIs) {
     const RealPoint p = balls->lattice.unit_angstrom() * real_point(balls->centres[100]);
     std::vector<StepBox> boxes = steps.find(StepKind::grid)->boxes;
     ASSERT_EQ(boxes.size(), 1u);
+    // As many cells as it takes from the least centre to the largest, along each axis.
+    std::uint64_t cells = 1;
+    for (const double RealPoint::*axis : {&RealPoint::x, &RealPoint::y, &RealPoint::z}) {
+      double low = 1e300, high = -1e300;
+      for (const LatticePoint& centre : balls->centres) {
+        const double at = (balls->lattice.unit_angstrom() * real_point(centre)).*axis;
+        low = std::min(low, at);
+        high = std::max(high, at);
+      }
+      const double width = boxes[0].high_angstrom.*axis - boxes[0].low_angstrom.*axis;
+      cells *= static_cast<std::uint64_t>(std::floor((high - low) / width * (1 + 1e-12))) + 1;
+    }
+    EXPECT_EQ(steps.find(StepKind::grid)->count(id::kCells).all, cells);
     for (const StepBox& box : steps.find(StepKind::cube)->boxes) boxes.push_back(box);
     ASSERT_EQ(boxes.size(), 3u);
     for (const StepBox& box : boxes) {

@@ -150,6 +150,19 @@ TEST(Triangulation, ItsMakingCanBeCancelled) {
 }
 
 // The store decides by these numbers what it builds.
+TEST(MemoryNeed, BytesAreThoseOfAllArrays) {
+  Triangulation t;
+  t.tetrahedra.resize(2);
+  t.neighbours.resize(2);
+  t.hull.resize(3);
+  t.triangles.resize(4);
+  t.edges.resize(5);
+  t.vertices.resize(6);
+  t.hidden.resize(7);
+  EXPECT_EQ(bytes_of(t), 2 * 16 + 2 * sizeof(t.neighbours[0]) + 3 * sizeof(HullFacet) + 4 * 12 +
+                             5 * 8 + (6 + 7) * 4);
+}
+
 TEST(MemoryNeed, OfAFiltrationIsWhatItHolds) {
   Random random(35);
   for (const NamedBalls& set : testing::large_hard_sets(random)) {

@@ -171,6 +171,7 @@ TEST_F(CavityPictureTest, LigandsOfOtherProteinsAreSeenInTheirPockets) {
     SCOPED_TRACE(c.file);
     show_as_at_the_start();
     open_cavities(test_data_folder() / c.file);
+    viewer_->state().memory.cavities.page->parts.surfaces = true;  // off for the last picture
     const auto row = row_with_ligand(c.ligand);
     ASSERT_TRUE(row);
     choose(*row);

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <map>
 
+#include "core/tuples/tuple_compute.hpp"
 #include "core/tuples/tuple_scene.hpp"
 #include "tests/support/dual_edge_only_engine.hpp"
 #include "tests/support/expect_same.hpp"
@@ -180,7 +181,10 @@ TEST(TupleEngine, NamesItsStagesInOrder) {
   const auto engine = make_tuple_engine(testing::sample_balls("1crn.pdb"), {1});
   engine->compute({1.4}, {});
   std::vector<std::string> labels;
-  for (const StageTime& s : engine->compute({1.4}, {}).timings.stages) labels.push_back(s.label);
+  for (const StageTime& s : engine->compute({1.4}, {}).timings.stages) {
+    labels.push_back(s.label);
+    EXPECT_FALSE(s.setup) << s.label << " is paid at every alpha";
+  }
   const std::vector<std::string> expected{"grid",
                                           "kernel I (candidates)",
                                           "prefix sum",
@@ -192,6 +196,27 @@ TEST(TupleEngine, NamesItsStagesInOrder) {
 }
 
 // Everything meets everything: without a look at the token between batches this would take minutes.
+// What a CPU does not have is not said to be left out.
+TEST(TupleEngine, ItsRouteSaysWhatIsLeftOut) {
+  const auto balls = testing::sample_balls("1crn.pdb");
+  const auto route = [&](const TupleOptions& options) {
+    return make_tuple_engine(balls, {1}, options)->compute({0.0, true}, {}).engine.route;
+  };
+  EXPECT_EQ(route({}), "tuples of neighbours");
+  TupleOptions plain;
+  plain.pinned = plain.texture = false;
+  plain.streams = 1;
+  EXPECT_EQ(route(plain), "tuples of neighbours");
+  plain.grid = TupleGridKind::thesis;
+  plain.edge_optimisation = plain.alpha_optimisation = false;
+  EXPECT_EQ(route(plain),
+            "tuples of neighbours, 100 x 100 x 100 grid, without edge optimisation and alpha "
+            "optimisation");
+  EXPECT_EQ(tuple_route(plain, true),
+            "tuples of neighbours, 100 x 100 x 100 grid, without edge optimisation and alpha "
+            "optimisation and pinned memory and streams and textures");
+}
+
 TEST(TupleEngine, StopsBetweenBatches) {
   Random random(34);
   const auto balls = shared(testing::random_balls(random, 800, 1000, 100, 300));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/cavity/bodies.hpp"
 #include "core/cavity/inside.hpp"
 #include "core/cavity/mouths.hpp"
 #include "core/run/internal_error.hpp"
@@ -119,10 +120,7 @@ class CavityFinder {
 
   void set_betti_numbers() {
     result_.simplices = in_.counts();
-    UnionFind sets(in_.vertices.size());
-    parallel_many(in_.edges.size(), cancel_, [&](std::size_t e) {
-      if (in_.edges[e]) sets.unite(incidence_.edges[e][0], incidence_.edges[e][1]);
-    });
+    UnionFind sets = joined_balls(ground_, in_, cancel_);
     for (std::uint32_t v = 0; v < in_.vertices.size(); ++v) {
       result_.components += in_.vertices[v] && sets.root(v) == v;
     }
@@ -134,15 +132,6 @@ class CavityFinder {
     const auto euler = static_cast<long long>(n[0] + n[2]) - static_cast<long long>(n[1] + n[3]);
     result_.tunnels = result_.components + result_.voids - euler;
     if (result_.tunnels < 0) throw InternalError("There are fewer voids than there must be.");
-  }
-
-  static std::uint32_t bodies_of(const Cavity& cavity, UnionFind& sets) {
-    std::vector<std::uint32_t> roots;  // hardly ever more than two
-    for (const BallIndex v : cavity.atoms) {
-      const std::uint32_t root = sets.root(v);
-      if (std::find(roots.begin(), roots.end(), root) == roots.end()) roots.push_back(root);
-    }
-    return static_cast<std::uint32_t>(roots.size());
   }
 
   const CavityGround& ground_;

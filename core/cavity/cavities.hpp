@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/complex/triangulation.hpp"
+#include "core/geometry/alpha.hpp"
 #include "core/triangulation/flow.hpp"
 #include "core/triangulation/incidence.hpp"
 #include "core/triangulation/membership.hpp"
@@ -45,6 +46,8 @@ struct Mouth {
 
 // Indices are those of the ground's lists and of the balls; all lists ascend.
 struct Cavity {
+  static constexpr std::uint32_t kWhole = ~std::uint32_t{0};
+
   std::vector<std::uint32_t> tetrahedra;
   std::vector<Mouth> mouths;     // by their first triangles
   std::vector<BallIndex> atoms;  // the vertices of the tetrahedra that are in K_alpha
@@ -55,16 +58,31 @@ struct Cavity {
   // The sink of the largest ortho-radius, of several the first by the places of its centres: what
   // the cavity is known by while alpha moves.
   std::uint32_t deepest_sink = 0;
+  // A part of a network (split_networks.hpp): which of Cavities::networks it is of, and the
+  // triangles not in K_alpha between it and other parts, joined as those of mouths are. Of kWhole:
+  // none.
+  std::uint32_t network = kWhole;
+  std::vector<Mouth> passages;
 
   // From so many mouths on a pocket is a network of gaps that are connected rather than one hole.
   // Above what symmetry gives a hollow shell: a cage of 24 equal parts opens at its eight threefold
   // and six fourfold axes, which are 14.
   static constexpr std::size_t kMouthsOfNetwork = 20;
 
-  bool is_void() const { return mouths.empty(); }
-  bool is_network() const { return mouths.size() >= kMouthsOfNetwork; }
+  // A part without mouths is open to other parts.
+  bool is_void() const { return mouths.empty() && passages.empty(); }
+  bool is_part() const { return network != kWhole; }
+  bool is_network() const { return !is_part() && mouths.size() >= kMouthsOfNetwork; }
   std::size_t mouth_triangles() const;
   friend bool operator==(const Cavity&, const Cavity&) = default;
+};
+
+// A network that is listed as its parts.
+struct SplitNetwork {
+  std::uint32_t deepest_sink = 0;  // that of one of the parts, too
+  std::size_t mouths = 0, tetrahedra = 0, parts = 0;
+  Alpha falls_apart_angstrom2;  // NetworkParting's
+  friend bool operator==(const SplitNetwork&, const SplitNetwork&) = default;
 };
 
 struct Cavities {
@@ -77,6 +95,7 @@ struct Cavities {
   // Connected components, tunnels and voids of K_alpha. Where there are several components, spaces
   // between bodies count as pockets.
   long long components = 0, tunnels = 0, voids = 0;
+  std::vector<SplitNetwork> networks;  // split_networks() makes them
 
   friend bool operator==(const Cavities&, const Cavities&) = default;
 };

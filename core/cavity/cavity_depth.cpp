@@ -23,10 +23,12 @@ struct Shutter {
 class Shutters {
  public:
   Shutters(const CavityGround& ground, const Cavity& cavity) {
-    for (const Mouth& mouth : cavity.mouths) {
-      for (const std::uint32_t f : mouth.triangles) {
-        const auto& balls = ground.incidence.triangles[f];
-        add(centre(ground, balls[0]), centre(ground, balls[1]), centre(ground, balls[2]));
+    for (const auto* openings : {&cavity.mouths, &cavity.passages}) {
+      for (const Mouth& opening : *openings) {
+        for (const std::uint32_t f : opening.triangles) {
+          const auto& balls = ground.incidence.triangles[f];
+          add(centre(ground, balls[0]), centre(ground, balls[1]), centre(ground, balls[2]));
+        }
       }
     }
   }

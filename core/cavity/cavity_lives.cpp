@@ -8,43 +8,22 @@
 #include <stdexcept>
 #include <utility>
 
+#include "core/cavity/gates.hpp"
 #include "core/cavity/inside.hpp"
-#include "core/predicates/exact_alpha.hpp"
 #include "core/run/parallel.hpp"
 #include "core/triangulation/union_find.hpp"
 
 namespace alphascope {
 namespace {
 
-// A triangle and the alpha from which on it is in K_alpha.
-struct Gate {
-  float closes;
-  std::uint32_t triangle;
-  // The last to close comes first: that is the order in which a falling alpha opens them.
-  bool operator<(const Gate& other) const {
-    return closes != other.closes ? closes > other.closes : triangle < other.triangle;
-  }
-};
-
-Gate gate(const CavityGround& ground, std::uint32_t f) {
-  float least = std::numeric_limits<float>::infinity();
-  bool attached = false;
-  for (const std::uint32_t t : ground.incidence.tetrahedra_of_triangle[f]) {
-    if (t == Incidence::kOutside) continue;
-    const auto& triangles = ground.incidence.triangles_of_tetrahedron[t];
-    const auto k = static_cast<std::size_t>(std::find(triangles.begin(), triangles.end(), f) -
-                                            triangles.begin());
-    least = std::min(least, ground.flow.alpha_values[t]);
-    attached = attached || ground.flow.through(t, k);
-  }
-  return {attached ? least : ortho_radius_rounded(*ground.balls, ground.incidence.triangles[f]), f};
-}
-
+// The last to close comes first: that is the order in which a falling alpha opens them.
 std::vector<Gate> gates(const CavityGround& ground, const CancelToken& cancel) {
   std::vector<Gate> all(ground.incidence.triangles.size());
   parallel_many(all.size(), cancel,
-                [&](std::size_t f) { all[f] = gate(ground, static_cast<std::uint32_t>(f)); });
-  tbb::parallel_sort(all.begin(), all.end());
+                [&](std::size_t f) { all[f] = gate_of(ground, static_cast<std::uint32_t>(f)); });
+  tbb::parallel_sort(all.begin(), all.end(), [](const Gate& a, const Gate& b) {
+    return a.closes != b.closes ? a.closes > b.closes : a.triangle < b.triangle;
+  });
   cancel.throw_if_cancelled();
   return all;
 }

@@ -8,10 +8,12 @@
 namespace alphascope {
 namespace {
 
-std::vector<std::uint32_t> mouth_triangles(const Cavity& cavity) {
+std::vector<std::uint32_t> open_triangles(const Cavity& cavity) {
   std::vector<std::uint32_t> all;
-  for (const Mouth& mouth : cavity.mouths) {
-    all.insert(all.end(), mouth.triangles.begin(), mouth.triangles.end());
+  for (const auto* openings : {&cavity.mouths, &cavity.passages}) {
+    for (const Mouth& opening : *openings) {
+      all.insert(all.end(), opening.triangles.begin(), opening.triangles.end());
+    }
   }
   std::sort(all.begin(), all.end());
   return all;
@@ -20,7 +22,7 @@ std::vector<std::uint32_t> mouth_triangles(const Cavity& cavity) {
 }  // namespace
 
 CavityMesh cavity_mesh(const CavityGround& ground, const Cavities& found, std::uint32_t index) {
-  const std::vector<std::uint32_t> open = mouth_triangles(found.cavities[index]);
+  const std::vector<std::uint32_t> open = open_triangles(found.cavities[index]);
   CavityMesh mesh;
   std::vector<BallIndex> used;
   for (const auto& [t, k] : outer_faces(ground, found, index)) {

@@ -16,7 +16,8 @@ struct CavityMesh {
   std::vector<std::array<std::uint32_t, 3>> triangles;
 };
 
-// Of cavity `index` of `found`. Of a void it is closed, of a pocket open at the mouths.
+// Of cavity `index` of `found`. Of a void it is closed, of a pocket open at the mouths, of
+// a part of a network at the passages as well.
 CavityMesh cavity_mesh(const CavityGround& ground, const Cavities& found, std::uint32_t index);
 
 }  // namespace alphascope

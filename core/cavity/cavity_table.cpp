@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "core/cavity/split_networks.hpp"
 #include "core/run/stage_timer.hpp"
 
 namespace alphascope {
@@ -68,6 +69,10 @@ CavityTable make_cavity_table(std::shared_ptr<const CavityGround> ground,
       membership(*of.balls, *of.triangulation, of.incidence, of.flow, alpha, context.cancel);
   context.report(stage::kCavities, 0.4);
   table.found = find_cavities(of, in, question.rule, context.cancel);
+  if (question.split_networks) {
+    table.found = split_networks(of, in, std::move(table.found), question.alpha_angstrom2,
+                                 question.rule, context.cancel);
+  }
   context.report(stage::kCavities, 0.6);
   table.measures = measure_cavities(
       of, in, table.found, {alpha, lattice.nearest_units(question.solvent_radius_angstrom)},

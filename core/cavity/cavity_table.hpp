@@ -13,6 +13,7 @@ struct CavityQuestion {
   Alpha alpha_angstrom2;
   double solvent_radius_angstrom = 0;  // within the radii of the ground's balls already
   OutsideRule rule = OutsideRule::castp;
+  bool split_networks = false;  // networks are listed as their parts
   friend bool operator==(const CavityQuestion&, const CavityQuestion&) = default;
 };
 
@@ -24,7 +25,7 @@ struct CavityTable {
   // Indices of found.cavities by falling SA volume: row 0 is CASTp's cavity 1.
   std::vector<std::uint32_t> order;
 
-  std::size_t voids = 0, pockets = 0, mouths = 0;
+  std::size_t voids = 0, pockets = 0, mouths = 0;  // parts of networks count as pockets
 
   const Cavity& cavity(std::size_t row) const { return found.cavities[order[row]]; }
   const CavityMeasures& measure(std::size_t row) const { return measures[order[row]]; }

@@ -65,4 +65,12 @@ int conflict_with_smallest_orthosphere(const BallSet& balls, std::span<const Bal
   return -triangle_foot_cut(vj, lifted_vector(balls, i, simplex[2]), vm);
 }
 
+int compare_ortho_radii_of(const BallSet& balls, std::span<const BallIndex> a,
+                           std::span<const BallIndex> b) {
+  const auto rho = [&](std::span<const BallIndex> simplex) {
+    return with_rho(balls, simplex, [](const Bracket&, const auto& exact) { return exact(); });
+  };
+  return compare_exact(rho(a), rho(b));
+}
+
 }  // namespace alphascope

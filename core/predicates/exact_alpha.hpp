@@ -25,6 +25,10 @@ int compare_ortho_radius(const BallSet& balls, std::span<const BallIndex> simple
 int compare_ortho_radii(const BallSet& balls, std::span<const BallIndex, 4> a,
                         std::span<const BallIndex, 4> b);
 
+// The same of simplices of any dimensions.
+int compare_ortho_radii_of(const BallSet& balls, std::span<const BallIndex> a,
+                           std::span<const BallIndex> b);
+
 // The float nearest to rho: the alpha value of an unattached simplex.
 float ortho_radius_rounded(const BallSet& balls, std::span<const BallIndex> simplex);
 

@@ -77,6 +77,14 @@ OptionCommand cavities_command(CavitiesOptions& options) {
            "--no-clipped",
            "Leave out the exact clipped volumes, which take longest of many cospherical atoms",
            options.no_clipped),
+       flag_option("--split-networks",
+                   "List networks (20 mouths or more) as the parts that they fall into at their "
+                   "bottlenecks",
+                   options.split_networks),
+       flag_option("--no-network-radius",
+                   "Leave out at which solvent radius networks fall apart, which takes a few "
+                   "triangulations",
+                   options.no_network_radius),
        with_default(whole_number_option({"--show", "N", "Cavities printed, the largest first"},
                                         options.shown, {0, 1'000'000'000}),
                     "20"),

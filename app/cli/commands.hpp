@@ -88,6 +88,8 @@ struct CavitiesOptions {
   OutsideRule rule = OutsideRule::castp;
   FlowTies ties = FlowTies::perturbed;
   bool no_clipped = false;                     // without exact volumes
+  bool split_networks = false;                 // networks are listed as their parts
+  bool no_network_radius = false;              // nobody asks where networks fall apart
   int shown = 20;                              // rows printed
   std::optional<double> min_volume_angstrom3;  // SA; smaller ones are counted, but not listed
   std::string json, csv, lives;

@@ -41,6 +41,41 @@ Json residues_json(const CavityFacts& facts, std::size_t row) {
   return residues;
 }
 
+// Null where it is not known, or is no network.
+Json falls_apart_json(const NetworkEnd* end) {
+  if (!end) return {};
+  Json json{{"alpha_angstrom2", nullptr},
+            {"cavities_at_alpha", nullptr},
+            {"solvent_radius_angstrom", nullptr},
+            {"solvent_radius_step_angstrom", kNetworkStepAngstrom},
+            {"cavities", nullptr},
+            {"largest_volume_sa_angstrom3", nullptr}};
+  if (end->alpha_angstrom2) {
+    json["alpha_angstrom2"] = *end->alpha_angstrom2;
+    json["cavities_at_alpha"] = end->parts;
+  }
+  if (end->radius_angstrom) {
+    json["solvent_radius_angstrom"] = *end->radius_angstrom;
+    json["cavities"] = end->cavities;
+    json["largest_volume_sa_angstrom3"] = end->largest_volume_sa_angstrom3;
+  }
+  return json;
+}
+
+// Those that are listed as their parts.
+Json split_networks_json(const CavityTable& table) {
+  Json networks = Json::array();
+  for (std::size_t n = 0; n < table.found.networks.size(); ++n) {
+    const SplitNetwork& network = table.found.networks[n];
+    networks.push_back({{"number", n + 1},
+                        {"mouths", network.mouths},
+                        {"tetrahedra", network.tetrahedra},
+                        {"parts", network.parts},
+                        {"falls_apart_alpha_angstrom2", network.falls_apart_angstrom2}});
+  }
+  return networks;
+}
+
 // A number that is none is null in JSON.
 Json cavity_json(const CavityFacts& facts, std::size_t row) {
   const Cavity& cavity = facts.table().cavity(row);
@@ -54,6 +89,9 @@ Json cavity_json(const CavityFacts& facts, std::size_t row) {
       {"kind", facts.kind(row)},
       {"mouths", cavity.mouths.size()},
       {"network", cavity.is_network()},
+      {"falls_apart", falls_apart_json(facts.network_end(row))},
+      {"part_of", cavity.is_part() ? Json(cavity.network + 1) : Json()},
+      {"passages", cavity.passages.size()},
       {"tetrahedra", cavity.tetrahedra.size()},
       {"volume_sa_angstrom3", m.volume_sa_angstrom3},
       {"area_sa_angstrom2", m.area_sa_angstrom2},
@@ -92,6 +130,7 @@ Json cavities_json(const CavityFacts& facts) {
   for (const std::size_t row : facts.rows) cavities.push_back(cavity_json(facts, row));
   Json request = request_json(facts.request, table.ground->balls->lattice);
   for (const char* unused : {"tetrahedra_only", "engine"}) request.erase(unused);
+  request["split_networks"] = table.question.split_networks;
   return {{"comparable_with_castp", facts.differences.empty()},
           {"differences_from_castp", facts.differences},
           {"counts",
@@ -101,6 +140,7 @@ Json cavities_json(const CavityFacts& facts) {
             {"components", table.found.components},
             {"tunnels", table.found.tunnels}}},
           {"cavities", cavities},
+          {"split_networks", split_networks_json(table)},
           {"request", request},
           {"input", input_json(facts.computed_source())}};
 }

@@ -6,7 +6,8 @@
 
 namespace alphascope {
 
-// Keys comparable_with_castp, differences_from_castp, counts, cavities, request, input.
+// Keys comparable_with_castp, differences_from_castp, counts, cavities, split_networks,
+// request, input.
 Json cavities_json(const CavityFacts& facts);
 
 }  // namespace alphascope

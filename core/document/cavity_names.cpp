@@ -2,10 +2,13 @@
 #include "core/document/cavity_names.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdio>
 
 #include "core/molecule/atom_address.hpp"
 #include "core/molecule/atom_groups.hpp"
 #include "core/molecule/grouped_number.hpp"
+#include "core/molecule/shortest_number.hpp"
 
 namespace alphascope {
 namespace {
@@ -86,6 +89,33 @@ std::string mouths_text(std::size_t mouths) {
   return has +
          "it is a network of gaps that are connected, rather than one hole. A larger solvent "
          "radius parts it.";
+}
+
+std::string falls_apart_text(const NetworkEnd& end, double solvent_radius_angstrom) {
+  const auto cavities = [](std::size_t n) {
+    return n == 0 ? std::string("no cavity") : counted(n, "cavity", "cavities");
+  };
+  std::string text;
+  if (end.radius_angstrom) {
+    char largest[40];
+    std::snprintf(largest, sizeof largest, "%.0f", end.largest_volume_sa_angstrom3);
+    text = "At a solvent radius of " + shortest_number(*end.radius_angstrom) +
+           " Å no network is left of it, but " + cavities(end.cavities) +
+           (end.cavities > 0 ? std::string(", the largest of ") + largest + " Å³." : ".");
+    const double before = *end.radius_angstrom - kNetworkStepAngstrom;
+    if (before > solvent_radius_angstrom) {
+      text += " At " + shortest_number(std::round(before / kNetworkStepAngstrom) / 10) +
+              " Å there still is one.";
+    }
+  } else {
+    text = "At a solvent radius of " + shortest_number(end.largest_radius_angstrom) +
+           " Å there still is a network.";
+  }
+  if (end.alpha_angstrom2) {
+    text += " With this solvent radius that is so at alpha " +
+            shortest_number(*end.alpha_angstrom2) + " Å², with " + cavities(end.parts) + ".";
+  }
+  return text;
 }
 
 }  // namespace alphascope

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/cavity/cavity_table.hpp"
+#include "core/cavity/network_radius.hpp"
 #include "core/document/reference.hpp"
 
 namespace alphascope {
@@ -42,5 +43,7 @@ LiningCounts lining_counts(const BallReferences& references, const CavityTable& 
 
 // Sentences on what so many mouths mean; empty of one and of none.
 std::string mouths_text(std::size_t mouths);
+// Where it falls apart, as sentences.
+std::string falls_apart_text(const NetworkEnd& end, double solvent_radius_angstrom);
 
 }  // namespace alphascope

@@ -26,4 +26,7 @@ std::vector<std::string> differences_from_castp(const BallOptions& balls,
                                                 const SelectionReport& report,
                                                 const Request& request);
 
+// One more of these choices, of a table.
+inline constexpr const char* kNetworksAreSplit = "networks are listed as their parts";
+
 }  // namespace alphascope

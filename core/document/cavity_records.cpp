@@ -21,6 +21,8 @@ void add_measures(CsvRow& cells, const CavityFacts& facts, std::size_t row) {
   const bool exact = facts.exact != nullptr;
   const MouthMeasures mouths = m.all_mouths();
   const CavityFacts::Life life = facts.life(row);
+  const Cavity& cavity = facts.table().cavity(row);
+  const NetworkEnd* end = facts.network_end(row);
   const CsvRow more{
       {"volume_sa_angstrom3", all_digits(m.volume_sa_angstrom3)},
       {"area_sa_angstrom2", all_digits(m.area_sa_angstrom2)},
@@ -36,8 +38,12 @@ void add_measures(CsvRow& cells, const CavityFacts& facts, std::size_t row) {
       {"area_ms_steiner_angstrom2", all_digits(m.area_ms_steiner_angstrom2)},
       {"volume_of_tetrahedra_angstrom3", all_digits(m.volume_of_tetrahedra_angstrom3)},
       {"mouths", std::to_string(m.mouths.size())},
-      {"network", facts.table().cavity(row).is_network() ? "1" : "0"},
-      {"mouth_triangles", std::to_string(facts.table().cavity(row).mouth_triangles())},
+      {"network", cavity.is_network() ? "1" : "0"},
+      {"falls_apart_alpha_angstrom2", end ? alpha_text(*end) : ""},
+      {"falls_apart_solvent_radius_angstrom", end ? radius_text(*end) : ""},
+      {"part_of", cavity.is_part() ? std::to_string(cavity.network + 1) : ""},
+      {"passages", std::to_string(cavity.passages.size())},
+      {"mouth_triangles", std::to_string(cavity.mouth_triangles())},
       {"mouth_area_angstrom2", all_digits(mouths.area_angstrom2)},
       {"mouth_length_angstrom", all_digits(mouths.length_angstrom)},
       {"depth_angstrom", all_digits(facts.depths->of_angstrom[row])},
@@ -77,6 +83,13 @@ std::vector<std::size_t> ranks_by_clipped(const CavityTable& table, const ExactV
                    [&](std::size_t a, std::size_t b) { return volume(a) > volume(b); });
   for (std::size_t k = 0; k < order.size(); ++k) rank[order[k]] = k + 1;
   return rank;
+}
+
+std::string alpha_text(const NetworkEnd& end) {
+  return end.alpha_angstrom2 ? shortest_number(*end.alpha_angstrom2) : std::string();
+}
+std::string radius_text(const NetworkEnd& end) {
+  return end.radius_angstrom ? shortest_number(*end.radius_angstrom) : std::string();
 }
 
 std::string comparable_text(const std::vector<std::string>& differences_from_castp) {

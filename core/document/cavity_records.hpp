@@ -2,11 +2,13 @@
 // the window write of them.
 #pragma once
 
+#include <map>
 #include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "core/cavity/network_radius.hpp"
 #include "core/document/cavity_contents.hpp"
 #include "core/document/cavity_names.hpp"
 #include "core/document/cavity_results.hpp"
@@ -30,6 +32,7 @@ struct CavityFacts {
   std::vector<std::string> differences;   // from what CASTp takes
   std::vector<std::size_t> clipped_rank;  // 1: the largest clipped volume; empty without `exact`
   std::vector<std::size_t> rows;          // those to report
+  std::map<std::size_t, NetworkEnd> network_ends;  // of rows that are networks, where it is known
 
   const CavityTable& table() const { return *all; }
   // With the lattice that was computed on.
@@ -37,7 +40,13 @@ struct CavityFacts {
   const ClippedMeasures& clipped(std::size_t row) const { return exact->of[table().order[row]]; }
   bool is_doubtful(std::size_t row) const;
   const char* kind(std::size_t row) const {
-    return table().cavity(row).is_void() ? "void" : "pocket";
+    const Cavity& cavity = table().cavity(row);
+    return cavity.is_void() ? "void" : cavity.is_part() ? "part" : "pocket";
+  }
+  // Null where it is not known, or is no network.
+  const NetworkEnd* network_end(std::size_t row) const {
+    const auto at = network_ends.find(row);
+    return at == network_ends.end() ? nullptr : &at->second;
   }
   std::string name(std::size_t row) const { return cavity_name(*atoms, table(), row); }
   // "A:HEM 142 (41 of 43 atoms)"; "" when it holds nothing.
@@ -52,6 +61,10 @@ struct CavityFacts {
 
 // 1 for the largest, by row; of equal ones the first.
 std::vector<std::size_t> ranks_by_clipped(const CavityTable& table, const ExactVolumes& exact);
+
+// Å², Å; empty where there is none.
+std::string alpha_text(const NetworkEnd& end);
+std::string radius_text(const NetworkEnd& end);
 
 std::string comparable_text(const std::vector<std::string>& differences_from_castp);
 

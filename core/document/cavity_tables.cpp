@@ -55,6 +55,7 @@ CavityFacts few_facts_of(const Inputs& in, const CavityRowsWanted& rows,
   facts.all = in.share(cavity_table());
   facts.differences =
       differences_from_castp(source.options, source.prepared->report, facts.request);
+  if (facts.table().question.split_networks) facts.differences.push_back(kNetworksAreSplit);
   for (std::size_t row = 0; row < facts.table().size(); ++row) {
     const bool of_kind = facts.table().cavity(row).is_void() ? rows.voids : rows.pockets;
     const double volume = facts.table().measure(row).volume_sa_angstrom3;

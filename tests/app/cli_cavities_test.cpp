@@ -119,6 +119,64 @@ TEST_F(CliCavities, APocketOfManyMouthsIsCalledANetwork) {
   ASSERT_EQ(rows.size(), 1u);
   EXPECT_EQ(rows[0].at("network"), "1");
   EXPECT_EQ(rows[0].at("kind"), "pocket");
+  // The squares close at alpha 3.125 - 1.69, or with a solvent radius of 1.4678; eight cubes are
+  // left.
+  const json& apart = many["cavities"][0]["falls_apart"];
+  EXPECT_EQ(apart["alpha_angstrom2"], 1.44);
+  EXPECT_EQ(apart["cavities_at_alpha"], 8);
+  EXPECT_EQ(apart["solvent_radius_angstrom"], 1.5);
+  EXPECT_EQ(apart["solvent_radius_step_angstrom"], 0.1);
+  EXPECT_EQ(apart["cavities"], 8);
+  EXPECT_TRUE(contains(many["notes"].dump(), "at --solvent 1.5, to 0.1 Å, no network is left"));
+  EXPECT_EQ(rows[0].at("falls_apart_alpha_angstrom2"), "1.44");
+  EXPECT_EQ(rows[0].at("falls_apart_solvent_radius_angstrom"), "1.5");
+  EXPECT_TRUE(few["cavities"][0]["falls_apart"].is_null());
+  const json asked_less = cavities(grid(3) + " --no-network-radius");
+  EXPECT_TRUE(asked_less["cavities"][0]["falls_apart"].is_null());
+  EXPECT_TRUE(contains(asked_less["notes"].dump(), "a larger --solvent parts it"));
+}
+
+TEST_F(CliCavities, ANetworkIsListedAsItsParts) {
+  std::string balls;
+  for (int n = 0; n < 27; ++n) {
+    char line[100];
+    std::snprintf(line, sizeof line, "%.1f %.1f %.1f 0.3\n", 2.5 * (n / 9), 2.5 * (n / 3 % 3),
+                  2.5 * (n % 3));
+    balls += line;
+  }
+  const std::string file = "'" + write("grid.xyzr", balls).string() + "' --solvent 1";
+  const json whole = cavities(file), split = cavities(file + " --split-networks");
+  EXPECT_EQ(whole["split_networks"], json::array());
+  EXPECT_EQ(whole["request"]["split_networks"], false);
+  EXPECT_EQ(split["request"]["split_networks"], true);
+  ASSERT_EQ(split["split_networks"].size(), 1u);
+  const json& network = split["split_networks"][0];
+  EXPECT_EQ(network["mouths"], 24);
+  EXPECT_EQ(network["parts"], 8);
+  EXPECT_EQ(network["falls_apart_alpha_angstrom2"], 1.44);
+  ASSERT_EQ(split["cavities"].size(), 8u);
+  double volume = 0;
+  for (const json& part : split["cavities"]) {
+    EXPECT_EQ(part["kind"], "part");
+    EXPECT_EQ(part["part_of"], 1);
+    EXPECT_EQ(part["mouths"], 3);
+    EXPECT_EQ(part["passages"], 3);
+    EXPECT_EQ(part["network"], false);
+    EXPECT_NEAR(part["volume_of_tetrahedra_angstrom3"], 15.625, 1e-9);
+    volume += part["volume_sa_angstrom3"].get<double>();
+  }
+  EXPECT_NEAR(volume, whole["cavities"][0]["volume_sa_angstrom3"], 1e-9);
+  EXPECT_EQ(split["comparable_with_castp"], false);
+  EXPECT_EQ(split["counts"]["pockets"], 8);
+  EXPECT_EQ(split["counts"]["voids"], 0);
+  EXPECT_TRUE(contains(split["notes"].dump(), "a network of 24 mouths is listed as 8 parts"));
+  const auto rows = csv_rows(run("cavities -q --csv - --split-networks " + file).out);
+  ASSERT_EQ(rows.size(), 8u);
+  EXPECT_EQ(rows[7].at("kind"), "part");
+  EXPECT_EQ(rows[7].at("part_of"), "1");
+  EXPECT_EQ(rows[7].at("passages"), "3");
+  const Outcome text = run("cavities --split-networks " + file);
+  EXPECT_TRUE(contains(text.out, "part")) << text.out;
 }
 
 // Balls of radius 2 in rings of radius 5 around the z axis; the middle ring is of radius 4, so that

@@ -79,12 +79,25 @@ CommandSpec choose_cavity(ViewState& s) {
           }};
 }
 
+CommandSpec split_networks(ViewState& s) {
+  CommandSpec command =
+      with_switch({.id = "cavities.split_networks",
+                   .title = "Split networks at their bottlenecks",
+                   .help = "Lists cavities of twenty mouths or more as the parts that they fall "
+                           "into while alpha grows"},
+                  s.cavity_choices.split_networks);
+  command.menu = "Edit";
+  command.why_not = without_picture(s);
+  return command;
+}
+
 }  // namespace
 
 void add_selection_commands(Commands& commands, ViewState& s) {
   commands.add(by_name(s, false));
   commands.add(by_name(s, true));
   commands.add(choose_cavity(s));
+  commands.add(split_networks(s));
   const auto nothing = [&s] { return s.picked.empty() ? "Nothing is selected." : ""; };
   commands.add({.id = "select.none",
                 .title = "Select nothing",

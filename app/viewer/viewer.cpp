@@ -194,6 +194,7 @@ void Viewer::take_file() {
   state_.views.clear();
   state_.appearance = {};
   state_.annotations = {};
+  state_.cavity_choices = {};
   state_.expression_error.reset();
   state_.memory.expression_typed = state_.memory.expression_shown = state_.open.balls.selection;
   const auto& session = starting_session_;

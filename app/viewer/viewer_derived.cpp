@@ -43,6 +43,7 @@ void Viewer::take_derived() {
     take_inputs(shown);
   }
   if (inputs_.balls) {
+    inputs_.split_networks = state_.cavity_choices.split_networks;
     inputs_.complex = nullptr;
     inputs_.measures = nullptr;
     if (shown->balls == inputs_.balls) {

@@ -8,9 +8,9 @@ namespace alphascope {
 
 // The molecule's options as they were sent: what the controls hold may be refused.
 Settings Viewer::settings() const {
-  return {session_.open_options(), state_.compute, state_.display, state_.picked.items,
-          state_.picked.cavities,  state_.clip,    state_.views,   state_.appearance,
-          state_.annotations};
+  return {session_.open_options(), state_.compute,       state_.display, state_.picked.items,
+          state_.picked.cavities,  state_.clip,          state_.views,   state_.appearance,
+          state_.annotations,      state_.cavity_choices};
 }
 
 // Once a frame, when what was typed has been checked.
@@ -49,6 +49,7 @@ void Viewer::show_settings() {
   state_.views = s.views;
   state_.appearance = s.appearance;
   state_.annotations = s.annotations;
+  state_.cavity_choices = s.cavity_choices;
   state_.picked.items = s.selection;
   state_.picked.cavities = s.cavities;
   state_.memory.playing = state_.memory.playing_models = false;

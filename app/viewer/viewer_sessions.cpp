@@ -91,6 +91,7 @@ void Viewer::show_session() {
   state_.views = s.settings.views;
   state_.appearance = s.settings.appearance;
   state_.annotations = s.settings.annotations;
+  state_.cavity_choices = s.settings.cavity_choices;
   state_.theme = s.view.light_theme ? Theme::light : Theme::dark;
   state_.memory.playing = false;
   state_.memory.number = {};

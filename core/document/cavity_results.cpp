@@ -22,10 +22,11 @@ MemoryNeed ground_memory(std::size_t tetrahedra) {
   return {kHeld * tetrahedra, kPeak * tetrahedra};
 }
 
-// Marks of all simplices and labels of all tetrahedra.
-MemoryNeed table_memory(std::size_t tetrahedra) {
-  constexpr std::uint64_t kHeld = 30, kPeak = 60;
-  return {kHeld * tetrahedra, kPeak * tetrahedra};
+// Marks of all simplices and labels of all tetrahedra. To split networks takes a filtration (120
+// bytes a tetrahedron), and the cavities at another alpha.
+MemoryNeed table_memory(std::size_t tetrahedra, bool splits) {
+  constexpr std::uint64_t kHeld = 30, kPeak = 60, kSplitPeak = 300;
+  return {kHeld * tetrahedra, (splits ? kSplitPeak : kPeak) * tetrahedra};
 }
 
 CavityLine make_line(const CavityTable& table, const BallReferences& atoms, std::size_t row) {
@@ -42,6 +43,9 @@ CavityLine make_line(const CavityTable& table, const BallReferences& atoms, std:
   line.residues = lining.residues;
   line.chains = lining.chains;
   line.bodies = table.cavity(row).bodies;
+  line.passages = table.cavity(row).passages.size();
+  line.is_network = table.cavity(row).is_network();
+  line.is_part = table.cavity(row).is_part();
   return line;
 }
 
@@ -95,15 +99,24 @@ const Definition<CavityTable>& cavity_table() {
       {.id = "cavities.table",
        .title = "Cavities",
        .made_of = {&cavity_ground()},
-       .key = key_of_balls_and_alpha,
+       .key =
+           [](const Inputs& in) {
+             Key key = key_of_balls_and_alpha(in);
+             constexpr std::uint64_t kSplit = 0x73706c69745f6e65;  // no other definition's number
+             key.more = in.split_networks ? kSplit : 0;
+             return key;
+           },
        .memory =
            [](const Inputs& in) {
-             return table_memory(in.of(cavity_ground()).triangulation->tetrahedra.size());
+             return table_memory(in.of(cavity_ground()).triangulation->tetrahedra.size(),
+                                 in.split_networks);
            },
        .lane = Lane::interactive},
       [](const Inputs& in, const RunContext& context) {
         return std::make_shared<const CavityTable>(make_cavity_table(
-            in.share(cavity_ground()), {in.alpha_angstrom2, in.solvent_radius_angstrom}, context));
+            in.share(cavity_ground()),
+            {in.alpha_angstrom2, in.solvent_radius_angstrom, OutsideRule::castp, in.split_networks},
+            context));
       }};
   return definition;
 }
@@ -174,7 +187,7 @@ const Definition<CavityLives>& whole_cavity_lives() {
            [](const Inputs& in) {
              // Of a tetrahedron, while they are made: its life and that of its sets, and two gates.
              // Hardly one in twenty is a sink.
-             constexpr std::uint64_t kHeld = 2, kPeak = 50;
+             constexpr std::uint64_t kHeld = 2, kPeak = 60;
              const std::uint64_t n = in.of(cavity_ground()).triangulation->tetrahedra.size();
              return MemoryNeed{kHeld * n, kPeak * n};
            }},

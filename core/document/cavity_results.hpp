@@ -12,7 +12,8 @@ namespace alphascope {
 // Flow and incidences of the whole triangulation: once for a set of balls, whatever alpha is.
 const Definition<CavityGround>& cavity_ground();
 
-// The table of the complex on screen; made anew at each alpha.
+// The table of the complex on screen; made anew at each alpha. Networks are listed as their parts
+// where Inputs::split_networks says so.
 const Definition<CavityTable>& cavity_table();
 
 // Exact volumes of its cavities, which follow in the background.
@@ -30,6 +31,8 @@ struct CavityLine {
   std::size_t mouths = 0;
   std::size_t residues = 0, chains = 0;  // that line it
   std::size_t bodies = 0;                // Cavity::bodies
+  std::size_t passages = 0;              // of a part of a network
+  bool is_network = false, is_part = false;
 };
 struct CavityLines {
   std::shared_ptr<const CavityTable> table;
@@ -40,7 +43,8 @@ struct CavityLines {
   // Of what is on screen: then there is nothing to ask for.
   bool is_of(const Inputs& in) const {
     return table->ground->balls == in.balls &&
-           table->question.alpha_angstrom2 == in.alpha_angstrom2;
+           table->question.alpha_angstrom2 == in.alpha_angstrom2 &&
+           table->question.split_networks == in.split_networks;
   }
 };
 // Its numbers go on from `before`, null: there are none. Not without Inputs::atoms.

@@ -29,6 +29,7 @@ struct Inputs {
   // key is not of alpha.
   Alpha alpha_angstrom2;
   std::shared_ptr<const AlphaComplex> complex;
+  bool split_networks = false;  // CavityChoices'
   // Its areas and volumes where something has measured it already; null: nobody has.
   std::shared_ptr<const MeasuredUnion> measures = {};
 

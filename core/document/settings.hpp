@@ -6,6 +6,7 @@
 
 #include "core/document/annotations.hpp"
 #include "core/document/appearance.hpp"
+#include "core/document/cavity_choices.hpp"
 #include "core/document/clip.hpp"
 #include "core/document/display.hpp"
 #include "core/document/named_view.hpp"
@@ -25,6 +26,7 @@ struct Settings {
   NamedViews views;  // saved cameras, in the order of saving
   Appearance appearance;
   Annotations annotations;
+  CavityChoices cavity_choices;
   friend bool operator==(const Settings&, const Settings&) = default;
 };
 

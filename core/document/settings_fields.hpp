@@ -149,6 +149,11 @@ void visit_fields(Visitor& v, Annotations& a) {
 }
 
 template <class Visitor>
+void visit_fields(Visitor& v, CavityChoices& c) {
+  v("split_networks", c.split_networks);
+}
+
+template <class Visitor>
 void visit_fields(Visitor& v, Settings& s) {
   v.object("open", s.open);
   v.object("compute", s.request);
@@ -159,6 +164,7 @@ void visit_fields(Visitor& v, Settings& s) {
   v.objects("views", s.views);
   v.object("appearance", s.appearance);
   v.object("annotations", s.annotations);
+  v.object("cavity_table", s.cavity_choices);
 }
 
 // Not in the history.

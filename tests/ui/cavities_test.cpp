@@ -1,7 +1,9 @@
 // The panel of cavities in the whole window: the table, CASTp's choices, a cavity in the picture.
 #include <chrono>
 #include <cmath>
+#include <cstdio>
 #include <cstdlib>
+#include <fstream>
 #include <map>
 #include <set>
 
@@ -423,6 +425,51 @@ TEST_F(CavitiesTest, OfAnotherMoleculeNothingStays) {
   EXPECT_TRUE(viewer_->state().picked.cavities.empty());
   EXPECT_TRUE(page().chosen_rows.empty());
   EXPECT_TRUE(viewer_->state().layers.empty());
+}
+
+// A grid of 27 balls, all squares of which are open: a network of eight cubes.
+TEST_F(CavitiesTest, ANetworkIsSplitAndSaysWhereItFallsApart) {
+  std::string balls;
+  for (int n = 0; n < 27; ++n) {
+    char line[100];
+    std::snprintf(line, sizeof line, "%.1f %.1f %.1f 0.3\n", 2.5 * (n / 9), 2.5 * (n / 3 % 3),
+                  2.5 * (n % 3));
+    balls += line;
+  }
+  const fs::path path = folder_ / "grid.xyzr";
+  std::ofstream(path) << balls;
+  run("open " + path.string() + "\nwait-idle\n");
+  run("click bottom.cavities\nsolvent.set 1\n");
+  settle();
+  ASSERT_EQ(page().rows.size(), 1u);
+  EXPECT_TRUE(page().rows.lines->of[0].is_network);
+  ASSERT_TRUE(has("cavities.split_networks"));
+  ASSERT_TRUE(has("cavities.network.radius"));
+  EXPECT_FALSE(has("cavities.falls_apart"));
+  run("click cavities.row.1 0.2\n");
+  settle();
+  ASSERT_TRUE(has("cavities.falls_apart"));
+  run("click cavities.split_networks 0.05\n");
+  settle();
+  ASSERT_EQ(page().rows.size(), 8u);
+  for (const CavityLine& line : page().rows.lines->of) EXPECT_TRUE(line.is_part);
+  EXPECT_EQ(page().chosen_rows.size(), 1u) << "the part of the same deepest point";
+  EXPECT_FALSE(has("cavities.falls_apart"));
+  EXPECT_TRUE(has("cavities.networks"));
+  run("edit.undo\n");
+  settle();
+  EXPECT_EQ(viewer_->state().notice, "Undone: selection and networks of cavities");
+  ASSERT_EQ(page().rows.size(), 1u);
+  run("click cavities.network.radius\n");
+  settle();
+  EXPECT_EQ(viewer_->state().compute.solvent_radius_angstrom, 1.5);
+  EXPECT_EQ(page().rows.size(), 8u);
+  EXPECT_EQ(page().rows.table().voids, 8u);
+  run("solvent.set 1\n");
+  settle();
+  run("cavities.split_networks on\n");
+  settle();
+  EXPECT_EQ(page().rows.size(), 8u);
 }
 
 TEST_F(CavitiesTest, WithoutAMoleculeItSaysWhatToDo) {

@@ -74,6 +74,7 @@ void totals_line(PanelContext& ctx, const CavityTable& table) {
 
 void use_preset(PanelContext& ctx) {
   use_cavity_preset(ctx.state.open, ctx.state.compute, ctx.state.molecule.has_file_radii);
+  ctx.state.cavity_choices.split_networks = false;
 }
 
 // The next item stays in the line when so much (pixels) has room there. The line of the tabs is
@@ -91,8 +92,9 @@ float button_width(const char* label) {
 void comparable_line(PanelContext& ctx, const BallReferences& atoms) {
   constexpr const char *kComparable = "comparable with CASTp", *kNot = "not comparable with CASTp",
                        *kUse = "Use CASTp's choices";
-  const std::vector<std::string> differences =
+  std::vector<std::string> differences =
       differences_from_castp(ctx.state.open.balls, atoms.prepared().report, ctx.state.compute);
+  if (ctx.state.cavity_choices.split_networks) differences.push_back(kNetworksAreSplit);
   const float gap = ctx.px(8);
   same_line_where_it_fits(ctx, differences.empty()
                                    ? ImGui::CalcTextSize(kComparable).x
@@ -106,7 +108,7 @@ void comparable_line(PanelContext& ctx, const BallReferences& atoms) {
   if (button(ctx, "cavities.preset", kUse)) use_preset(ctx);
   tooltip(ctx,
           "Radii of CASTp, solvent radius 1.4 Å, α = 0; hydrogens, waters, ions and ligands are no "
-          "part of the body. Undo brings back what was.");
+          "part of the body; networks are not split. Undo brings back what was.");
   std::string why = "Chosen otherwise than CASTp does: ";
   for (std::size_t k = 0; k < differences.size(); ++k) why += (k ? "; " : "") + differences[k];
   ImGui::SameLine(0, gap);
@@ -278,6 +280,7 @@ void draw_cavities_panel(PanelContext& ctx) {
   totals_line(ctx, page.rows.table());
   comparable_line(ctx, *page.rows.lines->atoms);
   giant_line(ctx);
+  networks_line(ctx, page, current);
   filter_line(ctx, page, current);
   body(ctx, page, current);
   ImGui::PopStyleVar();

@@ -80,12 +80,14 @@ void kind_cell(PanelContext& ctx, const CavityPage& page, std::size_t row) {
                                             to_u32(cavity_colour(page, row)));
   ImGui::SetCursorPosX(ImGui::GetCursorPosX() + side + ctx.px(6));
   const std::string between = between_text(line, {}), change = change_text(page, row);
-  const bool network = line.mouths >= Cavity::kMouthsOfNetwork;
-  std::string text = line.is_void ? "void" : network ? "network" : "pocket";
+  std::string text = line.is_void      ? "void"
+                     : line.is_network ? "network"
+                     : line.is_part    ? "part"
+                                       : "pocket";
   if (!between.empty()) text += " ↔";
   if (!change.empty()) text += " ↕";
   ImGui::TextUnformatted(text.c_str());
-  std::string why = network ? mouths_text(line.mouths) : std::string();
+  std::string why = line.is_network ? mouths_text(line.mouths) : part_text(line);
   for (const std::string& more : {between, change}) {
     why += (why.empty() || more.empty() ? "" : "\n") + more;
   }

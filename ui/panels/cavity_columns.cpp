@@ -19,7 +19,8 @@ constexpr CavityColumnSpec kColumns[] = {
     {C::rank, "rank", "#", "Its place by falling SA volume, as CASTp numbers cavities.", 34, true},
     {C::kind, "kind", "kind",
      "Nothing can leave a void; a pocket opens to the outside through mouths. Network: a pocket of "
-     "twenty mouths or more, which is gaps that are connected rather than one hole. ↔: it lies "
+     "twenty mouths or more, which is gaps that are connected rather than one hole. Part: of a "
+     "network that is split at its bottlenecks. ↔: it lies "
      "between separate bodies, or two chains only line it. ↕: it has split off or merged while a "
      "slider moved last.",
      100, true},
@@ -48,7 +49,7 @@ constexpr CavityColumnSpec kColumns[] = {
      "How many residues line it: a part of an atom's surface lies in the cavity.", 62, true},
     {C::depth, "depth", "depth Å",
      "How deep the pocket is: the largest distance of a lining atom's centre from the nearest "
-     "triangle of a mouth. A void has no mouth, so its depth is –.",
+     "triangle of a mouth or of a passage to another part. A void has no mouth, so its depth is –.",
      58, true},
     {C::born, "born", "born at Å²",
      "The α from which on it is a cavity of its own; below, it is part of a deeper one. −∞: at "

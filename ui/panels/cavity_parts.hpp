@@ -48,6 +48,18 @@ Colour cavity_colour(const CavityPage& page, std::size_t row);
 // those that line it, "A and D"; empty: unknown.
 std::string between_text(const CavityLine& line, const std::string& chains);
 
+// --- cavity_networks.cpp
+
+// Where there are networks: the choice to split them, and a button that sets the solvent radius at
+// which the chosen one, else the largest, falls apart. `current`: the rows are of the picture.
+void networks_line(PanelContext& ctx, const CavityPage& page, bool current);
+// The same of a chosen network in sentences, when it is known.
+void network_end_sentences(PanelContext& ctx, const CavityPage& page, std::size_t row);
+// A sentence of a part of a network; empty: it is none.
+std::string part_text(const CavityLine& line);
+
+// --- chosen_cavities_pane.cpp again
+
 // Sentences where it has split off or merged while alpha or the solvent radius moved; or empty.
 std::string change_text(const CavityPage& page, std::size_t row);
 

@@ -190,7 +190,7 @@ Place of_cavity(PanelContext& ctx, int mouth) {
   if (mouth == 0) return {found.widest.place_angstrom, {}};
   const std::size_t mouths = found.mouths.size();
   if (static_cast<std::size_t>(mouth) > mouths) {
-    return no_place(mouths == 0 ? "The chosen cavity is a void: it has no mouth."
+    return no_place(mouths == 0 ? "The chosen cavity has no mouth."
                                 : "The chosen cavity has " + std::to_string(mouths) +
                                       (mouths == 1 ? " mouth" : " mouths") + ", and no mouth " +
                                       std::to_string(mouth) + ".");

@@ -152,6 +152,15 @@ std::string chain_names(const ChosenCavities& drawn) {
   return names;
 }
 
+void mouths_sentences(PanelContext& ctx, const CavityPage& page, std::size_t row) {
+  const CavityLine& line = page.rows.lines->of[row];
+  const std::string text = line.is_part ? part_text(line) : mouths_text(line.mouths);
+  if (text.empty()) return;
+  muted_wrapped(ctx, text);
+  record(ctx, "cavities.mouths");
+  network_end_sentences(ctx, page, row);
+}
+
 void sentences(PanelContext& ctx, const CavityPage& page) {
   const std::string merged = merged_text(page);
   if (!merged.empty()) {
@@ -171,10 +180,7 @@ void sentences(PanelContext& ctx, const CavityPage& page) {
   if (!between.empty()) muted_wrapped(ctx, between);
   const std::string change = change_text(page, row);
   if (!change.empty()) muted_wrapped(ctx, change);
-  const std::string mouths = mouths_text(line.mouths);
-  if (mouths.empty()) return;
-  muted_wrapped(ctx, mouths);
-  record(ctx, "cavities.mouths");
+  mouths_sentences(ctx, page, row);
 }
 
 std::string lining_text(const ChosenCavities& drawn) {

@@ -57,7 +57,8 @@ void make_chart(CurveMemory& memory, const CavityCurves& curves, const CurveLink
   const CavityTable& table = *lines->table;
   std::vector<ChartedCavity> chosen;
   for (const std::size_t row : rows) {
-    const char* kind = table.cavity(row).is_void() ? "void " : "pocket ";
+    const Cavity& cavity = table.cavity(row);
+    const char* kind = cavity.is_void() ? "void " : cavity.is_part() ? "part " : "pocket ";
     chosen.push_back({table.order[row], kind + std::to_string(row + 1)});
     // As in the view.
     memory.colours.push_back(cavity_colour(lines->numbers->of[table.order[row]]));

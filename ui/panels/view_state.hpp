@@ -18,6 +18,7 @@
 #include "core/document/annotations.hpp"
 #include "core/document/answer.hpp"
 #include "core/document/appearance.hpp"
+#include "core/document/cavity_choices.hpp"
 #include "core/document/clip.hpp"
 #include "core/document/complex_export.hpp"
 #include "core/document/named_view.hpp"
@@ -194,6 +195,7 @@ struct ViewState {
   NamedViews views;
   Appearance appearance;
   Annotations annotations;
+  CavityChoices cavity_choices;
   Selection picked;  // in the picture
   // Its items were changed since other atoms line what is chosen: that is no entry of the history,
   // which takes this back.

@@ -197,11 +197,13 @@ TEST(Options, LongExplanationsAreWrapped) {
 
 TEST(Options, ComplaintsNameWhatIsWrong) {
   double alpha = 0;
+  int rows = 0;
   std::string file;
   OptionProgram program;
   program.name = "prog";
   program.options = {text_option({"FILE", "FILE", "Input"}, file),
-                     number_option({"--alpha", "A", "Alpha"}, alpha, {-10, 10, "Å²"})};
+                     number_option({"--alpha", "A", "Alpha"}, alpha, {-10, 10, "Å²"}),
+                     whole_number_option({"--rows", "N", "Rows"}, rows, {0, 1'000'000'000})};
   const auto complaint = [&](const std::vector<const char*>& words) {
     const std::string text = parse(program, words).text;
     return text.substr(0, text.find('\n'));
@@ -210,6 +212,10 @@ TEST(Options, ComplaintsNameWhatIsWrong) {
   EXPECT_EQ(complaint({"a", "--alpha"}), "prog: --alpha needs a value.");
   EXPECT_EQ(complaint({"a", "--alpha", "1", "--alpha", "2"}),
             "prog: --alpha can be given only once.");
+  EXPECT_EQ(complaint({"a", "--alpha", ""}),
+            "prog: --alpha: the value is empty; give A, or leave --alpha out.");
+  EXPECT_EQ(complaint({"a", "--rows", "-1"}),
+            "prog: --rows: \"-1\" is not a whole number from 0 to 1000000000.");
 }
 
 TEST(Options, AnswersEndTheProgramWithoutAnError) {

@@ -147,6 +147,7 @@ TEST(Worker, GraceLetsShortJobsFinish) {
     worker.submit([&delivered, request](const RunContext&) -> Worker::Delivery {
       return [&delivered, request] { delivered.push_back(request); };
     });
+    worker.poll();
   }
   gate.open();
   poll_until_idle(worker);

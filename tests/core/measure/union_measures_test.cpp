@@ -260,5 +260,20 @@ TEST(SumsByGroup, LoseNothingAndRefuseWrongGroups) {
   EXPECT_THROW(sums_by_group(one, std::vector<std::uint32_t>{}, 2), std::invalid_argument);
 }
 
+// Of a sphere whose squared radius is r² + alpha; of one that alpha has shrunk away, nothing.
+TEST(FreeAreas, AreThoseOfTheGrownBalls) {
+  BallSet balls;
+  testing::add_ball(balls, 0, 0, 0, 1000);
+  testing::add_ball(balls, 500, 0, 0, 2000);
+  constexpr double kPi = 3.14159265358979323846;
+  const auto grown = free_areas_angstrom2(balls, balls.lattice.alpha_on_lattice(1.25));
+  ASSERT_EQ(grown.size(), 2u);
+  EXPECT_NEAR(grown[0], 4 * kPi * 2.25, 1e-12);
+  EXPECT_NEAR(grown[1], 4 * kPi * 5.25, 1e-12);
+  const auto shrunk = free_areas_angstrom2(balls, balls.lattice.alpha_on_lattice(-2));
+  EXPECT_EQ(shrunk[0], 0);
+  EXPECT_NEAR(shrunk[1], 4 * kPi * 2, 1e-12);
+}
+
 }  // namespace
 }  // namespace alphascope

@@ -138,8 +138,10 @@ TEST(Worker, GraceLetsShortJobsFinish) {
   Worker worker({}, std::chrono::seconds(60));
   Gate gate;
   std::vector<int> delivered;
+  std::atomic<bool> cancelled{false};
   worker.submit([&](const RunContext& context) -> Worker::Delivery {
     gate.wait_open(context);
+    cancelled = context.cancel.cancelled();
     return [&] { delivered.push_back(1); };
   });
   gate.wait_entered();
@@ -151,6 +153,7 @@ TEST(Worker, GraceLetsShortJobsFinish) {
   }
   gate.open();
   poll_until_idle(worker);
+  EXPECT_FALSE(cancelled);
   EXPECT_EQ(delivered, (std::vector<int>{1, 50}));
 }
 

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <utility>
 
 #include "core/complex/compare.hpp"
@@ -25,7 +26,8 @@ class Damage : public ::testing::Test {
     complex_ = make_cgal_engine(std::make_shared<const BallSet>(balls_), {1})->compute({300}, {});
   }
 
-  void expect_noticed(const char* what, const std::function<void(AlphaComplex&)>& damage) {
+  AlphaComplex noticed_by_the_verifier(const char* what,
+                                       const std::function<void(AlphaComplex&)>& damage) {
     AlphaComplex damaged = complex_;
     damage(damaged);
     for (const VerifyBy by : {VerifyBy::search, VerifyBy::triangulation}) {
@@ -33,6 +35,10 @@ class Damage : public ::testing::Test {
       EXPECT_GT(verification.failures, 0u) << what;
       EXPECT_FALSE(verification.messages.empty()) << what;
     }
+    return damaged;
+  }
+  void expect_noticed(const char* what, const std::function<void(AlphaComplex&)>& damage) {
+    const AlphaComplex damaged = noticed_by_the_verifier(what, damage);
     EXPECT_FALSE(compare(damaged, complex_).identical()) << what;
   }
 
@@ -74,6 +80,27 @@ TEST_F(Damage, IsNoticed) {
   expect_noticed("an edge's value is off by one bit", [](AlphaComplex& c) {
     c.edges.alpha_values[2] = std::nextafter(c.edges.alpha_values[2], -1e30f);
   });
+}
+
+// What would be read beyond a list's end is told before it is read, of each dimension.
+TEST_F(Damage, InAnyListIsNoticed) {
+  const auto each = [&](const char* of, auto list) {
+    SCOPED_TRACE(of);
+    noticed_by_the_verifier("no such ball", [&](AlphaComplex& c) {
+      (c.*list).simplices.back().back() = std::numeric_limits<BallIndex>::max() / 2;
+    });
+    noticed_by_the_verifier("a class is lacking",
+                            [&](AlphaComplex& c) { (c.*list).classes.pop_back(); });
+    noticed_by_the_verifier("a value is lacking",
+                            [&](AlphaComplex& c) { (c.*list).alpha_values.pop_back(); });
+    noticed_by_the_verifier("a simplex is there twice", [&](AlphaComplex& c) {
+      (c.*list).simplices[1] = (c.*list).simplices[0];
+    });
+  };
+  each("vertices", &AlphaComplex::vertices);
+  each("edges", &AlphaComplex::edges);
+  each("triangles", &AlphaComplex::triangles);
+  each("tetrahedra", &AlphaComplex::tetrahedra);
 }
 
 // Of each dimension, each class for each other one: nothing else is wrong.

@@ -225,6 +225,11 @@ TEST(VerifyTriangulation, NoticesWhatIsWrongOnALineAndAtAPoint) {
   EXPECT_TRUE(verify_triangulation(point, vertex).ok());
   std::swap(vertex.vertices, vertex.hidden);
   EXPECT_TRUE(says(verify_triangulation(point, vertex), "not the first"));
+  vertex.vertices = {};
+  vertex.hidden = {0, 1};
+  EXPECT_TRUE(says(verify_triangulation(point, vertex), "one point has not one vertex"));
+  std::swap(vertex.vertices, vertex.hidden);
+  EXPECT_TRUE(says(verify_triangulation(point, vertex), "one point has not one vertex"));
 }
 
 TEST(VerifyTriangulation, CanBeCancelled) {

@@ -61,11 +61,11 @@ TEST_F(CliPictures, OfASessionSayWhatItsBallsAre) {
   const fs::path molecule = folder_ / "1crn.pdb";
   fs::copy_file(ALPHASCOPE_SOURCE_DIR "/resources/molecules/1crn.pdb", molecule);
   const json info = json::parse(run("info '" + molecule.string() + "' --json -").out);
-  const fs::path session =
-      write("s.json", json{{"alphascope_session", 1},
-                           {"molecule", {{"path", "1crn.pdb"}, {"sha256", info["sha256"]}}},
-                           {"open", {{"selection", "resn CYS"}}}}
-                          .dump());
+  const fs::path session = write(
+      "s.json", json{{"alphascope_session", 1},
+                     {"molecule", {{"path", "1crn.pdb"}, {"sha256", info["input"]["sha256"]}}},
+                     {"open", {{"selection", "resn CYS"}}}}
+                    .dump());
   const fs::path file = folder_ / "s.png";
   const Outcome outcome = run("screenshot --session '" + session.string() +
                               "' --size 160x100 -o '" + file.string() + "'");

@@ -198,7 +198,7 @@ class RefinementTest : public OneSwapTest {
     const Image before = picture_now();
     const Clock::time_point begun = Clock::now();
     while (picture_now().rgba == before.rgba) {
-      ASSERT_LT(Clock::now() - begun, std::chrono::seconds(30));
+      ASSERT_LT(Clock::now() - begun, std::chrono::seconds(200)) << "on however busy a machine";
       viewer_->step(nullptr);
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }

@@ -49,8 +49,9 @@ void end_of_network(PanelContext& ctx, const CavityPage& page, std::size_t row) 
                     falls_apart_text(end, ctx.inputs.solvent_radius_angstrom))
                        .c_str());
       ImGui::SameLine(0, ctx.px(8));
-      text = "No network is left of cavity " + number + " there, but " +
-             (end.cavities == 0 ? "no cavity" : counted(end.cavities, "cavity", "cavities"));
+      text = "There cavity " + number + " falls apart: " +
+             (end.cavities == 0 ? "nothing is left of it"
+                                : counted(end.cavities, "cavity is", "cavities are") + " left");
     }
   } else if (found.state == DerivedState::failed || found.state == DerivedState::no_room) {
     text = "Where cavity " + number + " falls apart is not known: " + found.why;

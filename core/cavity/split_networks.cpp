@@ -62,10 +62,8 @@ class NetworkSplitter {
       if (part_of[n] == Cavities::kNone) throw InternalError("A network is not connected.");
       parts_[first + part_of[n]].tetrahedra.push_back(network.tetrahedra[n]);
     }
-    for (std::size_t k = first; k < parts_.size(); ++k) {
-      parts_[k].network = number;
-      bodies_wanted_ = bodies_wanted_ || network.bodies > 1;
-    }
+    for (std::size_t k = first; k < parts_.size(); ++k) parts_[k].network = number;
+    bodies_wanted_ = bodies_wanted_ || network.bodies > 1;
   }
 
   // Mouths, passages and all else that a cavity knows of itself.

@@ -138,6 +138,12 @@ const Definition<ExactVolumes>& cavity_volumes() {
   return definition;
 }
 
+Key key_of_cavity(const Inputs& in, const std::array<BallIndex, 4>& sink) {
+  Key key = key_of_balls_and_alpha(in);
+  for (const BallIndex ball : sink) key.more = Key{key.more + 1, ball, 0}.number();
+  return key;
+}
+
 Definition<CavityLines> cavity_lines(std::shared_ptr<const CavityNumbers> before) {
   const auto key = [before](const Inputs& in) {
     if (!in.atoms) return Key{};

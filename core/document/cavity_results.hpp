@@ -1,6 +1,7 @@
 // The cavities of what is on screen, as derived results.
 #pragma once
 
+#include <array>
 #include "core/cavity/cavity_lives.hpp"
 #include "core/cavity/cavity_numbers.hpp"
 #include "core/cavity/cavity_table.hpp"
@@ -15,6 +16,8 @@ const Definition<CavityGround>& cavity_ground();
 // The table of the complex on screen; made anew at each alpha. Networks are listed as their parts
 // where Inputs::split_networks says so.
 const Definition<CavityTable>& cavity_table();
+// Of what is asked of one cavity of that table: the one with this deepest sink (ascending balls).
+Key key_of_cavity(const Inputs& in, const std::array<BallIndex, 4>& sink);
 
 // Exact volumes of its cavities, which follow in the background.
 struct ExactVolumes {

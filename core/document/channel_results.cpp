@@ -130,12 +130,7 @@ Definition<FoundCavityEnds> cavity_ends(const std::array<BallIndex, 4>& sink) {
   return {{.id = "channel.ends",
            .title = "Widest places of the cavity",
            .made_of = {&cavity_table()},
-           .key =
-               [sink](const Inputs& in) {
-                 Key key = key_of_balls_and_alpha(in);
-                 for (const BallIndex ball : sink) key.more = Key{key.more + 1, ball, 0}.number();
-                 return key;
-               },
+           .key = [sink](const Inputs& in) { return key_of_cavity(in, sink); },
            .memory =
                [](const Inputs& in) {
                  constexpr std::uint64_t kBytesOfBall = 60;  // sorted into grids

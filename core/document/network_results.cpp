@@ -38,12 +38,7 @@ Definition<FoundNetworkEnd> network_end(const std::array<BallIndex, 4>& sink) {
       {.id = "cavities.network_end",
        .title = "Where the network falls apart",
        .made_of = {&cavity_table()},
-       .key =
-           [sink](const Inputs& in) {
-             Key key = key_of_balls_and_alpha(in);
-             for (const BallIndex ball : sink) key.more = Key{key.more + 1, ball, 0}.number();
-             return key;
-           },
+       .key = [sink](const Inputs& in) { return key_of_cavity(in, sink); },
        .memory = end_memory},
       [sink](const Inputs& in, const RunContext& context) { return make_end(in, sink, context); }};
 }

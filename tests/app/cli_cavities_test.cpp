@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "tests/app/cli_fixture.hpp"
+#include "tests/support/grid_of_balls.hpp"
 #include "tests/support/molecules.hpp"
 
 namespace alphascope::testing {
@@ -93,17 +94,7 @@ TEST_F(CliCavities, OfFewBallsThereAreNone) {
 // boundary is a mouth. Two cubes each way have 6 · 4 of them, one by two by two 2 · 4 + 4 · 2.
 TEST_F(CliCavities, APocketOfManyMouthsIsCalledANetwork) {
   const auto grid = [&](int layers) {
-    std::string balls;
-    for (int x = 0; x < layers; ++x) {
-      for (int y = 0; y < 3; ++y) {
-        for (int z = 0; z < 3; ++z) {
-          char line[100];
-          std::snprintf(line, sizeof line, "%.1f %.1f %.1f 0.3\n", 2.5 * x, 2.5 * y, 2.5 * z);
-          balls += line;
-        }
-      }
-    }
-    return "'" + write("grid.xyzr", balls).string() + "' --solvent 1";
+    return "'" + write("grid.xyzr", grid_of_balls(layers)).string() + "' --solvent 1";
   };
   const json few = cavities(grid(2));
   ASSERT_EQ(few["cavities"].size(), 1u);
@@ -137,14 +128,7 @@ TEST_F(CliCavities, APocketOfManyMouthsIsCalledANetwork) {
 }
 
 TEST_F(CliCavities, ANetworkIsListedAsItsParts) {
-  std::string balls;
-  for (int n = 0; n < 27; ++n) {
-    char line[100];
-    std::snprintf(line, sizeof line, "%.1f %.1f %.1f 0.3\n", 2.5 * (n / 9), 2.5 * (n / 3 % 3),
-                  2.5 * (n % 3));
-    balls += line;
-  }
-  const std::string file = "'" + write("grid.xyzr", balls).string() + "' --solvent 1";
+  const std::string file = "'" + write("grid.xyzr", grid_of_balls()).string() + "' --solvent 1";
   const json whole = cavities(file), split = cavities(file + " --split-networks");
   EXPECT_EQ(whole["split_networks"], json::array());
   EXPECT_EQ(whole["request"]["split_networks"], false);

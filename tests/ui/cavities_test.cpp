@@ -8,6 +8,7 @@
 #include <set>
 
 #include "core/document/cavity_names.hpp"
+#include "tests/support/grid_of_balls.hpp"
 #include "tests/ui/viewer_fixture.hpp"
 #include "ui/panels/cavity_columns.hpp"
 #include "ui/panels/cavity_page.hpp"
@@ -429,15 +430,8 @@ TEST_F(CavitiesTest, OfAnotherMoleculeNothingStays) {
 
 // A grid of 27 balls, all squares of which are open: a network of eight cubes.
 TEST_F(CavitiesTest, ANetworkIsSplitAndSaysWhereItFallsApart) {
-  std::string balls;
-  for (int n = 0; n < 27; ++n) {
-    char line[100];
-    std::snprintf(line, sizeof line, "%.1f %.1f %.1f 0.3\n", 2.5 * (n / 9), 2.5 * (n / 3 % 3),
-                  2.5 * (n % 3));
-    balls += line;
-  }
   const fs::path path = folder_ / "grid.xyzr";
-  std::ofstream(path) << balls;
+  std::ofstream(path) << grid_of_balls();
   run("open " + path.string() + "\nwait-idle\n");
   run("click bottom.cavities\nsolvent.set 1\n");
   settle();

@@ -43,6 +43,18 @@ struct Spread {
   std::array<double, 3> along;  // the spread
 };
 
+// The first component that is as long as any, but for rounding. An axis where it is positive always
+// begins a profile at the same end.
+double first_large_component(const RealPoint& axis) {
+  constexpr double kAsLong = 1 - 1e-6;
+  const double values[] = {axis.x, axis.y, axis.z};
+  double longest = 0;
+  for (const double value : values) longest = std::max(longest, std::fabs(value));
+  std::size_t first = 0;
+  while (std::fabs(values[first]) < kAsLong * longest) ++first;
+  return values[first];
+}
+
 Spread spread_of(const BallSet& balls) {
   constexpr std::size_t kMostLookedAt = 1'000'000;
   const std::size_t stride = 1 + balls.size() / kMostLookedAt;
@@ -69,11 +81,7 @@ Spread spread_of(const BallSet& balls) {
     const std::size_t of = order[n];
     result.along[n] = spread[of][of];
     const RealPoint axis{vectors[0][of], vectors[1][of], vectors[2][of]};
-    // Its largest component is positive, so that a profile always begins at the same end.
-    const double values[] = {axis.x, axis.y, axis.z};
-    const double largest = *std::max_element(
-        values, values + 3, [](double a, double b) { return std::fabs(a) < std::fabs(b); });
-    result.axes[n] = (largest < 0 ? -1.0 : 1.0) * unit_vector(axis);
+    result.axes[n] = (first_large_component(axis) < 0 ? -1.0 : 1.0) * unit_vector(axis);
   }
   return result;
 }

@@ -90,6 +90,30 @@ TEST_F(CliCavities, OfFewBallsThereAreNone) {
   EXPECT_TRUE(contains(wrong.err, "castp")) << wrong.err;
 }
 
+// One of the 11 tetrahedra of this pocket flows both outside and into the depth.
+TEST_F(CliCavities, TheRuleSaysWhatIsOutside) {
+  const std::string file = write("rule.xyzr",
+                                 "-2 -3 0 1\n"
+                                 "-3 3 3 1\n"
+                                 "3 2 -1 1\n"
+                                 "-3 3 -4 1\n"
+                                 "2 2 -4 1\n"
+                                 "3 0 -1 1\n"
+                                 "-3 1 -4 1\n"
+                                 "-4 -4 4 1\n"
+                                 "-4 2 -1 1\n"
+                                 "2 -4 4 1\n"
+                                 "-1 3 3 1\n"
+                                 "4 -1 1 1\n")
+                               .string();
+  const json castp = cavities("'" + file + "' --solvent 0"),
+             pocket = cavities("'" + file + "' --solvent 0 --rule pocket");
+  ASSERT_EQ(castp["cavities"].size(), 1u);
+  ASSERT_EQ(pocket["cavities"].size(), 1u);
+  EXPECT_EQ(castp["cavities"][0]["tetrahedra"], 11);
+  EXPECT_EQ(pocket["cavities"][0]["tetrahedra"], 10);
+}
+
 // A grid of balls in which every edge of the cubes is covered and no square is: each square of the
 // boundary is a mouth. Two cubes each way have 6 · 4 of them, one by two by two 2 · 4 + 4 · 2.
 TEST_F(CliCavities, APocketOfManyMouthsIsCalledANetwork) {
@@ -187,6 +211,10 @@ TEST_F(CliCavities, AChannelIsAsWideAsItsNarrowestRing) {
   EXPECT_EQ(channel["way"], nullptr);
   EXPECT_EQ(channel["is_whole"], true);
   EXPECT_FALSE(channel.contains("ways"));
+  EXPECT_EQ(found.err, "") << "it is to be quiet";
+  const Outcome loud = run("channel '" + file + "' --point 0,0,1.5 --along 0,0,1 --json -");
+  EXPECT_EQ(json::parse(loud.out)["widest_angstrom"], channel["widest_angstrom"]);
+  EXPECT_TRUE(contains(loud.err, "bottleneck")) << loud.err;
   const Outcome rows = run("channel '" + file + "' --point 0,0,1.5 --along 0,0,1 -q --csv -");
   EXPECT_EQ(csv_rows(rows.out).size(), channel["samples"].size());
 

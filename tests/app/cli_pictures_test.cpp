@@ -11,23 +11,23 @@ class CliPictures : public Cli {
     Cli::SetUp();
     if (!kDrawsPictures) GTEST_SKIP() << "built without the renderer";
   }
-  std::string picture(const std::string& options) const {
+  std::string picture(const std::string& options, const std::string& alpha = "1") const {
     const fs::path file = folder_ / "it's one.png";
-    const Outcome outcome = run("screenshot '" + cube_.string() + "' --alpha 1 --size 320x200 " +
-                                options + " -o \"" + file.string() + "\"");
+    const Outcome outcome = run("screenshot '" + cube_.string() + "' --alpha " + alpha +
+                                " --size 320x200 " + options + " -o \"" + file.string() + "\"");
     EXPECT_EQ(outcome.code, 0) << outcome.err;
     return contents(file);
   }
-};
-
-TEST_F(CliPictures, HaveACaptionOnlyWhenItIsAskedFor) {
-  const auto pixels = [](const std::string& png) {
+  static std::string pixels(const std::string& png) {
     std::string all;
     for (const auto& [type, data] : chunks_of(png)) {
       if (type == "IDAT") all += data;
     }
     return all;
-  };
+  }
+};
+
+TEST_F(CliPictures, HaveACaptionOnlyWhenItIsAskedFor) {
   const std::string plain = pixels(picture(""));
   EXPECT_EQ(pixels(picture("--caption none")), plain);
   EXPECT_NE(pixels(picture("--caption alpha")), plain);
@@ -53,7 +53,16 @@ TEST_F(CliPictures, SayHowTheyAreMadeAgain) {
 
 // A ball that has grown by nothing is drawn whole, and not at the share of the display.
 TEST_F(CliPictures, GrownBallsAreWhole) {
-  EXPECT_NE(picture("--no-shadows --grown"), picture("--no-shadows"));
+  EXPECT_NE(pixels(picture("--no-shadows --grown", "0")), pixels(picture("--no-shadows", "0")));
+  EXPECT_NE(pixels(picture("--no-shadows --grown", "0.5")),
+            pixels(picture("--no-shadows --grown", "0")));
+}
+
+// The boundary is drawn in place of the tetrahedra, which alone have gaps.
+TEST_F(CliPictures, OfTheBoundaryHaveNoTetrahedra) {
+  EXPECT_NE(pixels(picture("--no-balls --shrink 0.5")), pixels(picture("--no-balls")));
+  EXPECT_EQ(pixels(picture("--no-balls --boundary --shrink 0.5")),
+            pixels(picture("--no-balls --boundary")));
 }
 
 // Of a session the file says which atoms the session had chosen.
@@ -74,6 +83,10 @@ TEST_F(CliPictures, OfASessionSayWhatItsBallsAre) {
   const auto named = texts.find("alphascope:selection_expression");
   ASSERT_NE(named, texts.end());
   EXPECT_EQ(named->second, "resn CYS");
+  const Outcome both =
+      run("screenshot --session '" + session.string() + "' --alpha 1 -o '" + file.string() + "'");
+  EXPECT_EQ(both.code, 2);
+  EXPECT_TRUE(contains(both.err, "--session says itself what --alpha would")) << both.err;
 }
 
 TEST_F(CliPictures, HaveLabelsAndMeasurements) {
@@ -83,11 +96,7 @@ TEST_F(CliPictures, HaveLabelsAndMeasurements) {
     const Outcome outcome = run("screenshot '" + molecule + "' --alpha 0 --size 320x200 " +
                                 options + " -o '" + file.string() + "'");
     EXPECT_EQ(outcome.code, 0) << outcome.err;
-    std::string all;
-    for (const auto& [type, data] : chunks_of(contents(file))) {
-      if (type == "IDAT") all += data;
-    }
-    return all;
+    return pixels(contents(file));
   };
   const std::string plain = drawn("");
   const std::string labels = drawn("--labels 'name SG=name; resn TYR=residue'");

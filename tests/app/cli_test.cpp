@@ -374,6 +374,21 @@ TEST_F(Cli, BenchWritesTableAndCsv) {
   for (const auto& row : rows) EXPECT_EQ(row.at("identical"), "1") << "to CGAL";
 }
 
+// Four balls of radius 1 at the corners of a tetrahedron, whose edges are 2.5: with a solvent of 1
+// its orthosphere is negative.
+TEST_F(Cli, BenchGrowsTheBallsByTheSolvent) {
+  const fs::path file =
+      write("four.xyzr", "0 0 0 1\n2.5 0 0 1\n1.25 2.165 0 1\n1.25 0.722 2.041 1\n");
+  const auto tetrahedra = [&](const std::string& solvent) {
+    const Outcome outcome =
+        run("bench '" + file.string() + "' --alpha 0 --runs 1 --solvent " + solvent + " --csv -");
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    return csv_rows(outcome.out).at(0).at("tetrahedra");
+  };
+  EXPECT_EQ(tetrahedra("0"), "0");
+  EXPECT_EQ(tetrahedra("1"), "1");
+}
+
 TEST_F(Cli, InfoTellsWhatIsUsed) {
   const Outcome outcome = run("info '" ALPHASCOPE_SOURCE_DIR "/resources/molecules/1crn.pdb'");
   EXPECT_EQ(outcome.code, 0);

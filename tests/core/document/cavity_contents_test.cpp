@@ -174,6 +174,7 @@ TEST_F(CavityContentsResult, FollowsTheTableAndNumbersGoOn) {
   const auto contents = settle(cavity_contents(), body.inputs).value;
   ASSERT_TRUE(contents);
   EXPECT_EQ(contents->residues, find_contents(*body.atoms, *body.table).residues);
+  const std::uint64_t held_before = store.held_bytes();
   const auto lines = settle(cavity_lines(nullptr), body.inputs).value;
   ASSERT_TRUE(lines);
   EXPECT_TRUE(lines->is_of(body.inputs));
@@ -181,6 +182,9 @@ TEST_F(CavityContentsResult, FollowsTheTableAndNumbersGoOn) {
   EXPECT_EQ(lines->of[3].residues, lining_residues(*body.atoms, *body.table, 3).size());
   EXPECT_EQ(lines->of[3].chains, 2u) << "HIS 87 of chain A has ARG 40 of chain D beside it";
   EXPECT_EQ(lines->of[3].bodies, 1u);
+  // Of a line: itself, and 100 bytes for its number; besides, a megabyte.
+  EXPECT_EQ(store.held_bytes() - held_before,
+            1'000'000 + body.table->size() * (sizeof(CavityLine) + 100));
   const auto first = lines->numbers;
   Inputs higher = body.inputs;
   higher.alpha_angstrom2 = 0.3;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <random>
 
 #include "tests/core/cavity/rings.hpp"
@@ -69,6 +70,15 @@ TEST(PrincipalAxes, WithoutCopiesItIsTheLongest) {
   testing::add_ball(one, 1000, 2000, 3000, 1000);
   EXPECT_EQ(main_axis(one).axis, (RealPoint{0, 0, 1}));
   EXPECT_EQ(main_axis(one).middle_angstrom, (RealPoint{1, 2, 3}));
+}
+
+TEST(PrincipalAxes, TheFirstOfComponentsAsLongIsPositive) {
+  BallSet balls = testing::no_balls();
+  testing::add_ball(balls, -5000, 5000, 0, 1000);
+  testing::add_ball(balls, 5000, -5000, 0, 1000);
+  const MainAxis found = main_axis(balls);
+  EXPECT_NEAR(found.axis.x, std::sqrt(0.5), 1e-12);
+  EXPECT_NEAR(found.axis.y, -std::sqrt(0.5), 1e-12);
 }
 
 TEST(PrincipalAxes, APoreLeadsAlongTheMainOneOrAnyOfThree) {

@@ -54,6 +54,28 @@ TEST(ReadMmcif, NamesTheLineOfWhatIsWrong) {
             std::string::npos);
 }
 
+TEST(ReadMmcif, ASecondTableHasColumnsOfItsOwn) {
+  const std::string first =
+      "loop_\n_atom_site.type_symbol\n_atom_site.auth_asym_id\n"
+      "_atom_site.Cartn_x\n_atom_site.Cartn_y\n_atom_site.Cartn_z\n"
+      "C B 1 2 3\n";
+  const Molecule m =
+      read_text("a.cif", "data_X\n" + first +
+                             "loop_\n_atom_site.Cartn_z\n_atom_site.Cartn_x\n"
+                             "_atom_site.Cartn_y\n_atom_site.type_symbol\n6 4 5 N\n");
+  ASSERT_EQ(m.atoms.size(), 2u);
+  EXPECT_EQ(m.text(m.atoms[0].chain), "B");
+  EXPECT_EQ(m.text(m.atoms[1].chain), "") << "not what is in the second column";
+  EXPECT_EQ(m.atoms[1].position, (LatticePoint{4000, 5000, 6000}));
+  EXPECT_EQ(m.atoms[1].element, 7);
+  EXPECT_EQ(refusal("a.cif", "data_X\n" + first +
+                                 "loop_\n_atom_site.Cartn_x\n_atom_site.Cartn_y\n"
+                                 "_atom_site.occupancy\n_atom_site.id\n_atom_site.type_symbol\n"
+                                 "1 2 1 2 C\n")
+                .reason(),
+            "the atom_site table has no column Cartn_z");
+}
+
 TEST(ReadMmcif, TwinsInPdbGiveTheSameBalls) {
   ALPHASCOPE_NEED_TEST_DATA();
   const char* const twins[][2] = {{"thesis/4hhb.pdb.gz", "thesis/4hhb.cif.gz"},

@@ -2,12 +2,14 @@
 #include "core/run/work_threads.hpp"
 
 #include <gtest/gtest.h>
+#include <tbb/task_arena.h>
 
 #include <atomic>
 #include <chrono>
 #include <future>
 #include <stdexcept>
 #include <thread>
+#include <utility>
 
 #include "core/run/parallel.hpp"
 
@@ -28,6 +30,15 @@ TEST(WorkThreads, SaysHowManyWork) {
   EXPECT_EQ(WorkThreads(1).text(), "CPU, 1 thread");
   EXPECT_EQ(WorkThreads(1000).asked(), 1000);
   EXPECT_EQ(WorkThreads(1000).used(), WorkThreads().used()) << "as many as the machine has";
+}
+
+// Where one works, the other of two callers brings its own.
+TEST(WorkThreads, HaveRoomForAsManyAsAreAsked) {
+  for (const auto& [asked, room] : {std::pair{1, 2}, {2, 2}, {3, 3}, {7, 7}}) {
+    int found = 0;
+    WorkThreads(asked).run([&found] { found = tbb::this_task_arena::max_concurrency(); });
+    EXPECT_EQ(found, room) << asked;
+  }
 }
 
 TEST(WorkThreads, TwoCallersHaveNoMoreThreadsThanOne) {

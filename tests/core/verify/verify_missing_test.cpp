@@ -10,6 +10,7 @@
 #include "core/engine/engine.hpp"
 #include "core/triangulation/filtration.hpp"
 #include "core/verify/verify.hpp"
+#include "core/verify/verify_missing.hpp"
 #include "tests/support/molecules.hpp"
 #include "tests/support/random_balls.hpp"
 #include "tests/support/sanitizer.hpp"
@@ -180,6 +181,30 @@ TEST(Missing, ALoneTetrahedronIsNoticed) {
   EXPECT_TRUE(verify_both(balls, complex).ok());
   complex.tetrahedra = {};
   EXPECT_TRUE(said_of(balls, complex).noticed);
+}
+
+// Found from each of its four triangles, as these are from their edges.
+TEST(Missing, IsListedOnce) {
+  BallSet balls;
+  balls.lattice.digits = 0;
+  for (const auto& [x, y, z] : {std::tuple{0, 0, 0}, {10, 10, 0}, {10, 0, 10}, {0, 10, 10}}) {
+    testing::add_ball(balls, x, y, z, 6);
+  }
+  const AlphaComplex whole = complex_at(balls, 100);
+  const VerifyBalls at_100(balls, whole.alpha_on_lattice);
+  const auto missing = [&](const AlphaComplex& part) {
+    return find_missing(at_100, part, false, {});
+  };
+  AlphaComplex part = whole;
+  part.tetrahedra = {};
+  classify(part);
+  EXPECT_EQ(missing(part).tetrahedra, (Simplices<4>{{0, 1, 2, 3}}));
+  part.triangles = {};
+  classify(part);
+  EXPECT_EQ(missing(part).triangles, whole.triangles.simplices);
+  part.edges = {};
+  classify(part);
+  EXPECT_EQ(missing(part).edges, whole.edges.simplices);
 }
 
 TEST(Missing, NothingAtAllIsNoticed) {

@@ -61,8 +61,8 @@ TEST_F(CliPictures, GrownBallsAreWhole) {
 // The boundary is drawn in place of the tetrahedra, which alone have gaps.
 TEST_F(CliPictures, OfTheBoundaryHaveNoTetrahedra) {
   EXPECT_NE(pixels(picture("--no-balls --shrink 0.5")), pixels(picture("--no-balls")));
-  EXPECT_EQ(pixels(picture("--no-balls --boundary --shrink 0.5")),
-            pixels(picture("--no-balls --boundary")));
+  EXPECT_EQ(pixels(picture("--no-balls --clip z --boundary --shrink 0.5")),
+            pixels(picture("--no-balls --clip z --boundary")));
 }
 
 // Of a session the file says which atoms the session had chosen.

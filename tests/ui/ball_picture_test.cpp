@@ -166,6 +166,31 @@ TEST_F(BallPicture, ATranslucentBallIsWhole) {
   }
 }
 
+// The first picture that is larger than the one before, drawn exactly, by peels; with pictures of
+// opaque balls between them as well.
+TEST_F(BallPicture, ATranslucentBallIsWholeWhenThePictureHasGrown) {
+  const Sphere sphere = sphere_at(1.9, 20, 1.7);
+  const auto draw = [&](float opacity, int width, int height) {
+    style.ball_opacity = opacity;
+    scene.set_style(style);
+    scene.render(width, height, RenderQuality::medium);
+  };
+  show({sphere});
+  look(60);
+  for (const auto& [width, height] : {std::pair{kWidth / 2, kHeight}, {kWidth, kHeight / 2}}) {
+    for (const bool opaque_between : {false, true}) {
+      draw(0.5, width, height);
+      if (opaque_between) draw(1, kWidth, kHeight);
+      style.ball_opacity = 0.5;
+      scene.set_style(style);
+      EXPECT_EQ(count_wrong(RenderQuality::medium,
+                            [&](const Vector& d) { return seen_of_one(sphere, d); }),
+                0)
+          << width << " x " << height << opaque_between;
+    }
+  }
+}
+
 TEST_F(BallPicture, ASavedPictureShowsTheSameBall) {
   const Sphere sphere = sphere_at(1.9, 20, 1.7);
   show({sphere});

@@ -1,8 +1,12 @@
 // See the header.
 #include "ui/scene/scene_renderer.hpp"
 
+#include <vtkDepthPeelingPass.h>
 #include <vtkObjectFactory.h>
+#include <vtkOpenGLRenderWindow.h>
 #include <vtkRenderState.h>
+
+#include <utility>
 
 namespace alphascope {
 
@@ -15,6 +19,7 @@ void SceneRenderer::DeviceRenderOpaqueGeometry(vtkFrameBufferObjectBase* target)
 
 void SceneRenderer::DeviceRenderTranslucentPolygonalGeometry(vtkFrameBufferObjectBase* target) {
   if (this->UseDepthPeeling) {
+    peel_anew_when_resized();
     Superclass::DeviceRenderTranslucentPolygonalGeometry(target);
   } else {
     this->LastRenderingUsedDepthPeeling = 0;  // or actors would write depths
@@ -23,6 +28,18 @@ void SceneRenderer::DeviceRenderTranslucentPolygonalGeometry(vtkFrameBufferObjec
     translucent_sum_->Render(&state);
   }
   if (after_translucent) after_translucent();
+}
+
+// The pass of VTK 9.1 keeps a framebuffer, to which textures of the size before are attached until
+// all its stages have run. Meanwhile OpenGL draws no farther than the smallest of them.
+void SceneRenderer::peel_anew_when_resized() {
+  int width, height, x, y;
+  this->GetTiledSizeAndOrigin(&width, &height, &x, &y);
+  if (std::exchange(peeled_size_, {width, height}) == std::array{width, height}) return;
+  if (this->DepthPeelingPass == nullptr) return;
+  this->DepthPeelingPass->ReleaseGraphicsResources(this->RenderWindow);
+  this->DepthPeelingPass->Delete();
+  this->DepthPeelingPass = nullptr;  // VTK makes another
 }
 
 void SceneRenderer::ReleaseGraphicsResources(vtkWindow* window) {

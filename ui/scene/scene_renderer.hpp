@@ -5,6 +5,7 @@
 #include <vtkNew.h>
 #include <vtkOpenGLRenderer.h>
 
+#include <array>
 #include <functional>
 
 #include "ui/scene/translucent_sum.hpp"
@@ -27,6 +28,9 @@ class SceneRenderer : public vtkOpenGLRenderer {
   SceneRenderer() = default;
 
  private:
+  void peel_anew_when_resized();
+
+  std::array<int, 2> peeled_size_{};
   vtkNew<TranslucentSum> translucent_sum_;  // where no depths are peeled
 };
 

@@ -150,9 +150,23 @@ TEST_F(NumberFields, WhatIsNoNumberChangesNothingAndIsExplained) {
   ImGui::GetIO().KeyCtrl = false;
   EXPECT_EQ(p.state.memory.number.text, "2.5x");
   p.tap(key::kEscape);
-  p.click("view");
   p.frame(2);
   EXPECT_FALSE(p.rects.contains("alpha.typed.error"));
+  p.type("alpha.typed", "2.5x");
+  p.frame(2);
+  EXPECT_TRUE(p.rects.contains("alpha.typed.error"));
+  p.click("view");
+  p.frame(2);
+  EXPECT_FALSE(p.rects.contains("alpha.typed.error")) << "it is given up";
+  p.type("alpha.typed", "2.5x");
+  p.tap(key::kEscape);
+  p.frame(2);
+  EXPECT_FALSE(p.rects.contains("alpha.typed.error"));
+  p.type("alpha.typed", "2.5x");
+  p.state.compute.alpha_angstrom2 = 4;
+  p.frame(2);
+  EXPECT_TRUE(p.state.memory.number.refused.empty()) << "it has a value again";
+  p.state.compute.alpha_angstrom2 = 3;
   EXPECT_DOUBLE_EQ(p.state.compute.alpha_angstrom2, 3);
 }
 
@@ -194,6 +208,41 @@ TEST_F(NumberFields, PictureSizesAreWholeAndBounded) {
     p.type("save.width", bad);
     EXPECT_EQ(p.state.memory.save.width, 800) << bad;
   }
+}
+
+// Whatever is touched next: a wrong number is not forgotten, and nothing is made with the old one.
+TEST_F(NumberFields, AWrongNumberKeepsADialogFromItsWork) {
+  p.state.memory.show_save = true;
+  p.frame(3);
+  const auto refused = [&] { return p.state.memory.number.refused.contains("save.width"); };
+  const auto type_only = [&](const char* text) {
+    p.click("save.width");
+    ImGui::GetIO().AddInputCharactersUTF8(text);
+    p.frame(2);
+  };
+  type_only("99999");
+  p.click("save.ok");
+  p.frame(2);
+  EXPECT_FALSE(p.state.requests.screenshot) << "not of another size";
+  EXPECT_TRUE(p.state.memory.show_save);
+  EXPECT_TRUE(p.rects.contains("save.width.error"));
+  p.click("save.ok");
+  p.frame(2);
+  EXPECT_FALSE(p.state.requests.screenshot);
+  EXPECT_TRUE(refused());
+  p.click("save.hd");
+  p.frame(2);
+  EXPECT_FALSE(refused()) << "it has a size again";
+  type_only("99999");
+  p.tap(key::kTab);
+  p.frame(2);
+  EXPECT_TRUE(refused()) << "the next field has the focus";
+  EXPECT_TRUE(p.rects.contains("save.width.error"));
+  type_only("640");
+  p.click("save.ok");
+  p.frame(2);
+  ASSERT_TRUE(p.state.requests.screenshot);
+  EXPECT_EQ(p.state.requests.screenshot->options.width, 640);
 }
 
 }  // namespace

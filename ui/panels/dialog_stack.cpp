@@ -3,8 +3,11 @@
 
 #include <algorithm>
 #include <array>
+#include <string>
+#include <string_view>
 
 #include "ui/panels/keys.hpp"
+#include "ui/panels/number_field.hpp"
 
 namespace alphascope {
 namespace {
@@ -94,15 +97,17 @@ bool enter_pressed(const PanelContext& ctx) {
 }
 
 DialogAnswer dialog_buttons(PanelContext& ctx, float width, DialogButton cancel,
-                            DialogButton confirm, bool can_confirm) {
+                            DialogButton confirm, bool can_confirm, bool entered) {
   const float each = ctx.px(100), gap = ImGui::GetStyle().ItemSpacing.x;
   ImGui::SameLine(ImGui::GetStyle().WindowPadding.x + width - 2 * each - gap);
   const bool no = button(ctx, cancel.name, cancel.label, {each, 0}) || escape_pressed(ctx);
   ImGui::SameLine();
+  const std::string_view name = confirm.name;
+  can_confirm &= !has_refused_number(ctx, std::string(name.substr(0, name.find('.'))));
   ImGui::BeginDisabled(!can_confirm);
   const bool clicked = button(ctx, confirm.name, confirm.label, {each, 0}, ButtonKind::primary);
   ImGui::EndDisabled();
-  const bool yes = clicked || (can_confirm && enter_pressed(ctx));
+  const bool yes = clicked || (can_confirm && (entered || enter_pressed(ctx)));
   return yes ? DialogAnswer::confirm : no ? DialogAnswer::cancel : DialogAnswer::none;
 }
 

@@ -23,14 +23,15 @@ bool escape_pressed(const PanelContext& ctx);
 bool enter_pressed(const PanelContext& ctx);
 
 // At the right end of a line that is `width` pixels wide: what does nothing at the left, what does
-// something at the right, in every dialog. Enter confirms, Escape cancels.
+// something at the right, in every dialog. Enter confirms, Escape cancels. `entered`: Enter was
+// pressed in a field. While a number of the dialog is wrong, nothing is confirmed.
 enum class DialogAnswer : std::uint8_t { none, cancel, confirm };
 struct DialogButton {
   const char* name;
   const char* label;
 };
 DialogAnswer dialog_buttons(PanelContext& ctx, float width, DialogButton cancel,
-                            DialogButton confirm, bool can_confirm = true);
+                            DialogButton confirm, bool can_confirm = true, bool entered = false);
 bool close_button(PanelContext& ctx, float width, DialogButton close);
 
 // All dialogs that are wanted; what was wanted last is on top.

@@ -10,6 +10,7 @@
 
 #include "core/molecule/shortest_number.hpp"
 #include "ui/panels/key_focus.hpp"
+#include "ui/panels/keys.hpp"
 
 namespace alphascope {
 namespace {
@@ -32,31 +33,54 @@ void reason(PanelContext& ctx, const char* name, const std::string& text) {
   ImGui::End();
 }
 
-// True when the typing is over and the text was changed.
+RefusedNumber* refused_in(PanelContext& ctx, const std::string& name) {
+  auto& all = ctx.state.memory.number.refused;
+  const auto at = all.find(name);
+  if (at == all.end()) return nullptr;
+  if (at->second.frame + 1 < ImGui::GetFrameCount()) {  // the field has been away
+    all.erase(at);
+    return nullptr;
+  }
+  at->second.frame = ImGui::GetFrameCount();
+  return &at->second;
+}
+
+// True when the typing is over.
 bool type(PanelContext& ctx, const char* name, const std::string& shown, std::string& text) {
   NumberTyping& typing = ctx.state.memory.number;
-  const bool mine = typing.name == name, wrong = mine && !typing.error.empty();
-  text = mine ? typing.text : shown;
+  const bool mine = typing.name == name;
+  const RefusedNumber* const refused = mine ? nullptr : refused_in(ctx, name);
+  text = mine ? typing.text : refused != nullptr ? refused->text : shown;
   if (mine && std::exchange(typing.focus, false)) ImGui::SetKeyboardFocusHere();
-  if (wrong) {
+  if (refused != nullptr) {
     ImGui::PushStyleColor(ImGuiCol_Border, to_imgui(ctx.palette.error));
     ImGui::PushStyleVar(ImGuiStyleVar_FrameBorderSize, ctx.px(1));
   }
   ImGui::PushID(name);
   ImGui::InputText("##number", &text, ImGuiInputTextFlags_AutoSelectAll);
   ImGui::PopID();
-  if (wrong) {
+  if (refused != nullptr) {
     ImGui::PopStyleVar();
     ImGui::PopStyleColor();
   }
   record(ctx, name);
   key_stop(ctx, name, KeyStop::type_when_asked);
   if (ImGui::IsItemActivated()) {
-    typing.error.clear();
-    if (typing.name != name) typing = {name, shown, {}};
+    typing.refused.erase(name);
+    typing.name = name;
   }
   if (typing.name == name) typing.text = text;
   return ImGui::IsItemDeactivated();
+}
+
+// A click elsewhere takes away the reason, which covers what is below; on a page, what was typed as
+// well, as does Escape. In a dialog it stays: what is confirmed is what the fields show.
+void tell_reason(PanelContext& ctx, const char* name, RefusedNumber& refused) {
+  const bool over = ImGui::IsItemHovered(), elsewhere = !over && ImGui::IsMouseClicked(0);
+  const bool escaped = !ImGui::GetIO().WantTextInput && ImGui::IsKeyPressed(key::kEscape, false);
+  if (ctx.level == 0 && (elsewhere || escaped)) return forget_typing(ctx, name);
+  if (elsewhere) refused.told = false;
+  if (refused.told || over) reason(ctx, name, refused.error);
 }
 
 // `read` makes the value of the text, or says why not.
@@ -64,21 +88,29 @@ template <class Number, class Read>
 bool field(PanelContext& ctx, const char* name, Number& value, const Read& read) {
   NumberTyping& typing = ctx.state.memory.number;
   const std::string shown = shortest_number(value);
+  if (const auto* refused = refused_in(ctx, name); refused != nullptr && refused->value != shown) {
+    typing.refused.erase(name);
+  }
   std::string text;
   const bool over = type(ctx, name, shown, text);
-  if (typing.name != name) return false;
-  bool changed = false;
-  if (over) {
-    const auto input = read(text);
-    changed = input.value && *input.value != value;
-    if (changed) value = *input.value;
-    typing.error = text == shown ? "" : input.error;
-    if (typing.error.empty()) typing = {};
-  } else if (!typing.error.empty() && !ImGui::IsItemHovered() && ImGui::IsMouseClicked(0)) {
-    typing = {};  // given up
+  if (!over) {
+    RefusedNumber* const refused = refused_in(ctx, name);
+    if (refused != nullptr) tell_reason(ctx, name, *refused);
+    return false;
   }
-  if (!typing.error.empty()) reason(ctx, name, typing.error);
-  return changed;
+  if (typing.name == name) {
+    typing.name.clear();
+    typing.text.clear();
+  }
+  if (text == shown || ImGui::IsKeyPressed(key::kEscape, false)) return false;
+  const auto input = read(text);
+  if (!input.error.empty()) {
+    typing.refused[name] = {text, input.error, shown, ImGui::GetFrameCount()};
+    reason(ctx, name, input.error);
+  }
+  if (!input.value || *input.value == value) return false;
+  value = *input.value;
+  return true;
 }
 
 // True when a click with Ctrl, or Enter, has made it a field.
@@ -87,15 +119,29 @@ bool is_field(PanelContext& ctx, const char* name, const Number& value) {
   NumberTyping& typing = ctx.state.memory.number;
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const ImVec2 end{corner.x + ImGui::CalcItemWidth(), corner.y + ImGui::GetFrameHeight()};
-  const bool clicked = ImGui::GetIO().KeyCtrl && ImGui::IsMouseClicked(0) &&
-                       ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(corner, end);
-  if ((wants_typing(ctx, name) || clicked) && typing.name != name) {
-    typing = {name, shortest_number(value), {}, true};
+  const bool over = ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(corner, end);
+  const bool clicked = ImGui::GetIO().KeyCtrl && ImGui::IsMouseClicked(0) && over;
+  const RefusedNumber* const refused = refused_in(ctx, name);
+  if ((wants_typing(ctx, name) || clicked) && typing.name != name && refused == nullptr) {
+    typing.name = name;
+    typing.text = shortest_number(value);
+    typing.focus = true;
   }
-  return typing.name == name;
+  return typing.name == name || refused != nullptr;
 }
 
 }  // namespace
+
+bool has_refused_number(PanelContext& ctx, const std::string& dialog) {
+  const auto& all = ctx.state.memory.number.refused;
+  return std::any_of(all.begin(), all.end(), [&](const auto& one) {
+    return one.first.starts_with(dialog + ".") && one.second.frame + 1 >= ImGui::GetFrameCount();
+  });
+}
+
+void forget_typing(PanelContext& ctx, const std::string& name) {
+  ctx.state.memory.number.refused.erase(name);
+}
 
 bool number_field(PanelContext& ctx, const char* name, double& value, const NumberRule& rule) {
   return field(ctx, name, value, [&](const std::string& text) { return read_number(text, rule); });

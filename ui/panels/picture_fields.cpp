@@ -13,9 +13,10 @@ struct Size {
   int width, height;
 };
 
-void size_preset(PanelContext& ctx, const std::string& name, const char* label, Size size,
-                 PictureOptions& options) {
-  if (button(ctx, name.c_str(), label)) {
+void size_preset(PanelContext& ctx, const std::string& dialog, const char* name, const char* label,
+                 Size size, PictureOptions& options) {
+  if (button(ctx, (dialog + "." + name).c_str(), label)) {
+    for (const char* side : {".width", ".height"}) forget_typing(ctx, dialog + side);
     options.width = size.width;
     options.height = size.height;
   }
@@ -65,9 +66,9 @@ void size_fields(PanelContext& ctx, const std::string& dialog, PictureOptions& o
   ImGui::TextUnformatted("pixels");
   row_label(ctx, "");
   const ViewportInfo& view = ctx.state.viewport;
-  size_preset(ctx, dialog + ".as_view", "as the view", {view.width, view.height}, options);
-  size_preset(ctx, dialog + ".hd", "1920 × 1080", {1920, 1080}, options);
-  size_preset(ctx, dialog + ".4k", "3840 × 2160", {3840, 2160}, options);
+  size_preset(ctx, dialog, "as_view", "as the view", {view.width, view.height}, options);
+  size_preset(ctx, dialog, "hd", "1920 × 1080", {1920, 1080}, options);
+  size_preset(ctx, dialog, "4k", "3840 × 2160", {3840, 2160}, options);
   ImGui::NewLine();
 }
 

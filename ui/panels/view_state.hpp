@@ -71,10 +71,11 @@ struct Requests {
   std::optional<SaveTableRequest> save_table;
   std::optional<ExportRequest> export_complex;
   bool compare = false, cancel = false, cancel_compare = false, cancel_save = false;
-  bool compute_anew = false;                       // set-up included, for its cold time
-  std::optional<double> zoom;                      // how many times as large
-  std::optional<std::array<double, 3>> look_from;  // from the middle of the view to the viewer
-  std::string save_view, go_to_view;               // names of saved cameras; empty: none
+  bool compute_anew = false;                         // set-up included, for its cold time
+  std::optional<double> zoom;                        // how many times as large
+  std::optional<std::array<double, 3>> look_from;    // from the middle of the view to the viewer
+  std::optional<std::array<double, 3>> look_across;  // a line; the view turns no more than it must
+  std::string save_view, go_to_view;                 // names of saved cameras; empty: none
   bool reset_view = false, zoom_to_selection = false, quit = false;
   RefSet zoom_to, centre_on;  // what is to fill the view, and to be its middle; empty: nothing
   std::string copy;           // into the clipboard; empty: nothing
@@ -86,8 +87,8 @@ struct Requests {
   bool close_lesson = false;
 
   bool starts_from_view() const {
-    return zoom || look_from || zoom_to_selection || !zoom_to.empty() || !centre_on.empty() ||
-           !save_view.empty() || save_session || screenshot || record;
+    return zoom || look_from || look_across || zoom_to_selection || !zoom_to.empty() ||
+           !centre_on.empty() || !save_view.empty() || save_session || screenshot || record;
   }
 };
 
@@ -113,11 +114,20 @@ struct PanelMemory;
 // What the file dialog wants to have listed; nothing while it is closed.
 std::optional<FolderQuery> wanted_listing(const PanelMemory& memory);
 
-// The number that is being typed, or was and is none.
+// What was typed and is no number that its field takes.
+struct RefusedNumber {
+  std::string text, error;
+  std::string value;  // that the field had
+  int frame = 0;      // in which the field was last there
+  bool told = true;   // below the field, until a click elsewhere
+};
+
+// The number that is being typed.
 struct NumberTyping {
   std::string name;  // of the field; empty: none
-  std::string text, error;
-  bool focus = false;  // to be given to the field
+  std::string text;
+  bool focus = false;                            // to be given to the field
+  std::map<std::string, RefusedNumber> refused;  // by field
 };
 
 // What the panels remember between frames.
@@ -173,7 +183,8 @@ struct PanelMemory {
   bool playing_models = false;  // models follow one another as frames
   float models_per_second = 5;  // at most; fewer when computing takes longer
   std::string expression_typed;
-  std::string expression_shown;  // the one in force when expression_typed was last taken over
+  bool expression_entered = false;  // and nothing said of it yet
+  std::string expression_shown;     // the one in force when expression_typed was last taken over
   std::string chain_filter;
   std::string confirm_assembly;  // id of the one that is asked about; empty: none
   std::string residues_of;       // SHA-256 of the molecule whose list of residues was shown last

@@ -1,12 +1,14 @@
 // Dialogs above one another, and where errors are told.
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <filesystem>
 #include <new>
 #include <string>
 
 #include "tests/ui/panels_fixture.hpp"
 #include "tests/ui/viewer_fixture.hpp"
+#include "ui/panels/picture_path.hpp"
 
 namespace alphascope {
 namespace {
@@ -121,6 +123,37 @@ TEST_F(DialogsTest, APictureIsSavedOnlyWhereThereIsAFolder) {
   EXPECT_FALSE(p.state.memory.show_save);
 }
 
+TEST_F(DialogsTest, APlaceWithoutANameIsNoFile) {
+  p.state.memory.show_save = true;
+  p.frame(3);
+  const std::string folder = std::filesystem::temp_directory_path().string();
+  for (const std::string& typed : {std::string(), std::string("  "), folder, folder + "/"}) {
+    p.state.memory.save_path = typed;
+    p.frame(3);
+    EXPECT_TRUE(p.rects.contains("save.no_name")) << typed;
+    p.click("save.ok");
+    EXPECT_FALSE(p.state.requests.screenshot) << typed;
+  }
+}
+
+TEST(TypedPaths, AreWholeWhateverIsTyped) {
+  const char* const before = std::getenv("HOME");
+  const std::string kept = before == nullptr ? "" : before;
+  ::setenv("HOME", "/home/ada", 1);
+  EXPECT_EQ(typed_path("~/a.png"), "/home/ada/a.png");
+  EXPECT_EQ(typed_path(" ~ "), "/home/ada");
+  EXPECT_EQ(typed_path("~ada/a.png", "/b"), "/b/~ada/a.png") << "of other users nothing is known";
+  EXPECT_EQ(typed_path("../a.png", "/b/c"), "/b/a.png");
+  EXPECT_EQ(typed_path("a.png"), std::filesystem::current_path() / "a.png");
+  EXPECT_EQ(typed_path("/x//y/./a.png "), "/x/y/a.png");
+  EXPECT_EQ(typed_path(" "), "");
+  EXPECT_EQ(path_to_save("~/a", ".png"), "/home/ada/a.png");
+  EXPECT_EQ(path_to_save("/tmp", ".png"), "/tmp") << "a folder gets no ending";
+  EXPECT_EQ(path_to_save("/tmp/", ".png"), "/tmp/");
+  EXPECT_EQ(path_to_save("", ".png"), "");
+  ::setenv("HOME", kept.c_str(), 1);
+}
+
 TEST_F(DialogsTest, WhatCannotBeWrittenIsSaidBeforeItIsTried) {
   p.state.memory.show_export = true;
   p.state.memory.export_path = "/tmp/alphascope no such file.stl";
@@ -131,7 +164,7 @@ TEST_F(DialogsTest, WhatCannotBeWrittenIsSaidBeforeItIsTried) {
   std::filesystem::create_directory(folder);
   p.state.memory.export_path = folder;
   p.frame(3);
-  EXPECT_TRUE(p.rects.contains("export.unwritable"));
+  EXPECT_TRUE(p.rects.contains("export.no_name"));
   p.click("export.ok");
   EXPECT_TRUE(p.state.memory.show_export);
   std::filesystem::remove(folder);

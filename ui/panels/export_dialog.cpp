@@ -4,6 +4,7 @@
 
 #include "core/text/as_sentence.hpp"
 #include "ui/panels/dialog_stack.hpp"
+#include "ui/panels/picture_path.hpp"
 #include "ui/panels/save_target.hpp"
 
 namespace alphascope {
@@ -12,11 +13,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr float kWidth = 464;  // pixels at scale 1
-
-fs::path typed_path(const PanelMemory& m) {
-  std::error_code ignored;
-  return fs::absolute(m.export_path, ignored).lexically_normal();
-}
 
 const char* format_name(const ExportFormatInfo* format) {
   return format == nullptr ? "by the name's ending" : format->name;
@@ -71,7 +67,7 @@ void draw_export(PanelContext& ctx) {
   propose_file(ctx, kTitle, "export", m.export_path, name_of_file(ctx, ".glb"));
   if (!begin_dialog(ctx, kTitle)) return;
   const bool entered = file_row(ctx, "export", m.export_path);
-  const fs::path path = typed_path(m);
+  const fs::path path = typed_path(m.export_path);
   const ExportFormatInfo* const format = export_format_of(path);
   const std::vector<fs::path> files =
       format == nullptr ? std::vector{path} : export_files(*format, path);
@@ -89,8 +85,8 @@ void draw_export(PanelContext& ctx) {
   ImGui::Dummy({0, ctx.px(6)});
   ImGui::NewLine();
   const DialogAnswer answer = dialog_buttons(ctx, ctx.px(kWidth), {"export.cancel", "Cancel"},
-                                             {"export.ok", "Export"}, can_export);
-  const bool confirmed = answer == DialogAnswer::confirm || (entered && can_export);
+                                             {"export.ok", "Export"}, can_export, entered);
+  const bool confirmed = answer == DialogAnswer::confirm;
   if (confirmed) s.requests.export_complex = ExportRequest{path, m.export_colours};
   if (confirmed || answer == DialogAnswer::cancel) {
     note_file(ctx, "export", m.export_path, confirmed);

@@ -13,6 +13,7 @@
 #include "ui/panels/key_focus.hpp"
 #include "ui/panels/keys.hpp"
 #include "ui/panels/panels.hpp"
+#include "ui/panels/picture_path.hpp"
 
 namespace alphascope {
 namespace {
@@ -131,13 +132,7 @@ void accept(ViewState& s, const fs::path& path) {
 
 // The whole path; empty where nothing is typed.
 fs::path browsed_path(const PanelMemory& m) {
-  std::string text = m.browser_typed;
-  if (text == "~" || text.starts_with("~/")) {
-    if (const char* home = std::getenv("HOME")) text = home + text.substr(1);
-  }
-  if (text.empty()) return {};
-  const fs::path path(text);
-  return path.is_relative() ? m.browser_base / path : path;
+  return typed_path(m.browser_typed, m.browser_base);
 }
 
 void accept_typed(ViewState& s) {

@@ -12,6 +12,7 @@
 #include "ui/panels/dialog_stack.hpp"
 #include "ui/panels/number_field.hpp"
 #include "ui/panels/picture_fields.hpp"
+#include "ui/panels/picture_path.hpp"
 #include "ui/panels/save_target.hpp"
 
 namespace alphascope {
@@ -26,27 +27,8 @@ constexpr const char* kNoFfmpeg =
     "Movies need the program ffmpeg, which is not installed (Debian: apt install ffmpeg). Pictures "
     "need nothing.";
 
-fs::path typed_path(const RecordMemory& m) {
-  std::error_code ignored;
-  return fs::absolute(m.path, ignored).lexically_normal();
-}
-
-// A line that is there whether or not it says anything, so that nothing moves; the tooltip has all
-// of it.
-void error_line(PanelContext& ctx, const char* name, std::string text) {
-  row_label(ctx, "");
-  ImGui::PushFont(ctx.fonts.small);
-  if (text.empty()) {
-    ImGui::NewLine();
-  } else {
-    text = as_sentence(std::move(text));
-    ImGui::PushStyleColor(ImGuiCol_Text, to_imgui(ctx.palette.error));
-    ImGui::TextUnformatted(fitted_text(text, ctx.px(350)).c_str());
-    ImGui::PopStyleColor();
-    record(ctx, name);
-    tooltip(ctx, text.c_str());
-  }
-  ImGui::PopFont();
+void error_lines(PanelContext& ctx, const char* name, const std::string& text) {
+  two_small_lines(ctx, name, ctx.palette.error, as_sentence(text));
 }
 
 // By the name's ending; none: no such format, or no place for numbers, which is told.
@@ -79,22 +61,21 @@ void choose_format(PanelContext& ctx, std::optional<RecordingFormat> format) {
 // True when the recording can be written there.
 bool target(PanelContext& ctx) {
   RecordMemory& m = ctx.state.memory.record;
-  const fs::path path = typed_path(m);
+  const fs::path path = typed_path(m.path);
   std::string why_not;
   const std::optional<RecordingFormat> format = format_of(path, why_not);
   const bool frames = format == RecordingFormat::frames;
-  const bool has_folder = save_target(ctx, "record", {frames ? FrameNames(path).name(1) : path});
-  choose_format(ctx, format);
   if (!m.has_ffmpeg) m.has_ffmpeg = find_program("ffmpeg").has_value();
-  if (!why_not.empty()) {
-    error_line(ctx, "record.no_format", why_not);
-  } else if (!frames && !*m.has_ffmpeg) {
-    error_line(ctx, "record.no_ffmpeg", kNoFfmpeg);
+  const bool has_place =
+      save_target(ctx, "record", {frames ? FrameNames(path).name(1) : path}, why_not);
+  choose_format(ctx, format);
+  if (format && !frames && !*m.has_ffmpeg) {
+    error_lines(ctx, "record.no_ffmpeg", kNoFfmpeg);
   } else if (format == RecordingFormat::mp4 && m.options.transparent && !m.of_lesson) {
-    error_line(ctx, "record.opaque", "MP4 movies have a background; choose WebM or pictures");
+    error_lines(ctx, "record.opaque", "MP4 movies have a background; choose WebM or pictures");
   } else {
-    error_line(ctx, "", "");
-    return has_folder;
+    error_lines(ctx, "", "");
+    return has_place;
   }
   return false;
 }
@@ -174,7 +155,7 @@ void lesson_fields(PanelContext& ctx) {
       "beside the picture.");
   constexpr int kRowsOfOthers = 3;  // more than here: the dialog keeps its size
   for (int n = 0; n < kRowsOfOthers; ++n) ImGui::Dummy({0, ImGui::GetFrameHeight()});
-  error_line(ctx, "record.no_lesson", lesson ? "" : "Open a lesson first: Help, Lessons…");
+  error_lines(ctx, "record.no_lesson", lesson ? "" : "Open a lesson first: Help, Lessons…");
 }
 
 // What is chosen of the three.
@@ -193,7 +174,7 @@ void kind_fields(PanelContext& ctx) {
     turntable_fields(ctx, m.recording);
   }
   time_fields(ctx, m.recording);
-  error_line(ctx, "record.fault", fault_of(m.recording));
+  error_lines(ctx, "record.fault", fault_of(m.recording));
 }
 
 bool is_there(const ViewState& s) {
@@ -224,10 +205,10 @@ void draw_record(PanelContext& ctx) {
   ImGui::NewLine();
   const bool can_record = can_write && is_there(s);
   const DialogAnswer answer = dialog_buttons(ctx, ctx.px(kWidth), {"record.cancel", "Cancel"},
-                                             {"record.ok", "Record"}, can_record);
-  const bool confirmed = answer == DialogAnswer::confirm || (entered && can_record);
+                                             {"record.ok", "Record"}, can_record, entered);
+  const bool confirmed = answer == DialogAnswer::confirm;
   if (confirmed) {
-    s.requests.record = {typed_path(m), m.recording, m.options};
+    s.requests.record = {typed_path(m.path), m.recording, m.options};
     if (m.of_lesson) s.requests.record->lesson_seconds = m.lesson_seconds;
   }
   if (confirmed || answer == DialogAnswer::cancel) {

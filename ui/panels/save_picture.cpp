@@ -19,8 +19,7 @@ void draw_save_picture(PanelContext& ctx) {
   if (!begin_dialog(ctx, kTitle)) return;
   const bool entered = file_row(ctx, "save", m.save_path);
   const std::filesystem::path path = path_to_save(m.save_path, kPictureEnding);
-  const bool can_save = save_target(ctx, "save", {path}, fault_of_ending(path, {kPictureEnding})) &&
-                        !m.save_path.empty();
+  const bool can_save = save_target(ctx, "save", {path}, fault_of_ending(path, {kPictureEnding}));
   size_fields(ctx, "save", m.save);
   row_label(ctx, "");
   checkbox(ctx, "save.transparent", "Transparent background", m.save.transparent);
@@ -31,9 +30,9 @@ void draw_save_picture(PanelContext& ctx) {
   ImGui::PopFont();
   ImGui::Dummy({0, ctx.px(6)});
   ImGui::NewLine();
-  const DialogAnswer answer =
-      dialog_buttons(ctx, ctx.px(kWidth), {"save.cancel", "Cancel"}, {"save.ok", "Save"}, can_save);
-  const bool confirmed = answer == DialogAnswer::confirm || (entered && can_save);
+  const DialogAnswer answer = dialog_buttons(ctx, ctx.px(kWidth), {"save.cancel", "Cancel"},
+                                             {"save.ok", "Save"}, can_save, entered);
+  const bool confirmed = answer == DialogAnswer::confirm;
   if (confirmed) s.requests.screenshot = {path, m.save};
   if (confirmed || answer == DialogAnswer::cancel) {
     note_file(ctx, "save", m.save_path, confirmed);

@@ -129,8 +129,7 @@ void draw_save_table(PanelContext& ctx) {
   if (!memory.table) return end_dialog(ctx);
   const bool entered = file_row(ctx, "save_table", memory.path);
   const std::string fault = follow_ending(memory);
-  const bool can_save =
-      save_target(ctx, "save_table", targets(memory), fault) && !memory.path.empty();
+  const bool can_save = save_target(ctx, "save_table", targets(memory), fault);
   format_row(ctx, memory);
   row_label(ctx, "");
   ImGui::PushFont(ctx.fonts.small);
@@ -139,8 +138,8 @@ void draw_save_table(PanelContext& ctx) {
   ImGui::Dummy({0, ctx.px(6)});
   ImGui::NewLine();
   const DialogAnswer answer = dialog_buttons(ctx, ctx.px(kWidth), {"save_table.cancel", "Cancel"},
-                                             {"save_table.ok", "Save"}, can_save);
-  const bool confirmed = answer == DialogAnswer::confirm || (entered && can_save);
+                                             {"save_table.ok", "Save"}, can_save, entered);
+  const bool confirmed = answer == DialogAnswer::confirm;
   if (confirmed) save(ctx.state);
   if (confirmed || answer == DialogAnswer::cancel) {
     note_file(ctx, "", memory.path, confirmed);

@@ -16,12 +16,6 @@ namespace fs = std::filesystem;
 
 constexpr float kTextWidth = 340;  // pixels at scale 1
 
-void coloured_text(const Colour& colour, const std::string& text) {
-  ImGui::PushStyleColor(ImGuiCol_Text, to_imgui(colour));
-  ImGui::TextUnformatted(text.c_str());
-  ImGui::PopStyleColor();
-}
-
 // The samples of the program are in a folder of its own.
 fs::path folder_to_offer(const ViewState& s) {
   std::error_code ignored;
@@ -86,38 +80,65 @@ bool file_row(PanelContext& ctx, const std::string& dialog, std::string& path) {
   return entered;
 }
 
+void two_small_lines(PanelContext& ctx, const char* name, const Colour& colour,
+                     const std::string& text) {
+  row_label(ctx, "");
+  ImGui::PushFont(ctx.fonts.small);
+  const float width = ctx.px(kTextWidth);
+  const std::string lines = broken_lines(text, width);
+  const std::size_t end = std::min(lines.find('\n'), lines.size());
+  std::string rest = lines.substr(std::min(end + 1, lines.size()));
+  std::replace(rest.begin(), rest.end(), '\n', ' ');
+  ImGui::PushStyleColor(ImGuiCol_Text, to_imgui(colour));
+  ImGui::TextUnformatted(
+      (fitted_text(lines.substr(0, end), width) + "\n" + fitted_text(rest, width)).c_str());
+  ImGui::PopStyleColor();
+  if (!text.empty()) {
+    if (*name != 0) record(ctx, name);
+    tooltip(ctx, text.c_str());
+  }
+  ImGui::PopFont();
+}
+
+namespace {
+
+std::string why_no_name(const fs::path& path) {
+  std::error_code ignored;
+  if (path.empty()) return "Give the file a name.";
+  if (path.has_filename() && !fs::is_directory(path, ignored)) return {};
+  return "This is a folder. Write the name of a file behind it.";
+}
+
+}  // namespace
+
 bool save_target(PanelContext& ctx, const std::string& dialog, const std::vector<fs::path>& files,
                  const std::string& fault) {
   std::error_code ignored;
   const fs::path& path = files.front();
-  const bool has_folder = fs::is_directory(path.parent_path(), ignored);
-  std::string why_not = as_sentence(fault);
+  std::string why_not = why_no_name(path);
+  const char* what = ".no_name";
+  if (why_not.empty()) {
+    why_not = as_sentence(fault);
+    what = ".ending";
+  }
   for (const fs::path& file : files) {
-    if (why_not.empty()) why_not = why_not_writable(file);
+    if (!why_not.empty()) break;
+    why_not = why_not_writable(file);
+    what = fs::is_directory(path.parent_path(), ignored) ? ".unwritable" : ".no_folder";
   }
   const auto replaced = std::find_if(files.begin(), files.end(), [&](const fs::path& file) {
     return fs::is_regular_file(file, ignored);
   });
-  row_label(ctx, "");
-  ImGui::PushFont(ctx.fonts.small);
   if (!why_not.empty()) {
-    coloured_text(ctx.palette.error, fitted_text(why_not, ctx.px(kTextWidth)));
-    const char* const what = !fault.empty() ? ".ending" : has_folder ? ".unwritable" : ".no_folder";
-    record(ctx, (dialog + what).c_str());
-    tooltip(ctx, why_not.c_str());
+    two_small_lines(ctx, (dialog + what).c_str(), ctx.palette.error, why_not);
   } else if (replaced != files.end()) {
-    coloured_text(
-        ctx.palette.warning,
-        replaced == files.begin()
-            ? "This file already exists and will be replaced."
-            : fitted_text(replaced->filename().string() + " already exists and will be replaced.",
-                          ctx.px(kTextWidth)));
-    record(ctx, (dialog + ".replaces").c_str());
+    two_small_lines(ctx, (dialog + ".replaces").c_str(), ctx.palette.warning,
+                    replaced == files.begin()
+                        ? "This file already exists and will be replaced."
+                        : replaced->filename().string() + " already exists and will be replaced.");
   } else {
-    muted_text(ctx, fitted_text(path.string(), ctx.px(kTextWidth)));
-    tooltip(ctx, path.string().c_str());
+    two_small_lines(ctx, (dialog + ".target").c_str(), ctx.palette.text_muted, path.string());
   }
-  ImGui::PopFont();
   return why_not.empty();
 }
 

@@ -22,6 +22,11 @@ void note_file(PanelContext& ctx, const std::string& dialog, std::string& path, 
 // The path, and a button that looks for it. True: Enter was pressed in it.
 bool file_row(PanelContext& ctx, const std::string& dialog, std::string& path);
 
+// Behind an empty label: room for two lines, whether or not it says anything, so that nothing
+// moves. What does not fit is cut; its tooltip has all. The widget's name may be empty.
+void two_small_lines(PanelContext& ctx, const char* name, const Colour& colour,
+                     const std::string& text);
+
 // Where `files`, in one folder, will be, whatever folder the program was started in, and what
 // becomes of what is there. False where they cannot be written. `fault`: what else is wrong with
 // the name, without full stop, as of fault_of_ending(); or empty. Widgets are named by `dialog`:

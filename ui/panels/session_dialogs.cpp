@@ -22,8 +22,7 @@ void draw_save_session(PanelContext& ctx) {
   const bool entered = file_row(ctx, "save_session", m.session_path);
   const std::filesystem::path path = path_to_save(m.session_path, kSessionEnding);
   const bool can_save =
-      save_target(ctx, "save_session", {path}, fault_of_ending(path, {kSessionEnding})) &&
-      !m.session_path.empty();
+      save_target(ctx, "save_session", {path}, fault_of_ending(path, {kSessionEnding}));
   ImGui::PushFont(ctx.fonts.small);
   row_label(ctx, "");
   muted_text(ctx, "Holds the name of the molecule and every setting, but not its atoms:");
@@ -33,8 +32,8 @@ void draw_save_session(PanelContext& ctx) {
   ImGui::Dummy({0, ctx.px(6)});
   ImGui::NewLine();
   const DialogAnswer answer = dialog_buttons(ctx, ctx.px(kWidth), {"save_session.cancel", "Cancel"},
-                                             {"save_session.ok", "Save"}, can_save);
-  const bool confirmed = answer == DialogAnswer::confirm || (entered && can_save);
+                                             {"save_session.ok", "Save"}, can_save, entered);
+  const bool confirmed = answer == DialogAnswer::confirm;
   if (confirmed) s.requests.save_session = path;
   if (confirmed || answer == DialogAnswer::cancel) {
     note_file(ctx, "save_session", m.session_path, confirmed);

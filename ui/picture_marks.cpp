@@ -150,8 +150,9 @@ MarkBox shifted(MarkBox box, float down) {
   return box;
 }
 
-// The nearest of a few heights at which the box covers no other; its own where there is none.
-MarkBox free_place(const MarkBox& box, const std::vector<MarkBox>& others, float height) {
+// The nearest of a few heights at which the box covers no other.
+std::optional<MarkBox> free_place(const MarkBox& box, const std::vector<MarkBox>& others,
+                                  float height) {
   constexpr int kMostSteps = 4;
   for (int step = 0; step <= 2 * kMostSteps; ++step) {
     const int lines = (step + 1) / 2 * (step % 2 == 0 ? 1 : -1);
@@ -162,7 +163,7 @@ MarkBox free_place(const MarkBox& box, const std::vector<MarkBox>& others, float
       return tried;
     }
   }
-  return box;
+  return std::nullopt;
 }
 
 }  // namespace
@@ -202,9 +203,9 @@ std::vector<LegendLayout> lay_out_legends(const std::vector<ColourLegend>& legen
   return layouts;
 }
 
-std::vector<MarkText> lay_out_labels(const std::vector<PictureLabel>& labels, float width,
-                                     float height, const MarkType& type) {
-  std::vector<MarkText> texts;
+LabelLayout lay_out_labels(const std::vector<PictureLabel>& labels, float width, float height,
+                           const MarkType& type) {
+  LabelLayout layout;
   std::vector<MarkBox> taken;
   const float rim = kMarkOutline * type.unit;
   for (const PictureLabel& label : labels) {
@@ -214,10 +215,20 @@ std::vector<MarkText> lay_out_labels(const std::vector<PictureLabel>& labels, fl
     // Words near an edge are moved into the picture, if it is wide enough for them.
     const float x = std::max(half, std::min(label.x, width - half));
     const float y = std::max(up, std::min(label.y, height - up));
-    taken.push_back(free_place({x - half, y - up, x + half, y + up}, taken, height));
-    texts.push_back({taken.back().x0 + rim, taken.back().y0 + rim, label.text});
+    const auto place = free_place({x - half, y - up, x + half, y + up}, taken, height);
+    if (!place) {
+      ++layout.left_out;
+      continue;
+    }
+    taken.push_back(*place);
+    layout.texts.push_back({place->x0 + rim, place->y0 + rim, label.text});
   }
-  return texts;
+  return layout;
+}
+
+std::string left_out_text(std::size_t labels) {
+  if (labels == 0) return {};
+  return counted(labels, "label has", "labels have") + " no room here: zoom in";
 }
 
 std::optional<ScaleBarLayout> lay_out_scale_bar(double angstrom_per_pixel, float width,

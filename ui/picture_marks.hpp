@@ -57,9 +57,16 @@ struct PictureLabel {
   std::string text;
 };
 // Those whose place is in the picture, as they come: the first stay where they are, later ones make
-// way upwards or downwards as far as there is room.
-std::vector<MarkText> lay_out_labels(const std::vector<PictureLabel>& labels, float width,
-                                     float height, const MarkType& type);
+// way upwards or downwards by a few lines. What finds no room there is left out: words on words can
+// not be read.
+struct LabelLayout {
+  std::vector<MarkText> texts;
+  std::size_t left_out = 0;
+};
+LabelLayout lay_out_labels(const std::vector<PictureLabel>& labels, float width, float height,
+                           const MarkType& type);
+// "3 labels have no room here: zoom in"; empty for none.
+std::string left_out_text(std::size_t labels);
 // Pixels at scale 1 by which an outline in the background's colour surrounds marks.
 inline constexpr float kMarkOutline = 2;
 

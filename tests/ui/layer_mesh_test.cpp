@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <set>
 
 #include "tests/ui/molecule_fixture.hpp"
 #include "tests/ui/picture_difference.hpp"
@@ -307,7 +308,9 @@ TEST(PlacedLabels, StandAroundTheirPlaceAndMakeWay) {
                                          {202, 98, "three"},
                                          {-5, 50, "outside"},
                                          {1, 1, "edge"}};
-  const auto texts = lay_out_labels(labels, 400, 300, type_of(1));
+  const LabelLayout layout = lay_out_labels(labels, 400, 300, type_of(1));
+  EXPECT_EQ(layout.left_out, 0u);
+  const auto& texts = layout.texts;
   ASSERT_EQ(texts.size(), 4u);
   EXPECT_FLOAT_EQ(texts[0].x, 200 - 10.5f);
   EXPECT_FLOAT_EQ(texts[0].y, 100 - 7);
@@ -320,6 +323,20 @@ TEST(PlacedLabels, StandAroundTheirPlaceAndMakeWay) {
       EXPECT_TRUE(apart) << texts[i].text << " on " << texts[k].text;
     }
   }
+}
+
+// Nine find room in one place: it, and four lines above and below.
+TEST(PlacedLabels, WhatFindsNoRoomIsLeftOutAndCounted) {
+  const LabelLayout layout =
+      lay_out_labels(std::vector<PictureLabel>(20, {200, 150, "here"}), 400, 300, type_of(1));
+  ASSERT_EQ(layout.texts.size(), 9u);
+  std::set<float> heights;
+  for (const MarkText& text : layout.texts) heights.insert(text.y);
+  EXPECT_EQ(heights.size(), 9u);
+  EXPECT_EQ(layout.left_out, 11u);
+  EXPECT_EQ(left_out_text(layout.left_out), "11 labels have no room here: zoom in");
+  EXPECT_EQ(left_out_text(1), "1 label has no room here: zoom in");
+  EXPECT_EQ(left_out_text(0), "");
 }
 
 // On black, white and the middle: in any of them the words are to be read.

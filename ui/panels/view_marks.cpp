@@ -16,8 +16,15 @@ ImVec2 at(ImVec2 corner, float x, float y) {
   return {corner.x + x, corner.y + y};
 }
 
-void mark_text(ImVec2 corner, const MarkText& text, ImU32 ink) {
-  ImGui::GetWindowDrawList()->AddText(at(corner, text.x, text.y), ink, text.text.c_str());
+void mark_text(const PanelContext& ctx, ImVec2 corner, const MarkText& text, ImU32 ink) {
+  const ImVec2 place = at(corner, text.x, text.y);
+  draw_rim(ctx, place, text.text);
+  ImGui::GetWindowDrawList()->AddText(place, ink, text.text.c_str());
+}
+
+void fill(ImVec2 corner, const MarkBox& box, ImU32 colour, float rim = 0) {
+  ImGui::GetWindowDrawList()->AddRectFilled(at(corner, box.x0 - rim, box.y0 - rim),
+                                            at(corner, box.x1 + rim, box.y1 + rim), colour);
 }
 
 MarkType mark_type(const PanelContext& ctx) {
@@ -31,12 +38,10 @@ void scale_bar(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
       shows_flat_drawing(s) ? flat_angstrom_per_pixel(s) : s.viewport.angstrom_per_pixel;
   const auto layout = lay_out_scale_bar(angstrom_per_pixel, size.x, size.y, mark_type(ctx));
   if (!layout) return;
-  const ImU32 ink = to_u32(ctx.palette.text_muted);
-  for (const MarkBox& line : layout->lines) {
-    ImGui::GetWindowDrawList()->AddRectFilled(at(corner, line.x0, line.y0),
-                                              at(corner, line.x1, line.y1), ink);
-  }
-  mark_text(corner, layout->text, ink);
+  const ImU32 ink = to_u32(ctx.palette.text_muted), behind = to_u32(ctx.palette.scene);
+  for (const MarkBox& line : layout->lines) fill(corner, line, behind, kMarkOutline * ctx.scale);
+  for (const MarkBox& line : layout->lines) fill(corner, line, ink);
+  mark_text(ctx, corner, layout->text, ink);
 }
 
 void colour_bar(const std::vector<ColourLegend::Stop>& stops, const MarkBox& bar, ImVec2 corner) {
@@ -51,15 +56,21 @@ void colour_bar(const std::vector<ColourLegend::Stop>& stops, const MarkBox& bar
 
 void legend(PanelContext& ctx, const ColourLegend& legend, const LegendLayout& layout,
             ImVec2 corner) {
-  const ImU32 ink = to_u32(ctx.palette.text_muted);
-  const auto fill = [&](const MarkBox& box, ImU32 colour) {
-    ImGui::GetWindowDrawList()->AddRectFilled(at(corner, box.x0, box.y0),
-                                              at(corner, box.x1, box.y1), colour);
-  };
-  if (layout.bar) colour_bar(legend.stops, *layout.bar, corner);
-  for (const MarkBox& tick : layout.ticks) fill(tick, ink);
-  for (const LegendLayout::Patch& patch : layout.patches) fill(patch.box, to_u32(patch.colour));
-  for (const MarkText& text : layout.texts) mark_text(corner, text, ink);
+  const ImU32 ink = to_u32(ctx.palette.text_muted), behind = to_u32(ctx.palette.scene);
+  const float rim = kMarkOutline * ctx.scale;
+  if (layout.bar) {
+    fill(corner, *layout.bar, behind, rim);
+    colour_bar(legend.stops, *layout.bar, corner);
+  }
+  for (const MarkBox& tick : layout.ticks) {
+    fill(corner, tick, behind, rim);
+    fill(corner, tick, ink);
+  }
+  for (const LegendLayout::Patch& patch : layout.patches) {
+    fill(corner, patch.box, behind, rim);
+    fill(corner, patch.box, to_u32(patch.colour));
+  }
+  for (const MarkText& text : layout.texts) mark_text(ctx, corner, text, ink);
 }
 
 // Returns how high they are, in pixels from the bottom.
@@ -83,6 +94,17 @@ float legends(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
 
 }  // namespace
 
+void draw_rim(const PanelContext& ctx, ImVec2 place, const std::string& text) {
+  constexpr int kAround = 12;
+  const float reach = kMarkOutline * ctx.scale;
+  const ImU32 colour = to_u32(ctx.palette.scene);
+  for (int k = 0; k < kAround; ++k) {
+    const float angle = 2 * static_cast<float>(M_PI) * static_cast<float>(k) / kAround;
+    ImGui::GetWindowDrawList()->AddText(at(place, reach * std::cos(angle), reach * std::sin(angle)),
+                                        colour, text.c_str());
+  }
+}
+
 float draw_view_marks(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
   scale_bar(ctx, corner, size);
   return shows_flat_drawing(ctx.state) ? 0 : legends(ctx, corner, size);
@@ -94,20 +116,20 @@ void draw_view_labels(PanelContext& ctx) {
   const ViewportInfo& v = ctx.state.viewport;
   if (v.labels.empty() || v.texture == 0 || !ctx.state.molecule.loaded) return;
   const ImVec2 corner = ImGui::GetWindowPos();
-  ImDrawList* draw = ImGui::GetWindowDrawList();
-  const ImU32 rim = to_u32(ctx.palette.scene), ink = to_u32(ctx.palette.text);
-  const float reach = kMarkOutline * ctx.scale;
-  constexpr int kAround = 12;
-  for (const MarkText& text : lay_out_labels(v.labels, static_cast<float>(v.width),
-                                             static_cast<float>(v.height), mark_type(ctx))) {
-    for (int k = 0; k < kAround; ++k) {
-      const float angle = 2 * static_cast<float>(M_PI) * static_cast<float>(k) / kAround;
-      const ImVec2 place =
-          at(corner, text.x + reach * std::cos(angle), text.y + reach * std::sin(angle));
-      draw->AddText(place, rim, text.text.c_str());
-    }
-    mark_text(corner, text, ink);
+  const LabelLayout layout = lay_out_labels(v.labels, static_cast<float>(v.width),
+                                            static_cast<float>(v.height), mark_type(ctx));
+  for (const MarkText& text : layout.texts) {
+    mark_text(ctx, corner, text, to_u32(ctx.palette.text));
   }
+  const std::string left_out = left_out_text(layout.left_out);
+  if (left_out.empty()) return;
+  const ImVec2 size = ImGui::CalcTextSize(left_out.c_str());
+  const MarkText note{(static_cast<float>(v.width) - size.x) / 2,
+                      static_cast<float>(v.height) - size.y - ctx.px(14), left_out};
+  mark_text(ctx, corner, note, to_u32(ctx.palette.warning));
+  ctx.rects["view.labels_left_out"] = {corner.x + note.x, corner.y + note.y,
+                                       corner.x + note.x + size.x, corner.y + note.y + size.y,
+                                       true};
 }
 
 }  // namespace alphascope

@@ -87,13 +87,13 @@ void caption(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
   const std::string text = caption_text(*s.result);
   // Progress is told at the right.
   const float room = size.x - ctx.px(s.busy.active || s.saving.active ? 260 : 32);
-  ImDrawList* draw = ImGui::GetWindowDrawList();
-  draw->AddText({corner.x + ctx.px(16), corner.y + ctx.px(14)}, to_u32(ctx.palette.text_muted),
-                fitted_text(text, room).c_str());
-  if (s.pending.empty()) return;
-  draw->AddText(
-      {corner.x + ctx.px(16), corner.y + ctx.px(14) + ImGui::GetTextLineHeightWithSpacing()},
-      to_u32(ctx.palette.text_muted), fitted_text(s.pending, room).c_str());
+  ImVec2 place{corner.x + ctx.px(16), corner.y + ctx.px(14)};
+  for (const std::string& line : {text, s.pending}) {
+    const std::string fitted = fitted_text(line, room);
+    draw_rim(ctx, place, fitted);
+    ImGui::GetWindowDrawList()->AddText(place, to_u32(ctx.palette.text_muted), fitted.c_str());
+    place.y += ImGui::GetTextLineHeightWithSpacing();
+  }
 }
 
 void begin_overlay(PanelContext& ctx, const char* id, ImVec2 position, ImVec2 pivot) {
@@ -284,9 +284,10 @@ bool nothing_left(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
 void outdated_note(PanelContext& ctx, ImVec2 corner) {
   if (!ctx.state.viewport.outdated) return;
   const float below = ctx.px(18) + ImGui::GetTextLineHeight();
+  const char* const text = "This is the complex of the settings before; the new one is not ready.";
   ImGui::SetCursorScreenPos({corner.x + ctx.px(16), corner.y + below});
-  ImGui::TextColored(to_imgui(ctx.palette.warning),
-                     "This is the complex of the settings before; the new one is not ready.");
+  draw_rim(ctx, ImGui::GetCursorScreenPos(), text);
+  ImGui::TextColored(to_imgui(ctx.palette.warning), "%s", text);
   record(ctx, "view.outdated");
 }
 
@@ -298,6 +299,7 @@ float compute_error_note(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
   if (s.compute_error.empty() || s.busy.active || s.viewport.outdated) return 0;
   ImGui::SetCursorScreenPos({corner.x + ctx.px(16), corner.y + top});
   const std::string text = broken_lines(s.compute_error, size.x - ctx.px(32));
+  draw_rim(ctx, ImGui::GetCursorScreenPos(), text);
   ImGui::TextColored(to_imgui(ctx.palette.error), "%s", text.c_str());
   record(ctx, "view.compute_error");
   return top + ImGui::GetItemRectSize().y + ctx.px(6);

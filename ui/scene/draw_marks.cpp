@@ -103,9 +103,9 @@ class MarkMaker {
     for (const MarkText& line : layout->lines) placed.masks.push_back(texts_.mask(line));
   }
   void place_labels(const std::vector<PictureLabel>& labels, Placed& placed) const {
-    for (const MarkText& text : lay_out_labels(labels, width_, height_, type_)) {
-      placed.masks.push_back(texts_.mask(text));
-    }
+    const LabelLayout layout = lay_out_labels(labels, width_, height_, type_);
+    for (const MarkText& text : layout.texts) placed.masks.push_back(texts_.mask(text));
+    if (layout.left_out > 0) add(left_out_text(layout.left_out) + ".", placed);
   }
 
  private:
@@ -135,9 +135,12 @@ class MarkMaker {
     const auto pixels = [](float v) {
       return std::to_string(static_cast<int>(std::ceil(v * kLeastUnit)));
     };
-    placed.left_out += std::string(placed.left_out.empty() ? "" : " ") + "The picture has no " +
-                       what + ", which takes " + pixels(room[0]) + " x " + pixels(room[1]) +
-                       " pixels at least.";
+    add(std::string("The picture has no ") + what + ", which takes " + pixels(room[0]) + " x " +
+            pixels(room[1]) + " pixels at least.",
+        placed);
+  }
+  static void add(const std::string& sentence, Placed& placed) {
+    placed.left_out += (placed.left_out.empty() ? "" : " ") + sentence;
   }
 
   const float width_, height_, unit_;

@@ -148,6 +148,8 @@ class SceneController {
   ClipHandle clip_handle(const Clip& clip, const std::array<double, 3>& pivot, double size) const;
   // At the same point from as far, from this side; `towards_viewer` has length 1.
   void look_from(const std::array<double, 3>& towards_viewer);
+  // Turned by the least angle until it is normal to this line (unit vector).
+  void look_across(const std::array<double, 3>& line);
   void zoom(double factor);
   NamedView named_view(const std::string& name) const;
   void go_to(const NamedView& view);

@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "app/viewer/command_parts.hpp"
+#include "core/document/cavity_preset.hpp"
 #include "core/document/reference.hpp"
 #include "core/molecule/selection_expression.hpp"
 #include "ui/panels/format.hpp"
@@ -79,6 +80,21 @@ CommandSpec choose_cavity(ViewState& s) {
           }};
 }
 
+CommandSpec castp_choices(ViewState& s) {
+  return {
+      .id = "cavities.castp",
+      .title = "Use CASTp's choices",
+      .help = "Takes radii, solvent radius, alpha and body as CASTp does, and splits no network",
+      .menu = "Edit",
+      .why_not = without_picture(s),
+      .run = [&s](const Arguments&) {
+        use_cavity_preset(s.open, s.compute, s.molecule.has_file_radii);
+        s.cavity_choices.split_networks = false;
+        s.memory.bottom_panel = "cavities";
+        return Outcome();
+      }};
+}
+
 CommandSpec split_networks(ViewState& s) {
   CommandSpec command =
       with_switch({.id = "cavities.split_networks",
@@ -97,6 +113,7 @@ void add_selection_commands(Commands& commands, ViewState& s) {
   commands.add(by_name(s, false));
   commands.add(by_name(s, true));
   commands.add(choose_cavity(s));
+  commands.add(castp_choices(s));
   commands.add(split_networks(s));
   const auto nothing = [&s] { return s.picked.empty() ? "Nothing is selected." : ""; };
   commands.add({.id = "select.none",

@@ -137,6 +137,11 @@ void Viewer::open(const std::filesystem::path& path) {
 void Viewer::open_dropped(const std::vector<std::filesystem::path>& files) {
   const DroppedFiles dropped = choose_dropped(files);
   if (!dropped.opened) return;
+  // It is an answer to the dialog that asks for one.
+  const BrowserPurpose asked = state_.memory.browser_purpose;
+  if (asked == BrowserPurpose::molecule || asked == BrowserPurpose::session) {
+    state_.memory.show_browser = false;
+  }
   open(*dropped.opened);
   if (!benchmark_.busy()) drop_note_when_open_ = dropped.note;
   frames_due_ = kSettlingFrames;
@@ -355,6 +360,7 @@ void Viewer::take_requests() {
   if (r.undo) undo();
   if (r.redo) redo();
   const std::optional<CameraPlace> view = scene_.camera();
+  if (r.look_across) scene_.look_across(*r.look_across);
   if (r.zoom_to_selection) zoom_to(state_.picked.items);
   if (!r.zoom_to.empty()) zoom_to(r.zoom_to);
   if (!r.centre_on.empty()) centre_on(r.centre_on);

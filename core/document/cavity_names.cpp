@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
 #include "core/molecule/atom_address.hpp"
 #include "core/molecule/atom_groups.hpp"
@@ -69,15 +70,24 @@ std::vector<LiningResidue> residues_of_lining(const BallReferences& references,
 LiningCounts lining_counts(const BallReferences& references, const CavityTable& table,
                            std::size_t row) {
   const std::vector<Atom>& atoms = references.molecule().atoms;
-  std::vector<NameId> chains;
-  std::size_t residues = 0;
+  std::vector<std::pair<NameId, std::size_t>> chains;  // and its residues
+  LiningCounts counts;
   for_lining(references, table.measure(row).lining, [&](std::size_t atom, BallIndex, bool next) {
-    residues += next;
+    if (!next) return;
+    ++counts.residues;
     const NameId chain = atoms[atom].chain;
-    if (!next || std::find(chains.begin(), chains.end(), chain) != chains.end()) return;
-    chains.push_back(chain);
+    auto at = std::find_if(chains.begin(), chains.end(),
+                           [&](const auto& one) { return one.first == chain; });
+    if (at == chains.end()) at = chains.insert(at, {chain, 0});
+    ++at->second;
   });
-  return {residues, chains.size()};
+  counts.chains = chains.size();
+  std::size_t most = 0;
+  for (const auto& [chain, residues] : chains) {
+    counts.of_second = std::max(counts.of_second, std::min(most, residues));
+    most = std::max(most, residues);
+  }
+  return counts;
 }
 
 std::string mouths_text(std::size_t mouths) {

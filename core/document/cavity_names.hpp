@@ -34,9 +34,13 @@ std::vector<LiningResidue> lining_residues(const BallReferences& references,
 // Of these balls, which ascend.
 std::vector<LiningResidue> residues_of_lining(const BallReferences& references,
                                               std::span<const BallIndex> lining);
-// How many those are, and of how many chains, without their addresses.
+// How many those are, without their addresses.
 struct LiningCounts {
   std::size_t residues = 0, chains = 0;
+  std::size_t of_second = 0;  // residues of the chain that has the most but one
+
+  // Between two chains, and not in one of which another is near: each has a fifth of the residues.
+  bool at_interface() const { return chains == 2 && 5 * of_second >= residues; }
 };
 LiningCounts lining_counts(const BallReferences& references, const CavityTable& table,
                            std::size_t row);

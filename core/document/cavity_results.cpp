@@ -31,7 +31,6 @@ MemoryNeed table_memory(std::size_t tetrahedra, bool splits) {
 
 CavityLine make_line(const CavityTable& table, const BallReferences& atoms, std::size_t row) {
   const CavityMeasures& m = table.measure(row);
-  const LiningCounts lining = lining_counts(atoms, table, row);
   CavityLine line;
   line.is_void = table.cavity(row).is_void();
   line.volume_sa_angstrom3 = m.volume_sa_angstrom3;
@@ -40,8 +39,7 @@ CavityLine make_line(const CavityTable& table, const BallReferences& atoms, std:
   line.area_ms_angstrom2 = m.area_ms_angstrom2;
   line.mouth_area_angstrom2 = m.all_mouths().area_angstrom2;
   line.mouths = m.mouths.size();
-  line.residues = lining.residues;
-  line.chains = lining.chains;
+  line.lining = lining_counts(atoms, table, row);
   line.bodies = table.cavity(row).bodies;
   line.passages = table.cavity(row).passages.size();
   line.is_network = table.cavity(row).is_network();

@@ -5,6 +5,7 @@
 #include "core/cavity/cavity_lives.hpp"
 #include "core/cavity/cavity_numbers.hpp"
 #include "core/cavity/cavity_table.hpp"
+#include "core/document/cavity_names.hpp"
 #include "core/document/derived.hpp"
 #include "core/document/reference.hpp"
 
@@ -32,9 +33,9 @@ struct CavityLine {
   double volume_ms_angstrom3 = 0, area_ms_angstrom2 = 0;
   double mouth_area_angstrom2 = 0;  // of all mouths
   std::size_t mouths = 0;
-  std::size_t residues = 0, chains = 0;  // that line it
-  std::size_t bodies = 0;                // Cavity::bodies
-  std::size_t passages = 0;              // of a part of a network
+  LiningCounts lining;
+  std::size_t bodies = 0;    // Cavity::bodies
+  std::size_t passages = 0;  // of a part of a network
   bool is_network = false, is_part = false;
 };
 struct CavityLines {

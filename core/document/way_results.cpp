@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <map>
 #include <utility>
+#include <vector>
 
 #include "core/cavity/by_place.hpp"
 #include "core/document/channel_results.hpp"
@@ -114,10 +115,13 @@ std::vector<std::string> lining_chains(const std::vector<Chain>& chains,
   return names;
 }
 
-// Balls that are no walls, and into which the spheres along its line cut.
+// Balls that are no walls, and into which the spheres along its line cut. An ion on the axis of an
+// assembly is there in every copy, and is one.
 void count_guests(const Molecule& molecule, const PreparedBalls& prepared, const Walls& walls,
                   const Channel& channel, WayNote& note) {
   const BallSet& all = *prepared.balls;
+  constexpr double kOnePlace = 0.5;  // Å: nearer than two atoms can be, farther than copies round
+  std::vector<RealPoint> counted;
   for (BallIndex ball = 0; ball < all.size(); ++ball) {
     if (walls.is_wall[ball]) continue;
     const RealPoint centre = all.lattice.unit_angstrom() * real_point(all.centres[ball]);
@@ -126,7 +130,11 @@ void count_guests(const Molecule& molecule, const PreparedBalls& prepared, const
         channel.samples.begin(), channel.samples.end(), [&](const ChannelSample& sample) {
           return length(sample.position_angstrom - centre) < sample.radius_angstrom + radius;
         });
-    if (!is_in) continue;
+    const bool again = std::any_of(counted.begin(), counted.end(), [&](const RealPoint& other) {
+      return length(other - centre) < kOnePlace;
+    });
+    if (!is_in || again) continue;
+    counted.push_back(centre);
     const AtomKind kind = molecule.atoms[prepared.atom_of_ball[ball]].kind;
     ++(kind == AtomKind::ion      ? note.ions
        : kind == AtomKind::ligand ? note.ligand_atoms

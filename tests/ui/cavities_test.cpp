@@ -165,7 +165,7 @@ TEST_F(CavitiesTest, WhatIsTypedAsLeastVolumeIsChecked) {
   run("click cavities.least\nkey ctrl+a\ntype 1.4 A2\nkey enter\nframes 3\n");
   EXPECT_TRUE(has("cavities.least.error"));
   EXPECT_EQ(
-      viewer_->state().memory.number.error,
+      viewer_->state().memory.number.refused["cavities.least"].error,
       "“1.4 A2” has another unit. The least volume is a volume, in Å³. Write a number such as "
       "1.4 Å³.");
   EXPECT_EQ(page().filter.least_volume_angstrom3, 30);
@@ -370,7 +370,7 @@ TEST_F(CavitiesTest, WhereATableCannotBeWrittenItSaysSoAndLeavesNothing) {
   run("click error.ok\nframes 3\n");
   fs::create_directories(folder_ / "folder.csv");  // no file can have its name
   save(folder_ / "folder.csv");
-  EXPECT_TRUE(viewer_->widgets().contains("save_table.unwritable")) << "before it is tried";
+  EXPECT_TRUE(viewer_->widgets().contains("save_table.no_name")) << "before it is tried";
   run("click save_table.cancel\nframes 3\n");
   std::size_t files = 0;
   for (const auto& entry : fs::directory_iterator(folder_)) files += entry.is_regular_file();

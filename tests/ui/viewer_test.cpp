@@ -55,12 +55,18 @@ TEST_F(ViewerTest, ADroppedFileThatCannotBeReadIsNotToldAsOpened) {
   EXPECT_NE(viewer_->state().error.find("Not opened: other.pdb"), std::string::npos);
 }
 
-TEST_F(ViewerTest, ADroppedFileLeavesTheOpenFileDialogInItsFolder) {
-  viewer_->state().memory.browser_folder = folder_;
-  viewer_->state().memory.show_browser = true;
-  viewer_->open_dropped({crambin()});
-  run("wait-idle\n");
-  EXPECT_EQ(viewer_->state().memory.browser_folder, folder_);
+TEST_F(ViewerTest, ADroppedFileIsTheAnswerToTheDialogThatAsksForOneAndToNoOther) {
+  PanelMemory& memory = viewer_->state().memory;
+  for (const BrowserPurpose purpose : {BrowserPurpose::molecule, BrowserPurpose::save}) {
+    memory.browser_folder = folder_;
+    memory.browser_purpose = purpose;
+    memory.show_browser = true;
+    viewer_->open_dropped({crambin()});
+    run("wait-idle\n");
+    const bool asks = purpose == BrowserPurpose::molecule;
+    EXPECT_EQ(memory.show_browser, !asks);
+    EXPECT_EQ(memory.browser_folder, asks ? crambin().parent_path() : folder_);
+  }
 }
 
 TEST_F(ViewerTest, SlidingChangesComplexAndPicture) {

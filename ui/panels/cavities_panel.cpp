@@ -72,11 +72,6 @@ void totals_line(PanelContext& ctx, const CavityTable& table) {
   record(ctx, "cavities.totals");
 }
 
-void use_preset(PanelContext& ctx) {
-  use_cavity_preset(ctx.state.open, ctx.state.compute, ctx.state.molecule.has_file_radii);
-  ctx.state.cavity_choices.split_networks = false;
-}
-
 // The next item stays in the line when so much (pixels) has room there. The line of the tabs is
 // full in a narrow window.
 void same_line_where_it_fits(const PanelContext& ctx, float width) {
@@ -105,7 +100,7 @@ void comparable_line(PanelContext& ctx, const BallReferences& atoms) {
     record(ctx, "cavities.comparable");
     return;
   }
-  if (button(ctx, "cavities.preset", kUse)) use_preset(ctx);
+  if (button(ctx, "cavities.preset", kUse)) ctx.commands.run("cavities.castp");
   tooltip(ctx,
           "Radii of CASTp, solvent radius 1.4 Å, α = 0; hydrogens, waters, ions and ligands are no "
           "part of the body; networks are not split. Undo brings back what was.");
@@ -185,9 +180,13 @@ void filter_line(PanelContext& ctx, CavityPage& page, bool current) {
 
 // --- what a stranger would wonder about
 
-// With hardly any probe, nearly all empty space is connected.
-void giant_line(PanelContext& ctx) {
+// With hardly any probe, nearly all empty space of a protein is connected.
+void giant_line(PanelContext& ctx, const CavityPage& page) {
   if (ctx.inputs.solvent_radius_angstrom >= kGiantBelow) return;
+  const auto& lines = page.rows.lines->of;
+  if (std::none_of(lines.begin(), lines.end(), [](const auto& line) { return line.is_network; })) {
+    return;
+  }
   ImGui::AlignTextToFramePadding();
   ImGui::TextColored(to_imgui(ctx.palette.warning),
                      "With a solvent radius below %.1f Å most of the "
@@ -279,7 +278,7 @@ void draw_cavities_panel(PanelContext& ctx) {
   ImGui::PushStyleVar(ImGuiStyleVar_Alpha, is_grey(page, current) ? 0.55f : 1.0f);
   totals_line(ctx, page.rows.table());
   comparable_line(ctx, *page.rows.lines->atoms);
-  giant_line(ctx);
+  giant_line(ctx, page);
   networks_line(ctx, page, current);
   filter_line(ctx, page, current);
   body(ctx, page, current);

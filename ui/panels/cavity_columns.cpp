@@ -20,9 +20,9 @@ constexpr CavityColumnSpec kColumns[] = {
     {C::kind, "kind", "kind",
      "Nothing can leave a void; a pocket opens to the outside through mouths. Network: a pocket of "
      "twenty mouths or more, which is gaps that are connected rather than one hole. Part: of a "
-     "network that is split at its bottlenecks. ↔: it lies "
-     "between separate bodies, or two chains only line it. ↕: it has split off or merged while a "
-     "slider moved last.",
+     "network that is split at its bottlenecks. ↔: it lies between separate bodies, or two chains "
+     "line it and no other, each with a fifth of the residues or more. ↕: it has split off or "
+     "merged while a slider moved last.",
      100, true},
     {C::volume, "volume", "SA vol. Å³",
      "CASTp's volume of the region of probe centres: not comparable with volumes of KVFinder or "
@@ -151,7 +151,7 @@ double cavity_value(const CavityRows& rows, C column, std::size_t row) {
     case C::mouth_area:
       return line.mouth_area_angstrom2;
     case C::residues:
-      return static_cast<double>(line.residues);
+      return static_cast<double>(line.lining.residues);
     case C::depth:
       return rows.depths->of_angstrom[row];
     case C::born:

@@ -46,12 +46,19 @@ void note_changes(CavityPage& page, const CavityNumbers& numbers) {
 void take_lines(CavityPage& page, const std::shared_ptr<const CavityLines>& lines) {
   const bool other_balls = !page.rows.lines || page.rows.table().ground != lines->table->ground;
   const auto lives = other_balls ? nullptr : page.rows.lives;
+  // Another way of listing them moves nothing.
+  const bool listed_anew = page.rows.lines && page.rows.table().question.split_networks !=
+                                                  lines->table->question.split_networks;
   page.rows = {};
   page.rows.lines = lines;
   page.rows.lives = lives;
   page.rows_are_old = true;
   page.anchor.reset();
-  note_changes(page, *lines->numbers);
+  if (listed_anew) {
+    page.changes.clear();
+  } else {
+    note_changes(page, *lines->numbers);
+  }
 }
 
 // Whether the rows are of the picture. Their numbers go on from those on screen, so nothing is

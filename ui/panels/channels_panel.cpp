@@ -68,6 +68,22 @@ void take_answer(const PanelContext& ctx, ChannelMemory& memory,
   }
 }
 
+// Across the line from one sample to another.
+void look_across(PanelContext& ctx, const Channel& channel, std::size_t from, std::size_t to) {
+  const RealPoint line =
+      channel.samples[to].position_angstrom - channel.samples[from].position_angstrom;
+  if (line == RealPoint{}) return;
+  const RealPoint unit = unit_vector(line);
+  ctx.state.requests.look_across = {unit.x, unit.y, unit.z};
+}
+
+// Seen from an end, what is outside hides it.
+void look_across_bottleneck(PanelContext& ctx, const Channel& channel) {
+  constexpr std::size_t kNear = 20;  // samples
+  const std::size_t at = channel.bottleneck, last = channel.samples.size() - 1;
+  look_across(ctx, channel, at - std::min(at, kNear), std::min(at + kNear, last));
+}
+
 void select_bottleneck(PanelContext& ctx, const ChannelMemory& memory) {
   std::vector<Ref> refs;
   for (const BallIndex ball : memory.shown->channel->touching) {
@@ -75,6 +91,7 @@ void select_bottleneck(PanelContext& ctx, const ChannelMemory& memory) {
   }
   ctx.state.picked.items = RefSet(std::move(refs));
   ctx.state.requests.zoom_to_selection = true;
+  look_across_bottleneck(ctx, *memory.shown->channel);
 }
 
 // --- what is drawn
@@ -187,7 +204,12 @@ void details(PanelContext& ctx, const ChannelMemory& memory, bool current) {
   guest_line(ctx, channel.touching, current);
   ImGui::BeginDisabled(!current);
   if (button(ctx, "channels.show", "Show the bottleneck")) select_bottleneck(ctx, memory);
-  tooltip(ctx, "Selects the atoms that touch it, and the view goes there.");
+  tooltip(ctx, "Selects the atoms that touch it, and the view goes there, across the line.");
+  ImGui::SameLine(0, ctx.px(8));
+  if (button(ctx, "channels.across", "From the side")) {
+    look_across(ctx, channel, 0, channel.samples.size() - 1);
+  }
+  tooltip(ctx, "Turns the view until it looks across the whole line.");
   ImGui::SameLine(0, ctx.px(8));
   const RecordSource source = source_on_screen(ctx);
   if (button(ctx, "channels.copy", "Copy profile")) {

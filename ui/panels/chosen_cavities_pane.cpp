@@ -219,7 +219,7 @@ std::string between_text(const CavityLine& line, const std::string& chains) {
     return "It lies between " + count_text(line.bodies, "separate body", "separate bodies") +
            ", not within one.";
   }
-  if (line.chains != 2) return {};
+  if (!line.lining.at_interface()) return {};
   return chains.empty() ? "It lies at the interface of two chains: no other lines it."
                         : "It lies at the interface of chains " + chains + ".";
 }

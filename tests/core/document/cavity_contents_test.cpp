@@ -179,8 +179,23 @@ TEST_F(CavityContentsResult, FollowsTheTableAndNumbersGoOn) {
   ASSERT_TRUE(lines);
   EXPECT_TRUE(lines->is_of(body.inputs));
   ASSERT_EQ(lines->of.size(), body.table->size());
-  EXPECT_EQ(lines->of[3].residues, lining_residues(*body.atoms, *body.table, 3).size());
-  EXPECT_EQ(lines->of[3].chains, 2u) << "HIS 87 of chain A has ARG 40 of chain D beside it";
+  EXPECT_EQ(lines->of[3].lining.residues, lining_residues(*body.atoms, *body.table, 3).size());
+  EXPECT_EQ(lines->of[3].lining.chains, 2u) << "HIS 87 of chain A has ARG 40 of chain D beside it";
+  EXPECT_EQ(lines->of[3].lining.of_second, 1u);
+  EXPECT_FALSE(lines->of[3].lining.at_interface()) << "one residue is no side";
+  std::size_t interfaces = 0;
+  for (std::size_t row = 0; row < lines->of.size(); ++row) {
+    std::map<char, std::size_t> by_chain;
+    for (const LiningResidue& residue : lining_residues(*body.atoms, *body.table, row)) {
+      ++by_chain[residue.address[0]];
+    }
+    const LiningCounts& counts = lines->of[row].lining;
+    EXPECT_EQ(counts.chains, by_chain.size());
+    if (by_chain.size() != 2) continue;
+    EXPECT_EQ(counts.of_second, std::min(by_chain.begin()->second, by_chain.rbegin()->second));
+    interfaces += counts.at_interface();
+  }
+  EXPECT_GT(interfaces, 0u);
   EXPECT_EQ(lines->of[3].bodies, 1u);
   // Of a line: itself, and 100 bytes for its number; besides, a megabyte.
   EXPECT_EQ(store.held_bytes() - held_before,

@@ -19,6 +19,7 @@
 #include "core/document/channel_results.hpp"
 #include "core/document/channel_texts.hpp"
 #include "core/run/work_threads.hpp"
+#include "core/text/without_minus_zero.hpp"
 #include "core/triangulation/cgal_triangulation.hpp"
 
 namespace alphascope::cli {
@@ -133,7 +134,8 @@ Answer find(const Input& input, const ChannelOptions& options, const RunContext&
 }
 
 std::string place_text(const RealPoint& p) {
-  return format_text("%.3f, %.3f, %.3f", p.x, p.y, p.z);
+  const auto rounded = [](double value) { return without_minus_zero(value, 3); };
+  return format_text("%.3f, %.3f, %.3f", rounded(p.x), rounded(p.y), rounded(p.z));
 }
 
 // A line for each, to choose one by.

@@ -5,24 +5,23 @@
 #include <cstdio>
 
 #include "core/document/dimension_words.hpp"
+#include "core/molecule/short_number.hpp"
 #include "core/molecule/shortest_number.hpp"
+#include "core/text/without_minus_zero.hpp"
 
 namespace alphascope {
 namespace {
 
 using Balls = std::vector<BallIndex>;
 
-std::string number(double value) {
-  char text[48];
-  std::snprintf(text, sizeof text, "%.6g", value);
-  return text;
-}
 std::string square(double angstrom2) {
-  return number(angstrom2) + " Å²";
+  return short_number(angstrom2) + " Å²";
 }
 std::string place(const RealPoint& p) {
+  const auto rounded = [](double value) { return without_minus_zero(value, 3); };
   char text[96];
-  std::snprintf(text, sizeof text, "(%.3f, %.3f, %.3f) Å", p.x, p.y, p.z);
+  std::snprintf(text, sizeof text, "(%.3f, %.3f, %.3f) Å", rounded(p.x), rounded(p.y),
+                rounded(p.z));
   return text;
 }
 
@@ -217,9 +216,8 @@ class Sentences {
     text += place(sphere.centre_angstrom) +
             ". Its power distance there is ρ = " + square(sphere.rho_angstrom2) + ". ";
     text +=
-        sphere.rho_sign > 0
-            ? "So the orthosphere has the radius √ρ = " + number(std::sqrt(sphere.rho_angstrom2)) +
-                  " Å."
+        sphere.rho_sign > 0 ? "So the orthosphere has the radius √ρ = " +
+                                  short_number(std::sqrt(sphere.rho_angstrom2)) + " Å."
         : sphere.rho_sign < 0
             ? "As ρ is negative, the orthosphere is imaginary: its centre is inside all of these "
               "balls, and there is no sphere to draw."

@@ -50,7 +50,7 @@ std::string plain_cell(const std::string& cell) {
 
 std::string all_digits(double number) {
   char text[48];
-  std::snprintf(text, sizeof text, "%.17g", number);
+  std::snprintf(text, sizeof text, "%.17g", number == 0 ? 0 : number);
   return text;
 }
 

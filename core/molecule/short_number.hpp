@@ -8,7 +8,7 @@ namespace alphascope {
 
 inline std::string short_number(double number) {
   char text[32];
-  std::snprintf(text, sizeof text, "%.6g", number);
+  std::snprintf(text, sizeof text, "%.6g", number == 0 ? 0 : number);
   return text;
 }
 

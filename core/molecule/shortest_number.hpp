@@ -15,8 +15,9 @@ namespace alphascope {
 inline std::string shortest_number(double number) {
   char text[48];
   char* const end = text + sizeof text;
+  if (number == 0) return "0";  // whatever its sign
   const double size = std::fabs(number);
-  const bool plain = size == 0 || (size >= 1e-6 && size < 1e15);
+  const bool plain = size >= 1e-6 && size < 1e15;
   return {text, plain ? std::to_chars(text, end, number, std::chars_format::fixed).ptr
                       : std::to_chars(text, end, number).ptr};
 }

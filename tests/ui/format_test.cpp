@@ -2,8 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 
+#include "core/molecule/short_number.hpp"
+#include "core/molecule/shortest_number.hpp"
+#include "core/text/without_minus_zero.hpp"
 #include "ui/panels/ball_text.hpp"
 
 namespace alphascope {
@@ -47,6 +51,15 @@ TEST(Format, NumbersAreAsShortAsTheirValue) {
 }
 
 // √(1.7² + 1.4) = 2.0712; both numbers have as many digits as they need, up to three.
+TEST(Format, ZeroHasNoMinusSign) {
+  EXPECT_EQ(shortest_number(-0.0), "0");
+  EXPECT_EQ(short_number(-0.0), "0");
+  EXPECT_EQ(number_text(-0.0004, 3), "0.000");
+  EXPECT_EQ(without_minus_zero(-0.0005, 3), 0);
+  EXPECT_EQ(without_minus_zero(-0.00051, 3), -0.00051) << "it is printed as -0.001";
+  EXPECT_FALSE(std::signbit(without_minus_zero(-0.0004, 3)));
+}
+
 TEST(Format, ARadiusAndTheGrownOneHaveTheSameDigits) {
   BallSet balls;
   balls.lattice.digits = 3;

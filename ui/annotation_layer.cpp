@@ -12,16 +12,30 @@
 namespace alphascope {
 namespace {
 
-constexpr double kDash = 0.18;       // Å: of a line, and the gap behind it
-constexpr double kMostDashes = 60;   // longer lines have longer ones
-constexpr double kLongestArc = 1.0;  // Å, from the corner of an angle
-constexpr double kShareOfArc = 0.4;  // of its shorter side
-constexpr double kCross = 0.12;      // Å: half a line of a marked point
-constexpr double kBorder = 0.03;     // Å: radius of the lines around a border between cells
+constexpr double kDash = 0.18;           // Å: of a line, and the gap behind it
+constexpr double kMostDashes = 60;       // longer lines have longer ones
+constexpr double kLongestArc = 1.0;      // Å, from the corner of an angle
+constexpr double kShareOfArc = 0.4;      // of its shorter side
+constexpr double kLeastCross = 0.12;     // Å: half a line of a marked point
+constexpr double kShareOfCross = 0.006;  // of the diagonal of a large molecule
+constexpr double kBorder = 0.03;         // Å: radius of the lines around a border between cells
+
+// Å. Seen in a picture of the whole, and no larger than it need be.
+double half_of_cross(const BallSet& balls) {
+  if (balls.size() == 0) return kLeastCross;
+  LatticePoint low = balls.centres[0], high = low;
+  for (const LatticePoint& p : balls.centres) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+  }
+  const double diagonal = length(real_point(high) - real_point(low));
+  return std::max(kLeastCross, kShareOfCross * balls.lattice.angstrom(diagonal));
+}
 
 class Drawing {
  public:
-  Drawing(Layer& layer, const Molecule& molecule) : layer_(layer), molecule_(molecule) {}
+  Drawing(Layer& layer, const Molecule& molecule, double cross)
+      : layer_(layer), molecule_(molecule), cross_(cross) {}
 
   void add(const Measurement& m, const Measured& of) {
     const std::string text = measured_text(m, of);
@@ -39,14 +53,14 @@ class Drawing {
     const RealPoint from{m.from[0], m.from[1], m.from[2]}, to{m.to[0], m.to[1], m.to[2]};
     if (m.is_point()) {
       for (const RealPoint& arm :
-           {RealPoint{kCross, 0, 0}, RealPoint{0, kCross, 0}, RealPoint{0, 0, kCross}}) {
+           {RealPoint{cross_, 0, 0}, RealPoint{0, cross_, 0}, RealPoint{0, 0, cross_}}) {
         layer_.lines.push_back({from - arm, from + arm});
       }
     } else {
       layer_.lines.push_back({from, to});
     }
     // Above a point, whatever is upwards; it would hide it.
-    const RealPoint aside = m.is_point() ? 2.5 * RealPoint{0, kCross, kCross} : RealPoint{};
+    const RealPoint aside = m.is_point() ? 2.5 * RealPoint{0, cross_, cross_} : RealPoint{};
     if (!m.text.empty()) layer_.labels.push_back({0.5 * (from + to) + aside, m.text});
   }
 
@@ -92,6 +106,7 @@ class Drawing {
 
   Layer& layer_;
   const Molecule& molecule_;
+  const double cross_;  // Å
 };
 
 }  // namespace
@@ -124,7 +139,8 @@ std::shared_ptr<const Layer> make_annotation_layer(const Annotations& annotation
   layer->balls = picture.balls;
   layer->colour = picture.colour;
   const Molecule& molecule = picture.atoms.molecule();
-  Drawing drawing(*layer, molecule);
+  const double cross = annotations.marks.empty() ? kLeastCross : half_of_cross(*picture.balls);
+  Drawing drawing(*layer, molecule, cross);
   std::size_t drawn = 0;
   for (const Measurement& m : annotations.measurements) {
     const auto of = measured(molecule, m);

@@ -209,17 +209,17 @@ std::string why_no_diagram(const ViewState& s) {
 }
 
 void add_mark_commands(Commands& commands, ViewState& s) {
-  const Parameter x = coordinate("x", "Of the point", "3"),
-                  y = coordinate("y", "Of the point", "0"),
-                  z = coordinate("z", "Of the point", "0");
+  const Parameter x = coordinate("x", "The x of the point", "3"),
+                  y = coordinate("y", "The y of the point", "0"),
+                  z = coordinate("z", "The z of the point", "0");
   const Parameter words{
       .name = "words", .help = "What is written beside it", .example = "5 Å²", .optional = true};
   const std::vector<Parameter> ends{x,
                                     y,
                                     z,
-                                    coordinate("to_x", "Of the other end", "1.5"),
-                                    coordinate("to_y", "Of the other end", "2"),
-                                    coordinate("to_z", "Of the other end", "0")};
+                                    coordinate("to_x", "The x of the other end", "1.5"),
+                                    coordinate("to_y", "The y of the other end", "2"),
+                                    coordinate("to_z", "The z of the other end", "0")};
   std::vector<Parameter> point{x, y, z, words}, line = ends;
   line.push_back(words);
   commands.add({.id = "mark.point",

@@ -90,6 +90,7 @@ void add_camera_commands(Commands& commands, ViewState& s) {
       {.id = "view.from",
        .title = "Look along an axis",
        .help = "Looks at the same point from one of six sides",
+       .synonyms = {{"rotate turn orient side"}},
        .shortcuts = {{"1", "x"}, {"2", "-x"}, {"3", "y"}, {"4", "-y"}, {"5", "z"}, {"6", "-z"}},
        .menu = "View",
        .line_above = true,

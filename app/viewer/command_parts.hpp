@@ -31,6 +31,7 @@ CommandSpec save_session_command(ViewState& s);
 CommandSpec recent_files_command(ViewState& s);
 CommandSpec scale_command(ViewState& s);
 CommandSpec page_command(ViewState& s);
+CommandSpec section_command(ViewState& s);
 // How the picture is looked at.
 void add_camera_commands(Commands& commands, ViewState& s);
 

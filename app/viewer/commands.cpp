@@ -327,6 +327,7 @@ void add_view_commands(Commands& commands, ViewState& s) {
   CommandSpec theme{.id = "view.light_theme",
                     .title = "Light theme",
                     .help = "Switches between a light and a dark window",
+                    .synonyms = {{"white background"}},
                     .shortcuts = {{"Ctrl+L"}},
                     .menu = "View",
                     .line_above = true,
@@ -346,6 +347,7 @@ void add_view_commands(Commands& commands, ViewState& s) {
                             .menu = "View"},
                            s.presenter_size));
   commands.add(page_command(s));
+  commands.add(section_command(s));
 }
 
 // --- Help

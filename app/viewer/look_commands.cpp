@@ -1,5 +1,6 @@
 // Commands that choose a whole look of the picture, and its light and lines.
 #include <cmath>
+#include <utility>
 
 #include "app/viewer/command_parts.hpp"
 #include "core/document/display_preset.hpp"
@@ -45,14 +46,18 @@ void add_look_commands(Commands& commands, ViewState& s) {
   commands.add(number_command("view.ball_size", "Size of balls",
                               "Draws balls of this share of their radius", kShareRule,
                               [&d](double x) { d.ball_scale = static_cast<float>(x); }));
-  commands.add(number_command("view.ball_opacity", "Opacity of balls",
-                              "Draws balls as opaque as this; 1: nothing shines through",
-                              kShareRule,
-                              [&d](double x) { d.ball_opacity = static_cast<float>(x); }));
-  commands.add(number_command("view.complex_opacity", "Opacity of simplices",
-                              "Draws tetrahedra, triangles and boundary as opaque as this",
-                              kShareRule,
-                              [&d](double x) { d.complex_opacity = static_cast<float>(x); }));
+  CommandSpec balls =
+      number_command("view.ball_opacity", "Opacity of balls",
+                     "Draws balls as opaque as this; 1: nothing shines through", kShareRule,
+                     [&d](double x) { d.ball_opacity = static_cast<float>(x); });
+  CommandSpec simplices =
+      number_command("view.complex_opacity", "Opacity of simplices",
+                     "Draws tetrahedra, triangles and boundary as opaque as this", kShareRule,
+                     [&d](double x) { d.complex_opacity = static_cast<float>(x); });
+  for (CommandSpec* spec : {&balls, &simplices}) {
+    spec->synonyms = {{"transparency transparent translucent"}};
+    commands.add(std::move(*spec));
+  }
   commands.add(number_command("view.cavity_opacity", "Opacity of cavities",
                               "Draws chosen cavities as opaque as this; below 1 what they hold "
                               "shines through",

@@ -48,7 +48,7 @@ void check_commands(const Lesson& lesson, const Commands& known) {
 }
 
 // All that a step begins with but for its own commands. How finely is drawn is the user's choice,
-// and so are engine and threads.
+// and so are engine and threads: what a step sets of these is for that step.
 Settings lesson_settings(const Settings& now) {
   Settings s;
   s.open.read.max_bytes = now.open.read.max_bytes;
@@ -95,11 +95,12 @@ class Viewer::Stage : public LessonStage {
   void keep() override {
     kept_ =
         Kept{v_.session_document({}), v_.state_.session_file, v_.settings(), v_.editor_, file()};
+    settled_.reset();
   }
 
   void open(const std::filesystem::path& molecule) override {
     SessionDocument document;
-    document.settings = lesson_settings(v_.settings());
+    document.settings = next_settings();
     document.view.light_theme = v_.state_.theme == Theme::light;
     const PanelMemory& m = v_.state_.memory;
     document.view.panels = {
@@ -110,7 +111,7 @@ class Viewer::Stage : public LessonStage {
   }
 
   void reset() override {
-    v_.editor_.restart(lesson_settings(v_.settings()));
+    v_.editor_.restart(next_settings());
     v_.show_settings();
     v_.scene_.reset_view();  // as where the step opens its molecule
   }
@@ -118,6 +119,7 @@ class Viewer::Stage : public LessonStage {
   Outcome run(const std::string& command) override { return v_.commands_.run_line(command); }
 
   void settle() override {
+    settled_ = v_.settings();
     v_.editor_.restart(v_.settings());
     v_.noted_ = v_.preferred();  // of the lesson, not of the user
     v_.frames_due_ = kSettlingFrames;
@@ -150,6 +152,13 @@ class Viewer::Stage : public LessonStage {
     std::shared_ptr<const void> file;
   };
 
+  // Of the user's choices, not of those that a step has made.
+  Settings next_settings() {
+    const Settings now = lesson_settings(v_.settings());
+    if (!settled_ || !(now == lesson_settings(*settled_))) of_user_ = now;
+    return of_user_;
+  }
+
   // What is of no molecule; all of it where the molecule is the one that was kept.
   void take_over(const Kept& kept) {
     ViewState& s = v_.state_;
@@ -179,6 +188,8 @@ class Viewer::Stage : public LessonStage {
 
   Viewer& v_;
   std::optional<Kept> kept_;
+  std::optional<Settings> settled_;  // as the last step left them; the user may have changed them
+  Settings of_user_;
 };
 
 std::unique_ptr<LessonStage> Viewer::make_lesson_stage() {

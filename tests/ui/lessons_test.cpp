@@ -97,6 +97,25 @@ TEST_F(LessonsTest, StepsSetTheWindowAndGoBack) {
   EXPECT_TRUE(has("lesson.list"));
 }
 
+TEST_F(LessonsTest, WhatAStepSetsIsForThatStepAndWhatTheUserSetsStays) {
+  std::string text = kShort;
+  text.insert(text.find("alpha.set -2"), "engine.set tuples-cpu\n");
+  open_lesson(write(text).string());
+  const EngineChoice before = state().compute.engine;
+  ASSERT_NE(before, EngineChoice::tuples_cpu);
+  run("key pagedown\nwait-idle\n");
+  EXPECT_EQ(state().compute.engine, EngineChoice::tuples_cpu);
+  run("key pagedown\nwait-idle\n");
+  EXPECT_EQ(state().compute.engine, before);
+  run("engine.set cgal\nwait-idle\nkey pageup\nwait-idle\n");
+  EXPECT_EQ(state().compute.engine, EngineChoice::tuples_cpu);
+  run("key pageup\nwait-idle\n");
+  EXPECT_EQ(state().compute.engine, EngineChoice::cgal) << "the user has chosen it meanwhile";
+  run("key pagedown\nwait-idle\n");
+  open_lesson("union_of_balls");
+  EXPECT_EQ(state().compute.engine, EngineChoice::cgal) << "nor does it go on in another lesson";
+}
+
 TEST_F(LessonsTest, CloseBringsBackMoleculeSettingsAndHistory) {
   open_crambin();
   run("alpha.set 2\nwait-idle\nalpha.set 3\nwait-idle\nview.edges on\nselect.atoms A:15\n");

@@ -51,9 +51,10 @@ struct Way {  // of a paragraph
   bool draws = true;
 };
 
-// Its height, from `corner` on.
-float put_paragraph(PanelContext& ctx, const LessonParagraph& paragraph, ImVec2 corner, float width,
-                    Way way) {
+// The nth; its height, from `corner` on.
+float put_paragraph(PanelContext& ctx, const std::vector<LessonParagraph>& text, std::size_t n,
+                    ImVec2 corner, float width, Way way) {
+  const LessonParagraph& paragraph = text[n];
   const float indent = paragraph.item ? ctx.px(14) : 0;
   Pen pen;
   pen.size = way.size;
@@ -66,7 +67,8 @@ float put_paragraph(PanelContext& ctx, const LessonParagraph& paragraph, ImVec2 
     ImGui::GetWindowDrawList()->AddText(corner, to_u32(ctx.palette.text_muted), "•");
   }
   for (const LessonSpan& span : lesson_spans(paragraph.text)) put_span(ctx, pen, span);
-  const float gap = ctx.px(paragraph.item ? 2 : 7) * way.size;
+  const bool list_goes_on = paragraph.item && n + 1 < text.size() && text[n + 1].item;
+  const float gap = ctx.px(list_goes_on ? 2 : 7) * way.size;
   return pen.at.y + pen.line + gap - corner.y;
 }
 
@@ -75,9 +77,9 @@ float put_paragraph(PanelContext& ctx, const LessonParagraph& paragraph, ImVec2 
 void draw_lesson_text(PanelContext& ctx, const std::vector<LessonParagraph>& text, float size) {
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
   const float width = ImGui::GetContentRegionAvail().x;
-  for (const LessonParagraph& paragraph : text) {
+  for (std::size_t n = 0; n < text.size(); ++n) {
     ImGui::Dummy(
-        {width, put_paragraph(ctx, paragraph, ImGui::GetCursorScreenPos(), width, {size, true})});
+        {width, put_paragraph(ctx, text, n, ImGui::GetCursorScreenPos(), width, {size, true})});
   }
   ImGui::PopStyleVar();
 }
@@ -85,8 +87,8 @@ void draw_lesson_text(PanelContext& ctx, const std::vector<LessonParagraph>& tex
 float lesson_text_height(PanelContext& ctx, const std::vector<LessonParagraph>& text, float size,
                          float width) {
   float height = 0;
-  for (const LessonParagraph& paragraph : text) {
-    height += put_paragraph(ctx, paragraph, {0, 0}, width, {size, false});
+  for (std::size_t n = 0; n < text.size(); ++n) {
+    height += put_paragraph(ctx, text, n, {0, 0}, width, {size, false});
   }
   return height;
 }

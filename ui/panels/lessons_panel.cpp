@@ -232,8 +232,6 @@ void draw_open(PanelContext& ctx) {
 void draw_head(PanelContext& ctx) {
   LessonMemory& m = ctx.state.memory.lessons;
   const bool list = !m.open || m.list;
-  ImGui::AlignTextToFramePadding();
-  strong_text(ctx, "Lessons");
   const char* close = m.open ? "Close the lesson" : "Close";
   const char* other = list ? "Back to the lesson" : "All";
   const auto width = [](const char* label) {
@@ -241,7 +239,14 @@ void draw_head(PanelContext& ctx) {
   };
   const char* size = ctx.state.presenter_size ? "Smaller" : "Larger";
   const float gap = ctx.px(4), right = ImGui::GetWindowContentRegionMax().x;
-  ImGui::SameLine(right - width(close) - gap - (m.open ? width(other) + gap : 0) - width(size));
+  const float buttons = width(close) + gap + (m.open ? width(other) + gap : 0) + width(size);
+  ImGui::AlignTextToFramePadding();
+  if (ImGui::CalcTextSize("Lessons").x + ctx.px(12) + buttons <= right) {
+    strong_text(ctx, "Lessons");
+  } else {
+    ImGui::NewLine();  // the buttons tell as much
+  }
+  ImGui::SameLine(right - buttons);
   if (button(ctx, "lesson.presenter", size, {0, 0}, ButtonKind::quiet)) {
     ctx.commands.run("view.presenter_size");
   }

@@ -25,12 +25,13 @@ void draw_lessons_panel(PanelContext& ctx);
 namespace {
 
 constexpr PanelSpec kPanels[] = {
-    {"molecule", "Molecule", Place::left, draw_molecule_panel},
+    {"molecule", "Molecule", Place::left, draw_molecule_panel,
+     "radii set radius hydrogens altloc chains only expression filter assembly biological units"},
     {"alpha", "Alpha", Place::left, draw_alpha_panel},
-    {"display", "Display", Place::left, draw_display_panel},
-    {"look", "Light", Place::left, draw_look_panel},
+    {"display", "Display", Place::left, draw_display_panel, "colours opacity size"},
+    {"look", "Light", Place::left, draw_look_panel, "shadows lines fog quality"},
     {"clip", "Clip", Place::left, draw_clip_panel},
-    {"engine", "Engine", Place::left, draw_engine_panel},
+    {"engine", "Engine", Place::left, draw_engine_panel, "GPU CPU threads"},
     {"timings", "Timings", Place::bottom, draw_timings_panel, "time speed stages"},
     {"cavities", "Cavities", Place::bottom, draw_cavities_panel, "cavity pocket void hole"},
     {"channels", "Channels", Place::bottom, draw_channels_panel, "tunnel pore"},

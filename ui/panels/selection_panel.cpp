@@ -2,9 +2,11 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "core/molecule/grouped_number.hpp"
 #include "ui/panels/format.hpp"
+#include "ui/panels/key_focus.hpp"
 #include "ui/panels/panels.hpp"
 
 namespace alphascope {
@@ -225,6 +227,9 @@ void expression(PanelContext& ctx) {
   if (entered) {
     s.expression_error.reset();
     s.open.balls.selection = m.expression_shown = m.expression_typed;
+    m.expression_entered = true;
+  } else if (std::exchange(m.expression_entered, false) && s.expression_error) {
+    type_into(ctx, "molecule.expression");  // to be mended
   }
   if (s.expression_error) mark_column(ctx, m.expression_typed, s.expression_error->column());
   ImGui::SameLine(0, ctx.px(4));

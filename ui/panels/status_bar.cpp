@@ -89,7 +89,9 @@ void draw_status_bar(PanelContext& ctx) {
   if (!s.background.text.empty()) right = s.background.text + "  ·  " + right;
   const float end = ImGui::GetWindowWidth() - ctx.px(12);
   const float room = end - ImGui::GetCursorPosX();
-  if (ImGui::CalcTextSize(right.c_str()).x > room) right = memory;
+  for (const std::string& shorter : {memory, bytes_text(s.memory_bytes)}) {
+    if (ImGui::CalcTextSize(right.c_str()).x > room) right = shorter;
+  }
   const float width = ImGui::CalcTextSize(right.c_str()).x;
   if (!s.notice.empty() && room > width + ctx.px(80)) {
     ImGui::TextUnformatted(fitted_text(s.notice, room - width - ctx.px(24)).c_str());
@@ -97,10 +99,12 @@ void draw_status_bar(PanelContext& ctx) {
     tooltip(ctx, s.notice.c_str());
     ImGui::SameLine();
   }
-  ImGui::SetCursorPosX(end - width);
-  muted_text(ctx, right);
-  record(ctx, "status.device");
-  if (!s.background.detail.empty()) tooltip(ctx, s.background.detail.c_str());
+  if (width <= room) {
+    ImGui::SetCursorPosX(end - width);
+    muted_text(ctx, right);
+    record(ctx, "status.device");
+    if (!s.background.detail.empty()) tooltip(ctx, s.background.detail.c_str());
+  }
   ImGui::PopFont();
 }
 

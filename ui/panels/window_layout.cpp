@@ -107,19 +107,22 @@ float right_panel(PanelContext& ctx, float top, float height) {
 }
 
 float bottom_height(PanelContext& ctx, float available) {
-  float& height = ctx.state.memory.bottom_height;
+  float& height = ctx.state.memory.bottom_height;  // where the window has room for it
   if (height <= 0) height = kBottomHeight;
-  height =
-      std::clamp(height, kLeastBottom, std::max(kLeastBottom, available / ctx.scale - kLeastView));
-  return ctx.px(height);
+  height = std::max(height, kLeastBottom);
+  return ctx.px(std::min(height, std::max(kLeastBottom, available / ctx.scale - kLeastView)));
 }
 
-void splitter(PanelContext& ctx, float x, float y, float width) {
+void splitter(PanelContext& ctx, const Area& below) {
+  const auto [x, y] = below.corner;
+  const float width = below.size.x;
   ImGui::SetCursorScreenPos({x, y});
   ImGui::InvisibleButton("##splitter", {width, ctx.px(6)});
   record(ctx, "layout.splitter");
   const bool active = ImGui::IsItemActive();
-  if (active) ctx.state.memory.bottom_height -= ImGui::GetIO().MouseDelta.y / ctx.scale;
+  if (active) {
+    ctx.state.memory.bottom_height = (below.size.y - ImGui::GetIO().MouseDelta.y) / ctx.scale;
+  }
   if (active || ImGui::IsItemHovered()) {
     ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeNS);
     ImGui::GetWindowDrawList()->AddLine({x, y}, {x + width, y}, to_u32(ctx.palette.accent),
@@ -195,7 +198,7 @@ void bottom_panel(PanelContext& ctx, const Area& area) {
   begin("##timings", area);
   const auto [x, y] = area.corner;
   const float width = area.size.x;
-  splitter(ctx, x, y, width);
+  splitter(ctx, area);
   hairline(ctx, {x, y}, {x + width, y});
   ImGui::SetCursorScreenPos({x + ImGui::GetStyle().WindowPadding.x, y + ctx.px(8)});
   ImGui::BeginChild("content", {0, 0}, false, ImGuiWindowFlags_NoScrollbar);

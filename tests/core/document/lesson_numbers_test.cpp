@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <string_view>
 
 #include "core/complex/alpha_complex.hpp"
 #include "core/document/lesson.hpp"
@@ -115,6 +116,41 @@ TEST(LessonNumbers, TheWholeOfCrambin) {
   EXPECT_LT(tetrahedra(1e6), whole);
   EXPECT_GT(tetrahedra(10), whole / 2) << "most are inside, not far away";
   expect_said(text_of("03_power_diagram.md"), "alpha.set 1000000000\n");
+}
+
+// What follows alpha, in a text between { and }.
+std::string live_fact(const LessonPart& part) {
+  constexpr std::string_view kSame[] = {"value", "balls", "hidden", "all", "n all"};
+  for (const LessonParagraph& paragraph : part.text) {
+    const std::string& text = paragraph.text;
+    for (std::size_t at = text.find('{'); at != text.npos; at = text.find('{', at + 1)) {
+      const std::string fact = text.substr(at + 1, text.find('}', at) - at - 1);
+      const bool same = std::any_of(std::begin(kSame), std::end(kSame), [&](std::string_view one) {
+        return fact == one || fact.starts_with(std::string(one) + " ");
+      });
+      if (!same) return fact;
+    }
+  }
+  return {};
+}
+
+// An answer that sets alpha stands below its question: what that says must stay true.
+TEST(LessonTexts, AnswersLeaveTheNumbersOfTheirQuestions) {
+  std::size_t answers = 0;
+  for (const auto& entry : fs::directory_iterator(lessons())) {
+    if (entry.path().extension() != ".md") continue;
+    for (const LessonStep& step : load_lesson(entry.path()).steps) {
+      const auto& commands = step.answer.commands;
+      if (std::none_of(commands.begin(), commands.end(), [](const LessonCommand& command) {
+            return command.text.starts_with("alpha.set") || command.text.starts_with("solvent.set");
+          })) {
+        continue;
+      }
+      ++answers;
+      EXPECT_EQ(live_fact(step.shown), "") << entry.path().filename() << ", line " << step.line;
+    }
+  }
+  EXPECT_GE(answers, 4u);
 }
 
 // Characters as they are read, with a fact as long as its name.

@@ -212,7 +212,6 @@ void write_shapes(const ShapeOutputs& shapes, const FoundChannel& found,
     write_channel_surface(found, source, shapes.surface_is_glb(), *shapes.surface());
   }
   if (shapes.script() == nullptr) return;
-  require_scriptable(*source.molecule);
   try {
     shapes.script()->write(
         channel_script(found, source, shapes.script_format(), shapes.script_files()));
@@ -237,6 +236,7 @@ ExitCode run_channel(const ChannelOptions& options) {
   const OpenOptions open = body_options(options.input, options.body, context);
   for_each_model(options.input.file, options.input, open, context, [&](const Input& as_opened) {
     const Input input = with_body_radii(as_opened, options.input);
+    if (shapes.script() != nullptr) require_scriptable(input.molecule());
     const Answer answer = find(input, options, context);
     clear_progress();
     if (shown) print(input, answer);

@@ -300,8 +300,16 @@ WaysThrough find_ways_through(const BallSet& balls, const std::vector<WayPart>& 
 }
 
 WayCover cover_of(const BallSet& balls, const Channel& channel) {
-  const RealPoint axis = unit_vector(channel.samples.back().position_angstrom -
-                                     channel.samples.front().position_angstrom);
+  const RealPoint begin = channel.samples.front().position_angstrom;
+  RealPoint along = channel.samples.back().position_angstrom - begin;
+  if (along == RealPoint{}) {  // it comes back to where it began: to its farthest place
+    for (const ChannelSample& sample : channel.samples) {
+      const RealPoint there = sample.position_angstrom - begin;
+      if (length(there) > length(along)) along = there;
+    }
+  }
+  if (along == RealPoint{}) return {};
+  const RealPoint axis = unit_vector(along);
   Range line;
   for (const ChannelSample& sample : channel.samples) {
     line.add(dot(axis, sample.position_angstrom));

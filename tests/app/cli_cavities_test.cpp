@@ -295,6 +295,9 @@ TEST_F(CliCavities, TheWaysThroughKnownPoresAreFound) {
   EXPECT_NEAR(kcsa["widest_angstrom"], 0.847, 0.05);
   expect_place(kcsa, 155.33, 155.33, -38.6);
   EXPECT_EQ(kcsa["way"]["lining_chains"].size(), 4u);
+  // Each on the axis, and so in all four copies.
+  const json with_ions = ways("thesis/1k4c.pdb.gz --assembly 1 --ions");
+  EXPECT_EQ(with_ions["way"]["not_counted"]["ions"], 7);
 
   const json gramicidin = ways("cavities/hole/1grm_single.pdb --radii bondi");
   EXPECT_NEAR(gramicidin["widest_angstrom"], gramicidin["ways"][0]["widest_angstrom"].get<double>(),
@@ -316,6 +319,29 @@ TEST_F(CliCavities, TheWaysThroughKnownPoresAreFound) {
   }
   std::sort(through.begin(), through.end());
   EXPECT_EQ(through, (std::vector<std::string>{"chain A", "chain B", "chain C"}));
+}
+
+// Out through one gap of a cube and back through it: the line ends where it began.
+TEST_F(CliCavities, AChannelThatComesBackCoversAsFarAsItReaches) {
+  const Outcome found =
+      run("channel '" + cube_.string() + "' --point 1,1,1 --along 0,0,1 -q --json -");
+  ASSERT_EQ(found.code, 0) << found.err;
+  const json channel = json::parse(found.out);
+  EXPECT_GT(channel["whole_angstrom"], 1.9);
+  EXPECT_GT(channel["covered_angstrom"], 0);
+  EXPECT_LE(channel["covered_angstrom"], channel["whole_angstrom"]);
+}
+
+// Other programs do not open lists of balls, and that is known before anything is computed.
+TEST_F(CliCavities, AScriptOfWhatOthersDoNotOpenIsRefusedAtOnce) {
+  for (const char* command : {"channel --point 1,1,1", "cavities"}) {
+    const Outcome refused = run(std::string(command) + " '" + cube_.string() + "' --script '" +
+                                (folder_ / "o.cxc").string() + "'");
+    EXPECT_EQ(refused.code, 2) << command;
+    EXPECT_EQ(refused.out, "") << command;
+    EXPECT_TRUE(contains(refused.err, "do not open XYZR files")) << refused.err;
+    EXPECT_FALSE(fs::exists(folder_ / "o.cxc"));
+  }
 }
 
 TEST_F(CliCavities, APointWithinAnAtomIsNamed) {

@@ -72,14 +72,6 @@ void totals_line(PanelContext& ctx, const CavityTable& table) {
   record(ctx, "cavities.totals");
 }
 
-// The next item stays in the line when so much (pixels) has room there. The line of the tabs is
-// full in a narrow window.
-void same_line_where_it_fits(const PanelContext& ctx, float width) {
-  const float gap = ctx.px(18);
-  const float right = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
-  if (ImGui::GetItemRectMax().x + gap + width <= right) ImGui::SameLine(0, gap);
-}
-
 float button_width(const char* label) {
   return ImGui::CalcTextSize(label).x + 2 * ImGui::GetStyle().FramePadding.x;
 }
@@ -91,9 +83,10 @@ void comparable_line(PanelContext& ctx, const BallReferences& atoms) {
       differences_from_castp(ctx.state.open.balls, atoms.prepared().report, ctx.state.compute);
   if (ctx.state.cavity_choices.split_networks) differences.push_back(kNetworksAreSplit);
   const float gap = ctx.px(8);
-  same_line_where_it_fits(ctx, differences.empty()
-                                   ? ImGui::CalcTextSize(kComparable).x
-                                   : button_width(kUse) + gap + ImGui::CalcTextSize(kNot).x);
+  same_line_where_it_fits(differences.empty()
+                              ? ImGui::CalcTextSize(kComparable).x
+                              : button_width(kUse) + gap + ImGui::CalcTextSize(kNot).x,
+                          ctx.px(18));
   if (differences.empty()) {
     ImGui::AlignTextToFramePadding();
     ImGui::TextColored(to_imgui(ctx.palette.success), kComparable);

@@ -89,6 +89,7 @@ void two_small_lines(PanelContext& ctx, const char* name, const Colour& colour,
   const std::size_t end = std::min(lines.find('\n'), lines.size());
   std::string rest = lines.substr(std::min(end + 1, lines.size()));
   std::replace(rest.begin(), rest.end(), '\n', ' ');
+  if (rest.empty()) rest = " ";  // ImGui counts no empty last line
   ImGui::PushStyleColor(ImGuiCol_Text, to_imgui(colour));
   ImGui::TextUnformatted(
       (fitted_text(lines.substr(0, end), width) + "\n" + fitted_text(rest, width)).c_str());

@@ -44,14 +44,16 @@ void engine_choice(PanelContext& ctx) {
   }
   record(ctx, "steps.engine");
   tooltip(ctx, "Whose steps are shown. It need not be the engine that computed the complex.");
-  ImGui::SameLine(0, ctx.px(12));
 }
 
+// Behind the item before, or below it.
 void optimisation(PanelContext& ctx, const char* name, const char* label, bool& value) {
+  same_line_where_it_fits(
+      ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x + ImGui::CalcTextSize(label).x,
+      ctx.px(12));
   checkbox(ctx, name, label, value);
   const CommandSpec* const spec = ctx.commands.find(name);
   if (spec != nullptr) tooltip(ctx, (spec->help + ".").c_str());
-  ImGui::SameLine(0, ctx.px(12));
 }
 
 // --- colours
@@ -170,7 +172,6 @@ void draw_steps_controls(PanelContext& ctx) {
     optimisation(ctx, "steps.edge_optimisation", "Edge optimisation", memory.edge_optimisation);
     optimisation(ctx, "steps.alpha_optimisation", "Alpha optimisation", memory.alpha_optimisation);
   }
-  ImGui::NewLine();
 }
 
 void draw_step_list(PanelContext& ctx, float width) {
@@ -207,8 +208,10 @@ void draw_step_counts(PanelContext& ctx, float width) {
   ImGui::BeginChild("counts", {width, 0}, false);
   checkbox(ctx, "steps.marks", "Draw", memory.marks);
   tooltip(ctx, "Draws the step in the picture. Balls and complex become pale meanwhile.");
-  ImGui::SameLine(0, ctx.px(10));
-  if (button(ctx, "steps.look", "Look at it")) memory.look = true;
+  constexpr const char* kLook = "Look at it";
+  same_line_where_it_fits(ImGui::CalcTextSize(kLook).x + 2 * ImGui::GetStyle().FramePadding.x,
+                          ctx.px(10));
+  if (button(ctx, "steps.look", kLook)) memory.look = true;
   tooltip(ctx, "Brings the ball and its neighbours into the middle of the view.");
   ImGui::PushFont(ctx.fonts.small);
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ctx.px(6), ctx.px(2)});

@@ -58,6 +58,11 @@ bool button(PanelContext& ctx, const char* name, const char* label, ImVec2 size,
   return clicked;
 }
 
+void same_line_where_it_fits(float width, float gap) {
+  const float right = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
+  if (ImGui::GetItemRectMax().x + gap + width <= right) ImGui::SameLine(0, gap);
+}
+
 bool checkbox(PanelContext& ctx, const char* name, const char* label, bool& value) {
   ImGui::PushID(name);
   const bool changed = ImGui::Checkbox(label, &value);

@@ -41,6 +41,9 @@ void record(PanelContext& ctx, const char* name);
 enum class ButtonKind : std::uint8_t { normal, primary, quiet };
 bool button(PanelContext& ctx, const char* name, const char* label, ImVec2 size = {0, 0},
             ButtonKind kind = ButtonKind::normal);
+// The next item, so wide (pixels), stays in the line when it has room there behind a gap.
+void same_line_where_it_fits(float width, float gap);
+
 bool checkbox(PanelContext& ctx, const char* name, const char* label, bool& value);
 
 // A line of text as wide as the next item; `hint` shows while it is empty. True: Enter was pressed

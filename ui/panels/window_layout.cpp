@@ -206,6 +206,7 @@ void bottom_panel(PanelContext& ctx, const Area& area) {
   bottom_tabs(ctx, pages)->draw(ctx);
   // What lines chosen cavities is marked in the picture on whatever page.
   if (!ctx.state.picked.cavities.empty()) follow_cavities(ctx);
+  ImGui::SetScrollX(0);  // there is no bar that would tell of it
   ImGui::EndChild();
   ImGui::End();
 }

@@ -3,6 +3,8 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <cmath>
+#include <string>
 
 #include "core/document/channel_texts.hpp"
 #include "tests/core/cavity/rings.hpp"
@@ -142,6 +144,19 @@ TEST_F(ChannelsTest, ShowingTheBottleneckSelectsTheAtomsThatTouchIt) {
   run("click channels.show\nwait-idle\n");
   EXPECT_EQ(viewer_->state().picked.items.size(), channel().touching.size());
   EXPECT_GE(channel().touching.size(), 3u);
+}
+
+// From an end, what is wide there would hide it.
+TEST_F(ChannelsTest, IsSeenFromTheSide) {
+  open_tube(false);
+  for (const char* name : {"channels.show", "channels.across"}) {
+    run(std::string("view.from z\nframes 3\nwait-idle\n"));
+    EXPECT_NEAR(std::fabs(viewer_->state().viewport.into_view.z), 1, 1e-9) << name;
+    run(std::string("click ") + name + "\nframes 3\nwait-idle\nframes 3\n");
+    EXPECT_NEAR(viewer_->state().viewport.into_view.z, 0, 0.1) << name;
+  }
+  const ViewportInfo& view = viewer_->state().viewport;
+  EXPECT_GE(std::min(view.width, view.height) * view.angstrom_per_pixel, 28) << "all of it";
 }
 
 TEST_F(ChannelsTest, AChosenCavityLeadsOut) {

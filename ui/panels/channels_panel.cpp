@@ -84,6 +84,18 @@ void look_across_bottleneck(PanelContext& ctx, const Channel& channel) {
   look_across(ctx, channel, at - std::min(at, kNear), std::min(at + kNear, last));
 }
 
+// The whole line is to be seen, if it is about the middle of the view.
+void look_across_line(PanelContext& ctx, const Channel& channel) {
+  const ChannelSample &begin = channel.samples.front(), &end = channel.samples.back();
+  look_across(ctx, channel, 0, channel.samples.size() - 1);
+  constexpr double kMargin = 1.15;
+  const double tall = length(end.position_angstrom - begin.position_angstrom) +
+                      begin.radius_angstrom + end.radius_angstrom;
+  const ViewportInfo& view = ctx.state.viewport;
+  const double room = std::min(view.width, view.height) * view.angstrom_per_pixel;
+  if (room > 0 && room < kMargin * tall) ctx.state.requests.zoom = room / (kMargin * tall);
+}
+
 void select_bottleneck(PanelContext& ctx, const ChannelMemory& memory) {
   std::vector<Ref> refs;
   for (const BallIndex ball : memory.shown->channel->touching) {
@@ -207,9 +219,9 @@ void details(PanelContext& ctx, const ChannelMemory& memory, bool current) {
   tooltip(ctx, "Selects the atoms that touch it, and the view goes there, across the line.");
   ImGui::SameLine(0, ctx.px(8));
   if (button(ctx, "channels.across", "From the side")) {
-    look_across(ctx, channel, 0, channel.samples.size() - 1);
+    look_across_line(ctx, channel);
   }
-  tooltip(ctx, "Turns the view until it looks across the whole line.");
+  tooltip(ctx, "Turns the view until it looks across the whole line, and shows all of it.");
   ImGui::SameLine(0, ctx.px(8));
   const RecordSource source = source_on_screen(ctx);
   if (button(ctx, "channels.copy", "Copy profile")) {

@@ -322,13 +322,12 @@ TEST_F(CliCavities, TheWaysThroughKnownPoresAreFound) {
 }
 
 // Out through one gap of a cube and back through it: the line ends where it began.
-TEST_F(CliCavities, AChannelThatComesBackCoversAsFarAsItReaches) {
+TEST_F(CliCavities, OfAChannelThatComesBackTheWholeIsKnown) {
   const Outcome found =
       run("channel '" + cube_.string() + "' --point 1,1,1 --along 0,0,1 -q --json -");
   ASSERT_EQ(found.code, 0) << found.err;
   const json channel = json::parse(found.out);
   EXPECT_GT(channel["whole_angstrom"], 1.9);
-  EXPECT_GT(channel["covered_angstrom"], 0);
   EXPECT_LE(channel["covered_angstrom"], channel["whole_angstrom"]);
 }
 

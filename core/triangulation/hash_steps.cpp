@@ -2,6 +2,7 @@
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_reduce.h>
+#include <tbb/task_group.h>
 
 #include <array>
 
@@ -55,6 +56,7 @@ HashSteps::HashSteps(const SimplexList<N>& list, const CancelToken& cancel)
     : steps_(step_edges(list)) {
   const StepValues values = search_list(steps_);
   using Range = tbb::blocked_range<std::size_t>;
+  tbb::task_group_context own(tbb::task_group_context::isolated);  // see parallel.cpp
   const StepSums sums = tbb::parallel_reduce(
       Range(0, list.size(), 4096), StepSums{},
       [&](const Range& range, StepSums sum) {
@@ -67,7 +69,8 @@ HashSteps::HashSteps(const SimplexList<N>& list, const CancelToken& cancel)
       [](StepSums a, const StepSums& b) {
         for (std::size_t n = 0; n < a.size(); ++n) a[n] += b[n];
         return a;
-      });
+      },
+      own);
   cancel.throw_if_cancelled();
   std::uint64_t sum = 0;
   for (std::size_t n = 0; n < steps_.size(); ++n) steps_[n].sum = sum += sums[n];

@@ -2,6 +2,7 @@
 #include "core/run/parallel.hpp"
 
 #include <gtest/gtest.h>
+#include <tbb/task_group.h>
 
 #include <atomic>
 #include <chrono>
@@ -17,6 +18,8 @@
 
 namespace alphascope {
 namespace {
+
+using namespace std::chrono_literals;
 
 constexpr std::size_t kCount = 10000;
 
@@ -126,6 +129,30 @@ TEST(Parallel, WorksOnTheCallersThreads) {
     parallel_sum(0, 100, 1, [&](std::size_t, std::size_t) { return note(); });
   });
   EXPECT_EQ(threads, std::set{std::this_thread::get_id()});
+}
+
+// A loop returns when all of it is done, also where a task beside the caller has thrown meanwhile.
+TEST(Parallel, AFailureBesideTheCallerLeavesNothingOut) {
+  tbb::task_group group;
+  std::atomic<bool> begun{false}, thrown{false}, whole{true};
+  group.run([&] {
+    begun = true;
+    for (int n = 0; n < 2000 && !thrown; ++n) std::this_thread::sleep_for(1ms);
+    for (int round = 0; round < 200; ++round) {
+      std::atomic<unsigned> done{0};
+      parallel_each(0, 100u, [&](unsigned) { ++done; });
+      const std::uint64_t sum = parallel_sum(
+          0, 100, 1, [](std::size_t a, std::size_t b) { return std::uint64_t{b - a}; });
+      if (done != 100 || sum != 100) whole = false;
+    }
+  });
+  for (int n = 0; n < 2000 && !begun; ++n) std::this_thread::sleep_for(1ms);
+  group.run([&] {
+    thrown = true;
+    throw std::runtime_error("no");
+  });
+  EXPECT_THROW(group.wait(), std::runtime_error);
+  EXPECT_TRUE(whole);
 }
 
 }  // namespace

@@ -3,24 +3,18 @@
 
 #include <cmath>
 #include <cstdio>
-#include <string_view>
 
 #include "core/chart/readable_number.hpp"
+#include "core/text/fixed_digits.hpp"
 
 namespace alphascope {
 
 std::string number_text(double value, int decimals) {
   constexpr double kLongest = 1e9;  // beyond, digits are counted, not read
+  if (std::fabs(value) < kLongest) return readable_number(fixed_digits(value, decimals));
   char text[64];
-  if (std::fabs(value) < kLongest) {
-    std::snprintf(text, sizeof text, "%.*f", decimals, value);
-  } else {
-    std::snprintf(text, sizeof text, "%.4g", value);
-  }
-  const std::string_view digits(text);
-  const bool negative_zero =
-      digits.front() == '-' && digits.find_first_not_of("0.", 1) == digits.npos;
-  return readable_number(negative_zero ? text + 1 : text);
+  std::snprintf(text, sizeof text, "%.4g", value);
+  return readable_number(text);
 }
 
 std::string short_number_text(double value, int decimals) {

@@ -60,7 +60,7 @@ ExitCode run_cavities(const CavitiesOptions& options) {
                        {options.json, options.csv});
   CavityExports exports(options, command.outputs);
   return command.run([&](const std::string&, const Input& as_opened) {
-    exports.require_writable(as_opened.molecule());
+    exports.shapes().require_openable(as_opened.molecule());
     const CavityComparison all(answers_of(as_opened, options), context);
     const CavityAnswer& answer = all.answers().front();
     exports.write(answer, context);

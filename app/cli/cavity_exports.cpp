@@ -52,10 +52,6 @@ void CavityExports::write_lives(const CavityAnswer& answer) {
   lives_->write(bars_csv(bars.longest, *ground.triangulation, *answer.atoms, comments));
 }
 
-void CavityExports::require_writable(const Molecule& molecule) const {
-  if (shapes_.script() != nullptr) require_scriptable(molecule);
-}
-
 void CavityExports::write_script(const CavityAnswer& answer) {
   try {
     shapes_.script()->write(cavity_script({answer, noted_header(answer)}, shapes_.script_format(),

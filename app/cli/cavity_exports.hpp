@@ -15,9 +15,7 @@ class CavityExports {
   // standard input or makes several answers, and what Outputs::add() throws.
   CavityExports(const CavitiesOptions& options, Outputs& outputs);
 
-  // Before anything is computed: throws UsageError where a script is asked for of a molecule that
-  // other programs do not open.
-  void require_writable(const Molecule& molecule) const;
+  const ShapeOutputs& shapes() const { return shapes_; }
   // Of the cavities that are listed, but lives of all. Throws WriteError, Cancelled, and UsageError
   // for what cannot be said in a script.
   void write(const CavityAnswer& answer, const RunContext& context);

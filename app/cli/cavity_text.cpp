@@ -5,7 +5,7 @@
 #include "app/cli/table.hpp"
 #include "app/cli/terminal.hpp"
 #include "app/cli/text.hpp"
-#include "core/text/without_minus_zero.hpp"
+#include "core/text/fixed_digits.hpp"
 
 namespace alphascope::cli {
 namespace {
@@ -39,9 +39,7 @@ Table cavity_columns() {
 
 std::string line(const Table& columns, const CavityAnswer& answer, std::size_t row) {
   const CavityMeasures& m = answer.table().measure(row);
-  const auto number = [](double value) {
-    return format_text("%.3f", without_minus_zero(value, 3));
-  };
+  const auto number = [](double value) { return fixed_digits(value, 3); };
   const std::string held = answer.contents_text(row);
   const bool exact = answer.exact != nullptr;
   return columns.line(

@@ -18,8 +18,8 @@
 #include "core/document/channel_records.hpp"
 #include "core/document/channel_results.hpp"
 #include "core/document/channel_texts.hpp"
+#include "core/geometry/point_text.hpp"
 #include "core/run/work_threads.hpp"
-#include "core/text/without_minus_zero.hpp"
 #include "core/triangulation/cgal_triangulation.hpp"
 
 namespace alphascope::cli {
@@ -133,11 +133,6 @@ Answer find(const Input& input, const ChannelOptions& options, const RunContext&
   return answer;
 }
 
-std::string place_text(const RealPoint& p) {
-  const auto rounded = [](double value) { return without_minus_zero(value, 3); };
-  return format_text("%.3f, %.3f, %.3f", rounded(p.x), rounded(p.y), rounded(p.z));
-}
-
 // A line for each, to choose one by.
 void print_ways(const FoundWays& ways, const FoundChannel& chosen) {
   for (const auto& found : ways.ways) {
@@ -146,7 +141,7 @@ void print_ways(const FoundWays& ways, const FoundChannel& chosen) {
     std::cout << (found->way->number == 1 ? "ways        " : "            ") << way.number
               << (found.get() == &chosen ? " * " : "   ") << way.through << ": radius "
               << format_text("%.3f", channel.widest_angstrom) << " Å at "
-              << place_text(channel.narrowest().position_angstrom) << " Å, length "
+              << point_text(channel.narrowest().position_angstrom) << " Å, length "
               << format_text("%.1f", channel.length_angstrom) << " Å, lined by "
               << chains_text(way.lining_chains) << "\n";
   }
@@ -170,7 +165,7 @@ void print(const Input& input, const Answer& answer) {
   print_ways(answer.ways, *answer.found);
   std::cout << "bottleneck  radius " << format_text("%.3f", channel.widest_angstrom) << " Å"
             << (channel.is_open() ? "" : ": closed, not even a point passes") << "\n"
-            << "            at " << place_text(channel.narrowest().position_angstrom) << " Å, "
+            << "            at " << point_text(channel.narrowest().position_angstrom) << " Å, "
             << channel_limit_text(channel.limit) << "\n"
             << "touching    " << touching_text(atoms_of(input), channel) << "\n"
             << "length      " << format_text("%.2f", channel.length_angstrom) << " Å, "
@@ -236,7 +231,7 @@ ExitCode run_channel(const ChannelOptions& options) {
   const OpenOptions open = body_options(options.input, options.body, context);
   for_each_model(options.input.file, options.input, open, context, [&](const Input& as_opened) {
     const Input input = with_body_radii(as_opened, options.input);
-    if (shapes.script() != nullptr) require_scriptable(input.molecule());
+    shapes.require_openable(input.molecule());
     const Answer answer = find(input, options, context);
     clear_progress();
     if (shown) print(input, answer);

@@ -57,7 +57,8 @@ ShapeScriptFiles ShapeOutputs::script_files() const {
   return {named(options_.spheres), surface_is_glb() ? named(options_.surface) : fs::path()};
 }
 
-void require_scriptable(const Molecule& molecule) {
+void ShapeOutputs::require_openable(const Molecule& molecule) const {
+  if (script_ == nullptr) return;
   const std::string why = why_no_script(molecule);
   if (!why.empty()) throw UsageError("--script: " + why);
 }

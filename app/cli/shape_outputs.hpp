@@ -21,6 +21,10 @@ class ShapeOutputs {
   // there are formats and for a script of standard input; and what Outputs::add() throws.
   ShapeOutputs(const ShapeOptions& options, const std::string& molecule, Outputs& outputs);
 
+  // Before anything is computed: throws UsageError where a script is asked for of a molecule that
+  // other programs do not open.
+  void require_openable(const Molecule& molecule) const;
+
   AtomicFile* spheres() const { return spheres_; }
   AtomicFile* surface() const { return surface_; }
   AtomicFile* script() const { return script_; }
@@ -34,8 +38,5 @@ class ShapeOutputs {
   const ShapeOptions& options_;
   AtomicFile *spheres_, *surface_, *script_;
 };
-
-// Throws UsageError for a molecule that no script opens.
-void require_scriptable(const Molecule& molecule);
 
 }  // namespace alphascope::cli

@@ -1,6 +1,7 @@
 // Commands that choose a whole look of the picture, and its light and lines.
 #include <cmath>
 #include <utility>
+#include <vector>
 
 #include "app/viewer/command_parts.hpp"
 #include "core/document/display_preset.hpp"
@@ -11,10 +12,12 @@ namespace {
 
 // A command of one number, which is given to `set`.
 CommandSpec number_command(const char* id, const char* title, const char* help,
-                           const NumberRule& rule, std::function<void(double)> set) {
+                           const NumberRule& rule, std::function<void(double)> set,
+                           std::vector<Synonym> synonyms = {}) {
   return {.id = id,
           .title = title,
           .help = help,
+          .synonyms = std::move(synonyms),
           .parameters = {{.name = "value",
                           .kind = Parameter::Kind::number,
                           .help = "From the least to the most that the slider has",
@@ -46,23 +49,20 @@ void add_look_commands(Commands& commands, ViewState& s) {
   commands.add(number_command("view.ball_size", "Size of balls",
                               "Draws balls of this share of their radius", kShareRule,
                               [&d](double x) { d.ball_scale = static_cast<float>(x); }));
-  CommandSpec balls =
-      number_command("view.ball_opacity", "Opacity of balls",
-                     "Draws balls as opaque as this; 1: nothing shines through", kShareRule,
-                     [&d](double x) { d.ball_opacity = static_cast<float>(x); });
-  CommandSpec simplices =
-      number_command("view.complex_opacity", "Opacity of simplices",
-                     "Draws tetrahedra, triangles and boundary as opaque as this", kShareRule,
-                     [&d](double x) { d.complex_opacity = static_cast<float>(x); });
-  for (CommandSpec* spec : {&balls, &simplices}) {
-    spec->synonyms = {{"transparency transparent translucent"}};
-    commands.add(std::move(*spec));
-  }
-  commands.add(number_command("view.cavity_opacity", "Opacity of cavities",
-                              "Draws chosen cavities as opaque as this; below 1 what they hold "
-                              "shines through",
-                              kShareRule,
-                              [&d](double x) { d.cavity_opacity = static_cast<float>(x); }));
+  const std::vector<Synonym> transparency{{"transparency transparent translucent"}};
+  commands.add(number_command(
+      "view.ball_opacity", "Opacity of balls",
+      "Draws balls as opaque as this; 1: nothing shines through", kShareRule,
+      [&d](double x) { d.ball_opacity = static_cast<float>(x); }, transparency));
+  commands.add(number_command(
+      "view.complex_opacity", "Opacity of simplices",
+      "Draws tetrahedra, triangles and boundary as opaque as this", kShareRule,
+      [&d](double x) { d.complex_opacity = static_cast<float>(x); }, transparency));
+  commands.add(number_command(
+      "view.cavity_opacity", "Opacity of cavities",
+      "Draws chosen cavities as opaque as this; below 1 what they hold "
+      "shines through",
+      kShareRule, [&d](double x) { d.cavity_opacity = static_cast<float>(x); }, transparency));
   commands.add(number_command("view.shrink", "Shrink tetrahedra",
                               "Draws tetrahedra smaller by this share, apart from each other",
                               kShrinkRule, [&d](double x) { d.shrink = static_cast<float>(x); }));

@@ -31,24 +31,17 @@ void SceneController::look_from(const std::array<double, 3>& towards_viewer) {
   dirty_ = true;
 }
 
-void SceneController::look_across(const std::array<double, 3>& line) {
+void SceneController::look_across(const RealPoint& line) {
   const Sight sight = scene_.sight();
   const auto part_across = [&line](const std::array<double, 3>& v) {
-    double along = 0;
-    for (std::size_t k = 0; k < 3; ++k) along += v[k] * line[k];
-    std::array<double, 3> across;
-    for (std::size_t k = 0; k < 3; ++k) across[k] = v[k] - along * line[k];
-    return across;
+    const RealPoint p{v[0], v[1], v[2]};
+    return p - dot(p, line) * line;
   };
-  const auto length_of = [](const std::array<double, 3>& v) {
-    return std::hypot(v[0], v[1], v[2]);
-  };
-  std::array<double, 3> across = part_across(sight.forward);
+  RealPoint forward = part_across(sight.forward);
   // From straight along the line: from above, so that the line leads upwards.
-  if (length_of(across) < 0.01) across = part_across(sight.up);
-  const double length = length_of(across);
-  for (double& component : across) component /= -length;
-  look_from(across);
+  if (length(forward) < 0.01) forward = part_across(sight.up);
+  forward = unit_vector(forward);
+  look_from({-forward.x, -forward.y, -forward.z});
 }
 
 void SceneController::zoom(double factor) {

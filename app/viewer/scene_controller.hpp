@@ -16,6 +16,7 @@
 #include "app/viewer/picture_saver.hpp"
 #include "core/document/appearance.hpp"
 #include "core/document/session_file.hpp"
+#include "core/geometry/real_point.hpp"
 #include "core/run/worker.hpp"
 #include "ui/layer.hpp"
 #include "ui/panels/view_state.hpp"
@@ -149,7 +150,7 @@ class SceneController {
   // At the same point from as far, from this side; `towards_viewer` has length 1.
   void look_from(const std::array<double, 3>& towards_viewer);
   // Turned by the least angle until it is normal to this line (unit vector).
-  void look_across(const std::array<double, 3>& line);
+  void look_across(const RealPoint& line);
   void zoom(double factor);
   NamedView named_view(const std::string& name) const;
   void go_to(const NamedView& view);

@@ -15,17 +15,13 @@
 #include "core/cavity/envelope.hpp"
 #include "core/cavity/passage.hpp"
 #include "core/cavity/plane_ascent.hpp"
-#include "core/text/without_minus_zero.hpp"
+#include "core/geometry/point_text.hpp"
 
 namespace alphascope {
 namespace {
 
 std::string text_of(const RealPoint& p) {
-  const auto rounded = [](double value) { return without_minus_zero(value, 3); };
-  char text[96];
-  std::snprintf(text, sizeof text, "(%.3f, %.3f, %.3f) Å", rounded(p.x), rounded(p.y),
-                rounded(p.z));
-  return text;
+  return "(" + point_text(p) + ") Å";
 }
 
 std::string covered_text(const RealPoint& place, BallIndex ball, double depth) {

@@ -5,9 +5,9 @@
 #include <cstdio>
 
 #include "core/document/dimension_words.hpp"
+#include "core/geometry/point_text.hpp"
 #include "core/molecule/short_number.hpp"
 #include "core/molecule/shortest_number.hpp"
-#include "core/text/without_minus_zero.hpp"
 
 namespace alphascope {
 namespace {
@@ -18,11 +18,7 @@ std::string square(double angstrom2) {
   return short_number(angstrom2) + " Å²";
 }
 std::string place(const RealPoint& p) {
-  const auto rounded = [](double value) { return without_minus_zero(value, 3); };
-  char text[96];
-  std::snprintf(text, sizeof text, "(%.3f, %.3f, %.3f) Å", rounded(p.x), rounded(p.y),
-                rounded(p.z));
-  return text;
+  return "(" + point_text(p) + ") Å";
 }
 
 std::string ball_text(BallIndex ball, const BallName& name) {

@@ -130,10 +130,11 @@ void count_guests(const Molecule& molecule, const PreparedBalls& prepared, const
         channel.samples.begin(), channel.samples.end(), [&](const ChannelSample& sample) {
           return length(sample.position_angstrom - centre) < sample.radius_angstrom + radius;
         });
+    if (!is_in) continue;
     const bool again = std::any_of(counted.begin(), counted.end(), [&](const RealPoint& other) {
       return length(other - centre) < kOnePlace;
     });
-    if (!is_in || again) continue;
+    if (again) continue;
     counted.push_back(centre);
     const AtomKind kind = molecule.atoms[prepared.atom_of_ball[ball]].kind;
     ++(kind == AtomKind::ion      ? note.ions

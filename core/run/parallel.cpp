@@ -13,33 +13,31 @@ namespace {
 
 using Range = tbb::blocked_range<std::size_t>;
 
-// A loop of its own: where a task beside the caller throws, oneTBB would leave parts of the
+// A context for each loop: where a task beside the caller throws, oneTBB would leave parts of the
 // caller's loops out as well, and nobody would tell the caller.
-struct OwnContext {
-  tbb::task_group_context context{tbb::task_group_context::isolated};
-};
+constexpr auto kOwn = tbb::task_group_context::isolated;
 
 }  // namespace
 
 void run_ranges(std::size_t begin, std::size_t end, std::size_t grain, const void* body,
                 CallRange call) {
   if (begin >= end) return;
-  OwnContext own;
+  tbb::task_group_context own(kOwn);
   tbb::parallel_for(
       Range(begin, end, grain), [=](const Range& range) { call(body, range.begin(), range.end()); },
-      own.context);
+      own);
 }
 
 std::uint64_t sum_ranges(std::size_t begin, std::size_t end, std::size_t grain, const void* body,
                          CallSumRange call) {
   if (begin >= end) return 0;
-  OwnContext own;
+  tbb::task_group_context own(kOwn);
   return tbb::parallel_reduce(
       Range(begin, end, grain), std::uint64_t{0},
       [=](const Range& range, std::uint64_t before) {
         return before + call(body, range.begin(), range.end());
       },
-      std::plus<>(), own.context);
+      std::plus<>(), own);
 }
 
 }  // namespace alphascope

@@ -2,12 +2,12 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <limits>
 
+#include "core/geometry/point_text.hpp"
 #include "core/molecule/short_number.hpp"
 #include "core/molecule/shortest_number.hpp"
-#include "core/text/without_minus_zero.hpp"
+#include "core/text/fixed_digits.hpp"
 #include "ui/panels/ball_text.hpp"
 
 namespace alphascope {
@@ -55,9 +55,11 @@ TEST(Format, ZeroHasNoMinusSign) {
   EXPECT_EQ(shortest_number(-0.0), "0");
   EXPECT_EQ(short_number(-0.0), "0");
   EXPECT_EQ(number_text(-0.0004, 3), "0.000");
-  EXPECT_EQ(without_minus_zero(-0.0005, 3), 0);
-  EXPECT_EQ(without_minus_zero(-0.00051, 3), -0.00051) << "it is printed as -0.001";
-  EXPECT_FALSE(std::signbit(without_minus_zero(-0.0004, 3)));
+  EXPECT_EQ(fixed_digits(-0.0, 3), "0.000");
+  EXPECT_EQ(fixed_digits(-0.0004, 3), "0.000");
+  EXPECT_EQ(fixed_digits(-0.00051, 3), "-0.001");
+  EXPECT_EQ(fixed_digits(-1e300, 0).size(), 302u);
+  EXPECT_EQ(point_text({-0.0001, 2.5, -3}), "0.000, 2.500, -3.000");
 }
 
 TEST(Format, ARadiusAndTheGrownOneHaveTheSameDigits) {

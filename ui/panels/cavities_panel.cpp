@@ -72,10 +72,6 @@ void totals_line(PanelContext& ctx, const CavityTable& table) {
   record(ctx, "cavities.totals");
 }
 
-float button_width(const char* label) {
-  return ImGui::CalcTextSize(label).x + 2 * ImGui::GetStyle().FramePadding.x;
-}
-
 void comparable_line(PanelContext& ctx, const BallReferences& atoms) {
   constexpr const char *kComparable = "comparable with CASTp", *kNot = "not comparable with CASTp",
                        *kUse = "Use CASTp's choices";

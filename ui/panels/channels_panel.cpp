@@ -72,9 +72,7 @@ void take_answer(const PanelContext& ctx, ChannelMemory& memory,
 void look_across(PanelContext& ctx, const Channel& channel, std::size_t from, std::size_t to) {
   const RealPoint line =
       channel.samples[to].position_angstrom - channel.samples[from].position_angstrom;
-  if (line == RealPoint{}) return;
-  const RealPoint unit = unit_vector(line);
-  ctx.state.requests.look_across = {unit.x, unit.y, unit.z};
+  if (line != RealPoint{}) ctx.state.requests.look_across = unit_vector(line);
 }
 
 // Seen from an end, what is outside hides it.
@@ -218,9 +216,7 @@ void details(PanelContext& ctx, const ChannelMemory& memory, bool current) {
   if (button(ctx, "channels.show", "Show the bottleneck")) select_bottleneck(ctx, memory);
   tooltip(ctx, "Selects the atoms that touch it, and the view goes there, across the line.");
   ImGui::SameLine(0, ctx.px(8));
-  if (button(ctx, "channels.across", "From the side")) {
-    look_across_line(ctx, channel);
-  }
+  if (button(ctx, "channels.across", "From the side")) look_across_line(ctx, channel);
   tooltip(ctx, "Turns the view until it looks across the whole line, and shows all of it.");
   ImGui::SameLine(0, ctx.px(8));
   const RecordSource source = source_on_screen(ctx);

@@ -234,12 +234,10 @@ void draw_head(PanelContext& ctx) {
   const bool list = !m.open || m.list;
   const char* close = m.open ? "Close the lesson" : "Close";
   const char* other = list ? "Back to the lesson" : "All";
-  const auto width = [](const char* label) {
-    return ImGui::CalcTextSize(label).x + 2 * ImGui::GetStyle().FramePadding.x;
-  };
   const char* size = ctx.state.presenter_size ? "Smaller" : "Larger";
   const float gap = ctx.px(4), right = ImGui::GetWindowContentRegionMax().x;
-  const float buttons = width(close) + gap + (m.open ? width(other) + gap : 0) + width(size);
+  const float buttons =
+      button_width(close) + gap + (m.open ? button_width(other) + gap : 0) + button_width(size);
   ImGui::AlignTextToFramePadding();
   if (ImGui::CalcTextSize("Lessons").x + ctx.px(12) + buttons <= right) {
     strong_text(ctx, "Lessons");
@@ -254,10 +252,10 @@ void draw_head(PanelContext& ctx) {
                                         : "Presenter size: text, controls and lines larger, for a "
                                           "projector. Also in the View menu.");
   if (m.open) {
-    ImGui::SameLine(right - width(close) - gap - width(other));
+    ImGui::SameLine(right - button_width(close) - gap - button_width(other));
     if (button(ctx, "lesson.other", other, {0, 0}, ButtonKind::quiet)) m.list = !m.list;
   }
-  ImGui::SameLine(right - width(close));
+  ImGui::SameLine(right - button_width(close));
   if (button(ctx, "lesson.close", close, {0, 0}, ButtonKind::quiet)) {
     if (m.open) {
       ctx.state.requests.close_lesson = true;

@@ -30,6 +30,13 @@ fs::path folder_to_offer(const ViewState& s) {
   return fs::current_path(ignored);
 }
 
+std::string why_no_name(const fs::path& path) {
+  std::error_code ignored;
+  if (path.empty()) return "Give the file a name.";
+  if (path.has_filename() && !fs::is_directory(path, ignored)) return {};
+  return "This is a folder. Write the name of a file behind it.";
+}
+
 }  // namespace
 
 void propose_file(PanelContext& ctx, const char* title, const std::string& dialog,
@@ -100,17 +107,6 @@ void two_small_lines(PanelContext& ctx, const char* name, const Colour& colour,
   }
   ImGui::PopFont();
 }
-
-namespace {
-
-std::string why_no_name(const fs::path& path) {
-  std::error_code ignored;
-  if (path.empty()) return "Give the file a name.";
-  if (path.has_filename() && !fs::is_directory(path, ignored)) return {};
-  return "This is a folder. Write the name of a file behind it.";
-}
-
-}  // namespace
 
 bool save_target(PanelContext& ctx, const std::string& dialog, const std::vector<fs::path>& files,
                  const std::string& fault) {

@@ -209,8 +209,7 @@ void draw_step_counts(PanelContext& ctx, float width) {
   checkbox(ctx, "steps.marks", "Draw", memory.marks);
   tooltip(ctx, "Draws the step in the picture. Balls and complex become pale meanwhile.");
   constexpr const char* kLook = "Look at it";
-  same_line_where_it_fits(ImGui::CalcTextSize(kLook).x + 2 * ImGui::GetStyle().FramePadding.x,
-                          ctx.px(10));
+  same_line_where_it_fits(button_width(kLook), ctx.px(10));
   if (button(ctx, "steps.look", kLook)) memory.look = true;
   tooltip(ctx, "Brings the ball and its neighbours into the middle of the view.");
   ImGui::PushFont(ctx.fonts.small);

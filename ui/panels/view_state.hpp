@@ -27,6 +27,7 @@
 #include "core/document/reference.hpp"
 #include "core/engine/cold_and_warm.hpp"
 #include "core/engine/gpu_device.hpp"
+#include "core/geometry/real_point.hpp"
 #include "core/molecule/selection_expression.hpp"
 #include "ui/layer.hpp"
 #include "ui/panels/alpha_memory.hpp"
@@ -71,11 +72,11 @@ struct Requests {
   std::optional<SaveTableRequest> save_table;
   std::optional<ExportRequest> export_complex;
   bool compare = false, cancel = false, cancel_compare = false, cancel_save = false;
-  bool compute_anew = false;                         // set-up included, for its cold time
-  std::optional<double> zoom;                        // how many times as large
-  std::optional<std::array<double, 3>> look_from;    // from the middle of the view to the viewer
-  std::optional<std::array<double, 3>> look_across;  // a line; the view turns no more than it must
-  std::string save_view, go_to_view;                 // names of saved cameras; empty: none
+  bool compute_anew = false;                       // set-up included, for its cold time
+  std::optional<double> zoom;                      // how many times as large
+  std::optional<std::array<double, 3>> look_from;  // from the middle of the view to the viewer
+  std::optional<RealPoint> look_across;            // a line; the view turns no more than it must
+  std::string save_view, go_to_view;               // names of saved cameras; empty: none
   bool reset_view = false, zoom_to_selection = false, quit = false;
   RefSet zoom_to, centre_on;  // what is to fill the view, and to be its middle; empty: nothing
   std::string copy;           // into the clipboard; empty: nothing

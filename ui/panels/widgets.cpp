@@ -58,6 +58,10 @@ bool button(PanelContext& ctx, const char* name, const char* label, ImVec2 size,
   return clicked;
 }
 
+float button_width(const char* label) {
+  return ImGui::CalcTextSize(label).x + 2 * ImGui::GetStyle().FramePadding.x;
+}
+
 void same_line_where_it_fits(float width, float gap) {
   const float right = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
   if (ImGui::GetItemRectMax().x + gap + width <= right) ImGui::SameLine(0, gap);

@@ -41,6 +41,8 @@ void record(PanelContext& ctx, const char* name);
 enum class ButtonKind : std::uint8_t { normal, primary, quiet };
 bool button(PanelContext& ctx, const char* name, const char* label, ImVec2 size = {0, 0},
             ButtonKind kind = ButtonKind::normal);
+// Of a button that is as wide as its label needs, pixels.
+float button_width(const char* label);
 // The next item, so wide (pixels), stays in the line when it has room there behind a gap.
 void same_line_where_it_fits(float width, float gap);
 

@@ -1,0 +1,16 @@
+// Places in sentences.
+#pragma once
+
+#include <string>
+
+#include "core/geometry/real_point.hpp"
+#include "core/text/fixed_digits.hpp"
+
+namespace alphascope {
+
+// "1.000, -2.500, 0.000": three decimals, without its unit.
+inline std::string point_text(const RealPoint& p) {
+  return fixed_digits(p.x, 3) + ", " + fixed_digits(p.y, 3) + ", " + fixed_digits(p.z, 3);
+}
+
+}  // namespace alphascope

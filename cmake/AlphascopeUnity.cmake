@@ -97,7 +97,7 @@ function(alphascope_any_of list any)
   endforeach()
 endfunction()
 
-# Combines sources of TARGET, at most SIZE and of one folder: never two that have a name each for
+# Combines sources of TARGET, at most SIZE and of one folder or those below it: never two that have a name each for
 # themselves, and none that has one for itself that a header has as well, unless both are functions:
 # these overload each other, and what is ambiguous does not compile.
 function(alphascope_unity target size)
@@ -135,10 +135,11 @@ function(alphascope_unity target size)
       continue()
     endif()
     set(names ${functions} ${others})
-    string(REPLACE "/" "_" folder ${folder})
+    string(REGEX REPLACE "^([^/]+/[^/]+).*" "\\1" hall ${folder})
+    string(REPLACE "/" "_" hall ${hall})
     set(n 1)
     while(TRUE)  # the first group with room and without these names
-      set(group ${folder}_${n})
+      set(group ${hall}_${n})
       list(LENGTH members_${group} members)
       set(rest ${names})
       if(names AND names_${group})

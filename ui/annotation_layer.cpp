@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "core/explain/power_diagram.hpp"
-#include "core/molecule/atom_address.hpp"
+#include "core/selection/atom_address.hpp"
 #include "ui/number_text.hpp"
 
 namespace alphascope {

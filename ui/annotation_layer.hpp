@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-#include "core/document/annotations.hpp"
+#include "core/document/reference/annotations.hpp"
 #include "ui/layer.hpp"
 
 namespace alphascope {

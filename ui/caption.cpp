@@ -4,8 +4,8 @@
 #include <cstdint>
 
 #include "core/geometry/alpha.hpp"
-#include "core/molecule/grouped_number.hpp"
-#include "core/molecule/printable.hpp"
+#include "core/text/grouped_number.hpp"
+#include "core/text/printable.hpp"
 #include "ui/number_text.hpp"
 
 namespace alphascope {

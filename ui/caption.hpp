@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "core/document/answer.hpp"
-#include "core/document/caption_parts.hpp"
+#include "core/document/picture/caption_parts.hpp"
+#include "core/document/store/answer.hpp"
 
 namespace alphascope {
 

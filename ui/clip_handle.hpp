@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/document/clip.hpp"
+#include "core/document/settings/clip.hpp"
 
 namespace alphascope {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/document/paint_balls.hpp"
+#include "core/document/measures/paint_balls.hpp"
 #include "ui/theme.hpp"
 
 namespace alphascope {

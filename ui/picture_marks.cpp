@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/chart/nice_step.hpp"
-#include "core/molecule/grouped_number.hpp"
+#include "core/text/grouped_number.hpp"
 #include "ui/caption.hpp"
 #include "ui/number_text.hpp"
 

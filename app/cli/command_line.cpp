@@ -5,9 +5,9 @@
 
 #include "app/cli/command_table.hpp"
 #include "app/cli/failure.hpp"
-#include "app/cli/terminal.hpp"
+#include "app/cli/text/terminal.hpp"
 #include "app/options/parse_arguments.hpp"
-#include "core/molecule/printable.hpp"
+#include "core/text/printable.hpp"
 #include "core/text/text_parts.hpp"
 
 namespace alphascope::cli {

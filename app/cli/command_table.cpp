@@ -7,7 +7,7 @@
 #include "app/options/did_you_mean.hpp"
 #include "app/options/option_values.hpp"
 #include "app/session/version.hpp"
-#include "core/document/complex_export.hpp"
+#include "core/document/export/complex_export.hpp"
 
 namespace alphascope::cli {
 namespace {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/cli/commands.hpp"
-#include "app/cli/steps.hpp"
+#include "app/cli/commands/steps.hpp"
 #include "app/options/option_table.hpp"
 
 namespace alphascope::cli {

@@ -1,8 +1,8 @@
 // The options of alphascope-cli steps.
 #include <stdexcept>
 
+#include "app/cli/commands/steps.hpp"
 #include "app/cli/option_groups.hpp"
-#include "app/cli/steps.hpp"
 #include "app/options/option_values.hpp"
 
 namespace alphascope::cli {

@@ -12,12 +12,12 @@
 #include "app/session/engine_cache.hpp"
 #include "app/session/open_molecule.hpp"
 #include "core/cavity/cavities.hpp"
-#include "core/document/annotations.hpp"
-#include "core/document/appearance.hpp"
-#include "core/document/caption_parts.hpp"
-#include "core/document/measure_names.hpp"
-#include "core/document/paint.hpp"
-#include "core/document/recording.hpp"
+#include "core/document/measures/measure_names.hpp"
+#include "core/document/picture/caption_parts.hpp"
+#include "core/document/picture/recording.hpp"
+#include "core/document/reference/annotations.hpp"
+#include "core/document/reference/appearance.hpp"
+#include "core/document/settings/paint.hpp"
 
 namespace alphascope::cli {
 
@@ -38,7 +38,7 @@ struct InputOptions {
   std::string hydrogens = "auto", altlocs = "best";
   bool waters = false, dummies = false, no_ligands = false, no_ions = false, no_polymers = false;
   std::vector<std::string> chains, without_chains, treated;
-  std::string select;    // core/molecule/selection_expression.hpp
+  std::string select;    // core/selection/selection_expression.hpp
   std::string assembly;  // id, empty = as deposited
 };
 
@@ -128,7 +128,7 @@ struct ExportOptions {
   InputOptions input;
   Request request;
   std::filesystem::path out;  // "-" for standard output
-  std::string as;             // an id of core/document/complex_export.hpp; empty: by out's ending
+  std::string as;  // an id of core/document/export/complex_export.hpp; empty: by out's ending
   std::string colours = "element";
 };
 

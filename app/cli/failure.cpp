@@ -4,9 +4,9 @@
 #include <new>
 #include <stdexcept>
 
-#include "app/cli/terminal.hpp"
-#include "core/io/atomic_file.hpp"
-#include "core/molecule/printable.hpp"
+#include "app/cli/text/terminal.hpp"
+#include "core/files/atomic_file.hpp"
+#include "core/text/printable.hpp"
 
 namespace alphascope::cli {
 namespace {

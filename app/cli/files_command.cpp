@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "app/cli/terminal.hpp"
+#include "app/cli/text/terminal.hpp"
 
 namespace alphascope::cli {
 namespace {

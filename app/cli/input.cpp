@@ -6,14 +6,14 @@
 #include <charconv>
 #include <chrono>
 
-#include "app/cli/terminal.hpp"
-#include "app/cli/text.hpp"
+#include "app/cli/text/terminal.hpp"
+#include "app/cli/text/text.hpp"
 #include "app/options/did_you_mean.hpp"
-#include "core/document/cavity_preset.hpp"
-#include "core/io/user_radii.hpp"
-#include "core/molecule/printable.hpp"
-#include "core/molecule/selection_expression.hpp"
-#include "core/molecule/treatments.hpp"
+#include "core/document/settings/cavity_preset.hpp"
+#include "core/read/user_radii.hpp"
+#include "core/selection/selection_expression.hpp"
+#include "core/selection/treatments.hpp"
+#include "core/text/printable.hpp"
 
 namespace alphascope::cli {
 namespace {

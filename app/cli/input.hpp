@@ -5,7 +5,7 @@
 #include <string>
 
 #include "app/cli/commands.hpp"
-#include "core/molecule/provenance.hpp"
+#include "core/selection/provenance.hpp"
 
 namespace alphascope::cli {
 

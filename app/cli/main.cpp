@@ -1,6 +1,6 @@
 // alphascope-cli: the exact alpha complex of a molecule, without a window.
 #include "app/cli/command_line.hpp"
-#include "app/cli/terminal.hpp"
+#include "app/cli/text/terminal.hpp"
 
 int main(int argc, char** argv) {
   alphascope::cli::set_up_signals();

@@ -5,9 +5,9 @@
 #include <sstream>
 
 #include "app/cli/failure.hpp"
-#include "app/cli/terminal.hpp"
-#include "app/cli/text.hpp"
-#include "core/io/small_text.hpp"
+#include "app/cli/text/terminal.hpp"
+#include "app/cli/text/text.hpp"
+#include "core/files/small_text.hpp"
 
 namespace alphascope::cli {
 namespace {

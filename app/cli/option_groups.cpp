@@ -3,7 +3,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "core/molecule/radii_set.hpp"
+#include "core/radii/radii_set.hpp"
 
 namespace alphascope::cli {
 

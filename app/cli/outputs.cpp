@@ -7,9 +7,9 @@
 #include <cerrno>
 #include <optional>
 
-#include "app/cli/terminal.hpp"
-#include "core/io/output_ending.hpp"
-#include "core/io/regular_file.hpp"
+#include "app/cli/text/terminal.hpp"
+#include "core/files/output_ending.hpp"
+#include "core/files/regular_file.hpp"
 
 namespace alphascope::cli {
 namespace {

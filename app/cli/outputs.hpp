@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "app/cli/commands.hpp"
-#include "core/io/atomic_file.hpp"
+#include "core/files/atomic_file.hpp"
 
 namespace alphascope::cli {
 

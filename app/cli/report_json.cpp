@@ -1,6 +1,6 @@
 #include "app/cli/report_json.hpp"
 
-#include "app/cli/terminal.hpp"
+#include "app/cli/text/terminal.hpp"
 #include "app/session/result_header.hpp"
 
 namespace alphascope::cli {

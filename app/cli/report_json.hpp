@@ -5,8 +5,8 @@
 
 #include "app/cli/input.hpp"
 #include "core/complex/compare.hpp"
-#include "core/document/record_json.hpp"
-#include "core/io/write_complex.hpp"
+#include "core/document/export/record_json.hpp"
+#include "core/write/write_complex.hpp"
 
 namespace alphascope::cli {
 

@@ -1,7 +1,7 @@
 #include "app/cli/result_files.hpp"
 
-#include "app/cli/terminal.hpp"
-#include "core/molecule/printable.hpp"
+#include "app/cli/text/terminal.hpp"
+#include "core/text/printable.hpp"
 
 namespace alphascope::cli {
 namespace {

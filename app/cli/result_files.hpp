@@ -6,8 +6,8 @@
 
 #include "app/cli/many_files.hpp"
 #include "app/cli/report_json.hpp"
-#include "core/io/atomic_file.hpp"
-#include "core/io/csv.hpp"
+#include "core/files/atomic_file.hpp"
+#include "core/write/csv.hpp"
 
 namespace alphascope::cli {
 

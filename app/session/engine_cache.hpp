@@ -8,7 +8,7 @@
 #include <string>
 
 #include "app/session/engines.hpp"
-#include "core/document/answer.hpp"
+#include "core/document/store/answer.hpp"
 
 namespace alphascope {
 

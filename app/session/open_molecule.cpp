@@ -2,10 +2,10 @@
 
 #include <utility>
 
-#include "core/io/user_radii.hpp"
 #include "core/molecule/assembly.hpp"
-#include "core/molecule/residue_groups.hpp"
-#include "core/molecule/treatments.hpp"
+#include "core/read/user_radii.hpp"
+#include "core/selection/residue_groups.hpp"
+#include "core/selection/treatments.hpp"
 
 namespace alphascope {
 namespace {

@@ -5,11 +5,11 @@
 #include <memory>
 #include <vector>
 
-#include "core/document/open_options.hpp"
+#include "core/document/settings/open_options.hpp"
 #include "core/molecule/assembly.hpp"
-#include "core/molecule/contents.hpp"
-#include "core/molecule/prepare_balls.hpp"
-#include "core/molecule/residue_groups.hpp"
+#include "core/selection/contents.hpp"
+#include "core/selection/prepare_balls.hpp"
+#include "core/selection/residue_groups.hpp"
 
 namespace alphascope {
 

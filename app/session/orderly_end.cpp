@@ -12,7 +12,7 @@
 #include <new>
 #include <typeinfo>
 
-#include "core/io/atomic_file.hpp"
+#include "core/files/atomic_file.hpp"
 
 namespace alphascope {
 namespace {

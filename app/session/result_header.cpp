@@ -3,7 +3,7 @@
 
 #include "app/session/rounding_note.hpp"
 #include "app/session/version.hpp"
-#include "core/molecule/shortest_number.hpp"
+#include "core/geometry/shortest_number.hpp"
 
 namespace alphascope {
 

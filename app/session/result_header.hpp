@@ -4,10 +4,10 @@
 #include <string>
 #include <string_view>
 
-#include "core/document/answer.hpp"
-#include "core/document/record_source.hpp"
-#include "core/io/write_complex.hpp"
-#include "core/molecule/provenance.hpp"
+#include "core/document/export/record_source.hpp"
+#include "core/document/store/answer.hpp"
+#include "core/selection/provenance.hpp"
+#include "core/write/write_complex.hpp"
 
 namespace alphascope {
 

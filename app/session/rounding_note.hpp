@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "core/document/request.hpp"
+#include "core/document/settings/request.hpp"
 #include "core/geometry/ball_set.hpp"
 
 namespace alphascope {

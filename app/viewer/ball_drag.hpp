@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "core/molecule/sandbox.hpp"
-#include "ui/scene/box_tree.hpp"
+#include "ui/scene/pick/box_tree.hpp"
 
 namespace alphascope {
 

@@ -1,7 +1,7 @@
 // Which changes belong together: those between a press of a mouse button or key and its release.
 #pragma once
 
-#include "core/document/editor.hpp"
+#include "core/document/session/editor.hpp"
 
 namespace alphascope {
 

@@ -1,10 +1,10 @@
 // See the header.
 #include "app/viewer/hit_text.hpp"
 
-#include "core/document/explanation_text.hpp"
-#include "core/molecule/atom_address.hpp"
-#include "ui/panels/ball_text.hpp"
-#include "ui/panels/format.hpp"
+#include "core/document/explain/explanation_text.hpp"
+#include "core/selection/atom_address.hpp"
+#include "ui/panels/explain/ball_text.hpp"
+#include "ui/widgets/format.hpp"
 
 namespace alphascope {
 namespace {

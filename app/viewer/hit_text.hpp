@@ -3,9 +3,9 @@
 
 #include <string>
 
-#include "core/document/reference.hpp"
-#include "core/document/request.hpp"
-#include "ui/scene/pick.hpp"
+#include "core/document/reference/reference.hpp"
+#include "core/document/settings/request.hpp"
+#include "ui/scene/pick/pick.hpp"
 
 namespace alphascope {
 

@@ -15,15 +15,15 @@
 #include "app/session/orderly_end.hpp"
 #include "app/session/system_memory.hpp"
 #include "app/viewer/options.hpp"
-#include "app/viewer/script.hpp"
+#include "app/viewer/script/script.hpp"
 #include "app/viewer/viewer.hpp"
-#include "core/document/preferences.hpp"
-#include "core/document/session_file.hpp"
-#include "core/io/atomic_file.hpp"
-#include "core/io/read_error.hpp"
-#include "core/io/small_text.hpp"
-#include "core/molecule/printable.hpp"
-#include "core/molecule/shortest_number.hpp"
+#include "core/document/session/preferences.hpp"
+#include "core/document/session/session_file.hpp"
+#include "core/files/atomic_file.hpp"
+#include "core/files/read_error.hpp"
+#include "core/files/small_text.hpp"
+#include "core/geometry/shortest_number.hpp"
+#include "core/text/printable.hpp"
 
 namespace alphascope {
 namespace {

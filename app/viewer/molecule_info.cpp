@@ -7,9 +7,9 @@
 #include <tuple>
 
 #include "core/geometry/grown_radius.hpp"
-#include "core/molecule/grouped_number.hpp"
-#include "core/molecule/printable.hpp"
-#include "ui/panels/format.hpp"
+#include "core/text/grouped_number.hpp"
+#include "core/text/printable.hpp"
+#include "ui/widgets/format.hpp"
 
 namespace alphascope {
 namespace {

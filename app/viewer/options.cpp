@@ -7,12 +7,12 @@
 #include "app/options/exit_code.hpp"
 #include "app/options/option_values.hpp"
 #include "app/options/parse_arguments.hpp"
-#include "app/viewer/script.hpp"
-#include "core/document/display_preset.hpp"
-#include "core/document/frame_names.hpp"
-#include "core/document/number_input.hpp"
-#include "core/document/recording.hpp"
-#include "core/io/output_ending.hpp"
+#include "app/viewer/script/script.hpp"
+#include "core/document/commands/number_input.hpp"
+#include "core/document/picture/frame_names.hpp"
+#include "core/document/picture/recording.hpp"
+#include "core/document/settings/display_preset.hpp"
+#include "core/files/output_ending.hpp"
 
 namespace alphascope {
 namespace {

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "core/geometry/grown_radius.hpp"
-#include "ui/panels/format.hpp"
+#include "ui/widgets/format.hpp"
 
 namespace alphascope {
 namespace {

@@ -9,14 +9,14 @@
 
 #include "app/session/result_header.hpp"
 #include "app/session/system_memory.hpp"
-#include "app/viewer/commands.hpp"
+#include "app/viewer/commands/commands.hpp"
 #include "app/viewer/molecule_info.hpp"
 #include "app/viewer/resources.hpp"
 #include "app/viewer/state_bridge.hpp"
-#include "core/document/display_preset.hpp"
+#include "core/document/settings/display_preset.hpp"
 #include "core/run/freed_elsewhere.hpp"
 #include "core/run/freed_memory.hpp"
-#include "ui/panels/format.hpp"
+#include "ui/widgets/format.hpp"
 
 namespace alphascope {
 namespace {

@@ -2,8 +2,8 @@
 #include <utility>
 
 #include "app/viewer/viewer.hpp"
-#include "core/document/cavity_curve_results.hpp"
-#include "core/document/derived.hpp"
+#include "core/document/cavities/cavity_curve_results.hpp"
+#include "core/document/store/derived.hpp"
 
 namespace alphascope {
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "app/viewer/viewer.hpp"
-#include "ui/panels/window_layout.hpp"
-#include "ui/scene/frame_grab.hpp"
+#include "ui/panels/frame/window_layout.hpp"
+#include "ui/scene/picture/frame_grab.hpp"
 
 namespace alphascope {
 namespace {

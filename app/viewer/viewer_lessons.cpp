@@ -6,8 +6,8 @@
 #include "app/viewer/molecule_info.hpp"
 #include "app/viewer/resources.hpp"
 #include "app/viewer/viewer.hpp"
-#include "core/document/display_preset.hpp"
-#include "core/io/read_error.hpp"
+#include "core/document/settings/display_preset.hpp"
+#include "core/files/read_error.hpp"
 
 namespace alphascope {
 namespace {

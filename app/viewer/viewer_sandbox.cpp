@@ -6,7 +6,7 @@
 #include <variant>
 
 #include "app/viewer/viewer.hpp"
-#include "ui/panels/sandbox_edit.hpp"
+#include "ui/panels/sandbox/sandbox_edit.hpp"
 
 namespace alphascope {
 namespace {

@@ -1,6 +1,6 @@
 // Saving pictures, tables and exports: started here, done elsewhere.
 #include "app/viewer/viewer.hpp"
-#include "ui/panels/controls.hpp"
+#include "ui/widgets/controls.hpp"
 
 namespace alphascope {
 namespace {

@@ -5,7 +5,7 @@
 #include "app/session/result_header.hpp"
 #include "app/viewer/molecule_info.hpp"
 #include "app/viewer/viewer.hpp"
-#include "core/molecule/printable.hpp"
+#include "core/text/printable.hpp"
 
 namespace alphascope {
 

@@ -7,8 +7,8 @@
 
 #include "app/viewer/state_bridge.hpp"
 #include "app/viewer/viewer.hpp"
-#include "core/document/derived.hpp"
-#include "core/molecule/printable.hpp"
+#include "core/document/store/derived.hpp"
+#include "core/text/printable.hpp"
 
 namespace alphascope {
 namespace {

@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "core/molecule/grouped_number.hpp"
+#include "core/text/grouped_number.hpp"
 
 namespace alphascope {
 namespace {

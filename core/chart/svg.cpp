@@ -5,7 +5,7 @@
 
 #include "core/chart/layout.hpp"
 #include "core/chart/xml_text.hpp"
-#include "core/io/atomic_file.hpp"
+#include "core/files/atomic_file.hpp"
 
 namespace alphascope {
 namespace {

@@ -1,5 +1,5 @@
 // Why is a simplex in the alpha complex, or not? The facts, as numbers; sentences are made of them
-// by core/document/explanation_text.hpp. Only the neighbourhood of the simplex is computed.
+// by core/document/explain/explanation_text.hpp. Only the neighbourhood of the simplex is computed.
 #pragma once
 
 #include <array>

@@ -9,7 +9,7 @@
 
 #include "core/geometry/ball_set.hpp"
 #include "core/molecule/molecule.hpp"
-#include "core/molecule/printable.hpp"
+#include "core/text/printable.hpp"
 
 namespace alphascope {
 namespace {

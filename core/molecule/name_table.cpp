@@ -2,7 +2,7 @@
 
 #include <cstring>
 
-#include "core/molecule/printable.hpp"
+#include "core/text/printable.hpp"
 
 namespace alphascope {
 

@@ -1,5 +1,5 @@
 // Why a residue counts as polymer, ligand, ion, water or dummy: the evidence or the guess that
-// decided. Decided once, after reading, by core/io/decide_residues.hpp.
+// decided. Decided once, after reading, by core/read/residues/decide_residues.hpp.
 #pragma once
 
 #include <cstddef>

@@ -17,10 +17,10 @@
 #include <vector>
 
 #include "core/cavity/cavity_measures.hpp"
-#include "core/io/read_molecule.hpp"
-#include "core/molecule/prepare_balls.hpp"
+#include "core/read/read_molecule.hpp"
+#include "core/selection/prepare_balls.hpp"
 #include "core/triangulation/cgal_triangulation.hpp"
-#include "tests/support/cavity_reference.hpp"
+#include "tests/support/reference/cavity_reference.hpp"
 
 namespace {
 

@@ -1,6 +1,6 @@
 #include "tests/bench/cgal_parallel.hpp"
 
-#include "tests/support/cgal_cells.hpp"
+#include "tests/support/reference/cgal_cells.hpp"
 
 namespace alphascope::testing {
 

@@ -1,8 +1,8 @@
-// CGAL's own parallel triangulation. Apart from tests/support/cgal_reference, which every test of
-// an engine needs: it takes as long to compile.
+// CGAL's own parallel triangulation. Apart from tests/support/reference/cgal_reference, which every
+// test of an engine needs: it takes as long to compile.
 #pragma once
 
-#include "tests/support/cgal_reference.hpp"
+#include "tests/support/reference/cgal_reference.hpp"
 
 namespace alphascope::testing {
 

@@ -14,8 +14,8 @@
 
 #include "core/engine/engine.hpp"
 #include "tests/bench/cgal_parallel.hpp"
-#include "tests/support/cgal_reference.hpp"
 #include "tests/support/molecules.hpp"
+#include "tests/support/reference/cgal_reference.hpp"
 
 namespace {
 

@@ -13,10 +13,10 @@
 #include <exception>
 #include <string>
 
-#include "core/cavity/bottlenecks.hpp"
-#include "core/cavity/cavity_places.hpp"
 #include "core/cavity/cavity_table.hpp"
-#include "core/cavity/channel.hpp"
+#include "core/cavity_shape/cavity_places.hpp"
+#include "core/channel/bottlenecks.hpp"
+#include "core/channel/channel.hpp"
 #include "core/triangulation/cgal_triangulation.hpp"
 #include "tests/bench/read_balls.hpp"
 

@@ -14,7 +14,7 @@
 #include <string>
 
 #include "tests/support/engines.hpp"
-#include "tests/support/oracle_check.hpp"
+#include "tests/support/reference/oracle_check.hpp"
 
 namespace {
 

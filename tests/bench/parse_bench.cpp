@@ -19,9 +19,9 @@
 #include <string>
 #include <vector>
 
-#include "core/io/read_molecule.hpp"
-#include "core/io/readers.hpp"
-#include "core/io/text_file.hpp"
+#include "core/files/text_file.hpp"
+#include "core/read/read_molecule.hpp"
+#include "core/read/readers.hpp"
 
 namespace {
 

@@ -11,10 +11,10 @@
 #include <string>
 
 #include "core/engine/engine.hpp"
-#include "core/io/read_molecule.hpp"
-#include "core/molecule/prepare_balls.hpp"
+#include "core/read/read_molecule.hpp"
+#include "core/selection/prepare_balls.hpp"
 #include "ui/scene/camera.hpp"
-#include "ui/scene/pick.hpp"
+#include "ui/scene/pick/pick.hpp"
 
 namespace {
 

@@ -9,9 +9,9 @@
 #include <string>
 
 #include "core/engine/engine.hpp"
-#include "core/io/read_molecule.hpp"
 #include "core/molecule/atom_colours.hpp"
-#include "core/molecule/prepare_balls.hpp"
+#include "core/read/read_molecule.hpp"
+#include "core/selection/prepare_balls.hpp"
 #include "ui/scene/scene.hpp"
 #include "ui/window/egl_context.hpp"
 

@@ -1,6 +1,7 @@
 // Every predicate and filter against GMP, on random, nearly degenerate and extreme balls: see
-// tests/support/predicate_check.hpp. Prints how many calls there were, how often filters did not
-// know, how many ties; and the first wrong answer, with the balls. Exit status 1 if there is one.
+// tests/support/reference/predicate_check.hpp. Prints how many calls there were, how often filters
+// did not know, how many ties; and the first wrong answer, with the balls. Exit status 1 if there
+// is one.
 //
 //   alphascope_predicate_check CALLS SEED [THREADS]     e.g. 1e8 1
 //   alphascope_predicate_check --number NUMBER SEED     only the balls of this number
@@ -14,7 +15,7 @@
 #include <thread>
 #include <vector>
 
-#include "tests/support/predicate_check.hpp"
+#include "tests/support/reference/predicate_check.hpp"
 
 namespace {
 

@@ -1,8 +1,8 @@
 // Any bytes as a file whose name ends with one of our extensions, chosen by the first byte: the
 // format must be told and its reader keep its promises, or a ReadError say what the file looks
 // like.
-#include "core/io/readers.hpp"
-#include "core/io/sniff_format.hpp"
+#include "core/read/readers.hpp"
+#include "core/read/sniff_format.hpp"
 #include "tests/fuzz/check_molecule.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {

@@ -4,9 +4,9 @@
 #include <cstdlib>
 #include <stdexcept>
 
-#include "core/io/read_error.hpp"
-#include "core/molecule/prepare_balls.hpp"
-#include "core/molecule/printable.hpp"
+#include "core/files/read_error.hpp"
+#include "core/selection/prepare_balls.hpp"
+#include "core/text/printable.hpp"
 
 namespace alphascope::fuzz {
 

@@ -1,5 +1,5 @@
 // Any bytes as gzip data: a text within the limit, or a ReadError.
-#include "core/io/gzip.hpp"
+#include "core/files/gzip.hpp"
 #include "tests/fuzz/check_molecule.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {

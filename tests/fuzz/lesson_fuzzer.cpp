@@ -1,9 +1,9 @@
 // Any bytes as a lesson: one with at least a step, all of whose facts are known, or a ReadError.
 #include <cstdlib>
 
-#include "core/document/lesson.hpp"
-#include "core/document/lesson_facts.hpp"
-#include "core/io/read_error.hpp"
+#include "core/document/lessons/lesson.hpp"
+#include "core/document/lessons/lesson_facts.hpp"
+#include "core/files/read_error.hpp"
 
 namespace {
 

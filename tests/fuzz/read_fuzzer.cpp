@@ -1,5 +1,5 @@
 // Any bytes as a file of one format: a molecule that keeps its promises, or a ReadError.
-#include "core/io/readers.hpp"
+#include "core/read/readers.hpp"
 #include "tests/fuzz/check_molecule.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {

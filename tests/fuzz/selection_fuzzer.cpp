@@ -1,8 +1,8 @@
 // Any text as a selection expression, as addresses of atoms and as the operators of an assembly.
 #include <cstdlib>
 
-#include "core/molecule/atom_address.hpp"
-#include "core/molecule/selection_expression.hpp"
+#include "core/selection/atom_address.hpp"
+#include "core/selection/selection_expression.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {
   const std::string_view text(reinterpret_cast<const char*>(data), size);

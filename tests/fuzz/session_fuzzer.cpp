@@ -1,8 +1,8 @@
 // Any bytes as a session file: a session that is written and read again alike, or a ReadError.
 #include <cstdlib>
 
-#include "core/document/session_file.hpp"
-#include "core/io/read_error.hpp"
+#include "core/document/session/session_file.hpp"
+#include "core/files/read_error.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {
   const std::string_view text(reinterpret_cast<const char*>(data), size);

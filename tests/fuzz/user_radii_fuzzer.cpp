@@ -1,5 +1,5 @@
 // Any bytes as a user's table of radii: radii above 0 and at most 60 Å, or a ReadError.
-#include "core/io/user_radii.hpp"
+#include "core/read/user_radii.hpp"
 #include "tests/fuzz/check_molecule.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {

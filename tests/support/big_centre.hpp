@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/geometry/ball_set.hpp"
-#include "tests/support/rational_oracle.hpp"
+#include "tests/support/reference/rational_oracle.hpp"
 
 namespace alphascope::testing {
 

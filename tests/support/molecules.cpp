@@ -1,7 +1,7 @@
 #include "tests/support/molecules.hpp"
 
-#include "core/io/read_molecule.hpp"
-#include "core/molecule/prepare_balls.hpp"
+#include "core/read/read_molecule.hpp"
+#include "core/selection/prepare_balls.hpp"
 
 namespace alphascope::testing {
 namespace {

@@ -10,9 +10,9 @@
 #include <iostream>
 #include <string>
 
-#include "tests/ui/picture_difference.hpp"
-#include "tests/ui/png_pixels.hpp"
-#include "ui/scene/frame_grab.hpp"
+#include "tests/ui/scene/picture_difference.hpp"
+#include "tests/ui/scene/png_pixels.hpp"
+#include "ui/scene/picture/frame_grab.hpp"
 
 namespace alphascope::testing {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/engine/engine.hpp"
-#include "ui/scene/ball_geometry.hpp"
+#include "ui/scene/mesh/ball_geometry.hpp"
 
 namespace alphascope::testing {
 

@@ -11,10 +11,10 @@
 #include <string>
 
 #include "app/viewer/options.hpp"
-#include "app/viewer/script.hpp"
+#include "app/viewer/script/script.hpp"
 #include "app/viewer/viewer.hpp"
-#include "tests/ui/texture_pixels.hpp"
-#include "ui/scene/frame_grab.hpp"
+#include "tests/ui/scene/texture_pixels.hpp"
+#include "ui/scene/picture/frame_grab.hpp"
 
 namespace alphascope::testing {
 

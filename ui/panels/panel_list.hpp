@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "ui/panels/widgets.hpp"
+#include "ui/widgets/widgets.hpp"
 
 namespace alphascope {
 

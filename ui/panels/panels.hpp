@@ -2,7 +2,7 @@
 // controls and requests into it.
 #pragma once
 
-#include "ui/panels/widgets.hpp"
+#include "ui/widgets/widgets.hpp"
 
 namespace alphascope {
 

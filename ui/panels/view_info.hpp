@@ -10,9 +10,9 @@
 
 #include "core/geometry/real_point.hpp"
 #include "core/molecule/assembly.hpp"
-#include "core/molecule/contents.hpp"
-#include "core/molecule/prepare_balls.hpp"
-#include "core/molecule/residue_groups.hpp"
+#include "core/selection/contents.hpp"
+#include "core/selection/prepare_balls.hpp"
+#include "core/selection/residue_groups.hpp"
 #include "ui/clip_handle.hpp"
 #include "ui/picture_marks.hpp"
 #include "ui/view_problem.hpp"

@@ -8,8 +8,8 @@
 #include <span>
 #include <vector>
 
-#include "ui/scene/ball_geometry.hpp"
-#include "ui/scene/box_tree.hpp"
+#include "ui/scene/mesh/ball_geometry.hpp"
+#include "ui/scene/pick/box_tree.hpp"
 #include "ui/view_problem.hpp"
 
 namespace alphascope {

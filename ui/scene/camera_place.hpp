@@ -1,9 +1,9 @@
 // A viewpoint as session files keep it, and back.
 #pragma once
 
-#include "core/document/session_file.hpp"
-#include "ui/scene/ball_geometry.hpp"
+#include "core/document/session/session_file.hpp"
 #include "ui/scene/camera.hpp"
+#include "ui/scene/mesh/ball_geometry.hpp"
 
 namespace alphascope {
 

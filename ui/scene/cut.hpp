@@ -7,8 +7,8 @@
 #include <limits>
 #include <vector>
 
-#include "core/document/clip.hpp"
-#include "ui/scene/box_tree.hpp"
+#include "core/document/settings/clip.hpp"
+#include "ui/scene/pick/box_tree.hpp"
 
 namespace alphascope {
 

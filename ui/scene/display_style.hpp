@@ -1,9 +1,9 @@
 // What the display controls mean to scene and mesh: one place for the window and the command line.
 #pragma once
 
-#include "core/document/display.hpp"
-#include "core/document/request.hpp"
-#include "ui/scene/complex_mesh.hpp"
+#include "core/document/settings/display.hpp"
+#include "core/document/settings/request.hpp"
+#include "ui/scene/mesh/complex_mesh.hpp"
 #include "ui/scene/scene.hpp"
 
 namespace alphascope {

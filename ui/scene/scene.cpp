@@ -16,10 +16,10 @@
 #include <stdexcept>
 #include <utility>
 
-#include "ui/scene/frame_grab.hpp"
+#include "ui/scene/mesh/vtk_arrays.hpp"
+#include "ui/scene/picture/frame_grab.hpp"
+#include "ui/scene/picture/step_text.hpp"
 #include "ui/scene/scene_impl.hpp"
-#include "ui/scene/step_text.hpp"
-#include "ui/scene/vtk_arrays.hpp"
 
 namespace alphascope {
 namespace {

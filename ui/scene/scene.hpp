@@ -7,12 +7,12 @@
 #include <vector>
 
 #include "core/run/cancel_token.hpp"
-#include "ui/scene/ball_geometry.hpp"
-#include "ui/scene/ball_pick.hpp"
 #include "ui/scene/camera.hpp"
-#include "ui/scene/complex_mesh.hpp"
 #include "ui/scene/cut.hpp"
-#include "ui/scene/difference_mesh.hpp"
+#include "ui/scene/mesh/ball_geometry.hpp"
+#include "ui/scene/mesh/complex_mesh.hpp"
+#include "ui/scene/mesh/difference_mesh.hpp"
+#include "ui/scene/pick/ball_pick.hpp"
 #include "ui/scene/scene_data.hpp"
 #include "ui/theme.hpp"
 

@@ -6,11 +6,11 @@
 #include <memory>
 #include <vector>
 
-#include "ui/scene/ball_geometry.hpp"
-#include "ui/scene/cap_mesh.hpp"
-#include "ui/scene/complex_mesh.hpp"
-#include "ui/scene/difference_mesh.hpp"
-#include "ui/scene/layer_mesh.hpp"
+#include "ui/scene/mesh/ball_geometry.hpp"
+#include "ui/scene/mesh/cap_mesh.hpp"
+#include "ui/scene/mesh/complex_mesh.hpp"
+#include "ui/scene/mesh/difference_mesh.hpp"
+#include "ui/scene/mesh/layer_mesh.hpp"
 
 namespace alphascope {
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "ui/scene/sample_place.hpp"
+#include "ui/scene/gl/sample_place.hpp"
 #include "ui/scene/scene_impl.hpp"
 
 namespace alphascope {

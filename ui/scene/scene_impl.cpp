@@ -11,8 +11,8 @@
 #include <cmath>
 #include <utility>
 
-#include "ui/scene/cut_shader.hpp"
-#include "ui/scene/vtk_arrays.hpp"
+#include "ui/scene/gl/cut_shader.hpp"
+#include "ui/scene/mesh/vtk_arrays.hpp"
 
 namespace alphascope {
 namespace {

@@ -13,15 +13,15 @@
 #include <optional>
 #include <vector>
 
-#include "ui/scene/ball_mapper.hpp"
-#include "ui/scene/finish_pass.hpp"
-#include "ui/scene/mesh_actor.hpp"
-#include "ui/scene/picture_timer.hpp"
-#include "ui/scene/sample_mean.hpp"
+#include "ui/scene/gl/ball_mapper.hpp"
+#include "ui/scene/gl/finish_pass.hpp"
+#include "ui/scene/gl/mesh_actor.hpp"
+#include "ui/scene/gl/picture_timer.hpp"
+#include "ui/scene/gl/sample_mean.hpp"
+#include "ui/scene/mesh/vtk_arrays.hpp"
 #include "ui/scene/scene.hpp"
 #include "ui/scene/scene_renderer.hpp"
 #include "ui/scene/scene_window.hpp"
-#include "ui/scene/vtk_arrays.hpp"
 #include "ui/window/egl_context.hpp"
 
 namespace alphascope {

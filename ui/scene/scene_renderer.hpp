@@ -8,7 +8,7 @@
 #include <array>
 #include <functional>
 
-#include "ui/scene/translucent_sum.hpp"
+#include "ui/scene/gl/translucent_sum.hpp"
 
 namespace alphascope {
 

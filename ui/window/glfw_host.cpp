@@ -10,7 +10,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "ui/panels/keys.hpp"
+#include "ui/widgets/keys.hpp"
 #include "ui/window/egl_context.hpp"
 #include "ui/window/host.hpp"
 #include "ui/window/quiet_context.hpp"

@@ -11,8 +11,8 @@
 #include <cfloat>
 #include <iterator>
 
-#include "ui/panels/key_focus.hpp"
-#include "ui/panels/keys.hpp"
+#include "ui/widgets/key_focus.hpp"
+#include "ui/widgets/keys.hpp"
 #include "ui/window/egl_context.hpp"
 
 namespace alphascope {

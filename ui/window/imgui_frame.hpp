@@ -6,7 +6,7 @@
 #include <map>
 #include <string>
 
-#include "ui/panels/style.hpp"
+#include "ui/widgets/style.hpp"
 #include "ui/window/host.hpp"
 
 struct ImGuiContext;

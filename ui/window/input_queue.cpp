@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cfloat>
 
-#include "ui/panels/keys.hpp"
+#include "ui/widgets/keys.hpp"
 
 namespace alphascope {
 namespace {

@@ -16,7 +16,7 @@
 #include "core/triangulation/cgal_triangulation.hpp"
 #include "tests/support/molecules.hpp"
 #include "tests/support/random_balls.hpp"
-#include "tests/support/rational_cavities.hpp"
+#include "tests/support/reference/rational_cavities.hpp"
 #include "tests/support/sanitizer.hpp"
 
 namespace alphascope {

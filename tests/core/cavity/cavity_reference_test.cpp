@@ -11,8 +11,8 @@
 
 #include "core/cavity/cavity_measures.hpp"
 #include "core/triangulation/cgal_triangulation.hpp"
-#include "tests/support/cavity_reference.hpp"
 #include "tests/support/molecules.hpp"
+#include "tests/support/reference/cavity_reference.hpp"
 
 namespace alphascope {
 namespace {

@@ -6,7 +6,7 @@
 #include <array>
 #include <vector>
 
-#include "core/cavity/point_location.hpp"
+#include "core/cavity_identity/point_location.hpp"
 
 namespace alphascope::testing {
 

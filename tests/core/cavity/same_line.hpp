@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/cavity/channel.hpp"
+#include "core/channel/channel.hpp"
 
 namespace alphascope::testing {
 

@@ -15,13 +15,13 @@
 #include <vector>
 
 #include "core/cavity/cavity_depth.hpp"
-#include "core/cavity/cavity_identity.hpp"
 #include "core/cavity/cavity_lives.hpp"
-#include "core/cavity/cavity_mesh.hpp"
 #include "core/cavity/cavity_table.hpp"
 #include "core/cavity/gates.hpp"
 #include "core/cavity/network_parting.hpp"
-#include "core/cavity/network_radius.hpp"
+#include "core/cavity_identity/cavity_identity.hpp"
+#include "core/cavity_identity/network_radius.hpp"
+#include "core/cavity_shape/cavity_mesh.hpp"
 #include "core/triangulation/cgal_triangulation.hpp"
 #include "tests/core/cavity/chambers.hpp"
 #include "tests/support/molecules.hpp"

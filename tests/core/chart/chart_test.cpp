@@ -8,7 +8,7 @@
 #include "core/chart/layout.hpp"
 #include "core/chart/readable_number.hpp"
 #include "core/chart/svg.hpp"
-#include "core/io/atomic_file.hpp"
+#include "core/files/atomic_file.hpp"
 #include "tests/support/well_formed_xml.hpp"
 
 namespace alphascope {

@@ -8,11 +8,11 @@
 #include <memory>
 #include <vector>
 
-#include "core/document/dimension_words.hpp"
+#include "core/document/explain/dimension_words.hpp"
 #include "core/engine/engine.hpp"
 #include "core/predicates/spanning_balls.hpp"
 #include "tests/support/random_balls.hpp"
-#include "tests/support/rational_oracle.hpp"
+#include "tests/support/reference/rational_oracle.hpp"
 
 namespace alphascope {
 namespace {

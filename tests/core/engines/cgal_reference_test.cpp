@@ -5,10 +5,10 @@
 
 #include "core/complex/compare.hpp"
 #include "core/neighbours/coincident.hpp"
-#include "tests/support/cgal_reference.hpp"
 #include "tests/support/engines.hpp"
 #include "tests/support/molecules.hpp"
 #include "tests/support/random_balls.hpp"
+#include "tests/support/reference/cgal_reference.hpp"
 #include "tests/support/sanitizer.hpp"
 
 namespace alphascope {

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/engines.hpp"
-#include "tests/support/oracle_check.hpp"
+#include "tests/support/reference/oracle_check.hpp"
 #include "tests/support/sanitizer.hpp"
 
 namespace alphascope {

@@ -12,12 +12,12 @@
 #include <set>
 #include <stdexcept>
 
-#include "core/document/simplex_details.hpp"
+#include "core/document/explain/simplex_details.hpp"
 #include "core/explain/local_star.hpp"
 #include "core/triangulation/cgal_triangulation.hpp"
 #include "core/triangulation/filtration.hpp"
 #include "tests/support/random_balls.hpp"
-#include "tests/support/rational_oracle.hpp"
+#include "tests/support/reference/rational_oracle.hpp"
 
 namespace alphascope {
 namespace {

@@ -1,6 +1,6 @@
 // The sentences of explanations: every number in them with its unit, and what they say of each kind
 // of answer.
-#include "core/document/explanation_text.hpp"
+#include "core/document/explain/explanation_text.hpp"
 
 #include <gtest/gtest.h>
 

@@ -6,8 +6,8 @@
 #include <sstream>
 #include <string>
 
-#include "core/molecule/prepare_balls.hpp"
-#include "tests/core/io/temporary_file.hpp"
+#include "core/selection/prepare_balls.hpp"
+#include "tests/core/files/temporary_file.hpp"
 
 namespace alphascope {
 namespace {

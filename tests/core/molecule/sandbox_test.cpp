@@ -11,7 +11,7 @@
 
 #include "core/complex/compare.hpp"
 #include "core/engine/engine.hpp"
-#include "core/molecule/prepare_balls.hpp"
+#include "core/selection/prepare_balls.hpp"
 #include "tests/support/random_balls.hpp"
 #include "tests/support/sanitizer.hpp"
 

@@ -9,9 +9,9 @@
 #include "core/predicates/foot_predicate.hpp"
 #include "core/predicates/perturbation.hpp"
 #include "tests/support/five_balls.hpp"
-#include "tests/support/oracle_check.hpp"
-#include "tests/support/predicate_check.hpp"
-#include "tests/support/rational_oracle.hpp"
+#include "tests/support/reference/oracle_check.hpp"
+#include "tests/support/reference/predicate_check.hpp"
+#include "tests/support/reference/rational_oracle.hpp"
 
 namespace alphascope {
 namespace {

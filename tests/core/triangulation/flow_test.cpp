@@ -13,7 +13,7 @@
 #include "core/predicates/exact_alpha.hpp"
 #include "core/triangulation/cgal_triangulation.hpp"
 #include "tests/support/five_balls.hpp"
-#include "tests/support/rational_cavities.hpp"
+#include "tests/support/reference/rational_cavities.hpp"
 
 namespace alphascope {
 namespace {

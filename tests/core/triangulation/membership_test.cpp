@@ -11,7 +11,7 @@
 
 #include "core/triangulation/cgal_triangulation.hpp"
 #include "tests/support/random_balls.hpp"
-#include "tests/support/rational_oracle.hpp"
+#include "tests/support/reference/rational_oracle.hpp"
 
 namespace alphascope {
 namespace {

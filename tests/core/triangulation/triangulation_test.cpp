@@ -16,10 +16,10 @@
 #include "core/triangulation/filtration.hpp"
 #include "core/triangulation/memory_need.hpp"
 #include "core/verify/verify_triangulation.hpp"
-#include "tests/support/cgal_reference.hpp"
 #include "tests/support/molecules.hpp"
 #include "tests/support/random_balls.hpp"
-#include "tests/support/rational_oracle.hpp"
+#include "tests/support/reference/cgal_reference.hpp"
+#include "tests/support/reference/rational_oracle.hpp"
 
 namespace alphascope {
 namespace {

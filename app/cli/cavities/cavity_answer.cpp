@@ -1,0 +1,184 @@
+#include "app/cli/cavities/cavity_answer.hpp"
+
+#include <memory>
+
+#include "app/cli/report_json.hpp"
+#include "app/cli/text/text.hpp"
+#include "app/session/rounding_note.hpp"
+#include "core/document/settings/cavity_preset.hpp"
+#include "core/run/work_threads.hpp"
+#include "core/text/grouped_number.hpp"
+#include "core/triangulation/cgal_triangulation.hpp"
+
+namespace alphascope::cli {
+namespace {
+
+bool is_wanted(const CavityAnswer& answer, const CavitiesOptions& options, std::size_t row) {
+  const double volume = answer.table().measure(row).volume_sa_angstrom3;
+  return !options.min_volume_angstrom3 || volume >= *options.min_volume_angstrom3;
+}
+
+// Of those that are listed. A comparison of radii shows it by itself.
+void find_network_ends(CavityAnswer& answer, const CavitiesOptions& options, int threads,
+                       const RunContext& context) {
+  if (options.no_network_radius || options.compares()) return;
+  const CavityTable& table = answer.table();
+  for (std::size_t row = 0; row < table.size(); ++row) {
+    if (!table.cavity(row).is_network() || !is_wanted(answer, options, row)) continue;
+    answer.network_ends[row] = find_network_end(*answer.input.prepared().balls, table,
+                                                table.order[row], {threads, options.ties}, context);
+  }
+}
+
+void fill(CavityAnswer& answer, const CavitiesOptions& options, int threads,
+          const RunContext& context) {
+  StageTimer timer(answer.times);
+  const Request& request = answer.request;
+  const auto balls = std::make_shared<const BallSet>(
+      with_solvent(*answer.input.prepared().balls, request.solvent_radius_angstrom));
+  const auto triangulation =
+      std::make_shared<const Triangulation>(make_triangulation(*balls, threads, context));
+  timer.lap(stage::kTriangulation, true);
+  const auto ground = std::make_shared<const CavityGround>(
+      make_cavity_ground(balls, triangulation, options.ties, context));
+  timer.lap(stage::kFlow, true);
+  const auto table = std::make_shared<const CavityTable>(
+      make_cavity_table(ground,
+                        {request.alpha_angstrom2, request.solvent_radius_angstrom, options.rule,
+                         options.split_networks},
+                        context));
+  answer.all = table;
+  timer.lap(stage::kCavities);
+  if (!options.no_clipped) {
+    answer.exact = std::make_shared<const ExactVolumes>(ExactVolumes{clip_all(*table, context)});
+    timer.lap(stage::kExactVolumes);
+    answer.clipped_rank = ranks_by_clipped(*table, *answer.exact);
+  }
+  answer.depths = std::make_shared<const CavityDepths>(make_cavity_depths(*table, context));
+  answer.lives =
+      std::make_shared<const CavityLives>(table->size() > 0 || !options.lives.empty()
+                                              ? cavity_lives(*ground, options.rule, context.cancel)
+                                              : CavityLives{});
+  answer.contents =
+      std::make_shared<const CavityContents>(find_contents(*answer.atoms, *table, context.cancel));
+  timer.lap("depths, lives, contents");
+  find_network_ends(answer, options, threads, context);
+  if (!answer.network_ends.empty()) timer.lap(kNetworkStage);
+  timer.finish();
+}
+
+}  // namespace
+
+CavityAnswer::CavityAnswer(const Input& of) : input(of) {
+  source = source_of(of);
+  atoms = std::make_shared<const BallReferences>(of.opened.molecule, of.opened.prepared);
+}
+
+CavityAnswer find_cavities_of(const Input& input, const CavitiesOptions& options,
+                              double solvent_radius_angstrom, const RunContext& context) {
+  CavityAnswer answer(input);
+  answer.request = options.request;
+  answer.request.solvent_radius_angstrom = solvent_radius_angstrom;
+  answer.differences = differences_from_castp(input.balls, input.prepared().report, answer.request);
+  if (options.rule == OutsideRule::pocket)
+    answer.differences.push_back("Pocket's rule of what is outside");
+  if (options.split_networks) answer.differences.push_back(kNetworksAreSplit);
+  if (options.ties == FlowTies::strict) answer.differences.push_back("ties do not flow");
+  WorkThreads threads(answer.request.threads);
+  answer.device = threads.text();
+  threads.run([&] { fill(answer, options, threads.used(), context); });
+  for (std::size_t row = 0; row < answer.table().size(); ++row) {
+    if (is_wanted(answer, options, row)) answer.rows.push_back(row);
+  }
+  return answer;
+}
+
+namespace {
+
+constexpr double kNarrowAngstrom = 0.5;
+
+// How a network comes apart.
+std::string parting_text(const NetworkEnd* end) {
+  if (!end) return "a larger --solvent parts it";
+  const auto cavities = [](std::size_t n) {
+    return n == 0 ? std::string("no cavity") : counted(n, "cavity", "cavities");
+  };
+  std::string text;
+  if (end->radius_angstrom) {
+    text = "at --solvent " + radius_text(*end) + ", to " + shortest_number(kNetworkStepAngstrom) +
+           " Å, no network is left of it, but " + cavities(end->cavities);
+    if (end->cavities > 0) {
+      text += ", the largest of " + format_text("%.3f", end->largest_volume_sa_angstrom3) + " Å³";
+    }
+  } else {
+    text = "at --solvent " + shortest_number(end->largest_radius_angstrom) +
+           " a network still is left of it";
+  }
+  if (end->alpha_angstrom2) {
+    text += "; with this solvent radius none is left at --alpha " + alpha_text(*end) + ", but " +
+            cavities(end->parts);
+  }
+  return text;
+}
+
+// Of those that are listed as their parts.
+std::string split_note(const CavityTable& table) {
+  std::string text;
+  for (const SplitNetwork& network : table.found.networks) {
+    text += (text.empty() ? "" : ", and ") + std::string("a network of ") +
+            counted(network.mouths, "mouth", "mouths") + " is listed as " +
+            counted(network.parts, "part", "parts") + ", which are apart at alpha " +
+            shortest_number(network.falls_apart_angstrom2) + " Å²";
+  }
+  return text.empty() ? text : text + "; passages between parts are no mouths";
+}
+
+// Of the listed cavities, where the solvent radius does not say it already.
+std::string network_note(const CavityAnswer& answer) {
+  const CavityTable& table = answer.table();
+  std::string text;
+  std::size_t networks = 0;
+  for (const std::size_t row : answer.rows) {
+    if (!table.cavity(row).is_network() || ++networks > 1) continue;
+    text = "cavity " + grouped(row + 1) + " has " + grouped(table.cavity(row).mouths.size()) +
+           " mouths: it is a network of gaps that are connected, rather than one hole; " +
+           parting_text(answer.network_end(row)) + "; --split-networks lists its parts";
+  }
+  if (networks == 0) return {};
+  if (networks > 1) text += "; further networks: " + grouped(networks - 1);
+  return text;
+}
+
+}  // namespace
+
+std::vector<std::string> notes_of(const CavityAnswer& answer, const CavitiesOptions& options) {
+  std::vector<std::string> notes;
+  const CavityTable& table = answer.table();
+  const std::string rounding = rounding_note(answer.request, table.ground->balls->lattice);
+  if (!rounding.empty()) notes.push_back(rounding);
+  if (table.ground->triangulation->dimension < 3) {
+    notes.push_back("the centres lie in one plane, so there are no cavities");
+  }
+  if (table.found.components > 1) {
+    notes.push_back("the body has " + grouped(static_cast<std::uint64_t>(table.found.components)) +
+                    " separate parts: spaces between them count as pockets");
+  }
+  if (answer.request.solvent_radius_angstrom < kNarrowAngstrom && table.size() > 0) {
+    notes.push_back(
+        "with so small a solvent radius the gaps between atoms join into one large pocket; "
+        "--solvent 1.4 parts them");
+  } else if (const std::string network = network_note(answer); !network.empty()) {
+    notes.push_back(network);
+  }
+  if (const std::string split = split_note(table); !split.empty()) notes.push_back(split);
+  if (!answer.exact && table.size() > 0) {
+    notes.push_back("exact clipped volumes are left out, as --no-clipped asks");
+  }
+  if (answer.rows.size() < table.size()) {
+    notes.push_back(counted(table.size() - answer.rows.size(), "cavity", "cavities") + " below " +
+                    shortest_number(*options.min_volume_angstrom3) + " Å³ not listed, but counted");
+  }
+  return notes;
+}
+
+}  // namespace alphascope::cli

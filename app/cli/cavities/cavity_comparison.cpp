@@ -1,0 +1,201 @@
+#include "app/cli/cavities/cavity_comparison.hpp"
+
+#include <algorithm>
+#include <iostream>
+#include <utility>
+
+#include "app/cli/cavities/cavity_records.hpp"
+#include "app/cli/text/table.hpp"
+#include "app/cli/text/terminal.hpp"
+#include "app/cli/text/text.hpp"
+#include "core/cavity_identity/cavity_identity.hpp"
+#include "core/run/work_threads.hpp"
+
+namespace alphascope::cli {
+namespace {
+
+std::vector<std::size_t> rows_of(const CavityTable& table) {
+  std::vector<std::size_t> rows(table.size());
+  for (std::size_t row = 0; row < table.size(); ++row) rows[table.order[row]] = row;
+  return rows;
+}
+
+double volume(const CavityAnswer& answer, std::size_t row) {
+  return answer.table().measure(row).volume_sa_angstrom3;
+}
+
+}  // namespace
+
+CavityComparison::Match CavityComparison::match(const CavityAnswer& first,
+                                                const CavityAnswer& other,
+                                                const CancelToken& cancel) {
+  const CavityMatch found = match_cavities(first.table(), other.table(), cancel);
+  const std::vector<std::size_t> rows = rows_of(other.table()), first_rows = rows_of(first.table());
+  Match match;
+  for (std::size_t row = 0; row < first.table().size(); ++row) {
+    const std::uint32_t earlier = first.table().order[row];
+    const std::uint32_t later = found.goes_to[earlier];
+    Counterpart counterpart;
+    if (later != CavityMatch::kNone) {
+      counterpart.row = rows[later];
+      counterpart.same = found.is_same(later) && found.came_from[later] == earlier;
+      counterpart.parts = std::max<std::size_t>(1, found.parts(earlier).size());
+    }
+    match.of_first.push_back(counterpart);
+  }
+  for (std::size_t row = 0; row < other.table().size(); ++row) {
+    const std::uint32_t later = other.table().order[row];
+    match.first_ids.push_back(found.is_same(later) ? first_rows[found.came_from[later]] + 1 : 0);
+  }
+  return match;
+}
+
+CavityComparison::CavityComparison(std::vector<CavityAnswer> answers, const RunContext& context)
+    : answers_(std::move(answers)) {
+  WorkThreads threads(answers_.front().request.threads);
+  threads.run([&] {
+    for (const CavityAnswer& answer : answers_) {
+      matches_.push_back(match(answers_.front(), answer, context.cancel));
+    }
+  });
+}
+
+Counterpart CavityComparison::counterpart(std::size_t answer, std::size_t first_row) const {
+  return matches_[answer].of_first[first_row];
+}
+
+std::size_t CavityComparison::first_id(std::size_t answer, std::size_t row) const {
+  return matches_[answer].first_ids[row];
+}
+
+std::optional<double> CavityComparison::spread_percent(std::size_t first_row) const {
+  double least = volume(answers_.front(), first_row), most = least;
+  std::size_t number = 0;
+  for (std::size_t n = 0; n < answers_.size(); ++n) {
+    const Counterpart other = counterpart(n, first_row);
+    if (!other.row || !other.same) continue;
+    least = std::min(least, volume(answers_[n], *other.row));
+    most = std::max(most, volume(answers_[n], *other.row));
+    ++number;
+  }
+  if (number < 2 || !(most > 0)) return std::nullopt;
+  return 100 * (most - least) / most;
+}
+
+std::string variant_text(const CavityAnswer& answer) {
+  return std::string(radii_set_info(answer.input.prepared().report.radii).id) + " " +
+         shortest_number(answer.request.solvent_radius_angstrom);
+}
+
+namespace {
+
+std::string cell(const CavityComparison& comparison, std::size_t n, std::size_t first_row) {
+  const Counterpart other = comparison.counterpart(n, first_row);
+  if (!other.row) return "gone";
+  const CavityAnswer& answer = comparison.answers()[n];
+  if (!other.same) {
+    const std::size_t id = comparison.first_id(n, *other.row);
+    return id ? "in #" + std::to_string(id) : "joined";
+  }
+  const std::string number = format_text("%.3f", volume(answer, *other.row));
+  return other.parts > 1 ? number + " /" + std::to_string(other.parts) : number;
+}
+
+// How many cavities of an answer are none of the first one's.
+std::size_t new_ones(const CavityComparison& comparison, std::size_t n) {
+  std::size_t count = 0;
+  for (const std::size_t row : comparison.answers()[n].rows) {
+    count += comparison.first_id(n, row) == 0;
+  }
+  return count;
+}
+
+void print_variants(const CavityComparison& comparison) {
+  const Table columns({{"radii, solvent Å", 18, true},
+                       {"voids", 6},
+                       {"pockets", 7},
+                       {"mouths", 6},
+                       {"SA vol of voids", 15},
+                       {"of pockets", 13},
+                       {"new", 6},
+                       {"", 0, true}});
+  std::cout << columns.heading();
+  for (std::size_t n = 0; n < comparison.answers().size(); ++n) {
+    const CavityAnswer& answer = comparison.answers()[n];
+    const CavityTable& table = answer.table();
+    std::cout << columns.line(
+        {variant_text(answer), std::to_string(table.voids), std::to_string(table.pockets),
+         std::to_string(table.mouths), format_text("%.3f", table.volume_sa_angstrom3(true)),
+         format_text("%.3f", table.volume_sa_angstrom3(false)),
+         std::to_string(new_ones(comparison, n)), comparable_text(answer.differences)});
+  }
+}
+
+}  // namespace
+
+void print_comparison(const CavityComparison& comparison, const CavitiesOptions& options) {
+  const CavityAnswer& first = comparison.answers().front();
+  std::cout << input_text(first.input) << "sha256      " << first.input.molecule().sha256 << "\n"
+            << "alpha       " << shortest_number(first.request.alpha_angstrom2) << " Å²\n";
+  print_variants(comparison);
+  const std::size_t shown = std::min(first.rows.size(), static_cast<std::size_t>(options.shown));
+  if (shown > 0) {
+    std::vector<TableColumn> headings{{"#", 4}, {"kind", 6, true}};
+    for (const CavityAnswer& answer : comparison.answers()) {
+      headings.push_back({variant_text(answer), 14});
+    }
+    headings.push_back({"spread", 7});
+    headings.push_back({"SA volume in Å³ of (atoms of the deepest sink)", 0, true});
+    const Table columns(headings);
+    std::cout << columns.heading();
+    for (std::size_t k = 0; k < shown; ++k) {
+      const std::size_t row = first.rows[k];
+      std::vector<std::string> cells{std::to_string(row + 1), first.kind(row)};
+      for (std::size_t n = 0; n < comparison.answers().size(); ++n) {
+        cells.push_back(cell(comparison, n, row));
+      }
+      const std::optional<double> spread = comparison.spread_percent(row);
+      cells.push_back(spread ? format_text("%.0f %%", *spread) : "");
+      cells.push_back(first.name(row));
+      std::cout << columns.line(cells);
+    }
+  }
+  if (verbosity() != Verbosity::quiet && shown > 0) {
+    std::cout
+        << "Cavities are those of the first column. /2: it has come apart into 2, the largest "
+           "share is given. in #3: it has joined what was #3. new: those that are none of "
+           "the first column's. spread: of the volume, in the largest's per cent\n";
+  }
+  std::cout << std::flush;
+}
+
+Json comparison_json(const CavityComparison& comparison, const CavitiesOptions& options) {
+  Json variants = Json::array(), side_by_side = Json::array();
+  for (const CavityAnswer& answer : comparison.answers()) {
+    Json variant{{"variant", variant_text(answer)}};
+    variant.update(result_json(answer, options));
+    variants.push_back(std::move(variant));
+  }
+  const CavityAnswer& first = comparison.answers().front();
+  for (const std::size_t row : first.rows) {
+    Json in = Json::array();
+    for (std::size_t n = 0; n < comparison.answers().size(); ++n) {
+      const Counterpart other = comparison.counterpart(n, row);
+      const CavityAnswer& answer = comparison.answers()[n];
+      in.push_back(
+          {{"variant", variant_text(answer)},
+           {"id", other.row ? Json(*other.row + 1) : Json()},
+           {"same", other.same},
+           {"parts", other.row ? other.parts : 0},
+           {"volume_sa_angstrom3", other.same ? Json(volume(answer, *other.row)) : Json()}});
+    }
+    const std::optional<double> spread = comparison.spread_percent(row);
+    side_by_side.push_back({{"id", row + 1},
+                            {"name", first.name(row)},
+                            {"spread_percent", spread ? Json(*spread) : Json()},
+                            {"in", in}});
+  }
+  return {{"variants", variants}, {"side_by_side", side_by_side}};
+}
+
+}  // namespace alphascope::cli

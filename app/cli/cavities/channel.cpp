@@ -1,0 +1,252 @@
+// alphascope-cli channel: how large a ball can walk through a molecule, or from a point or a cavity
+// outwards, to another point or to a mouth, and the profile of its way.
+#include <algorithm>
+#include <chrono>
+#include <iostream>
+#include <memory>
+#include <utility>
+
+#include "app/cli/cavities/shape_outputs.hpp"
+#include "app/cli/commands.hpp"
+#include "app/cli/outputs.hpp"
+#include "app/cli/report_json.hpp"
+#include "app/cli/result_files.hpp"
+#include "app/cli/text/terminal.hpp"
+#include "app/cli/text/text.hpp"
+#include "core/document/channels/channel_export.hpp"
+#include "core/document/channels/channel_json.hpp"
+#include "core/document/channels/channel_records.hpp"
+#include "core/document/channels/channel_results.hpp"
+#include "core/document/channels/channel_texts.hpp"
+#include "core/geometry/point_text.hpp"
+#include "core/run/work_threads.hpp"
+#include "core/triangulation/cgal_triangulation.hpp"
+
+namespace alphascope::cli {
+namespace {
+
+struct Answer {
+  std::shared_ptr<const FoundChannel> found;  // has a channel
+  FoundWays ways;                             // of which it is one, or none
+  double milliseconds = 0;
+  std::string device;
+};
+
+RealPoint point_of(const std::vector<double>& numbers) {
+  return {numbers[0], numbers[1], numbers[2]};
+}
+
+BallReferences atoms_of(const Input& input) {
+  return {input.opened.molecule, input.opened.prepared};
+}
+
+// The cavity of this rank, as `alphascope-cli cavities` with the same choices counts them.
+CavityEnds cavity_ends_of(const Input& input, const ChannelOptions& options,
+                          const RunContext& context) {
+  const double solvent = options.solvent_radius_angstrom;
+  const BallSet& plain = *input.prepared().balls;
+  const auto balls = std::make_shared<const BallSet>(with_solvent(plain, solvent));
+  const auto triangulation =
+      std::make_shared<const Triangulation>(make_triangulation(*balls, 1, context));
+  const auto ground = std::make_shared<const CavityGround>(
+      make_cavity_ground(balls, triangulation, FlowTies::perturbed, context));
+  const CavityTable table = make_cavity_table(ground, {0, solvent}, context);
+  const auto rank = static_cast<std::size_t>(options.cavity);
+  if (rank > table.size()) {
+    throw UsageError("There is no cavity " + grouped(rank) + ": with a solvent radius of " +
+                     format_text("%g", solvent) + " Å there are " + grouped(table.size()) +
+                     ". List them with 'alphascope-cli cavities'.");
+  }
+  return make_cavity_ends(*ground, table.cavity(rank - 1), plain);
+}
+
+RealPoint mouth_of(const CavityEnds& ends, const ChannelOptions& options, double mouth) {
+  const auto number = static_cast<std::size_t>(mouth);
+  if (number > ends.mouths.size()) {
+    throw UsageError("Cavity " + std::to_string(options.cavity) + " has " +
+                     (ends.mouths.empty() ? "no mouth: it is a void."
+                                          : grouped(ends.mouths.size()) +
+                                                (ends.mouths.size() == 1 ? " mouth" : " mouths") +
+                                                ", and no mouth " + grouped(number) + "."));
+  }
+  return ends.mouths[number - 1].place_angstrom;
+}
+
+ChannelEnds ends_of(const Input& input, const ChannelOptions& options, const RunContext& context) {
+  RealPoint from, mouth;
+  if (options.cavity > 0) {
+    const CavityEnds found = cavity_ends_of(input, options, context);
+    from = found.widest.place_angstrom;
+    if (!options.mouths.empty()) mouth = mouth_of(found, options, options.mouths.back());
+    if (options.mouths.size() == 2) from = mouth_of(found, options, options.mouths.front());
+  } else {
+    from = point_of(options.point);
+  }
+  ChannelEnds ends = !options.mouths.empty()  ? ChannelEnds::between(from, mouth)
+                     : !options.to.empty()    ? ChannelEnds::between(from, point_of(options.to))
+                     : !options.along.empty() ? ChannelEnds::through(from, point_of(options.along))
+                                              : ChannelEnds::out(from);
+  ends.end_radius_angstrom = options.end_radius_angstrom;
+  return ends;
+}
+
+std::shared_ptr<const FoundChannel> way_of(const FoundWays& ways, const ChannelOptions& options) {
+  const auto number = static_cast<std::size_t>(std::max(1, options.way));
+  if (number <= ways.ways.size()) return ways.ways[number - 1];
+  if (ways.ways.empty()) {
+    throw UsageError(
+        "No way leads through the molecule from outside to outside. Give --point X,Y,Z or "
+        "--cavity N for a channel that ends inside.");
+  }
+  throw UsageError("There is no way " + grouped(number) + ": " + grouped(ways.ways.size()) +
+                   (ways.ways.size() == 1 ? " way leads" : " ways lead") +
+                   " through the molecule.");
+}
+
+Answer find(const Input& input, const ChannelOptions& options, const RunContext& context) {
+  WorkThreads threads(options.threads);
+  Answer answer;
+  answer.device = threads.text();
+  const auto start = std::chrono::steady_clock::now();
+  try {
+    threads.run([&] {
+      if (options.is_way()) {
+        answer.ways = find_ways(input.molecule(), input.prepared(), context);
+        answer.found = way_of(answer.ways, options);
+        return;
+      }
+      auto found = std::make_shared<FoundChannel>();
+      found->balls = input.prepared().balls;
+      found->ends = ends_of(input, options, context);
+      found->channel = find_channel(*found->balls, found->ends, context);
+      found->cover = cover_of(*found->balls, *found->channel);
+      answer.found = std::move(found);
+    });
+  } catch (const ChannelEndCovered& error) {
+    throw UsageError(std::string(error.what()) + ". That ball is the atom " +
+                     atom_text(atoms_of(input), error.ball) + ".");
+  } catch (const std::invalid_argument& error) {
+    throw UsageError(std::string(error.what()) + ".");
+  }
+  answer.milliseconds =
+      std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  return answer;
+}
+
+// A line for each, to choose one by.
+void print_ways(const FoundWays& ways, const FoundChannel& chosen) {
+  for (const auto& found : ways.ways) {
+    const WayNote& way = *found->way;
+    const Channel& channel = *found->channel;
+    std::cout << (found->way->number == 1 ? "ways        " : "            ") << way.number
+              << (found.get() == &chosen ? " * " : "   ") << way.through << ": radius "
+              << format_text("%.3f", channel.widest_angstrom) << " Å at "
+              << point_text(channel.narrowest().position_angstrom) << " Å, length "
+              << format_text("%.1f", channel.length_angstrom) << " Å, lined by "
+              << chains_text(way.lining_chains) << "\n";
+  }
+  if (ways.parts_left_out > 0) {
+    std::cout << "            of too many chains, " << grouped(ways.parts_left_out)
+              << " were not looked through by themselves\n";
+  }
+}
+
+void print_cover(const FoundChannel& found) {
+  if (found.way) std::cout << "through     " << found.way->through << "\n";
+  std::cout << "covers      " << cover_text(*found.cover) << "\n"
+            << "passes      " << passing_text(found) << "\n";
+  if (!found.way || guests_text(*found.way).empty()) return;
+  std::cout << "not counted " << guests_text(*found.way) << " in it\n";
+}
+
+void print(const Input& input, const Answer& answer) {
+  const Channel& channel = *answer.found->channel;
+  std::cout << input_text(input) << "sha256      " << input.molecule().sha256 << "\n";
+  print_ways(answer.ways, *answer.found);
+  std::cout << "bottleneck  radius " << format_text("%.3f", channel.widest_angstrom) << " Å"
+            << (channel.is_open() ? "" : ": closed, not even a point passes") << "\n"
+            << "            at " << point_text(channel.narrowest().position_angstrom) << " Å, "
+            << channel_limit_text(channel.limit) << "\n"
+            << "touching    " << touching_text(atoms_of(input), channel) << "\n"
+            << "length      " << format_text("%.2f", channel.length_angstrom) << " Å, "
+            << grouped(channel.samples.size()) << " samples\n";
+  print_cover(*answer.found);
+  if (times_shown()) {
+    std::cout << "time        " << milliseconds_text(answer.milliseconds) << " (" << answer.device
+              << ", " << channel.triangulations
+              << (channel.triangulations == 1 ? " triangulation)\n" : " triangulations)\n");
+  }
+  std::cout << std::flush;
+}
+
+Json result_json(const Input& input, const ChannelOptions& options, const Answer& answer) {
+  Json json = channel_json(atoms_of(input), *answer.found->channel);
+  add_cover_json(*answer.found, json);
+  if (options.is_way()) {
+    json["ways"] = ways_json(answer.ways);
+    json["parts_left_out"] = answer.ways.parts_left_out;
+  }
+  json["timings_ms"] = {{"wall", answer.milliseconds},
+                        {"device", answer.device},
+                        {"triangulations", answer.found->channel->triangulations}};
+  Json& request = json["request"] = channel_request_json(*answer.found);
+  if (options.cavity > 0) {
+    request["cavity"] = options.cavity;
+    request["mouths"] = options.mouths;
+    request["solvent_radius_angstrom"] = options.solvent_radius_angstrom;
+  }
+  json["input"] = input_json(input, input.prepared().balls->lattice);
+  json["program"] = program_json();
+  return json;
+}
+
+void write_shapes(const ShapeOutputs& shapes, const FoundChannel& found,
+                  const RecordSource& source) {
+  if (shapes.spheres() != nullptr) write_channel_spheres(found, source, *shapes.spheres());
+  if (shapes.surface() != nullptr) {
+    write_channel_surface(found, source, shapes.surface_is_glb(), *shapes.surface());
+  }
+  if (shapes.script() == nullptr) return;
+  try {
+    shapes.script()->write(
+        channel_script(found, source, shapes.script_format(), shapes.script_files()));
+  } catch (const std::invalid_argument& error) {
+    throw UsageError(error.what());
+  }
+}
+
+}  // namespace
+
+ExitCode run_channel(const ChannelOptions& options) {
+  const RunContext& context = run_context();
+  require_readable({options.input.file});
+  Outputs outputs(files_read(options.input));
+  CsvResults csv(outputs.add("--csv", options.csv, Outputs::kCsv));
+  JsonResults json(outputs.add("--json", options.json, Outputs::kJson), "");
+  ShapeOutputs shapes(options.shapes, options.input.file, outputs);
+  const bool shown = verbosity() != Verbosity::quiet || !outputs.take_standard_output();
+  if (each_model(options.input)) {
+    throw UsageError("A channel is one model's. Give the number of a model, or joined.");
+  }
+  const OpenOptions open = body_options(options.input, options.body, context);
+  for_each_model(options.input.file, options.input, open, context, [&](const Input& as_opened) {
+    const Input input = with_body_radii(as_opened, options.input);
+    shapes.require_openable(input.molecule());
+    const Answer answer = find(input, options, context);
+    clear_progress();
+    if (shown) print(input, answer);
+    const RecordSource source = source_of(input);
+    const Provenance provenance = source.provenance();
+    for (const ChannelSample& sample : answer.found->channel->samples) {
+      if (csv.wanted()) csv.add(channel_csv_row(sample, source, provenance));
+    }
+    if (json.wanted()) json.add(result_json(input, options, answer));
+    write_shapes(shapes, *answer.found, source);
+  });
+  csv.flush();
+  json.finish(Json::object());
+  outputs.commit();
+  return ExitCode::ok;
+}
+
+}  // namespace alphascope::cli

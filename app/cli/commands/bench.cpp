@@ -1,0 +1,188 @@
+// alphascope-cli bench: our engine and CGAL in one process, cold and warm, medians.
+// Cold: a new engine, made and asked once; what a user waits for after opening a molecule. CGAL's
+// cold time is its own route, the triangulation and the filter. Warm: the same engine asked again
+// for a slightly different alpha, as a slider does.
+#include <algorithm>
+#include <chrono>
+#include <iostream>
+
+#include "app/cli/commands.hpp"
+#include "app/cli/failure.hpp"
+#include "app/cli/outputs.hpp"
+#include "app/cli/report_json.hpp"
+#include "app/cli/text/terminal.hpp"
+#include "app/cli/text/text.hpp"
+#include "app/session/rounding_note.hpp"
+#include "core/text/printable.hpp"
+#include "core/write/csv.hpp"
+
+namespace alphascope::cli {
+namespace {
+
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  const std::size_t half = values.size() / 2;
+  return values.size() % 2 ? values[half] : (values[half - 1] + values[half]) / 2;
+}
+
+struct Series {
+  std::vector<double> cold, warm;  // ms
+  AlphaComplex complex;            // of the last cold run, its lists empty
+  std::size_t tetrahedra = 0;
+};
+
+// The step between two places of a slider that a hand can still tell apart.
+constexpr double kSliderStep = 0.001;  // Å²
+
+void run_once(const std::shared_ptr<const BallSet>& balls, const Request& request,
+              const RunContext& context, Series& series) {
+  MadeEngine made;
+  AlphaComplex complex;
+  const AlphaRequest at{request.alpha_angstrom2, request.tetrahedra_only};
+  series.cold.push_back(timed([&] {
+    made = make_engine(request.engine, balls, {request.threads, request.tuples});
+    complex = made.engine->compute(at, context);
+  }));
+  const AlphaRequest beside{request.alpha_angstrom2 - kSliderStep, request.tetrahedra_only};
+  AlphaComplex moved;
+  series.warm.push_back(timed([&] { moved = made.engine->compute(beside, context); }));
+  series.tetrahedra = complex.tetrahedra.size();
+  series.complex = {};
+  series.complex.hash = complex.hash;
+  series.complex.engine = complex.engine;
+}
+
+struct Row {
+  std::string file;
+  std::size_t balls = 0;
+  Request request;
+  Series ours, cgal;
+  Provenance provenance;
+  bool same() const { return ours.complex.hash == cgal.complex.hash; }
+};
+
+Row measure(const Input& input, const std::shared_ptr<const BallSet>& balls, const Request& request,
+            int runs, const RunContext& context) {
+  Row row{printable(input.molecule().source.filename().string()),
+          balls->size(),
+          request,
+          {},
+          {},
+          input.provenance()};
+  Request cgal = request;
+  cgal.engine = EngineChoice::cgal;
+  for (int run = 0; run < runs; ++run) {
+    // In turns, so that a machine that slows down meanwhile slows both.
+    run_once(balls, request, context, row.ours);
+    run_once(balls, cgal, context, row.cgal);
+  }
+  return row;
+}
+
+void print_header(const BenchOptions& options) {
+  std::cout << "medians of " << options.runs << " runs, cold = new engine, warm = alpha moved by "
+            << shortest_number(kSliderStep) << " Å²; ratio = CGAL cold / ours cold"
+            << (options.request.tetrahedra_only ? "; tetrahedra only" : "") << "\n";
+  std::cout << format_text("%-18s %9s %7s %7s %3s %10s %11s %11s %7s %11s %11s  %s\n", "file",
+                           "balls", "alpha", "solvent", "thr", "tetrahedra", "cold ms", "CGAL cold",
+                           "ratio", "warm ms", "CGAL warm", "engine")
+            << std::flush;
+}
+
+void print_row(const Row& row) {
+  const double cold = median(row.ours.cold), cgal = median(row.cgal.cold);
+  std::cout << format_text(
+                   "%-18s %9s %7s %7s %3d %10s %11.2f %11.2f %7.2f %11.2f %11.2f  %s, %s%s\n",
+                   row.file.c_str(), grouped(row.balls).c_str(),
+                   shortest_number(row.request.alpha_angstrom2).c_str(),
+                   shortest_number(row.request.solvent_radius_angstrom).c_str(),
+                   row.request.threads, grouped(row.ours.tetrahedra).c_str(), cold, cgal,
+                   cgal / cold, median(row.ours.warm), median(row.cgal.warm),
+                   row.ours.complex.engine.name.c_str(), row.ours.complex.engine.route.c_str(),
+                   row.same() ? "" : "  DIFFERS FROM CGAL")
+            << std::flush;
+}
+
+CsvRow csv_row(const Row& row) {
+  const auto least = [](const std::vector<double>& v) {
+    return *std::min_element(v.begin(), v.end());
+  };
+  const Request& r = row.request;
+  CsvRow csv{{"file", row.file},
+             {"balls", std::to_string(row.balls)},
+             {"alpha_angstrom2", shortest_number(r.alpha_angstrom2)},
+             {"solvent_radius_angstrom", shortest_number(r.solvent_radius_angstrom)},
+             {"tetrahedra_only", r.tetrahedra_only ? "1" : "0"},
+             {"threads", std::to_string(r.threads)},
+             {"tetrahedra", std::to_string(row.ours.tetrahedra)},
+             {"hash", hash_text(row.ours.complex.hash)},
+             {"engine", row.ours.complex.engine.name},
+             {"device", row.ours.complex.engine.device},
+             {"route", row.ours.complex.engine.route},
+             {"runs", std::to_string(row.ours.cold.size())},
+             {"cold_median_ms", csv_milliseconds(median(row.ours.cold))},
+             {"cold_min_ms", csv_milliseconds(least(row.ours.cold))},
+             {"warm_median_ms", csv_milliseconds(median(row.ours.warm))},
+             {"cgal_cold_median_ms", csv_milliseconds(median(row.cgal.cold))},
+             {"cgal_cold_min_ms", csv_milliseconds(least(row.cgal.cold))},
+             {"cgal_warm_median_ms", csv_milliseconds(median(row.cgal.warm))},
+             {"identical", row.same() ? "1" : "0"}};
+  for (const auto& entry : row.provenance) {
+    if (entry.first != "file") csv.push_back(entry);
+  }
+  csv.emplace_back("program", program_text());
+  return csv;
+}
+
+}  // namespace
+
+ExitCode run_bench(const BenchOptions& options) {
+  if (!options.suite.empty()) return run_thesis_bench(options);
+  if (options.alphas.empty()) throw UsageError("--alpha is required, such as --alpha 0,1.4,3");
+  if (!options.engines.empty() || !options.json.empty() || !options.charts.empty()) {
+    throw UsageError("--engines, --json and --charts need --suite thesis");
+  }
+  const RunContext& context = run_context();
+  RunContext quiet;  // no progress reports while the clock runs
+  quiet.cancel = context.cancel;
+  require_readable({options.files.begin(), options.files.end()});
+  Outputs outputs(files_read(options));
+  AtomicFile* const csv = outputs.add("--csv", options.csv, Outputs::kCsv);
+  std::vector<Row> rows;
+  bool same = true;
+  print_header(options);
+  for (const std::string& file : options.files) {
+    InputOptions input_options = options.input;
+    input_options.file = file;
+    for_each_model(input_options, context, [&](const Input& input) {
+      clear_progress();
+      std::shared_ptr<const BallSet> balls = input.prepared().balls;
+      if (options.request.solvent_radius_angstrom != 0) {
+        balls = std::make_shared<const BallSet>(
+            with_solvent(*balls, options.request.solvent_radius_angstrom));
+      }
+      for (const int threads : options.threads) {
+        for (const Alpha& alpha : options.alphas) {
+          Request request = options.request;
+          request.alpha_angstrom2 = alpha;
+          request.threads = threads;
+          const std::string rounding = rounding_note(request, balls->lattice);
+          if (!rounding.empty()) print_error(file + ": note: " + rounding);
+          rows.push_back(measure(input, balls, request, options.runs, quiet));
+          same &= rows.back().same();
+          print_row(rows.back());
+        }
+      }
+    });
+  }
+  if (csv) {
+    std::vector<CsvRow> table;
+    table.reserve(rows.size());
+    for (const Row& row : rows) table.push_back(csv_row(row));
+    csv->write(csv_text(table));
+  }
+  outputs.commit();
+  return same ? ExitCode::ok : ExitCode::differs;
+}
+
+}  // namespace alphascope::cli

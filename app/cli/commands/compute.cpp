@@ -1,0 +1,179 @@
+// alphascope-cli compute: the complex of each file, or of each of its models: its numbers, and its
+// simplices in a file.
+#include <iostream>
+#include <optional>
+
+#include "app/cli/commands.hpp"
+#include "app/cli/failure.hpp"
+#include "app/cli/files_command.hpp"
+#include "app/cli/report_json.hpp"
+#include "app/cli/text/table.hpp"
+#include "app/cli/text/terminal.hpp"
+#include "app/cli/text/text.hpp"
+#include "app/session/rounding_note.hpp"
+#include "app/session/system_memory.hpp"
+#include "core/complex/own_dimension.hpp"
+
+namespace alphascope::cli {
+namespace {
+
+// Counts, or "" for what a tetrahedra-only complex does not hold.
+template <class List>
+std::string count_text(const AlphaComplex& complex, const List& list) {
+  return complex.tetrahedra_only ? "" : std::to_string(list.size());
+}
+
+CsvRow csv_row(const Input& input, const EngineAnswer& result) {
+  const Request& request = result.request;
+  const AlphaComplex& complex = result.complex;
+  CsvRow row{{"model", model_text(input.balls.model)},
+             {"balls", std::to_string(input.prepared().balls->size())},
+             {"alpha_angstrom2", shortest_number(request.alpha_angstrom2)},
+             {"solvent_radius_angstrom", shortest_number(request.solvent_radius_angstrom)},
+             {"solvent_rounding_angstrom",
+              shortest_number(solvent_rounding_angstrom(request, complex.lattice))},
+             {"tetrahedra_only", complex.tetrahedra_only ? "1" : "0"},
+             {"vertices", count_text(complex, complex.vertices)},
+             {"edges", count_text(complex, complex.edges)},
+             {"triangles", count_text(complex, complex.triangles)},
+             {"tetrahedra", std::to_string(complex.tetrahedra.size())},
+             {"euler_characteristic",
+              complex.tetrahedra_only ? "" : std::to_string(complex.euler_characteristic())},
+             {"hash", hash_text(complex.hash)},
+             {"engine", complex.engine.name},
+             {"device", complex.engine.device},
+             {"route", complex.engine.route},
+             {"wall_ms", csv_milliseconds(complex.timings.wall_milliseconds)}};
+  for (auto& [key, value] : input.provenance()) {
+    // A solvent radius may have put the balls on a finer lattice.
+    if (key == "lattice_unit_angstrom") value = lattice_unit_text(complex.lattice);
+    if (key != "model") row.emplace_back(key, std::move(value));
+  }
+  row.emplace_back("program", program_text());
+  return row;
+}
+
+std::string request_text(const Request& request) {
+  return "alpha       " + shortest_number(request.alpha_angstrom2) + " Å², solvent radius " +
+         shortest_number(request.solvent_radius_angstrom) + " Å\n";
+}
+
+// What --verbose adds to a result.
+std::string effort_text(const Input& input) {
+  return "opened in   " + milliseconds_text(input.open_milliseconds) + "\nmemory      " +
+         grouped(resident_bytes() / 1'000'000) + " MB in use by the program\n";
+}
+
+// Not written out before the files are whole, so that `| head` costs none of them.
+void print_one(const Input& input, const EngineAnswer& result) {
+  std::cout << input_text(input) << "sha256      " << input.molecule().sha256 << "\n"
+            << request_text(result.request) << complex_text(result.complex);
+  if (!result.note.empty() && verbosity() != Verbosity::quiet) {
+    std::cout << "note        " << result.note << "\n";
+  }
+  if (verbosity() == Verbosity::verbose && times_shown()) std::cout << effort_text(input);
+}
+
+// One line a result, under a heading at the first.
+class ResultTable {
+ public:
+  // `files`: as they were named; one only: its name stands above the table, not in it.
+  ResultTable(const std::vector<std::string>& files, bool many, bool models)
+      : many_(many), models_(models), table_(columns(files, many, models)) {}
+
+  void print(const std::string& file, const Input& input, const EngineAnswer& result) {
+    const std::string rounding = rounding_note(result.request, result.complex.lattice);
+    if (!begun_) {
+      print_heading(input, result);
+    } else if (!rounding.empty() && verbosity() != Verbosity::quiet) {
+      print_error(file + ": note: " + rounding);
+    }
+    begun_ = true;
+    // One file has its notes above the table.
+    if (many_ && verbosity() != Verbosity::quiet) {
+      for (const std::string& note : input_notes(input)) print_error(file + ": note: " + note);
+    }
+    std::cout << table_.line(cells(file, input, result.complex));
+    if (verbosity() == Verbosity::verbose && times_shown()) {
+      std::cout << effort_text(input) << stages_text(result.complex);
+    }
+    std::cout << std::flush;
+  }
+
+ private:
+  static std::vector<TableColumn> columns(const std::vector<std::string>& files, bool many,
+                                          bool models) {
+    std::vector<TableColumn> columns;
+    if (many) columns.push_back({"file", widest(files), true});
+    if (models) columns.push_back({"model", 6});
+    for (const char* count : {"balls", "vertices", "edges", "triangles", "tetrahedra"}) {
+      columns.push_back({count, 9});
+    }
+    columns.push_back({"Euler", 7});
+    columns.push_back({"hash", 16, true});
+    if (times_shown()) columns.push_back({"time", 8});
+    return columns;
+  }
+
+  void print_heading(const Input& input, const EngineAnswer& result) {
+    if (!many_) std::cout << input_text(input) << "sha256      " << input.molecule().sha256 << "\n";
+    std::cout << request_text(result.request);
+    if (many_ && !result.note.empty() && verbosity() != Verbosity::quiet) print_error(result.note);
+    std::cout << table_.heading();
+  }
+
+  std::vector<std::string> cells(const std::string& file, const Input& input,
+                                 const AlphaComplex& complex) const {
+    const auto count = [&](const auto& list) {
+      return complex.tetrahedra_only ? std::string("-") : grouped(list.size());
+    };
+    std::vector<std::string> cells;
+    if (many_) cells.push_back(file);
+    if (models_) cells.push_back(model_text(input.balls.model));
+    cells.insert(
+        cells.end(),
+        {grouped(input.prepared().balls->size()), count(complex.vertices), count(complex.edges),
+         count(complex.triangles), grouped(complex.tetrahedra.size()),
+         complex.tetrahedra_only ? "-" : std::to_string(complex.euler_characteristic()),
+         hash_text(complex.hash)});
+    if (times_shown()) cells.push_back(milliseconds_text(complex.timings.wall_milliseconds));
+    return cells;
+  }
+
+  bool many_, models_, begun_ = false;
+  Table table_;
+};
+
+Json result_json(const Input& input, const EngineAnswer& result) {
+  Json json = complex_json(result.complex, result.note);
+  json["request"] = request_json(result.request, result.balls->lattice);
+  json["input"] = input_json(input, result.balls->lattice);
+  return json;
+}
+
+}  // namespace
+
+ExitCode run_compute(const ComputeOptions& options) {
+  const RunContext& context = run_context();
+  const Request& request = options.request;
+  FilesCommand command(options.files, options.input, open_options(options.input, context),
+                       {options.json, options.csv, options.out});
+  const bool print = command.shown(), table_only = command.many || command.each_model;
+  ResultTable table(command.files, command.many, command.each_model);
+  EngineCache engines(&make_engine);
+  return command.run([&](const std::string& file, const Input& input) {
+    const EngineAnswer result = engines.compute(input.prepared().balls, request, context);
+    if (command.out) {
+      const InOwnDimension own(*result.balls, result.complex);
+      write_complex_text(*result.balls, own.complex(), complex_header(input, result), *command.out,
+                         context);
+    }
+    clear_progress();
+    if (print && table_only) table.print(file, input, result);
+    if (print && !table_only) print_one(input, result);
+    if (command.json.wanted()) command.json.add(result_json(input, result));
+    if (command.csv.wanted()) command.csv.add(csv_row(input, result));
+  });
+}
+
+}  // namespace alphascope::cli

@@ -1,0 +1,270 @@
+// alphascope-cli info: what is in files, and what would be used of them.
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+#include <map>
+
+#include "app/cli/commands.hpp"
+#include "app/cli/failure.hpp"
+#include "app/cli/files_command.hpp"
+#include "app/cli/report_json.hpp"
+#include "app/cli/text/table.hpp"
+#include "app/cli/text/terminal.hpp"
+#include "app/cli/text/text.hpp"
+#include "core/molecule/assembly.hpp"
+#include "core/selection/residue_list.hpp"
+#include "core/selection/treatments.hpp"
+#include "core/text/grouped_number.hpp"
+#include "core/text/printable.hpp"
+
+namespace alphascope::cli {
+namespace {
+
+constexpr std::size_t kShownGuesses = 8;
+
+struct Extent {
+  double min = 0, max = 0;  // Å
+};
+
+Extent extent(const BallSet& balls, std::int32_t LatticePoint::*axis) {
+  if (balls.size() == 0) return {};
+  std::int32_t low = balls.centres[0].*axis, high = low;
+  for (const LatticePoint& p : balls.centres) {
+    low = std::min(low, p.*axis);
+    high = std::max(high, p.*axis);
+  }
+  return {balls.lattice.angstrom(low), balls.lattice.angstrom(high)};
+}
+
+Json radii_json(const BallSet& balls) {
+  std::map<std::int32_t, std::size_t> histogram;
+  for (const std::int32_t radius : balls.radii) ++histogram[radius];
+  Json json = Json::array();
+  for (const auto& [radius, count] : histogram) {
+    json.push_back({{"radius_angstrom", balls.lattice.angstrom(radius)}, {"balls", count}});
+  }
+  return json;
+}
+
+// Atoms of each kind, of all models.
+Json kinds_json(const MoleculeContents& contents) {
+  Json json = Json::object();
+  for (std::size_t k = 0; k < contents.kinds.size(); ++k) {
+    json[kind_name(static_cast<AtomKind>(k))] = contents.kinds[k];
+  }
+  return json;
+}
+
+void print_guesses(std::vector<GuessedRadius> guesses) {
+  // What comes from outside of the set says more than that a ligand's carbon is a carbon.
+  std::stable_partition(guesses.begin(), guesses.end(), [](const GuessedRadius& guess) {
+    return guess.source != kTypicalOfTheSet;
+  });
+  for (std::size_t i = 0; i < std::min(kShownGuesses, guesses.size()); ++i) {
+    const GuessedRadius& guess = guesses[i];
+    std::cout << "  guessed   " << guess.atoms << ": " << shortest_number(guess.radius_angstrom)
+              << " Å for " << grouped(guess.count) << (guess.count == 1 ? " atom" : " atoms")
+              << " (" << guess.source << ")\n";
+  }
+  if (guesses.size() > kShownGuesses) {
+    std::cout << "  guessed   … and " << grouped(guesses.size() - kShownGuesses)
+              << " more kinds of atoms; --json lists all\n";
+  }
+}
+
+// Atoms and memory are those of copying this molecule, so they are only said of a deposited one.
+void print_assemblies(const Molecule& molecule) {
+  for (const AssemblyInfo& assembly : list_assemblies(molecule)) {
+    std::cout << "assembly    --assembly " << assembly.id << ": " << grouped(assembly.copies)
+              << (assembly.copies == 1 ? " operator" : " operators");
+    if (molecule.assembly_id.empty()) {
+      std::cout << ", " << counted(assembly.atoms, "atom", "atoms") << ", about "
+                << grouped(assembly.memory_bytes >> 20) << " MiB";
+    }
+    std::cout << (assembly.id == molecule.assembly_id ? ", expanded here" : "")
+              << (assembly.details.empty() ? "" : " (" + assembly.details + ")") << "\n";
+  }
+}
+
+// An upper bound on the rounding with two digits, for people.
+std::string rounding_text(double angstrom) {
+  const double unit = std::pow(10, std::floor(std::log10(angstrom)) - 1);
+  return shortest_number(std::ceil(angstrom / unit) / std::round(1 / unit));
+}
+
+std::string lattice_rounding_text(const Molecule& molecule, const SelectionReport& report) {
+  std::string text;
+  if (molecule.rounding_angstrom > 0) {
+    text = "coordinates rounded by up to " + rounding_text(molecule.rounding_angstrom) + " Å";
+  }
+  if (report.radius_rounding_angstrom > 0) {
+    text += (text.empty() ? "" : ", ") +
+            ("radii rounded by up to " + rounding_text(report.radius_rounding_angstrom)) + " Å";
+  }
+  return text.empty() ? "nothing was rounded" : text;
+}
+
+void print(const Input& input) {
+  const Molecule& molecule = input.molecule();
+  const BallSet& balls = *input.prepared().balls;
+  const SelectionReport& report = input.prepared().report;
+  std::cout << input_text(input);
+  std::cout << "format      " << molecule.format << "\n";
+  if (!molecule.title.empty()) std::cout << "title       " << molecule.title << "\n";
+  std::cout << "atoms       " << grouped(molecule.atoms.size()) << " in "
+            << grouped(molecule.models.size())
+            << (molecule.models.size() == 1 ? " model\n" : " models\n");
+  std::cout << "kinds       " << kinds_text(input.opened.contents->kinds) << "\n";
+  print_assemblies(molecule);
+  std::cout << "balls       " << grouped(balls.size()) << "\n";
+  std::cout << "radii       " << report.radii_name;
+  if (!report.radii_citation.empty()) std::cout << ": " << report.radii_citation;
+  std::cout << "\n";
+  print_guesses(report.guessed);
+  std::cout << "lattice     " << shortest_number(balls.lattice.unit_angstrom()) << " Å; "
+            << lattice_rounding_text(molecule, report) << "\n";
+  if (report.coincident_centres > 0) {
+    std::cout << "coincident  "
+              << counted(report.coincident_centres, "ball shares its", "balls share their")
+              << " centre with an earlier one\n";
+  }
+  const char* names[] = {"x", "y", "z"};
+  std::int32_t LatticePoint::*axes[] = {&LatticePoint::x, &LatticePoint::y, &LatticePoint::z};
+  for (int axis = 0; axis < 3; ++axis) {
+    const Extent range = extent(balls, axes[axis]);
+    std::cout << names[axis] << "           " << shortest_number(range.min) << " to "
+              << shortest_number(range.max) << " Å\n";
+  }
+  std::cout << "sha256      " << molecule.sha256 << "\n";
+  if (times_shown()) {
+    std::cout << "opened in   " << milliseconds_text(input.open_milliseconds) << "\n";
+  }
+}
+
+ResidueListing listing_of(const InfoOptions& options) {
+  return options.each_residue ? ResidueListing::each : ResidueListing::grouped;
+}
+
+// Of the model that is looked at.
+std::vector<ListedResidues> residues_of(const Input& input, ResidueListing listing) {
+  const Molecule& molecule = input.molecule();
+  if (input.balls.model == kAllModels) {
+    return list_residues(molecule, 0, molecule.atoms.size(), listing);
+  }
+  const ModelRange& model = molecule.models[static_cast<std::size_t>(input.balls.model)];
+  return list_residues(molecule, model.begin, model.end, listing);
+}
+
+void print_residues(const std::vector<ListedResidues>& list) {
+  std::vector<std::string> names, numbers;
+  for (const ListedResidues& residues : list) {
+    names.push_back(residues.name);
+    numbers.push_back(residues.number);
+  }
+  const Table table({{"chain", 5, true},
+                     {"name", widest(names), true},
+                     {"number", widest(numbers), true},
+                     {"kind", 7, true},
+                     {"residues", 8},
+                     {"atoms", 9},
+                     {"why", 0, true}});
+  std::cout << table.heading();
+  for (const ListedResidues& residues : list) {
+    std::cout << table.line({residues.chain, residues.name, residues.number,
+                             kind_name(residues.kind), grouped(residues.residues),
+                             grouped(residues.atoms), reason_text(residues.why)});
+  }
+}
+
+Json residues_json(const std::vector<ListedResidues>& list) {
+  Json json = Json::array();
+  for (const ListedResidues& residues : list) {
+    json.push_back({{"chain", residues.chain},
+                    {"name", residues.name},
+                    {"number", residues.number},
+                    {"kind", kind_name(residues.kind)},
+                    {"why", reason_id(residues.why)},
+                    {"text", reason_text(residues.why)},
+                    {"guessed", is_guess(residues.why)},
+                    {"residues", residues.residues},
+                    {"atoms", residues.atoms}});
+  }
+  return json;
+}
+
+Table info_table(const std::vector<std::string>& files, bool models) {
+  std::vector<TableColumn> columns{{"file", widest(files), true}, {"format", 6, true}};
+  columns.push_back({models ? "model" : "models", 6});
+  for (const char* count : {"atoms", "balls", "guessed"}) columns.push_back({count, 9});
+  columns.push_back({"radii", 0, true});
+  return Table(columns);
+}
+
+// A line of the table: `models` when each model has one.
+std::string table_line(const Table& table, const std::string& file, const Input& input,
+                       bool models) {
+  const Molecule& molecule = input.molecule();
+  const SelectionReport& report = input.prepared().report;
+  return table.line({file, molecule.format,
+                     models ? model_text(input.balls.model) : grouped(molecule.models.size()),
+                     grouped(report.total), grouped(report.used), grouped(report.guessed_atoms),
+                     report.radii_name});
+}
+
+CsvRow csv_row(const Input& input) {
+  const Molecule& molecule = input.molecule();
+  const SelectionReport& report = input.prepared().report;
+  CsvRow row{{"file", printable(molecule.source.string())},
+             {"model", model_text(input.balls.model)},
+             {"models", std::to_string(molecule.models.size())},
+             {"atoms", std::to_string(report.total)},
+             {"balls", std::to_string(input.prepared().balls->size())},
+             {"guessed_atoms", std::to_string(report.guessed_atoms)},
+             {"coincident_centres", std::to_string(report.coincident_centres)},
+             {"title", molecule.title}};
+  for (auto& [key, value] : input.provenance()) {
+    if (key != "model" && key != "file") row.emplace_back(key, std::move(value));
+  }
+  row.emplace_back("program", program_text());
+  return row;
+}
+
+}  // namespace
+
+ExitCode run_info(const InfoOptions& options) {
+  const RunContext& context = run_context();
+  FilesCommand command(options.files, options.input, open_options(options.input, context),
+                       {options.json, options.csv});
+  const bool many = command.many, each = command.each_model, shown = command.shown();
+  const bool listed = options.residues || options.each_residue;
+  const Table table = info_table(command.files, each);
+  if (shown && many) std::cout << table.heading();
+  return command.run([&](const std::string& file, const Input& input) {
+    clear_progress();
+    if (shown && many) {
+      if (verbosity() != Verbosity::quiet) {
+        for (const std::string& note : input_notes(input)) print_error(file + ": note: " + note);
+      }
+      std::cout << table_line(table, file, input, each) << std::flush;
+    } else if (shown) {
+      if (!each || input.balls.model == 0) print(input);
+      if (each) {
+        std::cout << "model " << model_text(input.balls.model) << ": "
+                  << summary(input.prepared().report) << "\n";
+      }
+    }
+    std::vector<ListedResidues> residues;
+    if (listed) residues = residues_of(input, listing_of(options));
+    if (listed && shown) print_residues(residues);
+    if (command.json.wanted()) {
+      Json json = {{"input", input_json(input, input.prepared().balls->lattice)},
+                   {"kinds", kinds_json(*input.opened.contents)},
+                   {"radii_in_use", radii_json(*input.prepared().balls)}};
+      if (listed) json["residues"] = residues_json(residues);
+      command.json.add(std::move(json));
+    }
+    if (command.csv.wanted()) command.csv.add(csv_row(input));
+  });
+}
+
+}  // namespace alphascope::cli

@@ -1,0 +1,112 @@
+// alphascope-cli measure: exact area and volume of the union of balls of each file, or of each of
+// its models: in all, of each component, and by atom, residue or chain.
+#include <algorithm>
+#include <iostream>
+#include <utility>
+
+#include "app/cli/commands.hpp"
+#include "app/cli/files_command.hpp"
+#include "app/cli/report_json.hpp"
+#include "app/cli/text/terminal.hpp"
+#include "app/cli/text/text.hpp"
+#include "core/document/measures/measure_json.hpp"
+
+namespace alphascope::cli {
+namespace {
+
+struct Answer {
+  MeasureFacts facts;
+  std::shared_ptr<const UnionDerivatives> derivatives;  // null unless asked for
+};
+
+Answer measure(const Input& input, const MeasureCommandOptions& options, EngineCache& engines,
+               const RunContext& context) {
+  Answer answer;
+  answer.facts.source = source_of(input);
+  const auto complex = std::make_shared<const EngineAnswer>(
+      engines.compute(input.prepared().balls, options.request, context));
+  answer.facts.answer = complex;
+  UnionDerivatives derivatives;
+  MeasuredUnion by =
+      engines.measure(*complex, context, options.derivatives ? &derivatives : nullptr);
+  answer.facts.measured = std::make_shared<const MeasuredComplex>(
+      measure_complex(*complex->balls, complex->complex,
+                      std::make_shared<const MeasuredUnion>(std::move(by)), context));
+  if (options.derivatives) {
+    answer.derivatives = std::make_shared<const UnionDerivatives>(std::move(derivatives));
+  }
+  return answer;
+}
+
+MeasureRows rows_per(MeasuredPer per, const Answer& answer) {
+  return rows_of_measures(answer.facts, {.per = per},
+                          per == MeasuredPer::atom ? answer.derivatives : nullptr);
+}
+
+// --- output
+
+std::string components_text(const Answer& answer) {
+  const std::uint32_t count = answer.facts.measured->components.count;
+  if (count < 2) return grouped(count);
+  double largest = 0;
+  for (const MeasureRow& row : rows_per(MeasuredPer::component, answer).rows) {
+    largest = std::max(largest, row.share_of_volume);
+  }
+  return grouped(count) + format_text("; the largest has %.2f %% of the volume", 100 * largest);
+}
+
+void print(const Input& input, const MeasureCommandOptions& options, const Answer& answer) {
+  const Request& request = options.request;
+  const EngineAnswer& from = *answer.facts.answer;
+  const AlphaComplex& complex = from.complex;
+  const MeasuredUnion& by = *answer.facts.measured->by;
+  std::cout << input_text(input) << "sha256      " << input.molecule().sha256 << "\n"
+            << "alpha       " << shortest_number(request.alpha_angstrom2) << " Å², solvent radius "
+            << shortest_number(request.solvent_radius_angstrom) << " Å\n"
+            << "surface     " << surface_name(request) << "\n"
+            << "area        " << format_text("%.6f", answer.facts.measures().area_angstrom2)
+            << " Å²\n"
+            << "volume      " << format_text("%.6f", answer.facts.measures().volume_angstrom3)
+            << " Å³\n"
+            << "components  " << components_text(answer) << "\n"
+            << "hash        " << hash_text(complex.hash) << "\n";
+  if (verbosity() != Verbosity::quiet) {
+    for (const std::string& note : {from.note, by.note}) {
+      if (!note.empty()) std::cout << "note        " << note << "\n";
+    }
+  }
+  if (times_shown()) {
+    std::cout << "time        complex " << milliseconds_text(complex.timings.wall_milliseconds)
+              << " (" << complex.engine.name << ", " << complex.engine.device << "), measures "
+              << milliseconds_text(by.milliseconds) << " (" << by.device
+              << (by.route.empty() ? "" : ": " + by.route) << ")\n";
+  }
+  std::cout << std::flush;
+}
+
+void add_rows(CsvResults& csv, const Answer& answer, const MeasureRows& table) {
+  const Provenance provenance = provenance_of(answer.facts);
+  for (const MeasureRow& row : table.rows) {
+    csv.add(measure_csv_row(answer.facts, table, row, provenance));
+  }
+}
+
+}  // namespace
+
+ExitCode run_measure(const MeasureCommandOptions& options) {
+  const RunContext& context = run_context();
+  FilesCommand command(options.files, options.input, open_options(options.input, context),
+                       {options.json, options.csv});
+  EngineCache engines(&make_engine);
+  return command.run([&](const std::string&, const Input& input) {
+    const Answer answer = measure(input, options, engines, context);
+    const bool tabled = command.json.wanted() || command.csv.wanted();
+    const MeasureRows table = tabled ? rows_per(options.per, answer) : MeasureRows{};
+    clear_progress();
+    if (command.shown()) print(input, options, answer);
+    if (command.json.wanted()) command.json.add(measures_json(answer.facts, table));
+    if (command.csv.wanted()) add_rows(command.csv, answer, table);
+  });
+}
+
+}  // namespace alphascope::cli

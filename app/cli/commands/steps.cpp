@@ -1,0 +1,98 @@
+// alphascope-cli steps: how an engine finds the simplices of one ball, step after step.
+#include "app/cli/commands/steps.hpp"
+
+#include <algorithm>
+#include <iostream>
+
+#include "app/cli/outputs.hpp"
+#include "app/cli/report_json.hpp"
+#include "app/cli/result_files.hpp"
+#include "app/cli/text/sentences.hpp"
+#include "app/cli/text/terminal.hpp"
+#include "app/cli/text/text.hpp"
+#include "app/session/rounding_note.hpp"
+#include "core/document/reference/reference.hpp"
+#include "core/document/explain/steps_json.hpp"
+#include "core/run/work_threads.hpp"
+
+namespace alphascope::cli {
+namespace {
+
+BallIndex ball_of(const Input& input, const BallReferences& atoms, const std::string& text) {
+  const bool is_number =
+      std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
+  if (is_number && text.size() < 10) return ball_by_index(input, "--ball", std::stoi(text));
+  const AddressedBalls named = balls_by_address(atoms, "--ball", text);
+  if (named.balls.size() != 1) {
+    throw UsageError("--ball \"" + text + "\" names " + grouped(named.balls.size()) +
+                     " atoms that are balls: name one, such as \"A:HIS 87:NE2\", or give its "
+                     "number." +
+                     named.note_on_others());
+  }
+  return named.balls.front();
+}
+
+void print_steps(const BallSteps& steps, const BallName& name) {
+  for (std::size_t n = 0; n < steps.steps.size(); ++n) {
+    const StepText text = step_text(steps, steps.steps[n], name);
+    std::cout << n + 1 << ". " << text.title << ": " << text.brief << "\n";
+    print_line(std::cout, {"", text.text});
+  }
+}
+
+Json result_json(const Input& input, const StepsOptions& options, const BallSteps& steps,
+                 const BallName& name) {
+  Json json = steps_json(steps, name);
+  json["request"] = {{"solvent_radius_angstrom", options.request.solvent_radius_angstrom},
+                     {"lattice_unit_angstrom", steps.lattice.unit_angstrom()}};
+  if (steps.engine == StepsEngine::tuples) {
+    json["request"]["edge_optimisation"] = steps.options.edge_optimisation;
+    json["request"]["alpha_optimisation"] = steps.options.alpha_optimisation;
+  }
+  json["input"] = input_json(input, steps.lattice);
+  json["program"] = program_json();
+  return json;
+}
+
+}  // namespace
+
+ExitCode run_steps(const StepsOptions& options) {
+  const RunContext& context = run_context();
+  require_readable({options.input.file});
+  Outputs outputs(files_read(options.input));
+  JsonResults json(outputs.add("--json", options.json, Outputs::kJson), "");
+  const bool shown = verbosity() != Verbosity::quiet || !outputs.take_standard_output();
+  const Input input = open_one_model(options.input, "A ball is one model's.", context);
+  const BallReferences atoms(input.opened.molecule, input.opened.prepared);
+  const BallIndex ball = ball_of(input, atoms, options.ball);
+  const BallSet balls =
+      with_solvent(*input.prepared().balls, options.request.solvent_radius_angstrom);
+  const LatticeAlpha alpha = balls.lattice.alpha_on_lattice(options.request.alpha_angstrom2);
+  BallSteps steps;
+  WorkThreads threads(1);
+  const double milliseconds = timed([&] {
+    threads.run([&] {
+      steps = options.engine == "tuples"
+                  ? tuple_steps(balls, ball, alpha, options.request.tuples, context)
+                  : dual_edge_steps(balls, ball, alpha, context);
+    });
+  });
+  const BallName name = [&](BallIndex b) { return atom_text(atoms, b); };
+  clear_progress();
+  if (shown) {
+    std::cout << input_text(input);
+    print_steps(steps, name);
+    const std::string note = rounding_note(options.request, balls.lattice);
+    if (!note.empty()) print_line(std::cout, {"Note", note});
+    if (times_shown()) {
+      print_line(std::cout, {"Time", milliseconds_text(milliseconds)});
+    }
+    std::cout << std::flush;
+  }
+  if (json.wanted()) json.add(result_json(input, options, steps, name));
+  json.finish(Json::object());
+  outputs.commit();
+  return ExitCode::ok;
+}
+
+}  // namespace alphascope::cli

@@ -1,0 +1,189 @@
+// alphascope-cli bench --suite thesis: the thesis' Table 4.1 and the data of its figures, for the
+// molecules named, on this machine. What is measured: app/bench/thesis_suite.hpp.
+#include <cstdio>
+#include <iostream>
+
+#include "app/bench/thesis_charts.hpp"
+#include "app/bench/thesis_table.hpp"
+#include "app/cli/commands.hpp"
+#include "app/cli/outputs.hpp"
+#include "app/cli/report_json.hpp"
+#include "app/cli/text/terminal.hpp"
+#include "app/cli/text/text.hpp"
+#include "core/chart/layout.hpp"
+#include "core/chart/readable_number.hpp"
+#include "core/chart/svg.hpp"
+#include "core/text/printable.hpp"
+
+namespace alphascope::cli {
+namespace {
+
+constexpr double kThesisAlphas[] = {0, 1.4, 3};  // Å²
+
+ThesisOptions to_suite(const BenchOptions& options) {
+  if (options.request.engine != EngineChoice::automatic) {
+    throw UsageError("--suite thesis takes --engines, such as --engines cpu,tuples-cpu");
+  }
+  if (options.threads.size() != 1) {
+    throw UsageError("--suite thesis takes one number of --threads");
+  }
+  ThesisOptions suite;
+  suite.alphas.assign(options.alphas.begin(), options.alphas.end());
+  if (suite.alphas.empty()) suite.alphas.assign(std::begin(kThesisAlphas), std::end(kThesisAlphas));
+  for (const std::string& id : options.engines) suite.engines.push_back(*engine_from_id(id));
+  if (suite.engines.empty()) suite.engines = thesis_engines(machine_info());
+  suite.solvent_radius_angstrom = options.request.solvent_radius_angstrom;
+  suite.threads = options.threads.front();
+  suite.repeats = options.runs;
+  suite.seconds_per_row = options.seconds_per_row;
+  suite.ablation = options.ablation;
+  return suite;
+}
+
+std::vector<ThesisMolecule> read_all(const BenchOptions& options, const RunContext& context) {
+  std::vector<ThesisMolecule> molecules;
+  for (const std::string& file : options.files) {
+    InputOptions one = options.input;
+    one.file = file;
+    for_each_model(one, context, [&](const Input& input) {
+      std::shared_ptr<const BallSet> balls = input.prepared().balls;
+      if (options.request.solvent_radius_angstrom != 0) {
+        balls = std::make_shared<const BallSet>(
+            with_solvent(*balls, options.request.solvent_radius_angstrom));
+      }
+      std::string name = printable(input.molecule().source.filename().string());
+      name.erase(std::min(name.find('.'), name.size()));
+      if (each_model(options.input)) name += ", model " + model_text(input.balls.model);
+      molecules.push_back({name, balls, input.provenance()});
+    });
+  }
+  return molecules;
+}
+
+std::string column(const std::optional<double>& milliseconds) {
+  char text[32];
+  if (!milliseconds) return "-";
+  std::snprintf(text, sizeof text, *milliseconds < 100 ? "%.3f" : "%.1f", *milliseconds);
+  return text;
+}
+
+void print_header() {
+  std::cout << format_text(
+                   "\n%-14s %8s %7s  %-18s %9s %9s %9s %9s %9s %9s %10s %10s %8s %10s %7s  %s\n",
+                   "molecule", "balls", "alpha", "engine", "memcpy", "kernel1", "prefixsum",
+                   "kernel2", "kernel3", "other", "cold ms", "warm ms", "speed-up", "tetrahedra",
+                   "of full", "note")
+            << std::flush;
+}
+
+std::string note_of(const ThesisRow& row) {
+  std::string note;
+  const auto add = [&note](const std::string& text) { note += (note.empty() ? "" : "; ") + text; };
+  if (row.same_as_cgal == false) add("DIFFERS FROM CGAL");
+  if (row.kind == ThesisRow::Kind::ablation) add(row.variant);
+  if (!row.skipped.empty()) add("left out: " + row.skipped);
+  if (row.measured() && !row.same_as_cgal) add("not compared");
+  if (row.stages.kernel1_has_kernel2) add("kernel1 is I + II in one launch");
+  return note;
+}
+
+std::string engine_text(const ThesisRow& row) {
+  if (row.kind == ThesisRow::Kind::cgal) return contestant_text(row);
+  return std::string(engine_id(row.choice)) + (row.kind == ThesisRow::Kind::ablation ? " *" : "");
+}
+
+void print_row(const ThesisRow& row) {
+  clear_progress();
+  const bool ok = row.measured();
+  const auto ms = [ok](double milliseconds) {
+    return column(ok ? std::optional(milliseconds) : std::nullopt);
+  };
+  const auto ratio = row.speed_up();
+  const auto share = row.share_of_full();
+  std::cout << format_text(
+                   "%-14s %8s %7s  %-18s %9s %9s %9s %9s %9s %9s %10s %10s %8s %10s %7s  %s\n",
+                   row.molecule.c_str(), grouped(row.balls).c_str(),
+                   shortest_number(row.alpha_angstrom2).c_str(), engine_text(row).c_str(),
+                   column(row.stages.memcpy).c_str(), column(row.stages.kernel1).c_str(),
+                   column(row.stages.prefix_sum).c_str(), column(row.stages.kernel2).c_str(),
+                   column(row.stages.kernel3).c_str(), column(row.stages.other).c_str(),
+                   ms(row.cold_milliseconds).c_str(), ms(row.warm_milliseconds).c_str(),
+                   ratio ? (chart_number(*ratio) + "x").c_str() : "-",
+                   ok ? grouped(row.tetrahedra).c_str() : "-",
+                   share ? (chart_number(100 * *share) + "%").c_str() : "-", note_of(row).c_str())
+            << std::flush;
+}
+
+void print_break_even(const ThesisReport& report) {
+  std::cout << "\nLargest alpha up to which CGAL with one thread is beaten, both cold"
+            << " (bisected between the alphas measured, " << report.options.bisections
+            << " times):\n";
+  for (const BreakEven& found : report.break_even) {
+    std::cout << "  " << report.molecules[found.molecule_index].name << ", "
+              << engine_id(found.choice) << ": " << break_even_text(found) << "\n";
+  }
+  std::cout << std::flush;
+}
+
+struct ToJson {
+  Json operator()(std::monostate) const { return nullptr; }
+  template <class T>
+  Json operator()(const T& value) const {
+    return value;
+  }
+};
+
+Json to_json(const ThesisReport& report) {
+  Json rows = Json::array();
+  for (const ThesisTableRow& cells : thesis_table(report)) {
+    Json row = Json::object();
+    for (const auto& [name, value] : cells) row[name] = std::visit(ToJson{}, value);
+    rows.push_back(std::move(row));
+  }
+  return {{"program", program_json()},
+          {"machine", machine_text(report.machine)},
+          {"suite", "thesis"},
+          {"repeats", report.options.repeats},
+          {"seconds_per_row", report.options.seconds_per_row},
+          {"bisections", report.options.bisections},
+          {"rows", rows}};
+}
+
+void write_charts_of(const ThesisReport& report, const std::string& folder) {
+  if (folder.empty()) return;
+  for (const auto& path : write_charts(thesis_charts(report), folder)) {
+    std::cout << "wrote " << printable(path.string()) << "\n";
+  }
+}
+
+}  // namespace
+
+ExitCode run_thesis_bench(const BenchOptions& options) {
+  const RunContext& context = run_context();
+  const ThesisOptions suite = to_suite(options);
+  require_readable({options.files.begin(), options.files.end()});
+  Outputs outputs(files_read(options));
+  AtomicFile* const csv = outputs.add("--csv", options.csv, Outputs::kCsv);
+  AtomicFile* const json = outputs.add("--json", options.json, Outputs::kJson);
+  if (!options.charts.empty()) make_output_folder(options.charts);
+  const std::vector<ThesisMolecule> molecules = read_all(options, context);
+  clear_progress();
+  const MachineInfo& machine = machine_info();
+  std::cout << machine_text(machine) << "\n"
+            << (machine.gpu.usable ? "" : machine.gpu.why_not + "\n") << "medians of up to "
+            << suite.repeats << " runs after one that is not counted; times in ms, alpha in Å²; "
+            << "tetrahedra only; speed-up = CGAL's cold time with one thread / cold time; "
+            << "* = an optimisation switched off\n";
+  print_header();
+  const ThesisReport report =
+      run_thesis_suite(molecules, suite, make_engine, context, RowListener(print_row));
+  clear_progress();
+  print_break_even(report);
+  if (csv) csv->write(csv_text(to_csv(thesis_table(report))));
+  if (json) json->write(json_text(to_json(report)));
+  outputs.commit();
+  write_charts_of(report, options.charts);
+  return report.all_same() ? ExitCode::ok : ExitCode::differs;
+}
+
+}  // namespace alphascope::cli

@@ -1,0 +1,154 @@
+// alphascope-cli verify: is our complex CGAL's, simplex by simplex? And where it is made from
+// CGAL's triangulation, is it what the definition says?
+#include "core/verify/verify.hpp"
+
+#include <algorithm>
+#include <iostream>
+
+#include "app/cli/commands.hpp"
+#include "app/cli/outputs.hpp"
+#include "app/cli/report_json.hpp"
+#include "app/cli/text/terminal.hpp"
+#include "app/cli/text/text.hpp"
+#include "app/session/rounding_note.hpp"
+
+namespace alphascope::cli {
+namespace {
+
+template <int N>
+std::string simplex_text(const std::array<BallIndex, N>& simplex, const Input& input) {
+  std::string text;
+  for (const BallIndex vertex : simplex) {
+    text += (text.empty() ? "" : ", ") + std::to_string(vertex) + " (" +
+            atom_label(input.molecule(), input.prepared().atom_of_ball[vertex]) + ")";
+  }
+  return text;
+}
+
+template <int N>
+void print_set(std::ostream& out, const char* name, const SetDifference<N>& set, const Input& input,
+               std::size_t shown) {
+  const std::size_t reference = set.common + set.missing.size();
+  out << "  " << name << ": " << grouped(set.common) << " of " << grouped(reference);
+  if (!set.extra.empty())
+    out << ", and " << grouped(set.extra.size()) << " that CGAL does not have";
+  out << "\n";
+  const auto print = [&](const char* kind, const auto& list) {
+    for (std::size_t i = 0; i < std::min(shown, list.size()); ++i) {
+      out << "    " << kind << " " << simplex_text<N>(list[i], input) << "\n";
+    }
+    if (list.size() > shown) {
+      out << "    … and " << grouped(list.size() - shown) << " more\n";
+    }
+  };
+  print("missing", set.missing);
+  print("extra  ", set.extra);
+}
+
+void print_comparison(std::ostream& out, const Comparison& comparison, const Input& input,
+                      std::size_t shown) {
+  if (!comparison.tetrahedra_only) {
+    print_set(out, "vertices", comparison.vertices, input, shown);
+    print_set(out, "edges", comparison.edges, input, shown);
+    print_set(out, "triangles", comparison.triangles, input, shown);
+  }
+  print_set(out, "tetrahedra", comparison.tetrahedra, input, shown);
+  if (!comparison.tetrahedra_only) {
+    out << "  alpha values that differ: " << grouped(comparison.alpha_values_differing)
+        << "; classes that differ: " << grouped(comparison.classes_differing) << "\n";
+  }
+}
+
+// Prints what is wrong; true when nothing is.
+bool check_definition(std::ostream& out, const BallSet& balls, const AlphaComplex& complex,
+                      Json& json) {
+  const Verification found = verify(balls, complex, run_context());
+  clear_progress();
+  out << "  definition: " << grouped(found.checks) << " facts checked, " << grouped(found.failures)
+      << " false\n";
+  for (const std::string& message : found.messages) out << "    " << message << "\n";
+  json["definition"] = {{"checks", found.checks}, {"failures", found.failures}};
+  return found.ok();
+}
+
+const char* verdict(const Comparison& comparison) {
+  if (!comparison.identical()) return "DIFFERS FROM CGAL";
+  return comparison.both_rest_on_cgal
+             ? "both rest on CGAL's triangulation; checked against the definition instead"
+             : "identical to CGAL";
+}
+
+struct BothEngines {
+  explicit BothEngines(const EngineFactory& factory) : ours(factory), cgal(factory) {}
+  EngineCache ours, cgal;
+};
+
+// One alpha: computes both, prints, fills `json`; true when nothing is wrong.
+bool verify_one(const Input& input, const Request& request, const VerifyOptions& options,
+                BothEngines& engines, Json& json) {
+  std::ostream& out = std::cout;
+  const RunContext& context = run_context();
+  const EngineAnswer mine = engines.ours.compute(input.prepared().balls, request, context);
+  Request cgal = request;
+  cgal.engine = EngineChoice::cgal;
+  cgal.threads = options.cgal_threads;
+  const EngineAnswer theirs = engines.cgal.compute(input.prepared().balls, cgal, context);
+  const Comparison comparison = compare(mine.complex, theirs.complex);
+  clear_progress();
+  out << "alpha " << shortest_number(request.alpha_angstrom2) << " Å², solvent radius "
+      << shortest_number(request.solvent_radius_angstrom) << " Å: " << verdict(comparison) << " ("
+      << mine.complex.engine.name
+      << (times_wanted() ? ", " + mine.complex.engine.route : std::string()) << "; hash "
+      << hash_text(mine.complex.hash) << ")\n";
+  const std::string rounding = rounding_note(request, mine.balls->lattice);
+  if (!rounding.empty()) out << "  note: " << rounding << "\n";
+  print_comparison(out, comparison, input, options.shown);
+  json = {{"input", input_json(input, mine.balls->lattice)},
+          {"request", request_json(request, mine.balls->lattice)},
+          {"comparison", comparison_json(comparison)},
+          {"ours", complex_json(mine.complex, mine.note)},
+          {"cgal", complex_json(theirs.complex, theirs.note)}};
+  const bool define = options.definition || comparison.both_rest_on_cgal;
+  const bool defined = !define || check_definition(out, *mine.balls, mine.complex, json);
+  return comparison.identical() && defined;
+}
+
+}  // namespace
+
+ExitCode run_verify(const VerifyOptions& options, const EngineFactory& factory) {
+  if (options.request.engine == EngineChoice::cgal) {
+    throw UsageError("verify compares with CGAL, so --engine cgal would compare CGAL with itself.");
+  }
+  const RunContext& context = run_context();
+  require_readable({options.input.file});
+  Outputs outputs(files_read(options.input));
+  AtomicFile* const file = outputs.add("--json", options.json, Outputs::kJson);
+  std::ostream& out = std::cout;
+  Json results = Json::array(), first_input;
+  bool all_good = true;
+  for_each_model(options.input, context, [&](const Input& input) {
+    clear_progress();
+    out << input_text(input);
+    BothEngines engines(factory);
+    for (const Alpha& alpha : options.alphas) {
+      Request request = options.request;
+      request.alpha_angstrom2 = alpha;
+      Json json;
+      all_good &= verify_one(input, request, options, engines, json);
+      if (first_input.is_null()) first_input = json["input"];
+      if (!each_model(options.input)) json.erase("input");
+      results.push_back(std::move(json));
+      out << std::flush;
+    }
+  });
+  if (file) {
+    file->write(json_text(written({{"identical", all_good},
+                                   {"results", results},
+                                   {"input", first_input},
+                                   {"program", program_json()}})));
+    outputs.commit();
+  }
+  return all_good ? ExitCode::ok : ExitCode::differs;
+}
+
+}  // namespace alphascope::cli

@@ -1,0 +1,296 @@
+// The options of pictures and recordings.
+#include <algorithm>
+#include <cstdio>
+#include <stdexcept>
+
+#include "app/cli/option_groups.hpp"
+#include "app/options/did_you_mean.hpp"
+#include "core/document/picture/frame_names.hpp"
+#include "core/document/session/settings_fields.hpp"
+#include "core/document/settings/display_preset.hpp"
+#include "core/document/settings/paint.hpp"
+
+namespace alphascope::cli {
+namespace {
+
+Option drawing_memory(std::optional<std::uint64_t>& megabytes) {
+  Option option{.names = "--drawing-memory",
+                .value = "MB",
+                .text = "Assume this much free memory for drawing, in MB",
+                .fallback = "what the system says"};
+  option.set = [&megabytes](const std::string& value) {
+    megabytes = static_cast<std::uint64_t>(whole_number_in(value, {0, 2'000'000'000, "MB"}));
+  };
+  return option;
+}
+
+Option caption(CaptionParts& parts) {
+  Option option{.names = "--caption",
+                .value = "PARTS",
+                .text = "Words at the top: usual, all, none, or some of " + caption_part_ids() +
+                        " with commas between",
+                .fallback = caption_parts_text(parts)};
+  option.set = [&parts](const std::string& value) { parts = read_caption_parts(value); };
+  return option;
+}
+
+Option not_required(Option option) {
+  option.required = false;
+  return option;
+}
+
+Option look_number(OptionText text, std::optional<double>& target, const NumberRule& rule,
+                   float usual) {
+  char shortest[16];
+  std::snprintf(shortest, sizeof shortest, "%g", static_cast<double>(usual));
+  Option option{.names = std::move(text.names),
+                .value = std::move(text.value),
+                .text = std::move(text.text),
+                .fallback = std::string(shortest) + ", or the preset's"};
+  option.set = [&target, rule](const std::string& value) {
+    const NumberRange range{rule.least, rule.most};
+    target = rule.whole ? whole_number_in(value, range) : number_in(value, range);
+  };
+  return option;
+}
+
+Paint paint_from(const std::string& text, Painted what) {
+  const PaintWords words = read_paint(text, what);
+  if (words.error.empty()) return words.paint;
+  std::vector<std::string> schemes;
+  for (const SchemeInfo& scheme : all_schemes()) schemes.push_back(scheme.id);
+  throw std::invalid_argument(words.error + did_you_mean(text, schemes));
+}
+
+Option paint_option(OptionText text, const char* fallback,
+                    std::function<void(const std::string&)> set) {
+  return {.names = std::move(text.names),
+          .value = std::move(text.value),
+          .text = std::move(text.text),
+          .fallback = fallback,
+          .set = std::move(set)};
+}
+
+// All options but those of the picture's file are settings, which a session has.
+void note_what_sessions_say(Option& option, ScreenshotCommandOptions& options) {
+  constexpr std::string_view kOfThePicture[] = {"FILE",        "--session",        "--output",
+                                                "--size",      "--transparent",    "--no-legend",
+                                                "--scale-bar", "--drawing-memory", "--caption"};
+  const std::string name = option.shown_name();
+  if (std::find(std::begin(kOfThePicture), std::end(kOfThePicture), name) !=
+      std::end(kOfThePicture)) {
+    return;
+  }
+  option.set = [&options, name, set = option.set](const std::string& value) {
+    options.beside_session.push_back(name);
+    set(value);
+  };
+}
+
+void require_one_source(const ScreenshotCommandOptions& options, bool needs_alpha) {
+  const auto& given = options.beside_session;
+  if (options.session.empty()) {
+    const bool alpha = std::find(given.begin(), given.end(), "--alpha") != given.end();
+    if (options.input.file.empty()) throw std::invalid_argument("FILE is required, or --session");
+    if (!alpha && needs_alpha) throw std::invalid_argument("--alpha is required, or --session");
+  } else if (!options.beside_session.empty()) {
+    throw std::invalid_argument("--session says itself what " + options.beside_session.front() +
+                                " would; leave that out, or change it in the window and save the "
+                                "session again");
+  }
+}
+
+// Of each picture, by itself or as a frame.
+Options picture_options(ScreenshotCommandOptions& options) {
+  Options all{
+      text_option({"--size", "WxH", "Width and height in pixels"}, options.size),
+      flag_option("--transparent", "No background", options.transparent),
+      flag_option("--light", "Light background", options.light),
+      flag_option("--no-balls", "Without the balls", options.no_balls),
+      flag_option("--grown", "Draw balls with the radii that solvent and alpha give them",
+                  options.grown),
+      flag_option("--boundary", "Only the boundary of the tetrahedra", options.boundary),
+      number_option({"--shrink", "X", "Shrink each tetrahedron, by 0 to 0.9 of its size"},
+                    options.shrink, {0, 0.9}),
+      text_option({"--clip", "CLIP",
+                   "Cut the picture open at a plane, or by a slab: x, y=12.5 (Å), -z=3, view, "
+                   "1,1,0=5; with a thickness x=12.5:8"},
+                  options.clip),
+      flag_option("--orthographic", "Draw without perspective", options.orthographic),
+      with_default(choice_option({"--preset", preset_ids(),
+                                  "A whole look; other options change single things of it"},
+                                 options.preset),
+                   "none"),
+      flag_option("--no-shadows", "Without soft shadows", options.no_shadows),
+      look_number({"--depth-cue", "X", "Share of background in what is farthest, 0 to 1"},
+                  options.depth_cue, kDepthCueRule, DisplayControls().depth_cue),
+      look_number({"--outlines", "W",
+                   "Width of outlines in pixels of a picture of 1280x800; they grow with the size"},
+                  options.outlines, kSilhouettesRule, DisplayControls().silhouettes),
+      look_number({"--face-lines", "W", "Width of the darker lines around faces, likewise"},
+                  options.face_lines, kFaceEdgesRule, DisplayControls().face_edges),
+      look_number({"--edge-thickness", "X", "Thickness of edges in Å"}, options.edge_thickness,
+                  kEdgeThicknessRule, DisplayControls().edge_thickness),
+      flag_option("--smooth", "Light the boundary as if it were round between its corners",
+                  options.smooth),
+      look_number({"--samples", "N", "Samples a pixel, 1 to 16"}, options.samples, kSamplesRule,
+                  static_cast<float>(DisplayControls().samples)),
+      text_option({"--hide", "ATOMS",
+                   "Leave these atoms, and simplices with a corner among them, out of the picture; "
+                   "an expression as of --select"},
+                  options.appearance.hide),
+      text_option({"--only", "ATOMS", "Leave all other atoms out of the picture"},
+                  options.appearance.only),
+      text_option({"--atom-colours", "LIST",
+                   "Colours of their own for some atoms: \"resn HEM=#ff8800; chain A=#888\""},
+                  options.appearance.colours),
+      text_option({"--labels", "LIST",
+                   "Labels of atoms: name, residue, address, element, radius or b_factor: \"resn "
+                   "HEM=residue; name FE=name\""},
+                  options.annotations.labels),
+      texts_option(
+          {"--measure", "ATOMS",
+           "The distance of two atoms, the angle of three or the dihedral angle of "
+           "four, into the picture: \"A:HIS 87:NE2; A:HEM 142:FE\"; commas between several"},
+          options.annotations.measurements),
+      paint_option({"--colours", "PAINT",
+                    "What balls are coloured by: " + scheme_ids(Painted::balls) +
+                        ", or a colour such as #5aa9e6; a quantity also with a colour map (" +
+                        colour_map_ids() + ") and a range: b_factor,cividis,0:60"},
+                   "element",
+                   [&options](const std::string& text) {
+                     options.ball_paint = paint_from(text, Painted::balls);
+                   }),
+      paint_option({"--simplex-colours", "PAINT",
+                    "What simplices are coloured by: balls (as the balls, or in one colour where "
+                    "they cannot be), " +
+                        scheme_ids(Painted::simplices) + ", or a colour"},
+                   "balls",
+                   [&options](const std::string& text) {
+                     options.simplex_paint.reset();
+                     if (text != "balls") {
+                       options.simplex_paint = paint_from(text, Painted::simplices);
+                     }
+                   }),
+      flag_option("--no-legend", "Leave out the legend of the colours", options.no_legend),
+      text_option({"--beside", "KINDS",
+                   "Atoms that are no part of the body, drawn beside it: ligands, ions, waters, "
+                   "hydrogens, with commas; or none"},
+                  options.beside),
+      caption(options.caption),
+      flag_option("--scale-bar", "Add a bar of a round length in Å", options.scale_bar),
+      drawing_memory(options.drawing_memory_mb)};
+  append(all, engine(options.request, true));
+  append(all, input(options.input));
+  return all;
+}
+
+Options source(ScreenshotCommandOptions& options) {
+  return {one_file(options.input, false),
+          path_option({"--session", "S.json",
+                       "The molecule, settings and view that the window saved; a FILE then stands "
+                       "for the molecule that it names"},
+                      options.session),
+          not_required(alpha(options.request))};
+}
+
+// "given" becomes true with the option.
+Option recorded(OptionText text, bool& given, std::function<void(const std::string&)> read) {
+  Option option{
+      .names = std::move(text.names), .value = std::move(text.value), .text = std::move(text.text)};
+  option.set = [&given, read = std::move(read)](const std::string& value) {
+    given = true;
+    read(value);
+  };
+  return option;
+}
+
+Options recording(FramesCommandOptions& options) {
+  Recording& r = options.recording;
+  return {
+      recorded({"--sweep", "alpha=FROM:TO:FRAMES",
+                "A complex of its own in each frame; alpha in Å², such as alpha=-1:10:120"},
+               options.sweep, [&r](const std::string& text) { read_sweep(text, r); }),
+      choice_option({"--sweep-scale", kScalings,
+                     "Equal steps of alpha, of its signed square root, or of its logarithm "
+                     "(linear within 0.01 Å² of 0)"},
+                    options.scaling),
+      recorded({"--turntable", "DEGREES:FRAMES",
+                "One complex from all around, such as 360:120; the camera keeps its distance"},
+               options.turntable, [&r](const std::string& text) { read_turntable(text, r); }),
+      choice_option({"--axis", kTurnAxes,
+                     "What the turntable turns about, through the middle: upwards in the view, "
+                     "or an axis of the file"},
+                    options.axis),
+      flag_option("--there-and-back", "Also back to the beginning, for a loop", r.there_and_back),
+      number_option({"--fps", "N", "Frames a second, of a movie"}, r.frames_per_second,
+                    {kFrameRateRule.least, kFrameRateRule.most, "/ s"})};
+}
+
+void check_recording(FramesCommandOptions& options) {
+  if (options.sweep == options.turntable) {
+    throw std::invalid_argument(options.sweep ? "--sweep and --turntable are two recordings; "
+                                                "choose one"
+                                              : "--sweep or --turntable is required");
+  }
+  const auto& given = options.picture.beside_session;
+  if (options.sweep && std::find(given.begin(), given.end(), "--alpha") != given.end()) {
+    throw std::invalid_argument("--sweep says alpha itself; leave --alpha out");
+  }
+  if (options.turntable && options.scaling != "linear") {
+    throw std::invalid_argument("--sweep-scale belongs to --sweep");
+  }
+  if (options.sweep && options.axis != "up") {
+    throw std::invalid_argument("--axis belongs to --turntable");
+  }
+  options.recording.scaling = scaling_from_id(options.scaling);
+  options.recording.axis = turn_axis_from_id(options.axis);
+  const std::filesystem::path& out = options.picture.out;
+  const RecordingFormat format = recording_format(out);
+  if (format == RecordingFormat::frames) FrameNames{out};
+  if (format == RecordingFormat::mp4 && options.picture.transparent) {
+    throw std::invalid_argument(
+        "an .mp4 movie has a background always; --transparent needs .webm or pictures");
+  }
+}
+
+}  // namespace
+
+OptionCommand screenshot_command(ScreenshotCommandOptions& options) {
+  OptionCommand command{"screenshot", "Draw the complex; needs no display", {}};
+  command.options = source(options);
+  command.options.push_back(
+      required(path_option({"-o,--output", "OUT.png", "Picture to write"}, options.out)));
+  append(command.options, picture_options(options));
+  for (Option& option : command.options) note_what_sessions_say(option, options);
+  command.check = [&options] {
+    require_tuple_engine(options.request);
+    require_one_source(options, true);
+  };
+  return command;
+}
+
+OptionCommand frames_command(FramesCommandOptions& options) {
+  OptionCommand command{
+      "frames",
+      "Draw a sweep of alpha or a turntable, as pictures or a movie; needs no display",
+      {}};
+  command.options = source(options.picture);
+  command.options.push_back(
+      required(path_option({"-o,--output", "OUT.EXT",
+                            "Pictures (frame-%04d.png, counted from 1) or, where ffmpeg is "
+                            "installed, a movie (.mp4, .webm)"},
+                           options.picture.out)));
+  append(command.options, picture_options(options.picture));
+  for (Option& option : command.options) note_what_sessions_say(option, options.picture);
+  const Options of_recording = recording(options);
+  command.options.insert(command.options.begin() + 2, of_recording.begin(), of_recording.end());
+  command.check = [&options] {
+    require_tuple_engine(options.picture.request);
+    check_recording(options);
+    require_one_source(options.picture, options.turntable);
+  };
+  return command;
+}
+
+}  // namespace alphascope::cli

@@ -1,0 +1,283 @@
+// See the header.
+#include "app/cli/pictures/pictured.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <iostream>
+#include <utility>
+#include <vector>
+
+#include "app/cli/outputs.hpp"
+#include "app/cli/pictures/screenshot_session.hpp"
+#include "app/cli/report_json.hpp"
+#include "app/cli/text/shell_words.hpp"
+#include "app/cli/text/terminal.hpp"
+#include "app/session/result_header.hpp"
+#include "app/session/system_memory.hpp"
+#include "core/document/measures/measure_results.hpp"
+#include "core/document/settings/display_preset.hpp"
+#include "core/text/printable.hpp"
+#include "core/text/text_parts.hpp"
+#include "ui/annotation_layer.hpp"
+#include "ui/caption.hpp"
+#include "ui/scene/display_style.hpp"
+
+namespace alphascope::cli {
+namespace {
+
+// "1920x1080"; the bounds are render_screenshot's.
+void set_size(const std::string& text, ScreenshotOptions& picture) {
+  const char* const end = text.data() + text.size();
+  const auto width = std::from_chars(text.data(), end, picture.width);
+  if (width.ec == std::errc() && width.ptr != end && *width.ptr == 'x') {
+    const auto height = std::from_chars(width.ptr + 1, end, picture.height);
+    if (height.ec == std::errc() && height.ptr == end) return;
+  }
+  throw UsageError("--size takes WIDTHxHEIGHT in pixels, such as 1920x1080; not \"" + text + "\".");
+}
+
+// "ligands,ions" or "none".
+AtomsBesideBody beside_body(const std::string& text) {
+  AtomsBesideBody shown{false, false, false, false};
+  if (text == "none") return shown;
+  const std::pair<const char*, bool AtomsBesideBody::*> kinds[] = {
+      {"ligands", &AtomsBesideBody::ligands},
+      {"ions", &AtomsBesideBody::ions},
+      {"waters", &AtomsBesideBody::waters},
+      {"hydrogens", &AtomsBesideBody::hydrogens}};
+  for (const std::string& word : parts_of(text, ',')) {
+    const auto kind = std::find_if(std::begin(kinds), std::end(kinds),
+                                   [&](const auto& k) { return word == k.first; });
+    if (kind == std::end(kinds)) {
+      throw UsageError(
+          "--beside takes ligands, ions, waters and hydrogens, with commas between, or "
+          "none; not \"" +
+          word + "\".");
+    }
+    shown.*kind->second = true;
+  }
+  return shown;
+}
+
+// Of simplices; one colour where they cannot have the balls'.
+Paint like_balls(const Paint& paint) {
+  if (can_paint(scheme_info(paint.by), Painted::simplices)) return paint;
+  return {ColourBy::single, {}, {}, {}};
+}
+
+// What the window's Display panel would say.
+DisplayControls display(const ScreenshotCommandOptions& options) {
+  DisplayControls d;
+  d.triangles = d.edges = true;
+  if (const auto preset = preset_named(options.preset)) d = with_preset(d, *preset);
+  if (options.request.tetrahedra_only) d.triangles = d.edges = false;
+  if (options.no_balls) d.balls = false;
+  if (options.grown) {
+    d.grown_balls = true;
+    d.ball_scale = 1;
+  }
+  if (options.boundary) {
+    d.boundary = true;
+    d.tetrahedra = false;
+  }
+  if (options.shrink > 0) d.shrink = static_cast<float>(options.shrink);
+  d.ball_paint = options.ball_paint;
+  d.complex_paint = options.simplex_paint.value_or(like_balls(options.ball_paint));
+  d.orthographic = options.orthographic;
+  if (options.no_shadows) d.ambient_occlusion = false;
+  if (options.depth_cue) d.depth_cue = static_cast<float>(*options.depth_cue);
+  if (options.outlines) d.silhouettes = static_cast<float>(*options.outlines);
+  if (options.face_lines) d.face_edges = static_cast<float>(*options.face_lines);
+  if (options.edge_thickness) d.edge_thickness = static_cast<float>(*options.edge_thickness);
+  if (options.smooth) d.smooth_boundary = true;
+  if (options.samples) d.samples = static_cast<int>(*options.samples);
+  return d;
+}
+
+// Of the file; what is drawn follows.
+ScreenshotOptions picture_options(const ScreenshotCommandOptions& options) {
+  ScreenshotOptions picture;
+  set_size(options.size, picture);
+  picture.transparent = options.transparent;
+  picture.legend = !options.no_legend;
+  picture.scale_bar = options.scale_bar;
+  const ClipWords clip = read_clip(options.clip);
+  if (!clip.error.empty()) throw UsageError("--clip: " + clip.error);
+  if (clip.clip.on()) picture.clip = clip;
+  return picture;
+}
+
+void print_note(const std::string& note) {
+  clear_progress();
+  if (verbosity() != Verbosity::quiet) std::cerr << "alphascope-cli: " << printable(note) << "\n";
+}
+
+Appearance appearance(const Molecule& molecule, const AppearanceWords& words) {
+  try {
+    return read_appearance(molecule, words);
+  } catch (const std::invalid_argument& error) {
+    throw UsageError(std::string("--hide, --only and --atom-colours: ") + error.what() + ".");
+  }
+}
+
+Annotations annotations(const BallReferences& atoms, const AnnotationWords& words) {
+  try {
+    return read_annotations(atoms, words);
+  } catch (const std::invalid_argument& error) {
+    throw UsageError(std::string("--labels and --measure: ") + error.what() +
+                     (std::string_view(error.what()).ends_with('.') ? "" : "."));
+  }
+}
+
+}  // namespace
+
+std::vector<std::filesystem::path> files_of_picture(const ScreenshotCommandOptions& options) {
+  std::vector<std::filesystem::path> files;
+  if (!options.input.file.empty()) files.push_back(options.input.file);
+  if (!options.session.empty()) files.push_back(options.session);
+  require_readable(files);
+  for (const auto& file : files_read(options.input)) files.push_back(file);
+  return files;
+}
+
+Pictured::Pictured(const ScreenshotCommandOptions& options, const RunContext& context)
+    : picture_(picture_options(options)),
+      caption_(options.caption),
+      command_(command_text(options.arguments, times_wanted())),
+      drawing_memory_mb_(options.drawing_memory_mb) {
+  if (options.session.empty()) {
+    follow_options(options, context);
+  } else {
+    follow_session(options, context);
+  }
+  const Molecule& molecule = input_.molecule();
+  picture_.style = scene_style(display_, theme_);
+  picture_.style.line_scale = mark_unit(picture_.width, picture_.height);
+  picture_.mesh = mesh_options(display_, theme_);
+  picture_.looks = ball_appearance(molecule, input_.prepared().atom_of_ball, appearance_);
+  picture_.beside_body = [this](const BallGeometry& balls) {
+    return build_beside_body(
+               balls, input_.molecule(),
+               left_out_and_shown(input_.molecule(), input_.prepared(), appearance_.hidden),
+               display_.beside, run_context().cancel)
+        .mesh;
+  };
+  if (auto layer = annotation_layer()) picture_.layers.push_back(std::move(layer));
+  maker_.emplace(*input_.prepared().balls);
+}
+
+// Labels, distances, angles and marks, of what is drawn.
+std::shared_ptr<const Layer> Pictured::annotation_layer() const {
+  const OpenedMolecule& opened = input_.opened;
+  const BallReferences atoms(opened.molecule, opened.prepared);
+  const std::vector<bool> hidden = atoms_of(*opened.molecule, appearance_.hidden);
+  const auto is_drawn = [&](std::size_t atom) {
+    if (hidden[atom]) return false;
+    if (atoms.ball(atoms.atom_of_molecule(atom))) return true;
+    const auto& beside = opened.prepared->left_out;
+    const auto at =
+        std::lower_bound(beside.begin(), beside.end(), atom,
+                         [](const LeftOutAtom& a, std::size_t i) { return a.atom < i; });
+    return at != beside.end() && at->atom == atom &&
+           shows(display_.beside, at->reason, opened.molecule->atoms[atom].element);
+  };
+  const std::shared_ptr<const BallSet>& balls = opened.prepared->balls;
+  std::shared_ptr<const BallSet> grown;
+  if (annotations_.power_diagram) {
+    grown = std::make_shared<const BallSet>(with_solvent(*balls, request_.solvent_radius_angstrom));
+  }
+  return make_annotation_layer(
+      annotations_, {atoms, balls, is_drawn, palette(theme_).warning, 1, std::move(grown)});
+}
+
+void Pictured::follow_options(const ScreenshotCommandOptions& options, const RunContext& context) {
+  display_ = display(options);
+  display_.beside = beside_body(options.beside);
+  theme_ = options.light ? Theme::light : Theme::dark;
+  request_ = options.request;
+  input_ = open_one_model(options.input, "A picture shows one model.", context);
+  appearance_ = appearance(input_.molecule(), options.appearance);
+  annotations_ = annotations(BallReferences(input_.opened.molecule, input_.opened.prepared),
+                             options.annotations);
+}
+
+// As the window's “Save picture” draws it, but for what pages below the view lay over it.
+void Pictured::follow_session(const ScreenshotCommandOptions& options, const RunContext& context) {
+  SessionToDraw found = open_session(options, context);
+  for (const std::string& note : found.notes) print_note(note);
+  const SessionDocument& s = found.session;
+  display_ = s.settings.display;
+  theme_ = s.view.light_theme ? Theme::light : Theme::dark;
+  request_ = s.settings.request;
+  // All engines answer alike, and this machine may lack the one that the window had.
+  request_.engine = EngineChoice::automatic;
+  appearance_ = s.settings.appearance;
+  annotations_ = s.settings.annotations;
+  if (s.view.camera.any()) picture_.camera = s.view.camera;
+  const Clip& clip = s.settings.clip;
+  picture_.clip = clip.on() ? std::optional(ClipWords{clip, false, true, {}}) : std::nullopt;
+  input_ = std::move(found.input);
+}
+
+EngineAnswer Pictured::compute(std::optional<double> alpha, const RunContext& context) {
+  Request request = request_;
+  if (alpha) request.alpha_angstrom2 = *alpha;
+  return engines_.compute(input_.prepared().balls, request, context);
+}
+
+PaintedBalls Pictured::painted_by(const Paint& paint, const EngineAnswer& answer,
+                                  const RunContext& context) const {
+  std::optional<MeasuredUnion> measured;
+  if (is_exposure(paint.by) && !answer.complex.tetrahedra_only) {
+    measured = measure_here(*answer.balls, answer.complex, context);
+  }
+  return paint_balls({input_.molecule(), input_.prepared().atom_of_ball, &answer.complex,
+                      measured ? &measured->measures : nullptr, answer.balls.get()},
+                     paint);
+}
+
+// Those of the simplices go into the picture. What colours lack is said.
+std::vector<Rgb8> Pictured::follow_colours(const EngineAnswer& answer, const RunContext& context) {
+  const auto tell = [this](const std::string& lacks) {
+    if (lacks.empty()) return;
+    if (std::exchange(told_, lacks) != lacks) print_note(lacks);  // once for all frames
+    picture_.texts.emplace_back("Warning", lacks);
+  };
+  PaintedBalls balls = painted_by(display_.ball_paint, answer, context);
+  picture_.ball_key = balls.key;
+  if (picture_.style.balls) tell(balls.lacks);
+  if (picture_.mesh.colouring != ComplexColouring::balls) return std::move(balls.colours);
+  PaintedBalls simplices = painted_by(display_.complex_paint, answer, context);
+  picture_.simplex_key = simplices.key;
+  picture_.simplex_colours = std::move(simplices.colours);
+  if (simplices.lacks != balls.lacks) tell(simplices.lacks);
+  return std::move(balls.colours);
+}
+
+// What differs from one complex to the next.
+std::vector<Rgb8> Pictured::follow_answer(const EngineAnswer& answer, const RunContext& context) {
+  picture_.balls = ball_style(display_, &answer.request);
+  picture_.free_bytes = available_or(drawing_memory_mb_);
+  picture_.texts = picture_texts(complex_header(input_, answer));
+  picture_.texts.emplace_back("alphascope:command", command_);
+  note_hidden_atoms(picture_.texts, picture_.looks.hidden_balls);
+  picture_.caption =
+      caption_words(answer, input_.molecule(), input_.prepared().report.radii_name, caption_);
+  return follow_colours(answer, context);
+}
+
+PictureTexts Pictured::texts() const {
+  ComplexHeader header{{"program", program_text()}};
+  const Provenance balls = input_.provenance();
+  header.insert(header.end(), balls.begin(), balls.end());
+  PictureTexts texts = picture_texts(header);
+  texts.emplace_back("alphascope:command", command_);
+  return texts;
+}
+
+Picture Pictured::picture(const EngineAnswer& answer, const RunContext& context) {
+  const std::vector<Rgb8> colours = follow_answer(answer, context);
+  return maker_->make(answer.complex, colours, picture_, context);
+}
+
+}  // namespace alphascope::cli

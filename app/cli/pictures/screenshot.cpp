@@ -1,0 +1,65 @@
+// alphascope-cli screenshot: a picture of a complex, without a display. Part of the program that
+// start_screenshot.cpp starts.
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include <fstream>
+#include <iostream>
+#include <new>
+#include <sstream>
+
+#include "app/cli/commands.hpp"
+#include "app/cli/outputs.hpp"
+#include "app/cli/pictures/pictured.hpp"
+#include "app/cli/text/terminal.hpp"
+#include "app/cli/text/text.hpp"
+#include "core/text/printable.hpp"
+
+namespace alphascope::cli {
+namespace {
+
+// A file in memory that has a path as long as this object is there.
+class MemoryFile {
+ public:
+  MemoryFile() : descriptor_(::memfd_create("picture", MFD_CLOEXEC)) {
+    if (descriptor_ < 0) throw std::bad_alloc();
+  }
+  ~MemoryFile() { ::close(descriptor_); }
+  MemoryFile(const MemoryFile&) = delete;
+  MemoryFile& operator=(const MemoryFile&) = delete;
+  std::string path() const { return "/proc/self/fd/" + std::to_string(descriptor_); }
+  std::string bytes() const {
+    std::ostringstream bytes;
+    bytes.exceptions(std::ios::badbit | std::ios::failbit);  // else it may be half of them
+    bytes << std::ifstream(path(), std::ios::binary).rdbuf();
+    return std::move(bytes).str();
+  }
+
+ private:
+  int descriptor_;
+};
+
+}  // namespace
+
+ExitCode run_screenshot(const ScreenshotCommandOptions& options) {
+  const RunContext& context = run_context();
+  Outputs outputs(files_of_picture(options));
+  AtomicFile* const file = outputs.add("--output", options.out.string(), {".png"});
+  if (file == nullptr) throw UsageError("--output needs the name of a file, or -.");
+  Pictured pictured(options, context);
+  outputs.refuse_what_was_read();  // a session's molecule
+  const EngineAnswer result = pictured.compute(std::nullopt, context);
+  const MemoryFile drawn;  // the renderer writes to a path, which standard output has none of
+  const std::string not_drawn =
+      render_picture(pictured.picture(result, context), drawn.path(), context);
+  file->write(drawn.bytes());
+  outputs.commit();
+  clear_progress();
+  if (!not_drawn.empty()) std::cerr << "alphascope-cli: " << not_drawn << "\n";
+  std::cout << input_text(pictured.input()) << complex_text(result.complex) << "picture     "
+            << printable(options.out.string()) << ", " << pictured.options().width << " x "
+            << pictured.options().height << "\n";
+  return ExitCode::ok;
+}
+
+}  // namespace alphascope::cli

@@ -1,0 +1,66 @@
+// See the header.
+#include "app/cli/pictures/screenshot_session.hpp"
+
+#include <stdexcept>
+
+#include "core/files/file_hash.hpp"
+#include "core/files/read_error.hpp"
+#include "core/selection/selection_expression.hpp"
+
+namespace alphascope::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kOtherMolecule =
+    "Name the molecule that the session was saved with, or change the session in the window";
+
+std::string without_stop(std::string sentence) {
+  if (sentence.ends_with('.')) sentence.pop_back();
+  return sentence;
+}
+
+fs::path same_file(const fs::path& session, const FileReference& wanted, const char* what,
+                   const char* remedy, const RunContext& context) {
+  const FoundFile found = find_file(wanted, session.parent_path(), context);
+  if (found.state == FoundFile::State::same) return found.path;
+  throw ReadError(session, 0, what + without_stop(why_not_found(wanted, found)), remedy);
+}
+
+}  // namespace
+
+SessionToDraw open_session(const ScreenshotCommandOptions& options, const RunContext& context) {
+  const fs::path file = fs::absolute(options.session).lexically_normal();
+  ReadSession read = read_session(file, context);
+  SessionToDraw drawn{std::move(read.session), {}, std::move(read.notes)};
+  SessionDocument& s = drawn.session;
+  fs::path molecule = options.input.file;
+  if (molecule.empty()) {
+    molecule = same_file(file, s.molecule, "its molecule: ",
+                         "Put it back, or name it as FILE, beside --session S.json", context);
+  } else if (hash_of_file(molecule, context) != s.molecule.sha256) {
+    drawn.notes.push_back(molecule.string() +
+                          " is not the file that the session was saved with, by its SHA-256.");
+  }
+  OpenOptions open = s.settings.open;
+  if (!s.radii_table.empty()) {
+    open.radii_table =
+        same_file(file, s.radii_table, "its table of radii: ", "Put it back", context);
+  }
+  drawn.input.open_milliseconds = 0;
+  drawn.input.balls = open.balls;
+  try {
+    drawn.input.opened = open_molecule(molecule, open, context);
+  } catch (const SelectionError& error) {
+    throw ReadError(file, 0,
+                    std::string("\"open.selection\" does not fit the molecule, ") + error.what(),
+                    kOtherMolecule);
+  } catch (const std::invalid_argument& error) {
+    throw ReadError(file, 0,
+                    "what \"open\" says does not fit the molecule: " + without_stop(error.what()),
+                    kOtherMolecule);
+  }
+  return drawn;
+}
+
+}  // namespace alphascope::cli

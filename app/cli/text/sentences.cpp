@@ -1,0 +1,64 @@
+#include "app/cli/text/sentences.hpp"
+
+#include <algorithm>
+#include <ostream>
+
+#include "app/cli/text/text.hpp"
+#include "core/selection/atom_address.hpp"
+#include "core/text/grouped_number.hpp"
+#include "core/text/printable.hpp"
+#include "core/text/text_parts.hpp"
+
+namespace alphascope::cli {
+
+std::string AddressedBalls::note_on_others() const {
+  return others ? " Atoms that are left out of the complex are no balls." : "";
+}
+
+AddressedBalls balls_by_address(const BallReferences& atoms, const std::string& option,
+                                const std::string& text) {
+  NamedAtoms named;
+  try {
+    named = named_atoms(atoms, text);
+  } catch (const SelectionError& error) {
+    throw UsageError(option + " \"" + text + "\", " + error.what());
+  }
+  AddressedBalls found{{}, named.others > 0};
+  for (const Ref& ref : named.balls) {
+    const auto balls = atoms.balls(ref);
+    found.balls.insert(found.balls.end(), balls->begin(), balls->end());
+  }
+  return found;
+}
+
+BallIndex ball_by_index(const Input& input, const std::string& option, int index) {
+  const std::size_t count = input.prepared().balls->size();
+  if (static_cast<std::size_t>(index) < count) return static_cast<BallIndex>(index);
+  throw UsageError(option + ": there is no ball " + std::to_string(index) + ": " +
+                   printable(input.molecule().source.filename().string()) + " has " +
+                   counted(count, "ball", "balls") +
+                   (count > 0 ? ", 0 to " + std::to_string(count - 1) + "." : "."));
+}
+
+void print_line(std::ostream& out, const ExplanationLine& line) {
+  constexpr std::size_t kMargin = 14, kWidth = 82;
+  std::string row =
+      line.heading + std::string(kMargin - std::min(kMargin, line.heading.size()), ' ');
+  std::size_t used = 0;
+  const auto columns = [](const std::string& word) {
+    return static_cast<std::size_t>(std::count_if(
+        word.begin(), word.end(), [](unsigned char c) { return (c & 0xc0) != 0x80; }));
+  };
+  for (const std::string& word : words_of(line.text)) {
+    if (used > 0 && used + 1 + columns(word) > kWidth) {
+      out << row << "\n";
+      row = std::string(kMargin, ' ');
+      used = 0;
+    }
+    row += (used > 0 ? " " : "") + word;
+    used += (used > 0 ? 1 : 0) + columns(word);
+  }
+  out << row << "\n";
+}
+
+}  // namespace alphascope::cli

@@ -1,0 +1,133 @@
+// Which atoms the picture shows, and their own colours. Nothing is computed anew.
+#include <optional>
+#include <utility>
+
+#include "app/viewer/commands/command_parts.hpp"
+#include "core/chart/colour_words.hpp"
+#include "ui/widgets/format.hpp"
+
+namespace alphascope {
+
+AskedAtoms asked_atoms(const ViewState& s, const std::string& text) {
+  const Molecule& molecule = s.references->molecule();
+  const std::vector<bool> selected = atoms_of(molecule, s.picked.items);
+  if (text.empty()) {
+    AtomSet atoms = atom_set(molecule, selected);
+    const bool none = atoms.empty();
+    return {std::move(atoms), none ? "Nothing of this molecule is selected. Select atoms, or name "
+                                     "them."
+                                   : ""};
+  }
+  try {
+    const std::vector<bool> hidden = atoms_of(molecule, s.appearance.hidden);
+    AtomSet set = named_set(molecule, text, {&selected, &hidden});
+    const bool none = set.empty();
+    return {std::move(set), none ? "The molecule has no atom of this name." : ""};
+  } catch (const SelectionError& error) {
+    return {{}, std::string("This cannot be read: ") + error.what() + "."};
+  }
+}
+
+Parameter which_atoms() {
+  return {.name = "atoms",
+          .help = "As in Select atoms; if left out, what is selected",
+          .example = "byres within 5 of resn HEM",
+          .optional = true};
+}
+
+std::function<std::string()> without_picture(const ViewState& s) {
+  return [&s] {
+    return s.references ? "" : s.molecule.loaded ? kNoComplexYet : "No molecule is open.";
+  };
+}
+
+namespace {
+
+// A command on the atoms that it is given, or on what is selected.
+CommandSpec on_atoms(ViewState& s, CommandSpec spec, std::function<void(const AtomSet&)> act) {
+  spec.parameters.push_back(which_atoms());
+  spec.why_not = without_picture(s);
+  spec.run = [&s, act = std::move(act)](const Arguments& arguments) {
+    const AskedAtoms found = asked_atoms(s, arguments.text("atoms"));
+    if (!found.fault.empty()) return Outcome::refused(found.fault);
+    act(found.atoms);
+    return Outcome();
+  };
+  return spec;
+}
+
+CommandSpec colour_command(ViewState& s) {
+  CommandSpec spec{.id = "atoms.colour",
+                   .title = "Colour atoms…",
+                   .help = "Gives atoms a colour of their own, whatever others are coloured by",
+                   .menu = "Edit",
+                   .parameters = {{.name = "colour",
+                                   .help = "Red, green and blue in hexadecimal digits",
+                                   .example = "#ff8800"},
+                                  which_atoms()}};
+  spec.why_not = without_picture(s);
+  spec.run = [&s](const Arguments& arguments) {
+    const std::string text = arguments.text("colour");
+    const std::optional<Rgb8> colour = read_colour(text);
+    if (!colour) {
+      return Outcome::refused("\"" + text + "\" is no colour such as #ff8800 or #f80.");
+    }
+    const AskedAtoms found = asked_atoms(s, arguments.text("atoms"));
+    if (!found.fault.empty()) return Outcome::refused(found.fault);
+    set_colour(s.appearance, found.atoms, colour);
+    return Outcome();
+  };
+  return spec;
+}
+
+}  // namespace
+
+void add_appearance_commands(Commands& commands, ViewState& s) {
+  commands.add(on_atoms(
+      s,
+      {.id = "atoms.hide",
+       .title = "Hide atoms",
+       .help = "Leaves atoms, and simplices with a corner among them, out of "
+               "the picture",
+       .shortcuts = {{"H"}},
+       .menu = "Edit",
+       .line_above = true},
+      [&s](const AtomSet& atoms) { s.appearance.hidden = s.appearance.hidden.with(atoms); }));
+  commands.add(on_atoms(
+      s,
+      {.id = "atoms.show",
+       .title = "Show atoms",
+       .help = "Shows hidden atoms again",
+       .menu = "Edit"},
+      [&s](const AtomSet& atoms) { s.appearance.hidden = s.appearance.hidden.without(atoms); }));
+  commands.add(on_atoms(s,
+                        {.id = "atoms.only",
+                         .title = "Show only these atoms",
+                         .help = "Shows these atoms and hides all others",
+                         .shortcuts = {{"I"}},
+                         .menu = "Edit"},
+                        [&s](const AtomSet& atoms) {
+                          s.appearance.hidden = all_atoms(s.references->molecule()).without(atoms);
+                        }));
+  commands.add({.id = "atoms.show_all",
+                .title = "Show all atoms",
+                .help = "Shows all hidden atoms again",
+                .shortcuts = {{"Shift+H"}},
+                .menu = "Edit",
+                .why_not = [&s] { return s.appearance.hidden.empty() ? "No atom is hidden." : ""; },
+                .run =
+                    [&s](const Arguments&) {
+                      s.appearance.hidden = {};
+                      return Outcome();
+                    }});
+  commands.add(colour_command(s));
+  commands.add(
+      on_atoms(s,
+               {.id = "atoms.usual_colour",
+                .title = "Usual colour of atoms",
+                .help = "Takes atoms' own colour back: they are coloured as the others are",
+                .menu = "Edit"},
+               [&s](const AtomSet& atoms) { set_colour(s.appearance, atoms, std::nullopt); }));
+}
+
+}  // namespace alphascope

@@ -1,0 +1,123 @@
+// Commands that change how the picture is looked at, but for "Reset view".
+#include <algorithm>
+
+#include "app/viewer/commands/command_parts.hpp"
+
+namespace alphascope {
+namespace {
+
+using Kind = Parameter::Kind;
+
+struct Side {
+  const char *id, *title;
+  std::array<double, 3> towards_viewer;
+};
+constexpr Side kSides[] = {{"x", "From +x", {1, 0, 0}}, {"-x", "From −x", {-1, 0, 0}},
+                           {"y", "From +y", {0, 1, 0}}, {"-y", "From −y", {0, -1, 0}},
+                           {"z", "From +z", {0, 0, 1}}, {"-z", "From −z", {0, 0, -1}}};
+
+Outcome look_along(const Arguments& arguments, ViewState& s) {
+  for (const Side& side : kSides) {
+    if (arguments.text("side") == side.id) s.requests.look_from = side.towards_viewer;
+  }
+  return {};
+}
+
+std::vector<Choice> saved_views(const ViewState& s) {
+  std::vector<Choice> choices;
+  for (const NamedView& view : s.views) choices.push_back({view.name, view.name});
+  return choices;
+}
+
+std::function<std::string()> without_saved_views(const ViewState& s) {
+  return [&s] { return s.views.empty() ? "No camera is saved." : ""; };
+}
+
+Parameter saved_view(const ViewState& s) {
+  return {.name = "name", .kind = Kind::choice, .help = "Which camera", .choices = [&s] {
+            return saved_views(s);
+          }};
+}
+
+void add_saved_view_commands(Commands& commands, ViewState& s) {
+  commands.add({.id = "view.save_camera",
+                .title = "Save camera…",
+                .help = "Keeps how the picture is looked at, under a name",
+                .menu = "View",
+                .line_above = true,
+                .parameters = {{.name = "name",
+                                .kind = Kind::text,
+                                .help = "Its name; an older camera of that name is replaced",
+                                .example = "active site"}},
+                .why_not = without_molecule(s),
+                .run = [&s](const Arguments& arguments) {
+                  s.requests.save_view = arguments.text("name");
+                  return Outcome();
+                }});
+  commands.add({.id = "view.camera",
+                .title = "Go to a saved camera…",
+                .help = "Looks at the picture as when the camera was saved",
+                .menu = "View",
+                .parameters = {saved_view(s)},
+                .why_not = without_saved_views(s),
+                .run = [&s](const Arguments& arguments) {
+                  s.requests.go_to_view = arguments.text("name");
+                  return Outcome();
+                }});
+  commands.add({.id = "view.forget_camera",
+                .title = "Forget a saved camera…",
+                .help = "Removes a saved camera",
+                .parameters = {saved_view(s)},
+                .why_not = without_saved_views(s),
+                .run = [&s](const Arguments& arguments) {
+                  std::erase_if(s.views, [&](const NamedView& view) {
+                    return view.name == arguments.text("name");
+                  });
+                  return Outcome();
+                }});
+}
+
+}  // namespace
+
+void add_camera_commands(Commands& commands, ViewState& s) {
+  Parameter from{.name = "side", .kind = Kind::choice, .help = "The side one looks from"};
+  from.choices = [] {
+    std::vector<Choice> choices;
+    for (const Side& side : kSides) choices.push_back({side.id, side.title});
+    return choices;
+  };
+  commands.add(
+      {.id = "view.from",
+       .title = "Look along an axis",
+       .help = "Looks at the same point from one of six sides",
+       .synonyms = {{"rotate turn orient side"}},
+       .shortcuts = {{"1", "x"}, {"2", "-x"}, {"3", "y"}, {"4", "-y"}, {"5", "z"}, {"6", "-z"}},
+       .menu = "View",
+       .line_above = true,
+       .parameters = {from},
+       .why_not = without_molecule(s),
+       .run = [&s](const Arguments& arguments) { return look_along(arguments, s); }});
+  static constexpr NumberRule kZoomRule{"The factor", 0.01, 100};
+  commands.add({.id = "view.zoom",
+                .title = "Zoom…",
+                .help = "Makes what is in the middle of the view larger, or smaller",
+                .parameters = {{.name = "factor",
+                                .kind = Kind::number,
+                                .help = "How many times as large",
+                                .example = "0.7",
+                                .rule = kZoomRule}},
+                .why_not = without_molecule(s),
+                .run = [&s](const Arguments& arguments) {
+                  s.requests.zoom = arguments.number("factor");
+                  return Outcome();
+                }});
+  commands.add(with_switch({.id = "view.orthographic",
+                            .title = "Orthographic",
+                            .help = "Draws without perspective: what is far is not smaller",
+                            .shortcuts = {{"O"}},
+                            .menu = "View"},
+                           s.display.orthographic));
+  add_saved_view_commands(commands, s);
+}
+
+}  // namespace alphascope

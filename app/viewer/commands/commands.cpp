@@ -1,0 +1,408 @@
+// See the header. A new command is one more add() here or in compute_commands.cpp; nothing else
+// knows of it.
+#include "app/viewer/commands/commands.hpp"
+
+#include <filesystem>
+#include <utility>
+
+#include "app/viewer/commands/command_parts.hpp"
+#include "core/files/output_ending.hpp"
+#include "core/text/as_sentence.hpp"
+#include "core/text/printable.hpp"
+#include "ui/panels/dialogs/picture_path.hpp"
+#include "ui/panels/panel_list.hpp"
+#include "ui/widgets/widgets.hpp"
+
+namespace alphascope {
+
+std::function<std::string()> without_molecule(const ViewState& s) {
+  return [&s] { return s.molecule.loaded ? "" : "No molecule is open."; };
+}
+
+std::function<std::string()> without_result(const ViewState& s) {
+  return [&s] { return s.result ? "" : "There is no complex yet."; };
+}
+
+Outcome set_switch(const Arguments& arguments, bool& value) {
+  const std::string wanted = arguments.text("state");
+  value = wanted.empty() ? !value : wanted == "on";
+  return {};
+}
+
+Parameter on_or_off() {
+  Parameter p{
+      .name = "state", .kind = Parameter::Kind::choice, .help = "On or off", .optional = true};
+  p.choices = [] { return std::vector<Choice>{{"on", "On"}, {"off", "Off"}}; };
+  return p;
+}
+
+CommandSpec with_switch(CommandSpec spec, bool& value) {
+  spec.parameters = {on_or_off()};
+  spec.checked = [&value] { return value; };
+  spec.run = [&value](const Arguments& arguments) { return set_switch(arguments, value); };
+  return spec;
+}
+
+namespace {
+
+using Kind = Parameter::Kind;
+
+// --- File
+
+Outcome open_file(const Arguments& arguments, ViewState& s) {
+  if (!arguments.has("path")) {
+    open_browser(s);
+    return {};
+  }
+  const std::filesystem::path path = arguments.text("path");
+  std::error_code ignored;
+  if (!std::filesystem::exists(path, ignored)) {
+    return Outcome::refused("There is no file " + printable(path.string()) + ".");
+  }
+  s.requests.open = path;
+  return {};
+}
+
+std::vector<Choice> samples(const ViewState& s) {
+  std::vector<Choice> choices;
+  for (const SampleMolecule& sample : s.samples) {
+    choices.push_back({sample.name, sample.name, sample.detail});
+  }
+  return choices;
+}
+
+Outcome open_sample(const Arguments& arguments, ViewState& s) {
+  for (const SampleMolecule& sample : s.samples) {
+    if (sample.name == arguments.text("sample")) s.requests.open = sample.path;
+  }
+  return {};
+}
+
+// Without a path the dialog asks for all of it.
+Outcome save_picture(const Arguments& arguments, ViewState& s) {
+  PanelMemory& m = s.memory;
+  if (!arguments.has("path")) {
+    m.show_save = true;
+    return {};
+  }
+  PictureOptions options = m.save;
+  options.width = static_cast<int>(arguments.number("width", options.width));
+  options.height = static_cast<int>(arguments.number("height", options.height));
+  options.transparent |= arguments.has("transparent");
+  options.scale_bar |= arguments.has("scale-bar");
+  try {
+    if (arguments.has("caption")) options.caption = read_caption_parts(arguments.text("caption"));
+  } catch (const std::invalid_argument& error) {
+    return Outcome::refused("Caption: " + std::string(error.what()) + ".");
+  }
+  const std::filesystem::path path = path_to_save(arguments.text("path"), kPictureEnding);
+  const std::string fault = fault_of_ending(path, {kPictureEnding});
+  if (!fault.empty()) return Outcome::refused(as_sentence(fault));
+  s.requests.screenshot = {path, options};
+  return {};
+}
+
+// Without a path the dialog asks for it.
+Outcome export_complex(const Arguments& arguments, ViewState& s) {
+  PanelMemory& m = s.memory;
+  if (!arguments.has("path")) {
+    m.show_export = true;
+    return {};
+  }
+  std::error_code ignored;
+  const std::filesystem::path path =
+      std::filesystem::absolute(arguments.text("path"), ignored).lexically_normal();
+  if (export_format_of(path) == nullptr) {
+    return Outcome::refused("No format has the ending of " + printable(path.filename().string()) +
+                            ". The endings are " + export_endings() + ".");
+  }
+  const std::string colours = arguments.text("colours");
+  s.requests.export_complex = ExportRequest{path, colours == "chain"     ? ExportColours::chain
+                                                  : colours == "solid"   ? ExportColours::solid
+                                                  : colours == "element" ? ExportColours::element
+                                                                         : m.export_colours};
+  return {};
+}
+
+Parameter pixels(const char* name, const char* help) {
+  return {
+      .name = name, .kind = Kind::number, .help = help, .optional = true, .rule = kPictureSizeRule};
+}
+
+void add_file_commands(Commands& commands, ViewState& s) {
+  commands.add({.id = "file.open",
+                .title = "Open molecule…",
+                .help = "Reads a file: PDB, mmCIF, XYZR, PQR, XYZ or CRD, also as .gz",
+                .synonyms = {{"load read import"}},
+                .shortcuts = {{"Ctrl+O"}},
+                .menu = "File",
+                .parameters = {{.name = "path",
+                                .kind = Kind::path,
+                                .help = "The file; if left out, a dialog opens",
+                                .optional = true}},
+                .run = [&s](const Arguments& arguments) { return open_file(arguments, s); }});
+  commands.add(open_session_command(s));
+  commands.add(recent_files_command(s));
+  commands.add({.id = "file.sample",
+                .title = "Sample molecule",
+                .help = "Opens a molecule that comes with the program",
+                .menu = "File",
+                .parameters = {{.name = "sample",
+                                .kind = Kind::choice,
+                                .help = "Which molecule",
+                                .choices = [&s] { return samples(s); }}},
+                .run = [&s](const Arguments& arguments) { return open_sample(arguments, s); }});
+  commands.add(
+      {.id = "file.save_picture",
+       .title = "Save picture…",
+       .help = "Writes the view as a PNG file",
+       .synonyms = {{"image screenshot figure PNG"}},
+       .shortcuts = {{"Ctrl+S"}},
+       .menu = "File",
+       .line_above = true,
+       .parameters = {{.name = "path",
+                       .kind = Kind::path,
+                       .help = "The PNG file; if left out, a dialog opens",
+                       .optional = true},
+                      pixels("width", "Width in pixels; if left out, as in the dialog"),
+                      pixels("height", "Height in pixels; if left out, as in the dialog"),
+                      {.name = "caption",
+                       .kind = Kind::text,
+                       .help = "Parts of the caption: usual, all, none, or some of " +
+                               caption_part_ids() +
+                               " with commas between; if left out, as in the dialog",
+                       .example = "alpha,counts",
+                       .optional = true},
+                      {.name = "transparent", .kind = Kind::flag, .help = "Without background"},
+                      {.name = "scale-bar", .kind = Kind::flag, .help = "With a scale bar"}},
+       .why_not = without_molecule(s),
+       .run = [&s](const Arguments& arguments) { return save_picture(arguments, s); }});
+  commands.add(record_command(s));
+  commands.add({.id = "file.export",
+                .title = "Export…",
+                .help = "Writes boundary, simplices or balls for another program",
+                .synonyms = {{"mesh STL OBJ PLY surface print"}},
+                .shortcuts = {{"Ctrl+E"}},
+                .menu = "File",
+                .parameters = {{.name = "path",
+                                .kind = Kind::path,
+                                .help = "The file, whose ending says the format; if left out, a "
+                                        "dialog opens",
+                                .optional = true},
+                               {.name = "colours",
+                                .kind = Kind::choice,
+                                .help = "Colours of the boundary",
+                                .optional = true,
+                                .choices =
+                                    [] {
+                                      return std::vector<Choice>{{"element", "By element"},
+                                                                 {"chain", "By chain"},
+                                                                 {"solid", "By solid"}};
+                                    }}},
+                .why_not = without_result(s),
+                .run = [&s](const Arguments& arguments) { return export_complex(arguments, s); }});
+  commands.add(save_session_command(s));
+  commands.add({.id = "file.quit",
+                .title = "Quit",
+                .help = "Ends the program",
+                .shortcuts = {{"Ctrl+Q"}},
+                .menu = "File",
+                .line_above = true,
+                .run = [&s](const Arguments&) {
+                  s.requests.quit = true;
+                  return Outcome();
+                }});
+}
+
+// --- Edit
+
+void add_edit_commands(Commands& commands, ViewState& s) {
+  commands.add(
+      {.id = "edit.undo",
+       .title = "Undo",
+       .help = "Takes back the last change of atoms, radii, alpha, engine, display or selection",
+       .shortcuts = {{"Ctrl+Z"}},
+       .menu = "Edit",
+       .why_not = [&s] { return s.undo_text.empty() ? "There is nothing to undo." : ""; },
+       .run =
+           [&s](const Arguments&) {
+             s.requests.undo = true;
+             return Outcome();
+           }});
+  commands.add({.id = "edit.redo",
+                .title = "Redo",
+                .help = "Makes the last undone change again",
+                .shortcuts = {{"Ctrl+Shift+Z"}, {"Ctrl+Y"}},
+                .menu = "Edit",
+                .why_not = [&s] { return s.redo_text.empty() ? "There is nothing to redo." : ""; },
+                .run =
+                    [&s](const Arguments&) {
+                      s.requests.redo = true;
+                      return Outcome();
+                    }});
+}
+
+// --- View
+
+void add_view_commands(Commands& commands, ViewState& s) {
+  DisplayControls& d = s.display;
+  const auto only_tetrahedra = [&s] {
+    const bool only = s.result && s.result->complex.tetrahedra_only;
+    return only ? "Not computed, because “Tetrahedra only” is on." : "";
+  };
+  commands.add({.id = "view.reset",
+                .title = "Reset view",
+                .help = "Shows the whole molecule",
+                .synonyms = {{"fit all home"}},
+                .shortcuts = {{"R"}},
+                .menu = "View",
+                .why_not = without_molecule(s),
+                .run = [&s](const Arguments&) {
+                  s.requests.reset_view = true;
+                  return Outcome();
+                }});
+  commands.add(with_switch({.id = "view.balls",
+                            .title = "Balls",
+                            .help = "Shows or hides the atoms as balls",
+                            .synonyms = {{"atoms spheres"}},
+                            .shortcuts = {{"B"}},
+                            .menu = "View",
+                            .line_above = true},
+                           d.balls));
+  commands.add(with_switch({.id = "view.grown_balls",
+                            .title = "Grown balls",
+                            .help = "Draws balls with the radii that solvent and alpha give them"},
+                           d.grown_balls));
+  commands.add(with_switch({.id = "view.tetrahedra",
+                            .title = "Tetrahedra",
+                            .help = "Shows or hides the tetrahedra of the complex",
+                            .shortcuts = {{"T"}},
+                            .menu = "View"},
+                           d.tetrahedra));
+  commands.add(with_switch({.id = "view.boundary",
+                            .title = "Boundary surface",
+                            .help = "Shows or hides faces that belong to exactly one tetrahedron",
+                            .synonyms = {{"mesh skin"}},
+                            .menu = "View"},
+                           d.boundary));
+  commands.add(with_switch({.id = "view.triangles",
+                            .title = "Triangles",
+                            .help = "Shows or hides triangles of the complex",
+                            .menu = "View",
+                            .why_not = only_tetrahedra},
+                           d.triangles));
+  commands.add(with_switch(
+      {.id = "view.smooth_boundary",
+       .title = "Smooth boundary",
+       .help = "Lights the boundary as if it were round between its corners; its shape stays"},
+      d.smooth_boundary));
+  commands.add(with_switch({.id = "view.edges",
+                            .title = "Edges",
+                            .help = "Shows or hides edges of the complex",
+                            .shortcuts = {{"E"}},
+                            .menu = "View",
+                            .why_not = only_tetrahedra},
+                           d.edges));
+  commands.add(
+      with_switch({.id = "view.singular_only",
+                   .title = "Singular ones only",
+                   .help = "Shows only triangles and edges that are not faces of a larger simplex",
+                   .why_not = only_tetrahedra},
+                  d.singular_only));
+  const auto beside = [&](const char* id, const char* title, const char* help, bool& value) {
+    commands.add(with_switch({.id = id, .title = title, .help = help}, value));
+  };
+  beside("view.left_out_ligands", "Ligands beside the body",
+         "Draws ligands that are no part of the body", d.beside.ligands);
+  beside("view.left_out_ions", "Ions beside the body", "Draws ions that are no part of the body",
+         d.beside.ions);
+  beside("view.left_out_waters", "Waters beside the body",
+         "Draws waters that are no part of the body", d.beside.waters);
+  beside("view.left_out_hydrogens", "Hydrogens beside the body",
+         "Draws hydrogens that are no part of the body", d.beside.hydrogens);
+  commands.add(with_switch({.id = "view.shadows",
+                            .title = "Soft shadows at rest",
+                            .help = "Darkens crevices while the view is at rest, to show depth"},
+                           d.ambient_occlusion));
+  CommandSpec theme{.id = "view.light_theme",
+                    .title = "Light theme",
+                    .help = "Switches between a light and a dark window",
+                    .synonyms = {{"white background"}},
+                    .shortcuts = {{"Ctrl+L"}},
+                    .menu = "View",
+                    .line_above = true,
+                    .parameters = {on_or_off()}};
+  theme.checked = [&s] { return s.theme == Theme::light; };
+  theme.run = [&s](const Arguments& arguments) {
+    bool light = s.theme == Theme::light;
+    Outcome outcome = set_switch(arguments, light);
+    s.theme = light ? Theme::light : Theme::dark;
+    return outcome;
+  };
+  commands.add(std::move(theme));
+  commands.add(scale_command(s));
+  commands.add(with_switch({.id = "view.presenter_size",
+                            .title = "Presenter size",
+                            .help = "Makes text, controls and lines larger, for a projector",
+                            .menu = "View"},
+                           s.presenter_size));
+  commands.add(page_command(s));
+  commands.add(section_command(s));
+}
+
+// --- Help
+
+void add_help_commands(Commands& commands, ViewState& s) {
+  commands.add({.id = "help.commands",
+                .title = "Find a command…",
+                .help = "Lists everything that the program can do",
+                .shortcuts = {{"Ctrl+P"}},
+                .menu = "Help",
+                .run = [&s](const Arguments&) {
+                  s.memory.palette = {.show = true};
+                  return Outcome();
+                }});
+  commands.add({.id = "help.keys",
+                .title = "Mouse and keyboard",
+                .help = "Shows or hides the list of mouse actions and keys",
+                .shortcuts = {{"F1"}},
+                .works_everywhere = true,
+                .menu = "Help",
+                .run = [&s](const Arguments&) {
+                  s.memory.show_cheat_sheet = !s.memory.show_cheat_sheet;
+                  return Outcome();
+                }});
+  commands.add({.id = "help.about",
+                .title = "About Alphascope",
+                .help = "Version, licence and the libraries used",
+                .menu = "Help",
+                .line_above = true,
+                .run = [&s](const Arguments&) {
+                  s.memory.show_about = true;
+                  return Outcome();
+                }});
+}
+
+}  // namespace
+
+void add_program_commands(Commands& commands, ViewState& state) {
+  add_file_commands(commands, state);
+  add_edit_commands(commands, state);
+  add_selection_commands(commands, state);
+  add_appearance_commands(commands, state);
+  add_annotation_commands(commands, state);
+  add_pointed_commands(commands, state);
+  add_view_commands(commands, state);
+  add_look_commands(commands, state);
+  add_paint_commands(commands, state);
+  add_camera_commands(commands, state);
+  add_clip_commands(commands, state);
+  add_compute_commands(commands, state);
+  add_why_commands(commands, state);
+  add_steps_commands(commands, state);
+  add_sandbox_commands(commands, state);
+  add_lesson_commands(commands, state);
+  add_help_commands(commands, state);
+}
+
+}  // namespace alphascope

@@ -1,0 +1,64 @@
+// The commands that show a page below the view or a section at its left, by their names or by what
+// people call what they show.
+#include <functional>
+#include <string>
+#include <utility>
+
+#include "app/viewer/commands/command_parts.hpp"
+#include "ui/panels/panel_list.hpp"
+
+namespace alphascope {
+namespace {
+
+// `parameter` has no choices yet: they are the panels there.
+CommandSpec for_panels(CommandSpec spec, Parameter parameter, Place place,
+                       const std::function<bool(const PanelSpec&)>& is_shown) {
+  parameter.kind = Parameter::Kind::choice;
+  parameter.choices = [place, is_shown] {
+    std::vector<Choice> choices;
+    for (const PanelSpec& panel : panels()) {
+      if (panel.place != place) continue;
+      choices.push_back({panel.id, panel.title, "", is_shown(panel)});
+    }
+    return choices;
+  };
+  spec.menu = "View";
+  spec.parameters = {std::move(parameter)};
+  for (const PanelSpec& panel : panels()) {
+    if (panel.place != place) continue;
+    spec.synonyms.push_back({std::string(panel.title) + " " + panel.also, panel.id});
+  }
+  return spec;
+}
+
+}  // namespace
+
+// Without the buttons of the pages.
+CommandSpec page_command(ViewState& s) {
+  return for_panels({.id = "view.page",
+                     .title = "Page below the view",
+                     .help = "Shows timings, cavities, the signature or another page",
+                     .run =
+                         [&s](const Arguments& arguments) {
+                           s.memory.bottom_panel = arguments.text("page");
+                           return Outcome();
+                         }},
+                    {.name = "page", .help = "Which page", .example = "why"}, Place::bottom,
+                    [&s](const PanelSpec& p) { return s.memory.bottom_panel == p.id; });
+}
+
+CommandSpec section_command(ViewState& s) {
+  return for_panels({.id = "view.section",
+                     .title = "Section at the left",
+                     .help = "Opens radii, chains, colours, light or other settings",
+                     .run =
+                         [&s](const Arguments& arguments) {
+                           s.memory.go_to_section = arguments.text("section");
+                           return Outcome();
+                         }},
+                    {.name = "section", .help = "Which section", .example = "molecule"},
+                    Place::left,
+                    [&s](const PanelSpec& p) { return !s.memory.closed_sections.contains(p.id); });
+}
+
+}  // namespace alphascope

@@ -1,0 +1,152 @@
+// Commands on what is under the mouse, and the menu of the right button.
+#include <algorithm>
+#include <utility>
+
+#include "app/viewer/commands/command_parts.hpp"
+
+namespace alphascope {
+
+const std::optional<Ref>& pointed(const ViewState& s) {
+  return s.memory.context.open ? s.memory.context.what : s.picked.hovered;
+}
+
+namespace {
+
+CommandSpec on_pointed(ViewState& s, CommandSpec spec, std::function<Outcome(const Ref&)> act) {
+  if (!spec.why_not) {
+    spec.why_not = [&s] {
+      return s.references && pointed(s) ? "" : "No atom or simplex is under the mouse.";
+    };
+  }
+  spec.run = [&s, act = std::move(act)](const Arguments&) { return act(*pointed(s)); };
+  return spec;
+}
+
+void select(ViewState& s, RefSet items) {
+  s.picked.items = std::move(items);
+  s.picked.note_order();
+}
+
+// From one to three selected atoms to the one under the mouse.
+AskedMeasurement measurement_to_pointed(const ViewState& s) {
+  const AtomRef* const end = pointed(s) ? std::get_if<AtomRef>(&*pointed(s)) : nullptr;
+  if (end == nullptr) return {{}, "Distances and angles are measured between atoms."};
+  std::vector<AtomRef> atoms = s.picked.atoms_in_order();
+  std::erase(atoms, *end);
+  if (atoms.empty() || atoms.size() > 3) {
+    return {{},
+            "Select an atom first: the distance is from there to this one. With two selected it is "
+            "the angle at the second, with three the dihedral angle."};
+  }
+  atoms.push_back(*end);
+  return {Measurement{std::move(atoms)}, {}};
+}
+
+void add_selecting(Commands& commands, ViewState& s) {
+  commands.add(on_pointed(s,
+                          {.id = "pointed.select",
+                           .title = "Select what is under the mouse",
+                           .help = "Selects the atom or simplex under the mouse, and nothing else"},
+                          [&s](const Ref& ref) {
+                            select(s, RefSet({ref}));
+                            return Outcome();
+                          }));
+  commands.add(on_pointed(
+      s,
+      {.id = "pointed.toggle",
+       .title = "Add what is under the mouse to the selection",
+       .help = "Adds the atom or simplex under the mouse to the selection, or takes it out again"},
+      [&s](const Ref& ref) {
+        RefSet items = s.picked.items.toggled(ref);
+        if (items.size() > Selection::kMostItems) {
+          return Outcome::refused("No more can be selected at once.");
+        }
+        select(s, std::move(items));
+        return Outcome();
+      }));
+  commands.add(on_pointed(s,
+                          {.id = "pointed.why",
+                           .title = "Why is this under the mouse here?",
+                           .help = "Selects the atom or simplex under the mouse, and explains it"},
+                          [&s](const Ref& ref) {
+                            select(s, RefSet({ref}));
+                            s.memory.bottom_panel = "why";
+                            return Outcome();
+                          }));
+}
+
+// The atoms of the parameter, or of the selection.
+CommandSpec looking_at(ViewState& s, CommandSpec spec, RefSet Requests::*request) {
+  spec.menu = "View";
+  spec.parameters = {which_atoms()};
+  spec.why_not = without_picture(s);
+  spec.run = [&s, request](const Arguments& arguments) {
+    const std::string text = arguments.text("atoms");
+    if (text.empty() && !s.picked.items.empty()) {
+      s.requests.*request = s.picked.items;
+      return Outcome();
+    }
+    const AskedAtoms asked = asked_atoms(s, text);
+    if (!asked.fault.empty()) return Outcome::refused(asked.fault);
+    std::vector<Ref> atoms;
+    for (const AtomSet::Run& run : asked.atoms.runs()) {
+      for (std::uint64_t atom = run.first; atom <= run.last; ++atom) {
+        if (atoms.size() == Selection::kMostItems) break;
+        atoms.emplace_back(AtomRef{static_cast<std::uint32_t>(atom), run.copy});
+      }
+    }
+    s.requests.*request = RefSet(std::move(atoms));
+    return Outcome();
+  };
+  return spec;
+}
+
+}  // namespace
+
+void add_pointed_commands(Commands& commands, ViewState& s) {
+  add_selecting(commands, s);
+  commands.add(
+      looking_at(s,
+                 {.id = "view.zoom_to",
+                  .title = "Zoom to atoms",
+                  .help = "Brings atoms into the middle of the view, as large as they fit"},
+                 &Requests::zoom_to));
+  commands.add(looking_at(s,
+                          {.id = "view.centre",
+                           .title = "Centre rotation",
+                           .help = "Brings atoms into the middle of the view, at the same size; it "
+                                   "turns about that",
+                           .shortcuts = {{"Shift+Z"}}},
+                          &Requests::centre_on));
+  CommandSpec measure{.id = "pointed.measure",
+                      .title = "Measure to what is under the mouse",
+                      .help =
+                          "The distance from the selected atom to the one under the mouse; with "
+                          "two selected the angle, with three the dihedral angle"};
+  measure.why_not = [&s, without = without_picture(s)] {
+    return s.references ? measurement_to_pointed(s).why_not : without();
+  };
+  commands.add(on_pointed(s, std::move(measure), [&s](const Ref&) {
+    return add_measurement(s, *measurement_to_pointed(s).measurement);
+  }));
+  commands.add(on_pointed(s,
+                          {.id = "pointed.copy_name",
+                           .title = "Copy the name under the mouse",
+                           .help = "Copies the name of the atom or simplex under the mouse"},
+                          [&s](const Ref& ref) {
+                            s.requests.copy = name_of(s.references->molecule(), ref);
+                            s.notice = "Copied " + s.requests.copy;
+                            return Outcome();
+                          }));
+  commands.add({.id = "view.context_menu",
+                .title = "Menu of what is under the mouse",
+                .help = "Opens the menu of the right mouse button where the mouse is in the view",
+                .shortcuts = {{"Shift+F10"}, {"Menu"}},
+                .why_not = without_molecule(s),
+                .run = [&s](const Arguments&) {
+                  s.requests.context_menu = true;
+                  return Outcome();
+                }});
+}
+
+}  // namespace alphascope

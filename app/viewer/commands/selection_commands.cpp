@@ -1,0 +1,146 @@
+// What is selected in the picture: by name, none, and looked at.
+#include <utility>
+
+#include "app/viewer/commands/command_parts.hpp"
+#include "core/document/reference/reference.hpp"
+#include "core/document/settings/cavity_preset.hpp"
+#include "core/selection/selection_expression.hpp"
+#include "ui/widgets/format.hpp"
+
+namespace alphascope {
+namespace {
+
+constexpr const char* kNamesHelp =
+    "CHAIN:RESIDUE:ATOM, or an expression such as byres within 5 of resn HEM";
+
+std::string atoms_text(std::size_t count) {
+  return with_separators(static_cast<long long>(count)) + (count == 1 ? " atom" : " atoms");
+}
+
+Outcome select(ViewState& s, const std::string& text, bool more) {
+  NamedAtoms named;
+  try {
+    const std::vector<bool> selected = atoms_of(s.references->molecule(), s.picked.items);
+    const std::vector<bool> hidden = atoms_of(s.references->molecule(), s.appearance.hidden);
+    named = named_atoms(*s.references, text, {&selected, &hidden});
+  } catch (const SelectionError& error) {
+    return Outcome::refused(std::string("This cannot be read: ") + error.what() + ".");
+  }
+  if (named.balls.empty() && named.others == 0) {
+    return Outcome::refused("The molecule has no atom of this name.");
+  }
+  if (named.balls.empty()) {
+    return Outcome::refused(atoms_text(named.others) + (named.others == 1 ? " has" : " have") +
+                            " this name, but the choice of atoms at the left leaves out all that "
+                            "have it.");
+  }
+  RefSet items = more ? s.picked.items.with(named.balls) : RefSet(std::move(named.balls));
+  if (items.size() > Selection::kMostItems) {
+    return Outcome::refused("This would select " +
+                            with_separators(static_cast<long long>(items.size())) +
+                            "; at most 100,000 can be selected at once. Name fewer atoms.");
+  }
+  static_assert(Selection::kMostItems == 100000);
+  s.picked.items = std::move(items);
+  s.picked.note_order();
+  return {};
+}
+
+CommandSpec by_name(ViewState& s, bool more) {
+  return {.id = more ? "select.add" : "select.atoms",
+          .title = more ? "Add atoms to the selection…" : "Select atoms…",
+          .help = more ? "Selects atoms by name besides what is selected"
+                       : "Selects atoms by name, and nothing else",
+          .menu = "Edit",
+          .line_above = !more,
+          .parameters = {{.name = "atoms", .help = kNamesHelp, .example = "A:HIS 87:NE2"}},
+          .why_not = without_picture(s),
+          .run = [&s, more](const Arguments& arguments) {
+            return select(s, arguments.text("atoms"), more);
+          }};
+}
+
+// The page makes its table when it is shown.
+CommandSpec choose_cavity(ViewState& s) {
+  static constexpr NumberRule kRowRule{"The number", 1, 1e6, "", true};
+  return {.id = "cavities.choose",
+          .title = "Choose a cavity…",
+          .help = "Draws a cavity of the table and selects the atoms that line it",
+          .menu = "Edit",
+          .parameters = {{.name = "number",
+                          .kind = Parameter::Kind::number,
+                          .help = "Its number in the table; 1 has the largest SA volume",
+                          .example = "1",
+                          .rule = kRowRule}},
+          .why_not = without_picture(s),
+          .run = [&s](const Arguments& arguments) {
+            s.memory.bottom_panel = "cavities";
+            s.memory.cavities.wanted_row = static_cast<std::size_t>(arguments.number("number")) - 1;
+            return Outcome();
+          }};
+}
+
+CommandSpec castp_choices(ViewState& s) {
+  return {
+      .id = "cavities.castp",
+      .title = "Use CASTp's choices",
+      .help = "Takes radii, solvent radius, alpha and body as CASTp does, and splits no network",
+      .menu = "Edit",
+      .why_not = without_picture(s),
+      .run = [&s](const Arguments&) {
+        use_cavity_preset(s.open, s.compute, s.molecule.has_file_radii);
+        s.cavity_choices.split_networks = false;
+        s.memory.bottom_panel = "cavities";
+        return Outcome();
+      }};
+}
+
+CommandSpec split_networks(ViewState& s) {
+  CommandSpec command =
+      with_switch({.id = "cavities.split_networks",
+                   .title = "Split networks at their bottlenecks",
+                   .help = "Lists cavities of twenty mouths or more as the parts that they fall "
+                           "into while alpha grows"},
+                  s.cavity_choices.split_networks);
+  command.menu = "Edit";
+  command.why_not = without_picture(s);
+  return command;
+}
+
+}  // namespace
+
+void add_selection_commands(Commands& commands, ViewState& s) {
+  commands.add(by_name(s, false));
+  commands.add(by_name(s, true));
+  commands.add(choose_cavity(s));
+  commands.add(castp_choices(s));
+  commands.add(split_networks(s));
+  const auto nothing = [&s] { return s.picked.empty() ? "Nothing is selected." : ""; };
+  commands.add({.id = "select.none",
+                .title = "Select nothing",
+                .help = "Takes everything out of the selection",
+                .menu = "Edit",
+                .why_not = nothing,
+                .run = [&s](const Arguments&) {
+                  s.picked.clear();
+                  return Outcome();
+                }});
+  commands.add({.id = "view.zoom_to_selection",
+                .title = "Zoom to selection",
+                .help = "Brings what is selected into the middle of the view; it turns about that",
+                .shortcuts = {{"Z"}},
+                .menu = "View",
+                .why_not =
+                    [&s] {
+                      if (s.picked.items.empty()) return "Nothing is selected.";
+                      const bool none = s.picked_missing == s.picked.items.size();
+                      return none ? "Nothing of the selection is in the picture." : "";
+                    },
+                .run =
+                    [&s](const Arguments&) {
+                      s.requests.zoom_to_selection = true;
+                      return Outcome();
+                    }});
+}
+
+}  // namespace alphascope

@@ -1,0 +1,140 @@
+// Sessions, recent files, and how large fonts and controls are.
+#include <algorithm>
+#include <filesystem>
+
+#include "app/viewer/commands/command_parts.hpp"
+#include "core/files/output_ending.hpp"
+#include "core/geometry/shortest_number.hpp"
+#include "core/text/as_sentence.hpp"
+#include "core/text/printable.hpp"
+#include "ui/panels/dialogs/picture_path.hpp"
+#include "ui/widgets/widgets.hpp"
+
+namespace alphascope {
+namespace {
+
+namespace fs = std::filesystem;
+using Kind = Parameter::Kind;
+
+constexpr const char* kClear = "clear";
+
+Outcome open_session(const Arguments& arguments, ViewState& s) {
+  if (!arguments.has("path")) {
+    open_browser(s, BrowserPurpose::session);
+    return {};
+  }
+  const fs::path path = arguments.text("path");
+  std::error_code ignored;
+  if (!fs::exists(path, ignored)) {
+    return Outcome::refused("There is no file " + printable(path.string()) + ".");
+  }
+  s.requests.open_session = path;
+  return {};
+}
+
+Outcome save_session(const Arguments& arguments, ViewState& s) {
+  if (arguments.has("path")) {
+    const fs::path path = path_to_save(arguments.text("path"), kSessionEnding);
+    const std::string fault = fault_of_ending(path, {kSessionEnding});
+    if (!fault.empty()) return Outcome::refused(as_sentence(fault));
+    s.requests.save_session = path;
+    return {};
+  }
+  s.memory.session_path = s.session_file.string();  // the session that this molecule has
+  s.memory.show_save_session = true;
+  return {};
+}
+
+std::vector<Choice> recent(const ViewState& s) {
+  std::vector<Choice> choices;
+  for (const fs::path& file : s.recent) {
+    choices.push_back({file.string(), printable(file.filename().string()),
+                       printable(file.parent_path().string())});
+  }
+  if (!choices.empty()) choices.push_back({kClear, "Clear this list"});
+  return choices;
+}
+
+Outcome open_recent(const Arguments& arguments, ViewState& s) {
+  const std::string chosen = arguments.text("file");
+  if (chosen == kClear) {
+    s.requests.forget_recent = true;
+    return {};
+  }
+  std::error_code ignored;
+  if (!fs::exists(chosen, ignored)) {
+    return Outcome::failed("There is no file " + printable(chosen) +
+                           " any more. Look for it with “Open molecule…”.");
+  }
+  s.requests.open = chosen;
+  return {};
+}
+
+std::vector<Choice> scales(const ViewState& s) {
+  std::vector<Choice> choices{{"auto", "As the display says", "", s.control_scale == 0}};
+  for (const double scale : {1.0, 1.25, 1.5, 1.75, 2.0, 2.5, 3.0}) {
+    choices.push_back({shortest_number(scale), shortest_number(100 * scale) + " %", "",
+                       s.control_scale == scale});
+  }
+  return choices;
+}
+
+}  // namespace
+
+CommandSpec open_session_command(ViewState& s) {
+  return {.id = "file.open_session",
+          .title = "Open session…",
+          .help = "Opens a molecule with the settings, the view and the panels that were saved",
+          .shortcuts = {{"Ctrl+Shift+O"}},
+          .menu = "File",
+          .parameters = {{.name = "path",
+                          .kind = Kind::path,
+                          .help = "The session; if left out, a dialog opens",
+                          .optional = true}},
+          .run = [&s](const Arguments& arguments) { return open_session(arguments, s); }};
+}
+
+CommandSpec save_session_command(ViewState& s) {
+  return {.id = "file.save_session",
+          .title = "Save session…",
+          .help = "Writes the name of the molecule, all settings, the view and the panels",
+          .shortcuts = {{"Ctrl+Shift+S"}},
+          .menu = "File",
+          .line_above = true,
+          .parameters = {{.name = "path",
+                          .kind = Kind::path,
+                          .help = "The JSON file; if left out, a dialog opens",
+                          .optional = true}},
+          .why_not = without_molecule(s),
+          .run = [&s](const Arguments& arguments) { return save_session(arguments, s); }};
+}
+
+CommandSpec recent_files_command(ViewState& s) {
+  return {.id = "file.recent",
+          .title = "Recent files",
+          .help = "Opens a molecule or session again, or clears the list of them",
+          .menu = "File",
+          .parameters = {{.name = "file",
+                          .kind = Kind::choice,
+                          .help = "Which one; clear empties the list",
+                          .choices = [&s] { return recent(s); }}},
+          .run = [&s](const Arguments& arguments) { return open_recent(arguments, s); }};
+}
+
+CommandSpec scale_command(ViewState& s) {
+  return {.id = "view.scale",
+          .title = "Interface scale",
+          .help = "Sets the size of fonts and controls",
+          .menu = "View",
+          .parameters = {{.name = "scale",
+                          .kind = Kind::choice,
+                          .help = "1 is 100 %; auto is as the display says",
+                          .choices = [&s] { return scales(s); }}},
+          .run = [&s](const Arguments& arguments) {
+            const std::string chosen = arguments.text("scale");
+            s.control_scale = chosen == "auto" ? 0 : std::stod(chosen);
+            return Outcome();
+          }};
+}
+
+}  // namespace alphascope

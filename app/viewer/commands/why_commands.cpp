@@ -1,0 +1,26 @@
+// Commands of the page that explains a simplex.
+#include "app/viewer/commands/command_parts.hpp"
+
+namespace alphascope {
+
+void add_why_commands(Commands& commands, ViewState& s) {
+  commands.add({.id = "why.show",
+                .title = "Why is this here?",
+                .help = "Explains the selected atom, edge, triangle or tetrahedron, or that of two "
+                        "to four selected atoms: why it is in the alpha complex, or not",
+                .shortcuts = {{"W"}},
+                .menu = "Tools",
+                .line_above = true,
+                .why_not = without_molecule(s),
+                .run = [&s](const Arguments&) {
+                  s.memory.bottom_panel = "why";
+                  return Outcome();
+                }});
+  commands.add(with_switch({.id = "why.marks",
+                            .title = "Show the orthosphere",
+                            .help = "Draws the orthosphere of the simplex that is explained, the "
+                                    "nearest other ball, and the dual edge or facet"},
+                           s.memory.why.marks));
+}
+
+}  // namespace alphascope

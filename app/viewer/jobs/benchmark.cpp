@@ -1,0 +1,208 @@
+// See the header.
+#include "app/viewer/jobs/benchmark.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "app/bench/thesis_charts.hpp"
+#include "app/bench/thesis_table.hpp"
+#include "core/chart/layout.hpp"
+#include "core/chart/readable_number.hpp"
+#include "core/chart/svg.hpp"
+#include "core/document/commands/number_input.hpp"
+#include "core/selection/provenance.hpp"
+#include "core/text/printable.hpp"
+#include "ui/widgets/format.hpp"
+
+namespace alphascope {
+namespace {
+
+std::vector<std::string> columns() {
+  return {"alpha (Å²)",     "engine",          "memcpy (ms)", "kernel I (ms)", "prefix sum (ms)",
+          "kernel II (ms)", "kernel III (ms)", "other (ms)",  "cold (ms)",     "warm (ms)",
+          "speed-up",       "tetrahedra",      "of full (%)", "same as CGAL",  "note"};
+}
+
+std::string ms(const std::optional<double>& milliseconds) {
+  return milliseconds ? chart_number(*milliseconds) : "–";
+}
+
+std::vector<std::string> cells(const ThesisRow& row) {
+  const bool ok = row.measured();
+  const auto when = [ok](const std::string& text) { return ok ? text : std::string("–"); };
+  const ThesisStages& s = row.stages;
+  const auto ratio = row.speed_up();
+  const auto share = row.share_of_full();
+  std::string note = ok ? row.engine.device : "left out: " + row.skipped;
+  if (s.kernel1_has_kernel2) note += "; kernel I is I + II in one launch";
+  return {chart_number(row.alpha_angstrom2),
+          contestant_text(row),
+          ms(s.memcpy),
+          ms(s.kernel1),
+          ms(s.prefix_sum),
+          ms(s.kernel2),
+          ms(s.kernel3),
+          ms(s.other),
+          when(chart_number(row.cold_milliseconds)),
+          when(chart_number(row.warm_milliseconds)),
+          ratio ? ratio_text(*ratio) : "–",
+          when(with_separators(static_cast<long long>(row.tetrahedra))),
+          share ? chart_number(100 * *share) : "–",
+          !row.same_as_cgal   ? "not compared"
+          : *row.same_as_cgal ? "yes"
+                              : "NO",
+          note};
+}
+
+void show(const ThesisRow& row, BenchmarkInfo& info) {
+  info.rows.push_back(cells(row));
+  info.differs.push_back(row.same_as_cgal == false);
+}
+
+std::vector<std::string> lines(const ThesisReport& report) {
+  std::vector<std::string> text{machine_text(report.machine) + "; " + report.program};
+  for (const BreakEven& found : report.break_even) {
+    text.push_back(std::string(engine_id(found.choice)) +
+                   " beats CGAL with one thread up to: " + break_even_text(found));
+  }
+  return text;
+}
+
+ThesisOptions to_options(const BenchmarkControls& c, double solvent) {
+  ThesisOptions options;
+  options.alphas = parse_alphas(c.alphas);
+  for (const EngineChoice choice : thesis_engines(machine_info())) {
+    if (c.engines.contains(choice)) options.engines.push_back(choice);
+  }
+  options.solvent_radius_angstrom = solvent;
+  options.repeats = c.runs;
+  options.seconds_per_row = c.seconds_per_row;
+  options.ablation = c.ablation;
+  return options;
+}
+
+ThesisMolecule to_molecule(const SessionState& session) {
+  const OpenedMolecule& opened = *session.opened;
+  const double solvent = session.request.solvent_radius_angstrom;
+  std::shared_ptr<const BallSet> balls = session.prepared->balls;
+  if (solvent != 0) balls = std::make_shared<const BallSet>(with_solvent(*balls, solvent));
+  std::string name = printable(opened.molecule->source.filename().string());
+  name.erase(std::min(name.find('.'), name.size()));
+  return {name, balls,
+          provenance(*opened.molecule, opened.options.balls, session.prepared->report)};
+}
+
+}  // namespace
+
+std::vector<Alpha> parse_alphas(const std::string& text) {
+  std::vector<Alpha> alphas;
+  for (std::size_t k = 0; k < text.size();) {
+    const std::size_t start = text.find_first_not_of(" ,;", k);
+    if (start == std::string::npos) break;
+    k = std::min(text.find_first_of(" ;", start), text.size());
+    std::string word = text.substr(start, k - start);
+    while (word.ends_with(',')) word.pop_back();  // others are decimal commas
+    const AlphaInput input = read_alpha(word);
+    if (!input.value) {
+      throw std::invalid_argument(input.error + " Write a blank between numbers: 0, 1.4, 3");
+    }
+    alphas.push_back(*input.value);
+  }
+  if (alphas.empty()) throw std::invalid_argument("Write at least one alpha, such as 0, 1.4, 3");
+  return alphas;
+}
+
+void Benchmark::start(const SessionState& session, const BenchmarkControls& controls,
+                      BenchmarkInfo& info) {
+  if (running_ || !session.opened || !session.prepared) return;
+  info = {};
+  info.columns = columns();
+  try {
+    const ThesisOptions options = to_options(controls, session.request.solvent_radius_angstrom);
+    const ThesisMolecule molecule = to_molecule(session);
+    report_ = nullptr;
+    partial_ = std::make_shared<ThesisReport>(thesis_report({molecule}, options));
+    partial_->complete = false;
+    failure_.clear();
+    finished_ = cancelled_ = false;
+    arrived_ = std::make_shared<Arrived>();
+    worker_.submit(
+        [this, options, molecule, arrived = arrived_](const RunContext& context) {
+          const auto listener = [&](const ThesisRow& row) {
+            const std::lock_guard lock(arrived->mutex);
+            arrived->rows.push_back(row);
+          };
+          auto report = std::make_shared<const ThesisReport>(
+              run_thesis_suite({molecule}, options, factory_, context, listener));
+          return [this, report] {
+            report_ = report;
+            finished_ = true;
+          };
+        },
+        [this](const Worker::Failure& failure) {
+          cancelled_ = failure.cancelled;
+          if (!cancelled_) failure_ = failure.message;
+          finished_ = true;
+        });
+    running_ = info.running = true;
+  } catch (const std::exception& e) {
+    info.error = e.what();
+  }
+}
+
+bool Benchmark::poll(BenchmarkInfo& info) {
+  worker_.poll();
+  if (!running_) return false;
+  bool changed = finished_;
+  {
+    const std::lock_guard lock(arrived_->mutex);
+    changed |= !arrived_->rows.empty();
+    for (const ThesisRow& row : arrived_->rows) {
+      show(row, info);
+      partial_->rows.push_back(row);
+    }
+    arrived_->rows.clear();
+  }
+  const Worker::Activity activity = worker_.activity();
+  changed |= info.progress != activity.stage;
+  info.running = !finished_;
+  info.progress = activity.stage;
+  info.share = activity.share;
+  if (finished_) finish(info);
+  return changed;
+}
+
+// Rows that were measured before the end are as good as others, and can be exported, too.
+void Benchmark::finish(BenchmarkInfo& info) {
+  running_ = false;
+  info.error = failure_;
+  info.complete = report_ != nullptr;
+  if (!report_ && !partial_->rows.empty()) report_ = partial_;
+  partial_ = nullptr;
+  if (cancelled_) {
+    info.cancelled = report_ ? "Cancelled. These rows were measured before; they can be exported."
+                             : "Cancelled before the first row was measured.";
+  }
+  info.can_export = report_ != nullptr;
+  if (!report_) return;
+  info.charts = thesis_charts(*report_);
+  info.lines = lines(*report_);
+}
+
+void Benchmark::save(const BenchmarkControls& controls, BenchmarkInfo& info) const {
+  if (!report_) return;
+  info.error.clear();
+  info.exported.clear();
+  try {
+    const std::filesystem::path folder = controls.folder;
+    const auto figures = write_charts(thesis_charts(*report_), folder);
+    write_csv(to_csv(thesis_table(*report_)), folder / "thesis.csv");
+    info.exported = "Wrote thesis.csv and " + std::to_string(figures.size()) + " figures to " +
+                    std::filesystem::absolute(folder).string() +
+                    (report_->complete ? "" : ". They say that the run is incomplete.");
+  } catch (const std::exception& e) {
+    info.error = e.what();
+  }
+}
+
+}  // namespace alphascope

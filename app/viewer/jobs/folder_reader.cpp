@@ -1,0 +1,47 @@
+// See the header.
+#include "app/viewer/jobs/folder_reader.hpp"
+
+#include <utility>
+
+namespace alphascope {
+namespace {
+
+// A folder is looked at again this often while it is shown.
+constexpr std::chrono::seconds kLookAgainAfter{1};
+
+}  // namespace
+
+std::shared_ptr<const FolderListing> FolderReader::listing(
+    const std::optional<FolderQuery>& wanted) {
+  worker_.poll();
+  const bool another = wanted && wanted != wanted_;
+  wanted_ = wanted;
+  if (!wanted) {
+    if (worker_.activity().busy) worker_.cancel();
+    return listing_;
+  }
+  const bool old = std::chrono::steady_clock::now() - asked_ >= kLookAgainAfter;
+  if (another) {
+    read(false);
+  } else if (old && !worker_.activity().busy) {
+    read(!busy());
+  }
+  return listing_;
+}
+
+void FolderReader::read(bool only_if_changed) {
+  asked_ = std::chrono::steady_clock::now();
+  worker_.submit([this, query = *wanted_, only_if_changed,
+                  known = written_](const RunContext& context) -> Worker::Delivery {
+    std::error_code ignored;
+    const auto written = std::filesystem::last_write_time(query.folder, ignored);
+    if (only_if_changed && written == known) return {};
+    auto listing = std::make_shared<const FolderListing>(list_folder(query, context.cancel));
+    return [this, listing = std::move(listing), written] {
+      listing_ = listing;
+      written_ = written;
+    };
+  });
+}
+
+}  // namespace alphascope

@@ -1,0 +1,123 @@
+// See the header.
+#include "app/viewer/jobs/sweep_recorder.hpp"
+
+#include <chrono>
+#include <condition_variable>
+#include <exception>
+#include <mutex>
+#include <utility>
+
+namespace alphascope {
+namespace {
+
+// What derived results put into the picture is there one frame after they are.
+constexpr int kQuietFrames = 3;
+
+}  // namespace
+
+class SweepRecorder::Exchange {
+ public:
+  // On the thread that draws: waits for the picture of this alpha. Throws Cancelled.
+  Picture picture_of(const Alpha& alpha, const CancelToken& cancel) {
+    std::unique_lock lock(mutex_);
+    wanted_ = alpha;
+    while (!picture_) {
+      cancel.throw_if_cancelled();
+      given_.wait_for(lock, std::chrono::milliseconds(50));
+    }
+    wanted_.reset();
+    return *std::exchange(picture_, std::nullopt);
+  }
+
+  std::optional<Alpha> wanted() {
+    const std::lock_guard lock(mutex_);
+    return picture_ ? std::nullopt : wanted_;
+  }
+  void give(Picture picture) {
+    const std::lock_guard lock(mutex_);
+    picture_ = std::move(picture);
+    given_.notify_one();
+  }
+
+ private:
+  std::mutex mutex_;
+  std::condition_variable given_;
+  std::optional<Alpha> wanted_;
+  std::optional<Picture> picture_;
+};
+
+SweepRecorder::SweepRecorder(PictureSaver& saver, Window window)
+    : saver_(saver), window_(std::move(window)) {}
+
+void SweepRecorder::start(const RecordRequest& request, PictureTexts texts) {
+  const auto exchange = std::make_shared<Exchange>();
+  const FrameSource source{[exchange](std::optional<double> alpha, const RunContext& context) {
+    return exchange->picture_of(alpha.value(), context.cancel);
+  }};
+  saver_.start(recording_job(request, source, std::move(texts)));
+  exchange_ = exchange;
+  request_ = request;
+  molecule_ = window_.molecule();
+  alpha_before_ = window_.alpha();
+  asked_.reset();
+  viewpoint_.reset();
+}
+
+void SweepRecorder::ask(const Alpha& alpha) {
+  window_.set_alpha(alpha);
+  asked_ = alpha;
+  quiet_frames_ = 0;
+}
+
+std::string SweepRecorder::give_up(const std::string& why) {
+  exchange_ = nullptr;
+  saver_.cancel();
+  return why;
+}
+
+std::string SweepRecorder::step(bool quiet) {
+  if (!exchange_) return {};
+  const bool same_molecule = window_.molecule() == molecule_;
+  const bool as_asked = window_.alpha() == asked_.value_or(alpha_before_);
+  if (!saver_.busy()) {  // finished, cancelled, or it has failed, which is told
+    // A frame is between both, for whoever asks busy(): this change is the recording's, too.
+    if (asked_ && same_molecule && as_asked) {
+      window_.set_alpha(alpha_before_);
+      asked_.reset();
+    } else {
+      exchange_ = nullptr;
+    }
+    return {};
+  }
+  if (!same_molecule) {
+    return give_up("The molecule or its atoms were changed while it was being recorded.");
+  }
+  if (!as_asked) return give_up("Alpha was changed while it was being recorded.");
+  const std::optional<Alpha> wanted = exchange_->wanted();
+  if (!wanted) return {};
+  if (asked_ != wanted) {
+    ask(*wanted);
+    return {};
+  }
+  quiet_frames_ = quiet ? quiet_frames_ + 1 : 0;
+  if (quiet_frames_ < kQuietFrames) return {};
+  if (window_.drawn_alpha() != wanted) {
+    return give_up("There is no picture of one of its values of alpha.");
+  }
+  return hand_over();
+}
+
+// What is missing after all work is done stays missing.
+std::string SweepRecorder::hand_over() {
+  try {
+    Picture picture = window_.take_picture({request_.path, request_.options});
+    if (!viewpoint_) viewpoint_ = picture.viewpoint;
+    picture.viewpoint = viewpoint_;
+    exchange_->give(std::move(picture));
+  } catch (const std::exception& error) {  // as when there is no memory for it
+    return give_up(error.what());
+  }
+  return {};
+}
+
+}  // namespace alphascope

@@ -1,0 +1,162 @@
+// See the header.
+#include "app/viewer/script/timed_moves.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <map>
+#include <stdexcept>
+#include <vector>
+
+#include "app/viewer/viewer.hpp"
+#include "core/molecule/sandbox.hpp"
+#include "core/run/picture_stages.hpp"
+#include "ui/widgets/controls.hpp"
+
+namespace alphascope {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr std::chrono::seconds kLongest{300};
+constexpr double kBeside = 0.05;  // Å², from where alpha moves: another complex, about as large
+// Moves to an alpha that are not counted: they make room for its results.
+constexpr int kWarmUp = 2;
+constexpr double kStep = 0.0371;  // Å, that a ball moves
+
+double milliseconds_since(Clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+class Mover {
+ public:
+  Mover(Viewer& viewer, ScriptedInput& input) : viewer_(viewer), input_(input) {}
+
+  // Milliseconds until the picture of this alpha is drawn.
+  double move_to(double angstrom2) {
+    const Clock::time_point start = Clock::now();
+    set_alpha(viewer_.state().compute, angstrom2);
+    const Alpha wanted = viewer_.state().compute.alpha_angstrom2;
+    return until(start, [&] {
+      const auto& result = viewer_.state().result;
+      return result && result->request.alpha_angstrom2 == wanted;
+    });
+  }
+
+  // Milliseconds until the picture with this ball, from 0, a step further along x is drawn.
+  double move_ball_by(std::size_t ball, double step) {
+    const Clock::time_point start = Clock::now();
+    const auto before = viewer_.state().result;
+    Sandbox& sandbox = *viewer_.state().open.sandbox;
+    SandboxPlace place = centre_of(sandbox, ball);
+    place[0] += step;
+    move_ball(sandbox, ball, place);
+    return until(start, [&] {
+      const auto& result = viewer_.state().result;  // null while the new balls have none yet
+      return result && result != before;
+    });
+  }
+
+  // Milliseconds of a frame at rest.
+  double frame() {
+    const Clock::time_point start = Clock::now();
+    viewer_.step(&input_);
+    viewer_.finish_frame();
+    return milliseconds_since(start);
+  }
+
+  void rest() {
+    const Clock::time_point start = Clock::now();
+    for (int quiet = 0; quiet < 4; quiet = viewer_.busy() ? 0 : quiet + 1) {
+      if (viewer_.busy()) viewer_.host().wait_events(0.005);
+      viewer_.step(&input_);
+      require_in_time(start);
+    }
+  }
+
+ private:
+  template <class Shown>
+  double until(Clock::time_point start, const Shown& shown) {
+    viewer_.step(&input_);
+    while (!shown()) {
+      viewer_.wait_for_frame();
+      viewer_.step(&input_);
+      require_in_time(start);
+    }
+    viewer_.finish_frame();
+    return milliseconds_since(start);
+  }
+  static void require_in_time(Clock::time_point start) {
+    if (Clock::now() - start < kLongest) return;
+    throw std::runtime_error("no picture of what was asked for after five minutes");
+  }
+
+  Viewer& viewer_;
+  ScriptedInput& input_;
+};
+
+// "12.3 (15.1)": median and longest.
+std::string summary(std::vector<double> times) {
+  if (times.empty()) return "none";
+  std::sort(times.begin(), times.end());
+  char text[64];
+  std::snprintf(text, sizeof text, "%.2f (%.2f)", times[times.size() / 2], times.back());
+  return text;
+}
+
+}  // namespace
+
+std::string time_alpha_moves(Viewer& viewer, ScriptedInput& input, double angstrom2, int moves) {
+  Mover mover(viewer, input);
+  std::vector<double> whole, engine;
+  std::map<std::string, std::vector<double>> stages;
+  std::uint64_t hash = 0;
+  const auto move = [&](int i) {
+    mover.move_to(angstrom2 + (i % 2 == 0 ? kBeside : -kBeside));
+    mover.rest();
+    return mover.move_to(angstrom2);
+  };
+  for (int i = 0; i < kWarmUp; ++i) {
+    move(i);
+    mover.rest();
+  }
+  for (int i = 0; i < moves; ++i) {
+    whole.push_back(move(i));
+    const AlphaComplex& complex = viewer.state().result->complex;
+    engine.push_back(complex.timings.wall_milliseconds);
+    for (const StageTime& stage : viewer.picture_stages()) {
+      stages[stage.label].push_back(stage.milliseconds);
+    }
+    if (i > 0 && complex.hash != hash) throw std::runtime_error("two complexes for one alpha");
+    hash = complex.hash;
+    mover.rest();
+  }
+  char alpha[32];
+  std::snprintf(alpha, sizeof alpha, "%g", angstrom2);
+  std::string line = std::string("alpha ") + alpha + ": " + summary(whole) +
+                     " ms to the picture, engine " + summary(engine);
+  for (const auto label : {stage::kMesh, stage::kUpload, stage::kDraw}) {
+    line += ", " + std::string(label) + " " + summary(stages[std::string(label)]);
+  }
+  return line + ", hash " + hash_text(hash);
+}
+
+std::string time_ball_moves(Viewer& viewer, ScriptedInput& input, int moves) {
+  const auto& sandbox = viewer.state().open.sandbox;
+  if (!sandbox || sandbox->balls.empty()) throw std::runtime_error("there are no balls by hand");
+  const std::size_t balls = sandbox->balls.size();
+  Mover mover(viewer, input);
+  std::vector<double> whole, engine, frame;
+  mover.rest();
+  for (int i = 0; i < moves; ++i) {
+    const double step = i / static_cast<int>(balls) % 2 == 0 ? kStep : -kStep;
+    whole.push_back(mover.move_ball_by(static_cast<std::size_t>(i) % balls, step));
+    engine.push_back(viewer.state().result->complex.timings.wall_milliseconds);
+    mover.rest();
+    frame.push_back(mover.frame());
+  }
+  return "moves of " + std::to_string(balls) + " balls: " + summary(whole) +
+         " ms to the picture, engine " + summary(engine) + ", a frame at rest " + summary(frame);
+}
+
+}  // namespace alphascope

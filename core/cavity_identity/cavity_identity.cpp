@@ -1,0 +1,247 @@
+// See the header.
+#include "core/cavity_identity/cavity_identity.hpp"
+
+#include <algorithm>
+#include <span>
+#include <stdexcept>
+#include <utility>
+
+#include "core/cavity/tetrahedron_order.hpp"
+#include "core/cavity_identity/point_location.hpp"
+#include "core/predicates/perturbation.hpp"
+#include "core/run/parallel.hpp"
+
+namespace alphascope {
+namespace {
+
+constexpr std::uint32_t kNone = CavityMatch::kNone;
+using Sink = std::array<BallIndex, 4>;
+
+// Six times the volume of a tetrahedron, cubic lattice units: below 2^95. A cavity has fewer than
+// 2^31 tetrahedra, so sums stay below 2^126.
+Int128 six_volumes(const BallSet& balls, const std::array<BallIndex, 4>& corners) {
+  const auto from_first = [&](std::size_t k) {
+    return lifted_vector(balls.centres[corners[0]], 0, balls.centres[corners[k]], 0);
+  };
+  const Int128 signed_volume = determinant(from_first(1), from_first(2), from_first(3));
+  return signed_volume < 0 ? -signed_volume : signed_volume;
+}
+
+struct Share {
+  std::uint32_t earlier, later;
+  Int128 volume;
+};
+
+// The larger share; of equal ones, the cavity whose sink comes first by the places of its centres.
+class Largest {
+ public:
+  Largest(std::size_t cavities, std::span<const Sink> sinks, const BallSet& balls)
+      : best_(cavities, kNone), volume_(cavities, 0), sinks_(sinks), balls_(balls) {}
+  void offer(std::uint32_t of, std::uint32_t candidate, Int128 volume) {
+    std::uint32_t& best = best_[of];
+    if (best != kNone &&
+        (volume < volume_[of] ||
+         (volume == volume_[of] && !comes_first(balls_, sinks_[candidate], sinks_[best])))) {
+      return;
+    }
+    best = candidate;
+    volume_[of] = volume;
+  }
+  std::vector<std::uint32_t> take() { return std::move(best_); }
+
+ private:
+  std::vector<std::uint32_t> best_;
+  std::vector<Int128> volume_;
+  std::span<const Sink> sinks_;
+  const BallSet& balls_;
+};
+
+// Adds up what single tetrahedra share, later cavity by later cavity.
+class ShareSums {
+ public:
+  explicit ShareSums(std::size_t earlier) : sum_(earlier, 0), last_(earlier, kNone) {}
+  void add(std::uint32_t earlier, std::uint32_t later, Int128 volume) {
+    if (std::exchange(last_[earlier], later) != later) {
+      touched_.push_back(earlier);
+      sum_[earlier] = 0;
+    }
+    sum_[earlier] += volume;
+  }
+  // Of the later cavity that was added to.
+  void finish(std::uint32_t later, std::vector<Share>& shares) {
+    for (const std::uint32_t earlier : touched_) shares.push_back({earlier, later, sum_[earlier]});
+    touched_.clear();
+  }
+
+ private:
+  std::vector<Int128> sum_;
+  std::vector<std::uint32_t> last_, touched_;
+};
+
+CavityMatch match_of(const std::vector<Share>& shares, std::span<const Sink> earlier,
+                     std::span<const Sink> later, const BallSet& balls) {
+  Largest came_from(later.size(), earlier, balls), goes_to(earlier.size(), later, balls);
+  for (const Share& share : shares) {
+    came_from.offer(share.later, share.earlier, share.volume);
+    goes_to.offer(share.earlier, share.later, share.volume);
+  }
+  return {came_from.take(), goes_to.take()};
+}
+
+std::vector<Sink> sinks_of(const CavityTable& table) {
+  std::vector<Sink> sinks;
+  for (const Cavity& cavity : table.found.cavities) {
+    sinks.push_back(table.ground->triangulation->tetrahedra[cavity.deepest_sink]);
+  }
+  return sinks;
+}
+
+// Of each tetrahedron of `later`, the first one of `earlier` that does not come before it.
+std::vector<std::uint32_t> places_in(const Simplices<4>& earlier, const Simplices<4>& later) {
+  std::vector<std::uint32_t> places(later.size());
+  std::uint32_t at = 0;
+  for (std::size_t t = 0; t < later.size(); ++t) {
+    while (at < earlier.size() && earlier[at] < later[t]) ++at;
+    places[t] = at;
+  }
+  return places;
+}
+
+LatticePlace centroid(const BallSet& balls, const std::array<BallIndex, 4>& corners) {
+  LatticePlace place{0, 0, 0, 4};
+  for (const BallIndex v : corners) {
+    place.x += balls.centres[v].x;
+    place.y += balls.centres[v].y;
+    place.z += balls.centres[v].z;
+  }
+  return place;
+}
+
+// The earlier cavity in which each tetrahedron of a later cavity has its centroid, or kNone.
+class CentroidCavities {
+ public:
+  CentroidCavities(const CavityTable& earlier, const CavityTable& later)
+      : earlier_(earlier),
+        later_(later),
+        places_(places_in(earlier.ground->triangulation->tetrahedra,
+                          later.ground->triangulation->tetrahedra)),
+        locator_(*earlier.ground->balls, *earlier.ground->triangulation) {}
+
+  std::vector<std::uint32_t> all(const CancelToken& cancel) const {
+    const auto& labels = later_.found.cavity_of_tetrahedron;
+    std::vector<std::uint32_t> cavities(labels.size(), kNone);
+    parallel_many(labels.size(), cancel, [&](std::size_t t) {
+      if (labels[t] != Cavities::kNone) cavities[t] = of(t);
+    });
+    return cavities;
+  }
+
+ private:
+  // What comes next in the list has most balls in common with it, so the search begins there.
+  std::uint32_t of(std::size_t t) const {
+    const auto& tetrahedra = earlier_.ground->triangulation->tetrahedra;
+    const auto& corners = later_.ground->triangulation->tetrahedra[t];
+    std::uint32_t at = std::min(places_[t], static_cast<std::uint32_t>(tetrahedra.size() - 1));
+    if (tetrahedra[at] != corners) {
+      // On the lattice of the earlier balls, which may be finer or coarser: both hold all centres.
+      at = locator_.find(centroid(*earlier_.ground->balls, corners), at);
+    }
+    return at == PointLocator::kOutside ? kNone : earlier_.found.cavity_of_tetrahedron[at];
+  }
+
+  const CavityTable &earlier_, &later_;
+  const std::vector<std::uint32_t> places_;
+  const PointLocator locator_;
+};
+
+// In one triangulation cavities only split as alpha grows, and the deepest sink tells which is
+// which.
+CavityMatch match_by_sinks(const CavityTable& earlier, const CavityTable& later) {
+  const auto at_sinks = [](const CavityTable& of, const CavityTable& in) {
+    std::vector<std::uint32_t> cavities;
+    for (const Cavity& cavity : of.found.cavities) {
+      cavities.push_back(in.found.cavity_of_tetrahedron[cavity.deepest_sink]);
+    }
+    return cavities;
+  };
+  return {at_sinks(later, earlier), at_sinks(earlier, later)};
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> CavityMatch::parts(std::uint32_t earlier) const {
+  std::vector<std::uint32_t> list;
+  for (std::uint32_t n = 0; n < came_from.size(); ++n) {
+    if (came_from[n] == earlier) list.push_back(n);
+  }
+  return list;
+}
+
+std::vector<std::uint32_t> CavityMatch::sources(std::uint32_t later) const {
+  std::vector<std::uint32_t> list;
+  for (std::uint32_t n = 0; n < goes_to.size(); ++n) {
+    if (goes_to[n] == later) list.push_back(n);
+  }
+  return list;
+}
+
+CavityMatch match_cavities(const CavityTable& earlier, const CavityTable& later,
+                           const CancelToken& cancel) {
+  if (earlier.ground->balls->size() != later.ground->balls->size()) {
+    throw std::invalid_argument("cavities of other atoms cannot be compared");
+  }
+  if (earlier.ground == later.ground) return match_by_sinks(earlier, later);
+  const std::vector<Sink> sinks_before = sinks_of(earlier), sinks_now = sinks_of(later);
+  const BallSet& balls = *later.ground->balls;
+  if (sinks_before.empty() || sinks_now.empty()) {
+    return match_of({}, sinks_before, sinks_now, balls);
+  }
+  const std::vector<std::uint32_t> from = CentroidCavities(earlier, later).all(cancel);
+  ShareSums sums(sinks_before.size());
+  std::vector<Share> shares;
+  for (std::uint32_t c = 0; c < sinks_now.size(); ++c) {
+    for (const std::uint32_t t : later.found.cavities[c].tetrahedra) {
+      if (from[t] == kNone) continue;
+      sums.add(from[t], c, six_volumes(balls, later.ground->triangulation->tetrahedra[t]));
+    }
+    sums.finish(c, shares);
+  }
+  return match_of(shares, sinks_before, sinks_now, balls);
+}
+
+CavityRegions regions_of(const CavityTable& table) {
+  CavityRegions regions;
+  const auto& labels = table.found.cavity_of_tetrahedron;
+  for (std::size_t t = 0; t < labels.size(); ++t) {
+    if (labels[t] == Cavities::kNone) continue;
+    regions.tetrahedra.push_back(table.ground->triangulation->tetrahedra[t]);
+    regions.cavity.push_back(labels[t]);
+  }
+  regions.sinks = sinks_of(table);
+  return regions;
+}
+
+CavityMatch match_regions(const CavityRegions& earlier, const CavityRegions& later,
+                          const BallSet& balls) {
+  const std::vector<std::uint32_t> places = places_in(earlier.tetrahedra, later.tetrahedra);
+  std::vector<Share> single;
+  for (std::size_t t = 0; t < places.size(); ++t) {
+    const std::uint32_t at = places[t];
+    if (at == earlier.tetrahedra.size() || earlier.tetrahedra[at] != later.tetrahedra[t]) continue;
+    single.push_back(
+        {earlier.cavity[at], later.cavity[t], six_volumes(balls, later.tetrahedra[t])});
+  }
+  std::sort(single.begin(), single.end(),
+            [](const Share& a, const Share& b) { return a.later < b.later; });
+  ShareSums sums(earlier.sinks.size());
+  std::vector<Share> shares;
+  for (std::size_t n = 0; n < single.size(); ++n) {
+    sums.add(single[n].earlier, single[n].later, single[n].volume);
+    if (n + 1 == single.size() || single[n + 1].later != single[n].later) {
+      sums.finish(single[n].later, shares);
+    }
+  }
+  return match_of(shares, earlier.sinks, later.sinks, balls);
+}
+
+}  // namespace alphascope

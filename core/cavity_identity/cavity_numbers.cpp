@@ -1,0 +1,108 @@
+// See the header.
+#include "core/cavity_identity/cavity_numbers.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace alphascope {
+namespace {
+
+constexpr std::uint32_t kNone = CavityMatch::kNone;
+
+void number_the_rest(CavityNumbers& numbers) {
+  const CavityTable& table = *numbers.table;
+  std::vector<bool> taken(numbers.used, false);
+  for (const std::uint32_t number : numbers.of) {
+    if (number != kNone) taken[number] = true;
+  }
+  for (std::size_t row = 0; row < table.size(); ++row) {
+    std::uint32_t& number = numbers.of[table.order[row]];
+    if (number == kNone) {
+      const auto known = numbers.known.find(table.sink(row));
+      const bool free = known != numbers.known.end() && !taken[known->second];
+      number = free ? known->second : numbers.used++;
+      taken.resize(numbers.used, false);
+      taken[number] = true;
+    }
+    numbers.known[table.sink(row)] = number;
+  }
+}
+
+void note_changes(const CavityNumbers& before, const CavityMatch& match, CavityNumbers& numbers) {
+  for (std::uint32_t c = 0; c < match.came_from.size(); ++c) {
+    const std::uint32_t from = match.came_from[c];
+    if (from != kNone && !match.is_same(c)) numbers.parted_from[c] = before.of[from];
+  }
+  for (std::uint32_t e = 0; e < match.goes_to.size(); ++e) {
+    const std::uint32_t to = match.goes_to[e];
+    if (to != kNone && match.came_from[to] != e) ++numbers.merged[to];
+  }
+}
+
+// Whose sink comes back is a cavity of its own again.
+void note_heirs(const CavityNumbers& before, const CavityMatch& match, CavityNumbers& numbers) {
+  numbers.merged_into = before.merged_into;
+  for (std::uint32_t e = 0; e < match.goes_to.size(); ++e) {
+    const std::uint32_t to = match.goes_to[e];
+    if (to != kNone && match.came_from[to] != e) {
+      numbers.merged_into[before.of[e]] = numbers.of[to];
+    }
+  }
+  for (const std::uint32_t number : numbers.of) numbers.merged_into.erase(number);
+}
+
+// All without a number, and without a past.
+CavityNumbers blank_numbers(std::shared_ptr<const CavityTable> table) {
+  CavityNumbers numbers;
+  const std::size_t size = table->found.cavities.size();
+  numbers.of.assign(size, kNone);
+  numbers.parted_from.assign(size, kNone);
+  numbers.merged.assign(size, 0);
+  numbers.table = std::move(table);
+  return numbers;
+}
+
+}  // namespace
+
+std::uint32_t CavityNumbers::cavity(std::uint32_t number) const {
+  const auto at = std::find(of.begin(), of.end(), number);
+  return at == of.end() ? kNone : static_cast<std::uint32_t>(at - of.begin());
+}
+
+std::uint32_t CavityNumbers::cavity_or_heir(std::uint32_t number) const {
+  // Each step leads to what was there later, so none comes twice but for one that came back.
+  for (std::size_t step = 0; step <= merged_into.size(); ++step) {
+    const std::uint32_t found = cavity(number);
+    const auto heir = merged_into.find(number);
+    if (found != kNone || heir == merged_into.end()) return found;
+    number = heir->second;
+  }
+  return kNone;
+}
+
+CavityNumbers first_numbers(std::shared_ptr<const CavityTable> table) {
+  CavityNumbers numbers = blank_numbers(std::move(table));
+  number_the_rest(numbers);
+  return numbers;
+}
+
+CavityNumbers next_numbers(const CavityNumbers& before, std::shared_ptr<const CavityTable> table,
+                           const CancelToken& cancel) {
+  if (before.table->ground->balls->size() != table->ground->balls->size()) {
+    return first_numbers(std::move(table));
+  }
+  const CavityMatch match = match_cavities(*before.table, *table, cancel);
+  CavityNumbers numbers = blank_numbers(std::move(table));
+  numbers.known = before.known;
+  numbers.used = before.used;
+  numbers.steps = before.steps + 1;
+  for (std::uint32_t c = 0; c < numbers.of.size(); ++c) {
+    if (match.is_same(c)) numbers.of[c] = before.of[match.came_from[c]];
+  }
+  note_changes(before, match, numbers);
+  number_the_rest(numbers);
+  note_heirs(before, match, numbers);
+  return numbers;
+}
+
+}  // namespace alphascope

@@ -1,0 +1,339 @@
+#include "core/channel/centre_line.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+
+#include "core/channel/plane_ascent.hpp"
+#include "core/channel/walk.hpp"
+#include "core/run/parallel.hpp"
+
+namespace alphascope {
+namespace {
+
+using Line = std::vector<RealPoint>;
+
+constexpr double kCoarseSpacing = 0.2;  // Å, while the line moves
+constexpr double kFineSpacing = 0.08;   // of the result: what settles moves apart a little
+// Å along the line to both sides; or this share of the clearance, where what is nearer tells no
+// direction.
+constexpr double kTangentReach = 0.5, kTangentShare = 0.5;
+constexpr int kRounds = 60;
+constexpr double kStill = 0.004;  // Å: rounds end when no place moves more
+
+double line_length(const Line& line) {
+  double sum = 0;
+  for (std::size_t n = 1; n < line.size(); ++n) sum += length(line[n] - line[n - 1]);
+  return sum;
+}
+
+// Places at equal distances along the line, of at most `spacing`; the ends stay.
+Line resampled(const Line& line, double spacing) {
+  const double whole = line_length(line);
+  const auto count = static_cast<std::size_t>(std::max(1.0, std::ceil(whole / spacing)));
+  Line result{line.front()};
+  double passed = 0;
+  std::size_t segment = 1;
+  for (std::size_t n = 1; n < count; ++n) {
+    const double at = whole * static_cast<double>(n) / static_cast<double>(count);
+    double size = length(line[segment] - line[segment - 1]);
+    while (passed + size < at && segment + 1 < line.size()) {
+      passed += size;
+      ++segment;
+      size = length(line[segment] - line[segment - 1]);
+    }
+    const double share = size > 0 ? std::min(1.0, (at - passed) / size) : 0;
+    result.push_back(line[segment - 1] + share * (line[segment] - line[segment - 1]));
+  }
+  result.push_back(line.back());
+  return result;
+}
+
+RealPoint tangent(const Clearance& clearance, const Line& line, std::size_t n, double spacing) {
+  const double angstrom = std::max(kTangentReach, kTangentShare * clearance.at(line[n]));
+  const auto reach = static_cast<std::size_t>(std::lround(angstrom / spacing));
+  const std::size_t low = n > reach ? n - reach : 0, high = std::min(n + reach, line.size() - 1);
+  return unit_vector(line[high] - line[low]);
+}
+
+// The end of a curve from where clearance reaches `radius` on, walking towards its first place.
+// Clearance changes by no more than the distance walked, so wide parts are crossed in few steps.
+Line cut_start(const Clearance& clearance, double radius, const Line& curve) {
+  constexpr double kStep = 0.05;  // Å
+  Walk walk(curve);
+  Walk cut = walk;
+  while (!walk.at_end()) {
+    const double above = clearance.at(walk.place()) - radius;
+    if (above < 0) break;
+    cut = walk;
+    walk.advance(std::max(above, kStep));
+  }
+  if (cut.at_end()) return curve;
+  Line result{cut.place()};
+  result.insert(result.end(), curve.begin() + static_cast<std::ptrdiff_t>(cut.segment()) + 1,
+                curve.end());
+  return result;
+}
+
+// Is clearance at least `radius` on the whole segment?
+bool is_wide(const Clearance& clearance, const RealPoint& from, const RealPoint& to,
+             double radius) {
+  constexpr double kStep = 0.05;  // Å
+  const double whole = length(to - from);
+  const RealPoint along = unit_vector(to - from);
+  for (double at = 0; at < whole;) {
+    const double above = clearance.at(from + at * along) - radius;
+    if (above < 0) return false;
+    at += std::max(above, kStep);
+  }
+  return true;
+}
+
+// Goes straight through what is wider than `radius`, where edges of the power diagram go far.
+Line straightened(const Clearance& clearance, const Line& line, double radius,
+                  const CancelToken& cancel) {
+  Line result;
+  for (std::size_t n = 0; n < line.size();) {
+    cancel.throw_if_cancelled();
+    result.push_back(line[n]);
+    std::size_t next = n + 1;
+    if (clearance.at(line[n]) >= radius) {
+      for (std::size_t hop = std::bit_floor(line.size()); hop > 1; hop /= 2) {
+        if (n + hop >= line.size() || !is_wide(clearance, line[n], line[n + hop], radius)) continue;
+        next = n + hop;
+        break;
+      }
+    }
+    n = next;
+  }
+  return result;
+}
+
+// The same again and again, as long as that makes it much shorter.
+Line taut(const Clearance& clearance, Line line, double radius, const CancelToken& cancel) {
+  constexpr int kMostTimes = 12;
+  constexpr double kWorth = 0.98;
+  for (int n = 0; n < kMostTimes; ++n) {
+    const double before = line_length(line);
+    line = resampled(straightened(clearance, line, radius, cancel), kCoarseSpacing);
+    if (line_length(line) > kWorth * before) break;
+  }
+  return line;
+}
+
+// Leaves out what goes away and comes back, where the straight way is as wide as its ends and less
+// than half as long.
+Line without_folds(const Clearance& clearance, const Line& line, const CancelToken& cancel) {
+  constexpr double kLeastFold = 2, kNarrower = 0.02;  // Å
+  Line result;
+  for (std::size_t n = 0; n < line.size(); ++n) {
+    cancel.throw_if_cancelled();
+    result.push_back(line[n]);
+    const double own = clearance.at(line[n]);
+    double along = 0;
+    std::size_t back = n;
+    for (std::size_t k = n + 1; k < line.size(); ++k) {
+      along += length(line[k] - line[k - 1]);
+      if (along < kLeastFold || 2 * length(line[k] - line[n]) > along) continue;
+      const double radius = std::min(own, clearance.at(line[k])) - kNarrower;
+      if (is_wide(clearance, line[n], line[k], radius)) back = k;
+    }
+    if (back > n) n = back - 1;
+  }
+  return result;
+}
+
+// Adds places where two are too far apart.
+Line filled(const Line& line) {
+  Line result;
+  for (const RealPoint& next : line) {
+    if (!result.empty()) {
+      const RealPoint last = result.back(), step = next - last;
+      const auto parts = static_cast<int>(std::ceil(length(step) / kSpacingAngstrom));
+      for (int part = 1; part < parts; ++part) {
+        result.push_back(last + (static_cast<double>(part) / parts) * step);
+      }
+    }
+    result.push_back(next);
+  }
+  return result;
+}
+
+// What a line moves in.
+struct Scene {
+  const Clearance& clearance;
+  const Envelope& envelope;
+  const LineStart& start;
+  const CancelToken& cancel;
+
+  bool is_wide(const RealPoint& x) const { return clearance.at(x) >= start.end_radius_angstrom; }
+  bool stays(const Line& line, std::size_t n) const {
+    if (n == 0 && start.first_fixed) return true;
+    if (n + 1 == line.size() && start.last_fixed) return true;
+    return !envelope.holds(line[n]) && is_wide(line[n]);
+  }
+};
+
+// Cuts off what is behind the first place, seen from the end, where clearance is below the radius.
+void cut_ends(const Scene& scene, Line& line) {
+  if (!scene.start.last_fixed) {
+    while (line.size() > 2 && scene.is_wide(line[line.size() - 2])) line.pop_back();
+  }
+  if (!scene.start.first_fixed) {
+    std::size_t drop = 0;
+    while (line.size() - drop > 2 && scene.is_wide(line[drop + 1])) ++drop;
+    line.erase(line.begin(), line.begin() + static_cast<std::ptrdiff_t>(drop));
+  }
+}
+
+// Moves every place in the plane normal to the line, but fixed ends and what is in the open.
+Line ascended(const Scene& scene, const Line& line, double spacing, const AscentLimits& limits) {
+  Line result = line;
+  parallel_each(0, line.size(), [&](std::size_t n) {
+    const RealPoint normal = tangent(scene.clearance, line, n, spacing);
+    if (scene.stays(line, n) || scene.cancel.cancelled() || normal == RealPoint{}) return;
+    result[n] = ascend_in_plane(scene.clearance, line[n], normal, limits).place;
+  });
+  scene.cancel.throw_if_cancelled();
+  return result;
+}
+
+Line smoothed(const Scene& scene, const Line& line) {
+  Line result = line;
+  for (std::size_t n = 1; n + 1 < line.size(); ++n) {
+    if (!scene.stays(line, n)) result[n] = 0.25 * (line[n - 1] + 2 * line[n] + line[n + 1]);
+  }
+  return result;
+}
+
+// How far the places of a line are at most from another line.
+double farthest_move(const Line& line, const Line& before) {
+  double farthest = 0;
+  std::size_t near = 0;
+  for (const RealPoint& p : line) {
+    // Both run the same way, so the nearest places follow each other.
+    while (near + 1 < before.size() && length(before[near + 1] - p) < length(before[near] - p)) {
+      ++near;
+    }
+    double distance = length(before[near] - p);
+    for (const std::size_t n : {near, near + 1}) {
+      if (n == 0 || n >= before.size()) continue;
+      const RealPoint along = before[n] - before[n - 1], from = p - before[n - 1];
+      const double square = dot(along, along);
+      const double share = square > 0 ? std::clamp(dot(from, along) / square, 0.0, 1.0) : 0;
+      distance = std::min(distance, length(from - share * along));
+    }
+    farthest = std::max(farthest, distance);
+  }
+  return farthest;
+}
+
+}  // namespace
+
+CutCurve cut_at_least_clearance(const Clearance& clearance, const std::vector<RealPoint>& curve,
+                                const CancelToken& cancel) {
+  // Clearance changes by no more than the distance walked: a step passes no place that is narrower
+  // by more than half of what is added to it.
+  constexpr double kCoarse = 0.05, kFine = 2 * kLeastClearanceError;
+  double least = std::numeric_limits<double>::infinity();
+  Walk best(curve);
+  const auto look = [&](const Walk& walk) {
+    cancel.throw_if_cancelled();
+    const double here = clearance.at(walk.place());
+    if (here < least) {
+      least = here;
+      best = walk;
+    }
+    return here;
+  };
+  // Corners first: far away, where a curve begins, each place is narrower than the one before.
+  for (Walk walk(curve); !walk.at_end(); walk.advance_to_corner()) look(walk);
+  for (const double added : {kCoarse, kFine}) {
+    for (Walk walk(curve); !walk.at_end();) walk.advance(look(walk) - least + added);
+  }
+  if (clearance.at(curve.back()) < least) return {curve, {curve.back()}};
+  const auto corner = curve.begin() + static_cast<std::ptrdiff_t>(best.segment()) + 1;
+  CutCurve cut{{curve.begin(), corner}, {corner, curve.end()}};
+  const RealPoint place = best.place();
+  if (cut.before.back() != place) cut.before.push_back(place);
+  cut.after.insert(cut.after.begin(), place);
+  return cut;
+}
+
+std::vector<ChannelSample> centre_line(const Clearance& clearance, const Envelope& envelope,
+                                       const LineStart& start, const RunContext& context) {
+  constexpr double kAnywhere = std::numeric_limits<double>::infinity();
+  Line line = start.curve;
+  if (!start.first_fixed) line = cut_start(clearance, start.end_radius_angstrom, line);
+  if (!start.last_fixed) {
+    std::reverse(line.begin(), line.end());
+    line = cut_start(clearance, start.end_radius_angstrom, line);
+    std::reverse(line.begin(), line.end());
+  }
+  line =
+      taut(clearance, resampled(line, kCoarseSpacing), start.end_radius_angstrom, context.cancel);
+  // A curve along edges of the power diagram is jagged: small steps and smoothing in turns keep the
+  // places in their order while they move.
+  const Scene scene{clearance, envelope, start, context.cancel};
+  const AscentLimits in_rounds{0.15, 0.03, kAnywhere, 0.15};
+  // At the rim of a molecule, around a fixed end, there may be no middle to move to: then the line
+  // would go to and fro between the end and the open, farther in each round.
+  constexpr double kMostLonger = 1.25;
+  const double most = kMostLonger * line_length(line) + 1;
+  for (int round = 0; round < kRounds; ++round) {
+    context.report(kCentreLineStage, static_cast<double>(round) / kRounds);
+    const Line before = line;
+    line = ascended(scene, smoothed(scene, line), kCoarseSpacing, in_rounds);
+    line = resampled(line, kCoarseSpacing);
+    cut_ends(scene, line);
+    if (line_length(line) > most) {
+      line = before;
+      break;
+    }
+    if (farthest_move(line, before) < kStill) break;
+  }
+  line = resampled(without_folds(clearance, line, context.cancel), kFineSpacing);
+  line = ascended(scene, line, kFineSpacing, {0.1, 1e-7, kAnywhere, 0.4});
+  line = filled(line);
+  std::vector<ChannelSample> samples;
+  samples.reserve(line.size());
+  for (const RealPoint& place : line) samples.push_back({place, clearance.at(place), 0});
+  return samples;
+}
+
+void set_channel_line(const Clearance& clearance, const Envelope& envelope, const CutCurve& cut,
+                      bool first_fixed, bool last_fixed, Channel& channel,
+                      const RunContext& context) {
+  LineStart start;
+  start.end_radius_angstrom = channel.end_radius_angstrom;
+  start.first_fixed = first_fixed;
+  if (cut.before.size() > 1) {
+    start.curve = cut.before;
+    channel.samples = centre_line(clearance, envelope, start, context);
+    channel.samples.pop_back();
+  }
+  channel.bottleneck = channel.samples.size();
+  start.first_fixed = true;
+  start.last_fixed = last_fixed;
+  start.curve = cut.after;
+  const std::vector<ChannelSample> after = centre_line(clearance, envelope, start, context);
+  channel.samples.insert(channel.samples.end(), after.begin(), after.end());
+  for (std::size_t n = 1; n < channel.samples.size(); ++n) {
+    ChannelSample& sample = channel.samples[n];
+    const ChannelSample& last = channel.samples[n - 1];
+    sample.along_angstrom =
+        last.along_angstrom + length(sample.position_angstrom - last.position_angstrom);
+  }
+  channel.length_angstrom = channel.samples.back().along_angstrom;
+}
+
+void set_touching(const Clearance& clearance, Channel& channel) {
+  constexpr double kTouching = 0.01;  // Å
+  std::vector<Surface> surfaces;
+  const ChannelSample& place = channel.narrowest();
+  clearance.collect(place.position_angstrom, place.radius_angstrom + kTouching, surfaces);
+  for (const Surface& surface : surfaces) channel.touching.push_back(surface.ball);
+}
+
+}  // namespace alphascope

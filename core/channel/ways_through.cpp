@@ -1,0 +1,321 @@
+// See the header.
+#include "core/channel/ways_through.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <tuple>
+#include <utility>
+
+#include "core/channel/by_place.hpp"
+#include "core/channel/centre_line.hpp"
+#include "core/channel/clearance.hpp"
+#include "core/channel/envelope.hpp"
+#include "core/channel/grown_scene.hpp"
+#include "core/channel/passage.hpp"
+#include "core/channel/way_graph.hpp"
+#include "core/geometry/principal_axes.hpp"
+
+namespace alphascope {
+namespace {
+
+struct Range {
+  double low = std::numeric_limits<double>::infinity();
+  double high = -std::numeric_limits<double>::infinity();
+  void add(double value) {
+    low = std::min(low, value);
+    high = std::max(high, value);
+  }
+  double length() const { return std::max(0.0, high - low); }
+  Range within(const Range& other) const {
+    return {std::max(low, other.low), std::min(high, other.high)};
+  }
+};
+
+Range range_of(const BallSet& balls, const RealPoint& axis) {
+  Range range;
+  for (const LatticePoint& p : balls.centres) {
+    range.add(balls.lattice.unit_angstrom() * dot(axis, real_point(p)));
+  }
+  return range;
+}
+
+struct Candidate {
+  std::size_t part = 0;
+  RealPoint axis;
+  WayCrossing crossing;
+  WayGraph::Route route;
+  std::vector<std::uint32_t> tetrahedra;  // of the route, within the envelope; ascending
+  double share = 0, length = 0;           // of the whole; Å from corner to corner
+};
+
+class Finder {
+ public:
+  Finder(const BallSet& balls, const std::vector<WayPart>& parts, const RunContext& context)
+      : balls_(balls),
+        parts_(parts),
+        clearance_(balls_),
+        envelope_(balls_),
+        context_(context),
+        graph_(balls_, envelope_, context_) {}
+
+  WaysThrough find();
+
+ private:
+  std::vector<RealPoint> axes_of(std::size_t part) const;  // of whole_axes_ and its own
+  void look_along(std::size_t part, const RealPoint& axis);
+  bool is_too_narrow(const WayCrossing& crossing) const;
+  void add(Candidate candidate);
+  Candidate candidate(std::size_t part, const WayAxis& way, const WayCrossing& crossing) const;
+  static bool are_beside(const WayCrossing& a, const WayCrossing& b);
+  static bool are_one(const Candidate& a, const Candidate& b);
+  static bool is_better(const Candidate& a, const Candidate& b);
+  std::vector<RealPoint> curve_to(const RealPoint& place, const std::vector<std::uint32_t>& way,
+                                  double end_radius) const;
+  Channel channel_of(const Candidate& candidate) const;
+  WayThrough finished(const Candidate& candidate) const;
+
+  const BallSet& balls_;
+  const std::vector<WayPart>& parts_;
+  Clearance clearance_;
+  Envelope envelope_;
+  const RunContext& context_;
+  WayGraph graph_;
+  std::vector<RealPoint> whole_axes_ = pore_axes(in_order(balls_, parts_[0]));
+  std::vector<Candidate> found_;
+};
+
+// The whole's own, and of another part that in which it is longest or around which it is alike, and
+// those of the whole.
+std::vector<RealPoint> Finder::axes_of(std::size_t part) const {
+  constexpr double kSame = 0.97;  // cosine: 14 degrees
+  std::vector<RealPoint> axes = whole_axes_;
+  if (part == 0) return axes;
+  const RealPoint own = main_axis(in_order(balls_, parts_[part])).axis;
+  const bool is_new = std::all_of(axes.begin(), axes.end(), [&](const RealPoint& axis) {
+    return std::fabs(dot(axis, own)) < kSame;
+  });
+  if (is_new) axes.push_back(own);
+  return axes;
+}
+
+Candidate Finder::candidate(std::size_t part, const WayAxis& way,
+                            const WayCrossing& crossing) const {
+  Candidate result;
+  result.part = part;
+  result.axis = way.axis();
+  result.crossing = crossing;
+  result.route = graph_.route(crossing, context_.cancel);
+  Range range;
+  for (const auto* side : {&result.route.below, &result.route.above}) {
+    RealPoint last = crossing.place_angstrom;
+    range.add(way.along(last));
+    for (const std::uint32_t t : *side) {
+      range.add(way.along(graph_.corner(t)));
+      if (graph_.is_outside(t)) continue;
+      result.tetrahedra.push_back(t);
+      result.length += length(graph_.corner(t) - last);
+      last = graph_.corner(t);
+    }
+  }
+  std::sort(result.tetrahedra.begin(), result.tetrahedra.end());
+  const Range whole = range_of(balls_, result.axis);
+  if (whole.length() > 0) result.share = range.within(whole).length() / whole.length();
+  return result;
+}
+
+// Beside each other in one passage.
+bool Finder::are_beside(const WayCrossing& a, const WayCrossing& b) {
+  constexpr double kNear = 3;  // Å
+  return length(a.place_angstrom - b.place_angstrom) < kNear;
+}
+
+bool Finder::are_one(const Candidate& a, const Candidate& b) {
+  if (are_beside(a.crossing, b.crossing)) return true;
+  std::vector<std::uint32_t> both;
+  std::set_intersection(a.tetrahedra.begin(), a.tetrahedra.end(), b.tetrahedra.begin(),
+                        b.tetrahedra.end(), std::back_inserter(both));
+  return 2 * both.size() >= std::min(a.tetrahedra.size(), b.tetrahedra.size());
+}
+
+bool Finder::is_better(const Candidate& a, const Candidate& b) {
+  const auto key = [](const Candidate& c) {
+    const RealPoint& p = c.crossing.place_angstrom;
+    return std::tuple(c.share < WayCover::kWholeShare, -std::round(100 * c.route.width_angstrom),
+                      -c.length, p.x, p.y, p.z, c.part);
+  };
+  return key(a) < key(b);
+}
+
+// Is there no room in the list for it or for what is narrower?
+bool Finder::is_too_narrow(const WayCrossing& crossing) const {
+  constexpr double kRounded = 0.01;  // Å, as in the order
+  const auto wider = std::count_if(found_.begin(), found_.end(), [&](const Candidate& known) {
+    return known.share >= WayCover::kWholeShare &&
+           known.route.width_angstrom > crossing.width_angstrom + kRounded;
+  });
+  return static_cast<std::size_t>(wider) >= kMostWays;
+}
+
+// All candidates differ: of two that are one, the better stays.
+void Finder::add(Candidate candidate) {
+  for (Candidate& known : found_) {
+    if (!are_one(known, candidate)) continue;
+    if (is_better(candidate, known)) known = std::move(candidate);
+    return;
+  }
+  found_.push_back(std::move(candidate));
+}
+
+void Finder::look_along(std::size_t part, const RealPoint& axis) {
+  constexpr std::size_t kMostTried = 12;
+  const WayAxis way(balls_, parts_[part], axis);
+  std::vector<WayCrossing> tried;
+  for (const WayCrossing& crossing : graph_.crossings(way, context_.cancel)) {
+    if (tried.size() == kMostTried || is_too_narrow(crossing)) break;
+    const auto is_beside = [&](const WayCrossing& other) { return are_beside(other, crossing); };
+    if (std::any_of(tried.begin(), tried.end(), is_beside)) continue;
+    tried.push_back(crossing);
+    Candidate next = candidate(part, way, crossing);
+    if (!next.route.below.empty() && !next.route.above.empty()) add(std::move(next));
+  }
+}
+
+// From the bottleneck to the open, until it is wider than the end radius.
+std::vector<RealPoint> Finder::curve_to(const RealPoint& place,
+                                        const std::vector<std::uint32_t>& way,
+                                        double end_radius) const {
+  constexpr double kBeyond = 5;  // Å
+  std::vector<RealPoint> curve{place};
+  for (const std::uint32_t t : way) curve.push_back(graph_.corner(t));
+  const RealPoint end = curve.back();
+  if (clearance_.at(end) < end_radius + kBeyond) {
+    curve.push_back(end + (end_radius + kBeyond) * envelope_.outwards(end));
+  }
+  return curve;
+}
+
+// Its line leads on to where it is wider than anywhere in the middle third of the part, so that it
+// covers wide chambers as well.
+Channel Finder::channel_of(const Candidate& candidate) const {
+  constexpr double kWider = 1.02, kLeastEndRadius = 5;  // Å
+  const WayCrossing& crossing = candidate.crossing;
+  Channel channel;
+  channel.triangulations = 1;
+  channel.end_radius_angstrom =
+      std::max(kLeastEndRadius, kEndOverBottleneck * crossing.width_angstrom);
+  const WayAxis way(balls_, parts_[candidate.part], candidate.axis);
+  for (const std::uint32_t t : candidate.tetrahedra) {
+    if (way.zone(graph_.corner(t)) != 0) continue;
+    channel.end_radius_angstrom =
+        std::max(channel.end_radius_angstrom, kWider * clearance_.at(graph_.corner(t)));
+  }
+  CutCurve cut;
+  cut.before =
+      curve_to(crossing.place_angstrom, candidate.route.below, channel.end_radius_angstrom);
+  std::reverse(cut.before.begin(), cut.before.end());
+  cut.after = curve_to(crossing.place_angstrom, candidate.route.above, channel.end_radius_angstrom);
+  set_channel_line(clearance_, envelope_, cut, false, false, channel, context_);
+  for (std::size_t n = 0; n < channel.samples.size(); ++n) {
+    if (channel.samples[n].radius_angstrom < channel.narrowest().radius_angstrom) {
+      channel.bottleneck = n;
+    }
+  }
+  const Lattice& lattice = balls_.lattice;
+  channel.step_angstrom = lattice.angstrom(static_cast<double>(passage_step(lattice)));
+  channel.widest_angstrom =
+      std::floor(channel.narrowest().radius_angstrom / channel.step_angstrom) *
+      channel.step_angstrom;
+  set_touching(clearance_, channel);
+  std::sort(channel.touching.begin(), channel.touching.end());
+  return channel;
+}
+
+WayThrough Finder::finished(const Candidate& candidate) const {
+  WayThrough way;
+  way.part = candidate.part;
+  way.axis = candidate.axis;
+  way.channel = channel_of(candidate);
+  Range line, part;
+  constexpr double kLining = 0.5;  // Å
+  std::vector<Surface> surfaces;
+  for (const ChannelSample& sample : way.channel.samples) {
+    line.add(dot(way.axis, sample.position_angstrom));
+    clearance_.collect(sample.position_angstrom, sample.radius_angstrom + kLining, surfaces);
+    for (const Surface& surface : surfaces) way.lining.push_back(surface.ball);
+  }
+  std::sort(way.lining.begin(), way.lining.end());
+  way.lining.erase(std::unique(way.lining.begin(), way.lining.end()), way.lining.end());
+  const Range whole = range_of(balls_, way.axis);
+  for (const BallIndex ball : parts_[way.part]) {
+    part.add(balls_.lattice.unit_angstrom() * dot(way.axis, real_point(balls_.centres[ball])));
+  }
+  way.cover = {line.within(whole).length(), whole.length()};
+  way.part_angstrom = part.length();
+  return way;
+}
+
+WaysThrough Finder::find() {
+  WaysThrough result;
+  const std::size_t parts = std::min(parts_.size(), kMostParts);
+  result.parts_left_out = parts_.size() - parts;
+  for (std::size_t part = 0; part < parts; ++part) {
+    for (const RealPoint& axis : axes_of(part)) look_along(part, axis);
+    context_.report(kWaysStage, static_cast<double>(part + 1) / static_cast<double>(parts));
+  }
+  std::stable_sort(found_.begin(), found_.end(), is_better);
+  found_.resize(std::min(found_.size(), kMostWays));
+  for (const Candidate& candidate : found_) result.ways.push_back(finished(candidate));
+  return result;
+}
+
+}  // namespace
+
+WaysThrough find_ways_through(const BallSet& balls, const std::vector<WayPart>& parts,
+                              const RunContext& context) {
+  const auto is_empty = [](const WayPart& part) { return part.empty(); };
+  if (balls.size() == 0 || parts.empty() || std::any_of(parts.begin(), parts.end(), is_empty)) {
+    throw std::invalid_argument("without balls there is no way through");
+  }
+  const BallSet rounded = on_passage_lattice(balls, {});
+  const std::vector<BallIndex> order = sorted_by_place(rounded);
+  const BallSet sorted = in_order(rounded, order);
+  std::vector<BallIndex> place(order.size());
+  for (BallIndex n = 0; n < order.size(); ++n) place[order[n]] = n;
+  std::vector<WayPart> sorted_parts;
+  for (const WayPart& part : parts) {
+    WayPart& next = sorted_parts.emplace_back();
+    for (const BallIndex ball : part) next.push_back(place.at(ball));
+    std::sort(next.begin(), next.end());
+  }
+  WaysThrough result = Finder(sorted, sorted_parts, context).find();
+  for (WayThrough& way : result.ways) {
+    for (std::vector<BallIndex>* list : {&way.channel.touching, &way.lining}) {
+      for (BallIndex& ball : *list) ball = order[ball];
+      std::sort(list->begin(), list->end());
+    }
+  }
+  return result;
+}
+
+WayCover cover_of(const BallSet& balls, const Channel& channel) {
+  const RealPoint begin = channel.samples.front().position_angstrom;
+  RealPoint along = channel.samples.back().position_angstrom - begin;
+  if (along == RealPoint{}) {  // it comes back to where it began: to its farthest place
+    for (const ChannelSample& sample : channel.samples) {
+      const RealPoint there = sample.position_angstrom - begin;
+      if (length(there) > length(along)) along = there;
+    }
+  }
+  if (along == RealPoint{}) return {};
+  const RealPoint axis = unit_vector(along);
+  Range line;
+  for (const ChannelSample& sample : channel.samples) {
+    line.add(dot(axis, sample.position_angstrom));
+  }
+  const Range whole = range_of(balls, axis);
+  return {line.within(whole).length(), whole.length()};
+}
+
+}  // namespace alphascope

@@ -1,0 +1,39 @@
+// A flat drawing as SVG 1.1, and how its shapes are coloured there and in the window.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/chart/flat_drawing.hpp"
+
+namespace alphascope {
+
+struct FlatInk {
+  std::uint8_t r = 0, g = 0, b = 0;
+  double opacity = 0;  // 0: none
+};
+
+struct FlatStyle {
+  FlatInk fill, line;
+  double line_width = 1;  // pixels
+  bool dashed = false;
+  double dot_radius = 0;  // pixels, of centres
+};
+
+// On white or on dark paper.
+FlatStyle flat_style(FlatKind kind, bool dark = false);
+
+struct FlatPage {
+  FlatBox box;  // what is on it
+  double width_pixels = 1000;
+  std::vector<std::string> caption = {};  // lines below the drawing
+  // Where it comes from, as metadata: names and values.
+  std::vector<std::pair<std::string, std::string>> origin = {};
+};
+
+// A whole document on white.
+std::string flat_svg(const std::vector<FlatShape>& shapes, const FlatPage& page);
+
+}  // namespace alphascope

@@ -1,0 +1,163 @@
+// See the header.
+#include "core/document/cavities/cavity_chart.hpp"
+
+#include <optional>
+
+#include "core/geometry/shortest_number.hpp"
+#include "core/text/grouped_number.hpp"
+#include "core/write/csv.hpp"
+
+namespace alphascope {
+namespace {
+
+constexpr std::uint32_t kNone = CavityMatch::kNone;
+
+double value_of(const CurveCavity& cavity, CurveQuantity quantity) {
+  return quantity == CurveQuantity::volume ? cavity.volume_sa_angstrom3
+         : quantity == CurveQuantity::area ? cavity.area_sa_angstrom2
+                                           : cavity.volume_exact_angstrom3;
+}
+
+CavityChart empty_chart(const CavityCurves& curves, CurveQuantity quantity) {
+  CavityChart chart;
+  chart.chart.kind = ChartKind::lines;
+  chart.chart.id = "cavity-curves";
+  chart.chart.title = "Cavities";
+  chart.chart.value_label = quantity_label(quantity);
+  chart.chart.x_label = axis_label(curves.axis);
+  return chart;
+}
+
+ChartSeries series_named(const CavityCurves& curves, const std::string& name) {
+  ChartSeries series;
+  series.name = name;
+  for (const CurveSample& sample : curves.samples) series.x.push_back(sample.at);
+  series.values.resize(curves.samples.size());
+  return series;
+}
+
+const char* unit_of(CurveAxis axis) {
+  return axis == CurveAxis::alpha ? " Å²" : axis == CurveAxis::solvent ? " Å" : "";
+}
+
+// What happens to one cavity from sample to sample.
+class Marks {
+ public:
+  Marks(const CavityCurves& curves, const std::vector<std::uint32_t>& line, std::size_t series,
+        std::vector<CurveMark>& marks)
+      : curves_(curves), line_(line), series_(series), marks_(marks) {}
+
+  void find() {
+    if (curves_.axis == CurveAxis::model) return;
+    for (std::size_t n = 1; n < line_.size(); ++n) {
+      if (line_[n - 1] != kNone && line_[n] != kNone) {
+        on_the_way(n);
+      } else if (line_[n] != kNone) {
+        begins(n);
+      } else if (line_[n - 1] != kNone) {
+        ends(n);
+      }
+    }
+  }
+
+ private:
+  void on_the_way(std::size_t n) {
+    const CurveSample& sample = curves_.samples[n];
+    const std::size_t parts = parts_at(sample, line_[n - 1]),
+                      sources = sources_at(sample, line_[n]);
+    if (parts > 1) add(n, between(n) + " it splits into " + grouped(parts) + " cavities.");
+    if (sources > 1) add(n, between(n) + " " + grouped(sources) + " cavities join in it.");
+  }
+  void begins(std::size_t n) {
+    if (curves_.samples[n].from_last.came_from[line_[n]] == kNone) return;
+    add(n, "Below " + text(n) + unit() + " it is a part of a larger cavity.");
+  }
+  void ends(std::size_t n) {
+    if (curves_.samples[n].from_last.goes_to[line_[n - 1]] == kNone) return;
+    add(n - 1, "Above " + text(n - 1) + unit() + " it is a part of a larger cavity.");
+  }
+  std::string text(std::size_t n) const { return axis_text(curves_.axis, curves_.samples[n].at); }
+  std::string unit() const { return unit_of(curves_.axis); }
+  std::string between(std::size_t n) const {
+    return "Between " + text(n - 1) + " and " + text(n) + unit();
+  }
+  void add(std::size_t n, const std::string& what) { marks_.push_back({series_, n, what}); }
+
+  const CavityCurves& curves_;
+  const std::vector<std::uint32_t>& line_;
+  const std::size_t series_;
+  std::vector<CurveMark>& marks_;
+};
+
+}  // namespace
+
+CurveNumbers numbers_for(CurveQuantity quantity) {
+  return quantity == CurveQuantity::exact_volume ? CurveNumbers::exact : CurveNumbers::sums;
+}
+
+std::string quantity_label(CurveQuantity quantity) {
+  return quantity == CurveQuantity::volume ? "SA volume (Å³)"
+         : quantity == CurveQuantity::area ? "SA area (Å²)"
+                                           : "exact volume (Å³)";
+}
+
+std::string axis_label(CurveAxis axis) {
+  return axis == CurveAxis::alpha     ? "alpha (Å²)"
+         : axis == CurveAxis::solvent ? "solvent radius (Å)"
+                                      : "model";
+}
+
+std::string axis_text(CurveAxis axis, double at) {
+  if (axis == CurveAxis::model) return grouped(static_cast<std::uint64_t>(at) + 1);
+  return shortest_number(at);
+}
+
+CavityChart chart_of_cavities(const CavityCurves& curves, CurveQuantity quantity,
+                              const CurveLinks& links, const std::vector<ChartedCavity>& chosen) {
+  CavityChart chart = empty_chart(curves, quantity);
+  for (const ChartedCavity& cavity : chosen) {
+    const std::vector<std::uint32_t>& line = links.of.at(cavity.cavity);
+    ChartSeries series = series_named(curves, cavity.name);
+    for (std::size_t n = 0; n < line.size(); ++n) {
+      if (line[n] == kNone) continue;
+      series.values[n] = value_of(curves.samples[n].cavities[line[n]], quantity);
+    }
+    Marks(curves, line, chart.chart.series.size(), chart.marks).find();
+    chart.chart.series.push_back(std::move(series));
+  }
+  return chart;
+}
+
+CavityChart chart_of_totals(const CavityCurves& curves, CurveQuantity quantity) {
+  CavityChart chart = empty_chart(curves, quantity);
+  for (const bool voids : {true, false}) {
+    ChartSeries series = series_named(curves, voids ? "all voids" : "all pockets");
+    for (std::size_t n = 0; n < curves.samples.size(); ++n) {
+      if (!curves.samples[n].known) continue;
+      double sum = 0;
+      for (const CurveCavity& cavity : curves.samples[n].cavities) {
+        if (cavity.is_void == voids) sum += value_of(cavity, quantity);
+      }
+      series.values[n] = sum;
+    }
+    chart.chart.series.push_back(std::move(series));
+  }
+  return chart;
+}
+
+std::string chart_csv(const Chart& chart, const std::vector<std::string>& comments) {
+  CsvRow names{{chart.x_label, ""}};
+  for (const ChartSeries& series : chart.series) names.emplace_back(series.name, "");
+  std::string text = csv_comments(comments) + csv_names(names);
+  const std::size_t rows = chart.series.empty() ? 0 : chart.series.front().x.size();
+  for (std::size_t n = 0; n < rows; ++n) {
+    text += shortest_number(chart.series.front().x[n]);
+    for (const ChartSeries& series : chart.series) {
+      text += "," + (series.values[n] ? shortest_number(*series.values[n]) : std::string());
+    }
+    text += "\n";
+  }
+  return text;
+}
+
+}  // namespace alphascope

@@ -1,0 +1,148 @@
+// See the header.
+#include "core/document/cavities/cavity_json.hpp"
+
+#include "core/selection/atom_address.hpp"
+
+namespace alphascope {
+namespace {
+
+Json mouths_json(const Cavity& cavity, const CavityMeasures& m) {
+  Json mouths = Json::array();
+  for (std::size_t k = 0; k < m.mouths.size(); ++k) {
+    mouths.push_back({{"triangles", cavity.mouths[k].triangles.size()},
+                      {"area_angstrom2", m.mouths[k].area_angstrom2},
+                      {"length_angstrom", m.mouths[k].length_angstrom}});
+  }
+  return mouths;
+}
+
+const char* held_kind(DropReason reason) {
+  return reason == DropReason::ligand ? "ligand" : reason == DropReason::ion ? "ion" : "water";
+}
+
+Json holds_json(const CavityFacts& facts, std::size_t row) {
+  Json list = Json::array();
+  if (facts.contents->of.empty()) return list;
+  for (const std::uint32_t k : facts.contents->of[facts.table().order[row]]) {
+    const HeldResidue& held = facts.contents->residues[k];
+    list.push_back({{"residue", residue_address(*facts.source.molecule, held.atom)},
+                    {"kind", held_kind(held.kind)},
+                    {"atoms", held.atoms},
+                    {"atoms_inside", held.inside}});
+  }
+  return list;
+}
+
+Json residues_json(const CavityFacts& facts, std::size_t row) {
+  Json residues = Json::array();
+  for (const LiningResidue& residue : lining_residues(*facts.atoms, facts.table(), row)) {
+    residues.push_back({{"residue", residue.address}, {"atoms", residue.balls}});
+  }
+  return residues;
+}
+
+// Null where it is not known, or is no network.
+Json falls_apart_json(const NetworkEnd* end) {
+  if (!end) return {};
+  Json json{{"alpha_angstrom2", nullptr},
+            {"cavities_at_alpha", nullptr},
+            {"solvent_radius_angstrom", nullptr},
+            {"solvent_radius_step_angstrom", kNetworkStepAngstrom},
+            {"cavities", nullptr},
+            {"largest_volume_sa_angstrom3", nullptr}};
+  if (end->alpha_angstrom2) {
+    json["alpha_angstrom2"] = *end->alpha_angstrom2;
+    json["cavities_at_alpha"] = end->parts;
+  }
+  if (end->radius_angstrom) {
+    json["solvent_radius_angstrom"] = *end->radius_angstrom;
+    json["cavities"] = end->cavities;
+    json["largest_volume_sa_angstrom3"] = end->largest_volume_sa_angstrom3;
+  }
+  return json;
+}
+
+// Those that are listed as their parts.
+Json split_networks_json(const CavityTable& table) {
+  Json networks = Json::array();
+  for (std::size_t n = 0; n < table.found.networks.size(); ++n) {
+    const SplitNetwork& network = table.found.networks[n];
+    networks.push_back({{"number", n + 1},
+                        {"mouths", network.mouths},
+                        {"tetrahedra", network.tetrahedra},
+                        {"parts", network.parts},
+                        {"falls_apart_alpha_angstrom2", network.falls_apart_angstrom2}});
+  }
+  return networks;
+}
+
+// A number that is none is null in JSON.
+Json cavity_json(const CavityFacts& facts, std::size_t row) {
+  const Cavity& cavity = facts.table().cavity(row);
+  const CavityMeasures& m = facts.table().measure(row);
+  const CavityFacts::Life life = facts.life(row);
+  const bool exact = facts.exact != nullptr;
+  const MouthMeasures mouths = m.all_mouths();
+  return {
+      {"id", row + 1},
+      {"name", facts.name(row)},
+      {"kind", facts.kind(row)},
+      {"mouths", cavity.mouths.size()},
+      {"network", cavity.is_network()},
+      {"falls_apart", falls_apart_json(facts.network_end(row))},
+      {"part_of", cavity.is_part() ? Json(cavity.network + 1) : Json()},
+      {"passages", cavity.passages.size()},
+      {"tetrahedra", cavity.tetrahedra.size()},
+      {"volume_sa_angstrom3", m.volume_sa_angstrom3},
+      {"area_sa_angstrom2", m.area_sa_angstrom2},
+      {"volume_sa_clipped_angstrom3",
+       exact ? Json(facts.clipped(row).volume_sa_angstrom3) : Json()},
+      {"area_sa_clipped_angstrom2", exact ? Json(facts.clipped(row).area_sa_angstrom2) : Json()},
+      {"rank_by_clipped_volume", exact ? Json(facts.clipped_rank[row]) : Json()},
+      {"doubtful", exact ? Json(facts.is_doubtful(row)) : Json()},
+      {"volume_ms_angstrom3", m.volume_ms_angstrom3},
+      {"area_ms_angstrom2", m.area_ms_angstrom2},
+      {"area_ms_steiner_angstrom2", m.area_ms_steiner_angstrom2},
+      {"volume_of_tetrahedra_angstrom3", m.volume_of_tetrahedra_angstrom3},
+      {"mouth_triangles", cavity.mouth_triangles()},
+      {"mouth_area_angstrom2", mouths.area_angstrom2},
+      {"mouth_length_angstrom", mouths.length_angstrom},
+      {"mouth_list", mouths_json(cavity, m)},
+      {"depth_angstrom", facts.depths->of_angstrom[row]},
+      {"born_alpha_angstrom2", life.born},
+      {"closed_alpha_angstrom2", life.closes ? Json(life.closed) : Json()},
+      {"gone_alpha_angstrom2", life.gone},
+      {"arc_length_angstrom", m.arc_length_angstrom},
+      {"corners", m.corners},
+      {"sinks", cavity.sinks},
+      {"sink_atoms", facts.table().sink(row)},
+      {"atoms", cavity.atoms},
+      {"lining_atoms", m.lining},
+      {"residues", residues_json(facts, row)},
+      {"holds", holds_json(facts, row)}};
+}
+
+}  // namespace
+
+Json cavities_json(const CavityFacts& facts) {
+  const CavityTable& table = facts.table();
+  Json cavities = Json::array();
+  for (const std::size_t row : facts.rows) cavities.push_back(cavity_json(facts, row));
+  Json request = request_json(facts.request, table.ground->balls->lattice);
+  for (const char* unused : {"tetrahedra_only", "engine"}) request.erase(unused);
+  request["split_networks"] = table.question.split_networks;
+  return {{"comparable_with_castp", facts.differences.empty()},
+          {"differences_from_castp", facts.differences},
+          {"counts",
+           {{"voids", table.voids},
+            {"pockets", table.pockets},
+            {"mouths", table.mouths},
+            {"components", table.found.components},
+            {"tunnels", table.found.tunnels}}},
+          {"cavities", cavities},
+          {"split_networks", split_networks_json(table)},
+          {"request", request},
+          {"input", input_json(facts.computed_source())}};
+}
+
+}  // namespace alphascope

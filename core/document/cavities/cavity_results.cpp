@@ -1,0 +1,205 @@
+// See the header.
+#include "core/document/cavities/cavity_results.hpp"
+
+#include "core/cavity/cavity_depth.hpp"
+#include "core/document/cavities/cavity_names.hpp"
+#include "core/run/parallel.hpp"
+#include "core/run/stage_timer.hpp"
+
+namespace alphascope {
+namespace {
+
+// So many bytes for each row, and what is small.
+MemoryNeed row_memory(const CavityTable& table, std::size_t bytes) {
+  const std::uint64_t all = table.size() * bytes + 1'000'000;
+  return {all, all};
+}
+
+// Of a tetrahedron: its triangles (16 bytes), two triangles with their tetrahedra and edges (64),
+// 1.2 edges (10), marks and value of the flow (5). While incidences are collected, as much again.
+MemoryNeed ground_memory(std::size_t tetrahedra) {
+  constexpr std::uint64_t kHeld = 100, kPeak = 200;  // bytes a tetrahedron
+  return {kHeld * tetrahedra, kPeak * tetrahedra};
+}
+
+// Marks of all simplices and labels of all tetrahedra. To split networks takes a filtration (120
+// bytes a tetrahedron), and the cavities at another alpha.
+MemoryNeed table_memory(std::size_t tetrahedra, bool splits) {
+  constexpr std::uint64_t kHeld = 30, kPeak = 60, kSplitPeak = 300;
+  return {kHeld * tetrahedra, (splits ? kSplitPeak : kPeak) * tetrahedra};
+}
+
+CavityLine make_line(const CavityTable& table, const BallReferences& atoms, std::size_t row) {
+  const CavityMeasures& m = table.measure(row);
+  CavityLine line;
+  line.is_void = table.cavity(row).is_void();
+  line.volume_sa_angstrom3 = m.volume_sa_angstrom3;
+  line.area_sa_angstrom2 = m.area_sa_angstrom2;
+  line.volume_ms_angstrom3 = m.volume_ms_angstrom3;
+  line.area_ms_angstrom2 = m.area_ms_angstrom2;
+  line.mouth_area_angstrom2 = m.all_mouths().area_angstrom2;
+  line.mouths = m.mouths.size();
+  line.lining = lining_counts(atoms, table, row);
+  line.bodies = table.cavity(row).bodies;
+  line.passages = table.cavity(row).passages.size();
+  line.is_network = table.cavity(row).is_network();
+  line.is_part = table.cavity(row).is_part();
+  return line;
+}
+
+std::shared_ptr<const CavityLines> make_lines(const Inputs& in, const CavityNumbers* before,
+                                              const RunContext& context) {
+  auto lines = std::make_shared<CavityLines>();
+  lines->table = in.share(cavity_table());
+  lines->atoms = in.atoms;
+  lines->numbers = std::make_shared<const CavityNumbers>(
+      before ? next_numbers(*before, lines->table, context.cancel) : first_numbers(lines->table));
+  lines->of.resize(lines->table->size());
+  parallel_many(lines->of.size(), context.cancel, [&](std::size_t row) {
+    lines->of[row] = make_line(*lines->table, *lines->atoms, row);
+  });
+  return lines;
+}
+
+}  // namespace
+
+CavityDepths make_cavity_depths(const CavityTable& table, const RunContext& context) {
+  CavityDepths depths;
+  for (std::size_t row = 0; row < table.size(); ++row) {
+    context.report("depths", static_cast<double>(row) / static_cast<double>(table.size()));
+    depths.of_angstrom.push_back(depth_angstrom(*table.ground, table.cavity(row),
+                                                table.measure(row).lining, context.cancel));
+  }
+  return depths;
+}
+
+const Definition<CavityGround>& cavity_ground() {
+  static const Definition<CavityGround> definition{
+      {.id = "cavities.ground",
+       .title = "Flow of the triangulation",
+       .made_of = {&whole_triangulation()},
+       .key = key_of_balls,
+       .memory =
+           [](const Inputs& in) {
+             return ground_memory(in.of(whole_triangulation()).tetrahedra.size());
+           },
+       .lane = Lane::interactive,
+       .keep_stale = false},
+      [](const Inputs& in, const RunContext& context) {
+        return std::make_shared<const CavityGround>(make_cavity_ground(
+            in.balls, in.share(whole_triangulation()), FlowTies::perturbed, context));
+      }};
+  return definition;
+}
+
+const Definition<CavityTable>& cavity_table() {
+  static const Definition<CavityTable> definition{
+      {.id = "cavities.table",
+       .title = "Cavities",
+       .made_of = {&cavity_ground()},
+       .key =
+           [](const Inputs& in) {
+             Key key = key_of_balls_and_alpha(in);
+             constexpr std::uint64_t kSplit = 0x73706c69745f6e65;  // no other definition's number
+             key.more = in.split_networks ? kSplit : 0;
+             return key;
+           },
+       .memory =
+           [](const Inputs& in) {
+             return table_memory(in.of(cavity_ground()).triangulation->tetrahedra.size(),
+                                 in.split_networks);
+           },
+       .lane = Lane::interactive},
+      [](const Inputs& in, const RunContext& context) {
+        return std::make_shared<const CavityTable>(make_cavity_table(
+            in.share(cavity_ground()),
+            {in.alpha_angstrom2, in.solvent_radius_angstrom, OutsideRule::castp, in.split_networks},
+            context));
+      }};
+  return definition;
+}
+
+const Definition<ExactVolumes>& cavity_volumes() {
+  static const Definition<ExactVolumes> definition{
+      {.id = "cavities.exact",
+       .title = "Exact volumes of cavities",
+       .made_of = {&cavity_table()},
+       .key = key_of_balls_and_alpha,
+       .memory =
+           [](const Inputs& in) {
+             return row_memory(in.of(cavity_table()), sizeof(ClippedMeasures));
+           }},
+      [](const Inputs& in, const RunContext& context) {
+        return std::make_shared<const ExactVolumes>(
+            ExactVolumes{clip_all(in.of(cavity_table()), context)});
+      }};
+  return definition;
+}
+
+Key key_of_cavity(const Inputs& in, const std::array<BallIndex, 4>& sink) {
+  Key key = key_of_balls_and_alpha(in);
+  for (const BallIndex ball : sink) key.more = Key{key.more + 1, ball, 0}.number();
+  return key;
+}
+
+Definition<CavityLines> cavity_lines(std::shared_ptr<const CavityNumbers> before) {
+  const auto key = [before](const Inputs& in) {
+    if (!in.atoms) return Key{};
+    Key all = key_of_balls_and_alpha(in);
+    if (before) all.more = before->steps + 1;
+    return all;
+  };
+  const auto memory = [before](const Inputs& in) {
+    constexpr std::size_t kNumber = 100;  // bytes: a number, and a node of the known sinks
+    MemoryNeed need = row_memory(in.of(cavity_table()), sizeof(CavityLine) + kNumber);
+    const std::uint64_t known = before ? kNumber * before->known.size() : 0;
+    return MemoryNeed{need.held + known, need.peak + known};
+  };
+  return {{.id = "cavities.lines",
+           .title = "Lines of the table of cavities",
+           .made_of = {&cavity_table()},
+           .key = key,
+           .memory = memory,
+           .lane = Lane::interactive},
+          [before](const Inputs& in, const RunContext& context) {
+            return make_lines(in, before.get(), context);
+          }};
+}
+
+const Definition<CavityDepths>& cavity_depths() {
+  static const Definition<CavityDepths> definition{
+      {.id = "cavities.depths",
+       .title = "Depths of pockets",
+       .made_of = {&cavity_table()},
+       .key = key_of_balls_and_alpha,
+       .memory =
+           [](const Inputs& in) { return row_memory(in.of(cavity_table()), sizeof(double)); }},
+      [](const Inputs& in, const RunContext& context) {
+        return std::make_shared<const CavityDepths>(
+            make_cavity_depths(in.of(cavity_table()), context));
+      }};
+  return definition;
+}
+
+const Definition<CavityLives>& whole_cavity_lives() {
+  static const Definition<CavityLives> definition{
+      {.id = "cavities.lives",
+       .title = "Births and ends of cavities",
+       .made_of = {&cavity_ground()},
+       .key = key_of_balls,
+       .memory =
+           [](const Inputs& in) {
+             // Of a tetrahedron, while they are made: its life and that of its sets, and two gates.
+             // Hardly one in twenty is a sink.
+             constexpr std::uint64_t kHeld = 2, kPeak = 60;
+             const std::uint64_t n = in.of(cavity_ground()).triangulation->tetrahedra.size();
+             return MemoryNeed{kHeld * n, kPeak * n};
+           }},
+      [](const Inputs& in, const RunContext& context) {
+        return std::make_shared<const CavityLives>(
+            cavity_lives(in.of(cavity_ground()), OutsideRule::castp, context.cancel));
+      }};
+  return definition;
+}
+
+}  // namespace alphascope

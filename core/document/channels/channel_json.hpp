@@ -1,0 +1,22 @@
+// Channels as JSON (docs/output-files.md).
+#pragma once
+
+#include "core/channel/channel.hpp"
+#include "core/document/channels/channel_results.hpp"
+#include "core/document/export/record_json.hpp"
+#include "core/document/reference/reference.hpp"
+
+namespace alphascope {
+
+// Keys widest_angstrom, step_angstrom, open, limit, bottleneck, length_angstrom, samples.
+Json channel_json(const BallReferences& atoms, const Channel& channel);
+// What was asked: kind, point_angstrom, to_angstrom, along, end_radius_angstrom.
+Json channel_request_json(const ChannelEnds& ends);
+// The same of a channel that may be a way through, of which only its number was asked.
+Json channel_request_json(const FoundChannel& found);
+// Keys way (null of what is none), covered_angstrom, whole_angstrom, is_whole.
+void add_cover_json(const FoundChannel& found, Json& json);
+// The list of ways: of each what add_cover_json() says, its bottleneck and its length.
+Json ways_json(const FoundWays& ways);
+
+}  // namespace alphascope

@@ -1,0 +1,46 @@
+// See the header.
+#include "core/document/channels/network_results.hpp"
+
+#include <memory>
+#include <stdexcept>
+
+#include "core/document/cavities/cavity_results.hpp"
+#include "core/document/channels/channel_results.hpp"
+#include "core/triangulation/memory_need.hpp"
+
+namespace alphascope {
+namespace {
+
+std::shared_ptr<const FoundNetworkEnd> make_end(const Inputs& in,
+                                                const std::array<BallIndex, 4>& sink,
+                                                const RunContext& context) {
+  const CavityTable& table = in.of(cavity_table());
+  const BallSet balls = without_solvent(*in.balls, table.question.solvent_radius_angstrom);
+  for (std::size_t row = 0; row < table.size(); ++row) {
+    if (table.sink(row) != sink) continue;
+    return std::make_shared<const FoundNetworkEnd>(
+        FoundNetworkEnd{sink, find_network_end(balls, table, table.order[row], {}, context)});
+  }
+  throw std::invalid_argument("there is no such cavity");
+}
+
+// One triangulation with its tables, and before that a filtration of the one there is.
+MemoryNeed end_memory(const Inputs& in) {
+  constexpr std::uint64_t kTables = 300, kHeld = 10'000;  // bytes a tetrahedron; all
+  const std::uint64_t tetrahedra = in.of(cavity_table()).ground->triangulation->tetrahedra.size();
+  return {kHeld, triangulation_memory(in.balls->size()).peak + kTables * tetrahedra + kHeld};
+}
+
+}  // namespace
+
+Definition<FoundNetworkEnd> network_end(const std::array<BallIndex, 4>& sink) {
+  return {
+      {.id = "cavities.network_end",
+       .title = "Where the network falls apart",
+       .made_of = {&cavity_table()},
+       .key = [sink](const Inputs& in) { return key_of_cavity(in, sink); },
+       .memory = end_memory},
+      [sink](const Inputs& in, const RunContext& context) { return make_end(in, sink, context); }};
+}
+
+}  // namespace alphascope

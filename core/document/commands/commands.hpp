@@ -1,0 +1,146 @@
+// The one list of what a user can ask the program to do. Menus, keyboard shortcuts, the cheat
+// sheet, the command palette and scripts are made from it: a new command costs one call of add().
+// No GUI type.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/document/commands/number_input.hpp"
+
+namespace alphascope {
+
+// The menus, from left to right; one without commands is not shown.
+inline constexpr std::array<std::string_view, 5> kMenus{"File", "Edit", "View", "Tools", "Help"};
+
+struct Choice {
+  std::string id, title;    // "cpu" as it is typed, "Dual-edge engine, CPU" for people
+  std::string detail = {};  // shown beside the title
+  bool chosen = false;      // it is what is set now
+};
+
+struct Parameter {
+  // A flag is set by writing its name, and is always optional.
+  enum class Kind : std::uint8_t { number, text, choice, path, flag };
+  std::string name;  // "alpha": one word
+  Kind kind = Kind::text;
+  std::string help = {};  // what it is; a sentence without full stop
+  std::string example = {};
+  bool optional = false;
+  std::optional<NumberRule> rule = {};                // a number's bounds and unit
+  std::function<std::vector<Choice>()> choices = {};  // what a choice chooses from, now
+
+  const char* unit() const { return rule ? rule->unit : ""; }
+  // The help with unit and example, where it has none: "Alpha, in Å², such as 1.4".
+  std::string what_to_type() const;
+};
+
+// What was given for the parameters, checked.
+class Arguments {
+ public:
+  struct Value {
+    std::string text;
+    double number = 0;
+  };
+  bool has(std::string_view name) const { return values_.contains(name); }
+  double number(std::string_view name, double otherwise = 0) const;
+  std::string text(std::string_view name, std::string otherwise = {}) const;
+
+ private:
+  friend class Commands;
+  std::map<std::string, Value, std::less<>> values_;
+};
+
+struct Outcome {
+  // refused: nothing was tried; failed: it was tried.
+  enum class State : std::uint8_t { done, refused, failed, cancelled };
+  State state = State::done;
+  std::string why = {};  // a sentence; empty when done
+
+  bool done() const { return state == State::done; }
+  static Outcome refused(std::string why) { return {State::refused, std::move(why)}; }
+  static Outcome failed(std::string why) { return {State::failed, std::move(why)}; }
+};
+
+// Keys that run a command, perhaps with arguments: "Ctrl+Shift+Z", "Right", "Esc", "R".
+struct Shortcut {
+  std::string keys;
+  std::string arguments = {};
+};
+
+// Words that people may look for it by, perhaps with the arguments that they mean.
+struct Synonym {
+  std::string words;  // "image screenshot"
+  std::string arguments = {};
+};
+
+struct CommandSpec {
+  std::string id;     // "view.reset": an area and a verb
+  std::string title;  // "Reset view"; ends with "…" when a dialog opens
+  std::string help;   // a sentence without full stop
+  std::vector<Synonym> synonyms = {};
+  std::vector<Shortcut> shortcuts = {};
+  // Keys that it takes, as long as it can run, from a command that has them as shortcuts.
+  std::vector<Shortcut> keys_before_others = {};
+  bool works_everywhere = false;  // its shortcuts work while text is typed and above dialogs
+  std::string menu = {};          // one of kMenus; empty: in no menu
+  bool line_above = false;        // in the menu
+  std::vector<Parameter> parameters = {};
+  std::function<std::string()> why_not = {};  // a sentence; empty result or none: it can run
+  std::function<bool()> checked = {};         // of a switch: whether it is on
+  std::function<Outcome(const Arguments&)> run = {};
+
+  // Can be set to on and off.
+  bool is_switch() const { return checked && !parameters.empty(); }
+  std::string reason_against() const { return why_not ? why_not() : std::string(); }
+  // The first that must be given; null: none.
+  const Parameter* first_required() const;
+  std::string usage() const;           // "file.save_picture [PATH] [WIDTH] [transparent]"
+  std::string shortcuts_text() const;  // "Ctrl+Shift+Z, Ctrl+Y", of those without arguments
+};
+
+// A line, taken apart.
+struct CommandLine {
+  std::string id;
+  std::vector<std::string> words;
+  std::string error;  // a sentence; empty: none
+};
+
+class Commands {
+ public:
+  // Throws std::logic_error for an id or shortcut that is taken, and for a spec that lacks
+  // something.
+  void add(CommandSpec spec);
+
+  const std::vector<CommandSpec>& all() const { return specs_; }  // in the order of add()
+  const CommandSpec* find(std::string_view id) const;
+
+  // What the words mean for this command's parameters. An argument that is missing and required is
+  // named in `missing`.
+  struct Reading {
+    Arguments arguments;
+    std::string error;  // a sentence with an example; empty: none
+    const Parameter* missing = nullptr;
+  };
+  static Reading read(const CommandSpec& spec, const std::vector<std::string>& words);
+
+  // "alpha.set 1.4", "file.save_picture "my picture.png" 800 600". The last parameter takes what is
+  // left of the line, so that a path with blanks needs no quotes there.
+  CommandLine parse_line(std::string_view line) const;
+  static CommandLine parse_words(const CommandSpec& spec, std::string_view arguments);
+
+  // Never throws: what the command throws is its failure.
+  Outcome run(std::string_view id, const std::vector<std::string>& words = {}) const;
+  Outcome run_line(std::string_view line) const;
+
+ private:
+  std::vector<CommandSpec> specs_;
+};
+
+}  // namespace alphascope

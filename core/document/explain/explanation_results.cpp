@@ -1,0 +1,68 @@
+// See the header.
+#include "core/document/explain/explanation_results.hpp"
+
+#include <algorithm>
+
+#include "core/document/reference/reference.hpp"
+
+namespace alphascope {
+namespace {
+
+// One pass over all balls for each point, and some hundred balls that are triangulated.
+MemoryNeed explanation_memory(const Inputs&) {
+  return {50'000, 20'000'000};
+}
+
+}  // namespace
+
+AskedSimplex asked_simplex(const RefSet& selection, const BallReferences& atoms) {
+  const auto& items = selection.items();
+  if (items.empty()) {
+    return {{},
+            "Click an atom, edge, triangle or tetrahedron in the picture. Of two to four atoms "
+            "(Ctrl+click), the simplex of all is explained, whether it is there or not."};
+  }
+  const bool all_atoms = std::all_of(items.begin(), items.end(), [](const Ref& item) {
+    return std::holds_alternative<AtomRef>(item);
+  });
+  if (items.size() > 4 || (items.size() > 1 && !all_atoms)) {
+    return {{}, "Too much is selected. Select one simplex, or one to four atoms."};
+  }
+  AskedSimplex asked;
+  for (const Ref& item : items) {
+    const auto balls = atoms.balls(item);
+    if (!balls) {
+      return {{},
+              "What is selected is no ball here: the choice of atoms at the left leaves it out."};
+    }
+    asked.balls.insert(asked.balls.end(), balls->begin(), balls->end());
+  }
+  std::sort(asked.balls.begin(), asked.balls.end());
+  return asked;
+}
+
+Definition<ExplainedSimplex> explained_simplex(const std::vector<BallIndex>& simplex) {
+  return {{.id = "explanation",
+           .title = "Why a simplex is there",
+           .key =
+               [simplex](const Inputs& in) {
+                 if (!in.atoms) return Key{};
+                 Key key = key_of_balls_and_alpha(in);
+                 for (const BallIndex ball : simplex)
+                   key.more = Key{key.more + 1, ball, 0}.number();
+                 return key;
+               },
+           .memory = explanation_memory,
+           .lane = Lane::interactive},
+          [simplex](const Inputs& in, const RunContext& context) {
+            auto result = std::make_shared<ExplainedSimplex>();
+            result->explanation =
+                explain(*in.balls, simplex, in.balls->lattice.alpha_on_lattice(in.alpha_angstrom2),
+                        context);
+            result->lines = explanation_lines(
+                result->explanation, [&](BallIndex ball) { return atom_text(*in.atoms, ball); });
+            return std::shared_ptr<const ExplainedSimplex>(std::move(result));
+          }};
+}
+
+}  // namespace alphascope

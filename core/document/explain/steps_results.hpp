@@ -1,0 +1,61 @@
+// The steps of one ball (core/explain/ball_steps.hpp) with their sentences, as a derived result;
+// and of which ball and engine.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/document/explain/steps_text.hpp"
+#include "core/document/store/derived.hpp"
+
+namespace alphascope {
+
+// One for each StepsEngine.
+struct StepsEngineSpec {
+  StepsEngine engine;
+  const char* title;       // "Tuple engine (thesis)"
+  bool has_optimisations;  // of TupleOptions, that can be switched off
+  BallSteps (*make)(const BallSet& balls, BallIndex ball, const LatticeAlpha& alpha_on_lattice,
+                    const TupleOptions& options, const RunContext& context);
+};
+std::span<const StepsEngineSpec> steps_engines();
+const StepsEngineSpec& spec_of(StepsEngine engine);
+
+struct AskedSteps {
+  BallIndex ball = 0;
+  StepsEngine engine = StepsEngine::tuples;
+  TupleOptions options = {};
+
+  friend bool operator==(const AskedSteps&, const AskedSteps&) = default;
+};
+
+// The ball that a selection asks about: its first atom, or the first vertex of its first simplex.
+struct AskedBall {
+  std::optional<BallIndex> ball;
+  std::string why_not;  // a sentence; empty: there is one
+};
+AskedBall asked_ball(const Selection& selection, const BallReferences& atoms);
+
+// The ball whose centre is nearest to the mean of all centres; none: there are no balls.
+std::optional<BallIndex> middle_ball(const BallSet& balls);
+
+struct ToldSteps {
+  BallSteps steps;
+  std::vector<StepText> texts;  // of each step
+  // Where an optimisation is switched off: the same with all of them on.
+  std::optional<BallSteps> optimised;
+  // "4,495 instead of 39 4-tuples in kernel I, 4,495 instead of 12 in kernel II."; empty without
+  // `optimised`.
+  std::string growth;
+
+  // The same count of the same step with all optimisations on; null: there is none.
+  const StepCount* optimised_count(const Step& step, std::string_view id) const;
+};
+
+inline constexpr std::string_view kStepsId = "steps";  // of the definition
+// At the alpha of the inputs, whose atoms must be known.
+Definition<ToldSteps> told_steps(const AskedSteps& asked);
+
+}  // namespace alphascope

@@ -1,0 +1,24 @@
+// The steps of one ball (core/explain/ball_steps.hpp) in sentences for somebody who wants to know
+// how the algorithm works. For window and command line.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/document/explain/explanation_text.hpp"
+#include "core/explain/ball_steps.hpp"
+
+namespace alphascope {
+
+struct StepText {
+  std::string title;  // "Kernel II"
+  std::string brief;  // the number that matters, for a list: "41 of 210 left"
+  std::string text;   // some sentences
+};
+StepText step_text(const BallSteps& steps, const Step& step, const BallName& name);
+
+// "dual_edges", "pairs": as in JSON.
+const char* steps_engine_id(StepsEngine engine);
+const char* step_id(StepKind kind);
+
+}  // namespace alphascope

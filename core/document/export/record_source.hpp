@@ -1,0 +1,45 @@
+// Where the numbers of a table come from, for whatever is written of it.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "core/geometry/lattice.hpp"
+#include "core/selection/prepare_balls.hpp"
+#include "core/selection/provenance.hpp"
+
+namespace alphascope {
+
+// Who computed: "alphascope", "0.1.0", "0123456789ab".
+struct ProgramName {
+  std::string name, version, commit;
+  std::string text() const { return name + " " + version + " (" + commit + ")"; }
+};
+
+struct RecordSource {
+  std::shared_ptr<const Molecule> molecule;       // with an assembly's copies
+  std::shared_ptr<const PreparedBalls> prepared;  // its balls, without solvent radius
+  BallOptions options;                            // that they were chosen by
+  ProgramName program;
+  double open_milliseconds = 0;  // that reading took; 0: not measured
+
+  // Of the balls that the numbers are of: a solvent radius may have put them on a finer one.
+  std::optional<Lattice> refined = {};
+
+  Lattice lattice() const { return refined.value_or(prepared->balls->lattice); }
+  RecordSource on(const Lattice& lattice) const {
+    RecordSource source = *this;
+    source.refined = lattice;
+    return source;
+  }
+  Provenance provenance() const {
+    Provenance entries = alphascope::provenance(*molecule, options, prepared->report);
+    for (auto& [key, value] : entries) {
+      if (key == "lattice_unit_angstrom") value = lattice_unit_text(lattice());
+    }
+    return entries;
+  }
+};
+
+}  // namespace alphascope

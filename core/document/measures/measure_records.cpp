@@ -1,0 +1,127 @@
+// See the headers.
+#include "core/document/measures/measure_records.hpp"
+
+#include "core/document/measures/measure_json.hpp"
+#include "core/geometry/shortest_number.hpp"
+
+namespace alphascope {
+namespace {
+
+Json rows_json(const MeasureRows& table) {
+  Json groups = Json::array();
+  for (const MeasureRow& row : table.rows) {
+    Json group{{"name", row.name}, {"atoms", row.atoms}};
+    for (const auto& [name, value] : measure_values(table, row)) group[name] = value;
+    groups.push_back(std::move(group));
+  }
+  return groups;
+}
+
+const char* list_name(MeasuredPer per) {
+  return per == MeasuredPer::atom      ? "atoms"
+         : per == MeasuredPer::residue ? "residues"
+         : per == MeasuredPer::chain   ? "chains"
+                                       : nullptr;
+}
+
+// The rows of measure_rows() as another text each.
+using Written = std::string (*)(const MeasureFacts& facts, const MeasureRows& rows);
+Definition<std::string> written(const MeasureQuery& query, const RecordSource& source,
+                                const std::shared_ptr<const Answer>& answer, Written write) {
+  AnyDefinition about = measure_rows(query, answer);
+  about.lane = Lane::background;
+  about.keep_stale = false;
+  about.memory = [](const Inputs& in) {
+    const std::uint64_t bytes = 1000 * in.balls->size();
+    return MemoryNeed{bytes, bytes};
+  };
+  return {about,
+          [make = about.make, source, answer, write](const Inputs& in, const RunContext& context) {
+            const auto table = std::static_pointer_cast<const MeasureRows>(make(in, context));
+            return std::make_shared<const std::string>(
+                write({source, answer, in.share(union_measures())}, *table));
+          }};
+}
+
+}  // namespace
+
+MeasureRows rows_of_measures(const MeasureFacts& facts, const MeasureQuery& query,
+                             std::shared_ptr<const UnionDerivatives> derivatives,
+                             const RunContext& context) {
+  return make_measure_rows(query, *facts.source.molecule, facts.source.prepared->atom_of_ball,
+                           *facts.measured, std::move(derivatives), context);
+}
+
+Provenance provenance_of(const MeasureFacts& facts) {
+  return facts.source.on(facts.answer->balls->lattice).provenance();
+}
+
+CsvRow measure_csv_row(const MeasureFacts& facts, const MeasureRows& rows, const MeasureRow& row,
+                       const Provenance& provenance) {
+  const Request& request = facts.answer->request;
+  CsvRow cells{{"model", model_text(facts.source.options.model)},
+               {"group", row.name},
+               {"atoms", std::to_string(row.atoms)}};
+  for (const auto& [name, value] : measure_values(rows, row)) {
+    cells.emplace_back(name, all_digits(value));
+  }
+  cells.emplace_back("surface", surface_name(request));
+  cells.emplace_back("measured_by", facts.measured->by->device);
+  cells.emplace_back("alpha_angstrom2", shortest_number(request.alpha_angstrom2));
+  cells.emplace_back("solvent_radius_angstrom", shortest_number(request.solvent_radius_angstrom));
+  cells.emplace_back("hash", hash_text(facts.answer->complex.hash));
+  for (const auto& [key, value] : provenance) {
+    if (key != "model") cells.emplace_back(key, value);
+  }
+  cells.emplace_back("program", facts.source.program.text());
+  return cells;
+}
+
+Json measures_json(const MeasureFacts& facts, const MeasureRows& rows) {
+  const MeasuredUnion& by = *facts.measured->by;
+  const EngineAnswer& answer = *facts.answer;
+  Json json{{"surface", surface_name(answer.request)},
+            {"area_angstrom2", facts.measures().area_angstrom2},
+            {"volume_angstrom3", facts.measures().volume_angstrom3},
+            {"components", rows_json(rows_of_measures(facts, {.per = MeasuredPer::component}))}};
+  if (const char* list = list_name(rows.query.per)) json[list] = rows_json(rows);
+  json["measured"] = {
+      {"device", by.device}, {"route", by.route}, {"note", by.note}, {"ms", by.milliseconds}};
+  json.update(complex_json(answer.complex, answer.note));
+  json["request"] = request_json(answer.request, answer.balls->lattice);
+  json["input"] = input_json(facts.source.on(answer.balls->lattice));
+  return json;
+}
+
+Definition<std::string> measure_csv(const MeasureQuery& query, const RecordSource& source,
+                                    const std::shared_ptr<const Answer>& answer) {
+  Definition<std::string> definition =
+      written(query, source, answer, [](const MeasureFacts& facts, const MeasureRows& rows) {
+        const Provenance provenance = provenance_of(facts);
+        std::string text;
+        for (const MeasureRow& row : rows.rows) {
+          const CsvRow cells = measure_csv_row(facts, rows, row, provenance);
+          if (text.empty()) text = csv_names(cells);
+          text += csv_values(cells);
+        }
+        return text;
+      });
+  definition.id = "measures.csv";
+  definition.title = "Areas and volumes as CSV";
+  return definition;
+}
+
+Definition<std::string> measure_json(const MeasureQuery& query, const RecordSource& source,
+                                     const std::shared_ptr<const Answer>& answer) {
+  Definition<std::string> definition =
+      written(query, source, answer, [](const MeasureFacts& facts, const MeasureRows& rows) {
+        Json json = measures_json(facts, rows);
+        json["program"] = program_json(facts.source.program);
+        return json_text(json);
+      });
+  definition.id = "measures.json";
+  definition.title = "Areas and volumes as JSON";
+  return definition;
+}
+
+}  // namespace alphascope

@@ -1,0 +1,25 @@
+// What is asked of saved pictures and recordings: plain choices, which sessions keep.
+#pragma once
+
+#include "core/document/picture/caption_parts.hpp"
+#include "core/document/picture/recording.hpp"
+
+namespace alphascope {
+
+struct PictureOptions {
+  int width = 1920, height = 1080;  // pixels
+  bool transparent = false;
+  bool legend = true, scale_bar = false;  // legend: where colours mean something
+  CaptionParts caption = {};
+  friend bool operator==(const PictureOptions&, const PictureOptions&) = default;
+};
+
+struct RecordChoices {
+  Recording recording;
+  bool of_lesson = false;      // in place of the recording
+  double lesson_seconds = 10;  // of each step, in a movie
+  PictureOptions options{.width = 1280, .height = 720, .caption = usual_caption()};
+  friend bool operator==(const RecordChoices&, const RecordChoices&) = default;
+};
+
+}  // namespace alphascope

@@ -1,0 +1,70 @@
+// Atoms of a file and of its copies in an assembly, as runs: small for chains and residues, which
+// is what people hide and colour, and cheap to keep in every entry of the history.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "core/document/reference/reference.hpp"
+
+namespace alphascope {
+
+class AtomSet {
+ public:
+  // Atoms first to last of one copy, as in AtomRef.
+  struct Run {
+    std::uint32_t copy = 0, first = 0, last = 0;
+    friend auto operator<=>(const Run&, const Run&) = default;
+  };
+
+  AtomSet() = default;
+  explicit AtomSet(std::vector<Run> runs);  // in any order, also overlapping
+
+  const std::vector<Run>& runs() const;  // ascending, with gaps between them
+  bool empty() const { return runs().empty(); }
+  std::uint64_t size() const;  // atoms
+  bool contains(const AtomRef& atom) const;
+
+  AtomSet with(const AtomSet& other) const;
+  AtomSet without(const AtomSet& other) const;
+
+  friend bool operator==(const AtomSet& a, const AtomSet& b) {
+    return a.runs_ == b.runs_ || a.runs() == b.runs();
+  }
+
+ private:
+  std::shared_ptr<const std::vector<Run>> runs_;  // null: none
+};
+
+// Of one value an atom of the molecule to a set, and back. Atoms that the molecule lacks, since it
+// is another assembly, have no value.
+AtomSet atom_set(const Molecule& molecule, const std::vector<bool>& atoms);
+std::vector<bool> atoms_of(const Molecule& molecule, const AtomSet& set);
+
+AtomSet all_atoms(const Molecule& molecule);
+// What an address or an expression names (core/selection/atom_address.hpp); may be empty. Throws
+// SelectionError.
+AtomSet named_set(const Molecule& molecule, std::string_view text,
+                  const PictureAtoms& picture = {});
+
+// Groups of atoms that have a value in common, such as a colour: no atom is in two of them, and
+// none is empty. Gives these atoms another value; none: they are in no group any more.
+template <class Group, class Value>
+void set_value_of_atoms(std::vector<Group>& groups, Value Group::*member, const AtomSet& atoms,
+                        const std::optional<Value>& value) {
+  for (Group& group : groups) group.atoms = group.atoms.without(atoms);
+  if (value && !atoms.empty()) {
+    const auto same = std::find_if(groups.begin(), groups.end(),
+                                   [&](const Group& g) { return g.*member == *value; });
+    Group& group = same == groups.end() ? groups.emplace_back() : *same;
+    group.*member = *value;
+    group.atoms = group.atoms.with(atoms);
+  }
+  std::erase_if(groups, [](const Group& group) { return group.atoms.empty(); });
+}
+
+}  // namespace alphascope

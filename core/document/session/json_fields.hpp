@@ -1,0 +1,187 @@
+// Settings as JSON. One visitor writes what a list of fields (settings_fields.hpp) names, one reads
+// it, with bounds: what is read comes from anywhere. For sources that write or read such files
+// only: this header is slow to compile.
+#pragma once
+
+#include <array>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/chart/colour_words.hpp"
+#include "core/document/commands/number_input.hpp"
+#include "core/document/reference/appearance.hpp"
+#include "core/document/reference/reference.hpp"
+#include "core/document/session/alpha_json.hpp"
+#include "core/document/session/file_reference.hpp"
+#include "core/document/session/json_place.hpp"
+#include "core/document/session/setting_ids.hpp"
+#include "core/document/settings/clip.hpp"
+#include "core/document/settings/paint.hpp"
+#include "core/molecule/sandbox.hpp"
+
+namespace alphascope {
+
+using WrittenJson = nlohmann::ordered_json;
+using ReadJson = nlohmann::json;
+
+class FieldWriter {
+ public:
+  explicit FieldWriter(WrittenJson& to) : to_(to) {}
+
+  void operator()(const char* name, bool value) { to_[name] = value; }
+  void operator()(const char* name, double value, const NumberRule&) { to_[name] = value; }
+  void operator()(const char* name, const Alpha& value, const NumberRule&) { to_[name] = value; }
+  void operator()(const char* name, float value, const NumberRule&);
+  void operator()(const char* name, int value, const NumberRule&) { to_[name] = value; }
+  void operator()(const char* name, const std::array<double, 3>& value, const NumberRule&) {
+    to_[name] = value;
+  }
+  void operator()(const char* name, const std::string& value);
+  void operator()(const char* name, const std::vector<std::string>& value);
+  void operator()(const char* name, const std::filesystem::path& value);
+  void operator()(const char* name, const std::vector<std::filesystem::path>& value);
+  void operator()(const char* name, const std::vector<RadiusOverride>& value);
+  void operator()(const char* name, const RefSet& value);
+  void operator()(const char* name, const AtomSet& value);
+  void operator()(const char* name, const std::vector<AtomRef>& value);
+  void operator()(const char* name, const Rgb8& value);
+  void operator()(const char* name, const FileReference& value);
+  void operator()(const char* name, const Clip& value);
+  void operator()(const char* name, const std::optional<Sandbox>& value);
+  void operator()(const char* name, const Paint& value, Painted what);
+  void model(const char* name, int index);
+  template <class Choice>
+  requires std::is_enum_v<Choice>
+  void operator()(const char* name, Choice value) {
+    for (const auto& [choice, id] : setting_ids(value)) {
+      if (choice == value) to_[name] = id;
+    }
+  }
+  template <class T>
+  void object(const char* name, T& value) {
+    FieldWriter inner(to_[name] = WrittenJson::object());
+    visit_fields(inner, value);
+  }
+  template <class T>
+  void objects(const char* name, std::vector<T>& values) {
+    WrittenJson& list = to_[name] = WrittenJson::array();
+    for (T& value : values) {
+      FieldWriter inner(list.emplace_back(WrittenJson::object()));
+      visit_fields(inner, value);
+    }
+  }
+
+ private:
+  WrittenJson& to_;
+};
+
+// What was found wrong, or strange.
+struct JsonFindings {
+  struct Wrong {
+    JsonPlace place;
+    std::string reason;  // "is 7, and must be a number from 0.05 to 1"
+  };
+  std::vector<Wrong> wrong;
+  std::vector<JsonPlace> unknown;
+};
+
+// A value that is wrong stays as it was.
+class FieldReader {
+ public:
+  static constexpr std::size_t kMostListed = 100000;
+  FieldReader(const ReadJson& from, JsonPlace place, JsonFindings& findings)
+      : from_(from), place_(std::move(place)), findings_(findings) {}
+
+  void operator()(const char* name, bool& value);
+  void operator()(const char* name, double& value, const NumberRule& rule);
+  void operator()(const char* name, Alpha& value, const NumberRule& rule);  // text, too
+  void operator()(const char* name, float& value, const NumberRule& rule);
+  void operator()(const char* name, int& value, const NumberRule& rule);
+  void operator()(const char* name, std::array<double, 3>& value, const NumberRule& rule);
+  void operator()(const char* name, std::string& value);
+  void operator()(const char* name, std::vector<std::string>& value);
+  void operator()(const char* name, std::filesystem::path& value);
+  void operator()(const char* name, std::vector<std::filesystem::path>& value);
+  void operator()(const char* name, std::vector<RadiusOverride>& value);
+  void operator()(const char* name, RefSet& value);
+  void operator()(const char* name, AtomSet& value);
+  void operator()(const char* name, std::vector<AtomRef>& value);  // 2 to 4, in this order
+  void operator()(const char* name, Rgb8& value);
+  void operator()(const char* name, FileReference& value);
+  void operator()(const char* name, Clip& value);
+  void operator()(const char* name, std::optional<Sandbox>& value);
+  void operator()(const char* name, Paint& value, Painted what);
+  void model(const char* name, int& index);
+  template <class Choice>
+  requires std::is_enum_v<Choice>
+  void operator()(const char* name, Choice& value) {
+    const auto& ids = setting_ids(value);
+    std::vector<std::string_view> words;
+    for (const auto& [choice, id] : ids) words.push_back(id);
+    const std::size_t chosen = choose(name, words);
+    if (chosen < ids.size()) value = ids[chosen].first;
+  }
+  template <class T>
+  void object(const char* name, T& value) {
+    const ReadJson* const found = take_object(name);
+    if (found == nullptr) return;
+    FieldReader inner(*found, below(name), findings_);
+    visit_fields(inner, value);
+    inner.finish();
+  }
+  template <class T>
+  void objects(const char* name, std::vector<T>& values) {
+    const ReadJson* const found = take_list(name, kMostListed);
+    if (found == nullptr) return;
+    const std::size_t faults = findings_.wrong.size();
+    std::vector<T> read(found->size());
+    for (std::size_t i = 0; i < found->size(); ++i) {
+      JsonPlace place = below(name);
+      place.push_back(std::to_string(i));
+      if (!(*found)[i].is_object()) return wrong(place, (*found)[i], "an object, in braces");
+      FieldReader item((*found)[i], place, findings_);
+      visit_fields(item, read[i]);
+      item.finish();
+    }
+    if (findings_.wrong.size() == faults) values = std::move(read);
+  }
+
+  // Null: it is not there.
+  const ReadJson* take(const char* name);
+  void wrong(JsonPlace place, const ReadJson& value, const std::string& must_be);
+  // `reason` follows the place: "cannot be understood".
+  void fault(JsonPlace place, std::string reason);
+  JsonPlace below(const std::string& name) const;
+  // Names that nobody has asked for are unknown.
+  void finish();
+
+ private:
+  const ReadJson* take_object(const char* name);
+  const ReadJson* take_list(const char* name, std::size_t most);
+  std::size_t choose(const char* name, const std::vector<std::string_view>& words);
+  bool number(const JsonPlace& place, const ReadJson& json, double& value, const NumberRule& rule);
+  bool text(const JsonPlace& place, const ReadJson& json, std::string& value);
+  bool atom(const JsonPlace& place, const ReadJson& json, AtomRef& value);
+
+  const ReadJson& from_;
+  JsonPlace place_;
+  JsonFindings& findings_;
+  std::set<std::string_view> taken_;
+};
+
+// Text that a user or a file chose: as it is, or { "bytes": "c3a4" } where it is no UTF-8.
+WrittenJson text_json(const std::string& text);
+
+// An object of a whole file. Throws ReadError, with the line, for what is none and what is nested
+// absurdly; `what` is "session", `remedy` what to do.
+ReadJson parse_json_object(const std::filesystem::path& path, std::string_view text,
+                           const std::string& what, const std::string& remedy);
+
+// The text of such a file; ends with a line end.
+std::string json_file_text(const WrittenJson& json);
+
+}  // namespace alphascope

@@ -1,0 +1,95 @@
+// From the text of a file to one JSON object, with the place of what is wrong. See json_fields.hpp.
+#include <set>
+#include <utility>
+
+#include "core/document/session/json_fields.hpp"
+#include "core/files/read_error.hpp"
+
+namespace alphascope {
+namespace {
+
+constexpr std::size_t kDeepest = 40;  // ours are 6 deep
+
+// Where a syntax error is (the parser's own message counts bytes of what it has read), or a name
+// that an object has twice: parsers take one of the two values, and not all the same one.
+class Faults : public ReadJson::json_sax_t {
+ public:
+  std::size_t offset = 0;
+  JsonPlace twice;  // empty: no name is
+
+  bool null() override { return value(); }
+  bool boolean(bool) override { return value(); }
+  bool number_integer(number_integer_t) override { return value(); }
+  bool number_unsigned(number_unsigned_t) override { return value(); }
+  bool number_float(number_float_t, const string_t&) override { return value(); }
+  bool string(string_t&) override { return value(); }
+  bool binary(binary_t&) override { return value(); }
+  bool start_object(std::size_t) override { return begin(false); }
+  bool end_object() override { return end(); }
+  bool start_array(std::size_t) override { return begin(true); }
+  bool end_array() override { return end(); }
+  bool key(string_t& name) override {
+    levels_.back().name = name;
+    if (levels_.back().names.insert(name).second || !twice.empty()) return true;
+    for (const Level& level : levels_) {
+      twice.push_back(level.is_list ? std::to_string(level.index) : level.name);
+    }
+    return true;
+  }
+  bool parse_error(std::size_t position, const std::string&, const ReadJson::exception&) override {
+    offset = position > 0 ? position - 1 : 0;
+    return false;
+  }
+
+ private:
+  struct Level {
+    bool is_list;
+    std::size_t index = 0;
+    std::string name = {};
+    std::set<std::string> names = {};
+  };
+
+  bool value() {
+    if (!levels_.empty()) ++levels_.back().index;
+    return true;
+  }
+  bool begin(bool is_list) {
+    levels_.push_back({is_list});
+    return true;
+  }
+  bool end() {
+    levels_.pop_back();
+    return value();
+  }
+
+  std::vector<Level> levels_;
+};
+
+}  // namespace
+
+ReadJson parse_json_object(const std::filesystem::path& path, std::string_view text,
+                           const std::string& what, const std::string& remedy) {
+  std::size_t offset = 0;
+  if (nested_deeper_than(text, kDeepest, offset)) {
+    throw ReadError(path, line_at(text, offset),
+                    "more than " + std::to_string(kDeepest) +
+                        " lists and objects stand inside each other here, as in no " + what,
+                    remedy);
+  }
+  Faults faults;
+  if (!ReadJson::sax_parse(text, &faults)) {
+    throw ReadError(path, line_at(text, faults.offset),
+                    "this is no " + what + ": no JSON from here", remedy);
+  }
+  if (!faults.twice.empty()) {
+    throw ReadError(path, line_of(text, faults.twice),
+                    "\"" + place_text(faults.twice) + "\" is there twice", "Take one of them out");
+  }
+  ReadJson json = ReadJson::parse(text);
+  if (!json.is_object()) {
+    throw ReadError(path, 1, "this is no " + what + ": a JSON file, but of something else", remedy);
+  }
+  return json;
+}
+
+}  // namespace alphascope

@@ -1,0 +1,78 @@
+// See the header.
+#include "core/document/session/setting_ids.hpp"
+
+namespace alphascope {
+
+const SettingIds<AltlocRule>& setting_ids(AltlocRule) {
+  static const SettingIds<AltlocRule> ids{{AltlocRule::best, "best"}, {AltlocRule::all, "all"}};
+  return ids;
+}
+
+const SettingIds<HydrogenRule>& setting_ids(HydrogenRule) {
+  static const SettingIds<HydrogenRule> ids{{HydrogenRule::automatic, "auto"},
+                                            {HydrogenRule::keep, "keep"},
+                                            {HydrogenRule::drop, "drop"}};
+  return ids;
+}
+
+const SettingIds<RadiiSet>& setting_ids(RadiiSet) {
+  static const SettingIds<RadiiSet> ids = [] {
+    SettingIds<RadiiSet> all;
+    for (const RadiiSetInfo& set : all_radii_sets()) all.emplace_back(set.set, set.id);
+    return all;
+  }();
+  return ids;
+}
+
+const SettingIds<FileFormat>& setting_ids(FileFormat) {
+  static const SettingIds<FileFormat> ids = [] {
+    SettingIds<FileFormat> all{{FileFormat::unknown, "auto"}};
+    for (const FileFormat format :
+         {FileFormat::pdb, FileFormat::pdbqt, FileFormat::mmcif, FileFormat::pqr, FileFormat::xyz,
+          FileFormat::tinker_xyz, FileFormat::ball_table, FileFormat::charmm_card}) {
+      all.emplace_back(format, format_id(format));
+    }
+    return all;
+  }();
+  return ids;
+}
+
+const SettingIds<EngineChoice>& setting_ids(EngineChoice) {
+  static const SettingIds<EngineChoice> ids = [] {
+    SettingIds<EngineChoice> all;
+    for (const EngineChoice choice : kEngineChoices) all.emplace_back(choice, engine_id(choice));
+    return all;
+  }();
+  return ids;
+}
+
+const SettingIds<TupleGridKind>& setting_ids(TupleGridKind) {
+  static const SettingIds<TupleGridKind> ids{{TupleGridKind::automatic, "auto"},
+                                             {TupleGridKind::thesis, "100"}};
+  return ids;
+}
+
+const SettingIds<AlphaScaling>& setting_ids(AlphaScaling) {
+  static const SettingIds<AlphaScaling> ids{{AlphaScaling::linear, "linear"},
+                                            {AlphaScaling::root, "root"},
+                                            {AlphaScaling::logarithm, "logarithm"}};
+  return ids;
+}
+
+const SettingIds<LabelText>& setting_ids(LabelText) {
+  return label_text_ids();
+}
+
+const SettingIds<RecordingKind>& setting_ids(RecordingKind) {
+  static const SettingIds<RecordingKind> ids{{RecordingKind::sweep, "sweep"},
+                                             {RecordingKind::turntable, "turntable"}};
+  return ids;
+}
+
+const SettingIds<TurnAxis>& setting_ids(TurnAxis) {
+  static const SettingIds<TurnAxis> ids{
+      {TurnAxis::up, "up"}, {TurnAxis::x, "x"}, {TurnAxis::y, "y"}, {TurnAxis::z, "z"}};
+  return ids;
+}
+
+}  // namespace alphascope

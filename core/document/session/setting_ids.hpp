@@ -1,0 +1,31 @@
+// The words that stand for choices in session files and preferences: those of the command line.
+#pragma once
+
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "core/document/alpha/alpha_slider.hpp"
+#include "core/document/picture/recording.hpp"
+#include "core/document/reference/atom_labels.hpp"
+#include "core/document/settings/open_options.hpp"
+#include "core/document/settings/request.hpp"
+
+namespace alphascope {
+
+template <class Choice>
+using SettingIds = std::vector<std::pair<Choice, std::string_view>>;
+
+// The argument only says of which type. Every value of the type has one word.
+const SettingIds<AltlocRule>& setting_ids(AltlocRule);
+const SettingIds<HydrogenRule>& setting_ids(HydrogenRule);
+const SettingIds<RadiiSet>& setting_ids(RadiiSet);
+const SettingIds<FileFormat>& setting_ids(FileFormat);
+const SettingIds<EngineChoice>& setting_ids(EngineChoice);
+const SettingIds<TupleGridKind>& setting_ids(TupleGridKind);
+const SettingIds<AlphaScaling>& setting_ids(AlphaScaling);
+const SettingIds<LabelText>& setting_ids(LabelText);
+const SettingIds<RecordingKind>& setting_ids(RecordingKind);
+const SettingIds<TurnAxis>& setting_ids(TurnAxis);
+
+}  // namespace alphascope

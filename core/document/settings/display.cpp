@@ -1,0 +1,22 @@
+// See the header.
+#include "core/document/settings/display.hpp"
+
+namespace alphascope {
+
+bool shows(const AtomsBesideBody& shown, DropReason reason, Element element) {
+  if (element == kHydrogen && !shown.hydrogens) return false;
+  switch (reason) {
+    case DropReason::ligand:
+      return shown.ligands;
+    case DropReason::ion:
+      return shown.ions;
+    case DropReason::water:
+      return shown.waters;
+    case DropReason::hydrogen:
+      return shown.hydrogens;
+    default:
+      return false;
+  }
+}
+
+}  // namespace alphascope

@@ -1,0 +1,82 @@
+// See the header.
+#include "core/document/settings/display_preset.hpp"
+
+namespace alphascope {
+
+const DisplayPresetInfo& preset_info(DisplayPreset preset) {
+  static constexpr DisplayPresetInfo kFigure{
+      "figure", "Figure",
+      "The surface of the complex with shadows, outlines and fading depth, for print"};
+  static constexpr DisplayPresetInfo kCavity{
+      "cavity", "Cavity", "A translucent surface, through which cavities and channels are seen"};
+  static constexpr DisplayPresetInfo kTeaching{
+      "teaching", "Teaching",
+      "Balls, edges, triangles and shrunk tetrahedra, one beside the other"};
+  static constexpr DisplayPresetInfo kFast{
+      "fast", "Fast",
+      "Balls and tetrahedra without shadows and outlines, for large molecules on slow machines"};
+  switch (preset) {
+    case DisplayPreset::figure:
+      return kFigure;
+    case DisplayPreset::cavity:
+      return kCavity;
+    case DisplayPreset::teaching:
+      return kTeaching;
+    case DisplayPreset::fast:
+      break;
+  }
+  return kFast;
+}
+
+std::optional<DisplayPreset> preset_named(std::string_view id) {
+  for (const DisplayPreset preset : kDisplayPresets) {
+    if (preset_info(preset).id == id) return preset;
+  }
+  return std::nullopt;
+}
+
+std::string preset_ids() {
+  std::string ids;
+  for (const DisplayPreset preset : kDisplayPresets) {
+    ids += (ids.empty() ? "" : "|") + std::string(preset_info(preset).id);
+  }
+  return ids;
+}
+
+DisplayControls with_preset(DisplayControls display, DisplayPreset preset) {
+  DisplayControls d;  // as the program starts, but for what the user chose of colours and atoms
+  d.ball_paint = display.ball_paint;
+  d.complex_paint = display.complex_paint;
+  d.beside = display.beside;
+  d.orthographic = display.orthographic;
+  d.grown_balls = display.grown_balls;
+  d.cavity_opacity = display.cavity_opacity;
+  switch (preset) {
+    case DisplayPreset::figure:
+      d.balls = d.tetrahedra = false;
+      d.boundary = true;
+      break;
+    case DisplayPreset::cavity:
+      d.balls = d.tetrahedra = false;
+      d.boundary = true;
+      d.complex_opacity = 0.35f;
+      d.depth_cue = 0.2f;
+      break;
+    case DisplayPreset::teaching:
+      d.triangles = d.edges = true;
+      d.singular_only = false;
+      d.shrink = 0.25f;
+      d.ball_scale = 0.2f;
+      d.depth_cue = 0.2f;
+      break;
+    case DisplayPreset::fast:
+      d.ambient_occlusion = false;
+      d.depth_cue = 0;
+      d.silhouettes = d.face_edges = 0;
+      d.samples = 4;
+      break;
+  }
+  return d;
+}
+
+}  // namespace alphascope

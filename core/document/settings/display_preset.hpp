@@ -1,0 +1,34 @@
+// Whole looks of the picture: what is drawn and how, set at once.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "core/document/settings/display.hpp"
+
+namespace alphascope {
+
+// figure: the surface of the complex, for print. cavity: a translucent surface, through which
+// cavities are seen. teaching: balls, edges and tetrahedra apart from each other. fast: for large
+// molecules on slow machines.
+enum class DisplayPreset : std::uint8_t { figure, cavity, teaching, fast };
+inline constexpr std::array kDisplayPresets = {DisplayPreset::figure, DisplayPreset::cavity,
+                                               DisplayPreset::teaching, DisplayPreset::fast};
+
+struct DisplayPresetInfo {
+  const char* id;     // "figure"
+  const char* title;  // "Figure"
+  const char* help;   // a sentence without full stop
+};
+const DisplayPresetInfo& preset_info(DisplayPreset preset);
+std::optional<DisplayPreset> preset_named(std::string_view id);
+std::string preset_ids();  // "figure|cavity|..."
+
+// Keeps colours, atoms beside the body, projection, the radius of grown balls and how opaque
+// cavities are.
+DisplayControls with_preset(DisplayControls display, DisplayPreset preset);
+
+}  // namespace alphascope

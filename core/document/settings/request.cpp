@@ -1,0 +1,19 @@
+// See the header.
+#include "core/document/settings/request.hpp"
+
+namespace alphascope {
+
+Request canonical(Request request) {
+  const TupleOptions asked = request.tuples;
+  request.tuples = {};
+  if (!is_tuple_engine(request.engine)) return request;
+  request.tuples = asked;
+  if (request.engine == EngineChoice::tuples_gpu) return request;
+  const TupleOptions defaults;
+  request.tuples.pinned = defaults.pinned;
+  request.tuples.texture = defaults.texture;
+  request.tuples.streams = defaults.streams;
+  return request;
+}
+
+}  // namespace alphascope

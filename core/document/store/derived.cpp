@@ -1,0 +1,45 @@
+// See the header.
+#include "core/document/store/derived.hpp"
+
+#include "core/run/freed_memory.hpp"
+#include "core/triangulation/cgal_triangulation.hpp"
+
+namespace alphascope {
+
+const Definition<Triangulation>& whole_triangulation() {
+  static const Definition<Triangulation> definition{
+      {.id = "triangulation",
+       .title = "Triangulation of all balls",
+       .key = key_of_balls,
+       .memory = [](const Inputs& in) { return triangulation_memory(in.balls->size()); },
+       .keep_stale = false},
+      [](const Inputs& in, const RunContext& context) {
+        constexpr std::size_t kManyBalls = 100'000;
+        auto made =
+            std::make_shared<const Triangulation>(make_triangulation(*in.balls, 1, context));
+        // CGAL's own has taken four times as much, in small pieces.
+        if (in.balls->size() > kManyBalls) give_back_freed_memory();
+        return made;
+      }};
+  return definition;
+}
+
+const Definition<Filtration>& whole_filtration() {
+  static const Definition<Filtration> definition{
+      {.id = "filtration",
+       .title = "Filtration of all simplices",
+       .made_of = {&whole_triangulation()},
+       .key = key_of_balls,
+       .memory =
+           [](const Inputs& in) {
+             return filtration_memory(in.of(whole_triangulation()), TetrahedraOfFiltration::shared);
+           },
+       .keep_stale = false},
+      [](const Inputs& in, const RunContext& context) {
+        return std::make_shared<const Filtration>(in.balls, in.share(whole_triangulation()),
+                                                  context);
+      }};
+  return definition;
+}
+
+}  // namespace alphascope

@@ -1,0 +1,57 @@
+// See the header.
+#include "core/read/residues/residue_notes.hpp"
+
+#include "core/selection/atom_address.hpp"
+#include "core/text/grouped_number.hpp"
+
+namespace alphascope {
+namespace {
+
+constexpr std::size_t kExamples = 3;
+
+std::string residues_text(std::size_t count) {
+  return counted(count, "residue", "residues");
+}
+
+}  // namespace
+
+void ResidueNotes::add(Counted& counted, std::size_t first_atom) const {
+  if (counted.count < kExamples) {
+    counted.examples += (counted.count ? ", " : "") + residue_address(molecule_, first_atom);
+  } else if (counted.count == kExamples) {
+    counted.examples += " …";
+  }
+  ++counted.count;
+}
+
+void ResidueNotes::guessed(ResidueReason why, std::size_t first_atom) {
+  add(guesses_[why], first_atom);
+}
+
+void ResidueNotes::disagrees(const char* table_says, AtomKind kind, std::size_t first_atom) {
+  add(disagreements_[{table_says, kind}], first_atom);
+}
+
+void ResidueNotes::no_water(std::size_t first_atom) {
+  add(no_waters_, first_atom);
+}
+
+void ResidueNotes::finish() const {
+  for (const auto& [why, counted] : guesses_) {
+    molecule_.notes.push_back(std::string(guess_note(why)) + ": " + residues_text(counted.count) +
+                              " (" + counted.examples + ")");
+  }
+  for (const auto& [key, counted] : disagreements_) {
+    molecule_.notes.push_back("The entity table says " + key.first +
+                              ", but by their own atoms they are " +
+                              (key.second == AtomKind::ion ? "ions" : "water") + ": " +
+                              residues_text(counted.count) + " (" + counted.examples + ")");
+  }
+  if (no_waters_.count > 0) {
+    molecule_.notes.push_back(
+        "Named as water, but with other atoms than water has, so not taken as water: " +
+        residues_text(no_waters_.count) + " (" + no_waters_.examples + ")");
+  }
+}
+
+}  // namespace alphascope

@@ -1,0 +1,278 @@
+// Dialogs above one another, and where errors are told.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <new>
+#include <string>
+
+#include "tests/ui/panels/panels_fixture.hpp"
+#include "tests/ui/viewer_fixture.hpp"
+#include "ui/panels/dialogs/picture_path.hpp"
+
+namespace alphascope {
+namespace {
+
+using testing::loaded_state;
+using testing::Panels;
+
+class DialogsTest : public ::testing::Test {
+ protected:
+  DialogsTest() {
+    p.state = loaded_state();
+    p.frame(2);
+  }
+  // Not one of several dialogs replaces another from frame to frame.
+  void expect_steady(std::initializer_list<const char*> widgets) {
+    for (int i = 0; i < 6; ++i) {
+      p.frame();
+      for (const char* name : widgets) EXPECT_TRUE(p.rects.contains(name)) << name;
+    }
+  }
+  Panels p{{1280, 800, 1}};
+};
+
+TEST_F(DialogsTest, TheCheatSheetOpensAboveTheBenchmarkPage) {
+  p.state.memory.show_benchmark = true;
+  p.frame(3);
+  p.tap(key::kF1);
+  p.frame(3);
+  expect_steady({"benchmark.run", "cheat_sheet.close"});
+  p.tap(key::kEscape);
+  p.frame(2);
+  EXPECT_FALSE(p.state.memory.show_cheat_sheet);
+  EXPECT_TRUE(p.state.memory.show_benchmark) << "Escape is for the dialog on top";
+  p.tap(key::kF1);
+  p.frame(3);
+  p.click("cheat_sheet.close");
+  p.click("benchmark.close");
+  EXPECT_FALSE(p.state.memory.show_benchmark);
+  p.click("alpha.preset.3");
+  EXPECT_DOUBLE_EQ(p.state.compute.alpha_angstrom2, 3) << "the mouse is the window's again";
+}
+
+TEST_F(DialogsTest, AnErrorOpensAboveTheFileBrowserWhichStays) {
+  p.state.memory.show_browser = true;
+  p.state.memory.browser_folder = "/";
+  p.frame(3);
+  p.state.memory.browser_typed = "/tmp/what I typed";
+  p.state.tell("The file cannot be opened", "x.pdb, line 3: no number.");
+  p.frame(3);
+  expect_steady({"browser.cancel", "error.ok"});
+  p.click("error.ok");
+  p.frame(2);
+  EXPECT_TRUE(p.state.error.empty());
+  EXPECT_EQ(p.state.memory.browser_typed, "/tmp/what I typed");
+  p.click("browser.cancel");
+  EXPECT_FALSE(p.state.memory.show_browser);
+  p.click("alpha.preset.3");
+  EXPECT_DOUBLE_EQ(p.state.compute.alpha_angstrom2, 3);
+}
+
+TEST_F(DialogsTest, EveryErrorIsToldOneAfterTheOther) {
+  for (const char* text : {"first", "second", "second", "third"}) p.state.tell("title", text);
+  for (const char* text : {"first", "second", "third"}) {
+    p.frame(3);
+    EXPECT_EQ(p.state.error, text);
+    p.click("error.ok");
+  }
+  p.frame(3);
+  EXPECT_TRUE(p.state.error.empty());
+  EXPECT_FALSE(p.rects.contains("error.ok"));
+}
+
+TEST_F(DialogsTest, AKeyThatClosesADialogLeavesTheMouseToTheWindow) {
+  p.tap(key::kF1);
+  p.frame(3);
+  p.tap(key::kF1);
+  p.frame(3);
+  EXPECT_FALSE(p.rects.contains("cheat_sheet.close"));
+  p.click("alpha.preset.3");
+  EXPECT_DOUBLE_EQ(p.state.compute.alpha_angstrom2, 3);
+}
+
+TEST_F(DialogsTest, CancelIsAtTheLeftOfWhatIsDone) {
+  p.state.molecule.assemblies = {{"1", "", 60, 1000000, 1}};
+  const auto at_left = [&](const char* cancel, const char* confirm) {
+    p.frame(4);
+    const WidgetRect c = p.rects.at(cancel), ok = p.rects.at(confirm);
+    EXPECT_LT(c.x1, ok.x0) << cancel;
+    EXPECT_FLOAT_EQ(c.y0, ok.y0) << cancel;
+  };
+  p.state.memory.show_save = true;
+  at_left("save.cancel", "save.ok");
+  p.state.memory.show_browser = true;
+  at_left("browser.cancel", "browser.open");
+  p.state.memory.confirm_assembly = "1";
+  at_left("assembly.cancel", "assembly.expand");
+  p.state.memory.show_benchmark = true;
+  at_left("benchmark.cancel", "benchmark.run");
+}
+
+TEST_F(DialogsTest, APictureIsSavedOnlyWhereThereIsAFolder) {
+  p.state.memory.show_save = true;
+  p.state.memory.save_path = "/no/such/folder/picture.png";
+  p.frame(3);
+  ASSERT_TRUE(p.rects.contains("save.no_folder"));
+  p.click("save.ok");
+  EXPECT_FALSE(p.state.requests.screenshot);
+  EXPECT_TRUE(p.state.memory.show_save);
+  p.state.memory.save_path = "/tmp/picture.png";
+  p.frame(3);
+  p.click("save.ok");
+  EXPECT_FALSE(p.state.memory.show_save);
+}
+
+TEST_F(DialogsTest, APlaceWithoutANameIsNoFile) {
+  p.state.memory.show_save = true;
+  p.frame(3);
+  const std::string folder = std::filesystem::temp_directory_path().string();
+  for (const std::string& typed : {std::string(), std::string("  "), folder, folder + "/"}) {
+    p.state.memory.save_path = typed;
+    p.frame(3);
+    EXPECT_TRUE(p.rects.contains("save.no_name")) << typed;
+    p.click("save.ok");
+    EXPECT_FALSE(p.state.requests.screenshot) << typed;
+  }
+}
+
+TEST(TypedPaths, AreWholeWhateverIsTyped) {
+  const char* const before = std::getenv("HOME");
+  const std::string kept = before == nullptr ? "" : before;
+  ::setenv("HOME", "/home/ada", 1);
+  EXPECT_EQ(typed_path("~/a.png"), "/home/ada/a.png");
+  EXPECT_EQ(typed_path(" ~ "), "/home/ada");
+  EXPECT_EQ(typed_path("~ada/a.png", "/b"), "/b/~ada/a.png") << "of other users nothing is known";
+  EXPECT_EQ(typed_path("../a.png", "/b/c"), "/b/a.png");
+  EXPECT_EQ(typed_path("a.png"), std::filesystem::current_path() / "a.png");
+  EXPECT_EQ(typed_path("/x//y/./a.png "), "/x/y/a.png");
+  EXPECT_EQ(typed_path(" "), "");
+  EXPECT_EQ(path_to_save("~/a", ".png"), "/home/ada/a.png");
+  EXPECT_EQ(path_to_save("/tmp", ".png"), "/tmp") << "a folder gets no ending";
+  EXPECT_EQ(path_to_save("/tmp/", ".png"), "/tmp/");
+  EXPECT_EQ(path_to_save("", ".png"), "");
+  ::setenv("HOME", kept.c_str(), 1);
+}
+
+TEST_F(DialogsTest, WhatCannotBeWrittenIsSaidBeforeItIsTried) {
+  p.state.memory.show_export = true;
+  p.state.memory.export_path = "/tmp/alphascope no such file.stl";
+  p.frame(3);
+  EXPECT_FALSE(p.rects.contains("export.unwritable"));
+  // A folder of this name: who runs the tests may be allowed to write everywhere else.
+  const std::string folder = std::filesystem::temp_directory_path() / "alphascope_folder.stl";
+  std::filesystem::create_directory(folder);
+  p.state.memory.export_path = folder;
+  p.frame(3);
+  EXPECT_TRUE(p.rects.contains("export.no_name"));
+  p.click("export.ok");
+  EXPECT_TRUE(p.state.memory.show_export);
+  std::filesystem::remove(folder);
+}
+
+// What could not be computed has no numbers.
+TEST_F(DialogsTest, NumbersAreCompleteOnlyWhereTheyWereComputed) {
+  p.state.viewport.not_drawn = "Not drawn for lack of memory: edges.";
+  p.state.result = loaded_state().result;
+  p.frame(3);
+  EXPECT_TRUE(p.rects.contains("view.numbers_complete"));
+  p.state.compute_error = "There is not enough memory for this alpha.";
+  p.frame(3);
+  EXPECT_TRUE(p.rects.contains("view.not_drawn"));
+  EXPECT_FALSE(p.rects.contains("view.numbers_complete"));
+}
+
+// --- the program behind them
+
+class ErrorsTest : public testing::ViewerTest {
+ protected:
+  ErrorsTest() {
+    ViewerOptions options;
+    options.compare = false;
+    options.draw_shots_only = true;
+    Session::Services services = Session::program_services();
+    services.make_engine = [this, make = services.make_engine](auto&&... arguments) {
+      if (no_memory_) throw std::bad_alloc();
+      return make(arguments...);
+    };
+    services.is_memory_unused = [this] {  // asked at each step
+      if (!fault_.empty()) throw std::runtime_error(std::exchange(fault_, {}));
+      return false;
+    };
+    viewer_.reset();  // the fixture's; there is one ImGui
+    viewer_ = std::make_unique<Viewer>(*host_, options, services);
+    open_crambin();
+  }
+  ~ErrorsTest() override { viewer_.reset(); }  // before what its services use goes
+  bool no_memory_ = false;
+  std::string fault_;
+};
+
+TEST_F(ErrorsTest, AStepThatFailsIsALineAndNotADialog) {
+  no_memory_ = true;
+  run("click alpha.water\nwait-idle\nframes 3\n");
+  const ViewState& s = viewer_->state();
+  EXPECT_TRUE(s.error.empty()) << s.error;
+  EXPECT_NE(s.compute_error.find("etrahedra only"), std::string::npos) << s.compute_error;
+  EXPECT_TRUE(viewer_->widgets().contains("view.compute_error"));
+  no_memory_ = false;
+  run("click alpha.water\nwait-idle\nframes 3\n");
+  EXPECT_TRUE(s.compute_error.empty());
+  EXPECT_TRUE(s.result);
+}
+
+// The error of one alpha says nothing of the next, which may be cancelled or take long.
+TEST_F(ErrorsTest, TheErrorGoesWithItsAlpha) {
+  no_memory_ = true;
+  run("click alpha.water\nwait-idle\nframes 3\n");  // other balls, so another engine
+  ASSERT_FALSE(viewer_->state().compute_error.empty());
+  set_alpha(viewer_->state().compute, 10);
+  ScriptedInput no_input;
+  viewer_->step(&no_input);  // too short for the next answer, or error
+  EXPECT_TRUE(viewer_->state().compute_error.empty()) << viewer_->state().compute_error;
+}
+
+TEST_F(ErrorsTest, OnlyAFailedOpeningSpeaksOfThePreviousMolecule) {
+  const ViewState& s = viewer_->state();
+  run("open /no/such/file.pdb\nwait-idle\n");
+  EXPECT_NE(s.error.find("The previous molecule is still open."), std::string::npos) << s.error;
+  run("click error.ok\nframes 2\n");
+  viewer_->state().requests.screenshot = ScreenshotRequest{"/no/such/folder/p.png", 64, 64, false};
+  run("wait-idle\n");
+  EXPECT_NE(s.error.find("/no/such/folder"), std::string::npos) << s.error;
+  EXPECT_EQ(s.error.find("still open"), std::string::npos) << s.error;
+}
+
+TEST_F(ErrorsTest, AFailedComparisonIsToldByTheBadge) {
+  no_memory_ = true;
+  run("click timings.compare\nwait-idle\nframes 3\n");
+  const ViewState& s = viewer_->state();
+  EXPECT_TRUE(s.error.empty()) << s.error;
+  EXPECT_EQ(s.badge.state, BadgeInfo::State::failed);
+  EXPECT_NE(s.badge.text.find("not enough memory"), std::string::npos) << s.badge.text;
+  no_memory_ = false;
+  run("click timings.compare\nwait-idle\nframes 3\n");
+  EXPECT_EQ(s.badge.state, BadgeInfo::State::identical);
+}
+
+TEST_F(ErrorsTest, AnExceptionOnTheMainThreadIsShownAndTheProgramGoesOn) {
+  fault_ = "a fault in a step of the main thread";
+  run("wait-idle\nframes 3\n");
+  EXPECT_EQ(viewer_->state().error, "a fault in a step of the main thread");
+  run("click error.ok\nclick alpha.preset.3\nwait-idle\n");
+  EXPECT_DOUBLE_EQ(viewer_->state().result->request.alpha_angstrom2, 3);
+}
+
+TEST_F(ErrorsTest, NothingIsOpenedWhileABenchmarkRuns) {
+  ViewState& s = viewer_->state();
+  run("click menu.Tools\nclick menu.benchmark.open\nclick benchmark.run\n");
+  run("open " +
+      (testing::fs::path(ALPHASCOPE_SOURCE_DIR) / "resources/molecules/4hhb.pdb.gz").string() +
+      "\nframes 2\n");
+  EXPECT_NE(s.error.find("4hhb.pdb.gz was not opened"), std::string::npos) << s.error;
+  run("click error.ok\nclick benchmark.cancel\nwait-idle\n");
+  EXPECT_EQ(s.molecule.name, "1crn.pdb");
+}
+
+}  // namespace
+}  // namespace alphascope

@@ -1,0 +1,215 @@
+// What all dialogs that write a file have in common: which path they offer, Browse, and that
+// nothing in them moves.
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <fstream>
+
+#include "tests/ui/panels/panels_fixture.hpp"
+#include "ui/panels/dialogs/save_parts.hpp"
+
+namespace alphascope::testing {
+namespace {
+
+namespace fs = std::filesystem;
+
+class SaveDialogs : public ::testing::Test {
+ protected:
+  SaveDialogs()
+      : folder_(fs::temp_directory_path() / ("alphascope_save_" + std::to_string(getpid()))) {
+    fs::create_directories(folder_ / "inside");
+    p.state = loaded_state();
+    p.state.molecule.folder = folder_.string();
+    p.frame(3);
+  }
+  ~SaveDialogs() override { fs::remove_all(folder_); }
+  PanelMemory& memory() { return p.state.memory; }
+  std::string path(const std::string& name) { return (folder_ / name).string(); }
+  void list() {
+    p.frame(2);
+    if (const auto wanted = wanted_listing(memory())) {
+      p.state.listing = std::make_shared<const FolderListing>(list_folder(*wanted));
+    }
+    p.frame(3);
+  }
+  // Opens each of them, calls `look` with its name, and cancels it.
+  void in_each(
+      const std::function<void(const std::string& dialog, const std::string& path)>& look) {
+    const struct {
+      const char* dialog;
+      std::function<void()> open;
+      std::function<std::string()> path;
+    } all[] = {
+        {"save", [&] { memory().show_save = true; }, [&] { return memory().save_path; }},
+        {"export", [&] { memory().show_export = true; }, [&] { return memory().export_path; }},
+        {"record", [&] { memory().record.show = true; }, [&] { return memory().record.path; }},
+        {"save_session", [&] { memory().show_save_session = true; },
+         [&] { return memory().session_path; }},
+        {"save_table",
+         [&] {
+           TableToSave table{
+               .what = "Cavities",
+               .file_name = "4hhb-cavities",
+               .csv = Definition<std::string>({.id = "test.table", .title = "A table"},
+                                              [](const Inputs&, const RunContext&) {
+                                                return std::make_shared<const std::string>("x");
+                                              })};
+           memory().save_table.path.clear();
+           memory().save_table.table = std::make_shared<const TableToSave>(table);
+         },
+         [&] { return memory().save_table.path; }}};
+    for (const auto& one : all) {
+      one.open();
+      p.frame(4);
+      look(one.dialog, one.path());
+      p.click(std::string(one.dialog) + ".cancel");
+      p.frame(3);
+    }
+  }
+
+  Panels p{{1280, 800, 1}};
+  fs::path folder_;
+};
+
+TEST_F(SaveDialogs, OfferTheMoleculesFolderAndName) {
+  std::map<std::string, std::string> offered;
+  in_each([&](const std::string& dialog, const std::string& path) { offered[dialog] = path; });
+  EXPECT_EQ(offered["save"], path("4hhb.png"));
+  EXPECT_EQ(offered["export"], path("4hhb.glb"));
+  EXPECT_EQ(offered["record"], path("4hhb-%04d.png"));
+  EXPECT_EQ(offered["save_session"], path("4hhb.json"));
+  EXPECT_EQ(offered["save_table"], path("4hhb-cavities.csv"));
+}
+
+TEST_F(SaveDialogs, OfferTheFolderOfTheFileThatWasSavedLastAndTheNameTypedLast) {
+  memory().show_save = true;
+  memory().save_path = path("inside/mine.png");
+  p.frame(4);
+  p.click("save.ok");
+  p.frame(3);
+  in_each([&](const std::string& dialog, const std::string& offered) {
+    EXPECT_EQ(fs::path(offered).parent_path(), folder_ / "inside") << dialog;
+    if (dialog == "save") {
+      EXPECT_EQ(fs::path(offered).filename(), "mine.png");
+    }
+  });
+}
+
+TEST_F(SaveDialogs, OfferNoFolderOfSamples) {
+  p.state.samples = {{"crambin", "1CRN", folder_ / "1crn.pdb"}};
+  in_each([&](const std::string& dialog, const std::string& offered) {
+    EXPECT_EQ(fs::path(offered).parent_path(), fs::current_path()) << dialog;
+  });
+}
+
+// No file is named for a format that it has not, nor gets a second ending.
+TEST_F(SaveDialogs, AnotherEndingIsRefused) {
+  const struct {
+    std::string dialog, wrong, right, written;
+  } cases[] = {{"save", "a.jpg", "a", "a.png"},
+               {"save", "a.PDB", "a_1.4", "a_1.4.png"},
+               {"save_session", "a.txt", "a", "a.json"}};
+  for (const auto& c : cases) {
+    const bool picture = c.dialog == "save";
+    (picture ? memory().show_save : memory().show_save_session) = true;
+    std::string& typed = picture ? memory().save_path : memory().session_path;
+    typed = path(c.wrong);
+    p.frame(4);
+    EXPECT_TRUE(p.rects.contains(c.dialog + ".ending")) << c.wrong;
+    p.click(c.dialog + ".ok");
+    p.frame(3);
+    EXPECT_TRUE(picture ? memory().show_save : memory().show_save_session) << "it cannot be saved";
+    typed = path(c.right);
+    p.frame(3);
+    EXPECT_FALSE(p.rects.contains(c.dialog + ".ending")) << c.right;
+    p.click(c.dialog + ".ok");
+    const fs::path wanted =
+        picture ? p.state.requests.screenshot->path : *p.state.requests.save_session;
+    EXPECT_EQ(wanted, path(c.written));
+    p.state.requests.screenshot.reset();
+    p.state.requests.save_session.reset();
+    p.frame(3);
+  }
+}
+
+TEST_F(SaveDialogs, AnEmptyFieldStaysEmpty) {
+  memory().show_export = true;
+  p.frame(4);
+  p.type("export.path", " ");
+  memory().export_path.clear();
+  p.frame(3);
+  EXPECT_EQ(memory().export_path, "");
+  EXPECT_TRUE(memory().show_export);
+}
+
+TEST_F(SaveDialogs, BrowseChoosesAFolderAndKeepsTheName) {
+  in_each([&](const std::string& dialog, const std::string& offered) {
+    const std::string name = fs::path(offered).filename().string();
+    const fs::path before = memory().browser_folder;
+    p.click(dialog + ".browse");
+    list();
+    ASSERT_TRUE(p.rects.contains("browser.entry.inside")) << dialog;
+    p.tap(key::kDown);
+    p.tap(key::kEnter);
+    list();
+    EXPECT_EQ(memory().browser_folder, folder_ / "inside") << dialog;
+    p.tap(key::kEnter);  // this one
+    p.frame(4);
+    EXPECT_FALSE(memory().show_browser) << dialog;
+    EXPECT_EQ(memory().browser_folder, before) << "Open stays where it was";
+    const std::string now = dialog == "save"           ? memory().save_path
+                            : dialog == "export"       ? memory().export_path
+                            : dialog == "record"       ? memory().record.path
+                            : dialog == "save_session" ? memory().session_path
+                                                       : memory().save_table.path;
+    EXPECT_EQ(now, path("inside/" + name)) << dialog;
+  });
+}
+
+TEST_F(SaveDialogs, BrowseTakesTheNameOfAFileAndCancelLeavesAll) {
+  std::ofstream(folder_ / "old.stl") << "x";
+  memory().show_export = true;
+  p.frame(4);
+  p.click("export.browse");
+  list();
+  p.click("browser.entry.old.stl");
+  p.click("browser.open");
+  p.frame(4);
+  EXPECT_EQ(memory().export_path, path("old.stl"));
+  EXPECT_TRUE(p.rects.contains("export.replaces"));
+  p.click("export.browse");
+  list();
+  p.click("browser.cancel");
+  p.frame(4);
+  EXPECT_EQ(memory().export_path, path("old.stl"));
+}
+
+// Whatever is chosen in it, and whether the path can be written.
+TEST_F(SaveDialogs, NothingJumps) {
+  memory().record.show = true;
+  p.frame(4);
+  const float y = p.rects["record.ok"].y0, x = p.rects["record.ok"].x0;
+  const auto same = [&](const char* when) {
+    p.frame(4);
+    EXPECT_EQ(p.rects["record.ok"].y0, y) << when;
+    EXPECT_EQ(p.rects["record.ok"].x0, x) << when;
+  };
+  for (const char* widget : {"record.kind.1", "record.kind.2", "record.kind.0", "record.format.1",
+                             "record.format.2", "record.format.0", "record.caption"}) {
+    p.click(widget);
+    same(widget);
+  }
+  memory().record.path = "/no/such/folder/x.docx";
+  same("a path that cannot be");
+  p.click("record.cancel");
+  p.frame(3);
+  memory().show_save = true;
+  p.frame(4);
+  const float save_y = p.rects["save.ok"].y0;
+  p.click("save.caption");
+  p.frame(4);
+  EXPECT_EQ(p.rects["save.ok"].y0, save_y);
+}
+
+}  // namespace
+}  // namespace alphascope::testing

@@ -1,0 +1,255 @@
+// The page of curves in the whole window: totals, a chosen cavity, clicks that set what is plotted
+// against.
+#include <imgui.h>
+#include <optional>
+
+#include <algorithm>
+#include <fstream>
+
+#include "core/document/cavities/cavity_names.hpp"
+#include "tests/ui/viewer_fixture.hpp"
+#include "ui/panels/cavities/cavity_page.hpp"
+
+namespace alphascope::testing {
+namespace {
+
+class CurvesTest : public ViewerTest {
+ protected:
+  void open_haemoglobin() {
+    run("open " ALPHASCOPE_SOURCE_DIR "/resources/molecules/4hhb.pdb.gz\nwait-idle\n");
+    run("click bottom.cavities\nwait-idle\nframes 3\nwait-idle\nframes 3\n");
+    run("solvent.set 1.4\nwait-idle\nframes 3\nwait-idle\nframes 3\n");
+  }
+  void open_curves() { run("click bottom.curves\nwait-idle\nframes 3\nwait-idle\nframes 3\n"); }
+  void settle() { run("wait-idle\nframes 3\nwait-idle\nframes 3\n"); }
+  const CurveMemory& memory() { return viewer_->state().memory.curves; }
+  const ChartSeries& series(std::size_t n) { return memory().chart.chart.series.at(n); }
+  bool has(const char* widget) { return viewer_->widgets().contains(widget); }
+};
+
+TEST_F(CurvesTest, WithoutAMoleculeItSaysWhatToDo) {
+  run("click bottom.curves\n");
+  EXPECT_TRUE(has("curves.waiting"));
+  EXPECT_FALSE(has("curves.plot"));
+}
+
+TEST_F(CurvesTest, OfNothingChosenItPlotsTheTotals) {
+  open_haemoglobin();
+  open_curves();
+  ASSERT_TRUE(has("curves.plot"));
+  ASSERT_EQ(memory().chart.chart.series.size(), 2u);
+  ASSERT_EQ(series(0).x.size(), 51u);
+  EXPECT_EQ(series(0).x[14], 1.4);
+  EXPECT_GT(*series(0).values[14], 1) << "voids";
+  EXPECT_GT(*series(1).values[14], 1000) << "pockets";
+  run("click curves.axis.0\n");
+  settle();
+  ASSERT_TRUE(has("curves.plot"));
+  EXPECT_EQ(memory().chart_axis, CurveAxis::alpha);
+  const auto zero = std::find(series(0).x.begin(), series(0).x.end(), 0.0);
+  ASSERT_NE(zero, series(0).x.end());
+  run("click curves.axis.2\n");
+  settle();
+  EXPECT_TRUE(has("curves.waiting")) << "one model only";
+  EXPECT_FALSE(has("curves.plot"));
+}
+
+TEST_F(CurvesTest, AChosenCavityIsFollowedAndAClickSetsTheSolventRadiusAsOneEntry) {
+  open_haemoglobin();
+  run("click cavities.row.4 0.2\n");
+  settle();
+  open_curves();
+  ASSERT_TRUE(has("curves.plot"));
+  ASSERT_EQ(memory().chart.chart.series.size(), 1u);
+  EXPECT_EQ(series(0).name, "pocket 4");
+  ASSERT_TRUE(series(0).values[14]);
+  const double volume = *series(0).values[14];
+  EXPECT_GT(volume, 10);
+  EXPECT_FALSE(series(0).values[50]) << "no cavity at 5 Å";
+  EXPECT_FALSE(memory().chart.marks.empty());
+  const std::string undo = viewer_->state().undo_text;
+  run("move curves.plot 0.3\ndown\nmove curves.plot 0.4\nmove curves.plot 0.5\nup\n");
+  settle();
+  const double radius = viewer_->state().compute.solvent_radius_angstrom;
+  EXPECT_NE(radius, 1.4);
+  EXPECT_EQ(viewer_->state().result->request.solvent_radius_angstrom, radius);
+  ASSERT_TRUE(has("curves.plot"));
+  ASSERT_EQ(memory().chart.chart.series.size(), 1u) << "it is still that cavity";
+  EXPECT_EQ(*series(0).values[14], volume);
+  run("edit.undo\n");
+  settle();
+  EXPECT_EQ(viewer_->state().compute.solvent_radius_angstrom, 1.4);
+  EXPECT_EQ(viewer_->state().undo_text, undo);
+  run("click curves.quantity.1\n");
+  settle();
+  EXPECT_EQ(memory().chart.chart.value_label, "SA area (Å²)");
+  run("click curves.copy\n");
+  const std::string csv = ImGui::GetClipboardText();
+  EXPECT_NE(csv.find("solvent radius (Å),pocket 4\n"), std::string::npos) << csv;
+  EXPECT_NE(csv.find("\n5,\n"), std::string::npos) << "a gap is empty";
+  EXPECT_NE(csv.find("# sha256: "), std::string::npos);
+  EXPECT_NE(csv.find("# values: SA area (Å²)\n"), std::string::npos);
+  const fs::path path = folder_ / "curve.csv";
+  run("click curves.save\nframes 3\n");
+  viewer_->state().memory.save_table.path = path.string();
+  run("click save_table.ok\n");
+  settle();
+  EXPECT_EQ(bytes("curve.csv"), csv);
+}
+
+// The page of cavities is not drawn meanwhile.
+TEST_F(CurvesTest, AChosenCavityIsFollowedWhenTheTetrahedronOfItsSinkIsGone) {
+  open_haemoglobin();
+  const CavityPage& page = *viewer_->state().memory.cavities.page;
+  const auto lines = page.rows.lines;
+  const auto set_radius = [&](const char* angstrom) {
+    run(std::string("solvent.set ") + angstrom + "\n");
+    settle();
+  };
+  set_radius("1.6");
+  // One that is still there although the tetrahedron of its sink is not.
+  const auto& others = page.rows.table().ground->triangulation->tetrahedra;
+  const CavityTable& table = *lines->table;
+  std::optional<std::size_t> row;
+  for (std::size_t n = 0; n < table.size() && !row; ++n) {
+    const auto& sink = table.ground->triangulation->tetrahedra[table.cavity(n).deepest_sink];
+    const std::uint32_t number = lines->numbers->of[table.order[n]];
+    const bool stays = page.rows.lines->numbers->cavity(number) != CavityMatch::kNone;
+    if (stays && !std::binary_search(others.begin(), others.end(), sink)) row = n;
+  }
+  ASSERT_TRUE(row) << "or this shows nothing";
+  set_radius("1.4");
+  viewer_->state().picked.cavities = RefSet({cavity_sink(*lines->atoms, table, *row)});
+  settle();
+  open_curves();
+  for (const char* radius : {"1.5", "1.6"}) {
+    set_radius(radius);
+    ASSERT_EQ(page.chosen_rows.size(), 1u) << radius;
+    ASSERT_EQ(memory().chart.chart.series.size(), 1u) << radius;
+    EXPECT_FALSE(viewer_->state().layers.empty()) << "it is seen in the view";
+  }
+}
+
+TEST_F(CurvesTest, ExactVolumesAreMadeOnRequestAndCanBeCancelled) {
+  open_haemoglobin();
+  run("click cavities.row.4 0.2\n");
+  settle();
+  const CavityPage& page = *viewer_->state().memory.cavities.page;
+  ASSERT_TRUE(page.rows.exact);
+  const std::uint32_t cavity = page.rows.table().order[3];
+  const double exact = page.rows.exact->of[cavity].volume_sa_angstrom3;
+  open_curves();
+  const double sum = *series(0).values[14];
+  run("click curves.quantity.2\nframes 4\n");
+  ASSERT_TRUE(has("curves.cancel"));
+  run("click curves.cancel\nframes 3\n");
+  ASSERT_TRUE(has("curves.again"));
+  EXPECT_EQ(memory().chart_quantity, 0) << "the old chart stays, grey";
+  run("click curves.again\n");
+  settle();
+  EXPECT_EQ(memory().chart.chart.value_label, "exact volume (Å³)");
+  EXPECT_EQ(*series(0).values[14], exact);
+  EXPECT_NE(exact, sum);
+}
+
+TEST_F(CurvesTest, LivesAreBarsAndAClickChoosesACavityThatIsThereOrGoesToWhereItIs) {
+  open_haemoglobin();
+  open_curves();
+  run("click curves.quantity.3\n");
+  settle();
+  ASSERT_TRUE(has("curves.lives"));
+  EXPECT_FALSE(has("curves.plot"));
+  EXPECT_FALSE(has("curves.axis.0")) << "only alpha";
+  const CavityPage& page = *viewer_->state().memory.cavities.page;
+  const CurveMemory::Lives& lives = memory().lives;
+  ASSERT_GT(lives.bars.longest.size(), 50u);
+  ASSERT_EQ(lives.rows.size(), lives.bars.longest.size());
+  std::optional<std::size_t> there, other;
+  for (std::size_t k = 0; k < 15; ++k) {
+    const bool is_there = lives.rows[k] != CurveMemory::Lives::kNoRow;
+    EXPECT_EQ(is_there, lives.bars.longest[k].is_at(0)) << k;
+    if (is_there && !there) there = k;
+    if (!is_there && !other) other = k;
+  }
+  ASSERT_TRUE(there && other) << "or this shows nothing";
+  const auto click = [&](std::size_t bar) {
+    run("click curves.life." + std::to_string(bar + 1) + "\n");
+    settle();
+  };
+  click(*there);
+  ASSERT_EQ(page.chosen_rows, std::vector<std::size_t>{lives.rows[*there]});
+  EXPECT_EQ(viewer_->state().compute.alpha_angstrom2, 0);
+  EXPECT_FALSE(viewer_->state().layers.empty()) << "it is seen in the view";
+  const std::uint32_t sink = lives.bars.longest[*other].sink;
+  click(*other);
+  const double alpha = viewer_->state().compute.alpha_angstrom2;
+  EXPECT_NE(alpha, 0);
+  EXPECT_TRUE(lives.bars.longest[*other].is_at(alpha));
+  ASSERT_EQ(page.chosen_rows.size(), 1u);
+  EXPECT_EQ(page.rows.table().cavity(page.chosen_rows.front()).deepest_sink, sink);
+  run("edit.undo\n");
+  settle();
+  EXPECT_EQ(viewer_->state().compute.alpha_angstrom2, 0) << "in one step";
+  ASSERT_EQ(page.chosen_rows, std::vector<std::size_t>{lives.rows[*there]});
+}
+
+TEST_F(CurvesTest, ADragOverLivesSetsAlphaAsOneEntryAndTheirTableIsSaved) {
+  open_haemoglobin();
+  open_curves();
+  run("click curves.quantity.3\n");
+  settle();
+  ASSERT_TRUE(has("curves.lives"));
+  const std::string undo = viewer_->state().undo_text;
+  run("move curves.lives 0.3\ndown\nmove curves.lives 0.4\nmove curves.lives 0.5\nup\n");
+  settle();
+  const double alpha = viewer_->state().compute.alpha_angstrom2;
+  EXPECT_GT(alpha, 0);
+  EXPECT_EQ(std::round(alpha * 100) / 100, alpha);
+  EXPECT_TRUE(viewer_->state().picked.cavities.empty()) << "nothing is chosen by a drag";
+  run("edit.undo\n");
+  settle();
+  EXPECT_EQ(viewer_->state().compute.alpha_angstrom2, 0);
+  EXPECT_EQ(viewer_->state().undo_text, undo);
+  run("click curves.copy\n");
+  const std::string csv = ImGui::GetClipboardText();
+  EXPECT_NE(csv.find("# sha256: "), std::string::npos);
+  EXPECT_NE(csv.find("# solvent radius: 1.4 Å\n"), std::string::npos);
+  EXPECT_NE(csv.find("\nborn_alpha_angstrom2,closed_alpha_angstrom2,gone_alpha_angstrom2,name\n"),
+            std::string::npos)
+      << csv.substr(0, 2000);
+  run("click curves.save\nframes 3\n");
+  viewer_->state().memory.save_table.path = (folder_ / "lives.csv").string();
+  run("click save_table.ok\n");
+  settle();
+  EXPECT_EQ(bytes("lives.csv"), csv);
+}
+
+TEST_F(CurvesTest, ModelsArePlottedAndAClickShowsOne) {
+  std::string text;
+  {
+    std::ifstream file(ALPHASCOPE_SOURCE_DIR "/resources/molecules/1crn.pdb");
+    std::string atoms, line;
+    while (std::getline(file, line)) {
+      if (line.substr(0, 5) == "ATOM ") atoms += line + "\n";
+    }
+    for (int k = 1; k <= 3; ++k)
+      text += "MODEL        " + std::to_string(k) + "\n" + atoms + "ENDMDL\n";
+  }
+  const auto path = std::filesystem::temp_directory_path() / "alphascope-curves-models.pdb";
+  std::ofstream(path) << text << "END\n";
+  run("open " + path.string() + "\nwait-idle\nsolvent.set 0.8\nwait-idle\n");
+  open_curves();
+  run("click curves.axis.2\n");
+  settle();
+  ASSERT_TRUE(has("curves.plot"));
+  ASSERT_EQ(series(1).x.size(), 3u);
+  EXPECT_EQ(*series(1).values[0], *series(1).values[2]);
+  run("click curves.plot 0.99\n");
+  settle();
+  EXPECT_EQ(viewer_->state().open.balls.model, 2);
+  EXPECT_TRUE(has("curves.plot"));
+  std::filesystem::remove(path);
+}
+
+}  // namespace
+}  // namespace alphascope::testing

@@ -1,0 +1,336 @@
+// That a ligand is seen in the cavity that holds it: in the window, in a saved picture and in a
+// recording, as the program draws them when nothing else is chosen.
+#include <algorithm>
+#include <cmath>
+
+#include "core/document/cavities/chosen_cavities.hpp"
+#include "tests/support/molecules.hpp"
+#include "tests/ui/scene/picture_difference.hpp"
+#include "tests/ui/scene/png_pixels.hpp"
+#include "tests/ui/viewer_fixture.hpp"
+#include "ui/panels/cavities/cavity_page.hpp"
+
+namespace alphascope::testing {
+namespace {
+
+class CavityPictureTest : public ViewerTest {
+ protected:
+  explicit CavityPictureTest(bool draw_shots_only = true) : ViewerTest(draw_shots_only) {}
+  // What the program starts with, but for samples, which only smooth.
+  void show_as_at_the_start() {
+    DisplayControls display;
+    display.samples = 1;
+    viewer_->state().display = display;
+  }
+
+  void settle() { run("wait-idle\nframes 3\nwait-idle\nframes 3\n"); }
+  void open_cavities(const fs::path& file) {
+    run("open " + file.string() + "\nwait-idle\nclick bottom.cavities\nwait-idle\nframes 3\n");
+    // Where the choices are those of CASTp already, there is nothing to click.
+    if (viewer_->widgets().contains("cavities.preset")) run("click cavities.preset\n");
+    settle();
+  }
+  const CavityPage& page() { return *viewer_->state().memory.cavities.page; }
+
+  // The row of the cavity that holds most atoms of ligands.
+  std::optional<std::size_t> row_with_ligand(const std::string& name) {
+    const BallReferences& references = *page().rows.lines->atoms;
+    const Molecule& molecule = references.molecule();
+    std::optional<std::size_t> best;
+    std::uint32_t most = 0;
+    for (std::size_t row = 0; row < page().rows.size(); ++row) {
+      for (const std::uint32_t n : page().rows.contents->of[page().rows.table().order[row]]) {
+        const HeldResidue& residue = page().rows.contents->residues[n];
+        if (molecule.text(molecule.atoms[residue.atom].residue_name) != name) continue;
+        if (residue.inside > std::exchange(most, std::max(most, residue.inside))) best = row;
+      }
+    }
+    return best;
+  }
+  void choose(std::size_t row) {
+    run("click cavities.row." + std::to_string(row + 1) + " 0.2\n");
+    settle();
+  }
+  Layer held() {
+    for (const auto& layer : viewer_->state().layers) {
+      if (layer->id == "cavities.held") return *layer;
+    }
+    return {};
+  }
+
+  Image saved(const std::string& name) {
+    run("file.save_picture \"" + (folder_ / name).string() + "\" 480 320 none\nwait-idle\n");
+    return pixels_of(bytes(name));
+  }
+  Image first_frame(const std::string& name) {
+    run("file.record \"" + (folder_ / (name + "-%d.png")).string() +
+        "\" 180:2 480 320 none\nwait-idle\n");
+    return pixels_of(bytes(name + "-1.png"));
+  }
+  // With what the cavity holds, without that, and without the cavity.
+  struct Pictures {
+    Image whole, without_held, without_cavity;
+  };
+  struct Taken {
+    Pictures window, saved;
+  };
+  Taken taken() {
+    Taken pictures;
+    const auto take = [&](Image Pictures::*which) {
+      pictures.window.*which = picture();
+      pictures.saved.*which = saved("saved.png");
+    };
+    take(&Pictures::whole);
+    viewer_->state().display.beside = {false, false, false, false};
+    settle();
+    take(&Pictures::without_held);
+    viewer_->state().memory.cavities.page->parts.surfaces = false;
+    settle();
+    take(&Pictures::without_cavity);
+    return pictures;
+  }
+
+  static bool differs(const Image& a, const Image& b, std::size_t pixel) {
+    for (std::size_t k = 4 * pixel; k < 4 * pixel + 3; ++k) {
+      if (std::abs(a.rgba[k] - b.rgba[k]) > 12) return true;
+    }
+    return false;
+  }
+  // Whatever the light: the colour of an element, with nothing of another mixed in.
+  static bool has_element_colour(const Image& image, std::size_t pixel) {
+    const std::uint8_t* p = &image.rgba[4 * pixel];
+    const double r = p[0], g = p[1], b = p[2], length = std::sqrt(r * r + g * g + b * b);
+    if (length < 60) return false;
+    for (const Element element : {6, 7, 8, 12, 15, 16, 20, 26, 30}) {
+      const Rgb8 c = element_colour(element);
+      const double size = std::sqrt(double(c.r) * c.r + double(c.g) * c.g + double(c.b) * c.b);
+      if ((r * c.r + g * c.g + b * c.b) / (length * size) > 0.995) return true;
+    }
+    return false;
+  }
+
+  // Pixels of what the cavity holds, in the outline of the cavity; and of the cavity, of which a
+  // good part must be left.
+  struct Seen {
+    int held = 0, in_its_colour = 0, in_cavity = 0, cavity = 0;
+  };
+  static Seen seen_in(const Pictures& pictures) {
+    Seen seen;
+    const std::size_t pixels = pictures.whole.rgba.size() / 4;
+    for (std::size_t i = 0; i < pixels; ++i) {
+      const bool cavity = differs(pictures.without_held, pictures.without_cavity, i);
+      seen.cavity += cavity;
+      if (!differs(pictures.whole, pictures.without_held, i)) continue;
+      ++seen.held;
+      seen.in_its_colour += has_element_colour(pictures.whole, i);
+      seen.in_cavity += cavity;
+    }
+    return seen;
+  }
+  static void expect_seen(const Pictures& pictures, double least_share_inside,
+                          const std::string& where) {
+    const Seen seen = seen_in(pictures);
+    const int pixels = pictures.whole.width * pictures.whole.height;
+    EXPECT_GT(seen.cavity, pixels / 100) << where;
+    EXPECT_GT(seen.held, pixels / 200) << where;
+    // The rest are rims, lights and pixels that are partly something else's.
+    EXPECT_GT(seen.in_its_colour, 0.55 * seen.held) << where;
+    EXPECT_GT(seen.in_cavity, least_share_inside * seen.held) << where;
+  }
+  void expect_seen_in_pictures(double least_share_inside) {
+    const Taken pictures = taken();
+    expect_seen(pictures.window, least_share_inside, "window");
+    expect_seen(pictures.saved, least_share_inside, "saved picture");
+  }
+};
+
+fs::path haemoglobin() {
+  return fs::path(ALPHASCOPE_SOURCE_DIR) / "resources/molecules/4hhb.pdb.gz";
+}
+
+TEST_F(CavityPictureTest, AHaemIsSeenInItsPocket) {
+  show_as_at_the_start();
+  open_cavities(haemoglobin());
+  const auto row = row_with_ligand("HEM");
+  ASSERT_TRUE(row);
+  choose(*row);
+  EXPECT_EQ(held().atoms.size() % 43, 0u) << "whole haems";
+  EXPECT_GE(held().atoms.size(), 43u);
+  expect_seen_in_pictures(0.5);
+}
+
+// ATP in protein kinase A, and inhibitors of HSP90 and of a collagenase.
+TEST_F(CavityPictureTest, LigandsOfOtherProteinsAreSeenInTheirPockets) {
+  ALPHASCOPE_NEED_TEST_DATA();
+  const struct {
+    const char *file, *ligand;
+  } cases[] = {{"cavities/fpocket/1atp.pdb.gz", "ATP"},
+               {"cavities/fpocket/1uyd.pdb.gz", "PU8"},
+               {"cavities/p2rank/1fbl.pdb.gz", "HTA"}};
+  for (const auto& c : cases) {
+    SCOPED_TRACE(c.file);
+    show_as_at_the_start();
+    open_cavities(test_data_folder() / c.file);
+    viewer_->state().memory.cavities.page->parts.surfaces = true;  // off for the last picture
+    const auto row = row_with_ligand(c.ligand);
+    ASSERT_TRUE(row);
+    choose(*row);
+    expect_seen_in_pictures(0.5);
+  }
+}
+
+// With panels in every frame, as for a user: they say what is drawn of a cavity.
+class CavityFrameTest : public CavityPictureTest {
+ protected:
+  CavityFrameTest() : CavityPictureTest(false) {}
+};
+
+TEST_F(CavityFrameTest, AFrameOfARecordingIsTheSavedPicture) {
+  open_cavities(haemoglobin());
+  choose(*row_with_ligand("HEM"));
+  EXPECT_FALSE(held().atoms.empty());
+  const Image picture = saved("picture.png"), frame = first_frame("frame");
+  int others = 0;  // but for rounding
+  for (std::size_t i = 0; i < picture.rgba.size() / 4; ++i) others += differs(frame, picture, i);
+  EXPECT_LT(others, picture.width * picture.height / 500);
+}
+
+// One that the options keep in the body fills its pocket; it is shown where it lines what is left.
+TEST_F(CavityPictureTest, ALigandOfTheBodyIsShownWhereItLinesACavity) {
+  run("open " + haemoglobin().string() + "\nwait-idle\nclick bottom.cavities\n");
+  settle();
+  const Molecule& molecule = page().rows.lines->atoms->molecule();
+  for (std::size_t row = 0; row < 12; ++row) {
+    choose(row);
+    std::size_t lining = 0;
+    for (const Ref& ref : viewer_->state().picked.items.items()) {
+      lining += molecule.atoms[std::get<AtomRef>(ref).atom].kind == AtomKind::ligand;
+    }
+    EXPECT_EQ(lining > 0, !held().atoms.empty()) << row;
+    for (const LayerAtom& atom : held().atoms) {
+      EXPECT_EQ(molecule.atoms[atom.atom].kind, AtomKind::ligand);
+    }
+  }
+}
+
+TEST_F(CavityPictureTest, WhatIsNotDrawnBesideTheBodyIsNotDrawnInACavity) {
+  open_cavities(haemoglobin());
+  choose(*row_with_ligand("HEM"));
+  EXPECT_FALSE(held().atoms.empty());
+  run("atoms.hide resn HEM\n");
+  settle();
+  EXPECT_TRUE(held().atoms.empty());
+  run("edit.undo\n");
+  settle();
+  EXPECT_FALSE(held().atoms.empty());
+  viewer_->state().display.beside.ligands = false;
+  settle();
+  EXPECT_TRUE(held().atoms.empty());
+}
+
+TEST_F(CavityPictureTest, TheMouseNamesALigandThroughItsCavity) {
+  open_cavities(haemoglobin());
+  choose(*row_with_ligand("HEM"));
+  const WidgetRect view = viewer_->widgets().at("view");
+  int named = 0;
+  for (float x = 0.3f; x < 0.7f; x += 0.05f) {
+    for (float y = 0.3f; y < 0.7f; y += 0.05f) {
+      ScriptedInput input;
+      input.x = view.x0 + x * (view.x1 - view.x0);
+      input.y = view.y0 + y * (view.y1 - view.y0);
+      viewer_->step(&input);
+      viewer_->step(&input);
+      named += viewer_->state().viewport.under_mouse_line.find("HEM") != std::string::npos;
+    }
+  }
+  EXPECT_GE(named, 3);
+}
+
+TEST_F(CavityPictureTest, OpacityIsASettingOfThePage) {
+  open_cavities(haemoglobin());
+  choose(*row_with_ligand("HEM"));
+  const Image usual = picture();
+  run("view.cavity_opacity 1\n");
+  const Image opaque = picture();
+  EXPECT_GT(differing_pixels(usual, opaque), 2000);
+  run("edit.undo\n");
+  EXPECT_EQ(viewer_->state().display.cavity_opacity, DisplayControls().cavity_opacity);
+  run("click cavities.draw\nframes 3\n");
+  EXPECT_TRUE(viewer_->widgets().contains("cavities.draw.opacity"));
+  run("key esc\n");
+}
+
+TEST_F(CavityPictureTest, OpacityThatIsNotSeenSaysSo) {
+  open_cavities(haemoglobin());
+  EXPECT_FALSE(viewer_->widgets().contains("display.ball_opacity.faded"));
+  choose(*row_with_ligand("HEM"));
+  EXPECT_TRUE(viewer_->widgets().contains("display.ball_opacity.faded"));
+  EXPECT_TRUE(viewer_->widgets().contains("display.complex_opacity.faded"));
+  viewer_->state().display.complex_opacity = 0.1f;
+  settle();
+  EXPECT_FALSE(viewer_->widgets().contains("display.complex_opacity.faded"))
+      << "it is as it is set";
+  run("click cavities.draw\nframes 3\nclick cavities.draw.fade\nkey esc\n");
+  settle();
+  EXPECT_FALSE(viewer_->widgets().contains("display.ball_opacity.faded"));
+}
+
+// Whole green balls hid all of the cavity.
+TEST_F(CavityPictureTest, TheLiningIsMarkedByOutlines) {
+  open_cavities(haemoglobin());
+  choose(*row_with_ligand("HEM"));
+  const auto green = [](const Image& image) {
+    int count = 0;
+    for (std::size_t i = 0; i < image.rgba.size(); i += 4) {
+      count += image.rgba[i + 1] > 150 && image.rgba[i + 1] > 2 * image.rgba[i] &&
+               image.rgba[i + 1] > 2 * image.rgba[i + 2];
+    }
+    return count;
+  };
+  viewer_->state().display.ball_scale = 0.5f;
+  const int outlines = green(picture());
+  const RefSet lining = viewer_->state().picked.items;
+  viewer_->state().picked.clear();
+  viewer_->state().picked.items = lining;  // as a user selects atoms
+  settle();
+  const int balls = green(picture());
+  EXPECT_GT(outlines, 200);
+  EXPECT_LT(outlines, balls / 2);
+}
+
+TEST_F(CavityPictureTest, TheLiningFollowsTheSolventRadius) {
+  open_cavities(haemoglobin());
+  choose(*row_with_ligand("HEM"));
+  const auto lining = [this] {
+    std::vector<Ref> refs;
+    for (const std::size_t row : page().chosen_rows) {
+      for (const BallIndex ball : page().rows.table().measure(row).lining) {
+        refs.emplace_back(page().rows.lines->atoms->atom(ball));
+      }
+    }
+    return RefSet(refs);
+  };
+  const RefSet before = viewer_->state().picked.items;
+  EXPECT_EQ(before, lining());
+  for (const char* page_shown : {"cavities", "timings"}) {
+    SCOPED_TRACE(page_shown);
+    run(std::string("click bottom.") + page_shown + "\nframes 2\nsolvent.set 1.6\n");
+    settle();
+    ASSERT_EQ(page().rows.table().question.alpha_angstrom2, 0);
+    EXPECT_NE(viewer_->state().picked.items, before);
+    EXPECT_EQ(viewer_->state().picked.items, lining());
+    EXPECT_EQ(viewer_->state().undo_text, "solvent radius and selection") << "one entry";
+    run("edit.undo\n");
+    settle();
+    EXPECT_EQ(viewer_->state().compute.solvent_radius_angstrom, 1.4);
+    EXPECT_EQ(viewer_->state().picked.items, before);
+    EXPECT_FALSE(viewer_->state().redo_text.empty());
+  }
+  // What the user has selected besides stays.
+  run("select.add A:VAL 1:N\nsolvent.set 1.6\n");
+  settle();
+  EXPECT_EQ(viewer_->state().picked.items.size(), before.size() + 1);
+}
+
+}  // namespace
+}  // namespace alphascope::testing

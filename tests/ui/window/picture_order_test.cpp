@@ -1,0 +1,187 @@
+// The picture is a function of the molecule, the answer and the controls, in whatever order these
+// come and whatever of the work for them is finished, taken or superseded meanwhile.
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <chrono>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "app/viewer/scene/scene_controller.hpp"
+#include "core/engine/engine.hpp"
+#include "tests/ui/scene/picture_difference.hpp"
+#include "tests/ui/scene/texture_pixels.hpp"
+#include "ui/window/egl_context.hpp"
+
+namespace alphascope {
+namespace {
+
+// So little is free that it is asked for before each drawing, and yet enough for all.
+constexpr std::uint64_t kFreeBytes = 160'000'000;
+
+OpenedMolecule two_chains() {
+  OpenOptions options;
+  options.balls.without_chains = {"C", "D"};
+  return open_molecule(
+      std::filesystem::path(ALPHASCOPE_SOURCE_DIR) / "resources/molecules/4hhb.pdb.gz", options,
+      RunContext{});
+}
+
+class PictureOrder : public ::testing::Test {
+ protected:
+  PictureOrder() {
+    viewport_.width = 240;
+    viewport_.height = 160;
+    display_.samples = 1;
+    display_.ambient_occlusion = false;
+    complex_ = make_cpu_engine(file_.prepared->balls)->compute({0, false}, {});
+  }
+  ~PictureOrder() override { held_ = false; }
+
+  // The same again, as another molecule.
+  void new_molecule() {
+    auto opened = std::make_shared<OpenedMolecule>(file_);
+    opened->molecule = std::make_shared<const Molecule>(*file_.molecule);
+    opened->prepared = std::make_shared<const PreparedBalls>(*file_.prepared);
+    auto answer = std::make_shared<Answer>();
+    answer->balls = opened->prepared->balls;
+    answer->complex = complex_;
+    answer->molecule = opened->molecule;
+    answer->prepared = opened->prepared;
+    opened_ = std::move(opened);
+    answer_ = std::move(answer);
+  }
+  void colour_by(ColourBy by) {
+    display_.ball_paint.by = display_.complex_paint.by = by;
+    scene_.set_display(display_, Theme::dark);
+  }
+  void show_boundary(bool shown) {
+    display_.boundary = shown;
+    scene_.set_display(display_, Theme::dark);
+    while (!waits_ && scene_.busy()) pause();
+  }
+
+  static void pause() { std::this_thread::sleep_for(std::chrono::milliseconds(1)); }
+  // m: the molecule comes; a: the answer; c: the controls say other colours. After each, what it
+  // asks for is begun, unless something else is under way, and not finished.
+  // f: all that has been begun or waits is finished; p: what is finished is taken.
+  void play(const std::string& order) {
+    for (const char step : order) {
+      switch (step) {
+        case 'm':
+          scene_.set_molecule(opened_);
+          break;
+        case 'a':
+          scene_.set_answer(answer_);
+          break;
+        case 'c':
+          colour_by(ColourBy::element);
+          break;
+        case 'f':
+          held_ = false;
+          while (scene_.busy()) pause();
+          held_ = true;
+          break;
+        default:
+          scene_.poll();
+      }
+      while (!waits_ && scene_.busy()) pause();
+    }
+  }
+  Image picture() {
+    held_ = false;
+    for (int quiet = 0; quiet < 4; quiet = scene_.busy() ? 0 : quiet + 1) {  // taken in, it may ask
+      pause();
+      scene_.poll();
+    }
+    return drawn_now();
+  }
+  Image drawn_now() {
+    scene_.describe(viewport_);
+    scene_.render(viewport_, false, true);
+    return testing::upright(testing::texture_pixels(static_cast<unsigned>(viewport_.texture)));
+  }
+
+  EglContext context_;
+  OpenedMolecule file_ = two_chains();
+  AlphaComplex complex_;
+  std::shared_ptr<const OpenedMolecule> opened_;
+  std::shared_ptr<const Answer> answer_;
+  DisplayControls display_;
+  ViewportInfo viewport_;
+  // Drawings ask how much memory is free before anything else: there they are held, but for as many
+  // as pass.
+  std::atomic<bool> held_ = false, waits_ = false;
+  std::atomic<int> passes_ = 0;
+  std::atomic<std::uint64_t> free_bytes_ = kFreeBytes;
+  SceneController scene_{{}, [this]() -> std::optional<std::uint64_t> {
+                           waits_ = held_.load();
+                           while (held_ && passes_ == 0) pause();
+                           waits_ = false;
+                           if (held_) --passes_;
+                           return free_bytes_.load();
+                         }};
+};
+
+TEST_F(PictureOrder, MakesNoDifference) {
+  colour_by(ColourBy::chain);
+  new_molecule();
+  play("mfpafp");
+  const Image by_chain = picture();
+  colour_by(ColourBy::element);
+  new_molecule();
+  play("mfpafp");
+  const Image by_element = picture();
+  ASSERT_EQ(viewport_.not_drawn, "");
+  ASSERT_GT(testing::differing_pixels(by_chain, by_element), 1000);
+  const std::vector<ColourLegend> legends = viewport_.legends;
+  for (const char* order : {"mac", "mca", "cma"}) {
+    for (const std::string first : {"", "f", "p", "fp", "pf"}) {
+      for (const std::string second : {"", "f", "p", "fp", "pf"}) {
+        held_ = false;
+        colour_by(ColourBy::chain);
+        picture();
+        new_molecule();
+        const std::string played = order[0] + first + order[1] + second + order[2];
+        held_ = true;
+        play(played);
+        EXPECT_EQ(testing::differing_pixels(picture(), by_element), 0) << played;
+        EXPECT_EQ(viewport_.legends.size(), legends.size()) << played;
+        EXPECT_EQ(viewport_.not_drawn, "") << played;
+      }
+    }
+  }
+}
+
+// Memory is short for a moment, while another drawing of the same balls is under way: what makes
+// room takes the balls away that it counted on.
+TEST_F(PictureOrder, BallsThatMadeRoomComeBack) {
+  colour_by(ColourBy::element);
+  new_molecule();
+  play("mfpafp");
+  const Image before = picture();
+  held_ = true;
+  free_bytes_ = 1000;
+  show_boundary(true);
+  play("f");
+  free_bytes_ = kFreeBytes;
+  show_boundary(false);
+  ASSERT_TRUE(waits_);
+  play("p");  // makes room, and asks for another drawing behind the one that is under way
+  ASSERT_EQ(scene_.drawn(), nullptr);
+  passes_ = 1;
+  while (passes_ > 0) pause();
+  while (!waits_) pause();
+  scene_.poll();
+  ASSERT_NE(scene_.drawn(), nullptr);
+  EXPECT_EQ(testing::differing_pixels(drawn_now(), before), 0);
+  EXPECT_EQ(testing::differing_pixels(picture(), before), 0);
+}
+
+}  // namespace
+}  // namespace alphascope

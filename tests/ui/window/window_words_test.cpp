@@ -1,0 +1,225 @@
+// What the window says while something else goes on, and what it does not take away: messages over
+// the view, tooltips, the progress of saving, views that the program moved.
+#include <gtest/gtest.h>
+#include <imgui_internal.h>
+
+#include <atomic>
+#include <thread>
+
+#include "tests/ui/panels/panels_fixture.hpp"
+#include "tests/ui/viewer_fixture.hpp"
+#include "ui/scene/picture/step_text.hpp"
+
+namespace alphascope::testing {
+namespace {
+
+TEST(StepText, SaysHowLongTheRestTakes) {
+  EXPECT_EQ(step_text("sample", 0, 16, 0), "sample 1 of 16");
+  EXPECT_EQ(step_text("sample", 4, 16, 8), "sample 5 of 16, 24 s left");
+  EXPECT_EQ(step_text("frame", 1, 11, 10), "frame 2 of 11, 1 min 40 s left");
+}
+
+// No tooltip lies over what it is about.
+TEST(Tooltips, AreBesideWhatTheySpeakOf) {
+  Panels p({1280, 800, 1});
+  p.state = loaded_state();
+  p.frame(3);
+  ImGuiIO& io = ImGui::GetIO();
+  std::size_t seen = 0;
+  for (const KeyMemory::Stop& stop : std::vector(p.state.memory.keys.stops)) {
+    const WidgetRect r = p.rects[stop.name];
+    if (!stop.visible || r.y1 - r.y0 > 60) continue;
+    for (const float place : {0.1f, 0.9f}) {
+      io.MousePos = {r.x0 + place * (r.x1 - r.x0), (r.y0 + r.y1) / 2};
+      p.frame(2);
+      io.DeltaTime = 0.5f;
+      p.window_frame();
+      p.frame(2);
+      const ImGuiWindow* tip = ImGui::FindWindowByName("##Tooltip_00");
+      if (tip == nullptr || !tip->Active || tip->Hidden) continue;
+      ++seen;
+      const ImRect at = tip->Rect();
+      EXPECT_FALSE(at.Overlaps({r.x0, r.y0, r.x1, r.y1})) << stop.name;
+      EXPECT_LE(at.Max.x, 1280) << stop.name;
+      EXPECT_LE(at.Max.y, 800) << stop.name;
+      EXPECT_GE(at.Min.y, 0) << stop.name;
+    }
+  }
+  EXPECT_GT(seen, 30u);
+}
+
+// Of a slider with its value behind it, the slider has the tooltip.
+TEST(Tooltips, AreTheSliders) {
+  Panels p({1280, 1400, 1});
+  p.state = loaded_state();
+  p.state.memory.closed_sections.clear();
+  p.frame(3);
+  ImGuiIO& io = ImGui::GetIO();
+  for (const char* name :
+       {"look.depth_cue", "look.silhouettes", "look.face_edges", "look.samples", "alpha.solvent"}) {
+    p.point_at(name, 0.3f);
+    io.DeltaTime = 0.5f;
+    p.window_frame();
+    p.frame(2);
+    const ImGuiWindow* tip = ImGui::FindWindowByName("##Tooltip_00");
+    EXPECT_TRUE(tip != nullptr && tip->Active && !tip->Hidden) << name;
+  }
+}
+
+// --- the program
+
+class WindowWords : public ViewerTest {
+ protected:
+  WindowWords() { open_crambin(); }
+  ViewState& state() { return viewer_->state(); }
+  double size_of_pixel() {
+    run("wait-idle\nframes 2\n");
+    return state().viewport.angstrom_per_pixel;
+  }
+};
+
+TEST_F(WindowWords, AnotherFileClosesTheDialogThatAskedAboutTheLast) {
+  state().memory.show_export = true;
+  run("frames 3\n");
+  viewer_->open_dropped({fs::path(ALPHASCOPE_SOURCE_DIR) / "resources/molecules/4hhb.pdb.gz"});
+  run("wait-idle\nframes 3\n");
+  EXPECT_EQ(state().molecule.name, "4hhb.pdb.gz");
+  EXPECT_FALSE(state().memory.show_export);
+  EXPECT_TRUE(state().memory.dialogs.empty());
+  EXPECT_NE(state().notice.find("closed"), std::string::npos) << state().notice;
+}
+
+TEST_F(WindowWords, AllHiddenIsNotOutOfView) {
+  run("atoms.hide all\nwait-idle\nframes 2\n");
+  EXPECT_EQ(state().viewport.problem, ViewProblem::all_hidden);
+  EXPECT_TRUE(viewer_->widgets().contains("view.trouble"));
+  run("view.balls off\nwait-idle\nframes 2\n");
+  EXPECT_EQ(state().viewport.problem, ViewProblem::all_hidden);
+  run("atoms.show_all\nview.balls on\nwait-idle\nframes 2\n");
+  EXPECT_EQ(state().viewport.problem, ViewProblem::none);
+  // All but one, far away from it: that is out of view.
+  run("select.atoms A:1:CA\nkey z\nwait-idle\natoms.only A:46:CA\nwait-idle\nframes 2\n");
+  EXPECT_EQ(state().viewport.problem, ViewProblem::nothing_in_view);
+}
+
+TEST_F(WindowWords, UndoBringsBackTheViewThatTheProgramMoved) {
+  const double before = size_of_pixel();
+  // As pages do: choosing and looking at it are one thing.
+  state().picked.items = RefSet({Ref{AtomRef{0, 0}}});
+  state().requests.zoom_to_selection = true;
+  const double near = size_of_pixel();
+  ASSERT_LT(near, 0.8 * before);
+  run("edit.undo\n");
+  EXPECT_DOUBLE_EQ(size_of_pixel(), before);
+  EXPECT_TRUE(state().picked.items.empty());
+  run("edit.redo\n");
+  EXPECT_NEAR(size_of_pixel(), near, 0.01 * near);  // the view may be a pixel higher
+  // A view that was moved by hand since stays.
+  run("move view\nwheel 3\nwait-idle\n");
+  const double by_hand = size_of_pixel();
+  ASSERT_NE(by_hand, near);
+  run("edit.undo\n");
+  EXPECT_DOUBLE_EQ(size_of_pixel(), by_hand);
+}
+
+TEST_F(WindowWords, UndoBringsBackTheViewOfOtherAtoms) {
+  run("select.atoms A:1:CA\nkey z\n");
+  const double before = size_of_pixel();
+  state().open.balls.selection = "resi 46 and name CA";
+  const double fitted = size_of_pixel();
+  ASSERT_NE(fitted, before) << "the view showed none of them";
+  run("edit.undo\n");
+  EXPECT_DOUBLE_EQ(size_of_pixel(), before);
+}
+
+TEST_F(WindowWords, ASavedPictureSaysItsSamples) {
+  state().display.samples = 4;
+  run("wait-idle\nfile.save_picture " + (folder_ / "p.png").string() + " 900 700\n");
+  ScriptedInput none;
+  std::string said;
+  while (viewer_->busy()) {
+    viewer_->step(&none);
+    if (state().saving.active) said += state().saving.step + "\n";
+  }
+  EXPECT_NE(said.find(" of 4, "), std::string::npos) << said;
+  EXPECT_NE(said.find(" s left"), std::string::npos) << said;
+}
+
+// An engine that is made only when it may be.
+class SlowEngine : public ViewerTest {
+ protected:
+  SlowEngine() {
+    ViewerOptions options;
+    options.compare = false;
+    options.draw_shots_only = true;
+    options.preset = "fast";
+    options.samples = 1;
+    Session::Services services = Session::program_services();
+    services.make_engine = [this, make = services.make_engine](auto&&... arguments) {
+      while (held_) std::this_thread::sleep_for(std::chrono::milliseconds(2));
+      return make(arguments...);
+    };
+    viewer_.reset();
+    viewer_ = std::make_unique<Viewer>(*host_, options, services);
+    open_crambin();
+  }
+  ~SlowEngine() override {
+    held_ = false;
+    viewer_.reset();
+  }
+  void wait(double seconds) {
+    ScriptedInput none;
+    const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(seconds);
+    while (std::chrono::steady_clock::now() < end) viewer_->step(&none);
+  }
+  std::atomic<bool> held_ = false;
+};
+
+TEST_F(SlowEngine, BallsThatWaitForTheirFirstComplexAreNoPictureOfAnother) {
+  ViewState& s = viewer_->state();
+  held_ = true;
+  set_alpha(s.compute, 3);
+  s.compute.solvent_radius_angstrom = 1.4;  // another engine
+  wait(0.8);
+  EXPECT_TRUE(s.viewport.outdated) << "that is the complex of before";
+  held_ = false;
+  run("wait-idle\n");
+  held_ = true;
+  viewer_->open(fs::path(ALPHASCOPE_SOURCE_DIR) / "resources/molecules/4hhb.pdb.gz");
+  wait(2.5);
+  ASSERT_EQ(s.molecule.name, "4hhb.pdb.gz");
+  ASSERT_FALSE(s.result);
+  EXPECT_FALSE(s.viewport.outdated);
+  EXPECT_EQ(viewer_->commands().find("steps.middle")->reason_against(),
+            "The complex of this molecule is not there yet.");
+  held_ = false;
+  run("wait-idle\n");
+  EXPECT_TRUE(s.result);
+}
+
+TEST_F(WindowWords, NoCommandSaysSuchAsTwice) {
+  const auto times = [](const std::string& text) {
+    int count = 0;
+    for (std::size_t at = text.find("such as"); at != text.npos;
+         at = text.find("such as", at + 1)) {
+      ++count;
+    }
+    return count;
+  };
+  for (const CommandSpec& spec : viewer_->commands().all()) {
+    EXPECT_LE(times(spec.help), 1) << spec.id;
+    for (const Parameter& p : spec.parameters) {
+      EXPECT_LE(times(p.what_to_type()), 1) << spec.id << ": " << p.what_to_type();
+      EXPECT_LE(times(p.help), 1) << spec.id;
+    }
+    for (const char* words : {"", " nonsense", " nonsense nonsense"}) {
+      if (spec.id.starts_with("file.") || spec.id.starts_with("lesson.")) continue;
+      const Commands::Reading reading =
+          Commands::read(spec, Commands::parse_words(spec, words).words);
+      EXPECT_LE(times(reading.error), 1) << reading.error;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace alphascope::testing

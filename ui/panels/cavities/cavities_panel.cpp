@@ -1,0 +1,278 @@
+// The page of voids and pockets of the complex on screen: totals, what CASTp would say differently,
+// filters, the table, and what is chosen in it.
+#include <string>
+#include <utility>
+
+#include "core/document/cavities/cavity_export.hpp"
+#include "core/document/cavities/cavity_tables.hpp"
+#include "core/document/settings/cavity_preset.hpp"
+#include "core/document/store/store.hpp"
+#include "core/text/grouped_number.hpp"
+#include "ui/panels/cavities/cavity_parts.hpp"
+#include "ui/panels/dialogs/save_parts.hpp"
+#include "ui/panels/panels.hpp"
+#include "ui/widgets/format.hpp"
+#include "ui/widgets/number_field.hpp"
+#include "ui/widgets/table_cells.hpp"
+
+namespace alphascope {
+namespace {
+
+constexpr NumberRule kLeastVolumeRule{"The least volume", 0, 1e9, "Å³"};
+constexpr float kPaneWidth = 230;      // pixels at scale 1, of what is said of the chosen ones
+constexpr double kStaleSeconds = 0.3;  // older rows are grey
+constexpr double kGiantBelow = 0.5;    // Å, solvent radius
+
+// --- what is known
+
+template <class T>
+void take(CavityPage& page, std::shared_ptr<const T>& to, const Derived<T>& from) {
+  if (!from.ready() || from.value == to) return;
+  to = from.value;
+  page.rows_are_old = true;
+}
+
+bool is_shown(const CavityPage& page, CavityColumn column) {
+  return page.columns[static_cast<std::size_t>(column)];
+}
+
+// What follows in the background, for columns that are shown.
+void take_what_follows(PanelContext& ctx, CavityPage& page) {
+  const auto shown = [&](CavityColumn column) { return is_shown(page, column); };
+  take(page, page.rows.exact, ctx.store.want(cavity_volumes(), ctx.inputs));
+  if (shown(CavityColumn::holds)) {
+    take(page, page.rows.contents, ctx.store.want(cavity_contents(), ctx.inputs));
+  }
+  if (shown(CavityColumn::depth)) {
+    take(page, page.rows.depths, ctx.store.want(cavity_depths(), ctx.inputs));
+  }
+  if (shown(CavityColumn::born) || shown(CavityColumn::gone)) {
+    take(page, page.rows.lives, ctx.store.want(whole_cavity_lives(), ctx.inputs));
+  }
+  if (shown(CavityColumn::bottleneck)) {
+    take(page, page.rows.bottlenecks, ctx.store.want(cavity_bottlenecks(), ctx.inputs));
+  }
+}
+
+// --- lines above the table
+
+void totals_line(PanelContext& ctx, const CavityTable& table) {
+  const auto kind_text = [&](bool voids, std::size_t number, const char* one) {
+    return with_separators(static_cast<long long>(number)) + " " + one + (number == 1 ? "" : "s") +
+           " " + measure_text(table.volume_sa_angstrom3(voids)) + " Å³";
+  };
+  ImGui::AlignTextToFramePadding();
+  strong_text(ctx, kind_text(true, table.voids, "void"));
+  ImGui::SameLine(0, ctx.px(14));
+  ImGui::AlignTextToFramePadding();
+  strong_text(ctx, kind_text(false, table.pockets, "pocket"));
+  ImGui::SameLine(0, ctx.px(14));
+  ImGui::AlignTextToFramePadding();
+  muted_text(ctx, counted(table.mouths, "mouth", "mouths"));
+  record(ctx, "cavities.totals");
+}
+
+void comparable_line(PanelContext& ctx, const BallReferences& atoms) {
+  constexpr const char *kComparable = "comparable with CASTp", *kNot = "not comparable with CASTp",
+                       *kUse = "Use CASTp's choices";
+  std::vector<std::string> differences =
+      differences_from_castp(ctx.state.open.balls, atoms.prepared().report, ctx.state.compute);
+  if (ctx.state.cavity_choices.split_networks) differences.push_back(kNetworksAreSplit);
+  const float gap = ctx.px(8);
+  same_line_where_it_fits(differences.empty()
+                              ? ImGui::CalcTextSize(kComparable).x
+                              : button_width(kUse) + gap + ImGui::CalcTextSize(kNot).x,
+                          ctx.px(18));
+  if (differences.empty()) {
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextColored(to_imgui(ctx.palette.success), kComparable);
+    record(ctx, "cavities.comparable");
+    return;
+  }
+  if (button(ctx, "cavities.preset", kUse)) ctx.commands.run("cavities.castp");
+  tooltip(ctx,
+          "Radii of CASTp, solvent radius 1.4 Å, α = 0; hydrogens, waters, ions and ligands are no "
+          "part of the body; networks are not split. Undo brings back what was.");
+  std::string why = "Chosen otherwise than CASTp does: ";
+  for (std::size_t k = 0; k < differences.size(); ++k) why += (k ? "; " : "") + differences[k];
+  ImGui::SameLine(0, gap);
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextColored(to_imgui(ctx.palette.warning), kNot);
+  record(ctx, "cavities.comparable");
+  tooltip(ctx, (why + ".").c_str());
+}
+
+std::vector<FormatToSave> exports_of(const CavityRowsWanted& rows, const RecordSource& source) {
+  std::vector<FormatToSave> formats;
+  for (const ShapeExportInfo& info : cavity_exports()) {
+    formats.push_back(format_to_save(info, cavity_export(info, rows, source)));
+  }
+  return formats;
+}
+
+// Those that the filter shows, with all columns.
+void save_button(PanelContext& ctx, const CavityPage& page, bool current) {
+  ImGui::BeginDisabled(!current || page.order.empty() || !ctx.inputs.complex);
+  if (button(ctx, "cavities.save", "Save…")) {
+    const CavityFilter& filter = page.filter;
+    CavityRowsWanted rows{filter.kind != 2, filter.kind != 1, {}};
+    if (filter.least_volume_angstrom3 != 0) {
+      rows.least_volume_sa_angstrom3 = filter.least_volume_angstrom3;
+    }
+    const RecordSource source = source_on_screen(ctx);
+    ask_to_save(ctx, {"Cavities", file_name_for(ctx, "cavities"), cavities_as_csv(rows, source),
+                      cavities_as_json(rows, source), ctx.inputs, true, exports_of(rows, source)});
+  }
+  ImGui::EndDisabled();
+  tooltip(ctx,
+          "The cavities that are shown, by their ranks and with everything that is known of them, "
+          "as a CSV or JSON file; or their surfaces, spheres that fill them, or a script, for "
+          "other programs.");
+}
+
+void filter_line(PanelContext& ctx, CavityPage& page, bool current) {
+  CavityFilter& filter = page.filter;
+  choice(ctx, "cavities.kind", {"all", "voids", "pockets"}, filter.kind, ctx.px(180));
+  ImGui::SameLine(0, ctx.px(14));
+  ImGui::TextUnformatted("at least");
+  ImGui::SameLine(0, ctx.px(6));
+  ImGui::SetNextItemWidth(ctx.px(56));
+  number_field(ctx, "cavities.least", filter.least_volume_angstrom3, kLeastVolumeRule);
+  tooltip(
+      ctx,
+      "Cavities of a smaller SA volume are not shown. Those below 1 Å³ are hardly more than the "
+      "error of coordinates and radii. 0 shows all.");
+  ImGui::SameLine(0, ctx.px(4));
+  ImGui::TextUnformatted("Å³");
+  ImGui::SameLine(0, ctx.px(14));
+  if (button(ctx, "cavities.all", "Select all")) choose_all_cavities(ctx, page);
+  tooltip(ctx, "All that are shown. Ctrl+click adds one, Shift+click all up to there.");
+  ImGui::SameLine(0, ctx.px(4));
+  ImGui::BeginDisabled(ctx.state.picked.empty());
+  if (button(ctx, "cavities.none", "None")) choose_no_cavities(ctx);
+  ImGui::EndDisabled();
+  ImGui::SameLine(0, ctx.px(14));
+  cavity_parts_button(ctx, page);
+  ImGui::SameLine(0, ctx.px(4));
+  cavity_columns_button(ctx, page);
+  ImGui::SameLine(0, ctx.px(4));
+  save_button(ctx, page, current);
+  ImGui::SameLine(0, ctx.px(14));
+  const auto number = [](std::size_t n) { return with_separators(static_cast<long long>(n)); };
+  const bool all = page.order.size() == page.rows.size();
+  const std::string text =
+      (all ? "all " : number(page.order.size()) + " of ") + number(page.rows.size()) + " shown";
+  ImGui::AlignTextToFramePadding();
+  muted_text(ctx, fitted_text(text, ImGui::GetContentRegionAvail().x));
+  record(ctx, "cavities.shown");
+}
+
+// --- what a stranger would wonder about
+
+// With hardly any probe, nearly all empty space of a protein is connected.
+void giant_line(PanelContext& ctx, const CavityPage& page) {
+  if (ctx.inputs.solvent_radius_angstrom >= kGiantBelow) return;
+  const auto& lines = page.rows.lines->of;
+  if (std::none_of(lines.begin(), lines.end(), [](const auto& line) { return line.is_network; })) {
+    return;
+  }
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextColored(to_imgui(ctx.palette.warning),
+                     "With a solvent radius below %.1f Å most of the "
+                     "empty space is one giant pocket.",
+                     kGiantBelow);
+  record(ctx, "cavities.giant");
+  ImGui::SameLine(0, ctx.px(10));
+  if (button(ctx, "cavities.water", "Use 1.4 Å")) {
+    ctx.state.compute.solvent_radius_angstrom = kCavitySolventAngstrom;
+  }
+  tooltip(ctx, "The radius of a water molecule: cavities that water fits in.");
+}
+
+// Why there is nothing in the table.
+std::string empty_text(const CavityPage& page) {
+  if (page.rows.table().ground->triangulation->dimension < 3) {
+    return "All centres lie in one plane or on one line: a flat set has no cavities.";
+  }
+  if (page.rows.size() > 0) {
+    return "No cavity passes the filter: lower the least volume, or show all kinds.";
+  }
+  return "There is no void or pocket at this alpha and solvent radius. A groove or an open pore "
+         "that "
+         "widens outwards is none: the page Channels says how wide a way is.";
+}
+
+// Why there is no table yet.
+std::string waiting_text(const PanelContext& ctx, const Derived<CavityLines>& table) {
+  if (!ctx.state.molecule.loaded) return "Open a molecule: its cavities appear here.";
+  if (table.state == DerivedState::no_room || table.state == DerivedState::failed) {
+    return "There is no table of cavities. " + table.why;
+  }
+  return "Cavities appear here when the triangulation of all balls is there.";
+}
+
+// The table, and at its right what is chosen.
+void body(PanelContext& ctx, CavityPage& page, bool current) {
+  if (page.rows.size() == 0) {
+    muted_wrapped(ctx, empty_text(page));
+    record(ctx, "cavities.empty");
+    return;
+  }
+  const float gap = ctx.px(12);
+  const float width = ImGui::GetContentRegionAvail().x - ctx.px(kPaneWidth) - gap;
+  draw_cavity_table(ctx, page, width, current);
+  ImGui::SameLine(0, gap);
+  draw_chosen_cavities(ctx, page);
+}
+
+// Rows of another alpha than the picture's are grey, unless they follow at once.
+bool is_grey(CavityPage& page, bool current) {
+  const double now = ImGui::GetTime();
+  if (current) {
+    page.stale_since_seconds = -1;
+  } else if (page.stale_since_seconds < 0) {
+    page.stale_since_seconds = now;
+  }
+  return !current && now - page.stale_since_seconds > kStaleSeconds;
+}
+
+// What a command asked for before the table was there.
+void choose_wanted_row(PanelContext& ctx, CavityPage& page) {
+  const auto row = std::exchange(ctx.state.memory.cavities.wanted_row, std::nullopt);
+  if (!row) return;
+  const std::size_t rows = page.rows.table().size();
+  if (*row < rows) return choose_cavity(ctx, page, *row, HowChosen::alone);
+  ctx.state.notice = "There is no cavity " + with_separators(static_cast<long long>(*row) + 1) +
+                     "; the last is " + with_separators(static_cast<long long>(rows)) + ".";
+}
+
+}  // namespace
+
+void draw_cavities_panel(PanelContext& ctx) {
+  CavityMemory& memory = ctx.state.memory.cavities;
+  const FollowedCavities followed = follow_cavities(ctx);
+  CavityPage& page = *memory.page;
+  const bool current = followed.current;
+  if (current) {
+    take_what_follows(ctx, page);
+    choose_wanted_row(ctx, page);
+  } else if (is_shown(page, CavityColumn::holds)) {
+    ctx.store.want(cavity_contents(), ctx.inputs);  // made with the lines, it comes with them
+  }
+  if (!page.rows.lines) {
+    muted_wrapped(ctx, waiting_text(ctx, followed.wanted));
+    record(ctx, "cavities.waiting");
+    return;
+  }
+  ImGui::PushStyleVar(ImGuiStyleVar_Alpha, is_grey(page, current) ? 0.55f : 1.0f);
+  totals_line(ctx, page.rows.table());
+  comparable_line(ctx, *page.rows.lines->atoms);
+  giant_line(ctx, page);
+  networks_line(ctx, page, current);
+  filter_line(ctx, page, current);
+  body(ctx, page, current);
+  ImGui::PopStyleVar();
+  draw_layers_of_cavities(ctx, page, current);
+}
+
+}  // namespace alphascope

@@ -1,0 +1,195 @@
+// The table of the page of cavities: columns that are shown by choice, rows in sight only.
+#include <algorithm>
+#include <string>
+
+#include "core/document/cavities/cavity_names.hpp"
+#include "ui/panels/cavities/cavity_parts.hpp"
+#include "ui/widgets/format.hpp"
+#include "ui/widgets/table_cells.hpp"
+
+namespace alphascope {
+namespace {
+
+const int kColumnCount = static_cast<int>(cavity_columns().size());
+
+// Pixels.
+float column_width(const PanelContext& ctx, const CavityColumnSpec& spec) {
+  return std::max(ctx.px(spec.width), title_width(spec.title));
+}
+
+void set_up_columns(PanelContext& ctx) {
+  ImGui::TableSetupScrollFreeze(1, 1);
+  for (const CavityColumnSpec& spec : cavity_columns()) {
+    ImGuiTableColumnFlags flags = ImGuiTableColumnFlags_WidthFixed;
+    if (spec.column == CavityColumn::rank) {
+      flags |= ImGuiTableColumnFlags_DefaultSort | ImGuiTableColumnFlags_NoHide;
+    } else if (spec.column == CavityColumn::name || spec.column == CavityColumn::holds) {
+      flags = ImGuiTableColumnFlags_WidthStretch;
+    } else if (spec.column != CavityColumn::kind) {
+      flags |= ImGuiTableColumnFlags_PreferSortDescending;
+    }
+    if (!spec.shown_first) flags |= ImGuiTableColumnFlags_DefaultHide;
+    ImGui::TableSetupColumn(spec.title, flags, column_width(ctx, spec));
+  }
+}
+
+void draw_headers(PanelContext& ctx) {
+  ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
+  for (const CavityColumnSpec& spec : cavity_columns()) {
+    if (!ImGui::TableSetColumnIndex(static_cast<int>(spec.column))) continue;
+    ImGui::TableHeader(spec.title);
+    record(ctx, (std::string("cavities.column.") + spec.id).c_str());
+    tooltip(ctx, spec.help);
+  }
+}
+
+// The table has a menu of its own, by a right click on a title.
+void follow_columns(CavityPage& page) {
+  const bool tell = std::exchange(page.columns_changed, false);
+  for (int n = 0; n < kColumnCount; ++n) {
+    const auto at = static_cast<std::size_t>(n);
+    if (tell) {
+      ImGui::TableSetColumnEnabled(n, page.columns[at]);
+    } else {
+      page.columns[at] = (ImGui::TableGetColumnFlags(n) & ImGuiTableColumnFlags_IsEnabled) != 0;
+    }
+  }
+}
+
+void take_sorting(CavityFilter& filter) {
+  ImGuiTableSortSpecs* specs = ImGui::TableGetSortSpecs();
+  if (!specs || !specs->SpecsDirty || specs->SpecsCount == 0) return;
+  filter.sort_column = specs->Specs[0].ColumnIndex;
+  filter.descending = specs->Specs[0].SortDirection == ImGuiSortDirection_Descending;
+  specs->SpecsDirty = false;
+}
+
+void follow_order(CavityPage& page) {
+  const bool old = std::exchange(page.rows_are_old, false);
+  if (!old && page.ordered_by == page.filter) return;
+  page.ordered_by = page.filter;
+  page.order = ordered_rows(page.rows, page.filter);
+}
+
+// Before the word, in the colour of its surface in the view: as text it would be hard to read.
+void kind_cell(PanelContext& ctx, const CavityPage& page, std::size_t row) {
+  const CavityLine& line = page.rows.lines->of[row];
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const float side = ctx.px(9), top = corner.y + (ImGui::GetTextLineHeight() - side) / 2;
+  ImGui::GetWindowDrawList()->AddRectFilled({corner.x, top}, {corner.x + side, top + side},
+                                            to_u32(cavity_colour(page, row)));
+  ImGui::SetCursorPosX(ImGui::GetCursorPosX() + side + ctx.px(6));
+  const std::string between = between_text(line, {}), change = change_text(page, row);
+  std::string text = line.is_void      ? "void"
+                     : line.is_network ? "network"
+                     : line.is_part    ? "part"
+                                       : "pocket";
+  if (!between.empty()) text += " ↔";
+  if (!change.empty()) text += " ↕";
+  ImGui::TextUnformatted(text.c_str());
+  std::string why = line.is_network ? mouths_text(line.mouths) : part_text(line);
+  for (const std::string& more : {between, change}) {
+    why += (why.empty() || more.empty() ? "" : "\n") + more;
+  }
+  if (!why.empty()) tooltip(ctx, why.c_str());
+}
+
+// The tooltip has all of what does not fit.
+void text_cell(PanelContext& ctx, const std::string& text) {
+  const std::string fitted = fitted_text(text, ImGui::GetContentRegionAvail().x);
+  ImGui::TextUnformatted(fitted.c_str());
+  if (fitted != text) tooltip(ctx, text.c_str());
+}
+
+void name_cell(PanelContext& ctx, const CavityPage& page, std::size_t row) {
+  const std::string name = cavity_name(*page.rows.lines->atoms, page.rows.table(), row);
+  text_cell(ctx, name);
+}
+
+// True when it was clicked.
+bool draw_row(PanelContext& ctx, CavityPage& page, std::size_t row) {
+  ImGui::TableNextRow();
+  ImGui::TableNextColumn();
+  ImGui::PushID(static_cast<int>(row));
+  const std::string number = std::to_string(row + 1);
+  const bool chosen = std::binary_search(page.chosen_rows.begin(), page.chosen_rows.end(), row);
+  const bool clicked = ImGui::Selectable(
+      number.c_str(), chosen,
+      ImGuiSelectableFlags_SpanAllColumns | ImGuiSelectableFlags_AllowItemOverlap);
+  record(ctx, ("cavities.row." + number).c_str());
+  ImGui::PopID();
+  for (const CavityColumnSpec& spec : cavity_columns().subspan(1)) {
+    if (!ImGui::TableSetColumnIndex(static_cast<int>(spec.column))) continue;
+    if (spec.column == CavityColumn::kind) {
+      kind_cell(ctx, page, row);
+    } else if (spec.column == CavityColumn::name) {
+      name_cell(ctx, page, row);
+    } else if (spec.column == CavityColumn::holds) {
+      text_cell(ctx, cavity_text(page.rows, spec.column, row));
+    } else {
+      right_text(cavity_text(page.rows, spec.column, row));
+    }
+  }
+  return clicked;
+}
+
+HowChosen how_chosen() {
+  const ImGuiIO& io = ImGui::GetIO();
+  if (io.KeyShift) return HowChosen::range;
+  return io.KeyCtrl ? HowChosen::toggled : HowChosen::alone;
+}
+
+// Of the columns that are shown, at their first widths.
+float least_width(PanelContext& ctx, const CavityPage& page) {
+  float width = 0;
+  for (const CavityColumnSpec& spec : cavity_columns()) {
+    const auto at = static_cast<std::size_t>(spec.column);
+    if (page.columns[at]) width += column_width(ctx, spec) + 2 * ImGui::GetStyle().CellPadding.x;
+  }
+  return width;
+}
+
+}  // namespace
+
+void cavity_columns_button(PanelContext& ctx, CavityPage& page) {
+  if (button(ctx, "cavities.columns", "Columns")) ImGui::OpenPopup("cavities.columns");
+  tooltip(ctx, "Which columns the table has. A right click on a title opens a list, too.");
+  if (!ImGui::BeginPopup("cavities.columns")) return;
+  close_on_escape();
+  for (const CavityColumnSpec& spec : cavity_columns().subspan(1)) {
+    bool shown = page.columns[static_cast<std::size_t>(spec.column)];
+    const std::string name = std::string("cavities.columns.") + spec.id;
+    if (checkbox(ctx, name.c_str(), spec.title, shown)) {
+      page.columns[static_cast<std::size_t>(spec.column)] = shown;
+      page.columns_changed = true;
+    }
+    tooltip(ctx, spec.help);
+  }
+  ImGui::EndPopup();
+}
+
+void draw_cavity_table(PanelContext& ctx, CavityPage& page, float width, bool current) {
+  constexpr ImGuiTableFlags kFlags = ImGuiTableFlags_Sortable | ImGuiTableFlags_ScrollY |
+                                     ImGuiTableFlags_ScrollX | ImGuiTableFlags_RowBg |
+                                     ImGuiTableFlags_Resizable | ImGuiTableFlags_Hideable;
+  const float inner = std::max(least_width(ctx, page), width - ImGui::GetStyle().ScrollbarSize);
+  if (!ImGui::BeginTable("cavities", kColumnCount, kFlags, {width, 0}, inner)) return;
+  set_up_columns(ctx);
+  draw_headers(ctx);
+  follow_columns(page);
+  take_sorting(page.filter);
+  follow_order(page);
+  ImGuiListClipper clipper;
+  clipper.Begin(static_cast<int>(page.order.size()));
+  std::optional<std::size_t> clicked;
+  while (clipper.Step()) {
+    for (int n = clipper.DisplayStart; n < clipper.DisplayEnd; ++n) {
+      const std::size_t row = page.order[static_cast<std::size_t>(n)];
+      if (draw_row(ctx, page, row)) clicked = row;
+    }
+  }
+  ImGui::EndTable();
+  if (clicked && current) choose_cavity(ctx, page, *clicked, how_chosen());
+}
+
+}  // namespace alphascope

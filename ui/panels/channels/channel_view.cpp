@@ -1,0 +1,75 @@
+// A channel in the view: spheres along its line as a tube in the colours of the profile's bands.
+#include <algorithm>
+#include <utility>
+
+#include "ui/number_text.hpp"
+#include "ui/panels/channels/channel_parts.hpp"
+
+namespace alphascope {
+namespace {
+
+// Where the way is narrower, or closed, a thread shows where it goes.
+constexpr double kThinnest = 0.15;  // Å
+
+Colour colour_of(WaterBand band) {
+  const ChartColour c = water_band_colour(band);
+  return {static_cast<float>(c.r) / 255, static_cast<float>(c.g) / 255,
+          static_cast<float>(c.b) / 255, 1};
+}
+
+LayerSphere sphere_of(const ChannelSample& sample) {
+  return {sample.position_angstrom, std::max(sample.radius_angstrom, kThinnest),
+          colour_of(water_band(sample.radius_angstrom))};
+}
+
+std::shared_ptr<Layer> new_layer(const char* id, const ChannelMemory& memory) {
+  static std::uint64_t key = 0;  // another number for each
+  auto layer = std::make_shared<Layer>();
+  layer->id = id;
+  layer->key = ++key;
+  layer->balls = memory.layers_of;
+  return layer;
+}
+
+void make_layers(ChannelMemory& memory) {
+  const Channel& channel = *memory.shown->channel;
+  auto layer = new_layer("channels.tube", memory);
+  layer->body = true;  // what is around it fades
+  auto& tube = layer->tubes.emplace_back();
+  for (const ChannelSample& sample : channel.samples) tube.push_back(sphere_of(sample));
+  const std::string text = number_text(channel.narrowest().radius_angstrom, 3) + " Å";
+  layer->labels.push_back(
+      {channel.narrowest().position_angstrom, channel.is_open() ? text : "closed here"});
+  memory.layers = {std::move(layer)};
+}
+
+// The place under the mouse: a ball around the tube, not part of pictures.
+void make_cursor(ChannelMemory& memory, const Colour& colour) {
+  auto layer = new_layer("channels.cursor", memory);
+  const auto& samples = memory.shown->channel->samples;
+  LayerSphere sphere = sphere_of(samples[static_cast<std::size_t>(memory.cursor)]);
+  sphere.radius_angstrom = 1.05 * sphere.radius_angstrom + 0.1;
+  sphere.colour = colour;
+  layer->spheres.push_back(sphere);
+  layer->in_pictures = false;
+  memory.cursor_layer = std::move(layer);
+}
+
+}  // namespace
+
+void show_channel(PanelContext& ctx) {
+  ChannelMemory& memory = ctx.state.memory.channels;
+  if (!memory.shown || !memory.shown->channel || !ctx.state.result) return;
+  // Layers are drawn with the complex of their balls only. The tube is the same for all of them.
+  if (memory.layers.empty() || memory.layers_of != ctx.state.result->balls) {
+    memory.layers_of = ctx.state.result->balls;
+    make_layers(memory);
+    memory.cursor_layer = nullptr;
+  }
+  for (const auto& layer : memory.layers) ctx.state.layers.push_back(layer);
+  if (memory.cursor < 0) return;
+  if (!memory.cursor_layer) make_cursor(memory, ctx.palette.selected);
+  ctx.state.layers.push_back(memory.cursor_layer);
+}
+
+}  // namespace alphascope

@@ -1,0 +1,400 @@
+// The page of channels: from where to where, how large a sphere passes, where it gets stuck, and
+// the profile of its way.
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/document/channels/channel_export.hpp"
+#include "core/document/channels/channel_records.hpp"
+#include "core/document/store/store.hpp"
+#include "core/geometry/principal_axes.hpp"
+#include "core/text/as_sentence.hpp"
+#include "ui/panels/channels/channel_parts.hpp"
+#include "ui/panels/dialogs/save_parts.hpp"
+#include "ui/panels/molecule/molecule_memory.hpp"
+#include "ui/panels/panels.hpp"
+#include "ui/widgets/format.hpp"
+
+namespace alphascope {
+namespace {
+
+// found_channel()'s and found_ways()'s id.
+const char* id_of(const ChannelMemory& memory) {
+  return memory.from == ChannelFrom::ways ? "channel.ways" : "channel";
+}
+
+// Of more it takes minutes; they are asked about first.
+constexpr std::size_t kMostBallsUnasked = 200'000;
+
+void take_balls(PanelContext& ctx, ChannelMemory& memory) {
+  const PreparedBalls& prepared = ctx.state.references->prepared();
+  if (memory.prepared.get() == &prepared) return;
+  memory.prepared = {ctx.state.references, &prepared};
+  memory.atoms = ctx.state.references;
+  ++memory.balls_key;
+  memory.main_axis = main_axis(*prepared.balls);
+}
+
+// Who has just chosen a cavity wants the way out of it.
+void take_choice(const PanelContext& ctx, ChannelMemory& memory) {
+  const RefSet& chosen = ctx.state.picked.cavities;
+  if (chosen == memory.cavities) return;
+  memory.cavities = chosen;
+  if (chosen.empty()) return;
+  memory.from = ChannelFrom::cavity;
+  if (memory.to != ChannelTo::mouth) memory.to = ChannelTo::out;
+}
+
+Inputs inputs_as_they_are(const ChannelMemory& memory) {
+  Inputs inputs;
+  inputs.balls = memory.prepared->balls;
+  inputs.balls_key = memory.balls_key;
+  inputs.atoms = memory.atoms;
+  return inputs;
+}
+
+void take_answer(const PanelContext& ctx, ChannelMemory& memory,
+                 const std::shared_ptr<const FoundChannel>& found) {
+  if (memory.shown == found) return;
+  memory.shown = found;
+  memory.layers.clear();
+  memory.cursor = -1;
+  memory.touching.clear();
+  memory.covering.clear();
+  const BallReferences& atoms = *ctx.state.references;
+  if (found->channel) memory.touching = touching_text(atoms, *found->channel);
+  if (found->covering) {
+    memory.covering = atom_text(atoms, *found->covering);
+  }
+}
+
+// Across the line from one sample to another.
+void look_across(PanelContext& ctx, const Channel& channel, std::size_t from, std::size_t to) {
+  const RealPoint line =
+      channel.samples[to].position_angstrom - channel.samples[from].position_angstrom;
+  if (line != RealPoint{}) ctx.state.requests.look_across = unit_vector(line);
+}
+
+// Seen from an end, what is outside hides it.
+void look_across_bottleneck(PanelContext& ctx, const Channel& channel) {
+  constexpr std::size_t kNear = 20;  // samples
+  const std::size_t at = channel.bottleneck, last = channel.samples.size() - 1;
+  look_across(ctx, channel, at - std::min(at, kNear), std::min(at + kNear, last));
+}
+
+// The whole line is to be seen, if it is about the middle of the view.
+void look_across_line(PanelContext& ctx, const Channel& channel) {
+  const ChannelSample &begin = channel.samples.front(), &end = channel.samples.back();
+  look_across(ctx, channel, 0, channel.samples.size() - 1);
+  constexpr double kMargin = 1.15;
+  const double tall = length(end.position_angstrom - begin.position_angstrom) +
+                      begin.radius_angstrom + end.radius_angstrom;
+  const ViewportInfo& view = ctx.state.viewport;
+  const double room = std::min(view.width, view.height) * view.angstrom_per_pixel;
+  if (room > 0 && room < kMargin * tall) ctx.state.requests.zoom = room / (kMargin * tall);
+}
+
+void select_bottleneck(PanelContext& ctx, const ChannelMemory& memory) {
+  std::vector<Ref> refs;
+  for (const BallIndex ball : memory.shown->channel->touching) {
+    refs.push_back(ctx.state.references->atom(ball));
+  }
+  ctx.state.picked.items = RefSet(std::move(refs));
+  ctx.state.requests.zoom_to_selection = true;
+  look_across_bottleneck(ctx, *memory.shown->channel);
+}
+
+// --- what is drawn
+
+// In the line of the tabs.
+void headline(PanelContext& ctx, const FoundChannel& found) {
+  const Channel& channel = *found.channel;
+  const double radius = channel.narrowest().radius_angstrom;
+  ImGui::AlignTextToFramePadding();
+  if (!channel.is_open()) {
+    strong_text(ctx,
+                "no way through: closed by " + number_text(-channel.widest_angstrom, 3) + " Å");
+    record(ctx, "channels.result");
+    tooltip(ctx,
+            "Not even a point passes. Every ball would have to shrink by this much before one "
+            "does.");
+    return;
+  }
+  strong_text(ctx, "bottleneck " + number_text(radius, 3) + " Å");
+  record(ctx, "channels.result");
+  tooltip(ctx,
+          "The radius of the largest sphere that passes, exact to 0.001 Å. Radii of the balls are "
+          "as they are: neither alpha nor the solvent radius changes it.");
+  ImGui::SameLine(0, ctx.px(12));
+  ImGui::AlignTextToFramePadding();
+  muted_text(ctx, passing_text(found));
+  record(ctx, "channels.passing");
+}
+
+void progress(PanelContext& ctx, const Derived<FoundChannel>& found) {
+  const std::string text = percent_text(found.share);
+  const bool runs = found.state == DerivedState::running;
+  ImGui::ProgressBar(static_cast<float>(found.share), {ctx.px(150), ImGui::GetFrameHeight()},
+                     runs ? text.c_str() : "waiting");
+  record(ctx, "channels.progress");
+  tooltip(ctx, "The widest way is being looked for. You can go on working.");
+  ImGui::SameLine(0, ctx.px(8));
+  if (button(ctx, "channels.cancel", "Cancel")) ctx.store.cancel(id_of(ctx.state.memory.channels));
+}
+
+void limit_line(PanelContext& ctx, const Channel& channel) {
+  if (channel.limit == ChannelLimit::passage) return;
+  muted_wrapped(ctx, std::string("Narrowest ") + channel_limit_text(channel.limit) + ".");
+}
+
+// What is in a pore of a crystal closes it, although it may not stay there.
+struct Guest {
+  AtomKind kind;
+  const char *one, *some;
+  bool BallOptions::*kept;
+};
+constexpr Guest kGuests[] = {{AtomKind::ion, "An ion", "ions", &BallOptions::ions},
+                             {AtomKind::ligand, "A ligand", "ligands", &BallOptions::ligands},
+                             {AtomKind::water, "A water", "waters", &BallOptions::waters}};
+
+void guest_line(PanelContext& ctx, const std::vector<BallIndex>& touching, bool current) {
+  const BallReferences& atoms = *ctx.state.references;
+  if (!current) return;
+  for (const Guest& guest : kGuests) {
+    const bool touches = std::any_of(touching.begin(), touching.end(), [&](BallIndex ball) {
+      return atoms.molecule().atoms[atoms.prepared().atom_of_ball.at(ball)].kind == guest.kind;
+    });
+    if (!touches) continue;
+    wrapped_text(std::string(guest.one) + " is in its way.");
+    if (button(ctx, "channels.guests", (std::string("Leave ") + guest.some + " out").c_str())) {
+      ctx.state.open.balls.*guest.kept = false;
+    }
+    tooltip(ctx, "The same as under Molecule, Keep. Undo brings them back.");
+    return;
+  }
+}
+
+// Which part of the molecule it covers, and what is in it.
+void cover_lines(PanelContext& ctx, const FoundChannel& found) {
+  std::string text = "covers " + cover_text(*found.cover);
+  if (found.way) {
+    text = "through " + found.way->through + ", lined by " + chains_text(found.way->lining_chains) +
+           "; " + text;
+  }
+  muted_wrapped(ctx, text);
+  record(ctx, "channels.cover");
+  tooltip(ctx,
+          "How far its line leads along the molecule, from centre to centre. Towards the open it "
+          "ends where nothing in the way is narrower.");
+  if (!found.way || guests_text(*found.way).empty()) return;
+  wrapped_text("In it, and not counted: " + guests_text(*found.way) + ".");
+  record(ctx, "channels.not_counted");
+}
+
+std::vector<FormatToSave> exports_of(const std::shared_ptr<const FoundChannel>& found,
+                                     const RecordSource& source) {
+  std::vector<FormatToSave> formats;
+  for (const ShapeExportInfo& info : channel_exports()) {
+    formats.push_back(format_to_save(info, channel_export(info, found, source)));
+  }
+  return formats;
+}
+
+void details(PanelContext& ctx, const ChannelMemory& memory, bool current) {
+  const Channel& channel = *memory.shown->channel;
+  const RealPoint& p = channel.narrowest().position_angstrom;
+  wrapped_text("length " + number_text(channel.length_angstrom, 1) + " Å, narrowest at " +
+               number_text(p.x, 2) + ", " + number_text(p.y, 2) + ", " + number_text(p.z, 2) +
+               " Å");
+  record(ctx, "channels.place");
+  muted_wrapped(ctx, "touched there by " + memory.touching);
+  record(ctx, "channels.touching");
+  cover_lines(ctx, *memory.shown);
+  limit_line(ctx, channel);
+  guest_line(ctx, channel.touching, current);
+  ImGui::BeginDisabled(!current);
+  if (button(ctx, "channels.show", "Show the bottleneck")) select_bottleneck(ctx, memory);
+  tooltip(ctx, "Selects the atoms that touch it, and the view goes there, across the line.");
+  ImGui::SameLine(0, ctx.px(8));
+  if (button(ctx, "channels.across", "From the side")) look_across_line(ctx, channel);
+  tooltip(ctx, "Turns the view until it looks across the whole line, and shows all of it.");
+  ImGui::SameLine(0, ctx.px(8));
+  const RecordSource source = source_on_screen(ctx);
+  if (button(ctx, "channels.copy", "Copy profile")) {
+    ImGui::SetClipboardText(channel_csv_text(channel, source).c_str());
+    ctx.state.notice = "Profile copied as CSV: " +
+                       with_separators(static_cast<long long>(channel.samples.size())) + " rows.";
+  }
+  tooltip(ctx, "Length, radius and place every 0.1 Å as CSV, for a spreadsheet.");
+  ImGui::SameLine(0, ctx.px(8));
+  if (button(ctx, "channels.save", "Save…")) {
+    ask_to_save(ctx, {"Channel",
+                      file_name_for(ctx, "channel"),
+                      channel_csv(memory.shown, source),
+                      channel_as_json(memory.shown, source),
+                      {},
+                      false,
+                      exports_of(memory.shown, source)});
+  }
+  tooltip(
+      ctx,
+      "The profile as a CSV file, or all of the channel as a JSON file; or its surface, spheres "
+      "along it, or a script, for other programs.");
+  ImGui::EndDisabled();
+}
+
+void problem(PanelContext& ctx, const std::string& text) {
+  wrapped_text(text);
+  record(ctx, "channels.problem");
+}
+
+std::string no_channel_text(const ChannelMemory& memory) {
+  const FoundChannel& found = *memory.shown;
+  if (!found.covering) return as_sentence(found.why);
+  std::string text = "The channel would end inside the atom " + memory.covering + ", " +
+                     number_text(found.depth_angstrom, 2) + " Å below its surface. ";
+  return text + (found.ends.kind == ChannelEnds::Kind::through
+                     ? "Choose a start nearer to the pore, or another direction."
+                     : "Choose a point outside all balls, or “both ways along”, which moves the "
+                       "start into the pore.");
+}
+
+void column_of_results(PanelContext& ctx, const Derived<FoundChannel>& found, bool current) {
+  ChannelMemory& memory = ctx.state.memory.channels;
+  if (found.state == DerivedState::failed || found.state == DerivedState::no_room) {
+    return problem(ctx, "There is no channel. " + found.why);
+  }
+  if (found.state == DerivedState::cancelled) {
+    muted_text(ctx, "Cancelled.");
+    ImGui::SameLine(0, ctx.px(8));
+    if (button(ctx, "channels.again", "Compute")) {
+      ctx.store.begin_again(id_of(ctx.state.memory.channels));
+    }
+    return;
+  }
+  if (!memory.shown) return;
+  ImGui::PushStyleVar(ImGuiStyleVar_Alpha, current ? 1.0f : 0.55f);
+  if (memory.shown->channel) {
+    details(ctx, memory, current);
+  } else {
+    problem(ctx, no_channel_text(memory));
+    if (memory.shown->covering) guest_line(ctx, {*memory.shown->covering}, current);
+  }
+  ImGui::PopStyleVar();
+}
+
+// False while a large one has not been asked for.
+bool may_begin(PanelContext& ctx, const AnyDefinition& wanted) {
+  ChannelMemory& memory = ctx.state.memory.channels;
+  const std::size_t balls = memory.prepared->balls->size();
+  if (balls <= kMostBallsUnasked) return true;
+  const Key key = wanted.key(inputs_as_they_are(memory));
+  if (memory.asked_for == key.number()) return true;
+  if (button(ctx, "channels.compute", "Compute the channel", {0, 0}, ButtonKind::primary)) {
+    memory.asked_for = key.number();
+  }
+  tooltip(ctx, "Of so many balls it takes a while. You can go on working.");
+  return memory.asked_for == key.number();
+}
+
+// The chosen way, as if it were what was asked for; there is no value where there is none.
+Derived<FoundChannel> want_way(PanelContext& ctx, Derived<FoundWays>& ways) {
+  ChannelMemory& memory = ctx.state.memory.channels;
+  ways = ctx.store.want(found_ways(), inputs_as_they_are(memory));
+  Derived<FoundChannel> found;
+  found.state = ways.state;
+  found.share = ways.share;
+  found.why = ways.why;
+  if (!ways.ready() || ways.value->ways.empty()) return found;
+  memory.way = std::clamp<std::size_t>(memory.way, 1, ways.value->ways.size());
+  found.value = ways.value->ways[memory.way - 1];
+  memory.last_from = found.value->ends.from;
+  return found;
+}
+
+void first_line(PanelContext& ctx, const Derived<FoundChannel>& found, bool current) {
+  const ChannelMemory& memory = ctx.state.memory.channels;
+  if (found.state == DerivedState::waiting || found.state == DerivedState::running) {
+    progress(ctx, found);
+  } else if (current && memory.shown && memory.shown->channel) {
+    headline(ctx, *memory.shown);
+  } else {
+    ImGui::NewLine();
+  }
+}
+
+constexpr const char* kNoWay =
+    "No way leads through the molecule from outside to outside. Choose above where a channel "
+    "begins.";
+
+void page(PanelContext& ctx) {
+  ChannelMemory& memory = ctx.state.memory.channels;
+  const bool of_ways = memory.from == ChannelFrom::ways;
+  ChannelQuestion question;
+  if (!of_ways) question = channel_question(ctx);
+  Derived<FoundWays> ways;
+  Derived<FoundChannel> found;
+  const bool has_question = of_ways || question.ends;
+  bool asked = true;
+  if (of_ways && (asked = may_begin(ctx, found_ways()))) {
+    found = want_way(ctx, ways);
+  } else if (question.ends && (asked = may_begin(ctx, found_channel(*question.ends)))) {
+    found = ctx.store.want(found_channel(*question.ends), inputs_as_they_are(memory));
+  }
+  const bool no_way = of_ways && ways.ready() && ways.value->ways.empty();
+  if (no_way) memory.shown = nullptr;
+  if (found.ready() && found.value) take_answer(ctx, memory, found.value);
+  const bool current = found.ready() && found.value && memory.shown == found.value;
+  if (has_question && asked) {
+    first_line(ctx, found, current);
+  } else if (!has_question) {
+    ImGui::AlignTextToFramePadding();
+    muted_text(ctx, question.waiting ? question.why : "");
+  }
+  constexpr float kColumn = 410;
+  ImGui::BeginChild("ends", {ctx.px(kColumn), 0}, false);
+  draw_channel_ends(ctx);
+  if (of_ways && ways.ready()) draw_ways(ctx, *ways.value);
+  ImGui::Dummy({0, ctx.px(2)});
+  if (no_way) {
+    problem(ctx, kNoWay);
+  } else if (!has_question && !question.waiting) {
+    problem(ctx, question.why);
+    if (question.wants_cavity && button(ctx, "channels.cavities", "Go to Cavities")) {
+      ctx.state.memory.bottom_panel = "cavities";
+    }
+  } else {
+    column_of_results(ctx, found, current);
+  }
+  ImGui::EndChild();
+  if (!memory.shown || !memory.shown->channel) return;
+  ImGui::SameLine(0, ctx.px(10));
+  ImGui::PushStyleVar(ImGuiStyleVar_Alpha, current ? 1.0f : 0.4f);
+  ImGui::BeginChild("profile", {0, 0}, false, ImGuiWindowFlags_NoScrollbar);
+  draw_channel_profile(ctx, *memory.shown->channel);
+  ImGui::EndChild();
+  ImGui::PopStyleVar();
+  if (current) show_channel(ctx);
+}
+
+}  // namespace
+
+void draw_channels_panel(PanelContext& ctx) {
+  ChannelMemory& memory = ctx.state.memory.channels;
+  begin_anew(memory, ctx.state.molecule.sha256, [](const ChannelMemory& old) {
+    ChannelMemory fresh;
+    fresh.balls_key = old.balls_key;  // which no two sets of balls may share
+    return fresh;
+  });
+  if (!ctx.state.molecule.loaded || !ctx.state.references ||
+      ctx.state.references->prepared().balls->size() == 0) {
+    muted_wrapped(ctx, "Open a molecule: the channels through it appear here.");
+    record(ctx, "channels.waiting");
+    return;
+  }
+  take_balls(ctx, memory);
+  take_choice(ctx, memory);
+  page(ctx);
+}
+
+}  // namespace alphascope

@@ -1,0 +1,173 @@
+// Which engine computes, on what, with which of the thesis' optimisations, and whether CGAL is
+// asked to agree.
+#include <algorithm>
+
+#include "ui/panels/panels.hpp"
+#include "ui/widgets/format.hpp"
+
+namespace alphascope {
+namespace {
+
+const char* help_of(EngineChoice choice) {
+  switch (choice) {
+    case EngineChoice::automatic:
+      return "The dual-edge engine: on the GPU when it can be used, else on the CPU.";
+    case EngineChoice::gpu:
+      return "Clips dual edges on the graphics processor.";
+    case EngineChoice::cpu:
+      return "Clips dual edges on all cores; uses CGAL's triangulation where that is faster.";
+    case EngineChoice::tuples_gpu:
+      return "The pipeline of N. P. Ranjanikar's thesis on the graphics processor: it makes all "
+             "4-tuples of neighbours, then tests them. Slow at large alpha; Esc cancels.";
+    case EngineChoice::tuples_cpu:
+      return "The pipeline of N. P. Ranjanikar's thesis on all cores: it makes all 4-tuples of "
+             "neighbours, then tests them. Slow at large alpha; Esc cancels.";
+    case EngineChoice::cgal:
+      break;
+  }
+  return "CGAL's regular triangulation of all balls, then its simplices up to alpha. The other "
+         "engines are compared with this one.";
+}
+
+const char* why_no_gpu(const std::optional<GpuDevice>& gpu) {
+  return gpu ? gpu->why_not.c_str() : "Looking for a graphics processor…";
+}
+
+void engine_entry(PanelContext& ctx, EngineChoice choice) {
+  ViewState& s = ctx.state;
+  const bool usable = !needs_gpu(choice) || has_gpu(s);
+  ImGui::BeginDisabled(!usable);
+  if (ImGui::Selectable(engine_title(choice).data(), choice == s.compute.engine)) {
+    s.compute.engine = choice;
+  }
+  ImGui::EndDisabled();
+  record(ctx, ("engine." + std::string(engine_id(choice))).c_str());
+  tooltip(ctx, usable ? help_of(choice) : why_no_gpu(s.gpu));
+}
+
+void engine_choice(PanelContext& ctx) {
+  const EngineChoice chosen = ctx.state.compute.engine;
+  row_label(ctx, "Engine");
+  const bool open = list_field(ctx, "engine.choice", engine_title(chosen).data());
+  if (!open) {
+    tooltip(ctx, help_of(chosen));
+    return;
+  }
+  for (const EngineChoice choice : kEngineChoices) engine_entry(ctx, choice);
+  ImGui::EndCombo();
+}
+
+// "NVIDIA H200, 139 GB, CUDA driver 13.0, compute capability 9.0".
+std::string gpu_text(const GpuDevice& gpu) {
+  if (!gpu.usable) return "No GPU in use. " + gpu.why_not;
+  return "GPU: " + gpu.name + ", " + bytes_text(gpu.memory_bytes) + ", " + gpu.driver +
+         ", compute capability " + gpu.capability_text();
+}
+
+void device(PanelContext& ctx) {
+  const ViewState& s = ctx.state;
+  ImGui::PushFont(ctx.fonts.small);
+  if (!s.device_text.empty()) muted_wrapped(ctx, s.device_text);
+  record(ctx, "engine.device");
+  muted_wrapped(ctx, s.gpu ? gpu_text(*s.gpu) : why_no_gpu(s.gpu));
+  record(ctx, "engine.gpu");
+  if (!s.engine_note.empty() && (!s.gpu || s.engine_note != s.gpu->why_not)) {
+    muted_wrapped(ctx, s.engine_note);
+  }
+  ImGui::PopFont();
+}
+
+struct Switch {
+  const char* name;
+  const char* label;
+  bool of_gpu;
+  bool (*is_on)(const TupleOptions&);
+  void (*turn)(TupleOptions&, bool on);
+  const char* help;
+};
+
+template <bool TupleOptions::*kValue>
+constexpr Switch plain(const char* name, const char* label, bool of_gpu, const char* help) {
+  return {name,
+          label,
+          of_gpu,
+          [](const TupleOptions& t) { return t.*kValue; },
+          [](TupleOptions& t, bool on) { t.*kValue = on; },
+          help};
+}
+
+constexpr Switch kSwitches[] = {
+    {"tuples.grid", "Grid suited to the molecule", false,
+     [](const TupleOptions& t) { return t.grid == TupleGridKind::automatic; },
+     [](TupleOptions& t, bool on) {
+       t.grid = on ? TupleGridKind::automatic : TupleGridKind::thesis;
+     },
+     "Off: the thesis' 100 × 100 × 100 cells, whatever the molecule's size."},
+    plain<&TupleOptions::edge_optimisation>("tuples.edge", "Edge optimisation", false,
+                                            "Tests only tuples whose six pairs of grown balls all "
+                                            "meet. Off: every 4-tuple of neighbours."),
+    plain<&TupleOptions::alpha_optimisation>(
+        "tuples.alpha", "Alpha optimisation", false,
+        "Drops tuples with an ortho-radius above alpha before kernel II."),
+    plain<&TupleOptions::pinned>(
+        "tuples.pinned", "Pinned memory", true,
+        "Page-locked host memory, which the GPU copies from and to directly."),
+    {"tuples.streams", "Streams", true, [](const TupleOptions& t) { return t.streams > 1; },
+     [](TupleOptions& t, bool on) { t.streams = on ? TupleOptions().streams : 1; },
+     "Two batches of tuples side by side, so that copies and kernels overlap."},
+    plain<&TupleOptions::texture>(
+        "tuples.texture", "Textures", true,
+        "Kernels read balls through the texture cache instead of plain memory."),
+};
+
+void tuple_switches(PanelContext& ctx) {
+  Request& request = ctx.state.compute;
+  if (!is_tuple_engine(request.engine)) return;
+  muted_text(ctx, "The thesis' optimisations (same result)");
+  for (const Switch& s : kSwitches) {
+    const bool applies = !s.of_gpu || request.engine == EngineChoice::tuples_gpu;
+    bool on = s.is_on(request.tuples);
+    ImGui::BeginDisabled(!applies);
+    if (checkbox(ctx, s.name, s.label, on)) s.turn(request.tuples, on);
+    ImGui::EndDisabled();
+    const std::string help = applies ? s.help : std::string(s.help) + "\nHas no effect on the CPU.";
+    tooltip(ctx, help.c_str());
+  }
+}
+
+void auto_compare(PanelContext& ctx) {
+  ViewState& s = ctx.state;
+  const bool possible = s.molecule.balls <= kMostBallsToCompareUnasked;
+  bool on = s.auto_compare && possible;
+  ImGui::BeginDisabled(!possible);
+  if (checkbox(ctx, "engine.auto_compare", "Compare with CGAL every time", on)) s.auto_compare = on;
+  ImGui::EndDisabled();
+  const std::string most =
+      with_separators(static_cast<long long>(kMostBallsToCompareUnasked)) + " balls";
+  const std::string help =
+      possible
+          ? "After each change CGAL computes the same complex in the background, and both are "
+            "compared simplex by simplex."
+          : "This molecule has more than " + most +
+                ": CGAL would take too long to follow each change. “Compare” in the timings, or "
+                "the key C, compares once.";
+  tooltip(ctx, help.c_str());
+}
+
+}  // namespace
+
+void draw_engine_panel(PanelContext& ctx) {
+  if (!section(ctx, "engine", "Engine")) return;
+  ViewState& s = ctx.state;
+  engine_choice(ctx);
+  checkbox(ctx, "engine.tetrahedra_only", "Tetrahedra only (faster)", s.compute.tetrahedra_only);
+  tooltip(ctx,
+          "Computes the tetrahedra of the complex without its triangles, edges and vertices: the "
+          "thesis' sub-complex.");
+  auto_compare(ctx);
+  // Last what comes and goes: nothing that one clicks is below it.
+  tuple_switches(ctx);
+  device(ctx);
+}
+
+}  // namespace alphascope

@@ -1,0 +1,132 @@
+// See the header.
+#include "ui/panels/dialogs/dialog_stack.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <string_view>
+
+#include "ui/widgets/keys.hpp"
+#include "ui/widgets/number_field.hpp"
+
+namespace alphascope {
+namespace {
+
+struct Entry {
+  bool (*wanted)(const ViewState& state);
+  void (*draw)(PanelContext& ctx);
+};
+
+// By DialogKind.
+constexpr std::array kDialogs{
+    Entry{[](const ViewState& s) { return s.memory.show_benchmark; }, draw_benchmark_page},
+    Entry{[](const ViewState& s) { return s.memory.show_browser; }, draw_file_browser},
+    Entry{[](const ViewState& s) { return s.memory.show_save; }, draw_save_picture},
+    Entry{[](const ViewState& s) { return s.memory.record.show; }, draw_record},
+    Entry{[](const ViewState& s) { return s.memory.save_table.table != nullptr; }, draw_save_table},
+    Entry{[](const ViewState& s) { return s.memory.show_export; }, draw_export},
+    Entry{[](const ViewState& s) { return s.memory.show_save_session; }, draw_save_session},
+    Entry{[](const ViewState& s) { return s.session_problem.has_value(); }, draw_session_problem},
+    Entry{[](const ViewState& s) { return !s.memory.confirm_assembly.empty(); },
+          draw_confirm_assembly},
+    Entry{[](const ViewState& s) { return s.memory.show_cheat_sheet; }, draw_cheat_sheet},
+    Entry{[](const ViewState& s) { return s.memory.show_about; }, draw_about},
+    Entry{[](const ViewState& s) { return s.memory.palette.show; }, draw_command_palette},
+    Entry{[](const ViewState& s) { return !s.error.empty(); }, draw_error}};
+
+bool wanted(const ViewState& state, std::size_t kind) {
+  return kDialogs[kind].wanted(state);
+}
+
+void draw_level(PanelContext& ctx) {
+  const auto& open = ctx.state.memory.dialogs;
+  if (ctx.dialog >= open.size()) return;
+  ++ctx.level;
+  kDialogs[open[ctx.dialog]].draw(ctx);
+  --ctx.level;
+}
+
+}  // namespace
+
+bool begin_dialog(PanelContext& ctx, const char* title, ImVec2 size, DialogPlace place) {
+  if (!ImGui::IsPopupOpen(title)) ImGui::OpenPopup(title);
+  const ImVec2 display = ImGui::GetIO().DisplaySize;
+  const bool top = place == DialogPlace::top;
+  ImGui::SetNextWindowPos({display.x / 2, top ? 2 * ImGui::GetFrameHeight() : display.y / 2},
+                          ImGuiCond_Always, {0.5f, top ? 0 : 0.5f});
+  ImGuiWindowFlags flags =
+      ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings;
+  if (size.x > 0) {
+    ImGui::SetNextWindowSize(size);
+  } else {
+    flags |= ImGuiWindowFlags_AlwaysAutoResize;
+  }
+  if (top) flags |= ImGuiWindowFlags_NoTitleBar;
+  (void)ctx;
+  return ImGui::BeginPopupModal(title, nullptr, flags);
+}
+
+void end_dialog(PanelContext& ctx) {
+  if (!wanted(ctx.state, ctx.state.memory.dialogs[ctx.dialog])) {
+    ImGui::CloseCurrentPopup();  // and those above it, which open again in the next frame
+  } else {
+    ++ctx.dialog;
+    draw_level(ctx);
+    --ctx.dialog;
+  }
+  ImGui::EndPopup();
+}
+
+bool on_top(const PanelContext& ctx) {
+  return ctx.dialog + 1 == ctx.state.memory.dialogs.size();
+}
+
+bool has_keys(const PanelContext& ctx) {
+  return on_top(ctx) && !ctx.state.memory.keys.list_open && !ImGui::GetIO().WantTextInput;
+}
+
+bool escape_pressed(const PanelContext& ctx) {
+  const KeyMemory& keys = ctx.state.memory.keys;
+  const bool of_dialog = has_keys(ctx) || (keys.untouched && on_top(ctx) && !keys.list_open);
+  return of_dialog && ImGui::IsKeyPressed(key::kEscape, false);
+}
+
+bool enter_pressed(const PanelContext& ctx) {
+  return has_keys(ctx) && !ctx.state.memory.keys.enter_used &&
+         (ImGui::IsKeyPressed(key::kEnter, false) || ImGui::IsKeyPressed(key::kKeypadEnter, false));
+}
+
+DialogAnswer dialog_buttons(PanelContext& ctx, float width, DialogButton cancel,
+                            DialogButton confirm, bool can_confirm, bool entered) {
+  const float each = ctx.px(100), gap = ImGui::GetStyle().ItemSpacing.x;
+  ImGui::SameLine(ImGui::GetStyle().WindowPadding.x + width - 2 * each - gap);
+  const bool no = button(ctx, cancel.name, cancel.label, {each, 0}) || escape_pressed(ctx);
+  ImGui::SameLine();
+  const std::string_view name = confirm.name;
+  can_confirm &= !has_refused_number(ctx, std::string(name.substr(0, name.find('.'))));
+  ImGui::BeginDisabled(!can_confirm);
+  const bool clicked = button(ctx, confirm.name, confirm.label, {each, 0}, ButtonKind::primary);
+  ImGui::EndDisabled();
+  const bool yes = clicked || (can_confirm && (entered || enter_pressed(ctx)));
+  return yes ? DialogAnswer::confirm : no ? DialogAnswer::cancel : DialogAnswer::none;
+}
+
+bool close_button(PanelContext& ctx, float width, DialogButton close) {
+  const float each = ctx.px(100);
+  ImGui::SameLine(ImGui::GetStyle().WindowPadding.x + width - each);
+  return button(ctx, close.name, close.label, {each, 0}, ButtonKind::primary) ||
+         escape_pressed(ctx) || enter_pressed(ctx);
+}
+
+void draw_dialogs(PanelContext& ctx) {
+  auto& open = ctx.state.memory.dialogs;
+  for (std::size_t kind = 0; kind < kDialogs.size(); ++kind) {
+    const bool there = std::find(open.begin(), open.end(), kind) != open.end();
+    if (!there && wanted(ctx.state, kind)) open.push_back(kind);
+  }
+  ctx.dialog = 0;
+  draw_level(ctx);
+  std::erase_if(open, [&](std::size_t kind) { return !wanted(ctx.state, kind); });
+}
+
+}  // namespace alphascope

@@ -1,0 +1,437 @@
+// The dialog for opening a molecule or a table of radii: folders and files that look like one, and
+// a path to type.
+#include <imgui.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <utility>
+
+#include "core/text/grouped_number.hpp"
+#include "ui/panels/dialogs/dialog_stack.hpp"
+#include "ui/panels/dialogs/folder_listing.hpp"
+#include "ui/panels/dialogs/picture_path.hpp"
+#include "ui/panels/panels.hpp"
+#include "ui/widgets/format.hpp"
+#include "ui/widgets/key_focus.hpp"
+#include "ui/widgets/keys.hpp"
+
+namespace alphascope {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool for_table(const PanelMemory& m) {
+  return m.browser_purpose == BrowserPurpose::radii_table;
+}
+
+constexpr int kListKeys[] = {key::kHome, key::kEnd,      key::kDown,
+                             key::kUp,   key::kPageDown, key::kPageUp};
+
+const char* title(const PanelMemory& m) {
+  switch (m.browser_purpose) {
+    case BrowserPurpose::radii_table:
+      return "Open a table of radii";
+    case BrowserPurpose::session:
+      return "Open a session";
+    case BrowserPurpose::session_molecule:
+      return "The molecule of the session";
+    case BrowserPurpose::save:
+      return "Where to save";
+    case BrowserPurpose::molecule:
+      break;
+  }
+  return "Open a molecule";
+}
+
+// Absolute, and without a slash at the end.
+fs::path as_folder(const fs::path& folder) {
+  std::error_code error;
+  const fs::path absolute = fs::absolute(folder, error);
+  const fs::path normal = (error ? folder : absolute).lexically_normal();
+  const bool slash = !normal.has_filename() && normal.has_parent_path();
+  return slash && normal != normal.root_path() ? normal.parent_path() : normal;
+}
+
+void enter(PanelMemory& m, const fs::path& folder) {
+  m.browser_folder = m.browser_base = as_folder(folder);
+  m.browser_typed = m.browser_folder.string();
+  m.browser_by_hand = false;
+  m.browser_begun.clear();
+  m.browser_selected.clear();
+  m.browser_error.clear();
+  m.browser_jump.clear();
+}
+
+// The folder that one comes from is chosen, so that Enter leads back.
+void enter_above(PanelMemory& m) {
+  const fs::path from = m.browser_folder;
+  enter(m, from.parent_path());
+  if (m.browser_folder == from) return;
+  m.browser_selected = from;
+  m.browser_scroll = true;
+}
+
+void select(PanelMemory& m, const FolderEntry& entry) {
+  m.browser_selected = entry.path;
+  m.browser_typed = entry.path.string();
+  m.browser_by_hand = false;
+  m.browser_begun.clear();
+  m.browser_error.clear();
+}
+
+bool for_saving(const PanelMemory& m) {
+  return m.browser_purpose == BrowserPurpose::save;
+}
+
+void close(PanelMemory& m) {
+  m.show_browser = false;
+  if (for_saving(m)) m.browser_folder = m.saving.opens_from;
+}
+
+// In the dialog that asks for a place. A folder is one for the name that was typed there.
+void save_there(PanelMemory& m, const fs::path& path) {
+  std::error_code ignored;
+  const bool folder = fs::is_directory(path, ignored);
+  if (!folder && !fs::is_directory(path.parent_path(), ignored)) {
+    m.browser_error = "There is no folder " + path.parent_path().string() + ".";
+    return;
+  }
+  m.saving.found = folder ? path / m.saving.found.filename() : path;
+  m.saving.found_for = m.saving.browses_for;
+  close(m);
+}
+
+// The dialog stays when the file cannot be opened, and says why.
+void open(ViewState& s, const fs::path& file) {
+  if (for_saving(s.memory)) return save_there(s.memory, file);
+  s.memory.browser_error = why_not_openable(file);
+  if (!s.memory.browser_error.empty()) return;
+  if (for_table(s.memory)) {
+    s.open.radii_table = file;
+    s.open.balls.radii = RadiiSet::user;
+  } else if (s.memory.browser_purpose == BrowserPurpose::session_molecule) {
+    s.requests.session_molecule = file;
+    s.session_problem.reset();
+  } else if (s.memory.browser_purpose == BrowserPurpose::session) {
+    s.requests.open_session = file;
+  } else {
+    s.requests.open = file;
+  }
+  close(s.memory);
+}
+
+// A folder is entered, anything else is opened.
+void accept(ViewState& s, const fs::path& path) {
+  std::error_code error;
+  if (fs::is_directory(path, error)) {
+    enter(s.memory, path);
+  } else {
+    open(s, path);
+  }
+}
+
+// The whole path; empty where nothing is typed.
+fs::path browsed_path(const PanelMemory& m) {
+  return typed_path(m.browser_typed, m.browser_base);
+}
+
+void accept_typed(ViewState& s) {
+  const fs::path path = browsed_path(s.memory);
+  if (path.empty()) return;
+  // The folder that is shown is not gone into: it is chosen.
+  if (for_saving(s.memory) && as_folder(path) == s.memory.browser_folder) {
+    return save_there(s.memory, s.memory.browser_folder);
+  }
+  accept(s, path);
+}
+
+// While a path is typed: the folder that it has come to is listed, and the first of its names that
+// begins so is chosen.
+void follow_typed(PanelMemory& m) {
+  m.browser_by_hand = true;
+  m.browser_error.clear();
+  m.browser_selected.clear();
+  const fs::path path = browsed_path(m);
+  if (path.empty()) return;
+  const fs::path folder = as_folder(path.parent_path());
+  m.browser_begun = path.filename().string();
+  std::error_code ignored;
+  if (fs::is_directory(folder, ignored)) {
+    m.browser_folder = folder;
+  } else {
+    m.browser_error = "There is no folder " + folder.string() + ".";
+  }
+}
+
+void path_row(PanelContext& ctx) {
+  PanelMemory& m = ctx.state.memory;
+  if (button(ctx, "browser.up", "Up")) enter_above(m);
+  tooltip(ctx, "The folder above (Backspace)");
+  ImGui::SameLine();
+  if (button(ctx, "browser.home", "Home")) {
+    if (const char* home = std::getenv("HOME")) enter(m, home);
+  }
+  ImGui::SameLine();
+  ImGui::SetNextItemWidth(-1);
+  const bool entered =
+      text_field(ctx, "browser.path", m.browser_typed, "", KeyStop::type_when_asked);
+  if (ImGui::IsItemEdited()) follow_typed(m);
+  if (entered) accept_typed(ctx.state);
+}
+
+void entry_row(PanelContext& ctx, const FolderEntry& entry) {
+  ViewState& s = ctx.state;
+  ImGui::TableNextRow();
+  ImGui::TableNextColumn();
+  const std::string label = entry.folder ? entry.name + "/" : entry.name;
+  if (ImGui::Selectable(label.c_str(), s.memory.browser_selected == entry.path,
+                        ImGuiSelectableFlags_SpanAllColumns |
+                            ImGuiSelectableFlags_AllowDoubleClick |
+                            ImGuiSelectableFlags_DontClosePopups)) {
+    if (entry.folder) {
+      enter(s.memory, fs::path(entry.path));
+    } else {
+      select(s.memory, entry);
+      if (ImGui::IsMouseDoubleClicked(0)) open(s, entry.path);
+    }
+  }
+  record(ctx, ("browser.entry." + entry.name).c_str());
+  ImGui::TableNextColumn();
+  if (!entry.folder) muted_text(ctx, file_size_text(entry.bytes));
+}
+
+std::size_t selected_index(const PanelMemory& m, const FolderListing& list) {
+  const auto found =
+      std::find_if(list.entries.begin(), list.entries.end(),
+                   [&m](const FolderEntry& e) { return e.path == m.browser_selected; });
+  return static_cast<std::size_t>(found - list.entries.begin());
+}
+
+// Where the arrow keys and their like lead; the present entry when none is pressed.
+std::size_t key_target(std::size_t now, std::size_t count, std::size_t page) {
+  const auto pressed = [](int code) { return ImGui::IsKeyPressed(code); };
+  const std::size_t last = count - 1;
+  const bool none = now == count;
+  if (pressed(key::kHome)) return 0;
+  if (pressed(key::kEnd)) return last;
+  if (pressed(key::kDown)) return none ? 0 : std::min(now + 1, last);
+  if (pressed(key::kUp)) return none ? last : now - std::min<std::size_t>(now, 1);
+  if (pressed(key::kPageDown)) return none ? 0 : std::min(now + page, last);
+  if (pressed(key::kPageUp)) return none ? 0 : now - std::min(now, page);
+  return now;
+}
+
+// Letters typed in quick succession make up the beginning of a name.
+std::size_t jump_target(PanelMemory& m, const FolderListing& list, std::size_t now) {
+  constexpr double kPauseSeconds = 1;
+  const ImGuiIO& io = ImGui::GetIO();
+  if (io.InputQueueCharacters.empty() || io.KeyCtrl) return now;
+  if (ImGui::GetTime() - m.browser_jump_seconds > kPauseSeconds) m.browser_jump.clear();
+  for (const ImWchar c : io.InputQueueCharacters) {
+    if (c > 32 && c < 127) m.browser_jump += static_cast<char>(c);
+  }
+  m.browser_jump_seconds = ImGui::GetTime();
+  if (m.browser_jump.empty()) return now;
+  // The same letter again leads on to the next name.
+  const bool on = m.browser_jump.size() == 1 && now < list.entries.size();
+  const std::size_t found = find_entry(list, m.browser_jump, on ? now + 1 : 0);
+  return found < list.entries.size() ? found : now;
+}
+
+// Up and Down lead from the path into the list. True: nothing is being typed any more.
+bool leaves_path(const PanelContext& ctx) {
+  if (!ImGui::IsAnyItemActive()) return true;
+  constexpr int kInto[] = {key::kDown, key::kUp, key::kPageDown, key::kPageUp};
+  const bool leaves = ctx.state.memory.keys.at.back().name == "browser.path" &&
+                      std::any_of(std::begin(kInto), std::end(kInto),
+                                  [](int code) { return ImGui::IsKeyPressed(code); });
+  if (leaves) stop_typing();
+  return leaves;
+}
+
+// What begins as a path is one, and no name to jump to; so is what is pasted. It is typed on.
+void begin_path(PanelContext& ctx) {
+  PanelMemory& m = ctx.state.memory;
+  const ImGuiIO& io = ImGui::GetIO();
+  if (!on_top(ctx) || m.keys.list_open || m.keys.begins || ImGui::IsAnyItemActive()) return;
+  std::string begun;
+  if (io.KeyCtrl && ImGui::IsKeyPressed(key::kV, false)) {
+    const char* const pasted = ImGui::GetClipboardText();
+    begun = pasted == nullptr ? "" : pasted;
+    std::erase_if(begun, [](unsigned char c) { return c < 32; });
+  } else if (!io.KeyCtrl && !io.InputQueueCharacters.empty()) {
+    const ImWchar first = io.InputQueueCharacters[0];
+    if (first != '/' && first != '~') return;
+    for (const ImWchar c : io.InputQueueCharacters) {
+      if (c >= 32 && c < 127) begun += static_cast<char>(c);
+    }
+  }
+  if (begun.empty()) return;
+  m.browser_typed = begun;
+  follow_typed(m);
+  type_into(ctx, "browser.path");
+}
+
+// While nothing is being typed and no dialog is above. Returns true when the folder is another one
+// now.
+bool keyboard(PanelContext& ctx, const FolderListing& list, std::size_t page) {
+  PanelMemory& m = ctx.state.memory;
+  if (!on_top(ctx) || m.keys.list_open || m.keys.begins || !leaves_path(ctx)) return false;
+  if (ImGui::IsKeyPressed(key::kBackspace)) {
+    enter_above(m);
+    return true;
+  }
+  if (list.entries.empty()) return false;
+  const bool enter = enter_pressed(ctx) && !m.browser_by_hand;
+  const bool any = !ImGui::GetIO().InputQueueCharacters.empty() || enter ||
+                   std::any_of(std::begin(kListKeys), std::end(kListKeys),
+                               [](int code) { return ImGui::IsKeyPressed(code); });
+  if (!any) return false;
+  const std::size_t count = list.entries.size(), now = selected_index(m, list);
+  if (enter && now < count) {
+    m.keys.enter_used = true;
+    accept(ctx.state, fs::path(list.entries[now].path));
+    return true;
+  }
+  const std::size_t target = jump_target(m, list, key_target(now, count, page));
+  if (target == now || target >= count) return false;
+  select(m, list.entries[target]);
+  m.browser_scroll = true;
+  return false;
+}
+
+// The first whose name begins as what is typed. The path stays as it is typed.
+void choose_begun(PanelMemory& m, const FolderListing& list) {
+  const std::string begun = std::exchange(m.browser_begun, {});
+  if (begun.empty()) return;
+  const std::size_t found = find_entry(list, begun, 0);
+  if (found == list.entries.size()) return;
+  m.browser_selected = list.entries[found].path;
+  m.browser_scroll = true;
+}
+
+// The chosen entry, when a key has chosen it.
+void scroll_to_selected(PanelMemory& m, const FolderListing& list, float row) {
+  if (!std::exchange(m.browser_scroll, false)) return;
+  const std::size_t index = selected_index(m, list);
+  if (index == list.entries.size()) return;
+  const float top = static_cast<float>(index) * row, height = ImGui::GetWindowHeight();
+  if (top < ImGui::GetScrollY()) ImGui::SetScrollY(top);
+  if (top + 2 * row > ImGui::GetScrollY() + height) ImGui::SetScrollY(top + 2 * row - height);
+}
+
+// Only the rows in sight: a folder can have many thousands.
+void entries(PanelContext& ctx, const std::shared_ptr<const FolderListing>& list) {
+  const float row = ImGui::GetTextLineHeight() + 2 * ImGui::GetStyle().CellPadding.y;
+  const float page = std::max(1.0f, ImGui::GetWindowHeight() / row - 2);
+  if (keyboard(ctx, *list, static_cast<std::size_t>(page))) return;
+  choose_begun(ctx.state.memory, *list);
+  scroll_to_selected(ctx.state.memory, *list, row);
+  if (!ImGui::BeginTable("list", 2, ImGuiTableFlags_None)) return;
+  ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthStretch);
+  ImGui::TableSetupColumn("size", ImGuiTableColumnFlags_WidthFixed, ctx.px(80));
+  ImGuiListClipper clipper;
+  clipper.Begin(static_cast<int>(list->entries.size()), row);
+  while (clipper.Step()) {
+    for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
+      entry_row(ctx, list->entries[static_cast<std::size_t>(i)]);
+    }
+  }
+  ImGui::EndTable();
+}
+
+std::string nothing_listed(const FolderListing& list) {
+  if (!list.error.empty()) return list.error;
+  if (list.hidden_by_filter == 0) return "This folder is empty.";
+  return (list.query.sessions ? "No sessions here; " : "No molecules here; ") +
+         counted(list.hidden_by_filter, "other file is", "other files are") + " not shown.";
+}
+
+void listing(PanelContext& ctx, float height) {
+  const PanelMemory& m = ctx.state.memory;
+  const auto list = ctx.state.listing;  // kept for this frame
+  ImGui::PushStyleColor(ImGuiCol_ChildBg, to_imgui(ctx.palette.panel));
+  // Each folder has a scroll position of its own.
+  ImGui::BeginChild(("entries" + m.browser_folder.string()).c_str(), {0, height}, true);
+  if (!list || list->query != wanted_listing(m)) {
+    muted_text(ctx, "Reading this folder…");
+    record(ctx, "browser.reading");
+  } else if (!list->error.empty() || list->entries.empty()) {
+    muted_wrapped(ctx, nothing_listed(*list));
+    if (list->error.empty()) keyboard(ctx, *list, 1);
+  } else {
+    entries(ctx, list);
+  }
+  ImGui::EndChild();
+  ImGui::PopStyleColor();
+}
+
+// What is wrong with the path, else what the keys do: always one line, so that nothing moves.
+void message_row(PanelContext& ctx) {
+  const PanelMemory& m = ctx.state.memory;
+  const float width = ImGui::GetContentRegionAvail().x;
+  ImGui::PushFont(ctx.fonts.small);
+  if (m.browser_error.empty()) {
+    muted_text(ctx, for_saving(m)
+                        ? "Arrow keys and Enter: go into a folder.  Choose: save here, or in the "
+                          "place of the chosen file."
+                        : "Arrow keys: choose.  Enter: open.  Letters: jump to a name.  "
+                          "/: type a path.");
+  } else {
+    ImGui::PushStyleColor(ImGuiCol_Text, to_imgui(ctx.palette.error));
+    ImGui::TextUnformatted(fitted_text(m.browser_error, width).c_str());
+    ImGui::PopStyleColor();
+    record(ctx, "browser.error");
+    tooltip(ctx, m.browser_error.c_str());
+  }
+  ImGui::PopFont();
+}
+
+void buttons(PanelContext& ctx) {
+  ViewState& s = ctx.state;
+  if (for_saving(s.memory)) {
+    checkbox(ctx, "browser.hidden", "Hidden files", s.memory.browser_hidden_ones);
+  } else if (for_table(s.memory)) {
+    ImGui::AlignTextToFramePadding();
+    muted_text(ctx, "Lines such as: C 1.70   ALA CB 1.88   * CB 1.88");
+  } else {
+    checkbox(ctx, "browser.all", "All files", s.memory.browser_all_files);
+    ImGui::SameLine(0, ctx.px(18));
+    checkbox(ctx, "browser.hidden", "Hidden files", s.memory.browser_hidden_ones);
+    tooltip(ctx, "Files and folders whose names start with a dot.");
+  }
+  const float width = ImGui::GetWindowWidth() - 2 * ImGui::GetStyle().WindowPadding.x;
+  const DialogAnswer answer = dialog_buttons(
+      ctx, width, {"browser.cancel", "Cancel"},
+      {"browser.open", for_saving(s.memory) ? "Choose" : "Open"}, !s.memory.browser_typed.empty());
+  if (answer == DialogAnswer::cancel) close(s.memory);
+  if (answer == DialogAnswer::confirm) accept_typed(s);
+}
+
+}  // namespace
+
+std::optional<FolderQuery> wanted_listing(const PanelMemory& m) {
+  if (!m.show_browser || m.browser_folder.empty()) return std::nullopt;
+  return FolderQuery{m.browser_folder, m.browser_all_files || for_table(m) || for_saving(m),
+                     m.browser_hidden_ones, m.browser_purpose == BrowserPurpose::session};
+}
+
+void draw_file_browser(PanelContext& ctx) {
+  PanelMemory& m = ctx.state.memory;
+  if (!ImGui::IsPopupOpen(title(m))) {
+    enter(m, m.browser_folder.empty() ? sensible_start_folder() : m.browser_folder);
+  }
+  const ImVec2 display = ImGui::GetIO().DisplaySize;
+  const ImVec2 size{std::min(ctx.px(640), display.x * 0.9f),
+                    std::min(ctx.px(480), display.y * 0.85f)};
+  if (!begin_dialog(ctx, title(m), size)) return;
+  path_row(ctx);
+  begin_path(ctx);
+  const float bottom = ImGui::GetFrameHeightWithSpacing() + ImGui::GetTextLineHeightWithSpacing();
+  listing(ctx, ImGui::GetContentRegionAvail().y - bottom - ctx.px(4));
+  message_row(ctx);
+  buttons(ctx);
+  end_dialog(ctx);
+}
+
+}  // namespace alphascope

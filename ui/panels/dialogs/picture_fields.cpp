@@ -1,0 +1,100 @@
+// See the header.
+#include "ui/panels/dialogs/picture_fields.hpp"
+
+#include <imgui.h>
+
+#include "ui/caption.hpp"
+#include "ui/widgets/number_field.hpp"
+
+namespace alphascope {
+namespace {
+
+struct Size {
+  int width, height;
+};
+
+void size_preset(PanelContext& ctx, const std::string& dialog, const char* name, const char* label,
+                 Size size, PictureOptions& options) {
+  if (button(ctx, (dialog + "." + name).c_str(), label)) {
+    for (const char* side : {".width", ".height"}) forget_typing(ctx, dialog + side);
+    options.width = size.width;
+    options.height = size.height;
+  }
+  ImGui::SameLine(0, ctx.px(4));
+}
+
+// Its parts and, below them, how it will read.
+void caption_parts_fields(PanelContext& ctx, const std::string& dialog, PictureOptions& options) {
+  constexpr int kOnOneLine = 4;
+  int column = 0;
+  for (const CaptionPartInfo& info : caption_parts()) {
+    if (column++ % kOnOneLine == 0) {
+      row_label(ctx, "");
+    } else {
+      ImGui::SameLine(0, ctx.px(12));
+    }
+    bool wanted = options.caption.has(info.part);
+    const std::string name = dialog + ".caption_" + info.id;
+    if (checkbox(ctx, name.c_str(), info.title, wanted)) options.caption.set(info.part, wanted);
+  }
+  if (!ctx.state.result) return;
+  std::string text;
+  const Answer& answer = *ctx.state.result;
+  const std::string radii = answer.prepared ? answer.prepared->report.radii_name : "";
+  for (const std::string& word : caption_words(answer, *answer.molecule, radii, options.caption)) {
+    text += (text.empty() ? "" : kCaptionGap) + word;
+  }
+  ImGui::PushFont(ctx.fonts.small);
+  row_label(ctx, "");
+  muted_text(ctx, fitted_text(text, ctx.px(350)));
+  tooltip(ctx, text.c_str());
+  ImGui::PopFont();
+}
+
+}  // namespace
+
+void size_fields(PanelContext& ctx, const std::string& dialog, PictureOptions& options) {
+  row_label(ctx, "Size");
+  ImGui::SetNextItemWidth(ctx.px(80));
+  number_field(ctx, (dialog + ".width").c_str(), options.width, kPictureSizeRule);
+  ImGui::SameLine(0, ctx.px(6));
+  ImGui::TextUnformatted("×");
+  ImGui::SameLine(0, ctx.px(6));
+  ImGui::SetNextItemWidth(ctx.px(80));
+  number_field(ctx, (dialog + ".height").c_str(), options.height, kPictureSizeRule);
+  ImGui::SameLine(0, ctx.px(6));
+  ImGui::TextUnformatted("pixels");
+  row_label(ctx, "");
+  const ViewportInfo& view = ctx.state.viewport;
+  size_preset(ctx, dialog, "as_view", "as the view", {view.width, view.height}, options);
+  size_preset(ctx, dialog, "hd", "1920 × 1080", {1920, 1080}, options);
+  size_preset(ctx, dialog, "4k", "3840 × 2160", {3840, 2160}, options);
+  ImGui::NewLine();
+}
+
+void marks_fields(PanelContext& ctx, const std::string& dialog, PictureOptions& options) {
+  const bool has_legend = !ctx.state.viewport.legends.empty();
+  row_label(ctx, "With");
+  ImGui::BeginDisabled(!has_legend);
+  bool legend = has_legend && options.legend;
+  if (checkbox(ctx, (dialog + ".legend").c_str(), "Colour legend", legend)) options.legend = legend;
+  ImGui::EndDisabled();
+  tooltip(ctx, has_legend ? "Shows what the colours stand for."
+                          : "Available when colours stand for something, not when all is in one.");
+  ImGui::SameLine(0, ctx.px(18));
+  checkbox(ctx, (dialog + ".scale_bar").c_str(), "Scale bar", options.scale_bar);
+  tooltip(ctx,
+          "A bar of a round length in Å. The view is in perspective, so the length is right at the "
+          "depth of the point that the view turns about.");
+  ImGui::SameLine(0, ctx.px(18));
+  bool caption = options.caption.any();
+  if (checkbox(ctx, (dialog + ".caption").c_str(), "Caption", caption)) {
+    options.caption = caption ? usual_caption() : CaptionParts();
+  }
+  tooltip(ctx, "Words at the top left, such as the file and alpha.");
+  ImGui::BeginDisabled(!options.caption.any());  // there all the same, or the dialog would jump
+  caption_parts_fields(ctx, dialog, options);
+  ImGui::EndDisabled();
+}
+
+}  // namespace alphascope

@@ -1,0 +1,44 @@
+// The dialog that saves a picture.
+#include <imgui.h>
+
+#include "core/files/output_ending.hpp"
+#include "ui/panels/dialogs/dialog_stack.hpp"
+#include "ui/panels/dialogs/picture_fields.hpp"
+#include "ui/panels/dialogs/picture_path.hpp"
+#include "ui/panels/dialogs/save_target.hpp"
+#include "ui/panels/panels.hpp"
+
+namespace alphascope {
+
+void draw_save_picture(PanelContext& ctx) {
+  constexpr float kWidth = 464;  // pixels at scale 1
+  ViewState& s = ctx.state;
+  PanelMemory& m = s.memory;
+  constexpr const char* kTitle = "Save a picture";
+  propose_file(ctx, kTitle, "save", m.save_path, name_of_file(ctx, kPictureEnding));
+  if (!begin_dialog(ctx, kTitle)) return;
+  const bool entered = file_row(ctx, "save", m.save_path);
+  const std::filesystem::path path = path_to_save(m.save_path, kPictureEnding);
+  const bool can_save = save_target(ctx, "save", {path}, fault_of_ending(path, {kPictureEnding}));
+  size_fields(ctx, "save", m.save);
+  row_label(ctx, "");
+  checkbox(ctx, "save.transparent", "Transparent background", m.save.transparent);
+  marks_fields(ctx, "save", m.save);
+  ImGui::PushFont(ctx.fonts.small);
+  row_label(ctx, "");
+  muted_text(ctx, "The PNG file also records file, selection, radii, alpha and hash.");
+  ImGui::PopFont();
+  ImGui::Dummy({0, ctx.px(6)});
+  ImGui::NewLine();
+  const DialogAnswer answer = dialog_buttons(ctx, ctx.px(kWidth), {"save.cancel", "Cancel"},
+                                             {"save.ok", "Save"}, can_save, entered);
+  const bool confirmed = answer == DialogAnswer::confirm;
+  if (confirmed) s.requests.screenshot = {path, m.save};
+  if (confirmed || answer == DialogAnswer::cancel) {
+    note_file(ctx, "save", m.save_path, confirmed);
+    m.show_save = false;
+  }
+  end_dialog(ctx);
+}
+
+}  // namespace alphascope

@@ -1,0 +1,142 @@
+// See the header.
+#include "ui/panels/dialogs/save_target.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "core/files/atomic_file.hpp"
+#include "core/text/as_sentence.hpp"
+
+namespace alphascope {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr float kTextWidth = 340;  // pixels at scale 1
+
+// The samples of the program are in a folder of its own.
+fs::path folder_to_offer(const ViewState& s) {
+  std::error_code ignored;
+  if (fs::is_directory(s.memory.saving.folder, ignored)) return s.memory.saving.folder;
+  const fs::path beside = fs::absolute(s.molecule.folder, ignored).lexically_normal();
+  const bool sample = std::any_of(s.samples.begin(), s.samples.end(), [&](const auto& one) {
+    return fs::equivalent(one.path.parent_path(), beside, ignored);
+  });
+  if (!sample && fs::is_directory(beside, ignored) && access(beside.c_str(), W_OK) == 0) {
+    return beside;
+  }
+  return fs::current_path(ignored);
+}
+
+std::string why_no_name(const fs::path& path) {
+  std::error_code ignored;
+  if (path.empty()) return "Give the file a name.";
+  if (path.has_filename() && !fs::is_directory(path, ignored)) return {};
+  return "This is a folder. Write the name of a file behind it.";
+}
+
+}  // namespace
+
+void propose_file(PanelContext& ctx, const char* title, const std::string& dialog,
+                  std::string& path, const std::string& name) {
+  if (!path.empty() || ImGui::IsPopupOpen(title)) return;
+  const auto& names = ctx.state.memory.saving.names;
+  const auto typed = names.find(dialog);
+  path = (folder_to_offer(ctx.state) / (typed == names.end() ? name : typed->second)).string();
+}
+
+std::string name_of_file(const PanelContext& ctx, const std::string& ending) {
+  const std::string& file = ctx.state.molecule.name;
+  const std::string stem = file.substr(0, std::min(file.find('.'), file.size()));
+  return (stem.empty() ? "alphascope" : stem) + ending;
+}
+
+void note_file(PanelContext& ctx, const std::string& dialog, std::string& path, bool saved) {
+  SaveMemory& memory = ctx.state.memory.saving;
+  std::error_code ignored;
+  const fs::path whole = fs::absolute(std::exchange(path, {}), ignored).lexically_normal();
+  if (whole.has_filename() && !dialog.empty()) memory.names[dialog] = whole.filename().string();
+  if (saved) memory.folder = whole.parent_path();
+}
+
+bool file_row(PanelContext& ctx, const std::string& dialog, std::string& path) {
+  PanelMemory& m = ctx.state.memory;
+  const std::string name = dialog + ".path";
+  if (m.saving.found_for == name) {
+    path = m.saving.found.string();
+    m.saving.found_for.clear();
+  }
+  constexpr float kButton = 80, kGap = 6;
+  row_label(ctx, "File");
+  ImGui::SetNextItemWidth(ctx.px(kTextWidth - kButton - kGap));
+  const bool entered = text_field(ctx, name.c_str(), path, "", KeyStop::path);
+  ImGui::SameLine(0, ctx.px(kGap));
+  if (button(ctx, (dialog + ".browse").c_str(), "Browse…", {ctx.px(kButton), 0})) {
+    std::error_code ignored;
+    const fs::path whole = fs::absolute(path, ignored).lexically_normal();
+    m.saving.browses_for = name;
+    m.saving.found = whole;
+    m.saving.opens_from = m.browser_folder;
+    m.browser_folder = fs::is_directory(whole.parent_path(), ignored) ? whole.parent_path()
+                                                                      : folder_to_offer(ctx.state);
+    open_browser(ctx.state, BrowserPurpose::save);
+  }
+  tooltip(ctx, "Looks for the folder, or for a file to be replaced.");
+  return entered;
+}
+
+void two_small_lines(PanelContext& ctx, const char* name, const Colour& colour,
+                     const std::string& text) {
+  row_label(ctx, "");
+  ImGui::PushFont(ctx.fonts.small);
+  const float width = ctx.px(kTextWidth);
+  const std::string lines = broken_lines(text, width);
+  const std::size_t end = std::min(lines.find('\n'), lines.size());
+  std::string rest = lines.substr(std::min(end + 1, lines.size()));
+  std::replace(rest.begin(), rest.end(), '\n', ' ');
+  if (rest.empty()) rest = " ";  // ImGui counts no empty last line
+  ImGui::PushStyleColor(ImGuiCol_Text, to_imgui(colour));
+  ImGui::TextUnformatted(
+      (fitted_text(lines.substr(0, end), width) + "\n" + fitted_text(rest, width)).c_str());
+  ImGui::PopStyleColor();
+  if (!text.empty()) {
+    if (*name != 0) record(ctx, name);
+    tooltip(ctx, text.c_str());
+  }
+  ImGui::PopFont();
+}
+
+bool save_target(PanelContext& ctx, const std::string& dialog, const std::vector<fs::path>& files,
+                 const std::string& fault) {
+  std::error_code ignored;
+  const fs::path& path = files.front();
+  std::string why_not = why_no_name(path);
+  const char* what = ".no_name";
+  if (why_not.empty()) {
+    why_not = as_sentence(fault);
+    what = ".ending";
+  }
+  for (const fs::path& file : files) {
+    if (!why_not.empty()) break;
+    why_not = why_not_writable(file);
+    what = fs::is_directory(path.parent_path(), ignored) ? ".unwritable" : ".no_folder";
+  }
+  const auto replaced = std::find_if(files.begin(), files.end(), [&](const fs::path& file) {
+    return fs::is_regular_file(file, ignored);
+  });
+  if (!why_not.empty()) {
+    two_small_lines(ctx, (dialog + what).c_str(), ctx.palette.error, why_not);
+  } else if (replaced != files.end()) {
+    two_small_lines(ctx, (dialog + ".replaces").c_str(), ctx.palette.warning,
+                    replaced == files.begin()
+                        ? "This file already exists and will be replaced."
+                        : replaced->filename().string() + " already exists and will be replaced.");
+  } else {
+    two_small_lines(ctx, (dialog + ".target").c_str(), ctx.palette.text_muted, path.string());
+  }
+  return why_not.empty();
+}
+
+}  // namespace alphascope

@@ -1,0 +1,82 @@
+// Saving a session, and what to do when the molecule of one is not where it was or has changed.
+#include <imgui.h>
+
+#include "core/files/output_ending.hpp"
+#include "ui/panels/dialogs/dialog_stack.hpp"
+#include "ui/panels/dialogs/picture_path.hpp"
+#include "ui/panels/dialogs/save_target.hpp"
+
+namespace alphascope {
+namespace {
+
+constexpr float kWidth = 464;  // pixels at scale 1
+
+}  // namespace
+
+void draw_save_session(PanelContext& ctx) {
+  ViewState& s = ctx.state;
+  PanelMemory& m = s.memory;
+  constexpr const char* kTitle = "Save the session";
+  propose_file(ctx, kTitle, "save_session", m.session_path, name_of_file(ctx, kSessionEnding));
+  if (!begin_dialog(ctx, kTitle)) return;
+  const bool entered = file_row(ctx, "save_session", m.session_path);
+  const std::filesystem::path path = path_to_save(m.session_path, kSessionEnding);
+  const bool can_save =
+      save_target(ctx, "save_session", {path}, fault_of_ending(path, {kSessionEnding}));
+  ImGui::PushFont(ctx.fonts.small);
+  row_label(ctx, "");
+  muted_text(ctx, "Holds the name of the molecule and every setting, but not its atoms:");
+  row_label(ctx, "");
+  muted_text(ctx, "keep the molecule's file as well.");
+  ImGui::PopFont();
+  ImGui::Dummy({0, ctx.px(6)});
+  ImGui::NewLine();
+  const DialogAnswer answer = dialog_buttons(ctx, ctx.px(kWidth), {"save_session.cancel", "Cancel"},
+                                             {"save_session.ok", "Save"}, can_save, entered);
+  const bool confirmed = answer == DialogAnswer::confirm;
+  if (confirmed) s.requests.save_session = path;
+  if (confirmed || answer == DialogAnswer::cancel) {
+    note_file(ctx, "save_session", m.session_path, confirmed);
+    m.show_save_session = false;
+  }
+  end_dialog(ctx);
+}
+
+void draw_session_problem(PanelContext& ctx) {
+  ViewState& s = ctx.state;
+  if (!begin_dialog(ctx, "A file of the session is missing or has changed###session_problem"))
+    return;
+  const SessionProblem problem = s.session_problem.value_or(SessionProblem());
+  ImGui::Dummy({ctx.px(kWidth), 0});
+  ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + ctx.px(kWidth));  // for long paths
+  muted_text(ctx, problem.session);
+  ImGui::TextUnformatted(broken_lines(problem.text, ctx.px(kWidth)).c_str());
+  ImGui::PopTextWrapPos();
+  record(ctx, "session.problem");
+  ImGui::Dummy({0, ctx.px(6)});
+  if (button(ctx, "session.cancel", "Cancel", {ctx.px(100), 0}) || escape_pressed(ctx)) {
+    s.requests.session_give_up = true;
+    s.session_problem.reset();
+  }
+  ImGui::SameLine();
+  ImGui::BeginDisabled(!problem.can_open);
+  if (button(ctx, "session.anyway", "Open it anyway", {ctx.px(150), 0})) {
+    s.requests.session_anyway = true;
+    s.session_problem.reset();
+  }
+  ImGui::EndDisabled();
+  tooltip(ctx, problem.can_open ? "Use the file as it is now. Numbers and picture may differ from "
+                                  "those that were saved."
+                                : "There is no file that could be opened.");
+  ImGui::SameLine();
+  ImGui::BeginDisabled(!problem.molecule);
+  const bool choose =
+      button(ctx, "session.choose", "Choose the file…", {ctx.px(150), 0}, ButtonKind::primary);
+  if (choose || (problem.molecule && enter_pressed(ctx))) {
+    open_browser(s, BrowserPurpose::session_molecule);
+  }
+  ImGui::EndDisabled();
+  end_dialog(ctx);
+}
+
+}  // namespace alphascope

@@ -1,0 +1,250 @@
+// See the header.
+#include "ui/panels/explain/steps_parts.hpp"
+
+#include <algorithm>
+#include <charconv>
+
+#include "core/document/explain/step_names.hpp"
+#include "core/text/grouped_number.hpp"
+#include "ui/number_text.hpp"
+#include "ui/panels/explain/steps_layer.hpp"
+#include "ui/panels/panels.hpp"
+#include "ui/panels/sandbox/sandbox_edit.hpp"
+#include "ui/widgets/table_cells.hpp"
+
+namespace alphascope {
+namespace {
+
+// A button that runs a command, grey where that cannot run.
+void move_button(PanelContext& ctx, const char* id, const char* label) {
+  const CommandSpec* const spec = ctx.commands.find(id);
+  if (spec == nullptr) return;
+  const std::string against = spec->reason_against();
+  ImGui::BeginDisabled(!against.empty());
+  if (button(ctx, id, label, {ctx.px(50), 0})) run_command(ctx, *spec);
+  ImGui::EndDisabled();
+  const std::string keys = spec->shortcuts_text();
+  tooltip(ctx, (spec->help + (keys.empty() ? "." : " (" + keys + ").")).c_str());
+  ImGui::SameLine(0, ctx.px(4));
+}
+
+void engine_choice(PanelContext& ctx) {
+  StepsMemory& memory = ctx.state.memory.steps;
+  if (steps_engines().size() < 2) return;
+  ImGui::SetNextItemWidth(ctx.px(170));
+  if (list_field(ctx, "steps.engine", spec_of(memory.engine).title)) {
+    for (const StepsEngineSpec& spec : steps_engines()) {
+      const char* const id = steps_engine_id(spec.engine);
+      if (ImGui::Selectable(spec.title, spec.engine == memory.engine)) {
+        ctx.commands.run("steps.engine", {id});
+      }
+      record(ctx, (std::string("steps.engine.") + id).c_str());
+    }
+    ImGui::EndCombo();
+  }
+  record(ctx, "steps.engine");
+  tooltip(ctx, "Whose steps are shown. It need not be the engine that computed the complex.");
+}
+
+// Behind the item before, or below it.
+void optimisation(PanelContext& ctx, const char* name, const char* label, bool& value) {
+  same_line_where_it_fits(
+      ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x + ImGui::CalcTextSize(label).x,
+      ctx.px(12));
+  checkbox(ctx, name, label, value);
+  const CommandSpec* const spec = ctx.commands.find(name);
+  if (spec != nullptr) tooltip(ctx, (spec->help + ".").c_str());
+}
+
+// --- colours
+
+void legend_line(PanelContext& ctx, StepMark mark, const std::string& text, bool box) {
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float side = ImGui::GetFontSize() * 0.7f, down = (ImGui::GetTextLineHeight() - side) / 2;
+  const ImVec2 low{at.x, at.y + down}, high{at.x + side, at.y + down + side};
+  const ImU32 colour = to_u32(step_colour(mark, ctx.state.theme));
+  if (box) {
+    ImGui::GetWindowDrawList()->AddRect(low, high, colour, 0, 0, ctx.px(1.5f));
+  } else {
+    ImGui::GetWindowDrawList()->AddRectFilled(low, high, colour);
+  }
+  ImGui::Dummy({side, ImGui::GetTextLineHeight()});
+  ImGui::SameLine(0, ctx.px(6));
+  ImGui::TextUnformatted(fitted_text(text, ImGui::GetContentRegionAvail().x).c_str());
+}
+
+std::size_t listed(const MarkedSimplices& m) {
+  return m.vertices.size() + m.edges.size() + m.triangles.size() + m.tetrahedra.size();
+}
+
+// In the order of the marks, each once.
+void legend(PanelContext& ctx, const Step& step) {
+  legend_line(ctx, StepMark::chosen, step_mark_name(step.kind, StepMark::chosen), false);
+  for (const StepMark mark : {StepMark::kept, StepMark::undecided, StepMark::dropped}) {
+    std::uint64_t number = 0, left_out = 0;
+    for (const MarkedSimplices& marked : step.marks) {
+      if (marked.mark != mark) continue;
+      number += listed(marked) + marked.left_out;
+      left_out += marked.left_out;
+    }
+    if (number == 0) continue;
+    std::string text = std::string(step_mark_name(step.kind, mark)) + ": " + grouped(number);
+    if (left_out > 0) text += ", " + grouped(number - left_out) + " drawn";
+    legend_line(ctx, mark, text, false);
+  }
+  for (const StepBox& box : step.boxes) {
+    legend_line(ctx, box.mark, step_box_name(step.kind, box.mark), true);
+  }
+  for (const StepSphere& sphere : step.spheres) {
+    legend_line(ctx, sphere.mark, "its grown ball", true);
+  }
+  if (!step.segments.empty()) {
+    legend_line(ctx, step.segments.front().mark,
+                "rods: " + grouped(step.segments.size()) + " dual edges, as far as they are left",
+                false);
+  }
+  record(ctx, "steps.legend");
+}
+
+// --- numbers
+
+struct CountColumns {
+  bool here = false, optimised = false;
+};
+
+void count_row(PanelContext& ctx, const StepCount& count, const CountColumns& columns) {
+  const StepsMemory& memory = ctx.state.memory.steps;
+  const Step& step = memory.shown->steps.steps[memory.at()];
+  ImGui::TableNextRow();
+  ImGui::TableNextColumn();
+  ImGui::TextUnformatted(step_count_name(count.id).c_str());
+  number_cell(grouped(count.all));
+  record(ctx, ("steps.count." + std::string(count.id)).c_str());
+  if (columns.here) number_cell(count.here == count.all ? "" : grouped(count.here));
+  if (!columns.optimised) return;
+  const StepCount* const before = memory.shown->optimised_count(step, count.id);
+  number_cell(before == nullptr ? "–" : grouped(before->all));
+}
+
+void header_cell(PanelContext& ctx, const char* text, const char* help) {
+  ImGui::TableNextColumn();
+  ImGui::PushStyleColor(ImGuiCol_Text, to_imgui(ctx.palette.text_muted));
+  right_text(text);
+  ImGui::PopStyleColor();
+  tooltip(ctx, help);
+}
+
+void count_table(PanelContext& ctx, const Step& step) {
+  CountColumns columns;
+  columns.here = std::any_of(step.counts.begin(), step.counts.end(),
+                             [](const StepCount& count) { return count.here != count.all; });
+  columns.optimised = ctx.state.memory.steps.shown->optimised.has_value();
+  const int numbers = 1 + int{columns.here} + int{columns.optimised};
+  if (!ImGui::BeginTable("counts", 1 + numbers, ImGuiTableFlags_SizingFixedFit)) return;
+  ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthStretch);
+  if (numbers > 1) {
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    header_cell(ctx, "all", "All that contain the ball.");
+    if (columns.here) {
+      header_cell(ctx, "here",
+                  "Of these, what the engine makes at this ball, because it comes first in the "
+                  "grid. Each tuple is made once, at the first of its balls.");
+    }
+    if (columns.optimised) header_cell(ctx, "both on", "All, with both optimisations.");
+  }
+  for (const StepCount& count : step.counts) count_row(ctx, count, columns);
+  ImGui::EndTable();
+}
+
+}  // namespace
+
+void draw_steps_controls(PanelContext& ctx) {
+  StepsMemory& memory = ctx.state.memory.steps;
+  move_button(ctx, "steps.first", "First");
+  move_button(ctx, "steps.back", "Back");
+  move_button(ctx, "steps.play", memory.playing ? "Pause" : "Play");
+  move_button(ctx, "steps.next", "Next");
+  move_button(ctx, "steps.last", "Last");
+  ImGui::SameLine(0, ctx.px(12));
+  engine_choice(ctx);
+  if (spec_of(memory.engine).has_optimisations) {
+    optimisation(ctx, "steps.edge_optimisation", "Edge optimisation", memory.edge_optimisation);
+    optimisation(ctx, "steps.alpha_optimisation", "Alpha optimisation", memory.alpha_optimisation);
+  }
+}
+
+void draw_step_list(PanelContext& ctx, float width) {
+  StepsMemory& memory = ctx.state.memory.steps;
+  ImGui::PushFont(ctx.fonts.small);
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ctx.px(6), ctx.px(2)});
+  ImGui::BeginChild("list", {width, 0}, false);
+  for (std::size_t n = 0; n < memory.count(); ++n) {
+    const StepText& text = memory.shown->texts[n];
+    const std::string name = "steps.step." + std::to_string(n + 1);
+    const float right = ImGui::GetContentRegionAvail().x - ctx.px(4),
+                brief = ImGui::CalcTextSize(text.brief.c_str()).x;
+    const std::string title = std::to_string(n + 1) + "  " + text.title;
+    ImGui::PushID(static_cast<int>(n));
+    if (ImGui::Selectable(fitted_text(title, right - brief - ctx.px(8)).c_str(),
+                          n == memory.at())) {
+      memory.show(n);
+      memory.playing = false;
+    }
+    record(ctx, name.c_str());
+    tooltip(ctx, (text.title + ": " + text.brief).c_str());
+    if (n == memory.at() && std::exchange(memory.scroll_to, false)) ImGui::SetScrollHereY();
+    ImGui::SameLine(right - brief);
+    muted_text(ctx, text.brief);
+    ImGui::PopID();
+  }
+  ImGui::EndChild();
+  ImGui::PopStyleVar();
+  ImGui::PopFont();
+}
+
+void draw_step_counts(PanelContext& ctx, float width) {
+  StepsMemory& memory = ctx.state.memory.steps;
+  ImGui::BeginChild("counts", {width, 0}, false);
+  checkbox(ctx, "steps.marks", "Draw", memory.marks);
+  tooltip(ctx, "Draws the step in the picture. Balls and complex become pale meanwhile.");
+  constexpr const char* kLook = "Look at it";
+  same_line_where_it_fits(button_width(kLook), ctx.px(10));
+  if (button(ctx, "steps.look", kLook)) memory.look = true;
+  tooltip(ctx, "Brings the ball and its neighbours into the middle of the view.");
+  ImGui::PushFont(ctx.fonts.small);
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ctx.px(6), ctx.px(2)});
+  const Step& step = memory.shown->steps.steps[memory.at()];
+  if (memory.marks) legend(ctx, step);
+  count_table(ctx, step);
+  ImGui::PopStyleVar();
+  ImGui::PopFont();
+  ImGui::EndChild();
+}
+
+std::vector<std::string> steps_notes(const PanelContext& ctx) {
+  const StepsMemory& memory = ctx.state.memory.steps;
+  std::vector<std::string> notes;
+  if (shows_flat_drawing(ctx.state)) {
+    notes.push_back(
+        "The flat drawing does not show steps. Switch it off, on the page Sandbox, to see them.");
+  }
+  if (ctx.state.appearance.hidden.contains(ctx.inputs.atoms->atom(memory.shown->steps.ball))) {
+    notes.push_back("This atom is hidden in the picture. It takes part all the same.");
+  }
+  return notes;
+}
+
+std::optional<std::size_t> step_number(const BallSteps& steps, const std::string& text) {
+  std::size_t number = 0;
+  const char* const end = text.data() + text.size();
+  if (std::from_chars(text.data(), end, number).ptr == end && number > 0) {
+    return number <= steps.steps.size() ? std::optional(number - 1) : std::nullopt;
+  }
+  for (std::size_t n = 0; n < steps.steps.size(); ++n) {
+    if (text == step_id(steps.steps[n].kind)) return n;
+  }
+  return std::nullopt;
+}
+
+}  // namespace alphascope

@@ -1,0 +1,96 @@
+// Why is the selected simplex in the complex, or not? Sentences with their numbers, buttons to go
+// to what decides, and the orthosphere in the picture.
+#include "core/document/store/store.hpp"
+#include "ui/number_text.hpp"
+#include "ui/panels/explain/why_layer.hpp"
+#include "ui/panels/panels.hpp"
+
+namespace alphascope {
+namespace {
+
+// The layer belongs to the balls on screen.
+void draw_marks_of(PanelContext& ctx, WhyMemory& memory) {
+  if (!memory.layer) {
+    memory.layer = make_why_layer(memory.shown->explanation, memory.balls, ++memory.layers_made);
+  }
+  if (memory.marks) ctx.state.layers.push_back(memory.layer);
+}
+
+void take_answer(WhyMemory& memory, const Derived<ExplainedSimplex>& found, const Inputs& inputs) {
+  if (memory.shown == found.value && memory.balls == inputs.balls) return;
+  memory.shown = found.value;
+  memory.balls = inputs.balls;
+  memory.layer = nullptr;
+}
+
+void go_to(PanelContext& ctx, const std::vector<BallIndex>& balls) {
+  ViewState& s = ctx.state;
+  s.picked.clear();
+  s.picked.items = RefSet({ctx.inputs.atoms->reference(balls)});
+  s.requests.zoom_to_selection = true;
+}
+
+void draw_line(PanelContext& ctx, const ExplanationLine& line, std::size_t number, bool current) {
+  constexpr float kHeading = 110, kButton = 64;
+  const float left = ImGui::GetCursorPosX();
+  const float top = ImGui::GetCursorPosY();
+  const std::string name = "why.line." + std::to_string(number);
+  muted_text(ctx, line.heading);
+  ImGui::SetCursorPos({left + ctx.px(kHeading), top});
+  const float width = ImGui::GetContentRegionAvail().x - ctx.px(kButton + 12);
+  const std::string text = broken_lines(with_minus_signs(line.text), width);
+  if (current) {
+    ImGui::TextUnformatted(text.c_str());
+  } else {
+    ImGui::PushStyleColor(ImGuiCol_Text, to_imgui(ctx.palette.text_muted));
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::PopStyleColor();
+  }
+  record(ctx, name.c_str());
+  const float below = ImGui::GetCursorPosY();
+  if (line.about.empty() || !current) return;
+  ImGui::SetCursorPos({left + ctx.px(kHeading) + width + ctx.px(8), top - ctx.px(2)});
+  const std::string go = "why.go." + std::to_string(number);
+  if (button(ctx, go.c_str(), "Go to", {ctx.px(kButton), 0}, ButtonKind::quiet)) {
+    go_to(ctx, line.about);
+  }
+  tooltip(ctx, line.about.size() == 1 ? "Selects this ball, and looks at it."
+                                      : "Selects this simplex, and looks at it.");
+  ImGui::SetCursorPosY(std::max(below, ImGui::GetCursorPosY()));
+}
+
+void draw_answer(PanelContext& ctx, const WhyMemory& memory, bool current) {
+  ImGui::BeginChild("why", {0, 0}, false);
+  const auto& lines = memory.shown->lines;
+  for (std::size_t n = 0; n < lines.size(); ++n) draw_line(ctx, lines[n], n, current);
+  ImGui::EndChild();
+}
+
+}  // namespace
+
+void draw_why_panel(PanelContext& ctx) {
+  WhyMemory& memory = ctx.state.memory.why;
+  checkbox(ctx, "why.marks", "Show in the picture", memory.marks);
+  tooltip(ctx,
+          "Draws the orthosphere (yellow wire; none where it is imaginary), the nearest other ball "
+          "(red wire), and the dual edge, facet or cell (green): the part of space that the balls "
+          "of this simplex share.");
+  if (!ctx.inputs.balls || !ctx.inputs.atoms) {
+    memory.shown = nullptr;
+    return muted_wrapped(ctx, "Open a molecule: what is selected in it is explained here.");
+  }
+  const AskedSimplex asked = asked_simplex(ctx.state.picked.items, *ctx.inputs.atoms);
+  if (!asked.why_not.empty()) {
+    memory.shown = nullptr;
+    muted_wrapped(ctx, asked.why_not);
+    return record(ctx, "why.nothing");
+  }
+  const auto found = ctx.store.want(explained_simplex(asked.balls), ctx.inputs);
+  if (found.ready()) take_answer(memory, found, ctx.inputs);
+  if (!found.value && !found.why.empty()) return muted_wrapped(ctx, found.why);
+  if (!memory.shown || memory.balls != ctx.inputs.balls) return;
+  draw_marks_of(ctx, memory);
+  draw_answer(ctx, memory, found.ready());
+}
+
+}  // namespace alphascope

@@ -1,0 +1,102 @@
+// What mouse and keys do: the keys from the list of commands.
+#include <initializer_list>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "ui/panels/dialogs/dialog_stack.hpp"
+
+namespace alphascope {
+namespace {
+
+// Pixels at scale 1. The keys are in two halves beside each other.
+constexpr float kMouseWidth = 180, kKeysWidth = 115, kWhatWidth = 195;
+constexpr float kWidth = 2 * (kKeysWidth + kWhatWidth);
+
+// The mouse has no commands.
+constexpr std::pair<const char*, const char*> kMouse[] = {
+    {"Drag", "Turn the view"},
+    {"Middle drag, Shift+drag", "Pan the view"},
+    {"Wheel, right drag", "Zoom"},
+    {"Hover over a ball or simplex", "Say what it is"},
+    {"Click", "Select it; beside everything: select nothing"},
+    {"Right click", "Open a menu of what can be done with it"},
+    {"Ctrl+click, Shift+click", "Add it to the selection, or take it out"},
+    {"Ctrl+click on a slider", "Type the value"},
+    {"Drop a file", "Open a molecule or a session"}};
+
+struct Row {
+  std::string keys, what;
+};
+
+// What no command does: where the keyboard is.
+const Row kPlaces[] = {{"Tab, Shift+Tab", "Next, previous field or button"},
+                       {"Space, Enter", "Press it"},
+                       {"Alt, F10", "Menu bar"}};
+
+void cells(PanelContext& ctx, const Row& row) {
+  ImGui::TableNextColumn();
+  ImGui::TextUnformatted(row.keys.c_str());
+  ImGui::TableNextColumn();
+  muted_text(ctx, row.what);
+}
+
+bool begin_rows(PanelContext& ctx, const char* title, std::initializer_list<float> widths) {
+  strong_text(ctx, title);
+  if (!ImGui::BeginTable(title, static_cast<int>(widths.size()))) return false;
+  for (const float width : widths) {
+    ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed, ctx.px(width));
+  }
+  return true;
+}
+
+void end_rows(PanelContext& ctx) {
+  ImGui::EndTable();
+  ImGui::Dummy({0, ctx.px(4)});
+}
+
+std::string without_dots(std::string title) {
+  constexpr std::string_view kDots = "…";
+  if (title.ends_with(kDots)) title.resize(title.size() - kDots.size());
+  return title;
+}
+
+void add_command(const CommandSpec& spec, std::vector<Row>& rows) {
+  const std::string title = without_dots(spec.title), keys = spec.shortcuts_text();
+  if (!keys.empty()) rows.push_back({keys, title + (spec.is_switch() ? " on or off" : "")});
+  for (const Shortcut& shortcut : spec.shortcuts) {
+    if (shortcut.arguments.empty()) continue;
+    const std::string unit = spec.parameters.empty() ? "" : spec.parameters[0].unit();
+    std::string argument = shortcut.arguments;  // as it is typed
+    if (argument.starts_with('-')) argument.replace(0, 1, "−");
+    rows.push_back({shortcut.keys, title + " " + argument + (unit.empty() ? "" : " " + unit)});
+  }
+  for (const Shortcut& shortcut : spec.keys_before_others) rows.push_back({shortcut.keys, title});
+}
+
+}  // namespace
+
+void draw_cheat_sheet(PanelContext& ctx) {
+  if (!begin_dialog(ctx, "Mouse and keyboard")) return;
+  if (begin_rows(ctx, "Mouse", {kMouseWidth, kWidth - kMouseWidth})) {
+    for (const auto& [keys, what] : kMouse) cells(ctx, {keys, what});
+    end_rows(ctx);
+  }
+  std::vector<Row> rows(std::begin(kPlaces), std::end(kPlaces));
+  for (const CommandSpec& spec : ctx.commands.all()) add_command(spec, rows);
+  if (begin_rows(ctx, "Keyboard", {kKeysWidth, kWhatWidth, kKeysWidth, kWhatWidth})) {
+    const std::size_t half = (rows.size() + 1) / 2;
+    for (std::size_t n = 0; n < half; ++n) {
+      cells(ctx, rows[n]);
+      if (half + n < rows.size()) cells(ctx, rows[half + n]);
+    }
+    end_rows(ctx);
+  }
+  ImGui::NewLine();
+  if (close_button(ctx, ctx.px(kWidth + 8), {"cheat_sheet.close", "Close"})) {
+    ctx.state.memory.show_cheat_sheet = false;
+  }
+  end_dialog(ctx);
+}
+
+}  // namespace alphascope

@@ -1,0 +1,111 @@
+// Counts, Euler number, hash, device and memory of the result on screen, in one line.
+#include <algorithm>
+
+#include "ui/panels/panels.hpp"
+#include "ui/widgets/format.hpp"
+
+namespace alphascope {
+namespace {
+
+void item(PanelContext& ctx, const char* name, const char* label, const std::string& value,
+          const char* help) {
+  ImGui::BeginGroup();
+  muted_text(ctx, label);
+  ImGui::SameLine(0, ctx.px(5));
+  ImGui::TextUnformatted(value.c_str());
+  ImGui::EndGroup();
+  record(ctx, name);
+  tooltip(ctx, help);
+  ImGui::SameLine(0, ctx.px(16));
+}
+
+void counts(PanelContext& ctx) {
+  const AlphaComplex& c = ctx.state.result->complex;
+  const std::string hash = hash_text(c.hash);
+  const auto number = [](std::size_t n) { return with_separators(static_cast<long long>(n)); };
+  if (!c.tetrahedra_only) {
+    item(ctx, "status.vertices", "vertices", number(c.vertices.size()),
+         "Balls that are in the complex.");
+    item(ctx, "status.edges", "edges", number(c.edges.size()), "Edges of the complex.");
+    item(ctx, "status.triangles", "triangles", number(c.triangles.size()),
+         "Triangles of the complex.");
+  }
+  item(ctx, "status.tetrahedra", "tetrahedra", number(c.tetrahedra.size()),
+       "Tetrahedra of the complex.");
+  if (!c.tetrahedra_only) {
+    item(ctx, "status.euler", "Euler χ", with_separators(c.euler_characteristic()),
+         "Vertices − edges + triangles − tetrahedra = components − tunnels + voids.");
+  }
+  ImGui::BeginGroup();
+  muted_text(ctx, "hash");
+  ImGui::SameLine(0, ctx.px(5));
+  ImGui::PushFont(ctx.fonts.mono);
+  ImGui::TextUnformatted(hash.c_str());
+  ImGui::PopFont();
+  ImGui::EndGroup();
+  record(ctx, "status.hash");
+  tooltip(ctx,
+          "Hash of the set of simplices: equal complexes have equal hashes, on every engine and on "
+          "the command line. Click to copy.");
+  if (ImGui::IsItemClicked()) ImGui::SetClipboardText(hash.c_str());
+  ImGui::SameLine(0, ctx.px(16));
+}
+
+// In the place of device and memory.
+bool under_mouse(PanelContext& ctx) {
+  const std::string& line = ctx.state.viewport.under_mouse_line;
+  if (line.empty()) return false;
+  const float end = ImGui::GetWindowWidth() - ctx.px(12), start = ImGui::GetCursorPosX();
+  const std::string text = fitted_text(line, end - start);
+  ImGui::SetCursorPosX(std::max(start, end - ImGui::CalcTextSize(text.c_str()).x));
+  ImGui::TextUnformatted(text.c_str());
+  record(ctx, "status.under_mouse");
+  return true;
+}
+
+}  // namespace
+
+void draw_status_bar(PanelContext& ctx) {
+  const ViewState& s = ctx.state;
+  ImGui::PushFont(ctx.fonts.small);
+  if (s.result) {
+    counts(ctx);
+  } else {
+    muted_text(ctx, s.molecule.loaded ? "No complex yet" : "No molecule");
+    ImGui::SameLine(0, ctx.px(16));
+  }
+  if (!s.picked_text.empty()) {
+    item(
+        ctx, "status.selected", "selected", s.picked_text,
+        "Atoms and simplices that you selected in the picture. Those whose atoms are no balls now, "
+        "or that are not in the complex at this alpha, are kept and come back with them.");
+  }
+  if (under_mouse(ctx)) {
+    ImGui::PopFont();
+    return;
+  }
+  const std::string memory = bytes_text(s.memory_bytes) + " memory";
+  std::string right = s.device_text.empty() ? memory : s.device_text + "  ·  " + memory;
+  if (!s.background.text.empty()) right = s.background.text + "  ·  " + right;
+  const float end = ImGui::GetWindowWidth() - ctx.px(12);
+  const float room = end - ImGui::GetCursorPosX();
+  for (const std::string& shorter : {memory, bytes_text(s.memory_bytes)}) {
+    if (ImGui::CalcTextSize(right.c_str()).x > room) right = shorter;
+  }
+  const float width = ImGui::CalcTextSize(right.c_str()).x;
+  if (!s.notice.empty() && room > width + ctx.px(80)) {
+    ImGui::TextUnformatted(fitted_text(s.notice, room - width - ctx.px(24)).c_str());
+    record(ctx, "status.notice");
+    tooltip(ctx, s.notice.c_str());
+    ImGui::SameLine();
+  }
+  if (width <= room) {
+    ImGui::SetCursorPosX(end - width);
+    muted_text(ctx, right);
+    record(ctx, "status.device");
+    if (!s.background.detail.empty()) tooltip(ctx, s.background.detail.c_str());
+  }
+  ImGui::PopFont();
+}
+
+}  // namespace alphascope

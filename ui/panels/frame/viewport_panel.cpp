@@ -1,0 +1,389 @@
+// The 3-D view's frame: shows the picture, collects the mouse, and lays progress, notes and the
+// empty state over it. Draws no molecule itself; marks are in view_marks.cpp.
+#include <algorithm>
+#include <cmath>
+
+#include "core/document/explain/dimension_words.hpp"
+#include "core/predicates/spanning_balls.hpp"
+#include "ui/caption.hpp"
+#include "ui/panels/complex/clip_panel.hpp"
+#include "ui/panels/frame/view_marks.hpp"
+#include "ui/panels/panels.hpp"
+#include "ui/panels/sandbox/flat_view.hpp"
+#include "ui/panels/sandbox/sandbox_edit.hpp"
+#include "ui/widgets/format.hpp"
+
+namespace alphascope {
+namespace {
+
+// The picture is opaque although its alpha channel says otherwise: the scene's texture reads as
+// one.
+void picture(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
+  ImDrawList* draw = ImGui::GetWindowDrawList();
+  const ImVec2 end{corner.x + size.x, corner.y + size.y};
+  const auto texture =
+      reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(ctx.state.viewport.texture));
+  if (ctx.state.viewport.texture != 0 && ctx.state.molecule.loaded) {
+    draw->AddImage(texture, corner, end, {0, 1}, {1, 0});
+    if (ctx.state.viewport.outdated) {
+      draw->AddRectFilled(corner, end, to_u32(ctx.palette.scene, 0.6f));
+    }
+  } else {
+    draw->AddRectFilled(corner, end, to_u32(ctx.palette.scene));
+  }
+}
+
+void mouse(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
+  ViewportInfo& v = ctx.state.viewport;
+  ImGui::SetCursorScreenPos(corner);
+  ImGui::InvisibleButton("##view", size,
+                         ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
+                             ImGuiButtonFlags_MouseButtonMiddle);
+  record(ctx, "view");
+  const bool beside_menu = ctx.state.memory.context.open &&
+                           ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenBlockedByPopup);
+  v.hovered = false;
+  if (!ctx.state.molecule.loaded) return;
+  const ImGuiIO& io = ImGui::GetIO();
+  const bool on_view = ImGui::IsItemHovered();
+  const bool hovered = on_view && !clip_handle_mouse(ctx, corner, on_view);
+  v.hovered = hovered && !ImGui::IsAnyMouseDown();
+  v.mouse_x = static_cast<int>(io.MousePos.x - corner.x);
+  v.mouse_y = static_cast<int>(io.MousePos.y - corner.y);
+  if (!v.under_mouse.empty()) tooltip(ctx, v.under_mouse.c_str());
+  bool& dragging = ctx.state.memory.dragging_view;
+  const auto event = [&](PointerEvent::Kind kind, int button, double wheel) {
+    v.events.push_back({kind, static_cast<int>(io.MousePos.x - corner.x),
+                        static_cast<int>(io.MousePos.y - corner.y), button, wheel, io.KeyCtrl,
+                        io.KeyShift});
+  };
+  if (dragging && (io.MouseDelta.x != 0 || io.MouseDelta.y != 0)) {
+    event(PointerEvent::Kind::move, 0, 0);
+  }
+  bool any_down = false;
+  for (int b = 0; b < 3; ++b) {
+    // The menu of another place closes with a press, and that of this one opens with the release.
+    if ((hovered || (beside_menu && b == 1)) && ImGui::IsMouseClicked(b)) {
+      event(PointerEvent::Kind::move, b, 0);
+      event(PointerEvent::Kind::press, b, 0);
+      dragging = true;
+    } else if (dragging && ImGui::IsMouseReleased(b)) {
+      event(PointerEvent::Kind::release, b, 0);
+      // Farther than a hand trembles, it was a drag.
+      const float reach = ctx.px(4);
+      if (b != 2 && io.MouseDragMaxDistanceSqr[b] <= reach * reach) {
+        event(PointerEvent::Kind::click, b, 0);
+      }
+    }
+    any_down = any_down || ImGui::IsMouseDown(b);
+  }
+  if (!any_down) dragging = false;
+  if (hovered && io.MouseWheel != 0) event(PointerEvent::Kind::wheel, 0, io.MouseWheel);
+}
+
+void caption(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
+  if (!ctx.state.result) return;
+  const ViewState& s = ctx.state;
+  const std::string text = caption_text(*s.result);
+  // Progress is told at the right.
+  const float room = size.x - ctx.px(s.busy.active || s.saving.active ? 260 : 32);
+  ImVec2 place{corner.x + ctx.px(16), corner.y + ctx.px(14)};
+  for (const std::string& line : {text, s.pending}) {
+    const std::string fitted = fitted_text(line, room);
+    draw_rim(ctx, place, fitted);
+    ImGui::GetWindowDrawList()->AddText(place, to_u32(ctx.palette.text_muted), fitted.c_str());
+    place.y += ImGui::GetTextLineHeightWithSpacing();
+  }
+}
+
+void begin_overlay(PanelContext& ctx, const char* id, ImVec2 position, ImVec2 pivot) {
+  ImGui::SetNextWindowPos(position, ImGuiCond_Always, pivot);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, ctx.px(8));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, to_imgui(ctx.palette.panel_raised, 0.96f));
+  ImGui::Begin(id, nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                   ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize |
+                   ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav);
+}
+
+void end_overlay() {
+  ImGui::End();
+  ImGui::PopStyleColor();
+  ImGui::PopStyleVar(2);
+}
+
+// Below the caption and what is pending, and below `top` (pixels of the view). A picture that lacks
+// atoms must say so. Returns where it ends.
+float hidden_note(PanelContext& ctx, ImVec2 corner, float top) {
+  const ViewState& s = ctx.state;
+  const std::size_t hidden = s.viewport.hidden_balls;
+  if (hidden == 0) return top;
+  const float row = ImGui::GetTextLineHeightWithSpacing();
+  const float y = std::max(ctx.px(12) + 2 * row, top);
+  begin_overlay(ctx, "##hidden", {corner.x + ctx.px(10), corner.y + y}, {0, 0});
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextColored(to_imgui(ctx.palette.warning), "%s", hidden_text(hidden).c_str());
+  record(ctx, "view.hidden");
+  ImGui::SameLine(0, ctx.px(8));
+  if (button(ctx, "view.show_hidden", "Show all")) ctx.commands.run("atoms.show_all");
+  const float height = ImGui::GetWindowHeight();
+  end_overlay();
+  return y + height + ctx.px(6);
+}
+
+// For work whose share is not known: a piece that goes to and fro, which no one takes for a share.
+void busy_bar(PanelContext& ctx, float width, double seconds) {
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const float height = ImGui::GetFrameHeight(), piece = width / 5;
+  constexpr double kPeriod = 2;  // seconds, to and fro
+  const double phase = std::fmod(seconds, kPeriod) / kPeriod;
+  const float at = static_cast<float>(1 - std::fabs(2 * phase - 1)) * (width - piece);
+  const float rounding = ImGui::GetStyle().FrameRounding;
+  ImDrawList* draw = ImGui::GetWindowDrawList();
+  draw->AddRectFilled(corner, {corner.x + width, corner.y + height}, to_u32(ctx.palette.field),
+                      rounding);
+  draw->AddRectFilled({corner.x + at, corner.y + ctx.px(2)},
+                      {corner.x + at + piece, corner.y + height - ctx.px(2)},
+                      to_u32(ctx.palette.accent, 0.55f), rounding);
+  const std::string text = number_text(seconds, 1) + " s";
+  const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+  draw->AddText({corner.x + (width - size.x) / 2, corner.y + (height - size.y) / 2},
+                to_u32(ctx.palette.text), text.c_str());
+  ImGui::Dummy({width, height});
+  record(ctx, "view.busy_bar");
+}
+
+// Only for what takes long enough to be read; short work would flicker.
+void progress(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
+  const BusyInfo& b = ctx.state.busy;
+  constexpr double kShowAfterSeconds = 0.25;
+  if (!b.active || b.seconds < kShowAfterSeconds) return;
+  begin_overlay(ctx, "##progress", {corner.x + size.x - ctx.px(14), corner.y + ctx.px(12)}, {1, 0});
+  ImGui::TextUnformatted(fitted_text(b.what, ctx.px(250)).c_str());
+  if (b.share >= 0) {
+    ImGui::SameLine();  // on the bar's colour it would be hard to read
+    ImGui::TextUnformatted((number_text(b.share * 100, 0) + " %").c_str());
+    ImGui::ProgressBar(static_cast<float>(b.share), {ctx.px(220), 0}, "");
+  } else {
+    busy_bar(ctx, ctx.px(220), b.seconds);
+  }
+  ImGui::SameLine();
+  if (button(ctx, "view.cancel", "Cancel")) ctx.state.requests.cancel = true;
+  end_overlay();
+}
+
+// Below the place of the line above, which may come and go.
+void saving(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
+  const BusyInfo& b = ctx.state.saving;
+  if (!b.active) return;
+  const float row = ImGui::GetFrameHeightWithSpacing() + 2 * ImGui::GetStyle().WindowPadding.y;
+  begin_overlay(ctx, "##saving",
+                {corner.x + size.x - ctx.px(14), corner.y + ctx.px(24) + 1.7f * row}, {1, 0});
+  // As wide whatever it says, or it would jump with each step.
+  const float width = ctx.px(220), left = ImGui::GetCursorPosX();
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted(fitted_text(b.what, width).c_str());
+  record(ctx, "view.saving");
+  ImGui::SameLine(left + width + ctx.px(8));
+  if (button(ctx, "view.cancel_save", "Cancel")) ctx.state.requests.cancel_save = true;
+  tooltip(ctx, "Nothing half is left; an existing file stays as it is.");
+  const std::string so_far = number_text(b.seconds, 1) + " s";
+  muted_text(ctx, fitted_text(b.step.empty() ? so_far : b.step, width));
+  record(ctx, "view.saving_step");
+  const float share = static_cast<float>(std::max(0.0, b.share));
+  ImGui::ProgressBar(share, {width, ctx.px(4)}, "");
+  end_overlay();
+}
+
+// A view that shows nothing looks like a broken picture. Below `top`, pixels of the view.
+void problem(PanelContext& ctx, ImVec2 corner, ImVec2 size, float top) {
+  const ViewportInfo& v = ctx.state.viewport;
+  if (v.problem == ViewProblem::none || !ctx.state.molecule.loaded || v.outdated) return;
+  begin_overlay(ctx, "##trouble", {corner.x + size.x / 2, corner.y + std::max(ctx.px(44), top)},
+                {0.5f, 0});
+  ImGui::AlignTextToFramePadding();
+  const bool cut_away = v.problem == ViewProblem::cut_away;
+  const bool all_hidden = v.problem == ViewProblem::all_hidden;
+  ImGui::TextUnformatted(all_hidden ? "All that would be drawn is hidden."
+                         : cut_away ? "The clip cuts everything away."
+                         : v.problem == ViewProblem::inside_a_ball
+                             ? "The camera is inside a ball."
+                             : "The molecule is out of view.");
+  record(ctx, "view.trouble");
+  ImGui::SameLine();
+  if (all_hidden) {
+    const CommandSpec* const show = ctx.commands.find("atoms.show_all");
+    if (button(ctx, "view.show_hidden", "Show all atoms") && show) run_command(ctx, *show, {});
+    return end_overlay();
+  }
+  if (cut_away) {
+    if (button(ctx, "view.no_clip", "No clip (K)")) ctx.state.clip.kind = Clip::Kind::off;
+    return end_overlay();
+  }
+  if (button(ctx, "view.show_all", "Show all (R)")) ctx.state.requests.reset_view = true;
+  end_overlay();
+}
+
+// Above the legends.
+void drop_note(PanelContext& ctx, ImVec2 corner, ImVec2 size, float legends_height) {
+  std::string& note = ctx.state.drop_note;
+  if (note.empty()) return;
+  begin_overlay(ctx, "##dropped",
+                {corner.x + ctx.px(14), corner.y + size.y - ctx.px(14) - legends_height}, {0, 1});
+  ImGui::TextUnformatted(note.c_str());
+  record(ctx, "view.dropped");
+  if (button(ctx, "view.dropped.ok", "OK", {ctx.px(80), 0})) note.clear();
+  end_overlay();
+}
+
+void empty_state(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
+  ViewState& s = ctx.state;
+  if (s.molecule.loaded || s.busy.active) return;
+  begin_overlay(ctx, "##empty", {corner.x + size.x / 2, corner.y + size.y / 2}, {0.5f, 0.5f});
+  ImGui::Dummy({ctx.px(460), ctx.px(2)});
+  ImGui::PushFont(ctx.fonts.large);
+  ImGui::TextUnformatted("Open a molecule to begin");
+  ImGui::PopFont();
+  muted_text(ctx,
+             "Drop a file here, or choose one: PDB, mmCIF, XYZR, PQR, XYZ, CRD; plain or .gz.");
+  ImGui::Dummy({0, ctx.px(6)});
+  if (button(ctx, "empty.open", "Open file…", {ctx.px(130), ctx.px(34)}, ButtonKind::primary)) {
+    open_browser(s);
+  }
+  for (std::size_t i = 0; i < s.samples.size(); ++i) {
+    ImGui::SameLine();
+    const std::string label = "Try " + s.samples[i].name;
+    const std::string name = "empty.sample." + std::to_string(i);
+    if (button(ctx, name.c_str(), label.c_str(), {0, ctx.px(34)})) {
+      s.requests.open = s.samples[i].path;
+    }
+    tooltip(ctx, s.samples[i].detail.c_str());
+  }
+  ImGui::Dummy({0, ctx.px(6)});
+  muted_text(ctx, "Then move alpha: the exact alpha complex is recomputed");
+  muted_text(ctx, "and compared with CGAL simplex by simplex.");
+  muted_text(ctx, "F1 shows the mouse and keyboard.");
+  ImGui::Dummy({0, ctx.px(2)});
+  end_overlay();
+}
+
+// Whether it is said.
+bool nothing_left(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
+  const MoleculeInfo& m = ctx.state.molecule;
+  if (!m.loaded || m.balls > 0 || ctx.state.busy.active) return false;
+  begin_overlay(ctx, "##nothing", {corner.x + size.x / 2, corner.y + size.y / 2}, {0.5f, 0.5f});
+  ImGui::TextUnformatted("No atom is left by this selection, so there is nothing to show.");
+  muted_text(ctx, "Keep more kinds of atoms or chains at the left, or clear the expression.");
+  record(ctx, "view.nothing");
+  end_overlay();
+  return true;
+}
+
+// Below the caption.
+void outdated_note(PanelContext& ctx, ImVec2 corner) {
+  if (!ctx.state.viewport.outdated) return;
+  const float below = ctx.px(18) + ImGui::GetTextLineHeight();
+  const char* const text = "This is the complex of the settings before; the new one is not ready.";
+  ImGui::SetCursorScreenPos({corner.x + ctx.px(16), corner.y + below});
+  draw_rim(ctx, ImGui::GetCursorScreenPos(), text);
+  ImGui::TextColored(to_imgui(ctx.palette.warning), "%s", text);
+  record(ctx, "view.outdated");
+}
+
+// In the same place; a newer computation is under way when there is a picture of an older one.
+// Returns where it ends, pixels of the view.
+float compute_error_note(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
+  const ViewState& s = ctx.state;
+  const float top = ctx.px(18) + ImGui::GetTextLineHeight();
+  if (s.compute_error.empty() || s.busy.active || s.viewport.outdated) return 0;
+  ImGui::SetCursorScreenPos({corner.x + ctx.px(16), corner.y + top});
+  const std::string text = broken_lines(s.compute_error, size.x - ctx.px(32));
+  draw_rim(ctx, ImGui::GetCursorScreenPos(), text);
+  ImGui::TextColored(to_imgui(ctx.palette.error), "%s", text.c_str());
+  record(ctx, "view.compute_error");
+  return top + ImGui::GetItemRectSize().y + ctx.px(6);
+}
+
+void not_drawn_note(PanelContext& ctx, ImVec2 corner, ImVec2 size, float legends_height) {
+  const ViewportInfo& v = ctx.state.viewport;
+  if (v.not_drawn.empty() || !ctx.state.molecule.loaded || v.outdated) return;
+  // Between the legend and the scale bar, or above them.
+  const float between = size.x - ctx.px(600);
+  const bool above = between < ctx.px(300), empty = !(v.angstrom_per_pixel > 0);
+  const float width = above ? size.x - ctx.px(56) : std::min(between, ctx.px(640));
+  const float y =
+      empty ? size.y / 2
+            : size.y - (above ? std::max(ctx.px(76), legends_height + ctx.px(8)) : ctx.px(14));
+  begin_overlay(ctx, "##not_drawn", {corner.x + size.x / 2, corner.y + y},
+                {0.5f, empty ? 0.5f : 1.0f});
+  ImGui::PushTextWrapPos(width);
+  ImGui::TextColored(to_imgui(ctx.palette.warning), "%s", v.not_drawn.c_str());
+  const ViewState& s = ctx.state;
+  if (s.result && s.compute_error.empty()) {
+    ImGui::TextUnformatted("All numbers and exports are complete.");
+    record(ctx, "view.numbers_complete");
+  }
+  ImGui::PopTextWrapPos();
+  record(ctx, "view.not_drawn");
+  end_overlay();
+}
+
+}  // namespace
+
+std::string caption_text(const Answer& answer) {
+  CaptionParts parts = usual_caption();
+  parts.set(CaptionPart::counts, false);  // they have a place of their own
+  const AlphaComplex& c = answer.complex;
+  std::string text;
+  for (const std::string& word : caption_words(answer, *answer.molecule, {}, parts)) {
+    text += (text.empty() ? "" : kCaptionGap) + word;
+  }
+  if (c.tetrahedra.size() > 0 || answer.balls->size() == 0) return text;
+  if (!c.tetrahedra_only && c.vertices.size() == 0) {
+    return text + "   no ball is left at this alpha";
+  }
+  const int dimension = dimension_of_centres(*answer.balls);
+  if (dimension == 3) return text + "   no tetrahedra at this alpha";
+  return text + "   balls " + lie_text(dimension);  // then there are none at any alpha
+}
+
+std::string hidden_text(std::size_t atoms) {
+  return with_separators(static_cast<long long>(atoms)) + (atoms == 1 ? " atom" : " atoms") +
+         " hidden";
+}
+
+void draw_viewport(PanelContext& ctx) {
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const ImVec2 size = ImGui::GetContentRegionAvail();
+  ViewportInfo& v = ctx.state.viewport;
+  v.width = static_cast<int>(size.x);
+  v.height = static_cast<int>(size.y);
+  v.events.clear();
+  if (v.width < 8 || v.height < 8) return;
+  const bool flat = shows_flat_drawing(ctx.state);
+  v.covered = flat;
+  if (flat) {
+    draw_flat_view(ctx, corner, size);
+  } else {
+    picture(ctx, corner, size);
+    mouse(ctx, corner, size);
+  }
+  float legends_height = 0, top = 0;
+  if (ctx.state.molecule.loaded) {
+    legends_height = draw_view_marks(ctx, corner, size);
+    caption(ctx, corner, size);
+    outdated_note(ctx, corner);
+    top = hidden_note(ctx, corner, compute_error_note(ctx, corner, size));
+  }
+  progress(ctx, corner, size);
+  saving(ctx, corner, size);
+  if (!flat) problem(ctx, corner, size, top);
+  drop_note(ctx, corner, size, legends_height);
+  empty_state(ctx, corner, size);
+  // What is not drawn of nothing is no news.
+  if (!nothing_left(ctx, corner, size)) not_drawn_note(ctx, corner, size, legends_height);
+  draw_context_menu(ctx);
+}
+
+}  // namespace alphascope

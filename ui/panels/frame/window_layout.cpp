@@ -1,0 +1,290 @@
+// Fixed places of the panels: menu on top, controls at the left, lessons at the right of the view,
+// timings below it, status at the bottom. Only the timings' height can be dragged.
+#include "ui/panels/frame/window_layout.hpp"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "ui/panels/cavities/cavity_parts.hpp"
+#include "ui/panels/dialogs/dialog_stack.hpp"
+#include "ui/panels/panel_list.hpp"
+#include "ui/panels/panels.hpp"
+#include "ui/widgets/key_focus.hpp"
+
+namespace alphascope {
+namespace {
+
+constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                                    ImGuiWindowFlags_NoSavedSettings |
+                                    ImGuiWindowFlags_NoBringToFrontOnFocus;
+
+constexpr float kRightWidth = 340;
+constexpr float kLeftWidth = 320, kBottomHeight = 262, kStatusHeight = 27;
+constexpr float kLeastBottom = 76, kLeastView = 180;
+// Beside a lesson. Where less is left, the controls give way, and the page below takes no more than
+// this share of the height.
+constexpr float kLeastViewBesideLesson = 360, kBottomBesideLesson = 0.34f;
+
+struct Area {
+  ImVec2 corner, size;
+};
+
+void begin(const char* id, const Area& place, ImGuiWindowFlags extra = 0) {
+  ImGui::SetNextWindowPos(place.corner);
+  ImGui::SetNextWindowSize(place.size);
+  ImGui::Begin(id, nullptr, kFixed | extra);
+}
+
+void hairline(PanelContext& ctx, ImVec2 from, ImVec2 to) {
+  // Windows clip what touches their padding; these lines run from edge to edge.
+  ImDrawList* draw = ImGui::GetWindowDrawList();
+  draw->PushClipRectFullScreen();
+  draw->AddLine(from, to, to_u32(ctx.palette.border), 1);
+  draw->PopClipRect();
+}
+
+std::vector<PanelSpec> panels_at(Place place) {
+  std::vector<PanelSpec> found;
+  for (const PanelSpec& p : panels()) {
+    if (p.place == place) found.push_back(p);
+  }
+  return found;
+}
+
+// Names all sections where they do not fit, and says where those are that scrolling hides.
+void section_buttons(PanelContext& ctx, const WidgetRects& last) {
+  const std::vector<PanelSpec> sections = panels_at(Place::left);
+  const float gap = ctx.px(4), count = static_cast<float>(sections.size());
+  ImGui::PushFont(ctx.fonts.small);
+  // Each as wide as its title with an arrow, whether or not it has one, and all share the rest.
+  const auto text_width = [](const PanelSpec& s) {
+    return ImGui::CalcTextSize((s.title + std::string(" ↓")).c_str()).x;
+  };
+  float rest = ctx.px(kLeftWidth) - ctx.px(35) - (count - 1) * gap;
+  for (const PanelSpec& s : sections) rest -= text_width(s);
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {0, ctx.px(2)});
+  for (const PanelSpec& s : sections) {
+    const auto header = last.find(s.id);
+    const bool hidden = header != last.end() && !header->second.visible;
+    const bool above = hidden && header->second.y0 < ImGui::GetCursorScreenPos().y;
+    const std::string label = s.title + std::string(!hidden ? "" : above ? " ↑" : " ↓");
+    const std::string name = std::string("sections.") + s.id;
+    if (&s != &sections.front()) ImGui::SameLine(0, gap);
+    if (button(ctx, name.c_str(), label.c_str(), {text_width(s) + rest / count, 0})) {
+      ctx.state.memory.go_to_section = s.id;
+    }
+  }
+  ImGui::PopStyleVar();
+  ImGui::PopFont();
+}
+
+void left_panel(PanelContext& ctx, const WidgetRects& last, float top, float height) {
+  begin("##left", {{0, top}, {ctx.px(kLeftWidth), height}});
+  bool& overflow = ctx.state.memory.sections_overflow;
+  const float room = ImGui::GetContentRegionAvail().y;
+  if (overflow) section_buttons(ctx, last);
+  // The scroll bar may appear at any time; what is beside it must not jump.
+  ImGui::BeginChild("sections", {0, 0}, false);
+  ImGui::PushItemWidth(-1);
+  for (const PanelSpec& s : panels_at(Place::left)) s.draw(ctx);
+  ImGui::PopItemWidth();
+  overflow = ImGui::GetCursorPosY() > room;  // whether or not the buttons are there
+  ImGui::EndChild();
+  hairline(ctx, {ctx.px(kLeftWidth) - 1, top}, {ctx.px(kLeftWidth) - 1, top + height});
+  ImGui::End();
+}
+
+// Beside the view, while there is something in it; its width in pixels.
+float right_panel(PanelContext& ctx, float top, float height) {
+  if (!ctx.state.memory.lessons.shown) return 0;
+  const float width = ctx.px(kRightWidth), left = ImGui::GetIO().DisplaySize.x - width;
+  begin("##right", {{left, top}, {width, height}});
+  hairline(ctx, {left, top}, {left, top + height});
+  for (const PanelSpec& p : panels_at(Place::right)) p.draw(ctx);
+  ImGui::End();
+  return width;
+}
+
+float bottom_height(PanelContext& ctx, float available) {
+  float& height = ctx.state.memory.bottom_height;  // where the window has room for it
+  if (height <= 0) height = kBottomHeight;
+  height = std::max(height, kLeastBottom);
+  return ctx.px(std::min(height, std::max(kLeastBottom, available / ctx.scale - kLeastView)));
+}
+
+void splitter(PanelContext& ctx, const Area& below) {
+  const auto [x, y] = below.corner;
+  const float width = below.size.x;
+  ImGui::SetCursorScreenPos({x, y});
+  ImGui::InvisibleButton("##splitter", {width, ctx.px(6)});
+  record(ctx, "layout.splitter");
+  const bool active = ImGui::IsItemActive();
+  if (active) {
+    ctx.state.memory.bottom_height = (below.size.y - ImGui::GetIO().MouseDelta.y) / ctx.scale;
+  }
+  if (active || ImGui::IsItemHovered()) {
+    ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeNS);
+    ImGui::GetWindowDrawList()->AddLine({x, y}, {x + width, y}, to_u32(ctx.palette.accent),
+                                        ctx.px(2));
+  }
+}
+
+// How the names of pages fit into one line: their padding in pixels, and in a small font where they
+// must.
+struct NameFit {
+  float padding = 0;
+  bool small = false;
+};
+
+constexpr float kBetweenNames = 2;  // pixels at scale 1
+
+NameFit fit_names(const PanelContext& ctx, const std::vector<PanelSpec>& pages, float usual) {
+  const float count = static_cast<float>(pages.size());
+  const float room = ImGui::GetContentRegionAvail().x - (count - 1) * ctx.px(kBetweenNames) -
+                     ctx.px(6);  // the open page's name is bold
+  const auto padding_in = [&](ImFont* font) {
+    float names = 0;
+    ImGui::PushFont(font);
+    for (const PanelSpec& p : pages) names += ImGui::CalcTextSize(p.title).x;
+    ImGui::PopFont();
+    return (room - names) / (2 * count);
+  };
+  const float padding = padding_in(ctx.fonts.regular), least = ctx.px(2);
+  if (padding >= least) return {std::min(usual, padding), false};
+  return {std::clamp(padding_in(ctx.fonts.small), ctx.px(1), usual), true};
+}
+
+// The pages below the view by name, when there are several; the page goes on in the same line where
+// there is room.
+const PanelSpec* bottom_tabs(PanelContext& ctx, const std::vector<PanelSpec>& pages) {
+  std::string& shown = ctx.state.memory.bottom_panel;
+  const auto found =
+      std::find_if(pages.begin(), pages.end(), [&](const PanelSpec& p) { return p.id == shown; });
+  const PanelSpec* page = found == pages.end() ? &pages.front() : &*found;
+  if (pages.size() == 1) {
+    ImGui::AlignTextToFramePadding();
+    strong_text(ctx, page->title);
+  }
+  // What stands beside the names needs room, too.
+  const bool narrow = ImGui::GetContentRegionAvail().x < ctx.px(820);
+  const ImVec2 padding = ImGui::GetStyle().FramePadding;
+  const NameFit fit = fit_names(ctx, pages, narrow ? ctx.px(4) : padding.x);
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {fit.padding, padding.y});
+  const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
+  for (const PanelSpec& p : pages) {
+    if (pages.size() == 1) break;
+    const bool on = &p == page;
+    ImGui::PushFont(fit.small ? ctx.fonts.small : on ? ctx.fonts.strong : ctx.fonts.regular);
+    const float width = ImGui::CalcTextSize(p.title).x + 2 * fit.padding;
+    const float gap = ctx.px(kBetweenNames);
+    if (&p != &pages.front() && ImGui::GetItemRectMax().x + gap + width <= right) {
+      ImGui::SameLine(0, gap);
+    }
+    const std::string name = std::string("bottom.") + p.id;
+    if (button(ctx, name.c_str(), p.title, {0, 0}, on ? ButtonKind::normal : ButtonKind::quiet)) {
+      shown = p.id;
+    }
+    ImGui::PopFont();
+  }
+  constexpr float kLeastBeside = 400;
+  ImGui::PopStyleVar();
+  ImGui::SameLine(0, ctx.px(14));
+  if (ImGui::GetContentRegionAvail().x < ctx.px(kLeastBeside)) ImGui::NewLine();
+  return page;
+}
+
+void bottom_panel(PanelContext& ctx, const Area& area) {
+  begin("##timings", area);
+  const auto [x, y] = area.corner;
+  const float width = area.size.x;
+  splitter(ctx, area);
+  hairline(ctx, {x, y}, {x + width, y});
+  ImGui::SetCursorScreenPos({x + ImGui::GetStyle().WindowPadding.x, y + ctx.px(8)});
+  ImGui::BeginChild("content", {0, 0}, false, ImGuiWindowFlags_NoScrollbar);
+  const std::vector<PanelSpec> pages = panels_at(Place::bottom);
+  bottom_tabs(ctx, pages)->draw(ctx);
+  // What lines chosen cavities is marked in the picture on whatever page.
+  if (!ctx.state.picked.cavities.empty()) follow_cavities(ctx);
+  ImGui::SetScrollX(0);  // there is no bar that would tell of it
+  ImGui::EndChild();
+  ImGui::End();
+}
+
+void status(PanelContext& ctx, float y, float width, float height) {
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ctx.px(12), ctx.px(5)});
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, to_imgui(ctx.palette.panel_raised));
+  begin("##status", {{0, y}, {width, height}}, ImGuiWindowFlags_NoScrollWithMouse);
+  ImGui::PopStyleVar();
+  hairline(ctx, {0, y}, {width, y});
+  draw_status_bar(ctx);
+  ImGui::End();
+  ImGui::PopStyleColor();
+}
+
+void note_mouse(PanelMemory& memory) {
+  const ImGuiIO& io = ImGui::GetIO();
+  // Not MouseDelta, which is zero where the mouse enters the window.
+  const bool moved = io.MousePos.x != memory.mouse_x || io.MousePos.y != memory.mouse_y;
+  const bool busy = moved || ImGui::IsAnyMouseDown();
+  memory.mouse_x = io.MousePos.x;
+  memory.mouse_y = io.MousePos.y;
+  memory.mouse_still_seconds = busy ? 0 : memory.mouse_still_seconds + io.DeltaTime;
+}
+
+constexpr const char* kView = "##view";
+
+PanelContext context_of(const WindowParts& parts, const PanelFonts& fonts, float scale) {
+  return {parts.state,
+          parts.rects,
+          parts.commands,
+          parts.store,
+          parts.inputs,
+          fonts,
+          palette(parts.state.theme),
+          scale};
+}
+
+}  // namespace
+
+void draw_over_picture(const WindowParts& parts, const PanelFonts& fonts, float scale) {
+  PanelContext ctx = context_of(parts, fonts, scale);
+  ImGui::Begin(kView);  // the same window once more: ImGui adds to it
+  draw_view_labels(ctx);
+  ImGui::End();
+}
+
+void draw_window(const WindowParts& parts, const PanelFonts& fonts, float scale) {
+  ViewState& state = parts.state;
+  const WidgetRects last = std::exchange(parts.rects, {});
+  PanelContext ctx = context_of(parts, fonts, scale);
+  state.layers.clear();
+  state.measures_wanted = false;
+  note_mouse(state.memory);
+  begin_key_focus(ctx);
+  draw_menu_bar(ctx);
+  const ImVec2 display = ImGui::GetIO().DisplaySize;
+  const float top = ImGui::GetFrameHeight();
+  const bool tight = state.memory.lessons.shown &&
+                     display.x < ctx.px(kLeftWidth + kRightWidth + kLeastViewBesideLesson);
+  const float status_height = ctx.px(kStatusHeight), left = tight ? 0 : ctx.px(kLeftWidth);
+  const float middle = std::max(0.0f, display.y - top - status_height);
+  const float usual_bottom = bottom_height(ctx, middle);
+  const float bottom = tight ? std::min(usual_bottom, kBottomBesideLesson * middle) : usual_bottom;
+  const bool high = tight || state.presenter_size;  // the lesson goes on beside the page below
+  const float width = std::max(1.0f, display.x - left);
+  if (!tight) left_panel(ctx, last, top, middle);
+  const float beside = right_panel(ctx, top, high ? middle : middle - bottom);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
+  const float view = std::max(1.0f, width - beside);
+  begin(kView, {{left, top}, {view, middle - bottom}}, ImGuiWindowFlags_NoScrollWithMouse);
+  ImGui::PopStyleVar();
+  draw_viewport(ctx);
+  ImGui::End();
+  bottom_panel(ctx, {{left, top + middle - bottom}, {high ? view : width, bottom}});
+  status(ctx, display.y - status_height, display.x, status_height);
+  draw_dialogs(ctx);
+  end_key_focus(ctx);
+}
+
+}  // namespace alphascope

@@ -1,0 +1,332 @@
+// Curves of cavities against alpha, solvent radius and model: of those that are chosen on the page
+// of cavities, or of all voids and all pockets.
+#include <algorithm>
+#include <cmath>
+
+#include "core/chart/colour_map.hpp"
+#include "core/document/cavities/cavity_chart.hpp"
+#include "core/document/cavities/cavity_curve_results.hpp"
+#include "core/document/store/finished_text.hpp"
+#include "core/document/store/store.hpp"
+#include "ui/panels/cavities/cavity_parts.hpp"
+#include "ui/panels/dialogs/save_parts.hpp"
+#include "ui/panels/measures/lives_view.hpp"
+#include "ui/panels/molecule/molecule_memory.hpp"
+#include "ui/panels/panels.hpp"
+#include "ui/widgets/curve_plot.hpp"
+#include "ui/widgets/format.hpp"
+
+namespace alphascope {
+namespace {
+
+constexpr double kAlphaStep = 0.01;   // Å², as the slider's
+constexpr double kSolventStep = 0.1;  // Å, as the samples'
+constexpr std::size_t kMostLines = kCavityColours;
+constexpr double kMostSecondsUnasked = 60;  // of one thread, for one curve
+
+using Curves = Derived<CavityCurves>;
+
+CurveAxis axis_of(const CurveMemory& memory) {
+  return static_cast<CurveAxis>(memory.axis);
+}
+
+CurveQuantity quantity_of(const CurveMemory& memory) {
+  return static_cast<CurveQuantity>(memory.quantity);
+}
+
+const Definition<CavityCurves>& definition_of(const CurveMemory& memory) {
+  const CurveNumbers numbers = numbers_for(quantity_of(memory));
+  const CurveAxis axis = axis_of(memory);
+  return axis == CurveAxis::alpha     ? curves_over_alpha(numbers)
+         : axis == CurveAxis::solvent ? curves_over_solvent(numbers)
+                                      : curves_over_models(numbers);
+}
+
+// --- what is plotted
+
+// `lines`: null for the totals.
+void make_chart(CurveMemory& memory, const CavityCurves& curves, const CurveLinks* links,
+                const CavityLines* lines, const std::vector<std::size_t>& rows) {
+  memory.chart_axis = curves.axis;
+  memory.colours.clear();
+  if (!lines) {
+    memory.chart = chart_of_totals(curves, quantity_of(memory));
+    memory.colours = {category_colour(0), category_colour(1)};
+    return;
+  }
+  const CavityTable& table = *lines->table;
+  std::vector<ChartedCavity> chosen;
+  for (const std::size_t row : rows) {
+    const Cavity& cavity = table.cavity(row);
+    const char* kind = cavity.is_void() ? "void " : cavity.is_part() ? "part " : "pocket ";
+    chosen.push_back({table.order[row], kind + std::to_string(row + 1)});
+    // As in the view.
+    memory.colours.push_back(cavity_colour(lines->numbers->of[table.order[row]]));
+  }
+  memory.chart = chart_of_cavities(curves, quantity_of(memory), *links, chosen);
+}
+
+// Keeps the chart that there is until the next one can be made. True: it is of what is on screen.
+bool follow(PanelContext& ctx, CurveMemory& memory, const Curves& curves) {
+  std::shared_ptr<const CurveLinks> links;
+  std::shared_ptr<const CavityLines> lines;
+  std::vector<std::size_t> rows;
+  if (!ctx.state.picked.cavities.empty()) {
+    // Also while there are no curves: no step of a slider may be left out.
+    const bool current = follow_cavities(ctx).current;
+    CavityPage& page = *ctx.state.memory.cavities.page;
+    if (page.rows.lines) draw_layers_of_cavities(ctx, page, current);
+    if (!current || !curves.ready()) return false;
+    const auto linked = ctx.store.want(curve_links(curves.value, curves.have), ctx.inputs);
+    if (!linked.ready()) return false;
+    links = linked.value;
+    lines = page.rows.lines;
+    rows = page.chosen_rows;
+    if (rows.size() > kMostLines) rows.resize(kMostLines);
+  }
+  if (!curves.ready()) return false;
+  const bool same = memory.curves == curves.value && memory.links == links && memory.rows == rows &&
+                    memory.lines == lines && memory.chart_quantity == memory.quantity;
+  if (same) return true;
+  // Of a cavity that is not there now, its curve stays: the way back to where it is.
+  const bool gone = lines && rows.empty() && !memory.rows.empty();
+  if (gone && memory.curves == curves.value && memory.chart_quantity == memory.quantity)
+    return true;
+  make_chart(memory, *curves.value, links.get(), lines.get(), rows);
+  memory.curves = curves.value;
+  memory.links = links;
+  memory.lines = lines;
+  memory.rows = rows;
+  memory.chart_quantity = memory.quantity;
+  return true;
+}
+
+// --- the line above the plot
+
+std::string csv_of(const PanelContext& ctx, const CurveMemory& memory) {
+  std::vector<std::string> comments = comments_on_screen(ctx);
+  if (memory.chart_axis != CurveAxis::solvent) {
+    comments.push_back("solvent radius: " +
+                       axis_text(CurveAxis::solvent, ctx.inputs.solvent_radius_angstrom) + " Å");
+  }
+  if (memory.chart_axis != CurveAxis::alpha) {
+    comments.push_back("alpha: " + axis_text(CurveAxis::alpha, ctx.inputs.alpha_angstrom2) + " Å²");
+  }
+  comments.push_back("values: " + memory.chart.chart.value_label);
+  return chart_csv(memory.chart.chart, comments);
+}
+
+void table_buttons(PanelContext& ctx, const CurveMemory& memory, bool current) {
+  ImGui::BeginDisabled(!current || !ctx.state.references);
+  if (button(ctx, "curves.copy", "Copy CSV")) {
+    ImGui::SetClipboardText(csv_of(ctx, memory).c_str());
+    ctx.state.notice = "Curves copied as CSV.";
+  }
+  tooltip(ctx, "Copies the curves as a table with commas between the numbers");
+  ImGui::SameLine(0, ctx.px(4));
+  if (button(ctx, "curves.save", "Save…")) {
+    ask_to_save(ctx, {"Curves",
+                      file_name_for(ctx, "curves"),
+                      finished_text(csv_of(ctx, memory)),
+                      {},
+                      {},
+                      false});
+  }
+  tooltip(ctx, "The curves as a CSV file");
+  ImGui::EndDisabled();
+}
+
+void legend(PanelContext& ctx, const CurveMemory& memory) {
+  const std::vector<ChartSeries>& series = memory.chart.chart.series;
+  for (std::size_t s = 0; s < series.size(); ++s) {
+    ImGui::SameLine(0, ctx.px(14));
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    const float side = ctx.px(9), middle = corner.y + ImGui::GetFrameHeight() / 2;
+    const Rgb8& c = memory.colours[s];
+    ImGui::GetWindowDrawList()->AddRectFilled({corner.x, middle - side / 2},
+                                              {corner.x + side, middle + side / 2},
+                                              IM_COL32(c.r, c.g, c.b, 255));
+    ImGui::SetCursorScreenPos({corner.x + side + ctx.px(5), corner.y});
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(series[s].name.c_str());
+  }
+  if (!memory.chart.marks.empty()) {
+    ImGui::SameLine(0, ctx.px(14));
+    ImGui::AlignTextToFramePadding();
+    muted_text(ctx, "ring: splits or joins");
+  }
+  record(ctx, "curves.legend");
+}
+
+void choices(PanelContext& ctx, CurveMemory& memory) {
+  constexpr float kWidth = 570;  // pixels at scale 1, of all; the names of the pages stand before
+  if (ImGui::GetContentRegionAvail().x < ctx.px(kWidth)) ImGui::NewLine();
+  choice(ctx, "curves.quantity", {"Volume", "Area", "Exact", "Lives"}, memory.quantity,
+         ctx.px(250));
+  tooltip(ctx,
+          "The region of probe centres, as CASTp sums it: SA volume or SA area. Exact: what "
+          "of the cavity's tetrahedra is really outside all grown balls, which takes about "
+          "twenty times as long. Lives: from which alpha to which each cavity is there.");
+  ImGui::SameLine(0, ctx.px(10));
+  ImGui::AlignTextToFramePadding();
+  if (memory.quantity == CurveMemory::kLives) {
+    muted_text(ctx, "against alpha");
+    return;
+  }
+  muted_text(ctx, "against");
+  ImGui::SameLine(0, ctx.px(8));
+  choice(ctx, "curves.axis", {"Alpha", "Solvent", "Model"}, memory.axis, ctx.px(240));
+}
+
+// --- the plot
+
+void take_click(PanelContext& ctx, CurveAxis axis, double at) {
+  ViewState& s = ctx.state;
+  if (axis == CurveAxis::alpha) {
+    set_alpha(s.compute, std::round(at / kAlphaStep) * kAlphaStep);
+    s.memory.playing = false;
+  } else if (axis == CurveAxis::solvent) {
+    const double steps = std::round(std::clamp(at, 0.0, kCurveSolventMostAngstrom) / kSolventStep);
+    s.compute.solvent_radius_angstrom = steps / std::round(1 / kSolventStep);
+  } else {
+    const auto last = static_cast<double>(s.molecule.models.size()) - 1;
+    s.open.balls.model = static_cast<int>(std::lround(std::clamp(at, 0.0, last)));
+    s.memory.playing_models = false;
+  }
+}
+
+double shown_at(const PanelContext& ctx, CurveAxis axis) {
+  const Request& request = ctx.state.compute;
+  if (axis == CurveAxis::alpha) return request.alpha_angstrom2;
+  if (axis == CurveAxis::solvent) return request.solvent_radius_angstrom;
+  return ctx.state.open.balls.model;
+}
+
+void draw_plot(PanelContext& ctx, const CurveMemory& memory) {
+  const CurveAxis axis = memory.chart_axis;
+  CurvePlot plot{&memory.chart, &memory.colours, axis, shown_at(ctx, axis), "", "", ""};
+  plot.unit = axis == CurveAxis::alpha ? "Å²" : axis == CurveAxis::solvent ? "Å" : "";
+  plot.value_unit = memory.chart_quantity == 1 ? "Å²" : "Å³";
+  plot.click = axis == CurveAxis::alpha     ? "Click or drag to set alpha."
+               : axis == CurveAxis::solvent ? "Click or drag to set the solvent radius."
+                                            : "Click to show this model.";
+  const auto at = draw_curve_plot(ctx, plot);
+  if (at) take_click(ctx, axis, *at);
+}
+
+// --- when there is nothing to plot
+
+std::string waiting_text(const PanelContext& ctx, const CurveMemory& memory, const Curves& curves) {
+  if (!ctx.state.molecule.loaded) return "Open a molecule: curves of its cavities appear here.";
+  if (axis_of(memory) == CurveAxis::model) {
+    const std::string why = why_no_model_curve(ctx.inputs);
+    if (!why.empty()) return why;
+  }
+  const std::string title(definition_of(memory).title);
+  if (curves.state == DerivedState::running) return title + ": " + percent_text(curves.share);
+  if (curves.state == DerivedState::cancelled) return "Cancelled.";
+  if (curves.state != DerivedState::waiting && !curves.why.empty()) {
+    return "There are no curves. " + curves.why;
+  }
+  return "Curves appear here when the triangulations that they need are there.";
+}
+
+struct CurveWork {
+  std::size_t balls = 0;  // of all samples together
+  double seconds = 0;     // on one thread
+};
+
+CurveWork work_of(const PanelContext& ctx, const CurveMemory& memory) {
+  constexpr double kSumsPerBall = 1e-5, kExactPerBall = 1.6e-4;  // seconds; measured with 4HHB
+  const CurveAxis axis = axis_of(memory);
+  const bool exact = numbers_for(quantity_of(memory)) == CurveNumbers::exact;
+  if (!ctx.inputs.balls || (axis == CurveAxis::alpha && !exact)) return {};
+  constexpr std::size_t kSamples = 51;  // about
+  const std::size_t times = axis == CurveAxis::model ? ctx.state.molecule.models.size() : kSamples;
+  const std::size_t balls = ctx.inputs.balls->size() * times;
+  return {balls, static_cast<double>(balls) * (exact ? kExactPerBall : kSumsPerBall)};
+}
+
+// Of what takes long, only upon request.
+bool is_asked_for(PanelContext& ctx, CurveMemory& memory) {
+  const CurveWork work = work_of(ctx, memory);
+  const std::pair<int, int> question{memory.axis, memory.quantity};
+  if (work.seconds <= kMostSecondsUnasked || memory.asked_for == question) return true;
+  const long minutes = std::lround(std::ceil(work.seconds / 60));
+  muted_wrapped(ctx, "These curves are of " + with_separators(static_cast<long long>(work.balls)) +
+                         " balls in all samples together: some " + std::to_string(minutes) +
+                         (minutes == 1 ? " minute" : " minutes") + " in the background.");
+  record(ctx, "curves.waiting");
+  if (button(ctx, "curves.compute", "Compute")) memory.asked_for = question;
+  return false;
+}
+
+// What goes on can be ended, and begun again.
+void cancel_button(PanelContext& ctx, const CurveMemory& memory, const Curves& curves) {
+  const std::string_view id = definition_of(memory).id;
+  if (curves.state == DerivedState::running || curves.state == DerivedState::waiting) {
+    if (button(ctx, "curves.cancel", "Cancel")) ctx.store.cancel(id);
+  } else if (curves.state == DerivedState::cancelled) {
+    if (button(ctx, "curves.again", "Compute")) ctx.store.begin_again(id);
+  }
+}
+
+std::string nothing_text(const PanelContext& ctx) {
+  return ctx.state.picked.cavities.empty()
+             ? "There are no cavities here to plot."
+             : "The chosen cavities are not there at this alpha and solvent radius. Choose others "
+               "on the page Cavities.";
+}
+
+}  // namespace
+
+void draw_curves_panel(PanelContext& ctx) {
+  CurveMemory& memory = ctx.state.memory.curves;
+  choices(ctx, memory);
+  begin_anew(memory, ctx.state.molecule.sha256, [](const CurveMemory& old) {
+    CurveMemory fresh;
+    fresh.axis = old.axis;
+    fresh.quantity = old.quantity;
+    return fresh;
+  });
+  if (memory.quantity == CurveMemory::kLives) return draw_cavity_lives(ctx, memory.lives);
+  const CurveAxis axis = axis_of(memory);
+  // Between two pictures it is not known of which atoms the balls are.
+  const bool unknown = !ctx.inputs.atoms;
+  const bool none = !unknown && axis == CurveAxis::model && !why_no_model_curve(ctx.inputs).empty();
+  if (!unknown && !none && !is_asked_for(ctx, memory)) return;
+  const Curves curves =
+      unknown || none ? Curves{} : ctx.store.want(definition_of(memory), ctx.inputs);
+  const bool current = follow(ctx, memory, curves);
+  const bool old = memory.curves && memory.chart_axis == axis && !none;
+  if (!current && !old) {
+    muted_wrapped(ctx, waiting_text(ctx, memory, curves));
+    record(ctx, "curves.waiting");
+    cancel_button(ctx, memory, curves);
+    return;
+  }
+  if (memory.chart.chart.empty()) {
+    muted_wrapped(ctx, nothing_text(ctx));
+    record(ctx, "curves.nothing");
+    return;
+  }
+  table_buttons(ctx, memory, current);
+  // What is no longer, or not yet, of the picture is grey.
+  ImGui::PushStyleVar(ImGuiStyleVar_Alpha, current ? 1.0f : 0.55f);
+  legend(ctx, memory);
+  ImGui::PopStyleVar();
+  if (!current && !curves.ready()) {
+    ImGui::SameLine(0, ctx.px(14));
+    ImGui::AlignTextToFramePadding();
+    muted_text(ctx, waiting_text(ctx, memory, curves));
+    ImGui::SameLine(0, ctx.px(8));
+    cancel_button(ctx, memory, curves);
+  }
+  ImGui::PushStyleVar(ImGuiStyleVar_Alpha, current ? 1.0f : 0.55f);
+  ImGui::PushFont(ctx.fonts.small);
+  draw_plot(ctx, memory);
+  ImGui::PopFont();
+  ImGui::PopStyleVar();
+}
+
+}  // namespace alphascope

@@ -1,0 +1,107 @@
+// Distances and angles that were measured, as a table that selects, removes and copies.
+#include <imgui.h>
+
+#include "core/selection/atom_address.hpp"
+#include "ui/annotation_layer.hpp"
+#include "ui/panels/panels.hpp"
+#include "ui/widgets/table_cells.hpp"
+
+namespace alphascope {
+namespace {
+
+void command_button(PanelContext& ctx, const char* name, const char* label, const char* id) {
+  const CommandSpec* const spec = ctx.commands.find(id);
+  const std::string reason = spec->reason_against();
+  ImGui::BeginDisabled(!reason.empty());
+  if (button(ctx, name, label)) run_command(ctx, *spec);
+  ImGui::EndDisabled();
+  tooltip(ctx, (reason.empty() ? spec->help + "." : reason).c_str());
+}
+
+std::string atoms_text(const Molecule& molecule, const std::optional<Measured>& of) {
+  if (!of) return "";
+  std::string text;
+  for (const std::size_t atom : of->atoms) {
+    text += (text.empty() ? "" : " – ") + atom_address(molecule, atom);
+  }
+  return text;
+}
+
+// True: it is to be removed.
+bool draw_row(PanelContext& ctx, std::size_t row) {
+  ViewState& s = ctx.state;
+  const Measurement& m = s.annotations.measurements[row];
+  const Molecule& molecule = s.references->molecule();
+  const std::optional<Measured> of = measured(molecule, m);
+  const std::string number = std::to_string(row + 1);
+  ImGui::TableNextRow();
+  ImGui::TableNextColumn();
+  ImGui::PushID(static_cast<int>(row));
+  const RefSet atoms(std::vector<Ref>(m.atoms.begin(), m.atoms.end()));
+  if (ImGui::Selectable(
+          number.c_str(), s.picked.items == atoms,
+          ImGuiSelectableFlags_SpanAllColumns | ImGuiSelectableFlags_AllowItemOverlap)) {
+    s.picked.items = atoms;
+  }
+  record(ctx, ("details.measured." + number).c_str());
+  tooltip(
+      ctx,
+      (measurement_text(molecule, m) + "\nA click selects its atoms; Z looks at them.").c_str());
+  ImGui::TableNextColumn();
+  ImGui::TextUnformatted(m.atoms.size() == 4 ? "dihedral" : measurement_name(m));
+  ImGui::TableNextColumn();
+  const std::string between = atoms_text(molecule, of);
+  ImGui::TextUnformatted(fitted_text(between, ImGui::GetContentRegionAvail().x).c_str());
+  number_cell(measured_text(m, of));
+  ImGui::TableNextColumn();
+  const bool removes = row_button(ctx, ("details.remove." + number).c_str(), "×", 22);
+  tooltip(ctx, "Takes it away.");
+  ImGui::PopID();
+  return removes;
+}
+
+void table(PanelContext& ctx) {
+  constexpr ImGuiTableFlags kFlags = ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg;
+  if (!ImGui::BeginTable("measured", 5, kFlags)) return;
+  ImGui::TableSetupScrollFreeze(0, 1);
+  ImGui::TableSetupColumn("#", ImGuiTableColumnFlags_WidthFixed, ctx.px(30));
+  ImGui::TableSetupColumn("what", ImGuiTableColumnFlags_WidthFixed, ctx.px(62));
+  ImGui::TableSetupColumn("between", ImGuiTableColumnFlags_WidthStretch);
+  ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthFixed, ctx.px(72));
+  ImGui::TableSetupColumn("##remove", ImGuiTableColumnFlags_WidthFixed, ctx.px(26));
+  ImGui::PushStyleColor(ImGuiCol_Text, to_imgui(ctx.palette.text_muted));
+  ImGui::TableHeadersRow();
+  ImGui::PopStyleColor();
+  Measurements& all = ctx.state.annotations.measurements;
+  std::size_t removed = all.size();
+  ImGuiListClipper clipper;
+  clipper.Begin(static_cast<int>(all.size()));
+  while (clipper.Step()) {
+    for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
+      if (draw_row(ctx, static_cast<std::size_t>(i))) removed = static_cast<std::size_t>(i);
+    }
+  }
+  ImGui::EndTable();
+  if (removed < all.size()) {
+    run_command(ctx, *ctx.commands.find("measure.remove"), {std::to_string(removed + 1)});
+  }
+}
+
+}  // namespace
+
+void draw_measured_list(PanelContext& ctx) {
+  command_button(ctx, "details.measure", "Measure (D)", "measure.atoms");
+  ImGui::SameLine(0, ctx.px(4));
+  command_button(ctx, "details.copy", "Copy CSV", "measure.copy");
+  ImGui::SameLine(0, ctx.px(4));
+  command_button(ctx, "details.remove_all", "Remove all", "measure.remove_all");
+  if (ctx.state.annotations.measurements.empty()) {
+    muted_wrapped(ctx,
+                  "Select two atoms (click, then Ctrl+click) and press D: their distance. Of three "
+                  "it is the angle at the second, of four the dihedral angle.");
+    return record(ctx, "details.nothing_measured");
+  }
+  table(ctx);
+}
+
+}  // namespace alphascope

@@ -1,0 +1,370 @@
+// Exact areas and volumes of the complex on screen: in all, and as a table by component, chain,
+// residue or atom that sorts, filters and selects.
+#include <imgui.h>
+
+#include <algorithm>
+
+#include "core/document/measures/measure_records.hpp"
+#include "core/document/store/store.hpp"
+#include "ui/panels/dialogs/save_parts.hpp"
+#include "ui/panels/molecule/molecule_memory.hpp"
+#include "ui/panels/panels.hpp"
+#include "ui/widgets/format.hpp"
+#include "ui/widgets/table_cells.hpp"
+
+namespace alphascope {
+namespace {
+
+std::string number(std::size_t n) {
+  return with_separators(static_cast<long long>(n));
+}
+
+constexpr MeasuredPer kPer[] = {MeasuredPer::component, MeasuredPer::chain, MeasuredPer::residue,
+                                MeasuredPer::atom};
+constexpr const char* kPlural[] = {"components", "chains", "residues", "atoms"};
+
+// --- what the columns are
+
+struct ColumnText {
+  const char *title, *help;
+  float width;  // pixels at scale 1; 0: what is left
+};
+constexpr ColumnText kColumnTexts[kMeasureColumns] = {
+    {"#", "The order of the molecule.", 52},
+    {"name", "Chain, residue and atom. A component has the name of its first atom.", 0},
+    {"atoms", "How many atoms of the row are balls.", 62},
+    {"area Å²",
+     "The part of the surface that lies on the balls of these atoms, outside all others.", 92},
+    {"% of all", "Its share of the whole surface.", 68},
+    {"volume Å³",
+     "The part of the volume within the balls of these atoms that is nearest to them, in power "
+     "distance: parts add up to the whole.",
+     92},
+    {"% of all", "Its share of the whole volume.", 68},
+    {"exposed %", "The area, as a share of the whole spheres of these atoms: 0 is buried.", 80},
+    {"area/shift Å",
+     "How fast the whole area grows when the atom is shifted in the direction in which it grows "
+     "most, in Å² for each Å.",
+     92},
+    {"area/radius Å", "How fast the whole area grows with the atom's radius, in Å² for each Å.",
+     98},
+    {"vol./shift Å²",
+     "How fast the whole volume grows when the atom is shifted in the direction in which it grows "
+     "most, in Å³ for each Å.",
+     92},
+    {"vol./radius Å²", "How fast the whole volume grows with the atom's radius, in Å³ for each Å.",
+     98}};
+
+// Atoms have no number of atoms, and leave room for changes.
+std::vector<MeasureColumn> shown_columns(const MeasureRows& rows) {
+  using C = MeasureColumn;
+  if (!rows.derivatives) {
+    return {C::number,     C::name,   C::atoms,        C::area,
+            C::area_share, C::volume, C::volume_share, C::exposed};
+  }
+  return {C::number,          C::name,          C::area,           C::volume,
+          C::exposed,         C::area_gradient, C::area_by_radius, C::volume_gradient,
+          C::volume_by_radius};
+}
+
+std::string cell_text(const MeasureRows& rows, const MeasureRow& row, MeasureColumn column) {
+  const double value = rows.value(row, column);
+  switch (column) {
+    case MeasureColumn::number:
+      return number(row.group + 1);
+    case MeasureColumn::name:
+      return row.name;
+    case MeasureColumn::atoms:
+      return number(row.atoms);
+    case MeasureColumn::area_share:
+    case MeasureColumn::volume_share:
+    case MeasureColumn::exposed:
+      return number_text(100 * value, 2);
+    default:
+      return measure_text(value);
+  }
+}
+
+// --- what is chosen
+
+bool is_chosen(const MeasureMemory& memory, const AtomRef& first) {
+  return std::find(memory.chosen.begin(), memory.chosen.end(), first) != memory.chosen.end();
+}
+
+void choose(MeasureMemory& memory, const AtomRef& first, bool add) {
+  const auto at = std::find(memory.chosen.begin(), memory.chosen.end(), first);
+  if (!add) {
+    memory.chosen = {first};
+  } else if (at != memory.chosen.end()) {
+    memory.chosen.erase(at);
+  } else {
+    memory.chosen.push_back(first);
+  }
+}
+
+// The atoms of the chosen rows become the selection, and the camera goes there.
+void select_chosen(PanelContext& ctx, const MeasureMemory& memory, const BallReferences& atoms) {
+  const std::vector<std::uint32_t>& group = memory.rows->group_of_ball;
+  std::vector<std::uint32_t> groups;
+  for (const AtomRef& first : memory.chosen) {
+    const std::optional<BallIndex> ball = atoms.ball(first);
+    if (ball && group[*ball] != kNoGroup) groups.push_back(group[*ball]);
+  }
+  std::sort(groups.begin(), groups.end());
+  std::vector<Ref> refs;
+  for (std::size_t ball = 0; ball < group.size() && refs.size() < Selection::kMostItems; ++ball) {
+    if (std::binary_search(groups.begin(), groups.end(), group[ball])) {
+      refs.push_back(atoms.atom(static_cast<BallIndex>(ball)));
+    }
+  }
+  if (refs.size() == Selection::kMostItems) {
+    ctx.state.notice = "Only the first " + number(Selection::kMostItems) + " atoms are selected.";
+  }
+  ctx.state.picked.items = RefSet(std::move(refs));
+  if (!memory.chosen.empty()) ctx.state.requests.zoom_to_selection = true;
+}
+
+// --- what is drawn
+
+void totals_line(PanelContext& ctx, const MeasureMemory& memory) {
+  const UnionMeasures& m = memory.measured->measures();
+  const auto total = [&](const char* name, const std::string& text, const char* help) {
+    ImGui::AlignTextToFramePadding();
+    strong_text(ctx, text);
+    record(ctx, name);
+    tooltip(ctx, help);
+    ImGui::SameLine(0, ctx.px(16));
+  };
+  total("measures.area", "area " + measure_text(m.area_angstrom2) + " Å²",
+        "The exact area of the surface of all balls together, with the surfaces of closed voids.");
+  total("measures.volume", "volume " + measure_text(m.volume_angstrom3) + " Å³",
+        "The exact volume that all balls cover together.");
+  const std::uint32_t parts = memory.measured->components.count;
+  total("measures.components", number(parts) + (parts == 1 ? " component" : " components"),
+        "Parts of the complex that nothing connects. Balls that overlap are of one part.");
+  ImGui::AlignTextToFramePadding();
+  muted_text(ctx, fitted_text(memory.surface, ImGui::GetContentRegionAvail().x));
+  record(ctx, "measures.surface");
+  tooltip(
+      ctx,
+      "Alpha and solvent radius decide what is measured: both 0 is the van der Waals surface; "
+      "alpha 0 and the radius of a probe, such as 1.4 Å for water, the solvent-accessible one.");
+}
+
+std::string shown_text(const MeasureMemory& memory) {
+  const MeasureRows& rows = *memory.rows;
+  std::string text = number(rows.rows.size());
+  if (rows.rows.size() < rows.all) text += " of " + number(rows.all);
+  const auto per = std::find(std::begin(kPer), std::end(kPer), rows.query.per) - std::begin(kPer);
+  text += std::string(" ") + kPlural[per];
+  if (!memory.chosen.empty()) text += ", " + number(memory.chosen.size()) + " chosen";
+  return text;
+}
+
+// What measured, how long it took, and why the GPU did not if that was asked for.
+std::string measured_text(const MeasuredUnion& by) {
+  std::string text = "Measured in " + milliseconds_text(by.milliseconds) + " on " + by.device;
+  if (!by.route.empty()) text += ": " + by.route;
+  return text + "." + (by.note.empty() ? "" : "\n" + by.note);
+}
+
+// The complex on screen and all that the rows speak of are of the same atoms.
+bool fits(const PanelContext& ctx) {
+  const auto& answer = ctx.state.result;
+  const auto& atoms = ctx.state.references;
+  return answer && atoms && ctx.inputs.complex && answer->balls == ctx.inputs.balls &&
+         &atoms->prepared() == answer->prepared.get();
+}
+
+void save_button(PanelContext& ctx, const MeasureMemory& memory) {
+  ImGui::BeginDisabled(!memory.rows || !ctx.inputs.atoms || !fits(ctx));
+  if (button(ctx, "measures.save", "Save…")) {
+    const RecordSource source = source_on_screen(ctx);
+    ask_to_save(ctx, {"Areas and volumes", file_name_for(ctx, "measures"),
+                      measure_csv(memory.query, source, ctx.state.result),
+                      measure_json(memory.query, source, ctx.state.result), ctx.inputs});
+  }
+  ImGui::EndDisabled();
+  tooltip(ctx, "The rows that are shown, as a CSV or JSON file.");
+}
+
+void controls_line(PanelContext& ctx, MeasureMemory& memory) {
+  const int before = memory.per;
+  choice(ctx, "measures.per", {"components", "chains", "residues", "atoms"}, memory.per,
+         ctx.px(340));
+  if (memory.per != before) memory.chosen.clear();
+  ImGui::SameLine(0, ctx.px(12));
+  ImGui::SetNextItemWidth(ctx.px(130));
+  text_field(ctx, "measures.filter", memory.query.filter, "name contains…");
+  ImGui::SameLine(0, ctx.px(12));
+  ImGui::BeginDisabled(kPer[memory.per] != MeasuredPer::atom);
+  checkbox(ctx, "measures.changes", "Changes", memory.changes);
+  ImGui::EndDisabled();
+  tooltip(ctx, "How area and volume change when an atom moves or grows. For atoms only.");
+  ImGui::SameLine(0, ctx.px(12));
+  if (button(ctx, "measures.copy", "Copy CSV")) memory.copying = true;
+  tooltip(ctx, "The rows that are shown, with all digits and where they come from.");
+  ImGui::SameLine(0, ctx.px(4));
+  save_button(ctx, memory);
+  ImGui::SameLine(0, ctx.px(12));
+  if (!memory.rows) return ImGui::NewLine();
+  ImGui::AlignTextToFramePadding();
+  const std::string text = shown_text(memory);
+  muted_text(ctx, fitted_text(text, ImGui::GetContentRegionAvail().x));
+  record(ctx, "measures.shown");
+  tooltip(ctx, (text + "\n" + measured_text(*memory.measured->by)).c_str());
+}
+
+void heading(PanelContext& ctx, const std::vector<MeasureColumn>& columns) {
+  ImGui::TableSetupScrollFreeze(0, 1);
+  for (const MeasureColumn column : columns) {
+    const int c = static_cast<int>(column);
+    const ColumnText& text = kColumnTexts[c];
+    ImGuiTableColumnFlags flags =
+        text.width > 0 ? ImGuiTableColumnFlags_WidthFixed : ImGuiTableColumnFlags_WidthStretch;
+    if (c == 0) flags |= ImGuiTableColumnFlags_DefaultSort;
+    if (c > 1) flags |= ImGuiTableColumnFlags_PreferSortDescending;
+    ImGui::TableSetupColumn(
+        text.title, flags,
+        text.width > 0 ? std::max(ctx.px(text.width), title_width(text.title)) : 1.0f,
+        static_cast<ImGuiID>(c));
+  }
+  ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
+  for (const MeasureColumn column : columns) {
+    const int c = static_cast<int>(column);
+    ImGui::TableNextColumn();
+    ImGui::PushID(c);
+    ImGui::TableHeader(kColumnTexts[c].title);
+    record(ctx, ("measures.column." + std::to_string(c)).c_str());
+    tooltip(ctx, kColumnTexts[c].help);
+    ImGui::PopID();
+  }
+}
+
+void take_sorting(MeasureQuery& query) {
+  ImGuiTableSortSpecs* specs = ImGui::TableGetSortSpecs();
+  if (!specs || specs->SpecsCount == 0) return;
+  query.column = static_cast<MeasureColumn>(specs->Specs[0].ColumnUserID);
+  query.descending = specs->Specs[0].SortDirection == ImGuiSortDirection_Descending;
+  specs->SpecsDirty = false;
+}
+
+// True when it was clicked.
+bool draw_row(PanelContext& ctx, const MeasureRows& rows, const MeasureRow& row,
+              const std::vector<MeasureColumn>& columns, bool chosen) {
+  ImGui::TableNextRow();
+  ImGui::TableNextColumn();
+  ImGui::PushID(static_cast<int>(row.group));
+  const bool clicked = ImGui::Selectable(cell_text(rows, row, MeasureColumn::number).c_str(),
+                                         chosen, ImGuiSelectableFlags_SpanAllColumns);
+  record(ctx, ("measures.row." + std::to_string(row.group + 1)).c_str());
+  ImGui::PopID();
+  ImGui::TableNextColumn();
+  ImGui::TextUnformatted(fitted_text(row.name, ImGui::GetContentRegionAvail().x).c_str());
+  for (std::size_t c = 2; c < columns.size(); ++c) {
+    number_cell(cell_text(rows, row, columns[c]));
+  }
+  return clicked;
+}
+
+// `atoms`: null while the rows are not of the picture; then a click does nothing.
+void table_of_rows(PanelContext& ctx, MeasureMemory& memory, const BallReferences* atoms) {
+  constexpr ImGuiTableFlags kFlags = ImGuiTableFlags_Sortable | ImGuiTableFlags_ScrollY |
+                                     ImGuiTableFlags_RowBg | ImGuiTableFlags_Resizable;
+  const MeasureRows& rows = *memory.rows;
+  const std::vector<MeasureColumn> columns = shown_columns(rows);
+  const char* id = rows.derivatives ? "measures.changes" : "measures";
+  if (!ImGui::BeginTable(id, static_cast<int>(columns.size()), kFlags, {0, 0})) return;
+  heading(ctx, columns);
+  take_sorting(memory.query);
+  ImGuiListClipper clipper;
+  clipper.Begin(static_cast<int>(rows.rows.size()));
+  const MeasureRow* clicked = nullptr;
+  while (clipper.Step()) {
+    for (int n = clipper.DisplayStart; n < clipper.DisplayEnd; ++n) {
+      const MeasureRow& row = rows.rows[static_cast<std::size_t>(n)];
+      const bool chosen = atoms && is_chosen(memory, atoms->atom(row.first_ball));
+      if (draw_row(ctx, rows, row, columns, chosen)) clicked = &row;
+    }
+  }
+  ImGui::EndTable();
+  if (!clicked || !atoms) return;
+  choose(memory, atoms->atom(clicked->first_ball), ImGui::GetIO().KeyCtrl);
+  select_chosen(ctx, memory, *atoms);
+}
+
+void copy_when_there(PanelContext& ctx, MeasureMemory& memory) {
+  const Derived<std::string> csv = ctx.store.want(
+      measure_csv(memory.query, source_on_screen(ctx), ctx.state.result), ctx.inputs);
+  if (csv.state == DerivedState::failed || csv.state == DerivedState::no_room) {
+    memory.copying = false;
+    ctx.state.tell("Cannot copy the table", csv.why);
+  }
+  if (!csv.ready()) return;
+  ImGui::SetClipboardText(csv.value->c_str());
+  ctx.state.notice = "Areas and volumes copied as CSV.";
+  memory.copying = false;
+}
+
+// Why there are no numbers yet.
+std::string waiting_text(const PanelContext& ctx, const Derived<MeasuredComplex>& measured) {
+  if (!ctx.state.molecule.loaded) return "Open a molecule: its area and volume appear here.";
+  const AlphaComplex* complex = ctx.inputs.complex.get();
+  if (complex && complex->tetrahedra_only) {
+    return "Tetrahedra alone have no area. Switch “Tetrahedra only” off, in the section Engine.";
+  }
+  if (measured.state == DerivedState::no_room || measured.state == DerivedState::failed) {
+    return "There are no areas and volumes. " + measured.why;
+  }
+  return "Area and volume appear here when the complex is there.";
+}
+
+void say_why_none(PanelContext& ctx, const Derived<MeasuredComplex>& measured) {
+  muted_wrapped(ctx, waiting_text(ctx, measured));
+  record(ctx, "measures.waiting");
+}
+
+// It may be sorted or filtered otherwise than is wanted now.
+bool of_the_picture(const Derived<MeasureRows>& rows) {
+  return rows.value && rows.have.balls == rows.wanted.balls && rows.have.alpha == rows.wanted.alpha;
+}
+
+void take_measures(PanelContext& ctx, MeasureMemory& memory,
+                   const Derived<MeasuredComplex>& measured) {
+  if (!measured.ready() || memory.measured == measured.value) return;
+  memory.measured = measured.value;
+  memory.surface = surface_name(ctx.state.result->request);
+}
+
+}  // namespace
+
+void draw_measures_panel(PanelContext& ctx) {
+  MeasureMemory& memory = ctx.state.memory.measures;
+  begin_anew(memory, ctx.state.molecule.sha256);
+  ctx.state.measures_wanted = true;
+  const bool whole = !ctx.inputs.complex || !ctx.inputs.complex->tetrahedra_only;
+  Derived<MeasuredComplex> measured;
+  Derived<MeasureRows> rows;
+  if (fits(ctx) && whole) {
+    measured = ctx.store.want(union_measures(), ctx.inputs);
+    take_measures(ctx, memory, measured);
+    memory.query.per = kPer[memory.per];
+    memory.query.derivatives = memory.changes;
+    rows = ctx.store.want(measure_rows(memory.query, ctx.state.result), ctx.inputs);
+    if (of_the_picture(rows)) memory.rows = rows.value;
+    if (memory.copying && ctx.inputs.atoms) copy_when_there(ctx, memory);
+  }
+  if (!memory.measured || !whole) return say_why_none(ctx, measured);
+  // What is no longer, or not yet, of the picture is grey.
+  const bool current = measured.ready() && of_the_picture(rows);
+  ImGui::PushStyleVar(ImGuiStyleVar_Alpha, measured.ready() ? 1.0f : 0.55f);
+  totals_line(ctx, memory);
+  ImGui::PopStyleVar();
+  controls_line(ctx, memory);
+  if (!memory.rows) return;
+  ImGui::PushStyleVar(ImGuiStyleVar_Alpha, current ? 1.0f : 0.55f);
+  table_of_rows(ctx, memory, current ? ctx.state.references.get() : nullptr);
+  ImGui::PopStyleVar();
+}
+
+}  // namespace alphascope

@@ -1,0 +1,67 @@
+// See the header.
+#include "ui/panels/sandbox/sandbox_edit.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <variant>
+
+namespace alphascope {
+
+std::string why_not_by_hand(const ViewState& state) {
+  if (state.open.sandbox) return {};
+  if (!state.result || !state.result->prepared) {
+    return "There are no balls yet. Open a molecule or a preset first.";
+  }
+  return why_no_sandbox(state.result->prepared->balls->size());
+}
+
+void start_sandbox(ViewState& state) {
+  if (state.open.sandbox || !why_not_by_hand(state).empty()) return;
+  state.open.sandbox = sandbox_of(*state.result->prepared->balls);
+  state.picked.clear();  // of atoms of the file, which are numbered otherwise
+}
+
+std::vector<BallIndex> chosen_balls(const ViewState& state) {
+  std::vector<BallIndex> balls;
+  if (!state.open.sandbox) return balls;
+  const auto add = [&](const AtomRef& atom) {
+    if (atom.atom < state.open.sandbox->balls.size()) balls.push_back(atom.atom);
+  };
+  for (const Ref& ref : state.picked.items.items()) {
+    if (const auto* atom = std::get_if<AtomRef>(&ref)) {
+      add(*atom);
+    } else {
+      for (const AtomRef& corner : std::get<SimplexRef>(ref)) add(corner);
+    }
+  }
+  std::sort(balls.begin(), balls.end());
+  balls.erase(std::unique(balls.begin(), balls.end()), balls.end());
+  return balls;
+}
+
+void choose_ball(ViewState& state, std::size_t ball, bool more) {
+  const Ref ref = AtomRef{static_cast<std::uint32_t>(ball), 0};
+  state.picked.cavities = {};
+  state.picked.items = more ? state.picked.items.toggled(ref) : RefSet({ref});
+}
+
+void remove_chosen(ViewState& state) {
+  const std::vector<BallIndex> balls = chosen_balls(state);
+  for (auto ball = balls.rbegin(); ball != balls.rend(); ++ball) {
+    remove_ball(*state.open.sandbox, *ball);
+  }
+  state.picked.clear();  // those behind them have other numbers now
+}
+
+double snapped(double angstrom, double step) {
+  if (!(step > 0)) return angstrom;
+  const double value = std::round(angstrom / step) * step;
+  return value == 0 ? 0 : value;
+}
+
+bool shows_flat_drawing(const ViewState& state) {
+  return state.memory.sandbox.drawing && state.open.sandbox && state.open.sandbox->flat &&
+         state.molecule.loaded;
+}
+
+}  // namespace alphascope

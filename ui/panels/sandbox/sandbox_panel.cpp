@@ -1,0 +1,200 @@
+// The sandbox: a handful of balls set by hand. Presets, what the drawing shows, and a table of the
+// balls in which every number can be typed.
+#include <algorithm>
+
+#include "core/chart/flat_drawing.hpp"
+#include "core/document/explain/dimension_words.hpp"
+#include "core/geometry/shortest_number.hpp"
+#include "ui/number_text.hpp"
+#include "ui/panels/panels.hpp"
+#include "ui/panels/sandbox/sandbox_edit.hpp"
+#include "ui/widgets/format.hpp"
+#include "ui/widgets/number_field.hpp"
+
+namespace alphascope {
+namespace {
+
+constexpr NumberRule kSnapRule{"The step", 0, 10, "Å"};
+
+void presets(PanelContext& ctx) {
+  const CommandSpec* const spec = ctx.commands.find("sandbox.new");
+  if (spec == nullptr) return;
+  ImGui::SetNextItemWidth(ctx.px(150));
+  if (list_field(ctx, "sandbox.preset", "New from preset")) {
+    for (const Choice& preset : spec->parameters.front().choices()) {
+      const std::string name = "sandbox.preset." + preset.id;
+      if (ImGui::Selectable(preset.title.c_str())) ctx.commands.run("sandbox.new", {preset.id});
+      record(ctx, name.c_str());
+      tooltip(ctx, preset.detail.c_str());
+    }
+    ImGui::EndCombo();
+  }
+  record(ctx, "sandbox.preset");
+  tooltip(ctx, "Opens a few balls that show something, ready to be changed.");
+}
+
+void begin_row(PanelContext& ctx) {
+  presets(ctx);
+  ImGui::SameLine(0, ctx.px(8));
+  const std::string why = why_not_by_hand(ctx.state);
+  ImGui::BeginDisabled(!why.empty());
+  bool by_hand = ctx.state.open.sandbox.has_value();
+  if (checkbox(ctx, "sandbox.by_hand", "Balls by hand", by_hand)) {
+    ctx.commands.run("sandbox.by_hand", {by_hand ? "on" : "off"});
+  }
+  ImGui::EndDisabled();
+  tooltip(ctx, why.empty() ? "On: the balls on screen can be moved, resized, added and removed. "
+                             "Off: the balls are the file's again. Undo brings them back."
+                           : why.c_str());
+  if (!ctx.state.open.sandbox) return;
+  ImGui::SameLine(0, ctx.px(16));
+  if (button(ctx, "sandbox.save", "Save…")) ctx.commands.run("file.export");
+  tooltip(ctx, "As .svg the flat drawing, as .xyzr the balls, and every other format of exports.");
+  if (!shows_flat_drawing(ctx.state)) return;
+  ImGui::SameLine(0, ctx.px(6));
+  if (button(ctx, "sandbox.fit", "Show all")) ctx.state.memory.sandbox.pixels_per_angstrom = 0;
+}
+
+void edit_row(PanelContext& ctx) {
+  ViewState& s = ctx.state;
+  SandboxMemory& m = s.memory.sandbox;
+  if (button(ctx, "sandbox.add", "Add a ball")) {
+    const FlatPoint middle = m.pixels_per_angstrom > 0 ? m.middle : FlatPoint{};
+    ctx.commands.run("sandbox.add", {shortest_number(snapped(middle[0], m.snap_angstrom)),
+                                     shortest_number(snapped(middle[1], m.snap_angstrom)), "0"});
+  }
+  tooltip(ctx, "In the middle of the drawing. A double-click in the drawing adds one there.");
+  ImGui::SameLine(0, ctx.px(6));
+  ImGui::BeginDisabled(chosen_balls(s).empty());
+  if (button(ctx, "sandbox.remove", "Remove")) remove_chosen(s);
+  ImGui::EndDisabled();
+  tooltip(ctx, "Removes the selected balls (Delete).");
+  ImGui::SameLine(0, ctx.px(16));
+  bool flat = s.open.sandbox->flat;
+  if (checkbox(ctx, "sandbox.flat", "In a plane", flat)) {
+    ctx.commands.run("sandbox.flat", {flat ? "on" : "off"});
+  }
+  tooltip(ctx,
+          "Brings every centre to z = 0, exactly, and keeps it there: then the complex is one "
+          "of the plane, whose largest simplices are triangles.");
+  ImGui::SameLine(0, ctx.px(10));
+  ImGui::BeginDisabled(!flat);
+  checkbox(ctx, "sandbox.drawing", "Flat drawing", m.drawing);
+  ImGui::EndDisabled();
+  tooltip(ctx, "Draws circles, power diagram and complex flat, in the place of the 3-D picture.");
+}
+
+void drawing_row(PanelContext& ctx) {
+  SandboxMemory& m = ctx.state.memory.sandbox;
+  ImGui::SameLine(0, ctx.px(10));
+  checkbox(ctx, "sandbox.discs", "Grown discs", m.content.discs);
+  tooltip(ctx, "Each ball with the radius √(r² + α).");
+  ImGui::SameLine(0, ctx.px(10));
+  checkbox(ctx, "sandbox.cells", "Power diagram", m.content.cells);
+  tooltip(ctx,
+          "The cell of a ball is where its power distance |x − c|² − r² is the least. It does "
+          "not depend on α.");
+  ImGui::SameLine(0, ctx.px(10));
+  checkbox(ctx, "sandbox.complex", "Complex", m.content.complex);
+  tooltip(ctx,
+          "The dual complex: green triangles, dark edges at their rim, yellow edges that belong "
+          "to no triangle.");
+  ImGui::SameLine(0, ctx.px(16));
+  ImGui::AlignTextToFramePadding();
+  muted_text(ctx, "Step, Å");
+  ImGui::SameLine(0, ctx.px(6));
+  ImGui::SetNextItemWidth(ctx.px(64));
+  number_field(ctx, "sandbox.snap", m.snap_angstrom, kSnapRule);
+  tooltip(ctx,
+          "Å: the mouse sets places and radii to multiples of it, so that exact ties can be "
+          "made. 0, or the key Alt: as fine as the lattice.");
+}
+
+std::string counts_text(const ViewState& s) {
+  return s.result ? with_minus_signs(own_counts_text(*s.result->balls, s.result->complex)) : "";
+}
+
+void coordinate(PanelContext& ctx, std::size_t ball, std::size_t axis) {
+  Sandbox& sandbox = *ctx.state.open.sandbox;
+  const double reach = sandbox_reach(sandbox.lattice);
+  const NumberRule rule{"A coordinate", -reach, reach, "Å"};
+  const std::string name = std::string("sandbox.") + "xyz"[axis] + "." + std::to_string(ball);
+  SandboxPlace place = centre_of(sandbox, ball);
+  ImGui::SetNextItemWidth(-1);
+  if (number_field(ctx, name.c_str(), place[axis], rule)) move_ball(sandbox, ball, place);
+}
+
+void radius(PanelContext& ctx, std::size_t ball) {
+  Sandbox& sandbox = *ctx.state.open.sandbox;
+  const NumberRule rule{"A radius", least_sandbox_radius(sandbox.lattice),
+                        most_sandbox_radius(sandbox.lattice), "Å"};
+  double value = radius_of(sandbox, ball);
+  ImGui::SetNextItemWidth(-1);
+  const std::string name = "sandbox.r." + std::to_string(ball);
+  if (number_field(ctx, name.c_str(), value, rule)) {
+    resize_ball(sandbox, ball, value);
+    ctx.state.memory.sandbox.next_radius_angstrom = radius_of(sandbox, ball);
+  }
+}
+
+void table(PanelContext& ctx) {
+  ViewState& s = ctx.state;
+  constexpr ImGuiTableFlags kFlags = ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg |
+                                     ImGuiTableFlags_BordersInnerH |
+                                     ImGuiTableFlags_SizingStretchSame;
+  if (!ImGui::BeginTable("balls", 5, kFlags, {ctx.px(560), 0})) return;
+  ImGui::TableSetupScrollFreeze(0, 1);
+  ImGui::TableSetupColumn("Ball", ImGuiTableColumnFlags_WidthFixed, ctx.px(64));
+  for (const char* title : {"x, Å", "y, Å", "z, Å", "Radius, Å"}) ImGui::TableSetupColumn(title);
+  ImGui::TableHeadersRow();
+  const std::vector<BallIndex> chosen = chosen_balls(s);
+  for (std::size_t i = 0; i < s.open.sandbox->balls.size(); ++i) {
+    ImGui::PushID(static_cast<int>(i));
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    ImGui::AlignTextToFramePadding();
+    const bool is_chosen = std::binary_search(chosen.begin(), chosen.end(), i);
+    if (ImGui::Selectable(std::to_string(i + 1).c_str(), is_chosen)) {
+      choose_ball(s, i, ImGui::GetIO().KeyCtrl);
+    }
+    record(ctx, ("sandbox.ball." + std::to_string(i)).c_str());
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      ImGui::TableNextColumn();
+      ImGui::BeginDisabled(axis == 2 && s.open.sandbox->flat);
+      coordinate(ctx, i, axis);
+      ImGui::EndDisabled();
+    }
+    ImGui::TableNextColumn();
+    radius(ctx, i);
+    ImGui::PopID();
+  }
+  ImGui::EndTable();
+}
+
+}  // namespace
+
+void draw_sandbox_panel(PanelContext& ctx) {
+  begin_row(ctx);
+  ViewState& s = ctx.state;
+  if (!s.open.sandbox) {
+    muted_wrapped(ctx,
+                  "Set a handful of balls by hand, and see power diagram and complex change: "
+                  "open a preset, or switch “Balls by hand” on for what is open.");
+    return;
+  }
+  edit_row(ctx);
+  if (s.open.sandbox->flat) drawing_row(ctx);
+  if (!shows_flat_drawing(s)) {
+    muted_text(ctx,
+               "In the picture: drag a ball to move it, Ctrl+wheel over it to resize it; with Alt "
+               "without steps.");
+  }
+  const std::string counts = counts_text(s);
+  if (!counts.empty()) {
+    muted_text(ctx, counts);
+    record(ctx, "sandbox.counts");
+  }
+  table(ctx);
+}
+
+}  // namespace alphascope

@@ -1,0 +1,179 @@
+// See the header. The shaders are VTK's, but for the geometry shader (BallMapper); what is added to
+// them uses names of theirs (VTK 9.1, vtkOpenGLSphereMapper): EyePos and EyeDir, the ray in units
+// of the ball's radius around its centre, b and d of the quadratic equation for where it meets the
+// ball.
+#include "ui/scene/gl/cut_shader.hpp"
+
+#include <vtkCamera.h>
+#include <vtkMatrix4x4.h>
+#include <vtkNew.h>
+#include <vtkShaderProperty.h>
+#include <vtkUniforms.h>
+
+#include <cstring>
+#include <string>
+
+namespace alphascope {
+namespace {
+
+constexpr const char* kPlaneNames[] = {"cutPlane0", "cutPlane1"};
+constexpr const char* kDepth = "//VTK::Depth::Impl";
+constexpr const char* kLight = "//VTK::Light::Impl";
+constexpr const char* kClip = "//VTK::Clip::Impl";
+// A darker rim tells the caps of one colour apart.
+constexpr double kRim = 0.08;  // Å
+constexpr double kRimShade = 0.6;
+constexpr const char* kClipDeclared = "//VTK::Clip::Dec";
+
+// A fragment's place is known without any varying: the plane is given in its coordinates.
+constexpr const char* kCutMesh = R"(
+  if (dot(cutPlane0, vec4(gl_FragCoord.xyz, 1.0)) < 0.0) discard;
+  if (dot(cutPlane1, vec4(gl_FragCoord.xyz, 1.0)) < 0.0) discard;
+)";
+
+// Of the ray, only what is between the planes is left; where that begins at a plane is the cap.
+// Behind (invertedDepth < 0, for translucent balls), where it ends. What begins behind the eye is
+// not seen: picking says the same.
+std::string cut_ball() {
+  return R"(
+  bool isCap = false;
+  float capShade = 1.0;
+  {
+    float enter = (-b - sqrt(d)) * 0.5, leave = (-b + sqrt(d)) * 0.5;
+    vec3 enterNormal = vec3(0.0), leaveNormal = vec3(0.0);
+    bool enterCap = false, leaveCap = false;
+    for (int k = 0; k < 2; ++k) {
+      vec4 plane = k == 0 ? cutPlane0 : cutPlane1;
+      float at = dot(plane.xyz, centerVCVSOutput + radiusVCVSOutput * EyePos) + plane.w;
+      float by = radiusVCVSOutput * dot(plane.xyz, EyeDir);
+      if (by > 0.0) {
+        if (-at / by > enter) { enter = -at / by; enterNormal = -plane.xyz; enterCap = true; }
+      } else if (by < 0.0) {
+        if (-at / by < leave) { leave = -at / by; leaveNormal = -plane.xyz; leaveCap = true; }
+      } else if (at < 0.0) {
+        discard;
+      }
+    }
+    if (!(enter < leave)) discard;
+    if (cameraParallel == 0) {
+      float eye = -dot(EyePos + centerVCVSOutput / radiusVCVSOutput, EyeDir);
+      if ((invertedDepth < 0.0 ? leave : enter) < eye) discard;
+    }
+    isCap = invertedDepth < 0.0 ? leaveCap : enterCap;
+    if (isCap) {
+      vec3 place = EyePos + (invertedDepth < 0.0 ? leave : enter) * EyeDir;
+      float power = radiusVCVSOutput * radiusVCVSOutput * (1.0 - dot(place, place));
+      vec4 plane = vec4(invertedDepth < 0.0 ? leaveNormal : enterNormal, 0.0);
+      float away = dot(plane.xyz, place);  // of the plane from the centre
+      float rim = sqrt(max(0.0, 1.0 - away * away)) - length(place - away * plane.xyz);
+      if (rim * radiusVCVSOutput < )" +
+         std::to_string(kRim) + ") capShade = " + std::to_string(kRimShade) + R"(;
+      float lift = )" +
+         std::to_string(kLeastCapLift) + " + " + std::to_string(kCapLift) + R"( * power;
+      normalVCVSOutput = invertedDepth * plane.xyz;
+      vertexVC.xyz = radiusVCVSOutput * place + centerVCVSOutput;
+      vec4 lifted = VCDCMatrix * vec4(vertexVC.xyz - lift * EyeDir, 1.0);
+      gl_FragDepth = (lifted.z / lifted.w + 1.0) / 2.0;
+    }
+  }
+)";
+}
+
+// A cap has the ball's very colour, whatever the light: that is what it is known by.
+constexpr const char* kFlatCap = R"(
+  if (isCap) gl_FragData[0] = vec4(capShade * (ambientColor + diffuseColor), gl_FragData[0].a);
+)";
+
+constexpr const char* kGeometryPlanes = R"(
+#define BALLS_ARE_CUT
+uniform vec4 cutPlane0;
+uniform vec4 cutPlane1;
+)";
+// Of a ball that is cut away, nothing is drawn at all.
+constexpr const char* kSkipBall = R"(
+  if (dot(cutPlane0, vec4(gl_in[0].gl_Position.xyz, 1.0)) < -radiusVCVSOutput[0]) return;
+  if (dot(cutPlane1, vec4(gl_in[0].gl_Position.xyz, 1.0)) < -radiusVCVSOutput[0]) return;
+)";
+
+bool is_cut(vtkActor* actor) {
+  return actor->GetShaderProperty()->GetNumberOfShaderReplacements() > 0;
+}
+
+void uncut(vtkActor* actor) {
+  actor->GetShaderProperty()->ClearAllShaderReplacements();
+  actor->GetShaderProperty()->GetFragmentCustomUniforms()->RemoveAllUniforms();
+}
+
+// The plane for coordinates that `to_old` takes into those that it is given for.
+std::array<double, 4> changed(const std::array<double, 4>& plane, vtkMatrix4x4* to_old) {
+  std::array<double, 4> result{};
+  for (int column = 0; column < 4; ++column) {
+    for (int row = 0; row < 4; ++row) {
+      result[static_cast<std::size_t>(column)] +=
+          plane[static_cast<std::size_t>(row)] * to_old->GetElement(row, column);
+    }
+  }
+  return result;
+}
+
+std::array<float, 4> rounded(const std::array<double, 4>& plane) {
+  std::array<float, 4> result;
+  for (std::size_t i = 0; i < 4; ++i) result[i] = static_cast<float>(plane[i]);
+  return result;
+}
+
+}  // namespace
+
+void cut_mesh_actor(vtkActor* actor, bool cut) {
+  if (cut == is_cut(actor)) return;
+  if (!cut) return uncut(actor);
+  actor->GetShaderProperty()->AddFragmentShaderReplacement(
+      kDepth, true, std::string(kCutMesh) + kDepth + "\n", false);
+}
+
+void cut_ball_actor(vtkActor* actor, bool cut) {
+  if (cut == is_cut(actor)) return;
+  if (!cut) return uncut(actor);
+  vtkShaderProperty* shaders = actor->GetShaderProperty();
+  shaders->AddFragmentShaderReplacement(kDepth, true, kDepth + cut_ball(), false);
+  shaders->AddFragmentShaderReplacement(kLight, true, kLight + std::string(kFlatCap), false);
+  shaders->AddGeometryShaderReplacement(kClipDeclared, true, kGeometryPlanes, false);
+  shaders->AddGeometryShaderReplacement(kClip, true, kSkipBall, false);
+}
+
+CutPlanes::CutPlanes(const Cut& cut, vtkRenderer* renderer, int width, int height) {
+  vtkCamera* camera = renderer->GetActiveCamera();
+  vtkNew<vtkMatrix4x4> view, picture, pixels;
+  view->DeepCopy(camera->GetViewTransformMatrix());
+  view->Invert();
+  picture->DeepCopy(
+      camera->GetCompositeProjectionTransformMatrix(renderer->GetTiledAspectRatio(), -1, 1));
+  picture->Invert();
+  // From pixels and depth to VTK's -1 to 1.
+  const double size[3] = {double(width), double(height), 1};
+  for (int k = 0; k < 3; ++k) {
+    pixels->SetElement(k, k, 2 / size[k]);
+    pixels->SetElement(k, 3, -1);
+  }
+  for (std::size_t k = 0; k < 2; ++k) {
+    std::array<double, 4> plane{0, 0, 0, 1};  // keeps everything
+    if (k < cut.kept.size()) {
+      const auto& [n, offset] = cut.kept[k];
+      plane = {n[0], n[1], n[2], offset};
+    }
+    camera_[k] = rounded(changed(plane, view));
+    fragment_[k] = rounded(changed(changed(plane, picture), pixels));
+  }
+}
+
+void CutPlanes::give_to(vtkActor* actor) const {
+  if (!is_cut(actor)) return;
+  // What skips balls tells theirs from the shaders of faces and lines.
+  vtkShaderProperty* shaders = actor->GetShaderProperty();
+  const auto& planes = shaders->GetNumberOfShaderReplacements() > 1 ? camera_ : fragment_;
+  for (std::size_t k = 0; k < 2; ++k) {
+    shaders->GetFragmentCustomUniforms()->SetUniform4f(kPlaneNames[k], planes[k].data());
+  }
+}
+
+}  // namespace alphascope

@@ -1,0 +1,48 @@
+// See the header.
+#include "ui/scene/mesh/alpha_scale.hpp"
+
+#include <algorithm>
+
+namespace alphascope {
+namespace {
+
+// The values that are drawn, and the complex' alpha as the largest; square lattice units.
+float lowest_drawn(const AlphaComplex& complex, const AlphaScale::Drawn& drawn) {
+  auto low = complex.alpha_on_lattice.nearest_float();
+  const auto take = [&low](const auto& list) {
+    for (const float v : list.alpha_values) low = std::min(low, v);
+  };
+  if (drawn.tetrahedra) take(complex.tetrahedra);
+  if (drawn.triangles) take(complex.triangles);
+  if (drawn.edges) take(complex.edges);
+  return low;
+}
+
+}  // namespace
+
+AlphaScale::AlphaScale(const AlphaComplex& complex, const Drawn& drawn, const AlphaColours& colours)
+    : scale_{colours.map, {}, scheme_info(ColourBy::alpha).root},
+      angstrom2_(complex.lattice.square_angstrom(1)) {
+  scale_.range = colours.range
+                     ? *colours.range
+                     : ColourRange{complex.lattice.square_angstrom(lowest_drawn(complex, drawn)),
+                                   complex.alpha_angstrom2()};
+}
+
+Rgb8 AlphaScale::colour(float value) const {
+  return scale_.colour(angstrom2_ * value);
+}
+
+Rgb8 AlphaScale::colour_at(double share) const {
+  return mapped_colour(scale_.map, share);
+}
+
+double AlphaScale::alpha_at(double share) const {
+  return scale_.value(share);
+}
+
+PaintKey AlphaScale::key() const {
+  return {quantity_title(scheme_info(ColourBy::alpha)), scale_, {}};
+}
+
+}  // namespace alphascope

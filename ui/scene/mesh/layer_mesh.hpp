@@ -1,0 +1,49 @@
+// What panels want drawn, as flat arrays. Pure C++, may run in a worker; no VTK.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "ui/layer.hpp"
+#include "ui/scene/mesh/ball_geometry.hpp"
+#include "ui/scene/mesh/complex_mesh.hpp"
+#include "ui/scene/mesh/difference_mesh.hpp"
+#include "ui/scene/mesh/tube_mesh.hpp"
+#include "ui/scene/picture/placed_label.hpp"
+
+namespace alphascope {
+
+// Lit; bounds and axes of spheres are not set.
+struct LayerBodies {
+  CellSoup faces;                               // triangles
+  CellSoup edges;                               // of tetrahedra
+  std::shared_ptr<const BallGeometry> spheres;  // null: none
+  std::vector<Rgb8> sphere_colours;
+  bool empty() const { return faces.points() == 0 && !spheres; }
+};
+
+struct LayerMesh {
+  DifferenceMesh marks;  // over everything else
+  LayerBodies opaque, translucent;
+  CellSoup body_lines;  // edges of layers that are bodies
+  SmoothMesh tubes;
+  // Before all else; null: none. One colour, and one atom of Molecule::atoms, for each.
+  std::shared_ptr<const BallGeometry> atoms;
+  std::vector<Rgb8> atom_colours;
+  std::vector<std::uint32_t> atom_of;
+  std::vector<PlacedLabel> labels;
+  bool fades_rest = false;
+  bool has_bodies() const { return !opaque.empty() || !translucent.empty() || tubes.points() > 0; }
+};
+
+// Throws std::invalid_argument when a simplex has a vertex beyond the balls.
+LayerMesh build_layer_mesh(const BallGeometry& balls, const Layers& layers);
+
+// Points of all arrays, at most; without making them.
+struct LayerPoints {
+  std::size_t faces = 0, lines = 0, balls = 0;
+  std::size_t all() const { return faces + lines + balls; }
+};
+LayerPoints layer_points(const Layers& layers);
+
+}  // namespace alphascope

@@ -1,0 +1,66 @@
+// See the header.
+#include "ui/scene/picture/frame_sink.hpp"
+
+#include "core/write/movie_file.hpp"
+
+namespace alphascope {
+namespace {
+
+class PictureSink : public FrameSink {
+ public:
+  // Numbers grow, and so do names.
+  PictureSink(const std::filesystem::path& pattern, int frames) : names_(pattern) {
+    for (int k = 1; k <= frames; ++k) {
+      const std::filesystem::path name = names_.name(k);
+      refuse_to_replace_input("The picture " + name.string(), name);
+    }
+    AtomicFile(names_.name(1));
+    AtomicFile(names_.name(frames));
+  }
+  void add(int number, const Image& image, const PictureTexts& texts,
+           const RunContext& context) override {
+    write_png(image, names_.name(number), texts, context.cancel);
+  }
+  void commit(const RunContext&) override {}
+
+ private:
+  FrameNames names_;
+};
+
+class MovieSink : public FrameSink {
+ public:
+  MovieSink(const std::filesystem::path& path, const MovieOptions& options)
+      : movie_(path, options) {}
+  void add(int, const Image& image, const PictureTexts&, const RunContext& context) override {
+    movie_.add(image.rgba, context.cancel);
+  }
+  void commit(const RunContext& context) override { movie_.commit(context.cancel); }
+
+ private:
+  MovieFile movie_;
+};
+
+// Names that ffmpeg's formats keep: all of it as one comment.
+PictureTexts movie_texts(const PictureTexts& texts) {
+  std::string comment;
+  for (const auto& [keyword, text] : texts) {
+    comment += (comment.empty() ? "" : "\n") + keyword + ": " + text;
+  }
+  return {{"comment", comment}};
+}
+
+}  // namespace
+
+std::unique_ptr<FrameSink> make_frame_sink(const std::filesystem::path& path,
+                                           const FrameSinkOptions& options) {
+  const RecordingFormat format = recording_format(path);
+  if (format == RecordingFormat::frames) {
+    return std::make_unique<PictureSink>(path, options.frames);
+  }
+  return std::make_unique<MovieSink>(
+      path, MovieOptions{format == RecordingFormat::mp4 ? MovieFormat::mp4 : MovieFormat::webm,
+                         options.width, options.height, options.frames_per_second,
+                         options.transparent, movie_texts(options.texts)});
+}
+
+}  // namespace alphascope

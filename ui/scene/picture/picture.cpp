@@ -1,0 +1,24 @@
+// See the header.
+#include "ui/scene/picture/picture.hpp"
+
+#include "ui/scene/mesh/cap_mesh.hpp"
+#include "ui/scene/scene_data.hpp"
+
+namespace alphascope {
+
+MarkedPicture show(Scene& scene, const Picture& p) {
+  scene.set_style(p.style);
+  scene.set_balls(make_ball_data(p.balls, p.colours, p.radii));
+  scene.set_mesh(make_mesh_data(p.mesh));
+  scene.set_caps(make_cap_data(p.caps));
+  scene.set_differences(make_difference_data(p.differences));
+  const auto layers = std::make_shared<const LayerMesh>(build_layer_mesh(*p.balls, p.layers));
+  scene.set_layers(make_layer_data(layers));
+  scene.set_beside_body(make_layer_data(p.beside_body));
+  if (p.viewpoint) scene.set_viewpoint(*p.viewpoint);
+  MarkedPicture marked = p.picture;
+  marked.labels = layers->labels;
+  return marked;
+}
+
+}  // namespace alphascope

@@ -1,0 +1,43 @@
+#include "ui/widgets/table_cells.hpp"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cstdio>
+
+#include "core/chart/readable_number.hpp"
+#include "ui/widgets/widgets.hpp"
+
+namespace alphascope {
+
+std::string measure_text(double value) {
+  char text[40];
+  std::snprintf(text, sizeof text, "%.2f", value);
+  return separated_number(text);
+}
+
+float title_width(const char* title) {
+  constexpr float kArrow = 0.65f;  // of the font's size, as ImGui draws it
+  return ImGui::CalcTextSize(title).x + kArrow * ImGui::GetFontSize() +
+         ImGui::GetStyle().FramePadding.x;
+}
+
+void right_text(const std::string& text) {
+  const float right = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(text.c_str()).x;
+  ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(0.0f, right));
+  ImGui::TextUnformatted(text.c_str());
+}
+
+bool row_button(PanelContext& ctx, const char* name, const char* label, float width) {
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {0, 0});
+  const bool clicked = button(ctx, name, label, {ctx.px(width), 0}, ButtonKind::quiet);
+  ImGui::PopStyleVar();
+  return clicked;
+}
+
+void number_cell(const std::string& text) {
+  ImGui::TableNextColumn();
+  right_text(text);
+}
+
+}  // namespace alphascope

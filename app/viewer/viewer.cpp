@@ -57,6 +57,7 @@ Viewer::Viewer(Host& host, const ViewerOptions& options, Session::Services servi
       complex_saver_([&host] { host.wake(); }),
       folder_reader_([&host] { host.wake(); }),
       session_files_([&host] { host.wake(); }),
+      queued_(make_queued()),
       preferences_([&host] { host.wake(); }, options.preferences),
       lesson_files_([&host] { host.wake(); }, lesson_folders(options)),
       lesson_stage_(make_lesson_stage()),
@@ -76,23 +77,23 @@ Viewer::Viewer(Host& host, const ViewerOptions& options, Session::Services servi
       store_([&host] { host.wake(); }, [this] { return large_object_budget(store_.held_bytes()); },
              [this] { return session_.threads(); }),
       session_([&host] { host.wake(); }, std::move(services)) {
-  add_program_commands(commands_, state_);
+  add_program_commands(commands_, state_, calls());
   fill_constants();
   set_scale_ = options.scale;
   use_preferences(options);
-  state_.compute.alpha_angstrom2 = options.alpha;
-  state_.compute.solvent_radius_angstrom = options.solvent;
-  state_.compute.tetrahedra_only = options.tetrahedra_only;
+  state_.settings.request.alpha_angstrom2 = options.alpha;
+  state_.settings.request.solvent_radius_angstrom = options.solvent;
+  state_.settings.request.tetrahedra_only = options.tetrahedra_only;
   state_.auto_compare = options.compare;
   draw_shots_only_ = options.draw_shots_only;
-  sent_compute_ = state_.compute;
-  session_.set_request(canonical(state_.compute));
-  session_.set_open_options(state_.open);
+  sent_compute_ = state_.settings.request;
+  session_.set_request(canonical(state_.settings.request));
+  session_.set_open_options(state_.settings.open);
   if (const auto preset = preset_named(options.preset)) {
-    state_.display = with_preset(state_.display, *preset);
+    state_.settings.display = with_preset(state_.settings.display, *preset);
   }
-  if (options.samples) state_.display.samples = *options.samples;
-  scene_.set_display(state_.display, state_.theme, line_scale());
+  if (options.samples) state_.settings.display.samples = *options.samples;
+  scene_.set_display(state_.settings.display, state_.theme, line_scale());
   editor_.restart(settings());
   if (options.file) open(*options.file);
   if (options.session) open_session(*options.session);
@@ -158,9 +159,9 @@ bool Viewer::working() const {
 
 bool Viewer::all_but_saving() const {
   const SessionActivity a = session_.activity();
-  return state_.open != sent_open_ || a.opening.busy || a.computing.busy || a.comparing.busy ||
-         a.timing.busy || !state_.gpu || scene_.busy() || folder_reader_.busy() ||
-         session_files_.busy() || lesson_files_.busy() || lessons_.busy();
+  return state_.settings.open != sent_open_ || a.opening.busy || a.computing.busy ||
+         a.comparing.busy || a.timing.busy || !state_.gpu || scene_.busy() ||
+         folder_reader_.busy() || session_files_.busy() || lesson_files_.busy() || lessons_.busy();
 }
 
 bool Viewer::settled() const {
@@ -172,7 +173,7 @@ void Viewer::take_molecule() {
   const SessionState& s = session_.state();
   const bool new_molecule = scene_.molecule() != s.molecule;
   state_.molecule = describe_molecule(*s.opened);
-  state_.molecule.radii = grown_radii(*s.prepared, state_.compute);
+  state_.molecule.radii = grown_radii(*s.prepared, state_.settings.request);
   compared_ = nullptr;
   if (new_molecule) {
     memory_to_give_back_ = true;  // the last one's
@@ -193,15 +194,12 @@ void Viewer::take_file() {
   state_.memory.cavities.wanted_row.reset();
   state_.memory.playing_models = state_.memory.timings_pinned = false;
   state_.memory.steps.playing = false;
-  state_.open = sent_open_ = session_.open_options();
-  state_.picked = {};
-  state_.clip = {};
-  state_.views.clear();
-  state_.appearance = {};
-  state_.annotations = {};
-  state_.cavity_choices = {};
+  sent_open_ = session_.open_options();
+  state_.settings = {
+      .open = sent_open_, .request = state_.settings.request, .display = state_.settings.display};
   state_.expression_error.reset();
-  state_.memory.expression_typed = state_.memory.expression_shown = state_.open.balls.selection;
+  state_.memory.expression_typed = state_.memory.expression_shown =
+      state_.settings.open.balls.selection;
   const auto& session = starting_session_;
   const std::filesystem::path& source = s.opened->deposited->source;
   const bool of_session = session && session->molecule.path == source;
@@ -257,7 +255,7 @@ void Viewer::take_machine() {
   }
   state_.gpu = machine_.get().gpu;
   if (engine_when_found_ && has_gpu(state_) && !shown_file_) {
-    state_.compute.engine = noted_.engine = *engine_when_found_;
+    state_.settings.request.engine = noted_.engine = *engine_when_found_;
   }
   frames_due_ = kSettlingFrames;
 }
@@ -287,15 +285,15 @@ void Viewer::take_session() {
     state_.cgal = s.reference_timings;
     state_.cgal_parallel = s.parallel_timings;
   }
-  OpenOptions before = state_.open;
+  OpenOptions before = state_.settings.open;
   if (changes.options) {  // what was asked for failed or was cancelled
-    state_.open = sent_open_ = session_.open_options();
+    state_.settings.open = sent_open_ = session_.open_options();
     state_.memory.playing_models = false;
     editor_.amend(settings());
   }
   if (changes.error) {
-    before.balls.model = state_.open.balls.model;
-    take_error(changes.options && before == state_.open);
+    before.balls.model = state_.settings.open.balls.model;
+    take_error(changes.options && before == state_.settings.open);
   }
   if (changes.any()) {
     frames_due_ = kSettlingFrames;
@@ -321,7 +319,7 @@ void Viewer::give_back_memory_when_due() {
 
 // Chains say nothing when there is only one; then elements do. A choice of the user's stays.
 void Viewer::colour_by_what_differs(const Molecule& molecule) {
-  DisplayControls& d = state_.display;
+  DisplayControls& d = state_.settings.display;
   const Paint automatic{automatic_colour_, {}, {}, {}};
   if (d.ball_paint != automatic || d.complex_paint != automatic) return;
   const bool one_chain =
@@ -331,63 +329,14 @@ void Viewer::colour_by_what_differs(const Molecule& molecule) {
   d.ball_paint = d.complex_paint = {automatic_colour_, {}, {}, {}};
 }
 
-void Viewer::take_requests() {
-  Requests r = std::exchange(state_.requests, {});
-  if (r.reset_view) scene_.reset_view();
-  if (r.starts_from_view()) scene_.settle_view(state_.viewport);
-  if (r.open) open(*r.open);
-  take_session_requests(r);
-  take_lesson_requests(r);
-  if (r.forget_recent) forget_recent();
-  if (r.compare) {
-    compared_ = session_.state().ours;
-    session_.request_comparison();
-  }
-  if (r.cancel) {
-    state_.memory.playing = state_.memory.playing_models = false;
-    session_.cancel_opening();
-    forget_waiting_session();
-    session_.cancel_computing();
-    session_.cancel_comparison();
-  }
-  if (r.compute_anew) session_.compute_anew();
-  if (r.cancel_compare) session_.cancel_comparison();
-  if (r.run_benchmark) {
-    benchmark_.start(session_.state(), state_.benchmark_controls, state_.benchmark);
-  }
-  if (r.cancel_benchmark) benchmark_.cancel();
-  if (r.export_benchmark) benchmark_.save(state_.benchmark_controls, state_.benchmark);
-  if (r.undo) undo();
-  if (r.redo) redo();
-  const std::optional<CameraPlace> view = scene_.camera();
-  if (r.look_across) scene_.look_across(*r.look_across);
-  if (r.zoom_to_selection) zoom_to(state_.picked.items);
-  if (!r.zoom_to.empty()) zoom_to(r.zoom_to);
-  if (!r.centre_on.empty()) centre_on(r.centre_on);
-  if (r.context_menu) open_context_menu();
-  if (!r.copy.empty()) ImGui::SetClipboardText(r.copy.c_str());
-  if (r.look_from) scene_.look_from(*r.look_from);
-  if (r.zoom) scene_.zoom(*r.zoom);
-  if (!r.save_view.empty()) save_view(r.save_view);
-  if (!r.go_to_view.empty()) go_to_view(r.go_to_view);
-  if (r.reset_view || scene_.camera() != view) ++view_moves_;
-  view_before_requests_ = scene_.camera() != view ? view : std::nullopt;
-  if (r.quit) quit_ = true;
-  if (r.screenshot) save_picture(*r.screenshot);
-  if (r.record) record(*r.record);
-  if (r.save_table) save_table(*r.save_table);
-  if (r.export_complex) export_complex(*r.export_complex);
-  if (r.cancel_save || (r.cancel && !state_.busy.active)) cancel_saving();
-}
-
 // What a command has set, before the panels; what they have set, after them.
 void Viewer::send_compute() {
-  if (state_.compute == sent_compute_ || awaits_panels()) return;
-  sent_compute_ = state_.compute;
-  session_.set_request(canonical(state_.compute));
+  if (state_.settings.request == sent_compute_ || awaits_panels()) return;
+  sent_compute_ = state_.settings.request;
+  session_.set_request(canonical(state_.settings.request));
   state_.compute_error.clear();  // of another alpha; it may be told again
   const SessionState& s = session_.state();
-  if (s.prepared) state_.molecule.radii = grown_radii(*s.prepared, state_.compute);
+  if (s.prepared) state_.molecule.radii = grown_radii(*s.prepared, state_.settings.request);
   frames_due_ = kSettlingFrames;
 }
 
@@ -395,14 +344,14 @@ void Viewer::send_controls() {
   send_compute();
   send_selection();
   send_look();
-  state_.picked.note_order();
+  state_.settings.selection.note_order();
   note_changes();
 }
 
 void Viewer::send_look() {
-  scene_.set_display(state_.display, state_.theme, line_scale());
-  scene_.set_clip(state_.clip);
-  scene_.set_appearance(state_.appearance);
+  scene_.set_display(state_.settings.display, state_.theme, line_scale());
+  scene_.set_clip(state_.settings.clip);
+  scene_.set_appearance(state_.settings.appearance);
 }
 
 // A frame is drawn by the processor that also makes the tables of this picture. While a hand
@@ -418,13 +367,13 @@ bool Viewer::waits_for_tables() {
 bool Viewer::awaits_panels() const {
   const auto& ours = session_.state().ours;
   const bool other_balls =
-      state_.compute.solvent_radius_angstrom != sent_compute_.solvent_radius_angstrom;
+      state_.settings.request.solvent_radius_angstrom != sent_compute_.solvent_radius_angstrom;
   const bool ahead = session_.activity().computing.busy || (ours && ours->balls != inputs_.balls);
   return other_balls && ahead && interacting() && store_.busy(Lane::interactive);
 }
 
 void Viewer::send_selection() {
-  OpenOptions& wanted = state_.open;
+  OpenOptions& wanted = state_.settings.open;
   if (wanted.balls.selection != sent_open_.balls.selection) {
     state_.expression_error = fault_of_selection(wanted.balls.selection);
     if (state_.expression_error) {
@@ -453,12 +402,12 @@ void Viewer::play() {
   bool& playing = state_.memory.playing;
   if (!playing || !session_.state().up_to_date() || scene_.busy()) return;
   const AlphaMemory& m = state_.memory.alpha;
-  const NextAlpha next = next_alpha(m.slider, state_.compute.alpha_angstrom2, m.backwards);
+  const NextAlpha next = next_alpha(m.slider, state_.settings.request.alpha_angstrom2, m.backwards);
   if (next.ended) {
     playing = false;
     return;
   }
-  set_alpha(state_.compute, next.alpha);
+  set_alpha(state_.settings.request, next.alpha);
   frames_due_ = kSettlingFrames;
 }
 
@@ -468,9 +417,10 @@ void Viewer::play_models() {
     model_playback_.stop();
     return;
   }
-  int& model = state_.open.balls.model;
-  const ModelPlayback::Scene scene{model, static_cast<int>(state_.molecule.models.size()),
-                                   settled() && !scene_.busy() && state_.open == sent_open_};
+  int& model = state_.settings.open.balls.model;
+  const ModelPlayback::Scene scene{
+      model, static_cast<int>(state_.molecule.models.size()),
+      settled() && !scene_.busy() && state_.settings.open == sent_open_};
   if (const auto next =
           model_playback_.next(scene, state_.memory.models_per_second, Clock::now())) {
     model = *next;

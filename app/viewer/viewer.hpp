@@ -30,6 +30,7 @@
 #include "core/document/commands/commands.hpp"
 #include "core/document/session/editor.hpp"
 #include "core/document/store/store.hpp"
+#include "ui/calls.hpp"
 #include "ui/panels/view_state.hpp"
 #include "ui/widgets/widget_rects.hpp"
 #include "ui/window/host.hpp"
@@ -76,6 +77,7 @@ class Viewer {
   void redo();
 
   ViewState& state() { return state_; }
+  Calls calls();  // queued until the end of the frame
   const Commands& commands() const { return commands_; }
   const WidgetRects& widgets() const { return rects_; }
   Session& session() { return session_; }
@@ -92,15 +94,15 @@ class Viewer {
   bool may_open(const std::filesystem::path& path);  // tells why not; forgets notes of the last
   void forget_waiting_session();
   void take_session_files();
-  void take_session_requests(const Requests& requests);
   Request possible_here(Request request) const;
   void start_session();  // waiting_session_
   void show_session();   // starting_session_
   class Stage;           // of lessons
+  class Queued;          // calls
+  std::shared_ptr<Queued> make_queued();
   std::unique_ptr<LessonStage> make_lesson_stage();
   static std::vector<std::filesystem::path> lesson_folders(const ViewerOptions& options);
   void take_lesson_files();
-  void take_lesson_requests(const Requests& requests);
   void take_back_history();
   // None without a molecule.
   std::optional<SessionDocument> session_document(const std::filesystem::path& file) const;
@@ -136,7 +138,8 @@ class Viewer {
   void take_inputs(const std::shared_ptr<const Answer>& shown);
   void note_large_objects();  // for the store's budget
   void take_shown();          // what is said of the picture changes with it
-  void take_requests();       // what the panels asked for
+  void run_calls();           // what the panels asked for
+  void cancel_computing();
   SweepRecorder::Window swept_window();
   void save_picture(const ScreenshotRequest& request);
   void record(const RecordRequest& request);
@@ -265,6 +268,7 @@ class Viewer {
   // Read, and not decided upon; then with its molecule on its way. Null: none.
   std::shared_ptr<const FoundSession> waiting_session_, starting_session_;
   bool session_awaits_gpu_ = false;
+  std::shared_ptr<Queued> queued_;
   PreferencesKeeper preferences_;
   LessonFiles lesson_files_;
   std::unique_ptr<LessonStage> lesson_stage_;

@@ -26,12 +26,13 @@ void Viewer::draw_annotations() {
   const auto& answer = scene_.drawn_answer();
   const std::shared_ptr<const BallSet> balls = answer ? answer->balls : nullptr;
   Annotated& a = annotated_;
-  const bool same = a.annotations == state_.annotations && a.references == state_.references &&
-                    a.balls == balls && a.looks == scene_.drawn_looks() &&
-                    a.beside == scene_.beside_body().mesh && a.theme == state_.theme;
+  const bool same = a.annotations == state_.settings.annotations &&
+                    a.references == state_.references && a.balls == balls &&
+                    a.looks == scene_.drawn_looks() && a.beside == scene_.beside_body().mesh &&
+                    a.theme == state_.theme;
   if (!same) {
-    a = {state_.annotations,        state_.references, balls,   scene_.drawn_looks(),
-         scene_.beside_body().mesh, state_.theme,      nullptr, a.key + 1};
+    a = {state_.settings.annotations, state_.references, balls,   scene_.drawn_looks(),
+         scene_.beside_body().mesh,   state_.theme,      nullptr, a.key + 1};
     if (a.references && a.balls) {
       a.layer =
           make_annotation_layer(a.annotations, {*a.references, a.balls,

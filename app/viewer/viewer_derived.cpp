@@ -43,7 +43,7 @@ void Viewer::take_derived() {
     take_inputs(shown);
   }
   if (inputs_.balls) {
-    inputs_.split_networks = state_.cavity_choices.split_networks;
+    inputs_.split_networks = state_.settings.cavity_choices.split_networks;
     inputs_.complex = nullptr;
     inputs_.measures = nullptr;
     if (shown->balls == inputs_.balls) {
@@ -67,7 +67,7 @@ void Viewer::take_derived() {
 // balls) would be made and kept for panels alone, which ask for it when somebody looks at them.
 bool Viewer::needs_filtration() const {
   constexpr std::size_t kSmall = 100'000;  // balls
-  const EngineChoice engine = state_.compute.engine;
+  const EngineChoice engine = state_.settings.request.engine;
   const bool on_gpu = needs_gpu(engine) || (engine == EngineChoice::automatic && has_gpu(state_));
   return !on_gpu || inputs_.balls->size() <= kSmall;
 }

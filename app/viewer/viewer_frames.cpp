@@ -33,7 +33,8 @@ void Viewer::draw(ScriptedInput* input, bool patient,
   guarded([this] { describe_under_mouse(); });
   if (!frame_.begin(state_.theme, input)) return want_of_all_balls();
   session_.let_finish(interacting());
-  session_.set_measuring(state_.measures_wanted || is_exposure(state_.display.ball_paint.by));
+  session_.set_measuring(state_.measures_wanted ||
+                         is_exposure(state_.settings.display.ball_paint.by));
   session_.set_finding_outside(scene_.draws_outside());
   gesture_ = gestures_.in_this_frame();
   store_.next_frame();
@@ -44,7 +45,8 @@ void Viewer::draw(ScriptedInput* input, bool patient,
     const bool turned = !state_.viewport.events.empty();
     if (!patient && !turned) scene_.begin_picture(state_.viewport, interacting());
   });
-  const WindowParts parts{state_, rects_, commands_, store_, inputs_};
+  const Calls calls = this->calls();
+  const WindowParts parts{state_, rects_, commands_, store_, inputs_, calls};
   draw_window(parts, frame_.fonts(), frame_.scale());
   guarded([this] { want_of_all_balls(); });
   guarded([this] {
@@ -58,7 +60,7 @@ void Viewer::draw(ScriptedInput* input, bool patient,
     for (const PointerEvent& event : state_.viewport.events) {
       if (event.kind == PointerEvent::Kind::click) click(event);
     }
-    take_requests();
+    run_calls();
     lessons_.step();
     go_on_recording();
     play();
@@ -182,7 +184,7 @@ void Viewer::run() {
     const bool playing = state_.memory.playing || state_.memory.playing_models;
     const bool step_due = state_.memory.steps.playing && seconds_to_next_step() <= 0;
     const bool due = frames_due_ > 0 || playing || step_due || working() || store_.busy() ||
-                     scene_.wants_frame() || state_.open != sent_open_;
+                     scene_.wants_frame() || state_.settings.open != sent_open_;
     if (!due) continue;
     frames_due_ = std::max(0, frames_due_ - 1);
     draw(nullptr, false);

@@ -6,11 +6,11 @@
 
 namespace alphascope {
 
-// The molecule's options as they were sent: what the controls hold may be refused.
+// The molecule's options as they were sent: those that the panels hold may be refused.
 Settings Viewer::settings() const {
-  return {session_.open_options(), state_.compute,       state_.display, state_.picked.items,
-          state_.picked.cavities,  state_.clip,          state_.views,   state_.appearance,
-          state_.annotations,      state_.cavity_choices};
+  Settings settings = state_.settings;
+  settings.open = session_.open_options();
+  return settings;
 }
 
 // Once a frame, when what was typed has been checked.
@@ -20,7 +20,7 @@ void Viewer::note_changes() {
   const std::size_t entries = editor_.depth();
   if (std::exchange(state_.selection_followed, false)) {
     Settings followed = editor_.now();
-    followed.selection = state_.picked.items;
+    followed.selection = state_.settings.selection;
     editor_.follow(followed);
   }
   if (by_itself) {
@@ -41,17 +41,7 @@ void Viewer::note_changes() {
 }
 
 void Viewer::show_settings() {
-  const Settings& s = editor_.now();
-  state_.open = s.open;
-  state_.compute = s.request;
-  state_.display = s.display;
-  state_.clip = s.clip;
-  state_.views = s.views;
-  state_.appearance = s.appearance;
-  state_.annotations = s.annotations;
-  state_.cavity_choices = s.cavity_choices;
-  state_.picked.items = s.selection;
-  state_.picked.cavities = s.cavities;
+  state_.settings = editor_.now();
   state_.memory.playing = state_.memory.playing_models = false;
   state_.memory.number = {};  // what was being typed is not what is undone
   state_.expression_error.reset();

@@ -86,7 +86,8 @@ class Viewer::Stage : public LessonStage {
   }
   bool at_rest() const override {
     const SessionActivity a = v_.session_.activity();
-    const bool sent = v_.state_.compute == v_.sent_compute_ && v_.state_.open == v_.sent_open_;
+    const bool sent =
+        v_.state_.settings.request == v_.sent_compute_ && v_.state_.settings.open == v_.sent_open_;
     const bool shown = v_.session_.state().ours == v_.state_.result ||
                        !v_.state_.compute_error.empty() || v_.state_.memory.playing;
     return sent && shown && !a.opening.busy && !a.computing.busy && !v_.scene_.busy();
@@ -166,8 +167,8 @@ class Viewer::Stage : public LessonStage {
       v_.editor_ = kept.history;
       v_.show_settings();
     } else {
-      s.compute = kept.settings.request;
-      s.display = kept.settings.display;
+      s.settings.request = kept.settings.request;
+      s.settings.display = kept.settings.display;
       v_.editor_.restart(v_.settings());
     }
     v_.noted_ = v_.preferred();
@@ -217,15 +218,6 @@ void Viewer::take_lesson_files() {
   }
   if (!news.error.empty()) state_.tell("The lesson cannot be opened", news.error);
   if (news.shelf || news.opened || !news.error.empty()) frames_due_ = kSettlingFrames;
-}
-
-void Viewer::take_lesson_requests(const Requests& r) {
-  if (!r.open_lesson.empty()) lesson_files_.open(r.open_lesson);
-  if (r.lesson_next) lessons_.next();
-  if (r.lesson_back) lessons_.back();
-  if (r.lesson_again) lessons_.again();
-  if (r.lesson_reveal) lessons_.reveal();
-  if (r.close_lesson) lessons_.close();
 }
 
 // The undo steps of what was open before a lesson.

@@ -27,7 +27,7 @@ void Viewer::use_preferences(const ViewerOptions& options) {
   if (needs_gpu(p.engine)) {
     engine_when_found_ = p.engine;
   } else {
-    state_.compute.engine = p.engine;
+    state_.settings.request.engine = p.engine;
   }
   noted_ = preferred();
 }
@@ -38,7 +38,7 @@ Preferences Viewer::preferred() const {
   p.light_theme = state_.theme == Theme::light;
   p.scale = state_.control_scale;
   p.presenter_size = state_.presenter_size;
-  p.engine = state_.compute.engine;
+  p.engine = state_.settings.request.engine;
   p.last_folder = state_.memory.browser_folder;
   const HostSize size = host_.size();
   if (size.width <= 0 || size.height <= 0) return p;  // minimised

@@ -18,7 +18,7 @@ double step_of(const ViewState& s) {
 }
 
 void resize_by(ViewState& s, std::size_t ball, double notches) {
-  Sandbox& sandbox = *s.open.sandbox;
+  Sandbox& sandbox = *s.settings.open.sandbox;
   const double step = step_of(s) > 0 ? step_of(s) : kWheelStep;
   const double radius = snapped(radius_of(sandbox, ball) + notches * step, step_of(s));
   resize_ball(sandbox, ball, std::max(radius, least_sandbox_radius(sandbox.lattice)));
@@ -26,7 +26,7 @@ void resize_by(ViewState& s, std::size_t ball, double notches) {
 
 void move_to(ViewState& s, std::size_t ball, SandboxPlace place) {
   for (double& coordinate : place) coordinate = snapped(coordinate, step_of(s));
-  move_ball(*s.open.sandbox, ball, place);
+  move_ball(*s.settings.open.sandbox, ball, place);
 }
 
 }  // namespace
@@ -35,13 +35,14 @@ std::optional<std::size_t> Viewer::sandbox_ball_at(int x, int y) const {
   const auto found = under(x, y);
   if (!found || !found->what) return std::nullopt;
   const AtomRef* const atom = std::get_if<AtomRef>(&*found->what);
-  if (atom == nullptr || atom->atom >= state_.open.sandbox->balls.size()) return std::nullopt;
+  if (atom == nullptr || atom->atom >= state_.settings.open.sandbox->balls.size())
+    return std::nullopt;
   return atom->atom;
 }
 
 bool Viewer::drag_ball(const PointerEvent& event) {
   using Kind = PointerEvent::Kind;
-  if (!state_.open.sandbox || shows_flat_drawing(state_)) {
+  if (!state_.settings.open.sandbox || shows_flat_drawing(state_)) {
     ball_drag_.reset();
     return false;
   }
@@ -51,7 +52,7 @@ bool Viewer::drag_ball(const PointerEvent& event) {
   const auto ray = scene_.ray(event.x, event.y);
   if (!ray) return false;
   if (event.kind == Kind::move && ball_drag_) {
-    if (ball_drag_->ball() >= state_.open.sandbox->balls.size()) ball_drag_.reset();
+    if (ball_drag_->ball() >= state_.settings.open.sandbox->balls.size()) ball_drag_.reset();
     const auto place = ball_drag_ ? ball_drag_->place(*ray) : std::nullopt;
     if (place) move_to(state_, ball_drag_->ball(), *place);
     return true;
@@ -67,7 +68,8 @@ bool Viewer::drag_ball(const PointerEvent& event) {
     return true;
   }
   const RealPoint& into = state_.viewport.into_view;
-  ball_drag_ = BallDrag::begin(*state_.open.sandbox, *ball, *ray, {into.x, into.y, into.z});
+  ball_drag_ =
+      BallDrag::begin(*state_.settings.open.sandbox, *ball, *ray, {into.x, into.y, into.z});
   return ball_drag_.has_value();
 }
 

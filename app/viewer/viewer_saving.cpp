@@ -22,8 +22,8 @@ void Viewer::save_picture(const ScreenshotRequest& request) {
 
 SweepRecorder::Window Viewer::swept_window() {
   return {[this](const ScreenshotRequest& r) { return scene_.picture(r); },
-          [this](const Alpha& angstrom2) { set_alpha(state_.compute, angstrom2); },
-          [this] { return state_.compute.alpha_angstrom2; },
+          [this](const Alpha& angstrom2) { set_alpha(state_.settings.request, angstrom2); },
+          [this] { return state_.settings.request.alpha_angstrom2; },
           [this]() -> std::optional<Alpha> {
             const auto& answer = scene_.drawn_answer();
             if (!answer) return std::nullopt;

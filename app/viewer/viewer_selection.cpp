@@ -71,13 +71,13 @@ Viewer::UnderMouse Viewer::under_atom(std::size_t atom) const {
 void Viewer::describe_under_mouse() {
   ViewportInfo& v = state_.viewport;
   v.under_mouse = v.under_mouse_line = {};
-  state_.picked.hovered.reset();
+  state_.hovered.reset();
   follow_picture();
   if (!v.hovered) return;
   if (auto found = under(v.mouse_x, v.mouse_y)) {
     v.under_mouse = std::move(found->text.tooltip);
     v.under_mouse_line = std::move(found->text.line);
-    state_.picked.hovered = std::move(found->what);
+    state_.hovered = std::move(found->what);
   }
 }
 
@@ -94,10 +94,10 @@ void Viewer::open_context_menu() {
 void Viewer::click(const PointerEvent& event) {
   if (event.button == 1) return open_context_menu();
   const bool more = event.control || event.shift;
-  RefSet& items = state_.picked.items;
+  RefSet& items = state_.settings.selection.items;
   const auto found = under(event.x, event.y);
   if (!found) {
-    if (!more) state_.picked.clear();
+    if (!more) state_.settings.selection.clear();
     return;
   }
   if (!found->what) return;
@@ -106,7 +106,7 @@ void Viewer::click(const PointerEvent& event) {
     state_.notice = "No more can be selected at once.";
   } else {
     items = wanted;
-    state_.picked.note_order();
+    state_.settings.selection.note_order();
   }
 }
 
@@ -116,12 +116,13 @@ void Viewer::mark_selection() {
   const auto& answer = scene_.drawn_answer();
   Marked& m = marked_;
   // What lines a cavity is marked by rims, for whole balls would hide cavity and ligand.
-  const bool outlines = !state_.picked.cavities.empty();
-  const bool same = m.items == state_.picked.items && m.references == state_.references &&
-                    m.answer == answer && m.beside == scene_.beside_body().mesh &&
-                    m.theme == state_.theme && m.drawn.outlines == outlines;
+  const bool outlines = !state_.settings.selection.cavities.empty();
+  const bool same = m.items == state_.settings.selection.items &&
+                    m.references == state_.references && m.answer == answer &&
+                    m.beside == scene_.beside_body().mesh && m.theme == state_.theme &&
+                    m.drawn.outlines == outlines;
   if (!same) {
-    m = {state_.picked.items,
+    m = {state_.settings.selection.items,
          state_.references,
          answer,
          scene_.beside_body().mesh,
@@ -181,19 +182,19 @@ void Viewer::find_marks() {
 
 void Viewer::save_view(const std::string& name) {
   NamedView view = scene_.named_view(name);
-  for (NamedView& old : state_.views) {
+  for (NamedView& old : state_.settings.views) {
     if (old.name != name) continue;
     old = view;
     return;
   }
-  state_.views.push_back(std::move(view));
+  state_.settings.views.push_back(std::move(view));
   state_.notice = "Saved camera: " + name;
 }
 
 void Viewer::go_to_view(const std::string& name) {
-  for (const NamedView& view : state_.views) {
+  for (const NamedView& view : state_.settings.views) {
     if (view.name != name) continue;
-    state_.display.orthographic = view.orthographic;
+    state_.settings.display.orthographic = view.orthographic;
     scene_.go_to(view);
   }
 }
@@ -201,13 +202,13 @@ void Viewer::go_to_view(const std::string& name) {
 // While it is held, it turns about where it was taken.
 void Viewer::place_clip_handle() {
   constexpr double kSize = 85;  // pixels at scale 1
-  const auto pivot = pivot_near(state_.clip, state_.viewport.box_middle);
+  const auto pivot = pivot_near(state_.settings.clip, state_.viewport.box_middle);
   if (state_.memory.clip_part == HandlePart::none) clip_pivot_.reset();
   if (state_.memory.clip_part == HandlePart::turn && !clip_pivot_) {
     clip_pivot_ = state_.viewport.clip_handle.pivot;
   }
   state_.viewport.clip_handle =
-      scene_.clip_handle(state_.clip, clip_pivot_.value_or(pivot), kSize * frame_.scale());
+      scene_.clip_handle(state_.settings.clip, clip_pivot_.value_or(pivot), kSize * frame_.scale());
 }
 
 SceneController::Selected Viewer::drawn_of(const RefSet& items) const {
@@ -236,7 +237,7 @@ void Viewer::start_preset() {
   const std::filesystem::path wanted = std::exchange(m.edit_when_open, {});
   const SessionState& s = session_.state();
   if (wanted.empty() || wanted != s.opened->deposited->source) return;
-  if (!state_.open.sandbox) state_.open.sandbox = sandbox_of(*s.prepared->balls);
+  if (!state_.settings.open.sandbox) state_.settings.open.sandbox = sandbox_of(*s.prepared->balls);
 }
 
 }  // namespace alphascope

@@ -45,20 +45,6 @@ void Viewer::take_session_files() {
   if (outcome.read || outcome.saved || !outcome.error.empty()) frames_due_ = kSettlingFrames;
 }
 
-void Viewer::take_session_requests(const Requests& r) {
-  if (r.open_session) open_session(*r.open_session);
-  if (r.save_session) {
-    if (const auto document = session_document(*r.save_session)) {
-      session_files_.save(*document, *r.save_session);
-    }
-  }
-  if (r.session_give_up) forget_waiting_session();
-  if (r.session_anyway && waiting_session_) start_session();
-  if (r.session_molecule && waiting_session_) {
-    session_files_.open_with(waiting_session_, *r.session_molecule);
-  }
-}
-
 // All engines answer alike; this machine may lack the one that was used.
 Request Viewer::possible_here(Request request) const {
   if (needs_gpu(request.engine) && !has_gpu(state_)) request.engine = EngineChoice::automatic;
@@ -74,7 +60,7 @@ void Viewer::start_session() {
   starting_session_ = found;
   const Settings& settings = found->read.session.settings;
   OpenOptions options = settings.open;
-  options.read.max_bytes = state_.open.read.max_bytes;
+  options.read.max_bytes = state_.settings.open.read.max_bytes;
   if (found->radii_table) options.radii_table = found->radii_table->path;
   session_.open(found->molecule.path, options, canonical(possible_here(settings.request)));
 }
@@ -83,15 +69,10 @@ void Viewer::start_session() {
 void Viewer::show_session() {
   const auto found = std::exchange(starting_session_, nullptr);
   const SessionDocument& s = found->read.session;
-  state_.compute = sent_compute_ = possible_here(s.settings.request);
-  state_.display = s.settings.display;
-  state_.picked.items = s.settings.selection;
-  state_.picked.cavities = s.settings.cavities;
-  state_.clip = s.settings.clip;
-  state_.views = s.settings.views;
-  state_.appearance = s.settings.appearance;
-  state_.annotations = s.settings.annotations;
-  state_.cavity_choices = s.settings.cavity_choices;
+  OpenOptions open = std::move(state_.settings.open);  // as the molecule was opened
+  state_.settings = s.settings;
+  state_.settings.open = std::move(open);
+  state_.settings.request = sent_compute_ = possible_here(s.settings.request);
   state_.theme = s.view.light_theme ? Theme::light : Theme::dark;
   state_.memory.playing = false;
   state_.memory.number = {};
@@ -102,7 +83,7 @@ void Viewer::show_session() {
   state_.memory.alpha.slider = s.view.panels.alpha_slider;
   state_.memory.save = s.view.picture;
   static_cast<RecordChoices&>(state_.memory.record) = s.view.recording;
-  state_.molecule.radii = grown_radii(*session_.state().prepared, state_.compute);
+  state_.molecule.radii = grown_radii(*session_.state().prepared, state_.settings.request);
   if (s.view.camera.any()) scene_.set_camera_when_drawn(s.view.camera);
   state_.session_file = found->file;
   noted_ = preferred();  // of the session, not of the user

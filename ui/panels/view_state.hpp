@@ -17,13 +17,8 @@
 
 #include "core/document/export/complex_export.hpp"
 #include "core/document/export/record_source.hpp"
-#include "core/document/reference/annotations.hpp"
-#include "core/document/reference/appearance.hpp"
 #include "core/document/reference/reference.hpp"
-#include "core/document/settings/cavity_choices.hpp"
-#include "core/document/settings/clip.hpp"
-#include "core/document/settings/named_view.hpp"
-#include "core/document/settings/open_options.hpp"
+#include "core/document/settings/settings.hpp"
 #include "core/document/store/answer.hpp"
 #include "core/engine/cold_and_warm.hpp"
 #include "core/engine/gpu_device.hpp"
@@ -53,45 +48,6 @@
 #include "ui/widgets/key_memory.hpp"
 
 namespace alphascope {
-
-// The complex on screen, for another program.
-struct ExportRequest {
-  std::filesystem::path path;  // its ending says the format
-  ExportColours colours = ExportColours::element;
-};
-
-// What the user asked for in this frame; the program takes and clears them.
-struct Requests {
-  std::optional<std::filesystem::path> open;  // a molecule or a session
-  std::optional<std::filesystem::path> open_session, save_session;
-  std::optional<std::filesystem::path> session_molecule;  // in place of the one that it names
-  bool session_anyway = false, session_give_up = false;   // of ViewState::session_problem
-  bool forget_recent = false;
-  std::optional<ScreenshotRequest> screenshot;
-  std::optional<RecordRequest> record;
-  std::optional<SaveTableRequest> save_table;
-  std::optional<ExportRequest> export_complex;
-  bool compare = false, cancel = false, cancel_compare = false, cancel_save = false;
-  bool compute_anew = false;                       // set-up included, for its cold time
-  std::optional<double> zoom;                      // how many times as large
-  std::optional<std::array<double, 3>> look_from;  // from the middle of the view to the viewer
-  std::optional<RealPoint> look_across;            // a line; the view turns no more than it must
-  std::string save_view, go_to_view;               // names of saved cameras; empty: none
-  bool reset_view = false, zoom_to_selection = false, quit = false;
-  RefSet zoom_to, centre_on;  // what is to fill the view, and to be its middle; empty: nothing
-  std::string copy;           // into the clipboard; empty: nothing
-  bool context_menu = false;  // at the mouse
-  bool undo = false, redo = false;
-  bool run_benchmark = false, cancel_benchmark = false, export_benchmark = false;
-  std::string open_lesson;  // a name or a path; empty: none
-  bool lesson_next = false, lesson_back = false, lesson_again = false, lesson_reveal = false;
-  bool close_lesson = false;
-
-  bool starts_from_view() const {
-    return zoom || look_from || look_across || zoom_to_selection || !zoom_to.empty() ||
-           !centre_on.empty() || !save_view.empty() || save_session || screenshot || record;
-  }
-};
 
 struct SampleMolecule {
   std::string name, detail;  // "Crambin", "1CRN · 327 atoms"
@@ -200,15 +156,9 @@ struct PanelMemory {
 };
 
 struct ViewState {
-  Request compute;
-  OpenOptions open;
-  DisplayControls display;
-  Clip clip;
-  NamedViews views;
-  Appearance appearance;
-  Annotations annotations;
-  CavityChoices cavity_choices;
-  Selection picked;  // in the picture
+  // What is set for the open file: the panels change it, the history notes it once a frame.
+  Settings settings;
+  std::optional<Ref> hovered;  // under the mouse in the picture
   // Its items were changed since other atoms line what is chosen: that is no entry of the history,
   // which takes this back.
   bool selection_followed = false;
@@ -255,7 +205,6 @@ struct ViewState {
   std::optional<SessionProblem> session_problem;
   std::filesystem::path session_file;  // that was opened or saved last, of this molecule; or empty
 
-  Requests requests;
   PanelMemory memory;
 
   // Shows an error, after those that are not dismissed yet. For what the user asked for once; what

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "core/document/commands/commands.hpp"
+#include "ui/calls.hpp"
 #include "ui/panels/view_state.hpp"
 #include "ui/widgets/style.hpp"
 #include "ui/widgets/widget_rects.hpp"
@@ -23,6 +24,7 @@ struct PanelContext {
   const Commands& commands;
   Store& store;          // of derived results: ask it in each frame
   const Inputs& inputs;  // what they are made of now
+  const Calls& calls;    // what the program is asked to do, after this frame
   const PanelFonts& fonts;
   const Palette& palette;
   float scale = 1;

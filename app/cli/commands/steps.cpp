@@ -11,8 +11,8 @@
 #include "app/cli/text/terminal.hpp"
 #include "app/cli/text/text.hpp"
 #include "app/session/rounding_note.hpp"
-#include "core/document/reference/reference.hpp"
 #include "core/document/explain/steps_json.hpp"
+#include "core/document/reference/reference.hpp"
 #include "core/run/work_threads.hpp"
 
 namespace alphascope::cli {

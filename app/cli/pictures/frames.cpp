@@ -6,8 +6,8 @@
 #include "app/cli/pictures/pictured.hpp"
 #include "app/cli/text/terminal.hpp"
 #include "app/cli/text/text.hpp"
-#include "core/write/movie_file.hpp"
 #include "core/text/printable.hpp"
+#include "core/write/movie_file.hpp"
 #include "ui/scene/picture/record_frames.hpp"
 
 namespace alphascope::cli {

@@ -36,13 +36,13 @@ Outcome label_atoms(ViewState& s, const Arguments& arguments) {
   for (const auto& [value, id] : setting_ids(text)) {
     if (arguments.text("text") == id) text = value;
   }
-  LabelGroups labels = s.annotations.labels;
+  LabelGroups labels = s.settings.annotations.labels;
   set_labels(labels, asked.atoms, text);
   if (label_count(s.references->molecule(), labels) > kMostLabels) {
     return Outcome::refused("A picture has at most " + count(kMostLabels) +
                             " labels. Name fewer atoms, or label their residues.");
   }
-  s.annotations.labels = std::move(labels);
+  s.settings.annotations.labels = std::move(labels);
   return {};
 }
 
@@ -61,7 +61,9 @@ void add_label_commands(Commands& commands, ViewState& s) {
   label.why_not = without_picture(s);
   label.run = [&s](const Arguments& arguments) { return label_atoms(s, arguments); };
   commands.add(std::move(label));
-  const auto none = [&s] { return s.annotations.labels.empty() ? "There is no label." : ""; };
+  const auto none = [&s] {
+    return s.settings.annotations.labels.empty() ? "There is no label." : "";
+  };
   commands.add({.id = "label.remove",
                 .title = "Remove labels",
                 .help = "Takes the labels of atoms away",
@@ -77,7 +79,7 @@ void add_label_commands(Commands& commands, ViewState& s) {
                     [&s](const Arguments& arguments) {
                       const AskedAtoms asked = asked_atoms(s, arguments.text("atoms"));
                       if (!asked.fault.empty()) return Outcome::refused(asked.fault);
-                      set_labels(s.annotations.labels, asked.atoms, std::nullopt);
+                      set_labels(s.settings.annotations.labels, asked.atoms, std::nullopt);
                       return Outcome();
                     }});
   commands.add({.id = "label.remove_all",
@@ -86,7 +88,7 @@ void add_label_commands(Commands& commands, ViewState& s) {
                 .menu = "Edit",
                 .why_not = none,
                 .run = [&s](const Arguments&) {
-                  s.annotations.labels.clear();
+                  s.settings.annotations.labels.clear();
                   return Outcome();
                 }});
 }
@@ -96,7 +98,7 @@ void add_label_commands(Commands& commands, ViewState& s) {
 Outcome measure_atoms(ViewState& s, const Arguments& arguments) {
   const std::string text = arguments.text("atoms");
   if (text.empty()) {
-    const AskedMeasurement asked = asked_measurement(s.picked);
+    const AskedMeasurement asked = asked_measurement(s.settings.selection);
     return asked.measurement ? add_measurement(s, *asked.measurement)
                              : Outcome::refused(asked.why_not);
   }
@@ -110,7 +112,7 @@ Outcome measure_atoms(ViewState& s, const Arguments& arguments) {
 }
 
 Outcome remove_measurement(ViewState& s, const Arguments& arguments) {
-  Measurements& all = s.annotations.measurements;
+  Measurements& all = s.settings.annotations.measurements;
   const auto number = static_cast<std::size_t>(arguments.number("number"));
   if (number > all.size()) {
     return Outcome::refused("There is no number " + count(number) + "; the last is " +
@@ -120,10 +122,10 @@ Outcome remove_measurement(ViewState& s, const Arguments& arguments) {
   return {};
 }
 
-void add_measurement_commands(Commands& commands, ViewState& s) {
+void add_measurement_commands(Commands& commands, ViewState& s, const Calls& ask) {
   static constexpr NumberRule kNumberRule{"The number", 1, double(kMostMeasurements), "", true};
   const auto none = [&s] {
-    return s.annotations.measurements.empty() ? "Nothing is measured." : "";
+    return s.settings.annotations.measurements.empty() ? "Nothing is measured." : "";
   };
   commands.add({.id = "measure.atoms",
                 .title = "Measure distance or angle",
@@ -155,7 +157,7 @@ void add_measurement_commands(Commands& commands, ViewState& s) {
                 .menu = "Tools",
                 .why_not = none,
                 .run = [&s](const Arguments&) {
-                  s.annotations.measurements.clear();
+                  s.settings.annotations.measurements.clear();
                   return Outcome();
                 }});
   commands.add({.id = "measure.copy",
@@ -168,10 +170,10 @@ void add_measurement_commands(Commands& commands, ViewState& s) {
                       return reason.empty() ? without_picture(s)() : reason;
                     },
                 .run =
-                    [&s](const Arguments&) {
-                      s.requests.copy =
-                          measurements_csv(s.references->molecule(), s.annotations.measurements);
-                      s.notice = "Copied " + count(s.annotations.measurements.size()) +
+                    [&s, ask](const Arguments&) {
+                      ask.files.copy(measurements_csv(s.references->molecule(),
+                                                      s.settings.annotations.measurements));
+                      s.notice = "Copied " + count(s.settings.annotations.measurements.size()) +
                                  " distances and angles";
                       return Outcome();
                     }});
@@ -189,7 +191,7 @@ std::array<double, 3> place(const Arguments& arguments, const char* x, const cha
 }
 
 Outcome add_mark(ViewState& s, PlacedMark mark) {
-  PlacedMarks& all = s.annotations.marks;
+  PlacedMarks& all = s.settings.annotations.marks;
   if (mark.text.size() > kLongestMarkText) {
     return Outcome::refused("The words are longer than " + count(kLongestMarkText) + " bytes.");
   }
@@ -243,21 +245,22 @@ void add_mark_commands(Commands& commands, ViewState& s) {
                   return add_mark(s, {place(a, "x", "y", "z"), place(a, "to_x", "to_y", "to_z"),
                                       a.text("words")});
                 }});
-  commands.add({.id = "mark.remove_all",
-                .title = "Remove all marks",
-                .help = "Takes all marked points and lines away",
-                .menu = "Edit",
-                .why_not = [&s] { return s.annotations.marks.empty() ? "There is no mark." : ""; },
-                .run =
-                    [&s](const Arguments&) {
-                      s.annotations.marks.clear();
-                      return Outcome();
-                    }});
+  commands.add(
+      {.id = "mark.remove_all",
+       .title = "Remove all marks",
+       .help = "Takes all marked points and lines away",
+       .menu = "Edit",
+       .why_not = [&s] { return s.settings.annotations.marks.empty() ? "There is no mark." : ""; },
+       .run =
+           [&s](const Arguments&) {
+             s.settings.annotations.marks.clear();
+             return Outcome();
+           }});
   CommandSpec diagram = with_switch(
       {.id = "view.power_diagram",
        .title = "Power diagram",
        .help = "Draws the borders between the cells of the balls, cut at a box around them"},
-      s.annotations.power_diagram);
+      s.settings.annotations.power_diagram);
   diagram.menu = "View";
   diagram.why_not = [&s] { return why_no_diagram(s); };
   commands.add(std::move(diagram));
@@ -280,7 +283,7 @@ void add_details_command(Commands& commands, ViewState& s) {
 }  // namespace
 
 Outcome add_measurement(ViewState& s, const Measurement& m) {
-  Measurements& all = s.annotations.measurements;
+  Measurements& all = s.settings.annotations.measurements;
   const auto same = std::find(all.begin(), all.end(), m);
   if (same != all.end()) {
     return Outcome::refused("It is measured already, as number " +
@@ -295,9 +298,9 @@ Outcome add_measurement(ViewState& s, const Measurement& m) {
   return {};
 }
 
-void add_annotation_commands(Commands& commands, ViewState& s) {
+void add_annotation_commands(Commands& commands, ViewState& s, const Calls& ask) {
   add_label_commands(commands, s);
-  add_measurement_commands(commands, s);
+  add_measurement_commands(commands, s, ask);
   add_mark_commands(commands, s);
   add_details_command(commands, s);
 }

@@ -10,7 +10,7 @@ namespace alphascope {
 
 AskedAtoms asked_atoms(const ViewState& s, const std::string& text) {
   const Molecule& molecule = s.references->molecule();
-  const std::vector<bool> selected = atoms_of(molecule, s.picked.items);
+  const std::vector<bool> selected = atoms_of(molecule, s.settings.selection.items);
   if (text.empty()) {
     AtomSet atoms = atom_set(molecule, selected);
     const bool none = atoms.empty();
@@ -19,7 +19,7 @@ AskedAtoms asked_atoms(const ViewState& s, const std::string& text) {
                                    : ""};
   }
   try {
-    const std::vector<bool> hidden = atoms_of(molecule, s.appearance.hidden);
+    const std::vector<bool> hidden = atoms_of(molecule, s.settings.appearance.hidden);
     AtomSet set = named_set(molecule, text, {&selected, &hidden});
     const bool none = set.empty();
     return {std::move(set), none ? "The molecule has no atom of this name." : ""};
@@ -74,7 +74,7 @@ CommandSpec colour_command(ViewState& s) {
     }
     const AskedAtoms found = asked_atoms(s, arguments.text("atoms"));
     if (!found.fault.empty()) return Outcome::refused(found.fault);
-    set_colour(s.appearance, found.atoms, colour);
+    set_colour(s.settings.appearance, found.atoms, colour);
     return Outcome();
   };
   return spec;
@@ -83,23 +83,26 @@ CommandSpec colour_command(ViewState& s) {
 }  // namespace
 
 void add_appearance_commands(Commands& commands, ViewState& s) {
-  commands.add(on_atoms(
-      s,
-      {.id = "atoms.hide",
-       .title = "Hide atoms",
-       .help = "Leaves atoms, and simplices with a corner among them, out of "
-               "the picture",
-       .shortcuts = {{"H"}},
-       .menu = "Edit",
-       .line_above = true},
-      [&s](const AtomSet& atoms) { s.appearance.hidden = s.appearance.hidden.with(atoms); }));
-  commands.add(on_atoms(
-      s,
-      {.id = "atoms.show",
-       .title = "Show atoms",
-       .help = "Shows hidden atoms again",
-       .menu = "Edit"},
-      [&s](const AtomSet& atoms) { s.appearance.hidden = s.appearance.hidden.without(atoms); }));
+  commands.add(on_atoms(s,
+                        {.id = "atoms.hide",
+                         .title = "Hide atoms",
+                         .help = "Leaves atoms, and simplices with a corner among them, out of "
+                                 "the picture",
+                         .shortcuts = {{"H"}},
+                         .menu = "Edit",
+                         .line_above = true},
+                        [&s](const AtomSet& atoms) {
+                          s.settings.appearance.hidden = s.settings.appearance.hidden.with(atoms);
+                        }));
+  commands.add(on_atoms(s,
+                        {.id = "atoms.show",
+                         .title = "Show atoms",
+                         .help = "Shows hidden atoms again",
+                         .menu = "Edit"},
+                        [&s](const AtomSet& atoms) {
+                          s.settings.appearance.hidden =
+                              s.settings.appearance.hidden.without(atoms);
+                        }));
   commands.add(on_atoms(s,
                         {.id = "atoms.only",
                          .title = "Show only these atoms",
@@ -107,27 +110,29 @@ void add_appearance_commands(Commands& commands, ViewState& s) {
                          .shortcuts = {{"I"}},
                          .menu = "Edit"},
                         [&s](const AtomSet& atoms) {
-                          s.appearance.hidden = all_atoms(s.references->molecule()).without(atoms);
+                          s.settings.appearance.hidden =
+                              all_atoms(s.references->molecule()).without(atoms);
                         }));
-  commands.add({.id = "atoms.show_all",
-                .title = "Show all atoms",
-                .help = "Shows all hidden atoms again",
-                .shortcuts = {{"Shift+H"}},
-                .menu = "Edit",
-                .why_not = [&s] { return s.appearance.hidden.empty() ? "No atom is hidden." : ""; },
-                .run =
-                    [&s](const Arguments&) {
-                      s.appearance.hidden = {};
-                      return Outcome();
-                    }});
-  commands.add(colour_command(s));
   commands.add(
-      on_atoms(s,
-               {.id = "atoms.usual_colour",
-                .title = "Usual colour of atoms",
-                .help = "Takes atoms' own colour back: they are coloured as the others are",
-                .menu = "Edit"},
-               [&s](const AtomSet& atoms) { set_colour(s.appearance, atoms, std::nullopt); }));
+      {.id = "atoms.show_all",
+       .title = "Show all atoms",
+       .help = "Shows all hidden atoms again",
+       .shortcuts = {{"Shift+H"}},
+       .menu = "Edit",
+       .why_not = [&s] { return s.settings.appearance.hidden.empty() ? "No atom is hidden." : ""; },
+       .run =
+           [&s](const Arguments&) {
+             s.settings.appearance.hidden = {};
+             return Outcome();
+           }});
+  commands.add(colour_command(s));
+  commands.add(on_atoms(
+      s,
+      {.id = "atoms.usual_colour",
+       .title = "Usual colour of atoms",
+       .help = "Takes atoms' own colour back: they are coloured as the others are",
+       .menu = "Edit"},
+      [&s](const AtomSet& atoms) { set_colour(s.settings.appearance, atoms, std::nullopt); }));
 }
 
 }  // namespace alphascope

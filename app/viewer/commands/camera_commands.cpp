@@ -16,21 +16,21 @@ constexpr Side kSides[] = {{"x", "From +x", {1, 0, 0}}, {"-x", "From −x", {-1,
                            {"y", "From +y", {0, 1, 0}}, {"-y", "From −y", {0, -1, 0}},
                            {"z", "From +z", {0, 0, 1}}, {"-z", "From −z", {0, 0, -1}}};
 
-Outcome look_along(const Arguments& arguments, ViewState& s) {
+Outcome look_along(const Arguments& arguments, ViewState& s, const Calls& ask) {
   for (const Side& side : kSides) {
-    if (arguments.text("side") == side.id) s.requests.look_from = side.towards_viewer;
+    if (arguments.text("side") == side.id) ask.view.look_from(side.towards_viewer);
   }
   return {};
 }
 
 std::vector<Choice> saved_views(const ViewState& s) {
   std::vector<Choice> choices;
-  for (const NamedView& view : s.views) choices.push_back({view.name, view.name});
+  for (const NamedView& view : s.settings.views) choices.push_back({view.name, view.name});
   return choices;
 }
 
 std::function<std::string()> without_saved_views(const ViewState& s) {
-  return [&s] { return s.views.empty() ? "No camera is saved." : ""; };
+  return [&s] { return s.settings.views.empty() ? "No camera is saved." : ""; };
 }
 
 Parameter saved_view(const ViewState& s) {
@@ -39,7 +39,7 @@ Parameter saved_view(const ViewState& s) {
           }};
 }
 
-void add_saved_view_commands(Commands& commands, ViewState& s) {
+void add_saved_view_commands(Commands& commands, ViewState& s, const Calls& ask) {
   commands.add({.id = "view.save_camera",
                 .title = "Save camera…",
                 .help = "Keeps how the picture is looked at, under a name",
@@ -50,8 +50,8 @@ void add_saved_view_commands(Commands& commands, ViewState& s) {
                                 .help = "Its name; an older camera of that name is replaced",
                                 .example = "active site"}},
                 .why_not = without_molecule(s),
-                .run = [&s](const Arguments& arguments) {
-                  s.requests.save_view = arguments.text("name");
+                .run = [&s, ask](const Arguments& arguments) {
+                  ask.view.save(arguments.text("name"));
                   return Outcome();
                 }});
   commands.add({.id = "view.camera",
@@ -60,8 +60,8 @@ void add_saved_view_commands(Commands& commands, ViewState& s) {
                 .menu = "View",
                 .parameters = {saved_view(s)},
                 .why_not = without_saved_views(s),
-                .run = [&s](const Arguments& arguments) {
-                  s.requests.go_to_view = arguments.text("name");
+                .run = [&s, ask](const Arguments& arguments) {
+                  ask.view.go_to(arguments.text("name"));
                   return Outcome();
                 }});
   commands.add({.id = "view.forget_camera",
@@ -70,7 +70,7 @@ void add_saved_view_commands(Commands& commands, ViewState& s) {
                 .parameters = {saved_view(s)},
                 .why_not = without_saved_views(s),
                 .run = [&s](const Arguments& arguments) {
-                  std::erase_if(s.views, [&](const NamedView& view) {
+                  std::erase_if(s.settings.views, [&](const NamedView& view) {
                     return view.name == arguments.text("name");
                   });
                   return Outcome();
@@ -79,7 +79,7 @@ void add_saved_view_commands(Commands& commands, ViewState& s) {
 
 }  // namespace
 
-void add_camera_commands(Commands& commands, ViewState& s) {
+void add_camera_commands(Commands& commands, ViewState& s, const Calls& ask) {
   Parameter from{.name = "side", .kind = Kind::choice, .help = "The side one looks from"};
   from.choices = [] {
     std::vector<Choice> choices;
@@ -96,7 +96,7 @@ void add_camera_commands(Commands& commands, ViewState& s) {
        .line_above = true,
        .parameters = {from},
        .why_not = without_molecule(s),
-       .run = [&s](const Arguments& arguments) { return look_along(arguments, s); }});
+       .run = [&s, ask](const Arguments& arguments) { return look_along(arguments, s, ask); }});
   static constexpr NumberRule kZoomRule{"The factor", 0.01, 100};
   commands.add({.id = "view.zoom",
                 .title = "Zoom…",
@@ -107,8 +107,8 @@ void add_camera_commands(Commands& commands, ViewState& s) {
                                 .example = "0.7",
                                 .rule = kZoomRule}},
                 .why_not = without_molecule(s),
-                .run = [&s](const Arguments& arguments) {
-                  s.requests.zoom = arguments.number("factor");
+                .run = [&s, ask](const Arguments& arguments) {
+                  ask.view.zoom(arguments.number("factor"));
                   return Outcome();
                 }});
   commands.add(with_switch({.id = "view.orthographic",
@@ -116,8 +116,8 @@ void add_camera_commands(Commands& commands, ViewState& s) {
                             .help = "Draws without perspective: what is far is not smaller",
                             .shortcuts = {{"O"}},
                             .menu = "View"},
-                           s.display.orthographic));
-  add_saved_view_commands(commands, s);
+                           s.settings.display.orthographic));
+  add_saved_view_commands(commands, s, ask);
 }
 
 }  // namespace alphascope

@@ -9,22 +9,23 @@ using Kind = Parameter::Kind;
 
 Outcome set_clip(const Arguments& arguments, ViewState& s) {
   if (!arguments.has("clip")) {
-    set_clip_kind(s, s.clip.on() ? Clip::Kind::off : Clip::Kind::plane);
+    set_clip_kind(s, s.settings.clip.on() ? Clip::Kind::off : Clip::Kind::plane);
     return {};
   }
   const ClipWords words = read_clip(arguments.text("clip"));
   if (!words.error.empty()) return Outcome::refused(words.error);
   const RealPoint& into = s.viewport.into_view;
-  s.clip = words.clip.on()
-               ? words.resolved({-into.x, -into.y, -into.z}, s.viewport.box_middle)
-               : Clip{Clip::Kind::off, s.clip.normal, s.clip.position, s.clip.thickness};
+  s.settings.clip = words.clip.on()
+                        ? words.resolved({-into.x, -into.y, -into.z}, s.viewport.box_middle)
+                        : Clip{Clip::Kind::off, s.settings.clip.normal, s.settings.clip.position,
+                               s.settings.clip.thickness};
   return {};
 }
 
 }  // namespace
 
-void add_clip_commands(Commands& commands, ViewState& s) {
-  const auto without_clip = [&s] { return s.clip.on() ? "" : "The picture is not cut."; };
+void add_clip_commands(Commands& commands, ViewState& s, const Calls& ask) {
+  const auto without_clip = [&s] { return s.settings.clip.on() ? "" : "The picture is not cut."; };
   CommandSpec clip{.id = "view.clip",
                    .title = "Clip plane",
                    .help = "Cuts the picture open at a plane, or by a slab between two",
@@ -46,7 +47,7 @@ void add_clip_commands(Commands& commands, ViewState& s) {
                 .menu = "View",
                 .why_not = without_molecule(s),
                 .run = [&s](const Arguments&) {
-                  const bool slab = s.clip.kind == Clip::Kind::slab;
+                  const bool slab = s.settings.clip.kind == Clip::Kind::slab;
                   set_clip_kind(s, slab ? Clip::Kind::off : Clip::Kind::slab);
                   return Outcome();
                 }});
@@ -56,12 +57,13 @@ void add_clip_commands(Commands& commands, ViewState& s) {
                 .shortcuts = {{"Shift+K"}},
                 .why_not =
                     [&s] {
-                      return s.clip.kind == Clip::Kind::plane ? ""
-                                                              : "There is no clip plane to flip.";
+                      return s.settings.clip.kind == Clip::Kind::plane
+                                 ? ""
+                                 : "There is no clip plane to flip.";
                     },
                 .run =
                     [&s](const Arguments&) {
-                      s.clip.flipped = !s.clip.flipped;
+                      s.settings.clip.flipped = !s.settings.clip.flipped;
                       return Outcome();
                     }});
   commands.add({.id = "view.clip_move",
@@ -75,19 +77,20 @@ void add_clip_commands(Commands& commands, ViewState& s) {
                                 .rule = kClipPositionRule}},
                 .why_not = without_clip,
                 .run = [&s](const Arguments& arguments) {
-                  s.clip.position += arguments.number("distance");
+                  s.settings.clip.position += arguments.number("distance");
                   return Outcome();
                 }});
   commands.add({.id = "view.clip_face",
                 .title = "Look at the cut",
                 .help = "Turns the view so that the cut is seen straight from the front",
                 .why_not = without_clip,
-                .run = [&s](const Arguments&) {
+                .run = [&s, ask](const Arguments&) {
                   // From the side that is cut away.
-                  const bool behind = s.clip.kind == Clip::Kind::plane && s.clip.flipped;
-                  std::array<double, 3> towards = s.clip.normal;
+                  const bool behind =
+                      s.settings.clip.kind == Clip::Kind::plane && s.settings.clip.flipped;
+                  std::array<double, 3> towards = s.settings.clip.normal;
                   for (double& x : towards) x = behind ? -x : x;
-                  s.requests.look_from = towards;
+                  ask.view.look_from(towards);
                   return Outcome();
                 }});
 }

@@ -49,7 +49,7 @@ using Kind = Parameter::Kind;
 
 // --- File
 
-Outcome open_file(const Arguments& arguments, ViewState& s) {
+Outcome open_file(const Arguments& arguments, ViewState& s, const Calls& ask) {
   if (!arguments.has("path")) {
     open_browser(s);
     return {};
@@ -59,7 +59,7 @@ Outcome open_file(const Arguments& arguments, ViewState& s) {
   if (!std::filesystem::exists(path, ignored)) {
     return Outcome::refused("There is no file " + printable(path.string()) + ".");
   }
-  s.requests.open = path;
+  ask.files.open(path);
   return {};
 }
 
@@ -71,15 +71,15 @@ std::vector<Choice> samples(const ViewState& s) {
   return choices;
 }
 
-Outcome open_sample(const Arguments& arguments, ViewState& s) {
+Outcome open_sample(const Arguments& arguments, ViewState& s, const Calls& ask) {
   for (const SampleMolecule& sample : s.samples) {
-    if (sample.name == arguments.text("sample")) s.requests.open = sample.path;
+    if (sample.name == arguments.text("sample")) ask.files.open(sample.path);
   }
   return {};
 }
 
 // Without a path the dialog asks for all of it.
-Outcome save_picture(const Arguments& arguments, ViewState& s) {
+Outcome save_picture(const Arguments& arguments, ViewState& s, const Calls& ask) {
   PanelMemory& m = s.memory;
   if (!arguments.has("path")) {
     m.show_save = true;
@@ -98,12 +98,12 @@ Outcome save_picture(const Arguments& arguments, ViewState& s) {
   const std::filesystem::path path = path_to_save(arguments.text("path"), kPictureEnding);
   const std::string fault = fault_of_ending(path, {kPictureEnding});
   if (!fault.empty()) return Outcome::refused(as_sentence(fault));
-  s.requests.screenshot = {path, options};
+  ask.jobs.save_picture({path, options});
   return {};
 }
 
 // Without a path the dialog asks for it.
-Outcome export_complex(const Arguments& arguments, ViewState& s) {
+Outcome export_complex(const Arguments& arguments, ViewState& s, const Calls& ask) {
   PanelMemory& m = s.memory;
   if (!arguments.has("path")) {
     m.show_export = true;
@@ -117,10 +117,10 @@ Outcome export_complex(const Arguments& arguments, ViewState& s) {
                             ". The endings are " + export_endings() + ".");
   }
   const std::string colours = arguments.text("colours");
-  s.requests.export_complex = ExportRequest{path, colours == "chain"     ? ExportColours::chain
-                                                  : colours == "solid"   ? ExportColours::solid
-                                                  : colours == "element" ? ExportColours::element
-                                                                         : m.export_colours};
+  ask.jobs.export_complex(ExportRequest{path, colours == "chain"     ? ExportColours::chain
+                                              : colours == "solid"   ? ExportColours::solid
+                                              : colours == "element" ? ExportColours::element
+                                                                     : m.export_colours});
   return {};
 }
 
@@ -129,29 +129,31 @@ Parameter pixels(const char* name, const char* help) {
       .name = name, .kind = Kind::number, .help = help, .optional = true, .rule = kPictureSizeRule};
 }
 
-void add_file_commands(Commands& commands, ViewState& s) {
-  commands.add({.id = "file.open",
-                .title = "Open molecule…",
-                .help = "Reads a file: PDB, mmCIF, XYZR, PQR, XYZ or CRD, also as .gz",
-                .synonyms = {{"load read import"}},
-                .shortcuts = {{"Ctrl+O"}},
-                .menu = "File",
-                .parameters = {{.name = "path",
-                                .kind = Kind::path,
-                                .help = "The file; if left out, a dialog opens",
-                                .optional = true}},
-                .run = [&s](const Arguments& arguments) { return open_file(arguments, s); }});
-  commands.add(open_session_command(s));
-  commands.add(recent_files_command(s));
-  commands.add({.id = "file.sample",
-                .title = "Sample molecule",
-                .help = "Opens a molecule that comes with the program",
-                .menu = "File",
-                .parameters = {{.name = "sample",
-                                .kind = Kind::choice,
-                                .help = "Which molecule",
-                                .choices = [&s] { return samples(s); }}},
-                .run = [&s](const Arguments& arguments) { return open_sample(arguments, s); }});
+void add_file_commands(Commands& commands, ViewState& s, const Calls& ask) {
+  commands.add(
+      {.id = "file.open",
+       .title = "Open molecule…",
+       .help = "Reads a file: PDB, mmCIF, XYZR, PQR, XYZ or CRD, also as .gz",
+       .synonyms = {{"load read import"}},
+       .shortcuts = {{"Ctrl+O"}},
+       .menu = "File",
+       .parameters = {{.name = "path",
+                       .kind = Kind::path,
+                       .help = "The file; if left out, a dialog opens",
+                       .optional = true}},
+       .run = [&s, ask](const Arguments& arguments) { return open_file(arguments, s, ask); }});
+  commands.add(open_session_command(s, ask));
+  commands.add(recent_files_command(s, ask));
+  commands.add(
+      {.id = "file.sample",
+       .title = "Sample molecule",
+       .help = "Opens a molecule that comes with the program",
+       .menu = "File",
+       .parameters = {{.name = "sample",
+                       .kind = Kind::choice,
+                       .help = "Which molecule",
+                       .choices = [&s] { return samples(s); }}},
+       .run = [&s, ask](const Arguments& arguments) { return open_sample(arguments, s, ask); }});
   commands.add(
       {.id = "file.save_picture",
        .title = "Save picture…",
@@ -176,47 +178,48 @@ void add_file_commands(Commands& commands, ViewState& s) {
                       {.name = "transparent", .kind = Kind::flag, .help = "Without background"},
                       {.name = "scale-bar", .kind = Kind::flag, .help = "With a scale bar"}},
        .why_not = without_molecule(s),
-       .run = [&s](const Arguments& arguments) { return save_picture(arguments, s); }});
-  commands.add(record_command(s));
-  commands.add({.id = "file.export",
-                .title = "Export…",
-                .help = "Writes boundary, simplices or balls for another program",
-                .synonyms = {{"mesh STL OBJ PLY surface print"}},
-                .shortcuts = {{"Ctrl+E"}},
-                .menu = "File",
-                .parameters = {{.name = "path",
-                                .kind = Kind::path,
-                                .help = "The file, whose ending says the format; if left out, a "
-                                        "dialog opens",
-                                .optional = true},
-                               {.name = "colours",
-                                .kind = Kind::choice,
-                                .help = "Colours of the boundary",
-                                .optional = true,
-                                .choices =
-                                    [] {
-                                      return std::vector<Choice>{{"element", "By element"},
-                                                                 {"chain", "By chain"},
-                                                                 {"solid", "By solid"}};
-                                    }}},
-                .why_not = without_result(s),
-                .run = [&s](const Arguments& arguments) { return export_complex(arguments, s); }});
-  commands.add(save_session_command(s));
+       .run = [&s, ask](const Arguments& arguments) { return save_picture(arguments, s, ask); }});
+  commands.add(record_command(s, ask));
+  commands.add(
+      {.id = "file.export",
+       .title = "Export…",
+       .help = "Writes boundary, simplices or balls for another program",
+       .synonyms = {{"mesh STL OBJ PLY surface print"}},
+       .shortcuts = {{"Ctrl+E"}},
+       .menu = "File",
+       .parameters = {{.name = "path",
+                       .kind = Kind::path,
+                       .help = "The file, whose ending says the format; if left out, a "
+                               "dialog opens",
+                       .optional = true},
+                      {.name = "colours",
+                       .kind = Kind::choice,
+                       .help = "Colours of the boundary",
+                       .optional = true,
+                       .choices =
+                           [] {
+                             return std::vector<Choice>{{"element", "By element"},
+                                                        {"chain", "By chain"},
+                                                        {"solid", "By solid"}};
+                           }}},
+       .why_not = without_result(s),
+       .run = [&s, ask](const Arguments& arguments) { return export_complex(arguments, s, ask); }});
+  commands.add(save_session_command(s, ask));
   commands.add({.id = "file.quit",
                 .title = "Quit",
                 .help = "Ends the program",
                 .shortcuts = {{"Ctrl+Q"}},
                 .menu = "File",
                 .line_above = true,
-                .run = [&s](const Arguments&) {
-                  s.requests.quit = true;
+                .run = [&s, ask](const Arguments&) {
+                  ask.files.quit();
                   return Outcome();
                 }});
 }
 
 // --- Edit
 
-void add_edit_commands(Commands& commands, ViewState& s) {
+void add_edit_commands(Commands& commands, ViewState& s, const Calls& ask) {
   commands.add(
       {.id = "edit.undo",
        .title = "Undo",
@@ -225,8 +228,8 @@ void add_edit_commands(Commands& commands, ViewState& s) {
        .menu = "Edit",
        .why_not = [&s] { return s.undo_text.empty() ? "There is nothing to undo." : ""; },
        .run =
-           [&s](const Arguments&) {
-             s.requests.undo = true;
+           [&s, ask](const Arguments&) {
+             ask.files.undo();
              return Outcome();
            }});
   commands.add({.id = "edit.redo",
@@ -236,16 +239,16 @@ void add_edit_commands(Commands& commands, ViewState& s) {
                 .menu = "Edit",
                 .why_not = [&s] { return s.redo_text.empty() ? "There is nothing to redo." : ""; },
                 .run =
-                    [&s](const Arguments&) {
-                      s.requests.redo = true;
+                    [&s, ask](const Arguments&) {
+                      ask.files.redo();
                       return Outcome();
                     }});
 }
 
 // --- View
 
-void add_view_commands(Commands& commands, ViewState& s) {
-  DisplayControls& d = s.display;
+void add_view_commands(Commands& commands, ViewState& s, const Calls& ask) {
+  DisplayControls& d = s.settings.display;
   const auto only_tetrahedra = [&s] {
     const bool only = s.result && s.result->complex.tetrahedra_only;
     return only ? "Not computed, because “Tetrahedra only” is on." : "";
@@ -257,8 +260,8 @@ void add_view_commands(Commands& commands, ViewState& s) {
                 .shortcuts = {{"R"}},
                 .menu = "View",
                 .why_not = without_molecule(s),
-                .run = [&s](const Arguments&) {
-                  s.requests.reset_view = true;
+                .run = [&s, ask](const Arguments&) {
+                  ask.view.reset();
                   return Outcome();
                 }});
   commands.add(with_switch({.id = "view.balls",
@@ -385,23 +388,23 @@ void add_help_commands(Commands& commands, ViewState& s) {
 
 }  // namespace
 
-void add_program_commands(Commands& commands, ViewState& state) {
-  add_file_commands(commands, state);
-  add_edit_commands(commands, state);
-  add_selection_commands(commands, state);
+void add_program_commands(Commands& commands, ViewState& state, const Calls& ask) {
+  add_file_commands(commands, state, ask);
+  add_edit_commands(commands, state, ask);
+  add_selection_commands(commands, state, ask);
   add_appearance_commands(commands, state);
-  add_annotation_commands(commands, state);
-  add_pointed_commands(commands, state);
-  add_view_commands(commands, state);
+  add_annotation_commands(commands, state, ask);
+  add_pointed_commands(commands, state, ask);
+  add_view_commands(commands, state, ask);
   add_look_commands(commands, state);
   add_paint_commands(commands, state);
-  add_camera_commands(commands, state);
-  add_clip_commands(commands, state);
-  add_compute_commands(commands, state);
+  add_camera_commands(commands, state, ask);
+  add_clip_commands(commands, state, ask);
+  add_compute_commands(commands, state, ask);
   add_why_commands(commands, state);
   add_steps_commands(commands, state);
-  add_sandbox_commands(commands, state);
-  add_lesson_commands(commands, state);
+  add_sandbox_commands(commands, state, ask);
+  add_lesson_commands(commands, state, ask);
   add_help_commands(commands, state);
 }
 

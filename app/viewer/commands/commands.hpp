@@ -2,12 +2,13 @@
 #pragma once
 
 #include "core/document/commands/commands.hpp"
+#include "ui/calls.hpp"
 #include "ui/panels/view_state.hpp"
 
 namespace alphascope {
 
-// The commands act on the state alone, as the panels do; the program takes the requests that they
-// leave there with the next frame. The state must outlive them.
-void add_program_commands(Commands& commands, ViewState& state);
+// The commands change settings in the state, as the panels do, or ask the program by calls. Both
+// must outlive them.
+void add_program_commands(Commands& commands, ViewState& state, const Calls& ask);
 
 }  // namespace alphascope

@@ -24,9 +24,10 @@ void toggle_playing(ViewState& s, bool backwards) {
   m.backwards = backwards;
   AlphaSlider around = m.slider;
   around.loop = true;
-  const bool at_end = next_alpha(m.slider, s.compute.alpha_angstrom2, backwards).ended;
+  const bool at_end = next_alpha(m.slider, s.settings.request.alpha_angstrom2, backwards).ended;
   if (!stops && at_end) {
-    set_alpha(s.compute, next_alpha(around, s.compute.alpha_angstrom2, backwards).alpha);
+    set_alpha(s.settings.request,
+              next_alpha(around, s.settings.request.alpha_angstrom2, backwards).alpha);
   }
 }
 
@@ -126,25 +127,27 @@ void add_alpha_commands(Commands& commands, ViewState& s) {
                 .run = [&s](const Arguments& arguments) {
                   const AlphaInput alpha = read_alpha(arguments.text("alpha"));
                   if (!alpha.value) return Outcome::refused(alpha.error);
-                  set_alpha(s.compute, *alpha.value);
+                  set_alpha(s.settings.request, *alpha.value);
                   s.memory.playing = false;
                   return Outcome();
                 }});
-  commands.add(
-      {.id = "alpha.step",
-       .title = "Change alpha by",
-       .help = "Adds to alpha; a negative number subtracts",
-       .shortcuts =
-           {{"Right", "0.1"}, {"Left", "−0.1"}, {"Shift+Right", "1"}, {"Shift+Left", "−1"}},
-       .parameters = {{.name = "step",
-                       .kind = Kind::number,
-                       .help = "What is added to alpha",
-                       .example = "0.1",
-                       .rule = kAlphaRule}},
-       .run = [&s](const Arguments& arguments) {
-         set_alpha(s.compute, rounded(s.compute.alpha_angstrom2 + arguments.number("step")));
-         return Outcome();
-       }});
+  commands.add({.id = "alpha.step",
+                .title = "Change alpha by",
+                .help = "Adds to alpha; a negative number subtracts",
+                .shortcuts = {{"Right", "0.1"},
+                              {"Left", "−0.1"},
+                              {"Shift+Right", "1"},
+                              {"Shift+Left", "−1"}},
+                .parameters = {{.name = "step",
+                                .kind = Kind::number,
+                                .help = "What is added to alpha",
+                                .example = "0.1",
+                                .rule = kAlphaRule}},
+                .run = [&s](const Arguments& arguments) {
+                  set_alpha(s.settings.request,
+                            rounded(s.settings.request.alpha_angstrom2 + arguments.number("step")));
+                  return Outcome();
+                }});
   add_slider_commands(commands, s);
   commands.add(
       {.id = "solvent.set",
@@ -158,7 +161,7 @@ void add_alpha_commands(Commands& commands, ViewState& s) {
                        .example = "1.4",
                        .rule = kSolventRule}},
        .run = [&s](const Arguments& arguments) {
-         s.compute.solvent_radius_angstrom = arguments.number("radius");
+         s.settings.request.solvent_radius_angstrom = arguments.number("radius");
          return Outcome();
        }});
 }
@@ -166,7 +169,7 @@ void add_alpha_commands(Commands& commands, ViewState& s) {
 // --- Molecule
 
 void add_molecule_commands(Commands& commands, ViewState& s) {
-  BallOptions& c = s.open.balls;
+  BallOptions& c = s.settings.open.balls;
   const auto part = [&](const char* id, const char* title, bool& value) {
     commands.add(with_switch({.id = id,
                               .title = title,
@@ -213,32 +216,32 @@ Outcome set_engine(const Arguments& arguments, ViewState& s) {
     return Outcome::refused(
         s.gpu ? s.gpu->why_not : "Still looking for a graphics processor. Try again in a moment.");
   }
-  s.compute.engine = *engine;
+  s.settings.request.engine = *engine;
   return {};
 }
 
 // The step at hand still finishes when something plays: a picture without its complex helps nobody.
-Outcome stop(ViewState& s) {
+Outcome stop(ViewState& s, const Calls& ask) {
   const bool playing = s.memory.playing || s.memory.playing_models || s.memory.steps.playing;
   s.memory.playing = s.memory.playing_models = s.memory.steps.playing = false;
   if (playing) return {};
   if (!s.busy.active && !s.saving.active) {
-    s.picked.clear();
+    s.settings.selection.clear();
     return {};
   }
-  (s.busy.active ? s.requests.cancel : s.requests.cancel_save) = true;
+  ask.jobs.cancel(s.busy.active ? Job::computing : Job::saving);
   return {};
 }
 
 std::string nothing_to_stop(const ViewState& s) {
   const bool something = s.memory.playing || s.memory.playing_models || s.memory.steps.playing ||
-                         s.busy.active || s.saving.active || !s.picked.empty();
+                         s.busy.active || s.saving.active || !s.settings.selection.empty();
   return something ? ""
                    : "There is nothing to stop: nothing is playing, being read, computed, saved or "
                      "selected.";
 }
 
-void add_engine_commands(Commands& commands, ViewState& s) {
+void add_engine_commands(Commands& commands, ViewState& s, const Calls& ask) {
   commands.add(
       {.id = "engine.set",
        .title = "Choose engine",
@@ -249,7 +252,7 @@ void add_engine_commands(Commands& commands, ViewState& s) {
   commands.add(with_switch({.id = "engine.tetrahedra_only",
                             .title = "Tetrahedra only",
                             .help = "Computes no triangles, edges and vertices, which is faster"},
-                           s.compute.tetrahedra_only));
+                           s.settings.request.tetrahedra_only));
   commands.add(with_switch(
       {.id = "engine.auto_compare",
        .title = "Compare with CGAL every time",
@@ -267,8 +270,8 @@ void add_engine_commands(Commands& commands, ViewState& s) {
                 .menu = "Tools",
                 .line_above = true,
                 .why_not = without_result(s),
-                .run = [&s](const Arguments&) {
-                  s.requests.compare = true;
+                .run = [&s, ask](const Arguments&) {
+                  ask.jobs.compare();
                   return Outcome();
                 }});
   commands.add({.id = "compute.anew",
@@ -276,8 +279,8 @@ void add_engine_commands(Commands& commands, ViewState& s) {
                 .help = "Computes the same complex again, including the engine's set-up",
                 .menu = "Tools",
                 .why_not = without_result(s),
-                .run = [&s](const Arguments&) {
-                  s.requests.compute_anew = true;
+                .run = [&s, ask](const Arguments&) {
+                  ask.jobs.compute_anew();
                   return Outcome();
                 }});
   commands.add({.id = "compute.stop",
@@ -287,7 +290,7 @@ void add_engine_commands(Commands& commands, ViewState& s) {
                 .shortcuts = {{"Esc"}},
                 .menu = "Tools",
                 .why_not = [&s] { return nothing_to_stop(s); },
-                .run = [&s](const Arguments&) { return stop(s); }});
+                .run = [&s, ask](const Arguments&) { return stop(s, ask); }});
   commands.add({.id = "benchmark.open",
                 .title = "Benchmark…",
                 .help = "Measures the engines with the open molecule",
@@ -303,10 +306,10 @@ void add_engine_commands(Commands& commands, ViewState& s) {
 
 }  // namespace
 
-void add_compute_commands(Commands& commands, ViewState& s) {
+void add_compute_commands(Commands& commands, ViewState& s, const Calls& ask) {
   add_alpha_commands(commands, s);
   add_molecule_commands(commands, s);
-  add_engine_commands(commands, s);
+  add_engine_commands(commands, s, ask);
 }
 
 }  // namespace alphascope

@@ -6,50 +6,50 @@ namespace {
 
 struct Move {
   const char *id, *title, *help;
-  bool Requests::*request;
+  void (LessonCalls::*call)();
   const char* key = nullptr;
 };
 constexpr Move kMoves[] = {
     {"lesson.next", "Next step of the lesson",
-     "Shows the answer of a question, else goes to the next step", &Requests::lesson_next,
-     "PageDown"},
-    {"lesson.back", "Step back in the lesson", "Goes to the step before", &Requests::lesson_back,
+     "Shows the answer of a question, else goes to the next step", &LessonCalls::next, "PageDown"},
+    {"lesson.back", "Step back in the lesson", "Goes to the step before", &LessonCalls::back,
      "PageUp"},
     {"lesson.reveal", "Reveal the answer", "Shows the answer to the question of this step",
-     &Requests::lesson_reveal},
+     &LessonCalls::reveal},
     {"lesson.again", "Show the step again",
      "Sets everything as this step of the lesson begins, and opens its molecule again",
-     &Requests::lesson_again},
+     &LessonCalls::again},
     {"lesson.close", "Close the lesson", "Ends the lesson and brings back what was open before",
-     &Requests::close_lesson}};
+     &LessonCalls::close}};
 
-Outcome open_lesson(const Arguments& arguments, ViewState& s) {
-  s.requests.open_lesson = arguments.text("lesson");
+Outcome open_lesson(const Arguments& arguments, ViewState& s, const Calls& ask) {
+  ask.lessons.open(arguments.text("lesson"));
   s.memory.lessons.shown = s.memory.lessons.list = true;
   return {};
 }
 
 }  // namespace
 
-void add_lesson_commands(Commands& commands, ViewState& s) {
-  commands.add({.id = "lesson.open",
-                .title = "Lessons…",
-                .help = "Lists the lessons, or opens one by its name or file",
-                .menu = "Help",
-                .parameters = {{.name = "lesson",
-                                .help = "Name of a lesson, or path of its file; if left out, all "
-                                        "are listed",
-                                .example = "union_of_balls",
-                                .optional = true}},
-                .run = [&s](const Arguments& arguments) { return open_lesson(arguments, s); }});
+void add_lesson_commands(Commands& commands, ViewState& s, const Calls& ask) {
+  commands.add(
+      {.id = "lesson.open",
+       .title = "Lessons…",
+       .help = "Lists the lessons, or opens one by its name or file",
+       .menu = "Help",
+       .parameters = {{.name = "lesson",
+                       .help = "Name of a lesson, or path of its file; if left out, all "
+                               "are listed",
+                       .example = "union_of_balls",
+                       .optional = true}},
+       .run = [&s, ask](const Arguments& arguments) { return open_lesson(arguments, s, ask); }});
   const auto without_lesson = [&s] { return s.memory.lessons.open ? "" : "No lesson is open."; };
   for (const Move& move : kMoves) {
     CommandSpec spec{.id = move.id,
                      .title = move.title,
                      .help = move.help,
                      .why_not = without_lesson,
-                     .run = [&s, request = move.request](const Arguments&) {
-                       s.requests.*request = true;
+                     .run = [ask, call = move.call](const Arguments&) {
+                       (ask.lessons.*call)();
                        return Outcome();
                      }};
     if (move.key) spec.keys_before_others = {{move.key}};

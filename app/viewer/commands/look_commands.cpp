@@ -41,11 +41,11 @@ void add_look_commands(Commands& commands, ViewState& s) {
                   .menu = "View",
                   .line_above = std::exchange(first, false),
                   .run = [&s, preset](const Arguments&) {
-                    s.display = with_preset(s.display, preset);
+                    s.settings.display = with_preset(s.settings.display, preset);
                     return Outcome();
                   }});
   }
-  DisplayControls& d = s.display;
+  DisplayControls& d = s.settings.display;
   commands.add(number_command("view.ball_size", "Size of balls",
                               "Draws balls of this share of their radius", kShareRule,
                               [&d](double x) { d.ball_scale = static_cast<float>(x); }));

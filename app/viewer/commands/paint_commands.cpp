@@ -30,11 +30,11 @@ void add_paint_commands(Commands& commands, ViewState& s) {
                               .title = "Colour balls by…",
                               .help = "Chooses what the colours of balls mean",
                               .line_above = true},
-                             Painted::balls, s.display.ball_paint));
+                             Painted::balls, s.settings.display.ball_paint));
   commands.add(paint_command({.id = "view.colour_simplices",
                               .title = "Colour simplices by…",
                               .help = "Chooses what the colours of simplices mean"},
-                             Painted::simplices, s.display.complex_paint));
+                             Painted::simplices, s.settings.display.complex_paint));
 }
 
 }  // namespace alphascope

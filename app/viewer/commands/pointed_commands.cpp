@@ -7,7 +7,7 @@
 namespace alphascope {
 
 const std::optional<Ref>& pointed(const ViewState& s) {
-  return s.memory.context.open ? s.memory.context.what : s.picked.hovered;
+  return s.memory.context.open ? s.memory.context.what : s.hovered;
 }
 
 namespace {
@@ -23,15 +23,15 @@ CommandSpec on_pointed(ViewState& s, CommandSpec spec, std::function<Outcome(con
 }
 
 void select(ViewState& s, RefSet items) {
-  s.picked.items = std::move(items);
-  s.picked.note_order();
+  s.settings.selection.items = std::move(items);
+  s.settings.selection.note_order();
 }
 
 // From one to three selected atoms to the one under the mouse.
 AskedMeasurement measurement_to_pointed(const ViewState& s) {
   const AtomRef* const end = pointed(s) ? std::get_if<AtomRef>(&*pointed(s)) : nullptr;
   if (end == nullptr) return {{}, "Distances and angles are measured between atoms."};
-  std::vector<AtomRef> atoms = s.picked.atoms_in_order();
+  std::vector<AtomRef> atoms = s.settings.selection.atoms_in_order();
   std::erase(atoms, *end);
   if (atoms.empty() || atoms.size() > 3) {
     return {{},
@@ -57,7 +57,7 @@ void add_selecting(Commands& commands, ViewState& s) {
        .title = "Add what is under the mouse to the selection",
        .help = "Adds the atom or simplex under the mouse to the selection, or takes it out again"},
       [&s](const Ref& ref) {
-        RefSet items = s.picked.items.toggled(ref);
+        RefSet items = s.settings.selection.items.toggled(ref);
         if (items.size() > Selection::kMostItems) {
           return Outcome::refused("No more can be selected at once.");
         }
@@ -76,14 +76,15 @@ void add_selecting(Commands& commands, ViewState& s) {
 }
 
 // The atoms of the parameter, or of the selection.
-CommandSpec looking_at(ViewState& s, CommandSpec spec, RefSet Requests::*request) {
+CommandSpec looking_at(ViewState& s, const Calls& ask, CommandSpec spec,
+                       void (ViewCalls::*call)(const RefSet&)) {
   spec.menu = "View";
   spec.parameters = {which_atoms()};
   spec.why_not = without_picture(s);
-  spec.run = [&s, request](const Arguments& arguments) {
+  spec.run = [&s, ask, call](const Arguments& arguments) {
     const std::string text = arguments.text("atoms");
-    if (text.empty() && !s.picked.items.empty()) {
-      s.requests.*request = s.picked.items;
+    if (text.empty() && !s.settings.selection.items.empty()) {
+      (ask.view.*call)(s.settings.selection.items);
       return Outcome();
     }
     const AskedAtoms asked = asked_atoms(s, text);
@@ -95,7 +96,7 @@ CommandSpec looking_at(ViewState& s, CommandSpec spec, RefSet Requests::*request
         atoms.emplace_back(AtomRef{static_cast<std::uint32_t>(atom), run.copy});
       }
     }
-    s.requests.*request = RefSet(std::move(atoms));
+    (ask.view.*call)(RefSet(std::move(atoms)));
     return Outcome();
   };
   return spec;
@@ -103,21 +104,21 @@ CommandSpec looking_at(ViewState& s, CommandSpec spec, RefSet Requests::*request
 
 }  // namespace
 
-void add_pointed_commands(Commands& commands, ViewState& s) {
+void add_pointed_commands(Commands& commands, ViewState& s, const Calls& ask) {
   add_selecting(commands, s);
   commands.add(
-      looking_at(s,
+      looking_at(s, ask,
                  {.id = "view.zoom_to",
                   .title = "Zoom to atoms",
                   .help = "Brings atoms into the middle of the view, as large as they fit"},
-                 &Requests::zoom_to));
-  commands.add(looking_at(s,
+                 &ViewCalls::zoom_to));
+  commands.add(looking_at(s, ask,
                           {.id = "view.centre",
                            .title = "Centre rotation",
                            .help = "Brings atoms into the middle of the view, at the same size; it "
                                    "turns about that",
                            .shortcuts = {{"Shift+Z"}}},
-                          &Requests::centre_on));
+                          &ViewCalls::centre_on));
   CommandSpec measure{.id = "pointed.measure",
                       .title = "Measure to what is under the mouse",
                       .help =
@@ -133,9 +134,10 @@ void add_pointed_commands(Commands& commands, ViewState& s) {
                           {.id = "pointed.copy_name",
                            .title = "Copy the name under the mouse",
                            .help = "Copies the name of the atom or simplex under the mouse"},
-                          [&s](const Ref& ref) {
-                            s.requests.copy = name_of(s.references->molecule(), ref);
-                            s.notice = "Copied " + s.requests.copy;
+                          [&s, ask](const Ref& ref) {
+                            const std::string name = name_of(s.references->molecule(), ref);
+                            ask.files.copy(name);
+                            s.notice = "Copied " + name;
                             return Outcome();
                           }));
   commands.add({.id = "view.context_menu",
@@ -143,8 +145,8 @@ void add_pointed_commands(Commands& commands, ViewState& s) {
                 .help = "Opens the menu of the right mouse button where the mouse is in the view",
                 .shortcuts = {{"Shift+F10"}, {"Menu"}},
                 .why_not = without_molecule(s),
-                .run = [&s](const Arguments&) {
-                  s.requests.context_menu = true;
+                .run = [&s, ask](const Arguments&) {
+                  ask.view.open_context_menu();
                   return Outcome();
                 }});
 }

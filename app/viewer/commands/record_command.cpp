@@ -11,7 +11,7 @@ namespace {
 using Kind = Parameter::Kind;
 
 // Without a path the dialog asks for all of it.
-Outcome record(const Arguments& arguments, ViewState& s) {
+Outcome record(const Arguments& arguments, ViewState& s, const Calls& ask) {
   RecordMemory& m = s.memory.record;
   if (!arguments.has("path")) {
     m.show = true;
@@ -50,13 +50,13 @@ Outcome record(const Arguments& arguments, ViewState& s) {
   request.recording.there_and_back |= arguments.has("there-and-back");
   options.transparent |= arguments.has("transparent");
   options.scale_bar |= arguments.has("scale-bar");
-  s.requests.record = std::move(request);
+  ask.jobs.record(std::move(request));
   return {};
 }
 
 }  // namespace
 
-CommandSpec record_command(ViewState& s) {
+CommandSpec record_command(ViewState& s, const Calls& ask) {
   const auto number = [](const char* name, const char* help, const NumberRule& rule) {
     return Parameter{
         .name = name, .kind = Kind::number, .help = help, .optional = true, .rule = rule};
@@ -97,7 +97,7 @@ CommandSpec record_command(ViewState& s) {
             const bool any = s.result || s.memory.lessons.open;
             return any ? "" : "There is no complex yet, and no lesson is open.";
           },
-      .run = [&s](const Arguments& arguments) { return record(arguments, s); }};
+      .run = [&s, ask](const Arguments& arguments) { return record(arguments, s, ask); }};
 }
 
 }  // namespace alphascope

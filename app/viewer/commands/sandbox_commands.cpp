@@ -30,11 +30,11 @@ std::size_t ball_of(const Arguments& arguments) {
   return static_cast<std::size_t>(arguments.number("ball")) - 1;
 }
 
-Outcome open_preset(const Arguments& arguments, ViewState& s) {
+Outcome open_preset(const Arguments& arguments, ViewState& s, const Calls& ask) {
   const std::string id = arguments.text("preset");
   for (const SandboxPreset& preset : sandbox_presets()) {
     if (preset.id != id) continue;
-    s.requests.open = preset.path;
+    ask.files.open(preset.path);
     s.memory.sandbox.edit_when_open = preset.path;
     s.memory.bottom_panel = "sandbox";
     return {};
@@ -43,25 +43,25 @@ Outcome open_preset(const Arguments& arguments, ViewState& s) {
 }
 
 Outcome by_hand(const Arguments& arguments, ViewState& s) {
-  bool on = s.open.sandbox.has_value();
+  bool on = s.settings.open.sandbox.has_value();
   if (Outcome outcome = set_switch(arguments, on); !outcome.done()) return outcome;
   if (on) {
     start_sandbox(s);
     s.memory.bottom_panel = "sandbox";
-  } else if (s.open.sandbox) {
-    s.open.sandbox.reset();
-    s.picked.clear();
+  } else if (s.settings.open.sandbox) {
+    s.settings.open.sandbox.reset();
+    s.settings.selection.clear();
   }
   return {};
 }
 
 Outcome set_flat(const Arguments& arguments, ViewState& s) {
-  bool flat = s.open.sandbox->flat;
+  bool flat = s.settings.open.sandbox->flat;
   if (Outcome outcome = set_switch(arguments, flat); !outcome.done()) return outcome;
   if (flat) {
-    flatten(*s.open.sandbox);
+    flatten(*s.settings.open.sandbox);
   } else {
-    s.open.sandbox->flat = false;
+    s.settings.open.sandbox->flat = false;
   }
   return {};
 }
@@ -70,11 +70,12 @@ Outcome set_flat(const Arguments& arguments, ViewState& s) {
 CommandSpec changing(CommandSpec spec, ViewState& s,
                      std::function<void(const Arguments&, Sandbox&)> change) {
   spec.why_not = [&s] {
-    return s.open.sandbox ? "" : "The balls are not set by hand. Open a preset of the sandbox.";
+    return s.settings.open.sandbox ? ""
+                                   : "The balls are not set by hand. Open a preset of the sandbox.";
   };
   spec.run = [&s, change = std::move(change)](const Arguments& arguments) {
     try {
-      change(arguments, *s.open.sandbox);
+      change(arguments, *s.settings.open.sandbox);
     } catch (const std::invalid_argument& error) {
       return Outcome::refused(std::string("This cannot be: ") + error.what() + ".");
     }
@@ -124,47 +125,49 @@ void add_changes(Commands& commands, ViewState& s) {
                s, [&s](const Arguments& a, Sandbox& sandbox) {
                  if (!a.has("ball")) return remove_chosen(s);
                  remove_ball(sandbox, ball_of(a));
-                 s.picked.clear();
+                 s.settings.selection.clear();
                });
   commands.add(std::move(remove));
 }
 
 }  // namespace
 
-void add_sandbox_commands(Commands& commands, ViewState& s) {
-  commands.add({.id = "sandbox.new",
-                .title = "Sandbox…",
-                .help = "Opens a few balls that can be moved, resized, added and removed",
-                .menu = "Tools",
-                .line_above = true,
-                .parameters = {{.name = "preset",
-                                .kind = Kind::choice,
-                                .help = "Which balls",
-                                .example = "square",
-                                .choices =
-                                    [] {
-                                      std::vector<Choice> choices;
-                                      for (const SandboxPreset& p : sandbox_presets()) {
-                                        choices.push_back({p.id, p.title, p.detail});
-                                      }
-                                      return choices;
-                                    }}},
-                .run = [&s](const Arguments& arguments) { return open_preset(arguments, s); }});
+void add_sandbox_commands(Commands& commands, ViewState& s, const Calls& ask) {
+  commands.add(
+      {.id = "sandbox.new",
+       .title = "Sandbox…",
+       .help = "Opens a few balls that can be moved, resized, added and removed",
+       .menu = "Tools",
+       .line_above = true,
+       .parameters = {{.name = "preset",
+                       .kind = Kind::choice,
+                       .help = "Which balls",
+                       .example = "square",
+                       .choices =
+                           [] {
+                             std::vector<Choice> choices;
+                             for (const SandboxPreset& p : sandbox_presets()) {
+                               choices.push_back({p.id, p.title, p.detail});
+                             }
+                             return choices;
+                           }}},
+       .run = [&s, ask](const Arguments& arguments) { return open_preset(arguments, s, ask); }});
   commands.add({.id = "sandbox.by_hand",
                 .title = "Balls by hand",
                 .help = "Makes the balls on screen ones that can be changed; off: the file's again",
                 .menu = "Tools",
                 .parameters = {on_or_off()},
                 .why_not = [&s] { return why_not_by_hand(s); },
-                .checked = [&s] { return s.open.sandbox.has_value(); },
+                .checked = [&s] { return s.settings.open.sandbox.has_value(); },
                 .run = [&s](const Arguments& arguments) { return by_hand(arguments, s); }});
-  commands.add({.id = "sandbox.flat",
-                .title = "Balls in a plane",
-                .help = "Brings every ball of the sandbox to z = 0 and keeps it there",
-                .parameters = {on_or_off()},
-                .why_not = [&s] { return s.open.sandbox ? "" : "The balls are not set by hand."; },
-                .checked = [&s] { return s.open.sandbox && s.open.sandbox->flat; },
-                .run = [&s](const Arguments& arguments) { return set_flat(arguments, s); }});
+  commands.add(
+      {.id = "sandbox.flat",
+       .title = "Balls in a plane",
+       .help = "Brings every ball of the sandbox to z = 0 and keeps it there",
+       .parameters = {on_or_off()},
+       .why_not = [&s] { return s.settings.open.sandbox ? "" : "The balls are not set by hand."; },
+       .checked = [&s] { return s.settings.open.sandbox && s.settings.open.sandbox->flat; },
+       .run = [&s](const Arguments& arguments) { return set_flat(arguments, s); }});
   SandboxMemory& m = s.memory.sandbox;
   commands.add(with_switch({.id = "sandbox.drawing",
                             .title = "Flat drawing",

@@ -20,8 +20,10 @@ std::string atoms_text(std::size_t count) {
 Outcome select(ViewState& s, const std::string& text, bool more) {
   NamedAtoms named;
   try {
-    const std::vector<bool> selected = atoms_of(s.references->molecule(), s.picked.items);
-    const std::vector<bool> hidden = atoms_of(s.references->molecule(), s.appearance.hidden);
+    const std::vector<bool> selected =
+        atoms_of(s.references->molecule(), s.settings.selection.items);
+    const std::vector<bool> hidden =
+        atoms_of(s.references->molecule(), s.settings.appearance.hidden);
     named = named_atoms(*s.references, text, {&selected, &hidden});
   } catch (const SelectionError& error) {
     return Outcome::refused(std::string("This cannot be read: ") + error.what() + ".");
@@ -34,15 +36,16 @@ Outcome select(ViewState& s, const std::string& text, bool more) {
                             " this name, but the choice of atoms at the left leaves out all that "
                             "have it.");
   }
-  RefSet items = more ? s.picked.items.with(named.balls) : RefSet(std::move(named.balls));
+  RefSet items =
+      more ? s.settings.selection.items.with(named.balls) : RefSet(std::move(named.balls));
   if (items.size() > Selection::kMostItems) {
     return Outcome::refused("This would select " +
                             with_separators(static_cast<long long>(items.size())) +
                             "; at most 100,000 can be selected at once. Name fewer atoms.");
   }
   static_assert(Selection::kMostItems == 100000);
-  s.picked.items = std::move(items);
-  s.picked.note_order();
+  s.settings.selection.items = std::move(items);
+  s.settings.selection.note_order();
   return {};
 }
 
@@ -88,8 +91,8 @@ CommandSpec castp_choices(ViewState& s) {
       .menu = "Edit",
       .why_not = without_picture(s),
       .run = [&s](const Arguments&) {
-        use_cavity_preset(s.open, s.compute, s.molecule.has_file_radii);
-        s.cavity_choices.split_networks = false;
+        use_cavity_preset(s.settings.open, s.settings.request, s.molecule.has_file_radii);
+        s.settings.cavity_choices.split_networks = false;
         s.memory.bottom_panel = "cavities";
         return Outcome();
       }};
@@ -101,7 +104,7 @@ CommandSpec split_networks(ViewState& s) {
                    .title = "Split networks at their bottlenecks",
                    .help = "Lists cavities of twenty mouths or more as the parts that they fall "
                            "into while alpha grows"},
-                  s.cavity_choices.split_networks);
+                  s.settings.cavity_choices.split_networks);
   command.menu = "Edit";
   command.why_not = without_picture(s);
   return command;
@@ -109,20 +112,20 @@ CommandSpec split_networks(ViewState& s) {
 
 }  // namespace
 
-void add_selection_commands(Commands& commands, ViewState& s) {
+void add_selection_commands(Commands& commands, ViewState& s, const Calls& ask) {
   commands.add(by_name(s, false));
   commands.add(by_name(s, true));
   commands.add(choose_cavity(s));
   commands.add(castp_choices(s));
   commands.add(split_networks(s));
-  const auto nothing = [&s] { return s.picked.empty() ? "Nothing is selected." : ""; };
+  const auto nothing = [&s] { return s.settings.selection.empty() ? "Nothing is selected." : ""; };
   commands.add({.id = "select.none",
                 .title = "Select nothing",
                 .help = "Takes everything out of the selection",
                 .menu = "Edit",
                 .why_not = nothing,
                 .run = [&s](const Arguments&) {
-                  s.picked.clear();
+                  s.settings.selection.clear();
                   return Outcome();
                 }});
   commands.add({.id = "view.zoom_to_selection",
@@ -132,13 +135,13 @@ void add_selection_commands(Commands& commands, ViewState& s) {
                 .menu = "View",
                 .why_not =
                     [&s] {
-                      if (s.picked.items.empty()) return "Nothing is selected.";
-                      const bool none = s.picked_missing == s.picked.items.size();
+                      if (s.settings.selection.items.empty()) return "Nothing is selected.";
+                      const bool none = s.picked_missing == s.settings.selection.items.size();
                       return none ? "Nothing of the selection is in the picture." : "";
                     },
                 .run =
-                    [&s](const Arguments&) {
-                      s.requests.zoom_to_selection = true;
+                    [&s, ask](const Arguments&) {
+                      ask.view.zoom_to_selection();
                       return Outcome();
                     }});
 }

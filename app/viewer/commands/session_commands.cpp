@@ -18,7 +18,7 @@ using Kind = Parameter::Kind;
 
 constexpr const char* kClear = "clear";
 
-Outcome open_session(const Arguments& arguments, ViewState& s) {
+Outcome open_session(const Arguments& arguments, ViewState& s, const Calls& ask) {
   if (!arguments.has("path")) {
     open_browser(s, BrowserPurpose::session);
     return {};
@@ -28,16 +28,16 @@ Outcome open_session(const Arguments& arguments, ViewState& s) {
   if (!fs::exists(path, ignored)) {
     return Outcome::refused("There is no file " + printable(path.string()) + ".");
   }
-  s.requests.open_session = path;
+  ask.files.open_session(path);
   return {};
 }
 
-Outcome save_session(const Arguments& arguments, ViewState& s) {
+Outcome save_session(const Arguments& arguments, ViewState& s, const Calls& ask) {
   if (arguments.has("path")) {
     const fs::path path = path_to_save(arguments.text("path"), kSessionEnding);
     const std::string fault = fault_of_ending(path, {kSessionEnding});
     if (!fault.empty()) return Outcome::refused(as_sentence(fault));
-    s.requests.save_session = path;
+    ask.files.save_session(path);
     return {};
   }
   s.memory.session_path = s.session_file.string();  // the session that this molecule has
@@ -55,10 +55,10 @@ std::vector<Choice> recent(const ViewState& s) {
   return choices;
 }
 
-Outcome open_recent(const Arguments& arguments, ViewState& s) {
+Outcome open_recent(const Arguments& arguments, ViewState& s, const Calls& ask) {
   const std::string chosen = arguments.text("file");
   if (chosen == kClear) {
-    s.requests.forget_recent = true;
+    ask.files.forget_recent();
     return {};
   }
   std::error_code ignored;
@@ -66,7 +66,7 @@ Outcome open_recent(const Arguments& arguments, ViewState& s) {
     return Outcome::failed("There is no file " + printable(chosen) +
                            " any more. Look for it with “Open molecule…”.");
   }
-  s.requests.open = chosen;
+  ask.files.open(chosen);
   return {};
 }
 
@@ -81,7 +81,7 @@ std::vector<Choice> scales(const ViewState& s) {
 
 }  // namespace
 
-CommandSpec open_session_command(ViewState& s) {
+CommandSpec open_session_command(ViewState& s, const Calls& ask) {
   return {.id = "file.open_session",
           .title = "Open session…",
           .help = "Opens a molecule with the settings, the view and the panels that were saved",
@@ -91,10 +91,10 @@ CommandSpec open_session_command(ViewState& s) {
                           .kind = Kind::path,
                           .help = "The session; if left out, a dialog opens",
                           .optional = true}},
-          .run = [&s](const Arguments& arguments) { return open_session(arguments, s); }};
+          .run = [&s, ask](const Arguments& arguments) { return open_session(arguments, s, ask); }};
 }
 
-CommandSpec save_session_command(ViewState& s) {
+CommandSpec save_session_command(ViewState& s, const Calls& ask) {
   return {.id = "file.save_session",
           .title = "Save session…",
           .help = "Writes the name of the molecule, all settings, the view and the panels",
@@ -106,10 +106,10 @@ CommandSpec save_session_command(ViewState& s) {
                           .help = "The JSON file; if left out, a dialog opens",
                           .optional = true}},
           .why_not = without_molecule(s),
-          .run = [&s](const Arguments& arguments) { return save_session(arguments, s); }};
+          .run = [&s, ask](const Arguments& arguments) { return save_session(arguments, s, ask); }};
 }
 
-CommandSpec recent_files_command(ViewState& s) {
+CommandSpec recent_files_command(ViewState& s, const Calls& ask) {
   return {.id = "file.recent",
           .title = "Recent files",
           .help = "Opens a molecule or session again, or clears the list of them",
@@ -118,7 +118,7 @@ CommandSpec recent_files_command(ViewState& s) {
                           .kind = Kind::choice,
                           .help = "Which one; clear empties the list",
                           .choices = [&s] { return recent(s); }}},
-          .run = [&s](const Arguments& arguments) { return open_recent(arguments, s); }};
+          .run = [&s, ask](const Arguments& arguments) { return open_recent(arguments, s, ask); }};
 }
 
 CommandSpec scale_command(ViewState& s) {

@@ -77,8 +77,8 @@ Outcome play(ViewState& s) {
 
 Outcome take_middle(ViewState& s) {
   const auto ball = middle_ball(*s.result->balls);
-  s.picked.clear();
-  s.picked.items = RefSet({Ref{s.references->atom(*ball)}});
+  s.settings.selection.clear();
+  s.settings.selection.items = RefSet({Ref{s.references->atom(*ball)}});
   s.memory.bottom_panel = kStepsPage;
   return {};
 }

@@ -19,6 +19,7 @@
 #include "core/files/output_ending.hpp"
 #include "core/run/freed_elsewhere.hpp"
 #include "core/text/text_parts.hpp"
+#include "ui/no_calls.hpp"
 #include "ui/widgets/keys.hpp"
 
 namespace alphascope {
@@ -447,7 +448,8 @@ std::string script_help() {
   for (const SampleMolecule& sample : sample_files())
     state.samples.push_back({sample.name, "", {}});
   Commands commands;
-  add_program_commands(commands, state);
+  NoCalls nobody;
+  add_program_commands(commands, state, nobody.calls());
   for (const CommandSpec& spec : commands.all()) print_help(out, spec);
   out << "\nMouse, keys, waiting and pictures of the window:\n";
   for (const ScriptRunner::Verb& verb : ScriptRunner::all_verbs()) print_help(out, verb.spec);

@@ -35,8 +35,8 @@ class Mover {
   // Milliseconds until the picture of this alpha is drawn.
   double move_to(double angstrom2) {
     const Clock::time_point start = Clock::now();
-    set_alpha(viewer_.state().compute, angstrom2);
-    const Alpha wanted = viewer_.state().compute.alpha_angstrom2;
+    set_alpha(viewer_.state().settings.request, angstrom2);
+    const Alpha wanted = viewer_.state().settings.request.alpha_angstrom2;
     return until(start, [&] {
       const auto& result = viewer_.state().result;
       return result && result->request.alpha_angstrom2 == wanted;
@@ -47,7 +47,7 @@ class Mover {
   double move_ball_by(std::size_t ball, double step) {
     const Clock::time_point start = Clock::now();
     const auto before = viewer_.state().result;
-    Sandbox& sandbox = *viewer_.state().open.sandbox;
+    Sandbox& sandbox = *viewer_.state().settings.open.sandbox;
     SandboxPlace place = centre_of(sandbox, ball);
     place[0] += step;
     move_ball(sandbox, ball, place);
@@ -142,7 +142,7 @@ std::string time_alpha_moves(Viewer& viewer, ScriptedInput& input, double angstr
 }
 
 std::string time_ball_moves(Viewer& viewer, ScriptedInput& input, int moves) {
-  const auto& sandbox = viewer.state().open.sandbox;
+  const auto& sandbox = viewer.state().settings.open.sandbox;
   if (!sandbox || sandbox->balls.empty()) throw std::runtime_error("there are no balls by hand");
   const std::size_t balls = sandbox->balls.size();
   Mover mover(viewer, input);

@@ -49,6 +49,12 @@ std::string export_endings();
 // Of vertices of the boundary; a solid has one colour.
 enum class ExportColours : std::uint8_t { element, chain, solid };
 
+// The complex on screen, for another program.
+struct ExportRequest {
+  std::filesystem::path path;  // its ending says the format
+  ExportColours colours = ExportColours::element;
+};
+
 struct ExportSource {
   const EngineAnswer& answer;
   const Molecule& molecule;

@@ -55,7 +55,6 @@ struct Selection {
   // Chosen in the table of cavities, each by its deepest sink. Their lining atoms become `items`,
   // and both are in the history, so that undo brings back what belongs together.
   RefSet cavities;
-  std::optional<Ref> hovered;  // under the mouse; not in the history
   // More would make marks and history slow.
   static constexpr std::size_t kMostItems = 100000;
 
@@ -68,6 +67,11 @@ struct Selection {
   // The selected atoms, those first that were selected first. The order of atoms that came at once,
   // or with many others, is that of the file. Not in the history.
   std::vector<AtomRef> atoms_in_order() const;
+
+  // The same is selected, in whatever order.
+  friend bool operator==(const Selection& a, const Selection& b) {
+    return a.items == b.items && a.cavities == b.cavities;
+  }
 
  private:
   // Nobody measures between more.

@@ -158,8 +158,8 @@ void visit_fields(Visitor& v, Settings& s) {
   v.object("open", s.open);
   v.object("compute", s.request);
   v.object("display", s.display);
-  v("selection", s.selection);
-  v("cavities", s.cavities);
+  v("selection", s.selection.items);
+  v("cavities", s.selection.cavities);
   v("clip", s.clip);
   v.objects("views", s.views);
   v.object("appearance", s.appearance);

@@ -50,7 +50,7 @@ std::string difference_text(const Settings& a, const Settings& b) {
   note(a.annotations.marks == b.annotations.marks &&
            a.annotations.power_diagram == b.annotations.power_diagram,
        "marks");
-  note(a.selection == b.selection && a.cavities == b.cavities, "selection");
+  note(a.selection == b.selection, "selection");
   note(a.cavity_choices == b.cavity_choices, "networks of cavities");
   std::string text;
   for (std::size_t i = 0; i < parts.size(); ++i) {

@@ -20,8 +20,7 @@ struct Settings {
   OpenOptions open;
   Request request;
   DisplayControls display;
-  RefSet selection;  // what is selected in the picture
-  RefSet cavities;   // what is chosen in their table (Selection::cavities)
+  Selection selection;  // in the picture, and in the table of cavities
   Clip clip;
   NamedViews views;  // saved cameras, in the order of saving
   Appearance appearance;

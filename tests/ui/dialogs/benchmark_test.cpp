@@ -31,21 +31,21 @@ TEST(BenchmarkPage, OpensFromTheMenuAndAsksToRunCancelAndExport) {
   panels.frame(2);
   ASSERT_TRUE(panels.rects.contains("benchmark.run"));
   panels.click("benchmark.run");
-  EXPECT_TRUE(panels.state.requests.run_benchmark);
+  EXPECT_TRUE(panels.asked.run_benchmark);
   panels.click("benchmark.export");
-  EXPECT_FALSE(panels.state.requests.export_benchmark) << "there is nothing yet";
+  EXPECT_FALSE(panels.asked.export_benchmark) << "there is nothing yet";
   panels.state.benchmark.running = true;
   panels.frame(2);
   EXPECT_FALSE(panels.rects.contains("benchmark.run"));
   panels.click("benchmark.close");
   EXPECT_TRUE(panels.state.memory.show_benchmark) << "cancel first";
   panels.click("benchmark.cancel");
-  EXPECT_TRUE(panels.state.requests.cancel_benchmark);
+  EXPECT_TRUE(panels.asked.cancel_benchmark);
   panels.state.benchmark.running = false;
   panels.state.benchmark.can_export = true;
   panels.frame(2);
   panels.click("benchmark.export");
-  EXPECT_TRUE(panels.state.requests.export_benchmark);
+  EXPECT_TRUE(panels.asked.export_benchmark);
   panels.click("benchmark.close");
   EXPECT_FALSE(panels.state.memory.show_benchmark);
 }

@@ -48,7 +48,8 @@ TEST_F(DialogsTest, TheCheatSheetOpensAboveTheBenchmarkPage) {
   p.click("benchmark.close");
   EXPECT_FALSE(p.state.memory.show_benchmark);
   p.click("alpha.preset.3");
-  EXPECT_DOUBLE_EQ(p.state.compute.alpha_angstrom2, 3) << "the mouse is the window's again";
+  EXPECT_DOUBLE_EQ(p.state.settings.request.alpha_angstrom2, 3)
+      << "the mouse is the window's again";
 }
 
 TEST_F(DialogsTest, AnErrorOpensAboveTheFileBrowserWhichStays) {
@@ -66,7 +67,7 @@ TEST_F(DialogsTest, AnErrorOpensAboveTheFileBrowserWhichStays) {
   p.click("browser.cancel");
   EXPECT_FALSE(p.state.memory.show_browser);
   p.click("alpha.preset.3");
-  EXPECT_DOUBLE_EQ(p.state.compute.alpha_angstrom2, 3);
+  EXPECT_DOUBLE_EQ(p.state.settings.request.alpha_angstrom2, 3);
 }
 
 TEST_F(DialogsTest, EveryErrorIsToldOneAfterTheOther) {
@@ -88,7 +89,7 @@ TEST_F(DialogsTest, AKeyThatClosesADialogLeavesTheMouseToTheWindow) {
   p.frame(3);
   EXPECT_FALSE(p.rects.contains("cheat_sheet.close"));
   p.click("alpha.preset.3");
-  EXPECT_DOUBLE_EQ(p.state.compute.alpha_angstrom2, 3);
+  EXPECT_DOUBLE_EQ(p.state.settings.request.alpha_angstrom2, 3);
 }
 
 TEST_F(DialogsTest, CancelIsAtTheLeftOfWhatIsDone) {
@@ -115,7 +116,7 @@ TEST_F(DialogsTest, APictureIsSavedOnlyWhereThereIsAFolder) {
   p.frame(3);
   ASSERT_TRUE(p.rects.contains("save.no_folder"));
   p.click("save.ok");
-  EXPECT_FALSE(p.state.requests.screenshot);
+  EXPECT_FALSE(p.asked.screenshot);
   EXPECT_TRUE(p.state.memory.show_save);
   p.state.memory.save_path = "/tmp/picture.png";
   p.frame(3);
@@ -132,7 +133,7 @@ TEST_F(DialogsTest, APlaceWithoutANameIsNoFile) {
     p.frame(3);
     EXPECT_TRUE(p.rects.contains("save.no_name")) << typed;
     p.click("save.ok");
-    EXPECT_FALSE(p.state.requests.screenshot) << typed;
+    EXPECT_FALSE(p.asked.screenshot) << typed;
   }
 }
 
@@ -226,7 +227,7 @@ TEST_F(ErrorsTest, TheErrorGoesWithItsAlpha) {
   no_memory_ = true;
   run("click alpha.water\nwait-idle\nframes 3\n");  // other balls, so another engine
   ASSERT_FALSE(viewer_->state().compute_error.empty());
-  set_alpha(viewer_->state().compute, 10);
+  set_alpha(viewer_->state().settings.request, 10);
   ScriptedInput no_input;
   viewer_->step(&no_input);  // too short for the next answer, or error
   EXPECT_TRUE(viewer_->state().compute_error.empty()) << viewer_->state().compute_error;
@@ -237,7 +238,7 @@ TEST_F(ErrorsTest, OnlyAFailedOpeningSpeaksOfThePreviousMolecule) {
   run("open /no/such/file.pdb\nwait-idle\n");
   EXPECT_NE(s.error.find("The previous molecule is still open."), std::string::npos) << s.error;
   run("click error.ok\nframes 2\n");
-  viewer_->state().requests.screenshot = ScreenshotRequest{"/no/such/folder/p.png", 64, 64, false};
+  viewer_->calls().jobs.save_picture(ScreenshotRequest{"/no/such/folder/p.png", 64, 64, false});
   run("wait-idle\n");
   EXPECT_NE(s.error.find("/no/such/folder"), std::string::npos) << s.error;
   EXPECT_EQ(s.error.find("still open"), std::string::npos) << s.error;

@@ -62,7 +62,7 @@ TEST_F(FileBrowser, ArrowKeysChooseAndEnterOpens) {
   p.tap(key::kUp);
   EXPECT_EQ(selected(), "m100.pdb");
   p.tap(key::kEnter);
-  EXPECT_EQ(*p.state.requests.open, folder_ / "m100.pdb");
+  EXPECT_EQ(*p.asked.open, folder_ / "m100.pdb");
   EXPECT_FALSE(memory().show_browser);
 }
 
@@ -76,7 +76,7 @@ TEST_F(FileBrowser, KeysAreNotForItWhileADialogIsAbove) {
   p.frame(2);
   EXPECT_FALSE(memory().show_cheat_sheet);
   EXPECT_EQ(selected(), "m100.pdb");
-  EXPECT_FALSE(p.state.requests.open);
+  EXPECT_FALSE(p.asked.open);
   EXPECT_TRUE(memory().show_browser);
 }
 
@@ -125,13 +125,13 @@ TEST_F(FileBrowser, AWrongPathStaysAndSaysWhy) {
   const float y = p.rects["browser.open"].y0;
   p.type("browser.path", (folder_ / "no.pdb").string());
   EXPECT_TRUE(memory().show_browser);
-  EXPECT_FALSE(p.state.requests.open);
+  EXPECT_FALSE(p.asked.open);
   EXPECT_NE(memory().browser_error.find("no.pdb"), std::string::npos);
   EXPECT_TRUE(p.rects.contains("browser.error"));
   EXPECT_EQ(p.rects["browser.open"].y0, y) << "nothing moves";
   p.type("browser.path", "zebra.pdb");  // of the folder that is shown
   EXPECT_FALSE(memory().show_browser);
-  EXPECT_EQ(*p.state.requests.open, folder_ / "zebra.pdb");
+  EXPECT_EQ(*p.asked.open, folder_ / "zebra.pdb");
 }
 
 }  // namespace

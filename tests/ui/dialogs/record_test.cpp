@@ -38,7 +38,7 @@ TEST_F(RecordTest, EachFrameOfASweepIsTheSavedPictureOfItsAlpha) {
     EXPECT_EQ(texts["alphascope:frame"], std::to_string(k + 1) + " of 3");
     EXPECT_EQ(texts["alphascope:hash"], hash_text(expected(k).hash));
   }
-  EXPECT_EQ(viewer_->state().compute.alpha_angstrom2, 3) << "the window stays as it is";
+  EXPECT_EQ(viewer_->state().settings.request.alpha_angstrom2, 3) << "the window stays as it is";
   run("alpha.set 1\nwait-idle\nfile.save_picture \"" + (folder_ / "one.png").string() +
       "\" 240 160 usual\nwait-idle\n");
   EXPECT_EQ(pixels_of(frame(2)).rgba, pixels_of(bytes("one.png")).rgba);
@@ -54,7 +54,7 @@ TEST_F(RecordTest, FramesOfASweepHaveWhatPagesDraw) {
   for (int k = 0; k < 3; ++k) {
     EXPECT_EQ(texts_of(frame(k + 1))["alphascope:hash"], hash_text(expected(k).hash));
   }
-  EXPECT_EQ(viewer_->state().compute.alpha_angstrom2, 3);
+  EXPECT_EQ(viewer_->state().settings.request.alpha_angstrom2, 3);
   EXPECT_EQ(viewer_->state().undo_text, undo) << "it is no change of the user's";
   run("alpha.set 1\nwait-idle\nfile.save_picture \"" + (folder_ / "one.png").string() +
       "\" 240 160 usual\nwait-idle\n");
@@ -70,7 +70,7 @@ TEST_F(RecordTest, ASweepThatIsDisturbedSaysSo) {
       "\" alpha=0:2:200 240 160 usual\nframes 10\nalpha.set 7\nwait-idle\n");
   EXPECT_EQ(viewer_->state().error_title, "The sweep was not recorded");
   EXPECT_NE(viewer_->state().error.find("Alpha was changed"), std::string::npos);
-  EXPECT_EQ(viewer_->state().compute.alpha_angstrom2, 7);
+  EXPECT_EQ(viewer_->state().settings.request.alpha_angstrom2, 7);
   EXPECT_LT(frames(), 200);
 }
 
@@ -113,7 +113,7 @@ TEST_F(RecordTest, ACancelledMovieIsNotThereAndFinishedFramesAre) {
   const FakeFfmpeg counting(folder_, "wc -c > \"$file\"");
   run("file.record \"" + (folder_ / "m.mp4").string() + "\" alpha=0:2:2000 64 64\nframes 5\n");
   EXPECT_TRUE(viewer_->state().saving.active);
-  viewer_->state().requests.cancel_save = true;
+  viewer_->calls().jobs.cancel(Job::saving);
   run("wait-idle\n");
   EXPECT_NE(viewer_->state().notice.find("m.mp4 was not written"), std::string::npos)
       << viewer_->state().notice;
@@ -127,7 +127,8 @@ TEST_F(RecordTest, WhatCannotBeIsRefused) {
   EXPECT_NE(why("f.png alpha=0:1:2").find("exactly one place"), std::string::npos);
   EXPECT_NE(why("f-%d.png alpha=2:1:2").find("from 1 to 2 Å² instead"), std::string::npos);
   EXPECT_NE(why("f-%d.png 360").find("such as 360:120"), std::string::npos);
-  EXPECT_FALSE(viewer_->state().requests.record);
+  viewer_->step(nullptr);
+  EXPECT_FALSE(viewer_->state().saving.active);
 }
 
 TEST(TurnedView, KeepsItsDistanceAndTurnsAboutTheAxis) {

@@ -123,11 +123,10 @@ TEST_F(SaveDialogs, AnotherEndingIsRefused) {
     p.frame(3);
     EXPECT_FALSE(p.rects.contains(c.dialog + ".ending")) << c.right;
     p.click(c.dialog + ".ok");
-    const fs::path wanted =
-        picture ? p.state.requests.screenshot->path : *p.state.requests.save_session;
+    const fs::path wanted = picture ? p.asked.screenshot->path : *p.asked.save_session;
     EXPECT_EQ(wanted, path(c.written));
-    p.state.requests.screenshot.reset();
-    p.state.requests.save_session.reset();
+    p.asked.screenshot.reset();
+    p.asked.save_session.reset();
     p.frame(3);
   }
 }

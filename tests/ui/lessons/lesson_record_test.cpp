@@ -120,7 +120,7 @@ TEST_F(LessonRecordTest, ACancelledOneLeavesNoHalfMovie) {
   open_lesson();
   run("file.record \"" + (folder_ / "m.mp4").string() + "\" lesson:600 64 48\nframes 8\n");
   EXPECT_TRUE(viewer_->state().saving.active);
-  viewer_->state().requests.cancel_save = true;
+  viewer_->calls().jobs.cancel(Job::saving);
   run("wait-idle\n");
   EXPECT_NE(viewer_->state().notice.find("m.mp4 was not written"), std::string::npos);
   EXPECT_FALSE(fs::exists(folder_ / "m.mp4"));

@@ -77,16 +77,16 @@ TEST_F(LessonsTest, StepsSetTheWindowAndGoBack) {
   open_lesson(write(kShort).string());
   EXPECT_EQ(state().error, "");
   EXPECT_EQ(state().molecule.name, "two_balls.xyzr");
-  EXPECT_TRUE(state().display.balls);
+  EXPECT_TRUE(state().settings.display.balls);
   run("key pagedown\nwait-idle\n");
   EXPECT_EQ(memory().step, 1u);
   EXPECT_EQ(state().result->request.alpha_angstrom2, -2);
-  EXPECT_FALSE(state().display.balls);
+  EXPECT_FALSE(state().settings.display.balls);
   EXPECT_EQ(state().undo_text, "") << "what a step sets is no change of the user's";
   run("alpha.set 5\nwait-idle\nkey pageup\nwait-idle\n");
   EXPECT_EQ(memory().step, 0u);
   EXPECT_EQ(state().result->request.alpha_angstrom2, 0);
-  EXPECT_TRUE(state().display.balls);
+  EXPECT_TRUE(state().settings.display.balls);
   run("lesson.next\nwait-idle\nlesson.next\nwait-idle\nframes 2\n");
   EXPECT_EQ(memory().step, 2u);
   EXPECT_TRUE(has("lesson.reveal"));
@@ -101,26 +101,35 @@ TEST_F(LessonsTest, WhatAStepSetsIsForThatStepAndWhatTheUserSetsStays) {
   std::string text = kShort;
   text.insert(text.find("alpha.set -2"), "engine.set tuples-cpu\n");
   open_lesson(write(text).string());
-  const EngineChoice before = state().compute.engine;
+  const EngineChoice before = state().settings.request.engine;
   ASSERT_NE(before, EngineChoice::tuples_cpu);
   run("key pagedown\nwait-idle\n");
-  EXPECT_EQ(state().compute.engine, EngineChoice::tuples_cpu);
+  EXPECT_EQ(state().settings.request.engine, EngineChoice::tuples_cpu);
   run("key pagedown\nwait-idle\n");
-  EXPECT_EQ(state().compute.engine, before);
+  EXPECT_EQ(state().settings.request.engine, before);
   run("engine.set cgal\nwait-idle\nkey pageup\nwait-idle\n");
-  EXPECT_EQ(state().compute.engine, EngineChoice::tuples_cpu);
+  EXPECT_EQ(state().settings.request.engine, EngineChoice::tuples_cpu);
   run("key pageup\nwait-idle\n");
-  EXPECT_EQ(state().compute.engine, EngineChoice::cgal) << "the user has chosen it meanwhile";
+  EXPECT_EQ(state().settings.request.engine, EngineChoice::cgal)
+      << "the user has chosen it meanwhile";
   run("key pagedown\nwait-idle\n");
   open_lesson("union_of_balls");
-  EXPECT_EQ(state().compute.engine, EngineChoice::cgal) << "nor does it go on in another lesson";
+  EXPECT_EQ(state().settings.request.engine, EngineChoice::cgal)
+      << "nor does it go on in another lesson";
 }
 
 TEST_F(LessonsTest, CloseBringsBackMoleculeSettingsAndHistory) {
   open_crambin();
   run("alpha.set 2\nwait-idle\nalpha.set 3\nwait-idle\nview.edges on\nselect.atoms A:15\n");
-  const Settings before{state().open, state().compute, state().display,    state().picked.items, {},
-                        state().clip, state().views,   state().appearance, state().annotations};
+  const Settings before{state().settings.open,
+                        state().settings.request,
+                        state().settings.display,
+                        state().settings.selection.items,
+                        {},
+                        state().settings.clip,
+                        state().settings.views,
+                        state().settings.appearance,
+                        state().settings.annotations};
   const std::string undo = state().undo_text;
   open_lesson("union_of_balls");
   EXPECT_NE(state().molecule.name, "1crn.pdb");
@@ -128,22 +137,29 @@ TEST_F(LessonsTest, CloseBringsBackMoleculeSettingsAndHistory) {
   run("lesson.next\nwait-idle\nlesson.close\nwait-idle\n");
   EXPECT_FALSE(memory().open);
   EXPECT_EQ(state().molecule.name, "1crn.pdb");
-  const Settings after{state().open, state().compute, state().display,    state().picked.items, {},
-                       state().clip, state().views,   state().appearance, state().annotations};
+  const Settings after{state().settings.open,
+                       state().settings.request,
+                       state().settings.display,
+                       state().settings.selection.items,
+                       {},
+                       state().settings.clip,
+                       state().settings.views,
+                       state().settings.appearance,
+                       state().settings.annotations};
   EXPECT_EQ(difference_text(before, after), "");
   EXPECT_EQ(state().result->request.alpha_angstrom2, 3);
   EXPECT_EQ(state().undo_text, undo);
   run("edit.undo\nedit.undo\nedit.undo\nwait-idle\n");
-  EXPECT_EQ(state().compute.alpha_angstrom2, 2);
+  EXPECT_EQ(state().settings.request.alpha_angstrom2, 2);
 }
 
 TEST_F(LessonsTest, WithoutAMoleculeBeforeTheLookComesBack) {
-  const DisplayControls before = state().display;
+  const DisplayControls before = state().settings.display;
   open_lesson(write(kShort).string());
-  EXPECT_NE(state().display, before);
+  EXPECT_NE(state().settings.display, before);
   run("lesson.next\nwait-idle\nlesson.close\nwait-idle\n");
-  EXPECT_EQ(state().display, before);
-  EXPECT_EQ(state().compute.alpha_angstrom2, 0);
+  EXPECT_EQ(state().settings.display, before);
+  EXPECT_EQ(state().settings.request.alpha_angstrom2, 0);
 }
 
 TEST_F(LessonsTest, AMoleculeThatIsBeingOpenedComesBack) {
@@ -160,7 +176,7 @@ TEST_F(LessonsTest, ClosedBeforeItsMoleculeIsThere) {
   ASSERT_TRUE(memory().open);
   run("lesson.close\nwait-idle\n");
   EXPECT_EQ(state().molecule.name, "1crn.pdb");
-  EXPECT_EQ(state().compute.alpha_angstrom2, 3);
+  EXPECT_EQ(state().settings.request.alpha_angstrom2, 3);
   EXPECT_EQ(state().undo_text, "alpha");
 }
 

@@ -96,13 +96,13 @@ TEST_F(CavitiesTest, AClickShowsTheCavityAndWhatLinesIt) {
   ASSERT_FALSE(page().drawn->residues.empty());
   EXPECT_EQ(page().drawn->residues[0].chain, "A");
   EXPECT_NE(page().drawn->residues[0].residues.find("HIS 87"), std::string::npos);
-  EXPECT_GT(viewer_->state().picked.items.size(), 20u);
+  EXPECT_GT(viewer_->state().settings.selection.items.size(), 20u);
   // It stays chosen while alpha moves, for it is known by its deepest sink.
-  const RefSet chosen = viewer_->state().picked.cavities;
+  const RefSet chosen = viewer_->state().settings.selection.cavities;
   EXPECT_EQ(chosen.size(), 1u);
   run("alpha.set 0.1\nwait-idle\nframes 3\nwait-idle\nframes 3\n");
   ASSERT_EQ(page().rows.table().question.alpha_angstrom2, 0.1);
-  EXPECT_EQ(viewer_->state().picked.cavities, chosen);
+  EXPECT_EQ(viewer_->state().settings.selection.cavities, chosen);
   EXPECT_EQ(page().chosen_rows.size(), 1u);
   EXPECT_EQ(viewer_->state().layers.size(), 3u);
 }
@@ -110,10 +110,10 @@ TEST_F(CavitiesTest, AClickShowsTheCavityAndWhatLinesIt) {
 TEST_F(CavitiesTest, ACommandChoosesACavityBeforeTheTableIsThere) {
   run("open " ALPHASCOPE_SOURCE_DIR "/resources/molecules/4hhb.pdb.gz\nwait-idle\n");
   run("cavities.choose 2\n");
-  EXPECT_TRUE(viewer_->state().picked.cavities.empty()) << "the table is not there yet";
+  EXPECT_TRUE(viewer_->state().settings.selection.cavities.empty()) << "the table is not there yet";
   settle();
   EXPECT_EQ(page().chosen_rows, std::vector<std::size_t>{1});
-  EXPECT_EQ(viewer_->state().picked.cavities.size(), 1u);
+  EXPECT_EQ(viewer_->state().settings.selection.cavities.size(), 1u);
   EXPECT_FALSE(viewer_->state().layers.empty());
   const std::size_t rows = page().rows.size();
   run("cavities.choose 1000000\n");
@@ -126,17 +126,17 @@ TEST_F(CavitiesTest, ACommandChoosesACavityBeforeTheTableIsThere) {
 TEST_F(CavitiesTest, UndoTakesCavityAndSelectionBackTogether) {
   open_cavities();
   run("click cavities.row.2 0.2\nwait-idle\nframes 3\n");
-  const RefSet second = viewer_->state().picked.cavities;
-  const RefSet lining = viewer_->state().picked.items;
+  const RefSet second = viewer_->state().settings.selection.cavities;
+  const RefSet lining = viewer_->state().settings.selection.items;
   run("click cavities.row.5 0.2\nwait-idle\nframes 3\n");
-  EXPECT_NE(viewer_->state().picked.cavities, second);
+  EXPECT_NE(viewer_->state().settings.selection.cavities, second);
   run("edit.undo\nwait-idle\nframes 3\n");
-  EXPECT_EQ(viewer_->state().picked.cavities, second);
-  EXPECT_EQ(viewer_->state().picked.items, lining);
+  EXPECT_EQ(viewer_->state().settings.selection.cavities, second);
+  EXPECT_EQ(viewer_->state().settings.selection.items, lining);
   EXPECT_EQ(page().chosen_rows, std::vector<std::size_t>{1});
   EXPECT_EQ(viewer_->state().notice, "Undone: selection");
   run("edit.undo\nwait-idle\nframes 3\n");
-  EXPECT_TRUE(viewer_->state().picked.empty());
+  EXPECT_TRUE(viewer_->state().settings.selection.empty());
   EXPECT_TRUE(viewer_->state().layers.empty());
 }
 
@@ -153,7 +153,7 @@ TEST_F(CavitiesTest, SeveralAreChosenByKeysAndButtons) {
   }
   EXPECT_EQ(page().drawn->of.size(), page().chosen_rows.size());
   run("click cavities.none\nframes 3\n");
-  EXPECT_TRUE(viewer_->state().picked.empty());
+  EXPECT_TRUE(viewer_->state().settings.selection.empty());
 }
 
 TEST_F(CavitiesTest, WhatIsTypedAsLeastVolumeIsChecked) {
@@ -217,7 +217,7 @@ TEST_F(CavitiesTest, TablesFollowWhileTheSolventRadiusSlides) {
   open_cavities();
   use_preset();
   run("click cavities.row.4 0.2\nwait-idle\nframes 3\n");
-  const RefSet chosen = viewer_->state().picked.cavities;
+  const RefSet chosen = viewer_->state().settings.selection.cavities;
   const auto number_of = [&](std::size_t row) {
     return page().rows.lines->numbers->of[page().rows.table().order[row]];
   };
@@ -245,8 +245,8 @@ TEST_F(CavitiesTest, TablesFollowWhileTheSolventRadiusSlides) {
   viewer_->step(&input);
   settle();
   EXPECT_EQ(page().rows.table().question.solvent_radius_angstrom,
-            viewer_->state().compute.solvent_radius_angstrom);
-  EXPECT_EQ(viewer_->state().picked.cavities, chosen);
+            viewer_->state().settings.request.solvent_radius_angstrom);
+  EXPECT_EQ(viewer_->state().settings.selection.cavities, chosen);
   EXPECT_EQ(viewer_->state().undo_text, "solvent radius and selection") << "the lining follows";
 }
 
@@ -259,9 +259,9 @@ TEST_F(CavitiesTest, ADragInRealTimeMakesTables) {
   EXPECT_GE(std::chrono::steady_clock::now() - begin, std::chrono::milliseconds(1500));
   EXPECT_GE(viewer_->times_made("cavities.lines"), before + 3);
   EXPECT_EQ(page().rows.table().question.solvent_radius_angstrom,
-            viewer_->state().compute.solvent_radius_angstrom);
+            viewer_->state().settings.request.solvent_radius_angstrom);
   EXPECT_EQ(viewer_->state().result->request.solvent_radius_angstrom,
-            viewer_->state().compute.solvent_radius_angstrom);
+            viewer_->state().settings.request.solvent_radius_angstrom);
 }
 
 TEST_F(CavitiesTest, SavedTablesAreThoseOfTheCommandLine) {
@@ -399,7 +399,7 @@ TEST_F(CavitiesTest, WhatIsChosenFollowsIntoWhatItMergesWithAndComesBack) {
   const auto& order = page().rows.table().order;
   const auto row =
       static_cast<std::size_t>(std::find(order.begin(), order.end(), cavity) - order.begin());
-  viewer_->state().picked.cavities =
+  viewer_->state().settings.selection.cavities =
       RefSet({cavity_sink(*page().rows.lines->atoms, page().rows.table(), row)});
   settle();
   ASSERT_EQ(page().chosen_rows, std::vector<std::size_t>{row});
@@ -423,7 +423,7 @@ TEST_F(CavitiesTest, OfAnotherMoleculeNothingStays) {
   EXPECT_EQ(page().chosen_rows.size(), 1u);
   open_crambin();
   run("wait-idle\nframes 3\nwait-idle\nframes 3\n");
-  EXPECT_TRUE(viewer_->state().picked.cavities.empty());
+  EXPECT_TRUE(viewer_->state().settings.selection.cavities.empty());
   EXPECT_TRUE(page().chosen_rows.empty());
   EXPECT_TRUE(viewer_->state().layers.empty());
 }
@@ -456,7 +456,7 @@ TEST_F(CavitiesTest, ANetworkIsSplitAndSaysWhereItFallsApart) {
   ASSERT_EQ(page().rows.size(), 1u);
   run("click cavities.network.radius\n");
   settle();
-  EXPECT_EQ(viewer_->state().compute.solvent_radius_angstrom, 1.5);
+  EXPECT_EQ(viewer_->state().settings.request.solvent_radius_angstrom, 1.5);
   EXPECT_EQ(page().rows.size(), 8u);
   EXPECT_EQ(page().rows.table().voids, 8u);
   run("solvent.set 1\n");

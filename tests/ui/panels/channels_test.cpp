@@ -142,7 +142,7 @@ TEST_F(ChannelsTest, NeitherSolventNorAlphaChangesIt) {
 TEST_F(ChannelsTest, ShowingTheBottleneckSelectsTheAtomsThatTouchIt) {
   open_tube(false);
   run("click channels.show\nwait-idle\n");
-  EXPECT_EQ(viewer_->state().picked.items.size(), channel().touching.size());
+  EXPECT_EQ(viewer_->state().settings.selection.items.size(), channel().touching.size());
   EXPECT_GE(channel().touching.size(), 3u);
 }
 
@@ -250,7 +250,7 @@ TEST_F(ChannelsTest, AnIonInThePoreCanBeLeftOut) {
   ASSERT_TRUE(has("channels.guests"));
   run("click channels.guests\nwait-idle\n");
   settle();
-  EXPECT_FALSE(viewer_->state().open.balls.ions);
+  EXPECT_FALSE(viewer_->state().settings.open.balls.ions);
   ASSERT_TRUE(memory().shown && memory().shown->channel);
   EXPECT_GT(channel().widest_angstrom, blocked + 1);
   EXPECT_NEAR(channel().widest_angstrom, as_way, 0.02);

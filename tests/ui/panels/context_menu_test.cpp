@@ -14,7 +14,7 @@ class ContextMenuTest : public ViewerTest {
  protected:
   const ViewState& state() { return viewer_->state(); }
   bool has(const std::string& widget) { return viewer_->widgets().contains(widget); }
-  const std::vector<Ref>& items() { return state().picked.items.items(); }
+  const std::vector<Ref>& items() { return state().settings.selection.items.items(); }
   // In the view, shares of its size.
   static std::string at(double x, double y) {
     return "view " + std::to_string(x) + " " + std::to_string(y) + "\n";
@@ -38,7 +38,7 @@ class ContextMenuTest : public ViewerTest {
   }
   Ref hovered(const std::string& place) {
     run("move " + place + "frames 2\n");
-    return state().picked.hovered.value_or(AtomRef{99999, 0});
+    return state().hovered.value_or(AtomRef{99999, 0});
   }
   void choose(const std::string& entry) { run("click " + entry + "\nframes 2\nwait-idle\n"); }
 };
@@ -77,12 +77,12 @@ TEST_F(ContextMenuTest, IsAboutTheAtomUnderTheMouse) {
 
   run("right-click " + place +
       "click context.colour\nframes 2\nclick context.colour.Orange\nframes 2\n");
-  ASSERT_EQ(state().appearance.colours.size(), 1u);
-  EXPECT_EQ(state().appearance.colours[0].atoms, AtomSet({{0, atom.atom, atom.atom}}));
+  ASSERT_EQ(state().settings.appearance.colours.size(), 1u);
+  EXPECT_EQ(state().settings.appearance.colours[0].atoms, AtomSet({{0, atom.atom, atom.atom}}));
   run("right-click " + place +
       "click context.label\nframes 2\nclick context.label.name\nframes 2\n");
-  ASSERT_EQ(state().annotations.labels.size(), 1u);
-  EXPECT_EQ(state().annotations.labels[0].text, LabelText::name);
+  ASSERT_EQ(state().settings.annotations.labels.size(), 1u);
+  EXPECT_EQ(state().settings.annotations.labels[0].text, LabelText::name);
   run("right-click " + place);
   choose("context.copy_name");
   EXPECT_EQ(state().notice, "Copied " + atom_address(molecule, atom.atom));
@@ -102,22 +102,23 @@ TEST_F(ContextMenuTest, MeasuresFromTheSelectionAndSaysWhyNot) {
   run("right-click " + where[0]);
   EXPECT_TRUE(reason().starts_with("Select an atom first")) << reason();
   choose("context.measure");
-  EXPECT_TRUE(state().annotations.measurements.empty()) << "it is grey";
+  EXPECT_TRUE(state().settings.annotations.measurements.empty()) << "it is grey";
   run("key esc\nframes 2\n");
   EXPECT_FALSE(has("context.title"));
   run("click " + where[1] + "right-click " + where[0]);
   EXPECT_EQ(reason(), "");
   choose("context.measure");
-  ASSERT_EQ(state().annotations.measurements.size(), 1u);
-  EXPECT_EQ(Ref(state().annotations.measurements[0].atoms[0]), atoms[1]);
-  EXPECT_EQ(Ref(state().annotations.measurements[0].atoms[1]), atoms[0]);
+  ASSERT_EQ(state().settings.annotations.measurements.size(), 1u);
+  EXPECT_EQ(Ref(state().settings.annotations.measurements[0].atoms[0]), atoms[1]);
+  EXPECT_EQ(Ref(state().settings.annotations.measurements[0].atoms[1]), atoms[0]);
   run("right-click " + where[2]);
   choose("context.add");
   EXPECT_EQ(items().size(), 2u);
   run("right-click " + where[0]);
   choose("context.measure");
-  ASSERT_EQ(state().annotations.measurements.size(), 2u);
-  EXPECT_EQ(Ref(state().annotations.measurements[1].atoms[1]), atoms[2]) << "selected second";
+  ASSERT_EQ(state().settings.annotations.measurements.size(), 2u);
+  EXPECT_EQ(Ref(state().settings.annotations.measurements[1].atoms[1]), atoms[2])
+      << "selected second";
 }
 
 TEST_F(ContextMenuTest, IsAboutASimplexAndAboutNothing) {

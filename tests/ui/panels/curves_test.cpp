@@ -70,7 +70,7 @@ TEST_F(CurvesTest, AChosenCavityIsFollowedAndAClickSetsTheSolventRadiusAsOneEntr
   const std::string undo = viewer_->state().undo_text;
   run("move curves.plot 0.3\ndown\nmove curves.plot 0.4\nmove curves.plot 0.5\nup\n");
   settle();
-  const double radius = viewer_->state().compute.solvent_radius_angstrom;
+  const double radius = viewer_->state().settings.request.solvent_radius_angstrom;
   EXPECT_NE(radius, 1.4);
   EXPECT_EQ(viewer_->state().result->request.solvent_radius_angstrom, radius);
   ASSERT_TRUE(has("curves.plot"));
@@ -78,7 +78,7 @@ TEST_F(CurvesTest, AChosenCavityIsFollowedAndAClickSetsTheSolventRadiusAsOneEntr
   EXPECT_EQ(*series(0).values[14], volume);
   run("edit.undo\n");
   settle();
-  EXPECT_EQ(viewer_->state().compute.solvent_radius_angstrom, 1.4);
+  EXPECT_EQ(viewer_->state().settings.request.solvent_radius_angstrom, 1.4);
   EXPECT_EQ(viewer_->state().undo_text, undo);
   run("click curves.quantity.1\n");
   settle();
@@ -119,7 +119,7 @@ TEST_F(CurvesTest, AChosenCavityIsFollowedWhenTheTetrahedronOfItsSinkIsGone) {
   }
   ASSERT_TRUE(row) << "or this shows nothing";
   set_radius("1.4");
-  viewer_->state().picked.cavities = RefSet({cavity_sink(*lines->atoms, table, *row)});
+  viewer_->state().settings.selection.cavities = RefSet({cavity_sink(*lines->atoms, table, *row)});
   settle();
   open_curves();
   for (const char* radius : {"1.5", "1.6"}) {
@@ -178,18 +178,18 @@ TEST_F(CurvesTest, LivesAreBarsAndAClickChoosesACavityThatIsThereOrGoesToWhereIt
   };
   click(*there);
   ASSERT_EQ(page.chosen_rows, std::vector<std::size_t>{lives.rows[*there]});
-  EXPECT_EQ(viewer_->state().compute.alpha_angstrom2, 0);
+  EXPECT_EQ(viewer_->state().settings.request.alpha_angstrom2, 0);
   EXPECT_FALSE(viewer_->state().layers.empty()) << "it is seen in the view";
   const std::uint32_t sink = lives.bars.longest[*other].sink;
   click(*other);
-  const double alpha = viewer_->state().compute.alpha_angstrom2;
+  const double alpha = viewer_->state().settings.request.alpha_angstrom2;
   EXPECT_NE(alpha, 0);
   EXPECT_TRUE(lives.bars.longest[*other].is_at(alpha));
   ASSERT_EQ(page.chosen_rows.size(), 1u);
   EXPECT_EQ(page.rows.table().cavity(page.chosen_rows.front()).deepest_sink, sink);
   run("edit.undo\n");
   settle();
-  EXPECT_EQ(viewer_->state().compute.alpha_angstrom2, 0) << "in one step";
+  EXPECT_EQ(viewer_->state().settings.request.alpha_angstrom2, 0) << "in one step";
   ASSERT_EQ(page.chosen_rows, std::vector<std::size_t>{lives.rows[*there]});
 }
 
@@ -202,13 +202,14 @@ TEST_F(CurvesTest, ADragOverLivesSetsAlphaAsOneEntryAndTheirTableIsSaved) {
   const std::string undo = viewer_->state().undo_text;
   run("move curves.lives 0.3\ndown\nmove curves.lives 0.4\nmove curves.lives 0.5\nup\n");
   settle();
-  const double alpha = viewer_->state().compute.alpha_angstrom2;
+  const double alpha = viewer_->state().settings.request.alpha_angstrom2;
   EXPECT_GT(alpha, 0);
   EXPECT_EQ(std::round(alpha * 100) / 100, alpha);
-  EXPECT_TRUE(viewer_->state().picked.cavities.empty()) << "nothing is chosen by a drag";
+  EXPECT_TRUE(viewer_->state().settings.selection.cavities.empty())
+      << "nothing is chosen by a drag";
   run("edit.undo\n");
   settle();
-  EXPECT_EQ(viewer_->state().compute.alpha_angstrom2, 0);
+  EXPECT_EQ(viewer_->state().settings.request.alpha_angstrom2, 0);
   EXPECT_EQ(viewer_->state().undo_text, undo);
   run("click curves.copy\n");
   const std::string csv = ImGui::GetClipboardText();
@@ -246,7 +247,7 @@ TEST_F(CurvesTest, ModelsArePlottedAndAClickShowsOne) {
   EXPECT_EQ(*series(1).values[0], *series(1).values[2]);
   run("click curves.plot 0.99\n");
   settle();
-  EXPECT_EQ(viewer_->state().open.balls.model, 2);
+  EXPECT_EQ(viewer_->state().settings.open.balls.model, 2);
   EXPECT_TRUE(has("curves.plot"));
   std::filesystem::remove(path);
 }

@@ -36,7 +36,7 @@ TEST_F(DetailsTest, AnAtomHasFactsAndNeighbours) {
   EXPECT_EQ(static_cast<long>(details->neighbours.size()), joined);
   const BallIndex nearest = details->neighbours[0].ball;
   run("click details.neighbour.0\nframes 3\nwait-idle\nframes 3\n");
-  EXPECT_EQ(state().picked.items, RefSet({state().references->atom(nearest)}));
+  EXPECT_EQ(state().settings.selection.items, RefSet({state().references->atom(nearest)}));
   EXPECT_EQ(state().memory.details.shown->balls, std::vector<BallIndex>{nearest});
   // At another alpha.
   run("alpha.set -100\nwait-idle\nframes 3\nwait-idle\nframes 3\n");
@@ -49,7 +49,7 @@ TEST_F(DetailsTest, ASimplexHasVerticesAndNeighbours) {
   run("alpha.set 3\nwait-idle\n");
   const AlphaComplex expected = this->expected(3);
   const auto& tetrahedron = expected.tetrahedra.simplices.at(expected.tetrahedra.size() / 2);
-  viewer_->state().picked.items = RefSet({state().references->reference(tetrahedron)});
+  viewer_->state().settings.selection.items = RefSet({state().references->reference(tetrahedron)});
   run("details.show\nframes 3\nwait-idle\nframes 3\n");
   for (const char* name : {"details.corner.0", "details.corner.3", "details.fact.alpha value"}) {
     EXPECT_TRUE(has(name)) << name;

@@ -21,12 +21,12 @@ TEST(EnginePanel, WithoutAGpuItsEnginesCannotBeChosen) {
   for (const char* entry : {"engine.gpu", "engine.tuples-gpu"}) {
     panels.click("engine.choice");
     panels.click(entry);
-    EXPECT_EQ(panels.state.compute.engine, EngineChoice::automatic) << entry;
+    EXPECT_EQ(panels.state.settings.request.engine, EngineChoice::automatic) << entry;
     panels.tap(key::kEscape);
   }
   panels.click("engine.choice");
   panels.click("engine.tuples-cpu");
-  EXPECT_EQ(panels.state.compute.engine, EngineChoice::tuples_cpu);
+  EXPECT_EQ(panels.state.settings.request.engine, EngineChoice::tuples_cpu);
 }
 
 TEST(EnginePanel, WithAGpuTheyCan) {
@@ -36,7 +36,7 @@ TEST(EnginePanel, WithAGpuTheyCan) {
   panels.frame(2);
   panels.click("engine.choice");
   panels.click("engine.tuples-gpu");
-  EXPECT_EQ(panels.state.compute.engine, EngineChoice::tuples_gpu);
+  EXPECT_EQ(panels.state.settings.request.engine, EngineChoice::tuples_gpu);
 }
 
 TEST(EnginePanel, TheSwitchesBelongToTheTupleEngines) {
@@ -44,16 +44,16 @@ TEST(EnginePanel, TheSwitchesBelongToTheTupleEngines) {
   panels.state = loaded_state();
   panels.frame(2);
   EXPECT_FALSE(panels.rects.contains("tuples.edge"));
-  panels.state.compute.engine = EngineChoice::tuples_cpu;
+  panels.state.settings.request.engine = EngineChoice::tuples_cpu;
   panels.frame(2);
   panels.click("tuples.edge", 0.05f);
-  EXPECT_FALSE(panels.state.compute.tuples.edge_optimisation);
+  EXPECT_FALSE(panels.state.settings.request.tuples.edge_optimisation);
   panels.click("tuples.texture", 0.05f);
-  EXPECT_TRUE(panels.state.compute.tuples.texture) << "says nothing on the CPU";
-  panels.state.compute.engine = EngineChoice::tuples_gpu;
+  EXPECT_TRUE(panels.state.settings.request.tuples.texture) << "says nothing on the CPU";
+  panels.state.settings.request.engine = EngineChoice::tuples_gpu;
   panels.frame(2);
   panels.click("tuples.texture", 0.05f);
-  EXPECT_FALSE(panels.state.compute.tuples.texture);
+  EXPECT_FALSE(panels.state.settings.request.tuples.texture);
 }
 
 TEST(EnginePanel, EachSwitchArrivesInTheRequest) {

@@ -77,10 +77,10 @@ TEST_F(Keyboard, WhatTabComesToIsInSight) {
 TEST_F(Keyboard, SpaceAndEnterPress) {
   ASSERT_TRUE(tab_to("alpha.preset.3"));
   p.tap(key::kSpace);
-  EXPECT_DOUBLE_EQ(p.state.compute.alpha_angstrom2, 3);
+  EXPECT_DOUBLE_EQ(p.state.settings.request.alpha_angstrom2, 3);
   ASSERT_TRUE(tab_to("alpha.preset.10"));
   p.tap(key::kEnter);
-  EXPECT_DOUBLE_EQ(p.state.compute.alpha_angstrom2, 10);
+  EXPECT_DOUBLE_EQ(p.state.settings.request.alpha_angstrom2, 10);
 }
 
 TEST_F(Keyboard, WhatIsTypedGoesIntoTheFieldThatTabComesTo) {
@@ -89,7 +89,7 @@ TEST_F(Keyboard, WhatIsTypedGoesIntoTheFieldThatTabComesTo) {
   EXPECT_TRUE(typing());
   letters("1.5");
   tab();
-  EXPECT_DOUBLE_EQ(p.state.compute.alpha_angstrom2, 1.5) << "Tab takes what was typed";
+  EXPECT_DOUBLE_EQ(p.state.settings.request.alpha_angstrom2, 1.5) << "Tab takes what was typed";
   EXPECT_FALSE(typing());
 }
 
@@ -101,29 +101,30 @@ TEST_F(Keyboard, NothingThatIsTypedAtOnceIsLost) {
   tab();
   letters("5");
   p.tap(key::kEnter);
-  EXPECT_DOUBLE_EQ(p.state.compute.alpha_angstrom2, 75);
+  EXPECT_DOUBLE_EQ(p.state.settings.request.alpha_angstrom2, 75);
 }
 
 TEST_F(Keyboard, ASliderIsMovedByArrowsAndTypedAfterEnter) {
   ASSERT_TRUE(tab_to("display.ball_scale"));
-  const float before = p.state.display.ball_scale;
+  const float before = p.state.settings.display.ball_scale;
   p.tap(key::kRight);
-  EXPECT_GT(p.state.display.ball_scale, before);
-  EXPECT_DOUBLE_EQ(p.state.compute.alpha_angstrom2, 0) << "not alpha's while a slider has it";
+  EXPECT_GT(p.state.settings.display.ball_scale, before);
+  EXPECT_DOUBLE_EQ(p.state.settings.request.alpha_angstrom2, 0)
+      << "not alpha's while a slider has it";
   p.tap(key::kEnter);
   p.frame(2);
   EXPECT_TRUE(typing());
   letters("50");
   p.tap(key::kEnter);
-  EXPECT_FLOAT_EQ(p.state.display.ball_scale, 0.5f);
+  EXPECT_FLOAT_EQ(p.state.settings.display.ball_scale, 0.5f);
 }
 
 TEST_F(Keyboard, ArrowsAreAlphasAndLettersAreCommandsBesideFields) {
   ASSERT_TRUE(tab_to("alpha.preset.3"));
   p.tap(key::kRight);
-  EXPECT_DOUBLE_EQ(p.state.compute.alpha_angstrom2, 0.1);
+  EXPECT_DOUBLE_EQ(p.state.settings.request.alpha_angstrom2, 0.1);
   p.tap(key::kB);
-  EXPECT_FALSE(p.state.display.balls);
+  EXPECT_FALSE(p.state.settings.display.balls);
 }
 
 TEST_F(Keyboard, AClickGoesOnFromThere) {
@@ -164,10 +165,10 @@ TEST_F(Keyboard, AListIsOpenedChosenFromAndClosed) {
     p.tap(key::kEnter);
     p.frame(3);
     EXPECT_FALSE(memory().keys.list_open);
-    chosen.insert(p.state.compute.engine);
+    chosen.insert(p.state.settings.request.engine);
   }
   EXPECT_GT(chosen.size(), 2u);
-  EXPECT_DOUBLE_EQ(p.state.compute.alpha_angstrom2, 0);
+  EXPECT_DOUBLE_EQ(p.state.settings.request.alpha_angstrom2, 0);
 }
 
 TEST_F(Keyboard, EscapeClosesTheListAndNotItsDialog) {
@@ -220,7 +221,7 @@ TEST_F(Keyboard, MenusAreWalkedWithTheArrows) {
   p.tap(key::kLeft);
   p.frame(3);
   EXPECT_TRUE(p.rects.contains("menu.file.open"));
-  EXPECT_DOUBLE_EQ(p.state.compute.alpha_angstrom2, 0);
+  EXPECT_DOUBLE_EQ(p.state.settings.request.alpha_angstrom2, 0);
   p.tap(key::kLeft);
   p.frame(3);
   EXPECT_TRUE(p.rects.contains("menu.help.about")) << "round about";
@@ -257,8 +258,8 @@ TEST_F(Keyboard, ASaveDialogBeginsWithTheNameAndEnterSaves) {
   letters("other");  // the name alone is replaced
   EXPECT_EQ(memory().save_path, "/tmp/other.png");
   p.tap(key::kEnter);
-  ASSERT_TRUE(p.state.requests.screenshot);
-  EXPECT_EQ(p.state.requests.screenshot->path, "/tmp/other.png");
+  ASSERT_TRUE(p.asked.screenshot);
+  EXPECT_EQ(p.asked.screenshot->path, "/tmp/other.png");
   EXPECT_FALSE(memory().show_save);
 }
 
@@ -295,13 +296,13 @@ TEST_F(Keyboard, EveryDialogConfirmsWithEnterAndTakesTheFocusBack) {
   p.tap(key::kEnter);
   p.frame(2);
   EXPECT_TRUE(p.state.error.empty());
-  EXPECT_DOUBLE_EQ(p.state.compute.alpha_angstrom2, 0) << "not the button below";
+  EXPECT_DOUBLE_EQ(p.state.settings.request.alpha_angstrom2, 0) << "not the button below";
   EXPECT_EQ(at(), "alpha.preset.3");
   p.state.molecule.assemblies = {{"1", "", 60, 1000000, 1}};
   memory().confirm_assembly = "1";
   p.frame(4);
   p.tap(key::kEnter);
-  EXPECT_EQ(p.state.open.assembly, "1");
+  EXPECT_EQ(p.state.settings.open.assembly, "1");
   p.state.session_problem = SessionProblem{"a.json", "gone", true, false};
   p.frame(4);
   p.tap(key::kEnter);
@@ -317,7 +318,7 @@ TEST_F(Keyboard, EnterPressesTheButtonThatTabCameToInADialog) {
   p.tap(key::kEnter);
   p.frame(2);
   EXPECT_FALSE(memory().show_export);
-  EXPECT_FALSE(p.state.requests.export_complex);
+  EXPECT_FALSE(p.asked.export_complex);
 }
 
 TEST_F(Keyboard, EnterDoesNotConfirmWhatCannotBe) {
@@ -328,7 +329,7 @@ TEST_F(Keyboard, EnterDoesNotConfirmWhatCannotBe) {
   p.tap(key::kEnter);
   p.frame(2);
   EXPECT_TRUE(memory().show_export);
-  EXPECT_FALSE(p.state.requests.export_complex);
+  EXPECT_FALSE(p.asked.export_complex);
 }
 
 // --- a path in the file dialog
@@ -365,8 +366,8 @@ TEST_F(TypedPath, IsBegunWithASlashAndListed) {
   EXPECT_EQ(memory().browser_selected, folder_ / "inside" / "other.pdb");
   letters("ther.pdb");
   p.tap(key::kEnter);
-  ASSERT_TRUE(p.state.requests.open);
-  EXPECT_EQ(*p.state.requests.open, folder_ / "inside" / "other.pdb");
+  ASSERT_TRUE(p.asked.open);
+  EXPECT_EQ(*p.asked.open, folder_ / "inside" / "other.pdb");
 }
 
 TEST_F(TypedPath, OfAFolderGoesIntoItAndArrowsLeadIntoTheList) {
@@ -382,8 +383,8 @@ TEST_F(TypedPath, OfAFolderGoesIntoItAndArrowsLeadIntoTheList) {
   p.frame();
   EXPECT_FALSE(typing());
   p.tap(key::kEnter);
-  ASSERT_TRUE(p.state.requests.open);
-  EXPECT_EQ(*p.state.requests.open, folder_ / "b.pdb");
+  ASSERT_TRUE(p.asked.open);
+  EXPECT_EQ(*p.asked.open, folder_ / "b.pdb");
 }
 
 TEST_F(TypedPath, IsPasted) {
@@ -395,8 +396,8 @@ TEST_F(TypedPath, IsPasted) {
   p.frame(2);
   EXPECT_EQ(memory().browser_typed, (folder_ / "a.pdb").string());
   p.tap(key::kEnter);
-  ASSERT_TRUE(p.state.requests.open);
-  EXPECT_EQ(*p.state.requests.open, folder_ / "a.pdb");
+  ASSERT_TRUE(p.asked.open);
+  EXPECT_EQ(*p.asked.open, folder_ / "a.pdb");
 }
 
 TEST_F(TypedPath, ThatIsWrongIsSaid) {
@@ -421,8 +422,8 @@ TEST_F(TypedPath, RelativeToTheFolderThatWasOpen) {
   EXPECT_EQ(memory().browser_selected, folder_ / "inside" / "deep.pdb");
   letters("eep.pdb");
   p.tap(key::kEnter);
-  ASSERT_TRUE(p.state.requests.open);
-  EXPECT_EQ(fs::weakly_canonical(*p.state.requests.open),
+  ASSERT_TRUE(p.asked.open);
+  EXPECT_EQ(fs::weakly_canonical(*p.asked.open),
             fs::weakly_canonical(folder_ / "inside" / "deep.pdb"));
 }
 

@@ -32,7 +32,7 @@ TEST_F(MeasuresTest, ThePageHasTheNumbersOfThePicture) {
   EXPECT_EQ(memory().surface, "van der Waals surface");
   EXPECT_EQ(memory().rows->rows.size(), 46u) << "residues of crambin";
   EXPECT_TRUE(has("measures.row.1"));
-  state().compute.solvent_radius_angstrom = 1.4;
+  state().settings.request.solvent_radius_angstrom = 1.4;
   settle();
   const UnionMeasures accessible = expected_measures(0, 1.4);
   EXPECT_EQ(memory().measured->measures().area_angstrom2, accessible.area_angstrom2);
@@ -44,7 +44,7 @@ TEST_F(MeasuresTest, AClickSelectsTheAtomsOfTheRow) {
   open_measures();
   run("click measures.row.2 0.3\nwait-idle\nframes 3\n");
   EXPECT_EQ(memory().chosen.size(), 1u);
-  EXPECT_EQ(state().picked.items.size(), memory().rows->rows[1].atoms);
+  EXPECT_EQ(state().settings.selection.items.size(), memory().rows->rows[1].atoms);
   // It stays chosen while alpha moves; other rows forget it.
   run("alpha.set 0.5\n");
   settle();
@@ -94,11 +94,11 @@ TEST_F(MeasuresTest, TitlesSortAndRowsAreCopied) {
 
 TEST_F(MeasuresTest, TetrahedraAloneSayWhatToDo) {
   open_measures();
-  state().compute.tetrahedra_only = true;
+  state().settings.request.tetrahedra_only = true;
   settle();
   EXPECT_TRUE(has("measures.waiting"));
   EXPECT_FALSE(has("measures.area"));
-  state().display.ball_paint.by = ColourBy::exposed;
+  state().settings.display.ball_paint.by = ColourBy::exposed;
   settle();
   EXPECT_NE(state().viewport.not_drawn.find("Tetrahedra only"), std::string::npos);
   EXPECT_EQ(state().viewport.legends.size(), 1u) << "of the simplices";
@@ -111,9 +111,9 @@ TEST_F(MeasuresTest, WithoutAMoleculeItSaysWhatToDo) {
 
 TEST_F(MeasuresTest, BallsAreColouredByTheirExposedAreas) {
   open_crambin();
-  state().display.tetrahedra = false;
+  state().settings.display.tetrahedra = false;
   const Image by_element = picture();
-  state().display.ball_paint.by = ColourBy::exposed;
+  state().settings.display.ball_paint.by = ColourBy::exposed;
   settle();
   EXPECT_EQ(state().viewport.not_drawn, "");
   ASSERT_EQ(state().viewport.legends.size(), 1u);
@@ -122,11 +122,11 @@ TEST_F(MeasuresTest, BallsAreColouredByTheirExposedAreas) {
   EXPECT_EQ(state().viewport.legends[0].stops.back().value, 100);
   const Image by_atom = picture();
   EXPECT_NE(by_atom.rgba, by_element.rgba);
-  state().display.ball_paint.by = ColourBy::exposed_residue;
+  state().settings.display.ball_paint.by = ColourBy::exposed_residue;
   settle();
   EXPECT_EQ(state().viewport.legends[0].title, "exposed area of residues (%), square-root scale");
   EXPECT_NE(picture().rgba, by_atom.rgba);
-  state().display.ball_paint.by = ColourBy::element;
+  state().settings.display.ball_paint.by = ColourBy::element;
   settle();
   EXPECT_EQ(state().viewport.legends[0].title, "element");
   EXPECT_EQ(picture().rgba, by_element.rgba);

@@ -34,8 +34,8 @@ class MoleculePanel : public ::testing::Test {
     p.state = molecule_state();
     p.frame(3);
   }
-  OpenOptions& open() { return p.state.open; }
-  BallOptions& balls() { return p.state.open.balls; }
+  OpenOptions& open() { return p.state.settings.open; }
+  BallOptions& balls() { return p.state.settings.open.balls; }
   Panels p;
 };
 
@@ -161,7 +161,7 @@ TEST_F(MoleculePanel, TheNumberOfTheModelIsBesideItsSlider) {
     p.state.molecule.models.assign(count, 1);
     for (const int model :
          {0, static_cast<int>(count / 2), static_cast<int>(count) - 1, kAllModels}) {
-      p.state.open.balls.model = model;
+      p.state.settings.open.balls.model = model;
       p.frame(2);
       const WidgetRect slider = p.rects["molecule.model"], text = p.rects["molecule.model.text"];
       EXPECT_GE(text.x0, slider.x1) << count << ", model " << model;
@@ -241,7 +241,7 @@ TEST_F(MoleculePanel, AUserTableIsChosenInTheFileDialog) {
   p.frame(2);
   EXPECT_EQ(balls().radii, RadiiSet::user);
   EXPECT_EQ(open().radii_table, table);
-  EXPECT_FALSE(p.state.requests.open) << "it is no molecule";
+  EXPECT_FALSE(p.asked.open) << "it is no molecule";
 }
 
 TEST_F(MoleculePanel, TheHashIsCopiedWhole) {
@@ -267,7 +267,7 @@ TEST(MenuTest, EscapeClosesMenusAndLists) {
     p.frame(2);
     EXPECT_FALSE(p.rects.contains(item)) << opener;
   }
-  EXPECT_FALSE(p.state.requests.cancel) << "the menu had the key";
+  EXPECT_FALSE(p.asked.cancel) << "the menu had the key";
 }
 
 TEST_F(MoleculePanel, AnEmptySelectionIsExplainedInTheView) {
@@ -282,9 +282,9 @@ TEST_F(MoleculePanel, EscapeStopsPlayingBeforeItCancels) {
   p.state.memory.playing_models = true;
   p.tap(key::kEscape);
   EXPECT_FALSE(p.state.memory.playing_models);
-  EXPECT_FALSE(p.state.requests.cancel) << "the model at hand still gets its complex";
+  EXPECT_FALSE(p.asked.cancel) << "the model at hand still gets its complex";
   p.tap(key::kEscape);
-  EXPECT_TRUE(p.state.requests.cancel);
+  EXPECT_TRUE(p.asked.cancel);
 }
 
 class MoleculePanelAtEverySize : public ::testing::TestWithParam<Size> {};

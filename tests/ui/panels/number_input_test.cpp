@@ -133,15 +133,15 @@ class NumberFields : public ::testing::Test {
 
 TEST_F(NumberFields, ADecimalCommaIsOne) {
   p.type("alpha.typed", "1,4");
-  EXPECT_DOUBLE_EQ(p.state.compute.alpha_angstrom2, 1.4);
+  EXPECT_DOUBLE_EQ(p.state.settings.request.alpha_angstrom2, 1.4);
 }
 
 TEST_F(NumberFields, WhatIsNoNumberChangesNothingAndIsExplained) {
-  p.state.compute.alpha_angstrom2 = 3;
+  p.state.settings.request.alpha_angstrom2 = 3;
   for (const char* bad : {"1e308", "abc", "1.4.2", "nan", "1e", " "}) {
     p.type("alpha.typed", bad);
     p.frame(2);
-    EXPECT_DOUBLE_EQ(p.state.compute.alpha_angstrom2, 3) << bad;
+    EXPECT_DOUBLE_EQ(p.state.settings.request.alpha_angstrom2, 3) << bad;
     EXPECT_TRUE(p.rects.contains("alpha.typed.error")) << bad;
   }
   // It stays to be mended.
@@ -163,39 +163,39 @@ TEST_F(NumberFields, WhatIsNoNumberChangesNothingAndIsExplained) {
   p.frame(2);
   EXPECT_FALSE(p.rects.contains("alpha.typed.error"));
   p.type("alpha.typed", "2.5x");
-  p.state.compute.alpha_angstrom2 = 4;
+  p.state.settings.request.alpha_angstrom2 = 4;
   p.frame(2);
   EXPECT_TRUE(p.state.memory.number.refused.empty()) << "it has a value again";
-  p.state.compute.alpha_angstrom2 = 3;
-  EXPECT_DOUBLE_EQ(p.state.compute.alpha_angstrom2, 3);
+  p.state.settings.request.alpha_angstrom2 = 3;
+  EXPECT_DOUBLE_EQ(p.state.settings.request.alpha_angstrom2, 3);
 }
 
 TEST_F(NumberFields, SlidersAreTypedIntoWithTheSameBounds) {
   control_click("alpha.slider");
   enter("1,25");
-  EXPECT_DOUBLE_EQ(p.state.compute.alpha_angstrom2, 1.25);
+  EXPECT_DOUBLE_EQ(p.state.settings.request.alpha_angstrom2, 1.25);
   control_click("alpha.slider");
   enter("1e307");
-  EXPECT_DOUBLE_EQ(p.state.compute.alpha_angstrom2, 1.25);
+  EXPECT_DOUBLE_EQ(p.state.settings.request.alpha_angstrom2, 1.25);
   EXPECT_TRUE(p.rects.contains("alpha.slider.error"));
   p.click("view");
   control_click("alpha.slider");
   enter("1e24");
-  EXPECT_DOUBLE_EQ(p.state.compute.alpha_angstrom2, 1e24);
+  EXPECT_DOUBLE_EQ(p.state.settings.request.alpha_angstrom2, 1e24);
   p.frame(3);
   p.tap(key::kRight);
-  EXPECT_LE(p.state.compute.alpha_angstrom2, kMaxAlphaAngstrom2);
+  EXPECT_LE(p.state.settings.request.alpha_angstrom2, kMaxAlphaAngstrom2);
   control_click("alpha.solvent");
   enter("1,375");
-  EXPECT_DOUBLE_EQ(p.state.compute.solvent_radius_angstrom, 1.375);
+  EXPECT_DOUBLE_EQ(p.state.settings.request.solvent_radius_angstrom, 1.375);
   control_click("alpha.solvent");
   enter("1e9");
-  EXPECT_DOUBLE_EQ(p.state.compute.solvent_radius_angstrom, 1.375);
+  EXPECT_DOUBLE_EQ(p.state.settings.request.solvent_radius_angstrom, 1.375);
 }
 
 TEST_F(NumberFields, SliderClicksWithoutControlStillSlide) {
   p.click("alpha.slider", 0.9f);
-  EXPECT_GT(p.state.compute.alpha_angstrom2, 7);
+  EXPECT_GT(p.state.settings.request.alpha_angstrom2, 7);
   EXPECT_TRUE(p.state.memory.number.name.empty());
 }
 
@@ -223,12 +223,12 @@ TEST_F(NumberFields, AWrongNumberKeepsADialogFromItsWork) {
   type_only("99999");
   p.click("save.ok");
   p.frame(2);
-  EXPECT_FALSE(p.state.requests.screenshot) << "not of another size";
+  EXPECT_FALSE(p.asked.screenshot) << "not of another size";
   EXPECT_TRUE(p.state.memory.show_save);
   EXPECT_TRUE(p.rects.contains("save.width.error"));
   p.click("save.ok");
   p.frame(2);
-  EXPECT_FALSE(p.state.requests.screenshot);
+  EXPECT_FALSE(p.asked.screenshot);
   EXPECT_TRUE(refused());
   p.click("save.hd");
   p.frame(2);
@@ -241,8 +241,8 @@ TEST_F(NumberFields, AWrongNumberKeepsADialogFromItsWork) {
   type_only("640");
   p.click("save.ok");
   p.frame(2);
-  ASSERT_TRUE(p.state.requests.screenshot);
-  EXPECT_EQ(p.state.requests.screenshot->options.width, 640);
+  ASSERT_TRUE(p.asked.screenshot);
+  EXPECT_EQ(p.asked.screenshot->options.width, 640);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 
 #include "app/viewer/commands/commands.hpp"
 #include "core/document/store/store.hpp"
+#include "tests/ui/asked_calls.hpp"
 #include "ui/panels/frame/window_layout.hpp"
 #include "ui/widgets/key_focus.hpp"
 #include "ui/widgets/keys.hpp"
@@ -33,7 +34,7 @@ class Panels {
     io.KeyMap[ImGuiKey_Backspace] = key::kBackspace;
     io.KeyMap[ImGuiKey_A] = key::kA;
     io.KeyMap[ImGuiKey_Escape] = key::kEscape;
-    add_program_commands(commands, state);
+    add_program_commands(commands, state, calls_);
     apply_style(Theme::dark, size.scale);
     fonts_ = load_fonts(size.scale);
     frame(3);
@@ -51,7 +52,7 @@ class Panels {
     ImGui::GetIO().DisplaySize = {size_.width * size_.scale, size_.height * size_.scale};
     prepare_list_keys();
     ImGui::NewFrame();
-    draw_window({state, rects, commands, store, inputs}, fonts_, size_.scale);
+    draw_window({state, rects, commands, store, inputs, calls_}, fonts_, size_.scale);
     ImGui::Render();
   }
   void point_at(const std::string& name, float fx = 0.5f, float fy = 0.5f) {
@@ -87,12 +88,15 @@ class Panels {
   }
 
   ViewState state;
+  Asked asked;
   Commands commands;
   WidgetRects rects;
   Store store{{}, [] { return std::uint64_t{1} << 30; }};
   Inputs inputs;
 
  private:
+  AskedCalls noting_{asked};
+  const Calls calls_ = noting_.calls();
   Size size_;
   ImGuiContext* context_;
   PanelFonts fonts_;

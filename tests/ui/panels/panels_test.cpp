@@ -20,8 +20,8 @@ TEST(PanelsTest, EmptyWindowOffersToOpenSomething) {
   p.frame(3);
   p.click("empty.sample.0");
   // The request of an earlier frame stays until the program takes it.
-  ASSERT_TRUE(p.state.requests.open);
-  EXPECT_EQ(*p.state.requests.open, "1crn.pdb");
+  ASSERT_TRUE(p.asked.open);
+  EXPECT_EQ(*p.asked.open, "1crn.pdb");
   EXPECT_FALSE(p.rects.contains("timings.badge"));
 }
 
@@ -30,12 +30,12 @@ TEST(PanelsTest, PresetsAndSliderChangeAlpha) {
   p.state = loaded_state();
   p.frame(2);
   p.click("alpha.preset.1.4");
-  EXPECT_DOUBLE_EQ(p.state.compute.alpha_angstrom2, 1.4);
+  EXPECT_DOUBLE_EQ(p.state.settings.request.alpha_angstrom2, 1.4);
   p.point_at("alpha.slider", 0.2f);
   p.press(true);
-  const double low = p.state.compute.alpha_angstrom2;
+  const double low = p.state.settings.request.alpha_angstrom2;
   p.point_at("alpha.slider", 0.8f);
-  const double high = p.state.compute.alpha_angstrom2;
+  const double high = p.state.settings.request.alpha_angstrom2;
   p.press(false);
   EXPECT_LT(low, 0.5);
   EXPECT_GT(high, 6);
@@ -53,7 +53,7 @@ TEST(PanelsTest, AlphaCanBeTyped) {
   ImGui::GetIO().AddInputCharactersUTF8("-2.25");
   p.frame(2);
   p.tap(key::kEnter);
-  EXPECT_DOUBLE_EQ(p.state.compute.alpha_angstrom2, -2.25);
+  EXPECT_DOUBLE_EQ(p.state.settings.request.alpha_angstrom2, -2.25);
 }
 
 TEST(PanelsTest, WaterButtonTogglesTheSolvent) {
@@ -61,9 +61,9 @@ TEST(PanelsTest, WaterButtonTogglesTheSolvent) {
   p.state = loaded_state();
   p.frame(2);
   p.click("alpha.water");
-  EXPECT_DOUBLE_EQ(p.state.compute.solvent_radius_angstrom, 1.4);
+  EXPECT_DOUBLE_EQ(p.state.settings.request.solvent_radius_angstrom, 1.4);
   p.click("alpha.water");
-  EXPECT_DOUBLE_EQ(p.state.compute.solvent_radius_angstrom, 0);
+  EXPECT_DOUBLE_EQ(p.state.settings.request.solvent_radius_angstrom, 0);
 }
 
 TEST(PanelsTest, DraggingTheSliderNeverTurnsTheView) {
@@ -107,10 +107,10 @@ TEST(PanelsTest, ShortcutsWorkButNotWhileTyping) {
   p.state = loaded_state();
   p.frame(2);
   p.tap(key::kB);
-  EXPECT_FALSE(p.state.display.balls);
+  EXPECT_FALSE(p.state.settings.display.balls);
   p.click("alpha.typed");
   p.tap(key::kB);
-  EXPECT_FALSE(p.state.display.balls);
+  EXPECT_FALSE(p.state.settings.display.balls);
 }
 
 TEST(PanelsTest, ErrorIsShownUntilDismissed) {
@@ -134,7 +134,7 @@ TEST(PanelsTest, LongWorkShowsProgressAndCancel) {
   p.state.busy.seconds = 1;
   p.frame(2);
   p.click("view.cancel");
-  EXPECT_TRUE(p.state.requests.cancel);
+  EXPECT_TRUE(p.asked.cancel);
 }
 
 TEST(PanelsTest, AViewWithoutAtomsSaysThatTheyAreHidden) {
@@ -238,7 +238,7 @@ TEST(PanelsTest, ColdTimesThatAreMissingCanBeMeasured) {
   p.click("timings.run.0");
   EXPECT_TRUE(p.rects.contains("timings.missing"));
   p.click("timings.compute_anew");
-  EXPECT_TRUE(p.state.requests.compute_anew);
+  EXPECT_TRUE(p.asked.compute_anew);
   p.click("timings.run.1");
   EXPECT_FALSE(p.rects.contains("timings.compute_anew"));
 }
@@ -339,8 +339,8 @@ TEST(PanelsTest, SavingSaysWhatItReplacesAndWhichFolderIsMissing) {
   p.state.memory.save_path = (folder / "figure 1").string();
   p.frame(2);
   p.click("save.ok");
-  ASSERT_TRUE(p.state.requests.screenshot);
-  EXPECT_EQ(p.state.requests.screenshot->path, folder / "figure 1.png");
+  ASSERT_TRUE(p.asked.screenshot);
+  EXPECT_EQ(p.asked.screenshot->path, folder / "figure 1.png");
 }
 
 TEST(PanelsTest, SavingOffersALegendWhereThereIsOne) {
@@ -351,7 +351,7 @@ TEST(PanelsTest, SavingOffersALegendWhereThereIsOne) {
     p.frame(3);
     for (const char* name : clicks) p.click(name);
     p.click("save.ok");
-    return p.state.requests.screenshot->options;
+    return p.asked.screenshot->options;
   };
   p.click("view");
   EXPECT_TRUE(saved_with({"save.legend"}).legend) << "without one there is nothing to switch off";
@@ -461,12 +461,12 @@ TEST(PanelsStay, WhereTheyAreWhateverIsSaid) {
       {"summary", [](auto& s) { s.molecule.summary = "used 4,558 of 4,558 atoms"; }},
       {"error", [](auto& s) { s.expression_error.emplace(8, "this ) has no opening ("); }},
       {"typed", [](auto& s) { s.memory.expression_typed = "chain A"; }},
-      {"no balls", [](auto& s) { s.display.balls = false; }},
-      {"no tetrahedra", [](auto& s) { s.display.tetrahedra = false; }},
-      {"edges", [](auto& s) { s.display.edges = true; }},
+      {"no balls", [](auto& s) { s.settings.display.balls = false; }},
+      {"no tetrahedra", [](auto& s) { s.settings.display.tetrahedra = false; }},
+      {"edges", [](auto& s) { s.settings.display.edges = true; }},
       {"tetrahedra only", [](auto& s) {
          Answer result = *s.result;
-         s.display.edges = result.complex.tetrahedra_only = true;
+         s.settings.display.edges = result.complex.tetrahedra_only = true;
          s.result = std::make_shared<Answer>(result);
        }}};
   for (const auto& [name, change] : changes) {

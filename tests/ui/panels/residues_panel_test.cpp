@@ -54,7 +54,7 @@ class ResiduesPanel : public ::testing::Test {
     p.state = state_with_residues();
     p.frame(3);
   }
-  std::vector<std::string>& treated() { return p.state.open.balls.treated; }
+  std::vector<std::string>& treated() { return p.state.settings.open.balls.treated; }
   Panels p;
 };
 

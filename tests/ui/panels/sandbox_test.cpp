@@ -12,10 +12,10 @@ class SandboxTest : public ViewerTest {
     run("sandbox.new " + id + "\nframes 2\nwait-idle\nframes 2\nwait-idle\n");
   }
   ViewState& state() { return viewer_->state(); }
-  const Sandbox& sandbox() { return *state().open.sandbox; }
+  const Sandbox& sandbox() { return *state().settings.open.sandbox; }
   const AlphaComplex& complex() { return state().result->complex; }
   void expect_exact() {
-    EXPECT_EQ(complex().hash, expected(state().compute.alpha_angstrom2).hash);
+    EXPECT_EQ(complex().hash, expected(state().settings.request.alpha_angstrom2).hash);
     EXPECT_EQ(state().result->balls->size(), sandbox().balls.size());
   }
   std::size_t drawn(FlatKind kind) {
@@ -40,7 +40,7 @@ class SandboxTest : public ViewerTest {
 
 TEST_F(SandboxTest, APresetIsOpenedToBeChanged) {
   open_preset("square");
-  ASSERT_TRUE(state().open.sandbox);
+  ASSERT_TRUE(state().settings.open.sandbox);
   EXPECT_TRUE(sandbox().flat);
   EXPECT_EQ(sandbox().balls.size(), 4u);
   run("alpha.set 8\nwait-idle\nframes 2\n");
@@ -92,7 +92,7 @@ TEST_F(SandboxTest, RefusesWhatCannotBe) {
   EXPECT_TRUE(refused("sandbox.new nothing"));
   EXPECT_EQ(sandbox().balls.size(), 4u);
   open_crambin();
-  EXPECT_FALSE(state().open.sandbox) << "of another file";
+  EXPECT_FALSE(state().settings.open.sandbox) << "of another file";
   EXPECT_TRUE(refused("sandbox.add 0 0 0"));
 }
 
@@ -136,7 +136,7 @@ TEST_F(SandboxTest, SpaceToPlaneAndBackToTheFile) {
   EXPECT_EQ(complex().tetrahedra.size(), 0u);
   expect_exact();
   run("sandbox.by_hand off\nwait-idle\nframes 2\n");
-  EXPECT_FALSE(state().open.sandbox);
+  EXPECT_FALSE(state().settings.open.sandbox);
   EXPECT_EQ(state().result->balls->size(), 8u);
   EXPECT_NE(state().result->balls->centres[4].z, 0);
 }
@@ -151,7 +151,7 @@ class SpaceSandboxTest : public SandboxTest {
         const std::string place =
             std::to_string((x + 0.5) / v.width) + " " + std::to_string((y + 0.5) / v.height);
         run("move view " + place + "\nframes 1\n");
-        const auto& over = state().picked.hovered;
+        const auto& over = state().hovered;
         const AtomRef* atom = over ? std::get_if<AtomRef>(&*over) : nullptr;
         if (atom != nullptr && atom->atom == ball) return place;
       }
@@ -190,8 +190,8 @@ TEST_F(SpaceSandboxTest, TheMouseMovesABallParallelToTheScreen) {
   expect_exact();
   // What the mouse held is still under it.
   run("move view " + beside(place, 0.1, 0) + "\nframes 2\n");
-  ASSERT_TRUE(state().picked.hovered);
-  EXPECT_EQ(std::get<AtomRef>(*state().picked.hovered).atom, 4u);
+  ASSERT_TRUE(state().hovered);
+  EXPECT_EQ(std::get<AtomRef>(*state().hovered).atom, 4u);
   run("edit.undo\nwait-idle\nframes 2\n");
   EXPECT_EQ(sandbox(), before) << "one entry a drag";
 }
@@ -228,7 +228,7 @@ TEST_F(SandboxTest, IsInSessionFiles) {
   run("file.save_session " + file.string() + "\nwait-idle\n");
   open_crambin();
   run("open " + file.string() + "\nwait-idle\nframes 2\nwait-idle\n");
-  ASSERT_TRUE(state().open.sandbox);
+  ASSERT_TRUE(state().settings.open.sandbox);
   EXPECT_EQ(sandbox(), saved);
   expect_exact();
 }

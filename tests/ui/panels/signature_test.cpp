@@ -23,12 +23,12 @@ TEST_F(SignatureTest, AClickSetsAlphaAndIsOneEntry) {
   ASSERT_TRUE(has("signature.values"));
   run("move signature.plot 0.5\ndown\nmove signature.plot 0.6\nmove signature.plot 0.8\nup\n");
   run("wait-idle\n");
-  const double alpha = viewer_->state().compute.alpha_angstrom2;
+  const double alpha = viewer_->state().settings.request.alpha_angstrom2;
   EXPECT_GT(alpha, 5);
   EXPECT_LT(alpha, 9);
   EXPECT_EQ(viewer_->state().result->request.alpha_angstrom2, alpha);
   run("edit.undo\nwait-idle\n");
-  EXPECT_EQ(viewer_->state().compute.alpha_angstrom2, 0);
+  EXPECT_EQ(viewer_->state().settings.request.alpha_angstrom2, 0);
   EXPECT_EQ(viewer_->state().undo_text, "");
 }
 

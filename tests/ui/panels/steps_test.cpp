@@ -72,7 +72,7 @@ TEST_F(StepsTest, ShowsWhatCoreSaysOfTheBallOnScreen) {
   run("alpha.set 3\nwait-idle\n");
   settle();
   expect_same(from_core(3));
-  state().compute.tuples.grid = TupleGridKind::thesis;
+  state().settings.request.tuples.grid = TupleGridKind::thesis;
   settle();
   TupleOptions hundred;
   hundred.grid = TupleGridKind::thesis;
@@ -87,7 +87,7 @@ TEST_F(StepsTest, ShowsWhatCoreSaysOfTheBallOnScreen) {
 TEST_F(StepsTest, AVertexOfASimplexIsAskedAbout) {
   open_at(1.4, "A:THR 1:CA");
   const auto& edge = state().result->complex.edges.simplices.front();
-  state().picked.items = RefSet({state().references->reference(edge)});
+  state().settings.selection.items = RefSet({state().references->reference(edge)});
   settle();
   EXPECT_EQ(steps().ball, edge[0]);
 }
@@ -146,7 +146,7 @@ TEST_F(StepsTest, PlaysToTheEndAndPauses) {
   EXPECT_EQ(memory().at(), 0u) << "a step stays for two seconds";
   run("key esc\nframes 1\n");
   EXPECT_FALSE(memory().playing);
-  EXPECT_FALSE(state().picked.empty()) << "it only stopped playing";
+  EXPECT_FALSE(state().settings.selection.empty()) << "it only stopped playing";
   run("steps.play\nview.page why\nframes 2\n");
   EXPECT_FALSE(memory().playing) << "another page is open";
 }
@@ -155,7 +155,7 @@ TEST_F(StepsTest, WithoutOptimisationsTheWorkGrows) {
   open_at(1.4);
   const std::uint64_t tested = count(StepKind::filter, id::kTested);
   const auto star = steps().star.tetrahedra.simplices;
-  const TupleOptions setting = state().compute.tuples;
+  const TupleOptions setting = state().settings.request.tuples;
   EXPECT_FALSE(has("steps.growth"));
   run("click steps.edge_optimisation\nsteps.alpha_optimisation off\n");
   settle();
@@ -169,7 +169,7 @@ TEST_F(StepsTest, WithoutOptimisationsTheWorkGrows) {
   ASSERT_NE(memory().shown->optimised_count(filter, id::kTested), nullptr);
   EXPECT_EQ(memory().shown->optimised_count(filter, id::kTested)->all, tested);
   EXPECT_TRUE(has("steps.growth"));
-  EXPECT_EQ(state().compute.tuples, setting) << "the engine's own switches";
+  EXPECT_EQ(state().settings.request.tuples, setting) << "the engine's own switches";
   run("steps.edge_optimisation on\nsteps.alpha_optimisation on\n");
   settle();
   EXPECT_FALSE(memory().shown->optimised);
@@ -246,7 +246,7 @@ TEST_F(StepsTest, WithoutABallItSaysWhatToDo) {
   settle();
   ASSERT_TRUE(memory().shown);
   EXPECT_EQ(steps().ball, middle_ball(*state().result->balls));
-  EXPECT_EQ(state().picked.items.size(), 1u);
+  EXPECT_EQ(state().settings.selection.items.size(), 1u);
   run("select.none\nframes 3\n");
   EXPECT_TRUE(has("steps.nothing"));
 }

@@ -78,7 +78,7 @@ class BesideBodyInTheWindow : public ViewerTest {
  protected:
   void open_without_ligands() {
     run("open " + kHaemoglobin + "\nwait-idle\n");
-    viewer_->state().open.balls.ligands = false;
+    viewer_->state().settings.open.balls.ligands = false;
     run("frames 2\nwait-idle\nframes 2\n");
   }
   ViewState& state() { return viewer_->state(); }
@@ -89,7 +89,7 @@ TEST_F(BesideBodyInTheWindow, TheyAreDrawnInSavedPicturesTooAndNeverComputedWith
   const std::uint64_t hash = state().result->complex.hash;
   const std::size_t balls = state().molecule.balls;
   const auto saved = [&] {
-    state().requests.screenshot = ScreenshotRequest{folder_ / "saved.png", 400, 300, false};
+    viewer_->calls().jobs.save_picture(ScreenshotRequest{folder_ / "saved.png", 400, 300, false});
     run("wait-idle\n");
     return pixels_of(folder_ / "saved.png");
   };
@@ -123,7 +123,7 @@ TEST_F(BesideBodyInTheWindow, TheMouseNamesAndSelectsThem) {
             std::string::npos)
       << state().viewport.under_mouse_line;
   run("click view " + found + "\nframes 2\n");
-  ASSERT_EQ(state().picked.items.size(), 1u);
+  ASSERT_EQ(state().settings.selection.items.size(), 1u);
   EXPECT_EQ(state().picked_missing, 0u);
   run("view.left_out_ligands off\nwait-idle\nframes 2\n");
   EXPECT_EQ(state().picked_missing, 1u);
@@ -135,14 +135,14 @@ TEST_F(BesideBodyInTheWindow, ASavedPictureShowsWhatPanelsDraw) {
   run("click bottom.cavities\nwait-idle\nframes 3\nwait-idle\nframes 3\n");
   const Image plain = upright(picture());
   run("click cavities.row.1 0.2\nwait-idle\nframes 3\n");
-  state().picked.items = {};  // which no saved picture shows
+  state().settings.selection.items = {};  // which no saved picture shows
   run("frames 2\nwait-idle\n");
   ASSERT_FALSE(state().layers.empty());
   const Image shown = upright(picture());
   EXPECT_GT(differing_pixels(plain, shown), 1000);
   const ViewportInfo& v = state().viewport;
-  state().requests.screenshot =
-      ScreenshotRequest{folder_ / "saved.png", v.width, v.height, false, false};
+  viewer_->calls().jobs.save_picture(
+      ScreenshotRequest{folder_ / "saved.png", v.width, v.height, false, false});
   run("wait-idle\n");
   const Image saved = pixels_of(folder_ / "saved.png");
   ASSERT_EQ(saved.width, shown.width);

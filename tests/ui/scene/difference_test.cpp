@@ -71,8 +71,7 @@ class DifferenceInTheWindow : public testing::ViewerTest {
 
   // The pixels of the view alone, without panels; not what the file says of the engine's route.
   std::string picture() {
-    viewer_->state().requests.screenshot =
-        ScreenshotRequest{folder_ / "picture.png", 480, 320, false};
+    viewer_->calls().jobs.save_picture(ScreenshotRequest{folder_ / "picture.png", 480, 320, false});
     run("wait-idle\n");
     std::string pixels;
     for (const auto& [type, data] : testing::chunks_of(bytes("picture.png"))) {

@@ -218,7 +218,7 @@ TEST_F(WindowMemory, ShowsTheNumbersAndTheReasonWhenNothingCanBeDrawn) {
   EXPECT_TRUE(viewer_->widgets().contains("view.not_drawn"));
   run("click alpha.preset.1.4\nwait-idle\nmove view\nwheel 2\n");
   EXPECT_EQ(hash_text(viewer_->state().result->complex.hash), hash_text(expected(1.4).hash));
-  viewer_->state().requests.screenshot = ScreenshotRequest{folder_ / "none.png", 64, 64, false};
+  viewer_->calls().jobs.save_picture(ScreenshotRequest{folder_ / "none.png", 64, 64, false});
   run("frames 2\n");
   EXPECT_EQ(viewer_->state().error.find(kNothingDrawn), 0u) << viewer_->state().error;
   EXPECT_FALSE(std::filesystem::exists(folder_ / "none.png"));
@@ -349,7 +349,7 @@ TEST_F(WindowMemory, TellsAPictureThatIsOutdated) {
   open_crambin();
   EXPECT_FALSE(viewer_->state().viewport.outdated);
   held = true;
-  viewer_->state().open.balls.selection = "residue 1-20";
+  viewer_->state().settings.open.balls.selection = "residue 1-20";
   const auto start = std::chrono::steady_clock::now();
   while (!viewer_->state().viewport.outdated &&
          std::chrono::steady_clock::now() - start < std::chrono::seconds(20)) {

@@ -41,7 +41,7 @@ class OneSwapTest : public ViewerTest {
     viewer_ = std::make_unique<Viewer>(*host_, options, Session::program_services(),
                                        [this](const auto&... what) { return slow_mesh(what...); });
     open_crambin();
-    DisplayControls& display = viewer_->state().display;
+    DisplayControls& display = viewer_->state().settings.display;
     display.balls = display.ambient_occlusion = false;
     display.complex_paint.by = ColourBy::alpha;
     run("wait-idle\n");
@@ -140,7 +140,7 @@ TEST_F(OneSwapTest, ADragMixesNoTwoAlphasAndPicturesKeepComing) {
   double drawn = -1;
   for (const Frame& f : frames) {
     if (f.alpha != drawn && checked++ % 3 == 0) {
-      viewer_->state().compute.alpha_angstrom2 = drawn = f.alpha;
+      viewer_->state().settings.request.alpha_angstrom2 = drawn = f.alpha;
       run("wait-idle\n");
     }
     if (f.alpha != drawn) continue;
@@ -160,7 +160,7 @@ TEST_F(OneSwapTest, ADragMixesNoTwoAlphasAndPicturesKeepComing) {
 // Colours of balls by exposed area: large alphas bury nearly all atoms, small ones few, so that
 // pictures of two alphas are of different brightness.
 TEST_F(OneSwapTest, ADragShowsExposedAreasOfTheAlphaThatItNames) {
-  DisplayControls& display = viewer_->state().display;
+  DisplayControls& display = viewer_->state().settings.display;
   display.balls = true;
   display.tetrahedra = false;
   display.ball_scale = 1;
@@ -176,7 +176,7 @@ TEST_F(OneSwapTest, ADragShowsExposedAreasOfTheAlphaThatItNames) {
   Frame rest;
   for (const Frame& f : frames) {
     if (f.alpha != drawn && others++ % 3 == 0) {
-      viewer_->state().compute.alpha_angstrom2 = drawn = f.alpha;
+      viewer_->state().settings.request.alpha_angstrom2 = drawn = f.alpha;
       run("wait-idle\n");
       ScriptedInput nothing;
       rest = frame(nothing);
@@ -218,7 +218,7 @@ class RefinementTest : public OneSwapTest {
 
 // Each sample of a fine picture would hold up the next picture for as long as it takes.
 TEST_F(RefinementTest, APictureThatIsToBeReplacedIsNotRefined) {
-  DisplayControls& display = viewer_->state().display;
+  DisplayControls& display = viewer_->state().settings.display;
   display.balls = display.ambient_occlusion = true;
   display.samples = 1;
   run("wait-idle\n");
@@ -228,8 +228,9 @@ TEST_F(RefinementTest, APictureThatIsToBeReplacedIsNotRefined) {
   const double sample = shortest_of(5);
   wait_for_sample();
   const Image refined = picture_now();
-  set_alpha(viewer_->state().compute, viewer_->state().compute.alpha_angstrom2 + 1);
-  const double wanted = viewer_->state().compute.alpha_angstrom2;
+  set_alpha(viewer_->state().settings.request,
+            viewer_->state().settings.request.alpha_angstrom2 + 1);
+  const double wanted = viewer_->state().settings.request.alpha_angstrom2;
   int waited = 0;
   while (viewer_->state().result->request.alpha_angstrom2 != wanted) {
     viewer_->step(nullptr);

@@ -19,7 +19,7 @@ class AnnotationsTest : public ViewerTest {
     std::sort(texts.begin(), texts.end());
     return texts;
   }
-  const Annotations& annotations() { return viewer_->state().annotations; }
+  const Annotations& annotations() { return viewer_->state().settings.annotations; }
   std::string refusal(const std::string& line) { return viewer_->commands().run_line(line).why; }
   using Words = std::vector<std::string>;
 };
@@ -107,11 +107,11 @@ TEST_F(AnnotationsTest, MeasurementsOutliveOtherOptionsAndAreBackWithTheirAtoms)
   settle();
   const Words with = words();
   ASSERT_EQ(with.size(), 1u);
-  viewer_->state().open.balls.selection = "not resi 1";
+  viewer_->state().settings.open.balls.selection = "not resi 1";
   settle();
   EXPECT_EQ(words(), Words{}) << "one end is not in the picture";
   EXPECT_EQ(annotations().measurements.size(), 1u);
-  viewer_->state().open.balls.selection = "";
+  viewer_->state().settings.open.balls.selection = "";
   run("alpha.set 2\nsolvent.set 1.4\n");
   settle();
   EXPECT_EQ(words(), with);
@@ -125,7 +125,7 @@ TEST_F(AnnotationsTest, TheListSelectsRemovesAndCopies) {
   EXPECT_TRUE(viewer_->widgets().contains("details.nothing_measured"));
   run("measure.atoms A:THR 1:CA; A:THR 2:CA\nmeasure.atoms A:THR 1:N; A:THR 1:CA; A:THR 1:C\n"
       "frames 3\nclick details.measured.2\nframes 2\n");
-  EXPECT_EQ(viewer_->state().picked.items.size(), 3u);
+  EXPECT_EQ(viewer_->state().settings.selection.items.size(), 3u);
   run("click details.copy\nframes 3\n");
   EXPECT_EQ(viewer_->state().notice, "Copied 2 distances and angles");
   run("click details.remove.1\nframes 3\n");
@@ -138,7 +138,7 @@ TEST_F(AnnotationsTest, TheListSelectsRemovesAndCopies) {
 
 TEST_F(AnnotationsTest, SavedPicturesSessionsAndTheCommandLineShowThem) {
   open_crambin();
-  DisplayControls& display = viewer_->state().display;
+  DisplayControls& display = viewer_->state().settings.display;
   const DisplayControls usual;  // the command line's
   display.ambient_occlusion = usual.ambient_occlusion;
   display.depth_cue = usual.depth_cue;
@@ -146,8 +146,8 @@ TEST_F(AnnotationsTest, SavedPicturesSessionsAndTheCommandLineShowThem) {
   display.samples = 1;
   run("frames 3\nwait-idle\n");
   const auto saved = [&](const std::string& name) {
-    viewer_->state().requests.screenshot =
-        ScreenshotRequest{folder_ / name, {400, 300, false, true, false}};
+    viewer_->calls().jobs.save_picture(
+        ScreenshotRequest{folder_ / name, {400, 300, false, true, false}});
     run("wait-idle\n");
     return pixels_of(folder_ / name);
   };

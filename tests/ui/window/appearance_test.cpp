@@ -63,15 +63,15 @@ TEST_F(AppearanceTest, SavedPicturesSessionsAndTheCommandLineShowTheSame) {
   run("alpha.set 3\nview.triangles on\nview.edges on\nview.clip x=9.5\n");
   hide_half();
   run("atoms.colour #ff00ff element O\nwait-idle\n");
-  DisplayControls& display = viewer_->state().display;
+  DisplayControls& display = viewer_->state().settings.display;
   const DisplayControls usual;  // the command line's
   display.ambient_occlusion = usual.ambient_occlusion;
   display.depth_cue = usual.depth_cue;
   display.silhouettes = usual.silhouettes;
   display.samples = 4;
   run("frames 3\nwait-idle\n");
-  viewer_->state().requests.screenshot =
-      ScreenshotRequest{folder_ / "window.png", {400, 300, false, true, false}};
+  viewer_->calls().jobs.save_picture(
+      ScreenshotRequest{folder_ / "window.png", {400, 300, false, true, false}});
   run("wait-idle\n");
   const Image window = pixels_of(folder_ / "window.png");
   const auto drawn = [&](const std::string& options) {

@@ -20,7 +20,7 @@ class CavityPictureTest : public ViewerTest {
   void show_as_at_the_start() {
     DisplayControls display;
     display.samples = 1;
-    viewer_->state().display = display;
+    viewer_->state().settings.display = display;
   }
 
   void settle() { run("wait-idle\nframes 3\nwait-idle\nframes 3\n"); }
@@ -81,7 +81,7 @@ class CavityPictureTest : public ViewerTest {
       pictures.saved.*which = saved("saved.png");
     };
     take(&Pictures::whole);
-    viewer_->state().display.beside = {false, false, false, false};
+    viewer_->state().settings.display.beside = {false, false, false, false};
     settle();
     take(&Pictures::without_held);
     viewer_->state().memory.cavities.page->parts.surfaces = false;
@@ -203,7 +203,7 @@ TEST_F(CavityPictureTest, ALigandOfTheBodyIsShownWhereItLinesACavity) {
   for (std::size_t row = 0; row < 12; ++row) {
     choose(row);
     std::size_t lining = 0;
-    for (const Ref& ref : viewer_->state().picked.items.items()) {
+    for (const Ref& ref : viewer_->state().settings.selection.items.items()) {
       lining += molecule.atoms[std::get<AtomRef>(ref).atom].kind == AtomKind::ligand;
     }
     EXPECT_EQ(lining > 0, !held().atoms.empty()) << row;
@@ -223,7 +223,7 @@ TEST_F(CavityPictureTest, WhatIsNotDrawnBesideTheBodyIsNotDrawnInACavity) {
   run("edit.undo\n");
   settle();
   EXPECT_FALSE(held().atoms.empty());
-  viewer_->state().display.beside.ligands = false;
+  viewer_->state().settings.display.beside.ligands = false;
   settle();
   EXPECT_TRUE(held().atoms.empty());
 }
@@ -254,7 +254,7 @@ TEST_F(CavityPictureTest, OpacityIsASettingOfThePage) {
   const Image opaque = picture();
   EXPECT_GT(differing_pixels(usual, opaque), 2000);
   run("edit.undo\n");
-  EXPECT_EQ(viewer_->state().display.cavity_opacity, DisplayControls().cavity_opacity);
+  EXPECT_EQ(viewer_->state().settings.display.cavity_opacity, DisplayControls().cavity_opacity);
   run("click cavities.draw\nframes 3\n");
   EXPECT_TRUE(viewer_->widgets().contains("cavities.draw.opacity"));
   run("key esc\n");
@@ -266,7 +266,7 @@ TEST_F(CavityPictureTest, OpacityThatIsNotSeenSaysSo) {
   choose(*row_with_ligand("HEM"));
   EXPECT_TRUE(viewer_->widgets().contains("display.ball_opacity.faded"));
   EXPECT_TRUE(viewer_->widgets().contains("display.complex_opacity.faded"));
-  viewer_->state().display.complex_opacity = 0.1f;
+  viewer_->state().settings.display.complex_opacity = 0.1f;
   settle();
   EXPECT_FALSE(viewer_->widgets().contains("display.complex_opacity.faded"))
       << "it is as it is set";
@@ -287,11 +287,11 @@ TEST_F(CavityPictureTest, TheLiningIsMarkedByOutlines) {
     }
     return count;
   };
-  viewer_->state().display.ball_scale = 0.5f;
+  viewer_->state().settings.display.ball_scale = 0.5f;
   const int outlines = green(picture());
-  const RefSet lining = viewer_->state().picked.items;
-  viewer_->state().picked.clear();
-  viewer_->state().picked.items = lining;  // as a user selects atoms
+  const RefSet lining = viewer_->state().settings.selection.items;
+  viewer_->state().settings.selection.clear();
+  viewer_->state().settings.selection.items = lining;  // as a user selects atoms
   settle();
   const int balls = green(picture());
   EXPECT_GT(outlines, 200);
@@ -310,26 +310,26 @@ TEST_F(CavityPictureTest, TheLiningFollowsTheSolventRadius) {
     }
     return RefSet(refs);
   };
-  const RefSet before = viewer_->state().picked.items;
+  const RefSet before = viewer_->state().settings.selection.items;
   EXPECT_EQ(before, lining());
   for (const char* page_shown : {"cavities", "timings"}) {
     SCOPED_TRACE(page_shown);
     run(std::string("click bottom.") + page_shown + "\nframes 2\nsolvent.set 1.6\n");
     settle();
     ASSERT_EQ(page().rows.table().question.alpha_angstrom2, 0);
-    EXPECT_NE(viewer_->state().picked.items, before);
-    EXPECT_EQ(viewer_->state().picked.items, lining());
+    EXPECT_NE(viewer_->state().settings.selection.items, before);
+    EXPECT_EQ(viewer_->state().settings.selection.items, lining());
     EXPECT_EQ(viewer_->state().undo_text, "solvent radius and selection") << "one entry";
     run("edit.undo\n");
     settle();
-    EXPECT_EQ(viewer_->state().compute.solvent_radius_angstrom, 1.4);
-    EXPECT_EQ(viewer_->state().picked.items, before);
+    EXPECT_EQ(viewer_->state().settings.request.solvent_radius_angstrom, 1.4);
+    EXPECT_EQ(viewer_->state().settings.selection.items, before);
     EXPECT_FALSE(viewer_->state().redo_text.empty());
   }
   // What the user has selected besides stays.
   run("select.add A:VAL 1:N\nsolvent.set 1.6\n");
   settle();
-  EXPECT_EQ(viewer_->state().picked.items.size(), before.size() + 1);
+  EXPECT_EQ(viewer_->state().settings.selection.items.size(), before.size() + 1);
 }
 
 }  // namespace

@@ -17,7 +17,7 @@ class ClipWindow : public ViewerTest {
     // What moves the scene at rest is not what is tested.
     run("view.shadows off\nwait-idle\n");
   }
-  const Clip& clip() const { return viewer_->state().clip; }
+  const Clip& clip() const { return viewer_->state().settings.clip; }
   const ViewportInfo& view() const { return viewer_->state().viewport; }
   void undo() { run("edit.undo\nwait-idle\n"); }
 };
@@ -86,7 +86,7 @@ TEST_F(ClipWindow, WhatIsCutAwayIsNotUnderTheMouse) {
   run("view.clip off\nmove view 0.5 0.5\nwait-idle\nframes 3\n");
   const std::string whole = view().under_mouse_line;
   // Balls fill little of the picture: larger ones leave no gaps.
-  viewer_->state().display.ball_scale = 1;
+  viewer_->state().settings.display.ball_scale = 1;
   run("frames 3\nwait-idle\nmove view 0.5 0.45\nframes 3\n");
   const std::string front = view().under_mouse_line;
   ASSERT_NE(front, "");
@@ -115,11 +115,11 @@ TEST_F(ClipWindow, CapsFollowAlphaAndTheClip) {
 TEST_F(ClipWindow, SavedPicturesAndTheCommandLineShowTheSame) {
   run("view.edges on\nview.triangles on\nalpha.set 3\nview.clip x=9.5\nwait-idle\n");
   const int width = view().width, height = view().height;
-  viewer_->state().requests.screenshot =
-      ScreenshotRequest{folder_ / "window.png", {width, height, false, true, false}};
+  viewer_->calls().jobs.save_picture(
+      ScreenshotRequest{folder_ / "window.png", {width, height, false, true, false}});
   run("wait-idle\n");
   const Image window = pixels_of(folder_ / "window.png");
-  DisplayControls& display = viewer_->state().display;
+  DisplayControls& display = viewer_->state().settings.display;
   const DisplayControls usual;
   display.ambient_occlusion = usual.ambient_occlusion;
   display.depth_cue = usual.depth_cue;
@@ -134,8 +134,8 @@ TEST_F(ClipWindow, SavedPicturesAndTheCommandLineShowTheSame) {
     return pixels_of(folder_ / "cli.png");
   };
   run("wait-idle\n");
-  viewer_->state().requests.screenshot =
-      ScreenshotRequest{folder_ / "window.png", {width, height, false, true, false}};
+  viewer_->calls().jobs.save_picture(
+      ScreenshotRequest{folder_ / "window.png", {width, height, false, true, false}});
   run("wait-idle\n");
   const Image shaded = pixels_of(folder_ / "window.png");
   EXPECT_LE(share_unlike(shaded, drawn("--clip x=9.5")), 0.001);
@@ -172,14 +172,14 @@ TEST_F(ClipWindow, ViewsAlongAxesAndSavedCamerasComeBack) {
   EXPECT_GT(differing_pixels(picture(), from_y), 1000);
   run("view.camera \"from y\"\nwait-idle\n");
   EXPECT_EQ(differing_pixels(picture(), from_y), 0);
-  ASSERT_EQ(viewer_->state().views.size(), 1u);
+  ASSERT_EQ(viewer_->state().settings.views.size(), 1u);
   run("view.save_camera from y\nframes 2\n");  // in its place
-  ASSERT_EQ(viewer_->state().views.size(), 1u);
+  ASSERT_EQ(viewer_->state().settings.views.size(), 1u);
   run("view.forget_camera \"from y\"\nframes 2\n");
-  EXPECT_TRUE(viewer_->state().views.empty());
+  EXPECT_TRUE(viewer_->state().settings.views.empty());
   EXPECT_NE(viewer_->commands().run_line("view.camera \"from y\"").why, "");
   undo();
-  EXPECT_EQ(viewer_->state().views.size(), 1u);
+  EXPECT_EQ(viewer_->state().settings.views.size(), 1u);
 }
 
 }  // namespace

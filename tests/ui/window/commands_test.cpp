@@ -13,6 +13,7 @@
 #include "core/document/commands/command_search.hpp"
 #include "tests/ui/panels/panels_fixture.hpp"
 #include "tests/ui/viewer_fixture.hpp"
+#include "ui/no_calls.hpp"
 #include "ui/panels/panel_list.hpp"
 
 namespace alphascope {
@@ -26,7 +27,8 @@ using testing::Panels;
 std::vector<CommandSpec> program_commands() {
   static ViewState state = loaded_state();
   Commands commands;
-  add_program_commands(commands, state);
+  NoCalls nobody;
+  add_program_commands(commands, state, nobody.calls());
   return commands.all();
 }
 
@@ -73,7 +75,8 @@ TEST(CommandList, TheUserGuideNamesEveryShortcut) {
 TEST(CommandList, WhatPeopleCallThingsIsFound) {
   static ViewState state = loaded_state();
   Commands commands;
-  add_program_commands(commands, state);
+  NoCalls nobody;
+  add_program_commands(commands, state, nobody.calls());
   const std::pair<const char*, const char*> expected[] = {
       {"pocket", "view.page cavities"}, {"hole", "view.page cavities"},
       {"tunnel", "view.page channels"}, {"volume", "view.page measures"},
@@ -209,21 +212,21 @@ TEST_F(CommandsInPanels, WhatCannotRunIsGreyedAndSaysWhy) {
   p.state.molecule.loaded = false;
   p.click("menu.View");
   p.click("menu.view.reset");
-  EXPECT_FALSE(p.state.requests.reset_view);
+  EXPECT_FALSE(p.asked.reset_view);
   EXPECT_TRUE(p.rects.contains("menu.view.reset")) << "a greyed entry leaves the menu open";
   p.tap(key::kEscape);
   p.tap(key::kR);
-  EXPECT_FALSE(p.state.requests.reset_view);
+  EXPECT_FALSE(p.asked.reset_view);
   open_palette();
   type("reset");
   enter();
   EXPECT_TRUE(is_open());
   EXPECT_EQ(palette().error, "No molecule is open.");
   EXPECT_TRUE(p.rects.contains("palette.error"));
-  EXPECT_FALSE(p.state.requests.reset_view);
+  EXPECT_FALSE(p.asked.reset_view);
   p.state.molecule.loaded = true;
   enter();
-  EXPECT_TRUE(p.state.requests.reset_view);
+  EXPECT_TRUE(p.asked.reset_view);
   EXPECT_FALSE(is_open());
 }
 
@@ -232,8 +235,8 @@ TEST_F(CommandsInPanels, ASubmenuChoosesTheSample) {
   p.click("menu.file.sample");
   p.frame(3);
   p.click("menu.file.sample.crambin");
-  ASSERT_TRUE(p.state.requests.open);
-  EXPECT_EQ(*p.state.requests.open, "1crn.pdb");
+  ASSERT_TRUE(p.asked.open);
+  EXPECT_EQ(*p.asked.open, "1crn.pdb");
 }
 
 TEST_F(CommandsInPanels, AMenuEntryThatNeedsANumberAsksForIt) {
@@ -243,7 +246,7 @@ TEST_F(CommandsInPanels, AMenuEntryThatNeedsANumberAsksForIt) {
   ASSERT_TRUE(p.rects.contains("palette.asks"));
   type("2,5 Å²");
   enter();
-  EXPECT_DOUBLE_EQ(p.state.compute.alpha_angstrom2, 2.5);
+  EXPECT_DOUBLE_EQ(p.state.settings.request.alpha_angstrom2, 2.5);
   EXPECT_FALSE(is_open());
 }
 
@@ -251,12 +254,13 @@ TEST_F(CommandsInPanels, ThePaletteRunsWhatIsTypedWithItsArguments) {
   open_palette();
   type("alpha 3.2");
   enter();
-  EXPECT_DOUBLE_EQ(p.state.compute.alpha_angstrom2, 3.2);
+  EXPECT_DOUBLE_EQ(p.state.settings.request.alpha_angstrom2, 3.2);
   EXPECT_FALSE(is_open());
   p.click("alpha.preset.10");
-  EXPECT_DOUBLE_EQ(p.state.compute.alpha_angstrom2, 10) << "the mouse is the window's again";
+  EXPECT_DOUBLE_EQ(p.state.settings.request.alpha_angstrom2, 10)
+      << "the mouse is the window's again";
   p.tap(key::kLeft);
-  EXPECT_DOUBLE_EQ(p.state.compute.alpha_angstrom2, 9.9) << "and so are the keys";
+  EXPECT_DOUBLE_EQ(p.state.settings.request.alpha_angstrom2, 9.9) << "and so are the keys";
 }
 
 TEST_F(CommandsInPanels, AnErrorKeepsThePaletteOpen) {
@@ -268,7 +272,7 @@ TEST_F(CommandsInPanels, AnErrorKeepsThePaletteOpen) {
   type_anew("solvent 1.4");
   EXPECT_TRUE(palette().error.empty());
   enter();
-  EXPECT_DOUBLE_EQ(p.state.compute.solvent_radius_angstrom, 1.4);
+  EXPECT_DOUBLE_EQ(p.state.settings.request.solvent_radius_angstrom, 1.4);
   open_palette();
   type("/no/such/file.pdb");
   enter();
@@ -295,7 +299,7 @@ TEST_F(CommandsInPanels, MissingArgumentsAreAskedFor) {
   enter();
   type("1.6");
   enter();
-  EXPECT_DOUBLE_EQ(p.state.compute.solvent_radius_angstrom, 1.6);
+  EXPECT_DOUBLE_EQ(p.state.settings.request.solvent_radius_angstrom, 1.6);
   EXPECT_FALSE(is_open());
 }
 
@@ -308,7 +312,7 @@ TEST_F(CommandsInPanels, AChoiceIsMadeWithTheArrowKeys) {
   EXPECT_FALSE(p.rects.contains("palette.choice.cgal"));
   p.tap(key::kDown);
   enter();
-  EXPECT_EQ(p.state.compute.engine, EngineChoice::tuples_cpu);
+  EXPECT_EQ(p.state.settings.request.engine, EngineChoice::tuples_cpu);
   EXPECT_FALSE(is_open());
   open_palette();
   type("choose engine gpu");
@@ -316,7 +320,7 @@ TEST_F(CommandsInPanels, AChoiceIsMadeWithTheArrowKeys) {
   p.state.gpu->why_not = "No CUDA driver.";
   enter();
   EXPECT_EQ(palette().error, "No CUDA driver.");
-  EXPECT_EQ(p.state.compute.engine, EngineChoice::tuples_cpu);
+  EXPECT_EQ(p.state.settings.request.engine, EngineChoice::tuples_cpu);
 }
 
 // Right below the field, however many frames are drawn.
@@ -361,7 +365,7 @@ TEST_F(CommandsInPanels, EscapeAndAClickBesideCloseThePalette) {
   p.tap(key::kEscape);
   p.frame(2);
   EXPECT_FALSE(is_open());
-  EXPECT_FALSE(p.state.requests.cancel);
+  EXPECT_FALSE(p.asked.cancel);
   open_palette();
   p.click("view", 0.5f, 0.95f);
   p.frame(2);
@@ -385,12 +389,12 @@ TEST_F(CommandsInPanels, NothingIsDispatchedWhileOneTypes) {
   open_palette();
   type("b");
   p.tap(key::kB);
-  EXPECT_TRUE(p.state.display.balls);
+  EXPECT_TRUE(p.state.settings.display.balls);
   p.tap(key::kEscape);
   p.frame(2);
   p.click("alpha.typed");
   p.tap(key::kB);
-  EXPECT_TRUE(p.state.display.balls);
+  EXPECT_TRUE(p.state.settings.display.balls);
 }
 
 TEST_F(CommandsInPanels, ThePaletteFitsASmallWindowAtTwiceTheSize) {
@@ -419,7 +423,7 @@ class CommandsInProgram : public testing::ViewerTest {
 
 TEST_F(CommandsInProgram, MenuKeyPaletteAndScriptDoTheSame) {
   open_crambin();
-  const DisplayControls& d = viewer_->state().display;
+  const DisplayControls& d = viewer_->state().settings.display;
   for (const char* way : {"view.edges\n", "key e\n", "click menu.View\nclick menu.view.edges\n",
                           "key ctrl+p\ntype edges\nkey enter\n"}) {
     const bool before = d.edges;

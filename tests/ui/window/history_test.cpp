@@ -26,7 +26,7 @@ TEST_F(HistoryTest, UndoRestoresHashAndPicture) {
   EXPECT_EQ(viewer_->state().undo_text, "alpha");
   undo();
   EXPECT_EQ(hash(), before);
-  EXPECT_EQ(viewer_->state().compute.alpha_angstrom2, 1.4);
+  EXPECT_EQ(viewer_->state().settings.request.alpha_angstrom2, 1.4);
   EXPECT_EQ(picture().rgba, picture_before.rgba);
   redo();
   EXPECT_EQ(hash(), after);
@@ -36,51 +36,51 @@ TEST_F(HistoryTest, UndoRestoresHashAndPicture) {
 TEST_F(HistoryTest, ADragIsOneEntryAndTwoDragsAreTwo) {
   open_crambin();
   run("move alpha.slider 0.3\ndown\nmove alpha.slider 0.5\nmove alpha.slider 0.6\nup\n");
-  const double first = viewer_->state().compute.alpha_angstrom2;
+  const double first = viewer_->state().settings.request.alpha_angstrom2;
   run("move alpha.slider 0.6\ndown\nmove alpha.slider 0.7\nmove alpha.slider 0.9\nup\n");
-  EXPECT_GT(viewer_->state().compute.alpha_angstrom2, first);
+  EXPECT_GT(viewer_->state().settings.request.alpha_angstrom2, first);
   undo();
-  EXPECT_EQ(viewer_->state().compute.alpha_angstrom2, first);
+  EXPECT_EQ(viewer_->state().settings.request.alpha_angstrom2, first);
   undo();
-  EXPECT_EQ(viewer_->state().compute.alpha_angstrom2, 0);
+  EXPECT_EQ(viewer_->state().settings.request.alpha_angstrom2, 0);
   EXPECT_EQ(viewer_->state().undo_text, "");
 }
 
 TEST_F(HistoryTest, EachTapIsAnEntryAndKeysUndo) {
   open_crambin();
   run("key right\nkey right\nwait-idle\n");
-  EXPECT_DOUBLE_EQ(viewer_->state().compute.alpha_angstrom2, 0.2);
+  EXPECT_DOUBLE_EQ(viewer_->state().settings.request.alpha_angstrom2, 0.2);
   run("key ctrl+z\n");
-  EXPECT_DOUBLE_EQ(viewer_->state().compute.alpha_angstrom2, 0.1);
+  EXPECT_DOUBLE_EQ(viewer_->state().settings.request.alpha_angstrom2, 0.1);
   run("key ctrl+y\nwait-idle\n");
-  EXPECT_DOUBLE_EQ(viewer_->state().compute.alpha_angstrom2, 0.2);
+  EXPECT_DOUBLE_EQ(viewer_->state().settings.request.alpha_angstrom2, 0.2);
 }
 
 TEST_F(HistoryTest, PlaybackLeavesNoEntry) {
   open_crambin();
   run("click alpha.preset.1.4\nwait-idle\nclick alpha.play\nframes 30\n");
   run("click alpha.play\nwait-idle\n");
-  EXPECT_GT(viewer_->state().compute.alpha_angstrom2, 1.4);
+  EXPECT_GT(viewer_->state().settings.request.alpha_angstrom2, 1.4);
   undo();
-  EXPECT_EQ(viewer_->state().compute.alpha_angstrom2, 0);
+  EXPECT_EQ(viewer_->state().settings.request.alpha_angstrom2, 0);
 }
 
 TEST_F(HistoryTest, AtomsAndDisplayComeBack) {
   open_crambin();
   const std::size_t all = viewer_->state().molecule.balls;
-  viewer_->state().open.balls.selection = "resi 1-20";
+  viewer_->state().settings.open.balls.selection = "resi 1-20";
   run("frames 1\nwait-idle\n");
   const std::size_t some = viewer_->state().molecule.balls;
   ASSERT_LT(some, all);
-  viewer_->state().display.balls = false;
+  viewer_->state().settings.display.balls = false;
   run("frames 1\n");
   EXPECT_EQ(viewer_->state().undo_text, "display");
   undo();
-  EXPECT_TRUE(viewer_->state().display.balls);
+  EXPECT_TRUE(viewer_->state().settings.display.balls);
   EXPECT_EQ(viewer_->state().undo_text, "choice of atoms");
   undo();
   EXPECT_EQ(viewer_->state().molecule.balls, all);
-  EXPECT_EQ(viewer_->state().open.balls.selection, "");
+  EXPECT_EQ(viewer_->state().settings.open.balls.selection, "");
   redo();
   EXPECT_EQ(viewer_->state().molecule.balls, some);
 }
@@ -88,8 +88,8 @@ TEST_F(HistoryTest, AtomsAndDisplayComeBack) {
 TEST_F(HistoryTest, ARefusedChangeLeavesNoEntry) {
   open_crambin();
   run("click alpha.preset.3\nwait-idle\n");
-  viewer_->state().open.radii_table = folder_ / "there is none";
-  viewer_->state().open.balls.radii = RadiiSet::user;
+  viewer_->state().settings.open.radii_table = folder_ / "there is none";
+  viewer_->state().settings.open.balls.radii = RadiiSet::user;
   run("frames 1\nwait-idle\nclick error.ok\n");
   EXPECT_EQ(viewer_->state().undo_text, "alpha");
 }
@@ -104,7 +104,7 @@ TEST_F(HistoryTest, AnotherFileStartsAnew) {
   EXPECT_EQ(viewer_->state().undo_text, "");
   EXPECT_FALSE(viewer_->commands().run("edit.undo").done());
   viewer_->undo();
-  EXPECT_EQ(viewer_->state().compute.alpha_angstrom2, 3);
+  EXPECT_EQ(viewer_->state().settings.request.alpha_angstrom2, 3);
 }
 
 }  // namespace

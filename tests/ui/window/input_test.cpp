@@ -64,31 +64,31 @@ TEST(InputQueue, FiveTapsBetweenTwoFramesAreFiveSteps) {
     taps.push_back(released(key::kRight));
   }
   p.play(taps);
-  EXPECT_DOUBLE_EQ(p.state.compute.alpha_angstrom2, 0.5);
+  EXPECT_DOUBLE_EQ(p.state.settings.request.alpha_angstrom2, 0.5);
 }
 
 TEST(InputQueue, AKeyBeforeControlIsNoShortcutWithIt) {
   QueuedPanels p;
   const Theme before = p.state.theme;
-  p.state.requests = {};
+  p.asked = {};
   p.play({pressed(key::kL), released(key::kL), pressed(key::kLeftControl), pressed(key::kB),
           released(key::kB), released(key::kLeftControl), pressed(key::kR), released(key::kR)});
   EXPECT_EQ(p.state.theme, before) << "Ctrl was pressed after L";
-  EXPECT_TRUE(p.state.display.balls) << "Ctrl was down with B";
-  EXPECT_TRUE(p.state.requests.reset_view) << "Ctrl was up again";
+  EXPECT_TRUE(p.state.settings.display.balls) << "Ctrl was down with B";
+  EXPECT_TRUE(p.asked.reset_view) << "Ctrl was up again";
 }
 
 TEST(InputQueue, AClickCountsWhereItWasThoughTheMouseWentOn) {
   QueuedPanels p;
   p.play({p.at("alpha.preset.3"), button(true), button(false), p.at("view")});
-  EXPECT_DOUBLE_EQ(p.state.compute.alpha_angstrom2, 3);
+  EXPECT_DOUBLE_EQ(p.state.settings.request.alpha_angstrom2, 3);
 }
 
 TEST(InputQueue, ASliderIsWhereItWasLetGo) {
   QueuedPanels p;
   p.play({p.at("alpha.slider", 0.3f), button(true), p.at("alpha.slider", 0.8f), button(false),
           p.at("view")});
-  EXPECT_NEAR(p.state.compute.alpha_angstrom2, -3 + 0.8 * 13, 0.4);
+  EXPECT_NEAR(p.state.settings.request.alpha_angstrom2, -3 + 0.8 * 13, 0.4);
 }
 
 TEST(InputQueue, CharactersAndKeysKeepTheirOrder) {
@@ -100,7 +100,7 @@ TEST(InputQueue, CharactersAndKeysKeepTheirOrder) {
           pressed(key::kBackspace), released(key::kBackspace), pressed('.'), typed('.'),
           pressed('5'), typed('5'), released('.'), released('5'), pressed(key::kEnter),
           released(key::kEnter)});
-  EXPECT_DOUBLE_EQ(p.state.compute.alpha_angstrom2, 1.5);
+  EXPECT_DOUBLE_EQ(p.state.settings.request.alpha_angstrom2, 1.5);
 }
 
 TEST(InputQueue, MovesAndWheelStepsOfAFrameAreOne) {
@@ -152,7 +152,7 @@ TEST_F(ActingTest, ATooltipShowsWhileTheMouseRests) {
 
 TEST_F(ActingTest, TheAtomUnderTheMouseIsNamedWhileTheMouseRests) {
   // Somewhere in the middle there is a ball, and nothing of the complex in front of it.
-  viewer_->state().display.tetrahedra = false;
+  viewer_->state().settings.display.tetrahedra = false;
   const WidgetRect view = viewer_->widgets().at("view");
   std::vector<ActingHost::Act> acts;
   std::string named;
@@ -188,7 +188,7 @@ TEST_F(ActingTest, FastKeysArriveAtAWindowWithSlowFrames) {
   for (int i = 0; i < 5; ++i) acts.push_back({0.1 + 0.02 * i, [this] { host_.tap(key::kRight); }});
   host_.play(acts, 1);
   viewer_->run();
-  EXPECT_DOUBLE_EQ(viewer_->state().compute.alpha_angstrom2, 0.5);
+  EXPECT_DOUBLE_EQ(viewer_->state().settings.request.alpha_angstrom2, 0.5);
 }
 
 }  // namespace

@@ -9,7 +9,7 @@ namespace {
 
 class PaintTest : public ViewerTest {
  protected:
-  DisplayControls& display() { return viewer_->state().display; }
+  DisplayControls& display() { return viewer_->state().settings.display; }
   const ViewportInfo& viewport() { return viewer_->state().viewport; }
   const std::vector<ColourLegend>& legends() { return viewport().legends; }
   std::string refusal(const std::string& line) { return viewer_->commands().run_line(line).why; }
@@ -115,7 +115,7 @@ TEST_F(PaintTest, SessionsAndTheCommandLineHaveTheSame) {
   d.samples = 4;
   const Paint balls = d.ball_paint, simplices = d.complex_paint;
   run("wait-idle\n");
-  viewer_->state().requests.screenshot = ScreenshotRequest{folder_ / "window.png", {480, 320}};
+  viewer_->calls().jobs.save_picture(ScreenshotRequest{folder_ / "window.png", {480, 320}});
   run("wait-idle\n");
   const Image window = pixels_of(folder_ / "window.png");
   const auto drawn = [&](const std::string& options) {

@@ -16,7 +16,7 @@ class SelectionTest : public ViewerTest {
     for (int i = 0; i < count; ++i) viewer_->step(&input);
   }
   const ViewState& state() { return viewer_->state(); }
-  const std::vector<Ref>& items() { return state().picked.items.items(); }
+  const std::vector<Ref>& items() { return state().settings.selection.items.items(); }
   const std::string& line() { return state().viewport.under_mouse_line; }
 
   // x and y from 0 to 1 in the view.
@@ -68,8 +68,8 @@ TEST_F(SelectionTest, TheStatusBarSaysWhatIsUnderTheMouse) {
   open_crambin();
   run("alpha.set 3\nsolvent.set 1.4\nwait-idle\n");
   at(places("A:", 1)[0]);
-  ASSERT_TRUE(state().picked.hovered);
-  const AtomRef atom = std::get<AtomRef>(*state().picked.hovered);
+  ASSERT_TRUE(state().hovered);
+  const AtomRef atom = std::get<AtomRef>(*state().hovered);
   const Molecule& molecule = *viewer_->session().state().molecule;
   EXPECT_TRUE(line().starts_with(atom_address(molecule, atom.atom) + "  ·  (")) << line();
   const auto ball = *state().references->ball(atom);
@@ -81,14 +81,14 @@ TEST_F(SelectionTest, TheStatusBarSaysWhatIsUnderTheMouse) {
   EXPECT_TRUE(viewer_->widgets().contains("status.under_mouse"));
   EXPECT_FALSE(viewer_->widgets().contains("status.device"));
   // Set, but not in the picture yet.
-  viewer_->state().compute.alpha_angstrom2 = 9;
+  viewer_->state().settings.request.alpha_angstrom2 = 9;
   frames(1);
   EXPECT_EQ(state().result->request.alpha_angstrom2, 3);
   EXPECT_NE(line().find(grown), std::string::npos) << line();
   run("wait-idle\n");
   move(0.01, 0.01);
   EXPECT_EQ(line(), "");
-  EXPECT_FALSE(state().picked.hovered);
+  EXPECT_FALSE(state().hovered);
   EXPECT_TRUE(viewer_->widgets().contains("status.device"));
   EXPECT_TRUE(items().empty()) << "hovering selects nothing";
 }
@@ -97,7 +97,7 @@ TEST_F(SelectionTest, ASimplexIsNamedWithItsAtomsClassAndAlphaValue) {
   open_crambin();
   run("alpha.set 3\nview.balls off\nwait-idle\n");
   at(places("tetrahedron A:", 1)[0]);
-  const SimplexRef simplex = std::get<SimplexRef>(*state().picked.hovered);
+  const SimplexRef simplex = std::get<SimplexRef>(*state().hovered);
   EXPECT_EQ(simplex.size(), 4u);
   EXPECT_EQ(std::count(line().begin(), line().end(), ':'), 8) << line();
   EXPECT_NE(line().find("interior  ·  alpha value "), std::string::npos) << line();
@@ -123,12 +123,12 @@ TEST_F(SelectionTest, ClickSelectsControlAddsEmptyClears) {
   open_crambin();
   const auto where = places("A:", 2);
   at(where[0]);
-  const Ref first = *state().picked.hovered;
+  const Ref first = *state().hovered;
   click();
   EXPECT_EQ(items(), std::vector<Ref>{first});
   EXPECT_EQ(state().picked_text, "1");
   at(where[1]);
-  const Ref second = *state().picked.hovered;
+  const Ref second = *state().hovered;
   ASSERT_NE(first, second);
   click(true);
   EXPECT_EQ(items().size(), 2u);
@@ -192,7 +192,7 @@ TEST_F(SelectionTest, OutlivesAtomsThatComeAndGo) {
   const std::vector<Ref> all = items();
   ASSERT_GT(all.size(), 5u);
   EXPECT_EQ(state().picked_missing, 0u);
-  viewer_->state().open.balls.selection = "resi 40-46";
+  viewer_->state().settings.open.balls.selection = "resi 40-46";
   run("frames 1\nwait-idle\nframes 2\n");
   EXPECT_EQ(items(), all);
   EXPECT_EQ(state().picked_missing, 1u);
@@ -202,7 +202,7 @@ TEST_F(SelectionTest, OutlivesAtomsThatComeAndGo) {
   const Molecule& molecule = state().references->molecule();
   EXPECT_TRUE(atom_address(molecule, state().references->prepared().atom_of_ball[*ball])
                   .starts_with("A:ASN 46:"));
-  viewer_->state().open.balls.selection = "";
+  viewer_->state().settings.open.balls.selection = "";
   run("frames 1\nwait-idle\nframes 2\n");
   EXPECT_EQ(items(), all);
   EXPECT_EQ(state().picked_missing, 0u);

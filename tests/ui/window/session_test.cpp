@@ -34,9 +34,9 @@ class SessionWindowTest : public ViewerTest {
 
 TEST_F(SessionWindowTest, TheSamePictureAndHashInANewWindow) {
   open_molecule();
-  viewer_->state().open.balls.selection = "resi 1-30";
-  viewer_->state().display.edges = viewer_->state().display.grown_balls = true;
-  viewer_->state().display.ball_opacity = 0.5f;
+  viewer_->state().settings.open.balls.selection = "resi 1-30";
+  viewer_->state().settings.display.edges = viewer_->state().settings.display.grown_balls = true;
+  viewer_->state().settings.display.ball_opacity = 0.5f;
   viewer_->state().memory.save.caption = read_caption_parts("hash");
   viewer_->state().memory.record.recording.frames = 17;
   run("wait-idle\nalpha.set 2.5\nsolvent.set 0.3\nview.light_theme on\nselect.atoms A:15\n"
@@ -55,7 +55,7 @@ TEST_F(SessionWindowTest, TheSamePictureAndHashInANewWindow) {
   EXPECT_TRUE(viewer_->state().memory.closed_sections.contains("display"));
   EXPECT_TRUE(viewer_->state().memory.save.caption.has(CaptionPart::hash));
   EXPECT_EQ(viewer_->state().memory.record.recording.frames, 17);
-  EXPECT_EQ(viewer_->state().picked.items.size(), 7u);
+  EXPECT_EQ(viewer_->state().settings.selection.items.size(), 7u);
   EXPECT_EQ(viewer_->state().undo_text, "") << "a session begins its own history";
   save();
   EXPECT_EQ(text(), saved) << "what is saved again is the same file";
@@ -78,7 +78,7 @@ TEST_F(SessionWindowTest, AWrongValueLeavesTheWindowAsItIs) {
   run("file.open_session " + session().string() + "\nwait-idle\n");
   EXPECT_EQ(viewer_->state().error_title, "The session cannot be opened");
   EXPECT_NE(viewer_->state().error.find("s.json, line "), std::string::npos);
-  EXPECT_EQ(viewer_->state().compute.alpha_angstrom2, 3);
+  EXPECT_EQ(viewer_->state().settings.request.alpha_angstrom2, 3);
   EXPECT_EQ(viewer_->state().undo_text, "alpha");
   EXPECT_EQ(viewer_->state().molecule.name, "m.pdb");
 }
@@ -129,11 +129,11 @@ TEST_F(SessionWindowTest, AMoleculeThatCannotBeReadLeavesTheWindowAsItIs) {
   run("alpha.set 3\nwait-idle\n");
   open_session();
   EXPECT_EQ(viewer_->state().error_title, "The file cannot be opened");
-  EXPECT_EQ(viewer_->state().compute.alpha_angstrom2, 3);
+  EXPECT_EQ(viewer_->state().settings.request.alpha_angstrom2, 3);
   // What is opened next is no session.
   run("click error.ok\nopen " + crambin().string() + "\nwait-idle\n");
   EXPECT_EQ(viewer_->state().session_file, "");
-  EXPECT_EQ(viewer_->state().compute.alpha_angstrom2, 3);
+  EXPECT_EQ(viewer_->state().settings.request.alpha_angstrom2, 3);
 }
 
 TEST_F(SessionWindowTest, WhatIsUnknownIsTold) {
@@ -152,7 +152,7 @@ TEST_F(SessionWindowTest, DroppedOrNamedItOpensAsAFileDoes) {
   begin_anew();
   viewer_->open_dropped({session(), molecule()});
   run("wait-idle\n");
-  EXPECT_EQ(viewer_->state().compute.alpha_angstrom2, 3);
+  EXPECT_EQ(viewer_->state().settings.request.alpha_angstrom2, 3);
   EXPECT_EQ(viewer_->state().session_file, session());
 }
 
@@ -172,10 +172,10 @@ TEST_F(SessionWindowTest, TheDialogSavesBesideTheMolecule) {
 // The command line's picture of a session is the one that the window saves.
 TEST_F(SessionWindowTest, TheCommandLineDrawsTheSamePicture) {
   open_molecule();
-  viewer_->state().display.ball_scale = 0.7f;
-  viewer_->state().display.ball_paint.by = ColourBy::exposed;
-  viewer_->state().display.complex_paint.by = ColourBy::chain;
-  viewer_->state().display.shrink = 0.2f;
+  viewer_->state().settings.display.ball_scale = 0.7f;
+  viewer_->state().settings.display.ball_paint.by = ColourBy::exposed;
+  viewer_->state().settings.display.complex_paint.by = ColourBy::chain;
+  viewer_->state().settings.display.shrink = 0.2f;
   run("wait-idle\nalpha.set 2.5\nwait-idle\nmove view 0.4 0.5\ndown\nmove view 0.7 0.6\nup\n"
       "wait-idle\nfile.save_picture " +
       (folder_ / "window.png").string() + " 640 480\nwait-idle\n");
@@ -223,7 +223,7 @@ TEST_F(PreferencesWindowTest, AreKeptFromWindowToWindow) {
   begin_anew();
   EXPECT_EQ(viewer_->state().theme, Theme::light);
   EXPECT_EQ(viewer_->state().control_scale, 1.5);
-  EXPECT_EQ(viewer_->state().compute.engine, EngineChoice::cpu);
+  EXPECT_EQ(viewer_->state().settings.request.engine, EngineChoice::cpu);
   ASSERT_EQ(viewer_->state().recent.size(), 1u);
   EXPECT_EQ(viewer_->state().recent[0], crambin());
   run("file.recent \"" + crambin().string() + "\"\nwait-idle\n");

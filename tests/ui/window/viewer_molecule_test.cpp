@@ -65,21 +65,21 @@ TEST_F(ViewerMoleculeTest, EveryToggleGivesTheComplexOfItsRule) {
 TEST_F(ViewerMoleculeTest, AViewAskedForBeforeTheFirstDrawingFitsAllTheSame) {
   const auto saved = [&](const std::string& name) {
     run("view.save_camera " + name + "\nframes 2\n");
-    return viewer_->state().views.back();
+    return viewer_->state().settings.views.back();
   };
   open_file(haemoglobin());
   run("view.from y\nwait-idle\n");
   const NamedView expected = saved("expected");
   open_file(crambin());
   const auto before = viewer_->state().result;
-  viewer_->state().requests.open = haemoglobin();
+  viewer_->calls().files.open(haemoglobin());
   ScriptedInput input;
   const auto opened = [&] {
     const auto& result = viewer_->state().result;
     return result && result != before;
   };
   for (int k = 0; k < 10000 && !opened(); ++k) {
-    viewer_->state().requests.look_from = std::array<double, 3>{0, 1, 0};
+    viewer_->calls().view.look_from(std::array<double, 3>{0, 1, 0});
     viewer_->step(&input);
   }
   ASSERT_TRUE(opened());
@@ -127,7 +127,7 @@ TEST_F(ViewerMoleculeTest, ResiduesAreTreatedInTheListUndoneAndSaved) {
   const std::string before = hash();
   const std::size_t balls = molecule().balls;
   run("click molecule.residues\nclick residue.HOH\nclick residue.as.ligand\nwait-idle\n");
-  EXPECT_EQ(s.open.balls.treated, std::vector<std::string>{"HOH=ligand"});
+  EXPECT_EQ(s.settings.open.balls.treated, std::vector<std::string>{"HOH=ligand"});
   OpenOptions options;
   options.balls.treated = {"HOH=ligand"};
   const std::string treated = expected_hash(haemoglobin(), options);
@@ -137,13 +137,13 @@ TEST_F(ViewerMoleculeTest, ResiduesAreTreatedInTheListUndoneAndSaved) {
   run("file.save_session " + (folder_ / "s.json").string() + "\nwait-idle\n");
   EXPECT_NE(bytes("s.json").find("\"HOH=ligand\""), std::string::npos);
   run("edit.undo\nwait-idle\n");
-  EXPECT_TRUE(s.open.balls.treated.empty());
+  EXPECT_TRUE(s.settings.open.balls.treated.empty());
   EXPECT_EQ(molecule().residues->by_hand, 0u);
   EXPECT_EQ(hash(), before);
   run("edit.redo\nwait-idle\n");
   EXPECT_EQ(hash(), treated);
   run("click residue.HOH\nclick residue.as.file\nwait-idle\n");
-  EXPECT_TRUE(s.open.balls.treated.empty());
+  EXPECT_TRUE(s.settings.open.balls.treated.empty());
   EXPECT_EQ(hash(), before);
 }
 
@@ -153,10 +153,10 @@ TEST_F(ViewerMoleculeTest, TreatedResiduesKeepViewSelectionAndAlpha) {
   run("alpha.set 1.4\nselect.atoms A:15\nmove view 0.5 0.5\nwheel 3\nwait-idle\n");
   const auto camera = [&](const std::string& name) {
     run("view.save_camera " + name + "\nframes 2\n");
-    return viewer_->state().views.back();
+    return viewer_->state().settings.views.back();
   };
   const NamedView before = camera("before");
-  const RefSet picked = s.picked.items;
+  const RefSet picked = s.settings.selection.items;
   ASSERT_FALSE(picked.empty());
   run("click molecule.residues\nclick residue.HOH\nclick residue.as.ligand\nwait-idle\n");
   const NamedView after = camera("after");
@@ -164,7 +164,7 @@ TEST_F(ViewerMoleculeTest, TreatedResiduesKeepViewSelectionAndAlpha) {
     EXPECT_NEAR(after.position[k], before.position[k], 1e-6) << "they are the same atoms";
     EXPECT_NEAR(after.focal_point[k], before.focal_point[k], 1e-6);
   }
-  EXPECT_EQ(s.picked.items, picked);
+  EXPECT_EQ(s.settings.selection.items, picked);
   EXPECT_DOUBLE_EQ(s.result->request.alpha_angstrom2, 1.4);
   EXPECT_EQ(hash(), hash_text(expected(1.4).hash));
 }
@@ -180,20 +180,20 @@ TEST_F(ViewerMoleculeTest, AGuessIsShownAtOnceAndConfirmedOrPutRight) {
   EXPECT_EQ(molecule().residues->of[0].why, ResidueReason::no_polymer);
   EXPECT_EQ(molecule().residues->guessed, 1u);
   run("click residue.QQ1\nclick residue.as.ligand\nwait-idle\n");
-  EXPECT_EQ(viewer_->state().open.balls.treated, std::vector<std::string>{"QQ1=ligand"});
+  EXPECT_EQ(viewer_->state().settings.open.balls.treated, std::vector<std::string>{"QQ1=ligand"});
   EXPECT_EQ(molecule().residues->guessed, 0u);
   EXPECT_EQ(molecule().balls, 3u);
   run("click molecule.ligands\nclick residue.QQ1\nclick residue.as.polymer\nwait-idle\n");
-  EXPECT_EQ(viewer_->state().open.balls.treated, std::vector<std::string>{"QQ1=polymer"});
+  EXPECT_EQ(viewer_->state().settings.open.balls.treated, std::vector<std::string>{"QQ1=polymer"});
   EXPECT_EQ(molecule().balls, 3u) << "no ligand any more";
   open_crambin();
-  EXPECT_TRUE(viewer_->state().open.balls.treated.empty()) << "of the file before";
+  EXPECT_TRUE(viewer_->state().settings.open.balls.treated.empty()) << "of the file before";
 }
 
 TEST_F(ViewerMoleculeTest, AClickOnANameSelectsItsAtoms) {
   open_file(haemoglobin());
   run("click molecule.residues\nclick residue.name.HEM\nwait-idle\n");
-  EXPECT_EQ(viewer_->state().picked.items.size(), 4u * 43u);
+  EXPECT_EQ(viewer_->state().settings.selection.items.size(), 4u * 43u);
 }
 
 TEST_F(ViewerMoleculeTest, ATableOfRadiiIsUsedAndABadOneTakenBack) {
@@ -209,7 +209,7 @@ TEST_F(ViewerMoleculeTest, ATableOfRadiiIsUsedAndABadOneTakenBack) {
   run(choose + bad.string() + "\nkey enter\nwait-idle\n");
   EXPECT_NE(viewer_->state().error.find("bad.txt, line 1"), std::string::npos);
   EXPECT_EQ(hash(), with_table);
-  EXPECT_EQ(viewer_->state().open.radii_table, good);
+  EXPECT_EQ(viewer_->state().settings.open.radii_table, good);
 }
 
 TEST_F(ViewerMoleculeTest, AnAssemblyIsExpandedAndComesBack) {
@@ -239,7 +239,7 @@ TEST_F(ViewerMoleculeTest, AModelKeepsAlphaAndGivesItsOwnComplex) {
   open_file(path);
   run("click alpha.preset.1.4\nwait-idle\nclick molecule.model 0.99\nwait-idle\n");
   const ViewState& s = viewer_->state();
-  EXPECT_EQ(s.open.balls.model, 4);
+  EXPECT_EQ(s.settings.open.balls.model, 4);
   EXPECT_DOUBLE_EQ(s.result->request.alpha_angstrom2, 1.4);
   EXPECT_EQ(hash_text(s.result->complex.hash), hash_text(expected(1.4).hash));
   EXPECT_EQ(viewer_->session().state().prepared->atom_of_ball.front(), 16u);
@@ -280,7 +280,8 @@ TEST_F(ViewerMoleculeTest, AModelSliderStormEndsAtTheLastModel) {
   }
   run(moves + "move molecule.model 0.5\nup\nwait-idle\n");
   const ViewState& s = viewer_->state();
-  EXPECT_EQ(viewer_->session().state().prepared->atom_of_ball.front(), 4u * s.open.balls.model);
+  EXPECT_EQ(viewer_->session().state().prepared->atom_of_ball.front(),
+            4u * s.settings.open.balls.model);
   EXPECT_EQ(hash(), hash_text(expected(0).hash));
   EXPECT_TRUE(s.error.empty()) << s.error;
 }
@@ -289,14 +290,14 @@ TEST_F(ViewerMoleculeTest, AFailedOpenKeepsControlsAndMolecule) {
   open_file(models(5));
   run("click molecule.model 0.99\nwait-idle\n");
   const std::string before = hash();
-  const OpenOptions options = viewer_->state().open;
+  const OpenOptions options = viewer_->state().settings.open;
   open_file(write("bad.pdb", "ATOM      1  CA  ALA A   1      nonsense\n"));
   EXPECT_FALSE(viewer_->state().error.empty());
   run("click error.ok\n");
-  EXPECT_EQ(viewer_->state().open, options);
+  EXPECT_EQ(viewer_->state().settings.open, options);
   EXPECT_EQ(hash(), before);
   open_crambin();
-  EXPECT_EQ(viewer_->state().open.balls.model, 0);
+  EXPECT_EQ(viewer_->state().settings.open.balls.model, 0);
   EXPECT_TRUE(viewer_->state().error.empty()) << viewer_->state().error;
 }
 

@@ -88,8 +88,9 @@ TEST_F(ViewerTest, SliderStormEndsAtTheLastAlpha) {
   }
   run("move alpha.slider 0.1 0.5\ndown\n" + moves + "move alpha.slider 0.45 0.5\nup\nwait-idle\n");
   const ViewState& s = viewer_->state();
-  EXPECT_DOUBLE_EQ(s.result->request.alpha_angstrom2, s.compute.alpha_angstrom2);
-  EXPECT_EQ(hash_text(s.result->complex.hash), hash_text(expected(s.compute.alpha_angstrom2).hash));
+  EXPECT_DOUBLE_EQ(s.result->request.alpha_angstrom2, s.settings.request.alpha_angstrom2);
+  EXPECT_EQ(hash_text(s.result->complex.hash),
+            hash_text(expected(s.settings.request.alpha_angstrom2).hash));
   EXPECT_TRUE(s.error.empty()) << s.error;
 }
 
@@ -98,9 +99,10 @@ TEST_F(ViewerTest, PlayingLetsAlphaGrowUntilStopped) {
   run("click alpha.play\nframes 60\nclick alpha.play\nwait-idle\n");
   const ViewState& s = viewer_->state();
   EXPECT_FALSE(s.memory.playing);
-  EXPECT_GT(s.compute.alpha_angstrom2, 0.04);
-  EXPECT_DOUBLE_EQ(s.result->request.alpha_angstrom2, s.compute.alpha_angstrom2);
-  EXPECT_EQ(hash_text(s.result->complex.hash), hash_text(expected(s.compute.alpha_angstrom2).hash));
+  EXPECT_GT(s.settings.request.alpha_angstrom2, 0.04);
+  EXPECT_DOUBLE_EQ(s.result->request.alpha_angstrom2, s.settings.request.alpha_angstrom2);
+  EXPECT_EQ(hash_text(s.result->complex.hash),
+            hash_text(expected(s.settings.request.alpha_angstrom2).hash));
 }
 
 TEST_F(ViewerTest, SolventAndTetrahedraOnly) {
@@ -129,7 +131,7 @@ TEST_F(ViewerTest, AColdTimeIsMeasuredWhenAskedFor) {
   open_crambin();
   ViewState& s = viewer_->state();
   for (const auto engine : {EngineChoice::cgal, EngineChoice::automatic}) {
-    s.compute.engine = engine;
+    s.settings.request.engine = engine;
     run("frames 1\nwait-idle\n");
   }
   ASSERT_TRUE(s.ours.any());
@@ -156,7 +158,7 @@ TEST_F(ViewerTest, ABadFileKeepsTheMoleculeAndSaysWhy) {
 TEST_F(ViewerTest, EveryDisplaySwitchDraws) {
   open_crambin();
   run("click alpha.preset.1.4\nwait-idle\n");
-  DisplayControls& d = viewer_->state().display;
+  DisplayControls& d = viewer_->state().settings.display;
   const DisplayControls usual = d;
   struct Switch {
     const char* name;
@@ -225,7 +227,7 @@ TEST_F(ViewerTest, ColoursByAlphaHaveALegend) {
 
 TEST_F(ViewerTest, SavesAPictureOfTheChosenSize) {
   open_crambin();
-  viewer_->state().requests.screenshot = ScreenshotRequest{folder_ / "picture.png", 320, 240, true};
+  viewer_->calls().jobs.save_picture(ScreenshotRequest{folder_ / "picture.png", 320, 240, true});
   run("wait-idle\n");
   EXPECT_TRUE(viewer_->state().error.empty()) << viewer_->state().error;
   EXPECT_EQ(viewer_->state().notice, "Saved " + (folder_ / "picture.png").string());
@@ -233,8 +235,8 @@ TEST_F(ViewerTest, SavesAPictureOfTheChosenSize) {
   EXPECT_EQ(saved.width, 320);
   EXPECT_EQ(saved.height, 240);
   EXPECT_GT(drawn_pixels(saved), 320 * 240 / 20);
-  viewer_->state().requests.screenshot =
-      ScreenshotRequest{"/no/such/folder/picture.png", 320, 240, false};
+  viewer_->calls().jobs.save_picture(
+      ScreenshotRequest{"/no/such/folder/picture.png", 320, 240, false});
   run("wait-idle\n");
   EXPECT_NE(viewer_->state().error.find("/no/such/folder"), std::string::npos);
 }
@@ -243,14 +245,14 @@ TEST_F(ViewerTest, SavesAPictureOfTheChosenSize) {
 TEST_F(ViewerTest, ASavedPictureIsWhatTheViewShows) {
   open_crambin();
   run("click alpha.preset.3\nmove view 0.3 0.4\ndown\nmove view 0.6 0.5\nup\n");
-  DisplayControls& d = viewer_->state().display;
+  DisplayControls& d = viewer_->state().settings.display;
   for (const DisplayPreset preset : {DisplayPreset::teaching, DisplayPreset::cavity}) {
     d = with_preset(d, preset);
     d.samples = 3;
     const Image shown = testing::upright(picture());
     const ViewportInfo& v = viewer_->state().viewport;
-    viewer_->state().requests.screenshot =
-        ScreenshotRequest{folder_ / "picture.png", v.width, v.height, false, false};
+    viewer_->calls().jobs.save_picture(
+        ScreenshotRequest{folder_ / "picture.png", v.width, v.height, false, false});
     run("wait-idle\n");
     const Image saved = testing::pixels_of(folder_ / "picture.png");
     ASSERT_EQ(saved.width, shown.width);
@@ -268,13 +270,13 @@ TEST_F(ViewerTest, AWindowWithoutOptionsDrawsAsItsPanelSays) {
   run("size 640 480\n");
   open_crambin();
   const Image with = picture();
-  viewer_->state().display.silhouettes = 0;
+  viewer_->state().settings.display.silhouettes = 0;
   EXPECT_GT(unequal_pixels(with, picture()), 500) << "outlines were drawn";
 }
 
 TEST_F(ViewerTest, PicturesGetFinerAtRest) {
   open_crambin();
-  DisplayControls& d = viewer_->state().display;
+  DisplayControls& d = viewer_->state().settings.display;
   d = with_preset(d, DisplayPreset::teaching);
   d.samples = 3;
   const Image fine = picture();
@@ -301,8 +303,8 @@ TEST_F(ViewerTest, PicturesGetFinerAtRest) {
 TEST_F(ViewerTest, TheWindowGoesOnWhileAPictureIsSaved) {
   open_crambin();
   const auto save = [this] {
-    viewer_->state().requests.screenshot =
-        ScreenshotRequest{folder_ / "picture.png", 3000, 2000, false};
+    viewer_->calls().jobs.save_picture(
+        ScreenshotRequest{folder_ / "picture.png", 3000, 2000, false});
     run("frames 1\n");
   };
   save();
@@ -322,15 +324,14 @@ TEST_F(ViewerTest, TheWindowGoesOnWhileAPictureIsSaved) {
 TEST_F(ViewerTest, ACancelledPictureLeavesTheOldFile) {
   open_crambin();
   std::ofstream(folder_ / "picture.png") << "older";
-  viewer_->state().display.samples = 16;  // else it may be done before the click
-  viewer_->state().requests.screenshot =
-      ScreenshotRequest{folder_ / "picture.png", 3000, 2000, false};
+  viewer_->state().settings.display.samples = 16;  // else it may be done before the click
+  viewer_->calls().jobs.save_picture(ScreenshotRequest{folder_ / "picture.png", 3000, 2000, false});
   run("frames 3\nclick view.cancel_save\nframes 2\n");
   EXPECT_FALSE(viewer_->state().saving.active) << "at once";
   EXPECT_NE(viewer_->state().notice.find("was not written"), std::string::npos);
   EXPECT_EQ(bytes("picture.png"), "older");
   // The next one waits for the last to end.
-  viewer_->state().requests.screenshot = ScreenshotRequest{folder_ / "other.png", 100, 100, false};
+  viewer_->calls().jobs.save_picture(ScreenshotRequest{folder_ / "other.png", 100, 100, false});
   run("wait-idle\n");
   EXPECT_TRUE(viewer_->state().error.empty()) << viewer_->state().error;
   EXPECT_TRUE(fs::exists(folder_ / "other.png"));
@@ -339,8 +340,8 @@ TEST_F(ViewerTest, ACancelledPictureLeavesTheOldFile) {
 
 TEST_F(ViewerTest, AViewOfNothingSaysSoAndHasAWayBack) {
   open_crambin();
-  viewer_->state().display.ball_scale = 1;
-  viewer_->state().display.grown_balls = true;
+  viewer_->state().settings.display.ball_scale = 1;
+  viewer_->state().settings.display.grown_balls = true;
   run("click alpha.preset.10\nwait-idle\n");
   for (int i = 0; i < 20 && viewer_->state().viewport.problem == ViewProblem::none; ++i) {
     run("move view 0.5 0.5\nwheel 10\n");
@@ -354,7 +355,7 @@ TEST_F(ViewerTest, AViewOfNothingSaysSoAndHasAWayBack) {
 // The view turns about the middle of the balls, where another selection may have one.
 TEST_F(ViewerTest, ASelectionAroundTheCameraIsFitted) {
   open_crambin();
-  viewer_->state().display.ball_scale = 0.05f;
+  viewer_->state().settings.display.ball_scale = 0.05f;
   run("move view 0.5 0.5\nframes 3\nwheel 10\nwheel 10\nwheel 10\nwheel 10\nwait-idle\n");
   ASSERT_EQ(viewer_->state().viewport.problem, ViewProblem::none);
   const double close = viewer_->state().viewport.angstrom_per_pixel;
@@ -363,7 +364,7 @@ TEST_F(ViewerTest, ASelectionAroundTheCameraIsFitted) {
   // off.
   EXPECT_NEAR(viewer_->state().viewport.angstrom_per_pixel, close, 0.01 * close)
       << "nothing in the way";
-  viewer_->state().display.ball_scale = 1;
+  viewer_->state().settings.display.ball_scale = 1;
   run("click molecule.expression\nkey ctrl+a\ntype resi 7 and name CA\nkey enter\nwait-idle\n");
   EXPECT_EQ(viewer_->state().molecule.balls, 1u);
   EXPECT_GT(viewer_->state().viewport.angstrom_per_pixel, close);
@@ -393,8 +394,8 @@ TEST_F(ViewerTest, PicturesHaveTheWindowsLegendUnlessOneSwitchesItOff) {
       "click display.complex_colour.3\nwait-idle\n");
   const ColourLegend legend = viewer_->state().viewport.legends.at(1);
   const auto saved = [&](bool with_legend) {
-    viewer_->state().requests.screenshot =
-        ScreenshotRequest{folder_ / "picture.png", 960, 600, false, with_legend, false};
+    viewer_->calls().jobs.save_picture(
+        ScreenshotRequest{folder_ / "picture.png", 960, 600, false, with_legend, false});
     run("wait-idle\n");
     return testing::pixels_of(folder_ / "picture.png");
   };
@@ -419,8 +420,7 @@ TEST_F(ViewerTest, PicturesHaveTheWindowsLegendUnlessOneSwitchesItOff) {
 TEST_F(ViewerTest, PicturesTooSmallForALegendSaySo) {
   open_crambin();
   run("click display.complex_colour\nclick display.complex_colour.3\nwait-idle\n");
-  viewer_->state().requests.screenshot =
-      ScreenshotRequest{folder_ / "picture.png", 200, 150, false};
+  viewer_->calls().jobs.save_picture(ScreenshotRequest{folder_ / "picture.png", 200, 150, false});
   run("wait-idle\n");
   EXPECT_NE(viewer_->state().notice.find("The picture has no legend"), std::string::npos)
       << viewer_->state().notice;
@@ -437,8 +437,8 @@ TEST_F(ViewerTest, APictureThatCannotBeWrittenLeavesTheViewAsItWas) {
     return width;
   };
   const int before = texture_width();
-  viewer_->state().requests.screenshot =
-      ScreenshotRequest{"/no/such/folder/picture.png", 320, 240, false};
+  viewer_->calls().jobs.save_picture(
+      ScreenshotRequest{"/no/such/folder/picture.png", 320, 240, false});
   run("wait-idle\nframes 2\nclick error.ok\nwait-idle\n");
   shot("after.png");
   EXPECT_EQ(texture_width(), before) << "it shows what was to be saved";
@@ -449,7 +449,7 @@ TEST_F(ViewerTest, PicturesSayWhereTheyComeFrom) {
   EXPECT_TRUE(texts_of(bytes("empty.png")).empty());
   open_crambin();
   run("click alpha.preset.1.4\nclick alpha.water\nwait-idle\n");
-  viewer_->state().requests.screenshot = ScreenshotRequest{folder_ / "picture.png", 320, 240, true};
+  viewer_->calls().jobs.save_picture(ScreenshotRequest{folder_ / "picture.png", 320, 240, true});
   run("wait-idle\n");
   ASSERT_TRUE(viewer_->state().error.empty()) << viewer_->state().error;
   const auto texts = texts_of(bytes("picture.png"));

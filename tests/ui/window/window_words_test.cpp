@@ -105,13 +105,13 @@ TEST_F(WindowWords, AllHiddenIsNotOutOfView) {
 TEST_F(WindowWords, UndoBringsBackTheViewThatTheProgramMoved) {
   const double before = size_of_pixel();
   // As pages do: choosing and looking at it are one thing.
-  state().picked.items = RefSet({Ref{AtomRef{0, 0}}});
-  state().requests.zoom_to_selection = true;
+  state().settings.selection.items = RefSet({Ref{AtomRef{0, 0}}});
+  viewer_->calls().view.zoom_to_selection();
   const double near = size_of_pixel();
   ASSERT_LT(near, 0.8 * before);
   run("edit.undo\n");
   EXPECT_DOUBLE_EQ(size_of_pixel(), before);
-  EXPECT_TRUE(state().picked.items.empty());
+  EXPECT_TRUE(state().settings.selection.items.empty());
   run("edit.redo\n");
   EXPECT_NEAR(size_of_pixel(), near, 0.01 * near);  // the view may be a pixel higher
   // A view that was moved by hand since stays.
@@ -125,7 +125,7 @@ TEST_F(WindowWords, UndoBringsBackTheViewThatTheProgramMoved) {
 TEST_F(WindowWords, UndoBringsBackTheViewOfOtherAtoms) {
   run("select.atoms A:1:CA\nkey z\n");
   const double before = size_of_pixel();
-  state().open.balls.selection = "resi 46 and name CA";
+  state().settings.open.balls.selection = "resi 46 and name CA";
   const double fitted = size_of_pixel();
   ASSERT_NE(fitted, before) << "the view showed none of them";
   run("edit.undo\n");
@@ -133,7 +133,7 @@ TEST_F(WindowWords, UndoBringsBackTheViewOfOtherAtoms) {
 }
 
 TEST_F(WindowWords, ASavedPictureSaysItsSamples) {
-  state().display.samples = 4;
+  state().settings.display.samples = 4;
   run("wait-idle\nfile.save_picture " + (folder_ / "p.png").string() + " 900 700\n");
   ScriptedInput none;
   std::string said;
@@ -178,8 +178,8 @@ class SlowEngine : public ViewerTest {
 TEST_F(SlowEngine, BallsThatWaitForTheirFirstComplexAreNoPictureOfAnother) {
   ViewState& s = viewer_->state();
   held_ = true;
-  set_alpha(s.compute, 3);
-  s.compute.solvent_radius_angstrom = 1.4;  // another engine
+  set_alpha(s.settings.request, 3);
+  s.settings.request.solvent_radius_angstrom = 1.4;  // another engine
   wait(0.8);
   EXPECT_TRUE(s.viewport.outdated) << "that is the complex of before";
   held_ = false;

@@ -75,9 +75,9 @@ void totals_line(PanelContext& ctx, const CavityTable& table) {
 void comparable_line(PanelContext& ctx, const BallReferences& atoms) {
   constexpr const char *kComparable = "comparable with CASTp", *kNot = "not comparable with CASTp",
                        *kUse = "Use CASTp's choices";
-  std::vector<std::string> differences =
-      differences_from_castp(ctx.state.open.balls, atoms.prepared().report, ctx.state.compute);
-  if (ctx.state.cavity_choices.split_networks) differences.push_back(kNetworksAreSplit);
+  std::vector<std::string> differences = differences_from_castp(
+      ctx.state.settings.open.balls, atoms.prepared().report, ctx.state.settings.request);
+  if (ctx.state.settings.cavity_choices.split_networks) differences.push_back(kNetworksAreSplit);
   const float gap = ctx.px(8);
   same_line_where_it_fits(differences.empty()
                               ? ImGui::CalcTextSize(kComparable).x
@@ -148,7 +148,7 @@ void filter_line(PanelContext& ctx, CavityPage& page, bool current) {
   if (button(ctx, "cavities.all", "Select all")) choose_all_cavities(ctx, page);
   tooltip(ctx, "All that are shown. Ctrl+click adds one, Shift+click all up to there.");
   ImGui::SameLine(0, ctx.px(4));
-  ImGui::BeginDisabled(ctx.state.picked.empty());
+  ImGui::BeginDisabled(ctx.state.settings.selection.empty());
   if (button(ctx, "cavities.none", "None")) choose_no_cavities(ctx);
   ImGui::EndDisabled();
   ImGui::SameLine(0, ctx.px(14));
@@ -184,7 +184,7 @@ void giant_line(PanelContext& ctx, const CavityPage& page) {
   record(ctx, "cavities.giant");
   ImGui::SameLine(0, ctx.px(10));
   if (button(ctx, "cavities.water", "Use 1.4 Å")) {
-    ctx.state.compute.solvent_radius_angstrom = kCavitySolventAngstrom;
+    ctx.state.settings.request.solvent_radius_angstrom = kCavitySolventAngstrom;
   }
   tooltip(ctx, "The radius of a water molecule: cavities that water fits in.");
 }

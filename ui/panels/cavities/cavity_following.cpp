@@ -102,7 +102,7 @@ void tell_of_merging(PanelContext& ctx, const CavityPage& page, bool merged_befo
 // another alpha was right there: after an undo it is what the history says.
 void follow_lining(PanelContext& ctx, CavityPage& page) {
   RefSet lining = lining_of(page, page.chosen_rows);
-  RefSet& selected = ctx.state.picked.items;
+  RefSet& selected = ctx.state.settings.selection.items;
   if (!page.chosen.empty() && selected == page.lining && !(selected == lining)) {
     selected = lining;
     ctx.state.selection_followed = true;
@@ -111,7 +111,7 @@ void follow_lining(PanelContext& ctx, CavityPage& page) {
 }
 
 void find_chosen_rows(PanelContext& ctx, CavityPage& page) {
-  const RefSet& chosen = ctx.state.picked.cavities;
+  const RefSet& chosen = ctx.state.settings.selection.cavities;
   CavityPage::Choice& choice = page.choice;
   const bool same_rows = page.chosen == chosen && page.chosen_in == page.rows.lines;
   if (same_rows && choice.parts == page.parts) return;

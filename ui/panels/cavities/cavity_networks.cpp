@@ -43,7 +43,7 @@ void end_of_network(PanelContext& ctx, const CavityPage& page, std::size_t row) 
     if (end.radius_angstrom) {
       const std::string label = "Use " + short_number_text(*end.radius_angstrom, 1) + " Å";
       if (button(ctx, "cavities.network.radius", label.c_str())) {
-        ctx.state.compute.solvent_radius_angstrom = *end.radius_angstrom;
+        ctx.state.settings.request.solvent_radius_angstrom = *end.radius_angstrom;
       }
       tooltip(ctx, ("Sets the solvent radius. " +
                     falls_apart_text(end, ctx.inputs.solvent_radius_angstrom))
@@ -75,7 +75,7 @@ std::string split_text(const CavityTable& table) {
 }  // namespace
 
 void networks_line(PanelContext& ctx, const CavityPage& page, bool current) {
-  bool& split = ctx.state.cavity_choices.split_networks;
+  bool& split = ctx.state.settings.cavity_choices.split_networks;
   const std::optional<std::size_t> row = network_row(page);
   const CavityTable& table = page.rows.table();
   if (!row && !split && table.found.networks.empty()) return;

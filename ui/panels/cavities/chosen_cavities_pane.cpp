@@ -33,9 +33,9 @@ void choose_rows(PanelContext& ctx, CavityPage& page, std::vector<std::size_t> r
   const BallReferences& atoms = *page.rows.lines->atoms;
   std::vector<Ref> sinks;
   for (const std::size_t row : rows) sinks.emplace_back(cavity_sink(atoms, table, row));
-  ctx.state.picked.cavities = RefSet(std::move(sinks));
-  ctx.state.picked.items = lining_of(page, rows);
-  if (!rows.empty()) ctx.state.requests.zoom_to_selection = true;
+  ctx.state.settings.selection.cavities = RefSet(std::move(sinks));
+  ctx.state.settings.selection.items = lining_of(page, rows);
+  if (!rows.empty()) ctx.calls.view.zoom_to_selection();
 }
 
 // From the anchor to `row`, as they are shown.
@@ -120,8 +120,10 @@ void add_held(CavityPage& page) {
 
 void make_layers(PanelContext& ctx, CavityPage& page) {
   bool old = std::exchange(page.layers_are_old, false);
-  old |= std::exchange(page.beside, ctx.state.display.beside) != ctx.state.display.beside;
-  old |= !(std::exchange(page.hidden, ctx.state.appearance.hidden) == ctx.state.appearance.hidden);
+  old |= std::exchange(page.beside, ctx.state.settings.display.beside) !=
+         ctx.state.settings.display.beside;
+  old |= !(std::exchange(page.hidden, ctx.state.settings.appearance.hidden) ==
+           ctx.state.settings.appearance.hidden);
   old |= std::exchange(page.theme, ctx.state.theme) != ctx.state.theme;
   const auto balls = page.drawn ? balls_of_layers(ctx, page) : nullptr;
   old |= std::exchange(page.layers_of, balls) != balls;
@@ -264,7 +266,7 @@ void choose_all_cavities(PanelContext& ctx, CavityPage& page) {
 }
 
 void choose_no_cavities(PanelContext& ctx) {
-  ctx.state.picked.clear();
+  ctx.state.settings.selection.clear();
 }
 
 void draw_layers_of_cavities(PanelContext& ctx, CavityPage& page, bool current) {
@@ -328,7 +330,8 @@ void cavity_parts_button(PanelContext& ctx, CavityPage& page) {
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted("Opacity");
   ImGui::SameLine(0, ctx.px(10));
-  percent_slider(ctx, "cavities.draw.opacity", ctx.state.display.cavity_opacity, 0.05f, 1.0f);
+  percent_slider(ctx, "cavities.draw.opacity", ctx.state.settings.display.cavity_opacity, 0.05f,
+                 1.0f);
   tooltip(ctx, "Of surfaces, tetrahedra and spheres of the cavities that are chosen.");
   ImGui::EndPopup();
 }

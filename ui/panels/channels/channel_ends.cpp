@@ -140,7 +140,7 @@ Place centre_of_selection(const PanelContext& ctx) {
   const BallSet& balls = *atoms.prepared().balls;
   RealPoint sum;
   std::size_t count = 0;
-  for (const Ref& ref : ctx.state.picked.items.items()) {
+  for (const Ref& ref : ctx.state.settings.selection.items.items()) {
     const auto found = atoms.balls(ref);
     if (!found) continue;
     for (const BallIndex ball : *found) {
@@ -165,7 +165,7 @@ Place not_yet(const Derived<T>& cavities) {
 // `mouth`: counted from 1; 0 is the cavity itself.
 Place of_cavity(PanelContext& ctx, int mouth) {
   const auto& chosen = ctx.state.memory.cavities.chosen;
-  if (!ctx.state.picked.cavities.empty()) {
+  if (!ctx.state.settings.selection.cavities.empty()) {
     const FollowedCavities followed = follow_cavities(ctx);
     if (!followed.current) return not_yet(followed.wanted);
   }

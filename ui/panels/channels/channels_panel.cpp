@@ -37,7 +37,7 @@ void take_balls(PanelContext& ctx, ChannelMemory& memory) {
 
 // Who has just chosen a cavity wants the way out of it.
 void take_choice(const PanelContext& ctx, ChannelMemory& memory) {
-  const RefSet& chosen = ctx.state.picked.cavities;
+  const RefSet& chosen = ctx.state.settings.selection.cavities;
   if (chosen == memory.cavities) return;
   memory.cavities = chosen;
   if (chosen.empty()) return;
@@ -72,7 +72,7 @@ void take_answer(const PanelContext& ctx, ChannelMemory& memory,
 void look_across(PanelContext& ctx, const Channel& channel, std::size_t from, std::size_t to) {
   const RealPoint line =
       channel.samples[to].position_angstrom - channel.samples[from].position_angstrom;
-  if (line != RealPoint{}) ctx.state.requests.look_across = unit_vector(line);
+  if (line != RealPoint{}) ctx.calls.view.look_across(unit_vector(line));
 }
 
 // Seen from an end, what is outside hides it.
@@ -91,7 +91,7 @@ void look_across_line(PanelContext& ctx, const Channel& channel) {
                       begin.radius_angstrom + end.radius_angstrom;
   const ViewportInfo& view = ctx.state.viewport;
   const double room = std::min(view.width, view.height) * view.angstrom_per_pixel;
-  if (room > 0 && room < kMargin * tall) ctx.state.requests.zoom = room / (kMargin * tall);
+  if (room > 0 && room < kMargin * tall) ctx.calls.view.zoom(room / (kMargin * tall));
 }
 
 void select_bottleneck(PanelContext& ctx, const ChannelMemory& memory) {
@@ -99,8 +99,8 @@ void select_bottleneck(PanelContext& ctx, const ChannelMemory& memory) {
   for (const BallIndex ball : memory.shown->channel->touching) {
     refs.push_back(ctx.state.references->atom(ball));
   }
-  ctx.state.picked.items = RefSet(std::move(refs));
-  ctx.state.requests.zoom_to_selection = true;
+  ctx.state.settings.selection.items = RefSet(std::move(refs));
+  ctx.calls.view.zoom_to_selection();
   look_across_bottleneck(ctx, *memory.shown->channel);
 }
 
@@ -167,7 +167,7 @@ void guest_line(PanelContext& ctx, const std::vector<BallIndex>& touching, bool 
     if (!touches) continue;
     wrapped_text(std::string(guest.one) + " is in its way.");
     if (button(ctx, "channels.guests", (std::string("Leave ") + guest.some + " out").c_str())) {
-      ctx.state.open.balls.*guest.kept = false;
+      ctx.state.settings.open.balls.*guest.kept = false;
     }
     tooltip(ctx, "The same as under Molecule, Keep. Undo brings them back.");
     return;

@@ -85,7 +85,7 @@ void drag_finely(AlphaMemory& m, const AlphaSlider& s, double alpha, const Track
 
 void alpha_slider(PanelContext& ctx) {
   AlphaMemory& m = ctx.state.memory.alpha;
-  Alpha& alpha = ctx.state.compute.alpha_angstrom2;
+  Alpha& alpha = ctx.state.settings.request.alpha_angstrom2;
   bool changed = false;
   if (typed_instead(ctx, "alpha.slider", alpha, changed)) {
     if (changed) ctx.state.memory.playing = false;
@@ -193,7 +193,7 @@ void slider_options(PanelContext& ctx) {
 }
 
 void typed_and_presets(PanelContext& ctx) {
-  Alpha& alpha = ctx.state.compute.alpha_angstrom2;
+  Alpha& alpha = ctx.state.settings.request.alpha_angstrom2;
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted("α");
   ImGui::SameLine();
@@ -212,7 +212,7 @@ void typed_and_presets(PanelContext& ctx) {
 }
 
 void solvent(PanelContext& ctx) {
-  double& radius = ctx.state.compute.solvent_radius_angstrom;
+  double& radius = ctx.state.settings.request.solvent_radius_angstrom;
   row_label(ctx, "Solvent radius");
   double value = radius;
   const double high = std::max(5.0, radius);

@@ -28,7 +28,7 @@ double stepped(double value) {
 }
 
 void kind_row(PanelContext& ctx) {
-  int kind = static_cast<int>(ctx.state.clip.kind);
+  int kind = static_cast<int>(ctx.state.settings.clip.kind);
   if (choice(ctx, "clip.kind", {"Off", "Plane", "Slab"}, kind, ImGui::GetContentRegionAvail().x)) {
     set_clip_kind(ctx.state, static_cast<Clip::Kind>(kind));
   }
@@ -37,10 +37,10 @@ void kind_row(PanelContext& ctx) {
 void across_row(PanelContext& ctx) {
   ViewState& s = ctx.state;
   row_label(ctx, "Across");
-  const std::string name = axis_name(s.clip.normal);
+  const std::string name = axis_name(s.settings.clip.normal);
   const std::string axes = "xyz";
   const std::size_t axis = name.empty() ? std::string::npos : axes.find(name.back());
-  int chosen = !s.clip.on() || axis == std::string::npos ? -1 : static_cast<int>(axis);
+  int chosen = !s.settings.clip.on() || axis == std::string::npos ? -1 : static_cast<int>(axis);
   if (!choice(ctx, "clip.across", {"X", "Y", "Z", "View"}, chosen,
               ImGui::GetContentRegionAvail().x)) {
     return;
@@ -70,20 +70,20 @@ std::array<double, 2> clip_range(const ViewState& state) {
   const ViewportInfo& v = state.viewport;
   double middle = 0, reach = 0;
   for (std::size_t k = 0; k < 3; ++k) {
-    middle += state.clip.normal[k] * v.box_middle[k];
-    reach += std::fabs(state.clip.normal[k]) * v.box_half[k];
+    middle += state.settings.clip.normal[k] * v.box_middle[k];
+    reach += std::fabs(state.settings.clip.normal[k]) * v.box_half[k];
   }
   return {middle - reach, middle + reach};
 }
 
 void set_clip_kind(ViewState& state, Clip::Kind kind) {
-  const bool first = state.clip == Clip{};
-  state.clip.kind = kind;
+  const bool first = state.settings.clip == Clip{};
+  state.settings.clip.kind = kind;
   if (first && kind != Clip::Kind::off) set_clip_across(state, towards_viewer(state));
 }
 
 void set_clip_across(ViewState& state, const Vector& normal) {
-  state.clip = turned(state.clip, normal, state.viewport.box_middle);
+  state.settings.clip = turned(state.settings.clip, normal, state.viewport.box_middle);
 }
 
 void draw_clip_panel(PanelContext& ctx) {
@@ -92,18 +92,20 @@ void draw_clip_panel(PanelContext& ctx) {
   ImGui::BeginDisabled(!s.molecule.loaded);
   kind_row(ctx);
   // Rows that do not apply stay, greyed: what is below must not move.
-  ImGui::BeginDisabled(!s.clip.on());
+  ImGui::BeginDisabled(!s.settings.clip.on());
   across_row(ctx);
-  length_row(ctx, "clip.position", "Position", s.clip.position, clip_range(s), kClipPositionRule);
-  const bool slab = s.clip.kind == Clip::Kind::slab;
+  length_row(ctx, "clip.position", "Position", s.settings.clip.position, clip_range(s),
+             kClipPositionRule);
+  const bool slab = s.settings.clip.kind == Clip::Kind::slab;
   const std::array<double, 2> range = clip_range(s);
   ImGui::BeginDisabled(!slab);
-  length_row(ctx, "clip.thickness", "Thickness", s.clip.thickness,
+  length_row(ctx, "clip.thickness", "Thickness", s.settings.clip.thickness,
              {kClipThicknessRule.least, range[1] - range[0]}, kClipThicknessRule);
   ImGui::EndDisabled();
   const float width = (ImGui::GetContentRegionAvail().x - 2 * ctx.px(6)) / 3;
   ImGui::BeginDisabled(slab);
-  if (button(ctx, "clip.flip", "Flip", {width, 0})) s.clip.flipped = !s.clip.flipped;
+  if (button(ctx, "clip.flip", "Flip", {width, 0}))
+    s.settings.clip.flipped = !s.settings.clip.flipped;
   tooltip(ctx, "Keeps the other side of the plane.");
   ImGui::EndDisabled();
   ImGui::SameLine(0, ctx.px(6));
@@ -130,7 +132,8 @@ bool clip_handle_mouse(PanelContext& ctx, ImVec2 corner, bool view_hovered) {
     if (ImGui::IsMouseClicked(0)) held = s.memory.clip_part_hovered;
   }
   if (held != HandlePart::none) {
-    s.clip = dragged(s.clip, v.clip_handle, held, {io.MouseDelta.x, io.MouseDelta.y});
+    s.settings.clip =
+        dragged(s.settings.clip, v.clip_handle, held, {io.MouseDelta.x, io.MouseDelta.y});
   }
   return s.memory.clip_part_hovered != HandlePart::none;
 }

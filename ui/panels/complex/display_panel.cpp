@@ -13,7 +13,7 @@ namespace alphascope {
 namespace {
 
 void presets(PanelContext& ctx) {
-  DisplayControls& d = ctx.state.display;
+  DisplayControls& d = ctx.state.settings.display;
   const float gap = ctx.px(2);
   const float count = static_cast<float>(kDisplayPresets.size());
   const float each = (ImGui::GetContentRegionAvail().x - (count - 1) * gap) / count;
@@ -46,7 +46,7 @@ void opacity_row(PanelContext& ctx, const char* name, float& opacity) {
 }
 
 void balls(PanelContext& ctx) {
-  DisplayControls& d = ctx.state.display;
+  DisplayControls& d = ctx.state.settings.display;
   checkbox(ctx, "display.balls", "Balls", d.balls);
   // Rows that do not apply stay, greyed: what is below must not move.
   ImGui::BeginDisabled(!d.balls);
@@ -67,7 +67,7 @@ void balls(PanelContext& ctx) {
 }
 
 void thickness_of_edges(PanelContext& ctx) {
-  DisplayControls& d = ctx.state.display;
+  DisplayControls& d = ctx.state.settings.display;
   ImGui::BeginDisabled(!d.edges);
   row_label(ctx, "Thickness");
   double thickness = d.edge_thickness;
@@ -80,7 +80,7 @@ void thickness_of_edges(PanelContext& ctx) {
 }
 
 void complex(PanelContext& ctx) {
-  DisplayControls& d = ctx.state.display;
+  DisplayControls& d = ctx.state.settings.display;
   const bool only_tetrahedra = ctx.state.result && ctx.state.result->complex.tetrahedra_only;
   checkbox(ctx, "display.tetrahedra", "Tetrahedra", d.tetrahedra);
   ImGui::BeginDisabled(!d.tetrahedra);
@@ -125,7 +125,7 @@ void complex(PanelContext& ctx) {
 
 // Kinds that the options leave out of the body. A kind of which nothing is left out stays, greyed.
 void beside_body(PanelContext& ctx) {
-  AtomsBesideBody& shown = ctx.state.display.beside;
+  AtomsBesideBody& shown = ctx.state.settings.display.beside;
   const SelectionReport* report =
       ctx.state.references ? &ctx.state.references->prepared().report : nullptr;
   const auto kind = [&](const char* name, const char* label, std::size_t atoms, bool& value) {
@@ -162,7 +162,8 @@ void draw_display_panel(PanelContext& ctx) {
   balls(ctx);
   complex(ctx);
   beside_body(ctx);
-  checkbox(ctx, "display.occlusion", "Soft shadows at rest", ctx.state.display.ambient_occlusion);
+  checkbox(ctx, "display.occlusion", "Soft shadows at rest",
+           ctx.state.settings.display.ambient_occlusion);
   tooltip(ctx,
           "Crevices darken, and what is before the light casts a shadow. Left out while you turn a "
           "large molecule.");
@@ -170,7 +171,7 @@ void draw_display_panel(PanelContext& ctx) {
 
 void draw_look_panel(PanelContext& ctx) {
   if (!section(ctx, "look", "Light")) return;
-  DisplayControls& d = ctx.state.display;
+  DisplayControls& d = ctx.state.settings.display;
   row_label(ctx, "Depth cue");
   percent_slider(ctx, "look.depth_cue", d.depth_cue, 0, 1);
   tooltip(ctx, "What is far away fades into the background by so much.");

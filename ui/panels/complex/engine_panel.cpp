@@ -37,8 +37,8 @@ void engine_entry(PanelContext& ctx, EngineChoice choice) {
   ViewState& s = ctx.state;
   const bool usable = !needs_gpu(choice) || has_gpu(s);
   ImGui::BeginDisabled(!usable);
-  if (ImGui::Selectable(engine_title(choice).data(), choice == s.compute.engine)) {
-    s.compute.engine = choice;
+  if (ImGui::Selectable(engine_title(choice).data(), choice == s.settings.request.engine)) {
+    s.settings.request.engine = choice;
   }
   ImGui::EndDisabled();
   record(ctx, ("engine." + std::string(engine_id(choice))).c_str());
@@ -46,7 +46,7 @@ void engine_entry(PanelContext& ctx, EngineChoice choice) {
 }
 
 void engine_choice(PanelContext& ctx) {
-  const EngineChoice chosen = ctx.state.compute.engine;
+  const EngineChoice chosen = ctx.state.settings.request.engine;
   row_label(ctx, "Engine");
   const bool open = list_field(ctx, "engine.choice", engine_title(chosen).data());
   if (!open) {
@@ -121,7 +121,7 @@ constexpr Switch kSwitches[] = {
 };
 
 void tuple_switches(PanelContext& ctx) {
-  Request& request = ctx.state.compute;
+  Request& request = ctx.state.settings.request;
   if (!is_tuple_engine(request.engine)) return;
   muted_text(ctx, "The thesis' optimisations (same result)");
   for (const Switch& s : kSwitches) {
@@ -160,7 +160,8 @@ void draw_engine_panel(PanelContext& ctx) {
   if (!section(ctx, "engine", "Engine")) return;
   ViewState& s = ctx.state;
   engine_choice(ctx);
-  checkbox(ctx, "engine.tetrahedra_only", "Tetrahedra only (faster)", s.compute.tetrahedra_only);
+  checkbox(ctx, "engine.tetrahedra_only", "Tetrahedra only (faster)",
+           s.settings.request.tetrahedra_only);
   tooltip(ctx,
           "Computes the tetrahedra of the complex without its triangles, edges and vertices: the "
           "thesis' sub-complex.");

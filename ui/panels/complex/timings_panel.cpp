@@ -112,7 +112,7 @@ void compare_button(PanelContext& ctx) {
   if (s.badge.state == BadgeInfo::State::comparing) {
     if (s.badge.seconds < kCancelAfterSeconds) return;
     ImGui::SameLine();
-    if (button(ctx, "timings.cancel", "Cancel")) ctx.state.requests.cancel_compare = true;
+    if (button(ctx, "timings.cancel", "Cancel")) ctx.calls.jobs.cancel(Job::comparing);
     return;
   }
   if (s.badge.state == BadgeInfo::State::identical) return;
@@ -120,7 +120,7 @@ void compare_button(PanelContext& ctx) {
   const bool first = s.badge.state == BadgeInfo::State::not_compared;
   if (button(ctx, "timings.compare", first ? "Compare" : "Compare again", {0, 0},
              ButtonKind::primary)) {
-    ctx.state.requests.compare = true;
+    ctx.calls.jobs.compare();
   }
   tooltip(ctx, "Computes the same complex with CGAL and compares simplex by simplex (C).");
 }

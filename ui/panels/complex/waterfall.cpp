@@ -128,7 +128,7 @@ void missing(PanelContext& ctx) {
   record(ctx, "timings.missing");
   if (!s.memory.timings_cold || !lacks_cold_time(s)) return;
   ImGui::BeginDisabled(s.busy.active);
-  if (button(ctx, "timings.compute_anew", "Measure cold times")) s.requests.compute_anew = true;
+  if (button(ctx, "timings.compute_anew", "Measure cold times")) ctx.calls.jobs.compute_anew();
   ImGui::EndDisabled();
   tooltip(ctx,
           "Computes the same complex again as if the molecule had just been opened, including "

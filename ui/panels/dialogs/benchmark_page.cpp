@@ -149,7 +149,7 @@ void run_row(PanelContext& ctx) {
   // Never where Run was: a second click there must not cancel.
   ImGui::BeginDisabled(!b.running);
   if (button(ctx, "benchmark.cancel", "Cancel", {ctx.px(100), 0})) {
-    s.requests.cancel_benchmark = true;
+    ctx.calls.jobs.cancel(Job::benchmark);
   }
   ImGui::EndDisabled();
   ImGui::SameLine();
@@ -162,7 +162,7 @@ void run_row(PanelContext& ctx) {
   ImGui::BeginDisabled(!s.molecule.loaded);
   const bool clicked = button(ctx, "benchmark.run", "Run", {ctx.px(100), 0}, ButtonKind::primary);
   if (clicked || (s.molecule.loaded && enter_pressed(ctx))) {
-    s.requests.run_benchmark = true;
+    ctx.calls.jobs.run_benchmark();
   }
   ImGui::EndDisabled();
   ImGui::SameLine(0, ctx.px(12));
@@ -270,7 +270,7 @@ void export_row(PanelContext& ctx) {
   ViewState& s = ctx.state;
   ImGui::BeginDisabled(!s.benchmark.can_export || s.benchmark_controls.folder.empty());
   if (button(ctx, "benchmark.export", "Export CSV and SVG", {ctx.px(170), 0})) {
-    s.requests.export_benchmark = true;
+    ctx.calls.jobs.export_benchmark();
   }
   ImGui::EndDisabled();
   ImGui::SameLine(0, ctx.px(8));

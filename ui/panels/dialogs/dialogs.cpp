@@ -80,7 +80,7 @@ void draw_confirm_assembly(PanelContext& ctx) {
   ImGui::NewLine();
   const DialogAnswer answer = dialog_buttons(ctx, ctx.px(kWidth), {"assembly.cancel", "Cancel"},
                                              {"assembly.expand", "Expand"});
-  if (answer == DialogAnswer::confirm) s.open.assembly = id;
+  if (answer == DialogAnswer::confirm) s.settings.open.assembly = id;
   if (answer != DialogAnswer::none) id.clear();
   end_dialog(ctx);
 }

@@ -87,7 +87,7 @@ void draw_export(PanelContext& ctx) {
   const DialogAnswer answer = dialog_buttons(ctx, ctx.px(kWidth), {"export.cancel", "Cancel"},
                                              {"export.ok", "Export"}, can_export, entered);
   const bool confirmed = answer == DialogAnswer::confirm;
-  if (confirmed) s.requests.export_complex = ExportRequest{path, m.export_colours};
+  if (confirmed) ctx.calls.jobs.export_complex(ExportRequest{path, m.export_colours});
   if (confirmed || answer == DialogAnswer::cancel) {
     note_file(ctx, "export", m.export_path, confirmed);
     m.show_export = false;

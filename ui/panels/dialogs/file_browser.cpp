@@ -102,31 +102,32 @@ void save_there(PanelMemory& m, const fs::path& path) {
 }
 
 // The dialog stays when the file cannot be opened, and says why.
-void open(ViewState& s, const fs::path& file) {
+void open(PanelContext& ctx, const fs::path& file) {
+  ViewState& s = ctx.state;
   if (for_saving(s.memory)) return save_there(s.memory, file);
   s.memory.browser_error = why_not_openable(file);
   if (!s.memory.browser_error.empty()) return;
   if (for_table(s.memory)) {
-    s.open.radii_table = file;
-    s.open.balls.radii = RadiiSet::user;
+    s.settings.open.radii_table = file;
+    s.settings.open.balls.radii = RadiiSet::user;
   } else if (s.memory.browser_purpose == BrowserPurpose::session_molecule) {
-    s.requests.session_molecule = file;
+    ctx.calls.files.go_on_with_session(file);
     s.session_problem.reset();
   } else if (s.memory.browser_purpose == BrowserPurpose::session) {
-    s.requests.open_session = file;
+    ctx.calls.files.open_session(file);
   } else {
-    s.requests.open = file;
+    ctx.calls.files.open(file);
   }
   close(s.memory);
 }
 
 // A folder is entered, anything else is opened.
-void accept(ViewState& s, const fs::path& path) {
+void accept(PanelContext& ctx, const fs::path& path) {
   std::error_code error;
   if (fs::is_directory(path, error)) {
-    enter(s.memory, path);
+    enter(ctx.state.memory, path);
   } else {
-    open(s, path);
+    open(ctx, path);
   }
 }
 
@@ -135,14 +136,15 @@ fs::path browsed_path(const PanelMemory& m) {
   return typed_path(m.browser_typed, m.browser_base);
 }
 
-void accept_typed(ViewState& s) {
+void accept_typed(PanelContext& ctx) {
+  ViewState& s = ctx.state;
   const fs::path path = browsed_path(s.memory);
   if (path.empty()) return;
   // The folder that is shown is not gone into: it is chosen.
   if (for_saving(s.memory) && as_folder(path) == s.memory.browser_folder) {
     return save_there(s.memory, s.memory.browser_folder);
   }
-  accept(s, path);
+  accept(ctx, path);
 }
 
 // While a path is typed: the folder that it has come to is listed, and the first of its names that
@@ -176,7 +178,7 @@ void path_row(PanelContext& ctx) {
   const bool entered =
       text_field(ctx, "browser.path", m.browser_typed, "", KeyStop::type_when_asked);
   if (ImGui::IsItemEdited()) follow_typed(m);
-  if (entered) accept_typed(ctx.state);
+  if (entered) accept_typed(ctx);
 }
 
 void entry_row(PanelContext& ctx, const FolderEntry& entry) {
@@ -192,7 +194,7 @@ void entry_row(PanelContext& ctx, const FolderEntry& entry) {
       enter(s.memory, fs::path(entry.path));
     } else {
       select(s.memory, entry);
-      if (ImGui::IsMouseDoubleClicked(0)) open(s, entry.path);
+      if (ImGui::IsMouseDoubleClicked(0)) open(ctx, entry.path);
     }
   }
   record(ctx, ("browser.entry." + entry.name).c_str());
@@ -290,7 +292,7 @@ bool keyboard(PanelContext& ctx, const FolderListing& list, std::size_t page) {
   const std::size_t count = list.entries.size(), now = selected_index(m, list);
   if (enter && now < count) {
     m.keys.enter_used = true;
-    accept(ctx.state, fs::path(list.entries[now].path));
+    accept(ctx, fs::path(list.entries[now].path));
     return true;
   }
   const std::size_t target = jump_target(m, list, key_target(now, count, page));
@@ -405,7 +407,7 @@ void buttons(PanelContext& ctx) {
       ctx, width, {"browser.cancel", "Cancel"},
       {"browser.open", for_saving(s.memory) ? "Choose" : "Open"}, !s.memory.browser_typed.empty());
   if (answer == DialogAnswer::cancel) close(s.memory);
-  if (answer == DialogAnswer::confirm) accept_typed(s);
+  if (answer == DialogAnswer::confirm) accept_typed(ctx);
 }
 
 }  // namespace

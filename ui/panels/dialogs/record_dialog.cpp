@@ -208,8 +208,9 @@ void draw_record(PanelContext& ctx) {
                                              {"record.ok", "Record"}, can_record, entered);
   const bool confirmed = answer == DialogAnswer::confirm;
   if (confirmed) {
-    s.requests.record = {typed_path(m.path), m.recording, m.options};
-    if (m.of_lesson) s.requests.record->lesson_seconds = m.lesson_seconds;
+    RecordRequest request{typed_path(m.path), m.recording, m.options};
+    if (m.of_lesson) request.lesson_seconds = m.lesson_seconds;
+    ctx.calls.jobs.record(request);
   }
   if (confirmed || answer == DialogAnswer::cancel) {
     note_file(ctx, "record", m.path, confirmed);

@@ -33,7 +33,7 @@ void draw_save_picture(PanelContext& ctx) {
   const DialogAnswer answer = dialog_buttons(ctx, ctx.px(kWidth), {"save.cancel", "Cancel"},
                                              {"save.ok", "Save"}, can_save, entered);
   const bool confirmed = answer == DialogAnswer::confirm;
-  if (confirmed) s.requests.screenshot = {path, m.save};
+  if (confirmed) ctx.calls.jobs.save_picture({path, m.save});
   if (confirmed || answer == DialogAnswer::cancel) {
     note_file(ctx, "save", m.save_path, confirmed);
     m.show_save = false;

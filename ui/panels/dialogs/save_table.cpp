@@ -111,9 +111,9 @@ std::string content_text(const TableMemory& memory) {
   return text + (files.size() > 1 ? "." : "");
 }
 
-void save(ViewState& s) {
-  const TableMemory& memory = s.memory.save_table;
-  s.requests.save_table = {memory.table, memory.format, target(memory)};
+void save(PanelContext& ctx) {
+  const TableMemory& memory = ctx.state.memory.save_table;
+  ctx.calls.jobs.save_table({memory.table, memory.format, target(memory)});
 }
 
 }  // namespace
@@ -140,7 +140,7 @@ void draw_save_table(PanelContext& ctx) {
   const DialogAnswer answer = dialog_buttons(ctx, ctx.px(kWidth), {"save_table.cancel", "Cancel"},
                                              {"save_table.ok", "Save"}, can_save, entered);
   const bool confirmed = answer == DialogAnswer::confirm;
-  if (confirmed) save(ctx.state);
+  if (confirmed) save(ctx);
   if (confirmed || answer == DialogAnswer::cancel) {
     note_file(ctx, "", memory.path, confirmed);
     memory.table = nullptr;

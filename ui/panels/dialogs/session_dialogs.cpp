@@ -34,7 +34,7 @@ void draw_save_session(PanelContext& ctx) {
   const DialogAnswer answer = dialog_buttons(ctx, ctx.px(kWidth), {"save_session.cancel", "Cancel"},
                                              {"save_session.ok", "Save"}, can_save, entered);
   const bool confirmed = answer == DialogAnswer::confirm;
-  if (confirmed) s.requests.save_session = path;
+  if (confirmed) ctx.calls.files.save_session(path);
   if (confirmed || answer == DialogAnswer::cancel) {
     note_file(ctx, "save_session", m.session_path, confirmed);
     m.show_save_session = false;
@@ -55,13 +55,13 @@ void draw_session_problem(PanelContext& ctx) {
   record(ctx, "session.problem");
   ImGui::Dummy({0, ctx.px(6)});
   if (button(ctx, "session.cancel", "Cancel", {ctx.px(100), 0}) || escape_pressed(ctx)) {
-    s.requests.session_give_up = true;
+    ctx.calls.files.give_session_up();
     s.session_problem.reset();
   }
   ImGui::SameLine();
   ImGui::BeginDisabled(!problem.can_open);
   if (button(ctx, "session.anyway", "Open it anyway", {ctx.px(150), 0})) {
-    s.requests.session_anyway = true;
+    ctx.calls.files.go_on_with_session({});
     s.session_problem.reset();
   }
   ImGui::EndDisabled();

@@ -94,16 +94,16 @@ void leads_to(PanelContext& ctx, const std::string& name, const Ref& ref, const 
   ImGui::PushID(name.c_str());
   const std::string fitted = fitted_text(text, ImGui::GetContentRegionAvail().x);
   if (ImGui::Selectable(
-          fitted.c_str(), s.picked.items.contains(ref),
+          fitted.c_str(), s.settings.selection.items.contains(ref),
           ImGuiSelectableFlags_SpanAllColumns | ImGuiSelectableFlags_AllowItemOverlap)) {
-    s.picked.items = RefSet({ref});
+    s.settings.selection.items = RefSet({ref});
   }
   record(ctx, name.c_str());
   tooltip(ctx, (name_of(s.references->molecule(), ref) + "\nA click selects it.").c_str());
   number_cell(value);
   ImGui::TableNextColumn();
   if (row_button(ctx, (name + ".zoom").c_str(), "Zoom", 48)) {
-    s.requests.zoom_to = RefSet({ref});
+    ctx.calls.view.zoom_to(RefSet({ref}));
   }
   tooltip(ctx, "Looks at it.");
   ImGui::PopID();
@@ -175,7 +175,7 @@ void list_around(PanelContext& ctx, const BallReferences& atoms, const SimplexDe
 
 // An atom beside the body, which has no ball.
 std::optional<std::size_t> one_atom(const ViewState& s) {
-  const auto& items = s.picked.items.items();
+  const auto& items = s.settings.selection.items.items();
   const AtomRef* const ref = items.size() == 1 ? std::get_if<AtomRef>(&items[0]) : nullptr;
   return ref ? find_atom(s.references->molecule(), {ref->atom, ref->copy}) : std::nullopt;
 }
@@ -197,7 +197,7 @@ void draw_details(PanelContext& ctx, float facts_width) {
   ViewState& s = ctx.state;
   const bool known = ctx.inputs.complex && ctx.inputs.atoms;
   const AskedSimplex asked =
-      known ? asked_simplex(s.picked.items, *ctx.inputs.atoms) : AskedSimplex{};
+      known ? asked_simplex(s.settings.selection.items, *ctx.inputs.atoms) : AskedSimplex{};
   const std::optional<std::size_t> atom = one_atom(s);
   const SimplexDetails* const details =
       asked.balls.empty() ? nullptr : details_of(ctx, asked.balls);

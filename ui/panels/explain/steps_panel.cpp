@@ -19,7 +19,7 @@ namespace {
 
 AskedSteps asked_steps(const PanelContext& ctx, BallIndex ball) {
   const StepsMemory& memory = ctx.state.memory.steps;
-  AskedSteps asked{ball, memory.engine, ctx.state.compute.tuples};
+  AskedSteps asked{ball, memory.engine, ctx.state.settings.request.tuples};
   asked.options.edge_optimisation = memory.edge_optimisation;
   asked.options.alpha_optimisation = memory.alpha_optimisation;
   return asked;
@@ -97,7 +97,7 @@ void look_when_asked(PanelContext& ctx) {
       for (const auto& v : marked.vertices) all.push_back(ctx.inputs.atoms->atom(v[0]));
     }
   }
-  ctx.state.requests.zoom_to = RefSet(std::move(all));
+  ctx.calls.view.zoom_to(RefSet(std::move(all)));
 }
 
 // --- the page
@@ -161,7 +161,7 @@ void draw_steps_panel(PanelContext& ctx) {
   if (ctx.inputs.balls->size() == 0) {
     return draw_nothing(ctx, "There are no balls, so there is nothing to find.");
   }
-  const AskedBall asked = asked_ball(ctx.state.picked, *ctx.inputs.atoms);
+  const AskedBall asked = asked_ball(ctx.state.settings.selection, *ctx.inputs.atoms);
   if (!asked.ball) return draw_nothing(ctx, asked.why_not);
   const Derived<ToldSteps> found = want_steps(ctx, *asked.ball);
   take_steps(ctx, found);

@@ -229,7 +229,8 @@ std::vector<std::string> steps_notes(const PanelContext& ctx) {
     notes.push_back(
         "The flat drawing does not show steps. Switch it off, on the page Sandbox, to see them.");
   }
-  if (ctx.state.appearance.hidden.contains(ctx.inputs.atoms->atom(memory.shown->steps.ball))) {
+  if (ctx.state.settings.appearance.hidden.contains(
+          ctx.inputs.atoms->atom(memory.shown->steps.ball))) {
     notes.push_back("This atom is hidden in the picture. It takes part all the same.");
   }
   return notes;

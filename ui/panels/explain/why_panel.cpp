@@ -25,9 +25,9 @@ void take_answer(WhyMemory& memory, const Derived<ExplainedSimplex>& found, cons
 
 void go_to(PanelContext& ctx, const std::vector<BallIndex>& balls) {
   ViewState& s = ctx.state;
-  s.picked.clear();
-  s.picked.items = RefSet({ctx.inputs.atoms->reference(balls)});
-  s.requests.zoom_to_selection = true;
+  s.settings.selection.clear();
+  s.settings.selection.items = RefSet({ctx.inputs.atoms->reference(balls)});
+  ctx.calls.view.zoom_to_selection();
 }
 
 void draw_line(PanelContext& ctx, const ExplanationLine& line, std::size_t number, bool current) {
@@ -79,7 +79,7 @@ void draw_why_panel(PanelContext& ctx) {
     memory.shown = nullptr;
     return muted_wrapped(ctx, "Open a molecule: what is selected in it is explained here.");
   }
-  const AskedSimplex asked = asked_simplex(ctx.state.picked.items, *ctx.inputs.atoms);
+  const AskedSimplex asked = asked_simplex(ctx.state.settings.selection.items, *ctx.inputs.atoms);
   if (!asked.why_not.empty()) {
     memory.shown = nullptr;
     muted_wrapped(ctx, asked.why_not);

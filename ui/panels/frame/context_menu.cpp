@@ -78,7 +78,7 @@ void submenu(PanelContext& ctx, const char* name, const char* label,
 
 // To how many atoms it is measured is seen before it is.
 const char* measure_label(const PanelContext& ctx, const Ref& what) {
-  const Selection& picked = ctx.state.picked;
+  const Selection& picked = ctx.state.settings.selection;
   const std::size_t from = picked.items.size() - (picked.items.contains(what) ? 1 : 0);
   return from == 2   ? "Measure angle with selection"
          : from == 3 ? "Measure dihedral angle with selection"
@@ -106,7 +106,7 @@ void of_something(PanelContext& ctx, const Ref& what, const std::string& title) 
   strong_text(ctx, fitted_text(title, ctx.px(kTitleWidth)));
   record(ctx, "context.title");
   ImGui::Separator();
-  const bool selected = ctx.state.picked.items.contains(what);
+  const bool selected = ctx.state.settings.selection.items.contains(what);
   entry(ctx, {"context.select", "Select", "pointed.select"});
   entry(ctx,
         {"context.add", selected ? "Take out of selection" : "Add to selection", "pointed.toggle"});

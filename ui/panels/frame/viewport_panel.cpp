@@ -169,7 +169,7 @@ void progress(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
     busy_bar(ctx, ctx.px(220), b.seconds);
   }
   ImGui::SameLine();
-  if (button(ctx, "view.cancel", "Cancel")) ctx.state.requests.cancel = true;
+  if (button(ctx, "view.cancel", "Cancel")) ctx.calls.jobs.cancel(Job::computing);
   end_overlay();
 }
 
@@ -186,7 +186,7 @@ void saving(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
   ImGui::TextUnformatted(fitted_text(b.what, width).c_str());
   record(ctx, "view.saving");
   ImGui::SameLine(left + width + ctx.px(8));
-  if (button(ctx, "view.cancel_save", "Cancel")) ctx.state.requests.cancel_save = true;
+  if (button(ctx, "view.cancel_save", "Cancel")) ctx.calls.jobs.cancel(Job::saving);
   tooltip(ctx, "Nothing half is left; an existing file stays as it is.");
   const std::string so_far = number_text(b.seconds, 1) + " s";
   muted_text(ctx, fitted_text(b.step.empty() ? so_far : b.step, width));
@@ -218,10 +218,10 @@ void problem(PanelContext& ctx, ImVec2 corner, ImVec2 size, float top) {
     return end_overlay();
   }
   if (cut_away) {
-    if (button(ctx, "view.no_clip", "No clip (K)")) ctx.state.clip.kind = Clip::Kind::off;
+    if (button(ctx, "view.no_clip", "No clip (K)")) ctx.state.settings.clip.kind = Clip::Kind::off;
     return end_overlay();
   }
-  if (button(ctx, "view.show_all", "Show all (R)")) ctx.state.requests.reset_view = true;
+  if (button(ctx, "view.show_all", "Show all (R)")) ctx.calls.view.reset();
   end_overlay();
 }
 
@@ -256,7 +256,7 @@ void empty_state(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
     const std::string label = "Try " + s.samples[i].name;
     const std::string name = "empty.sample." + std::to_string(i);
     if (button(ctx, name.c_str(), label.c_str(), {0, ctx.px(34)})) {
-      s.requests.open = s.samples[i].path;
+      ctx.calls.files.open(s.samples[i].path);
     }
     tooltip(ctx, s.samples[i].detail.c_str());
   }

@@ -205,7 +205,7 @@ void bottom_panel(PanelContext& ctx, const Area& area) {
   const std::vector<PanelSpec> pages = panels_at(Place::bottom);
   bottom_tabs(ctx, pages)->draw(ctx);
   // What lines chosen cavities is marked in the picture on whatever page.
-  if (!ctx.state.picked.cavities.empty()) follow_cavities(ctx);
+  if (!ctx.state.settings.selection.cavities.empty()) follow_cavities(ctx);
   ImGui::SetScrollX(0);  // there is no bar that would tell of it
   ImGui::EndChild();
   ImGui::End();
@@ -235,13 +235,8 @@ void note_mouse(PanelMemory& memory) {
 constexpr const char* kView = "##view";
 
 PanelContext context_of(const WindowParts& parts, const PanelFonts& fonts, float scale) {
-  return {parts.state,
-          parts.rects,
-          parts.commands,
-          parts.store,
-          parts.inputs,
-          fonts,
-          palette(parts.state.theme),
+  return {parts.state,  parts.rects, parts.commands, parts.store,
+          parts.inputs, parts.calls, fonts,          palette(parts.state.theme),
           scale};
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/document/commands/commands.hpp"
+#include "ui/calls.hpp"
 #include "ui/panels/view_state.hpp"
 #include "ui/widgets/style.hpp"
 #include "ui/widgets/widget_rects.hpp"
@@ -18,6 +19,7 @@ struct WindowParts {
   const Commands& commands;
   Store& store;          // of derived results
   const Inputs& inputs;  // that they are made of
+  const Calls& calls;    // what the program is asked to do
 };
 
 // Between ImGui's NewFrame and Render.

@@ -31,7 +31,7 @@ void lesson_row(PanelContext& ctx, const ShelvedLesson& shelved, bool open) {
   const std::string title = fitted_text(shelved.lesson->title, width - ctx.px(20));
   if (button(ctx, name.c_str(), title.c_str(), {width, 0},
              open ? ButtonKind::primary : ButtonKind::normal)) {
-    ctx.state.requests.open_lesson = shelved.lesson->file.string();
+    ctx.calls.lessons.open(shelved.lesson->file.string());
   }
   ImGui::PopStyleVar();
   ImGui::PopFont();
@@ -126,7 +126,7 @@ void draw_answer(PanelContext& ctx, const LessonStep& step, const StepText& all)
   if (!step.asks()) return;
   if (!ctx.state.memory.lessons.revealed) {
     if (button(ctx, "lesson.reveal", "Reveal the answer", {0, 0}, ButtonKind::primary)) {
-      ctx.state.requests.lesson_reveal = true;
+      ctx.calls.lessons.reveal();
     }
     return;
   }
@@ -170,7 +170,7 @@ void draw_text(PanelContext& ctx, float height) {
     warning(ctx, "lesson.left",
             "Another molecule was opened. It stays open when you close the lesson.");
     if (button(ctx, "lesson.again_left", "Back to the lesson's molecule")) {
-      ctx.state.requests.lesson_again = true;
+      ctx.calls.lessons.again();
     }
     ImGui::Dummy({0, ctx.px(4)});
   }
@@ -185,16 +185,16 @@ void draw_text(PanelContext& ctx, float height) {
 
 void draw_buttons(PanelContext& ctx) {
   const LessonMemory& m = ctx.state.memory.lessons;
-  Requests& r = ctx.state.requests;
+  LessonCalls& calls = ctx.calls.lessons;
   const LessonStep& step = m.open->steps[m.step];
   const bool last = m.step + 1 == m.open->steps.size() && (!step.asks() || m.revealed);
   const float gap = ctx.px(6), width = (ImGui::GetContentRegionAvail().x - 2 * gap) / 3;
   ImGui::BeginDisabled(m.step == 0);
-  if (button(ctx, "lesson.back", "Back", {width, 0})) r.lesson_back = true;
+  if (button(ctx, "lesson.back", "Back", {width, 0})) calls.back();
   ImGui::EndDisabled();
   tooltip(ctx, "Page Up");
   ImGui::SameLine(0, gap);
-  if (button(ctx, "lesson.again", "Again", {width, 0})) r.lesson_again = true;
+  if (button(ctx, "lesson.again", "Again", {width, 0})) calls.again();
   tooltip(ctx, "Sets everything as this step begins, whatever you have changed.");
   ImGui::SameLine(0, gap);
   const float right = ImGui::GetContentRegionAvail().x;
@@ -203,7 +203,7 @@ void draw_buttons(PanelContext& ctx) {
       ctx.state.memory.lessons.list = true;
     }
   } else if (button(ctx, "lesson.next", "Next", {right, 0}, ButtonKind::primary)) {
-    r.lesson_next = true;
+    calls.next();
   }
   if (!last) tooltip(ctx, "Page Down");
 }
@@ -258,7 +258,7 @@ void draw_head(PanelContext& ctx) {
   ImGui::SameLine(right - button_width(close));
   if (button(ctx, "lesson.close", close, {0, 0}, ButtonKind::quiet)) {
     if (m.open) {
-      ctx.state.requests.close_lesson = true;
+      ctx.calls.lessons.close();
     } else {
       m.shown = false;
     }

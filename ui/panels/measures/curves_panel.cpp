@@ -71,7 +71,7 @@ bool follow(PanelContext& ctx, CurveMemory& memory, const Curves& curves) {
   std::shared_ptr<const CurveLinks> links;
   std::shared_ptr<const CavityLines> lines;
   std::vector<std::size_t> rows;
-  if (!ctx.state.picked.cavities.empty()) {
+  if (!ctx.state.settings.selection.cavities.empty()) {
     // Also while there are no curves: no step of a slider may be left out.
     const bool current = follow_cavities(ctx).current;
     CavityPage& page = *ctx.state.memory.cavities.page;
@@ -183,23 +183,23 @@ void choices(PanelContext& ctx, CurveMemory& memory) {
 void take_click(PanelContext& ctx, CurveAxis axis, double at) {
   ViewState& s = ctx.state;
   if (axis == CurveAxis::alpha) {
-    set_alpha(s.compute, std::round(at / kAlphaStep) * kAlphaStep);
+    set_alpha(s.settings.request, std::round(at / kAlphaStep) * kAlphaStep);
     s.memory.playing = false;
   } else if (axis == CurveAxis::solvent) {
     const double steps = std::round(std::clamp(at, 0.0, kCurveSolventMostAngstrom) / kSolventStep);
-    s.compute.solvent_radius_angstrom = steps / std::round(1 / kSolventStep);
+    s.settings.request.solvent_radius_angstrom = steps / std::round(1 / kSolventStep);
   } else {
     const auto last = static_cast<double>(s.molecule.models.size()) - 1;
-    s.open.balls.model = static_cast<int>(std::lround(std::clamp(at, 0.0, last)));
+    s.settings.open.balls.model = static_cast<int>(std::lround(std::clamp(at, 0.0, last)));
     s.memory.playing_models = false;
   }
 }
 
 double shown_at(const PanelContext& ctx, CurveAxis axis) {
-  const Request& request = ctx.state.compute;
+  const Request& request = ctx.state.settings.request;
   if (axis == CurveAxis::alpha) return request.alpha_angstrom2;
   if (axis == CurveAxis::solvent) return request.solvent_radius_angstrom;
-  return ctx.state.open.balls.model;
+  return ctx.state.settings.open.balls.model;
 }
 
 void draw_plot(PanelContext& ctx, const CurveMemory& memory) {
@@ -272,7 +272,7 @@ void cancel_button(PanelContext& ctx, const CurveMemory& memory, const Curves& c
 }
 
 std::string nothing_text(const PanelContext& ctx) {
-  return ctx.state.picked.cavities.empty()
+  return ctx.state.settings.selection.cavities.empty()
              ? "There are no cavities here to plot."
              : "The chosen cavities are not there at this alpha and solvent radius. Choose others "
                "on the page Cavities.";

@@ -223,7 +223,7 @@ std::string hover_text(const PanelContext& ctx, const Lives& memory, const Known
 }
 
 void set_alpha_to(PanelContext& ctx, double wanted) {
-  set_alpha(ctx.state.compute, wanted);
+  set_alpha(ctx.state.settings.request, wanted);
   ctx.state.memory.playing = false;
 }
 
@@ -232,8 +232,9 @@ void choose(PanelContext& ctx, const Lives& memory, const Known& known, std::siz
   const std::size_t row = row_of(memory, *known.page, bar);
   if (row != Lives::kNoRow) return choose_cavity(ctx, *known.page, row, HowChosen::alone);
   const auto& sink = known.ground->triangulation->tetrahedra[memory.bars.longest[bar].sink];
-  ctx.state.picked.cavities = RefSet(std::vector<Ref>{ctx.inputs.atoms->reference(sink)});
-  ctx.state.picked.items = {};
+  ctx.state.settings.selection.cavities =
+      RefSet(std::vector<Ref>{ctx.inputs.atoms->reference(sink)});
+  ctx.state.settings.selection.items = {};
   set_alpha_to(ctx, alpha_within(memory.bars.longest[bar], memory.from_angstrom2));
 }
 
@@ -297,7 +298,7 @@ void draw_cavity_lives(PanelContext& ctx, CurveMemory::Lives& memory) {
   // What is no longer, or not yet, of the picture is grey.
   ImGui::PushStyleVar(ImGuiStyleVar_Alpha, known.current ? 1.0f : 0.55f);
   ImGui::PushFont(ctx.fonts.small);
-  const double shown = ctx.state.compute.alpha_angstrom2;
+  const double shown = ctx.state.settings.request.alpha_angstrom2;
   const Plot plot = place(ctx, memory, shown);
   ImGui::PopFont();
   if (plot.drawn > 0) {

@@ -30,7 +30,7 @@ std::string atoms_text(const Molecule& molecule, const std::optional<Measured>& 
 // True: it is to be removed.
 bool draw_row(PanelContext& ctx, std::size_t row) {
   ViewState& s = ctx.state;
-  const Measurement& m = s.annotations.measurements[row];
+  const Measurement& m = s.settings.annotations.measurements[row];
   const Molecule& molecule = s.references->molecule();
   const std::optional<Measured> of = measured(molecule, m);
   const std::string number = std::to_string(row + 1);
@@ -39,9 +39,9 @@ bool draw_row(PanelContext& ctx, std::size_t row) {
   ImGui::PushID(static_cast<int>(row));
   const RefSet atoms(std::vector<Ref>(m.atoms.begin(), m.atoms.end()));
   if (ImGui::Selectable(
-          number.c_str(), s.picked.items == atoms,
+          number.c_str(), s.settings.selection.items == atoms,
           ImGuiSelectableFlags_SpanAllColumns | ImGuiSelectableFlags_AllowItemOverlap)) {
-    s.picked.items = atoms;
+    s.settings.selection.items = atoms;
   }
   record(ctx, ("details.measured." + number).c_str());
   tooltip(
@@ -72,7 +72,7 @@ void table(PanelContext& ctx) {
   ImGui::PushStyleColor(ImGuiCol_Text, to_imgui(ctx.palette.text_muted));
   ImGui::TableHeadersRow();
   ImGui::PopStyleColor();
-  Measurements& all = ctx.state.annotations.measurements;
+  Measurements& all = ctx.state.settings.annotations.measurements;
   std::size_t removed = all.size();
   ImGuiListClipper clipper;
   clipper.Begin(static_cast<int>(all.size()));
@@ -95,7 +95,7 @@ void draw_measured_list(PanelContext& ctx) {
   command_button(ctx, "details.copy", "Copy CSV", "measure.copy");
   ImGui::SameLine(0, ctx.px(4));
   command_button(ctx, "details.remove_all", "Remove all", "measure.remove_all");
-  if (ctx.state.annotations.measurements.empty()) {
+  if (ctx.state.settings.annotations.measurements.empty()) {
     muted_wrapped(ctx,
                   "Select two atoms (click, then Ctrl+click) and press D: their distance. Of three "
                   "it is the angle at the second, of four the dihedral angle.");

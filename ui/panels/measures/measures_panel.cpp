@@ -120,8 +120,8 @@ void select_chosen(PanelContext& ctx, const MeasureMemory& memory, const BallRef
   if (refs.size() == Selection::kMostItems) {
     ctx.state.notice = "Only the first " + number(Selection::kMostItems) + " atoms are selected.";
   }
-  ctx.state.picked.items = RefSet(std::move(refs));
-  if (!memory.chosen.empty()) ctx.state.requests.zoom_to_selection = true;
+  ctx.state.settings.selection.items = RefSet(std::move(refs));
+  if (!memory.chosen.empty()) ctx.calls.view.zoom_to_selection();
 }
 
 // --- what is drawn

@@ -185,7 +185,7 @@ void set_ranges(const Signature& signature, Plot& counts, Plot& euler) {
 }
 
 void plots(PanelContext& ctx, const Signature& signature) {
-  Request& request = ctx.state.compute;
+  Request& request = ctx.state.settings.request;
   const double shown = ctx.inputs.alpha_angstrom2;
   const ImVec2 corner = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
   const float left = corner.x + ctx.px(64), right = corner.x + room.x - ctx.px(16);

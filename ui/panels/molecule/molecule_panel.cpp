@@ -11,7 +11,7 @@ void sample_popup(PanelContext& ctx) {
   close_on_escape();
   for (std::size_t i = 0; i < s.samples.size(); ++i) {
     if (ImGui::MenuItem(s.samples[i].name.c_str(), s.samples[i].detail.c_str())) {
-      s.requests.open = s.samples[i].path;
+      ctx.calls.files.open(s.samples[i].path);
     }
     record(ctx, ("molecule.sample." + std::to_string(i)).c_str());
   }

@@ -36,7 +36,7 @@ std::string source_text(const RadiiSetInfo& info) {
 
 void set_entry(PanelContext& ctx, const RadiiSetInfo& info) {
   ViewState& s = ctx.state;
-  const bool on = info.set == s.open.balls.radii;
+  const bool on = info.set == s.settings.open.balls.radii;
   const bool table = info.set == RadiiSet::user;
   const bool usable = info.set != RadiiSet::file || s.molecule.has_file_radii || on;
   const std::string label = std::string(info.name) + (table ? "…" : "");
@@ -44,7 +44,7 @@ void set_entry(PanelContext& ctx, const RadiiSetInfo& info) {
     if (table) {
       open_browser(s, BrowserPurpose::radii_table);
     } else {
-      s.open.balls.radii = info.set;
+      s.settings.open.balls.radii = info.set;
     }
   }
   record(ctx, ("molecule.radii." + std::string(info.id)).c_str());
@@ -59,7 +59,7 @@ void set_entry(PanelContext& ctx, const RadiiSetInfo& info) {
 void set_row(PanelContext& ctx) {
   ViewState& s = ctx.state;
   row_label(ctx, "Radii");
-  const RadiiSetInfo& chosen = radii_set_info(s.open.balls.radii);
+  const RadiiSetInfo& chosen = radii_set_info(s.settings.open.balls.radii);
   std::string preview(chosen.name);
   if (chosen.set == RadiiSet::automatic && !s.molecule.radii_name.empty()) {
     preview += ": " + s.molecule.radii_name;
@@ -69,7 +69,7 @@ void set_row(PanelContext& ctx) {
     const std::string& citation = s.molecule.radii_citation;
     const std::string source =
         chosen.set == RadiiSet::user
-            ? s.open.radii_table.string() + "\nChoose this again to open another table."
+            ? s.settings.open.radii_table.string() + "\nChoose this again to open another table."
         : citation.empty() ? source_text(chosen)
                            : citation;
     tooltip(ctx, source.c_str());
@@ -102,7 +102,7 @@ void apply(ViewState& s, const RadiusRow& row, const std::string& text) {
   PanelMemory& m = s.memory;
   const NumberInput input = read_number(text, kBallRadiusRule);
   m.radius_error = input.error;
-  if (input.value) set_radius(s.open.balls.overrides, row.radius.group, *input.value);
+  if (input.value) set_radius(s.settings.open.balls.overrides, row.radius.group, *input.value);
 }
 
 void radius_field(PanelContext& ctx, const RadiusRow& row, int index) {
@@ -154,7 +154,7 @@ void radius_line(PanelContext& ctx, const RadiusRow& row, int index) {
   if (row.kind == Kind::by_hand) {
     const std::string id = "radius.reset." + atoms.residue + "." + atoms.atom;
     if (button(ctx, id.c_str(), "×", {-1, 0}, ButtonKind::quiet)) {
-      reset_radius(s.open.balls.overrides, atoms);
+      reset_radius(s.settings.open.balls.overrides, atoms);
     }
     tooltip(ctx, "Set by hand. Reset to the radii set's value.");
   }
@@ -188,7 +188,7 @@ void radius_table(PanelContext& ctx) {
 void radius_list(PanelContext& ctx) {
   ViewState& s = ctx.state;
   const auto& rows = s.molecule.radius_rows;
-  const bool edited = !s.open.balls.overrides.empty();
+  const bool edited = !s.settings.open.balls.overrides.empty();
   if (rows.empty() && !edited) return nothing_to_disclose(ctx, "Radii: all from the radii set");
   const bool warn = std::any_of(rows.begin(), rows.end(),
                                 [](const RadiusRow& row) { return row.kind != Kind::by_hand; });
@@ -211,7 +211,7 @@ void radius_list(PanelContext& ctx) {
   reserve_lines(top, 2);
   ImGui::BeginDisabled(!edited);
   if (button(ctx, "radius.reset_all", "Reset all radii set by hand")) {
-    s.open.balls.overrides.clear();
+    s.settings.open.balls.overrides.clear();
   }
   ImGui::EndDisabled();
   ImGui::PopFont();

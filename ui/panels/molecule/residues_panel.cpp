@@ -43,7 +43,7 @@ void kind_entry(PanelContext& ctx, const ResidueGroup& group, AtomKind kind) {
   const bool on = group.why == ResidueReason::by_hand && group.kind == kind;
   const auto flags = group.called.empty() ? ImGuiSelectableFlags_Disabled : 0;
   if (ImGui::Selectable(kind_name(kind), on, flags)) {
-    treat_group(ctx.state.open.balls.treated, group, kind);
+    treat_group(ctx.state.settings.open.balls.treated, group, kind);
   }
   record(ctx, (std::string("residue.as.") + kind_name(kind)).c_str());
 }
@@ -52,7 +52,7 @@ void file_entry(PanelContext& ctx, const ResidueGroup& group) {
   const bool treated = !group.treated.empty();
   const std::string label = std::string("as the file says: ") + kind_name(group.file_kind);
   if (ImGui::Selectable(label.c_str(), !treated, treated ? 0 : ImGuiSelectableFlags_Disabled)) {
-    take_back(ctx.state.open.balls.treated, group);
+    take_back(ctx.state.settings.open.balls.treated, group);
   }
   record(ctx, "residue.as.file");
   if (!treated) return;

@@ -25,7 +25,7 @@ void kind_toggle(PanelContext& ctx, const char* name, const char* label, bool& v
 }
 
 void kinds(PanelContext& ctx) {
-  BallOptions& c = ctx.state.open.balls;
+  BallOptions& c = ctx.state.settings.open.balls;
   const KindCounts& k = ctx.state.molecule.contents.kinds;
   row_label(ctx, "Keep");
   const float column = ImGui::GetCursorPosX() + ctx.px(96);
@@ -48,7 +48,7 @@ void kinds(PanelContext& ctx) {
 }
 
 void hydrogens_and_altlocs(PanelContext& ctx) {
-  BallOptions& c = ctx.state.open.balls;
+  BallOptions& c = ctx.state.settings.open.balls;
   const MoleculeContents& k = ctx.state.molecule.contents;
   row_label(ctx, "Hydrogens");
   int hydrogens = static_cast<int>(c.hydrogens);
@@ -86,19 +86,19 @@ void switch_chain(BallOptions& c, const std::string& chain, bool on) {
 }
 
 void switch_all(ViewState& s, bool on, const std::string& but = {}, bool with_exception = false) {
-  s.open.balls.without_chains.clear();
+  s.settings.open.balls.without_chains.clear();
   for (const ChainContents& chain : s.molecule.contents.chains) {
     const bool exception = with_exception && chain.name == but;
-    if (!on && !exception) s.open.balls.without_chains.push_back(chain.name);
+    if (!on && !exception) s.settings.open.balls.without_chains.push_back(chain.name);
   }
 }
 
 void chain_line(PanelContext& ctx, const ChainContents& chain, float width) {
   ViewState& s = ctx.state;
-  bool on = !is_off(s.open.balls, chain.name);
+  bool on = !is_off(s.settings.open.balls, chain.name);
   const std::string id = "molecule.chain." + chain.name;
   if (checkbox(ctx, id.c_str(), chain.name.empty() ? "(no name)" : chain.name.c_str(), on)) {
-    switch_chain(s.open.balls, chain.name, on);
+    switch_chain(s.settings.open.balls, chain.name, on);
   }
   const std::string kinds = kinds_text(chain.kinds);
   tooltip(ctx, kinds.c_str());
@@ -155,9 +155,9 @@ void chain_popup(PanelContext& ctx) {
 void chains(PanelContext& ctx) {
   const ViewState& s = ctx.state;
   const std::size_t all = s.molecule.contents.chains.size();
-  const auto off = static_cast<std::size_t>(
-      std::count_if(s.molecule.contents.chains.begin(), s.molecule.contents.chains.end(),
-                    [&](const ChainContents& chain) { return is_off(s.open.balls, chain.name); }));
+  const auto off = static_cast<std::size_t>(std::count_if(
+      s.molecule.contents.chains.begin(), s.molecule.contents.chains.end(),
+      [&](const ChainContents& chain) { return is_off(s.settings.open.balls, chain.name); }));
   row_label(ctx, "Chains");
   const std::string preview = all == 1 && off == 0 ? "the only one"
                               : off == 0           ? "all " + number(all)
@@ -216,17 +216,17 @@ void expression_message(PanelContext& ctx, bool pending) {
 void expression(PanelContext& ctx) {
   ViewState& s = ctx.state;
   PanelMemory& m = s.memory;
-  if (s.open.balls.selection != m.expression_shown) {  // another file, or taken back
-    m.expression_shown = m.expression_typed = s.open.balls.selection;
+  if (s.settings.open.balls.selection != m.expression_shown) {  // another file, or taken back
+    m.expression_shown = m.expression_typed = s.settings.open.balls.selection;
   }
   row_label(ctx, "Only", 30);
   const bool entered =
       text_field(ctx, "molecule.expression", m.expression_typed, "chain A or ligand");
   if (ImGui::IsItemEdited()) s.expression_error.reset();
-  const bool pending = m.expression_typed != s.open.balls.selection;
+  const bool pending = m.expression_typed != s.settings.open.balls.selection;
   if (entered) {
     s.expression_error.reset();
-    s.open.balls.selection = m.expression_shown = m.expression_typed;
+    s.settings.open.balls.selection = m.expression_shown = m.expression_typed;
     m.expression_entered = true;
   } else if (std::exchange(m.expression_entered, false) && s.expression_error) {
     type_into(ctx, "molecule.expression");  // to be mended

@@ -35,25 +35,25 @@ std::string memory_text(std::uint64_t atoms) {
 }
 
 void choose(ViewState& s, const AssemblyInfo& a) {
-  if (s.open.assembly == a.id) return;
+  if (s.settings.open.assembly == a.id) return;
   if (a.atoms >= kAskFromAtoms) {
     s.memory.confirm_assembly = a.id;
   } else {
-    s.open.assembly = a.id;
+    s.settings.open.assembly = a.id;
   }
 }
 
 void assembly_entries(PanelContext& ctx) {
   ViewState& s = ctx.state;
   const std::string deposited = "as deposited: " + atoms_text(s, s.molecule.deposited_atoms);
-  if (ImGui::Selectable(deposited.c_str(), s.open.assembly.empty())) {
-    s.open.assembly.clear();
+  if (ImGui::Selectable(deposited.c_str(), s.settings.open.assembly.empty())) {
+    s.settings.open.assembly.clear();
   }
   record(ctx, "molecule.assembly.deposited");
   for (const AssemblyInfo& a : s.molecule.assemblies) {
     const std::string text =
         a.id + ": " + copies_text(a) + ", " + atoms_text(s, a.atoms) + ", " + memory_text(a.atoms);
-    if (ImGui::Selectable(text.c_str(), s.open.assembly == a.id)) choose(s, a);
+    if (ImGui::Selectable(text.c_str(), s.settings.open.assembly == a.id)) choose(s, a);
     record(ctx, ("molecule.assembly." + a.id).c_str());
     if (!a.details.empty()) tooltip(ctx, a.details.c_str());
   }
@@ -64,8 +64,9 @@ void assembly_row(PanelContext& ctx) {
   const auto& list = s.molecule.assemblies;
   if (list.empty()) return;
   row_label(ctx, "Assembly");
-  const auto chosen = std::find_if(list.begin(), list.end(),
-                                   [&](const AssemblyInfo& a) { return a.id == s.open.assembly; });
+  const auto chosen = std::find_if(list.begin(), list.end(), [&](const AssemblyInfo& a) {
+    return a.id == s.settings.open.assembly;
+  });
   const std::string preview =
       chosen == list.end() ? "as deposited" : chosen->id + ": " + copies_text(*chosen);
   const bool open = list_field(ctx, "molecule.assembly", preview.c_str());
@@ -100,7 +101,7 @@ void model_tooltip(PanelContext& ctx, int model) {
 void model_slider(PanelContext& ctx) {
   ViewState& s = ctx.state;
   const int count = static_cast<int>(s.molecule.models.size());
-  int& model = s.open.balls.model;
+  int& model = s.settings.open.balls.model;
   const bool every = model == kAllModels;
   int shown = every ? 1 : model + 1;
   // Beside the slider, whose grab would cover it; as wide as the longest, so that nothing jumps.
@@ -147,9 +148,9 @@ void model_rows(PanelContext& ctx) {
   play_button(ctx);
   model_slider(ctx);
   row_label(ctx, "");
-  bool every = s.open.balls.model == kAllModels;
+  bool every = s.settings.open.balls.model == kAllModels;
   if (checkbox(ctx, "molecule.every_model", "All at once", every)) {
-    s.open.balls.model = every ? kAllModels : 0;
+    s.settings.open.balls.model = every ? kAllModels : 0;
     s.memory.playing_models = false;
   }
   tooltip(ctx, "The atoms of all models together, as one molecule.");

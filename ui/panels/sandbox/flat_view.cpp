@@ -178,13 +178,13 @@ void draw_shape(PanelContext& ctx, const Paper& paper, const FlatShape& shape) {
 }
 
 double solvent(const ViewState& state) {
-  return state.compute.solvent_radius_angstrom;
+  return state.settings.request.solvent_radius_angstrom;
 }
 
 // What is under the mouse: a centre before a rim, of several the nearest.
 void look_under(PanelContext& ctx, const Paper& paper, ImVec2 mouse) {
   SandboxMemory& m = ctx.state.memory.sandbox;
-  const Sandbox& sandbox = *ctx.state.open.sandbox;
+  const Sandbox& sandbox = *ctx.state.settings.open.sandbox;
   m.hovered = FlatPart::paper;
   float nearest = ctx.px(kReach);
   for (const FlatPart part : {FlatPart::centre, FlatPart::rim}) {
@@ -207,7 +207,7 @@ void look_under(PanelContext& ctx, const Paper& paper, ImVec2 mouse) {
 void look_inside(PanelContext& ctx, const Paper& paper, ImVec2 mouse) {
   SandboxMemory& m = ctx.state.memory.sandbox;
   if (m.hovered != FlatPart::paper) return;
-  const Sandbox& sandbox = *ctx.state.open.sandbox;
+  const Sandbox& sandbox = *ctx.state.settings.open.sandbox;
   const FlatPoint p = paper.place(mouse);
   double least = 1e300;
   for (std::size_t i = 0; i < sandbox.balls.size(); ++i) {
@@ -229,13 +229,13 @@ void take_hold(PanelContext& ctx, const FlatPoint& mouse) {
   }
   if (m.held == FlatPart::none) return;
   choose_ball(ctx.state, m.ball, ImGui::GetIO().KeyShift || ImGui::GetIO().KeyCtrl);
-  const SandboxPlace at = centre_of(*ctx.state.open.sandbox, m.ball);
+  const SandboxPlace at = centre_of(*ctx.state.settings.open.sandbox, m.ball);
   m.grip = {at[0] - mouse[0], at[1] - mouse[1]};
 }
 
 void drag(PanelContext& ctx, const FlatPoint& mouse) {
   SandboxMemory& m = ctx.state.memory.sandbox;
-  Sandbox& sandbox = *ctx.state.open.sandbox;
+  Sandbox& sandbox = *ctx.state.settings.open.sandbox;
   if (m.held == FlatPart::paper) {
     for (int d = 0; d < 2; ++d) m.middle[d] -= mouse[d] - m.grip[d];
     return;
@@ -257,7 +257,7 @@ void drag(PanelContext& ctx, const FlatPoint& mouse) {
 
 void add_at(PanelContext& ctx, const FlatPoint& mouse) {
   ViewState& s = ctx.state;
-  Sandbox& sandbox = *s.open.sandbox;
+  Sandbox& sandbox = *s.settings.open.sandbox;
   const SandboxMemory& m = s.memory.sandbox;
   if (sandbox.balls.size() >= kMostSandboxBalls) {
     s.tell("There is no room for another ball", why_no_sandbox(sandbox.balls.size() + 1));
@@ -287,7 +287,7 @@ void mouse_on_paper(PanelContext& ctx, Paper& paper, ImVec2 corner, ImVec2 size)
   look_inside(ctx, paper, io.MousePos);
   if (m.hovered == FlatPart::paper && ImGui::IsMouseDoubleClicked(0)) return add_at(ctx, mouse);
   if (ImGui::IsMouseClicked(0)) {
-    if (m.hovered == FlatPart::paper) s.picked.clear();
+    if (m.hovered == FlatPart::paper) s.settings.selection.clear();
     return take_hold(ctx, mouse);
   }
 }
@@ -296,7 +296,7 @@ void mouse_on_paper(PanelContext& ctx, Paper& paper, ImVec2 corner, ImVec2 size)
 void draw_moved(PanelContext& ctx, const Paper& paper) {
   const ViewState& s = ctx.state;
   if (!s.result) return;
-  const Sandbox& sandbox = *s.open.sandbox;
+  const Sandbox& sandbox = *s.settings.open.sandbox;
   const BallSet& drawn = *s.result->prepared->balls;
   for (std::size_t i = 0; i < sandbox.balls.size(); ++i) {
     const SandboxBall& ball = sandbox.balls[i];
@@ -312,7 +312,7 @@ void draw_moved(PanelContext& ctx, const Paper& paper) {
 
 void draw_marks(PanelContext& ctx, const Paper& paper) {
   const SandboxMemory& m = ctx.state.memory.sandbox;
-  const Sandbox& sandbox = *ctx.state.open.sandbox;
+  const Sandbox& sandbox = *ctx.state.settings.open.sandbox;
   ImDrawList* draw = ImGui::GetWindowDrawList();
   const auto ring = [&](std::size_t ball, ImU32 ink, float width) {
     const SandboxPlace at = centre_of(sandbox, ball);

@@ -8,7 +8,7 @@
 namespace alphascope {
 
 std::string why_not_by_hand(const ViewState& state) {
-  if (state.open.sandbox) return {};
+  if (state.settings.open.sandbox) return {};
   if (!state.result || !state.result->prepared) {
     return "There are no balls yet. Open a molecule or a preset first.";
   }
@@ -16,18 +16,18 @@ std::string why_not_by_hand(const ViewState& state) {
 }
 
 void start_sandbox(ViewState& state) {
-  if (state.open.sandbox || !why_not_by_hand(state).empty()) return;
-  state.open.sandbox = sandbox_of(*state.result->prepared->balls);
-  state.picked.clear();  // of atoms of the file, which are numbered otherwise
+  if (state.settings.open.sandbox || !why_not_by_hand(state).empty()) return;
+  state.settings.open.sandbox = sandbox_of(*state.result->prepared->balls);
+  state.settings.selection.clear();  // of atoms of the file, which are numbered otherwise
 }
 
 std::vector<BallIndex> chosen_balls(const ViewState& state) {
   std::vector<BallIndex> balls;
-  if (!state.open.sandbox) return balls;
+  if (!state.settings.open.sandbox) return balls;
   const auto add = [&](const AtomRef& atom) {
-    if (atom.atom < state.open.sandbox->balls.size()) balls.push_back(atom.atom);
+    if (atom.atom < state.settings.open.sandbox->balls.size()) balls.push_back(atom.atom);
   };
-  for (const Ref& ref : state.picked.items.items()) {
+  for (const Ref& ref : state.settings.selection.items.items()) {
     if (const auto* atom = std::get_if<AtomRef>(&ref)) {
       add(*atom);
     } else {
@@ -41,16 +41,17 @@ std::vector<BallIndex> chosen_balls(const ViewState& state) {
 
 void choose_ball(ViewState& state, std::size_t ball, bool more) {
   const Ref ref = AtomRef{static_cast<std::uint32_t>(ball), 0};
-  state.picked.cavities = {};
-  state.picked.items = more ? state.picked.items.toggled(ref) : RefSet({ref});
+  state.settings.selection.cavities = {};
+  state.settings.selection.items =
+      more ? state.settings.selection.items.toggled(ref) : RefSet({ref});
 }
 
 void remove_chosen(ViewState& state) {
   const std::vector<BallIndex> balls = chosen_balls(state);
   for (auto ball = balls.rbegin(); ball != balls.rend(); ++ball) {
-    remove_ball(*state.open.sandbox, *ball);
+    remove_ball(*state.settings.open.sandbox, *ball);
   }
-  state.picked.clear();  // those behind them have other numbers now
+  state.settings.selection.clear();  // those behind them have other numbers now
 }
 
 double snapped(double angstrom, double step) {
@@ -60,8 +61,8 @@ double snapped(double angstrom, double step) {
 }
 
 bool shows_flat_drawing(const ViewState& state) {
-  return state.memory.sandbox.drawing && state.open.sandbox && state.open.sandbox->flat &&
-         state.molecule.loaded;
+  return state.memory.sandbox.drawing && state.settings.open.sandbox &&
+         state.settings.open.sandbox->flat && state.molecule.loaded;
 }
 
 }  // namespace alphascope

@@ -38,7 +38,7 @@ void begin_row(PanelContext& ctx) {
   ImGui::SameLine(0, ctx.px(8));
   const std::string why = why_not_by_hand(ctx.state);
   ImGui::BeginDisabled(!why.empty());
-  bool by_hand = ctx.state.open.sandbox.has_value();
+  bool by_hand = ctx.state.settings.open.sandbox.has_value();
   if (checkbox(ctx, "sandbox.by_hand", "Balls by hand", by_hand)) {
     ctx.commands.run("sandbox.by_hand", {by_hand ? "on" : "off"});
   }
@@ -46,7 +46,7 @@ void begin_row(PanelContext& ctx) {
   tooltip(ctx, why.empty() ? "On: the balls on screen can be moved, resized, added and removed. "
                              "Off: the balls are the file's again. Undo brings them back."
                            : why.c_str());
-  if (!ctx.state.open.sandbox) return;
+  if (!ctx.state.settings.open.sandbox) return;
   ImGui::SameLine(0, ctx.px(16));
   if (button(ctx, "sandbox.save", "Save…")) ctx.commands.run("file.export");
   tooltip(ctx, "As .svg the flat drawing, as .xyzr the balls, and every other format of exports.");
@@ -70,7 +70,7 @@ void edit_row(PanelContext& ctx) {
   ImGui::EndDisabled();
   tooltip(ctx, "Removes the selected balls (Delete).");
   ImGui::SameLine(0, ctx.px(16));
-  bool flat = s.open.sandbox->flat;
+  bool flat = s.settings.open.sandbox->flat;
   if (checkbox(ctx, "sandbox.flat", "In a plane", flat)) {
     ctx.commands.run("sandbox.flat", {flat ? "on" : "off"});
   }
@@ -115,7 +115,7 @@ std::string counts_text(const ViewState& s) {
 }
 
 void coordinate(PanelContext& ctx, std::size_t ball, std::size_t axis) {
-  Sandbox& sandbox = *ctx.state.open.sandbox;
+  Sandbox& sandbox = *ctx.state.settings.open.sandbox;
   const double reach = sandbox_reach(sandbox.lattice);
   const NumberRule rule{"A coordinate", -reach, reach, "Å"};
   const std::string name = std::string("sandbox.") + "xyz"[axis] + "." + std::to_string(ball);
@@ -125,7 +125,7 @@ void coordinate(PanelContext& ctx, std::size_t ball, std::size_t axis) {
 }
 
 void radius(PanelContext& ctx, std::size_t ball) {
-  Sandbox& sandbox = *ctx.state.open.sandbox;
+  Sandbox& sandbox = *ctx.state.settings.open.sandbox;
   const NumberRule rule{"A radius", least_sandbox_radius(sandbox.lattice),
                         most_sandbox_radius(sandbox.lattice), "Å"};
   double value = radius_of(sandbox, ball);
@@ -148,7 +148,7 @@ void table(PanelContext& ctx) {
   for (const char* title : {"x, Å", "y, Å", "z, Å", "Radius, Å"}) ImGui::TableSetupColumn(title);
   ImGui::TableHeadersRow();
   const std::vector<BallIndex> chosen = chosen_balls(s);
-  for (std::size_t i = 0; i < s.open.sandbox->balls.size(); ++i) {
+  for (std::size_t i = 0; i < s.settings.open.sandbox->balls.size(); ++i) {
     ImGui::PushID(static_cast<int>(i));
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
@@ -160,7 +160,7 @@ void table(PanelContext& ctx) {
     record(ctx, ("sandbox.ball." + std::to_string(i)).c_str());
     for (std::size_t axis = 0; axis < 3; ++axis) {
       ImGui::TableNextColumn();
-      ImGui::BeginDisabled(axis == 2 && s.open.sandbox->flat);
+      ImGui::BeginDisabled(axis == 2 && s.settings.open.sandbox->flat);
       coordinate(ctx, i, axis);
       ImGui::EndDisabled();
     }
@@ -176,14 +176,14 @@ void table(PanelContext& ctx) {
 void draw_sandbox_panel(PanelContext& ctx) {
   begin_row(ctx);
   ViewState& s = ctx.state;
-  if (!s.open.sandbox) {
+  if (!s.settings.open.sandbox) {
     muted_wrapped(ctx,
                   "Set a handful of balls by hand, and see power diagram and complex change: "
                   "open a preset, or switch “Balls by hand” on for what is open.");
     return;
   }
   edit_row(ctx);
-  if (s.open.sandbox->flat) drawing_row(ctx);
+  if (s.settings.open.sandbox->flat) drawing_row(ctx);
   if (!shows_flat_drawing(s)) {
     muted_text(ctx,
                "In the picture: drag a ball to move it, Ctrl+wheel over it to resize it; with Alt "

@@ -122,11 +122,11 @@ TEST(Editor, SaysWhatWouldChange) {
   s.open.balls.overrides.push_back({"HEM", "FE", 26, 1'000'000});
   EXPECT_EQ(difference_text(plain, s), "radii");
   s = plain;
-  s.selection = RefSet({AtomRef{3, 0}});
+  s.selection.items = RefSet({AtomRef{3, 0}});
   EXPECT_EQ(difference_text(plain, s), "selection");
-  s.cavities = RefSet({SimplexRef{{1, 0}, {2, 0}, {3, 0}, {4, 0}}});
+  s.selection.cavities = RefSet({SimplexRef{{1, 0}, {2, 0}, {3, 0}, {4, 0}}});
   EXPECT_EQ(difference_text(plain, s), "selection") << "a cavity and what lines it are one choice";
-  s.selection = {};
+  s.selection.items = {};
   EXPECT_EQ(difference_text(plain, s), "selection");
   s = plain;
   s.request.tuples.streams = 1;

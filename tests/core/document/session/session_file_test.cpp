@@ -112,8 +112,9 @@ SessionDocument unusual() {
        .face_edges = 0.75f,
        .samples = 5,
        .beside = {false, false, true, true}};
-  s.settings.selection = RefSet({AtomRef{4, 0}, AtomRef{5, 2}, SimplexRef{{1, 0}, {2, 0}, {3, 7}}});
-  s.settings.cavities = RefSet({SimplexRef{{1, 0}, {2, 0}, {3, 0}, {4, 0}}});
+  s.settings.selection.items =
+      RefSet({AtomRef{4, 0}, AtomRef{5, 2}, SimplexRef{{1, 0}, {2, 0}, {3, 7}}});
+  s.settings.selection.cavities = RefSet({SimplexRef{{1, 0}, {2, 0}, {3, 0}, {4, 0}}});
   s.settings.cavity_choices.split_networks = true;
   s.settings.annotations = {
       {{LabelText::b_factor, AtomSet({{0, 3, 9}, {2, 1, 1}})},

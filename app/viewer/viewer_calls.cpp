@@ -1,0 +1,223 @@
+// The calls of panels and commands (ui/calls.hpp), queued while a frame is drawn.
+#include <imgui.h>
+
+#include <utility>
+
+#include "app/viewer/call_queue.hpp"
+#include "app/viewer/viewer.hpp"
+
+namespace alphascope {
+
+class Viewer::Queued {
+ public:
+  explicit Queued(Viewer& viewer)
+      : files(viewer, queue), view(viewer, queue), jobs(viewer, queue), lessons(viewer, queue) {}
+
+  CallQueue queue;
+
+ private:
+  struct Part {
+    Part(Viewer& viewer, CallQueue& queue) : v(viewer), queue(queue) {}
+    Viewer& v;
+    CallQueue& queue;
+  };
+
+ public:
+  struct Files : Part, FileCalls {
+    using Part::Part;
+    void open(const std::filesystem::path& file) override {
+      queue.put("open", [this, file] { v.open(file); });
+    }
+    void open_session(const std::filesystem::path& file) override {
+      queue.put("open_session", [this, file] { v.open_session(file); });
+    }
+    void save_session(const std::filesystem::path& file) override {
+      queue.put("save_session", [this, file] {
+        v.scene_.settle_view(v.state_.viewport);
+        if (const auto document = v.session_document(file)) {
+          v.session_files_.save(*document, file);
+        }
+      });
+    }
+    void go_on_with_session(const std::filesystem::path& molecule) override {
+      queue.put("go_on_with_session", [this, molecule] {
+        if (!v.waiting_session_) return;
+        if (molecule.empty()) return v.start_session();
+        v.session_files_.open_with(v.waiting_session_, molecule);
+      });
+    }
+    void give_session_up() override {
+      queue.put("give_session_up", [this] { v.forget_waiting_session(); });
+    }
+    void forget_recent() override {
+      queue.put("forget_recent", [this] { v.forget_recent(); });
+    }
+    void undo() override {
+      queue.put("undo", [this] { v.undo(); });
+    }
+    void redo() override {
+      queue.put("redo", [this] { v.redo(); });
+    }
+    void copy(const std::string& text) override {
+      queue.put("copy", [text] { ImGui::SetClipboardText(text.c_str()); });
+    }
+    void quit() override {
+      queue.put("quit", [this] { v.quit_ = true; });
+    }
+  };
+
+  struct View : Part, ViewCalls {
+    using Part::Part;
+    void reset() override {
+      queue.put("reset", [this] {
+        v.scene_.reset_view();
+        ++v.view_moves_;
+      });
+    }
+    void zoom(double factor) override {
+      move("zoom", [this, factor] { v.scene_.zoom(factor); });
+    }
+    void look_from(const std::array<double, 3>& side) override {
+      move("look_from", [this, side] { v.scene_.look_from(side); });
+    }
+    void look_across(const RealPoint& line) override {
+      move("look_across", [this, line] { v.scene_.look_across(line); });
+    }
+    void zoom_to_selection() override {
+      move("zoom_to_selection", [this] { v.zoom_to(v.state_.settings.selection.items); });
+    }
+    void zoom_to(const RefSet& items) override {
+      move("zoom_to", [this, items] { v.zoom_to(items); });
+    }
+    void centre_on(const RefSet& items) override {
+      move("centre_on", [this, items] { v.centre_on(items); });
+    }
+    void save(const std::string& name) override {
+      move("save_view", [this, name] { v.save_view(name); });
+    }
+    void go_to(const std::string& name) override {
+      move("go_to", [this, name] { v.go_to_view(name); });
+    }
+    void open_context_menu() override {
+      queue.put("open_context_menu", [this] { v.open_context_menu(); });
+    }
+
+   private:
+    // From the view as this frame shows it. Undo brings back where it was.
+    void move(std::string_view name, std::function<void()> how) {
+      queue.put(name, [this, how = std::move(how)] {
+        v.scene_.settle_view(v.state_.viewport);
+        const std::optional<CameraPlace> before = v.scene_.camera();
+        how();
+        if (v.scene_.camera() == before) return;
+        ++v.view_moves_;
+        if (!v.view_before_requests_) v.view_before_requests_ = before;
+      });
+    }
+  };
+
+  struct Jobs : Part, JobCalls {
+    using Part::Part;
+    void save_picture(const ScreenshotRequest& request) override {
+      of_the_view("save_picture", [this, request] { v.save_picture(request); });
+    }
+    void record(const RecordRequest& request) override {
+      of_the_view("record", [this, request] { v.record(request); });
+    }
+    void save_table(const SaveTableRequest& request) override {
+      queue.put("save_table", [this, request] { v.save_table(request); });
+    }
+    void export_complex(const ExportRequest& request) override {
+      queue.put("export_complex", [this, request] { v.export_complex(request); });
+    }
+    void compare() override {
+      queue.put("compare", [this] {
+        v.compared_ = v.session_.state().ours;
+        v.session_.request_comparison();
+      });
+    }
+    void compute_anew() override {
+      queue.put("compute_anew", [this] { v.session_.compute_anew(); });
+    }
+    void run_benchmark() override {
+      queue.put("run_benchmark", [this] {
+        v.benchmark_.start(v.session_.state(), v.state_.benchmark_controls, v.state_.benchmark);
+      });
+    }
+    void export_benchmark() override {
+      queue.put("export_benchmark",
+                [this] { v.benchmark_.save(v.state_.benchmark_controls, v.state_.benchmark); });
+    }
+    void cancel(Job job) override {
+      switch (job) {
+        case Job::computing:
+          return queue.put("cancel_computing", [this] { v.cancel_computing(); });
+        case Job::comparing:
+          return queue.put("cancel_comparing", [this] { v.session_.cancel_comparison(); });
+        case Job::saving:
+          return queue.put("cancel_saving", [this] { v.cancel_saving(); });
+        case Job::benchmark:
+          return queue.put("cancel_benchmark", [this] { v.benchmark_.cancel(); });
+      }
+    }
+
+   private:
+    void of_the_view(std::string_view name, std::function<void()> job) {
+      queue.put(name, [this, job = std::move(job)] {
+        v.scene_.settle_view(v.state_.viewport);
+        job();
+      });
+    }
+  };
+
+  struct Lessons : Part, LessonCalls {
+    using Part::Part;
+    void open(const std::string& lesson) override {
+      queue.put("lesson_open", [this, lesson] { v.lesson_files_.open(lesson); });
+    }
+    void next() override {
+      queue.put("lesson_next", [this] { v.lessons_.next(); });
+    }
+    void back() override {
+      queue.put("lesson_back", [this] { v.lessons_.back(); });
+    }
+    void again() override {
+      queue.put("lesson_again", [this] { v.lessons_.again(); });
+    }
+    void reveal() override {
+      queue.put("lesson_reveal", [this] { v.lessons_.reveal(); });
+    }
+    void close() override {
+      queue.put("lesson_close", [this] { v.lessons_.close(); });
+    }
+  };
+
+  Files files;
+  View view;
+  Jobs jobs;
+  Lessons lessons;
+};
+
+std::shared_ptr<Viewer::Queued> Viewer::make_queued() {
+  return std::make_shared<Queued>(*this);
+}
+
+Calls Viewer::calls() {
+  return {queued_->files, queued_->view, queued_->jobs, queued_->lessons};
+}
+
+void Viewer::run_calls() {
+  view_before_requests_.reset();
+  queued_->queue.run();
+}
+
+void Viewer::cancel_computing() {
+  state_.memory.playing = state_.memory.playing_models = false;
+  session_.cancel_opening();
+  forget_waiting_session();
+  session_.cancel_computing();
+  session_.cancel_comparison();
+  if (!state_.busy.active) cancel_saving();
+}
+
+}  // namespace alphascope

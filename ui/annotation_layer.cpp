@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/document/reference/reference.hpp"
 #include "core/explain/power_diagram.hpp"
 #include "core/selection/atom_address.hpp"
 #include "ui/number_text.hpp"

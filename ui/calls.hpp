@@ -1,6 +1,6 @@
-// What panels and commands ask the program to do, as four small interfaces. A call made while a frame
-// is drawn is carried out after it, in the order of calls; of two equal ones the later replaces the
-// earlier. Nothing here blocks: what takes long shows its share done elsewhere.
+// What panels and commands ask the program to do, as four small interfaces. A call made while a
+// frame is drawn is carried out after it, in the order of calls; of two equal ones the later
+// replaces the earlier. Nothing here blocks: what takes long shows its share done elsewhere.
 #pragma once
 
 #include <array>
@@ -22,7 +22,8 @@ struct ScreenshotRequest;
 class FileCalls {
  public:
   virtual ~FileCalls() = default;
-  virtual void open(const std::filesystem::path& file) = 0;  // a molecule, or a session by its ending
+  virtual void open(
+      const std::filesystem::path& file) = 0;  // a molecule, or a session by its ending
   virtual void open_session(const std::filesystem::path& file) = 0;
   virtual void save_session(const std::filesystem::path& file) = 0;
   // The session that waits for an answer (ViewState::session_problem): opened with this molecule in
@@ -40,10 +41,11 @@ class FileCalls {
 class ViewCalls {
  public:
   virtual ~ViewCalls() = default;
-  virtual void reset() = 0;              // shows the whole molecule
-  virtual void zoom(double factor) = 0;  // how many times as large
+  virtual void reset() = 0;                                       // shows the whole molecule
+  virtual void zoom(double factor) = 0;                           // how many times as large
   virtual void look_from(const std::array<double, 3>& side) = 0;  // from the middle to the viewer
-  virtual void look_across(const RealPoint& line) = 0;  // a line; the view turns no more than it must
+  virtual void look_across(
+      const RealPoint& line) = 0;  // a line; the view turns no more than it must
   virtual void zoom_to_selection() = 0;
   virtual void zoom_to(const RefSet& items) = 0;    // they fill the view
   virtual void centre_on(const RefSet& items) = 0;  // they become its middle, at the same size

@@ -106,7 +106,7 @@ int drive(alphascope::Viewer& viewer, const alphascope::ViewerOptions& options,
   }
   const alphascope::ViewState& state = viewer.state();
   const std::string problem = state.session_problem ? state.session_problem->text : "";
-  const std::string& refused = state.memory.lessons.refused;
+  const std::string& refused = state.lessons.refused;
   const std::pair<const std::string&, ExitCode> failures[] = {
       {state.error, ExitCode::unreadable_input},
       {state.compute_error, ExitCode::computing_failed},

@@ -61,8 +61,8 @@ Viewer::Viewer(Host& host, const ViewerOptions& options, Session::Services servi
       preferences_([&host] { host.wake(); }, options.preferences),
       lesson_files_([&host] { host.wake(); }, lesson_folders(options)),
       lesson_stage_(make_lesson_stage()),
-      lessons_(*lesson_stage_, state_.memory.lessons),
-      lesson_recorder_(lessons_, state_.memory.lessons, saver_,
+      lessons_(*lesson_stage_, state_.lessons),
+      lesson_recorder_(lessons_, state_.lessons, saver_,
                        [this](const ScreenshotRequest& r) {
                          return with_sides(scene_.picture(r), state_.viewport, r.options);
                        }),
@@ -84,7 +84,7 @@ Viewer::Viewer(Host& host, const ViewerOptions& options, Session::Services servi
   state_.settings.request.alpha_angstrom2 = options.alpha;
   state_.settings.request.solvent_radius_angstrom = options.solvent;
   state_.settings.request.tetrahedra_only = options.tetrahedra_only;
-  state_.auto_compare = options.compare;
+  state_.window.auto_compare = options.compare;
   draw_shots_only_ = options.draw_shots_only;
   sent_compute_ = state_.settings.request;
   session_.set_request(canonical(state_.settings.request));
@@ -93,7 +93,7 @@ Viewer::Viewer(Host& host, const ViewerOptions& options, Session::Services servi
     state_.settings.display = with_preset(state_.settings.display, *preset);
   }
   if (options.samples) state_.settings.display.samples = *options.samples;
-  scene_.set_display(state_.settings.display, state_.theme, line_scale());
+  scene_.set_display(state_.settings.display, state_.window.theme, line_scale());
   editor_.restart(settings());
   if (options.file) open(*options.file);
   if (options.session) open_session(*options.session);
@@ -191,9 +191,9 @@ void Viewer::take_file() {
   state_.drop_note = std::exchange(drop_note_when_open_, {});
   host_.set_title(state_.molecule.name + " – Alphascope");
   close_dialogs_of_file();
-  state_.memory.cavities.wanted_row.reset();
-  state_.memory.playing_models = state_.memory.timings_pinned = false;
-  state_.memory.steps.playing = false;
+  state_.cavities.wanted_row.reset();
+  state_.playback.models = state_.memory.timings_pinned = false;
+  state_.steps.playing = false;
   sent_open_ = session_.open_options();
   state_.settings = {
       .open = sent_open_, .request = state_.settings.request, .display = state_.settings.display};
@@ -288,7 +288,7 @@ void Viewer::take_session() {
   OpenOptions before = state_.settings.open;
   if (changes.options) {  // what was asked for failed or was cancelled
     state_.settings.open = sent_open_ = session_.open_options();
-    state_.memory.playing_models = false;
+    state_.playback.models = false;
     editor_.amend(settings());
   }
   if (changes.error) {
@@ -349,7 +349,7 @@ void Viewer::send_controls() {
 }
 
 void Viewer::send_look() {
-  scene_.set_display(state_.settings.display, state_.theme, line_scale());
+  scene_.set_display(state_.settings.display, state_.window.theme, line_scale());
   scene_.set_clip(state_.settings.clip);
   scene_.set_appearance(state_.settings.appearance);
 }
@@ -399,10 +399,11 @@ void Viewer::send_selection() {
 
 // The next step is asked for when the last one is on screen, however long that took.
 void Viewer::play() {
-  bool& playing = state_.memory.playing;
+  bool& playing = state_.playback.alpha;
   if (!playing || !session_.state().up_to_date() || scene_.busy()) return;
-  const AlphaMemory& m = state_.memory.alpha;
-  const NextAlpha next = next_alpha(m.slider, state_.settings.request.alpha_angstrom2, m.backwards);
+  const NextAlpha next =
+      next_alpha(state_.window.alpha_slider, state_.settings.request.alpha_angstrom2,
+                 state_.playback.backwards);
   if (next.ended) {
     playing = false;
     return;
@@ -413,7 +414,7 @@ void Viewer::play() {
 
 // As play(): a model is asked for when the last one is on screen, and its time is over.
 void Viewer::play_models() {
-  if (!state_.memory.playing_models) {
+  if (!state_.playback.models) {
     model_playback_.stop();
     return;
   }
@@ -422,7 +423,7 @@ void Viewer::play_models() {
       model, static_cast<int>(state_.molecule.models.size()),
       settled() && !scene_.busy() && state_.settings.open == sent_open_};
   if (const auto next =
-          model_playback_.next(scene, state_.memory.models_per_second, Clock::now())) {
+          model_playback_.next(scene, state_.playback.models_per_second, Clock::now())) {
     model = *next;
     frames_due_ = kSettlingFrames;
   }
@@ -430,9 +431,9 @@ void Viewer::play_models() {
 
 // As play_models(), but not beyond the last one, and no frame is drawn before the next is due.
 void Viewer::play_steps() {
-  StepsMemory& memory = state_.memory.steps;
+  StepsMemory& memory = state_.steps;
   const bool over = memory.current && memory.at() == memory.last();
-  if (over || state_.memory.bottom_panel != kStepsPage) memory.playing = false;
+  if (over || state_.window.page != kStepsPage) memory.playing = false;
   if (!memory.playing) {
     step_playback_.stop();
     return;

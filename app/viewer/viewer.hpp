@@ -31,6 +31,7 @@
 #include "core/document/session/editor.hpp"
 #include "core/document/store/store.hpp"
 #include "ui/calls.hpp"
+#include "ui/panels/panel_list.hpp"
 #include "ui/panels/view_state.hpp"
 #include "ui/widgets/widget_rects.hpp"
 #include "ui/window/host.hpp"
@@ -80,6 +81,7 @@ class Viewer {
   Calls calls();  // queued until the end of the frame
   const Commands& commands() const { return commands_; }
   const WidgetRects& widgets() const { return rects_; }
+  PanelSet& panels() { return panels_; }
   Session& session() { return session_; }
   Host& host() { return host_; }
   // Values of one derived result, since the start.
@@ -106,6 +108,7 @@ class Viewer {
   void take_back_history();
   // None without a molecule.
   std::optional<SessionDocument> session_document(const std::filesystem::path& file) const;
+  SessionView window_of_session() const;  // without the camera
   void use_preferences(const ViewerOptions& options);
   Preferences preferred() const;
   void note_preferences();
@@ -205,6 +208,7 @@ class Viewer {
   ViewState state_;
   Commands commands_;  // on state_
   WidgetRects rects_;
+  PanelSet panels_;
   ImGuiFrame frame_;
   SceneController scene_;
   Request sent_compute_;

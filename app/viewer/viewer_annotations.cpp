@@ -29,10 +29,10 @@ void Viewer::draw_annotations() {
   const bool same = a.annotations == state_.settings.annotations &&
                     a.references == state_.references && a.balls == balls &&
                     a.looks == scene_.drawn_looks() && a.beside == scene_.beside_body().mesh &&
-                    a.theme == state_.theme;
+                    a.theme == state_.window.theme;
   if (!same) {
-    a = {state_.settings.annotations, state_.references, balls,   scene_.drawn_looks(),
-         scene_.beside_body().mesh,   state_.theme,      nullptr, a.key + 1};
+    a = {state_.settings.annotations, state_.references,   balls,   scene_.drawn_looks(),
+         scene_.beside_body().mesh,   state_.window.theme, nullptr, a.key + 1};
     if (a.references && a.balls) {
       a.layer =
           make_annotation_layer(a.annotations, {*a.references, a.balls,

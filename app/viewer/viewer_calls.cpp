@@ -212,7 +212,7 @@ void Viewer::run_calls() {
 }
 
 void Viewer::cancel_computing() {
-  state_.memory.playing = state_.memory.playing_models = false;
+  state_.playback.alpha = state_.playback.models = false;
   session_.cancel_opening();
   forget_waiting_session();
   session_.cancel_computing();

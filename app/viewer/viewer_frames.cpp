@@ -20,8 +20,8 @@ constexpr double kBusyInterval = 0.05, kIdleInterval = 1.0;  // seconds
 
 bool Viewer::interacting() const {
   const ImGuiIO& io = ImGui::GetIO();
-  return state_.memory.playing || state_.memory.playing_models || io.MouseDown[0] ||
-         io.MouseDown[1] || io.MouseDown[2];
+  return state_.playback.alpha || state_.playback.models || io.MouseDown[0] || io.MouseDown[1] ||
+         io.MouseDown[2];
 }
 
 void Viewer::draw(ScriptedInput* input, bool patient,
@@ -31,7 +31,7 @@ void Viewer::draw(ScriptedInput* input, bool patient,
   update_busy();
   follow_scale();
   guarded([this] { describe_under_mouse(); });
-  if (!frame_.begin(state_.theme, input)) return want_of_all_balls();
+  if (!frame_.begin(state_.window.theme, input)) return want_of_all_balls();
   session_.let_finish(interacting());
   session_.set_measuring(state_.measures_wanted ||
                          is_exposure(state_.settings.display.ball_paint.by));
@@ -46,7 +46,7 @@ void Viewer::draw(ScriptedInput* input, bool patient,
     if (!patient && !turned) scene_.begin_picture(state_.viewport, interacting());
   });
   const Calls calls = this->calls();
-  const WindowParts parts{state_, rects_, commands_, store_, inputs_, calls};
+  const WindowParts parts{state_, rects_, commands_, store_, inputs_, calls, panels_};
   draw_window(parts, frame_.fonts(), frame_.scale());
   guarded([this] { want_of_all_balls(); });
   guarded([this] {
@@ -124,11 +124,11 @@ double Viewer::idle_seconds() const {
   if (frames_due_ > 0) return 0;
   const double idle = working() ? kBusyInterval : kIdleInterval;
   double wait = std::min(idle, scene_.seconds_to_refinement());
-  if (state_.memory.playing_models) {
-    wait = std::min(wait,
-                    model_playback_.seconds_to_next(state_.memory.models_per_second, Clock::now()));
+  if (state_.playback.models) {
+    wait = std::min(
+        wait, model_playback_.seconds_to_next(state_.playback.models_per_second, Clock::now()));
   }
-  if (state_.memory.steps.playing) wait = std::min(wait, seconds_to_next_step());
+  if (state_.steps.playing) wait = std::min(wait, seconds_to_next_step());
   if (tooltip_due_) {
     wait = std::min(wait, std::chrono::duration<double>(*tooltip_due_ - Clock::now()).count());
   }
@@ -136,7 +136,7 @@ double Viewer::idle_seconds() const {
 }
 
 double Viewer::seconds_to_next_step() const {
-  return step_playback_.seconds_to_next(state_.memory.steps.a_second, Clock::now());
+  return step_playback_.seconds_to_next(state_.steps.a_second, Clock::now());
 }
 
 // Where frames are work of the processor, fewer are drawn while it computes what is to be drawn.
@@ -181,8 +181,8 @@ void Viewer::run() {
     }
     guarded([this] { open_dropped(host_.take_dropped_files()); });
     take_results();
-    const bool playing = state_.memory.playing || state_.memory.playing_models;
-    const bool step_due = state_.memory.steps.playing && seconds_to_next_step() <= 0;
+    const bool playing = state_.playback.alpha || state_.playback.models;
+    const bool step_due = state_.steps.playing && seconds_to_next_step() <= 0;
     const bool due = frames_due_ > 0 || playing || step_due || working() || store_.busy() ||
                      scene_.wants_frame() || state_.settings.open != sent_open_;
     if (!due) continue;

@@ -15,8 +15,8 @@ Settings Viewer::settings() const {
 
 // Once a frame, when what was typed has been checked.
 void Viewer::note_changes() {
-  const bool by_itself = state_.memory.playing || state_.memory.playing_models || lessons_.busy() ||
-                         sweep_recorder_.busy();
+  const bool by_itself =
+      state_.playback.alpha || state_.playback.models || lessons_.busy() || sweep_recorder_.busy();
   const std::size_t entries = editor_.depth();
   if (std::exchange(state_.selection_followed, false)) {
     Settings followed = editor_.now();
@@ -42,7 +42,7 @@ void Viewer::note_changes() {
 
 void Viewer::show_settings() {
   state_.settings = editor_.now();
-  state_.memory.playing = state_.memory.playing_models = false;
+  state_.playback.alpha = state_.playback.models = false;
   state_.memory.number = {};  // what was being typed is not what is undone
   state_.expression_error.reset();
 }

@@ -89,7 +89,7 @@ class Viewer::Stage : public LessonStage {
     const bool sent =
         v_.state_.settings.request == v_.sent_compute_ && v_.state_.settings.open == v_.sent_open_;
     const bool shown = v_.session_.state().ours == v_.state_.result ||
-                       !v_.state_.compute_error.empty() || v_.state_.memory.playing;
+                       !v_.state_.compute_error.empty() || v_.state_.playback.alpha;
     return sent && shown && !a.opening.busy && !a.computing.busy && !v_.scene_.busy();
   }
 
@@ -102,12 +102,8 @@ class Viewer::Stage : public LessonStage {
   void open(const std::filesystem::path& molecule) override {
     SessionDocument document;
     document.settings = next_settings();
-    document.view.light_theme = v_.state_.theme == Theme::light;
-    const PanelMemory& m = v_.state_.memory;
-    document.view.panels = {
-        m.bottom_panel, m.bottom_height, {m.closed_sections.begin(), m.closed_sections.end()}, {}};
-    document.view.picture = m.save;
-    document.view.recording = m.record;
+    document.view = v_.window_of_session();
+    document.view.panels.alpha_slider = {};
     start({}, std::move(document), molecule);
   }
 
@@ -134,7 +130,7 @@ class Viewer::Stage : public LessonStage {
       v_.forget_waiting_session();
       return take_over(kept);
     }
-    kept.document->view.light_theme = v_.state_.theme == Theme::light;
+    kept.document->view.light_theme = v_.state_.window.theme == Theme::light;
     const std::filesystem::path molecule = kept.document->molecule.absolute;
     start(kept.session_file, *std::move(kept.document), molecule);
     v_.history_to_come_back_ = std::move(kept.history);
@@ -204,7 +200,7 @@ std::vector<std::filesystem::path> Viewer::lesson_folders(const ViewerOptions& o
 }
 
 void Viewer::take_lesson_files() {
-  LessonMemory& memory = state_.memory.lessons;
+  LessonMemory& memory = state_.lessons;
   LessonFiles::News news = lesson_files_.poll();
   if (news.shelf) memory.shelf = news.shelf;
   if (memory.shown && !memory.shelf && !lesson_files_.busy()) lesson_files_.read_shelf();

@@ -16,9 +16,9 @@ constexpr double kPresenterTimes = 1.5, kPresenterLines = 1.4;
 void Viewer::use_preferences(const ViewerOptions& options) {
   const Preferences& p = preferences_.now();
   const bool light = options.light || p.light_theme;
-  state_.theme = light ? Theme::light : Theme::dark;
-  state_.control_scale = options.scale > 0 ? options.scale : p.scale;
-  state_.presenter_size = p.presenter_size;
+  state_.window.theme = light ? Theme::light : Theme::dark;
+  state_.window.control_scale = options.scale > 0 ? options.scale : p.scale;
+  state_.window.presenter_size = p.presenter_size;
   std::error_code ignored;
   if (std::filesystem::is_directory(p.last_folder, ignored)) {
     state_.memory.browser_folder = p.last_folder;
@@ -35,9 +35,9 @@ void Viewer::use_preferences(const ViewerOptions& options) {
 // As the window has it now. What is not known is as before.
 Preferences Viewer::preferred() const {
   Preferences p = noted_;
-  p.light_theme = state_.theme == Theme::light;
-  p.scale = state_.control_scale;
-  p.presenter_size = state_.presenter_size;
+  p.light_theme = state_.window.theme == Theme::light;
+  p.scale = state_.window.control_scale;
+  p.presenter_size = state_.window.presenter_size;
   p.engine = state_.settings.request.engine;
   p.last_folder = state_.memory.browser_folder;
   const HostSize size = host_.size();
@@ -86,16 +86,16 @@ void Viewer::forget_recent() {
 }
 
 void Viewer::follow_scale() {
-  const double times = state_.presenter_size ? kPresenterTimes : 1;
-  if (state_.control_scale == set_scale_ && times == set_times_) return;
-  set_scale_ = state_.control_scale;
+  const double times = state_.window.presenter_size ? kPresenterTimes : 1;
+  if (state_.window.control_scale == set_scale_ && times == set_times_) return;
+  set_scale_ = state_.window.control_scale;
   set_times_ = times;
   host_.set_scale(set_scale_, set_times_);
   frames_due_ = kSettlingFrames;
 }
 
 float Viewer::line_scale() const {
-  return frame_.scale() * static_cast<float>(state_.presenter_size ? kPresenterLines : 1);
+  return frame_.scale() * static_cast<float>(state_.window.presenter_size ? kPresenterLines : 1);
 }
 
 void Viewer::poll_preferences() {

@@ -37,7 +37,7 @@ SweepRecorder::Window Viewer::swept_window() {
 void Viewer::record(const RecordRequest& request) {
   try {
     if (request.lesson_seconds) {
-      lesson_recorder_.start(request, state_.theme);
+      lesson_recorder_.start(request, state_.window.theme);
     } else if (request.recording.kind == RecordingKind::sweep &&
                !scene_.picture({request.path, request.options}).layers.empty()) {
       sweep_recorder_.start(request, scene_.texts());

@@ -84,7 +84,7 @@ void Viewer::describe_under_mouse() {
 void Viewer::open_context_menu() {
   const ViewportInfo& v = state_.viewport;
   const auto found = under(v.mouse_x, v.mouse_y);
-  ContextMemory& menu = state_.memory.context;
+  ContextMemory& menu = state_.context;
   menu.opens = true;
   menu.what = found ? found->what : std::nullopt;
   menu.title = menu.what ? name_of(state_.references->molecule(), *menu.what) : "";
@@ -119,14 +119,14 @@ void Viewer::mark_selection() {
   const bool outlines = !state_.settings.selection.cavities.empty();
   const bool same = m.items == state_.settings.selection.items &&
                     m.references == state_.references && m.answer == answer &&
-                    m.beside == scene_.beside_body().mesh && m.theme == state_.theme &&
+                    m.beside == scene_.beside_body().mesh && m.theme == state_.window.theme &&
                     m.drawn.outlines == outlines;
   if (!same) {
     m = {state_.settings.selection.items,
          state_.references,
          answer,
          scene_.beside_body().mesh,
-         state_.theme,
+         state_.window.theme,
          {},
          nullptr,
          m.key + 1};

@@ -73,15 +73,15 @@ void Viewer::show_session() {
   state_.settings = s.settings;
   state_.settings.open = std::move(open);
   state_.settings.request = sent_compute_ = possible_here(s.settings.request);
-  state_.theme = s.view.light_theme ? Theme::light : Theme::dark;
-  state_.memory.playing = false;
+  state_.window.theme = s.view.light_theme ? Theme::light : Theme::dark;
+  state_.playback.alpha = false;
   state_.memory.number = {};
-  state_.memory.bottom_panel = s.view.panels.page;
-  state_.memory.bottom_height = static_cast<float>(s.view.panels.page_height);
+  state_.window.page = s.view.panels.page;
+  state_.window.page_height = static_cast<float>(s.view.panels.page_height);
   const auto& closed = s.view.panels.closed_sections;
-  state_.memory.closed_sections = {closed.begin(), closed.end()};
-  state_.memory.alpha.slider = s.view.panels.alpha_slider;
-  state_.memory.save = s.view.picture;
+  state_.window.closed_sections = {closed.begin(), closed.end()};
+  state_.window.alpha_slider = s.view.panels.alpha_slider;
+  state_.window.picture = s.view.picture;
   static_cast<RecordChoices&>(state_.memory.record) = s.view.recording;
   state_.molecule.radii = grown_radii(*session_.state().prepared, state_.settings.request);
   if (s.view.camera.any()) scene_.set_camera_when_drawn(s.view.camera);
@@ -108,16 +108,21 @@ std::optional<SessionDocument> Viewer::session_document(const std::filesystem::p
   document.molecule =
       refer_to(s.opened->molecule->source, s.opened->molecule->sha256, file.parent_path());
   document.settings = settings();
-  document.view.light_theme = state_.theme == Theme::light;
+  document.view = window_of_session();
   if (const auto camera = scene_.camera()) document.view.camera = *camera;
-  const PanelMemory& m = state_.memory;
-  document.view.panels = {m.bottom_panel,
-                          m.bottom_height,
-                          {m.closed_sections.begin(), m.closed_sections.end()},
-                          m.alpha.slider};
-  document.view.picture = m.save;
-  document.view.recording = m.record;
   return document;
+}
+
+SessionView Viewer::window_of_session() const {
+  const WindowSettings& w = state_.window;
+  return {.light_theme = w.theme == Theme::light,
+          .camera = {},
+          .panels = {w.page,
+                     w.page_height,
+                     {w.closed_sections.begin(), w.closed_sections.end()},
+                     w.alpha_slider},
+          .picture = w.picture,
+          .recording = state_.memory.record};
 }
 
 }  // namespace alphascope

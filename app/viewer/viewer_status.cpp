@@ -76,7 +76,7 @@ void Viewer::take_error(bool only_the_model_changed) {
   const SessionState& s = session_.state();
   state_.compute_error = s.error_source == Source::computing ? s.last_error : "";
   if (s.last_error.empty()) return;
-  state_.memory.playing = state_.memory.playing_models = false;
+  state_.playback.alpha = state_.playback.models = false;
   switch (s.error_source) {
     case Source::opening:
       starting_session_ = nullptr;
@@ -147,7 +147,7 @@ void Viewer::update_busy() {
 
 bool Viewer::compares_by_itself() const {
   const auto& ours = session_.state().ours;
-  return state_.auto_compare && ours && ours->request.engine != EngineChoice::cgal &&
+  return state_.window.auto_compare && ours && ours->request.engine != EngineChoice::cgal &&
          state_.molecule.balls <= kMostBallsToCompareUnasked;
 }
 

@@ -6,14 +6,9 @@
 #include <vector>
 
 #include "core/molecule/molecule.hpp"
+#include "core/molecule/rgb8.hpp"
 
 namespace alphascope {
-
-// sRGB.
-struct Rgb8 {
-  std::uint8_t r = 200, g = 200, b = 200;
-  friend bool operator==(const Rgb8&, const Rgb8&) = default;
-};
 
 Rgb8 element_colour(Element element);
 // Of the n-th chain; the first ones differ the most. Repeats after kChainColours.

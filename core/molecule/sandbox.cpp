@@ -5,6 +5,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "core/molecule/molecule.hpp"
+
 namespace alphascope {
 namespace {
 

@@ -9,9 +9,10 @@
 #include <vector>
 
 #include "core/geometry/ball_set.hpp"
-#include "core/molecule/molecule.hpp"
 
 namespace alphascope {
+
+struct Molecule;
 
 struct SandboxBall {
   LatticePoint centre;

@@ -11,23 +11,9 @@
 
 #include "core/molecule/molecule.hpp"
 #include "core/radii/amber_radii.hpp"
+#include "core/radii/radii_choice.hpp"
 
 namespace alphascope {
-
-// automatic = the file's own radii when it has any; else ProtOr when there is polymer without
-// hydrogens that ProtOr knows; else Bondi.
-enum class RadiiSet : std::uint8_t {
-  automatic,
-  file,
-  bondi,
-  protor,
-  castp,
-  alvarez,
-  amber,
-  naccess,
-  rasmol,
-  user
-};
 
 struct RadiiSetInfo {
   RadiiSet set;

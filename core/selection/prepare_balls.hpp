@@ -11,51 +11,9 @@
 #include "core/molecule/molecule.hpp"
 #include "core/radii/radii_set.hpp"
 #include "core/run/cancel_token.hpp"
+#include "core/selection/ball_options.hpp"
 
 namespace alphascope {
-
-enum class AltlocRule : std::uint8_t {
-  best,  // per residue, of the atoms that chains and selection leave: highest occupancy, then
-         // lowest B factor, then first letter
-  all,
-};
-// automatic drops them when the radii set is a united-atom one, which counts them already.
-enum class HydrogenRule : std::uint8_t { automatic, keep, drop };
-
-inline constexpr int kAllModels = -1;
-
-// All atoms of one name, element and residue name.
-struct AtomGroup {
-  std::string residue, atom;  // as in the file; empty where it gives none
-  Element element = kUnknownElement;
-  friend bool operator==(const AtomGroup&, const AtomGroup&) = default;
-};
-
-// A radius that a user gave to them.
-struct RadiusOverride {
-  AtomGroup atoms;
-  std::int32_t microangstrom = 0;  // > 0
-  friend bool operator==(const RadiusOverride&, const RadiusOverride&) = default;
-};
-
-struct BallOptions {
-  RadiiSet radii = RadiiSet::automatic;
-  std::shared_ptr<const UserRadii> user_radii;  // for RadiiSet::user
-  int model = 0;  // index into Molecule::models, or kAllModels (then all of them at once)
-  AltlocRule altlocs = AltlocRule::best;
-  HydrogenRule hydrogens = HydrogenRule::automatic;
-  bool polymers = true;
-  bool ligands = true;
-  bool ions = true;
-  bool waters = false;
-  bool dummies = false;                     // markers without matter (OPM's membrane planes)
-  std::vector<std::string> chains;          // only these; empty = all
-  std::vector<std::string> without_chains;  // none of these
-  std::string selection;                    // core/selection/selection_expression.hpp; blank = all
-  std::vector<RadiusOverride> overrides;    // go before every radii set
-  std::vector<std::string> treated;         // what residues are, by hand: see treatments.hpp
-  friend bool operator==(const BallOptions&, const BallOptions&) = default;
-};
 
 // A radius that the set did not have.
 struct GuessedRadius {
@@ -64,20 +22,6 @@ struct GuessedRadius {
   double radius_angstrom = 0;
   std::string source = {};  // "ionic radius, Shannon 1976"
   AtomGroup group = {};
-};
-
-enum class DropReason : std::uint8_t {
-  chain,
-  selection,
-  dummy,
-  water,
-  ion,
-  ligand,
-  polymer,
-  hydrogen,
-  altloc,
-  zero_radius,
-  without_radius
 };
 
 // Atoms of one residue name left out for one reason.

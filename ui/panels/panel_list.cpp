@@ -1,54 +1,68 @@
-// See the header.
+// The panels, in their order.
 #include "ui/panels/panel_list.hpp"
+
+#include <stdexcept>
+#include <string>
 
 namespace alphascope {
 
 // Each is defined in the source of its name, and called from here only.
-void draw_molecule_panel(PanelContext& ctx);
-void draw_alpha_panel(PanelContext& ctx);
-void draw_display_panel(PanelContext& ctx);
-void draw_look_panel(PanelContext& ctx);  // in display_panel.cpp
-void draw_clip_panel(PanelContext& ctx);
-void draw_engine_panel(PanelContext& ctx);
-void draw_timings_panel(PanelContext& ctx);
-void draw_cavities_panel(PanelContext& ctx);
-void draw_channels_panel(PanelContext& ctx);
-void draw_measures_panel(PanelContext& ctx);
-void draw_curves_panel(PanelContext& ctx);
-void draw_signature_panel(PanelContext& ctx);
-void draw_why_panel(PanelContext& ctx);
-void draw_steps_panel(PanelContext& ctx);
-void draw_sandbox_panel(PanelContext& ctx);
-void draw_details_panel(PanelContext& ctx);
-void draw_lessons_panel(PanelContext& ctx);
+std::unique_ptr<Panel> molecule_panel();
+std::unique_ptr<Panel> alpha_panel();
+std::unique_ptr<Panel> display_panel();
+std::unique_ptr<Panel> look_panel();  // in display_panel.cpp
+std::unique_ptr<Panel> clip_panel();
+std::unique_ptr<Panel> engine_panel();
+std::unique_ptr<Panel> timings_panel();
+std::unique_ptr<Panel> cavities_panel();
+std::unique_ptr<Panel> channels_panel();
+std::unique_ptr<Panel> measures_panel();
+std::unique_ptr<Panel> curves_panel();
+std::unique_ptr<Panel> signature_panel();
+std::unique_ptr<Panel> why_panel();
+std::unique_ptr<Panel> steps_panel();
+std::unique_ptr<Panel> sandbox_panel();
+std::unique_ptr<Panel> details_panel();
+std::unique_ptr<Panel> lessons_panel();
 
 namespace {
 
 constexpr PanelSpec kPanels[] = {
-    {"molecule", "Molecule", Place::left, draw_molecule_panel,
+    {"molecule", "Molecule", Place::left, molecule_panel,
      "radii set radius hydrogens altloc chains only expression filter assembly biological units"},
-    {"alpha", "Alpha", Place::left, draw_alpha_panel},
-    {"display", "Display", Place::left, draw_display_panel, "colours opacity size"},
-    {"look", "Light", Place::left, draw_look_panel, "shadows lines fog quality"},
-    {"clip", "Clip", Place::left, draw_clip_panel},
-    {"engine", "Engine", Place::left, draw_engine_panel, "GPU CPU threads"},
-    {"timings", "Timings", Place::bottom, draw_timings_panel, "time speed stages"},
-    {"cavities", "Cavities", Place::bottom, draw_cavities_panel, "cavity pocket void hole"},
-    {"channels", "Channels", Place::bottom, draw_channels_panel, "tunnel pore"},
-    {"measures", "Measures", Place::bottom, draw_measures_panel, "volume area surface"},
-    {"curves", "Curves", Place::bottom, draw_curves_panel, "chart Betti lives"},
-    {"signature", "Signature", Place::bottom, draw_signature_panel},
-    {"why", "Why?", Place::bottom, draw_why_panel, "explain reason"},
-    {"steps", "Steps", Place::bottom, draw_steps_panel, "algorithm"},
-    {"sandbox", "Sandbox", Place::bottom, draw_sandbox_panel},
-    {"details", "Details", Place::bottom, draw_details_panel, "label distance angle"},
-    {"lessons", "Lessons", Place::right, draw_lessons_panel},
+    {"alpha", "Alpha", Place::left, alpha_panel},
+    {"display", "Display", Place::left, display_panel, "colours opacity size"},
+    {"look", "Light", Place::left, look_panel, "shadows lines fog quality"},
+    {"clip", "Clip", Place::left, clip_panel},
+    {"engine", "Engine", Place::left, engine_panel, "GPU CPU threads"},
+    {"timings", "Timings", Place::bottom, timings_panel, "time speed stages"},
+    {"cavities", "Cavities", Place::bottom, cavities_panel, "cavity pocket void hole"},
+    {"channels", "Channels", Place::bottom, channels_panel, "tunnel pore"},
+    {"measures", "Measures", Place::bottom, measures_panel, "volume area surface"},
+    {"curves", "Curves", Place::bottom, curves_panel, "chart Betti lives"},
+    {"signature", "Signature", Place::bottom, signature_panel},
+    {"why", "Why?", Place::bottom, why_panel, "explain reason"},
+    {"steps", "Steps", Place::bottom, steps_panel, "algorithm"},
+    {"sandbox", "Sandbox", Place::bottom, sandbox_panel},
+    {"details", "Details", Place::bottom, details_panel, "label distance angle"},
+    {"lessons", "Lessons", Place::right, lessons_panel},
 };
 
 }  // namespace
 
 std::span<const PanelSpec> panels() {
   return kPanels;
+}
+
+PanelSet::PanelSet() {
+  for (const PanelSpec& spec : kPanels) panels_.push_back(spec.make());
+}
+
+Panel& PanelSet::of(std::string_view id) {
+  for (std::size_t k = 0; k < panels_.size(); ++k) {
+    if (kPanels[k].id == id) return *panels_[k];
+  }
+  throw std::logic_error("No panel is called " + std::string(id) + ".");
 }
 
 }  // namespace alphascope

@@ -26,23 +26,19 @@
 #include "core/selection/selection_expression.hpp"
 #include "ui/layer.hpp"
 #include "ui/panels/cavities/cavity_memory.hpp"
-#include "ui/panels/channels/channel_memory.hpp"
-#include "ui/panels/complex/alpha_memory.hpp"
 #include "ui/panels/dialogs/benchmark_info.hpp"
 #include "ui/panels/dialogs/folder_listing.hpp"
 #include "ui/panels/dialogs/picture_memory.hpp"
 #include "ui/panels/dialogs/save_memory.hpp"
 #include "ui/panels/dialogs/table_memory.hpp"
-#include "ui/panels/explain/details_memory.hpp"
 #include "ui/panels/explain/steps_memory.hpp"
-#include "ui/panels/explain/why_memory.hpp"
 #include "ui/panels/frame/context_memory.hpp"
 #include "ui/panels/frame/palette_memory.hpp"
 #include "ui/panels/lessons/lesson_memory.hpp"
-#include "ui/panels/measures/curve_memory.hpp"
-#include "ui/panels/measures/measure_memory.hpp"
+#include "ui/panels/playback.hpp"
 #include "ui/panels/sandbox/sandbox_memory.hpp"
 #include "ui/panels/view_info.hpp"
+#include "ui/panels/window_settings.hpp"
 #include "ui/theme.hpp"
 #include "ui/widgets/controls.hpp"
 #include "ui/widgets/key_memory.hpp"
@@ -105,40 +101,20 @@ struct PanelMemory {
   BrowserPurpose browser_purpose = BrowserPurpose::molecule;
   SaveMemory saving;
   std::string save_path;
-  PictureOptions save;
   RecordMemory record;
   std::string export_path;
   ExportColours export_colours = ExportColours::element;
-  std::string session_path;                       // to save to
-  std::set<std::string> closed_sections{"look"};  // of the left side
-  bool timings_cold = true;                       // which of the two runs the waterfall shows
-  bool timings_pinned = false;                    // the user has chosen which
-  std::map<std::string, bool> switches;           // of single panels, by the name of the widget
-  std::string bottom_panel;                       // id of the page below the view; empty: the first
-  float bottom_height = 0;                        // pixels at scale 1; 0: default
+  std::string session_path;     // to save to
+  bool timings_cold = true;     // which of the two runs the waterfall shows
+  bool timings_pinned = false;  // the user has chosen which
   NumberTyping number;
   KeyMemory keys;
-  PaletteMemory palette;
-  CavityMemory cavities;
-  ChannelMemory channels;
-  MeasureMemory measures;
-  CurveMemory curves;
-  WhyMemory why;
-  StepsMemory steps;
   SandboxMemory sandbox;
-  ContextMemory context;
-  DetailsMemory details;
-  LessonMemory lessons;
   TableMemory save_table;
   std::vector<std::size_t> dialogs;  // that are open, by dialog_stack.cpp; the last is on top
   bool dragging_view = false;
-  AlphaMemory alpha;
-  bool clip_handle = true;  // shown in the picture, while there is a clip
   HandlePart clip_part = HandlePart::none,
              clip_part_hovered = HandlePart::none;  // held by the mouse
-  bool playing = false;         // alpha moves by itself, one step a finished result
-  bool playing_models = false;  // models follow one another as frames
-  float models_per_second = 5;  // at most; fewer when computing takes longer
   std::string expression_typed;
   bool expression_entered = false;  // and nothing said of it yet
   std::string expression_shown;     // the one in force when expression_typed was last taken over
@@ -162,10 +138,13 @@ struct ViewState {
   // Its items were changed since other atoms line what is chosen: that is no entry of the history,
   // which takes this back.
   bool selection_followed = false;
-  Theme theme = Theme::dark;
-  bool auto_compare = false;
-  double control_scale = 0;     // of fonts and controls; 0: as the display says
-  bool presenter_size = false;  // everything larger than that, to be read on a projector
+  WindowSettings window;
+  Playback playback;
+  LessonMemory lessons;
+  StepsMemory steps;
+  CavityMemory cavities;
+  PaletteMemory palette;
+  ContextMemory context;
 
   MoleculeInfo molecule;
   std::shared_ptr<const Answer> result;   // on screen; null: none. The controls may be ahead

@@ -202,7 +202,7 @@ bool section(PanelContext& ctx, const char* name, const char* title) {
   ImGui::PushStyleColor(ImGuiCol_HeaderHovered, to_imgui(ctx.palette.field));
   ImGui::PushStyleColor(ImGuiCol_HeaderActive, to_imgui(ctx.palette.field));
   const bool wanted = ctx.state.memory.go_to_section == name;
-  auto& closed = ctx.state.memory.closed_sections;  // not ImGui's: sessions hold it
+  auto& closed = ctx.state.window.closed_sections;  // not ImGui's: sessions hold it
   if (wanted) closed.erase(name);
   ImGui::SetNextItemOpen(!closed.contains(name));
   const bool open = ImGui::CollapsingHeader(title);

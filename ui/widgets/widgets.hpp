@@ -14,6 +14,7 @@
 
 namespace alphascope {
 
+class PanelSet;
 class Store;
 struct Inputs;
 struct NumberRule;
@@ -25,6 +26,7 @@ struct PanelContext {
   Store& store;          // of derived results: ask it in each frame
   const Inputs& inputs;  // what they are made of now
   const Calls& calls;    // what the program is asked to do, after this frame
+  PanelSet& panels;
   const PanelFonts& fonts;
   const Palette& palette;
   float scale = 1;

@@ -275,7 +275,7 @@ void add_details_command(Commands& commands, ViewState& s) {
                 .menu = "Tools",
                 .why_not = without_molecule(s),
                 .run = [&s](const Arguments&) {
-                  s.memory.bottom_panel = "details";
+                  s.window.page = "details";
                   return Outcome();
                 }});
 }

@@ -85,7 +85,7 @@ Outcome save_picture(const Arguments& arguments, ViewState& s, const Calls& ask)
     m.show_save = true;
     return {};
   }
-  PictureOptions options = m.save;
+  PictureOptions options = s.window.picture;
   options.width = static_cast<int>(arguments.number("width", options.width));
   options.height = static_cast<int>(arguments.number("height", options.height));
   options.transparent |= arguments.has("transparent");
@@ -335,11 +335,11 @@ void add_view_commands(Commands& commands, ViewState& s, const Calls& ask) {
                     .menu = "View",
                     .line_above = true,
                     .parameters = {on_or_off()}};
-  theme.checked = [&s] { return s.theme == Theme::light; };
+  theme.checked = [&s] { return s.window.theme == Theme::light; };
   theme.run = [&s](const Arguments& arguments) {
-    bool light = s.theme == Theme::light;
+    bool light = s.window.theme == Theme::light;
     Outcome outcome = set_switch(arguments, light);
-    s.theme = light ? Theme::light : Theme::dark;
+    s.window.theme = light ? Theme::light : Theme::dark;
     return outcome;
   };
   commands.add(std::move(theme));
@@ -348,7 +348,7 @@ void add_view_commands(Commands& commands, ViewState& s, const Calls& ask) {
                             .title = "Presenter size",
                             .help = "Makes text, controls and lines larger, for a projector",
                             .menu = "View"},
-                           s.presenter_size));
+                           s.window.presenter_size));
   commands.add(page_command(s));
   commands.add(section_command(s));
 }
@@ -362,7 +362,7 @@ void add_help_commands(Commands& commands, ViewState& s) {
                 .shortcuts = {{"Ctrl+P"}},
                 .menu = "Help",
                 .run = [&s](const Arguments&) {
-                  s.memory.palette = {.show = true};
+                  s.palette = {.show = true};
                   return Outcome();
                 }});
   commands.add({.id = "help.keys",

@@ -18,13 +18,14 @@ double rounded(double angstrom2) {
 
 // From the end, it begins at the other one. The other direction goes on playing.
 void toggle_playing(ViewState& s, bool backwards) {
-  AlphaMemory& m = s.memory.alpha;
-  const bool stops = s.memory.playing && m.backwards == backwards;
-  s.memory.playing = !stops;
-  m.backwards = backwards;
-  AlphaSlider around = m.slider;
+  Playback& p = s.playback;
+  const bool stops = p.alpha && p.backwards == backwards;
+  p.alpha = !stops;
+  p.backwards = backwards;
+  AlphaSlider around = s.window.alpha_slider;
   around.loop = true;
-  const bool at_end = next_alpha(m.slider, s.settings.request.alpha_angstrom2, backwards).ended;
+  const bool at_end =
+      next_alpha(s.window.alpha_slider, s.settings.request.alpha_angstrom2, backwards).ended;
   if (!stops && at_end) {
     set_alpha(s.settings.request,
               next_alpha(around, s.settings.request.alpha_angstrom2, backwards).alpha);
@@ -32,23 +33,23 @@ void toggle_playing(ViewState& s, bool backwards) {
 }
 
 CommandSpec play_command(ViewState& s, bool backwards) {
-  return {.id = backwards ? "alpha.play_back" : "alpha.play",
-          .title = backwards ? "Play alpha back" : "Play alpha",
-          .help = backwards ? "Lowers alpha step by step to the slider's low end, or stops"
-                            : "Raises alpha step by step to the slider's high end, or stops",
-          .menu = "Tools",
-          .why_not = without_result(s),
-          .checked =
-              [&s, backwards] { return s.memory.playing && s.memory.alpha.backwards == backwards; },
-          .run =
-              [&s, backwards](const Arguments&) {
-                toggle_playing(s, backwards);
-                return Outcome();
-              }};
+  return {
+      .id = backwards ? "alpha.play_back" : "alpha.play",
+      .title = backwards ? "Play alpha back" : "Play alpha",
+      .help = backwards ? "Lowers alpha step by step to the slider's low end, or stops"
+                        : "Raises alpha step by step to the slider's high end, or stops",
+      .menu = "Tools",
+      .why_not = without_result(s),
+      .checked = [&s, backwards] { return s.playback.alpha && s.playback.backwards == backwards; },
+      .run =
+          [&s, backwards](const Arguments&) {
+            toggle_playing(s, backwards);
+            return Outcome();
+          }};
 }
 
 std::vector<Choice> scalings(const ViewState& s) {
-  const AlphaScaling now = s.memory.alpha.slider.scaling;
+  const AlphaScaling now = s.window.alpha_slider.scaling;
   return {{"linear", "Linear", "", now == AlphaScaling::linear},
           {"root", "Signed square root", "", now == AlphaScaling::root},
           {"logarithm", "Logarithmic", "", now == AlphaScaling::logarithm}};
@@ -56,7 +57,7 @@ std::vector<Choice> scalings(const ViewState& s) {
 
 Outcome set_scaling(const Arguments& arguments, ViewState& s) {
   for (const auto& [scaling, id] : setting_ids(AlphaScaling::linear)) {
-    if (id == arguments.text("scale")) s.memory.alpha.slider.scaling = scaling;
+    if (id == arguments.text("scale")) s.window.alpha_slider.scaling = scaling;
   }
   return {};
 }
@@ -64,8 +65,8 @@ Outcome set_scaling(const Arguments& arguments, ViewState& s) {
 Outcome set_range(const Arguments& arguments, ViewState& s) {
   const double low = arguments.number("low"), high = arguments.number("high");
   if (!(low < high)) return Outcome::refused("The low end must be below the high end.");
-  s.memory.alpha.slider.low = low;
-  s.memory.alpha.slider.high = high;
+  s.window.alpha_slider.low = low;
+  s.window.alpha_slider.high = high;
   return {};
 }
 
@@ -76,7 +77,7 @@ void add_slider_commands(Commands& commands, ViewState& s) {
   commands.add(with_switch({.id = "alpha.loop",
                             .title = "Play alpha in a loop",
                             .help = "Goes on at the other end of the slider instead of stopping"},
-                           s.memory.alpha.slider.loop));
+                           s.window.alpha_slider.loop));
   commands.add({.id = "alpha.speed",
                 .title = "Set speed of playing…",
                 .help = "1 crosses the slider in 260 pictures, each shown when it is there",
@@ -86,7 +87,7 @@ void add_slider_commands(Commands& commands, ViewState& s) {
                                 .example = "2",
                                 .rule = kPlaySpeedRule}},
                 .run = [&s](const Arguments& arguments) {
-                  s.memory.alpha.slider.speed = arguments.number("speed");
+                  s.window.alpha_slider.speed = arguments.number("speed");
                   return Outcome();
                 }});
   commands.add({.id = "alpha.scale",
@@ -128,7 +129,7 @@ void add_alpha_commands(Commands& commands, ViewState& s) {
                   const AlphaInput alpha = read_alpha(arguments.text("alpha"));
                   if (!alpha.value) return Outcome::refused(alpha.error);
                   set_alpha(s.settings.request, *alpha.value);
-                  s.memory.playing = false;
+                  s.playback.alpha = false;
                   return Outcome();
                 }});
   commands.add({.id = "alpha.step",
@@ -190,10 +191,10 @@ void add_molecule_commands(Commands& commands, ViewState& s) {
                                  ? ""
                                  : "No molecule with several models is open.";
                     },
-                .checked = [&s] { return s.memory.playing_models; },
+                .checked = [&s] { return s.playback.models; },
                 .run =
                     [&s](const Arguments&) {
-                      s.memory.playing_models = !s.memory.playing_models;
+                      s.playback.models = !s.playback.models;
                       return Outcome();
                     }});
 }
@@ -222,8 +223,8 @@ Outcome set_engine(const Arguments& arguments, ViewState& s) {
 
 // The step at hand still finishes when something plays: a picture without its complex helps nobody.
 Outcome stop(ViewState& s, const Calls& ask) {
-  const bool playing = s.memory.playing || s.memory.playing_models || s.memory.steps.playing;
-  s.memory.playing = s.memory.playing_models = s.memory.steps.playing = false;
+  const bool playing = s.playback.alpha || s.playback.models || s.steps.playing;
+  s.playback.alpha = s.playback.models = s.steps.playing = false;
   if (playing) return {};
   if (!s.busy.active && !s.saving.active) {
     s.settings.selection.clear();
@@ -234,7 +235,7 @@ Outcome stop(ViewState& s, const Calls& ask) {
 }
 
 std::string nothing_to_stop(const ViewState& s) {
-  const bool something = s.memory.playing || s.memory.playing_models || s.memory.steps.playing ||
+  const bool something = s.playback.alpha || s.playback.models || s.steps.playing ||
                          s.busy.active || s.saving.active || !s.settings.selection.empty();
   return something ? ""
                    : "There is nothing to stop: nothing is playing, being read, computed, saved or "
@@ -262,7 +263,7 @@ void add_engine_commands(Commands& commands, ViewState& s, const Calls& ask) {
              const bool possible = s.molecule.balls <= kMostBallsToCompareUnasked;
              return possible ? "" : "The molecule is too large for CGAL to follow each change.";
            }},
-      s.auto_compare));
+      s.window.auto_compare));
   commands.add({.id = "compute.compare",
                 .title = "Compare with CGAL",
                 .help = "Computes the same complex with CGAL and compares simplex by simplex",
@@ -298,7 +299,7 @@ void add_engine_commands(Commands& commands, ViewState& s, const Calls& ask) {
                 .line_above = true,
                 .why_not = without_molecule(s),
                 .run = [&s](const Arguments&) {
-                  s.memory.playing = s.memory.playing_models = false;
+                  s.playback.alpha = s.playback.models = false;
                   s.memory.show_benchmark = true;
                   return Outcome();
                 }});

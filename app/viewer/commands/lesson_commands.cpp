@@ -24,7 +24,7 @@ constexpr Move kMoves[] = {
 
 Outcome open_lesson(const Arguments& arguments, ViewState& s, const Calls& ask) {
   ask.lessons.open(arguments.text("lesson"));
-  s.memory.lessons.shown = s.memory.lessons.list = true;
+  s.lessons.shown = s.lessons.list = true;
   return {};
 }
 
@@ -42,7 +42,7 @@ void add_lesson_commands(Commands& commands, ViewState& s, const Calls& ask) {
                        .example = "union_of_balls",
                        .optional = true}},
        .run = [&s, ask](const Arguments& arguments) { return open_lesson(arguments, s, ask); }});
-  const auto without_lesson = [&s] { return s.memory.lessons.open ? "" : "No lesson is open."; };
+  const auto without_lesson = [&s] { return s.lessons.open ? "" : "No lesson is open."; };
   for (const Move& move : kMoves) {
     CommandSpec spec{.id = move.id,
                      .title = move.title,

@@ -40,11 +40,11 @@ CommandSpec page_command(ViewState& s) {
                      .help = "Shows timings, cavities, the signature or another page",
                      .run =
                          [&s](const Arguments& arguments) {
-                           s.memory.bottom_panel = arguments.text("page");
+                           s.window.page = arguments.text("page");
                            return Outcome();
                          }},
                     {.name = "page", .help = "Which page", .example = "why"}, Place::bottom,
-                    [&s](const PanelSpec& p) { return s.memory.bottom_panel == p.id; });
+                    [&s](const PanelSpec& p) { return s.window.page == p.id; });
 }
 
 CommandSpec section_command(ViewState& s) {
@@ -58,7 +58,7 @@ CommandSpec section_command(ViewState& s) {
                          }},
                     {.name = "section", .help = "Which section", .example = "molecule"},
                     Place::left,
-                    [&s](const PanelSpec& p) { return !s.memory.closed_sections.contains(p.id); });
+                    [&s](const PanelSpec& p) { return !s.window.closed_sections.contains(p.id); });
 }
 
 }  // namespace alphascope

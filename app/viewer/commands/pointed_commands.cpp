@@ -7,7 +7,7 @@
 namespace alphascope {
 
 const std::optional<Ref>& pointed(const ViewState& s) {
-  return s.memory.context.open ? s.memory.context.what : s.hovered;
+  return s.context.open ? s.context.what : s.hovered;
 }
 
 namespace {
@@ -70,7 +70,7 @@ void add_selecting(Commands& commands, ViewState& s) {
                            .help = "Selects the atom or simplex under the mouse, and explains it"},
                           [&s](const Ref& ref) {
                             select(s, RefSet({ref}));
-                            s.memory.bottom_panel = "why";
+                            s.window.page = "why";
                             return Outcome();
                           }));
 }

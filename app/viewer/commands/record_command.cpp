@@ -38,7 +38,7 @@ Outcome record(const Arguments& arguments, ViewState& s, const Calls& ask) {
   } catch (const std::invalid_argument& error) {
     return Outcome::refused("This cannot be recorded: " + std::string(error.what()) + ".");
   }
-  if (request.lesson_seconds && !s.memory.lessons.open) {
+  if (request.lesson_seconds && !s.lessons.open) {
     return Outcome::refused("No lesson is open.");
   }
   if (!request.lesson_seconds && !s.result) return Outcome::refused("There is no complex yet.");
@@ -94,7 +94,7 @@ CommandSpec record_command(ViewState& s, const Calls& ask) {
            {.name = "scale-bar", .kind = Kind::flag, .help = "With a scale bar"}},
       .why_not =
           [&s] {
-            const bool any = s.result || s.memory.lessons.open;
+            const bool any = s.result || s.lessons.open;
             return any ? "" : "There is no complex yet, and no lesson is open.";
           },
       .run = [&s, ask](const Arguments& arguments) { return record(arguments, s, ask); }};

@@ -36,7 +36,7 @@ Outcome open_preset(const Arguments& arguments, ViewState& s, const Calls& ask) 
     if (preset.id != id) continue;
     ask.files.open(preset.path);
     s.memory.sandbox.edit_when_open = preset.path;
-    s.memory.bottom_panel = "sandbox";
+    s.window.page = "sandbox";
     return {};
   }
   return Outcome::refused("The file of this preset is missing.");
@@ -47,7 +47,7 @@ Outcome by_hand(const Arguments& arguments, ViewState& s) {
   if (Outcome outcome = set_switch(arguments, on); !outcome.done()) return outcome;
   if (on) {
     start_sandbox(s);
-    s.memory.bottom_panel = "sandbox";
+    s.window.page = "sandbox";
   } else if (s.settings.open.sandbox) {
     s.settings.open.sandbox.reset();
     s.settings.selection.clear();

@@ -77,8 +77,8 @@ CommandSpec choose_cavity(ViewState& s) {
                           .rule = kRowRule}},
           .why_not = without_picture(s),
           .run = [&s](const Arguments& arguments) {
-            s.memory.bottom_panel = "cavities";
-            s.memory.cavities.wanted_row = static_cast<std::size_t>(arguments.number("number")) - 1;
+            s.window.page = "cavities";
+            s.cavities.wanted_row = static_cast<std::size_t>(arguments.number("number")) - 1;
             return Outcome();
           }};
 }
@@ -93,7 +93,7 @@ CommandSpec castp_choices(ViewState& s) {
       .run = [&s](const Arguments&) {
         use_cavity_preset(s.settings.open, s.settings.request, s.molecule.has_file_radii);
         s.settings.cavity_choices.split_networks = false;
-        s.memory.bottom_panel = "cavities";
+        s.window.page = "cavities";
         return Outcome();
       }};
 }

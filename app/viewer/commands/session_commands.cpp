@@ -71,10 +71,10 @@ Outcome open_recent(const Arguments& arguments, ViewState& s, const Calls& ask) 
 }
 
 std::vector<Choice> scales(const ViewState& s) {
-  std::vector<Choice> choices{{"auto", "As the display says", "", s.control_scale == 0}};
+  std::vector<Choice> choices{{"auto", "As the display says", "", s.window.control_scale == 0}};
   for (const double scale : {1.0, 1.25, 1.5, 1.75, 2.0, 2.5, 3.0}) {
     choices.push_back({shortest_number(scale), shortest_number(100 * scale) + " %", "",
-                       s.control_scale == scale});
+                       s.window.control_scale == scale});
   }
   return choices;
 }
@@ -132,7 +132,7 @@ CommandSpec scale_command(ViewState& s) {
                           .choices = [&s] { return scales(s); }}},
           .run = [&s](const Arguments& arguments) {
             const std::string chosen = arguments.text("scale");
-            s.control_scale = chosen == "auto" ? 0 : std::stod(chosen);
+            s.window.control_scale = chosen == "auto" ? 0 : std::stod(chosen);
             return Outcome();
           }};
 }

@@ -7,7 +7,7 @@ namespace {
 using Kind = Parameter::Kind;
 
 std::function<std::string()> without_page(const ViewState& s) {
-  return [&s] { return s.memory.bottom_panel == kStepsPage ? "" : "Open the page Steps first."; };
+  return [&s] { return s.window.page == kStepsPage ? "" : "Open the page Steps first."; };
 }
 std::function<std::string()> without_ball(const ViewState& s) {
   return [&s, without = without_picture(s)]() -> std::string {
@@ -25,7 +25,7 @@ CommandSpec open_command(ViewState& s) {
           .menu = "Tools",
           .why_not = without_molecule(s),
           .run = [&s](const Arguments&) {
-            s.memory.bottom_panel = kStepsPage;
+            s.window.page = kStepsPage;
             return Outcome();
           }};
 }
@@ -53,23 +53,23 @@ void add_moves(Commands& commands, ViewState& s) {
                   .shortcuts = {{move.key}},
                   .why_not = without_page(s),
                   .run = [&s, go = move.go](const Arguments&) {
-                    s.memory.steps.playing = false;
-                    go(s.memory.steps);
+                    s.steps.playing = false;
+                    go(s.steps);
                     return Outcome();
                   }});
   }
 }
 
 Outcome show(const Arguments& arguments, ViewState& s) {
-  s.memory.bottom_panel = kStepsPage;
-  s.memory.steps.playing = false;
-  s.memory.steps.go_to = arguments.text("step");
+  s.window.page = kStepsPage;
+  s.steps.playing = false;
+  s.steps.go_to = arguments.text("step");
   return {};
 }
 
 // From the last step, it begins at the first.
 Outcome play(ViewState& s) {
-  StepsMemory& m = s.memory.steps;
+  StepsMemory& m = s.steps;
   m.playing = !m.playing;
   if (m.playing && m.count() > 0 && m.at() == m.last()) m.show(0);
   return {};
@@ -79,7 +79,7 @@ Outcome take_middle(ViewState& s) {
   const auto ball = middle_ball(*s.result->balls);
   s.settings.selection.clear();
   s.settings.selection.items = RefSet({Ref{s.references->atom(*ball)}});
-  s.memory.bottom_panel = kStepsPage;
+  s.window.page = kStepsPage;
   return {};
 }
 
@@ -89,7 +89,7 @@ void add_engine_command(Commands& commands, ViewState& s) {
     std::vector<Choice> choices;
     for (const StepsEngineSpec& spec : steps_engines()) {
       choices.push_back(
-          {steps_engine_id(spec.engine), spec.title, "", s.memory.steps.engine == spec.engine});
+          {steps_engine_id(spec.engine), spec.title, "", s.steps.engine == spec.engine});
     }
     return choices;
   };
@@ -100,15 +100,15 @@ void add_engine_command(Commands& commands, ViewState& s) {
                 .run = [&s](const Arguments& arguments) {
                   for (const StepsEngineSpec& spec : steps_engines()) {
                     if (arguments.text("engine") != steps_engine_id(spec.engine)) continue;
-                    if (s.memory.steps.engine != spec.engine) s.memory.steps.show(0);
-                    s.memory.steps.engine = spec.engine;
+                    if (s.steps.engine != spec.engine) s.steps.show(0);
+                    s.steps.engine = spec.engine;
                   }
                   return Outcome();
                 }});
 }
 
 void add_switches(Commands& commands, ViewState& s) {
-  StepsMemory& m = s.memory.steps;
+  StepsMemory& m = s.steps;
   commands.add(with_switch({.id = "steps.edge_optimisation",
                             .title = "Edge optimisation of the steps",
                             .help = "In the steps, keeps only tuples whose balls meet, each with "
@@ -145,7 +145,7 @@ void add_steps_commands(Commands& commands, ViewState& s) {
                 .help = "Shows one step after the other, or pauses",
                 .shortcuts = {{"Shift+S"}},
                 .why_not = without_page(s),
-                .checked = [&s] { return s.memory.steps.playing; },
+                .checked = [&s] { return s.steps.playing; },
                 .run = [&s](const Arguments&) { return play(s); }});
   commands.add({.id = "steps.middle",
                 .title = "Steps of a ball in the middle",
@@ -158,7 +158,7 @@ void add_steps_commands(Commands& commands, ViewState& s) {
                 .help = "Brings the ball and its neighbours into the middle of the view",
                 .why_not = without_page(s),
                 .run = [&s](const Arguments&) {
-                  s.memory.steps.look = true;
+                  s.steps.look = true;
                   return Outcome();
                 }});
   add_switches(commands, s);

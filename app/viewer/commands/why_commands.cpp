@@ -13,14 +13,14 @@ void add_why_commands(Commands& commands, ViewState& s) {
                 .line_above = true,
                 .why_not = without_molecule(s),
                 .run = [&s](const Arguments&) {
-                  s.memory.bottom_panel = "why";
+                  s.window.page = "why";
                   return Outcome();
                 }});
   commands.add(with_switch({.id = "why.marks",
                             .title = "Show the orthosphere",
                             .help = "Draws the orthosphere of the simplex that is explained, the "
                                     "nearest other ball, and the dual edge or facet"},
-                           s.memory.why.marks));
+                           s.window.why_marks));
 }
 
 }  // namespace alphascope

@@ -6,6 +6,7 @@
 
 #include "core/document/reference/atom_labels.hpp"
 #include "core/document/reference/atom_words.hpp"
+#include "core/document/reference/reference.hpp"
 
 namespace alphascope {
 namespace {

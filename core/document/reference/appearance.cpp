@@ -5,6 +5,8 @@
 
 #include "core/chart/colour_words.hpp"
 #include "core/document/reference/atom_words.hpp"
+#include "core/molecule/molecule.hpp"
+#include "core/selection/prepare_balls.hpp"
 
 namespace alphascope {
 

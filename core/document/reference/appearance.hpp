@@ -9,10 +9,13 @@
 #include <vector>
 
 #include "core/document/reference/atom_set.hpp"
-#include "core/molecule/atom_colours.hpp"
-#include "core/molecule/molecule.hpp"
+#include "core/geometry/ball_set.hpp"
+#include "core/molecule/rgb8.hpp"
 
 namespace alphascope {
+
+struct Molecule;
+struct PreparedBalls;
 
 struct OwnColour {
   Rgb8 colour;

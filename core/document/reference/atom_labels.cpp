@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "core/document/reference/reference.hpp"
 #include "core/selection/atom_address.hpp"
 
 namespace alphascope {

@@ -14,6 +14,8 @@
 
 namespace alphascope {
 
+class BallReferences;
+
 // address: "A:HIS 87:NE2". residue: "HIS 87", once for all atoms of it. radius: of the ball, Å,
 // before solvent and alpha. b_factor: Å².
 enum class LabelText : std::uint8_t { name, residue, address, element, radius, b_factor };

@@ -3,6 +3,7 @@
 
 #include <stdexcept>
 
+#include "core/document/reference/reference.hpp"
 #include "core/files/line_reader.hpp"
 #include "core/measure/angles.hpp"
 #include "core/selection/atom_address.hpp"

@@ -7,9 +7,12 @@
 #include <string_view>
 #include <vector>
 
-#include "core/document/reference/reference.hpp"
+#include "core/document/reference/ref_set.hpp"
 
 namespace alphascope {
+
+class BallReferences;
+struct Molecule;
 
 // Of two atoms their distance, of three the angle at the second, of four the dihedral angle about
 // the line from the second to the third. The order counts, and an atom may be there twice.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/document/reference/reference.hpp"
 #include "core/selection/atom_address.hpp"
 
 namespace alphascope {
@@ -116,6 +117,10 @@ std::vector<bool> atoms_of(const Molecule& molecule, const AtomSet& set) {
 
 AtomSet all_atoms(const Molecule& molecule) {
   return atom_set(molecule, std::vector<bool>(molecule.atoms.size(), true));
+}
+
+AtomSet named_set(const Molecule& molecule, std::string_view text) {
+  return named_set(molecule, text, {});
 }
 
 AtomSet named_set(const Molecule& molecule, std::string_view text, const PictureAtoms& picture) {

@@ -9,9 +9,13 @@
 #include <string_view>
 #include <vector>
 
-#include "core/document/reference/reference.hpp"
+#include "core/document/reference/ref_set.hpp"
 
 namespace alphascope {
+
+class BallReferences;
+struct Molecule;
+struct PictureAtoms;
 
 class AtomSet {
  public:
@@ -48,8 +52,8 @@ std::vector<bool> atoms_of(const Molecule& molecule, const AtomSet& set);
 AtomSet all_atoms(const Molecule& molecule);
 // What an address or an expression names (core/selection/atom_address.hpp); may be empty. Throws
 // SelectionError.
-AtomSet named_set(const Molecule& molecule, std::string_view text,
-                  const PictureAtoms& picture = {});
+AtomSet named_set(const Molecule& molecule, std::string_view text, const PictureAtoms& picture);
+AtomSet named_set(const Molecule& molecule, std::string_view text);  // nothing is in the picture
 
 // Groups of atoms that have a value in common, such as a colour: no atom is in two of them, and
 // none is empty. Gives these atoms another value; none: they are in no group any more.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "core/document/reference/reference.hpp"
 #include "core/files/line_reader.hpp"
 
 namespace alphascope {

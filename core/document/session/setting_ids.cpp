@@ -1,6 +1,8 @@
 // See the header.
 #include "core/document/session/setting_ids.hpp"
 
+#include "core/radii/radii_set.hpp"
+
 namespace alphascope {
 
 const SettingIds<AltlocRule>& setting_ids(AltlocRule) {

@@ -6,6 +6,7 @@
 
 #include "core/document/settings/open_options.hpp"
 #include "core/document/settings/request.hpp"
+#include "core/selection/prepare_balls.hpp"
 
 namespace alphascope {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/document/settings/paint.hpp"
-#include "core/selection/prepare_balls.hpp"
+#include "core/selection/ball_options.hpp"
 
 namespace alphascope {
 

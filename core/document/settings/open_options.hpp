@@ -7,7 +7,7 @@
 
 #include "core/molecule/sandbox.hpp"
 #include "core/read/read_molecule.hpp"
-#include "core/selection/prepare_balls.hpp"
+#include "core/selection/ball_options.hpp"
 
 namespace alphascope {
 

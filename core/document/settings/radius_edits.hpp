@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "core/selection/prepare_balls.hpp"
+#include "core/selection/ball_options.hpp"
 
 namespace alphascope {
 

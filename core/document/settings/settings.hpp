@@ -6,7 +6,7 @@
 
 #include "core/document/reference/annotations.hpp"
 #include "core/document/reference/appearance.hpp"
-#include "core/document/reference/reference.hpp"
+#include "core/document/reference/ref_set.hpp"
 #include "core/document/settings/cavity_choices.hpp"
 #include "core/document/settings/clip.hpp"
 #include "core/document/settings/display.hpp"

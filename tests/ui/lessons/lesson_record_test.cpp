@@ -94,7 +94,7 @@ TEST_F(LessonRecordTest, FactsAreInTheTextWhenItsPictureIsTaken) {
   open_lesson();
   record("f-%d.png", "lesson:1 480 270 none");
   // The volume takes a moment; with “…” in its place the text would be another.
-  const LessonMemory& m = viewer_->state().memory.lessons;
+  const LessonMemory& m = viewer_->state().lessons;
   run("lesson.back\nwait-idle\nframes 3\n");
   ASSERT_EQ(m.step, 1u);
   ASSERT_TRUE(m.whole);

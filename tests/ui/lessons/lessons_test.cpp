@@ -24,7 +24,7 @@ std::vector<fs::path> chapters() {
 
 class LessonsTest : public ViewerTest {
  protected:
-  const LessonMemory& memory() { return viewer_->state().memory.lessons; }
+  const LessonMemory& memory() { return viewer_->state().lessons; }
   const ViewState& state() { return viewer_->state(); }
   fs::path write(const std::string& text) {
     const fs::path file = folder_ / "lesson.md";
@@ -121,15 +121,10 @@ TEST_F(LessonsTest, WhatAStepSetsIsForThatStepAndWhatTheUserSetsStays) {
 TEST_F(LessonsTest, CloseBringsBackMoleculeSettingsAndHistory) {
   open_crambin();
   run("alpha.set 2\nwait-idle\nalpha.set 3\nwait-idle\nview.edges on\nselect.atoms A:15\n");
-  const Settings before{state().settings.open,
-                        state().settings.request,
-                        state().settings.display,
-                        state().settings.selection.items,
-                        {},
-                        state().settings.clip,
-                        state().settings.views,
-                        state().settings.appearance,
-                        state().settings.annotations};
+  const Settings before{state().settings.open,       state().settings.request,
+                        state().settings.display,    state().settings.selection,
+                        state().settings.clip,       state().settings.views,
+                        state().settings.appearance, state().settings.annotations};
   const std::string undo = state().undo_text;
   open_lesson("union_of_balls");
   EXPECT_NE(state().molecule.name, "1crn.pdb");
@@ -137,15 +132,10 @@ TEST_F(LessonsTest, CloseBringsBackMoleculeSettingsAndHistory) {
   run("lesson.next\nwait-idle\nlesson.close\nwait-idle\n");
   EXPECT_FALSE(memory().open);
   EXPECT_EQ(state().molecule.name, "1crn.pdb");
-  const Settings after{state().settings.open,
-                       state().settings.request,
-                       state().settings.display,
-                       state().settings.selection.items,
-                       {},
-                       state().settings.clip,
-                       state().settings.views,
-                       state().settings.appearance,
-                       state().settings.annotations};
+  const Settings after{state().settings.open,       state().settings.request,
+                       state().settings.display,    state().settings.selection,
+                       state().settings.clip,       state().settings.views,
+                       state().settings.appearance, state().settings.annotations};
   EXPECT_EQ(difference_text(before, after), "");
   EXPECT_EQ(state().result->request.alpha_angstrom2, 3);
   EXPECT_EQ(state().undo_text, undo);
@@ -259,7 +249,7 @@ TEST(LessonText, ThatGoesOnBelowSaysSo) {
   std::string words;
   for (int n = 0; n < 400; ++n) words += "word ";
   lesson->steps[0].shown.text = {{words, false}};
-  LessonMemory& m = p.state.memory.lessons;
+  LessonMemory& m = p.state.lessons;
   m.open = lesson;
   m.shown = true;
   p.frame(4);
@@ -286,7 +276,7 @@ TEST_F(LessonsTest, HaveRoomAtPresenterSize) {
     EXPECT_GT(state().viewport.width, 0.45f * width);
     EXPECT_EQ(has("alpha.slider"), width > 1500);
     run("click lesson.presenter\nframes 3\n");
-    EXPECT_FALSE(state().presenter_size);
+    EXPECT_FALSE(state().window.presenter_size);
     EXPECT_TRUE(has("alpha.slider"));
   }
 }
@@ -332,7 +322,7 @@ struct Said {
 // In a window of this size nobody has to scroll.
 void expect_room(const std::string& lesson, const std::vector<Said>& all, Size size) {
   Panels p(size);
-  LessonMemory& m = p.state.memory.lessons;
+  LessonMemory& m = p.state.lessons;
   for (const Said& said : all) {
     auto one = std::make_shared<Lesson>();
     one->title = lesson;

@@ -23,7 +23,7 @@ class CavitiesTest : public ViewerTest {
     run("click bottom.cavities\nwait-idle\nframes 3\nwait-idle\nframes 3\n");
   }
   void use_preset() { run("click cavities.preset\nwait-idle\nframes 3\nwait-idle\nframes 3\n"); }
-  const CavityPage& page() { return *viewer_->state().memory.cavities.page; }
+  const CavityPage& page() { return *viewer_->state().cavities.page; }
   std::string text(CavityColumn column, std::size_t row) {
     return cavity_text(page().rows, column, row);
   }

@@ -9,6 +9,7 @@
 #include "core/document/channels/channel_texts.hpp"
 #include "tests/core/cavity/rings.hpp"
 #include "tests/ui/viewer_fixture.hpp"
+#include "ui/panels/channels/channel_memory.hpp"
 #include "ui/panels/channels/channel_parts.hpp"
 
 namespace alphascope::testing {
@@ -40,7 +41,9 @@ class ChannelsTest : public ViewerTest {
     settle();
   }
   void settle() { run("frames 3\nwait-idle\nframes 3\nwait-idle\nframes 3\n"); }
-  const ChannelMemory& memory() { return viewer_->state().memory.channels; }
+  const ChannelMemory& memory() {
+    return static_cast<RememberingPanel<ChannelMemory>&>(viewer_->panels().of("channels")).memory();
+  }
   const Channel& channel() { return *memory().shown->channel; }
   bool has(const char* widget) { return viewer_->widgets().contains(widget); }
   bool has_layer(const std::string& id) {
@@ -184,7 +187,7 @@ TEST_F(ChannelsTest, WithoutACavityItLeadsToTheirPage) {
   settle();
   ASSERT_TRUE(has("channels.cavities"));
   run("click channels.cavities\nframes 3\n");
-  EXPECT_EQ(viewer_->state().memory.bottom_panel, "cavities");
+  EXPECT_EQ(viewer_->state().window.page, "cavities");
 }
 
 TEST_F(ChannelsTest, APointInAnAtomIsNamedWithARemedy) {

@@ -50,7 +50,7 @@ TEST_F(ContextMenuTest, IsAboutTheAtomUnderTheMouse) {
   const Molecule& molecule = state().references->molecule();
   run("right-click " + place);
   ASSERT_TRUE(has("context.title"));
-  EXPECT_EQ(state().memory.context.title, atom_address(molecule, atom.atom));
+  EXPECT_EQ(state().context.title, atom_address(molecule, atom.atom));
   EXPECT_TRUE(items().empty()) << "opening it selects nothing";
   choose("context.select");
   EXPECT_FALSE(has("context.title")) << "it closes";
@@ -89,7 +89,7 @@ TEST_F(ContextMenuTest, IsAboutTheAtomUnderTheMouse) {
   EXPECT_EQ(ImGui::GetClipboardText(), atom_address(molecule, atom.atom));
   run("right-click " + place);
   choose("context.why");
-  EXPECT_EQ(state().memory.bottom_panel, "why");
+  EXPECT_EQ(state().window.page, "why");
   EXPECT_EQ(items(), std::vector<Ref>{atom});
 }
 
@@ -127,7 +127,7 @@ TEST_F(ContextMenuTest, IsAboutASimplexAndAboutNothing) {
   const std::string place = places("tetrahedron A:", 1)[0];
   const Ref simplex = hovered(place);
   run("right-click " + place);
-  EXPECT_TRUE(state().memory.context.title.starts_with("tetrahedron A:"));
+  EXPECT_TRUE(state().context.title.starts_with("tetrahedron A:"));
   EXPECT_FALSE(has("context.residue"));
   choose("context.add");
   EXPECT_EQ(items(), std::vector<Ref>{simplex});

@@ -9,6 +9,7 @@
 #include "core/document/cavities/cavity_names.hpp"
 #include "tests/ui/viewer_fixture.hpp"
 #include "ui/panels/cavities/cavity_page.hpp"
+#include "ui/panels/measures/curve_memory.hpp"
 
 namespace alphascope::testing {
 namespace {
@@ -22,7 +23,9 @@ class CurvesTest : public ViewerTest {
   }
   void open_curves() { run("click bottom.curves\nwait-idle\nframes 3\nwait-idle\nframes 3\n"); }
   void settle() { run("wait-idle\nframes 3\nwait-idle\nframes 3\n"); }
-  const CurveMemory& memory() { return viewer_->state().memory.curves; }
+  const CurveMemory& memory() {
+    return static_cast<RememberingPanel<CurveMemory>&>(viewer_->panels().of("curves")).memory();
+  }
   const ChartSeries& series(std::size_t n) { return memory().chart.chart.series.at(n); }
   bool has(const char* widget) { return viewer_->widgets().contains(widget); }
 };
@@ -100,7 +103,7 @@ TEST_F(CurvesTest, AChosenCavityIsFollowedAndAClickSetsTheSolventRadiusAsOneEntr
 // The page of cavities is not drawn meanwhile.
 TEST_F(CurvesTest, AChosenCavityIsFollowedWhenTheTetrahedronOfItsSinkIsGone) {
   open_haemoglobin();
-  const CavityPage& page = *viewer_->state().memory.cavities.page;
+  const CavityPage& page = *viewer_->state().cavities.page;
   const auto lines = page.rows.lines;
   const auto set_radius = [&](const char* angstrom) {
     run(std::string("solvent.set ") + angstrom + "\n");
@@ -134,7 +137,7 @@ TEST_F(CurvesTest, ExactVolumesAreMadeOnRequestAndCanBeCancelled) {
   open_haemoglobin();
   run("click cavities.row.4 0.2\n");
   settle();
-  const CavityPage& page = *viewer_->state().memory.cavities.page;
+  const CavityPage& page = *viewer_->state().cavities.page;
   ASSERT_TRUE(page.rows.exact);
   const std::uint32_t cavity = page.rows.table().order[3];
   const double exact = page.rows.exact->of[cavity].volume_sa_angstrom3;
@@ -160,7 +163,7 @@ TEST_F(CurvesTest, LivesAreBarsAndAClickChoosesACavityThatIsThereOrGoesToWhereIt
   ASSERT_TRUE(has("curves.lives"));
   EXPECT_FALSE(has("curves.plot"));
   EXPECT_FALSE(has("curves.axis.0")) << "only alpha";
-  const CavityPage& page = *viewer_->state().memory.cavities.page;
+  const CavityPage& page = *viewer_->state().cavities.page;
   const CurveMemory::Lives& lives = memory().lives;
   ASSERT_GT(lives.bars.longest.size(), 50u);
   ASSERT_EQ(lives.rows.size(), lives.bars.longest.size());

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "tests/ui/viewer_fixture.hpp"
+#include "ui/panels/explain/details_memory.hpp"
 
 namespace alphascope::testing {
 namespace {
@@ -10,7 +11,11 @@ namespace {
 class DetailsTest : public ViewerTest {
  protected:
   bool has(const std::string& widget) { return viewer_->widgets().contains(widget); }
-  const ViewState& state() { return viewer_->state(); }
+  const std::shared_ptr<const SimplexDetails>& shown() {
+    return static_cast<RememberingPanel<DetailsMemory>&>(viewer_->panels().of("details"))
+        .memory()
+        .shown;
+  }
   void show(const std::string& atoms) {
     run("select.atoms " + atoms + "\ndetails.show\nframes 3\nwait-idle\nframes 3\n");
   }
@@ -24,7 +29,7 @@ TEST_F(DetailsTest, AnAtomHasFactsAndNeighbours) {
   for (const char* name : {"element", "centre", "size", "B factor", "class", "is part of"}) {
     EXPECT_TRUE(has(std::string("details.fact.") + name)) << name;
   }
-  const SimplexDetails* details = state().memory.details.shown.get();
+  const SimplexDetails* details = shown().get();
   ASSERT_NE(details, nullptr);
   const AlphaComplex expected = this->expected(1.4);
   const BallIndex ball = details->balls.at(0);
@@ -36,11 +41,12 @@ TEST_F(DetailsTest, AnAtomHasFactsAndNeighbours) {
   EXPECT_EQ(static_cast<long>(details->neighbours.size()), joined);
   const BallIndex nearest = details->neighbours[0].ball;
   run("click details.neighbour.0\nframes 3\nwait-idle\nframes 3\n");
-  EXPECT_EQ(state().settings.selection.items, RefSet({state().references->atom(nearest)}));
-  EXPECT_EQ(state().memory.details.shown->balls, std::vector<BallIndex>{nearest});
+  EXPECT_EQ(viewer_->state().settings.selection.items,
+            RefSet({viewer_->state().references->atom(nearest)}));
+  EXPECT_EQ(shown()->balls, std::vector<BallIndex>{nearest});
   // At another alpha.
   run("alpha.set -100\nwait-idle\nframes 3\nwait-idle\nframes 3\n");
-  EXPECT_FALSE(state().memory.details.shown->in_complex);
+  EXPECT_FALSE(shown()->in_complex);
   EXPECT_FALSE(has("details.neighbour.0"));
 }
 
@@ -49,18 +55,19 @@ TEST_F(DetailsTest, ASimplexHasVerticesAndNeighbours) {
   run("alpha.set 3\nwait-idle\n");
   const AlphaComplex expected = this->expected(3);
   const auto& tetrahedron = expected.tetrahedra.simplices.at(expected.tetrahedra.size() / 2);
-  viewer_->state().settings.selection.items = RefSet({state().references->reference(tetrahedron)});
+  viewer_->state().settings.selection.items =
+      RefSet({viewer_->state().references->reference(tetrahedron)});
   run("details.show\nframes 3\nwait-idle\nframes 3\n");
   for (const char* name : {"details.corner.0", "details.corner.3", "details.fact.alpha value"}) {
     EXPECT_TRUE(has(name)) << name;
   }
-  const SimplexDetails details = *state().memory.details.shown;
+  const SimplexDetails details = *shown();
   ASSERT_FALSE(details.beside.empty());
   run("click details.beside.0.zoom\nframes 3\nwait-idle\n");
   run("click details.beside.0\nframes 3\nwait-idle\nframes 3\n");
-  EXPECT_EQ(state().memory.details.shown->balls, details.beside[0]);
+  EXPECT_EQ(shown()->balls, details.beside[0]);
   run("click details.corner.1\nframes 3\nwait-idle\nframes 3\n");
-  EXPECT_EQ(state().memory.details.shown->balls, std::vector<BallIndex>{details.beside[0][1]});
+  EXPECT_EQ(shown()->balls, std::vector<BallIndex>{details.beside[0][1]});
 }
 
 }  // namespace

@@ -83,15 +83,15 @@ TEST(EnginePanel, TheDeviceTellsItsCapability) {
 TEST(EnginePanel, ComparingEveryTimeIsOffForLargeMolecules) {
   Panels p({1280, 1600, 1});
   p.state = loaded_state();
-  p.state.auto_compare = true;
+  p.state.window.auto_compare = true;
   p.state.molecule.balls = kMostBallsToCompareUnasked + 1;
   p.frame(3);
   p.click("engine.auto_compare");
-  EXPECT_TRUE(p.state.auto_compare) << "a disabled box; the choice is for smaller molecules";
+  EXPECT_TRUE(p.state.window.auto_compare) << "a disabled box; the choice is for smaller molecules";
   p.state.molecule.balls = kMostBallsToCompareUnasked;
   p.frame(2);
   p.click("engine.auto_compare");
-  EXPECT_FALSE(p.state.auto_compare);
+  EXPECT_FALSE(p.state.window.auto_compare);
 }
 
 }  // namespace

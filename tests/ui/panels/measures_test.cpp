@@ -5,6 +5,7 @@
 
 #include "core/document/measures/measure_results.hpp"
 #include "tests/ui/viewer_fixture.hpp"
+#include "ui/panels/measures/measure_memory.hpp"
 
 namespace alphascope::testing {
 namespace {
@@ -16,7 +17,9 @@ class MeasuresTest : public ViewerTest {
     run("click bottom.measures\nwait-idle\nframes 3\nwait-idle\nframes 3\n");
   }
   void settle() { run("wait-idle\nframes 3\nwait-idle\nframes 3\n"); }
-  const MeasureMemory& memory() { return viewer_->state().memory.measures; }
+  MeasureMemory& memory() {
+    return static_cast<RememberingPanel<MeasureMemory>&>(viewer_->panels().of("measures")).memory();
+  }
   ViewState& state() { return viewer_->state(); }
   bool has(const char* widget) { return viewer_->widgets().contains(widget); }
   UnionMeasures expected_measures(double alpha, double solvent) {
@@ -63,7 +66,7 @@ TEST_F(MeasuresTest, ChangesAndFilter) {
   settle();
   ASSERT_TRUE(memory().rows->derivatives);
   EXPECT_TRUE(has("measures.column.11"));
-  viewer_->state().memory.measures.query.filter = ":ca";
+  memory().query.filter = ":ca";
   settle();
   EXPECT_EQ(memory().rows->rows.size(), 46u);
   EXPECT_EQ(memory().rows->all, 327u);

@@ -146,10 +146,10 @@ TEST_F(MoleculePanel, ModelsHaveASliderAndPlay) {
   p.click("molecule.model", 0.95f);
   EXPECT_EQ(balls().model, 2);
   p.click("molecule.play");
-  EXPECT_TRUE(p.state.memory.playing_models);
+  EXPECT_TRUE(p.state.playback.models);
   p.click("molecule.model", 0.05f);
   EXPECT_EQ(balls().model, 0);
-  EXPECT_FALSE(p.state.memory.playing_models) << "the hand takes over";
+  EXPECT_FALSE(p.state.playback.models) << "the hand takes over";
   p.click("molecule.every_model");
   EXPECT_EQ(balls().model, kAllModels);
   p.click("molecule.every_model");
@@ -279,9 +279,9 @@ TEST_F(MoleculePanel, AnEmptySelectionIsExplainedInTheView) {
 
 TEST_F(MoleculePanel, EscapeStopsPlayingBeforeItCancels) {
   p.state.busy = {true, "Computing", 0.4, 0.01};
-  p.state.memory.playing_models = true;
+  p.state.playback.models = true;
   p.tap(key::kEscape);
-  EXPECT_FALSE(p.state.memory.playing_models);
+  EXPECT_FALSE(p.state.playback.models);
   EXPECT_FALSE(p.asked.cancel) << "the model at hand still gets its complex";
   p.tap(key::kEscape);
   EXPECT_TRUE(p.asked.cancel);

@@ -203,10 +203,10 @@ TEST_F(NumberFields, PictureSizesAreWholeAndBounded) {
   p.state.memory.show_save = true;
   p.frame(3);
   p.type("save.width", "800");
-  EXPECT_EQ(p.state.memory.save.width, 800);
+  EXPECT_EQ(p.state.window.picture.width, 800);
   for (const char* bad : {"0", "99999", "1,920", "12.5", "1e308"}) {
     p.type("save.width", bad);
-    EXPECT_EQ(p.state.memory.save.width, 800) << bad;
+    EXPECT_EQ(p.state.window.picture.width, 800) << bad;
   }
 }
 

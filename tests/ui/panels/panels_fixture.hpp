@@ -52,7 +52,7 @@ class Panels {
     ImGui::GetIO().DisplaySize = {size_.width * size_.scale, size_.height * size_.scale};
     prepare_list_keys();
     ImGui::NewFrame();
-    draw_window({state, rects, commands, store, inputs, calls_}, fonts_, size_.scale);
+    draw_window({state, rects, commands, store, inputs, calls_, panels}, fonts_, size_.scale);
     ImGui::Render();
   }
   void point_at(const std::string& name, float fx = 0.5f, float fy = 0.5f) {
@@ -91,6 +91,7 @@ class Panels {
   Asked asked;
   Commands commands;
   WidgetRects rects;
+  PanelSet panels;
   Store store{{}, [] { return std::uint64_t{1} << 30; }};
   Inputs inputs;
 

@@ -181,7 +181,7 @@ TEST(PanelsTest, TheTimingsStayAsHighOnAnotherMonitor) {
   for (const float scale : {1.0f, 2.0f}) {
     Panels p({1280, 800, scale});
     p.state = loaded_state();
-    p.state.memory.bottom_height = 150;
+    p.state.window.page_height = 150;
     p.frame(2);
     EXPECT_FLOAT_EQ(p.rects["layout.splitter"].y0, (800 - 27 - 150) * scale) << scale;
     p.point_at("layout.splitter");
@@ -189,7 +189,7 @@ TEST(PanelsTest, TheTimingsStayAsHighOnAnotherMonitor) {
     ImGui::GetIO().MousePos.y -= 40 * scale;
     p.frame(2);
     p.press(false);
-    EXPECT_NEAR(p.state.memory.bottom_height, 190, 0.01) << scale;
+    EXPECT_NEAR(p.state.window.page_height, 190, 0.01) << scale;
   }
 }
 

@@ -24,7 +24,7 @@ class StepsTest : public ViewerTest {
     show(atom);
   }
   ViewState& state() { return viewer_->state(); }
-  StepsMemory& memory() { return state().memory.steps; }
+  StepsMemory& memory() { return state().steps; }
   const BallSteps& steps() { return memory().shown->steps; }
   bool has(const std::string& widget) { return viewer_->widgets().contains(widget); }
   std::uint64_t count(StepKind kind, std::string_view what) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "tests/ui/viewer_fixture.hpp"
+#include "ui/panels/explain/why_memory.hpp"
 
 namespace alphascope::testing {
 namespace {
@@ -12,7 +13,9 @@ class WhyTest : public ViewerTest {
   void ask(const std::string& atoms) {
     run("select.atoms " + atoms + "\nwhy.show\nframes 3\nwait-idle\nframes 3\n");
   }
-  const WhyMemory& memory() { return viewer_->state().memory.why; }
+  const WhyMemory& memory() {
+    return static_cast<RememberingPanel<WhyMemory>&>(viewer_->panels().of("why")).memory();
+  }
   bool has(const char* widget) { return viewer_->widgets().contains(widget); }
   std::string said() {
     std::string text;

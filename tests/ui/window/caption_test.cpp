@@ -50,7 +50,7 @@ class CaptionInWindow : public ViewerTest {
   // Pixels of the picture's upper eighth in the colour of what is written.
   int marked(const fs::path& file) const {
     const Image image = pixels_of(file);
-    const Colour ink = mark_ink(viewer_->state().theme, false).mark;
+    const Colour ink = mark_ink(viewer_->state().window.theme, false).mark;
     int count = 0;
     for (std::size_t i = 0; i < image.rgba.size() / 8; i += 4) {
       count += std::abs(image.rgba[i] - ink.r * 255) < 2 &&
@@ -82,12 +82,12 @@ TEST_F(CaptionInWindow, IsInTheSavedPictureAndAsTheCommandLineDrawsIt) {
 TEST_F(CaptionInWindow, IsChosenInTheDialog) {
   open_crambin();
   run("file.save_picture\nframes 2\nclick save.caption\nframes 2\n");
-  PanelMemory& m = viewer_->state().memory;
-  EXPECT_EQ(m.save.caption, usual_caption());
+  PictureOptions& picture = viewer_->state().window.picture;
+  EXPECT_EQ(picture.caption, usual_caption());
   run("click save.caption_hash\nclick save.caption_file\nframes 2\n");
-  EXPECT_EQ(caption_parts_text(m.save.caption), "alpha,solvent,counts,hash");
+  EXPECT_EQ(caption_parts_text(picture.caption), "alpha,solvent,counts,hash");
   run("click save.caption\nframes 2\n");
-  EXPECT_FALSE(m.save.caption.any());
+  EXPECT_FALSE(picture.caption.any());
 }
 
 TEST_F(CaptionInWindow, AWrongPartIsRefused) {

@@ -30,7 +30,7 @@ class CavityPictureTest : public ViewerTest {
     if (viewer_->widgets().contains("cavities.preset")) run("click cavities.preset\n");
     settle();
   }
-  const CavityPage& page() { return *viewer_->state().memory.cavities.page; }
+  const CavityPage& page() { return *viewer_->state().cavities.page; }
 
   // The row of the cavity that holds most atoms of ligands.
   std::optional<std::size_t> row_with_ligand(const std::string& name) {
@@ -84,7 +84,7 @@ class CavityPictureTest : public ViewerTest {
     viewer_->state().settings.display.beside = {false, false, false, false};
     settle();
     take(&Pictures::without_held);
-    viewer_->state().memory.cavities.page->parts.surfaces = false;
+    viewer_->state().cavities.page->parts.surfaces = false;
     settle();
     take(&Pictures::without_cavity);
     return pictures;
@@ -171,7 +171,7 @@ TEST_F(CavityPictureTest, LigandsOfOtherProteinsAreSeenInTheirPockets) {
     SCOPED_TRACE(c.file);
     show_as_at_the_start();
     open_cavities(test_data_folder() / c.file);
-    viewer_->state().memory.cavities.page->parts.surfaces = true;  // off for the last picture
+    viewer_->state().cavities.page->parts.surfaces = true;  // off for the last picture
     const auto row = row_with_ligand(c.ligand);
     ASSERT_TRUE(row);
     choose(*row);

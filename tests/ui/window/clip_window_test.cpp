@@ -91,7 +91,7 @@ TEST_F(ClipWindow, WhatIsCutAwayIsNotUnderTheMouse) {
   const std::string front = view().under_mouse_line;
   ASSERT_NE(front, "");
   run("view.clip view\nview.clip_move -3\nwait-idle\nmove view 0.5 0.45\nframes 3\n");
-  viewer_->state().memory.clip_handle = false;
+  viewer_->state().window.clip_handle = false;
   run("frames 3\nmove view 0.5 0.45\nframes 3\n");
   EXPECT_NE(view().under_mouse_line, front);
   run("view.clip_move -1000\nwait-idle\nframes 3\n");

@@ -147,7 +147,7 @@ class CommandsInPanels : public ::testing::Test {
     p.frame(3);
   }
   bool is_open() { return p.rects.contains("palette.field"); }
-  const PaletteMemory& palette() const { return p.state.memory.palette; }
+  const PaletteMemory& palette() const { return p.state.palette; }
 
   Panels p{{1280, 800, 1}};
 };
@@ -346,7 +346,7 @@ TEST_F(CommandsInPanels, ArrowKeysAndTheMouseChooseARow) {
   type("theme");
   p.click("palette.view.light_theme");
   p.frame(2);
-  EXPECT_EQ(p.state.theme, Theme::light);
+  EXPECT_EQ(p.state.window.theme, Theme::light);
   EXPECT_FALSE(is_open());
   open_palette();
   EXPECT_TRUE(palette().typed.empty());
@@ -400,7 +400,7 @@ TEST_F(CommandsInPanels, NothingIsDispatchedWhileOneTypes) {
 TEST_F(CommandsInPanels, ThePaletteFitsASmallWindowAtTwiceTheSize) {
   Panels large({700, 500, 2});
   large.state = loaded_state();
-  large.state.memory.palette.show = true;
+  large.state.palette.show = true;
   large.frame(4);
   const WidgetRect field = large.rects.at("palette.field");
   EXPECT_GE(field.x0, 0);

@@ -69,11 +69,11 @@ TEST(InputQueue, FiveTapsBetweenTwoFramesAreFiveSteps) {
 
 TEST(InputQueue, AKeyBeforeControlIsNoShortcutWithIt) {
   QueuedPanels p;
-  const Theme before = p.state.theme;
+  const Theme before = p.state.window.theme;
   p.asked = {};
   p.play({pressed(key::kL), released(key::kL), pressed(key::kLeftControl), pressed(key::kB),
           released(key::kB), released(key::kLeftControl), pressed(key::kR), released(key::kR)});
-  EXPECT_EQ(p.state.theme, before) << "Ctrl was pressed after L";
+  EXPECT_EQ(p.state.window.theme, before) << "Ctrl was pressed after L";
   EXPECT_TRUE(p.state.settings.display.balls) << "Ctrl was down with B";
   EXPECT_TRUE(p.asked.reset_view) << "Ctrl was up again";
 }

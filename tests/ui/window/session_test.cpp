@@ -37,7 +37,7 @@ TEST_F(SessionWindowTest, TheSamePictureAndHashInANewWindow) {
   viewer_->state().settings.open.balls.selection = "resi 1-30";
   viewer_->state().settings.display.edges = viewer_->state().settings.display.grown_balls = true;
   viewer_->state().settings.display.ball_opacity = 0.5f;
-  viewer_->state().memory.save.caption = read_caption_parts("hash");
+  viewer_->state().window.picture.caption = read_caption_parts("hash");
   viewer_->state().memory.record.recording.frames = 17;
   run("wait-idle\nalpha.set 2.5\nsolvent.set 0.3\nview.light_theme on\nselect.atoms A:15\n"
       "click bottom.signature\nclick display\nmove view 0.4 0.5\ndown\nmove view 0.7 0.6\nup\n"
@@ -51,9 +51,9 @@ TEST_F(SessionWindowTest, TheSamePictureAndHashInANewWindow) {
   EXPECT_EQ(viewer_->state().error, "");
   EXPECT_EQ(hash(), before);
   EXPECT_EQ(picture().rgba, picture_before.rgba);
-  EXPECT_EQ(viewer_->state().memory.bottom_panel, "signature");
-  EXPECT_TRUE(viewer_->state().memory.closed_sections.contains("display"));
-  EXPECT_TRUE(viewer_->state().memory.save.caption.has(CaptionPart::hash));
+  EXPECT_EQ(viewer_->state().window.page, "signature");
+  EXPECT_TRUE(viewer_->state().window.closed_sections.contains("display"));
+  EXPECT_TRUE(viewer_->state().window.picture.caption.has(CaptionPart::hash));
   EXPECT_EQ(viewer_->state().memory.record.recording.frames, 17);
   EXPECT_EQ(viewer_->state().settings.selection.items.size(), 7u);
   EXPECT_EQ(viewer_->state().undo_text, "") << "a session begins its own history";
@@ -221,8 +221,8 @@ TEST_F(PreferencesWindowTest, AreKeptFromWindowToWindow) {
   run("view.light_theme on\nview.scale 1.5\nengine.set cpu\nopen " + crambin().string() +
       "\nwait-idle\n");
   begin_anew();
-  EXPECT_EQ(viewer_->state().theme, Theme::light);
-  EXPECT_EQ(viewer_->state().control_scale, 1.5);
+  EXPECT_EQ(viewer_->state().window.theme, Theme::light);
+  EXPECT_EQ(viewer_->state().window.control_scale, 1.5);
   EXPECT_EQ(viewer_->state().settings.request.engine, EngineChoice::cpu);
   ASSERT_EQ(viewer_->state().recent.size(), 1u);
   EXPECT_EQ(viewer_->state().recent[0], crambin());
@@ -235,9 +235,9 @@ TEST_F(PreferencesWindowTest, AreKeptFromWindowToWindow) {
 
 TEST_F(PreferencesWindowTest, AnOptionIsNoPreference) {
   begin_anew(true);
-  EXPECT_EQ(viewer_->state().theme, Theme::light);
+  EXPECT_EQ(viewer_->state().window.theme, Theme::light);
   begin_anew();
-  EXPECT_EQ(viewer_->state().theme, Theme::dark);
+  EXPECT_EQ(viewer_->state().window.theme, Theme::dark);
 }
 
 TEST_F(PreferencesWindowTest, ADamagedFileIsToldOnceAndTheWindowWorks) {
@@ -283,7 +283,7 @@ TEST_F(PreferencesWindowTest, PresenterSizeIsLargerAndIsKept) {
   EXPECT_EQ(read_preferences(folder_ / "config").preferences.width, 880)
       << "of the window as it is without presenter size";
   begin_anew();
-  EXPECT_TRUE(viewer_->state().presenter_size);
+  EXPECT_TRUE(viewer_->state().window.presenter_size);
   EXPECT_FLOAT_EQ(host_->size().scale, 1.875f);
   run("view.presenter_size\nframes 3\n");
   EXPECT_FLOAT_EQ(host_->size().scale, 1.25f);

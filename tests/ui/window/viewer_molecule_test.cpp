@@ -250,7 +250,7 @@ TEST_F(ViewerMoleculeTest, AModelKeepsAlphaAndGivesItsOwnComplex) {
 
 TEST_F(ViewerMoleculeTest, PlayingShowsModelAfterModelEachWithItsComplex) {
   open_file(models(6));
-  viewer_->state().memory.models_per_second = 30;
+  viewer_->state().playback.models_per_second = 30;
   run("click molecule.play\n");
   std::vector<int> seen;
   ScriptedInput no_input;
@@ -268,7 +268,7 @@ TEST_F(ViewerMoleculeTest, PlayingShowsModelAfterModelEachWithItsComplex) {
     EXPECT_EQ(seen[i], (seen[i - 1] + 1) % 6) << "every model is computed and shown";
   }
   run("click molecule.play\nwait-idle\n");
-  EXPECT_FALSE(viewer_->state().memory.playing_models);
+  EXPECT_FALSE(viewer_->state().playback.models);
   EXPECT_EQ(hash(), hash_text(expected(0).hash));
 }
 

@@ -98,7 +98,7 @@ TEST_F(ViewerTest, PlayingLetsAlphaGrowUntilStopped) {
   open_crambin();
   run("click alpha.play\nframes 60\nclick alpha.play\nwait-idle\n");
   const ViewState& s = viewer_->state();
-  EXPECT_FALSE(s.memory.playing);
+  EXPECT_FALSE(s.playback.alpha);
   EXPECT_GT(s.settings.request.alpha_angstrom2, 0.04);
   EXPECT_DOUBLE_EQ(s.result->request.alpha_angstrom2, s.settings.request.alpha_angstrom2);
   EXPECT_EQ(hash_text(s.result->complex.hash),
@@ -193,7 +193,7 @@ TEST_F(ViewerTest, EveryDisplaySwitchDraws) {
   }
   d = usual;
   const Image dark = picture();
-  viewer_->state().theme = Theme::light;
+  viewer_->state().window.theme = Theme::light;
   const Image light = picture();
   EXPECT_LT(dark.rgba[0], 60);
   EXPECT_GT(light.rgba[0], 200);

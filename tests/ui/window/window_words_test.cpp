@@ -52,7 +52,7 @@ TEST(Tooltips, AreBesideWhatTheySpeakOf) {
 TEST(Tooltips, AreTheSliders) {
   Panels p({1280, 1400, 1});
   p.state = loaded_state();
-  p.state.memory.closed_sections.clear();
+  p.state.window.closed_sections.clear();
   p.frame(3);
   ImGuiIO& io = ImGui::GetIO();
   for (const char* name :

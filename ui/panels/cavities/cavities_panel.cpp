@@ -10,6 +10,7 @@
 #include "core/text/grouped_number.hpp"
 #include "ui/panels/cavities/cavity_parts.hpp"
 #include "ui/panels/dialogs/save_parts.hpp"
+#include "ui/panels/panel.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/widgets/format.hpp"
 #include "ui/widgets/number_field.hpp"
@@ -238,7 +239,7 @@ bool is_grey(CavityPage& page, bool current) {
 
 // What a command asked for before the table was there.
 void choose_wanted_row(PanelContext& ctx, CavityPage& page) {
-  const auto row = std::exchange(ctx.state.memory.cavities.wanted_row, std::nullopt);
+  const auto row = std::exchange(ctx.state.cavities.wanted_row, std::nullopt);
   if (!row) return;
   const std::size_t rows = page.rows.table().size();
   if (*row < rows) return choose_cavity(ctx, page, *row, HowChosen::alone);
@@ -246,10 +247,8 @@ void choose_wanted_row(PanelContext& ctx, CavityPage& page) {
                      "; the last is " + with_separators(static_cast<long long>(rows)) + ".";
 }
 
-}  // namespace
-
-void draw_cavities_panel(PanelContext& ctx) {
-  CavityMemory& memory = ctx.state.memory.cavities;
+void draw_cavities(PanelContext& ctx) {
+  CavityMemory& memory = ctx.state.cavities;
   const FollowedCavities followed = follow_cavities(ctx);
   CavityPage& page = *memory.page;
   const bool current = followed.current;
@@ -273,6 +272,12 @@ void draw_cavities_panel(PanelContext& ctx) {
   body(ctx, page, current);
   ImGui::PopStyleVar();
   draw_layers_of_cavities(ctx, page, current);
+}
+
+}  // namespace
+
+std::unique_ptr<Panel> cavities_panel() {
+  return panel_of(draw_cavities);
 }
 
 }  // namespace alphascope

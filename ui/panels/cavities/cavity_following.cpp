@@ -139,7 +139,7 @@ void find_chosen_rows(PanelContext& ctx, CavityPage& page) {
     std::stable_partition(rows.begin(), rows.end(),
                           [&](std::size_t row) { return row != *page.anchor; });
   }
-  auto& sinks = ctx.state.memory.cavities.chosen;
+  auto& sinks = ctx.state.cavities.chosen;
   sinks.clear();
   for (const std::size_t row : rows) {
     sinks.push_back(cavity_sink(*page.rows.lines->atoms, page.rows.table(), row));
@@ -169,7 +169,7 @@ std::string merged_text(const CavityPage& page) {
 }
 
 FollowedCavities follow_cavities(PanelContext& ctx) {
-  CavityMemory& memory = ctx.state.memory.cavities;
+  CavityMemory& memory = ctx.state.cavities;
   if (!memory.page) memory.page = std::make_shared<CavityPage>();
   CavityPage& page = *memory.page;
   begin_page(page, ctx.state.molecule.sha256);

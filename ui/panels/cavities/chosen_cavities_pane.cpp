@@ -124,7 +124,7 @@ void make_layers(PanelContext& ctx, CavityPage& page) {
          ctx.state.settings.display.beside;
   old |= !(std::exchange(page.hidden, ctx.state.settings.appearance.hidden) ==
            ctx.state.settings.appearance.hidden);
-  old |= std::exchange(page.theme, ctx.state.theme) != ctx.state.theme;
+  old |= std::exchange(page.theme, ctx.state.window.theme) != ctx.state.window.theme;
   const auto balls = page.drawn ? balls_of_layers(ctx, page) : nullptr;
   old |= std::exchange(page.layers_of, balls) != balls;
   if (!old) return;

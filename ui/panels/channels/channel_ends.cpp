@@ -164,7 +164,7 @@ Place not_yet(const Derived<T>& cavities) {
 
 // `mouth`: counted from 1; 0 is the cavity itself.
 Place of_cavity(PanelContext& ctx, int mouth) {
-  const auto& chosen = ctx.state.memory.cavities.chosen;
+  const auto& chosen = ctx.state.cavities.chosen;
   if (!ctx.state.settings.selection.cavities.empty()) {
     const FollowedCavities followed = follow_cavities(ctx);
     if (!followed.current) return not_yet(followed.wanted);
@@ -217,8 +217,7 @@ Place start_of(PanelContext& ctx, const ChannelMemory& memory) {
 
 }  // namespace
 
-void draw_channel_ends(PanelContext& ctx) {
-  ChannelMemory& memory = ctx.state.memory.channels;
+void draw_channel_ends(PanelContext& ctx, ChannelMemory& memory) {
   const ChannelFrom from = memory.from;
   const ChannelTo to = memory.to;
   const auto beside = [&] { ImGui::SameLine(0, ctx.px(6)); };
@@ -251,8 +250,7 @@ void draw_channel_ends(PanelContext& ctx) {
   }
 }
 
-ChannelQuestion channel_question(PanelContext& ctx) {
-  ChannelMemory& memory = ctx.state.memory.channels;
+ChannelQuestion channel_question(PanelContext& ctx, ChannelMemory& memory) {
   const Place start = start_of(ctx, memory);
   if (!start.at) return start.none;
   memory.last_from = *start.at;

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/document/channels/channel_texts.hpp"
+#include "ui/panels/channels/channel_memory.hpp"
 #include "ui/widgets/widgets.hpp"
 
 namespace alphascope {
@@ -16,16 +17,16 @@ struct ChannelQuestion {
   bool waiting = false;       // for something that is computed
   bool wants_cavity = false;  // one has to be chosen on its page
 };
-ChannelQuestion channel_question(PanelContext& ctx);
+ChannelQuestion channel_question(PanelContext& ctx, ChannelMemory& memory);
 // Two rows: from where, to where.
-void draw_channel_ends(PanelContext& ctx);
+void draw_channel_ends(PanelContext& ctx, ChannelMemory& memory);
 // A line for each way through the molecule; a click takes it.
-void draw_ways(PanelContext& ctx, const FoundWays& ways);
+void draw_ways(PanelContext& ctx, ChannelMemory& memory, const FoundWays& ways);
 
 // Radius against length, in the room that is left; sets the cursor.
-void draw_channel_profile(PanelContext& ctx, const Channel& channel);
+void draw_channel_profile(PanelContext& ctx, ChannelMemory& memory, const Channel& channel);
 
 // The tube, the bottleneck's label and the place under the cursor, as layers of the view.
-void show_channel(PanelContext& ctx);
+void show_channel(PanelContext& ctx, ChannelMemory& memory);
 
 }  // namespace alphascope

@@ -185,8 +185,8 @@ int sample_at(const Channel& channel, double along) {
 }
 
 // The value under the mouse, here and in the view.
-void draw_cursor(PanelContext& ctx, const Plot& plot, const Channel& channel) {
-  ChannelMemory& memory = ctx.state.memory.channels;
+void draw_cursor(PanelContext& ctx, ChannelMemory& memory, const Plot& plot,
+                 const Channel& channel) {
   const int before = memory.cursor;
   memory.cursor =
       ImGui::IsItemHovered() ? sample_at(channel, plot.along_at(ImGui::GetIO().MousePos.x)) : -1;
@@ -212,7 +212,7 @@ void draw_cursor(PanelContext& ctx, const Plot& plot, const Channel& channel) {
 
 }  // namespace
 
-void draw_channel_profile(PanelContext& ctx, const Channel& channel) {
+void draw_channel_profile(PanelContext& ctx, ChannelMemory& memory, const Channel& channel) {
   ImGui::PushFont(ctx.fonts.small);
   const ImVec2 corner = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
   const float line = ImGui::GetTextLineHeight();
@@ -235,7 +235,7 @@ void draw_channel_profile(PanelContext& ctx, const Channel& channel) {
     ImGui::SetCursorScreenPos(plot.from);
     ImGui::InvisibleButton("##profile", {plot.to.x - plot.from.x, plot.to.y - plot.from.y});
     record(ctx, "channels.profile");
-    draw_cursor(ctx, plot, channel);
+    draw_cursor(ctx, memory, plot, channel);
   }
   ImGui::PopFont();
 }

@@ -57,8 +57,7 @@ void make_cursor(ChannelMemory& memory, const Colour& colour) {
 
 }  // namespace
 
-void show_channel(PanelContext& ctx) {
-  ChannelMemory& memory = ctx.state.memory.channels;
+void show_channel(PanelContext& ctx, ChannelMemory& memory) {
   if (!memory.shown || !memory.shown->channel || !ctx.state.result) return;
   // Layers are drawn with the complex of their balls only. The tube is the same for all of them.
   if (memory.layers.empty() || memory.layers_of != ctx.state.result->balls) {

@@ -22,8 +22,7 @@ std::string way_help(const FoundChannel& found) {
 
 }  // namespace
 
-void draw_ways(PanelContext& ctx, const FoundWays& ways) {
-  ChannelMemory& memory = ctx.state.memory.channels;
+void draw_ways(PanelContext& ctx, ChannelMemory& memory, const FoundWays& ways) {
   if (ways.ways.empty()) return;
   constexpr ImGuiTableFlags kFlags = ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_RowBg;
   if (!ImGui::BeginTable("ways", 4, kFlags)) return;

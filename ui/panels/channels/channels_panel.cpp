@@ -9,9 +9,11 @@
 #include "core/document/store/store.hpp"
 #include "core/geometry/principal_axes.hpp"
 #include "core/text/as_sentence.hpp"
+#include "ui/panels/channels/channel_memory.hpp"
 #include "ui/panels/channels/channel_parts.hpp"
 #include "ui/panels/dialogs/save_parts.hpp"
 #include "ui/panels/molecule/molecule_memory.hpp"
+#include "ui/panels/panel.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/widgets/format.hpp"
 
@@ -131,7 +133,7 @@ void headline(PanelContext& ctx, const FoundChannel& found) {
   record(ctx, "channels.passing");
 }
 
-void progress(PanelContext& ctx, const Derived<FoundChannel>& found) {
+void progress(PanelContext& ctx, ChannelMemory& memory, const Derived<FoundChannel>& found) {
   const std::string text = percent_text(found.share);
   const bool runs = found.state == DerivedState::running;
   ImGui::ProgressBar(static_cast<float>(found.share), {ctx.px(150), ImGui::GetFrameHeight()},
@@ -139,7 +141,7 @@ void progress(PanelContext& ctx, const Derived<FoundChannel>& found) {
   record(ctx, "channels.progress");
   tooltip(ctx, "The widest way is being looked for. You can go on working.");
   ImGui::SameLine(0, ctx.px(8));
-  if (button(ctx, "channels.cancel", "Cancel")) ctx.store.cancel(id_of(ctx.state.memory.channels));
+  if (button(ctx, "channels.cancel", "Cancel")) ctx.store.cancel(id_of(memory));
 }
 
 void limit_line(PanelContext& ctx, const Channel& channel) {
@@ -259,8 +261,8 @@ std::string no_channel_text(const ChannelMemory& memory) {
                        "start into the pore.");
 }
 
-void column_of_results(PanelContext& ctx, const Derived<FoundChannel>& found, bool current) {
-  ChannelMemory& memory = ctx.state.memory.channels;
+void column_of_results(PanelContext& ctx, ChannelMemory& memory, const Derived<FoundChannel>& found,
+                       bool current) {
   if (found.state == DerivedState::failed || found.state == DerivedState::no_room) {
     return problem(ctx, "There is no channel. " + found.why);
   }
@@ -268,7 +270,7 @@ void column_of_results(PanelContext& ctx, const Derived<FoundChannel>& found, bo
     muted_text(ctx, "Cancelled.");
     ImGui::SameLine(0, ctx.px(8));
     if (button(ctx, "channels.again", "Compute")) {
-      ctx.store.begin_again(id_of(ctx.state.memory.channels));
+      ctx.store.begin_again(id_of(memory));
     }
     return;
   }
@@ -284,8 +286,7 @@ void column_of_results(PanelContext& ctx, const Derived<FoundChannel>& found, bo
 }
 
 // False while a large one has not been asked for.
-bool may_begin(PanelContext& ctx, const AnyDefinition& wanted) {
-  ChannelMemory& memory = ctx.state.memory.channels;
+bool may_begin(PanelContext& ctx, ChannelMemory& memory, const AnyDefinition& wanted) {
   const std::size_t balls = memory.prepared->balls->size();
   if (balls <= kMostBallsUnasked) return true;
   const Key key = wanted.key(inputs_as_they_are(memory));
@@ -298,8 +299,7 @@ bool may_begin(PanelContext& ctx, const AnyDefinition& wanted) {
 }
 
 // The chosen way, as if it were what was asked for; there is no value where there is none.
-Derived<FoundChannel> want_way(PanelContext& ctx, Derived<FoundWays>& ways) {
-  ChannelMemory& memory = ctx.state.memory.channels;
+Derived<FoundChannel> want_way(PanelContext& ctx, ChannelMemory& memory, Derived<FoundWays>& ways) {
   ways = ctx.store.want(found_ways(), inputs_as_they_are(memory));
   Derived<FoundChannel> found;
   found.state = ways.state;
@@ -312,10 +312,10 @@ Derived<FoundChannel> want_way(PanelContext& ctx, Derived<FoundWays>& ways) {
   return found;
 }
 
-void first_line(PanelContext& ctx, const Derived<FoundChannel>& found, bool current) {
-  const ChannelMemory& memory = ctx.state.memory.channels;
+void first_line(PanelContext& ctx, ChannelMemory& memory, const Derived<FoundChannel>& found,
+                bool current) {
   if (found.state == DerivedState::waiting || found.state == DerivedState::running) {
-    progress(ctx, found);
+    progress(ctx, memory, found);
   } else if (current && memory.shown && memory.shown->channel) {
     headline(ctx, *memory.shown);
   } else {
@@ -327,18 +327,17 @@ constexpr const char* kNoWay =
     "No way leads through the molecule from outside to outside. Choose above where a channel "
     "begins.";
 
-void page(PanelContext& ctx) {
-  ChannelMemory& memory = ctx.state.memory.channels;
+void page(PanelContext& ctx, ChannelMemory& memory) {
   const bool of_ways = memory.from == ChannelFrom::ways;
   ChannelQuestion question;
-  if (!of_ways) question = channel_question(ctx);
+  if (!of_ways) question = channel_question(ctx, memory);
   Derived<FoundWays> ways;
   Derived<FoundChannel> found;
   const bool has_question = of_ways || question.ends;
   bool asked = true;
-  if (of_ways && (asked = may_begin(ctx, found_ways()))) {
-    found = want_way(ctx, ways);
-  } else if (question.ends && (asked = may_begin(ctx, found_channel(*question.ends)))) {
+  if (of_ways && (asked = may_begin(ctx, memory, found_ways()))) {
+    found = want_way(ctx, memory, ways);
+  } else if (question.ends && (asked = may_begin(ctx, memory, found_channel(*question.ends)))) {
     found = ctx.store.want(found_channel(*question.ends), inputs_as_they_are(memory));
   }
   const bool no_way = of_ways && ways.ready() && ways.value->ways.empty();
@@ -346,41 +345,38 @@ void page(PanelContext& ctx) {
   if (found.ready() && found.value) take_answer(ctx, memory, found.value);
   const bool current = found.ready() && found.value && memory.shown == found.value;
   if (has_question && asked) {
-    first_line(ctx, found, current);
+    first_line(ctx, memory, found, current);
   } else if (!has_question) {
     ImGui::AlignTextToFramePadding();
     muted_text(ctx, question.waiting ? question.why : "");
   }
   constexpr float kColumn = 410;
   ImGui::BeginChild("ends", {ctx.px(kColumn), 0}, false);
-  draw_channel_ends(ctx);
-  if (of_ways && ways.ready()) draw_ways(ctx, *ways.value);
+  draw_channel_ends(ctx, memory);
+  if (of_ways && ways.ready()) draw_ways(ctx, memory, *ways.value);
   ImGui::Dummy({0, ctx.px(2)});
   if (no_way) {
     problem(ctx, kNoWay);
   } else if (!has_question && !question.waiting) {
     problem(ctx, question.why);
     if (question.wants_cavity && button(ctx, "channels.cavities", "Go to Cavities")) {
-      ctx.state.memory.bottom_panel = "cavities";
+      ctx.state.window.page = "cavities";
     }
   } else {
-    column_of_results(ctx, found, current);
+    column_of_results(ctx, memory, found, current);
   }
   ImGui::EndChild();
   if (!memory.shown || !memory.shown->channel) return;
   ImGui::SameLine(0, ctx.px(10));
   ImGui::PushStyleVar(ImGuiStyleVar_Alpha, current ? 1.0f : 0.4f);
   ImGui::BeginChild("profile", {0, 0}, false, ImGuiWindowFlags_NoScrollbar);
-  draw_channel_profile(ctx, *memory.shown->channel);
+  draw_channel_profile(ctx, memory, *memory.shown->channel);
   ImGui::EndChild();
   ImGui::PopStyleVar();
-  if (current) show_channel(ctx);
+  if (current) show_channel(ctx, memory);
 }
 
-}  // namespace
-
-void draw_channels_panel(PanelContext& ctx) {
-  ChannelMemory& memory = ctx.state.memory.channels;
+void draw_channels(PanelContext& ctx, ChannelMemory& memory) {
   begin_anew(memory, ctx.state.molecule.sha256, [](const ChannelMemory& old) {
     ChannelMemory fresh;
     fresh.balls_key = old.balls_key;  // which no two sets of balls may share
@@ -394,7 +390,13 @@ void draw_channels_panel(PanelContext& ctx) {
   }
   take_balls(ctx, memory);
   take_choice(ctx, memory);
-  page(ctx);
+  page(ctx, memory);
+}
+
+}  // namespace
+
+std::unique_ptr<Panel> channels_panel() {
+  return panel_of(draw_channels);
 }
 
 }  // namespace alphascope

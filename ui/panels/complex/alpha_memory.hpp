@@ -6,8 +6,6 @@
 namespace alphascope {
 
 struct AlphaMemory {
-  AlphaSlider slider;
-  bool backwards = false;  // alpha plays so
   // Of a drag in which Shift was pressed: from where on the mouse moves alpha, and how finely.
   bool relative = false, fine = false;
   double from_place = 0;

@@ -5,6 +5,8 @@
 
 #include "core/document/alpha/signature.hpp"
 #include "core/document/store/store.hpp"
+#include "ui/panels/complex/alpha_memory.hpp"
+#include "ui/panels/panel.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/widgets/format.hpp"
 #include "ui/widgets/key_focus.hpp"
@@ -83,15 +85,15 @@ void drag_finely(AlphaMemory& m, const AlphaSlider& s, double alpha, const Track
   place = std::clamp(m.from_place + moved * (m.fine ? 0.1 : 1), 0.0, 1.0);
 }
 
-void alpha_slider(PanelContext& ctx) {
-  AlphaMemory& m = ctx.state.memory.alpha;
+void alpha_slider(PanelContext& ctx, AlphaMemory& memory) {
+  const AlphaSlider& scale = ctx.state.window.alpha_slider;
   Alpha& alpha = ctx.state.settings.request.alpha_angstrom2;
   bool changed = false;
   if (typed_instead(ctx, "alpha.slider", alpha, changed)) {
-    if (changed) ctx.state.memory.playing = false;
+    if (changed) ctx.state.playback.alpha = false;
     return;
   }
-  const double before = place_of_alpha(m.slider, alpha), low = 0, high = 1;
+  const double before = place_of_alpha(scale, alpha), low = 0, high = 1;
   double place = before;
   ImGui::PushID("alpha.slider");
   changed = ImGui::SliderScalar("##slider", ImGuiDataType_Double, &place, &low, &high, "",
@@ -101,34 +103,34 @@ void alpha_slider(PanelContext& ctx) {
   key_stop(ctx, "alpha.slider", KeyStop::number);  // the arrow keys are alpha's everywhere
   const Track track = track_of_last_item();
   bool fine = false;
-  drag_finely(m, m.slider, alpha, track, place, fine);
-  if ((changed || m.relative) && place != before) {
+  drag_finely(memory, scale, alpha, track, place, fine);
+  if ((changed || memory.relative) && place != before) {
     const double pixel = 1 / std::max(1.0f, track.to - track.from);
-    alpha = alpha_at_place(m.slider, place, fine ? pixel / 10 : pixel);
-    ctx.state.memory.playing = false;
+    alpha = alpha_at_place(scale, place, fine ? pixel / 10 : pixel);
+    ctx.state.playback.alpha = false;
   }
 }
 
-void slider(PanelContext& ctx) {
-  AlphaMemory& m = ctx.state.memory.alpha;
-  const bool playing = ctx.state.memory.playing;
+void slider(PanelContext& ctx, AlphaMemory& memory) {
+  const AlphaSlider& scale = ctx.state.window.alpha_slider;
+  const bool playing = ctx.state.playback.alpha;
   ImGui::BeginDisabled(!ctx.state.result);
   if (button(ctx, "alpha.play", playing ? "Stop" : "Play", {ctx.px(44), 0})) {
-    ctx.commands.run(playing && m.backwards ? "alpha.play_back" : "alpha.play");
+    ctx.commands.run(playing && ctx.state.playback.backwards ? "alpha.play_back" : "alpha.play");
   }
   ImGui::EndDisabled();
   tooltip(ctx, playing ? "Stop here" : "Let alpha grow by itself, to the slider's high end");
   ImGui::SameLine(0, ctx.px(6));
   ImGui::SetNextItemWidth(-1);
   const float left = ImGui::GetCursorPosX();
-  alpha_slider(ctx);
+  alpha_slider(ctx, memory);
   tooltip(ctx,
           "Alpha in Å². Every radius r becomes sqrt(r² + α).\nCtrl+click to type; Shift while "
           "dragging for fine steps; arrow keys step by 0.1, with shift by 1.");
   const Track track = track_of_last_item();
-  draw_preset_ticks(ctx, m.slider, track);
+  draw_preset_ticks(ctx, scale, track);
   ImGui::SetCursorPosX(left);
-  draw_critical_values(ctx, m.slider, track);
+  draw_critical_values(ctx, scale, track);
 }
 
 // --- how the slider looks and plays, which few change often
@@ -161,7 +163,7 @@ void range_row(PanelContext& ctx, AlphaSlider& s) {
 }
 
 void playing_row(PanelContext& ctx, AlphaSlider& s) {
-  const bool back = ctx.state.memory.playing && ctx.state.memory.alpha.backwards;
+  const bool back = ctx.state.playback.alpha && ctx.state.playback.backwards;
   row_label(ctx, "Playing");
   ImGui::BeginDisabled(!ctx.state.result);
   if (button(ctx, "alpha.play_back", back ? "stop" : "back", {ctx.px(44), 0})) {
@@ -178,7 +180,7 @@ void playing_row(PanelContext& ctx, AlphaSlider& s) {
 }
 
 void slider_options(PanelContext& ctx) {
-  AlphaSlider& s = ctx.state.memory.alpha.slider;
+  AlphaSlider& s = ctx.state.window.alpha_slider;
   const AlphaSlider usual;
   const std::string changed = s == usual ? "" : ", changed";
   ImGui::PushFont(ctx.fonts.small);
@@ -198,7 +200,7 @@ void typed_and_presets(PanelContext& ctx) {
   ImGui::TextUnformatted("α");
   ImGui::SameLine();
   ImGui::SetNextItemWidth(ctx.px(78));
-  if (number_field(ctx, "alpha.typed", alpha)) ctx.state.memory.playing = false;
+  if (number_field(ctx, "alpha.typed", alpha)) ctx.state.playback.alpha = false;
   ImGui::SameLine(0, ctx.px(4));
   ImGui::TextUnformatted("Å²");
   const float left = ImGui::GetItemRectMax().x - ImGui::GetWindowPos().x + ctx.px(10);
@@ -269,15 +271,19 @@ void grown_radii(PanelContext& ctx) {
   tooltip(ctx, rest.c_str());
 }
 
-}  // namespace
-
-void draw_alpha_panel(PanelContext& ctx) {
+void draw_alpha(PanelContext& ctx, AlphaMemory& memory) {
   if (!section(ctx, "alpha", "Alpha")) return;
-  slider(ctx);
+  slider(ctx, memory);
   typed_and_presets(ctx);
   slider_options(ctx);
   solvent(ctx);
   grown_radii(ctx);
+}
+
+}  // namespace
+
+std::unique_ptr<Panel> alpha_panel() {
+  return panel_of(draw_alpha);
 }
 
 }  // namespace alphascope

@@ -1,6 +1,7 @@
 // Cutting the picture open: a plane or a slab, where it is, and the handle in the picture by which
 // the mouse moves and turns it.
 #include "ui/panels/complex/clip_panel.hpp"
+#include "ui/panels/panel.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -86,7 +87,9 @@ void set_clip_across(ViewState& state, const Vector& normal) {
   state.settings.clip = turned(state.settings.clip, normal, state.viewport.box_middle);
 }
 
-void draw_clip_panel(PanelContext& ctx) {
+namespace {
+
+void draw_clip(PanelContext& ctx) {
   if (!section(ctx, "clip", "Clip")) return;
   ViewState& s = ctx.state;
   ImGui::BeginDisabled(!s.molecule.loaded);
@@ -112,10 +115,16 @@ void draw_clip_panel(PanelContext& ctx) {
   if (button(ctx, "clip.face", "Look at it", {width, 0})) ctx.commands.run("view.clip_face");
   tooltip(ctx, "Turns the view so that the cut is seen straight from the front.");
   ImGui::SameLine(0, ctx.px(10));
-  checkbox(ctx, "clip.handle", "Handle", s.memory.clip_handle);
+  checkbox(ctx, "clip.handle", "Handle", s.window.clip_handle);
   tooltip(ctx, "In the picture: drag its arrow to move the cut, its ring to turn it.");
   ImGui::EndDisabled();
   ImGui::EndDisabled();
+}
+
+}  // namespace
+
+std::unique_ptr<Panel> clip_panel() {
+  return panel_of(draw_clip);
 }
 
 bool clip_handle_mouse(PanelContext& ctx, ImVec2 corner, bool view_hovered) {
@@ -125,7 +134,7 @@ bool clip_handle_mouse(PanelContext& ctx, ImVec2 corner, bool view_hovered) {
   const ImGuiIO& io = ImGui::GetIO();
   if (!ImGui::IsMouseDown(0)) held = HandlePart::none;
   const PicturePoint mouse{io.MousePos.x - corner.x, io.MousePos.y - corner.y};
-  const bool may = view_hovered && s.memory.clip_handle && !s.memory.dragging_view;
+  const bool may = view_hovered && s.window.clip_handle && !s.memory.dragging_view;
   s.memory.clip_part_hovered = held;
   if (held == HandlePart::none && may) {
     s.memory.clip_part_hovered = part_at(v.clip_handle, mouse, ctx.px(kHandleReach));
@@ -140,7 +149,7 @@ bool clip_handle_mouse(PanelContext& ctx, ImVec2 corner, bool view_hovered) {
 
 void draw_clip_handle(PanelContext& ctx) {
   const ClipHandle& h = ctx.state.viewport.clip_handle;
-  if (!h.shown || !ctx.state.memory.clip_handle || ctx.state.viewport.texture == 0) return;
+  if (!h.shown || !ctx.state.window.clip_handle || ctx.state.viewport.texture == 0) return;
   const ImVec2 corner = ImGui::GetWindowPos();
   const auto place = [&corner](const PicturePoint& p) {
     return ImVec2(corner.x + static_cast<float>(p[0]), corner.y + static_cast<float>(p[1]));

@@ -5,6 +5,7 @@
 #include "core/document/session/settings_fields.hpp"
 #include "core/document/settings/display_preset.hpp"
 #include "ui/panels/complex/paint_rows.hpp"
+#include "ui/panels/panel.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/rgb8.hpp"
 #include "ui/widgets/format.hpp"
@@ -154,9 +155,7 @@ void beside_body(PanelContext& ctx) {
   ImGui::Unindent();
 }
 
-}  // namespace
-
-void draw_display_panel(PanelContext& ctx) {
+void draw_display(PanelContext& ctx) {
   if (!section(ctx, "display", "Display")) return;
   presets(ctx);
   balls(ctx);
@@ -169,7 +168,15 @@ void draw_display_panel(PanelContext& ctx) {
           "large molecule.");
 }
 
-void draw_look_panel(PanelContext& ctx) {
+}  // namespace
+
+std::unique_ptr<Panel> display_panel() {
+  return panel_of(draw_display);
+}
+
+namespace {
+
+void draw_look(PanelContext& ctx) {
   if (!section(ctx, "look", "Light")) return;
   DisplayControls& d = ctx.state.settings.display;
   row_label(ctx, "Depth cue");
@@ -198,6 +205,12 @@ void draw_look_panel(PanelContext& ctx) {
   tooltip(ctx,
           "So many pictures are averaged at rest and in saved pictures: smooth edges and "
           "shadows.");
+}
+
+}  // namespace
+
+std::unique_ptr<Panel> look_panel() {
+  return panel_of(draw_look);
 }
 
 }  // namespace alphascope

@@ -2,6 +2,7 @@
 // asked to agree.
 #include <algorithm>
 
+#include "ui/panels/panel.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/widgets/format.hpp"
 
@@ -138,9 +139,10 @@ void tuple_switches(PanelContext& ctx) {
 void auto_compare(PanelContext& ctx) {
   ViewState& s = ctx.state;
   const bool possible = s.molecule.balls <= kMostBallsToCompareUnasked;
-  bool on = s.auto_compare && possible;
+  bool on = s.window.auto_compare && possible;
   ImGui::BeginDisabled(!possible);
-  if (checkbox(ctx, "engine.auto_compare", "Compare with CGAL every time", on)) s.auto_compare = on;
+  if (checkbox(ctx, "engine.auto_compare", "Compare with CGAL every time", on))
+    s.window.auto_compare = on;
   ImGui::EndDisabled();
   const std::string most =
       with_separators(static_cast<long long>(kMostBallsToCompareUnasked)) + " balls";
@@ -154,9 +156,7 @@ void auto_compare(PanelContext& ctx) {
   tooltip(ctx, help.c_str());
 }
 
-}  // namespace
-
-void draw_engine_panel(PanelContext& ctx) {
+void draw_engine(PanelContext& ctx) {
   if (!section(ctx, "engine", "Engine")) return;
   ViewState& s = ctx.state;
   engine_choice(ctx);
@@ -169,6 +169,12 @@ void draw_engine_panel(PanelContext& ctx) {
   // Last what comes and goes: nothing that one clicks is below it.
   tuple_switches(ctx);
   device(ctx);
+}
+
+}  // namespace
+
+std::unique_ptr<Panel> engine_panel() {
+  return panel_of(draw_engine);
 }
 
 }  // namespace alphascope

@@ -2,6 +2,7 @@
 #include <optional>
 
 #include "ui/panels/complex/timings_text.hpp"
+#include "ui/panels/panel.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/widgets/format.hpp"
 
@@ -171,9 +172,7 @@ void summary_line(PanelContext& ctx) {
   tooltip(ctx, text.c_str());
 }
 
-}  // namespace
-
-void draw_timings_panel(PanelContext& ctx) {
+void draw_timings(PanelContext& ctx) {
   title(ctx);
   if (ctx.state.result) {
     badge(ctx);
@@ -184,6 +183,12 @@ void draw_timings_panel(PanelContext& ctx) {
   }
   summary_line(ctx);
   draw_waterfall(ctx, ImGui::GetContentRegionAvail().y);
+}
+
+}  // namespace
+
+std::unique_ptr<Panel> timings_panel() {
+  return panel_of(draw_timings);
 }
 
 }  // namespace alphascope

@@ -31,7 +31,7 @@ constexpr std::array kDialogs{
           draw_confirm_assembly},
     Entry{[](const ViewState& s) { return s.memory.show_cheat_sheet; }, draw_cheat_sheet},
     Entry{[](const ViewState& s) { return s.memory.show_about; }, draw_about},
-    Entry{[](const ViewState& s) { return s.memory.palette.show; }, draw_command_palette},
+    Entry{[](const ViewState& s) { return s.palette.show; }, draw_command_palette},
     Entry{[](const ViewState& s) { return !s.error.empty(); }, draw_error}};
 
 bool wanted(const ViewState& state, std::size_t kind) {

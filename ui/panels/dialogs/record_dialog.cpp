@@ -93,7 +93,7 @@ void sweep_fields(PanelContext& ctx, Recording& r) {
   ImGui::TextUnformatted("Å²");
   ImGui::SameLine(0, ctx.px(12));
   if (button(ctx, "record.as_slider", "as the slider")) {
-    const AlphaSlider& slider = ctx.state.memory.alpha.slider;
+    const AlphaSlider& slider = ctx.state.window.alpha_slider;
     r.low = slider.low;
     r.high = slider.high;
     r.scaling = slider.scaling;
@@ -141,7 +141,7 @@ void time_fields(PanelContext& ctx, Recording& r) {
 
 void lesson_fields(PanelContext& ctx) {
   RecordMemory& m = ctx.state.memory.record;
-  const auto& lesson = ctx.state.memory.lessons.open;
+  const auto& lesson = ctx.state.lessons.open;
   row_label(ctx, "Each step");
   ImGui::SetNextItemWidth(ctx.px(kNumberWidth));
   number_field(ctx, "record.seconds", m.lesson_seconds, kHoldRule);
@@ -179,7 +179,7 @@ void kind_fields(PanelContext& ctx) {
 
 bool is_there(const ViewState& s) {
   const RecordMemory& m = s.memory.record;
-  if (m.of_lesson) return s.memory.lessons.open != nullptr;
+  if (m.of_lesson) return s.lessons.open != nullptr;
   return fault_of(m.recording).empty() &&
          (m.recording.kind == RecordingKind::turntable || s.result);
 }

@@ -20,10 +20,10 @@ void draw_save_picture(PanelContext& ctx) {
   const bool entered = file_row(ctx, "save", m.save_path);
   const std::filesystem::path path = path_to_save(m.save_path, kPictureEnding);
   const bool can_save = save_target(ctx, "save", {path}, fault_of_ending(path, {kPictureEnding}));
-  size_fields(ctx, "save", m.save);
+  size_fields(ctx, "save", s.window.picture);
   row_label(ctx, "");
-  checkbox(ctx, "save.transparent", "Transparent background", m.save.transparent);
-  marks_fields(ctx, "save", m.save);
+  checkbox(ctx, "save.transparent", "Transparent background", s.window.picture.transparent);
+  marks_fields(ctx, "save", s.window.picture);
   ImGui::PushFont(ctx.fonts.small);
   row_label(ctx, "");
   muted_text(ctx, "The PNG file also records file, selection, radii, alpha and hash.");
@@ -33,7 +33,7 @@ void draw_save_picture(PanelContext& ctx) {
   const DialogAnswer answer = dialog_buttons(ctx, ctx.px(kWidth), {"save.cancel", "Cancel"},
                                              {"save.ok", "Save"}, can_save, entered);
   const bool confirmed = answer == DialogAnswer::confirm;
-  if (confirmed) ctx.calls.jobs.save_picture({path, m.save});
+  if (confirmed) ctx.calls.jobs.save_picture({path, s.window.picture});
   if (confirmed || answer == DialogAnswer::cancel) {
     note_file(ctx, "save", m.save_path, confirmed);
     m.show_save = false;

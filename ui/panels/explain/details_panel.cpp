@@ -10,6 +10,8 @@
 #include "core/molecule/element.hpp"
 #include "core/selection/atom_address.hpp"
 #include "ui/panels/explain/ball_text.hpp"
+#include "ui/panels/explain/details_memory.hpp"
+#include "ui/panels/panel.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/widgets/format.hpp"
 #include "ui/widgets/table_cells.hpp"
@@ -181,8 +183,7 @@ std::optional<std::size_t> one_atom(const ViewState& s) {
 }
 
 // The latest answer, also while another is on its way.
-const SimplexDetails* details_of(PanelContext& ctx, const Balls& balls) {
-  DetailsMemory& memory = ctx.state.memory.details;
+const SimplexDetails* details_of(PanelContext& ctx, DetailsMemory& memory, const Balls& balls) {
   const auto found = ctx.store.want(simplex_details(balls), ctx.inputs);
   if (found.ready()) {
     memory.shown = found.value;
@@ -193,14 +194,14 @@ const SimplexDetails* details_of(PanelContext& ctx, const Balls& balls) {
   return fits ? memory.shown.get() : nullptr;
 }
 
-void draw_details(PanelContext& ctx, float facts_width) {
+void draw_details(PanelContext& ctx, DetailsMemory& memory, float facts_width) {
   ViewState& s = ctx.state;
   const bool known = ctx.inputs.complex && ctx.inputs.atoms;
   const AskedSimplex asked =
       known ? asked_simplex(s.settings.selection.items, *ctx.inputs.atoms) : AskedSimplex{};
   const std::optional<std::size_t> atom = one_atom(s);
   const SimplexDetails* const details =
-      asked.balls.empty() ? nullptr : details_of(ctx, asked.balls);
+      asked.balls.empty() ? nullptr : details_of(ctx, memory, asked.balls);
   ImGui::BeginChild("facts", {facts_width, 0}, false);
   if (atom) {
     strong_text(ctx, atom_address(s.references->molecule(), *atom));
@@ -220,20 +221,24 @@ void draw_details(PanelContext& ctx, float facts_width) {
   ImGui::EndChild();
 }
 
-}  // namespace
-
-void draw_details_panel(PanelContext& ctx) {
+void draw_details(PanelContext& ctx, DetailsMemory& memory) {
   if (!ctx.state.references) {
     return muted_wrapped(ctx, "Open a molecule: its selected atoms are described here.");
   }
   ImGui::NewLine();
   const float gap = ctx.px(12);
   const float width = ImGui::GetContentRegionAvail().x;
-  draw_details(ctx, std::floor(width * 0.27f));
+  draw_details(ctx, memory, std::floor(width * 0.27f));
   ImGui::SameLine(0, gap);
   ImGui::BeginChild("measured", {0, 0}, false);
   draw_measured_list(ctx);
   ImGui::EndChild();
+}
+
+}  // namespace
+
+std::unique_ptr<Panel> details_panel() {
+  return panel_of(draw_details);
 }
 
 }  // namespace alphascope

@@ -10,6 +10,7 @@
 #include "ui/number_text.hpp"
 #include "ui/panels/explain/steps_layer.hpp"
 #include "ui/panels/explain/steps_parts.hpp"
+#include "ui/panels/panel.hpp"
 #include "ui/panels/panels.hpp"
 
 namespace alphascope {
@@ -18,7 +19,7 @@ namespace {
 // --- what is known
 
 AskedSteps asked_steps(const PanelContext& ctx, BallIndex ball) {
-  const StepsMemory& memory = ctx.state.memory.steps;
+  const StepsMemory& memory = ctx.state.steps;
   AskedSteps asked{ball, memory.engine, ctx.state.settings.request.tuples};
   asked.options.edge_optimisation = memory.edge_optimisation;
   asked.options.alpha_optimisation = memory.alpha_optimisation;
@@ -28,7 +29,7 @@ AskedSteps asked_steps(const PanelContext& ctx, BallIndex ball) {
 // Of the ball that is asked about; what takes long for another question than the present is ended.
 Derived<ToldSteps> want_steps(PanelContext& ctx, BallIndex ball) {
   constexpr double kLong = 0.15;  // seconds; what is nearly there is better shown
-  StepsMemory& memory = ctx.state.memory.steps;
+  StepsMemory& memory = ctx.state.steps;
   const Definition<ToldSteps> definition = told_steps(asked_steps(ctx, ball));
   const Key key = definition.key(ctx.inputs);
   if (!(key == memory.asked)) {
@@ -56,7 +57,7 @@ void go_where_asked(PanelContext& ctx, StepsMemory& memory) {
 }
 
 void take_steps(PanelContext& ctx, const Derived<ToldSteps>& found) {
-  StepsMemory& memory = ctx.state.memory.steps;
+  StepsMemory& memory = ctx.state.steps;
   memory.current = found.ready();
   if (!memory.current) return;
   if (memory.shown != found.value || memory.balls != ctx.inputs.balls) {
@@ -74,13 +75,13 @@ std::string name_of_ball(const PanelContext& ctx, BallIndex ball) {
 }
 
 void draw_step_in_view(PanelContext& ctx) {
-  StepsMemory& memory = ctx.state.memory.steps;
+  StepsMemory& memory = ctx.state.steps;
   StepsMemory::Drawn& drawn = memory.drawn;
-  const bool light = ctx.state.theme == Theme::light;
+  const bool light = ctx.state.window.theme == Theme::light;
   if (drawn.layers.empty() || drawn.step != memory.at() || drawn.light != light) {
     const BallSteps& steps = memory.shown->steps;
     const StepScene scene{steps, steps.steps[memory.at()], name_of_ball(ctx, steps.ball),
-                          memory.balls, ctx.state.theme};
+                          memory.balls, ctx.state.window.theme};
     drawn = {memory.at(), light, make_steps_layers(scene, ++memory.layers_made)};
   }
   if (!memory.marks) return;
@@ -88,7 +89,7 @@ void draw_step_in_view(PanelContext& ctx) {
 }
 
 void look_when_asked(PanelContext& ctx) {
-  StepsMemory& memory = ctx.state.memory.steps;
+  StepsMemory& memory = ctx.state.steps;
   if (!memory.current || !std::exchange(memory.look, false)) return;
   std::vector<Ref> all{ctx.inputs.atoms->atom(memory.shown->steps.ball)};
   if (const Step* cube = memory.shown->steps.find(StepKind::cube)) {
@@ -104,7 +105,7 @@ void look_when_asked(PanelContext& ctx) {
 
 // "Kernel II: 3 of 39 valid", of which ball, the sentences, and how much more work there is.
 void draw_text(PanelContext& ctx, float width) {
-  const StepsMemory& memory = ctx.state.memory.steps;
+  const StepsMemory& memory = ctx.state.steps;
   const ToldSteps& told = *memory.shown;
   const StepText& text = told.texts[memory.at()];
   ImGui::BeginChild("text", {width, 0}, false);
@@ -131,7 +132,7 @@ void draw_text(PanelContext& ctx, float width) {
 void draw_steps(PanelContext& ctx) {
   const float all = ImGui::GetContentRegionAvail().x, gap = ctx.px(14);
   const float list = std::min(ctx.px(290), 0.31f * all), side = std::min(ctx.px(250), 0.26f * all);
-  ImGui::PushStyleVar(ImGuiStyleVar_Alpha, ctx.state.memory.steps.current ? 1.0f : 0.55f);
+  ImGui::PushStyleVar(ImGuiStyleVar_Alpha, ctx.state.steps.current ? 1.0f : 0.55f);
   draw_step_list(ctx, list);
   ImGui::SameLine(0, gap);
   draw_text(ctx, all - list - side - 2 * gap);
@@ -142,7 +143,7 @@ void draw_steps(PanelContext& ctx) {
 
 // A sentence in the place of the steps, and what can be done.
 void draw_nothing(PanelContext& ctx, const std::string& why) {
-  forget(ctx.state.memory.steps);
+  forget(ctx.state.steps);
   muted_wrapped(ctx, why);
   record(ctx, "steps.nothing");
   const CommandSpec* middle = ctx.commands.find("steps.middle");
@@ -150,10 +151,8 @@ void draw_nothing(PanelContext& ctx, const std::string& why) {
   if (button(ctx, "steps.middle", "Take a ball in the middle")) run_command(ctx, *middle);
 }
 
-}  // namespace
-
-void draw_steps_panel(PanelContext& ctx) {
-  StepsMemory& memory = ctx.state.memory.steps;
+void draw_steps_page(PanelContext& ctx) {
+  StepsMemory& memory = ctx.state.steps;
   draw_steps_controls(ctx);
   if (!ctx.inputs.balls || !ctx.inputs.atoms) {
     return draw_nothing(ctx, "Open a molecule: the steps are those of one of its balls.");
@@ -174,6 +173,12 @@ void draw_steps_panel(PanelContext& ctx) {
                          ? "There are no steps. " + found.why
                          : "Looking at the ball…");
   record(ctx, "steps.waiting");
+}
+
+}  // namespace
+
+std::unique_ptr<Panel> steps_panel() {
+  return panel_of(draw_steps_page);
 }
 
 }  // namespace alphascope

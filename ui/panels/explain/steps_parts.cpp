@@ -29,7 +29,7 @@ void move_button(PanelContext& ctx, const char* id, const char* label) {
 }
 
 void engine_choice(PanelContext& ctx) {
-  StepsMemory& memory = ctx.state.memory.steps;
+  StepsMemory& memory = ctx.state.steps;
   if (steps_engines().size() < 2) return;
   ImGui::SetNextItemWidth(ctx.px(170));
   if (list_field(ctx, "steps.engine", spec_of(memory.engine).title)) {
@@ -62,7 +62,7 @@ void legend_line(PanelContext& ctx, StepMark mark, const std::string& text, bool
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float side = ImGui::GetFontSize() * 0.7f, down = (ImGui::GetTextLineHeight() - side) / 2;
   const ImVec2 low{at.x, at.y + down}, high{at.x + side, at.y + down + side};
-  const ImU32 colour = to_u32(step_colour(mark, ctx.state.theme));
+  const ImU32 colour = to_u32(step_colour(mark, ctx.state.window.theme));
   if (box) {
     ImGui::GetWindowDrawList()->AddRect(low, high, colour, 0, 0, ctx.px(1.5f));
   } else {
@@ -113,7 +113,7 @@ struct CountColumns {
 };
 
 void count_row(PanelContext& ctx, const StepCount& count, const CountColumns& columns) {
-  const StepsMemory& memory = ctx.state.memory.steps;
+  const StepsMemory& memory = ctx.state.steps;
   const Step& step = memory.shown->steps.steps[memory.at()];
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
@@ -138,7 +138,7 @@ void count_table(PanelContext& ctx, const Step& step) {
   CountColumns columns;
   columns.here = std::any_of(step.counts.begin(), step.counts.end(),
                              [](const StepCount& count) { return count.here != count.all; });
-  columns.optimised = ctx.state.memory.steps.shown->optimised.has_value();
+  columns.optimised = ctx.state.steps.shown->optimised.has_value();
   const int numbers = 1 + int{columns.here} + int{columns.optimised};
   if (!ImGui::BeginTable("counts", 1 + numbers, ImGuiTableFlags_SizingFixedFit)) return;
   ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthStretch);
@@ -160,7 +160,7 @@ void count_table(PanelContext& ctx, const Step& step) {
 }  // namespace
 
 void draw_steps_controls(PanelContext& ctx) {
-  StepsMemory& memory = ctx.state.memory.steps;
+  StepsMemory& memory = ctx.state.steps;
   move_button(ctx, "steps.first", "First");
   move_button(ctx, "steps.back", "Back");
   move_button(ctx, "steps.play", memory.playing ? "Pause" : "Play");
@@ -175,7 +175,7 @@ void draw_steps_controls(PanelContext& ctx) {
 }
 
 void draw_step_list(PanelContext& ctx, float width) {
-  StepsMemory& memory = ctx.state.memory.steps;
+  StepsMemory& memory = ctx.state.steps;
   ImGui::PushFont(ctx.fonts.small);
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ctx.px(6), ctx.px(2)});
   ImGui::BeginChild("list", {width, 0}, false);
@@ -204,7 +204,7 @@ void draw_step_list(PanelContext& ctx, float width) {
 }
 
 void draw_step_counts(PanelContext& ctx, float width) {
-  StepsMemory& memory = ctx.state.memory.steps;
+  StepsMemory& memory = ctx.state.steps;
   ImGui::BeginChild("counts", {width, 0}, false);
   checkbox(ctx, "steps.marks", "Draw", memory.marks);
   tooltip(ctx, "Draws the step in the picture. Balls and complex become pale meanwhile.");
@@ -223,7 +223,7 @@ void draw_step_counts(PanelContext& ctx, float width) {
 }
 
 std::vector<std::string> steps_notes(const PanelContext& ctx) {
-  const StepsMemory& memory = ctx.state.memory.steps;
+  const StepsMemory& memory = ctx.state.steps;
   std::vector<std::string> notes;
   if (shows_flat_drawing(ctx.state)) {
     notes.push_back(

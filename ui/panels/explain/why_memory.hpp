@@ -10,7 +10,6 @@
 namespace alphascope {
 
 struct WhyMemory {
-  bool marks = true;  // the orthosphere and what decides are drawn
   // The last answer, grey while it is not that of the present question, and what is drawn of it.
   std::shared_ptr<const ExplainedSimplex> shown;
   std::shared_ptr<const BallSet> balls;

@@ -3,6 +3,8 @@
 #include "core/document/store/store.hpp"
 #include "ui/number_text.hpp"
 #include "ui/panels/explain/why_layer.hpp"
+#include "ui/panels/explain/why_memory.hpp"
+#include "ui/panels/panel.hpp"
 #include "ui/panels/panels.hpp"
 
 namespace alphascope {
@@ -13,7 +15,7 @@ void draw_marks_of(PanelContext& ctx, WhyMemory& memory) {
   if (!memory.layer) {
     memory.layer = make_why_layer(memory.shown->explanation, memory.balls, ++memory.layers_made);
   }
-  if (memory.marks) ctx.state.layers.push_back(memory.layer);
+  if (ctx.state.window.why_marks) ctx.state.layers.push_back(memory.layer);
 }
 
 void take_answer(WhyMemory& memory, const Derived<ExplainedSimplex>& found, const Inputs& inputs) {
@@ -66,11 +68,8 @@ void draw_answer(PanelContext& ctx, const WhyMemory& memory, bool current) {
   ImGui::EndChild();
 }
 
-}  // namespace
-
-void draw_why_panel(PanelContext& ctx) {
-  WhyMemory& memory = ctx.state.memory.why;
-  checkbox(ctx, "why.marks", "Show in the picture", memory.marks);
+void draw_why(PanelContext& ctx, WhyMemory& memory) {
+  checkbox(ctx, "why.marks", "Show in the picture", ctx.state.window.why_marks);
   tooltip(ctx,
           "Draws the orthosphere (yellow wire; none where it is imaginary), the nearest other ball "
           "(red wire), and the dual edge, facet or cell (green): the part of space that the balls "
@@ -91,6 +90,12 @@ void draw_why_panel(PanelContext& ctx) {
   if (!memory.shown || memory.balls != ctx.inputs.balls) return;
   draw_marks_of(ctx, memory);
   draw_answer(ctx, memory, found.ready());
+}
+
+}  // namespace
+
+std::unique_ptr<Panel> why_panel() {
+  return panel_of(draw_why);
 }
 
 }  // namespace alphascope

@@ -28,7 +28,7 @@ float width(const PanelContext& ctx) {
 }
 
 PaletteMemory& memory(PanelContext& ctx) {
-  return ctx.state.memory.palette;
+  return ctx.state.palette;
 }
 
 // True when Enter was pressed in it.

@@ -51,7 +51,7 @@ void menu_item(PanelContext& ctx, const CommandSpec& spec) {
   const bool clicked = ImGui::MenuItem(spec.title.c_str(), keys.c_str(), checked, reason.empty());
   record(ctx, ("menu." + spec.id).c_str());
   tooltip(ctx, (reason.empty() ? spec.help + "." : reason).c_str());
-  if (clicked && needed) ctx.state.memory.palette = {.show = true, .asking = spec.id};
+  if (clicked && needed) ctx.state.palette = {.show = true, .asking = spec.id};
   if (clicked && !needed) run_command(ctx, spec);
 }
 

@@ -40,8 +40,8 @@ void mouse(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
                          ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
                              ImGuiButtonFlags_MouseButtonMiddle);
   record(ctx, "view");
-  const bool beside_menu = ctx.state.memory.context.open &&
-                           ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenBlockedByPopup);
+  const bool beside_menu =
+      ctx.state.context.open && ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenBlockedByPopup);
   v.hovered = false;
   if (!ctx.state.molecule.loaded) return;
   const ImGuiIO& io = ImGui::GetIO();

@@ -87,7 +87,7 @@ void left_panel(PanelContext& ctx, const WidgetRects& last, float top, float hei
   // The scroll bar may appear at any time; what is beside it must not jump.
   ImGui::BeginChild("sections", {0, 0}, false);
   ImGui::PushItemWidth(-1);
-  for (const PanelSpec& s : panels_at(Place::left)) s.draw(ctx);
+  for (const PanelSpec& s : panels_at(Place::left)) ctx.panels.of(s).draw(ctx);
   ImGui::PopItemWidth();
   overflow = ImGui::GetCursorPosY() > room;  // whether or not the buttons are there
   ImGui::EndChild();
@@ -97,17 +97,17 @@ void left_panel(PanelContext& ctx, const WidgetRects& last, float top, float hei
 
 // Beside the view, while there is something in it; its width in pixels.
 float right_panel(PanelContext& ctx, float top, float height) {
-  if (!ctx.state.memory.lessons.shown) return 0;
+  if (!ctx.state.lessons.shown) return 0;
   const float width = ctx.px(kRightWidth), left = ImGui::GetIO().DisplaySize.x - width;
   begin("##right", {{left, top}, {width, height}});
   hairline(ctx, {left, top}, {left, top + height});
-  for (const PanelSpec& p : panels_at(Place::right)) p.draw(ctx);
+  for (const PanelSpec& p : panels_at(Place::right)) ctx.panels.of(p).draw(ctx);
   ImGui::End();
   return width;
 }
 
 float bottom_height(PanelContext& ctx, float available) {
-  float& height = ctx.state.memory.bottom_height;  // where the window has room for it
+  float& height = ctx.state.window.page_height;  // where the window has room for it
   if (height <= 0) height = kBottomHeight;
   height = std::max(height, kLeastBottom);
   return ctx.px(std::min(height, std::max(kLeastBottom, available / ctx.scale - kLeastView)));
@@ -121,7 +121,7 @@ void splitter(PanelContext& ctx, const Area& below) {
   record(ctx, "layout.splitter");
   const bool active = ImGui::IsItemActive();
   if (active) {
-    ctx.state.memory.bottom_height = (below.size.y - ImGui::GetIO().MouseDelta.y) / ctx.scale;
+    ctx.state.window.page_height = (below.size.y - ImGui::GetIO().MouseDelta.y) / ctx.scale;
   }
   if (active || ImGui::IsItemHovered()) {
     ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeNS);
@@ -158,7 +158,7 @@ NameFit fit_names(const PanelContext& ctx, const std::vector<PanelSpec>& pages, 
 // The pages below the view by name, when there are several; the page goes on in the same line where
 // there is room.
 const PanelSpec* bottom_tabs(PanelContext& ctx, const std::vector<PanelSpec>& pages) {
-  std::string& shown = ctx.state.memory.bottom_panel;
+  std::string& shown = ctx.state.window.page;
   const auto found =
       std::find_if(pages.begin(), pages.end(), [&](const PanelSpec& p) { return p.id == shown; });
   const PanelSpec* page = found == pages.end() ? &pages.front() : &*found;
@@ -203,7 +203,7 @@ void bottom_panel(PanelContext& ctx, const Area& area) {
   ImGui::SetCursorScreenPos({x + ImGui::GetStyle().WindowPadding.x, y + ctx.px(8)});
   ImGui::BeginChild("content", {0, 0}, false, ImGuiWindowFlags_NoScrollbar);
   const std::vector<PanelSpec> pages = panels_at(Place::bottom);
-  bottom_tabs(ctx, pages)->draw(ctx);
+  ctx.panels.of(*bottom_tabs(ctx, pages)).draw(ctx);
   // What lines chosen cavities is marked in the picture on whatever page.
   if (!ctx.state.settings.selection.cavities.empty()) follow_cavities(ctx);
   ImGui::SetScrollX(0);  // there is no bar that would tell of it
@@ -235,8 +235,9 @@ void note_mouse(PanelMemory& memory) {
 constexpr const char* kView = "##view";
 
 PanelContext context_of(const WindowParts& parts, const PanelFonts& fonts, float scale) {
-  return {parts.state,  parts.rects, parts.commands, parts.store,
-          parts.inputs, parts.calls, fonts,          palette(parts.state.theme),
+  return {parts.state,  parts.rects,  parts.commands,
+          parts.store,  parts.inputs, parts.calls,
+          parts.panels, fonts,        palette(parts.state.window.theme),
           scale};
 }
 
@@ -260,13 +261,14 @@ void draw_window(const WindowParts& parts, const PanelFonts& fonts, float scale)
   draw_menu_bar(ctx);
   const ImVec2 display = ImGui::GetIO().DisplaySize;
   const float top = ImGui::GetFrameHeight();
-  const bool tight = state.memory.lessons.shown &&
-                     display.x < ctx.px(kLeftWidth + kRightWidth + kLeastViewBesideLesson);
+  const bool tight =
+      state.lessons.shown && display.x < ctx.px(kLeftWidth + kRightWidth + kLeastViewBesideLesson);
   const float status_height = ctx.px(kStatusHeight), left = tight ? 0 : ctx.px(kLeftWidth);
   const float middle = std::max(0.0f, display.y - top - status_height);
   const float usual_bottom = bottom_height(ctx, middle);
   const float bottom = tight ? std::min(usual_bottom, kBottomBesideLesson * middle) : usual_bottom;
-  const bool high = tight || state.presenter_size;  // the lesson goes on beside the page below
+  const bool high =
+      tight || state.window.presenter_size;  // the lesson goes on beside the page below
   const float width = std::max(1.0f, display.x - left);
   if (!tight) left_panel(ctx, last, top, middle);
   const float beside = right_panel(ctx, top, high ? middle : middle - bottom);

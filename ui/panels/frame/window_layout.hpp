@@ -3,6 +3,7 @@
 
 #include "core/document/commands/commands.hpp"
 #include "ui/calls.hpp"
+#include "ui/panels/panel_list.hpp"
 #include "ui/panels/view_state.hpp"
 #include "ui/widgets/style.hpp"
 #include "ui/widgets/widget_rects.hpp"
@@ -20,6 +21,7 @@ struct WindowParts {
   Store& store;          // of derived results
   const Inputs& inputs;  // that they are made of
   const Calls& calls;    // what the program is asked to do
+  PanelSet& panels;
 };
 
 // Between ImGui's NewFrame and Render.

@@ -11,6 +11,7 @@
 #include "core/document/store/derived.hpp"
 #include "core/document/store/store.hpp"
 #include "ui/panels/lessons/lesson_text.hpp"
+#include "ui/panels/panel.hpp"
 #include "ui/panels/panels.hpp"
 
 namespace alphascope {
@@ -42,7 +43,7 @@ void lesson_row(PanelContext& ctx, const ShelvedLesson& shelved, bool open) {
 }
 
 void draw_list(PanelContext& ctx) {
-  const LessonMemory& m = ctx.state.memory.lessons;
+  const LessonMemory& m = ctx.state.lessons;
   ImGui::BeginChild("list", {0, 0}, false);
   if (!m.shelf) {
     muted_text(ctx, "Reading the lessons…");
@@ -73,14 +74,14 @@ std::function<std::shared_ptr<const T>()> wanted(PanelContext& ctx, const Defini
 
 // Only what is on screen, and of the step's molecule.
 LessonFacts facts_on_screen(PanelContext& ctx) {
-  if (!ctx.state.memory.lessons.ready || !ctx.state.result) return {};
+  if (!ctx.state.lessons.ready || !ctx.state.result) return {};
   return {ctx.state.result, wanted(ctx, whole_filtration()), wanted(ctx, union_measures()),
           wanted(ctx, cavity_table())};
 }
 
 std::vector<LessonParagraph> with_facts_in(PanelContext& ctx, const LessonPart& part,
                                            const LessonFacts& facts) {
-  LessonMemory& m = ctx.state.memory.lessons;
+  LessonMemory& m = ctx.state.lessons;
   std::vector<LessonParagraph> text = part.text;
   for (LessonParagraph& p : text) {
     m.whole = m.whole && has_all_facts(p.text, facts);
@@ -102,7 +103,7 @@ float answer_gap(const PanelContext& ctx) {
 
 // The largest letters in which all of it finds room; they shrink to what can still be read.
 void choose_letters(PanelContext& ctx, const LessonStep& step, const StepText& all, float height) {
-  LessonMemory& m = ctx.state.memory.lessons;
+  LessonMemory& m = ctx.state.lessons;
   const float width = ImGui::GetContentRegionAvail().x;
   const float button = step.asks() && !m.revealed ? ImGui::GetFrameHeightWithSpacing() : 0;
   const auto needed = [&](float size) {
@@ -124,7 +125,7 @@ void warning(PanelContext& ctx, const char* name, const std::string& text) {
 
 void draw_answer(PanelContext& ctx, const LessonStep& step, const StepText& all) {
   if (!step.asks()) return;
-  if (!ctx.state.memory.lessons.revealed) {
+  if (!ctx.state.lessons.revealed) {
     if (button(ctx, "lesson.reveal", "Reveal the answer", {0, 0}, ButtonKind::primary)) {
       ctx.calls.lessons.reveal();
     }
@@ -132,13 +133,13 @@ void draw_answer(PanelContext& ctx, const LessonStep& step, const StepText& all)
   }
   ImGui::Separator();
   ImGui::Dummy({0, ctx.px(4)});
-  draw_lesson_text(ctx, all.answer, ctx.state.memory.lessons.letters);
+  draw_lesson_text(ctx, all.answer, ctx.state.lessons.letters);
   record(ctx, "lesson.answer");
 }
 
 // In its last line, where the text goes on below.
 void more_below(PanelContext& ctx, float page) {
-  LessonMemory& m = ctx.state.memory.lessons;
+  LessonMemory& m = ctx.state.lessons;
   ImGui::BeginDisabled(!m.more_below);
   const bool scrolls =
       button(ctx, "lesson.more", m.more_below ? "More below ↓" : "The end of the step",
@@ -151,7 +152,7 @@ void more_below(PanelContext& ctx, float page) {
 }
 
 void draw_text(PanelContext& ctx, float height) {
-  LessonMemory& m = ctx.state.memory.lessons;
+  LessonMemory& m = ctx.state.lessons;
   const LessonStep& step = m.open->steps[m.step];
   const LessonFacts facts = facts_on_screen(ctx);
   m.said.clear();
@@ -184,7 +185,7 @@ void draw_text(PanelContext& ctx, float height) {
 }
 
 void draw_buttons(PanelContext& ctx) {
-  const LessonMemory& m = ctx.state.memory.lessons;
+  const LessonMemory& m = ctx.state.lessons;
   LessonCalls& calls = ctx.calls.lessons;
   const LessonStep& step = m.open->steps[m.step];
   const bool last = m.step + 1 == m.open->steps.size() && (!step.asks() || m.revealed);
@@ -200,7 +201,7 @@ void draw_buttons(PanelContext& ctx) {
   const float right = ImGui::GetContentRegionAvail().x;
   if (last) {
     if (button(ctx, "lesson.list", "All lessons", {right, 0}, ButtonKind::primary)) {
-      ctx.state.memory.lessons.list = true;
+      ctx.state.lessons.list = true;
     }
   } else if (button(ctx, "lesson.next", "Next", {right, 0}, ButtonKind::primary)) {
     calls.next();
@@ -209,7 +210,7 @@ void draw_buttons(PanelContext& ctx) {
 }
 
 void draw_open(PanelContext& ctx) {
-  const LessonMemory& m = ctx.state.memory.lessons;
+  const LessonMemory& m = ctx.state.lessons;
   const LessonStep& step = m.open->steps[m.step];
   const std::string place =
       "step " + std::to_string(m.step + 1) + " of " + std::to_string(m.open->steps.size());
@@ -230,11 +231,11 @@ void draw_open(PanelContext& ctx) {
 // --- the line on top
 
 void draw_head(PanelContext& ctx) {
-  LessonMemory& m = ctx.state.memory.lessons;
+  LessonMemory& m = ctx.state.lessons;
   const bool list = !m.open || m.list;
   const char* close = m.open ? "Close the lesson" : "Close";
   const char* other = list ? "Back to the lesson" : "All";
-  const char* size = ctx.state.presenter_size ? "Smaller" : "Larger";
+  const char* size = ctx.state.window.presenter_size ? "Smaller" : "Larger";
   const float gap = ctx.px(4), right = ImGui::GetWindowContentRegionMax().x;
   const float buttons =
       button_width(close) + gap + (m.open ? button_width(other) + gap : 0) + button_width(size);
@@ -248,9 +249,10 @@ void draw_head(PanelContext& ctx) {
   if (button(ctx, "lesson.presenter", size, {0, 0}, ButtonKind::quiet)) {
     ctx.commands.run("view.presenter_size");
   }
-  tooltip(ctx, ctx.state.presenter_size ? "Ends presenter size."
-                                        : "Presenter size: text, controls and lines larger, for a "
-                                          "projector. Also in the View menu.");
+  tooltip(ctx, ctx.state.window.presenter_size
+                   ? "Ends presenter size."
+                   : "Presenter size: text, controls and lines larger, for a "
+                     "projector. Also in the View menu.");
   if (m.open) {
     ImGui::SameLine(right - button_width(close) - gap - button_width(other));
     if (button(ctx, "lesson.other", other, {0, 0}, ButtonKind::quiet)) m.list = !m.list;
@@ -266,16 +268,20 @@ void draw_head(PanelContext& ctx) {
   if (m.open) tooltip(ctx, "Ends the lesson and brings back what was open before.");
 }
 
-}  // namespace
-
-void draw_lessons_panel(PanelContext& ctx) {
-  const LessonMemory& m = ctx.state.memory.lessons;
+void draw_lessons(PanelContext& ctx) {
+  const LessonMemory& m = ctx.state.lessons;
   draw_head(ctx);
   if (m.open && !m.list) {
     draw_open(ctx);
   } else {
     draw_list(ctx);
   }
+}
+
+}  // namespace
+
+std::unique_ptr<Panel> lessons_panel() {
+  return panel_of(draw_lessons);
 }
 
 }  // namespace alphascope

@@ -10,8 +10,10 @@
 #include "core/document/store/store.hpp"
 #include "ui/panels/cavities/cavity_parts.hpp"
 #include "ui/panels/dialogs/save_parts.hpp"
+#include "ui/panels/measures/curve_memory.hpp"
 #include "ui/panels/measures/lives_view.hpp"
 #include "ui/panels/molecule/molecule_memory.hpp"
+#include "ui/panels/panel.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/widgets/curve_plot.hpp"
 #include "ui/widgets/format.hpp"
@@ -74,7 +76,7 @@ bool follow(PanelContext& ctx, CurveMemory& memory, const Curves& curves) {
   if (!ctx.state.settings.selection.cavities.empty()) {
     // Also while there are no curves: no step of a slider may be left out.
     const bool current = follow_cavities(ctx).current;
-    CavityPage& page = *ctx.state.memory.cavities.page;
+    CavityPage& page = *ctx.state.cavities.page;
     if (page.rows.lines) draw_layers_of_cavities(ctx, page, current);
     if (!current || !curves.ready()) return false;
     const auto linked = ctx.store.want(curve_links(curves.value, curves.have), ctx.inputs);
@@ -184,14 +186,14 @@ void take_click(PanelContext& ctx, CurveAxis axis, double at) {
   ViewState& s = ctx.state;
   if (axis == CurveAxis::alpha) {
     set_alpha(s.settings.request, std::round(at / kAlphaStep) * kAlphaStep);
-    s.memory.playing = false;
+    s.playback.alpha = false;
   } else if (axis == CurveAxis::solvent) {
     const double steps = std::round(std::clamp(at, 0.0, kCurveSolventMostAngstrom) / kSolventStep);
     s.settings.request.solvent_radius_angstrom = steps / std::round(1 / kSolventStep);
   } else {
     const auto last = static_cast<double>(s.molecule.models.size()) - 1;
     s.settings.open.balls.model = static_cast<int>(std::lround(std::clamp(at, 0.0, last)));
-    s.memory.playing_models = false;
+    s.playback.models = false;
   }
 }
 
@@ -278,10 +280,7 @@ std::string nothing_text(const PanelContext& ctx) {
                "on the page Cavities.";
 }
 
-}  // namespace
-
-void draw_curves_panel(PanelContext& ctx) {
-  CurveMemory& memory = ctx.state.memory.curves;
+void draw_curves(PanelContext& ctx, CurveMemory& memory) {
   choices(ctx, memory);
   begin_anew(memory, ctx.state.molecule.sha256, [](const CurveMemory& old) {
     CurveMemory fresh;
@@ -327,6 +326,12 @@ void draw_curves_panel(PanelContext& ctx) {
   draw_plot(ctx, memory);
   ImGui::PopFont();
   ImGui::PopStyleVar();
+}
+
+}  // namespace
+
+std::unique_ptr<Panel> curves_panel() {
+  return panel_of(draw_curves);
 }
 
 }  // namespace alphascope

@@ -1,5 +1,6 @@
 // See the header.
 #include "ui/panels/measures/lives_view.hpp"
+#include "ui/panels/measures/curve_memory.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -224,7 +225,7 @@ std::string hover_text(const PanelContext& ctx, const Lives& memory, const Known
 
 void set_alpha_to(PanelContext& ctx, double wanted) {
   set_alpha(ctx.state.settings.request, wanted);
-  ctx.state.memory.playing = false;
+  ctx.state.playback.alpha = false;
 }
 
 // One that is not on screen is chosen by its name; the table finds it at its alpha.
@@ -280,7 +281,7 @@ std::string waiting_text(const PanelContext& ctx, const Derived<CavityLives>& li
 void draw_cavity_lives(PanelContext& ctx, CurveMemory::Lives& memory) {
   const FollowedCavities followed = follow_cavities(ctx);
   Known known;
-  known.page = ctx.state.memory.cavities.page.get();
+  known.page = ctx.state.cavities.page.get();
   if (known.page->rows.lines) draw_layers_of_cavities(ctx, *known.page, followed.current);
   const Derived<CavityLives> lives = ctx.store.want(whole_cavity_lives(), ctx.inputs);
   if (!follow(ctx, memory, known, lives)) {

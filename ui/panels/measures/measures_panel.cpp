@@ -7,7 +7,9 @@
 #include "core/document/measures/measure_records.hpp"
 #include "core/document/store/store.hpp"
 #include "ui/panels/dialogs/save_parts.hpp"
+#include "ui/panels/measures/measure_memory.hpp"
 #include "ui/panels/molecule/molecule_memory.hpp"
+#include "ui/panels/panel.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/widgets/format.hpp"
 #include "ui/widgets/table_cells.hpp"
@@ -336,10 +338,7 @@ void take_measures(PanelContext& ctx, MeasureMemory& memory,
   memory.surface = surface_name(ctx.state.result->request);
 }
 
-}  // namespace
-
-void draw_measures_panel(PanelContext& ctx) {
-  MeasureMemory& memory = ctx.state.memory.measures;
+void draw_measures(PanelContext& ctx, MeasureMemory& memory) {
   begin_anew(memory, ctx.state.molecule.sha256);
   ctx.state.measures_wanted = true;
   const bool whole = !ctx.inputs.complex || !ctx.inputs.complex->tetrahedra_only;
@@ -365,6 +364,12 @@ void draw_measures_panel(PanelContext& ctx) {
   ImGui::PushStyleVar(ImGuiStyleVar_Alpha, current ? 1.0f : 0.55f);
   table_of_rows(ctx, memory, current ? ctx.state.references.get() : nullptr);
   ImGui::PopStyleVar();
+}
+
+}  // namespace
+
+std::unique_ptr<Panel> measures_panel() {
+  return panel_of(draw_measures);
 }
 
 }  // namespace alphascope

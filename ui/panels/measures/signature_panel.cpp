@@ -7,6 +7,7 @@
 #include "core/document/alpha/signature.hpp"
 #include "core/document/store/derived.hpp"
 #include "core/document/store/store.hpp"
+#include "ui/panels/panel.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/widgets/format.hpp"
 
@@ -66,8 +67,11 @@ const Definition<Layer>& appearing() {
   return definition;
 }
 
-void mark_what_appears(PanelContext& ctx) {
-  bool& on = ctx.state.memory.switches.try_emplace("signature.mark", false).first->second;
+struct SignatureMemory {
+  bool mark = false;  // what appears at this alpha is marked in the view
+};
+
+void mark_what_appears(PanelContext& ctx, bool& on) {
   checkbox(ctx, "signature.mark", "Mark what appears", on);
   tooltip(ctx,
           "Marks in the view the simplices whose alpha value is within 0.02 Å² of the present "
@@ -215,7 +219,7 @@ void plots(PanelContext& ctx, const Signature& signature) {
   if (!ImGui::IsItemActive()) return;
   const double wanted = std::clamp(counts.alpha_at(ImGui::GetIO().MousePos.x), low, high);
   set_alpha(request, std::round(wanted / kStep) * kStep);
-  ctx.state.memory.playing = false;
+  ctx.state.playback.alpha = false;
 }
 
 // Why there are no curves yet.
@@ -228,11 +232,9 @@ std::string waiting_text(const PanelContext& ctx, const Derived<Signature>& sign
   return "The signature appears here when all simplices are known.";
 }
 
-}  // namespace
-
-void draw_signature_panel(PanelContext& ctx) {
+void draw_signature(PanelContext& ctx, SignatureMemory& memory) {
   const Derived<Signature> signature = ctx.store.want(whole_signature(), ctx.inputs);
-  mark_what_appears(ctx);
+  mark_what_appears(ctx, memory.mark);
   if (!signature.ready()) {
     muted_wrapped(ctx, waiting_text(ctx, signature));
     record(ctx, "signature.waiting");
@@ -243,6 +245,12 @@ void draw_signature_panel(PanelContext& ctx) {
   ImGui::PushFont(ctx.fonts.small);
   plots(ctx, *signature.value);
   ImGui::PopFont();
+}
+
+}  // namespace
+
+std::unique_ptr<Panel> signature_panel() {
+  return panel_of(draw_signature);
 }
 
 }  // namespace alphascope

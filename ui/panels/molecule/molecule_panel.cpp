@@ -1,4 +1,5 @@
 // What is open, what was used of it and what was dropped.
+#include "ui/panels/panel.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/widgets/format.hpp"
 
@@ -59,9 +60,7 @@ void notes(PanelContext& ctx) {
   ImGui::TreePop();
 }
 
-}  // namespace
-
-void draw_molecule_panel(PanelContext& ctx) {
+void draw_molecule(PanelContext& ctx) {
   if (!section(ctx, "molecule", "Molecule")) return;
   open_buttons(ctx);
   const MoleculeInfo& m = ctx.state.molecule;
@@ -93,6 +92,12 @@ void draw_molecule_panel(PanelContext& ctx) {
   draw_radii_rows(ctx);
   draw_selection_rows(ctx);
   draw_provenance(ctx);
+}
+
+}  // namespace
+
+std::unique_ptr<Panel> molecule_panel() {
+  return panel_of(draw_molecule);
 }
 
 }  // namespace alphascope

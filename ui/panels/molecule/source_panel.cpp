@@ -81,7 +81,7 @@ void assembly_row(PanelContext& ctx) {
 }
 
 void play_button(PanelContext& ctx) {
-  bool& playing = ctx.state.memory.playing_models;
+  bool& playing = ctx.state.playback.models;
   if (button(ctx, "molecule.play", playing ? "Stop" : "Play", {ctx.px(44), 0})) playing = !playing;
   if (!playing) {  // then it would be in the way
     tooltip(ctx, "Show the models one after the other, each with its complex at this alpha");
@@ -114,7 +114,7 @@ void model_slider(PanelContext& ctx) {
   if (number_slider(ctx, "molecule.model", value, 1, count, rule)) {
     shown = static_cast<int>(std::lround(value));
     model = shown - 1;
-    s.memory.playing_models = false;
+    s.playback.models = false;
   }
   if (!every) model_tooltip(ctx, model);
   const std::string text =
@@ -127,7 +127,7 @@ void model_slider(PanelContext& ctx) {
 
 // Models per second.
 void speed_drag(PanelContext& ctx) {
-  float& speed = ctx.state.memory.models_per_second;
+  float& speed = ctx.state.playback.models_per_second;
   double value = speed;
   bool changed = false;
   if (typed_instead(ctx, "molecule.speed", value, kModelSpeedRule, changed)) {
@@ -151,7 +151,7 @@ void model_rows(PanelContext& ctx) {
   bool every = s.settings.open.balls.model == kAllModels;
   if (checkbox(ctx, "molecule.every_model", "All at once", every)) {
     s.settings.open.balls.model = every ? kAllModels : 0;
-    s.memory.playing_models = false;
+    s.playback.models = false;
   }
   tooltip(ctx, "The atoms of all models together, as one molecule.");
   ImGui::SameLine(0, ctx.px(8));

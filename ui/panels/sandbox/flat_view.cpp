@@ -148,7 +148,7 @@ void draw_circle(ImDrawList* draw, const FlatStyle& style, ImVec2 centre, float 
 }
 
 void draw_shape(PanelContext& ctx, const Paper& paper, const FlatShape& shape) {
-  const bool dark = ctx.state.theme == Theme::dark;
+  const bool dark = ctx.state.window.theme == Theme::dark;
   const FlatStyle style = flat_style(shape.kind, dark);
   const ImU32 fill = colour(style.fill), line = colour(style.line);
   // Of whole pixels: such lines take ImGui a third of the triangles.

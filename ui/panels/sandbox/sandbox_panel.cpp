@@ -6,6 +6,7 @@
 #include "core/document/explain/dimension_words.hpp"
 #include "core/geometry/shortest_number.hpp"
 #include "ui/number_text.hpp"
+#include "ui/panels/panel.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/panels/sandbox/sandbox_edit.hpp"
 #include "ui/widgets/format.hpp"
@@ -171,9 +172,7 @@ void table(PanelContext& ctx) {
   ImGui::EndTable();
 }
 
-}  // namespace
-
-void draw_sandbox_panel(PanelContext& ctx) {
+void draw_sandbox(PanelContext& ctx) {
   begin_row(ctx);
   ViewState& s = ctx.state;
   if (!s.settings.open.sandbox) {
@@ -195,6 +194,12 @@ void draw_sandbox_panel(PanelContext& ctx) {
     record(ctx, "sandbox.counts");
   }
   table(ctx);
+}
+
+}  // namespace
+
+std::unique_ptr<Panel> sandbox_panel() {
+  return panel_of(draw_sandbox);
 }
 
 }  // namespace alphascope

@@ -257,7 +257,7 @@ TEST_F(CliUsage, CommandLinesOfTheGuideAreUnderstood) {
   EXPECT_GT(lines.size(), 15u);
   const fs::path source = ALPHASCOPE_SOURCE_DIR;
   std::vector<fs::path> texts{source / "README.md"};
-  for (const auto& entry : fs::directory_iterator(source / "docs")) {
+  for (const auto& entry : fs::recursive_directory_iterator(source / "docs")) {
     if (entry.path().extension() == ".md") texts.push_back(entry.path());
   }
   for (const fs::path& text : texts) {
@@ -290,7 +290,8 @@ TEST_F(CliUsage, CommandLinesOfTheGuideAreUnderstood) {
 
 TEST_F(CliUsage, TheGuideHasTheTableOfExitCodes) {
   const std::string help = run("--help").out;
-  const std::string guide = contents(fs::path(ALPHASCOPE_SOURCE_DIR) / "docs/user-guide.md");
+  const std::string guide =
+      contents(fs::path(ALPHASCOPE_SOURCE_DIR) / "docs/guide/command-line.md");
   const std::size_t begin = help.find("\nExit codes:\n");
   ASSERT_NE(begin, help.npos);
   const std::regex row("\n  ([0-9]+) +([a-z])");

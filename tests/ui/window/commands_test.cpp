@@ -63,7 +63,7 @@ TEST(CommandList, EveryShortcutIsAKeyInOneSpelling) {
 
 TEST(CommandList, TheUserGuideNamesEveryShortcut) {
   ASSERT_GT(program_commands().size(), 30u);
-  std::ifstream file(std::string(ALPHASCOPE_SOURCE_DIR) + "/docs/user-guide.md");
+  std::ifstream file(std::string(ALPHASCOPE_SOURCE_DIR) + "/docs/guide/window.md");
   const std::string guide{std::istreambuf_iterator<char>(file), {}};
   for (const CommandSpec& spec : program_commands()) {
     for (const Shortcut& shortcut : spec.shortcuts) {

@@ -553,10 +553,13 @@ std::vector<std::vector<std::string>> command_lines(const std::string& text) {
 TEST(ViewerOptionsTest, CommandLinesOfTheGuideAreUnderstood) {
   const std::filesystem::path source = ALPHASCOPE_SOURCE_DIR;
   std::size_t lines = 0;
-  for (const char* name : {"README.md", "docs/user-guide.md", "docs/file-formats.md",
-                           "docs/output-files.md", "docs/performance.md"}) {
+  std::vector<std::filesystem::path> names{source / "README.md"};
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(source / "docs")) {
+    if (entry.path().extension() == ".md") names.push_back(entry.path());
+  }
+  for (const std::filesystem::path& name : names) {
     std::ostringstream text;
-    text << std::ifstream(source / name).rdbuf();
+    text << std::ifstream(name).rdbuf();
     for (const std::vector<std::string>& words : command_lines(text.str())) {
       std::vector<const char*> argv;
       for (const std::string& word : words) argv.push_back(word.c_str());

@@ -9,8 +9,8 @@ namespace alphascope::gpu {
 
 // One piece of it. Much of it is pages of our own where the system lets them be registered, large
 // ones if there are any and first written by all threads: cudaMallocHost() gets small ones, one by
-// one, and takes longer than most runs (docs/performance.md, of a slider's moves). What is less
-// than a large page comes from memory that CUDA has at hand.
+// one, and takes longer than most runs (docs/records/gpu-engine.md). What is less than a large page
+// comes from memory that CUDA has at hand.
 class PageLocked {
  public:
   PageLocked() = default;

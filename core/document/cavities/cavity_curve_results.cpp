@@ -16,8 +16,9 @@ constexpr double kAlphaHigh = 10;  // Å²
 // with exact volumes up to 20.
 std::vector<double> alpha_samples(const CavityGround& ground, CurveNumbers numbers) {
   const bool exact = numbers == CurveNumbers::exact;
-  const std::size_t tetrahedra = ground.triangulation->tetrahedra.size() * (exact ? 20 : 1);
-  const int per_square_angstrom = tetrahedra < 60'000 ? 20 : tetrahedra < 600'000 ? 10 : 2;
+  const std::size_t tetrahedra = ground.triangulation->tetrahedra.size();
+  const std::size_t cost = tetrahedra * (exact ? 20 : 1);
+  const int per_square_angstrom = cost < 60'000 ? 20 : cost < 600'000 ? 10 : 2;
   const double kGrowth = exact ? 1.2 : 1.05;
   float filled = 0;
   for (std::size_t t = 0; t < tetrahedra; ++t) {

@@ -242,6 +242,20 @@ std::shared_ptr<const Molecule> two_models(bool renamed) {
                 "MODEL        1\n" + atoms + "ENDMDL\nMODEL        2\n" + moved + "ENDMDL\nEND\n"));
 }
 
+TEST_F(CavityCurveResults, ExactVolumesHaveFewerSamplesUpToTheSameEnd) {
+  const auto molecule = std::make_shared<const Molecule>(
+      read_molecule(ALPHASCOPE_SOURCE_DIR "/resources/molecules/1crn.pdb"));
+  const Shown s = shown(molecule, 0, 0.8, 0.5);
+  const auto sums = made_by_store(curves_over_alpha(), s.inputs);
+  const auto exact = made_by_store(curves_over_alpha(CurveNumbers::exact), s.inputs);
+  ASSERT_TRUE(sums && exact);
+  ASSERT_GT(exact->samples.size(), 2u);
+  EXPECT_LT(exact->samples.size(), sums->samples.size());
+  // Both go on to the first sample at which the last cavity is filled.
+  EXPECT_GE(exact->samples.back().at, sums->samples.end()[-2].at);
+  EXPECT_LT(exact->samples.end()[-2].at, sums->samples.back().at);
+}
+
 TEST_F(CavityCurveResults, ModelsAreMatchedByTheirAtomsWhicheverIsOnScreen) {
   const auto molecule = two_models(false);
   const Shown first = shown(molecule, 0, 0.8, 0), second = shown(molecule, 1, 0.8, 0);

@@ -31,19 +31,6 @@ std::uint64_t large_object_budget(std::uint64_t held) {
 // the hand moves, but not for longer than this.
 constexpr std::chrono::milliseconds kModelGrace{300};
 
-// Beside a lesson's text the picture is narrower than in the window, where the lesson was made to
-// look right: the camera steps back until it has both sides.
-Picture with_sides(Picture picture, const ViewportInfo& window, const PictureOptions& size) {
-  if (!picture.viewpoint || window.height <= 0 || size.width <= 0) return picture;
-  const double back = static_cast<double>(window.width) / window.height * size.height / size.width;
-  if (!(back > 1)) return picture;
-  Viewpoint& view = *picture.viewpoint;
-  for (std::size_t k = 0; k < 3; ++k) {
-    view.position[k] = view.focal_point[k] + back * (view.position[k] - view.focal_point[k]);
-  }
-  return picture;
-}
-
 }  // namespace
 
 Viewer::Viewer(Host& host, const ViewerOptions& options, Session::Services services,
@@ -52,21 +39,13 @@ Viewer::Viewer(Host& host, const ViewerOptions& options, Session::Services servi
       frame_(host, options.light ? Theme::light : Theme::dark),
       scene_([&host] { host.wake(); },
              [mb = options.drawing_memory_mb] { return available_or(mb); }, std::move(make_mesh)),
-      saver_(host, [&host] { host.wake(); }),
-      table_saver_([&host] { host.wake(); }),
-      complex_saver_([&host] { host.wake(); }),
       folder_reader_([&host] { host.wake(); }),
-      session_files_([&host] { host.wake(); }),
       queued_(make_queued()),
-      preferences_([&host] { host.wake(); }, options.preferences),
+      preferences_(host, state_, options.preferences),
       lesson_files_([&host] { host.wake(); }, lesson_folders(options)),
       lesson_stage_(make_lesson_stage()),
       lessons_(*lesson_stage_, state_.lessons),
-      lesson_recorder_(lessons_, state_.lessons, saver_,
-                       [this](const ScreenshotRequest& r) {
-                         return with_sides(scene_.picture(r), state_.viewport, r.options);
-                       }),
-      sweep_recorder_(saver_, swept_window()),
+      saving_(host, state_, scene_, session_, store_, lessons_, due_),
       machine_(std::async(std::launch::async,
                           [&host] {
                             const MachineInfo& machine = machine_info();
@@ -79,8 +58,7 @@ Viewer::Viewer(Host& host, const ViewerOptions& options, Session::Services servi
       session_([&host] { host.wake(); }, std::move(services)) {
   add_program_commands(commands_, state_, calls());
   fill_constants();
-  set_scale_ = options.scale;
-  use_preferences(options);
+  preferences_.begin_with(options);
   state_.settings.request.alpha_angstrom2 = options.alpha;
   state_.settings.request.solvent_radius_angstrom = options.solvent;
   state_.settings.request.tetrahedra_only = options.tetrahedra_only;
@@ -93,10 +71,11 @@ Viewer::Viewer(Host& host, const ViewerOptions& options, Session::Services servi
     state_.settings.display = with_preset(state_.settings.display, *preset);
   }
   if (options.samples) state_.settings.display.samples = *options.samples;
-  scene_.set_display(state_.settings.display, state_.window.theme, line_scale());
-  editor_.restart(settings());
-  if (options.file) open(*options.file);
-  if (options.session) open_session(*options.session);
+  scene_.set_display(state_.settings.display, state_.window.theme,
+                     preferences_.line_scale(frame_.scale()));
+  history_.restart();
+  if (options.file) opening_.open(*options.file);
+  if (options.session) opening_.open_session(*options.session);
   if (!options.lesson.empty()) lesson_files_.open(options.lesson);
 }
 
@@ -109,59 +88,20 @@ void Viewer::fill_constants() {
   state_.samples = sample_files();
 }
 
-bool Viewer::may_open(const std::filesystem::path& path) {
-  if (benchmark_.busy()) {  // it is of the open molecule, and would measure the reading too
-    state_.tell("A benchmark is running",
-                path.filename().string() +
-                    " was not opened. Cancel the benchmark or wait for its end, then open it.");
-    return false;
-  }
-  scene_.set_camera_when_drawn(std::nullopt);
-  state_.notice.clear();
-  state_.drop_note.clear();
-  drop_note_when_open_.clear();
-  std::error_code ignored;
-  // The file dialog stays where it is while it is open.
-  if (!state_.memory.show_browser && std::filesystem::is_directory(path.parent_path(), ignored)) {
-    state_.memory.browser_folder = path.parent_path();
-  }
-  return true;
-}
-
-void Viewer::open(const std::filesystem::path& path) {
-  if (looks_like_session(path)) return open_session(path);
-  if (!may_open(path)) return;
-  forget_waiting_session();
-  session_.open(path);
-}
-
-void Viewer::open_dropped(const std::vector<std::filesystem::path>& files) {
-  const DroppedFiles dropped = choose_dropped(files);
-  if (!dropped.opened) return;
-  // It is an answer to the dialog that asks for one.
-  const BrowserPurpose asked = state_.memory.browser_purpose;
-  if (asked == BrowserPurpose::molecule || asked == BrowserPurpose::session) {
-    state_.memory.show_browser = false;
-  }
-  open(*dropped.opened);
-  if (!benchmark_.busy()) drop_note_when_open_ = dropped.note;
-  frames_due_ = kSettlingFrames;
-}
-
 bool Viewer::busy() const {
   return working() || benchmark_.busy() || store_.busy();
 }
 
 bool Viewer::working() const {
-  return all_but_saving() || saver_.busy() || table_saver_.busy() || complex_saver_.busy() ||
-         lesson_recorder_.busy() || sweep_recorder_.busy();
+  return all_but_saving() || saving_.busy();
 }
 
 bool Viewer::all_but_saving() const {
   const SessionActivity a = session_.activity();
   return state_.settings.open != sent_open_ || a.opening.busy || a.computing.busy ||
          a.comparing.busy || a.timing.busy || !state_.gpu || scene_.busy() ||
-         folder_reader_.busy() || session_files_.busy() || lesson_files_.busy() || lessons_.busy();
+         folder_reader_.busy() || opening_.reading().busy || lesson_files_.busy() ||
+         lessons_.busy();
 }
 
 bool Viewer::settled() const {
@@ -174,7 +114,7 @@ void Viewer::take_molecule() {
   const bool new_molecule = scene_.molecule() != s.molecule;
   state_.molecule = describe_molecule(*s.opened);
   state_.molecule.radii = grown_radii(*s.prepared, state_.settings.request);
-  compared_ = nullptr;
+  status_.forget_compared();
   if (new_molecule) {
     memory_to_give_back_ = true;  // the last one's
     colour_by_what_differs(*s.molecule);
@@ -188,7 +128,7 @@ void Viewer::take_molecule() {
 void Viewer::take_file() {
   const SessionState& s = session_.state();
   shown_file_ = s.opened->deposited;
-  state_.drop_note = std::exchange(drop_note_when_open_, {});
+  state_.drop_note = opening_.take_drop_note();
   host_.set_title(state_.molecule.name + " – Alphascope");
   close_dialogs_of_file();
   state_.cavities.wanted_row.reset();
@@ -200,17 +140,20 @@ void Viewer::take_file() {
   state_.expression_error.reset();
   state_.memory.expression_typed = state_.memory.expression_shown =
       state_.settings.open.balls.selection;
-  const auto& session = starting_session_;
+  const auto session = opening_.starting();
   const std::filesystem::path& source = s.opened->deposited->source;
   const bool of_session = session && session->molecule.path == source;
   state_.session_file.clear();
   if (!of_session || session->is_recent) {
-    note_recent_file(of_session && !session->file.empty() ? session->file : source);
+    preferences_.note_recent_file(of_session && !session->file.empty() ? session->file : source);
   }
-  if (of_session) show_session();
+  if (of_session) {
+    opening_.show_session();
+    sent_compute_ = state_.settings.request;
+  }
   start_preset();
-  editor_.restart(settings());
-  if (of_session) take_back_history();
+  history_.restart();
+  if (of_session) history_.take_back();
 }
 
 // What they ask about is not open any more.
@@ -242,7 +185,7 @@ void Viewer::take_shown() {
   scene_.describe(state_.viewport);
   if (state_.result != scene_.drawn_answer()) {
     state_.result = scene_.drawn_answer();
-    frames_due_ = kSettlingFrames;
+    due_.ask();
     news_ = picture_is_new_ = true;
   }
   const auto& ours = session_.state().ours;
@@ -254,21 +197,19 @@ void Viewer::take_machine() {
     return;
   }
   state_.gpu = machine_.get().gpu;
-  if (engine_when_found_ && has_gpu(state_) && !shown_file_) {
-    state_.settings.request.engine = noted_.engine = *engine_when_found_;
-  }
-  frames_due_ = kSettlingFrames;
+  if (has_gpu(state_) && !shown_file_) preferences_.take_gpu();
+  due_.ask();
 }
 
 void Viewer::take_session() {
   take_machine();
-  take_saved();
-  take_session_files();
+  memory_to_give_back_ |= saving_.poll();
+  opening_.poll();
   take_lesson_files();
-  poll_preferences();
+  if (preferences_.poll()) due_.ask();
   state_.listing = folder_reader_.listing(wanted_listing(state_.memory));
   if (benchmark_.busy() && benchmark_.poll(state_.benchmark)) {
-    frames_due_ = kSettlingFrames;
+    due_.ask();
     memory_to_give_back_ |= !benchmark_.busy();
   }
   const SessionChanges changes = session_.poll();
@@ -281,7 +222,7 @@ void Viewer::take_session() {
   if (changes.agreement && s.agreement) scene_.set_agreement(s.agreement);
   if (s.ours) {  // else the next answer is on its way
     state_.ours = s.our_timings;
-    add_picture_stages();
+    status_.add_picture_stages();
     state_.cgal = s.reference_timings;
     state_.cgal_parallel = s.parallel_timings;
   }
@@ -289,17 +230,17 @@ void Viewer::take_session() {
   if (changes.options) {  // what was asked for failed or was cancelled
     state_.settings.open = sent_open_ = session_.open_options();
     state_.playback.models = false;
-    editor_.amend(settings());
+    history_.amend();
   }
   if (changes.error) {
     before.balls.model = state_.settings.open.balls.model;
     take_error(changes.options && before == state_.settings.open);
   }
   if (changes.any()) {
-    frames_due_ = kSettlingFrames;
+    due_.ask();
     read_memory();
   }
-  update_badge();
+  status_.update_badge();
 }
 
 void Viewer::read_memory() {
@@ -314,7 +255,7 @@ void Viewer::give_back_memory_when_due() {
   wait_until_freed();
   give_back_freed_memory();
   read_memory();
-  frames_due_ = kSettlingFrames;
+  due_.ask();
 }
 
 // Chains say nothing when there is only one; then elements do. A choice of the user's stays.
@@ -337,7 +278,7 @@ void Viewer::send_compute() {
   state_.compute_error.clear();  // of another alpha; it may be told again
   const SessionState& s = session_.state();
   if (s.prepared) state_.molecule.radii = grown_radii(*s.prepared, state_.settings.request);
-  frames_due_ = kSettlingFrames;
+  due_.ask();
 }
 
 void Viewer::send_controls() {
@@ -345,11 +286,13 @@ void Viewer::send_controls() {
   send_selection();
   send_look();
   state_.settings.selection.note_order();
-  note_changes();
+  history_.note_changes(state_.playback.alpha || state_.playback.models || lessons_.busy() ||
+                        saving_.sweeps());
 }
 
 void Viewer::send_look() {
-  scene_.set_display(state_.settings.display, state_.window.theme, line_scale());
+  scene_.set_display(state_.settings.display, state_.window.theme,
+                     preferences_.line_scale(frame_.scale()));
   scene_.set_clip(state_.settings.clip);
   scene_.set_appearance(state_.settings.appearance);
 }
@@ -394,56 +337,17 @@ void Viewer::send_selection() {
   sent_open_ = wanted;
   selection_sent_at_ = Clock::now();
   session_.set_open_options(wanted);
-  frames_due_ = kSettlingFrames;
+  due_.ask();
 }
 
-// The next step is asked for when the last one is on screen, however long that took.
-void Viewer::play() {
-  bool& playing = state_.playback.alpha;
-  if (!playing || !session_.state().up_to_date() || scene_.busy()) return;
-  const NextAlpha next =
-      next_alpha(state_.window.alpha_slider, state_.settings.request.alpha_angstrom2,
-                 state_.playback.backwards);
-  if (next.ended) {
-    playing = false;
-    return;
-  }
-  set_alpha(state_.settings.request, next.alpha);
-  frames_due_ = kSettlingFrames;
-}
-
-// As play(): a model is asked for when the last one is on screen, and its time is over.
-void Viewer::play_models() {
-  if (!state_.playback.models) {
-    model_playback_.stop();
-    return;
-  }
-  int& model = state_.settings.open.balls.model;
-  const ModelPlayback::Scene scene{
-      model, static_cast<int>(state_.molecule.models.size()),
-      settled() && !scene_.busy() && state_.settings.open == sent_open_};
-  if (const auto next =
-          model_playback_.next(scene, state_.playback.models_per_second, Clock::now())) {
-    model = *next;
-    frames_due_ = kSettlingFrames;
-  }
-}
-
-// As play_models(), but not beyond the last one, and no frame is drawn before the next is due.
-void Viewer::play_steps() {
-  StepsMemory& memory = state_.steps;
-  const bool over = memory.current && memory.at() == memory.last();
-  if (over || state_.window.page != kStepsPage) memory.playing = false;
-  if (!memory.playing) {
-    step_playback_.stop();
-    return;
-  }
-  const ModelPlayback::Scene scene{static_cast<int>(memory.at()), static_cast<int>(memory.count()),
-                                   memory.current && !scene_.busy()};
-  if (const auto next = step_playback_.next(scene, memory.a_second, Clock::now())) {
-    memory.show(static_cast<std::size_t>(*next));
-    frames_due_ = kSettlingFrames;
-  }
+// A preset of the sandbox is opened to be changed.
+void Viewer::start_preset() {
+  SandboxMemory& m = state_.memory.sandbox;
+  m.pixels_per_angstrom = 0;
+  const std::filesystem::path wanted = std::exchange(m.edit_when_open, {});
+  const SessionState& s = session_.state();
+  if (wanted.empty() || wanted != s.opened->deposited->source) return;
+  if (!state_.settings.open.sandbox) state_.settings.open.sandbox = sandbox_of(*s.prepared->balls);
 }
 
 }  // namespace alphascope

@@ -26,31 +26,25 @@ class Viewer::Queued {
   struct Files : Part, FileCalls {
     using Part::Part;
     void open(const std::filesystem::path& file) override {
-      queue.put("open", [this, file] { v.open(file); });
+      queue.put("open", [this, file] { v.opening_.open(file); });
     }
     void open_session(const std::filesystem::path& file) override {
-      queue.put("open_session", [this, file] { v.open_session(file); });
+      queue.put("open_session", [this, file] { v.opening_.open_session(file); });
     }
     void save_session(const std::filesystem::path& file) override {
       queue.put("save_session", [this, file] {
         v.scene_.settle_view(v.state_.viewport);
-        if (const auto document = v.session_document(file)) {
-          v.session_files_.save(*document, file);
-        }
+        v.opening_.save(file);
       });
     }
     void go_on_with_session(const std::filesystem::path& molecule) override {
-      queue.put("go_on_with_session", [this, molecule] {
-        if (!v.waiting_session_) return;
-        if (molecule.empty()) return v.start_session();
-        v.session_files_.open_with(v.waiting_session_, molecule);
-      });
+      queue.put("go_on_with_session", [this, molecule] { v.opening_.go_on(molecule); });
     }
     void give_session_up() override {
-      queue.put("give_session_up", [this] { v.forget_waiting_session(); });
+      queue.put("give_session_up", [this] { v.opening_.forget_waiting_session(); });
     }
     void forget_recent() override {
-      queue.put("forget_recent", [this] { v.forget_recent(); });
+      queue.put("forget_recent", [this] { v.preferences_.forget_recent(); });
     }
     void undo() override {
       queue.put("undo", [this] { v.undo(); });
@@ -71,7 +65,7 @@ class Viewer::Queued {
     void reset() override {
       queue.put("reset", [this] {
         v.scene_.reset_view();
-        ++v.view_moves_;
+        v.history_.note_view_moved();
       });
     }
     void zoom(double factor) override {
@@ -84,22 +78,25 @@ class Viewer::Queued {
       move("look_across", [this, line] { v.scene_.look_across(line); });
     }
     void zoom_to_selection() override {
-      move("zoom_to_selection", [this] { v.zoom_to(v.state_.settings.selection.items); });
+      move("zoom_to_selection", [this] { v.marks_.zoom_to(v.state_.settings.selection.items); });
     }
     void zoom_to(const RefSet& items) override {
-      move("zoom_to", [this, items] { v.zoom_to(items); });
+      move("zoom_to", [this, items] { v.marks_.zoom_to(items); });
     }
     void centre_on(const RefSet& items) override {
-      move("centre_on", [this, items] { v.centre_on(items); });
+      move("centre_on", [this, items] { v.marks_.centre_on(items); });
     }
     void save(const std::string& name) override {
-      move("save_view", [this, name] { v.save_view(name); });
+      move("save_view", [this, name] { v.marks_.save_view(name); });
     }
     void go_to(const std::string& name) override {
-      move("go_to", [this, name] { v.go_to_view(name); });
+      move("go_to", [this, name] { v.marks_.go_to_view(name); });
     }
     void open_context_menu() override {
-      queue.put("open_context_menu", [this] { v.open_context_menu(); });
+      queue.put("open_context_menu", [this] {
+        v.pointing_.open_context_menu();
+        v.due_.ask();
+      });
     }
 
    private:
@@ -107,11 +104,7 @@ class Viewer::Queued {
     void move(std::string_view name, std::function<void()> how) {
       queue.put(name, [this, how = std::move(how)] {
         v.scene_.settle_view(v.state_.viewport);
-        const std::optional<CameraPlace> before = v.scene_.camera();
-        how();
-        if (v.scene_.camera() == before) return;
-        ++v.view_moves_;
-        if (!v.view_before_requests_) v.view_before_requests_ = before;
+        v.history_.move_view(how);
       });
     }
   };
@@ -119,22 +112,19 @@ class Viewer::Queued {
   struct Jobs : Part, JobCalls {
     using Part::Part;
     void save_picture(const ScreenshotRequest& request) override {
-      of_the_view("save_picture", [this, request] { v.save_picture(request); });
+      of_the_view("save_picture", [this, request] { v.saving_.save_picture(request); });
     }
     void record(const RecordRequest& request) override {
-      of_the_view("record", [this, request] { v.record(request); });
+      of_the_view("record", [this, request] { v.saving_.record(request); });
     }
     void save_table(const SaveTableRequest& request) override {
-      queue.put("save_table", [this, request] { v.save_table(request); });
+      queue.put("save_table", [this, request] { v.saving_.save_table(request); });
     }
     void export_complex(const ExportRequest& request) override {
-      queue.put("export_complex", [this, request] { v.export_complex(request); });
+      queue.put("export_complex", [this, request] { v.saving_.export_complex(request); });
     }
     void compare() override {
-      queue.put("compare", [this] {
-        v.compared_ = v.session_.state().ours;
-        v.session_.request_comparison();
-      });
+      queue.put("compare", [this] { v.status_.compare(); });
     }
     void compute_anew() override {
       queue.put("compute_anew", [this] { v.session_.compute_anew(); });
@@ -155,7 +145,7 @@ class Viewer::Queued {
         case Job::comparing:
           return queue.put("cancel_comparing", [this] { v.session_.cancel_comparison(); });
         case Job::saving:
-          return queue.put("cancel_saving", [this] { v.cancel_saving(); });
+          return queue.put("cancel_saving", [this] { v.saving_.cancel(); });
         case Job::benchmark:
           return queue.put("cancel_benchmark", [this] { v.benchmark_.cancel(); });
       }
@@ -207,17 +197,17 @@ Calls Viewer::calls() {
 }
 
 void Viewer::run_calls() {
-  view_before_requests_.reset();
+  history_.begin_calls();
   queued_->queue.run();
 }
 
 void Viewer::cancel_computing() {
   state_.playback.alpha = state_.playback.models = false;
   session_.cancel_opening();
-  forget_waiting_session();
+  opening_.forget_waiting_session();
   session_.cancel_computing();
   session_.cancel_comparison();
-  if (!state_.busy.active) cancel_saving();
+  if (!state_.busy.active) saving_.cancel();
 }
 
 }  // namespace alphascope

@@ -23,7 +23,7 @@ void Viewer::take_inputs(const std::shared_ptr<const Answer>& shown) {
   inputs_.balls = shown->balls;
   inputs_.balls_key = ++balls_seen_;
   inputs_.solvent_radius_angstrom = shown->request.solvent_radius_angstrom;
-  inputs_.atoms = references_of(*shown);
+  inputs_.atoms = marks_.references_of(*shown);
   if (std::exchange(body_, shown->prepared) != shown->prepared) {
     ++bodies_seen_;
     frames_key_ = key_of_frames(*inputs_.atoms);
@@ -55,10 +55,7 @@ void Viewer::take_derived() {
     store_.give(whole_triangulation(), inputs_, made.triangulation);
     store_.give(whole_filtration(), inputs_, made.filtration);
   }
-  const TableSaver::Outcome saved = table_saver_.poll(store_, inputs_);
-  if (!saved.notice.empty()) state_.notice = saved.notice;
-  if (!saved.error.empty()) state_.tell("The table cannot be saved", saved.error);
-  if (saved.any()) frames_due_ = kSettlingFrames;
+  saving_.poll_tables(inputs_);
   note_large_objects();
   poll_store();
 }
@@ -92,7 +89,7 @@ void Viewer::want_of_all_balls() {
 
 void Viewer::poll_store() {
   if (!store_.poll()) return;
-  frames_due_ = kSettlingFrames;
+  due_.ask();
   news_ = true;
 }
 

@@ -28,15 +28,15 @@ void Viewer::draw(ScriptedInput* input, bool patient,
                   const std::function<void(unsigned)>& before_swap) {
   frame_begun_at_ = Clock::now();
   news_ = false;
-  update_busy();
-  follow_scale();
-  guarded([this] { describe_under_mouse(); });
+  status_.update_busy(opening_.reading());
+  if (preferences_.follow_scale()) due_.ask();
+  guarded([this] { pointing_.describe_under_mouse(); });
   if (!frame_.begin(state_.window.theme, input)) return want_of_all_balls();
   session_.let_finish(interacting());
   session_.set_measuring(state_.measures_wanted ||
                          is_exposure(state_.settings.display.ball_paint.by));
   session_.set_finding_outside(scene_.draws_outside());
-  gesture_ = gestures_.in_this_frame();
+  history_.begin_frame();
   store_.next_frame();
   guarded([&] {
     send_compute();
@@ -52,26 +52,26 @@ void Viewer::draw(ScriptedInput* input, bool patient,
   guarded([this] {
     const std::optional<CameraPlace> before = scene_.camera();
     for (const PointerEvent& event : state_.viewport.events) {
-      if (!drag_ball(event)) scene_.pointer(event);
+      if (!pointing_.drag_ball(event)) scene_.pointer(event);
     }
-    if (scene_.camera() != before) ++view_moves_;
+    if (scene_.camera() != before) history_.note_view_moved();
   });
   guarded([this] {
     for (const PointerEvent& event : state_.viewport.events) {
-      if (event.kind == PointerEvent::Kind::click) click(event);
+      if (event.kind != PointerEvent::Kind::click) continue;
+      pointing_.click(event);
+      due_.ask();
     }
     run_calls();
     lessons_.step();
-    go_on_recording();
-    play();
-    play_models();
-    play_steps();
+    saving_.go_on_recording(!all_but_saving() && !store_.busy());
+    playing_.step(settled() && state_.settings.open == sent_open_);
     send_controls();
-    note_preferences();
+    preferences_.note();
   });
   guarded([this] {
-    mark_selection();
-    draw_annotations();
+    marks_.mark_selection();
+    marks_.draw_annotations();
     scene_.set_layers(state_.layers);
   });
   // After the panels, so that the picture has this frame's size; ImGui draws it afterwards. Not
@@ -84,7 +84,7 @@ void Viewer::draw(ScriptedInput* input, bool patient,
     must_render_ = false;
     guarded([&] { scene_.render(state_.viewport, interacting(), patient); });
   }
-  place_clip_handle();
+  pointing_.place_clip_handle();
   draw_over_picture(parts, frame_.fonts(), frame_.scale());
   if (undrawn) return frame_.end_undrawn();
   if (draw_shots_only_ && !before_swap) {
@@ -111,7 +111,7 @@ void Viewer::finish_frame() {
 void Viewer::shoot(const std::filesystem::path& path, ScriptedInput* input) {
   const HostSize size = host_.size();
   patient_ = true;
-  for (int i = 0; i < kSettlingFrames; ++i) step(input);
+  for (int i = 0; i < DueFrames::kSettling; ++i) step(input);
   draw(input, true, [&](unsigned framebuffer) {
     Image image = read_framebuffer(framebuffer, size.width, size.height);
     for (std::size_t i = 3; i < image.rgba.size(); i += 4) image.rgba[i] = 255;
@@ -121,22 +121,14 @@ void Viewer::shoot(const std::filesystem::path& path, ScriptedInput* input) {
 }
 
 double Viewer::idle_seconds() const {
-  if (frames_due_ > 0) return 0;
+  if (due_.any()) return 0;
   const double idle = working() ? kBusyInterval : kIdleInterval;
   double wait = std::min(idle, scene_.seconds_to_refinement());
-  if (state_.playback.models) {
-    wait = std::min(
-        wait, model_playback_.seconds_to_next(state_.playback.models_per_second, Clock::now()));
-  }
-  if (state_.steps.playing) wait = std::min(wait, seconds_to_next_step());
+  wait = std::min(wait, playing_.seconds_to_next());
   if (tooltip_due_) {
     wait = std::min(wait, std::chrono::duration<double>(*tooltip_due_ - Clock::now()).count());
   }
   return std::max(0.001, wait);
-}
-
-double Viewer::seconds_to_next_step() const {
-  return step_playback_.seconds_to_next(state_.steps.a_second, Clock::now());
 }
 
 // Where frames are work of the processor, fewer are drawn while it computes what is to be drawn.
@@ -153,7 +145,7 @@ void Viewer::take_results() {
     take_session();
     take_shown();
     take_derived();
-    compare_when_due();
+    status_.compare_when_due(interacting());
   });
 }
 
@@ -173,20 +165,20 @@ void Viewer::run() {
     bool events = host_.wait_events(behind ? 0 : idle_seconds()) || behind;
     events |= wait_for_frame();
     if (events) {
-      frames_due_ = kSettlingFrames;
+      due_.ask();
       tooltip_due_ = Clock::now() + kTooltipFrameAfter;
     } else if (tooltip_due_ && Clock::now() >= *tooltip_due_) {
-      frames_due_ = kSettlingFrames;
+      due_.ask();
       tooltip_due_.reset();
     }
-    guarded([this] { open_dropped(host_.take_dropped_files()); });
+    guarded([this] { opening_.open_dropped(host_.take_dropped_files()); });
     take_results();
     const bool playing = state_.playback.alpha || state_.playback.models;
-    const bool step_due = state_.steps.playing && seconds_to_next_step() <= 0;
-    const bool due = frames_due_ > 0 || playing || step_due || working() || store_.busy() ||
+    const bool step_due = state_.steps.playing && playing_.seconds_to_next_step() <= 0;
+    const bool due = due_.any() || playing || step_due || working() || store_.busy() ||
                      scene_.wants_frame() || state_.settings.open != sent_open_;
     if (!due) continue;
-    frames_due_ = std::max(0, frames_due_ - 1);
+    due_.count = std::max(0, due_.count - 1);
     draw(nullptr, false);
   }
   host_.hide();

@@ -81,8 +81,7 @@ class Viewer::Stage : public LessonStage {
   }
   bool opening() const override {
     const SessionActivity a = v_.session_.activity();
-    return a.opening.busy || !a.opening_path.empty() || v_.session_files_.reading().busy ||
-           v_.waiting_session_ || v_.starting_session_;
+    return a.opening.busy || !a.opening_path.empty() || v_.opening_.busy();
   }
   bool at_rest() const override {
     const SessionActivity a = v_.session_.activity();
@@ -94,32 +93,31 @@ class Viewer::Stage : public LessonStage {
   }
 
   void keep() override {
-    kept_ =
-        Kept{v_.session_document({}), v_.state_.session_file, v_.settings(), v_.editor_, file()};
+    kept_ = Kept{v_.opening_.document({}), v_.state_.session_file, v_.history_.settings(),
+                 v_.history_.editor(), file()};
     settled_.reset();
   }
 
   void open(const std::filesystem::path& molecule) override {
     SessionDocument document;
     document.settings = next_settings();
-    document.view = v_.window_of_session();
+    document.view = v_.opening_.window_of_session();
     document.view.panels.alpha_slider = {};
     start({}, std::move(document), molecule);
   }
 
   void reset() override {
-    v_.editor_.restart(next_settings());
-    v_.show_settings();
+    v_.history_.restart(next_settings());
     v_.scene_.reset_view();  // as where the step opens its molecule
   }
 
   Outcome run(const std::string& command) override { return v_.commands_.run_line(command); }
 
   void settle() override {
-    settled_ = v_.settings();
-    v_.editor_.restart(v_.settings());
-    v_.noted_ = v_.preferred();  // of the lesson, not of the user
-    v_.frames_due_ = kSettlingFrames;
+    settled_ = v_.history_.settings();
+    v_.history_.restart();
+    v_.preferences_.take_as_seen();  // of the lesson, not of the user
+    v_.due_.ask();
   }
 
   void bring_back() override {
@@ -127,13 +125,13 @@ class Viewer::Stage : public LessonStage {
     Kept kept = *std::exchange(kept_, std::nullopt);
     if (!kept.document || kept.file == file()) {
       v_.session_.cancel_opening();
-      v_.forget_waiting_session();
+      v_.opening_.forget_waiting_session();
       return take_over(kept);
     }
     kept.document->view.light_theme = v_.state_.window.theme == Theme::light;
     const std::filesystem::path molecule = kept.document->molecule.absolute;
     start(kept.session_file, *std::move(kept.document), molecule);
-    v_.history_to_come_back_ = std::move(kept.history);
+    v_.history_.set_to_come_back(std::move(kept.history));
   }
 
   void forget() override {
@@ -151,7 +149,7 @@ class Viewer::Stage : public LessonStage {
 
   // Of the user's choices, not of those that a step has made.
   Settings next_settings() {
-    const Settings now = lesson_settings(v_.settings());
+    const Settings now = lesson_settings(v_.history_.settings());
     if (!settled_ || !(now == lesson_settings(*settled_))) of_user_ = now;
     return of_user_;
   }
@@ -160,14 +158,13 @@ class Viewer::Stage : public LessonStage {
   void take_over(const Kept& kept) {
     ViewState& s = v_.state_;
     if (kept.document && kept.file == file()) {
-      v_.editor_ = kept.history;
-      v_.show_settings();
+      v_.history_.put(kept.history);
     } else {
       s.settings.request = kept.settings.request;
       s.settings.display = kept.settings.display;
-      v_.editor_.restart(v_.settings());
+      v_.history_.restart();
     }
-    v_.noted_ = v_.preferred();
+    v_.preferences_.take_as_seen();
   }
 
   void start(const std::filesystem::path& file, SessionDocument document,
@@ -178,9 +175,7 @@ class Viewer::Stage : public LessonStage {
     found.read.session = std::move(document);
     found.molecule.state = FoundFile::State::same;
     found.molecule.path = molecule;
-    v_.forget_waiting_session();
-    v_.waiting_session_ = std::make_shared<const FoundSession>(std::move(found));
-    v_.start_session();
+    v_.opening_.start(std::move(found));
   }
 
   Viewer& v_;
@@ -213,15 +208,7 @@ void Viewer::take_lesson_files() {
     }
   }
   if (!news.error.empty()) state_.tell("The lesson cannot be opened", news.error);
-  if (news.shelf || news.opened || !news.error.empty()) frames_due_ = kSettlingFrames;
-}
-
-// The undo steps of what was open before a lesson.
-void Viewer::take_back_history() {
-  const auto history = std::exchange(history_to_come_back_, std::nullopt);
-  if (!history) return;
-  editor_ = *history;
-  editor_.amend(settings());
+  if (news.shelf || news.opened || !news.error.empty()) due_.ask();
 }
 
 }  // namespace alphascope

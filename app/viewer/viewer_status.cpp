@@ -15,34 +15,6 @@ namespace {
 
 constexpr int kFramesForNews = 3;  // until a dialog stands
 
-// "Filtration of all simplices 45 %", or why it is not made.
-BackgroundInfo background_text(const std::vector<JobInfo>& jobs) {
-  BackgroundInfo info;
-  bool of_all_simplices = false;
-  for (const JobInfo& job : jobs) {
-    // What follows the slider is its panel's business, unless it cannot be had.
-    const bool running = job.state == DerivedState::running && job.lane == Lane::background;
-    const bool failed = job.state == DerivedState::failed || job.state == DerivedState::no_room;
-    if (running) {
-      info.text = job.title;
-      if (job.share > 0) info.text += " " + std::to_string(std::lround(job.share * 100)) + " %";
-    } else if (failed && info.text.empty()) {
-      info.text = "without: " + job.title;
-    }
-    if (!running && !failed) continue;
-    of_all_simplices |= job.id == whole_triangulation().id || job.id == whole_filtration().id;
-    if (!info.detail.empty()) info.detail += "\n";
-    info.detail +=
-        job.title + ": " +
-        (running ? "is made in the background" + (job.stage.empty() ? "" : ", " + job.stage) + "."
-                 : "is not made. " + job.why);
-  }
-  if (of_all_simplices) {
-    info.detail += "\nWith it, the CPU looks every alpha up; without it, each alpha is computed.";
-  }
-  return info;
-}
-
 // What is left when something else could not be had.
 std::string still(const ViewState& state, const char* what) {
   return state.molecule.loaded ? std::string("\n\n") + what : "";
@@ -62,13 +34,7 @@ void Viewer::guarded(const std::function<void()>& what) {
   } catch (const std::exception& error) {
     state_.tell("The last step could not be done", error.what());
   }
-  frames_due_ = kFramesForNews;
-}
-
-// Of several dropped files: the note without the one that is open.
-std::string Viewer::not_opened_either() {
-  const std::string note = std::exchange(drop_note_when_open_, {});
-  return note.empty() ? "" : "\n\n" + note.substr(note.find('\n') + 1);
+  due_.count = kFramesForNews;
 }
 
 void Viewer::take_error(bool only_the_model_changed) {
@@ -79,10 +45,9 @@ void Viewer::take_error(bool only_the_model_changed) {
   state_.playback.alpha = state_.playback.models = false;
   switch (s.error_source) {
     case Source::opening:
-      starting_session_ = nullptr;
-      history_to_come_back_.reset();
+      opening_.forget_failed();
       state_.tell("The file cannot be opened",
-                  s.last_error + not_opened_either() +
+                  s.last_error + opening_.not_opened_either() +
                       still(state_, "The previous molecule is still open."));
       break;
     case Source::changing:
@@ -97,76 +62,6 @@ void Viewer::take_error(bool only_the_model_changed) {
     case Source::computing:
     case Source::comparing:  // the badge says so
       break;
-  }
-}
-
-void Viewer::update_badge() {
-  state_.badge =
-      describe_agreement(session_.state(), state_.result.get(), session_.activity().comparing.busy);
-  const bool comparing = session_.activity().comparing.busy;
-  if (!comparing) comparing_since_.reset();
-  if (comparing && !comparing_since_) comparing_since_ = Clock::now();
-  const SessionState& s = session_.state();
-  if (state_.badge.state == BadgeInfo::State::not_compared &&
-      s.error_source == SessionState::Source::comparing) {
-    state_.badge = {BadgeInfo::State::failed, s.last_error};
-  }
-  if (comparing) {
-    state_.badge.seconds = std::chrono::duration<double>(Clock::now() - *comparing_since_).count();
-  }
-  if (state_.badge.state == BadgeInfo::State::not_compared && compares_by_itself() &&
-      compared_ != session_.state().ours) {
-    state_.badge = {BadgeInfo::State::comparing, "waiting for the comparison with CGAL…"};
-  }
-}
-
-void Viewer::update_busy() {
-  const SessionActivity a = session_.activity();
-  BusyInfo busy;
-  const auto take = [&busy](const Worker::Activity& activity, const std::string& what) {
-    if (busy.active || !activity.busy) return;
-    busy.active = true;
-    busy.what = what + (activity.stage.empty() ? "" : ": " + activity.stage);
-    busy.share = activity.share > 0 ? activity.share : -1;
-  };
-  take(a.opening, a.opening_path.empty()
-                      ? state_.molecule.name
-                      : "Opening " + printable(a.opening_path.filename().string()));
-  take(session_files_.reading(), "Opening the session");
-  take(a.computing, "Computing");
-  // A comparison in the background is the badge's business; it holds nothing up.
-  if (busy.active) {
-    if (!busy_since_) busy_since_ = Clock::now();
-    busy.seconds = std::chrono::duration<double>(Clock::now() - *busy_since_).count();
-  } else {
-    busy_since_.reset();
-  }
-  state_.busy = busy;
-  state_.background = background_text(store_.jobs());
-}
-
-bool Viewer::compares_by_itself() const {
-  const auto& ours = session_.state().ours;
-  return state_.window.auto_compare && ours && ours->request.engine != EngineChoice::cgal &&
-         state_.molecule.balls <= kMostBallsToCompareUnasked;
-}
-
-void Viewer::compare_when_due() {
-  const auto& s = session_.state();
-  if (!compares_by_itself() || !s.up_to_date() || compared_ == s.ours || interacting()) return;
-  compared_ = s.ours;
-  session_.request_comparison();
-}
-
-// After the engine's, in the run that they are of.
-void Viewer::add_picture_stages() {
-  const auto& answer = scene_.drawn_answer();
-  if (!answer || answer != session_.state().ours) return;
-  auto& run = answer->cold ? state_.ours.cold : state_.ours.warm;
-  if (!run || run->alpha_angstrom2 != answer->request.alpha_angstrom2) return;
-  const auto& stages = scene_.picture_stages();
-  if (stages.size() > 1) {
-    run->times.stages.insert(run->times.stages.end(), stages.begin(), stages.end());
   }
 }
 

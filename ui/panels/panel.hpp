@@ -1,4 +1,5 @@
-// A panel: a section, a page or a column of the window, which owns what it remembers between frames.
+// A panel: a section, a page or a column of the window, which owns what it remembers between
+// frames.
 #pragma once
 
 #include <memory>

@@ -333,7 +333,7 @@ TEST(PanelsTest, SavingSaysWhatItReplacesAndWhichFolderIsMissing) {
   p.state.memory.save_path = std::string(ALPHASCOPE_SOURCE_DIR) + "/README.md";
   p.frame(2);
   EXPECT_FALSE(p.rects.contains("save.replaces")) << "it will be README.md.png";
-  p.state.memory.save_path = std::string(ALPHASCOPE_SOURCE_DIR) + "/docs/images/window.png";
+  p.state.memory.save_path = std::string(ALPHASCOPE_SOURCE_DIR) + "/docs/images/cavity.png";
   p.frame(2);
   EXPECT_TRUE(p.rects.contains("save.replaces"));
   p.state.memory.save_path = (folder / "figure 1").string();

@@ -1,8 +1,8 @@
-// What a user prefers: taken over at the start, noted when it is changed in the window.
+// Preferences: taken over at the start, noted when the user changes them in the window.
+#include "app/viewer/window_preferences.hpp"
+
 #include <algorithm>
 #include <cmath>
-
-#include "app/viewer/viewer.hpp"
 
 namespace alphascope {
 namespace {
@@ -13,8 +13,9 @@ constexpr double kPresenterTimes = 1.5, kPresenterLines = 1.4;
 }  // namespace
 
 // What the command line says goes before.
-void Viewer::use_preferences(const ViewerOptions& options) {
-  const Preferences& p = preferences_.now();
+void WindowPreferences::begin_with(const ViewerOptions& options) {
+  set_scale_ = options.scale;
+  const Preferences& p = keeper_.now();
   const bool light = options.light || p.light_theme;
   state_.window.theme = light ? Theme::light : Theme::dark;
   state_.window.control_scale = options.scale > 0 ? options.scale : p.scale;
@@ -33,7 +34,7 @@ void Viewer::use_preferences(const ViewerOptions& options) {
 }
 
 // As the window has it now. What is not known is as before.
-Preferences Viewer::preferred() const {
+Preferences WindowPreferences::preferred() const {
   Preferences p = noted_;
   p.light_theme = state_.window.theme == Theme::light;
   p.scale = state_.window.control_scale;
@@ -53,10 +54,10 @@ Preferences Viewer::preferred() const {
 }
 
 // Only what the user has changed since: what came by an option or a session is no preference.
-void Viewer::note_preferences() {
+void WindowPreferences::note() {
   const Preferences seen = preferred();
   if (seen == noted_) return;
-  Preferences p = preferences_.now();
+  Preferences p = keeper_.now();
   const auto take = [&](auto Preferences::*field) {
     if (seen.*field != noted_.*field) p.*field = seen.*field;
   };
@@ -68,41 +69,50 @@ void Viewer::note_preferences() {
   take(&Preferences::engine);
   take(&Preferences::last_folder);
   noted_ = seen;
-  preferences_.set(p);
+  keeper_.set(p);
 }
 
-void Viewer::note_recent_file(const std::filesystem::path& file) {
-  Preferences p = preferences_.now();
+void WindowPreferences::note_recent_file(const std::filesystem::path& file) {
+  Preferences p = keeper_.now();
   note_recent(p, file);
-  preferences_.set(p);
+  keeper_.set(p);
   state_.recent = p.recent;
 }
 
-void Viewer::forget_recent() {
-  Preferences p = preferences_.now();
+void WindowPreferences::forget_recent() {
+  Preferences p = keeper_.now();
   p.recent.clear();
-  preferences_.set(p);
+  keeper_.set(p);
   state_.recent.clear();
 }
 
-void Viewer::follow_scale() {
+bool WindowPreferences::follow_scale() {
   const double times = state_.window.presenter_size ? kPresenterTimes : 1;
-  if (state_.window.control_scale == set_scale_ && times == set_times_) return;
+  if (state_.window.control_scale == set_scale_ && times == set_times_) return false;
   set_scale_ = state_.window.control_scale;
   set_times_ = times;
   host_.set_scale(set_scale_, set_times_);
-  frames_due_ = kSettlingFrames;
+  return true;
 }
 
-float Viewer::line_scale() const {
-  return frame_.scale() * static_cast<float>(state_.window.presenter_size ? kPresenterLines : 1);
+float WindowPreferences::line_scale(float scale) const {
+  return scale * static_cast<float>(state_.window.presenter_size ? kPresenterLines : 1);
 }
 
-void Viewer::poll_preferences() {
-  const std::string problem = preferences_.poll();
-  if (problem.empty()) return;
+bool WindowPreferences::poll() {
+  const std::string problem = keeper_.poll();
+  if (problem.empty()) return false;
   state_.tell("Preferences", problem);
-  frames_due_ = kSettlingFrames;
+  return true;
+}
+
+void WindowPreferences::take_as_seen() {
+  noted_ = preferred();
+}
+
+void WindowPreferences::take_gpu() {
+  if (!engine_when_found_) return;
+  state_.settings.request.engine = noted_.engine = *engine_when_found_;
 }
 
 }  // namespace alphascope

@@ -1,0 +1,200 @@
+// Opening molecules and sessions, and describing the open one as a session.
+#include "app/viewer/opening.hpp"
+
+#include <utility>
+
+#include "app/session/result_header.hpp"
+#include "app/viewer/molecule_info.hpp"
+#include "app/viewer/resources.hpp"
+#include "app/viewer/state_bridge.hpp"
+#include "core/text/printable.hpp"
+
+namespace alphascope {
+
+bool Opening::may_open(const std::filesystem::path& path) {
+  if (benchmark_busy_()) {  // it is of the open molecule, and would measure the reading too
+    state_.tell("A benchmark is running",
+                path.filename().string() +
+                    " was not opened. Cancel the benchmark or wait for its end, then open it.");
+    return false;
+  }
+  scene_.set_camera_when_drawn(std::nullopt);
+  state_.notice.clear();
+  state_.drop_note.clear();
+  drop_note_.clear();
+  std::error_code ignored;
+  // The file dialog stays where it is while it is open.
+  if (!state_.memory.show_browser && std::filesystem::is_directory(path.parent_path(), ignored)) {
+    state_.memory.browser_folder = path.parent_path();
+  }
+  return true;
+}
+
+void Opening::open(const std::filesystem::path& path) {
+  if (looks_like_session(path)) return open_session(path);
+  if (!may_open(path)) return;
+  forget_waiting_session();
+  session_.open(path);
+}
+
+void Opening::open_dropped(const std::vector<std::filesystem::path>& files) {
+  const DroppedFiles dropped = choose_dropped(files);
+  if (!dropped.opened) return;
+  // It is an answer to the dialog that asks for one.
+  const BrowserPurpose asked = state_.memory.browser_purpose;
+  if (asked == BrowserPurpose::molecule || asked == BrowserPurpose::session) {
+    state_.memory.show_browser = false;
+  }
+  open(*dropped.opened);
+  if (!benchmark_busy_()) drop_note_ = dropped.note;
+  due_.ask();
+}
+
+// Of several dropped files: the note without the one that is open.
+std::string Opening::not_opened_either() {
+  const std::string note = std::exchange(drop_note_, {});
+  return note.empty() ? "" : "\n\n" + note.substr(note.find('\n') + 1);
+}
+
+void Opening::open_session(const std::filesystem::path& path) {
+  forget_waiting_session();
+  state_.notice.clear();
+  files_.open(path);
+}
+
+void Opening::forget_waiting_session() {
+  files_.cancel();
+  waiting_ = starting_ = nullptr;
+  awaits_gpu_ = false;
+  history_.set_to_come_back(std::nullopt);
+  state_.session_problem.reset();
+}
+
+void Opening::poll() {
+  const SessionFiles::Outcome outcome = files_.poll();
+  if (!outcome.error.empty()) state_.tell(outcome.error_title, outcome.error);
+  if (outcome.saved) {
+    state_.session_file = *outcome.saved;
+    state_.notice = "Saved " + printable(outcome.saved->string());
+    preferences_.note_recent_file(*outcome.saved);
+  }
+  if (awaits_gpu_ && state_.gpu && waiting_) start_session();
+  if (outcome.read) {
+    waiting_ = outcome.read;
+    if (waiting_->complete()) {
+      start_session();
+    } else {
+      state_.session_problem = {waiting_->file.string(), waiting_->problem(),
+                                waiting_->molecule.state != FoundFile::State::same,
+                                waiting_->can_open()};
+    }
+  }
+  if (outcome.read || outcome.saved || !outcome.error.empty()) due_.ask();
+}
+
+// All engines answer alike; this machine may lack the one that was used.
+Request Opening::possible_here(Request request) const {
+  if (needs_gpu(request.engine) && !has_gpu(state_)) request.engine = EngineChoice::automatic;
+  return request;
+}
+
+void Opening::start_session() {
+  const Request& asked = waiting_->read.session.settings.request;
+  awaits_gpu_ = needs_gpu(asked.engine) && !state_.gpu;
+  if (awaits_gpu_) return;  // still being looked for
+  const auto found = std::exchange(waiting_, nullptr);
+  if (!may_open(found->file)) return;
+  starting_ = found;
+  const Settings& settings = found->read.session.settings;
+  OpenOptions options = settings.open;
+  options.read.max_bytes = state_.settings.open.read.max_bytes;
+  if (found->radii_table) options.radii_table = found->radii_table->path;
+  session_.open(found->molecule.path, options, canonical(possible_here(settings.request)));
+}
+
+// Once its molecule is there, in the place of what a molecule that is opened by itself would get.
+void Opening::show_session() {
+  const auto found = std::exchange(starting_, nullptr);
+  const SessionDocument& s = found->read.session;
+  OpenOptions open = std::move(state_.settings.open);  // as the molecule was opened
+  state_.settings = s.settings;
+  state_.settings.open = std::move(open);
+  state_.settings.request = possible_here(s.settings.request);
+  state_.window.theme = s.view.light_theme ? Theme::light : Theme::dark;
+  state_.playback.alpha = false;
+  state_.memory.number = {};
+  state_.window.page = s.view.panels.page;
+  state_.window.page_height = static_cast<float>(s.view.panels.page_height);
+  const auto& closed = s.view.panels.closed_sections;
+  state_.window.closed_sections = {closed.begin(), closed.end()};
+  state_.window.alpha_slider = s.view.panels.alpha_slider;
+  state_.window.picture = s.view.picture;
+  static_cast<RecordChoices&>(state_.memory.record) = s.view.recording;
+  state_.molecule.radii = grown_radii(*session_.state().prepared, state_.settings.request);
+  if (s.view.camera.any()) scene_.set_camera_when_drawn(s.view.camera);
+  state_.session_file = found->file;
+  preferences_.take_as_seen();  // of the session, not of the user
+  if (!found->complete()) {
+    state_.drop_note = "Not the files that the session was saved with:\n" + found->problem();
+  }
+  std::string notes;
+  for (const std::string& note : found->read.notes) notes += (notes.empty() ? "" : "\n") + note;
+  if (!notes.empty()) {
+    state_.tell("Not all of the session is understood",
+                printable(found->file.string()) + "\n\n" + notes +
+                    "\n\nAll the rest is as it was saved. A newer version of the program may know "
+                    "more.");
+  }
+}
+
+std::optional<SessionDocument> Opening::document(const std::filesystem::path& file) const {
+  const SessionState& s = session_.state();
+  if (!s.opened) return std::nullopt;
+  SessionDocument document;
+  document.written_by = program_text("alphascope");
+  document.molecule =
+      refer_to(s.opened->molecule->source, s.opened->molecule->sha256, file.parent_path());
+  document.settings = history_.settings();
+  document.view = window_of_session();
+  if (const auto camera = scene_.camera()) document.view.camera = *camera;
+  return document;
+}
+
+SessionView Opening::window_of_session() const {
+  const WindowSettings& w = state_.window;
+  return {.light_theme = w.theme == Theme::light,
+          .camera = {},
+          .panels = {w.page,
+                     w.page_height,
+                     {w.closed_sections.begin(), w.closed_sections.end()},
+                     w.alpha_slider},
+          .picture = w.picture,
+          .recording = state_.memory.record};
+}
+
+void Opening::go_on(const std::filesystem::path& molecule) {
+  if (!waiting_) return;
+  if (molecule.empty()) return start_session();
+  files_.open_with(waiting_, molecule);
+}
+
+void Opening::save(const std::filesystem::path& file) {
+  if (const auto written = document(file)) files_.save(*written, file);
+}
+
+void Opening::start(FoundSession session) {
+  forget_waiting_session();
+  waiting_ = std::make_shared<const FoundSession>(std::move(session));
+  start_session();
+}
+
+void Opening::forget_failed() {
+  starting_ = nullptr;
+  history_.set_to_come_back(std::nullopt);
+}
+
+std::string Opening::take_drop_note() {
+  return std::exchange(drop_note_, {});
+}
+
+}  // namespace alphascope

@@ -1,0 +1,78 @@
+// Alpha, models and steps that move by themselves.
+#include "app/viewer/playing.hpp"
+
+#include <algorithm>
+
+#include "ui/widgets/controls.hpp"
+
+namespace alphascope {
+
+void Playing::step(bool models_settled) {
+  play_alpha();
+  play_models(models_settled);
+  play_steps();
+}
+
+double Playing::seconds_to_next() const {
+  double wait = kNever;
+  if (state_.playback.models) {
+    wait = models_.seconds_to_next(state_.playback.models_per_second, Clock::now());
+  }
+  if (state_.steps.playing) wait = std::min(wait, seconds_to_next_step());
+  return wait;
+}
+
+// The next step is asked for when the last one is on screen, however long that took.
+void Playing::play_alpha() {
+  bool& playing = state_.playback.alpha;
+  if (!playing || !session_.state().up_to_date() || scene_.busy()) return;
+  const NextAlpha next =
+      next_alpha(state_.window.alpha_slider, state_.settings.request.alpha_angstrom2,
+                 state_.playback.backwards);
+  if (next.ended) {
+    playing = false;
+    return;
+  }
+  set_alpha(state_.settings.request, next.alpha);
+  due_.ask();
+}
+
+// As play(): a model is asked for when the last one is on screen, and its time is over.
+void Playing::play_models(bool models_settled) {
+  if (!state_.playback.models) {
+    models_.stop();
+    return;
+  }
+  int& model = state_.settings.open.balls.model;
+  const ModelPlayback::Scene scene{
+      model, static_cast<int>(state_.molecule.models.size()),
+      models_settled && !scene_.busy()};
+  if (const auto next =
+          models_.next(scene, state_.playback.models_per_second, Clock::now())) {
+    model = *next;
+    due_.ask();
+  }
+}
+
+// As play_models(), but not beyond the last one, and no frame is drawn before the next is due.
+void Playing::play_steps() {
+  StepsMemory& memory = state_.steps;
+  const bool over = memory.current && memory.at() == memory.last();
+  if (over || state_.window.page != kStepsPage) memory.playing = false;
+  if (!memory.playing) {
+    steps_.stop();
+    return;
+  }
+  const ModelPlayback::Scene scene{static_cast<int>(memory.at()), static_cast<int>(memory.count()),
+                                   memory.current && !scene_.busy()};
+  if (const auto next = steps_.next(scene, memory.a_second, Clock::now())) {
+    memory.show(static_cast<std::size_t>(*next));
+    due_.ask();
+  }
+}
+
+double Playing::seconds_to_next_step() const {
+  return steps_.seconds_to_next(state_.steps.a_second, Clock::now());
+}
+
+}  // namespace alphascope

@@ -1,0 +1,120 @@
+// What the window says of the work that goes on: the line with its share, the badge of the comparison
+// with CGAL, and the stages of the picture in the timings.
+#include "app/viewer/work_status.hpp"
+
+#include <cmath>
+#include <string>
+
+#include "app/viewer/state_bridge.hpp"
+#include "core/document/store/derived.hpp"
+#include "core/text/printable.hpp"
+
+namespace alphascope {
+namespace {
+
+// "Filtration of all simplices 45 %", or why it is not made.
+BackgroundInfo background_text(const std::vector<JobInfo>& jobs) {
+  BackgroundInfo info;
+  bool of_all_simplices = false;
+  for (const JobInfo& job : jobs) {
+    // What follows the slider is its panel's business, unless it cannot be had.
+    const bool running = job.state == DerivedState::running && job.lane == Lane::background;
+    const bool failed = job.state == DerivedState::failed || job.state == DerivedState::no_room;
+    if (running) {
+      info.text = job.title;
+      if (job.share > 0) info.text += " " + std::to_string(std::lround(job.share * 100)) + " %";
+    } else if (failed && info.text.empty()) {
+      info.text = "without: " + job.title;
+    }
+    if (!running && !failed) continue;
+    of_all_simplices |= job.id == whole_triangulation().id || job.id == whole_filtration().id;
+    if (!info.detail.empty()) info.detail += "\n";
+    info.detail +=
+        job.title + ": " +
+        (running ? "is made in the background" + (job.stage.empty() ? "" : ", " + job.stage) + "."
+                 : "is not made. " + job.why);
+  }
+  if (of_all_simplices) {
+    info.detail += "\nWith it, the CPU looks every alpha up; without it, each alpha is computed.";
+  }
+  return info;
+}
+
+}  // namespace
+
+void WorkStatus::compare() {
+  compared_ = session_.state().ours;
+  session_.request_comparison();
+}
+
+void WorkStatus::update_badge() {
+  state_.badge =
+      describe_agreement(session_.state(), state_.result.get(), session_.activity().comparing.busy);
+  const bool comparing = session_.activity().comparing.busy;
+  if (!comparing) comparing_since_.reset();
+  if (comparing && !comparing_since_) comparing_since_ = Clock::now();
+  const SessionState& s = session_.state();
+  if (state_.badge.state == BadgeInfo::State::not_compared &&
+      s.error_source == SessionState::Source::comparing) {
+    state_.badge = {BadgeInfo::State::failed, s.last_error};
+  }
+  if (comparing) {
+    state_.badge.seconds = std::chrono::duration<double>(Clock::now() - *comparing_since_).count();
+  }
+  if (state_.badge.state == BadgeInfo::State::not_compared && compares_by_itself() &&
+      compared_ != session_.state().ours) {
+    state_.badge = {BadgeInfo::State::comparing, "waiting for the comparison with CGAL…"};
+  }
+}
+
+void WorkStatus::update_busy(const Worker::Activity& reading_session) {
+  const SessionActivity a = session_.activity();
+  BusyInfo busy;
+  const auto take = [&busy](const Worker::Activity& activity, const std::string& what) {
+    if (busy.active || !activity.busy) return;
+    busy.active = true;
+    busy.what = what + (activity.stage.empty() ? "" : ": " + activity.stage);
+    busy.share = activity.share > 0 ? activity.share : -1;
+  };
+  take(a.opening, a.opening_path.empty()
+                      ? state_.molecule.name
+                      : "Opening " + printable(a.opening_path.filename().string()));
+  take(reading_session, "Opening the session");
+  take(a.computing, "Computing");
+  // A comparison in the background is the badge's business; it holds nothing up.
+  if (busy.active) {
+    if (!busy_since_) busy_since_ = Clock::now();
+    busy.seconds = std::chrono::duration<double>(Clock::now() - *busy_since_).count();
+  } else {
+    busy_since_.reset();
+  }
+  state_.busy = busy;
+  state_.background = background_text(store_.jobs());
+}
+
+bool WorkStatus::compares_by_itself() const {
+  const auto& ours = session_.state().ours;
+  return state_.window.auto_compare && ours && ours->request.engine != EngineChoice::cgal &&
+         state_.molecule.balls <= kMostBallsToCompareUnasked;
+}
+
+void WorkStatus::compare_when_due(bool interacting) {
+  const auto& s = session_.state();
+  if (!compares_by_itself() || !s.up_to_date() || compared_ == s.ours || interacting) return;
+  compared_ = s.ours;
+  session_.request_comparison();
+}
+
+// After the engine's, in the run that they are of.
+void WorkStatus::add_picture_stages() {
+  const auto& answer = scene_.drawn_answer();
+  if (!answer || answer != session_.state().ours) return;
+  auto& run = answer->cold ? state_.ours.cold : state_.ours.warm;
+  if (!run || run->alpha_angstrom2 != answer->request.alpha_angstrom2) return;
+  const auto& stages = scene_.picture_stages();
+  if (stages.size() > 1) {
+    run->times.stages.insert(run->times.stages.end(), stages.begin(), stages.end());
+  }
+}
+
+}  // namespace alphascope

@@ -1,4 +1,5 @@
-// See the header.
+// Lines of sight, places of points in a picture, and distances at which balls fit into it. Also the
+// test for a view that shows nothing.
 #include "ui/scene/camera.hpp"
 
 #include <algorithm>
@@ -10,15 +11,15 @@ namespace {
 constexpr double kViewAngleDegrees = 25;  // less than VTK's 30: molecules distort less
 constexpr double kMargin = 1.08;
 using Vector = std::array<double, 3>;
-// Without perspective, lines of sight begin as far behind the camera: nothing is behind them, and
-// how wide a pixel is hardly changes along them.
+// Without perspective, lines of sight begin this far behind the camera. Nothing lies behind their
+// start, and the width of a pixel hardly changes along them.
 constexpr double kFarBehind = 1e6;  // Å
 
 double usual_tangent() {
   return std::tan(kViewAngleDegrees * M_PI / 360);
 }
 
-// A point as the viewer has it: to the right, upwards, away.
+// Coordinates of a point in the viewer's directions: right, up, forward (Å from the camera).
 template <class Point>
 Vector seen_from(const Sight& sight, const Point& point) {
   Vector seen{};
@@ -31,8 +32,8 @@ Vector seen_from(const Sight& sight, const Point& point) {
   return seen;
 }
 
-// Å by which a ball is outside of each side of the pyramid (left, right, bottom, top, behind);
-// negative: it reaches inside.
+// Distances (Å) of a ball from the sides of the view: left, right, bottom, top, behind. A distance
+// is negative where the ball reaches inside that side.
 std::array<double, 5> outside_of(const Sight& sight, const Vector& seen, double radius) {
   const double across = std::hypot(1.0, sight.tangent_right);
   const double upwards = std::hypot(1.0, sight.tangent_up);
@@ -46,7 +47,7 @@ std::array<double, 5> outside_of(const Sight& sight, const Vector& seen, double 
           (-seen[1] - up) / upwards - radius, (seen[1] - up) / upwards - radius, -seen[2] - radius};
 }
 
-// Within the box around the balls as they are drawn.
+// Whether the eye is in the box around the balls, with the radii that they are drawn with (Å).
 bool is_near(const BallGeometry& balls, const std::vector<float>& radii, const Sight& sight) {
   const double reach = *std::max_element(radii.begin(), radii.end());
   for (std::size_t k = 0; k < 3; ++k) {
@@ -110,7 +111,8 @@ double fitting_distance(const BallGeometry& balls, std::span<const float> drawn,
 
 Viewpoint looking_at(const BallGeometry& balls, const std::vector<BallIndex>& some,
                      const Sight& sight) {
-  constexpr double kSurroundings = 4;  // Å around: the neighbours of a single atom
+  constexpr double kSurroundings = 4;  // Å around each ball, so that a single atom is seen with its
+                                       // neighbours
   Viewpoint view;
   view.up = sight.up;
   std::array<double, 6> box{1e30, -1e30, 1e30, -1e30, 1e30, -1e30};
@@ -152,7 +154,7 @@ ViewProblem view_problem(const BallGeometry& balls, const std::vector<float>& ra
                          const Sight& sight, bool complex) {
   if (balls.centres.empty()) return ViewProblem::none;  // there is nothing that a view could show
   const bool drawn = radii.size() == balls.centres.size();
-  // From farther away no ball can be around the camera, and the first few tell the rest.
+  // Outside this box the camera is in no ball, and the loop may end before the last ball.
   const bool may_be_inside = drawn && !sight.orthographic && is_near(balls, radii, sight);
   bool any_in_view = false;
   std::array<bool, 5> all_outside{true, true, true, true, true};
@@ -173,7 +175,7 @@ ViewProblem view_problem(const BallGeometry& balls, const std::vector<float>& ra
                                      : any_in_view || !drawn;
     if (seen_enough && !may_be_inside) return ViewProblem::none;
   }
-  // Beyond one side of the pyramid are all centres, and with them all simplices.
+  // If one side of the view has all centres beyond it, it has all simplices beyond it as well.
   const bool all_beyond_a_side =
       std::any_of(all_outside.begin(), all_outside.end(), [](bool b) { return b; });
   const bool nothing = complex ? all_beyond_a_side : drawn && !any_in_view;

@@ -1,4 +1,4 @@
-// See the header.
+// Converts viewpoints to the camera of session files and back.
 #include "ui/scene/camera_place.hpp"
 
 namespace alphascope {

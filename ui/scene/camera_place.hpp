@@ -1,4 +1,4 @@
-// A viewpoint as session files keep it, and back.
+// Viewpoints as session files keep them.
 #pragma once
 
 #include "core/document/session/session_file.hpp"
@@ -8,7 +8,7 @@
 namespace alphascope {
 
 CameraPlace camera_place(const Viewpoint& viewpoint, const BallGeometry& balls);
-// The same, bit for bit, between the same balls.
+// With the same balls the result is the viewpoint that was saved, bit for bit.
 Viewpoint viewpoint_at(const CameraPlace& camera, const BallGeometry& balls);
 
 }  // namespace alphascope

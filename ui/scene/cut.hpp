@@ -1,5 +1,5 @@
-// The clip as the scene needs it: half-spaces around the origin of its coordinates, for drawing and
-// for picking. No VTK.
+// The clip as the scene needs it: half-spaces relative to BallGeometry::origin, for drawing and for
+// picking. No VTK.
 #pragma once
 
 #include <algorithm>
@@ -12,14 +12,14 @@
 
 namespace alphascope {
 
-// A stretch of a ray, in lengths of its direction.
+// An interval of a ray, in lengths of its direction.
 struct Stretch {
   double from = 0, to = std::numeric_limits<double>::infinity();
   bool empty() const { return !(from <= to); }
   bool has(double depth) const { return depth >= from && depth <= to; }
 };
 
-// What a picture keeps: what is in all half-spaces. Everything, when there is none.
+// The clip keeps the intersection of its half-spaces. Without half-spaces it keeps everything.
 struct Cut {
   std::vector<HalfSpace> kept;  // at most two; Å, relative to BallGeometry::origin
 
@@ -34,7 +34,7 @@ struct Cut {
     return std::all_of(kept.begin(), kept.end(),
                        [&x](const HalfSpace& space) { return space.depth(x) >= 0; });
   }
-  // Where a ray is in what is kept.
+  // The interval in which a ray is inside all half-spaces.
   Stretch along(const Ray& ray) const {
     Stretch stretch;
     for (const HalfSpace& space : kept) {
@@ -53,9 +53,9 @@ struct Cut {
   friend bool operator==(const Cut&, const Cut&) = default;
 };
 
-// Caps of balls lie before the plane by a little that grows with how deep in the ball they are, so
-// that of caps in one plane the one shows whose ball has the least power distance: the cut shows
-// the power cells. Å for each Å² of power, and at least; picking does the same.
+// Each cap of a ball is drawn a little in front of the cutting plane. The shift is kLeastCapLift Å
+// and kCapLift Å more for each Å² of power at that point. So where caps overlap, the ball with the
+// least power distance shows, and the cut shows power cells. Picking uses the same shift.
 inline constexpr double kCapLift = 0.002, kLeastCapLift = 0.002;
 
 }  // namespace alphascope

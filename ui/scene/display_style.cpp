@@ -1,4 +1,4 @@
-// See the header.
+// Translates the display controls into options for scene, mesh and balls.
 #include "ui/scene/display_style.hpp"
 
 #include "ui/rgb8.hpp"

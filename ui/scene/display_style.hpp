@@ -1,4 +1,5 @@
-// What the display controls mean to scene and mesh: one place for the window and the command line.
+// The display controls as options for scene and mesh. Window and command line both use these
+// functions.
 #pragma once
 
 #include "core/document/settings/display.hpp"
@@ -10,11 +11,11 @@ namespace alphascope {
 
 SceneStyle scene_style(const DisplayControls& display, Theme theme);
 MeshOptions mesh_options(const DisplayControls& display, Theme theme);
-// What the colours of a mesh of these options mean, those of balls where it has these; none: they
-// mean nothing, or nothing is drawn.
+// Meaning of the colours of a mesh with these options. It is `of_balls` where the mesh has the
+// colours of its balls. Empty if nothing is drawn or the colours have no meaning.
 std::optional<PaintKey> mesh_key(const ComplexMesh& mesh, const MeshOptions& options,
                                  const std::optional<PaintKey>& of_balls);
-// `shown`: of the complex that grown balls belong to; null: there is none.
+// `shown` is the request of the complex that grown balls belong to; null if there is no complex.
 BallStyle ball_style(const DisplayControls& display, const Request* shown);
 
 }  // namespace alphascope

@@ -1,5 +1,5 @@
-// Chooses how finely to draw from how long drawing has taken: smooth while something moves, the
-// best picture at rest that does not hold up the next input. Pure logic.
+// Chooses the quality of drawing from the times measured so far. Moving pictures are to be smooth.
+// Pictures at rest are to be as good as possible without delaying the next input. Pure logic.
 #pragma once
 
 #include <algorithm>
@@ -12,28 +12,31 @@ namespace alphascope {
 
 class QualityChooser {
  public:
-  // Milliseconds that a frame may take. While pictures follow a computation, both need the cores.
+  // Milliseconds that a frame may take. The budget is small during a computation, because drawing
+  // uses the same cores.
   static constexpr double kMovingBudget = 45, kComputingBudget = 12, kRestBudget = 1500;
 
   void note(RenderQuality quality, double milliseconds) {
     taken_[static_cast<std::size_t>(quality)] = milliseconds;
   }
-  // What was measured says nothing about another molecule or window size.
+  // Times measured for one molecule or window size do not hold for another.
   void forget() { taken_ = {}; }
 
   RenderQuality moving() const { return best_within(kMovingBudget); }
   RenderQuality while_computing() const { return best_within(kComputingBudget); }
-  // Sample after sample, unless one of them would hold up input for too long.
+  // Fine, so that one sample follows another, unless a single sample would delay input for too
+  // long.
   RenderQuality at_rest() const {
     if (!expected(RenderQuality::draft)) return RenderQuality::draft;
     return *expected(RenderQuality::fine) <= kRestBudget ? RenderQuality::fine
                                                          : RenderQuality::draft;
   }
-  // Milliseconds that a sample takes, as far as anything is known.
+  // Milliseconds expected for a sample. Before any measurement: kRestBudget.
   double sample() const { return expected(RenderQuality::fine).value_or(kRestBudget); }
 
  private:
-  // In software OpenGL. A sample of a fine picture has a part of the occlusion of a medium one.
+  // Measured in software OpenGL. A sample of a fine picture costs less occlusion than a medium
+  // picture.
   static constexpr std::array<double, 4> kRelativeCost{0.4, 1, 3, 2};
 
   std::optional<double> expected(RenderQuality quality) const {

@@ -1,5 +1,5 @@
-// The scene's functions. vtkGenericOpenGLRenderWindow draws into framebuffers of its own in
-// whatever context is current; nothing here knows where that comes from.
+// The public functions of Scene. VTK draws into framebuffers of its own in the current OpenGL
+// context. This file does not know where that context comes from.
 #include "ui/scene/scene.hpp"
 
 #include <vtkCamera.h>
@@ -24,9 +24,9 @@
 namespace alphascope {
 namespace {
 
-// VTK draws nothing, and says so nowhere, when one of its buffers cannot be had. The largest, in
-// which samples add up, has four halves of floats a pixel; Mesa's software driver also limits the
-// bytes.
+// VTK draws nothing, without an error, if OpenGL cannot provide one of its buffers. The largest
+// buffer, in which samples add up, has four 16-bit floats a pixel. Mesa's software driver also
+// limits its bytes.
 bool drawable(int width, int height) {
   constexpr int kMost = 16384;
   if (std::max(width, height) > kMost) return false;
@@ -44,7 +44,7 @@ Scene::Scene() : impl_(std::make_unique<Impl>()) {
 
 Scene::~Scene() = default;
 
-// For whatever changes what is seen: samples of the picture before are not those of the next.
+// For every change of the picture: samples from before the change must not enter the next mean.
 Scene::Impl& Scene::changed() {
   impl_->mean.forget();
   return *impl_;
@@ -103,7 +103,7 @@ void Scene::set_caps(std::shared_ptr<CapData> caps) {
   Impl& scene = changed();
   scene.caps.show(caps ? caps->faces : nullptr, scene.window);
   scene.cap_edges.show(caps ? caps->edges : nullptr, scene.window);
-  scene.cap_data = std::move(caps);  // only now may the old arrays go
+  scene.cap_data = std::move(caps);  // after show(), which replaces the old arrays
   scene.apply_style();
 }
 
@@ -111,7 +111,7 @@ void Scene::set_differences(std::shared_ptr<DifferenceData> differences) {
   Impl& scene = changed();
   scene.differences.show(differences ? differences->faces : nullptr,
                          differences ? differences->edges : nullptr, scene.window);
-  scene.difference_data = std::move(differences);  // only now may the old arrays go
+  scene.difference_data = std::move(differences);  // after show(), which replaces the old arrays
 }
 
 void Scene::set_layers(std::shared_ptr<LayerData> layers) {
@@ -214,7 +214,7 @@ std::optional<double> Scene::take_milliseconds(bool wait) {
   return impl_->timer.take_milliseconds(wait);
 }
 
-// Hands everything over to OpenGL, which may still be drawing afterwards.
+// Hands all drawing over to OpenGL, which may still be drawing after the return.
 void Scene::Impl::render(int width, int height, RenderQuality quality) {
   apply_quality(quality);
   picture_width = width;
@@ -231,12 +231,12 @@ void Scene::Impl::render(int width, int height, RenderQuality quality) {
     };
     draw(samples_along(width), samples_along(height));
   }
-  // VTK's texture does not filter, which what is smaller than the picture needs.
+  // VTK's texture does not filter. A picture of fewer pixels than the view needs a filter.
   glBindTexture(GL_TEXTURE_2D, texture());
   const GLint filter = samples != 1 ? GL_LINEAR : GL_NEAREST;
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, filter);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, filter);
-  // VTK leaves arbitrary values in the alpha channel; whoever blends the picture must see one.
+  // VTK leaves arbitrary values in the alpha channel, so alpha is made to read as 1 for blending.
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_SWIZZLE_A, GL_ONE);
   glBindTexture(GL_TEXTURE_2D, 0);
 }
@@ -274,7 +274,8 @@ void Scene::pointer_move(int x, int y, bool control, bool shift) {
   };
   const int* size = scene.window->GetSize();
   scene.interactor->SetSize(size[0], size[1]);
-  // VTK turns by the difference to the last position, which a picture of other samples had.
+  // VTK turns by the difference to the last position. That position may be from a picture of
+  // another resolution, so it is given anew.
   scene.interactor->SetEventInformationFlipY(sample(scene.pointer_x), sample(scene.pointer_y));
   scene.interactor->SetEventInformationFlipY(sample(x), sample(y), control, shift);
   scene.pointer_x = x;
@@ -309,7 +310,8 @@ void Scene::wheel(double steps) {
   scene.follow_zoom();
 }
 
-// The samples that the window adds up at rest, too: the same pixels, at the same size.
+// Adds up the same samples as the window at rest, so a picture of the same size has the same
+// pixels.
 Image Scene::grab(int width, int height, bool transparent, const RunContext& context) {
   if (!drawable(width, height)) {
     throw std::runtime_error("OpenGL on this machine cannot draw a picture of " +
@@ -331,7 +333,7 @@ Image Scene::grab(int width, int height, bool transparent, const RunContext& con
   const unsigned picture = impl_->mean.resolve(impl_->window)->GetFBOIndex();
   impl_->window->GetState()->ResetFramebufferBindings();
   Image image = read_framebuffer(picture, width, height);
-  // Before anything else takes memory: these may be many times the view's.
+  // These buffers may be many times larger than the view's; later steps may need the memory.
   impl_->release_buffers();
   if (transparent) {
     divide_by_alpha(image);

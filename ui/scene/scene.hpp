@@ -1,5 +1,5 @@
-// The 3-D view: balls, tetrahedra, triangles, edges and boundary of an alpha complex, drawn by VTK
-// into a texture of the OpenGL context that is current when it is made. No ImGui, no window.
+// The 3-D view: balls, tetrahedra, triangles, edges and boundary of an alpha complex. VTK draws it
+// into a texture of the OpenGL context that is current when the Scene is made. No ImGui, no window.
 #pragma once
 
 #include <cstdint>
@@ -26,28 +26,30 @@ struct Image {
 
 inline constexpr int kMostSamples = 16;  // of a pixel
 
-// What is shown and how; everything that costs no new mesh.
+// Settings of the picture that can change without a new mesh.
 struct SceneStyle {
   bool balls = true;
   double ball_opacity = 1;     // above 0, at most 1
   double complex_opacity = 1;  // above 0, at most 1
-  double cavity_opacity = 1;   // of layers that are translucent; above 0, at most 1
+  double cavity_opacity = 1;   // of translucent layers; above 0, at most 1
   bool ambient_occlusion = true;
-  float line_scale = 1;  // of the width of lines: the controls' on a dense screen
+  float line_scale = 1;  // factor on the widths of lines; larger on a dense screen
   Theme theme = Theme::dark;
   bool orthographic = false;  // no perspective
-  Cut cut{};                  // of everything; balls are closed where they are cut
-  float depth_cue = 0;        // share of the background in what is farthest, 0 to 1
+  Cut cut{};                  // applies to everything; balls are closed where they are cut
+  float depth_cue = 0;        // share of the background colour at the greatest depth, 0 to 1
   float silhouettes = 0;      // width in pixels at line_scale 1; 0: none
-  float side_width = 0;       // of darker lines around faces, pixels at line_scale 1; 0: none
+  float side_width = 0;       // darker lines around faces, pixels at line_scale 1; 0: none
   float rod_radius = 0.06f;   // of edges, Å
-  int samples = 4;            // a pixel of a fine picture, 1 to kMostSamples
+  int samples = 4;            // of each pixel of a fine picture, 1 to kMostSamples
   friend bool operator==(const SceneStyle&, const SceneStyle&) = default;
 };
 
-// sketch: a draft of half the resolution, where a draft takes too long. draft: while something
-// moves. medium: with ambient occlusion and exact transparency. fine: one more such sample, the
-// picture being the mean of all since anything changed, up to SceneStyle::samples.
+// sketch: a draft at half the resolution, where a draft takes too long.
+// draft: for a moving picture.
+// medium: with ambient occlusion and exact transparency.
+// fine: adds one more sample of such quality. The picture is the mean of all samples since the last
+// change, up to SceneStyle::samples.
 enum class RenderQuality : std::uint8_t { sketch, draft, medium, fine };
 
 enum class PointerButton : std::uint8_t { left, middle, right };
@@ -59,72 +61,78 @@ class Scene {
   Scene(const Scene&) = delete;
   Scene& operator=(const Scene&) = delete;
 
-  // Whether anything on show lets something behind it through.
+  // Whether any visible thing is translucent.
   bool draws_translucent() const;
 
-  // Other balls; removes the mesh of the last ones and keeps the camera.
+  // Shows other balls. Removes the previous mesh and keeps the camera.
   void set_balls(std::shared_ptr<BallData> balls);
   void set_ball_radii(const std::vector<float>& radii);  // Å, as drawn
   void set_ball_colours(const std::vector<Rgb8>& colours);
-  // Of the lists of a mesh: beyond, OpenGL here cannot index them (beyond_opengl_text()).
+  // Limit on the number of cells in each list of a mesh. OpenGL cannot index more
+  // (beyond_opengl_text()).
   std::size_t most_cells() const;
-  // Null: none. Removes the caps of the last one.
+  // Null removes the mesh. Each call removes the caps of the previous mesh.
   void set_mesh(std::shared_ptr<MeshData> mesh);
-  // Of the time of pictures, what went into handing faces and tetrahedra over to OpenGL, since this
-  // was last asked.
+  // Milliseconds spent on handing faces and tetrahedra over to OpenGL since the last call. They are
+  // part of the time of pictures.
   double take_upload_milliseconds();
-  // What closes the tetrahedra of the mesh in the planes of the cut; null: nothing. Not shown with
-  // translucent ones.
+  // Caps close the tetrahedra of the mesh in the planes of the cut; null: none. They are not shown
+  // on translucent tetrahedra.
   void set_caps(std::shared_ptr<CapData> caps);
-  // Drawn over everything else, so that nothing hides what is wrong; null: none.
+  // Differences are drawn over everything else, so that nothing hides an error; null: none.
   void set_differences(std::shared_ptr<DifferenceData> differences);
-  // What panels want drawn; null: nothing. Labels are not drawn here, but over the picture.
+  // Drawings that panels ask for; null: none. Labels are not among them: they are drawn over the
+  // picture.
   void set_layers(std::shared_ptr<LayerData> layers);
-  // Atoms that are no balls, drawn whatever else fades; null: none.
+  // Atoms that are not balls. They stay opaque when the rest fades; null: none.
   void set_beside_body(std::shared_ptr<LayerData> atoms);
-  // Balls that are drawn as the first ones are, whether or not these are; null: none. They go with
-  // the first ones. `outlines`: only their rims, so that they hide little.
+  // Selected balls, drawn in the style of all balls, even when those are hidden; null: none.
+  // set_balls() removes them. `outlines`: only their rims are drawn, so that they hide little.
   void set_selected(std::shared_ptr<BallData> balls, bool outlines = false);
-  // As the first, with balls' own radii and data that are made on the way.
+  // Shows balls at their own radii, and makes their BallData itself.
   void set_balls(std::shared_ptr<const BallGeometry> balls, const std::vector<Rgb8>& colours);
   void set_style(const SceneStyle& style);
   void reset_view();
-  bool view_is_set() const;  // and not to be reset with the next picture
-  // A view that is to be reset is so now, for a picture of this size.
+  bool view_is_set() const;  // false: the next picture resets the view
+  // Carries out a pending reset_view() now, for a picture of this size (pixels).
   void settle_view(int width, int height);
   Viewpoint viewpoint() const;
   void set_viewpoint(const Viewpoint& viewpoint);
 
-  // Draws into the texture, width x height pixels (at least 8 x 8); returns milliseconds taken.
+  // Draws width x height pixels (at least 8 x 8) into the texture. Returns the milliseconds that
+  // this took.
   double render(int width, int height, RenderQuality quality);
-  // As render(), but a GPU may go on drawing after this returns: see take_milliseconds(). OpenGL in
-  // software has then drawn it, unless told otherwise: it would take the cores from what follows.
+  // Like render(), but a GPU may still be drawing after the return (see take_milliseconds()).
+  // Software OpenGL finishes the picture first, unless set_draws_meanwhile(true) was called: it
+  // would take the cores from later work.
   void start_render(int width, int height, RenderQuality quality);
-  bool draws_meanwhile() const;  // start_render()
+  bool draws_meanwhile() const;  // whether start_render() may return before the picture is drawn
   void set_draws_meanwhile(bool meanwhile);
-  // How long the picture of the last start_render() took, once. Nothing when there is none, or,
-  // unless told to wait, when it is not finished.
+  // Milliseconds that the picture of the last start_render() took; each time is returned once.
+  // Empty if there is none, or if the picture is unfinished and `wait` is false.
   std::optional<double> take_milliseconds(bool wait);
-  // Samples in the last picture where that is fine, and nothing has changed since; else 0.
+  // Number of samples in the last picture, if it is fine and nothing has changed since; else 0.
   int samples_drawn() const;
-  // OpenGL name of the last picture; its first row is the bottom, its alpha reads as one.
+  // OpenGL name of the texture of the last picture. Its first row is the bottom; its alpha reads as
+  // 1.
   unsigned texture() const;
-  // Å that one pixel of the last picture, rendered or grabbed, spans at the camera's focal point.
+  // Width of a pixel at the camera's focal point (Å) in the last picture, rendered or grabbed.
   double angstrom_per_pixel() const;
 
   Sight sight() const;  // of the last picture
-  // The line of sight through a pixel of the last picture, counted from its top left.
+  // The line of sight through a pixel of the last picture; pixels count from its top left.
   Ray ray(double x, double y) const;
 
-  // Trackball: left turns, middle or shift + left shifts, right or wheel zooms. Coordinates in
-  // pixels of the picture from its top left.
+  // Trackball: the left button turns, the middle button or shift + left pans, the right button or
+  // the wheel zooms. Coordinates are pixels of the picture from its top left.
   void pointer_move(int x, int y, bool control, bool shift);
   void pointer_button(PointerButton button, bool pressed);
   void wheel(double steps);  // positive: closer
 
-  // A picture of any size in fine quality with the present camera; the texture is redrawn by the
-  // next render(). `transparent` leaves the background out. Tells its share and can be cancelled
-  // after each sample; then throws Cancelled.
+  // A picture of any size in fine quality with the present camera. The next render() draws the
+  // texture again. `transparent` leaves out the background. Progress is reported before each
+  // sample. Throws Cancelled if cancelled between samples, and std::runtime_error if OpenGL cannot
+  // draw this size.
   Image grab(int width, int height, bool transparent, const RunContext& context = {});
 
  private:

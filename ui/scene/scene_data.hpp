@@ -1,6 +1,6 @@
-// What the scene shows, in VTK's arrays. Any thread may make them, which takes a while for a large
-// complex; from set_balls(), set_mesh(), set_caps(), set_differences() or set_layers() on they
-// belong to the scene alone. The arrays themselves are behind this header: no VTK here.
+// Contents of the scene in VTK's arrays. Any thread may make them, which takes a while for a large
+// complex. From set_balls(), set_mesh(), set_caps(), set_differences() or set_layers() on they
+// belong to the scene alone. This header needs no VTK.
 #pragma once
 
 #include <memory>
@@ -20,11 +20,11 @@ struct DifferenceData;
 struct CapData;
 struct LayerData;
 
-// One colour and one radius (Å, as drawn) a ball, else std::invalid_argument.
+// Each ball needs one colour and one radius (Å, as drawn); otherwise throws std::invalid_argument.
 std::shared_ptr<BallData> make_ball_data(std::shared_ptr<const BallGeometry> balls,
                                          const std::vector<Rgb8>& colours,
                                          const std::vector<float>& radii);
-// Null for null.
+// These functions return null for null.
 std::shared_ptr<MeshData> make_mesh_data(std::shared_ptr<const ComplexMesh> mesh);
 std::shared_ptr<CapData> make_cap_data(std::shared_ptr<const CapMesh> mesh);
 std::shared_ptr<DifferenceData> make_difference_data(std::shared_ptr<const DifferenceMesh> mesh);

@@ -1,4 +1,4 @@
-// How finely the scene is drawn: transparency, occlusion, outlines, samples.
+// Settings of Scene::Impl for the quality of a picture: transparency, occlusion, outlines, samples.
 #include <vtkProperty.h>
 
 #include <algorithm>
@@ -9,16 +9,17 @@
 namespace alphascope {
 namespace {
 
-// Exact transparency of this many layers; more cost time and show no difference.
+// Number of layers with exact transparency. More layers take longer and show no difference.
 constexpr int kPeels = 6;
 
-// Taps of occlusion on each scale, for all samples of a pixel together, and for one.
+// Occlusion rays ("taps") of a pixel on each scale: for all samples together, and limits for one
+// sample.
 constexpr int kOcclusionTaps = 160, kLeastTaps = 10, kMostTaps = 40;
 constexpr float kNearOcclusion = 5.5f;  // Å: about two atoms
 constexpr double kFarOcclusion = 0.07;  // of the diagonal of the box around all balls
 constexpr float kShadowReach = 2;       // times the larger radius of occlusion
-// What a silhouette marks: a jump in depth of so many times its width, of such a share of what is
-// seen, and Å at least.
+// A silhouette marks a jump in depth. The jump is at least this many widths of the silhouette, this
+// share of the visible depth, and this many Å.
 constexpr double kJumpPixels = 6, kJumpShare = 0.02, kLeastJump = 1.2;
 constexpr Colour kLineOnLight{0.08f, 0.09f, 0.11f}, kLineOnDark{0, 0, 0};
 
@@ -30,7 +31,7 @@ void Scene::Impl::apply_quality(RenderQuality quality, bool transparent) {
   renderer->SetMaximumNumberOfPeels(kPeels);
   renderer->SetOcclusionRatio(0);
   samples = quality == RenderQuality::sketch ? kSketchSamples : 1;
-  // The other sides of what is translucent are much of what takes long.
+  // Back faces of translucent cells take much of the time.
   const bool front_only = !exact && faded(style.complex_opacity) < 1 && !style.cut.on();
   for (CellActor* c : {&boundary, &tetrahedra}) {
     c->actor->GetProperty()->SetBackfaceCulling(front_only);
@@ -72,7 +73,8 @@ void Scene::Impl::add_sample(int width, int height) {
   mean.add(window, width, height);
 }
 
-// Of a large molecule seen whole, an outline around each atom would be all that one sees.
+// The least jump grows with the visible size. Otherwise a large molecule seen whole would have an
+// outline around each atom and show little else.
 double Scene::Impl::silhouette_jump(double size) const {
   const double pixel = angstrom_per_pixel(), seen = std::min(size, 1.5 * pixel * picture_height);
   return std::max({kLeastJump, kJumpPixels * finish.silhouette_width * pixel, kJumpShare * seen});

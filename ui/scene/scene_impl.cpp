@@ -1,4 +1,4 @@
-// How the scene's VTK objects are set up and follow its settings.
+// Scene::Impl: makes the VTK objects, applies settings to them, and moves the camera.
 #include "ui/scene/scene_impl.hpp"
 
 #include <vtkCamera.h>
@@ -17,7 +17,8 @@
 namespace alphascope {
 namespace {
 
-// Times the diagonal of the box around all that is drawn.
+// Distance by which the orthographic camera steps back, in diagonals of the box around all that is
+// drawn.
 constexpr double kStepBack = 1.5;
 
 }  // namespace
@@ -84,7 +85,7 @@ void LayerActors::show(std::shared_ptr<LayerData> layers, vtkWindow* window) {
   body_lines.show(shown.body_lines, window);
   tubes.show(shown.tubes, window);
   atoms.show(shown.atoms, window);
-  data = std::move(layers);  // only now may the old arrays go
+  data = std::move(layers);  // after show(), which replaces the old arrays
 }
 
 Scene::Impl::Impl() {
@@ -121,7 +122,7 @@ void Scene::Impl::release_buffers() {
 }
 
 void Scene::Impl::set_up_window() {
-  // Of what scene_window.hpp tells, among others; there is no other way to hush it.
+  // This also silences the complaint described in scene_window.hpp. VTK has no other switch for it.
   vtkObject::GlobalWarningDisplayOff();
   window->SetOwnContext(false);
   window->SetMapped(true);
@@ -142,8 +143,8 @@ void Scene::Impl::set_up_window() {
   trackball->SetMouseWheelMotionFactor(0.7);
 }
 
-// All with the camera: a key light over the left shoulder, a weak one from below right, and one
-// from behind, which only rims get.
+// All lights move with the camera. A key light is over the left shoulder, and a weak one below
+// right. The third comes from behind and lights rims only.
 void Scene::Impl::set_up_lights() {
   renderer->AutomaticLightCreationOff();
   const double lights[3][4] = {{kKeyLight[0], kKeyLight[1], kKeyLight[2], 0.85},
@@ -174,7 +175,7 @@ void BallActor::show(std::shared_ptr<BallData> balls, vtkWindow* window) {
   actor->SetVisibility(balls != nullptr);
   mapper->SetInputData(balls ? balls->points.Get() : nullptr);
   mapper->ReleaseGraphicsResources(window);
-  data = std::move(balls);  // only now may the old arrays go
+  data = std::move(balls);  // only now may the old arrays be freed
 }
 
 double Scene::Impl::faded(double opacity) const {
@@ -218,7 +219,7 @@ void Scene::Impl::show_mesh(std::shared_ptr<MeshData> data) {
   boundary.show(shown.boundary, {}, window);
   triangles.show(shown.triangles, {}, window);
   edges.show(shown.edges, window);
-  mesh = std::move(data);  // only now may the old arrays go
+  mesh = std::move(data);  // after show(), which replaces the old arrays
 }
 
 std::vector<vtkActor*> Scene::Impl::cut_meshes() {
@@ -254,7 +255,7 @@ void Scene::Impl::give_cut_planes(int width, int height) {
   for (BallActor* b : cut_balls()) planes.give_to(b->actor);
 }
 
-// A rod is never thinner than a line was.
+// The radius of a rod is at least kLeastRod pixels, so that no rod is thinner than a line.
 void Scene::Impl::give_lines() {
   constexpr double kLeastRod = 0.75;  // pixels, of its radius
   const double pixel =
@@ -301,14 +302,14 @@ std::optional<std::array<double, 6>> Scene::Impl::visible_box() {
   return box;
 }
 
-// What a wide picture shows stays in sight when it becomes narrow.
+// Keeps everything that a wide picture showed in sight when the picture becomes narrow.
 void Scene::Impl::follow_aspect(double now) {
   const bool shown_at_usual_angle = least_aspect <= aspect;
   if (now < aspect && shown_at_usual_angle && balls && !reset_pending) {
     least_aspect = alphascope::least_aspect(*balls, sight(), aspect);
   }
-  // At this width nothing is cut off, so no narrower one before it matters: a view is the same, and
-  // is saved as the same, whatever sizes the picture had meanwhile.
+  // This width cuts nothing off, so earlier narrower widths are forgotten. The view, also as saved,
+  // then does not depend on sizes that the picture had in between.
   if (least_aspect <= now) least_aspect = 0;
   aspect = now;
   set_view_angle();
@@ -375,7 +376,7 @@ Sight Scene::Impl::sight() const {
   camera->GetViewUp(s.up.data());
   vtkMath::Cross(s.forward.data(), s.up.data(), s.right.data());
   vtkMath::Normalize(s.right.data());
-  // The camera's own need not be at a right angle.
+  // VTK's view-up vector need not be at a right angle to the direction.
   vtkMath::Cross(s.right.data(), s.forward.data(), s.up.data());
   s.tangent_up = tangent_up(aspect, least_aspect);
   s.tangent_right = s.tangent_up * aspect;

@@ -1,5 +1,5 @@
-// The VTK objects behind a Scene, and how its settings become theirs. For the sources of Scene
-// only.
+// The VTK objects behind a Scene, and the functions that apply its settings to them. Only the
+// sources of Scene include this.
 #pragma once
 
 #include <vtkActor.h>
@@ -26,10 +26,10 @@
 
 namespace alphascope {
 
-// Where the light that casts shadows comes from: right, up, towards the viewer.
+// Direction towards the light that casts shadows: right, up, towards the viewer.
 constexpr double kKeyLight[3] = {-0.5, 0.7, 1.0};
 
-constexpr double kSketchSamples = 0.5;  // of a sketch
+constexpr double kSketchSamples = 0.5;  // samples of a sketch along each side of a pixel
 
 inline double diagonal(const std::array<double, 6>& box) {
   return std::hypot(box[1] - box[0], box[3] - box[2], box[5] - box[4]);
@@ -44,7 +44,7 @@ struct MarkActors {
   void show(vtkPolyData* new_faces, vtkPolyData* new_edges, vtkWindow* window);
 };
 
-// Balls with colours and radii of their own.
+// Balls that each have a colour and a radius.
 struct BallActor {
   vtkNew<BallMapper> mapper;
   vtkNew<vtkActor> actor;
@@ -65,12 +65,12 @@ struct BodyActors {
   bool visible() const { return faces.actor->GetVisibility() || spheres.actor->GetVisibility(); }
 };
 
-// What panels want drawn: marks, and bodies among the rest.
+// Layers of panels: marks, drawn over everything, and bodies, drawn among the rest.
 struct LayerActors {
   MarkActors marks;
   BodyActors opaque, translucent;
   MeshActor body_lines, tubes;
-  BallActor atoms;                  // before all else
+  BallActor atoms;                  // drawn in front of everything
   std::shared_ptr<LayerData> data;  // null: nothing
 
   LayerActors();
@@ -84,9 +84,10 @@ struct Scene::Impl {
   vtkNew<vtkGenericRenderWindowInteractor> interactor;
   vtkNew<vtkInteractorStyleTrackballCamera> trackball;
   BallActor all_balls, selected;
-  std::shared_ptr<BallPlaces> places = std::make_shared<BallPlaces>();  // of balls
+  std::shared_ptr<BallPlaces> places = std::make_shared<BallPlaces>();  // centres of all balls,
+                                                                        // shared by the cells
   CellActor tetrahedra, boundary, triangles, edges;
-  MeshActor caps, cap_edges;  // of tetrahedra; not cut themselves
+  MeshActor caps, cap_edges;  // of tetrahedra; the cut does not apply to them
   std::shared_ptr<CapData> cap_data;
   MarkActors differences;
   std::shared_ptr<DifferenceData> difference_data;
@@ -94,46 +95,51 @@ struct Scene::Impl {
   std::shared_ptr<const BallGeometry> balls;
   std::shared_ptr<MeshData> mesh;
   SceneStyle style;
-  double least_aspect = 0, aspect = 0;        // as in Viewpoint, and of the last picture
-  int picture_width = 1, picture_height = 1;  // pixels, of which a sketch has fewer samples
-  double samples = 1;  // each way, of the last picture; of a sketch less than one
+  double least_aspect = 0, aspect = 0;        // least_aspect as in Viewpoint; aspect of the last
+                                              // picture
+  int picture_width = 1, picture_height = 1;  // pixels; a sketch has fewer samples
+  double samples = 1;  // along each side of a pixel in the last picture; below 1 in a sketch
   FinishPass finish_pass;
   Finish finish;    // of the next picture
   SampleMean mean;  // of fine pictures
   bool shows_mean = false;
   PictureTimer timer;
-  std::optional<double> milliseconds;  // of a start_render() that waited
+  std::optional<double> milliseconds;  // of a start_render() that waited for the picture
   bool draws_meanwhile = !draws_in_software();
   int pointer_x = 0, pointer_y = 0;  // pixels of the view
-  bool reset_pending = false;        // the fit needs the size of the next picture
+  bool reset_pending = false;        // resetting needs the size of the next picture
 
   Impl();
   std::array<CellActor*, 4> cells() { return {&tetrahedra, &boundary, &triangles, &edges}; }
-  // Of what draws soft shadows and exact transparency, whose textures are as large as the last
-  // picture that had them; the next picture makes again what it needs.
+  // Frees the buffers of soft shadows and exact transparency. They are as large as the largest
+  // picture that used them. The next picture makes again the buffers that it needs.
   void release_buffers();
-  // What is not a body of a layer, beside one.
+  // Opacity of the picture beside the bodies of layers: `opacity`, limited while a layer fades the
+  // rest.
   double faded(double opacity) const;
   bool anything_translucent() const;
-  double translucent_opacity() const;  // the largest of what is; 0: nothing is
+  double translucent_opacity() const;  // largest opacity among translucent things; 0: there are
+                                       // none
   void apply_style();
   void show_mesh(std::shared_ptr<MeshData> data);  // null: nothing
   void apply_quality(RenderQuality quality, bool transparent = false);
   void render(int width, int height, RenderQuality quality);
   void draw(int width, int height);
-  void settle_view(int width, int height);  // as Scene's
+  void settle_view(int width, int height);  // see Scene::settle_view()
   unsigned texture();
   void add_sample(int width, int height);  // to the mean, after apply_quality()
-  // To the right and up, in shares of the picture's width and height.
+  // Shifts the picture right and up, in shares of its width and height.
   void shift(double right, double up);
   void set_view_angle();
-  // VTK zooms by another scale where there is no perspective; here by another distance, always.
+  // Without perspective VTK zooms by its parallel scale. This turns the change of scale into a
+  // change of distance.
   void follow_zoom();
   Sight sight() const;
   double angstrom_per_pixel() const;          // at the focal point
-  double silhouette_jump(double size) const;  // Å; of what is drawn
+  double silhouette_jump(double size) const;  // least jump in depth with an outline, Å; `size`:
+                                              // diagonal of the drawing, Å
 
-  // What only a picture for a file has; ends with this.
+  // Settings for one picture that is saved; the destructor restores those of the view.
   class ForOnePicture {
    public:
     ForOnePicture(Impl& scene, bool transparent);
@@ -151,12 +157,13 @@ struct Scene::Impl {
   void apply_cut();
   void give_cut_planes(int width, int height);
   void give_lines();
-  // Behind everything, where no perspective tells where it stands; then back.
+  // Moves the camera backwards. Without perspective it then stands behind everything, and moves
+  // back after drawing.
   void step_back(double angstrom);
   void set_up_window();
   void set_up_lights();
   void follow_aspect(double now);
-  // Of all that is drawn. Nothing: there is nothing.
+  // Bounding box (Å) of everything that is drawn; empty if nothing is drawn.
   std::optional<std::array<double, 6>> visible_box();
   void reset_camera();
   void apply_finish(RenderQuality quality, bool transparent);

@@ -1,4 +1,4 @@
-// See the header.
+// Renders opaque things, then translucent ones, by VTK's peeling or by TranslucentSum.
 #include "ui/scene/scene_renderer.hpp"
 
 #include <vtkDepthPeelingPass.h>
@@ -30,8 +30,8 @@ void SceneRenderer::DeviceRenderTranslucentPolygonalGeometry(vtkFrameBufferObjec
   if (after_translucent) after_translucent();
 }
 
-// The pass of VTK 9.1 keeps a framebuffer, to which textures of the size before are attached until
-// all its stages have run. Meanwhile OpenGL draws no farther than the smallest of them.
+// The pass of VTK 9.1 keeps a framebuffer. Textures of the old size stay attached until all its
+// stages have run. OpenGL draws no farther than the smallest texture, so the pass is made anew.
 void SceneRenderer::peel_anew_when_resized() {
   int width, height, x, y;
   this->GetTiledSizeAndOrigin(&width, &height, &x, &y);

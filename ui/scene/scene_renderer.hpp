@@ -1,5 +1,5 @@
-// VTK's renderer with a step after what is opaque, one after what is translucent, and a quick way
-// to draw the latter. For sources of the scene only.
+// VTK's renderer with one more step after the opaque things and one after the translucent things.
+// It also has a quick way to draw the latter. For sources of the scene only.
 #pragma once
 
 #include <vtkNew.h>
@@ -17,7 +17,7 @@ class SceneRenderer : public vtkOpenGLRenderer {
   static SceneRenderer* New();
   vtkTypeMacro(SceneRenderer, vtkOpenGLRenderer);
 
-  std::function<void()> after_opaque, after_translucent;  // empty: nothing
+  std::function<void()> after_opaque, after_translucent;  // empty: no step
 
   void DeviceRenderOpaqueGeometry(vtkFrameBufferObjectBase* target) override;
   void DeviceRenderTranslucentPolygonalGeometry(vtkFrameBufferObjectBase* target) override;
@@ -31,7 +31,7 @@ class SceneRenderer : public vtkOpenGLRenderer {
   void peel_anew_when_resized();
 
   std::array<int, 2> peeled_size_{};
-  vtkNew<TranslucentSum> translucent_sum_;  // where no depths are peeled
+  vtkNew<TranslucentSum> translucent_sum_;  // used when depths are not peeled
 };
 
 }  // namespace alphascope

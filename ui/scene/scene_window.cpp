@@ -1,4 +1,4 @@
-// See the header.
+// Initialises the window although GLEW complains about the context.
 #include "ui/scene/scene_window.hpp"
 
 #include <vtkObjectFactory.h>

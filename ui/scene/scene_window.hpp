@@ -1,13 +1,13 @@
-// The window that VTK believes it draws into: its framebuffers in the current context.
+// The window that VTK draws into: framebuffers in the current OpenGL context.
 #pragma once
 
 #include <vtkGenericOpenGLRenderWindow.h>
 
 namespace alphascope {
 
-// Debian's VTK carries the GLX build of GLEW, which complains about an EGL context although it has
-// found every function. VTK would then take the window for one that is not set up yet, and look for
-// all of them again before each picture, which takes longer than a small picture.
+// Debian's VTK has the GLX build of GLEW, which reports an error for an EGL context although it has
+// found every function. VTK would then regard the window as not set up, and look for all functions
+// again before each picture. That takes longer than a small picture.
 class SceneWindow : public vtkGenericOpenGLRenderWindow {
  public:
   static SceneWindow* New();

@@ -1,4 +1,4 @@
-// See the header.
+// Changes VTK's sphere shaders for each BallLook, and makes the bounds include the radii.
 #include "ui/scene/gl/ball_mapper.hpp"
 
 #include <vtkDataArray.h>
@@ -31,7 +31,8 @@ void BallMapper::GetShaderTemplate(std::map<vtkShader::Type, vtkShader*> shaders
   if (look_ == BallLook::usual) return;
   vtkShader* fragment = shaders.at(vtkShader::Fragment);
   std::string source = fragment->GetSource();
-  // Behind VTK's own lines, and behind those of a cut, which come in their place.
+  // VTK's lines keep their place; cut_shader.cpp replaces the same marks, and its lines come before
+  // these.
   const auto append = [&source](const char* mark, const char* lines) {
     vtkShaderProgram::Substitute(source, mark, std::string(mark) + lines, false);
   };

@@ -1,5 +1,5 @@
-// VTK's mapper for balls, with two faults mended: with perspective it cuts straight pieces off near
-// balls, and it counts the centres as all that is drawn. For sources of the scene only.
+// VTK's mapper for balls, with two faults mended. With perspective VTK's triangle cuts off parts of
+// near balls, and VTK's bounds contain only the centres. For sources of the scene only.
 #pragma once
 
 #include <vtkOpenGLSphereMapper.h>
@@ -10,8 +10,9 @@
 
 namespace alphascope {
 
-// What is seen of balls: all that is before the rest; only their rims, as outlines of what they
-// are around; or all, before everything else in the picture and with a dark rim.
+// usual: balls are hidden by things in front of them, as everything else is.
+// outline: only the rims of balls are drawn, around other things.
+// in_front: whole balls in front of everything else, with a dark rim.
 enum class BallLook : std::uint8_t { usual, outline, in_front };
 
 class BallMapper : public vtkOpenGLSphereMapper {
@@ -26,7 +27,7 @@ class BallMapper : public vtkOpenGLSphereMapper {
   ~BallMapper() override;
   void GetShaderTemplate(std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* renderer,
                          vtkActor* actor) override;
-  // Of the balls. VTK leaves out what it believes to be beside the picture.
+  // The bounds of whole balls. VTK does not draw a mapper whose bounds are outside the picture.
   void ComputeBounds() override;
 
  private:

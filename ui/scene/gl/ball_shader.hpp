@@ -1,19 +1,19 @@
-// The geometry shader of BallMapper: for each ball, a triangle that covers what is seen of it, and
-// hardly more; and lines of its fragment shader. For its source only. It takes the place of VTK's,
-// whose triangle covers a ball that is seen without perspective; marks ("//VTK::") and names are
-// those of VTK 9.1.
+// The geometry shader of BallMapper, and lines of its fragment shader. For each ball the geometry
+// shader makes a triangle that just covers the visible part. It replaces VTK's, whose triangle
+// covers a ball only without perspective. Marks ("//VTK::") and names are those of VTK 9.1. For
+// ball_mapper.cpp only.
 #pragma once
 
 namespace alphascope {
 
-// With perspective, the outline of a ball is a cone of lines of sight that touch it. Where the
-// plane through the ball's centre, at a right angle to the line from the eye, meets that cone, it
-// has the radius r d / sqrt(d² - r²), d from the eye: more than r, and the more the nearer. The
-// triangle is in that plane, around that circle. The fragment shader writes the depth; so the
-// triangle need not be cut off at the near plane, but only a little before the eye, of which it
-// stays clear in all of the picture.
-// Of a ball around the eye nothing is seen from outside. From inside (translucent balls), and of
-// its caps, all of the picture may show something.
+// With perspective, the lines of sight that touch a ball form a cone. The triangle lies in the
+// plane through the ball's centre, at a right angle to the line from the eye. Let d be its distance
+// from the eye. The cone meets that plane in a circle of radius r d / sqrt(d² - r²). This is more
+// than r, and grows as the ball comes nearer. The triangle encloses that circle. The fragment
+// shader writes the depth, so the near plane need not cut the triangle off. The triangle's own
+// depth is set to stay a little in front of the eye everywhere. A ball around the eye is not
+// visible from outside. From inside (translucent balls), and for its caps, it may cover the whole
+// picture.
 inline constexpr const char* kBallGeometry = R"(//VTK::System::Dec
 //VTK::PrimID::Dec
 //VTK::Color::Dec
@@ -78,15 +78,16 @@ void main()
 }
 )";
 
-// Lines of fragment shaders, behind VTK's that find where the line of sight meets the ball. How the
-// ball is turned to the viewer there: 1 in its middle, 0 at its outline.
+// Lines of fragment shaders, placed after VTK's lines that compute where the ray meets the ball.
+// The macro is the cosine between normal and line of sight: 1 in the middle of the ball, 0 at its
+// outline.
 #define ALPHASCOPE_FACING \
   "dot(normalVCVSOutput, cameraParallel != 0 ? vec3(0.0, 0.0, 1.0) : normalize(-vertexVC.xyz))"
 
-// Of the radius as it is seen, the outer fifth.
+// Keeps the outer fifth of the visible radius: sqrt(1 - 0.6²) = 0.8.
 inline constexpr const char* kOnlyRim = "\n  if (" ALPHASCOPE_FACING " > 0.6) discard;\n";
-// Among themselves the nearest stays before the others. What is nearer than this share of all depth
-// is no body for FinishPass, which so leaves it as it is.
+// Scales the depth, so these balls are nearer than everything else and keep their order among
+// themselves. FinishPass leaves depths below its kMarks (0.002) as they are.
 inline constexpr const char* kInFront = "\n  gl_FragDepth *= 0.001;\n";
 inline constexpr const char* kDarkRim =
     "\n  if (" ALPHASCOPE_FACING " < 0.4) gl_FragData[0].rgb *= 0.15;\n";

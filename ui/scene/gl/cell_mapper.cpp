@@ -1,4 +1,5 @@
-// See the header.
+// ShaderBuffer, BallPlaces and CellMapper: uploads of cells, changes of VTK's shaders, and the draw
+// call.
 #include "ui/scene/gl/cell_mapper.hpp"
 
 #include <vtkMatrix3x3.h>
@@ -40,8 +41,8 @@ constexpr const char* kNormal = "//VTK::Normal::Impl";
 constexpr const char* kLight = "//VTK::Light::Impl";
 constexpr const char* kDepth = "//VTK::Depth::Impl";
 
-// Of more faces, most are smaller than a pixel, and light for each corner takes longer than for
-// each pixel.
+// Limit on faces with light for each face. Beyond it most faces are smaller than a pixel, and light
+// for each corner takes longer than for each pixel.
 constexpr std::size_t kMostFacesLit = 2'000'000;
 constexpr std::size_t kLargeUpload = std::size_t{4} << 20;  // bytes
 
@@ -52,7 +53,7 @@ constexpr const char* kNormalsName = "normals";
 
 using Sources = std::map<vtkShader::Type, vtkShader*>;
 
-// Changes of one shader's source.
+// Edits the source of one shader, and writes it back in the destructor.
 class Edited {
  public:
   Edited(const Sources& sources, vtkShader::Type type)
@@ -97,8 +98,8 @@ void ShaderBuffer::upload(vtkOpenGLRenderWindow* window, UploadRoom& room) {
   uploaded_ = true;
 }
 
-// False: nothing came of it. The driver's own copy is made by one thread. Where the processor
-// draws, it reads the driver's memory, and a room would only be one more copy.
+// Returns false if the upload failed. Several threads copy, because the driver's own copy uses one
+// thread. Software OpenGL reads the driver's memory itself, so UploadRoom would only add a copy.
 bool ShaderBuffer::upload_large(const unsigned char* content, std::size_t bytes, UploadRoom& room) {
   if (!buffer_->GenerateBuffer(vtkOpenGLBufferObject::TextureBuffer) || !buffer_->Bind()) {
     return false;
@@ -111,7 +112,7 @@ bool ShaderBuffer::upload_large(const unsigned char* content, std::size_t bytes,
   return there;
 }
 
-// To the bound buffer.
+// Copies into the bound buffer.
 bool ShaderBuffer::map_and_copy(const unsigned char* content, std::size_t bytes) {
   constexpr GLbitfield kHow = GL_MAP_WRITE_BIT | GL_MAP_INVALIDATE_BUFFER_BIT;
   void* const to = glMapBufferRange(GL_TEXTURE_BUFFER, 0, static_cast<GLsizeiptr>(bytes), kHow);
@@ -145,7 +146,8 @@ void BallPlaces::set(std::shared_ptr<const BallGeometry> new_balls) {
 
 vtkStandardNewMacro(CellMapper);
 
-// VTK draws nothing without a point, and looks for changes in what it is given; this never changes.
+// VTK draws nothing without a point, and checks its input for changes. So the input is one point
+// that never changes.
 CellMapper::CellMapper() {
   vtkNew<vtkPoints> one;
   one->InsertNextPoint(0, 0, 0);
@@ -195,7 +197,7 @@ double* CellMapper::GetBounds() {
   return this->Bounds;
 }
 
-// Those of all balls: what is drawn lies within, and a tighter box would take a pass over it.
+// The bounds of all balls contain every cell. A tighter box would need a pass over the cells.
 void CellMapper::ComputeBounds() {
   const std::array<double, 6> none{1, -1, 1, -1, 1, -1};
   const auto& bounds = places_ != nullptr && !empty() ? places_->balls->bounds : none;
@@ -290,7 +292,7 @@ void CellMapper::SetMapperShaderParameters(vtkOpenGLHelper& helper, vtkRenderer*
     program->SetUniformf("radiusPerDepth", lines_.rod_radius_per_depth);
     return;
   }
-  // Samplers of one kind may share a unit where one of them is not read.
+  // Samplers of one type may share a unit if one of them is not read.
   const bool whole = kind_ == Kind::tetrahedra, smoothed = normals_.count() > 0;
   program->SetUniformi(kColoursName, whole ? colours_.activate() : cells);
   program->SetUniformi(kNormalsName, smoothed ? normals_.activate() : places);
@@ -306,7 +308,7 @@ void CellMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor) {
   if (empty()) return;
   this->UpdateShaders(this->Primitives[PrimitiveTris], renderer, actor);
   if (this->Primitives[PrimitiveTris].Program == nullptr) return;
-  // A new program has let go of it, and without attributes VTK does not bind it again.
+  // A new program has unbound the array, and VTK does not bind it again without attributes.
   this->Primitives[PrimitiveTris].VAO->Bind();
   const std::size_t corners = kind_ == Kind::tetrahedra ? 12 : kind_ == Kind::edges ? 6 : 3;
   glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(corners * cells_.count()));

@@ -1,8 +1,8 @@
-// A mapper for edges, triangles and tetrahedra whose corners are balls: the vertex shader fetches
-// corners and colour of a cell from buffers that hold nothing twice. VTK's mapper would copy every
-// corner with its colour, list the indices one by one and go through all of it for the bounds.
-// Shaders are made from VTK's templates, so that its passes (peeling, occlusion) and whoever
-// replaces parts of shaders work as with any other mapper.
+// A mapper for edges, triangles and tetrahedra whose corners are balls. The vertex shader fetches
+// corners and colour of a cell from buffers without duplicates. VTK's mapper would copy each corner
+// with its colour, list all indices and compute the bounds from all points. The shaders are made
+// from VTK's templates. So VTK's passes (peeling, occlusion) and replacements of shader parts work
+// as with other mappers.
 #pragma once
 
 #include <vtkNew.h>
@@ -19,18 +19,18 @@
 
 namespace alphascope {
 
-// A buffer that shaders index. It goes to the GPU when it is drawn first.
+// A buffer that shaders index. It is uploaded to the GPU when it is first drawn.
 class ShaderBuffer {
  public:
-  // `count` texels of `format`, an OpenGL name, `bytes` each; null: nothing. The content must stay
-  // until upload().
+  // Sets `count` texels of `format` (an OpenGL constant), each of `bytes` bytes; null: no content.
+  // The content must stay in place until upload().
   void set(const void* content, std::size_t count, std::size_t bytes, unsigned format);
-  // What is new. No more than Scene::most_cells(). Through the room, if it is large.
+  // Uploads new content, at most Scene::most_cells() texels. Large content goes through `room`.
   void upload(vtkOpenGLRenderWindow* window, UploadRoom& room);
   void release(vtkWindow* window);
   bool is_uploaded() const { return uploaded_ || count_ == 0; }
   std::size_t count() const { return count_; }
-  int activate();  // its texture unit
+  int activate();  // returns the texture unit
   void deactivate();
 
  private:
@@ -45,7 +45,7 @@ class ShaderBuffer {
   vtkNew<vtkTextureObject> texture_;
 };
 
-// For all mappers of a scene: where the balls are, and the way to the GPU.
+// Centres of the balls and the memory for uploads, shared by all mappers of a scene.
 struct BallPlaces {
   void set(std::shared_ptr<const BallGeometry> new_balls);
   std::shared_ptr<const BallGeometry> balls;
@@ -53,12 +53,12 @@ struct BallPlaces {
   UploadRoom room;
 };
 
-// Of lines, which need no other cells.
+// Widths of lines; changing them needs no new cells.
 struct CellLines {
   float side_width = 0;  // of the darker lines around faces, pixels; 0: none
   float rod_radius = 0;  // of edges, Å
-  // The least that is drawn: Å at the depth of one Å, or anywhere where nothing gets smaller with
-  // it.
+  // The least radius that is drawn: Å for each Å of depth. Without perspective it is in Å at any
+  // depth.
   float rod_radius_per_depth = 0;
 };
 
@@ -68,18 +68,19 @@ class CellMapper : public vtkOpenGLPolyDataMapper {
   vtkTypeMacro(CellMapper, vtkOpenGLPolyDataMapper);
 
   void set_places(std::shared_ptr<BallPlaces> places) { places_ = std::move(places); }
-  // What is given must stay as long as it is drawn.
+  // The argument must stay in place as long as it is drawn.
   void show_faces(const FaceCells* faces);  // null: nothing
   void show_tetrahedra(const TetrahedronCells* tetrahedra);
-  // As rods with round ends. A mapper that shows edges shows nothing else, ever.
+  // Draws edges as rods with round ends. Such a mapper can show edges only from then on.
   void show_edges(const EdgeCells* edges);  // null: nothing
   void set_lines(const CellLines& lines) { lines_ = lines; }
-  // Light for each face instead of each pixel, where faces have no normals between them and are not
-  // too many: highlights are coarser.
+  // Computes light once for each face instead of each pixel, which makes highlights coarser. It has
+  // no effect on faces with normals at corners, nor above 2 million faces (kMostFacesLit).
   void light_faces(bool by_face) { lit_by_face_ = by_face; }
-  void free_memory(vtkWindow* window);  // of what is shown, until that is drawn
+  void free_memory(vtkWindow* window);  // frees the buffers of cells and colours until they are
+                                        // drawn again
   bool empty() const { return cells_.count() == 0; }
-  // Spent on handing content over to OpenGL, since this was last asked.
+  // Milliseconds spent on handing content over to OpenGL since the last call.
   double take_upload_milliseconds();
 
   double* GetBounds() override;
@@ -108,12 +109,13 @@ class CellMapper : public vtkOpenGLPolyDataMapper {
 
   void give_camera(vtkShaderProgram* program, vtkRenderer* renderer);
 
-  std::shared_ptr<BallPlaces> places_;  // VTK may keep a mapper longer than a scene lasts
-  ShaderBuffer cells_, colours_;        // colours_: of tetrahedra; others bring theirs
+  std::shared_ptr<BallPlaces> places_;  // shared, because VTK may keep a mapper longer than the
+                                        // scene lives
+  ShaderBuffer cells_, colours_;        // colours_: of tetrahedra; faces and edges contain theirs
   ShaderBuffer normals_;                // of balls
   Kind kind_ = Kind::faces;
   CellLines lines_;
-  bool lit_by_face_ = false, built_lit_by_face_ = false;  // asked for, and in the shaders
+  bool lit_by_face_ = false, built_lit_by_face_ = false;  // requested; used by the present shaders
   float shrink_ = 0;
   double upload_milliseconds_ = 0;
 };

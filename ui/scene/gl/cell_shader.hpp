@@ -1,19 +1,20 @@
-// What CellMapper adds to VTK's shaders. For its source only. Places are in Å, relative to
-// BallGeometry::origin in the vertex shader ("MC"), in the camera's coordinates in the other
-// ("VC").
+// Lines that CellMapper adds to VTK's shaders; for cell_mapper.cpp only. Positions are in Å: in
+// vertex shaders ("MC") relative to BallGeometry::origin, in fragment shaders ("VC") in the
+// camera's coordinates.
 #pragma once
 
 namespace alphascope {
 
-// Of a PackedColour, 0 to 1. For both shaders.
+// Unpacks a PackedColour into components from 0 to 1. For both shaders.
 inline constexpr const char* kColourOf = R"(
 vec3 colourOf(uint bits) {
   return vec3(float(bits & 255u), float(bits >> 8 & 255u), float(bits >> 16 & 255u)) / 255.0;
 }
 )";
 
-// Faces: three balls and the colour. Tetrahedra: four balls; face f lacks corner f. In the fragment
-// shader cellCorner is 1 at a corner and 0 on the side opposite to it.
+// A face has three balls and a colour. A tetrahedron has four balls; its face f is opposite to
+// corner f. In the fragment shader, component k of cellCorner is 1 at corner k and 0 on the
+// opposite side.
 inline constexpr const char* kFacesDeclared = R"(
 uniform usamplerBuffer cells;
 uniform usamplerBuffer cellColours;
@@ -115,7 +116,7 @@ flat in uint faceColourVSOutput;
 in vec2 cellCornerVSOutput;
 in vec3 cellNormalVSOutput;
 )";
-// Derivatives need all neighbours of a pixel to be computed.
+// These lines come before any branch: derivatives need values of neighbouring pixels.
 inline constexpr const char* kFacesUniform = R"(
   vec3 cellCorner = vec3(cellCornerVSOutput, 1.0 - cellCornerVSOutput.x - cellCornerVSOutput.y);
   vec3 cellSlope = vec3(0.0);  // of cellCorner, for each pixel
@@ -124,7 +125,8 @@ inline constexpr const char* kFacesUniform = R"(
     cellSlope = max(sqrt(right * right + up * up), 1e-6);
   }
 )";
-// Half of a line lies on each of two faces. What is no larger than its lines has none.
+// Each of two neighbouring faces shows half of a line. Faces about as small as the width of their
+// lines have none.
 inline constexpr const char* kFacesColoured = R"(
   float cellShade = 1.0;
   if (sideWidth > 0.0) {
@@ -138,13 +140,14 @@ inline constexpr const char* kFacesColoured = R"(
   ambientColor = ambientIntensity * cellColour;
   diffuseColor = diffuseIntensity * cellColour;
 )";
-// Instead of VTK's light: nothing then asks for the place of a pixel or a normal, and what vertices
-// hand on is half as much.
+// Replaces VTK's light. The shader then needs neither positions nor normals of pixels, which halves
+// the outputs of the vertex shader.
 inline constexpr const char* kFacesLit = R"(
   uvec3 faceBits = uvec3(faceColourVSOutput, faceColourVSOutput >> 10, faceColourVSOutput >> 20);
   gl_FragData[0] = vec4(cellShade / 511.5 * vec3(faceBits & 1023u), opacity);
 )";
-// Where sheets of a surface meet in a ball, its normal may be nobody's: the face has its own then.
+// Where sheets of a surface meet in a ball, its mean normal may fit none of them. The face then
+// keeps its own normal.
 inline constexpr const char* kFacesNormal = R"(
   if (smoothed != 0) {
     vec3 between = normalize(cellNormalVSOutput + vec3(0.0, 0.0, 1e-12));
@@ -153,8 +156,8 @@ inline constexpr const char* kFacesNormal = R"(
   }
 )";
 
-// An edge is a rod with round ends. The vertex shader draws a rectangle that covers it, as near as
-// the rod comes; the fragment shader finds where the line of sight meets the rod.
+// An edge is a rod with round ends. The vertex shader draws a rectangle that covers the rod, at the
+// depth of its nearest point. The fragment shader finds where the ray meets the rod.
 inline constexpr const char* kRodsDeclared = R"(
 uniform usamplerBuffer cells;
 uniform samplerBuffer places;
@@ -205,8 +208,8 @@ flat in vec3 cellColourVSOutput;
 flat in vec4 rodFrom;
 flat in vec3 rodAlong;
 )";
-// The ray starts on the rectangle, close to the rod: from the eye, squares of distances would drown
-// that of the radius.
+// The ray starts on the rectangle, close to the rod. If it started at the eye, rounding in the
+// squared distance would exceed the squared radius.
 inline constexpr const char* kRodsMet = R"(
   vec3 normalVCVSOutput;
   {

@@ -1,7 +1,7 @@
-// See the header. The shaders are VTK's, but for the geometry shader (BallMapper); what is added to
-// them uses names of theirs (VTK 9.1, vtkOpenGLSphereMapper): EyePos and EyeDir, the ray in units
-// of the ball's radius around its centre, b and d of the quadratic equation for where it meets the
-// ball.
+// Lines added to VTK's fragment shaders, and to the geometry shader of BallMapper, for a cut. They
+// use names of vtkOpenGLSphereMapper (VTK 9.1). EyePos and EyeDir are the ray, in units of the
+// ball's radius around its centre. b and d belong to the quadratic equation for the points where
+// the ray meets the ball.
 #include "ui/scene/gl/cut_shader.hpp"
 
 #include <vtkCamera.h>
@@ -20,20 +20,20 @@ constexpr const char* kPlaneNames[] = {"cutPlane0", "cutPlane1"};
 constexpr const char* kDepth = "//VTK::Depth::Impl";
 constexpr const char* kLight = "//VTK::Light::Impl";
 constexpr const char* kClip = "//VTK::Clip::Impl";
-// A darker rim tells the caps of one colour apart.
+// A darker rim separates caps of the same colour.
 constexpr double kRim = 0.08;  // Å
 constexpr double kRimShade = 0.6;
 constexpr const char* kClipDeclared = "//VTK::Clip::Dec";
 
-// A fragment's place is known without any varying: the plane is given in its coordinates.
+// gl_FragCoord is known without any varying, so the planes are given in its coordinates.
 constexpr const char* kCutMesh = R"(
   if (dot(cutPlane0, vec4(gl_FragCoord.xyz, 1.0)) < 0.0) discard;
   if (dot(cutPlane1, vec4(gl_FragCoord.xyz, 1.0)) < 0.0) discard;
 )";
 
-// Of the ray, only what is between the planes is left; where that begins at a plane is the cap.
-// Behind (invertedDepth < 0, for translucent balls), where it ends. What begins behind the eye is
-// not seen: picking says the same.
+// Clips the ray's interval inside the ball by both planes. A cap is drawn where the clipped
+// interval begins at a plane. For back faces of translucent balls (invertedDepth < 0) the end of
+// the interval counts. An interval that begins behind the eye is discarded, as in picking.
 std::string cut_ball() {
   return R"(
   bool isCap = false;
@@ -79,7 +79,7 @@ std::string cut_ball() {
 )";
 }
 
-// A cap has the ball's very colour, whatever the light: that is what it is known by.
+// A cap has exactly its ball's colour, whatever the light, so that the ball can be recognised.
 constexpr const char* kFlatCap = R"(
   if (isCap) gl_FragData[0] = vec4(capShade * (ambientColor + diffuseColor), gl_FragData[0].a);
 )";
@@ -89,7 +89,7 @@ constexpr const char* kGeometryPlanes = R"(
 uniform vec4 cutPlane0;
 uniform vec4 cutPlane1;
 )";
-// Of a ball that is cut away, nothing is drawn at all.
+// Skips balls that a plane removes completely.
 constexpr const char* kSkipBall = R"(
   if (dot(cutPlane0, vec4(gl_in[0].gl_Position.xyz, 1.0)) < -radiusVCVSOutput[0]) return;
   if (dot(cutPlane1, vec4(gl_in[0].gl_Position.xyz, 1.0)) < -radiusVCVSOutput[0]) return;
@@ -104,7 +104,8 @@ void uncut(vtkActor* actor) {
   actor->GetShaderProperty()->GetFragmentCustomUniforms()->RemoveAllUniforms();
 }
 
-// The plane for coordinates that `to_old` takes into those that it is given for.
+// The plane in new coordinates, given in old ones; `to_old` converts points from new to old
+// coordinates.
 std::array<double, 4> changed(const std::array<double, 4>& plane, vtkMatrix4x4* to_old) {
   std::array<double, 4> result{};
   for (int column = 0; column < 4; ++column) {
@@ -149,7 +150,7 @@ CutPlanes::CutPlanes(const Cut& cut, vtkRenderer* renderer, int width, int heigh
   picture->DeepCopy(
       camera->GetCompositeProjectionTransformMatrix(renderer->GetTiledAspectRatio(), -1, 1));
   picture->Invert();
-  // From pixels and depth to VTK's -1 to 1.
+  // Converts pixels and depth to VTK's range from -1 to 1.
   const double size[3] = {double(width), double(height), 1};
   for (int k = 0; k < 3; ++k) {
     pixels->SetElement(k, k, 2 / size[k]);
@@ -168,7 +169,7 @@ CutPlanes::CutPlanes(const Cut& cut, vtkRenderer* renderer, int width, int heigh
 
 void CutPlanes::give_to(vtkActor* actor) const {
   if (!is_cut(actor)) return;
-  // What skips balls tells theirs from the shaders of faces and lines.
+  // Ball actors have several shader replacements, meshes only one.
   vtkShaderProperty* shaders = actor->GetShaderProperty();
   const auto& planes = shaders->GetNumberOfShaderReplacements() > 1 ? camera_ : fragment_;
   for (std::size_t k = 0; k < 2; ++k) {

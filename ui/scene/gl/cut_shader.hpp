@@ -1,5 +1,5 @@
-// What VTK's shaders draw of a cut scene: faces and lines end at the planes, and cut balls show a
-// flat disc where the ray meets a plane inside them. For sources of the scene only.
+// VTK's shaders for a cut scene. Faces and lines end at the planes; cut balls show a flat disc
+// where the ray meets a plane inside them. For sources of the scene only.
 #pragma once
 
 #include <vtkActor.h>
@@ -11,12 +11,13 @@
 
 namespace alphascope {
 
-// Changes the shaders when that differs from what they do; then they are compiled anew.
+// These functions turn cutting of an actor on or off. They change shaders, which are then compiled
+// anew, only if necessary.
 void cut_mesh_actor(vtkActor* actor, bool cut);
 void cut_ball_actor(vtkActor* actor, bool cut);
 
-// Both planes for this camera, also where a cut has only one. The camera and the size of the
-// picture must be those of the next picture.
+// Both cutting planes as uniforms; a second plane that does not exist keeps everything. Camera and
+// size (pixels) must be those of the next picture.
 class CutPlanes {
  public:
   CutPlanes(const Cut& cut, vtkRenderer* renderer, int width, int height);
@@ -24,8 +25,8 @@ class CutPlanes {
 
  private:
   using Plane = std::array<float, 4>;
-  // plane · (x, y, z, 1) >= 0 is kept. In the camera's coordinates; and of fragments, as their
-  // shader knows them: pixels, and depth from 0 to 1.
+  // A plane keeps points with plane · (x, y, z, 1) >= 0. camera_: in the camera's coordinates, Å.
+  // fragment_: in the coordinates of fragments, pixels and depth from 0 to 1.
   std::array<Plane, 2> camera_, fragment_;
 };
 

@@ -1,4 +1,5 @@
-// See the header; the shader is finish_shader.hpp's.
+// Draws the fronts of translucent actors, and runs the shader of finish_shader.hpp over the
+// picture.
 #include "ui/scene/gl/finish_pass.hpp"
 
 #include <vtkActor.h>
@@ -22,7 +23,7 @@
 namespace alphascope {
 namespace {
 
-// Of the way from the nearest to the farthest: what is nearer does not fade.
+// Depth at which fading begins, as a share of the way from the nearest to the farthest point.
 constexpr double kCueFrom = 0.25;
 
 }  // namespace

@@ -1,7 +1,7 @@
-// What is done to a picture of opaque bodies after VTK has drawn it and before anything translucent
-// comes: ambient occlusion on two scales, a fade to the background with depth, silhouettes. And
-// then the same to the fronts of what is translucent. All from colours and depths, so that it fits
-// balls, faces, lines, cuts and both kinds of camera. For sources of the scene only.
+// Ambient occlusion on two scales, shadows, fading with depth, and silhouettes. They are applied to
+// the picture after VTK has drawn its opaque things, and before translucent ones. A second step
+// applies them to the fronts of translucent things. All inputs are colours and depths, so that
+// balls, faces, lines, cuts and both kinds of camera work alike. For sources of the scene only.
 #pragma once
 
 #include <vtkOpenGLRenderer.h>
@@ -14,28 +14,31 @@
 namespace alphascope {
 
 struct Finish {
-  int occlusion_taps = 0;                     // of each scale; 0: no occlusion
+  int occlusion_taps = 0;                     // on each scale; 0: no occlusion
   float occlusion_strength = 1;               // 0 to 1
-  float near_radius = 5.5f, far_radius = 15;  // of what occludes, Å
+  float near_radius = 5.5f, far_radius = 15;  // reach of both scales of occlusion, Å
   std::array<float, 3> light{0, 0, 1};        // towards the light that casts shadows
-  float shadow_reach = 30;                    // of a shadow, Å
-  int turn = 0;                               // of the pattern: the number of the sample
-  float depth_cue = 0;                        // share of background in the farthest, 0 to 1
+  float shadow_reach = 30;                    // length of a shadow ray, Å
+  int turn = 0;                               // number of the sample, which turns the pattern
+  float depth_cue = 0;                        // share of the background colour at the greatest
+                                              // depth, 0 to 1
   float silhouette_width = 0;                 // pixels; 0: none
-  float silhouette_jump = 1;                  // Å of depth that a silhouette marks, at least
+  float silhouette_jump = 1;                  // least jump in depth with a silhouette, Å
   Colour background;
-  bool transparent = false;  // there is none, and what is far away becomes transparent instead
-  Colour line;               // of silhouettes
-  // Of what is translucent and the most opaque, whose fronts are finished; 0: none are.
+  bool transparent = false;  // no background; distant things become transparent instead of fading
+                             // to it
+  Colour line;               // colour of silhouettes
+  // Opacity of the most opaque translucent things, whose fronts are finished; 0: none.
   float translucent_opacity = 0;
   bool any() const { return occlusion_taps > 0 || depth_cue > 0 || silhouette_width > 0; }
 };
 
 class FinishPass {
  public:
-  // Of what the window of `renderer` has just drawn into its framebuffer.
+  // Applies the steps to the picture that `renderer` has just drawn into its window's framebuffer.
   void apply(vtkOpenGLRenderer* renderer, const Finish& finish);
-  // Of the same, when what is translucent has been drawn over it, exactly.
+  // Applies them to fronts of translucent things, after those were drawn exactly over the same
+  // picture.
   void apply_to_translucent(vtkOpenGLRenderer* renderer, const Finish& finish);
   void release(vtkWindow* window);
 
@@ -46,8 +49,8 @@ class FinishPass {
 
   DrawnTexture result_;
   DrawnDepths fronts_;  // of what is translucent
-  // + 1: with occlusion, + 2: translucent. Software OpenGL computes also what a condition leaves
-  // out.
+  // Index: + 1 with occlusion, + 2 for translucent fronts. They are separate programs because
+  // software OpenGL computes both sides of a condition.
   QuadProgram programs_[4];
 };
 

@@ -1,26 +1,27 @@
-// The shader of FinishPass. For its source only.
+// The fragment shader of FinishPass. For finish_pass.cpp only.
 #pragma once
 
 #include <string>
 
 namespace alphascope {
 
-// Places are in the camera's coordinates, in Å: x right, y up, z towards the viewer.
+// Positions are in the camera's coordinates, in Å: x right, y up, z towards the viewer.
 //
-// Occlusion is summed over a spiral of taps around the pixel, on two scales: each tap darkens by
-// how high what is there rises above the surface, and by less the farther it is. The spiral is
-// turned by one of sixteen angles, another one for each pixel of a block of 4 x 4 and for each
-// sample: over sixteen samples every pixel has had all of them, so that nothing of the pattern is
+// Occlusion is summed over a spiral of taps around the pixel, on two scales. A tap darkens the
+// pixel the more, the steeper its point rises above the surface, and less at a distance. The spiral
+// is turned by one of sixteen angles. The angle depends on the sample and on the pixel's place in
+// its block of 4 x 4. After sixteen samples every pixel has had all angles, so that no pattern is
 // left.
 //
-// A shadow lies where a ray towards the key light, some way long, goes behind something that is
-// seen, and not far behind. The light is a disc: every pixel of a block and every sample has
-// another point of it.
+// A pixel is in shadow if a ray towards the key light passes closely behind something visible. The
+// ray has a limited length. The light is a disc: each pixel of a block and each sample uses another
+// point of it.
 //
-// A silhouette lies on what is behind, where something is before it by more than a jump.
+// A silhouette is drawn on the farther surface, where a nearer one is in front of it by more than
+// the jump.
 //
-// TRANSLUCENT: the picture is whole, and only what is translucent and before everything opaque is
-// darkened, faded and outlined: as much of each pixel as it does not let through.
+// With TRANSLUCENT the picture is complete. Only translucent fronts that nothing opaque hides are
+// darkened, faded and outlined, in proportion to their opacity.
 inline constexpr const char* kFinishShader = R"(//VTK::Output::Dec
 in vec2 texCoord;
 uniform sampler2D colours;

@@ -1,4 +1,5 @@
-// Actors for triangles or lines with colours of their own, and what all of them look like.
+// Actors for cells (CellActor) and for triangles or lines with colours of their own (MeshActor),
+// and the look of both.
 #pragma once
 
 #include <vtkActor.h>
@@ -12,12 +13,13 @@
 
 namespace alphascope {
 
-// Units of depth by which differences are moved to the front: more than any molecule is deep.
+// Depth offset that draws differences in front, in OpenGL's units. It exceeds the depth of any
+// molecule.
 inline constexpr double kToTheFront = -1e6;
-// Enough that lines on a face are not broken by rounding.
+// Depth offset of lines on a face, large enough that rounding does not break them.
 inline constexpr double kBeforeFaces = -4;
 
-// In caps: the balls' win, then the edges of tetrahedra, then their faces.
+// Depth offsets in a cap: the balls' caps win, then edges of tetrahedra, then their faces.
 inline constexpr double kBehindCapsOfBalls = 4, kBehindEdges = 8;
 
 inline void look_like_a_mesh(vtkActor* actor) {
@@ -30,7 +32,7 @@ inline void look_like_a_mesh(vtkActor* actor) {
   property->SetSpecularPower(20);
 }
 
-// Of simplices with corners at balls.
+// Shows simplices whose corners are balls.
 struct CellActor {
   vtkNew<CellMapper> mapper;
   vtkNew<vtkActor> actor;
@@ -44,7 +46,8 @@ struct CellActor {
     actor->SetVisibility(!mapper->empty());
     if (mapper->empty()) mapper->free_memory(window);
   }
-  // What is not empty, and nothing else; what is shown must outlive it.
+  // Shows the tetrahedra, or the faces if there are no tetrahedra. The argument must outlive this
+  // actor.
   void show(const FaceCells& faces, const TetrahedronCells& tetrahedra, vtkWindow* window) {
     tetrahedra.size() > 0 ? mapper->show_tetrahedra(&tetrahedra) : mapper->show_faces(&faces);
     actor->SetVisibility(!mapper->empty());
@@ -72,29 +75,29 @@ struct MeshActor {
   }
   void hide(vtkWindow* window) {
     mapper->SetInputData(nullptr);
-    mapper->ReleaseGraphicsResources(window);  // else its buffers stay until it draws again
+    mapper->ReleaseGraphicsResources(window);  // otherwise its buffers stay until it draws again
     actor->VisibilityOff();
   }
-  // Of what the picture is about: its colour is to be known by also where it is in shadow.
+  // For the main subject of a picture: its colour stays recognisable in shadow.
   void brighter() {
     actor->GetProperty()->SetAmbient(0.32);
     actor->GetProperty()->SetDiffuse(0.78);
   }
-  // In its very colours, whatever the light.
+  // Draws exact colours, whatever the light.
   void unlit() {
     actor->GetProperty()->SetAmbient(1);
     actor->GetProperty()->SetDiffuse(0);
     actor->GetProperty()->SetSpecular(0);
   }
-  // Lit by the normals of its points.
+  // Computes light from the normals of the points.
   void smooth() { actor->GetProperty()->SetInterpolationToPhong(); }
-  // Of caps, whose balls' caps are in the same plane.
+  // For caps of tetrahedra: caps of balls are in the same plane and win.
   void behind_balls(double units) {
     mapper->SetResolveCoincidentTopologyToPolygonOffset();
     mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(0, units);
     mapper->SetRelativeCoincidentTopologyLineOffsetParameters(0, units);
   }
-  // Lines on faces of the same place win.
+  // Lines win over faces at the same depth.
   void before_its_faces() {
     mapper->SetResolveCoincidentTopologyToPolygonOffset();
     mapper->SetRelativeCoincidentTopologyLineOffsetParameters(0, kBeforeFaces);

@@ -1,4 +1,4 @@
-// See the header.
+// Reads version and extensions of the current OpenGL context.
 #include "ui/scene/gl/opengl_feature.hpp"
 
 #include <GL/gl.h>

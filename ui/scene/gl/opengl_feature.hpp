@@ -1,12 +1,12 @@
-// What the current OpenGL context can do beyond OpenGL 3.2. No VTK.
+// Tests for features of the current OpenGL context beyond OpenGL 3.2. No VTK.
 #pragma once
 
 #include <string_view>
 
 namespace alphascope {
 
-// Of this version, or with this extension, "GL_ARB_...": some drivers give no newer version than
-// was asked for, and have all of its functions.
+// Whether OpenGL has at least this version or this extension ("GL_ARB_..."). Some drivers report
+// just the version that was requested, although they have all functions of a newer one.
 bool has_opengl(int major, int minor, std::string_view extension);
 
 }  // namespace alphascope

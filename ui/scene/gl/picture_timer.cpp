@@ -1,4 +1,4 @@
-// See the header.
+// Measures with OpenGL's timestamp queries.
 #include "ui/scene/gl/picture_timer.hpp"
 
 #include <GL/gl.h>

@@ -1,4 +1,4 @@
-// How long OpenGL takes to draw a picture, without waiting for it. No VTK.
+// Measures how long OpenGL takes to draw a picture, without waiting for it. No VTK.
 #pragma once
 
 #include <cstdint>
@@ -6,19 +6,20 @@
 
 namespace alphascope {
 
-// Belongs to an OpenGL context, which must be current whenever it is used.
+// A timer belongs to an OpenGL context, which must be current in each call.
 class PictureTimer {
  public:
   PictureTimer() = default;
   PictureTimer(const PictureTimer&) = delete;
   PictureTimer& operator=(const PictureTimer&) = delete;
 
-  // The picture begins now. False: this OpenGL has no clock.
+  // Starts the clock. Returns false if this OpenGL has no clock.
   bool start();
-  // All of the picture has been handed over.
+  // To be called when the whole picture has been handed over to OpenGL.
   void stop();
-  // From start() until OpenGL had drawn what was handed over until stop(), once. Nothing where no
-  // picture was timed, and, unless told to wait for it, where it is not finished.
+  // Milliseconds from start() until OpenGL has drawn everything handed over before stop(); each
+  // time is returned once. Empty if no picture was timed, or if it is unfinished and `wait` is
+  // false.
   std::optional<double> take_milliseconds(bool wait);
 
  private:

@@ -1,4 +1,4 @@
-// See the header.
+// Positions of samples in a pixel, and their sum and mean in textures.
 #include "ui/scene/gl/sample_mean.hpp"
 
 #include <vtkOpenGLState.h>
@@ -25,7 +25,7 @@ void main() {
 }
 )";
 
-// The bits of `k` behind the binary point, in reverse order.
+// The bits of `k` in reverse order, behind the binary point.
 double reversed(unsigned k) {
   double value = 0;
   for (double digit = 0.5; k != 0; k >>= 1, digit /= 2) value += digit * (k & 1);
@@ -34,7 +34,8 @@ double reversed(unsigned k) {
 
 }  // namespace
 
-// Sobol's first two dimensions. I. M. Sobol, USSR Comput. Math. Math. Phys. 7 (1967) 86-112.
+// The first two dimensions of Sobol's sequence. I. M. Sobol, USSR Comput. Math. Math. Phys. 7
+// (1967) 86-112.
 std::array<double, 2> sample_place(int k) {
   double up = 0;
   unsigned direction = 8, bits = 0;

@@ -1,4 +1,4 @@
-// Samples of one picture, each a part of a pixel off, added up to their mean. For sources of the
+// The mean of several samples of one picture, each shifted by a part of a pixel. For sources of the
 // scene only.
 #pragma once
 
@@ -11,9 +11,9 @@ class SampleMean {
   int count() const { return count_; }
   void forget() { count_ = 0; }
   bool is_of(int width, int height) const { return width == width_ && height == height_; }
-  // What the window shows, of this size.
+  // Adds the picture that the window shows, which has this size (pixels).
   void add(vtkOpenGLRenderWindow* window, int width, int height);
-  // The framebuffer with the mean of all that were added; its colours are multiplied by alpha.
+  // Framebuffer with the mean of all added samples. Its colours are multiplied by alpha.
   vtkOpenGLFramebufferObject* resolve(vtkOpenGLRenderWindow* window);
   vtkTextureObject* picture() { return picture_.texture(); }  // of the last resolve()
   void release(vtkWindow* window);

@@ -1,12 +1,12 @@
-// Where in a pixel each of its samples lies.
+// Positions of samples in a pixel.
 #pragma once
 
 #include <array>
 
 namespace alphascope {
 
-// Of sample `k` of a pixel: pixels to the right and up from its middle, each within a half. The
-// first 4, 8 and 16 are spread evenly.
+// Position of sample `k`: pixels to the right and up from the pixel's middle, each from -0.5 to
+// 0.5. The first 4, 8 and 16 samples are spread evenly.
 std::array<double, 2> sample_place(int k);
 
 }  // namespace alphascope

@@ -1,4 +1,4 @@
-// See the header.
+// DrawnTexture, DrawnDepths, QuadProgram and DrawsQuads.
 #include "ui/scene/gl/screen_quad.hpp"
 
 #include <vtkOpenGLShaderCache.h>
@@ -11,7 +11,7 @@ namespace alphascope {
 
 namespace {
 
-// Whatever was in it. False: it is of this size already.
+// Makes an empty texture of this size. Returns false if it has this size already.
 bool make_texture(vtkTextureObject* texture, vtkOpenGLRenderWindow* window, int width, int height,
                   PixelKind kind) {
   const auto w = static_cast<unsigned>(width), h = static_cast<unsigned>(height);
@@ -44,7 +44,7 @@ void DrawnTexture::bind(vtkOpenGLRenderWindow* window, int width, int height, Pi
   framebuffer_->SetContext(window);
   const bool made = make_texture(texture_, window, width, height, kind);
   framebuffer_->Bind();
-  // VTK knows textures by their object, and would keep the one that is no more.
+  // VTK compares texture objects, and would keep the attachment of the released texture.
   if (made) framebuffer_->RemoveColorAttachment(0);
   framebuffer_->AddColorAttachment(0, texture_);
   framebuffer_->ActivateBuffer(0);

@@ -1,5 +1,5 @@
-// What passes over the whole picture share: textures to draw into, programs, and OpenGL's state for
-// it. For sources of the scene only.
+// Common parts of passes over the whole picture: textures to draw into, programs, and OpenGL's
+// state. For sources of the scene only.
 #pragma once
 
 #include <vtkNew.h>
@@ -16,14 +16,14 @@
 
 namespace alphascope {
 
-// Four channels of 8 bits, or of floating-point numbers of 16 bits, in which samples add up; or
-// depths.
+// bytes: four channels of 8 bits. sums: four channels of 16-bit floats, in which samples add up.
+// depths: 32-bit floats.
 enum class PixelKind : std::uint8_t { bytes, sums, depths };
 
-// A texture of the size that is wanted, in a framebuffer.
+// A texture with a framebuffer that draws into it.
 class DrawnTexture {
  public:
-  // Binds the framebuffer and makes the texture anew where it has another size.
+  // Binds the framebuffer. Makes the texture anew if its size differs.
   void bind(vtkOpenGLRenderWindow* window, int width, int height, PixelKind kind);
   vtkOpenGLFramebufferObject* framebuffer() { return framebuffer_; }
   vtkTextureObject* texture() { return texture_; }
@@ -34,10 +34,10 @@ class DrawnTexture {
   vtkNew<vtkTextureObject> texture_;
 };
 
-// Depths of the size that is wanted, and nothing else.
+// A depth texture with a framebuffer that draws into it.
 class DrawnDepths {
  public:
-  // Binds the framebuffer and clears it: nothing is nearer than the farthest.
+  // Binds the framebuffer and clears it to the farthest depth.
   void bind(vtkOpenGLRenderWindow* window, int width, int height);
   vtkTextureObject* texture() { return texture_; }
   void release(vtkWindow* window);
@@ -47,11 +47,11 @@ class DrawnDepths {
   vtkNew<vtkTextureObject> texture_;
 };
 
-// A fragment shader for the whole of a picture.
+// A fragment shader that runs over the whole picture.
 class QuadProgram {
  public:
-  // In use, to be given its values and rendered. It is compiled on first use, from what `shader`
-  // returns; null where it does not compile.
+  // Returns the program, bound and ready for uniforms and Render(). The first call compiles the
+  // source that `shader` returns. Null if it does not compile.
   vtkOpenGLQuadHelper* use(vtkOpenGLRenderWindow* window,
                            const std::function<std::string()>& shader);
   void release() { quad_.reset(); }
@@ -60,7 +60,8 @@ class QuadProgram {
   std::unique_ptr<vtkOpenGLQuadHelper> quad_;
 };
 
-// While it is there: no depth, no blending, no scissors, and all of a target of this size.
+// While this object exists: no depth test, no blending, no scissors, and a viewport of this size
+// (pixels).
 class DrawsQuads {
  public:
   DrawsQuads(vtkOpenGLState* state, int width, int height);

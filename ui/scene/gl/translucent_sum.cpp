@@ -1,4 +1,4 @@
-// See the header.
+// Sums weighted colours of translucent layers, and blends their mean over the picture.
 #include "ui/scene/gl/translucent_sum.hpp"
 
 #include <vtkObjectFactory.h>
@@ -14,7 +14,7 @@ namespace alphascope {
 namespace {
 
 constexpr const char* kOutput = "//VTK::DepthPeeling::Impl";
-// What hides all behind it would have an infinite weight.
+// The limit 0.999 avoids the infinite weight of an opaque layer.
 constexpr const char* kWeighted = R"(
   float layerWeight = -log(1.0 - min(gl_FragData[0].a, 0.999));
   gl_FragData[0] = layerWeight * vec4(gl_FragData[0].rgb, 1.0);
@@ -61,7 +61,8 @@ void TranslucentSum::sum(const vtkRenderState* state, vtkTextureObject* depths, 
   const vtkOpenGLState::ScopedglClearColor clear(gl);
   gl->PushFramebufferBindings();
   sums_.bind(window, width, height, PixelKind::sums);
-  sums_.framebuffer()->RemoveDepthAttachment();  // perhaps it was made anew
+  sums_.framebuffer()->RemoveDepthAttachment();  // the attachment may be from a framebuffer that
+                                                 // was made anew
   sums_.framebuffer()->AddDepthAttachment(depths);
   gl->vtkglClearColor(0, 0, 0, 0);
   gl->vtkglClear(GL_COLOR_BUFFER_BIT);

@@ -1,5 +1,5 @@
-// What is translucent, while something moves: the layers of a pixel are summed in any order, and
-// what is seen is their mean. For sources of the scene only.
+// Quick transparency for moving pictures. The layers of a pixel are summed in any order, and their
+// mean is drawn. For sources of the scene only.
 #pragma once
 
 #include <vtkOpenGLRenderPass.h>
@@ -10,17 +10,17 @@
 
 namespace alphascope {
 
-// As VTK's own pass for this, which draws to a second texture: with many layers a pixel, blending
-// takes most of the time. The one texture here gets w * (r, g, b, 1) of each layer, w = -ln(1 -
-// opacity). The sum of w tells both what the colours are divided by and how much the background
-// shines through, exp(-sum). For layers of one opacity the picture is VTK's. L. Bavoil, K. Myers,
-// Order independent transparency with dual depth peeling, NVIDIA, 2008 (weighted average).
+// Like VTK's own pass, which draws into a second texture; with many layers, blending takes most of
+// the time. Here each layer adds w * (r, g, b, 1) to one texture, where w = -ln(1 - opacity). The
+// sum of w divides the colours, and exp(-sum) is the share of the background. If all layers have
+// the same opacity, the picture equals VTK's. L. Bavoil, K. Myers, Order independent transparency
+// with dual depth peeling, NVIDIA, 2008 (weighted average).
 class TranslucentSum : public vtkOpenGLRenderPass {
  public:
   static TranslucentSum* New();
   vtkTypeMacro(TranslucentSum, vtkOpenGLRenderPass);
 
-  // Of the state's props, over what its renderer's window has drawn.
+  // Draws the translucent props of `state` over the picture in its renderer's window.
   void Render(const vtkRenderState* state) override;
   bool PostReplaceShaderValues(std::string& vertex_shader, std::string& geometry_shader,
                                std::string& fragment_shader, vtkAbstractMapper* mapper,

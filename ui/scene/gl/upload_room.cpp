@@ -1,4 +1,4 @@
-// See the header.
+// Copies with all threads into a mapped buffer, from which the GPU copies on.
 #include "ui/scene/gl/upload_room.hpp"
 
 #include <GL/gl.h>
@@ -39,10 +39,12 @@ bool UploadRoom::fill(unsigned target, const unsigned char* content, std::size_t
   return true;
 }
 
-// A quarter more than is asked for: as alpha changes, so does what is drawn.
+// Reserves a quarter more than requested, because the drawing grows and shrinks with alpha.
 bool UploadRoom::reserve(std::size_t bytes) {
   release();
-  if (!has_opengl(4, 4, "GL_ARB_buffer_storage")) return false;  // that stays mapped
+  if (!has_opengl(4, 4, "GL_ARB_buffer_storage"))
+    return false;  // provides memory that stays
+                   // mapped
   const std::size_t room = bytes + bytes / 4;
   constexpr GLbitfield kHow = GL_MAP_WRITE_BIT | GL_MAP_PERSISTENT_BIT | GL_MAP_COHERENT_BIT;
   const auto size = static_cast<GLsizeiptr>(room);
@@ -53,7 +55,7 @@ bool UploadRoom::reserve(std::size_t bytes) {
   glBindBuffer(GL_COPY_READ_BUFFER, 0);
   memory_ = static_cast<unsigned char*>(memory);
   if (memory_ == nullptr) {
-    for (int n = 0; n < 8 && glGetError() != GL_NO_ERROR; ++n) {  // that it failed is known now
+    for (int n = 0; n < 8 && glGetError() != GL_NO_ERROR; ++n) {  // clears the error
     }
     release();
     return false;
@@ -62,7 +64,7 @@ bool UploadRoom::reserve(std::size_t bytes) {
   return true;
 }
 
-// The driver keeps what is on its way until it has arrived.
+// The driver keeps the buffer until the copies that use it are done.
 void UploadRoom::release() {
   if (on_its_way_ != nullptr) glDeleteSync(on_its_way_);
   if (buffer_ != 0) glDeleteBuffers(1, &buffer_);

@@ -1,4 +1,4 @@
-// The way of large content to the GPU. No VTK.
+// Memory for uploads of large content to the GPU. No VTK.
 #pragma once
 
 #include <cstddef>
@@ -7,19 +7,19 @@ struct __GLsync;
 
 namespace alphascope {
 
-// Memory that the processor writes and the GPU reads, kept from one upload to the next. Left to
-// itself the driver takes new memory for each upload, twice as much as the content (NVIDIA's 580),
-// and that takes longer than the copy. This belongs to an OpenGL context, which must be current
-// whenever it is used.
+// Memory that the processor writes and the GPU reads. It is kept from one upload to the next. On
+// its own, the driver (NVIDIA's 580) allocates memory of twice the content for each upload. That
+// takes longer than the copy. An UploadRoom belongs to an OpenGL context, which must be current in
+// each call.
 class UploadRoom {
  public:
   UploadRoom() = default;
   UploadRoom(const UploadRoom&) = delete;
   UploadRoom& operator=(const UploadRoom&) = delete;
 
-  // Fills the buffer that is bound to `target`, an OpenGL name; it must have so many bytes. All
-  // threads of the caller's task arena copy. False: this OpenGL has no such memory, or none left,
-  // and the buffer is as it was.
+  // Fills the buffer bound to `target` (an OpenGL constant), which must have at least `bytes`
+  // bytes. All threads of the caller's task arena copy. Returns false, and leaves the buffer as it
+  // was, if OpenGL has no such memory or none left.
   bool fill(unsigned target, const unsigned char* content, std::size_t bytes);
   void release();
 
@@ -28,11 +28,11 @@ class UploadRoom {
 
   unsigned buffer_ = 0;  // an OpenGL name
   unsigned char* memory_ = nullptr;
-  std::size_t room_ = 0, used_ = 0;  // bytes; what is used may be on its way
-  __GLsync* on_its_way_ = nullptr;   // passed when all of that has arrived
+  std::size_t room_ = 0, used_ = 0;  // bytes; used_ includes copies that are not finished
+  __GLsync* on_its_way_ = nullptr;   // signalled when all copies are finished
 };
 
-// By all threads of the caller's task arena, in pieces.
+// Copies in pieces of 1 MiB by all threads of the caller's task arena.
 void copy_by_all_threads(const unsigned char* from, unsigned char* to, std::size_t bytes);
 
 }  // namespace alphascope

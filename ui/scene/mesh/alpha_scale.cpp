@@ -1,4 +1,4 @@
-// See the header.
+// The range of alpha values in a mesh, and colours along it.
 #include "ui/scene/mesh/alpha_scale.hpp"
 
 #include <algorithm>
@@ -6,7 +6,8 @@
 namespace alphascope {
 namespace {
 
-// The values that are drawn, and the complex' alpha as the largest; square lattice units.
+// The least alpha value of the drawn simplices, at most the complex' own alpha; square lattice
+// units.
 float lowest_drawn(const AlphaComplex& complex, const AlphaScale::Drawn& drawn) {
   auto low = complex.alpha_on_lattice.nearest_float();
   const auto take = [&low](const auto& list) {

@@ -1,4 +1,4 @@
-// Colours of alpha values: early simplices at the map's beginning, late ones at its end.
+// Colours of alpha values: simplices with low values get the beginning of the colour map.
 #pragma once
 
 #include <optional>
@@ -9,10 +9,10 @@
 
 namespace alphascope {
 
-// Of ColourBy::alpha.
+// Map and range for ColourBy::alpha.
 struct AlphaColours {
   ColourMap map = scheme_info(ColourBy::alpha).map;
-  std::optional<ColourRange> range;  // Å²; none: from the smallest value drawn up to alpha
+  std::optional<ColourRange> range;  // Å²; none: from the least value drawn to the complex' alpha
   friend bool operator==(const AlphaColours&, const AlphaColours&) = default;
 };
 
@@ -24,13 +24,13 @@ class AlphaScale {
   AlphaScale(const AlphaComplex& complex, const Drawn& drawn, const AlphaColours& colours = {});
 
   Rgb8 colour(float alpha_value) const;  // square lattice units
-  Rgb8 colour_at(double share) const;    // along the colour map, 0 to 1
-  double alpha_at(double share) const;   // Å², of that colour
+  Rgb8 colour_at(double share) const;    // by share of the colour map, 0 to 1
+  double alpha_at(double share) const;   // Å², at that share
   PaintKey key() const;
 
  private:
   ColourScale scale_;     // Å²
-  double angstrom2_ = 1;  // of a square lattice unit
+  double angstrom2_ = 1;  // Å² in a square lattice unit
 };
 
 }  // namespace alphascope

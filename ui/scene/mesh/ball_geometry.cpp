@@ -1,4 +1,4 @@
-// Conversion from the lattice, bounding box and principal axes.
+// BallGeometry: conversion from the lattice, bounding box and principal axes. Also radii as drawn.
 #include "ui/scene/mesh/ball_geometry.hpp"
 
 #include <algorithm>
@@ -26,8 +26,8 @@ Matrix3 covariance(const std::vector<std::array<float, 3>>& points) {
   return sum;
 }
 
-// Longest axis to the right, second upwards. The signs are fixed (largest component positive), so
-// that a molecule always appears the same way.
+// The longest axis points right, the second upwards. Their signs are fixed (largest component
+// positive), so that a molecule always appears the same way.
 Matrix3 view_axes(const std::vector<std::array<float, 3>>& points) {
   Matrix3 a = covariance(points), vectors;
   diagonalise(a, vectors);

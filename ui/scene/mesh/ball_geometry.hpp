@@ -1,5 +1,5 @@
-// Balls as floats in Å around an origin near their middle, as graphics needs them: the lattice's
-// large coordinates would lose digits in a float.
+// Balls for graphics: floats in Å around an origin near their middle. A float would lose digits of
+// the lattice's large coordinates.
 #pragma once
 
 #include <array>
@@ -20,22 +20,22 @@ struct BallGeometry {
   // Unit vectors of decreasing spread: right, up and towards the viewer of the default view.
   std::array<std::array<double, 3>, 3> axes{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
 
-  int dimension = 3;  // of what the centres span
+  int dimension = 3;  // of the space that the centres span
 
   explicit BallGeometry(const BallSet& balls);
   BallGeometry() = default;
 };
 
-// How large balls are drawn.
+// Radii as drawn.
 struct BallStyle {
   bool grown = false;         // sqrt((radius + solvent)² + alpha) instead of the radius
-  double scale = 0.3;         // times that
+  double scale = 0.3;         // factor on that radius
   double solvent_radius = 0;  // Å
   double alpha = 0;           // Å²
   friend bool operator==(const BallStyle&, const BallStyle&) = default;
 };
 
-// Radius in Å of every ball as drawn; 0 where the grown ball is empty (alpha < -radius²).
+// Radius of each ball as drawn (Å); 0 where the grown ball is empty (alpha < -(radius + solvent)²).
 std::vector<float> drawn_radii(const BallGeometry& balls, const BallStyle& style);
 
 }  // namespace alphascope

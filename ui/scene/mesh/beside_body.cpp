@@ -1,8 +1,8 @@
-// Bonds are found by distance, as E. C. Meng and R. A. Lewis do ("Determination of molecular
-// topology and atomic hybridization states from heavy atom coordinates", Journal of Computational
-// Chemistry 12, 1991): two atoms are bonded where their distance is at most the sum of their
-// covalent radii and 0.4 Å. The radii are those of B. Cordero et al. ("Covalent radii revisited",
-// Dalton Transactions, 2008). It is a drawing: nothing is computed from these bonds.
+// Finds bonds by distance: E. C. Meng and R. A. Lewis, "Determination of molecular topology and
+// atomic hybridization states from heavy atom coordinates", Journal of Computational Chemistry 12,
+// 1991. Two atoms are bonded if their distance is at most the sum of their covalent radii plus 0.4
+// Å. The radii are those of B. Cordero et al., "Covalent radii revisited", Dalton Transactions,
+// 2008. The bonds are only drawn; no result depends on them.
 #include "ui/scene/mesh/beside_body.hpp"
 
 #include <algorithm>
@@ -15,14 +15,14 @@ namespace alphascope {
 namespace {
 
 constexpr double kTolerance = 0.4, kLeastBond = 0.4;  // Å
-constexpr double kLongestBond = 4;                    // Å: of the two largest atoms
-// Å, as drawn. The balls of the body have 0.3 of their radius: about 0.5 Å.
+constexpr double kLongestBond = 4;                    // Å, between the two largest atoms
+// Å, as drawn. Balls of the body are drawn with 0.3 of their radius, about 0.5 Å.
 constexpr float kBall = 0.34f, kHydrogenBall = 0.2f, kWaterBall = 0.42f, kIonBall = 0.8f;
 constexpr double kStick = 0.13;  // Å
-// With more than these a picture shows no single bond, and sticks would take hundreds of megabytes.
+// With more sticks a picture shows no single bond, and they would take hundreds of megabytes.
 constexpr std::size_t kMostSticks = 30000;
 
-// Å.
+// Covalent radius, Å.
 double covalent_radius(Element element) {
   constexpr std::array<double, 38> kRadii{
       0,    0.31, 0.28, 1.28, 0.96, 0.84, 0.76, 0.71, 0.66, 0.57, 0.58, 1.66, 1.41,
@@ -85,7 +85,8 @@ class Builder {
            distance <= covalent_radius(e) + covalent_radius(f) + kTolerance;
   }
 
-  // Of a hydrogen: the nearest heavy atom of its residue, in the body or beside it.
+  // The parent of a hydrogen is the nearest bonded heavy atom of its residue, in the body or beside
+  // it.
   void find_parent(std::uint32_t hydrogen) {
     const auto& atoms = molecule_.atoms;
     std::uint32_t parent = hydrogen;
@@ -104,8 +105,8 @@ class Builder {
     if (parent != hydrogen) bonds_.push_back({parent, hydrogen});
   }
 
-  // Of ligands, also from one residue to the next, as in sugars: along x, only neighbours are
-  // tried.
+  // Finds bonds between atoms of ligands, also across residues, as in sugars. Atoms are sorted by
+  // x, so that only pairs near in x are tested.
   void find_bonds() {
     const auto x = [this](std::uint32_t atom) { return molecule_.atoms[atom].position.x; };
     std::sort(ligands_.begin(), ligands_.end(),
@@ -119,7 +120,7 @@ class Builder {
     }
   }
 
-  // Each half in the colour of its atom.
+  // Each half of a stick has the colour of its atom.
   void add_sticks() {
     for (const auto& [a, b] : bonds_) {
       const RealPoint p = place(a), q = place(b), middle = 0.5 * (p + q);

@@ -1,6 +1,6 @@
-// Atoms that are there and no part of the body, such as ligands that the options leave out: drawn
-// as small balls with sticks for bonds, so that they cannot be taken for balls of the complex. Pure
-// C++, may run in a worker; no VTK.
+// Atoms of the molecule that are not balls of the complex, such as ligands that the options leave
+// out. They are drawn as small balls with sticks for bonds, so that nobody takes them for balls of
+// the complex. Pure C++, may run in a worker; no VTK.
 #pragma once
 
 #include <cstdint>
@@ -17,11 +17,11 @@ namespace alphascope {
 struct BesideBody {
   // Balls and sticks in the colours of elements; null: nothing is drawn.
   std::shared_ptr<const LayerMesh> mesh;
-  std::vector<LeftOutAtom> atoms;  // one a ball; ascending
+  std::vector<LeftOutAtom> atoms;  // one per sphere of the mesh; ascending
 };
 
-// Of `prepared`, those kinds of left out atoms that `shown` has. `balls` is the geometry of
-// `prepared`, without which there is no place to draw at: nothing for an empty one.
+// Draws the atoms that `prepared` left out, of the kinds that `shown` contains. `balls` is the
+// geometry of `prepared`. Without balls the result is empty.
 BesideBody build_beside_body(const BallGeometry& balls, const Molecule& molecule,
                              const PreparedBalls& prepared, const AtomsBesideBody& shown,
                              const CancelToken& cancel = {});

@@ -1,4 +1,4 @@
-// See the header.
+// Intersects tetrahedra with the planes of a cut.
 #include "ui/scene/mesh/cap_mesh.hpp"
 
 #include <array>
@@ -22,12 +22,13 @@ void add_point(CellSoup& soup, const Point& p, const Rgb8& c) {
   soup.rgb.insert(soup.rgb.end(), {c.r, c.g, c.b});
 }
 
-// A plane and the tetrahedra that it meets.
+// Makes the caps in one plane.
 class CapBuilder {
  public:
   CapBuilder(const HalfSpace& space, CapMesh& mesh) : space_(space), mesh_(mesh) {}
 
-  // A corner in the plane counts as kept: then no face is drawn twice, and none is left out.
+  // A corner in the plane counts as kept. So where tetrahedra share a face in the plane, it is
+  // drawn once.
   void add(const std::array<Point, 4>& corners, std::uint32_t tetrahedron, const Rgb8& colour) {
     std::array<double, 4> depth;
     std::array<int, 4> inside{}, outside{};
@@ -91,11 +92,12 @@ CapMesh build_cap_mesh(const BallGeometry& balls, const std::vector<Rgb8>& colou
   CapMesh mesh;
   if (!has_caps(options) || (options.colouring == ComplexColouring::alpha && !scale)) return mesh;
   const auto& list = complex.tetrahedra;
-  // The boundary is that of whole tetrahedra.
+  // The boundary belongs to tetrahedra that are not shrunk.
   const float shrink = options.boundary ? 0 : static_cast<float>(options.shrink);
   for (const HalfSpace& space : cut.kept) {
     cancel.throw_if_cancelled();
-    // Most tetrahedra are on one side; their balls tell.
+    // Most tetrahedra lie on one side of the plane. The signs of their balls tell so without
+    // further tests.
     std::vector<bool> kept(balls.centres.size());
     for (std::size_t i = 0; i < kept.size(); ++i) kept[i] = space.depth(balls.centres[i]) >= 0;
     CapBuilder caps(space, mesh);

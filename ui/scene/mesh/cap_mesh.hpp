@@ -1,5 +1,5 @@
-// The flat faces with which a cut closes tetrahedra: what each of its planes and each tetrahedron
-// have in common, in the tetrahedron's colour. Pure C++, may run in a worker; no VTK.
+// Flat faces that close tetrahedra where planes cut them. They are the intersections, in the
+// colours of the tetrahedra. Pure C++, may run in a worker; no VTK.
 #pragma once
 
 #include <optional>
@@ -12,14 +12,14 @@
 namespace alphascope {
 
 struct CapMesh {
-  CellSoup faces;  // triangles; their source is 4 × tetrahedron, as that of tetrahedra
-  CellSoup edges;  // lines around each tetrahedron's face, darker
+  CellSoup faces;  // triangles; source: 4 × tetrahedron, a face code as in the mesh
+  CellSoup edges;  // lines around each intersection, in a darker colour
 };
 
-// Whether a cut of this mesh has caps: faces without tetrahedra have none.
+// Whether a cut of this mesh has caps. Only tetrahedra and their boundary have.
 bool has_caps(const MeshOptions& options);
 
-// Input as of build_mesh(); `scale` is that of the mesh, if it has one.
+// Same input as build_mesh(); `scale` is the scale of the mesh, if it has one.
 CapMesh build_cap_mesh(const BallGeometry& balls, const std::vector<Rgb8>& colours,
                        const AlphaComplex& complex, const MeshOptions& options,
                        const std::optional<AlphaScale>& scale, const Cut& cut,

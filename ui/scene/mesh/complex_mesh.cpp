@@ -1,5 +1,4 @@
-// Filling of the arrays, by all threads: every element is written once, at a place that is known
-// before.
+// Fills the arrays by all threads. Each element is written once, at a position known in advance.
 #include "ui/scene/mesh/complex_mesh.hpp"
 
 #include <algorithm>
@@ -16,7 +15,8 @@ namespace {
 
 using Point = std::array<float, 3>;
 
-// Six times the signed volume of p0 p1 p2 p3; only for the direction in which a face looks.
+// Six times the signed volume of p0 p1 p2 p3. Only the orientation of faces depends on it, so
+// floats suffice.
 double orientation(const Point& p0, const Point& p1, const Point& p2, const Point& p3) {
   double a[3], b[3], c[3];
   for (int k = 0; k < 3; ++k) {
@@ -28,19 +28,19 @@ double orientation(const Point& p0, const Point& p1, const Point& p2, const Poin
          a[2] * (b[0] * c[1] - b[1] * c[0]);
 }
 
-// The normal of a face, as long as twice its area.
+// The normal of a face; its length is twice the area.
 Point doubled_area(const Point& p0, const Point& p1, const Point& p2) {
   const Point a{p1[0] - p0[0], p1[1] - p0[1], p1[2] - p0[2]};
   const Point b{p2[0] - p0[0], p2[1] - p0[1], p2[2] - p0[2]};
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-// Counterclockwise when seen from outside the tetrahedron.
+// Corners of a face, counterclockwise when seen from outside its tetrahedron.
 std::array<BallIndex, 3> outward(const BallGeometry& balls, const Simplices<4>& tetrahedra,
                                  FaceCode face) {
   const auto v = face_vertices(tetrahedra, face);
   const BallIndex opposite = tetrahedra[tetrahedron_of(face)][face % 4];
-  // No branch: the processor would guess every second one wrong.
+  // Without a branch, since the processor would guess half of them wrong.
   const std::size_t turned = orientation(balls.centres[v[0]], balls.centres[v[1]],
                                          balls.centres[v[2]], balls.centres[opposite]) > 0;
   return {v[0], v[1 + turned], v[2 - turned]};
@@ -79,7 +79,8 @@ class MeshBuilder {
   }
 
  private:
-  // An engine that errs, in its classes too, is compared with CGAL and its complex must be seen.
+  // The complex of a faulty engine must be visible for the comparison with CGAL, even if its
+  // classes contradict its tetrahedra.
   ResultArray<FaceCode> outside_of_all() const {
     try {
       return outer_faces(complex_, cancel_);
@@ -131,8 +132,9 @@ class MeshBuilder {
     return cells;
   }
 
-  // Each in the colour of its tetrahedron; among classes, in that of `of_class`: a face of the
-  // boundary is a triangle with a class of its own, the outside of tetrahedra stands for them.
+  // Faces have the colours of their tetrahedra. In ComplexColouring::classes they have the colour
+  // of `of_class`. The boundary consists of triangles with a class of their own; outside faces
+  // represent tetrahedra.
   FaceCells faces_of_tetrahedra(ResultArray<FaceCode> codes, SimplexClass of_class) const {
     const auto& list = complex_.tetrahedra;
     FaceCells cells;
@@ -145,7 +147,8 @@ class MeshBuilder {
     return cells;
   }
 
-  // In the order of the faces, by one thread: sums must not depend on how many there are.
+  // One thread adds in the order of the faces, so that the sums do not depend on the number of
+  // threads.
   void add_normals(FaceCells& cells) const {
     if (cells.size() == 0) return;
     cells.normals.assign(balls_.centres.size(), {});
@@ -160,8 +163,8 @@ class MeshBuilder {
     }
   }
 
-  // Calls body(number of the cell, place in the list) for what is to be drawn of a list, after
-  // `prepare` has been given how many these are; returns the places, none where all are drawn.
+  // Calls prepare(count), then body(n, i) for each simplex drawn: n is its cell, i its index in
+  // `list`. Returns the indices i; empty if the whole list is drawn.
   template <int N, class Prepare, class Body>
   ResultArray<std::uint32_t> for_drawn(const SimplexList<N>& list, const Prepare& prepare,
                                        const Body& body) const {
@@ -170,7 +173,8 @@ class MeshBuilder {
       parallel_many(list.size(), cancel_, [&](std::size_t i) { body(i, i); });
       return {};
     }
-    // The largest simplices in a plane or on a line are interior there, and no faces either.
+    // Centres in a plane or on a line: the largest simplices are interior there, but faces of
+    // nothing.
     const bool largest = balls_.dimension < 3 && N == balls_.dimension + 1;
     const auto singular = [&](std::size_t i) {
       return largest || list.classes[i] == SimplexClass::singular;

@@ -1,5 +1,5 @@
-// What is drawn of an alpha complex, as arrays that go to the GPU as they are: a simplex is the
-// indices of its balls and a colour. Pure C++, may run in a worker; no VTK.
+// The drawing of an alpha complex, as arrays that are uploaded to the GPU unchanged. A simplex is
+// the indices of its balls and a colour. Pure C++, may run in a worker; no VTK.
 #pragma once
 
 #include <array>
@@ -17,64 +17,67 @@
 
 namespace alphascope {
 
-// Not ColourBy: element and chain are one to a mesh, since each ball brings its colour.
+// How simplices are coloured. Unlike ColourBy, element and chain are one value here, since each
+// ball has its colour already.
 enum class ComplexColouring : std::uint8_t {
   single,  // one colour for each kind of simplex
-  // Every simplex in the colour that most of its corners have; on a tie, of the corner with the
-  // lowest ball index. A face of a tetrahedron has the tetrahedron's colour. Colours of elements
-  // and chains are names: a blend of two of them would be a third name.
+  // Every simplex has the colour of most of its corners; on a tie, that of the corner with the
+  // lowest ball index. A face of a tetrahedron has the tetrahedron's colour. Colours are not
+  // blended, because a blend could equal the colour of another element or chain.
   balls,
   alpha,    // by alpha value
   classes,  // singular, regular or interior
 };
 
-// Of the display controls, what needs another mesh: a change of the others must not make one.
+// The display controls that need another mesh when they change.
 struct MeshOptions {
   bool tetrahedra = true;
   bool boundary = false;  // faces that belong to exactly one tetrahedron
   bool triangles = false;
   bool edges = false;
-  bool singular_only = true;  // triangles and edges that are faces of nothing larger
-  // Share of the way from each corner to the tetrahedron's centre, 0 (touching) to below 1.
+  bool singular_only = true;  // of triangles and edges, those that are faces of nothing larger
+  // Share of the way from each corner to the tetrahedron's centre: 0 (touching) to below 1.
   double shrink = 0;
-  // Faces between two tetrahedra cannot be seen when nothing is translucent or shrunk; then they
-  // are left out.
+  // Whether tetrahedra are translucent. If they are neither translucent nor shrunk, faces between
+  // two of them are invisible and left out.
   bool translucent = false;
-  bool smooth_boundary = false;  // normals of balls, between which light is interpolated
+  bool smooth_boundary = false;  // normals at balls, for smooth light
   ComplexColouring colouring = ComplexColouring::balls;
   Rgb8 single_colour{90, 169, 230};
   AlphaColours alpha_colours{};
 
-  // Of tetrahedra, all four faces.
+  // Whether all four faces of each tetrahedron are drawn.
   bool whole_tetrahedra() const { return tetrahedra && (shrink > 0 || translucent); }
-  // Of tetrahedra, the faces that no other one has.
+  // Whether faces of exactly one tetrahedron are drawn.
   bool outside() const { return (tetrahedra && !whole_tetrahedra()) || boundary; }
   friend bool operator==(const MeshOptions&, const MeshOptions&) = default;
 };
 
-// Points in Å relative to BallGeometry::origin; `corners` of them make one cell (3 or 2).
+// Triangles or lines without shared points. Points are in Å, relative to BallGeometry::origin;
+// three or two consecutive points make a cell.
 struct CellSoup {
   std::vector<float> xyz;
   std::vector<std::uint8_t> rgb;
-  // What each cell is: of caps, 4 × tetrahedron. Empty: cell i is i.
+  // Index that each cell stands for; in caps 4 × tetrahedron. Empty: cell i stands for i.
   std::vector<std::uint32_t> source;
   std::size_t points() const { return xyz.size() / 3; }
 };
 
-// 16 bytes, which a shader fetches at once.
+// 16 bytes, so that a shader fetches it in one read.
 struct DrawnFace {
   std::array<BallIndex, 3> balls{};
   PackedColour colour{};
 };
 static_assert(sizeof(DrawnFace) == 16);
 
-// Triangles with corners at centres of balls.
+// Triangles whose corners are centres of balls.
 struct FaceCells {
   ResultArray<DrawnFace> faces;
-  // What each is: of faces of tetrahedra the FaceCode; of triangles the place in their list. Empty:
-  // face i is i.
+  // Source of each face: for faces of tetrahedra the FaceCode, for triangles the index in the
+  // complex' list. Empty: face i is triangle i.
   ResultArray<std::uint32_t> source;
-  // Of every ball, outward: the mean of the faces around it, by their areas. Empty: faces are flat.
+  // Outward normals, one for each ball: the mean over its faces, weighted by area. Empty: light is
+  // flat.
   std::vector<std::array<float, 3>> normals;
   std::size_t size() const { return faces.size(); }
 };
@@ -88,52 +91,52 @@ static_assert(sizeof(DrawnEdge) == 16);
 
 struct EdgeCells {
   ResultArray<DrawnEdge> edges;
-  // The place of each in the complex' list. Empty: cell i is i.
+  // Index of each edge in the complex' list. Empty: cell i is edge i.
   ResultArray<std::uint32_t> source;
   std::size_t size() const { return edges.size(); }
 };
 
-// Tetrahedra with their four faces, each drawn towards its centre.
+// Tetrahedra with all four faces; `shrink` moves their corners towards their centres.
 struct TetrahedronCells {
   Simplices<4> balls;
   ResultArray<PackedColour> colours;  // one a tetrahedron
-  // The place of each in the complex' list. Empty: cell i is i.
+  // Index of each tetrahedron in the complex' list. Empty: cell i is tetrahedron i.
   ResultArray<std::uint32_t> source;
   float shrink = 0;  // as in MeshOptions
   std::size_t size() const { return balls.size(); }
 };
 
 struct ComplexMesh {
-  // Of tetrahedra either their faces outside or all of each.
+  // Tetrahedra are drawn either by their outside faces or with all four faces each.
   FaceCells outside;
   TetrahedronCells tetrahedra;
   FaceCells boundary, triangles;
   EdgeCells edges;
   std::size_t tetrahedra_drawn = 0;  // all tetrahedra of the complex, or 0 when off
-  std::optional<AlphaScale> scale;   // what its colours mean, if they are of alpha values
-  // Triangles that a GPU draws.
+  std::optional<AlphaScale> scale;   // meaning of the colours, if they show alpha values
+  // Number of triangles that the GPU draws.
   std::size_t faces_drawn() const {
     return outside.size() + 4 * tetrahedra.size() + boundary.size() + triangles.size();
   }
   bool empty() const { return faces_drawn() == 0 && edges.size() == 0; }
 };
 
-// `colours` holds one colour a ball. Throws std::invalid_argument when complex, balls and colours
-// do not belong together (a vertex index beyond the balls), and Cancelled. Where a
-// triangle is regular by its class and belongs to no tetrahedron, the classes are not used. Classes
-// are those of space or of the balls' own dimension (core/complex/own_dimension.hpp). The
-// same for any number of threads; it uses those of the caller's task arena.
+// `colours` has one colour for each ball. Throws std::invalid_argument if complex, balls and
+// colours do not fit together (a vertex index beyond the balls), and Cancelled. The classes are not
+// used if a triangle of class regular belongs to no tetrahedron. Classes are those of space or of
+// the balls' own dimension (core/complex/own_dimension.hpp). Uses the threads of the caller's task
+// arena; their number does not change the result.
 ComplexMesh build_mesh(const BallGeometry& balls, const std::vector<Rgb8>& colours,
                        const AlphaComplex& complex, const MeshOptions& options,
                        const CancelToken& cancel = {});
 
-// Where the corners of a tetrahedron are drawn; `shrink` as in MeshOptions.
+// Corners of a tetrahedron as drawn (Å); `shrink` as in MeshOptions.
 std::array<std::array<float, 3>, 4> shrunk_corners(const BallGeometry& balls,
                                                    const std::array<BallIndex, 4>& tetrahedron,
                                                    float shrink);
 
-// Faces that occur in exactly one of the tetrahedra; corners ordered so that the normal points away
-// from the tetrahedron.
+// Faces of exactly one of the tetrahedra. Their corners are ordered so that normals point away from
+// the tetrahedron.
 Simplices<3> boundary_faces(const BallGeometry& balls, const Simplices<4>& tetrahedra);
 
 }  // namespace alphascope

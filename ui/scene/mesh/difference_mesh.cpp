@@ -1,4 +1,4 @@
-// See the header.
+// Collects the missing and the extra simplices of a comparison, each in its colour.
 #include "ui/scene/mesh/difference_mesh.hpp"
 
 #include <utility>

@@ -1,5 +1,5 @@
-// What two complexes do not have in common, as flat arrays for drawing. Pure C++, may run in a
-// worker; no VTK.
+// Differences between two complexes, as flat arrays for drawing. Pure C++, may run in a worker; no
+// VTK.
 #pragma once
 
 #include "core/complex/compare.hpp"
@@ -7,12 +7,12 @@
 
 namespace alphascope {
 
-// Colours that no element, chain or alpha value has.
+// Colours that differ from those of all elements, chains and alpha values.
 inline constexpr Rgb8 kMissingColour{255, 0, 190};  // in the reference only
 inline constexpr Rgb8 kExtraColour{255, 225, 0};    // in the candidate only
 
 struct DifferenceMesh {
-  CellSoup faces;  // triangles: of tetrahedra and triangles; vertices as small octahedra
+  CellSoup faces;  // of triangles and tetrahedra; vertices as small octahedra
   CellSoup edges;  // lines
   bool empty() const { return faces.points() == 0 && edges.points() == 0; }
 };

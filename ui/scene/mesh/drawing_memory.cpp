@@ -1,7 +1,8 @@
-// See the header. The constants are growths of the resident set of a program that made nothing but
-// a Scene, as /proc/self/status says, from an empty scene to the end of three pictures of 400 x 300
-// pixels, one a quality, with 3 and 12 million points (balls: 1 and 4 million): the slope, rounded
-// up. VTK 9.1 on llvmpipe (Mesa 22.3), where buffers are host memory: the most a driver takes.
+// Estimates of memory from measured constants. They are growths of the resident set
+// (/proc/self/status) of a program that made nothing but a Scene. It grew from an empty scene to
+// the end of three pictures of 400 x 300 pixels, one of each quality. Scenes had 3 and 12 million
+// points (balls: 1 and 4 million); a constant is the slope, rounded up. VTK 9.1 on llvmpipe (Mesa
+// 22.3) keeps buffers in host memory, so no driver takes more of it.
 #include "ui/scene/mesh/drawing_memory.hpp"
 
 #include <algorithm>
@@ -15,24 +16,24 @@
 namespace alphascope {
 namespace {
 
-constexpr std::uint64_t kFace = 20;         // of a simplex, plain; drawn, 16 more
-constexpr std::uint64_t kFaceDrawn = 48;    // 36, and room for a driver's own
-constexpr std::uint64_t kFaceSought = 32;   // while it is looked for
-constexpr std::uint64_t kTetrahedron = 24;  // all four faces, plain; drawn, 20 more
+constexpr std::uint64_t kFace = 20;         // plain arrays of a face; drawing adds 16
+constexpr std::uint64_t kFaceDrawn = 48;    // 36 measured, and room for a driver's copy
+constexpr std::uint64_t kFaceSought = 32;   // while outer faces are searched
+constexpr std::uint64_t kTetrahedron = 24;  // plain arrays of all four faces; drawing adds 20
 constexpr std::uint64_t kTetrahedronDrawn = 56;
-constexpr std::uint64_t kTetrahedronSorted = 112;  // where no classes tell what is outside
-constexpr std::uint64_t kSoupPoint = 15;           // plain, part of the next two
+constexpr std::uint64_t kTetrahedronSorted = 112;  // for finding the outside without classes
+constexpr std::uint64_t kSoupPoint = 15;           // plain arrays, contained in the next two
 constexpr std::uint64_t kTrianglePoint = 150;      // 140 measured
-constexpr std::uint64_t kLinePoint = 250;          // 233 measured: lines become faces when drawn
+constexpr std::uint64_t kLinePoint = 250;          // 233 measured: OpenGL draws lines as faces
 constexpr std::uint64_t kBall = 110;               // 88 measured, and 13 that SceneController keeps
-constexpr std::uint64_t kPicturePixel = 90;  // 80 measured, of a PNG file from 2 to 19 million
+constexpr std::uint64_t kPicturePixel = 90;  // 80 measured, for PNG files of 2 to 19 million pixels
 constexpr std::uint64_t kFixed = 128 << 20;  // 103 MB measured: shaders and the rasteriser's bins
 
 struct Points {
-  std::uint64_t faces = 0, lines = 0;  // of triangles, of edges
+  std::uint64_t faces = 0, lines = 0;  // points of triangles, of lines
 };
 
-// By all threads: a picture of a million balls waits for this.
+// Counts with all threads, because a picture of a million balls waits for the result.
 std::uint64_t count_of(SimplexClass wanted, const ResultArray<SimplexClass>& classes) {
   constexpr std::size_t kGrain = 65536;
   return parallel_sum(0, classes.size(), kGrain, [&](std::size_t first, std::size_t end) {
@@ -47,13 +48,14 @@ std::uint64_t cells(const SimplexList<N>& list, const MeshOptions& options) {
   return count_of(SimplexClass::singular, list.classes);
 }
 
-// Faces of exactly one tetrahedron are regular triangles; without triangles every face may be one.
+// Faces of exactly one tetrahedron are regular triangles. Without a list of triangles, each face of
+// each tetrahedron counts.
 std::uint64_t outside_faces(const AlphaComplex& c) {
   if (c.tetrahedra_only) return 4 * c.tetrahedra.size();
   return count_of(SimplexClass::regular, c.triangles.classes);
 }
 
-// Faces that no tetrahedron brings, and edges: 16 bytes each.
+// Number of edges and of faces that are not faces of whole tetrahedra; 16 bytes each.
 std::uint64_t single_cells(const ComplexMesh& mesh) {
   return mesh.faces_drawn() - 4 * mesh.tetrahedra.size() + mesh.edges.size();
 }
@@ -102,7 +104,7 @@ std::string listed(const std::vector<std::string>& names) {
   return text;
 }
 
-// Adds layer after layer to what is drawn, each if it fits.
+// Adds one layer after another to the drawing, each if it fits into the budget.
 class Planner {
  public:
   Planner(const DrawingTask& task, std::uint64_t budget)
@@ -180,7 +182,7 @@ std::uint64_t drawing_bytes(const DrawingTask& task) {
       if (c.tetrahedra_only) seeking += kTetrahedronSorted * tetrahedra;
     }
     if (m.triangles) faces += cells(c.triangles, m);
-    if (m.edges) faces += cells(c.edges, m);  // which take as much
+    if (m.edges) faces += cells(c.edges, m);  // an edge takes as much as a face
     const std::uint64_t whole = m.tetrahedra && !outside ? tetrahedra : 0;
     cells_plain = kFace * faces + kTetrahedron * whole;
     cells_drawn = kFaceDrawn * faces + kTetrahedronDrawn * whole;

@@ -1,5 +1,6 @@
-// How much memory a picture of a complex takes, and what of it is drawn when that is more than
-// there is: VTK and OpenGL drivers end the program where an allocation fails. Pure; no VTK.
+// The memory that a picture of a complex takes, and the parts that are drawn if not all of it fits.
+// Without such a plan a failed allocation in VTK or an OpenGL driver would end the program. Pure;
+// no VTK.
 #pragma once
 
 #include <cstdint>
@@ -14,55 +15,60 @@
 namespace alphascope {
 
 struct DrawingTask {
-  std::size_t balls = 0;                    // whose arrays are not there yet
+  std::size_t balls = 0;                    // balls whose arrays are not made yet
   const AlphaComplex* complex = nullptr;    // null: none
-  const Comparison* differences = nullptr;  // to be drawn; null: none
-  MeshOptions mesh;                         // what is wanted of the complex
+  const Comparison* differences = nullptr;  // null: none are drawn
+  MeshOptions mesh;                         // the layers that the user wants
 };
 
-// Bytes from before build_mesh() to the first pictures, at most: plain arrays, VTK's, and OpenGL's
-// buffers, which software drivers and processors with graphics inside keep in the same memory.
+// Most bytes that are in use between build_mesh() and the first pictures: plain arrays, VTK's
+// arrays and OpenGL's buffers. Software OpenGL and integrated graphics keep those buffers in the
+// same memory.
 std::uint64_t drawing_bytes(const DrawingTask& task);
 
-// Of what is free, the rest being for the window and for computing the next complex meanwhile.
+// Part of the free bytes that drawing may use. The rest is for the window and for computing the
+// next complex.
 std::uint64_t drawing_budget(std::uint64_t free_bytes);
 
-// Of a picture for a file itself, with ambient occlusion. The second
-// throws std::runtime_error where that and `more_bytes` do not fit.
+// Bytes of a picture that is saved, with ambient occlusion. require_room() throws
+// std::runtime_error if these and `more_bytes` do not fit into the budget.
 std::uint64_t picture_bytes(int width, int height);
 void require_room(int width, int height, std::optional<std::uint64_t> free_bytes,
                   std::uint64_t more_bytes = 0);
 
-// Of VTK's and OpenGL's arrays for what has its plain arrays already: another scene shows it, too.
+// Bytes of VTK's and OpenGL's arrays for a second scene that shows the same plain arrays.
 std::uint64_t second_scene_bytes(std::size_t balls, const ComplexMesh* mesh);
 
-// Of what panels want drawn, as drawing_bytes().
+// Bytes of the layers that panels ask for, as drawing_bytes().
 std::uint64_t layer_bytes(const LayerPoints& points);
-// Why nothing of it is drawn and what to do; empty where it fits.
+// The reason why layers are not drawn, and a remedy; empty if they fit.
 std::string layers_not_drawn_text(const LayerPoints& points, std::optional<std::uint64_t> free);
 
-// Of all arrays of what is drawn.
+// Bytes of all arrays of the present drawing.
 std::uint64_t drawn_bytes(std::size_t balls, const ComplexMesh* mesh);
 
-// Why OpenGL cannot draw this mesh, and what to do, where it indexes at most so many cells or
-// balls; empty: it can. Older drivers draw something else then, and say nothing.
+// The reason why OpenGL cannot draw this mesh, and a remedy. OpenGL can index at most `most` cells
+// or balls. Empty if it can draw the mesh. Older drivers draw something wrong instead of reporting
+// an error.
 std::string beyond_opengl_text(const ComplexMesh& mesh, std::size_t balls, std::size_t most);
 
 struct DrawingPlan {
-  MeshOptions mesh;  // of what is drawn
+  MeshOptions mesh;  // of the drawing
   bool differences = false;
   bool balls = true;                  // false: nothing at all is drawn
-  std::vector<std::string> left_out;  // "edges"; least important last; empty: nothing is
+  std::vector<std::string> left_out;  // names such as "edges"; the least important is last; empty:
+                                      // everything is drawn
   std::uint64_t wanted_bytes = 0, free_bytes = 0;
   bool complete() const { return balls && left_out.empty(); }
 };
 
-// Everything, if it fits into the budget, and when nobody knows what is free. Else what fits, in
-// this order: balls (without them nothing), differences, tetrahedra, at least their outside,
-// boundary, triangles, edges.
+// The plan is everything if it fits into the budget, or if the free memory is unknown. Otherwise
+// parts are added, each if it fits: balls (without them nothing is drawn), differences, tetrahedra,
+// boundary, triangles, edges. If tetrahedra do not fit, their outside is tried.
 DrawingPlan plan_drawing(const DrawingTask& task, std::optional<std::uint64_t> free_bytes);
 
-// What is not drawn, what it would take and what to do; empty when the plan is complete.
+// The parts that are not drawn, the memory of the whole picture, and a remedy; empty if the plan is
+// complete.
 std::string not_drawn_text(const DrawingPlan& plan);
 
 inline constexpr const char* kNothingDrawn = "Nothing is drawn: there is too little memory for it.";

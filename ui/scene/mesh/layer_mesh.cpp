@@ -1,4 +1,4 @@
-// See the header.
+// Sorts the content of layers into marks, bodies, lines, tubes and atoms.
 #include "ui/scene/mesh/layer_mesh.hpp"
 
 #include <algorithm>
@@ -18,7 +18,7 @@ Rgb8 darker(const Rgb8& c) {
   return {shade(c.r), shade(c.g), shade(c.b)};
 }
 
-// Of the opaque layers, or of the others.
+// Collects the bodies of either the opaque or the translucent layers.
 class BodiesBuilder {
  public:
   explicit BodiesBuilder(const BallGeometry& balls)
@@ -54,7 +54,7 @@ class BodiesBuilder {
   }
 
  private:
-  // Faces between two of them cannot be seen.
+  // Draws only the outside, since faces between two tetrahedra cannot be seen.
   void add_solid(const Simplices<4>& tetrahedra, const Rgb8& colour) {
     if (tetrahedra.empty()) return;
     for (const auto& t : tetrahedra) {

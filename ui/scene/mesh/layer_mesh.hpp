@@ -1,4 +1,4 @@
-// What panels want drawn, as flat arrays. Pure C++, may run in a worker; no VTK.
+// Layers that panels ask for, as flat arrays. Pure C++, may run in a worker; no VTK.
 #pragma once
 
 #include <memory>
@@ -13,7 +13,7 @@
 
 namespace alphascope {
 
-// Lit; bounds and axes of spheres are not set.
+// Bodies are lit. Bounds and axes of `spheres` are not set.
 struct LayerBodies {
   CellSoup faces;                               // triangles
   CellSoup edges;                               // of tetrahedra
@@ -23,11 +23,12 @@ struct LayerBodies {
 };
 
 struct LayerMesh {
-  DifferenceMesh marks;  // over everything else
+  DifferenceMesh marks;  // drawn over everything else
   LayerBodies opaque, translucent;
-  CellSoup body_lines;  // edges of layers that are bodies
+  CellSoup body_lines;  // lines of layers that are bodies
   SmoothMesh tubes;
-  // Before all else; null: none. One colour, and one atom of Molecule::atoms, for each.
+  // Atoms drawn in front of everything; null: none. Each has a colour and an index in
+  // Molecule::atoms.
   std::shared_ptr<const BallGeometry> atoms;
   std::vector<Rgb8> atom_colours;
   std::vector<std::uint32_t> atom_of;
@@ -39,7 +40,7 @@ struct LayerMesh {
 // Throws std::invalid_argument when a simplex has a vertex beyond the balls.
 LayerMesh build_layer_mesh(const BallGeometry& balls, const Layers& layers);
 
-// Points of all arrays, at most; without making them.
+// Upper bounds for the numbers of points in the arrays, found without making the arrays.
 struct LayerPoints {
   std::size_t faces = 0, lines = 0, balls = 0;
   std::size_t all() const { return faces + lines + balls; }

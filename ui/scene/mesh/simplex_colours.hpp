@@ -10,16 +10,17 @@
 
 namespace alphascope {
 
-// On a tie the corner with the lowest index decides: a simplex lists its corners in rising order.
-// Without a branch, which the processor would often guess wrong.
+// On a tie the corner with the lowest index wins, since a simplex lists its corners in rising
+// order. There is no branch, because the processor would often guess it wrong.
 template <std::size_t N>
 Rgb8 most_frequent_colour(const std::array<BallIndex, N>& simplex,
                           const std::vector<Rgb8>& colours) {
   static_assert(N <= 4);
   std::array<PackedColour, N> of;
   for (std::size_t i = 0; i < N; ++i) of[i] = packed(colours[simplex[i]]);
-  // If others have the colour of the first, at most as many have another: it stays. Else a later
-  // one wins if two have it, and of four corners no two such pairs are left.
+  // If another corner has the colour of the first, at most two corners share another colour, so the
+  // first wins. Otherwise a later colour wins if two corners have it. At most one such pair is
+  // possible among the three other corners.
   bool first_is_alone = true;
   for (std::size_t i = 1; i < N; ++i) first_is_alone &= of[i] != of[0];
   PackedColour most = of[0];
@@ -31,14 +32,14 @@ Rgb8 most_frequent_colour(const std::array<BallIndex, N>& simplex,
   return unpacked(most);
 }
 
-// Of a simplex; only colours of their own kinds look at it.
+// Traits that colourings by alpha value and by class use.
 struct SimplexTraits {
   float alpha_value = 0;  // square lattice units
   SimplexClass of_class = SimplexClass::interior;
 };
 
-// `scale` is used where colours are of alpha values only, and `colours` (one a ball) where they are
-// of balls.
+// `scale` is used for colours of alpha values only, `colours` (one for each ball) for colours of
+// balls only.
 template <std::size_t N>
 Rgb8 simplex_colour(const std::array<BallIndex, N>& simplex, const SimplexTraits& traits,
                     const MeshOptions& options, const std::vector<Rgb8>& colours,

@@ -1,5 +1,5 @@
-// Simplices of any dimension as triangles and lines to be drawn, each in the colour that it is
-// given. For sources of the scene only.
+// Simplices of any dimension as triangles and lines for drawing, each in a given colour. For
+// sources of the scene only.
 #pragma once
 
 #include <array>
@@ -20,12 +20,12 @@ class SimplexSoup {
     for (const auto& simplex : simplices) add_simplex(simplex, colour);
   }
 
-  // Two of them are a line: a point in Å, relative to BallGeometry::origin.
+  // Adds an end of a line: Å, relative to BallGeometry::origin. Two ends in succession make a line.
   void add_line_end(const std::array<float, 3>& point, const Rgb8& colour) {
     add_point(edges, point, colour);
   }
 
-  CellSoup faces;  // of tetrahedra and triangles; vertices as small octahedra
+  CellSoup faces;  // of triangles and tetrahedra; vertices as small octahedra
   CellSoup edges;  // lines
 
  private:

@@ -1,8 +1,8 @@
-// Rings of points around the line through the centres. The frame of each ring is the one before it,
-// turned as little as the line turns: the double reflection of W. Wang, B. Jüttler, D. Zheng, Y.
-// Liu, "Computation of rotation minimizing frames" (ACM Transactions on Graphics 27, 2008). A ball
-// whose radius grows by g for each Å touches its envelope in a circle that lies g radii behind its
-// centre, which is where its ring is.
+// A tube is made of rings of points around the line through the centres. Each ring's frame is the
+// previous one with the least possible rotation, by double reflection: W. Wang, B. Jüttler, D.
+// Zheng, Y. Liu, "Computation of rotation minimizing frames" (ACM Transactions on Graphics 27,
+// 2008). If the radius grows by g for each Å, a ball touches the envelope in a circle. That circle
+// lies g radii behind the centre, and there the ring is.
 #include "ui/scene/mesh/tube_mesh.hpp"
 
 #include <algorithm>
@@ -15,7 +15,8 @@ namespace {
 
 constexpr int kAround = 48;          // points of a ring
 constexpr int kEndRings = 16;        // from the rim of a round end to its tip
-constexpr double kMostSlope = 0.95;  // of the radius: at 1 the next ball would hold this one
+constexpr double kMostSlope = 0.95;  // limit on the growth of the radius; at 1 the next ball would
+                                     // contain this one
 
 struct Knot {
   RealPoint centre;
@@ -73,7 +74,7 @@ class TubeBuilder {
     up_ = cross(tangents_[i], across_);
   }
 
-  // Å that the radius grows on an Å of the line.
+  // Growth of the radius, Å for each Å of the line.
   double slope(std::size_t i) const {
     const std::size_t a = i > 0 ? i - 1 : i, b = std::min(i + 1, knots_.size() - 1);
     double way = 0;
@@ -87,8 +88,7 @@ class TubeBuilder {
     return {v[0], v[1], v[2]};
   }
 
-  // Triangles on the inner side of a bend may lie the other way round, and would be lit from
-  // within.
+  // Turns triangles that lie inside out on the inner side of a bend; they would be lit from within.
   void turn_outwards() {
     for (std::size_t t = first_corner_; t < mesh_.corners.size(); t += 3) {
       std::int32_t* c = &mesh_.corners[t];
@@ -100,8 +100,9 @@ class TubeBuilder {
     }
   }
 
-  // On the inner side of a bend a ring reaches into its neighbours' balls: there it is moved out to
-  // the ball that it is deepest in, or folds would show as specks.
+  // On the inner side of a bend a ring may reach into balls of its neighbours. Such a point is
+  // moved out to the surface of the ball that contains it deepest. Otherwise folds would show as
+  // specks.
   void add_outer_point(RealPoint at, RealPoint normal, std::size_t i) {
     constexpr std::size_t kNeighbours = 12;  // to either side
     constexpr double kRounding = 1e-6;       // Å
@@ -122,7 +123,7 @@ class TubeBuilder {
     add_point(at, normal, knots_[i].colour, mesh_);
   }
 
-  // On the sphere, `back` radii behind its centre; joined with the ring before.
+  // Adds a ring on the sphere, `back` radii behind its centre, and joins it to the previous ring.
   void add_ring(std::size_t i, double back) {
     const Knot& knot = knots_[i];
     const double out = std::sqrt(1 - back * back);
@@ -140,11 +141,10 @@ class TubeBuilder {
     }
   }
 
-  // The part of the outermost sphere that lies beyond its ring. `side`: -1 at the start of the
-  // tube.
+  // Adds the part of the first or last sphere beyond its ring. `side`: -1 at the start of the tube,
+  // 1 at its end.
   void add_end(std::size_t knot, int side) {
-    const double rim =
-        std::asin(slope(knot));  // how far behind the centre the ring is, as an angle
+    const double rim = std::asin(slope(knot));  // angle by which the ring lies behind the centre
     const double tip = side < 0 ? M_PI / 2 : -M_PI / 2;
     for (int k = 0; k < kEndRings; ++k) {
       const double share = side < 0 ? k / double(kEndRings) : (k + 1) / double(kEndRings);

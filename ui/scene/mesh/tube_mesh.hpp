@@ -1,5 +1,4 @@
-// A smooth tube through spheres: the surface that a ball of changing radius sweeps. Pure C++; no
-// VTK.
+// A smooth tube through spheres: the surface swept by a ball of changing radius. Pure C++; no VTK.
 #pragma once
 
 #include <array>
@@ -11,24 +10,27 @@
 
 namespace alphascope {
 
-// Triangles that share their corners and are lit by the corners' normals, so that they look round.
+// Triangles with shared corners. Light is computed from the corners' normals, so that the surface
+// looks round.
 struct SmoothMesh {
   std::vector<float> xyz;      // Å, relative to BallGeometry::origin
-  std::vector<float> normals;  // outwards, of length 1; three a point
+  std::vector<float> normals;  // outwards, of length 1; three numbers a point
   std::vector<std::uint8_t> rgb;
-  std::vector<std::int32_t> corners;  // three points a triangle
+  std::vector<std::int32_t> corners;  // indices of points, three a triangle
   std::size_t points() const { return xyz.size() / 3; }
 };
 
-// Points that a tube through so many spheres adds, at most.
+// Upper bound for the number of points that a tube through this many spheres adds.
 std::size_t tube_points(std::size_t spheres);
 
-// Of one sphere: a ball. `colour`: of spheres that have none of their own. Spheres at the same
-// place as the one before, and those without size, are left out.
+// Adds a tube; a single sphere makes a ball. `origin` is BallGeometry::origin. Spheres without a
+// colour get `colour`. A sphere is skipped if its radius is not positive, or if it has the centre
+// of the sphere before.
 void add_tube(const std::vector<LayerSphere>& spheres, const std::array<double, 3>& origin,
               const Rgb8& colour, SmoothMesh& mesh);
 
-// Open at its ends, which other things cover; places in Å, relative to BallGeometry::origin.
+// Adds a cylinder with open ends, to be covered by balls. Positions are in Å, relative to
+// BallGeometry::origin.
 void add_stick(const RealPoint& from, const RealPoint& to, double radius, const Rgb8& colour,
                SmoothMesh& mesh);
 

@@ -1,5 +1,5 @@
-// See the header. The part is a complex of its own, so that whatever builds meshes knows nothing of
-// it; that costs a copy, and only while something is hidden.
+// Copies the visible part into a complex of its own. So the functions that build meshes need not
+// know about hidden balls. The copy costs time only while something is hidden.
 #include "ui/scene/mesh/visible_mesh.hpp"
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 namespace alphascope {
 namespace {
 
-using Places = std::vector<std::uint32_t>;  // in the whole list, of each simplex of the part
+using Places = std::vector<std::uint32_t>;  // index in the whole list for each simplex of the part
 
 template <int N>
 Places keep_visible(const SimplexList<N>& all, const std::vector<bool>& hidden,
@@ -28,7 +28,7 @@ Places keep_visible(const SimplexList<N>& all, const std::vector<bool>& hidden,
   return places;
 }
 
-// From places in the part's lists to those in the whole complex'. Empty: cell i is i.
+// Replaces indices in the part's lists by those in the whole complex. Empty: cell i is i.
 template <class Numbers>
 void name_in_whole(Numbers& numbers, std::size_t cells, const Places& places) {
   if (numbers.empty()) {
@@ -43,12 +43,13 @@ void name_faces_in_whole(Codes& codes, const Places& tetrahedra) {
   for (FaceCode& code : codes) code = face_code(tetrahedra[tetrahedron_of(code)], code % 4);
 }
 
-// With no list filled.
+// A complex with the lattice and alpha of `complex`, and empty lists.
 AlphaComplex part_of(const AlphaComplex& complex) {
   AlphaComplex part;
   part.lattice = complex.lattice;
   part.alpha_on_lattice = complex.alpha_on_lattice;
-  part.tetrahedra_only = true;  // its outside is not that of the whole, which the classes tell
+  part.tetrahedra_only = true;  // classes describe the outside of the whole complex, not of the
+                                // part
   return part;
 }
 

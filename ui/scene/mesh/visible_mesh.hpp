@@ -10,15 +10,16 @@
 
 namespace alphascope {
 
-// build_mesh(), or what stands in for it.
+// build_mesh(), or a function in its place.
 using MeshBuild = std::function<ComplexMesh(const AlphaComplex& complex)>;
 
-// `hidden`: one a ball; empty: none is. Outside and boundary are those of the tetrahedra that are
-// left, so what is shown is closed. Cells name their simplices by the places in the whole complex.
+// `hidden` has one value for each ball; empty: none is hidden. Outside and boundary are those of
+// the visible tetrahedra, so the drawing is closed. Cells name simplices by their indices in the
+// whole complex.
 ComplexMesh build_visible_mesh(const AlphaComplex& complex, const std::vector<bool>& hidden,
                                const MeshBuild& build);
 
-// The same of what closes tetrahedra at a cut.
+// The same for the caps of tetrahedra at a cut.
 using CapBuild = std::function<CapMesh(const AlphaComplex& complex)>;
 CapMesh build_visible_caps(const AlphaComplex& complex, const std::vector<bool>& hidden,
                            const CapBuild& build);

@@ -1,5 +1,5 @@
-// See the header. 32-bit cell arrays halve what is uploaded; a soup of 2^31 points does not fit
-// any memory this meets.
+// Makes VTK's arrays. Cells use 32-bit indices, which halves the upload. 2^31 points would not fit
+// into memory anyway.
 #include "ui/scene/mesh/vtk_arrays.hpp"
 
 #include <vtkCellArray.h>
@@ -18,7 +18,8 @@
 namespace alphascope {
 namespace {
 
-// VTK's setter takes a mutable pointer, but a mapper only reads; 1 = the memory is not VTK's.
+// VTK's setter takes a mutable pointer, but the mapper only reads. The argument 1 tells VTK not to
+// free the memory.
 template <class Array, class Value>
 vtkSmartPointer<Array> in_place(const std::vector<Value>& values, int components) {
   auto array = vtkSmartPointer<Array>::New();
@@ -45,7 +46,7 @@ vtkSmartPointer<vtkTypeInt32Array> starts_of_cells(vtkIdType cells, int corners)
   return offsets;
 }
 
-// Cells of `corners` consecutive points each.
+// Cells that each have `corners` consecutive points.
 vtkSmartPointer<vtkCellArray> consecutive_cells(vtkIdType points, int corners) {
   const vtkIdType cells = points / corners;
   vtkNew<vtkTypeInt32Array> connectivity;
@@ -109,7 +110,8 @@ vtkSmartPointer<vtkPolyData> soup_to_vtk(const CellSoup& soup, int corners) {
   } else {
     data->SetPolys(cells);
   }
-  data->ComputeCellsBounds();  // kept by VTK; else the thread that draws does it
+  data->ComputeCellsBounds();  // VTK keeps the bounds; otherwise the drawing thread would compute
+                               // them
   return data;
 }
 

@@ -1,4 +1,4 @@
-// Plain arrays as VTK data, without copying where VTK can use the memory as it is.
+// Plain arrays as VTK data. They are not copied if VTK can use the memory in place.
 #pragma once
 
 #include <vtkPolyData.h>
@@ -47,18 +47,18 @@ struct LayerData {
   std::shared_ptr<BallData> atoms;  // null: none
 };
 
-// One vertex cell a ball: vtkOpenGLSphereMapper takes its bounds from cells and shows nothing
-// without. Point arrays: colours (scalars) and "radius".
+// Each ball is a vertex cell: vtkOpenGLSphereMapper gets its bounds from cells and draws nothing
+// without them. Point arrays: colours (scalars) and "radius".
 vtkSmartPointer<vtkPolyData> balls_to_vtk(const BallGeometry& balls);
 void set_colours(vtkPolyData* data, const std::vector<Rgb8>& colours);
 void set_radii(vtkPolyData* data, const std::vector<float>& radii);
-std::span<const float> radii_of(const BallData& balls);  // as they are drawn
+std::span<const float> radii_of(const BallData& balls);  // Å, as drawn
 
-// Points and colours stay those of `soup`, which must outlive the result; `corners` points a cell.
-// Null for a soup without points.
+// The result uses the points and colours of `soup`, which must outlive it. A cell has `corners`
+// points. Null if `soup` has no points.
 vtkSmartPointer<vtkPolyData> soup_to_vtk(const CellSoup& soup, int corners);
 
-// The same of points with normals.
+// The same for triangles with normals.
 vtkSmartPointer<vtkPolyData> smooth_to_vtk(const SmoothMesh& mesh);
 
 inline constexpr const char* kRadiusArray = "radius";
